@@ -1,0 +1,54 @@
+/*
+ * base/arena.h - the frame arena: the paper's stack allocator. A fixed block, entries in LIFO order,
+ * falling back to the memory below when full, reset at the end of every step and then grown to the
+ * high-water mark, so that the steady state never falls back.
+ *
+ *   block   [ entry 0 | entry 1 | entry 2 |            free            ]
+ *   entries { pointer, bytes, fallback? } in a side array: fallback entries live outside of the block
+ *
+ * Used by stages for scratch that dies within the step. Every pushed entry is popped in reverse order
+ * by the stage that pushed it; a pop out of order is refused (returns 0), changes nothing, and trips an
+ * assert in debug builds.
+ */
+#ifndef CNI_BASE_ARENA_H
+#define CNI_BASE_ARENA_H
+
+#include "base/memory.h"
+
+#define CNI_ARENA_ENTRIES 64
+
+typedef struct cni_arena_entry {
+	void *pointer;
+	uint64_t bytes;
+	int32_t fallback;
+	int32_t reserved;
+} cni_arena_entry;
+
+typedef struct cni_arena {
+	cni_memory *memory;
+	uint8_t *block;
+	uint64_t capacity;
+	uint64_t used;       /* bytes of the block in use */
+	uint64_t in_use;     /* bytes of all entries, fallbacks too */
+	uint64_t high_water; /* most in_use since creation */
+	uint64_t fallbacks;  /* entries served by the fallback since creation */
+	int32_t entry_count;
+	int32_t reserved;
+	cni_arena_entry entries[CNI_ARENA_ENTRIES];
+} cni_arena;
+
+/* Takes no memory until the first push or reserve. */
+void cni_arena_init(cni_arena *arena, cni_memory *memory);
+void cni_arena_deinit(cni_arena *arena);
+/* Makes the (empty) block hold at least bytes; 0 if there is no memory, the old block then stays. */
+int32_t cni_arena_reserve(cni_arena *arena, uint64_t bytes);
+/* 64-byte aligned scratch, not cleared; bytes may be 0 (gives a valid non-NULL pointer). NULL when
+   neither the block nor the fallback has room or all CNI_ARENA_ENTRIES are taken. */
+void *cni_arena_push(cni_arena *arena, uint64_t bytes);
+/* pointer must be the latest entry that is still pushed: 1, else 0 and nothing changes. NULL: 1. */
+int32_t cni_arena_pop(cni_arena *arena, void *pointer);
+/* Pops whatever is left and, if the high-water mark is above the capacity, grows the block to it
+   (rounded up to 4 KiB; on failure it stays as it is). */
+void cni_arena_reset(cni_arena *arena);
+
+#endif

@@ -1,0 +1,22 @@
+/*
+ * base/bitset.h - bits over caller-owned 64-bit words, with the scan that the stages use to visit set
+ * bits in index order (which keeps results independent of who set them when).
+ */
+#ifndef CNI_BASE_BITSET_H
+#define CNI_BASE_BITSET_H
+
+#include "base/config.h"
+
+static inline int32_t cni_bit_words(int32_t bits) { return (bits + 63) >> 6; }
+static inline void cni_bit_set(uint64_t *words, int32_t bit) { words[bit >> 6] |= (uint64_t)1 << (bit & 63); }
+static inline void cni_bit_clear(uint64_t *words, int32_t bit) { words[bit >> 6] &= ~((uint64_t)1 << (bit & 63)); }
+static inline int32_t cni_bit_get(const uint64_t *words, int32_t bit) { return (int32_t)(words[bit >> 6] >> (bit & 63)) & 1; }
+
+/* Number of trailing zeros; x != 0. */
+int32_t cni_bit_lowest64(uint64_t x);
+int32_t cni_bit_lowest32(uint32_t x);
+int32_t cni_bit_count64(uint64_t x);
+/* First set bit >= from among bits, or CNI_NONE. */
+int32_t cni_bit_next(const uint64_t *words, int32_t bits, int32_t from);
+
+#endif

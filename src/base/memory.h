@@ -1,0 +1,46 @@
+/*
+ * base/memory.h - the one place a world's memory comes from: the user's hooks (malloc by default)
+ * or one fixed block. Everything else in base/ asks here, and a failure here is a NULL, never more.
+ *
+ * A fixed block is managed by an address-ordered first-fit free list with coalescing, so that what a
+ * world gives back can be used again; nothing outside of the block is ever touched.
+ *
+ *   block:  [ free node | free bytes ... ][ allocation ... ][ free node | ... ]
+ *           the free list threads the holes in address order; allocations carry no header because
+ *           every free names its size
+ */
+#ifndef CNI_BASE_MEMORY_H
+#define CNI_BASE_MEMORY_H
+
+#include "base/config.h"
+#include "cairn.h"
+
+#define CNI_MEMORY_ALIGN 64u
+
+typedef struct cni_hole cni_hole;
+
+typedef struct cni_memory {
+	cn_alloc_fn *alloc;
+	cn_free_fn *free;
+	void *user;
+	cni_hole *holes;    /* fixed block only: first hole in address order */
+	int32_t fixed;
+	int32_t reserved;
+	uint64_t bytes_in_use;
+	uint64_t bytes_peak;
+	uint64_t calls;     /* successful or failed attempts to allocate */
+} cni_memory;
+
+/* alloc and free NULL: aligned malloc. */
+void cni_memory_init_hooks(cni_memory *memory, cn_alloc_fn *alloc, cn_free_fn *free, void *user);
+/* block aligned to CNI_MEMORY_ALIGN. */
+void cni_memory_init_block(cni_memory *memory, void *block, uint64_t bytes);
+
+/* 64-byte aligned, not cleared, NULL when there is none. bytes > 0. In a fixed block every
+   allocation is rounded up to 64 bytes; cni_memory_rounded says to how much. */
+void *cni_memory_alloc(cni_memory *memory, uint64_t bytes);
+/* NULL is allowed. bytes must be what was asked for. */
+void cni_memory_free(cni_memory *memory, void *pointer, uint64_t bytes);
+uint64_t cni_memory_rounded(uint64_t bytes);
+
+#endif

@@ -1,0 +1,54 @@
+/*
+ * base/table.h - two ways to hold many equal items by index.
+ *
+ * cni_table  pages of a fixed number of items: items never move, growing copies nothing and wastes at
+ *            most a page. For records with stable slots.
+ * cni_array  one contiguous piece, moved when it grows (by half while small, by an eighth above 64 KiB).
+ *            For dense arrays that loops sweep.
+ *
+ * Both only ever grow; "reserve, then commit" is how callers stay atomic: reserve everything a call
+ * needs first, and only then change state.
+ */
+#ifndef CNI_BASE_TABLE_H
+#define CNI_BASE_TABLE_H
+
+#include "base/memory.h"
+
+typedef struct cni_table {
+	uint8_t **pages;
+	int32_t page_count;
+	int32_t page_capacity; /* of the pages array */
+	int32_t item_bytes;
+	int32_t page_shift;    /* items in a page = 1 << page_shift */
+} cni_table;
+
+void cni_table_init(cni_table *table, int32_t item_bytes, int32_t page_shift);
+void cni_table_deinit(cni_table *table, cni_memory *memory);
+/* Room for items 0 .. count-1; 0 if there is no memory (what was reserved before stays). New items are
+   zeroed. */
+int32_t cni_table_reserve(cni_table *table, cni_memory *memory, int32_t count);
+int32_t cni_table_capacity(const cni_table *table);
+uint64_t cni_table_bytes_for(const cni_table *table, int32_t count);
+
+static inline void *cni_table_at(const cni_table *table, int32_t index)
+{
+	return table->pages[index >> table->page_shift] +
+	       (size_t)(index & ((1 << table->page_shift) - 1)) * (size_t)table->item_bytes;
+}
+
+typedef struct cni_array {
+	void *data;        /* 64-byte aligned */
+	int32_t count;     /* the owner's: reserve only preserves items below count */
+	int32_t capacity;
+	int32_t item_bytes;
+	int32_t reserved;
+} cni_array;
+
+void cni_array_init(cni_array *array, int32_t item_bytes);
+void cni_array_deinit(cni_array *array, cni_memory *memory);
+/* Room for count items in all; 0 if there is no memory, nothing changes then. New room is not cleared. */
+int32_t cni_array_reserve(cni_array *array, cni_memory *memory, int32_t count);
+/* Exactly count, for capacities that are known beforehand. */
+int32_t cni_array_reserve_exact(cni_array *array, cni_memory *memory, int32_t count);
+
+#endif

@@ -1,0 +1,74 @@
+/*
+ * geometry/shape.h - the stored form of every shape's geometry and the pure functions on it: bounds,
+ * mass, point test, and the making and checking of hulls.
+ *
+ * One variable-size record serves all types. Points are in the body's local frame (the shape's offset
+ * is already applied), polygons are counter-clockwise and carry outward unit normals behind the points:
+ *
+ *   | header 32 bytes | points[count] | normals[count] (polygon only) |
+ *
+ *   circle   count 1, radius > 0          capsule  count 2, radius > 0
+ *   edge     count 2, radius 0            polygon  count 3..16, radius >= 0, normals
+ *   chain    count n, radius 0; child i is the edge points[i] -> points[i + 1 mod n]; n - 1 children,
+ *            n when it is a loop
+ */
+#ifndef CNI_GEOMETRY_SHAPE_H
+#define CNI_GEOMETRY_SHAPE_H
+
+#include "base/maths.h"
+
+typedef struct cni_geometry {
+	int32_t type;       /* CN_SHAPE_* */
+	int32_t count;
+	float radius;
+	int32_t loop;       /* chain: 1 if closed */
+	cni_vec2 centroid;  /* of the area (polygon, capsule, circle), else the mean of the points */
+	float extent;       /* farthest surface point from the local origin */
+	float inner_radius; /* radius of a circle inside the shape around its centroid, 0 for edges and chains */
+	/* cni_vec2 points[count]; cni_vec2 normals[count] */
+} cni_geometry;
+
+static inline const cni_vec2 *cni_geometry_points(const cni_geometry *g) { return (const cni_vec2 *)(const void *)(g + 1); }
+static inline const cni_vec2 *cni_geometry_normals(const cni_geometry *g) { return cni_geometry_points(g) + g->count; }
+
+/* Bytes of a record. */
+int32_t cni_geometry_bytes(int32_t type, int32_t count);
+/* How many broadphase boxes (children) a shape has: 1, or the chain's edge count. */
+int32_t cni_geometry_children(const cni_geometry *g);
+
+/* Builders: write a whole record into memory of cni_geometry_bytes. Input must have passed the matching
+   check. offset turns and moves the points into the body's frame. */
+void cni_geometry_circle(cni_geometry *out, const cn_circle *circle, cni_transform offset);
+void cni_geometry_capsule(cni_geometry *out, const cn_capsule *capsule, cni_transform offset);
+void cni_geometry_edge(cni_geometry *out, const cn_edge *edge, cni_transform offset);
+/* Clockwise input is reversed. */
+void cni_geometry_polygon(cni_geometry *out, const cn_polygon *polygon, cni_transform offset);
+void cni_geometry_chain(cni_geometry *out, const cn_chain *chain, cni_transform offset);
+
+/* Checks: NULL when good, else a static English fragment that says what must hold, such as
+   "points must be convex" (the caller adds the function name and values). tolerance: points closer than
+   this coincide; heights below it count as collinear. All finite-ness checks are included, and
+   coordinates and radii above 1e6 are refused. A capsule's ends may not coincide; a chain refuses
+   coinciding consecutive points (also last and first of a loop). */
+const char *cni_check_circle(const cn_circle *circle, float tolerance);
+const char *cni_check_capsule(const cn_capsule *capsule, float tolerance);
+const char *cni_check_edge(const cn_edge *edge, float tolerance);
+/* Convex in either winding, each vertex strictly convex by more than the tolerance. */
+const char *cni_check_polygon(const cn_polygon *polygon, float tolerance);
+const char *cni_check_chain(const cn_chain *chain, float tolerance);
+
+/* Hull of points, at most CN_POLYGON_MAX_VERTICES vertices (dropping those that change the area least),
+   counter-clockwise, every vertex strictly convex beyond the tolerance. NULL when good, else what is
+   wrong. count <= 65536. No allocation (works in out and on the input only): O(count * hull size) is
+   fine (gift wrapping with exact ties, or repeated farthest-point insertion). */
+const char *cni_hull_make(const cni_vec2 *points, int32_t count, float tolerance, cn_polygon *out);
+
+/* Tight box of child (0 for all but chains) with the body's origin at transform.t. */
+cni_aabb cni_geometry_aabb(const cni_geometry *g, int32_t child, cni_transform transform);
+/* About the local origin's frame: mass, centre, and inertia about that centre. Edges and chains: 0.
+   Polygons with a radius count as the exact Minkowski sum with a disc. Closed forms, tested. */
+cn_mass_data cni_geometry_mass(const cni_geometry *g, float density);
+/* local is in the body's frame. Edges and chains contain nothing. */
+int32_t cni_geometry_contains(const cni_geometry *g, cni_vec2 local);
+
+#endif

@@ -1,0 +1,34 @@
+/*
+ * model/proxy.h - the boxes that the broadphase works on: one a shape, one an edge of a chain.
+ *
+ * The table is shared by all broadphases; what each keeps beside it is its own. A proxy's fat box
+ * contains its shape's tight box with a margin and changes only when the shape leaves it.
+ */
+#ifndef CNI_MODEL_PROXY_H
+#define CNI_MODEL_PROXY_H
+
+#include "base/maths.h"
+#include "base/table.h"
+
+enum {
+	CNI_PROXY_MOVED = 1u << 0,  /* the fat box changed (or the proxy was made) since the last update */
+	CNI_PROXY_STATIC = 1u << 1, /* never pairs with another static one */
+	CNI_PROXY_ALIVE = 1u << 2
+};
+
+typedef struct cni_proxy {
+	cni_aabb fat;     /* now */
+	cni_aabb old;     /* at the last update; empty (x0 > x1) for a new one */
+	int32_t shape;    /* index of the shape */
+	int32_t child;    /* edge of a chain, else 0 */
+	int32_t cell;     /* owned by the broadphase: where it keeps the proxy */
+	uint32_t flags;
+} cni_proxy;
+
+/* A new pair of overlapping boxes, a < b. */
+typedef struct cni_pair {
+	int32_t a;
+	int32_t b;
+} cni_pair;
+
+#endif

@@ -1,0 +1,74 @@
+/*
+ * stages/broadphase.h - stage 2, the interface: which pairs of boxes began to overlap.
+ *
+ * A pair is new exactly when the two fat boxes overlap now and did not at the last update (old boxes),
+ * or when one of them is new or was asked to look again. All implementations must report the same set.
+ * The proxy table belongs to the world (model/proxy.h); an implementation reads it, owns its cells,
+ * and sets old and clears CNI_PROXY_MOVED in update.
+ *
+ * Failure: nothing here may lose a proxy. add fails cleanly (0); move and update cannot fail: an
+ * implementation that has no memory for its fast path keeps such proxies in a reserved slow list. When the
+ * pair array cannot grow, update keeps what fits, marks the proxies of every missing pair to look
+ * again (moved, old empty) and counts them in pairs_lost.
+ */
+#ifndef CNI_STAGES_BROADPHASE_H
+#define CNI_STAGES_BROADPHASE_H
+
+#include "base/arena.h"
+#include "base/blocks.h"
+#include "model/proxy.h"
+
+/* May these two proxies ever make a contact? Both directions give the same answer. Must be cheap. */
+typedef int32_t cni_pair_filter_fn(const void *context, int32_t proxy_a, int32_t proxy_b);
+
+/* Query and ray visitors return the new limit: for rays the fraction to go on with (0 stops), for
+   queries 0 stops and anything else goes on. */
+typedef float cni_query_fn(void *context, int32_t proxy, float limit);
+
+typedef struct cni_broadphase_pairs {
+	cni_array list;        /* cni_pair, sorted by (a, b), each once */
+	int32_t pairs_lost;
+	int32_t reserved;
+} cni_broadphase_pairs;
+
+typedef struct cni_broadphase_context {
+	cni_memory *memory;    /* for what lives across steps */
+	cni_blocks *blocks;    /* for small pieces that live across steps */
+	cni_arena *arena;      /* scratch within update */
+	cni_table *proxies;    /* cni_proxy by id */
+	float length_unit;
+	int32_t reserved;
+} cni_broadphase_context;
+
+typedef struct cni_broadphase cni_broadphase; /* each implementation's own state */
+
+typedef struct cni_broadphase_ops {
+	/* NULL when there is no memory. capacity: proxies to make room for at once, 0 for none. */
+	cni_broadphase *(*create)(const cni_broadphase_context *context, int32_t capacity);
+	void (*destroy)(cni_broadphase *broadphase);
+	/* Make the next extra adds certain to succeed; 0 when there is no memory. */
+	int32_t (*reserve)(cni_broadphase *broadphase, int32_t extra);
+	/* The proxy's fat box is set, its old box empty; flags MOVED is set by add. After reserve it cannot fail. */
+	void (*add)(cni_broadphase *broadphase, int32_t proxy);
+	void (*remove)(cni_broadphase *broadphase, int32_t proxy);
+	/* The shape left its fat box: stores the new one and sets MOVED. */
+	void (*move)(cni_broadphase *broadphase, int32_t proxy, const cni_aabb *fat);
+	/* All pairs of this proxy count as new at the next update (filter or type changed): sets MOVED and empties old. */
+	void (*touch)(cni_broadphase *broadphase, int32_t proxy);
+	void (*update)(cni_broadphase *broadphase, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out);
+	/* Every proxy whose fat box overlaps the box, each once. Order is deterministic. */
+	void (*query)(const cni_broadphase *broadphase, const cni_aabb *box, cni_query_fn *visit, void *context);
+	/* Every proxy whose fat box the segment from origin by translation * fraction crosses, about nearest first. */
+	void (*ray)(const cni_broadphase *broadphase, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context);
+	uint64_t (*bytes)(const cni_broadphase *broadphase);
+	/* Non-empty tiles or nodes, for counters. */
+	int32_t (*cells)(const cni_broadphase *broadphase);
+	/* 1 when its own invariants hold. O(n). */
+	int32_t (*validate)(const cni_broadphase *broadphase);
+	/* Bytes that capacity proxies may take, for fixed-memory worlds. */
+	uint64_t (*bytes_needed)(int32_t capacity);
+} cni_broadphase_ops;
+
+extern const cni_broadphase_ops cni_broadphase_sweep;
+
+#endif
