@@ -30,6 +30,10 @@ typedef struct cni_blocks {
 	int32_t chunk_capacity;
 	cni_ref free_head[CNI_BLOCK_CLASSES]; /* next ref is stored in the first 4 bytes of a free piece */
 	int32_t free_count[CNI_BLOCK_CLASSES];
+	int32_t empty_slot;       /* first chunk index that a freed large piece left behind, 0 for none */
+	cni_ref tail;             /* the part of the newest class chunk that was never carved */
+	uint32_t tail_units;
+	uint32_t reserved;
 	uint64_t bytes_in_chunks; /* class chunks */
 	uint64_t bytes_in_use;    /* rounded to the class */
 	uint64_t bytes_large;

@@ -35,6 +35,15 @@
 #define CNI_ASSERT(condition) ((void)0)
 #endif
 
+/* For kernels that are written once and specialised by constant arguments. */
+#if defined(__GNUC__)
+#define CNI_INLINE static inline __attribute__((always_inline))
+#elif defined(_MSC_VER)
+#define CNI_INLINE static __forceinline
+#else
+#define CNI_INLINE static inline
+#endif
+
 /* Index that names nothing. */
 #define CNI_NONE (-1)
 

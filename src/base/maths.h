@@ -87,15 +87,17 @@ static inline cni_aabb cni_aabb_union(const cni_aabb *a, const cni_aabb *b)
 static inline int32_t cni_is_finite(float x) { return x - x == 0.0f; }
 static inline int32_t cni_is_finite2(cni_vec2 v) { return cni_is_finite(v.x) && cni_is_finite(v.y); }
 
-/* Any finite angle; absolute error of each component <= 1.5e-7 for |x| <= 1e4 (argument reduction in
-   three parts after Cody and Waite, minimax polynomials). Result is within 1e-6 of unit length. */
+/* Any finite angle; absolute error of each component <= 1.5e-7 (argument reduction in three parts after
+   Cody and Waite up to 1e4, in integers after Payne and Hanek beyond; minimax polynomials). Result is
+   within 1e-6 of unit length, also for what is not finite. */
 cni_rot cni_sincos(float angle_rad);
 /* In (-pi, pi]; error <= 3e-7 rad; (0, 0) gives 0. */
 float cni_atan2(float y, float x);
 /* Rotation by a small angle without range reduction: sin to degree 5, cos to degree 4, then normalised
-   to first order. |angle| <= 1: error < 2e-4; |angle| <= 0.25: < 1e-6. See maths.c. */
+   to first order. |angle| <= 1: error < 2e-4; |angle| <= 0.25: < 1e-6; unit length within 3e-7. Beyond
+   1 it is cni_sincos. See maths.c. */
 cni_rot cni_rot_small(float angle_rad);
-/* The angle in (-pi, pi] equal to a modulo 2 pi; |a| <= 1e5. */
+/* The angle in (-pi, pi] equal to a modulo 2 pi; error <= 3e-7 rad for any finite a. */
 float cni_wrap_angle(float a);
 
 #endif

@@ -13,7 +13,8 @@
 enum {
 	CNI_PROXY_MOVED = 1u << 0,  /* the fat box changed (or the proxy was made) since the last update */
 	CNI_PROXY_STATIC = 1u << 1, /* never pairs with another static one */
-	CNI_PROXY_ALIVE = 1u << 2
+	CNI_PROXY_ALIVE = 1u << 2,
+	CNI_PROXY_AGAIN = 1u << 3   /* within update only: a pair of it was lost, it looks again */
 };
 
 typedef struct cni_proxy {

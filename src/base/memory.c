@@ -1,0 +1,204 @@
+/*
+ * base/memory.c - owns the hooks and the holes of a fixed block; reads and writes nothing else.
+ *
+ * Fixed block: first fit over an address-ordered list of holes, neighbours coalesced on free (Knuth,
+ * The Art of Computer Programming 1, 1968, section 2.5, algorithms A and B). Every size is a multiple
+ * of 64, so that a hole always has room for its own node and every piece starts on a cache line.
+ *
+ * Invariant: holes are in rising address order and no two of them touch.
+ */
+#include "base/memory.h"
+
+#ifndef CN_NO_MALLOC
+#include <stdlib.h>
+#endif
+
+struct cni_hole {
+	cni_hole *next;
+	uint64_t bytes;
+};
+
+uint64_t cni_memory_rounded(uint64_t bytes)
+{
+	uint64_t mask = CNI_MEMORY_ALIGN - 1;
+
+	return bytes > UINT64_MAX - mask ? UINT64_MAX - mask : (bytes + mask) & ~mask;
+}
+
+#ifndef CN_NO_MALLOC
+
+/* C99 has no aligned allocation: take more, and remember malloc's own pointer just below the piece. */
+static void *heap_alloc(uint64_t bytes, uint32_t align, void *user)
+{
+	uint64_t spare = align - 1 + sizeof(void *);
+	uint8_t *raw, *aligned;
+
+	(void)user;
+	if (bytes > SIZE_MAX - spare)
+		return NULL;
+	raw = malloc((size_t)(bytes + spare));
+	if (raw == NULL)
+		return NULL;
+	aligned = raw + sizeof(void *);
+	aligned += (align - (uintptr_t)aligned % align) % align;
+	((void **)(void *)aligned)[-1] = raw;
+	return aligned;
+}
+
+static void heap_free(void *memory, uint64_t bytes, void *user)
+{
+	(void)bytes;
+	(void)user;
+	free(((void **)memory)[-1]);
+}
+
+#else
+
+static void *heap_alloc(uint64_t bytes, uint32_t align, void *user)
+{
+	(void)bytes;
+	(void)align;
+	(void)user;
+	return NULL;
+}
+
+static void heap_free(void *memory, uint64_t bytes, void *user)
+{
+	(void)memory;
+	(void)bytes;
+	(void)user;
+}
+
+#endif
+
+static void memory_clear(cni_memory *memory)
+{
+	memory->alloc = NULL;
+	memory->free = NULL;
+	memory->user = NULL;
+	memory->holes = NULL;
+	memory->fixed = 0;
+	memory->reserved = 0;
+	memory->bytes_in_use = 0;
+	memory->bytes_peak = 0;
+	memory->calls = 0;
+}
+
+void cni_memory_init_hooks(cni_memory *memory, cn_alloc_fn *alloc, cn_free_fn *free_hook, void *user)
+{
+	CNI_ASSERT((alloc == NULL) == (free_hook == NULL));
+	memory_clear(memory);
+	memory->alloc = alloc != NULL ? alloc : heap_alloc;
+	memory->free = alloc != NULL ? free_hook : heap_free;
+	memory->user = user;
+}
+
+void cni_memory_init_block(cni_memory *memory, void *block, uint64_t bytes)
+{
+	CNI_ASSERT((uintptr_t)block % CNI_MEMORY_ALIGN == 0);
+	memory_clear(memory);
+	memory->fixed = 1;
+	if (bytes >= CNI_MEMORY_ALIGN) {
+		memory->holes = block;
+		memory->holes->next = NULL;
+		memory->holes->bytes = bytes - bytes % CNI_MEMORY_ALIGN;
+	}
+}
+
+/* Takes the low end of the first hole that is large enough. */
+static void *block_alloc(cni_memory *memory, uint64_t bytes)
+{
+	cni_hole **link = &memory->holes;
+	cni_hole *hole;
+
+	while (*link != NULL && (*link)->bytes < bytes)
+		link = &(*link)->next;
+	hole = *link;
+	if (hole == NULL)
+		return NULL;
+	if (hole->bytes == bytes) {
+		*link = hole->next;
+	} else {
+		cni_hole *rest = (cni_hole *)(void *)((uint8_t *)hole + bytes);
+
+		rest->next = hole->next;
+		rest->bytes = hole->bytes - bytes;
+		*link = rest;
+	}
+	return hole;
+}
+
+/* Joins a hole with the one after it if they touch. */
+static void hole_merge_next(cni_hole *hole)
+{
+	cni_hole *next = hole->next;
+
+	CNI_ASSERT(next == NULL || (uint8_t *)hole + hole->bytes <= (uint8_t *)next);
+	if (next != NULL && (uint8_t *)hole + hole->bytes == (uint8_t *)next) {
+		hole->bytes += next->bytes;
+		hole->next = next->next;
+	}
+}
+
+static void block_free(cni_memory *memory, void *pointer, uint64_t bytes)
+{
+	cni_hole *hole = pointer;
+	cni_hole *before = NULL;
+	cni_hole *after = memory->holes;
+
+	while (after != NULL && (uintptr_t)after < (uintptr_t)hole) {
+		before = after;
+		after = after->next;
+	}
+	hole->next = after;
+	hole->bytes = bytes;
+	hole_merge_next(hole);
+	if (before == NULL) {
+		memory->holes = hole;
+	} else {
+		before->next = hole;
+		hole_merge_next(before);
+	}
+}
+
+/* A hook that ignores the alignment would break us far away from here: its piece goes straight back. */
+static void *hook_alloc(cni_memory *memory, uint64_t bytes)
+{
+	void *pointer = memory->alloc(bytes, CNI_MEMORY_ALIGN, memory->user);
+
+	if (pointer != NULL && (uintptr_t)pointer % CNI_MEMORY_ALIGN != 0) {
+		memory->free(pointer, bytes, memory->user);
+		pointer = NULL;
+	}
+	return pointer;
+}
+
+void *cni_memory_alloc(cni_memory *memory, uint64_t bytes)
+{
+	uint64_t taken = memory->fixed ? cni_memory_rounded(bytes) : bytes;
+	void *pointer;
+
+	CNI_ASSERT(bytes > 0);
+	memory->calls += 1;
+	pointer = memory->fixed ? block_alloc(memory, taken) : hook_alloc(memory, taken);
+	if (pointer == NULL)
+		return NULL;
+	memory->bytes_in_use += taken;
+	if (memory->bytes_in_use > memory->bytes_peak)
+		memory->bytes_peak = memory->bytes_in_use;
+	return pointer;
+}
+
+void cni_memory_free(cni_memory *memory, void *pointer, uint64_t bytes)
+{
+	uint64_t taken = memory->fixed ? cni_memory_rounded(bytes) : bytes;
+
+	if (pointer == NULL)
+		return;
+	CNI_ASSERT(bytes > 0 && memory->bytes_in_use >= taken);
+	memory->bytes_in_use -= taken;
+	if (memory->fixed)
+		block_free(memory, pointer, taken);
+	else
+		memory->free(pointer, bytes, memory->user);
+}

@@ -1,0 +1,165 @@
+/*
+ * base/sort.c - stable sorting of keys and of keys with values; touches only the caller's arrays.
+ *
+ * Insertion sort first, until it has shifted more than a few items for each one sorted: input that is
+ * short or nearly in order (the common case from one step to the next) ends there in one sweep. What
+ * insertion has done until then is a stable rearrangement, so the radix sort simply goes on from it.
+ *
+ * Radix: least significant digit first, one byte at a time (Knuth, The Art of Computer Programming 3,
+ * 1973, section 5.2.5). Bytes in which no two keys differ are skipped, so that ids and indices cost
+ * only the bytes they use.
+ */
+#include "base/sort.h"
+
+#include <string.h>
+
+#define SHORT_COUNT 32
+#define SHIFTS_PER_ITEM 4
+
+/* 1 when sorted, 0 when more shifts than the budget were needed. */
+static int32_t keys_insert(uint64_t *keys, int32_t count, int64_t budget)
+{
+	int32_t i, j;
+
+	for (i = 1; i < count && budget >= 0; ++i) {
+		uint64_t key = keys[i];
+
+		for (j = i; j > 0 && keys[j - 1] > key; --j)
+			keys[j] = keys[j - 1];
+		keys[j] = key;
+		budget -= i - j;
+	}
+	return i >= count;
+}
+
+static int32_t pairs_insert(uint64_t *keys, uint32_t *values, int32_t count, int64_t budget)
+{
+	int32_t i, j;
+
+	for (i = 1; i < count && budget >= 0; ++i) {
+		uint64_t key = keys[i];
+		uint32_t value = values[i];
+
+		for (j = i; j > 0 && keys[j - 1] > key; --j) {
+			keys[j] = keys[j - 1];
+			values[j] = values[j - 1];
+		}
+		keys[j] = key;
+		values[j] = value;
+		budget -= i - j;
+	}
+	return i >= count;
+}
+
+static int64_t shift_budget(int32_t count, int32_t has_scratch)
+{
+	return !has_scratch || count <= SHORT_COUNT ? INT64_MAX : (int64_t)count * SHIFTS_PER_ITEM;
+}
+
+/* Bits in which any key differs from the first. */
+static uint64_t keys_differing(const uint64_t *keys, int32_t count)
+{
+	uint64_t differing = 0;
+	int32_t i;
+
+	for (i = 1; i < count; ++i)
+		differing |= keys[i] ^ keys[0];
+	return differing;
+}
+
+static int32_t key_digit(uint64_t key, int32_t shift)
+{
+	return (int32_t)(key >> shift & 255u);
+}
+
+/* first[d] = where the first key with digit d goes. */
+static void digits_locate(const uint64_t *keys, int32_t count, int32_t shift, int32_t first[256])
+{
+	int32_t sum = 0;
+	int32_t i;
+
+	memset(first, 0, 256 * sizeof *first);
+	for (i = 0; i < count; ++i)
+		++first[key_digit(keys[i], shift)];
+	for (i = 0; i < 256; ++i) {
+		int32_t digit_count = first[i];
+
+		first[i] = sum;
+		sum += digit_count;
+	}
+}
+
+void cni_sort_keys(uint64_t *keys, uint64_t *scratch, int32_t count)
+{
+	uint64_t *from = keys, *to = scratch;
+	int32_t first[256];
+	uint64_t differing;
+	int32_t shift, i;
+
+	if (keys_insert(keys, count, shift_budget(count, scratch != NULL)))
+		return;
+	differing = keys_differing(keys, count);
+	for (shift = 0; shift < 64; shift += 8) {
+		uint64_t *swap = to;
+
+		if (key_digit(differing, shift) == 0)
+			continue;
+		digits_locate(from, count, shift, first);
+		for (i = 0; i < count; ++i)
+			to[first[key_digit(from[i], shift)]++] = from[i];
+		to = from;
+		from = swap;
+	}
+	if (from != keys)
+		memcpy(keys, from, (size_t)count * sizeof *keys);
+}
+
+static void pairs_scatter(const uint64_t *keys, const uint32_t *values, uint64_t *to_keys, uint32_t *to_values,
+                          int32_t count, int32_t shift)
+{
+	int32_t first[256];
+	int32_t i;
+
+	digits_locate(keys, count, shift, first);
+	for (i = 0; i < count; ++i) {
+		int32_t place = first[key_digit(keys[i], shift)]++;
+
+		to_keys[place] = keys[i];
+		to_values[place] = values[i];
+	}
+}
+
+void cni_sort_pairs(uint64_t *keys, uint32_t *values, uint64_t *scratch_keys, uint32_t *scratch_values, int32_t count)
+{
+	int32_t has_scratch = scratch_keys != NULL && scratch_values != NULL;
+	int32_t in_scratch = 0;
+	uint64_t differing;
+	int32_t shift;
+
+	if (pairs_insert(keys, values, count, shift_budget(count, has_scratch)))
+		return;
+	differing = keys_differing(keys, count);
+	for (shift = 0; shift < 64; shift += 8) {
+		if (key_digit(differing, shift) == 0)
+			continue;
+		if (in_scratch)
+			pairs_scatter(scratch_keys, scratch_values, keys, values, count, shift);
+		else
+			pairs_scatter(keys, values, scratch_keys, scratch_values, count, shift);
+		in_scratch = !in_scratch;
+	}
+	if (in_scratch) {
+		memcpy(keys, scratch_keys, (size_t)count * sizeof *keys);
+		memcpy(values, scratch_values, (size_t)count * sizeof *values);
+	}
+}
+
+/* IEEE bits of positive floats already rise with the float; negative ones fall, so they are inverted. */
+uint32_t cni_sort_float_key(float x)
+{
+	float positive_zero = x == 0.0f ? 0.0f : x;
+	uint32_t bits;
+
+	memcpy(&bits, &positive_zero, sizeof bits);
+	return bits >> 31 ? ~bits : bits | UINT32_C(0x80000000);
+}

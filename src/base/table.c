@@ -1,0 +1,170 @@
+/*
+ * base/table.c - owns the growth of cni_table (pages that never move) and cni_array (one piece that
+ * moves when it grows). Their memory is passed in by the caller, so that neither holds a pointer to it.
+ *
+ * Invariant of both: capacity only grows, and a failed reserve leaves every item where it was.
+ */
+#include "base/table.h"
+
+#include <string.h>
+
+#define ARRAY_LARGE_BYTES 65536u
+/* Keeps the growth of the page pointers within an int32_t. */
+#define TABLE_PAGES_MAX (1 << 30)
+
+/* ------------------------------------------------------------------ table */
+
+void cni_table_init(cni_table *table, int32_t item_bytes, int32_t page_shift)
+{
+	CNI_ASSERT(item_bytes > 0 && page_shift >= 0 && page_shift < 31);
+	table->pages = NULL;
+	table->page_count = 0;
+	table->page_capacity = 0;
+	table->item_bytes = item_bytes;
+	table->page_shift = page_shift;
+}
+
+static uint64_t table_page_bytes(const cni_table *table)
+{
+	return (uint64_t)table->item_bytes << table->page_shift;
+}
+
+void cni_table_deinit(cni_table *table, cni_memory *memory)
+{
+	int32_t i;
+
+	for (i = 0; i < table->page_count; ++i)
+		cni_memory_free(memory, table->pages[i], table_page_bytes(table));
+	cni_memory_free(memory, table->pages, (uint64_t)table->page_capacity * sizeof *table->pages);
+	cni_table_init(table, table->item_bytes, table->page_shift);
+}
+
+static int64_t table_pages_for(const cni_table *table, int32_t count)
+{
+	int64_t page_items = (int64_t)1 << table->page_shift;
+
+	return count > 0 ? ((int64_t)count + page_items - 1) >> table->page_shift : 0;
+}
+
+/* Page pointers come in whole cache lines: memory is given out in those. */
+static int64_t table_pointers_rounded(int64_t count)
+{
+	int64_t line = (int64_t)(CNI_MEMORY_ALIGN / sizeof(uint8_t *));
+
+	return (count + line - 1) / line * line;
+}
+
+static int32_t table_reserve_pointers(cni_table *table, cni_memory *memory, int32_t page_count)
+{
+	int32_t grown = table->page_capacity + table->page_capacity / 2;
+	int32_t capacity = (int32_t)table_pointers_rounded(page_count > grown ? page_count : grown);
+	uint8_t **pages;
+
+	if (page_count <= table->page_capacity)
+		return 1;
+	pages = cni_memory_alloc(memory, (uint64_t)capacity * sizeof *pages);
+	if (pages == NULL)
+		return 0;
+	if (table->page_count > 0)
+		memcpy(pages, table->pages, (size_t)table->page_count * sizeof *pages);
+	cni_memory_free(memory, table->pages, (uint64_t)table->page_capacity * sizeof *pages);
+	table->pages = pages;
+	table->page_capacity = capacity;
+	return 1;
+}
+
+int32_t cni_table_reserve(cni_table *table, cni_memory *memory, int32_t count)
+{
+	int64_t page_count = table_pages_for(table, count);
+	uint64_t page_bytes = table_page_bytes(table);
+
+	if (page_count << table->page_shift > INT32_MAX || page_count > TABLE_PAGES_MAX)
+		return 0;
+	if (!table_reserve_pointers(table, memory, (int32_t)page_count))
+		return 0;
+	while (table->page_count < page_count) {
+		uint8_t *page = cni_memory_alloc(memory, page_bytes);
+
+		if (page == NULL)
+			return 0;
+		memset(page, 0, (size_t)page_bytes);
+		table->pages[table->page_count++] = page;
+	}
+	return 1;
+}
+
+int32_t cni_table_capacity(const cni_table *table)
+{
+	return table->page_count << table->page_shift;
+}
+
+uint64_t cni_table_bytes_for(const cni_table *table, int32_t count)
+{
+	int64_t page_count = table_pages_for(table, count);
+	uint64_t pointers = (uint64_t)table_pointers_rounded(page_count);
+
+	return (uint64_t)page_count * cni_memory_rounded(table_page_bytes(table)) + pointers * sizeof *table->pages;
+}
+
+/* ------------------------------------------------------------------ array */
+
+void cni_array_init(cni_array *array, int32_t item_bytes)
+{
+	CNI_ASSERT(item_bytes > 0);
+	array->data = NULL;
+	array->count = 0;
+	array->capacity = 0;
+	array->item_bytes = item_bytes;
+	array->reserved = 0;
+}
+
+void cni_array_deinit(cni_array *array, cni_memory *memory)
+{
+	cni_memory_free(memory, array->data, (uint64_t)array->capacity * (uint64_t)array->item_bytes);
+	cni_array_init(array, array->item_bytes);
+}
+
+/* By half while small, by an eighth when large, filled up to a whole cache line. */
+static int32_t array_grown_capacity(const cni_array *array, int32_t count)
+{
+	uint64_t item_bytes = (uint64_t)array->item_bytes;
+	uint64_t capacity = (uint64_t)array->capacity;
+
+	capacity += capacity * item_bytes > ARRAY_LARGE_BYTES ? capacity / 8 : capacity / 2;
+	if (capacity < (uint64_t)count)
+		capacity = (uint64_t)count;
+	capacity = cni_memory_rounded(capacity * item_bytes) / item_bytes;
+	return capacity < INT32_MAX ? (int32_t)capacity : INT32_MAX;
+}
+
+static int32_t array_move(cni_array *array, cni_memory *memory, int32_t capacity)
+{
+	uint64_t item_bytes = (uint64_t)array->item_bytes;
+	void *data = cni_memory_alloc(memory, (uint64_t)capacity * item_bytes);
+
+	if (data == NULL)
+		return 0;
+	CNI_ASSERT(array->count >= 0 && array->count <= array->capacity);
+	if (array->count > 0)
+		memcpy(data, array->data, (size_t)((uint64_t)array->count * item_bytes));
+	cni_memory_free(memory, array->data, (uint64_t)array->capacity * item_bytes);
+	array->data = data;
+	array->capacity = capacity;
+	return 1;
+}
+
+int32_t cni_array_reserve(cni_array *array, cni_memory *memory, int32_t count)
+{
+	int32_t grown;
+
+	if (count <= array->capacity)
+		return 1;
+	grown = array_grown_capacity(array, count);
+	/* Near the end of memory the room to grow into is given up first. */
+	return array_move(array, memory, grown) || (grown > count && array_move(array, memory, count));
+}
+
+int32_t cni_array_reserve_exact(cni_array *array, cni_memory *memory, int32_t count)
+{
+	return count <= array->capacity || array_move(array, memory, count);
+}

@@ -1,0 +1,267 @@
+/*
+ * model/body.c - body records and the dense arrays of awake bodies (layout in body.h).
+ *
+ * Invariant: for every dense index k >= 1, record awake_id[k] has awake == k; every lane of a touching
+ * contact names its bodies by their present dense index, 0 for one that has none.
+ */
+#include "model/world.h"
+
+#include <string.h>
+
+cni_body *cni_body_at(const cn_world *world, int32_t body)
+{
+	return (cni_body *)cni_table_at(&world->bodies, body);
+}
+
+cni_transform cni_body_b_in_a(const cni_body *a, const cni_body *b)
+{
+	cni_rot qa = { 1.0f, 0.0f }, qb = { 1.0f, 0.0f };
+	cni_vec2 local_a = { 0.0f, 0.0f }, local_b = { 0.0f, 0.0f };
+	cni_vec2 d = { 0.0f, 0.0f }, d_low = { 0.0f, 0.0f };
+	cni_transform x;
+	if (b != NULL) {
+		qb = b->q;
+		local_b = b->local_center;
+		d = cni_v(b->cx, b->cy);
+		d_low = cni_v(b->cx_low, b->cy_low);
+	}
+	if (a != NULL) {
+		qa = a->q;
+		local_a = a->local_center;
+		d = cni_sub(d, cni_v(a->cx, a->cy));
+		d_low = cni_sub(d_low, cni_v(a->cx_low, a->cy_low));
+	}
+	x.q = cni_rot_between(qa, qb);
+	x.t = cni_add(cni_unrotate(qa, cni_sub(cni_add(d, d_low), cni_rotate(qb, local_b))), local_a);
+	return x;
+}
+
+cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b)
+{
+	cn_velocity v;
+	if (b->awake != 0) {
+		const cni_motion *m = cni_motions(world) + b->awake;
+		v.linear_mps = cni_v(m->vx, m->vy);
+		v.angular_radps = m->w;
+	} else {
+		v.linear_mps = cni_v(b->vx, b->vy);
+		v.angular_radps = b->w;
+	}
+	return v;
+}
+
+void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v)
+{
+	if (b->flags & CN_BODY_LOCK_X)
+		v.linear_mps.x = 0.0f;
+	if (b->flags & CN_BODY_LOCK_Y)
+		v.linear_mps.y = 0.0f;
+	if (b->flags & CN_BODY_LOCK_ROTATION)
+		v.angular_radps = 0.0f;
+	if (b->awake != 0) {
+		cni_motion *m = cni_motions(world) + b->awake;
+		m->vx = v.linear_mps.x;
+		m->vy = v.linear_mps.y;
+		m->w = v.angular_radps;
+	} else {
+		b->vx = v.linear_mps.x;
+		b->vy = v.linear_mps.y;
+		b->w = v.angular_radps;
+	}
+}
+
+void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def)
+{
+	cni_body *b = cni_body_at(world, body);
+	cn_velocity v;
+	memset(b, 0, sizeof *b);
+	b->cx = def->position_m.x;
+	b->cy = def->position_m.y;
+	b->q = cni_sincos(def->angle_rad);
+	b->linear_damping = def->linear_damping_per_s;
+	b->angular_damping = def->angular_damping_per_s;
+	b->gravity_scale = def->gravity_scale;
+	b->sleep_speed = def->sleep_speed_mps;
+	b->flags = def->flags & ~(uint32_t)CN_BODY_AWAKE;
+	b->type = def->type;
+	b->mass = def->type == CN_BODY_DYNAMIC ? 1.0f : 0.0f;
+	b->island = b->island_next = b->island_prev = CNI_NONE;
+	b->shape_first = b->joint_first = b->contact_first = CNI_NONE;
+	b->user_data = def->user_data;
+	v.linear_mps = def->linear_velocity_mps;
+	v.angular_radps = def->angular_velocity_radps;
+	if (def->type != CN_BODY_STATIC)
+		cni_body_store_velocity(world, b, v);
+}
+
+cn_result cni_body_reserve(cn_world *world, int32_t extra)
+{
+	int32_t count = world->movable_count + extra + 1;
+	int32_t good = cni_array_reserve(&world->motion, &world->memory, count) &&
+	               cni_array_reserve(&world->start, &world->memory, count) &&
+	               cni_array_reserve(&world->drive, &world->memory, count) &&
+	               cni_array_reserve(&world->awake_id, &world->memory, count);
+	return good ? CN_OK : CN_ERROR_MEMORY;
+}
+
+void cni_body_refresh_motion(cn_world *world, cni_body *b)
+{
+	cni_motion *m;
+	const uint32_t both = CN_BODY_LOCK_X | CN_BODY_LOCK_Y;
+	if (b->awake == 0)
+		return;
+	m = cni_motions(world) + b->awake;
+	m->inv_mass = b->type == CN_BODY_DYNAMIC && (b->flags & both) != both ? 1.0f / b->mass : 0.0f;
+	m->inv_inertia = b->type == CN_BODY_DYNAMIC && b->inertia > 0.0f && !(b->flags & CN_BODY_LOCK_ROTATION) ? 1.0f / b->inertia : 0.0f;
+	if (b->flags & CN_BODY_LOCK_X)
+		m->vx = 0.0f;
+	if (b->flags & CN_BODY_LOCK_Y)
+		m->vy = 0.0f;
+	if (b->flags & CN_BODY_LOCK_ROTATION)
+		m->w = 0.0f;
+}
+
+static void arrays_set_count(cn_world *world, int32_t count)
+{
+	world->awake_count = count;
+	world->motion.count = count;
+	world->start.count = count;
+	world->drive.count = count;
+	world->awake_id.count = count;
+}
+
+void cni_body_enter_awake(cn_world *world, int32_t body)
+{
+	cni_body *b = cni_body_at(world, body);
+	int32_t k = world->awake_count;
+	cni_motion *m;
+	CNI_ASSERT(b->awake == 0 && b->type != CN_BODY_STATIC && (b->flags & CN_BODY_ENABLED));
+	CNI_ASSERT(k < world->motion.capacity);
+	arrays_set_count(world, k + 1);
+	m = cni_motions(world) + k;
+	memset(m, 0, sizeof *m);
+	memset(cni_starts(world) + k, 0, sizeof(cni_velocity_start));
+	memset(cni_drives(world) + k, 0, sizeof(cni_drive));
+	m->vx = b->vx;
+	m->vy = b->vy;
+	m->w = b->w;
+	cni_awake_ids(world)[k] = body;
+	b->awake = k;
+	cni_body_refresh_motion(world, b);
+	cni_contact_fix_body(world, body);
+}
+
+void cni_body_leave_awake(cn_world *world, int32_t body)
+{
+	cni_body *b = cni_body_at(world, body);
+	int32_t k = b->awake, last = world->awake_count - 1;
+	cni_motion *m = cni_motions(world);
+	CNI_ASSERT(k >= 1 && cni_awake_ids(world)[k] == body);
+	b->vx = m[k].vx;
+	b->vy = m[k].vy;
+	b->w = m[k].w;
+	b->awake = 0;
+	cni_contact_fix_body(world, body);
+	if (k != last) {
+		int32_t moved = cni_awake_ids(world)[last];
+		m[k] = m[last];
+		cni_starts(world)[k] = cni_starts(world)[last];
+		cni_drives(world)[k] = cni_drives(world)[last];
+		cni_awake_ids(world)[k] = moved;
+		cni_body_at(world, moved)->awake = k;
+		cni_contact_fix_body(world, moved);
+	}
+	arrays_set_count(world, last);
+}
+
+/* Sum of the shapes' masses; the centre and inertia are about the origin and then moved (Steiner). */
+static cn_mass_data shapes_mass(const cn_world *world, const cni_body *b)
+{
+	cn_mass_data total = { 0.0f, 0.0f, { 0.0f, 0.0f } };
+	int32_t index;
+	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
+		const cni_shape *s = cni_shape_at(world, index);
+		cn_mass_data m = cni_geometry_mass(cni_shape_geometry(&world->blocks, s), s->density);
+		total.mass_kg += m.mass_kg;
+		total.center_m = cni_madd(total.center_m, m.mass_kg, m.center_m);
+	}
+	if (total.mass_kg <= 0.0f)
+		return total;
+	total.center_m = cni_mul(1.0f / total.mass_kg, total.center_m);
+	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
+		const cni_shape *s = cni_shape_at(world, index);
+		cn_mass_data m = cni_geometry_mass(cni_shape_geometry(&world->blocks, s), s->density);
+		total.inertia_kgm2 += m.inertia_kgm2 + m.mass_kg * cni_distance_sq(m.center_m, total.center_m);
+	}
+	return total;
+}
+
+static float shapes_extent(const cn_world *world, const cni_body *b)
+{
+	float extent = 0.0f;
+	int32_t index;
+	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next)
+		extent = cni_max(extent, cni_shape_geometry(&world->blocks, cni_shape_at(world, index))->extent);
+	return extent + cni_length(b->local_center);
+}
+
+/* Moves the centre of mass within the body: the origin stays, the material keeps its velocity. */
+static void body_set_center(cn_world *world, cni_body *b, cni_vec2 local_center)
+{
+	cni_vec2 shift = cni_rotate(b->q, cni_sub(local_center, b->local_center));
+	cn_velocity v = cni_body_velocity(world, b);
+	v.linear_mps = cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(shift));
+	b->cx += shift.x;
+	b->cy += shift.y;
+	b->local_center = local_center;
+	if (b->type != CN_BODY_STATIC)
+		cni_body_store_velocity(world, b, v);
+}
+
+void cni_body_update_mass(cn_world *world, int32_t body)
+{
+	cni_body *b = cni_body_at(world, body);
+	if (b->type != CN_BODY_DYNAMIC) {
+		b->mass = b->inertia = 0.0f;
+		body_set_center(world, b, cni_v(0.0f, 0.0f));
+	} else if (!(b->flags & CNI_BODY_MASS_OVERRIDE)) {
+		cn_mass_data m = shapes_mass(world, b);
+		b->mass = m.mass_kg > 0.0f ? m.mass_kg : 1.0f;
+		b->inertia = m.mass_kg > 0.0f ? m.inertia_kgm2 : 0.0f;
+		body_set_center(world, b, m.center_m);
+	}
+	b->extent = shapes_extent(world, b);
+	cni_body_refresh_motion(world, b);
+}
+
+void cni_body_set_transform(cn_world *world, int32_t body, cni_vec2 origin, cni_rot q)
+{
+	cni_body *b = cni_body_at(world, body);
+	cni_vec2 r = cni_rotate(q, b->local_center);
+	b->q = q;
+	b->cx = origin.x + r.x;
+	b->cy = origin.y + r.y;
+	b->cx_low = b->cy_low = 0.0f;
+	cni_body_refresh_boxes(world, body);
+}
+
+void cni_body_refresh_boxes(cn_world *world, int32_t body)
+{
+	const cni_body *b = cni_body_at(world, body);
+	cni_transform x = cni_body_transform(b);
+	int32_t index, child;
+	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
+		const cni_shape *s = cni_shape_at(world, index);
+		for (child = 0; child < s->children; ++child) {
+			int32_t proxy = cni_shape_proxy(world, s, child);
+			cni_aabb tight, fat;
+			if (proxy == CNI_NONE)
+				break;
+			tight = cni_geometry_aabb(cni_shape_geometry(&world->blocks, s), child, x);
+			if (cni_aabb_contains(&cni_proxy_at(world, proxy)->fat, &tight))
+				continue;
+			fat = cni_box_fatten(world, b->type, tight);
+			world->broadphase_ops->move(world->broadphase, proxy, &fat);
+		}
+	}
+}

@@ -1,0 +1,128 @@
+/*
+ * model/body.h - the body record, the dense arrays of awake bodies, and what may be done to a body.
+ *
+ * A body's record has a stable slot (the index in its handle). What the solver touches lives in dense
+ * arrays that hold awake bodies only, so that a sleeping or static body costs a step nothing:
+ *
+ *   records  [b0][b1][b2][b3]...                 stable, paged; pose always, velocity while not awake
+ *   motion   [dummy][b3][b0]...                  cni_motion: velocity, inverse mass, change of pose this step
+ *   start    [dummy][b3][b0]...                  cni_velocity_start: velocity right after integration
+ *   drive    [dummy][b3][b0]...                  cni_drive: acceleration of this step
+ *   awake_id [ -1  ][ 3][ 0]...                  back to the record
+ *
+ * Dense index 0 is a dummy of infinite mass that never moves: it stands for every static body, for the
+ * world in joints, and for padding lanes. body.awake is the dense index, 0 when the body has none.
+ *
+ * Positions are sums of a high and a low float, so that slow motion far from the origin is not lost;
+ * everything relative is computed from differences of both parts.
+ */
+#ifndef CNI_MODEL_BODY_H
+#define CNI_MODEL_BODY_H
+
+#include "base/blocks.h"
+#include "base/maths.h"
+
+/* Internal bits of cni_body.flags, above the public CN_BODY_ ones. */
+enum {
+	CNI_BODY_MASS_OVERRIDE = 1u << 16, /* mass data was set by the user */
+	CNI_BODY_MOVED = 1u << 17,         /* pose changed in the last step */
+	CNI_BODY_MARK = 1u << 18           /* scratch for batch calls and searches; clear outside of them */
+};
+
+typedef struct cni_body {
+	float cx, cy;            /* centre of mass in the world, high part */
+	float cx_low, cy_low;    /* low part: the true centre is the sum */
+	cni_rot q;
+	cni_vec2 local_center;   /* of mass, in the body's frame */
+	float vx, vy, w;         /* valid while awake == 0; read through cni_body_velocity */
+	float force_x, force_y, torque; /* for the next step */
+	float mass, inertia;     /* of a dynamic body (mass > 0, inertia >= 0, 0 = never rotates); 0 for others */
+	float linear_damping, angular_damping;
+	float gravity_scale;
+	float sleep_speed;       /* 0: the world's */
+	float sleep_time;        /* seconds at rest */
+	float extent;            /* farthest surface point from the centre of mass */
+	uint32_t flags;          /* CN_BODY_ (AWAKE bit unused) and CNI_BODY_ */
+	int32_t type;            /* CN_BODY_STATIC ... */
+	int32_t awake;           /* dense index, 0: not awake */
+	int32_t island;          /* CNI_NONE: alone */
+	int32_t island_next, island_prev;
+	int32_t shape_first;     /* shape index, linked by cni_shape.next */
+	int32_t shape_count;
+	int32_t joint_first;     /* key = joint << 1 | side */
+	int32_t joint_count;
+	int32_t contact_first;   /* key = contact << 1 | side */
+	int32_t contact_count;
+	uint32_t colors;         /* which colours its contacts use: bit of each colour */
+	int32_t lanes;           /* touching contacts that are being solved */
+	cni_ref name;            /* zero-terminated in the world's blocks; 0: none */
+	uint64_t user_data;
+} cni_body;
+
+/* 32 bytes, aligned: the solver gathers and scatters these. */
+typedef struct cni_motion {
+	float vx, vy, w, inv_mass;
+	float dpx, dpy, theta, inv_inertia; /* change of centre and angle since the step began */
+} cni_motion;
+
+typedef struct cni_velocity_start {
+	float vx, vy, w;
+	float struck; /* 1 when an impact changed the velocity in this substep */
+} cni_velocity_start;
+
+enum {
+	CNI_DRIVE_FREE = 1u << 0,    /* nothing touches it: integrated once, exactly, for the whole step */
+	CNI_DRIVE_DAMPED = 1u << 1,  /* has damping: factors are in the record */
+	CNI_DRIVE_LOCK_X = 1u << 2,  /* velocity along x is cleared in every substep */
+	CNI_DRIVE_LOCK_Y = 1u << 3,
+	CNI_DRIVE_JOINTED = 1u << 4  /* has joints: positions follow end velocities */
+};
+typedef struct cni_drive {
+	float ax, ay, alpha; /* acceleration by gravity, force and torque; locked axes are 0 */
+	uint32_t flags;
+} cni_drive;
+
+/* All take a live body index. Those that return cn_result change nothing when they fail. */
+
+cni_body *cni_body_at(const cn_world *world, int32_t body);
+static inline cni_vec2 cni_body_origin(const cni_body *b)
+{
+	cni_vec2 r = cni_rotate(b->q, b->local_center);
+	return cni_v(b->cx - r.x + b->cx_low, b->cy - r.y + b->cy_low);
+}
+/* Maps the body's local frame to the world (high parts only). */
+static inline cni_transform cni_body_transform(const cni_body *b)
+{
+	cni_transform x;
+	x.q = b->q;
+	x.t = cni_body_origin(b);
+	return x;
+}
+/* Maps frame b into frame a without losing digits far from the origin. NULL means the world frame. */
+cni_transform cni_body_b_in_a(const cni_body *a, const cni_body *b);
+
+cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b);
+/* Does not wake. Locked axes are zeroed. */
+void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v);
+
+/* Initialises record `body` (a taken slot) at rest in no list; pose from the definition. Cannot fail. */
+void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def);
+/* Makes room in every array that scales with the number of movable bodies, for extra more of them. */
+cn_result cni_body_reserve(cn_world *world, int32_t extra);
+
+/* Puts a non-static, enabled body into the dense arrays or takes it out (fixing what refers to the
+   one that fills its place). Contacts and islands are not touched: cni_island_wake and _sleep do the whole. */
+void cni_body_enter_awake(cn_world *world, int32_t body);
+void cni_body_leave_awake(cn_world *world, int32_t body);
+
+/* Recomputes mass, centre, inertia and extent from the shapes (or keeps an override), keeps the origin
+   where it is and the velocity of the material, and refreshes the dense inverse masses. */
+void cni_body_update_mass(cn_world *world, int32_t body);
+/* Writes inv_mass, inv_inertia (locks, type) to the dense array if awake. */
+void cni_body_refresh_motion(cn_world *world, cni_body *b);
+/* Moves the origin and turns; refreshes the broadphase boxes of its shapes. */
+void cni_body_set_transform(cn_world *world, int32_t body, cni_vec2 origin, cni_rot q);
+/* Brings fat boxes up to date after a change of pose: those that were left are moved. */
+void cni_body_refresh_boxes(cn_world *world, int32_t body);
+
+#endif

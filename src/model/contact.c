@@ -1,0 +1,325 @@
+/*
+ * model/contact.c - contact records: lists, life and death, what users see (layout in contact.h).
+ *
+ * Owns the contact table, its free list, the awake list and the sleep store. Events are logged here, and
+ * only here, which is what makes them bookended: a contact that has logged CREATED logs DESTROYED
+ * before its record is freed, one that has logged ENTER logs LEAVE before it stops touching.
+ */
+#include "model/lane.h"
+#include "model/world.h"
+
+#include <string.h>
+
+cni_contact *cni_contact_at(const cn_world *world, int32_t contact)
+{
+	return (cni_contact *)cni_table_at(&world->contacts, contact);
+}
+
+/* ---- lists ---- */
+
+static void list_link(cn_world *world, int32_t contact, int32_t side)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	cni_body *b = cni_body_at(world, c->body[side]);
+	int32_t key = contact << 1 | side;
+	c->prev[side] = CNI_NONE;
+	c->next[side] = b->contact_first;
+	if (b->contact_first != CNI_NONE)
+		cni_contact_of_key(world, b->contact_first)->prev[b->contact_first & 1] = key;
+	b->contact_first = key;
+	++b->contact_count;
+}
+
+static void list_unlink(cn_world *world, int32_t contact, int32_t side)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	cni_body *b = cni_body_at(world, c->body[side]);
+	int32_t next = c->next[side], prev = c->prev[side];
+	if (prev != CNI_NONE)
+		cni_contact_of_key(world, prev)->next[prev & 1] = next;
+	else
+		b->contact_first = next;
+	if (next != CNI_NONE)
+		cni_contact_of_key(world, next)->prev[next & 1] = prev;
+	--b->contact_count;
+}
+
+void cni_contact_enter_awake_list(cn_world *world, int32_t contact)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	if (c->awake != CNI_NONE)
+		return;
+	c->awake = world->awake_contacts.count;
+	((int32_t *)world->awake_contacts.data)[world->awake_contacts.count++] = contact;
+}
+
+void cni_contact_leave_awake_list(cn_world *world, int32_t contact)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	int32_t *list = (int32_t *)world->awake_contacts.data;
+	int32_t last;
+	if (c->awake == CNI_NONE)
+		return;
+	last = list[--world->awake_contacts.count];
+	list[c->awake] = last;
+	cni_contact_at(world, last)->awake = c->awake;
+	c->awake = CNI_NONE;
+}
+
+int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b)
+{
+	const cni_body *a = cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy_a)->shape)->body);
+	const cni_body *b = cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy_b)->shape)->body);
+	int32_t key = a->contact_count <= b->contact_count ? a->contact_first : b->contact_first;
+	while (key != CNI_NONE) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		if ((c->proxy[0] == proxy_a && c->proxy[1] == proxy_b) || (c->proxy[0] == proxy_b && c->proxy[1] == proxy_a))
+			return key >> 1;
+		key = c->next[key & 1];
+	}
+	return CNI_NONE;
+}
+
+int32_t cni_contact_allowed(const void *context, int32_t proxy_a, int32_t proxy_b)
+{
+	const cn_world *world = (const cn_world *)context;
+	const cni_shape *a = cni_shape_at(world, cni_proxy_at(world, proxy_a)->shape);
+	const cni_shape *b = cni_shape_at(world, cni_proxy_at(world, proxy_b)->shape);
+	if (a->body == b->body || !cni_filter_allows(a, b))
+		return 0;
+	if (cni_body_at(world, a->body)->type != CN_BODY_DYNAMIC && cni_body_at(world, b->body)->type != CN_BODY_DYNAMIC)
+		return 0;
+	if (cni_manifold_function(cni_min_i(a->type, b->type), cni_max_i(a->type, b->type)) == NULL)
+		return 0;
+	return !cni_joint_forbids(world, a->body, b->body);
+}
+
+/* ---- life and death ---- */
+
+cn_result cni_contact_reserve(cn_world *world, int32_t extra)
+{
+	int32_t count = world->contact_count + extra;
+	int32_t good = cni_table_reserve(&world->contacts, &world->memory, cni_max_i(world->contact_used, count)) &&
+	               cni_array_reserve(&world->awake_contacts, &world->memory, count);
+	return good ? CN_OK : CN_ERROR_MEMORY;
+}
+
+static int32_t contact_is_awake(const cn_world *world, const cni_contact *c)
+{
+	return cni_body_at(world, c->body[0])->awake != 0 || cni_body_at(world, c->body[1])->awake != 0;
+}
+
+static void log_or_owe(cn_world *world, int32_t contact, int32_t kind, uint32_t owed)
+{
+	if (!cni_event_log(world, contact, kind))
+		cni_contact_at(world, contact)->flags |= owed;
+}
+
+int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
+{
+	const cni_shape *a = cni_shape_at(world, cni_proxy_at(world, proxy_a)->shape);
+	const cni_shape *b = cni_shape_at(world, cni_proxy_at(world, proxy_b)->shape);
+	int32_t contact = world->contact_free, side;
+	cni_contact *c;
+	if (contact != CNI_NONE)
+		world->contact_free = cni_contact_at(world, contact)->slot;
+	else
+		contact = world->contact_used++;
+	++world->contact_count;
+	c = cni_contact_at(world, contact);
+	memset(c, 0, sizeof *c);
+	side = a->type > b->type; /* manifold functions want the lesser type first */
+	c->proxy[side] = proxy_a;
+	c->proxy[1 - side] = proxy_b;
+	c->body[side] = a->body;
+	c->body[1 - side] = b->body;
+	c->slot = c->awake = CNI_NONE;
+	c->flags = (a->event_mask | b->event_mask) << CNI_CONTACT_EVENTS_SHIFT;
+	list_link(world, contact, 0);
+	list_link(world, contact, 1);
+	if (contact_is_awake(world, c))
+		cni_contact_enter_awake_list(world, contact);
+	log_or_owe(world, contact, CN_EVENT_CREATED, CNI_CONTACT_CREATED_OWED);
+	return contact;
+}
+
+cn_result cni_contact_reserve_end(cn_world *world, int32_t contacts)
+{
+	cni_array *leave = &world->events.pending[CN_EVENT_LEAVE], *destroyed = &world->events.pending[CN_EVENT_DESTROYED];
+	int32_t good = cni_array_reserve(leave, &world->memory, leave->count + contacts) &&
+	               cni_array_reserve(destroyed, &world->memory, destroyed->count + contacts);
+	return good ? CN_OK : CN_ERROR_MEMORY;
+}
+
+int32_t cni_contact_destroy(cn_world *world, int32_t contact)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	if ((c->flags & CNI_CONTACT_TOUCHING) && !cni_contact_end(world, contact))
+		return 0;
+	if (!(c->flags & CNI_CONTACT_CREATED_OWED) && !cni_event_log(world, contact, CN_EVENT_DESTROYED))
+		return 0;
+	cni_contact_leave_awake_list(world, contact);
+	list_unlink(world, contact, 0);
+	list_unlink(world, contact, 1);
+	c->flags = 0;
+	c->body[0] = c->body[1] = CNI_NONE;
+	c->slot = world->contact_free;
+	world->contact_free = contact;
+	--world->contact_count;
+	return 1;
+}
+
+static void destroy_and_wake(cn_world *world, int32_t contact)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	int32_t a = c->body[0], b = c->body[1], touching = (c->flags & CNI_CONTACT_TOUCHING) != 0;
+	int32_t done = cni_contact_destroy(world, contact);
+	CNI_ASSERT(done); /* the caller reserved room for the logs */
+	(void)done;
+	if (touching) {
+		cni_body_wake(world, a);
+		cni_body_wake(world, b);
+	}
+}
+
+void cni_contact_destroy_of_body(cn_world *world, int32_t body)
+{
+	const cni_body *b = cni_body_at(world, body);
+	while (b->contact_first != CNI_NONE)
+		destroy_and_wake(world, b->contact_first >> 1);
+}
+
+void cni_contact_destroy_of_shape(cn_world *world, int32_t shape)
+{
+	int32_t key = cni_body_at(world, cni_shape_at(world, shape)->body)->contact_first;
+	while (key != CNI_NONE) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		int32_t contact = key >> 1;
+		key = c->next[key & 1];
+		if (cni_proxy_at(world, c->proxy[0])->shape == shape || cni_proxy_at(world, c->proxy[1])->shape == shape)
+			destroy_and_wake(world, contact);
+	}
+}
+
+/* ---- touching ---- */
+
+/* The dynamic bodies of a pair that begins to touch become one island, awake. */
+static void contact_join_islands(cn_world *world, cni_contact *c)
+{
+	int32_t side;
+	if (cni_body_at(world, c->body[0])->type == CN_BODY_DYNAMIC && cni_body_at(world, c->body[1])->type == CN_BODY_DYNAMIC) {
+		cni_island_link(world, c->body[0], c->body[1]);
+		c->flags |= CNI_CONTACT_LINKED;
+		return;
+	}
+	for (side = 0; side < 2; ++side)
+		if (cni_body_at(world, c->body[side])->type == CN_BODY_DYNAMIC && cni_body_at(world, c->body[side])->awake == 0)
+			cni_body_wake(world, c->body[side]);
+}
+
+/* Closing speed along the normal before the solver acts. */
+static float contact_approach(const cn_world *world, const cni_contact *c, const cni_manifold *manifold)
+{
+	const cni_body *a = cni_body_at(world, c->body[0]), *b = cni_body_at(world, c->body[1]);
+	cn_velocity va = cni_body_velocity(world, a), vb = cni_body_velocity(world, b);
+	cni_vec2 n = cni_rotate(a->q, manifold->normal);
+	cni_vec2 ra = cni_rotate(a->q, cni_sub(manifold->points[0].point, a->local_center));
+	cni_vec2 rb = cni_sub(ra, cni_v(b->cx - a->cx, b->cy - a->cy));
+	cni_vec2 at_a = cni_madd(va.linear_mps, va.angular_radps, cni_left_perp(ra));
+	cni_vec2 at_b = cni_madd(vb.linear_mps, vb.angular_radps, cni_left_perp(rb));
+	return cni_max(-cni_dot(n, cni_sub(at_b, at_a)), 0.0f);
+}
+
+int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *manifold)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	if (!cni_lane_reserve(world, world->touching_count + 1) || !cni_island_reserve(world, 1))
+		return 0;
+	++world->touching_count;
+	c->approach_speed = contact_approach(world, c, manifold);
+	contact_join_islands(world, c);
+	cni_lane_take(world, contact);
+	c->flags |= CNI_CONTACT_TOUCHING | CNI_CONTACT_ENTERED | CNI_CONTACT_REFRESH;
+	c->id[0] = c->id[1] = 0;
+	cni_contact_write(world, contact, manifold);
+	log_or_owe(world, contact, CN_EVENT_ENTER, CNI_CONTACT_ENTER_OWED);
+	return 1;
+}
+
+static void sleep_lane_free(cn_world *world, cni_contact *c)
+{
+	cni_sleep_lane *lanes = (cni_sleep_lane *)world->sleep_lanes.data;
+	int32_t last = --world->sleep_lanes.count;
+	if (c->slot != last) {
+		lanes[c->slot] = lanes[last];
+		cni_contact_at(world, lanes[last].contact)->slot = c->slot;
+	}
+	c->flags &= ~(uint32_t)CNI_CONTACT_ASLEEP;
+	c->slot = CNI_NONE;
+}
+
+int32_t cni_contact_end(cn_world *world, int32_t contact)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	if (!(c->flags & CNI_CONTACT_ENTER_OWED) && !cni_event_log(world, contact, CN_EVENT_LEAVE)) {
+		if (!(c->flags & CNI_CONTACT_ASLEEP))
+			cni_contact_write_empty(world, contact);
+		return 0;
+	}
+	if (c->flags & CNI_CONTACT_ASLEEP)
+		sleep_lane_free(world, c);
+	else
+		cni_lane_free(world, contact);
+	if (c->flags & CNI_CONTACT_LINKED)
+		cni_island_unlink(world, c->body[0], c->body[1]);
+	c->flags &= ~(uint32_t)(CNI_CONTACT_TOUCHING | CNI_CONTACT_LINKED | CNI_CONTACT_ENTER_OWED | CNI_CONTACT_ENTERED);
+	--world->touching_count;
+	return 1;
+}
+
+void cni_contact_fix_body(cn_world *world, int32_t body)
+{
+	int32_t key = cni_body_at(world, body)->contact_first;
+	while (key != CNI_NONE) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING)
+			cni_lane_set_bodies(world, c);
+		key = c->next[key & 1];
+	}
+}
+
+/* ---- sleep store ---- */
+
+void cni_contact_lane_to_sleep(cn_world *world, int32_t contact)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	const float *rows = (const float *)(const void *)cni_block_at(world, c->slot / CNI_LANES) + c->slot % CNI_LANES;
+	cni_sleep_lane *s = (cni_sleep_lane *)world->sleep_lanes.data + world->sleep_lanes.count;
+	int32_t row;
+	CNI_ASSERT(world->sleep_lanes.count < world->sleep_lanes.capacity);
+	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
+		s->rows[row] = rows[(row + 2) * CNI_LANES];
+	s->restitution = cni_block_info_at(world, c->slot / CNI_LANES)->restitution[c->slot % CNI_LANES];
+	s->contact = contact;
+	cni_lane_free(world, contact);
+	c->slot = world->sleep_lanes.count++;
+	c->flags |= CNI_CONTACT_ASLEEP;
+}
+
+void cni_contact_sleep_to_lane(cn_world *world, int32_t contact)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	cni_sleep_lane s = ((cni_sleep_lane *)world->sleep_lanes.data)[c->slot];
+	cni_block_info *info;
+	float *rows;
+	int32_t row;
+	sleep_lane_free(world, c);
+	cni_lane_take(world, contact);
+	rows = (float *)(void *)cni_block_at(world, c->slot / CNI_LANES) + c->slot % CNI_LANES;
+	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
+		rows[(row + 2) * CNI_LANES] = s.rows[row];
+	info = cni_block_info_at(world, c->slot / CNI_LANES);
+	info->restitution[c->slot % CNI_LANES] = s.restitution;
+	if (s.restitution > 0.0f)
+		info->flags |= CNI_BLOCK_RESTITUTION;
+}

@@ -1,0 +1,147 @@
+/*
+ * model/contact.h - contacts: pairs of proxies whose fat boxes overlap, and the wide blocks that hold
+ * those that touch.
+ *
+ * A contact's record has a stable index. Where its manifold is depends on its state:
+ *
+ *   apart     slot CNI_NONE                      record only
+ *   touching  slot = block * 16 + lane           a lane of a block of its colour, kept across steps
+ *   asleep    slot = index in the sleep store    both bodies asleep (or one asleep, one static)
+ *
+ * Blocks are 16 lanes of 21 rows; the narrowphase writes lanes in place and the solver reads them as they
+ * are: there is no prepare and no store stage. Within a colour no dynamic body appears twice. A lane that
+ * is freed is filled by the colour's last lane, so that colours stay dense.
+ *
+ *   colours   0 .. 22   both bodies dynamic
+ *            23 .. 30   lane body b static or kinematic: it is read but never written
+ *            31         overflow: solved lane by lane in order (bodies with too many contacts)
+ *
+ * Lane body a is always dynamic. When it is the contact's body b, CNI_CONTACT_FLIPPED is set and the
+ * lane's normal is the opposite of the contact's.
+ *
+ * A lane (units: metres, seconds, kilograms; n normal from lane a to lane b, t = (ny, -nx), r from the
+ * centre of mass to the contact point, all at the beginning of the step):
+ *   at = ra.t, an = ra.n, d = ra - rb, dn = d.n, dt = d.t (so rb.t = at - dt, rb.n = an - dn)
+ *   s0 separation, nm = 1 / (n K n), jn accumulated normal impulse; fn arm of the friction point along n;
+ *   tm = 1 / (t K t) at the friction point, jt accumulated friction impulse along t on body b
+ */
+#ifndef CNI_MODEL_CONTACT_H
+#define CNI_MODEL_CONTACT_H
+
+#include "geometry/manifold.h"
+
+#define CNI_LANES 16
+#define CNI_COLOR_STATIC 23
+#define CNI_COLOR_OVERFLOW 31
+#define CNI_COLORS 32
+
+typedef struct cni_contact_row {
+	float at[CNI_LANES], an[CNI_LANES], s0[CNI_LANES], nm[CNI_LANES], jn[CNI_LANES];
+} cni_contact_row;
+
+typedef struct cni_contact_block {
+	int32_t ia[CNI_LANES], ib[CNI_LANES]; /* dense body indices */
+	float nx[CNI_LANES], ny[CNI_LANES];
+	float static_friction[CNI_LANES], dynamic_friction[CNI_LANES];
+	float dn[CNI_LANES], dt[CNI_LANES];
+	float fn[CNI_LANES], tm[CNI_LANES], jt[CNI_LANES];
+	cni_contact_row p[2];
+} cni_contact_block;
+
+enum { CNI_BLOCK_RESTITUTION = 1u << 0 }; /* some lane may bounce */
+
+/* What the solver does not need in every pass. */
+typedef struct cni_block_info {
+	int32_t contact[CNI_LANES];      /* CNI_NONE: padding */
+	float restitution[CNI_LANES];
+	int32_t prev, next;              /* blocks of the colour, or of the free list */
+	int32_t color;
+	uint32_t flags;
+} cni_block_info;
+
+typedef struct cni_color {
+	int32_t first, last;   /* blocks */
+	int32_t lanes;         /* contacts in it; all blocks but the last are full */
+	int32_t reserved;
+} cni_color;
+
+/* A touching contact at rest: the rows of its lane, without ia and ib. */
+#define CNI_SLEEP_ROWS 19
+typedef struct cni_sleep_lane {
+	float rows[CNI_SLEEP_ROWS];
+	float restitution;
+	int32_t contact;
+} cni_sleep_lane;
+
+enum {
+	CNI_CONTACT_TOUCHING = 1u << 0,
+	CNI_CONTACT_FLIPPED = 1u << 1,
+	CNI_CONTACT_ASLEEP = 1u << 2,       /* slot is in the sleep store */
+	CNI_CONTACT_LINKED = 1u << 3,       /* joins two dynamic bodies' islands */
+	CNI_CONTACT_ENTER_OWED = 1u << 4,   /* its event had no memory yet */
+	CNI_CONTACT_CREATED_OWED = 1u << 5,
+	CNI_CONTACT_ENTERED = 1u << 6,      /* began to touch in the last step */
+	CNI_CONTACT_REFRESH = 1u << 7,      /* material changed: rewrite it in the lane */
+	CNI_CONTACT_EVENTS_SHIFT = 16       /* bits 16..20: which CN_EVENT_ kinds it reports */
+};
+
+typedef struct cni_contact {
+	int32_t proxy[2];        /* of shape a and b: type a <= type b */
+	int32_t body[2];
+	int32_t next[2], prev[2]; /* keys in the bodies' lists */
+	uint32_t flags;
+	int32_t slot;
+	int32_t awake;           /* index in the awake list, CNI_NONE */
+	uint16_t id[2];          /* feature ids of the lane's points, 0: none */
+	cni_manifold_cache cache;
+	float approach_speed;    /* along the normal when it began to touch */
+} cni_contact;
+
+cni_contact *cni_contact_at(const cn_world *world, int32_t contact);
+static inline cni_contact *cni_contact_of_key(const cn_world *world, int32_t key) { return cni_contact_at(world, key >> 1); }
+cni_contact_block *cni_block_at(const cn_world *world, int32_t block);
+cni_block_info *cni_block_info_at(const cn_world *world, int32_t block);
+
+/* Makes room for extra more contacts: records and awake list (lanes are reserved when they begin to touch). */
+cn_result cni_contact_reserve(cn_world *world, int32_t extra);
+/* Record of an existing contact between two proxies, or CNI_NONE. O(contacts of the lesser body). */
+int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b);
+/* After cni_contact_reserve it cannot fail. Logs CREATED. */
+int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b);
+
+/* Room in the pending event logs for ending `contacts` contacts between steps. */
+cn_result cni_contact_reserve_end(cn_world *world, int32_t contacts);
+/* Ends touching (logging LEAVE), logs DESTROYED, frees the record. In a step returns 0 and keeps the
+   contact when there is no memory for the logs; after cni_contact_reserve_end it always returns 1. */
+int32_t cni_contact_destroy(cn_world *world, int32_t contact);
+/* All contacts of a body or a shape, waking the bodies that touched it. After cni_contact_reserve_end. */
+void cni_contact_destroy_of_body(cn_world *world, int32_t body);
+void cni_contact_destroy_of_shape(cn_world *world, int32_t shape);
+
+/* The manifold begins to touch: takes a lane, joins islands (waking the sleeping side), logs ENTER.
+   0: no memory for a lane; the contact stays apart. */
+int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *manifold);
+/* Stops touching: frees the lane, notes the islands' loss, logs LEAVE. 0: no memory for the log; the
+   contact then stays with an empty lane. */
+int32_t cni_contact_end(cn_world *world, int32_t contact);
+/* May these two proxies make a contact? (cni_pair_filter_fn; context is the world) */
+int32_t cni_contact_allowed(const void *context, int32_t proxy_a, int32_t proxy_b);
+/* Room for `lanes` touching contacts, awake or asleep, however they are coloured. 0: no memory. */
+int32_t cni_lane_reserve(cn_world *world, int32_t lanes);
+/* Writes a manifold to the contact's lane, keeping the impulses of points with equal ids. */
+void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold);
+/* An empty manifold: the lane stays but can do nothing. */
+void cni_contact_write_empty(cn_world *world, int32_t contact);
+
+/* Dense index of a body changed: fixes its lanes. */
+void cni_contact_fix_body(cn_world *world, int32_t body);
+/* Moves a touching contact between its lane and the sleep store. */
+void cni_contact_lane_to_sleep(cn_world *world, int32_t contact);
+void cni_contact_sleep_to_lane(cn_world *world, int32_t contact);
+void cni_contact_enter_awake_list(cn_world *world, int32_t contact);
+void cni_contact_leave_awake_list(cn_world *world, int32_t contact);
+
+/* The contact as users see it; manifold filled when touching. kind is stored as given. */
+void cni_contact_describe(const cn_world *world, int32_t contact, int32_t kind, cn_contact_event *out);
+
+#endif

@@ -1,0 +1,182 @@
+/*
+ * model/contact_lane.c - between manifolds and lanes: writing what the narrowphase found into a lane
+ * where the solver reads it, and reading a lane back as what users see.
+ */
+#include "model/world.h"
+
+#include <string.h>
+
+/* The poses that turn a manifold (in body 0's frame) into a lane (world directions, lane bodies). */
+typedef struct lane_frame {
+	const cni_body *a, *b; /* lane bodies */
+	cni_vec2 d;            /* centre b - centre a = ra - rb */
+	cni_vec2 n, t;
+} lane_frame;
+
+static lane_frame frame_make(const cn_world *world, const cni_contact *c, cni_vec2 normal)
+{
+	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0;
+	lane_frame f;
+	f.a = cni_body_at(world, c->body[flipped]);
+	f.b = cni_body_at(world, c->body[1 - flipped]);
+	f.d = cni_v((f.b->cx - f.a->cx) + (f.b->cx_low - f.a->cx_low), (f.b->cy - f.a->cy) + (f.b->cy_low - f.a->cy_low));
+	f.n = flipped ? cni_neg(normal) : normal;
+	f.t = cni_right_perp(f.n);
+	return f;
+}
+
+static float inverse_or_zero(float k)
+{
+	return k > 0.0f ? 1.0f / k : 0.0f;
+}
+
+static void lane_clear_point(cni_contact_row *p, int32_t lane)
+{
+	p->at[lane] = p->an[lane] = p->s0[lane] = p->nm[lane] = p->jn[lane] = 0.0f;
+}
+
+/* Impulse of the old point with this id; 0 for a new one. */
+static float old_impulse(const uint16_t *old_id, const float *old_jn, uint32_t id)
+{
+	if (old_id[0] == id)
+		return old_jn[0];
+	return old_id[1] == id ? old_jn[1] : 0.0f;
+}
+
+static void lane_write_material(const cn_world *world, const cni_contact *c, cni_contact_block *block, int32_t lane)
+{
+	const cni_shape *a = cni_shape_at(world, cni_proxy_at(world, c->proxy[0])->shape);
+	const cni_shape *b = cni_shape_at(world, cni_proxy_at(world, c->proxy[1])->shape);
+	cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
+	block->static_friction[lane] = cni_sqrt(a->static_friction * b->static_friction);
+	block->dynamic_friction[lane] = cni_sqrt(a->dynamic_friction * b->dynamic_friction);
+	info->restitution[lane] = cni_max(a->restitution, b->restitution);
+	if (info->restitution[lane] > 0.0f)
+		info->flags |= CNI_BLOCK_RESTITUTION;
+}
+
+/* Friction acts on the contact line, at the mean height of the points along the normal: one row is
+   exact in 2D when the points share that line. */
+static void lane_write_friction(cni_contact_block *block, int32_t lane, float fn, float inv_mass, float ia, float ib)
+{
+	float fb = fn - block->dn[lane];
+	block->fn[lane] = fn;
+	block->tm[lane] = inverse_or_zero(inv_mass + ia * fn * fn + ib * fb * fb);
+}
+
+void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
+	int32_t lane = c->slot % CNI_LANES, k, kept = 0;
+	const cni_body *first = cni_body_at(world, c->body[0]);
+	lane_frame f = frame_make(world, c, cni_rotate(first->q, manifold->normal));
+	const cni_motion *ma = cni_motions(world) + f.a->awake, *mb = cni_motions(world) + f.b->awake;
+	float inv_mass = ma->inv_mass + mb->inv_mass, ia = ma->inv_inertia, ib = mb->inv_inertia, fn = 0.0f;
+	float old_jn[2];
+	uint16_t old_id[2];
+	for (k = 0; k < 2; ++k) {
+		old_jn[k] = block->p[k].jn[lane];
+		old_id[k] = c->id[k] != 0 ? c->id[k] : (uint16_t)0xFFFF;
+		c->id[k] = 0;
+	}
+	block->nx[lane] = f.n.x;
+	block->ny[lane] = f.n.y;
+	block->dn[lane] = cni_dot(f.d, f.n);
+	block->dt[lane] = cni_dot(f.d, f.t);
+	for (k = 0; k < manifold->count; ++k) {
+		const cni_manifold_point *point = &manifold->points[k];
+		cni_contact_row *p = &block->p[k];
+		cni_vec2 r = cni_rotate(first->q, cni_sub(point->point, first->local_center));
+		float bt;
+		if (c->flags & CNI_CONTACT_FLIPPED)
+			r = cni_add(r, f.d); /* from lane b's centre to lane a's */
+		p->at[lane] = cni_dot(r, f.t);
+		p->an[lane] = cni_dot(r, f.n);
+		bt = p->at[lane] - block->dt[lane];
+		p->s0[lane] = point->separation;
+		p->nm[lane] = inverse_or_zero(inv_mass + ia * p->at[lane] * p->at[lane] + ib * bt * bt);
+		p->jn[lane] = old_impulse(old_id, old_jn, point->id);
+		kept |= old_id[0] == point->id || old_id[1] == point->id;
+		c->id[k] = (uint16_t)point->id;
+		fn += p->an[lane];
+	}
+	if (manifold->count == 1)
+		lane_clear_point(&block->p[1], lane);
+	if (!kept)
+		block->jt[lane] = 0.0f;
+	lane_write_friction(block, lane, manifold->count == 2 ? 0.5f * fn : fn, inv_mass, ia, ib);
+	if (c->flags & CNI_CONTACT_REFRESH) {
+		lane_write_material(world, c, block, lane);
+		c->flags &= ~(uint32_t)CNI_CONTACT_REFRESH;
+	}
+}
+
+void cni_contact_write_empty(cn_world *world, int32_t contact)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
+	int32_t lane = c->slot % CNI_LANES;
+	lane_clear_point(&block->p[0], lane);
+	lane_clear_point(&block->p[1], lane);
+	block->tm[lane] = block->jt[lane] = 0.0f;
+	c->id[0] = c->id[1] = 0;
+}
+
+/* One lane in the order of the sleep store's rows, wherever it lives. */
+static void lane_read_rows(const cn_world *world, const cni_contact *c, float rows[CNI_SLEEP_ROWS])
+{
+	int32_t row;
+	if (c->flags & CNI_CONTACT_ASLEEP) {
+		memcpy(rows, ((const cni_sleep_lane *)world->sleep_lanes.data)[c->slot].rows, sizeof(float) * CNI_SLEEP_ROWS);
+	} else {
+		const float *block = (const float *)(const void *)cni_block_at(world, c->slot / CNI_LANES);
+		for (row = 0; row < CNI_SLEEP_ROWS; ++row)
+			rows[row] = block[(row + 2) * CNI_LANES + c->slot % CNI_LANES];
+	}
+}
+
+/* Rows of a lane without the body indices; see cni_contact_block. */
+enum { ROW_NX = 0, ROW_NY = 1, ROW_JT = 8, ROW_POINT = 9, ROW_POINT_COUNT = 5 };
+
+static void describe_manifold(const cn_world *world, const cni_contact *c, cn_manifold *out)
+{
+	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, k;
+	const cni_body *a = cni_body_at(world, c->body[flipped]);
+	float rows[CNI_SLEEP_ROWS];
+	cni_vec2 n, t;
+	lane_read_rows(world, c, rows);
+	n = cni_v(rows[ROW_NX], rows[ROW_NY]);
+	t = cni_right_perp(n);
+	out->normal = flipped ? cni_neg(n) : n;
+	out->friction_impulse_Ns = rows[ROW_JT]; /* n and t both flip, and so do the bodies: the sign stays */
+	for (k = 0; k < 2; ++k) {
+		const float *p = rows + ROW_POINT + k * ROW_POINT_COUNT; /* at an s0 nm jn */
+		cn_manifold_point *point = &out->points[out->point_count];
+		cni_vec2 r = cni_add(cni_mul(p[0], t), cni_mul(p[1], n));
+		if (c->id[k] == 0)
+			continue;
+		point->point_m = cni_v(a->cx + r.x, a->cy + r.y);
+		point->separation_m = p[2];
+		point->normal_impulse_Ns = p[4];
+		point->feature_id = c->id[k];
+		++out->point_count;
+	}
+}
+
+void cni_contact_describe(const cn_world *world, int32_t contact, int32_t kind, cn_contact_event *out)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	const cni_proxy *a = cni_proxy_at(world, c->proxy[0]), *b = cni_proxy_at(world, c->proxy[1]);
+	memset(out, 0, sizeof *out);
+	out->shape_a = cni_handles_of(&world->shape_handles, a->shape);
+	out->shape_b = cni_handles_of(&world->shape_handles, b->shape);
+	out->body_a = cni_handles_of(&world->body_handles, c->body[0]);
+	out->body_b = cni_handles_of(&world->body_handles, c->body[1]);
+	out->child_a = a->child;
+	out->child_b = b->child;
+	out->contact_id = (uint32_t)contact + 1u;
+	out->kind = kind;
+	if (c->flags & CNI_CONTACT_TOUCHING)
+		describe_manifold(world, c, &out->manifold);
+}

@@ -1,0 +1,142 @@
+/*
+ * model/event.c - the logs behind contact events (idea in event.h).
+ */
+#include "model/event.h"
+#include "model/world.h"
+
+#include <string.h>
+
+void cni_events_init(cni_events *events)
+{
+	int32_t kind;
+	memset(events, 0, sizeof *events);
+	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
+		cni_array_init(&events->log[kind], (int32_t)sizeof(cni_event));
+		cni_array_init(&events->pending[kind], (int32_t)sizeof(cni_event));
+		cni_array_init(&events->seen[kind], (int32_t)sizeof(cn_contact_event));
+	}
+	cni_array_init(&events->moved, (int32_t)sizeof(cn_body_moved));
+	cni_array_init(&events->asleep, (int32_t)sizeof(cn_body));
+}
+
+void cni_events_deinit(cni_events *events, cni_memory *memory)
+{
+	int32_t kind;
+	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
+		cni_array_deinit(&events->log[kind], memory);
+		cni_array_deinit(&events->pending[kind], memory);
+		cni_array_deinit(&events->seen[kind], memory);
+	}
+	cni_array_deinit(&events->moved, memory);
+	cni_array_deinit(&events->asleep, memory);
+}
+
+void cni_events_begin_step(cni_events *events)
+{
+	int32_t kind;
+	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
+		cni_array log = events->log[kind];
+		events->log[kind] = events->pending[kind];
+		events->pending[kind] = log;
+		events->pending[kind].count = 0;
+		events->built[kind] = 0;
+		events->seen[kind].count = 0;
+	}
+	events->moved_built = 0;
+	events->asleep.count = 0;
+}
+
+int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	const cni_proxy *a = cni_proxy_at(world, c->proxy[0]), *b = cni_proxy_at(world, c->proxy[1]);
+	cni_array *log = world->events.in_step ? &world->events.log[kind] : &world->events.pending[kind];
+	cni_event *e;
+	if (!(c->flags >> CNI_CONTACT_EVENTS_SHIFT & 1u << kind))
+		return 1;
+	if (!cni_array_reserve(log, &world->memory, log->count + 1)) {
+		world->warnings |= CN_WARNING_EVENT_MEMORY;
+		++world->events_not_reported;
+		return 0;
+	}
+	e = (cni_event *)log->data + log->count++;
+	e->shape_a = cni_handles_of(&world->shape_handles, a->shape);
+	e->shape_b = cni_handles_of(&world->shape_handles, b->shape);
+	e->body_a = cni_handles_of(&world->body_handles, c->body[0]);
+	e->body_b = cni_handles_of(&world->body_handles, c->body[1]);
+	e->child_a = a->child;
+	e->child_b = b->child;
+	e->contact = contact;
+	e->approach_speed = kind == CN_EVENT_ENTER ? c->approach_speed : 0.0f;
+	return 1;
+}
+
+/* Is the contact of this record still the one that the event tells of? */
+static int32_t event_is_current(const cn_world *world, const cni_event *e)
+{
+	const cni_contact *c = cni_contact_at(world, e->contact);
+	return (c->flags & CNI_CONTACT_TOUCHING) && c->body[0] != CNI_NONE &&
+	       cni_handles_find(&world->shape_handles, e->shape_a) == cni_proxy_at(world, c->proxy[0])->shape &&
+	       cni_handles_find(&world->shape_handles, e->shape_b) == cni_proxy_at(world, c->proxy[1])->shape;
+}
+
+static void event_expand(const cn_world *world, const cni_event *e, int32_t kind, cn_contact_event *out)
+{
+	memset(out, 0, sizeof *out);
+	if (kind == CN_EVENT_ENTER && event_is_current(world, e))
+		cni_contact_describe(world, e->contact, kind, out);
+	out->shape_a = e->shape_a;
+	out->shape_b = e->shape_b;
+	out->body_a = e->body_a;
+	out->body_b = e->body_b;
+	out->child_a = e->child_a;
+	out->child_b = e->child_b;
+	out->contact_id = (uint32_t)e->contact + 1u;
+	out->kind = kind;
+	out->approach_speed_mps = e->approach_speed;
+}
+
+static int32_t contact_stays(const cni_contact *c)
+{
+	const uint32_t mask = CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP | CNI_CONTACT_ENTERED;
+	return (c->flags & mask) == CNI_CONTACT_TOUCHING && (c->flags >> CNI_CONTACT_EVENTS_SHIFT & 1u << CN_EVENT_STAY);
+}
+
+static cn_result build_stay(cn_world *world, cni_array *seen)
+{
+	const int32_t *list = (const int32_t *)world->awake_contacts.data;
+	int32_t k;
+	for (k = 0; k < world->awake_contacts.count; ++k) {
+		if (!contact_stays(cni_contact_at(world, list[k])))
+			continue;
+		if (!cni_array_reserve(seen, &world->memory, seen->count + 1)) {
+			seen->count = 0;
+			return CN_ERROR_MEMORY;
+		}
+		cni_contact_describe(world, list[k], CN_EVENT_STAY, (cn_contact_event *)seen->data + seen->count++);
+	}
+	return CN_OK;
+}
+
+cn_result cni_events_build(cn_world *world, int32_t kind)
+{
+	cni_events *events = &world->events;
+	cni_array *seen = &events->seen[kind];
+	const cni_array *log = &events->log[kind];
+	int32_t k;
+	if (events->built[kind])
+		return CN_OK;
+	seen->count = 0;
+	if (kind == CN_EVENT_STAY) {
+		if (build_stay(world, seen) != CN_OK)
+			return CN_ERROR_MEMORY;
+	} else {
+		if (!cni_array_reserve(seen, &world->memory, log->count))
+			return CN_ERROR_MEMORY;
+		for (k = 0; k < log->count; ++k)
+			event_expand(world, (const cni_event *)log->data + k, kind, (cn_contact_event *)seen->data + k);
+		seen->count = log->count;
+	}
+	events->built[kind] = 1;
+	return CN_OK;
+}

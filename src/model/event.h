@@ -1,0 +1,49 @@
+/*
+ * model/event.h - logs of what happened to contacts.
+ *
+ * Stages and calls log compact records; the arrays that users see are built from them on the first
+ * request, so that events nobody reads cost 32 bytes and nothing more. STAY is never logged: it is the
+ * list of awake touching contacts that did not enter in the last step.
+ *
+ *   log[kind]      the last step's           (CREATED, ENTER, LEAVE, DESTROYED)
+ *   pending[kind]  since then, by calls      (LEAVE, DESTROYED): the next step starts with them
+ *   seen[kind]     the built public arrays
+ */
+#ifndef CNI_MODEL_EVENT_H
+#define CNI_MODEL_EVENT_H
+
+#include "base/table.h"
+#include "cairn.h"
+
+typedef struct cni_event {
+	cn_shape shape_a, shape_b;
+	cn_body body_a, body_b;
+	int32_t child_a, child_b;
+	int32_t contact;
+	float approach_speed;
+} cni_event;
+
+typedef struct cni_events {
+	cni_array log[CN_EVENT_KINDS];
+	cni_array pending[CN_EVENT_KINDS];
+	cni_array seen[CN_EVENT_KINDS];     /* cn_contact_event */
+	int32_t built[CN_EVENT_KINDS];
+	int32_t in_step;                    /* 1 while a step runs: log goes to log[], else to pending[] */
+	cn_contact_event_fn *callback[CN_EVENT_KINDS];
+	void *callback_user[CN_EVENT_KINDS];
+	cni_array moved;                    /* cn_body_moved, built on request */
+	cni_array asleep;                   /* cn_body that fell asleep in the last step */
+	int32_t moved_built;
+	int32_t reserved;
+} cni_events;
+
+void cni_events_init(cni_events *events);
+void cni_events_deinit(cni_events *events, cni_memory *memory);
+/* Step begins: pending become the log, built arrays are void. */
+void cni_events_begin_step(cni_events *events);
+/* Logs a contact's event if it reports that kind; 0 when there is no memory. */
+int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind);
+/* Builds the public array of a kind. */
+cn_result cni_events_build(cn_world *world, int32_t kind);
+
+#endif

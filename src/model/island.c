@@ -1,0 +1,200 @@
+/*
+ * model/island.c - islands: linking, losing, splitting, waking and sleeping (method in island.h).
+ *
+ * Owns the island table. Invariants: an island has at least two bodies, all dynamic and enabled; all of
+ * them are in the dense arrays or none is; two dynamic bodies that share a touching contact or a joint
+ * are in one island.
+ */
+#include "model/world.h"
+
+#include <string.h>
+
+cni_island *cni_island_at(const cn_world *world, int32_t island)
+{
+	return (cni_island *)cni_table_at(&world->islands, island);
+}
+
+int32_t cni_island_reserve(cn_world *world, int32_t extra)
+{
+	return cni_table_reserve(&world->islands, &world->memory, cni_max_i(world->island_used, world->island_count + extra));
+}
+
+static int32_t island_take(cn_world *world)
+{
+	int32_t island = world->island_free;
+	cni_island *i;
+	if (island != CNI_NONE)
+		world->island_free = cni_island_at(world, island)->next_free;
+	else
+		island = world->island_used++;
+	CNI_ASSERT(island < cni_table_capacity(&world->islands));
+	i = cni_island_at(world, island);
+	memset(i, 0, sizeof *i);
+	i->first = i->last = i->next_free = CNI_NONE;
+	++world->island_count;
+	return island;
+}
+
+static void island_release(cn_world *world, int32_t island)
+{
+	cni_island *i = cni_island_at(world, island);
+	i->first = i->last = CNI_NONE;
+	i->count = 0;
+	i->next_free = world->island_free;
+	world->island_free = island;
+	--world->island_count;
+}
+
+static void island_append(cn_world *world, int32_t island, int32_t body)
+{
+	cni_island *i = cni_island_at(world, island);
+	cni_body *b = cni_body_at(world, body);
+	b->island = island;
+	b->island_next = CNI_NONE;
+	b->island_prev = i->last;
+	if (i->last != CNI_NONE)
+		cni_body_at(world, i->last)->island_next = body;
+	else
+		i->first = body;
+	i->last = body;
+	++i->count;
+}
+
+/* Moves all bodies of one island to the end of another. */
+static void island_merge(cn_world *world, int32_t into, int32_t from)
+{
+	cni_island *target = cni_island_at(world, into), *source = cni_island_at(world, from);
+	int32_t body;
+	for (body = source->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		cni_body_at(world, body)->island = into;
+	cni_body_at(world, target->last)->island_next = source->first;
+	cni_body_at(world, source->first)->island_prev = target->last;
+	target->last = source->last;
+	target->count += source->count;
+	target->losses += source->losses;
+	island_release(world, from);
+}
+
+void cni_island_link(cn_world *world, int32_t body_a, int32_t body_b)
+{
+	cni_body *a = cni_body_at(world, body_a), *b = cni_body_at(world, body_b);
+	if (a->awake != 0 && b->awake == 0)
+		cni_body_wake(world, body_b);
+	else if (b->awake != 0 && a->awake == 0)
+		cni_body_wake(world, body_a);
+	if (a->island == CNI_NONE && b->island == CNI_NONE) {
+		int32_t island = island_take(world);
+		cni_island_at(world, island)->awake = a->awake != 0;
+		island_append(world, island, body_a);
+		island_append(world, island, body_b);
+	} else if (a->island == CNI_NONE) {
+		island_append(world, b->island, body_a);
+	} else if (b->island == CNI_NONE) {
+		island_append(world, a->island, body_b);
+	} else if (a->island != b->island) {
+		int32_t a_larger = cni_island_at(world, a->island)->count >= cni_island_at(world, b->island)->count;
+		island_merge(world, a_larger ? a->island : b->island, a_larger ? b->island : a->island);
+	}
+}
+
+void cni_island_unlink(cn_world *world, int32_t body_a, int32_t body_b)
+{
+	const cni_body *a = cni_body_at(world, body_a);
+	(void)body_b;
+	if (a->island != CNI_NONE)
+		++cni_island_at(world, a->island)->losses;
+}
+
+void cni_island_remove_body(cn_world *world, int32_t body)
+{
+	cni_body *b = cni_body_at(world, body);
+	int32_t island = b->island;
+	cni_island *i;
+	if (island == CNI_NONE)
+		return;
+	i = cni_island_at(world, island);
+	if (b->island_prev != CNI_NONE)
+		cni_body_at(world, b->island_prev)->island_next = b->island_next;
+	else
+		i->first = b->island_next;
+	if (b->island_next != CNI_NONE)
+		cni_body_at(world, b->island_next)->island_prev = b->island_prev;
+	else
+		i->last = b->island_prev;
+	b->island = b->island_next = b->island_prev = CNI_NONE;
+	++i->losses;
+	if (--i->count == 1) {
+		cni_body *last = cni_body_at(world, i->first);
+		last->island = last->island_next = last->island_prev = CNI_NONE;
+		island_release(world, island);
+	}
+}
+
+/* ---- splitting ---- */
+
+/* Pushes the unlabelled dynamic bodies that touch this one or share a joint with it. */
+static int32_t push_neighbours(const cn_world *world, int32_t body, int32_t *stack, int32_t top)
+{
+	const cni_body *b = cni_body_at(world, body);
+	int32_t key;
+	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		int32_t other = c->body[1 - (key & 1)];
+		if ((c->flags & CNI_CONTACT_LINKED) && cni_body_at(world, other)->island == CNI_NONE) {
+			cni_body_at(world, other)->island = b->island;
+			stack[top++] = other;
+		}
+	}
+	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+		const cni_joint *j = cni_joint_at(world, key >> 1);
+		int32_t other = j->body[1 - (key & 1)];
+		if (j->linked && cni_body_at(world, other)->island == CNI_NONE) {
+			cni_body_at(world, other)->island = b->island;
+			stack[top++] = other;
+		}
+	}
+	return top;
+}
+
+/* Collects one connected part from a seed; a part of one body gets no island. */
+static void part_collect(cn_world *world, int32_t seed, int32_t awake, int32_t *stack)
+{
+	int32_t island = island_take(world), top = 0;
+	cni_island_at(world, island)->awake = awake;
+	cni_body_at(world, seed)->island = island;
+	stack[top++] = seed;
+	while (top > 0) {
+		int32_t body = stack[--top];
+		island_append(world, island, body);
+		top = push_neighbours(world, body, stack, top);
+	}
+	if (cni_island_at(world, island)->count == 1) {
+		cni_body *b = cni_body_at(world, seed);
+		b->island = b->island_next = b->island_prev = CNI_NONE;
+		island_release(world, island);
+	}
+}
+
+int32_t cni_island_split(cn_world *world, int32_t island)
+{
+	cni_island *i = cni_island_at(world, island);
+	int32_t count = i->count, awake = i->awake, body, k = 0;
+	int32_t *bodies, *stack;
+	if (!cni_island_reserve(world, count / 2 + 1))
+		return 0;
+	bodies = (int32_t *)cni_arena_push(&world->arena, (uint64_t)count * 2 * sizeof(int32_t));
+	if (bodies == NULL)
+		return 0;
+	stack = bodies + count;
+	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		bodies[k++] = body;
+	island_release(world, island);
+	for (k = 0; k < count; ++k)
+		cni_body_at(world, bodies[k])->island = CNI_NONE;
+	/* A single left alone by an earlier part has island CNI_NONE and links to nobody: harmless to visit. */
+	for (k = 0; k < count; ++k)
+		if (cni_body_at(world, bodies[k])->island == CNI_NONE)
+			part_collect(world, bodies[k], awake, stack);
+	cni_arena_pop(&world->arena, bodies);
+	return 1;
+}

@@ -1,0 +1,47 @@
+/*
+ * model/island.h - groups of dynamic bodies connected by touching contacts and joints, persistent across
+ * steps. They decide what sleeps together.
+ *
+ * A body alone has no island record (island == CNI_NONE). Linking two bodies relabels the smaller island
+ * into the larger. Unlinking only counts a loss; an island with losses is split by a search over contacts
+ * and joints when it would otherwise fall asleep, one island a step at most (Catto, "Simulation Islands",
+ * 2023, with relabelling in place of union-find).
+ */
+#ifndef CNI_MODEL_ISLAND_H
+#define CNI_MODEL_ISLAND_H
+
+#include "base/config.h"
+#include "cairn.h"
+
+typedef struct cni_island {
+	int32_t first, last;   /* bodies, linked by island_next/prev; first == CNI_NONE: free record */
+	int32_t count;
+	int32_t losses;        /* links removed since it was made or split */
+	int32_t awake;         /* 1: its bodies are in the dense arrays */
+	int32_t next_free;
+	float rest_time;       /* scratch of the sleep stage: least sleep_time of its bodies */
+	int32_t reserved;
+} cni_island;
+
+cni_island *cni_island_at(const cn_world *world, int32_t island);
+/* Makes the next extra links certain to find a record; 0: no memory. */
+int32_t cni_island_reserve(cn_world *world, int32_t extra);
+/* Joins the islands of two dynamic bodies; wakes the sleeping side if the other is awake. After
+   cni_island_reserve(world, 1). */
+void cni_island_link(cn_world *world, int32_t body_a, int32_t body_b);
+/* One link between them went away. */
+void cni_island_unlink(cn_world *world, int32_t body_a, int32_t body_b);
+/* Takes a body out of its island (when destroyed or no longer dynamic). */
+void cni_island_remove_body(cn_world *world, int32_t body);
+/* Replaces the island by its connected parts. 0: no scratch memory, nothing changed. */
+int32_t cni_island_split(cn_world *world, int32_t island);
+
+/* Wakes a body with its whole island and their contacts; resets sleep timers. Static, disabled or awake: no-op but
+   for the timer. Cannot fail: room for being awake is reserved when bodies and contacts are made. */
+void cni_body_wake(cn_world *world, int32_t body);
+/* Wakes every body that touches it, and the bodies its joints connect. */
+void cni_body_wake_neighbours(cn_world *world, int32_t body);
+/* Puts a body and its island to sleep, logging fell-asleep. 0: no memory, nothing changed. */
+int32_t cni_body_put_to_sleep(cn_world *world, int32_t body);
+
+#endif

@@ -1,0 +1,268 @@
+/*
+ * model/joint.c - joint records: lists, islands, and read-back through rows (idea in joint.h).
+ *
+ * Owns the joint table and the awake list. Invariant: a joint is in the lists of its bodies while it lives,
+ * and in the awake list when one of its bodies is in the dense arrays and none is disabled.
+ */
+#include "model/world.h"
+
+cni_joint *cni_joint_at(const cn_world *world, int32_t joint)
+{
+	return (cni_joint *)cni_table_at(&world->joints, joint);
+}
+
+const cni_joint_type *cni_joint_type_of(int32_t type)
+{
+	static const cni_joint_type *const types[] = { &cni_joint_revolute, &cni_joint_distance };
+	return types[type];
+}
+
+cn_result cni_joint_reserve(cn_world *world, int32_t extra)
+{
+	int32_t used = cni_handles_used(&world->joint_handles) + extra;
+	int32_t good = cni_table_reserve(&world->joints, &world->memory, used) &&
+	               cni_array_reserve(&world->awake_joints, &world->memory, world->joint_handles.count + extra) &&
+	               cni_array_reserve(&world->joint_work, &world->memory, world->joint_handles.count + extra) &&
+	               cni_island_reserve(world, extra);
+	return good ? CN_OK : CN_ERROR_MEMORY;
+}
+
+/* ---- lists ---- */
+
+static void list_link(cn_world *world, int32_t joint, int32_t side)
+{
+	cni_joint *j = cni_joint_at(world, joint);
+	cni_body *b;
+	int32_t key = joint << 1 | side;
+	j->prev[side] = j->next[side] = CNI_NONE;
+	if (j->body[side] == CNI_NONE)
+		return;
+	b = cni_body_at(world, j->body[side]);
+	j->next[side] = b->joint_first;
+	if (b->joint_first != CNI_NONE)
+		cni_joint_at(world, b->joint_first >> 1)->prev[b->joint_first & 1] = key;
+	b->joint_first = key;
+	++b->joint_count;
+}
+
+static void list_unlink(cn_world *world, int32_t joint, int32_t side)
+{
+	cni_joint *j = cni_joint_at(world, joint);
+	int32_t next = j->next[side], prev = j->prev[side];
+	if (j->body[side] == CNI_NONE)
+		return;
+	if (prev != CNI_NONE)
+		cni_joint_at(world, prev >> 1)->next[prev & 1] = next;
+	else
+		cni_body_at(world, j->body[side])->joint_first = next;
+	if (next != CNI_NONE)
+		cni_joint_at(world, next >> 1)->prev[next & 1] = prev;
+	--cni_body_at(world, j->body[side])->joint_count;
+}
+
+static int32_t side_is_enabled(const cn_world *world, const cni_joint *j, int32_t side)
+{
+	return j->body[side] == CNI_NONE || (cni_body_at(world, j->body[side])->flags & CN_BODY_ENABLED);
+}
+
+static int32_t side_is_awake(const cn_world *world, const cni_joint *j, int32_t side)
+{
+	return j->body[side] != CNI_NONE && cni_body_at(world, j->body[side])->awake != 0;
+}
+
+static int32_t side_is_dynamic(const cn_world *world, const cni_joint *j, int32_t side)
+{
+	return j->body[side] != CNI_NONE && cni_body_at(world, j->body[side])->type == CN_BODY_DYNAMIC;
+}
+
+void cni_joint_enter_awake_list(cn_world *world, int32_t joint)
+{
+	cni_joint *j = cni_joint_at(world, joint);
+	if (j->awake != CNI_NONE || !side_is_enabled(world, j, 0) || !side_is_enabled(world, j, 1))
+		return;
+	j->awake = world->awake_joints.count;
+	((int32_t *)world->awake_joints.data)[world->awake_joints.count++] = joint;
+}
+
+void cni_joint_leave_awake_list(cn_world *world, int32_t joint)
+{
+	cni_joint *j = cni_joint_at(world, joint);
+	int32_t *list = (int32_t *)world->awake_joints.data;
+	int32_t last;
+	if (j->awake == CNI_NONE)
+		return;
+	last = list[--world->awake_joints.count];
+	list[j->awake] = last;
+	cni_joint_at(world, last)->awake = j->awake;
+	j->awake = CNI_NONE;
+}
+
+int32_t cni_joint_forbids(const cn_world *world, int32_t body_a, int32_t body_b)
+{
+	int32_t lesser_is_a = cni_body_at(world, body_a)->joint_count <= cni_body_at(world, body_b)->joint_count;
+	int32_t other = lesser_is_a ? body_b : body_a;
+	int32_t key = cni_body_at(world, lesser_is_a ? body_a : body_b)->joint_first;
+	for (; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+		const cni_joint *j = cni_joint_at(world, key >> 1);
+		if (j->body[1 - (key & 1)] == other && !(j->flags & CN_JOINT_COLLIDE))
+			return 1;
+	}
+	return 0;
+}
+
+/* Contacts between two bodies, which a joint now forbids. */
+static void end_contacts_between(cn_world *world, int32_t body_a, int32_t body_b)
+{
+	int32_t key = cni_body_at(world, body_a)->contact_first;
+	while (key != CNI_NONE) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		int32_t contact = key >> 1, other = c->body[1 - (key & 1)];
+		key = c->next[key & 1];
+		if (other == body_b)
+			cni_contact_destroy(world, contact);
+	}
+}
+
+static void bodies_look_again(cn_world *world, const cni_joint *j)
+{
+	int32_t lesser = cni_body_at(world, j->body[0])->shape_count <= cni_body_at(world, j->body[1])->shape_count ? 0 : 1;
+	int32_t shape = cni_body_at(world, j->body[lesser])->shape_first;
+	for (; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
+		cni_shape_look_again(world, shape);
+}
+
+void cni_joint_link(cn_world *world, int32_t joint)
+{
+	cni_joint *j = cni_joint_at(world, joint);
+	int32_t side, enabled = side_is_enabled(world, j, 0) && side_is_enabled(world, j, 1);
+	j->awake = CNI_NONE;
+	list_link(world, joint, 0);
+	list_link(world, joint, 1);
+	for (side = 0; side < 2; ++side)
+		if (j->body[side] != CNI_NONE)
+			cni_body_wake(world, j->body[side]);
+	j->linked = enabled && side_is_dynamic(world, j, 0) && side_is_dynamic(world, j, 1);
+	if (j->linked)
+		cni_island_link(world, j->body[0], j->body[1]);
+	if (side_is_awake(world, j, 0) || side_is_awake(world, j, 1))
+		cni_joint_enter_awake_list(world, joint);
+	if (!(j->flags & CN_JOINT_COLLIDE) && j->body[0] != CNI_NONE && j->body[1] != CNI_NONE)
+		end_contacts_between(world, j->body[0], j->body[1]);
+}
+
+void cni_joint_unlink(cn_world *world, int32_t joint)
+{
+	cni_joint *j = cni_joint_at(world, joint);
+	int32_t side;
+	for (side = 0; side < 2; ++side)
+		if (j->body[side] != CNI_NONE)
+			cni_body_wake(world, j->body[side]);
+	cni_joint_leave_awake_list(world, joint);
+	list_unlink(world, joint, 0);
+	list_unlink(world, joint, 1);
+	if (j->linked)
+		cni_island_unlink(world, j->body[0], j->body[1]);
+	j->linked = 0;
+	if (!(j->flags & CN_JOINT_COLLIDE) && j->body[0] != CNI_NONE && j->body[1] != CNI_NONE)
+		bodies_look_again(world, j);
+}
+
+/* ---- read-back ---- */
+
+cni_joint_frame cni_joint_frame_make(const cn_world *world, const cni_joint *j)
+{
+	const cni_body *a = j->body[0] == CNI_NONE ? NULL : cni_body_at(world, j->body[0]);
+	const cni_body *b = j->body[1] == CNI_NONE ? NULL : cni_body_at(world, j->body[1]);
+	cni_rot qa = { 1.0f, 0.0f }, qb = { 1.0f, 0.0f }, q;
+	cni_vec2 la = j->anchor[0], lb = j->anchor[1], d = { 0.0f, 0.0f };
+	cni_joint_frame f;
+	if (a != NULL) {
+		qa = a->q;
+		la = cni_sub(la, a->local_center);
+		d = cni_v(-a->cx, -a->cy);
+	}
+	if (b != NULL) {
+		qb = b->q;
+		lb = cni_sub(lb, b->local_center);
+		d = cni_add(d, cni_v(b->cx, b->cy));
+		d = cni_add(d, cni_v(b->cx_low, b->cy_low));
+	}
+	if (a != NULL)
+		d = cni_sub(d, cni_v(a->cx_low, a->cy_low));
+	f.ra = cni_rotate(qa, la);
+	f.rb = cni_rotate(qb, lb);
+	/* With the world on one side that side's anchor is a large number: subtract it from the centre first. */
+	f.d = a != NULL && b == NULL ? cni_sub(cni_add(d, f.rb), f.ra) : cni_add(cni_sub(d, f.ra), f.rb);
+	f.qa = qa;
+	q = cni_rot_between(qa, qb);
+	f.angle = cni_wrap_angle(cni_atan2(q.s, q.c) - j->p[CNI_P_REFERENCE] * (float)(j->type == CN_JOINT_REVOLUTE));
+	return f;
+}
+
+void cni_joint_anchors(const cn_world *world, const cni_joint *j, cni_vec2 *out_a, cni_vec2 *out_b)
+{
+	cni_vec2 *out[2];
+	int32_t side;
+	out[0] = out_a;
+	out[1] = out_b;
+	for (side = 0; side < 2; ++side)
+		*out[side] = j->body[side] == CNI_NONE ? j->anchor[side]
+		             : cni_transform_point(cni_body_transform(cni_body_at(world, j->body[side])), j->anchor[side]);
+}
+
+void cni_joint_error(const cn_world *world, const cni_joint *j, float *out_m, float *out_rad)
+{
+	cni_joint_frame f = cni_joint_frame_make(world, j);
+	cni_row rows[CNI_JOINT_ROWS];
+	int32_t count = cni_joint_type_of(j->type)->rows(j, &f, rows), k;
+	float linear_sq = 0.0f, angular = 0.0f;
+	for (k = 0; k < count; ++k) {
+		float e = rows[k].kind == CNI_ROW_RIGID ? rows[k].error : cni_min(rows[k].error, 0.0f);
+		if (rows[k].kind != CNI_ROW_RIGID && rows[k].kind != CNI_ROW_LIMIT)
+			continue;
+		if (rows[k].angular)
+			angular = cni_max(angular, cni_abs(e));
+		else
+			linear_sq += e * e;
+	}
+	*out_m = cni_sqrt(linear_sq);
+	*out_rad = angular;
+}
+
+float cni_joint_position(const cn_world *world, const cni_joint *j)
+{
+	cni_joint_frame f = cni_joint_frame_make(world, j);
+	return cni_joint_type_of(j->type)->position(j, &f);
+}
+
+static cn_velocity side_velocity(const cn_world *world, const cni_joint *j, int32_t side)
+{
+	cn_velocity zero = { { 0.0f, 0.0f }, 0.0f };
+	return j->body[side] == CNI_NONE ? zero : cni_body_velocity(world, cni_body_at(world, j->body[side]));
+}
+
+float cni_joint_speed(const cn_world *world, const cni_joint *j)
+{
+	cni_joint_frame f = cni_joint_frame_make(world, j);
+	cni_row r = cni_joint_type_of(j->type)->speed_row(j, &f);
+	cn_velocity a = side_velocity(world, j, 0), b = side_velocity(world, j, 1);
+	return r.ax * a.linear_mps.x + r.ay * a.linear_mps.y + r.aw * a.angular_radps +
+	       r.bx * b.linear_mps.x + r.by * b.linear_mps.y + r.bw * b.angular_radps;
+}
+
+void cni_joint_reaction(const cn_world *world, const cni_joint *j, cn_vec2 *out_force, float *out_torque)
+{
+	cni_joint_frame f = cni_joint_frame_make(world, j);
+	cni_row rows[CNI_JOINT_ROWS];
+	int32_t count = cni_joint_type_of(j->type)->rows(j, &f, rows), k;
+	cni_vec2 force = { 0.0f, 0.0f };
+	float torque = 0.0f;
+	for (k = 0; k < count; ++k) {
+		float impulse = j->impulse[rows[k].slot] * j->inv_h;
+		force = cni_madd(force, impulse, cni_v(rows[k].bx, rows[k].by));
+		/* The part of the angular Jacobian that is not the force's own moment about the centre. */
+		torque += impulse * (rows[k].bw - cni_cross(f.rb, cni_v(rows[k].bx, rows[k].by)));
+	}
+	*out_force = force;
+	*out_torque = torque;
+}

@@ -1,0 +1,180 @@
+/*
+ * model/lane.c - colours, blocks and lanes (drawn in contact.h).
+ *
+ * Owns the block tables, the free list of blocks, the colours and the colour bits of bodies. Greedy
+ * colouring: a contact takes the lowest colour that neither of its dynamic bodies uses.
+ *
+ * Invariants: the blocks of a colour are full but for the last; unused lanes are all zero, so that they
+ * read and write the dummy body and compute nothing; a body's colour bit is set exactly when one of its
+ * lanes has that colour (colour 31, overflow, sets no bit).
+ */
+#include "model/lane.h"
+#include "base/bitset.h"
+#include "model/world.h"
+
+#include <string.h>
+
+cni_contact_block *cni_block_at(const cn_world *world, int32_t block)
+{
+	return (cni_contact_block *)cni_table_at(&world->blocks_hot, block);
+}
+
+cni_block_info *cni_block_info_at(const cn_world *world, int32_t block)
+{
+	return (cni_block_info *)cni_table_at(&world->blocks_info, block);
+}
+
+int32_t cni_lane_reserve(cn_world *world, int32_t lanes)
+{
+	/* Full blocks, and at worst one block begun in each colour. */
+	int32_t blocks = lanes / CNI_LANES + cni_min_i(lanes, CNI_COLORS);
+	return cni_table_reserve(&world->blocks_hot, &world->memory, blocks) &&
+	       cni_table_reserve(&world->blocks_info, &world->memory, blocks);
+}
+
+static int32_t block_take(cn_world *world, int32_t color)
+{
+	cni_color *group = &world->colors[color];
+	int32_t block = world->block_free, lane;
+	cni_block_info *info;
+	if (block != CNI_NONE)
+		world->block_free = cni_block_info_at(world, block)->next;
+	else
+		block = world->block_used++;
+	CNI_ASSERT(block < cni_table_capacity(&world->blocks_hot));
+	memset(cni_block_at(world, block), 0, sizeof(cni_contact_block));
+	info = cni_block_info_at(world, block);
+	memset(info, 0, sizeof *info);
+	for (lane = 0; lane < CNI_LANES; ++lane)
+		info->contact[lane] = CNI_NONE;
+	info->color = color;
+	info->next = CNI_NONE;
+	info->prev = group->last;
+	if (group->last != CNI_NONE)
+		cni_block_info_at(world, group->last)->next = block;
+	else
+		group->first = block;
+	group->last = block;
+	return block;
+}
+
+/* The colour's last block, which has become empty. */
+static void block_free_last(cn_world *world, int32_t color)
+{
+	cni_color *group = &world->colors[color];
+	int32_t block = group->last;
+	cni_block_info *info = cni_block_info_at(world, block);
+	group->last = info->prev;
+	if (group->last != CNI_NONE)
+		cni_block_info_at(world, group->last)->next = CNI_NONE;
+	else
+		group->first = CNI_NONE;
+	info->next = world->block_free;
+	info->color = CNI_NONE;
+	world->block_free = block;
+}
+
+static cni_body *lane_body(const cn_world *world, const cni_contact *c, int32_t lane_side)
+{
+	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0;
+	return cni_body_at(world, c->body[lane_side ^ flipped]);
+}
+
+static int32_t color_choose(const cni_body *a, const cni_body *b)
+{
+	uint32_t dynamic_colors = (1u << CNI_COLOR_STATIC) - 1u, used, open;
+	if (b->type == CN_BODY_DYNAMIC) {
+		used = a->colors | b->colors;
+		open = ~used & dynamic_colors;
+	} else {
+		used = a->colors;
+		open = ~used & ~dynamic_colors & ~(1u << CNI_COLOR_OVERFLOW);
+	}
+	return open != 0 ? cni_bit_lowest32(open) : CNI_COLOR_OVERFLOW;
+}
+
+static void color_mark(cni_body *a, cni_body *b, int32_t color, int32_t on)
+{
+	uint32_t bit = 1u << color;
+	if (color == CNI_COLOR_OVERFLOW)
+		return;
+	CNI_ASSERT(((a->colors & bit) != 0) == !on);
+	a->colors ^= bit;
+	if (color < CNI_COLOR_STATIC) {
+		CNI_ASSERT(((b->colors & bit) != 0) == !on);
+		b->colors ^= bit;
+	}
+}
+
+void cni_lane_set_bodies(cn_world *world, const cni_contact *c)
+{
+	cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
+	int32_t lane = c->slot % CNI_LANES;
+	block->ia[lane] = lane_body(world, c, 0)->awake;
+	block->ib[lane] = lane_body(world, c, 1)->awake;
+}
+
+void cni_lane_take(cn_world *world, int32_t contact)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	cni_body *a, *b;
+	cni_color *group;
+	int32_t color, lane, block;
+	if (cni_body_at(world, c->body[0])->type == CN_BODY_DYNAMIC)
+		c->flags &= ~(uint32_t)CNI_CONTACT_FLIPPED;
+	else
+		c->flags |= CNI_CONTACT_FLIPPED;
+	a = lane_body(world, c, 0);
+	b = lane_body(world, c, 1);
+	CNI_ASSERT(a->type == CN_BODY_DYNAMIC);
+	color = color_choose(a, b);
+	color_mark(a, b, color, 1);
+	++a->lanes;
+	++b->lanes;
+	group = &world->colors[color];
+	lane = group->lanes % CNI_LANES;
+	block = lane == 0 ? block_take(world, color) : group->last;
+	++group->lanes;
+	c->slot = block * CNI_LANES + lane;
+	cni_block_info_at(world, block)->contact[lane] = contact;
+	cni_lane_set_bodies(world, c);
+}
+
+/* Copies one lane over another and clears the source. */
+static void lane_move(cn_world *world, int32_t from, int32_t to)
+{
+	float *source = (float *)(void *)cni_block_at(world, from / CNI_LANES) + from % CNI_LANES;
+	float *target = (float *)(void *)cni_block_at(world, to / CNI_LANES) + to % CNI_LANES;
+	cni_block_info *source_info = cni_block_info_at(world, from / CNI_LANES);
+	cni_block_info *target_info = cni_block_info_at(world, to / CNI_LANES);
+	int32_t row;
+	for (row = 0; row < CNI_BLOCK_ROWS; ++row) {
+		if (from != to)
+			memcpy(target + row * CNI_LANES, source + row * CNI_LANES, sizeof(float));
+		memset(source + row * CNI_LANES, 0, sizeof(float));
+	}
+	if (from != to) {
+		int32_t contact = source_info->contact[from % CNI_LANES];
+		target_info->contact[to % CNI_LANES] = contact;
+		target_info->restitution[to % CNI_LANES] = source_info->restitution[from % CNI_LANES];
+		target_info->flags |= source_info->flags;
+		cni_contact_at(world, contact)->slot = to;
+	}
+	source_info->contact[from % CNI_LANES] = CNI_NONE;
+	source_info->restitution[from % CNI_LANES] = 0.0f;
+}
+
+void cni_lane_free(cn_world *world, int32_t contact)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	int32_t color = cni_block_info_at(world, c->slot / CNI_LANES)->color;
+	cni_color *group = &world->colors[color];
+	int32_t last = group->last * CNI_LANES + (group->lanes - 1) % CNI_LANES;
+	color_mark(lane_body(world, c, 0), lane_body(world, c, 1), color, 0);
+	--lane_body(world, c, 0)->lanes;
+	--lane_body(world, c, 1)->lanes;
+	lane_move(world, last, c->slot);
+	c->slot = CNI_NONE;
+	if (--group->lanes % CNI_LANES == 0)
+		block_free_last(world, color);
+}

@@ -1,0 +1,179 @@
+/*
+ * model/shape.c - shape records: lists, boxes in the broadphase, filters (layout in shape.h).
+ *
+ * Invariant: an attached shape of an enabled body has one proxy a child, all others none.
+ */
+#include "model/world.h"
+
+cni_shape *cni_shape_at(const cn_world *world, int32_t shape)
+{
+	return (cni_shape *)cni_table_at(&world->shapes, shape);
+}
+
+int32_t cni_shape_proxy(const cn_world *world, const cni_shape *s, int32_t child)
+{
+	if (s->type != CN_SHAPE_CHAIN)
+		return s->box.proxy;
+	if (s->box.proxies == 0)
+		return CNI_NONE;
+	return ((const int32_t *)cni_blocks_at(&world->blocks, s->box.proxies))[child];
+}
+
+static int32_t shape_is_placed(const cni_shape *s)
+{
+	return s->type == CN_SHAPE_CHAIN ? s->box.proxies != 0 : s->box.proxy != CNI_NONE;
+}
+
+cni_aabb cni_box_fatten(const cn_world *world, int32_t body_type, cni_aabb tight)
+{
+	float margin = body_type == CN_BODY_STATIC ? world->settings.contact_margin : world->settings.box_margin;
+	cni_aabb fat;
+	fat.x0 = tight.x0 - margin;
+	fat.y0 = tight.y0 - margin;
+	fat.x1 = tight.x1 + margin;
+	fat.y1 = tight.y1 + margin;
+	return fat;
+}
+
+cn_result cni_proxy_reserve(cn_world *world, int32_t extra)
+{
+	if (!cni_table_reserve(&world->proxies, &world->memory, world->proxy_used + cni_max_i(extra - world->proxy_free_count, 0)))
+		return CN_ERROR_MEMORY;
+	return world->broadphase_ops->reserve(world->broadphase, extra) ? CN_OK : CN_ERROR_MEMORY;
+}
+
+static int32_t proxy_take(cn_world *world)
+{
+	int32_t id = world->proxy_free;
+	if (id != CNI_NONE) {
+		world->proxy_free = cni_proxy_at(world, id)->shape;
+		--world->proxy_free_count;
+	} else {
+		id = world->proxy_used++;
+	}
+	++world->proxy_count;
+	return id;
+}
+
+static void proxy_release(cn_world *world, int32_t id)
+{
+	cni_proxy *p = cni_proxy_at(world, id);
+	p->flags = 0;
+	p->shape = world->proxy_free;
+	world->proxy_free = id;
+	++world->proxy_free_count;
+	--world->proxy_count;
+}
+
+static int32_t proxy_create(cn_world *world, int32_t shape, int32_t child)
+{
+	const cni_shape *s = cni_shape_at(world, shape);
+	const cni_body *b = cni_body_at(world, s->body);
+	int32_t id = proxy_take(world);
+	cni_proxy *p = cni_proxy_at(world, id);
+	p->fat = cni_box_fatten(world, b->type, cni_geometry_aabb(cni_shape_geometry(&world->blocks, s), child, cni_body_transform(b)));
+	p->old.x0 = p->old.y0 = 1.0f;
+	p->old.x1 = p->old.y1 = -1.0f;
+	p->shape = shape;
+	p->child = child;
+	p->cell = CNI_NONE;
+	p->flags = CNI_PROXY_ALIVE | CNI_PROXY_MOVED | (b->type == CN_BODY_STATIC ? (uint32_t)CNI_PROXY_STATIC : 0u);
+	world->broadphase_ops->add(world->broadphase, id);
+	return id;
+}
+
+cn_result cni_shape_place(cn_world *world, int32_t shape)
+{
+	cni_shape *s = cni_shape_at(world, shape);
+	int32_t child;
+	if (shape_is_placed(s))
+		return CN_OK;
+	if (cni_proxy_reserve(world, s->children) != CN_OK)
+		return CN_ERROR_MEMORY;
+	if (s->type != CN_SHAPE_CHAIN) {
+		s->box.proxy = proxy_create(world, shape, 0);
+		return CN_OK;
+	}
+	s->box.proxies = cni_blocks_alloc(&world->blocks, (uint64_t)s->children * sizeof(int32_t));
+	if (s->box.proxies == 0)
+		return CN_ERROR_MEMORY;
+	for (child = 0; child < s->children; ++child)
+		((int32_t *)cni_blocks_at(&world->blocks, s->box.proxies))[child] = proxy_create(world, shape, child);
+	return CN_OK;
+}
+
+void cni_shape_unplace(cn_world *world, int32_t shape)
+{
+	cni_shape *s = cni_shape_at(world, shape);
+	int32_t child;
+	if (!shape_is_placed(s))
+		return;
+	cni_contact_destroy_of_shape(world, shape);
+	for (child = 0; child < s->children; ++child) {
+		int32_t proxy = cni_shape_proxy(world, s, child);
+		world->broadphase_ops->remove(world->broadphase, proxy);
+		proxy_release(world, proxy);
+	}
+	if (s->type == CN_SHAPE_CHAIN) {
+		cni_blocks_free(&world->blocks, s->box.proxies, (uint64_t)s->children * sizeof(int32_t));
+		s->box.proxies = 0;
+	} else {
+		s->box.proxy = CNI_NONE;
+	}
+}
+
+void cni_shape_look_again(cn_world *world, int32_t shape)
+{
+	cni_shape *s = cni_shape_at(world, shape);
+	int32_t child;
+	if (!shape_is_placed(s))
+		return;
+	for (child = 0; child < s->children; ++child) {
+		cni_proxy *p = cni_proxy_at(world, cni_shape_proxy(world, s, child));
+		uint32_t is_static = cni_body_at(world, s->body)->type == CN_BODY_STATIC ? (uint32_t)CNI_PROXY_STATIC : 0u;
+		p->flags = (p->flags & ~(uint32_t)CNI_PROXY_STATIC) | is_static;
+		world->broadphase_ops->touch(world->broadphase, cni_shape_proxy(world, s, child));
+	}
+	world->pairs_may_repeat = 1;
+}
+
+void cni_shape_link(cn_world *world, int32_t shape, int32_t body)
+{
+	cni_shape *s = cni_shape_at(world, shape);
+	cni_body *b = cni_body_at(world, body);
+	s->body = body;
+	s->next = CNI_NONE;
+	if (b->shape_first == CNI_NONE) {
+		b->shape_first = s->prev = shape;
+	} else {
+		cni_shape *first = cni_shape_at(world, b->shape_first);
+		s->prev = first->prev;
+		cni_shape_at(world, first->prev)->next = shape;
+		first->prev = shape;
+	}
+	++b->shape_count;
+}
+
+void cni_shape_unlink(cn_world *world, int32_t shape)
+{
+	cni_shape *s = cni_shape_at(world, shape);
+	cni_body *b = cni_body_at(world, s->body);
+	int32_t next = s->next;
+	if (b->shape_first == shape)
+		b->shape_first = next;
+	else
+		cni_shape_at(world, s->prev)->next = next;
+	if (next != CNI_NONE)
+		cni_shape_at(world, next)->prev = s->prev;
+	else if (b->shape_first != CNI_NONE)
+		cni_shape_at(world, b->shape_first)->prev = s->prev;
+	s->body = s->next = s->prev = CNI_NONE;
+	--b->shape_count;
+}
+
+int32_t cni_filter_allows(const cni_shape *a, const cni_shape *b)
+{
+	if (a->group == b->group && a->group != 0)
+		return a->group > 0;
+	return (a->category & b->mask) != 0 && (b->category & a->mask) != 0;
+}

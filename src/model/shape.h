@@ -1,0 +1,60 @@
+/*
+ * model/shape.h - the shape record: what a body is made of, and its boxes in the broadphase.
+ *
+ * Geometry is a variable-size piece in the world's blocks. A shape has broadphase proxies only while it
+ * is attached to an enabled body; a chain has one for each edge, in a run of ids held in a piece
+ * of the blocks (proxy ids of other shapes are held directly).
+ */
+#ifndef CNI_MODEL_SHAPE_H
+#define CNI_MODEL_SHAPE_H
+
+#include "base/blocks.h"
+#include "geometry/shape.h"
+#include "model/proxy.h"
+
+typedef struct cni_shape {
+	int32_t body;          /* CNI_NONE: unattached */
+	int32_t next, prev;    /* in the body's list, in order of attachment; the first one's prev is the last */
+	int32_t type;
+	cni_ref geometry;
+	uint32_t geometry_bytes;
+	int32_t children;
+	union {
+		int32_t proxy;     /* children == 1 and placed: the proxy id, else CNI_NONE */
+		cni_ref proxies;   /* a chain and placed: int32_t ids[children] in the blocks, else 0 */
+	} box;
+	float density;
+	float static_friction, dynamic_friction, restitution;
+	int32_t group;
+	uint32_t event_mask;
+	uint64_t category, mask;
+	uint64_t user_data;
+} cni_shape;
+
+cni_shape *cni_shape_at(const cn_world *world, int32_t shape);
+static inline const cni_geometry *cni_shape_geometry(const cni_blocks *blocks, const cni_shape *s)
+{
+	return (const cni_geometry *)cni_blocks_at(blocks, s->geometry);
+}
+/* Proxy id of a child, CNI_NONE when the shape is not placed. */
+int32_t cni_shape_proxy(const cn_world *world, const cni_shape *s, int32_t child);
+
+/* Makes room for `extra` proxies more. */
+cn_result cni_proxy_reserve(cn_world *world, int32_t extra);
+/* Gives an attached shape its boxes; CN_ERROR_MEMORY changes nothing. Already placed: CN_OK. */
+cn_result cni_shape_place(cn_world *world, int32_t shape);
+/* Takes the boxes away and ends the contacts (see cni_contact_end_all_of_shape for memory). */
+void cni_shape_unplace(cn_world *world, int32_t shape);
+/* Links into the body's list / unlinks, without boxes and without mass. */
+void cni_shape_link(cn_world *world, int32_t shape, int32_t body);
+void cni_shape_unlink(cn_world *world, int32_t shape);
+
+/* A tight box with the margin of a body of this type around it. */
+cni_aabb cni_box_fatten(const cn_world *world, int32_t body_type, cni_aabb tight);
+/* All pairs of the shape's boxes count as new at the next step (filter, type or joint changed). */
+void cni_shape_look_again(cn_world *world, int32_t shape);
+
+/* May these shapes' filters collide? */
+int32_t cni_filter_allows(const cni_shape *a, const cni_shape *b);
+
+#endif

@@ -1,0 +1,119 @@
+/*
+ * model/world.h - cn_world: all the tables and who owns what. Everything below the public API works on
+ * indices into these tables.
+ */
+#ifndef CNI_MODEL_WORLD_H
+#define CNI_MODEL_WORLD_H
+
+#include "base/arena.h"
+#include "base/blocks.h"
+#include "base/handles.h"
+#include "model/body.h"
+#include "model/contact.h"
+#include "model/event.h"
+#include "model/island.h"
+#include "model/joint.h"
+#include "model/proxy.h"
+#include "model/shape.h"
+#include "stages/broadphase.h"
+
+#define CNI_ERROR_TEXT_BYTES 192
+
+/* Numbers of the world definition with defaults and the length unit resolved. */
+typedef struct cni_settings {
+	cn_vec2 gravity;
+	float length_unit;
+	int32_t solver;
+	int32_t broadphase;
+	int32_t substeps;
+	uint32_t flags;
+	float restitution_threshold;
+	float push_speed_max;
+	float linear_speed_max;
+	float angular_speed_max;
+	float sleep_speed;
+	float sleep_delay;
+	float slop;             /* 0.005 length units: lengths below it do not matter */
+	float box_margin;       /* 0.1 length units: of fat boxes */
+	float contact_margin;   /* 4 slops: speculative distance of slow contacts */
+} cni_settings;
+
+struct cn_world {
+	/* memory: where everything below comes from */
+	cni_memory memory;
+	cni_arena arena;
+	cni_blocks blocks;
+	uint64_t user_data;
+
+	cni_settings settings;
+	int32_t locked;              /* > 0 while callbacks run */
+	uint32_t step_count;
+	float step_dt;               /* of the step that runs or ran last */
+	int32_t reserved;
+
+	/* bodies */
+	cni_handles body_handles;
+	cni_table bodies;            /* cni_body */
+	int32_t movable_count;       /* bodies that are not static: what the dense arrays must hold */
+	int32_t awake_count;         /* of the dense arrays, the dummy included: >= 1 */
+	cni_array motion;            /* cni_motion */
+	cni_array start;             /* cni_velocity_start */
+	cni_array drive;             /* cni_drive */
+	cni_array awake_id;          /* int32_t */
+
+	/* shapes and proxies */
+	cni_handles shape_handles;
+	cni_table shapes;            /* cni_shape */
+	cni_table proxies;           /* cni_proxy */
+	int32_t proxy_used;          /* ids ever handed out */
+	int32_t proxy_free;          /* first free id, linked by cni_proxy.shape */
+	int32_t proxy_count;
+	int32_t proxy_free_count;
+	const cni_broadphase_ops *broadphase_ops;
+	cni_broadphase *broadphase;
+	cni_broadphase_pairs pairs;
+	int32_t pairs_may_repeat;    /* some proxy was touched: new pairs may already have a contact */
+
+	/* contacts */
+	int32_t contact_used;
+	int32_t contact_free;        /* linked by cni_contact.slot */
+	int32_t contact_count;
+	int32_t touching_count;      /* lanes and sleep lanes */
+	cni_table contacts;          /* cni_contact */
+	cni_array awake_contacts;    /* int32_t; count is the list's */
+	cni_array changes;           /* cni_change of stages/narrowphase.c, empty between steps */
+	cni_table blocks_hot;        /* cni_contact_block */
+	cni_table blocks_info;       /* cni_block_info */
+	int32_t block_used;
+	int32_t block_free;
+	cni_color colors[CNI_COLORS];
+	cni_array sleep_lanes;       /* cni_sleep_lane */
+
+	/* joints */
+	cni_handles joint_handles;
+	cni_table joints;            /* cni_joint */
+	cni_array awake_joints;      /* int32_t */
+	cni_array joint_work;        /* cni_joint_work of stages/joint_rows.h, one an awake joint */
+
+	/* islands */
+	cni_table islands;           /* cni_island */
+	int32_t island_used;
+	int32_t island_free;
+	int32_t island_count;
+
+	cni_events events;
+	uint32_t warnings;
+	int32_t pairs_not_added;
+	int32_t events_not_reported;
+	cn_profile profile;
+
+	char error[CNI_ERROR_TEXT_BYTES];
+};
+
+static inline cni_proxy *cni_proxy_at(const cn_world *world, int32_t proxy) { return (cni_proxy *)cni_table_at(&world->proxies, proxy); }
+static inline cni_motion *cni_motions(const cn_world *world) { return (cni_motion *)world->motion.data; }
+static inline cni_velocity_start *cni_starts(const cn_world *world) { return (cni_velocity_start *)world->start.data; }
+static inline cni_drive *cni_drives(const cn_world *world) { return (cni_drive *)world->drive.data; }
+static inline int32_t *cni_awake_ids(const cn_world *world) { return (int32_t *)world->awake_id.data; }
+
+#endif

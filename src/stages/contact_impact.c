@@ -1,0 +1,177 @@
+/*
+ * stages/contact_impact.c - contacts that bounce.
+ *
+ * Before each substep's solve, every lane with restitution that is closing faster than the threshold and
+ * would meet within the substep gets Newton's impact law by a direct impulse: n.v' = e |n.v|. Impulses act
+ * on present velocities, one contact after the other, so each one takes energy or keeps it (e <= 1) and
+ * momentum is kept; no accumulated impulse is left behind that could push again. The soft solve that
+ * follows treats the contact as an ordinary one (in place of the late restitution pass of Box2D, which
+ * lets the energy of a cluster rise).
+ *
+ * Meeting early costs no energy: with closing acceleration a from the bodies' drives, the law is applied to the
+ * speed at the true moment of contact, v^2 + 2 a s, and the outgoing speed is the one that a body has
+ * at the end of the substep, s + h v' above the surface: v'^2 = e^2 (v^2 + 2 a s) - 2 a (s + h v').
+ *
+ * Reads blocks and motion; writes motion velocities and start (so that the warm start of the next substep does
+ * not contain the impact).
+ */
+#include "stages/solver.h"
+
+#define SWEEPS 4 /* a wave through touching balls may need several; the solve after takes the rest */
+
+typedef struct impact_point {
+	float at, bt, vn, out, k; /* k = n K n */
+	int32_t hits;
+} impact_point;
+
+typedef struct impact_lane {
+	cni_motion *a, *b;
+	int32_t ia, ib;
+	float nx, ny;
+	float mass;          /* sum of inverse masses */
+	float closing;       /* acceleration that brings the bodies together */
+	float restitution;
+} impact_lane;
+
+static float point_speed(const impact_lane *c, float at, float bt)
+{
+	return c->nx * (c->b->vx - c->a->vx) + c->ny * (c->b->vy - c->a->vy) + c->b->w * bt - c->a->w * at;
+}
+
+/* First-order separation now: turns within a step are small next to the gap when speeds are impact speeds. */
+static float point_separation(const impact_lane *c, float s0, float an, float dn, float at, float bt)
+{
+	float ta = c->a->theta, tb = c->b->theta;
+	return s0 + c->nx * (c->b->dpx - c->a->dpx) + c->ny * (c->b->dpy - c->a->dpy) +
+	       (tb * bt - 0.5f * tb * tb * (an - dn)) - (ta * at - 0.5f * ta * ta * an);
+}
+
+/* Outgoing speed at the end of the substep, >= 0 (see the file comment). before: speed at its start. */
+static float outgoing_speed(float before, float s, float a, float e, float h)
+{
+	float meet_sq = before * before + 2.0f * a * s;
+	float inside = a * a * h * h - 2.0f * a * s + e * e * cni_max(meet_sq, 0.0f);
+	return cni_max(cni_sqrt(cni_max(inside, 0.0f)) - a * h, 0.0f);
+}
+
+static impact_lane lane_make(cn_world *world, const cni_contact_block *k, const cni_block_info *info, int32_t l)
+{
+	const cni_drive *da = cni_drives(world) + k->ia[l], *db = cni_drives(world) + k->ib[l];
+	impact_lane c;
+	c.ia = k->ia[l];
+	c.ib = k->ib[l];
+	c.a = cni_motions(world) + c.ia;
+	c.b = cni_motions(world) + c.ib;
+	c.nx = k->nx[l];
+	c.ny = k->ny[l];
+	c.mass = c.a->inv_mass + c.b->inv_mass;
+	c.closing = c.nx * (da->ax - db->ax) + c.ny * (da->ay - db->ay);
+	c.restitution = info->restitution[l];
+	return c;
+}
+
+static impact_point point_make(const impact_lane *c, const cni_contact_block *k, int32_t point, int32_t l, const cni_solve *s)
+{
+	const cni_contact_row *p = &k->p[point];
+	impact_point q;
+	float separation;
+	q.at = p->at[l];
+	q.bt = q.at - k->dt[l];
+	q.vn = point_speed(c, q.at, q.bt);
+	q.k = c->mass + c->a->inv_inertia * q.at * q.at + c->b->inv_inertia * q.bt * q.bt;
+	q.out = 0.0f;
+	q.hits = p->nm[l] > 0.0f && q.vn < -s->restitution_threshold;
+	if (!q.hits)
+		return q;
+	separation = point_separation(c, p->s0[l], p->an[l], k->dn[l], q.at, q.bt);
+	q.hits = separation + s->h * q.vn < 0.0f;
+	q.out = outgoing_speed(q.vn + s->h * c->closing, separation, c->closing, c->restitution, s->h);
+	/* Never more than the law gives at this instant plus what the drive adds: two fast bodies that were
+	   just struck by others must not gain. */
+	q.out = cni_min(q.out, c->restitution * -q.vn + cni_abs(c->closing) * s->h);
+	return q;
+}
+
+/* Impulse jn along n with moment arms, and friction opposing the sliding speed within mu jn. */
+static void lane_strike(cn_world *world, impact_lane *c, const cni_contact_block *k, int32_t l, float jn, float moment_a, float moment_b)
+{
+	cni_velocity_start *sa = cni_starts(world) + c->ia, *sb = cni_starts(world) + c->ib;
+	float tx = c->ny, ty = -c->nx, fa = k->fn[l], fb = fa - k->dn[l];
+	cni_motion a = *c->a, b = *c->b;
+	float vt, want, most = k->dynamic_friction[l] * jn, jt;
+	a.vx -= a.inv_mass * jn * c->nx;
+	a.vy -= a.inv_mass * jn * c->ny;
+	a.w -= a.inv_inertia * moment_a;
+	b.vx += b.inv_mass * jn * c->nx;
+	b.vy += b.inv_mass * jn * c->ny;
+	b.w += b.inv_inertia * moment_b;
+	vt = tx * (b.vx - a.vx) + ty * (b.vy - a.vy) - b.w * fb + a.w * fa;
+	want = -k->tm[l] * vt;
+	jt = cni_clamp(want, -most, most);
+	a.vx -= a.inv_mass * jt * tx;
+	a.vy -= a.inv_mass * jt * ty;
+	a.w += a.inv_inertia * fa * jt;
+	b.vx += b.inv_mass * jt * tx;
+	b.vy += b.inv_mass * jt * ty;
+	b.w -= b.inv_inertia * fb * jt;
+	sa->vx += a.vx - c->a->vx;
+	sa->vy += a.vy - c->a->vy;
+	sa->w += a.w - c->a->w;
+	sb->vx += b.vx - c->b->vx;
+	sb->vy += b.vy - c->b->vy;
+	sb->w += b.w - c->b->w;
+	sa->struck = sb->struck = 1.0f;
+	*c->a = a;
+	if (c->ib != 0)
+		*c->b = b;
+}
+
+/* Both points at once when both hit and both impulses come out positive, else the one that closes faster. */
+static int32_t lane_impact(cn_world *world, const cni_contact_block *k, const cni_block_info *info, int32_t l, const cni_solve *s)
+{
+	impact_lane c = lane_make(world, k, info, l);
+	impact_point p = point_make(&c, k, 0, l, s), q = point_make(&c, k, 1, l, s);
+	if (!p.hits && !q.hits)
+		return 0;
+	if (p.hits && q.hits) {
+		float k12 = c.mass + c.a->inv_inertia * p.at * q.at + c.b->inv_inertia * p.bt * q.bt;
+		float det = p.k * q.k - k12 * k12, dp = p.out - p.vn, dq = q.out - q.vn;
+		float jp = q.k * dp - k12 * dq, jq = p.k * dq - k12 * dp;
+		if (det > 1e-4f * p.k * q.k && jp >= 0.0f && jq >= 0.0f) {
+			jp /= det;
+			jq /= det;
+			lane_strike(world, &c, k, l, jp + jq, p.at * jp + q.at * jq, p.bt * jp + q.bt * jq);
+			return 1;
+		}
+	}
+	if (!p.hits || (q.hits && q.vn < p.vn))
+		p = q;
+	{
+		float j = (p.out - p.vn) / p.k;
+		lane_strike(world, &c, k, l, j, p.at * j, p.bt * j);
+	}
+	return 1;
+}
+
+static int32_t sweep(cn_world *world, const cni_solve *s)
+{
+	int32_t color, block, l, hits = 0;
+	for (color = 0; color < CNI_COLORS; ++color)
+		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
+			const cni_block_info *info = cni_block_info_at(world, block);
+			if (!(info->flags & CNI_BLOCK_RESTITUTION))
+				continue;
+			for (l = 0; l < CNI_LANES; ++l)
+				if (info->restitution[l] > 0.0f)
+					hits += lane_impact(world, cni_block_at(world, block), info, l, s);
+		}
+	return hits;
+}
+
+void cni_contacts_impact(cn_world *world, const cni_solve *s)
+{
+	int32_t k;
+	for (k = 0; k < SWEEPS; ++k)
+		if (sweep(world, s) == 0)
+			return;
+}

@@ -1,0 +1,117 @@
+/*
+ * stages/finalize.c - stage 8: the step's changes become poses.
+ *
+ * For each awake body: speed limits, new pose, cleared forces, rest timer, boxes. Reads and writes bodies,
+ * motion, proxies (through the broadphase's move).
+ *
+ * A body rests while it is slow and does not accelerate: at the apex of a throw the last substep's change of
+ * velocity is all of what gravity gives, on the ground it is nearly none of it.
+ */
+#include "stages/solver.h"
+
+static void limit_speed(cni_motion *m, const cni_settings *set)
+{
+	float v_sq = m->vx * m->vx + m->vy * m->vy, most = set->linear_speed_max;
+	if (v_sq > most * most) {
+		float scale = most / cni_sqrt(v_sq);
+		m->vx *= scale;
+		m->vy *= scale;
+	}
+	m->w = cni_clamp(m->w, -set->angular_speed_max, set->angular_speed_max);
+}
+
+/* high + low += change, keeping what high cannot hold (Dekker, 1971). */
+static void sum_exactly(float *high, float *low, float change)
+{
+	float rest = *low + change, sum = *high + rest;
+	*low = rest - (sum - *high);
+	*high = sum;
+}
+
+/* Rotation by any angle a body can turn in a step. */
+static cni_rot rotate_by(cni_rot q, float theta)
+{
+	return cni_rot_normalize(cni_rot_mul(q, cni_sincos(theta)));
+}
+
+static void take_pose(cni_body *b, cni_motion *m)
+{
+	if (m->dpx != 0.0f || m->dpy != 0.0f || m->theta != 0.0f)
+		b->flags |= CNI_BODY_MOVED;
+	else
+		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
+	sum_exactly(&b->cx, &b->cx_low, m->dpx);
+	sum_exactly(&b->cy, &b->cy_low, m->dpy);
+	if (m->theta != 0.0f)
+		b->q = rotate_by(b->q, m->theta);
+	b->force_x = b->force_y = b->torque = 0.0f;
+}
+
+static int32_t body_accelerates(const cni_motion *m, const cni_velocity_start *start, const cni_drive *d, float h)
+{
+	float ax = h * d->ax, ay = h * d->ay, dx, dy;
+	if (d->flags & CNI_DRIVE_FREE)
+		return ax != 0.0f || ay != 0.0f;
+	dx = m->vx - start->vx + ax;
+	dy = m->vy - start->vy + ay;
+	return dx * dx + dy * dy > 0.01f * (ax * ax + ay * ay);
+}
+
+static void rest_update(cn_world *world, cni_body *b, int32_t k, const cni_solve *s)
+{
+	const cni_motion *m = cni_motions(world) + k;
+	float slow = b->sleep_speed > 0.0f ? b->sleep_speed : world->settings.sleep_speed;
+	float turn = m->w * b->extent;
+	if ((b->flags & CN_BODY_SLEEP) && m->vx * m->vx + m->vy * m->vy <= slow * slow && turn * turn <= slow * slow &&
+	    (b->type != CN_BODY_KINEMATIC || (m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f)) &&
+	    !body_accelerates(m, cni_starts(world) + k, cni_drives(world) + k, s->h))
+		b->sleep_time += s->dt;
+	else
+		b->sleep_time = 0.0f;
+}
+
+/* A box that was left gets its margin, and what a fast body will cover in the next step. */
+static void boxes_update(cn_world *world, const cni_body *b, float dpx, float dpy)
+{
+	cni_transform x = cni_body_transform(b);
+	float ahead = 0.5f * world->settings.box_margin;
+	int32_t shape, child;
+	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+		const cni_shape *s = cni_shape_at(world, shape);
+		const cni_geometry *g = cni_shape_geometry(&world->blocks, s);
+		for (child = 0; child < s->children; ++child) {
+			int32_t proxy = cni_shape_proxy(world, s, child);
+			cni_aabb tight = cni_geometry_aabb(g, child, x), fat;
+			if (cni_aabb_contains(&cni_proxy_at(world, proxy)->fat, &tight))
+				continue;
+			fat = cni_box_fatten(world, b->type, tight);
+			if (cni_abs(dpx) > ahead || cni_abs(dpy) > ahead) {
+				fat.x0 += cni_min(dpx, 0.0f);
+				fat.x1 += cni_max(dpx, 0.0f);
+				fat.y0 += cni_min(dpy, 0.0f);
+				fat.y1 += cni_max(dpy, 0.0f);
+			}
+			world->broadphase_ops->move(world->broadphase, proxy, &fat);
+		}
+	}
+}
+
+int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
+{
+	cni_motion *motions = cni_motions(world);
+	const int32_t *ids = cni_awake_ids(world);
+	int32_t k, rested = 0;
+	for (k = 1; k < world->awake_count; ++k) {
+		cni_motion *m = &motions[k];
+		cni_body *b = cni_body_at(world, ids[k]);
+		float dpx = m->dpx, dpy = m->dpy;
+		limit_speed(m, &world->settings);
+		take_pose(b, m);
+		rest_update(world, b, k, s);
+		rested |= b->sleep_time >= world->settings.sleep_delay && b->sleep_time > 0.0f;
+		m->dpx = m->dpy = m->theta = 0.0f;
+		if (b->flags & CNI_BODY_MOVED)
+			boxes_update(world, b, dpx, dpy);
+	}
+	return rested;
+}

@@ -1,0 +1,185 @@
+/*
+ * stages/integrate.c - motion between constraints: drives, velocities, positions.
+ *
+ * Reads body records (forces, damping, gravity scale), writes drive, start and motion.
+ *
+ * Bodies that nothing touches are free: their whole step is taken at once and exactly (x += h v + h^2 a/2).
+ * Others integrate by substep as x += h v', which is then corrected to the trapezoid rule
+ * x += h (v + v')/2 one substep later, when v' is free of the pushing that the soft solve adds; not after
+ * an impact, where the velocity jumps, and not for jointed bodies, whose joints hold at v'.
+ *
+ * start is the velocity right after integration: motion.v - start at the end of a substep is the response
+ * to all impulses, so adding it again is the next substep's warm start (exact, because contact anchors
+ * are fixed within the step; joints correct for their turning anchors in joint_solve.c).
+ */
+#include "stages/solver.h"
+
+static float damping_factor(float damping, float h)
+{
+	return 1.0f / (1.0f + damping * h);
+}
+
+static uint32_t drive_flags(const cni_body *b)
+{
+	uint32_t flags = 0;
+	if (b->lanes == 0 && b->joint_count == 0)
+		flags |= CNI_DRIVE_FREE;
+	if (b->joint_count != 0)
+		flags |= CNI_DRIVE_JOINTED;
+	if (b->linear_damping > 0.0f || b->angular_damping > 0.0f)
+		flags |= CNI_DRIVE_DAMPED;
+	if (b->flags & CN_BODY_LOCK_X)
+		flags |= CNI_DRIVE_LOCK_X;
+	if (b->flags & CN_BODY_LOCK_Y)
+		flags |= CNI_DRIVE_LOCK_Y;
+	return flags;
+}
+
+static cni_drive drive_make(const cn_world *world, const cni_body *b, const cni_motion *m)
+{
+	cni_drive d;
+	d.flags = drive_flags(b);
+	d.ax = d.ay = d.alpha = 0.0f;
+	if (b->type != CN_BODY_DYNAMIC)
+		return d;
+	d.ax = b->gravity_scale * world->settings.gravity.x + m->inv_mass * b->force_x;
+	d.ay = b->gravity_scale * world->settings.gravity.y + m->inv_mass * b->force_y;
+	d.alpha = m->inv_inertia * b->torque;
+	if (m->inv_mass == 0.0f || (b->flags & CN_BODY_LOCK_X))
+		d.ax = 0.0f;
+	if (m->inv_mass == 0.0f || (b->flags & CN_BODY_LOCK_Y))
+		d.ay = 0.0f;
+	return d;
+}
+
+/* Exact flight over time h. */
+static void fly(cni_motion *m, const cni_drive *d, float h)
+{
+	float half = 0.5f * h * h;
+	m->dpx += h * m->vx + half * d->ax;
+	m->dpy += h * m->vy + half * d->ay;
+	m->theta += h * m->w + half * d->alpha;
+	m->vx += h * d->ax;
+	m->vy += h * d->ay;
+	m->w += h * d->alpha;
+}
+
+static void fly_damped(cni_motion *m, const cni_drive *d, const cni_body *b, const cni_solve *s)
+{
+	float linear = damping_factor(b->linear_damping, s->h), angular = damping_factor(b->angular_damping, s->h);
+	int32_t k;
+	for (k = 0; k < s->substeps; ++k) {
+		m->vx *= linear;
+		m->vy *= linear;
+		m->w *= angular;
+		fly(m, d, s->h);
+	}
+}
+
+void cni_drive_prepare(cn_world *world, const cni_solve *s)
+{
+	cni_motion *motions = cni_motions(world);
+	cni_drive *drives = cni_drives(world);
+	const int32_t *ids = cni_awake_ids(world);
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		const cni_body *b = cni_body_at(world, ids[k]);
+		drives[k] = drive_make(world, b, &motions[k]);
+		if (!(drives[k].flags & CNI_DRIVE_FREE))
+			continue;
+		if (drives[k].flags & CNI_DRIVE_DAMPED)
+			fly_damped(&motions[k], &drives[k], b, s);
+		else
+			fly(&motions[k], &drives[k], s->dt);
+	}
+}
+
+/* The last substep's x += h v' becomes x += h (v + v')/2 when v' - v is no more than a few times what
+   the drive gives: v' - v = motion.v - start + h a. */
+static void correct_to_trapezoid(cni_motion *m, const cni_velocity_start *start, const cni_drive *d, float h)
+{
+	float ax = h * d->ax, ay = h * d->ay, alpha = h * d->alpha;
+	float dx = m->vx - start->vx + ax, dy = m->vy - start->vy + ay, dw = m->w - start->w + alpha;
+	if (start->struck != 0.0f || dx * dx + dy * dy > 4.0f * (ax * ax + ay * ay))
+		return;
+	m->dpx -= 0.5f * h * dx;
+	m->dpy -= 0.5f * h * dy;
+	m->theta -= 0.5f * h * dw;
+}
+
+void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t substep)
+{
+	cni_motion *motions = cni_motions(world);
+	cni_velocity_start *starts = cni_starts(world);
+	const cni_drive *drives = cni_drives(world);
+	float h = s->h;
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		cni_motion *m = &motions[k];
+		cni_velocity_start *start = &starts[k];
+		const cni_drive *d = &drives[k];
+		float rx = 0.0f, ry = 0.0f, rw = 0.0f;
+		if (d->flags & CNI_DRIVE_FREE)
+			continue;
+		if (substep > 0) {
+			if (!(d->flags & (CNI_DRIVE_JOINTED | CNI_DRIVE_DAMPED)))
+				correct_to_trapezoid(m, start, d, h);
+			rx = m->vx - start->vx;
+			ry = m->vy - start->vy;
+			rw = m->w - start->w;
+		}
+		start->vx = m->vx;
+		start->vy = m->vy;
+		start->w = m->w;
+		if (d->flags & CNI_DRIVE_DAMPED) {
+			const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+			float linear = damping_factor(b->linear_damping, h);
+			start->vx *= linear;
+			start->vy *= linear;
+			start->w *= damping_factor(b->angular_damping, h);
+		}
+		start->vx += h * d->ax;
+		start->vy += h * d->ay;
+		start->w += h * d->alpha;
+		start->struck = 0.0f;
+		m->vx = start->vx + rx;
+		m->vy = start->vy + ry;
+		m->w = start->w + rw;
+	}
+}
+
+void cni_integrate_positions(cn_world *world, const cni_solve *s)
+{
+	cni_motion *motions = cni_motions(world);
+	const cni_drive *drives = cni_drives(world);
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		cni_motion *m = &motions[k];
+		if (drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y)) {
+			if (drives[k].flags & CNI_DRIVE_FREE)
+				continue;
+			if (drives[k].flags & CNI_DRIVE_LOCK_X)
+				m->vx = 0.0f;
+			if (drives[k].flags & CNI_DRIVE_LOCK_Y)
+				m->vy = 0.0f;
+		}
+		m->dpx += s->h * m->vx;
+		m->dpy += s->h * m->vy;
+		m->theta += s->h * m->w;
+	}
+}
+
+void cni_integrate_finish(cn_world *world, const cni_solve *s)
+{
+	cni_motion *motions = cni_motions(world);
+	const cni_drive *drives = cni_drives(world);
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		if (!(drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_JOINTED | CNI_DRIVE_DAMPED)))
+			correct_to_trapezoid(&motions[k], &cni_starts(world)[k], &drives[k], s->h);
+		if (drives[k].flags & CNI_DRIVE_LOCK_X)
+			motions[k].vx = 0.0f;
+		if (drives[k].flags & CNI_DRIVE_LOCK_Y)
+			motions[k].vy = 0.0f;
+	}
+}

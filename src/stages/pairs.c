@@ -1,0 +1,39 @@
+/*
+ * stages/pairs.c - stage 2: boxes that began to overlap become contacts.
+ *
+ * Reads proxies and filters through the broadphase, writes contacts. Pairs come sorted, so contacts are made
+ * in the same order whatever broadphase found them. A pair that finds no memory is asked for again at
+ * the next step (its proxy is touched) and counted.
+ */
+#include "stages/solver.h"
+
+static void pair_lose(cn_world *world, const cni_pair *pair)
+{
+	world->broadphase_ops->touch(world->broadphase, pair->a);
+	world->pairs_may_repeat = 1;
+	world->warnings |= CN_WARNING_CONTACT_MEMORY;
+	++world->pairs_not_added;
+}
+
+void cni_stage_pairs(cn_world *world)
+{
+	cni_broadphase_pairs *pairs = &world->pairs;
+	const cni_pair *list;
+	int32_t k, may_repeat = world->pairs_may_repeat;
+	world->pairs_may_repeat = 0;
+	world->broadphase_ops->update(world->broadphase, cni_contact_allowed, world, pairs);
+	if (pairs->pairs_lost > 0) {
+		world->warnings |= CN_WARNING_CONTACT_MEMORY;
+		world->pairs_not_added += pairs->pairs_lost;
+		world->pairs_may_repeat = 1;
+	}
+	list = (const cni_pair *)pairs->list.data;
+	for (k = 0; k < pairs->list.count; ++k) {
+		if (may_repeat && cni_contact_find(world, list[k].a, list[k].b) != CNI_NONE)
+			continue;
+		if (cni_contact_reserve(world, 1) != CN_OK)
+			pair_lose(world, &list[k]);
+		else
+			cni_contact_create(world, list[k].a, list[k].b);
+	}
+}

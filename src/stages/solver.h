@@ -1,0 +1,73 @@
+/*
+ * stages/solver.h - what the stages of the soft step share: the numbers of one step and one function a
+ * stage. The method is TGS soft (Catto, "Solver2D", 2024; Macklin et al., "Small Steps", 2019) with
+ * stiffness tied to the substep rate: contacts 1/(8h), joints 1/(4h).
+ *
+ * Data flow of the substeps, over dense arrays and blocks only:
+ *
+ *   drive --integrate_velocities--> start, motion.v          v = start + response of the last impulses
+ *   block.jn, joint.impulse --warm start (first substep)--> motion.v
+ *   motion --impacts--> motion.v, start                      contacts that bounce
+ *   motion, block --solve--> motion.v, block.jn jt           soft, pushes overlap apart
+ *   motion.v --integrate_positions--> motion.dp theta
+ *   motion, block --relax--> motion.v, block.jn jt           rigid, takes the pushing out again
+ */
+#ifndef CNI_STAGES_SOLVER_H
+#define CNI_STAGES_SOLVER_H
+
+#include "model/world.h"
+
+/* impulse' = clamp(impulse - m (mass_scale speed + bias_scale error) - impulse_scale impulse). Rigid: 1, 1/h-ish, 0. */
+typedef struct cni_soft {
+	float mass_scale;
+	float bias_scale;    /* mass_scale times the rate (1/s) at which error is removed */
+	float impulse_scale;
+} cni_soft;
+
+typedef struct cni_solve {
+	float dt, h, inv_h;
+	int32_t substeps;
+	float warm_scale;          /* of stored impulses: this substep over the last one's */
+	float push_speed;
+	float restitution_threshold;
+	cni_soft contact;          /* two dynamic bodies */
+	cni_soft contact_static;   /* one of them cannot move */
+	cni_soft joint;
+} cni_solve;
+
+cni_solve cni_solve_make(const cn_world *world, float dt);
+/* Implicit-Euler soft constraint (Catto, "Soft Constraints", GDC 2011). */
+cni_soft cni_soft_implicit(float hertz, float damping_ratio, float h);
+/* Exact discrete spring: a single body on it keeps the true period and decay at any stiffness. */
+cni_soft cni_soft_exact(float hertz, float damping_ratio, float h);
+
+/* Stage 2: new pairs become contacts. Writes contacts, proxies' lists, warnings. */
+void cni_stage_pairs(cn_world *world);
+/* Stage 3 and 4: manifolds into lanes; begins and ends of touching, ended pairs. Writes contacts,
+   lanes, islands, events. */
+void cni_stage_narrowphase(cn_world *world, float dt);
+void cni_narrowphase_init(cn_world *world);
+
+/* Stage 6. */
+void cni_drive_prepare(cn_world *world, const cni_solve *s);           /* drive; free bodies' whole step */
+void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t substep);
+void cni_integrate_positions(cn_world *world, const cni_solve *s);
+void cni_integrate_finish(cn_world *world, const cni_solve *s);
+void cni_contacts_warm_start(cn_world *world, const cni_solve *s);
+void cni_contacts_solve(cn_world *world, const cni_solve *s);
+void cni_contacts_relax(cn_world *world, const cni_solve *s);
+void cni_contacts_impact(cn_world *world, const cni_solve *s);
+void cni_joints_prepare(cn_world *world, const cni_solve *s);
+void cni_joints_warm_start(cn_world *world, const cni_solve *s);
+void cni_joints_solve(cn_world *world, const cni_solve *s);
+void cni_joints_relax(cn_world *world, const cni_solve *s);
+void cni_joints_store(cn_world *world, const cni_solve *s);
+
+/* Stage 8: poses, boxes, speed limits, rest timers. Returns 1 when some body has rested long enough to sleep. */
+int32_t cni_stage_finalize(cn_world *world, const cni_solve *s);
+/* Stage 9: calls the user's callbacks. */
+void cni_stage_events(cn_world *world);
+/* Stage 10. */
+void cni_stage_sleep(cn_world *world);
+
+#endif

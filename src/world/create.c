@@ -1,0 +1,369 @@
+/*
+ * world/create.c - making and destroying worlds: definitions, memory, capacities.
+ *
+ * With hooks, the world's struct and everything in it come from them. With a caller's block the struct
+ * lies at its beginning and the rest of the block serves everything else; all capacities are then
+ * reserved at once, so that a world within its capacities never asks again.
+ */
+#include "stages/joint_work.h"
+#include "world/error.h"
+
+#include <string.h>
+
+/* Items in a page of each table, as powers of two: small first pages keep an empty world small. */
+enum { PAGE_BODIES = 5, PAGE_SHAPES = 5, PAGE_PROXIES = 6, PAGE_CONTACTS = 6, PAGE_BLOCKS = 2, PAGE_JOINTS = 5, PAGE_ISLANDS = 5 };
+
+void cn_world_def_init(cn_world_def *def)
+{
+	if (def == NULL)
+		return;
+	memset(def, 0, sizeof *def);
+	def->struct_size = (uint32_t)sizeof *def;
+	def->flags = CN_WORLD_SLEEP | CN_WORLD_WARM_START;
+	def->gravity_mps2.y = -10.0f;
+	def->length_unit_m = 1.0f;
+	def->substep_count = 4;
+	def->angular_speed_max_radps = 400.0f;
+	def->sleep_delay_s = 0.5f;
+}
+
+/* ---- checking ---- */
+
+static void def_check_numbers(cni_call *call, const cn_world_def *d)
+{
+	cni_check_finite2(call, "gravity_mps2", d->gravity_mps2);
+	cni_check_range(call, "length_unit_m", d->length_unit_m, 1e-6f, 1e6f);
+	cni_check_range_int(call, "solver", d->solver, CN_SOLVER_SOFT, CN_SOLVER_SOFT);
+	cni_check_range_int(call, "broadphase", d->broadphase, CN_BROADPHASE_SWEEP, CN_BROADPHASE_SWEEP);
+	cni_check_range_int(call, "substep_count", d->substep_count, 1, 64);
+	cni_check_at_least(call, "restitution_threshold_mps", d->restitution_threshold_mps, 0.0f);
+	cni_check_at_least(call, "push_speed_max_mps", d->push_speed_max_mps, 0.0f);
+	cni_check_at_least(call, "linear_speed_max_mps", d->linear_speed_max_mps, 0.0f);
+	cni_check_at_least(call, "angular_speed_max_radps", d->angular_speed_max_radps, 0.0f);
+	cni_check_at_least(call, "sleep_speed_mps", d->sleep_speed_mps, 0.0f);
+	cni_check_at_least(call, "sleep_delay_s", d->sleep_delay_s, 0.0f);
+}
+
+static void def_check_memory(cni_call *call, const cn_world_def *d)
+{
+	const int32_t most = CN_MAX_HANDLES;
+	cni_check_range_int(call, "body_capacity", d->body_capacity, 0, most);
+	cni_check_range_int(call, "shape_capacity", d->shape_capacity, 0, most);
+	cni_check_range_int(call, "contact_capacity", d->contact_capacity, 0, 16 * most);
+	cni_check_range_int(call, "joint_capacity", d->joint_capacity, 0, most);
+	if (call->result == CN_OK && (d->alloc == NULL) != (d->free == NULL))
+		cni_refuse(call, CN_ERROR_ARGUMENT, "alloc and free; must both be set or both be NULL");
+	if (call->result == CN_OK && d->memory != NULL && ((uintptr_t)d->memory & (CNI_MEMORY_ALIGN - 1u)) != 0)
+		cni_refuse(call, CN_ERROR_ARGUMENT, "memory; must be aligned to 64 bytes");
+}
+
+static void def_check(cni_call *call, const cn_world_def *d)
+{
+	cni_check_pointer(call, "def", d);
+	if (call->result != CN_OK)
+		return;
+	cni_check_struct_size(call, d->struct_size, sizeof *d, "cn_world_def_init");
+	cni_check_flags(call, "flags", d->flags, CN_WORLD_SLEEP | CN_WORLD_WARM_START | CN_WORLD_PROFILE);
+	def_check_numbers(call, d);
+	def_check_memory(call, d);
+}
+
+cn_result cn_world_def_check(const cn_world_def *def, char *text, int32_t text_bytes)
+{
+	char sentence[CNI_ERROR_TEXT_BYTES] = "";
+	cni_call call = cni_enter_free();
+	cni_text out;
+	if (text_bytes < 0 || (text == NULL && text_bytes > 0))
+		return CN_ERROR_ARGUMENT;
+	call.function = "cn_world_def_check";
+	call.sentence = sentence;
+	def_check(&call, def);
+	out = cni_text_begin(text, text_bytes);
+	cni_text_string(&out, sentence);
+	return call.result;
+}
+
+/* ---- settings ---- */
+
+static float or_default(float value, float by_default)
+{
+	return value > 0.0f ? value : by_default;
+}
+
+static void settings_resolve(cni_settings *set, const cn_world_def *d)
+{
+	float unit = d->length_unit_m;
+	set->gravity = d->gravity_mps2;
+	set->length_unit = unit;
+	set->solver = d->solver;
+	set->broadphase = d->broadphase;
+	set->substeps = d->substep_count;
+	set->flags = d->flags;
+	set->restitution_threshold = or_default(d->restitution_threshold_mps, unit);
+	set->push_speed_max = or_default(d->push_speed_max_mps, 3.0f * unit);
+	set->linear_speed_max = or_default(d->linear_speed_max_mps, 400.0f * unit);
+	set->angular_speed_max = or_default(d->angular_speed_max_radps, 400.0f);
+	set->sleep_speed = or_default(d->sleep_speed_mps, 0.05f * unit);
+	set->sleep_delay = d->sleep_delay_s;
+	set->slop = 0.005f * unit;
+	set->contact_margin = 4.0f * set->slop;
+	set->box_margin = 0.1f * unit;
+}
+
+/* ---- tables ---- */
+
+static void tables_init(cn_world *world)
+{
+	int32_t k;
+	cni_arena_init(&world->arena, &world->memory);
+	cni_blocks_init(&world->blocks, &world->memory);
+	cni_handles_init(&world->body_handles, CNI_KIND_BODY);
+	cni_handles_init(&world->shape_handles, CNI_KIND_SHAPE);
+	cni_handles_init(&world->joint_handles, CNI_KIND_JOINT);
+	cni_table_init(&world->bodies, (int32_t)sizeof(cni_body), PAGE_BODIES);
+	cni_table_init(&world->shapes, (int32_t)sizeof(cni_shape), PAGE_SHAPES);
+	cni_table_init(&world->proxies, (int32_t)sizeof(cni_proxy), PAGE_PROXIES);
+	cni_table_init(&world->contacts, (int32_t)sizeof(cni_contact), PAGE_CONTACTS);
+	cni_table_init(&world->blocks_hot, (int32_t)sizeof(cni_contact_block), PAGE_BLOCKS);
+	cni_table_init(&world->blocks_info, (int32_t)sizeof(cni_block_info), PAGE_BLOCKS);
+	cni_table_init(&world->joints, (int32_t)sizeof(cni_joint), PAGE_JOINTS);
+	cni_table_init(&world->islands, (int32_t)sizeof(cni_island), PAGE_ISLANDS);
+	cni_array_init(&world->motion, (int32_t)sizeof(cni_motion));
+	cni_array_init(&world->start, (int32_t)sizeof(cni_velocity_start));
+	cni_array_init(&world->drive, (int32_t)sizeof(cni_drive));
+	cni_array_init(&world->awake_id, (int32_t)sizeof(int32_t));
+	cni_array_init(&world->awake_contacts, (int32_t)sizeof(int32_t));
+	cni_array_init(&world->awake_joints, (int32_t)sizeof(int32_t));
+	cni_array_init(&world->joint_work, (int32_t)sizeof(cni_joint_work));
+	cni_array_init(&world->sleep_lanes, (int32_t)sizeof(cni_sleep_lane));
+	cni_array_init(&world->pairs.list, (int32_t)sizeof(cni_pair));
+	cni_narrowphase_init(world);
+	cni_events_init(&world->events);
+	for (k = 0; k < CNI_COLORS; ++k)
+		world->colors[k].first = world->colors[k].last = CNI_NONE;
+	world->proxy_free = world->contact_free = world->block_free = world->island_free = CNI_NONE;
+}
+
+static void tables_deinit(cn_world *world)
+{
+	cni_memory *memory = &world->memory;
+	if (world->broadphase != NULL)
+		world->broadphase_ops->destroy(world->broadphase);
+	cni_arena_deinit(&world->arena);
+	cni_blocks_deinit(&world->blocks);
+	cni_handles_deinit(&world->body_handles, memory);
+	cni_handles_deinit(&world->shape_handles, memory);
+	cni_handles_deinit(&world->joint_handles, memory);
+	cni_table_deinit(&world->bodies, memory);
+	cni_table_deinit(&world->shapes, memory);
+	cni_table_deinit(&world->proxies, memory);
+	cni_table_deinit(&world->contacts, memory);
+	cni_table_deinit(&world->blocks_hot, memory);
+	cni_table_deinit(&world->blocks_info, memory);
+	cni_table_deinit(&world->joints, memory);
+	cni_table_deinit(&world->islands, memory);
+	cni_array_deinit(&world->motion, memory);
+	cni_array_deinit(&world->start, memory);
+	cni_array_deinit(&world->drive, memory);
+	cni_array_deinit(&world->awake_id, memory);
+	cni_array_deinit(&world->awake_contacts, memory);
+	cni_array_deinit(&world->awake_joints, memory);
+	cni_array_deinit(&world->joint_work, memory);
+	cni_array_deinit(&world->sleep_lanes, memory);
+	cni_array_deinit(&world->pairs.list, memory);
+	cni_array_deinit(&world->changes, memory);
+	cni_events_deinit(&world->events, memory);
+}
+
+/* The dummy body at dense index 0: infinite mass, never moves. */
+static cn_result dummy_create(cn_world *world)
+{
+	if (cni_body_reserve(world, 0) != CN_OK)
+		return CN_ERROR_MEMORY;
+	world->awake_count = 1;
+	world->motion.count = world->start.count = world->drive.count = world->awake_id.count = 1;
+	memset(cni_motions(world), 0, sizeof(cni_motion));
+	memset(cni_starts(world), 0, sizeof(cni_velocity_start));
+	memset(cni_drives(world), 0, sizeof(cni_drive));
+	cni_awake_ids(world)[0] = CNI_NONE;
+	return CN_OK;
+}
+
+static cn_result broadphase_create(cn_world *world, int32_t capacity)
+{
+	cni_broadphase_context context;
+	memset(&context, 0, sizeof context);
+	context.memory = &world->memory;
+	context.blocks = &world->blocks;
+	context.arena = &world->arena;
+	context.proxies = &world->proxies;
+	context.length_unit = world->settings.length_unit;
+	world->broadphase_ops = &cni_broadphase_sweep;
+	world->broadphase = world->broadphase_ops->create(&context, capacity);
+	return world->broadphase != NULL ? CN_OK : CN_ERROR_MEMORY;
+}
+
+/* ---- capacities ---- */
+
+/* Slots wear out after 1023 lives; a spare for every 64 lets a fixed world run 16 times as long. */
+static int32_t with_spares(int32_t capacity)
+{
+	return cni_min_i(capacity + capacity / 64, CN_MAX_HANDLES);
+}
+
+static int32_t reserve_records(cn_world *world, const cn_world_def *d)
+{
+	cni_memory *m = &world->memory;
+	int32_t bodies = with_spares(d->body_capacity), shapes = with_spares(d->shape_capacity), joints = with_spares(d->joint_capacity);
+	return cni_handles_reserve(&world->body_handles, m, bodies) == CN_OK && cni_table_reserve(&world->bodies, m, bodies) &&
+	       cni_handles_reserve(&world->shape_handles, m, shapes) == CN_OK && cni_table_reserve(&world->shapes, m, shapes) &&
+	       cni_handles_reserve(&world->joint_handles, m, joints) == CN_OK && cni_table_reserve(&world->joints, m, joints) &&
+	       cni_body_reserve(world, d->body_capacity) == CN_OK && cni_table_reserve(&world->proxies, m, d->shape_capacity) &&
+	       cni_island_reserve(world, d->body_capacity / 2 + 1);
+}
+
+static int32_t reserve_contacts(cn_world *world, const cn_world_def *d)
+{
+	cni_memory *m = &world->memory;
+	int32_t n = d->contact_capacity;
+	return cni_contact_reserve(world, n) == CN_OK && cni_lane_reserve(world, n) && cni_contact_reserve_end(world, n) == CN_OK &&
+	       cni_array_reserve_exact(&world->awake_joints, m, d->joint_capacity) &&
+	       cni_array_reserve_exact(&world->joint_work, m, d->joint_capacity);
+}
+
+/* What only a fixed world takes beforehand: everything that a growing one takes when it comes to it. */
+static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
+{
+	cni_memory *m = &world->memory;
+	int32_t n = d->contact_capacity, kind;
+	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
+		if (kind != CN_EVENT_STAY && !cni_array_reserve_exact(&world->events.log[kind], m, n))
+			return 0;
+	}
+	return cni_array_reserve_exact(&world->sleep_lanes, m, n) && cni_array_reserve_exact(&world->pairs.list, m, n) &&
+	       cni_array_reserve_exact(&world->changes, m, n) && cni_array_reserve_exact(&world->events.asleep, m, d->body_capacity) &&
+	       cni_array_reserve_exact(&world->events.moved, m, d->body_capacity) &&
+	       cni_arena_reserve(&world->arena, 4096u + 8u * (uint64_t)d->body_capacity + 128u * (uint64_t)d->shape_capacity);
+}
+
+static uint64_t array_bytes(int32_t count, size_t item)
+{
+	return cni_memory_rounded((uint64_t)count * item + 64u);
+}
+
+/* Geometry and names at their largest, in class chunks; a quarter more for chunk ends. */
+static uint64_t pieces_bytes(const cn_world_def *d)
+{
+	uint64_t shape = cni_blocks_rounded((uint64_t)cni_geometry_bytes(CN_SHAPE_POLYGON, CN_POLYGON_MAX_VERTICES)) + 2u * CNI_BLOCK_UNIT;
+	uint64_t bytes = (uint64_t)d->shape_capacity * shape + (uint64_t)d->body_capacity * cni_blocks_rounded(CN_NAME_MAX_BYTES + 1);
+	return bytes + bytes / 4u + 2u * 65536u;
+}
+
+static uint64_t records_bytes(const cn_world_def *d)
+{
+	static const struct { int32_t item, shift; } sizes[] = {
+		{ (int32_t)sizeof(cni_body), PAGE_BODIES }, { (int32_t)sizeof(cni_shape), PAGE_SHAPES }, { (int32_t)sizeof(cni_joint), PAGE_JOINTS },
+		{ (int32_t)sizeof(cni_proxy), PAGE_PROXIES }, { (int32_t)sizeof(cni_island), PAGE_ISLANDS }, { (int32_t)sizeof(cni_contact), PAGE_CONTACTS },
+		{ (int32_t)sizeof(cni_contact_block), PAGE_BLOCKS }, { (int32_t)sizeof(cni_block_info), PAGE_BLOCKS }
+	};
+	int32_t blocks = d->contact_capacity / CNI_LANES + cni_min_i(d->contact_capacity, CNI_COLORS);
+	int32_t counts[8], k;
+	uint64_t bytes = 0;
+	counts[0] = with_spares(d->body_capacity);
+	counts[1] = with_spares(d->shape_capacity);
+	counts[2] = with_spares(d->joint_capacity);
+	counts[3] = d->shape_capacity;
+	counts[4] = d->body_capacity / 2 + 1;
+	counts[5] = d->contact_capacity;
+	counts[6] = counts[7] = blocks;
+	for (k = 0; k < 8; ++k) {
+		cni_table table;
+		cni_table_init(&table, sizes[k].item, sizes[k].shift);
+		bytes += cni_table_bytes_for(&table, counts[k]);
+	}
+	return bytes;
+}
+
+/* Arrays that grow by reserve may take half as much again. */
+static uint64_t arrays_bytes(const cn_world_def *d)
+{
+	int32_t bodies = d->body_capacity + 1, n = d->contact_capacity, joints = d->joint_capacity;
+	uint64_t bytes = array_bytes(bodies, sizeof(cni_motion)) + array_bytes(bodies, sizeof(cni_velocity_start)) +
+	                 array_bytes(bodies, sizeof(cni_drive)) + 3u * array_bytes(bodies, sizeof(int32_t)) +
+	                 array_bytes(with_spares(d->body_capacity), 4) + array_bytes(with_spares(d->shape_capacity), 4) + array_bytes(with_spares(joints), 4) +
+	                 array_bytes(n, sizeof(int32_t)) + 2u * array_bytes(n, sizeof(cni_event));
+	bytes += bytes / 2u;
+	return bytes + 4u * array_bytes(n, sizeof(cni_event)) + array_bytes(n, sizeof(cni_sleep_lane)) + array_bytes(n, sizeof(cni_pair)) +
+	       array_bytes(n, sizeof(cni_manifold) + 16u) + array_bytes(d->body_capacity, sizeof(cn_body)) +
+	       array_bytes(d->body_capacity, sizeof(cn_body_moved)) + array_bytes(joints, sizeof(cni_joint_work)) + array_bytes(joints, 4) +
+	       8192u + 8u * (uint64_t)d->body_capacity + 128u * (uint64_t)d->shape_capacity;
+}
+
+cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes)
+{
+	cni_call call = cni_enter_free();
+	def_check(&call, def);
+	cni_check_pointer(&call, "out_bytes", out_bytes);
+	if (call.result != CN_OK)
+		return call.result;
+	*out_bytes = cni_memory_rounded(sizeof(cn_world)) + records_bytes(def) + arrays_bytes(def) + pieces_bytes(def) +
+	             cni_broadphase_sweep.bytes_needed(def->shape_capacity) + 4096u;
+	return CN_OK;
+}
+
+/* ---- life ---- */
+
+/* The struct's own memory, and in *memory the place that everything else comes from. */
+static cn_world *world_allocate(const cn_world_def *d, cni_memory *memory)
+{
+	uint64_t bytes = cni_memory_rounded(sizeof(cn_world));
+	if (d->memory == NULL) {
+		cni_memory_init_hooks(memory, d->alloc, d->free, d->allocator_user);
+		return (cn_world *)cni_memory_alloc(memory, bytes);
+	}
+	if (d->memory_bytes < bytes + CNI_MEMORY_ALIGN)
+		return NULL;
+	cni_memory_init_block(memory, (uint8_t *)d->memory + bytes, d->memory_bytes - bytes);
+	return (cn_world *)d->memory;
+}
+
+cn_result cn_world_create(const cn_world_def *def, cn_world **out_world)
+{
+	cni_call call = cni_enter_free();
+	cni_memory memory;
+	cn_world *world;
+	int32_t good;
+	def_check(&call, def);
+	cni_check_pointer(&call, "out_world", out_world);
+	if (call.result != CN_OK)
+		return call.result;
+	memset(&memory, 0, sizeof memory);
+	world = world_allocate(def, &memory);
+	if (world == NULL)
+		return CN_ERROR_MEMORY;
+	memset(world, 0, sizeof *world);
+	world->memory = memory;
+	world->user_data = def->user_data;
+	settings_resolve(&world->settings, def);
+	tables_init(world);
+	good = dummy_create(world) == CN_OK && broadphase_create(world, def->shape_capacity) == CN_OK &&
+	       reserve_records(world, def) && reserve_contacts(world, def) &&
+	       (def->memory == NULL || reserve_rest(world, def));
+	if (!good) {
+		cn_world_destroy(world);
+		return CN_ERROR_MEMORY;
+	}
+	*out_world = world;
+	return CN_OK;
+}
+
+void cn_world_destroy(cn_world *world)
+{
+	cni_memory memory;
+	if (world == NULL || world->locked > 0)
+		return;
+	tables_deinit(world);
+	memory = world->memory;
+	if (!memory.fixed)
+		cni_memory_free(&memory, world, cni_memory_rounded(sizeof(cn_world)));
+}

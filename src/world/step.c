@@ -1,0 +1,97 @@
+/*
+ * world/step.c - one step, from beginning to end. Each line of world_step is a stage; what a stage reads
+ * and writes is in its file.
+ */
+#include "base/clock.h"
+#include "stages/solver.h"
+#include "world/error.h"
+
+#include <string.h>
+
+/* Adds the time since the last mark to a field of the profile. */
+static void profile_mark(cn_world *world, float *field, uint64_t *mark)
+{
+	uint64_t now;
+	if (!(world->settings.flags & CN_WORLD_PROFILE))
+		return;
+	now = cni_clock_ns();
+	*field += (float)(now - *mark) * 1e-9f;
+	*mark = now;
+}
+
+static void step_begin(cn_world *world)
+{
+	world->warnings = 0;
+	world->pairs_not_added = world->events_not_reported = 0;
+	memset(&world->profile, 0, sizeof world->profile);
+	cni_events_begin_step(&world->events);
+	world->events.in_step = 1;
+}
+
+static void substeps_run(cn_world *world, const cni_solve *s)
+{
+	int32_t k;
+	for (k = 0; k < s->substeps; ++k) {
+		cni_integrate_velocities(world, s, k);
+		if (k == 0) {
+			cni_joints_warm_start(world, s);
+			cni_contacts_warm_start(world, s);
+		}
+		cni_contacts_impact(world, s);
+		cni_joints_solve(world, s);
+		cni_contacts_solve(world, s);
+		cni_integrate_positions(world, s);
+		cni_joints_relax(world, s);
+		cni_contacts_relax(world, s);
+	}
+	cni_integrate_finish(world, s);
+}
+
+static void step_end(cn_world *world, float dt)
+{
+	world->events.in_step = 0;
+	++world->step_count;
+	if (dt > 0.0f)
+		world->step_dt = dt;
+	cni_arena_reset(&world->arena);
+}
+
+static void world_step(cn_world *world, float dt)
+{
+	cni_solve s = cni_solve_make(world, dt);
+	cn_profile *profile = &world->profile;
+	int32_t rested = 0;
+	uint64_t begin, mark;
+	step_begin(world);
+	begin = mark = (world->settings.flags & CN_WORLD_PROFILE) ? cni_clock_ns() : 0;
+	cni_stage_pairs(world);
+	profile_mark(world, &profile->broadphase_s, &mark);
+	cni_stage_narrowphase(world, dt);
+	profile_mark(world, &profile->narrowphase_s, &mark);
+	if (dt > 0.0f) {
+		cni_drive_prepare(world, &s);
+		cni_joints_prepare(world, &s);
+		profile_mark(world, &profile->prepare_s, &mark);
+		substeps_run(world, &s);
+		cni_joints_store(world, &s);
+		profile_mark(world, &profile->substeps_s, &mark);
+		rested = cni_stage_finalize(world, &s);
+		profile_mark(world, &profile->finalize_s, &mark);
+	}
+	cni_stage_events(world);
+	profile_mark(world, &profile->events_s, &mark);
+	if (rested && (world->settings.flags & CN_WORLD_SLEEP))
+		cni_stage_sleep(world);
+	profile_mark(world, &profile->sleep_s, &mark);
+	step_end(world, dt);
+	profile_mark(world, &profile->step_s, &begin);
+}
+
+cn_result cn_world_step(cn_world *world, float dt_s)
+{
+	cni_call call = cni_enter(world, "cn_world_step");
+	cni_check_range(&call, "dt_s", dt_s, 0.0f, 1.0f);
+	if (call.result == CN_OK)
+		world_step(world, dt_s);
+	return call.result;
+}

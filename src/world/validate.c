@@ -1,0 +1,243 @@
+/*
+ * world/validate.c - checks every invariant between the tables, reading only.
+ *
+ * Each check names itself; the first that fails is told with the index it failed at. Tests call this after
+ * every failed allocation and every refused argument.
+ */
+#include "world/error.h"
+
+typedef struct report {
+	const cn_world *world;
+	const char *what;   /* NULL while all is well */
+	int32_t index;
+} report;
+
+static void expect(report *r, int32_t good, const char *what, int32_t index)
+{
+	if (good || r->what != NULL)
+		return;
+	r->what = what;
+	r->index = index;
+}
+
+static int32_t body_alive(const cn_world *world, int32_t body)
+{
+	return body >= 0 && cni_handles_alive(&world->body_handles, body);
+}
+
+/* ---- bodies ---- */
+
+static void check_shapes_of(report *r, int32_t body)
+{
+	const cn_world *world = r->world;
+	const cni_body *b = cni_body_at(world, body);
+	int32_t shape, child, count = 0;
+	for (shape = b->shape_first; shape != CNI_NONE && r->what == NULL; shape = cni_shape_at(world, shape)->next) {
+		const cni_shape *s = cni_shape_at(world, shape);
+		expect(r, cni_handles_alive(&world->shape_handles, shape) && s->body == body, "shape list of body", body);
+		for (child = 0; child < s->children && r->what == NULL; ++child) {
+			int32_t proxy = cni_shape_proxy(world, s, child);
+			expect(r, (proxy != CNI_NONE) == ((b->flags & CN_BODY_ENABLED) != 0), "shape is placed exactly when enabled, shape", shape);
+			if (proxy == CNI_NONE)
+				continue;
+			expect(r, cni_proxy_at(world, proxy)->shape == shape && cni_proxy_at(world, proxy)->child == child, "proxy of shape", shape);
+			expect(r, ((cni_proxy_at(world, proxy)->flags & CNI_PROXY_STATIC) != 0) == (b->type == CN_BODY_STATIC), "static mark of proxy", proxy);
+		}
+		++count;
+	}
+	expect(r, count == b->shape_count, "shape count of body", body);
+}
+
+static void check_contacts_of(report *r, int32_t body)
+{
+	const cn_world *world = r->world;
+	const cni_body *b = cni_body_at(world, body);
+	int32_t key, count = 0, lanes = 0;
+	uint32_t colors = 0;
+	for (key = b->contact_first; key != CNI_NONE && r->what == NULL; key = cni_contact_of_key(world, key)->next[key & 1]) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		expect(r, c->body[key & 1] == body, "contact list of body", body);
+		++count;
+		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING)
+			continue;
+		++lanes;
+		if (b->type == CN_BODY_DYNAMIC && cni_block_info_at(world, c->slot / CNI_LANES)->color != CNI_COLOR_OVERFLOW) {
+			uint32_t bit = 1u << cni_block_info_at(world, c->slot / CNI_LANES)->color;
+			expect(r, (colors & bit) == 0, "a colour twice on body", body);
+			colors |= bit;
+		}
+	}
+	expect(r, count == b->contact_count, "contact count of body", body);
+	expect(r, lanes == b->lanes, "lane count of body", body);
+	expect(r, colors == b->colors, "colours of body", body);
+}
+
+static void check_joints_of(report *r, int32_t body)
+{
+	const cn_world *world = r->world;
+	int32_t key, count = 0;
+	for (key = cni_body_at(world, body)->joint_first; key != CNI_NONE && r->what == NULL; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+		expect(r, cni_handles_alive(&world->joint_handles, key >> 1) && cni_joint_at(world, key >> 1)->body[key & 1] == body, "joint list of body", body);
+		++count;
+	}
+	expect(r, count == cni_body_at(world, body)->joint_count, "joint count of body", body);
+}
+
+static void check_body(report *r, int32_t body)
+{
+	const cn_world *world = r->world;
+	const cni_body *b = cni_body_at(world, body);
+	expect(r, cni_is_finite(b->cx) && cni_is_finite(b->cy) && cni_is_finite(b->q.c) && cni_is_finite(b->q.s), "finite pose of body", body);
+	expect(r, !(b->flags & CNI_BODY_MARK), "scratch mark of body", body);
+	if (b->awake != 0) {
+		const cni_motion *m;
+		expect(r, b->awake > 0 && b->awake < world->awake_count && cni_awake_ids(world)[b->awake] == body, "dense index of body", body);
+		expect(r, b->type != CN_BODY_STATIC && (b->flags & CN_BODY_ENABLED), "awake body may move, body", body);
+		if (r->what != NULL)
+			return;
+		m = cni_motions(world) + b->awake;
+		expect(r, cni_is_finite(m->vx) && cni_is_finite(m->vy) && cni_is_finite(m->w), "finite velocity of body", body);
+		expect(r, m->dpx == 0.0f && m->dpy == 0.0f && m->theta == 0.0f, "no change left over, body", body);
+	}
+	if (b->island != CNI_NONE) {
+		expect(r, b->type == CN_BODY_DYNAMIC, "only dynamic bodies have islands, body", body);
+		expect(r, (b->awake != 0) == (cni_island_at(world, b->island)->awake != 0), "island sleeps as one, body", body);
+	}
+	check_shapes_of(r, body);
+	check_contacts_of(r, body);
+	check_joints_of(r, body);
+}
+
+static void check_bodies(report *r)
+{
+	const cn_world *world = r->world;
+	int32_t k, used = cni_handles_used(&world->body_handles), movable = 0;
+	for (k = 0; k < used && r->what == NULL; ++k) {
+		if (!cni_handles_alive(&world->body_handles, k))
+			continue;
+		check_body(r, k);
+		movable += cni_body_at(world, k)->type != CN_BODY_STATIC;
+	}
+	expect(r, movable == world->movable_count, "count of movable bodies", movable);
+	for (k = 1; k < world->awake_count && r->what == NULL; ++k)
+		expect(r, body_alive(world, cni_awake_ids(world)[k]) && cni_body_at(world, cni_awake_ids(world)[k])->awake == k, "awake list at", k);
+}
+
+/* ---- contacts ---- */
+
+static void check_lane(report *r, int32_t contact)
+{
+	const cn_world *world = r->world;
+	const cni_contact *c = cni_contact_at(world, contact);
+	const cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
+	const cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
+	int32_t lane = c->slot % CNI_LANES, flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0;
+	expect(r, info->contact[lane] == contact, "lane of contact", contact);
+	expect(r, block->ia[lane] == cni_body_at(world, c->body[flipped])->awake && block->ib[lane] == cni_body_at(world, c->body[1 - flipped])->awake,
+	       "bodies in the lane of contact", contact);
+	expect(r, cni_body_at(world, c->body[flipped])->type == CN_BODY_DYNAMIC, "lane body a is dynamic, contact", contact);
+}
+
+static void check_contact(report *r, int32_t contact)
+{
+	const cn_world *world = r->world;
+	const cni_contact *c = cni_contact_at(world, contact);
+	const cni_body *a = cni_body_at(world, c->body[0]), *b = cni_body_at(world, c->body[1]);
+	int32_t both = a->type == CN_BODY_DYNAMIC && b->type == CN_BODY_DYNAMIC, awake = a->awake != 0 || b->awake != 0;
+	expect(r, (c->awake != CNI_NONE) == awake, "awake list has contact", contact);
+	if (c->awake != CNI_NONE)
+		expect(r, c->awake < world->awake_contacts.count && ((const int32_t *)world->awake_contacts.data)[c->awake] == contact, "awake list of contact", contact);
+	expect(r, ((c->flags & CNI_CONTACT_LINKED) != 0) == (both && (c->flags & CNI_CONTACT_TOUCHING)), "link of contact", contact);
+	if (c->flags & CNI_CONTACT_LINKED)
+		expect(r, a->island != CNI_NONE && a->island == b->island, "one island for contact", contact);
+	if (!(c->flags & CNI_CONTACT_TOUCHING))
+		expect(r, c->slot == CNI_NONE, "no slot apart, contact", contact);
+	else if (c->flags & CNI_CONTACT_ASLEEP)
+		expect(r, c->slot < world->sleep_lanes.count && ((const cni_sleep_lane *)world->sleep_lanes.data)[c->slot].contact == contact, "sleep lane of contact", contact);
+	else
+		check_lane(r, contact);
+}
+
+static void check_contacts(report *r)
+{
+	const cn_world *world = r->world;
+	int32_t k, count = 0, touching = 0, lanes = 0;
+	for (k = 0; k < world->contact_used && r->what == NULL; ++k) {
+		const cni_contact *c = cni_contact_at(world, k);
+		if (c->body[0] == CNI_NONE)
+			continue;
+		expect(r, body_alive(world, c->body[0]) && body_alive(world, c->body[1]), "bodies of contact", k);
+		if (r->what == NULL)
+			check_contact(r, k);
+		++count;
+		touching += (c->flags & CNI_CONTACT_TOUCHING) != 0;
+	}
+	expect(r, count == world->contact_count, "count of contacts", count);
+	expect(r, touching == world->touching_count, "count of touching contacts", touching);
+	for (k = 0; k < CNI_COLORS; ++k)
+		lanes += world->colors[k].lanes;
+	expect(r, lanes + world->sleep_lanes.count == touching, "lanes in colours and asleep", lanes);
+}
+
+/* ---- islands, joints, boxes ---- */
+
+static void check_islands(report *r)
+{
+	const cn_world *world = r->world;
+	int32_t k, body, islands = 0;
+	for (k = 0; k < world->island_used && r->what == NULL; ++k) {
+		const cni_island *i = cni_island_at(world, k);
+		int32_t count = 0;
+		if (i->first == CNI_NONE)
+			continue;
+		++islands;
+		for (body = i->first; body != CNI_NONE && r->what == NULL; body = cni_body_at(world, body)->island_next) {
+			expect(r, body_alive(world, body) && cni_body_at(world, body)->island == k, "body list of island", k);
+			++count;
+		}
+		expect(r, count == i->count && count >= 2, "size of island", k);
+	}
+	expect(r, islands == world->island_count, "count of islands", islands);
+}
+
+static void check_joints(report *r)
+{
+	const cn_world *world = r->world;
+	int32_t k, used = cni_handles_used(&world->joint_handles);
+	for (k = 0; k < used && r->what == NULL; ++k) {
+		const cni_joint *j = cni_joint_at(world, k);
+		if (!cni_handles_alive(&world->joint_handles, k))
+			continue;
+		if (j->linked)
+			expect(r, cni_body_at(world, j->body[0])->island == cni_body_at(world, j->body[1])->island, "one island for joint", k);
+		if (j->awake != CNI_NONE)
+			expect(r, ((const int32_t *)world->awake_joints.data)[j->awake] == k, "awake list of joint", k);
+	}
+}
+
+cn_result cn_world_validate(const cn_world *world, char *text, int32_t text_bytes)
+{
+	cni_call call = cni_enter_const(world);
+	report r;
+	cni_check_capacity(&call, "text", text, text_bytes);
+	if (call.result != CN_OK)
+		return call.result;
+	r.world = world;
+	r.what = NULL;
+	r.index = 0;
+	check_bodies(&r);
+	check_contacts(&r);
+	check_islands(&r);
+	check_joints(&r);
+	expect(&r, world->broadphase_ops->validate(world->broadphase), "broadphase", 0);
+	{
+		cni_text out = cni_text_begin(text, text_bytes);
+		if (r.what == NULL)
+			return CN_OK;
+		cni_text_string(&out, "broken invariant: ");
+		cni_text_string(&out, r.what);
+		cni_text_string(&out, " ");
+		cni_text_int(&out, r.index);
+	}
+	return CN_ERROR_INTERNAL;
+}
