@@ -21,7 +21,8 @@
  *             kind or out of range gives CN_ERROR_HANDLE in every build, never undefined behaviour.
  *             A handle belongs to the world that made it; another world may or may not notice.
  *  Errors     a call that can fail returns cn_result. When it is not CN_OK nothing has changed, and
- *             cn_world_error_text gives one sentence with the value and the allowed range.
+ *             cn_world_error_text gives one sentence with the value and the allowed range, if the
+ *             function takes a non-const world (others may run on several threads: code only).
  *  Floats     NaN and infinity are refused everywhere (CN_ERROR_ARGUMENT).
  *  Pointers   NULL is refused (CN_ERROR_ARGUMENT) except where a comment allows it. Output pointers
  *             come last and are written only on CN_OK. Arrays handed out by pointer and count belong
@@ -223,6 +224,7 @@ CN_API cn_result cn_world_step(cn_world *world, float dt_s);
 /* One sentence on the last call that failed on this world; "" if none did. world may be NULL. */
 CN_API const char *cn_world_error_text(const cn_world *world);
 
+/* A change wakes every body: O(bodies) then. */
 CN_API cn_result cn_world_set_gravity(cn_world *world, cn_vec2 gravity_mps2);
 CN_API cn_result cn_world_get_gravity(const cn_world *world, cn_vec2 *out_mps2);
 /* 1 to 64; more substeps are stiffer and dearer. */
@@ -272,6 +274,7 @@ enum {
 	CN_WARNING_FRAME_MEMORY = 1u << 1,   /* the step worked around missing scratch memory */
 	CN_WARNING_EVENT_MEMORY = 1u << 2    /* events_not_reported */
 };
+/* O(bodies + islands). */
 CN_API cn_result cn_world_get_counters(const cn_world *world, cn_counters *out);
 
 /* Seconds of the last step by stage, all 0 unless CN_WORLD_PROFILE is set. */
@@ -358,14 +361,19 @@ CN_API cn_result cn_body_destroy_many(cn_world *world, const cn_body *bodies, in
 /* 1 if the handle names a body that is alive in this world, else 0 (also for a NULL world). */
 CN_API int32_t cn_body_is_valid(const cn_world *world, cn_body body);
 
-/* Changing the type drops contacts and velocity as needed; a body made static stops. */
+/* Changing the type ends the body's contacts (those that still overlap begin again in the next step),
+   its forces and any mass override, and wakes it; a body made static stops. CN_ERROR_STATE if a joint
+   would be left without a dynamic body. O(contacts + joints + shapes). */
 CN_API cn_result cn_body_set_type(cn_world *world, cn_body body, int32_t type);
 CN_API cn_result cn_body_get_type(const cn_world *world, cn_body body, int32_t *out_type);
 /* Replaces all CN_BODY_ flags except CN_BODY_AWAKE, which is cn_body_set_awake's and is ignored
-   here. A body without CN_BODY_ENABLED keeps its shapes but collides with nothing and does not move. */
+   here. A body without CN_BODY_ENABLED keeps its shapes but collides with nothing and does not move;
+   its contacts end, its joints rest. O(contacts + joints + shapes) when that changes. */
 CN_API cn_result cn_body_set_flags(cn_world *world, cn_body body, uint32_t flags);
 /* CN_BODY_AWAKE is set in the result when the body is awake. */
 CN_API cn_result cn_body_get_flags(const cn_world *world, cn_body body, uint32_t *out_flags);
+/* 0 puts the body and everything connected to it to sleep, at rest; anything else wakes. Does nothing
+   to static and disabled bodies. O(island). */
 CN_API cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake);
 
 /* Teleport: origin and angle; velocities stay. Contacts that no longer overlap leave on the next step. Wakes. */
@@ -386,7 +394,8 @@ CN_API cn_result cn_body_get_local_point(const cn_world *world, cn_body body, cn
 CN_API cn_result cn_body_get_aabb(const cn_world *world, cn_body body, cn_aabb *out);
 
 /* Forces and torques act for the next step only and are then cleared. All of these wake a dynamic
-   body and do nothing to static and kinematic ones (CN_OK). */
+   body and do nothing to static, kinematic and disabled ones (CN_OK). Sums of forces and velocities
+   after impulses must stay finite (CN_ERROR_ARGUMENT). */
 CN_API cn_result cn_body_apply_force(cn_world *world, cn_body body, cn_vec2 force_N);
 CN_API cn_result cn_body_apply_force_at(cn_world *world, cn_body body, cn_vec2 force_N, cn_vec2 point_m);
 CN_API cn_result cn_body_apply_torque(cn_world *world, cn_body body, float torque_Nm);
@@ -397,7 +406,8 @@ CN_API cn_result cn_body_apply_angular_impulse(cn_world *world, cn_body body, fl
 /* Sums over the attached shapes unless overridden. A dynamic body whose shapes have no mass weighs 1 kg
    (and, having no shape, does not rotate). */
 CN_API cn_result cn_body_get_mass_data(const cn_world *world, cn_body body, cn_mass_data *out);
-/* Override: mass_kg > 0, inertia_kgm2 >= 0 (0: never rotates). Kept until cn_body_reset_mass_data. */
+/* Override for a dynamic body (others: CN_ERROR_STATE): mass_kg from 1e-20 to 1e20, inertia_kgm2 0 (never
+   rotates) or from 1e-35 to 1e35. Kept until cn_body_reset_mass_data or until the type changes. */
 CN_API cn_result cn_body_set_mass_data(cn_world *world, cn_body body, const cn_mass_data *mass);
 CN_API cn_result cn_body_reset_mass_data(cn_world *world, cn_body body);
 /* Both >= 0. */
@@ -423,7 +433,7 @@ CN_API cn_result cn_body_get_joints(const cn_world *world, cn_body body, cn_join
 CN_API cn_result cn_world_read_poses(const cn_world *world, const cn_body *bodies, int32_t count, cn_pose *out);
 CN_API cn_result cn_world_read_poses_strided(const cn_world *world, const cn_body *bodies, int32_t count, void *out, int32_t stride_bytes);
 CN_API cn_result cn_world_read_velocities(const cn_world *world, const cn_body *bodies, int32_t count, cn_velocity *out);
-/* cn_body_set_velocity for many; nothing is written if one is bad. */
+/* cn_body_set_velocity for many; nothing is written if one is bad. Static bodies take zero only. */
 CN_API cn_result cn_world_write_velocities(cn_world *world, const cn_body *bodies, int32_t count, const cn_velocity *velocities);
 
 typedef struct cn_body_moved {
@@ -477,7 +487,7 @@ typedef struct cn_shape_def {
 	cn_body body;             /* 0: create unattached, for cn_shape_attach */
 	cn_vec2 offset_m;         /* of the shape in the body's local frame */
 	float angle_rad;
-	float density_kgpm2;      /* >= 0; default 1 */
+	float density_kgpm2;      /* >= 0, giving 0 or 1e-20 to 1e20 kg; default 1 */
 	cn_material material;
 	cn_filter filter;
 	uint32_t event_mask;      /* bit 1 << CN_EVENT_*; a pair reports what either shape asks for; default ENTER and LEAVE */
@@ -547,13 +557,14 @@ CN_API cn_result cn_shape_get_density(const cn_world *world, cn_shape shape, flo
 /* Contacts that it forbids end at once (with their events); ones that it allows begin in the next step. */
 CN_API cn_result cn_shape_set_filter(cn_world *world, cn_shape shape, const cn_filter *filter);
 CN_API cn_result cn_shape_get_filter(const cn_world *world, cn_shape shape, cn_filter *out);
+/* Takes effect at once, for present contacts too. */
 CN_API cn_result cn_shape_set_event_mask(cn_world *world, cn_shape shape, uint32_t event_mask);
 CN_API cn_result cn_shape_get_event_mask(const cn_world *world, cn_shape shape, uint32_t *out_event_mask);
 CN_API cn_result cn_shape_set_user_data(cn_world *world, cn_shape shape, uint64_t user_data);
 CN_API cn_result cn_shape_get_user_data(const cn_world *world, cn_shape shape, uint64_t *out_user_data);
 /* Without margin, in world space (in shape space when unattached). O(points). */
 CN_API cn_result cn_shape_get_aabb(const cn_world *world, cn_shape shape, cn_aabb *out);
-/* About the body's origin, at the present density. O(points). */
+/* In the body's local frame, at the present density; inertia about the shape's own centre. O(points). */
 CN_API cn_result cn_shape_get_mass_data(const cn_world *world, cn_shape shape, cn_mass_data *out);
 /* The shape's geometry in its body's local frame, offset applied. CN_ERROR_STATE for another type. */
 CN_API cn_result cn_shape_get_circle(const cn_world *world, cn_shape shape, cn_circle *out);
@@ -566,7 +577,8 @@ CN_API cn_result cn_shape_test_point(const cn_world *world, cn_shape shape, cn_v
 
 /* Convex hull of 1 or more points (Andrew's monotone chain, 1979), simplified to at most
    CN_POLYGON_MAX_VERTICES by dropping the vertices that change its area least. CN_ERROR_ARGUMENT
-   for fewer than three distinct points or collinear ones. O(count^2) at worst, count <= 65536. */
+   for fewer than three distinct points or collinear ones. Details below 5 mm are dropped (below 5% of
+   the half size for hulls under 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count <= 65536. */
 CN_API cn_result cn_polygon_make_hull(const cn_vec2 *points_m, int32_t count, float radius_m, cn_polygon *out);
 /* A box of half sizes > 0, moved and then turned about its own centre. */
 CN_API cn_result cn_polygon_make_box(float half_width_m, float half_height_m, cn_vec2 center_m, float angle_rad, float radius_m, cn_polygon *out);
@@ -605,8 +617,9 @@ typedef struct cn_contact_event {
    (moved away, body or shape destroyed, detached or disabled, filter or type changed). Pairs that
    end through a call between two steps are reported by the next step; handles in such events may be
    stale. Falling asleep is not leaving: a sleeping pair reports nothing until it wakes, and
-   then goes on where it was. */
-CN_API cn_result cn_world_contact_events(const cn_world *world, int32_t kind, const cn_contact_event **out_events, int32_t *out_count);
+   then goes on where it was. The array is built on the first request after a step, O(events) then:
+   that may return CN_ERROR_MEMORY, and inside callbacks CN_ERROR_LOCKED. */
+CN_API cn_result cn_world_contact_events(cn_world *world, int32_t kind, const cn_contact_event **out_events, int32_t *out_count);
 
 /* Called at the end of cn_world_step for each event of this kind, in the order of the array. */
 typedef void cn_contact_event_fn(cn_world *world, const cn_contact_event *event, void *user);
@@ -617,7 +630,8 @@ CN_API cn_result cn_world_set_contact_callback(cn_world *world, int32_t kind, cn
    Writes at most capacity; *out_count is how many there are. O(contacts). */
 CN_API cn_result cn_body_get_contacts(const cn_world *world, cn_body body, cn_contact_event *out, int32_t capacity, int32_t *out_count);
 
-/* Bodies that fell asleep in the last step. */
+/* Bodies that fell asleep in the last step, or since by cn_body_set_awake; ones destroyed since are
+   stale handles. */
 CN_API cn_result cn_world_fell_asleep(const cn_world *world, const cn_body **out_bodies, int32_t *out_count);
 
 /* ------------------------------------------------------------------ joints */
@@ -654,8 +668,8 @@ typedef struct cn_revolute_def {
 	float motor_speed_radps;      /* CN_JOINT_MOTOR */
 	float motor_torque_max_Nm;    /* >= 0 */
 	float spring_target_rad;      /* CN_JOINT_SPRING: pulls the joint angle to this */
-	float spring_hertz;           /* >= 0 */
-	float spring_damping_ratio;   /* >= 0 */
+	float spring_hertz;           /* 0 to 1e6 */
+	float spring_damping_ratio;   /* 0 to 1e6 */
 } cn_revolute_def;
 
 /* Two points keep a distance. Without CN_JOINT_SPRING and without CN_JOINT_LIMIT it is a rigid rod of
@@ -664,12 +678,12 @@ typedef struct cn_revolute_def {
 typedef struct cn_distance_def {
 	cn_joint_base base;
 	float length_m;               /* > 0; default 1 */
-	float length_min_m;           /* CN_JOINT_LIMIT: 0 <= min <= max */
+	float length_min_m;           /* CN_JOINT_LIMIT: 0 <= min <= max; default 0 and 1 */
 	float length_max_m;
 	float motor_speed_mps;        /* CN_JOINT_MOTOR: along the axis, positive lengthens; with spring or limit only */
 	float motor_force_max_N;      /* >= 0 */
-	float spring_hertz;           /* >= 0 */
-	float spring_damping_ratio;   /* >= 0 */
+	float spring_hertz;           /* 0 to 1e6 */
+	float spring_damping_ratio;   /* 0 to 1e6 */
 	float reserved;
 } cn_distance_def;
 
@@ -690,12 +704,13 @@ CN_API cn_result cn_joint_get_reaction(const cn_world *world, cn_joint joint, cn
 CN_API cn_result cn_joint_get_error(const cn_world *world, cn_joint joint, float *out_m, float *out_rad);
 CN_API cn_result cn_joint_set_user_data(cn_world *world, cn_joint joint, uint64_t user_data);
 CN_API cn_result cn_joint_get_user_data(const cn_world *world, cn_joint joint, uint64_t *out_user_data);
-/* Replaces the CN_JOINT_ flags. Wakes. */
+/* Replaces the CN_JOINT_ flags. Wakes. O(contacts) when CN_JOINT_COLLIDE changes. */
 CN_API cn_result cn_joint_set_flags(cn_world *world, cn_joint joint, uint32_t flags);
 CN_API cn_result cn_joint_get_flags(const cn_world *world, cn_joint joint, uint32_t *out_flags);
 
 /* Read back or replace everything particular to the type; the bodies, anchors and struct_size
-   of base are ignored by set. CN_ERROR_STATE for a joint of another type. set wakes. */
+   of base are ignored by set (its flags and user data are not). CN_ERROR_STATE for a joint of another
+   type. set wakes. */
 CN_API cn_result cn_joint_get_revolute(const cn_world *world, cn_joint joint, cn_revolute_def *out);
 CN_API cn_result cn_joint_set_revolute(cn_world *world, cn_joint joint, const cn_revolute_def *def);
 CN_API cn_result cn_joint_get_distance(const cn_world *world, cn_joint joint, cn_distance_def *out);

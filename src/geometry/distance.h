@@ -24,6 +24,18 @@ typedef struct cni_distance_result {
 /* b_in_a maps b's frame into a's. */
 cni_distance_result cni_distance(cni_proxy_points a, cni_proxy_points b, cni_transform b_in_a);
 
+/* As cni_distance, of the skeletons, with the features that are closest. */
+typedef struct cni_closest {
+	cni_vec2 point_a;
+	cni_vec2 point_b;
+	cni_vec2 normal;     /* unit, from a to b; (0, 0) when they overlap */
+	float distance;      /* 0 when they overlap */
+	int32_t index_a[2];  /* point numbers: the same one twice for a vertex, two for an edge */
+	int32_t index_b[2];
+	int32_t iterations;
+} cni_closest;
+cni_closest cni_closest_find(const cni_vec2 *points_a, int32_t count_a, const cni_vec2 *points_b, int32_t count_b, cni_transform b_in_a);
+
 typedef struct cni_segment_distance {
 	cni_vec2 point_a;   /* closest points on p1-q1 and p2-q2 */
 	cni_vec2 point_b;

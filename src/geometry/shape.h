@@ -45,26 +45,32 @@ void cni_geometry_edge(cni_geometry *out, const cn_edge *edge, cni_transform off
 void cni_geometry_polygon(cni_geometry *out, const cn_polygon *polygon, cni_transform offset);
 void cni_geometry_chain(cni_geometry *out, const cn_chain *chain, cni_transform offset);
 
+/* Coordinates and radii above this are refused. */
+#define CNI_COORDINATE_MAX 1.0e6f
+
 /* Checks: NULL when good, else a static English fragment that says what must hold, such as
    "points must be convex" (the caller adds the function name and values). tolerance: points closer than
-   this coincide; heights below it count as collinear. All finite-ness checks are included, and
-   coordinates and radii above 1e6 are refused. A capsule's ends may not coincide; a chain refuses
-   coinciding consecutive points (also last and first of a loop). */
+   this coincide; a vertex that rises less than a tenth of it (or less than floats can tell at its
+   coordinates) above the line through its neighbours is collinear with them. All finite-ness checks are
+   included. A capsule's ends may not coincide; a chain refuses coinciding consecutive points (also last
+   and first of a loop). */
 const char *cni_check_circle(const cn_circle *circle, float tolerance);
 const char *cni_check_capsule(const cn_capsule *capsule, float tolerance);
 const char *cni_check_edge(const cn_edge *edge, float tolerance);
-/* Convex in either winding, each vertex strictly convex by more than the tolerance. */
+/* Convex in either winding, once around, each vertex strictly convex in the sense above. */
 const char *cni_check_polygon(const cn_polygon *polygon, float tolerance);
 const char *cni_check_chain(const cn_chain *chain, float tolerance);
 
-/* Hull of points, at most CN_POLYGON_MAX_VERTICES vertices (dropping those that change the area least),
-   counter-clockwise, every vertex strictly convex beyond the tolerance. NULL when good, else what is
-   wrong. count <= 65536. No allocation (works in out and on the input only): O(count * hull size) is
-   fine (gift wrapping with exact ties, or repeated farthest-point insertion). */
+/* Hull of points, at most CN_POLYGON_MAX_VERTICES vertices (keeping those that add the most area),
+   counter-clockwise, such that cni_check_polygon accepts it. radius_m of the result is 0. NULL when good,
+   else what is wrong. count <= 65536. No allocation: repeated farthest-point insertion, see hull.c. */
 const char *cni_hull_make(const cni_vec2 *points, int32_t count, float tolerance, cn_polygon *out);
 
 /* Tight box of child (0 for all but chains) with the body's origin at transform.t. */
 cni_aabb cni_geometry_aabb(const cni_geometry *g, int32_t child, cni_transform transform);
+/* Height of a vertex above the line through its neighbours below which it counts as collinear. */
+float cni_collinear_height(const cni_vec2 *points, int32_t count, float tolerance);
+
 /* About the local origin's frame: mass, centre, and inertia about that centre. Edges and chains: 0.
    Polygons with a radius count as the exact Minkowski sum with a disc. Closed forms, tested. */
 cn_mass_data cni_geometry_mass(const cni_geometry *g, float density);

@@ -241,6 +241,7 @@ int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *
 	cni_lane_take(world, contact);
 	c->flags |= CNI_CONTACT_TOUCHING | CNI_CONTACT_ENTERED | CNI_CONTACT_REFRESH;
 	c->id[0] = c->id[1] = 0;
+	cni_block_info_at(world, c->slot / CNI_LANES)->fresh_step = world->step_count + 1u;
 	cni_contact_write(world, contact, manifold);
 	log_or_owe(world, contact, CN_EVENT_ENTER, CNI_CONTACT_ENTER_OWED);
 	return 1;

@@ -57,6 +57,8 @@ typedef struct cni_block_info {
 	int32_t prev, next;              /* blocks of the colour, or of the free list */
 	int32_t color;
 	uint32_t flags;
+	uint32_t fresh_step;             /* step + 1 in which a lane last began to touch */
+	uint32_t reserved;
 } cni_block_info;
 
 typedef struct cni_color {

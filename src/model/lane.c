@@ -99,6 +99,7 @@ static void color_mark(cni_body *a, cni_body *b, int32_t color, int32_t on)
 	if (color == CNI_COLOR_OVERFLOW)
 		return;
 	CNI_ASSERT(((a->colors & bit) != 0) == !on);
+	(void)on;
 	a->colors ^= bit;
 	if (color < CNI_COLOR_STATIC) {
 		CNI_ASSERT(((b->colors & bit) != 0) == !on);
@@ -158,6 +159,8 @@ static void lane_move(cn_world *world, int32_t from, int32_t to)
 		target_info->contact[to % CNI_LANES] = contact;
 		target_info->restitution[to % CNI_LANES] = source_info->restitution[from % CNI_LANES];
 		target_info->flags |= source_info->flags;
+		if (source_info->fresh_step == world->step_count + 1u)
+			target_info->fresh_step = source_info->fresh_step;
 		cni_contact_at(world, contact)->slot = to;
 	}
 	source_info->contact[from % CNI_LANES] = CNI_NONE;

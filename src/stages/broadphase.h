@@ -6,10 +6,11 @@
  * The proxy table belongs to the world (model/proxy.h); an implementation reads it, owns its cells,
  * and sets old and clears CNI_PROXY_MOVED in update.
  *
- * Failure: nothing here may lose a proxy. add fails cleanly (0); move and update cannot fail: an
+ * Failure: nothing here may lose a proxy. reserve fails cleanly (0); add, move and update cannot fail: an
  * implementation that has no memory for its fast path keeps such proxies in a reserved slow list. When the
- * pair array cannot grow, update keeps what fits, marks the proxies of every missing pair to look
- * again (moved, old empty) and counts them in pairs_lost.
+ * pair array cannot grow, update keeps what fits, marks a moved proxy of every missing pair to look
+ * again (moved, old empty: all of its pairs are then reported once more) and counts the pairs in
+ * pairs_lost.
  */
 #ifndef CNI_STAGES_BROADPHASE_H
 #define CNI_STAGES_BROADPHASE_H
@@ -46,7 +47,8 @@ typedef struct cni_broadphase_ops {
 	/* NULL when there is no memory. capacity: proxies to make room for at once, 0 for none. */
 	cni_broadphase *(*create)(const cni_broadphase_context *context, int32_t capacity);
 	void (*destroy)(cni_broadphase *broadphase);
-	/* Make the next extra adds certain to succeed; 0 when there is no memory. */
+	/* Make the next extra adds certain to succeed; 0 when there is no memory. The proxy table must have
+	   been reserved before: any id below its capacity may then be added. */
 	int32_t (*reserve)(cni_broadphase *broadphase, int32_t extra);
 	/* The proxy's fat box is set, its old box empty; flags MOVED is set by add. After reserve it cannot fail. */
 	void (*add)(cni_broadphase *broadphase, int32_t proxy);
@@ -56,6 +58,10 @@ typedef struct cni_broadphase_ops {
 	/* All pairs of this proxy count as new at the next update (filter or type changed): sets MOVED and empties old. */
 	void (*touch)(cni_broadphase *broadphase, int32_t proxy);
 	void (*update)(cni_broadphase *broadphase, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out);
+	/* Brings the structure up to date with what moved or was added, so that queries need not look at those
+	   one by one. Optional, never fails, and changes nothing but the order in which queries visit: update
+	   does it anyway. Worth calling at the end of a step, once all shapes have moved. */
+	void (*settle)(cni_broadphase *broadphase);
 	/* Every proxy whose fat box overlaps the box, each once. Order is deterministic. */
 	void (*query)(const cni_broadphase *broadphase, const cni_aabb *box, cni_query_fn *visit, void *context);
 	/* Every proxy whose fat box the segment from origin by translation * fraction crosses, about nearest first. */

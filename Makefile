@@ -1,0 +1,157 @@
+# Cairn - build with only gcc (or clang) and make.
+#
+#   make            static and shared library          make demo       run the demo, pictures in build/demo
+#   make test       every test, checked build          make bench      CSV of all benchmark scenes (SCENE=name: one)
+#   make test-all   tests under sanitizers and other   make check-deps layers by #include, longest files
+#                   compilers and options              make install    DESTDIR and PREFIX; make clean
+#
+# CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
+# commands.
+
+BUILD ?= build
+PREFIX ?= /usr/local
+WERROR ?= -Werror
+ifeq ($(origin CC),default)
+CC := gcc
+endif
+# Tests take the user's CFLAGS if there are any, else a quick and debuggable build.
+ifndef TEST_CFLAGS
+TEST_CFLAGS := $(if $(CFLAGS),$(CFLAGS),-O2 -g)
+endif
+TEST_DEFINES ?= -DCNI_DEBUG
+CFLAGS ?= -O3
+JOBS ?= 1
+say = $(if $(V),,@echo '$(1)' $(patsubst $(BUILD)/%,%,$@);)
+
+STRICT := -std=c99 -pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion $(WERROR)
+MODE := -ffp-contract=off -ffunction-sections -fdata-sections -fvisibility=hidden -MMD -MP
+LIB_FLAGS = $(STRICT) $(MODE) -Iinclude -Isrc -DCN_BUILD -fPIC
+EXAMPLE_FLAGS = $(STRICT) $(MODE) -Iinclude -Iexamples
+TEST_FLAGS = $(STRICT) $(MODE) -Iinclude -Isrc -Itest -Iexamples
+
+VERSION := $(shell awk '/define CN_VERSION_(MAJOR|MINOR|PATCH)/ { printf "%s%s", dot, $$3; dot = "." }' include/cairn.h)
+SOVERSION := $(firstword $(subst ., ,$(VERSION)))
+ifeq ($(shell uname -s),Darwin)
+SHARED := libcairn.$(SOVERSION).dylib
+SHARED_LINK := libcairn.dylib
+SHARED_FLAGS := -dynamiclib -install_name $(PREFIX)/lib/$(SHARED)
+STRIP_UNUSED := -Wl,-dead_strip
+else
+SHARED := libcairn.so.$(SOVERSION)
+SHARED_LINK := libcairn.so
+SHARED_FLAGS := -shared -Wl,-soname,$(SHARED)
+STRIP_UNUSED := -Wl,--gc-sections
+endif
+
+# New files are found by themselves.
+LIB_SRC := $(sort $(wildcard src/*/*.c))
+MAIN_SRC := examples/hello.c examples/demo/demo.c examples/bench/bench.c
+EXAMPLE_SRC := $(filter-out $(MAIN_SRC),$(sort $(wildcard examples/*/*.c)))
+TEST_SRC := $(sort $(wildcard test/*/*_test.c))
+
+LIB_OBJ := $(LIB_SRC:%.c=$(BUILD)/release/%.o)
+EXAMPLE_OBJ := $(EXAMPLE_SRC:%.c=$(BUILD)/release/%.o)
+MAIN_OBJ := $(MAIN_SRC:%.c=$(BUILD)/release/%.o)
+CHECKED_OBJ := $(LIB_SRC:%.c=$(BUILD)/checked/%.o)
+CHECKED_EXAMPLE_OBJ := $(EXAMPLE_SRC:%.c=$(BUILD)/checked/%.o)
+TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
+TESTS := $(TEST_SRC:%.c=$(BUILD)/%)
+
+.PHONY: all demo test test-all bench hello check-deps install clean FORCE
+.DELETE_ON_ERROR:
+.SECONDARY:
+
+all: $(BUILD)/libcairn.a $(BUILD)/$(SHARED_LINK)
+
+# ---------------------------------------------------------------- library
+
+# Objects depend on these files, which change only when the compiler or its flags do.
+RELEASE_KEY := $(CC) $(LIB_FLAGS) $(CFLAGS) $(CPPFLAGS)
+CHECKED_KEY := $(CC) $(TEST_FLAGS) $(TEST_CFLAGS) $(TEST_DEFINES) $(CPPFLAGS)
+$(BUILD)/release/flags: FORCE
+	@mkdir -p $(@D); echo '$(RELEASE_KEY)' | cmp -s - $@ || echo '$(RELEASE_KEY)' > $@
+$(BUILD)/checked/flags: FORCE
+	@mkdir -p $(@D); echo '$(CHECKED_KEY)' | cmp -s - $@ || echo '$(CHECKED_KEY)' > $@
+
+$(BUILD)/release/src/%.o: src/%.c $(BUILD)/release/flags
+	@mkdir -p $(@D)
+	$(call say,cc)$(CC) $(LIB_FLAGS) $(CPPFLAGS) $(CFLAGS) -c $< -o $@
+$(BUILD)/release/examples/%.o: examples/%.c $(BUILD)/release/flags
+	@mkdir -p $(@D)
+	$(call say,cc)$(CC) $(EXAMPLE_FLAGS) $(CPPFLAGS) $(CFLAGS) -c $< -o $@
+
+$(BUILD)/libcairn.a: $(LIB_OBJ)
+	@rm -f $@
+	$(call say,ar)$(AR) rcs $@ $^
+$(BUILD)/$(SHARED): $(LIB_OBJ)
+	$(call say,link)$(CC) $(SHARED_FLAGS) $(CFLAGS) $(LDFLAGS) $^ -lm -o $@
+$(BUILD)/$(SHARED_LINK): $(BUILD)/$(SHARED)
+	@ln -sf $(SHARED) $@
+
+# ---------------------------------------------------------------- examples
+
+$(BUILD)/bin/hello: $(BUILD)/release/examples/hello.o
+$(BUILD)/bin/demo: $(BUILD)/release/examples/demo/demo.o $(EXAMPLE_OBJ)
+$(BUILD)/bin/bench: $(BUILD)/release/examples/bench/bench.o $(EXAMPLE_OBJ)
+$(BUILD)/bin/hello $(BUILD)/bin/demo $(BUILD)/bin/bench: $(BUILD)/libcairn.a
+	@mkdir -p $(@D)
+	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STRIP_UNUSED) $(filter %.o,$^) $(BUILD)/libcairn.a -lm -o $@
+
+hello: $(BUILD)/bin/hello
+	@$(BUILD)/bin/hello
+
+demo: $(BUILD)/bin/demo
+	@mkdir -p $(BUILD)/demo
+	@$(BUILD)/bin/demo $(BUILD)/demo $(SCENE)
+
+bench: $(BUILD)/bin/bench
+	@$(BUILD)/bin/bench $(SCENE)
+
+# ---------------------------------------------------------------- tests
+
+$(BUILD)/checked/src/%.o: src/%.c $(BUILD)/checked/flags
+	@mkdir -p $(@D)
+	$(call say,cc)$(CC) $(LIB_FLAGS) $(CPPFLAGS) $(TEST_CFLAGS) $(TEST_DEFINES) -c $< -o $@
+$(BUILD)/checked/examples/%.o: examples/%.c $(BUILD)/checked/flags
+	@mkdir -p $(@D)
+	$(call say,cc)$(CC) $(EXAMPLE_FLAGS) $(CPPFLAGS) $(TEST_CFLAGS) $(TEST_DEFINES) -c $< -o $@
+$(BUILD)/checked/test/%.o: test/%.c $(BUILD)/checked/flags
+	@mkdir -p $(@D)
+	$(call say,cc)$(CC) $(TEST_FLAGS) $(CPPFLAGS) $(TEST_CFLAGS) $(TEST_DEFINES) -c $< -o $@
+
+$(BUILD)/libcairn-checked.a: $(CHECKED_OBJ)
+	@rm -f $@
+	$(call say,ar)$(AR) rcs $@ $^
+$(BUILD)/libexamples-checked.a: $(CHECKED_EXAMPLE_OBJ)
+	@rm -f $@
+	$(call say,ar)$(AR) rcs $@ $^
+
+$(BUILD)/test/%: $(BUILD)/checked/test/%.o $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a
+	@mkdir -p $(@D)
+	$(call say,link)$(CC) $(TEST_CFLAGS) $(LDFLAGS) $< $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a -lm -o $@
+
+test: $(TESTS)
+	@JOBS=$(JOBS) sh test/run.sh $(BUILD)/test-output $(TESTS)
+
+test-all:
+	@sh test/variants.sh $(BUILD)
+
+check-deps:
+	@sh test/check_deps.sh
+
+# ---------------------------------------------------------------- install, clean
+
+install: all
+	mkdir -p '$(DESTDIR)$(PREFIX)/include' '$(DESTDIR)$(PREFIX)/lib/pkgconfig'
+	cp $(wildcard include/*.h include/*.hpp) '$(DESTDIR)$(PREFIX)/include/'
+	cp $(BUILD)/libcairn.a $(BUILD)/$(SHARED) '$(DESTDIR)$(PREFIX)/lib/'
+	ln -sf $(SHARED) '$(DESTDIR)$(PREFIX)/lib/$(SHARED_LINK)'
+	printf '%s\n' 'prefix=$(PREFIX)' 'Name: cairn' 'Description: 2D rigid-body physics' 'Version: $(VERSION)' \
+		'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -lcairn' 'Libs.private: -lm' \
+		> '$(DESTDIR)$(PREFIX)/lib/pkgconfig/cairn.pc'
+
+clean:
+	rm -rf $(BUILD)
+
+-include $(LIB_OBJ:.o=.d) $(EXAMPLE_OBJ:.o=.d) $(MAIN_OBJ:.o=.d)
+-include $(CHECKED_OBJ:.o=.d) $(CHECKED_EXAMPLE_OBJ:.o=.d) $(TEST_OBJ:.o=.d)

@@ -1,0 +1,30 @@
+/*
+ * examples/demo/draw.h - a world as a picture, through the public API alone.
+ *
+ * Colours tell static, kinematic, awake and asleep apart; circles carry a mark that shows their
+ * rotation; contact points are dots with their normals, joints are dots with lines from the bodies whose
+ * shapes do not reach them; the solid side of a chain is shaded.
+ */
+#ifndef CAIRN_DEMO_DRAW_H
+#define CAIRN_DEMO_DRAW_H
+
+#include "cairn.h"
+#include "demo/canvas.h"
+
+enum {
+	DRAW_BACKGROUND, DRAW_OUTLINE, DRAW_STATIC, DRAW_SOLID_SIDE, DRAW_KINEMATIC, DRAW_AWAKE, DRAW_ASLEEP,
+	DRAW_CONTACT, DRAW_JOINT, DRAW_COLORS
+};
+extern const canvas_color draw_colors[DRAW_COLORS];
+
+typedef struct draw_view {
+	cn_vec2 lower_m; /* world point at the picture's lower left corner */
+	float scale;     /* pixels a metre */
+} draw_view;
+
+/* The view that shows a box of the world in the whole width of the canvas. */
+draw_view draw_fit(const canvas *c, const cn_aabb *box_m);
+/* 0 when there is no memory for lists. */
+int32_t draw_world(canvas *c, const draw_view *view, const cn_world *world);
+
+#endif

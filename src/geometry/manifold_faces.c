@@ -1,0 +1,395 @@
+/*
+ * geometry/manifold_faces.c - the kernel of all pairs whose skeletons have faces.
+ *
+ *  1. Separating axes: the face of either shape that the other one is farthest in front of, the last
+ *     one first, so that pairs that stay apart cost one face. The last axis is kept while no other one
+ *     is better by more than the touch distance.
+ *  2. The reference face's neighbour on the other shape, the incident edge, is clipped to the slab
+ *     between the reference face's ends (Sutherland, Hodgman 1974; for boxes Catto, GDC 2006).
+ *  3. Where the axis does not tell the distance (the deepest vertex is beyond the face's end and
+ *     the skeletons are apart), the closest features decide: one point along their true direction.
+ *     Two segments are a quick guess that is verified by support points; GJK decides the rest.
+ *
+ *        incident edge      1 ------------ 0        position along t
+ *                     ------|--------------|------
+ *        reference edge     start   n^     end      t = left_perp(n)
+ *
+ * Invariant: a manifold's points are ordered along left_perp of its normal, whichever shape was the
+ * reference, and an id names the same two features either way.
+ */
+#include "geometry/manifold_faces.h"
+#include "geometry/distance.h"
+
+/* Ends of the two edges within this share of the slop of each other count as vertex on vertex in ids,
+   so that equal boxes on top of each other keep theirs. */
+#define ALIGNED_PER_SLOP 0.5f
+
+static const cni_transform same_frame = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
+
+cni_faces cni_faces_of(const cni_geometry *g, cni_faces_storage *storage)
+{
+	cni_faces f = { cni_geometry_points(g), NULL, g->count, g->radius };
+	if (g->type == CN_SHAPE_POLYGON) {
+		f.normals = cni_geometry_normals(g);
+		return f;
+	}
+	storage->normals[0] = cni_normalize(cni_right_perp(cni_sub(f.points[1], f.points[0])));
+	storage->normals[1] = cni_neg(storage->normals[0]);
+	f.normals = storage->normals;
+	return f;
+}
+
+cni_faces cni_faces_moved(cni_faces f, cni_transform transform, cni_faces_storage *storage)
+{
+	for (int32_t i = 0; i < f.count; ++i) {
+		storage->points[i] = cni_transform_point(transform, f.points[i]);
+		storage->normals[i] = cni_rotate(transform.q, f.normals[i]);
+	}
+	cni_faces moved = { storage->points, storage->normals, f.count, f.radius };
+	return moved;
+}
+
+static inline float points_lowest(const cni_vec2 *points, int32_t count, cni_vec2 direction)
+{
+	float low = cni_dot(direction, points[0]);
+	for (int32_t i = 1; i < count; ++i)
+		low = cni_min(cni_dot(direction, points[i]), low);
+	return low;
+}
+
+static inline int32_t point_lowest(const cni_vec2 *points, int32_t count, cni_vec2 direction)
+{
+	int32_t lowest = 0;
+	float low = cni_dot(direction, points[0]);
+	for (int32_t i = 1; i < count; ++i) {
+		float height = cni_dot(direction, points[i]);
+		lowest = height < low ? i : lowest;
+		low = cni_min(height, low);
+	}
+	return lowest;
+}
+
+/* Counts are arguments so that the compiler makes a straight-line version for boxes. */
+static inline float faces_best(const cni_faces *reference, int32_t reference_count, const cni_faces *other, int32_t other_count, int32_t *out_edge)
+{
+	float best = -FLT_MAX;
+	int32_t edge = 0;
+	for (int32_t i = 0; i < reference_count; ++i) {
+		cni_vec2 n = reference->normals[i];
+		float separation = points_lowest(other->points, other_count, n) - cni_dot(n, reference->points[i]);
+		edge = separation > best ? i : edge;
+		best = cni_max(separation, best);
+	}
+	*out_edge = edge;
+	return best;
+}
+
+float cni_faces_best(const cni_faces *reference, const cni_faces *other, int32_t *out_edge)
+{
+	if (reference->count == 4 && other->count == 4)
+		return faces_best(reference, 4, other, 4, out_edge);
+	return faces_best(reference, reference->count, other, other->count, out_edge);
+}
+
+/* ------------------------------------------------------------------ clipping */
+
+typedef struct clip {
+	cni_vec2 normal;       /* of the reference face */
+	float length;          /* of the reference edge, which spans positions 0 to length */
+	int32_t reference[2];  /* its vertices, by position */
+	int32_t reference_edge;
+	int32_t incident[2];   /* vertices of the incident edge, by position */
+	int32_t incident_edge;
+	cni_vec2 point[2];     /* of the incident vertices */
+	float at[2];           /* their positions */
+	float height[2];       /* and heights over the reference face */
+	int32_t lowest;        /* 0 or 1 */
+} clip;
+
+/* Of the two edges at the lowest vertex the one that faces the reference face more squarely. */
+static int32_t incident_find(const cni_faces *f, cni_vec2 normal)
+{
+	int32_t after = point_lowest(f->points, f->count, normal);
+	int32_t before = after > 0 ? after - 1 : f->count - 1;
+	return cni_dot(f->normals[before], normal) < cni_dot(f->normals[after], normal) ? before : after;
+}
+
+static void clip_make(clip *c, const cni_faces *reference, int32_t edge, const cni_faces *incident)
+{
+	cni_vec2 n = reference->normals[edge];
+	cni_vec2 t = cni_left_perp(n);
+	int32_t end = edge + 1 < reference->count ? edge + 1 : 0;
+	cni_vec2 start_point = reference->points[edge];
+	c->normal = n;
+	c->length = cni_dot(t, cni_sub(reference->points[end], start_point));
+	c->reference[0] = edge;
+	c->reference[1] = end;
+	c->reference_edge = edge;
+	c->incident_edge = incident_find(incident, n);
+	int32_t v0 = c->incident_edge;
+	int32_t v1 = v0 + 1 < incident->count ? v0 + 1 : 0;
+	/* Both shapes are counter-clockwise, so edges that face each other run in opposite directions. */
+	int32_t swap = cni_dot(t, cni_sub(incident->points[v1], incident->points[v0])) < 0.0f;
+	c->incident[0] = swap ? v1 : v0;
+	c->incident[1] = swap ? v0 : v1;
+	for (int32_t i = 0; i < 2; ++i) {
+		c->point[i] = incident->points[c->incident[i]];
+		cni_vec2 d = cni_sub(c->point[i], start_point);
+		c->at[i] = cni_dot(t, d);
+		c->height[i] = cni_dot(n, d);
+	}
+	c->lowest = c->height[1] < c->height[0];
+}
+
+/* Length that the two edges share along the reference face; negative: how far apart they are. */
+static float clip_overlap(const clip *c)
+{
+	return cni_min(c->length, c->at[1]) - cni_max(0.0f, c->at[0]);
+}
+
+/* The lowest vertex is in front of the reference edge itself: the axis tells the true distance. */
+static int32_t clip_is_exact(const clip *c)
+{
+	float at = c->at[c->lowest];
+	return at >= 0.0f && at <= c->length;
+}
+
+static uint32_t clip_id(const clip *c, int32_t side, int32_t of_b, float aligned)
+{
+	float reference_at = side ? c->length : 0.0f;
+	float inside = side ? reference_at - c->at[1] : c->at[0] - reference_at;
+	int32_t reference_feature = inside > aligned ? CNI_FEATURE_EDGE + c->reference_edge : c->reference[side];
+	int32_t incident_feature = inside < -aligned ? CNI_FEATURE_EDGE + c->incident_edge : c->incident[side];
+	return of_b ? cni_manifold_id(incident_feature, reference_feature) : cni_manifold_id(reference_feature, incident_feature);
+}
+
+typedef struct contact_end {
+	cni_vec2 point;  /* on the incident skeleton */
+	float height;
+	int32_t vertex;  /* of the reference edge or its clipping side that it is counted to, for the id */
+} contact_end;
+
+static contact_end clip_end(const clip *c, int32_t side)
+{
+	contact_end e = { c->point[side], c->height[side], side };
+	float beyond = side ? c->at[1] - c->length : -c->at[0];
+	float width = c->at[1] - c->at[0];
+	if (beyond > 0.0f && width > 0.0f) {
+		float fraction = cni_min(beyond / width, 1.0f);
+		e.point = cni_lerp(c->point[side], c->point[1 - side], fraction);
+		e.height = c->height[side] + fraction * (c->height[1 - side] - c->height[side]);
+	}
+	return e;
+}
+
+/* Both ends, or the one that counts when they are the same place. */
+static int32_t clip_ends(const clip *c, float touch, contact_end ends[2])
+{
+	float overlap = clip_overlap(c);
+	if (overlap >= touch) {
+		ends[0] = clip_end(c, 0);
+		ends[1] = clip_end(c, 1);
+		return 2;
+	}
+	if (overlap < 0.0f) {
+		/* The edges miss each other by less than the touch distance: the incident end that is nearer. */
+		int32_t side = c->at[0] > c->length ? 0 : 1;
+		ends[0].point = c->point[side];
+		ends[0].height = c->height[side];
+		ends[0].vertex = side;
+		return 1;
+	}
+	contact_end low = clip_end(c, 0);
+	contact_end high = clip_end(c, 1);
+	ends[0] = high.height < low.height ? high : low;
+	return 1;
+}
+
+static void clip_emit(const clip *c, const cni_faces *a, const cni_faces *b, int32_t of_b, const cni_manifold_input *in, cni_manifold *out)
+{
+	contact_end ends[2];
+	int32_t count = clip_ends(c, CNI_TOUCH_PER_SLOP * in->slop, ends);
+	float radii = a->radius + b->radius;
+	cni_vec2 n = of_b ? cni_neg(c->normal) : c->normal;
+	out->normal = n;
+	out->count = 0;
+	for (int32_t i = 0; i < count; ++i) {
+		const contact_end *e = &ends[of_b ? count - 1 - i : i];
+		if (e->height - radii > in->margin)
+			continue;
+		/* From the incident skeleton point to halfway between the surfaces along the normal. */
+		float shift = of_b ? 0.5f * (e->height + a->radius - b->radius) : 0.5f * (a->radius - b->radius - e->height);
+		cni_manifold_point *p = &out->points[out->count++];
+		p->point = cni_madd(e->point, shift, n);
+		p->separation = e->height - radii;
+		p->id = clip_id(c, e->vertex, of_b, ALIGNED_PER_SLOP * in->slop);
+	}
+}
+
+/* ------------------------------------------------------------------ closest features */
+
+static int32_t feature_of(const int32_t index[2], int32_t count)
+{
+	if (index[0] == index[1])
+		return index[0];
+	int32_t low = cni_min_i(index[0], index[1]);
+	int32_t high = cni_max_i(index[0], index[1]);
+	return CNI_FEATURE_EDGE + (high == low + 1 ? low : count - 1);
+}
+
+/* No point of either skeleton reaches into the gap between the two closest points by more than error. */
+static int32_t closest_holds(const cni_faces *a, const cni_faces *b, const cni_closest *c, float error)
+{
+	float reach_a = -points_lowest(a->points, a->count, cni_neg(c->normal));
+	float reach_b = points_lowest(b->points, b->count, c->normal);
+	return reach_a - cni_dot(c->normal, c->point_a) <= error && cni_dot(c->normal, c->point_b) - reach_b <= error;
+}
+
+static void ends_set(int32_t index[2], float fraction, int32_t first, int32_t second)
+{
+	index[0] = fraction < 1.0f ? first : second;
+	index[1] = fraction > 0.0f ? second : first;
+}
+
+/* Closest features, guessed from the clipped edges and verified, else by GJK. */
+static cni_closest closest_features(const cni_faces *a, const cni_faces *b, const clip *c, int32_t of_b, float slop)
+{
+	const int32_t *va = of_b ? c->incident : c->reference;
+	const int32_t *vb = of_b ? c->reference : c->incident;
+	cni_segment_distance s = cni_segment_to_segment(a->points[va[0]], a->points[va[1]], b->points[vb[0]], b->points[vb[1]]);
+	if (s.distance_sq > 0.0f) {
+		cni_closest guess;
+		guess.point_a = s.point_a;
+		guess.point_b = s.point_b;
+		guess.distance = cni_sqrt(s.distance_sq);
+		guess.normal = cni_normalize(cni_sub(s.point_b, s.point_a));
+		guess.iterations = 0;
+		ends_set(guess.index_a, s.fraction_a, va[0], va[1]);
+		ends_set(guess.index_b, s.fraction_b, vb[0], vb[1]);
+		if (guess.distance > CNI_TOUCH_PER_SLOP * slop && closest_holds(a, b, &guess, 0.01f * slop))
+			return guess;
+	}
+	return cni_closest_find(a->points, a->count, b->points, b->count, same_frame);
+}
+
+static void point_emit(const cni_faces *a, const cni_faces *b, const cni_closest *c, const cni_manifold_input *in, cni_manifold *out)
+{
+	float separation = c->distance - a->radius - b->radius;
+	out->normal = c->normal;
+	out->count = 0;
+	if (separation > in->margin)
+		return;
+	out->count = 1;
+	out->points[0].point = cni_madd(c->point_a, a->radius + 0.5f * separation, c->normal);
+	out->points[0].separation = separation;
+	out->points[0].id = cni_manifold_id(feature_of(c->index_a, a->count), feature_of(c->index_b, b->count));
+}
+
+/* ------------------------------------------------------------------ chain corners */
+
+enum { GATE_POINT, GATE_FACE, GATE_REFUSE };
+
+/* Largest cosine towards the back at which an open end still pushes. */
+#define OPEN_BACK_MAX 0.02f
+
+/* May the closest features of a chain edge (shape b) push along their own direction? of_surface: the
+   axis is the chain edge's own normal, which may always push what is in front of the edge. */
+static int32_t chain_gate(const cni_chain_edge *chain, const cni_closest *c, int32_t of_surface, float overlap, float touch)
+{
+	cni_vec2 outward = cni_neg(c->normal);
+	int32_t surface = of_surface && overlap > -touch ? GATE_FACE : GATE_REFUSE;
+	if (c->index_b[0] != c->index_b[1])
+		return surface;
+	int32_t end = c->index_b[0];
+	switch (chain->corner[end]) {
+	case CNI_CORNER_FLAT:
+		return surface;
+	case CNI_CORNER_CONVEX:
+		/* Beyond the neighbour's normal the neighbour's far end, not this corner, is in the way. */
+		return cni_dot(outward, cni_sub(chain->ghost[end], chain->points[end])) <= touch ? GATE_POINT : GATE_REFUSE;
+	default:
+		return cni_dot(outward, chain->normal) >= -OPEN_BACK_MAX ? GATE_POINT : GATE_REFUSE;
+	}
+}
+
+/* ------------------------------------------------------------------ manifolds */
+
+void cni_faces_manifold(const cni_faces *a, const cni_faces *b, cni_axis axis, const cni_chain_edge *chain,
+	const cni_manifold_input *in, cni_manifold *out)
+{
+	float touch = CNI_TOUCH_PER_SLOP * in->slop;
+	clip c;
+	if (axis.of_b)
+		clip_make(&c, b, axis.edge, a);
+	else
+		clip_make(&c, a, axis.edge, b);
+	float height = c.height[c.lowest];
+	float overlap = clip_overlap(&c);
+	if (!clip_is_exact(&c) && (height > touch || overlap < 0.0f)) {
+		cni_closest closest = closest_features(a, b, &c, axis.of_b, in->slop);
+		if (closest.distance > touch && (closest.distance - height > touch || overlap < 0.0f)) {
+			int32_t gate = chain == NULL ? GATE_POINT : chain_gate(chain, &closest, axis.of_b, overlap, touch);
+			if (gate == GATE_POINT) {
+				point_emit(a, b, &closest, in, out);
+				return;
+			}
+			if (gate == GATE_REFUSE) {
+				out->count = 0;
+				return;
+			}
+		}
+	}
+	clip_emit(&c, a, b, axis.of_b, in, out);
+}
+
+/* Separation along the cached face, before b is moved into a's frame. -FLT_MAX: nothing cached. */
+static float cached_separation(const cni_faces *a, const cni_faces *b, cni_transform b_in_a, int32_t cached)
+{
+	if (cached >= 1 && cached <= a->count) {
+		cni_vec2 n = a->normals[cached - 1];
+		float low = points_lowest(b->points, b->count, cni_unrotate(b_in_a.q, n));
+		return low + cni_dot(n, cni_sub(b_in_a.t, a->points[cached - 1]));
+	}
+	if (cached > CN_POLYGON_MAX_VERTICES && cached <= CN_POLYGON_MAX_VERTICES + b->count) {
+		int32_t edge = cached - CN_POLYGON_MAX_VERTICES - 1;
+		cni_vec2 n = cni_rotate(b_in_a.q, b->normals[edge]);
+		float face = cni_dot(b->normals[edge], b->points[edge]);
+		return points_lowest(a->points, a->count, n) - (face + cni_dot(n, b_in_a.t));
+	}
+	return -FLT_MAX;
+}
+
+/* The axis of greatest separation; a's before b's and the cached one before all when nearly equal. */
+static cni_axis axis_choose(const cni_faces *a, const cni_faces *b, int32_t cached, float cached_at, float touch)
+{
+	cni_axis best, of_b;
+	best.of_b = 0;
+	best.separation = cni_faces_best(a, b, &best.edge);
+	of_b.of_b = 1;
+	of_b.separation = cni_faces_best(b, a, &of_b.edge);
+	if (of_b.separation > best.separation + touch)
+		best = of_b;
+	if (cached_at >= cni_max(best.separation, of_b.separation) - touch) {
+		best.separation = cached_at;
+		best.of_b = cached > CN_POLYGON_MAX_VERTICES;
+		best.edge = cached - 1 - (best.of_b ? CN_POLYGON_MAX_VERTICES : 0);
+	}
+	return best;
+}
+
+void cni_faces_collide(const cni_faces *a, const cni_faces *b_local, const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
+{
+	float reach = in->margin + a->radius + b_local->radius;
+	int32_t cached = cache->axis;
+	float cached_at = cached_separation(a, b_local, in->b_in_a, cached);
+	out->count = 0;
+	if (cached_at > reach)
+		return;
+	cni_faces_storage storage;
+	cni_faces b = cni_faces_moved(*b_local, in->b_in_a, &storage);
+	cni_axis axis = axis_choose(a, &b, cached, cached_at, CNI_TOUCH_PER_SLOP * in->slop);
+	cache->axis = (uint8_t)(axis.edge + 1 + (axis.of_b ? CN_POLYGON_MAX_VERTICES : 0));
+	if (axis.separation > reach)
+		return;
+	cni_faces_manifold(a, &b, axis, NULL, in, out);
+}

@@ -1,0 +1,307 @@
+/*
+ * world/body.c - public functions on a body's life: making, destroying, names, user data, lists.
+ *
+ * Creation reserves everything first (handles, records, dense arrays, names) and then commits, so that
+ * a failure leaves nothing behind; destruction reserves room for the events of the contacts it ends.
+ */
+#include "world/error.h"
+
+#include <string.h>
+
+#define BODY_FLAGS (CN_BODY_LOCK_X | CN_BODY_LOCK_Y | CN_BODY_LOCK_ROTATION | CN_BODY_BULLET | CN_BODY_ENABLED | CN_BODY_SLEEP | CN_BODY_AWAKE)
+
+/* Size classes of the blocks that names fall into: 16, 32, 48 and 64 bytes. */
+#define NAME_CLASSES 4
+
+void cn_body_def_init(cn_body_def *def)
+{
+	if (def == NULL)
+		return;
+	memset(def, 0, sizeof *def);
+	def->struct_size = (uint32_t)sizeof *def;
+	def->type = CN_BODY_DYNAMIC;
+	def->gravity_scale = 1.0f;
+	def->flags = CN_BODY_ENABLED | CN_BODY_SLEEP | CN_BODY_AWAKE;
+}
+
+/* ------------------------------------------------------------------ names */
+
+/* Bytes with the zero, 0 for no name; stops looking behind the longest that is allowed. */
+static int32_t name_bytes(const char *name)
+{
+	int32_t length = 0;
+	if (name == NULL || name[0] == '\0')
+		return 0;
+	while (length <= CN_NAME_MAX_BYTES && name[length] != '\0')
+		++length;
+	return length + 1;
+}
+
+static void check_name(cni_call *call, const char *name)
+{
+	if (name_bytes(name) > CN_NAME_MAX_BYTES + 1)
+		cni_refuse(call, CN_ERROR_ARGUMENT, "name is too long; it may have at most 63 bytes");
+}
+
+static void name_free(cn_world *world, cni_body *b)
+{
+	if (b->name != 0)
+		cni_blocks_free(&world->blocks, b->name, (uint64_t)name_bytes((const char *)cni_blocks_at(&world->blocks, b->name)));
+	b->name = 0;
+}
+
+/* 0 for no name, and when there is no memory. */
+static cni_ref name_copy(cn_world *world, const char *name)
+{
+	int32_t bytes = name_bytes(name);
+	cni_ref ref = bytes > 0 ? cni_blocks_alloc(&world->blocks, (uint64_t)bytes) : 0;
+	if (ref != 0)
+		memcpy(cni_blocks_at(&world->blocks, ref), name, (size_t)bytes);
+	return ref;
+}
+
+cn_result cn_body_set_name(cn_world *world, cn_body body, const char *name)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_body *b = cni_check_body(&call, "body", body);
+	cni_ref copy;
+	check_name(&call, name);
+	if (call.result != CN_OK)
+		return call.result;
+	copy = name_copy(world, name);
+	if (copy == 0 && name_bytes(name) > 0)
+		return cni_refuse(&call, CN_ERROR_MEMORY, "no memory for the name");
+	name_free(world, b);
+	b->name = copy;
+	return CN_OK;
+}
+
+cn_result cn_body_get_name(const cn_world *world, cn_body body, const char **out_name)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_pointer(&call, "out_name", out_name);
+	if (call.result == CN_OK)
+		*out_name = b->name != 0 ? (const char *)cni_blocks_at(&world->blocks, b->name) : "";
+	return call.result;
+}
+
+/* ------------------------------------------------------------------ making */
+
+static void check_def(cni_call *call, const cn_body_def *def)
+{
+	cni_check_pointer(call, "def", def);
+	if (call->result != CN_OK)
+		return;
+	cni_check_struct_size(call, def->struct_size, sizeof *def, "cn_body_def_init");
+	if (call->result != CN_OK)
+		return;
+	cni_check_range_int(call, "type", def->type, CN_BODY_STATIC, CN_BODY_DYNAMIC);
+	cni_check_position(call, "position_m", def->position_m);
+	cni_check_angle(call, "angle_rad", def->angle_rad);
+	cni_check_finite2(call, "linear_velocity_mps", def->linear_velocity_mps);
+	cni_check_finite(call, "angular_velocity_radps", def->angular_velocity_radps);
+	cni_check_at_least(call, "linear_damping_per_s", def->linear_damping_per_s, 0.0f);
+	cni_check_at_least(call, "angular_damping_per_s", def->angular_damping_per_s, 0.0f);
+	cni_check_finite(call, "gravity_scale", def->gravity_scale);
+	cni_check_at_least(call, "sleep_speed_mps", def->sleep_speed_mps, 0.0f);
+	cni_check_flags(call, "flags", def->flags, BODY_FLAGS);
+	check_name(call, def->name);
+}
+
+/* Makes room for count bodies; the blocks' free lists then hold a piece for each name. */
+static void reserve_bodies(cni_call *call, cn_world *world, const cn_body_def *defs, int32_t count)
+{
+	int32_t names[NAME_CLASSES] = { 0, 0, 0, 0 };
+	int32_t movable = 0, k;
+	if (call->result != CN_OK)
+		return;
+	for (k = 0; k < count; ++k) {
+		int32_t bytes = name_bytes(defs[k].name);
+		movable += defs[k].type != CN_BODY_STATIC;
+		if (bytes > 0)
+			++names[(bytes - 1) / (int32_t)CNI_BLOCK_UNIT];
+	}
+	cni_check_reserved(call, cni_slots_reserve(world, &world->body_handles, &world->bodies, count), "bodies");
+	if (call->result == CN_OK)
+		cni_check_reserved(call, cni_body_reserve(world, movable), "movable bodies");
+	for (k = 0; k < NAME_CLASSES; ++k)
+		if (call->result == CN_OK && names[k] > 0 && !cni_blocks_reserve(&world->blocks, (uint64_t)(k + 1) * CNI_BLOCK_UNIT, names[k]))
+			cni_refuse(call, CN_ERROR_MEMORY, "no memory for names");
+}
+
+static cn_body body_commit(cn_world *world, const cn_body_def *def)
+{
+	const uint32_t awake = CN_BODY_AWAKE | CN_BODY_ENABLED;
+	int32_t index = cni_handles_take(&world->body_handles);
+	cni_body_init(world, index, def);
+	cni_body_at(world, index)->name = name_copy(world, def->name);
+	if (def->type != CN_BODY_STATIC) {
+		++world->movable_count;
+		if ((def->flags & awake) == awake)
+			cni_body_enter_awake(world, index);
+	}
+	return cni_handles_of(&world->body_handles, index);
+}
+
+cn_result cn_body_create(cn_world *world, const cn_body_def *def, cn_body *out_body)
+{
+	cni_call call = cni_enter(world, __func__);
+	check_def(&call, def);
+	cni_check_pointer(&call, "out_body", out_body);
+	reserve_bodies(&call, world, def, 1);
+	if (call.result == CN_OK)
+		*out_body = body_commit(world, def);
+	return call.result;
+}
+
+cn_result cn_body_create_many(cn_world *world, const cn_body_def *defs, int32_t count, cn_body *out_bodies)
+{
+	cni_call call = cni_enter(world, __func__);
+	int32_t k;
+	cni_check_array(&call, "defs", defs, count);
+	cni_check_array(&call, "out_bodies", out_bodies, count);
+	for (k = 0; k < count && call.result == CN_OK; ++k)
+		check_def(&call, defs + k);
+	reserve_bodies(&call, world, defs, count);
+	for (k = 0; k < count && call.result == CN_OK; ++k)
+		out_bodies[k] = body_commit(world, defs + k);
+	return call.result;
+}
+
+/* ------------------------------------------------------------------ destroying */
+
+static void destroy_joints(cn_world *world, const cni_body *b)
+{
+	while (b->joint_first != CNI_NONE) {
+		int32_t joint = b->joint_first >> 1;
+		cni_joint_unlink(world, joint);
+		cni_handles_release(&world->joint_handles, joint);
+	}
+}
+
+static void destroy_shapes(cn_world *world, const cni_body *b)
+{
+	while (b->shape_first != CNI_NONE) {
+		int32_t shape = b->shape_first;
+		cni_shape *s = cni_shape_at(world, shape);
+		cni_shape_unplace(world, shape);
+		cni_shape_unlink(world, shape);
+		cni_blocks_free(&world->blocks, s->geometry, s->geometry_bytes);
+		cni_handles_release(&world->shape_handles, shape);
+	}
+}
+
+/* After cni_contact_reserve_end for its contacts. */
+static void body_destroy(cn_world *world, int32_t body)
+{
+	cni_body *b = cni_body_at(world, body);
+	cni_body_wake_neighbours(world, body);
+	cni_body_wake(world, body);
+	destroy_joints(world, b);
+	destroy_shapes(world, b);
+	cni_island_remove_body(world, body);
+	if (b->awake != 0)
+		cni_body_leave_awake(world, body);
+	name_free(world, b);
+	world->movable_count -= b->type != CN_BODY_STATIC;
+	world->events.moved_built = 0;
+	cni_handles_release(&world->body_handles, body);
+}
+
+cn_result cn_body_destroy(cn_world *world, cn_body body)
+{
+	cni_call call = cni_enter(world, __func__);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	if (call.result == CN_OK)
+		cni_check_reserved(&call, cni_contact_reserve_end(world, b->contact_count), "events of its contacts");
+	if (call.result == CN_OK)
+		body_destroy(world, cni_index_of(body));
+	return call.result;
+}
+
+/* Finds every body and marks it; a mark that is there already is a duplicate. Returns how many are marked. */
+static int32_t mark_bodies(cni_call *call, const cn_body *bodies, int32_t count, int32_t *out_contacts)
+{
+	int32_t k;
+	for (k = 0; k < count; ++k) {
+		cni_body *b = cni_check_body(call, "bodies", bodies[k]);
+		if (b != NULL && (b->flags & CNI_BODY_MARK))
+			cni_refuse_int(call, "bodies, number", k, "appears twice");
+		if (call->result != CN_OK)
+			break;
+		b->flags |= CNI_BODY_MARK;
+		*out_contacts += b->contact_count;
+	}
+	return k;
+}
+
+cn_result cn_body_destroy_many(cn_world *world, const cn_body *bodies, int32_t count)
+{
+	cni_call call = cni_enter(world, __func__);
+	int32_t marked = 0, contacts = 0, k;
+	cni_check_array(&call, "bodies", bodies, count);
+	if (call.result == CN_OK)
+		marked = mark_bodies(&call, bodies, count, &contacts);
+	for (k = 0; k < marked; ++k)
+		cni_body_at(world, cni_index_of(bodies[k]))->flags &= ~(uint32_t)CNI_BODY_MARK;
+	if (call.result == CN_OK)
+		cni_check_reserved(&call, cni_contact_reserve_end(world, contacts), "events of their contacts");
+	for (k = 0; k < count && call.result == CN_OK; ++k)
+		body_destroy(world, cni_index_of(bodies[k]));
+	return call.result;
+}
+
+int32_t cn_body_is_valid(const cn_world *world, cn_body body)
+{
+	return world != NULL && cni_handles_find(&world->body_handles, body) != CNI_NONE;
+}
+
+/* ------------------------------------------------------------------ user data and lists */
+
+cn_result cn_body_set_user_data(cn_world *world, cn_body body, uint64_t user_data)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_body *b = cni_check_body(&call, "body", body);
+	if (call.result == CN_OK)
+		b->user_data = user_data;
+	return call.result;
+}
+
+cn_result cn_body_get_user_data(const cn_world *world, cn_body body, uint64_t *out_user_data)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_pointer(&call, "out_user_data", out_user_data);
+	if (call.result == CN_OK)
+		*out_user_data = b->user_data;
+	return call.result;
+}
+
+cn_result cn_body_get_shapes(const cn_world *world, cn_body body, cn_shape *out, int32_t capacity, int32_t *out_count)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_list list = cni_list_begin(&call, out, capacity, out_count);
+	int32_t shape;
+	if (call.result != CN_OK)
+		return call.result;
+	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
+		cni_list_add(&list, cni_handles_of(&world->shape_handles, shape));
+	*out_count = list.count;
+	return CN_OK;
+}
+
+cn_result cn_body_get_joints(const cn_world *world, cn_body body, cn_joint *out, int32_t capacity, int32_t *out_count)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_list list = cni_list_begin(&call, out, capacity, out_count);
+	int32_t key;
+	if (call.result != CN_OK)
+		return call.result;
+	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+		cni_list_add(&list, cni_handles_of(&world->joint_handles, key >> 1));
+	*out_count = list.count;
+	return CN_OK;
+}

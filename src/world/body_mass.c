@@ -1,0 +1,125 @@
+/*
+ * world/body_mass.c - public functions on what resists and drives a body: mass data, damping, gravity
+ * scale, sleep speed. Mass follows the shapes unless CNI_BODY_MASS_OVERRIDE is set.
+ */
+#include "world/error.h"
+
+cn_result cn_body_get_mass_data(const cn_world *world, cn_body body, cn_mass_data *out)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_pointer(&call, "out", out);
+	if (call.result != CN_OK)
+		return call.result;
+	out->mass_kg = b->mass;
+	out->inertia_kgm2 = b->inertia;
+	out->center_m = b->local_center;
+	return CN_OK;
+}
+
+/* Moves the centre of mass within the body: the origin stays, the material keeps its velocity. */
+static void move_center(cn_world *world, cni_body *b, cni_vec2 local_center)
+{
+	cni_vec2 shift = cni_rotate(b->q, cni_sub(local_center, b->local_center));
+	cn_velocity v = cni_body_velocity(world, b);
+	v.linear_mps = cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(shift));
+	b->cx += shift.x;
+	b->cy += shift.y;
+	b->local_center = local_center;
+	cni_body_store_velocity(world, b, v);
+}
+
+cn_result cn_body_set_mass_data(cn_world *world, cn_body body, const cn_mass_data *mass)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_pointer(&call, "mass", mass);
+	if (call.result == CN_OK && b->type != CN_BODY_DYNAMIC)
+		cni_refuse(&call, CN_ERROR_STATE, "the body is not dynamic");
+	if (call.result != CN_OK)
+		return call.result;
+	cni_check_range(&call, "mass_kg", mass->mass_kg, 1e-20f, 1e20f);
+	if (mass->inertia_kgm2 != 0.0f)
+		cni_check_range(&call, "inertia_kgm2", mass->inertia_kgm2, 1e-35f, 1e35f);
+	cni_check_position(&call, "center_m", mass->center_m);
+	if (call.result != CN_OK)
+		return call.result;
+	b->flags |= CNI_BODY_MASS_OVERRIDE;
+	b->mass = mass->mass_kg;
+	b->inertia = mass->inertia_kgm2;
+	move_center(world, b, mass->center_m);
+	cni_body_update_mass(world, cni_index_of(body));
+	cni_body_wake(world, cni_index_of(body));
+	return CN_OK;
+}
+
+cn_result cn_body_reset_mass_data(cn_world *world, cn_body body)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_body *b = cni_check_body(&call, "body", body);
+	if (call.result != CN_OK)
+		return call.result;
+	b->flags &= ~(uint32_t)CNI_BODY_MASS_OVERRIDE;
+	cni_body_update_mass(world, cni_index_of(body));
+	cni_body_wake(world, cni_index_of(body));
+	return CN_OK;
+}
+
+cn_result cn_body_set_damping(cn_world *world, cn_body body, float linear_per_s, float angular_per_s)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_at_least(&call, "linear_per_s", linear_per_s, 0.0f);
+	cni_check_at_least(&call, "angular_per_s", angular_per_s, 0.0f);
+	if (call.result != CN_OK)
+		return call.result;
+	b->linear_damping = linear_per_s;
+	b->angular_damping = angular_per_s;
+	return CN_OK;
+}
+
+cn_result cn_body_get_damping(const cn_world *world, cn_body body, float *out_linear_per_s, float *out_angular_per_s)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_pointer(&call, "out_linear_per_s", out_linear_per_s);
+	cni_check_pointer(&call, "out_angular_per_s", out_angular_per_s);
+	if (call.result != CN_OK)
+		return call.result;
+	*out_linear_per_s = b->linear_damping;
+	*out_angular_per_s = b->angular_damping;
+	return CN_OK;
+}
+
+cn_result cn_body_set_gravity_scale(cn_world *world, cn_body body, float scale)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_finite(&call, "scale", scale);
+	if (call.result != CN_OK)
+		return call.result;
+	if (scale != b->gravity_scale)
+		cni_body_wake(world, cni_index_of(body));
+	b->gravity_scale = scale;
+	return CN_OK;
+}
+
+cn_result cn_body_get_gravity_scale(const cn_world *world, cn_body body, float *out_scale)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_pointer(&call, "out_scale", out_scale);
+	if (call.result == CN_OK)
+		*out_scale = b->gravity_scale;
+	return call.result;
+}
+
+cn_result cn_body_set_sleep_speed(cn_world *world, cn_body body, float speed_mps)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_at_least(&call, "speed_mps", speed_mps, 0.0f);
+	if (call.result == CN_OK)
+		b->sleep_speed = speed_mps;
+	return call.result;
+}

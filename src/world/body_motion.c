@@ -1,0 +1,233 @@
+/*
+ * world/body_motion.c - public functions on where a body is and how it moves: pose, points, velocity,
+ * forces and impulses. World points are turned into the body's frame by differences from its centre of
+ * mass (high part first, then low), so that no digits are lost far from the origin.
+ */
+#include "world/error.h"
+
+/* ------------------------------------------------------------------ pose and points */
+
+/* From the centre of mass to a world point. */
+static cni_vec2 arm_to(const cni_body *b, cni_vec2 point)
+{
+	return cni_sub(cni_sub(point, cni_v(b->cx, b->cy)), cni_v(b->cx_low, b->cy_low));
+}
+
+cn_result cn_body_set_pose(cn_world *world, cn_body body, cn_vec2 position_m, float angle_rad)
+{
+	cni_call call = cni_enter(world, __func__);
+	int32_t index = cni_index_of(body);
+	cni_check_body(&call, "body", body);
+	cni_check_position(&call, "position_m", position_m);
+	cni_check_angle(&call, "angle_rad", angle_rad);
+	if (call.result != CN_OK)
+		return call.result;
+	cni_body_wake_neighbours(world, index);
+	cni_body_wake(world, index);
+	cni_body_set_transform(world, index, position_m, cni_sincos(angle_rad));
+	return CN_OK;
+}
+
+cn_result cn_body_get_pose(const cn_world *world, cn_body body, cn_pose *out)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_pointer(&call, "out", out);
+	if (call.result != CN_OK)
+		return call.result;
+	out->position_m = cni_body_origin(b);
+	out->cosine = b->q.c;
+	out->sine = b->q.s;
+	return CN_OK;
+}
+
+cn_result cn_body_get_angle(const cn_world *world, cn_body body, float *out_rad)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_pointer(&call, "out_rad", out_rad);
+	if (call.result == CN_OK)
+		*out_rad = cni_atan2(b->q.s, b->q.c);
+	return call.result;
+}
+
+cn_result cn_body_get_center(const cn_world *world, cn_body body, cn_vec2 *out_m)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_pointer(&call, "out_m", out_m);
+	if (call.result == CN_OK)
+		*out_m = cni_v(b->cx + b->cx_low, b->cy + b->cy_low);
+	return call.result;
+}
+
+cn_result cn_body_get_world_point(const cn_world *world, cn_body body, cn_vec2 local_m, cn_vec2 *out_m)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_vec2 r;
+	cni_check_finite2(&call, "local_m", local_m);
+	cni_check_pointer(&call, "out_m", out_m);
+	if (call.result != CN_OK)
+		return call.result;
+	r = cni_rotate(b->q, cni_sub(local_m, b->local_center));
+	*out_m = cni_v(b->cx + (r.x + b->cx_low), b->cy + (r.y + b->cy_low));
+	return CN_OK;
+}
+
+cn_result cn_body_get_local_point(const cn_world *world, cn_body body, cn_vec2 world_m, cn_vec2 *out_m)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_finite2(&call, "world_m", world_m);
+	cni_check_pointer(&call, "out_m", out_m);
+	if (call.result == CN_OK)
+		*out_m = cni_add(cni_unrotate(b->q, arm_to(b, world_m)), b->local_center);
+	return call.result;
+}
+
+/* ------------------------------------------------------------------ velocity */
+
+cn_result cn_body_set_velocity(cn_world *world, cn_body body, cn_vec2 linear_mps, float angular_radps)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_body *b = cni_check_body(&call, "body", body);
+	cn_velocity v;
+	cni_check_finite2(&call, "linear_mps", linear_mps);
+	cni_check_finite(&call, "angular_radps", angular_radps);
+	if (call.result == CN_OK && b->type == CN_BODY_STATIC)
+		cni_refuse(&call, CN_ERROR_STATE, "the body is static");
+	if (call.result != CN_OK)
+		return call.result;
+	v.linear_mps = linear_mps;
+	v.angular_radps = angular_radps;
+	if (linear_mps.x != 0.0f || linear_mps.y != 0.0f || angular_radps != 0.0f)
+		cni_body_wake(world, cni_index_of(body));
+	cni_body_store_velocity(world, b, v);
+	return CN_OK;
+}
+
+cn_result cn_body_get_velocity(const cn_world *world, cn_body body, cn_velocity *out)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_pointer(&call, "out", out);
+	if (call.result == CN_OK)
+		*out = cni_body_velocity(world, b);
+	return call.result;
+}
+
+cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, cn_vec2 point_m, cn_vec2 *out_mps)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cn_velocity v;
+	cni_check_finite2(&call, "point_m", point_m);
+	cni_check_pointer(&call, "out_mps", out_mps);
+	if (call.result != CN_OK)
+		return call.result;
+	v = cni_body_velocity(world, b);
+	*out_mps = cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(arm_to(b, point_m)));
+	return CN_OK;
+}
+
+/* ------------------------------------------------------------------ forces and impulses */
+
+/* Forces and impulses act on these only. */
+static int32_t can_be_pushed(const cni_body *b)
+{
+	return b->type == CN_BODY_DYNAMIC && (b->flags & CN_BODY_ENABLED);
+}
+
+/* Adds to what the next step will apply; sums of finite numbers may still overflow. */
+static cn_result add_force(cni_call *call, cn_world *world, cn_body body, cni_vec2 force, float torque)
+{
+	cni_body *b;
+	cni_vec2 total;
+	float total_torque;
+	if (call->result != CN_OK)
+		return call->result;
+	b = cni_body_at(world, cni_index_of(body));
+	if (!can_be_pushed(b))
+		return CN_OK;
+	total = cni_add(cni_v(b->force_x, b->force_y), force);
+	total_torque = b->torque + torque;
+	if (!cni_is_finite2(total) || !cni_is_finite(total_torque))
+		return cni_refuse(call, CN_ERROR_ARGUMENT, "the sum of forces and torques of this step must stay finite");
+	cni_body_wake(world, cni_index_of(body));
+	b->force_x = total.x;
+	b->force_y = total.y;
+	b->torque = total_torque;
+	return CN_OK;
+}
+
+cn_result cn_body_apply_force(cn_world *world, cn_body body, cn_vec2 force_N)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_check_body(&call, "body", body);
+	cni_check_finite2(&call, "force_N", force_N);
+	return add_force(&call, world, body, force_N, 0.0f);
+}
+
+cn_result cn_body_apply_force_at(cn_world *world, cn_body body, cn_vec2 force_N, cn_vec2 point_m)
+{
+	cni_call call = cni_enter(world, __func__);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_finite2(&call, "force_N", force_N);
+	cni_check_finite2(&call, "point_m", point_m);
+	return add_force(&call, world, body, force_N, b != NULL ? cni_cross(arm_to(b, point_m), force_N) : 0.0f);
+}
+
+cn_result cn_body_apply_torque(cn_world *world, cn_body body, float torque_Nm)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_check_body(&call, "body", body);
+	cni_check_finite(&call, "torque_Nm", torque_Nm);
+	return add_force(&call, world, body, cni_v(0.0f, 0.0f), torque_Nm);
+}
+
+/* Changes velocity at once: by impulse / mass and angular impulse / inertia, unless locked. */
+static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, cni_vec2 impulse, float angular)
+{
+	cni_body *b;
+	cn_velocity v;
+	if (call->result != CN_OK)
+		return call->result;
+	b = cni_body_at(world, cni_index_of(body));
+	if (!can_be_pushed(b))
+		return CN_OK;
+	v = cni_body_velocity(world, b);
+	v.linear_mps = cni_add(v.linear_mps, cni_v(impulse.x / b->mass, impulse.y / b->mass));
+	if (b->inertia > 0.0f)
+		v.angular_radps += angular / b->inertia;
+	if (!cni_is_finite2(v.linear_mps) || !cni_is_finite(v.angular_radps))
+		return cni_refuse(call, CN_ERROR_ARGUMENT, "the velocity after the impulse must stay finite");
+	cni_body_wake(world, cni_index_of(body));
+	cni_body_store_velocity(world, b, v);
+	return CN_OK;
+}
+
+cn_result cn_body_apply_impulse(cn_world *world, cn_body body, cn_vec2 impulse_Ns)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_check_body(&call, "body", body);
+	cni_check_finite2(&call, "impulse_Ns", impulse_Ns);
+	return add_impulse(&call, world, body, impulse_Ns, 0.0f);
+}
+
+cn_result cn_body_apply_impulse_at(cn_world *world, cn_body body, cn_vec2 impulse_Ns, cn_vec2 point_m)
+{
+	cni_call call = cni_enter(world, __func__);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_finite2(&call, "impulse_Ns", impulse_Ns);
+	cni_check_finite2(&call, "point_m", point_m);
+	return add_impulse(&call, world, body, impulse_Ns, b != NULL ? cni_cross(arm_to(b, point_m), impulse_Ns) : 0.0f);
+}
+
+cn_result cn_body_apply_angular_impulse(cn_world *world, cn_body body, float impulse_Nms)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_check_body(&call, "body", body);
+	cni_check_finite(&call, "impulse_Nms", impulse_Nms);
+	return add_impulse(&call, world, body, cni_v(0.0f, 0.0f), impulse_Nms);
+}

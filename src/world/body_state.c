@@ -1,0 +1,218 @@
+/*
+ * world/body_state.c - public functions that change what a body is to the simulation: type, flags,
+ * awake or asleep.
+ *
+ * A change of type or of CN_BODY_ENABLED takes the body out of everything that depends on it (joints,
+ * contacts, island, dense arrays), changes the record, and puts it back in. The joints' records stay;
+ * only their links are undone and redone, in an order that keeps the body's list as it was.
+ */
+#include "world/error.h"
+
+#define FLAGS_SETTABLE (CN_BODY_LOCK_X | CN_BODY_LOCK_Y | CN_BODY_LOCK_ROTATION | CN_BODY_BULLET | CN_BODY_ENABLED | CN_BODY_SLEEP)
+#define FLAGS_LOCKS (CN_BODY_LOCK_X | CN_BODY_LOCK_Y | CN_BODY_LOCK_ROTATION)
+
+/* ------------------------------------------------------------------ out and back in */
+
+/* Room for the events of ending all contacts, and for islands that joints make when they are linked again. */
+static void reserve_relink(cni_call *call, cn_world *world, const cni_body *b)
+{
+	if (call->result == CN_OK)
+		cni_check_reserved(call, cni_contact_reserve_end(world, b->contact_count), "events of its contacts");
+	if (call->result == CN_OK && !cni_island_reserve(world, b->joint_count))
+		cni_refuse(call, CN_ERROR_MEMORY, "no memory for islands");
+}
+
+/* Unlinks all joints of a body; returns them threaded through next[0], last in the list first. */
+static int32_t joints_unlink(cn_world *world, const cni_body *b)
+{
+	int32_t chain = CNI_NONE;
+	while (b->joint_first != CNI_NONE) {
+		int32_t joint = b->joint_first >> 1;
+		cni_joint_unlink(world, joint);
+		cni_joint_at(world, joint)->next[0] = chain;
+		chain = joint;
+	}
+	return chain;
+}
+
+static void joints_link(cn_world *world, int32_t chain)
+{
+	while (chain != CNI_NONE) {
+		int32_t joint = chain;
+		chain = cni_joint_at(world, joint)->next[0];
+		cni_joint_link(world, joint);
+	}
+}
+
+/* Takes a body without joints out of contacts, island and dense arrays. After cni_contact_reserve_end. */
+static void leave_simulation(cn_world *world, int32_t body)
+{
+	cni_contact_destroy_of_body(world, body);
+	cni_island_remove_body(world, body);
+	if (cni_body_at(world, body)->awake != 0)
+		cni_body_leave_awake(world, body);
+	world->events.moved_built = 0;
+}
+
+/* ------------------------------------------------------------------ type */
+
+/* A joint needs a dynamic body; the type may not take its last one away. */
+static int32_t some_joint_needs_dynamic(const cn_world *world, const cni_body *b)
+{
+	int32_t key;
+	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+		int32_t other = cni_joint_at(world, key >> 1)->body[1 - (key & 1)];
+		if (other == CNI_NONE || cni_body_at(world, other)->type != CN_BODY_DYNAMIC)
+			return 1;
+	}
+	return 0;
+}
+
+static void store_type(cn_world *world, cni_body *b, int32_t type)
+{
+	world->movable_count += (type != CN_BODY_STATIC) - (b->type != CN_BODY_STATIC);
+	b->type = type;
+	b->sleep_time = 0.0f;
+	b->force_x = b->force_y = b->torque = 0.0f;
+	if (type == CN_BODY_STATIC)
+		b->vx = b->vy = b->w = 0.0f;
+	if (type != CN_BODY_DYNAMIC)
+		b->flags &= ~(uint32_t)CNI_BODY_MASS_OVERRIDE;
+}
+
+cn_result cn_body_set_type(cn_world *world, cn_body body, int32_t type)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_body *b = cni_check_body(&call, "body", body);
+	int32_t index = cni_index_of(body), chain, shape;
+	cni_check_range_int(&call, "type", type, CN_BODY_STATIC, CN_BODY_DYNAMIC);
+	if (call.result != CN_OK || b->type == type)
+		return call.result;
+	if (type != CN_BODY_DYNAMIC && some_joint_needs_dynamic(world, b))
+		return cni_refuse(&call, CN_ERROR_STATE, "a joint would be left without a dynamic body");
+	reserve_relink(&call, world, b);
+	if (call.result == CN_OK && b->type == CN_BODY_STATIC)
+		cni_check_reserved(&call, cni_body_reserve(world, 1), "movable bodies");
+	if (call.result != CN_OK)
+		return call.result;
+	cni_body_wake_neighbours(world, index);
+	cni_body_wake(world, index);
+	chain = joints_unlink(world, b);
+	leave_simulation(world, index);
+	store_type(world, b, type);
+	cni_body_update_mass(world, index);
+	if (type != CN_BODY_STATIC && (b->flags & CN_BODY_ENABLED))
+		cni_body_enter_awake(world, index);
+	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
+		cni_shape_look_again(world, shape);
+	joints_link(world, chain);
+	return CN_OK;
+}
+
+cn_result cn_body_get_type(const cn_world *world, cn_body body, int32_t *out_type)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_pointer(&call, "out_type", out_type);
+	if (call.result == CN_OK)
+		*out_type = b->type;
+	return call.result;
+}
+
+/* ------------------------------------------------------------------ flags */
+
+static void unplace_all(cn_world *world, const cni_body *b, int32_t end)
+{
+	int32_t shape;
+	for (shape = b->shape_first; shape != end; shape = cni_shape_at(world, shape)->next)
+		cni_shape_unplace(world, shape);
+}
+
+/* Gives every shape its boxes, or none. */
+static void place_all(cni_call *call, cn_world *world, const cni_body *b)
+{
+	int32_t shape;
+	for (shape = b->shape_first; shape != CNI_NONE && call->result == CN_OK; shape = cni_shape_at(world, shape)->next) {
+		cni_check_reserved(call, cni_shape_place(world, shape), "boxes of its shapes");
+		if (call->result != CN_OK)
+			unplace_all(world, b, shape);
+	}
+}
+
+static void set_enabled(cn_world *world, int32_t body, int32_t enabled)
+{
+	cni_body *b = cni_body_at(world, body);
+	int32_t chain;
+	cni_body_wake_neighbours(world, body);
+	cni_body_wake(world, body);
+	chain = joints_unlink(world, b);
+	if (enabled) {
+		b->flags |= CN_BODY_ENABLED;
+		cni_body_wake(world, body);
+	} else {
+		leave_simulation(world, body);
+		unplace_all(world, b, CNI_NONE);
+		b->flags &= ~(uint32_t)CN_BODY_ENABLED;
+		b->force_x = b->force_y = b->torque = 0.0f;
+	}
+	joints_link(world, chain);
+}
+
+cn_result cn_body_set_flags(cn_world *world, cn_body body, uint32_t flags)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_body *b = cni_check_body(&call, "body", body);
+	uint32_t changed;
+	cni_check_flags(&call, "flags", flags, FLAGS_SETTABLE | CN_BODY_AWAKE);
+	if (call.result != CN_OK)
+		return call.result;
+	flags &= FLAGS_SETTABLE;
+	changed = (b->flags ^ flags) & FLAGS_SETTABLE;
+	if (changed & CN_BODY_ENABLED) {
+		reserve_relink(&call, world, b);
+		if (flags & CN_BODY_ENABLED)
+			place_all(&call, world, b);
+		if (call.result != CN_OK)
+			return call.result;
+		set_enabled(world, cni_index_of(body), (flags & CN_BODY_ENABLED) != 0);
+	}
+	b->flags = (b->flags & ~(uint32_t)FLAGS_SETTABLE) | flags;
+	if (changed & FLAGS_LOCKS) {
+		cni_body_wake(world, cni_index_of(body));
+		cni_body_store_velocity(world, b, cni_body_velocity(world, b));
+		cni_body_refresh_motion(world, b);
+	}
+	if ((changed & CN_BODY_SLEEP) && !(flags & CN_BODY_SLEEP))
+		cni_body_wake(world, cni_index_of(body));
+	return CN_OK;
+}
+
+cn_result cn_body_get_flags(const cn_world *world, cn_body body, uint32_t *out_flags)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_pointer(&call, "out_flags", out_flags);
+	if (call.result == CN_OK)
+		*out_flags = (b->flags & FLAGS_SETTABLE) | (b->awake != 0 ? (uint32_t)CN_BODY_AWAKE : 0u);
+	return call.result;
+}
+
+/* ------------------------------------------------------------------ awake */
+
+cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_body *b = cni_check_body(&call, "body", body);
+	if (call.result != CN_OK)
+		return call.result;
+	if (awake) {
+		cni_body_wake(world, cni_index_of(body));
+		return CN_OK;
+	}
+	if (b->awake == 0)
+		return CN_OK;
+	if (!cni_body_put_to_sleep(world, cni_index_of(body)))
+		return cni_refuse(&call, CN_ERROR_MEMORY, "no memory for contacts at rest");
+	world->events.moved_built = 0;
+	return CN_OK;
+}

@@ -1,0 +1,494 @@
+/*
+ * world/error.c - owns the sentence in world->error: text building without printf, and the argument
+ * checks of every public function (see error.h for how they are used).
+ *
+ * Floats are printed from their bits with a 64-bit mantissa: value = m * 2^e is multiplied or divided by
+ * ten until six digits stand before the point. Each of the at most 51 steps loses less than 2^-59 of the
+ * value, so the six digits are right but for exact ties.
+ */
+#include "world/error.h"
+
+#include <string.h>
+
+/* ------------------------------------------------------------------ text */
+
+cni_text cni_text_begin(char *out, int32_t capacity)
+{
+	cni_text text;
+	text.out = out;
+	text.capacity = capacity;
+	text.used = 0;
+	if (out != NULL && capacity > 0)
+		out[0] = '\0';
+	return text;
+}
+
+static void text_char(cni_text *text, char c)
+{
+	if (text->out == NULL || text->used + 1 >= text->capacity)
+		return;
+	text->out[text->used++] = c;
+	text->out[text->used] = '\0';
+}
+
+void cni_text_string(cni_text *text, const char *string)
+{
+	while (*string != '\0')
+		text_char(text, *string++);
+}
+
+static void text_digits(cni_text *text, uint64_t value, int32_t base, int32_t digits_min)
+{
+	char digits[24];
+	int32_t count = 0;
+	do {
+		digits[count++] = "0123456789abcdef"[value % (uint64_t)base];
+		value /= (uint64_t)base;
+	} while (value != 0 || count < digits_min);
+	while (count > 0)
+		text_char(text, digits[--count]);
+}
+
+void cni_text_int(cni_text *text, int64_t value)
+{
+	if (value < 0)
+		text_char(text, '-');
+	text_digits(text, value < 0 ? (uint64_t)0 - (uint64_t)value : (uint64_t)value, 10, 1);
+}
+
+void cni_text_hex(cni_text *text, uint32_t value)
+{
+	cni_text_string(text, "0x");
+	text_digits(text, value, 16, 1);
+}
+
+/* value = m * 2^e with the top bit of m set. */
+typedef struct scaled {
+	uint64_t m;
+	int32_t e;
+} scaled;
+
+static scaled scaled_normalize(scaled s)
+{
+	while (!(s.m >> 63)) {
+		s.m <<= 1;
+		--s.e;
+	}
+	return s;
+}
+
+static scaled scaled_times_ten(scaled s)
+{
+	s.m = (s.m >> 4) * 10u;
+	s.e += 4;
+	return scaled_normalize(s);
+}
+
+static scaled scaled_by_ten(scaled s)
+{
+	uint64_t rest = s.m % 10u;
+	s.m = ((s.m / 10u) << 3) + (rest << 3) / 10u; /* the quotient has three or four leading zeros */
+	s.e -= 3;
+	return scaled_normalize(s);
+}
+
+static uint64_t scaled_integer(scaled s)
+{
+	return s.e <= -64 ? 0 : s.m >> -s.e;
+}
+
+/* Six decimal digits d and exponent x with value about d * 10^x. bits: of a finite float above 0. */
+static uint32_t float_digits(uint32_t bits, int32_t *out_exponent)
+{
+	int32_t biased = (int32_t)(bits >> 23 & 255u);
+	int32_t x = 0;
+	uint64_t d;
+	scaled s;
+	s.m = (bits & 0x7FFFFFu) | (biased != 0 ? 0x800000u : 0u);
+	s.e = (biased != 0 ? biased : 1) - 150;
+	s = scaled_normalize(s);
+	while (s.e > -44 || scaled_integer(s) >= 1000000u) {
+		s = scaled_by_ten(s);
+		++x;
+	}
+	while (scaled_integer(s) < 100000u) {
+		s = scaled_times_ten(s);
+		--x;
+	}
+	d = (s.m + ((uint64_t)1 << (-s.e - 1))) >> -s.e;
+	if (d == 1000000u) {
+		d = 100000u;
+		++x;
+	}
+	*out_exponent = x;
+	return (uint32_t)d;
+}
+
+/* d with its point after the first `before` of its six digits (before may be <= 0), zeros trimmed. */
+static void text_point(cni_text *text, uint32_t d, int32_t before)
+{
+	uint32_t unit = 100000u;
+	int32_t k;
+	if (before <= 0) {
+		cni_text_string(text, "0.");
+		for (k = before; k < 0; ++k)
+			text_char(text, '0');
+	}
+	for (k = 0; k < 6 || k < before; ++k) {
+		if (k >= before && d == 0)
+			return;
+		if (k == before && before > 0)
+			text_char(text, '.');
+		text_char(text, k < 6 ? (char)('0' + (char)(d / unit)) : '0');
+		d = k < 6 ? d % unit : 0;
+		unit = unit > 1 ? unit / 10u : 1u;
+	}
+}
+
+void cni_text_float(cni_text *text, float value)
+{
+	uint32_t bits, d;
+	int32_t exponent;
+	memcpy(&bits, &value, sizeof bits);
+	if ((bits & 0x7F800000u) == 0x7F800000u && (bits & 0x7FFFFFu) != 0) {
+		cni_text_string(text, "nan");
+		return;
+	}
+	if (bits >> 31)
+		text_char(text, '-');
+	bits &= 0x7FFFFFFFu;
+	if (bits == 0x7F800000u) {
+		cni_text_string(text, "inf");
+		return;
+	}
+	if (bits == 0) {
+		text_char(text, '0');
+		return;
+	}
+	d = float_digits(bits, &exponent);
+	if (exponent >= -10 && exponent <= 3) {
+		text_point(text, d, exponent + 6);
+		return;
+	}
+	text_point(text, d, 1);
+	text_char(text, 'e');
+	cni_text_int(text, exponent + 5);
+}
+
+/* ------------------------------------------------------------------ entering */
+
+static cni_call call_begin(const cn_world *world, char *sentence, const char *function)
+{
+	cni_call call;
+	call.world = world;
+	call.sentence = sentence;
+	call.function = function;
+	call.result = world == NULL ? CN_ERROR_ARGUMENT : CN_OK;
+	call.reserved = 0;
+	return call;
+}
+
+cni_call cni_enter(cn_world *world, const char *function)
+{
+	cni_call call = call_begin(world, world != NULL ? world->error : NULL, function);
+	if (world != NULL && world->locked > 0)
+		cni_refuse(&call, CN_ERROR_LOCKED, "the world is locked while a callback runs");
+	return call;
+}
+
+cni_call cni_enter_const(const cn_world *world)
+{
+	return call_begin(world, NULL, "");
+}
+
+cni_call cni_enter_free(void)
+{
+	cni_call call = call_begin(NULL, NULL, "");
+	call.result = CN_OK;
+	return call;
+}
+
+/* ------------------------------------------------------------------ refusing */
+
+/* 1 for the first failure of a call; text is then ready to be filled ("function: "). */
+static int32_t refuse_begin(cni_call *call, cn_result result, cni_text *text)
+{
+	if (call->result != CN_OK)
+		return 0;
+	call->result = result;
+	*text = cni_text_begin(call->sentence, call->sentence != NULL ? CNI_ERROR_TEXT_BYTES : 0);
+	cni_text_string(text, call->function);
+	cni_text_string(text, ": ");
+	return 1;
+}
+
+static void refuse_field(cni_text *text, const char *field)
+{
+	cni_text_string(text, field);
+	cni_text_string(text, " ");
+}
+
+cn_result cni_refuse(cni_call *call, cn_result result, const char *what)
+{
+	cni_text text;
+	if (refuse_begin(call, result, &text))
+		cni_text_string(&text, what);
+	return call->result;
+}
+
+static void refuse_float_begin(cni_call *call, const char *field, float value, cni_text *text)
+{
+	refuse_begin(call, CN_ERROR_ARGUMENT, text);
+	refuse_field(text, field);
+	cni_text_float(text, value);
+}
+
+cn_result cni_refuse_float(cni_call *call, const char *field, float value, const char *must)
+{
+	cni_text text;
+	if (call->result != CN_OK)
+		return call->result;
+	refuse_float_begin(call, field, value, &text);
+	cni_text_string(&text, "; ");
+	cni_text_string(&text, must);
+	return call->result;
+}
+
+cn_result cni_refuse_int(cni_call *call, const char *field, int64_t value, const char *must)
+{
+	cni_text text;
+	if (!refuse_begin(call, CN_ERROR_ARGUMENT, &text))
+		return call->result;
+	refuse_field(&text, field);
+	cni_text_int(&text, value);
+	cni_text_string(&text, "; ");
+	cni_text_string(&text, must);
+	return call->result;
+}
+
+void cni_check_reserved(cni_call *call, cn_result result, const char *things)
+{
+	cni_text text;
+	if (result == CN_OK || !refuse_begin(call, result, &text))
+		return;
+	cni_text_string(&text, result == CN_ERROR_CAPACITY ? "too many " : "no memory for ");
+	cni_text_string(&text, things);
+}
+
+/* ------------------------------------------------------------------ checks of pointers and sizes */
+
+void cni_check_pointer(cni_call *call, const char *field, const void *pointer)
+{
+	cni_text text;
+	if (pointer != NULL || !refuse_begin(call, CN_ERROR_ARGUMENT, &text))
+		return;
+	refuse_field(&text, field);
+	cni_text_string(&text, "is NULL");
+}
+
+void cni_check_array(cni_call *call, const char *field, const void *array, int32_t count)
+{
+	if (call->result == CN_OK && count < 0)
+		cni_refuse_int(call, "count", count, "must be >= 0");
+	if (count > 0)
+		cni_check_pointer(call, field, array);
+}
+
+void cni_check_struct_size(cni_call *call, uint32_t given, size_t expected, const char *init)
+{
+	cni_text text;
+	if (given == (uint32_t)expected || !refuse_begin(call, CN_ERROR_ARGUMENT, &text))
+		return;
+	cni_text_string(&text, "struct_size ");
+	cni_text_int(&text, given);
+	cni_text_string(&text, "; must be ");
+	cni_text_int(&text, (int64_t)expected);
+	cni_text_string(&text, ": call ");
+	cni_text_string(&text, init);
+	cni_text_string(&text, " first");
+}
+
+/* ------------------------------------------------------------------ checks of numbers */
+
+void cni_check_finite(cni_call *call, const char *field, float value)
+{
+	if (!cni_is_finite(value))
+		cni_refuse_float(call, field, value, "must be finite");
+}
+
+static void refuse_vec2(cni_call *call, const char *field, cn_vec2 value, const char *must, float limit)
+{
+	cni_text text;
+	if (!refuse_begin(call, CN_ERROR_ARGUMENT, &text))
+		return;
+	refuse_field(&text, field);
+	cni_text_string(&text, "(");
+	cni_text_float(&text, value.x);
+	cni_text_string(&text, ", ");
+	cni_text_float(&text, value.y);
+	cni_text_string(&text, must);
+	if (limit > 0.0f)
+		cni_text_float(&text, limit);
+}
+
+void cni_check_finite2(cni_call *call, const char *field, cn_vec2 value)
+{
+	if (!cni_is_finite2(value))
+		refuse_vec2(call, field, value, "); both must be finite", 0.0f);
+}
+
+void cni_check_at_least(cni_call *call, const char *field, float value, float lower)
+{
+	cni_text text;
+	if ((cni_is_finite(value) && value >= lower) || call->result != CN_OK)
+		return;
+	refuse_float_begin(call, field, value, &text);
+	cni_text_string(&text, "; must be finite and >= ");
+	cni_text_float(&text, lower);
+}
+
+void cni_check_positive(cni_call *call, const char *field, float value)
+{
+	if (!(cni_is_finite(value) && value > 0.0f))
+		cni_refuse_float(call, field, value, "must be finite and > 0");
+}
+
+void cni_check_range(cni_call *call, const char *field, float value, float lower, float upper)
+{
+	cni_text text;
+	if ((value >= lower && value <= upper) || call->result != CN_OK)
+		return;
+	refuse_float_begin(call, field, value, &text);
+	cni_text_string(&text, "; must be from ");
+	cni_text_float(&text, lower);
+	cni_text_string(&text, " to ");
+	cni_text_float(&text, upper);
+}
+
+void cni_check_range_int(cni_call *call, const char *field, int32_t value, int32_t lower, int32_t upper)
+{
+	cni_text text;
+	if ((value >= lower && value <= upper) || !refuse_begin(call, CN_ERROR_ARGUMENT, &text))
+		return;
+	refuse_field(&text, field);
+	cni_text_int(&text, value);
+	cni_text_string(&text, "; must be from ");
+	cni_text_int(&text, lower);
+	cni_text_string(&text, " to ");
+	cni_text_int(&text, upper);
+}
+
+void cni_check_flags(cni_call *call, const char *field, uint32_t value, uint32_t allowed)
+{
+	cni_text text;
+	if ((value & ~allowed) == 0 || !refuse_begin(call, CN_ERROR_ARGUMENT, &text))
+		return;
+	refuse_field(&text, field);
+	cni_text_hex(&text, value);
+	cni_text_string(&text, "; only the bits of ");
+	cni_text_hex(&text, allowed);
+	cni_text_string(&text, " mean something");
+}
+
+void cni_check_position(cni_call *call, const char *field, cn_vec2 value)
+{
+	float limit;
+	if (call->result != CN_OK)
+		return;
+	limit = CNI_POSITION_MAX_UNITS * call->world->settings.length_unit;
+	if (!(cni_abs(value.x) <= limit && cni_abs(value.y) <= limit))
+		refuse_vec2(call, field, value, "); both must be finite and within +-", limit);
+}
+
+void cni_check_angle(cni_call *call, const char *field, float value)
+{
+	cni_check_range(call, field, value, -CNI_ANGLE_MAX_RAD, CNI_ANGLE_MAX_RAD);
+}
+
+void cni_check_shape_mass(cni_call *call, cn_mass_data mass)
+{
+	float kg = mass.mass_kg;
+	float inertia = mass.inertia_kgm2 + kg * cni_length_sq(mass.center_m);
+	if (!(kg == 0.0f || (kg >= 1e-20f && kg <= 1e20f)))
+		cni_refuse_float(call, "mass of the shape", kg, "must be 0 or from 1e-20 to 1e20 kg: change the density");
+	else if (!(inertia == 0.0f || (inertia >= 1e-35f && inertia <= 1e35f)))
+		cni_refuse_float(call, "inertia of the shape", inertia, "must be 0 or from 1e-35 to 1e35 kg m^2: change the density");
+}
+
+void cni_check_material(cni_call *call, const cn_material *material)
+{
+	cni_check_range(call, "static_friction", material->static_friction, 0.0f, 100.0f);
+	cni_check_range(call, "dynamic_friction", material->dynamic_friction, 0.0f, material->static_friction);
+	cni_check_range(call, "restitution", material->restitution, 0.0f, 1.0f);
+}
+
+/* ------------------------------------------------------------------ checks of handles */
+
+static int32_t find(cni_call *call, const cni_handles *handles, const char *field, uint32_t handle, const char *kind)
+{
+	int32_t index = cni_handles_find(handles, handle);
+	cni_text text;
+	if (index != CNI_NONE || !refuse_begin(call, CN_ERROR_HANDLE, &text))
+		return index;
+	refuse_field(&text, field);
+	cni_text_hex(&text, handle);
+	cni_text_string(&text, "; must be the handle of a live ");
+	cni_text_string(&text, kind);
+	return CNI_NONE;
+}
+
+cni_body *cni_check_body(cni_call *call, const char *field, cn_body body)
+{
+	int32_t index = call->result == CN_OK ? find(call, &call->world->body_handles, field, body, "body") : CNI_NONE;
+	return index != CNI_NONE ? cni_body_at(call->world, index) : NULL;
+}
+
+cni_shape *cni_check_shape(cni_call *call, const char *field, cn_shape shape)
+{
+	int32_t index = call->result == CN_OK ? find(call, &call->world->shape_handles, field, shape, "shape") : CNI_NONE;
+	return index != CNI_NONE ? cni_shape_at(call->world, index) : NULL;
+}
+
+cni_joint *cni_check_joint(cni_call *call, const char *field, cn_joint joint)
+{
+	int32_t index = call->result == CN_OK ? find(call, &call->world->joint_handles, field, joint, "joint") : CNI_NONE;
+	return index != CNI_NONE ? cni_joint_at(call->world, index) : NULL;
+}
+
+/* ------------------------------------------------------------------ lists and slots */
+
+void cni_check_capacity(cni_call *call, const char *field, const void *out, int32_t capacity)
+{
+	if (call->result == CN_OK && capacity < 0)
+		cni_refuse_int(call, "capacity", capacity, "must be >= 0");
+	if (capacity > 0)
+		cni_check_pointer(call, field, out);
+}
+
+cni_list cni_list_begin(cni_call *call, uint32_t *out, int32_t capacity, const int32_t *out_count)
+{
+	cni_list list;
+	list.out = out;
+	list.capacity = capacity;
+	list.count = 0;
+	cni_check_capacity(call, "out", out, capacity);
+	cni_check_pointer(call, "out_count", out_count);
+	return list;
+}
+
+cn_result cni_slots_reserve(cn_world *world, cni_handles *handles, cni_table *records, int32_t extra)
+{
+	int32_t used = cni_handles_used(handles);
+	int32_t waiting = used - handles->count - handles->retired;
+	cn_result result = cni_handles_reserve(handles, &world->memory, extra);
+	if (result != CN_OK)
+		return result;
+	return cni_table_reserve(records, &world->memory, used + cni_max_i(extra - waiting, 0)) ? CN_OK : CN_ERROR_MEMORY;
+}
+
+/* ------------------------------------------------------------------ reading it */
+
+const char *cn_world_error_text(const cn_world *world)
+{
+	return world != NULL ? world->error : "";
+}

@@ -1,0 +1,122 @@
+/*
+ * world/error.h - entering a public function: refusing a NULL or locked world, checking arguments,
+ * and the one sentence that says what was wrong.
+ *
+ * A public function reads like this:
+ *
+ *     cni_call call = cni_enter(world, __func__);
+ *     cni_body *b = cni_check_body(&call, "body", body);
+ *     cni_check_at_least(&call, "scale", scale, 0.0f);
+ *     if (call.result != CN_OK)
+ *         return call.result;
+ *     ...
+ *
+ * Checks record the first failure only and do nothing after it, so they may be written in a row.
+ * Functions that take a const world enter with cni_enter_const: they may run on several threads and
+ * report the code without a sentence. The sentence in world->error stays until the next failing call.
+ */
+#ifndef CNI_WORLD_ERROR_H
+#define CNI_WORLD_ERROR_H
+
+#include "model/world.h"
+
+/* Coordinates up to this many length units are accepted. */
+#define CNI_POSITION_MAX_UNITS 1e6f
+/* Angles up to this many radians are accepted. */
+#define CNI_ANGLE_MAX_RAD 1e4f
+
+/* ---- text: appends to a fixed buffer, always zero-terminated, cut when full */
+
+typedef struct cni_text {
+	char *out;        /* may be NULL when capacity is 0 */
+	int32_t capacity; /* bytes, the terminating zero included */
+	int32_t used;
+} cni_text;
+
+cni_text cni_text_begin(char *out, int32_t capacity);
+void cni_text_string(cni_text *text, const char *string);
+void cni_text_int(cni_text *text, int64_t value);
+/* As 0x and digits: flags and handles. */
+void cni_text_hex(cni_text *text, uint32_t value);
+/* Six significant digits, "nan", "inf", "-inf". */
+void cni_text_float(cni_text *text, float value);
+
+/* ---- calls */
+
+typedef struct cni_call {
+	const cn_world *world; /* NULL once the world itself was refused */
+	char *sentence;        /* CNI_ERROR_TEXT_BYTES, or NULL in calls that take a const world */
+	const char *function;
+	cn_result result;
+	int32_t reserved;
+} cni_call;
+
+cni_call cni_enter(cn_world *world, const char *function);
+cni_call cni_enter_const(const cn_world *world);
+/* For functions without a world. */
+cni_call cni_enter_free(void);
+
+/* Records a failure: "function: what". Returns the call's result. */
+cn_result cni_refuse(cni_call *call, cn_result result, const char *what);
+/* "function: field value; must ..." for a value that a check of its own found bad. */
+cn_result cni_refuse_float(cni_call *call, const char *field, float value, const char *must);
+cn_result cni_refuse_int(cni_call *call, const char *field, int64_t value, const char *must);
+/* Passes on what a reserve in the model said: CN_OK, CN_ERROR_MEMORY or CN_ERROR_CAPACITY. */
+void cni_check_reserved(cni_call *call, cn_result result, const char *things);
+
+void cni_check_pointer(cni_call *call, const char *field, const void *pointer);
+/* count >= 0, and the array is there unless count is 0. */
+void cni_check_array(cni_call *call, const char *field, const void *array, int32_t count);
+/* capacity >= 0, and the output is there unless capacity is 0. */
+void cni_check_capacity(cni_call *call, const char *field, const void *out, int32_t capacity);
+void cni_check_struct_size(cni_call *call, uint32_t given, size_t expected, const char *init);
+
+void cni_check_finite(cni_call *call, const char *field, float value);
+void cni_check_finite2(cni_call *call, const char *field, cn_vec2 value);
+void cni_check_at_least(cni_call *call, const char *field, float value, float lower);
+void cni_check_positive(cni_call *call, const char *field, float value);
+void cni_check_range(cni_call *call, const char *field, float value, float lower, float upper);
+void cni_check_range_int(cni_call *call, const char *field, int32_t value, int32_t lower, int32_t upper);
+void cni_check_flags(cni_call *call, const char *field, uint32_t value, uint32_t allowed);
+/* Within CNI_POSITION_MAX_UNITS / CNI_ANGLE_MAX_RAD. */
+void cni_check_position(cni_call *call, const char *field, cn_vec2 value);
+void cni_check_angle(cni_call *call, const char *field, float value);
+/* A shape's mass, and inertia about the body's origin: 0, or within what inverses and products of floats can bear. */
+void cni_check_shape_mass(cni_call *call, cn_mass_data mass);
+void cni_check_material(cni_call *call, const cn_material *material);
+
+/* Record of a live handle, or NULL when the call has failed. */
+cni_body *cni_check_body(cni_call *call, const char *field, cn_body body);
+cni_shape *cni_check_shape(cni_call *call, const char *field, cn_shape shape);
+cni_joint *cni_check_joint(cni_call *call, const char *field, cn_joint joint);
+
+/* ---- output lists: at most capacity handles are written, all are counted */
+
+typedef struct cni_list {
+	uint32_t *out;
+	int32_t capacity;
+	int32_t count;
+} cni_list;
+
+/* Checks capacity >= 0, out (NULL only with capacity 0) and out_count. */
+cni_list cni_list_begin(cni_call *call, uint32_t *out, int32_t capacity, const int32_t *out_count);
+static inline void cni_list_add(cni_list *list, uint32_t handle)
+{
+	if (list->count < list->capacity)
+		list->out[list->count] = handle;
+	++list->count;
+}
+
+/* ---- index and handle of records whose handle passed a check */
+
+static inline int32_t cni_index_of(uint32_t handle) { return (int32_t)(handle & 0xFFFFFu); }
+/* CNI_NONE gives 0. */
+static inline uint32_t cni_handle_or_zero(const cni_handles *handles, int32_t index)
+{
+	return index == CNI_NONE ? 0u : cni_handles_of(handles, index);
+}
+
+/* Makes extra slots certain in a handle table and the records behind it. */
+cn_result cni_slots_reserve(cn_world *world, cni_handles *handles, cni_table *records, int32_t extra);
+
+#endif

@@ -1,0 +1,218 @@
+/*
+ * world/joint.c - public functions on any joint: what it connects and does, flags, motor, limits.
+ * What is particular to a type is in joint_create.c.
+ */
+#include "world/joint_change.h"
+
+/* ------------------------------------------------------------------ changing */
+
+void cni_check_joint_limits(cni_call *call, int32_t type, float lower, float upper)
+{
+	if (type == CN_JOINT_REVOLUTE) {
+		cni_check_range(call, "lower angle", lower, -CNI_PI, CNI_PI);
+		cni_check_range(call, "upper angle", upper, -CNI_PI, CNI_PI);
+	} else {
+		cni_check_at_least(call, "least length", lower, 0.0f);
+		cni_check_at_least(call, "greatest length", upper, 0.0f);
+	}
+	if (lower > upper)
+		cni_refuse_float(call, "lower limit", lower, "must not be above the upper one");
+}
+
+void cni_joint_change_reserve(cni_call *call, cn_world *world, const cni_joint *j)
+{
+	int32_t contacts = j->body[0] != CNI_NONE ? cni_body_at(world, j->body[0])->contact_count : 0;
+	if (call->result == CN_OK)
+		cni_check_reserved(call, cni_contact_reserve_end(world, contacts), "events of contacts");
+	if (call->result == CN_OK && !cni_island_reserve(world, 1))
+		cni_refuse(call, CN_ERROR_MEMORY, "no memory for islands");
+}
+
+static void wake_bodies(cn_world *world, const cni_joint *j)
+{
+	int32_t side;
+	for (side = 0; side < 2; ++side)
+		if (j->body[side] != CNI_NONE)
+			cni_body_wake(world, j->body[side]);
+}
+
+/* A row that comes back later starts from nothing. */
+static void forget_missing_rows(const cn_world *world, cni_joint *j)
+{
+	cni_joint_frame frame = cni_joint_frame_make(world, j);
+	cni_row rows[CNI_JOINT_ROWS];
+	int32_t count = cni_joint_type_of(j->type)->rows(j, &frame, rows), slot, k;
+	for (slot = 0; slot < CNI_JOINT_ROWS; ++slot) {
+		int32_t present = 0;
+		for (k = 0; k < count; ++k)
+			present |= rows[k].slot == slot;
+		if (!present)
+			j->impulse[slot] = 0.0f;
+	}
+}
+
+void cni_joint_change_flags(cn_world *world, int32_t joint, uint32_t flags)
+{
+	cni_joint *j = cni_joint_at(world, joint);
+	if ((j->flags ^ flags) & CN_JOINT_COLLIDE) {
+		cni_joint_unlink(world, joint);
+		j->flags = flags;
+		cni_joint_link(world, joint);
+	}
+	j->flags = flags;
+	forget_missing_rows(world, j);
+	wake_bodies(world, j);
+}
+
+cn_result cn_joint_set_flags(cn_world *world, cn_joint joint, uint32_t flags)
+{
+	cni_call call = cni_enter(world, __func__);
+	const cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_check_flags(&call, "flags", flags, CNI_JOINT_FLAGS);
+	if (call.result != CN_OK)
+		return call.result;
+	cni_joint_change_reserve(&call, world, j);
+	if (call.result == CN_OK)
+		cni_joint_change_flags(world, cni_index_of(joint), flags);
+	return call.result;
+}
+
+cn_result cn_joint_set_motor(cn_world *world, cn_joint joint, float speed, float force_or_torque_max)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_check_finite(&call, "speed", speed);
+	cni_check_at_least(&call, "force_or_torque_max", force_or_torque_max, 0.0f);
+	if (call.result != CN_OK)
+		return call.result;
+	j->p[CNI_P_MOTOR_SPEED] = speed;
+	j->p[CNI_P_MOTOR_MAX] = force_or_torque_max;
+	wake_bodies(world, j);
+	return CN_OK;
+}
+
+cn_result cn_joint_set_limits(cn_world *world, cn_joint joint, float lower, float upper)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_joint *j = cni_check_joint(&call, "joint", joint);
+	if (call.result == CN_OK)
+		cni_check_joint_limits(&call, j->type, lower, upper);
+	if (call.result != CN_OK)
+		return call.result;
+	j->p[CNI_P_LOWER] = lower;
+	j->p[CNI_P_UPPER] = upper;
+	wake_bodies(world, j);
+	return CN_OK;
+}
+
+cn_result cn_joint_set_user_data(cn_world *world, cn_joint joint, uint64_t user_data)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_joint *j = cni_check_joint(&call, "joint", joint);
+	if (call.result == CN_OK)
+		j->user_data = user_data;
+	return call.result;
+}
+
+/* ------------------------------------------------------------------ reading */
+
+int32_t cn_joint_is_valid(const cn_world *world, cn_joint joint)
+{
+	return world != NULL && cni_handles_find(&world->joint_handles, joint) != CNI_NONE;
+}
+
+cn_result cn_joint_get_type(const cn_world *world, cn_joint joint, int32_t *out_type)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_check_pointer(&call, "out_type", out_type);
+	if (call.result == CN_OK)
+		*out_type = j->type;
+	return call.result;
+}
+
+cn_result cn_joint_get_bodies(const cn_world *world, cn_joint joint, cn_body *out_a, cn_body *out_b)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_check_pointer(&call, "out_a", out_a);
+	cni_check_pointer(&call, "out_b", out_b);
+	if (call.result != CN_OK)
+		return call.result;
+	*out_a = cni_handle_or_zero(&world->body_handles, j->body[0]);
+	*out_b = cni_handle_or_zero(&world->body_handles, j->body[1]);
+	return CN_OK;
+}
+
+cn_result cn_joint_get_anchors(const cn_world *world, cn_joint joint, cn_vec2 *out_world_a_m, cn_vec2 *out_world_b_m)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_check_pointer(&call, "out_world_a_m", out_world_a_m);
+	cni_check_pointer(&call, "out_world_b_m", out_world_b_m);
+	if (call.result == CN_OK)
+		cni_joint_anchors(world, j, out_world_a_m, out_world_b_m);
+	return call.result;
+}
+
+cn_result cn_joint_get_reaction(const cn_world *world, cn_joint joint, cn_vec2 *out_force_N, float *out_torque_Nm)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_check_pointer(&call, "out_force_N", out_force_N);
+	cni_check_pointer(&call, "out_torque_Nm", out_torque_Nm);
+	if (call.result == CN_OK)
+		cni_joint_reaction(world, j, out_force_N, out_torque_Nm);
+	return call.result;
+}
+
+cn_result cn_joint_get_error(const cn_world *world, cn_joint joint, float *out_m, float *out_rad)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_check_pointer(&call, "out_m", out_m);
+	cni_check_pointer(&call, "out_rad", out_rad);
+	if (call.result == CN_OK)
+		cni_joint_error(world, j, out_m, out_rad);
+	return call.result;
+}
+
+cn_result cn_joint_get_user_data(const cn_world *world, cn_joint joint, uint64_t *out_user_data)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_check_pointer(&call, "out_user_data", out_user_data);
+	if (call.result == CN_OK)
+		*out_user_data = j->user_data;
+	return call.result;
+}
+
+cn_result cn_joint_get_flags(const cn_world *world, cn_joint joint, uint32_t *out_flags)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_check_pointer(&call, "out_flags", out_flags);
+	if (call.result == CN_OK)
+		*out_flags = j->flags;
+	return call.result;
+}
+
+cn_result cn_joint_get_position(const cn_world *world, cn_joint joint, float *out_position)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_check_pointer(&call, "out_position", out_position);
+	if (call.result == CN_OK)
+		*out_position = cni_joint_position(world, j);
+	return call.result;
+}
+
+cn_result cn_joint_get_speed(const cn_world *world, cn_joint joint, float *out_speed)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_check_pointer(&call, "out_speed", out_speed);
+	if (call.result == CN_OK)
+		*out_speed = cni_joint_speed(world, j);
+	return call.result;
+}

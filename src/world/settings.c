@@ -1,0 +1,210 @@
+/*
+ * world/settings.c - the world's own numbers: settings that may change while it lives, and what it counts
+ * and measures. Writes world->settings and user_data; wakes bodies where a setting asks for it.
+ */
+#include "world/error.h"
+
+#include <string.h>
+
+static void wake_all(cn_world *world)
+{
+	int32_t used = cni_handles_used(&world->body_handles), body;
+	for (body = 0; body < used; ++body)
+		if (cni_handles_alive(&world->body_handles, body))
+			cni_body_wake(world, body);
+}
+
+cn_result cn_world_set_gravity(cn_world *world, cn_vec2 gravity_mps2)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_check_finite2(&call, "gravity_mps2", gravity_mps2);
+	if (call.result != CN_OK)
+		return call.result;
+	if (gravity_mps2.x != world->settings.gravity.x || gravity_mps2.y != world->settings.gravity.y)
+		wake_all(world);
+	world->settings.gravity = gravity_mps2;
+	return CN_OK;
+}
+
+cn_result cn_world_get_gravity(const cn_world *world, cn_vec2 *out_mps2)
+{
+	cni_call call = cni_enter_const(world);
+	cni_check_pointer(&call, "out_mps2", out_mps2);
+	if (call.result == CN_OK)
+		*out_mps2 = world->settings.gravity;
+	return call.result;
+}
+
+cn_result cn_world_set_substep_count(cn_world *world, int32_t count)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_check_range_int(&call, "count", count, 1, 64);
+	if (call.result == CN_OK)
+		world->settings.substeps = count;
+	return call.result;
+}
+
+cn_result cn_world_get_substep_count(const cn_world *world, int32_t *out_count)
+{
+	cni_call call = cni_enter_const(world);
+	cni_check_pointer(&call, "out_count", out_count);
+	if (call.result == CN_OK)
+		*out_count = world->settings.substeps;
+	return call.result;
+}
+
+cn_result cn_world_set_flags(cn_world *world, uint32_t flags)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_check_flags(&call, "flags", flags, CN_WORLD_SLEEP | CN_WORLD_WARM_START | CN_WORLD_PROFILE);
+	if (call.result != CN_OK)
+		return call.result;
+	if ((world->settings.flags & CN_WORLD_SLEEP) && !(flags & CN_WORLD_SLEEP))
+		wake_all(world);
+	world->settings.flags = flags;
+	return CN_OK;
+}
+
+cn_result cn_world_get_flags(const cn_world *world, uint32_t *out_flags)
+{
+	cni_call call = cni_enter_const(world);
+	cni_check_pointer(&call, "out_flags", out_flags);
+	if (call.result == CN_OK)
+		*out_flags = world->settings.flags;
+	return call.result;
+}
+
+cn_result cn_world_set_restitution_threshold(cn_world *world, float speed_mps)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_check_at_least(&call, "speed_mps", speed_mps, 0.0f);
+	if (call.result == CN_OK)
+		world->settings.restitution_threshold = speed_mps;
+	return call.result;
+}
+
+cn_result cn_world_set_speed_limits(cn_world *world, float linear_mps, float angular_radps)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_check_positive(&call, "linear_mps", linear_mps);
+	cni_check_positive(&call, "angular_radps", angular_radps);
+	if (call.result != CN_OK)
+		return call.result;
+	world->settings.linear_speed_max = linear_mps;
+	world->settings.angular_speed_max = angular_radps;
+	return CN_OK;
+}
+
+cn_result cn_world_set_sleep(cn_world *world, float speed_mps, float delay_s)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_check_at_least(&call, "speed_mps", speed_mps, 0.0f);
+	cni_check_at_least(&call, "delay_s", delay_s, 0.0f);
+	if (call.result != CN_OK)
+		return call.result;
+	world->settings.sleep_speed = speed_mps;
+	world->settings.sleep_delay = delay_s;
+	return CN_OK;
+}
+
+cn_result cn_world_set_user_data(cn_world *world, uint64_t user_data)
+{
+	cni_call call = cni_enter(world, __func__);
+	if (call.result == CN_OK)
+		world->user_data = user_data;
+	return call.result;
+}
+
+cn_result cn_world_get_user_data(const cn_world *world, uint64_t *out_user_data)
+{
+	cni_call call = cni_enter_const(world);
+	cni_check_pointer(&call, "out_user_data", out_user_data);
+	if (call.result == CN_OK)
+		*out_user_data = world->user_data;
+	return call.result;
+}
+
+/* ------------------------------------------------------------------ counters */
+
+/* Islands have records from two bodies on; a dynamic body alone is an island too. */
+static void count_islands(const cn_world *world, cn_counters *out)
+{
+	int32_t used = cni_handles_used(&world->body_handles), k;
+	for (k = 0; k < used; ++k) {
+		const cni_body *b;
+		if (!cni_handles_alive(&world->body_handles, k))
+			continue;
+		b = cni_body_at(world, k);
+		if (b->type != CN_BODY_DYNAMIC || !(b->flags & CN_BODY_ENABLED) || b->island != CNI_NONE)
+			continue;
+		++out->islands;
+		out->islands_awake += b->awake != 0;
+	}
+	out->islands += world->island_count;
+	for (k = 0; k < world->island_used; ++k) {
+		const cni_island *island = cni_island_at(world, k);
+		out->islands_awake += island->first != CNI_NONE && island->awake;
+	}
+}
+
+static void count_contacts(const cn_world *world, cn_counters *out)
+{
+	int32_t color;
+	out->contacts = world->contact_count;
+	out->contacts_awake = world->awake_contacts.count;
+	out->contacts_touching = world->touching_count;
+	for (color = 0; color < CNI_COLOR_OVERFLOW; ++color)
+		out->colors_used += world->colors[color].lanes > 0;
+	out->overflow_contacts = world->colors[CNI_COLOR_OVERFLOW].lanes;
+}
+
+cn_result cn_world_get_counters(const cn_world *world, cn_counters *out)
+{
+	cni_call call = cni_enter_const(world);
+	cni_check_pointer(&call, "out", out);
+	if (call.result != CN_OK)
+		return call.result;
+	memset(out, 0, sizeof *out);
+	out->bodies = world->body_handles.count;
+	out->bodies_awake = world->awake_count - 1;
+	out->shapes = world->shape_handles.count;
+	out->proxies = world->proxy_count;
+	count_contacts(world, out);
+	out->joints = world->joint_handles.count;
+	out->joints_awake = world->awake_joints.count;
+	count_islands(world, out);
+	out->broadphase_tiles = world->broadphase_ops->cells(world->broadphase);
+	out->steps = world->step_count;
+	out->warnings = world->warnings;
+	out->pairs_not_added = world->pairs_not_added;
+	out->events_not_reported = world->events_not_reported;
+	return CN_OK;
+}
+
+cn_result cn_world_get_profile(const cn_world *world, cn_profile *out)
+{
+	cni_call call = cni_enter_const(world);
+	cni_check_pointer(&call, "out", out);
+	if (call.result == CN_OK)
+		*out = world->profile;
+	return call.result;
+}
+
+cn_result cn_world_get_memory_stats(const cn_world *world, cn_memory_stats *out)
+{
+	cni_call call = cni_enter_const(world);
+	cni_check_pointer(&call, "out", out);
+	if (call.result != CN_OK)
+		return call.result;
+	memset(out, 0, sizeof *out);
+	out->bytes_in_use = world->memory.bytes_in_use;
+	out->bytes_peak = world->memory.bytes_peak;
+	out->allocator_calls = world->memory.calls;
+	out->arena_capacity = world->arena.capacity;
+	out->arena_peak = world->arena.high_water;
+	out->arena_fallbacks = world->arena.fallbacks;
+	out->blocks_capacity = world->blocks.bytes_in_chunks;
+	out->blocks_in_use = world->blocks.bytes_in_use;
+	out->blocks_large = world->blocks.bytes_large;
+	return CN_OK;
+}

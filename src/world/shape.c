@@ -1,0 +1,293 @@
+/*
+ * world/shape.c - public functions on a shape's life and properties: attaching, detaching, destroying,
+ * material, density, filter, events, user data.
+ *
+ * Whatever takes a shape's boxes away ends its contacts, so room for their events is reserved first.
+ */
+#include "world/error.h"
+
+#define EVENT_MASK ((1u << CN_EVENT_KINDS) - 1u)
+
+/* ------------------------------------------------------------------ attaching */
+
+cn_result cn_shape_attach(cn_world *world, cn_shape shape, cn_body body)
+{
+	cni_call call = cni_enter(world, __func__);
+	const cni_shape *s = cni_check_shape(&call, "shape", shape);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	if (call.result == CN_OK && s->body != CNI_NONE)
+		cni_refuse(&call, CN_ERROR_STATE, "the shape is attached already");
+	if (call.result != CN_OK)
+		return call.result;
+	cni_shape_link(world, cni_index_of(shape), cni_index_of(body));
+	if (b->flags & CN_BODY_ENABLED)
+		cni_check_reserved(&call, cni_shape_place(world, cni_index_of(shape)), "the shape's boxes");
+	if (call.result != CN_OK) {
+		cni_shape_unlink(world, cni_index_of(shape));
+		return call.result;
+	}
+	cni_body_update_mass(world, cni_index_of(body));
+	cni_body_wake(world, cni_index_of(body));
+	return CN_OK;
+}
+
+/* Takes an attached shape off its body. After cni_contact_reserve_end. */
+static void shape_leave_body(cn_world *world, int32_t shape)
+{
+	int32_t body = cni_shape_at(world, shape)->body;
+	cni_body_wake(world, body);
+	cni_shape_unplace(world, shape);
+	cni_shape_unlink(world, shape);
+	cni_body_update_mass(world, body);
+}
+
+static void reserve_leave(cni_call *call, cn_world *world, const cni_shape *s)
+{
+	if (call->result == CN_OK && s->body != CNI_NONE)
+		cni_check_reserved(call, cni_contact_reserve_end(world, cni_body_at(world, s->body)->contact_count), "events of its contacts");
+}
+
+cn_result cn_shape_detach(cn_world *world, cn_shape shape)
+{
+	cni_call call = cni_enter(world, __func__);
+	const cni_shape *s = cni_check_shape(&call, "shape", shape);
+	if (call.result == CN_OK && s->body == CNI_NONE)
+		cni_refuse(&call, CN_ERROR_STATE, "the shape is not attached");
+	reserve_leave(&call, world, s);
+	if (call.result == CN_OK)
+		shape_leave_body(world, cni_index_of(shape));
+	return call.result;
+}
+
+cn_result cn_shape_destroy(cn_world *world, cn_shape shape)
+{
+	cni_call call = cni_enter(world, __func__);
+	const cni_shape *s = cni_check_shape(&call, "shape", shape);
+	reserve_leave(&call, world, s);
+	if (call.result != CN_OK)
+		return call.result;
+	if (s->body != CNI_NONE)
+		shape_leave_body(world, cni_index_of(shape));
+	cni_blocks_free(&world->blocks, s->geometry, s->geometry_bytes);
+	cni_handles_release(&world->shape_handles, cni_index_of(shape));
+	return CN_OK;
+}
+
+int32_t cn_shape_is_valid(const cn_world *world, cn_shape shape)
+{
+	return world != NULL && cni_handles_find(&world->shape_handles, shape) != CNI_NONE;
+}
+
+cn_result cn_shape_get_type(const cn_world *world, cn_shape shape, int32_t *out_type)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_shape *s = cni_check_shape(&call, "shape", shape);
+	cni_check_pointer(&call, "out_type", out_type);
+	if (call.result == CN_OK)
+		*out_type = s->type;
+	return call.result;
+}
+
+cn_result cn_shape_get_body(const cn_world *world, cn_shape shape, cn_body *out_body)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_shape *s = cni_check_shape(&call, "shape", shape);
+	cni_check_pointer(&call, "out_body", out_body);
+	if (call.result == CN_OK)
+		*out_body = cni_handle_or_zero(&world->body_handles, s->body);
+	return call.result;
+}
+
+/* ------------------------------------------------------------------ its contacts */
+
+static int32_t contact_has_shape(const cn_world *world, const cni_contact *c, int32_t shape)
+{
+	return cni_proxy_at(world, c->proxy[0])->shape == shape || cni_proxy_at(world, c->proxy[1])->shape == shape;
+}
+
+/* First key at or behind key in the body's contact list whose contact involves the shape. */
+static int32_t contact_key_of_shape(const cn_world *world, int32_t key, int32_t shape)
+{
+	while (key != CNI_NONE && !contact_has_shape(world, cni_contact_of_key(world, key), shape))
+		key = cni_contact_of_key(world, key)->next[key & 1];
+	return key;
+}
+
+static int32_t first_contact(const cn_world *world, int32_t shape)
+{
+	const cni_shape *s = cni_shape_at(world, shape);
+	return s->body == CNI_NONE ? CNI_NONE : contact_key_of_shape(world, cni_body_at(world, s->body)->contact_first, shape);
+}
+
+static int32_t next_contact(const cn_world *world, int32_t key, int32_t shape)
+{
+	return contact_key_of_shape(world, cni_contact_of_key(world, key)->next[key & 1], shape);
+}
+
+static void wake_touching(cn_world *world, const cni_contact *c)
+{
+	if (!(c->flags & CNI_CONTACT_TOUCHING))
+		return;
+	cni_body_wake(world, c->body[0]);
+	cni_body_wake(world, c->body[1]);
+}
+
+/* ------------------------------------------------------------------ material and density */
+
+cn_result cn_shape_set_material(cn_world *world, cn_shape shape, const cn_material *material)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_shape *s = cni_check_shape(&call, "shape", shape);
+	int32_t index = cni_index_of(shape), key;
+	cni_check_pointer(&call, "material", material);
+	if (call.result == CN_OK)
+		cni_check_material(&call, material);
+	if (call.result != CN_OK)
+		return call.result;
+	s->static_friction = material->static_friction;
+	s->dynamic_friction = material->dynamic_friction;
+	s->restitution = material->restitution;
+	for (key = first_contact(world, index); key != CNI_NONE; key = next_contact(world, key, index)) {
+		cni_contact_of_key(world, key)->flags |= CNI_CONTACT_REFRESH;
+		wake_touching(world, cni_contact_of_key(world, key));
+	}
+	return CN_OK;
+}
+
+cn_result cn_shape_get_material(const cn_world *world, cn_shape shape, cn_material *out)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_shape *s = cni_check_shape(&call, "shape", shape);
+	cni_check_pointer(&call, "out", out);
+	if (call.result != CN_OK)
+		return call.result;
+	out->static_friction = s->static_friction;
+	out->dynamic_friction = s->dynamic_friction;
+	out->restitution = s->restitution;
+	out->reserved = 0.0f;
+	return CN_OK;
+}
+
+cn_result cn_shape_set_density(cn_world *world, cn_shape shape, float density_kgpm2)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_shape *s = cni_check_shape(&call, "shape", shape);
+	cni_check_at_least(&call, "density_kgpm2", density_kgpm2, 0.0f);
+	if (call.result == CN_OK)
+		cni_check_shape_mass(&call, cni_geometry_mass(cni_shape_geometry(&world->blocks, s), density_kgpm2));
+	if (call.result != CN_OK)
+		return call.result;
+	s->density = density_kgpm2;
+	if (s->body != CNI_NONE) {
+		cni_body_update_mass(world, s->body);
+		cni_body_wake(world, s->body);
+	}
+	return CN_OK;
+}
+
+cn_result cn_shape_get_density(const cn_world *world, cn_shape shape, float *out_kgpm2)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_shape *s = cni_check_shape(&call, "shape", shape);
+	cni_check_pointer(&call, "out_kgpm2", out_kgpm2);
+	if (call.result == CN_OK)
+		*out_kgpm2 = s->density;
+	return call.result;
+}
+
+/* ------------------------------------------------------------------ filter and events */
+
+static void end_forbidden_contacts(cn_world *world, int32_t shape)
+{
+	int32_t key = first_contact(world, shape);
+	while (key != CNI_NONE) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		int32_t contact = key >> 1;
+		key = next_contact(world, key, shape);
+		if (cni_filter_allows(cni_shape_at(world, cni_proxy_at(world, c->proxy[0])->shape), cni_shape_at(world, cni_proxy_at(world, c->proxy[1])->shape)))
+			continue;
+		wake_touching(world, c);
+		cni_contact_destroy(world, contact);
+	}
+}
+
+cn_result cn_shape_set_filter(cn_world *world, cn_shape shape, const cn_filter *filter)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_shape *s = cni_check_shape(&call, "shape", shape);
+	cni_check_pointer(&call, "filter", filter);
+	reserve_leave(&call, world, s);
+	if (call.result != CN_OK)
+		return call.result;
+	s->category = filter->category;
+	s->mask = filter->mask;
+	s->group = filter->group;
+	end_forbidden_contacts(world, cni_index_of(shape));
+	cni_shape_look_again(world, cni_index_of(shape));
+	return CN_OK;
+}
+
+cn_result cn_shape_get_filter(const cn_world *world, cn_shape shape, cn_filter *out)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_shape *s = cni_check_shape(&call, "shape", shape);
+	cni_check_pointer(&call, "out", out);
+	if (call.result != CN_OK)
+		return call.result;
+	out->category = s->category;
+	out->mask = s->mask;
+	out->group = s->group;
+	out->reserved = 0;
+	return CN_OK;
+}
+
+/* A contact reports what either of its shapes asks for. */
+static void contact_refresh_mask(const cn_world *world, cni_contact *c)
+{
+	uint32_t mask = cni_shape_at(world, cni_proxy_at(world, c->proxy[0])->shape)->event_mask |
+	                cni_shape_at(world, cni_proxy_at(world, c->proxy[1])->shape)->event_mask;
+	c->flags = (c->flags & ~(EVENT_MASK << CNI_CONTACT_EVENTS_SHIFT)) | mask << CNI_CONTACT_EVENTS_SHIFT;
+}
+
+cn_result cn_shape_set_event_mask(cn_world *world, cn_shape shape, uint32_t event_mask)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_shape *s = cni_check_shape(&call, "shape", shape);
+	int32_t index = cni_index_of(shape), key;
+	cni_check_flags(&call, "event_mask", event_mask, EVENT_MASK);
+	if (call.result != CN_OK)
+		return call.result;
+	s->event_mask = event_mask;
+	for (key = first_contact(world, index); key != CNI_NONE; key = next_contact(world, key, index))
+		contact_refresh_mask(world, cni_contact_of_key(world, key));
+	return CN_OK;
+}
+
+cn_result cn_shape_get_event_mask(const cn_world *world, cn_shape shape, uint32_t *out_event_mask)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_shape *s = cni_check_shape(&call, "shape", shape);
+	cni_check_pointer(&call, "out_event_mask", out_event_mask);
+	if (call.result == CN_OK)
+		*out_event_mask = s->event_mask;
+	return call.result;
+}
+
+cn_result cn_shape_set_user_data(cn_world *world, cn_shape shape, uint64_t user_data)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_shape *s = cni_check_shape(&call, "shape", shape);
+	if (call.result == CN_OK)
+		s->user_data = user_data;
+	return call.result;
+}
+
+cn_result cn_shape_get_user_data(const cn_world *world, cn_shape shape, uint64_t *out_user_data)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_shape *s = cni_check_shape(&call, "shape", shape);
+	cni_check_pointer(&call, "out_user_data", out_user_data);
+	if (call.result == CN_OK)
+		*out_user_data = s->user_data;
+	return call.result;
+}

@@ -1,0 +1,47 @@
+#!/bin/sh
+# usage: run.sh output-folder executable...
+# Runs every test executable from the top folder, JOBS at a time, shows their output in a fixed
+# order, and ends with one line "N passed, N failed, N skipped" summed over all. An executable that
+# crashes, runs out of time or does not print its own final line counts as one failure.
+set -u
+output=$1
+shift
+jobs=${JOBS:-1}
+limit=${TEST_TIMEOUT_S:-600}
+rm -rf "$output"
+mkdir -p "$output"
+[ $# -gt 0 ] || { echo "0 passed, 0 failed, 0 skipped"; exit 0; }
+
+command -v timeout >/dev/null 2>&1 && guard="timeout $limit" || guard=
+# Each run leaves <name>.txt and <name>.code.
+printf '%s\n' "$@" | GUARD="$guard" OUTPUT="$output" xargs -P "$jobs" -n 1 sh -c '
+	name=$(echo "$1" | tr / _)
+	$GUARD "$1" > "$OUTPUT/$name.txt" 2>&1
+	echo $? > "$OUTPUT/$name.code"
+' sh
+
+passed=0 failed=0 skipped=0
+broken=
+for test in "$@"; do
+	name=$(echo "$test" | tr / _)
+	code=$(cat "$output/$name.code")
+	echo "== $test"
+	cat "$output/$name.txt"
+	line=$(grep -aE '^[0-9]+ passed, [0-9]+ failed, [0-9]+ skipped$' "$output/$name.txt" | tail -n 1)
+	if [ -z "$line" ]; then
+		echo "FAIL $test ended with code $code before its last line"
+		line="0 passed, 1 failed, 0 skipped"
+	fi
+	# shellcheck disable=SC2086
+	set_counts() { p=$1 f=$3 s=$5; }
+	set_counts $line
+	if [ "$code" != 0 ] && [ "$f" = 0 ]; then
+		echo "FAIL $test ended with code $code"
+		f=1
+	fi
+	[ "$f" = 0 ] || broken="$broken $test"
+	passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
+done
+[ -z "$broken" ] || echo "failed in:$broken"
+echo "$passed passed, $failed failed, $skipped skipped"
+[ "$failed" = 0 ]

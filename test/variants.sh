@@ -1,0 +1,89 @@
+#!/bin/sh
+# usage: variants.sh build-folder
+# The test suite as `make test` runs it, then under sanitizers and under compilers and options that
+# must all give the same bits (tests hold golden hashes), then checks of the sources. Every suite is a
+# full run in a build folder of its own. Ends with one summed line "N passed, N failed, N skipped".
+set -u
+build=$1
+cores=$(nproc 2>/dev/null || echo 2)
+passed=0 failed=0 skipped=0
+report=
+mkdir -p "$build"
+
+add() { # label passed failed skipped
+	passed=$((passed + $2)) failed=$((failed + $3)) skipped=$((skipped + $4))
+	line=$(printf '%-18s %5d passed, %d failed, %d skipped' "$1" "$2" "$3" "$4")
+	report="$report$line
+"
+	echo "$line"
+}
+
+suite() { # name compiler cflags defines
+	name=$1 compiler=$2 cflags=$3 defines=$4
+	if ! command -v "$compiler" >/dev/null 2>&1; then
+		echo "$compiler is not installed (see .ci/deps)"
+		add "$name" 0 0 1
+		return
+	fi
+	started=$(date +%s)
+	${MAKE:-make} -s -j"$cores" test BUILD="$build/$name" CC="$compiler" CFLAGS= TEST_CFLAGS="$cflags" TEST_DEFINES="$defines" \
+		JOBS="$cores" > "$build/$name.log" 2>&1
+	code=$?
+	line=$(grep -aE '^[0-9]+ passed, [0-9]+ failed, [0-9]+ skipped$' "$build/$name.log" | tail -n 1)
+	if [ -z "$line" ] || { [ $code != 0 ] && [ "${line#*, 0 failed}" != "$line" ]; }; then
+		tail -n 40 "$build/$name.log"
+		line="0 passed, 1 failed, 0 skipped"
+	elif [ $code != 0 ]; then
+		grep -aE -B 8 '^FAIL|ERROR: .*Sanitizer|runtime error|WARNING: MemorySanitizer|invariant broken' "$build/$name.log" | head -n 120
+		grep -a '^failed in:' "$build/$name.log"
+	fi
+	echo "$name: $(($(date +%s) - started)) s"
+	# shellcheck disable=SC2086
+	set -- $line
+	add "$name" "$1" "$3" "$5"
+}
+
+check() { # name command...
+	name=$1
+	shift
+	if "$@" > "$build/$name.log" 2>&1; then
+		add "$name" 1 0 0
+	else
+		cat "$build/$name.log"
+		add "$name" 0 1 0
+	fi
+}
+
+header_in_cxx() {
+	for standard in c++11 c++20; do
+		g++ -std=$standard -pedantic -Wall -Wextra -Werror -fsyntax-only -x c++ include/cairn.h || return 1
+	done
+}
+header_without_padding() { gcc -std=c99 -pedantic -Wall -Wextra -Wpadded -Werror -fsyntax-only -x c include/cairn.h; }
+# The shared library exports what the header declares and nothing else.
+exports() {
+	${MAKE:-make} -s -j"$cores" all BUILD="$build/release-check" || return 1
+	nm -D --defined-only "$build/release-check/libcairn.so" | awk '{ print $3 }' | sed 's/@.*//' | sort > "$build/exported.txt"
+	gcc -std=c99 -E -P include/cairn.h | tr '\n' ' ' | tr ';' '\n' | grep 'visibility("default")' |
+		sed 's/(("default"))//' | grep -oE 'cn_[a-z0-9_]+ *\(' | sed 's/ *(//' | sort -u > "$build/declared.txt"
+	diff "$build/declared.txt" "$build/exported.txt"
+}
+
+slow='-DCNI_DEBUG -DTEST_SLOW'
+sanitize='-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all'
+suite gcc-O2 gcc '-O2 -g' -DCNI_DEBUG
+suite clang-address clang-19 "$sanitize -fsanitize=address,undefined" "$slow"
+suite clang-memory clang-19 "$sanitize -fsanitize=memory -fsanitize-memory-track-origins" "$slow"
+suite gcc-O0 gcc '-O0' "$slow"
+suite gcc-O3-native gcc '-O3 -march=native' ''
+suite clang-O2 clang-19 '-O2' -DCNI_DEBUG
+suite clang-O3 clang-19 '-O3' ''
+if command -v g++ >/dev/null 2>&1; then check header-cxx header_in_cxx; else add header-cxx 0 0 1; fi
+check header-padding header_without_padding
+check exports exports
+check check-deps sh test/check_deps.sh
+
+echo "---"
+printf '%s' "$report"
+echo "$passed passed, $failed failed, $skipped skipped"
+[ "$failed" = 0 ]
