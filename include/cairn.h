@@ -376,7 +376,8 @@ CN_API cn_result cn_body_get_flags(const cn_world *world, cn_body body, uint32_t
    to static and disabled bodies. O(island). */
 CN_API cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake);
 
-/* Teleport: origin and angle; velocities stay. Contacts that no longer overlap leave on the next step. Wakes. */
+/* Teleport: origin and angle; velocities stay. Contacts that are no longer near end (the next step
+   reports it). Wakes the body and what is near it. O(contacts + shapes). */
 CN_API cn_result cn_body_set_pose(cn_world *world, cn_body body, cn_vec2 position_m, float angle_rad);
 CN_API cn_result cn_body_get_pose(const cn_world *world, cn_body body, cn_pose *out);
 /* In (-pi, pi]. */
@@ -609,7 +610,7 @@ typedef struct cn_contact_event {
 	uint32_t contact_id;        /* the same from CREATED to DESTROYED, then reused */
 	int32_t kind;               /* CN_EVENT_* */
 	float approach_speed_mps;   /* ENTER: closing speed along the normal before the impact; else 0 */
-	cn_manifold manifold;       /* as of the end of the step; no points for CREATED and DESTROYED */
+	cn_manifold manifold;       /* geometry as the step found it, impulses as it left them; points only for ENTER and STAY */
 } cn_contact_event;
 
 /* The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. They are

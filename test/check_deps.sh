@@ -6,8 +6,6 @@
 #  - Stages do not know each other: a file in stages/ includes a header of stages/ only if that header
 #    is of its own family (same first word of the name) or is shared, that is, there is no .c file of
 #    the header's whole name.
-#  - stages/broadphase.h is the one stage header that lower layers may see: it is an interface, its
-#    implementations are chosen by the world.
 #  - Examples use the public header only.
 set -u
 cd "$(dirname "$0")/.." || exit 2
@@ -39,7 +37,6 @@ BEGIN {
 		complain("write the path from src/")
 		next
 	}
-	if (included == "stages/broadphase.h") next
 	if (theirs > mine) complain("a higher layer")
 	source = included
 	sub(/\.h$/, ".c", source)

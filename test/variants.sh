@@ -4,6 +4,7 @@
 # must all give the same bits (tests hold golden hashes), then checks of the sources. Every suite is a
 # full run in a build folder of its own. Ends with one summed line "N passed, N failed, N skipped".
 set -u
+unset MAKEFLAGS MFLAGS MAKELEVEL # a make of its own, not a part of the one that called
 build=$1
 cores=$(nproc 2>/dev/null || echo 2)
 passed=0 failed=0 skipped=0
@@ -69,6 +70,21 @@ exports() {
 	diff "$build/declared.txt" "$build/exported.txt"
 }
 
+# No fused multiply-add where the processor has one: gcc's vectoriser makes them from "addsub" pairs even
+# with -ffp-contract=off (a x - b y beside b x + a y, as in a rotation), which changes bits.
+no_fused_operations() {
+	for arch in x86-64-v3 icelake-server; do
+		for file in src/*/*.c; do
+			gcc -std=c99 -O3 -march=$arch -ffp-contract=off -Iinclude -Isrc -S -o "$build/fused.s" "$file" || return 1
+			if grep -qE '[[:space:]]vfn?m(add|sub)' "$build/fused.s"; then
+				echo "$file has fused operations for $arch"
+				fused=1
+			fi
+		done
+	done
+	[ -z "${fused:-}" ]
+}
+
 slow='-DCNI_DEBUG -DTEST_SLOW'
 sanitize='-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all'
 suite gcc-O2 gcc '-O2 -g' -DCNI_DEBUG
@@ -81,6 +97,7 @@ suite clang-O3 clang-19 '-O3' ''
 if command -v g++ >/dev/null 2>&1; then check header-cxx header_in_cxx; else add header-cxx 0 0 1; fi
 check header-padding header_without_padding
 check exports exports
+if [ "$(uname -m)" = x86_64 ]; then check no-fused no_fused_operations; else add no-fused 0 0 1; fi
 check check-deps sh test/check_deps.sh
 
 echo "---"

@@ -86,8 +86,8 @@ static void add_wheel(scene_run *run, cn_body chassis, cn_vec2 hub_m, cn_vec2 ch
 	scene_join_motor(run, chassis, hub_m, wheel, scene_vec(0.0f, 0.0f), -14.0f, 5.0f);
 }
 
-/* A small see-saw and a few crates on the way. */
-static void add_obstacles(scene_run *run)
+/* A plank on a pivot, its near end on the ground. */
+static void add_seesaw(scene_run *run)
 {
 	const cn_vec2 pivot_m = {1.0f, 0.35f};
 	cn_body_def plank_def;
@@ -99,10 +99,6 @@ static void add_obstacles(scene_run *run)
 	scene_box(run, &def, 2.2f, 0.05f, 0.0f);
 	cn_revolute_def pivot = scene_revolute(0, pivot_m, plank, scene_vec(0.0f, 0.0f));
 	scene_join(run, &pivot);
-	for (int32_t i = 0; i < 6; ++i) {
-		float x = 26.0f + 0.6f * (float)(i / 3);
-		scene_simple_box(run, x, terrain_height(x) + 0.35f + 0.52f * (float)(i % 3), 0.25f, 0.25f);
-	}
 }
 
 void scene_create_car(scene_run *run)
@@ -116,6 +112,6 @@ void scene_create_car(scene_run *run)
 		scene_check(run, cn_shape_create_polygon(run->world, &def, &hull, NULL));
 	add_wheel(run, chassis, scene_vec(-1.1f, -0.5f), start);
 	add_wheel(run, chassis, scene_vec(1.1f, -0.5f), start);
-	add_obstacles(run);
+	add_seesaw(run);
 	run->focus = chassis;
 }

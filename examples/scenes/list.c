@@ -18,7 +18,7 @@ static const scene scenes[] = {
 		VIEW(-50.0f, -7.0f, 50.0f, 24.0f), VIEW(-60.0f, -40.0f, 60.0f, 60.0f)},
 	{"mixer", "300 mixed shapes in a ring with a driven arm", scene_create_mixer, NULL, 450, 300, SCENE_DEMO, EARTH,
 		VIEW(-12.0f, -10.8f, 12.0f, 10.8f), VIEW(-11.0f, -11.0f, 11.0f, 11.0f)},
-	{"car", "A car with two driven wheels on one smooth chain", scene_create_car, NULL, 540, 0, SCENE_DEMO, EARTH,
+	{"car", "A car with two driven wheels on one smooth chain", scene_create_car, NULL, 600, 0, SCENE_DEMO, EARTH,
 		VIEW(-12.0f, -4.5f, 12.0f, 6.5f), VIEW(-25.0f, -10.0f, 185.0f, 50.0f)},
 	{"ragdolls", "36 ragdolls fall into a valley", scene_create_ragdolls, scene_step_ragdolls, 480, 36, SCENE_DEMO | SCENE_SLEEP, EARTH,
 		VIEW(-7.5f, -0.6f, 7.5f, 8.4f), VIEW(-8.0f, -2.0f, 8.0f, 40.0f)},

@@ -42,28 +42,33 @@ static int32_t chain_neighbour(const cni_geometry *g, int32_t index)
 	return index < 0 ? index + g->count : index - g->count;
 }
 
+static cni_vec2 normal_moved(const cni_manifold_input *in, cni_vec2 along)
+{
+	return cni_rotate(in->b_in_a.q, cni_normalize(cni_right_perp(along)));
+}
+
+/* Directions come from the chain's own points, which keep more digits than the moved ones. */
 static cni_chain_edge chain_edge(const cni_manifold_input *in)
 {
 	const cni_geometry *g = in->b;
 	const cni_vec2 *p = cni_geometry_points(g);
 	cni_chain_edge e;
-	int32_t first = in->child_b;
-	int32_t ghost[2] = { chain_neighbour(g, first - 1), chain_neighbour(g, first + 2) };
-	e.points[0] = cni_transform_point(in->b_in_a, p[first]);
-	e.points[1] = cni_transform_point(in->b_in_a, p[chain_neighbour(g, first + 1)]);
-	cni_vec2 along = cni_sub(e.points[1], e.points[0]);
-	e.normal = cni_normalize(cni_right_perp(along));
+	int32_t index[2] = { in->child_b, chain_neighbour(g, in->child_b + 1) };
+	int32_t ghost[2] = { chain_neighbour(g, in->child_b - 1), chain_neighbour(g, in->child_b + 2) };
+	cni_vec2 along = cni_sub(p[index[1]], p[index[0]]);
+	e.normal = normal_moved(in, along);
 	for (int32_t end = 0; end < 2; ++end) {
+		e.points[end] = cni_transform_point(in->b_in_a, p[index[end]]);
 		e.corner[end] = CNI_CORNER_OPEN;
 		e.ghost[end] = e.points[end];
 		e.neighbour_normal[end] = e.normal;
 		if (ghost[end] == CNI_NONE)
 			continue;
+		cni_vec2 beyond = end ? cni_sub(p[ghost[1]], p[index[1]]) : cni_sub(p[index[0]], p[ghost[0]]);
 		e.ghost[end] = cni_transform_point(in->b_in_a, p[ghost[end]]);
-		cni_vec2 beyond = end ? cni_sub(e.ghost[1], e.points[1]) : cni_sub(e.points[0], e.ghost[0]);
 		e.corner[end] = end ? corner_kind(along, beyond) : corner_kind(beyond, along);
 		if (e.corner[end] == CNI_CORNER_CONVEX)
-			e.neighbour_normal[end] = cni_normalize(cni_right_perp(beyond));
+			e.neighbour_normal[end] = normal_moved(in, beyond);
 	}
 	return e;
 }
@@ -181,9 +186,8 @@ static void shape_axis(const cni_chain_edge *e, cni_vec2 normal, cni_vec2 origin
 			kind = AXIS_NEIGHBOUR;
 		low = cni_min(ghost, low);
 	}
-	/* Coming from behind: no edge of a chain pushes there. */
-	float outward = -cni_dot(normal, e->normal);
-	if (outward < (e->corner[end] == CNI_CORNER_OPEN ? -OPEN_BACK_MAX : 0.0f))
+	/* An open end does not push from behind. At a convex one the ghosts keep to the corner's normals. */
+	if (e->corner[end] == CNI_CORNER_OPEN && -cni_dot(normal, e->normal) < -OPEN_BACK_MAX)
 		kind = AXIS_NEIGHBOUR;
 	float bar = best->kind == AXIS_SURFACE ? best->separation + touch : best->separation;
 	if (low <= bar)

@@ -57,38 +57,47 @@ static inline float points_lowest(const cni_vec2 *points, int32_t count, cni_vec
 	return low;
 }
 
-static inline int32_t point_lowest(const cni_vec2 *points, int32_t count, cni_vec2 direction)
+/* Boxes on boxes: the four faces side by side, which compilers turn into vector code. */
+static float boxes_best(const cni_faces *reference, const cni_faces *other, int32_t *out_edge)
 {
-	int32_t lowest = 0;
-	float low = cni_dot(direction, points[0]);
-	for (int32_t i = 1; i < count; ++i) {
-		float height = cni_dot(direction, points[i]);
-		lowest = height < low ? i : lowest;
-		low = cni_min(height, low);
+	const cni_vec2 *n = reference->normals;
+	const cni_vec2 *p = reference->points;
+	const cni_vec2 *q = other->points;
+	float nx[4], ny[4], face[4], low[4];
+	for (int32_t i = 0; i < 4; ++i) {
+		nx[i] = n[i].x;
+		ny[i] = n[i].y;
+		face[i] = nx[i] * p[i].x + ny[i] * p[i].y;
+		low[i] = nx[i] * q[0].x + ny[i] * q[0].y;
 	}
-	return lowest;
-}
-
-/* Counts are arguments so that the compiler makes a straight-line version for boxes. */
-static inline float faces_best(const cni_faces *reference, int32_t reference_count, const cni_faces *other, int32_t other_count, int32_t *out_edge)
-{
-	float best = -FLT_MAX;
-	int32_t edge = 0;
-	for (int32_t i = 0; i < reference_count; ++i) {
-		cni_vec2 n = reference->normals[i];
-		float separation = points_lowest(other->points, other_count, n) - cni_dot(n, reference->points[i]);
-		edge = separation > best ? i : edge;
-		best = cni_max(separation, best);
-	}
-	*out_edge = edge;
-	return best;
+	for (int32_t i = 0; i < 4; ++i)
+		low[i] = cni_min(nx[i] * q[1].x + ny[i] * q[1].y, low[i]);
+	for (int32_t i = 0; i < 4; ++i)
+		low[i] = cni_min(nx[i] * q[2].x + ny[i] * q[2].y, low[i]);
+	for (int32_t i = 0; i < 4; ++i)
+		low[i] = cni_min(nx[i] * q[3].x + ny[i] * q[3].y, low[i]) - face[i];
+	int32_t edge01 = low[1] > low[0];
+	int32_t edge23 = 2 + (low[3] > low[2]);
+	float best01 = cni_max(low[1], low[0]);
+	float best23 = cni_max(low[3], low[2]);
+	*out_edge = best23 > best01 ? edge23 : edge01;
+	return cni_max(best23, best01);
 }
 
 float cni_faces_best(const cni_faces *reference, const cni_faces *other, int32_t *out_edge)
 {
 	if (reference->count == 4 && other->count == 4)
-		return faces_best(reference, 4, other, 4, out_edge);
-	return faces_best(reference, reference->count, other, other->count, out_edge);
+		return boxes_best(reference, other, out_edge);
+	float best = -FLT_MAX;
+	int32_t edge = 0;
+	for (int32_t i = 0; i < reference->count; ++i) {
+		cni_vec2 n = reference->normals[i];
+		float separation = points_lowest(other->points, other->count, n) - cni_dot(n, reference->points[i]);
+		edge = separation > best ? i : edge;
+		best = cni_max(separation, best);
+	}
+	*out_edge = edge;
+	return best;
 }
 
 /* ------------------------------------------------------------------ clipping */
@@ -106,12 +115,19 @@ typedef struct clip {
 	int32_t lowest;        /* 0 or 1 */
 } clip;
 
-/* Of the two edges at the lowest vertex the one that faces the reference face more squarely. */
+/* The edge that faces the reference face most squarely. It ends at the lowest vertex, because that
+   vertex's two normals enclose the direction down, and unlike that vertex it does not change with the least
+   tilt of a box that lies flat. */
 static int32_t incident_find(const cni_faces *f, cni_vec2 normal)
 {
-	int32_t after = point_lowest(f->points, f->count, normal);
-	int32_t before = after > 0 ? after - 1 : f->count - 1;
-	return cni_dot(f->normals[before], normal) < cni_dot(f->normals[after], normal) ? before : after;
+	int32_t edge = 0;
+	float least = cni_dot(f->normals[0], normal);
+	for (int32_t i = 1; i < f->count; ++i) {
+		float facing = cni_dot(f->normals[i], normal);
+		edge = facing < least ? i : edge;
+		least = cni_min(facing, least);
+	}
+	return edge;
 }
 
 static void clip_make(clip *c, const cni_faces *reference, int32_t edge, const cni_faces *incident)
@@ -171,14 +187,13 @@ typedef struct contact_end {
 
 static contact_end clip_end(const clip *c, int32_t side)
 {
-	contact_end e = { c->point[side], c->height[side], side };
-	float beyond = side ? c->at[1] - c->length : -c->at[0];
-	float width = c->at[1] - c->at[0];
-	if (beyond > 0.0f && width > 0.0f) {
-		float fraction = cni_min(beyond / width, 1.0f);
-		e.point = cni_lerp(c->point[side], c->point[1 - side], fraction);
-		e.height = c->height[side] + fraction * (c->height[1 - side] - c->height[side]);
-	}
+	contact_end e;
+	float beyond = cni_max(side ? c->at[1] - c->length : -c->at[0], 0.0f);
+	float width = cni_max(c->at[1] - c->at[0], FLT_MIN);
+	float fraction = cni_min(beyond / width, 1.0f);
+	e.point = cni_lerp(c->point[side], c->point[1 - side], fraction);
+	e.height = c->height[side] + fraction * (c->height[1 - side] - c->height[side]);
+	e.vertex = side;
 	return e;
 }
 
@@ -287,7 +302,7 @@ static void point_emit(const cni_faces *a, const cni_faces *b, const cni_closest
 
 /* ------------------------------------------------------------------ chain corners */
 
-enum { GATE_POINT, GATE_FACE, GATE_REFUSE };
+enum { GATE_OPEN, GATE_FACE, GATE_REFUSE };
 
 /* Largest cosine towards the back at which an open end still pushes. */
 #define OPEN_BACK_MAX 0.02f
@@ -297,46 +312,96 @@ enum { GATE_POINT, GATE_FACE, GATE_REFUSE };
 static int32_t chain_gate(const cni_chain_edge *chain, const cni_closest *c, int32_t of_surface, float overlap, float touch)
 {
 	cni_vec2 outward = cni_neg(c->normal);
-	int32_t surface = of_surface && overlap > -touch ? GATE_FACE : GATE_REFUSE;
 	if (c->index_b[0] != c->index_b[1])
-		return surface;
+		return cni_dot(outward, chain->normal) > 0.0f ? GATE_OPEN : GATE_REFUSE;
 	int32_t end = c->index_b[0];
 	switch (chain->corner[end]) {
 	case CNI_CORNER_FLAT:
-		return surface;
+		return of_surface && overlap > -touch ? GATE_FACE : GATE_REFUSE;
 	case CNI_CORNER_CONVEX:
 		/* Beyond the neighbour's normal the neighbour's far end, not this corner, is in the way. */
-		return cni_dot(outward, cni_sub(chain->ghost[end], chain->points[end])) <= touch ? GATE_POINT : GATE_REFUSE;
+		return cni_dot(outward, cni_sub(chain->ghost[end], chain->points[end])) <= touch ? GATE_OPEN : GATE_REFUSE;
 	default:
-		return cni_dot(outward, chain->normal) >= -OPEN_BACK_MAX ? GATE_POINT : GATE_REFUSE;
+		return cni_dot(outward, chain->normal) >= -OPEN_BACK_MAX ? GATE_OPEN : GATE_REFUSE;
 	}
 }
 
 /* ------------------------------------------------------------------ manifolds */
+
+static void clip_axis(clip *c, const cni_faces *a, const cni_faces *b, cni_axis axis)
+{
+	if (axis.of_b)
+		clip_make(c, b, axis.edge, a);
+	else
+		clip_make(c, a, axis.edge, b);
+}
+
+/* What the clipped edges would report, against the true distance of the skeletons. */
+static float clip_error(const clip *c, float touch, float distance)
+{
+	contact_end ends[2];
+	int32_t count = clip_ends(c, touch, ends);
+	float low = count == 2 ? cni_min(ends[0].height, ends[1].height) : ends[0].height;
+	return cni_abs(low - distance);
+}
+
+/* The clipped edges tell the true distance up to the touch distance, without asking for it: it is at least
+   the lowest vertex's height, and at most that of the lowest clipped end, which is in front of the
+   reference edge. Faces at rest on each other end here. */
+static int32_t clip_is_near(const clip *c, float overlap, float touch)
+{
+	return overlap >= 0.0f && clip_error(c, touch, c->height[c->lowest]) <= touch;
+}
+
+/* The face that is the closest feature of f, looking along direction out of it; CNI_NONE for a vertex. */
+static int32_t closest_face(const cni_faces *f, const int32_t index[2], cni_vec2 direction)
+{
+	int32_t feature = feature_of(index, f->count);
+	if (feature < CNI_FEATURE_EDGE)
+		return CNI_NONE;
+	if (f->count == 2)
+		return cni_dot(f->normals[0], direction) < 0.0f;
+	return feature - CNI_FEATURE_EDGE;
+}
+
+/* Apart and closest at known features: the face if one of them is, else one point. */
+static void closest_emit(const cni_faces *a, const cni_faces *b, const cni_closest *closest, const cni_manifold_input *in, cni_manifold *out)
+{
+	cni_axis axis;
+	clip c;
+	axis.of_b = 0;
+	axis.separation = closest->distance;
+	axis.edge = closest_face(a, closest->index_a, closest->normal);
+	if (axis.edge == CNI_NONE) {
+		axis.of_b = 1;
+		axis.edge = closest_face(b, closest->index_b, cni_neg(closest->normal));
+	}
+	if (axis.edge != CNI_NONE) {
+		clip_axis(&c, a, b, axis);
+		if (clip_error(&c, CNI_TOUCH_PER_SLOP * in->slop, closest->distance) <= CNI_TOUCH_PER_SLOP * in->slop) {
+			clip_emit(&c, a, b, axis.of_b, in, out);
+			return;
+		}
+	}
+	point_emit(a, b, closest, in, out);
+}
 
 void cni_faces_manifold(const cni_faces *a, const cni_faces *b, cni_axis axis, const cni_chain_edge *chain,
 	const cni_manifold_input *in, cni_manifold *out)
 {
 	float touch = CNI_TOUCH_PER_SLOP * in->slop;
 	clip c;
-	if (axis.of_b)
-		clip_make(&c, b, axis.edge, a);
-	else
-		clip_make(&c, a, axis.edge, b);
-	float height = c.height[c.lowest];
+	clip_axis(&c, a, b, axis);
 	float overlap = clip_overlap(&c);
-	if (!clip_is_exact(&c) && (height > touch || overlap < 0.0f)) {
+	if ((c.height[c.lowest] > touch || overlap < 0.0f) && !clip_is_exact(&c) && !clip_is_near(&c, overlap, touch)) {
 		cni_closest closest = closest_features(a, b, &c, axis.of_b, in->slop);
-		if (closest.distance > touch && (closest.distance - height > touch || overlap < 0.0f)) {
-			int32_t gate = chain == NULL ? GATE_POINT : chain_gate(chain, &closest, axis.of_b, overlap, touch);
-			if (gate == GATE_POINT) {
-				point_emit(a, b, &closest, in, out);
+		if (closest.distance > touch && (overlap < 0.0f || clip_error(&c, touch, closest.distance) > touch)) {
+			int32_t gate = chain == NULL ? GATE_OPEN : chain_gate(chain, &closest, axis.of_b, overlap, touch);
+			out->count = 0;
+			if (gate == GATE_OPEN)
+				closest_emit(a, b, &closest, in, out);
+			if (gate != GATE_FACE)
 				return;
-			}
-			if (gate == GATE_REFUSE) {
-				out->count = 0;
-				return;
-			}
 		}
 	}
 	clip_emit(&c, a, b, axis.of_b, in, out);

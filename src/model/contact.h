@@ -8,7 +8,7 @@
  *   touching  slot = block * 16 + lane           a lane of a block of its colour, kept across steps
  *   asleep    slot = index in the sleep store    both bodies asleep (or one asleep, one static)
  *
- * Blocks are 16 lanes of 21 rows; the narrowphase writes lanes in place and the solver reads them as they
+ * Blocks are 16 lanes of 22 rows; the narrowphase writes lanes in place and the solver reads them as they
  * are: there is no prepare and no store stage. Within a colour no dynamic body appears twice. A lane that
  * is freed is filled by the colour's last lane, so that colours stay dense.
  *
@@ -21,9 +21,12 @@
  *
  * A lane (units: metres, seconds, kilograms; n normal from lane a to lane b, t = (ny, -nx), r from the
  * centre of mass to the contact point, all at the beginning of the step):
- *   at = ra.t, an = ra.n, d = ra - rb, dn = d.n, dt = d.t (so rb.t = at - dt, rb.n = an - dn)
- *   s0 separation, nm = 1 / (n K n), jn accumulated normal impulse; fn arm of the friction point along n;
- *   tm = 1 / (t K t) at the friction point, jt accumulated friction impulse along t on body b
+ *   at = ra.t, d = ra - rb, dt = d.t (so rb.t = at - dt)
+ *   s0 separation, nm = 1 / (n K n), jn accumulated normal impulse
+ *   fa, fb arms of the friction point along n from the two centres; tm = 1 / (t K t) there, jt accumulated
+ *   friction impulse along t on body b
+ *   an = qa.n, dn = an - qb.n for the points qa, qb that turn with the bodies: the contact point less the
+ *   shapes' radii, so that a rolling circle does not seem to lift
  */
 #ifndef CNI_MODEL_CONTACT_H
 #define CNI_MODEL_CONTACT_H
@@ -44,7 +47,7 @@ typedef struct cni_contact_block {
 	float nx[CNI_LANES], ny[CNI_LANES];
 	float static_friction[CNI_LANES], dynamic_friction[CNI_LANES];
 	float dn[CNI_LANES], dt[CNI_LANES];
-	float fn[CNI_LANES], tm[CNI_LANES], jt[CNI_LANES];
+	float fa[CNI_LANES], fb[CNI_LANES], tm[CNI_LANES], jt[CNI_LANES];
 	cni_contact_row p[2];
 } cni_contact_block;
 
@@ -68,7 +71,7 @@ typedef struct cni_color {
 } cni_color;
 
 /* A touching contact at rest: the rows of its lane, without ia and ib. */
-#define CNI_SLEEP_ROWS 19
+#define CNI_SLEEP_ROWS 20
 typedef struct cni_sleep_lane {
 	float rows[CNI_SLEEP_ROWS];
 	float restitution;

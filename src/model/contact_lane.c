@@ -57,11 +57,19 @@ static void lane_write_material(const cn_world *world, const cni_contact *c, cni
 
 /* Friction acts on the contact line, at the mean height of the points along the normal: one row is
    exact in 2D when the points share that line. */
-static void lane_write_friction(cni_contact_block *block, int32_t lane, float fn, float inv_mass, float ia, float ib)
+static void lane_write_friction(cni_contact_block *block, int32_t lane, float fa, float fb, float inv_mass, float ia, float ib)
 {
-	float fb = fn - block->dn[lane];
-	block->fn[lane] = fn;
-	block->tm[lane] = inverse_or_zero(inv_mass + ia * fn * fn + ib * fb * fb);
+	block->fa[lane] = fa;
+	block->fb[lane] = fb;
+	block->tm[lane] = inverse_or_zero(inv_mass + ia * fa * fa + ib * fb * fb);
+}
+
+/* Rounding radius of the shape of a lane's body. */
+static float lane_radius(const cn_world *world, const cni_contact *c, int32_t lane_side)
+{
+	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0;
+	const cni_shape *s = cni_shape_at(world, cni_proxy_at(world, c->proxy[lane_side ^ flipped])->shape);
+	return cni_shape_geometry(&world->blocks, s)->radius;
 }
 
 void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold)
@@ -72,7 +80,8 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 	const cni_body *first = cni_body_at(world, c->body[0]);
 	lane_frame f = frame_make(world, c, cni_rotate(first->q, manifold->normal));
 	const cni_motion *ma = cni_motions(world) + f.a->awake, *mb = cni_motions(world) + f.b->awake;
-	float inv_mass = ma->inv_mass + mb->inv_mass, ia = ma->inv_inertia, ib = mb->inv_inertia, fn = 0.0f;
+	float inv_mass = ma->inv_mass + mb->inv_mass, ia = ma->inv_inertia, ib = mb->inv_inertia, fa = 0.0f, dn;
+	float radius_a = lane_radius(world, c, 0), radius_b = lane_radius(world, c, 1);
 	float old_jn[2];
 	uint16_t old_id[2];
 	for (k = 0; k < 2; ++k) {
@@ -82,7 +91,8 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 	}
 	block->nx[lane] = f.n.x;
 	block->ny[lane] = f.n.y;
-	block->dn[lane] = cni_dot(f.d, f.n);
+	dn = cni_dot(f.d, f.n);
+	block->dn[lane] = dn - radius_a - radius_b;
 	block->dt[lane] = cni_dot(f.d, f.t);
 	for (k = 0; k < manifold->count; ++k) {
 		const cni_manifold_point *point = &manifold->points[k];
@@ -92,20 +102,22 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 		if (c->flags & CNI_CONTACT_FLIPPED)
 			r = cni_add(r, f.d); /* from lane b's centre to lane a's */
 		p->at[lane] = cni_dot(r, f.t);
-		p->an[lane] = cni_dot(r, f.n);
+		p->an[lane] = cni_dot(r, f.n) - radius_a;
 		bt = p->at[lane] - block->dt[lane];
 		p->s0[lane] = point->separation;
 		p->nm[lane] = inverse_or_zero(inv_mass + ia * p->at[lane] * p->at[lane] + ib * bt * bt);
 		p->jn[lane] = old_impulse(old_id, old_jn, point->id);
 		kept |= old_id[0] == point->id || old_id[1] == point->id;
 		c->id[k] = (uint16_t)point->id;
-		fn += p->an[lane];
+		fa += p->an[lane] + radius_a;
 	}
 	if (manifold->count == 1)
 		lane_clear_point(&block->p[1], lane);
 	if (!kept)
 		block->jt[lane] = 0.0f;
-	lane_write_friction(block, lane, manifold->count == 2 ? 0.5f * fn : fn, inv_mass, ia, ib);
+	if (manifold->count == 2)
+		fa *= 0.5f;
+	lane_write_friction(block, lane, fa, fa - dn, inv_mass, ia, ib);
 	if (c->flags & CNI_CONTACT_REFRESH) {
 		lane_write_material(world, c, block, lane);
 		c->flags &= ~(uint32_t)CNI_CONTACT_REFRESH;
@@ -137,7 +149,7 @@ static void lane_read_rows(const cn_world *world, const cni_contact *c, float ro
 }
 
 /* Rows of a lane without the body indices; see cni_contact_block. */
-enum { ROW_NX = 0, ROW_NY = 1, ROW_JT = 8, ROW_POINT = 9, ROW_POINT_COUNT = 5 };
+enum { ROW_NX = 0, ROW_NY = 1, ROW_FA = 6, ROW_JT = 9, ROW_POINT = 10, ROW_POINT_COUNT = 5 };
 
 static void describe_manifold(const cn_world *world, const cni_contact *c, cn_manifold *out)
 {
@@ -153,7 +165,7 @@ static void describe_manifold(const cn_world *world, const cni_contact *c, cn_ma
 	for (k = 0; k < 2; ++k) {
 		const float *p = rows + ROW_POINT + k * ROW_POINT_COUNT; /* at an s0 nm jn */
 		cn_manifold_point *point = &out->points[out->point_count];
-		cni_vec2 r = cni_add(cni_mul(p[0], t), cni_mul(p[1], n));
+		cni_vec2 r = cni_add(cni_mul(p[0], t), cni_mul(rows[ROW_FA], n));
 		if (c->id[k] == 0)
 			continue;
 		point->point_m = cni_v(a->cx + r.x, a->cy + r.y);

@@ -9,7 +9,7 @@
 
 /* Rows of a block seen as one array: row r of a lane is rows[r * CNI_LANES + lane]. Rows 0 and 1 are
    the body indices. */
-#define CNI_BLOCK_ROWS 21
+#define CNI_BLOCK_ROWS 22
 
 /* Chooses a colour for the contact, marks its bodies and takes a lane; the rows are zero but for the
    body indices. Room must have been reserved. */

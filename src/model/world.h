@@ -15,7 +15,7 @@
 #include "model/joint.h"
 #include "model/proxy.h"
 #include "model/shape.h"
-#include "stages/broadphase.h"
+#include "model/broadphase.h"
 
 #define CNI_ERROR_TEXT_BYTES 192
 

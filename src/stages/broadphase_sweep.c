@@ -1,5 +1,5 @@
 /*
- * stages/broadphase_sweep.c - the tiled sweep-and-prune broadphase behind stages/broadphase.h: its
+ * stages/broadphase_sweep.c - the tiled sweep-and-prune broadphase behind model/broadphase.h: its
  * operations, their bookkeeping and its checks. The picture is in stages/broadphase_sweep.h.
  *
  * Stage 2 of the step. Reads proxies; writes their cell, old box and flags, and its own tiles.

@@ -1,7 +1,7 @@
 /*
- * stages/broadphase_sweep.h - inside of the tiled sweep-and-prune broadphase, shared by its four files:
+ * stages/broadphase_sweep.h - inside of the tiled sweep-and-prune broadphase, shared by its files:
  *
- *   broadphase_sweep.c         the operations of stages/broadphase.h, validation, memory figures
+ *   broadphase_sweep.c         the operations of model/broadphase.h, validation, memory figures
  *   broadphase_sweep_tiles.c   levels, the tile table, entries in a tile
  *   broadphase_sweep_settle.c  brings tiles up to date with the boxes (migrate, sort) and chooses sizes
  *   broadphase_sweep_pairs.c   finds the pairs that began to overlap (self, tile with tile, one with tile)
@@ -30,7 +30,7 @@
  * Two sets of proxies, each a bitset by id: `moved` (since the last update: these may have new pairs)
  * and `loose` (since the last settle: the entry in the tile is missing or out of date). Queries skip
  * loose entries in tiles and test the loose ones singly. A proxy for which there is no memory just stays
- * loose and is tried again at every settle: that is the slow list of stages/broadphase.h.
+ * loose and is tried again at every settle: that is the slow list of model/broadphase.h.
  *
  * Method: sweep and prune after Baraff (1992) and Cohen et al. (I-COLLIDE, 1995), per cell of a
  * hierarchical grid (Mirtich 1996) rather than over the whole world, so that no list is long.
@@ -39,7 +39,7 @@
 #define CNI_STAGES_BROADPHASE_SWEEP_H
 
 #include "base/bitset.h"
-#include "stages/broadphase.h"
+#include "model/broadphase.h"
 
 #define CNI_SWEEP_LEVELS 12     /* the last one is a single list for whatever is larger */
 #define CNI_SWEEP_LANES 8       /* entries tested together */
@@ -240,7 +240,7 @@ void cni_sweep_settle(cni_sweep *sweep);
 
 /* ---- pairs ---- */
 
-/* Appends the new pairs in no particular order; see stages/broadphase.h. Nothing may be loose but
+/* Appends the new pairs in no particular order; see model/broadphase.h. Nothing may be loose but
    for want of memory. Pairs that found no room flag one of their moved proxies CNI_PROXY_AGAIN. */
 void cni_sweep_find_pairs(cni_sweep *sweep, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out);
 

@@ -96,7 +96,7 @@ static impact_point point_make(const impact_lane *c, const cni_contact_block *k,
 static void lane_strike(cn_world *world, impact_lane *c, const cni_contact_block *k, int32_t l, float jn, float moment_a, float moment_b)
 {
 	cni_velocity_start *sa = cni_starts(world) + c->ia, *sb = cni_starts(world) + c->ib;
-	float tx = c->ny, ty = -c->nx, fa = k->fn[l], fb = fa - k->dn[l];
+	float tx = c->ny, ty = -c->nx, fa = k->fa[l], fb = k->fb[l];
 	cni_motion a = *c->a, b = *c->b;
 	float vt, want, most = k->dynamic_friction[l] * jn, jt;
 	a.vx -= a.inv_mass * jn * c->nx;

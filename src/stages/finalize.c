@@ -113,5 +113,6 @@ int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
 		if (b->flags & CNI_BODY_MOVED)
 			boxes_update(world, b, dpx, dpy);
 	}
+	world->broadphase_ops->settle(world->broadphase);
 	return rested;
 }

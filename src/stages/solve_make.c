@@ -1,7 +1,7 @@
 /*
  * stages/solve_make.c - the numbers of one step: substep length and soft-constraint coefficients.
  */
-#include "stages/solver.h"
+#include "stages/contact_pass.h"
 
 cni_soft cni_soft_implicit(float hertz, float damping_ratio, float h)
 {
@@ -74,5 +74,6 @@ cni_solve cni_solve_make(const cn_world *world, float dt)
 	s.contact = cni_soft_implicit(0.125f * s.inv_h, 10.0f, s.h);
 	s.contact_static = cni_soft_implicit(0.25f * s.inv_h, 10.0f, s.h);
 	s.joint = cni_soft_implicit(0.25f * s.inv_h, 2.0f, s.h);
+	s.kernel = cni_contact_kernel_choose();
 	return s;
 }

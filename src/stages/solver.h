@@ -24,6 +24,8 @@ typedef struct cni_soft {
 	float impulse_scale;
 } cni_soft;
 
+struct cni_contact_kernel; /* stages/contact_pass.h */
+
 typedef struct cni_solve {
 	float dt, h, inv_h;
 	int32_t substeps;
@@ -33,6 +35,7 @@ typedef struct cni_solve {
 	cni_soft contact;          /* two dynamic bodies */
 	cni_soft contact_static;   /* one of them cannot move */
 	cni_soft joint;
+	const struct cni_contact_kernel *kernel;
 } cni_solve;
 
 cni_solve cni_solve_make(const cn_world *world, float dt);

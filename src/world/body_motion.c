@@ -13,18 +13,46 @@ static cni_vec2 arm_to(const cni_body *b, cni_vec2 point)
 	return cni_sub(cni_sub(point, cni_v(b->cx, b->cy)), cni_v(b->cx_low, b->cy_low));
 }
 
+/* Every contact of a teleported body must be looked at in the next step, also ones of a static body with
+   sleeping ones that it does not touch yet: contacts of sleeping bodies are not. */
+static void wake_contacts(cn_world *world, int32_t body)
+{
+	int32_t key;
+	for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
+		cni_body_wake(world, cni_contact_of_key(world, key)->body[1 - (key & 1)]);
+}
+
+/* Contacts whose boxes a teleport has moved apart end at once, so that putting the body to sleep before
+   the next step cannot keep them. After cni_contact_reserve_end. */
+static void end_contacts_apart(cn_world *world, int32_t body)
+{
+	int32_t key = cni_body_at(world, body)->contact_first;
+	while (key != CNI_NONE) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		int32_t contact = key >> 1;
+		key = c->next[key & 1];
+		if (!cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat))
+			cni_contact_destroy(world, contact);
+	}
+}
+
 cn_result cn_body_set_pose(cn_world *world, cn_body body, cn_vec2 position_m, float angle_rad)
 {
 	cni_call call = cni_enter(world, __func__);
+	const cni_body *b = cni_check_body(&call, "body", body);
 	int32_t index = cni_index_of(body);
-	cni_check_body(&call, "body", body);
 	cni_check_position(&call, "position_m", position_m);
 	cni_check_angle(&call, "angle_rad", angle_rad);
+	if (call.result == CN_OK)
+		cni_check_reserved(&call, cni_contact_reserve_end(world, b->contact_count), "events of its contacts");
 	if (call.result != CN_OK)
 		return call.result;
+	wake_contacts(world, index);
 	cni_body_wake_neighbours(world, index);
 	cni_body_wake(world, index);
 	cni_body_set_transform(world, index, position_m, cni_sincos(angle_rad));
+	end_contacts_apart(world, index);
+	world->pairs_may_repeat = 1; /* the boxes may have been apart and be together again */
 	return CN_OK;
 }
 

@@ -166,7 +166,7 @@ void cni_text_float(cni_text *text, float value)
 		return;
 	}
 	d = float_digits(bits, &exponent);
-	if (exponent >= -10 && exponent <= 3) {
+	if (exponent >= -9 && exponent <= 3) {
 		text_point(text, d, exponent + 6);
 		return;
 	}
@@ -213,6 +213,7 @@ cni_call cni_enter_free(void)
 /* 1 for the first failure of a call; text is then ready to be filled ("function: "). */
 static int32_t refuse_begin(cni_call *call, cn_result result, cni_text *text)
 {
+	*text = cni_text_begin(NULL, 0);
 	if (call->result != CN_OK)
 		return 0;
 	call->result = result;

@@ -90,7 +90,7 @@ static void t_separation_is_exact(void)
 			pair_random(&p, kind, k);
 			double reference = reference_separation(&p.a.g, &p.b.g, p.b_in_a), noise = 2e-6 * (double)p.size;
 			cni_manifold m = collide(&p.a.g, &p.b.g, 0, p.b_in_a, MARGIN, NULL);
-			missed += m.count == 0 && reference < (double)MARGIN - noise;
+			missed += m.count == 0 && reference < (double)MARGIN - BIAS - noise;
 			invented += m.count > 0 && reference > (double)MARGIN + BIAS + noise;
 			if (m.count == 0)
 				continue;
@@ -101,7 +101,7 @@ static void t_separation_is_exact(void)
 		}
 		printf("  types %d and %d: %d touching\n", pair_types[kind][0], pair_types[kind][1], touching);
 		CHECK_LE("deeper than the reference", worst_low, BIAS, "m");
-		CHECK_LE("shallower than the reference", worst_high, 1e-5, "m");
+		CHECK_LE("shallower than the reference", worst_high, BIAS, "m");
 		CHECK_LE("touching pairs missed", missed, 0, "");
 		CHECK_LE("contacts invented", invented, 0, "");
 	}
@@ -202,7 +202,7 @@ static void t_swapping_roles_gives_the_mirror(void)
 			worst = fmax(worst, fabs((double)manifold_depth(&m) - (double)manifold_depth(&f)));
 		int32_t mirrored = m.count == f.count;
 		for (int32_t i = 0; i < m.count && mirrored; ++i)
-			mirrored = id_flipped(f.points[i].id) == m.points[i].id;
+			mirrored = id_flipped(f.points[m.count - 1 - i].id) == m.points[i].id;
 		different += !mirrored;
 	}
 	CHECK_LE("depth differs", worst, BIAS, "m");
@@ -303,9 +303,12 @@ static void t_centres_at_one_place(void)
 			record_random(&b, pair_types[kind][1], 1.0f);
 			cni_transform x = transform_make(0, 0, k & 1 ? 0.0f : random_in(-3, 3));
 			x.t = cni_sub(a.g.centroid, cni_rotate(x.q, b.g.centroid));
-			cni_manifold m = collide(&a.g, k & 2 && a.g.type == b.g.type ? &a.g : &b.g, 0, k & 2 ? transform_none() : x, MARGIN, NULL);
+			int32_t itself = (k & 2) && a.g.type == b.g.type;
+			cni_manifold m = collide(&a.g, itself ? &a.g : &b.g, 0, itself ? transform_none() : x, MARGIN, NULL);
 			manifold_check_form(&m, &worst, &wrong);
-			CHECK(wrong == 0 && worst < 1e-6 && m.count > 0);
+			CHECK(wrong == 0);
+			CHECK(worst < 1e-6);
+			CHECK(m.count > 0);
 		}
 }
 
@@ -382,6 +385,117 @@ static void t_cache_only_decides_ties(void)
 	CHECK_LE("other depth", worst, BIAS, "m");
 }
 
+/* Shapes as small and as large as the checks allow, near and far, chains too: never anything but numbers. */
+static void t_extremes_stay_finite(void)
+{
+	static const float sizes[5] = { 0.006f, 0.1f, 10.0f, 1.0e4f, 9.0e5f };
+	double worst = 0.0;
+	int32_t wrong = 0, touching = 0;
+	for (int32_t k = 0; k < 60000; ++k) {
+		record a, b;
+		float size_a = sizes[random_below(5)], size_b = sizes[random_below(5)];
+		int32_t type_b = random_below(5), type_a = random_below(type_b < 3 ? type_b + 1 : type_b == 3 ? 4 : 3);
+		cni_vec2 points[8];
+		cn_chain chain = { points, 8, (uint32_t)random_below(2) };
+		record_random(&a, type_a, size_a);
+		for (int32_t i = 0; i < 8; ++i)
+			points[i] = cni_v(size_b * (float)cos(0.7 * i) * (random_below(2) ? 1.0f : 0.3f), size_b * (float)sin(0.7 * i));
+		if (type_b == CN_SHAPE_CHAIN)
+			cni_geometry_chain(&b.g, &chain, transform_none());
+		else
+			record_random(&b, type_b, size_b);
+		float reach = random_in(0.0f, 1.0f) * (size_a + size_b);
+		cni_transform x = transform_make(random_in(-reach, reach), random_in(-reach, reach), random_in(-3, 3));
+		cni_manifold m = collide(&a.g, &b.g, type_b == CN_SHAPE_CHAIN ? random_below(7) : 0, x, MARGIN, NULL);
+		touching += m.count > 0;
+		if (m.count > 0)
+			worst = fmax(worst, fabs((double)cni_length(m.normal) - 1.0));
+		for (int32_t i = 0; i < m.count; ++i)
+			wrong += !cni_is_finite2(m.points[i].point) || !cni_is_finite(m.points[i].separation) || m.points[i].id == 0u;
+	}
+	CHECK_GE("touching", touching, 10000, "");
+	CHECK_LE("not finite", wrong, 0, "");
+	CHECK_LE("normal length error", worst, 1e-6, "");
+}
+
+static uint64_t hash_add(uint64_t hash, const void *data, size_t bytes)
+{
+	const unsigned char *p = data;
+	for (size_t i = 0; i < bytes; ++i)
+		hash = (hash ^ p[i]) * 1099511628211u;
+	return hash;
+}
+
+/* A rotation from its half-angle tangent: only operations that are the same everywhere, in a fixed order. */
+static cni_transform transform_exact(float reach)
+{
+	cni_transform x;
+	float t = random_in(-1.5f, 1.5f);
+	x.t.x = random_in(-reach, reach);
+	x.t.y = random_in(-reach, reach);
+	x.q.c = (1.0f - t * t) / (1.0f + t * t);
+	x.q.s = 2.0f * t / (1.0f + t * t);
+	return x;
+}
+
+static void record_exact(record *r, int32_t type)
+{
+	cni_vec2 points[12];
+	cn_polygon p;
+	float radius = random_in(0.01f, 0.4f);
+	int32_t sharp = random_below(2);
+	cni_transform offset = transform_exact(0.3f);
+	for (int32_t i = 0; i < 12; ++i) {
+		points[i].x = random_in(-0.6f, 0.6f);
+		points[i].y = random_in(-0.6f, 0.6f);
+	}
+	cn_circle circle = { points[0], radius };
+	cn_capsule capsule = { points[0], { points[0].x + 0.5f, points[1].y }, radius };
+	cn_edge edge = { points[0], { points[0].x + 0.5f, points[1].y } };
+	cn_chain chain = { points, 12, (uint32_t)sharp };
+	if (type == CN_SHAPE_CIRCLE)
+		cni_geometry_circle(&r->g, &circle, offset);
+	else if (type == CN_SHAPE_CAPSULE)
+		cni_geometry_capsule(&r->g, &capsule, offset);
+	else if (type == CN_SHAPE_EDGE)
+		cni_geometry_edge(&r->g, &edge, offset);
+	else if (type == CN_SHAPE_CHAIN)
+		cni_geometry_chain(&r->g, &chain, offset);
+	else {
+		if (cni_hull_make(points, 12, TOLERANCE, &p) != NULL)
+			p = box_polygon(0.5f, 0.5f, 0.0f);
+		p.radius_m = sharp ? 0.0f : radius;
+		cni_geometry_polygon(&r->g, &p, offset);
+	}
+}
+
+/* The same bits from every compiler and for every processor. The value was computed once with gcc -O2 on
+   x86-64 and changes only when a manifold function does. */
+static void t_same_bits_everywhere(void)
+{
+	uint64_t hash = 14695981039346656037u;
+	int32_t touching = 0;
+	random_state = 12345u;
+	for (int32_t k = 0; k < 30000; ++k) {
+		record a, b;
+		int32_t type_b = random_below(5), type_a = random_below(type_b + 1);
+		if (cni_manifold_function(type_a, type_b) == NULL)
+			continue;
+		record_exact(&a, type_a);
+		record_exact(&b, type_b);
+		cni_transform x = transform_exact(1.2f);
+		cni_manifold m = collide(&a.g, &b.g, type_b == CN_SHAPE_CHAIN ? random_below(11) : 0, x, MARGIN, NULL);
+		touching += m.count > 0;
+		hash = hash_add(hash, &m.count, 4);
+		if (m.count > 0)
+			hash = hash_add(hash, &m.normal, 8);
+		for (int32_t i = 0; i < m.count; ++i)
+			hash = hash_add(hash, &m.points[i], sizeof(cni_manifold_point));
+	}
+	printf("  %d touching, hash %016llx\n", touching, (unsigned long long)hash);
+	CHECK(hash == UINT64_C(0xea4a6366b81c3230));
+}
+
 static void t_table(void)
 {
 	for (int32_t a = 0; a < 5; ++a)
@@ -407,6 +521,8 @@ int main(int argc, char **argv)
 	RUN(t_corner_to_corner_within_the_margin);
 	RUN(t_needles_tip_to_tip);
 	RUN(t_cache_only_decides_ties);
+	RUN(t_extremes_stay_finite);
+	RUN(t_same_bits_everywhere);
 	RUN(t_table);
 	return test_end();
 }

@@ -1,5 +1,5 @@
 /*
- * stages/broadphase.h - stage 2, the interface: which pairs of boxes began to overlap.
+ * model/broadphase.h - stage 2, the interface: which pairs of boxes began to overlap.
  *
  * A pair is new exactly when the two fat boxes overlap now and did not at the last update (old boxes),
  * or when one of them is new or was asked to look again. All implementations must report the same set.
@@ -12,8 +12,8 @@
  * again (moved, old empty: all of its pairs are then reported once more) and counts the pairs in
  * pairs_lost.
  */
-#ifndef CNI_STAGES_BROADPHASE_H
-#define CNI_STAGES_BROADPHASE_H
+#ifndef CNI_MODEL_BROADPHASE_H
+#define CNI_MODEL_BROADPHASE_H
 
 #include "base/arena.h"
 #include "base/blocks.h"

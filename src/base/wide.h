@@ -1,0 +1,162 @@
+/*
+ * base/wide.h - arithmetic on several floats at once, for kernels that are written once and compiled for
+ * each width: the file that includes this defines CNI_WIDTH as 1, 4, 8 or 16 first.
+ *
+ *   cni_wide   CNI_WIDTH floats; + - * / work lane by lane
+ *   cni_mask   the result of comparing two of them, for cni_wide_select
+ *
+ * Every operation rounds like its scalar form, so results do not depend on the width. Width 1 is plain C;
+ * the others use the vector extensions of gcc and clang.
+ */
+#ifndef CNI_BASE_WIDE_H
+#define CNI_BASE_WIDE_H
+
+#include "base/config.h"
+
+#if !defined(CNI_WIDTH)
+#error "define CNI_WIDTH before including base/wide.h"
+#endif
+
+#if CNI_WIDTH == 1
+
+typedef float cni_wide;
+typedef int32_t cni_mask;
+CNI_INLINE cni_wide cni_wide_load(const float *p) { return *p; }
+CNI_INLINE void cni_wide_store(float *p, cni_wide a) { *p = a; }
+CNI_INLINE cni_wide cni_wide_of(float x) { return x; }
+CNI_INLINE cni_wide cni_wide_select(cni_mask mask, cni_wide a, cni_wide b) { return mask ? a : b; }
+CNI_INLINE cni_wide cni_wide_max(cni_wide a, cni_wide b) { return a > b ? a : b; }
+CNI_INLINE cni_wide cni_wide_min(cni_wide a, cni_wide b) { return a < b ? a : b; }
+
+#else
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+typedef float cni_wide __attribute__((vector_size(CNI_WIDTH * 4)));
+typedef int32_t cni_mask __attribute__((vector_size(CNI_WIDTH * 4)));
+typedef float cni_wide4 __attribute__((vector_size(16)));
+
+CNI_INLINE cni_wide cni_wide_load(const float *p) { return *(const cni_wide *)(const void *)p; }
+CNI_INLINE void cni_wide_store(float *p, cni_wide a) { *(cni_wide *)(void *)p = a; }
+CNI_INLINE cni_wide cni_wide_of(float x) { return x - (cni_wide){ 0 }; }
+CNI_INLINE cni_wide cni_wide_select(cni_mask mask, cni_wide a, cni_wide b)
+{
+	return (cni_wide)((mask & (cni_mask)a) | (~mask & (cni_mask)b));
+}
+/* The second operand where the first is not greater (less): the instruction's own rule on x86. */
+CNI_INLINE cni_wide cni_wide_max(cni_wide a, cni_wide b)
+{
+#if CNI_WIDTH == 4 && defined(__SSE2__)
+	return (cni_wide)_mm_max_ps((__m128)a, (__m128)b);
+#elif CNI_WIDTH == 8 && defined(__AVX__)
+	return (cni_wide)_mm256_max_ps((__m256)a, (__m256)b);
+#else
+	return cni_wide_select(a > b, a, b);
+#endif
+}
+CNI_INLINE cni_wide cni_wide_min(cni_wide a, cni_wide b)
+{
+#if CNI_WIDTH == 4 && defined(__SSE2__)
+	return (cni_wide)_mm_min_ps((__m128)a, (__m128)b);
+#elif CNI_WIDTH == 8 && defined(__AVX__)
+	return (cni_wide)_mm256_min_ps((__m256)a, (__m256)b);
+#else
+	return cni_wide_select(a < b, a, b);
+#endif
+}
+
+#endif
+
+/* Clears the sign bit. */
+CNI_INLINE cni_wide cni_wide_abs(cni_wide a) { return cni_wide_max(a, -a); }
+
+/* ---- records of four floats: lane l of the outputs is record index[l], floats 0..3 ---- */
+
+#if CNI_WIDTH == 1
+
+CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_t *index, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
+{
+	const float *r = base + (size_t)index[0] * (size_t)stride;
+	*a = r[0];
+	*b = r[1];
+	*c = r[2];
+	*d = r[3];
+}
+CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *index, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+{
+	float *r = base + (size_t)index[0] * (size_t)stride;
+	r[0] = a;
+	r[1] = b;
+	r[2] = c;
+	r[3] = d;
+}
+
+#else
+
+/* Rows become columns: a 4 x 4 transpose in place. */
+CNI_INLINE void cni_wide_transpose(cni_wide4 *a, cni_wide4 *b, cni_wide4 *c, cni_wide4 *d)
+{
+	cni_wide4 ab_low = __builtin_shufflevector(*a, *b, 0, 4, 1, 5), ab_high = __builtin_shufflevector(*a, *b, 2, 6, 3, 7);
+	cni_wide4 cd_low = __builtin_shufflevector(*c, *d, 0, 4, 1, 5), cd_high = __builtin_shufflevector(*c, *d, 2, 6, 3, 7);
+	*a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 4, 5);
+	*b = __builtin_shufflevector(ab_low, cd_low, 2, 3, 6, 7);
+	*c = __builtin_shufflevector(ab_high, cd_high, 0, 1, 4, 5);
+	*d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 6, 7);
+}
+
+CNI_INLINE cni_wide4 cni_wide4_at(const float *base, int32_t stride, int32_t index)
+{
+	return *(const cni_wide4 *)(const void *)(base + (size_t)index * (size_t)stride);
+}
+
+CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_t *index, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
+{
+	cni_wide4 r[CNI_WIDTH];
+	int32_t l;
+	for (l = 0; l < CNI_WIDTH; ++l)
+		r[l] = cni_wide4_at(base, stride, index[l]);
+	for (l = 0; l < CNI_WIDTH; l += 4)
+		cni_wide_transpose(&r[l], &r[l + 1], &r[l + 2], &r[l + 3]);
+#if CNI_WIDTH == 4
+	*a = r[0];
+	*b = r[1];
+	*c = r[2];
+	*d = r[3];
+#elif CNI_WIDTH == 8
+	*a = __builtin_shufflevector(r[0], r[4], 0, 1, 2, 3, 4, 5, 6, 7);
+	*b = __builtin_shufflevector(r[1], r[5], 0, 1, 2, 3, 4, 5, 6, 7);
+	*c = __builtin_shufflevector(r[2], r[6], 0, 1, 2, 3, 4, 5, 6, 7);
+	*d = __builtin_shufflevector(r[3], r[7], 0, 1, 2, 3, 4, 5, 6, 7);
+#endif
+}
+
+CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *index, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+{
+	cni_wide4 r[CNI_WIDTH];
+	int32_t l;
+#if CNI_WIDTH == 4
+	r[0] = a;
+	r[1] = b;
+	r[2] = c;
+	r[3] = d;
+#elif CNI_WIDTH == 8
+	r[0] = __builtin_shufflevector(a, a, 0, 1, 2, 3);
+	r[1] = __builtin_shufflevector(b, b, 0, 1, 2, 3);
+	r[2] = __builtin_shufflevector(c, c, 0, 1, 2, 3);
+	r[3] = __builtin_shufflevector(d, d, 0, 1, 2, 3);
+	r[4] = __builtin_shufflevector(a, a, 4, 5, 6, 7);
+	r[5] = __builtin_shufflevector(b, b, 4, 5, 6, 7);
+	r[6] = __builtin_shufflevector(c, c, 4, 5, 6, 7);
+	r[7] = __builtin_shufflevector(d, d, 4, 5, 6, 7);
+#endif
+	for (l = 0; l < CNI_WIDTH; l += 4)
+		cni_wide_transpose(&r[l], &r[l + 1], &r[l + 2], &r[l + 3]);
+	for (l = 0; l < CNI_WIDTH; ++l)
+		*(cni_wide4 *)(void *)(base + (size_t)index[l] * (size_t)stride) = r[l];
+}
+
+#endif
+
+#endif

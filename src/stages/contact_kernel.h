@@ -1,0 +1,199 @@
+/*
+ * stages/contact_kernel.h - the contact kernel of one instruction set: included by contact_kernel_*.c, which
+ * define CNI_WIDTH and CNI_KERNEL (the name of the table they fill). Results do not depend on the width.
+ *
+ * With the letters of model/contact.h and body changes dp, th since the step began, a point's separation is
+ *   s = s0 + n.(dpb - dpa) + [(cos thb - 1) bn + sin thb bt] - [(cos tha - 1) an + sin tha at]
+ * its speed vn = n.(vb - va) + wb bt - wa at, and the friction speed vt = t.(vb - va) - wb fb + wa fa.
+ *
+ * Reads motion and block rows; writes motion velocities and block.jn, jt.
+ */
+#include "base/wide.h"
+#include "stages/contact_pass.h"
+
+#define MOTION_FLOATS ((int32_t)(sizeof(cni_motion) / sizeof(float)))
+
+/* The bodies on one side of CNI_WIDTH lanes. */
+typedef struct side {
+	cni_wide vx, vy, w, m, i;
+	cni_wide x, y, s, c1; /* change of centre; sin and cos - 1 of the change of angle */
+} side;
+
+/* Turns beyond what the series holds for are cut: a contact's geometry does not last that far. */
+CNI_INLINE void side_gather(const cni_motion *motions, const int32_t *index, side *out)
+{
+	const float *base = (const float *)(const void *)motions;
+	cni_wide t, t2;
+	cni_wide_gather4(base, MOTION_FLOATS, index, &out->vx, &out->vy, &out->w, &out->m);
+	cni_wide_gather4(base + 4, MOTION_FLOATS, index, &out->x, &out->y, &t, &out->i);
+	t = cni_wide_min(cni_wide_max(t, cni_wide_of(-1.25f)), cni_wide_of(1.25f));
+	t2 = t * t;
+	out->s = t * (1.0f - t2 * (1.0f / 6.0f - t2 * (1.0f / 120.0f)));
+	out->c1 = -t2 * (0.5f - t2 * (1.0f / 24.0f));
+}
+
+CNI_INLINE void side_scatter(cni_motion *motions, const int32_t *index, const side *a)
+{
+	cni_wide_scatter4((float *)(void *)motions, MOTION_FLOATS, index, a->vx, a->vy, a->w, a->m);
+}
+
+/* A point of every lane, ready for the pair solve. */
+typedef struct point {
+	cni_wide at, bt;
+	cni_wide m;    /* mass_scale / (n K n); 0: takes no part */
+	cni_wide want; /* the impulse it would have if the other point kept its own */
+	cni_wide old;
+} point;
+
+/* bias: the soft pass, else the rigid one. */
+CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row *p, int32_t l, cni_wide nx, cni_wide ny,
+                               const side *a, const side *b, const cni_contact_pass *pass, int32_t bias)
+{
+	point q;
+	cni_wide an = cni_wide_load(p->an + l), bn = an - cni_wide_load(k->dn + l), nm = cni_wide_load(p->nm + l);
+	cni_wide s, vn, soft_push, push, scale, part;
+	const cni_wide zero = cni_wide_of(0.0f), one = cni_wide_of(1.0f);
+	q.at = cni_wide_load(p->at + l);
+	q.bt = q.at - cni_wide_load(k->dt + l);
+	q.old = cni_wide_load(p->jn + l);
+	s = cni_wide_load(p->s0 + l) + nx * (b->x - a->x) + ny * (b->y - a->y) + (b->c1 * bn + b->s * q.bt) - (a->c1 * an + a->s * q.at);
+	vn = nx * (b->vx - a->vx) + ny * (b->vy - a->vy) + b->w * q.bt - a->w * q.at;
+	soft_push = bias ? cni_wide_max(pass->soft.bias_scale * s, cni_wide_of(-pass->push_speed * pass->soft.mass_scale)) : zero;
+	push = cni_wide_select(s > zero, s * pass->inv_h, soft_push);
+	scale = bias ? cni_wide_select(s > zero, one, cni_wide_of(pass->soft.mass_scale)) : one;
+	q.m = scale * nm;
+	q.want = scale * q.old - nm * (scale * vn + push);
+	if (!bias) {
+		/* Relax does not begin to brake a fast body for a surface that only the next substep can reach: it
+		   would take the speed that an impact there should return. */
+		part = cni_wide_select(s > zero, cni_wide_select(q.old > zero, one, cni_wide_select(vn < cni_wide_of(pass->impact_speed), zero, one)), one);
+		q.m = part * q.m;
+		q.want = part * q.want;
+	}
+	return q;
+}
+
+CNI_INLINE void apply_normal(side *a, side *b, cni_wide nx, cni_wide ny, const point *q, cni_wide impulse)
+{
+	cni_wide dj = impulse - q->old, ma = a->m * dj, mb = b->m * dj;
+	a->vx -= ma * nx;
+	a->vy -= ma * ny;
+	a->w -= a->i * q->at * dj;
+	b->vx += mb * nx;
+	b->vy += mb * ny;
+	b->w += b->i * q->bt * dj;
+}
+
+/*
+ * The normal impulses of both points at once: the 2 x 2 complementarity problem A j >= r, j >= 0, in which
+ * A has 1/m on its diagonal and k12 beside it, by trying both, the first alone, the second alone
+ * (total enumeration after Catto, "Iterative Dynamics", 2005). k12 is held a little below its true
+ * size, which keeps A well conditioned when the points nearly coincide and does not move the fixed point.
+ */
+CNI_INLINE void solve_normals(cni_contact_block *k, int32_t l, side *a, side *b, cni_wide nx, cni_wide ny, const cni_contact_pass *pass, int32_t bias)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	point p = point_prepare(k, &k->p[0], l, nx, ny, a, b, pass, bias), q = point_prepare(k, &k->p[1], l, nx, ny, a, b, pass, bias);
+	cni_wide k12 = 0.99f * (a->m + b->m + a->i * p.at * q.at + b->i * p.bt * q.bt);
+	cni_wide kp = k12 * p.m, kq = k12 * q.m, rp = p.want + kp * q.old, rq = q.want + kq * p.old;
+	cni_wide inv_det = 1.0f / (1.0f - kp * kq);
+	cni_wide both_p = (rp - kp * rq) * inv_det, both_q = (rq - kq * rp) * inv_det;
+	cni_wide one_p = cni_wide_max(rp, zero), one_q = cni_wide_max(rq, zero);
+	cni_mask only_p = kq * one_p >= rq, both = (both_p >= zero) & (both_q >= zero);
+	cni_wide jp = cni_wide_select(both, both_p, cni_wide_select(only_p, one_p, zero));
+	cni_wide jq = cni_wide_select(both, both_q, cni_wide_select(only_p, zero, one_q));
+	cni_wide_store(k->p[0].jn + l, jp);
+	cni_wide_store(k->p[1].jn + l, jq);
+	apply_normal(a, b, nx, ny, &p, jp);
+	apply_normal(a, b, nx, ny, &q, jq);
+}
+
+/* Impulse along t = (ny, -nx) on body b. */
+CNI_INLINE void apply_friction(side *a, side *b, cni_wide nx, cni_wide ny, cni_wide fa, cni_wide fb, cni_wide dj)
+{
+	cni_wide ma = a->m * dj, mb = b->m * dj;
+	a->vx -= ma * ny;
+	a->vy += ma * nx;
+	a->w += a->i * fa * dj;
+	b->vx += mb * ny;
+	b->vy -= mb * nx;
+	b->w -= b->i * fb * dj;
+}
+
+/* Sticks within static friction, slides at dynamic friction. */
+CNI_INLINE void solve_friction(cni_contact_block *k, int32_t l, side *a, side *b, cni_wide nx, cni_wide ny)
+{
+	cni_wide fa = cni_wide_load(k->fa + l), fb = cni_wide_load(k->fb + l);
+	cni_wide vt = ny * (b->vx - a->vx) - nx * (b->vy - a->vy) - b->w * fb + a->w * fa;
+	cni_wide old = cni_wide_load(k->jt + l), want = old - cni_wide_load(k->tm + l) * vt;
+	cni_wide normal = cni_wide_load(k->p[0].jn + l) + cni_wide_load(k->p[1].jn + l);
+	cni_wide stick = cni_wide_load(k->static_friction + l) * normal, slide = cni_wide_load(k->dynamic_friction + l) * normal;
+	cni_wide sliding = cni_wide_max(cni_wide_min(want, slide), -slide);
+	cni_wide impulse = cni_wide_select(cni_wide_abs(want) <= stick, want, sliding);
+	cni_wide_store(k->jt + l, impulse);
+	apply_friction(a, b, nx, ny, fa, fb, impulse - old);
+}
+
+CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, int32_t l, const cni_contact_pass *pass, int32_t rounds, int32_t bias)
+{
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
+	side a, b;
+	side_gather(motions, k->ia + l, &a);
+	side_gather(motions, k->ib + l, &b);
+	do {
+		solve_normals(k, l, &a, &b, nx, ny, pass, bias);
+		solve_friction(k, l, &a, &b, nx, ny);
+	} while (--rounds > 0);
+	side_scatter(motions, k->ia + l, &a);
+	if (!pass->one_sided)
+		side_scatter(motions, k->ib + l, &b);
+}
+
+static void kernel_solve(cni_motion *motions, cni_contact_block *k, const cni_contact_pass *pass, int32_t rounds, int32_t lanes)
+{
+	int32_t l;
+	for (l = 0; l < lanes; l += CNI_WIDTH)
+		solve_group(motions, k, l, pass, rounds, 1);
+}
+
+static void kernel_relax(cni_motion *motions, cni_contact_block *k, const cni_contact_pass *pass, int32_t rounds, int32_t lanes)
+{
+	int32_t l;
+	for (l = 0; l < lanes; l += CNI_WIDTH)
+		solve_group(motions, k, l, pass, rounds, 0);
+}
+
+CNI_INLINE void warm_group(cni_motion *motions, cni_contact_block *k, int32_t l, const cni_contact_pass *pass)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), scale = cni_wide_of(pass->warm_scale);
+	cni_wide jt = cni_wide_load(k->jt + l) * scale;
+	side a, b;
+	int32_t p;
+	side_gather(motions, k->ia + l, &a);
+	side_gather(motions, k->ib + l, &b);
+	for (p = 0; p < 2; ++p) {
+		point q;
+		cni_wide jn = cni_wide_load(k->p[p].jn + l) * scale;
+		q.at = cni_wide_load(k->p[p].at + l);
+		q.bt = q.at - cni_wide_load(k->dt + l);
+		q.old = zero;
+		cni_wide_store(k->p[p].jn + l, jn);
+		apply_normal(&a, &b, nx, ny, &q, jn);
+	}
+	cni_wide_store(k->jt + l, jt);
+	apply_friction(&a, &b, nx, ny, cni_wide_load(k->fa + l), cni_wide_load(k->fb + l), jt);
+	side_scatter(motions, k->ia + l, &a);
+	if (!pass->one_sided)
+		side_scatter(motions, k->ib + l, &b);
+}
+
+static void kernel_warm(cni_motion *motions, cni_contact_block *k, const cni_contact_pass *pass, int32_t rounds, int32_t lanes)
+{
+	int32_t l;
+	(void)rounds;
+	for (l = 0; l < lanes; l += CNI_WIDTH)
+		warm_group(motions, k, l, pass);
+}
+
+const cni_contact_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax };

@@ -1,0 +1,35 @@
+/*
+ * stages/contact_pass.h - what contact_solve.c hands to a kernel: one block and the numbers of the pass.
+ */
+#ifndef CNI_STAGES_CONTACT_PASS_H
+#define CNI_STAGES_CONTACT_PASS_H
+
+#include "stages/solver.h"
+
+typedef struct cni_contact_pass {
+	float inv_h;
+	float push_speed;
+	float impact_speed;  /* < 0: faster approaches are impacts */
+	float warm_scale;
+	cni_soft soft;
+	int32_t one_sided;   /* lane bodies b are not written */
+} cni_contact_pass;
+
+/* Works on the first lanes of the block (a multiple of 16, or 1 for a block whose other lanes are empty);
+   rounds: how often to go between normals and friction. */
+typedef void cni_contact_kernel_fn(cni_motion *motions, cni_contact_block *block, const cni_contact_pass *pass, int32_t rounds, int32_t lanes);
+
+typedef struct cni_contact_kernel {
+	cni_contact_kernel_fn *warm;
+	cni_contact_kernel_fn *solve;
+	cni_contact_kernel_fn *relax;
+} cni_contact_kernel;
+
+extern const cni_contact_kernel cni_contact_kernel_plain; /* width 1: any compiler */
+extern const cni_contact_kernel cni_contact_kernel_4;     /* SSE2, NEON, WASM SIMD */
+extern const cni_contact_kernel cni_contact_kernel_8;     /* AVX2, chosen at run time */
+
+/* The widest that this build and this processor have. */
+const cni_contact_kernel *cni_contact_kernel_choose(void);
+
+#endif
