@@ -155,7 +155,8 @@ enum {
 	CN_TYPE_COUNTERS = 21,
 	CN_TYPE_PROFILE = 22,
 	CN_TYPE_MEMORY_STATS = 23,
-	CN_TYPE_COUNT = 24
+	CN_TYPE_SENSOR_EVENT = 24,
+	CN_TYPE_COUNT = 25
 };
 /* sizeof the struct named by a CN_TYPE_ constant, 0 for an unknown one: bindings check themselves. */
 CN_API int32_t cn_sizeof(int32_t type);
@@ -466,13 +467,33 @@ typedef struct cn_filter {
 	uint32_t reserved;
 } cn_filter;
 
-/* Pairs mix friction by the geometric mean and restitution by the maximum. */
+/* How two materials' numbers become a pair's. When the two ask for different rules, the later one of
+   this list is taken. */
+enum {
+	CN_MIX_AVERAGE = 0,
+	CN_MIX_GEOMETRIC = 1, /* square root of the product; default for friction */
+	CN_MIX_MINIMUM = 2,
+	CN_MIX_MULTIPLY = 3,
+	CN_MIX_MAXIMUM = 4    /* default for restitution */
+};
+
 typedef struct cn_material {
-	float static_friction;  /* coefficient while sticking, [0, 100], default 0.6 */
-	float dynamic_friction; /* coefficient while sliding, [0, static_friction], default 0.6 */
-	float restitution;      /* [0, 1], default 0 */
-	float reserved;
+	float static_friction;    /* coefficient while sticking, [0, 100], default 0.6 */
+	float dynamic_friction;   /* coefficient while sliding, [0, static_friction], default 0.6 */
+	float restitution;        /* [0, 1], default 0 */
+	float rolling_resistance; /* metres, [0, 1e3]: lever arm that resists rolling; the pair takes the greater; default 0 */
+	float tangent_speed_mps;  /* conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; default 0 */
+	int32_t friction_mix;     /* CN_MIX_* */
+	int32_t restitution_mix;  /* CN_MIX_* */
+	uint32_t reserved;
 } cn_material;
+
+enum {
+	CN_SHAPE_SENSOR = 1u << 0,       /* reports who enters and leaves and touches nothing; see cn_world_sensor_events */
+	CN_SHAPE_SENSOR_SEEN = 1u << 1,  /* queries see this sensor (default: they do not) */
+	CN_SHAPE_ONE_WAY = 1u << 2,      /* collides only with what comes from the side its local +y axis points to */
+	CN_SHAPE_PRE_SOLVE = 1u << 3     /* its contacts are shown to the pre-solve callback */
+};
 
 enum {
 	CN_EVENT_CREATED = 0,   /* the fat boxes of two shapes began to overlap */
@@ -492,7 +513,7 @@ typedef struct cn_shape_def {
 	cn_material material;
 	cn_filter filter;
 	uint32_t event_mask;      /* bit 1 << CN_EVENT_*; a pair reports what either shape asks for; default ENTER and LEAVE */
-	uint32_t reserved;
+	uint32_t flags;           /* CN_SHAPE_SENSOR ...; default 0 */
 	uint64_t user_data;
 } cn_shape_def;
 
@@ -561,6 +582,9 @@ CN_API cn_result cn_shape_get_filter(const cn_world *world, cn_shape shape, cn_f
 /* Takes effect at once, for present contacts too. */
 CN_API cn_result cn_shape_set_event_mask(cn_world *world, cn_shape shape, uint32_t event_mask);
 CN_API cn_result cn_shape_get_event_mask(const cn_world *world, cn_shape shape, uint32_t *out_event_mask);
+/* Replaces the CN_SHAPE_ flags (SENSOR ...). Contacts end and begin anew as needed. */
+CN_API cn_result cn_shape_set_flags(cn_world *world, cn_shape shape, uint32_t flags);
+CN_API cn_result cn_shape_get_flags(const cn_world *world, cn_shape shape, uint32_t *out_flags);
 CN_API cn_result cn_shape_set_user_data(cn_world *world, cn_shape shape, uint64_t user_data);
 CN_API cn_result cn_shape_get_user_data(const cn_world *world, cn_shape shape, uint64_t *out_user_data);
 /* Without margin, in world space (in shape space when unattached). O(points). */
@@ -626,6 +650,33 @@ CN_API cn_result cn_world_contact_events(cn_world *world, int32_t kind, const cn
 typedef void cn_contact_event_fn(cn_world *world, const cn_contact_event *event, void *user);
 /* function NULL removes it. */
 CN_API cn_result cn_world_set_contact_callback(cn_world *world, int32_t kind, cn_contact_event_fn *function, void *user);
+
+/* Decides whether two shapes that pass their filters may touch: 1 yes, 0 no. Asked when their boxes begin to
+   overlap. The world is locked. */
+typedef int32_t cn_filter_fn(cn_world *world, cn_shape shape_a, cn_shape shape_b, void *user);
+/* Asked in every step for each touching pair in which a shape has CN_SHAPE_PRE_SOLVE, before solving:
+   0 makes the pair pass through each other in this step. Event kind is STAY or ENTER. */
+typedef int32_t cn_pre_solve_fn(cn_world *world, const cn_contact_event *contact, void *user);
+/* Mixes two materials in place of the CN_MIX_ rules: fills *mixed, which holds what the rules gave. Asked when a
+   pair begins to touch and when a material changes. */
+typedef void cn_material_mix_fn(cn_world *world, cn_shape shape_a, cn_shape shape_b, cn_material *mixed, void *user);
+/* function NULL removes it. */
+CN_API cn_result cn_world_set_filter_callback(cn_world *world, cn_filter_fn *function, void *user);
+CN_API cn_result cn_world_set_pre_solve_callback(cn_world *world, cn_pre_solve_fn *function, void *user);
+CN_API cn_result cn_world_set_material_mix_callback(cn_world *world, cn_material_mix_fn *function, void *user);
+
+/* A shape entered or left a sensor. */
+typedef struct cn_sensor_event {
+	cn_shape sensor;
+	cn_shape visitor;
+	cn_body sensor_body;
+	cn_body visitor_body;
+	int32_t kind;         /* CN_EVENT_ENTER or CN_EVENT_LEAVE */
+	uint32_t reserved;
+} cn_sensor_event;
+/* Of the last step, in a deterministic order; bookended like contact events. Sensors see dynamic and
+   kinematic bodies' shapes that are not sensors, by exact overlap. */
+CN_API cn_result cn_world_sensor_events(const cn_world *world, const cn_sensor_event **out_events, int32_t *out_count);
 
 /* The contacts of a body, touching or not, as events of kind STAY (touching) or CREATED.
    Writes at most capacity; *out_count is how many there are. O(contacts). */

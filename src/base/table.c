@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-#define ARRAY_LARGE_BYTES 65536u
+#define ARRAY_LARGE_BYTES 8192u
 /* Keeps the growth of the page pointers within an int32_t. */
 #define TABLE_PAGES_MAX (1 << 30)
 

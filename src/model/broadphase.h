@@ -75,6 +75,7 @@ typedef struct cni_broadphase_ops {
 	uint64_t (*bytes_needed)(int32_t capacity);
 } cni_broadphase_ops;
 
-extern const cni_broadphase_ops cni_broadphase_sweep;
+extern const cni_broadphase_ops cni_broadphase_sweep; /* stages/broadphase_sweep.c */
+extern const cni_broadphase_ops cni_broadphase_tree;  /* stages/broadphase_tree.c */
 
 #endif

@@ -80,6 +80,31 @@ int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b
 	return CNI_NONE;
 }
 
+static int32_t one_is_dynamic(const cn_world *world, const cni_shape *a, const cni_shape *b)
+{
+	return cni_body_at(world, a->body)->type == CN_BODY_DYNAMIC || cni_body_at(world, b->body)->type == CN_BODY_DYNAMIC;
+}
+
+/* A sensor sees shapes that are not sensors, of bodies that may move. */
+static int32_t sensor_may_see(const cn_world *world, const cni_shape *a, const cni_shape *b)
+{
+	const cni_shape *visitor = a->flags & CN_SHAPE_SENSOR ? b : a;
+	return !(a->flags & b->flags & CN_SHAPE_SENSOR) && cni_body_at(world, visitor->body)->type != CN_BODY_STATIC;
+}
+
+static int32_t user_allows(const cn_world *world, int32_t proxy_a, int32_t proxy_b)
+{
+	cn_world *locked = (cn_world *)(uintptr_t)world; /* the lock is the one thing a filter may not see unchanged */
+	int32_t allowed;
+	if (world->filter == NULL)
+		return 1;
+	++locked->locked;
+	allowed = world->filter(locked, cni_handles_of(&world->shape_handles, cni_proxy_at(world, proxy_a)->shape),
+	                        cni_handles_of(&world->shape_handles, cni_proxy_at(world, proxy_b)->shape), world->filter_user);
+	--locked->locked;
+	return allowed != 0;
+}
+
 int32_t cni_contact_allowed(const void *context, int32_t proxy_a, int32_t proxy_b)
 {
 	const cn_world *world = (const cn_world *)context;
@@ -87,11 +112,11 @@ int32_t cni_contact_allowed(const void *context, int32_t proxy_a, int32_t proxy_
 	const cni_shape *b = cni_shape_at(world, cni_proxy_at(world, proxy_b)->shape);
 	if (a->body == b->body || !cni_filter_allows(a, b))
 		return 0;
-	if (cni_body_at(world, a->body)->type != CN_BODY_DYNAMIC && cni_body_at(world, b->body)->type != CN_BODY_DYNAMIC)
+	if ((a->flags | b->flags) & CN_SHAPE_SENSOR ? !sensor_may_see(world, a, b) : !one_is_dynamic(world, a, b))
 		return 0;
 	if (cni_manifold_function(cni_min_i(a->type, b->type), cni_max_i(a->type, b->type)) == NULL)
 		return 0;
-	return !cni_joint_forbids(world, a->body, b->body);
+	return !cni_joint_forbids(world, a->body, b->body) && user_allows(world, proxy_a, proxy_b);
 }
 
 /* ---- life and death ---- */
@@ -100,7 +125,8 @@ cn_result cni_contact_reserve(cn_world *world, int32_t extra)
 {
 	int32_t count = world->contact_count + extra;
 	int32_t good = cni_table_reserve(&world->contacts, &world->memory, cni_max_i(world->contact_used, count)) &&
-	               cni_array_reserve(&world->awake_contacts, &world->memory, count);
+	               cni_array_reserve(&world->awake_contacts, &world->memory, count) &&
+	               cni_array_reserve(&world->changes, &world->memory, count);
 	return good ? CN_OK : CN_ERROR_MEMORY;
 }
 
@@ -113,6 +139,19 @@ static void log_or_owe(cn_world *world, int32_t contact, int32_t kind, uint32_t 
 {
 	if (!cni_event_log(world, contact, kind))
 		cni_contact_at(world, contact)->flags |= owed;
+}
+
+/* What kind of contact two shapes make. Sensor pairs report through sensor events only. */
+static uint32_t flags_of_shapes(const cni_shape *a, const cni_shape *b)
+{
+	uint32_t shapes = (uint32_t)(a->flags | b->flags), flags = 0;
+	if (shapes & CN_SHAPE_SENSOR)
+		return CNI_CONTACT_SENSOR;
+	if (shapes & CN_SHAPE_ONE_WAY)
+		flags |= CNI_CONTACT_ONE_WAY;
+	if (shapes & CN_SHAPE_PRE_SOLVE)
+		flags |= CNI_CONTACT_PRE_SOLVE;
+	return flags | (uint32_t)(a->event_mask | b->event_mask) << CNI_CONTACT_EVENTS_SHIFT;
 }
 
 int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
@@ -134,7 +173,7 @@ int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
 	c->body[side] = a->body;
 	c->body[1 - side] = b->body;
 	c->slot = c->awake = CNI_NONE;
-	c->flags = (a->event_mask | b->event_mask) << CNI_CONTACT_EVENTS_SHIFT;
+	c->flags = flags_of_shapes(a, b);
 	list_link(world, contact, 0);
 	list_link(world, contact, 1);
 	if (contact_is_awake(world, c))
@@ -146,7 +185,8 @@ int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
 cn_result cni_contact_reserve_end(cn_world *world, int32_t contacts)
 {
 	cni_array *leave = &world->events.pending[CN_EVENT_LEAVE], *destroyed = &world->events.pending[CN_EVENT_DESTROYED];
-	int32_t good = cni_array_reserve(leave, &world->memory, leave->count + contacts) &&
+	cni_array *sensed = &world->events.sensor_pending;
+	int32_t good = cni_array_reserve(sensed, &world->memory, sensed->count + contacts) && cni_array_reserve(leave, &world->memory, leave->count + contacts) &&
 	               cni_array_reserve(destroyed, &world->memory, destroyed->count + contacts);
 	return good ? CN_OK : CN_ERROR_MEMORY;
 }
@@ -155,6 +195,8 @@ int32_t cni_contact_destroy(cn_world *world, int32_t contact)
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	if ((c->flags & CNI_CONTACT_TOUCHING) && !cni_contact_end(world, contact))
+		return 0;
+	if ((c->flags & CNI_CONTACT_SENSING) && !cni_contact_sense(world, contact, 0))
 		return 0;
 	if (!(c->flags & CNI_CONTACT_CREATED_OWED) && !cni_event_log(world, contact, CN_EVENT_DESTROYED))
 		return 0;
@@ -230,10 +272,24 @@ static float contact_approach(const cn_world *world, const cni_contact *c, const
 	return cni_max(-cni_dot(n, cni_sub(at_b, at_a)), 0.0f);
 }
 
+/* Shapes that roll stiffly or convey need extra rows. */
+static int32_t contact_reserve_extra(cn_world *world, const cni_contact *c)
+{
+	int32_t side;
+	if (world->material_mix != NULL)
+		return cni_lane_reserve_extra(world);
+	for (side = 0; side < 2; ++side) {
+		const cni_shape *s = cni_shape_at(world, cni_proxy_at(world, c->proxy[side])->shape);
+		if (s->rolling_resistance > 0.0f || s->tangent_speed != 0.0f)
+			return cni_lane_reserve_extra(world);
+	}
+	return 1;
+}
+
 int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *manifold)
 {
 	cni_contact *c = cni_contact_at(world, contact);
-	if (!cni_lane_reserve(world, world->touching_count + 1) || !cni_island_reserve(world, 1))
+	if (!cni_lane_reserve(world, world->touching_count + 1) || !cni_island_reserve(world, 1) || !contact_reserve_extra(world, c))
 		return 0;
 	++world->touching_count;
 	c->approach_speed = contact_approach(world, c, manifold);
@@ -278,6 +334,18 @@ int32_t cni_contact_end(cn_world *world, int32_t contact)
 	return 1;
 }
 
+int32_t cni_contact_sense(cn_world *world, int32_t contact, int32_t overlaps)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	int32_t was = (c->flags & CNI_CONTACT_SENSING) != 0;
+	if (was == overlaps)
+		return 1;
+	if (!cni_sensor_event_log(world, contact, overlaps ? CN_EVENT_ENTER : CN_EVENT_LEAVE))
+		return 0;
+	c->flags ^= (uint32_t)CNI_CONTACT_SENSING;
+	return 1;
+}
+
 void cni_contact_fix_body(cn_world *world, int32_t body)
 {
 	int32_t key = cni_body_at(world, body)->contact_first;
@@ -291,6 +359,30 @@ void cni_contact_fix_body(cn_world *world, int32_t body)
 
 /* ---- sleep store ---- */
 
+static void extra_to_sleep(const cn_world *world, const cni_contact *c, cni_sleep_lane *s)
+{
+	const cni_block_extra *extra = cni_block_extra_at(world, c->slot / CNI_LANES);
+	int32_t l = c->slot % CNI_LANES;
+	s->tangent_speed = extra != NULL ? extra->tangent_speed[l] : 0.0f;
+	s->rolling = extra != NULL ? extra->rolling[l] : 0.0f;
+	s->rolling_mass = extra != NULL ? extra->rolling_mass[l] : 0.0f;
+	s->rolling_impulse = extra != NULL ? extra->rolling_impulse[l] : 0.0f;
+}
+
+static void sleep_to_extra(const cn_world *world, const cni_contact *c, const cni_sleep_lane *s)
+{
+	cni_block_extra *extra = cni_block_extra_at(world, c->slot / CNI_LANES);
+	int32_t l = c->slot % CNI_LANES;
+	if (extra == NULL)
+		return;
+	extra->tangent_speed[l] = s->tangent_speed;
+	extra->rolling[l] = s->rolling;
+	extra->rolling_mass[l] = s->rolling_mass;
+	extra->rolling_impulse[l] = s->rolling_impulse;
+	if (s->rolling > 0.0f || s->tangent_speed != 0.0f)
+		cni_block_info_at(world, c->slot / CNI_LANES)->flags |= CNI_BLOCK_EXTRA;
+}
+
 void cni_contact_lane_to_sleep(cn_world *world, int32_t contact)
 {
 	cni_contact *c = cni_contact_at(world, contact);
@@ -301,6 +393,7 @@ void cni_contact_lane_to_sleep(cn_world *world, int32_t contact)
 	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
 		s->rows[row] = rows[(row + 2) * CNI_LANES];
 	s->restitution = cni_block_info_at(world, c->slot / CNI_LANES)->restitution[c->slot % CNI_LANES];
+	extra_to_sleep(world, c, s);
 	s->contact = contact;
 	cni_lane_free(world, contact);
 	c->slot = world->sleep_lanes.count++;
@@ -321,6 +414,7 @@ void cni_contact_sleep_to_lane(cn_world *world, int32_t contact)
 		rows[(row + 2) * CNI_LANES] = s.rows[row];
 	info = cni_block_info_at(world, c->slot / CNI_LANES);
 	info->restitution[c->slot % CNI_LANES] = s.restitution;
+	sleep_to_extra(world, c, &s);
 	if (s.restitution > 0.0f)
 		info->flags |= CNI_BLOCK_RESTITUTION;
 }

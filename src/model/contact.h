@@ -51,7 +51,18 @@ typedef struct cni_contact_block {
 	cni_contact_row p[2];
 } cni_contact_block;
 
-enum { CNI_BLOCK_RESTITUTION = 1u << 0 }; /* some lane may bounce */
+enum {
+	CNI_BLOCK_RESTITUTION = 1u << 0, /* some lane may bounce */
+	CNI_BLOCK_EXTRA = 1u << 1        /* some lane has rolling resistance or a conveyor: see cni_block_extra */
+};
+
+/* Rows that few contacts need, beside the block of the same index. */
+typedef struct cni_block_extra {
+	float tangent_speed[CNI_LANES];  /* wanted slip along t */
+	float rolling[CNI_LANES];        /* lever arm in metres */
+	float rolling_mass[CNI_LANES];   /* 1 / (sum of inverse inertias) */
+	float rolling_impulse[CNI_LANES];
+} cni_block_extra;
 
 /* What the solver does not need in every pass. */
 typedef struct cni_block_info {
@@ -75,6 +86,7 @@ typedef struct cni_color {
 typedef struct cni_sleep_lane {
 	float rows[CNI_SLEEP_ROWS];
 	float restitution;
+	float tangent_speed, rolling, rolling_mass, rolling_impulse;
 	int32_t contact;
 } cni_sleep_lane;
 
@@ -87,6 +99,11 @@ enum {
 	CNI_CONTACT_CREATED_OWED = 1u << 5,
 	CNI_CONTACT_ENTERED = 1u << 6,      /* began to touch in the last step */
 	CNI_CONTACT_REFRESH = 1u << 7,      /* material changed: rewrite it in the lane */
+	CNI_CONTACT_SENSOR = 1u << 8,       /* one shape is a sensor: overlap is reported, nothing is solved */
+	CNI_CONTACT_SENSING = 1u << 9,      /* ... and they overlap */
+	CNI_CONTACT_ONE_WAY = 1u << 10,     /* one shape is a one-way platform */
+	CNI_CONTACT_PASSING = 1u << 11,     /* ... through which the other is passing */
+	CNI_CONTACT_PRE_SOLVE = 1u << 12,   /* shown to the user before solving */
 	CNI_CONTACT_EVENTS_SHIFT = 16       /* bits 16..20: which CN_EVENT_ kinds it reports */
 };
 
@@ -106,6 +123,8 @@ cni_contact *cni_contact_at(const cn_world *world, int32_t contact);
 static inline cni_contact *cni_contact_of_key(const cn_world *world, int32_t key) { return cni_contact_at(world, key >> 1); }
 cni_contact_block *cni_block_at(const cn_world *world, int32_t block);
 cni_block_info *cni_block_info_at(const cn_world *world, int32_t block);
+/* NULL when no contact has ever needed one. */
+cni_block_extra *cni_block_extra_at(const cn_world *world, int32_t block);
 
 /* Makes room for extra more contacts: records and awake list (lanes are reserved when they begin to touch). */
 cn_result cni_contact_reserve(cn_world *world, int32_t extra);
@@ -133,6 +152,10 @@ int32_t cni_contact_end(cn_world *world, int32_t contact);
 int32_t cni_contact_allowed(const void *context, int32_t proxy_a, int32_t proxy_b);
 /* Room for `lanes` touching contacts, awake or asleep, however they are coloured. 0: no memory. */
 int32_t cni_lane_reserve(cn_world *world, int32_t lanes);
+/* Gives every block its extra rows; 0: no memory. */
+int32_t cni_lane_reserve_extra(cn_world *world);
+/* A sensor pair overlaps or no longer does: logs the change. 0: no memory for the log; nothing changes. */
+int32_t cni_contact_sense(cn_world *world, int32_t contact, int32_t overlaps);
 /* Writes a manifold to the contact's lane, keeping the impulses of points with equal ids. */
 void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold);
 /* An empty manifold: the lane stays but can do nothing. */

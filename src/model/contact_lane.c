@@ -43,16 +43,25 @@ static float old_impulse(const uint16_t *old_id, const float *old_jn, uint32_t i
 	return old_id[1] == id ? old_jn[1] : 0.0f;
 }
 
-static void lane_write_material(const cn_world *world, const cni_contact *c, cni_contact_block *block, int32_t lane)
+static void lane_write_material(cn_world *world, const cni_contact *c, cni_contact_block *block, int32_t lane)
 {
-	const cni_shape *a = cni_shape_at(world, cni_proxy_at(world, c->proxy[0])->shape);
-	const cni_shape *b = cni_shape_at(world, cni_proxy_at(world, c->proxy[1])->shape);
+	cn_material m = cni_material_mix(world, cni_proxy_at(world, c->proxy[0])->shape, cni_proxy_at(world, c->proxy[1])->shape);
 	cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
-	block->static_friction[lane] = cni_sqrt(a->static_friction * b->static_friction);
-	block->dynamic_friction[lane] = cni_sqrt(a->dynamic_friction * b->dynamic_friction);
-	info->restitution[lane] = cni_max(a->restitution, b->restitution);
-	if (info->restitution[lane] > 0.0f)
+	cni_block_extra *extra;
+	block->static_friction[lane] = m.static_friction;
+	block->dynamic_friction[lane] = m.dynamic_friction;
+	info->restitution[lane] = m.restitution;
+	if (m.restitution > 0.0f)
 		info->flags |= CNI_BLOCK_RESTITUTION;
+	if (m.rolling_resistance > 0.0f || m.tangent_speed_mps != 0.0f)
+		cni_lane_reserve_extra(world); /* a resting contact that gets its first conveyor; without memory it stays plain */
+	extra = cni_block_extra_at(world, c->slot / CNI_LANES);
+	if (extra == NULL)
+		return;
+	extra->tangent_speed[lane] = m.tangent_speed_mps;
+	extra->rolling[lane] = m.rolling_resistance;
+	if (m.rolling_resistance > 0.0f || m.tangent_speed_mps != 0.0f)
+		info->flags |= CNI_BLOCK_EXTRA;
 }
 
 /* Friction acts on the contact line, at the mean height of the points along the normal: one row is
@@ -122,6 +131,8 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 		lane_write_material(world, c, block, lane);
 		c->flags &= ~(uint32_t)CNI_CONTACT_REFRESH;
 	}
+	if (cni_block_info_at(world, c->slot / CNI_LANES)->flags & CNI_BLOCK_EXTRA)
+		cni_block_extra_at(world, c->slot / CNI_LANES)->rolling_mass[lane] = inverse_or_zero(ia + ib);
 }
 
 void cni_contact_write_empty(cn_world *world, int32_t contact)

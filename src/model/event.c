@@ -15,6 +15,8 @@ void cni_events_init(cni_events *events)
 		cni_array_init(&events->pending[kind], (int32_t)sizeof(cni_event));
 		cni_array_init(&events->seen[kind], (int32_t)sizeof(cn_contact_event));
 	}
+	cni_array_init(&events->sensor_log, (int32_t)sizeof(cn_sensor_event));
+	cni_array_init(&events->sensor_pending, (int32_t)sizeof(cn_sensor_event));
 	cni_array_init(&events->moved, (int32_t)sizeof(cn_body_moved));
 	cni_array_init(&events->asleep, (int32_t)sizeof(cn_body));
 }
@@ -27,6 +29,8 @@ void cni_events_deinit(cni_events *events, cni_memory *memory)
 		cni_array_deinit(&events->pending[kind], memory);
 		cni_array_deinit(&events->seen[kind], memory);
 	}
+	cni_array_deinit(&events->sensor_log, memory);
+	cni_array_deinit(&events->sensor_pending, memory);
 	cni_array_deinit(&events->moved, memory);
 	cni_array_deinit(&events->asleep, memory);
 }
@@ -36,11 +40,21 @@ void cni_events_begin_step(cni_events *events)
 	int32_t kind;
 	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
 		cni_array log = events->log[kind];
-		events->log[kind] = events->pending[kind];
-		events->pending[kind] = log;
-		events->pending[kind].count = 0;
+		log.count = 0;
+		events->log[kind] = log;
+		/* Contacts end between steps too, but begin in steps only. */
+		if (kind == CN_EVENT_LEAVE || kind == CN_EVENT_DESTROYED) {
+			events->log[kind] = events->pending[kind];
+			events->pending[kind] = log;
+		}
 		events->built[kind] = 0;
 		events->seen[kind].count = 0;
+	}
+	{
+		cni_array log = events->sensor_log;
+		events->sensor_log = events->sensor_pending;
+		events->sensor_pending = log;
+		events->sensor_pending.count = 0;
 	}
 	events->moved_built = 0;
 	events->asleep.count = 0;
@@ -68,6 +82,30 @@ int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind)
 	e->child_b = b->child;
 	e->contact = contact;
 	e->approach_speed = kind == CN_EVENT_ENTER ? c->approach_speed : 0.0f;
+	return 1;
+}
+
+int32_t cni_sensor_event_log(cn_world *world, int32_t contact, int32_t kind)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	cni_array *log = world->events.in_step ? &world->events.sensor_log : &world->events.sensor_pending;
+	int32_t shapes[2], side;
+	cn_sensor_event *e;
+	if (!cni_array_reserve(log, &world->memory, log->count + 1)) {
+		world->warnings |= CN_WARNING_EVENT_MEMORY;
+		++world->events_not_reported;
+		return 0;
+	}
+	shapes[0] = cni_proxy_at(world, c->proxy[0])->shape;
+	shapes[1] = cni_proxy_at(world, c->proxy[1])->shape;
+	side = cni_shape_at(world, shapes[0])->flags & CN_SHAPE_SENSOR ? 0 : 1;
+	e = (cn_sensor_event *)log->data + log->count++;
+	e->sensor = cni_handles_of(&world->shape_handles, shapes[side]);
+	e->visitor = cni_handles_of(&world->shape_handles, shapes[1 - side]);
+	e->sensor_body = cni_handles_of(&world->body_handles, c->body[side]);
+	e->visitor_body = cni_handles_of(&world->body_handles, c->body[1 - side]);
+	e->kind = kind;
+	e->reserved = 0;
 	return 1;
 }
 

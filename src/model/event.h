@@ -31,6 +31,8 @@ typedef struct cni_events {
 	int32_t in_step;                    /* 1 while a step runs: log goes to log[], else to pending[] */
 	cn_contact_event_fn *callback[CN_EVENT_KINDS];
 	void *callback_user[CN_EVENT_KINDS];
+	cni_array sensor_log;               /* cn_sensor_event of the last step */
+	cni_array sensor_pending;           /* since then, by calls */
 	cni_array moved;                    /* cn_body_moved, built on request */
 	cni_array asleep;                   /* cn_body that fell asleep in the last step */
 	int32_t moved_built;
@@ -43,6 +45,7 @@ void cni_events_deinit(cni_events *events, cni_memory *memory);
 void cni_events_begin_step(cni_events *events);
 /* Logs a contact's event if it reports that kind; 0 when there is no memory. */
 int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind);
+int32_t cni_sensor_event_log(cn_world *world, int32_t contact, int32_t kind);
 /* Builds the public array of a kind. */
 cn_result cni_events_build(cn_world *world, int32_t kind);
 

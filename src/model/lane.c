@@ -24,12 +24,25 @@ cni_block_info *cni_block_info_at(const cn_world *world, int32_t block)
 	return (cni_block_info *)cni_table_at(&world->blocks_info, block);
 }
 
+cni_block_extra *cni_block_extra_at(const cn_world *world, int32_t block)
+{
+	if (block >= cni_table_capacity(&world->blocks_extra))
+		return NULL;
+	return (cni_block_extra *)cni_table_at(&world->blocks_extra, block);
+}
+
+int32_t cni_lane_reserve_extra(cn_world *world)
+{
+	return cni_table_reserve(&world->blocks_extra, &world->memory, cni_table_capacity(&world->blocks_hot));
+}
+
 int32_t cni_lane_reserve(cn_world *world, int32_t lanes)
 {
 	/* Full blocks, and at worst one block begun in each colour. */
 	int32_t blocks = lanes / CNI_LANES + cni_min_i(lanes, CNI_COLORS);
 	return cni_table_reserve(&world->blocks_hot, &world->memory, blocks) &&
-	       cni_table_reserve(&world->blocks_info, &world->memory, blocks);
+	       cni_table_reserve(&world->blocks_info, &world->memory, blocks) &&
+	       (cni_table_capacity(&world->blocks_extra) == 0 || cni_lane_reserve_extra(world));
 }
 
 static int32_t block_take(cn_world *world, int32_t color)
@@ -43,6 +56,8 @@ static int32_t block_take(cn_world *world, int32_t color)
 		block = world->block_used++;
 	CNI_ASSERT(block < cni_table_capacity(&world->blocks_hot));
 	memset(cni_block_at(world, block), 0, sizeof(cni_contact_block));
+	if (cni_block_extra_at(world, block) != NULL)
+		memset(cni_block_extra_at(world, block), 0, sizeof(cni_block_extra));
 	info = cni_block_info_at(world, block);
 	memset(info, 0, sizeof *info);
 	for (lane = 0; lane < CNI_LANES; ++lane)
@@ -141,6 +156,19 @@ void cni_lane_take(cn_world *world, int32_t contact)
 	cni_lane_set_bodies(world, c);
 }
 
+static void extra_move(cn_world *world, int32_t from, int32_t to)
+{
+	cni_block_extra *source = cni_block_extra_at(world, from / CNI_LANES), *target = cni_block_extra_at(world, to / CNI_LANES);
+	int32_t f = from % CNI_LANES, t = to % CNI_LANES;
+	if (source == NULL)
+		return;
+	target->tangent_speed[t] = source->tangent_speed[f];
+	target->rolling[t] = source->rolling[f];
+	target->rolling_mass[t] = source->rolling_mass[f];
+	target->rolling_impulse[t] = source->rolling_impulse[f];
+	source->tangent_speed[f] = source->rolling[f] = source->rolling_mass[f] = source->rolling_impulse[f] = 0.0f;
+}
+
 /* Copies one lane over another and clears the source. */
 static void lane_move(cn_world *world, int32_t from, int32_t to)
 {
@@ -163,6 +191,7 @@ static void lane_move(cn_world *world, int32_t from, int32_t to)
 			target_info->fresh_step = source_info->fresh_step;
 		cni_contact_at(world, contact)->slot = to;
 	}
+	extra_move(world, from, to);
 	source_info->contact[from % CNI_LANES] = CNI_NONE;
 	source_info->restitution[from % CNI_LANES] = 0.0f;
 }

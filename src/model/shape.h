@@ -15,7 +15,10 @@
 typedef struct cni_shape {
 	int32_t body;          /* CNI_NONE: unattached */
 	int32_t next, prev;    /* in the body's list, in order of attachment; the first one's prev is the last */
-	int32_t type;
+	uint8_t type;          /* CN_SHAPE_CIRCLE ... */
+	uint8_t event_mask;    /* 1 << CN_EVENT_ bits */
+	uint8_t flags;         /* CN_SHAPE_SENSOR ... */
+	uint8_t mix;           /* friction's CN_MIX_ rule, restitution's << 4 */
 	cni_ref geometry;
 	uint32_t geometry_bytes;
 	int32_t children;
@@ -25,8 +28,9 @@ typedef struct cni_shape {
 	} box;
 	float density;
 	float static_friction, dynamic_friction, restitution;
+	float rolling_resistance, tangent_speed;
 	int32_t group;
-	uint32_t event_mask;
+	uint32_t reserved;
 	uint64_t category, mask;
 	uint64_t user_data;
 } cni_shape;
@@ -53,6 +57,12 @@ void cni_shape_unlink(cn_world *world, int32_t shape);
 cni_aabb cni_box_fatten(const cn_world *world, int32_t body_type, cni_aabb tight);
 /* All pairs of the shape's boxes count as new at the next step (filter, type or joint changed). */
 void cni_shape_look_again(cn_world *world, int32_t shape);
+
+/* Between the record and the public struct. */
+void cni_shape_store_material(cni_shape *s, const cn_material *material);
+cn_material cni_shape_material(const cni_shape *s);
+/* What a pair of shapes has: mixed by their rules, then by the user's callback if there is one. */
+cn_material cni_material_mix(cn_world *world, int32_t shape_a, int32_t shape_b);
 
 /* May these shapes' filters collide? */
 int32_t cni_filter_allows(const cni_shape *a, const cni_shape *b);

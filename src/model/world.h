@@ -81,9 +81,10 @@ struct cn_world {
 	int32_t touching_count;      /* lanes and sleep lanes */
 	cni_table contacts;          /* cni_contact */
 	cni_array awake_contacts;    /* int32_t; count is the list's */
-	cni_array changes;           /* cni_change of stages/narrowphase.c, empty between steps */
+	cni_array changes;           /* of stages/narrowphase.c: room for every awake contact */
 	cni_table blocks_hot;        /* cni_contact_block */
 	cni_table blocks_info;       /* cni_block_info */
+	cni_table blocks_extra;      /* cni_block_extra, reserved only once some contact needs one */
 	int32_t block_used;
 	int32_t block_free;
 	cni_color colors[CNI_COLORS];
@@ -100,6 +101,13 @@ struct cn_world {
 	int32_t island_used;
 	int32_t island_free;
 	int32_t island_count;
+
+	cn_filter_fn *filter;        /* the user's callbacks, NULL: none */
+	void *filter_user;
+	cn_pre_solve_fn *pre_solve;
+	void *pre_solve_user;
+	cn_material_mix_fn *material_mix;
+	void *material_mix_user;
 
 	cni_events events;
 	uint32_t warnings;

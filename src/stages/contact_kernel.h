@@ -121,11 +121,12 @@ CNI_INLINE void apply_friction(side *a, side *b, cni_wide nx, cni_wide ny, cni_w
 }
 
 /* Sticks within static friction, slides at dynamic friction. */
-CNI_INLINE void solve_friction(cni_contact_block *k, int32_t l, side *a, side *b, cni_wide nx, cni_wide ny)
+CNI_INLINE void solve_friction(cni_contact_block *k, const cni_block_extra *extra, int32_t l, side *a, side *b, cni_wide nx, cni_wide ny)
 {
 	cni_wide fa = cni_wide_load(k->fa + l), fb = cni_wide_load(k->fb + l);
 	cni_wide vt = ny * (b->vx - a->vx) - nx * (b->vy - a->vy) - b->w * fb + a->w * fa;
-	cni_wide old = cni_wide_load(k->jt + l), want = old - cni_wide_load(k->tm + l) * vt;
+	cni_wide slip = extra != NULL ? vt - cni_wide_load(extra->tangent_speed + l) : vt;
+	cni_wide old = cni_wide_load(k->jt + l), want = old - cni_wide_load(k->tm + l) * slip;
 	cni_wide normal = cni_wide_load(k->p[0].jn + l) + cni_wide_load(k->p[1].jn + l);
 	cni_wide stick = cni_wide_load(k->static_friction + l) * normal, slide = cni_wide_load(k->dynamic_friction + l) * normal;
 	cni_wide sliding = cni_wide_max(cni_wide_min(want, slide), -slide);
@@ -134,7 +135,19 @@ CNI_INLINE void solve_friction(cni_contact_block *k, int32_t l, side *a, side *b
 	apply_friction(a, b, nx, ny, fa, fb, impulse - old);
 }
 
-CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, int32_t l, const cni_contact_pass *pass, int32_t rounds, int32_t bias)
+/* A torque against relative turning, bounded by the normal impulse times a lever arm. */
+CNI_INLINE void solve_rolling(const cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b)
+{
+	cni_wide most = cni_wide_load(extra->rolling + l) * (cni_wide_load(k->p[0].jn + l) + cni_wide_load(k->p[1].jn + l));
+	cni_wide old = cni_wide_load(extra->rolling_impulse + l);
+	cni_wide want = old - cni_wide_load(extra->rolling_mass + l) * (b->w - a->w);
+	cni_wide impulse = cni_wide_max(cni_wide_min(want, most), -most), dj = impulse - old;
+	cni_wide_store(extra->rolling_impulse + l, impulse);
+	a->w -= a->i * dj;
+	b->w += b->i * dj;
+}
+
+CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass, int32_t rounds, int32_t bias)
 {
 	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
 	side a, b;
@@ -142,28 +155,30 @@ CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, int32_t l
 	side_gather(motions, k->ib + l, &b);
 	do {
 		solve_normals(k, l, &a, &b, nx, ny, pass, bias);
-		solve_friction(k, l, &a, &b, nx, ny);
+		solve_friction(k, extra, l, &a, &b, nx, ny);
+		if (extra != NULL)
+			solve_rolling(k, extra, l, &a, &b);
 	} while (--rounds > 0);
 	side_scatter(motions, k->ia + l, &a);
 	if (!pass->one_sided)
 		side_scatter(motions, k->ib + l, &b);
 }
 
-static void kernel_solve(cni_motion *motions, cni_contact_block *k, const cni_contact_pass *pass, int32_t rounds, int32_t lanes)
+static void kernel_solve(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, const cni_contact_pass *pass, int32_t rounds, int32_t lanes)
 {
 	int32_t l;
 	for (l = 0; l < lanes; l += CNI_WIDTH)
-		solve_group(motions, k, l, pass, rounds, 1);
+		solve_group(motions, k, extra, l, pass, rounds, 1);
 }
 
-static void kernel_relax(cni_motion *motions, cni_contact_block *k, const cni_contact_pass *pass, int32_t rounds, int32_t lanes)
+static void kernel_relax(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, const cni_contact_pass *pass, int32_t rounds, int32_t lanes)
 {
 	int32_t l;
 	for (l = 0; l < lanes; l += CNI_WIDTH)
-		solve_group(motions, k, l, pass, rounds, 0);
+		solve_group(motions, k, extra, l, pass, rounds, 0);
 }
 
-CNI_INLINE void warm_group(cni_motion *motions, cni_contact_block *k, int32_t l, const cni_contact_pass *pass)
+CNI_INLINE void warm_group(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
 	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), scale = cni_wide_of(pass->warm_scale);
@@ -183,17 +198,23 @@ CNI_INLINE void warm_group(cni_motion *motions, cni_contact_block *k, int32_t l,
 	}
 	cni_wide_store(k->jt + l, jt);
 	apply_friction(&a, &b, nx, ny, cni_wide_load(k->fa + l), cni_wide_load(k->fb + l), jt);
+	if (extra != NULL) {
+		cni_wide roll = cni_wide_load(extra->rolling_impulse + l) * scale;
+		cni_wide_store(extra->rolling_impulse + l, roll);
+		a.w -= a.i * roll;
+		b.w += b.i * roll;
+	}
 	side_scatter(motions, k->ia + l, &a);
 	if (!pass->one_sided)
 		side_scatter(motions, k->ib + l, &b);
 }
 
-static void kernel_warm(cni_motion *motions, cni_contact_block *k, const cni_contact_pass *pass, int32_t rounds, int32_t lanes)
+static void kernel_warm(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, const cni_contact_pass *pass, int32_t rounds, int32_t lanes)
 {
 	int32_t l;
 	(void)rounds;
 	for (l = 0; l < lanes; l += CNI_WIDTH)
-		warm_group(motions, k, l, pass);
+		warm_group(motions, k, extra, l, pass);
 }
 
 const cni_contact_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax };

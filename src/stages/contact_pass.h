@@ -16,8 +16,8 @@ typedef struct cni_contact_pass {
 } cni_contact_pass;
 
 /* Works on the first lanes of the block (a multiple of 16, or 1 for a block whose other lanes are empty);
-   rounds: how often to go between normals and friction. */
-typedef void cni_contact_kernel_fn(cni_motion *motions, cni_contact_block *block, const cni_contact_pass *pass, int32_t rounds, int32_t lanes);
+   extra: NULL when no lane needs it; rounds: how often to go between normals and friction. */
+typedef void cni_contact_kernel_fn(cni_motion *motions, cni_contact_block *block, cni_block_extra *extra, const cni_contact_pass *pass, int32_t rounds, int32_t lanes);
 
 typedef struct cni_contact_kernel {
 	cni_contact_kernel_fn *warm;

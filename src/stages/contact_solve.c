@@ -56,21 +56,41 @@ static void lane_copy(const cni_contact_block *from, int32_t from_lane, cni_cont
 		memcpy((float *)(void *)to + row * CNI_LANES + to_lane, (const float *)(const void *)from + row * CNI_LANES + from_lane, sizeof(float));
 }
 
+static void extra_lane_copy(const cni_block_extra *from, int32_t from_lane, cni_block_extra *to, int32_t to_lane)
+{
+	if (from == NULL)
+		return;
+	to->tangent_speed[to_lane] = from->tangent_speed[from_lane];
+	to->rolling[to_lane] = from->rolling[from_lane];
+	to->rolling_mass[to_lane] = from->rolling_mass[from_lane];
+	to->rolling_impulse[to_lane] = from->rolling_impulse[from_lane];
+}
+
+static cni_block_extra *extra_of(const cn_world *world, int32_t block)
+{
+	return cni_block_info_at(world, block)->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL;
+}
+
 /* One lane at a time, through the plain kernel. */
 static void overflow_run(cn_world *world, const cni_solve *s, cni_contact_kernel_fn *run)
 {
 	cni_motion *motions = cni_motions(world);
 	int32_t block, l;
 	cni_contact_block one;
+	cni_block_extra one_extra;
 	memset(&one, 0, sizeof one);
+	memset(&one_extra, 0, sizeof one_extra);
 	for (block = world->colors[CNI_COLOR_OVERFLOW].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
 		cni_contact_block *k = cni_block_at(world, block);
+		cni_block_extra *extra = extra_of(world, block);
 		int32_t rounds = rounds_of(world, cni_block_info_at(world, block));
 		for (l = 0; l < CNI_LANES && cni_block_info_at(world, block)->contact[l] != CNI_NONE; ++l) {
 			cni_contact_pass pass = pass_make(s, motions[k->ib[l]].inv_mass == 0.0f);
 			lane_copy(k, l, &one, 0);
-			run(motions, &one, &pass, rounds, 1);
+			extra_lane_copy(extra, l, &one_extra, 0);
+			run(motions, &one, extra != NULL ? &one_extra : NULL, &pass, rounds, 1);
 			lane_copy(&one, 0, k, l);
+			extra_lane_copy(extra != NULL ? &one_extra : NULL, 0, extra, l);
 		}
 	}
 }
@@ -82,7 +102,7 @@ static void colors_run(cn_world *world, const cni_solve *s, cni_contact_kernel_f
 	for (color = 0; color < CNI_COLOR_OVERFLOW; ++color) {
 		cni_contact_pass pass = pass_make(s, color >= CNI_COLOR_STATIC);
 		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
-			run(motions, cni_block_at(world, block), &pass, rounds_of(world, cni_block_info_at(world, block)), CNI_LANES);
+			run(motions, cni_block_at(world, block), extra_of(world, block), &pass, rounds_of(world, cni_block_info_at(world, block)), CNI_LANES);
 	}
 }
 

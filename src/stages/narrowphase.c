@@ -14,12 +14,6 @@
  */
 #include "stages/solver.h"
 
-typedef struct cni_change {
-	int32_t contact;
-	int32_t reserved;
-	cni_manifold manifold; /* count 0: ended */
-} cni_change;
-
 typedef struct pair_motion {
 	cni_vec2 v;       /* velocity of b's centre relative to a's, in a's frame */
 	float wa, wb;
@@ -73,23 +67,98 @@ static void contact_collide(const cn_world *world, cni_contact *c, float dt, cni
 		drop_unreached(out, &m, a, cni_transform_point(in.b_in_a, b->local_center), margin, dt);
 }
 
-/* Looks at one contact: 1 when its state changes (out then says how). */
-static int32_t contact_update(cn_world *world, int32_t contact, float dt, cni_manifold *out)
+/* What the second part has to do for a contact. */
+enum { CHANGE_NONE = 0, CHANGE_BEGIN = 1, CHANGE_END = 2, CHANGE_OWED = 3 };
+
+static int32_t boxes_overlap(const cn_world *world, const cni_contact *c)
+{
+	return cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat);
+}
+
+/* ---- one-way platforms ---- */
+
+/* Does the other shape come down on the side that the platform's local +y points to? */
+static int32_t lands_on_platform(const cn_world *world, const cni_contact *c, const cni_manifold *m)
+{
+	int32_t side = cni_shape_at(world, cni_proxy_at(world, c->proxy[0])->shape)->flags & CN_SHAPE_ONE_WAY ? 0 : 1;
+	const cni_body *a = cni_body_at(world, c->body[0]), *platform = cni_body_at(world, c->body[side]);
+	cni_vec2 up = cni_rotate(platform->q, cni_v(0.0f, 1.0f)), n = cni_rotate(a->q, m->normal);
+	float deepest = m->points[0].separation;
+	if (side == 1)
+		n = cni_neg(n);
+	if (m->count == 2)
+		deepest = cni_min(deepest, m->points[1].separation);
+	return cni_dot(n, up) > 0.7f && deepest > -world->settings.contact_margin;
+}
+
+/* A shape that first touches from below or from the side passes until it is out again. */
+static void let_pass(const cn_world *world, cni_contact *c, cni_manifold *m)
+{
+	if (m->count == 0)
+		c->flags &= ~(uint32_t)CNI_CONTACT_PASSING;
+	else if (!(c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_PASSING)) && !lands_on_platform(world, c, m))
+		c->flags |= CNI_CONTACT_PASSING;
+	if (c->flags & CNI_CONTACT_PASSING)
+		m->count = 0;
+}
+
+/* ---- sensors ---- */
+
+static int32_t sensor_update(cn_world *world, cni_contact *c, float dt)
+{
+	cni_manifold manifold;
+	int32_t k, overlaps = 0, sensing = (c->flags & CNI_CONTACT_SENSING) != 0;
+	contact_collide(world, c, dt, &manifold);
+	for (k = 0; k < manifold.count; ++k)
+		overlaps |= manifold.points[k].separation <= 0.0f;
+	if (overlaps)
+		return sensing ? CHANGE_NONE : CHANGE_BEGIN;
+	return sensing || !boxes_overlap(world, c) ? CHANGE_END : CHANGE_NONE;
+}
+
+/* The user may make a touching pair pass through each other for this step. */
+static void ask_user(cn_world *world, int32_t contact)
+{
+	cn_contact_event event;
+	int32_t solve;
+	if (world->pre_solve == NULL)
+		return;
+	cni_contact_describe(world, contact, cni_contact_at(world, contact)->flags & CNI_CONTACT_ENTERED ? CN_EVENT_ENTER : CN_EVENT_STAY, &event);
+	++world->locked;
+	solve = world->pre_solve(world, &event, world->pre_solve_user);
+	--world->locked;
+	if (!solve)
+		cni_contact_write_empty(world, contact);
+}
+
+static void write_and_ask(cn_world *world, int32_t contact, const cni_manifold *manifold)
+{
+	cni_contact_write(world, contact, manifold);
+	if (cni_contact_at(world, contact)->flags & CNI_CONTACT_PRE_SOLVE)
+		ask_user(world, contact);
+}
+
+/* Looks at one contact, and rewrites its lane if it goes on touching. */
+static int32_t contact_update(cn_world *world, int32_t contact, float dt)
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	int32_t touching = (c->flags & CNI_CONTACT_TOUCHING) != 0;
+	cni_manifold manifold;
 	c->flags &= ~(uint32_t)CNI_CONTACT_ENTERED;
 	if (c->flags & CNI_CONTACT_ASLEEP)
-		return 0;
-	contact_collide(world, c, dt, out);
-	if (out->count > 0 && touching) {
-		cni_contact_write(world, contact, out);
-		return (c->flags & CNI_CONTACT_ENTER_OWED) != 0;
-	}
-	if (out->count > 0 || touching)
-		return 1;
-	return !cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat) ||
-	       (c->flags & CNI_CONTACT_CREATED_OWED);
+		return CHANGE_NONE;
+	if (c->flags & CNI_CONTACT_SENSOR)
+		return sensor_update(world, c, dt);
+	contact_collide(world, c, dt, &manifold);
+	if (c->flags & CNI_CONTACT_ONE_WAY)
+		let_pass(world, c, &manifold);
+	if (manifold.count > 0 && !touching)
+		return CHANGE_BEGIN;
+	if (manifold.count > 0)
+		write_and_ask(world, contact, &manifold);
+	else if (touching || !boxes_overlap(world, c))
+		return CHANGE_END;
+	return c->flags & (CNI_CONTACT_CREATED_OWED | CNI_CONTACT_ENTER_OWED) ? CHANGE_OWED : CHANGE_NONE;
 }
 
 static void pay_owed(cn_world *world, int32_t contact, uint32_t owed, int32_t kind)
@@ -99,60 +168,60 @@ static void pay_owed(cn_world *world, int32_t contact, uint32_t owed, int32_t ki
 		c->flags &= ~owed;
 }
 
-static void change_apply(cn_world *world, const cni_change *change)
+/* The manifold is computed once more: few contacts begin in a step, and keeping it for all that might
+   takes more memory than the contacts themselves. */
+static void change_begin(cn_world *world, int32_t contact, float dt)
 {
-	cni_contact *c = cni_contact_at(world, change->contact);
-	pay_owed(world, change->contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
-	if (change->manifold.count > 0) {
-		if (c->flags & CNI_CONTACT_TOUCHING) {
-			pay_owed(world, change->contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
-		} else if (!cni_contact_begin(world, change->contact, &change->manifold)) {
-			world->warnings |= CN_WARNING_CONTACT_MEMORY;
-			++world->pairs_not_added;
-		}
+	cni_manifold manifold;
+	contact_collide(world, cni_contact_at(world, contact), dt, &manifold);
+	if (manifold.count == 0)
+		return;
+	if (cni_contact_begin(world, contact, &manifold)) {
+		if (cni_contact_at(world, contact)->flags & CNI_CONTACT_PRE_SOLVE)
+			ask_user(world, contact);
 		return;
 	}
-	if ((c->flags & CNI_CONTACT_TOUCHING) && !cni_contact_end(world, change->contact))
-		return;
-	if (!cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat))
-		cni_contact_destroy(world, change->contact);
+	world->warnings |= CN_WARNING_CONTACT_MEMORY;
+	++world->pairs_not_added;
 }
 
-static void changes_apply(cn_world *world, cni_array *changes)
+/* Sensor pairs end and begin by themselves: nothing is solved. */
+static void sensor_change(cn_world *world, int32_t contact, int32_t change)
 {
-	int32_t k;
-	for (k = 0; k < changes->count; ++k)
-		change_apply(world, (const cni_change *)changes->data + k);
-	changes->count = 0;
+	if (cni_contact_sense(world, contact, change == CHANGE_BEGIN) && change == CHANGE_END &&
+	    !boxes_overlap(world, cni_contact_at(world, contact)))
+		cni_contact_destroy(world, contact);
 }
 
+static void change_apply(cn_world *world, int32_t contact, int32_t change, float dt)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	if (c->flags & CNI_CONTACT_SENSOR) {
+		sensor_change(world, contact, change);
+		return;
+	}
+	pay_owed(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
+	if (change == CHANGE_OWED)
+		pay_owed(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
+	if (change == CHANGE_BEGIN)
+		change_begin(world, contact, dt);
+	if (change != CHANGE_END || ((c->flags & CNI_CONTACT_TOUCHING) && !cni_contact_end(world, contact)))
+		return;
+	if (!boxes_overlap(world, c))
+		cni_contact_destroy(world, contact);
+}
+
+/* world->changes has room for every awake contact. */
 void cni_stage_narrowphase(cn_world *world, float dt)
 {
-	int32_t k = 0;
-	cni_array *changes = &world->changes;
-	cni_change overflow;
-	while (k < world->awake_contacts.count) {
-		int32_t contact = ((const int32_t *)world->awake_contacts.data)[k];
-		cni_change *next = changes->count < changes->capacity || cni_array_reserve(changes, &world->memory, changes->count + 1)
-		                       ? (cni_change *)changes->data + changes->count : &overflow;
-		next->contact = contact;
-		next->reserved = 0;
-		++k;
-		if (!contact_update(world, contact, dt, &next->manifold))
-			continue;
-		if (next != &overflow) {
-			++changes->count;
-			continue;
-		}
-		/* No room to remember it: leave its change to the next step, but do not solve a stale manifold. */
-		world->warnings |= CN_WARNING_FRAME_MEMORY;
-		if (cni_contact_at(world, contact)->flags & CNI_CONTACT_TOUCHING && overflow.manifold.count == 0)
-			cni_contact_write_empty(world, contact);
+	const int32_t *awake = (const int32_t *)world->awake_contacts.data;
+	uint32_t *changes = (uint32_t *)world->changes.data;
+	int32_t k, count = 0;
+	for (k = 0; k < world->awake_contacts.count; ++k) {
+		uint32_t change = (uint32_t)contact_update(world, awake[k], dt);
+		if (change != CHANGE_NONE)
+			changes[count++] = (uint32_t)awake[k] << 2 | change;
 	}
-	changes_apply(world, changes);
-}
-
-void cni_narrowphase_init(cn_world *world)
-{
-	cni_array_init(&world->changes, (int32_t)sizeof(cni_change));
+	for (k = 0; k < count; ++k)
+		change_apply(world, (int32_t)(changes[k] >> 2), (int32_t)(changes[k] & 3u), dt);
 }

@@ -49,7 +49,6 @@ void cni_stage_pairs(cn_world *world);
 /* Stage 3 and 4: manifolds into lanes; begins and ends of touching, ended pairs. Writes contacts,
    lanes, islands, events. */
 void cni_stage_narrowphase(cn_world *world, float dt);
-void cni_narrowphase_init(cn_world *world);
 
 /* Stage 6. */
 void cni_drive_prepare(cn_world *world, const cni_solve *s);           /* drive; free bodies' whole step */

@@ -58,3 +58,47 @@ cn_result cn_world_fell_asleep(const cn_world *world, const cn_body **out_bodies
 	*out_count = world->events.asleep.count;
 	return CN_OK;
 }
+
+/* ------------------------------------------------------------------ callbacks and sensors */
+
+cn_result cn_world_set_filter_callback(cn_world *world, cn_filter_fn *function, void *user)
+{
+	cni_call call = cni_enter(world, __func__);
+	if (call.result != CN_OK)
+		return call.result;
+	world->filter = function;
+	world->filter_user = user;
+	return CN_OK;
+}
+
+cn_result cn_world_set_pre_solve_callback(cn_world *world, cn_pre_solve_fn *function, void *user)
+{
+	cni_call call = cni_enter(world, __func__);
+	if (call.result != CN_OK)
+		return call.result;
+	world->pre_solve = function;
+	world->pre_solve_user = user;
+	return CN_OK;
+}
+
+cn_result cn_world_set_material_mix_callback(cn_world *world, cn_material_mix_fn *function, void *user)
+{
+	cni_call call = cni_enter(world, __func__);
+	if (call.result != CN_OK)
+		return call.result;
+	world->material_mix = function;
+	world->material_mix_user = user;
+	return CN_OK;
+}
+
+cn_result cn_world_sensor_events(const cn_world *world, const cn_sensor_event **out_events, int32_t *out_count)
+{
+	cni_call call = cni_enter_const(world);
+	cni_check_pointer(&call, "out_events", out_events);
+	cni_check_pointer(&call, "out_count", out_count);
+	if (call.result != CN_OK)
+		return call.result;
+	*out_events = (const cn_sensor_event *)world->events.sensor_log.data;
+	*out_count = world->events.sensor_log.count;
+	return CN_OK;
+}

@@ -126,6 +126,7 @@ static void tables_init(cn_world *world)
 	cni_table_init(&world->contacts, (int32_t)sizeof(cni_contact), PAGE_CONTACTS);
 	cni_table_init(&world->blocks_hot, (int32_t)sizeof(cni_contact_block), PAGE_BLOCKS);
 	cni_table_init(&world->blocks_info, (int32_t)sizeof(cni_block_info), PAGE_BLOCKS);
+	cni_table_init(&world->blocks_extra, (int32_t)sizeof(cni_block_extra), PAGE_BLOCKS);
 	cni_table_init(&world->joints, (int32_t)sizeof(cni_joint), PAGE_JOINTS);
 	cni_table_init(&world->islands, (int32_t)sizeof(cni_island), PAGE_ISLANDS);
 	cni_array_init(&world->motion, (int32_t)sizeof(cni_motion));
@@ -133,11 +134,11 @@ static void tables_init(cn_world *world)
 	cni_array_init(&world->drive, (int32_t)sizeof(cni_drive));
 	cni_array_init(&world->awake_id, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->awake_contacts, (int32_t)sizeof(int32_t));
+	cni_array_init(&world->changes, (int32_t)sizeof(uint32_t));
 	cni_array_init(&world->awake_joints, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->joint_work, (int32_t)sizeof(cni_joint_work));
 	cni_array_init(&world->sleep_lanes, (int32_t)sizeof(cni_sleep_lane));
 	cni_array_init(&world->pairs.list, (int32_t)sizeof(cni_pair));
-	cni_narrowphase_init(world);
 	cni_events_init(&world->events);
 	for (k = 0; k < CNI_COLORS; ++k)
 		world->colors[k].first = world->colors[k].last = CNI_NONE;
@@ -160,6 +161,7 @@ static void tables_deinit(cn_world *world)
 	cni_table_deinit(&world->contacts, memory);
 	cni_table_deinit(&world->blocks_hot, memory);
 	cni_table_deinit(&world->blocks_info, memory);
+	cni_table_deinit(&world->blocks_extra, memory);
 	cni_table_deinit(&world->joints, memory);
 	cni_table_deinit(&world->islands, memory);
 	cni_array_deinit(&world->motion, memory);
@@ -241,7 +243,7 @@ static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 			return 0;
 	}
 	return cni_array_reserve_exact(&world->sleep_lanes, m, n) && cni_array_reserve_exact(&world->pairs.list, m, n) &&
-	       cni_array_reserve_exact(&world->changes, m, n) && cni_array_reserve_exact(&world->events.asleep, m, d->body_capacity) &&
+	       cni_array_reserve_exact(&world->events.asleep, m, d->body_capacity) &&
 	       cni_array_reserve_exact(&world->events.moved, m, d->body_capacity) &&
 	       cni_arena_reserve(&world->arena, 4096u + 8u * (uint64_t)d->body_capacity + 128u * (uint64_t)d->shape_capacity);
 }

@@ -421,6 +421,10 @@ void cni_check_material(cni_call *call, const cn_material *material)
 	cni_check_range(call, "static_friction", material->static_friction, 0.0f, 100.0f);
 	cni_check_range(call, "dynamic_friction", material->dynamic_friction, 0.0f, material->static_friction);
 	cni_check_range(call, "restitution", material->restitution, 0.0f, 1.0f);
+	cni_check_range(call, "rolling_resistance", material->rolling_resistance, 0.0f, 1e3f);
+	cni_check_range(call, "tangent_speed_mps", material->tangent_speed_mps, -1e4f, 1e4f);
+	cni_check_range_int(call, "friction_mix", material->friction_mix, CN_MIX_AVERAGE, CN_MIX_MAXIMUM);
+	cni_check_range_int(call, "restitution_mix", material->restitution_mix, CN_MIX_AVERAGE, CN_MIX_MAXIMUM);
 }
 
 /* ------------------------------------------------------------------ checks of handles */

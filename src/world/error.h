@@ -22,6 +22,8 @@
 
 /* Coordinates up to this many length units are accepted. */
 #define CNI_POSITION_MAX_UNITS 1e6f
+/* All public shape flags. */
+#define CNI_SHAPE_FLAGS ((uint32_t)(CN_SHAPE_SENSOR | CN_SHAPE_SENSOR_SEEN | CN_SHAPE_ONE_WAY | CN_SHAPE_PRE_SOLVE))
 /* Angles up to this many radians are accepted. */
 #define CNI_ANGLE_MAX_RAD 1e4f
 

@@ -144,9 +144,7 @@ cn_result cn_shape_set_material(cn_world *world, cn_shape shape, const cn_materi
 		cni_check_material(&call, material);
 	if (call.result != CN_OK)
 		return call.result;
-	s->static_friction = material->static_friction;
-	s->dynamic_friction = material->dynamic_friction;
-	s->restitution = material->restitution;
+	cni_shape_store_material(s, material);
 	for (key = first_contact(world, index); key != CNI_NONE; key = next_contact(world, key, index)) {
 		cni_contact_of_key(world, key)->flags |= CNI_CONTACT_REFRESH;
 		wake_touching(world, cni_contact_of_key(world, key));
@@ -161,10 +159,7 @@ cn_result cn_shape_get_material(const cn_world *world, cn_shape shape, cn_materi
 	cni_check_pointer(&call, "out", out);
 	if (call.result != CN_OK)
 		return call.result;
-	out->static_friction = s->static_friction;
-	out->dynamic_friction = s->dynamic_friction;
-	out->restitution = s->restitution;
-	out->reserved = 0.0f;
+	*out = cni_shape_material(s);
 	return CN_OK;
 }
 
@@ -257,7 +252,7 @@ cn_result cn_shape_set_event_mask(cn_world *world, cn_shape shape, uint32_t even
 	cni_check_flags(&call, "event_mask", event_mask, EVENT_MASK);
 	if (call.result != CN_OK)
 		return call.result;
-	s->event_mask = event_mask;
+	s->event_mask = (uint8_t)event_mask;
 	for (key = first_contact(world, index); key != CNI_NONE; key = next_contact(world, key, index))
 		contact_refresh_mask(world, cni_contact_of_key(world, key));
 	return CN_OK;
@@ -270,6 +265,33 @@ cn_result cn_shape_get_event_mask(const cn_world *world, cn_shape shape, uint32_
 	cni_check_pointer(&call, "out_event_mask", out_event_mask);
 	if (call.result == CN_OK)
 		*out_event_mask = s->event_mask;
+	return call.result;
+}
+
+cn_result cn_shape_set_flags(cn_world *world, cn_shape shape, uint32_t flags)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_shape *s = cni_check_shape(&call, "shape", shape);
+	int32_t index = cni_index_of(shape);
+	cni_check_flags(&call, "flags", flags, CNI_SHAPE_FLAGS);
+	if (call.result == CN_OK && s->body != CNI_NONE)
+		cni_check_reserved(&call, cni_contact_reserve_end(world, cni_body_at(world, s->body)->contact_count), "the events of ending contacts");
+	if (call.result != CN_OK)
+		return call.result;
+	if (s->body != CNI_NONE)
+		cni_contact_destroy_of_shape(world, index);
+	s->flags = (uint8_t)flags;
+	cni_shape_look_again(world, index);
+	return CN_OK;
+}
+
+cn_result cn_shape_get_flags(const cn_world *world, cn_shape shape, uint32_t *out_flags)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_shape *s = cni_check_shape(&call, "shape", shape);
+	cni_check_pointer(&call, "out_flags", out_flags);
+	if (call.result == CN_OK)
+		*out_flags = s->flags;
 	return call.result;
 }
 

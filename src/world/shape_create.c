@@ -20,6 +20,8 @@ void cn_shape_def_init(cn_shape_def *def)
 	def->density_kgpm2 = 1.0f;
 	def->material.static_friction = 0.6f;
 	def->material.dynamic_friction = 0.6f;
+	def->material.friction_mix = CN_MIX_GEOMETRIC;
+	def->material.restitution_mix = CN_MIX_MAXIMUM;
 	def->filter.category = 1;
 	def->filter.mask = ~(uint64_t)0;
 	def->event_mask = 1u << CN_EVENT_ENTER | 1u << CN_EVENT_LEAVE;
@@ -66,6 +68,7 @@ static void check_def(cni_call *call, const cn_shape_def *def)
 	cni_check_angle(call, "angle_rad", def->angle_rad);
 	cni_check_at_least(call, "density_kgpm2", def->density_kgpm2, 0.0f);
 	cni_check_material(call, &def->material);
+	cni_check_flags(call, "flags", def->flags, CNI_SHAPE_FLAGS);
 	cni_check_flags(call, "event_mask", def->event_mask, EVENT_MASK);
 }
 
@@ -73,20 +76,19 @@ static void record_fill(cni_shape *s, const cn_shape_def *def, const cni_geometr
 {
 	memset(s, 0, sizeof *s);
 	s->body = s->next = s->prev = CNI_NONE;
-	s->type = g->type;
+	s->type = (uint8_t)g->type;
 	s->geometry = ref;
 	s->geometry_bytes = bytes;
 	s->children = cni_geometry_children(g);
 	if (g->type != CN_SHAPE_CHAIN)
 		s->box.proxy = CNI_NONE;
 	s->density = def->density_kgpm2;
-	s->static_friction = def->material.static_friction;
-	s->dynamic_friction = def->material.dynamic_friction;
-	s->restitution = def->material.restitution;
+	cni_shape_store_material(s, &def->material);
+	s->flags = (uint8_t)def->flags;
 	s->category = def->filter.category;
 	s->mask = def->filter.mask;
 	s->group = def->filter.group;
-	s->event_mask = def->event_mask;
+	s->event_mask = (uint8_t)def->event_mask;
 	s->user_data = def->user_data;
 }
 

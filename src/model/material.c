@@ -1,0 +1,84 @@
+/*
+ * model/material.c - materials of shapes and of pairs.
+ */
+#include "model/world.h"
+
+void cni_shape_store_material(cni_shape *s, const cn_material *material)
+{
+	s->static_friction = material->static_friction;
+	s->dynamic_friction = material->dynamic_friction;
+	s->restitution = material->restitution;
+	s->rolling_resistance = material->rolling_resistance;
+	s->tangent_speed = material->tangent_speed_mps;
+	s->mix = (uint8_t)(material->friction_mix | material->restitution_mix << 4);
+}
+
+cn_material cni_shape_material(const cni_shape *s)
+{
+	cn_material m;
+	m.static_friction = s->static_friction;
+	m.dynamic_friction = s->dynamic_friction;
+	m.restitution = s->restitution;
+	m.rolling_resistance = s->rolling_resistance;
+	m.tangent_speed_mps = s->tangent_speed;
+	m.friction_mix = s->mix & 15;
+	m.restitution_mix = s->mix >> 4;
+	m.reserved = 0;
+	return m;
+}
+
+static float mix(int32_t rule, float a, float b)
+{
+	switch (rule) {
+	case CN_MIX_AVERAGE: return 0.5f * (a + b);
+	case CN_MIX_GEOMETRIC: return cni_sqrt(a * b);
+	case CN_MIX_MINIMUM: return cni_min(a, b);
+	case CN_MIX_MULTIPLY: return a * b;
+	default: return cni_max(a, b);
+	}
+}
+
+/* Conveyors add up: each one's surface runs along the right of its own outward normal. */
+static cn_material mix_by_rules(const cn_material *a, const cn_material *b)
+{
+	int32_t friction_rule = cni_max_i(a->friction_mix, b->friction_mix);
+	int32_t restitution_rule = cni_max_i(a->restitution_mix, b->restitution_mix);
+	cn_material m;
+	m.static_friction = mix(friction_rule, a->static_friction, b->static_friction);
+	m.dynamic_friction = cni_min(mix(friction_rule, a->dynamic_friction, b->dynamic_friction), m.static_friction);
+	m.restitution = mix(restitution_rule, a->restitution, b->restitution);
+	m.rolling_resistance = cni_max(a->rolling_resistance, b->rolling_resistance);
+	m.tangent_speed_mps = a->tangent_speed_mps + b->tangent_speed_mps;
+	m.friction_mix = friction_rule;
+	m.restitution_mix = restitution_rule;
+	m.reserved = 0;
+	return m;
+}
+
+/* What the user's callback wrote is brought back into the ranges of a material; NaN becomes the rule's value. */
+static float within(float x, float upper, float otherwise)
+{
+	return cni_is_finite(x) ? cni_clamp(x, 0.0f, upper) : otherwise;
+}
+
+static void restrain(cn_material *m, const cn_material *rules)
+{
+	m->static_friction = within(m->static_friction, 100.0f, rules->static_friction);
+	m->dynamic_friction = within(m->dynamic_friction, m->static_friction, rules->dynamic_friction);
+	m->restitution = within(m->restitution, 1.0f, rules->restitution);
+	m->rolling_resistance = within(m->rolling_resistance, 1e3f, rules->rolling_resistance);
+	m->tangent_speed_mps = cni_is_finite(m->tangent_speed_mps) ? cni_clamp(m->tangent_speed_mps, -1e4f, 1e4f) : rules->tangent_speed_mps;
+}
+
+cn_material cni_material_mix(cn_world *world, int32_t shape_a, int32_t shape_b)
+{
+	cn_material a = cni_shape_material(cni_shape_at(world, shape_a)), b = cni_shape_material(cni_shape_at(world, shape_b));
+	cn_material m = mix_by_rules(&a, &b), rules = m;
+	if (world->material_mix == NULL)
+		return m;
+	++world->locked;
+	world->material_mix(world, cni_handles_of(&world->shape_handles, shape_a), cni_handles_of(&world->shape_handles, shape_b), &m, world->material_mix_user);
+	--world->locked;
+	restrain(&m, &rules);
+	return m;
+}
