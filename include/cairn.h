@@ -175,7 +175,8 @@ enum {
 };
 
 enum {
-	CN_SOLVER_SOFT = 0 /* soft contact and joint constraints with substeps (Catto, Solver2D, 2024) */
+	CN_SOLVER_SOFT = 0,      /* soft contact and joint constraints with substeps (Catto, Solver2D, 2024) */
+	CN_SOLVER_SEQUENTIAL = 1 /* the twelve steps of the paper, once a step: the baseline; see README on its weaknesses */
 };
 
 enum {

@@ -243,6 +243,35 @@ void cni_contact_destroy_of_shape(cn_world *world, int32_t shape)
 	}
 }
 
+/* A pair that begins to report both a beginning and its end owes the beginning to the next step; one that
+   ceases to report both ends now. Thus events stay bookended while masks change. */
+static void span_change(cn_world *world, int32_t contact, uint32_t mask, int32_t begin, int32_t end, uint32_t owed)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	uint32_t span = 1u << begin | 1u << end;
+	int32_t before = (c->flags >> CNI_CONTACT_EVENTS_SHIFT & span) == span, after = (mask & span) == span;
+	if (before == after)
+		return;
+	if (after) {
+		c->flags |= owed;
+		return;
+	}
+	if (!(c->flags & owed))
+		cni_event_log(world, contact, end); /* the caller reserved room */
+	c->flags &= ~owed;
+}
+
+void cni_contact_set_events(cn_world *world, int32_t contact, uint32_t mask)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	if (c->flags & CNI_CONTACT_SENSOR)
+		return;
+	if (c->flags & CNI_CONTACT_TOUCHING)
+		span_change(world, contact, mask, CN_EVENT_ENTER, CN_EVENT_LEAVE, CNI_CONTACT_ENTER_OWED);
+	span_change(world, contact, mask, CN_EVENT_CREATED, CN_EVENT_DESTROYED, CNI_CONTACT_CREATED_OWED);
+	c->flags = (c->flags & ((1u << CNI_CONTACT_EVENTS_SHIFT) - 1u)) | mask << CNI_CONTACT_EVENTS_SHIFT;
+}
+
 /* ---- touching ---- */
 
 /* The dynamic bodies of a pair that begins to touch become one island, awake. */
@@ -414,6 +443,8 @@ void cni_contact_sleep_to_lane(cn_world *world, int32_t contact)
 		rows[(row + 2) * CNI_LANES] = s.rows[row];
 	info = cni_block_info_at(world, c->slot / CNI_LANES);
 	info->restitution[c->slot % CNI_LANES] = s.restitution;
+	if (!world->events.in_step)
+		c->flags |= CNI_CONTACT_ENTERED; /* it did not stay in the last step: it slept */
 	sleep_to_extra(world, c, &s);
 	if (s.restitution > 0.0f)
 		info->flags |= CNI_BLOCK_RESTITUTION;

@@ -97,7 +97,7 @@ enum {
 	CNI_CONTACT_LINKED = 1u << 3,       /* joins two dynamic bodies' islands */
 	CNI_CONTACT_ENTER_OWED = 1u << 4,   /* its event had no memory yet */
 	CNI_CONTACT_CREATED_OWED = 1u << 5,
-	CNI_CONTACT_ENTERED = 1u << 6,      /* began to touch in the last step */
+	CNI_CONTACT_ENTERED = 1u << 6,      /* began to touch (or to report that) in the last step, or woke since: no STAY */
 	CNI_CONTACT_REFRESH = 1u << 7,      /* material changed: rewrite it in the lane */
 	CNI_CONTACT_SENSOR = 1u << 8,       /* one shape is a sensor: overlap is reported, nothing is solved */
 	CNI_CONTACT_SENSING = 1u << 9,      /* ... and they overlap */
@@ -148,6 +148,8 @@ int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *
 /* Stops touching: frees the lane, notes the islands' loss, logs LEAVE. 0: no memory for the log; the
    contact then stays with an empty lane. */
 int32_t cni_contact_end(cn_world *world, int32_t contact);
+/* Which CN_EVENT_ kinds the contact reports from now on. After cni_contact_reserve_end. */
+void cni_contact_set_events(cn_world *world, int32_t contact, uint32_t mask);
 /* May these two proxies make a contact? (cni_pair_filter_fn; context is the world) */
 int32_t cni_contact_allowed(const void *context, int32_t proxy_a, int32_t proxy_b);
 /* Room for `lanes` touching contacts, awake or asleep, however they are coloured. 0: no memory. */

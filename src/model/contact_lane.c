@@ -160,27 +160,33 @@ static void lane_read_rows(const cn_world *world, const cni_contact *c, float ro
 }
 
 /* Rows of a lane without the body indices; see cni_contact_block. */
-enum { ROW_NX = 0, ROW_NY = 1, ROW_FA = 6, ROW_JT = 9, ROW_POINT = 10, ROW_POINT_COUNT = 5 };
+enum { ROW_NX = 0, ROW_NY = 1, ROW_DT = 5, ROW_FA = 6, ROW_FB = 7, ROW_JT = 9, ROW_POINT = 10, ROW_POINT_COUNT = 5 };
 
+/* A lane is of the beginning of the step; what the bodies have moved since then changes the separation by
+   its part along n, and half of it goes to the point, which stays midway. Turning is not followed. */
 static void describe_manifold(const cn_world *world, const cni_contact *c, cn_manifold *out)
 {
 	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, k;
-	const cni_body *a = cni_body_at(world, c->body[flipped]);
-	float rows[CNI_SLEEP_ROWS];
-	cni_vec2 n, t;
+	lane_frame f;
+	float rows[CNI_SLEEP_ROWS], radius = lane_radius(world, c, 0), moved_n, moved_t;
+	cni_vec2 n, t, middle;
 	lane_read_rows(world, c, rows);
 	n = cni_v(rows[ROW_NX], rows[ROW_NY]);
 	t = cni_right_perp(n);
+	f = frame_make(world, c, flipped ? cni_neg(n) : n);
+	moved_n = cni_dot(f.d, n) - (rows[ROW_FA] - rows[ROW_FB]);
+	moved_t = cni_dot(f.d, t) - rows[ROW_DT];
+	middle = cni_madd(cni_madd(cni_v(f.a->cx, f.a->cy), 0.5f * moved_n, n), 0.5f * moved_t, t);
 	out->normal = flipped ? cni_neg(n) : n;
 	out->friction_impulse_Ns = rows[ROW_JT]; /* n and t both flip, and so do the bodies: the sign stays */
 	for (k = 0; k < 2; ++k) {
 		const float *p = rows + ROW_POINT + k * ROW_POINT_COUNT; /* at an s0 nm jn */
 		cn_manifold_point *point = &out->points[out->point_count];
-		cni_vec2 r = cni_add(cni_mul(p[0], t), cni_mul(rows[ROW_FA], n));
+		cni_vec2 r = cni_add(cni_mul(p[0], t), cni_mul(p[1] + radius, n));
 		if (c->id[k] == 0)
 			continue;
-		point->point_m = cni_v(a->cx + r.x, a->cy + r.y);
-		point->separation_m = p[2];
+		point->point_m = cni_add(middle, r);
+		point->separation_m = p[2] + moved_n;
 		point->normal_impulse_Ns = p[4];
 		point->feature_id = c->id[k];
 		++out->point_count;

@@ -136,7 +136,7 @@ static void event_expand(const cn_world *world, const cni_event *e, int32_t kind
 
 static int32_t contact_stays(const cni_contact *c)
 {
-	const uint32_t mask = CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP | CNI_CONTACT_ENTERED;
+	const uint32_t mask = CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP | CNI_CONTACT_ENTERED | CNI_CONTACT_ENTER_OWED;
 	return (c->flags & mask) == CNI_CONTACT_TOUCHING && (c->flags >> CNI_CONTACT_EVENTS_SHIFT & 1u << CN_EVENT_STAY);
 }
 

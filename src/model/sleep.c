@@ -44,6 +44,8 @@ static void wake_links_of(cn_world *world, int32_t body)
 static void wake_island(cn_world *world, int32_t body)
 {
 	int32_t k, first = first_of(world, body);
+	/* A body that left its fat box in the step that put it to sleep may still have contacts whose boxes are apart. */
+	world->pairs_may_repeat = 1;
 	if (cni_body_at(world, body)->island != CNI_NONE)
 		cni_island_at(world, cni_body_at(world, body)->island)->awake = 1;
 	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next) {

@@ -10,7 +10,6 @@
  * in update or before queries.
  */
 #include "stages/broadphase_sweep.h"
-#include "base/sort.h"
 
 #include <string.h>
 
@@ -98,7 +97,7 @@ static void sweep_add(cni_broadphase *broadphase, int32_t id)
 	cni_proxy *proxy = cni_sweep_proxy(sweep, id);
 	CNI_ASSERT(id >= 0 && cni_bit_words(id + 1) <= sweep->moved.count && cni_bit_words(id + 1) <= sweep->loose.count);
 	proxy->cell = CNI_NONE;
-	proxy->old = cni_sweep_no_box();
+	proxy->old = cni_no_box();
 	++sweep->count;
 	++sweep->adds;
 	sweep->id_end = cni_max_i(sweep->id_end, id + 1);
@@ -138,35 +137,10 @@ static void sweep_touch(cni_broadphase *broadphase, int32_t id)
 {
 	cni_sweep *sweep = sweep_of(broadphase);
 	mark_moved(sweep, id);
-	cni_sweep_proxy(sweep, id)->old = cni_sweep_no_box();
+	cni_sweep_proxy(sweep, id)->old = cni_no_box();
 }
 
 /* ---- update ---- */
-
-/* By (a, b), by way of 64-bit keys in the same place: a pair is as large as its key. */
-static void sort_pairs(cni_sweep *sweep, cni_array *list)
-{
-	void *scratch;
-	int32_t i;
-	if (list->count < 2)
-		return;
-	scratch = cni_arena_push(sweep->context.arena, (uint64_t)list->count * sizeof(uint64_t));
-	for (i = 0; i < list->count; ++i) {
-		cni_pair pair = ((const cni_pair *)list->data)[i];
-		uint64_t key = (uint64_t)(uint32_t)pair.a << 32 | (uint32_t)pair.b;
-		memcpy((cni_pair *)list->data + i, &key, sizeof(key));
-	}
-	cni_sort_keys((uint64_t *)list->data, (uint64_t *)scratch, list->count);
-	for (i = 0; i < list->count; ++i) {
-		cni_pair pair;
-		uint64_t key;
-		memcpy(&key, (const cni_pair *)list->data + i, sizeof(key));
-		pair.a = (int32_t)(uint32_t)(key >> 32);
-		pair.b = (int32_t)(uint32_t)key;
-		memcpy((cni_pair *)list->data + i, &pair, sizeof(pair));
-	}
-	(void)cni_arena_pop(sweep->context.arena, scratch);
-}
 
 /* What is now becomes what was, except where a pair was lost. */
 static void finish_moved(cni_sweep *sweep)
@@ -177,7 +151,7 @@ static void finish_moved(cni_sweep *sweep)
 		cni_proxy *proxy = cni_sweep_proxy(sweep, id);
 		if (proxy->flags & CNI_PROXY_AGAIN) {
 			proxy->flags &= ~(uint32_t)CNI_PROXY_AGAIN;
-			proxy->old = cni_sweep_no_box();
+			proxy->old = cni_no_box();
 			continue;
 		}
 		proxy->old = proxy->fat;
@@ -196,7 +170,7 @@ static void sweep_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter,
 		return;
 	cni_sweep_find_pairs(sweep, filter, filter_context, out);
 	finish_moved(sweep);
-	sort_pairs(sweep, &out->list);
+	cni_pairs_sort(out, sweep->context.arena);
 }
 
 static void sweep_settle(cni_broadphase *broadphase) { cni_sweep_settle(sweep_of(broadphase)); }

@@ -39,7 +39,7 @@
 #define CNI_STAGES_BROADPHASE_SWEEP_H
 
 #include "base/bitset.h"
-#include "model/broadphase.h"
+#include "stages/broadphase_list.h"
 
 #define CNI_SWEEP_LEVELS 12     /* the last one is a single list for whatever is larger */
 #define CNI_SWEEP_LANES 8       /* entries tested together */
@@ -168,19 +168,10 @@ static inline int32_t cni_sweep_walk_next(cni_sweep_walk *walk)
 	return walk->word * 64 + bit;
 }
 
-/* A box that overlaps nothing, whatever the order of its tests. */
-static inline cni_aabb cni_sweep_no_box(void)
-{
-	cni_aabb box;
-	box.x0 = box.y0 = INFINITY;
-	box.x1 = box.y1 = -INFINITY;
-	return box;
-}
-
 /* An old box as the overlap tests want it. */
 static inline cni_aabb cni_sweep_old(const cni_proxy *proxy)
 {
-	return proxy->old.x0 <= proxy->old.x1 ? proxy->old : cni_sweep_no_box();
+	return proxy->old.x0 <= proxy->old.x1 ? proxy->old : cni_no_box();
 }
 
 /* Floor, limited so that cells further out than 2^30 are one; NaN goes to one end. */

@@ -51,7 +51,6 @@ typedef struct pair_pass {
 	cni_pair_filter_fn *filter;
 	const void *filter_context;
 	cni_broadphase_pairs *out;
-	int32_t full;      /* the list could not grow */
 	int32_t *touched;  /* tiles with moved proxies; NULL without scratch */
 	int32_t touched_count;
 	int32_t dense_entries;
@@ -62,32 +61,14 @@ static inline int32_t is_moved(const pair_pass *pass, int32_t id) { return cni_b
 
 /* ---- what was found ---- */
 
-static int32_t list_has_room(pair_pass *pass)
-{
-	cni_array *list = &pass->out->list;
-	if (list->count < list->capacity)
-		return 1;
-	if (!pass->full && !cni_array_reserve(list, pass->sweep->context.memory, list->count + 1))
-		pass->full = 1;
-	return !pass->full;
-}
-
 /* A pair of boxes that is new. One of them moved: should the pair be lost, that one looks again. */
 static void pair_found(pair_pass *pass, int32_t a, int32_t b)
 {
 	cni_proxy *pa = cni_sweep_proxy(pass->sweep, a);
 	cni_proxy *pb = cni_sweep_proxy(pass->sweep, b);
-	cni_pair pair;
 	if ((pa->flags & pb->flags & CNI_PROXY_STATIC) || !pass->filter(pass->filter_context, a, b))
 		return;
-	if (!list_has_room(pass)) {
-		(is_moved(pass, a) ? pa : pb)->flags |= CNI_PROXY_AGAIN;
-		++pass->out->pairs_lost;
-		return;
-	}
-	pair.a = cni_min_i(a, b);
-	pair.b = cni_max_i(a, b);
-	((cni_pair *)pass->out->list.data)[pass->out->list.count++] = pair;
+	cni_pairs_add(pass->out, pass->sweep->context.memory, a, b, is_moved(pass, a) ? pa : pb);
 }
 
 static void entry_found(pair_pass *pass, const probe *q, const tile_view *view, int32_t k)

@@ -172,7 +172,7 @@ int32_t cni_sweep_tile_make(cni_sweep *sweep, int32_t level, int32_t tx, int32_t
 	t->tx = tx;
 	t->ty = ty;
 	t->level = (uint8_t)level;
-	t->bounds = cni_sweep_no_box();
+	t->bounds = cni_no_box();
 	slot_put(sweep, tile);
 	++sweep->tile_count;
 	level_add_tile(sweep, level, tx, ty);
@@ -266,7 +266,7 @@ static inline void level_cover(cni_sweep_level *level, float extent)
 void cni_sweep_tile_tighten(cni_sweep *sweep, cni_sweep_tile *tile)
 {
 	cni_sweep_rows rows = cni_sweep_rows_of(sweep, tile);
-	cni_aabb bounds = cni_sweep_no_box();
+	cni_aabb bounds = cni_no_box();
 	float width = 0.0f, height = 0.0f;
 	int32_t k;
 	if (tile->count > 0)

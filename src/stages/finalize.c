@@ -38,13 +38,11 @@ static void take_pose(cni_body *b, cni_motion *m)
 {
 	if (m->dpx != 0.0f || m->dpy != 0.0f || m->theta != 0.0f)
 		b->flags |= CNI_BODY_MOVED;
-	else
-		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
 	sum_exactly(&b->cx, &b->cx_low, m->dpx);
 	sum_exactly(&b->cy, &b->cy_low, m->dpy);
 	if (m->theta != 0.0f)
 		b->q = rotate_by(b->q, m->theta);
-	b->force_x = b->force_y = b->torque = 0.0f;
+	m->dpx = m->dpy = m->theta = 0.0f;
 }
 
 static int32_t body_accelerates(const cni_motion *m, const cni_velocity_start *start, const cni_drive *d, float h)
@@ -96,6 +94,18 @@ static void boxes_update(cn_world *world, const cni_body *b, float dpx, float dp
 	}
 }
 
+void cni_poses_take(cn_world *world)
+{
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+		cni_motion *m = cni_motions(world) + k;
+		float dpx = m->dpx, dpy = m->dpy;
+		take_pose(b, m);
+		boxes_update(world, b, dpx, dpy);
+	}
+}
+
 int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
 {
 	cni_motion *motions = cni_motions(world);
@@ -109,7 +119,7 @@ int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
 		take_pose(b, m);
 		rest_update(world, b, k, s);
 		rested |= b->sleep_time >= world->settings.sleep_delay && b->sleep_time > 0.0f;
-		m->dpx = m->dpy = m->theta = 0.0f;
+		b->force_x = b->force_y = b->torque = 0.0f;
 		if (b->flags & CNI_BODY_MOVED)
 			boxes_update(world, b, dpx, dpy);
 	}

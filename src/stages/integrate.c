@@ -83,7 +83,8 @@ void cni_drive_prepare(cn_world *world, const cni_solve *s)
 	const int32_t *ids = cni_awake_ids(world);
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
-		const cni_body *b = cni_body_at(world, ids[k]);
+		cni_body *b = cni_body_at(world, ids[k]);
+		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
 		drives[k] = drive_make(world, b, &motions[k]);
 		if (!(drives[k].flags & CNI_DRIVE_FREE))
 			continue;
@@ -91,6 +92,18 @@ void cni_drive_prepare(cn_world *world, const cni_solve *s)
 			fly_damped(&motions[k], &drives[k], b, s);
 		else
 			fly(&motions[k], &drives[k], s->dt);
+	}
+}
+
+void cni_drive_prepare_bound(cn_world *world)
+{
+	cni_drive *drives = cni_drives(world);
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
+		drives[k] = drive_make(world, b, cni_motions(world) + k);
+		drives[k].flags &= ~(uint32_t)CNI_DRIVE_FREE;
 	}
 }
 

@@ -150,6 +150,8 @@ static int32_t contact_update(cn_world *world, int32_t contact, float dt)
 	if (c->flags & CNI_CONTACT_SENSOR)
 		return sensor_update(world, c, dt);
 	contact_collide(world, c, dt, &manifold);
+	if (manifold.count > 0 && !boxes_overlap(world, c))
+		manifold.count = 0; /* the reach of a fast pair: a pair whose boxes are apart ends, or it would be found twice */
 	if (c->flags & CNI_CONTACT_ONE_WAY)
 		let_pass(world, c, &manifold);
 	if (manifold.count > 0 && !touching)
@@ -164,8 +166,11 @@ static int32_t contact_update(cn_world *world, int32_t contact, float dt)
 static void pay_owed(cn_world *world, int32_t contact, uint32_t owed, int32_t kind)
 {
 	cni_contact *c = cni_contact_at(world, contact);
-	if ((c->flags & owed) && cni_event_log(world, contact, kind))
-		c->flags &= ~owed;
+	if (!(c->flags & owed) || !cni_event_log(world, contact, kind))
+		return;
+	c->flags &= ~owed;
+	if (kind == CN_EVENT_ENTER)
+		c->flags |= CNI_CONTACT_ENTERED;
 }
 
 /* The manifold is computed once more: few contacts begin in a step, and keeping it for all that might
@@ -200,7 +205,8 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, float
 		sensor_change(world, contact, change);
 		return;
 	}
-	pay_owed(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
+	if (change != CHANGE_END || boxes_overlap(world, c)) /* else it goes before it was told of */
+		pay_owed(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
 	if (change == CHANGE_OWED)
 		pay_owed(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
 	if (change == CHANGE_BEGIN)

@@ -59,14 +59,14 @@ cni_soft cni_soft_exact(float hertz, float damping_ratio, float h)
 	return soft;
 }
 
-cni_solve cni_solve_make(const cn_world *world, float dt)
+static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 {
 	const cni_settings *set = &world->settings;
 	cni_solve s;
 	float last = world->step_dt;
 	s.dt = dt;
-	s.substeps = set->substeps;
-	s.h = dt / (float)set->substeps;
+	s.substeps = substeps;
+	s.h = dt / (float)substeps;
 	s.inv_h = s.h > 0.0f ? 1.0f / s.h : 0.0f;
 	s.warm_scale = (set->flags & CN_WORLD_WARM_START) == 0 ? 0.0f : last > 0.0f ? cni_min(dt / last, 4.0f) : 1.0f;
 	s.push_speed = set->push_speed_max;
@@ -75,5 +75,17 @@ cni_solve cni_solve_make(const cn_world *world, float dt)
 	s.contact_static = cni_soft_implicit(0.25f * s.inv_h, 10.0f, s.h);
 	s.joint = cni_soft_implicit(0.25f * s.inv_h, 2.0f, s.h);
 	s.kernel = cni_contact_kernel_choose();
+	return s;
+}
+
+cni_solve cni_solve_make(const cn_world *world, float dt)
+{
+	return make(world, dt, world->settings.substeps);
+}
+
+cni_solve cni_solve_make_sequential(const cn_world *world, float dt)
+{
+	cni_solve s = make(world, dt, 1);
+	s.warm_scale = 0.0f;
 	return s;
 }

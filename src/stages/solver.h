@@ -39,6 +39,8 @@ typedef struct cni_solve {
 } cni_solve;
 
 cni_solve cni_solve_make(const cn_world *world, float dt);
+/* One substep, nothing kept from the last step. */
+cni_solve cni_solve_make_sequential(const cn_world *world, float dt);
 /* Implicit-Euler soft constraint (Catto, "Soft Constraints", GDC 2011). */
 cni_soft cni_soft_implicit(float hertz, float damping_ratio, float h);
 /* Exact discrete spring: a single body on it keeps the true period and decay at any stiffness. */
@@ -52,6 +54,7 @@ void cni_stage_narrowphase(cn_world *world, float dt);
 
 /* Stage 6. */
 void cni_drive_prepare(cn_world *world, const cni_solve *s);           /* drive; free bodies' whole step */
+void cni_drive_prepare_bound(cn_world *world);                         /* drive of all bodies, none taken as free */
 void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t substep);
 void cni_integrate_positions(cn_world *world, const cni_solve *s);
 void cni_integrate_finish(cn_world *world, const cni_solve *s);
@@ -67,6 +70,8 @@ void cni_joints_store(cn_world *world, const cni_solve *s);
 
 /* Stage 8: poses, boxes, speed limits, rest timers. Returns 1 when some body has rested long enough to sleep. */
 int32_t cni_stage_finalize(cn_world *world, const cni_solve *s);
+/* The part of it that moves bodies by their change, and the boxes after them: sequential solver. */
+void cni_poses_take(cn_world *world);
 /* Stage 9: calls the user's callbacks. */
 void cni_stage_events(cn_world *world);
 /* Stage 10. */

@@ -33,7 +33,7 @@ static void def_check_numbers(cni_call *call, const cn_world_def *d)
 {
 	cni_check_finite2(call, "gravity_mps2", d->gravity_mps2);
 	cni_check_range(call, "length_unit_m", d->length_unit_m, 1e-6f, 1e6f);
-	cni_check_range_int(call, "solver", d->solver, CN_SOLVER_SOFT, CN_SOLVER_SOFT);
+	cni_check_range_int(call, "solver", d->solver, CN_SOLVER_SOFT, CN_SOLVER_SEQUENTIAL);
 	cni_check_range_int(call, "broadphase", d->broadphase, CN_BROADPHASE_SWEEP, CN_BROADPHASE_SWEEP);
 	cni_check_range_int(call, "substep_count", d->substep_count, 1, 64);
 	cni_check_at_least(call, "restitution_threshold_mps", d->restitution_threshold_mps, 0.0f);

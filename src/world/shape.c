@@ -237,11 +237,12 @@ cn_result cn_shape_get_filter(const cn_world *world, cn_shape shape, cn_filter *
 }
 
 /* A contact reports what either of its shapes asks for. */
-static void contact_refresh_mask(const cn_world *world, cni_contact *c)
+static void contact_refresh_mask(cn_world *world, int32_t contact)
 {
-	uint32_t mask = cni_shape_at(world, cni_proxy_at(world, c->proxy[0])->shape)->event_mask |
-	                cni_shape_at(world, cni_proxy_at(world, c->proxy[1])->shape)->event_mask;
-	c->flags = (c->flags & ~(EVENT_MASK << CNI_CONTACT_EVENTS_SHIFT)) | mask << CNI_CONTACT_EVENTS_SHIFT;
+	const cni_contact *c = cni_contact_at(world, contact);
+	const cni_shape *a = cni_shape_at(world, cni_proxy_at(world, c->proxy[0])->shape);
+	const cni_shape *b = cni_shape_at(world, cni_proxy_at(world, c->proxy[1])->shape);
+	cni_contact_set_events(world, contact, (uint32_t)(a->event_mask | b->event_mask));
 }
 
 cn_result cn_shape_set_event_mask(cn_world *world, cn_shape shape, uint32_t event_mask)
@@ -250,11 +251,12 @@ cn_result cn_shape_set_event_mask(cn_world *world, cn_shape shape, uint32_t even
 	cni_shape *s = cni_check_shape(&call, "shape", shape);
 	int32_t index = cni_index_of(shape), key;
 	cni_check_flags(&call, "event_mask", event_mask, EVENT_MASK);
+	reserve_leave(&call, world, s);
 	if (call.result != CN_OK)
 		return call.result;
 	s->event_mask = (uint8_t)event_mask;
 	for (key = first_contact(world, index); key != CNI_NONE; key = next_contact(world, key, index))
-		contact_refresh_mask(world, cni_contact_of_key(world, key));
+		contact_refresh_mask(world, key >> 1);
 	return CN_OK;
 }
 

@@ -3,7 +3,7 @@
  * and writes is in its file.
  */
 #include "base/clock.h"
-#include "stages/solver.h"
+#include "stages/sequential.h"
 #include "world/error.h"
 
 #include <string.h>
@@ -56,33 +56,69 @@ static void step_end(cn_world *world, float dt)
 	cni_arena_reset(&world->arena);
 }
 
+/* The soft step; returns 1 when some body has rested long enough to sleep. */
+static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
+{
+	cn_profile *profile = &world->profile;
+	cni_solve s = cni_solve_make(world, dt);
+	int32_t rested;
+	cni_stage_pairs(world);
+	profile_mark(world, &profile->broadphase_s, mark);
+	cni_stage_narrowphase(world, dt);
+	profile_mark(world, &profile->narrowphase_s, mark);
+	if (dt == 0.0f)
+		return 0;
+	cni_drive_prepare(world, &s);
+	cni_joints_prepare(world, &s);
+	profile_mark(world, &profile->prepare_s, mark);
+	substeps_run(world, &s);
+	cni_joints_store(world, &s);
+	profile_mark(world, &profile->substeps_s, mark);
+	rested = cni_stage_finalize(world, &s);
+	profile_mark(world, &profile->finalize_s, mark);
+	return rested;
+}
+
+/* The paper's twelve steps, numbered as in stages/sequential.c; 12 is in world_step. */
+static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
+{
+	cn_profile *profile = &world->profile;
+	cni_solve s = cni_solve_make_sequential(world, dt);
+	int32_t rested;
+	if (dt > 0.0f) {
+		cni_sequential_velocities(world, &s);                  /* 1 */
+		cni_sequential_positions(world, &s);                   /* 2 and 4 */
+		cni_sequential_constraints(world, &s);                 /* 3 */
+	}
+	profile_mark(world, &profile->prepare_s, mark);
+	cni_stage_pairs(world);                                    /* 5 */
+	profile_mark(world, &profile->broadphase_s, mark);
+	cni_stage_narrowphase(world, 0.0f);                        /* 6 */
+	profile_mark(world, &profile->narrowphase_s, mark);
+	if (dt == 0.0f)
+		return 0;
+	cni_sequential_velocity_response(world, &s);               /* 7 */
+	cni_sequential_position_response(world);                   /* 8 */
+	cni_sequential_joints(world, &s);                          /* 9 */
+	profile_mark(world, &profile->substeps_s, mark);
+	rested = cni_stage_finalize(world, &s);                    /* 10 and 11 */
+	profile_mark(world, &profile->finalize_s, mark);
+	return rested;
+}
+
 static void world_step(cn_world *world, float dt)
 {
-	cni_solve s = cni_solve_make(world, dt);
 	cn_profile *profile = &world->profile;
-	int32_t rested = 0;
+	int32_t rested;
 	uint64_t begin, mark;
 	step_begin(world);
 	begin = mark = (world->settings.flags & CN_WORLD_PROFILE) ? cni_clock_ns() : 0;
-	cni_stage_pairs(world);
-	profile_mark(world, &profile->broadphase_s, &mark);
-	cni_stage_narrowphase(world, dt);
-	profile_mark(world, &profile->narrowphase_s, &mark);
-	if (dt > 0.0f) {
-		cni_drive_prepare(world, &s);
-		cni_joints_prepare(world, &s);
-		profile_mark(world, &profile->prepare_s, &mark);
-		substeps_run(world, &s);
-		cni_joints_store(world, &s);
-		profile_mark(world, &profile->substeps_s, &mark);
-		rested = cni_stage_finalize(world, &s);
-		profile_mark(world, &profile->finalize_s, &mark);
-	}
-	cni_stage_events(world);
-	profile_mark(world, &profile->events_s, &mark);
+	rested = world->settings.solver == CN_SOLVER_SEQUENTIAL ? step_sequential(world, dt, &mark) : step_soft(world, dt, &mark);
 	if (rested && (world->settings.flags & CN_WORLD_SLEEP))
 		cni_stage_sleep(world);
 	profile_mark(world, &profile->sleep_s, &mark);
+	cni_stage_events(world); /* last, so that callbacks and arrays that are read later tell the same */
+	profile_mark(world, &profile->events_s, &mark);
 	step_end(world, dt);
 	profile_mark(world, &profile->step_s, &begin);
 }
