@@ -156,7 +156,9 @@ enum {
 	CN_TYPE_PROFILE = 22,
 	CN_TYPE_MEMORY_STATS = 23,
 	CN_TYPE_SENSOR_EVENT = 24,
-	CN_TYPE_COUNT = 25
+	CN_TYPE_UPDATE_REPORT = 25,
+	CN_TYPE_DEBUG_DRAW = 26,
+	CN_TYPE_COUNT = 27
 };
 /* sizeof the struct named by a CN_TYPE_ constant, 0 for an unknown one: bindings check themselves. */
 CN_API int32_t cn_sizeof(int32_t type);
@@ -227,7 +229,7 @@ CN_API cn_result cn_world_step(cn_world *world, float dt_s);
 CN_API const char *cn_world_error_text(const cn_world *world);
 
 /* A change wakes every body: O(bodies) then. */
-CN_API cn_result cn_world_set_gravity(cn_world *world, cn_vec2 gravity_mps2);
+CN_API cn_result cn_world_set_gravity(cn_world *world, float gravity_x_mps2, float gravity_y_mps2);
 CN_API cn_result cn_world_get_gravity(const cn_world *world, cn_vec2 *out_mps2);
 /* 1 to 64; more substeps are stiffer and dearer. */
 CN_API cn_result cn_world_set_substep_count(cn_world *world, int32_t count);
@@ -380,30 +382,30 @@ CN_API cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake)
 
 /* Teleport: origin and angle; velocities stay. Contacts that are no longer near end (the next step
    reports it). Wakes the body and what is near it. O(contacts + shapes). */
-CN_API cn_result cn_body_set_pose(cn_world *world, cn_body body, cn_vec2 position_m, float angle_rad);
+CN_API cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad);
 CN_API cn_result cn_body_get_pose(const cn_world *world, cn_body body, cn_pose *out);
 /* In (-pi, pi]. */
 CN_API cn_result cn_body_get_angle(const cn_world *world, cn_body body, float *out_rad);
 /* World position of the centre of mass. */
 CN_API cn_result cn_body_get_center(const cn_world *world, cn_body body, cn_vec2 *out_m);
 /* Static bodies refuse this with CN_ERROR_STATE. Wakes when not zero. */
-CN_API cn_result cn_body_set_velocity(cn_world *world, cn_body body, cn_vec2 linear_mps, float angular_radps);
+CN_API cn_result cn_body_set_velocity(cn_world *world, cn_body body, float linear_x_mps, float linear_y_mps, float angular_radps);
 CN_API cn_result cn_body_get_velocity(const cn_world *world, cn_body body, cn_velocity *out);
 /* Velocity of the body's material at a world point. */
-CN_API cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, cn_vec2 point_m, cn_vec2 *out_mps);
-CN_API cn_result cn_body_get_world_point(const cn_world *world, cn_body body, cn_vec2 local_m, cn_vec2 *out_m);
-CN_API cn_result cn_body_get_local_point(const cn_world *world, cn_body body, cn_vec2 world_m, cn_vec2 *out_m);
+CN_API cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float point_x_m, float point_y_m, cn_vec2 *out_mps);
+CN_API cn_result cn_body_get_world_point(const cn_world *world, cn_body body, float local_x_m, float local_y_m, cn_vec2 *out_m);
+CN_API cn_result cn_body_get_local_point(const cn_world *world, cn_body body, float world_x_m, float world_y_m, cn_vec2 *out_m);
 /* Union of its shapes' boxes, without margin; the origin as a point if it has none. O(shapes). */
 CN_API cn_result cn_body_get_aabb(const cn_world *world, cn_body body, cn_aabb *out);
 
 /* Forces and torques act for the next step only and are then cleared. All of these wake a dynamic
    body and do nothing to static, kinematic and disabled ones (CN_OK). Sums of forces and velocities
    after impulses must stay finite (CN_ERROR_ARGUMENT). */
-CN_API cn_result cn_body_apply_force(cn_world *world, cn_body body, cn_vec2 force_N);
-CN_API cn_result cn_body_apply_force_at(cn_world *world, cn_body body, cn_vec2 force_N, cn_vec2 point_m);
+CN_API cn_result cn_body_apply_force(cn_world *world, cn_body body, float force_x_N, float force_y_N);
+CN_API cn_result cn_body_apply_force_at(cn_world *world, cn_body body, float force_x_N, float force_y_N, float point_x_m, float point_y_m);
 CN_API cn_result cn_body_apply_torque(cn_world *world, cn_body body, float torque_Nm);
-CN_API cn_result cn_body_apply_impulse(cn_world *world, cn_body body, cn_vec2 impulse_Ns);
-CN_API cn_result cn_body_apply_impulse_at(cn_world *world, cn_body body, cn_vec2 impulse_Ns, cn_vec2 point_m);
+CN_API cn_result cn_body_apply_impulse(cn_world *world, cn_body body, float impulse_x_Ns, float impulse_y_Ns);
+CN_API cn_result cn_body_apply_impulse_at(cn_world *world, cn_body body, float impulse_x_Ns, float impulse_y_Ns, float point_x_m, float point_y_m);
 CN_API cn_result cn_body_apply_angular_impulse(cn_world *world, cn_body body, float impulse_Nms);
 
 /* Sums over the attached shapes unless overridden. A dynamic body whose shapes have no mass weighs 1 kg
@@ -599,7 +601,7 @@ CN_API cn_result cn_shape_get_edge(const cn_world *world, cn_shape shape, cn_edg
 CN_API cn_result cn_shape_get_polygon(const cn_world *world, cn_shape shape, cn_polygon *out);
 /* Writes at most capacity points (out may be NULL when capacity is 0); *out_count is how many there are. */
 CN_API cn_result cn_shape_get_chain_points(const cn_world *world, cn_shape shape, cn_vec2 *out, int32_t capacity, int32_t *out_count);
-CN_API cn_result cn_shape_test_point(const cn_world *world, cn_shape shape, cn_vec2 point_m, int32_t *out_inside);
+CN_API cn_result cn_shape_test_point(const cn_world *world, cn_shape shape, float point_x_m, float point_y_m, int32_t *out_inside);
 
 /* Convex hull of 1 or more points (Andrew's monotone chain, 1979), simplified to at most
    CN_POLYGON_MAX_VERTICES by dropping the vertices that change its area least. CN_ERROR_ARGUMENT
@@ -607,7 +609,7 @@ CN_API cn_result cn_shape_test_point(const cn_world *world, cn_shape shape, cn_v
    the half size for hulls under 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count <= 65536. */
 CN_API cn_result cn_polygon_make_hull(const cn_vec2 *points_m, int32_t count, float radius_m, cn_polygon *out);
 /* A box of half sizes > 0, moved and then turned about its own centre. */
-CN_API cn_result cn_polygon_make_box(float half_width_m, float half_height_m, cn_vec2 center_m, float angle_rad, float radius_m, cn_polygon *out);
+CN_API cn_result cn_polygon_make_box(float half_width_m, float half_height_m, float center_x_m, float center_y_m, float angle_rad, float radius_m, cn_polygon *out);
 
 /* ------------------------------------------------------------------ contacts and their events */
 
@@ -775,6 +777,54 @@ CN_API cn_result cn_joint_get_speed(const cn_world *world, cn_joint joint, float
 /* The two setters that games call each frame. Wake. */
 CN_API cn_result cn_joint_set_motor(cn_world *world, cn_joint joint, float speed, float force_or_torque_max);
 CN_API cn_result cn_joint_set_limits(cn_world *world, cn_joint joint, float lower, float upper);
+
+/* ------------------------------------------------------------------ variable time */
+
+typedef struct cn_update_report {
+	int32_t steps;        /* fixed steps taken */
+	float leftover_s;     /* time kept for the next update */
+	float dropped_s;      /* time given up because of the step cap */
+	float interpolation;  /* leftover / fixed step, [0, 1): between the last two poses */
+} cn_update_report;
+
+/* step_s in (0, 1], default 1/60; steps_max >= 1, default 8. */
+CN_API cn_result cn_world_set_fixed_step(cn_world *world, float step_s, int32_t steps_max);
+/* Adds elapsed_s (0 to 10) to the time owed and takes as many fixed steps as fit, at most steps_max. Events of all
+   steps but the last are only seen by callbacks. out may be NULL. */
+CN_API cn_result cn_world_update(cn_world *world, float elapsed_s, cn_update_report *out);
+/* Poses between the last two steps of cn_world_update: factor 0 the one before, 1 the last. bodies as in
+   cn_world_read_poses. Bodies that did not take part in the last step have their present pose. */
+CN_API cn_result cn_world_read_poses_interpolated(const cn_world *world, const cn_body *bodies, int32_t count, float factor, cn_pose *out);
+
+/* ------------------------------------------------------------------ debug draw */
+
+enum {
+	CN_DRAW_SHAPES = 1u << 0,
+	CN_DRAW_JOINTS = 1u << 1,      /* and constraints: anchors, axes, limits */
+	CN_DRAW_CONTACTS = 1u << 2,
+	CN_DRAW_AABBS = 1u << 3,
+	CN_DRAW_CENTERS = 1u << 4,
+	CN_DRAW_ISLANDS = 1u << 5
+};
+
+/* Functions that are NULL are not called. Colours are 0xRRGGBB. Points are in world coordinates. */
+typedef struct cn_debug_draw {
+	uint32_t struct_size;
+	uint32_t flags;             /* CN_DRAW_*; default SHAPES | JOINTS | CONTACTS */
+	cn_aabb view;               /* only what overlaps it is drawn; default everything */
+	void (*polygon)(const cn_vec2 *points_m, int32_t count, float radius_m, uint32_t color, void *user);
+	/* axis: a point on the rim that turns with the body */
+	void (*circle)(const cn_vec2 *center_m, float radius_m, const cn_vec2 *rim_m, uint32_t color, void *user);
+	void (*capsule)(const cn_vec2 *a_m, const cn_vec2 *b_m, float radius_m, uint32_t color, void *user);
+	void (*segment)(const cn_vec2 *a_m, const cn_vec2 *b_m, uint32_t color, void *user);
+	void (*point)(const cn_vec2 *point_m, float size_px, uint32_t color, void *user);
+	void (*text)(const cn_vec2 *point_m, const char *text, uint32_t color, void *user);
+	void *user;
+	void *reserved;
+} cn_debug_draw;
+CN_API void cn_debug_draw_init(cn_debug_draw *draw);
+/* Reads only. O(what is drawn). */
+CN_API cn_result cn_world_draw(const cn_world *world, const cn_debug_draw *draw);
 
 #ifdef __cplusplus
 }

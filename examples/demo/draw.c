@@ -195,7 +195,7 @@ static int32_t covers_point(const cn_world *world, cn_body body, cn_vec2 point_m
 	int32_t count = 0, inside = 0;
 	cn_body_get_shapes(world, body, shapes, BODY_SHAPES_LOOKED_AT, &count);
 	for (int32_t i = 0; i < count && i < BODY_SHAPES_LOOKED_AT && !inside; ++i)
-		cn_shape_test_point(world, shapes[i], point_m, &inside);
+		cn_shape_test_point(world, shapes[i], point_m.x, point_m.y, &inside);
 	return inside;
 }
 

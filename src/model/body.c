@@ -242,6 +242,8 @@ void cni_body_set_transform(cn_world *world, int32_t body, cni_vec2 origin, cni_
 	b->cx = origin.x + r.x;
 	b->cy = origin.y + r.y;
 	b->cx_low = b->cy_low = 0.0f;
+	if (body < world->previous.count)
+		((cni_previous *)world->previous.data)[body].body = 0; /* no gliding over a teleport */
 	cni_body_refresh_boxes(world, body);
 }
 

@@ -7,7 +7,7 @@
  *   records  [b0][b1][b2][b3]...                 stable, paged; pose always, velocity while not awake
  *   motion   [dummy][b3][b0]...                  cni_motion: velocity, inverse mass, change of pose this step
  *   start    [dummy][b3][b0]...                  cni_velocity_start: velocity right after integration
- *   drive    [dummy][b3][b0]...                  cni_drive: acceleration of this step
+ *   drive    [dummy][b3][b0]...                  cni_drive: force for this step, then acceleration
  *   awake_id [ -1  ][ 3][ 0]...                  back to the record
  *
  * Dense index 0 is a dummy of infinite mass that never moves: it stands for every static body, for the
@@ -35,7 +35,6 @@ typedef struct cni_body {
 	cni_rot q;
 	cni_vec2 local_center;   /* of mass, in the body's frame */
 	float vx, vy, w;         /* valid while awake == 0; read through cni_body_velocity */
-	float force_x, force_y, torque; /* for the next step */
 	float mass, inertia;     /* of a dynamic body (mass > 0, inertia >= 0, 0 = never rotates); 0 for others */
 	float linear_damping, angular_damping;
 	float gravity_scale;
@@ -48,7 +47,6 @@ typedef struct cni_body {
 	int32_t island;          /* CNI_NONE: alone */
 	int32_t island_next, island_prev;
 	int32_t shape_first;     /* shape index, linked by cni_shape.next */
-	int32_t shape_count;
 	int32_t joint_first;     /* key = joint << 1 | side */
 	int32_t joint_count;
 	int32_t contact_first;   /* key = contact << 1 | side */
@@ -78,9 +76,17 @@ enum {
 	CNI_DRIVE_JOINTED = 1u << 4  /* has joints: positions follow end velocities */
 };
 typedef struct cni_drive {
-	float ax, ay, alpha; /* acceleration by gravity, force and torque; locked axes are 0 */
+	float ax, ay, alpha; /* between steps: the user's force and torque for the next one; within a step:
+	                        acceleration by gravity, force and torque, locked axes are 0 */
 	uint32_t flags;
 } cni_drive;
+
+/* Pose before the last step of cn_world_update, for interpolation. */
+typedef struct cni_previous {
+	float x, y, c, s;  /* origin and rotation */
+	cn_body body;      /* 0: none */
+	uint32_t step;     /* count of steps after which it is the previous pose */
+} cni_previous;
 
 /* All take a live body index. Those that return cn_result change nothing when they fail. */
 

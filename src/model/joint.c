@@ -123,10 +123,21 @@ static void end_contacts_between(cn_world *world, int32_t body_a, int32_t body_b
 	}
 }
 
+/* First shape of the body that has fewer: the side whose list ends first. */
+static int32_t first_shape_of_lesser(const cn_world *world, const cni_joint *j)
+{
+	int32_t first_a = cni_body_at(world, j->body[0])->shape_first, first_b = cni_body_at(world, j->body[1])->shape_first;
+	int32_t a = first_a, b = first_b;
+	while (a != CNI_NONE && b != CNI_NONE) {
+		a = cni_shape_at(world, a)->next;
+		b = cni_shape_at(world, b)->next;
+	}
+	return a == CNI_NONE ? first_a : first_b;
+}
+
 static void bodies_look_again(cn_world *world, const cni_joint *j)
 {
-	int32_t lesser = cni_body_at(world, j->body[0])->shape_count <= cni_body_at(world, j->body[1])->shape_count ? 0 : 1;
-	int32_t shape = cni_body_at(world, j->body[lesser])->shape_first;
+	int32_t shape = first_shape_of_lesser(world, j);
 	for (; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
 		cni_shape_look_again(world, shape);
 }

@@ -10,6 +10,30 @@ cni_shape *cni_shape_at(const cn_world *world, int32_t shape)
 	return (cni_shape *)cni_table_at(&world->shapes, shape);
 }
 
+uint64_t cni_shape_piece_bytes(const cn_world *world, int32_t type, int32_t count)
+{
+	int32_t bytes = cni_geometry_bytes(type, count);
+	if (world->memory.fixed)
+		bytes = cni_max_i(bytes, cni_geometry_bytes(CN_SHAPE_POLYGON, CN_POLYGON_MAX_VERTICES));
+	return (uint64_t)bytes;
+}
+
+void cni_shape_free_geometry(cn_world *world, int32_t shape)
+{
+	const cni_shape *s = cni_shape_at(world, shape);
+	cni_blocks_free(&world->blocks, s->geometry, cni_shape_piece_bytes(world, s->type, cni_shape_geometry(&world->blocks, s)->count));
+}
+
+static uint64_t ids_bytes(const cn_world *world, const cni_shape *s)
+{
+	uint64_t bytes = (uint64_t)s->children * sizeof(int32_t);
+	if (!world->memory.fixed)
+		return bytes;
+	if (bytes <= CNI_SHAPE_IDS_BYTES)
+		return CNI_SHAPE_IDS_BYTES;
+	return cni_shape_piece_bytes(world, CN_SHAPE_CHAIN, 0) > bytes ? cni_shape_piece_bytes(world, CN_SHAPE_CHAIN, 0) : bytes;
+}
+
 int32_t cni_shape_proxy(const cn_world *world, const cni_shape *s, int32_t child)
 {
 	if (s->type != CN_SHAPE_CHAIN)
@@ -94,7 +118,7 @@ cn_result cni_shape_place(cn_world *world, int32_t shape)
 		s->box.proxy = proxy_create(world, shape, 0);
 		return CN_OK;
 	}
-	s->box.proxies = cni_blocks_alloc(&world->blocks, (uint64_t)s->children * sizeof(int32_t));
+	s->box.proxies = cni_blocks_alloc(&world->blocks, ids_bytes(world, s));
 	if (s->box.proxies == 0)
 		return CN_ERROR_MEMORY;
 	for (child = 0; child < s->children; ++child)
@@ -115,7 +139,7 @@ void cni_shape_unplace(cn_world *world, int32_t shape)
 		proxy_release(world, proxy);
 	}
 	if (s->type == CN_SHAPE_CHAIN) {
-		cni_blocks_free(&world->blocks, s->box.proxies, (uint64_t)s->children * sizeof(int32_t));
+		cni_blocks_free(&world->blocks, s->box.proxies, ids_bytes(world, s));
 		s->box.proxies = 0;
 	} else {
 		s->box.proxy = CNI_NONE;
@@ -151,7 +175,6 @@ void cni_shape_link(cn_world *world, int32_t shape, int32_t body)
 		cni_shape_at(world, first->prev)->next = shape;
 		first->prev = shape;
 	}
-	++b->shape_count;
 }
 
 void cni_shape_unlink(cn_world *world, int32_t shape)
@@ -168,7 +191,6 @@ void cni_shape_unlink(cn_world *world, int32_t shape)
 	else if (b->shape_first != CNI_NONE)
 		cni_shape_at(world, b->shape_first)->prev = s->prev;
 	s->body = s->next = s->prev = CNI_NONE;
-	--b->shape_count;
 }
 
 int32_t cni_filter_allows(const cni_shape *a, const cni_shape *b)

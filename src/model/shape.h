@@ -20,7 +20,6 @@ typedef struct cni_shape {
 	uint8_t flags;         /* CN_SHAPE_SENSOR ... */
 	uint8_t mix;           /* friction's CN_MIX_ rule, restitution's << 4 */
 	cni_ref geometry;
-	uint32_t geometry_bytes;
 	int32_t children;
 	union {
 		int32_t proxy;     /* children == 1 and placed: the proxy id, else CNI_NONE */
@@ -30,7 +29,6 @@ typedef struct cni_shape {
 	float static_friction, dynamic_friction, restitution;
 	float rolling_resistance, tangent_speed;
 	int32_t group;
-	uint32_t reserved;
 	uint64_t category, mask;
 	uint64_t user_data;
 } cni_shape;
@@ -40,6 +38,14 @@ static inline const cni_geometry *cni_shape_geometry(const cni_blocks *blocks, c
 {
 	return (const cni_geometry *)cni_blocks_at(blocks, s->geometry);
 }
+/*
+ * What a geometry of so many points takes of the blocks. In a fixed block all but long chains take the same, and so
+ * do proxy ids: whatever is made and destroyed in whatever order, the pieces set aside at the beginning fit.
+ */
+uint64_t cni_shape_piece_bytes(const cn_world *world, int32_t type, int32_t count);
+void cni_shape_free_geometry(cn_world *world, int32_t shape);
+/* In a fixed block: proxy ids of chains of at most 8 edges; longer ones take the piece of a geometry. */
+#define CNI_SHAPE_IDS_BYTES 32u
 /* Proxy id of a child, CNI_NONE when the shape is not placed. */
 int32_t cni_shape_proxy(const cn_world *world, const cni_shape *s, int32_t child);
 

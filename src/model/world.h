@@ -61,6 +61,13 @@ struct cn_world {
 	cni_array drive;             /* cni_drive */
 	cni_array awake_id;          /* int32_t */
 
+	/* variable time: empty until cn_world_update is used */
+	cni_array previous;          /* cni_previous by body slot */
+	float fixed_step;            /* seconds */
+	float time_owed;             /* seconds */
+	int32_t steps_max;
+	int32_t reserved_time;
+
 	/* shapes and proxies */
 	cni_handles shape_handles;
 	cni_table shapes;            /* cni_shape */

@@ -1,8 +1,8 @@
 /*
  * stages/finalize.c - stage 8: the step's changes become poses.
  *
- * For each awake body: speed limits, new pose, cleared forces, rest timer, boxes. Reads and writes bodies,
- * motion, proxies (through the broadphase's move).
+ * For each awake body: speed limits, new pose, rest timer, cleared forces, boxes. Reads and writes bodies,
+ * motion, drive, proxies (through the broadphase's move).
  *
  * A body rests while it is slow and does not accelerate: at the apex of a throw the last substep's change of
  * velocity is all of what gravity gives, on the ground it is nearly none of it.
@@ -109,6 +109,7 @@ void cni_poses_take(cn_world *world)
 int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
 {
 	cni_motion *motions = cni_motions(world);
+	cni_drive *drives = cni_drives(world);
 	const int32_t *ids = cni_awake_ids(world);
 	int32_t k, rested = 0;
 	for (k = 1; k < world->awake_count; ++k) {
@@ -119,7 +120,7 @@ int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
 		take_pose(b, m);
 		rest_update(world, b, k, s);
 		rested |= b->sleep_time >= world->settings.sleep_delay && b->sleep_time > 0.0f;
-		b->force_x = b->force_y = b->torque = 0.0f;
+		drives[k].ax = drives[k].ay = drives[k].alpha = 0.0f;
 		if (b->flags & CNI_BODY_MOVED)
 			boxes_update(world, b, dpx, dpy);
 	}

@@ -1,7 +1,7 @@
 /*
  * stages/integrate.c - motion between constraints: drives, velocities, positions.
  *
- * Reads body records (forces, damping, gravity scale), writes drive, start and motion.
+ * Reads body records (damping, gravity scale) and the forces in drive, writes drive, start and motion.
  *
  * Bodies that nothing touches are free: their whole step is taken at once and exactly (x += h v + h^2 a/2).
  * Others integrate by substep as x += h v', which is then corrected to the trapezoid rule
@@ -35,16 +35,17 @@ static uint32_t drive_flags(const cni_body *b)
 	return flags;
 }
 
-static cni_drive drive_make(const cn_world *world, const cni_body *b, const cni_motion *m)
+/* force: the user's, as the drive holds it between steps. */
+static cni_drive drive_make(const cn_world *world, const cni_body *b, const cni_motion *m, const cni_drive *force)
 {
 	cni_drive d;
 	d.flags = drive_flags(b);
 	d.ax = d.ay = d.alpha = 0.0f;
 	if (b->type != CN_BODY_DYNAMIC)
 		return d;
-	d.ax = b->gravity_scale * world->settings.gravity.x + m->inv_mass * b->force_x;
-	d.ay = b->gravity_scale * world->settings.gravity.y + m->inv_mass * b->force_y;
-	d.alpha = m->inv_inertia * b->torque;
+	d.ax = b->gravity_scale * world->settings.gravity.x + m->inv_mass * force->ax;
+	d.ay = b->gravity_scale * world->settings.gravity.y + m->inv_mass * force->ay;
+	d.alpha = m->inv_inertia * force->alpha;
 	if (m->inv_mass == 0.0f || (b->flags & CN_BODY_LOCK_X))
 		d.ax = 0.0f;
 	if (m->inv_mass == 0.0f || (b->flags & CN_BODY_LOCK_Y))
@@ -85,7 +86,7 @@ void cni_drive_prepare(cn_world *world, const cni_solve *s)
 	for (k = 1; k < world->awake_count; ++k) {
 		cni_body *b = cni_body_at(world, ids[k]);
 		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
-		drives[k] = drive_make(world, b, &motions[k]);
+		drives[k] = drive_make(world, b, &motions[k], &drives[k]);
 		if (!(drives[k].flags & CNI_DRIVE_FREE))
 			continue;
 		if (drives[k].flags & CNI_DRIVE_DAMPED)
@@ -102,7 +103,7 @@ void cni_drive_prepare_bound(cn_world *world)
 	for (k = 1; k < world->awake_count; ++k) {
 		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
-		drives[k] = drive_make(world, b, cni_motions(world) + k);
+		drives[k] = drive_make(world, b, cni_motions(world) + k, &drives[k]);
 		drives[k].flags &= ~(uint32_t)CNI_DRIVE_FREE;
 	}
 }

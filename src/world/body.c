@@ -43,10 +43,17 @@ static void check_name(cni_call *call, const char *name)
 		cni_refuse(call, CN_ERROR_ARGUMENT, "name is too long; it may have at most 63 bytes");
 }
 
+/* What a name takes of the blocks, 0 for none; the most in a fixed block, where the pieces are set aside. */
+static int32_t name_piece_bytes(const cn_world *world, const char *name)
+{
+	int32_t bytes = name_bytes(name);
+	return bytes > 0 && world->memory.fixed ? CN_NAME_MAX_BYTES + 1 : bytes;
+}
+
 static void name_free(cn_world *world, cni_body *b)
 {
 	if (b->name != 0)
-		cni_blocks_free(&world->blocks, b->name, (uint64_t)name_bytes((const char *)cni_blocks_at(&world->blocks, b->name)));
+		cni_blocks_free(&world->blocks, b->name, (uint64_t)name_piece_bytes(world, (const char *)cni_blocks_at(&world->blocks, b->name)));
 	b->name = 0;
 }
 
@@ -54,7 +61,7 @@ static void name_free(cn_world *world, cni_body *b)
 static cni_ref name_copy(cn_world *world, const char *name)
 {
 	int32_t bytes = name_bytes(name);
-	cni_ref ref = bytes > 0 ? cni_blocks_alloc(&world->blocks, (uint64_t)bytes) : 0;
+	cni_ref ref = bytes > 0 ? cni_blocks_alloc(&world->blocks, (uint64_t)name_piece_bytes(world, name)) : 0;
 	if (ref != 0)
 		memcpy(cni_blocks_at(&world->blocks, ref), name, (size_t)bytes);
 	return ref;
@@ -117,7 +124,7 @@ static void reserve_bodies(cni_call *call, cn_world *world, const cn_body_def *d
 	if (call->result != CN_OK)
 		return;
 	for (k = 0; k < count; ++k) {
-		int32_t bytes = name_bytes(defs[k].name);
+		int32_t bytes = name_piece_bytes(world, defs[k].name);
 		movable += defs[k].type != CN_BODY_STATIC;
 		if (bytes > 0)
 			++names[(bytes - 1) / (int32_t)CNI_BLOCK_UNIT];
@@ -184,10 +191,9 @@ static void destroy_shapes(cn_world *world, const cni_body *b)
 {
 	while (b->shape_first != CNI_NONE) {
 		int32_t shape = b->shape_first;
-		cni_shape *s = cni_shape_at(world, shape);
 		cni_shape_unplace(world, shape);
 		cni_shape_unlink(world, shape);
-		cni_blocks_free(&world->blocks, s->geometry, s->geometry_bytes);
+		cni_shape_free_geometry(world, shape);
 		cni_handles_release(&world->shape_handles, shape);
 	}
 }

@@ -36,8 +36,9 @@ static void end_contacts_apart(cn_world *world, int32_t body)
 	}
 }
 
-cn_result cn_body_set_pose(cn_world *world, cn_body body, cn_vec2 position_m, float angle_rad)
+cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad)
 {
+	cn_vec2 position_m = { position_x_m, position_y_m };
 	cni_call call = cni_enter(world, __func__);
 	const cni_body *b = cni_check_body(&call, "body", body);
 	int32_t index = cni_index_of(body);
@@ -89,8 +90,9 @@ cn_result cn_body_get_center(const cn_world *world, cn_body body, cn_vec2 *out_m
 	return call.result;
 }
 
-cn_result cn_body_get_world_point(const cn_world *world, cn_body body, cn_vec2 local_m, cn_vec2 *out_m)
+cn_result cn_body_get_world_point(const cn_world *world, cn_body body, float local_x_m, float local_y_m, cn_vec2 *out_m)
 {
+	cn_vec2 local_m = { local_x_m, local_y_m };
 	cni_call call = cni_enter_const(world);
 	const cni_body *b = cni_check_body(&call, "body", body);
 	cni_vec2 r;
@@ -103,8 +105,9 @@ cn_result cn_body_get_world_point(const cn_world *world, cn_body body, cn_vec2 l
 	return CN_OK;
 }
 
-cn_result cn_body_get_local_point(const cn_world *world, cn_body body, cn_vec2 world_m, cn_vec2 *out_m)
+cn_result cn_body_get_local_point(const cn_world *world, cn_body body, float world_x_m, float world_y_m, cn_vec2 *out_m)
 {
+	cn_vec2 world_m = { world_x_m, world_y_m };
 	cni_call call = cni_enter_const(world);
 	const cni_body *b = cni_check_body(&call, "body", body);
 	cni_check_finite2(&call, "world_m", world_m);
@@ -116,8 +119,9 @@ cn_result cn_body_get_local_point(const cn_world *world, cn_body body, cn_vec2 w
 
 /* ------------------------------------------------------------------ velocity */
 
-cn_result cn_body_set_velocity(cn_world *world, cn_body body, cn_vec2 linear_mps, float angular_radps)
+cn_result cn_body_set_velocity(cn_world *world, cn_body body, float linear_x_mps, float linear_y_mps, float angular_radps)
 {
+	cn_vec2 linear_mps = { linear_x_mps, linear_y_mps };
 	cni_call call = cni_enter(world, __func__);
 	cni_body *b = cni_check_body(&call, "body", body);
 	cn_velocity v;
@@ -145,8 +149,9 @@ cn_result cn_body_get_velocity(const cn_world *world, cn_body body, cn_velocity 
 	return call.result;
 }
 
-cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, cn_vec2 point_m, cn_vec2 *out_mps)
+cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float point_x_m, float point_y_m, cn_vec2 *out_mps)
 {
+	cn_vec2 point_m = { point_x_m, point_y_m };
 	cni_call call = cni_enter_const(world);
 	const cni_body *b = cni_check_body(&call, "body", body);
 	cn_velocity v;
@@ -171,6 +176,7 @@ static int32_t can_be_pushed(const cni_body *b)
 static cn_result add_force(cni_call *call, cn_world *world, cn_body body, cni_vec2 force, float torque)
 {
 	cni_body *b;
+	cni_drive *d;
 	cni_vec2 total;
 	float total_torque;
 	if (call->result != CN_OK)
@@ -178,27 +184,32 @@ static cn_result add_force(cni_call *call, cn_world *world, cn_body body, cni_ve
 	b = cni_body_at(world, cni_index_of(body));
 	if (!can_be_pushed(b))
 		return CN_OK;
-	total = cni_add(cni_v(b->force_x, b->force_y), force);
-	total_torque = b->torque + torque;
+	d = cni_drives(world) + b->awake; /* the dummy has none */
+	total = cni_add(cni_v(d->ax, d->ay), force);
+	total_torque = d->alpha + torque;
 	if (!cni_is_finite2(total) || !cni_is_finite(total_torque))
 		return cni_refuse(call, CN_ERROR_ARGUMENT, "the sum of forces and torques of this step must stay finite");
 	cni_body_wake(world, cni_index_of(body));
-	b->force_x = total.x;
-	b->force_y = total.y;
-	b->torque = total_torque;
+	d = cni_drives(world) + b->awake;
+	d->ax = total.x;
+	d->ay = total.y;
+	d->alpha = total_torque;
 	return CN_OK;
 }
 
-cn_result cn_body_apply_force(cn_world *world, cn_body body, cn_vec2 force_N)
+cn_result cn_body_apply_force(cn_world *world, cn_body body, float force_x_N, float force_y_N)
 {
+	cn_vec2 force_N = { force_x_N, force_y_N };
 	cni_call call = cni_enter(world, __func__);
 	cni_check_body(&call, "body", body);
 	cni_check_finite2(&call, "force_N", force_N);
 	return add_force(&call, world, body, force_N, 0.0f);
 }
 
-cn_result cn_body_apply_force_at(cn_world *world, cn_body body, cn_vec2 force_N, cn_vec2 point_m)
+cn_result cn_body_apply_force_at(cn_world *world, cn_body body, float force_x_N, float force_y_N, float point_x_m, float point_y_m)
 {
+	cn_vec2 force_N = { force_x_N, force_y_N };
+	cn_vec2 point_m = { point_x_m, point_y_m };
 	cni_call call = cni_enter(world, __func__);
 	const cni_body *b = cni_check_body(&call, "body", body);
 	cni_check_finite2(&call, "force_N", force_N);
@@ -235,16 +246,19 @@ static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, cni_
 	return CN_OK;
 }
 
-cn_result cn_body_apply_impulse(cn_world *world, cn_body body, cn_vec2 impulse_Ns)
+cn_result cn_body_apply_impulse(cn_world *world, cn_body body, float impulse_x_Ns, float impulse_y_Ns)
 {
+	cn_vec2 impulse_Ns = { impulse_x_Ns, impulse_y_Ns };
 	cni_call call = cni_enter(world, __func__);
 	cni_check_body(&call, "body", body);
 	cni_check_finite2(&call, "impulse_Ns", impulse_Ns);
 	return add_impulse(&call, world, body, impulse_Ns, 0.0f);
 }
 
-cn_result cn_body_apply_impulse_at(cn_world *world, cn_body body, cn_vec2 impulse_Ns, cn_vec2 point_m)
+cn_result cn_body_apply_impulse_at(cn_world *world, cn_body body, float impulse_x_Ns, float impulse_y_Ns, float point_x_m, float point_y_m)
 {
+	cn_vec2 impulse_Ns = { impulse_x_Ns, impulse_y_Ns };
+	cn_vec2 point_m = { point_x_m, point_y_m };
 	cni_call call = cni_enter(world, __func__);
 	const cni_body *b = cni_check_body(&call, "body", body);
 	cni_check_finite2(&call, "impulse_Ns", impulse_Ns);

@@ -73,7 +73,6 @@ static void store_type(cn_world *world, cni_body *b, int32_t type)
 	world->movable_count += (type != CN_BODY_STATIC) - (b->type != CN_BODY_STATIC);
 	b->type = type;
 	b->sleep_time = 0.0f;
-	b->force_x = b->force_y = b->torque = 0.0f;
 	if (type == CN_BODY_STATIC)
 		b->vx = b->vy = b->w = 0.0f;
 	if (type != CN_BODY_DYNAMIC)
@@ -153,7 +152,6 @@ static void set_enabled(cn_world *world, int32_t body, int32_t enabled)
 		leave_simulation(world, body);
 		unplace_all(world, b, CNI_NONE);
 		b->flags &= ~(uint32_t)CN_BODY_ENABLED;
-		b->force_x = b->force_y = b->torque = 0.0f;
 	}
 	joints_link(world, chain);
 }

@@ -133,6 +133,7 @@ static void tables_init(cn_world *world)
 	cni_array_init(&world->start, (int32_t)sizeof(cni_velocity_start));
 	cni_array_init(&world->drive, (int32_t)sizeof(cni_drive));
 	cni_array_init(&world->awake_id, (int32_t)sizeof(int32_t));
+	cni_array_init(&world->previous, (int32_t)sizeof(cni_previous));
 	cni_array_init(&world->awake_contacts, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->changes, (int32_t)sizeof(uint32_t));
 	cni_array_init(&world->awake_joints, (int32_t)sizeof(int32_t));
@@ -168,6 +169,7 @@ static void tables_deinit(cn_world *world)
 	cni_array_deinit(&world->start, memory);
 	cni_array_deinit(&world->drive, memory);
 	cni_array_deinit(&world->awake_id, memory);
+	cni_array_deinit(&world->previous, memory);
 	cni_array_deinit(&world->awake_contacts, memory);
 	cni_array_deinit(&world->awake_joints, memory);
 	cni_array_deinit(&world->joint_work, memory);
@@ -233,6 +235,14 @@ static int32_t reserve_contacts(cn_world *world, const cn_world_def *d)
 	       cni_array_reserve_exact(&world->joint_work, m, d->joint_capacity);
 }
 
+static int32_t reserve_pieces(cn_world *world, const cn_world_def *d)
+{
+	cni_blocks *blocks = &world->blocks;
+	return cni_blocks_reserve(blocks, cni_shape_piece_bytes(world, CN_SHAPE_POLYGON, CN_POLYGON_MAX_VERTICES), d->shape_capacity) &&
+	       cni_blocks_reserve(blocks, CNI_SHAPE_IDS_BYTES, d->shape_capacity) &&
+	       cni_blocks_reserve(blocks, CN_NAME_MAX_BYTES + 1, d->body_capacity);
+}
+
 /* What only a fixed world takes beforehand: everything that a growing one takes when it comes to it. */
 static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 {
@@ -242,7 +252,7 @@ static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 		if (kind != CN_EVENT_STAY && !cni_array_reserve_exact(&world->events.log[kind], m, n))
 			return 0;
 	}
-	return cni_array_reserve_exact(&world->sleep_lanes, m, n) && cni_array_reserve_exact(&world->pairs.list, m, n) &&
+	return reserve_pieces(world, d) && cni_array_reserve_exact(&world->sleep_lanes, m, n) && cni_array_reserve_exact(&world->pairs.list, m, n) &&
 	       cni_array_reserve_exact(&world->events.asleep, m, d->body_capacity) &&
 	       cni_array_reserve_exact(&world->events.moved, m, d->body_capacity) &&
 	       cni_arena_reserve(&world->arena, 4096u + 8u * (uint64_t)d->body_capacity + 128u * (uint64_t)d->shape_capacity);
@@ -253,12 +263,13 @@ static uint64_t array_bytes(int32_t count, size_t item)
 	return cni_memory_rounded((uint64_t)count * item + 64u);
 }
 
-/* Geometry and names at their largest, in class chunks; a quarter more for chunk ends. */
+/* Pieces of the blocks that a fixed world sets aside (see model/shape.h), and what chains of more than 32
+   edges take beyond them: 12 bytes an edge, half as much again for size classes. */
 static uint64_t pieces_bytes(const cn_world_def *d)
 {
-	uint64_t shape = cni_blocks_rounded((uint64_t)cni_geometry_bytes(CN_SHAPE_POLYGON, CN_POLYGON_MAX_VERTICES)) + 2u * CNI_BLOCK_UNIT;
-	uint64_t bytes = (uint64_t)d->shape_capacity * shape + (uint64_t)d->body_capacity * cni_blocks_rounded(CN_NAME_MAX_BYTES + 1);
-	return bytes + bytes / 4u + 2u * 65536u;
+	uint64_t shape = cni_blocks_rounded((uint64_t)cni_geometry_bytes(CN_SHAPE_POLYGON, CN_POLYGON_MAX_VERTICES)) + CNI_SHAPE_IDS_BYTES;
+	uint64_t bytes = (uint64_t)d->shape_capacity * (shape + 18u) + (uint64_t)d->body_capacity * cni_blocks_rounded(CN_NAME_MAX_BYTES + 1);
+	return bytes + bytes / 512u + 8192u; /* chunk ends and the table of chunks */
 }
 
 static uint64_t records_bytes(const cn_world_def *d)
@@ -346,6 +357,8 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world)
 	memset(world, 0, sizeof *world);
 	world->memory = memory;
 	world->user_data = def->user_data;
+	world->fixed_step = 1.0f / 60.0f;
+	world->steps_max = 8;
 	settings_resolve(&world->settings, def);
 	tables_init(world);
 	good = dummy_create(world) == CN_OK && broadphase_create(world, def->shape_capacity) == CN_OK &&

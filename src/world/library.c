@@ -48,6 +48,8 @@ int32_t cn_sizeof(int32_t type)
 	case CN_TYPE_CHAIN: return (int32_t)sizeof(cn_chain);
 	case CN_TYPE_FILTER: return (int32_t)sizeof(cn_filter);
 	case CN_TYPE_SENSOR_EVENT: return (int32_t)sizeof(cn_sensor_event);
+	case CN_TYPE_UPDATE_REPORT: return (int32_t)sizeof(cn_update_report);
+	case CN_TYPE_DEBUG_DRAW: return (int32_t)sizeof(cn_debug_draw);
 	case CN_TYPE_MATERIAL: return (int32_t)sizeof(cn_material);
 	case CN_TYPE_MANIFOLD_POINT: return (int32_t)sizeof(cn_manifold_point);
 	case CN_TYPE_MANIFOLD: return (int32_t)sizeof(cn_manifold);

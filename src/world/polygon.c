@@ -45,8 +45,9 @@ cn_result cn_polygon_make_hull(const cn_vec2 *points_m, int32_t count, float rad
 	return CN_OK;
 }
 
-cn_result cn_polygon_make_box(float half_width_m, float half_height_m, cn_vec2 center_m, float angle_rad, float radius_m, cn_polygon *out)
+cn_result cn_polygon_make_box(float half_width_m, float half_height_m, float center_x_m, float center_y_m, float angle_rad, float radius_m, cn_polygon *out)
 {
+	cn_vec2 center_m = { center_x_m, center_y_m };
 	static const float sx[4] = { -1.0f, 1.0f, 1.0f, -1.0f };
 	static const float sy[4] = { -1.0f, -1.0f, 1.0f, 1.0f };
 	cni_call call = cni_enter_free();

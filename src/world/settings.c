@@ -14,8 +14,9 @@ static void wake_all(cn_world *world)
 			cni_body_wake(world, body);
 }
 
-cn_result cn_world_set_gravity(cn_world *world, cn_vec2 gravity_mps2)
+cn_result cn_world_set_gravity(cn_world *world, float gravity_x_mps2, float gravity_y_mps2)
 {
+	cn_vec2 gravity_mps2 = { gravity_x_mps2, gravity_y_mps2 };
 	cni_call call = cni_enter(world, __func__);
 	cni_check_finite2(&call, "gravity_mps2", gravity_mps2);
 	if (call.result != CN_OK)

@@ -68,7 +68,7 @@ cn_result cn_shape_destroy(cn_world *world, cn_shape shape)
 		return call.result;
 	if (s->body != CNI_NONE)
 		shape_leave_body(world, cni_index_of(shape));
-	cni_blocks_free(&world->blocks, s->geometry, s->geometry_bytes);
+	cni_shape_free_geometry(world, cni_index_of(shape));
 	cni_handles_release(&world->shape_handles, cni_index_of(shape));
 	return CN_OK;
 }

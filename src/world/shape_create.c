@@ -72,13 +72,12 @@ static void check_def(cni_call *call, const cn_shape_def *def)
 	cni_check_flags(call, "event_mask", def->event_mask, EVENT_MASK);
 }
 
-static void record_fill(cni_shape *s, const cn_shape_def *def, const cni_geometry *g, cni_ref ref, uint32_t bytes)
+static void record_fill(cni_shape *s, const cn_shape_def *def, const cni_geometry *g, cni_ref ref)
 {
 	memset(s, 0, sizeof *s);
 	s->body = s->next = s->prev = CNI_NONE;
 	s->type = (uint8_t)g->type;
 	s->geometry = ref;
-	s->geometry_bytes = bytes;
 	s->children = cni_geometry_children(g);
 	if (g->type != CN_SHAPE_CHAIN)
 		s->box.proxy = CNI_NONE;
@@ -107,7 +106,7 @@ static void record_attach(cni_call *call, cn_world *world, int32_t shape, int32_
 static cni_ref shape_prepare(cni_call *call, cn_world *world, const cn_shape_def *def, const source *from)
 {
 	int32_t shape = cni_handles_peek(&world->shape_handles);
-	uint32_t bytes = (uint32_t)cni_geometry_bytes(from->type, from->count);
+	uint64_t bytes = cni_shape_piece_bytes(world, from->type, from->count);
 	cni_ref ref = cni_blocks_alloc(&world->blocks, bytes);
 	cni_geometry *g;
 	cni_transform offset;
@@ -119,7 +118,7 @@ static cni_ref shape_prepare(cni_call *call, cn_world *world, const cn_shape_def
 	offset.t = def->offset_m;
 	g = (cni_geometry *)cni_blocks_at(&world->blocks, ref);
 	geometry_build(g, from, offset);
-	record_fill(cni_shape_at(world, shape), def, g, ref, bytes);
+	record_fill(cni_shape_at(world, shape), def, g, ref);
 	cni_check_shape_mass(call, cni_geometry_mass(g, def->density_kgpm2));
 	if (call->result == CN_OK && def->body != 0)
 		record_attach(call, world, shape, cni_index_of(def->body));

@@ -141,8 +141,9 @@ cn_result cn_shape_get_chain_points(const cn_world *world, cn_shape shape, cn_ve
 	return CN_OK;
 }
 
-cn_result cn_shape_test_point(const cn_world *world, cn_shape shape, cn_vec2 point_m, int32_t *out_inside)
+cn_result cn_shape_test_point(const cn_world *world, cn_shape shape, float point_x_m, float point_y_m, int32_t *out_inside)
 {
+	cn_vec2 point_m = { point_x_m, point_y_m };
 	cni_call call = cni_enter_const(world);
 	const cni_geometry *g = geometry_of(&call, shape, CNI_NONE, out_inside);
 	const cni_body *b;

@@ -114,7 +114,7 @@ static inline void fixture_set_velocity(cn_world *world, cn_body body, float vx,
 	cn_vec2 v;
 	v.x = vx;
 	v.y = vy;
-	must(cn_body_set_velocity(world, body, v, w), world, "cn_body_set_velocity");
+	must(cn_body_set_velocity(world, body, v.x, v.y, w), world, "cn_body_set_velocity");
 }
 
 static inline cn_counters fixture_counters(const cn_world *world)

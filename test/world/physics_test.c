@@ -121,7 +121,7 @@ static void static_and_dynamic_friction_differ(void)
 		if (moving)
 			fixture_set_velocity(world, box, 1.0f, 0.0f, 0.0f);
 		for (k = 0; k < 120; ++k) {
-			must(cn_body_apply_force(world, box, push), world, "cn_body_apply_force");
+			must(cn_body_apply_force(world, box, push.x, push.y), world, "cn_body_apply_force");
 			fixture_step(world, 1);
 		}
 		x = (double)fixture_pose(world, box).position_m.x;

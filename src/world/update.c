@@ -1,0 +1,133 @@
+/*
+ * world/update.c - variable time: elapsed seconds in, fixed steps out, and poses between the last two.
+ *
+ * Time that is not yet a whole step is owed and kept; more steps than the cap are given up, so that a
+ * slow frame does not make the next one slower ("Fix Your Timestep", Fiedler, 2004). Before the last step of
+ * an update the poses of awake bodies are kept by slot; nothing is kept until the first update.
+ */
+#include "world/error.h"
+
+#include <string.h>
+
+cn_result cn_world_set_fixed_step(cn_world *world, float step_s, int32_t steps_max)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_check_positive(&call, "step_s", step_s);
+	cni_check_range(&call, "step_s", step_s, 0.0f, 1.0f);
+	cni_check_range_int(&call, "steps_max", steps_max, 1, 1000);
+	if (call.result != CN_OK)
+		return call.result;
+	world->fixed_step = step_s;
+	world->steps_max = steps_max;
+	return CN_OK;
+}
+
+static cni_previous *previous_of(const cn_world *world)
+{
+	return (cni_previous *)world->previous.data;
+}
+
+static cn_result previous_reserve(cn_world *world)
+{
+	int32_t used = cni_handles_used(&world->body_handles), old = world->previous.count;
+	if (used <= old)
+		return CN_OK;
+	if (!cni_array_reserve(&world->previous, &world->memory, used))
+		return CN_ERROR_MEMORY;
+	memset(previous_of(world) + old, 0, (size_t)(used - old) * sizeof(cni_previous));
+	world->previous.count = used;
+	return CN_OK;
+}
+
+static void previous_keep(cn_world *world)
+{
+	const int32_t *ids = cni_awake_ids(world);
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		const cni_body *b = cni_body_at(world, ids[k]);
+		cni_previous *p = previous_of(world) + ids[k];
+		cni_vec2 origin = cni_body_origin(b);
+		p->x = origin.x;
+		p->y = origin.y;
+		p->c = b->q.c;
+		p->s = b->q.s;
+		p->body = cni_handles_of(&world->body_handles, ids[k]);
+		p->step = world->step_count + 1u;
+	}
+}
+
+cn_result cn_world_update(cn_world *world, float elapsed_s, cn_update_report *out)
+{
+	cni_call call = cni_enter(world, __func__);
+	cn_update_report report;
+	int32_t k;
+	cni_check_range(&call, "elapsed_s", elapsed_s, 0.0f, 10.0f);
+	if (call.result == CN_OK)
+		cni_check_reserved(&call, previous_reserve(world), "the poses of the previous step");
+	if (call.result != CN_OK)
+		return call.result;
+	memset(&report, 0, sizeof report);
+	world->time_owed += elapsed_s;
+	report.steps = (int32_t)(world->time_owed / world->fixed_step);
+	if (report.steps > world->steps_max) {
+		report.dropped_s = (float)(report.steps - world->steps_max) * world->fixed_step;
+		report.steps = world->steps_max;
+	}
+	world->time_owed = cni_max(world->time_owed - report.dropped_s - (float)report.steps * world->fixed_step, 0.0f);
+	for (k = 0; k < report.steps; ++k) {
+		if (k == report.steps - 1)
+			previous_keep(world);
+		cn_world_step(world, world->fixed_step);
+	}
+	report.leftover_s = world->time_owed;
+	report.interpolation = cni_min(world->time_owed / world->fixed_step, 0.99999994f);
+	if (out != NULL)
+		*out = report;
+	return CN_OK;
+}
+
+static cn_pose pose_between(const cn_world *world, int32_t body, float factor)
+{
+	const cni_body *b = cni_body_at(world, body);
+	cni_vec2 origin = cni_body_origin(b);
+	cni_rot q = b->q;
+	cn_pose pose;
+	if (body < world->previous.count) {
+		const cni_previous *p = previous_of(world) + body;
+		if (p->body == cni_handles_of(&world->body_handles, body) && p->step == world->step_count) {
+			origin = cni_lerp(cni_v(p->x, p->y), origin, factor);
+			q.c = p->c + factor * (q.c - p->c);
+			q.s = p->s + factor * (q.s - p->s);
+			q = q.c != 0.0f || q.s != 0.0f ? cni_rot_normalize(q) : b->q;
+		}
+	}
+	pose.position_m = origin;
+	pose.cosine = q.c;
+	pose.sine = q.s;
+	return pose;
+}
+
+cn_result cn_world_read_poses_interpolated(const cn_world *world, const cn_body *bodies, int32_t count, float factor, cn_pose *out)
+{
+	cni_call call = cni_enter_const(world);
+	int32_t k, slot = 0;
+	cni_check_array(&call, "out", out, count);
+	cni_check_range(&call, "factor", factor, 0.0f, 1.0f);
+	if (call.result == CN_OK && bodies == NULL && count != world->body_handles.count)
+		return CN_ERROR_ARGUMENT;
+	for (k = 0; k < count && bodies != NULL && call.result == CN_OK; ++k)
+		cni_check_body(&call, "bodies", bodies[k]);
+	if (call.result != CN_OK)
+		return call.result;
+	for (k = 0; k < count; ++k) {
+		if (bodies != NULL) {
+			slot = cni_index_of(bodies[k]);
+		} else {
+			while (!cni_handles_alive(&world->body_handles, slot))
+				++slot;
+		}
+		out[k] = pose_between(world, slot, factor);
+		slot += bodies == NULL;
+	}
+	return CN_OK;
+}

@@ -1,0 +1,740 @@
+/*
+ * test/world/sleep_test.c - who falls asleep, when, with whom, what wakes it, and what sleep costs.
+ *
+ * If a test here fails, look first in: stages/finalize.c (what counts as rest), stages/sleep.c (decisions),
+ * model/sleep.c (moving between awake and asleep), model/island.c (splitting), world/body_state.c.
+ */
+#define _POSIX_C_SOURCE 200809L
+#include "fixture.h"
+
+#include <time.h>
+
+static double now_s(void)
+{
+	struct timespec t;
+	clock_gettime(CLOCK_MONOTONIC, &t);
+	return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static cn_body unit_box(cn_world *world, float x, float y)
+{
+	return fixture_box(world, CN_BODY_DYNAMIC, x, y, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+}
+
+static cn_shape first_shape(const cn_world *world, cn_body body)
+{
+	cn_shape shape = 0;
+	int32_t count;
+	must(cn_body_get_shapes(world, body, &shape, 1, &count), world, "cn_body_get_shapes");
+	return shape;
+}
+
+static cn_vec2 vec(float x, float y)
+{
+	cn_vec2 v;
+	v.x = x;
+	v.y = y;
+	return v;
+}
+
+/* Steps until the body sleeps; -1 when it does not within the given number. */
+static int32_t steps_to_sleep(cn_world *world, cn_body body, int32_t most)
+{
+	int32_t k;
+	for (k = 1; k <= most; ++k) {
+		fixture_step(world, 1);
+		if (!fixture_is_awake(world, body))
+			return k;
+	}
+	return -1;
+}
+
+static int32_t fell_asleep_count(const cn_world *world, cn_body body)
+{
+	const cn_body *list;
+	int32_t count, k, times = 0;
+	must(cn_world_fell_asleep(world, &list, &count), world, "cn_world_fell_asleep");
+	for (k = 0; k < count; ++k)
+		times += list[k] == body || body == 0;
+	return times;
+}
+
+/* ---- falling asleep ---- */
+
+static void box_at_rest_sleeps_after_the_delay(void)
+{
+	static const float delays[] = { 0.0f, 0.25f, 0.5f, 2.0f };
+	size_t d;
+	for (d = 0; d < 4; ++d) {
+		cn_world *world = fixture_world(-10.0f, 1);
+		cn_body box;
+		int32_t steps;
+		fixture_floor(world, 0.6f, 0.0f);
+		must(cn_world_set_sleep(world, 0.05f, delays[d]), world, "cn_world_set_sleep");
+		box = unit_box(world, 0.0f, 0.5f);
+		steps = steps_to_sleep(world, box, 300);
+		CHECK_GE("time to sleep - delay", (double)steps / 60.0 - (double)delays[d], -1e-6, "s");
+		CHECK_LE("time to sleep - delay", (double)steps / 60.0 - (double)delays[d], 0.1, "s");
+		CHECK(fell_asleep_count(world, box) == 1 && fell_asleep_count(world, 0) == 1);
+		CHECK(fixture_velocity(world, box).linear_mps.y == 0.0f);
+		fixture_step(world, 1);
+		CHECK(fell_asleep_count(world, 0) == 0);
+		cn_world_destroy(world);
+	}
+}
+
+static void island_sleeps_as_one(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body bodies[55];
+	int32_t n = 0, i, j, k, asleep, partly = 0, all_at = 0;
+	fixture_floor(world, 0.6f, 0.0f);
+	for (i = 0; i < 10; ++i)
+		for (j = i; j < 10; ++j, ++n)
+			bodies[n] = unit_box(world, 0.5f * (float)(i + 1) + (float)(j - i) - 5.0f, (float)i + 0.55f);
+	for (k = 1; k <= 600 && all_at == 0; ++k) {
+		fixture_step(world, 1);
+		for (i = 0, asleep = 0; i < n; ++i)
+			asleep += !fixture_is_awake(world, bodies[i]);
+		partly += asleep > 0 && asleep < n;
+		all_at = asleep == n ? k : 0;
+	}
+	printf("  a pyramid of 55 slept after %.2f s\n", (double)all_at / 60.0);
+	CHECK_LE("steps in which only a part slept", partly, 0, "");
+	CHECK_GE("step of sleep", all_at, 1, "");
+	CHECK_LE("time to sleep", (double)all_at / 60.0, 5.0, "s");
+	CHECK(fell_asleep_count(world, 0) == n);
+	CHECK(fixture_counters(world).islands == 1 && fixture_counters(world).islands_awake == 0);
+	CHECK(fixture_is_valid(world));
+	cn_world_destroy(world);
+}
+
+static void box_rests_and_sleeps_under_weak_gravity(void)
+{
+	static const float gravities[] = { 10.0f, 0.1f, 0.01f };
+	size_t g;
+	for (g = 0; g < 3; ++g) {
+		cn_world *world = fixture_world(-gravities[g], 1);
+		cn_body box, top;
+		fixture_floor(world, 0.6f, 0.0f);
+		box = unit_box(world, 0.0f, 0.5f);
+		top = unit_box(world, 0.2f, 1.5f);
+		printf("  gravity %.2f m/s^2\n", (double)gravities[g]);
+		CHECK_LE("time to sleep", (double)steps_to_sleep(world, box, 1200) / 60.0, 2.0, "s");
+		CHECK(!fixture_is_awake(world, box) && !fixture_is_awake(world, top));
+		cn_world_destroy(world);
+	}
+}
+
+/* ---- not falling asleep ---- */
+
+enum { THROW_ONE, THROW_TOUCHING, THROW_ROD, THROW_HINGE, THROWS };
+static const char *const throw_names[] = { "a box", "two touching boxes", "two boxes on a rod", "two hinged boxes" };
+
+static cn_body throw_up(cn_world *world, int32_t what, float speed)
+{
+	cn_body a = unit_box(world, 0.0f, 0.0f), b;
+	cn_distance_def rod;
+	cn_revolute_def hinge;
+	cn_joint joint;
+	fixture_set_velocity(world, a, 0.0f, speed, 0.0f);
+	if (what == THROW_ONE)
+		return a;
+	b = unit_box(world, what == THROW_ROD ? 2.0f : 1.0f, 0.0f);
+	fixture_set_velocity(world, b, 0.0f, speed, 0.0f);
+	cn_distance_def_init(&rod);
+	cn_revolute_def_init(&hinge);
+	rod.base.body_a = hinge.base.body_a = a;
+	rod.base.body_b = hinge.base.body_b = b;
+	rod.length_m = 2.0f;
+	hinge.base.anchor_a_m.x = 0.5f;
+	hinge.base.anchor_b_m.x = -0.5f;
+	if (what == THROW_ROD)
+		must(cn_joint_create_distance(world, &rod, &joint), world, "cn_joint_create_distance");
+	if (what == THROW_HINGE)
+		must(cn_joint_create_revolute(world, &hinge, &joint), world, "cn_joint_create_revolute");
+	return a;
+}
+
+/* Steps asleep of 4 s around the apex, which is 2 s after the start. */
+static int32_t throw_run(int32_t what, float gravity, float delay, double *worst)
+{
+	cn_world *world = fixture_world(-gravity, 1);
+	cn_body body;
+	int32_t k, asleep = 0;
+	must(cn_world_set_sleep(world, 0.05f, delay), world, "cn_world_set_sleep");
+	unit_box(world, 100.0f, 0.0f); /* something else that moves alone, */
+	fixture_floor(world, 0.6f, 0.0f);
+	unit_box(world, 50.0f, 0.5f); /* and something that rests */
+	body = throw_up(world, what, 2.0f * gravity);
+	must(cn_body_set_pose(world, body, 0.0f, 0.0f, 0.0f), world, "cn_body_set_pose");
+	for (k = 1; k <= 240; ++k) {
+		double t = k / 60.0, y = (double)gravity * (2.0 * t - 0.5 * t * t);
+		fixture_step(world, 1);
+		asleep += !fixture_is_awake(world, body);
+		*worst = fmax(*worst, fabs((double)fixture_pose(world, body).position_m.y - y) / (1.0 + 2.0 * (double)gravity));
+	}
+	cn_world_destroy(world);
+	return asleep;
+}
+
+static void nothing_sleeps_at_the_apex_of_a_throw(void)
+{
+	static const float gravities[] = { 10.0f, 0.1f, 0.01f };
+	int32_t what, asleep = 0, delayed;
+	size_t g;
+	double worst = 0.0;
+	for (what = 0; what < THROWS; ++what)
+		for (g = 0; g < 3; ++g)
+			for (delayed = 0; delayed < 2; ++delayed) {
+				int32_t steps = throw_run(what, gravities[g], delayed ? 0.5f : 0.0f, &worst);
+				if (steps > 0)
+					printf("  %s, gravity %.2f, delay %.1f: asleep in %d of 240 steps\n", throw_names[what], (double)gravities[g], delayed ? 0.5 : 0.0, (int)steps);
+				asleep += steps;
+			}
+	CHECK_LE("steps asleep in flight", asleep, 0, "");
+	CHECK_LE("distance from the parabola / (1 m + height)", worst, 1e-4, "");
+}
+
+/* A pendulum is at rest for an instant at each end of its swing; so is a ball at the top of a bounce. */
+static void nothing_sleeps_at_the_end_of_a_swing(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body bob = fixture_circle(world, CN_BODY_DYNAMIC, 2.0f, 0.0f, 0.2f, 0.6f, 0.0f), ball;
+	cn_distance_def rod;
+	cn_joint joint;
+	int32_t k, asleep = 0;
+	must(cn_world_set_sleep(world, 0.3f, 0.0f), world, "cn_world_set_sleep");
+	cn_distance_def_init(&rod);
+	rod.base.body_b = bob;
+	rod.length_m = 2.0f;
+	must(cn_joint_create_distance(world, &rod, &joint), world, "cn_joint_create_distance");
+	fixture_box(world, CN_BODY_STATIC, 10.0f, -1.0f, 0.0f, 5.0f, 1.0f, 0.6f, 0.0f);
+	ball = fixture_circle(world, CN_BODY_DYNAMIC, 10.0f, 3.0f, 0.5f, 0.6f, 1.0f);
+	for (k = 0; k < 600; ++k) {
+		fixture_step(world, 1);
+		asleep += !fixture_is_awake(world, bob) || !fixture_is_awake(world, ball);
+	}
+	CHECK_LE("steps asleep", asleep, 0, "");
+	cn_world_destroy(world);
+}
+
+/* With no delay, islands that move do not sleep because some other body rests. */
+static void moving_islands_do_not_sleep_with_others(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body a, b, resting;
+	int32_t k, asleep = 0;
+	fixture_floor(world, 0.0f, 0.0f);
+	must(cn_world_set_sleep(world, 0.05f, 0.0f), world, "cn_world_set_sleep");
+	resting = fixture_box(world, CN_BODY_DYNAMIC, -20.0f, 0.5f, 0.0f, 0.5f, 0.5f, 0.0f, 0.0f);
+	a = fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 0.5f, 0.0f, 0.5f, 0.5f, 0.0f, 0.0f);
+	b = fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 1.5f, 0.0f, 0.5f, 0.5f, 0.0f, 0.0f);
+	fixture_set_velocity(world, a, 1.0f, 0.0f, 0.0f);
+	fixture_set_velocity(world, b, 1.0f, 0.0f, 0.0f);
+	for (k = 0; k < 120; ++k) {
+		if (k % 10 == 0)
+			must(cn_body_set_awake(world, resting, 1), world, "cn_body_set_awake");
+		fixture_step(world, 1);
+		asleep += !fixture_is_awake(world, a) || !fixture_is_awake(world, b);
+	}
+	CHECK_LE("steps asleep of two sliding boxes", asleep, 0, "");
+	CHECK_LE("error of the way they slid", fabs((double)fixture_pose(world, b).position_m.x - 2.0), 1e-3, "m");
+	CHECK(!fixture_is_awake(world, resting));
+	cn_world_destroy(world);
+}
+
+static void damped_bodies_in_zero_gravity_sleep(void)
+{
+	cn_world *world = fixture_world(0.0f, 1);
+	cn_body bodies[3];
+	int32_t k;
+	bodies[0] = unit_box(world, 0.0f, 0.0f);
+	bodies[1] = unit_box(world, 10.0f, 0.0f); /* will be hit by the next */
+	bodies[2] = unit_box(world, 8.5f, 0.2f);
+	for (k = 0; k < 3; ++k)
+		must(cn_body_set_damping(world, bodies[k], 2.0f, 2.0f), world, "cn_body_set_damping");
+	fixture_set_velocity(world, bodies[0], 3.0f, 0.0f, 2.0f);
+	fixture_set_velocity(world, bodies[2], 3.0f, 0.0f, 0.0f);
+	/* 3 m/s falls below 0.05 after ln(60) / 2 = 2.05 s */
+	CHECK_LE("time to sleep of the free one", fabs((double)steps_to_sleep(world, bodies[0], 300) / 60.0 - 2.55), 0.15, "s");
+	fixture_step(world, 120);
+	CHECK(!fixture_is_awake(world, bodies[1]) && !fixture_is_awake(world, bodies[2]));
+	CHECK_GE("the other one was pushed to", fixture_pose(world, bodies[1]).position_m.x, 10.1, "m");
+	cn_world_destroy(world);
+}
+
+/* ---- waking ---- */
+
+enum {
+	WAKE_CONTACT, WAKE_JOINT, WAKE_IMPULSE, WAKE_ANGULAR_IMPULSE, WAKE_FORCE, WAKE_TORQUE, WAKE_VELOCITY, WAKE_WRITE, WAKE_CALL,
+	WAKE_SUPPORT, WAKE_MATERIAL, WAKE_DENSITY, WAKE_GRAVITY, WAKE_SCALE, WAKE_TELEPORT, WAKE_TYPE, WAKE_GROUND_TYPE, WAKE_GROUND_GONE,
+	WAKE_GROUND_OFF, WAKE_GROUND_SHAPE, WAKE_GROUND_MATERIAL, WAKE_GROUND_FILTER, WAKE_GROUND_MOVES, WAKE_NO_SLEEP, WAKE_WORLD, WAKE_MASS,
+	WAKE_LOCK, WAKE_NEW_SHAPE, WAKES
+};
+static const char *const wake_names[] = {
+	"contact", "joint", "impulse", "angular impulse", "force", "torque", "velocity", "written velocity", "cn_body_set_awake",
+	"support destroyed", "material", "density", "gravity", "gravity scale", "teleport", "type", "type of the ground", "ground destroyed",
+	"ground disabled", "shape of the ground destroyed", "material of the ground", "filter of the ground", "ground teleported", "CN_BODY_SLEEP off", "CN_WORLD_SLEEP off",
+	"mass data", "lock", "new shape"
+};
+
+/* box rests on support, support on the ground; all asleep. */
+static void wake_by(cn_world *world, int32_t way, cn_body ground, cn_body support, cn_body box)
+{
+	cn_material material = fixture_shape_def(0, 0.1f, 0.0f).material;
+	cn_filter none = { 1, 0, 0, 0 };
+	cn_mass_data mass = { 3.0f, 1.0f, { 0.0f, 0.0f } };
+	cn_velocity velocity = { { 0.2f, 0.0f }, 0.0f };
+	cn_distance_def rod;
+	cn_joint joint;
+	cn_body ball;
+	cn_shape_def def;
+	switch (way) {
+	case WAKE_CONTACT:
+		ball = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 3.0f, 0.5f, 0.6f, 0.0f);
+		fixture_set_velocity(world, ball, 0.0f, -10.0f, 0.0f);
+		fixture_step(world, 8);
+		break;
+	case WAKE_JOINT:
+		cn_distance_def_init(&rod);
+		rod.base.body_b = box;
+		rod.base.anchor_a_m.y = 3.0f;
+		rod.length_m = 1.5f;
+		must(cn_joint_create_distance(world, &rod, &joint), world, "joint");
+		break;
+	case WAKE_IMPULSE: must(cn_body_apply_impulse(world, box, 0.1f, 0.0f), world, "impulse"); break;
+	case WAKE_ANGULAR_IMPULSE: must(cn_body_apply_angular_impulse(world, box, 0.1f), world, "angular impulse"); break;
+	case WAKE_FORCE: must(cn_body_apply_force(world, box, 0.1f, 0.0f), world, "force"); break;
+	case WAKE_TORQUE: must(cn_body_apply_torque(world, box, 0.1f), world, "torque"); break;
+	case WAKE_VELOCITY: fixture_set_velocity(world, box, 0.1f, 0.0f, 0.0f); break;
+	case WAKE_WRITE: must(cn_world_write_velocities(world, &box, 1, &velocity), world, "write"); break;
+	case WAKE_CALL: must(cn_body_set_awake(world, box, 1), world, "awake"); break;
+	case WAKE_SUPPORT: must(cn_body_destroy(world, support), world, "destroy"); break;
+	case WAKE_MATERIAL: must(cn_shape_set_material(world, first_shape(world, box), &material), world, "material"); break;
+	case WAKE_DENSITY: must(cn_shape_set_density(world, first_shape(world, box), 3.0f), world, "density"); break;
+	case WAKE_GRAVITY: must(cn_world_set_gravity(world, 0.0f, -9.0f), world, "gravity"); break;
+	case WAKE_SCALE: must(cn_body_set_gravity_scale(world, box, 0.5f), world, "scale"); break;
+	case WAKE_TELEPORT: must(cn_body_set_pose(world, box, 0.0f, 4.0f, 0.0f), world, "teleport"); break;
+	case WAKE_TYPE: must(cn_body_set_type(world, box, CN_BODY_KINEMATIC), world, "type"); break;
+	case WAKE_GROUND_TYPE: must(cn_body_set_type(world, ground, CN_BODY_KINEMATIC), world, "type"); break;
+	case WAKE_GROUND_GONE: must(cn_body_destroy(world, ground), world, "destroy"); break;
+	case WAKE_GROUND_OFF: must(cn_body_set_flags(world, ground, 0), world, "disable"); break;
+	case WAKE_GROUND_SHAPE: must(cn_shape_destroy(world, first_shape(world, ground)), world, "destroy shape"); break;
+	case WAKE_GROUND_MATERIAL: must(cn_shape_set_material(world, first_shape(world, ground), &material), world, "material"); break;
+	case WAKE_GROUND_FILTER: must(cn_shape_set_filter(world, first_shape(world, ground), &none), world, "filter"); break;
+	case WAKE_GROUND_MOVES: must(cn_body_set_pose(world, ground, 0.0f, -2.0f, 0.0f), world, "teleport"); break;
+	case WAKE_NO_SLEEP: must(cn_body_set_flags(world, box, CN_BODY_ENABLED), world, "flags"); break;
+	case WAKE_WORLD: must(cn_world_set_flags(world, CN_WORLD_WARM_START), world, "flags"); break;
+	case WAKE_MASS: must(cn_body_set_mass_data(world, box, &mass), world, "mass"); break;
+	case WAKE_LOCK: must(cn_body_set_flags(world, box, CN_BODY_ENABLED | CN_BODY_SLEEP | CN_BODY_LOCK_X), world, "flags"); break;
+	default:
+		def = fixture_shape_def(box, 0.6f, 0.0f);
+		def.offset_m.x = 1.0f;
+		fixture_box_shape(world, &def, 0.2f, 0.2f);
+	}
+}
+
+static void all_that_should_wakes(void)
+{
+	int32_t way;
+	for (way = 0; way < WAKES; ++way) {
+		cn_world *world = fixture_world(-10.0f, 1);
+		cn_body ground = fixture_floor(world, 0.6f, 0.0f), support = unit_box(world, 0.0f, 0.5f), box = unit_box(world, 0.0f, 1.5f);
+		cn_body far = unit_box(world, 20.0f, 0.5f);
+		int32_t own = cn_body_is_valid(world, support), everything = way == WAKE_GRAVITY || way == WAKE_WORLD || (way >= WAKE_GROUND_TYPE && way <= WAKE_GROUND_MOVES);
+		fixture_step(world, 120);
+		REQUIRE(own && !fixture_is_awake(world, support) && !fixture_is_awake(world, box) && !fixture_is_awake(world, far));
+		wake_by(world, way, ground, support, box);
+		if (!fixture_is_awake(world, box) || (cn_body_is_valid(world, support) && !fixture_is_awake(world, support)) || fixture_is_awake(world, far) != everything) {
+			printf("  %s: box %d, support %d, a body elsewhere %d\n", wake_names[way], (int)fixture_is_awake(world, box),
+			       cn_body_is_valid(world, support) ? (int)fixture_is_awake(world, support) : -1, (int)fixture_is_awake(world, far));
+			CHECK(0);
+		}
+		CHECK(fixture_is_valid(world));
+		fixture_step(world, 2);
+		CHECK(fixture_is_valid(world));
+		cn_world_destroy(world);
+	}
+}
+
+/* Calls that set what is set already, or zero velocity, do not wake. */
+static void what_changes_nothing_does_not_wake(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body box;
+	fixture_floor(world, 0.6f, 0.0f);
+	box = unit_box(world, 0.0f, 0.5f);
+	fixture_step(world, 120);
+	must(cn_world_set_gravity(world, 0.0f, -10.0f), world, "gravity");
+	must(cn_body_set_velocity(world, box, 0.0f, 0.0f, 0.0f), world, "velocity");
+	must(cn_body_set_gravity_scale(world, box, 1.0f), world, "scale");
+	must(cn_body_set_type(world, box, CN_BODY_DYNAMIC), world, "type");
+	must(cn_body_set_user_data(world, box, 7), world, "user data");
+	CHECK(!fixture_is_awake(world, box));
+	cn_world_destroy(world);
+}
+
+static void a_moving_platform_wakes_what_stands_on_it(void)
+{
+	int32_t near;
+	for (near = 0; near < 2; ++near) { /* 1: it stands beside and is run into */
+		cn_world *world = fixture_world(-10.0f, 1);
+		cn_body platform = fixture_box(world, CN_BODY_KINEMATIC, 0.0f, near ? 0.5f : -0.5f, 0.0f, 2.0f, 0.5f, 0.6f, 0.0f), box;
+		int32_t k, asleep = 0;
+		if (near)
+			fixture_floor(world, 0.6f, 0.0f);
+		box = unit_box(world, near ? 3.0f : 0.0f, 0.5f);
+		fixture_step(world, 120);
+		CHECK(!fixture_is_awake(world, box) && !fixture_is_awake(world, platform));
+		fixture_set_velocity(world, platform, 0.5f, 0.0f, 0.0f);
+		for (k = 0; k < 240; ++k) {
+			fixture_step(world, 1);
+			asleep += k > 70 && !fixture_is_awake(world, box);
+		}
+		CHECK_LE("steps in which the passenger slept", asleep, 0, "");
+		CHECK_LE("error of the passenger's way", fabs((double)fixture_pose(world, box).position_m.x - (near ? 4.5 : 2.0)), 0.03, "m");
+		fixture_set_velocity(world, platform, 0.0f, 0.0f, 0.0f);
+		fixture_step(world, 120);
+		CHECK(!fixture_is_awake(world, box) && !fixture_is_awake(world, platform));
+		cn_world_destroy(world);
+	}
+}
+
+/* Slow enough that the passengers' speed alone would let them sleep. */
+static void a_turning_platform_keeps_its_passengers_awake(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body platform = fixture_box(world, CN_BODY_KINEMATIC, 0.0f, -0.5f, 0.0f, 2.0f, 0.5f, 0.6f, 0.0f);
+	cn_body box = unit_box(world, 0.0f, 0.5f), top = unit_box(world, 0.0f, 1.5f);
+	int32_t k, asleep = 0;
+	fixture_set_velocity(world, platform, 0.0f, 0.0f, 0.01f);
+	for (k = 0; k < 600; ++k) {
+		fixture_step(world, 1);
+		asleep += !fixture_is_awake(world, box) || !fixture_is_awake(world, top);
+	}
+	CHECK_LE("steps asleep", asleep, 0, "");
+	CHECK_LE("error of the passenger's angle", fabs((double)fixture_pose(world, top).sine - sin(0.1)), 0.003, "");
+	cn_world_destroy(world);
+}
+
+/* What was added to a sleeping pair by filter or by moving the ground begins in the next step. */
+static void ground_that_comes_to_sleepers_wakes_them(void)
+{
+	int32_t way;
+	for (way = 0; way < 4; ++way) {
+		cn_world *world = fixture_world(-10.0f, 1);
+		cn_body ground = fixture_floor(world, 0.6f, 0.0f), box, wall;
+		cn_filter all = { 1, ~(uint64_t)0, 0, 0 }, none = { 1, 0, 0, 0 };
+		const cn_contact_event *events;
+		int32_t count, k, entered = 0;
+		(void)ground;
+		box = unit_box(world, 0.0f, 0.5f);
+		wall = fixture_box(world, CN_BODY_STATIC, way == 0 ? 10.0f : 0.7f, 0.5f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+		if (way == 1 || way == 2)
+			must(cn_shape_set_filter(world, first_shape(world, wall), &none), world, "filter");
+		if (way == 3)
+			must(cn_body_set_flags(world, wall, 0), world, "disable");
+		fixture_step(world, 120);
+		REQUIRE(!fixture_is_awake(world, box));
+		if (way == 0)
+			must(cn_body_set_pose(world, wall, 0.7f, 0.5f, 0.0f), world, "teleport");
+		else if (way == 1)
+			must(cn_shape_set_filter(world, first_shape(world, wall), &all), world, "filter");
+		else if (way == 3)
+			must(cn_body_set_flags(world, wall, CN_BODY_ENABLED), world, "enable");
+		else { /* the sleeper's filter: it ignores the wall until both allow */
+			must(cn_shape_set_filter(world, first_shape(world, wall), &all), world, "filter");
+			must(cn_shape_set_filter(world, first_shape(world, box), &all), world, "filter");
+		}
+		for (k = 0; k < 2; ++k) {
+			fixture_step(world, 1);
+			must(cn_world_contact_events(world, CN_EVENT_ENTER, &events, &count), world, "events");
+			entered += count;
+		}
+		printf("  way %d\n", (int)way);
+		CHECK_GE("pairs that entered within 2 steps", entered, 1, "");
+		fixture_step(world, 120);
+		CHECK_LE("place of the box after it was pushed out", fixture_pose(world, box).position_m.x, -0.29, "m");
+		cn_world_destroy(world);
+	}
+}
+
+/* ---- by call ---- */
+
+static void set_awake_0_takes_only_what_is_connected(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body a, b, c;
+	fixture_floor(world, 0.0f, 0.0f);
+	a = unit_box(world, 0.0f, 0.5f);
+	b = unit_box(world, 1.0f, 0.5f);
+	c = unit_box(world, 0.0f, 1.5f);
+	fixture_step(world, 5);
+	fixture_set_velocity(world, b, 5.0f, 0.0f, 0.0f); /* leaves the others */
+	fixture_step(world, 10);
+	must(cn_body_set_awake(world, a, 0), world, "cn_body_set_awake");
+	CHECK(!fixture_is_awake(world, a) && !fixture_is_awake(world, c));
+	CHECK(fixture_is_awake(world, b));
+	CHECK(fell_asleep_count(world, a) == 1 && fell_asleep_count(world, b) == 0);
+	CHECK(fixture_is_valid(world));
+	fixture_step(world, 60);
+	CHECK_LE("error of the way of the one that went on", fabs((double)fixture_pose(world, b).position_m.x - (1.0 + 5.0 * 70.0 / 60.0)), 0.02, "m");
+	CHECK(!fixture_is_awake(world, a));
+	cn_world_destroy(world);
+}
+
+/* Put to sleep in the air it stays there, at rest. */
+static void set_awake_0_holds_a_flying_body(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body box = unit_box(world, 0.0f, 10.0f);
+	float y;
+	fixture_step(world, 10);
+	must(cn_body_set_awake(world, box, 0), world, "cn_body_set_awake");
+	y = fixture_pose(world, box).position_m.y;
+	fixture_step(world, 60);
+	CHECK(fixture_pose(world, box).position_m.y == y && fixture_velocity(world, box).linear_mps.y == 0.0f);
+	must(cn_body_set_awake(world, box, 1), world, "cn_body_set_awake");
+	fixture_step(world, 60);
+	CHECK_LE("error of the fall afterwards", fabs((double)(y - fixture_pose(world, box).position_m.y) - 5.0), 1e-3, "m");
+	cn_world_destroy(world);
+}
+
+static void bodies_made_asleep_wait(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body_def def;
+	cn_body box, ball;
+	cn_shape_def shape;
+	cn_body_def_init(&def);
+	fixture_floor(world, 0.6f, 0.0f);
+	def.flags = CN_BODY_ENABLED | CN_BODY_SLEEP;
+	def.position_m = vec(0.0f, 0.5f);
+	must(cn_body_create(world, &def, &box), world, "cn_body_create");
+	shape = fixture_shape_def(box, 0.6f, 0.0f);
+	fixture_box_shape(world, &shape, 0.5f, 0.5f);
+	printf("  awake after its shape was made: %d\n", (int)fixture_is_awake(world, box));
+	must(cn_body_set_awake(world, box, 0), world, "cn_body_set_awake");
+	fixture_step(world, 30);
+	CHECK(!fixture_is_awake(world, box));
+	ball = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 2.0f, 0.3f, 0.6f, 0.0f);
+	fixture_step(world, 60);
+	CHECK(fixture_is_awake(world, box) || fixture_is_awake(world, ball) == 0);
+	CHECK_GE("the ball lies on the box at", fixture_pose(world, ball).position_m.y, 1.29, "m");
+	cn_world_destroy(world);
+}
+
+/* ---- islands that come apart ---- */
+
+static void towers_without_their_bridge_sleep_apart(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body left[4], right[4], bridge;
+	int32_t k, left_at = -1;
+	fixture_floor(world, 0.6f, 0.0f);
+	for (k = 0; k < 4; ++k) {
+		left[k] = unit_box(world, 0.0f, 0.5f + (float)k);
+		right[k] = unit_box(world, 3.0f, 0.5f + (float)k);
+	}
+	bridge = fixture_box(world, CN_BODY_DYNAMIC, 1.5f, 4.2f, 0.0f, 2.0f, 0.2f, 0.6f, 0.0f);
+	fixture_step(world, 20);
+	CHECK(fixture_counters(world).islands == 1);
+	must(cn_body_destroy(world, bridge), world, "cn_body_destroy");
+	for (k = 0; k < 150; ++k) {
+		must(cn_body_apply_force(world, right[3], 0.01f, 0.0f), world, "cn_body_apply_force"); /* keeps it awake */
+		fixture_step(world, 1);
+		if (left_at < 0 && !fixture_is_awake(world, left[0]))
+			left_at = k;
+	}
+	CHECK_GE("step in which the left tower slept", left_at, 1, "");
+	CHECK(!fixture_is_awake(world, left[3]) && fixture_is_awake(world, right[0]) && fixture_is_awake(world, right[3]));
+	CHECK(fixture_counters(world).islands == 2 && fixture_counters(world).islands_awake == 1);
+	CHECK(fixture_is_valid(world));
+	fixture_step(world, 60);
+	CHECK(!fixture_is_awake(world, right[0]) && fixture_counters(world).bodies_awake == 0);
+	fixture_set_velocity(world, left[0], 0.1f, 0.0f, 0.0f);
+	CHECK(fixture_is_awake(world, left[3]) && !fixture_is_awake(world, right[0]));
+	cn_world_destroy(world);
+}
+
+static void a_body_that_may_not_sleep_keeps_its_island_awake(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body low, high, alone;
+	fixture_floor(world, 0.6f, 0.0f);
+	low = unit_box(world, 0.0f, 0.5f);
+	high = unit_box(world, 0.0f, 1.5f);
+	alone = unit_box(world, 5.0f, 0.5f);
+	must(cn_body_set_flags(world, high, CN_BODY_ENABLED), world, "cn_body_set_flags");
+	fixture_step(world, 200);
+	CHECK(fixture_is_awake(world, low) && fixture_is_awake(world, high) && !fixture_is_awake(world, alone));
+	must(cn_body_set_flags(world, high, CN_BODY_ENABLED | CN_BODY_SLEEP), world, "cn_body_set_flags");
+	fixture_step(world, 60);
+	CHECK(!fixture_is_awake(world, low) && !fixture_is_awake(world, high));
+	cn_world_destroy(world);
+}
+
+static void own_sleep_speed_counts(void)
+{
+	cn_world *world = fixture_world(0.0f, 1);
+	cn_body slow = unit_box(world, 0.0f, 0.0f), fast = unit_box(world, 0.0f, 5.0f), spinner = unit_box(world, 0.0f, 10.0f);
+	must(cn_body_set_sleep_speed(world, fast, 1.0f), world, "cn_body_set_sleep_speed");
+	fixture_set_velocity(world, slow, 0.2f, 0.0f, 0.0f);
+	fixture_set_velocity(world, fast, 0.2f, 0.0f, 0.0f);
+	fixture_set_velocity(world, spinner, 0.0f, 0.0f, 0.2f); /* its corners move at 0.14 m/s */
+	fixture_step(world, 60);
+	CHECK(fixture_is_awake(world, slow) && !fixture_is_awake(world, fast) && fixture_is_awake(world, spinner));
+	must(cn_world_set_sleep(world, 0.5f, 0.5f), world, "cn_world_set_sleep");
+	fixture_step(world, 60);
+	CHECK(!fixture_is_awake(world, slow) && !fixture_is_awake(world, spinner));
+	cn_world_destroy(world);
+}
+
+/* ---- the world ---- */
+
+static void a_world_without_sleep_wakes_all(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body bodies[20];
+	int32_t k;
+	fixture_floor(world, 0.6f, 0.0f);
+	for (k = 0; k < 20; ++k)
+		bodies[k] = unit_box(world, 1.2f * (float)k - 12.0f, 0.5f);
+	fixture_step(world, 120);
+	CHECK(fixture_counters(world).bodies_awake == 0);
+	must(cn_world_set_flags(world, CN_WORLD_WARM_START), world, "cn_world_set_flags");
+	CHECK(fixture_counters(world).bodies_awake == 20);
+	fixture_step(world, 120);
+	CHECK(fixture_counters(world).bodies_awake == 20 && fixture_is_awake(world, bodies[7]));
+	must(cn_world_set_flags(world, CN_WORLD_WARM_START | CN_WORLD_SLEEP), world, "cn_world_set_flags");
+	fixture_step(world, 60);
+	CHECK(fixture_counters(world).bodies_awake == 0);
+	cn_world_destroy(world);
+}
+
+/* ---- lists ---- */
+
+#define LISTED 40
+
+static void moved_list_is_what_moved(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body bodies[LISTED];
+	cn_pose before[LISTED];
+	int32_t k, i, step, wrong = 0, listed = 0, slept = 0;
+	uint32_t seed = 5;
+	fixture_floor(world, 0.6f, 0.0f);
+	for (k = 0; k < LISTED; ++k) {
+		bodies[k] = fixture_box(world, k % 10 == 0 ? CN_BODY_KINEMATIC : CN_BODY_DYNAMIC, 1.5f * (float)(k % 10) - 7.0f, 1.0f + 1.2f * (float)(k / 10), 0.0f, 0.4f, 0.4f, 0.6f, 0.0f);
+		must(cn_body_set_user_data(world, bodies[k], 1000u + (uint64_t)k), world, "cn_body_set_user_data");
+	}
+	for (step = 0; step < 300; ++step) {
+		const cn_body_moved *moved;
+		const cn_body *asleep;
+		int32_t moved_count, asleep_count, seen[LISTED] = { 0 };
+		if (step > 150 && step % 20 == 0)
+			fixture_set_velocity(world, bodies[(int32_t)fixture_random(&seed, 0.0f, LISTED - 1.0f)], 0.5f, 1.0f, 0.0f);
+		must(cn_world_read_poses(world, bodies, LISTED, before), world, "cn_world_read_poses");
+		fixture_step(world, 1);
+		must(cn_world_moved(world, &moved, &moved_count), world, "cn_world_moved");
+		must(cn_world_fell_asleep(world, &asleep, &asleep_count), world, "cn_world_fell_asleep");
+		for (i = 0; i < moved_count; ++i) {
+			cn_pose pose = fixture_pose(world, moved[i].body);
+			k = (int32_t)(moved[i].user_data - 1000u);
+			wrong += k < 0 || k >= LISTED || bodies[k] != moved[i].body || memcmp(&pose, &moved[i].pose, sizeof pose) != 0;
+			seen[k] += moved[i].fell_asleep ? 100 : 1;
+		}
+		for (k = 0; k < LISTED; ++k) {
+			cn_pose pose = fixture_pose(world, bodies[k]);
+			int32_t did = memcmp(&pose, &before[k], sizeof pose) != 0, fell = 0;
+			for (i = 0; i < asleep_count; ++i)
+				fell += asleep[i] == bodies[k];
+			wrong += fell > 1 || seen[k] != (fell ? 100 : did);
+			listed += seen[k] != 0;
+			slept += fell;
+		}
+	}
+	printf("  %d entries, %d times a body fell asleep\n", (int)listed, (int)slept);
+	CHECK_LE("bodies listed wrongly", wrong, 0, "");
+	CHECK_GE("bodies that fell asleep", slept, LISTED, "");
+	cn_world_destroy(world);
+}
+
+/* ---- cost ---- */
+
+static double median_step_s(cn_world *world)
+{
+	double times[201], swap;
+	int32_t k, i;
+	for (k = 0; k < 201; ++k) {
+		double begin = now_s();
+		fixture_step(world, 1);
+		times[k] = now_s() - begin;
+		for (i = k; i > 0 && times[i - 1] > times[i]; --i) {
+			swap = times[i];
+			times[i] = times[i - 1];
+			times[i - 1] = swap;
+		}
+	}
+	return times[100];
+}
+
+static void sleeping_bodies_cost_nothing(void)
+{
+	cn_world *empty = fixture_world(-10.0f, 1), *full = fixture_world(-10.0f, 1);
+	cn_body body = 0;
+	cn_counters c;
+	uint64_t hash;
+	double empty_s, awake_s, asleep_s, begin;
+	int32_t k;
+	fixture_floor(empty, 0.6f, 0.0f);
+	fixture_box(full, CN_BODY_STATIC, 0.0f, -1.0f, 0.0f, 10000.0f, 1.0f, 0.6f, 0.0f);
+	for (k = 0; k < 10000; ++k)
+		body = unit_box(full, 1.2f * (float)(k / 2) - 3000.0f, 0.5f + (float)(k % 2));
+	fixture_step(full, 5);
+	begin = now_s();
+	fixture_step(full, 10);
+	awake_s = (now_s() - begin) / 10.0;
+	fixture_step(full, 60);
+	c = fixture_counters(full);
+	CHECK(c.bodies_awake == 0 && c.contacts_awake == 0 && c.islands_awake == 0 && c.colors_used == 0);
+	CHECK(c.contacts_touching == 10000 && c.islands == 5000);
+	hash = fixture_hash(full);
+	fixture_step(full, 3);
+	asleep_s = median_step_s(full);
+	empty_s = median_step_s(empty);
+	CHECK(fixture_hash(full) == hash);
+	printf("  10,000 bodies: awake %.3f ms a step, asleep %.3f us; empty world %.3f us\n", 1e3 * awake_s, 1e6 * asleep_s, 1e6 * empty_s);
+	CHECK_LE("asleep - 8 x empty", 1e6 * (asleep_s - 8.0 * empty_s), 5.0, "us");
+	CHECK(!fixture_is_awake(full, body));
+	cn_world_destroy(empty);
+	cn_world_destroy(full);
+}
+
+int main(int argc, char **argv)
+{
+	test_begin(argc, argv);
+	RUN(box_at_rest_sleeps_after_the_delay);
+	RUN(island_sleeps_as_one);
+	RUN(box_rests_and_sleeps_under_weak_gravity);
+	RUN(nothing_sleeps_at_the_apex_of_a_throw);
+	RUN(nothing_sleeps_at_the_end_of_a_swing);
+	RUN(moving_islands_do_not_sleep_with_others);
+	RUN(damped_bodies_in_zero_gravity_sleep);
+	RUN(all_that_should_wakes);
+	RUN(what_changes_nothing_does_not_wake);
+	RUN(a_moving_platform_wakes_what_stands_on_it);
+	RUN(a_turning_platform_keeps_its_passengers_awake);
+	RUN(ground_that_comes_to_sleepers_wakes_them);
+	RUN(set_awake_0_takes_only_what_is_connected);
+	RUN(set_awake_0_holds_a_flying_body);
+	RUN(bodies_made_asleep_wait);
+	RUN(towers_without_their_bridge_sleep_apart);
+	RUN(a_body_that_may_not_sleep_keeps_its_island_awake);
+	RUN(own_sleep_speed_counts);
+	RUN(a_world_without_sleep_wakes_all);
+	RUN(moved_list_is_what_moved);
+	RUN(sleeping_bodies_cost_nothing);
+	return test_end();
+}
