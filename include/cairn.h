@@ -158,7 +158,12 @@ enum {
 	CN_TYPE_SENSOR_EVENT = 24,
 	CN_TYPE_UPDATE_REPORT = 25,
 	CN_TYPE_DEBUG_DRAW = 26,
-	CN_TYPE_COUNT = 27
+	CN_TYPE_QUERY_FILTER = 27,
+	CN_TYPE_RAY = 28,
+	CN_TYPE_RAY_HIT = 29,
+	CN_TYPE_CLOSEST = 30,
+	CN_TYPE_EXPLOSION_DEF = 31,
+	CN_TYPE_COUNT = 32
 };
 /* sizeof the struct named by a CN_TYPE_ constant, 0 for an unknown one: bindings check themselves. */
 CN_API int32_t cn_sizeof(int32_t type);
@@ -173,7 +178,8 @@ typedef void cn_free_fn(void *memory, uint64_t bytes, void *user);
 enum {
 	CN_WORLD_SLEEP = 1u << 0,       /* islands at rest fall asleep (default on) */
 	CN_WORLD_WARM_START = 1u << 1,  /* start solving from the last step's impulses (default on) */
-	CN_WORLD_PROFILE = 1u << 2      /* measure cn_profile (default off: reading a clock costs time) */
+	CN_WORLD_PROFILE = 1u << 2,     /* measure cn_profile (default off: reading a clock costs time) */
+	CN_WORLD_CONTINUOUS = 1u << 3   /* fast bodies stop at what they would pass through (default on) */
 };
 
 enum {
@@ -187,7 +193,7 @@ enum {
 
 typedef struct cn_world_def {
 	uint32_t struct_size;
-	uint32_t flags;                   /* CN_WORLD_*; default CN_WORLD_SLEEP | CN_WORLD_WARM_START */
+	uint32_t flags;                   /* CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS */
 	cn_vec2 gravity_mps2;             /* default (0, -10) */
 	float length_unit_m;              /* a typical object's size, (0, 1e6]; slop, margins and speed limits scale with it; default 1 */
 	int32_t solver;                   /* CN_SOLVER_*; default CN_SOLVER_SOFT */
@@ -795,6 +801,81 @@ CN_API cn_result cn_world_update(cn_world *world, float elapsed_s, cn_update_rep
 /* Poses between the last two steps of cn_world_update: factor 0 the one before, 1 the last. bodies as in
    cn_world_read_poses. Bodies that did not take part in the last step have their present pose. */
 CN_API cn_result cn_world_read_poses_interpolated(const cn_world *world, const cn_body *bodies, int32_t count, float factor, cn_pose *out);
+
+/* ------------------------------------------------------------------ queries */
+
+/* A query sees shapes of enabled bodies whose category has a bit in mask and whose mask has one in category, and of
+   sensors only those with CN_SHAPE_SENSOR_SEEN. Bodies are seen where they are now, also between steps. */
+typedef struct cn_query_filter {
+	uint64_t category; /* default 1 */
+	uint64_t mask;     /* default all ones */
+} cn_query_filter;
+CN_API void cn_query_filter_init(cn_query_filter *filter);
+
+typedef struct cn_ray {
+	cn_vec2 origin_m;
+	cn_vec2 translation_m; /* may be 0: then only shapes around the origin are hit; at most 2e6 length units each way */
+} cn_ray;
+
+typedef struct cn_ray_hit {
+	cn_shape shape;       /* 0: nothing was hit */
+	cn_body body;
+	int32_t child;        /* edge of a chain */
+	float fraction;       /* of the translation, [0, 1]; 1 when nothing was hit */
+	cn_vec2 point_m;
+	cn_vec2 normal;       /* (0, 0) when the origin is inside the shape; fraction is 0 then */
+} cn_ray_hit;
+
+/* Nearest hit; out->shape is 0 when there is none. An edge is hit from both sides, a chain from its front only. Of equal
+   hits the first by shape (as in cn_world_get_shapes), then child. filter may be NULL in all queries: the defaults. O(log) to O(shapes along the ray). */
+CN_API cn_result cn_world_cast_ray(const cn_world *world, const cn_ray *ray, const cn_query_filter *filter, cn_ray_hit *out);
+/* 1 if anything is hit: cheaper than the nearest. */
+CN_API cn_result cn_world_cast_ray_any(const cn_world *world, const cn_ray *ray, const cn_query_filter *filter, int32_t *out_hit);
+/* Up to capacity hits, nearest first (the nearest ones if there are more); *out_count is how many were found. A chain is
+   hit once by each edge on the way. */
+CN_API cn_result cn_world_cast_ray_all(const cn_world *world, const cn_ray *ray, const cn_query_filter *filter, cn_ray_hit *out, int32_t capacity, int32_t *out_count);
+/* count rays, the nearest hit of each; nothing is written if one of them is bad. */
+CN_API cn_result cn_world_cast_rays(const cn_world *world, const cn_ray *rays, int32_t count, const cn_query_filter *filter, cn_ray_hit *out);
+/* Against one shape alone, whatever its filter, in shape space when unattached. O(edges of a chain). */
+CN_API cn_result cn_shape_cast_ray(const cn_world *world, cn_shape shape, const cn_ray *ray, cn_ray_hit *out);
+/* A polygon (its points in world coordinates; count may be 1 or 2 too, with radius > 0: circle, capsule) moved by
+   translation without turning: the first shape it meets. point is where, normal from the shape met towards the moving
+   one, (0, 0) when they overlap at the start. A chain is met by what has the mean of its points in front. */
+CN_API cn_result cn_world_cast_shape(const cn_world *world, const cn_polygon *shape, float translation_x_m, float translation_y_m, const cn_query_filter *filter, cn_ray_hit *out);
+
+/* Shapes that overlap a region: at most capacity handles are written (the first ones), *out_count is how many there are,
+   in the order of cn_world_get_shapes. The first is by the shapes' boxes without margin, the others exact. A chain is
+   listed once; edges and chains are lines here, seen from both sides, and contain no point. Polygons as in
+   cn_world_cast_shape. O(log) to O(boxes in the region). */
+CN_API cn_result cn_world_overlap_aabb(const cn_world *world, const cn_aabb *box, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count);
+CN_API cn_result cn_world_overlap_circle(const cn_world *world, const cn_circle *circle, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count);
+CN_API cn_result cn_world_overlap_polygon(const cn_world *world, const cn_polygon *polygon, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count);
+CN_API cn_result cn_world_overlap_point(const cn_world *world, float x_m, float y_m, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count);
+
+typedef struct cn_closest {
+	cn_shape shape;       /* 0: nothing within the distance */
+	cn_body body;
+	int32_t child;
+	float distance_m;     /* negative: depth inside a shape with area */
+	cn_vec2 point_m;      /* on the surface */
+	cn_vec2 normal;       /* outward there; of edges and chains towards the point */
+} cn_closest;
+/* The shape nearest to a point within distance_max_m (0 to 4e6 length units), the deepest if the point is in several.
+   Cost grows with what is near, not with distance_max_m. */
+CN_API cn_result cn_world_closest_point(const cn_world *world, float x_m, float y_m, float distance_max_m, const cn_query_filter *filter, cn_closest *out);
+
+typedef struct cn_explosion_def {
+	uint32_t struct_size;
+	float radius_m;           /* full strength within, to the nearest point of a shape; >= 0, default 1 */
+	float falloff_m;          /* then linearly to none over this distance; >= 0 */
+	float impulse_Nspm;       /* per metre of the shape's width seen from the centre; negative pulls */
+	cn_vec2 center_m;
+	cn_query_filter filter;
+} cn_explosion_def;
+CN_API void cn_explosion_def_init(cn_explosion_def *def);
+/* Pushes dynamic bodies away from the centre, each shape at its point nearest to it, and wakes them. Velocities must
+   stay finite (CN_ERROR_ARGUMENT). O(shapes in reach). */
+CN_API cn_result cn_world_explode(cn_world *world, const cn_explosion_def *def);
 
 /* ------------------------------------------------------------------ debug draw */
 

@@ -8,10 +8,10 @@
  *
  *   bytes_in_chunks = bytes_in_use + sum over classes of free_count * class + tail_units * 16
  *
- * A new chunk has an eighth of the bytes that the chunks already have, at least 4 KiB and at most
+ * A new chunk has a sixteenth of the bytes that the chunks already have, at least 4 KiB and at most
  * 64 KiB, or what a reserve still lacks if that is more; it is then trimmed to a whole number of the
  * pieces that asked for it (rounded up to 64 bytes). When there is no memory for it, half of it is
- * tried, down to a single piece. So unused room stays below an eighth, and a fixed block is used up to
+ * tried, down to a single piece. So unused room stays below a sixteenth, and a fixed block is used up to
  * its end.
  *
  * Free pieces are never split for a smaller class: what cni_blocks_reserve has set aside for one class
@@ -181,7 +181,7 @@ static void tail_retire(cni_blocks *blocks)
 /* Bytes of the next chunk if count pieces of this class are still to come from it. */
 static uint64_t chunk_wanted(const cni_blocks *blocks, int32_t class_index, int32_t count)
 {
-	uint64_t wanted = blocks->bytes_in_chunks / 8;
+	uint64_t wanted = blocks->bytes_in_chunks / 16;
 	uint64_t lacking = class_bytes(class_index) * (uint64_t)count;
 
 	wanted -= wanted % CHUNK_SMALLEST_BYTES;

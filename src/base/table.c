@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-#define ARRAY_LARGE_BYTES 8192u
+#define ARRAY_LARGE_BYTES 2048u
 /* Keeps the growth of the page pointers within an int32_t. */
 #define TABLE_PAGES_MAX (1 << 30)
 

@@ -3,7 +3,7 @@
  *
  * cni_table  pages of a fixed number of items: items never move, growing copies nothing and wastes at
  *            most a page. For records with stable slots.
- * cni_array  one contiguous piece, moved when it grows (by half while small, by an eighth above 8 KiB).
+ * cni_array  one contiguous piece, moved when it grows (by half while small, by an eighth above 2 KiB).
  *            For dense arrays that loops sweep.
  *
  * Both only ever grow; "reserve, then commit" is how callers stay atomic: reserve everything a call

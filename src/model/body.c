@@ -196,13 +196,17 @@ static cn_mass_data shapes_mass(const cn_world *world, const cni_body *b)
 	return total;
 }
 
-static float shapes_extent(const cn_world *world, const cni_body *b)
+static void measure_shapes(const cn_world *world, cni_body *b)
 {
-	float extent = 0.0f;
+	float extent = 0.0f, core = b->shape_first == CNI_NONE ? 0.0f : FLT_MAX;
 	int32_t index;
-	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next)
-		extent = cni_max(extent, cni_shape_geometry(&world->blocks, cni_shape_at(world, index))->extent);
-	return extent + cni_length(b->local_center);
+	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
+		const cni_geometry *g = cni_shape_geometry(&world->blocks, cni_shape_at(world, index));
+		extent = cni_max(extent, g->extent);
+		core = cni_min(core, cni_max(g->inner_radius, world->settings.slop));
+	}
+	b->extent = extent + cni_length(b->local_center);
+	b->core = core;
 }
 
 /* Moves the centre of mass within the body: the origin stays, the material keeps its velocity. */
@@ -230,7 +234,7 @@ void cni_body_update_mass(cn_world *world, int32_t body)
 		b->inertia = m.mass_kg > 0.0f ? m.inertia_kgm2 : 0.0f;
 		body_set_center(world, b, m.center_m);
 	}
-	b->extent = shapes_extent(world, b);
+	measure_shapes(world, b);
 	cni_body_refresh_motion(world, b);
 }
 
@@ -264,6 +268,52 @@ void cni_body_refresh_boxes(cn_world *world, int32_t body)
 				continue;
 			fat = cni_box_fatten(world, b->type, tight);
 			world->broadphase_ops->move(world->broadphase, proxy, &fat);
+		}
+	}
+}
+
+void cni_body_kick(cn_world *world, int32_t body)
+{
+	cni_array *kicked = &world->kicked;
+	cn_body handle = cni_handles_of(&world->body_handles, body);
+	if (kicked->count > 0 && ((const cn_body *)kicked->data)[kicked->count - 1] == handle)
+		return;
+	if (kicked->count < 2 * world->movable_count && cni_array_reserve(kicked, &world->memory, kicked->count + 1))
+		((cn_body *)kicked->data)[kicked->count++] = handle;
+}
+
+/* Less than half of the margin ahead is within the margin anyway. */
+static int32_t looks_ahead(const cn_world *world, cni_vec2 ahead)
+{
+	float half = 0.5f * world->settings.box_margin;
+	return cni_abs(ahead.x) > half || cni_abs(ahead.y) > half;
+}
+
+static cni_aabb box_stretch(cni_aabb box, cni_vec2 ahead)
+{
+	box.x0 += cni_min(ahead.x, 0.0f);
+	box.x1 += cni_max(ahead.x, 0.0f);
+	box.y0 += cni_min(ahead.y, 0.0f);
+	box.y1 += cni_max(ahead.y, 0.0f);
+	return box;
+}
+
+void cni_body_look_ahead(cn_world *world, const cni_body *b, cni_vec2 ahead)
+{
+	cni_transform x = cni_body_transform(b);
+	int32_t shape, child, fast = looks_ahead(world, ahead);
+	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+		const cni_shape *s = cni_shape_at(world, shape);
+		const cni_geometry *g = cni_shape_geometry(&world->blocks, s);
+		for (child = 0; child < s->children; ++child) {
+			int32_t proxy = cni_shape_proxy(world, s, child);
+			cni_aabb box = cni_geometry_aabb(g, child, x);
+			if (fast)
+				box = box_stretch(box, ahead);
+			if (cni_aabb_contains(&cni_proxy_at(world, proxy)->fat, &box))
+				continue;
+			box = cni_box_fatten(world, b->type, box);
+			world->broadphase_ops->move(world->broadphase, proxy, &box);
 		}
 	}
 }

@@ -41,6 +41,7 @@ typedef struct cni_body {
 	float sleep_speed;       /* 0: the world's */
 	float sleep_time;        /* seconds at rest */
 	float extent;            /* farthest surface point from the centre of mass */
+	float core;              /* smallest inner radius of its shapes: how far it may jump without passing through things */
 	uint32_t flags;          /* CN_BODY_ (AWAKE bit unused) and CNI_BODY_ */
 	int32_t type;            /* CN_BODY_STATIC ... */
 	int32_t awake;           /* dense index, 0: not awake */
@@ -108,6 +109,10 @@ static inline cni_transform cni_body_transform(const cni_body *b)
 cni_transform cni_body_b_in_a(const cni_body *a, const cni_body *b);
 
 cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b);
+/* The velocity was set from outside: its boxes must look ahead again before the next step. */
+void cni_body_kick(cn_world *world, int32_t body);
+/* Moves the boxes that do not contain the shapes now and where they will be after ahead (metres). */
+void cni_body_look_ahead(cn_world *world, const cni_body *b, cni_vec2 ahead);
 /* Does not wake. Locked axes are zeroed. */
 void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v);
 

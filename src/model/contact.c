@@ -121,12 +121,26 @@ int32_t cni_contact_allowed(const void *context, int32_t proxy_a, int32_t proxy_
 
 /* ---- life and death ---- */
 
+/* In a fixed block the events of every contact's end have room from its beginning: destroying must not fail
+   where memory is short. Logs of the last step and of the calls since change places, so both have it. */
+static int32_t reserve_ends(cn_world *world, int32_t count)
+{
+	static const int32_t kinds[] = { CN_EVENT_LEAVE, CN_EVENT_DESTROYED };
+	int32_t k, good = cni_array_reserve(&world->events.sensor_log, &world->memory, count) &&
+	                  cni_array_reserve(&world->events.sensor_pending, &world->memory, count);
+	for (k = 0; k < 2 && good; ++k)
+		good = cni_array_reserve(&world->events.log[kinds[k]], &world->memory, count) &&
+		       cni_array_reserve(&world->events.pending[kinds[k]], &world->memory, count);
+	return good;
+}
+
 cn_result cni_contact_reserve(cn_world *world, int32_t extra)
 {
 	int32_t count = world->contact_count + extra;
 	int32_t good = cni_table_reserve(&world->contacts, &world->memory, cni_max_i(world->contact_used, count)) &&
 	               cni_array_reserve(&world->awake_contacts, &world->memory, count) &&
-	               cni_array_reserve(&world->changes, &world->memory, count);
+	               cni_array_reserve(&world->changes, &world->memory, count) &&
+	               (!world->memory.fixed || reserve_ends(world, count));
 	return good ? CN_OK : CN_ERROR_MEMORY;
 }
 
@@ -186,8 +200,10 @@ cn_result cni_contact_reserve_end(cn_world *world, int32_t contacts)
 {
 	cni_array *leave = &world->events.pending[CN_EVENT_LEAVE], *destroyed = &world->events.pending[CN_EVENT_DESTROYED];
 	cni_array *sensed = &world->events.sensor_pending;
-	int32_t good = cni_array_reserve(sensed, &world->memory, sensed->count + contacts) && cni_array_reserve(leave, &world->memory, leave->count + contacts) &&
-	               cni_array_reserve(destroyed, &world->memory, destroyed->count + contacts);
+	int32_t good;
+	contacts = cni_min_i(contacts, world->contact_count); /* callers count those between two of their bodies twice */
+	good = cni_array_reserve(sensed, &world->memory, sensed->count + contacts) && cni_array_reserve(leave, &world->memory, leave->count + contacts) &&
+	       cni_array_reserve(destroyed, &world->memory, destroyed->count + contacts);
 	return good ? CN_OK : CN_ERROR_MEMORY;
 }
 
@@ -315,7 +331,7 @@ static int32_t contact_reserve_extra(cn_world *world, const cni_contact *c)
 	return 1;
 }
 
-int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *manifold)
+int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap)
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	if (!cni_lane_reserve(world, world->touching_count + 1) || !cni_island_reserve(world, 1) || !contact_reserve_extra(world, c))
@@ -327,7 +343,7 @@ int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *
 	c->flags |= CNI_CONTACT_TOUCHING | CNI_CONTACT_ENTERED | CNI_CONTACT_REFRESH;
 	c->id[0] = c->id[1] = 0;
 	cni_block_info_at(world, c->slot / CNI_LANES)->fresh_step = world->step_count + 1u;
-	cni_contact_write(world, contact, manifold);
+	cni_contact_write(world, contact, manifold, gap);
 	log_or_owe(world, contact, CN_EVENT_ENTER, CNI_CONTACT_ENTER_OWED);
 	return 1;
 }

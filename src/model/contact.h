@@ -144,7 +144,7 @@ void cni_contact_destroy_of_shape(cn_world *world, int32_t shape);
 
 /* The manifold begins to touch: takes a lane, joins islands (waking the sleeping side), logs ENTER.
    0: no memory for a lane; the contact stays apart. */
-int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *manifold);
+int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap);
 /* Stops touching: frees the lane, notes the islands' loss, logs LEAVE. 0: no memory for the log; the
    contact then stays with an empty lane. */
 int32_t cni_contact_end(cn_world *world, int32_t contact);
@@ -158,8 +158,9 @@ int32_t cni_lane_reserve(cn_world *world, int32_t lanes);
 int32_t cni_lane_reserve_extra(cn_world *world);
 /* A sensor pair overlaps or no longer does: logs the change. 0: no memory for the log; nothing changes. */
 int32_t cni_contact_sense(cn_world *world, int32_t contact, int32_t overlaps);
-/* Writes a manifold to the contact's lane, keeping the impulses of points with equal ids. */
-void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold);
+/* Writes a manifold to the contact's lane, keeping the impulses of points with equal ids. gap: where b's contact
+   point is from a's at the beginning of the step, in a's frame; (0, 0) but for contacts that are still ahead. */
+void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap);
 /* An empty manifold: the lane stays but can do nothing. */
 void cni_contact_write_empty(cn_world *world, int32_t contact);
 

@@ -9,7 +9,7 @@
 /* The poses that turn a manifold (in body 0's frame) into a lane (world directions, lane bodies). */
 typedef struct lane_frame {
 	const cni_body *a, *b; /* lane bodies */
-	cni_vec2 d;            /* centre b - centre a = ra - rb */
+	cni_vec2 d;            /* ra - rb: centre b - centre a where the contact points coincide */
 	cni_vec2 n, t;
 } lane_frame;
 
@@ -81,7 +81,7 @@ static float lane_radius(const cn_world *world, const cni_contact *c, int32_t la
 	return cni_shape_geometry(&world->blocks, s)->radius;
 }
 
-void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold)
+void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap)
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
@@ -93,6 +93,8 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 	float radius_a = lane_radius(world, c, 0), radius_b = lane_radius(world, c, 1);
 	float old_jn[2];
 	uint16_t old_id[2];
+	gap = cni_rotate(first->q, gap);
+	f.d = c->flags & CNI_CONTACT_FLIPPED ? cni_add(f.d, gap) : cni_sub(f.d, gap);
 	for (k = 0; k < 2; ++k) {
 		old_jn[k] = block->p[k].jn[lane];
 		old_id[k] = c->id[k] != 0 ? c->id[k] : (uint16_t)0xFFFF;

@@ -41,6 +41,14 @@ int32_t cni_island_split(cn_world *world, int32_t island);
 void cni_body_wake(cn_world *world, int32_t body);
 /* Wakes every body that touches it, and the bodies its joints connect. */
 void cni_body_wake_neighbours(cn_world *world, int32_t body);
+/* Wakes the body, or for a static one what its boxes meet: where it is now it may touch what sleeps. O(shapes). */
+void cni_body_wake_met(cn_world *world, int32_t body);
+/* The dynamic bodies that a shape's boxes meet. */
+void cni_shape_wake_met(cn_world *world, int32_t shape);
+/* It got a new shape: wakes it, unless it has met nothing yet, so that bodies can be made asleep. */
+void cni_body_wake_grown(cn_world *world, int32_t body);
+/* Makes putting this body to sleep, with its island or with a part of it, certain to succeed. 0: no memory. */
+int32_t cni_body_reserve_sleep(cn_world *world, int32_t body);
 /* Puts a body and its island to sleep, logging fell-asleep. 0: no memory, nothing changed. */
 int32_t cni_body_put_to_sleep(cn_world *world, int32_t body);
 

@@ -116,6 +116,8 @@ cn_result cni_shape_place(cn_world *world, int32_t shape)
 		return CN_ERROR_MEMORY;
 	if (s->type != CN_SHAPE_CHAIN) {
 		s->box.proxy = proxy_create(world, shape, 0);
+		if (cni_body_at(world, s->body)->awake != 0)
+			cni_body_kick(world, s->body);
 		return CN_OK;
 	}
 	s->box.proxies = cni_blocks_alloc(&world->blocks, ids_bytes(world, s));

@@ -90,6 +90,59 @@ void cni_body_wake_neighbours(cn_world *world, int32_t body)
 	wake_touching(world, body);
 }
 
+typedef struct meeting {
+	cn_world *world;
+	int32_t shape;
+	int32_t reserved;
+} meeting;
+
+static float wake_if_collides(void *context, int32_t proxy, float limit)
+{
+	const meeting *m = (const meeting *)context;
+	const cni_shape *s = cni_shape_at(m->world, m->shape), *other = cni_shape_at(m->world, cni_proxy_at(m->world, proxy)->shape);
+	const cni_body *b = cni_body_at(m->world, other->body);
+	if (other->body != s->body && b->type == CN_BODY_DYNAMIC && b->awake == 0 && cni_filter_allows(s, other))
+		cni_body_wake(m->world, other->body);
+	(void)limit;
+	return 1.0f; /* go on */
+}
+
+void cni_shape_wake_met(cn_world *world, int32_t shape)
+{
+	const cni_shape *s = cni_shape_at(world, shape);
+	meeting m;
+	int32_t child;
+	m.world = world;
+	m.shape = shape;
+	m.reserved = 0;
+	for (child = 0; child < s->children; ++child) {
+		int32_t proxy = cni_shape_proxy(world, s, child);
+		cni_aabb box;
+		if (proxy == CNI_NONE)
+			return;
+		box = cni_proxy_at(world, proxy)->fat;
+		world->broadphase_ops->query(world->broadphase, &box, wake_if_collides, &m);
+	}
+}
+
+void cni_body_wake_met(cn_world *world, int32_t body)
+{
+	const cni_body *b = cni_body_at(world, body);
+	int32_t shape;
+	cni_body_wake(world, body);
+	if (b->type != CN_BODY_STATIC)
+		return;
+	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
+		cni_shape_wake_met(world, shape);
+}
+
+void cni_body_wake_grown(cn_world *world, int32_t body)
+{
+	const cni_body *b = cni_body_at(world, body);
+	if (b->contact_count > 0 || b->joint_count > 0)
+		cni_body_wake(world, body);
+}
+
 /* ---- sleeping ---- */
 
 /* Is this a lane that goes to sleep with the body? Pairs within an island count on their side 0. */
@@ -137,13 +190,19 @@ static void leave_lists_of(cn_world *world, int32_t body)
 	}
 }
 
+int32_t cni_body_reserve_sleep(cn_world *world, int32_t body)
+{
+	int32_t island = cni_body_at(world, body)->island, count = island == CNI_NONE ? 1 : cni_island_at(world, island)->count;
+	cni_array *log = &world->events.asleep;
+	return cni_array_reserve(log, &world->memory, log->count + count) &&
+	       cni_array_reserve(&world->sleep_lanes, &world->memory, world->sleep_lanes.count + lanes_of_island(world, first_of(world, body)));
+}
+
 int32_t cni_body_put_to_sleep(cn_world *world, int32_t body)
 {
 	int32_t first = first_of(world, body), island = cni_body_at(world, body)->island, k;
-	int32_t count = island == CNI_NONE ? 1 : cni_island_at(world, island)->count;
 	cni_array *log = &world->events.asleep;
-	if (!cni_array_reserve(log, &world->memory, log->count + count) ||
-	    !cni_array_reserve(&world->sleep_lanes, &world->memory, world->sleep_lanes.count + lanes_of_island(world, first)))
+	if (!cni_body_reserve_sleep(world, body))
 		return 0;
 	if (island != CNI_NONE)
 		cni_island_at(world, island)->awake = 0;

@@ -60,6 +60,7 @@ struct cn_world {
 	cni_array start;             /* cni_velocity_start */
 	cni_array drive;             /* cni_drive */
 	cni_array awake_id;          /* int32_t */
+	cni_array kicked;            /* cn_body whose velocity was set since the last step */
 
 	/* variable time: empty until cn_world_update is used */
 	cni_array previous;          /* cni_previous by body slot */

@@ -46,6 +46,7 @@ static void sweep_destroy(cni_broadphase *broadphase)
 		if (cni_sweep_tile_at(sweep, tile)->level != CNI_SWEEP_FREE)
 			cni_sweep_tile_destroy(sweep, tile);
 	cni_array_deinit(&sweep->tiles, memory);
+	cni_blocks_deinit(&sweep->rows);
 	cni_array_deinit(&sweep->moved, memory);
 	cni_array_deinit(&sweep->loose, memory);
 	cni_memory_free(memory, sweep->slots, (uint64_t)sweep->slot_capacity * sizeof(int32_t));
@@ -61,6 +62,7 @@ static cni_broadphase *sweep_create(const cni_broadphase_context *context, int32
 	sweep->context = *context;
 	sweep->tile_free = CNI_NONE;
 	cni_array_init(&sweep->tiles, (int32_t)sizeof(cni_sweep_tile));
+	cni_blocks_init(&sweep->rows, context->memory);
 	cni_array_init(&sweep->moved, (int32_t)sizeof(uint64_t));
 	cni_array_init(&sweep->loose, (int32_t)sizeof(uint64_t));
 	cni_sweep_set_levels(sweep, 0);

@@ -15,7 +15,7 @@
  *        |       [ d ]                     [ | e ] .   less than S beyond it
  *        +-----------------------------------+     .
  *
- *   a tile's rows (one piece of the blocks), sorted by x0, ties by id:
+ *   a tile's rows (one piece of a pool of their own), sorted by x0, ties by id:
  *
  *     x0 [ . . . . . inf inf inf ]     capacity is a multiple of 8 (or 2 or 4); x0 is padded with +inf
  *     x1 [ . . . . .             ]     up to a multiple of 8, so that wide loops need no tail
@@ -57,7 +57,7 @@ typedef struct cni_sweep_tile {
 	cni_aabb bounds;       /* contains every entry; tight after a rebuild */
 	int32_t slack;         /* changes since bounds were tight */
 	int32_t touched;       /* proxies in the running pass that change here, else 0 */
-	int32_t previous;      /* dense in update: first float of its scratch rows */
+	int32_t previous;      /* dense in update: first float of its scratch rows, CNI_NONE if all entries are new */
 } cni_sweep_tile;
 
 typedef struct cni_sweep_rows {
@@ -89,7 +89,8 @@ typedef struct cni_sweep {
 	int32_t loose_count;
 	uint32_t level_mask;   /* levels that have tiles */
 	cni_sweep_level levels[CNI_SWEEP_LEVELS];
-	uint64_t rows_bytes;   /* pieces of all tiles */
+	cni_blocks rows;       /* pieces of all tiles: a pool of their own, emptied when sizes change */
+	uint64_t rows_bytes;   /* ... taken from it */
 
 	int32_t exponent;      /* S0 = 2^exponent */
 	int32_t boost;         /* powers of two in S0 beyond the size of the boxes, for tiles well filled */
@@ -136,7 +137,7 @@ static inline uint64_t *cni_sweep_loose(const cni_sweep *sweep) { return (uint64
 static inline cni_sweep_rows cni_sweep_rows_of(const cni_sweep *sweep, const cni_sweep_tile *tile)
 {
 	cni_sweep_rows rows;
-	rows.x0 = (float *)cni_blocks_at(sweep->context.blocks, tile->rows);
+	rows.x0 = (float *)cni_blocks_at(&sweep->rows, tile->rows);
 	rows.x1 = rows.x0 + tile->capacity;
 	rows.y0 = rows.x1 + tile->capacity;
 	rows.y1 = rows.y0 + tile->capacity;

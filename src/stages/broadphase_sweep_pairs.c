@@ -54,7 +54,8 @@ typedef struct pair_pass {
 	int32_t *touched;  /* tiles with moved proxies; NULL without scratch */
 	int32_t touched_count;
 	int32_t dense_entries;
-	float *previous;   /* old boxes of all dense tiles */
+	int32_t new_entries; /* of the largest dense tile whose entries are all new */
+	float *scratch;      /* +inf and -inf for those (2 new_entries), then old boxes of the other dense tiles */
 } pair_pass;
 
 static inline int32_t is_moved(const pair_pass *pass, int32_t id) { return cni_bit_get(cni_sweep_moved(pass->sweep), id); }
@@ -134,6 +135,11 @@ static inline void scan(pair_pass *pass, const probe *q, const tile_view *v, int
 
 /* ---- views and probes ---- */
 
+static float *old_boxes(const pair_pass *pass, const cni_sweep_tile *tile)
+{
+	return pass->scratch + 2 * pass->new_entries + tile->previous;
+}
+
 static tile_view view_of(const pair_pass *pass, const cni_sweep_tile *tile)
 {
 	cni_sweep_rows rows = cni_sweep_rows_of(pass->sweep, tile);
@@ -147,8 +153,11 @@ static tile_view view_of(const pair_pass *pass, const cni_sweep_tile *tile)
 	v.wide = tile->capacity >= CNI_SWEEP_LANES;
 	v.reach = tile->reach;
 	v.skip_moved = tile->touched > 0 && !tile->dense;
-	if (tile->dense) {
-		v.px0 = pass->previous + tile->previous;
+	if (tile->dense && tile->previous == CNI_NONE) {
+		v.px0 = v.py0 = pass->scratch;
+		v.px1 = v.py1 = pass->scratch + pass->new_entries;
+	} else if (tile->dense) {
+		v.px0 = old_boxes(pass, tile);
 		v.px1 = v.px0 + tile->capacity;
 		v.py0 = v.px1 + tile->capacity;
 		v.py1 = v.py0 + tile->capacity;
@@ -357,6 +366,16 @@ static void count_moved(pair_pass *pass)
 	}
 }
 
+/* As in the first step: old boxes that are all empty need not be written out. */
+static int32_t all_are_new(const cni_sweep *sweep, const cni_sweep_tile *tile)
+{
+	const int32_t *ids = cni_sweep_rows_of(sweep, tile).id;
+	int32_t k = 0;
+	while (k < tile->count && !(cni_sweep_proxy(sweep, ids[k])->old.x0 <= cni_sweep_proxy(sweep, ids[k])->old.x1))
+		++k;
+	return k == tile->count;
+}
+
 /* Marks dense tiles and keeps only them in the list. */
 static void choose_dense(pair_pass *pass)
 {
@@ -366,8 +385,13 @@ static void choose_dense(pair_pass *pass)
 		if (tile->touched < DENSE_CHANGES || DENSE_SHARE * tile->touched < tile->count)
 			continue;
 		tile->dense = 1;
-		tile->previous = 4 * pass->dense_entries;
-		pass->dense_entries += tile->capacity;
+		tile->previous = CNI_NONE;
+		if (all_are_new(pass->sweep, tile)) {
+			pass->new_entries = cni_max_i(pass->new_entries, (tile->capacity + CNI_SWEEP_LANES - 1) & ~(CNI_SWEEP_LANES - 1));
+		} else {
+			tile->previous = 4 * pass->dense_entries;
+			pass->dense_entries += tile->capacity;
+		}
 		pass->touched[count++] = pass->touched[i];
 	}
 	pass->touched_count = count;
@@ -384,9 +408,10 @@ static void forget_dense(pair_pass *pass)
 static void gather_previous(const pair_pass *pass, const cni_sweep_tile *tile)
 {
 	const int32_t *ids = cni_sweep_rows_of(pass->sweep, tile).id;
-	float *px0 = pass->previous + tile->previous;
-	float *px1 = px0 + tile->capacity, *py0 = px1 + tile->capacity, *py1 = py0 + tile->capacity;
+	float *px0 = old_boxes(pass, tile), *px1 = px0 + tile->capacity, *py0 = px1 + tile->capacity, *py1 = py0 + tile->capacity;
 	int32_t k;
+	if (tile->previous == CNI_NONE)
+		return;
 	for (k = 0; k < tile->count; ++k) {
 		cni_aabb old = cni_sweep_old(cni_sweep_proxy(pass->sweep, ids[k]));
 		px0[k] = old.x0;
@@ -399,10 +424,15 @@ static void gather_previous(const pair_pass *pass, const cni_sweep_tile *tile)
 static void sweep_dense(pair_pass *pass)
 {
 	cni_arena *arena = pass->sweep->context.arena;
+	uint64_t floats = 4 * (uint64_t)pass->dense_entries + 2 * (uint64_t)pass->new_entries;
 	int32_t i;
-	pass->previous = (float *)cni_arena_push(arena, 4u * sizeof(float) * (uint64_t)pass->dense_entries);
-	if (pass->previous == NULL)
+	pass->scratch = (float *)cni_arena_push(arena, sizeof(float) * floats);
+	if (pass->scratch == NULL)
 		forget_dense(pass);
+	for (i = 0; i < pass->new_entries && pass->scratch != NULL; ++i) {
+		pass->scratch[i] = INFINITY;
+		pass->scratch[pass->new_entries + i] = -INFINITY;
+	}
 	for (i = 0; i < pass->touched_count; ++i)
 		gather_previous(pass, cni_sweep_tile_at(pass->sweep, pass->touched[i]));
 	for (i = 0; i < pass->touched_count; ++i)
@@ -439,6 +469,6 @@ void cni_sweep_find_pairs(cni_sweep *sweep, cni_pair_filter_fn *filter, const vo
 	search_entries(&pass);
 	search_all_loose(&pass);
 	clear_marks(&pass);
-	(void)cni_arena_pop(sweep->context.arena, pass.previous);
+	(void)cni_arena_pop(sweep->context.arena, pass.scratch);
 	(void)cni_arena_pop(sweep->context.arena, pass.touched);
 }

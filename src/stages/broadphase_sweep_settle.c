@@ -58,6 +58,7 @@ static void drop_tiles(cni_sweep *sweep)
 	}
 	sweep->tiles.count = 0;
 	sweep->tile_free = CNI_NONE;
+	cni_blocks_deinit(&sweep->rows); /* pieces of the old sizes would lie idle */
 }
 
 /* The power of two above x, as an exponent in [-20, 30]. */
@@ -352,7 +353,9 @@ static void finish_tiles(cni_sweep *sweep, settle_pass *pass)
 static int32_t settle_together(cni_sweep *sweep)
 {
 	settle_pass pass;
-	void *scratch = cni_arena_push(sweep->context.arena, 3u * sizeof(int32_t) * (uint64_t)sweep->loose_count);
+	/* Tiles that change: a loose proxy's home and where it is now, or all tiles that there are and a new one each. */
+	uint64_t touched = (uint64_t)sweep->loose_count + (uint64_t)cni_min_i(sweep->loose_count, sweep->tile_count);
+	void *scratch = cni_arena_push(sweep->context.arena, sizeof(int32_t) * ((uint64_t)sweep->loose_count + touched));
 	if (scratch == NULL)
 		return 0;
 	memset(&pass, 0, sizeof(pass));

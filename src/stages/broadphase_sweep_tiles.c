@@ -185,7 +185,7 @@ static void rows_free(cni_sweep *sweep, cni_ref rows, int32_t capacity)
 {
 	if (capacity == 0)
 		return;
-	cni_blocks_free(sweep->context.blocks, rows, rows_bytes(capacity));
+	cni_blocks_free(&sweep->rows, rows, rows_bytes(capacity));
 	sweep->rows_bytes -= cni_blocks_rounded(rows_bytes(capacity));
 }
 
@@ -222,7 +222,7 @@ static int32_t tile_resize(cni_sweep *sweep, cni_sweep_tile *tile, int32_t capac
 	cni_ref old_rows = tile->rows;
 	int32_t old_capacity = tile->capacity;
 	size_t bytes = (size_t)tile->count * sizeof(float);
-	cni_ref rows = cni_blocks_alloc(sweep->context.blocks, rows_bytes(capacity));
+	cni_ref rows = cni_blocks_alloc(&sweep->rows, rows_bytes(capacity));
 	if (rows == 0)
 		return 0;
 	sweep->rows_bytes += cni_blocks_rounded(rows_bytes(capacity));

@@ -203,7 +203,7 @@ static int32_t tree_validate(const cni_broadphase *broadphase)
 			continue;
 		proxy = proxy_at(b, id);
 		moved = (proxy->flags & CNI_PROXY_MOVED) != 0;
-		if (memcmp(cni_tree_box(&b->tree, place), &proxy->fat, sizeof(cni_aabb)) != 0 || (proxy->flags & CNI_PROXY_AGAIN) ||
+		if ((proxy->fat.x0 <= proxy->fat.x1 && memcmp(cni_tree_box(&b->tree, place), &proxy->fat, sizeof(cni_aabb)) != 0) || (proxy->flags & CNI_PROXY_AGAIN) ||
 		    moved != ((cni_tree_marks(&b->tree, place) & CNI_TREE_MOVED) != 0) ||
 		    (!moved && memcmp(&proxy->old, &proxy->fat, sizeof(cni_aabb)) != 0))
 			return 0;

@@ -68,41 +68,14 @@ static void rest_update(cn_world *world, cni_body *b, int32_t k, const cni_solve
 		b->sleep_time = 0.0f;
 }
 
-/* A box that was left gets its margin, and what a fast body will cover in the next step. */
-static void boxes_update(cn_world *world, const cni_body *b, float dpx, float dpy)
-{
-	cni_transform x = cni_body_transform(b);
-	float ahead = 0.5f * world->settings.box_margin;
-	int32_t shape, child;
-	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
-		const cni_shape *s = cni_shape_at(world, shape);
-		const cni_geometry *g = cni_shape_geometry(&world->blocks, s);
-		for (child = 0; child < s->children; ++child) {
-			int32_t proxy = cni_shape_proxy(world, s, child);
-			cni_aabb tight = cni_geometry_aabb(g, child, x), fat;
-			if (cni_aabb_contains(&cni_proxy_at(world, proxy)->fat, &tight))
-				continue;
-			fat = cni_box_fatten(world, b->type, tight);
-			if (cni_abs(dpx) > ahead || cni_abs(dpy) > ahead) {
-				fat.x0 += cni_min(dpx, 0.0f);
-				fat.x1 += cni_max(dpx, 0.0f);
-				fat.y0 += cni_min(dpy, 0.0f);
-				fat.y1 += cni_max(dpy, 0.0f);
-			}
-			world->broadphase_ops->move(world->broadphase, proxy, &fat);
-		}
-	}
-}
-
 void cni_poses_take(cn_world *world)
 {
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
 		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		cni_motion *m = cni_motions(world) + k;
-		float dpx = m->dpx, dpy = m->dpy;
 		take_pose(b, m);
-		boxes_update(world, b, dpx, dpy);
+		cni_body_look_ahead(world, b, cni_v(0.0f, 0.0f));
 	}
 }
 
@@ -115,14 +88,13 @@ int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
 	for (k = 1; k < world->awake_count; ++k) {
 		cni_motion *m = &motions[k];
 		cni_body *b = cni_body_at(world, ids[k]);
-		float dpx = m->dpx, dpy = m->dpy;
 		limit_speed(m, &world->settings);
 		take_pose(b, m);
 		rest_update(world, b, k, s);
 		rested |= b->sleep_time >= world->settings.sleep_delay && b->sleep_time > 0.0f;
 		drives[k].ax = drives[k].ay = drives[k].alpha = 0.0f;
 		if (b->flags & CNI_BODY_MOVED)
-			boxes_update(world, b, dpx, dpy);
+			cni_body_look_ahead(world, b, cni_v(s->dt * m->vx, s->dt * m->vy));
 	}
 	world->broadphase_ops->settle(world->broadphase);
 	return rested;

@@ -2,8 +2,10 @@
  * stages/joint_solve.c - joints in the soft step: rows to impulses, for every type alike.
  *
  * Each awake joint gets a work item in a dense array: body indices, anchors turned with the bodies, rows. A
- * joint's rigid rows are solved together by the inverse of their K = J M^-1 J^T, the others one by one
- * before them. Springs use exact discrete coefficients and act in the soft pass only.
+ * joint's rigid rows are solved together by the inverse of their K = J M^-1 J^T. Every other row is combined
+ * with as much of the rigid ones as keeps their speeds out of it (a Schur complement): the rigid rows and
+ * it then do not disturb each other, it meets the mass that really moves, a pinned bar's about its pin, and
+ * one pass solves both. Springs use exact discrete coefficients and act in the soft pass only.
  *
  * Anchors turn within the step, so rows are built anew once a substep (before relax; the next substep's solve
  * starts from the same positions). Impulses already given acted along the old rows; the difference
@@ -41,6 +43,9 @@ static void row_push(const cni_row *r, float impulse, cni_motion *a, cni_motion 
 	b->vy += mb * r->by;
 	b->w += b->inv_inertia * impulse * r->bw;
 }
+
+/* Where element (i, k) of the symmetric inverse is. */
+static const uint8_t inverse_at[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
 
 /* Inverse of the symmetric K of one to three rigid rows; a singular direction gives nothing. */
 static void work_invert(cni_joint_work *w, const cni_motion *a, const cni_motion *b)
@@ -91,6 +96,43 @@ static int32_t row_turned_back(const cni_row *r, const cni_row *old)
 	return r->bx * old->bx + r->by * old->by + r->bw * old->bw + r->ax * old->ax + r->ay * old->ay + r->aw * old->aw < 0.0f;
 }
 
+/* out[i] = how much of rigid row i a row contains: -K_pp^-1 K_pr. */
+static void row_shares(const cni_joint_work *w, const cni_row *r, const cni_motion *a, const cni_motion *b, float *out)
+{
+	float k[CNI_JOINT_RIGID_ROWS];
+	int32_t i, l;
+	for (i = 0; i < w->rigid_count; ++i)
+		k[i] = row_mass(&w->rows[i], r, a, b);
+	for (i = 0; i < w->rigid_count; ++i) {
+		out[i] = 0.0f;
+		for (l = 0; l < w->rigid_count; ++l)
+			out[i] -= w->inverse[inverse_at[i][l]] * k[l];
+	}
+}
+
+static void row_add(cni_row *r, float share, const cni_row *rigid)
+{
+	r->ax += share * rigid->ax;
+	r->ay += share * rigid->ay;
+	r->aw += share * rigid->aw;
+	r->bx += share * rigid->bx;
+	r->by += share * rigid->by;
+	r->bw += share * rigid->bw;
+}
+
+/* Takes the rigid rows out of row k; its error is that of the type's row: joints are nearly closed. */
+static void row_decouple(cni_joint_work *w, int32_t k, const cni_motion *a, const cni_motion *b)
+{
+	cni_row *r = &w->rows[k];
+	float share[CNI_JOINT_RIGID_ROWS], mass;
+	int32_t i;
+	row_shares(w, r, a, b, share);
+	for (i = 0; i < w->rigid_count; ++i)
+		row_add(r, share[i], &w->rows[i]);
+	mass = row_mass(r, r, a, b);
+	w->single_mass[k] = mass > 0.0f ? 1.0f / mass : 0.0f;
+}
+
 static void work_build(const cn_world *world, cni_joint_work *w, const cni_motion *a, const cni_motion *b)
 {
 	const cni_joint *j = cni_joint_at(world, w->joint);
@@ -100,11 +142,28 @@ static void work_build(const cn_world *world, cni_joint_work *w, const cni_motio
 	w->rigid_count = 0;
 	for (k = 0; k < w->row_count; ++k)
 		w->rigid_count += w->rows[k].kind == CNI_ROW_RIGID;
-	for (k = w->rigid_count; k < w->row_count; ++k) {
-		float m = row_mass(&w->rows[k], &w->rows[k], a, b);
-		w->single_mass[k] = m > 0.0f ? 1.0f / m : 0.0f;
-	}
 	work_invert(w, a, b);
+	for (k = w->rigid_count; k < w->row_count; ++k)
+		row_decouple(w, k, a, b);
+}
+
+/* Impulses between the record, by the type's rows, and the work, by decoupled rows: sign +1 stores, -1 loads. */
+static void impulses_recouple(const cn_world *world, const cni_joint_work *w, float sign, float *impulse)
+{
+	const cni_joint *j = cni_joint_at(world, w->joint);
+	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
+	cni_joint_frame f = work_frame(w, a, b);
+	cni_row rows[CNI_JOINT_ROWS];
+	float share[CNI_JOINT_RIGID_ROWS];
+	int32_t i, k;
+	if (w->rigid_count == 0 || w->rigid_count == w->row_count)
+		return;
+	cni_joint_type_of(j->type)->rows(j, &f, rows);
+	for (k = w->rigid_count; k < w->row_count; ++k) {
+		row_shares(w, &rows[k], a, b, share);
+		for (i = 0; i < w->rigid_count; ++i)
+			impulse[i] += sign * share[i] * impulse[k];
+	}
 }
 
 void cni_joints_prepare(cn_world *world, const cni_solve *s)
@@ -114,13 +173,17 @@ void cni_joints_prepare(cn_world *world, const cni_solve *s)
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		cni_joint_work *w = works(world) + k;
 		const cni_joint *j = cni_joint_at(world, list[k]);
+		float impulse[CNI_JOINT_ROWS];
 		w->joint = list[k];
 		w->ia = j->body[0] == CNI_NONE ? 0 : cni_body_at(world, j->body[0])->awake;
 		w->ib = j->body[1] == CNI_NONE ? 0 : cni_body_at(world, j->body[1])->awake;
 		w->start = cni_joint_frame_make(world, j);
 		work_build(world, w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
+		for (r = 0; r < w->row_count; ++r)
+			impulse[r] = j->impulse[w->rows[r].slot];
+		impulses_recouple(world, w, -1.0f, impulse);
 		for (r = 0; r < w->row_count; ++r) {
-			w->rows[r].impulse = j->impulse[w->rows[r].slot];
+			w->rows[r].impulse = impulse[r];
 			if (w->rows[r].kind == CNI_ROW_SPRING)
 				w->spring = cni_soft_exact(w->rows[r].hertz, w->rows[r].damping_ratio, s->h);
 		}
@@ -143,7 +206,6 @@ void cni_joints_warm_start(cn_world *world, const cni_solve *s)
 
 static void solve_rigid(cni_joint_work *w, cni_motion *a, cni_motion *b, const cni_soft *soft)
 {
-	static const uint8_t at[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
 	float rhs[CNI_JOINT_RIGID_ROWS];
 	int32_t i, k;
 	for (i = 0; i < w->rigid_count; ++i)
@@ -151,7 +213,7 @@ static void solve_rigid(cni_joint_work *w, cni_motion *a, cni_motion *b, const c
 	for (i = 0; i < w->rigid_count; ++i) {
 		float dj = -soft->impulse_scale * w->rows[i].impulse;
 		for (k = 0; k < w->rigid_count; ++k)
-			dj -= w->inverse[at[i][k]] * rhs[k];
+			dj -= w->inverse[inverse_at[i][k]] * rhs[k];
 		w->rows[i].impulse += dj;
 		row_push(&w->rows[i], dj, a, b);
 	}
@@ -253,10 +315,14 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		const cni_joint_work *w = works(world) + k;
 		cni_joint *j = cni_joint_at(world, w->joint);
+		float impulse[CNI_JOINT_ROWS];
+		for (r = 0; r < w->row_count; ++r)
+			impulse[r] = w->rows[r].impulse;
+		impulses_recouple(world, w, 1.0f, impulse);
 		for (r = 0; r < CNI_JOINT_ROWS; ++r)
 			j->impulse[r] = 0.0f;
 		for (r = 0; r < w->row_count; ++r)
-			j->impulse[w->rows[r].slot] = w->rows[r].impulse;
+			j->impulse[w->rows[r].slot] = impulse[r];
 		j->inv_h = s->inv_h;
 	}
 }

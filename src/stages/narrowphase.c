@@ -12,7 +12,14 @@
  * ahead as they come closer in the step, so that they meet the surface instead of each other's inside; a
  * point that their motion does not reach is dropped.
  */
+#include "geometry/toi.h"
 #include "stages/solver.h"
+
+/* How a pair touches: the manifold, and where b's point is from a's now when the contact is still ahead. */
+typedef struct touch {
+	cni_manifold manifold;
+	cni_vec2 gap;
+} touch;
 
 typedef struct pair_motion {
 	cni_vec2 v;       /* velocity of b's centre relative to a's, in a's frame */
@@ -31,27 +38,90 @@ static pair_motion motion_make(const cn_world *world, const cni_body *a, const c
 	return m;
 }
 
-/* Keeps the points that are within the plain margin or are reached within the step. */
-static void drop_unreached(cni_manifold *out, const pair_motion *m, const cni_body *a, cni_vec2 b_center, float margin, float dt)
+/* Keeps the points that are within the plain margin or are reached within the step: the normal of one that is not
+   stays a separating axis. Returns the largest separation kept. */
+static float drop_unreached(cni_manifold *out, const pair_motion *m, const cni_body *a, cni_vec2 b_center, float margin, float dt)
 {
 	int32_t k, kept = 0;
+	float nearest = FLT_MAX;
 	for (k = 0; k < out->count; ++k) {
 		cni_vec2 p = out->points[k].point;
 		cni_vec2 ra = cni_sub(p, a->local_center), rb = cni_sub(p, b_center);
 		cni_vec2 v = cni_add(m->v, cni_sub(cni_mul(m->wb, cni_left_perp(rb)), cni_mul(m->wa, cni_left_perp(ra))));
 		float closing = -cni_dot(out->normal, v);
-		if (out->points[k].separation <= margin + cni_max(closing, 0.0f) * dt)
-			out->points[kept++] = out->points[k];
+		if (out->points[k].separation > margin + cni_max(closing, 0.0f) * dt)
+			continue;
+		nearest = cni_min(nearest, out->points[k].separation);
+		out->points[kept++] = out->points[k];
 	}
 	out->count = kept;
+	return nearest;
 }
 
-static void contact_collide(const cn_world *world, cni_contact *c, float dt, cni_manifold *out)
+static cni_path path_make(const cni_body *b, cni_vec2 from, const cni_motion *m, float dt)
+{
+	cni_path p;
+	p.start = cni_v((b->cx - from.x) + b->cx_low, (b->cy - from.y) + b->cy_low);
+	p.end = cni_v(p.start.x + dt * m->vx, p.start.y + dt * m->vy);
+	p.q = b->q;
+	p.turn = dt * m->w;
+	p.local_center = b->local_center;
+	return p;
+}
+
+/*
+ * A contact that is still ahead: the shapes are moved to where they will first meet, the manifold there is
+ * taken, and its points are traced back to now. So a fast body meets the surface that it would really hit,
+ * and is not held by the plane of what merely happens to be nearest.
+ */
+static void meet(const cn_world *world, const cni_body *a, const cni_body *b, const cni_manifold_input *near, float dt, touch *out)
+{
+	cni_manifold_input in = *near;
+	cni_manifold_cache cache = { 0, 0, { 0, 0 } };
+	cni_vec2 from = cni_v(a->cx, a->cy);
+	cni_transform xa, xb, a_now, b_now;
+	cni_toi_input toi;
+	cni_toi_result hit;
+	int32_t k;
+	toi.a = in.a;
+	toi.b = in.b;
+	toi.child_a = in.child_a;
+	toi.child_b = in.child_b;
+	toi.path_a = path_make(a, from, cni_motions(world) + a->awake, dt);
+	toi.path_b = path_make(b, from, cni_motions(world) + b->awake, dt);
+	toi.target = 0.5f * world->settings.slop;
+	toi.tolerance = 0.25f * world->settings.slop;
+	hit = cni_toi(&toi);
+	if (hit.state == CNI_TOI_SEPARATED)
+		out->manifold.count = 0;
+	if (hit.state != CNI_TOI_HIT)
+		return;
+	xa = cni_path_at(&toi.path_a, hit.fraction);
+	xb = cni_path_at(&toi.path_b, hit.fraction);
+	in.b_in_a.q = cni_rot_between(xa.q, xb.q);
+	in.b_in_a.t = cni_untransform_point(xa, xb.t);
+	in.margin = world->settings.contact_margin;
+	cni_manifold_function(in.a->type, in.b->type)(&in, &cache, &out->manifold);
+	if (out->manifold.count == 0)
+		return;
+	a_now = cni_path_at(&toi.path_a, 0.0f);
+	b_now = cni_path_at(&toi.path_b, 0.0f);
+	out->manifold.normal = cni_unrotate(a_now.q, cni_rotate(xa.q, out->manifold.normal));
+	for (k = out->manifold.count - 1; k >= 0; --k) { /* the gap of the first point stays */
+		cni_manifold_point *p = &out->manifold.points[k];
+		cni_vec2 on_b = cni_untransform_point(in.b_in_a, p->point);
+		cni_vec2 apart = cni_sub(cni_transform_point(b_now, on_b), cni_transform_point(a_now, p->point));
+		out->gap = cni_unrotate(a_now.q, apart);
+		p->separation += cni_dot(out->manifold.normal, out->gap);
+	}
+}
+
+static void contact_collide(const cn_world *world, cni_contact *c, float dt, touch *out)
 {
 	const cni_proxy *pa = cni_proxy_at(world, c->proxy[0]), *pb = cni_proxy_at(world, c->proxy[1]);
 	const cni_shape *sa = cni_shape_at(world, pa->shape), *sb = cni_shape_at(world, pb->shape);
 	const cni_body *a = cni_body_at(world, c->body[0]), *b = cni_body_at(world, c->body[1]);
-	float margin = world->settings.contact_margin;
+	float margin = world->settings.contact_margin, nearest;
 	pair_motion m = motion_make(world, a, b, dt);
 	cni_manifold_input in;
 	in.a = cni_shape_geometry(&world->blocks, sa);
@@ -61,10 +131,14 @@ static void contact_collide(const cn_world *world, cni_contact *c, float dt, cni
 	in.b_in_a = cni_body_b_in_a(a, b);
 	in.slop = world->settings.slop;
 	in.margin = cni_max(margin, m.reach);
-	out->count = 0;
-	cni_manifold_function(sa->type, sb->type)(&in, &c->cache, out);
-	if (m.reach > margin)
-		drop_unreached(out, &m, a, cni_transform_point(in.b_in_a, b->local_center), margin, dt);
+	out->manifold.count = 0;
+	out->gap = cni_v(0.0f, 0.0f);
+	cni_manifold_function(sa->type, sb->type)(&in, &c->cache, &out->manifold);
+	if (m.reach <= margin || out->manifold.count == 0)
+		return;
+	nearest = drop_unreached(&out->manifold, &m, a, cni_transform_point(in.b_in_a, b->local_center), margin, dt);
+	if (out->manifold.count > 0 && nearest > 2.0f * margin)
+		meet(world, a, b, &in, dt, out);
 }
 
 /* What the second part has to do for a contact. */
@@ -104,13 +178,13 @@ static void let_pass(const cn_world *world, cni_contact *c, cni_manifold *m)
 
 /* ---- sensors ---- */
 
-static int32_t sensor_update(cn_world *world, cni_contact *c, float dt)
+static int32_t sensor_update(cn_world *world, cni_contact *c)
 {
-	cni_manifold manifold;
+	touch t;
 	int32_t k, overlaps = 0, sensing = (c->flags & CNI_CONTACT_SENSING) != 0;
-	contact_collide(world, c, dt, &manifold);
-	for (k = 0; k < manifold.count; ++k)
-		overlaps |= manifold.points[k].separation <= 0.0f;
+	contact_collide(world, c, 0.0f, &t);
+	for (k = 0; k < t.manifold.count; ++k)
+		overlaps |= t.manifold.points[k].separation <= 0.0f;
 	if (overlaps)
 		return sensing ? CHANGE_NONE : CHANGE_BEGIN;
 	return sensing || !boxes_overlap(world, c) ? CHANGE_END : CHANGE_NONE;
@@ -131,9 +205,9 @@ static void ask_user(cn_world *world, int32_t contact)
 		cni_contact_write_empty(world, contact);
 }
 
-static void write_and_ask(cn_world *world, int32_t contact, const cni_manifold *manifold)
+static void write_and_ask(cn_world *world, int32_t contact, const touch *t)
 {
-	cni_contact_write(world, contact, manifold);
+	cni_contact_write(world, contact, &t->manifold, t->gap);
 	if (cni_contact_at(world, contact)->flags & CNI_CONTACT_PRE_SOLVE)
 		ask_user(world, contact);
 }
@@ -143,21 +217,21 @@ static int32_t contact_update(cn_world *world, int32_t contact, float dt)
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	int32_t touching = (c->flags & CNI_CONTACT_TOUCHING) != 0;
-	cni_manifold manifold;
+	touch t;
 	c->flags &= ~(uint32_t)CNI_CONTACT_ENTERED;
 	if (c->flags & CNI_CONTACT_ASLEEP)
 		return CHANGE_NONE;
 	if (c->flags & CNI_CONTACT_SENSOR)
-		return sensor_update(world, c, dt);
-	contact_collide(world, c, dt, &manifold);
-	if (manifold.count > 0 && !boxes_overlap(world, c))
-		manifold.count = 0; /* the reach of a fast pair: a pair whose boxes are apart ends, or it would be found twice */
+		return sensor_update(world, c);
+	contact_collide(world, c, dt, &t);
+	if (t.manifold.count > 0 && !boxes_overlap(world, c))
+		t.manifold.count = 0; /* the reach of a fast pair: a pair whose boxes are apart ends, or it would be found twice */
 	if (c->flags & CNI_CONTACT_ONE_WAY)
-		let_pass(world, c, &manifold);
-	if (manifold.count > 0 && !touching)
+		let_pass(world, c, &t.manifold);
+	if (t.manifold.count > 0 && !touching)
 		return CHANGE_BEGIN;
-	if (manifold.count > 0)
-		write_and_ask(world, contact, &manifold);
+	if (t.manifold.count > 0)
+		write_and_ask(world, contact, &t);
 	else if (touching || !boxes_overlap(world, c))
 		return CHANGE_END;
 	return c->flags & (CNI_CONTACT_CREATED_OWED | CNI_CONTACT_ENTER_OWED) ? CHANGE_OWED : CHANGE_NONE;
@@ -177,11 +251,11 @@ static void pay_owed(cn_world *world, int32_t contact, uint32_t owed, int32_t ki
    takes more memory than the contacts themselves. */
 static void change_begin(cn_world *world, int32_t contact, float dt)
 {
-	cni_manifold manifold;
-	contact_collide(world, cni_contact_at(world, contact), dt, &manifold);
-	if (manifold.count == 0)
+	touch t;
+	contact_collide(world, cni_contact_at(world, contact), dt, &t);
+	if (t.manifold.count == 0)
 		return;
-	if (cni_contact_begin(world, contact, &manifold)) {
+	if (cni_contact_begin(world, contact, &t.manifold, t.gap)) {
 		if (cni_contact_at(world, contact)->flags & CNI_CONTACT_PRE_SOLVE)
 			ask_user(world, contact);
 		return;

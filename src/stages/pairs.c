@@ -15,12 +15,26 @@ static void pair_lose(cn_world *world, const cni_pair *pair)
 	++world->pairs_not_added;
 }
 
-void cni_stage_pairs(cn_world *world)
+/* Bodies whose velocity was set from outside since the last step. */
+static void kicked_look_ahead(cn_world *world, float dt)
+{
+	int32_t k;
+	for (k = 0; k < world->kicked.count; ++k) {
+		int32_t body = cni_handles_find(&world->body_handles, ((const cn_body *)world->kicked.data)[k]);
+		const cni_body *b = body == CNI_NONE ? NULL : cni_body_at(world, body);
+		if (b != NULL && b->awake != 0)
+			cni_body_look_ahead(world, b, cni_mul(dt, cni_body_velocity(world, b).linear_mps));
+	}
+	world->kicked.count = 0;
+}
+
+void cni_stage_pairs(cn_world *world, float dt)
 {
 	cni_broadphase_pairs *pairs = &world->pairs;
 	const cni_pair *list;
 	int32_t k, may_repeat = world->pairs_may_repeat;
 	world->pairs_may_repeat = 0;
+	kicked_look_ahead(world, dt);
 	world->broadphase_ops->update(world->broadphase, cni_contact_allowed, world, pairs);
 	if (pairs->pairs_lost > 0) {
 		world->warnings |= CN_WARNING_CONTACT_MEMORY;

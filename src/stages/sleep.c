@@ -74,9 +74,11 @@ static void split_one(cn_world *world)
 static int32_t may_sleep(const cn_world *world, const cni_body *b)
 {
 	float delay = world->settings.sleep_delay;
+	const cni_island *i;
 	if (b->island == CNI_NONE)
 		return b->sleep_time >= delay && b->sleep_time > 0.0f;
-	return cni_island_at(world, b->island)->losses == 0 && cni_island_at(world, b->island)->rest_time >= delay;
+	i = cni_island_at(world, b->island);
+	return i->losses == 0 && i->rest_time >= delay && i->rest_time > 0.0f;
 }
 
 void cni_stage_sleep(cn_world *world)

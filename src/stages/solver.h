@@ -47,7 +47,7 @@ cni_soft cni_soft_implicit(float hertz, float damping_ratio, float h);
 cni_soft cni_soft_exact(float hertz, float damping_ratio, float h);
 
 /* Stage 2: new pairs become contacts. Writes contacts, proxies' lists, warnings. */
-void cni_stage_pairs(cn_world *world);
+void cni_stage_pairs(cn_world *world, float dt);
 /* Stage 3 and 4: manifolds into lanes; begins and ends of touching, ended pairs. Writes contacts,
    lanes, islands, events. */
 void cni_stage_narrowphase(cn_world *world, float dt);
@@ -68,6 +68,8 @@ void cni_joints_solve(cn_world *world, const cni_solve *s);
 void cni_joints_relax(cn_world *world, const cni_solve *s);
 void cni_joints_store(cn_world *world, const cni_solve *s);
 
+/* Stage 8, first part: shortens the changes of fast bodies that would pass through things. Before any box moves. */
+void cni_stage_continuous(cn_world *world);
 /* Stage 8: poses, boxes, speed limits, rest timers. Returns 1 when some body has rested long enough to sleep. */
 int32_t cni_stage_finalize(cn_world *world, const cni_solve *s);
 /* The part of it that moves bodies by their change, and the boxes after them: sequential solver. */

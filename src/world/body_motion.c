@@ -29,10 +29,13 @@ static void end_contacts_apart(cn_world *world, int32_t body)
 	int32_t key = cni_body_at(world, body)->contact_first;
 	while (key != CNI_NONE) {
 		const cni_contact *c = cni_contact_of_key(world, key);
-		int32_t contact = key >> 1;
+		int32_t contact = key >> 1, proxy = c->proxy[key & 1];
 		key = c->next[key & 1];
-		if (!cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat))
-			cni_contact_destroy(world, contact);
+		if (cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat))
+			continue;
+		cni_contact_destroy(world, contact);
+		/* Were they together at the last step and again at the next, the pair would not be new. */
+		world->broadphase_ops->touch(world->broadphase, proxy);
 	}
 }
 
@@ -53,6 +56,7 @@ cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, fl
 	cni_body_wake(world, index);
 	cni_body_set_transform(world, index, position_m, cni_sincos(angle_rad));
 	end_contacts_apart(world, index);
+	cni_body_wake_met(world, index);
 	world->pairs_may_repeat = 1; /* the boxes may have been apart and be together again */
 	return CN_OK;
 }
@@ -136,6 +140,7 @@ cn_result cn_body_set_velocity(cn_world *world, cn_body body, float linear_x_mps
 	if (linear_mps.x != 0.0f || linear_mps.y != 0.0f || angular_radps != 0.0f)
 		cni_body_wake(world, cni_index_of(body));
 	cni_body_store_velocity(world, b, v);
+	cni_body_kick(world, cni_index_of(body));
 	return CN_OK;
 }
 
@@ -243,6 +248,7 @@ static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, cni_
 		return cni_refuse(call, CN_ERROR_ARGUMENT, "the velocity after the impulse must stay finite");
 	cni_body_wake(world, cni_index_of(body));
 	cni_body_store_velocity(world, b, v);
+	cni_body_kick(world, cni_index_of(body));
 	return CN_OK;
 }
 

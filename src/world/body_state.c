@@ -147,7 +147,7 @@ static void set_enabled(cn_world *world, int32_t body, int32_t enabled)
 	chain = joints_unlink(world, b);
 	if (enabled) {
 		b->flags |= CN_BODY_ENABLED;
-		cni_body_wake(world, body);
+		cni_body_wake_met(world, body);
 	} else {
 		leave_simulation(world, body);
 		unplace_all(world, b, CNI_NONE);
@@ -197,6 +197,12 @@ cn_result cn_body_get_flags(const cn_world *world, cn_body body, uint32_t *out_f
 
 /* ------------------------------------------------------------------ awake */
 
+/* An island that lost links may hold bodies that no longer hang together: they must not sleep with it. */
+static int32_t island_tighten(cn_world *world, const cni_body *b)
+{
+	return b->island == CNI_NONE || cni_island_at(world, b->island)->losses == 0 || cni_island_split(world, b->island);
+}
+
 cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake)
 {
 	cni_call call = cni_enter(world, __func__);
@@ -209,7 +215,7 @@ cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake)
 	}
 	if (b->awake == 0)
 		return CN_OK;
-	if (!cni_body_put_to_sleep(world, cni_index_of(body)))
+	if (!cni_body_reserve_sleep(world, cni_index_of(body)) || !island_tighten(world, b) || !cni_body_put_to_sleep(world, cni_index_of(body)))
 		return cni_refuse(&call, CN_ERROR_MEMORY, "no memory for contacts at rest");
 	world->events.moved_built = 0;
 	return CN_OK;

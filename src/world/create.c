@@ -11,7 +11,7 @@
 #include <string.h>
 
 /* Items in a page of each table, as powers of two: small first pages keep an empty world small. */
-enum { PAGE_BODIES = 5, PAGE_SHAPES = 5, PAGE_PROXIES = 6, PAGE_CONTACTS = 6, PAGE_BLOCKS = 2, PAGE_JOINTS = 5, PAGE_ISLANDS = 5 };
+enum { PAGE_BODIES = 4, PAGE_SHAPES = 4, PAGE_PROXIES = 5, PAGE_CONTACTS = 6, PAGE_BLOCKS = 2, PAGE_JOINTS = 5, PAGE_ISLANDS = 5 };
 
 void cn_world_def_init(cn_world_def *def)
 {
@@ -19,7 +19,7 @@ void cn_world_def_init(cn_world_def *def)
 		return;
 	memset(def, 0, sizeof *def);
 	def->struct_size = (uint32_t)sizeof *def;
-	def->flags = CN_WORLD_SLEEP | CN_WORLD_WARM_START;
+	def->flags = CN_WORLD_SLEEP | CN_WORLD_WARM_START | CN_WORLD_CONTINUOUS;
 	def->gravity_mps2.y = -10.0f;
 	def->length_unit_m = 1.0f;
 	def->substep_count = 4;
@@ -63,7 +63,7 @@ static void def_check(cni_call *call, const cn_world_def *d)
 	if (call->result != CN_OK)
 		return;
 	cni_check_struct_size(call, d->struct_size, sizeof *d, "cn_world_def_init");
-	cni_check_flags(call, "flags", d->flags, CN_WORLD_SLEEP | CN_WORLD_WARM_START | CN_WORLD_PROFILE);
+	cni_check_flags(call, "flags", d->flags, CN_WORLD_SLEEP | CN_WORLD_WARM_START | CN_WORLD_PROFILE | CN_WORLD_CONTINUOUS);
 	def_check_numbers(call, d);
 	def_check_memory(call, d);
 }
@@ -133,6 +133,7 @@ static void tables_init(cn_world *world)
 	cni_array_init(&world->start, (int32_t)sizeof(cni_velocity_start));
 	cni_array_init(&world->drive, (int32_t)sizeof(cni_drive));
 	cni_array_init(&world->awake_id, (int32_t)sizeof(int32_t));
+	cni_array_init(&world->kicked, (int32_t)sizeof(cn_body));
 	cni_array_init(&world->previous, (int32_t)sizeof(cni_previous));
 	cni_array_init(&world->awake_contacts, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->changes, (int32_t)sizeof(uint32_t));
@@ -169,6 +170,7 @@ static void tables_deinit(cn_world *world)
 	cni_array_deinit(&world->start, memory);
 	cni_array_deinit(&world->drive, memory);
 	cni_array_deinit(&world->awake_id, memory);
+	cni_array_deinit(&world->kicked, memory);
 	cni_array_deinit(&world->previous, memory);
 	cni_array_deinit(&world->awake_contacts, memory);
 	cni_array_deinit(&world->awake_joints, memory);
@@ -223,14 +225,14 @@ static int32_t reserve_records(cn_world *world, const cn_world_def *d)
 	       cni_handles_reserve(&world->shape_handles, m, shapes) == CN_OK && cni_table_reserve(&world->shapes, m, shapes) &&
 	       cni_handles_reserve(&world->joint_handles, m, joints) == CN_OK && cni_table_reserve(&world->joints, m, joints) &&
 	       cni_body_reserve(world, d->body_capacity) == CN_OK && cni_table_reserve(&world->proxies, m, d->shape_capacity) &&
-	       cni_island_reserve(world, d->body_capacity / 2 + 1);
+	       cni_island_reserve(world, d->body_capacity / 2 + 2);
 }
 
 static int32_t reserve_contacts(cn_world *world, const cn_world_def *d)
 {
 	cni_memory *m = &world->memory;
 	int32_t n = d->contact_capacity;
-	return cni_contact_reserve(world, n) == CN_OK && cni_lane_reserve(world, n) && cni_contact_reserve_end(world, n) == CN_OK &&
+	return cni_contact_reserve(world, n) == CN_OK && cni_lane_reserve(world, n) &&
 	       cni_array_reserve_exact(&world->awake_joints, m, d->joint_capacity) &&
 	       cni_array_reserve_exact(&world->joint_work, m, d->joint_capacity);
 }
@@ -243,6 +245,14 @@ static int32_t reserve_pieces(cn_world *world, const cn_world_def *d)
 	       cni_blocks_reserve(blocks, CN_NAME_MAX_BYTES + 1, d->body_capacity);
 }
 
+/* An island's search, the broadphase's pass over all boxes (see its files), and sorting the new pairs. */
+static uint64_t arena_bytes(const cn_world_def *d)
+{
+	uint64_t boxes = 2048u + 40u * (uint64_t)d->shape_capacity, pairs = 64u + sizeof(cni_pair) * (uint64_t)d->contact_capacity;
+	uint64_t island = 64u + 8u * (uint64_t)d->body_capacity;
+	return (boxes > pairs ? boxes : pairs) + island;
+}
+
 /* What only a fixed world takes beforehand: everything that a growing one takes when it comes to it. */
 static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 {
@@ -253,9 +263,11 @@ static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 			return 0;
 	}
 	return reserve_pieces(world, d) && cni_array_reserve_exact(&world->sleep_lanes, m, n) && cni_array_reserve_exact(&world->pairs.list, m, n) &&
-	       cni_array_reserve_exact(&world->events.asleep, m, d->body_capacity) &&
-	       cni_array_reserve_exact(&world->events.moved, m, d->body_capacity) &&
-	       cni_arena_reserve(&world->arena, 4096u + 8u * (uint64_t)d->body_capacity + 128u * (uint64_t)d->shape_capacity);
+	       cni_array_reserve_exact(&world->events.asleep, m, 2 * d->body_capacity) &&
+	       cni_array_reserve_exact(&world->events.moved, m, 2 * d->body_capacity + 1) &&
+	       cni_array_reserve_exact(&world->kicked, m, 2 * d->body_capacity) &&
+	       cni_array_reserve_exact(&world->previous, m, with_spares(d->body_capacity)) &&
+	       cni_arena_reserve(&world->arena, arena_bytes(d));
 }
 
 static uint64_t array_bytes(int32_t count, size_t item)
@@ -277,19 +289,20 @@ static uint64_t records_bytes(const cn_world_def *d)
 	static const struct { int32_t item, shift; } sizes[] = {
 		{ (int32_t)sizeof(cni_body), PAGE_BODIES }, { (int32_t)sizeof(cni_shape), PAGE_SHAPES }, { (int32_t)sizeof(cni_joint), PAGE_JOINTS },
 		{ (int32_t)sizeof(cni_proxy), PAGE_PROXIES }, { (int32_t)sizeof(cni_island), PAGE_ISLANDS }, { (int32_t)sizeof(cni_contact), PAGE_CONTACTS },
-		{ (int32_t)sizeof(cni_contact_block), PAGE_BLOCKS }, { (int32_t)sizeof(cni_block_info), PAGE_BLOCKS }
+		{ (int32_t)sizeof(cni_contact_block), PAGE_BLOCKS }, { (int32_t)sizeof(cni_block_info), PAGE_BLOCKS },
+		{ (int32_t)sizeof(cni_block_extra), PAGE_BLOCKS }
 	};
 	int32_t blocks = d->contact_capacity / CNI_LANES + cni_min_i(d->contact_capacity, CNI_COLORS);
-	int32_t counts[8], k;
+	int32_t counts[9], k;
 	uint64_t bytes = 0;
 	counts[0] = with_spares(d->body_capacity);
 	counts[1] = with_spares(d->shape_capacity);
 	counts[2] = with_spares(d->joint_capacity);
 	counts[3] = d->shape_capacity;
-	counts[4] = d->body_capacity / 2 + 1;
+	counts[4] = d->body_capacity / 2 + 2;
 	counts[5] = d->contact_capacity;
-	counts[6] = counts[7] = blocks;
-	for (k = 0; k < 8; ++k) {
+	counts[6] = counts[7] = counts[8] = blocks;
+	for (k = 0; k < 9; ++k) {
 		cni_table table;
 		cni_table_init(&table, sizes[k].item, sizes[k].shift);
 		bytes += cni_table_bytes_for(&table, counts[k]);
@@ -297,19 +310,28 @@ static uint64_t records_bytes(const cn_world_def *d)
 	return bytes;
 }
 
-/* Arrays that grow by reserve may take half as much again. */
+static uint64_t body_arrays_bytes(int32_t n)
+{
+	return array_bytes(n + 1, sizeof(cni_motion)) + array_bytes(n + 1, sizeof(cni_velocity_start)) + array_bytes(n + 1, sizeof(cni_drive)) +
+	       array_bytes(n + 1, sizeof(int32_t)) + 2u * array_bytes(2 * n, sizeof(cn_body)) + array_bytes(2 * n + 1, sizeof(cn_body_moved)) +
+	       array_bytes(with_spares(n), sizeof(cni_previous)) + array_bytes(with_spares(n), sizeof(uint32_t));
+}
+
+/* The last line is for the event arrays that users ask for: all that a contact can do in a step but for being
+   created, for twice as many contacts, because those arrays grow. */
+static uint64_t contact_arrays_bytes(int32_t n)
+{
+	return 2u * array_bytes(n, sizeof(int32_t)) + 6u * array_bytes(n, sizeof(cni_event)) + 2u * array_bytes(n, sizeof(cn_sensor_event)) +
+	       array_bytes(n, sizeof(cni_sleep_lane)) + array_bytes(n, sizeof(cni_pair)) +
+	       2u * array_bytes(n, sizeof(cn_contact_event));
+}
+
 static uint64_t arrays_bytes(const cn_world_def *d)
 {
-	int32_t bodies = d->body_capacity + 1, n = d->contact_capacity, joints = d->joint_capacity;
-	uint64_t bytes = array_bytes(bodies, sizeof(cni_motion)) + array_bytes(bodies, sizeof(cni_velocity_start)) +
-	                 array_bytes(bodies, sizeof(cni_drive)) + 3u * array_bytes(bodies, sizeof(int32_t)) +
-	                 array_bytes(with_spares(d->body_capacity), 4) + array_bytes(with_spares(d->shape_capacity), 4) + array_bytes(with_spares(joints), 4) +
-	                 array_bytes(n, sizeof(int32_t)) + 2u * array_bytes(n, sizeof(cni_event));
-	bytes += bytes / 2u;
-	return bytes + 4u * array_bytes(n, sizeof(cni_event)) + array_bytes(n, sizeof(cni_sleep_lane)) + array_bytes(n, sizeof(cni_pair)) +
-	       array_bytes(n, sizeof(cni_manifold) + 16u) + array_bytes(d->body_capacity, sizeof(cn_body)) +
-	       array_bytes(d->body_capacity, sizeof(cn_body_moved)) + array_bytes(joints, sizeof(cni_joint_work)) + array_bytes(joints, 4) +
-	       8192u + 8u * (uint64_t)d->body_capacity + 128u * (uint64_t)d->shape_capacity;
+	int32_t joints = d->joint_capacity;
+	return body_arrays_bytes(d->body_capacity) + contact_arrays_bytes(d->contact_capacity) + array_bytes(with_spares(d->shape_capacity), sizeof(uint32_t)) +
+	       array_bytes(with_spares(joints), sizeof(uint32_t)) + array_bytes(joints, sizeof(cni_joint_work)) + array_bytes(joints, sizeof(int32_t)) +
+	       array_bytes(1, (size_t)arena_bytes(d));
 }
 
 cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes)

@@ -60,6 +60,11 @@ int32_t cn_sizeof(int32_t type)
 	case CN_TYPE_COUNTERS: return (int32_t)sizeof(cn_counters);
 	case CN_TYPE_PROFILE: return (int32_t)sizeof(cn_profile);
 	case CN_TYPE_MEMORY_STATS: return (int32_t)sizeof(cn_memory_stats);
+	case CN_TYPE_QUERY_FILTER: return (int32_t)sizeof(cn_query_filter);
+	case CN_TYPE_RAY: return (int32_t)sizeof(cn_ray);
+	case CN_TYPE_RAY_HIT: return (int32_t)sizeof(cn_ray_hit);
+	case CN_TYPE_CLOSEST: return (int32_t)sizeof(cn_closest);
+	case CN_TYPE_EXPLOSION_DEF: return (int32_t)sizeof(cn_explosion_def);
 	default: return 0;
 	}
 }

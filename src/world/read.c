@@ -144,6 +144,7 @@ cn_result cn_world_write_velocities(cn_world *world, const cn_body *bodies, int3
 		if (!velocity_is_zero(velocities + k))
 			cni_body_wake(world, body);
 		cni_body_store_velocity(world, cni_body_at(world, body), velocities[k]);
+		cni_body_kick(world, body);
 	}
 	return call.result;
 }

@@ -27,7 +27,7 @@ cn_result cn_shape_attach(cn_world *world, cn_shape shape, cn_body body)
 		return call.result;
 	}
 	cni_body_update_mass(world, cni_index_of(body));
-	cni_body_wake(world, cni_index_of(body));
+	cni_body_wake_grown(world, cni_index_of(body));
 	return CN_OK;
 }
 
@@ -122,6 +122,18 @@ static int32_t first_contact(const cn_world *world, int32_t shape)
 static int32_t next_contact(const cn_world *world, int32_t key, int32_t shape)
 {
 	return contact_key_of_shape(world, cni_contact_of_key(world, key)->next[key & 1], shape);
+}
+
+/* The shape may meet others from now on: what sleeps there must be looked at in the next step. */
+static void wake_met(cn_world *world, int32_t shape)
+{
+	int32_t body = cni_shape_at(world, shape)->body;
+	if (body == CNI_NONE)
+		return;
+	if (cni_body_at(world, body)->type == CN_BODY_STATIC)
+		cni_shape_wake_met(world, shape);
+	else
+		cni_body_wake(world, body);
 }
 
 static void wake_touching(cn_world *world, const cni_contact *c)
@@ -219,6 +231,7 @@ cn_result cn_shape_set_filter(cn_world *world, cn_shape shape, const cn_filter *
 	s->group = filter->group;
 	end_forbidden_contacts(world, cni_index_of(shape));
 	cni_shape_look_again(world, cni_index_of(shape));
+	wake_met(world, cni_index_of(shape));
 	return CN_OK;
 }
 
@@ -284,6 +297,7 @@ cn_result cn_shape_set_flags(cn_world *world, cn_shape shape, uint32_t flags)
 		cni_contact_destroy_of_shape(world, index);
 	s->flags = (uint8_t)flags;
 	cni_shape_look_again(world, index);
+	wake_met(world, index);
 	return CN_OK;
 }
 

@@ -139,7 +139,7 @@ static cn_result shape_create(cni_call *call, cn_world *world, const cn_shape_de
 	shape = cni_handles_take(&world->shape_handles);
 	if (def->body != 0) {
 		cni_body_update_mass(world, cni_index_of(def->body));
-		cni_body_wake(world, cni_index_of(def->body));
+		cni_body_wake_grown(world, cni_index_of(def->body));
 	}
 	if (out_shape != NULL)
 		*out_shape = cni_handles_of(&world->shape_handles, shape);

@@ -62,7 +62,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	cn_profile *profile = &world->profile;
 	cni_solve s = cni_solve_make(world, dt);
 	int32_t rested;
-	cni_stage_pairs(world);
+	cni_stage_pairs(world, dt);
 	profile_mark(world, &profile->broadphase_s, mark);
 	cni_stage_narrowphase(world, dt);
 	profile_mark(world, &profile->narrowphase_s, mark);
@@ -74,6 +74,8 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	substeps_run(world, &s);
 	cni_joints_store(world, &s);
 	profile_mark(world, &profile->substeps_s, mark);
+	if (world->settings.flags & CN_WORLD_CONTINUOUS)
+		cni_stage_continuous(world);
 	rested = cni_stage_finalize(world, &s);
 	profile_mark(world, &profile->finalize_s, mark);
 	return rested;
@@ -91,7 +93,7 @@ static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
 		cni_sequential_constraints(world, &s);                 /* 3 */
 	}
 	profile_mark(world, &profile->prepare_s, mark);
-	cni_stage_pairs(world);                                    /* 5 */
+	cni_stage_pairs(world, dt);                                    /* 5 */
 	profile_mark(world, &profile->broadphase_s, mark);
 	cni_stage_narrowphase(world, 0.0f);                        /* 6 */
 	profile_mark(world, &profile->narrowphase_s, mark);

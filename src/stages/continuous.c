@@ -1,0 +1,161 @@
+/*
+ * stages/continuous.c - the last guard against passing through things (part of stage 8).
+ *
+ * Most fast bodies are stopped by contacts that the narrowphase finds ahead of them. What is left are bodies
+ * that were made fast within the step. Before a body takes a pose that is farther away than half its inner
+ * radius, the core of each of its shapes, shrunk by that much, is moved along its path against the static
+ * shapes there (for bullets: against all, each on its own path); at the first meeting the rest of the path is given up for this step.
+ * A shape that merely rests on or slides along something keeps its core clear of it, so nothing catches.
+ *
+ * Reads bodies, shapes, the broadphase; writes the one body's change in motion.
+ */
+#include "geometry/toi.h"
+#include "stages/solver.h"
+
+#include <string.h>
+
+enum {
+	CLAMP_STATIC, /* stops at static shapes */
+	CLAMP_ALL     /* a bullet: at every shape */
+};
+
+/* Does the step's change carry the body so far that something could be left behind it unseen? */
+static int32_t body_is_fast(const cni_body *b, const cni_motion *m)
+{
+	float most = 0.5f * b->core, turn = m->theta * b->extent;
+	return b->type == CN_BODY_DYNAMIC && m->dpx * m->dpx + m->dpy * m->dpy + turn * turn > most * most;
+}
+
+/* Room for any shape but a chain. */
+typedef struct core_shape {
+	cni_geometry geometry;
+	cni_vec2 points[2 * CN_POLYGON_MAX_VERTICES];
+} core_shape;
+
+/* Moves each vertex inwards so that the edges move by depth. */
+static void polygon_shrink(core_shape *core, float depth)
+{
+	const int32_t n = core->geometry.count;
+	const cni_vec2 *normals = core->points + n;
+	int32_t k;
+	for (k = 0; k < n; ++k) {
+		cni_vec2 before = normals[(k + n - 1) % n], after = normals[k];
+		float scale = depth / cni_max(1.0f + cni_dot(before, after), 0.1f);
+		core->points[k] = cni_sub(core->points[k], cni_mul(scale, cni_add(before, after)));
+	}
+}
+
+static void core_make(const cni_geometry *g, core_shape *core)
+{
+	float depth = 0.5f * g->inner_radius, from_radius = cni_min(depth, g->radius);
+	memcpy(core, g, (size_t)cni_geometry_bytes(g->type, g->count));
+	core->geometry.radius = g->radius - from_radius;
+	if (g->type == CN_SHAPE_POLYGON && depth > from_radius)
+		polygon_shrink(core, depth - from_radius);
+}
+
+typedef struct clamp {
+	cn_world *world;
+	const cni_body *body;
+	int32_t what;
+	int32_t proxy;       /* of the shape that moves */
+	cni_path path;
+	core_shape core;
+	float fraction;      /* of the path that is free so far */
+} clamp;
+
+static cni_path body_path(const cni_body *b, cni_vec2 from, float dpx, float dpy, float theta)
+{
+	cni_path p;
+	p.start = cni_v((b->cx - from.x) + b->cx_low, (b->cy - from.y) + b->cy_low);
+	p.end = cni_v(p.start.x + dpx, p.start.y + dpy);
+	p.q = b->q;
+	p.turn = theta;
+	p.local_center = b->local_center;
+	return p;
+}
+
+static int32_t other_stops(const clamp *c, int32_t proxy)
+{
+	const cn_world *world = c->world;
+	const cni_shape *s = cni_shape_at(world, cni_proxy_at(world, proxy)->shape);
+	if (c->what == CLAMP_STATIC && cni_body_at(world, s->body)->type != CN_BODY_STATIC)
+		return 0;
+	if (s->flags & (CN_SHAPE_SENSOR | CN_SHAPE_ONE_WAY))
+		return 0;
+	return cni_contact_allowed(world, c->proxy, proxy);
+}
+
+static float visit(void *context, int32_t proxy, float limit)
+{
+	clamp *c = (clamp *)context;
+	const cn_world *world = c->world;
+	const cni_proxy *p = cni_proxy_at(world, proxy);
+	const cni_shape *s = cni_shape_at(world, p->shape);
+	const cni_body *other = cni_body_at(world, s->body);
+	const cni_motion *motion;
+	cni_toi_input in;
+	cni_toi_result hit;
+	if (!other_stops(c, proxy))
+		return limit;
+	in.a = cni_shape_geometry(&world->blocks, s);
+	in.b = &c->core.geometry;
+	in.child_a = p->child;
+	in.child_b = 0;
+	motion = cni_motions(world) + other->awake; /* the dummy for static ones */
+	in.path_a = body_path(other, cni_v(c->body->cx, c->body->cy), motion->dpx, motion->dpy, motion->theta);
+	in.path_b = c->path;
+	in.target = 0.5f * world->settings.slop;
+	in.tolerance = 0.25f * world->settings.slop;
+	hit = cni_toi(&in);
+	if ((hit.state == CNI_TOI_HIT || hit.state == CNI_TOI_FAILED) && hit.fraction > 0.0f)
+		c->fraction = cni_min(c->fraction, hit.fraction);
+	return limit;
+}
+
+/* The box that a shape covers on the way, at whatever angle. */
+static cni_aabb swept_box(const cni_body *b, const cni_motion *m)
+{
+	cni_aabb box;
+	box.x0 = b->cx + cni_min(m->dpx, 0.0f) - b->extent;
+	box.x1 = b->cx + cni_max(m->dpx, 0.0f) + b->extent;
+	box.y0 = b->cy + cni_min(m->dpy, 0.0f) - b->extent;
+	box.y1 = b->cy + cni_max(m->dpy, 0.0f) + b->extent;
+	return box;
+}
+
+static void clamp_body(cn_world *world, int32_t body, int32_t what)
+{
+	const cni_body *b = cni_body_at(world, body);
+	cni_motion *m = cni_motions(world) + b->awake;
+	cni_aabb box = swept_box(b, m);
+	int32_t shape;
+	clamp c;
+	c.world = world;
+	c.body = b;
+	c.what = what;
+	c.fraction = 1.0f;
+	c.path = body_path(b, cni_v(b->cx, b->cy), m->dpx, m->dpy, m->theta);
+	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+		const cni_shape *s = cni_shape_at(world, shape);
+		c.proxy = cni_shape_proxy(world, s, 0);
+		if (s->type == CN_SHAPE_CHAIN || (s->flags & CN_SHAPE_SENSOR) || c.proxy == CNI_NONE)
+			continue;
+		core_make(cni_shape_geometry(&world->blocks, s), &c.core);
+		world->broadphase_ops->query(world->broadphase, &box, visit, &c);
+	}
+	m->dpx *= c.fraction;
+	m->dpy *= c.fraction;
+	m->theta *= c.fraction;
+}
+
+void cni_stage_continuous(cn_world *world)
+{
+	const int32_t *ids = cni_awake_ids(world);
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		const cni_body *b = cni_body_at(world, ids[k]);
+		if (body_is_fast(b, cni_motions(world) + k))
+			clamp_body(world, ids[k], b->flags & CN_BODY_BULLET ? CLAMP_ALL : CLAMP_STATIC);
+	}
+}

@@ -1,0 +1,75 @@
+/*
+ * world/query.h - what all queries share: which shapes they see, points in and out of a body's frame, the
+ * convex region that is looked at or moved, and lists that keep the first few of a stream in order.
+ *
+ * Queries only read: they may run on several threads at once, and take no memory. What they find does not
+ * depend on the order in which the broadphase visits: equals are told apart by shape and child.
+ */
+#ifndef CNI_WORLD_QUERY_H
+#define CNI_WORLD_QUERY_H
+
+#include "world/error.h"
+#include "geometry/distance.h"
+
+/* One broadphase box that a query looks at. */
+typedef struct cni_query_target {
+	const cni_shape *shape;
+	const cni_body *body;          /* NULL for an unattached shape: its frame is the world */
+	const cni_geometry *geometry;
+	int32_t index;                 /* of the shape */
+	int32_t child;
+} cni_query_target;
+
+/* The one place that decides whether a query sees a shape. */
+int32_t cni_query_sees(const cni_shape *shape, const cn_query_filter *filter);
+/* 0 when the filter does not see its shape. */
+int32_t cni_query_target_of(const cn_world *world, int32_t proxy, const cn_query_filter *filter, cni_query_target *out);
+
+/* Between the world and a body's frame by differences from its centre of mass; body may be NULL. */
+cni_vec2 cni_query_to_local(const cni_body *body, cni_vec2 point);
+cni_vec2 cni_query_to_world(const cni_body *body, cni_vec2 local);
+cni_vec2 cni_query_turn_to_local(const cni_body *body, cni_vec2 vector);
+cni_vec2 cni_query_turn_to_world(const cni_body *body, cni_vec2 local);
+
+/* NULL means the defaults. */
+cn_query_filter cni_query_filter_or_default(const cn_query_filter *filter);
+
+/* ---- a convex region: points relative to one of them, so that checks and distances keep their digits */
+
+typedef struct cni_region {
+	cni_vec2 origin;
+	cni_vec2 points[CN_POLYGON_MAX_VERTICES]; /* counter-clockwise, from origin */
+	int32_t count;
+	float radius;
+	cni_vec2 center;  /* mean of the points */
+} cni_region;
+
+/* 1 or 2 points need a radius > 0. */
+void cni_check_region(cni_call *call, const cn_polygon *polygon, cni_region *out);
+/* In the world, moved by offset. */
+cni_aabb cni_region_box(const cni_region *region, cni_vec2 offset);
+cni_proxy_points cni_region_points(const cni_region *region);
+/* Maps the region's points into the body's frame. */
+cni_transform cni_region_in(const cni_region *region, const cni_body *body);
+
+/* ---- the first `capacity` items of a stream by their order, in the caller's array */
+
+/* 1 when a comes before b; never for equals. */
+typedef int32_t cni_before_fn(const void *a, const void *b);
+
+typedef struct cni_first {
+	uint8_t *items;       /* while adding: a heap with the last one on top (Williams 1964) */
+	int32_t item_bytes;   /* at most CNI_FIRST_ITEM_BYTES */
+	int32_t capacity;
+	int32_t held;
+	int32_t total;        /* ever added */
+	cni_before_fn *before;
+} cni_first;
+#define CNI_FIRST_ITEM_BYTES 64
+
+void cni_first_begin(cni_first *first, void *items, int32_t item_bytes, int32_t capacity, cni_before_fn *before);
+void cni_first_add(cni_first *first, const void *item);
+/* Brings what is held into order. */
+void cni_first_end(cni_first *first);
+
+#endif

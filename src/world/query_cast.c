@@ -1,0 +1,293 @@
+/*
+ * world/query_cast.c - public functions that cast rays and shapes.
+ *
+ * The broadphase finds fat boxes along the way, the geometry finds the hit in the shape's own frame. Hits
+ * are ordered by fraction, then by shape and child; a ray is shortened to a little beyond its best hit,
+ * so that an equal one is still seen whatever the order of visits.
+ */
+#include "world/query.h"
+#include "geometry/cast.h"
+
+#include <string.h>
+
+/* A shape is moved in pieces, so that a long way does not look at everything in one large box. */
+#define PIECES_MAX 64
+
+/* ------------------------------------------------------------------ hits */
+
+/* Rays may be as long as the world is wide. */
+static void check_translation(cni_call *call, cn_vec2 translation)
+{
+	cni_check_position(call, "half the translation", cni_mul(0.5f, translation));
+}
+
+static void check_ray(cni_call *call, const cn_ray *ray)
+{
+	cni_check_pointer(call, "ray", ray);
+	if (call->result != CN_OK)
+		return;
+	cni_check_position(call, "origin_m", ray->origin_m);
+	check_translation(call, ray->translation_m);
+}
+
+static int32_t hit_before(const void *a, const void *b)
+{
+	const cn_ray_hit *x = (const cn_ray_hit *)a, *y = (const cn_ray_hit *)b;
+	if (x->fraction != y->fraction)
+		return x->fraction < y->fraction;
+	if (x->shape != y->shape)
+		return cni_index_of(x->shape) < cni_index_of(y->shape);
+	return x->child < y->child;
+}
+
+static void hit_make(const cn_world *world, const cni_query_target *t, const cni_cast_hit *hit, cn_ray_hit *out)
+{
+	out->shape = cni_handles_of(&world->shape_handles, t->index);
+	out->body = cni_handle_or_zero(&world->body_handles, t->shape->body);
+	out->child = t->child;
+	out->fraction = hit->fraction;
+	out->point_m = cni_query_to_world(t->body, hit->point);
+	out->normal = cni_query_turn_to_world(t->body, hit->normal);
+}
+
+static cn_ray_hit hit_none(void)
+{
+	cn_ray_hit none;
+	memset(&none, 0, sizeof none);
+	none.fraction = 1.0f;
+	return none;
+}
+
+/* ------------------------------------------------------------------ rays */
+
+typedef struct ray_query {
+	const cn_world *world;
+	cni_vec2 origin, translation;
+	cn_query_filter filter;
+	cn_ray_hit best;
+	cni_first all;      /* cn_world_cast_ray_all only */
+} ray_query;
+
+static void ray_begin(ray_query *q, const cn_world *world, const cn_ray *ray, const cn_query_filter *filter)
+{
+	q->world = world;
+	q->origin = ray->origin_m;
+	q->translation = ray->translation_m;
+	q->filter = cni_query_filter_or_default(filter);
+	q->best = hit_none();
+}
+
+static void ray_run(ray_query *q, cni_query_fn *visit)
+{
+	q->world->broadphase_ops->ray(q->world->broadphase, q->origin, q->translation, visit, q);
+}
+
+/* The cast against one box's shape; 0 when it is missed. */
+static int32_t ray_cast(const ray_query *q, const cni_query_target *t, cn_ray_hit *out)
+{
+	cni_cast_hit hit;
+	if (!cni_cast_ray(t->geometry, t->child, cni_query_to_local(t->body, q->origin), cni_query_turn_to_local(t->body, q->translation), &hit))
+		return 0;
+	hit_make(q->world, t, &hit, out);
+	return 1;
+}
+
+static void best_keep(cn_ray_hit *best, const cn_ray_hit *hit)
+{
+	if (best->shape == 0 || hit_before(hit, best))
+		*best = *hit;
+}
+
+static int32_t ray_visit(ray_query *q, int32_t proxy, cn_ray_hit *out)
+{
+	cni_query_target t;
+	return cni_query_target_of(q->world, proxy, &q->filter, &t) && ray_cast(q, &t, out);
+}
+
+/* Never 0: shapes around the origin must all be seen. */
+static float ray_visit_nearest(void *context, int32_t proxy, float limit)
+{
+	ray_query *q = (ray_query *)context;
+	cn_ray_hit hit;
+	if (!ray_visit(q, proxy, &hit))
+		return limit;
+	best_keep(&q->best, &hit);
+	return cni_min(q->best.fraction * 1.000001f + FLT_MIN, limit);
+}
+
+static float ray_visit_any(void *context, int32_t proxy, float limit)
+{
+	ray_query *q = (ray_query *)context;
+	return ray_visit(q, proxy, &q->best) ? 0.0f : limit;
+}
+
+static float ray_visit_all(void *context, int32_t proxy, float limit)
+{
+	ray_query *q = (ray_query *)context;
+	cn_ray_hit hit;
+	if (ray_visit(q, proxy, &hit))
+		cni_first_add(&q->all, &hit);
+	return limit;
+}
+
+cn_result cn_world_cast_ray(const cn_world *world, const cn_ray *ray, const cn_query_filter *filter, cn_ray_hit *out)
+{
+	cni_call call = cni_enter_const(world);
+	ray_query q;
+	check_ray(&call, ray);
+	cni_check_pointer(&call, "out", out);
+	if (call.result != CN_OK)
+		return call.result;
+	ray_begin(&q, world, ray, filter);
+	ray_run(&q, ray_visit_nearest);
+	*out = q.best;
+	return CN_OK;
+}
+
+cn_result cn_world_cast_ray_any(const cn_world *world, const cn_ray *ray, const cn_query_filter *filter, int32_t *out_hit)
+{
+	cni_call call = cni_enter_const(world);
+	ray_query q;
+	check_ray(&call, ray);
+	cni_check_pointer(&call, "out_hit", out_hit);
+	if (call.result != CN_OK)
+		return call.result;
+	ray_begin(&q, world, ray, filter);
+	ray_run(&q, ray_visit_any);
+	*out_hit = q.best.shape != 0;
+	return CN_OK;
+}
+
+cn_result cn_world_cast_ray_all(const cn_world *world, const cn_ray *ray, const cn_query_filter *filter, cn_ray_hit *out, int32_t capacity, int32_t *out_count)
+{
+	cni_call call = cni_enter_const(world);
+	ray_query q;
+	check_ray(&call, ray);
+	cni_check_capacity(&call, "out", out, capacity);
+	cni_check_pointer(&call, "out_count", out_count);
+	if (call.result != CN_OK)
+		return call.result;
+	ray_begin(&q, world, ray, filter);
+	cni_first_begin(&q.all, out, (int32_t)sizeof *out, capacity, hit_before);
+	ray_run(&q, ray_visit_all);
+	cni_first_end(&q.all);
+	*out_count = q.all.total;
+	return CN_OK;
+}
+
+cn_result cn_world_cast_rays(const cn_world *world, const cn_ray *rays, int32_t count, const cn_query_filter *filter, cn_ray_hit *out)
+{
+	cni_call call = cni_enter_const(world);
+	int32_t k;
+	cni_check_array(&call, "rays", rays, count);
+	cni_check_array(&call, "out", out, count);
+	for (k = 0; k < count && call.result == CN_OK; ++k)
+		check_ray(&call, rays + k);
+	for (k = 0; k < count && call.result == CN_OK; ++k) {
+		ray_query q;
+		ray_begin(&q, world, rays + k, filter);
+		ray_run(&q, ray_visit_nearest);
+		out[k] = q.best;
+	}
+	return call.result;
+}
+
+cn_result cn_shape_cast_ray(const cn_world *world, cn_shape shape, const cn_ray *ray, cn_ray_hit *out)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_shape *s = cni_check_shape(&call, "shape", shape);
+	cni_query_target t;
+	cn_ray_hit hit;
+	ray_query q;
+	check_ray(&call, ray);
+	cni_check_pointer(&call, "out", out);
+	if (call.result != CN_OK)
+		return call.result;
+	ray_begin(&q, world, ray, NULL);
+	t.shape = s;
+	t.body = s->body != CNI_NONE ? cni_body_at(world, s->body) : NULL;
+	t.geometry = cni_shape_geometry(&world->blocks, s);
+	t.index = cni_index_of(shape);
+	for (t.child = 0; t.child < s->children; ++t.child)
+		if (ray_cast(&q, &t, &hit))
+			best_keep(&q.best, &hit);
+	*out = q.best;
+	return CN_OK;
+}
+
+/* ------------------------------------------------------------------ shapes */
+
+typedef struct shape_query {
+	const cn_world *world;
+	const cni_region *region;
+	cni_vec2 translation;
+	cni_aabb box;           /* of the region before it moves */
+	cn_query_filter filter;
+	cn_ray_hit best;
+} shape_query;
+
+/* May the box be met before the best hit? By the axes x and y and the normal of the translation. */
+static int32_t way_crosses(const shape_query *q, const cni_aabb *fat)
+{
+	cni_vec2 d = q->translation;
+	cni_vec2 end = cni_mul(q->best.shape != 0 ? q->best.fraction * 1.000001f : 1.0f, d);
+	float x0 = fat->x0 - q->box.x1, x1 = fat->x1 - q->box.x0, y0 = fat->y0 - q->box.y1, y1 = fat->y1 - q->box.y0;
+	float middle = d.x * (y0 + y1) - d.y * (x0 + x1);
+	float reach = cni_abs(d.x) * (y1 - y0) + cni_abs(d.y) * (x1 - x0);
+	return cni_min(end.x, 0.0f) <= x1 && cni_max(end.x, 0.0f) >= x0 && cni_min(end.y, 0.0f) <= y1 && cni_max(end.y, 0.0f) >= y0 &&
+	       cni_abs(middle) <= reach * 1.00001f;
+}
+
+static float shape_visit(void *context, int32_t proxy, float limit)
+{
+	shape_query *q = (shape_query *)context;
+	cni_query_target t;
+	cni_cast_hit hit;
+	cn_ray_hit made;
+	if (!way_crosses(q, &cni_proxy_at(q->world, proxy)->fat) || !cni_query_target_of(q->world, proxy, &q->filter, &t))
+		return limit;
+	if (cni_cast_points(t.geometry, t.child, cni_region_points(q->region), q->region->center, cni_region_in(q->region, t.body),
+	                    cni_query_turn_to_local(t.body, q->translation), &hit)) {
+		hit_make(q->world, &t, &hit, &made);
+		best_keep(&q->best, &made);
+	}
+	return limit;
+}
+
+static int32_t pieces_of(const shape_query *q)
+{
+	float size = (q->box.x1 - q->box.x0) + (q->box.y1 - q->box.y0) + q->world->settings.length_unit;
+	float pieces = cni_length(q->translation) / (2.0f * size);
+	return 1 + (int32_t)cni_min(pieces, (float)(PIECES_MAX - 1));
+}
+
+cn_result cn_world_cast_shape(const cn_world *world, const cn_polygon *shape, float translation_x_m, float translation_y_m, const cn_query_filter *filter,
+	cn_ray_hit *out)
+{
+	cni_call call = cni_enter_const(world);
+	cni_region region;
+	shape_query q;
+	int32_t k, pieces;
+	cni_check_region(&call, shape, &region);
+	check_translation(&call, cni_v(translation_x_m, translation_y_m));
+	cni_check_pointer(&call, "out", out);
+	if (call.result != CN_OK)
+		return call.result;
+	q.world = world;
+	q.region = &region;
+	q.translation = cni_v(translation_x_m, translation_y_m);
+	q.box = cni_region_box(&region, cni_v(0.0f, 0.0f));
+	q.filter = cni_query_filter_or_default(filter);
+	q.best = hit_none();
+	pieces = pieces_of(&q);
+	for (k = 0; k < pieces; ++k) {
+		float from = (float)k / (float)pieces, to = (float)(k + 1) / (float)pieces;
+		cni_aabb box = cni_region_box(&region, cni_mul(from, q.translation)), end = cni_region_box(&region, cni_mul(to, q.translation));
+		if (q.best.shape != 0 && q.best.fraction * 1.000001f < from)
+			break;
+		box = cni_aabb_union(&box, &end);
+		world->broadphase_ops->query(world->broadphase, &box, shape_visit, &q);
+	}
+	*out = q.best;
+	return CN_OK;
+}

@@ -1,0 +1,93 @@
+/*
+ * world/query_closest.c - the public function that finds the shape nearest to a point.
+ *
+ * Boxes around the point grow until the best shape found is no farther than the box reaches: the cost is
+ * that of the neighbourhood, not of the distance allowed. Equals are told apart by shape and child.
+ */
+#include "world/query.h"
+#include "geometry/nearest.h"
+
+#include <string.h>
+
+#define GROWTH 4.0f
+
+typedef struct closest_query {
+	const cn_world *world;
+	cni_vec2 point;
+	float distance_max;
+	cn_query_filter filter;
+	cn_closest best;
+} closest_query;
+
+/* 0 or the distance of the point from the box: no less for what is in it. */
+static float box_distance(const cni_aabb *box, cni_vec2 p)
+{
+	float dx = cni_max(cni_max(box->x0 - p.x, p.x - box->x1), 0.0f);
+	float dy = cni_max(cni_max(box->y0 - p.y, p.y - box->y1), 0.0f);
+	return cni_max(dx, dy);
+}
+
+static int32_t is_closer(const closest_query *q, const cni_query_target *t, float distance)
+{
+	int32_t best = cni_index_of(q->best.shape);
+	if (q->best.shape == 0 || distance != q->best.distance_m)
+		return q->best.shape == 0 || distance < q->best.distance_m;
+	return t->index < best || (t->index == best && t->child < q->best.child);
+}
+
+static float closest_visit(void *context, int32_t proxy, float limit)
+{
+	closest_query *q = (closest_query *)context;
+	cni_query_target t;
+	cni_nearest n;
+	if (q->best.shape != 0 && box_distance(&cni_proxy_at(q->world, proxy)->fat, q->point) > cni_max(q->best.distance_m, 0.0f))
+		return limit;
+	if (!cni_query_target_of(q->world, proxy, &q->filter, &t))
+		return limit;
+	n = cni_geometry_nearest(t.geometry, t.child, cni_query_to_local(t.body, q->point));
+	if (n.distance > q->distance_max || !is_closer(q, &t, n.distance))
+		return limit;
+	q->best.shape = cni_handles_of(&q->world->shape_handles, t.index);
+	q->best.body = cni_handle_or_zero(&q->world->body_handles, t.shape->body);
+	q->best.child = t.child;
+	q->best.distance_m = n.distance;
+	q->best.point_m = cni_query_to_world(t.body, n.point);
+	q->best.normal = cni_query_turn_to_world(t.body, n.normal);
+	return limit;
+}
+
+static void look_within(closest_query *q, float reach)
+{
+	cni_aabb box;
+	box.x0 = q->point.x - reach;
+	box.y0 = q->point.y - reach;
+	box.x1 = q->point.x + reach;
+	box.y1 = q->point.y + reach;
+	q->world->broadphase_ops->query(q->world->broadphase, &box, closest_visit, q);
+}
+
+cn_result cn_world_closest_point(const cn_world *world, float x_m, float y_m, float distance_max_m, const cn_query_filter *filter, cn_closest *out)
+{
+	cni_call call = cni_enter_const(world);
+	closest_query q;
+	float reach;
+	cni_check_position(&call, "point", cni_v(x_m, y_m));
+	if (call.result == CN_OK)
+		cni_check_range(&call, "distance_max_m", distance_max_m, 0.0f, 4.0f * CNI_POSITION_MAX_UNITS * world->settings.length_unit);
+	cni_check_pointer(&call, "out", out);
+	if (call.result != CN_OK)
+		return call.result;
+	memset(&q, 0, sizeof q);
+	q.world = world;
+	q.point = cni_v(x_m, y_m);
+	q.distance_max = distance_max_m;
+	q.filter = cni_query_filter_or_default(filter);
+	reach = cni_min(distance_max_m, world->settings.length_unit);
+	look_within(&q, reach);
+	while (reach < distance_max_m && (q.best.shape == 0 || q.best.distance_m > reach)) {
+		reach = cni_min(distance_max_m, GROWTH * reach);
+		look_within(&q, reach);
+	}
+	*out = q.best;
+	return CN_OK;
+}
