@@ -4,6 +4,7 @@
 #   make test       every test, checked build          make bench      CSV of all benchmark scenes (SCENE=name: one)
 #   make test-all   tests under sanitizers and other   make check-deps layers by #include, longest files
 #                   compilers and options              make install    DESTDIR and PREFIX; make clean
+#   make bindings   writes bindings/ from the header   make test-bindings  in every language that is installed
 #
 # CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
 # commands.
@@ -43,6 +44,9 @@ SHARED_FLAGS := -shared -Wl,-soname,$(SHARED)
 STRIP_UNUSED := -Wl,--gc-sections
 endif
 
+# The one example that looks inside of the library.
+%/examples/bench/broadphase.o: EXAMPLE_FLAGS += -Isrc
+
 # New files are found by themselves.
 LIB_SRC := $(sort $(wildcard src/*/*.c))
 MAIN_SRC := examples/hello.c examples/demo/demo.c examples/bench/bench.c
@@ -57,7 +61,7 @@ CHECKED_EXAMPLE_OBJ := $(EXAMPLE_SRC:%.c=$(BUILD)/checked/%.o)
 TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
 TESTS := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all demo test test-all bench hello check-deps install clean FORCE
+.PHONY: all bindings demo test test-all test-bindings bench hello check-deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -135,6 +139,12 @@ test: $(TESTS)
 
 test-all:
 	@sh test/variants.sh $(BUILD)
+
+bindings:
+	@python3 bindings/generate.py
+
+test-bindings: $(BUILD)/$(SHARED_LINK)
+	@CC='$(CC)' sh bindings/test/run.sh $(BUILD)
 
 check-deps:
 	@sh test/check_deps.sh

@@ -29,7 +29,12 @@ suite() { # name compiler cflags defines
 	started=$(date +%s)
 	${MAKE:-make} -s -j"$cores" test BUILD="$build/$name" CC="$compiler" CFLAGS= TEST_CFLAGS="$cflags" TEST_DEFINES="$defines" \
 		JOBS="$cores" > "$build/$name.log" 2>&1
-	code=$?
+	read_log "$name" $?
+	echo "$name: $(($(date +%s) - started)) s"
+}
+
+read_log() { # name code: adds what $build/$name.log counts
+	name=$1 code=$2
 	line=$(grep -aE '^[0-9]+ passed, [0-9]+ failed, [0-9]+ skipped$' "$build/$name.log" | tail -n 1)
 	if [ -z "$line" ] || { [ $code != 0 ] && [ "${line#*, 0 failed}" != "$line" ]; }; then
 		tail -n 40 "$build/$name.log"
@@ -38,7 +43,6 @@ suite() { # name compiler cflags defines
 		grep -aE -B 8 '^FAIL|ERROR: .*Sanitizer|runtime error|WARNING: MemorySanitizer|invariant broken' "$build/$name.log" | head -n 120
 		grep -a '^failed in:' "$build/$name.log"
 	fi
-	echo "$name: $(($(date +%s) - started)) s"
 	# shellcheck disable=SC2086
 	set -- $line
 	add "$name" "$1" "$3" "$5"
@@ -53,6 +57,12 @@ check() { # name command...
 		cat "$build/$name.log"
 		add "$name" 0 1 0
 	fi
+}
+
+# The bindings, with the shared library that exports() built.
+bindings() {
+	${MAKE:-make} -s -j"$cores" test-bindings BUILD="$build/release-check" > "$build/bindings.log" 2>&1
+	read_log bindings $?
 }
 
 header_in_cxx() {
@@ -97,6 +107,7 @@ suite clang-O3 clang-19 '-O3' ''
 if command -v g++ >/dev/null 2>&1; then check header-cxx header_in_cxx; else add header-cxx 0 0 1; fi
 check header-padding header_without_padding
 check exports exports
+bindings
 if [ "$(uname -m)" = x86_64 ]; then check no-fused no_fused_operations; else add no-fused 0 0 1; fi
 check check-deps sh test/check_deps.sh
 

@@ -2,7 +2,7 @@
  * examples/bench/bench.c - times every benchmark scene on one core and prints CSV, one row a scene, with
  * how exact the result was beside each time.
  *
- *     bench [scene]
+ *     bench [scene]        bench broadphase and bench queries: see bench/broadphase.c
  *
  * The first step is not timed; what a scene creates and destroys between steps is not either. bodies,
  * contacts (touching) and joints are as of the last step. bytes_per_body is all memory of the world by
@@ -10,6 +10,7 @@
  * world it is the world's bytes. Largest penetration and joint error are over samples taken every
  * 20 steps and at the end. displacement_max_m is given where bodies should stay where they are.
  */
+#include "bench/broadphase.h"
 #include "measure/measure.h"
 #include "scenes/scenes.h"
 #include <inttypes.h>
@@ -91,14 +92,18 @@ static int32_t is_bench(const scene *which) { return (which->flags & SCENE_BENCH
 int main(int argc, char **argv)
 {
 	int32_t failed = 0;
+	measure_stay_on_core();
+	if (argc > 1 && strcmp(argv[1], "broadphase") == 0)
+		return bench_broadphase() != 0;
+	if (argc > 1 && strcmp(argv[1], "queries") == 0)
+		return bench_queries() != 0;
 	if (argc > 1 && scene_find(argv[1]) == NULL) {
-		fprintf(stderr, "there is no scene named %s; there are:", argv[1]);
+		fprintf(stderr, "there is no scene named %s; there are: broadphase queries", argv[1]);
 		for (int32_t i = 0; i < scene_count(); ++i)
 			fprintf(stderr, " %s", scene_at(i)->name);
 		fprintf(stderr, "\n");
 		return 2;
 	}
-	measure_stay_on_core();
 	printf("scene,bodies,contacts,joints,threads,ms_min,ms_median,bytes_per_body,hash,"
 		   "displacement_max_m,joint_error_max_m,penetration_max_m,bodies_left\n");
 	for (int32_t i = 0; i < scene_count(); ++i) {

@@ -47,8 +47,8 @@ static const world_kind worlds[] = {
 	{"tall_tower", 4000, 200, 3.0f, 2000.0f, 0.9f, 1.1f, 0.5f, 1.0f, 0.0f, 0.0f, 0, 0},
 	{"clusters", 10000, 200, 2000.0f, 2000.0f, 0.5f, 1.5f, 3.0f, 1.0f, 0.0f, 0.0f, 50, 0},
 	{"churn", 10000, 200, 200.0f, 200.0f, 0.5f, 1.5f, 3.0f, 1.0f, 0.05f, 0.0f, 0, 0},
-	{"mixed_sizes", 5000, 200, 1000.0f, 1000.0f, 0.05f, 300.0f, 3.0f, 1.0f, 0.0f, 0.0f, 0, 1},
-	{"asleep_99", 100000, 3000, 632.0f, 632.0f, 0.5f, 1.5f, 3.0f, 0.01f, 0.0f, 0.0f, 0, 0},
+	{"mixed_sizes", 5000, 200, 3000.0f, 3000.0f, 0.05f, 300.0f, 3.0f, 1.0f, 0.0f, 0.0f, 0, 1},
+	{"asleep_99", 100000, 200, 632.0f, 632.0f, 0.5f, 1.5f, 3.0f, 0.01f, 0.0f, 0.0f, 0, 0},
 };
 
 static const world_kind query_worlds[] = {
@@ -57,7 +57,7 @@ static const world_kind query_worlds[] = {
 	{"uniform_1e5", 100000, 60, 632.0f, 632.0f, 0.5f, 1.5f, 3.0f, 1.0f, 0.0f, 0.0f, 0, 0},
 	{"sparse_1e4", 10000, 60, 2000.0f, 2000.0f, 0.5f, 1.5f, 3.0f, 1.0f, 0.0f, 0.0f, 0, 0},
 	{"long_level", 10000, 60, 10000.0f, 8.0f, 0.5f, 1.5f, 5.0f, 1.0f, 0.0f, 0.4f, 0, 0},
-	{"mixed_sizes", 5000, 60, 1000.0f, 1000.0f, 0.05f, 300.0f, 3.0f, 1.0f, 0.0f, 0.0f, 0, 1},
+	{"mixed_sizes", 5000, 60, 3000.0f, 3000.0f, 0.05f, 300.0f, 3.0f, 1.0f, 0.0f, 0.0f, 0, 1},
 };
 
 static const struct {
@@ -102,14 +102,14 @@ static float random_to(bench_world *w, float lower, float upper)
 
 static cni_proxy *proxy_at(const bench_world *w, int32_t id) { return (cni_proxy *)cni_table_at(&w->proxies, id); }
 
-/* Half of the boxes are below a 1.6th of the range, half of the others below a 1.6th of the rest of it, and so on. */
+/* Each time 1.6 as large, a fifth fewer boxes. */
 static float random_size(bench_world *w)
 {
 	const world_kind *k = w->kind;
 	float size = k->size_min_m;
 	if (!k->power_law)
 		return random_to(w, k->size_min_m, k->size_max_m);
-	while (size < k->size_max_m / 1.6f && random_to(w, 0.0f, 1.0f) < 0.5f)
+	while (size < k->size_max_m / 1.6f && random_to(w, 0.0f, 1.0f) < 0.8f)
 		size *= 1.6f;
 	return size * random_to(w, 1.0f, 1.6f);
 }
@@ -311,8 +311,8 @@ static int32_t run_world(const world_kind *kind)
 		measure_times_sort(&w.times);
 		pairs[s] = w.pair_count;
 		failed += s > 0 && pairs[s] != pairs[0];
-		printf("%s,%d,%s,%.1f,%.1f,%.1f,%.1f,%s\n", kind->name, kind->boxes, structures[s].name, 1e3 * measure_times_at(&w.times, 0.0),
-			1e3 * measure_times_at(&w.times, 0.5), (double)pairs[s] / kind->steps,
+		printf("%s,%d,%s,%.1f,%.1f,%.1f,%.1f,%s\n", kind->name, kind->boxes, structures[s].name, 1e3 * measure_times_at(&w.times, 0.5),
+			1e3 * measure_times_at(&w.times, 1.0), (double)pairs[s] / kind->steps,
 			(double)w.ops->bytes(w.broadphase) / kind->boxes, pairs[s] == pairs[0] ? "same" : "DIFFERENT");
 		fflush(stdout);
 		world_close(&w);
@@ -324,7 +324,7 @@ int32_t bench_broadphase(void)
 {
 	const char *huge = getenv("CAIRN_BENCH_HUGE");
 	int32_t failed = 0;
-	printf("world,boxes,structure,us_min,us_median,new_pairs_per_step,bytes_per_proxy,pairs\n");
+	printf("world,boxes,structure,us_median,us_max,new_pairs_per_step,bytes_per_proxy,pairs\n");
 	for (size_t i = 0; i < sizeof worlds / sizeof worlds[0]; ++i)
 		if (worlds[i].boxes < 1000000 || (huge != NULL && huge[0] == '1'))
 			failed += run_world(&worlds[i]);
@@ -398,19 +398,32 @@ static void query_once(query_run *q, bench_world *w, int32_t kind)
 	q->fractions += (double)q->nearest;
 }
 
-#define QUERIES 20000
+#define QUERIES 5000
+#define QUERY_ROUNDS 12
 
-/* Thousands a second. */
+/* Regions and nearest hits are exact; a ray may visit a box that it only just misses. */
+static int32_t answers_differ(const query_run *a, const query_run *b, int32_t kind)
+{
+	int32_t all_of_ray = kind == QUERY_RAY || kind == QUERY_LONG_RAY;
+	uint64_t more = a->visits > b->visits ? a->visits - b->visits : b->visits - a->visits;
+	return a->fractions != b->fractions || more > (all_of_ray ? 1 + a->visits / 10000 : 0);
+}
+
+/* Thousands a second, in the best of some rounds. */
 static double query_rate(bench_world *w, int32_t kind, query_run *q)
 {
-	double start;
-	memset(q, 0, sizeof *q);
-	q->world = w;
-	w->random = 777u + (uint32_t)kind;
-	start = measure_clock_s();
-	for (int32_t i = 0; i < QUERIES; ++i)
-		query_once(q, w, kind);
-	return 1e-3 * QUERIES / (measure_clock_s() - start);
+	double best = 0.0;
+	for (int32_t round = 0; round < QUERY_ROUNDS; ++round) {
+		memset(q, 0, sizeof *q);
+		q->world = w;
+		w->random = 777u + (uint32_t)kind;
+		double start = measure_clock_s();
+		for (int32_t i = 0; i < QUERIES; ++i)
+			query_once(q, w, kind);
+		double rate = 1e-3 * QUERIES / (measure_clock_s() - start);
+		best = rate > best ? rate : best;
+	}
+	return best;
 }
 
 static int32_t query_world(const world_kind *kind)
@@ -429,7 +442,7 @@ static int32_t query_world(const world_kind *kind)
 		printf("%s,%d,%s", kind->name, kind->boxes, structures[s].name);
 		for (int32_t k = 0; k < QUERY_KINDS; ++k) {
 			printf(",%.0f", query_rate(&w, k, &q[s][k]));
-			failed += q[s][k].visits != q[0][k].visits || q[s][k].fractions != q[0][k].fractions;
+			failed += answers_differ(&q[0][k], &q[s][k], k);
 		}
 		printf(",%.2f,%s\n", (double)q[s][QUERY_REGION].visits / QUERIES, failed > 0 ? "DIFFERENT" : "same");
 		fflush(stdout);

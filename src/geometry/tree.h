@@ -58,7 +58,8 @@ typedef struct cni_tree {
 	uint32_t dice;
 	int32_t waited;     /* settles of many items since the last rebuild */
 	int32_t patience;   /* ... to wait before the next one */
-	float cost;         /* after the last rebuild, see cni_tree_cost */
+	int32_t built;      /* items at the last rebuild */
+	float cost;         /* after it, see cni_tree_cost */
 } cni_tree;
 
 static inline cni_tree_fork *cni_tree_fork_at(const cni_tree *tree, int32_t fork) { return (cni_tree_fork *)tree->forks.data + fork; }
@@ -86,8 +87,8 @@ void cni_tree_set_box(cni_tree *tree, int32_t item, const cni_aabb *box);
 /* Marks the item and all above it. */
 void cni_tree_mark(cni_tree *tree, int32_t item, uint32_t marks);
 
-/* Reconsiders the places of all STALE items. scratch of cni_tree_scratch_bytes lets it build a tree anew in which
-   many moved and which has become bad; NULL does without. */
+/* Reconsiders the places of all STALE items. scratch of cni_tree_scratch_bytes lets it build a tree anew that has
+   doubled, or in which many moved and which has become bad; NULL does without. */
 void cni_tree_settle(cni_tree *tree, void *scratch);
 uint64_t cni_tree_scratch_bytes(const cni_tree *tree);
 /* 1 when cni_tree_settle could use scratch. */

@@ -5,7 +5,7 @@
  * fork, which follows small motion at a fraction of the price of insertion (Kopta et al., "Fast, effective BVH
  * updates for animated scenes", 2012). Turns alone let a tree go bad over many steps. While few items
  * move, those marked FAR are inserted anew: that keeps the cost level, and no step is longer than others.
- * When many move, it is cheaper to build the tree anew once its cost has grown: top down, items halved
+ * When many move, it is cheaper to build the tree anew once its cost has grown (or it has itself): top down, items halved
  * again and again at the median of their centres along the longer side (Kay and Kajiya, "Ray tracing
  * complex scenes", 1986).
  */
@@ -154,6 +154,7 @@ void cni_tree_rebuild(cni_tree *tree, void *scratch)
 	int32_t count = collect(tree, leaves);
 	CNI_ASSERT(count == tree->count);
 	tree->stale = 0;
+	tree->built = count;
 	if (count == 0)
 		return;
 	tree->forks.count = 1;
@@ -266,7 +267,18 @@ float cni_tree_cost(const cni_tree *tree)
 
 static int32_t many_stale(const cni_tree *tree) { return tree->stale > tree->count / MANY_SHARE; }
 
-int32_t cni_tree_wants_scratch(const cni_tree *tree) { return many_stale(tree); }
+/* A tree that was filled item by item is good, but scattered over memory: searches are twice as fast in one
+   that was built at once. */
+static int32_t has_doubled(const cni_tree *tree) { return tree->count > 2 * tree->built; }
+
+int32_t cni_tree_wants_scratch(const cni_tree *tree) { return many_stale(tree) || has_doubled(tree); }
+
+static void rebuild_measured(cni_tree *tree, void *scratch)
+{
+	cni_tree_rebuild(tree, scratch);
+	tree->cost = cni_tree_cost(tree);
+	tree->waited = 0;
+}
 
 /* After many moved: is the tree worth building anew? */
 static void rebuild_if_worse(cni_tree *tree, void *scratch)
@@ -277,16 +289,18 @@ static void rebuild_if_worse(cni_tree *tree, void *scratch)
 	cost = cni_tree_cost(tree);
 	if (cost <= COST_WORSE * tree->cost)
 		return;
-	cni_tree_rebuild(tree, scratch);
-	tree->cost = cni_tree_cost(tree);
+	rebuild_measured(tree, scratch);
 	tree->patience = tree->cost < 0.9f * cost ? 0 : cni_min_i(PATIENCE_MOST, 2 * tree->patience + 1);
-	tree->waited = 0;
 }
 
 void cni_tree_settle(cni_tree *tree, void *scratch)
 {
-	int32_t many = scratch != NULL && many_stale(tree);
-	int32_t out = many ? 0 : take_far_out(tree);
+	int32_t many = scratch != NULL && many_stale(tree), out;
+	if (scratch != NULL && has_doubled(tree)) {
+		rebuild_measured(tree, scratch);
+		return;
+	}
+	out = many ? 0 : take_far_out(tree);
 	settle_in_place(tree);
 	put_far_in(tree, out);
 	if (many)

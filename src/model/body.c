@@ -276,7 +276,8 @@ void cni_body_kick(cn_world *world, int32_t body)
 {
 	cni_array *kicked = &world->kicked;
 	cn_body handle = cni_handles_of(&world->body_handles, body);
-	if (kicked->count > 0 && ((const cn_body *)kicked->data)[kicked->count - 1] == handle)
+	cni_vec2 v = cni_body_velocity(world, cni_body_at(world, body)).linear_mps;
+	if ((v.x == 0.0f && v.y == 0.0f) || (kicked->count > 0 && ((const cn_body *)kicked->data)[kicked->count - 1] == handle))
 		return;
 	if (kicked->count < 2 * world->movable_count && cni_array_reserve(kicked, &world->memory, kicked->count + 1))
 		((cn_body *)kicked->data)[kicked->count++] = handle;

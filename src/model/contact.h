@@ -117,6 +117,7 @@ typedef struct cni_contact {
 	uint16_t id[2];          /* feature ids of the lane's points, 0: none */
 	cni_manifold_cache cache;
 	float approach_speed;    /* along the normal when it began to touch */
+	float gap;               /* along the normal between the lane's two anchors when it was written: 0, or how far ahead it was */
 } cni_contact;
 
 cni_contact *cni_contact_at(const cn_world *world, int32_t contact);

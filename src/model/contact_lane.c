@@ -94,6 +94,7 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 	float old_jn[2];
 	uint16_t old_id[2];
 	gap = cni_rotate(first->q, gap);
+	c->gap = cni_dot(gap, cni_rotate(first->q, manifold->normal));
 	f.d = c->flags & CNI_CONTACT_FLIPPED ? cni_add(f.d, gap) : cni_sub(f.d, gap);
 	for (k = 0; k < 2; ++k) {
 		old_jn[k] = block->p[k].jn[lane];
@@ -164,8 +165,9 @@ static void lane_read_rows(const cn_world *world, const cni_contact *c, float ro
 /* Rows of a lane without the body indices; see cni_contact_block. */
 enum { ROW_NX = 0, ROW_NY = 1, ROW_DT = 5, ROW_FA = 6, ROW_FB = 7, ROW_JT = 9, ROW_POINT = 10, ROW_POINT_COUNT = 5 };
 
-/* A lane is of the beginning of the step; what the bodies have moved since then changes the separation by
-   its part along n, and half of it goes to the point, which stays midway. Turning is not followed. */
+/* A lane is of the beginning of the step. How far its anchors on the two bodies have come apart since they were
+   one point is the change of separation along n, and half of it goes to the point, which stays midway.
+   Turning is not followed. */
 static void describe_manifold(const cn_world *world, const cni_contact *c, cn_manifold *out)
 {
 	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, k;
@@ -188,7 +190,7 @@ static void describe_manifold(const cn_world *world, const cni_contact *c, cn_ma
 		if (c->id[k] == 0)
 			continue;
 		point->point_m = cni_add(middle, r);
-		point->separation_m = p[2] + moved_n;
+		point->separation_m = p[2] - c->gap + moved_n;
 		point->normal_impulse_Ns = p[4];
 		point->feature_id = c->id[k];
 		++out->point_count;

@@ -17,6 +17,8 @@ void cni_events_init(cni_events *events)
 	}
 	cni_array_init(&events->sensor_log, (int32_t)sizeof(cn_sensor_event));
 	cni_array_init(&events->sensor_pending, (int32_t)sizeof(cn_sensor_event));
+	cni_array_init(&events->joint_log, (int32_t)sizeof(cn_joint_event));
+	cni_array_init(&events->joint_pending, (int32_t)sizeof(cn_joint_event));
 	cni_array_init(&events->moved, (int32_t)sizeof(cn_body_moved));
 	cni_array_init(&events->asleep, (int32_t)sizeof(cn_body));
 }
@@ -31,8 +33,18 @@ void cni_events_deinit(cni_events *events, cni_memory *memory)
 	}
 	cni_array_deinit(&events->sensor_log, memory);
 	cni_array_deinit(&events->sensor_pending, memory);
+	cni_array_deinit(&events->joint_log, memory);
+	cni_array_deinit(&events->joint_pending, memory);
 	cni_array_deinit(&events->moved, memory);
 	cni_array_deinit(&events->asleep, memory);
+}
+
+static void pending_to_log(cni_array *log, cni_array *pending)
+{
+	cni_array old = *log;
+	*log = *pending;
+	*pending = old;
+	pending->count = 0;
 }
 
 void cni_events_begin_step(cni_events *events)
@@ -50,12 +62,8 @@ void cni_events_begin_step(cni_events *events)
 		events->built[kind] = 0;
 		events->seen[kind].count = 0;
 	}
-	{
-		cni_array log = events->sensor_log;
-		events->sensor_log = events->sensor_pending;
-		events->sensor_pending = log;
-		events->sensor_pending.count = 0;
-	}
+	pending_to_log(&events->sensor_log, &events->sensor_pending);
+	pending_to_log(&events->joint_log, &events->joint_pending);
 	events->moved_built = 0;
 	events->asleep.count = 0;
 }

@@ -33,6 +33,8 @@ typedef struct cni_events {
 	void *callback_user[CN_EVENT_KINDS];
 	cni_array sensor_log;               /* cn_sensor_event of the last step */
 	cni_array sensor_pending;           /* since then, by calls */
+	cni_array joint_log;                /* cn_joint_event of the last step */
+	cni_array joint_pending;            /* since then, by calls */
 	cni_array moved;                    /* cn_body_moved, built on request */
 	cni_array asleep;                   /* cn_body that fell asleep in the last step */
 	int32_t moved_built;

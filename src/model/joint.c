@@ -2,9 +2,12 @@
  * model/joint.c - joint records: lists, islands, and read-back through rows (idea in joint.h).
  *
  * Owns the joint table and the awake list. Invariant: a joint is in the lists of its bodies while it lives,
- * and in the awake list when one of its bodies is in the dense arrays and none is disabled.
+ * and in the awake list when one of its bodies is in the dense arrays and none is disabled; a filter joint
+ * has nothing to solve and is in no awake list and no island.
  */
 #include "model/world.h"
+
+#include <string.h>
 
 cni_joint *cni_joint_at(const cn_world *world, int32_t joint)
 {
@@ -13,8 +16,29 @@ cni_joint *cni_joint_at(const cn_world *world, int32_t joint)
 
 const cni_joint_type *cni_joint_type_of(int32_t type)
 {
-	static const cni_joint_type *const types[] = { &cni_joint_revolute, &cni_joint_distance };
+	static const cni_joint_type *const types[CNI_JOINT_TYPES] = {
+		&cni_joint_revolute, &cni_joint_distance, &cni_joint_fixed, &cni_joint_prismatic, &cni_joint_wheel,
+		&cni_joint_motor, &cni_joint_mouse, &cni_joint_gear, &cni_joint_pulley, &cni_joint_ratchet,
+		&cni_joint_rotary_spring, &cni_joint_groove, &cni_joint_filter, &cni_joint_angle, &cni_joint_line
+	};
 	return types[type];
+}
+
+/* Joints and constraints share a table, so their handles differ in the kind bits only. */
+#define KIND_BITS ((uint32_t)(CNI_KIND_JOINT ^ CNI_KIND_CONSTRAINT) << 20)
+
+uint32_t cni_joint_handle(const cn_world *world, int32_t joint)
+{
+	uint32_t handle = cni_handles_of(&world->joint_handles, joint);
+	return cni_joint_is_constraint(cni_joint_at(world, joint)->type) ? handle ^ KIND_BITS : handle;
+}
+
+int32_t cni_joint_find(const cn_world *world, uint32_t handle, int32_t constraint)
+{
+	int32_t index = cni_handles_find(&world->joint_handles, constraint ? handle ^ KIND_BITS : handle);
+	if (index != CNI_NONE && cni_joint_is_constraint(cni_joint_at(world, index)->type) != constraint)
+		return CNI_NONE;
+	return index;
 }
 
 cn_result cni_joint_reserve(cn_world *world, int32_t extra)
@@ -78,7 +102,7 @@ static int32_t side_is_dynamic(const cn_world *world, const cni_joint *j, int32_
 void cni_joint_enter_awake_list(cn_world *world, int32_t joint)
 {
 	cni_joint *j = cni_joint_at(world, joint);
-	if (j->awake != CNI_NONE || !side_is_enabled(world, j, 0) || !side_is_enabled(world, j, 1))
+	if (j->awake != CNI_NONE || j->type == CN_JOINT_FILTER || !side_is_enabled(world, j, 0) || !side_is_enabled(world, j, 1))
 		return;
 	j->awake = world->awake_joints.count;
 	((int32_t *)world->awake_joints.data)[world->awake_joints.count++] = joint;
@@ -152,7 +176,7 @@ void cni_joint_link(cn_world *world, int32_t joint)
 	for (side = 0; side < 2; ++side)
 		if (j->body[side] != CNI_NONE)
 			cni_body_wake(world, j->body[side]);
-	j->linked = enabled && side_is_dynamic(world, j, 0) && side_is_dynamic(world, j, 1);
+	j->linked = enabled && j->type != CN_JOINT_FILTER && side_is_dynamic(world, j, 0) && side_is_dynamic(world, j, 1);
 	if (j->linked)
 		cni_island_link(world, j->body[0], j->body[1]);
 	if (side_is_awake(world, j, 0) || side_is_awake(world, j, 1))
@@ -178,13 +202,46 @@ void cni_joint_unlink(cn_world *world, int32_t joint)
 		bodies_look_again(world, j);
 }
 
-/* ---- read-back ---- */
+void cni_joint_destroy(cn_world *world, int32_t joint)
+{
+	world->constraint_count -= cni_joint_is_constraint(cni_joint_at(world, joint)->type);
+	cni_joint_unlink(world, joint);
+	cni_handles_release(&world->joint_handles, joint);
+}
+
+/* ---- frames ---- */
+
+/* Centre of mass - point, without losing digits far from the origin. */
+static cni_vec2 center_from(const cni_body *b, cni_vec2 point)
+{
+	return cni_v((b->cx - point.x) + b->cx_low, (b->cy - point.y) + b->cy_low);
+}
+
+/* Anchor - ground point of a pulley's side; r is from the centre of mass to the anchor. */
+static cni_vec2 from_ground(const cni_body *b, const cni_joint *j, int32_t side, cni_vec2 r)
+{
+	const float *ground = j->p + (side == 0 ? CNI_P_PULLEY_GROUND_A : CNI_P_PULLEY_GROUND_B);
+	cni_vec2 point = cni_v(ground[0], ground[1]);
+	return b == NULL ? cni_sub(j->anchor[side], point) : cni_add(center_from(b, point), r);
+}
+
+static float frame_angle(const cni_joint *j, const cni_joint_type *type, cni_rot qa, cni_rot qb)
+{
+	cni_rot q;
+	if (type->uses & CNI_USES_TURNS)
+		return cni_joint_turned(j, qa, qb, (type->uses & CNI_USES_RATIO) ? j->p[CNI_P_GEAR_RATIO] : 1.0f);
+	if (!(type->uses & CNI_USES_ANGLE))
+		return 0.0f;
+	q = cni_rot_between(qa, qb);
+	return cni_wrap_angle(cni_atan2(q.s, q.c) - j->p[CNI_P_REFERENCE] * (float)((type->uses & CNI_USES_REFERENCE) != 0));
+}
 
 cni_joint_frame cni_joint_frame_make(const cn_world *world, const cni_joint *j)
 {
+	const cni_joint_type *type = cni_joint_type_of(j->type);
 	const cni_body *a = j->body[0] == CNI_NONE ? NULL : cni_body_at(world, j->body[0]);
 	const cni_body *b = j->body[1] == CNI_NONE ? NULL : cni_body_at(world, j->body[1]);
-	cni_rot qa = { 1.0f, 0.0f }, qb = { 1.0f, 0.0f }, q;
+	cni_rot qa = { 1.0f, 0.0f }, qb = { 1.0f, 0.0f };
 	cni_vec2 la = j->anchor[0], lb = j->anchor[1], d = { 0.0f, 0.0f };
 	cni_joint_frame f;
 	if (a != NULL) {
@@ -204,11 +261,18 @@ cni_joint_frame cni_joint_frame_make(const cn_world *world, const cni_joint *j)
 	f.rb = cni_rotate(qb, lb);
 	/* With the world on one side that side's anchor is a large number: subtract it from the centre first. */
 	f.d = a != NULL && b == NULL ? cni_sub(cni_add(d, f.rb), f.ra) : cni_add(cni_sub(d, f.ra), f.rb);
+	f.e = cni_v(0.0f, 0.0f);
+	if (type->uses & CNI_USES_GROUNDS) {
+		f.d = from_ground(a, j, 0, f.ra);
+		f.e = from_ground(b, j, 1, f.rb);
+	}
 	f.qa = qa;
-	q = cni_rot_between(qa, qb);
-	f.angle = cni_wrap_angle(cni_atan2(q.s, q.c) - j->p[CNI_P_REFERENCE] * (float)(j->type == CN_JOINT_REVOLUTE));
+	f.angle = frame_angle(j, type, qa, qb);
+	f.ratio = (type->uses & CNI_USES_RATIO) ? j->p[CNI_P_GEAR_RATIO] : 1.0f;
 	return f;
 }
+
+/* ---- read-back ---- */
 
 void cni_joint_anchors(const cn_world *world, const cni_joint *j, cni_vec2 *out_a, cni_vec2 *out_b)
 {
@@ -261,19 +325,61 @@ float cni_joint_speed(const cn_world *world, const cni_joint *j)
 	       r.bx * b.linear_mps.x + r.by * b.linear_mps.y + r.bw * b.angular_radps;
 }
 
+void cni_rows_impulse(const cni_row *rows, int32_t count, cni_vec2 rb, cni_vec2 *out_linear, float *out_angular)
+{
+	cni_vec2 linear = { 0.0f, 0.0f };
+	float angular = 0.0f;
+	int32_t k;
+	for (k = 0; k < count; ++k) {
+		cni_vec2 b = cni_v(rows[k].bx, rows[k].by);
+		linear = cni_madd(linear, rows[k].impulse, b);
+		/* The part of the angular Jacobian that is not the force's own moment about the centre. */
+		angular += rows[k].impulse * (rows[k].bw - cni_cross(rb, b));
+	}
+	*out_linear = linear;
+	*out_angular = angular;
+}
+
 void cni_joint_reaction(const cn_world *world, const cni_joint *j, cn_vec2 *out_force, float *out_torque)
 {
 	cni_joint_frame f = cni_joint_frame_make(world, j);
 	cni_row rows[CNI_JOINT_ROWS];
 	int32_t count = cni_joint_type_of(j->type)->rows(j, &f, rows), k;
-	cni_vec2 force = { 0.0f, 0.0f };
-	float torque = 0.0f;
-	for (k = 0; k < count; ++k) {
-		float impulse = j->impulse[rows[k].slot] * j->inv_h;
-		force = cni_madd(force, impulse, cni_v(rows[k].bx, rows[k].by));
-		/* The part of the angular Jacobian that is not the force's own moment about the centre. */
-		torque += impulse * (rows[k].bw - cni_cross(f.rb, cni_v(rows[k].bx, rows[k].by)));
-	}
-	*out_force = force;
-	*out_torque = torque;
+	for (k = 0; k < count; ++k)
+		rows[k].impulse = j->impulse[rows[k].slot] * j->inv_h;
+	cni_rows_impulse(rows, count, f.rb, out_force, out_torque);
+}
+
+/* ---- events ---- */
+
+static cni_array *event_log(cn_world *world)
+{
+	return world->events.in_step ? &world->events.joint_log : &world->events.joint_pending;
+}
+
+int32_t cni_joint_reserve_events(cn_world *world, int32_t count)
+{
+	cni_array *log = event_log(world);
+	return cni_array_reserve(log, &world->memory, log->count + count);
+}
+
+int32_t cni_joint_event_log(cn_world *world, int32_t joint, float force, float torque, uint32_t destroyed)
+{
+	const cni_joint *j = cni_joint_at(world, joint);
+	int32_t constraint = cni_joint_is_constraint(j->type), side;
+	cni_array *log = event_log(world);
+	cn_joint_event *e;
+	if (!cni_joint_reserve_events(world, 1))
+		return 0;
+	e = (cn_joint_event *)log->data + log->count++;
+	memset(e, 0, sizeof *e);
+	e->joint = constraint ? 0 : cni_joint_handle(world, joint);
+	e->constraint = constraint ? cni_joint_handle(world, joint) : 0;
+	for (side = 0; side < 2; ++side)
+		*(side == 0 ? &e->body_a : &e->body_b) = j->body[side] == CNI_NONE ? 0 : cni_handles_of(&world->body_handles, j->body[side]);
+	e->destroyed = destroyed;
+	e->force_N = force;
+	e->torque_Nm = torque;
+	e->user_data = j->user_data;
+	return 1;
 }

@@ -11,10 +11,19 @@
 #include "base/maths.h"
 
 #define CNI_JOINT_ROWS 5 /* most rows of a joint */
-#define CNI_JOINT_RIGID_ROWS 3 /* most rigid ones */
+#define CNI_JOINT_RIGID_ROWS 3 /* most of those that are solved together */
+#define CNI_JOINT_NUMBERS 10
+
+/* Types after the public joint types: constraints on one body, which are joints with the world as body a. */
+enum {
+	CNI_JOINT_ANGLE = CN_JOINT_FILTER + 1,
+	CNI_JOINT_LINE,
+	CNI_JOINT_TYPES
+};
+static inline int32_t cni_joint_is_constraint(int32_t type) { return type >= CNI_JOINT_ANGLE; }
 
 typedef struct cni_joint {
-	int32_t type;              /* CN_JOINT_REVOLUTE ... */
+	int32_t type;              /* CN_JOINT_REVOLUTE ... CNI_JOINT_LINE */
 	uint32_t flags;            /* CN_JOINT_* */
 	int32_t body[2];           /* CNI_NONE: the world */
 	int32_t next[2], prev[2];  /* keys in the bodies' lists: joint << 1 | side */
@@ -23,17 +32,49 @@ typedef struct cni_joint {
 	cni_vec2 anchor[2];        /* in the bodies' frames, or the world */
 	float impulse[CNI_JOINT_ROWS]; /* accumulated, by row meaning of the type */
 	float inv_h;               /* 1 / substep of the last step, to turn impulses into forces */
-	float p[8];                /* the type's own numbers; see the type's file */
+	float stiffness_hertz, stiffness_damping; /* of rigid rows and limits; 0: as stiff as the substeps allow */
+	float force_max, torque_max;      /* of the same; 0: no bound */
+	float break_force, break_torque;  /* 0: never */
+	float p[CNI_JOINT_NUMBERS]; /* the type's own numbers; see the type's file */
 	uint64_t user_data;
 } cni_joint;
 
-/* Meaning of p[]. Revolute: reference, lower, upper, motor speed, motor torque max, spring target, hertz,
-   damping ratio. Distance: length, min, max, motor speed, motor force max, hertz, damping ratio, 0. */
+/* Meaning of p[], 0 where a type does not use it.
+
+     type            0          1        2        3      4    5         6        7        8       9
+     revolute        reference  lower    upper    speed  max  target    hertz    damping
+     distance        length     min      max      speed  max  hertz     damping
+     fixed           reference                                          hertz    damping
+     prismatic       reference  lower    upper    speed  max  target    hertz    damping  axis x  axis y
+     wheel                      lower    upper    speed  max            hertz    damping  axis x  axis y
+     motor           angle      offset x offset y                       hertz    damping
+     mouse                                                              hertz    damping
+     gear            ratio      phase                                   angle a  turns a  angle b turns b
+     pulley          length     ground a x, y     ground b x, y         ratio
+     ratchet         phase      click    latch                          angle a  turns a  angle b turns b
+     rotary spring   rest       hertz    damping                        angle a  turns a  angle b turns b
+     groove                     0        length          end x, y                         axis x  axis y
+     angle           reserved   lower    upper                          angle a  turns a  angle b turns b
+     line            tolerance  lower    upper                                            axis x  axis y  */
 enum { CNI_P_REFERENCE = 0, CNI_P_LENGTH = 0, CNI_P_LOWER = 1, CNI_P_UPPER = 2, CNI_P_MOTOR_SPEED = 3, CNI_P_MOTOR_MAX = 4 };
 enum { CNI_P_REVOLUTE_TARGET = 5, CNI_P_REVOLUTE_HERTZ = 6, CNI_P_REVOLUTE_DAMPING = 7 };
 enum { CNI_P_DISTANCE_HERTZ = 5, CNI_P_DISTANCE_DAMPING = 6 };
+enum { CNI_P_TARGET = 5, CNI_P_HERTZ = 6, CNI_P_DAMPING = 7, CNI_P_AXIS_X = 8, CNI_P_AXIS_Y = 9 };
+enum { CNI_P_MOTOR_ANGLE = 0, CNI_P_MOTOR_OFFSET_X = 1, CNI_P_MOTOR_OFFSET_Y = 2 };
+enum { CNI_P_GEAR_RATIO = 0, CNI_P_GEAR_PHASE = 1 };
+enum { CNI_P_PULLEY_GROUND_A = 1, CNI_P_PULLEY_GROUND_B = 3, CNI_P_PULLEY_RATIO = 5 };
+enum { CNI_P_RATCHET_PHASE = 0, CNI_P_RATCHET_CLICK = 1, CNI_P_RATCHET_LATCH = 2 };
+enum { CNI_P_REST = 0, CNI_P_REST_HERTZ = 1, CNI_P_REST_DAMPING = 2 };
+enum { CNI_P_GROOVE_END_X = 4, CNI_P_GROOVE_END_Y = 5 };
+enum { CNI_P_LINE_TOLERANCE = 0 };
+/* State of types that count turns: side s has its angle in (-pi, pi] and its whole turns here and after. */
+enum { CNI_P_TURN = 6 };
 
 cni_joint *cni_joint_at(const cn_world *world, int32_t joint);
+/* Public handle: of kind joint, or constraint. */
+uint32_t cni_joint_handle(const cn_world *world, int32_t joint);
+/* Index of a live joint (constraint 0) or constraint (1), or CNI_NONE. Any 32 bits may come in. */
+int32_t cni_joint_find(const cn_world *world, uint32_t handle, int32_t constraint);
 /* Room for extra more joints in records and lists. */
 cn_result cni_joint_reserve(cn_world *world, int32_t extra);
 /* Record `joint` (a taken slot) is filled in but for its lists: links it to bodies and islands, wakes,
@@ -41,6 +82,8 @@ cn_result cni_joint_reserve(cn_world *world, int32_t extra);
 void cni_joint_link(cn_world *world, int32_t joint);
 /* Opposite; contacts that it forbade may come back at the next step. */
 void cni_joint_unlink(cn_world *world, int32_t joint);
+/* Unlinks and gives the slot back. */
+void cni_joint_destroy(cn_world *world, int32_t joint);
 /* Does some joint forbid contacts between these bodies? O(joints of the lesser body). */
 int32_t cni_joint_forbids(const cn_world *world, int32_t body_a, int32_t body_b);
 void cni_joint_enter_awake_list(cn_world *world, int32_t joint);
@@ -51,16 +94,20 @@ void cni_joint_leave_awake_list(cn_world *world, int32_t joint);
 /* Where a joint's bodies are, in world directions. */
 typedef struct cni_joint_frame {
 	cni_vec2 ra, rb;   /* from the centres of mass to the anchors */
-	cni_vec2 d;        /* anchor b - anchor a */
+	cni_vec2 d;        /* anchor b - anchor a; pulley: anchor a - ground a */
+	cni_vec2 e;        /* pulley only: anchor b - ground b */
 	cni_rot qa;        /* rotation of body a */
-	float angle;       /* of b - of a - reference, in (-pi, pi] at the beginning of the step */
+	float angle;       /* of b - ratio * of a - reference; (-pi, pi] at the beginning of the step unless turns count */
+	float ratio;       /* 1, or a gear's */
 } cni_joint_frame;
 
 enum {
-	CNI_ROW_RIGID = 0, /* equality; all rigid rows of a joint are solved together and come first */
-	CNI_ROW_SPRING = 1,
+	CNI_ROW_RIGID = 0, /* equality; a joint's rigid and drive rows are solved together and come first */
+	CNI_ROW_SPRING = 1, /* true period and decay */
 	CNI_ROW_MOTOR = 2,
-	CNI_ROW_LIMIT = 3  /* impulse >= 0; error > 0 is room that is left */
+	CNI_ROW_LIMIT = 3, /* impulse >= 0; error > 0 is room that is left */
+	CNI_ROW_SOFT = 4,  /* true deflection, stable at any stiffness; bounded by limit if that is > 0 */
+	CNI_ROW_DRIVE = 5  /* a spring among the first rows; a joint has either rigid or drive rows */
 };
 
 /* speed = a . (va, wa) + b . (vb, wb), the rate of change of error. */
@@ -69,8 +116,8 @@ typedef struct cni_row {
 	float bx, by, bw;
 	float error;      /* metres or radians */
 	float target;     /* motor: wanted speed */
-	float limit;      /* motor: most force or torque; others: unused */
-	float hertz, damping_ratio; /* spring */
+	float limit;      /* motor: most force or torque; soft: the same, 0: no bound */
+	float hertz, damping_ratio; /* spring, soft, drive */
 	float impulse;    /* accumulated */
 	uint8_t kind;     /* CNI_ROW_* */
 	uint8_t angular;  /* 1: radians */
@@ -78,20 +125,46 @@ typedef struct cni_row {
 	uint8_t reserved;
 } cni_row;
 
-/* Writes the joint's rows for this frame, rigid ones first; impulses are not touched. Returns how many. */
+/* Writes the joint's rows for this frame, rigid or drive ones first; impulses are not touched. Returns how many. */
 typedef int32_t cni_joint_rows_fn(const cni_joint *j, const cni_joint_frame *f, cni_row *rows);
+
+/* What a type wants to be in its frame, where nothing else is computed. */
+enum {
+	CNI_USES_ANGLE = 1u << 0,     /* angle, wrapped at the beginning of the step */
+	CNI_USES_REFERENCE = 1u << 1, /* angle has p[CNI_P_REFERENCE] taken off */
+	CNI_USES_TURNS = 1u << 2,     /* angle counts whole turns: CNI_P_TURN */
+	CNI_USES_RATIO = 1u << 3,     /* ratio is p[CNI_P_GEAR_RATIO] */
+	CNI_USES_GROUNDS = 1u << 4,   /* d and e are seen from two points of the world */
+	CNI_USES_DRIVE = 1u << 5      /* (of the solver) its first rows are drive rows */
+};
+
 /* The same set of rows in the same order for a record whose numbers do not change (limits choose their
    side by the sign of the error and keep their slot). */
 typedef struct cni_joint_type {
 	cni_joint_rows_fn *rows;
 	float (*position)(const cni_joint *j, const cni_joint_frame *f);
 	cni_row (*speed_row)(const cni_joint *j, const cni_joint_frame *f);
+	uint32_t uses;
 } cni_joint_type;
-extern const cni_joint_type cni_joint_revolute, cni_joint_distance;
+extern const cni_joint_type cni_joint_revolute, cni_joint_distance, cni_joint_fixed, cni_joint_prismatic, cni_joint_wheel,
+	cni_joint_motor, cni_joint_mouse, cni_joint_gear, cni_joint_pulley, cni_joint_ratchet, cni_joint_rotary_spring,
+	cni_joint_groove, cni_joint_filter, cni_joint_angle, cni_joint_line;
 const cni_joint_type *cni_joint_type_of(int32_t type);
 
 /* The frame at the bodies' present poses. */
 cni_joint_frame cni_joint_frame_make(const cn_world *world, const cni_joint *j);
+
+/* ---- turns ---- */
+
+/* Starts counting at the bodies' present angles in (-pi, pi]; a ratchet takes its latch there. */
+void cni_joint_turns_begin(const cn_world *world, cni_joint *j);
+/* A ratchet takes its latch at the present angle. */
+void cni_joint_ratchet_begin(const cn_world *world, cni_joint *j);
+/* At the end of a step, poses still those of its beginning: counts what the bodies turn in it, and moves a
+   ratchet's latch. */
+void cni_joint_turns_advance(const cn_world *world, cni_joint *j, float theta_a, float theta_b);
+/* angle b - ratio * angle a over whole turns, at these rotations. */
+float cni_joint_turned(const cni_joint *j, cni_rot qa, cni_rot qb, float ratio);
 
 /* ---- read-back ---- */
 
@@ -101,5 +174,14 @@ void cni_joint_error(const cn_world *world, const cni_joint *j, float *out_m, fl
 float cni_joint_position(const cn_world *world, const cni_joint *j);
 float cni_joint_speed(const cn_world *world, const cni_joint *j);
 void cni_joint_reaction(const cn_world *world, const cni_joint *j, cn_vec2 *out_force, float *out_torque);
+/* Sum of the rows' impulses on body b: along x and y, and about its anchor. */
+void cni_rows_impulse(const cni_row *rows, int32_t count, cni_vec2 rb, cni_vec2 *out_linear, float *out_angular);
+
+/* ---- events ---- */
+
+/* Room for the events of destroying this many joints with a body. */
+int32_t cni_joint_reserve_events(cn_world *world, int32_t count);
+/* Logs that a joint was stressed beyond its threshold or destroyed; 0 when there is no memory. */
+int32_t cni_joint_event_log(cn_world *world, int32_t joint, float force, float torque, uint32_t destroyed);
 
 #endif

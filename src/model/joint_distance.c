@@ -4,27 +4,15 @@
  * p: length, min, max, motor speed, motor force max, hertz, damping ratio.
  * Impulse slots: 0 rod; 1 spring; 2 motor; 3 limit.
  */
-#include "model/joint.h"
-
-#include <string.h>
+#include "model/joint_row.h"
 
 /* d/dt |d| = axis . (vb + wb x rb - va - wa x ra); coinciding points take an arbitrary fixed axis. */
 static cni_row axis_row(const cni_joint_frame *f, uint8_t kind, uint8_t slot, float sign, float *out_length)
 {
 	float length = cni_length(f->d);
 	cni_vec2 axis = length > 1e-9f ? cni_mul(1.0f / length, f->d) : cni_v(1.0f, 0.0f);
-	cni_row r;
-	memset(&r, 0, sizeof r);
-	r.ax = -sign * axis.x;
-	r.ay = -sign * axis.y;
-	r.aw = -sign * cni_cross(f->ra, axis);
-	r.bx = sign * axis.x;
-	r.by = sign * axis.y;
-	r.bw = sign * cni_cross(f->rb, axis);
-	r.kind = kind;
-	r.slot = slot;
 	*out_length = length;
-	return r;
+	return cni_row_along(f, axis, f->ra, kind, slot, sign);
 }
 
 static int32_t distance_rows(const cni_joint *j, const cni_joint_frame *f, cni_row *rows)
@@ -48,13 +36,9 @@ static int32_t distance_rows(const cni_joint *j, const cni_joint_frame *f, cni_r
 		rows[count++].limit = j->p[CNI_P_MOTOR_MAX];
 	}
 	if (j->flags & CN_JOINT_LIMIT) {
-		float room_lower, room_upper;
-		rows[count] = axis_row(f, CNI_ROW_LIMIT, 3, 1.0f, &length);
-		room_lower = length - j->p[CNI_P_LOWER];
-		room_upper = j->p[CNI_P_UPPER] - length;
-		if (room_upper < room_lower)
-			rows[count] = axis_row(f, CNI_ROW_LIMIT, 3, -1.0f, &length);
-		rows[count++].error = cni_min(room_lower, room_upper);
+		float room, sign = cni_limit_side(cni_length(f->d), j->p[CNI_P_LOWER], j->p[CNI_P_UPPER], &room);
+		rows[count] = axis_row(f, CNI_ROW_LIMIT, 3, sign, &length);
+		rows[count++].error = room;
 	}
 	return count;
 }
@@ -72,4 +56,4 @@ static cni_row distance_speed_row(const cni_joint *j, const cni_joint_frame *f)
 	return axis_row(f, CNI_ROW_MOTOR, 2, 1.0f, &length);
 }
 
-const cni_joint_type cni_joint_distance = { distance_rows, distance_position, distance_speed_row };
+const cni_joint_type cni_joint_distance = { distance_rows, distance_position, distance_speed_row, 0 };

@@ -98,8 +98,10 @@ struct cn_world {
 	cni_color colors[CNI_COLORS];
 	cni_array sleep_lanes;       /* cni_sleep_lane */
 
-	/* joints */
+	/* joints and constraints */
 	cni_handles joint_handles;
+	int32_t constraint_count;    /* of the live joint records */
+	int32_t stressed_joints;     /* beyond a break threshold in this step, not yet dealt with */
 	cni_table joints;            /* cni_joint */
 	cni_array awake_joints;      /* int32_t */
 	cni_array joint_work;        /* cni_joint_work of stages/joint_rows.h, one an awake joint */

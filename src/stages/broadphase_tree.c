@@ -104,9 +104,10 @@ static void tree_settle(cni_broadphase *broadphase)
 {
 	tree_broadphase *b = tree_of(broadphase);
 	void *scratch = NULL;
-	if (b->tree.stale == 0)
+	int32_t wants_scratch = cni_tree_wants_scratch(&b->tree);
+	if (b->tree.stale == 0 && !wants_scratch)
 		return;
-	if (cni_tree_wants_scratch(&b->tree))
+	if (wants_scratch)
 		scratch = cni_arena_push(b->context.arena, cni_tree_scratch_bytes(&b->tree));
 	cni_tree_settle(&b->tree, scratch);
 	(void)cni_arena_pop(b->context.arena, scratch);

@@ -3,16 +3,19 @@
  *
  * Before each substep's solve, every lane with restitution that is closing faster than the threshold and
  * would meet within the substep gets Newton's impact law by a direct impulse: n.v' = e |n.v|. Impulses act
- * on present velocities, one contact after the other, so each one takes energy or keeps it (e <= 1) and
- * momentum is kept; no accumulated impulse is left behind that could push again. The soft solve that
- * follows treats the contact as an ordinary one (in place of the late restitution pass of Box2D, which
- * lets the energy of a cluster rise).
+ * one contact after the other, so each one takes energy or keeps it (e <= 1) and momentum is kept; no
+ * accumulated impulse is left behind that could push again. The soft solve that follows treats the contact
+ * as an ordinary one (in place of the late restitution pass of Box2D, which lets the energy of a cluster rise).
+ *
+ * The velocities that meet are those in start: what bodies really have. motion.v also holds the response to
+ * the last substep's impulses, a guess that the solve has yet to correct; for a light body between heavy ones it is
+ * far off, and returning such a speed would make energy of it.
  *
  * Meeting early costs no energy: with closing acceleration a from the bodies' drives, the law is applied to the
  * speed at the true moment of contact, v^2 + 2 a s, and the outgoing speed is the one that a body has
  * at the end of the substep, s + h v' above the surface: v'^2 = e^2 (v^2 + 2 a s) - 2 a (s + h v').
  *
- * Reads blocks and motion; writes motion velocities and start (so that the warm start of the next substep does
+ * Reads blocks, motion and start; writes motion velocities and start (so that the warm start of the next substep does
  * not contain the impact).
  */
 #include "stages/solver.h"
@@ -26,6 +29,7 @@ typedef struct impact_point {
 
 typedef struct impact_lane {
 	cni_motion *a, *b;
+	cni_velocity_start *sa, *sb; /* the velocities that meet */
 	int32_t ia, ib;
 	float nx, ny;
 	float mass;          /* sum of inverse masses */
@@ -35,7 +39,7 @@ typedef struct impact_lane {
 
 static float point_speed(const impact_lane *c, float at, float bt)
 {
-	return c->nx * (c->b->vx - c->a->vx) + c->ny * (c->b->vy - c->a->vy) + c->b->w * bt - c->a->w * at;
+	return c->nx * (c->sb->vx - c->sa->vx) + c->ny * (c->sb->vy - c->sa->vy) + c->sb->w * bt - c->sa->w * at;
 }
 
 /* First-order separation now: turns within a step are small next to the gap when speeds are impact speeds. */
@@ -62,6 +66,8 @@ static impact_lane lane_make(cn_world *world, const cni_contact_block *k, const 
 	c.ib = k->ib[l];
 	c.a = cni_motions(world) + c.ia;
 	c.b = cni_motions(world) + c.ib;
+	c.sa = cni_starts(world) + c.ia;
+	c.sb = cni_starts(world) + c.ib;
 	c.nx = k->nx[l];
 	c.ny = k->ny[l];
 	c.mass = c.a->inv_mass + c.b->inv_mass;
@@ -92,38 +98,29 @@ static impact_point point_make(const impact_lane *c, const cni_contact_block *k,
 	return q;
 }
 
-/* Impulse jn along n with moment arms, and friction opposing the sliding speed within mu jn. */
-static void lane_strike(cn_world *world, impact_lane *c, const cni_contact_block *k, int32_t l, float jn, float moment_a, float moment_b)
+/* Changes a body's velocity, and with it what the last impulses' response is added to. */
+static void body_strike(cni_motion *m, cni_velocity_start *start, float dvx, float dvy, float dw)
 {
-	cni_velocity_start *sa = cni_starts(world) + c->ia, *sb = cni_starts(world) + c->ib;
-	float tx = c->ny, ty = -c->nx, fa = k->fa[l], fb = k->fb[l];
-	cni_motion a = *c->a, b = *c->b;
-	float vt, want, most = k->dynamic_friction[l] * jn, jt;
-	a.vx -= a.inv_mass * jn * c->nx;
-	a.vy -= a.inv_mass * jn * c->ny;
-	a.w -= a.inv_inertia * moment_a;
-	b.vx += b.inv_mass * jn * c->nx;
-	b.vy += b.inv_mass * jn * c->ny;
-	b.w += b.inv_inertia * moment_b;
-	vt = tx * (b.vx - a.vx) + ty * (b.vy - a.vy) - b.w * fb + a.w * fa;
-	want = -k->tm[l] * vt;
-	jt = cni_clamp(want, -most, most);
-	a.vx -= a.inv_mass * jt * tx;
-	a.vy -= a.inv_mass * jt * ty;
-	a.w += a.inv_inertia * fa * jt;
-	b.vx += b.inv_mass * jt * tx;
-	b.vy += b.inv_mass * jt * ty;
-	b.w -= b.inv_inertia * fb * jt;
-	sa->vx += a.vx - c->a->vx;
-	sa->vy += a.vy - c->a->vy;
-	sa->w += a.w - c->a->w;
-	sb->vx += b.vx - c->b->vx;
-	sb->vy += b.vy - c->b->vy;
-	sb->w += b.w - c->b->w;
-	sa->struck = sb->struck = 1.0f;
-	*c->a = a;
+	start->vx += dvx;
+	start->vy += dvy;
+	start->w += dw;
+	start->struck = 1.0f;
+	m->vx += dvx;
+	m->vy += dvy;
+	m->w += dw;
+}
+
+/* Impulse jn along n with moment arms, and friction opposing the sliding speed within mu jn. */
+static void lane_strike(impact_lane *c, const cni_contact_block *k, int32_t l, float jn, float moment_a, float moment_b)
+{
+	float tx = c->ny, ty = -c->nx, fa = k->fa[l], fb = k->fb[l], ma = c->a->inv_mass, mb = c->b->inv_mass;
+	float wa = -c->a->inv_inertia * moment_a, wb = c->b->inv_inertia * moment_b;
+	float vt = tx * (c->sb->vx - c->sa->vx) + ty * (c->sb->vy - c->sa->vy) - (c->sb->w + wb) * fb + (c->sa->w + wa) * fa;
+	float most = k->dynamic_friction[l] * jn, jt = cni_clamp(-k->tm[l] * vt, -most, most);
+	float px = jn * c->nx + jt * tx, py = jn * c->ny + jt * ty;
+	body_strike(c->a, c->sa, -ma * px, -ma * py, wa + c->a->inv_inertia * fa * jt);
 	if (c->ib != 0)
-		*c->b = b;
+		body_strike(c->b, c->sb, mb * px, mb * py, wb - c->b->inv_inertia * fb * jt);
 }
 
 /* Both points at once when both hit and both impulses come out positive, else the one that closes faster. */
@@ -140,7 +137,7 @@ static int32_t lane_impact(cn_world *world, const cni_contact_block *k, const cn
 		if (det > 1e-4f * p.k * q.k && jp >= 0.0f && jq >= 0.0f) {
 			jp /= det;
 			jq /= det;
-			lane_strike(world, &c, k, l, jp + jq, p.at * jp + q.at * jq, p.bt * jp + q.bt * jq);
+			lane_strike(&c, k, l, jp + jq, p.at * jp + q.at * jq, p.bt * jp + q.bt * jq);
 			return 1;
 		}
 	}
@@ -148,7 +145,7 @@ static int32_t lane_impact(cn_world *world, const cni_contact_block *k, const cn
 		p = q;
 	{
 		float j = (p.out - p.vn) / p.k;
-		lane_strike(world, &c, k, l, j, p.at * j, p.bt * j);
+		lane_strike(&c, k, l, j, p.at * j, p.bt * j);
 	}
 	return 1;
 }

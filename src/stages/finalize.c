@@ -45,9 +45,9 @@ static void take_pose(cni_body *b, cni_motion *m)
 	m->dpx = m->dpy = m->theta = 0.0f;
 }
 
-static int32_t body_accelerates(const cni_motion *m, const cni_velocity_start *start, const cni_drive *d, float h)
+static int32_t body_accelerates(const cni_body *b, const cni_motion *m, const cni_velocity_start *start, const cni_drive *d, float h)
 {
-	float ax = h * d->ax, ay = h * d->ay, dx, dy;
+	float change = h * cni_damping_factor(b->linear_damping, h), ax = change * d->ax, ay = change * d->ay, dx, dy;
 	if (d->flags & CNI_DRIVE_FREE)
 		return ax != 0.0f || ay != 0.0f;
 	dx = m->vx - start->vx + ax;
@@ -62,7 +62,7 @@ static void rest_update(cn_world *world, cni_body *b, int32_t k, const cni_solve
 	float turn = m->w * b->extent;
 	if ((b->flags & CN_BODY_SLEEP) && m->vx * m->vx + m->vy * m->vy <= slow * slow && turn * turn <= slow * slow &&
 	    (b->type != CN_BODY_KINEMATIC || (m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f)) &&
-	    !body_accelerates(m, cni_starts(world) + k, cni_drives(world) + k, s->h))
+	    !body_accelerates(b, m, cni_starts(world) + k, cni_drives(world) + k, s->h))
 		b->sleep_time += s->dt;
 	else
 		b->sleep_time = 0.0f;

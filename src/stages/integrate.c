@@ -14,17 +14,23 @@
  */
 #include "stages/solver.h"
 
-static float damping_factor(float damping, float h)
+/* Has it a joint that is solved? Filters and joints with a disabled body are not. */
+static int32_t body_is_jointed(const cn_world *world, const cni_body *b)
 {
-	return 1.0f / (1.0f + damping * h);
+	int32_t key;
+	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+		if (cni_joint_at(world, key >> 1)->awake != CNI_NONE)
+			return 1;
+	return 0;
 }
 
-static uint32_t drive_flags(const cni_body *b)
+static uint32_t drive_flags(const cn_world *world, const cni_body *b)
 {
 	uint32_t flags = 0;
-	if (b->lanes == 0 && b->joint_count == 0)
+	int32_t jointed = body_is_jointed(world, b);
+	if (b->lanes == 0 && !jointed)
 		flags |= CNI_DRIVE_FREE;
-	if (b->joint_count != 0)
+	if (jointed)
 		flags |= CNI_DRIVE_JOINTED;
 	if (b->linear_damping > 0.0f || b->angular_damping > 0.0f)
 		flags |= CNI_DRIVE_DAMPED;
@@ -39,7 +45,7 @@ static uint32_t drive_flags(const cni_body *b)
 static cni_drive drive_make(const cn_world *world, const cni_body *b, const cni_motion *m, const cni_drive *force)
 {
 	cni_drive d;
-	d.flags = drive_flags(b);
+	d.flags = drive_flags(world, b);
 	d.ax = d.ay = d.alpha = 0.0f;
 	if (b->type != CN_BODY_DYNAMIC)
 		return d;
@@ -67,13 +73,17 @@ static void fly(cni_motion *m, const cni_drive *d, float h)
 
 static void fly_damped(cni_motion *m, const cni_drive *d, const cni_body *b, const cni_solve *s)
 {
-	float linear = damping_factor(b->linear_damping, s->h), angular = damping_factor(b->angular_damping, s->h);
+	float linear = cni_damping_factor(b->linear_damping, s->h), angular = cni_damping_factor(b->angular_damping, s->h);
+	float half = 0.5f * s->h;
 	int32_t k;
 	for (k = 0; k < s->substeps; ++k) {
-		m->vx *= linear;
-		m->vy *= linear;
-		m->w *= angular;
-		fly(m, d, s->h);
+		float vx = linear * (m->vx + s->h * d->ax), vy = linear * (m->vy + s->h * d->ay), w = angular * (m->w + s->h * d->alpha);
+		m->dpx += half * (m->vx + vx);
+		m->dpy += half * (m->vy + vy);
+		m->theta += half * (m->w + w);
+		m->vx = vx;
+		m->vy = vy;
+		m->w = w;
 	}
 }
 
@@ -142,19 +152,16 @@ void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t subst
 			ry = m->vy - start->vy;
 			rw = m->w - start->w;
 		}
-		start->vx = m->vx;
-		start->vy = m->vy;
-		start->w = m->w;
+		start->vx = m->vx + h * d->ax;
+		start->vy = m->vy + h * d->ay;
+		start->w = m->w + h * d->alpha;
 		if (d->flags & CNI_DRIVE_DAMPED) {
 			const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
-			float linear = damping_factor(b->linear_damping, h);
+			float linear = cni_damping_factor(b->linear_damping, h);
 			start->vx *= linear;
 			start->vy *= linear;
-			start->w *= damping_factor(b->angular_damping, h);
+			start->w *= cni_damping_factor(b->angular_damping, h);
 		}
-		start->vx += h * d->ax;
-		start->vy += h * d->ay;
-		start->w += h * d->alpha;
 		start->struck = 0.0f;
 		m->vx = start->vx + rx;
 		m->vy = start->vy + ry;

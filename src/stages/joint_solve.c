@@ -5,13 +5,19 @@
  * joint's rigid rows are solved together by the inverse of their K = J M^-1 J^T. Every other row is combined
  * with as much of the rigid ones as keeps their speeds out of it (a Schur complement): the rigid rows and
  * it then do not disturb each other, it meets the mass that really moves, a pinned bar's about its pin, and
- * one pass solves both. Springs use exact discrete coefficients and act in the soft pass only.
+ * one pass solves both. Springs use exact discrete coefficients and act in the soft pass only; so do rigid
+ * rows and violated limits that have a stiffness of their own, by implicit coefficients.
+ *
+ * Bounds on force and torque clamp the total impulse of the first rows: the vector of the linear ones and the
+ * angular one. When only one of the two is clamped the other is solved again with that known (projected
+ * block Gauss-Seidel), so that a weld at its force limit still holds its angle.
  *
  * Anchors turn within the step, so rows are built anew once a substep (before relax; the next substep's solve
  * starts from the same positions). Impulses already given acted along the old rows; the difference
  * M^-1 (Jnew - Jold)^T impulse goes into start, which puts it into the next warm start.
  *
- * Reads records and motion, writes motion velocities, start, the records' impulses.
+ * Reads records and motion, writes motion velocities, start, the records' impulses and turns; breaks joints
+ * whose largest reaction within the step was beyond their threshold.
  */
 #include "stages/joint_work.h"
 
@@ -44,25 +50,20 @@ static void row_push(const cni_row *r, float impulse, cni_motion *a, cni_motion 
 	b->w += b->inv_inertia * impulse * r->bw;
 }
 
-/* Where element (i, k) of the symmetric inverse is. */
-static const uint8_t inverse_at[3][3] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
-
-/* Inverse of the symmetric K of one to three rigid rows; a singular direction gives nothing. */
-static void work_invert(cni_joint_work *w, const cni_motion *a, const cni_motion *b)
+/* Inverse of the symmetric K of one to three rows; a singular direction gives nothing. */
+CNI_INLINE void block_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv)
 {
-	const cni_row *r = w->rows;
-	float *inv = w->inverse;
-	if (w->rigid_count == 1) {
+	if (count == 1) {
 		float k = row_mass(r, r, a, b);
 		inv[0] = k > 0.0f ? 1.0f / k : 0.0f;
-	} else if (w->rigid_count == 2) {
+	} else if (count == 2) {
 		float k00 = row_mass(r, r, a, b), k01 = row_mass(r, r + 1, a, b), k11 = row_mass(r + 1, r + 1, a, b);
 		float det = k00 * k11 - k01 * k01;
 		float d = det > 0.0f ? 1.0f / det : 0.0f;
 		inv[0] = k11 * d;
 		inv[1] = -k01 * d;
 		inv[3] = k00 * d;
-	} else if (w->rigid_count == 3) {
+	} else if (count == 3) {
 		float k00 = row_mass(r, r, a, b), k01 = row_mass(r, r + 1, a, b), k02 = row_mass(r, r + 2, a, b);
 		float k11 = row_mass(r + 1, r + 1, a, b), k12 = row_mass(r + 1, r + 2, a, b), k22 = row_mass(r + 2, r + 2, a, b);
 		float c00 = k11 * k22 - k12 * k12, c01 = k02 * k12 - k01 * k22, c02 = k01 * k12 - k02 * k11;
@@ -77,6 +78,9 @@ static void work_invert(cni_joint_work *w, const cni_motion *a, const cni_motion
 	}
 }
 
+/* Where the inverse has its entry for rows i and k. */
+static const uint8_t inverse_at[CNI_JOINT_RIGID_ROWS][CNI_JOINT_RIGID_ROWS] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
+
 /* The frame now: anchors turned, gap moved by the bodies' changes since the step began. */
 static cni_joint_frame work_frame(const cni_joint_work *w, const cni_motion *a, const cni_motion *b)
 {
@@ -86,8 +90,14 @@ static cni_joint_frame work_frame(const cni_joint_work *w, const cni_motion *a, 
 	f.rb = cni_rotate(turn_b, w->start.rb);
 	f.d.x = w->start.d.x + (b->dpx - a->dpx) + (f.rb.x - w->start.rb.x) - (f.ra.x - w->start.ra.x);
 	f.d.y = w->start.d.y + (b->dpy - a->dpy) + (f.rb.y - w->start.rb.y) - (f.ra.y - w->start.ra.y);
+	f.e = w->start.e;
+	if (w->flags & CNI_WORK_GROUNDS) {
+		f.d = cni_add(w->start.d, cni_add(cni_v(a->dpx, a->dpy), cni_sub(f.ra, w->start.ra)));
+		f.e = cni_add(w->start.e, cni_add(cni_v(b->dpx, b->dpy), cni_sub(f.rb, w->start.rb)));
+	}
 	f.qa = cni_rot_mul(w->start.qa, turn_a);
-	f.angle = w->start.angle + (b->theta - a->theta);
+	f.angle = w->start.angle + (b->theta - w->start.ratio * a->theta);
+	f.ratio = w->start.ratio;
 	return f;
 }
 
@@ -120,17 +130,29 @@ static void row_add(cni_row *r, float share, const cni_row *rigid)
 	r->bw += share * rigid->bw;
 }
 
+/* Rigid rows that may give way, by their own stiffness or a bound on their force, must feel the other rows. */
+static int32_t work_is_decoupled(const cni_joint_work *w)
+{
+	return w->rigid_count > 0 && w->rigid_count < w->row_count && !(w->flags & (CNI_WORK_SPRINGY | CNI_WORK_BOUNDED));
+}
+
 /* Takes the rigid rows out of row k; its error is that of the type's row: joints are nearly closed. */
 static void row_decouple(cni_joint_work *w, int32_t k, const cni_motion *a, const cni_motion *b)
 {
 	cni_row *r = &w->rows[k];
-	float share[CNI_JOINT_RIGID_ROWS], mass;
+	float share[CNI_JOINT_RIGID_ROWS];
 	int32_t i;
 	row_shares(w, r, a, b, share);
 	for (i = 0; i < w->rigid_count; ++i)
 		row_add(r, share[i], &w->rows[i]);
-	mass = row_mass(r, r, a, b);
-	w->single_mass[k] = mass > 0.0f ? 1.0f / mass : 0.0f;
+}
+
+static int32_t rows_together(const cni_row *rows, int32_t count)
+{
+	int32_t k = 0;
+	while (k < count && (rows[k].kind == CNI_ROW_RIGID || rows[k].kind == CNI_ROW_DRIVE))
+		++k;
+	return k;
 }
 
 static void work_build(const cn_world *world, cni_joint_work *w, const cni_motion *a, const cni_motion *b)
@@ -139,12 +161,15 @@ static void work_build(const cn_world *world, cni_joint_work *w, const cni_motio
 	cni_joint_frame f = work_frame(w, a, b);
 	int32_t k;
 	w->row_count = cni_joint_type_of(j->type)->rows(j, &f, w->rows);
-	w->rigid_count = 0;
-	for (k = 0; k < w->row_count; ++k)
-		w->rigid_count += w->rows[k].kind == CNI_ROW_RIGID;
-	work_invert(w, a, b);
-	for (k = w->rigid_count; k < w->row_count; ++k)
-		row_decouple(w, k, a, b);
+	w->rigid_count = rows_together(w->rows, w->row_count);
+	block_invert(w->rows, w->rigid_count, a, b, w->inverse);
+	for (k = w->rigid_count; k < w->row_count; ++k) {
+		float mass;
+		if (work_is_decoupled(w))
+			row_decouple(w, k, a, b);
+		mass = row_mass(&w->rows[k], &w->rows[k], a, b);
+		w->single_mass[k] = mass > 0.0f ? 1.0f / mass : 0.0f;
+	}
 }
 
 /* Impulses between the record, by the type's rows, and the work, by decoupled rows: sign +1 stores, -1 loads. */
@@ -152,17 +177,50 @@ static void impulses_recouple(const cn_world *world, const cni_joint_work *w, fl
 {
 	const cni_joint *j = cni_joint_at(world, w->joint);
 	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
-	cni_joint_frame f = work_frame(w, a, b);
+	cni_joint_frame f;
 	cni_row rows[CNI_JOINT_ROWS];
 	float share[CNI_JOINT_RIGID_ROWS];
 	int32_t i, k;
-	if (w->rigid_count == 0 || w->rigid_count == w->row_count)
+	if (!work_is_decoupled(w))
 		return;
+	f = work_frame(w, a, b);
 	cni_joint_type_of(j->type)->rows(j, &f, rows);
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		row_shares(w, &rows[k], a, b, share);
 		for (i = 0; i < w->rigid_count; ++i)
 			impulse[i] += sign * share[i] * impulse[k];
+	}
+}
+
+static uint32_t work_flags(const cni_joint *j)
+{
+	uint32_t uses = cni_joint_type_of(j->type)->uses, flags = 0;
+	if (j->force_max > 0.0f || j->torque_max > 0.0f)
+		flags |= CNI_WORK_BOUNDED;
+	if (j->break_force > 0.0f || j->break_torque > 0.0f)
+		flags |= CNI_WORK_BREAKABLE;
+	if (uses & CNI_USES_GROUNDS)
+		flags |= CNI_WORK_GROUNDS;
+	if (uses & CNI_USES_TURNS)
+		flags |= CNI_WORK_TURNS;
+	if (j->stiffness_hertz > 0.0f || (uses & CNI_USES_DRIVE))
+		flags |= CNI_WORK_SPRINGY;
+	return flags;
+}
+
+/* Softness of the first rows and limits, and of the spring. */
+static void work_soften(cni_joint_work *w, const cni_joint *j, const cni_solve *s)
+{
+	int32_t r;
+	if (cni_joint_type_of(j->type)->uses & CNI_USES_DRIVE)
+		w->soft = cni_soft_exact(w->rows[0].hertz, w->rows[0].damping_ratio, s->h);
+	else if (j->stiffness_hertz > 0.0f)
+		w->soft = cni_soft_implicit(j->stiffness_hertz, j->stiffness_damping, s->h);
+	for (r = w->rigid_count; r < w->row_count; ++r) {
+		if (w->rows[r].kind == CNI_ROW_SPRING)
+			w->spring = cni_soft_exact(w->rows[r].hertz, w->rows[r].damping_ratio, s->h);
+		else if (w->rows[r].kind == CNI_ROW_SOFT)
+			w->spring = cni_soft_implicit(w->rows[r].hertz, w->rows[r].damping_ratio, s->h);
 	}
 }
 
@@ -177,16 +235,21 @@ void cni_joints_prepare(cn_world *world, const cni_solve *s)
 		w->joint = list[k];
 		w->ia = j->body[0] == CNI_NONE ? 0 : cni_body_at(world, j->body[0])->awake;
 		w->ib = j->body[1] == CNI_NONE ? 0 : cni_body_at(world, j->body[1])->awake;
+		w->flags = work_flags(j);
 		w->start = cni_joint_frame_make(world, j);
 		work_build(world, w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
+		work_soften(w, j, s);
+		if (w->flags & CNI_WORK_BOUNDED) {
+			w->force_max = j->force_max > 0.0f ? j->force_max : FLT_MAX;
+			w->torque_max = j->torque_max > 0.0f ? j->torque_max : FLT_MAX;
+		}
+		if (w->flags & CNI_WORK_BREAKABLE)
+			w->force_stress = w->torque_stress = 0.0f;
 		for (r = 0; r < w->row_count; ++r)
 			impulse[r] = j->impulse[w->rows[r].slot];
 		impulses_recouple(world, w, -1.0f, impulse);
-		for (r = 0; r < w->row_count; ++r) {
+		for (r = 0; r < w->row_count; ++r)
 			w->rows[r].impulse = impulse[r];
-			if (w->rows[r].kind == CNI_ROW_SPRING)
-				w->spring = cni_soft_exact(w->rows[r].hertz, w->rows[r].damping_ratio, s->h);
-		}
 	}
 }
 
@@ -204,24 +267,95 @@ void cni_joints_warm_start(cn_world *world, const cni_solve *s)
 
 /* ---- impulses ---- */
 
-static void solve_rigid(cni_joint_work *w, cni_motion *a, cni_motion *b, const cni_soft *soft)
+/* What count rows that are solved together ask for. */
+CNI_INLINE void block_solve(const cni_row *rows, int32_t count, const float *inverse, const cni_motion *a, const cni_motion *b, const cni_soft *soft, float *dj)
 {
 	float rhs[CNI_JOINT_RIGID_ROWS];
 	int32_t i, k;
-	for (i = 0; i < w->rigid_count; ++i)
-		rhs[i] = soft->mass_scale * row_speed(&w->rows[i], a, b) + soft->bias_scale * w->rows[i].error;
-	for (i = 0; i < w->rigid_count; ++i) {
-		float dj = -soft->impulse_scale * w->rows[i].impulse;
-		for (k = 0; k < w->rigid_count; ++k)
-			dj -= w->inverse[inverse_at[i][k]] * rhs[k];
-		w->rows[i].impulse += dj;
-		row_push(&w->rows[i], dj, a, b);
+	for (i = 0; i < count; ++i)
+		rhs[i] = soft->mass_scale * row_speed(&rows[i], a, b) + soft->bias_scale * rows[i].error;
+	for (i = 0; i < count; ++i) {
+		dj[i] = -soft->impulse_scale * rows[i].impulse;
+		for (k = 0; k < count; ++k)
+			dj[i] -= inverse[inverse_at[i][k]] * rhs[k];
 	}
 }
 
-static void solve_spring(cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_soft *soft)
+CNI_INLINE void block_push(cni_row *rows, int32_t count, const float *dj, cni_motion *a, cni_motion *b)
+{
+	int32_t i;
+	for (i = 0; i < count; ++i) {
+		rows[i].impulse += dj[i];
+		row_push(&rows[i], dj[i], a, b);
+	}
+}
+
+/* Keeps the length of the rows' total impulse within most. Returns 1 when it had to. */
+static int32_t block_clamp(const cni_row *rows, int32_t count, float most, float *dj)
+{
+	float sum_sq = 0.0f, scale;
+	int32_t i;
+	for (i = 0; i < count; ++i)
+		sum_sq += (rows[i].impulse + dj[i]) * (rows[i].impulse + dj[i]);
+	if (sum_sq <= most * most)
+		return 0;
+	scale = most / cni_sqrt(sum_sq);
+	for (i = 0; i < count; ++i)
+		dj[i] = scale * (rows[i].impulse + dj[i]) - rows[i].impulse;
+	return 1;
+}
+
+/* Solves some of the first rows alone, the others being given. */
+static void solve_part(cni_row *rows, int32_t count, float most, cni_motion *a, cni_motion *b, const cni_soft *soft)
+{
+	float inverse[6], dj[CNI_JOINT_RIGID_ROWS];
+	block_invert(rows, count, a, b, inverse);
+	block_solve(rows, count, inverse, a, b, soft, dj);
+	block_clamp(rows, count, most, dj);
+	block_push(rows, count, dj, a, b);
+}
+
+static void solve_bounded(cni_joint_work *w, cni_motion *a, cni_motion *b, const cni_soft *soft, float h)
+{
+	float most_linear = w->force_max * h, most_angular = w->torque_max * h, dj[CNI_JOINT_RIGID_ROWS];
+	int32_t linear = 0, angular, over_linear, over_angular;
+	while (linear < w->rigid_count && !w->rows[linear].angular)
+		++linear;
+	angular = w->rigid_count - linear;
+	block_solve(w->rows, w->rigid_count, w->inverse, a, b, soft, dj);
+	over_linear = block_clamp(w->rows, linear, most_linear, dj);
+	over_angular = block_clamp(w->rows + linear, angular, most_angular, dj + linear);
+	if (over_linear && !over_angular && angular > 0) {
+		block_push(w->rows, linear, dj, a, b);
+		solve_part(w->rows + linear, angular, most_angular, a, b, soft);
+	} else if (over_angular && !over_linear && linear > 0) {
+		block_push(w->rows + linear, angular, dj + linear, a, b);
+		solve_part(w->rows, linear, most_linear, a, b, soft);
+	} else {
+		block_push(w->rows, w->rigid_count, dj, a, b);
+	}
+}
+
+static void solve_rigid(cni_joint_work *w, cni_motion *a, cni_motion *b, const cni_soft *soft, float h)
+{
+	float dj[CNI_JOINT_RIGID_ROWS];
+	if (w->flags & CNI_WORK_BOUNDED) {
+		solve_bounded(w, a, b, soft, h);
+	} else if (w->rigid_count == 2) { /* the same with a count known to the compiler */
+		block_solve(w->rows, 2, w->inverse, a, b, soft, dj);
+		block_push(w->rows, 2, dj, a, b);
+	} else {
+		block_solve(w->rows, w->rigid_count, w->inverse, a, b, soft, dj);
+		block_push(w->rows, w->rigid_count, dj, a, b);
+	}
+}
+
+/* A soft row keeps within its limit; a spring has none. */
+static void solve_spring(cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_soft *soft, float h)
 {
 	float dj = -mass * (soft->mass_scale * row_speed(r, a, b) + soft->bias_scale * r->error) - soft->impulse_scale * r->impulse;
+	if (r->limit > 0.0f)
+		dj = cni_clamp(r->impulse + dj, -r->limit * h, r->limit * h) - r->impulse;
 	r->impulse += dj;
 	row_push(r, dj, a, b);
 }
@@ -234,16 +368,22 @@ static void solve_motor(cni_row *r, float mass, cni_motion *a, cni_motion *b, co
 }
 
 /* Room that is left bounds the speed (speculative); beyond the limit it is soft. */
-static void solve_limit(cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_solve *s, int32_t bias)
+static void solve_limit(const cni_joint_work *w, cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_solve *s, int32_t bias)
 {
-	float speed = row_speed(r, a, b), old = r->impulse, impulse;
+	const cni_soft *soft = (w->flags & CNI_WORK_SPRINGY) ? &w->soft : &s->joint;
+	float speed, old = r->impulse, impulse;
+	if (!bias && r->error <= 0.0f && (w->flags & CNI_WORK_SPRINGY))
+		return;
+	speed = row_speed(r, a, b);
 	if (r->error > 0.0f)
 		impulse = old - mass * (speed + r->error * s->inv_h);
 	else if (bias)
-		impulse = (1.0f - s->joint.impulse_scale) * old - mass * (s->joint.mass_scale * speed + s->joint.bias_scale * r->error);
+		impulse = (1.0f - soft->impulse_scale) * old - mass * (soft->mass_scale * speed + soft->bias_scale * r->error);
 	else
 		impulse = old - mass * speed;
 	r->impulse = cni_max(impulse, 0.0f);
+	if (w->flags & CNI_WORK_BOUNDED)
+		r->impulse = cni_min(r->impulse, (r->angular ? w->torque_max : w->force_max) * s->h);
 	row_push(r, r->impulse - old, a, b);
 }
 
@@ -257,11 +397,14 @@ static void solve_work(cni_joint_work *w, cni_motion *motions, const cni_solve *
 		if (r->kind == CNI_ROW_MOTOR)
 			solve_motor(r, w->single_mass[k], a, b, s);
 		else if (r->kind == CNI_ROW_LIMIT)
-			solve_limit(r, w->single_mass[k], a, b, s, bias);
+			solve_limit(w, r, w->single_mass[k], a, b, s, bias);
 		else if (bias)
-			solve_spring(r, w->single_mass[k], a, b, &w->spring);
+			solve_spring(r, w->single_mass[k], a, b, &w->spring, s->h);
 	}
-	solve_rigid(w, a, b, bias ? &s->joint : &rigid);
+	if (!(w->flags & CNI_WORK_SPRINGY))
+		solve_rigid(w, a, b, bias ? &s->joint : &rigid, s->h);
+	else if (bias)
+		solve_rigid(w, a, b, &w->soft, s->h);
 }
 
 void cni_joints_solve(cn_world *world, const cni_solve *s)
@@ -300,20 +443,38 @@ static void work_rebuild(cn_world *world, cni_joint_work *w)
 	sb->w -= change_b.w;
 }
 
+static void work_stress(cni_joint_work *w, const cni_motion *b, float inv_h)
+{
+	cni_vec2 rb = cni_rotate(cni_rot_small(b->theta), w->start.rb), linear;
+	float angular;
+	cni_rows_impulse(w->rows, w->row_count, rb, &linear, &angular);
+	w->force_stress = cni_max(w->force_stress, cni_length(linear) * inv_h);
+	w->torque_stress = cni_max(w->torque_stress, cni_abs(angular) * inv_h);
+}
+
 void cni_joints_relax(cn_world *world, const cni_solve *s)
 {
 	int32_t k;
 	for (k = 0; k < world->awake_joints.count; ++k) {
-		work_rebuild(world, works(world) + k);
-		solve_work(works(world) + k, cni_motions(world), s, 0);
+		cni_joint_work *w = works(world) + k;
+		work_rebuild(world, w);
+		solve_work(w, cni_motions(world), s, 0);
+		if (w->flags & CNI_WORK_BREAKABLE)
+			work_stress(w, cni_motions(world) + w->ib, s->inv_h);
 	}
+}
+
+static int32_t is_beyond(const cni_joint_work *w, const cni_joint *j)
+{
+	return (j->break_force > 0.0f && w->force_stress > j->break_force) || (j->break_torque > 0.0f && w->torque_stress > j->break_torque);
 }
 
 void cni_joints_store(cn_world *world, const cni_solve *s)
 {
 	int32_t k, r;
+	world->stressed_joints = 0;
 	for (k = 0; k < world->awake_joints.count; ++k) {
-		const cni_joint_work *w = works(world) + k;
+		cni_joint_work *w = works(world) + k;
 		cni_joint *j = cni_joint_at(world, w->joint);
 		float impulse[CNI_JOINT_ROWS];
 		for (r = 0; r < w->row_count; ++r)
@@ -324,5 +485,38 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 		for (r = 0; r < w->row_count; ++r)
 			j->impulse[w->rows[r].slot] = impulse[r];
 		j->inv_h = s->inv_h;
+		if (w->flags & CNI_WORK_TURNS)
+			cni_joint_turns_advance(world, j, cni_motions(world)[w->ia].theta, cni_motions(world)[w->ib].theta);
+		if (w->flags & CNI_WORK_BREAKABLE) {
+			work_stress(w, cni_motions(world) + w->ib, s->inv_h);
+			world->stressed_joints += is_beyond(w, j);
+		}
+	}
+}
+
+/* ---- breaking ---- */
+
+static void joint_break(cn_world *world, const cni_joint_work *w)
+{
+	uint32_t breaks = (cni_joint_at(world, w->joint)->flags & CN_JOINT_BREAKS) != 0;
+	if (!cni_joint_event_log(world, w->joint, w->force_stress, w->torque_stress, breaks)) {
+		world->warnings |= CN_WARNING_EVENT_MEMORY;
+		++world->events_not_reported;
+	}
+	if (breaks)
+		cni_joint_destroy(world, w->joint);
+}
+
+/* Backwards, because a joint that goes away gives its place in the awake list to the last one. */
+void cni_joints_break(cn_world *world)
+{
+	int32_t k;
+	if (world->stressed_joints == 0)
+		return;
+	world->stressed_joints = 0;
+	for (k = world->awake_joints.count - 1; k >= 0; --k) {
+		const cni_joint_work *w = works(world) + k;
+		if ((w->flags & CNI_WORK_BREAKABLE) && is_beyond(w, cni_joint_at(world, w->joint)))
+			joint_break(world, w);
 	}
 }

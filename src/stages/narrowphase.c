@@ -38,6 +38,14 @@ static pair_motion motion_make(const cn_world *world, const cni_body *a, const c
 	return m;
 }
 
+/* Speed at which the surfaces come closer at a point. */
+static float closing_at(const cni_manifold *out, int32_t k, const pair_motion *m, const cni_body *a, cni_vec2 b_center)
+{
+	cni_vec2 p = out->points[k].point, ra = cni_sub(p, a->local_center), rb = cni_sub(p, b_center);
+	cni_vec2 v = cni_add(m->v, cni_sub(cni_mul(m->wb, cni_left_perp(rb)), cni_mul(m->wa, cni_left_perp(ra))));
+	return -cni_dot(out->normal, v);
+}
+
 /* Keeps the points that are within the plain margin or are reached within the step: the normal of one that is not
    stays a separating axis. Returns the largest separation kept. */
 static float drop_unreached(cni_manifold *out, const pair_motion *m, const cni_body *a, cni_vec2 b_center, float margin, float dt)
@@ -45,17 +53,49 @@ static float drop_unreached(cni_manifold *out, const pair_motion *m, const cni_b
 	int32_t k, kept = 0;
 	float nearest = FLT_MAX;
 	for (k = 0; k < out->count; ++k) {
-		cni_vec2 p = out->points[k].point;
-		cni_vec2 ra = cni_sub(p, a->local_center), rb = cni_sub(p, b_center);
-		cni_vec2 v = cni_add(m->v, cni_sub(cni_mul(m->wb, cni_left_perp(rb)), cni_mul(m->wa, cni_left_perp(ra))));
-		float closing = -cni_dot(out->normal, v);
-		if (out->points[k].separation > margin + cni_max(closing, 0.0f) * dt)
+		if (out->points[k].separation > margin + cni_max(closing_at(out, k, m, a, b_center), 0.0f) * dt)
 			continue;
 		nearest = cni_min(nearest, out->points[k].separation);
 		out->points[kept++] = out->points[k];
 	}
 	out->count = kept;
 	return nearest;
+}
+
+/* How deep the planes of points that are all ahead would be passed in the step; 0 when some point is nearer than least. */
+static float depth_ahead(const cni_manifold *out, const pair_motion *m, const cni_body *a, cni_vec2 b_center, float least, float dt)
+{
+	float depth = 0.0f;
+	int32_t k;
+	for (k = 0; k < out->count; ++k) {
+		if (out->points[k].separation <= least)
+			return 0.0f;
+		depth = cni_max(depth, closing_at(out, k, m, a, b_center) * dt - cni_max(out->points[k].separation, 0.0f));
+	}
+	return depth;
+}
+
+/*
+ * Do the shapes graze each other at most? While they move along a line, the shadows that they throw along it stay:
+ * shadows that overlap by no more than the slop are of shapes that never meet deeper. So the corner of the next
+ * piece of flat ground, which is ahead of what slides over it, does not hold it up.
+ */
+static int32_t shadows_graze(const cni_manifold_input *in, const pair_motion *m, const cni_body *a, const cni_body *b, float dt)
+{
+	float speed = cni_length(m->v);
+	float turn = dt * (cni_abs(m->wa) * (a->extent - in->a->radius) + cni_abs(m->wb) * (b->extent - in->b->radius));
+	cni_transform along, b_along;
+	cni_aabb box_a, box_b;
+	if (speed * dt <= 0.1f * in->slop || turn > in->slop)
+		return 0;
+	along.q.c = m->v.x / speed; /* turns the motion to +x: shadows are what is left in y */
+	along.q.s = -m->v.y / speed;
+	along.t = cni_v(0.0f, 0.0f);
+	b_along.q = cni_rot_mul(along.q, in->b_in_a.q);
+	b_along.t = cni_rotate(along.q, in->b_in_a.t);
+	box_a = cni_geometry_aabb(in->a, in->child_a, along);
+	box_b = cni_geometry_aabb(in->b, in->child_b, b_along);
+	return cni_min(box_a.y1, box_b.y1) - cni_max(box_a.y0, box_b.y0) + turn <= in->slop;
 }
 
 static cni_path path_make(const cni_body *b, cni_vec2 from, const cni_motion *m, float dt)
@@ -121,9 +161,10 @@ static void contact_collide(const cn_world *world, cni_contact *c, float dt, tou
 	const cni_proxy *pa = cni_proxy_at(world, c->proxy[0]), *pb = cni_proxy_at(world, c->proxy[1]);
 	const cni_shape *sa = cni_shape_at(world, pa->shape), *sb = cni_shape_at(world, pb->shape);
 	const cni_body *a = cni_body_at(world, c->body[0]), *b = cni_body_at(world, c->body[1]);
-	float margin = world->settings.contact_margin, nearest;
+	float margin = world->settings.contact_margin, nearest, least;
 	pair_motion m = motion_make(world, a, b, dt);
 	cni_manifold_input in;
+	cni_vec2 b_center;
 	in.a = cni_shape_geometry(&world->blocks, sa);
 	in.b = cni_shape_geometry(&world->blocks, sb);
 	in.child_a = pa->child;
@@ -134,9 +175,15 @@ static void contact_collide(const cn_world *world, cni_contact *c, float dt, tou
 	out->manifold.count = 0;
 	out->gap = cni_v(0.0f, 0.0f);
 	cni_manifold_function(sa->type, sb->type)(&in, &c->cache, &out->manifold);
+	if (out->manifold.count == 0)
+		return;
+	b_center = cni_transform_point(in.b_in_a, b->local_center);
+	least = c->flags & CNI_CONTACT_TOUCHING ? 0.0f : -in.slop;
+	if (depth_ahead(&out->manifold, &m, a, b_center, least, dt) > 0.1f * in.slop && shadows_graze(&in, &m, a, b, dt))
+		out->manifold.count = 0;
 	if (m.reach <= margin || out->manifold.count == 0)
 		return;
-	nearest = drop_unreached(&out->manifold, &m, a, cni_transform_point(in.b_in_a, b->local_center), margin, dt);
+	nearest = drop_unreached(&out->manifold, &m, a, b_center, margin, dt);
 	if (out->manifold.count > 0 && nearest > 2.0f * margin)
 		meet(world, a, b, &in, dt, out);
 }

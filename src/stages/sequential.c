@@ -29,10 +29,10 @@ void cni_sequential_velocities(cn_world *world, const cni_solve *s)
 		const cni_drive *d = cni_drives(world) + k;
 		cni_velocity_start *start = cni_starts(world) + k;
 		cni_motion *m = &motions[k];
-		float linear = 1.0f / (1.0f + b->linear_damping * s->dt), angular = 1.0f / (1.0f + b->angular_damping * s->dt);
-		m->vx = linear * m->vx + s->dt * d->ax;
-		m->vy = linear * m->vy + s->dt * d->ay;
-		m->w = angular * m->w + s->dt * d->alpha;
+		float linear = cni_damping_factor(b->linear_damping, s->dt), angular = cni_damping_factor(b->angular_damping, s->dt);
+		m->vx = linear * (m->vx + s->dt * d->ax);
+		m->vy = linear * (m->vy + s->dt * d->ay);
+		m->w = angular * (m->w + s->dt * d->alpha);
 		start->vx = m->vx;
 		start->vy = m->vy;
 		start->w = m->w;

@@ -16,8 +16,9 @@ static void keep_touching_awake(cn_world *world, int32_t body)
 			cni_body_at(world, c->body[1 - (key & 1)])->sleep_time = 0.0f;
 	}
 	for (key = cni_body_at(world, body)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
-		int32_t other = cni_joint_at(world, key >> 1)->body[1 - (key & 1)];
-		if (other != CNI_NONE)
+		const cni_joint *j = cni_joint_at(world, key >> 1);
+		int32_t other = j->body[1 - (key & 1)];
+		if (other != CNI_NONE && j->awake != CNI_NONE)
 			cni_body_at(world, other)->sleep_time = 0.0f;
 	}
 }

@@ -92,6 +92,7 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	s.warm_scale = (set->flags & CN_WORLD_WARM_START) == 0 ? 0.0f : last > 0.0f ? cni_min(dt / last, 4.0f) : 1.0f;
 	s.push_speed = set->push_speed_max;
 	s.restitution_threshold = set->restitution_threshold;
+	s.shock_speed = set->length_unit;
 	s.contact = cni_soft_implicit(0.125f * s.inv_h, 10.0f, s.h);
 	s.contact_static = cni_soft_implicit(0.25f * s.inv_h, 10.0f, s.h);
 	s.joint = cni_soft_implicit(0.25f * s.inv_h, 2.0f, s.h);

@@ -26,12 +26,19 @@ typedef struct cni_soft {
 
 struct cni_contact_kernel; /* stages/contact_pass.h */
 
+/* v' = (v + h a) times this: v' = a - damping v taken implicitly, so that the speed that a fall tends to is exact. */
+static inline float cni_damping_factor(float damping, float h)
+{
+	return 1.0f / (1.0f + damping * h);
+}
+
 typedef struct cni_solve {
 	float dt, h, inv_h;
 	int32_t substeps;
 	float warm_scale;          /* of stored impulses: this substep over the last one's */
 	float push_speed;
 	float restitution_threshold;
+	float shock_speed;         /* a jump of a body's velocity in one substep that is an impact */
 	cni_soft contact;          /* two dynamic bodies */
 	cni_soft contact_static;   /* one of them cannot move */
 	cni_soft joint;
@@ -61,12 +68,15 @@ void cni_integrate_finish(cn_world *world, const cni_solve *s);
 void cni_contacts_warm_start(cn_world *world, const cni_solve *s);
 void cni_contacts_solve(cn_world *world, const cni_solve *s);
 void cni_contacts_relax(cn_world *world, const cni_solve *s);
+void cni_shocks_forget(cn_world *world, const cni_solve *s);
 void cni_contacts_impact(cn_world *world, const cni_solve *s);
 void cni_joints_prepare(cn_world *world, const cni_solve *s);
 void cni_joints_warm_start(cn_world *world, const cni_solve *s);
 void cni_joints_solve(cn_world *world, const cni_solve *s);
 void cni_joints_relax(cn_world *world, const cni_solve *s);
 void cni_joints_store(cn_world *world, const cni_solve *s);
+/* After finalize: reports joints that were stressed beyond their threshold, and destroys those that break. */
+void cni_joints_break(cn_world *world);
 
 /* Stage 8, first part: shortens the changes of fast bodies that would pass through things. Before any box moves. */
 void cni_stage_continuous(cn_world *world);

@@ -4,7 +4,7 @@
  * Creation reserves everything first (handles, records, dense arrays, names) and then commits, so that
  * a failure leaves nothing behind; destruction reserves room for the events of the contacts it ends.
  */
-#include "world/error.h"
+#include "world/joint_change.h"
 
 #include <string.h>
 
@@ -178,12 +178,20 @@ cn_result cn_body_create_many(cn_world *world, const cn_body_def *defs, int32_t 
 
 /* ------------------------------------------------------------------ destroying */
 
+static void reserve_end(cni_call *call, cn_world *world, int32_t contacts, int32_t joints)
+{
+	if (call->result == CN_OK)
+		cni_check_reserved(call, cni_contact_reserve_end(world, contacts), "events of contacts");
+	if (call->result == CN_OK && !cni_joint_reserve_events(world, joints))
+		cni_refuse(call, CN_ERROR_MEMORY, "no memory for events of joints");
+}
+
 static void destroy_joints(cn_world *world, const cni_body *b)
 {
 	while (b->joint_first != CNI_NONE) {
 		int32_t joint = b->joint_first >> 1;
-		cni_joint_unlink(world, joint);
-		cni_handles_release(&world->joint_handles, joint);
+		cni_joint_event_log(world, joint, 0.0f, 0.0f, 1);
+		cni_joint_destroy(world, joint);
 	}
 }
 
@@ -198,7 +206,7 @@ static void destroy_shapes(cn_world *world, const cni_body *b)
 	}
 }
 
-/* After cni_contact_reserve_end for its contacts. */
+/* After reserve_end for its contacts and joints. */
 static void body_destroy(cn_world *world, int32_t body)
 {
 	cni_body *b = cni_body_at(world, body);
@@ -220,14 +228,14 @@ cn_result cn_body_destroy(cn_world *world, cn_body body)
 	cni_call call = cni_enter(world, __func__);
 	const cni_body *b = cni_check_body(&call, "body", body);
 	if (call.result == CN_OK)
-		cni_check_reserved(&call, cni_contact_reserve_end(world, b->contact_count), "events of its contacts");
+		reserve_end(&call, world, b->contact_count, b->joint_count);
 	if (call.result == CN_OK)
 		body_destroy(world, cni_index_of(body));
 	return call.result;
 }
 
 /* Finds every body and marks it; a mark that is there already is a duplicate. Returns how many are marked. */
-static int32_t mark_bodies(cni_call *call, const cn_body *bodies, int32_t count, int32_t *out_contacts)
+static int32_t mark_bodies(cni_call *call, const cn_body *bodies, int32_t count, int32_t *out_contacts, int32_t *out_joints)
 {
 	int32_t k;
 	for (k = 0; k < count; ++k) {
@@ -238,6 +246,7 @@ static int32_t mark_bodies(cni_call *call, const cn_body *bodies, int32_t count,
 			break;
 		b->flags |= CNI_BODY_MARK;
 		*out_contacts += b->contact_count;
+		*out_joints += b->joint_count;
 	}
 	return k;
 }
@@ -245,14 +254,13 @@ static int32_t mark_bodies(cni_call *call, const cn_body *bodies, int32_t count,
 cn_result cn_body_destroy_many(cn_world *world, const cn_body *bodies, int32_t count)
 {
 	cni_call call = cni_enter(world, __func__);
-	int32_t marked = 0, contacts = 0, k;
+	int32_t marked = 0, contacts = 0, joints = 0, k;
 	cni_check_array(&call, "bodies", bodies, count);
 	if (call.result == CN_OK)
-		marked = mark_bodies(&call, bodies, count, &contacts);
+		marked = mark_bodies(&call, bodies, count, &contacts, &joints);
 	for (k = 0; k < marked; ++k)
 		cni_body_at(world, cni_index_of(bodies[k]))->flags &= ~(uint32_t)CNI_BODY_MARK;
-	if (call.result == CN_OK)
-		cni_check_reserved(&call, cni_contact_reserve_end(world, contacts), "events of their contacts");
+	reserve_end(&call, world, contacts, joints);
 	for (k = 0; k < count && call.result == CN_OK; ++k)
 		body_destroy(world, cni_index_of(bodies[k]));
 	return call.result;
@@ -303,11 +311,9 @@ cn_result cn_body_get_joints(const cn_world *world, cn_body body, cn_joint *out,
 	cni_call call = cni_enter_const(world);
 	const cni_body *b = cni_check_body(&call, "body", body);
 	cni_list list = cni_list_begin(&call, out, capacity, out_count);
-	int32_t key;
 	if (call.result != CN_OK)
 		return call.result;
-	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
-		cni_list_add(&list, cni_handles_of(&world->joint_handles, key >> 1));
+	cni_list_joints_of(world, b, 0, &list);
 	*out_count = list.count;
 	return CN_OK;
 }

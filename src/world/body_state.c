@@ -88,7 +88,7 @@ cn_result cn_body_set_type(cn_world *world, cn_body body, int32_t type)
 	if (call.result != CN_OK || b->type == type)
 		return call.result;
 	if (type != CN_BODY_DYNAMIC && some_joint_needs_dynamic(world, b))
-		return cni_refuse(&call, CN_ERROR_STATE, "a joint would be left without a dynamic body");
+		return cni_refuse(&call, CN_ERROR_STATE, "a joint or constraint would be left without a dynamic body");
 	reserve_relink(&call, world, b);
 	if (call.result == CN_OK && b->type == CN_BODY_STATIC)
 		cni_check_reserved(&call, cni_body_reserve(world, 1), "movable bodies");

@@ -34,7 +34,7 @@ static void def_check_numbers(cni_call *call, const cn_world_def *d)
 	cni_check_finite2(call, "gravity_mps2", d->gravity_mps2);
 	cni_check_range(call, "length_unit_m", d->length_unit_m, 1e-6f, 1e6f);
 	cni_check_range_int(call, "solver", d->solver, CN_SOLVER_SOFT, CN_SOLVER_SEQUENTIAL);
-	cni_check_range_int(call, "broadphase", d->broadphase, CN_BROADPHASE_SWEEP, CN_BROADPHASE_SWEEP);
+	cni_check_range_int(call, "broadphase", d->broadphase, CN_BROADPHASE_SWEEP, CN_BROADPHASE_TREE);
 	cni_check_range_int(call, "substep_count", d->substep_count, 1, 64);
 	cni_check_at_least(call, "restitution_threshold_mps", d->restitution_threshold_mps, 0.0f);
 	cni_check_at_least(call, "push_speed_max_mps", d->push_speed_max_mps, 0.0f);
@@ -195,6 +195,11 @@ static cn_result dummy_create(cn_world *world)
 	return CN_OK;
 }
 
+static const cni_broadphase_ops *broadphase_choice(int32_t broadphase)
+{
+	return broadphase == CN_BROADPHASE_TREE ? &cni_broadphase_tree : &cni_broadphase_sweep;
+}
+
 static cn_result broadphase_create(cn_world *world, int32_t capacity)
 {
 	cni_broadphase_context context;
@@ -204,7 +209,7 @@ static cn_result broadphase_create(cn_world *world, int32_t capacity)
 	context.arena = &world->arena;
 	context.proxies = &world->proxies;
 	context.length_unit = world->settings.length_unit;
-	world->broadphase_ops = &cni_broadphase_sweep;
+	world->broadphase_ops = broadphase_choice(world->settings.broadphase);
 	world->broadphase = world->broadphase_ops->create(&context, capacity);
 	return world->broadphase != NULL ? CN_OK : CN_ERROR_MEMORY;
 }
@@ -267,6 +272,8 @@ static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 	       cni_array_reserve_exact(&world->events.moved, m, 2 * d->body_capacity + 1) &&
 	       cni_array_reserve_exact(&world->kicked, m, 2 * d->body_capacity) &&
 	       cni_array_reserve_exact(&world->previous, m, with_spares(d->body_capacity)) &&
+	       cni_array_reserve_exact(&world->events.joint_log, m, d->joint_capacity) &&
+	       cni_array_reserve_exact(&world->events.joint_pending, m, d->joint_capacity) &&
 	       cni_arena_reserve(&world->arena, arena_bytes(d));
 }
 
@@ -330,6 +337,7 @@ static uint64_t arrays_bytes(const cn_world_def *d)
 {
 	int32_t joints = d->joint_capacity;
 	return body_arrays_bytes(d->body_capacity) + contact_arrays_bytes(d->contact_capacity) + array_bytes(with_spares(d->shape_capacity), sizeof(uint32_t)) +
+	       2u * array_bytes(joints, sizeof(cn_joint_event)) +
 	       array_bytes(with_spares(joints), sizeof(uint32_t)) + array_bytes(joints, sizeof(cni_joint_work)) + array_bytes(joints, sizeof(int32_t)) +
 	       array_bytes(1, (size_t)arena_bytes(d));
 }
@@ -342,7 +350,7 @@ cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes)
 	if (call.result != CN_OK)
 		return call.result;
 	*out_bytes = cni_memory_rounded(sizeof(cn_world)) + records_bytes(def) + arrays_bytes(def) + pieces_bytes(def) +
-	             cni_broadphase_sweep.bytes_needed(def->shape_capacity) + 4096u;
+	             broadphase_choice(def->broadphase)->bytes_needed(def->shape_capacity) + 4096u;
 	return CN_OK;
 }
 

@@ -429,9 +429,9 @@ void cni_check_material(cni_call *call, const cn_material *material)
 
 /* ------------------------------------------------------------------ checks of handles */
 
-static int32_t find(cni_call *call, const cni_handles *handles, const char *field, uint32_t handle, const char *kind)
+/* Passes the index on; CNI_NONE is refused. */
+static int32_t found(cni_call *call, int32_t index, const char *field, uint32_t handle, const char *kind)
 {
-	int32_t index = cni_handles_find(handles, handle);
 	cni_text text;
 	if (index != CNI_NONE || !refuse_begin(call, CN_ERROR_HANDLE, &text))
 		return index;
@@ -440,6 +440,11 @@ static int32_t find(cni_call *call, const cni_handles *handles, const char *fiel
 	cni_text_string(&text, "; must be the handle of a live ");
 	cni_text_string(&text, kind);
 	return CNI_NONE;
+}
+
+static int32_t find(cni_call *call, const cni_handles *handles, const char *field, uint32_t handle, const char *kind)
+{
+	return found(call, cni_handles_find(handles, handle), field, handle, kind);
 }
 
 cni_body *cni_check_body(cni_call *call, const char *field, cn_body body)
@@ -456,7 +461,13 @@ cni_shape *cni_check_shape(cni_call *call, const char *field, cn_shape shape)
 
 cni_joint *cni_check_joint(cni_call *call, const char *field, cn_joint joint)
 {
-	int32_t index = call->result == CN_OK ? find(call, &call->world->joint_handles, field, joint, "joint") : CNI_NONE;
+	int32_t index = call->result == CN_OK ? found(call, cni_joint_find(call->world, joint, 0), field, joint, "joint") : CNI_NONE;
+	return index != CNI_NONE ? cni_joint_at(call->world, index) : NULL;
+}
+
+cni_joint *cni_check_constraint(cni_call *call, const char *field, cn_constraint constraint)
+{
+	int32_t index = call->result == CN_OK ? found(call, cni_joint_find(call->world, constraint, 1), field, constraint, "constraint") : CNI_NONE;
 	return index != CNI_NONE ? cni_joint_at(call->world, index) : NULL;
 }
 

@@ -91,6 +91,7 @@ void cni_check_material(cni_call *call, const cn_material *material);
 cni_body *cni_check_body(cni_call *call, const char *field, cn_body body);
 cni_shape *cni_check_shape(cni_call *call, const char *field, cn_shape shape);
 cni_joint *cni_check_joint(cni_call *call, const char *field, cn_joint joint);
+cni_joint *cni_check_constraint(cni_call *call, const char *field, cn_constraint constraint);
 
 /* ---- output lists: at most capacity handles are written, all are counted */
 

@@ -1,6 +1,6 @@
 /*
  * world/joint.c - public functions on any joint: what it connects and does, flags, motor, limits.
- * What is particular to a type is in joint_create.c.
+ * Definitions are in joint_create.c, what is particular to a type in joint_kinds.c.
  */
 #include "world/joint_change.h"
 
@@ -11,9 +11,12 @@ void cni_check_joint_limits(cni_call *call, int32_t type, float lower, float upp
 	if (type == CN_JOINT_REVOLUTE) {
 		cni_check_range(call, "lower angle", lower, -CNI_PI, CNI_PI);
 		cni_check_range(call, "upper angle", upper, -CNI_PI, CNI_PI);
-	} else {
+	} else if (type == CN_JOINT_DISTANCE) {
 		cni_check_at_least(call, "least length", lower, 0.0f);
 		cni_check_at_least(call, "greatest length", upper, 0.0f);
+	} else {
+		cni_check_finite(call, "lower limit", lower);
+		cni_check_finite(call, "upper limit", upper);
 	}
 	if (lower > upper)
 		cni_refuse_float(call, "lower limit", lower, "must not be above the upper one");
@@ -28,7 +31,7 @@ void cni_joint_change_reserve(cni_call *call, cn_world *world, const cni_joint *
 		cni_refuse(call, CN_ERROR_MEMORY, "no memory for islands");
 }
 
-static void wake_bodies(cn_world *world, const cni_joint *j)
+void cni_joint_wake_bodies(cn_world *world, const cni_joint *j)
 {
 	int32_t side;
 	for (side = 0; side < 2; ++side)
@@ -61,7 +64,7 @@ void cni_joint_change_flags(cn_world *world, int32_t joint, uint32_t flags)
 	}
 	j->flags = flags;
 	forget_missing_rows(world, j);
-	wake_bodies(world, j);
+	cni_joint_wake_bodies(world, j);
 }
 
 cn_result cn_joint_set_flags(cn_world *world, cn_joint joint, uint32_t flags)
@@ -77,31 +80,54 @@ cn_result cn_joint_set_flags(cn_world *world, cn_joint joint, uint32_t flags)
 	return call.result;
 }
 
+static cni_joint *check_joint_has(cni_call *call, cn_joint joint, uint32_t what, const char *why_not)
+{
+	cni_joint *j = cni_check_joint(call, "joint", joint);
+	if (j != NULL && !(cni_joint_kind_of(j->type)->has & what))
+		cni_refuse(call, CN_ERROR_STATE, why_not);
+	return j;
+}
+
 cn_result cn_joint_set_motor(cn_world *world, cn_joint joint, float speed, float force_or_torque_max)
 {
 	cni_call call = cni_enter(world, __func__);
-	cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_joint *j = check_joint_has(&call, joint, CNI_KIND_HAS_MOTOR, "joints of this type have no motor");
 	cni_check_finite(&call, "speed", speed);
 	cni_check_at_least(&call, "force_or_torque_max", force_or_torque_max, 0.0f);
 	if (call.result != CN_OK)
 		return call.result;
 	j->p[CNI_P_MOTOR_SPEED] = speed;
 	j->p[CNI_P_MOTOR_MAX] = force_or_torque_max;
-	wake_bodies(world, j);
+	cni_joint_wake_bodies(world, j);
 	return CN_OK;
 }
 
 cn_result cn_joint_set_limits(cn_world *world, cn_joint joint, float lower, float upper)
 {
 	cni_call call = cni_enter(world, __func__);
-	cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_joint *j = check_joint_has(&call, joint, CNI_KIND_HAS_LIMITS, "joints of this type have no limits");
 	if (call.result == CN_OK)
 		cni_check_joint_limits(&call, j->type, lower, upper);
 	if (call.result != CN_OK)
 		return call.result;
 	j->p[CNI_P_LOWER] = lower;
 	j->p[CNI_P_UPPER] = upper;
-	wake_bodies(world, j);
+	cni_joint_wake_bodies(world, j);
+	return CN_OK;
+}
+
+cn_result cn_joint_set_target(cn_world *world, cn_joint joint, float target_x_m, float target_y_m)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_vec2 target = cni_v(target_x_m, target_y_m);
+	if (j != NULL && j->type != CN_JOINT_MOUSE)
+		cni_refuse(&call, CN_ERROR_STATE, "the joint is of another type");
+	cni_check_position(&call, "target", target);
+	if (call.result != CN_OK)
+		return call.result;
+	j->anchor[0] = target;
+	cni_joint_wake_bodies(world, j);
 	return CN_OK;
 }
 
@@ -118,7 +144,7 @@ cn_result cn_joint_set_user_data(cn_world *world, cn_joint joint, uint64_t user_
 
 int32_t cn_joint_is_valid(const cn_world *world, cn_joint joint)
 {
-	return world != NULL && cni_handles_find(&world->joint_handles, joint) != CNI_NONE;
+	return world != NULL && cni_joint_find(world, joint, 0) != CNI_NONE;
 }
 
 cn_result cn_joint_get_type(const cn_world *world, cn_joint joint, int32_t *out_type)
@@ -215,4 +241,41 @@ cn_result cn_joint_get_speed(const cn_world *world, cn_joint joint, float *out_s
 	if (call.result == CN_OK)
 		*out_speed = cni_joint_speed(world, j);
 	return call.result;
+}
+
+/* ------------------------------------------------------------------ lists and events */
+
+void cni_list_joints_of(const cn_world *world, const cni_body *b, int32_t constraint, cni_list *list)
+{
+	int32_t key;
+	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+		if (cni_joint_is_constraint(cni_joint_at(world, key >> 1)->type) == constraint)
+			cni_list_add(list, cni_joint_handle(world, key >> 1));
+}
+
+cn_result cni_list_joints(const cn_world *world, int32_t constraint, uint32_t *out, int32_t capacity, int32_t *out_count)
+{
+	cni_call call = cni_enter_const(world);
+	cni_list list = cni_list_begin(&call, out, capacity, out_count);
+	int32_t used, k;
+	if (call.result != CN_OK)
+		return call.result;
+	used = cni_handles_used(&world->joint_handles);
+	for (k = 0; k < used && list.count < capacity; ++k)
+		if (cni_handles_alive(&world->joint_handles, k) && cni_joint_is_constraint(cni_joint_at(world, k)->type) == constraint)
+			cni_list_add(&list, cni_joint_handle(world, k));
+	*out_count = constraint ? world->constraint_count : world->joint_handles.count - world->constraint_count;
+	return CN_OK;
+}
+
+cn_result cn_world_joint_events(const cn_world *world, const cn_joint_event **out_events, int32_t *out_count)
+{
+	cni_call call = cni_enter_const(world);
+	cni_check_pointer(&call, "out_events", out_events);
+	cni_check_pointer(&call, "out_count", out_count);
+	if (call.result != CN_OK)
+		return call.result;
+	*out_events = (const cn_joint_event *)world->events.joint_log.data;
+	*out_count = world->events.joint_log.count;
+	return CN_OK;
 }

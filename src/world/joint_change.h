@@ -1,19 +1,56 @@
 /*
- * world/joint_change.h - what the public functions on joints share: checking limits and replacing flags.
+ * world/joint_change.h - what the public functions on joints and constraints share: making, changing and
+ * listing them.
  */
 #ifndef CNI_WORLD_JOINT_CHANGE_H
 #define CNI_WORLD_JOINT_CHANGE_H
 
 #include "world/error.h"
 
-#define CNI_JOINT_FLAGS (CN_JOINT_COLLIDE | CN_JOINT_LIMIT | CN_JOINT_MOTOR | CN_JOINT_SPRING)
+#define CNI_JOINT_FLAGS (CN_JOINT_COLLIDE | CN_JOINT_LIMIT | CN_JOINT_MOTOR | CN_JOINT_SPRING | CN_JOINT_BREAKS)
+#define CNI_HERTZ_MAX 1e6f
+#define CNI_DAMPING_RATIO_MAX 1e6f
 
-/* Revolute: -pi <= lower <= upper <= pi. Distance: 0 <= lower <= upper. */
+/* What a joint type needs beyond its base. Definitions begin with a cn_joint_base. */
+typedef struct cni_joint_kind {
+	size_t bytes;                                       /* of the definition */
+	const char *init;                                   /* name of its init function */
+	/* Numbers, and what this type wants of its bodies and anchors, which are base's: a set ignores the def's. */
+	void (*check)(cni_call *call, const cn_joint_base *base, const void *def);
+	void (*store)(cni_joint *j, const void *def);       /* all but what base has, into p[] */
+	void (*read)(const cni_joint *j, void *def);        /* opposite */
+	uint32_t has;                                       /* CNI_KIND_HAS_* */
+} cni_joint_kind;
+enum {
+	CNI_KIND_HAS_MOTOR = 1u << 0,  /* cn_joint_set_motor */
+	CNI_KIND_HAS_LIMITS = 1u << 1, /* cn_joint_set_limits */
+	CNI_KIND_HAS_DRIVE = 1u << 2   /* its force needs a bound: a force_max of 0 is refused */
+};
+const cni_joint_kind *cni_joint_kind_of(int32_t type);
+
+/* Revolute: -pi <= lower <= upper <= pi. Distance: 0 <= lower <= upper. Others: lower <= upper. */
 void cni_check_joint_limits(cni_call *call, int32_t type, float lower, float upper);
+void cni_check_softness(cni_call *call, const char *hertz_field, float hertz, const char *damping_field, float damping_ratio);
+void cni_check_axis(cni_call *call, cn_vec2 axis);
+void cni_joint_store_axis(cni_joint *j, cn_vec2 axis);
+/* Stiffness, most force and break thresholds, for this type. */
+void cni_check_joint_strength(cni_call *call, int32_t type, const cn_joint_base *base);
+void cni_joint_store_strength(cni_joint *j, const cn_joint_base *base);
+
+/* Room for one more joint, which ends up to this many contacts. */
+void cni_joint_reserve_one(cni_call *call, cn_world *world, int32_t contacts);
+/* Takes a slot after that: a record without lists, of zeros but for these. */
+int32_t cni_joint_take(cn_world *world, int32_t type, uint32_t flags, int32_t body_a, int32_t body_b);
+
 /* Room for cni_joint_change_flags. */
 void cni_joint_change_reserve(cni_call *call, cn_world *world, const cni_joint *j);
 /* Replaces the flags, ends or allows contacts between the bodies, forgets impulses of rows that are no
    longer there, and wakes. */
 void cni_joint_change_flags(cn_world *world, int32_t joint, uint32_t flags);
+void cni_joint_wake_bodies(cn_world *world, const cni_joint *j);
+
+/* Joints (constraint 0) or constraints (1) of a body, and of the world. */
+void cni_list_joints_of(const cn_world *world, const cni_body *b, int32_t constraint, cni_list *list);
+cn_result cni_list_joints(const cn_world *world, int32_t constraint, uint32_t *out, int32_t capacity, int32_t *out_count);
 
 #endif

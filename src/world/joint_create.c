@@ -1,89 +1,15 @@
 /*
- * world/joint_create.c - public functions on a joint's life and numbers by type: definitions, creating,
- * destroying, reading back and replacing everything particular to a type.
+ * world/joint_create.c - public functions on a joint's life and definition: creating and destroying joints of
+ * every type, reading a definition back and replacing it.
  *
- * Each type has a pair of functions between its public definition and the record's numbers p[]; all
- * checks of numbers are made whatever the flags say, so that turning a flag on later finds good numbers.
+ * All types go one way: the base is checked and stored here, what is particular to a type through its
+ * cni_joint_kind (joint_kinds.c).
  */
-#include "world/error.h"
 #include "world/joint_change.h"
 
 #include <string.h>
 
-#define HERTZ_MAX 1e6f
-#define DAMPING_RATIO_MAX 1e6f
-
-/* ------------------------------------------------------------------ definitions */
-
-void cn_revolute_def_init(cn_revolute_def *def)
-{
-	if (def == NULL)
-		return;
-	memset(def, 0, sizeof *def);
-	def->base.struct_size = (uint32_t)sizeof *def;
-}
-
-void cn_distance_def_init(cn_distance_def *def)
-{
-	if (def == NULL)
-		return;
-	memset(def, 0, sizeof *def);
-	def->base.struct_size = (uint32_t)sizeof *def;
-	def->length_m = 1.0f;
-	def->length_max_m = 1.0f;
-}
-
-static void check_spring(cni_call *call, float hertz, float damping_ratio)
-{
-	cni_check_range(call, "spring_hertz", hertz, 0.0f, HERTZ_MAX);
-	cni_check_range(call, "spring_damping_ratio", damping_ratio, 0.0f, DAMPING_RATIO_MAX);
-}
-
-static void check_revolute(cni_call *call, const cn_revolute_def *def)
-{
-	cni_check_flags(call, "flags", def->base.flags, CNI_JOINT_FLAGS);
-	cni_check_angle(call, "reference_angle_rad", def->reference_angle_rad);
-	cni_check_joint_limits(call, CN_JOINT_REVOLUTE, def->lower_angle_rad, def->upper_angle_rad);
-	cni_check_finite(call, "motor_speed_radps", def->motor_speed_radps);
-	cni_check_at_least(call, "motor_torque_max_Nm", def->motor_torque_max_Nm, 0.0f);
-	cni_check_angle(call, "spring_target_rad", def->spring_target_rad);
-	check_spring(call, def->spring_hertz, def->spring_damping_ratio);
-}
-
-static void check_distance(cni_call *call, const cn_distance_def *def)
-{
-	cni_check_flags(call, "flags", def->base.flags, CNI_JOINT_FLAGS);
-	cni_check_positive(call, "length_m", def->length_m);
-	cni_check_joint_limits(call, CN_JOINT_DISTANCE, def->length_min_m, def->length_max_m);
-	cni_check_finite(call, "motor_speed_mps", def->motor_speed_mps);
-	cni_check_at_least(call, "motor_force_max_N", def->motor_force_max_N, 0.0f);
-	check_spring(call, def->spring_hertz, def->spring_damping_ratio);
-}
-
-static void store_revolute(cni_joint *j, const cn_revolute_def *def)
-{
-	j->p[CNI_P_REFERENCE] = def->reference_angle_rad;
-	j->p[CNI_P_LOWER] = def->lower_angle_rad;
-	j->p[CNI_P_UPPER] = def->upper_angle_rad;
-	j->p[CNI_P_MOTOR_SPEED] = def->motor_speed_radps;
-	j->p[CNI_P_MOTOR_MAX] = def->motor_torque_max_Nm;
-	j->p[CNI_P_REVOLUTE_TARGET] = def->spring_target_rad;
-	j->p[CNI_P_REVOLUTE_HERTZ] = def->spring_hertz;
-	j->p[CNI_P_REVOLUTE_DAMPING] = def->spring_damping_ratio;
-}
-
-static void store_distance(cni_joint *j, const cn_distance_def *def)
-{
-	j->p[CNI_P_LENGTH] = def->length_m;
-	j->p[CNI_P_LOWER] = def->length_min_m;
-	j->p[CNI_P_UPPER] = def->length_max_m;
-	j->p[CNI_P_MOTOR_SPEED] = def->motor_speed_mps;
-	j->p[CNI_P_MOTOR_MAX] = def->motor_force_max_N;
-	j->p[CNI_P_DISTANCE_HERTZ] = def->spring_hertz;
-	j->p[CNI_P_DISTANCE_DAMPING] = def->spring_damping_ratio;
-}
-
-/* ------------------------------------------------------------------ creating */
+/* ------------------------------------------------------------------ base */
 
 /* 0 is the world and gives NULL, as does a bad handle (the call has then failed). */
 static const cni_body *check_side(cni_call *call, const char *field, cn_body body)
@@ -91,7 +17,7 @@ static const cni_body *check_side(cni_call *call, const char *field, cn_body bod
 	return body != 0 ? cni_check_body(call, field, body) : NULL;
 }
 
-static void check_base(cni_call *call, const cn_joint_base *base)
+static void check_bodies(cni_call *call, const cn_joint_base *base)
 {
 	const cni_body *a = check_side(call, "body_a", base->body_a);
 	const cni_body *b = check_side(call, "body_b", base->body_b);
@@ -103,14 +29,77 @@ static void check_base(cni_call *call, const cn_joint_base *base)
 	cni_check_position(call, "anchor_b_m", base->anchor_b_m);
 }
 
-static void reserve_joint(cni_call *call, cn_world *world, const cn_joint_base *base)
+void cni_check_softness(cni_call *call, const char *hertz_field, float hertz, const char *damping_field, float damping_ratio)
+{
+	cni_check_range(call, hertz_field, hertz, 0.0f, CNI_HERTZ_MAX);
+	cni_check_range(call, damping_field, damping_ratio, 0.0f, CNI_DAMPING_RATIO_MAX);
+}
+
+void cni_check_joint_strength(cni_call *call, int32_t type, const cn_joint_base *base)
+{
+	cni_check_softness(call, "stiffness_hertz", base->stiffness_hertz, "stiffness_damping_ratio", base->stiffness_damping_ratio);
+	cni_check_at_least(call, "force_max_N", base->force_max_N, 0.0f);
+	cni_check_at_least(call, "torque_max_Nm", base->torque_max_Nm, 0.0f);
+	cni_check_at_least(call, "break_force_N", base->break_force_N, 0.0f);
+	cni_check_at_least(call, "break_torque_Nm", base->break_torque_Nm, 0.0f);
+	if (cni_joint_kind_of(type)->has & CNI_KIND_HAS_DRIVE)
+		cni_check_positive(call, "force_max_N of this type", base->force_max_N);
+	if (type == CN_JOINT_MOTOR_TO)
+		cni_check_positive(call, "torque_max_Nm of this type", base->torque_max_Nm);
+}
+
+void cni_joint_store_strength(cni_joint *j, const cn_joint_base *base)
+{
+	j->stiffness_hertz = base->stiffness_hertz;
+	j->stiffness_damping = base->stiffness_damping_ratio;
+	j->force_max = base->force_max_N;
+	j->torque_max = base->torque_max_Nm;
+	j->break_force = base->break_force_N;
+	j->break_torque = base->break_torque_Nm;
+}
+
+static void base_read(const cn_world *world, const cni_joint *j, cn_joint_base *out)
+{
+	out->struct_size = (uint32_t)cni_joint_kind_of(j->type)->bytes;
+	out->flags = j->flags;
+	out->body_a = cni_handle_or_zero(&world->body_handles, j->body[0]);
+	out->body_b = cni_handle_or_zero(&world->body_handles, j->body[1]);
+	out->anchor_a_m = j->anchor[0];
+	out->anchor_b_m = j->anchor[1];
+	out->stiffness_hertz = j->stiffness_hertz;
+	out->stiffness_damping_ratio = j->stiffness_damping;
+	out->force_max_N = j->force_max;
+	out->torque_max_Nm = j->torque_max;
+	out->break_force_N = j->break_force;
+	out->break_torque_Nm = j->break_torque;
+	out->user_data = j->user_data;
+}
+
+/* ------------------------------------------------------------------ creating */
+
+void cni_joint_reserve_one(cni_call *call, cn_world *world, int32_t contacts)
 {
 	if (call->result == CN_OK)
 		cni_check_reserved(call, cni_slots_reserve(world, &world->joint_handles, &world->joints, 1), "joints");
 	if (call->result == CN_OK)
 		cni_check_reserved(call, cni_joint_reserve(world, 1), "joints");
-	if (call->result == CN_OK && base->body_a != 0)
-		cni_check_reserved(call, cni_contact_reserve_end(world, cni_body_at(world, cni_index_of(base->body_a))->contact_count), "events of contacts");
+	if (call->result == CN_OK)
+		cni_check_reserved(call, cni_contact_reserve_end(world, contacts), "events of contacts");
+}
+
+int32_t cni_joint_take(cn_world *world, int32_t type, uint32_t flags, int32_t body_a, int32_t body_b)
+{
+	int32_t joint = cni_handles_take(&world->joint_handles);
+	cni_joint *j = cni_joint_at(world, joint);
+	memset(j, 0, sizeof *j);
+	j->type = type;
+	j->flags = flags;
+	j->body[0] = body_a;
+	j->body[1] = body_b;
+	j->next[0] = j->next[1] = j->prev[0] = j->prev[1] = CNI_NONE;
+	j->awake = CNI_NONE;
+	world->constraint_count += cni_joint_is_constraint(type);
+	return joint;
 }
 
 static int32_t side_index(cn_body body)
@@ -118,69 +107,44 @@ static int32_t side_index(cn_body body)
 	return body != 0 ? cni_index_of(body) : CNI_NONE;
 }
 
-/* Takes a slot and fills in all but the type's numbers. */
-static int32_t joint_take(cn_world *world, const cn_joint_base *base, int32_t type)
+/* base: whose bodies and anchors the joint has. */
+static void check_def(cni_call *call, int32_t type, const cn_joint_base *base, const void *def)
 {
-	int32_t joint = cni_handles_take(&world->joint_handles);
-	cni_joint *j = cni_joint_at(world, joint);
-	memset(j, 0, sizeof *j);
-	j->type = type;
-	j->flags = base->flags;
-	j->body[0] = side_index(base->body_a);
-	j->body[1] = side_index(base->body_b);
-	j->next[0] = j->next[1] = j->prev[0] = j->prev[1] = CNI_NONE;
-	j->awake = CNI_NONE;
+	const cn_joint_base *given = (const cn_joint_base *)def;
+	cni_check_flags(call, "flags", given->flags, CNI_JOINT_FLAGS);
+	cni_check_joint_strength(call, type, given);
+	cni_joint_kind_of(type)->check(call, base, def);
+}
+
+static cn_result joint_create(cn_world *world, const char *function, int32_t type, const void *def, cn_joint *out_joint)
+{
+	cni_call call = cni_enter(world, function);
+	const cni_joint_kind *kind = cni_joint_kind_of(type);
+	const cn_joint_base *base = (const cn_joint_base *)def;
+	int32_t joint;
+	cni_joint *j;
+	cni_check_pointer(&call, "def", def);
+	cni_check_pointer(&call, "out_joint", out_joint);
+	if (call.result == CN_OK)
+		cni_check_struct_size(&call, base->struct_size, kind->bytes, kind->init);
+	if (call.result != CN_OK)
+		return call.result;
+	check_bodies(&call, base);
+	check_def(&call, type, base, def);
+	if (call.result == CN_OK)
+		cni_joint_reserve_one(&call, world, base->body_a != 0 ? cni_body_at(world, cni_index_of(base->body_a))->contact_count : 0);
+	if (call.result != CN_OK)
+		return call.result;
+	joint = cni_joint_take(world, type, base->flags, side_index(base->body_a), side_index(base->body_b));
+	j = cni_joint_at(world, joint);
 	j->anchor[0] = base->anchor_a_m;
 	j->anchor[1] = base->anchor_b_m;
 	j->user_data = base->user_data;
-	return joint;
-}
-
-static void joint_finish(cn_world *world, int32_t joint, cn_joint *out_joint)
-{
+	cni_joint_store_strength(j, base);
+	kind->store(j, def);
+	cni_joint_turns_begin(world, j);
 	cni_joint_link(world, joint);
-	*out_joint = cni_handles_of(&world->joint_handles, joint);
-}
-
-cn_result cn_joint_create_revolute(cn_world *world, const cn_revolute_def *def, cn_joint *out_joint)
-{
-	cni_call call = cni_enter(world, __func__);
-	int32_t joint;
-	cni_check_pointer(&call, "def", def);
-	cni_check_pointer(&call, "out_joint", out_joint);
-	if (call.result == CN_OK)
-		cni_check_struct_size(&call, def->base.struct_size, sizeof *def, "cn_revolute_def_init");
-	if (call.result != CN_OK)
-		return call.result;
-	check_base(&call, &def->base);
-	check_revolute(&call, def);
-	reserve_joint(&call, world, &def->base);
-	if (call.result != CN_OK)
-		return call.result;
-	joint = joint_take(world, &def->base, CN_JOINT_REVOLUTE);
-	store_revolute(cni_joint_at(world, joint), def);
-	joint_finish(world, joint, out_joint);
-	return CN_OK;
-}
-
-cn_result cn_joint_create_distance(cn_world *world, const cn_distance_def *def, cn_joint *out_joint)
-{
-	cni_call call = cni_enter(world, __func__);
-	int32_t joint;
-	cni_check_pointer(&call, "def", def);
-	cni_check_pointer(&call, "out_joint", out_joint);
-	if (call.result == CN_OK)
-		cni_check_struct_size(&call, def->base.struct_size, sizeof *def, "cn_distance_def_init");
-	if (call.result != CN_OK)
-		return call.result;
-	check_base(&call, &def->base);
-	check_distance(&call, def);
-	reserve_joint(&call, world, &def->base);
-	if (call.result != CN_OK)
-		return call.result;
-	joint = joint_take(world, &def->base, CN_JOINT_DISTANCE);
-	store_distance(cni_joint_at(world, joint), def);
-	joint_finish(world, joint, out_joint);
+	*out_joint = cni_joint_handle(world, joint);
 	return CN_OK;
 }
 
@@ -188,14 +152,12 @@ cn_result cn_joint_destroy(cn_world *world, cn_joint joint)
 {
 	cni_call call = cni_enter(world, __func__);
 	cni_check_joint(&call, "joint", joint);
-	if (call.result != CN_OK)
-		return call.result;
-	cni_joint_unlink(world, cni_index_of(joint));
-	cni_handles_release(&world->joint_handles, cni_index_of(joint));
-	return CN_OK;
+	if (call.result == CN_OK)
+		cni_joint_destroy(world, cni_index_of(joint));
+	return call.result;
 }
 
-/* ------------------------------------------------------------------ numbers by type */
+/* ------------------------------------------------------------------ reading back and replacing */
 
 static cni_joint *check_joint_type(cni_call *call, cn_joint joint, int32_t type)
 {
@@ -205,85 +167,253 @@ static cni_joint *check_joint_type(cni_call *call, cn_joint joint, int32_t type)
 	return j;
 }
 
-static void base_read(const cn_world *world, const cni_joint *j, cn_joint_base *out)
+static cn_result joint_get(const cn_world *world, int32_t type, cn_joint joint, void *out)
 {
-	out->flags = j->flags;
-	out->body_a = cni_handle_or_zero(&world->body_handles, j->body[0]);
-	out->body_b = cni_handle_or_zero(&world->body_handles, j->body[1]);
-	out->anchor_a_m = j->anchor[0];
-	out->anchor_b_m = j->anchor[1];
-	out->user_data = j->user_data;
+	cni_call call = cni_enter_const(world);
+	const cni_joint *j = check_joint_type(&call, joint, type);
+	cni_check_pointer(&call, "out", out);
+	if (call.result != CN_OK)
+		return call.result;
+	memset(out, 0, cni_joint_kind_of(type)->bytes);
+	base_read(world, j, (cn_joint_base *)out);
+	cni_joint_kind_of(type)->read(j, out);
+	return CN_OK;
+}
+
+static cn_result joint_set(cn_world *world, const char *function, int32_t type, cn_joint joint, const void *def)
+{
+	cni_call call = cni_enter(world, function);
+	cni_joint *j = check_joint_type(&call, joint, type);
+	const cn_joint_base *base = (const cn_joint_base *)def;
+	cn_joint_base present;
+	float ratio;
+	cni_check_pointer(&call, "def", def);
+	if (call.result != CN_OK)
+		return call.result;
+	base_read(world, j, &present);
+	check_def(&call, type, &present, def);
+	cni_joint_change_reserve(&call, world, j);
+	if (call.result != CN_OK)
+		return call.result;
+	ratio = j->p[CNI_P_GEAR_RATIO];
+	cni_joint_store_strength(j, base);
+	cni_joint_kind_of(type)->store(j, def);
+	if (type == CN_JOINT_GEAR && j->p[CNI_P_GEAR_RATIO] != ratio)
+		cni_joint_turns_begin(world, j); /* turns made at another ratio mean nothing */
+	if (type == CN_JOINT_RATCHET)
+		cni_joint_ratchet_begin(world, j);
+	j->user_data = base->user_data;
+	cni_joint_change_flags(world, cni_index_of(joint), base->flags);
+	return CN_OK;
+}
+
+cn_result cn_joint_get_base(const cn_world *world, cn_joint joint, cn_joint_base *out)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_check_pointer(&call, "out", out);
+	if (call.result == CN_OK)
+		base_read(world, j, out);
+	return call.result;
+}
+
+cn_result cn_joint_set_base(cn_world *world, cn_joint joint, const cn_joint_base *base)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_check_pointer(&call, "base", base);
+	if (call.result == CN_OK)
+		cni_check_joint_strength(&call, j->type, base);
+	if (call.result != CN_OK)
+		return call.result;
+	cni_joint_store_strength(j, base);
+	cni_joint_wake_bodies(world, j);
+	return CN_OK;
+}
+
+/* ------------------------------------------------------------------ by type */
+
+cn_result cn_joint_create_revolute(cn_world *world, const cn_revolute_def *def, cn_joint *out_joint)
+{
+	return joint_create(world, __func__, CN_JOINT_REVOLUTE, def, out_joint);
+}
+
+cn_result cn_joint_create_distance(cn_world *world, const cn_distance_def *def, cn_joint *out_joint)
+{
+	return joint_create(world, __func__, CN_JOINT_DISTANCE, def, out_joint);
+}
+
+cn_result cn_joint_create_fixed(cn_world *world, const cn_fixed_def *def, cn_joint *out_joint)
+{
+	return joint_create(world, __func__, CN_JOINT_FIXED, def, out_joint);
+}
+
+cn_result cn_joint_create_prismatic(cn_world *world, const cn_prismatic_def *def, cn_joint *out_joint)
+{
+	return joint_create(world, __func__, CN_JOINT_PRISMATIC, def, out_joint);
+}
+
+cn_result cn_joint_create_wheel(cn_world *world, const cn_wheel_def *def, cn_joint *out_joint)
+{
+	return joint_create(world, __func__, CN_JOINT_WHEEL, def, out_joint);
+}
+
+cn_result cn_joint_create_motor(cn_world *world, const cn_motor_def *def, cn_joint *out_joint)
+{
+	return joint_create(world, __func__, CN_JOINT_MOTOR_TO, def, out_joint);
+}
+
+cn_result cn_joint_create_mouse(cn_world *world, const cn_mouse_def *def, cn_joint *out_joint)
+{
+	return joint_create(world, __func__, CN_JOINT_MOUSE, def, out_joint);
+}
+
+cn_result cn_joint_create_gear(cn_world *world, const cn_gear_def *def, cn_joint *out_joint)
+{
+	return joint_create(world, __func__, CN_JOINT_GEAR, def, out_joint);
+}
+
+cn_result cn_joint_create_pulley(cn_world *world, const cn_pulley_def *def, cn_joint *out_joint)
+{
+	return joint_create(world, __func__, CN_JOINT_PULLEY, def, out_joint);
+}
+
+cn_result cn_joint_create_ratchet(cn_world *world, const cn_ratchet_def *def, cn_joint *out_joint)
+{
+	return joint_create(world, __func__, CN_JOINT_RATCHET, def, out_joint);
+}
+
+cn_result cn_joint_create_rotary_spring(cn_world *world, const cn_rotary_spring_def *def, cn_joint *out_joint)
+{
+	return joint_create(world, __func__, CN_JOINT_ROTARY_SPRING, def, out_joint);
+}
+
+cn_result cn_joint_create_groove(cn_world *world, const cn_groove_def *def, cn_joint *out_joint)
+{
+	return joint_create(world, __func__, CN_JOINT_GROOVE, def, out_joint);
+}
+
+cn_result cn_joint_create_filter(cn_world *world, const cn_filter_joint_def *def, cn_joint *out_joint)
+{
+	return joint_create(world, __func__, CN_JOINT_FILTER, def, out_joint);
 }
 
 cn_result cn_joint_get_revolute(const cn_world *world, cn_joint joint, cn_revolute_def *out)
 {
-	cni_call call = cni_enter_const(world);
-	const cni_joint *j = check_joint_type(&call, joint, CN_JOINT_REVOLUTE);
-	cni_check_pointer(&call, "out", out);
-	if (call.result != CN_OK)
-		return call.result;
-	cn_revolute_def_init(out);
-	base_read(world, j, &out->base);
-	out->reference_angle_rad = j->p[CNI_P_REFERENCE];
-	out->lower_angle_rad = j->p[CNI_P_LOWER];
-	out->upper_angle_rad = j->p[CNI_P_UPPER];
-	out->motor_speed_radps = j->p[CNI_P_MOTOR_SPEED];
-	out->motor_torque_max_Nm = j->p[CNI_P_MOTOR_MAX];
-	out->spring_target_rad = j->p[CNI_P_REVOLUTE_TARGET];
-	out->spring_hertz = j->p[CNI_P_REVOLUTE_HERTZ];
-	out->spring_damping_ratio = j->p[CNI_P_REVOLUTE_DAMPING];
-	return CN_OK;
-}
-
-cn_result cn_joint_get_distance(const cn_world *world, cn_joint joint, cn_distance_def *out)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_joint *j = check_joint_type(&call, joint, CN_JOINT_DISTANCE);
-	cni_check_pointer(&call, "out", out);
-	if (call.result != CN_OK)
-		return call.result;
-	cn_distance_def_init(out);
-	base_read(world, j, &out->base);
-	out->length_m = j->p[CNI_P_LENGTH];
-	out->length_min_m = j->p[CNI_P_LOWER];
-	out->length_max_m = j->p[CNI_P_UPPER];
-	out->motor_speed_mps = j->p[CNI_P_MOTOR_SPEED];
-	out->motor_force_max_N = j->p[CNI_P_MOTOR_MAX];
-	out->spring_hertz = j->p[CNI_P_DISTANCE_HERTZ];
-	out->spring_damping_ratio = j->p[CNI_P_DISTANCE_DAMPING];
-	return CN_OK;
+	return joint_get(world, CN_JOINT_REVOLUTE, joint, out);
 }
 
 cn_result cn_joint_set_revolute(cn_world *world, cn_joint joint, const cn_revolute_def *def)
 {
-	cni_call call = cni_enter(world, __func__);
-	cni_joint *j = check_joint_type(&call, joint, CN_JOINT_REVOLUTE);
-	cni_check_pointer(&call, "def", def);
-	if (call.result != CN_OK)
-		return call.result;
-	check_revolute(&call, def);
-	cni_joint_change_reserve(&call, world, j);
-	if (call.result != CN_OK)
-		return call.result;
-	store_revolute(j, def);
-	j->user_data = def->base.user_data;
-	cni_joint_change_flags(world, cni_index_of(joint), def->base.flags);
-	return CN_OK;
+	return joint_set(world, __func__, CN_JOINT_REVOLUTE, joint, def);
+}
+
+cn_result cn_joint_get_distance(const cn_world *world, cn_joint joint, cn_distance_def *out)
+{
+	return joint_get(world, CN_JOINT_DISTANCE, joint, out);
 }
 
 cn_result cn_joint_set_distance(cn_world *world, cn_joint joint, const cn_distance_def *def)
 {
-	cni_call call = cni_enter(world, __func__);
-	cni_joint *j = check_joint_type(&call, joint, CN_JOINT_DISTANCE);
-	cni_check_pointer(&call, "def", def);
-	if (call.result != CN_OK)
-		return call.result;
-	check_distance(&call, def);
-	cni_joint_change_reserve(&call, world, j);
-	if (call.result != CN_OK)
-		return call.result;
-	store_distance(j, def);
-	j->user_data = def->base.user_data;
-	cni_joint_change_flags(world, cni_index_of(joint), def->base.flags);
-	return CN_OK;
+	return joint_set(world, __func__, CN_JOINT_DISTANCE, joint, def);
+}
+
+cn_result cn_joint_get_fixed(const cn_world *world, cn_joint joint, cn_fixed_def *out)
+{
+	return joint_get(world, CN_JOINT_FIXED, joint, out);
+}
+
+cn_result cn_joint_set_fixed(cn_world *world, cn_joint joint, const cn_fixed_def *def)
+{
+	return joint_set(world, __func__, CN_JOINT_FIXED, joint, def);
+}
+
+cn_result cn_joint_get_prismatic(const cn_world *world, cn_joint joint, cn_prismatic_def *out)
+{
+	return joint_get(world, CN_JOINT_PRISMATIC, joint, out);
+}
+
+cn_result cn_joint_set_prismatic(cn_world *world, cn_joint joint, const cn_prismatic_def *def)
+{
+	return joint_set(world, __func__, CN_JOINT_PRISMATIC, joint, def);
+}
+
+cn_result cn_joint_get_wheel(const cn_world *world, cn_joint joint, cn_wheel_def *out)
+{
+	return joint_get(world, CN_JOINT_WHEEL, joint, out);
+}
+
+cn_result cn_joint_set_wheel(cn_world *world, cn_joint joint, const cn_wheel_def *def)
+{
+	return joint_set(world, __func__, CN_JOINT_WHEEL, joint, def);
+}
+
+cn_result cn_joint_get_motor_to(const cn_world *world, cn_joint joint, cn_motor_def *out)
+{
+	return joint_get(world, CN_JOINT_MOTOR_TO, joint, out);
+}
+
+cn_result cn_joint_set_motor_to(cn_world *world, cn_joint joint, const cn_motor_def *def)
+{
+	return joint_set(world, __func__, CN_JOINT_MOTOR_TO, joint, def);
+}
+
+cn_result cn_joint_get_mouse(const cn_world *world, cn_joint joint, cn_mouse_def *out)
+{
+	return joint_get(world, CN_JOINT_MOUSE, joint, out);
+}
+
+cn_result cn_joint_set_mouse(cn_world *world, cn_joint joint, const cn_mouse_def *def)
+{
+	return joint_set(world, __func__, CN_JOINT_MOUSE, joint, def);
+}
+
+cn_result cn_joint_get_gear(const cn_world *world, cn_joint joint, cn_gear_def *out)
+{
+	return joint_get(world, CN_JOINT_GEAR, joint, out);
+}
+
+cn_result cn_joint_set_gear(cn_world *world, cn_joint joint, const cn_gear_def *def)
+{
+	return joint_set(world, __func__, CN_JOINT_GEAR, joint, def);
+}
+
+cn_result cn_joint_get_pulley(const cn_world *world, cn_joint joint, cn_pulley_def *out)
+{
+	return joint_get(world, CN_JOINT_PULLEY, joint, out);
+}
+
+cn_result cn_joint_set_pulley(cn_world *world, cn_joint joint, const cn_pulley_def *def)
+{
+	return joint_set(world, __func__, CN_JOINT_PULLEY, joint, def);
+}
+
+cn_result cn_joint_get_ratchet(const cn_world *world, cn_joint joint, cn_ratchet_def *out)
+{
+	return joint_get(world, CN_JOINT_RATCHET, joint, out);
+}
+
+cn_result cn_joint_set_ratchet(cn_world *world, cn_joint joint, const cn_ratchet_def *def)
+{
+	return joint_set(world, __func__, CN_JOINT_RATCHET, joint, def);
+}
+
+cn_result cn_joint_get_rotary_spring(const cn_world *world, cn_joint joint, cn_rotary_spring_def *out)
+{
+	return joint_get(world, CN_JOINT_ROTARY_SPRING, joint, out);
+}
+
+cn_result cn_joint_set_rotary_spring(cn_world *world, cn_joint joint, const cn_rotary_spring_def *def)
+{
+	return joint_set(world, __func__, CN_JOINT_ROTARY_SPRING, joint, def);
+}
+
+cn_result cn_joint_get_groove(const cn_world *world, cn_joint joint, cn_groove_def *out)
+{
+	return joint_get(world, CN_JOINT_GROOVE, joint, out);
+}
+
+cn_result cn_joint_set_groove(cn_world *world, cn_joint joint, const cn_groove_def *def)
+{
+	return joint_set(world, __func__, CN_JOINT_GROOVE, joint, def);
 }

@@ -65,6 +65,21 @@ int32_t cn_sizeof(int32_t type)
 	case CN_TYPE_RAY_HIT: return (int32_t)sizeof(cn_ray_hit);
 	case CN_TYPE_CLOSEST: return (int32_t)sizeof(cn_closest);
 	case CN_TYPE_EXPLOSION_DEF: return (int32_t)sizeof(cn_explosion_def);
+	case CN_TYPE_FIXED_DEF: return (int32_t)sizeof(cn_fixed_def);
+	case CN_TYPE_PRISMATIC_DEF: return (int32_t)sizeof(cn_prismatic_def);
+	case CN_TYPE_WHEEL_DEF: return (int32_t)sizeof(cn_wheel_def);
+	case CN_TYPE_MOTOR_DEF: return (int32_t)sizeof(cn_motor_def);
+	case CN_TYPE_MOUSE_DEF: return (int32_t)sizeof(cn_mouse_def);
+	case CN_TYPE_GEAR_DEF: return (int32_t)sizeof(cn_gear_def);
+	case CN_TYPE_PULLEY_DEF: return (int32_t)sizeof(cn_pulley_def);
+	case CN_TYPE_RATCHET_DEF: return (int32_t)sizeof(cn_ratchet_def);
+	case CN_TYPE_ROTARY_SPRING_DEF: return (int32_t)sizeof(cn_rotary_spring_def);
+	case CN_TYPE_GROOVE_DEF: return (int32_t)sizeof(cn_groove_def);
+	case CN_TYPE_FILTER_JOINT_DEF: return (int32_t)sizeof(cn_filter_joint_def);
+	case CN_TYPE_JOINT_BASE: return (int32_t)sizeof(cn_joint_base);
+	case CN_TYPE_JOINT_EVENT: return (int32_t)sizeof(cn_joint_event);
+	case CN_TYPE_ANGLE_CONSTRAINT_DEF: return (int32_t)sizeof(cn_angle_constraint_def);
+	case CN_TYPE_LINE_CONSTRAINT_DEF: return (int32_t)sizeof(cn_line_constraint_def);
 	default: return 0;
 	}
 }

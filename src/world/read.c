@@ -2,7 +2,7 @@
  * world/read.c - public bulk functions: lists of everything alive, poses and velocities of many bodies in
  * one call, the bodies that moved. Every handle is checked before anything is written.
  */
-#include "world/error.h"
+#include "world/joint_change.h"
 
 #include <string.h>
 
@@ -35,7 +35,7 @@ cn_result cn_world_get_shapes(const cn_world *world, cn_shape *out, int32_t capa
 
 cn_result cn_world_get_joints(const cn_world *world, cn_joint *out, int32_t capacity, int32_t *out_count)
 {
-	return list_alive(world, world != NULL ? &world->joint_handles : NULL, out, capacity, out_count);
+	return cni_list_joints(world, 0, out, capacity, out_count);
 }
 
 /* ------------------------------------------------------------------ many bodies */

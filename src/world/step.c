@@ -43,6 +43,7 @@ static void substeps_run(cn_world *world, const cni_solve *s)
 		cni_integrate_positions(world, s);
 		cni_joints_relax(world, s);
 		cni_contacts_relax(world, s);
+		cni_shocks_forget(world, s);
 	}
 	cni_integrate_finish(world, s);
 }
@@ -77,6 +78,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	if (world->settings.flags & CN_WORLD_CONTINUOUS)
 		cni_stage_continuous(world);
 	rested = cni_stage_finalize(world, &s);
+	cni_joints_break(world);
 	profile_mark(world, &profile->finalize_s, mark);
 	return rested;
 }
@@ -104,6 +106,7 @@ static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
 	cni_sequential_joints(world, &s);                          /* 9 */
 	profile_mark(world, &profile->substeps_s, mark);
 	rested = cni_stage_finalize(world, &s);                    /* 10 and 11 */
+	cni_joints_break(world);
 	profile_mark(world, &profile->finalize_s, mark);
 	return rested;
 }

@@ -201,16 +201,18 @@ static void check_islands(report *r)
 static void check_joints(report *r)
 {
 	const cn_world *world = r->world;
-	int32_t k, used = cni_handles_used(&world->joint_handles);
+	int32_t k, used = cni_handles_used(&world->joint_handles), constraints = 0;
 	for (k = 0; k < used && r->what == NULL; ++k) {
 		const cni_joint *j = cni_joint_at(world, k);
 		if (!cni_handles_alive(&world->joint_handles, k))
 			continue;
+		constraints += cni_joint_is_constraint(j->type);
 		if (j->linked)
 			expect(r, cni_body_at(world, j->body[0])->island == cni_body_at(world, j->body[1])->island, "one island for joint", k);
 		if (j->awake != CNI_NONE)
 			expect(r, ((const int32_t *)world->awake_joints.data)[j->awake] == k, "awake list of joint", k);
 	}
+	expect(r, constraints == world->constraint_count, "count of constraints", constraints);
 }
 
 cn_result cn_world_validate(const cn_world *world, char *text, int32_t text_bytes)

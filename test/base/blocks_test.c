@@ -93,7 +93,7 @@ static void t_first_chunk_is_small(void)
 		largest = largest > blocks.chunk_bytes[i] ? largest : blocks.chunk_bytes[i];
 	CHECK_LE("largest class chunk", largest, 65536, "bytes");
 	CHECK_GE("largest class chunk", largest, 65536 - 128, "bytes");
-	CHECK_LE("room unused while growing", (double)unused / 10, 25, "%");
+	CHECK_LE("room unused while growing", (double)unused / 10, 7, "%");
 	CHECK(bytes_lost(&blocks) == 0);
 	cni_blocks_deinit(&blocks);
 	CHECK(h.pieces == 0);

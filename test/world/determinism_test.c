@@ -24,17 +24,17 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0 },
-	{ "small_200", 300, 1, 0 },
-	{ "small_50_sleep", 600, 1, 0 },
-	{ "dominoes", 400, 1, 0 },
-	{ "ragdolls", 480, 1, 0 },
-	{ "bridge", 240, 1, 0 },
-	{ "car", 400, 1, 0 },
-	{ "mixer", 240, 1, 0 },
-	{ "pyramid", 120, 0, 0 },
-	{ "rain", 150, 0, 0 },
-	{ "tumbler_1000", 300, 0, 0 },
+	{ "falling_hinges", 480, 1, 0xcd987fa8f4ce7b9a },
+	{ "small_200", 300, 1, 0x83852f84d12274a8 },
+	{ "small_50_sleep", 600, 1, 0x647f70ce59533140 },
+	{ "dominoes", 400, 1, 0x3b9cd0f4a1aa47c1 },
+	{ "ragdolls", 480, 1, 0x289401f4628bb5fd },
+	{ "bridge", 240, 1, 0x5c58d745ceec57e3 },
+	{ "car", 400, 1, 0x608b6915329f59d5 },
+	{ "mixer", 240, 1, 0x0b80f3f8fcef4da8 },
+	{ "pyramid", 120, 0, 0x96cac2611a552232 },
+	{ "rain", 150, 0, 0x121a2ee5b3854b66 },
+	{ "tumbler_1000", 300, 0, 0x7ef094207ce952bf },
 };
 /* clang-format on */
 #define GOLDENS ((int32_t)(sizeof goldens / sizeof *goldens))
@@ -94,10 +94,24 @@ static uint64_t digest_of(const golden *g, const cn_world_def *def)
 	return course_finish(&c, g->steps);
 }
 
+/* What a scene gives here and now: the other tests compare with this, so that they still say something when
+   the golden numbers wait for an update. */
+static uint64_t reference_of(const golden *g)
+{
+	static uint64_t references[GOLDENS];
+	static int32_t known[GOLDENS];
+	int32_t k = (int32_t)(g - goldens);
+	if (!known[k])
+		references[k] = digest_of(g, NULL);
+	known[k] = 1;
+	return references[k];
+}
+
 static void check_digest(const golden *g, uint64_t digest, const char *how)
 {
-	printf("  %s %s: %016llx, golden %016llx\n", g->scene, how, (unsigned long long)digest, (unsigned long long)g->digest);
-	CHECK(digest == g->digest);
+	uint64_t reference = reference_of(g);
+	printf("  %s %s: %016llx, alone %016llx\n", g->scene, how, (unsigned long long)digest, (unsigned long long)reference);
+	CHECK(digest == reference);
 }
 
 /* ---- the golden numbers ---- */
@@ -106,11 +120,12 @@ static void golden_hashes_hold(void)
 {
 	int32_t k, print = getenv("CAIRN_PRINT_GOLDEN") != NULL;
 	for (k = 0; k < GOLDENS; ++k) {
-		uint64_t digest = digest_of(&goldens[k], NULL);
+		uint64_t digest = reference_of(&goldens[k]);
 		if (print)
 			printf("\t{ \"%s\", %d, %d, 0x%016llx },\n", goldens[k].scene, (int)goldens[k].steps, (int)goldens[k].everywhere, (unsigned long long)digest);
 		else
-			check_digest(&goldens[k], digest, "alone");
+			printf("  %s: %016llx, golden %016llx\n", goldens[k].scene, (unsigned long long)digest, (unsigned long long)goldens[k].digest);
+		CHECK(print || digest == goldens[k].digest);
 	}
 }
 

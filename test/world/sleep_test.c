@@ -29,14 +29,6 @@ static cn_shape first_shape(const cn_world *world, cn_body body)
 	return shape;
 }
 
-static cn_vec2 vec(float x, float y)
-{
-	cn_vec2 v;
-	v.x = x;
-	v.y = y;
-	return v;
-}
-
 /* Steps until the body sleeps; -1 when it does not within the given number. */
 static int32_t steps_to_sleep(cn_world *world, cn_body body, int32_t most)
 {
@@ -163,11 +155,9 @@ static int32_t throw_run(int32_t what, float gravity, float delay, double *worst
 	cn_body body;
 	int32_t k, asleep = 0;
 	must(cn_world_set_sleep(world, 0.05f, delay), world, "cn_world_set_sleep");
-	unit_box(world, 100.0f, 0.0f); /* something else that moves alone, */
-	fixture_floor(world, 0.6f, 0.0f);
-	unit_box(world, 50.0f, 0.5f); /* and something that rests */
+	fixture_box(world, CN_BODY_STATIC, 50.0f, -1.0f, 0.0f, 5.0f, 1.0f, 0.6f, 0.0f);
+	unit_box(world, 50.0f, 0.5f); /* something that rests meanwhile */
 	body = throw_up(world, what, 2.0f * gravity);
-	must(cn_body_set_pose(world, body, 0.0f, 0.0f, 0.0f), world, "cn_body_set_pose");
 	for (k = 1; k <= 240; ++k) {
 		double t = k / 60.0, y = (double)gravity * (2.0 * t - 0.5 * t * t);
 		fixture_step(world, 1);
@@ -183,17 +173,19 @@ static void nothing_sleeps_at_the_apex_of_a_throw(void)
 	static const float gravities[] = { 10.0f, 0.1f, 0.01f };
 	int32_t what, asleep = 0, delayed;
 	size_t g;
-	double worst = 0.0;
+	double worst[THROWS] = { 0.0, 0.0, 0.0, 0.0 };
 	for (what = 0; what < THROWS; ++what)
 		for (g = 0; g < 3; ++g)
 			for (delayed = 0; delayed < 2; ++delayed) {
-				int32_t steps = throw_run(what, gravities[g], delayed ? 0.5f : 0.0f, &worst);
+				int32_t steps = throw_run(what, gravities[g], delayed ? 0.5f : 0.0f, &worst[what]);
 				if (steps > 0)
 					printf("  %s, gravity %.2f, delay %.1f: asleep in %d of 240 steps\n", throw_names[what], (double)gravities[g], delayed ? 0.5 : 0.0, (int)steps);
 				asleep += steps;
 			}
 	CHECK_LE("steps asleep in flight", asleep, 0, "");
-	CHECK_LE("distance from the parabola / (1 m + height)", worst, 1e-4, "");
+	CHECK_LE("distance of the free ones from the parabola / (1 m + height)", fmax(worst[THROW_ONE], worst[THROW_TOUCHING]), 1e-4, "");
+	/* Jointed bodies move by the velocity at the end of each substep: g h t / 2. */
+	CHECK_LE("distance of the jointed ones", fmax(worst[THROW_ROD], worst[THROW_HINGE]), 5e-3, "");
 }
 
 /* A pendulum is at rest for an instant at each end of its swing; so is a ball at the top of a bounce. */
@@ -468,7 +460,7 @@ static void set_awake_0_takes_only_what_is_connected(void)
 	cn_body a, b, c;
 	fixture_floor(world, 0.0f, 0.0f);
 	a = unit_box(world, 0.0f, 0.5f);
-	b = unit_box(world, 1.0f, 0.5f);
+	b = unit_box(world, 1.01f, 0.5f);
 	c = unit_box(world, 0.0f, 1.5f);
 	fixture_step(world, 5);
 	fixture_set_velocity(world, b, 5.0f, 0.0f, 0.0f); /* leaves the others */
@@ -479,7 +471,7 @@ static void set_awake_0_takes_only_what_is_connected(void)
 	CHECK(fell_asleep_count(world, a) == 1 && fell_asleep_count(world, b) == 0);
 	CHECK(fixture_is_valid(world));
 	fixture_step(world, 60);
-	CHECK_LE("error of the way of the one that went on", fabs((double)fixture_pose(world, b).position_m.x - (1.0 + 5.0 * 70.0 / 60.0)), 0.02, "m");
+	CHECK_LE("error of the way of the one that went on", fabs((double)fixture_pose(world, b).position_m.x - (1.01 + 5.0 * 70.0 / 60.0)), 0.02, "m");
 	CHECK(!fixture_is_awake(world, a));
 	cn_world_destroy(world);
 }
@@ -510,12 +502,11 @@ static void bodies_made_asleep_wait(void)
 	cn_body_def_init(&def);
 	fixture_floor(world, 0.6f, 0.0f);
 	def.flags = CN_BODY_ENABLED | CN_BODY_SLEEP;
-	def.position_m = vec(0.0f, 0.5f);
+	def.position_m.y = 0.5f;
 	must(cn_body_create(world, &def, &box), world, "cn_body_create");
 	shape = fixture_shape_def(box, 0.6f, 0.0f);
 	fixture_box_shape(world, &shape, 0.5f, 0.5f);
-	printf("  awake after its shape was made: %d\n", (int)fixture_is_awake(world, box));
-	must(cn_body_set_awake(world, box, 0), world, "cn_body_set_awake");
+	CHECK(!fixture_is_awake(world, box));
 	fixture_step(world, 30);
 	CHECK(!fixture_is_awake(world, box));
 	ball = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 2.0f, 0.3f, 0.6f, 0.0f);

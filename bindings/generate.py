@@ -1,0 +1,100 @@
+"""Writes the low-level bindings from the public header.
+
+    python3 bindings/generate.py            api.json, then every binding from it
+    python3 bindings/generate.py --check    fails if a committed file is not what would be written
+    python3 bindings/generate.py --probe    compiles C against the header ($CC, default cc) that
+                                            compares every layout, constant and signature
+
+    header.py  text of include/cairn.h -> api (the dictionary in api.json)
+    layout.py  sizes and offsets, and the rules that keep structs equal in every language
+    probe.py   api -> C program that asks the compiler
+    luajit.py, csharp.py, zig.py, python.py    api -> one file each
+
+Whatever header.py does not understand is an error with a line number: nothing is guessed. The
+writers see only the api, so that another language needs one more file here and nothing else.
+"""
+import argparse
+import os
+import subprocess
+import sys
+import tempfile
+
+sys.dont_write_bytecode = True
+
+from generator import csharp, header, layout, luajit, names, probe, python, zig  # noqa: E402
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+TOP = os.path.dirname(HERE)
+WRITERS = [
+    ("api.json", names.api_text),
+    ("luajit/cairn.lua", luajit.write),
+    ("csharp/Cairn.cs", csharp.write),
+    ("zig/cairn.zig", zig.write),
+    ("python/cairn.py", python.write),
+]
+
+
+def read_api(path):
+    with open(path, encoding="utf-8") as file:
+        api = header.parse(file.read(), os.path.basename(path))
+    layout.add(api)
+    return api
+
+
+def write_all(api, folder):
+    for name, writer in WRITERS:
+        with open(os.path.join(folder, name), "w", encoding="utf-8", newline="\n") as file:
+            file.write(writer(api))
+
+
+def check_all(api, folder):
+    """Names of the files that differ from what would be written."""
+    stale = []
+    for name, writer in WRITERS:
+        try:
+            with open(os.path.join(folder, name), encoding="utf-8", newline="") as file:
+                old = file.read()
+        except FileNotFoundError:
+            old = None
+        if old != writer(api):
+            stale.append(name)
+    return stale
+
+
+def run_probe(api, include):
+    with tempfile.TemporaryDirectory() as folder:
+        source, program = os.path.join(folder, "probe.c"), os.path.join(folder, "probe")
+        with open(source, "w", encoding="utf-8") as file:
+            file.write(probe.write(api))
+        compiler = os.environ.get("CC") or "cc"
+        subprocess.run([*compiler.split(), "-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-I" + include, source, "-o", program], check=True)
+        subprocess.run([program], check=True)
+
+
+def main():
+    arguments = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    arguments.add_argument("--check", action="store_true")
+    arguments.add_argument("--probe", action="store_true")
+    arguments.add_argument("--header", default=os.path.join(TOP, "include", "cairn.h"))
+    arguments.add_argument("--output", default=HERE, help="folder with luajit/, csharp/, zig/, python/")
+    options = arguments.parse_args()
+    try:
+        api = read_api(options.header)
+        if options.probe:
+            run_probe(api, os.path.dirname(options.header))
+        elif options.check:
+            stale = check_all(api, options.output)
+            if stale:
+                sys.exit("not what the header says (run make bindings): " + ", ".join(stale))
+        else:
+            write_all(api, options.output)
+    except header.HeaderError as error:
+        sys.exit(str(error))
+    except subprocess.CalledProcessError as error:
+        sys.exit("probe: the compiler disagrees with api.json: %s gave code %d" % (os.path.basename(error.cmd[0]), error.returncode))
+    count = {kind: len(api[kind]) for kind in ("functions", "structs", "callbacks")}
+    print("%(functions)d functions, %(structs)d structs, %(callbacks)d callback types" % count)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,878 @@
+-- cairn.lua - Cairn for LuaJIT, one to one with cairn.h.
+-- Generated from include/cairn.h by bindings/generate.py (make bindings). Do not edit.
+--
+--     local ffi = require "ffi"
+--     local cn = require "cairn"           -- the library's namespace: cn.cn_world_step, cn.CN_OK
+--     local world = ffi.new "cn_world *[1]"
+--     local def = ffi.new "cn_world_def"
+--     cn.cn_world_def_init(def)
+--     assert(cn.cn_world_create(def, world) == cn.CN_OK)
+--
+-- CAIRN_LIBRARY in the environment names another file than the system's libcairn.
+local ffi = require "ffi"
+
+ffi.cdef [[
+static const int32_t CN_VERSION_MAJOR = 0;
+static const int32_t CN_VERSION_MINOR = 1;
+static const int32_t CN_VERSION_PATCH = 0;
+static const int32_t CN_ABI_VERSION = 1;
+static const int32_t CN_POLYGON_MAX_VERTICES = 16;
+static const int32_t CN_NAME_MAX_BYTES = 63;
+static const int32_t CN_MAX_HANDLES = 1048575;
+
+enum {
+	CN_OK = 0,
+	CN_ERROR_ARGUMENT = -1, // a value is NaN, infinite, out of range, NULL or degenerate
+	CN_ERROR_HANDLE = -2, // a handle is stale, of the wrong kind or 0
+	CN_ERROR_MEMORY = -3, // the allocator or the fixed block has no room
+	CN_ERROR_LOCKED = -4, // called from inside a callback
+	CN_ERROR_CAPACITY = -5, // more than CN_MAX_HANDLES things, or an output array too small
+	CN_ERROR_STATE = -6, // the object is in a state in which this makes no sense
+	CN_ERROR_INTERNAL = -7,
+};
+
+enum {
+	CN_TYPE_VEC2 = 0,
+	CN_TYPE_POSE = 1,
+	CN_TYPE_VELOCITY = 2,
+	CN_TYPE_AABB = 3,
+	CN_TYPE_MASS_DATA = 4,
+	CN_TYPE_WORLD_DEF = 5,
+	CN_TYPE_BODY_DEF = 6,
+	CN_TYPE_SHAPE_DEF = 7,
+	CN_TYPE_CIRCLE = 8,
+	CN_TYPE_CAPSULE = 9,
+	CN_TYPE_EDGE = 10,
+	CN_TYPE_POLYGON = 11,
+	CN_TYPE_CHAIN = 12,
+	CN_TYPE_FILTER = 13,
+	CN_TYPE_MATERIAL = 14,
+	CN_TYPE_MANIFOLD_POINT = 15,
+	CN_TYPE_MANIFOLD = 16,
+	CN_TYPE_CONTACT_EVENT = 17,
+	CN_TYPE_BODY_MOVED = 18,
+	CN_TYPE_REVOLUTE_DEF = 19,
+	CN_TYPE_DISTANCE_DEF = 20,
+	CN_TYPE_COUNTERS = 21,
+	CN_TYPE_PROFILE = 22,
+	CN_TYPE_MEMORY_STATS = 23,
+	CN_TYPE_SENSOR_EVENT = 24,
+	CN_TYPE_UPDATE_REPORT = 25,
+	CN_TYPE_DEBUG_DRAW = 26,
+	CN_TYPE_QUERY_FILTER = 27,
+	CN_TYPE_RAY = 28,
+	CN_TYPE_RAY_HIT = 29,
+	CN_TYPE_CLOSEST = 30,
+	CN_TYPE_EXPLOSION_DEF = 31,
+	CN_TYPE_COUNT = 32,
+};
+
+enum {
+	CN_WORLD_SLEEP = 1, // islands at rest fall asleep (default on)
+	CN_WORLD_WARM_START = 2, // start solving from the last step's impulses (default on)
+	CN_WORLD_PROFILE = 4, // measure cn_profile (default off: reading a clock costs time)
+	CN_WORLD_CONTINUOUS = 8,
+};
+
+enum {
+	CN_SOLVER_SOFT = 0, // soft contact and joint constraints with substeps (Catto, Solver2D, 2024)
+	CN_SOLVER_SEQUENTIAL = 1,
+};
+
+enum {
+	CN_BROADPHASE_SWEEP = 0,
+};
+
+enum {
+	CN_WARNING_CONTACT_MEMORY = 1, // new contacts were not added: pairs_not_added
+	CN_WARNING_FRAME_MEMORY = 2, // the step worked around missing scratch memory
+	CN_WARNING_EVENT_MEMORY = 4,
+};
+
+enum {
+	CN_BODY_STATIC = 0, // never moves, infinite mass
+	CN_BODY_KINEMATIC = 1, // moves by its velocity alone, infinite mass
+	CN_BODY_DYNAMIC = 2,
+};
+
+enum {
+	CN_BODY_LOCK_X = 1, // the centre of mass keeps its world x
+	CN_BODY_LOCK_Y = 2,
+	CN_BODY_LOCK_ROTATION = 4,
+	CN_BODY_BULLET = 8, // continuous collision against dynamic bodies too (stored)
+	CN_BODY_ENABLED = 16, // takes part in the simulation (default on)
+	CN_BODY_SLEEP = 32, // may fall asleep (default on)
+	CN_BODY_AWAKE = 64,
+};
+
+enum {
+	CN_SHAPE_CIRCLE = 0,
+	CN_SHAPE_CAPSULE = 1,
+	CN_SHAPE_POLYGON = 2,
+	CN_SHAPE_EDGE = 3,
+	CN_SHAPE_CHAIN = 4,
+};
+
+// How two materials' numbers become a pair's. When the two ask for different rules, the later one of this
+// list is taken.
+enum {
+	CN_MIX_AVERAGE = 0,
+	CN_MIX_GEOMETRIC = 1, // square root of the product; default for friction
+	CN_MIX_MINIMUM = 2,
+	CN_MIX_MULTIPLY = 3,
+	CN_MIX_MAXIMUM = 4,
+};
+
+enum {
+	CN_SHAPE_SENSOR = 1, // reports who enters and leaves and touches nothing; see cn_world_sensor_events
+	CN_SHAPE_SENSOR_SEEN = 2, // queries see this sensor (default: they do not)
+	CN_SHAPE_ONE_WAY = 4, // collides only with what comes from the side its local +y axis points to
+	CN_SHAPE_PRE_SOLVE = 8,
+};
+
+enum {
+	CN_EVENT_CREATED = 0, // the fat boxes of two shapes began to overlap
+	CN_EVENT_ENTER = 1, // they began to touch
+	CN_EVENT_STAY = 2, // they still touch
+	CN_EVENT_LEAVE = 3, // they stopped touching, or one went away
+	CN_EVENT_DESTROYED = 4, // the fat boxes no longer overlap, or one went away
+	CN_EVENT_KINDS = 5,
+};
+
+enum {
+	CN_JOINT_REVOLUTE = 0,
+	CN_JOINT_DISTANCE = 1,
+};
+
+enum {
+	CN_JOINT_COLLIDE = 1, // the connected bodies' shapes collide with each other (default off)
+	CN_JOINT_LIMIT = 2,
+	CN_JOINT_MOTOR = 4,
+	CN_JOINT_SPRING = 8,
+};
+
+enum {
+	CN_DRAW_SHAPES = 1,
+	CN_DRAW_JOINTS = 2, // and constraints: anchors, axes, limits
+	CN_DRAW_CONTACTS = 4,
+	CN_DRAW_AABBS = 8,
+	CN_DRAW_CENTERS = 16,
+	CN_DRAW_ISLANDS = 32,
+};
+
+typedef int32_t cn_result;
+typedef uint32_t cn_body;
+typedef uint32_t cn_shape;
+typedef uint32_t cn_joint;
+typedef uint32_t cn_constraint;
+typedef struct cn_world cn_world;
+
+typedef struct cn_vec2 {
+	float x;
+	float y;
+} cn_vec2;
+
+// Position of a body's origin and its rotation as (cosine, sine). 16 bytes: an array of these can be uploaded
+// to a GPU as it is.
+typedef struct cn_pose {
+	cn_vec2 position_m;
+	float cosine;
+	float sine;
+} cn_pose;
+
+typedef struct cn_velocity {
+	cn_vec2 linear_mps; // of the centre of mass
+	float angular_radps;
+} cn_velocity;
+
+typedef struct cn_aabb {
+	cn_vec2 lower_m;
+	cn_vec2 upper_m;
+} cn_aabb;
+
+typedef struct cn_mass_data {
+	float mass_kg;
+	float inertia_kgm2; // about the centre of mass
+	cn_vec2 center_m; // in the body's local frame
+} cn_mass_data;
+
+// Memory hooks. Return NULL when there is none; align is a power of two, at most 64. Called only from inside
+// functions that take a non-const world.
+typedef void *cn_alloc_fn(uint64_t bytes, uint32_t align, void *user);
+
+typedef void cn_free_fn(void *memory, uint64_t bytes, void *user);
+
+typedef struct cn_world_def {
+	uint32_t struct_size;
+	uint32_t flags; // CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS
+	cn_vec2 gravity_mps2; // default (0, -10)
+	float length_unit_m; // a typical object's size, (0, 1e6]; slop, margins and speed limits scale with it; default 1
+	int32_t solver; // CN_SOLVER_*; default CN_SOLVER_SOFT
+	int32_t broadphase; // CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP
+	int32_t substep_count; // 1 to 64; default 4
+	float restitution_threshold_mps; // slower impacts do not bounce, >= 0; default 1 x length unit
+	float push_speed_max_mps; // fastest speed at which overlap is pushed apart, > 0; default 3 x length unit
+	float linear_speed_max_mps; // > 0; default 400 x length unit
+	float angular_speed_max_radps; // > 0; default 400
+	float sleep_speed_mps; // bodies slower than this may sleep, >= 0; default 0.05 x length unit
+	float sleep_delay_s; // ... after this long, >= 0; default 0.5
+	int32_t body_capacity; // hints for a growing world, exact for a fixed one; >= 0; default 0
+	int32_t shape_capacity; // counts every edge of a chain
+	int32_t contact_capacity;
+	int32_t joint_capacity;
+	uint64_t user_data;
+	uint64_t memory_bytes; // size of memory; 0: use alloc and free
+	void *memory; // NULL, or one block aligned to 64 bytes that the world lives in, whole
+	cn_alloc_fn *alloc; // NULL: malloc; set both or none
+	cn_free_fn *free;
+	void *allocator_user;
+} cn_world_def;
+
+typedef struct cn_counters {
+	int32_t bodies;
+	int32_t bodies_awake; // dynamic and kinematic bodies that are simulated
+	int32_t shapes;
+	int32_t proxies; // boxes in the broadphase: one a shape, one an edge of a chain
+	int32_t contacts; // pairs whose fat boxes overlap
+	int32_t contacts_awake;
+	int32_t contacts_touching; // pairs that share a manifold, asleep or awake
+	int32_t joints;
+	int32_t joints_awake;
+	int32_t islands; // awake and asleep, of two or more bodies or one
+	int32_t islands_awake;
+	int32_t colors_used; // groups of contacts that are solved without sharing a body
+	int32_t overflow_contacts; // contacts that fit no colour and are solved one by one
+	int32_t broadphase_tiles;
+	uint32_t steps; // steps taken since creation, modulo 2^32
+	uint32_t warnings; // What the last step could not do for want of memory; 0 when all is well. It tries again. CN_WARNING_*
+	int32_t pairs_not_added;
+	int32_t events_not_reported;
+} cn_counters;
+
+// Seconds of the last step by stage, all 0 unless CN_WORLD_PROFILE is set.
+typedef struct cn_profile {
+	float step_s;
+	float wake_s;
+	float broadphase_s;
+	float narrowphase_s;
+	float islands_s;
+	float prepare_s;
+	float substeps_s;
+	float finalize_s;
+	float events_s;
+	float sleep_s;
+} cn_profile;
+
+// Memory, in bytes. The frame arena is the stack allocator whose entries live within one step; the block
+// allocator serves small variable-size pieces from free lists of size classes.
+typedef struct cn_memory_stats {
+	uint64_t bytes_in_use; // taken from the user's allocator or carved from the fixed block
+	uint64_t bytes_peak;
+	uint64_t allocator_calls; // calls of the user's alloc (or of the fixed block's) since creation
+	uint64_t arena_capacity;
+	uint64_t arena_peak; // most bytes in use at once since creation
+	uint64_t arena_fallbacks; // entries that did not fit and came from the allocator, since creation
+	uint64_t blocks_capacity; // bytes in chunks
+	uint64_t blocks_in_use;
+	uint64_t blocks_large; // blocks above the largest class, served by the allocator
+} cn_memory_stats;
+
+typedef struct cn_body_def {
+	uint32_t struct_size;
+	int32_t type; // CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic
+	cn_vec2 position_m; // of the origin; |x|, |y| <= 1e6 x length unit
+	float angle_rad; // |angle| <= 1e4
+	cn_vec2 linear_velocity_mps; // of the centre of mass
+	float angular_velocity_radps;
+	float linear_damping_per_s; // v' = -damping v; >= 0, default 0
+	float angular_damping_per_s;
+	float gravity_scale; // default 1
+	float sleep_speed_mps; // >= 0; default 0: the world's
+	uint32_t flags; // CN_BODY_*; default ENABLED | SLEEP | AWAKE
+	uint32_t reserved;
+	uint64_t user_data;
+	const char *name; // NULL, or at most CN_NAME_MAX_BYTES bytes of text, copied
+} cn_body_def;
+
+typedef struct cn_body_moved {
+	cn_pose pose;
+	uint64_t user_data;
+	cn_body body;
+	uint32_t fell_asleep; // 1 in the step in which it fell asleep
+} cn_body_moved;
+
+// Two shapes collide when group is equal and not 0: positive yes, negative no; otherwise when each one's
+// category has a bit in the other's mask.
+typedef struct cn_filter {
+	uint64_t category; // default 1
+	uint64_t mask; // default all ones
+	int32_t group; // default 0
+	uint32_t reserved;
+} cn_filter;
+
+typedef struct cn_material {
+	float static_friction; // coefficient while sticking, [0, 100], default 0.6
+	float dynamic_friction; // coefficient while sliding, [0, static_friction], default 0.6
+	float restitution; // [0, 1], default 0
+	float rolling_resistance; // metres, [0, 1e3]: lever arm that resists rolling; the pair takes the greater; default 0
+	float tangent_speed_mps; // conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; default 0
+	int32_t friction_mix; // CN_MIX_*
+	int32_t restitution_mix; // CN_MIX_*
+	uint32_t reserved;
+} cn_material;
+
+typedef struct cn_shape_def {
+	uint32_t struct_size;
+	cn_body body; // 0: create unattached, for cn_shape_attach
+	cn_vec2 offset_m; // of the shape in the body's local frame
+	float angle_rad;
+	float density_kgpm2; // >= 0, giving 0 or 1e-20 to 1e20 kg; default 1
+	cn_material material;
+	cn_filter filter;
+	uint32_t event_mask; // bit 1 << CN_EVENT_*; a pair reports what either shape asks for; default ENTER and LEAVE
+	uint32_t flags; // CN_SHAPE_SENSOR ...; default 0
+	uint64_t user_data;
+} cn_shape_def;
+
+typedef struct cn_circle {
+	cn_vec2 center_m;
+	float radius_m;
+} cn_circle;
+
+// All points within radius_m of the segment.
+typedef struct cn_capsule {
+	cn_vec2 a_m;
+	cn_vec2 b_m;
+	float radius_m;
+} cn_capsule;
+
+// A two-sided segment without mass.
+typedef struct cn_edge {
+	cn_vec2 a_m;
+	cn_vec2 b_m;
+} cn_edge;
+
+// Convex; counter-clockwise or clockwise in, always stored counter-clockwise.
+typedef struct cn_polygon {
+	int32_t count; // 3 to CN_POLYGON_MAX_VERTICES
+	float radius_m; // rounding added outside of the points, >= 0
+	cn_vec2 points_m[16];
+} cn_polygon;
+
+// One-sided, massless ground without catches at its inner vertices. The solid side is on the left of the
+// direction of travel: surface normals point to the right of it, so ground whose points run from +x to -x
+// collides from above and a counter-clockwise loop collides from outside.
+typedef struct cn_chain {
+	const cn_vec2 *points_m; // copied
+	int32_t count; // an open chain: >= 2; a loop: >= 3; at most 65535
+	uint32_t loop; // 1: the last point joins the first
+} cn_chain;
+
+typedef struct cn_manifold_point {
+	cn_vec2 point_m; // world, midway between the surfaces
+	float separation_m; // negative when overlapping
+	float normal_impulse_Ns; // of the last substep
+	uint32_t feature_id; // the same while the same features touch
+} cn_manifold_point;
+
+typedef struct cn_manifold {
+	cn_vec2 normal; // unit, from shape a to shape b
+	float friction_impulse_Ns; // of the last substep, on body b along (normal.y, -normal.x)
+	int32_t point_count; // 0, 1 or 2
+	cn_manifold_point points[2];
+} cn_manifold;
+
+typedef struct cn_contact_event {
+	cn_shape shape_a;
+	cn_shape shape_b;
+	cn_body body_a;
+	cn_body body_b;
+	int32_t child_a; // edge number within a chain, else 0
+	int32_t child_b;
+	uint32_t contact_id; // the same from CREATED to DESTROYED, then reused
+	int32_t kind; // CN_EVENT_*
+	float approach_speed_mps; // ENTER: closing speed along the normal before the impact; else 0
+	cn_manifold manifold; // geometry as the step found it, impulses as it left them; points only for ENTER and STAY
+} cn_contact_event;
+
+// A shape entered or left a sensor.
+typedef struct cn_sensor_event {
+	cn_shape sensor;
+	cn_shape visitor;
+	cn_body sensor_body;
+	cn_body visitor_body;
+	int32_t kind; // CN_EVENT_ENTER or CN_EVENT_LEAVE
+	uint32_t reserved;
+} cn_sensor_event;
+
+// First field of every joint definition.
+typedef struct cn_joint_base {
+	uint32_t struct_size; // of the whole definition
+	uint32_t flags; // CN_JOINT_*; default 0
+	cn_body body_a; // 0: the world
+	cn_body body_b; // 0: the world; one of the two must be dynamic
+	cn_vec2 anchor_a_m; // in body a's local frame, or in world coordinates
+	cn_vec2 anchor_b_m;
+	uint64_t user_data;
+} cn_joint_base;
+
+// Two bodies share a point. The joint angle is angle b - angle a - reference, in (-pi, pi].
+typedef struct cn_revolute_def {
+	cn_joint_base base;
+	float reference_angle_rad;
+	float lower_angle_rad; // CN_JOINT_LIMIT: -pi <= lower <= upper <= pi
+	float upper_angle_rad;
+	float motor_speed_radps; // CN_JOINT_MOTOR
+	float motor_torque_max_Nm; // >= 0
+	float spring_target_rad; // CN_JOINT_SPRING: pulls the joint angle to this
+	float spring_hertz; // 0 to 1e6
+	float spring_damping_ratio; // 0 to 1e6
+} cn_revolute_def;
+
+// Two points keep a distance. Without CN_JOINT_SPRING and without CN_JOINT_LIMIT it is a rigid rod of
+// length_m. With a spring, length_m is its rest length and the distance stays within [min, max] when limits
+// are on; limits alone make a rope (min 0).
+typedef struct cn_distance_def {
+	cn_joint_base base;
+	float length_m; // > 0; default 1
+	float length_min_m; // CN_JOINT_LIMIT: 0 <= min <= max; default 0 and 1
+	float length_max_m;
+	float motor_speed_mps; // CN_JOINT_MOTOR: along the axis, positive lengthens; with spring or limit only
+	float motor_force_max_N; // >= 0
+	float spring_hertz; // 0 to 1e6
+	float spring_damping_ratio; // 0 to 1e6
+	float reserved;
+} cn_distance_def;
+
+typedef struct cn_update_report {
+	int32_t steps; // fixed steps taken
+	float leftover_s; // time kept for the next update
+	float dropped_s; // time given up because of the step cap
+	float interpolation; // leftover / fixed step, [0, 1): between the last two poses
+} cn_update_report;
+
+// A query sees shapes of enabled bodies whose category has a bit in mask and whose mask has one in category,
+// and of sensors only those with CN_SHAPE_SENSOR_SEEN. Bodies are seen where they are now, also between
+// steps.
+typedef struct cn_query_filter {
+	uint64_t category; // default 1
+	uint64_t mask; // default all ones
+} cn_query_filter;
+
+typedef struct cn_ray {
+	cn_vec2 origin_m;
+	cn_vec2 translation_m; // may be 0: then only shapes around the origin are hit; at most 2e6 length units each way
+} cn_ray;
+
+typedef struct cn_ray_hit {
+	cn_shape shape; // 0: nothing was hit
+	cn_body body;
+	int32_t child; // edge of a chain
+	float fraction; // of the translation, [0, 1]; 1 when nothing was hit
+	cn_vec2 point_m;
+	cn_vec2 normal; // (0, 0) when the origin is inside the shape; fraction is 0 then
+} cn_ray_hit;
+
+typedef struct cn_closest {
+	cn_shape shape; // 0: nothing within the distance
+	cn_body body;
+	int32_t child;
+	float distance_m; // negative: depth inside a shape with area
+	cn_vec2 point_m; // on the surface
+	cn_vec2 normal; // outward there; of edges and chains towards the point
+} cn_closest;
+
+typedef struct cn_explosion_def {
+	uint32_t struct_size;
+	float radius_m; // full strength within, to the nearest point of a shape; >= 0, default 1
+	float falloff_m; // then linearly to none over this distance; >= 0
+	float impulse_Nspm; // per metre of the shape's width seen from the centre; negative pulls
+	cn_vec2 center_m;
+	cn_query_filter filter;
+} cn_explosion_def;
+
+typedef void cn_debug_draw_polygon_fn(const cn_vec2 *points_m, int32_t count, float radius_m, uint32_t color, void *user);
+
+typedef void cn_debug_draw_circle_fn(const cn_vec2 *center_m, float radius_m, const cn_vec2 *rim_m, uint32_t color, void *user);
+
+typedef void cn_debug_draw_capsule_fn(const cn_vec2 *a_m, const cn_vec2 *b_m, float radius_m, uint32_t color, void *user);
+
+typedef void cn_debug_draw_segment_fn(const cn_vec2 *a_m, const cn_vec2 *b_m, uint32_t color, void *user);
+
+typedef void cn_debug_draw_point_fn(const cn_vec2 *point_m, float size_px, uint32_t color, void *user);
+
+typedef void cn_debug_draw_text_fn(const cn_vec2 *point_m, const char *text, uint32_t color, void *user);
+
+// Functions that are NULL are not called. Colours are 0xRRGGBB. Points are in world coordinates.
+typedef struct cn_debug_draw {
+	uint32_t struct_size;
+	uint32_t flags; // CN_DRAW_*; default SHAPES | JOINTS | CONTACTS
+	cn_aabb view; // only what overlaps it is drawn; default everything
+	cn_debug_draw_polygon_fn *polygon;
+	cn_debug_draw_circle_fn *circle; // axis: a point on the rim that turns with the body
+	cn_debug_draw_capsule_fn *capsule;
+	cn_debug_draw_segment_fn *segment;
+	cn_debug_draw_point_fn *point;
+	cn_debug_draw_text_fn *text;
+	void *user;
+	void *reserved;
+} cn_debug_draw;
+
+// Called at the end of cn_world_step for each event of this kind, in the order of the array.
+typedef void cn_contact_event_fn(cn_world *world, const cn_contact_event *event, void *user);
+
+// Decides whether two shapes that pass their filters may touch: 1 yes, 0 no. Asked when their boxes begin to
+// overlap. The world is locked.
+typedef int32_t cn_filter_fn(cn_world *world, cn_shape shape_a, cn_shape shape_b, void *user);
+
+// Asked in every step for each touching pair in which a shape has CN_SHAPE_PRE_SOLVE, before solving: 0 makes
+// the pair pass through each other in this step. Event kind is STAY or ENTER.
+typedef int32_t cn_pre_solve_fn(cn_world *world, const cn_contact_event *contact, void *user);
+
+// Mixes two materials in place of the CN_MIX_ rules: fills *mixed, which holds what the rules gave. Asked
+// when a pair begins to touch and when a material changes.
+typedef void cn_material_mix_fn(cn_world *world, cn_shape shape_a, cn_shape shape_b, cn_material *mixed, void *user);
+
+// Version as major * 1000000 + minor * 1000 + patch.
+int32_t cn_version(void);
+// CN_ABI_VERSION of the library that was linked; a binding compares it with its own.
+int32_t cn_abi_version(void);
+// Static English text for a result code, never NULL.
+const char *cn_result_text(cn_result result);
+// sizeof the struct named by a CN_TYPE_ constant, 0 for an unknown one: bindings check themselves.
+int32_t cn_sizeof(int32_t type);
+// Defaults as given beside the fields (those that scale with the length unit are stored as 0 and resolved by
+// cn_world_create: 0 means the default there).
+void cn_world_def_init(cn_world_def *def);
+// Says in one sentence what is wrong with a definition; writes at most text_bytes bytes including the
+// terminating zero; text may be NULL when text_bytes is 0.
+cn_result cn_world_def_check(const cn_world_def *def, char *text, int32_t text_bytes);
+// Bytes that def.memory must have so that the capacities in def never run out. def.memory may be NULL here.
+cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes);
+cn_result cn_world_create(const cn_world_def *def, cn_world **out_world);
+// NULL is allowed. Frees everything; a world in a caller's block just stops using it. Not from callbacks.
+void cn_world_destroy(cn_world *world);
+// One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion. Cost grows
+// with the number of awake bodies and their contacts.
+cn_result cn_world_step(cn_world *world, float dt_s);
+// One sentence on the last call that failed on this world; "" if none did. world may be NULL.
+const char *cn_world_error_text(const cn_world *world);
+// A change wakes every body: O(bodies) then.
+cn_result cn_world_set_gravity(cn_world *world, float gravity_x_mps2, float gravity_y_mps2);
+cn_result cn_world_get_gravity(const cn_world *world, cn_vec2 *out_mps2);
+// 1 to 64; more substeps are stiffer and dearer.
+cn_result cn_world_set_substep_count(cn_world *world, int32_t count);
+cn_result cn_world_get_substep_count(const cn_world *world, int32_t *out_count);
+// Replaces the CN_WORLD_ flags. Turning CN_WORLD_SLEEP off wakes everything: O(bodies) then.
+cn_result cn_world_set_flags(cn_world *world, uint32_t flags);
+cn_result cn_world_get_flags(const cn_world *world, uint32_t *out_flags);
+// Metres a second, >= 0.
+cn_result cn_world_set_restitution_threshold(cn_world *world, float speed_mps);
+// Both > 0: bodies are slowed to these at the end of each step (direction kept).
+cn_result cn_world_set_speed_limits(cn_world *world, float linear_mps, float angular_radps);
+// speed_mps >= 0, delay_s >= 0.
+cn_result cn_world_set_sleep(cn_world *world, float speed_mps, float delay_s);
+cn_result cn_world_set_user_data(cn_world *world, uint64_t user_data);
+cn_result cn_world_get_user_data(const cn_world *world, uint64_t *out_user_data);
+// Handles of everything alive, in a fixed order (by slot). Writes at most capacity of them (out may be NULL
+// when capacity is 0) and always sets *out_count to how many there are. O(slots).
+cn_result cn_world_get_bodies(const cn_world *world, cn_body *out, int32_t capacity, int32_t *out_count);
+cn_result cn_world_get_shapes(const cn_world *world, cn_shape *out, int32_t capacity, int32_t *out_count);
+cn_result cn_world_get_joints(const cn_world *world, cn_joint *out, int32_t capacity, int32_t *out_count);
+// O(bodies + islands).
+cn_result cn_world_get_counters(const cn_world *world, cn_counters *out);
+cn_result cn_world_get_profile(const cn_world *world, cn_profile *out);
+cn_result cn_world_get_memory_stats(const cn_world *world, cn_memory_stats *out);
+// 64-bit hash (FNV-1a, Fowler/Noll/Vo) of every body's pose, velocity and sleep state and every contact's
+// impulses in handle order: equal for equal histories on every compiler, CPU and thread count. O(bodies +
+// contacts).
+cn_result cn_world_hash(const cn_world *world, uint64_t *out_hash);
+// Checks every invariant between the tables. CN_OK, or CN_ERROR_INTERNAL with a sentence in text (at most
+// text_bytes bytes with the zero; may be NULL when text_bytes is 0). O(everything).
+cn_result cn_world_validate(const cn_world *world, char *text, int32_t text_bytes);
+void cn_body_def_init(cn_body_def *def);
+cn_result cn_body_create(cn_world *world, const cn_body_def *def, cn_body *out_body);
+// count bodies from an array of definitions; all of them or none. O(count).
+cn_result cn_body_create_many(cn_world *world, const cn_body_def *defs, int32_t count, cn_body *out_bodies);
+// Also destroys its shapes, contacts and joints; touching contacts get their leave event.
+cn_result cn_body_destroy(cn_world *world, cn_body body);
+// Destroys all or, if any handle is bad or appears twice, none.
+cn_result cn_body_destroy_many(cn_world *world, const cn_body *bodies, int32_t count);
+// 1 if the handle names a body that is alive in this world, else 0 (also for a NULL world).
+int32_t cn_body_is_valid(const cn_world *world, cn_body body);
+// Changing the type ends the body's contacts (those that still overlap begin again in the next step), its
+// forces and any mass override, and wakes it; a body made static stops. CN_ERROR_STATE if a joint would be
+// left without a dynamic body. O(contacts + joints + shapes).
+cn_result cn_body_set_type(cn_world *world, cn_body body, int32_t type);
+cn_result cn_body_get_type(const cn_world *world, cn_body body, int32_t *out_type);
+// Replaces all CN_BODY_ flags except CN_BODY_AWAKE, which is cn_body_set_awake's and is ignored here. A body
+// without CN_BODY_ENABLED keeps its shapes but collides with nothing and does not move; its contacts end, its
+// joints rest. O(contacts + joints + shapes) when that changes.
+cn_result cn_body_set_flags(cn_world *world, cn_body body, uint32_t flags);
+// CN_BODY_AWAKE is set in the result when the body is awake.
+cn_result cn_body_get_flags(const cn_world *world, cn_body body, uint32_t *out_flags);
+// 0 puts the body and everything connected to it to sleep, at rest; anything else wakes. Does nothing to
+// static and disabled bodies. O(island).
+cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake);
+// Teleport: origin and angle; velocities stay. Contacts that are no longer near end (the next step reports
+// it). Wakes the body and what is near it. O(contacts + shapes).
+cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad);
+cn_result cn_body_get_pose(const cn_world *world, cn_body body, cn_pose *out);
+// In (-pi, pi].
+cn_result cn_body_get_angle(const cn_world *world, cn_body body, float *out_rad);
+// World position of the centre of mass.
+cn_result cn_body_get_center(const cn_world *world, cn_body body, cn_vec2 *out_m);
+// Static bodies refuse this with CN_ERROR_STATE. Wakes when not zero.
+cn_result cn_body_set_velocity(cn_world *world, cn_body body, float linear_x_mps, float linear_y_mps, float angular_radps);
+cn_result cn_body_get_velocity(const cn_world *world, cn_body body, cn_velocity *out);
+// Velocity of the body's material at a world point.
+cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float point_x_m, float point_y_m, cn_vec2 *out_mps);
+cn_result cn_body_get_world_point(const cn_world *world, cn_body body, float local_x_m, float local_y_m, cn_vec2 *out_m);
+cn_result cn_body_get_local_point(const cn_world *world, cn_body body, float world_x_m, float world_y_m, cn_vec2 *out_m);
+// Union of its shapes' boxes, without margin; the origin as a point if it has none. O(shapes).
+cn_result cn_body_get_aabb(const cn_world *world, cn_body body, cn_aabb *out);
+// Forces and torques act for the next step only and are then cleared. All of these wake a dynamic body and do
+// nothing to static, kinematic and disabled ones (CN_OK). Sums of forces and velocities after impulses must
+// stay finite (CN_ERROR_ARGUMENT).
+cn_result cn_body_apply_force(cn_world *world, cn_body body, float force_x_N, float force_y_N);
+cn_result cn_body_apply_force_at(cn_world *world, cn_body body, float force_x_N, float force_y_N, float point_x_m, float point_y_m);
+cn_result cn_body_apply_torque(cn_world *world, cn_body body, float torque_Nm);
+cn_result cn_body_apply_impulse(cn_world *world, cn_body body, float impulse_x_Ns, float impulse_y_Ns);
+cn_result cn_body_apply_impulse_at(cn_world *world, cn_body body, float impulse_x_Ns, float impulse_y_Ns, float point_x_m, float point_y_m);
+cn_result cn_body_apply_angular_impulse(cn_world *world, cn_body body, float impulse_Nms);
+// Sums over the attached shapes unless overridden. A dynamic body whose shapes have no mass weighs 1 kg (and,
+// having no shape, does not rotate).
+cn_result cn_body_get_mass_data(const cn_world *world, cn_body body, cn_mass_data *out);
+// Override for a dynamic body (others: CN_ERROR_STATE): mass_kg from 1e-20 to 1e20, inertia_kgm2 0 (never
+// rotates) or from 1e-35 to 1e35. Kept until cn_body_reset_mass_data or until the type changes.
+cn_result cn_body_set_mass_data(cn_world *world, cn_body body, const cn_mass_data *mass);
+cn_result cn_body_reset_mass_data(cn_world *world, cn_body body);
+// Both >= 0.
+cn_result cn_body_set_damping(cn_world *world, cn_body body, float linear_per_s, float angular_per_s);
+cn_result cn_body_get_damping(const cn_world *world, cn_body body, float *out_linear_per_s, float *out_angular_per_s);
+cn_result cn_body_set_gravity_scale(cn_world *world, cn_body body, float scale);
+cn_result cn_body_get_gravity_scale(const cn_world *world, cn_body body, float *out_scale);
+// >= 0; 0 restores the world's.
+cn_result cn_body_set_sleep_speed(cn_world *world, cn_body body, float speed_mps);
+cn_result cn_body_set_user_data(cn_world *world, cn_body body, uint64_t user_data);
+cn_result cn_body_get_user_data(const cn_world *world, cn_body body, uint64_t *out_user_data);
+// NULL or "" removes the name.
+cn_result cn_body_set_name(cn_world *world, cn_body body, const char *name);
+// "" if it has none; valid until the name changes or the body is destroyed.
+cn_result cn_body_get_name(const cn_world *world, cn_body body, const char **out_name);
+// As cn_world_get_bodies, for one body. O(shapes), O(joints).
+cn_result cn_body_get_shapes(const cn_world *world, cn_body body, cn_shape *out, int32_t capacity, int32_t *out_count);
+cn_result cn_body_get_joints(const cn_world *world, cn_body body, cn_joint *out, int32_t capacity, int32_t *out_count);
+// Bulk forms: bodies NULL means every body in the order of cn_world_get_bodies, of which there must be
+// exactly count. stride_bytes 0 means tightly packed. One bad handle fails the whole call. O(count).
+cn_result cn_world_read_poses(const cn_world *world, const cn_body *bodies, int32_t count, cn_pose *out);
+cn_result cn_world_read_poses_strided(const cn_world *world, const cn_body *bodies, int32_t count, void *out, int32_t stride_bytes);
+cn_result cn_world_read_velocities(const cn_world *world, const cn_body *bodies, int32_t count, cn_velocity *out);
+// cn_body_set_velocity for many; nothing is written if one is bad. Static bodies take zero only.
+cn_result cn_world_write_velocities(cn_world *world, const cn_body *bodies, int32_t count, const cn_velocity *velocities);
+// Bodies whose pose changed in the last step, and those that fell asleep in it, without the ones destroyed
+// since. Built on the first call after a step: O(awake bodies) then.
+cn_result cn_world_moved(cn_world *world, const cn_body_moved **out_moved, int32_t *out_count);
+void cn_shape_def_init(cn_shape_def *def);
+// out_shape may be NULL in all of these. Points closer than 0.5% of the length unit are degenerate.
+cn_result cn_shape_create_circle(cn_world *world, const cn_shape_def *def, const cn_circle *circle, cn_shape *out_shape);
+cn_result cn_shape_create_capsule(cn_world *world, const cn_shape_def *def, const cn_capsule *capsule, cn_shape *out_shape);
+cn_result cn_shape_create_edge(cn_world *world, const cn_shape_def *def, const cn_edge *edge, cn_shape *out_shape);
+cn_result cn_shape_create_polygon(cn_world *world, const cn_shape_def *def, const cn_polygon *polygon, cn_shape *out_shape);
+// Half sizes > 0; radius_m >= 0 is added outside of them.
+cn_result cn_shape_create_box(cn_world *world, const cn_shape_def *def, float half_width_m, float half_height_m, float radius_m, cn_shape *out_shape);
+// O(count).
+cn_result cn_shape_create_chain(cn_world *world, const cn_shape_def *def, const cn_chain *chain, cn_shape *out_shape);
+// An unattached shape joins a body (CN_ERROR_STATE if it already has one), an attached one leaves it.
+cn_result cn_shape_attach(cn_world *world, cn_shape shape, cn_body body);
+cn_result cn_shape_detach(cn_world *world, cn_shape shape);
+cn_result cn_shape_destroy(cn_world *world, cn_shape shape);
+int32_t cn_shape_is_valid(const cn_world *world, cn_shape shape);
+cn_result cn_shape_get_type(const cn_world *world, cn_shape shape, int32_t *out_type);
+// 0 if unattached.
+cn_result cn_shape_get_body(const cn_world *world, cn_shape shape, cn_body *out_body);
+// Takes effect at once, on resting contacts too (their bodies wake).
+cn_result cn_shape_set_material(cn_world *world, cn_shape shape, const cn_material *material);
+cn_result cn_shape_get_material(const cn_world *world, cn_shape shape, cn_material *out);
+// >= 0; the body's mass follows at once.
+cn_result cn_shape_set_density(cn_world *world, cn_shape shape, float density_kgpm2);
+cn_result cn_shape_get_density(const cn_world *world, cn_shape shape, float *out_kgpm2);
+// Contacts that it forbids end at once (with their events); ones that it allows begin in the next step.
+cn_result cn_shape_set_filter(cn_world *world, cn_shape shape, const cn_filter *filter);
+cn_result cn_shape_get_filter(const cn_world *world, cn_shape shape, cn_filter *out);
+// Takes effect at once, for present contacts too.
+cn_result cn_shape_set_event_mask(cn_world *world, cn_shape shape, uint32_t event_mask);
+cn_result cn_shape_get_event_mask(const cn_world *world, cn_shape shape, uint32_t *out_event_mask);
+// Replaces the CN_SHAPE_ flags (SENSOR ...). Contacts end and begin anew as needed.
+cn_result cn_shape_set_flags(cn_world *world, cn_shape shape, uint32_t flags);
+cn_result cn_shape_get_flags(const cn_world *world, cn_shape shape, uint32_t *out_flags);
+cn_result cn_shape_set_user_data(cn_world *world, cn_shape shape, uint64_t user_data);
+cn_result cn_shape_get_user_data(const cn_world *world, cn_shape shape, uint64_t *out_user_data);
+// Without margin, in world space (in shape space when unattached). O(points).
+cn_result cn_shape_get_aabb(const cn_world *world, cn_shape shape, cn_aabb *out);
+// In the body's local frame, at the present density; inertia about the shape's own centre. O(points).
+cn_result cn_shape_get_mass_data(const cn_world *world, cn_shape shape, cn_mass_data *out);
+// The shape's geometry in its body's local frame, offset applied. CN_ERROR_STATE for another type.
+cn_result cn_shape_get_circle(const cn_world *world, cn_shape shape, cn_circle *out);
+cn_result cn_shape_get_capsule(const cn_world *world, cn_shape shape, cn_capsule *out);
+cn_result cn_shape_get_edge(const cn_world *world, cn_shape shape, cn_edge *out);
+cn_result cn_shape_get_polygon(const cn_world *world, cn_shape shape, cn_polygon *out);
+// Writes at most capacity points (out may be NULL when capacity is 0); *out_count is how many there are.
+cn_result cn_shape_get_chain_points(const cn_world *world, cn_shape shape, cn_vec2 *out, int32_t capacity, int32_t *out_count);
+cn_result cn_shape_test_point(const cn_world *world, cn_shape shape, float point_x_m, float point_y_m, int32_t *out_inside);
+// Convex hull of 1 or more points (Andrew's monotone chain, 1979), simplified to at most
+// CN_POLYGON_MAX_VERTICES by dropping the vertices that change its area least. CN_ERROR_ARGUMENT for fewer
+// than three distinct points or collinear ones. Details below 5 mm are dropped (below 5% of the half size for
+// hulls under 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count <= 65536.
+cn_result cn_polygon_make_hull(const cn_vec2 *points_m, int32_t count, float radius_m, cn_polygon *out);
+// A box of half sizes > 0, moved and then turned about its own centre.
+cn_result cn_polygon_make_box(float half_width_m, float half_height_m, float center_x_m, float center_y_m, float angle_rad, float radius_m, cn_polygon *out);
+// The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. They are always
+// bookended: every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved away, body
+// or shape destroyed, detached or disabled, filter or type changed). Pairs that end through a call between
+// two steps are reported by the next step; handles in such events may be stale. Falling asleep is not
+// leaving: a sleeping pair reports nothing until it wakes, and then goes on where it was. The array is built
+// on the first request after a step, O(events) then: that may return CN_ERROR_MEMORY, and inside callbacks
+// CN_ERROR_LOCKED.
+cn_result cn_world_contact_events(cn_world *world, int32_t kind, const cn_contact_event **out_events, int32_t *out_count);
+// function NULL removes it.
+cn_result cn_world_set_contact_callback(cn_world *world, int32_t kind, cn_contact_event_fn *function, void *user);
+// function NULL removes it.
+cn_result cn_world_set_filter_callback(cn_world *world, cn_filter_fn *function, void *user);
+cn_result cn_world_set_pre_solve_callback(cn_world *world, cn_pre_solve_fn *function, void *user);
+cn_result cn_world_set_material_mix_callback(cn_world *world, cn_material_mix_fn *function, void *user);
+// Of the last step, in a deterministic order; bookended like contact events. Sensors see dynamic and
+// kinematic bodies' shapes that are not sensors, by exact overlap.
+cn_result cn_world_sensor_events(const cn_world *world, const cn_sensor_event **out_events, int32_t *out_count);
+// The contacts of a body, touching or not, as events of kind STAY (touching) or CREATED. Writes at most
+// capacity; *out_count is how many there are. O(contacts).
+cn_result cn_body_get_contacts(const cn_world *world, cn_body body, cn_contact_event *out, int32_t capacity, int32_t *out_count);
+// Bodies that fell asleep in the last step, or since by cn_body_set_awake; ones destroyed since are stale
+// handles.
+cn_result cn_world_fell_asleep(const cn_world *world, const cn_body **out_bodies, int32_t *out_count);
+void cn_revolute_def_init(cn_revolute_def *def);
+void cn_distance_def_init(cn_distance_def *def);
+// Wake both bodies. CN_ERROR_ARGUMENT for a body with itself or without a dynamic body.
+cn_result cn_joint_create_revolute(cn_world *world, const cn_revolute_def *def, cn_joint *out_joint);
+cn_result cn_joint_create_distance(cn_world *world, const cn_distance_def *def, cn_joint *out_joint);
+cn_result cn_joint_destroy(cn_world *world, cn_joint joint);
+int32_t cn_joint_is_valid(const cn_world *world, cn_joint joint);
+cn_result cn_joint_get_type(const cn_world *world, cn_joint joint, int32_t *out_type);
+cn_result cn_joint_get_bodies(const cn_world *world, cn_joint joint, cn_body *out_a, cn_body *out_b);
+cn_result cn_joint_get_anchors(const cn_world *world, cn_joint joint, cn_vec2 *out_world_a_m, cn_vec2 *out_world_b_m);
+// Force in newtons and torque in newton metres that the joint put on body b in the last substep.
+cn_result cn_joint_get_reaction(const cn_world *world, cn_joint joint, cn_vec2 *out_force_N, float *out_torque_Nm);
+// How far the joint's rigid parts are from being satisfied: metres (anchors, lengths beyond limits) and
+// radians (angles beyond limits), both >= 0.
+cn_result cn_joint_get_error(const cn_world *world, cn_joint joint, float *out_m, float *out_rad);
+cn_result cn_joint_set_user_data(cn_world *world, cn_joint joint, uint64_t user_data);
+cn_result cn_joint_get_user_data(const cn_world *world, cn_joint joint, uint64_t *out_user_data);
+// Replaces the CN_JOINT_ flags. Wakes. O(contacts) when CN_JOINT_COLLIDE changes.
+cn_result cn_joint_set_flags(cn_world *world, cn_joint joint, uint32_t flags);
+cn_result cn_joint_get_flags(const cn_world *world, cn_joint joint, uint32_t *out_flags);
+// Read back or replace everything particular to the type; the bodies, anchors and struct_size of base are
+// ignored by set (its flags and user data are not). CN_ERROR_STATE for a joint of another type. set wakes.
+cn_result cn_joint_get_revolute(const cn_world *world, cn_joint joint, cn_revolute_def *out);
+cn_result cn_joint_set_revolute(cn_world *world, cn_joint joint, const cn_revolute_def *def);
+cn_result cn_joint_get_distance(const cn_world *world, cn_joint joint, cn_distance_def *out);
+cn_result cn_joint_set_distance(cn_world *world, cn_joint joint, const cn_distance_def *def);
+// Revolute: the joint angle in radians. Distance: the present length in metres.
+cn_result cn_joint_get_position(const cn_world *world, cn_joint joint, float *out_position);
+// Revolute: radians a second. Distance: metres a second. With CN_JOINT_MOTOR, positive follows these.
+cn_result cn_joint_get_speed(const cn_world *world, cn_joint joint, float *out_speed);
+// The two setters that games call each frame. Wake.
+cn_result cn_joint_set_motor(cn_world *world, cn_joint joint, float speed, float force_or_torque_max);
+cn_result cn_joint_set_limits(cn_world *world, cn_joint joint, float lower, float upper);
+// step_s in (0, 1], default 1/60; steps_max >= 1, default 8.
+cn_result cn_world_set_fixed_step(cn_world *world, float step_s, int32_t steps_max);
+// Adds elapsed_s (0 to 10) to the time owed and takes as many fixed steps as fit, at most steps_max. Events
+// of all steps but the last are only seen by callbacks. out may be NULL.
+cn_result cn_world_update(cn_world *world, float elapsed_s, cn_update_report *out);
+// Poses between the last two steps of cn_world_update: factor 0 the one before, 1 the last. bodies as in
+// cn_world_read_poses. Bodies that did not take part in the last step have their present pose.
+cn_result cn_world_read_poses_interpolated(const cn_world *world, const cn_body *bodies, int32_t count, float factor, cn_pose *out);
+void cn_query_filter_init(cn_query_filter *filter);
+// Nearest hit; out->shape is 0 when there is none. An edge is hit from both sides, a chain from its front
+// only. Of equal hits the first by shape (as in cn_world_get_shapes), then child. filter may be NULL in all
+// queries: the defaults. O(log) to O(shapes along the ray).
+cn_result cn_world_cast_ray(const cn_world *world, const cn_ray *ray, const cn_query_filter *filter, cn_ray_hit *out);
+// 1 if anything is hit: cheaper than the nearest.
+cn_result cn_world_cast_ray_any(const cn_world *world, const cn_ray *ray, const cn_query_filter *filter, int32_t *out_hit);
+// Up to capacity hits, nearest first (the nearest ones if there are more); *out_count is how many were found.
+// A chain is hit once by each edge on the way.
+cn_result cn_world_cast_ray_all(const cn_world *world, const cn_ray *ray, const cn_query_filter *filter, cn_ray_hit *out, int32_t capacity, int32_t *out_count);
+// count rays, the nearest hit of each; nothing is written if one of them is bad.
+cn_result cn_world_cast_rays(const cn_world *world, const cn_ray *rays, int32_t count, const cn_query_filter *filter, cn_ray_hit *out);
+// Against one shape alone, whatever its filter, in shape space when unattached. O(edges of a chain).
+cn_result cn_shape_cast_ray(const cn_world *world, cn_shape shape, const cn_ray *ray, cn_ray_hit *out);
+// A polygon (its points in world coordinates; count may be 1 or 2 too, with radius > 0: circle, capsule)
+// moved by translation without turning: the first shape it meets. point is where, normal from the shape met
+// towards the moving one, (0, 0) when they overlap at the start. A chain is met by what has the mean of its
+// points in front.
+cn_result cn_world_cast_shape(const cn_world *world, const cn_polygon *shape, float translation_x_m, float translation_y_m, const cn_query_filter *filter, cn_ray_hit *out);
+// Shapes that overlap a region: at most capacity handles are written (the first ones), *out_count is how many
+// there are, in the order of cn_world_get_shapes. The first is by the shapes' boxes without margin, the
+// others exact. A chain is listed once; edges and chains are lines here, seen from both sides, and contain no
+// point. Polygons as in cn_world_cast_shape. O(log) to O(boxes in the region).
+cn_result cn_world_overlap_aabb(const cn_world *world, const cn_aabb *box, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count);
+cn_result cn_world_overlap_circle(const cn_world *world, const cn_circle *circle, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count);
+cn_result cn_world_overlap_polygon(const cn_world *world, const cn_polygon *polygon, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count);
+cn_result cn_world_overlap_point(const cn_world *world, float x_m, float y_m, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count);
+// The shape nearest to a point within distance_max_m (0 to 4e6 length units), the deepest if the point is in
+// several. Cost grows with what is near, not with distance_max_m.
+cn_result cn_world_closest_point(const cn_world *world, float x_m, float y_m, float distance_max_m, const cn_query_filter *filter, cn_closest *out);
+void cn_explosion_def_init(cn_explosion_def *def);
+// Pushes dynamic bodies away from the centre, each shape at its point nearest to it, and wakes them.
+// Velocities must stay finite (CN_ERROR_ARGUMENT). O(shapes in reach).
+cn_result cn_world_explode(cn_world *world, const cn_explosion_def *def);
+void cn_debug_draw_init(cn_debug_draw *draw);
+// Reads only. O(what is drawn).
+cn_result cn_world_draw(const cn_world *world, const cn_debug_draw *draw);
+]]
+
+local cairn = ffi.load(os.getenv "CAIRN_LIBRARY" or "cairn")
+
+-- A library of another version would read other structs: refuse it here.
+if cairn.cn_abi_version() ~= cairn.CN_ABI_VERSION then
+	error(("cairn.lua is for ABI %d, the library has %d"):format(cairn.CN_ABI_VERSION, cairn.cn_abi_version()))
+end
+for name, number in pairs {
+	cn_vec2 = cairn.CN_TYPE_VEC2,
+	cn_pose = cairn.CN_TYPE_POSE,
+	cn_velocity = cairn.CN_TYPE_VELOCITY,
+	cn_aabb = cairn.CN_TYPE_AABB,
+	cn_mass_data = cairn.CN_TYPE_MASS_DATA,
+	cn_world_def = cairn.CN_TYPE_WORLD_DEF,
+	cn_counters = cairn.CN_TYPE_COUNTERS,
+	cn_profile = cairn.CN_TYPE_PROFILE,
+	cn_memory_stats = cairn.CN_TYPE_MEMORY_STATS,
+	cn_body_def = cairn.CN_TYPE_BODY_DEF,
+	cn_body_moved = cairn.CN_TYPE_BODY_MOVED,
+	cn_filter = cairn.CN_TYPE_FILTER,
+	cn_material = cairn.CN_TYPE_MATERIAL,
+	cn_shape_def = cairn.CN_TYPE_SHAPE_DEF,
+	cn_circle = cairn.CN_TYPE_CIRCLE,
+	cn_capsule = cairn.CN_TYPE_CAPSULE,
+	cn_edge = cairn.CN_TYPE_EDGE,
+	cn_polygon = cairn.CN_TYPE_POLYGON,
+	cn_chain = cairn.CN_TYPE_CHAIN,
+	cn_manifold_point = cairn.CN_TYPE_MANIFOLD_POINT,
+	cn_manifold = cairn.CN_TYPE_MANIFOLD,
+	cn_contact_event = cairn.CN_TYPE_CONTACT_EVENT,
+	cn_sensor_event = cairn.CN_TYPE_SENSOR_EVENT,
+	cn_revolute_def = cairn.CN_TYPE_REVOLUTE_DEF,
+	cn_distance_def = cairn.CN_TYPE_DISTANCE_DEF,
+	cn_update_report = cairn.CN_TYPE_UPDATE_REPORT,
+	cn_query_filter = cairn.CN_TYPE_QUERY_FILTER,
+	cn_ray = cairn.CN_TYPE_RAY,
+	cn_ray_hit = cairn.CN_TYPE_RAY_HIT,
+	cn_closest = cairn.CN_TYPE_CLOSEST,
+	cn_explosion_def = cairn.CN_TYPE_EXPLOSION_DEF,
+	cn_debug_draw = cairn.CN_TYPE_DEBUG_DRAW,
+} do
+	if ffi.sizeof(name) ~= cairn.cn_sizeof(number) then
+		error(("%s has %d bytes here, %d in the library"):format(name, ffi.sizeof(name), cairn.cn_sizeof(number)))
+	end
+end
+
+return cairn

@@ -1,0 +1,922 @@
+"""Cairn for Python (ctypes), one to one with cairn.h.
+Generated from include/cairn.h by bindings/generate.py (make bindings). Do not edit.
+
+    import ctypes
+    from cairn import *
+
+    definition = cn_world_def()
+    cn_world_def_init(definition)
+    world = ctypes.POINTER(cn_world)()
+    assert cn_world_create(definition, world) == CN_OK
+
+Where C takes a pointer to a struct or number, pass the struct or a ctypes number itself; where it
+takes an array, pass an array. CAIRN_LIBRARY in the environment names another file than the system's
+libcairn.
+"""
+import ctypes as _c
+import os as _os
+import sys as _sys
+
+_files = {"darwin": "libcairn.dylib", "win32": "cairn.dll"}
+_library = _c.CDLL(_os.environ.get("CAIRN_LIBRARY") or _files.get(_sys.platform, "libcairn.so"))
+
+# A library of another version would read other structs: refuse it here and, by their sizes, below.
+if _library.cn_abi_version() != 1:
+    raise ImportError("cairn.py is for ABI 1, the library has %d" % _library.cn_abi_version())
+
+
+def _function(name, result, *arguments):
+    function = getattr(_library, name)
+    function.restype = result
+    function.argtypes = arguments
+    return function
+
+
+CN_VERSION_MAJOR = 0
+CN_VERSION_MINOR = 1
+CN_VERSION_PATCH = 0
+CN_ABI_VERSION = 1
+CN_POLYGON_MAX_VERTICES = 16
+CN_NAME_MAX_BYTES = 63
+CN_MAX_HANDLES = 1048575
+CN_OK = 0
+CN_ERROR_ARGUMENT = -1
+CN_ERROR_HANDLE = -2
+CN_ERROR_MEMORY = -3
+CN_ERROR_LOCKED = -4
+CN_ERROR_CAPACITY = -5
+CN_ERROR_STATE = -6
+CN_ERROR_INTERNAL = -7
+CN_TYPE_VEC2 = 0
+CN_TYPE_POSE = 1
+CN_TYPE_VELOCITY = 2
+CN_TYPE_AABB = 3
+CN_TYPE_MASS_DATA = 4
+CN_TYPE_WORLD_DEF = 5
+CN_TYPE_BODY_DEF = 6
+CN_TYPE_SHAPE_DEF = 7
+CN_TYPE_CIRCLE = 8
+CN_TYPE_CAPSULE = 9
+CN_TYPE_EDGE = 10
+CN_TYPE_POLYGON = 11
+CN_TYPE_CHAIN = 12
+CN_TYPE_FILTER = 13
+CN_TYPE_MATERIAL = 14
+CN_TYPE_MANIFOLD_POINT = 15
+CN_TYPE_MANIFOLD = 16
+CN_TYPE_CONTACT_EVENT = 17
+CN_TYPE_BODY_MOVED = 18
+CN_TYPE_REVOLUTE_DEF = 19
+CN_TYPE_DISTANCE_DEF = 20
+CN_TYPE_COUNTERS = 21
+CN_TYPE_PROFILE = 22
+CN_TYPE_MEMORY_STATS = 23
+CN_TYPE_SENSOR_EVENT = 24
+CN_TYPE_UPDATE_REPORT = 25
+CN_TYPE_DEBUG_DRAW = 26
+CN_TYPE_QUERY_FILTER = 27
+CN_TYPE_RAY = 28
+CN_TYPE_RAY_HIT = 29
+CN_TYPE_CLOSEST = 30
+CN_TYPE_EXPLOSION_DEF = 31
+CN_TYPE_COUNT = 32
+CN_WORLD_SLEEP = 1
+CN_WORLD_WARM_START = 2
+CN_WORLD_PROFILE = 4
+CN_WORLD_CONTINUOUS = 8
+CN_SOLVER_SOFT = 0
+CN_SOLVER_SEQUENTIAL = 1
+CN_BROADPHASE_SWEEP = 0
+CN_WARNING_CONTACT_MEMORY = 1
+CN_WARNING_FRAME_MEMORY = 2
+CN_WARNING_EVENT_MEMORY = 4
+CN_BODY_STATIC = 0
+CN_BODY_KINEMATIC = 1
+CN_BODY_DYNAMIC = 2
+CN_BODY_LOCK_X = 1
+CN_BODY_LOCK_Y = 2
+CN_BODY_LOCK_ROTATION = 4
+CN_BODY_BULLET = 8
+CN_BODY_ENABLED = 16
+CN_BODY_SLEEP = 32
+CN_BODY_AWAKE = 64
+CN_SHAPE_CIRCLE = 0
+CN_SHAPE_CAPSULE = 1
+CN_SHAPE_POLYGON = 2
+CN_SHAPE_EDGE = 3
+CN_SHAPE_CHAIN = 4
+CN_MIX_AVERAGE = 0
+CN_MIX_GEOMETRIC = 1
+CN_MIX_MINIMUM = 2
+CN_MIX_MULTIPLY = 3
+CN_MIX_MAXIMUM = 4
+CN_SHAPE_SENSOR = 1
+CN_SHAPE_SENSOR_SEEN = 2
+CN_SHAPE_ONE_WAY = 4
+CN_SHAPE_PRE_SOLVE = 8
+CN_EVENT_CREATED = 0
+CN_EVENT_ENTER = 1
+CN_EVENT_STAY = 2
+CN_EVENT_LEAVE = 3
+CN_EVENT_DESTROYED = 4
+CN_EVENT_KINDS = 5
+CN_JOINT_REVOLUTE = 0
+CN_JOINT_DISTANCE = 1
+CN_JOINT_COLLIDE = 1
+CN_JOINT_LIMIT = 2
+CN_JOINT_MOTOR = 4
+CN_JOINT_SPRING = 8
+CN_DRAW_SHAPES = 1
+CN_DRAW_JOINTS = 2
+CN_DRAW_CONTACTS = 4
+CN_DRAW_AABBS = 8
+CN_DRAW_CENTERS = 16
+CN_DRAW_ISLANDS = 32
+
+cn_result = _c.c_int32
+cn_body = _c.c_uint32
+cn_shape = _c.c_uint32
+cn_joint = _c.c_uint32
+cn_constraint = _c.c_uint32
+
+
+class cn_world(_c.Structure):
+    pass
+
+
+class cn_vec2(_c.Structure):
+    _fields_ = [
+        ("x", _c.c_float),
+        ("y", _c.c_float),
+    ]
+
+
+class cn_pose(_c.Structure):
+    # Position of a body's origin and its rotation as (cosine, sine). 16 bytes: an array of these can be
+    # uploaded to a GPU as it is.
+    _fields_ = [
+        ("position_m", cn_vec2),
+        ("cosine", _c.c_float),
+        ("sine", _c.c_float),
+    ]
+
+
+class cn_velocity(_c.Structure):
+    _fields_ = [
+        ("linear_mps", cn_vec2),  # of the centre of mass
+        ("angular_radps", _c.c_float),
+    ]
+
+
+class cn_aabb(_c.Structure):
+    _fields_ = [
+        ("lower_m", cn_vec2),
+        ("upper_m", cn_vec2),
+    ]
+
+
+class cn_mass_data(_c.Structure):
+    _fields_ = [
+        ("mass_kg", _c.c_float),
+        ("inertia_kgm2", _c.c_float),  # about the centre of mass
+        ("center_m", cn_vec2),  # in the body's local frame
+    ]
+
+
+# Memory hooks. Return NULL when there is none; align is a power of two, at most 64. Called only from inside
+# functions that take a non-const world.
+cn_alloc_fn = _c.CFUNCTYPE(_c.c_void_p, _c.c_uint64, _c.c_uint32, _c.c_void_p)
+
+
+cn_free_fn = _c.CFUNCTYPE(None, _c.c_void_p, _c.c_uint64, _c.c_void_p)
+
+
+class cn_world_def(_c.Structure):
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("flags", _c.c_uint32),  # CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS
+        ("gravity_mps2", cn_vec2),  # default (0, -10)
+        ("length_unit_m", _c.c_float),  # a typical object's size, (0, 1e6]; slop, margins and speed limits scale with it; default 1
+        ("solver", _c.c_int32),  # CN_SOLVER_*; default CN_SOLVER_SOFT
+        ("broadphase", _c.c_int32),  # CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP
+        ("substep_count", _c.c_int32),  # 1 to 64; default 4
+        ("restitution_threshold_mps", _c.c_float),  # slower impacts do not bounce, >= 0; default 1 x length unit
+        ("push_speed_max_mps", _c.c_float),  # fastest speed at which overlap is pushed apart, > 0; default 3 x length unit
+        ("linear_speed_max_mps", _c.c_float),  # > 0; default 400 x length unit
+        ("angular_speed_max_radps", _c.c_float),  # > 0; default 400
+        ("sleep_speed_mps", _c.c_float),  # bodies slower than this may sleep, >= 0; default 0.05 x length unit
+        ("sleep_delay_s", _c.c_float),  # ... after this long, >= 0; default 0.5
+        ("body_capacity", _c.c_int32),  # hints for a growing world, exact for a fixed one; >= 0; default 0
+        ("shape_capacity", _c.c_int32),  # counts every edge of a chain
+        ("contact_capacity", _c.c_int32),
+        ("joint_capacity", _c.c_int32),
+        ("user_data", _c.c_uint64),
+        ("memory_bytes", _c.c_uint64),  # size of memory; 0: use alloc and free
+        ("memory", _c.c_void_p),  # NULL, or one block aligned to 64 bytes that the world lives in, whole
+        ("alloc", cn_alloc_fn),  # NULL: malloc; set both or none
+        ("free", cn_free_fn),
+        ("allocator_user", _c.c_void_p),
+    ]
+
+
+class cn_counters(_c.Structure):
+    _fields_ = [
+        ("bodies", _c.c_int32),
+        ("bodies_awake", _c.c_int32),  # dynamic and kinematic bodies that are simulated
+        ("shapes", _c.c_int32),
+        ("proxies", _c.c_int32),  # boxes in the broadphase: one a shape, one an edge of a chain
+        ("contacts", _c.c_int32),  # pairs whose fat boxes overlap
+        ("contacts_awake", _c.c_int32),
+        ("contacts_touching", _c.c_int32),  # pairs that share a manifold, asleep or awake
+        ("joints", _c.c_int32),
+        ("joints_awake", _c.c_int32),
+        ("islands", _c.c_int32),  # awake and asleep, of two or more bodies or one
+        ("islands_awake", _c.c_int32),
+        ("colors_used", _c.c_int32),  # groups of contacts that are solved without sharing a body
+        ("overflow_contacts", _c.c_int32),  # contacts that fit no colour and are solved one by one
+        ("broadphase_tiles", _c.c_int32),
+        ("steps", _c.c_uint32),  # steps taken since creation, modulo 2^32
+        ("warnings", _c.c_uint32),  # What the last step could not do for want of memory; 0 when all is well. It tries again. CN_WARNING_*
+        ("pairs_not_added", _c.c_int32),
+        ("events_not_reported", _c.c_int32),
+    ]
+
+
+class cn_profile(_c.Structure):
+    # Seconds of the last step by stage, all 0 unless CN_WORLD_PROFILE is set.
+    _fields_ = [
+        ("step_s", _c.c_float),
+        ("wake_s", _c.c_float),
+        ("broadphase_s", _c.c_float),
+        ("narrowphase_s", _c.c_float),
+        ("islands_s", _c.c_float),
+        ("prepare_s", _c.c_float),
+        ("substeps_s", _c.c_float),
+        ("finalize_s", _c.c_float),
+        ("events_s", _c.c_float),
+        ("sleep_s", _c.c_float),
+    ]
+
+
+class cn_memory_stats(_c.Structure):
+    # Memory, in bytes. The frame arena is the stack allocator whose entries live within one step; the block
+    # allocator serves small variable-size pieces from free lists of size classes.
+    _fields_ = [
+        ("bytes_in_use", _c.c_uint64),  # taken from the user's allocator or carved from the fixed block
+        ("bytes_peak", _c.c_uint64),
+        ("allocator_calls", _c.c_uint64),  # calls of the user's alloc (or of the fixed block's) since creation
+        ("arena_capacity", _c.c_uint64),
+        ("arena_peak", _c.c_uint64),  # most bytes in use at once since creation
+        ("arena_fallbacks", _c.c_uint64),  # entries that did not fit and came from the allocator, since creation
+        ("blocks_capacity", _c.c_uint64),  # bytes in chunks
+        ("blocks_in_use", _c.c_uint64),
+        ("blocks_large", _c.c_uint64),  # blocks above the largest class, served by the allocator
+    ]
+
+
+class cn_body_def(_c.Structure):
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("type", _c.c_int32),  # CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic
+        ("position_m", cn_vec2),  # of the origin; |x|, |y| <= 1e6 x length unit
+        ("angle_rad", _c.c_float),  # |angle| <= 1e4
+        ("linear_velocity_mps", cn_vec2),  # of the centre of mass
+        ("angular_velocity_radps", _c.c_float),
+        ("linear_damping_per_s", _c.c_float),  # v' = -damping v; >= 0, default 0
+        ("angular_damping_per_s", _c.c_float),
+        ("gravity_scale", _c.c_float),  # default 1
+        ("sleep_speed_mps", _c.c_float),  # >= 0; default 0: the world's
+        ("flags", _c.c_uint32),  # CN_BODY_*; default ENABLED | SLEEP | AWAKE
+        ("reserved", _c.c_uint32),
+        ("user_data", _c.c_uint64),
+        ("name", _c.c_char_p),  # NULL, or at most CN_NAME_MAX_BYTES bytes of text, copied
+    ]
+
+
+class cn_body_moved(_c.Structure):
+    _fields_ = [
+        ("pose", cn_pose),
+        ("user_data", _c.c_uint64),
+        ("body", cn_body),
+        ("fell_asleep", _c.c_uint32),  # 1 in the step in which it fell asleep
+    ]
+
+
+class cn_filter(_c.Structure):
+    # Two shapes collide when group is equal and not 0: positive yes, negative no; otherwise when each one's
+    # category has a bit in the other's mask.
+    _fields_ = [
+        ("category", _c.c_uint64),  # default 1
+        ("mask", _c.c_uint64),  # default all ones
+        ("group", _c.c_int32),  # default 0
+        ("reserved", _c.c_uint32),
+    ]
+
+
+class cn_material(_c.Structure):
+    _fields_ = [
+        ("static_friction", _c.c_float),  # coefficient while sticking, [0, 100], default 0.6
+        ("dynamic_friction", _c.c_float),  # coefficient while sliding, [0, static_friction], default 0.6
+        ("restitution", _c.c_float),  # [0, 1], default 0
+        ("rolling_resistance", _c.c_float),  # metres, [0, 1e3]: lever arm that resists rolling; the pair takes the greater; default 0
+        ("tangent_speed_mps", _c.c_float),  # conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; default 0
+        ("friction_mix", _c.c_int32),  # CN_MIX_*
+        ("restitution_mix", _c.c_int32),  # CN_MIX_*
+        ("reserved", _c.c_uint32),
+    ]
+
+
+class cn_shape_def(_c.Structure):
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("body", cn_body),  # 0: create unattached, for cn_shape_attach
+        ("offset_m", cn_vec2),  # of the shape in the body's local frame
+        ("angle_rad", _c.c_float),
+        ("density_kgpm2", _c.c_float),  # >= 0, giving 0 or 1e-20 to 1e20 kg; default 1
+        ("material", cn_material),
+        ("filter", cn_filter),
+        ("event_mask", _c.c_uint32),  # bit 1 << CN_EVENT_*; a pair reports what either shape asks for; default ENTER and LEAVE
+        ("flags", _c.c_uint32),  # CN_SHAPE_SENSOR ...; default 0
+        ("user_data", _c.c_uint64),
+    ]
+
+
+class cn_circle(_c.Structure):
+    _fields_ = [
+        ("center_m", cn_vec2),
+        ("radius_m", _c.c_float),
+    ]
+
+
+class cn_capsule(_c.Structure):
+    # All points within radius_m of the segment.
+    _fields_ = [
+        ("a_m", cn_vec2),
+        ("b_m", cn_vec2),
+        ("radius_m", _c.c_float),
+    ]
+
+
+class cn_edge(_c.Structure):
+    # A two-sided segment without mass.
+    _fields_ = [
+        ("a_m", cn_vec2),
+        ("b_m", cn_vec2),
+    ]
+
+
+class cn_polygon(_c.Structure):
+    # Convex; counter-clockwise or clockwise in, always stored counter-clockwise.
+    _fields_ = [
+        ("count", _c.c_int32),  # 3 to CN_POLYGON_MAX_VERTICES
+        ("radius_m", _c.c_float),  # rounding added outside of the points, >= 0
+        ("points_m", cn_vec2 * 16),
+    ]
+
+
+class cn_chain(_c.Structure):
+    # One-sided, massless ground without catches at its inner vertices. The solid side is on the left of the
+    # direction of travel: surface normals point to the right of it, so ground whose points run from +x to -x
+    # collides from above and a counter-clockwise loop collides from outside.
+    _fields_ = [
+        ("points_m", _c.POINTER(cn_vec2)),  # copied
+        ("count", _c.c_int32),  # an open chain: >= 2; a loop: >= 3; at most 65535
+        ("loop", _c.c_uint32),  # 1: the last point joins the first
+    ]
+
+
+class cn_manifold_point(_c.Structure):
+    _fields_ = [
+        ("point_m", cn_vec2),  # world, midway between the surfaces
+        ("separation_m", _c.c_float),  # negative when overlapping
+        ("normal_impulse_Ns", _c.c_float),  # of the last substep
+        ("feature_id", _c.c_uint32),  # the same while the same features touch
+    ]
+
+
+class cn_manifold(_c.Structure):
+    _fields_ = [
+        ("normal", cn_vec2),  # unit, from shape a to shape b
+        ("friction_impulse_Ns", _c.c_float),  # of the last substep, on body b along (normal.y, -normal.x)
+        ("point_count", _c.c_int32),  # 0, 1 or 2
+        ("points", cn_manifold_point * 2),
+    ]
+
+
+class cn_contact_event(_c.Structure):
+    _fields_ = [
+        ("shape_a", cn_shape),
+        ("shape_b", cn_shape),
+        ("body_a", cn_body),
+        ("body_b", cn_body),
+        ("child_a", _c.c_int32),  # edge number within a chain, else 0
+        ("child_b", _c.c_int32),
+        ("contact_id", _c.c_uint32),  # the same from CREATED to DESTROYED, then reused
+        ("kind", _c.c_int32),  # CN_EVENT_*
+        ("approach_speed_mps", _c.c_float),  # ENTER: closing speed along the normal before the impact; else 0
+        ("manifold", cn_manifold),  # geometry as the step found it, impulses as it left them; points only for ENTER and STAY
+    ]
+
+
+class cn_sensor_event(_c.Structure):
+    # A shape entered or left a sensor.
+    _fields_ = [
+        ("sensor", cn_shape),
+        ("visitor", cn_shape),
+        ("sensor_body", cn_body),
+        ("visitor_body", cn_body),
+        ("kind", _c.c_int32),  # CN_EVENT_ENTER or CN_EVENT_LEAVE
+        ("reserved", _c.c_uint32),
+    ]
+
+
+class cn_joint_base(_c.Structure):
+    # First field of every joint definition.
+    _fields_ = [
+        ("struct_size", _c.c_uint32),  # of the whole definition
+        ("flags", _c.c_uint32),  # CN_JOINT_*; default 0
+        ("body_a", cn_body),  # 0: the world
+        ("body_b", cn_body),  # 0: the world; one of the two must be dynamic
+        ("anchor_a_m", cn_vec2),  # in body a's local frame, or in world coordinates
+        ("anchor_b_m", cn_vec2),
+        ("user_data", _c.c_uint64),
+    ]
+
+
+class cn_revolute_def(_c.Structure):
+    # Two bodies share a point. The joint angle is angle b - angle a - reference, in (-pi, pi].
+    _fields_ = [
+        ("base", cn_joint_base),
+        ("reference_angle_rad", _c.c_float),
+        ("lower_angle_rad", _c.c_float),  # CN_JOINT_LIMIT: -pi <= lower <= upper <= pi
+        ("upper_angle_rad", _c.c_float),
+        ("motor_speed_radps", _c.c_float),  # CN_JOINT_MOTOR
+        ("motor_torque_max_Nm", _c.c_float),  # >= 0
+        ("spring_target_rad", _c.c_float),  # CN_JOINT_SPRING: pulls the joint angle to this
+        ("spring_hertz", _c.c_float),  # 0 to 1e6
+        ("spring_damping_ratio", _c.c_float),  # 0 to 1e6
+    ]
+
+
+class cn_distance_def(_c.Structure):
+    # Two points keep a distance. Without CN_JOINT_SPRING and without CN_JOINT_LIMIT it is a rigid rod of
+    # length_m. With a spring, length_m is its rest length and the distance stays within [min, max] when
+    # limits are on; limits alone make a rope (min 0).
+    _fields_ = [
+        ("base", cn_joint_base),
+        ("length_m", _c.c_float),  # > 0; default 1
+        ("length_min_m", _c.c_float),  # CN_JOINT_LIMIT: 0 <= min <= max; default 0 and 1
+        ("length_max_m", _c.c_float),
+        ("motor_speed_mps", _c.c_float),  # CN_JOINT_MOTOR: along the axis, positive lengthens; with spring or limit only
+        ("motor_force_max_N", _c.c_float),  # >= 0
+        ("spring_hertz", _c.c_float),  # 0 to 1e6
+        ("spring_damping_ratio", _c.c_float),  # 0 to 1e6
+        ("reserved", _c.c_float),
+    ]
+
+
+class cn_update_report(_c.Structure):
+    _fields_ = [
+        ("steps", _c.c_int32),  # fixed steps taken
+        ("leftover_s", _c.c_float),  # time kept for the next update
+        ("dropped_s", _c.c_float),  # time given up because of the step cap
+        ("interpolation", _c.c_float),  # leftover / fixed step, [0, 1): between the last two poses
+    ]
+
+
+class cn_query_filter(_c.Structure):
+    # A query sees shapes of enabled bodies whose category has a bit in mask and whose mask has one in
+    # category, and of sensors only those with CN_SHAPE_SENSOR_SEEN. Bodies are seen where they are now, also
+    # between steps.
+    _fields_ = [
+        ("category", _c.c_uint64),  # default 1
+        ("mask", _c.c_uint64),  # default all ones
+    ]
+
+
+class cn_ray(_c.Structure):
+    _fields_ = [
+        ("origin_m", cn_vec2),
+        ("translation_m", cn_vec2),  # may be 0: then only shapes around the origin are hit; at most 2e6 length units each way
+    ]
+
+
+class cn_ray_hit(_c.Structure):
+    _fields_ = [
+        ("shape", cn_shape),  # 0: nothing was hit
+        ("body", cn_body),
+        ("child", _c.c_int32),  # edge of a chain
+        ("fraction", _c.c_float),  # of the translation, [0, 1]; 1 when nothing was hit
+        ("point_m", cn_vec2),
+        ("normal", cn_vec2),  # (0, 0) when the origin is inside the shape; fraction is 0 then
+    ]
+
+
+class cn_closest(_c.Structure):
+    _fields_ = [
+        ("shape", cn_shape),  # 0: nothing within the distance
+        ("body", cn_body),
+        ("child", _c.c_int32),
+        ("distance_m", _c.c_float),  # negative: depth inside a shape with area
+        ("point_m", cn_vec2),  # on the surface
+        ("normal", cn_vec2),  # outward there; of edges and chains towards the point
+    ]
+
+
+class cn_explosion_def(_c.Structure):
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("radius_m", _c.c_float),  # full strength within, to the nearest point of a shape; >= 0, default 1
+        ("falloff_m", _c.c_float),  # then linearly to none over this distance; >= 0
+        ("impulse_Nspm", _c.c_float),  # per metre of the shape's width seen from the centre; negative pulls
+        ("center_m", cn_vec2),
+        ("filter", cn_query_filter),
+    ]
+
+
+cn_debug_draw_polygon_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_vec2), _c.c_int32, _c.c_float, _c.c_uint32, _c.c_void_p)
+
+
+cn_debug_draw_circle_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_vec2), _c.c_float, _c.POINTER(cn_vec2), _c.c_uint32, _c.c_void_p)
+
+
+cn_debug_draw_capsule_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_vec2), _c.POINTER(cn_vec2), _c.c_float, _c.c_uint32, _c.c_void_p)
+
+
+cn_debug_draw_segment_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_vec2), _c.POINTER(cn_vec2), _c.c_uint32, _c.c_void_p)
+
+
+cn_debug_draw_point_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_vec2), _c.c_float, _c.c_uint32, _c.c_void_p)
+
+
+cn_debug_draw_text_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_vec2), _c.c_char_p, _c.c_uint32, _c.c_void_p)
+
+
+class cn_debug_draw(_c.Structure):
+    # Functions that are NULL are not called. Colours are 0xRRGGBB. Points are in world coordinates.
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("flags", _c.c_uint32),  # CN_DRAW_*; default SHAPES | JOINTS | CONTACTS
+        ("view", cn_aabb),  # only what overlaps it is drawn; default everything
+        ("polygon", cn_debug_draw_polygon_fn),
+        ("circle", cn_debug_draw_circle_fn),  # axis: a point on the rim that turns with the body
+        ("capsule", cn_debug_draw_capsule_fn),
+        ("segment", cn_debug_draw_segment_fn),
+        ("point", cn_debug_draw_point_fn),
+        ("text", cn_debug_draw_text_fn),
+        ("user", _c.c_void_p),
+        ("reserved", _c.c_void_p),
+    ]
+
+
+# Called at the end of cn_world_step for each event of this kind, in the order of the array.
+cn_contact_event_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_world), _c.POINTER(cn_contact_event), _c.c_void_p)
+
+
+# Decides whether two shapes that pass their filters may touch: 1 yes, 0 no. Asked when their boxes begin to
+# overlap. The world is locked.
+cn_filter_fn = _c.CFUNCTYPE(_c.c_int32, _c.POINTER(cn_world), cn_shape, cn_shape, _c.c_void_p)
+
+
+# Asked in every step for each touching pair in which a shape has CN_SHAPE_PRE_SOLVE, before solving: 0 makes
+# the pair pass through each other in this step. Event kind is STAY or ENTER.
+cn_pre_solve_fn = _c.CFUNCTYPE(_c.c_int32, _c.POINTER(cn_world), _c.POINTER(cn_contact_event), _c.c_void_p)
+
+
+# Mixes two materials in place of the CN_MIX_ rules: fills *mixed, which holds what the rules gave. Asked when
+# a pair begins to touch and when a material changes.
+cn_material_mix_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_world), cn_shape, cn_shape, _c.POINTER(cn_material), _c.c_void_p)
+
+
+# Version as major * 1000000 + minor * 1000 + patch.
+cn_version = _function("cn_version", _c.c_int32)
+# CN_ABI_VERSION of the library that was linked; a binding compares it with its own.
+cn_abi_version = _function("cn_abi_version", _c.c_int32)
+# Static English text for a result code, never NULL.
+cn_result_text = _function("cn_result_text", _c.c_char_p, cn_result)
+# sizeof the struct named by a CN_TYPE_ constant, 0 for an unknown one: bindings check themselves.
+cn_sizeof = _function("cn_sizeof", _c.c_int32, _c.c_int32)
+# Defaults as given beside the fields (those that scale with the length unit are stored as 0 and resolved by
+# cn_world_create: 0 means the default there).
+cn_world_def_init = _function("cn_world_def_init", None, _c.POINTER(cn_world_def))
+# Says in one sentence what is wrong with a definition; writes at most text_bytes bytes including the
+# terminating zero; text may be NULL when text_bytes is 0.
+cn_world_def_check = _function("cn_world_def_check", cn_result, _c.POINTER(cn_world_def), _c.POINTER(_c.c_char), _c.c_int32)
+# Bytes that def.memory must have so that the capacities in def never run out. def.memory may be NULL here.
+cn_world_bytes_needed = _function("cn_world_bytes_needed", cn_result, _c.POINTER(cn_world_def), _c.POINTER(_c.c_uint64))
+cn_world_create = _function("cn_world_create", cn_result, _c.POINTER(cn_world_def), _c.POINTER(_c.POINTER(cn_world)))
+# NULL is allowed. Frees everything; a world in a caller's block just stops using it. Not from callbacks.
+cn_world_destroy = _function("cn_world_destroy", None, _c.POINTER(cn_world))
+# One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion. Cost grows
+# with the number of awake bodies and their contacts.
+cn_world_step = _function("cn_world_step", cn_result, _c.POINTER(cn_world), _c.c_float)
+# One sentence on the last call that failed on this world; "" if none did. world may be NULL.
+cn_world_error_text = _function("cn_world_error_text", _c.c_char_p, _c.POINTER(cn_world))
+# A change wakes every body: O(bodies) then.
+cn_world_set_gravity = _function("cn_world_set_gravity", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_float)
+cn_world_get_gravity = _function("cn_world_get_gravity", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_vec2))
+# 1 to 64; more substeps are stiffer and dearer.
+cn_world_set_substep_count = _function("cn_world_set_substep_count", cn_result, _c.POINTER(cn_world), _c.c_int32)
+cn_world_get_substep_count = _function("cn_world_get_substep_count", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_int32))
+# Replaces the CN_WORLD_ flags. Turning CN_WORLD_SLEEP off wakes everything: O(bodies) then.
+cn_world_set_flags = _function("cn_world_set_flags", cn_result, _c.POINTER(cn_world), _c.c_uint32)
+cn_world_get_flags = _function("cn_world_get_flags", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_uint32))
+# Metres a second, >= 0.
+cn_world_set_restitution_threshold = _function("cn_world_set_restitution_threshold", cn_result, _c.POINTER(cn_world), _c.c_float)
+# Both > 0: bodies are slowed to these at the end of each step (direction kept).
+cn_world_set_speed_limits = _function("cn_world_set_speed_limits", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_float)
+# speed_mps >= 0, delay_s >= 0.
+cn_world_set_sleep = _function("cn_world_set_sleep", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_float)
+cn_world_set_user_data = _function("cn_world_set_user_data", cn_result, _c.POINTER(cn_world), _c.c_uint64)
+cn_world_get_user_data = _function("cn_world_get_user_data", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_uint64))
+# Handles of everything alive, in a fixed order (by slot). Writes at most capacity of them (out may be NULL
+# when capacity is 0) and always sets *out_count to how many there are. O(slots).
+cn_world_get_bodies = _function("cn_world_get_bodies", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body), _c.c_int32, _c.POINTER(_c.c_int32))
+cn_world_get_shapes = _function("cn_world_get_shapes", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape), _c.c_int32, _c.POINTER(_c.c_int32))
+cn_world_get_joints = _function("cn_world_get_joints", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_joint), _c.c_int32, _c.POINTER(_c.c_int32))
+# O(bodies + islands).
+cn_world_get_counters = _function("cn_world_get_counters", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_counters))
+cn_world_get_profile = _function("cn_world_get_profile", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_profile))
+cn_world_get_memory_stats = _function("cn_world_get_memory_stats", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_memory_stats))
+# 64-bit hash (FNV-1a, Fowler/Noll/Vo) of every body's pose, velocity and sleep state and every contact's
+# impulses in handle order: equal for equal histories on every compiler, CPU and thread count. O(bodies +
+# contacts).
+cn_world_hash = _function("cn_world_hash", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_uint64))
+# Checks every invariant between the tables. CN_OK, or CN_ERROR_INTERNAL with a sentence in text (at most
+# text_bytes bytes with the zero; may be NULL when text_bytes is 0). O(everything).
+cn_world_validate = _function("cn_world_validate", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_char), _c.c_int32)
+cn_body_def_init = _function("cn_body_def_init", None, _c.POINTER(cn_body_def))
+cn_body_create = _function("cn_body_create", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body_def), _c.POINTER(cn_body))
+# count bodies from an array of definitions; all of them or none. O(count).
+cn_body_create_many = _function("cn_body_create_many", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body_def), _c.c_int32, _c.POINTER(cn_body))
+# Also destroys its shapes, contacts and joints; touching contacts get their leave event.
+cn_body_destroy = _function("cn_body_destroy", cn_result, _c.POINTER(cn_world), cn_body)
+# Destroys all or, if any handle is bad or appears twice, none.
+cn_body_destroy_many = _function("cn_body_destroy_many", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body), _c.c_int32)
+# 1 if the handle names a body that is alive in this world, else 0 (also for a NULL world).
+cn_body_is_valid = _function("cn_body_is_valid", _c.c_int32, _c.POINTER(cn_world), cn_body)
+# Changing the type ends the body's contacts (those that still overlap begin again in the next step), its
+# forces and any mass override, and wakes it; a body made static stops. CN_ERROR_STATE if a joint would be
+# left without a dynamic body. O(contacts + joints + shapes).
+cn_body_set_type = _function("cn_body_set_type", cn_result, _c.POINTER(cn_world), cn_body, _c.c_int32)
+cn_body_get_type = _function("cn_body_get_type", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_int32))
+# Replaces all CN_BODY_ flags except CN_BODY_AWAKE, which is cn_body_set_awake's and is ignored here. A body
+# without CN_BODY_ENABLED keeps its shapes but collides with nothing and does not move; its contacts end, its
+# joints rest. O(contacts + joints + shapes) when that changes.
+cn_body_set_flags = _function("cn_body_set_flags", cn_result, _c.POINTER(cn_world), cn_body, _c.c_uint32)
+# CN_BODY_AWAKE is set in the result when the body is awake.
+cn_body_get_flags = _function("cn_body_get_flags", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_uint32))
+# 0 puts the body and everything connected to it to sleep, at rest; anything else wakes. Does nothing to
+# static and disabled bodies. O(island).
+cn_body_set_awake = _function("cn_body_set_awake", cn_result, _c.POINTER(cn_world), cn_body, _c.c_int32)
+# Teleport: origin and angle; velocities stay. Contacts that are no longer near end (the next step reports
+# it). Wakes the body and what is near it. O(contacts + shapes).
+cn_body_set_pose = _function("cn_body_set_pose", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.c_float)
+cn_body_get_pose = _function("cn_body_get_pose", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_pose))
+# In (-pi, pi].
+cn_body_get_angle = _function("cn_body_get_angle", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_float))
+# World position of the centre of mass.
+cn_body_get_center = _function("cn_body_get_center", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_vec2))
+# Static bodies refuse this with CN_ERROR_STATE. Wakes when not zero.
+cn_body_set_velocity = _function("cn_body_set_velocity", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.c_float)
+cn_body_get_velocity = _function("cn_body_get_velocity", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_velocity))
+# Velocity of the body's material at a world point.
+cn_body_get_velocity_at = _function("cn_body_get_velocity_at", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.POINTER(cn_vec2))
+cn_body_get_world_point = _function("cn_body_get_world_point", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.POINTER(cn_vec2))
+cn_body_get_local_point = _function("cn_body_get_local_point", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.POINTER(cn_vec2))
+# Union of its shapes' boxes, without margin; the origin as a point if it has none. O(shapes).
+cn_body_get_aabb = _function("cn_body_get_aabb", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_aabb))
+# Forces and torques act for the next step only and are then cleared. All of these wake a dynamic body and do
+# nothing to static, kinematic and disabled ones (CN_OK). Sums of forces and velocities after impulses must
+# stay finite (CN_ERROR_ARGUMENT).
+cn_body_apply_force = _function("cn_body_apply_force", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float)
+cn_body_apply_force_at = _function("cn_body_apply_force_at", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.c_float, _c.c_float)
+cn_body_apply_torque = _function("cn_body_apply_torque", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float)
+cn_body_apply_impulse = _function("cn_body_apply_impulse", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float)
+cn_body_apply_impulse_at = _function("cn_body_apply_impulse_at", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.c_float, _c.c_float)
+cn_body_apply_angular_impulse = _function("cn_body_apply_angular_impulse", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float)
+# Sums over the attached shapes unless overridden. A dynamic body whose shapes have no mass weighs 1 kg (and,
+# having no shape, does not rotate).
+cn_body_get_mass_data = _function("cn_body_get_mass_data", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_mass_data))
+# Override for a dynamic body (others: CN_ERROR_STATE): mass_kg from 1e-20 to 1e20, inertia_kgm2 0 (never
+# rotates) or from 1e-35 to 1e35. Kept until cn_body_reset_mass_data or until the type changes.
+cn_body_set_mass_data = _function("cn_body_set_mass_data", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_mass_data))
+cn_body_reset_mass_data = _function("cn_body_reset_mass_data", cn_result, _c.POINTER(cn_world), cn_body)
+# Both >= 0.
+cn_body_set_damping = _function("cn_body_set_damping", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float)
+cn_body_get_damping = _function("cn_body_get_damping", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_float), _c.POINTER(_c.c_float))
+cn_body_set_gravity_scale = _function("cn_body_set_gravity_scale", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float)
+cn_body_get_gravity_scale = _function("cn_body_get_gravity_scale", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_float))
+# >= 0; 0 restores the world's.
+cn_body_set_sleep_speed = _function("cn_body_set_sleep_speed", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float)
+cn_body_set_user_data = _function("cn_body_set_user_data", cn_result, _c.POINTER(cn_world), cn_body, _c.c_uint64)
+cn_body_get_user_data = _function("cn_body_get_user_data", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_uint64))
+# NULL or "" removes the name.
+cn_body_set_name = _function("cn_body_set_name", cn_result, _c.POINTER(cn_world), cn_body, _c.c_char_p)
+# "" if it has none; valid until the name changes or the body is destroyed.
+cn_body_get_name = _function("cn_body_get_name", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_char_p))
+# As cn_world_get_bodies, for one body. O(shapes), O(joints).
+cn_body_get_shapes = _function("cn_body_get_shapes", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_shape), _c.c_int32, _c.POINTER(_c.c_int32))
+cn_body_get_joints = _function("cn_body_get_joints", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_joint), _c.c_int32, _c.POINTER(_c.c_int32))
+# Bulk forms: bodies NULL means every body in the order of cn_world_get_bodies, of which there must be exactly
+# count. stride_bytes 0 means tightly packed. One bad handle fails the whole call. O(count).
+cn_world_read_poses = _function("cn_world_read_poses", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body), _c.c_int32, _c.POINTER(cn_pose))
+cn_world_read_poses_strided = _function("cn_world_read_poses_strided", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body), _c.c_int32, _c.c_void_p, _c.c_int32)
+cn_world_read_velocities = _function("cn_world_read_velocities", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body), _c.c_int32, _c.POINTER(cn_velocity))
+# cn_body_set_velocity for many; nothing is written if one is bad. Static bodies take zero only.
+cn_world_write_velocities = _function("cn_world_write_velocities", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body), _c.c_int32, _c.POINTER(cn_velocity))
+# Bodies whose pose changed in the last step, and those that fell asleep in it, without the ones destroyed
+# since. Built on the first call after a step: O(awake bodies) then.
+cn_world_moved = _function("cn_world_moved", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.POINTER(cn_body_moved)), _c.POINTER(_c.c_int32))
+cn_shape_def_init = _function("cn_shape_def_init", None, _c.POINTER(cn_shape_def))
+# out_shape may be NULL in all of these. Points closer than 0.5% of the length unit are degenerate.
+cn_shape_create_circle = _function("cn_shape_create_circle", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape_def), _c.POINTER(cn_circle), _c.POINTER(cn_shape))
+cn_shape_create_capsule = _function("cn_shape_create_capsule", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape_def), _c.POINTER(cn_capsule), _c.POINTER(cn_shape))
+cn_shape_create_edge = _function("cn_shape_create_edge", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape_def), _c.POINTER(cn_edge), _c.POINTER(cn_shape))
+cn_shape_create_polygon = _function("cn_shape_create_polygon", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape_def), _c.POINTER(cn_polygon), _c.POINTER(cn_shape))
+# Half sizes > 0; radius_m >= 0 is added outside of them.
+cn_shape_create_box = _function("cn_shape_create_box", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape_def), _c.c_float, _c.c_float, _c.c_float, _c.POINTER(cn_shape))
+# O(count).
+cn_shape_create_chain = _function("cn_shape_create_chain", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape_def), _c.POINTER(cn_chain), _c.POINTER(cn_shape))
+# An unattached shape joins a body (CN_ERROR_STATE if it already has one), an attached one leaves it.
+cn_shape_attach = _function("cn_shape_attach", cn_result, _c.POINTER(cn_world), cn_shape, cn_body)
+cn_shape_detach = _function("cn_shape_detach", cn_result, _c.POINTER(cn_world), cn_shape)
+cn_shape_destroy = _function("cn_shape_destroy", cn_result, _c.POINTER(cn_world), cn_shape)
+cn_shape_is_valid = _function("cn_shape_is_valid", _c.c_int32, _c.POINTER(cn_world), cn_shape)
+cn_shape_get_type = _function("cn_shape_get_type", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(_c.c_int32))
+# 0 if unattached.
+cn_shape_get_body = _function("cn_shape_get_body", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_body))
+# Takes effect at once, on resting contacts too (their bodies wake).
+cn_shape_set_material = _function("cn_shape_set_material", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_material))
+cn_shape_get_material = _function("cn_shape_get_material", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_material))
+# >= 0; the body's mass follows at once.
+cn_shape_set_density = _function("cn_shape_set_density", cn_result, _c.POINTER(cn_world), cn_shape, _c.c_float)
+cn_shape_get_density = _function("cn_shape_get_density", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(_c.c_float))
+# Contacts that it forbids end at once (with their events); ones that it allows begin in the next step.
+cn_shape_set_filter = _function("cn_shape_set_filter", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_filter))
+cn_shape_get_filter = _function("cn_shape_get_filter", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_filter))
+# Takes effect at once, for present contacts too.
+cn_shape_set_event_mask = _function("cn_shape_set_event_mask", cn_result, _c.POINTER(cn_world), cn_shape, _c.c_uint32)
+cn_shape_get_event_mask = _function("cn_shape_get_event_mask", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(_c.c_uint32))
+# Replaces the CN_SHAPE_ flags (SENSOR ...). Contacts end and begin anew as needed.
+cn_shape_set_flags = _function("cn_shape_set_flags", cn_result, _c.POINTER(cn_world), cn_shape, _c.c_uint32)
+cn_shape_get_flags = _function("cn_shape_get_flags", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(_c.c_uint32))
+cn_shape_set_user_data = _function("cn_shape_set_user_data", cn_result, _c.POINTER(cn_world), cn_shape, _c.c_uint64)
+cn_shape_get_user_data = _function("cn_shape_get_user_data", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(_c.c_uint64))
+# Without margin, in world space (in shape space when unattached). O(points).
+cn_shape_get_aabb = _function("cn_shape_get_aabb", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_aabb))
+# In the body's local frame, at the present density; inertia about the shape's own centre. O(points).
+cn_shape_get_mass_data = _function("cn_shape_get_mass_data", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_mass_data))
+# The shape's geometry in its body's local frame, offset applied. CN_ERROR_STATE for another type.
+cn_shape_get_circle = _function("cn_shape_get_circle", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_circle))
+cn_shape_get_capsule = _function("cn_shape_get_capsule", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_capsule))
+cn_shape_get_edge = _function("cn_shape_get_edge", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_edge))
+cn_shape_get_polygon = _function("cn_shape_get_polygon", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_polygon))
+# Writes at most capacity points (out may be NULL when capacity is 0); *out_count is how many there are.
+cn_shape_get_chain_points = _function("cn_shape_get_chain_points", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_vec2), _c.c_int32, _c.POINTER(_c.c_int32))
+cn_shape_test_point = _function("cn_shape_test_point", cn_result, _c.POINTER(cn_world), cn_shape, _c.c_float, _c.c_float, _c.POINTER(_c.c_int32))
+# Convex hull of 1 or more points (Andrew's monotone chain, 1979), simplified to at most
+# CN_POLYGON_MAX_VERTICES by dropping the vertices that change its area least. CN_ERROR_ARGUMENT for fewer
+# than three distinct points or collinear ones. Details below 5 mm are dropped (below 5% of the half size for
+# hulls under 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count <= 65536.
+cn_polygon_make_hull = _function("cn_polygon_make_hull", cn_result, _c.POINTER(cn_vec2), _c.c_int32, _c.c_float, _c.POINTER(cn_polygon))
+# A box of half sizes > 0, moved and then turned about its own centre.
+cn_polygon_make_box = _function("cn_polygon_make_box", cn_result, _c.c_float, _c.c_float, _c.c_float, _c.c_float, _c.c_float, _c.c_float, _c.POINTER(cn_polygon))
+# The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. They are always
+# bookended: every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved away, body
+# or shape destroyed, detached or disabled, filter or type changed). Pairs that end through a call between two
+# steps are reported by the next step; handles in such events may be stale. Falling asleep is not leaving: a
+# sleeping pair reports nothing until it wakes, and then goes on where it was. The array is built on the first
+# request after a step, O(events) then: that may return CN_ERROR_MEMORY, and inside callbacks CN_ERROR_LOCKED.
+cn_world_contact_events = _function("cn_world_contact_events", cn_result, _c.POINTER(cn_world), _c.c_int32, _c.POINTER(_c.POINTER(cn_contact_event)), _c.POINTER(_c.c_int32))
+# function NULL removes it.
+cn_world_set_contact_callback = _function("cn_world_set_contact_callback", cn_result, _c.POINTER(cn_world), _c.c_int32, cn_contact_event_fn, _c.c_void_p)
+# function NULL removes it.
+cn_world_set_filter_callback = _function("cn_world_set_filter_callback", cn_result, _c.POINTER(cn_world), cn_filter_fn, _c.c_void_p)
+cn_world_set_pre_solve_callback = _function("cn_world_set_pre_solve_callback", cn_result, _c.POINTER(cn_world), cn_pre_solve_fn, _c.c_void_p)
+cn_world_set_material_mix_callback = _function("cn_world_set_material_mix_callback", cn_result, _c.POINTER(cn_world), cn_material_mix_fn, _c.c_void_p)
+# Of the last step, in a deterministic order; bookended like contact events. Sensors see dynamic and kinematic
+# bodies' shapes that are not sensors, by exact overlap.
+cn_world_sensor_events = _function("cn_world_sensor_events", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.POINTER(cn_sensor_event)), _c.POINTER(_c.c_int32))
+# The contacts of a body, touching or not, as events of kind STAY (touching) or CREATED. Writes at most
+# capacity; *out_count is how many there are. O(contacts).
+cn_body_get_contacts = _function("cn_body_get_contacts", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_contact_event), _c.c_int32, _c.POINTER(_c.c_int32))
+# Bodies that fell asleep in the last step, or since by cn_body_set_awake; ones destroyed since are stale
+# handles.
+cn_world_fell_asleep = _function("cn_world_fell_asleep", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.POINTER(cn_body)), _c.POINTER(_c.c_int32))
+cn_revolute_def_init = _function("cn_revolute_def_init", None, _c.POINTER(cn_revolute_def))
+cn_distance_def_init = _function("cn_distance_def_init", None, _c.POINTER(cn_distance_def))
+# Wake both bodies. CN_ERROR_ARGUMENT for a body with itself or without a dynamic body.
+cn_joint_create_revolute = _function("cn_joint_create_revolute", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_revolute_def), _c.POINTER(cn_joint))
+cn_joint_create_distance = _function("cn_joint_create_distance", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_distance_def), _c.POINTER(cn_joint))
+cn_joint_destroy = _function("cn_joint_destroy", cn_result, _c.POINTER(cn_world), cn_joint)
+cn_joint_is_valid = _function("cn_joint_is_valid", _c.c_int32, _c.POINTER(cn_world), cn_joint)
+cn_joint_get_type = _function("cn_joint_get_type", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_int32))
+cn_joint_get_bodies = _function("cn_joint_get_bodies", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_body), _c.POINTER(cn_body))
+cn_joint_get_anchors = _function("cn_joint_get_anchors", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_vec2), _c.POINTER(cn_vec2))
+# Force in newtons and torque in newton metres that the joint put on body b in the last substep.
+cn_joint_get_reaction = _function("cn_joint_get_reaction", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_vec2), _c.POINTER(_c.c_float))
+# How far the joint's rigid parts are from being satisfied: metres (anchors, lengths beyond limits) and
+# radians (angles beyond limits), both >= 0.
+cn_joint_get_error = _function("cn_joint_get_error", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_float), _c.POINTER(_c.c_float))
+cn_joint_set_user_data = _function("cn_joint_set_user_data", cn_result, _c.POINTER(cn_world), cn_joint, _c.c_uint64)
+cn_joint_get_user_data = _function("cn_joint_get_user_data", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_uint64))
+# Replaces the CN_JOINT_ flags. Wakes. O(contacts) when CN_JOINT_COLLIDE changes.
+cn_joint_set_flags = _function("cn_joint_set_flags", cn_result, _c.POINTER(cn_world), cn_joint, _c.c_uint32)
+cn_joint_get_flags = _function("cn_joint_get_flags", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_uint32))
+# Read back or replace everything particular to the type; the bodies, anchors and struct_size of base are
+# ignored by set (its flags and user data are not). CN_ERROR_STATE for a joint of another type. set wakes.
+cn_joint_get_revolute = _function("cn_joint_get_revolute", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_revolute_def))
+cn_joint_set_revolute = _function("cn_joint_set_revolute", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_revolute_def))
+cn_joint_get_distance = _function("cn_joint_get_distance", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_distance_def))
+cn_joint_set_distance = _function("cn_joint_set_distance", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_distance_def))
+# Revolute: the joint angle in radians. Distance: the present length in metres.
+cn_joint_get_position = _function("cn_joint_get_position", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_float))
+# Revolute: radians a second. Distance: metres a second. With CN_JOINT_MOTOR, positive follows these.
+cn_joint_get_speed = _function("cn_joint_get_speed", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_float))
+# The two setters that games call each frame. Wake.
+cn_joint_set_motor = _function("cn_joint_set_motor", cn_result, _c.POINTER(cn_world), cn_joint, _c.c_float, _c.c_float)
+cn_joint_set_limits = _function("cn_joint_set_limits", cn_result, _c.POINTER(cn_world), cn_joint, _c.c_float, _c.c_float)
+# step_s in (0, 1], default 1/60; steps_max >= 1, default 8.
+cn_world_set_fixed_step = _function("cn_world_set_fixed_step", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_int32)
+# Adds elapsed_s (0 to 10) to the time owed and takes as many fixed steps as fit, at most steps_max. Events of
+# all steps but the last are only seen by callbacks. out may be NULL.
+cn_world_update = _function("cn_world_update", cn_result, _c.POINTER(cn_world), _c.c_float, _c.POINTER(cn_update_report))
+# Poses between the last two steps of cn_world_update: factor 0 the one before, 1 the last. bodies as in
+# cn_world_read_poses. Bodies that did not take part in the last step have their present pose.
+cn_world_read_poses_interpolated = _function("cn_world_read_poses_interpolated", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body), _c.c_int32, _c.c_float, _c.POINTER(cn_pose))
+cn_query_filter_init = _function("cn_query_filter_init", None, _c.POINTER(cn_query_filter))
+# Nearest hit; out->shape is 0 when there is none. An edge is hit from both sides, a chain from its front
+# only. Of equal hits the first by shape (as in cn_world_get_shapes), then child. filter may be NULL in all
+# queries: the defaults. O(log) to O(shapes along the ray).
+cn_world_cast_ray = _function("cn_world_cast_ray", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_ray), _c.POINTER(cn_query_filter), _c.POINTER(cn_ray_hit))
+# 1 if anything is hit: cheaper than the nearest.
+cn_world_cast_ray_any = _function("cn_world_cast_ray_any", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_ray), _c.POINTER(cn_query_filter), _c.POINTER(_c.c_int32))
+# Up to capacity hits, nearest first (the nearest ones if there are more); *out_count is how many were found.
+# A chain is hit once by each edge on the way.
+cn_world_cast_ray_all = _function("cn_world_cast_ray_all", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_ray), _c.POINTER(cn_query_filter), _c.POINTER(cn_ray_hit), _c.c_int32, _c.POINTER(_c.c_int32))
+# count rays, the nearest hit of each; nothing is written if one of them is bad.
+cn_world_cast_rays = _function("cn_world_cast_rays", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_ray), _c.c_int32, _c.POINTER(cn_query_filter), _c.POINTER(cn_ray_hit))
+# Against one shape alone, whatever its filter, in shape space when unattached. O(edges of a chain).
+cn_shape_cast_ray = _function("cn_shape_cast_ray", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_ray), _c.POINTER(cn_ray_hit))
+# A polygon (its points in world coordinates; count may be 1 or 2 too, with radius > 0: circle, capsule) moved
+# by translation without turning: the first shape it meets. point is where, normal from the shape met towards
+# the moving one, (0, 0) when they overlap at the start. A chain is met by what has the mean of its points in
+# front.
+cn_world_cast_shape = _function("cn_world_cast_shape", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_polygon), _c.c_float, _c.c_float, _c.POINTER(cn_query_filter), _c.POINTER(cn_ray_hit))
+# Shapes that overlap a region: at most capacity handles are written (the first ones), *out_count is how many
+# there are, in the order of cn_world_get_shapes. The first is by the shapes' boxes without margin, the others
+# exact. A chain is listed once; edges and chains are lines here, seen from both sides, and contain no point.
+# Polygons as in cn_world_cast_shape. O(log) to O(boxes in the region).
+cn_world_overlap_aabb = _function("cn_world_overlap_aabb", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_aabb), _c.POINTER(cn_query_filter), _c.POINTER(cn_shape), _c.c_int32, _c.POINTER(_c.c_int32))
+cn_world_overlap_circle = _function("cn_world_overlap_circle", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_circle), _c.POINTER(cn_query_filter), _c.POINTER(cn_shape), _c.c_int32, _c.POINTER(_c.c_int32))
+cn_world_overlap_polygon = _function("cn_world_overlap_polygon", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_polygon), _c.POINTER(cn_query_filter), _c.POINTER(cn_shape), _c.c_int32, _c.POINTER(_c.c_int32))
+cn_world_overlap_point = _function("cn_world_overlap_point", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_float, _c.POINTER(cn_query_filter), _c.POINTER(cn_shape), _c.c_int32, _c.POINTER(_c.c_int32))
+# The shape nearest to a point within distance_max_m (0 to 4e6 length units), the deepest if the point is in
+# several. Cost grows with what is near, not with distance_max_m.
+cn_world_closest_point = _function("cn_world_closest_point", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_float, _c.c_float, _c.POINTER(cn_query_filter), _c.POINTER(cn_closest))
+cn_explosion_def_init = _function("cn_explosion_def_init", None, _c.POINTER(cn_explosion_def))
+# Pushes dynamic bodies away from the centre, each shape at its point nearest to it, and wakes them.
+# Velocities must stay finite (CN_ERROR_ARGUMENT). O(shapes in reach).
+cn_world_explode = _function("cn_world_explode", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_explosion_def))
+cn_debug_draw_init = _function("cn_debug_draw_init", None, _c.POINTER(cn_debug_draw))
+# Reads only. O(what is drawn).
+cn_world_draw = _function("cn_world_draw", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_debug_draw))
+
+
+for _struct, _number in (
+    (cn_vec2, CN_TYPE_VEC2),
+    (cn_pose, CN_TYPE_POSE),
+    (cn_velocity, CN_TYPE_VELOCITY),
+    (cn_aabb, CN_TYPE_AABB),
+    (cn_mass_data, CN_TYPE_MASS_DATA),
+    (cn_world_def, CN_TYPE_WORLD_DEF),
+    (cn_counters, CN_TYPE_COUNTERS),
+    (cn_profile, CN_TYPE_PROFILE),
+    (cn_memory_stats, CN_TYPE_MEMORY_STATS),
+    (cn_body_def, CN_TYPE_BODY_DEF),
+    (cn_body_moved, CN_TYPE_BODY_MOVED),
+    (cn_filter, CN_TYPE_FILTER),
+    (cn_material, CN_TYPE_MATERIAL),
+    (cn_shape_def, CN_TYPE_SHAPE_DEF),
+    (cn_circle, CN_TYPE_CIRCLE),
+    (cn_capsule, CN_TYPE_CAPSULE),
+    (cn_edge, CN_TYPE_EDGE),
+    (cn_polygon, CN_TYPE_POLYGON),
+    (cn_chain, CN_TYPE_CHAIN),
+    (cn_manifold_point, CN_TYPE_MANIFOLD_POINT),
+    (cn_manifold, CN_TYPE_MANIFOLD),
+    (cn_contact_event, CN_TYPE_CONTACT_EVENT),
+    (cn_sensor_event, CN_TYPE_SENSOR_EVENT),
+    (cn_revolute_def, CN_TYPE_REVOLUTE_DEF),
+    (cn_distance_def, CN_TYPE_DISTANCE_DEF),
+    (cn_update_report, CN_TYPE_UPDATE_REPORT),
+    (cn_query_filter, CN_TYPE_QUERY_FILTER),
+    (cn_ray, CN_TYPE_RAY),
+    (cn_ray_hit, CN_TYPE_RAY_HIT),
+    (cn_closest, CN_TYPE_CLOSEST),
+    (cn_explosion_def, CN_TYPE_EXPLOSION_DEF),
+    (cn_debug_draw, CN_TYPE_DEBUG_DRAW),
+):
+    if _c.sizeof(_struct) != cn_sizeof(_number):
+        raise ImportError("%s has %d bytes here, %d in the library" % (_struct.__name__, _c.sizeof(_struct), cn_sizeof(_number)))

@@ -1,0 +1,112 @@
+#!/bin/sh
+# usage: run.sh build-folder, from the top folder; the shared library is in build-folder
+# Tests the bindings: the generator, that its files are up to date, that the compiler agrees with
+# api.json, and for each installed language the falling-hinges scene (its line must be the line of
+# hinges.c) and the example (all must print the same). What is not installed is counted as skipped. Ends
+# with one line "N passed, N failed, N skipped".
+set -u
+build=$1
+out=$build/bindings
+mkdir -p "$out"
+passed=0 failed=0 skipped=0
+
+export LD_LIBRARY_PATH="$build${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}" DYLD_LIBRARY_PATH="$build"
+export LUA_PATH='bindings/luajit/?.lua' PYTHONPATH=bindings/python PYTHONDONTWRITEBYTECODE=1
+ZIG_GLOBAL_CACHE_DIR=$(cd "$out" && pwd)/zig-cache
+export ZIG_GLOBAL_CACHE_DIR ZIG_LOCAL_CACHE_DIR="$ZIG_GLOBAL_CACHE_DIR/local"
+unset CAIRN_LIBRARY
+compiler=${CC:-cc}
+guard=
+command -v timeout >/dev/null 2>&1 && guard='timeout 300'
+
+pass() { passed=$((passed + 1)); echo "PASS $1"; }
+fail() { # name, file with the output
+	failed=$((failed + 1))
+	[ -f "$2" ] && cat "$2"
+	echo "FAIL $1"
+}
+skip() { skipped=$((skipped + $1)); echo "SKIP $2 is not installed (see .ci/deps)"; }
+
+check() { # name command...
+	name=$1
+	shift
+	if $guard "$@" > "$out/log.txt" 2>&1; then pass "$name"; else fail "$name" "$out/log.txt"; fi
+}
+
+# What a command prints must be what the file holds; the first to come makes the file.
+same() { # name file command...
+	name=$1 expected=$2
+	shift 2
+	if ! $guard "$@" > "$out/log.txt" 2>&1; then
+		fail "$name" "$out/log.txt"
+	elif [ ! -f "$expected" ]; then
+		cp "$out/log.txt" "$expected"
+		pass "$name"
+	elif cmp -s "$out/log.txt" "$expected"; then
+		pass "$name"
+	else
+		diff "$expected" "$out/log.txt" > "$out/diff.txt"
+		fail "$name prints something else" "$out/diff.txt"
+	fi
+}
+
+# Both programs of a language, when it was built.
+both() { # language, then the command in front of a program, hinges, example
+	language=$1 run=$2
+	# shellcheck disable=SC2086
+	same "$language hinges" "$hinges" $run "$3"
+	# shellcheck disable=SC2086
+	same "$language example" "$example" $run "$4"
+}
+
+hinges=$out/hinges.txt example=$out/example.txt
+rm -f "$hinges" "$example"
+# shellcheck disable=SC2086
+check "C builds" $compiler -std=c99 -O2 -ffp-contract=off -Iinclude -Iexamples bindings/test/hinges.c examples/scenes/*.c -L"$build" -lcairn -lm -o "$out/hinges"
+same "C hinges" "$hinges" "$out/hinges"
+[ -f "$hinges" ] && cat "$hinges"
+[ -f "$hinges" ] || echo "C gave no line" > "$hinges"
+
+if command -v python3 >/dev/null 2>&1; then
+	check "files are up to date" python3 bindings/generate.py --check
+	CC=$compiler check "compiler agrees with api.json" python3 bindings/generate.py --probe
+	CC=$compiler $guard python3 bindings/test/generate_test.py > "$out/generate.txt" 2>&1
+	# shellcheck disable=SC2046
+	set -- $(grep -E '^[0-9]+ passed, [0-9]+ failed, 0 skipped$' "$out/generate.txt" || echo "0 passed, 1 failed, 0 skipped")
+	passed=$((passed + $1)) failed=$((failed + $3))
+	if [ "$3" = 0 ]; then echo "PASS generator ($1)"; else grep -v '^PASS' "$out/generate.txt"; fi
+	both python python3 bindings/test/hinges.py bindings/python/example.py
+else
+	skip 5 python3
+fi
+
+if command -v luajit >/dev/null 2>&1; then
+	both luajit luajit bindings/test/hinges.lua bindings/luajit/example.lua
+else
+	skip 2 luajit
+fi
+
+if command -v mcs >/dev/null 2>&1 && command -v mono >/dev/null 2>&1; then
+	for program in bindings/test/hinges.cs bindings/csharp/example.cs; do
+		check "csharp builds $program" mcs -unsafe -langversion:7 -warnaserror -out:"$out/$(basename "$program" .cs).exe" bindings/csharp/Cairn.cs "$program"
+	done
+	both csharp mono "$out/hinges.exe" "$out/example.exe"
+else
+	skip 4 'mono (mcs and mono)'
+fi
+
+zig=
+if command -v zig >/dev/null 2>&1; then zig=zig; elif python3 -m ziglang version >/dev/null 2>&1; then zig='python3 -m ziglang'; fi
+if [ -n "$zig" ]; then
+	for program in bindings/test/hinges.zig bindings/zig/example.zig; do
+		# shellcheck disable=SC2086
+		check "zig builds $program" $zig build-exe -lc -L"$build" -lcairn --dep cairn -Mroot="$program" -Mcairn=bindings/zig/cairn.zig \
+			-femit-bin="$out/$(basename "$program" .zig)-zig"
+	done
+	both zig '' "$out/hinges-zig" "$out/example-zig"
+else
+	skip 4 zig
+fi
+
+echo "$passed passed, $failed failed, $skipped skipped"
+[ "$failed" = 0 ]

@@ -1,0 +1,34 @@
+/*
+ * model/joint_fixed.c - two bodies welded together: a point and the angle.
+ *
+ * p: reference, hertz and damping ratio of the angle alone (0 Hz: as stiff as the point).
+ * Impulse slots: 0, 1 point (x, y); 2 angle.
+ */
+#include "model/joint_row.h"
+
+static int32_t fixed_rows(const cni_joint *j, const cni_joint_frame *f, cni_row *rows)
+{
+	int32_t soft = j->p[CNI_P_HERTZ] > 0.0f;
+	cni_rows_point(f, f->ra, f->d, CNI_ROW_RIGID, rows);
+	rows[2] = cni_row_angular(soft ? CNI_ROW_SOFT : CNI_ROW_RIGID, 2, 1.0f, 1.0f);
+	rows[2].error = f->angle;
+	rows[2].hertz = j->p[CNI_P_HERTZ];
+	rows[2].damping_ratio = j->p[CNI_P_DAMPING];
+	rows[2].limit = j->torque_max;
+	return 3;
+}
+
+static float fixed_position(const cni_joint *j, const cni_joint_frame *f)
+{
+	(void)j;
+	return f->angle;
+}
+
+static cni_row fixed_speed_row(const cni_joint *j, const cni_joint_frame *f)
+{
+	(void)j;
+	(void)f;
+	return cni_row_angular(CNI_ROW_RIGID, 2, 1.0f, 1.0f);
+}
+
+const cni_joint_type cni_joint_fixed = { fixed_rows, fixed_position, fixed_speed_row, CNI_USES_ANGLE | CNI_USES_REFERENCE };

@@ -1,0 +1,92 @@
+/*
+ * stages/shock.c - impulses of an impact are not carried into the next substep.
+ *
+ * Warm starting assumes that the next substep needs about the impulses of the last one. That is true of
+ * loads and false of impacts: given again, an impact's impulses drive bodies apart, and one sweep of the solver does
+ * not take all of that back when light bodies are caught among heavy ones; the energy grows from substep to
+ * substep. So where a body's velocity jumped in a substep by much more than its drive gives, the impulses of its
+ * contacts and joints start from nothing in the next.
+ *
+ * Reads motion, start, drive; writes start (struck, and the response that is taken out), block.jn jt,
+ * joint impulses.
+ */
+#include "stages/joint_work.h"
+
+/* Marks the bodies whose velocity jumped; returns how many. start holds v + h a, so the jump is motion.v - start + h a. */
+static int32_t shocks_mark(cn_world *world, const cni_solve *s)
+{
+	const cni_motion *motions = cni_motions(world);
+	const cni_drive *drives = cni_drives(world);
+	cni_velocity_start *starts = cni_starts(world);
+	float most_sq = s->shock_speed * s->shock_speed;
+	int32_t k, shocks = 0;
+	for (k = 1; k < world->awake_count; ++k) {
+		float dx = motions[k].vx - starts[k].vx, dy = motions[k].vy - starts[k].vy;
+		float ax = s->h * drives[k].ax, ay = s->h * drives[k].ay;
+		if ((drives[k].flags & CNI_DRIVE_FREE) || dx * dx + dy * dy <= most_sq + 64.0f * (ax * ax + ay * ay))
+			continue;
+		starts[k].struck = 2.0f;
+		++shocks;
+	}
+	return shocks;
+}
+
+static void response_take_out(cn_world *world, int32_t index, float px, float py, float moment)
+{
+	const cni_motion *m = cni_motions(world) + index;
+	cni_velocity_start *start = cni_starts(world) + index;
+	start->vx += m->inv_mass * px;
+	start->vy += m->inv_mass * py;
+	start->w += m->inv_inertia * moment;
+}
+
+static void lane_forget(cn_world *world, cni_contact_block *k, int32_t l)
+{
+	float j0 = k->p[0].jn[l], j1 = k->p[1].jn[l], jt = k->jt[l], jn = j0 + j1;
+	float px = jn * k->nx[l] + jt * k->ny[l], py = jn * k->ny[l] - jt * k->nx[l];
+	response_take_out(world, k->ia[l], -px, -py, -(k->p[0].at[l] * j0 + k->p[1].at[l] * j1 - k->fa[l] * jt));
+	response_take_out(world, k->ib[l], px, py, (k->p[0].at[l] - k->dt[l]) * j0 + (k->p[1].at[l] - k->dt[l]) * j1 - k->fb[l] * jt);
+	k->p[0].jn[l] = k->p[1].jn[l] = k->jt[l] = 0.0f;
+}
+
+static int32_t shocked(const cn_world *world, int32_t a, int32_t b)
+{
+	return cni_starts(world)[a].struck == 2.0f || cni_starts(world)[b].struck == 2.0f;
+}
+
+static void contacts_forget(cn_world *world)
+{
+	int32_t color, block, l;
+	for (color = 0; color < CNI_COLORS; ++color)
+		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
+			cni_contact_block *k = cni_block_at(world, block);
+			for (l = 0; l < CNI_LANES; ++l)
+				if (shocked(world, k->ia[l], k->ib[l]))
+					lane_forget(world, k, l);
+		}
+}
+
+static void joints_forget(cn_world *world)
+{
+	int32_t k, r;
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		cni_joint_work *w = (cni_joint_work *)world->joint_work.data + k;
+		if (!shocked(world, w->ia, w->ib))
+			continue;
+		for (r = 0; r < w->row_count; ++r) {
+			const cni_row *row = &w->rows[r];
+			float j = row->impulse;
+			response_take_out(world, w->ia, row->ax * j, row->ay * j, row->aw * j);
+			response_take_out(world, w->ib, row->bx * j, row->by * j, row->bw * j);
+			w->rows[r].impulse = 0.0f;
+		}
+	}
+}
+
+void cni_shocks_forget(cn_world *world, const cni_solve *s)
+{
+	if (shocks_mark(world, s) == 0)
+		return;
+	contacts_forget(world);
+	joints_forget(world);
+}

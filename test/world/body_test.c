@@ -1,0 +1,733 @@
+/*
+ * test/world/body_test.c - what a body is: type, locks, damping, forces, mass, pose, names, lists, handles.
+ *
+ * If a test here fails, look first in: world/body*.c (the calls), model/body.c (mass, records),
+ * stages/integrate.c (drives, damping, locks), stages/contact_lane.c and stages/contact_solve.c (locked bodies in contact).
+ */
+#include "fixture.h"
+
+static cn_body box_at(cn_world *world, int32_t type, float x, float y)
+{
+	return fixture_box(world, type, x, y, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+}
+
+static int32_t type_of(const cn_world *world, cn_body body)
+{
+	int32_t type = -1;
+	must(cn_body_get_type(world, body, &type), world, "cn_body_get_type");
+	return type;
+}
+
+static cn_mass_data mass_of(const cn_world *world, cn_body body)
+{
+	cn_mass_data mass;
+	must(cn_body_get_mass_data(world, body, &mass), world, "cn_body_get_mass_data");
+	return mass;
+}
+
+static cn_vec2 center_of(const cn_world *world, cn_body body)
+{
+	cn_vec2 center;
+	must(cn_body_get_center(world, body, &center), world, "cn_body_get_center");
+	return center;
+}
+
+static void set_flags(cn_world *world, cn_body body, uint32_t flags)
+{
+	must(cn_body_set_flags(world, body, CN_BODY_ENABLED | CN_BODY_SLEEP | flags), world, "cn_body_set_flags");
+}
+
+/* ---- types ---- */
+
+static void each_type_moves_as_it_should(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body fixed = box_at(world, CN_BODY_STATIC, 0.0f, 0.0f), moving = box_at(world, CN_BODY_KINEMATIC, 5.0f, 0.0f), falling = box_at(world, CN_BODY_DYNAMIC, 10.0f, 0.0f);
+	CHECK(cn_body_set_velocity(world, fixed, 1.0f, 0.0f, 0.0f) == CN_ERROR_STATE);
+	fixture_set_velocity(world, moving, 1.0f, 0.5f, 0.25f);
+	must(cn_body_apply_force(world, moving, 100.0f, 0.0f), world, "force");
+	must(cn_body_apply_impulse(world, fixed, 100.0f, 0.0f), world, "impulse");
+	fixture_step(world, 120);
+	CHECK(fixture_pose(world, fixed).position_m.y == 0.0f && fixture_pose(world, fixed).position_m.x == 0.0f);
+	CHECK_LE("error of a kinematic body's place after 2 s", hypot((double)fixture_pose(world, moving).position_m.x - 7.0, (double)fixture_pose(world, moving).position_m.y - 1.0), 1e-5, "m");
+	CHECK_LE("error of its angle", fabs(asin((double)fixture_pose(world, moving).sine) - 0.5), 1e-5, "rad");
+	CHECK_LE("error of a falling body's place", fabs((double)fixture_pose(world, falling).position_m.y + 20.0), 1e-4, "m");
+	CHECK(mass_of(world, fixed).mass_kg == 0.0f && mass_of(world, moving).mass_kg == 0.0f && fabsf(mass_of(world, falling).mass_kg - 1.0f) < 1e-6f);
+	cn_world_destroy(world);
+}
+
+/* A kinematic body pushes, and is not pushed back. */
+static void kinematic_bodies_are_not_pushed(void)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	cn_body ram = box_at(world, CN_BODY_KINEMATIC, 0.0f, 0.0f), box = box_at(world, CN_BODY_DYNAMIC, 2.0f, 0.0f);
+	fixture_set_velocity(world, ram, 2.0f, 0.0f, 0.0f);
+	fixture_step(world, 120);
+	CHECK_LE("error of the ram's place", fabs((double)fixture_pose(world, ram).position_m.x - 4.0), 1e-5, "m");
+	CHECK_GE("place of the pushed box", fixture_pose(world, box).position_m.x, 4.99, "m");
+	CHECK_LE("error of its speed", fabs((double)fixture_velocity(world, box).linear_mps.x - 2.0), 0.05, "m/s");
+	cn_world_destroy(world);
+}
+
+/* A box on the ground with one on top, jointed to a third, changes type while awake or asleep. */
+static void change_run(int32_t from, int32_t to, int32_t asleep, int32_t jointed)
+{
+	cn_world *world = fixture_world(-10.0f, asleep);
+	cn_body box, top, other;
+	cn_revolute_def hinge;
+	cn_joint joint = 0;
+	float y;
+	fixture_floor(world, 0.6f, 0.0f);
+	box = box_at(world, from, 0.0f, 0.5f);
+	top = box_at(world, CN_BODY_DYNAMIC, 0.0f, 1.5f);
+	other = box_at(world, CN_BODY_DYNAMIC, 1.0f, 0.5f);
+	if (jointed) {
+		cn_revolute_def_init(&hinge);
+		hinge.base.body_a = box;
+		hinge.base.body_b = other;
+		hinge.base.anchor_a_m.x = 0.5f;
+		hinge.base.anchor_b_m.x = -0.5f;
+		must(cn_joint_create_revolute(world, &hinge, &joint), world, "cn_joint_create_revolute");
+	}
+	fixture_step(world, 120);
+	must(cn_body_set_type(world, box, to), world, "cn_body_set_type");
+	CHECK(fixture_is_valid(world));
+	CHECK(type_of(world, box) == to && fixture_is_awake(world, top));
+	CHECK(fixture_is_awake(world, box) == (to != CN_BODY_STATIC));
+	CHECK((mass_of(world, box).mass_kg > 0.0f) == (to == CN_BODY_DYNAMIC));
+	CHECK(fixture_velocity(world, box).linear_mps.x == 0.0f || to != CN_BODY_STATIC);
+	fixture_step(world, 120);
+	CHECK(fixture_is_valid(world));
+	y = fixture_pose(world, top).position_m.y; /* it still stands on it */
+	if (fabsf(y - 1.5f) > 0.01f || fabsf(fixture_pose(world, box).position_m.y - 0.5f) > 0.01f || (jointed && !cn_joint_is_valid(world, joint))) {
+		printf("  %d to %d, asleep %d, jointed %d: top at %.4f, box at %.4f\n", (int)from, (int)to, (int)asleep, (int)jointed, (double)y, (double)fixture_pose(world, box).position_m.y);
+		CHECK(0);
+	}
+	/* What it has become shows when it is pushed. */
+	must(cn_body_apply_impulse(world, box, 0.0f, 8.0f), world, "impulse");
+	fixture_step(world, 1);
+	CHECK((fixture_velocity(world, box).linear_mps.y > 0.5f) == (to == CN_BODY_DYNAMIC));
+	if (jointed) {
+		must(cn_joint_destroy(world, joint), world, "cn_joint_destroy");
+		CHECK(fixture_is_valid(world));
+	}
+	cn_world_destroy(world);
+}
+
+static void all_six_changes_of_type_work(void)
+{
+	int32_t from, to, asleep, jointed;
+	for (from = 0; from < 3; ++from)
+		for (to = 0; to < 3; ++to)
+			for (asleep = 0; asleep < 2; ++asleep)
+				for (jointed = 0; jointed < 2; ++jointed)
+					if (from != to)
+						change_run(from, to, asleep, jointed);
+}
+
+static void a_type_may_not_leave_a_joint_without_a_dynamic_body(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body a = box_at(world, CN_BODY_DYNAMIC, 0.0f, 0.0f), b = box_at(world, CN_BODY_DYNAMIC, 1.0f, 0.0f);
+	cn_distance_def rod;
+	cn_joint joint;
+	uint64_t hash;
+	cn_distance_def_init(&rod);
+	rod.base.body_a = a;
+	rod.base.body_b = b;
+	must(cn_joint_create_distance(world, &rod, &joint), world, "joint");
+	must(cn_body_set_type(world, a, CN_BODY_STATIC), world, "type");
+	hash = fixture_hash(world);
+	CHECK(cn_body_set_type(world, b, CN_BODY_KINEMATIC) == CN_ERROR_STATE);
+	CHECK(cn_body_set_type(world, b, CN_BODY_STATIC) == CN_ERROR_STATE);
+	CHECK(type_of(world, b) == CN_BODY_DYNAMIC && fixture_hash(world) == hash && fixture_is_valid(world));
+	must(cn_joint_destroy(world, joint), world, "destroy");
+	CHECK(cn_body_set_type(world, b, CN_BODY_STATIC) == CN_OK);
+	cn_world_destroy(world);
+}
+
+/* ---- locks ---- */
+
+static void locked_axes_keep_their_place(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body x_locked = box_at(world, CN_BODY_DYNAMIC, 0.0f, 0.0f), y_locked = box_at(world, CN_BODY_DYNAMIC, 5.0f, 0.0f), turn_locked = box_at(world, CN_BODY_DYNAMIC, 10.0f, 0.0f);
+	set_flags(world, x_locked, CN_BODY_LOCK_X);
+	set_flags(world, y_locked, CN_BODY_LOCK_Y);
+	set_flags(world, turn_locked, CN_BODY_LOCK_ROTATION);
+	fixture_set_velocity(world, x_locked, 3.0f, 0.0f, 1.0f);
+	fixture_set_velocity(world, y_locked, 3.0f, 1.0f, 1.0f);
+	fixture_set_velocity(world, turn_locked, 0.0f, 0.0f, 1.0f);
+	must(cn_body_apply_torque(world, turn_locked, 10.0f), world, "torque");
+	must(cn_body_apply_angular_impulse(world, turn_locked, 10.0f), world, "angular impulse");
+	must(cn_body_apply_force(world, x_locked, 50.0f, 0.0f), world, "force");
+	fixture_step(world, 60);
+	CHECK_LE("change of the locked x", fabs((double)fixture_pose(world, x_locked).position_m.x), 0.0, "m");
+	CHECK_LE("error of the free y", fabs((double)fixture_pose(world, x_locked).position_m.y + 5.0), 1e-4, "m");
+	CHECK_LE("change of the locked y", fabs((double)fixture_pose(world, y_locked).position_m.y), 0.0, "m");
+	CHECK_LE("error of the free x", fabs((double)fixture_pose(world, y_locked).position_m.x - 8.0), 1e-4, "m");
+	CHECK_LE("change of the locked angle", fabs((double)fixture_pose(world, turn_locked).sine), 0.0, "");
+	CHECK_LE("error of the free angle", fabs(asin((double)fixture_pose(world, x_locked).sine) - 1.0), 1e-4, "rad");
+	cn_world_destroy(world);
+}
+
+typedef struct bounce {
+	double deepest, speed_error, moved, energy; /* how far the ball went in, its final speed, the box, energy / start */
+} bounce;
+
+/* A ball of some mass hits a box of 1 kg from its side at 5 m/s. */
+static bounce ball_hits_locked_box(float mass_kg, uint32_t locks, float e)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	cn_body box = box_at(world, CN_BODY_DYNAMIC, 0.0f, 0.0f), ball = fixture_circle(world, CN_BODY_DYNAMIC, -2.0f, 0.0f, 0.25f, 0.0f, e);
+	cn_mass_data mass = mass_of(world, ball);
+	bounce b = { 0.0, 0.0, 0.0, 0.0 };
+	double back;
+	int32_t k;
+	mass.inertia_kgm2 *= mass_kg / mass.mass_kg;
+	mass.mass_kg = mass_kg;
+	must(cn_body_set_mass_data(world, ball, &mass), world, "mass");
+	set_flags(world, box, locks);
+	fixture_set_velocity(world, ball, 5.0f, 0.0f, 0.0f);
+	for (k = 0; k < 60; ++k) {
+		fixture_step(world, 1);
+		b.deepest = fmax(b.deepest, (double)fixture_pose(world, ball).position_m.x + 0.75);
+	}
+	back = -(double)fixture_velocity(world, ball).linear_mps.x;
+	b.speed_error = fabs(back - 5.0 * (double)e);
+	b.moved = fabs((double)fixture_pose(world, box).position_m.x);
+	if (locks & CN_BODY_LOCK_Y)
+		b.moved = fmax(b.moved, fabs((double)fixture_pose(world, box).position_m.y));
+	b.energy = back * back / 25.0;
+	cn_world_destroy(world);
+	return b;
+}
+
+/* The worst over balls of 10 g to 100 kg, with and without bounce. */
+static bounce locked_box_worst(uint32_t locks)
+{
+	static const float masses[] = { 0.01f, 1.0f, 100.0f };
+	bounce worst = { 0.0, 0.0, 0.0, 0.0 };
+	size_t m;
+	int32_t e;
+	for (m = 0; m < 3; ++m)
+		for (e = 0; e < 2; ++e) {
+			bounce b = ball_hits_locked_box(masses[m], locks, (float)e);
+			worst.deepest = fmax(worst.deepest, b.deepest);
+			worst.speed_error = fmax(worst.speed_error, b.speed_error);
+			worst.moved = fmax(worst.moved, b.moved);
+			worst.energy = fmax(worst.energy, b.energy);
+		}
+	return worst;
+}
+
+static void both_locks_are_infinite_mass(void)
+{
+	int32_t turn;
+	for (turn = 0; turn < 2; ++turn) {
+		bounce b = locked_box_worst(CN_BODY_LOCK_X | CN_BODY_LOCK_Y | (turn ? (uint32_t)CN_BODY_LOCK_ROTATION : 0u));
+		CHECK_LE("change of the locked place", b.moved, 0.0, "m");
+		CHECK_LE("how deep the ball went", b.deepest, 0.005, "m");
+		CHECK_LE("error of its speed afterwards", b.speed_error, 0.01, "m/s");
+		CHECK_LE("energy / start", b.energy, 1.0001, "");
+	}
+}
+
+static void a_locked_axis_keeps_its_place_when_hit(void)
+{
+	int32_t turn;
+	for (turn = 0; turn < 2; ++turn) {
+		bounce b = locked_box_worst(CN_BODY_LOCK_X | (turn ? (uint32_t)CN_BODY_LOCK_ROTATION : 0u));
+		CHECK_LE("change of the locked x", b.moved, 0.0, "m");
+		CHECK_LE("energy / start", b.energy, 1.0001, "");
+	}
+}
+
+/* Contacts do not know of a single locked axis yet: they weigh the body as if it could give way along it. */
+static void a_locked_axis_is_a_wall(void)
+{
+	bounce b = locked_box_worst(CN_BODY_LOCK_X | CN_BODY_LOCK_ROTATION);
+	printf("  the ball went in %.3f m (wanted: <= 0.005), its speed was off by %.2f m/s (wanted: <= 0.01)\n", b.deepest, b.speed_error);
+	if (b.deepest > 0.005 || b.speed_error > 0.01)
+		SKIP("known defect: a body with one locked axis gives way to contacts along it");
+}
+
+/* A box locked in the air carries another; a tall thin one whose rotation is locked is not pushed over. */
+static void locked_bodies_rest_and_carry(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body lift = box_at(world, CN_BODY_DYNAMIC, 0.0f, 5.0f), load = box_at(world, CN_BODY_DYNAMIC, 0.0f, 6.0f), tall;
+	fixture_floor(world, 0.6f, 0.0f);
+	set_flags(world, lift, CN_BODY_LOCK_X | CN_BODY_LOCK_Y);
+	tall = fixture_box(world, CN_BODY_DYNAMIC, 10.0f, 2.0f, 0.0f, 0.2f, 2.0f, 0.6f, 0.0f);
+	set_flags(world, tall, CN_BODY_LOCK_ROTATION);
+	must(cn_body_apply_impulse_at(world, tall, 1.0f, 0.0f, 10.0f, 4.0f), world, "impulse");
+	fixture_step(world, 300);
+	CHECK(fixture_pose(world, lift).position_m.y == 5.0f && fixture_pose(world, tall).sine == 0.0f);
+	CHECK_LE("sinking of the load", fabs((double)fixture_pose(world, load).position_m.y - 6.0), 0.006, "m");
+	CHECK_LE("sinking of the tall one", fabs((double)fixture_pose(world, tall).position_m.y - 2.0), 0.006, "m");
+	CHECK(!fixture_is_awake(world, load) && !fixture_is_awake(world, tall));
+	set_flags(world, lift, 0);
+	fixture_step(world, 120);
+	CHECK_LE("height of the lift when it is let go", fabs((double)fixture_pose(world, lift).position_m.y - 0.5), 0.01, "m");
+	cn_world_destroy(world);
+}
+
+/* ---- damping, gravity ---- */
+
+static void damping_follows_its_law(void)
+{
+	static const float rates[] = { 0.1f, 0.5f, 2.0f };
+	size_t r;
+	for (r = 0; r < 3; ++r) {
+		cn_world *world = fixture_world(0.0f, 0);
+		cn_body body = box_at(world, CN_BODY_DYNAMIC, 0.0f, 0.0f), falling = box_at(world, CN_BODY_DYNAMIC, 50.0f, 0.0f);
+		double c = (double)rates[r], kept = exp(-2.0 * c), way = 8.0 * (1.0 - kept) / c, terminal;
+		must(cn_body_set_damping(world, body, rates[r], 0.5f * rates[r]), world, "damping");
+		fixture_set_velocity(world, body, 8.0f, 0.0f, 1.0f);
+		must(cn_world_set_gravity(world, 0.0f, -10.0f), world, "gravity");
+		must(cn_body_set_gravity_scale(world, body, 0.0f), world, "scale");
+		must(cn_body_set_damping(world, falling, rates[r], 0.0f), world, "damping");
+		fixture_step(world, 120);
+		printf("  damping %.1f /s\n", c);
+		CHECK_LE("error of v = v0 e^(-c t) / v0", fabs((double)fixture_velocity(world, body).linear_mps.x / 8.0 - kept), 0.005, "");
+		CHECK_LE("error of the way / way", fabs((double)fixture_pose(world, body).position_m.x / way - 1.0), 0.01, "");
+		CHECK_LE("error of w = w0 e^(-c t / 2)", fabs((double)fixture_velocity(world, body).angular_radps - exp(-c)), 0.005, "");
+		terminal = 10.0 / c * (1.0 - kept);
+		CHECK_LE("error of the fall's speed, relative", fabs(-(double)fixture_velocity(world, falling).linear_mps.y / terminal - 1.0), 0.005, "");
+		cn_world_destroy(world);
+	}
+}
+
+static void gravity_scale_scales(void)
+{
+	static const float scales[] = { 0.0f, 0.5f, 1.0f, -1.0f, 3.0f };
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body bodies[5];
+	size_t k;
+	float read;
+	for (k = 0; k < 5; ++k) {
+		bodies[k] = box_at(world, CN_BODY_DYNAMIC, 3.0f * (float)k, 0.0f);
+		must(cn_body_set_gravity_scale(world, bodies[k], scales[k]), world, "scale");
+		must(cn_body_get_gravity_scale(world, bodies[k], &read), world, "scale");
+		CHECK(read == scales[k]);
+	}
+	fixture_step(world, 60);
+	for (k = 0; k < 5; ++k)
+		CHECK_LE("error of the fall in 1 s", fabs((double)fixture_pose(world, bodies[k]).position_m.y + 5.0 * (double)scales[k]), 1e-4, "m");
+	cn_world_destroy(world);
+}
+
+/* ---- forces and impulses ---- */
+
+/* A bar of 2 kg with its centre of mass away from its origin, turned. */
+static cn_body bar_make(cn_world *world, double *mass, double *inertia)
+{
+	cn_body body = fixture_body(world, CN_BODY_DYNAMIC, 1.0f, 2.0f, 0.5f);
+	cn_shape_def def = fixture_shape_def(body, 0.6f, 0.0f);
+	def.offset_m.x = 0.7f;
+	def.offset_m.y = -0.2f;
+	def.density_kgpm2 = 2.5f;
+	fixture_box_shape(world, &def, 1.0f, 0.2f);
+	*mass = 2.5 * 2.0 * 0.4;
+	*inertia = *mass * (4.0 + 0.16) / 12.0;
+	return body;
+}
+
+static void forces_follow_newton(void)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	double mass, inertia, lever, cx, cy;
+	cn_body body = bar_make(world, &mass, &inertia);
+	cn_vec2 c = center_of(world, body);
+	cn_velocity v, after;
+	int32_t k;
+	cx = 1.0 + 0.7 * cos(0.5) + 0.2 * sin(0.5);
+	cy = 2.0 + 0.7 * sin(0.5) - 0.2 * cos(0.5);
+	CHECK_LE("error of the centre of mass", hypot((double)c.x - cx, (double)c.y - cy), 1e-6, "m");
+	CHECK_LE("error of the mass", fabs((double)mass_of(world, body).mass_kg - mass), 1e-6, "kg");
+	CHECK_LE("error of the inertia", fabs((double)mass_of(world, body).inertia_kgm2 - inertia), 1e-6, "kg m^2");
+	for (k = 0; k < 60; ++k) { /* 1 s of (3, -1) N at the centre and 0.5 N m: x = a t^2 / 2 */
+		must(cn_body_apply_force(world, body, 2.0f, -1.0f), world, "force");
+		must(cn_body_apply_force(world, body, 1.0f, 0.0f), world, "force");
+		must(cn_body_apply_torque(world, body, 0.5f), world, "torque");
+		fixture_step(world, 1);
+	}
+	v = fixture_velocity(world, body);
+	CHECK_LE("error of the speed by a force", hypot((double)v.linear_mps.x - 3.0 / mass, (double)v.linear_mps.y + 1.0 / mass), 1e-5, "m/s");
+	CHECK_LE("error of the spin by a torque", fabs((double)v.angular_radps - 0.5 / inertia), 1e-5, "rad/s");
+	CHECK_LE("error of the way by a force", hypot((double)center_of(world, body).x - cx - 1.5 / mass, (double)center_of(world, body).y - cy + 0.5 / mass), 1e-5, "m");
+	fixture_step(world, 1); /* forces last one step */
+	after = fixture_velocity(world, body);
+	CHECK(memcmp(&v, &after, sizeof v) == 0);
+	fixture_set_velocity(world, body, 0.0f, 0.0f, 0.0f);
+	c = center_of(world, body);
+	must(cn_body_apply_force_at(world, body, 0.0f, 6.0f, c.x + 0.5f, c.y + 3.0f), world, "force at");
+	fixture_step(world, 1);
+	v = fixture_velocity(world, body);
+	lever = 0.5 * 6.0 / 60.0;
+	CHECK_LE("error of the speed by a force at a point", fabs((double)v.linear_mps.y - 6.0 / 60.0 / mass), 1e-6, "m/s");
+	CHECK_LE("error of the spin by it", fabs((double)v.angular_radps - lever / inertia), 1e-6, "rad/s");
+	cn_world_destroy(world);
+}
+
+static void impulses_act_at_once(void)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	double mass, inertia;
+	cn_body body = bar_make(world, &mass, &inertia);
+	cn_vec2 c = center_of(world, body), at;
+	cn_velocity v;
+	must(cn_body_apply_impulse(world, body, 1.0f, 2.0f), world, "impulse");
+	must(cn_body_apply_angular_impulse(world, body, 0.3f), world, "angular impulse");
+	must(cn_body_apply_impulse_at(world, body, -0.5f, 0.25f, c.x - 0.4f, c.y + 0.1f), world, "impulse at");
+	v = fixture_velocity(world, body);
+	CHECK_LE("error of the speed", hypot((double)v.linear_mps.x - 0.5 / mass, (double)v.linear_mps.y - 2.25 / mass), 1e-6, "m/s");
+	CHECK_LE("error of the spin", fabs((double)v.angular_radps - (0.3 + (-0.4 * 0.25 - 0.1 * -0.5)) / inertia), 1e-6, "rad/s");
+	must(cn_body_get_velocity_at(world, body, c.x + 2.0f, c.y - 1.0f, &at), world, "velocity at");
+	CHECK_LE("error of the velocity at a point",
+	         hypot((double)at.x - ((double)v.linear_mps.x + (double)v.angular_radps), (double)at.y - ((double)v.linear_mps.y + 2.0 * (double)v.angular_radps)), 1e-5, "m/s");
+	CHECK(cn_body_apply_impulse(world, body, 3e38f, 0.0f) == CN_OK && cn_body_apply_impulse(world, body, 3e38f, 0.0f) == CN_OK);
+	CHECK(cn_body_apply_impulse(world, body, 3e38f, 0.0f) == CN_ERROR_ARGUMENT);
+	cn_world_destroy(world);
+}
+
+/* ---- mass ---- */
+
+static void mass_may_be_overridden_and_reset(void)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	double mass, inertia;
+	cn_body body = bar_make(world, &mass, &inertia);
+	cn_mass_data own = mass_of(world, body), set = { 5.0f, 2.0f, { -0.3f, 0.4f } }, read, still = { 4.0f, 0.0f, { 0.0f, 0.0f } };
+	cn_pose before = fixture_pose(world, body), after;
+	cn_vec2 at_before, at_after;
+	cn_shape_def def;
+	fixture_set_velocity(world, body, 1.0f, 2.0f, 3.0f);
+	must(cn_body_get_velocity_at(world, body, 0.0f, 0.0f, &at_before), world, "velocity at");
+	must(cn_body_set_mass_data(world, body, &set), world, "mass");
+	must(cn_body_get_velocity_at(world, body, 0.0f, 0.0f, &at_after), world, "velocity at");
+	read = mass_of(world, body);
+	CHECK(memcmp(&read, &set, sizeof set) == 0);
+	after = fixture_pose(world, body);
+	CHECK_LE("change of the origin", hypot((double)(after.position_m.x - before.position_m.x), (double)(after.position_m.y - before.position_m.y)), 1e-6, "m");
+	CHECK_LE("change of the material's velocity", hypot((double)(at_after.x - at_before.x), (double)(at_after.y - at_before.y)), 1e-5, "m/s");
+	def = fixture_shape_def(body, 0.6f, 0.0f);
+	fixture_box_shape(world, &def, 1.0f, 1.0f); /* the override stays */
+	read = mass_of(world, body);
+	CHECK(memcmp(&read, &set, sizeof set) == 0);
+	fixture_set_velocity(world, body, 0.0f, 0.0f, 0.0f);
+	must(cn_body_apply_impulse(world, body, 5.0f, 0.0f), world, "impulse");
+	CHECK(fabsf(fixture_velocity(world, body).linear_mps.x - 1.0f) < 1e-6f);
+	must(cn_body_set_mass_data(world, body, &still), world, "mass"); /* inertia 0: it never turns */
+	fixture_set_velocity(world, body, 0.0f, 0.0f, 0.0f);
+	must(cn_body_apply_impulse_at(world, body, 1.0f, 1.0f, 9.0f, 0.0f), world, "impulse at");
+	fixture_step(world, 10);
+	CHECK(fixture_velocity(world, body).angular_radps == 0.0f);
+	must(cn_body_reset_mass_data(world, body), world, "reset");
+	read = mass_of(world, body);
+	CHECK_LE("error of the mass after reset", fabs((double)read.mass_kg - mass - 4.0), 1e-5, "kg");
+	CHECK(read.mass_kg != own.mass_kg);
+	must(cn_body_set_mass_data(world, body, &set), world, "mass"); /* a change of type forgets it */
+	must(cn_body_set_type(world, body, CN_BODY_KINEMATIC), world, "type");
+	CHECK(cn_body_set_mass_data(world, body, &set) == CN_ERROR_STATE);
+	must(cn_body_set_type(world, body, CN_BODY_DYNAMIC), world, "type");
+	CHECK_LE("error of the mass after changes of type", fabs((double)mass_of(world, body).mass_kg - mass - 4.0), 1e-5, "kg");
+	cn_world_destroy(world);
+}
+
+/* Spinning freely, the centre of mass stays and the origin circles it. */
+static void a_body_spins_about_its_centre_of_mass(void)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	double mass, inertia, worst = 0.0, radius = hypot(0.7, 0.2);
+	cn_body body = bar_make(world, &mass, &inertia);
+	cn_vec2 start = center_of(world, body);
+	int32_t k;
+	fixture_set_velocity(world, body, 0.0f, 0.0f, 6.0f);
+	for (k = 0; k < 300; ++k) {
+		cn_vec2 c, local;
+		cn_pose p;
+		fixture_step(world, 1);
+		c = center_of(world, body);
+		p = fixture_pose(world, body);
+		worst = fmax(worst, hypot((double)(c.x - start.x), (double)(c.y - start.y)));
+		worst = fmax(worst, fabs(hypot((double)(p.position_m.x - c.x), (double)(p.position_m.y - c.y)) - radius));
+		must(cn_body_get_local_point(world, body, c.x, c.y, &local), world, "local point");
+		worst = fmax(worst, hypot((double)local.x - 0.7, (double)local.y + 0.2));
+	}
+	CHECK_LE("wandering of the centre and of the origin's distance", worst, 1e-5, "m");
+	cn_world_destroy(world);
+}
+
+static void a_body_without_mass_weighs_a_kilogram(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body bare = fixture_body(world, CN_BODY_DYNAMIC, 0.0f, 0.0f, 0.0f), light = fixture_body(world, CN_BODY_DYNAMIC, 5.0f, 0.0f, 0.0f);
+	cn_shape_def def = fixture_shape_def(light, 0.6f, 0.0f);
+	def.density_kgpm2 = 0.0f;
+	fixture_box_shape(world, &def, 0.5f, 0.5f);
+	CHECK(mass_of(world, bare).mass_kg == 1.0f && mass_of(world, light).mass_kg == 1.0f && mass_of(world, bare).inertia_kgm2 == 0.0f);
+	fixture_step(world, 60);
+	CHECK_LE("error of its fall in 1 s", fabs((double)fixture_pose(world, bare).position_m.y + 5.0), 1e-4, "m");
+	cn_world_destroy(world);
+}
+
+/* ---- pose ---- */
+
+static void teleport_keeps_velocity_and_finds_its_place(void)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	double mass, inertia;
+	cn_body body = bar_make(world, &mass, &inertia), wall;
+	cn_pose pose;
+	cn_vec2 p, q;
+	cn_aabb box;
+	float angle;
+	fixture_set_velocity(world, body, 1.0f, 2.0f, 3.0f);
+	must(cn_body_set_pose(world, body, -30.0f, 40.0f, 2.5f), world, "pose");
+	pose = fixture_pose(world, body);
+	must(cn_body_get_angle(world, body, &angle), world, "angle");
+	CHECK(fabsf(pose.position_m.x + 30.0f) < 1e-5f && fabsf(pose.position_m.y - 40.0f) < 1e-5f && fabsf(angle - 2.5f) < 1e-6f);
+	CHECK(fixture_velocity(world, body).linear_mps.x == 1.0f && fixture_velocity(world, body).angular_radps == 3.0f);
+	must(cn_body_get_world_point(world, body, 0.3f, -2.0f, &p), world, "world point");
+	must(cn_body_get_local_point(world, body, p.x, p.y, &q), world, "local point");
+	CHECK_LE("error of a point there and back", hypot((double)q.x - 0.3, (double)q.y + 2.0), 1e-5, "m");
+	CHECK_LE("error of a world point", hypot((double)p.x - (-30.0 + 0.3 * cos(2.5) + 2.0 * sin(2.5)), (double)p.y - (40.0 + 0.3 * sin(2.5) - 2.0 * cos(2.5))), 1e-5, "m");
+	must(cn_body_get_aabb(world, body, &box), world, "aabb");
+	CHECK_LE("error of the box's middle", hypot((double)(0.5f * (box.lower_m.x + box.upper_m.x) - center_of(world, body).x), (double)(0.5f * (box.lower_m.y + box.upper_m.y) - center_of(world, body).y)), 1e-5, "m");
+	wall = box_at(world, CN_BODY_STATIC, 100.0f, 0.0f);
+	fixture_set_velocity(world, body, 0.0f, 0.0f, 0.0f);
+	must(cn_body_set_pose(world, body, 99.0f, 0.0f, 0.0f), world, "pose"); /* into a wall: it is pushed out */
+	fixture_step(world, 120);
+	CHECK(fixture_penetration(world, &wall, 1) < 0.006f);
+	CHECK(fixture_is_valid(world));
+	cn_world_destroy(world);
+}
+
+static void disabled_bodies_take_no_part(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body ball, box;
+	uint32_t flags;
+	fixture_floor(world, 0.6f, 0.0f);
+	box = box_at(world, CN_BODY_DYNAMIC, 0.0f, 0.5f);
+	must(cn_body_set_flags(world, box, CN_BODY_SLEEP), world, "flags");
+	must(cn_body_get_flags(world, box, &flags), world, "flags");
+	CHECK(!(flags & (CN_BODY_ENABLED | CN_BODY_AWAKE)));
+	must(cn_body_apply_impulse(world, box, 1.0f, 1.0f), world, "impulse");
+	must(cn_body_set_awake(world, box, 1), world, "awake");
+	ball = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 3.0f, 0.3f, 0.6f, 0.0f);
+	fixture_step(world, 120);
+	CHECK(fixture_pose(world, box).position_m.y == 0.5f && fixture_pose(world, box).position_m.x == 0.0f);
+	CHECK_LE("height of the ball that fell through it", fixture_pose(world, ball).position_m.y, 0.301, "m");
+	must(cn_body_set_flags(world, box, CN_BODY_SLEEP | CN_BODY_ENABLED), world, "flags");
+	CHECK(fixture_is_awake(world, box));
+	fixture_step(world, 120);
+	CHECK(fixture_penetration(world, &ball, 1) < 0.006f);
+	CHECK(fixture_is_valid(world));
+	cn_world_destroy(world);
+}
+
+/* ---- names, data, lists ---- */
+
+static void names_and_data_are_kept(void)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	char longest[CN_NAME_MAX_BYTES + 2];
+	cn_body bodies[64];
+	const char *name;
+	uint64_t data;
+	int32_t k, wrong = 0;
+	for (k = 0; k < 64; ++k) {
+		memset(longest, 'a' + k % 26, sizeof longest);
+		longest[k] = '\0';
+		bodies[k] = fixture_body(world, CN_BODY_DYNAMIC, 0.0f, 0.0f, 0.0f);
+		must(cn_body_set_name(world, bodies[k], longest), world, "name");
+		must(cn_body_set_user_data(world, bodies[k], ~(uint64_t)k), world, "data");
+	}
+	for (k = 63; k >= 0; --k) {
+		must(cn_body_get_name(world, bodies[k], &name), world, "name");
+		must(cn_body_get_user_data(world, bodies[k], &data), world, "data");
+		wrong += (int32_t)strlen(name) != k || (k > 0 && name[k - 1] != 'a' + k % 26) || data != ~(uint64_t)k;
+	}
+	CHECK(wrong == 0);
+	memset(longest, 'x', sizeof longest);
+	longest[CN_NAME_MAX_BYTES + 1] = '\0';
+	CHECK(cn_body_set_name(world, bodies[5], longest) == CN_ERROR_ARGUMENT);
+	must(cn_body_get_name(world, bodies[5], &name), world, "name");
+	CHECK(strcmp(name, "fffff") == 0);
+	must(cn_body_set_name(world, bodies[5], NULL), world, "name");
+	must(cn_body_get_name(world, bodies[5], &name), world, "name");
+	CHECK(name[0] == '\0');
+	cn_world_destroy(world);
+}
+
+static void bodies_can_be_gone_through(void)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	cn_body bodies[50], list[60];
+	int32_t k, count, found = 0;
+	for (k = 0; k < 50; ++k)
+		bodies[k] = fixture_body(world, k % 3, (float)k, 0.0f, 0.0f);
+	for (k = 0; k < 50; k += 2)
+		must(cn_body_destroy(world, bodies[k]), world, "destroy");
+	must(cn_world_get_bodies(world, NULL, 0, &count), world, "count");
+	CHECK(count == 25);
+	must(cn_world_get_bodies(world, list, 60, &count), world, "list");
+	for (k = 0; k < count; ++k)
+		found += list[k] == bodies[2 * k + 1];
+	CHECK(count == 25 && found == 25);
+	list[10] = 12345;
+	must(cn_world_get_bodies(world, list, 10, &count), world, "list");
+	CHECK(count == 25 && list[9] == bodies[19] && list[10] == 12345);
+	cn_world_destroy(world);
+}
+
+typedef struct sprite {
+	uint32_t texture;
+	cn_pose pose;
+	uint32_t layer;
+} sprite;
+
+static void bulk_reads_are_single_reads(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body bodies[30], picked[7];
+	cn_pose poses[30];
+	cn_velocity velocities[30];
+	sprite sprites[30];
+	int32_t k, wrong = 0;
+	for (k = 0; k < 30; ++k) {
+		bodies[k] = box_at(world, k % 3, 3.0f * (float)k, 0.0f);
+		sprites[k].texture = sprites[k].layer = 77;
+		if (k % 3 != CN_BODY_STATIC)
+			fixture_set_velocity(world, bodies[k], (float)k, 0.0f, -(float)k);
+	}
+	fixture_step(world, 10);
+	must(cn_world_read_poses(world, NULL, 30, poses), world, "poses");
+	must(cn_world_read_velocities(world, NULL, 30, velocities), world, "velocities");
+	must(cn_world_read_poses_strided(world, bodies, 30, &sprites[0].pose, (int32_t)sizeof(sprite)), world, "strided");
+	for (k = 0; k < 30; ++k) {
+		cn_pose p = fixture_pose(world, bodies[k]);
+		cn_velocity v = fixture_velocity(world, bodies[k]);
+		wrong += memcmp(&p, &poses[k], sizeof p) != 0 || memcmp(&v, &velocities[k], sizeof v) != 0;
+		wrong += memcmp(&p, &sprites[k].pose, sizeof p) != 0 || sprites[k].texture != 77 || sprites[k].layer != 77;
+	}
+	for (k = 0; k < 7; ++k)
+		picked[k] = bodies[29 - 4 * k];
+	must(cn_world_read_poses_strided(world, picked, 7, poses, 0), world, "packed");
+	for (k = 0; k < 7; ++k) {
+		cn_pose p = fixture_pose(world, picked[k]);
+		wrong += memcmp(&p, &poses[k], sizeof p) != 0;
+	}
+	CHECK(wrong == 0);
+	CHECK(cn_world_read_poses(world, NULL, 29, poses) == CN_ERROR_ARGUMENT);
+	for (k = 0; k < 30; ++k) {
+		velocities[k].linear_mps.x = velocities[k].linear_mps.y = k % 3 == CN_BODY_STATIC ? 0.0f : 2.0f;
+		velocities[k].angular_radps = 0.0f;
+	}
+	must(cn_world_write_velocities(world, bodies, 30, velocities), world, "write");
+	for (k = 0; k < 30; ++k)
+		wrong += fixture_velocity(world, bodies[k]).linear_mps.y != (k % 3 == CN_BODY_STATIC ? 0.0f : 2.0f);
+	velocities[1].linear_mps.x = 9.0f;
+	velocities[27].linear_mps.x = 1.0f; /* static */
+	CHECK(cn_world_write_velocities(world, bodies, 30, velocities) == CN_ERROR_STATE);
+	CHECK(wrong == 0 && fixture_velocity(world, bodies[1]).linear_mps.x == 2.0f);
+	cn_world_destroy(world);
+}
+
+/* ---- many at once ---- */
+
+static void many_are_made_or_none(void)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	cn_body_def defs[100];
+	cn_body bodies[100], list[3];
+	int32_t k;
+	uint64_t hash;
+	cn_vec2 place;
+	for (k = 0; k < 100; ++k) {
+		cn_body_def_init(&defs[k]);
+		defs[k].type = k % 3;
+		defs[k].position_m.x = (float)k;
+		defs[k].name = k % 2 ? "odd" : NULL;
+		bodies[k] = 0;
+	}
+	defs[99].position_m.y = (float)NAN;
+	hash = fixture_hash(world);
+	CHECK(cn_body_create_many(world, defs, 100, bodies) == CN_ERROR_ARGUMENT);
+	CHECK(fixture_counters(world).bodies == 0 && bodies[0] == 0 && fixture_hash(world) == hash && fixture_is_valid(world));
+	defs[99].position_m.y = 0.0f;
+	must(cn_body_create_many(world, defs, 100, bodies), world, "many");
+	CHECK(fixture_counters(world).bodies == 100 && fixture_counters(world).bodies_awake == 66);
+	must(cn_body_get_center(world, bodies[63], &place), world, "center");
+	CHECK(place.x == 63.0f);
+	list[0] = bodies[4];
+	list[1] = bodies[5];
+	list[2] = bodies[4];
+	CHECK(cn_body_destroy_many(world, list, 3) == CN_ERROR_ARGUMENT);
+	list[2] = 0x00F00001u;
+	CHECK(cn_body_destroy_many(world, list, 3) == CN_ERROR_HANDLE);
+	CHECK(fixture_counters(world).bodies == 100 && cn_body_is_valid(world, bodies[4]) && fixture_is_valid(world));
+	must(cn_body_destroy_many(world, bodies + 10, 90), world, "destroy many");
+	CHECK(fixture_counters(world).bodies == 10 && !cn_body_is_valid(world, bodies[10]) && cn_body_is_valid(world, bodies[9]));
+	CHECK(fixture_is_valid(world));
+	cn_world_destroy(world);
+}
+
+/* ---- handles ---- */
+
+#define CYCLES 2500
+static void dead_handles_stay_dead(void)
+{
+	static cn_body dead[CYCLES];
+	cn_world *world = fixture_world(0.0f, 0);
+	cn_body keep = box_at(world, CN_BODY_DYNAMIC, 0.0f, 0.0f);
+	cn_pose pose;
+	int32_t k, alive = 0, accepted = 0, refused_wrong = 0;
+	for (k = 0; k < CYCLES; ++k) {
+		dead[k] = box_at(world, CN_BODY_DYNAMIC, 5.0f, 0.0f);
+		if (k % 16 == 0)
+			fixture_step(world, 1);
+		must(cn_body_destroy(world, dead[k]), world, "destroy");
+	}
+	for (k = 0; k < CYCLES; ++k) {
+		alive += cn_body_is_valid(world, dead[k]);
+		accepted += cn_body_get_pose(world, dead[k], &pose) != CN_ERROR_HANDLE;
+		refused_wrong += cn_body_destroy(world, dead[k]) != CN_ERROR_HANDLE || cn_shape_destroy(world, dead[k]) != CN_ERROR_HANDLE || cn_joint_destroy(world, dead[k]) != CN_ERROR_HANDLE;
+		alive += k > 0 && dead[k] == dead[k - 1];
+	}
+	CHECK_LE("dead handles that seem alive", alive + accepted + refused_wrong, 0, "");
+	CHECK(cn_body_is_valid(world, keep) && fixture_counters(world).bodies == 1 && fixture_counters(world).shapes == 1 && fixture_is_valid(world));
+	cn_world_destroy(world);
+}
+
+int main(int argc, char **argv)
+{
+	test_begin(argc, argv);
+	RUN(each_type_moves_as_it_should);
+	RUN(kinematic_bodies_are_not_pushed);
+	RUN(all_six_changes_of_type_work);
+	RUN(a_type_may_not_leave_a_joint_without_a_dynamic_body);
+	RUN(locked_axes_keep_their_place);
+	RUN(both_locks_are_infinite_mass);
+	RUN(a_locked_axis_keeps_its_place_when_hit);
+	RUN(a_locked_axis_is_a_wall);
+	RUN(locked_bodies_rest_and_carry);
+	RUN(damping_follows_its_law);
+	RUN(gravity_scale_scales);
+	RUN(forces_follow_newton);
+	RUN(impulses_act_at_once);
+	RUN(mass_may_be_overridden_and_reset);
+	RUN(a_body_spins_about_its_centre_of_mass);
+	RUN(a_body_without_mass_weighs_a_kilogram);
+	RUN(teleport_keeps_velocity_and_finds_its_place);
+	RUN(disabled_bodies_take_no_part);
+	RUN(names_and_data_are_kept);
+	RUN(bodies_can_be_gone_through);
+	RUN(bulk_reads_are_single_reads);
+	RUN(many_are_made_or_none);
+	RUN(dead_handles_stay_dead);
+	return test_end();
+}
