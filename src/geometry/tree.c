@@ -299,7 +299,7 @@ static int32_t sibling_find(const cni_tree *tree, const cni_aabb *box)
 	return choice.place;
 }
 
-static void insert_marked(cni_tree *tree, int32_t item, const cni_aabb *box, uint32_t marks)
+void cni_tree_insert_marked(cni_tree *tree, int32_t item, const cni_aabb *box, uint32_t marks)
 {
 	int32_t place = CNI_TREE_ROOT, fork;
 	cni_aabb clean = box_or_none(box);
@@ -321,7 +321,7 @@ static void insert_marked(cni_tree *tree, int32_t item, const cni_aabb *box, uin
 	cni_tree_repair(tree, place >> 1);
 }
 
-void cni_tree_insert(cni_tree *tree, int32_t item, const cni_aabb *box) { insert_marked(tree, item, box, 0); }
+void cni_tree_insert(cni_tree *tree, int32_t item, const cni_aabb *box) { cni_tree_insert_marked(tree, item, box, CNI_TREE_RESTS); }
 
 /* ---- removal ---- */
 
@@ -347,21 +347,26 @@ void cni_tree_move(cni_tree *tree, int32_t item, const cni_aabb *box)
 	uint32_t marks = cni_tree_marks(tree, cni_tree_place(tree, item));
 	cni_aabb copy = *box;
 	cni_tree_remove(tree, item);
-	insert_marked(tree, item, &copy, marks & ~(uint32_t)(CNI_TREE_STALE | CNI_TREE_FAR));
+	cni_tree_insert_marked(tree, item, &copy, marks & (CNI_TREE_MOVED | CNI_TREE_RESTS));
 }
 
 /* ---- boxes and marks in place ---- */
 
-void cni_tree_mark(cni_tree *tree, int32_t item, uint32_t marks)
+/* Of an item, and then of all above it for which that makes a difference. */
+static void change_marks(cni_tree *tree, int32_t place, uint32_t marks)
 {
-	int32_t place = cni_tree_place(tree, item);
-	CNI_ASSERT(place != CNI_NONE);
-	tree->stale += (marks & ~cni_tree_marks(tree, place) & CNI_TREE_STALE) != 0;
-	while (place != CNI_NONE && (cni_tree_marks(tree, place) & marks) != marks) {
+	while (place != CNI_NONE && cni_tree_marks(tree, place) != marks) {
 		cni_tree_fork *f = cni_tree_fork_of(tree, place);
-		f->marks[place & 1] = (uint8_t)(f->marks[place & 1] | marks);
+		f->marks[place & 1] = (uint8_t)marks;
+		marks = (uint32_t)(f->marks[0] | f->marks[1]);
 		place = f->parent;
 	}
+}
+
+void cni_tree_mark_moved(cni_tree *tree, int32_t item)
+{
+	int32_t place = cni_tree_place(tree, item);
+	change_marks(tree, place, (cni_tree_marks(tree, place) & ~(uint32_t)CNI_TREE_RESTS) | CNI_TREE_MOVED);
 }
 
 /* Does an item with a new box need a new place? When its way is long against the box of the fork it hangs at;
@@ -380,7 +385,8 @@ void cni_tree_set_box(cni_tree *tree, int32_t item, const cni_aabb *box)
 	cni_aabb clean = box_or_none(box);
 	float room = cni_tree_size_with(&fork->box[0], &fork->box[1]), way = cni_tree_size_with(&fork->box[place & 1], &clean);
 	fork->box[place & 1] = clean;
-	cni_tree_mark(tree, item, marks_for_move(tree, room, way));
+	tree->stale += (fork->marks[place & 1] & CNI_TREE_STALE) == 0;
+	change_marks(tree, place, fork->marks[place & 1] | marks_for_move(tree, room, way));
 	for (place = fork->parent; place != CNI_NONE && !cni_aabb_contains(cni_tree_box(tree, place), &clean); place = fork->parent) {
 		fork = cni_tree_fork_of(tree, place);
 		fork->box[place & 1] = cni_aabb_union(&fork->box[place & 1], &clean);
@@ -410,7 +416,7 @@ static int32_t place_holds(const cni_tree *tree, int32_t place, tree_census *sum
 	if (!cni_tree_is_fork(child)) {
 		++sum->items;
 		sum->stale += (marks & CNI_TREE_STALE) != 0;
-		return above->height[side] == 0 && ~child < tree->places.count && cni_tree_place(tree, ~child) == place;
+		return above->height[side] == 0 && !(marks & CNI_TREE_MOVED) == ((marks & CNI_TREE_RESTS) != 0) && ~child < tree->places.count && cni_tree_place(tree, ~child) == place;
 	}
 	++sum->forks;
 	if (child == 0 || child >= tree->forks.count)

@@ -15,8 +15,9 @@
  *                                        |
  *   fork 5  [ box | ~3 ][ box | ~0 ]-----+    n items need n forks: n - 1 and the stem
  *
- * A place has a mark when anything below it has. MOVED is the owner's: pairs are searched for what has it. STALE:
- * the item's box was set, and its place not reconsidered yet. FAR, with STALE: it will be inserted anew.
+ * A place has a mark when anything below it has. Every item is either MOVED or RESTS, as its owner says: pairs are
+ * searched for what MOVED. STALE: the item's box was set, and its place not reconsidered yet. FAR, with STALE:
+ * it will be inserted anew.
  *
  * Invariants: a place's box contains everything below (and is its union where nothing is STALE); of the
  * heights of a fork's two sides neither exceeds the other by more than CNI_TREE_LEAN, so that the height of
@@ -37,8 +38,9 @@
 
 enum {
 	CNI_TREE_MOVED = 1u << 0,
-	CNI_TREE_STALE = 1u << 1,
-	CNI_TREE_FAR = 1u << 2
+	CNI_TREE_RESTS = 1u << 1,
+	CNI_TREE_STALE = 1u << 2,
+	CNI_TREE_FAR = 1u << 3
 };
 
 typedef struct cni_tree_fork {
@@ -84,8 +86,8 @@ void cni_tree_remove(cni_tree *tree, int32_t item);
 void cni_tree_move(cni_tree *tree, int32_t item, const cni_aabb *box);
 /* A new box where the item hangs: searches are right at once and become fast again with cni_tree_settle. */
 void cni_tree_set_box(cni_tree *tree, int32_t item, const cni_aabb *box);
-/* Marks the item and all above it. */
-void cni_tree_mark(cni_tree *tree, int32_t item, uint32_t marks);
+/* Marks the item MOVED. */
+void cni_tree_mark_moved(cni_tree *tree, int32_t item);
 
 /* Reconsiders the places of all STALE items. scratch of cni_tree_scratch_bytes lets it build a tree anew that has
    doubled, or in which many moved and which has become bad; NULL does without. */
@@ -112,7 +114,7 @@ void cni_tree_query(const cni_tree *tree, const cni_aabb *box, cni_tree_visit_fn
 void cni_tree_ray(const cni_tree *tree, cni_vec2 origin, cni_vec2 translation, cni_tree_visit_fn *visit, void *context);
 /* Pairs of items whose boxes overlap and one of which at least is MOVED, each once. */
 void cni_tree_pairs(const cni_tree *tree, cni_tree_pair_fn *found, void *context);
-/* Takes the MOVED mark off every item and then visits it (which may mark it again). */
+/* Every MOVED item RESTS now and is visited; the visit may not change the tree. */
 void cni_tree_unmark_moved(cni_tree *tree, cni_tree_item_fn *visit, void *context);
 
 /* 1 when every invariant holds. O(n). */

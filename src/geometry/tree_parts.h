@@ -39,6 +39,8 @@ void cni_tree_fork_clear(cni_tree *tree, int32_t fork);
 void cni_tree_fork_give(cni_tree *tree, int32_t fork);
 /* Writes box, height and marks of the place that a fork hangs at; 1 when any of them changed. */
 int32_t cni_tree_refresh(cni_tree *tree, int32_t fork);
+/* As cni_tree_insert, with MOVED or RESTS. */
+void cni_tree_insert_marked(cni_tree *tree, int32_t item, const cni_aabb *box, uint32_t marks);
 /* Turns the children of a fork if that makes boxes smaller or is needed for balance; its own box does not
    change, its height by one at most from what its place says. */
 void cni_tree_turn(cni_tree *tree, int32_t fork);

@@ -2,10 +2,9 @@
  * geometry/tree_search.c - searches through a tree of boxes: regions, rays, and pairs of what moved (see
  * geometry/tree.h). Reads only, but for taking off marks at the end.
  *
- * All walk with a stack of places. Pairs are found by walking the tree against itself: two places whose
- * boxes overlap are opened together, so that neighbours share the way down to them, and nothing is opened
- * where neither side holds anything that moved (simultaneous traversal after Gottschalk, Lin and Manocha,
- * "OBBTree", 1996; marks instead of a query for each moved box).
+ * Pairs are searched for every moved item, from where it hangs up to the root: its neighbours hang near, and
+ * what is left and right of the way up says which of two moved items is to find the pair, so that each pair is
+ * found once and whole forks of moved items need not be looked at twice.
  */
 #include "geometry/tree_parts.h"
 
@@ -115,28 +114,60 @@ void cni_tree_ray(const cni_tree *tree, cni_vec2 origin, cni_vec2 translation, c
 
 /* ---- pairs ---- */
 
-/* All that overlaps one moved item; of two moved ones the one with the lesser number finds the other. */
-static void pairs_of(const cni_tree *tree, int32_t item, const cni_aabb *box, cni_tree_pair_fn *found, void *context)
+typedef struct pair_search {
+	const cni_tree *tree;
+	cni_tree_pair_fn *found;
+	void *context;
+	cni_aabb box;
+	int32_t item;
+	uint32_t marks; /* of what is looked at */
+} pair_search;
+
+static inline int32_t pair_may_be(const pair_search *s, const cni_tree_fork *f, int32_t side)
+{
+	return (f->marks[side] & s->marks) != 0 && overlap(&f->box[side], &s->box);
+}
+
+/* What hangs at or below a place and overlaps the item. */
+static void pairs_below(const pair_search *s, int32_t place)
 {
 	int32_t stack[CNI_TREE_STACK], top = 0, k;
-	if (cni_tree_is_fork(cni_tree_child(tree, CNI_TREE_ROOT)))
-		stack[top++] = cni_tree_child(tree, CNI_TREE_ROOT);
+	const cni_tree_fork *f = cni_tree_fork_of(s->tree, place);
+	if (pair_may_be(s, f, place & 1))
+		stack[top++] = f->child[place & 1];
 	while (top > 0) {
-		const cni_tree_fork *f = cni_tree_fork_at(tree, stack[--top]);
-		for (k = 1; k >= 0; --k) {
-			if (!overlap(&f->box[k], box))
-				continue;
-			if (cni_tree_is_fork(f->child[k]))
-				stack[top++] = f->child[k];
-			else if (~f->child[k] > item || !(f->marks[k] & CNI_TREE_MOVED))
-				found(context, item, ~f->child[k]);
+		int32_t child = stack[--top];
+		if (!cni_tree_is_fork(child)) {
+			s->found(s->context, s->item, ~child);
+			continue;
 		}
+		f = cni_tree_fork_at(s->tree, child);
+		for (k = 1; k >= 0; --k) {
+			stack[top] = f->child[k];
+			top += pair_may_be(s, f, k);
+		}
+	}
+}
+
+/* From the item up: what hangs beside it, beside the fork it hangs at, and so on. Of two moved items the left
+   one finds the pair, so that to its left an item only looks at what rests. */
+static void pairs_of(pair_search *s, int32_t place)
+{
+	s->box = *cni_tree_box(s->tree, place);
+	s->item = ~cni_tree_child(s->tree, place);
+	for (; place != CNI_TREE_ROOT; place = cni_tree_fork_of(s->tree, place)->parent) {
+		s->marks = place & 1 ? CNI_TREE_RESTS : CNI_TREE_MOVED | CNI_TREE_RESTS;
+		pairs_below(s, place ^ 1);
 	}
 }
 
 void cni_tree_pairs(const cni_tree *tree, cni_tree_pair_fn *found, void *context)
 {
 	int32_t stack[CNI_TREE_STACK], top = 0;
+	pair_search search;
+	search.tree = tree;
+	search.found = found;
+	search.context = context;
 	if (tree->count > 1)
 		stack[top++] = CNI_TREE_ROOT;
 	while (top > 0) {
@@ -147,7 +178,7 @@ void cni_tree_pairs(const cni_tree *tree, cni_tree_pair_fn *found, void *context
 			stack[top++] = 2 * child + 1;
 			stack[top++] = 2 * child;
 		} else {
-			pairs_of(tree, ~child, cni_tree_box(tree, place), found, context);
+			pairs_of(&search, place);
 		}
 	}
 }
@@ -162,7 +193,7 @@ void cni_tree_unmark_moved(cni_tree *tree, cni_tree_item_fn *visit, void *contex
 		cni_tree_fork *f = cni_tree_fork_of(tree, place);
 		if (!(f->marks[place & 1] & CNI_TREE_MOVED))
 			continue;
-		f->marks[place & 1] = (uint8_t)(f->marks[place & 1] & ~(uint32_t)CNI_TREE_MOVED);
+		f->marks[place & 1] = (uint8_t)((f->marks[place & 1] & ~(uint32_t)CNI_TREE_MOVED) | CNI_TREE_RESTS);
 		if (cni_tree_is_fork(child)) {
 			stack[top++] = 2 * child + 1;
 			stack[top++] = 2 * child;

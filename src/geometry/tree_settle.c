@@ -20,6 +20,9 @@
 /* Settles of many to wait after a rebuild that gained nothing. */
 #define PATIENCE_MOST 64
 
+/* What the owner says about an item. */
+#define OWN_MARKS (CNI_TREE_MOVED | CNI_TREE_RESTS)
+
 typedef struct tree_leaf {
 	cni_aabb box;
 	int32_t item;
@@ -102,7 +105,7 @@ static int32_t collect(const cni_tree *tree, tree_leaf *leaves)
 			continue;
 		leaves[count].box = *cni_tree_box(tree, places[item]);
 		leaves[count].item = item;
-		leaves[count].marks = cni_tree_marks(tree, places[item]) & CNI_TREE_MOVED;
+		leaves[count].marks = cni_tree_marks(tree, places[item]) & OWN_MARKS;
 		++count;
 	}
 	return count;
@@ -170,7 +173,7 @@ static void unmark_stale_items(cni_tree *tree, int32_t fork)
 	int32_t k;
 	for (k = 0; k < 2; ++k)
 		if (!cni_tree_is_fork(f->child[k]) && (f->marks[k] & CNI_TREE_STALE)) {
-			f->marks[k] = (uint8_t)(f->marks[k] & CNI_TREE_MOVED);
+			f->marks[k] = (uint8_t)(f->marks[k] & OWN_MARKS);
 			--tree->stale;
 		}
 }
@@ -231,7 +234,7 @@ static int32_t take_far_out(cni_tree *tree)
 		keeps = cni_tree_fork_at(tree, tree->fork_free);
 		keeps->box[0] = leaf.box[place & 1];
 		keeps->child[0] = ~item;
-		keeps->marks[0] = (uint8_t)(leaf.marks[place & 1] & CNI_TREE_MOVED);
+		keeps->marks[0] = (uint8_t)(leaf.marks[place & 1] & OWN_MARKS);
 		++count;
 	}
 	return count;
@@ -243,9 +246,7 @@ static void put_far_in(cni_tree *tree, int32_t count)
 		int32_t fork = tree->fork_free;
 		cni_tree_fork kept = *cni_tree_fork_at(tree, fork);
 		cni_tree_fork_clear(tree, fork);
-		cni_tree_insert(tree, ~kept.child[0], &kept.box[0]);
-		if (kept.marks[0] != 0)
-			cni_tree_mark(tree, ~kept.child[0], kept.marks[0]);
+		cni_tree_insert_marked(tree, ~kept.child[0], &kept.box[0], kept.marks[0]);
 	}
 }
 

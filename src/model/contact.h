@@ -53,7 +53,7 @@ typedef struct cni_contact_block {
 
 enum {
 	CNI_BLOCK_RESTITUTION = 1u << 0, /* some lane may bounce */
-	CNI_BLOCK_EXTRA = 1u << 1        /* some lane has rolling resistance or a conveyor: see cni_block_extra */
+	CNI_BLOCK_EXTRA = 1u << 1        /* some lane has rolling resistance, a conveyor or a locked axis: see cni_block_extra */
 };
 
 /* Rows that few contacts need, beside the block of the same index. */
@@ -62,6 +62,8 @@ typedef struct cni_block_extra {
 	float rolling[CNI_LANES];        /* lever arm in metres */
 	float rolling_mass[CNI_LANES];   /* 1 / (sum of inverse inertias) */
 	float rolling_impulse[CNI_LANES];
+	float lock_ax[CNI_LANES], lock_ay[CNI_LANES]; /* 1: lane body a does not move along x (y), 0: it does */
+	float lock_bx[CNI_LANES], lock_by[CNI_LANES];
 } cni_block_extra;
 
 /* What the solver does not need in every pass. */

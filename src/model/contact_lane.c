@@ -81,6 +81,38 @@ static float lane_radius(const cn_world *world, const cni_contact *c, int32_t la
 	return cni_shape_geometry(&world->blocks, s)->radius;
 }
 
+/* Inverse mass along a direction: less where an axis is locked. */
+static float mass_along(const cni_body *b, float inv_mass, cni_vec2 n)
+{
+	float x = b->flags & CN_BODY_LOCK_X ? 0.0f : n.x, y = b->flags & CN_BODY_LOCK_Y ? 0.0f : n.y;
+	return b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y) ? inv_mass * (x * x + y * y) : inv_mass;
+}
+
+static float lock(const cni_body *b, uint32_t flag)
+{
+	return b->flags & flag ? 1.0f : 0.0f;
+}
+
+/* Bodies with a locked axis need the extra rows; without memory for them the axis is only cleared after solving. */
+static void lane_write_locks(cn_world *world, const cni_contact *c, const lane_frame *f)
+{
+	int32_t lane = c->slot % CNI_LANES;
+	uint32_t locked = (f->a->flags | f->b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y);
+	cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
+	cni_block_extra *extra;
+	if (!locked && !(info->flags & CNI_BLOCK_EXTRA))
+		return;
+	if (locked && !cni_lane_reserve_extra(world))
+		return;
+	if (locked)
+		info->flags |= CNI_BLOCK_EXTRA;
+	extra = cni_block_extra_at(world, c->slot / CNI_LANES);
+	extra->lock_ax[lane] = lock(f->a, CN_BODY_LOCK_X);
+	extra->lock_ay[lane] = lock(f->a, CN_BODY_LOCK_Y);
+	extra->lock_bx[lane] = lock(f->b, CN_BODY_LOCK_X);
+	extra->lock_by[lane] = lock(f->b, CN_BODY_LOCK_Y);
+}
+
 void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap)
 {
 	cni_contact *c = cni_contact_at(world, contact);
@@ -89,7 +121,7 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 	const cni_body *first = cni_body_at(world, c->body[0]);
 	lane_frame f = frame_make(world, c, cni_rotate(first->q, manifold->normal));
 	const cni_motion *ma = cni_motions(world) + f.a->awake, *mb = cni_motions(world) + f.b->awake;
-	float inv_mass = ma->inv_mass + mb->inv_mass, ia = ma->inv_inertia, ib = mb->inv_inertia, fa = 0.0f, dn;
+	float inv_mass = mass_along(f.a, ma->inv_mass, f.n) + mass_along(f.b, mb->inv_mass, f.n), ia = ma->inv_inertia, ib = mb->inv_inertia, fa = 0.0f, dn;
 	float radius_a = lane_radius(world, c, 0), radius_b = lane_radius(world, c, 1);
 	float old_jn[2];
 	uint16_t old_id[2];
@@ -129,7 +161,8 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 		block->jt[lane] = 0.0f;
 	if (manifold->count == 2)
 		fa *= 0.5f;
-	lane_write_friction(block, lane, fa, fa - dn, inv_mass, ia, ib);
+	lane_write_friction(block, lane, fa, fa - dn, mass_along(f.a, ma->inv_mass, f.t) + mass_along(f.b, mb->inv_mass, f.t), ia, ib);
+	lane_write_locks(world, c, &f);
 	if (c->flags & CNI_CONTACT_REFRESH) {
 		lane_write_material(world, c, block, lane);
 		c->flags &= ~(uint32_t)CNI_CONTACT_REFRESH;

@@ -159,14 +159,16 @@ void cni_lane_take(cn_world *world, int32_t contact)
 static void extra_move(cn_world *world, int32_t from, int32_t to)
 {
 	cni_block_extra *source = cni_block_extra_at(world, from / CNI_LANES), *target = cni_block_extra_at(world, to / CNI_LANES);
-	int32_t f = from % CNI_LANES, t = to % CNI_LANES;
+	const int32_t rows = (int32_t)(sizeof *source / (CNI_LANES * sizeof(float)));
+	int32_t f = from % CNI_LANES, t = to % CNI_LANES, row;
 	if (source == NULL)
 		return;
-	target->tangent_speed[t] = source->tangent_speed[f];
-	target->rolling[t] = source->rolling[f];
-	target->rolling_mass[t] = source->rolling_mass[f];
-	target->rolling_impulse[t] = source->rolling_impulse[f];
-	source->tangent_speed[f] = source->rolling[f] = source->rolling_mass[f] = source->rolling_impulse[f] = 0.0f;
+	for (row = 0; row < rows; ++row) {
+		float *from_row = (float *)(void *)source + row * CNI_LANES, *to_row = (float *)(void *)target + row * CNI_LANES;
+		if (from != to)
+			to_row[t] = from_row[f];
+		from_row[f] = 0.0f;
+	}
 }
 
 /* Copies one lane over another and clears the source. */

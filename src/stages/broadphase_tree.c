@@ -63,7 +63,7 @@ static cni_broadphase *tree_create(const cni_broadphase_context *context, int32_
 static void mark_moved(tree_broadphase *b, int32_t id)
 {
 	proxy_at(b, id)->flags |= CNI_PROXY_MOVED;
-	cni_tree_mark(&b->tree, id, CNI_TREE_MOVED);
+	cni_tree_mark_moved(&b->tree, id);
 }
 
 static void tree_add(cni_broadphase *broadphase, int32_t id)
@@ -129,19 +129,25 @@ static void pair_found(void *context, int32_t id_a, int32_t id_b)
 	cni_pairs_add(pass->out, pass->broadphase->context.memory, id_a, id_b, a->flags & CNI_PROXY_MOVED ? a : b);
 }
 
-/* What is now becomes what was, except where a pair was lost. */
+/* What is now becomes what was. */
 static void proxy_finish(void *context, int32_t id)
 {
-	tree_broadphase *b = (tree_broadphase *)context;
-	cni_proxy *proxy = proxy_at(b, id);
-	if (proxy->flags & CNI_PROXY_AGAIN) {
-		proxy->flags &= ~(uint32_t)CNI_PROXY_AGAIN;
-		proxy->old = cni_no_box();
-		cni_tree_mark(&b->tree, id, CNI_TREE_MOVED);
-		return;
-	}
+	cni_proxy *proxy = proxy_at((const tree_broadphase *)context, id);
 	proxy->old = proxy->fat;
 	proxy->flags &= ~(uint32_t)CNI_PROXY_MOVED;
+}
+
+/* Proxies that lost a pair look again; rare enough to search them all. */
+static void look_again(tree_broadphase *b)
+{
+	int32_t id;
+	for (id = 0; id < b->tree.places.count; ++id) {
+		if (cni_tree_place(&b->tree, id) == CNI_NONE || !(proxy_at(b, id)->flags & CNI_PROXY_AGAIN))
+			continue;
+		proxy_at(b, id)->flags &= ~(uint32_t)CNI_PROXY_AGAIN;
+		proxy_at(b, id)->old = cni_no_box();
+		mark_moved(b, id);
+	}
 }
 
 static void tree_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out)
@@ -157,6 +163,8 @@ static void tree_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter, 
 	pass.out = out;
 	cni_tree_pairs(&b->tree, pair_found, &pass);
 	cni_tree_unmark_moved(&b->tree, proxy_finish, b);
+	if (out->pairs_lost > 0)
+		look_again(b);
 	cni_pairs_sort(out, b->context.arena);
 }
 

@@ -32,7 +32,8 @@ typedef struct impact_lane {
 	cni_velocity_start *sa, *sb; /* the velocities that meet */
 	int32_t ia, ib;
 	float nx, ny;
-	float mass;          /* sum of inverse masses */
+	float ax, ay, bx, by; /* inverse masses along x and y: 0 for a locked axis */
+	float mass;          /* sum of inverse masses along n */
 	float closing;       /* acceleration that brings the bodies together */
 	float restitution;
 } impact_lane;
@@ -70,7 +71,11 @@ static impact_lane lane_make(cn_world *world, const cni_contact_block *k, const 
 	c.sb = cni_starts(world) + c.ib;
 	c.nx = k->nx[l];
 	c.ny = k->ny[l];
-	c.mass = c.a->inv_mass + c.b->inv_mass;
+	c.ax = da->flags & CNI_DRIVE_LOCK_X ? 0.0f : c.a->inv_mass;
+	c.ay = da->flags & CNI_DRIVE_LOCK_Y ? 0.0f : c.a->inv_mass;
+	c.bx = db->flags & CNI_DRIVE_LOCK_X ? 0.0f : c.b->inv_mass;
+	c.by = db->flags & CNI_DRIVE_LOCK_Y ? 0.0f : c.b->inv_mass;
+	c.mass = c.nx * c.nx * (c.ax + c.bx) + c.ny * c.ny * (c.ay + c.by);
 	c.closing = c.nx * (da->ax - db->ax) + c.ny * (da->ay - db->ay);
 	c.restitution = info->restitution[l];
 	return c;
@@ -113,14 +118,14 @@ static void body_strike(cni_motion *m, cni_velocity_start *start, float dvx, flo
 /* Impulse jn along n with moment arms, and friction opposing the sliding speed within mu jn. */
 static void lane_strike(impact_lane *c, const cni_contact_block *k, int32_t l, float jn, float moment_a, float moment_b)
 {
-	float tx = c->ny, ty = -c->nx, fa = k->fa[l], fb = k->fb[l], ma = c->a->inv_mass, mb = c->b->inv_mass;
+	float tx = c->ny, ty = -c->nx, fa = k->fa[l], fb = k->fb[l];
 	float wa = -c->a->inv_inertia * moment_a, wb = c->b->inv_inertia * moment_b;
 	float vt = tx * (c->sb->vx - c->sa->vx) + ty * (c->sb->vy - c->sa->vy) - (c->sb->w + wb) * fb + (c->sa->w + wa) * fa;
 	float most = k->dynamic_friction[l] * jn, jt = cni_clamp(-k->tm[l] * vt, -most, most);
 	float px = jn * c->nx + jt * tx, py = jn * c->ny + jt * ty;
-	body_strike(c->a, c->sa, -ma * px, -ma * py, wa + c->a->inv_inertia * fa * jt);
+	body_strike(c->a, c->sa, -c->ax * px, -c->ay * py, wa + c->a->inv_inertia * fa * jt);
 	if (c->ib != 0)
-		body_strike(c->b, c->sb, mb * px, mb * py, wb - c->b->inv_inertia * fb * jt);
+		body_strike(c->b, c->sb, c->bx * px, c->by * py, wb - c->b->inv_inertia * fb * jt);
 }
 
 /* Both points at once when both hit and both impulses come out positive, else the one that closes faster. */

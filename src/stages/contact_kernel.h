@@ -16,6 +16,7 @@
 /* The bodies on one side of CNI_WIDTH lanes. */
 typedef struct side {
 	cni_wide vx, vy, w, m, i;
+	cni_wide mx, my;      /* inverse mass along x and y: m but for locked axes */
 	cni_wide x, y, s, c1; /* change of centre; sin and cos - 1 of the change of angle */
 } side;
 
@@ -30,11 +31,20 @@ CNI_INLINE void side_gather(const cni_motion *motions, const int32_t *index, sid
 	t2 = t * t;
 	out->s = t * (1.0f - t2 * (1.0f / 6.0f - t2 * (1.0f / 120.0f)));
 	out->c1 = -t2 * (0.5f - t2 * (1.0f / 24.0f));
+	out->mx = out->my = out->m;
 }
 
 CNI_INLINE void side_scatter(cni_motion *motions, const int32_t *index, const side *a)
 {
 	cni_wide_scatter4((float *)(void *)motions, MOTION_FLOATS, index, a->vx, a->vy, a->w, a->m);
+}
+
+CNI_INLINE void sides_lock(const cni_block_extra *extra, int32_t l, side *a, side *b)
+{
+	a->mx = a->m * (1.0f - cni_wide_load(extra->lock_ax + l));
+	a->my = a->m * (1.0f - cni_wide_load(extra->lock_ay + l));
+	b->mx = b->m * (1.0f - cni_wide_load(extra->lock_bx + l));
+	b->my = b->m * (1.0f - cni_wide_load(extra->lock_by + l));
 }
 
 /* A point of every lane, ready for the pair solve. */
@@ -75,12 +85,12 @@ CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row
 
 CNI_INLINE void apply_normal(side *a, side *b, cni_wide nx, cni_wide ny, const point *q, cni_wide impulse)
 {
-	cni_wide dj = impulse - q->old, ma = a->m * dj, mb = b->m * dj;
-	a->vx -= ma * nx;
-	a->vy -= ma * ny;
+	cni_wide dj = impulse - q->old;
+	a->vx -= a->mx * dj * nx;
+	a->vy -= a->my * dj * ny;
 	a->w -= a->i * q->at * dj;
-	b->vx += mb * nx;
-	b->vy += mb * ny;
+	b->vx += b->mx * dj * nx;
+	b->vy += b->my * dj * ny;
 	b->w += b->i * q->bt * dj;
 }
 
@@ -90,11 +100,12 @@ CNI_INLINE void apply_normal(side *a, side *b, cni_wide nx, cni_wide ny, const p
  * (total enumeration after Catto, "Iterative Dynamics", 2005). k12 is held a little below its true
  * size, which keeps A well conditioned when the points nearly coincide and does not move the fixed point.
  */
-CNI_INLINE void solve_normals(cni_contact_block *k, int32_t l, side *a, side *b, cni_wide nx, cni_wide ny, const cni_contact_pass *pass, int32_t bias)
+CNI_INLINE void solve_normals(cni_contact_block *k, const cni_block_extra *extra, int32_t l, side *a, side *b, cni_wide nx, cni_wide ny, const cni_contact_pass *pass, int32_t bias)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
 	point p = point_prepare(k, &k->p[0], l, nx, ny, a, b, pass, bias), q = point_prepare(k, &k->p[1], l, nx, ny, a, b, pass, bias);
-	cni_wide k12 = 0.99f * (a->m + b->m + a->i * p.at * q.at + b->i * p.bt * q.bt);
+	cni_wide mass = extra != NULL ? nx * nx * (a->mx + b->mx) + ny * ny * (a->my + b->my) : a->m + b->m;
+	cni_wide k12 = 0.99f * (mass + a->i * p.at * q.at + b->i * p.bt * q.bt);
 	cni_wide kp = k12 * p.m, kq = k12 * q.m, rp = p.want + kp * q.old, rq = q.want + kq * p.old;
 	cni_wide inv_det = 1.0f / (1.0f - kp * kq);
 	cni_wide both_p = (rp - kp * rq) * inv_det, both_q = (rq - kq * rp) * inv_det;
@@ -111,12 +122,11 @@ CNI_INLINE void solve_normals(cni_contact_block *k, int32_t l, side *a, side *b,
 /* Impulse along t = (ny, -nx) on body b. */
 CNI_INLINE void apply_friction(side *a, side *b, cni_wide nx, cni_wide ny, cni_wide fa, cni_wide fb, cni_wide dj)
 {
-	cni_wide ma = a->m * dj, mb = b->m * dj;
-	a->vx -= ma * ny;
-	a->vy += ma * nx;
+	a->vx -= a->mx * dj * ny;
+	a->vy += a->my * dj * nx;
 	a->w += a->i * fa * dj;
-	b->vx += mb * ny;
-	b->vy -= mb * nx;
+	b->vx += b->mx * dj * ny;
+	b->vy -= b->my * dj * nx;
 	b->w -= b->i * fb * dj;
 }
 
@@ -153,8 +163,10 @@ CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block
 	side a, b;
 	side_gather(motions, k->ia + l, &a);
 	side_gather(motions, k->ib + l, &b);
+	if (extra != NULL)
+		sides_lock(extra, l, &a, &b);
 	do {
-		solve_normals(k, l, &a, &b, nx, ny, pass, bias);
+		solve_normals(k, extra, l, &a, &b, nx, ny, pass, bias);
 		solve_friction(k, extra, l, &a, &b, nx, ny);
 		if (extra != NULL)
 			solve_rolling(k, extra, l, &a, &b);
@@ -187,6 +199,8 @@ CNI_INLINE void warm_group(cni_motion *motions, cni_contact_block *k, cni_block_
 	int32_t p;
 	side_gather(motions, k->ia + l, &a);
 	side_gather(motions, k->ib + l, &b);
+	if (extra != NULL)
+		sides_lock(extra, l, &a, &b);
 	for (p = 0; p < 2; ++p) {
 		point q;
 		cni_wide jn = cni_wide_load(k->p[p].jn + l) * scale;

@@ -58,12 +58,12 @@ static void lane_copy(const cni_contact_block *from, int32_t from_lane, cni_cont
 
 static void extra_lane_copy(const cni_block_extra *from, int32_t from_lane, cni_block_extra *to, int32_t to_lane)
 {
+	const int32_t rows = (int32_t)(sizeof *from / (CNI_LANES * sizeof(float)));
+	int32_t row;
 	if (from == NULL)
 		return;
-	to->tangent_speed[to_lane] = from->tangent_speed[from_lane];
-	to->rolling[to_lane] = from->rolling[from_lane];
-	to->rolling_mass[to_lane] = from->rolling_mass[from_lane];
-	to->rolling_impulse[to_lane] = from->rolling_impulse[from_lane];
+	for (row = 0; row < rows; ++row)
+		memcpy((float *)(void *)to + row * CNI_LANES + to_lane, (const float *)(const void *)from + row * CNI_LANES + from_lane, sizeof(float));
 }
 
 static cni_block_extra *extra_of(const cn_world *world, int32_t block)

@@ -35,8 +35,11 @@ static void response_take_out(cn_world *world, int32_t index, float px, float py
 {
 	const cni_motion *m = cni_motions(world) + index;
 	cni_velocity_start *start = cni_starts(world) + index;
-	start->vx += m->inv_mass * px;
-	start->vy += m->inv_mass * py;
+	uint32_t flags = cni_drives(world)[index].flags;
+	if (!(flags & CNI_DRIVE_LOCK_X))
+		start->vx += m->inv_mass * px;
+	if (!(flags & CNI_DRIVE_LOCK_Y))
+		start->vy += m->inv_mass * py;
 	start->w += m->inv_inertia * moment;
 }
 

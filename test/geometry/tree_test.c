@@ -189,7 +189,7 @@ static void change_something(void)
 		if (dice < 0.8f) /* a little */
 			box = box_at(p.boxes[item].x0 + random_between(-0.5f, 0.5f), p.boxes[item].y0, box.x1 - box.x0, box.y1 - box.y0);
 		cni_tree_set_box(&p.tree, item, &box);
-		cni_tree_mark(&p.tree, item, CNI_TREE_MOVED);
+		cni_tree_mark_moved(&p.tree, item);
 		p.boxes[item] = box;
 		p.moved[item] = 1;
 	}

@@ -179,8 +179,15 @@ static uint64_t pile_after_blast(int backward)
 	int k, round;
 	visited = fixture_world(-10.0f, 1);
 	fixture_floor(visited, 0.6f, 0.0f);
-	for (k = 0; k < 60; ++k)
-		fixture_box(visited, CN_BODY_DYNAMIC, (float)(k % 10) * 1.01f, 0.5f + (float)(k / 10), 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+	for (k = 0; k < 60; ++k) {
+		/* Three shapes each: the order in which impulses are added shows in the last digit. */
+		cn_body body = fixture_box(visited, CN_BODY_DYNAMIC, (float)(k % 10) * 1.01f, 0.5f + (float)(k / 10), 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+		cn_shape_def sd = fixture_shape_def(body, 0.6f, 0.0f);
+		sd.offset_m.x = 0.3f;
+		fixture_box_shape(visited, &sd, 0.1f, 0.4f);
+		sd.offset_m.x = -0.2f;
+		fixture_box_shape(visited, &sd, 0.2f, 0.3f);
+	}
 	fixture_step(visited, 90);
 	kept = visited->broadphase_ops;
 	ops = *kept;

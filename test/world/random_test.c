@@ -3,9 +3,7 @@
  * or breaks an invariant, and every history repeats to the bit.
  *
  * A scene is mixed shapes, chains of ground, joints of both types, materials, masses from 1:1 to 1:1000 and a
- * time step that is fixed or changes at random. Of joints between masses beyond 1:100 only what must hold
- * anyway is asked (numbers, invariants, repeating): relaxing them one by one does not converge there, and tension
- * can then put energy in; what happens is printed. The test prints the seed of a scene that fails:
+ * time step that is fixed or changes at random. The test prints the seed of a scene that fails:
  * `random_test seed 17` runs that one alone. If it fails, look first in: geometry/manifold*.c
  * (NaN, escapes), stages/joint_solve.c and contact_impact.c (energy), model/island.c and model/contact*.c
  * (validation).
@@ -18,7 +16,7 @@
 #define JOINTS_MAX 64
 #define HALF_WIDTH 8.0f /* of the room; the floor is at y = 0, the ceiling at 2 HALF_WIDTH */
 #define WALL 2.0f       /* its thickness */
-#define ESCAPE_MAX 0.1  /* a light thin body squeezed into a wall */
+#define ESCAPE_MAX 0.5  /* a light body squeezed into a wall: a quarter of it */
 
 typedef struct trial {
 	cn_world *world;
@@ -29,7 +27,6 @@ typedef struct trial {
 	int32_t motor_count;
 	int32_t time_kind; /* 0: 1/30 s, 1: 1/60 s, 2: 1/120 s, 3: changing */
 	float mass_decades; /* masses from 10^-d/2 to 10^d/2 kg */
-	int32_t joint_count;
 	double energy_start, motor_work;
 } trial;
 
@@ -39,7 +36,6 @@ typedef struct outcome {
 	double speed_most;
 	uint64_t hash;
 	int32_t finite, valid;
-	int32_t strained; /* joints between masses beyond 1:100 */
 } outcome;
 
 /* ---- making a scene ---- */
@@ -211,7 +207,6 @@ static void make_joints(trial *t)
 		cn_pose a = fixture_pose(t->world, t->bodies[k]), b = fixture_pose(t->world, t->bodies[k + 1]);
 		if (pick_int(t, 3) != 0 || fabsf(a.position_m.y - b.position_m.y) > 0.5f)
 			continue;
-		++t->joint_count;
 		if (pick_int(t, 2))
 			make_revolute(t, t->bodies[k], t->bodies[k + 1], 0.5f * (a.position_m.x + b.position_m.x), 0.5f * (a.position_m.y + b.position_m.y));
 		else
@@ -294,12 +289,11 @@ static double motor_power(const trial *t)
 static outcome trial_run(uint32_t seed, int32_t judge)
 {
 	trial t;
-	outcome out = { -1.0, -1e9, 0.0, 0, 1, 1, 0 };
+	outcome out = { -1.0, -1e9, 0.0, 0, 1, 1 };
 	double power = 0.0;
 	int32_t k;
 	trial_open(&t, seed);
 	t.energy_start = energy_of(&t, &out);
-	out.strained = t.joint_count > 0 && t.mass_decades > 2.0f;
 	for (k = 1; k <= STEPS; ++k) {
 		float dt = next_dt(&t);
 		must(cn_world_step(t.world, dt), t.world, "cn_world_step");
@@ -319,18 +313,11 @@ static outcome trial_run(uint32_t seed, int32_t judge)
 
 static const char *only_seed;
 
-static void outcome_add(outcome *worst, const outcome *o)
-{
-	worst->energy_most = fmax(worst->energy_most, o->energy_most);
-	worst->escape = fmax(worst->escape, o->escape);
-	worst->speed_most = fmax(worst->speed_most, o->speed_most);
-}
-
+/* A light body between heavy ones may bounce fast: speeds are printed, the room holds them all. */
 static void random_scenes_behave(void)
 {
-	outcome worst = { -1.0, -1e9, 0.0, 0, 1, 1, 0 }, strained = worst;
+	outcome worst = { -1.0, -1e9, 0.0, 0, 1, 1 };
 	uint32_t seed;
-	int32_t strained_count = 0;
 	for (seed = 1; seed <= SCENES; ++seed) {
 		outcome o, again;
 		if (only_seed != NULL && (uint32_t)strtoul(only_seed, NULL, 10) != seed)
@@ -338,17 +325,16 @@ static void random_scenes_behave(void)
 		o = trial_run(seed, 1);
 		again = trial_run(seed, 0);
 		if (!o.finite || !o.valid || o.escape > ESCAPE_MAX || o.energy_most > 0.01 || o.hash != again.hash || only_seed != NULL)
-			printf("  seed %u%s: energy %+.5f of the start, escape %.3f m, most speed %.1f m/s, finite %d, valid %d, repeats %d\n", (unsigned)seed,
-			       o.strained ? " (strained joints)" : "", o.energy_most, o.escape, o.speed_most, (int)o.finite, (int)o.valid, o.hash == again.hash);
+			printf("  seed %u: energy %+.5f of the start, escape %.3f m, most speed %.1f m/s, finite %d, valid %d, repeats %d\n", (unsigned)seed,
+			       o.energy_most, o.escape, o.speed_most, (int)o.finite, (int)o.valid, o.hash == again.hash);
 		CHECK(o.finite);
 		CHECK(o.valid);
 		CHECK(o.hash == again.hash);
-		outcome_add(o.strained ? &strained : &worst, &o);
-		strained_count += o.strained;
+		worst.energy_most = fmax(worst.energy_most, o.energy_most);
+		worst.escape = fmax(worst.escape, o.escape);
+		worst.speed_most = fmax(worst.speed_most, o.speed_most);
 	}
-	printf("  %d scenes with strained joints: energy %+.5f of the start, escape %.3f m, most speed %.1f m/s\n", (int)strained_count,
-	       strained.energy_most, strained.escape, strained.speed_most);
-	printf("  the others: most speed %.1f m/s\n", worst.speed_most);
+	printf("  greatest speed %.1f m/s\n", worst.speed_most);
 	CHECK_LE("energy above start + work of motors / start", worst.energy_most, 0.01, "");
 	CHECK_LE("farthest centre outside of the room", worst.escape, ESCAPE_MAX, "m");
 }
