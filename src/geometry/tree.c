@@ -175,7 +175,14 @@ typedef struct tree_turn {
 
 static int32_t apart(int32_t a, int32_t b) { return a > b ? a - b : b - a; }
 
-/* side of the fork goes down beside one grandchild, the other one comes up. Takes the turn if it is the
+/* What keeps the balance: at the fork and at the one below, and so that a fork above is off by one at most. */
+static int32_t turn_balances(int32_t down, int32_t beside, int32_t up, int32_t height)
+{
+	int32_t low = 1 + cni_max_i(down, beside);
+	return apart(down, beside) <= CNI_TREE_LEAN && apart(low, up) <= CNI_TREE_LEAN && apart(1 + cni_max_i(low, up), height) <= 1;
+}
+
+/* A side of the fork goes down beside one grandchild, the other one comes up. Takes the turn if it is the
    best so far and keeps the balance; height is what those above reckon with. */
 static void turn_consider(const cni_tree *tree, int32_t fork, int32_t side, int32_t height, tree_turn *best)
 {
@@ -185,11 +192,9 @@ static void turn_consider(const cni_tree *tree, int32_t fork, int32_t side, int3
 		return;
 	g = cni_tree_fork_at(tree, f->child[1 - side]);
 	for (k = 0; k < 2; ++k) {
-		int32_t low = 1 + cni_max_i(f->height[side], g->height[1 - k]);
-		int32_t tall = 1 + cni_max_i(low, g->height[k]);
 		float gain = cni_tree_size(&f->box[1 - side]) - cni_tree_size_with(&f->box[side], &g->box[1 - k]);
-		if ((!(gain > best->gain) && !(best->needed && best->down == CNI_NONE)) || apart(f->height[side], g->height[1 - k]) > CNI_TREE_LEAN || apart(low, g->height[k]) > CNI_TREE_LEAN ||
-		    apart(tall, height) > 1)
+		int32_t wanted = gain > best->gain || (best->needed && best->down == CNI_NONE);
+		if (!wanted || !turn_balances(f->height[side], g->height[1 - k], g->height[k], height))
 			continue;
 		best->gain = gain;
 		best->down = 2 * fork + side;

@@ -414,6 +414,19 @@ void cni_joints_solve(cn_world *world, const cni_solve *s)
 		solve_work(works(world) + k, cni_motions(world), s, 1);
 }
 
+void cni_joints_solve_fresh(cn_world *world, const cni_solve *s, int32_t constraints)
+{
+	int32_t k, r;
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		cni_joint_work *w = works(world) + k;
+		if (cni_joint_is_constraint(cni_joint_at(world, w->joint)->type) != constraints)
+			continue;
+		for (r = 0; r < w->row_count; ++r)
+			w->rows[r].impulse = 0.0f;
+		solve_work(w, cni_motions(world), s, 1);
+	}
+}
+
 /* Builds rows at the new positions and puts what that changes in the impulses' response into start. */
 static void work_rebuild(cn_world *world, cni_joint_work *w)
 {

@@ -184,16 +184,22 @@ void cni_sequential_position_response(cn_world *world)
 
 /* ---- 3, 9: constraints and joints ---- */
 
+/* What the other of the two left in the records stays: the reactions of both can be read after the step. */
+static void joints_run(cn_world *world, const cni_solve *s, int32_t constraints)
+{
+	if (world->awake_joints.count == 0)
+		return;
+	cni_joints_prepare(world, s);
+	cni_joints_solve_fresh(world, s, constraints);
+	cni_joints_store(world, s);
+}
+
 void cni_sequential_constraints(cn_world *world, const cni_solve *s)
 {
-	(void)world;
-	(void)s;
+	joints_run(world, s, 1);
 }
 
 void cni_sequential_joints(cn_world *world, const cni_solve *s)
 {
-	cni_joints_prepare(world, s);
-	cni_joints_warm_start(world, s); /* warm_scale is 0: impulses of earlier steps are forgotten */
-	cni_joints_solve(world, s);
-	cni_joints_store(world, s);
+	joints_run(world, s, 0);
 }

@@ -73,6 +73,8 @@ void cni_contacts_impact(cn_world *world, const cni_solve *s);
 void cni_joints_prepare(cn_world *world, const cni_solve *s);
 void cni_joints_warm_start(cn_world *world, const cni_solve *s);
 void cni_joints_solve(cn_world *world, const cni_solve *s);
+/* Constraints on single bodies (1) or joints between bodies (0), from no impulse: sequential solver. */
+void cni_joints_solve_fresh(cn_world *world, const cni_solve *s, int32_t constraints);
 void cni_joints_relax(cn_world *world, const cni_solve *s);
 void cni_joints_store(cn_world *world, const cni_solve *s);
 /* After finalize: reports joints that were stressed beyond their threshold, and destroys those that break. */

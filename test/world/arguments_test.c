@@ -533,7 +533,7 @@ static cn_result call_set_distance(const cn_distance_def *d) { return cn_joint_s
 static void bad_revolute(cn_result (*call)(const cn_revolute_def *))
 {
 	ARG(call(NULL));
-	FLAGS(x, 4, call(RD(base.flags, x)));
+	FLAGS(x, 5, call(RD(base.flags, x)));
 	ANGLE(x, call(RD(reference_angle_rad, x)));
 	RANGE(x, -3.2f, 0.1f, call(RD(lower_angle_rad, x)));
 	RANGE(x, -0.1f, 3.2f, call(RD(upper_angle_rad, x)));
@@ -547,7 +547,7 @@ static void bad_revolute(cn_result (*call)(const cn_revolute_def *))
 static void bad_distance(cn_result (*call)(const cn_distance_def *))
 {
 	ARG(call(NULL));
-	FLAGS(x, 4, call(DD(base.flags, x)));
+	FLAGS(x, 5, call(DD(base.flags, x)));
 	POSITIVE(x, call(DD(length_m, x)));
 	RANGE(x, -0.1f, 1.1f, call(DD(length_min_m, x)));
 	NOT_NEGATIVE(x, call(DD(length_max_m, x)));
@@ -582,7 +582,7 @@ GETTER2(cn_joint_get_error, JOINT, f.pin, float, float)
 ENTRY(cn_joint_set_user_data, cn_joint_set_user_data(W, f.pin, 3), NOW(cn_joint_set_user_data(NULL, f.pin, 3)); JOINT(h, cn_joint_set_user_data(W, h, 3));)
 GETTER(cn_joint_get_user_data, JOINT, f.pin, uint64_t)
 ENTRY(cn_joint_set_flags, cn_joint_set_flags(W, f.pin, CN_JOINT_MOTOR | CN_JOINT_COLLIDE),
-	NOW(cn_joint_set_flags(NULL, f.pin, 0)); JOINT(h, cn_joint_set_flags(W, h, 0)); FLAGS(x, 4, cn_joint_set_flags(W, f.pin, x));)
+	NOW(cn_joint_set_flags(NULL, f.pin, 0)); JOINT(h, cn_joint_set_flags(W, h, 0)); FLAGS(x, 5, cn_joint_set_flags(W, f.pin, x));)
 GETTER(cn_joint_get_flags, JOINT, f.pin, uint32_t)
 #define JOINT_TYPE_GETTER(name, joint, other, T) ENTRY(name, name(W, joint, OUT(T)), \
 	NOW(name(NULL, joint, OUT(T))); JOINT(h, name(W, h, OUT(T))); ARG(name(W, joint, NULL)); STATE(name(W, other, OUT(T)));)
@@ -813,6 +813,8 @@ ENTRY(cn_world_explode, cn_world_explode(W, BLAST(radius_m, 100.0f)),
 	FLOAT(x, cn_world_explode(W, BLAST(impulse_Nspm, x))); POSITION(v, cn_world_explode(W, BLAST(center_m, v)));
 	ARG(cn_world_explode(W, BLAST(impulse_Nspm, 3e38f)));)
 
+#include "arguments_joints.h"
+
 typedef struct entry {
 	const char *name;
 	void (*bad)(void);
@@ -847,13 +849,15 @@ static const entry table[] = {
 	E(cn_joint_destroy), E(cn_joint_is_valid), E(cn_joint_get_type), E(cn_joint_get_bodies), E(cn_joint_get_anchors),
 	E(cn_joint_get_reaction), E(cn_joint_get_error), E(cn_joint_set_user_data), E(cn_joint_get_user_data), E(cn_joint_set_flags),
 	E(cn_joint_get_flags), E(cn_joint_get_revolute), E(cn_joint_set_revolute), E(cn_joint_get_distance), E(cn_joint_set_distance),
-	E(cn_joint_get_position), E(cn_joint_get_speed), E(cn_joint_set_motor), E(cn_joint_set_limits),
+	E(cn_joint_get_position), E(cn_joint_get_speed), E(cn_joint_set_motor), E(cn_joint_set_limits), JOINT_ENTRIES,
 	E(cn_world_set_filter_callback), E(cn_world_set_pre_solve_callback), E(cn_world_set_material_mix_callback), E(cn_world_sensor_events),
 	E(cn_shape_set_flags), E(cn_shape_get_flags), E(cn_world_set_fixed_step), E(cn_world_update), E(cn_world_read_poses_interpolated),
 	E(cn_debug_draw_init), E(cn_world_draw),
 	E(cn_query_filter_init), E(cn_world_cast_ray), E(cn_world_cast_ray_any), E(cn_world_cast_ray_all), E(cn_world_cast_rays),
 	E(cn_shape_cast_ray), E(cn_world_cast_shape), E(cn_world_overlap_aabb), E(cn_world_overlap_circle), E(cn_world_overlap_polygon),
-	E(cn_world_overlap_point), E(cn_world_closest_point), E(cn_explosion_def_init), E(cn_world_explode)
+	E(cn_world_overlap_point), E(cn_world_closest_point), E(cn_explosion_def_init), E(cn_world_explode),
+	E(cn_tree_create), E(cn_tree_destroy), E(cn_tree_insert), E(cn_tree_remove), E(cn_tree_move), E(cn_tree_get_box), E(cn_tree_query),
+	E(cn_tree_cast_ray), E(cn_tree_get_stats)
 };
 #define TABLE_COUNT ((int)(sizeof table / sizeof *table))
 
@@ -944,7 +948,7 @@ static void t_bad_arguments_are_refused(void)
 {
 	int k;
 	header_parse();
-	fixture_make(0);
+	fixture_with_joints(0);
 	bad_calls = 0;
 	for (k = 0; k < TABLE_COUNT; ++k) {
 		current = table[k].name;
@@ -960,7 +964,7 @@ static void t_good_calls_succeed(void)
 	int k, step;
 	for (k = 0; k < TABLE_COUNT; ++k) {
 		cn_result result;
-		fixture_make(0);
+		fixture_with_joints(0);
 		result = table[k].good();
 		if (result != CN_OK) {
 			printf("  %s gives %d: %s\n", table[k].name, (int)result, cn_world_error_text(W));
@@ -1006,7 +1010,7 @@ static void call_everything(cn_world *world, const cn_contact_event *event, void
 static void t_callbacks_lock_the_world(void)
 {
 	header_parse();
-	fixture_make(0);
+	fixture_with_joints(0);
 	locked_calls = locked_callbacks = 0;
 	CHECK(cn_body_set_awake(W, f.box, 1) == CN_OK);
 	CHECK(cn_world_set_contact_callback(W, CN_EVENT_STAY, call_everything, NULL) == CN_OK);
@@ -1029,7 +1033,7 @@ static void t_running_out_of_memory_changes_nothing(void)
 		for (allow = 0; allow < 40; ++allow) {
 			state s, after;
 			cn_result result;
-			fixture_make(1);
+			fixture_with_joints(1);
 			s = state_of(W);
 			alloc_allow = allow;
 			result = table[k].good();
