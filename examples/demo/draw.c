@@ -1,20 +1,12 @@
 /*
- * examples/demo/draw.c - bodies, then joints, then contacts, each list read once a picture.
+ * examples/demo/draw.c - shapes of bodies, then joints and constraints (draw_joint.c), then contacts, each
+ * list read once a picture.
  */
-#include "demo/draw.h"
+#include "demo/draw_paint.h"
 #include <math.h>
 #include <stdlib.h>
 
-const canvas_color draw_colors[DRAW_COLORS] = {0xfaf9f5, 0x2d3138, 0xa4a9b0, 0xdfe1e3, 0xa67fd0, 0xf2a33c, 0x8fb4dc, 0xd6263b, 0x1d8a5a};
-
-typedef struct painter {
-	canvas *c;
-	const draw_view *view;
-	const cn_world *world;
-	cn_pose pose;        /* of the body that is being drawn */
-	canvas_color fill;
-	float outline_px;
-} painter;
+const canvas_color draw_colors[DRAW_COLORS] = {0xfaf9f5, 0x2d3138, 0xa4a9b0, 0xdfe1e3, 0xa67fd0, 0xf2a33c, 0x8fb4dc, 0xd6263b, 0x1d8a5a, 0x1f66c7, 0xb0459b};
 
 draw_view draw_fit(const canvas *c, const cn_aabb *box_m)
 {
@@ -24,7 +16,7 @@ draw_view draw_fit(const canvas *c, const cn_aabb *box_m)
 	return view;
 }
 
-static canvas_point to_picture(const painter *p, cn_vec2 point_m)
+canvas_point draw_to_picture(const painter *p, cn_vec2 point_m)
 {
 	canvas_point out;
 	out.x = (point_m.x - p->view->lower_m.x) * p->view->scale;
@@ -37,7 +29,7 @@ static canvas_point local_to_picture(const painter *p, cn_vec2 local_m)
 	cn_vec2 world_m;
 	world_m.x = p->pose.position_m.x + p->pose.cosine * local_m.x - p->pose.sine * local_m.y;
 	world_m.y = p->pose.position_m.y + p->pose.sine * local_m.x + p->pose.cosine * local_m.y;
-	return to_picture(p, world_m);
+	return draw_to_picture(p, world_m);
 }
 
 static canvas_color body_color(const cn_world *world, cn_body body)
@@ -142,6 +134,26 @@ static int32_t draw_chain(painter *p, cn_shape shape)
 	return 1;
 }
 
+/* An arrow along the side that lets nothing through: the shape's +y axis. Turned by the shape's own angle only
+   as far as the body is, which is all that the API tells. */
+static void draw_one_way(painter *p, cn_shape shape)
+{
+	cn_mass_data mass;
+	if (cn_shape_get_mass_data(p->world, shape, &mass) != CN_OK)
+		return;
+	const float offsets[4][2] = {{0.0f, -0.12f}, {0.0f, 0.22f}, {-0.08f, 0.12f}, {0.08f, 0.12f}};
+	canvas_point points[4];
+	for (int32_t i = 0; i < 4; ++i) {
+		cn_vec2 point = mass.center_m;
+		point.x += offsets[i][0];
+		point.y += offsets[i][1];
+		points[i] = local_to_picture(p, point);
+	}
+	canvas_line(p->c, points[0], points[1], 1.2f, draw_colors[DRAW_LIMIT]);
+	canvas_line(p->c, points[2], points[1], 1.2f, draw_colors[DRAW_LIMIT]);
+	canvas_line(p->c, points[3], points[1], 1.2f, draw_colors[DRAW_LIMIT]);
+}
+
 static int32_t draw_shape(painter *p, cn_shape shape)
 {
 	int32_t type = -1;
@@ -179,63 +191,18 @@ static int32_t draw_shapes(painter *p)
 	return good;
 }
 
-#define BODY_SHAPES_LOOKED_AT 8
-
-/* Small enough not to hide what it marks. */
-static float dot_radius(const painter *p)
+float draw_dot_px(const painter *p)
 {
 	float px = 0.07f * p->view->scale;
 	return px < 0.6f ? 0.6f : (px > 1.3f ? 1.3f : px);
 }
 
-/* Inside of one of the body's shapes, where a line from its centre would say nothing new. */
-static int32_t covers_point(const cn_world *world, cn_body body, cn_vec2 point_m)
-{
-	cn_shape shapes[BODY_SHAPES_LOOKED_AT];
-	int32_t count = 0, inside = 0;
-	cn_body_get_shapes(world, body, shapes, BODY_SHAPES_LOOKED_AT, &count);
-	for (int32_t i = 0; i < count && i < BODY_SHAPES_LOOKED_AT && !inside; ++i)
-		cn_shape_test_point(world, shapes[i], point_m.x, point_m.y, &inside);
-	return inside;
-}
-
-/* A dot at the anchors, and a line from a body to an anchor that is outside of it. */
-static void draw_joint(painter *p, cn_joint joint)
-{
-	float dot = dot_radius(p);
-	cn_body bodies[2] = {0, 0};
-	cn_vec2 anchors[2], center;
-	if (cn_joint_get_bodies(p->world, joint, &bodies[0], &bodies[1]) != CN_OK)
-		return;
-	cn_joint_get_anchors(p->world, joint, &anchors[0], &anchors[1]);
-	for (int32_t i = 0; i < 2; ++i) {
-		if (bodies[i] != 0 && cn_body_get_center(p->world, bodies[i], &center) == CN_OK && !covers_point(p->world, bodies[i], anchors[i]))
-			canvas_line(p->c, to_picture(p, center), to_picture(p, anchors[i]), 0.8f, draw_colors[DRAW_JOINT]);
-	}
-	canvas_line(p->c, to_picture(p, anchors[0]), to_picture(p, anchors[1]), 0.8f, draw_colors[DRAW_JOINT]);
-	canvas_disc(p->c, to_picture(p, anchors[1]), dot, draw_colors[DRAW_JOINT], 0, 0.0f);
-}
-
-static int32_t draw_joints(painter *p)
-{
-	int32_t count = 0;
-	cn_world_get_joints(p->world, NULL, 0, &count);
-	cn_joint *joints = (cn_joint *)malloc((size_t)(count + 1) * sizeof *joints);
-	if (joints == NULL)
-		return 0;
-	cn_world_get_joints(p->world, joints, count, &count);
-	for (int32_t i = 0; i < count; ++i)
-		draw_joint(p, joints[i]);
-	free(joints);
-	return 1;
-}
-
 /* Normals only where there is room for them. */
 static void draw_contact(painter *p, const cn_contact_event *contact)
 {
-	float scale = p->view->scale, dot = dot_radius(p), normal_px = scale > 16.0f ? 4.5f : 0.0f;
+	float scale = p->view->scale, dot = draw_dot_px(p), normal_px = scale > 16.0f ? 4.5f : 0.0f;
 	for (int32_t i = 0; i < contact->manifold.point_count; ++i) {
-		canvas_point at = to_picture(p, contact->manifold.points[i].point_m), tip = at;
+		canvas_point at = draw_to_picture(p, contact->manifold.points[i].point_m), tip = at;
 		if (contact->manifold.points[i].separation_m > 0.005f)
 			continue; /* near, but not touching */
 		tip.x += normal_px * contact->manifold.normal.x;
@@ -285,5 +252,5 @@ int32_t draw_world(canvas *c, const draw_view *view, const cn_world *world)
 	p.view = view;
 	p.world = world;
 	canvas_clear(c, draw_colors[DRAW_BACKGROUND]);
-	return draw_shapes(&p) && draw_joints(&p) && draw_contacts(&p);
+	return draw_shapes(&p) && draw_joints(&p) && draw_constraints(&p) && draw_contacts(&p);
 }

@@ -3,7 +3,8 @@
  *
  * Colours tell static, kinematic, awake and asleep apart; circles carry a mark that shows their
  * rotation; contact points are dots with their normals, joints are dots with lines from the bodies whose
- * shapes do not reach them; the solid side of a chain is shaded.
+ * shapes do not reach them, axes and limits are lines and rays with marks at their ends; sensors are outlines,
+ * one-way shapes have an arrow to their solid side; the solid side of a chain is shaded.
  */
 #ifndef CAIRN_DEMO_DRAW_H
 #define CAIRN_DEMO_DRAW_H
@@ -13,7 +14,7 @@
 
 enum {
 	DRAW_BACKGROUND, DRAW_OUTLINE, DRAW_STATIC, DRAW_SOLID_SIDE, DRAW_KINEMATIC, DRAW_AWAKE, DRAW_ASLEEP,
-	DRAW_CONTACT, DRAW_JOINT, DRAW_COLORS
+	DRAW_CONTACT, DRAW_JOINT, DRAW_LIMIT, DRAW_SENSOR, DRAW_COLORS
 };
 extern const canvas_color draw_colors[DRAW_COLORS];
 

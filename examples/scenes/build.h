@@ -70,6 +70,10 @@ void scene_create_bridge(scene_run *run);
 void scene_create_hinges(scene_run *run);
 void scene_create_dominoes(scene_run *run);
 void scene_create_car(scene_run *run);
+void scene_create_machines(scene_run *run);
+void scene_step_machines(scene_run *run, int32_t step_index);
+void scene_create_constraints(scene_run *run);
+void scene_step_constraints(scene_run *run, int32_t step_index);
 void scene_create_lone_boxes(scene_run *run);
 void scene_create_empty(scene_run *run);
 

@@ -26,6 +26,10 @@ static const scene scenes[] = {
 		VIEW(-20.0f, -4.8f, 20.0f, 4.0f), VIEW(-25.0f, -5.0f, 25.0f, 40.0f)},
 	{"falling_hinges", "Hinged boxes topple: the scene of the golden hashes", scene_create_hinges, NULL, 480, 30,
 		SCENE_DEMO | SCENE_SLEEP, EARTH, VIEW(-10.0f, -1.5f, 18.0f, 16.0f), VIEW(-32.0f, -3.0f, 32.0f, 40.0f)},
+	{"machines", "One exhibit for every kind of joint", scene_create_machines, scene_step_machines, 600, 0, SCENE_DEMO | SCENE_SLEEP, EARTH,
+		VIEW(-9.3f, -0.4f, 9.3f, 10.8f), VIEW(-14.0f, -4.0f, 14.0f, 20.0f)},
+	{"constraints", "Breaking, constraints on one body, belts, rolling, one-way shelves, a sensor", scene_create_constraints,
+		scene_step_constraints, 600, 0, SCENE_DEMO | SCENE_SLEEP, EARTH, VIEW(-11.6f, -0.4f, 11.6f, 7.2f), VIEW(-14.0f, -4.0f, 14.0f, 20.0f)},
 
 	/* timed */
 	{"large_pyramid", "5,050 boxes in one pyramid", scene_create_large_pyramid, NULL, 500, 100, SCENE_BENCH | SCENE_STANDS, EARTH,

@@ -421,7 +421,8 @@ static int32_t place_holds(const cni_tree *tree, int32_t place, tree_census *sum
 	if (!cni_tree_is_fork(child)) {
 		++sum->items;
 		sum->stale += (marks & CNI_TREE_STALE) != 0;
-		return above->height[side] == 0 && !(marks & CNI_TREE_MOVED) == ((marks & CNI_TREE_RESTS) != 0) && ~child < tree->places.count && cni_tree_place(tree, ~child) == place;
+		return above->height[side] == 0 && ~child < tree->places.count && cni_tree_place(tree, ~child) == place &&
+		       !(marks & CNI_TREE_MOVED) == ((marks & CNI_TREE_RESTS) != 0);
 	}
 	++sum->forks;
 	if (child == 0 || child >= tree->forks.count)

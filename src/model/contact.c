@@ -465,3 +465,13 @@ void cni_contact_sleep_to_lane(cn_world *world, int32_t contact)
 	if (s.restitution > 0.0f)
 		info->flags |= CNI_BLOCK_RESTITUTION;
 }
+
+void cni_contact_pay_owed(cn_world *world, int32_t contact, uint32_t owed, int32_t kind)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	if (!(c->flags & owed) || !cni_event_log(world, contact, kind))
+		return;
+	c->flags &= ~owed;
+	if (kind == CN_EVENT_ENTER)
+		c->flags |= CNI_CONTACT_ENTERED;
+}

@@ -159,6 +159,8 @@ int32_t cni_contact_allowed(const void *context, int32_t proxy_a, int32_t proxy_
 int32_t cni_lane_reserve(cn_world *world, int32_t lanes);
 /* Gives every block its extra rows; 0: no memory. */
 int32_t cni_lane_reserve_extra(cn_world *world);
+/* Logs an event that a contact still owes, if it now can be logged. In a step. */
+void cni_contact_pay_owed(cn_world *world, int32_t contact, uint32_t owed, int32_t kind);
 /* A sensor pair overlaps or no longer does: logs the change. 0: no memory for the log; nothing changes. */
 int32_t cni_contact_sense(cn_world *world, int32_t contact, int32_t overlaps);
 /* Writes a manifold to the contact's lane, keeping the impulses of points with equal ids. gap: where b's contact

@@ -27,6 +27,13 @@ static int32_t contact_may_solve(const cn_world *world, const cni_contact *c)
 	return 1;
 }
 
+/* A pair that slept through a change of its event mask begins to report when it wakes. */
+static void pay_what_is_owed(cn_world *world, int32_t contact)
+{
+	cni_contact_pay_owed(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
+	cni_contact_pay_owed(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
+}
+
 static void wake_links_of(cn_world *world, int32_t body)
 {
 	const cni_body *b = cni_body_at(world, body);
@@ -34,6 +41,8 @@ static void wake_links_of(cn_world *world, int32_t body)
 	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
 		cni_contact_enter_awake_list(world, key >> 1);
+		if (world->events.in_step)
+			pay_what_is_owed(world, key >> 1);
 		if ((c->flags & CNI_CONTACT_ASLEEP) && contact_may_solve(world, c))
 			cni_contact_sleep_to_lane(world, key >> 1);
 	}

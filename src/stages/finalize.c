@@ -34,14 +34,18 @@ static cni_rot rotate_by(cni_rot q, float theta)
 	return cni_rot_normalize(cni_rot_mul(q, cni_sincos(theta)));
 }
 
+/* A change too small to show in the pose only goes into the low part: the body did not move for anyone to see. */
 static void take_pose(cni_body *b, cni_motion *m)
 {
-	if (m->dpx != 0.0f || m->dpy != 0.0f || m->theta != 0.0f)
-		b->flags |= CNI_BODY_MOVED;
+	cni_vec2 before = cni_body_origin(b), after;
+	cni_rot q = b->q;
 	sum_exactly(&b->cx, &b->cx_low, m->dpx);
 	sum_exactly(&b->cy, &b->cy_low, m->dpy);
 	if (m->theta != 0.0f)
 		b->q = rotate_by(b->q, m->theta);
+	after = cni_body_origin(b);
+	if (before.x != after.x || before.y != after.y || q.c != b->q.c || q.s != b->q.s)
+		b->flags |= CNI_BODY_MOVED;
 	m->dpx = m->dpy = m->theta = 0.0f;
 }
 

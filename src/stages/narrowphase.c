@@ -284,16 +284,6 @@ static int32_t contact_update(cn_world *world, int32_t contact, float dt)
 	return c->flags & (CNI_CONTACT_CREATED_OWED | CNI_CONTACT_ENTER_OWED) ? CHANGE_OWED : CHANGE_NONE;
 }
 
-static void pay_owed(cn_world *world, int32_t contact, uint32_t owed, int32_t kind)
-{
-	cni_contact *c = cni_contact_at(world, contact);
-	if (!(c->flags & owed) || !cni_event_log(world, contact, kind))
-		return;
-	c->flags &= ~owed;
-	if (kind == CN_EVENT_ENTER)
-		c->flags |= CNI_CONTACT_ENTERED;
-}
-
 /* The manifold is computed once more: few contacts begin in a step, and keeping it for all that might
    takes more memory than the contacts themselves. */
 static void change_begin(cn_world *world, int32_t contact, float dt)
@@ -327,9 +317,9 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, float
 		return;
 	}
 	if (change != CHANGE_END || boxes_overlap(world, c)) /* else it goes before it was told of */
-		pay_owed(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
+		cni_contact_pay_owed(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
 	if (change == CHANGE_OWED)
-		pay_owed(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
+		cni_contact_pay_owed(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
 	if (change == CHANGE_BEGIN)
 		change_begin(world, contact, dt);
 	if (change != CHANGE_END || ((c->flags & CNI_CONTACT_TOUCHING) && !cni_contact_end(world, contact)))

@@ -5,7 +5,7 @@
  * loads and false of impacts: given again, an impact's impulses drive bodies apart, and one sweep of the solver does
  * not take all of that back when light bodies are caught among heavy ones; the energy grows from substep to
  * substep. So where a body's velocity jumped in a substep by much more than its drive gives, the impulses of its
- * contacts and joints start from nothing in the next.
+ * contacts start from nothing in the next, and those of its joints from the load they had.
  *
  * Reads motion, start, drive; writes start (struck, and the response that is taken out), block.jn jt,
  * joint impulses.
@@ -69,6 +69,17 @@ static void contacts_forget(cn_world *world)
 		}
 }
 
+/* The part of an impulse that goes the way of the load, and no farther. */
+static float load_part(float impulse, float load)
+{
+	return load > 0.0f ? cni_clamp(impulse, 0.0f, load) : cni_clamp(impulse, load, 0.0f);
+}
+
+/*
+ * A joint forgets what goes beyond its load at the beginning of the step: without that a bridge which is hit would
+ * lose the tension it stands by, jump for that reason, and the shock would run through all of it. Springs
+ * are forces that are meant, and their coefficients count on the impulse.
+ */
 static void joints_forget(cn_world *world)
 {
 	int32_t k, r;
@@ -78,10 +89,12 @@ static void joints_forget(cn_world *world)
 			continue;
 		for (r = 0; r < w->row_count; ++r) {
 			const cni_row *row = &w->rows[r];
-			float j = row->impulse;
+			float load = cni_joint_at(world, w->joint)->impulse[row->slot], kept = load_part(row->impulse, load), j = row->impulse - kept;
+			if (row->kind == CNI_ROW_SPRING || row->kind == CNI_ROW_DRIVE)
+				continue;
 			response_take_out(world, w->ia, row->ax * j, row->ay * j, row->aw * j);
 			response_take_out(world, w->ib, row->bx * j, row->by * j, row->bw * j);
-			w->rows[r].impulse = 0.0f;
+			w->rows[r].impulse = kept;
 		}
 	}
 }

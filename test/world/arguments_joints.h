@@ -290,7 +290,8 @@ ENTRY(cn_joint_set_base, SET_BASE(GEAR_BASE(base.break_force_N, 5.0f)),
 ENTRY(cn_joint_set_target, cn_joint_set_target(W, any[CN_JOINT_MOUSE], 1.0f, 2.0f),
 	POSITION(v, cn_joint_set_target(W, any[CN_JOINT_MOUSE], v.x, v.y)); NOW(cn_joint_set_target(NULL, any[CN_JOINT_MOUSE], 1.0f, 2.0f));
 	JOINT(h, cn_joint_set_target(W, h, 1.0f, 2.0f)); STATE(cn_joint_set_target(W, f.pin, 1.0f, 2.0f));
-	STATE(cn_joint_set_motor(W, any[CN_JOINT_GEAR], 1.0f, 2.0f)); STATE(cn_joint_set_limits(W, any[CN_JOINT_GROOVE], 1.0f, 2.0f));)
+	CHECK(cn_joint_set_motor(W, any[CN_JOINT_GEAR], 1.0f, 2.0f) == CN_ERROR_STATE);
+	CHECK(cn_joint_set_limits(W, any[CN_JOINT_GROOVE], 1.0f, 2.0f) == CN_ERROR_STATE);)
 ENTRY(cn_world_joint_events, cn_world_joint_events(W, OUT(const cn_joint_event *), OUT(int32_t) + 16),
 	NOW(cn_world_joint_events(NULL, OUT(const cn_joint_event *), OUT(int32_t) + 16)); ARG(cn_world_joint_events(W, NULL, OUT(int32_t) + 16));
 	ARG(cn_world_joint_events(W, OUT(const cn_joint_event *), NULL));)

@@ -24,17 +24,17 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0xcd987fa8f4ce7b9a },
-	{ "small_200", 300, 1, 0x83852f84d12274a8 },
-	{ "small_50_sleep", 600, 1, 0x647f70ce59533140 },
-	{ "dominoes", 400, 1, 0x3b9cd0f4a1aa47c1 },
-	{ "ragdolls", 480, 1, 0x289401f4628bb5fd },
-	{ "bridge", 240, 1, 0x5c58d745ceec57e3 },
-	{ "car", 400, 1, 0x608b6915329f59d5 },
-	{ "mixer", 240, 1, 0x0b80f3f8fcef4da8 },
+	{ "falling_hinges", 480, 1, 0xbf178aa801dea5d5 },
+	{ "small_200", 300, 1, 0x2aa3e88cc11d61b0 },
+	{ "small_50_sleep", 600, 1, 0x650fb52aec3e9bae },
+	{ "dominoes", 400, 1, 0xd2c5b336e713a0d1 },
+	{ "ragdolls", 480, 1, 0xa301d1b6a59e6a3b },
+	{ "bridge", 240, 1, 0xd9b7ee2a82415676 },
+	{ "car", 400, 1, 0xfa3a7e1c7171b61f },
+	{ "mixer", 240, 1, 0xdd9983f99346b6c2 },
 	{ "pyramid", 120, 0, 0x96cac2611a552232 },
 	{ "rain", 150, 0, 0x121a2ee5b3854b66 },
-	{ "tumbler_1000", 300, 0, 0x7ef094207ce952bf },
+	{ "tumbler_1000", 300, 0, 0x54788ae57a2024b5 },
 };
 /* clang-format on */
 #define GOLDENS ((int32_t)(sizeof goldens / sizeof *goldens))

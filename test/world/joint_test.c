@@ -927,12 +927,12 @@ static void ragdoll_on_the_ground_stays_together(void)
 	ragdoll_run(2.0f, 0.053);
 }
 
-/* Limbs of 60 g under several ragdolls of 5 kg that come down at 10 m/s: joints give way and close again. */
+/* Limbs of 60 g under several ragdolls that come down at 10 m/s and more: joints give way and close again. */
 static void ragdolls_in_a_heap_come_together_again(void)
 {
 	scene_run run;
 	must(scene_open(&run, scene_find("ragdolls"), NULL), NULL, "scene_open");
-	CHECK_LE("greatest distance between anchors while they fall", worst_error_over(&run, 0, 360), 0.1, "m");
+	CHECK_LE("greatest distance between anchors while they fall", worst_error_over(&run, 0, 360), 0.15, "m");
 	CHECK_LE("in the last 2 s", worst_error_over(&run, 360, 480), 0.01, "m");
 	scene_close(&run);
 }

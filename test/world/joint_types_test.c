@@ -1108,7 +1108,8 @@ static void errors_stay_bounded_for_a_minute(void)
 		double m[TYPES], rad[TYPES];
 		uint32_t seed = 12345u;
 		int32_t k;
-		fixture_box(world, CN_BODY_STATIC, 0.0f, -4.0f, 0.0f, 1000.0f, 1.0f, 0.5f, 0.0f);
+		/* Out of reach of the kinematic ones, which would press a box into it without limit. */
+		fixture_box(world, CN_BODY_STATIC, 0.0f, other == 2 ? -8.0f : -4.0f, 0.0f, 1000.0f, 1.0f, 0.5f, 0.0f);
 		for (type = 0; type < TYPES; ++type) {
 			float x = 20.0f * (float)type;
 			b[type] = unit_box(world, x, 0.0f, 0.0f);

@@ -1,0 +1,28 @@
+/*
+ * examples/demo/draw_paint.h - what the files that draw a world share: where they paint, and the way
+ * from the world to the picture.
+ */
+#ifndef CAIRN_DEMO_DRAW_PAINT_H
+#define CAIRN_DEMO_DRAW_PAINT_H
+
+#include "demo/draw.h"
+
+typedef struct painter {
+	canvas *c;
+	const draw_view *view;
+	const cn_world *world;
+	cn_pose pose;        /* of the body that is being drawn */
+	canvas_color fill;
+	float outline_px;    /* widest outline */
+	int32_t hollow;      /* only the outline, in the colour fill */
+} painter;
+
+canvas_point draw_to_picture(const painter *p, cn_vec2 point_m);
+/* Radius in pixels of a dot small enough not to hide what it marks. */
+float draw_dot_px(const painter *p);
+
+/* Anchors, axes and limits of all joints, and of constraints on one body. 0 when there is no memory. */
+int32_t draw_joints(painter *p);
+int32_t draw_constraints(painter *p);
+
+#endif
