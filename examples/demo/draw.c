@@ -62,8 +62,8 @@ static void draw_circle(painter *p, cn_shape shape)
 	cn_vec2 rim = circle.center_m;
 	rim.x += 0.85f * circle.radius_m;
 	canvas_point center = local_to_picture(p, circle.center_m);
-	canvas_disc(p->c, center, radius, p->fill, draw_colors[DRAW_OUTLINE], outline);
-	canvas_line(p->c, center, local_to_picture(p, rim), outline, draw_colors[DRAW_OUTLINE]);
+	canvas_disc(p->c, center, radius, p->fill, p->outline, outline);
+	canvas_line(p->c, center, local_to_picture(p, rim), outline, p->outline);
 }
 
 static void draw_capsule(painter *p, cn_shape shape)
@@ -72,7 +72,7 @@ static void draw_capsule(painter *p, cn_shape shape)
 	if (cn_shape_get_capsule(p->world, shape, &capsule) != CN_OK)
 		return;
 	canvas_capsule(p->c, local_to_picture(p, capsule.a_m), local_to_picture(p, capsule.b_m), capsule.radius_m * p->view->scale, p->fill,
-		draw_colors[DRAW_OUTLINE], outline_for(p, 2.0f * capsule.radius_m));
+		p->outline, outline_for(p, 2.0f * capsule.radius_m));
 }
 
 static void draw_polygon(painter *p, cn_shape shape)
@@ -84,7 +84,7 @@ static void draw_polygon(painter *p, cn_shape shape)
 	float dx = polygon.points_m[1].x - polygon.points_m[0].x, dy = polygon.points_m[1].y - polygon.points_m[0].y;
 	for (int32_t i = 0; i < polygon.count; ++i)
 		points[i] = local_to_picture(p, polygon.points_m[i]);
-	canvas_polygon(p->c, points, polygon.count, polygon.radius_m * p->view->scale, p->fill, draw_colors[DRAW_OUTLINE],
+	canvas_polygon(p->c, points, polygon.count, polygon.radius_m * p->view->scale, p->fill, p->outline,
 		outline_for(p, sqrtf(dx * dx + dy * dy)));
 }
 
@@ -134,8 +134,7 @@ static int32_t draw_chain(painter *p, cn_shape shape)
 	return 1;
 }
 
-/* An arrow along the side that lets nothing through: the shape's +y axis. Turned by the shape's own angle only
-   as far as the body is, which is all that the API tells. */
+/* An arrow to the solid side, for a shape that is not turned on its body: its own angle cannot be read back. */
 static void draw_one_way(painter *p, cn_shape shape)
 {
 	cn_mass_data mass;
@@ -171,6 +170,25 @@ static int32_t draw_shape(painter *p, cn_shape shape)
 
 /* ------------------------------------------------------------------ lists */
 
+/* Sensors are outlines, drawn first so that they hide nothing. */
+static int32_t draw_attached(painter *p, cn_shape shape, int32_t sensors)
+{
+	cn_body body = 0;
+	uint32_t flags = 0;
+	if (cn_shape_get_body(p->world, shape, &body) != CN_OK || body == 0)
+		return 1;
+	cn_shape_get_flags(p->world, shape, &flags);
+	if (((flags & CN_SHAPE_SENSOR) != 0) != sensors)
+		return 1;
+	cn_body_get_pose(p->world, body, &p->pose);
+	p->fill = sensors ? draw_colors[DRAW_BACKGROUND] : body_color(p->world, body);
+	p->outline = draw_colors[sensors ? DRAW_SENSOR : DRAW_OUTLINE];
+	int32_t good = draw_shape(p, shape);
+	if (flags & CN_SHAPE_ONE_WAY)
+		draw_one_way(p, shape);
+	return good;
+}
+
 static int32_t draw_shapes(painter *p)
 {
 	int32_t count = 0, good = 1;
@@ -179,14 +197,10 @@ static int32_t draw_shapes(painter *p)
 	if (shapes == NULL)
 		return 0;
 	cn_world_get_shapes(p->world, shapes, count, &count);
-	for (int32_t i = 0; i < count && good; ++i) {
-		cn_body body = 0;
-		if (cn_shape_get_body(p->world, shapes[i], &body) != CN_OK || body == 0)
-			continue;
-		cn_body_get_pose(p->world, body, &p->pose);
-		p->fill = body_color(p->world, body);
-		good = draw_shape(p, shapes[i]);
-	}
+	for (int32_t i = 0; i < count && good; ++i)
+		good = draw_attached(p, shapes[i], 1);
+	for (int32_t i = 0; i < count && good; ++i)
+		good = draw_attached(p, shapes[i], 0);
 	free(shapes);
 	return good;
 }

@@ -13,8 +13,7 @@ typedef struct painter {
 	const cn_world *world;
 	cn_pose pose;        /* of the body that is being drawn */
 	canvas_color fill;
-	float outline_px;    /* widest outline */
-	int32_t hollow;      /* only the outline, in the colour fill */
+	canvas_color outline;
 } painter;
 
 canvas_point draw_to_picture(const painter *p, cn_vec2 point_m);

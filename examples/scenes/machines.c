@@ -56,15 +56,14 @@ static cn_body put_wall(const place *p, float x_m, float y_m, float half_width_m
 
 static void give_velocity(const place *p, cn_body body, float x_mps, float y_mps, float turn_radps)
 {
-	if (p->run->result == CN_OK)
-		scene_check(p->run, cn_body_set_velocity(p->run->world, body, x_mps, y_mps, turn_radps));
+	scene_check(p->run, cn_body_set_velocity(p->run->world, body, x_mps, y_mps, turn_radps));
 }
 
 /* A point of the exhibit in the frame of a body, 0: of the world. */
 static cn_vec2 anchor_in(const place *p, cn_body body, float x_m, float y_m)
 {
 	cn_vec2 point = at(p, x_m, y_m);
-	if (body != 0 && p->run->result == CN_OK)
+	if (body != 0)
 		scene_check(p->run, cn_body_get_local_point(p->run->world, body, point.x, point.y, &point));
 	return point;
 }
@@ -123,12 +122,13 @@ static void add_cantilever(const place *p, float y_m, float angular_hertz)
 		float left = -1.8f + 0.9f * (float)i;
 		cn_body box = put_box(p, left + 0.45f, y_m, 0.43f, 0.13f);
 		cn_fixed_def def;
+		cn_joint made;
 		cn_fixed_def_init(&def);
 		connect_at(p, &def.base, last, box, left, y_m);
 		def.angular_hertz = angular_hertz;
 		def.angular_damping_ratio = 0.3f;
 		if (p->run->result == CN_OK)
-			scene_check(p->run, cn_joint_create_fixed(p->run->world, &def, NULL));
+			scene_check(p->run, cn_joint_create_fixed(p->run->world, &def, &made));
 		last = box;
 	}
 }
@@ -153,8 +153,8 @@ static cn_distance_def distance_between(const place *p, float x_m, float y_m, cn
 
 static void join_distance(const place *p, const cn_distance_def *def)
 {
-	if (p->run->result == CN_OK)
-		scene_check(p->run, cn_joint_create_distance(p->run->world, def, NULL));
+	cn_joint made;
+	scene_check(p->run, cn_joint_create_distance(p->run->world, def, &made));
 }
 
 static void add_distances(const place *p)
@@ -209,8 +209,7 @@ static cn_joint slide(const place *p, cn_body body, cn_vec2 from_m, cn_vec2 axis
 	def.motor_force_max_N = 30.0f;
 	def.spring_hertz = 1.5f;
 	def.spring_damping_ratio = 0.1f;
-	if (p->run->result == CN_OK)
-		scene_check(p->run, cn_joint_create_prismatic(p->run->world, &def, &joint));
+	scene_check(p->run, cn_joint_create_prismatic(p->run->world, &def, &joint));
 	return joint;
 }
 
@@ -237,8 +236,7 @@ static cn_joint add_wheel(const place *p, cn_body cart, float x_m)
 	def.upper_m = 0.2f;
 	def.motor_torque_max_Nm = 4.0f;
 	def.spring_hertz = 3.0f;
-	if (p->run->result == CN_OK)
-		scene_check(p->run, cn_joint_create_wheel(p->run->world, &def, &joint));
+	scene_check(p->run, cn_joint_create_wheel(p->run->world, &def, &joint));
 	return joint;
 }
 
@@ -266,8 +264,7 @@ static void add_motor(const place *p, machines *m)
 	def.base.torque_max_Nm = 20.0f;
 	def.offset_m = scene_vec(-1.0f, -0.8f);
 	def.hertz = 2.0f;
-	if (p->run->result == CN_OK)
-		scene_check(p->run, cn_joint_create_motor(p->run->world, &def, &m->motor));
+	scene_check(p->run, cn_joint_create_motor(p->run->world, &def, &m->motor));
 	m->motor_place = *p;
 }
 
@@ -299,8 +296,7 @@ static void add_mouse(const place *p, machines *m)
 	def.base.force_max_N = 100.0f;
 	def.target_m = mouse_target(p, 0);
 	def.hertz = 3.0f;
-	if (p->run->result == CN_OK)
-		scene_check(p->run, cn_joint_create_mouse(p->run->world, &def, &m->mouse));
+	scene_check(p->run, cn_joint_create_mouse(p->run->world, &def, &m->mouse));
 	m->mouse_place = *p;
 	for (int32_t i = 0; i < 3; ++i)
 		put_box(p, 0.2f, 0.2f + 0.4f * (float)i, 0.2f, 0.2f);
@@ -312,33 +308,34 @@ static void add_mouse(const place *p, machines *m)
 static void add_gear(const place *p)
 {
 	cn_gear_def def;
+	cn_joint made;
 	cn_body small = put_ball(p, -1.0f, 1.6f, 0.5f, 1.0f), large = put_ball(p, 0.55f, 1.6f, 1.0f, 1.0f);
 	pin(p, small, -1.0f, 1.6f, 3.0f, 40.0f);
 	pin(p, large, 0.55f, 1.6f, 0.0f, 0.0f);
 	cn_gear_def_init(&def);
 	connect(p, &def.base, small, scene_vec(-1.0f, 1.6f), large, scene_vec(0.55f, 1.6f));
 	def.ratio = -0.5f;
-	if (p->run->result == CN_OK)
-		scene_check(p->run, cn_joint_create_gear(p->run->world, &def, NULL));
+	scene_check(p->run, cn_joint_create_gear(p->run->world, &def, &made));
 }
 
 static void add_pulley(const place *p, machines *m)
 {
 	cn_pulley_def def;
+	cn_joint made;
 	cn_body left = put_box(p, -0.9f, 1.2f, 0.35f, 0.35f), right = put_box(p, 0.9f, 1.2f, 0.35f, 0.35f);
 	cn_pulley_def_init(&def);
 	connect(p, &def.base, left, scene_vec(-0.9f, 1.55f), right, scene_vec(0.9f, 1.55f));
 	def.ground_a_m = at(p, -0.9f, 3.0f);
 	def.ground_b_m = at(p, 0.9f, 3.0f);
 	def.length_m = 2.9f;
-	if (p->run->result == CN_OK)
-		scene_check(p->run, cn_joint_create_pulley(p->run->world, &def, NULL));
+	scene_check(p->run, cn_joint_create_pulley(p->run->world, &def, &made));
 	m->pulley_box = left;
 }
 
 static void add_ratchet(const place *p, machines *m)
 {
 	cn_ratchet_def def;
+	cn_joint made;
 	cn_body wheel = put_ball(p, 0.0f, 1.6f, 0.8f, 1.0f);
 	cn_shape_def handle = scene_surface(wheel, 1.0f, 0.6f, 0.0f);
 	scene_offset_box(p->run, &handle, scene_vec(1.0f, 0.0f), 0.3f, 0.08f);
@@ -346,22 +343,21 @@ static void add_ratchet(const place *p, machines *m)
 	cn_ratchet_def_init(&def);
 	connect_at(p, &def.base, 0, wheel, 0.0f, 1.6f);
 	def.click_rad = SCENE_PI / 6.0f;
-	if (p->run->result == CN_OK)
-		scene_check(p->run, cn_joint_create_ratchet(p->run->world, &def, NULL));
+	scene_check(p->run, cn_joint_create_ratchet(p->run->world, &def, &made));
 	m->ratchet_wheel = wheel;
 }
 
 static void add_rotary_spring(const place *p)
 {
 	cn_rotary_spring_def def;
+	cn_joint made;
 	cn_body bar = put_box(p, 0.0f, 1.6f, 1.2f, 0.12f);
 	pin(p, bar, 0.0f, 1.6f, 0.0f, 0.0f);
 	cn_rotary_spring_def_init(&def);
 	connect_at(p, &def.base, 0, bar, 0.0f, 1.6f);
 	def.hertz = 0.5f;
 	def.damping_ratio = 0.02f;
-	if (p->run->result == CN_OK)
-		scene_check(p->run, cn_joint_create_rotary_spring(p->run->world, &def, NULL));
+	scene_check(p->run, cn_joint_create_rotary_spring(p->run->world, &def, &made));
 	give_velocity(p, bar, 0.0f, 0.0f, 3.5f);
 }
 
@@ -370,14 +366,14 @@ static void add_rotary_spring(const place *p)
 static void add_groove(const place *p)
 {
 	cn_groove_def def;
+	cn_joint made;
 	cn_body crank = put_ball(p, 0.0f, 1.1f, 0.65f, 1.0f), lever = put_box(p, 0.0f, 1.75f, 0.14f, 1.35f);
 	pin(p, crank, 0.0f, 1.1f, 2.5f, 60.0f);
 	pin(p, lever, 0.0f, 3.0f, 0.0f, 0.0f);
 	cn_groove_def_init(&def);
 	connect(p, &def.base, lever, scene_vec(0.0f, 2.2f), crank, scene_vec(0.0f, 1.6f));
 	def.end_m = anchor_in(p, lever, 0.0f, 0.45f);
-	if (p->run->result == CN_OK)
-		scene_check(p->run, cn_joint_create_groove(p->run->world, &def, NULL));
+	scene_check(p->run, cn_joint_create_groove(p->run->world, &def, &made));
 }
 
 /* ------------------------------------------------------------------ machines */
@@ -434,6 +430,7 @@ typedef struct exhibits {
 static void add_filter(const place *p)
 {
 	cn_filter_joint_def def;
+	cn_joint made;
 	cn_body boxes[2];
 	for (int32_t i = 0; i < 2; ++i) {
 		float side = i == 0 ? -1.0f : 1.0f;
@@ -447,8 +444,7 @@ static void add_filter(const place *p)
 	}
 	cn_filter_joint_def_init(&def);
 	connect(p, &def.base, boxes[0], scene_vec(-1.2f, 0.35f), boxes[1], scene_vec(1.2f, 0.45f));
-	if (p->run->result == CN_OK)
-		scene_check(p->run, cn_joint_create_filter(p->run->world, &def, NULL));
+	scene_check(p->run, cn_joint_create_filter(p->run->world, &def, &made));
 }
 
 /* Hinged planks carry a light ball and break under a heavy one. */
@@ -477,12 +473,12 @@ static void add_breaking(const place *p)
 static void limit_angle(const place *p, cn_body body, float lower_rad, float upper_rad)
 {
 	cn_angle_constraint_def def;
+	cn_constraint made;
 	cn_angle_constraint_def_init(&def);
 	def.body = body;
 	def.lower_rad = lower_rad;
 	def.upper_rad = upper_rad;
-	if (p->run->result == CN_OK)
-		scene_check(p->run, cn_constraint_create_angle(p->run->world, &def, NULL));
+	scene_check(p->run, cn_constraint_create_angle(p->run->world, &def, &made));
 }
 
 /* Two balls on slopes: the upper one rolls, the lower one keeps its angle and slides. */
@@ -516,6 +512,7 @@ static void add_seesaw(const place *p, exhibits *e)
 static void put_bead(const place *p, float y_m, float tolerance_m, float hertz)
 {
 	cn_line_constraint_def def;
+	cn_constraint made;
 	cn_line_constraint_def_init(&def);
 	def.body = put_ball(p, -1.4f, y_m, 0.2f, 1.0f);
 	def.origin_m = at(p, 0.0f, y_m - 0.4f);
@@ -526,8 +523,7 @@ static void put_bead(const place *p, float y_m, float tolerance_m, float hertz)
 	def.tolerance_m = tolerance_m;
 	def.hertz = hertz;
 	def.damping_ratio = 0.05f;
-	if (p->run->result == CN_OK)
-		scene_check(p->run, cn_constraint_create_line(p->run->world, &def, NULL));
+	scene_check(p->run, cn_constraint_create_line(p->run->world, &def, &made));
 }
 
 /* Beads on a rigid line, on one with free play and on a springy one. */

@@ -32,6 +32,8 @@ static uint32_t drive_flags(const cn_world *world, const cni_body *b)
 		flags |= CNI_DRIVE_FREE;
 	if (jointed)
 		flags |= CNI_DRIVE_JOINTED;
+	if (b->lanes != 0)
+		flags |= CNI_DRIVE_TOUCHED;
 	if (b->linear_damping > 0.0f || b->angular_damping > 0.0f)
 		flags |= CNI_DRIVE_DAMPED;
 	if (b->flags & CN_BODY_LOCK_X)

@@ -23,7 +23,7 @@ static int32_t shocks_mark(cn_world *world, const cni_solve *s)
 	for (k = 1; k < world->awake_count; ++k) {
 		float dx = motions[k].vx - starts[k].vx, dy = motions[k].vy - starts[k].vy;
 		float ax = s->h * drives[k].ax, ay = s->h * drives[k].ay;
-		if ((drives[k].flags & CNI_DRIVE_FREE) || dx * dx + dy * dy <= most_sq + 64.0f * (ax * ax + ay * ay))
+		if (!(drives[k].flags & CNI_DRIVE_TOUCHED) || dx * dx + dy * dy <= most_sq + 64.0f * (ax * ax + ay * ay))
 			continue;
 		starts[k].struck = 2.0f;
 		++shocks;
