@@ -10,6 +10,7 @@
 #define BODY_SHAPES_LOOKED_AT 8
 #define ARC_STEPS 10
 #define THIN_PX 0.8f
+#define RAY_MIN_PX 14.0f /* shorter ones would only blur what they mark */
 #define FREE_AXIS_M 0.5f /* shown of an axis without limits, to either side */
 
 static cn_vec2 vec(float x, float y)
@@ -71,9 +72,11 @@ static void arc(painter *p, cn_vec2 center_m, float radius_m, float from_rad, fl
 /* The two limits as rays with an arc between them. */
 static void angle_limits(painter *p, cn_vec2 center_m, float length_m, float lower_rad, float upper_rad)
 {
+	if (length_m * p->view->scale < RAY_MIN_PX)
+		return;
 	line(p, center_m, ray_end(center_m, lower_rad, length_m), DRAW_LIMIT);
 	line(p, center_m, ray_end(center_m, upper_rad, length_m), DRAW_LIMIT);
-	if (upper_rad - lower_rad < 6.3f)
+	if (upper_rad - lower_rad < 6.28f)
 		arc(p, center_m, 0.8f * length_m, lower_rad, upper_rad);
 }
 

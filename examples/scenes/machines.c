@@ -6,6 +6,8 @@
  */
 #include "scenes/build.h"
 
+#define MACHINE_EXHIBITS 12
+#define CONSTRAINT_EXHIBITS 10
 #define CELL_WIDTH_M 4.6f
 #define CELL_HEIGHT_M 3.6f
 
@@ -137,7 +139,7 @@ static void add_fixed(const place *p)
 {
 	put_wall(p, -1.9f, 1.5f, 0.08f, 1.5f);
 	add_cantilever(p, 2.7f, 0.0f);
-	add_cantilever(p, 1.7f, 6.0f);
+	add_cantilever(p, 1.7f, 10.0f);
 }
 
 /* ------------------------------------------------------------------ distance: rod, spring, rope */
@@ -268,7 +270,7 @@ static void add_motor(const place *p, machines *m)
 	m->motor_place = *p;
 }
 
-/* Around the corners of a rectangle, a quarter of a turn at each. */
+/* Around the corners of a rectangle, one a second, turned by a quarter of a turn at each. */
 static void drive_motor(scene_run *run, const machines *m, int32_t step_index)
 {
 	static const float corners[4][2] = {{-1.0f, -0.8f}, {1.0f, -0.8f}, {1.0f, 0.8f}, {-1.0f, 0.8f}};
@@ -298,7 +300,9 @@ static void add_mouse(const place *p, machines *m)
 	def.hertz = 3.0f;
 	scene_check(p->run, cn_joint_create_mouse(p->run->world, &def, &m->mouse));
 	m->mouse_place = *p;
-	for (int32_t i = 0; i < 3; ++i)
+	put_wall(p, -2.05f, 0.6f, 0.05f, 0.6f);
+	put_wall(p, 2.05f, 0.6f, 0.05f, 0.6f);
+	for (int32_t i = 0; i < 2; ++i)
 		put_box(p, 0.2f, 0.2f + 0.4f * (float)i, 0.2f, 0.2f);
 }
 
@@ -380,13 +384,12 @@ static void add_groove(const place *p)
 
 void scene_create_machines(scene_run *run)
 {
-	const int32_t count = 12;
-	place p[12];
+	place p[MACHINE_EXHIBITS];
 	machines *m = (machines *)scene_memory(run, sizeof(machines));
 	if (m == NULL)
 		return;
-	for (int32_t i = 0; i < count; ++i)
-		p[i] = open_exhibit(run, i, count, 4);
+	for (int32_t i = 0; i < MACHINE_EXHIBITS; ++i)
+		p[i] = open_exhibit(run, i, MACHINE_EXHIBITS, 4);
 	add_fixed(&p[0]);
 	add_distances(&p[1]);
 	add_revolutes(&p[2]);
@@ -417,11 +420,16 @@ void scene_step_machines(scene_run *run, int32_t step_index)
 /* ------------------------------------------------------------------ constraints: what the steps move */
 
 #define JUMPERS 3
+#define BEADS 3
+#define PARCELS 3
 
 typedef struct exhibits {
 	cn_body jumpers[JUMPERS];
 	cn_body seesaw_ball;
+	cn_body beads[BEADS];
+	cn_body parcels[PARCELS];
 	place seesaw_place;
+	place conveyor_place;
 } exhibits;
 
 /* ------------------------------------------------------------------ filter, breaking joint */
@@ -488,7 +496,7 @@ static void add_locked_ball(const place *p)
 		float y = 0.1f + 1.4f * (float)i;
 		cn_shape_def slope = scene_surface(scene_body(p->run, CN_BODY_STATIC, p->x_m, p->y_m + y), 1.0f, 0.3f, 0.0f);
 		scene_edge(p->run, &slope, scene_vec(-1.9f, 0.9f), scene_vec(1.5f, 0.0f));
-		scene_edge(p->run, &slope, scene_vec(1.5f, 0.0f), scene_vec(1.9f, 0.2f));
+		scene_edge(p->run, &slope, scene_vec(1.5f, 0.0f), scene_vec(1.6f, 0.8f));
 		cn_body ball = scene_body(p->run, CN_BODY_DYNAMIC, p->x_m - 1.6f, p->y_m + y + 1.2f);
 		cn_shape_def def = scene_surface(ball, 1.0f, 0.3f, 0.0f);
 		def.material.dynamic_friction = 0.2f;
@@ -503,13 +511,15 @@ static void add_seesaw(const place *p, exhibits *e)
 {
 	cn_body bar = put_box(p, 0.0f, 1.2f, 1.7f, 0.08f);
 	put_wall(p, 0.0f, 0.5f, 0.08f, 0.5f);
+	put_wall(p, -2.05f, 0.6f, 0.05f, 0.6f);
+	put_wall(p, 2.05f, 0.6f, 0.05f, 0.6f);
 	pin(p, bar, 0.0f, 1.2f, 0.0f, 0.0f);
 	limit_angle(p, bar, -0.3f, 0.4f);
 	e->seesaw_ball = put_ball(p, -1.2f, 2.8f, 0.2f, 1.0f);
 	e->seesaw_place = *p;
 }
 
-static void put_bead(const place *p, float y_m, float tolerance_m, float hertz)
+static cn_body put_bead(const place *p, float y_m, float tolerance_m, float hertz)
 {
 	cn_line_constraint_def def;
 	cn_constraint made;
@@ -524,14 +534,15 @@ static void put_bead(const place *p, float y_m, float tolerance_m, float hertz)
 	def.hertz = hertz;
 	def.damping_ratio = 0.05f;
 	scene_check(p->run, cn_constraint_create_line(p->run->world, &def, &made));
+	return def.body;
 }
 
 /* Beads on a rigid line, on one with free play and on a springy one. */
-static void add_beads(const place *p)
+static void add_beads(const place *p, exhibits *e)
 {
-	put_bead(p, 3.0f, 0.0f, 0.0f);
-	put_bead(p, 2.1f, 0.12f, 0.0f);
-	put_bead(p, 1.2f, 0.0f, 2.0f);
+	e->beads[0] = put_bead(p, 3.0f, 0.0f, 0.0f);
+	e->beads[1] = put_bead(p, 2.1f, 0.12f, 0.0f);
+	e->beads[2] = put_bead(p, 1.2f, 0.0f, 2.0f);
 }
 
 /* ------------------------------------------------------------------ surfaces */
@@ -544,12 +555,14 @@ static void put_belt(const place *p, float x_m, float y_m, float speed_mps)
 	scene_capsule(p->run, &belt, scene_vec(-1.1f, 0.0f), scene_vec(1.1f, 0.0f), 0.12f);
 }
 
-static void add_conveyor(const place *p)
+static void add_conveyor(const place *p, exhibits *e)
 {
 	put_belt(p, -0.7f, 2.1f, 1.0f);
 	put_belt(p, 0.5f, 1.0f, -1.0f);
-	for (int32_t i = 0; i < 3; ++i)
-		put_box(p, -1.6f + 0.7f * (float)i, 2.5f, 0.2f, 0.15f);
+	put_wall(p, -2.05f, 0.4f, 0.05f, 0.4f);
+	for (int32_t i = 0; i < PARCELS; ++i)
+		e->parcels[i] = put_box(p, -1.6f + 0.7f * (float)i, 2.4f, 0.2f, 0.15f);
+	e->conveyor_place = *p;
 }
 
 /* Equal balls at equal speed; each floor's ball has more rolling resistance than the one below. */
@@ -603,19 +616,18 @@ static void add_bouncing(const place *p)
 
 void scene_create_constraints(scene_run *run)
 {
-	const int32_t count = 10;
-	place p[10];
+	place p[CONSTRAINT_EXHIBITS];
 	exhibits *e = (exhibits *)scene_memory(run, sizeof(exhibits));
 	if (e == NULL)
 		return;
-	for (int32_t i = 0; i < count; ++i)
-		p[i] = open_exhibit(run, i, count, 5);
+	for (int32_t i = 0; i < CONSTRAINT_EXHIBITS; ++i)
+		p[i] = open_exhibit(run, i, CONSTRAINT_EXHIBITS, 5);
 	add_filter(&p[0]);
 	add_breaking(&p[1]);
 	add_locked_ball(&p[2]);
 	add_seesaw(&p[3], e);
-	add_beads(&p[4]);
-	add_conveyor(&p[5]);
+	add_beads(&p[4], e);
+	add_conveyor(&p[5], e);
 	add_rolling(&p[6]);
 	add_one_way(&p[7], e);
 	add_sensor(&p[8]);
@@ -636,16 +648,24 @@ static void lift_what_is_inside(scene_run *run)
 	}
 }
 
+/* Puts a body at rest at a point of its exhibit. */
+static void put_back(const place *p, cn_body body, float x_m, float y_m)
+{
+	cn_vec2 start = at(p, x_m, y_m);
+	scene_check(p->run, cn_body_set_pose(p->run->world, body, start.x, start.y, 0.0f));
+	give_velocity(p, body, 0.0f, 0.0f, 0.0f);
+}
+
 void scene_step_constraints(scene_run *run, int32_t step_index)
 {
 	const exhibits *e = (const exhibits *)run->memory;
-	const place *seesaw = &e->seesaw_place;
 	lift_what_is_inside(run);
 	if (step_index % 40 == 20)
 		scene_check(run, cn_body_set_velocity(run->world, e->jumpers[step_index / 40 % JUMPERS], 0.0f, 5.8f, 0.0f));
-	if (step_index % 120 == 0 && step_index > 0) {
-		cn_vec2 start = at(seesaw, step_index / 120 % 2 == 0 ? -1.2f : 1.2f, 2.8f);
-		scene_check(run, cn_body_set_pose(run->world, e->seesaw_ball, start.x, start.y, 0.0f));
-		scene_check(run, cn_body_set_velocity(run->world, e->seesaw_ball, 0.0f, 0.0f, 0.0f));
-	}
+	if (step_index % 120 == 0 && step_index > 0)
+		put_back(&e->seesaw_place, e->seesaw_ball, step_index / 120 % 2 == 0 ? -1.2f : 1.2f, 2.8f);
+	if (step_index % 90 == 0 && step_index >= 270)
+		put_back(&e->conveyor_place, e->parcels[(PARCELS - step_index / 90 % PARCELS) % PARCELS], -1.6f, 2.4f);
+	for (int32_t i = 0; i < BEADS && step_index % 150 == 149; ++i)
+		scene_check(run, cn_body_set_velocity(run->world, e->beads[i], -3.4f, 1.0f, 0.0f));
 }

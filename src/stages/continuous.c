@@ -4,10 +4,11 @@
  * Most fast bodies are stopped by contacts that the narrowphase finds ahead of them. What is left are bodies
  * that were made fast within the step. Before a body takes a pose that is farther away than half its inner
  * radius, the core of each of its shapes, shrunk by that much, is moved along its path against the static
- * shapes there (for bullets: against all, each on its own path); at the first meeting the rest of the path is given up for this step.
+ * shapes there (for bullets: against all, each on its own path); at the first meeting the rest of the path is given
+ * up for this step, by a dynamic body that a bullet meets too.
  * A shape that merely rests on or slides along something keeps its core clear of it, so nothing catches.
  *
- * Reads bodies, shapes, the broadphase; writes the one body's change in motion.
+ * Reads bodies, shapes, the broadphase; writes the changes in motion of the bodies that meet.
  */
 #include "geometry/toi.h"
 #include "stages/solver.h"
@@ -62,6 +63,7 @@ typedef struct clamp {
 	cni_path path;
 	core_shape core;
 	float fraction;      /* of the path that is free so far */
+	int32_t met;         /* awake index of the dynamic body at its end, else 0 */
 } clamp;
 
 static cni_path body_path(const cni_body *b, cni_vec2 from, float dpx, float dpy, float theta)
@@ -86,6 +88,25 @@ static int32_t other_stops(const clamp *c, int32_t proxy)
 	return cni_contact_allowed(world, c->proxy, proxy);
 }
 
+/*
+ * How much of the paths is free. A core that starts nearer than the target, which is where the last step left it if
+ * that stopped it, may come half as near again, and no nearer than a hundredth of the tolerance: there it stays
+ * until it is pushed or turns away. One that starts overlapping is left to its contacts.
+ */
+static float free_fraction(cni_toi_input *in)
+{
+	float least = 0.01f * in->tolerance;
+	cni_toi_result hit = cni_toi(in);
+	while (hit.state == CNI_TOI_HIT && !(hit.fraction > 0.0f) && hit.distance > 2.0f * least) {
+		in->target = 0.5f * hit.distance;
+		in->tolerance = 0.25f * hit.distance;
+		hit = cni_toi(in);
+		if (!(hit.distance < 2.0f * in->target))
+			break;
+	}
+	return hit.state == CNI_TOI_HIT || hit.state == CNI_TOI_FAILED ? hit.fraction : 1.0f;
+}
+
 static float visit(void *context, int32_t proxy, float limit)
 {
 	clamp *c = (clamp *)context;
@@ -95,7 +116,7 @@ static float visit(void *context, int32_t proxy, float limit)
 	const cni_body *other = cni_body_at(world, s->body);
 	const cni_motion *motion;
 	cni_toi_input in;
-	cni_toi_result hit;
+	float free;
 	if (!other_stops(c, proxy))
 		return limit;
 	in.a = cni_shape_geometry(&world->blocks, s);
@@ -107,9 +128,11 @@ static float visit(void *context, int32_t proxy, float limit)
 	in.path_b = c->path;
 	in.target = 0.5f * world->settings.slop;
 	in.tolerance = 0.25f * world->settings.slop;
-	hit = cni_toi(&in);
-	if ((hit.state == CNI_TOI_HIT || hit.state == CNI_TOI_FAILED) && hit.fraction > 0.0f)
-		c->fraction = cni_min(c->fraction, hit.fraction);
+	free = free_fraction(&in);
+	if (free < c->fraction) {
+		c->fraction = free;
+		c->met = other->type == CN_BODY_DYNAMIC ? other->awake : 0;
+	}
 	return limit;
 }
 
@@ -124,6 +147,13 @@ static cni_aabb swept_box(const cni_body *b, const cni_motion *m)
 	return box;
 }
 
+static void motion_shorten(cni_motion *m, float fraction)
+{
+	m->dpx *= fraction;
+	m->dpy *= fraction;
+	m->theta *= fraction;
+}
+
 static void clamp_body(cn_world *world, int32_t body, int32_t what)
 {
 	const cni_body *b = cni_body_at(world, body);
@@ -135,6 +165,7 @@ static void clamp_body(cn_world *world, int32_t body, int32_t what)
 	c.body = b;
 	c.what = what;
 	c.fraction = 1.0f;
+	c.met = 0;
 	c.path = body_path(b, cni_v(b->cx, b->cy), m->dpx, m->dpy, m->theta);
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
@@ -144,9 +175,9 @@ static void clamp_body(cn_world *world, int32_t body, int32_t what)
 		core_make(cni_shape_geometry(&world->blocks, s), &c.core);
 		world->broadphase_ops->query(world->broadphase, &box, visit, &c);
 	}
-	m->dpx *= c.fraction;
-	m->dpy *= c.fraction;
-	m->theta *= c.fraction;
+	motion_shorten(m, c.fraction);
+	if (c.met != 0) /* it was not found to be free beyond that either: it would sweep over the bullet */
+		motion_shorten(cni_motions(world) + c.met, c.fraction);
 }
 
 void cni_stage_continuous(cn_world *world)

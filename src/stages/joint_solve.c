@@ -82,7 +82,7 @@ CNI_INLINE void block_invert(const cni_row *r, int32_t count, const cni_motion *
 static const uint8_t inverse_at[CNI_JOINT_RIGID_ROWS][CNI_JOINT_RIGID_ROWS] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
 
 /* The frame now: anchors turned, gap moved by the bodies' changes since the step began. */
-static cni_joint_frame work_frame(const cni_joint_work *w, const cni_motion *a, const cni_motion *b)
+CNI_INLINE cni_joint_frame work_frame(const cni_joint_work *w, const cni_motion *a, const cni_motion *b)
 {
 	cni_joint_frame f;
 	cni_rot turn_a = cni_rot_small(a->theta), turn_b = cni_rot_small(b->theta);
@@ -90,7 +90,7 @@ static cni_joint_frame work_frame(const cni_joint_work *w, const cni_motion *a, 
 	f.rb = cni_rotate(turn_b, w->start.rb);
 	f.d.x = w->start.d.x + (b->dpx - a->dpx) + (f.rb.x - w->start.rb.x) - (f.ra.x - w->start.ra.x);
 	f.d.y = w->start.d.y + (b->dpy - a->dpy) + (f.rb.y - w->start.rb.y) - (f.ra.y - w->start.ra.y);
-	f.e = w->start.e;
+	f.e = cni_v(0.0f, 0.0f);
 	if (w->flags & CNI_WORK_GROUNDS) {
 		f.d = cni_add(w->start.d, cni_add(cni_v(a->dpx, a->dpy), cni_sub(f.ra, w->start.ra)));
 		f.e = cni_add(w->start.e, cni_add(cni_v(b->dpx, b->dpy), cni_sub(f.rb, w->start.rb)));
@@ -155,13 +155,14 @@ static int32_t rows_together(const cni_row *rows, int32_t count)
 	return k;
 }
 
-static void work_build(const cn_world *world, cni_joint_work *w, const cni_motion *a, const cni_motion *b)
+/* The same rows in the same order all through a step: rigid_count is found with the first ones. */
+static void work_build(cni_joint_work *w, const cni_motion *a, const cni_motion *b)
 {
-	const cni_joint *j = cni_joint_at(world, w->joint);
 	cni_joint_frame f = work_frame(w, a, b);
 	int32_t k;
-	w->row_count = cni_joint_type_of(j->type)->rows(j, &f, w->rows);
-	w->rigid_count = rows_together(w->rows, w->row_count);
+	w->row_count = w->make_rows(w->record, &f, w->rows);
+	if (w->rigid_count < 0)
+		w->rigid_count = rows_together(w->rows, w->row_count);
 	block_invert(w->rows, w->rigid_count, a, b, w->inverse);
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		float mass;
@@ -175,7 +176,6 @@ static void work_build(const cn_world *world, cni_joint_work *w, const cni_motio
 /* Impulses between the record, by the type's rows, and the work, by decoupled rows: sign +1 stores, -1 loads. */
 static void impulses_recouple(const cn_world *world, const cni_joint_work *w, float sign, float *impulse)
 {
-	const cni_joint *j = cni_joint_at(world, w->joint);
 	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
 	cni_joint_frame f;
 	cni_row rows[CNI_JOINT_ROWS];
@@ -184,7 +184,7 @@ static void impulses_recouple(const cn_world *world, const cni_joint_work *w, fl
 	if (!work_is_decoupled(w))
 		return;
 	f = work_frame(w, a, b);
-	cni_joint_type_of(j->type)->rows(j, &f, rows);
+	w->make_rows(w->record, &f, rows);
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		row_shares(w, &rows[k], a, b, share);
 		for (i = 0; i < w->rigid_count; ++i)
@@ -232,12 +232,15 @@ void cni_joints_prepare(cn_world *world, const cni_solve *s)
 		cni_joint_work *w = works(world) + k;
 		const cni_joint *j = cni_joint_at(world, list[k]);
 		float impulse[CNI_JOINT_ROWS];
+		w->record = j;
+		w->make_rows = cni_joint_type_of(j->type)->rows;
 		w->joint = list[k];
 		w->ia = j->body[0] == CNI_NONE ? 0 : cni_body_at(world, j->body[0])->awake;
 		w->ib = j->body[1] == CNI_NONE ? 0 : cni_body_at(world, j->body[1])->awake;
 		w->flags = work_flags(j);
+		w->rigid_count = -1;
 		w->start = cni_joint_frame_make(world, j);
-		work_build(world, w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
+		work_build(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
 		work_soften(w, j, s);
 		if (w->flags & CNI_WORK_BOUNDED) {
 			w->force_max = j->force_max > 0.0f ? j->force_max : FLT_MAX;
@@ -437,7 +440,7 @@ static void work_rebuild(cn_world *world, cni_joint_work *w)
 	int32_t k;
 	for (k = 0; k < w->row_count; ++k)
 		old[k] = w->rows[k];
-	work_build(world, w, a, b);
+	work_build(w, a, b);
 	change_a.vx = change_a.vy = change_a.w = 0.0f;
 	change_b.vx = change_b.vy = change_b.w = 0.0f;
 	for (k = 0; k < w->row_count; ++k) {

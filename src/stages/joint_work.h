@@ -16,6 +16,8 @@ enum {
 
 /* What every pass over plain joints touches comes first and together. */
 typedef struct cni_joint_work {
+	const cni_joint *record;   /* within a step records do not move */
+	cni_joint_rows_fn *make_rows; /* of its type */
 	int32_t joint;
 	int32_t ia, ib;            /* dense body indices, 0: static or the world */
 	int32_t row_count;

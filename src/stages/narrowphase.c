@@ -78,15 +78,17 @@ static float depth_ahead(const cni_manifold *out, const pair_motion *m, const cn
 /*
  * Do the shapes graze each other at most? While they move along a line, the shadows that they throw along it stay:
  * shadows that overlap by no more than the slop are of shapes that never meet deeper. So the corner of the next
- * piece of flat ground, which is ahead of what slides over it, does not hold it up.
+ * piece of flat ground, which is ahead of what slides over it, does not hold it up. A plane that is reached by a
+ * hair only, which is how things slide, or in the substep after, for which the solver brakes too, is given up only
+ * for shadows that are clear of each other.
  */
-static int32_t shadows_graze(const cni_manifold_input *in, const pair_motion *m, const cni_body *a, const cni_body *b, float dt)
+static int32_t shadows_graze(const cni_manifold_input *in, const pair_motion *m, const cni_body *a, const cni_body *b, float depth, float dt)
 {
-	float speed = cni_length(m->v);
+	float speed = cni_length(m->v), hair = 0.1f * in->slop;
 	float turn = dt * (cni_abs(m->wa) * (a->extent - in->a->radius) + cni_abs(m->wb) * (b->extent - in->b->radius));
 	cni_transform along, b_along;
 	cni_aabb box_a, box_b;
-	if (speed * dt <= 0.1f * in->slop || turn > in->slop)
+	if (speed * dt <= hair || turn > in->slop)
 		return 0;
 	along.q.c = m->v.x / speed; /* turns the motion to +x: shadows are what is left in y */
 	along.q.s = -m->v.y / speed;
@@ -95,7 +97,7 @@ static int32_t shadows_graze(const cni_manifold_input *in, const pair_motion *m,
 	b_along.t = cni_rotate(along.q, in->b_in_a.t);
 	box_a = cni_geometry_aabb(in->a, in->child_a, along);
 	box_b = cni_geometry_aabb(in->b, in->child_b, b_along);
-	return cni_min(box_a.y1, box_b.y1) - cni_max(box_a.y0, box_b.y0) + turn <= in->slop;
+	return cni_min(box_a.y1, box_b.y1) - cni_max(box_a.y0, box_b.y0) + turn <= (depth > hair ? in->slop : -hair);
 }
 
 static cni_path path_make(const cni_body *b, cni_vec2 from, const cni_motion *m, float dt)
@@ -161,7 +163,7 @@ static void contact_collide(const cn_world *world, cni_contact *c, float dt, tou
 	const cni_proxy *pa = cni_proxy_at(world, c->proxy[0]), *pb = cni_proxy_at(world, c->proxy[1]);
 	const cni_shape *sa = cni_shape_at(world, pa->shape), *sb = cni_shape_at(world, pb->shape);
 	const cni_body *a = cni_body_at(world, c->body[0]), *b = cni_body_at(world, c->body[1]);
-	float margin = world->settings.contact_margin, nearest, least;
+	float margin = world->settings.contact_margin, nearest, least, sooner, later;
 	pair_motion m = motion_make(world, a, b, dt);
 	cni_manifold_input in;
 	cni_vec2 b_center;
@@ -179,7 +181,9 @@ static void contact_collide(const cn_world *world, cni_contact *c, float dt, tou
 		return;
 	b_center = cni_transform_point(in.b_in_a, b->local_center);
 	least = c->flags & CNI_CONTACT_TOUCHING ? 0.0f : -in.slop;
-	if (depth_ahead(&out->manifold, &m, a, b_center, least, dt) > 0.1f * in.slop && shadows_graze(&in, &m, a, b, dt))
+	sooner = depth_ahead(&out->manifold, &m, a, b_center, least, dt);
+	later = depth_ahead(&out->manifold, &m, a, b_center, least, dt + dt / (float)world->settings.substeps);
+	if (later > 0.0f && shadows_graze(&in, &m, a, b, sooner, dt))
 		out->manifold.count = 0;
 	if (m.reach <= margin || out->manifold.count == 0)
 		return;

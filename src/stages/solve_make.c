@@ -89,7 +89,7 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	s.substeps = substeps;
 	s.h = dt / (float)substeps;
 	s.inv_h = s.h > 0.0f ? 1.0f / s.h : 0.0f;
-	s.warm_scale = (set->flags & CN_WORLD_WARM_START) == 0 ? 0.0f : last > 0.0f ? cni_min(dt / last, 4.0f) : 1.0f;
+	s.warm_scale = (set->flags & CN_WORLD_WARM_START) == 0 ? 0.0f : last > 0.0f ? cni_min(dt / last, 1.0f) : 1.0f;
 	s.push_speed = set->push_speed_max;
 	s.restitution_threshold = set->restitution_threshold;
 	s.shock_speed = set->length_unit;

@@ -30,16 +30,42 @@ void cn_debug_draw_init(cn_debug_draw *draw)
 	draw->view.upper_m = cni_v(FLT_MAX, FLT_MAX);
 }
 
+static int32_t in_view(const cn_debug_draw *d, const cni_aabb *box)
+{
+	cni_aabb view;
+	view.x0 = d->view.lower_m.x;
+	view.y0 = d->view.lower_m.y;
+	view.x1 = d->view.upper_m.x;
+	view.y1 = d->view.upper_m.y;
+	return cni_aabb_overlap(&view, box);
+}
+
+static int32_t sees(const cn_debug_draw *d, cni_vec2 a, cni_vec2 b)
+{
+	cni_aabb box;
+	box.x0 = cni_min(a.x, b.x);
+	box.y0 = cni_min(a.y, b.y);
+	box.x1 = cni_max(a.x, b.x);
+	box.y1 = cni_max(a.y, b.y);
+	return in_view(d, &box);
+}
+
 static void segment(const cn_debug_draw *d, cni_vec2 a, cni_vec2 b, uint32_t color)
 {
-	if (d->segment != NULL)
+	if (d->segment != NULL && sees(d, a, b))
 		d->segment(&a, &b, color, d->user);
 }
 
 static void point(const cn_debug_draw *d, cni_vec2 p, float size, uint32_t color)
 {
-	if (d->point != NULL)
+	if (d->point != NULL && sees(d, p, p))
 		d->point(&p, size, color, d->user);
+}
+
+static void text(const cn_debug_draw *d, cni_vec2 p, const char *words, uint32_t color)
+{
+	if (d->text != NULL && sees(d, p, p))
+		d->text(&p, words, color, d->user);
 }
 
 /* ---- shapes ---- */
@@ -103,16 +129,6 @@ static void draw_box(const cn_debug_draw *d, const cni_aabb *box)
 		segment(d, c[k], c[(k + 1) & 3], COLOR_BOX);
 }
 
-static int32_t in_view(const cn_debug_draw *d, const cni_aabb *box)
-{
-	cni_aabb view;
-	view.x0 = d->view.lower_m.x;
-	view.y0 = d->view.lower_m.y;
-	view.x1 = d->view.upper_m.x;
-	view.y1 = d->view.upper_m.y;
-	return cni_aabb_overlap(&view, box);
-}
-
 static cni_aabb shape_box(const cni_geometry *g, cni_transform x)
 {
 	cni_aabb box = cni_geometry_aabb(g, 0, x);
@@ -152,10 +168,8 @@ static void draw_body(const cn_world *world, const cn_debug_draw *d, int32_t bod
 		draw_shape(world, d, b, cni_shape_at(world, shape));
 	if (d->flags & CN_DRAW_CENTERS)
 		point(d, cni_v(b->cx, b->cy), 4.0f, COLOR_CENTER);
-	if ((d->flags & CN_DRAW_CENTERS) && b->name != 0 && d->text != NULL) {
-		cni_vec2 at = cni_v(b->cx, b->cy);
-		d->text(&at, (const char *)cni_blocks_at(&world->blocks, b->name), COLOR_CENTER, d->user);
-	}
+	if ((d->flags & CN_DRAW_CENTERS) && b->name != 0)
+		text(d, cni_v(b->cx, b->cy), (const char *)cni_blocks_at(&world->blocks, b->name), COLOR_CENTER);
 }
 
 /* ---- joints and contacts ---- */

@@ -57,7 +57,7 @@ cn_result cn_world_get_substep_count(const cn_world *world, int32_t *out_count)
 cn_result cn_world_set_flags(cn_world *world, uint32_t flags)
 {
 	cni_call call = cni_enter(world, __func__);
-	cni_check_flags(&call, "flags", flags, CN_WORLD_SLEEP | CN_WORLD_WARM_START | CN_WORLD_PROFILE);
+	cni_check_flags(&call, "flags", flags, CN_WORLD_SLEEP | CN_WORLD_WARM_START | CN_WORLD_PROFILE | CN_WORLD_CONTINUOUS);
 	if (call.result != CN_OK)
 		return call.result;
 	if ((world->settings.flags & CN_WORLD_SLEEP) && !(flags & CN_WORLD_SLEEP))

@@ -56,6 +56,24 @@ static void previous_keep(cn_world *world)
 	}
 }
 
+/* How the time that is owed divides. Beyond 2^24 steps a float holds no rest of a step: all but the cap is dropped. */
+static cn_update_report report_make(const cn_world *world)
+{
+	float step = world->fixed_step, owed = world->time_owed, whole = owed / step, most = (float)world->steps_max, taken;
+	cn_update_report report;
+	memset(&report, 0, sizeof report);
+	report.steps = whole < most ? (int32_t)whole : world->steps_max;
+	taken = (float)report.steps * step;
+	if (whole >= 16777216.0f) {
+		report.dropped_s = owed - taken;
+	} else {
+		report.dropped_s = (float)((int32_t)whole - report.steps) * step;
+		report.leftover_s = cni_clamp(owed - report.dropped_s - taken, 0.0f, step);
+	}
+	report.interpolation = cni_min(report.leftover_s / step, 0.99999994f);
+	return report;
+}
+
 cn_result cn_world_update(cn_world *world, float elapsed_s, cn_update_report *out)
 {
 	cni_call call = cni_enter(world, __func__);
@@ -66,21 +84,14 @@ cn_result cn_world_update(cn_world *world, float elapsed_s, cn_update_report *ou
 		cni_check_reserved(&call, previous_reserve(world), "the poses of the previous step");
 	if (call.result != CN_OK)
 		return call.result;
-	memset(&report, 0, sizeof report);
 	world->time_owed += elapsed_s;
-	report.steps = (int32_t)(world->time_owed / world->fixed_step);
-	if (report.steps > world->steps_max) {
-		report.dropped_s = (float)(report.steps - world->steps_max) * world->fixed_step;
-		report.steps = world->steps_max;
-	}
-	world->time_owed = cni_max(world->time_owed - report.dropped_s - (float)report.steps * world->fixed_step, 0.0f);
+	report = report_make(world);
+	world->time_owed = report.leftover_s;
 	for (k = 0; k < report.steps; ++k) {
 		if (k == report.steps - 1)
 			previous_keep(world);
 		cn_world_step(world, world->fixed_step);
 	}
-	report.leftover_s = world->time_owed;
-	report.interpolation = cni_min(world->time_owed / world->fixed_step, 0.99999994f);
 	if (out != NULL)
 		*out = report;
 	return CN_OK;
@@ -92,13 +103,14 @@ static cn_pose pose_between(const cn_world *world, int32_t body, float factor)
 	cni_vec2 origin = cni_body_origin(b);
 	cni_rot q = b->q;
 	cn_pose pose;
-	if (body < world->previous.count) {
+	if (body < world->previous.count && factor < 1.0f) {
 		const cni_previous *p = previous_of(world) + body;
 		if (p->body == cni_handles_of(&world->body_handles, body) && p->step == world->step_count) {
 			origin = cni_lerp(cni_v(p->x, p->y), origin, factor);
 			q.c = p->c + factor * (q.c - p->c);
 			q.s = p->s + factor * (q.s - p->s);
-			q = q.c != 0.0f || q.s != 0.0f ? cni_rot_normalize(q) : b->q;
+			if (factor > 0.0f)
+				q = q.c != 0.0f || q.s != 0.0f ? cni_rot_normalize(q) : b->q;
 		}
 	}
 	pose.position_m = origin;

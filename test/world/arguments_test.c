@@ -202,7 +202,7 @@ ENTRY(cn_world_set_substep_count, cn_world_set_substep_count(W, 8),
 	NOW(cn_world_set_substep_count(NULL, 8)); INTEGER(x, 0, 65, cn_world_set_substep_count(W, x));)
 WORLD_GETTER(cn_world_get_substep_count, int32_t)
 ENTRY(cn_world_set_flags, cn_world_set_flags(W, CN_WORLD_PROFILE),
-	NOW(cn_world_set_flags(NULL, 0)); FLAGS(x, 3, cn_world_set_flags(W, x));)
+	NOW(cn_world_set_flags(NULL, 0)); FLAGS(x, 4, cn_world_set_flags(W, x));)
 WORLD_GETTER(cn_world_get_flags, uint32_t)
 ENTRY(cn_world_set_restitution_threshold, cn_world_set_restitution_threshold(W, 2.0f),
 	NOW(cn_world_set_restitution_threshold(NULL, 2.0f)); NOT_NEGATIVE(x, cn_world_set_restitution_threshold(W, x));)

@@ -24,17 +24,17 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0xbf178aa801dea5d5 },
-	{ "small_200", 300, 1, 0x2aa3e88cc11d61b0 },
+	{ "falling_hinges", 480, 1, 0xf588e0b700da40bc },
+	{ "small_200", 300, 1, 0xde3814eef48bca68 },
 	{ "small_50_sleep", 600, 1, 0x650fb52aec3e9bae },
 	{ "dominoes", 400, 1, 0xd2c5b336e713a0d1 },
-	{ "ragdolls", 480, 1, 0xa301d1b6a59e6a3b },
-	{ "bridge", 240, 1, 0xd9b7ee2a82415676 },
-	{ "car", 400, 1, 0xfa3a7e1c7171b61f },
-	{ "mixer", 240, 1, 0xdd9983f99346b6c2 },
+	{ "ragdolls", 480, 1, 0x2ff7bd60480282d2 },
+	{ "bridge", 240, 1, 0x27e913895d03cfc9 },
+	{ "car", 400, 1, 0x64b8e2b6106424ce },
+	{ "mixer", 240, 1, 0x192c63ec698acaca },
 	{ "pyramid", 120, 0, 0x96cac2611a552232 },
 	{ "rain", 150, 0, 0x121a2ee5b3854b66 },
-	{ "tumbler_1000", 300, 0, 0x54788ae57a2024b5 },
+	{ "tumbler_1000", 300, 0, 0xf77763f831c1b914 },
 };
 /* clang-format on */
 #define GOLDENS ((int32_t)(sizeof goldens / sizeof *goldens))

@@ -429,6 +429,7 @@ static void push_must_exceed_static_friction_and_then_meets_dynamic(void)
 	box = slider(world, &ground, 0.0f, 0.1f, NULL);
 	must(cn_body_get_mass_data(world, box, &mass), world, "cn_body_get_mass_data");
 	weight = (double)mass.mass_kg * GRAVITY;
+	fixture_step(world, 30);
 	for (k = 0; k < 120; ++k) {
 		cn_body_apply_force_at(world, box, (float)(0.58 * weight), 0.0f, fixture_pose(world, box).position_m.x, 0.02f);
 		fixture_step(world, 1);
