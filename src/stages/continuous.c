@@ -2,8 +2,8 @@
  * stages/continuous.c - the last guard against passing through things (part of stage 8).
  *
  * Most fast bodies are stopped by contacts that the narrowphase finds ahead of them. What is left are bodies
- * that were made fast within the step. Before a body takes a pose that is farther away than half its inner
- * radius, the core of each of its shapes, shrunk by that much, is moved along its path against the static
+ * that were made fast within the step. Before a body takes a pose that is farther away than a quarter of its inner
+ * radius, the core of each of its shapes, shrunk by twice that, is moved along its path against the static
  * shapes there (for bullets: against all, each on its own path); at the first meeting the rest of the path is given
  * up for this step, by a dynamic body that a bullet meets too.
  * A shape that merely rests on or slides along something keeps its core clear of it, so nothing catches.
@@ -23,7 +23,7 @@ enum {
 /* Does the step's change carry the body so far that something could be left behind it unseen? */
 static int32_t body_is_fast(const cni_body *b, const cni_motion *m)
 {
-	float most = 0.5f * b->core, turn = m->theta * b->extent;
+	float most = 0.25f * b->core, turn = m->theta * b->extent;
 	return b->type == CN_BODY_DYNAMIC && m->dpx * m->dpx + m->dpy * m->dpy + turn * turn > most * most;
 }
 
@@ -88,6 +88,13 @@ static int32_t other_stops(const clamp *c, int32_t proxy)
 	return cni_contact_allowed(world, c->proxy, proxy);
 }
 
+/* Does b go away from a along the normal? */
+static int32_t path_leaves(const cni_toi_input *in, cni_vec2 normal)
+{
+	cni_vec2 a = cni_sub(in->path_a.end, in->path_a.start), b = cni_sub(in->path_b.end, in->path_b.start);
+	return cni_dot(cni_sub(b, a), normal) > 0.0f;
+}
+
 /*
  * How much of the paths is free. A core that starts nearer than the target, which is where the last step left it if
  * that stopped it, may come half as near again, and no nearer than a hundredth of the tolerance: there it stays
@@ -104,6 +111,8 @@ static float free_fraction(cni_toi_input *in)
 		if (!(hit.distance < 2.0f * in->target))
 			break;
 	}
+	if (hit.state == CNI_TOI_HIT && hit.fraction == 0.0f && (hit.distance <= 0.0f || path_leaves(in, hit.normal)))
+		return 1.0f;
 	return hit.state == CNI_TOI_HIT || hit.state == CNI_TOI_FAILED ? hit.fraction : 1.0f;
 }
 
