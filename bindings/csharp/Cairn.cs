@@ -19,6 +19,7 @@ namespace Cairn
 	public enum cn_joint : uint { none = 0 }
 	public enum cn_constraint : uint { none = 0 }
 	public struct cn_world { }
+	public struct cn_tree { }
 
 	/// <summary>Memory hooks. Return NULL when there is none; align is a power of two, at most 64. Called only from
 	/// inside functions that take a non-const world.</summary>
@@ -64,6 +65,14 @@ namespace Cairn
 
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void cn_debug_draw_text_fn(cn_vec2* point_m, byte* text, uint color, void* user);
+
+	/// <summary>Return 0 to stop, anything else to go on.</summary>
+	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+	public unsafe delegate int cn_tree_query_fn(uint item, ulong user_data, void* user);
+
+	/// <summary>Return the fraction to go on with: the given one to ignore the item, 0 to stop.</summary>
+	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+	public unsafe delegate float cn_tree_ray_fn(uint item, ulong user_data, float fraction, void* user);
 
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_vec2_array16
@@ -188,6 +197,7 @@ namespace Cairn
 		/// <summary>counts every edge of a chain</summary>
 		public int shape_capacity;
 		public int contact_capacity;
+		/// <summary>counts constraints too</summary>
 		public int joint_capacity;
 		public ulong user_data;
 		/// <summary>size of memory; 0: use alloc and free</summary>
@@ -214,6 +224,7 @@ namespace Cairn
 		public int contacts_awake;
 		/// <summary>pairs that share a manifold, asleep or awake</summary>
 		public int contacts_touching;
+		/// <summary>and constraints</summary>
 		public int joints;
 		public int joints_awake;
 		/// <summary>awake and asleep, of two or more bodies or one</summary>
@@ -469,13 +480,14 @@ namespace Cairn
 		public uint reserved;
 	}
 
-	/// <summary>First field of every joint definition.</summary>
+	/// <summary>First field of every joint definition. A joint's rigid parts are what holds anchors, axes, angles,
+	/// lengths and limits in place; springs and motors are not.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_joint_base
 	{
 		/// <summary>of the whole definition</summary>
 		public uint struct_size;
-		/// <summary>CN_JOINT_*; default 0</summary>
+		/// <summary>CN_JOINT_*; default 0; a type ignores those it has no use for</summary>
 		public uint flags;
 		/// <summary>0: the world</summary>
 		public cn_body body_a;
@@ -484,6 +496,17 @@ namespace Cairn
 		/// <summary>in body a's local frame, or in world coordinates</summary>
 		public cn_vec2 anchor_a_m;
 		public cn_vec2 anchor_b_m;
+		/// <summary>of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps allow</summary>
+		public float stiffness_hertz;
+		/// <summary>used when stiffness_hertz &gt; 0; 0 to 1e6</summary>
+		public float stiffness_damping_ratio;
+		/// <summary>anchors and axes never pull harder, nor does a limit; 0 (default): no bound</summary>
+		public float force_max_N;
+		/// <summary>the same for angles</summary>
+		public float torque_max_Nm;
+		/// <summary>a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never</summary>
+		public float break_force_N;
+		public float break_torque_Nm;
 		public ulong user_data;
 	}
 
@@ -529,6 +552,235 @@ namespace Cairn
 		/// <summary>0 to 1e6</summary>
 		public float spring_damping_ratio;
 		public float reserved;
+	}
+
+	/// <summary>Welded: no relative motion. base.stiffness_hertz makes it springy.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_fixed_def
+	{
+		public cn_joint_base @base;
+		/// <summary>angle b - angle a</summary>
+		public float reference_angle_rad;
+		/// <summary>stiffness of the angle alone, 0 to 1e6; 0: as the base's</summary>
+		public float angular_hertz;
+		/// <summary>0 to 1e6</summary>
+		public float angular_damping_ratio;
+		public float reserved;
+	}
+
+	/// <summary>b slides along an axis fixed in a, without turning. The translation is along the axis from anchor a.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_prismatic_def
+	{
+		public cn_joint_base @base;
+		/// <summary>in body a's frame, any length &gt; 0 (read back with length 1); default (1, 0)</summary>
+		public cn_vec2 axis;
+		/// <summary>angle b - angle a</summary>
+		public float reference_angle_rad;
+		/// <summary>CN_JOINT_LIMIT: lower &lt;= upper</summary>
+		public float lower_m;
+		public float upper_m;
+		/// <summary>CN_JOINT_MOTOR</summary>
+		public float motor_speed_mps;
+		/// <summary>&gt;= 0</summary>
+		public float motor_force_max_N;
+		/// <summary>CN_JOINT_SPRING: pulls the translation to this</summary>
+		public float spring_target_m;
+		/// <summary>0 to 1e6</summary>
+		public float spring_hertz;
+		/// <summary>0 to 1e6</summary>
+		public float spring_damping_ratio;
+	}
+
+	/// <summary>A wheel b on suspension: slides along an axis fixed in a (springy, with limits), turns freely; the motor
+	/// turns it.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_wheel_def
+	{
+		public cn_joint_base @base;
+		/// <summary>in body a's frame, any length &gt; 0 (read back with length 1); default (0, 1)</summary>
+		public cn_vec2 axis;
+		/// <summary>CN_JOINT_LIMIT: lower &lt;= upper</summary>
+		public float lower_m;
+		public float upper_m;
+		/// <summary>CN_JOINT_MOTOR</summary>
+		public float motor_speed_radps;
+		/// <summary>&gt;= 0</summary>
+		public float motor_torque_max_Nm;
+		/// <summary>CN_JOINT_SPRING: pulls anchor b to anchor a; 0 to 1e6, default 1</summary>
+		public float spring_hertz;
+		/// <summary>0 to 1e6, default 0.7</summary>
+		public float spring_damping_ratio;
+	}
+
+	/// <summary>Drives b to an offset and angle from a by a spring with bounded force and torque: base.force_max_N and
+	/// base.torque_max_Nm must be &gt; 0.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_motor_def
+	{
+		/// <summary>anchor b is driven to anchor a + offset</summary>
+		public cn_joint_base @base;
+		/// <summary>in body a's frame</summary>
+		public cn_vec2 offset_m;
+		/// <summary>angle b - angle a</summary>
+		public float angle_rad;
+		/// <summary>how briskly, &gt; 0, to 1e6; default 5</summary>
+		public float hertz;
+		/// <summary>0 to 1e6, default 1</summary>
+		public float damping_ratio;
+		public float reserved;
+	}
+
+	/// <summary>Drags anchor b of body b to a world point by a spring. body_a must be 0, anchor_a_m is ignored, and
+	/// base.force_max_N must be &gt; 0.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_mouse_def
+	{
+		public cn_joint_base @base;
+		public cn_vec2 target_m;
+		/// <summary>&gt; 0, to 1e6; default 5</summary>
+		public float hertz;
+		/// <summary>0 to 1e6, default 0.7</summary>
+		public float damping_ratio;
+	}
+
+	/// <summary>angle b = ratio * angle a + phase. Angles begin in (-pi, pi] at creation (or when the ratio is changed)
+	/// and count whole turns from there.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_gear_def
+	{
+		public cn_joint_base @base;
+		/// <summary>size 1e-4 to 1e4, negative: they turn against each other; default 1</summary>
+		public float ratio;
+		public float phase_rad;
+	}
+
+	/// <summary>|anchor a - ground a| + ratio |anchor b - ground b| &lt;= length: a rope over two pulleys (never pushes).</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_pulley_def
+	{
+		public cn_joint_base @base;
+		/// <summary>world</summary>
+		public cn_vec2 ground_a_m;
+		public cn_vec2 ground_b_m;
+		/// <summary>1e-4 to 1e4; default 1</summary>
+		public float ratio;
+		/// <summary>&gt; 0</summary>
+		public float length_m;
+	}
+
+	/// <summary>b may turn against a in one direction only, and back no farther than to the last click that it passed.
+	/// Clicks are at phase + any whole number of click_rad, over whole turns.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_ratchet_def
+	{
+		public cn_joint_base @base;
+		public float phase_rad;
+		/// <summary>size 1e-4 to 1e4; positive: b may turn counter-clockwise</summary>
+		public float click_rad;
+	}
+
+	/// <summary>A torque that pulls angle b - angle a to rest, over whole turns. hertz is that of the two bodies' own
+	/// inertia.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_rotary_spring_def
+	{
+		public cn_joint_base @base;
+		public float rest_angle_rad;
+		/// <summary>&gt; 0, to 1e6; default 1</summary>
+		public float hertz;
+		/// <summary>0 to 1e6, default 0</summary>
+		public float damping_ratio;
+		public float reserved;
+	}
+
+	/// <summary>anchor b slides in a slot of body a from anchor a to end.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_groove_def
+	{
+		public cn_joint_base @base;
+		/// <summary>in body a's frame; not equal to anchor a; default (1, 0)</summary>
+		public cn_vec2 end_m;
+	}
+
+	/// <summary>Nothing but: the two bodies do not collide.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_filter_joint_def
+	{
+		public cn_joint_base @base;
+	}
+
+	/// <summary>Something happened to a joint or to a constraint on one body.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_joint_event
+	{
+		/// <summary>0: it was a constraint; stale when destroyed is 1</summary>
+		public cn_joint joint;
+		/// <summary>0: it was a joint; stale when destroyed is 1</summary>
+		public cn_constraint constraint;
+		/// <summary>0: the world</summary>
+		public cn_body body_a;
+		public cn_body body_b;
+		/// <summary>largest reaction of the step; 0 when a body was destroyed</summary>
+		public float force_N;
+		public float torque_Nm;
+		/// <summary>1: it is gone (it breaks, or a body of it was destroyed)</summary>
+		public uint destroyed;
+		public uint reserved;
+		public ulong user_data;
+	}
+
+	/// <summary>Keeps a body's angle within limits. The angle begins in (-pi, pi] at creation and counts whole turns from
+	/// there.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_angle_constraint_def
+	{
+		public uint struct_size;
+		/// <summary>CN_CONSTRAINT_*; default 0</summary>
+		public uint flags;
+		/// <summary>must be dynamic</summary>
+		public cn_body body;
+		/// <summary>lower &lt;= upper; equal: locked</summary>
+		public float lower_rad;
+		public float upper_rad;
+		/// <summary>0 (default): rigid; to 1e6</summary>
+		public float hertz;
+		/// <summary>used when hertz &gt; 0; 0 to 1e6</summary>
+		public float damping_ratio;
+		/// <summary>a reaction above this is reported (cn_world_joint_events); 0: never</summary>
+		public float break_torque_Nm;
+		public ulong user_data;
+	}
+
+	/// <summary>Keeps a point of a body on a line in the world, within a tolerance to either side, and between limits
+	/// along it.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_line_constraint_def
+	{
+		public uint struct_size;
+		/// <summary>CN_CONSTRAINT_*; default 0</summary>
+		public uint flags;
+		/// <summary>must be dynamic</summary>
+		public cn_body body;
+		/// <summary>in the body's frame</summary>
+		public cn_vec2 anchor_m;
+		/// <summary>of the line, world</summary>
+		public cn_vec2 origin_m;
+		/// <summary>world, any length &gt; 0 (read back with length 1); default (1, 0)</summary>
+		public cn_vec2 axis;
+		/// <summary>&gt;= 0: free play across the axis</summary>
+		public float tolerance_m;
+		/// <summary>CN_CONSTRAINT_LIMIT: along the axis from origin; lower &lt;= upper</summary>
+		public float lower_m;
+		public float upper_m;
+		/// <summary>0 (default): rigid; to 1e6</summary>
+		public float hertz;
+		/// <summary>used when hertz &gt; 0; 0 to 1e6</summary>
+		public float damping_ratio;
+		/// <summary>a reaction above this is reported (cn_world_joint_events); 0: never</summary>
+		public float break_force_N;
+		public uint reserved;
+		public ulong user_data;
 	}
 
 	[StructLayout(LayoutKind.Sequential)]
@@ -660,8 +912,23 @@ namespace Cairn
 			CheckSize("cn_manifold", sizeof(cn_manifold), CN_TYPE_MANIFOLD);
 			CheckSize("cn_contact_event", sizeof(cn_contact_event), CN_TYPE_CONTACT_EVENT);
 			CheckSize("cn_sensor_event", sizeof(cn_sensor_event), CN_TYPE_SENSOR_EVENT);
+			CheckSize("cn_joint_base", sizeof(cn_joint_base), CN_TYPE_JOINT_BASE);
 			CheckSize("cn_revolute_def", sizeof(cn_revolute_def), CN_TYPE_REVOLUTE_DEF);
 			CheckSize("cn_distance_def", sizeof(cn_distance_def), CN_TYPE_DISTANCE_DEF);
+			CheckSize("cn_fixed_def", sizeof(cn_fixed_def), CN_TYPE_FIXED_DEF);
+			CheckSize("cn_prismatic_def", sizeof(cn_prismatic_def), CN_TYPE_PRISMATIC_DEF);
+			CheckSize("cn_wheel_def", sizeof(cn_wheel_def), CN_TYPE_WHEEL_DEF);
+			CheckSize("cn_motor_def", sizeof(cn_motor_def), CN_TYPE_MOTOR_DEF);
+			CheckSize("cn_mouse_def", sizeof(cn_mouse_def), CN_TYPE_MOUSE_DEF);
+			CheckSize("cn_gear_def", sizeof(cn_gear_def), CN_TYPE_GEAR_DEF);
+			CheckSize("cn_pulley_def", sizeof(cn_pulley_def), CN_TYPE_PULLEY_DEF);
+			CheckSize("cn_ratchet_def", sizeof(cn_ratchet_def), CN_TYPE_RATCHET_DEF);
+			CheckSize("cn_rotary_spring_def", sizeof(cn_rotary_spring_def), CN_TYPE_ROTARY_SPRING_DEF);
+			CheckSize("cn_groove_def", sizeof(cn_groove_def), CN_TYPE_GROOVE_DEF);
+			CheckSize("cn_filter_joint_def", sizeof(cn_filter_joint_def), CN_TYPE_FILTER_JOINT_DEF);
+			CheckSize("cn_joint_event", sizeof(cn_joint_event), CN_TYPE_JOINT_EVENT);
+			CheckSize("cn_angle_constraint_def", sizeof(cn_angle_constraint_def), CN_TYPE_ANGLE_CONSTRAINT_DEF);
+			CheckSize("cn_line_constraint_def", sizeof(cn_line_constraint_def), CN_TYPE_LINE_CONSTRAINT_DEF);
 			CheckSize("cn_update_report", sizeof(cn_update_report), CN_TYPE_UPDATE_REPORT);
 			CheckSize("cn_query_filter", sizeof(cn_query_filter), CN_TYPE_QUERY_FILTER);
 			CheckSize("cn_ray", sizeof(cn_ray), CN_TYPE_RAY);
@@ -741,7 +1008,22 @@ namespace Cairn
 		public const int CN_TYPE_RAY_HIT = 29;
 		public const int CN_TYPE_CLOSEST = 30;
 		public const int CN_TYPE_EXPLOSION_DEF = 31;
-		public const int CN_TYPE_COUNT = 32;
+		public const int CN_TYPE_FIXED_DEF = 32;
+		public const int CN_TYPE_PRISMATIC_DEF = 33;
+		public const int CN_TYPE_WHEEL_DEF = 34;
+		public const int CN_TYPE_MOTOR_DEF = 35;
+		public const int CN_TYPE_MOUSE_DEF = 36;
+		public const int CN_TYPE_GEAR_DEF = 37;
+		public const int CN_TYPE_PULLEY_DEF = 38;
+		public const int CN_TYPE_RATCHET_DEF = 39;
+		public const int CN_TYPE_ROTARY_SPRING_DEF = 40;
+		public const int CN_TYPE_GROOVE_DEF = 41;
+		public const int CN_TYPE_FILTER_JOINT_DEF = 42;
+		public const int CN_TYPE_JOINT_BASE = 43;
+		public const int CN_TYPE_JOINT_EVENT = 44;
+		public const int CN_TYPE_ANGLE_CONSTRAINT_DEF = 45;
+		public const int CN_TYPE_LINE_CONSTRAINT_DEF = 46;
+		public const int CN_TYPE_COUNT = 47;
 
 		/// <summary>islands at rest fall asleep (default on)</summary>
 		public const uint CN_WORLD_SLEEP = 1;
@@ -755,7 +1037,9 @@ namespace Cairn
 		public const int CN_SOLVER_SOFT = 0;
 		public const int CN_SOLVER_SEQUENTIAL = 1;
 
+		/// <summary>tiled sweep-and-prune</summary>
 		public const int CN_BROADPHASE_SWEEP = 0;
+		public const int CN_BROADPHASE_TREE = 1;
 
 		/// <summary>new contacts were not added: pairs_not_added</summary>
 		public const uint CN_WARNING_CONTACT_MEMORY = 1;
@@ -818,12 +1102,31 @@ namespace Cairn
 
 		public const int CN_JOINT_REVOLUTE = 0;
 		public const int CN_JOINT_DISTANCE = 1;
+		public const int CN_JOINT_FIXED = 2;
+		public const int CN_JOINT_PRISMATIC = 3;
+		public const int CN_JOINT_WHEEL = 4;
+		public const int CN_JOINT_MOTOR_TO = 5;
+		public const int CN_JOINT_MOUSE = 6;
+		public const int CN_JOINT_GEAR = 7;
+		public const int CN_JOINT_PULLEY = 8;
+		public const int CN_JOINT_RATCHET = 9;
+		public const int CN_JOINT_ROTARY_SPRING = 10;
+		public const int CN_JOINT_GROOVE = 11;
+		public const int CN_JOINT_FILTER = 12;
 
 		/// <summary>the connected bodies' shapes collide with each other (default off)</summary>
 		public const uint CN_JOINT_COLLIDE = 1;
 		public const uint CN_JOINT_LIMIT = 2;
 		public const uint CN_JOINT_MOTOR = 4;
 		public const uint CN_JOINT_SPRING = 8;
+		public const uint CN_JOINT_BREAKS = 16;
+
+		public const int CN_CONSTRAINT_ANGLE = 0;
+		public const int CN_CONSTRAINT_LINE = 1;
+
+		/// <summary>line: the limits along the axis hold</summary>
+		public const uint CN_CONSTRAINT_LIMIT = 1;
+		public const uint CN_CONSTRAINT_BREAKS = 2;
 
 		public const uint CN_DRAW_SHAPES = 1;
 		/// <summary>and constraints: anchors, axes, limits</summary>
@@ -961,7 +1264,8 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_create_many(cn_world* world, cn_body_def* defs, int count, cn_body* out_bodies);
 
-		/// <summary>Also destroys its shapes, contacts and joints; touching contacts get their leave event.</summary>
+		/// <summary>Also destroys its shapes, contacts, joints and constraints; touching contacts get their leave event,
+		/// joints and constraints theirs (cn_world_joint_events).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_destroy(cn_world* world, cn_body body);
 
@@ -1295,12 +1599,78 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_distance_def_init(cn_distance_def* def);
 
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern void cn_fixed_def_init(cn_fixed_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern void cn_prismatic_def_init(cn_prismatic_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern void cn_wheel_def_init(cn_wheel_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern void cn_motor_def_init(cn_motor_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern void cn_mouse_def_init(cn_mouse_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern void cn_gear_def_init(cn_gear_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern void cn_pulley_def_init(cn_pulley_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern void cn_ratchet_def_init(cn_ratchet_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern void cn_rotary_spring_def_init(cn_rotary_spring_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern void cn_groove_def_init(cn_groove_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern void cn_filter_joint_def_init(cn_filter_joint_def* def);
+
 		/// <summary>Wake both bodies. CN_ERROR_ARGUMENT for a body with itself or without a dynamic body.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_create_revolute(cn_world* world, cn_revolute_def* def, cn_joint* out_joint);
 
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_create_distance(cn_world* world, cn_distance_def* def, cn_joint* out_joint);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_create_fixed(cn_world* world, cn_fixed_def* def, cn_joint* out_joint);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_create_prismatic(cn_world* world, cn_prismatic_def* def, cn_joint* out_joint);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_create_wheel(cn_world* world, cn_wheel_def* def, cn_joint* out_joint);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_create_motor(cn_world* world, cn_motor_def* def, cn_joint* out_joint);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_create_mouse(cn_world* world, cn_mouse_def* def, cn_joint* out_joint);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_create_gear(cn_world* world, cn_gear_def* def, cn_joint* out_joint);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_create_pulley(cn_world* world, cn_pulley_def* def, cn_joint* out_joint);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_create_ratchet(cn_world* world, cn_ratchet_def* def, cn_joint* out_joint);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_create_rotary_spring(cn_world* world, cn_rotary_spring_def* def, cn_joint* out_joint);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_create_groove(cn_world* world, cn_groove_def* def, cn_joint* out_joint);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_create_filter(cn_world* world, cn_filter_joint_def* def, cn_joint* out_joint);
 
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_destroy(cn_world* world, cn_joint joint);
@@ -1339,8 +1709,9 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_flags(cn_world* world, cn_joint joint, uint* out_flags);
 
-		/// <summary>Read back or replace everything particular to the type; the bodies, anchors and struct_size of base are
-		/// ignored by set (its flags and user data are not). CN_ERROR_STATE for a joint of another type. set wakes.</summary>
+		/// <summary>Read back or replace a definition. set leaves bodies and anchors as they are and ignores struct_size;
+		/// all else is taken, flags and user data too. CN_ERROR_STATE for a joint of another type. set wakes. A
+		/// filter joint has nothing but its base.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_revolute(cn_world* world, cn_joint joint, cn_revolute_def* @out);
 
@@ -1353,20 +1724,159 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_distance(cn_world* world, cn_joint joint, cn_distance_def* def);
 
-		/// <summary>Revolute: the joint angle in radians. Distance: the present length in metres.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_get_fixed(cn_world* world, cn_joint joint, cn_fixed_def* @out);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_set_fixed(cn_world* world, cn_joint joint, cn_fixed_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_get_prismatic(cn_world* world, cn_joint joint, cn_prismatic_def* @out);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_set_prismatic(cn_world* world, cn_joint joint, cn_prismatic_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_get_wheel(cn_world* world, cn_joint joint, cn_wheel_def* @out);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_set_wheel(cn_world* world, cn_joint joint, cn_wheel_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_get_motor_to(cn_world* world, cn_joint joint, cn_motor_def* @out);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_set_motor_to(cn_world* world, cn_joint joint, cn_motor_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_get_mouse(cn_world* world, cn_joint joint, cn_mouse_def* @out);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_set_mouse(cn_world* world, cn_joint joint, cn_mouse_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_get_gear(cn_world* world, cn_joint joint, cn_gear_def* @out);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_set_gear(cn_world* world, cn_joint joint, cn_gear_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_get_pulley(cn_world* world, cn_joint joint, cn_pulley_def* @out);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_set_pulley(cn_world* world, cn_joint joint, cn_pulley_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_get_ratchet(cn_world* world, cn_joint joint, cn_ratchet_def* @out);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_set_ratchet(cn_world* world, cn_joint joint, cn_ratchet_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_get_rotary_spring(cn_world* world, cn_joint joint, cn_rotary_spring_def* @out);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_set_rotary_spring(cn_world* world, cn_joint joint, cn_rotary_spring_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_get_groove(cn_world* world, cn_joint joint, cn_groove_def* @out);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_set_groove(cn_world* world, cn_joint joint, cn_groove_def* def);
+
+		/// <summary>The base of any joint.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_get_base(cn_world* world, cn_joint joint, cn_joint_base* @out);
+
+		/// <summary>Takes stiffness, most force and torque, and break thresholds; the rest of base is ignored. Wakes.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_set_base(cn_world* world, cn_joint joint, cn_joint_base* @base);
+
+		/// <summary>Mouse joint: where to drag to; called each frame. CN_ERROR_STATE for another type. Wakes.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_set_target(cn_world* world, cn_joint joint, float target_x_m, float target_y_m);
+
+		/// <summary>Revolute, fixed, motor: the angle b - angle a - reference (motor: without one), in (-pi, pi]. Distance,
+		/// pulley: the present length. Prismatic, wheel, groove: the translation along the axis. Mouse: distance to
+		/// the target. Gear: angle b - ratio * angle a; ratchet, rotary spring: angle b - angle a, these three over
+		/// whole turns.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_position(cn_world* world, cn_joint joint, float* out_position);
 
-		/// <summary>Revolute: radians a second. Distance: metres a second. With CN_JOINT_MOTOR, positive follows these.</summary>
+		/// <summary>How fast that changes; but of a wheel how fast b turns against a. With CN_JOINT_MOTOR, positive follows
+		/// these.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_speed(cn_world* world, cn_joint joint, float* out_speed);
 
-		/// <summary>The two setters that games call each frame. Wake.</summary>
+		/// <summary>The two setters that games call each frame, for revolute, distance, prismatic and wheel (others:
+		/// CN_ERROR_STATE). Wake.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_motor(cn_world* world, cn_joint joint, float speed, float force_or_torque_max);
 
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_limits(cn_world* world, cn_joint joint, float lower, float upper);
+
+		/// <summary>Those that exceeded a break threshold in the last step, and those destroyed with a body in or since the
+		/// step before (by calls between two steps: reported by the next step).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_joint_events(cn_world* world, cn_joint_event** out_events, int* out_count);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern void cn_angle_constraint_def_init(cn_angle_constraint_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern void cn_line_constraint_def_init(cn_line_constraint_def* def);
+
+		/// <summary>They are solved with the joints, before contacts. Wake the body.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_constraint_create_angle(cn_world* world, cn_angle_constraint_def* def, cn_constraint* out_constraint);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_constraint_create_line(cn_world* world, cn_line_constraint_def* def, cn_constraint* out_constraint);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_constraint_destroy(cn_world* world, cn_constraint constraint);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_constraint_is_valid(cn_world* world, cn_constraint constraint);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_constraint_get_type(cn_world* world, cn_constraint constraint, int* out_type);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_constraint_get_body(cn_world* world, cn_constraint constraint, cn_body* out_body);
+
+		/// <summary>Read back or replace a definition; set ignores body. CN_ERROR_STATE for the other type. set wakes.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_constraint_get_angle(cn_world* world, cn_constraint constraint, cn_angle_constraint_def* @out);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_constraint_set_angle(cn_world* world, cn_constraint constraint, cn_angle_constraint_def* def);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_constraint_get_line(cn_world* world, cn_constraint constraint, cn_line_constraint_def* @out);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_constraint_set_line(cn_world* world, cn_constraint constraint, cn_line_constraint_def* def);
+
+		/// <summary>Angle: the angle over whole turns. Line: where along the axis the point is, from origin.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_constraint_get_position(cn_world* world, cn_constraint constraint, float* out_position);
+
+		/// <summary>Force in newtons and torque in newton metres that it put on the body in the last substep.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_constraint_get_reaction(cn_world* world, cn_constraint constraint, cn_vec2* out_force_N, float* out_torque_Nm);
+
+		/// <summary>How far beyond what is allowed, &gt;= 0.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_constraint_get_error(cn_world* world, cn_constraint constraint, float* out_m, float* out_rad);
+
+		/// <summary>As cn_world_get_joints and cn_body_get_joints, which do not list constraints.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_get_constraints(cn_world* world, cn_constraint* @out, int capacity, int* out_count);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_body_get_constraints(cn_world* world, cn_body body, cn_constraint* @out, int capacity, int* out_count);
 
 		/// <summary>step_s in (0, 1], default 1/60; steps_max &gt;= 1, default 8.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1450,5 +1960,36 @@ namespace Cairn
 		/// <summary>Reads only. O(what is drawn).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_draw(cn_world* world, cn_debug_draw* draw);
+
+		/// <summary>Dynamic AABB tree. alloc and free NULL: malloc. margin_m &gt;= 0 is added around every box.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_tree_create(float margin_m, IntPtr alloc, IntPtr free, void* allocator_user, cn_tree** out_tree);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern void cn_tree_destroy(cn_tree* tree);
+
+		/// <summary>O(log n). *out_item is never 0.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_tree_insert(cn_tree* tree, cn_aabb* box, ulong user_data, uint* out_item);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_tree_remove(cn_tree* tree, uint item);
+
+		/// <summary>Nothing happens while the box stays within its margin. O(log n) else.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_tree_move(cn_tree* tree, uint item, cn_aabb* box);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_tree_get_box(cn_tree* tree, uint item, cn_aabb* @out);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_tree_query(cn_tree* tree, cn_aabb* box, IntPtr visit, void* user);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_tree_cast_ray(cn_tree* tree, cn_ray* ray, IntPtr visit, void* user);
+
+		/// <summary>Number of items and height of the tree.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_tree_get_stats(cn_tree* tree, int* out_count, int* out_height);
 	}
 }

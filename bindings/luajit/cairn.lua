@@ -64,7 +64,22 @@ enum {
 	CN_TYPE_RAY_HIT = 29,
 	CN_TYPE_CLOSEST = 30,
 	CN_TYPE_EXPLOSION_DEF = 31,
-	CN_TYPE_COUNT = 32,
+	CN_TYPE_FIXED_DEF = 32,
+	CN_TYPE_PRISMATIC_DEF = 33,
+	CN_TYPE_WHEEL_DEF = 34,
+	CN_TYPE_MOTOR_DEF = 35,
+	CN_TYPE_MOUSE_DEF = 36,
+	CN_TYPE_GEAR_DEF = 37,
+	CN_TYPE_PULLEY_DEF = 38,
+	CN_TYPE_RATCHET_DEF = 39,
+	CN_TYPE_ROTARY_SPRING_DEF = 40,
+	CN_TYPE_GROOVE_DEF = 41,
+	CN_TYPE_FILTER_JOINT_DEF = 42,
+	CN_TYPE_JOINT_BASE = 43,
+	CN_TYPE_JOINT_EVENT = 44,
+	CN_TYPE_ANGLE_CONSTRAINT_DEF = 45,
+	CN_TYPE_LINE_CONSTRAINT_DEF = 46,
+	CN_TYPE_COUNT = 47,
 };
 
 enum {
@@ -80,7 +95,8 @@ enum {
 };
 
 enum {
-	CN_BROADPHASE_SWEEP = 0,
+	CN_BROADPHASE_SWEEP = 0, // tiled sweep-and-prune
+	CN_BROADPHASE_TREE = 1,
 };
 
 enum {
@@ -142,6 +158,17 @@ enum {
 enum {
 	CN_JOINT_REVOLUTE = 0,
 	CN_JOINT_DISTANCE = 1,
+	CN_JOINT_FIXED = 2,
+	CN_JOINT_PRISMATIC = 3,
+	CN_JOINT_WHEEL = 4,
+	CN_JOINT_MOTOR_TO = 5,
+	CN_JOINT_MOUSE = 6,
+	CN_JOINT_GEAR = 7,
+	CN_JOINT_PULLEY = 8,
+	CN_JOINT_RATCHET = 9,
+	CN_JOINT_ROTARY_SPRING = 10,
+	CN_JOINT_GROOVE = 11,
+	CN_JOINT_FILTER = 12,
 };
 
 enum {
@@ -149,6 +176,17 @@ enum {
 	CN_JOINT_LIMIT = 2,
 	CN_JOINT_MOTOR = 4,
 	CN_JOINT_SPRING = 8,
+	CN_JOINT_BREAKS = 16,
+};
+
+enum {
+	CN_CONSTRAINT_ANGLE = 0,
+	CN_CONSTRAINT_LINE = 1,
+};
+
+enum {
+	CN_CONSTRAINT_LIMIT = 1, // line: the limits along the axis hold
+	CN_CONSTRAINT_BREAKS = 2,
 };
 
 enum {
@@ -166,6 +204,7 @@ typedef uint32_t cn_shape;
 typedef uint32_t cn_joint;
 typedef uint32_t cn_constraint;
 typedef struct cn_world cn_world;
+typedef struct cn_tree cn_tree;
 
 typedef struct cn_vec2 {
 	float x;
@@ -219,7 +258,7 @@ typedef struct cn_world_def {
 	int32_t body_capacity; // hints for a growing world, exact for a fixed one; >= 0; default 0
 	int32_t shape_capacity; // counts every edge of a chain
 	int32_t contact_capacity;
-	int32_t joint_capacity;
+	int32_t joint_capacity; // counts constraints too
 	uint64_t user_data;
 	uint64_t memory_bytes; // size of memory; 0: use alloc and free
 	void *memory; // NULL, or one block aligned to 64 bytes that the world lives in, whole
@@ -236,7 +275,7 @@ typedef struct cn_counters {
 	int32_t contacts; // pairs whose fat boxes overlap
 	int32_t contacts_awake;
 	int32_t contacts_touching; // pairs that share a manifold, asleep or awake
-	int32_t joints;
+	int32_t joints; // and constraints
 	int32_t joints_awake;
 	int32_t islands; // awake and asleep, of two or more bodies or one
 	int32_t islands_awake;
@@ -405,14 +444,21 @@ typedef struct cn_sensor_event {
 	uint32_t reserved;
 } cn_sensor_event;
 
-// First field of every joint definition.
+// First field of every joint definition. A joint's rigid parts are what holds anchors, axes, angles, lengths
+// and limits in place; springs and motors are not.
 typedef struct cn_joint_base {
 	uint32_t struct_size; // of the whole definition
-	uint32_t flags; // CN_JOINT_*; default 0
+	uint32_t flags; // CN_JOINT_*; default 0; a type ignores those it has no use for
 	cn_body body_a; // 0: the world
 	cn_body body_b; // 0: the world; one of the two must be dynamic
 	cn_vec2 anchor_a_m; // in body a's local frame, or in world coordinates
 	cn_vec2 anchor_b_m;
+	float stiffness_hertz; // of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps allow
+	float stiffness_damping_ratio; // used when stiffness_hertz > 0; 0 to 1e6
+	float force_max_N; // anchors and axes never pull harder, nor does a limit; 0 (default): no bound
+	float torque_max_Nm; // the same for angles
+	float break_force_N; // a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never
+	float break_torque_Nm;
 	uint64_t user_data;
 } cn_joint_base;
 
@@ -443,6 +489,154 @@ typedef struct cn_distance_def {
 	float spring_damping_ratio; // 0 to 1e6
 	float reserved;
 } cn_distance_def;
+
+// Welded: no relative motion. base.stiffness_hertz makes it springy.
+typedef struct cn_fixed_def {
+	cn_joint_base base;
+	float reference_angle_rad; // angle b - angle a
+	float angular_hertz; // stiffness of the angle alone, 0 to 1e6; 0: as the base's
+	float angular_damping_ratio; // 0 to 1e6
+	float reserved;
+} cn_fixed_def;
+
+// b slides along an axis fixed in a, without turning. The translation is along the axis from anchor a.
+typedef struct cn_prismatic_def {
+	cn_joint_base base;
+	cn_vec2 axis; // in body a's frame, any length > 0 (read back with length 1); default (1, 0)
+	float reference_angle_rad; // angle b - angle a
+	float lower_m; // CN_JOINT_LIMIT: lower <= upper
+	float upper_m;
+	float motor_speed_mps; // CN_JOINT_MOTOR
+	float motor_force_max_N; // >= 0
+	float spring_target_m; // CN_JOINT_SPRING: pulls the translation to this
+	float spring_hertz; // 0 to 1e6
+	float spring_damping_ratio; // 0 to 1e6
+} cn_prismatic_def;
+
+// A wheel b on suspension: slides along an axis fixed in a (springy, with limits), turns freely; the motor
+// turns it.
+typedef struct cn_wheel_def {
+	cn_joint_base base;
+	cn_vec2 axis; // in body a's frame, any length > 0 (read back with length 1); default (0, 1)
+	float lower_m; // CN_JOINT_LIMIT: lower <= upper
+	float upper_m;
+	float motor_speed_radps; // CN_JOINT_MOTOR
+	float motor_torque_max_Nm; // >= 0
+	float spring_hertz; // CN_JOINT_SPRING: pulls anchor b to anchor a; 0 to 1e6, default 1
+	float spring_damping_ratio; // 0 to 1e6, default 0.7
+} cn_wheel_def;
+
+// Drives b to an offset and angle from a by a spring with bounded force and torque: base.force_max_N and
+// base.torque_max_Nm must be > 0.
+typedef struct cn_motor_def {
+	cn_joint_base base; // anchor b is driven to anchor a + offset
+	cn_vec2 offset_m; // in body a's frame
+	float angle_rad; // angle b - angle a
+	float hertz; // how briskly, > 0, to 1e6; default 5
+	float damping_ratio; // 0 to 1e6, default 1
+	float reserved;
+} cn_motor_def;
+
+// Drags anchor b of body b to a world point by a spring. body_a must be 0, anchor_a_m is ignored, and
+// base.force_max_N must be > 0.
+typedef struct cn_mouse_def {
+	cn_joint_base base;
+	cn_vec2 target_m;
+	float hertz; // > 0, to 1e6; default 5
+	float damping_ratio; // 0 to 1e6, default 0.7
+} cn_mouse_def;
+
+// angle b = ratio * angle a + phase. Angles begin in (-pi, pi] at creation (or when the ratio is changed) and
+// count whole turns from there.
+typedef struct cn_gear_def {
+	cn_joint_base base;
+	float ratio; // size 1e-4 to 1e4, negative: they turn against each other; default 1
+	float phase_rad;
+} cn_gear_def;
+
+// |anchor a - ground a| + ratio |anchor b - ground b| <= length: a rope over two pulleys (never pushes).
+typedef struct cn_pulley_def {
+	cn_joint_base base;
+	cn_vec2 ground_a_m; // world
+	cn_vec2 ground_b_m;
+	float ratio; // 1e-4 to 1e4; default 1
+	float length_m; // > 0
+} cn_pulley_def;
+
+// b may turn against a in one direction only, and back no farther than to the last click that it passed.
+// Clicks are at phase + any whole number of click_rad, over whole turns.
+typedef struct cn_ratchet_def {
+	cn_joint_base base;
+	float phase_rad;
+	float click_rad; // size 1e-4 to 1e4; positive: b may turn counter-clockwise
+} cn_ratchet_def;
+
+// A torque that pulls angle b - angle a to rest, over whole turns. hertz is that of the two bodies' own
+// inertia.
+typedef struct cn_rotary_spring_def {
+	cn_joint_base base;
+	float rest_angle_rad;
+	float hertz; // > 0, to 1e6; default 1
+	float damping_ratio; // 0 to 1e6, default 0
+	float reserved;
+} cn_rotary_spring_def;
+
+// anchor b slides in a slot of body a from anchor a to end.
+typedef struct cn_groove_def {
+	cn_joint_base base;
+	cn_vec2 end_m; // in body a's frame; not equal to anchor a; default (1, 0)
+} cn_groove_def;
+
+// Nothing but: the two bodies do not collide.
+typedef struct cn_filter_joint_def {
+	cn_joint_base base;
+} cn_filter_joint_def;
+
+// Something happened to a joint or to a constraint on one body.
+typedef struct cn_joint_event {
+	cn_joint joint; // 0: it was a constraint; stale when destroyed is 1
+	cn_constraint constraint; // 0: it was a joint; stale when destroyed is 1
+	cn_body body_a; // 0: the world
+	cn_body body_b;
+	float force_N; // largest reaction of the step; 0 when a body was destroyed
+	float torque_Nm;
+	uint32_t destroyed; // 1: it is gone (it breaks, or a body of it was destroyed)
+	uint32_t reserved;
+	uint64_t user_data;
+} cn_joint_event;
+
+// Keeps a body's angle within limits. The angle begins in (-pi, pi] at creation and counts whole turns from
+// there.
+typedef struct cn_angle_constraint_def {
+	uint32_t struct_size;
+	uint32_t flags; // CN_CONSTRAINT_*; default 0
+	cn_body body; // must be dynamic
+	float lower_rad; // lower <= upper; equal: locked
+	float upper_rad;
+	float hertz; // 0 (default): rigid; to 1e6
+	float damping_ratio; // used when hertz > 0; 0 to 1e6
+	float break_torque_Nm; // a reaction above this is reported (cn_world_joint_events); 0: never
+	uint64_t user_data;
+} cn_angle_constraint_def;
+
+// Keeps a point of a body on a line in the world, within a tolerance to either side, and between limits along
+// it.
+typedef struct cn_line_constraint_def {
+	uint32_t struct_size;
+	uint32_t flags; // CN_CONSTRAINT_*; default 0
+	cn_body body; // must be dynamic
+	cn_vec2 anchor_m; // in the body's frame
+	cn_vec2 origin_m; // of the line, world
+	cn_vec2 axis; // world, any length > 0 (read back with length 1); default (1, 0)
+	float tolerance_m; // >= 0: free play across the axis
+	float lower_m; // CN_CONSTRAINT_LIMIT: along the axis from origin; lower <= upper
+	float upper_m;
+	float hertz; // 0 (default): rigid; to 1e6
+	float damping_ratio; // used when hertz > 0; 0 to 1e6
+	float break_force_N; // a reaction above this is reported (cn_world_joint_events); 0: never
+	uint32_t reserved;
+	uint64_t user_data;
+} cn_line_constraint_def;
 
 typedef struct cn_update_report {
 	int32_t steps; // fixed steps taken
@@ -533,6 +727,12 @@ typedef int32_t cn_pre_solve_fn(cn_world *world, const cn_contact_event *contact
 // when a pair begins to touch and when a material changes.
 typedef void cn_material_mix_fn(cn_world *world, cn_shape shape_a, cn_shape shape_b, cn_material *mixed, void *user);
 
+// Return 0 to stop, anything else to go on.
+typedef int32_t cn_tree_query_fn(uint32_t item, uint64_t user_data, void *user);
+
+// Return the fraction to go on with: the given one to ignore the item, 0 to stop.
+typedef float cn_tree_ray_fn(uint32_t item, uint64_t user_data, float fraction, void *user);
+
 // Version as major * 1000000 + minor * 1000 + patch.
 int32_t cn_version(void);
 // CN_ABI_VERSION of the library that was linked; a binding compares it with its own.
@@ -594,7 +794,8 @@ void cn_body_def_init(cn_body_def *def);
 cn_result cn_body_create(cn_world *world, const cn_body_def *def, cn_body *out_body);
 // count bodies from an array of definitions; all of them or none. O(count).
 cn_result cn_body_create_many(cn_world *world, const cn_body_def *defs, int32_t count, cn_body *out_bodies);
-// Also destroys its shapes, contacts and joints; touching contacts get their leave event.
+// Also destroys its shapes, contacts, joints and constraints; touching contacts get their leave event, joints
+// and constraints theirs (cn_world_joint_events).
 cn_result cn_body_destroy(cn_world *world, cn_body body);
 // Destroys all or, if any handle is bad or appears twice, none.
 cn_result cn_body_destroy_many(cn_world *world, const cn_body *bodies, int32_t count);
@@ -752,9 +953,31 @@ cn_result cn_body_get_contacts(const cn_world *world, cn_body body, cn_contact_e
 cn_result cn_world_fell_asleep(const cn_world *world, const cn_body **out_bodies, int32_t *out_count);
 void cn_revolute_def_init(cn_revolute_def *def);
 void cn_distance_def_init(cn_distance_def *def);
+void cn_fixed_def_init(cn_fixed_def *def);
+void cn_prismatic_def_init(cn_prismatic_def *def);
+void cn_wheel_def_init(cn_wheel_def *def);
+void cn_motor_def_init(cn_motor_def *def);
+void cn_mouse_def_init(cn_mouse_def *def);
+void cn_gear_def_init(cn_gear_def *def);
+void cn_pulley_def_init(cn_pulley_def *def);
+void cn_ratchet_def_init(cn_ratchet_def *def);
+void cn_rotary_spring_def_init(cn_rotary_spring_def *def);
+void cn_groove_def_init(cn_groove_def *def);
+void cn_filter_joint_def_init(cn_filter_joint_def *def);
 // Wake both bodies. CN_ERROR_ARGUMENT for a body with itself or without a dynamic body.
 cn_result cn_joint_create_revolute(cn_world *world, const cn_revolute_def *def, cn_joint *out_joint);
 cn_result cn_joint_create_distance(cn_world *world, const cn_distance_def *def, cn_joint *out_joint);
+cn_result cn_joint_create_fixed(cn_world *world, const cn_fixed_def *def, cn_joint *out_joint);
+cn_result cn_joint_create_prismatic(cn_world *world, const cn_prismatic_def *def, cn_joint *out_joint);
+cn_result cn_joint_create_wheel(cn_world *world, const cn_wheel_def *def, cn_joint *out_joint);
+cn_result cn_joint_create_motor(cn_world *world, const cn_motor_def *def, cn_joint *out_joint);
+cn_result cn_joint_create_mouse(cn_world *world, const cn_mouse_def *def, cn_joint *out_joint);
+cn_result cn_joint_create_gear(cn_world *world, const cn_gear_def *def, cn_joint *out_joint);
+cn_result cn_joint_create_pulley(cn_world *world, const cn_pulley_def *def, cn_joint *out_joint);
+cn_result cn_joint_create_ratchet(cn_world *world, const cn_ratchet_def *def, cn_joint *out_joint);
+cn_result cn_joint_create_rotary_spring(cn_world *world, const cn_rotary_spring_def *def, cn_joint *out_joint);
+cn_result cn_joint_create_groove(cn_world *world, const cn_groove_def *def, cn_joint *out_joint);
+cn_result cn_joint_create_filter(cn_world *world, const cn_filter_joint_def *def, cn_joint *out_joint);
 cn_result cn_joint_destroy(cn_world *world, cn_joint joint);
 int32_t cn_joint_is_valid(const cn_world *world, cn_joint joint);
 cn_result cn_joint_get_type(const cn_world *world, cn_joint joint, int32_t *out_type);
@@ -770,19 +993,77 @@ cn_result cn_joint_get_user_data(const cn_world *world, cn_joint joint, uint64_t
 // Replaces the CN_JOINT_ flags. Wakes. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_result cn_joint_set_flags(cn_world *world, cn_joint joint, uint32_t flags);
 cn_result cn_joint_get_flags(const cn_world *world, cn_joint joint, uint32_t *out_flags);
-// Read back or replace everything particular to the type; the bodies, anchors and struct_size of base are
-// ignored by set (its flags and user data are not). CN_ERROR_STATE for a joint of another type. set wakes.
+// Read back or replace a definition. set leaves bodies and anchors as they are and ignores struct_size; all
+// else is taken, flags and user data too. CN_ERROR_STATE for a joint of another type. set wakes. A filter
+// joint has nothing but its base.
 cn_result cn_joint_get_revolute(const cn_world *world, cn_joint joint, cn_revolute_def *out);
 cn_result cn_joint_set_revolute(cn_world *world, cn_joint joint, const cn_revolute_def *def);
 cn_result cn_joint_get_distance(const cn_world *world, cn_joint joint, cn_distance_def *out);
 cn_result cn_joint_set_distance(cn_world *world, cn_joint joint, const cn_distance_def *def);
-// Revolute: the joint angle in radians. Distance: the present length in metres.
+cn_result cn_joint_get_fixed(const cn_world *world, cn_joint joint, cn_fixed_def *out);
+cn_result cn_joint_set_fixed(cn_world *world, cn_joint joint, const cn_fixed_def *def);
+cn_result cn_joint_get_prismatic(const cn_world *world, cn_joint joint, cn_prismatic_def *out);
+cn_result cn_joint_set_prismatic(cn_world *world, cn_joint joint, const cn_prismatic_def *def);
+cn_result cn_joint_get_wheel(const cn_world *world, cn_joint joint, cn_wheel_def *out);
+cn_result cn_joint_set_wheel(cn_world *world, cn_joint joint, const cn_wheel_def *def);
+cn_result cn_joint_get_motor_to(const cn_world *world, cn_joint joint, cn_motor_def *out);
+cn_result cn_joint_set_motor_to(cn_world *world, cn_joint joint, const cn_motor_def *def);
+cn_result cn_joint_get_mouse(const cn_world *world, cn_joint joint, cn_mouse_def *out);
+cn_result cn_joint_set_mouse(cn_world *world, cn_joint joint, const cn_mouse_def *def);
+cn_result cn_joint_get_gear(const cn_world *world, cn_joint joint, cn_gear_def *out);
+cn_result cn_joint_set_gear(cn_world *world, cn_joint joint, const cn_gear_def *def);
+cn_result cn_joint_get_pulley(const cn_world *world, cn_joint joint, cn_pulley_def *out);
+cn_result cn_joint_set_pulley(cn_world *world, cn_joint joint, const cn_pulley_def *def);
+cn_result cn_joint_get_ratchet(const cn_world *world, cn_joint joint, cn_ratchet_def *out);
+cn_result cn_joint_set_ratchet(cn_world *world, cn_joint joint, const cn_ratchet_def *def);
+cn_result cn_joint_get_rotary_spring(const cn_world *world, cn_joint joint, cn_rotary_spring_def *out);
+cn_result cn_joint_set_rotary_spring(cn_world *world, cn_joint joint, const cn_rotary_spring_def *def);
+cn_result cn_joint_get_groove(const cn_world *world, cn_joint joint, cn_groove_def *out);
+cn_result cn_joint_set_groove(cn_world *world, cn_joint joint, const cn_groove_def *def);
+// The base of any joint.
+cn_result cn_joint_get_base(const cn_world *world, cn_joint joint, cn_joint_base *out);
+// Takes stiffness, most force and torque, and break thresholds; the rest of base is ignored. Wakes.
+cn_result cn_joint_set_base(cn_world *world, cn_joint joint, const cn_joint_base *base);
+// Mouse joint: where to drag to; called each frame. CN_ERROR_STATE for another type. Wakes.
+cn_result cn_joint_set_target(cn_world *world, cn_joint joint, float target_x_m, float target_y_m);
+// Revolute, fixed, motor: the angle b - angle a - reference (motor: without one), in (-pi, pi]. Distance,
+// pulley: the present length. Prismatic, wheel, groove: the translation along the axis. Mouse: distance to
+// the target. Gear: angle b - ratio * angle a; ratchet, rotary spring: angle b - angle a, these three over
+// whole turns.
 cn_result cn_joint_get_position(const cn_world *world, cn_joint joint, float *out_position);
-// Revolute: radians a second. Distance: metres a second. With CN_JOINT_MOTOR, positive follows these.
+// How fast that changes; but of a wheel how fast b turns against a. With CN_JOINT_MOTOR, positive follows
+// these.
 cn_result cn_joint_get_speed(const cn_world *world, cn_joint joint, float *out_speed);
-// The two setters that games call each frame. Wake.
+// The two setters that games call each frame, for revolute, distance, prismatic and wheel (others:
+// CN_ERROR_STATE). Wake.
 cn_result cn_joint_set_motor(cn_world *world, cn_joint joint, float speed, float force_or_torque_max);
 cn_result cn_joint_set_limits(cn_world *world, cn_joint joint, float lower, float upper);
+// Those that exceeded a break threshold in the last step, and those destroyed with a body in or since the
+// step before (by calls between two steps: reported by the next step).
+cn_result cn_world_joint_events(const cn_world *world, const cn_joint_event **out_events, int32_t *out_count);
+void cn_angle_constraint_def_init(cn_angle_constraint_def *def);
+void cn_line_constraint_def_init(cn_line_constraint_def *def);
+// They are solved with the joints, before contacts. Wake the body.
+cn_result cn_constraint_create_angle(cn_world *world, const cn_angle_constraint_def *def, cn_constraint *out_constraint);
+cn_result cn_constraint_create_line(cn_world *world, const cn_line_constraint_def *def, cn_constraint *out_constraint);
+cn_result cn_constraint_destroy(cn_world *world, cn_constraint constraint);
+int32_t cn_constraint_is_valid(const cn_world *world, cn_constraint constraint);
+cn_result cn_constraint_get_type(const cn_world *world, cn_constraint constraint, int32_t *out_type);
+cn_result cn_constraint_get_body(const cn_world *world, cn_constraint constraint, cn_body *out_body);
+// Read back or replace a definition; set ignores body. CN_ERROR_STATE for the other type. set wakes.
+cn_result cn_constraint_get_angle(const cn_world *world, cn_constraint constraint, cn_angle_constraint_def *out);
+cn_result cn_constraint_set_angle(cn_world *world, cn_constraint constraint, const cn_angle_constraint_def *def);
+cn_result cn_constraint_get_line(const cn_world *world, cn_constraint constraint, cn_line_constraint_def *out);
+cn_result cn_constraint_set_line(cn_world *world, cn_constraint constraint, const cn_line_constraint_def *def);
+// Angle: the angle over whole turns. Line: where along the axis the point is, from origin.
+cn_result cn_constraint_get_position(const cn_world *world, cn_constraint constraint, float *out_position);
+// Force in newtons and torque in newton metres that it put on the body in the last substep.
+cn_result cn_constraint_get_reaction(const cn_world *world, cn_constraint constraint, cn_vec2 *out_force_N, float *out_torque_Nm);
+// How far beyond what is allowed, >= 0.
+cn_result cn_constraint_get_error(const cn_world *world, cn_constraint constraint, float *out_m, float *out_rad);
+// As cn_world_get_joints and cn_body_get_joints, which do not list constraints.
+cn_result cn_world_get_constraints(const cn_world *world, cn_constraint *out, int32_t capacity, int32_t *out_count);
+cn_result cn_body_get_constraints(const cn_world *world, cn_body body, cn_constraint *out, int32_t capacity, int32_t *out_count);
 // step_s in (0, 1], default 1/60; steps_max >= 1, default 8.
 cn_result cn_world_set_fixed_step(cn_world *world, float step_s, int32_t steps_max);
 // Adds elapsed_s (0 to 10) to the time owed and takes as many fixed steps as fit, at most steps_max. Events
@@ -828,6 +1109,19 @@ cn_result cn_world_explode(cn_world *world, const cn_explosion_def *def);
 void cn_debug_draw_init(cn_debug_draw *draw);
 // Reads only. O(what is drawn).
 cn_result cn_world_draw(const cn_world *world, const cn_debug_draw *draw);
+// Dynamic AABB tree. alloc and free NULL: malloc. margin_m >= 0 is added around every box.
+cn_result cn_tree_create(float margin_m, cn_alloc_fn *alloc, cn_free_fn *free, void *allocator_user, cn_tree **out_tree);
+void cn_tree_destroy(cn_tree *tree);
+// O(log n). *out_item is never 0.
+cn_result cn_tree_insert(cn_tree *tree, const cn_aabb *box, uint64_t user_data, uint32_t *out_item);
+cn_result cn_tree_remove(cn_tree *tree, uint32_t item);
+// Nothing happens while the box stays within its margin. O(log n) else.
+cn_result cn_tree_move(cn_tree *tree, uint32_t item, const cn_aabb *box);
+cn_result cn_tree_get_box(const cn_tree *tree, uint32_t item, cn_aabb *out);
+cn_result cn_tree_query(const cn_tree *tree, const cn_aabb *box, cn_tree_query_fn *visit, void *user);
+cn_result cn_tree_cast_ray(const cn_tree *tree, const cn_ray *ray, cn_tree_ray_fn *visit, void *user);
+// Number of items and height of the tree.
+cn_result cn_tree_get_stats(const cn_tree *tree, int32_t *out_count, int32_t *out_height);
 ]]
 
 local cairn = ffi.load(os.getenv "CAIRN_LIBRARY" or "cairn")
@@ -860,8 +1154,23 @@ for name, number in pairs {
 	cn_manifold = cairn.CN_TYPE_MANIFOLD,
 	cn_contact_event = cairn.CN_TYPE_CONTACT_EVENT,
 	cn_sensor_event = cairn.CN_TYPE_SENSOR_EVENT,
+	cn_joint_base = cairn.CN_TYPE_JOINT_BASE,
 	cn_revolute_def = cairn.CN_TYPE_REVOLUTE_DEF,
 	cn_distance_def = cairn.CN_TYPE_DISTANCE_DEF,
+	cn_fixed_def = cairn.CN_TYPE_FIXED_DEF,
+	cn_prismatic_def = cairn.CN_TYPE_PRISMATIC_DEF,
+	cn_wheel_def = cairn.CN_TYPE_WHEEL_DEF,
+	cn_motor_def = cairn.CN_TYPE_MOTOR_DEF,
+	cn_mouse_def = cairn.CN_TYPE_MOUSE_DEF,
+	cn_gear_def = cairn.CN_TYPE_GEAR_DEF,
+	cn_pulley_def = cairn.CN_TYPE_PULLEY_DEF,
+	cn_ratchet_def = cairn.CN_TYPE_RATCHET_DEF,
+	cn_rotary_spring_def = cairn.CN_TYPE_ROTARY_SPRING_DEF,
+	cn_groove_def = cairn.CN_TYPE_GROOVE_DEF,
+	cn_filter_joint_def = cairn.CN_TYPE_FILTER_JOINT_DEF,
+	cn_joint_event = cairn.CN_TYPE_JOINT_EVENT,
+	cn_angle_constraint_def = cairn.CN_TYPE_ANGLE_CONSTRAINT_DEF,
+	cn_line_constraint_def = cairn.CN_TYPE_LINE_CONSTRAINT_DEF,
 	cn_update_report = cairn.CN_TYPE_UPDATE_REPORT,
 	cn_query_filter = cairn.CN_TYPE_QUERY_FILTER,
 	cn_ray = cairn.CN_TYPE_RAY,

@@ -79,7 +79,22 @@ CN_TYPE_RAY = 28
 CN_TYPE_RAY_HIT = 29
 CN_TYPE_CLOSEST = 30
 CN_TYPE_EXPLOSION_DEF = 31
-CN_TYPE_COUNT = 32
+CN_TYPE_FIXED_DEF = 32
+CN_TYPE_PRISMATIC_DEF = 33
+CN_TYPE_WHEEL_DEF = 34
+CN_TYPE_MOTOR_DEF = 35
+CN_TYPE_MOUSE_DEF = 36
+CN_TYPE_GEAR_DEF = 37
+CN_TYPE_PULLEY_DEF = 38
+CN_TYPE_RATCHET_DEF = 39
+CN_TYPE_ROTARY_SPRING_DEF = 40
+CN_TYPE_GROOVE_DEF = 41
+CN_TYPE_FILTER_JOINT_DEF = 42
+CN_TYPE_JOINT_BASE = 43
+CN_TYPE_JOINT_EVENT = 44
+CN_TYPE_ANGLE_CONSTRAINT_DEF = 45
+CN_TYPE_LINE_CONSTRAINT_DEF = 46
+CN_TYPE_COUNT = 47
 CN_WORLD_SLEEP = 1
 CN_WORLD_WARM_START = 2
 CN_WORLD_PROFILE = 4
@@ -87,6 +102,7 @@ CN_WORLD_CONTINUOUS = 8
 CN_SOLVER_SOFT = 0
 CN_SOLVER_SEQUENTIAL = 1
 CN_BROADPHASE_SWEEP = 0
+CN_BROADPHASE_TREE = 1
 CN_WARNING_CONTACT_MEMORY = 1
 CN_WARNING_FRAME_MEMORY = 2
 CN_WARNING_EVENT_MEMORY = 4
@@ -122,10 +138,26 @@ CN_EVENT_DESTROYED = 4
 CN_EVENT_KINDS = 5
 CN_JOINT_REVOLUTE = 0
 CN_JOINT_DISTANCE = 1
+CN_JOINT_FIXED = 2
+CN_JOINT_PRISMATIC = 3
+CN_JOINT_WHEEL = 4
+CN_JOINT_MOTOR_TO = 5
+CN_JOINT_MOUSE = 6
+CN_JOINT_GEAR = 7
+CN_JOINT_PULLEY = 8
+CN_JOINT_RATCHET = 9
+CN_JOINT_ROTARY_SPRING = 10
+CN_JOINT_GROOVE = 11
+CN_JOINT_FILTER = 12
 CN_JOINT_COLLIDE = 1
 CN_JOINT_LIMIT = 2
 CN_JOINT_MOTOR = 4
 CN_JOINT_SPRING = 8
+CN_JOINT_BREAKS = 16
+CN_CONSTRAINT_ANGLE = 0
+CN_CONSTRAINT_LINE = 1
+CN_CONSTRAINT_LIMIT = 1
+CN_CONSTRAINT_BREAKS = 2
 CN_DRAW_SHAPES = 1
 CN_DRAW_JOINTS = 2
 CN_DRAW_CONTACTS = 4
@@ -141,6 +173,10 @@ cn_constraint = _c.c_uint32
 
 
 class cn_world(_c.Structure):
+    pass
+
+
+class cn_tree(_c.Structure):
     pass
 
 
@@ -209,7 +245,7 @@ class cn_world_def(_c.Structure):
         ("body_capacity", _c.c_int32),  # hints for a growing world, exact for a fixed one; >= 0; default 0
         ("shape_capacity", _c.c_int32),  # counts every edge of a chain
         ("contact_capacity", _c.c_int32),
-        ("joint_capacity", _c.c_int32),
+        ("joint_capacity", _c.c_int32),  # counts constraints too
         ("user_data", _c.c_uint64),
         ("memory_bytes", _c.c_uint64),  # size of memory; 0: use alloc and free
         ("memory", _c.c_void_p),  # NULL, or one block aligned to 64 bytes that the world lives in, whole
@@ -228,7 +264,7 @@ class cn_counters(_c.Structure):
         ("contacts", _c.c_int32),  # pairs whose fat boxes overlap
         ("contacts_awake", _c.c_int32),
         ("contacts_touching", _c.c_int32),  # pairs that share a manifold, asleep or awake
-        ("joints", _c.c_int32),
+        ("joints", _c.c_int32),  # and constraints
         ("joints_awake", _c.c_int32),
         ("islands", _c.c_int32),  # awake and asleep, of two or more bodies or one
         ("islands_awake", _c.c_int32),
@@ -431,14 +467,21 @@ class cn_sensor_event(_c.Structure):
 
 
 class cn_joint_base(_c.Structure):
-    # First field of every joint definition.
+    # First field of every joint definition. A joint's rigid parts are what holds anchors, axes, angles,
+    # lengths and limits in place; springs and motors are not.
     _fields_ = [
         ("struct_size", _c.c_uint32),  # of the whole definition
-        ("flags", _c.c_uint32),  # CN_JOINT_*; default 0
+        ("flags", _c.c_uint32),  # CN_JOINT_*; default 0; a type ignores those it has no use for
         ("body_a", cn_body),  # 0: the world
         ("body_b", cn_body),  # 0: the world; one of the two must be dynamic
         ("anchor_a_m", cn_vec2),  # in body a's local frame, or in world coordinates
         ("anchor_b_m", cn_vec2),
+        ("stiffness_hertz", _c.c_float),  # of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps allow
+        ("stiffness_damping_ratio", _c.c_float),  # used when stiffness_hertz > 0; 0 to 1e6
+        ("force_max_N", _c.c_float),  # anchors and axes never pull harder, nor does a limit; 0 (default): no bound
+        ("torque_max_Nm", _c.c_float),  # the same for angles
+        ("break_force_N", _c.c_float),  # a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never
+        ("break_torque_Nm", _c.c_float),
         ("user_data", _c.c_uint64),
     ]
 
@@ -472,6 +515,182 @@ class cn_distance_def(_c.Structure):
         ("spring_hertz", _c.c_float),  # 0 to 1e6
         ("spring_damping_ratio", _c.c_float),  # 0 to 1e6
         ("reserved", _c.c_float),
+    ]
+
+
+class cn_fixed_def(_c.Structure):
+    # Welded: no relative motion. base.stiffness_hertz makes it springy.
+    _fields_ = [
+        ("base", cn_joint_base),
+        ("reference_angle_rad", _c.c_float),  # angle b - angle a
+        ("angular_hertz", _c.c_float),  # stiffness of the angle alone, 0 to 1e6; 0: as the base's
+        ("angular_damping_ratio", _c.c_float),  # 0 to 1e6
+        ("reserved", _c.c_float),
+    ]
+
+
+class cn_prismatic_def(_c.Structure):
+    # b slides along an axis fixed in a, without turning. The translation is along the axis from anchor a.
+    _fields_ = [
+        ("base", cn_joint_base),
+        ("axis", cn_vec2),  # in body a's frame, any length > 0 (read back with length 1); default (1, 0)
+        ("reference_angle_rad", _c.c_float),  # angle b - angle a
+        ("lower_m", _c.c_float),  # CN_JOINT_LIMIT: lower <= upper
+        ("upper_m", _c.c_float),
+        ("motor_speed_mps", _c.c_float),  # CN_JOINT_MOTOR
+        ("motor_force_max_N", _c.c_float),  # >= 0
+        ("spring_target_m", _c.c_float),  # CN_JOINT_SPRING: pulls the translation to this
+        ("spring_hertz", _c.c_float),  # 0 to 1e6
+        ("spring_damping_ratio", _c.c_float),  # 0 to 1e6
+    ]
+
+
+class cn_wheel_def(_c.Structure):
+    # A wheel b on suspension: slides along an axis fixed in a (springy, with limits), turns freely; the motor
+    # turns it.
+    _fields_ = [
+        ("base", cn_joint_base),
+        ("axis", cn_vec2),  # in body a's frame, any length > 0 (read back with length 1); default (0, 1)
+        ("lower_m", _c.c_float),  # CN_JOINT_LIMIT: lower <= upper
+        ("upper_m", _c.c_float),
+        ("motor_speed_radps", _c.c_float),  # CN_JOINT_MOTOR
+        ("motor_torque_max_Nm", _c.c_float),  # >= 0
+        ("spring_hertz", _c.c_float),  # CN_JOINT_SPRING: pulls anchor b to anchor a; 0 to 1e6, default 1
+        ("spring_damping_ratio", _c.c_float),  # 0 to 1e6, default 0.7
+    ]
+
+
+class cn_motor_def(_c.Structure):
+    # Drives b to an offset and angle from a by a spring with bounded force and torque: base.force_max_N and
+    # base.torque_max_Nm must be > 0.
+    _fields_ = [
+        ("base", cn_joint_base),  # anchor b is driven to anchor a + offset
+        ("offset_m", cn_vec2),  # in body a's frame
+        ("angle_rad", _c.c_float),  # angle b - angle a
+        ("hertz", _c.c_float),  # how briskly, > 0, to 1e6; default 5
+        ("damping_ratio", _c.c_float),  # 0 to 1e6, default 1
+        ("reserved", _c.c_float),
+    ]
+
+
+class cn_mouse_def(_c.Structure):
+    # Drags anchor b of body b to a world point by a spring. body_a must be 0, anchor_a_m is ignored, and
+    # base.force_max_N must be > 0.
+    _fields_ = [
+        ("base", cn_joint_base),
+        ("target_m", cn_vec2),
+        ("hertz", _c.c_float),  # > 0, to 1e6; default 5
+        ("damping_ratio", _c.c_float),  # 0 to 1e6, default 0.7
+    ]
+
+
+class cn_gear_def(_c.Structure):
+    # angle b = ratio * angle a + phase. Angles begin in (-pi, pi] at creation (or when the ratio is changed)
+    # and count whole turns from there.
+    _fields_ = [
+        ("base", cn_joint_base),
+        ("ratio", _c.c_float),  # size 1e-4 to 1e4, negative: they turn against each other; default 1
+        ("phase_rad", _c.c_float),
+    ]
+
+
+class cn_pulley_def(_c.Structure):
+    # |anchor a - ground a| + ratio |anchor b - ground b| <= length: a rope over two pulleys (never pushes).
+    _fields_ = [
+        ("base", cn_joint_base),
+        ("ground_a_m", cn_vec2),  # world
+        ("ground_b_m", cn_vec2),
+        ("ratio", _c.c_float),  # 1e-4 to 1e4; default 1
+        ("length_m", _c.c_float),  # > 0
+    ]
+
+
+class cn_ratchet_def(_c.Structure):
+    # b may turn against a in one direction only, and back no farther than to the last click that it passed.
+    # Clicks are at phase + any whole number of click_rad, over whole turns.
+    _fields_ = [
+        ("base", cn_joint_base),
+        ("phase_rad", _c.c_float),
+        ("click_rad", _c.c_float),  # size 1e-4 to 1e4; positive: b may turn counter-clockwise
+    ]
+
+
+class cn_rotary_spring_def(_c.Structure):
+    # A torque that pulls angle b - angle a to rest, over whole turns. hertz is that of the two bodies' own
+    # inertia.
+    _fields_ = [
+        ("base", cn_joint_base),
+        ("rest_angle_rad", _c.c_float),
+        ("hertz", _c.c_float),  # > 0, to 1e6; default 1
+        ("damping_ratio", _c.c_float),  # 0 to 1e6, default 0
+        ("reserved", _c.c_float),
+    ]
+
+
+class cn_groove_def(_c.Structure):
+    # anchor b slides in a slot of body a from anchor a to end.
+    _fields_ = [
+        ("base", cn_joint_base),
+        ("end_m", cn_vec2),  # in body a's frame; not equal to anchor a; default (1, 0)
+    ]
+
+
+class cn_filter_joint_def(_c.Structure):
+    # Nothing but: the two bodies do not collide.
+    _fields_ = [
+        ("base", cn_joint_base),
+    ]
+
+
+class cn_joint_event(_c.Structure):
+    # Something happened to a joint or to a constraint on one body.
+    _fields_ = [
+        ("joint", cn_joint),  # 0: it was a constraint; stale when destroyed is 1
+        ("constraint", cn_constraint),  # 0: it was a joint; stale when destroyed is 1
+        ("body_a", cn_body),  # 0: the world
+        ("body_b", cn_body),
+        ("force_N", _c.c_float),  # largest reaction of the step; 0 when a body was destroyed
+        ("torque_Nm", _c.c_float),
+        ("destroyed", _c.c_uint32),  # 1: it is gone (it breaks, or a body of it was destroyed)
+        ("reserved", _c.c_uint32),
+        ("user_data", _c.c_uint64),
+    ]
+
+
+class cn_angle_constraint_def(_c.Structure):
+    # Keeps a body's angle within limits. The angle begins in (-pi, pi] at creation and counts whole turns
+    # from there.
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("flags", _c.c_uint32),  # CN_CONSTRAINT_*; default 0
+        ("body", cn_body),  # must be dynamic
+        ("lower_rad", _c.c_float),  # lower <= upper; equal: locked
+        ("upper_rad", _c.c_float),
+        ("hertz", _c.c_float),  # 0 (default): rigid; to 1e6
+        ("damping_ratio", _c.c_float),  # used when hertz > 0; 0 to 1e6
+        ("break_torque_Nm", _c.c_float),  # a reaction above this is reported (cn_world_joint_events); 0: never
+        ("user_data", _c.c_uint64),
+    ]
+
+
+class cn_line_constraint_def(_c.Structure):
+    # Keeps a point of a body on a line in the world, within a tolerance to either side, and between limits
+    # along it.
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("flags", _c.c_uint32),  # CN_CONSTRAINT_*; default 0
+        ("body", cn_body),  # must be dynamic
+        ("anchor_m", cn_vec2),  # in the body's frame
+        ("origin_m", cn_vec2),  # of the line, world
+        ("axis", cn_vec2),  # world, any length > 0 (read back with length 1); default (1, 0)
+        ("tolerance_m", _c.c_float),  # >= 0: free play across the axis
+        ("lower_m", _c.c_float),  # CN_CONSTRAINT_LIMIT: along the axis from origin; lower <= upper
+        ("upper_m", _c.c_float),
+        ("hertz", _c.c_float),  # 0 (default): rigid; to 1e6
+        ("damping_ratio", _c.c_float),  # used when hertz > 0; 0 to 1e6
+        ("break_force_N", _c.c_float),  # a reaction above this is reported (cn_world_joint_events); 0: never
+        ("reserved", _c.c_uint32),
+        ("user_data", _c.c_uint64),
     ]
 
 
@@ -588,6 +807,14 @@ cn_pre_solve_fn = _c.CFUNCTYPE(_c.c_int32, _c.POINTER(cn_world), _c.POINTER(cn_c
 cn_material_mix_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_world), cn_shape, cn_shape, _c.POINTER(cn_material), _c.c_void_p)
 
 
+# Return 0 to stop, anything else to go on.
+cn_tree_query_fn = _c.CFUNCTYPE(_c.c_int32, _c.c_uint32, _c.c_uint64, _c.c_void_p)
+
+
+# Return the fraction to go on with: the given one to ignore the item, 0 to stop.
+cn_tree_ray_fn = _c.CFUNCTYPE(_c.c_float, _c.c_uint32, _c.c_uint64, _c.c_float, _c.c_void_p)
+
+
 # Version as major * 1000000 + minor * 1000 + patch.
 cn_version = _function("cn_version", _c.c_int32)
 # CN_ABI_VERSION of the library that was linked; a binding compares it with its own.
@@ -649,7 +876,8 @@ cn_body_def_init = _function("cn_body_def_init", None, _c.POINTER(cn_body_def))
 cn_body_create = _function("cn_body_create", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body_def), _c.POINTER(cn_body))
 # count bodies from an array of definitions; all of them or none. O(count).
 cn_body_create_many = _function("cn_body_create_many", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body_def), _c.c_int32, _c.POINTER(cn_body))
-# Also destroys its shapes, contacts and joints; touching contacts get their leave event.
+# Also destroys its shapes, contacts, joints and constraints; touching contacts get their leave event, joints
+# and constraints theirs (cn_world_joint_events).
 cn_body_destroy = _function("cn_body_destroy", cn_result, _c.POINTER(cn_world), cn_body)
 # Destroys all or, if any handle is bad or appears twice, none.
 cn_body_destroy_many = _function("cn_body_destroy_many", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body), _c.c_int32)
@@ -806,9 +1034,31 @@ cn_body_get_contacts = _function("cn_body_get_contacts", cn_result, _c.POINTER(c
 cn_world_fell_asleep = _function("cn_world_fell_asleep", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.POINTER(cn_body)), _c.POINTER(_c.c_int32))
 cn_revolute_def_init = _function("cn_revolute_def_init", None, _c.POINTER(cn_revolute_def))
 cn_distance_def_init = _function("cn_distance_def_init", None, _c.POINTER(cn_distance_def))
+cn_fixed_def_init = _function("cn_fixed_def_init", None, _c.POINTER(cn_fixed_def))
+cn_prismatic_def_init = _function("cn_prismatic_def_init", None, _c.POINTER(cn_prismatic_def))
+cn_wheel_def_init = _function("cn_wheel_def_init", None, _c.POINTER(cn_wheel_def))
+cn_motor_def_init = _function("cn_motor_def_init", None, _c.POINTER(cn_motor_def))
+cn_mouse_def_init = _function("cn_mouse_def_init", None, _c.POINTER(cn_mouse_def))
+cn_gear_def_init = _function("cn_gear_def_init", None, _c.POINTER(cn_gear_def))
+cn_pulley_def_init = _function("cn_pulley_def_init", None, _c.POINTER(cn_pulley_def))
+cn_ratchet_def_init = _function("cn_ratchet_def_init", None, _c.POINTER(cn_ratchet_def))
+cn_rotary_spring_def_init = _function("cn_rotary_spring_def_init", None, _c.POINTER(cn_rotary_spring_def))
+cn_groove_def_init = _function("cn_groove_def_init", None, _c.POINTER(cn_groove_def))
+cn_filter_joint_def_init = _function("cn_filter_joint_def_init", None, _c.POINTER(cn_filter_joint_def))
 # Wake both bodies. CN_ERROR_ARGUMENT for a body with itself or without a dynamic body.
 cn_joint_create_revolute = _function("cn_joint_create_revolute", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_revolute_def), _c.POINTER(cn_joint))
 cn_joint_create_distance = _function("cn_joint_create_distance", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_distance_def), _c.POINTER(cn_joint))
+cn_joint_create_fixed = _function("cn_joint_create_fixed", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_fixed_def), _c.POINTER(cn_joint))
+cn_joint_create_prismatic = _function("cn_joint_create_prismatic", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_prismatic_def), _c.POINTER(cn_joint))
+cn_joint_create_wheel = _function("cn_joint_create_wheel", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_wheel_def), _c.POINTER(cn_joint))
+cn_joint_create_motor = _function("cn_joint_create_motor", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_motor_def), _c.POINTER(cn_joint))
+cn_joint_create_mouse = _function("cn_joint_create_mouse", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_mouse_def), _c.POINTER(cn_joint))
+cn_joint_create_gear = _function("cn_joint_create_gear", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_gear_def), _c.POINTER(cn_joint))
+cn_joint_create_pulley = _function("cn_joint_create_pulley", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_pulley_def), _c.POINTER(cn_joint))
+cn_joint_create_ratchet = _function("cn_joint_create_ratchet", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_ratchet_def), _c.POINTER(cn_joint))
+cn_joint_create_rotary_spring = _function("cn_joint_create_rotary_spring", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_rotary_spring_def), _c.POINTER(cn_joint))
+cn_joint_create_groove = _function("cn_joint_create_groove", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_groove_def), _c.POINTER(cn_joint))
+cn_joint_create_filter = _function("cn_joint_create_filter", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_filter_joint_def), _c.POINTER(cn_joint))
 cn_joint_destroy = _function("cn_joint_destroy", cn_result, _c.POINTER(cn_world), cn_joint)
 cn_joint_is_valid = _function("cn_joint_is_valid", _c.c_int32, _c.POINTER(cn_world), cn_joint)
 cn_joint_get_type = _function("cn_joint_get_type", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_int32))
@@ -824,19 +1074,77 @@ cn_joint_get_user_data = _function("cn_joint_get_user_data", cn_result, _c.POINT
 # Replaces the CN_JOINT_ flags. Wakes. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_joint_set_flags = _function("cn_joint_set_flags", cn_result, _c.POINTER(cn_world), cn_joint, _c.c_uint32)
 cn_joint_get_flags = _function("cn_joint_get_flags", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_uint32))
-# Read back or replace everything particular to the type; the bodies, anchors and struct_size of base are
-# ignored by set (its flags and user data are not). CN_ERROR_STATE for a joint of another type. set wakes.
+# Read back or replace a definition. set leaves bodies and anchors as they are and ignores struct_size; all
+# else is taken, flags and user data too. CN_ERROR_STATE for a joint of another type. set wakes. A filter
+# joint has nothing but its base.
 cn_joint_get_revolute = _function("cn_joint_get_revolute", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_revolute_def))
 cn_joint_set_revolute = _function("cn_joint_set_revolute", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_revolute_def))
 cn_joint_get_distance = _function("cn_joint_get_distance", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_distance_def))
 cn_joint_set_distance = _function("cn_joint_set_distance", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_distance_def))
-# Revolute: the joint angle in radians. Distance: the present length in metres.
+cn_joint_get_fixed = _function("cn_joint_get_fixed", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_fixed_def))
+cn_joint_set_fixed = _function("cn_joint_set_fixed", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_fixed_def))
+cn_joint_get_prismatic = _function("cn_joint_get_prismatic", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_prismatic_def))
+cn_joint_set_prismatic = _function("cn_joint_set_prismatic", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_prismatic_def))
+cn_joint_get_wheel = _function("cn_joint_get_wheel", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_wheel_def))
+cn_joint_set_wheel = _function("cn_joint_set_wheel", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_wheel_def))
+cn_joint_get_motor_to = _function("cn_joint_get_motor_to", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_motor_def))
+cn_joint_set_motor_to = _function("cn_joint_set_motor_to", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_motor_def))
+cn_joint_get_mouse = _function("cn_joint_get_mouse", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_mouse_def))
+cn_joint_set_mouse = _function("cn_joint_set_mouse", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_mouse_def))
+cn_joint_get_gear = _function("cn_joint_get_gear", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_gear_def))
+cn_joint_set_gear = _function("cn_joint_set_gear", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_gear_def))
+cn_joint_get_pulley = _function("cn_joint_get_pulley", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_pulley_def))
+cn_joint_set_pulley = _function("cn_joint_set_pulley", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_pulley_def))
+cn_joint_get_ratchet = _function("cn_joint_get_ratchet", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_ratchet_def))
+cn_joint_set_ratchet = _function("cn_joint_set_ratchet", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_ratchet_def))
+cn_joint_get_rotary_spring = _function("cn_joint_get_rotary_spring", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_rotary_spring_def))
+cn_joint_set_rotary_spring = _function("cn_joint_set_rotary_spring", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_rotary_spring_def))
+cn_joint_get_groove = _function("cn_joint_get_groove", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_groove_def))
+cn_joint_set_groove = _function("cn_joint_set_groove", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_groove_def))
+# The base of any joint.
+cn_joint_get_base = _function("cn_joint_get_base", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_joint_base))
+# Takes stiffness, most force and torque, and break thresholds; the rest of base is ignored. Wakes.
+cn_joint_set_base = _function("cn_joint_set_base", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_joint_base))
+# Mouse joint: where to drag to; called each frame. CN_ERROR_STATE for another type. Wakes.
+cn_joint_set_target = _function("cn_joint_set_target", cn_result, _c.POINTER(cn_world), cn_joint, _c.c_float, _c.c_float)
+# Revolute, fixed, motor: the angle b - angle a - reference (motor: without one), in (-pi, pi]. Distance,
+# pulley: the present length. Prismatic, wheel, groove: the translation along the axis. Mouse: distance to the
+# target. Gear: angle b - ratio * angle a; ratchet, rotary spring: angle b - angle a, these three over whole
+# turns.
 cn_joint_get_position = _function("cn_joint_get_position", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_float))
-# Revolute: radians a second. Distance: metres a second. With CN_JOINT_MOTOR, positive follows these.
+# How fast that changes; but of a wheel how fast b turns against a. With CN_JOINT_MOTOR, positive follows
+# these.
 cn_joint_get_speed = _function("cn_joint_get_speed", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_float))
-# The two setters that games call each frame. Wake.
+# The two setters that games call each frame, for revolute, distance, prismatic and wheel (others:
+# CN_ERROR_STATE). Wake.
 cn_joint_set_motor = _function("cn_joint_set_motor", cn_result, _c.POINTER(cn_world), cn_joint, _c.c_float, _c.c_float)
 cn_joint_set_limits = _function("cn_joint_set_limits", cn_result, _c.POINTER(cn_world), cn_joint, _c.c_float, _c.c_float)
+# Those that exceeded a break threshold in the last step, and those destroyed with a body in or since the step
+# before (by calls between two steps: reported by the next step).
+cn_world_joint_events = _function("cn_world_joint_events", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.POINTER(cn_joint_event)), _c.POINTER(_c.c_int32))
+cn_angle_constraint_def_init = _function("cn_angle_constraint_def_init", None, _c.POINTER(cn_angle_constraint_def))
+cn_line_constraint_def_init = _function("cn_line_constraint_def_init", None, _c.POINTER(cn_line_constraint_def))
+# They are solved with the joints, before contacts. Wake the body.
+cn_constraint_create_angle = _function("cn_constraint_create_angle", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_angle_constraint_def), _c.POINTER(cn_constraint))
+cn_constraint_create_line = _function("cn_constraint_create_line", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_line_constraint_def), _c.POINTER(cn_constraint))
+cn_constraint_destroy = _function("cn_constraint_destroy", cn_result, _c.POINTER(cn_world), cn_constraint)
+cn_constraint_is_valid = _function("cn_constraint_is_valid", _c.c_int32, _c.POINTER(cn_world), cn_constraint)
+cn_constraint_get_type = _function("cn_constraint_get_type", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(_c.c_int32))
+cn_constraint_get_body = _function("cn_constraint_get_body", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(cn_body))
+# Read back or replace a definition; set ignores body. CN_ERROR_STATE for the other type. set wakes.
+cn_constraint_get_angle = _function("cn_constraint_get_angle", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(cn_angle_constraint_def))
+cn_constraint_set_angle = _function("cn_constraint_set_angle", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(cn_angle_constraint_def))
+cn_constraint_get_line = _function("cn_constraint_get_line", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(cn_line_constraint_def))
+cn_constraint_set_line = _function("cn_constraint_set_line", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(cn_line_constraint_def))
+# Angle: the angle over whole turns. Line: where along the axis the point is, from origin.
+cn_constraint_get_position = _function("cn_constraint_get_position", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(_c.c_float))
+# Force in newtons and torque in newton metres that it put on the body in the last substep.
+cn_constraint_get_reaction = _function("cn_constraint_get_reaction", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(cn_vec2), _c.POINTER(_c.c_float))
+# How far beyond what is allowed, >= 0.
+cn_constraint_get_error = _function("cn_constraint_get_error", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(_c.c_float), _c.POINTER(_c.c_float))
+# As cn_world_get_joints and cn_body_get_joints, which do not list constraints.
+cn_world_get_constraints = _function("cn_world_get_constraints", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_constraint), _c.c_int32, _c.POINTER(_c.c_int32))
+cn_body_get_constraints = _function("cn_body_get_constraints", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_constraint), _c.c_int32, _c.POINTER(_c.c_int32))
 # step_s in (0, 1], default 1/60; steps_max >= 1, default 8.
 cn_world_set_fixed_step = _function("cn_world_set_fixed_step", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_int32)
 # Adds elapsed_s (0 to 10) to the time owed and takes as many fixed steps as fit, at most steps_max. Events of
@@ -882,6 +1190,19 @@ cn_world_explode = _function("cn_world_explode", cn_result, _c.POINTER(cn_world)
 cn_debug_draw_init = _function("cn_debug_draw_init", None, _c.POINTER(cn_debug_draw))
 # Reads only. O(what is drawn).
 cn_world_draw = _function("cn_world_draw", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_debug_draw))
+# Dynamic AABB tree. alloc and free NULL: malloc. margin_m >= 0 is added around every box.
+cn_tree_create = _function("cn_tree_create", cn_result, _c.c_float, cn_alloc_fn, cn_free_fn, _c.c_void_p, _c.POINTER(_c.POINTER(cn_tree)))
+cn_tree_destroy = _function("cn_tree_destroy", None, _c.POINTER(cn_tree))
+# O(log n). *out_item is never 0.
+cn_tree_insert = _function("cn_tree_insert", cn_result, _c.POINTER(cn_tree), _c.POINTER(cn_aabb), _c.c_uint64, _c.POINTER(_c.c_uint32))
+cn_tree_remove = _function("cn_tree_remove", cn_result, _c.POINTER(cn_tree), _c.c_uint32)
+# Nothing happens while the box stays within its margin. O(log n) else.
+cn_tree_move = _function("cn_tree_move", cn_result, _c.POINTER(cn_tree), _c.c_uint32, _c.POINTER(cn_aabb))
+cn_tree_get_box = _function("cn_tree_get_box", cn_result, _c.POINTER(cn_tree), _c.c_uint32, _c.POINTER(cn_aabb))
+cn_tree_query = _function("cn_tree_query", cn_result, _c.POINTER(cn_tree), _c.POINTER(cn_aabb), cn_tree_query_fn, _c.c_void_p)
+cn_tree_cast_ray = _function("cn_tree_cast_ray", cn_result, _c.POINTER(cn_tree), _c.POINTER(cn_ray), cn_tree_ray_fn, _c.c_void_p)
+# Number of items and height of the tree.
+cn_tree_get_stats = _function("cn_tree_get_stats", cn_result, _c.POINTER(cn_tree), _c.POINTER(_c.c_int32), _c.POINTER(_c.c_int32))
 
 
 for _struct, _number in (
@@ -908,8 +1229,23 @@ for _struct, _number in (
     (cn_manifold, CN_TYPE_MANIFOLD),
     (cn_contact_event, CN_TYPE_CONTACT_EVENT),
     (cn_sensor_event, CN_TYPE_SENSOR_EVENT),
+    (cn_joint_base, CN_TYPE_JOINT_BASE),
     (cn_revolute_def, CN_TYPE_REVOLUTE_DEF),
     (cn_distance_def, CN_TYPE_DISTANCE_DEF),
+    (cn_fixed_def, CN_TYPE_FIXED_DEF),
+    (cn_prismatic_def, CN_TYPE_PRISMATIC_DEF),
+    (cn_wheel_def, CN_TYPE_WHEEL_DEF),
+    (cn_motor_def, CN_TYPE_MOTOR_DEF),
+    (cn_mouse_def, CN_TYPE_MOUSE_DEF),
+    (cn_gear_def, CN_TYPE_GEAR_DEF),
+    (cn_pulley_def, CN_TYPE_PULLEY_DEF),
+    (cn_ratchet_def, CN_TYPE_RATCHET_DEF),
+    (cn_rotary_spring_def, CN_TYPE_ROTARY_SPRING_DEF),
+    (cn_groove_def, CN_TYPE_GROOVE_DEF),
+    (cn_filter_joint_def, CN_TYPE_FILTER_JOINT_DEF),
+    (cn_joint_event, CN_TYPE_JOINT_EVENT),
+    (cn_angle_constraint_def, CN_TYPE_ANGLE_CONSTRAINT_DEF),
+    (cn_line_constraint_def, CN_TYPE_LINE_CONSTRAINT_DEF),
     (cn_update_report, CN_TYPE_UPDATE_REPORT),
     (cn_query_filter, CN_TYPE_QUERY_FILTER),
     (cn_ray, CN_TYPE_RAY),

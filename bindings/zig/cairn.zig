@@ -66,7 +66,22 @@ pub const CN_TYPE_RAY = 28;
 pub const CN_TYPE_RAY_HIT = 29;
 pub const CN_TYPE_CLOSEST = 30;
 pub const CN_TYPE_EXPLOSION_DEF = 31;
-pub const CN_TYPE_COUNT = 32;
+pub const CN_TYPE_FIXED_DEF = 32;
+pub const CN_TYPE_PRISMATIC_DEF = 33;
+pub const CN_TYPE_WHEEL_DEF = 34;
+pub const CN_TYPE_MOTOR_DEF = 35;
+pub const CN_TYPE_MOUSE_DEF = 36;
+pub const CN_TYPE_GEAR_DEF = 37;
+pub const CN_TYPE_PULLEY_DEF = 38;
+pub const CN_TYPE_RATCHET_DEF = 39;
+pub const CN_TYPE_ROTARY_SPRING_DEF = 40;
+pub const CN_TYPE_GROOVE_DEF = 41;
+pub const CN_TYPE_FILTER_JOINT_DEF = 42;
+pub const CN_TYPE_JOINT_BASE = 43;
+pub const CN_TYPE_JOINT_EVENT = 44;
+pub const CN_TYPE_ANGLE_CONSTRAINT_DEF = 45;
+pub const CN_TYPE_LINE_CONSTRAINT_DEF = 46;
+pub const CN_TYPE_COUNT = 47;
 
 /// islands at rest fall asleep (default on)
 pub const CN_WORLD_SLEEP = 1;
@@ -80,7 +95,9 @@ pub const CN_WORLD_CONTINUOUS = 8;
 pub const CN_SOLVER_SOFT = 0;
 pub const CN_SOLVER_SEQUENTIAL = 1;
 
+/// tiled sweep-and-prune
 pub const CN_BROADPHASE_SWEEP = 0;
+pub const CN_BROADPHASE_TREE = 1;
 
 /// new contacts were not added: pairs_not_added
 pub const CN_WARNING_CONTACT_MEMORY = 1;
@@ -143,12 +160,31 @@ pub const CN_EVENT_KINDS = 5;
 
 pub const CN_JOINT_REVOLUTE = 0;
 pub const CN_JOINT_DISTANCE = 1;
+pub const CN_JOINT_FIXED = 2;
+pub const CN_JOINT_PRISMATIC = 3;
+pub const CN_JOINT_WHEEL = 4;
+pub const CN_JOINT_MOTOR_TO = 5;
+pub const CN_JOINT_MOUSE = 6;
+pub const CN_JOINT_GEAR = 7;
+pub const CN_JOINT_PULLEY = 8;
+pub const CN_JOINT_RATCHET = 9;
+pub const CN_JOINT_ROTARY_SPRING = 10;
+pub const CN_JOINT_GROOVE = 11;
+pub const CN_JOINT_FILTER = 12;
 
 /// the connected bodies' shapes collide with each other (default off)
 pub const CN_JOINT_COLLIDE = 1;
 pub const CN_JOINT_LIMIT = 2;
 pub const CN_JOINT_MOTOR = 4;
 pub const CN_JOINT_SPRING = 8;
+pub const CN_JOINT_BREAKS = 16;
+
+pub const CN_CONSTRAINT_ANGLE = 0;
+pub const CN_CONSTRAINT_LINE = 1;
+
+/// line: the limits along the axis hold
+pub const CN_CONSTRAINT_LIMIT = 1;
+pub const CN_CONSTRAINT_BREAKS = 2;
 
 pub const CN_DRAW_SHAPES = 1;
 /// and constraints: anchors, axes, limits
@@ -164,6 +200,7 @@ pub const cn_shape = enum(u32) { none = 0, _ };
 pub const cn_joint = enum(u32) { none = 0, _ };
 pub const cn_constraint = enum(u32) { none = 0, _ };
 pub const cn_world = opaque {};
+pub const cn_tree = opaque {};
 
 /// Memory hooks. Return NULL when there is none; align is a power of two, at most 64. Called only from inside
 /// functions that take a non-const world.
@@ -197,6 +234,12 @@ pub const cn_debug_draw_segment_fn = fn (a_m: [*c]const cn_vec2, b_m: [*c]const 
 pub const cn_debug_draw_point_fn = fn (point_m: [*c]const cn_vec2, size_px: f32, color: u32, user: ?*anyopaque) callconv(.c) void;
 
 pub const cn_debug_draw_text_fn = fn (point_m: [*c]const cn_vec2, text: [*c]const u8, color: u32, user: ?*anyopaque) callconv(.c) void;
+
+/// Return 0 to stop, anything else to go on.
+pub const cn_tree_query_fn = fn (item: u32, user_data: u64, user: ?*anyopaque) callconv(.c) i32;
+
+/// Return the fraction to go on with: the given one to ignore the item, 0 to stop.
+pub const cn_tree_ray_fn = fn (item: u32, user_data: u64, fraction: f32, user: ?*anyopaque) callconv(.c) f32;
 
 pub const cn_vec2 = extern struct {
     x: f32,
@@ -281,6 +324,7 @@ pub const cn_world_def = extern struct {
     /// counts every edge of a chain
     shape_capacity: i32,
     contact_capacity: i32,
+    /// counts constraints too
     joint_capacity: i32,
     user_data: u64,
     /// size of memory; 0: use alloc and free
@@ -309,6 +353,7 @@ pub const cn_counters = extern struct {
     contacts_awake: i32,
     /// pairs that share a manifold, asleep or awake
     contacts_touching: i32,
+    /// and constraints
     joints: i32,
     joints_awake: i32,
     /// awake and asleep, of two or more bodies or one
@@ -600,11 +645,12 @@ pub const cn_sensor_event = extern struct {
     }
 };
 
-/// First field of every joint definition.
+/// First field of every joint definition. A joint's rigid parts are what holds anchors, axes, angles, lengths
+/// and limits in place; springs and motors are not.
 pub const cn_joint_base = extern struct {
     /// of the whole definition
     struct_size: u32,
-    /// CN_JOINT_*; default 0
+    /// CN_JOINT_*; default 0; a type ignores those it has no use for
     flags: u32,
     /// 0: the world
     body_a: cn_body,
@@ -613,10 +659,21 @@ pub const cn_joint_base = extern struct {
     /// in body a's local frame, or in world coordinates
     anchor_a_m: cn_vec2,
     anchor_b_m: cn_vec2,
+    /// of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps allow
+    stiffness_hertz: f32,
+    /// used when stiffness_hertz > 0; 0 to 1e6
+    stiffness_damping_ratio: f32,
+    /// anchors and axes never pull harder, nor does a limit; 0 (default): no bound
+    force_max_N: f32,
+    /// the same for angles
+    torque_max_Nm: f32,
+    /// a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never
+    break_force_N: f32,
+    break_torque_Nm: f32,
     user_data: u64,
 
     comptime {
-        if (@sizeOf(usize) == 8 and @sizeOf(cn_joint_base) != 40) @compileError("cn_joint_base");
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_joint_base) != 64) @compileError("cn_joint_base");
     }
 };
 
@@ -639,7 +696,7 @@ pub const cn_revolute_def = extern struct {
     spring_damping_ratio: f32,
 
     comptime {
-        if (@sizeOf(usize) == 8 and @sizeOf(cn_revolute_def) != 72) @compileError("cn_revolute_def");
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_revolute_def) != 96) @compileError("cn_revolute_def");
     }
 };
 
@@ -664,7 +721,264 @@ pub const cn_distance_def = extern struct {
     reserved: f32,
 
     comptime {
-        if (@sizeOf(usize) == 8 and @sizeOf(cn_distance_def) != 72) @compileError("cn_distance_def");
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_distance_def) != 96) @compileError("cn_distance_def");
+    }
+};
+
+/// Welded: no relative motion. base.stiffness_hertz makes it springy.
+pub const cn_fixed_def = extern struct {
+    base: cn_joint_base,
+    /// angle b - angle a
+    reference_angle_rad: f32,
+    /// stiffness of the angle alone, 0 to 1e6; 0: as the base's
+    angular_hertz: f32,
+    /// 0 to 1e6
+    angular_damping_ratio: f32,
+    reserved: f32,
+
+    comptime {
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_fixed_def) != 80) @compileError("cn_fixed_def");
+    }
+};
+
+/// b slides along an axis fixed in a, without turning. The translation is along the axis from anchor a.
+pub const cn_prismatic_def = extern struct {
+    base: cn_joint_base,
+    /// in body a's frame, any length > 0 (read back with length 1); default (1, 0)
+    axis: cn_vec2,
+    /// angle b - angle a
+    reference_angle_rad: f32,
+    /// CN_JOINT_LIMIT: lower <= upper
+    lower_m: f32,
+    upper_m: f32,
+    /// CN_JOINT_MOTOR
+    motor_speed_mps: f32,
+    /// >= 0
+    motor_force_max_N: f32,
+    /// CN_JOINT_SPRING: pulls the translation to this
+    spring_target_m: f32,
+    /// 0 to 1e6
+    spring_hertz: f32,
+    /// 0 to 1e6
+    spring_damping_ratio: f32,
+
+    comptime {
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_prismatic_def) != 104) @compileError("cn_prismatic_def");
+    }
+};
+
+/// A wheel b on suspension: slides along an axis fixed in a (springy, with limits), turns freely; the motor
+/// turns it.
+pub const cn_wheel_def = extern struct {
+    base: cn_joint_base,
+    /// in body a's frame, any length > 0 (read back with length 1); default (0, 1)
+    axis: cn_vec2,
+    /// CN_JOINT_LIMIT: lower <= upper
+    lower_m: f32,
+    upper_m: f32,
+    /// CN_JOINT_MOTOR
+    motor_speed_radps: f32,
+    /// >= 0
+    motor_torque_max_Nm: f32,
+    /// CN_JOINT_SPRING: pulls anchor b to anchor a; 0 to 1e6, default 1
+    spring_hertz: f32,
+    /// 0 to 1e6, default 0.7
+    spring_damping_ratio: f32,
+
+    comptime {
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_wheel_def) != 96) @compileError("cn_wheel_def");
+    }
+};
+
+/// Drives b to an offset and angle from a by a spring with bounded force and torque: base.force_max_N and
+/// base.torque_max_Nm must be > 0.
+pub const cn_motor_def = extern struct {
+    /// anchor b is driven to anchor a + offset
+    base: cn_joint_base,
+    /// in body a's frame
+    offset_m: cn_vec2,
+    /// angle b - angle a
+    angle_rad: f32,
+    /// how briskly, > 0, to 1e6; default 5
+    hertz: f32,
+    /// 0 to 1e6, default 1
+    damping_ratio: f32,
+    reserved: f32,
+
+    comptime {
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_motor_def) != 88) @compileError("cn_motor_def");
+    }
+};
+
+/// Drags anchor b of body b to a world point by a spring. body_a must be 0, anchor_a_m is ignored, and
+/// base.force_max_N must be > 0.
+pub const cn_mouse_def = extern struct {
+    base: cn_joint_base,
+    target_m: cn_vec2,
+    /// > 0, to 1e6; default 5
+    hertz: f32,
+    /// 0 to 1e6, default 0.7
+    damping_ratio: f32,
+
+    comptime {
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_mouse_def) != 80) @compileError("cn_mouse_def");
+    }
+};
+
+/// angle b = ratio * angle a + phase. Angles begin in (-pi, pi] at creation (or when the ratio is changed)
+/// and count whole turns from there.
+pub const cn_gear_def = extern struct {
+    base: cn_joint_base,
+    /// size 1e-4 to 1e4, negative: they turn against each other; default 1
+    ratio: f32,
+    phase_rad: f32,
+
+    comptime {
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_gear_def) != 72) @compileError("cn_gear_def");
+    }
+};
+
+/// |anchor a - ground a| + ratio |anchor b - ground b| <= length: a rope over two pulleys (never pushes).
+pub const cn_pulley_def = extern struct {
+    base: cn_joint_base,
+    /// world
+    ground_a_m: cn_vec2,
+    ground_b_m: cn_vec2,
+    /// 1e-4 to 1e4; default 1
+    ratio: f32,
+    /// > 0
+    length_m: f32,
+
+    comptime {
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_pulley_def) != 88) @compileError("cn_pulley_def");
+    }
+};
+
+/// b may turn against a in one direction only, and back no farther than to the last click that it passed.
+/// Clicks are at phase + any whole number of click_rad, over whole turns.
+pub const cn_ratchet_def = extern struct {
+    base: cn_joint_base,
+    phase_rad: f32,
+    /// size 1e-4 to 1e4; positive: b may turn counter-clockwise
+    click_rad: f32,
+
+    comptime {
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_ratchet_def) != 72) @compileError("cn_ratchet_def");
+    }
+};
+
+/// A torque that pulls angle b - angle a to rest, over whole turns. hertz is that of the two bodies' own
+/// inertia.
+pub const cn_rotary_spring_def = extern struct {
+    base: cn_joint_base,
+    rest_angle_rad: f32,
+    /// > 0, to 1e6; default 1
+    hertz: f32,
+    /// 0 to 1e6, default 0
+    damping_ratio: f32,
+    reserved: f32,
+
+    comptime {
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_rotary_spring_def) != 80) @compileError("cn_rotary_spring_def");
+    }
+};
+
+/// anchor b slides in a slot of body a from anchor a to end.
+pub const cn_groove_def = extern struct {
+    base: cn_joint_base,
+    /// in body a's frame; not equal to anchor a; default (1, 0)
+    end_m: cn_vec2,
+
+    comptime {
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_groove_def) != 72) @compileError("cn_groove_def");
+    }
+};
+
+/// Nothing but: the two bodies do not collide.
+pub const cn_filter_joint_def = extern struct {
+    base: cn_joint_base,
+
+    comptime {
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_filter_joint_def) != 64) @compileError("cn_filter_joint_def");
+    }
+};
+
+/// Something happened to a joint or to a constraint on one body.
+pub const cn_joint_event = extern struct {
+    /// 0: it was a constraint; stale when destroyed is 1
+    joint: cn_joint,
+    /// 0: it was a joint; stale when destroyed is 1
+    constraint: cn_constraint,
+    /// 0: the world
+    body_a: cn_body,
+    body_b: cn_body,
+    /// largest reaction of the step; 0 when a body was destroyed
+    force_N: f32,
+    torque_Nm: f32,
+    /// 1: it is gone (it breaks, or a body of it was destroyed)
+    destroyed: u32,
+    reserved: u32,
+    user_data: u64,
+
+    comptime {
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_joint_event) != 40) @compileError("cn_joint_event");
+    }
+};
+
+/// Keeps a body's angle within limits. The angle begins in (-pi, pi] at creation and counts whole turns from
+/// there.
+pub const cn_angle_constraint_def = extern struct {
+    struct_size: u32,
+    /// CN_CONSTRAINT_*; default 0
+    flags: u32,
+    /// must be dynamic
+    body: cn_body,
+    /// lower <= upper; equal: locked
+    lower_rad: f32,
+    upper_rad: f32,
+    /// 0 (default): rigid; to 1e6
+    hertz: f32,
+    /// used when hertz > 0; 0 to 1e6
+    damping_ratio: f32,
+    /// a reaction above this is reported (cn_world_joint_events); 0: never
+    break_torque_Nm: f32,
+    user_data: u64,
+
+    comptime {
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_angle_constraint_def) != 40) @compileError("cn_angle_constraint_def");
+    }
+};
+
+/// Keeps a point of a body on a line in the world, within a tolerance to either side, and between limits
+/// along it.
+pub const cn_line_constraint_def = extern struct {
+    struct_size: u32,
+    /// CN_CONSTRAINT_*; default 0
+    flags: u32,
+    /// must be dynamic
+    body: cn_body,
+    /// in the body's frame
+    anchor_m: cn_vec2,
+    /// of the line, world
+    origin_m: cn_vec2,
+    /// world, any length > 0 (read back with length 1); default (1, 0)
+    axis: cn_vec2,
+    /// >= 0: free play across the axis
+    tolerance_m: f32,
+    /// CN_CONSTRAINT_LIMIT: along the axis from origin; lower <= upper
+    lower_m: f32,
+    upper_m: f32,
+    /// 0 (default): rigid; to 1e6
+    hertz: f32,
+    /// used when hertz > 0; 0 to 1e6
+    damping_ratio: f32,
+    /// a reaction above this is reported (cn_world_joint_events); 0: never
+    break_force_N: f32,
+    reserved: u32,
+    user_data: u64,
+
+    comptime {
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_line_constraint_def) != 72) @compileError("cn_line_constraint_def");
     }
 };
 
@@ -840,7 +1154,8 @@ pub extern fn cn_body_def_init(def: [*c]cn_body_def) void;
 pub extern fn cn_body_create(world: ?*cn_world, def: [*c]const cn_body_def, out_body: [*c]cn_body) cn_result;
 /// count bodies from an array of definitions; all of them or none. O(count).
 pub extern fn cn_body_create_many(world: ?*cn_world, defs: [*c]const cn_body_def, count: i32, out_bodies: [*c]cn_body) cn_result;
-/// Also destroys its shapes, contacts and joints; touching contacts get their leave event.
+/// Also destroys its shapes, contacts, joints and constraints; touching contacts get their leave event,
+/// joints and constraints theirs (cn_world_joint_events).
 pub extern fn cn_body_destroy(world: ?*cn_world, body: cn_body) cn_result;
 /// Destroys all or, if any handle is bad or appears twice, none.
 pub extern fn cn_body_destroy_many(world: ?*cn_world, bodies: [*c]const cn_body, count: i32) cn_result;
@@ -998,9 +1313,31 @@ pub extern fn cn_body_get_contacts(world: ?*const cn_world, body: cn_body, out: 
 pub extern fn cn_world_fell_asleep(world: ?*const cn_world, out_bodies: [*c][*c]const cn_body, out_count: [*c]i32) cn_result;
 pub extern fn cn_revolute_def_init(def: [*c]cn_revolute_def) void;
 pub extern fn cn_distance_def_init(def: [*c]cn_distance_def) void;
+pub extern fn cn_fixed_def_init(def: [*c]cn_fixed_def) void;
+pub extern fn cn_prismatic_def_init(def: [*c]cn_prismatic_def) void;
+pub extern fn cn_wheel_def_init(def: [*c]cn_wheel_def) void;
+pub extern fn cn_motor_def_init(def: [*c]cn_motor_def) void;
+pub extern fn cn_mouse_def_init(def: [*c]cn_mouse_def) void;
+pub extern fn cn_gear_def_init(def: [*c]cn_gear_def) void;
+pub extern fn cn_pulley_def_init(def: [*c]cn_pulley_def) void;
+pub extern fn cn_ratchet_def_init(def: [*c]cn_ratchet_def) void;
+pub extern fn cn_rotary_spring_def_init(def: [*c]cn_rotary_spring_def) void;
+pub extern fn cn_groove_def_init(def: [*c]cn_groove_def) void;
+pub extern fn cn_filter_joint_def_init(def: [*c]cn_filter_joint_def) void;
 /// Wake both bodies. CN_ERROR_ARGUMENT for a body with itself or without a dynamic body.
 pub extern fn cn_joint_create_revolute(world: ?*cn_world, def: [*c]const cn_revolute_def, out_joint: [*c]cn_joint) cn_result;
 pub extern fn cn_joint_create_distance(world: ?*cn_world, def: [*c]const cn_distance_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_fixed(world: ?*cn_world, def: [*c]const cn_fixed_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_prismatic(world: ?*cn_world, def: [*c]const cn_prismatic_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_wheel(world: ?*cn_world, def: [*c]const cn_wheel_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_motor(world: ?*cn_world, def: [*c]const cn_motor_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_mouse(world: ?*cn_world, def: [*c]const cn_mouse_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_gear(world: ?*cn_world, def: [*c]const cn_gear_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_pulley(world: ?*cn_world, def: [*c]const cn_pulley_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_ratchet(world: ?*cn_world, def: [*c]const cn_ratchet_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_rotary_spring(world: ?*cn_world, def: [*c]const cn_rotary_spring_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_groove(world: ?*cn_world, def: [*c]const cn_groove_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_filter(world: ?*cn_world, def: [*c]const cn_filter_joint_def, out_joint: [*c]cn_joint) cn_result;
 pub extern fn cn_joint_destroy(world: ?*cn_world, joint: cn_joint) cn_result;
 pub extern fn cn_joint_is_valid(world: ?*const cn_world, joint: cn_joint) i32;
 pub extern fn cn_joint_get_type(world: ?*const cn_world, joint: cn_joint, out_type: [*c]i32) cn_result;
@@ -1016,19 +1353,77 @@ pub extern fn cn_joint_get_user_data(world: ?*const cn_world, joint: cn_joint, o
 /// Replaces the CN_JOINT_ flags. Wakes. O(contacts) when CN_JOINT_COLLIDE changes.
 pub extern fn cn_joint_set_flags(world: ?*cn_world, joint: cn_joint, flags: u32) cn_result;
 pub extern fn cn_joint_get_flags(world: ?*const cn_world, joint: cn_joint, out_flags: [*c]u32) cn_result;
-/// Read back or replace everything particular to the type; the bodies, anchors and struct_size of base are
-/// ignored by set (its flags and user data are not). CN_ERROR_STATE for a joint of another type. set wakes.
+/// Read back or replace a definition. set leaves bodies and anchors as they are and ignores struct_size; all
+/// else is taken, flags and user data too. CN_ERROR_STATE for a joint of another type. set wakes. A filter
+/// joint has nothing but its base.
 pub extern fn cn_joint_get_revolute(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_revolute_def) cn_result;
 pub extern fn cn_joint_set_revolute(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_revolute_def) cn_result;
 pub extern fn cn_joint_get_distance(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_distance_def) cn_result;
 pub extern fn cn_joint_set_distance(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_distance_def) cn_result;
-/// Revolute: the joint angle in radians. Distance: the present length in metres.
+pub extern fn cn_joint_get_fixed(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_fixed_def) cn_result;
+pub extern fn cn_joint_set_fixed(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_fixed_def) cn_result;
+pub extern fn cn_joint_get_prismatic(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_prismatic_def) cn_result;
+pub extern fn cn_joint_set_prismatic(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_prismatic_def) cn_result;
+pub extern fn cn_joint_get_wheel(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_wheel_def) cn_result;
+pub extern fn cn_joint_set_wheel(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_wheel_def) cn_result;
+pub extern fn cn_joint_get_motor_to(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_motor_def) cn_result;
+pub extern fn cn_joint_set_motor_to(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_motor_def) cn_result;
+pub extern fn cn_joint_get_mouse(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_mouse_def) cn_result;
+pub extern fn cn_joint_set_mouse(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_mouse_def) cn_result;
+pub extern fn cn_joint_get_gear(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_gear_def) cn_result;
+pub extern fn cn_joint_set_gear(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_gear_def) cn_result;
+pub extern fn cn_joint_get_pulley(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_pulley_def) cn_result;
+pub extern fn cn_joint_set_pulley(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_pulley_def) cn_result;
+pub extern fn cn_joint_get_ratchet(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_ratchet_def) cn_result;
+pub extern fn cn_joint_set_ratchet(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_ratchet_def) cn_result;
+pub extern fn cn_joint_get_rotary_spring(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_rotary_spring_def) cn_result;
+pub extern fn cn_joint_set_rotary_spring(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_rotary_spring_def) cn_result;
+pub extern fn cn_joint_get_groove(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_groove_def) cn_result;
+pub extern fn cn_joint_set_groove(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_groove_def) cn_result;
+/// The base of any joint.
+pub extern fn cn_joint_get_base(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_joint_base) cn_result;
+/// Takes stiffness, most force and torque, and break thresholds; the rest of base is ignored. Wakes.
+pub extern fn cn_joint_set_base(world: ?*cn_world, joint: cn_joint, base: [*c]const cn_joint_base) cn_result;
+/// Mouse joint: where to drag to; called each frame. CN_ERROR_STATE for another type. Wakes.
+pub extern fn cn_joint_set_target(world: ?*cn_world, joint: cn_joint, target_x_m: f32, target_y_m: f32) cn_result;
+/// Revolute, fixed, motor: the angle b - angle a - reference (motor: without one), in (-pi, pi]. Distance,
+/// pulley: the present length. Prismatic, wheel, groove: the translation along the axis. Mouse: distance to
+/// the target. Gear: angle b - ratio * angle a; ratchet, rotary spring: angle b - angle a, these three over
+/// whole turns.
 pub extern fn cn_joint_get_position(world: ?*const cn_world, joint: cn_joint, out_position: [*c]f32) cn_result;
-/// Revolute: radians a second. Distance: metres a second. With CN_JOINT_MOTOR, positive follows these.
+/// How fast that changes; but of a wheel how fast b turns against a. With CN_JOINT_MOTOR, positive follows
+/// these.
 pub extern fn cn_joint_get_speed(world: ?*const cn_world, joint: cn_joint, out_speed: [*c]f32) cn_result;
-/// The two setters that games call each frame. Wake.
+/// The two setters that games call each frame, for revolute, distance, prismatic and wheel (others:
+/// CN_ERROR_STATE). Wake.
 pub extern fn cn_joint_set_motor(world: ?*cn_world, joint: cn_joint, speed: f32, force_or_torque_max: f32) cn_result;
 pub extern fn cn_joint_set_limits(world: ?*cn_world, joint: cn_joint, lower: f32, upper: f32) cn_result;
+/// Those that exceeded a break threshold in the last step, and those destroyed with a body in or since the
+/// step before (by calls between two steps: reported by the next step).
+pub extern fn cn_world_joint_events(world: ?*const cn_world, out_events: [*c][*c]const cn_joint_event, out_count: [*c]i32) cn_result;
+pub extern fn cn_angle_constraint_def_init(def: [*c]cn_angle_constraint_def) void;
+pub extern fn cn_line_constraint_def_init(def: [*c]cn_line_constraint_def) void;
+/// They are solved with the joints, before contacts. Wake the body.
+pub extern fn cn_constraint_create_angle(world: ?*cn_world, def: [*c]const cn_angle_constraint_def, out_constraint: [*c]cn_constraint) cn_result;
+pub extern fn cn_constraint_create_line(world: ?*cn_world, def: [*c]const cn_line_constraint_def, out_constraint: [*c]cn_constraint) cn_result;
+pub extern fn cn_constraint_destroy(world: ?*cn_world, constraint: cn_constraint) cn_result;
+pub extern fn cn_constraint_is_valid(world: ?*const cn_world, constraint: cn_constraint) i32;
+pub extern fn cn_constraint_get_type(world: ?*const cn_world, constraint: cn_constraint, out_type: [*c]i32) cn_result;
+pub extern fn cn_constraint_get_body(world: ?*const cn_world, constraint: cn_constraint, out_body: [*c]cn_body) cn_result;
+/// Read back or replace a definition; set ignores body. CN_ERROR_STATE for the other type. set wakes.
+pub extern fn cn_constraint_get_angle(world: ?*const cn_world, constraint: cn_constraint, out: [*c]cn_angle_constraint_def) cn_result;
+pub extern fn cn_constraint_set_angle(world: ?*cn_world, constraint: cn_constraint, def: [*c]const cn_angle_constraint_def) cn_result;
+pub extern fn cn_constraint_get_line(world: ?*const cn_world, constraint: cn_constraint, out: [*c]cn_line_constraint_def) cn_result;
+pub extern fn cn_constraint_set_line(world: ?*cn_world, constraint: cn_constraint, def: [*c]const cn_line_constraint_def) cn_result;
+/// Angle: the angle over whole turns. Line: where along the axis the point is, from origin.
+pub extern fn cn_constraint_get_position(world: ?*const cn_world, constraint: cn_constraint, out_position: [*c]f32) cn_result;
+/// Force in newtons and torque in newton metres that it put on the body in the last substep.
+pub extern fn cn_constraint_get_reaction(world: ?*const cn_world, constraint: cn_constraint, out_force_N: [*c]cn_vec2, out_torque_Nm: [*c]f32) cn_result;
+/// How far beyond what is allowed, >= 0.
+pub extern fn cn_constraint_get_error(world: ?*const cn_world, constraint: cn_constraint, out_m: [*c]f32, out_rad: [*c]f32) cn_result;
+/// As cn_world_get_joints and cn_body_get_joints, which do not list constraints.
+pub extern fn cn_world_get_constraints(world: ?*const cn_world, out: [*c]cn_constraint, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_body_get_constraints(world: ?*const cn_world, body: cn_body, out: [*c]cn_constraint, capacity: i32, out_count: [*c]i32) cn_result;
 /// step_s in (0, 1], default 1/60; steps_max >= 1, default 8.
 pub extern fn cn_world_set_fixed_step(world: ?*cn_world, step_s: f32, steps_max: i32) cn_result;
 /// Adds elapsed_s (0 to 10) to the time owed and takes as many fixed steps as fit, at most steps_max. Events
@@ -1074,6 +1469,19 @@ pub extern fn cn_world_explode(world: ?*cn_world, def: [*c]const cn_explosion_de
 pub extern fn cn_debug_draw_init(draw: [*c]cn_debug_draw) void;
 /// Reads only. O(what is drawn).
 pub extern fn cn_world_draw(world: ?*const cn_world, draw: [*c]const cn_debug_draw) cn_result;
+/// Dynamic AABB tree. alloc and free NULL: malloc. margin_m >= 0 is added around every box.
+pub extern fn cn_tree_create(margin_m: f32, alloc: ?*const cn_alloc_fn, free: ?*const cn_free_fn, allocator_user: ?*anyopaque, out_tree: [*c]?*cn_tree) cn_result;
+pub extern fn cn_tree_destroy(tree: ?*cn_tree) void;
+/// O(log n). *out_item is never 0.
+pub extern fn cn_tree_insert(tree: ?*cn_tree, box: [*c]const cn_aabb, user_data: u64, out_item: [*c]u32) cn_result;
+pub extern fn cn_tree_remove(tree: ?*cn_tree, item: u32) cn_result;
+/// Nothing happens while the box stays within its margin. O(log n) else.
+pub extern fn cn_tree_move(tree: ?*cn_tree, item: u32, box: [*c]const cn_aabb) cn_result;
+pub extern fn cn_tree_get_box(tree: ?*const cn_tree, item: u32, out: [*c]cn_aabb) cn_result;
+pub extern fn cn_tree_query(tree: ?*const cn_tree, box: [*c]const cn_aabb, visit: ?*const cn_tree_query_fn, user: ?*anyopaque) cn_result;
+pub extern fn cn_tree_cast_ray(tree: ?*const cn_tree, ray: [*c]const cn_ray, visit: ?*const cn_tree_ray_fn, user: ?*anyopaque) cn_result;
+/// Number of items and height of the tree.
+pub extern fn cn_tree_get_stats(tree: ?*const cn_tree, out_count: [*c]i32, out_height: [*c]i32) cn_result;
 
 /// A library of another version would read other structs: call this once before anything else.
 pub fn check() error{WrongLibrary}!void {
@@ -1101,8 +1509,23 @@ pub fn check() error{WrongLibrary}!void {
     if (cn_sizeof(CN_TYPE_MANIFOLD) != @sizeOf(cn_manifold)) return error.WrongLibrary;
     if (cn_sizeof(CN_TYPE_CONTACT_EVENT) != @sizeOf(cn_contact_event)) return error.WrongLibrary;
     if (cn_sizeof(CN_TYPE_SENSOR_EVENT) != @sizeOf(cn_sensor_event)) return error.WrongLibrary;
+    if (cn_sizeof(CN_TYPE_JOINT_BASE) != @sizeOf(cn_joint_base)) return error.WrongLibrary;
     if (cn_sizeof(CN_TYPE_REVOLUTE_DEF) != @sizeOf(cn_revolute_def)) return error.WrongLibrary;
     if (cn_sizeof(CN_TYPE_DISTANCE_DEF) != @sizeOf(cn_distance_def)) return error.WrongLibrary;
+    if (cn_sizeof(CN_TYPE_FIXED_DEF) != @sizeOf(cn_fixed_def)) return error.WrongLibrary;
+    if (cn_sizeof(CN_TYPE_PRISMATIC_DEF) != @sizeOf(cn_prismatic_def)) return error.WrongLibrary;
+    if (cn_sizeof(CN_TYPE_WHEEL_DEF) != @sizeOf(cn_wheel_def)) return error.WrongLibrary;
+    if (cn_sizeof(CN_TYPE_MOTOR_DEF) != @sizeOf(cn_motor_def)) return error.WrongLibrary;
+    if (cn_sizeof(CN_TYPE_MOUSE_DEF) != @sizeOf(cn_mouse_def)) return error.WrongLibrary;
+    if (cn_sizeof(CN_TYPE_GEAR_DEF) != @sizeOf(cn_gear_def)) return error.WrongLibrary;
+    if (cn_sizeof(CN_TYPE_PULLEY_DEF) != @sizeOf(cn_pulley_def)) return error.WrongLibrary;
+    if (cn_sizeof(CN_TYPE_RATCHET_DEF) != @sizeOf(cn_ratchet_def)) return error.WrongLibrary;
+    if (cn_sizeof(CN_TYPE_ROTARY_SPRING_DEF) != @sizeOf(cn_rotary_spring_def)) return error.WrongLibrary;
+    if (cn_sizeof(CN_TYPE_GROOVE_DEF) != @sizeOf(cn_groove_def)) return error.WrongLibrary;
+    if (cn_sizeof(CN_TYPE_FILTER_JOINT_DEF) != @sizeOf(cn_filter_joint_def)) return error.WrongLibrary;
+    if (cn_sizeof(CN_TYPE_JOINT_EVENT) != @sizeOf(cn_joint_event)) return error.WrongLibrary;
+    if (cn_sizeof(CN_TYPE_ANGLE_CONSTRAINT_DEF) != @sizeOf(cn_angle_constraint_def)) return error.WrongLibrary;
+    if (cn_sizeof(CN_TYPE_LINE_CONSTRAINT_DEF) != @sizeOf(cn_line_constraint_def)) return error.WrongLibrary;
     if (cn_sizeof(CN_TYPE_UPDATE_REPORT) != @sizeOf(cn_update_report)) return error.WrongLibrary;
     if (cn_sizeof(CN_TYPE_QUERY_FILTER) != @sizeOf(cn_query_filter)) return error.WrongLibrary;
     if (cn_sizeof(CN_TYPE_RAY) != @sizeOf(cn_ray)) return error.WrongLibrary;
