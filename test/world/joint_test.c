@@ -977,8 +977,10 @@ static void assembly_run(int32_t kind, const char *name)
 	int32_t count = make_assembly(world, kind, bodies, 2463534242u), k;
 	totals start, now = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
 	double most = 0.0, drift_1 = 0.0, drift = 0.0, spin_drift = 0.0, settled = 0.0;
-	for (k = 0; k < count; ++k)
-		fixture_set_velocity(world, bodies[k], fixture_random(&seed, -3.0f, 3.0f), fixture_random(&seed, -3.0f, 3.0f), fixture_random(&seed, -5.0f, 5.0f));
+	for (k = 0; k < count; ++k) {
+		float vx = fixture_random(&seed, -3.0f, 3.0f), vy = fixture_random(&seed, -3.0f, 3.0f), w = fixture_random(&seed, -5.0f, 5.0f);
+		fixture_set_velocity(world, bodies[k], vx, vy, w);
+	}
 	start = totals_of(world, bodies, count);
 	for (k = 1; k <= 600; ++k) {
 		fixture_step(world, 1);

@@ -3,7 +3,9 @@
  * or breaks an invariant, and every history repeats to the bit.
  *
  * A scene is mixed shapes, chains of ground, joints of both types, materials, masses from 1:1 to 1:1000 and a
- * time step that is fixed or changes at random. The test prints the seed of a scene that fails:
+ * time step that is fixed or changes at random. Known limit: the soft step holds the energy of every scene without
+ * joints, but of some 6 in 1,000 with joints between unequal masses (of the first thousand seeds 157, 313, 524, 565,
+ * 853, 944) it does not; they need joints that are solved together. The test prints the seed of a scene that fails:
  * `random_test seed 17` runs that one alone. If it fails, look first in: geometry/manifold*.c
  * (NaN, escapes), stages/joint_solve.c and contact_impact.c (energy), model/island.c and model/contact*.c
  * (validation).
@@ -51,9 +53,11 @@ static int32_t pick_int(trial *t, int32_t count)
 	return k < count ? k : count - 1;
 }
 
+/* One number a statement, here and below: the order of arguments is the compiler's. */
 static cn_shape_def random_surface(trial *t, cn_body body)
 {
-	cn_shape_def def = fixture_shape_def(body, pick(t, 0.0f, 1.0f), pick_int(t, 3) == 0 ? pick(t, 0.0f, 1.0f) : 0.0f);
+	float friction = pick(t, 0.0f, 1.0f), restitution = pick(t, -2.0f, 1.0f);
+	cn_shape_def def = fixture_shape_def(body, friction, restitution > 0.0f ? restitution : 0.0f);
 	def.material.dynamic_friction = def.material.static_friction * pick(t, 0.5f, 1.0f);
 	return def;
 }
@@ -136,14 +140,19 @@ static void make_bodies(trial *t)
 	int32_t row, column;
 	for (row = 0; row < 6; ++row)
 		for (column = 0; column < 9; ++column) {
-			float x = 1.6f * (float)(column - 4), y = 2.2f + 2.0f * (float)row;
+			float x = 1.6f * (float)(column - 4), y = 2.2f + 2.0f * (float)row, shift, angle, vx, vy, w;
 			cn_body body;
 			if (pick_int(t, 3) == 0)
 				continue;
-			body = fixture_body(t->world, CN_BODY_DYNAMIC, x + pick(t, -0.05f, 0.05f), y, pick(t, -3.0f, 3.0f));
+			shift = pick(t, -0.05f, 0.05f);
+			angle = pick(t, -3.0f, 3.0f);
+			body = fixture_body(t->world, CN_BODY_DYNAMIC, x + shift, y, angle);
 			make_shape(t, body, pick(t, 0.2f, 0.7f));
 			set_mass(t, body);
-			fixture_set_velocity(t->world, body, pick(t, -5.0f, 5.0f), pick(t, -5.0f, 5.0f), pick(t, -5.0f, 5.0f));
+			vx = pick(t, -5.0f, 5.0f);
+			vy = pick(t, -5.0f, 5.0f);
+			w = pick(t, -5.0f, 5.0f);
+			fixture_set_velocity(t->world, body, vx, vy, w);
 			t->bodies[t->body_count++] = body;
 		}
 }
@@ -317,11 +326,9 @@ static const char *only_seed;
 static void random_scenes_behave(void)
 {
 	outcome worst = { -1.0, -1e9, 0.0, 0, 1, 1 };
-	uint32_t seed;
-	for (seed = 1; seed <= SCENES; ++seed) {
+	uint32_t seed = only_seed != NULL ? (uint32_t)strtoul(only_seed, NULL, 10) : 1, last = only_seed != NULL ? seed : SCENES;
+	for (; seed <= last; ++seed) {
 		outcome o, again;
-		if (only_seed != NULL && (uint32_t)strtoul(only_seed, NULL, 10) != seed)
-			continue;
 		o = trial_run(seed, 1);
 		again = trial_run(seed, 0);
 		if (!o.finite || !o.valid || o.escape > ESCAPE_MAX || o.energy_most > 0.01 || o.hash != again.hash || only_seed != NULL)
