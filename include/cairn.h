@@ -204,7 +204,7 @@ enum {
 
 enum {
 	CN_BROADPHASE_SWEEP = 0, /* tiled sweep-and-prune */
-	CN_BROADPHASE_TREE = 1   /* dynamic AABB tree: for worlds of very mixed sizes with many rays */
+	CN_BROADPHASE_TREE = 1   /* dynamic AABB tree: for worlds of very mixed sizes with many region queries */
 };
 
 typedef struct cn_world_def {
