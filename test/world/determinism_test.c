@@ -24,16 +24,16 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0xf588e0b700da40bc },
+	{ "falling_hinges", 480, 1, 0x4de8a1bd903392e8 },
 	{ "small_200", 300, 1, 0xde3814eef48bca68 },
 	{ "small_50_sleep", 600, 1, 0x650fb52aec3e9bae },
 	{ "dominoes", 400, 1, 0xd2c5b336e713a0d1 },
-	{ "ragdolls", 480, 1, 0x2ff7bd60480282d2 },
-	{ "bridge", 240, 1, 0x27e913895d03cfc9 },
-	{ "car", 400, 1, 0x64b8e2b6106424ce },
+	{ "ragdolls", 480, 1, 0xe6f2029f01006def },
+	{ "bridge", 240, 1, 0x3d5b9018caa823fd },
+	{ "car", 400, 1, 0xfc61609585c41146 },
 	{ "mixer", 240, 1, 0x192c63ec698acaca },
 	{ "pyramid", 120, 0, 0x96cac2611a552232 },
-	{ "rain", 150, 0, 0x121a2ee5b3854b66 },
+	{ "rain", 150, 0, 0xe5ff28e1f3e3e2b0 },
 	{ "tumbler_1000", 300, 0, 0xf77763f831c1b914 },
 };
 /* clang-format on */
