@@ -21,7 +21,7 @@ static cni_sparse_limit limit_of(int32_t solver)
 
 uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t bodies)
 {
-	uint64_t mine = (sizeof(cni_link) + 1 + sizeof(float) * CNI_NODE_ROWS) * (uint64_t)joints + sizeof(float) * (uint64_t)(bodies + 1) + 256;
+	uint64_t mine = (sizeof(cni_link) + 1 + sizeof(float) * CNI_NODE_ROWS + 2 * sizeof(cni_motion)) * (uint64_t)joints + (sizeof(float) + sizeof(cni_rot)) * (uint64_t)(bodies + 1) + 320;
 	if (joints == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
 	return mine + cni_sparse_bytes(joints, bodies + 1, limit_of(solver));
@@ -71,7 +71,32 @@ static int32_t plan(cn_world *world, cni_sparse *out)
 	for (k = 0; k < count; ++k)
 		if (planned[k])
 			cni_joint_works(world)[links[k].owner].flags |= CNI_WORK_DIRECT;
-	return 1;
+	out->pull = (float *)cni_arena_push(&world->arena, sizeof(float) * (uint64_t)world->awake_count);
+	out->turn = (cni_rot *)cni_arena_push(&world->arena, sizeof(cni_rot) * (uint64_t)world->awake_count);
+	return out->pull != NULL && out->turn != NULL;
+}
+
+void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	sparse->turn[0] = cni_rot_small(0.0f);
+	for (k = c->begin; k < c->end; ++k) { /* kinematic ones too, which are no bodies of the component */
+		const cni_node *n = &sparse->nodes[k];
+		if (cni_motions(world)[n->ia].inv_mass == 0.0f)
+			sparse->turn[n->ia] = cni_rot_small(cni_motions(world)[n->ia].theta);
+		if (cni_motions(world)[n->ib].inv_mass == 0.0f)
+			sparse->turn[n->ib] = cni_rot_small(cni_motions(world)[n->ib].theta);
+	}
+	for (k = c->body_begin; k < c->body_end; ++k)
+		sparse->turn[sparse->bodies[k]] = cni_rot_small(cni_motions(world)[sparse->bodies[k]].theta);
+}
+
+/* Nothing is solved directly after all. */
+static void works_release(cn_world *world)
+{
+	int32_t k;
+	for (k = 0; k < world->awake_joints.count; ++k)
+		cni_joint_works(world)[k].flags &= ~(uint32_t)CNI_WORK_DIRECT;
 }
 
 /* A joint alone is solved as well by itself. */
@@ -82,6 +107,16 @@ static void component_drop(cn_world *world, cni_sparse *sparse, int32_t componen
 	sparse->components[component] = sparse->components[--sparse->component_count];
 }
 
+static void component_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
+{
+	cni_direct_turns(world, sparse, c);
+	cni_tension_find(world, sparse, c, s->h);
+	if (cni_tension_needs_dampers(world, sparse, c, s->h))
+		c->width = CNI_NODE_ROWS;
+	cni_tension_damp(world, sparse, c, s->h);
+	cni_direct_refresh(world, sparse, c);
+}
+
 void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 {
 	int32_t k;
@@ -89,6 +124,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	if (world->awake_joints.count == 0 || world->settings.solver == CN_SOLVER_SOFT)
 		return;
 	if (!plan(world, out)) {
+		works_release(world);
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
 		return;
 	}
@@ -101,8 +137,8 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		c->swings = cni_component_swings(world, s, out, c);
 		if (!c->swings && c->end - c->begin == 1)
 			component_drop(world, out, k--);
-		else
-			cni_direct_refresh(world, out, c);
+		else if (!c->swings)
+			component_begin(world, s, out, c);
 	}
 }
 
@@ -141,8 +177,8 @@ static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_com
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		const cni_row *rows = cni_joint_works(world)[n->owner].rows;
-		for (i = 0; i < n->rows; ++i)
-			n->x[i] = -cni_lever_speed(&n->lever[i], motions + n->ia, motions + n->ib) - rate * rows[i].error;
+		for (i = 0; i < CNI_NODE_ROWS; ++i)
+			n->x[i] = -cni_lever_speed(&n->lever[i], motions + n->ia, motions + n->ib) - (i < n->rows ? rate * rows[i].error : 0.0f);
 	}
 }
 
@@ -155,8 +191,11 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 		const cni_component *c = &s->direct->components[k];
 		if (c->swings)
 			continue;
-		if (!bias)
+		if (!bias) {
+			cni_direct_turns(world, s->direct, c);
+			cni_tension_damp(world, s->direct, c, s->h);
 			cni_direct_refresh(world, s->direct, c);
+		}
 		right_sides(world, s->direct, c, bias ? ERROR_RATE * s->inv_h : 0.0f);
 		cni_sparse_solve(s->direct, c);
 		cni_direct_push(world, s->direct, c);

@@ -77,10 +77,9 @@ CNI_INLINE void block_invert(const cni_row *r, int32_t count, const cni_motion *
 static const uint8_t inverse_at[CNI_JOINT_RIGID_ROWS][CNI_JOINT_RIGID_ROWS] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
 
 /* The frame now: anchors turned, gap moved by the bodies' changes since the step began. */
-CNI_INLINE cni_joint_frame work_frame(const cni_joint_work *w, const cni_motion *a, const cni_motion *b)
+CNI_INLINE cni_joint_frame work_frame_turned(const cni_joint_work *w, const cni_motion *a, const cni_motion *b, cni_rot turn_a, cni_rot turn_b)
 {
 	cni_joint_frame f;
-	cni_rot turn_a = cni_rot_small(a->theta), turn_b = cni_rot_small(b->theta);
 	f.ra = cni_rotate(turn_a, w->start.ra);
 	f.rb = cni_rotate(turn_b, w->start.rb);
 	f.d.x = w->start.d.x + (b->dpx - a->dpx) + (f.rb.x - w->start.rb.x) - (f.ra.x - w->start.ra.x);
@@ -94,6 +93,11 @@ CNI_INLINE cni_joint_frame work_frame(const cni_joint_work *w, const cni_motion 
 	f.angle = w->start.angle + (b->theta - w->start.ratio * a->theta);
 	f.ratio = w->start.ratio;
 	return f;
+}
+
+CNI_INLINE cni_joint_frame work_frame(const cni_joint_work *w, const cni_motion *a, const cni_motion *b)
+{
+	return work_frame_turned(w, a, b, cni_rot_small(a->theta), cni_rot_small(b->theta));
 }
 
 static int32_t row_turned_back(const cni_row *r, const cni_row *old)
@@ -168,10 +172,10 @@ void cni_joint_work_build(cni_joint_work *w, const cni_motion *a, const cni_moti
 	}
 }
 
-void cni_joint_work_rows(cni_joint_work *w, const cni_motion *a, const cni_motion *b, cni_row *rows)
+void cni_joint_work_rows(cni_joint_work *w, const cni_motion *motions, const cni_rot *turns)
 {
-	cni_joint_frame f = work_frame(w, a, b);
-	(void)w->make_rows(w->record, &f, rows);
+	cni_joint_frame f = work_frame_turned(w, motions + w->ia, motions + w->ib, turns[w->ia], turns[w->ib]);
+	(void)w->make_rows(w->record, &f, w->rows);
 }
 
 /* Impulses between the record, by the type's rows, and the work, by decoupled rows: sign +1 stores, -1 loads. */

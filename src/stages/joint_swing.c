@@ -9,13 +9,11 @@
  *   v += M^-1 J' mu + h/2 a       the other half
  *   v += M^-1 J' nu               J at the new x; nu such that J v = 0
  *
+ * Both start from half of the last substep's impulse, so that Newton rarely needs a second round, but not where
+ * dampers are at work, which must see all of the tension;
  * with one factorization a substep: of K at the old x for mu, which is that of the last substep's nu.
  * Gaps that are there already are closed by a part in each substep; nu takes out the speed that this needs.
- *
- * Tension turns a body at the end of a joint's arm as a stiff spring would, at sqrt(sum(r.f) / I). Substeps keep up
- * with that as far as they go; beyond, where a swinging chain would gain energy and explode, the relative rotation of
- * pinned bodies is damped by a third row, (w_b - w_a) + lambda / c = 0 with c = h^2 sum(r.f) - XI_MOST I: it acts
- * between bodies, so that it keeps momentum, and not at all on what moves as slowly as the substeps follow.
+ * Substeps follow the tension's springs as far as they go, dampers do the rest: stages/joint_tension.c.
  *
  * Reads works, drives, motion; writes motion, start, works' rows and flags, drive flags.
  */
@@ -23,9 +21,10 @@
 
 #define CLOSED 2e-6f           /* length units or radians: a joint that is closed */
 #define NEWTON_ROUNDS 5
+#define FAILED 50.0f            /* gaps above this many times CLOSED after all rounds: the substep is too long */
 #define CLOSING_RATE 0.2f      /* part of an old gap that is closed in a substep */
 #define SUBSTEPS_MOST 8.0f
-#define XI_MOST 1.0f           /* h^2 sum(r.f) / I that needs no damping */
+#define SUBSTEPS_RETRY 64        /* that many or more are not tried again */
 
 /* ---- which components ---- */
 
@@ -90,7 +89,7 @@ typedef struct swing {
 	float closed;      /* errors below it do not matter */
 	float closing;     /* most that is closed of an old gap in a substep */
 	float *left;       /* by row: what of an old gap is to be left after the substep */
-	float *pull;       /* by dense body: sum(r.f) of its joints */
+	float warm;        /* 0.5, or 0: what of the last substep's impulse mu starts from */
 } swing;
 
 static cni_joint_work *work_of(const swing *g, int32_t node)
@@ -180,13 +179,14 @@ static float gaps_find(const swing *g)
 {
 	float largest = 0.0f, inv_h = 1.0f / g->h;
 	int32_t k, i;
+	cni_direct_turns(g->world, g->sparse, g->c);
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_node *n = &g->sparse->nodes[k];
 		cni_joint_work *w = work_of(g, k);
 		float impulse[CNI_NODE_ROWS] = { 0.0f, 0.0f, 0.0f };
 		for (i = 0; i < n->rows; ++i)
 			impulse[i] = w->rows[i].impulse;
-		cni_joint_work_rows(w, g->motions + n->ia, g->motions + n->ib, w->rows);
+		cni_joint_work_rows(w, g->motions, g->sparse->turn);
 		for (i = 0; i < n->rows; ++i) {
 			float gap = w->rows[i].error - g->left[(k - g->c->begin) * CNI_NODE_ROWS + i];
 			w->rows[i].impulse = impulse[i];
@@ -203,23 +203,37 @@ static void gaps_left_find(const swing *g)
 {
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k)
-		for (i = 0; i < g->sparse->nodes[k].rows; ++i) {
-			cni_row *r = &work_of(g, k)->rows[i];
-			g->left[(k - g->c->begin) * CNI_NODE_ROWS + i] = gap_left(g, r->error);
-			r->impulse = 0.0f;
-		}
+		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
+			g->left[(k - g->c->begin) * CNI_NODE_ROWS + i] = gap_left(g, work_of(g, k)->rows[i].error);
 }
 
-static void positions_close(const swing *g)
+/* A part of the rows' impulses once more, along the levers as they are; `kept` of them stays in the rows. */
+static void impulses_push(const swing *g, float part, float kept)
 {
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		const cni_node *n = &g->sparse->nodes[k];
+		for (i = 0; i < n->rows; ++i) {
+			cni_row *r = &work_of(g, k)->rows[i];
+			cni_lever_push(&n->lever[i], part * r->impulse, g->motions + n->ia, g->motions + n->ib);
+			r->impulse *= kept;
+		}
+	}
+}
+
+/* One round at least: what mu starts from may look good enough, and be wrong to the same side again and again. Returns
+   whether the joints were closed. */
+static int32_t positions_close(const swing *g)
+{
+	float gap = gaps_find(g);
 	int32_t round;
-	for (round = 0; round < NEWTON_ROUNDS && gaps_find(g) > g->closed; ++round) {
+	for (round = 0; round < NEWTON_ROUNDS && (round == 0 || gap > g->closed); ++round) {
 		cni_sparse_solve(g->sparse, g->c);
 		impulses_add(g);
 		push_and_move(g);
+		gap = gaps_find(g);
 	}
-	if (round == NEWTON_ROUNDS)
-		(void)gaps_find(g);
+	return gap <= FAILED * g->closed;
 }
 
 static void velocities_close(const swing *g)
@@ -234,79 +248,31 @@ static void velocities_close(const swing *g)
 	cni_direct_push(g->world, g->sparse, g->c);
 }
 
-/* ---- tension ---- */
-
-/* The forces' arms, by body, from the impulses of the last substep of length h. */
-static void pulls_find(const swing *g, float h)
-{
-	float inv_h = 1.0f / h;
-	int32_t k, i;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k)
-		g->pull[g->sparse->bodies[k]] = 0.0f;
-	g->pull[0] = 0.0f;
-	for (k = g->c->begin; k < g->c->end; ++k) {
-		const cni_joint_work *w = work_of(g, k);
-		cni_vec2 fa = cni_v(0.0f, 0.0f), fb = fa, ra = cni_rotate(cni_rot_small(g->motions[w->ia].theta), w->start.ra);
-		cni_vec2 rb = cni_rotate(cni_rot_small(g->motions[w->ib].theta), w->start.rb);
-		for (i = 0; i < w->rigid_count; ++i) {
-			const cni_row *r = &w->rows[i];
-			fa = cni_madd(fa, r->impulse * inv_h, cni_v(r->ax, r->ay));
-			fb = cni_madd(fb, r->impulse * inv_h, cni_v(r->bx, r->by));
-		}
-		g->pull[w->ia] += cni_dot(ra, fa);
-		g->pull[w->ib] += cni_dot(rb, fb);
-	}
-}
-
 /* Substeps that follow the fastest of the tension's springs, as far as they go. */
 static int32_t substeps_of(const swing *g, const cni_solve *s)
 {
-	float stiffest = 0.0f, fastest = 0.0f, needed;
+	float fastest = 0.0f, needed;
 	int32_t k;
-	pulls_find(g, s->h);
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
-		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		stiffest = cni_max(stiffest, g->pull[g->sparse->bodies[k]] * m->inv_inertia);
-		fastest = cni_max(fastest, cni_abs(m->w));
-	}
-	needed = cni_max(1.5f * s->dt * cni_sqrt(stiffest), 2.0f * s->dt * fastest);
+	for (k = g->c->body_begin; k < g->c->body_end; ++k)
+		fastest = cni_max(fastest, cni_abs(g->motions[g->sparse->bodies[k]].w));
+	needed = cni_max(1.5f * s->dt * cni_sqrt(cni_tension_stiffness(g->world, g->sparse, g->c)), 2.0f * s->dt * fastest);
 	return cni_max_i(s->substeps, (int32_t)cni_min(SUBSTEPS_MOST, needed));
 }
 
-/* c of a body: what of h^2 sum(r.f) the substep does not follow. */
-static float excess(const swing *g, int32_t index)
+static int32_t substep(const swing *g)
 {
-	float inv_inertia = g->motions[index].inv_inertia;
-	return inv_inertia > 0.0f ? g->h * g->h * g->pull[index] - XI_MOST / inv_inertia : 0.0f;
-}
-
-/* Third rows of pins between bodies, where tension asks for it. */
-static void dampers_set(const swing *g)
-{
-	int32_t k;
-	pulls_find(g, g->h);
-	for (k = g->c->begin; k < g->c->end; ++k) {
-		cni_node *n = &g->sparse->nodes[k];
-		cni_lever *l = &n->lever[2];
-		float c = cni_max(excess(g, n->ia), excess(g, n->ib));
-		if (n->rows != 2 || n->ia == 0 || n->ib == 0)
-			continue;
-		l->aw = c > 0.0f ? -1.0f : 0.0f;
-		l->bw = c > 0.0f ? 1.0f : 0.0f;
-		n->compliance[2] = c > 0.0f ? 1.0f / c : 0.0f;
-	}
-}
-
-static void substep(const swing *g)
-{
+	int32_t closed;
 	gaps_left_find(g);
+	impulses_push(g, g->warm, g->warm);
 	kick(g);
 	drift(g);
-	positions_close(g);
+	closed = positions_close(g);
 	kick(g);
-	dampers_set(g);
+	cni_tension_damp(g->world, g->sparse, g->c, g->h);
 	cni_direct_refresh(g->world, g->sparse, g->c);
+	impulses_push(g, 2.0f * g->warm, 1.0f + 2.0f * g->warm);
 	velocities_close(g);
+	return closed;
 }
 
 /* ---- the step ---- */
@@ -371,17 +337,64 @@ static void works_stress(const swing *g)
 	}
 }
 
-static void swing_run(cn_world *world, const cni_solve *s, const cni_component *c, float *left, float *pull)
+/* Rows and impulses as the step found them. */
+static void works_begin(const swing *g, float scale)
 {
-	swing g = { world, s->direct, c, cni_motions(world), 0.0f, CLOSED * world->settings.length_unit, 0.0f, left, pull };
-	int32_t k, substeps = substeps_of(&g, s);
-	g.h = s->dt / (float)substeps;
-	g.closing = g.h * s->push_speed;
-	for (k = 0; k < substeps; ++k) {
-		bodies_begin(&g);
-		substep(&g);
-		works_stress(&g);
+	int32_t k, i;
+	cni_direct_turns(g->world, g->sparse, g->c);
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		cni_joint_work *w = work_of(g, k);
+		cni_joint_work_rows(w, g->motions, g->sparse->turn);
+		for (i = 0; i < w->rigid_count; ++i)
+			w->rows[i].impulse = scale * w->record->impulse[w->rows[i].slot];
+		if (w->flags & CNI_WORK_BREAKABLE)
+			w->force_stress = w->torque_stress = 0.0f;
 	}
+}
+
+static void motions_copy(const swing *g, cni_motion *copy, int32_t back)
+{
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		cni_motion *m = g->motions + g->sparse->bodies[k], *saved = copy + (k - g->c->body_begin);
+		*(back ? m : saved) = *(back ? saved : m);
+	}
+}
+
+/* All substeps, or as many as go well. */
+static int32_t substeps_try(swing *g, const cni_solve *s, cni_component *c, int32_t substeps)
+{
+	int32_t k;
+	g->h = s->dt / (float)substeps;
+	g->closing = g->h * s->push_speed;
+	works_begin(g, s->warm_scale * g->h / s->h);
+	cni_tension_find(g->world, g->sparse, c, g->h);
+	g->warm = 0.5f;
+	if (cni_tension_needs_dampers(g->world, g->sparse, c, g->h)) {
+		g->warm = 0.0f;
+		c->width = CNI_NODE_ROWS;
+	}
+	cni_tension_damp(g->world, g->sparse, c, g->h);
+	cni_direct_refresh(g->world, g->sparse, c);
+	for (k = 0; k < substeps; ++k) {
+		bodies_begin(g);
+		if (!substep(g) && substeps < SUBSTEPS_RETRY)
+			return 0;
+		works_stress(g);
+	}
+	return 1;
+}
+
+/* A step whose joints do not close, in a fast whip, is taken again with substeps half as long. */
+static void swing_run(cn_world *world, const cni_solve *s, cni_component *c, float *left, cni_motion *saved)
+{
+	swing g = { world, s->direct, c, cni_motions(world), s->h, CLOSED * world->settings.length_unit, 0.0f, left, 0.5f };
+	int32_t substeps;
+	cni_direct_turns(world, g.sparse, c);
+	cni_tension_find(world, g.sparse, c, s->h);
+	motions_copy(&g, saved, 0);
+	for (substeps = substeps_of(&g, s); !substeps_try(&g, s, c, substeps); substeps *= 2)
+		motions_copy(&g, saved, 1);
 	bodies_end(&g, s);
 	works_end(&g, s);
 }
@@ -397,21 +410,22 @@ static int32_t largest_component(const cni_sparse *sparse)
 
 void cni_swings_run(cn_world *world, const cni_solve *s)
 {
-	float *left, *pull;
+	float *left;
+	cni_motion *saved;
 	int32_t k, largest = s->direct == NULL ? 0 : largest_component(s->direct);
 	if (largest == 0)
 		return;
 	left = (float *)cni_arena_push(&world->arena, sizeof(float) * CNI_NODE_ROWS * (uint64_t)largest);
-	pull = left == NULL ? NULL : (float *)cni_arena_push(&world->arena, sizeof(float) * (uint64_t)world->awake_count);
-	if (pull == NULL)
+	saved = left == NULL ? NULL : (cni_motion *)cni_arena_push(&world->arena, sizeof(cni_motion) * 2 * (uint64_t)largest);
+	if (saved == NULL)
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
 	for (k = 0; k < s->direct->component_count; ++k) {
 		cni_component *c = &s->direct->components[k];
-		if (pull == NULL)
+		if (saved == NULL)
 			c->swings = 0;
 		else if (c->swings)
-			swing_run(world, s, c, left, pull);
+			swing_run(world, s, c, left, saved);
 	}
-	(void)cni_arena_pop(&world->arena, pull);
+	(void)cni_arena_pop(&world->arena, saved);
 	(void)cni_arena_pop(&world->arena, left);
 }

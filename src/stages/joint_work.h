@@ -42,8 +42,9 @@ static inline cni_joint_work *cni_joint_works(const cn_world *world)
 }
 /* Builds all rows at the bodies' present positions, impulses left undefined. */
 void cni_joint_work_build(cni_joint_work *w, const cni_motion *a, const cni_motion *b);
-/* The rows as their type gives them, for joints whose rows are all rigid or limits that are far away. */
-void cni_joint_work_rows(cni_joint_work *w, const cni_motion *a, const cni_motion *b, cni_row *rows);
+/* The rows as their type gives them, for joints whose rows are all rigid or limits that are far away; turns: rotations
+   by the motions' theta. Impulses are left undefined. */
+void cni_joint_work_rows(cni_joint_work *w, const cni_motion *motions, const cni_rot *turns);
 /* Keeps the largest reaction of the step. */
 void cni_joint_work_stress(cni_joint_work *w, const cni_motion *b, float inv_h);
 
@@ -53,6 +54,20 @@ void cni_joint_work_stress(cni_joint_work *w, const cni_motion *b, float inv_h);
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* Is the component held by its rigid joints alone in this step? */
 int32_t cni_component_swings(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
+/* Rotations of the component's bodies since the step began. */
+void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_component *c);
+
+/* ---- tension: stages/joint_tension.c ---- */
+
+/* sum(r.f) of every body, after cni_direct_turns, from impulses of substeps of length h. */
+void cni_tension_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
+/* The largest sum(r.f) / I, after cni_tension_find: squared radians a second. */
+float cni_tension_stiffness(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
+/* Is that too stiff for substeps of length h, or nearly? */
+int32_t cni_tension_needs_dampers(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float h);
+/* Sets the third rows of pins in a component of width 3, before its factorization. */
+void cni_tension_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
+
 /* x of every node to its bodies' velocities and its rows' impulses. */
 void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c);
 

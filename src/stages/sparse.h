@@ -9,7 +9,7 @@
  *   nodes     [0][1][2][3]...            in the order of elimination; components one after the other
  *   first     where node k's blocks begin: one for each later neighbour, fill included
  *   below     which node each block leads to, ascending
- *   block     3 x 3 floats, row major: rows of the later node, columns of the earlier one
+ *   block     2 x 2 or 3 x 3 floats, row major: rows of the later node, columns of the earlier one
  *   pivot     inverse of the node's own block after elimination
  *
  * A row that acts on nothing, or that only repeats what others say (a pivot that cancels), gets no impulse.
@@ -33,6 +33,7 @@ typedef struct cni_node {
 	int32_t rows;                      /* 1 to 3 */
 	cni_lever lever[CNI_NODE_ROWS];    /* rows beyond `rows` are zero */
 	float compliance[CNI_NODE_ROWS];   /* added to the diagonal */
+	float whole[CNI_NODE_ROWS];        /* the diagonal before elimination */
 	float x[CNI_NODE_ROWS];            /* right hand side in, solution out */
 } cni_node;
 
@@ -57,6 +58,7 @@ typedef struct cni_component {
 	int32_t body_begin, body_end;  /* in bodies */
 	int32_t work;                  /* blocks formed or multiplied in one factorization */
 	int32_t loops;                 /* 1: more nodes than a tree has */
+	int32_t width;                 /* 2 or 3: rows that its nodes are solved with */
 	float regular;                 /* added to the diagonal, as a part of it */
 	int32_t swings;                /* of stages/joint_swing.c */
 } cni_component;
@@ -75,6 +77,8 @@ typedef struct cni_sparse {
 	int32_t component_count;
 	int32_t *bodies;              /* dense indices, by component */
 	int32_t body_count;
+	float *pull;                  /* by dense body: sum(r.f) of its joints; stages/joint_tension.c */
+	cni_rot *turn;                /* by dense body: rotation since the step began */
 } cni_sparse;
 
 /* Most work of a component is base + each * nodes. */

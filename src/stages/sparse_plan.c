@@ -418,6 +418,14 @@ static void component_emit_bodies(planner *p)
 		}
 }
 
+static int32_t component_width(const planner *p)
+{
+	int32_t k, width = 2;
+	for (k = 0; k < p->member_count; ++k)
+		width = cni_max_i(width, p->links[p->member[k]].rows);
+	return width;
+}
+
 static void component_plan(planner *p)
 {
 	cni_sparse *s = p->out;
@@ -441,6 +449,7 @@ static void component_plan(planner *p)
 	c.body_end = s->body_count;
 	c.work = p->work;
 	c.loops = p->member_count > c.body_end - c.body_begin;
+	c.width = component_width(p);
 	c.regular = 0.0f;
 	c.swings = 0;
 	s->components[s->component_count++] = c;

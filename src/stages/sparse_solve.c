@@ -1,184 +1,240 @@
 /*
  * stages/sparse_solve.c - factorization and solution in the order of a plan (method in sparse.h).
  *
- * Reads nodes and inverse masses, writes blocks, pivots and the nodes' x. Every loop over rows has three turns, so
- * that the compiler unrolls it; rows that a node lacks are zero with a pivot of one.
+ * Reads nodes and inverse masses, writes blocks, pivots and the nodes' x. Blocks have the component's width, two or
+ * three; each function is written once with the width as its last argument and inlined with it known. Rows that a node
+ * lacks are zero and get no impulse.
  */
 #include "stages/sparse.h"
 
 #include <string.h>
 
-#define R CNI_NODE_ROWS
+#define STRIDE (CNI_NODE_ROWS * CNI_NODE_ROWS)
 /* A pivot below this part of the diagonal it came from is rounding. */
 #define PIVOT_LEAST 2e-6f
 
-static float *block_at(const cni_sparse *s, int32_t block)
+/* Where a component's blocks and pivots are: they lie close, in room for the greatest width. */
+typedef struct region {
+	float *blocks, *pivots;
+	int32_t block_first, node_first;
+} region;
+
+static region region_of(const cni_sparse *s, const cni_component *c)
 {
-	return s->blocks + (size_t)block * (R * R);
+	region r;
+	r.block_first = s->first[c->begin];
+	r.node_first = c->begin;
+	r.blocks = s->blocks + (size_t)r.block_first * STRIDE;
+	r.pivots = s->pivots + (size_t)c->begin * STRIDE;
+	return r;
 }
 
-static float *pivot_at(const cni_sparse *s, int32_t node)
+CNI_INLINE float *block_at(const region *r, int32_t block, int32_t w)
 {
-	return s->pivots + (size_t)node * (R * R);
+	return r->blocks + (size_t)(block - r->block_first) * (size_t)(w * w);
+}
+
+CNI_INLINE float *pivot_at(const region *r, int32_t node, int32_t w)
+{
+	return r->pivots + (size_t)(node - r->node_first) * (size_t)(w * w);
+}
+
+/* ---- the matrix ---- */
+
+/* The lower half of a node's own block. */
+CNI_INLINE void diagonal_form(const cni_node *n, float *d, const cni_motion *motions, float regular, int32_t w)
+{
+	const cni_motion *a = motions + n->ia, *b = motions + n->ib;
+	int32_t i, l;
+	for (i = 0; i < w; ++i)
+		for (l = 0; l <= i; ++l) {
+			const cni_lever *p = &n->lever[i], *q = &n->lever[l];
+			d[i * w + l] = a->inv_mass * (p->ax * q->ax + p->ay * q->ay) + a->inv_inertia * p->aw * q->aw +
+			               b->inv_mass * (p->bx * q->bx + p->by * q->by) + b->inv_inertia * p->bw * q->bw;
+		}
+	for (i = 0; i < w; ++i)
+		d[i * w + i] += regular * d[i * w + i] + n->compliance[i];
 }
 
 /* A row's end at one of its bodies. */
-static void lever_end(const cni_lever *l, int32_t side, float *x, float *y, float *w)
+CNI_INLINE void lever_end(const cni_lever *l, int32_t side, float *x, float *y, float *w)
 {
 	*x = side ? l->bx : l->ax;
 	*y = side ? l->by : l->ay;
 	*w = side ? l->bw : l->aw;
 }
 
-static void diagonal_form(cni_sparse *s, int32_t k, const cni_motion *motions, float regular)
-{
-	const cni_node *n = &s->nodes[k];
-	const cni_motion *a = motions + n->ia, *b = motions + n->ib;
-	float *d = pivot_at(s, k);
-	int32_t i, l;
-	for (i = 0; i < R; ++i)
-		for (l = 0; l <= i; ++l) {
-			const cni_lever *p = &n->lever[i], *q = &n->lever[l];
-			d[i * R + l] = a->inv_mass * (p->ax * q->ax + p->ay * q->ay) + a->inv_inertia * p->aw * q->aw +
-			               b->inv_mass * (p->bx * q->bx + p->by * q->by) + b->inv_inertia * p->bw * q->bw;
-		}
-	for (i = 0; i < R; ++i)
-		d[i * R + i] += regular * d[i * R + i] + n->compliance[i];
-	/* The untouched diagonal is kept above it until elimination, to tell rounding from pivots. */
-	d[1] = d[0];
-	d[2] = d[4];
-	d[5] = d[8];
-}
-
-static void coupling_add(cni_sparse *s, const cni_coupling *c, const cni_motion *motions)
+CNI_INLINE void coupling_add(const cni_sparse *s, const cni_coupling *c, const cni_motion *motions, float *block, int32_t w)
 {
 	const cni_node *high = &s->nodes[c->high], *low = &s->nodes[c->low];
 	const cni_motion *m = motions + (c->high_side ? high->ib : high->ia);
-	float *block = block_at(s, c->block);
 	int32_t i, l;
-	for (i = 0; i < R; ++i) {
-		float x, y, w;
-		lever_end(&high->lever[i], c->high_side, &x, &y, &w);
+	for (i = 0; i < w; ++i) {
+		float x, y, turn;
+		lever_end(&high->lever[i], c->high_side, &x, &y, &turn);
 		x *= m->inv_mass;
 		y *= m->inv_mass;
-		w *= m->inv_inertia;
-		for (l = 0; l < R; ++l) {
+		turn *= m->inv_inertia;
+		for (l = 0; l < w; ++l) {
 			float lx, ly, lw;
 			lever_end(&low->lever[l], c->low_side, &lx, &ly, &lw);
-			block[i * R + l] += x * lx + y * ly + w * lw;
+			block[i * w + l] += x * lx + y * ly + turn * lw;
 		}
 	}
 }
 
-/*
- * The inverse of a symmetric 3 x 3 whose lower half is given, in place, by LDL^T; a row whose pivot has
- * cancelled is left out: zero in the inverse, so that it gets no impulse.
- */
-static void pivot_invert(float *d)
+/* ---- elimination ---- */
+
+CNI_INLINE float pivot_inverse(float pivot, float whole)
 {
-	float most0 = d[1], most1 = d[2], most2 = d[5];
-	float p0 = d[0], p1, p2, l10, l20, l21, i0, i1, i2, t10, t20, t21;
-	i0 = p0 > PIVOT_LEAST * most0 ? 1.0f / p0 : 0.0f;
-	l10 = d[3] * i0;
-	l20 = d[6] * i0;
-	p1 = d[4] - l10 * d[3];
-	i1 = p1 > PIVOT_LEAST * most1 ? 1.0f / p1 : 0.0f;
-	l21 = (d[7] - l20 * d[3]) * i1;
-	p2 = d[8] - l20 * d[6] - l21 * (d[7] - l20 * d[3]);
-	i2 = p2 > PIVOT_LEAST * most2 ? 1.0f / p2 : 0.0f;
-	/* rows of L^-1 */
-	t10 = -l10;
-	t21 = -l21;
-	t20 = l10 * l21 - l20;
-	d[0] = i0 + t10 * t10 * i1 + t20 * t20 * i2;
-	d[3] = d[1] = t10 * i1 + t20 * t21 * i2;
-	d[6] = d[2] = t20 * i2;
-	d[4] = i1 + t21 * t21 * i2;
-	d[7] = d[5] = t21 * i2;
-	d[8] = i2;
+	return pivot > PIVOT_LEAST * whole ? 1.0f / pivot : 0.0f;
+}
+
+/*
+ * The inverse of a symmetric block whose lower half is given, in place, by LDL^T; a row whose pivot has cancelled
+ * against `whole`, its diagonal before elimination, is left out: zero in the inverse, so that it gets no impulse.
+ */
+CNI_INLINE void pivot_invert(float *d, const float *whole, int32_t w)
+{
+	if (w == 2) {
+		float i0 = pivot_inverse(d[0], whole[0]), l10 = d[2] * i0, i1 = pivot_inverse(d[3] - l10 * d[2], whole[1]);
+		d[0] = i0 + l10 * l10 * i1;
+		d[1] = d[2] = -l10 * i1;
+		d[3] = i1;
+	} else {
+		float i0 = pivot_inverse(d[0], whole[0]), l10 = d[3] * i0, l20 = d[6] * i0;
+		float i1 = pivot_inverse(d[4] - l10 * d[3], whole[1]), c21 = d[7] - l20 * d[3], l21 = c21 * i1;
+		float i2 = pivot_inverse(d[8] - l20 * d[6] - l21 * c21, whole[2]), t20 = l10 * l21 - l20;
+		d[0] = i0 + l10 * l10 * i1 + t20 * t20 * i2;
+		d[3] = d[1] = -l10 * i1 - t20 * l21 * i2;
+		d[6] = d[2] = t20 * i2;
+		d[4] = i1 + l21 * l21 * i2;
+		d[7] = d[5] = -l21 * i2;
+		d[8] = i2;
+	}
 }
 
 /* out = block * pivot */
-static void block_times(const float *block, const float *pivot, float *out)
+CNI_INLINE void block_times(const float *block, const float *pivot, float *out, int32_t w)
 {
-	int32_t i, l;
-	for (i = 0; i < R; ++i)
-		for (l = 0; l < R; ++l)
-			out[i * R + l] = block[i * R] * pivot[l] + block[i * R + 1] * pivot[R + l] + block[i * R + 2] * pivot[2 * R + l];
+	int32_t i, l, k;
+	for (i = 0; i < w; ++i)
+		for (l = 0; l < w; ++l) {
+			float sum = block[i * w] * pivot[l];
+			for (k = 1; k < w; ++k)
+				sum += block[i * w + k] * pivot[k * w + l];
+			out[i * w + l] = sum;
+		}
 }
 
 /* target -= left * right^T, the lower half alone or all of it */
-static void block_update(float *target, const float *left, const float *right, int32_t lower)
+CNI_INLINE void block_update(float *target, const float *left, const float *right, int32_t lower, int32_t w)
 {
-	int32_t i, l;
-	for (i = 0; i < R; ++i)
-		for (l = 0; l < R; ++l)
-			if (!lower || l <= i)
-				target[i * R + l] -= left[i * R] * right[l * R] + left[i * R + 1] * right[l * R + 1] + left[i * R + 2] * right[l * R + 2];
+	int32_t i, l, k;
+	for (i = 0; i < w; ++i)
+		for (l = 0; l < (lower ? i + 1 : w); ++l) {
+			float sum = left[i * w] * right[l * w];
+			for (k = 1; k < w; ++k)
+				sum += left[i * w + k] * right[l * w + k];
+			target[i * w + l] -= sum;
+		}
 }
 
 /* Takes node k out of all that comes after it. */
-static void node_eliminate(cni_sparse *s, int32_t k)
+CNI_INLINE void node_eliminate(const cni_sparse *s, const region *r, int32_t k, int32_t w)
 {
 	int32_t e, f, end = s->first[k + 1];
-	const float *pivot = pivot_at(s, k);
+	const float *pivot = pivot_at(r, k, w);
 	for (e = s->first[k]; e < end; ++e) {
 		int32_t m = s->below[e], at = s->first[m];
-		float scaled[R * R];
-		block_times(block_at(s, e), pivot, scaled);
-		block_update(pivot_at(s, m), scaled, block_at(s, e), 1);
+		float scaled[STRIDE];
+		block_times(block_at(r, e, w), pivot, scaled, w);
+		block_update(pivot_at(r, m, w), scaled, block_at(r, e, w), 1, w);
 		for (f = e + 1; f < end; ++f) {
 			while (s->below[at] != s->below[f])
 				++at;
-			block_update(block_at(s, at), block_at(s, f), scaled, 0);
+			block_update(block_at(r, at, w), block_at(r, f, w), scaled, 0, w);
 		}
+	}
+}
+
+CNI_INLINE void factor(cni_sparse *s, const cni_component *c, const cni_motion *motions, int32_t w)
+{
+	region r = region_of(s, c);
+	int32_t k, i;
+	memset(r.blocks, 0, sizeof(float) * (size_t)(w * w) * (size_t)(s->first[c->end] - r.block_first));
+	for (k = c->begin; k < c->end; ++k) {
+		float *d = pivot_at(&r, k, w);
+		diagonal_form(&s->nodes[k], d, motions, c->regular, w);
+		for (i = 0; i < w; ++i)
+			s->nodes[k].whole[i] = d[i * w + i];
+	}
+	for (k = c->coupling_begin; k < c->coupling_end; ++k)
+		coupling_add(s, &s->couplings[k], motions, block_at(&r, s->couplings[k].block, w), w);
+	for (k = c->begin; k < c->end; ++k) {
+		pivot_invert(pivot_at(&r, k, w), s->nodes[k].whole, w);
+		node_eliminate(s, &r, k, w);
 	}
 }
 
 void cni_sparse_factor(cni_sparse *s, const cni_component *c, const cni_motion *motions)
 {
-	int32_t k, first = s->first[c->begin];
-	memset(block_at(s, first), 0, sizeof(float) * R * R * (size_t)(s->first[c->end] - first));
-	for (k = c->begin; k < c->end; ++k)
-		diagonal_form(s, k, motions, c->regular);
-	for (k = c->coupling_begin; k < c->coupling_end; ++k)
-		coupling_add(s, &s->couplings[k], motions);
-	for (k = c->begin; k < c->end; ++k) {
-		pivot_invert(pivot_at(s, k));
-		node_eliminate(s, k);
+	if (c->width == 2)
+		factor(s, c, motions, 2);
+	else
+		factor(s, c, motions, 3);
+}
+
+/* ---- solution ---- */
+
+/* y -= block x, or its transpose */
+CNI_INLINE void block_take(float *y, const float *block, const float *x, int32_t transposed, int32_t w)
+{
+	int32_t i, k;
+	for (i = 0; i < w; ++i) {
+		float sum = block[transposed ? i : i * w] * x[0];
+		for (k = 1; k < w; ++k)
+			sum += block[transposed ? k * w + i : i * w + k] * x[k];
+		y[i] -= sum;
 	}
 }
 
-/* out = pivot * x */
-static void pivot_apply(const float *pivot, const float *x, float *out)
+/* out = pivot x */
+CNI_INLINE void pivot_apply(const float *pivot, const float *x, float *out, int32_t w)
 {
-	int32_t i;
-	for (i = 0; i < R; ++i)
-		out[i] = pivot[i * R] * x[0] + pivot[i * R + 1] * x[1] + pivot[i * R + 2] * x[2];
+	int32_t i, k;
+	for (i = 0; i < w; ++i) {
+		float sum = pivot[i * w] * x[0];
+		for (k = 1; k < w; ++k)
+			sum += pivot[i * w + k] * x[k];
+		out[i] = sum;
+	}
+}
+
+CNI_INLINE void solve(cni_sparse *s, const cni_component *c, int32_t w)
+{
+	region r = region_of(s, c);
+	int32_t k, e, i;
+	for (k = c->begin; k < c->end; ++k) {
+		float z[CNI_NODE_ROWS];
+		pivot_apply(pivot_at(&r, k, w), s->nodes[k].x, z, w);
+		for (e = s->first[k]; e < s->first[k + 1]; ++e)
+			block_take(s->nodes[s->below[e]].x, block_at(&r, e, w), z, 0, w);
+	}
+	for (k = c->end - 1; k >= c->begin; --k) {
+		float *y = s->nodes[k].x, out[CNI_NODE_ROWS];
+		for (e = s->first[k]; e < s->first[k + 1]; ++e)
+			block_take(y, block_at(&r, e, w), s->nodes[s->below[e]].x, 1, w);
+		pivot_apply(pivot_at(&r, k, w), y, out, w);
+		for (i = 0; i < w; ++i)
+			y[i] = out[i];
+	}
 }
 
 void cni_sparse_solve(cni_sparse *s, const cni_component *c)
 {
-	int32_t k, e, i;
-	for (k = c->begin; k < c->end; ++k) {
-		float z[R];
-		pivot_apply(pivot_at(s, k), s->nodes[k].x, z);
-		for (e = s->first[k]; e < s->first[k + 1]; ++e) {
-			const float *block = block_at(s, e);
-			float *y = s->nodes[s->below[e]].x;
-			for (i = 0; i < R; ++i)
-				y[i] -= block[i * R] * z[0] + block[i * R + 1] * z[1] + block[i * R + 2] * z[2];
-		}
-	}
-	for (k = c->end - 1; k >= c->begin; --k) {
-		float *y = s->nodes[k].x, out[R];
-		for (e = s->first[k]; e < s->first[k + 1]; ++e) {
-			const float *block = block_at(s, e), *x = s->nodes[s->below[e]].x;
-			for (i = 0; i < R; ++i)
-				y[i] -= block[i] * x[0] + block[R + i] * x[1] + block[2 * R + i] * x[2];
-		}
-		pivot_apply(pivot_at(s, k), y, out);
-		for (i = 0; i < R; ++i)
-			y[i] = out[i];
-	}
+	if (c->width == 2)
+		solve(s, c, 2);
+	else
+		solve(s, c, 3);
 }
