@@ -180,6 +180,12 @@ namespace Cairn
 		public int broadphase;
 		/// <summary>1 to 64; default 4</summary>
 		public int substep_count;
+		/// <summary>CN_SOLVER_AUTO works towards errors below this, &gt;= 0; default 0.005 x length unit</summary>
+		public float accuracy_m;
+		/// <summary>... but spends no more than this on direct solving in a step, in blocks (joints, contacts and the fill
+		/// between them) factored, substeps included: some 10 ns each; 0 to 1e9; default 0: no bound but those of
+		/// single islands</summary>
+		public int work_budget;
 		/// <summary>slower impacts do not bounce, &gt;= 0; default 1 x length unit</summary>
 		public float restitution_threshold_mps;
 		/// <summary>fastest speed at which overlap is pushed apart, &gt; 0; default 3 x length unit</summary>

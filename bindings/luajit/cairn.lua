@@ -251,6 +251,8 @@ typedef struct cn_world_def {
 	int32_t solver; // CN_SOLVER_*; default CN_SOLVER_AUTO
 	int32_t broadphase; // CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP
 	int32_t substep_count; // 1 to 64; default 4
+	float accuracy_m; // CN_SOLVER_AUTO works towards errors below this, >= 0; default 0.005 x length unit
+	int32_t work_budget; // ... but spends no more than this on direct solving in a step, in blocks (joints, contacts and the fill between them) factored, substeps included: some 10 ns each; 0 to 1e9; default 0: no bound but those of single islands
 	float restitution_threshold_mps; // slower impacts do not bounce, >= 0; default 1 x length unit
 	float push_speed_max_mps; // fastest speed at which overlap is pushed apart, > 0; default 3 x length unit
 	float linear_speed_max_mps; // > 0; default 400 x length unit

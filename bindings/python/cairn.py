@@ -238,6 +238,8 @@ class cn_world_def(_c.Structure):
         ("solver", _c.c_int32),  # CN_SOLVER_*; default CN_SOLVER_AUTO
         ("broadphase", _c.c_int32),  # CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP
         ("substep_count", _c.c_int32),  # 1 to 64; default 4
+        ("accuracy_m", _c.c_float),  # CN_SOLVER_AUTO works towards errors below this, >= 0; default 0.005 x length unit
+        ("work_budget", _c.c_int32),  # ... but spends no more than this on direct solving in a step, in blocks (joints, contacts and the fill between them) factored, substeps included: some 10 ns each; 0 to 1e9; default 0: no bound but those of single islands
         ("restitution_threshold_mps", _c.c_float),  # slower impacts do not bounce, >= 0; default 1 x length unit
         ("push_speed_max_mps", _c.c_float),  # fastest speed at which overlap is pushed apart, > 0; default 3 x length unit
         ("linear_speed_max_mps", _c.c_float),  # > 0; default 400 x length unit

@@ -311,6 +311,12 @@ pub const cn_world_def = extern struct {
     broadphase: i32,
     /// 1 to 64; default 4
     substep_count: i32,
+    /// CN_SOLVER_AUTO works towards errors below this, >= 0; default 0.005 x length unit
+    accuracy_m: f32,
+    /// ... but spends no more than this on direct solving in a step, in blocks (joints, contacts and the fill
+    /// between them) factored, substeps included: some 10 ns each; 0 to 1e9; default 0: no bound but those of
+    /// single islands
+    work_budget: i32,
     /// slower impacts do not bounce, >= 0; default 1 x length unit
     restitution_threshold_mps: f32,
     /// fastest speed at which overlap is pushed apart, > 0; default 3 x length unit
@@ -341,7 +347,7 @@ pub const cn_world_def = extern struct {
     allocator_user: ?*anyopaque,
 
     comptime {
-        if (@sizeOf(usize) == 8 and @sizeOf(cn_world_def) != 120) @compileError("cn_world_def");
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_world_def) != 128) @compileError("cn_world_def");
     }
 };
 

@@ -40,6 +40,7 @@ static void island_release(cn_world *world, int32_t island)
 	cni_island *i = cni_island_at(world, island);
 	i->first = i->last = CNI_NONE;
 	i->count = 0;
+	i->tier = CNI_TIER_SOFT;
 	i->next_free = world->island_free;
 	world->island_free = island;
 	--world->island_count;

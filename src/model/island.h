@@ -20,8 +20,15 @@ typedef struct cni_island {
 	int32_t awake;         /* 1: its bodies are in the dense arrays */
 	int32_t next_free;
 	float rest_time;       /* scratch of the sleep stage: least sleep_time of its bodies */
-	int32_t reserved;
+	int32_t tier;          /* CNI_TIER_; these are of stages/tiers.c */
+	int32_t good_steps;    /* directly solved ones since something was wrong */
+	int32_t stay_steps;    /* good ones until it is given back to the soft solver, 0: as few as can be */
+	uint32_t looked_step;  /* step + 1 in which something was wrong last */
+	uint32_t refused_step; /* in which it could not be solved directly */
+	int32_t refused_steps; /* how long that counts, 0: never refused */
 } cni_island;
+
+enum { CNI_TIER_SOFT = 0, CNI_TIER_DIRECT = 1 };
 
 cni_island *cni_island_at(const cn_world *world, int32_t island);
 /* Makes the next extra links certain to find a record; 0: no memory. */

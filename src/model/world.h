@@ -36,6 +36,8 @@ typedef struct cni_settings {
 	float slop;             /* 0.005 length units: lengths below it do not matter */
 	float box_margin;       /* 0.1 length units: of fat boxes */
 	float contact_margin;   /* 4 slops: speculative distance of slow contacts */
+	float accuracy;         /* errors below it are good */
+	int32_t work_budget;    /* of direct solving in a step, 0: no bound */
 } cni_settings;
 
 struct cn_world {
@@ -111,6 +113,8 @@ struct cn_world {
 	int32_t island_used;
 	int32_t island_free;
 	int32_t island_count;
+
+	cni_array direct_islands;    /* int32_t: those that are solved directly, see stages/tiers.c */
 
 	cn_filter_fn *filter;        /* the user's callbacks, NULL: none */
 	void *filter_user;

@@ -23,8 +23,11 @@ void cni_tension_find(const cn_world *world, cni_sparse *sparse, const cni_compo
 	for (k = c->begin; k < c->end; ++k)
 		sparse->pull[sparse->nodes[k].ia] = sparse->pull[sparse->nodes[k].ib] = 0.0f;
 	for (k = c->begin; k < c->end; ++k) {
-		const cni_joint_work *w = &cni_joint_works(world)[sparse->nodes[k].owner];
+		const cni_joint_work *w;
 		cni_vec2 fa = cni_v(0.0f, 0.0f), fb = fa;
+		if (sparse->nodes[k].owner < 0)
+			continue; /* a contact */
+		w = &cni_joint_works(world)[sparse->nodes[k].owner];
 		for (i = 0; i < w->rigid_count; ++i) {
 			const cni_row *r = &w->rows[i];
 			fa = cni_madd(fa, r->impulse * inv_h, cni_v(r->ax, r->ay));

@@ -74,12 +74,19 @@ void cni_contacts_impact(cn_world *world, const cni_solve *s);
 void cni_joints_prepare(cn_world *world, const cni_solve *s);
 void cni_joints_warm_start(cn_world *world, const cni_solve *s);
 void cni_joints_solve(cn_world *world, const cni_solve *s);
-/* Scratch that directly solving so many joints may take. */
-uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t bodies);
-/* Plans which joints are solved directly into out, and sets s->direct to it. */
+/* Stage 5: which islands are solved directly, contacts and all. */
+void cni_stage_tiers(cn_world *world);
+/* The island cannot be solved directly, now and for some time. */
+void cni_island_refuse(cn_world *world, int32_t island);
+/* Scratch that directly solving so many joints and contacts may take. */
+uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies);
+/* Plans which joints and contacts are solved directly into out, and sets s->direct to it. */
 void cni_direct_prepare(cn_world *world, cni_solve *s, struct cni_sparse *out);
 /* One pass over them: with errors' bias (1), or rigid at the new positions (0). */
 void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias);
+void cni_direct_warm_start(cn_world *world, const cni_solve *s);
+/* Gives its contacts back to their lanes. */
+void cni_direct_store(cn_world *world, const cni_solve *s);
 /* The whole step of bodies that nothing but joints holds. */
 void cni_swings_run(cn_world *world, const cni_solve *s);
 /* Constraints on single bodies (1) or joints between bodies (0), from no impulse: sequential solver. */

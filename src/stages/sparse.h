@@ -31,16 +31,19 @@ typedef struct cni_node {
 	int32_t ia, ib;                    /* dense indices of its bodies, 0: static or the world */
 	int32_t owner;                     /* the caller's */
 	int32_t rows;                      /* 1 to 3 */
+	uint32_t held;                     /* of a contact: bits of the rows whose levers are set */
 	cni_lever lever[CNI_NODE_ROWS];    /* rows beyond `rows` are zero */
 	float compliance[CNI_NODE_ROWS];   /* added to the diagonal */
 	float whole[CNI_NODE_ROWS];        /* the diagonal before elimination */
 	float x[CNI_NODE_ROWS];            /* right hand side in, solution out */
+	float total[CNI_NODE_ROWS];        /* solutions so far, where there are several */
 } cni_node;
 
 /* What is planned: a node's bodies (dense indices, 0: static or the world) and how many rows it has. */
 typedef struct cni_link {
 	int32_t ia, ib;
 	int32_t owner, rows;
+	int32_t work_most; /* the limit of its component is the greatest of its links', times their number */
 } cni_link;
 
 /* Two nodes that share a body: a term of a block. */
@@ -61,6 +64,9 @@ typedef struct cni_component {
 	int32_t width;                 /* 2 or 3: rows that its nodes are solved with */
 	float regular;                 /* added to the diagonal, as a part of it */
 	int32_t swings;                /* of stages/joint_swing.c */
+	int32_t presses;               /* 1: with contacts, of stages/contact_direct.c */
+	int32_t factored;              /* ... and its pivots are those of the levers */
+	int32_t joints;                /* of stages/joint_direct.c: how many of its nodes are joints */
 } cni_component;
 
 typedef struct cni_sparse {
@@ -77,22 +83,22 @@ typedef struct cni_sparse {
 	int32_t component_count;
 	int32_t *bodies;              /* dense indices, by component */
 	int32_t body_count;
+	struct cni_press *presses;    /* contacts: nodes whose owner is -1 - press */
+	int32_t press_count;
+	cni_motion *saved;            /* by place in bodies */
 	float *pull;                  /* by dense body: sum(r.f) of its joints; stages/joint_tension.c */
 	cni_rot *turn;                /* by dense body: rotation since the step began */
 } cni_sparse;
 
-/* Most work of a component is base + each * nodes. */
-typedef struct cni_sparse_limit {
-	int32_t base, each;
-} cni_sparse_limit;
-
-/* Which of count links make components within the limit, their order and their blocks. out_planned[i] (count bytes)
+/* Which of count links make components within the limit of each, and together within the budget, their order and their blocks. out_planned[i] (count bytes)
    says whether link i became a node. Bodies that cannot move do not connect. What it pushed
-   to the arena stays there until the end of the step. 0: not enough scratch memory, nothing planned. */
+   to the arena stays there until the end of the step. out is zero but for presses. 0: not enough scratch memory, nothing planned. */
 int32_t cni_sparse_plan(cni_arena *arena, const cni_link *links, int32_t count, const cni_motion *motions, int32_t motion_count,
-                        cni_sparse_limit limit, cni_sparse *out, uint8_t *out_planned);
-/* Scratch that planning so many nodes within this limit may take. */
-uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, cni_sparse_limit limit);
+                        int64_t budget, cni_sparse *out, uint8_t *out_planned);
+/* Takes a plan back: its memory must be the latest of the arena. */
+void cni_sparse_discard(cni_arena *arena, cni_sparse *sparse);
+/* Scratch that planning `count` links may take whose work_most add up to this. */
+uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most);
 /* From the levers of the component's nodes to its pivots and blocks. */
 void cni_sparse_factor(cni_sparse *sparse, const cni_component *c, const cni_motion *motions);
 /* The nodes' x from right hand sides to solutions. */

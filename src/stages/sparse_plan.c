@@ -18,7 +18,7 @@ typedef struct planner {
 	const cni_motion *motions;
 	int32_t count;
 	int32_t body_count;
-	cni_sparse_limit limit;
+	int64_t work_most, budget;
 	cni_sparse *out;
 	uint8_t *planned;
 	int32_t *body_head;          /* by body: key of a node = node << 1 | side */
@@ -39,19 +39,26 @@ typedef struct planner {
 
 enum { POOL_EACH = 12, PLAN_ARRAYS = 16, HUB_MOST = 64, COUPLINGS_EACH = 32 };
 
-static int32_t pool_capacity_of(int32_t count, cni_sparse_limit limit)
+/* A limit on the work is one on the blocks as well; beyond a thousand a node it bounds work alone. */
+static int64_t work_held(int32_t count, int64_t work_most)
 {
-	return count * (POOL_EACH + cni_min_i(limit.each, 1024)) + 64;
+	int64_t held = (int64_t)count * 1024;
+	return work_most < held ? work_most : held;
 }
 
-static int32_t below_capacity_of(int32_t count, cni_sparse_limit limit)
+static int32_t pool_capacity_of(int32_t count, int64_t work_most)
 {
-	return count * (cni_min_i(limit.each, 512) / 2 + 2) + 16;
+	return count * POOL_EACH + (int32_t)work_held(count, work_most) + 64;
 }
 
-static int32_t coupling_capacity_of(int32_t count, cni_sparse_limit limit)
+static int32_t below_capacity_of(int32_t count, int64_t work_most)
 {
-	return cni_min_i(below_capacity_of(count, limit), count * COUPLINGS_EACH);
+	return count * 2 + (int32_t)(work_held(count, work_most) / 3) + 16;
+}
+
+static int32_t coupling_capacity_of(int32_t count, int64_t work_most)
+{
+	return cni_min_i(below_capacity_of(count, work_most), count * COUPLINGS_EACH);
 }
 
 static uint64_t rounded(uint64_t bytes)
@@ -59,16 +66,16 @@ static uint64_t rounded(uint64_t bytes)
 	return (bytes + 15) & ~(uint64_t)15;
 }
 
-static uint64_t scratch_bytes(int32_t count, int32_t body_count, cni_sparse_limit limit)
+static uint64_t scratch_bytes(int32_t count, int32_t body_count, int64_t work_most)
 {
-	return rounded(4u * (uint64_t)count) * PLAN_ARRAYS + rounded(4u * (uint64_t)body_count) + rounded(4u * (uint64_t)pool_capacity_of(count, limit));
+	return rounded(4u * (uint64_t)count) * PLAN_ARRAYS + rounded(4u * (uint64_t)body_count) + rounded(4u * (uint64_t)pool_capacity_of(count, work_most));
 }
 
-static uint64_t kept_bytes(int32_t count, cni_sparse_limit limit)
+static uint64_t kept_bytes(int32_t count, int64_t work_most)
 {
 	uint64_t n = (uint64_t)count;
 	return rounded(n * sizeof(cni_node)) + rounded(n * sizeof(cni_component)) + rounded(4u * (n + 1)) + rounded(8u * n) +
-	       rounded(4u * (uint64_t)below_capacity_of(count, limit)) + rounded(sizeof(cni_coupling) * (uint64_t)coupling_capacity_of(count, limit));
+	       rounded(4u * (uint64_t)below_capacity_of(count, work_most)) + rounded(sizeof(cni_coupling) * (uint64_t)coupling_capacity_of(count, work_most));
 }
 
 static uint64_t block_bytes(int32_t count)
@@ -76,9 +83,9 @@ static uint64_t block_bytes(int32_t count)
 	return sizeof(float) * CNI_NODE_ROWS * CNI_NODE_ROWS * (uint64_t)count;
 }
 
-uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, cni_sparse_limit limit)
+uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most)
 {
-	return scratch_bytes(count, body_count, limit) + kept_bytes(count, limit) + block_bytes(count + below_capacity_of(count, limit)) + 256;
+	return scratch_bytes(count, body_count, work_most) + kept_bytes(count, work_most) + block_bytes(count + below_capacity_of(count, work_most)) + 256;
 }
 
 /* Takes bytes from the front of a piece of memory. */
@@ -111,7 +118,7 @@ static void planner_cut(planner *p, uint8_t *at)
 	p->degree_prev = cut_ints(&at, n);
 	p->order = cut_ints(&at, n);
 	p->position = cut_ints(&at, n);
-	p->pool_capacity = pool_capacity_of(n, p->limit);
+	p->pool_capacity = pool_capacity_of(n, p->work_most);
 	p->pool = cut_ints(&at, p->pool_capacity);
 }
 
@@ -119,8 +126,8 @@ static void kept_cut(planner *p, uint8_t *at)
 {
 	int32_t n = p->count;
 	cni_sparse *s = p->out;
-	p->below_capacity = below_capacity_of(n, p->limit);
-	p->coupling_capacity = coupling_capacity_of(n, p->limit);
+	p->below_capacity = below_capacity_of(n, p->work_most);
+	p->coupling_capacity = coupling_capacity_of(n, p->work_most);
 	s->nodes = (cni_node *)cut(&at, (uint64_t)n * sizeof(cni_node));
 	s->components = (cni_component *)cut(&at, (uint64_t)n * sizeof(cni_component));
 	s->first = cut_ints(&at, n + 1);
@@ -298,10 +305,19 @@ static int32_t node_eliminate(planner *p, int32_t v)
 	return 1;
 }
 
+static int64_t component_limit(const planner *p)
+{
+	int32_t k, each = 0;
+	for (k = 0; k < p->member_count; ++k)
+		each = cni_max_i(each, p->links[p->member[k]].work_most);
+	return (int64_t)each * p->member_count + 64;
+}
+
 /* 0: above the limit. */
 static int32_t order_find(planner *p)
 {
-	int32_t most = p->limit.base + p->limit.each * p->member_count, k, degree = 0;
+	int32_t k, degree = 0;
+	int64_t most = component_limit(p) < p->budget ? component_limit(p) : p->budget;
 	p->work = p->turn = 0;
 	memset(p->degree_head, 0xff, sizeof(int32_t) * (size_t)p->member_count);
 	for (k = p->member_count - 1; k >= 0; --k)
@@ -448,31 +464,33 @@ static void component_plan(planner *p)
 	c.coupling_end = s->coupling_count;
 	c.body_end = s->body_count;
 	c.work = p->work;
+	p->budget -= p->work;
 	c.loops = p->member_count > c.body_end - c.body_begin;
 	c.width = component_width(p);
 	c.regular = 0.0f;
-	c.swings = 0;
+	c.swings = c.presses = c.factored = c.joints = 0;
 	s->components[s->component_count++] = c;
 }
 
 int32_t cni_sparse_plan(cni_arena *arena, const cni_link *links, int32_t count, const cni_motion *motions, int32_t motion_count,
-                        cni_sparse_limit limit, cni_sparse *out, uint8_t *out_planned)
+                        int64_t budget, cni_sparse *out, uint8_t *out_planned)
 {
 	planner p;
 	uint8_t *kept, *scratch;
 	int32_t i;
-	memset(out, 0, sizeof *out);
 	memset(&p, 0, sizeof p);
 	p.links = links;
 	p.count = count;
 	p.motions = motions;
 	p.body_count = motion_count;
-	p.limit = limit;
+	for (i = 0; i < count; ++i)
+		p.work_most += links[i].work_most;
+	p.budget = budget;
 	p.out = out;
 	p.planned = out_planned;
 	memset(out_planned, 0, (size_t)count);
-	kept = (uint8_t *)cni_arena_push(arena, kept_bytes(count, limit));
-	scratch = kept == NULL ? NULL : (uint8_t *)cni_arena_push(arena, scratch_bytes(count, motion_count, limit));
+	kept = (uint8_t *)cni_arena_push(arena, kept_bytes(count, p.work_most));
+	scratch = kept == NULL ? NULL : (uint8_t *)cni_arena_push(arena, scratch_bytes(count, motion_count, p.work_most));
 	if (scratch == NULL) {
 		(void)cni_arena_pop(arena, kept);
 		return 0;
@@ -492,9 +510,16 @@ int32_t cni_sparse_plan(cni_arena *arena, const cni_link *links, int32_t count, 
 	if (out->pivots == NULL) {
 		(void)cni_arena_pop(arena, kept);
 		memset(out_planned, 0, (size_t)count);
-		memset(out, 0, sizeof *out);
+		out->component_count = 0;
 		return 0;
 	}
 	out->blocks = out->pivots + (size_t)out->node_count * (CNI_NODE_ROWS * CNI_NODE_ROWS);
 	return 1;
+}
+
+void cni_sparse_discard(cni_arena *arena, cni_sparse *sparse)
+{
+	(void)cni_arena_pop(arena, sparse->pivots);
+	(void)cni_arena_pop(arena, sparse->nodes);
+	sparse->node_count = sparse->block_count = sparse->coupling_count = sparse->component_count = sparse->body_count = 0;
 }

@@ -36,6 +36,8 @@ static void def_check_numbers(cni_call *call, const cn_world_def *d)
 	cni_check_range_int(call, "solver", d->solver, CN_SOLVER_AUTO, CN_SOLVER_SEQUENTIAL);
 	cni_check_range_int(call, "broadphase", d->broadphase, CN_BROADPHASE_SWEEP, CN_BROADPHASE_TREE);
 	cni_check_range_int(call, "substep_count", d->substep_count, 1, 64);
+	cni_check_at_least(call, "accuracy_m", d->accuracy_m, 0.0f);
+	cni_check_range_int(call, "work_budget", d->work_budget, 0, 1000000000);
 	cni_check_at_least(call, "restitution_threshold_mps", d->restitution_threshold_mps, 0.0f);
 	cni_check_at_least(call, "push_speed_max_mps", d->push_speed_max_mps, 0.0f);
 	cni_check_at_least(call, "linear_speed_max_mps", d->linear_speed_max_mps, 0.0f);
@@ -106,6 +108,8 @@ static void settings_resolve(cni_settings *set, const cn_world_def *d)
 	set->sleep_speed = or_default(d->sleep_speed_mps, 0.05f * unit);
 	set->sleep_delay = d->sleep_delay_s;
 	set->slop = 0.005f * unit;
+	set->accuracy = or_default(d->accuracy_m, set->slop);
+	set->work_budget = d->work_budget;
 	set->contact_margin = 4.0f * set->slop;
 	set->box_margin = 0.1f * unit;
 }
@@ -138,6 +142,7 @@ static void tables_init(cn_world *world)
 	cni_array_init(&world->awake_contacts, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->changes, (int32_t)sizeof(uint32_t));
 	cni_array_init(&world->awake_joints, (int32_t)sizeof(int32_t));
+	cni_array_init(&world->direct_islands, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->joint_work, (int32_t)sizeof(cni_joint_work));
 	cni_array_init(&world->sleep_lanes, (int32_t)sizeof(cni_sleep_lane));
 	cni_array_init(&world->pairs.list, (int32_t)sizeof(cni_pair));
@@ -174,6 +179,7 @@ static void tables_deinit(cn_world *world)
 	cni_array_deinit(&world->previous, memory);
 	cni_array_deinit(&world->awake_contacts, memory);
 	cni_array_deinit(&world->awake_joints, memory);
+	cni_array_deinit(&world->direct_islands, memory);
 	cni_array_deinit(&world->joint_work, memory);
 	cni_array_deinit(&world->sleep_lanes, memory);
 	cni_array_deinit(&world->pairs.list, memory);
@@ -256,7 +262,7 @@ static uint64_t arena_bytes(const cn_world_def *d)
 {
 	uint64_t boxes = 2048u + 40u * (uint64_t)d->shape_capacity, pairs = 64u + sizeof(cni_pair) * (uint64_t)d->contact_capacity;
 	uint64_t island = 64u + 8u * (uint64_t)d->body_capacity;
-	uint64_t joints = cni_direct_bytes(d->solver, d->joint_capacity, d->body_capacity), scratch = boxes > pairs ? boxes : pairs;
+	uint64_t joints = cni_direct_bytes(d->solver, d->joint_capacity, d->contact_capacity, d->body_capacity), scratch = boxes > pairs ? boxes : pairs;
 	return (scratch > joints ? scratch : joints) + island;
 }
 
@@ -272,6 +278,7 @@ static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 	return reserve_pieces(world, d) && cni_array_reserve_exact(&world->sleep_lanes, m, n) && cni_array_reserve_exact(&world->pairs.list, m, n) &&
 	       cni_array_reserve_exact(&world->events.asleep, m, 2 * d->body_capacity) &&
 	       cni_array_reserve_exact(&world->events.moved, m, 2 * d->body_capacity + 1) &&
+	       cni_array_reserve_exact(&world->direct_islands, m, d->body_capacity / 2) &&
 	       cni_array_reserve_exact(&world->kicked, m, 2 * d->body_capacity) &&
 	       cni_array_reserve_exact(&world->previous, m, with_spares(d->body_capacity)) &&
 	       cni_array_reserve_exact(&world->events.joint_log, m, d->joint_capacity) &&
@@ -338,7 +345,7 @@ static uint64_t contact_arrays_bytes(int32_t n)
 static uint64_t arrays_bytes(const cn_world_def *d)
 {
 	int32_t joints = d->joint_capacity;
-	return body_arrays_bytes(d->body_capacity) + contact_arrays_bytes(d->contact_capacity) + array_bytes(with_spares(d->shape_capacity), sizeof(uint32_t)) +
+	return body_arrays_bytes(d->body_capacity) + array_bytes(d->body_capacity / 2, sizeof(int32_t)) + contact_arrays_bytes(d->contact_capacity) + array_bytes(with_spares(d->shape_capacity), sizeof(uint32_t)) +
 	       2u * array_bytes(joints, sizeof(cn_joint_event)) +
 	       array_bytes(with_spares(joints), sizeof(uint32_t)) + array_bytes(joints, sizeof(cni_joint_work)) + array_bytes(joints, sizeof(int32_t)) +
 	       array_bytes(1, (size_t)arena_bytes(d));

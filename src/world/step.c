@@ -37,6 +37,7 @@ static void substeps_run(cn_world *world, const cni_solve *s)
 		if (k == 0) {
 			cni_joints_warm_start(world, s);
 			cni_contacts_warm_start(world, s);
+			cni_direct_warm_start(world, s);
 		}
 		cni_contacts_impact(world, s);
 		cni_joints_solve(world, s);
@@ -73,11 +74,13 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 		return 0;
 	cni_drive_prepare(world, &s);
 	cni_joints_prepare(world, &s);
+	cni_stage_tiers(world);
 	cni_direct_prepare(world, &s, &direct);
 	cni_swings_run(world, &s);
 	profile_mark(world, &profile->prepare_s, mark);
 	substeps_run(world, &s);
 	cni_joints_store(world, &s);
+	cni_direct_store(world, &s);
 	profile_mark(world, &profile->substeps_s, mark);
 	if (world->settings.flags & CN_WORLD_CONTINUOUS)
 		cni_stage_continuous(world);

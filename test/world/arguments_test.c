@@ -152,6 +152,8 @@ static void bad_world_defs(cn_result (*call)(const cn_world_def *))
 	INTEGER(x, -1, 4, call(WD(solver, x)));
 	INTEGER(x, -1, 2, call(WD(broadphase, x)));
 	INTEGER(x, 0, 65, call(WD(substep_count, x)));
+	NOT_NEGATIVE(x, call(WD(accuracy_m, x)));
+	INTEGER(x, -1, 1000000001, call(WD(work_budget, x)));
 	NOT_NEGATIVE(x, call(WD(restitution_threshold_mps, x)));
 	NOT_NEGATIVE(x, call(WD(push_speed_max_mps, x)));
 	NOT_NEGATIVE(x, call(WD(linear_speed_max_mps, x)));

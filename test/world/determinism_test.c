@@ -24,9 +24,9 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0x578f175e694552e4 },
+	{ "falling_hinges", 480, 1, 0x89277fa72539f531 },
 	{ "small_200", 300, 1, 0x9bd98520f35d7ce8 },
-	{ "small_50_sleep", 600, 1, 0x704f66b51b718f87 },
+	{ "small_50_sleep", 600, 1, 0x254913f0122fd705 },
 	{ "dominoes", 400, 1, 0xeddb4208284e60ef },
 	{ "ragdolls", 480, 1, 0x1efd36e4e66a3467 },
 	{ "bridge", 240, 1, 0x8411e0724c186fb7 },

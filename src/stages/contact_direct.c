@@ -1,0 +1,468 @@
+/*
+ * stages/contact_direct.c - directly solved contacts: which rows hold is found by an active set.
+ *
+ * Every row is open (no impulse), held (its speed is what it must be) or, for friction, sliding (its impulse is the
+ * coefficient times the normal impulses). Held rows and the island's joints are one linear system (sparse.h). After
+ * solving it, a held point that pulls opens, an open one that closes is held, friction beyond the static
+ * coefficient slides, a slide that would go back is held; and again, until nothing changes. The sets of the pass
+ * before are nearly always right, and arms do not turn within a step, so that a pile costs about one
+ * factorization a step. A set that is still changing after ROUNDS is not used at all: impulses of an
+ * inconsistent set can put in energy without bound. The lanes are then given back to the soft solver.
+ *
+ * Points that overlap are pushed apart by PUSH_RATE of the overlap in a substep: slowly, since all of a pile is pushed
+ * at once. The second pass of a substep takes that speed out again.
+ *
+ * Reads and writes lanes of contact blocks, motion velocities, joint works' impulses.
+ */
+#include "stages/contact_direct.h"
+#include "stages/joint_work.h"
+
+#include <string.h>
+
+#define ROUNDS 32
+#define ROUNDS_ALL 6           /* in which all that does not fit is changed at once */
+#define REFINEMENTS 3          /* solutions with one factorization */
+#define STRESS_MOST 40.0f      /* own weights; what bears more is not given back to the soft solver, which would crush it */
+#define PUSH_RATE 0.1f
+#define JOINT_RATE 0.3f
+#define SPEED_LEAST 1e-4f      /* length units a second that are no motion */
+#define SLIDE_CLOSE 0.01f      /* part by which a sliding friction may be off its normal force */
+
+/* ---- lanes ---- */
+
+static int32_t lane_is_plain(const cn_world *world, const cni_contact *c)
+{
+	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
+	const cni_block_info *info = cni_block_info_at(world, block);
+	const cni_block_extra *x = info->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL;
+	if (info->restitution[l] > 0.0f)
+		return 0;
+	return x == NULL || (x->rolling[l] == 0.0f && x->tangent_speed[l] == 0.0f && x->lock_ax[l] + x->lock_ay[l] + x->lock_bx[l] + x->lock_by[l] == 0.0f);
+}
+
+static void press_read(const cn_world *world, const cni_contact *c, cni_press *p)
+{
+	const cni_contact_block *k = cni_block_at(world, c->slot / CNI_LANES);
+	int32_t l = c->slot % CNI_LANES, i;
+	memset(p, 0, sizeof *p);
+	p->block = c->slot / CNI_LANES;
+	p->lane = l;
+	p->node = CNI_NONE;
+	p->nx = k->nx[l];
+	p->ny = k->ny[l];
+	p->dn = k->dn[l];
+	p->dt = k->dt[l];
+	p->fa = k->fa[l];
+	p->fb = k->fb[l];
+	p->static_friction = k->static_friction[l];
+	p->dynamic_friction = k->dynamic_friction[l];
+	p->mass[2] = k->tm[l];
+	p->j[2] = k->jt[l];
+	for (i = 0; i < 2; ++i) {
+		p->at[i] = k->p[i].at[l];
+		p->an[i] = k->p[i].an[l];
+		p->s0[i] = k->p[i].s0[l];
+		p->mass[i] = k->p[i].nm[l];
+		p->j[i] = k->p[i].jn[l];
+		p->state[i] = p->mass[i] > 0.0f && p->j[i] > 0.0f ? CNI_ROW_HELD : CNI_ROW_OPEN;
+	}
+}
+
+int32_t cni_presses_collect(const cn_world *world, int32_t island, cni_press *presses, int32_t room)
+{
+	int32_t body, key, count = 0;
+	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+			const cni_contact *c = cni_contact_of_key(world, key);
+			int32_t other = c->body[1 - (key & 1)];
+			if (!(c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
+				continue;
+			if (cni_body_at(world, other)->type == CN_BODY_DYNAMIC && (key & 1))
+				continue; /* seen from its other body */
+			if (count == room || !lane_is_plain(world, c))
+				return -1;
+			press_read(world, c, &presses[count++]);
+		}
+	return count;
+}
+
+void cni_presses_take(cn_world *world, cni_sparse *sparse)
+{
+	int32_t k, i;
+	for (k = 0; k < sparse->press_count; ++k) {
+		const cni_press *p = &sparse->presses[k];
+		cni_contact_block *block = cni_block_at(world, p->block);
+		if (p->node == CNI_NONE)
+			continue;
+		block->tm[p->lane] = block->jt[p->lane] = 0.0f;
+		for (i = 0; i < 2; ++i)
+			block->p[i].nm[p->lane] = block->p[i].jn[p->lane] = block->p[i].load[p->lane] = 0.0f;
+	}
+}
+
+/* What it bears is known exactly: its load is its impulse. */
+static void press_give_back(cn_world *world, cni_press *p)
+{
+	cni_contact_block *block = cni_block_at(world, p->block);
+	int32_t i;
+	block->tm[p->lane] = p->mass[2];
+	block->jt[p->lane] = p->j[2];
+	for (i = 0; i < 2; ++i) {
+		block->p[i].nm[p->lane] = p->mass[i];
+		block->p[i].jn[p->lane] = block->p[i].load[p->lane] = p->j[i];
+	}
+	p->node = CNI_NONE;
+}
+
+static cni_press *press_of(const cni_sparse *sparse, const cni_node *n)
+{
+	return n->owner < 0 ? &sparse->presses[-1 - n->owner] : NULL;
+}
+
+void cni_presses_give_back(cn_world *world, cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_press *p = press_of(sparse, &sparse->nodes[k]);
+		if (p != NULL)
+			press_give_back(world, p);
+	}
+}
+
+/* What the lighter of its bodies bears, as a multiple of its own weight. */
+static float stress_of(const cn_world *world, const cni_node *n, const cni_press *p, float h)
+{
+	float weight = h * cni_length(world->settings.gravity);
+	float inv_mass = cni_max(cni_motions(world)[n->ia].inv_mass, cni_motions(world)[n->ib].inv_mass);
+	return weight > 0.0f ? (p->j[0] + p->j[1]) * inv_mass / weight : 0.0f;
+}
+
+void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h)
+{
+	int32_t k;
+	for (k = 0; k < sparse->press_count; ++k) {
+		cni_press *p = &sparse->presses[k];
+		const cni_node *n = &sparse->nodes[cni_max_i(p->node, 0)];
+		if (p->node == CNI_NONE)
+			continue;
+		if (stress_of(world, n, p, h) > STRESS_MOST)
+			cni_island_at(world, cni_body_at(world, cni_awake_ids(world)[n->ia])->island)->good_steps = 0;
+		press_give_back(world, p);
+	}
+}
+
+/* ---- rows ---- */
+
+static cni_lever press_lever(const cni_press *p, int32_t row)
+{
+	float bt = p->at[row & 1] - p->dt;
+	cni_lever normal = { -p->nx, -p->ny, -p->at[row & 1], p->nx, p->ny, bt };
+	cni_lever friction = { -p->ny, p->nx, p->fa, p->ny, -p->nx, -p->fb };
+	return row < 2 ? normal : friction;
+}
+
+/* Separation of a point now; see stages/contact_kernel.h. */
+static float separation(const cni_press *p, int32_t i, const cni_motion *a, const cni_motion *b)
+{
+	cni_rot qa = cni_rot_small(a->theta), qb = cni_rot_small(b->theta);
+	float bt = p->at[i] - p->dt, bn = p->an[i] - p->dn;
+	return p->s0[i] + p->nx * (b->dpx - a->dpx) + p->ny * (b->dpy - a->dpy) + ((qb.c - 1.0f) * bn + qb.s * bt) - ((qa.c - 1.0f) * p->an[i] + qa.s * p->at[i]);
+}
+
+static float normal_sum(const cni_press *p)
+{
+	return p->j[0] + p->j[1];
+}
+
+static void press_push(const cni_press *p, int32_t row, float impulse, cni_motion *a, cni_motion *b)
+{
+	cni_lever l = press_lever(p, row);
+	if (impulse != 0.0f)
+		cni_lever_push(&l, impulse, a, b);
+}
+
+void cni_presses_warm_start(cn_world *world, cni_sparse *sparse, float scale)
+{
+	cni_motion *motions = cni_motions(world);
+	int32_t k, i;
+	for (k = 0; k < sparse->press_count; ++k) {
+		cni_press *p = &sparse->presses[k];
+		if (p->node == CNI_NONE)
+			continue;
+		for (i = 0; i < 3; ++i) {
+			p->j[i] *= scale;
+			press_push(p, i, p->j[i], motions + sparse->nodes[p->node].ia, motions + sparse->nodes[p->node].ib);
+		}
+	}
+}
+
+/* ---- a pass ---- */
+
+typedef struct pass {
+	cn_world *world;
+	const cni_solve *s;
+	cni_sparse *sparse;
+	cni_component *c;
+	cni_motion *motions;
+	float speed_least;
+	int32_t bias;
+} pass;
+
+/* Friction is there while a point is held. */
+static void friction_follow(cni_press *p)
+{
+	int32_t held = p->state[0] == CNI_ROW_HELD || p->state[1] == CNI_ROW_HELD;
+	if (!held)
+		p->state[2] = CNI_ROW_OPEN;
+	else if (p->state[2] == CNI_ROW_OPEN)
+		p->state[2] = CNI_ROW_HELD;
+}
+
+static void press_begin(const pass *q, cni_press *p, const cni_node *n)
+{
+	const cni_motion *a = q->motions + n->ia, *b = q->motions + n->ib;
+	int32_t i;
+	for (i = 0; i < 2; ++i) {
+		float s = p->mass[i] > 0.0f ? separation(p, i, a, b) : 0.0f, push = PUSH_RATE * q->s->inv_h * s;
+		cni_lever l = press_lever(p, i);
+		p->room[i] = s > 0.0f ? s * q->s->inv_h : q->bias ? cni_max(push, -q->s->push_speed) : 0.0f;
+		if (p->mass[i] > 0.0f && p->state[i] == CNI_ROW_OPEN && cni_lever_speed(&l, a, b) + p->room[i] < q->speed_least)
+			p->state[i] = CNI_ROW_HELD; /* touching and not parting: in a pile all of it must bear at once */
+	}
+	friction_follow(p);
+	for (i = 0; i < 3; ++i) {
+		p->start[i] = p->j[i];
+	}
+}
+
+static void motions_copy(const pass *q, int32_t back)
+{
+	int32_t k;
+	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
+		cni_motion *m = q->motions + q->sparse->bodies[k], *saved = q->sparse->saved + k;
+		*(back ? m : saved) = *(back ? saved : m);
+	}
+}
+
+/* Levers of what is held; 1 when they are not those of the last factorization. */
+static int32_t press_levers(const cni_press *p, cni_node *n)
+{
+	int32_t i, changed = 0;
+	for (i = 0; i < 3; ++i) {
+		int32_t held = p->state[i] == CNI_ROW_HELD, was = (n->held >> i) & 1;
+		if (held == was)
+			continue;
+		memset(&n->lever[i], 0, sizeof n->lever[i]);
+		if (held)
+			n->lever[i] = press_lever(p, i);
+		n->held ^= 1 << i;
+		changed = 1;
+	}
+	return changed;
+}
+
+/* Known impulses of what is not held, as changes of velocity. */
+static int32_t presses_set(const pass *q)
+{
+	int32_t k, i, changed = 0;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_node *n = &q->sparse->nodes[k];
+		cni_press *p = press_of(q->sparse, n);
+		float sum;
+		n->total[0] = n->total[1] = n->total[2] = 0.0f;
+		if (p == NULL)
+			continue;
+		sum = normal_sum(p);
+		for (i = 0; i < 3; ++i) {
+			p->j[i] = p->state[i] == CNI_ROW_HELD ? p->start[i] : p->state[i] == CNI_ROW_SLIDES ? p->way * p->dynamic_friction * cni_max(sum, 0.0f) : 0.0f;
+			press_push(p, i, p->j[i] - p->start[i], q->motions + n->ia, q->motions + n->ib);
+		}
+		changed |= press_levers(p, n);
+	}
+	return changed;
+}
+
+/* What the held rows' speeds lack; returns the largest. */
+static float right_sides(const pass *q)
+{
+	float largest = 0.0f;
+	const float rate = q->bias ? JOINT_RATE * q->s->inv_h : 0.0f;
+	int32_t k, i;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_node *n = &q->sparse->nodes[k];
+		const cni_press *p = press_of(q->sparse, n);
+		const cni_row *rows = p == NULL ? cni_joint_works(q->world)[n->owner].rows : NULL;
+		for (i = 0; i < CNI_NODE_ROWS; ++i) {
+			float more = p != NULL ? (i < 2 && p->state[i] == CNI_ROW_HELD ? p->room[i] : 0.0f) : i < n->rows ? rate * rows[i].error : 0.0f;
+			n->x[i] = -cni_lever_speed(&n->lever[i], q->motions + n->ia, q->motions + n->ib) - more;
+			largest = cni_max(largest, cni_abs(n->x[i]));
+		}
+	}
+	return largest;
+}
+
+static void velocities_push(const pass *q)
+{
+	int32_t k, i;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_node *n = &q->sparse->nodes[k];
+		cni_press *p = press_of(q->sparse, n);
+		for (i = 0; i < CNI_NODE_ROWS; ++i) {
+			n->total[i] += n->x[i];
+			cni_lever_push(&n->lever[i], n->x[i], q->motions + n->ia, q->motions + n->ib);
+			if (p != NULL && p->state[i] == CNI_ROW_HELD)
+				p->j[i] += n->x[i];
+		}
+	}
+}
+
+/* Again with what is left, because the diagonal is not quite the true one. */
+static void held_rows_solve(const pass *q)
+{
+	int32_t k;
+	for (k = 0; k < REFINEMENTS && (right_sides(q) > 0.5f * q->speed_least || k == 0); ++k) {
+		cni_sparse_solve(q->sparse, q->c);
+		velocities_push(q);
+	}
+}
+
+/* ---- the set ---- */
+
+/* A row whose state does not fit the solution, what it should be, and by how much speed it is wrong. */
+typedef struct misfit {
+	cni_press *press;
+	int32_t row;
+	uint8_t next;
+	float by;
+} misfit;
+
+static misfit point_misfit(const pass *q, cni_press *p, const cni_node *n, int32_t i)
+{
+	misfit m = { p, i, p->state[i], 0.0f };
+	cni_lever l = press_lever(p, i);
+	if (p->mass[i] == 0.0f)
+		return m;
+	if (p->state[i] == CNI_ROW_HELD) {
+		m.by = -p->j[i] / p->mass[i];
+		m.next = CNI_ROW_OPEN;
+	} else {
+		m.by = -(cni_lever_speed(&l, q->motions + n->ia, q->motions + n->ib) + p->room[i]);
+		m.next = CNI_ROW_HELD;
+	}
+	return m;
+}
+
+static misfit friction_misfit(const pass *q, cni_press *p, const cni_node *n)
+{
+	misfit m = { p, 2, p->state[2], 0.0f };
+	cni_lever l = press_lever(p, 2);
+	float sum = cni_max(normal_sum(p), 0.0f);
+	if (p->state[2] == CNI_ROW_SLIDES) {
+		m.by = cni_lever_speed(&l, q->motions + n->ia, q->motions + n->ib) * p->way;
+		m.next = CNI_ROW_HELD;
+	} else if (p->state[2] == CNI_ROW_HELD && p->mass[2] > 0.0f) {
+		m.by = (cni_abs(p->j[2]) - p->static_friction * sum) / p->mass[2];
+		m.next = CNI_ROW_SLIDES;
+	}
+	return m;
+}
+
+static void mend(const misfit *m)
+{
+	cni_press *p = m->press;
+	if (m->next == CNI_ROW_SLIDES)
+		p->way = p->j[2] > 0.0f ? 1.0f : -1.0f;
+	p->state[m->row] = m->next;
+	friction_follow(p);
+}
+
+/* Sliding friction that its normal force has moved away from. */
+static int32_t slide_is_off(const pass *q, const cni_press *p)
+{
+	float most = p->dynamic_friction * cni_max(normal_sum(p), 0.0f), off = cni_abs(cni_abs(p->j[2]) - most);
+	return p->state[2] == CNI_ROW_SLIDES && off > SLIDE_CLOSE * most + q->speed_least * p->mass[2];
+}
+
+/* Is the set consistent with the solution? If not, the next one: all misfits mended at once, or the worst alone, which is
+   slow and sure (Murty, 1974). */
+static int32_t set_changes(const pass *q, int32_t all)
+{
+	misfit worst = { NULL, 0, 0, 0.0f };
+	int32_t k, i, changed = 0;
+	worst.by = q->speed_least;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		const cni_node *n = &q->sparse->nodes[k];
+		cni_press *p = press_of(q->sparse, n);
+		misfit m[3];
+		if (p == NULL)
+			continue;
+		changed |= slide_is_off(q, p);
+		m[0] = point_misfit(q, p, n, 0);
+		m[1] = point_misfit(q, p, n, 1);
+		m[2] = friction_misfit(q, p, n);
+		for (i = 0; i < 3; ++i) {
+			if (m[i].by <= q->speed_least)
+				continue;
+			changed = 1;
+			if (all)
+				mend(&m[i]);
+			else if (m[i].by > worst.by)
+				worst = m[i];
+		}
+	}
+	if (worst.press != NULL)
+		mend(&worst);
+	return changed;
+}
+
+static void commit(const pass *q)
+{
+	int32_t k, i;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_node *n = &q->sparse->nodes[k];
+		cni_press *p = press_of(q->sparse, n);
+		cni_row *rows = p == NULL ? cni_joint_works(q->world)[n->owner].rows : NULL;
+		for (i = 0; p == NULL && i < n->rows; ++i)
+			rows[i].impulse += n->total[i];
+		for (i = 0; p != NULL && i < 2; ++i)
+			p->j[i] = cni_max(p->j[i], 0.0f);
+	}
+}
+
+static void give_up(const pass *q)
+{
+	int32_t k, i;
+	motions_copy(q, 1);
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_press *p = press_of(q->sparse, &q->sparse->nodes[k]);
+		for (i = 0; p != NULL && i < 3; ++i)
+			p->j[i] = p->start[i];
+	}
+}
+
+int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
+{
+	pass q = { world, s, sparse, c, cni_motions(world), SPEED_LEAST * world->settings.length_unit, bias };
+	int32_t round, k;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_press *p = press_of(sparse, &sparse->nodes[k]);
+		if (p != NULL)
+			press_begin(&q, p, &sparse->nodes[k]);
+	}
+	motions_copy(&q, 0);
+	for (round = 0; round < ROUNDS; ++round) {
+		if (round > 0)
+			motions_copy(&q, 1);
+		if (presses_set(&q) || !c->factored) {
+			cni_sparse_factor(sparse, c, q.motions);
+			c->factored = 1;
+		}
+		held_rows_solve(&q);
+		if (!set_changes(&q, round < ROUNDS_ALL)) {
+			commit(&q);
+			return 1;
+		}
+	}
+	give_up(&q);
+	return 0;
+}

@@ -1,0 +1,45 @@
+/*
+ * stages/contact_direct.h - contacts that are solved directly with their island's joints: normals and friction in
+ * one sparse system with an active set.
+ */
+#ifndef CNI_STAGES_CONTACT_DIRECT_H
+#define CNI_STAGES_CONTACT_DIRECT_H
+
+#include "stages/solver.h"
+#include "stages/sparse.h"
+
+/* Most contacts that are solved directly in a step of CN_SOLVER_AUTO, and most work of a system a node of it. */
+#define CNI_PRESS_MOST 512
+#define CNI_PRESS_WORK 48
+
+enum { CNI_ROW_OPEN = 0, CNI_ROW_HELD = 1, CNI_ROW_SLIDES = 2 };
+
+/* A touching contact taken out of its lane for the step; letters as in model/contact.h. Rows: two points, friction. */
+typedef struct cni_press {
+	int32_t block, lane;
+	int32_t node;               /* in the sparse system, CNI_NONE: not taken */
+	float nx, ny, dn, dt, fa, fb;
+	float static_friction, dynamic_friction;
+	float at[2], an[2], s0[2];
+	float mass[3];              /* nm of the points, tm */
+	float j[3];                 /* impulses */
+	float start[3];             /* impulses at the beginning of the pass */
+	float room[3];              /* in this pass speeds must be at least -room */
+	uint8_t state[3];           /* CNI_ROW_ */
+	uint8_t reserved;
+	float way;                  /* 1 or -1: where friction of a sliding contact points */
+} cni_press;
+
+/* The touching contacts of an island, appended to presses; -1: more than `room`, or one that cannot be solved so. */
+int32_t cni_presses_collect(const cn_world *world, int32_t island, cni_press *presses, int32_t room);
+/* Takes the planned ones' impulses out of their lanes, and makes the lanes idle. */
+void cni_presses_take(cn_world *world, cni_sparse *sparse);
+/* Gives lanes back with the impulses as they are: those of one component, or of all. */
+void cni_presses_give_back(cn_world *world, cni_sparse *sparse, const cni_component *c);
+void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h);
+/* Impulses of the last step, once more. */
+void cni_presses_warm_start(cn_world *world, cni_sparse *sparse, float scale);
+/* One pass over a component with presses. 0: no consistent set was found, nothing changed. rate: of joints' errors. */
+int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias);
+
+#endif
