@@ -92,7 +92,6 @@ typedef struct cni_previous {
 
 /* All take a live body index. Those that return cn_result change nothing when they fail. */
 
-cni_body *cni_body_at(const cn_world *world, int32_t body);
 static inline cni_vec2 cni_body_origin(const cni_body *b)
 {
 	cni_vec2 r = cni_rotate(b->q, b->local_center);

@@ -10,11 +10,6 @@
 
 #include <string.h>
 
-cni_contact *cni_contact_at(const cn_world *world, int32_t contact)
-{
-	return (cni_contact *)cni_table_at(&world->contacts, contact);
-}
-
 /* ---- lists ---- */
 
 static void list_link(cn_world *world, int32_t contact, int32_t side)

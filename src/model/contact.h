@@ -122,13 +122,6 @@ typedef struct cni_contact {
 	float gap;               /* along the normal between the lane's two anchors when it was written: 0, or how far ahead it was */
 } cni_contact;
 
-cni_contact *cni_contact_at(const cn_world *world, int32_t contact);
-static inline cni_contact *cni_contact_of_key(const cn_world *world, int32_t key) { return cni_contact_at(world, key >> 1); }
-cni_contact_block *cni_block_at(const cn_world *world, int32_t block);
-cni_block_info *cni_block_info_at(const cn_world *world, int32_t block);
-/* NULL when no contact has ever needed one. */
-cni_block_extra *cni_block_extra_at(const cn_world *world, int32_t block);
-
 /* Makes room for extra more contacts: records and awake list (lanes are reserved when they begin to touch). */
 cn_result cni_contact_reserve(cn_world *world, int32_t extra);
 /* Record of an existing contact between two proxies, or CNI_NONE. O(contacts of the lesser body). */
