@@ -170,6 +170,21 @@ typedef struct window {
 
 #define ASLEEP (-2)
 
+/* Asks for the memory of the windows to come: of the next one bodies and boxes, of the one after it contacts. */
+static void window_prefetch(const cn_world *world, const int32_t *contacts, int32_t count)
+{
+	int32_t k;
+	for (k = WINDOW; k < cni_min_i(2 * WINDOW, count); ++k) {
+		const cni_contact *c = cni_contact_at(world, contacts[k]);
+		CNI_PREFETCH(cni_proxy_at(world, c->proxy[0]));
+		CNI_PREFETCH(cni_proxy_at(world, c->proxy[1]));
+		CNI_PREFETCH(cni_body_at(world, c->body[0]));
+		CNI_PREFETCH(cni_body_at(world, c->body[1]));
+	}
+	for (k = 2 * WINDOW; k < cni_min_i(3 * WINDOW, count); ++k)
+		CNI_PREFETCH(cni_contact_at(world, contacts[k]));
+}
+
 static void window_begin(const cn_world *world, window *w, const int32_t *contacts, int32_t count, float dt)
 {
 	int32_t k;
@@ -211,6 +226,7 @@ void cni_stage_narrowphase(cn_world *world, float dt)
 	w.kernel = cni_box_kernel_choose();
 	for (from = 0; from < world->awake_contacts.count; from += WINDOW) {
 		int32_t size = cni_min_i(WINDOW, world->awake_contacts.count - from);
+		window_prefetch(world, awake + from, world->awake_contacts.count - from);
 		window_begin(world, &w, awake + from, size, dt);
 		cni_boxes_run(&w.boxes, w.kernel);
 		for (k = 0; k < size; ++k) {
