@@ -79,7 +79,7 @@ static void ask_user(cn_world *world, int32_t contact)
 
 static void write_and_ask(cn_world *world, int32_t contact, const cni_touch *t)
 {
-	cni_contact_write(world, contact, &t->manifold, t->gap);
+	cni_contact_write(world, contact, &t->manifold, t->gap, t->radius);
 	if (cni_contact_at(world, contact)->flags & CNI_CONTACT_PRE_SOLVE)
 		ask_user(world, contact);
 }
@@ -120,7 +120,7 @@ static void change_begin(cn_world *world, int32_t contact, float dt)
 	cni_touch_finish(world, dt, &t);
 	if (t.manifold.count == 0)
 		return;
-	if (cni_contact_begin(world, contact, &t.manifold, t.gap)) {
+	if (cni_contact_begin(world, contact, &t.manifold, t.gap, t.radius)) {
 		if (cni_contact_at(world, contact)->flags & CNI_CONTACT_PRE_SOLVE)
 			ask_user(world, contact);
 		return;

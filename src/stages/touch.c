@@ -153,6 +153,8 @@ void cni_touch_begin(const cn_world *world, cni_contact *c, float dt, cni_touch 
 	out->motion = motion_make(world, out->a, out->b, dt);
 	out->in.a = cni_shape_geometry(&world->blocks, sa);
 	out->in.b = cni_shape_geometry(&world->blocks, sb);
+	out->radius[0] = out->in.a->radius;
+	out->radius[1] = out->in.b->radius;
 	out->in.child_a = pa->child;
 	out->in.child_b = pb->child;
 	out->in.b_in_a = cni_body_b_in_a(out->a, out->b);

@@ -25,6 +25,7 @@ typedef struct cni_touch {
 	cni_manifold_input in;
 	cni_pair_motion motion;
 	int32_t boxes_overlap;   /* the fat ones */
+	float radius[2];         /* of the shapes */
 	cni_manifold manifold;
 	cni_vec2 gap;            /* where b's point is from a's now, when the contact is still ahead; in a's frame */
 } cni_touch;
