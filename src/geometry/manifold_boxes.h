@@ -17,7 +17,7 @@
 #include "geometry/manifold.h"
 
 /* Pairs in a batch: a multiple of every width. */
-#define CNI_BOX_PAIRS 16
+#define CNI_BOX_PAIRS 32
 
 enum { CNI_BOXES_APART = 0, CNI_BOXES_MANIFOLD = 1, CNI_BOXES_LEFT = 2 };
 

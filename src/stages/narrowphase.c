@@ -115,7 +115,8 @@ static float look_ahead(const cni_contact *c, float dt)
 static void change_begin(cn_world *world, int32_t contact, float dt)
 {
 	cni_touch t;
-	cni_touch_begin(world, cni_contact_at(world, contact), dt, &t);
+	if (!cni_touch_begin(world, cni_contact_at(world, contact), dt, &t))
+		return;
 	cni_touch_collide(&t);
 	cni_touch_finish(world, dt, &t);
 	if (t.manifold.count == 0)
@@ -163,12 +164,16 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, float
 
 typedef struct window {
 	cni_touch touch[WINDOW];
-	int32_t column[WINDOW];  /* in boxes; CNI_NONE: not a pair of boxes; ASLEEP: nothing to look at */
+	int32_t column[WINDOW];  /* in boxes, or one of the below */
 	cni_box_batch boxes;
 	cni_box_kernel_fn *kernel;
 } window;
 
-#define ASLEEP (-2)
+enum {
+	COLUMN_NONE = -1,   /* not a pair of boxes */
+	COLUMN_APART = -2,  /* no manifold */
+	COLUMN_ASLEEP = -3  /* nothing to look at */
+};
 
 /* Asks for the memory of the windows to come: of the next one bodies and boxes, of the one after it contacts. */
 static void window_prefetch(const cn_world *world, const int32_t *contacts, int32_t count)
@@ -192,12 +197,15 @@ static void window_begin(const cn_world *world, window *w, const int32_t *contac
 	for (k = 0; k < count; ++k) {
 		cni_contact *c = cni_contact_at(world, contacts[k]);
 		cni_touch *t = &w->touch[k];
-		c->flags &= ~(uint32_t)CNI_CONTACT_ENTERED;
-		w->column[k] = ASLEEP;
+		if (c->flags & CNI_CONTACT_ENTERED)
+			c->flags &= ~(uint32_t)CNI_CONTACT_ENTERED;
+		w->column[k] = COLUMN_ASLEEP;
 		if (c->flags & CNI_CONTACT_ASLEEP)
 			continue;
-		cni_touch_begin(world, c, look_ahead(c, dt), t);
-		w->column[k] = CNI_NONE;
+		w->column[k] = COLUMN_APART;
+		if (!cni_touch_begin(world, c, look_ahead(c, dt), t))
+			continue;
+		w->column[k] = COLUMN_NONE;
 		if (w->kernel != NULL && cni_geometry_is_box(t->in.a) && cni_geometry_is_box(t->in.b))
 			w->column[k] = cni_boxes_add(&w->boxes, &t->in, &c->cache);
 	}
@@ -206,11 +214,11 @@ static void window_begin(const cn_world *world, window *w, const int32_t *contac
 static int32_t window_finish(cn_world *world, window *w, int32_t k, int32_t contact, float dt)
 {
 	cni_touch *t = &w->touch[k];
-	if (w->column[k] == ASLEEP)
+	if (w->column[k] == COLUMN_ASLEEP)
 		return CHANGE_NONE;
-	if (w->column[k] == CNI_NONE)
+	if (w->column[k] == COLUMN_NONE)
 		cni_touch_collide(t);
-	else
+	else if (w->column[k] >= 0)
 		cni_boxes_read(&w->boxes, w->column[k], &t->in, &t->contact->cache, &t->manifold);
 	cni_touch_finish(world, look_ahead(t->contact, dt), t);
 	return contact_update(world, contact, t);

@@ -142,15 +142,33 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 	}
 }
 
-void cni_touch_begin(const cn_world *world, cni_contact *c, float dt, cni_touch *out)
+/* By how much circles must be apart, against rounding. */
+#define CIRCLES_APART 1.0001f
+
+/* Are even the circles around the two bodies farther apart than the pair looks? Boxes with their margins are much
+   larger than small bodies, so most pairs that do not touch end here, before shapes are looked at. */
+static int32_t circles_apart(const cni_body *a, const cni_body *b, float margin)
+{
+	float reach = CIRCLES_APART * (a->extent + b->extent + margin);
+	cni_vec2 d = cni_v((b->cx - a->cx) + (b->cx_low - a->cx_low), (b->cy - a->cy) + (b->cy_low - a->cy_low));
+	return cni_length_sq(d) > reach * reach;
+}
+
+int32_t cni_touch_begin(const cn_world *world, cni_contact *c, float dt, cni_touch *out)
 {
 	const cni_proxy *pa = cni_proxy_at(world, c->proxy[0]), *pb = cni_proxy_at(world, c->proxy[1]);
-	const cni_shape *sa = cni_shape_at(world, pa->shape), *sb = cni_shape_at(world, pb->shape);
+	const cni_shape *sa, *sb;
 	out->contact = c;
 	out->a = cni_body_at(world, c->body[0]);
 	out->b = cni_body_at(world, c->body[1]);
 	out->boxes_overlap = cni_aabb_overlap(&pa->fat, &pb->fat);
 	out->motion = motion_make(world, out->a, out->b, dt);
+	out->manifold.count = 0;
+	out->in.margin = cni_max(world->settings.contact_margin, out->motion.reach);
+	if (circles_apart(out->a, out->b, out->in.margin))
+		return 0;
+	sa = cni_shape_at(world, pa->shape);
+	sb = cni_shape_at(world, pb->shape);
 	out->in.a = cni_shape_geometry(&world->blocks, sa);
 	out->in.b = cni_shape_geometry(&world->blocks, sb);
 	out->radius[0] = out->in.a->radius;
@@ -159,9 +177,8 @@ void cni_touch_begin(const cn_world *world, cni_contact *c, float dt, cni_touch 
 	out->in.child_b = pb->child;
 	out->in.b_in_a = cni_body_b_in_a(out->a, out->b);
 	out->in.slop = world->settings.slop;
-	out->in.margin = cni_max(world->settings.contact_margin, out->motion.reach);
-	out->manifold.count = 0;
 	out->gap = cni_v(0.0f, 0.0f);
+	return 1;
 }
 
 void cni_touch_collide(cni_touch *out)

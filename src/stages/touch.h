@@ -30,7 +30,8 @@ typedef struct cni_touch {
 	cni_vec2 gap;            /* where b's point is from a's now, when the contact is still ahead; in a's frame */
 } cni_touch;
 
-void cni_touch_begin(const cn_world *world, cni_contact *c, float dt, cni_touch *out);
+/* 0: the bodies are so far apart that there is nothing more to do; the manifold is empty. */
+int32_t cni_touch_begin(const cn_world *world, cni_contact *c, float dt, cni_touch *out);
 void cni_touch_collide(cni_touch *out);
 void cni_touch_finish(const cn_world *world, float dt, cni_touch *out);
 
