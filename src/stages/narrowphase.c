@@ -13,7 +13,7 @@
  * Reads bodies, shapes, geometry, proxies; writes contacts, lanes, and through them islands and events.
  */
 #include "geometry/manifold_boxes.h"
-#include "stages/touch.h"
+#include "stages/narrowphase_touch.h"
 
 /* What the second part has to do for a contact. */
 enum { CHANGE_NONE = 0, CHANGE_BEGIN = 1, CHANGE_END = 2, CHANGE_OWED = 3 };
@@ -181,10 +181,15 @@ static void window_prefetch(const cn_world *world, const int32_t *contacts, int3
 	int32_t k;
 	for (k = WINDOW; k < cni_min_i(2 * WINDOW, count); ++k) {
 		const cni_contact *c = cni_contact_at(world, contacts[k]);
-		CNI_PREFETCH(cni_proxy_at(world, c->proxy[0]));
-		CNI_PREFETCH(cni_proxy_at(world, c->proxy[1]));
-		CNI_PREFETCH(cni_body_at(world, c->body[0]));
-		CNI_PREFETCH(cni_body_at(world, c->body[1]));
+		int32_t side;
+		for (side = 0; side < 2; ++side) {
+			const cni_proxy *p = cni_proxy_at(world, c->proxy[side]);
+			const cni_body *b = cni_body_at(world, c->body[side]);
+			CNI_PREFETCH(&p->fat);
+			CNI_PREFETCH(&p->shape);
+			CNI_PREFETCH(b);
+			CNI_PREFETCH(&b->awake);
+		}
 	}
 	for (k = 2 * WINDOW; k < cni_min_i(3 * WINDOW, count); ++k)
 		CNI_PREFETCH(cni_contact_at(world, contacts[k]));

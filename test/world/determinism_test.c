@@ -31,7 +31,7 @@ static const golden goldens[] = {
 	{ "ragdolls", 480, 1, 0x2ff7bd60480282d2 },
 	{ "bridge", 240, 1, 0x27e913895d03cfc9 },
 	{ "car", 400, 1, 0x64b8e2b6106424ce },
-	{ "mixer", 240, 1, 0x192c63ec698acaca },
+	{ "mixer", 240, 1, 0xcc44c8f607a6c817 },
 	{ "pyramid", 120, 0, 0x96cac2611a552232 },
 	{ "rain", 150, 0, 0x121a2ee5b3854b66 },
 	{ "tumbler_1000", 300, 0, 0xf77763f831c1b914 },

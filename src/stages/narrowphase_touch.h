@@ -1,5 +1,5 @@
 /*
- * stages/touch.h - how the shapes of one contact touch in this step. In three parts, so that the middle one, the
+ * stages/narrowphase_touch.h - how the shapes of one contact touch in this step. In three parts, so that the middle one, the
  * manifold, can be done for many pairs at once:
  *
  *   begin     poses, velocities, how far ahead the pair looks
@@ -8,8 +8,8 @@
  *
  * Reads bodies, shapes, geometry, proxies; writes the contact's cache only.
  */
-#ifndef CNI_STAGES_TOUCH_H
-#define CNI_STAGES_TOUCH_H
+#ifndef CNI_STAGES_NARROWPHASE_TOUCH_H
+#define CNI_STAGES_NARROWPHASE_TOUCH_H
 
 #include "stages/solver.h"
 

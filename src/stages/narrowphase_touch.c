@@ -1,20 +1,17 @@
 /*
- * stages/touch.c - from poses and velocities to how two shapes touch.
+ * stages/narrowphase_touch.c - from poses and velocities to how two shapes touch.
  *
  * Contact margin: slow pairs touch when closer than four slops (speculative contact). Fast pairs look as far
  * ahead as they come closer in the step, so that they meet the surface instead of each other's inside; a
  * point that their motion does not reach is dropped.
  */
-#include "stages/touch.h"
+#include "stages/narrowphase_touch.h"
 #include "geometry/toi.h"
 
-typedef cni_pair_motion pair_motion;
-typedef cni_touch touch;
-
-static pair_motion motion_make(const cn_world *world, const cni_body *a, const cni_body *b, float dt)
+static cni_pair_motion motion_make(const cn_world *world, const cni_body *a, const cni_body *b, float dt)
 {
 	const cni_motion *ma = cni_motions(world) + a->awake, *mb = cni_motions(world) + b->awake;
-	pair_motion m;
+	cni_pair_motion m;
 	m.v = cni_unrotate(a->q, cni_v(mb->vx - ma->vx, mb->vy - ma->vy));
 	m.wa = ma->w;
 	m.wb = mb->w;
@@ -23,7 +20,7 @@ static pair_motion motion_make(const cn_world *world, const cni_body *a, const c
 }
 
 /* Speed at which the surfaces come closer at a point. */
-static float closing_at(const cni_manifold *out, int32_t k, const pair_motion *m, const cni_body *a, cni_vec2 b_center)
+static float closing_at(const cni_manifold *out, int32_t k, const cni_pair_motion *m, const cni_body *a, cni_vec2 b_center)
 {
 	cni_vec2 p = out->points[k].point, ra = cni_sub(p, a->local_center), rb = cni_sub(p, b_center);
 	cni_vec2 v = cni_add(m->v, cni_sub(cni_mul(m->wb, cni_left_perp(rb)), cni_mul(m->wa, cni_left_perp(ra))));
@@ -32,7 +29,7 @@ static float closing_at(const cni_manifold *out, int32_t k, const pair_motion *m
 
 /* Keeps the points that are within the plain margin or are reached within the step: the normal of one that is not
    stays a separating axis. Returns the largest separation kept. */
-static float drop_unreached(cni_manifold *out, const pair_motion *m, const cni_body *a, cni_vec2 b_center, float margin, float dt)
+static float drop_unreached(cni_manifold *out, const cni_pair_motion *m, const cni_body *a, cni_vec2 b_center, float margin, float dt)
 {
 	int32_t k, kept = 0;
 	float nearest = FLT_MAX;
@@ -47,7 +44,7 @@ static float drop_unreached(cni_manifold *out, const pair_motion *m, const cni_b
 }
 
 /* How deep the planes of points that are all ahead would be passed in the step; 0 when some point is nearer than least. */
-static float depth_ahead(const cni_manifold *out, const pair_motion *m, const cni_body *a, cni_vec2 b_center, float least, float dt)
+static float depth_ahead(const cni_manifold *out, const cni_pair_motion *m, const cni_body *a, cni_vec2 b_center, float least, float dt)
 {
 	float depth = 0.0f;
 	int32_t k;
@@ -66,7 +63,7 @@ static float depth_ahead(const cni_manifold *out, const pair_motion *m, const cn
  * hair only, which is how things slide, or in the substep after, for which the solver brakes too, is given up only
  * for shadows that are clear of each other.
  */
-static int32_t shadows_graze(const cni_manifold_input *in, const pair_motion *m, const cni_body *a, const cni_body *b, float depth, float dt)
+static int32_t shadows_graze(const cni_manifold_input *in, const cni_pair_motion *m, const cni_body *a, const cni_body *b, float depth, float dt)
 {
 	float speed = cni_length(m->v), hair = 0.1f * in->slop;
 	float turn = dt * (cni_abs(m->wa) * (a->extent - in->a->radius) + cni_abs(m->wb) * (b->extent - in->b->radius));
@@ -100,7 +97,7 @@ static cni_path path_make(const cni_body *b, cni_vec2 from, const cni_motion *m,
  * taken, and its points are traced back to now. So a fast body meets the surface that it would really hit,
  * and is not held by the plane of what merely happens to be nearest.
  */
-static void meet(const cn_world *world, const cni_body *a, const cni_body *b, const cni_manifold_input *near, float dt, touch *out)
+static void meet(const cn_world *world, const cni_body *a, const cni_body *b, const cni_manifold_input *near, float dt, cni_touch *out)
 {
 	cni_manifold_input in = *near;
 	cni_manifold_cache cache = { 0, 0, { 0, 0 } };
@@ -189,7 +186,7 @@ void cni_touch_collide(cni_touch *out)
 void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
 {
 	const cni_body *a = out->a, *b = out->b;
-	const pair_motion *m = &out->motion;
+	const cni_pair_motion *m = &out->motion;
 	float margin = world->settings.contact_margin, nearest, least, sooner, later;
 	cni_vec2 b_center;
 	if (out->manifold.count == 0)
