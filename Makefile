@@ -5,6 +5,7 @@
 #   make test-all   tests under sanitizers and other   make check-deps layers by #include, longest files
 #                   compilers and options              make install    DESTDIR and PREFIX; make clean
 #   make bindings   writes bindings/ from the header   make test-bindings  in every language that is installed
+#   make bench-peers  time and accuracy beside other engines: see examples/peers/README.md
 #
 # CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
 # commands.
@@ -50,7 +51,7 @@ endif
 # New files are found by themselves.
 LIB_SRC := $(sort $(wildcard src/*/*.c))
 MAIN_SRC := examples/hello.c examples/demo/demo.c examples/bench/bench.c
-EXAMPLE_SRC := $(filter-out $(MAIN_SRC),$(sort $(wildcard examples/*/*.c)))
+EXAMPLE_SRC := $(filter-out $(MAIN_SRC) examples/peers/%,$(sort $(wildcard examples/*/*.c)))
 TEST_SRC := $(sort $(wildcard test/*/*_test.c))
 
 LIB_OBJ := $(LIB_SRC:%.c=$(BUILD)/release/%.o)
@@ -61,7 +62,7 @@ CHECKED_EXAMPLE_OBJ := $(EXAMPLE_SRC:%.c=$(BUILD)/checked/%.o)
 TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
 TESTS := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all bindings demo test test-all test-bindings bench hello check-deps install clean FORCE
+.PHONY: all bindings demo test test-all stability test-bindings bench bench-peers hello check-deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -111,6 +112,9 @@ demo: $(BUILD)/bin/demo
 bench: $(BUILD)/bin/bench
 	@$(BUILD)/bin/bench $(SCENE)
 
+bench-peers:
+	@CC='$(CC)' sh examples/peers/run.sh $(BUILD) $(if $(QUICK),--quick) $(if $(ROUNDS),--rounds $(ROUNDS)) $(if $(SCENE),--scene $(SCENE))
+
 # ---------------------------------------------------------------- tests
 
 $(BUILD)/checked/src/%.o: src/%.c $(BUILD)/checked/flags
@@ -139,6 +143,22 @@ test: $(TESTS)
 
 test-all:
 	@sh test/variants.sh $(BUILD)
+
+# ---------------------------------------------------------------- stability suite: release build, test/stability/README.md
+
+STABILITY_OBJ := $(patsubst %.c,$(BUILD)/release/%.o,$(sort $(wildcard test/stability/*.c)))
+
+$(BUILD)/release/test/stability/%.o: test/stability/%.c $(BUILD)/release/flags
+	@mkdir -p $(@D)
+	$(call say,cc)$(CC) $(STRICT) $(MODE) -Iinclude $(CPPFLAGS) $(CFLAGS) -c $< -o $@
+$(BUILD)/bin/stability: $(STABILITY_OBJ) $(BUILD)/libcairn.a
+	@mkdir -p $(@D)
+	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STABILITY_OBJ) $(BUILD)/libcairn.a -lm -o $@
+
+# STABILITY: arguments of the program instead of the whole list, for example STABILITY='--family stack --set boxes=30'.
+stability: $(BUILD)/bin/stability
+	@$(BUILD)/bin/stability --csv $(BUILD)/stability.csv $(STABILITY)
+-include $(STABILITY_OBJ:.o=.d)
 
 bindings:
 	@python3 bindings/generate.py

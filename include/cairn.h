@@ -198,8 +198,10 @@ enum {
 };
 
 enum {
-	CN_SOLVER_SOFT = 0,      /* soft contact and joint constraints with substeps (Catto, Solver2D, 2024) */
-	CN_SOLVER_SEQUENTIAL = 1 /* the twelve steps of the paper, once a step: the baseline; see README on its weaknesses */
+	CN_SOLVER_AUTO = 0,      /* soft constraints with substeps; directly solved where that is worth its cost */
+	CN_SOLVER_SOFT = 1,      /* soft contact and joint constraints with substeps alone (Catto, Solver2D, 2024) */
+	CN_SOLVER_DIRECT = 2,    /* directly solved wherever it can be, whatever it costs */
+	CN_SOLVER_SEQUENTIAL = 3 /* the twelve steps of the paper, once a step: the baseline; see README on its weaknesses */
 };
 
 enum {
@@ -212,7 +214,7 @@ typedef struct cn_world_def {
 	uint32_t flags;                   /* CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS */
 	cn_vec2 gravity_mps2;             /* default (0, -10) */
 	float length_unit_m;              /* a typical object's size, (0, 1e6]; slop, margins and speed limits scale with it; default 1 */
-	int32_t solver;                   /* CN_SOLVER_*; default CN_SOLVER_SOFT */
+	int32_t solver;                   /* CN_SOLVER_*; default CN_SOLVER_AUTO */
 	int32_t broadphase;               /* CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP */
 	int32_t substep_count;            /* 1 to 64; default 4 */
 	float restitution_threshold_mps;  /* slower impacts do not bounce, >= 0; default 1 x length unit */

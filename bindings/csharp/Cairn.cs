@@ -174,7 +174,7 @@ namespace Cairn
 		public cn_vec2 gravity_mps2;
 		/// <summary>a typical object's size, (0, 1e6]; slop, margins and speed limits scale with it; default 1</summary>
 		public float length_unit_m;
-		/// <summary>CN_SOLVER_*; default CN_SOLVER_SOFT</summary>
+		/// <summary>CN_SOLVER_*; default CN_SOLVER_AUTO</summary>
 		public int solver;
 		/// <summary>CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP</summary>
 		public int broadphase;
@@ -1033,9 +1033,13 @@ namespace Cairn
 		public const uint CN_WORLD_PROFILE = 4;
 		public const uint CN_WORLD_CONTINUOUS = 8;
 
-		/// <summary>soft contact and joint constraints with substeps (Catto, Solver2D, 2024)</summary>
-		public const int CN_SOLVER_SOFT = 0;
-		public const int CN_SOLVER_SEQUENTIAL = 1;
+		/// <summary>soft constraints with substeps; directly solved where that is worth its cost</summary>
+		public const int CN_SOLVER_AUTO = 0;
+		/// <summary>soft contact and joint constraints with substeps alone (Catto, Solver2D, 2024)</summary>
+		public const int CN_SOLVER_SOFT = 1;
+		/// <summary>directly solved wherever it can be, whatever it costs</summary>
+		public const int CN_SOLVER_DIRECT = 2;
+		public const int CN_SOLVER_SEQUENTIAL = 3;
 
 		/// <summary>tiled sweep-and-prune</summary>
 		public const int CN_BROADPHASE_SWEEP = 0;

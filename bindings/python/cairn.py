@@ -99,8 +99,10 @@ CN_WORLD_SLEEP = 1
 CN_WORLD_WARM_START = 2
 CN_WORLD_PROFILE = 4
 CN_WORLD_CONTINUOUS = 8
-CN_SOLVER_SOFT = 0
-CN_SOLVER_SEQUENTIAL = 1
+CN_SOLVER_AUTO = 0
+CN_SOLVER_SOFT = 1
+CN_SOLVER_DIRECT = 2
+CN_SOLVER_SEQUENTIAL = 3
 CN_BROADPHASE_SWEEP = 0
 CN_BROADPHASE_TREE = 1
 CN_WARNING_CONTACT_MEMORY = 1
@@ -233,7 +235,7 @@ class cn_world_def(_c.Structure):
         ("flags", _c.c_uint32),  # CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS
         ("gravity_mps2", cn_vec2),  # default (0, -10)
         ("length_unit_m", _c.c_float),  # a typical object's size, (0, 1e6]; slop, margins and speed limits scale with it; default 1
-        ("solver", _c.c_int32),  # CN_SOLVER_*; default CN_SOLVER_SOFT
+        ("solver", _c.c_int32),  # CN_SOLVER_*; default CN_SOLVER_AUTO
         ("broadphase", _c.c_int32),  # CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP
         ("substep_count", _c.c_int32),  # 1 to 64; default 4
         ("restitution_threshold_mps", _c.c_float),  # slower impacts do not bounce, >= 0; default 1 x length unit

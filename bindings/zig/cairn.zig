@@ -91,9 +91,13 @@ pub const CN_WORLD_WARM_START = 2;
 pub const CN_WORLD_PROFILE = 4;
 pub const CN_WORLD_CONTINUOUS = 8;
 
-/// soft contact and joint constraints with substeps (Catto, Solver2D, 2024)
-pub const CN_SOLVER_SOFT = 0;
-pub const CN_SOLVER_SEQUENTIAL = 1;
+/// soft constraints with substeps; directly solved where that is worth its cost
+pub const CN_SOLVER_AUTO = 0;
+/// soft contact and joint constraints with substeps alone (Catto, Solver2D, 2024)
+pub const CN_SOLVER_SOFT = 1;
+/// directly solved wherever it can be, whatever it costs
+pub const CN_SOLVER_DIRECT = 2;
+pub const CN_SOLVER_SEQUENTIAL = 3;
 
 /// tiled sweep-and-prune
 pub const CN_BROADPHASE_SWEEP = 0;
@@ -301,7 +305,7 @@ pub const cn_world_def = extern struct {
     gravity_mps2: cn_vec2,
     /// a typical object's size, (0, 1e6]; slop, margins and speed limits scale with it; default 1
     length_unit_m: f32,
-    /// CN_SOLVER_*; default CN_SOLVER_SOFT
+    /// CN_SOLVER_*; default CN_SOLVER_AUTO
     solver: i32,
     /// CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP
     broadphase: i32,

@@ -8,7 +8,7 @@
  *   touching  slot = block * 16 + lane           a lane of a block of its colour, kept across steps
  *   asleep    slot = index in the sleep store    both bodies asleep (or one asleep, one static)
  *
- * Blocks are 16 lanes of 22 rows; the narrowphase writes lanes in place and the solver reads them as they
+ * Blocks are 16 lanes of 24 rows; the narrowphase writes lanes in place and the solver reads them as they
  * are: there is no prepare and no store stage. Within a colour no dynamic body appears twice. A lane that
  * is freed is filled by the colour's last lane, so that colours stay dense.
  *
@@ -22,7 +22,7 @@
  * A lane (units: metres, seconds, kilograms; n normal from lane a to lane b, t = (ny, -nx), r from the
  * centre of mass to the contact point, all at the beginning of the step):
  *   at = ra.t, d = ra - rb, dt = d.t (so rb.t = at - dt)
- *   s0 separation, nm = 1 / (n K n), jn accumulated normal impulse
+ *   s0 separation, nm = 1 / (n K n), jn accumulated normal impulse, load what of it is there all the time
  *   fa, fb arms of the friction point along n from the two centres; tm = 1 / (t K t) there, jt accumulated
  *   friction impulse along t on body b
  *   an = qa.n, dn = an - qb.n for the points qa, qb that turn with the bodies: the contact point less the
@@ -39,7 +39,7 @@
 #define CNI_COLORS 32
 
 typedef struct cni_contact_row {
-	float at[CNI_LANES], an[CNI_LANES], s0[CNI_LANES], nm[CNI_LANES], jn[CNI_LANES];
+	float at[CNI_LANES], an[CNI_LANES], s0[CNI_LANES], nm[CNI_LANES], jn[CNI_LANES], load[CNI_LANES];
 } cni_contact_row;
 
 typedef struct cni_contact_block {
@@ -84,7 +84,7 @@ typedef struct cni_color {
 } cni_color;
 
 /* A touching contact at rest: the rows of its lane, without ia and ib. */
-#define CNI_SLEEP_ROWS 20
+#define CNI_SLEEP_ROWS 22
 typedef struct cni_sleep_lane {
 	float rows[CNI_SLEEP_ROWS];
 	float restitution;

@@ -32,15 +32,15 @@ static float inverse_or_zero(float k)
 
 static void lane_clear_point(cni_contact_row *p, int32_t lane)
 {
-	p->at[lane] = p->an[lane] = p->s0[lane] = p->nm[lane] = p->jn[lane] = 0.0f;
+	p->at[lane] = p->an[lane] = p->s0[lane] = p->nm[lane] = p->jn[lane] = p->load[lane] = 0.0f;
 }
 
-/* Impulse of the old point with this id; 0 for a new one. */
-static float old_impulse(const uint16_t *old_id, const float *old_jn, uint32_t id)
+/* Impulse or load of the old point with this id; 0 for a new one. */
+static float of_old_point(const uint16_t *old_id, const float *old, uint32_t id)
 {
 	if (old_id[0] == id)
-		return old_jn[0];
-	return old_id[1] == id ? old_jn[1] : 0.0f;
+		return old[0];
+	return old_id[1] == id ? old[1] : 0.0f;
 }
 
 static void lane_write_material(cn_world *world, const cni_contact *c, cni_contact_block *block, int32_t lane)
@@ -155,7 +155,7 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 	cni_vec2 normal = cni_rotate(first->q, manifold->normal);
 	lane_frame f = frame_make(world, c, normal);
 	lane_mass m = lane_mass_of(world, &f);
-	float radius_a = radius[flipped], old_jn[2], fa = 0.0f, dn, dt;
+	float radius_a = radius[flipped], old_jn[2], old_load[2], fa = 0.0f, dn, dt;
 	uint16_t old_id[2];
 	gap = cni_rotate(first->q, gap);
 	c->gap = cni_dot(gap, normal);
@@ -164,6 +164,7 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 	dt = cni_dot(f.d, f.t);
 	for (k = 0; k < 2; ++k) {
 		old_jn[k] = block->p[k].jn[lane];
+		old_load[k] = block->p[k].load[lane];
 		old_id[k] = c->id[k] != 0 ? c->id[k] : (uint16_t)0xFFFF;
 		c->id[k] = 0;
 	}
@@ -185,7 +186,8 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 		p->an[lane] = an;
 		p->s0[lane] = point->separation;
 		p->nm[lane] = inverse_or_zero(m.n + m.ia * at * at + m.ib * bt * bt);
-		p->jn[lane] = old_impulse(old_id, old_jn, point->id);
+		p->jn[lane] = of_old_point(old_id, old_jn, point->id);
+		p->load[lane] = of_old_point(old_id, old_load, point->id);
 		kept |= old_id[0] == point->id || old_id[1] == point->id;
 		c->id[k] = (uint16_t)point->id;
 		fa += an + radius_a;
@@ -227,7 +229,7 @@ static void lane_read_rows(const cn_world *world, const cni_contact *c, float ro
 }
 
 /* Rows of a lane without the body indices; see cni_contact_block. */
-enum { ROW_NX = 0, ROW_NY = 1, ROW_DT = 5, ROW_FA = 6, ROW_FB = 7, ROW_JT = 9, ROW_POINT = 10, ROW_POINT_COUNT = 5 };
+enum { ROW_NX = 0, ROW_NY = 1, ROW_DT = 5, ROW_FA = 6, ROW_FB = 7, ROW_JT = 9, ROW_POINT = 10, ROW_POINT_COUNT = 6 };
 
 /* A lane is of the beginning of the step. How far its anchors on the two bodies have come apart since they were
    one point is the change of separation along n, and half of it goes to the point, which stays midway.
@@ -248,7 +250,7 @@ static void describe_manifold(const cn_world *world, const cni_contact *c, cn_ma
 	out->normal = flipped ? cni_neg(n) : n;
 	out->friction_impulse_Ns = rows[ROW_JT]; /* n and t both flip, and so do the bodies: the sign stays */
 	for (k = 0; k < 2; ++k) {
-		const float *p = rows + ROW_POINT + k * ROW_POINT_COUNT; /* at an s0 nm jn */
+		const float *p = rows + ROW_POINT + k * ROW_POINT_COUNT; /* at an s0 nm jn load */
 		cn_manifold_point *point = &out->points[out->point_count];
 		cni_vec2 r = cni_add(cni_mul(p[0], t), cni_mul(p[1] + radius, n));
 		if (c->id[k] == 0)

@@ -6,7 +6,12 @@
  *   s = s0 + n.(dpb - dpa) + [(cos thb - 1) bn + sin thb bt] - [(cos tha - 1) an + sin tha at]
  * its speed vn = n.(vb - va) + wb bt - wa at, and the friction speed vt = t.(vb - va) - wb fb + wa fa.
  *
- * Reads motion and block rows; writes motion velocities and block.jn, jt.
+ * The soft pass gives way by a part of the impulse: that is what damps it, but also what lets a stack sink into
+ * itself by its weight. So it gives way around the load, the slow mean of what the contact bears, and not around
+ * zero: a thing at rest stands without overlap whatever lies on it, and what is sudden is as soft as ever. The mean
+ * must be slower than impulses need to travel through the largest pile; see LOAD_RATE in contact_solve.c.
+ *
+ * Reads motion and block rows; writes motion velocities and block.jn, jt, load.
  */
 #include "base/wide.h"
 #include "stages/contact_pass.h"
@@ -73,6 +78,8 @@ CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row
 	scale = bias ? cni_wide_select(s > zero, one, cni_wide_of(pass->soft.mass_scale)) : one;
 	q.m = scale * nm;
 	q.want = scale * q.old - nm * (scale * vn + push);
+	if (bias)
+		q.want += (1.0f - scale) * cni_wide_load(p->load + l);
 	if (!bias) {
 		/* Relax does not begin to brake a fast body for a surface that only the next substep can reach: it
 		   would take the speed that an impact there should return. */
@@ -190,6 +197,12 @@ static void kernel_relax(cni_motion *motions, cni_contact_block *k, cni_block_ex
 		solve_group(motions, k, extra, l, pass, rounds, 0);
 }
 
+/* A load follows slowly and never exceeds the impulse that is there. */
+CNI_INLINE cni_wide load_follow(cni_wide load, cni_wide jn, const cni_contact_pass *pass)
+{
+	return cni_wide_min(load + pass->load_part * (jn - load), jn);
+}
+
 CNI_INLINE void warm_group(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
@@ -208,6 +221,7 @@ CNI_INLINE void warm_group(cni_motion *motions, cni_contact_block *k, cni_block_
 		q.bt = q.at - cni_wide_load(k->dt + l);
 		q.old = zero;
 		cni_wide_store(k->p[p].jn + l, jn);
+		cni_wide_store(k->p[p].load + l, load_follow(cni_wide_load(k->p[p].load + l) * scale, jn, pass));
 		apply_normal(&a, &b, nx, ny, &q, jn);
 	}
 	cni_wide_store(k->jt + l, jt);

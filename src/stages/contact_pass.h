@@ -11,6 +11,7 @@ typedef struct cni_contact_pass {
 	float push_speed;
 	float impact_speed;  /* < 0: faster approaches are impacts */
 	float warm_scale;
+	float load_part;     /* of its way to the impulse that a load goes in this step */
 	cni_soft soft;
 	int32_t one_sided;   /* lane bodies b are not written */
 } cni_contact_pass;

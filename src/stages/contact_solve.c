@@ -23,6 +23,13 @@ const cni_contact_kernel *cni_contact_kernel_choose(void)
 #endif
 }
 
+/*
+ * Per second. Measured: at 0.6 a pyramid of base 100 keeps within 0.1 m after 5 s (0.74 without loads), one of 50
+ * within 12 mm (186), of 20 within 3 mm (31), a stack of 50 within 0.01 mm (0.87 m); at 1.2 the pyramid of 100
+ * sways and falls, at 6 that of 50.
+ */
+#define LOAD_RATE 0.6f
+
 static cni_contact_pass pass_make(const cni_solve *s, int32_t one_sided)
 {
 	cni_contact_pass pass;
@@ -30,6 +37,7 @@ static cni_contact_pass pass_make(const cni_solve *s, int32_t one_sided)
 	pass.push_speed = s->push_speed;
 	pass.impact_speed = -s->restitution_threshold;
 	pass.warm_scale = s->warm_scale;
+	pass.load_part = cni_min(LOAD_RATE * s->dt, 1.0f);
 	pass.one_sided = one_sided;
 	pass.soft = one_sided ? s->contact_static : s->contact;
 	return pass;

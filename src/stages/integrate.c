@@ -145,7 +145,7 @@ void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t subst
 		cni_velocity_start *start = &starts[k];
 		const cni_drive *d = &drives[k];
 		float rx = 0.0f, ry = 0.0f, rw = 0.0f;
-		if (d->flags & CNI_DRIVE_FREE)
+		if (d->flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG))
 			continue;
 		if (substep > 0) {
 			if (!(d->flags & (CNI_DRIVE_JOINTED | CNI_DRIVE_DAMPED)))
@@ -178,8 +178,8 @@ void cni_integrate_positions(cn_world *world, const cni_solve *s)
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
 		cni_motion *m = &motions[k];
-		if (drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y)) {
-			if (drives[k].flags & CNI_DRIVE_FREE)
+		if (drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG | CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y)) {
+			if (drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG))
 				continue;
 			if (drives[k].flags & CNI_DRIVE_LOCK_X)
 				m->vx = 0.0f;

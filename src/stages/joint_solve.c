@@ -21,11 +21,6 @@
  */
 #include "stages/joint_work.h"
 
-static cni_joint_work *works(const cn_world *world)
-{
-	return (cni_joint_work *)world->joint_work.data;
-}
-
 /* ---- rows ---- */
 
 static float row_mass(const cni_row *r, const cni_row *q, const cni_motion *a, const cni_motion *b)
@@ -82,10 +77,9 @@ CNI_INLINE void block_invert(const cni_row *r, int32_t count, const cni_motion *
 static const uint8_t inverse_at[CNI_JOINT_RIGID_ROWS][CNI_JOINT_RIGID_ROWS] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
 
 /* The frame now: anchors turned, gap moved by the bodies' changes since the step began. */
-CNI_INLINE cni_joint_frame work_frame(const cni_joint_work *w, const cni_motion *a, const cni_motion *b)
+CNI_INLINE cni_joint_frame work_frame_turned(const cni_joint_work *w, const cni_motion *a, const cni_motion *b, cni_rot turn_a, cni_rot turn_b)
 {
 	cni_joint_frame f;
-	cni_rot turn_a = cni_rot_small(a->theta), turn_b = cni_rot_small(b->theta);
 	f.ra = cni_rotate(turn_a, w->start.ra);
 	f.rb = cni_rotate(turn_b, w->start.rb);
 	f.d.x = w->start.d.x + (b->dpx - a->dpx) + (f.rb.x - w->start.rb.x) - (f.ra.x - w->start.ra.x);
@@ -99,6 +93,11 @@ CNI_INLINE cni_joint_frame work_frame(const cni_joint_work *w, const cni_motion 
 	f.angle = w->start.angle + (b->theta - w->start.ratio * a->theta);
 	f.ratio = w->start.ratio;
 	return f;
+}
+
+CNI_INLINE cni_joint_frame work_frame(const cni_joint_work *w, const cni_motion *a, const cni_motion *b)
+{
+	return work_frame_turned(w, a, b, cni_rot_small(a->theta), cni_rot_small(b->theta));
 }
 
 static int32_t row_turned_back(const cni_row *r, const cni_row *old)
@@ -156,7 +155,7 @@ static int32_t rows_together(const cni_row *rows, int32_t count)
 }
 
 /* The same rows in the same order all through a step: rigid_count is found with the first ones. */
-static void work_build(cni_joint_work *w, const cni_motion *a, const cni_motion *b)
+void cni_joint_work_build(cni_joint_work *w, const cni_motion *a, const cni_motion *b)
 {
 	cni_joint_frame f = work_frame(w, a, b);
 	int32_t k;
@@ -171,6 +170,12 @@ static void work_build(cni_joint_work *w, const cni_motion *a, const cni_motion 
 		mass = row_mass(&w->rows[k], &w->rows[k], a, b);
 		w->single_mass[k] = mass > 0.0f ? 1.0f / mass : 0.0f;
 	}
+}
+
+void cni_joint_work_rows(cni_joint_work *w, const cni_motion *motions, const cni_rot *turns)
+{
+	cni_joint_frame f = work_frame_turned(w, motions + w->ia, motions + w->ib, turns[w->ia], turns[w->ib]);
+	(void)w->make_rows(w->record, &f, w->rows);
 }
 
 /* Impulses between the record, by the type's rows, and the work, by decoupled rows: sign +1 stores, -1 loads. */
@@ -229,7 +234,7 @@ void cni_joints_prepare(cn_world *world, const cni_solve *s)
 	const int32_t *list = (const int32_t *)world->awake_joints.data;
 	int32_t k, r;
 	for (k = 0; k < world->awake_joints.count; ++k) {
-		cni_joint_work *w = works(world) + k;
+		cni_joint_work *w = cni_joint_works(world) + k;
 		const cni_joint *j = cni_joint_at(world, list[k]);
 		float impulse[CNI_JOINT_ROWS];
 		w->record = j;
@@ -240,7 +245,7 @@ void cni_joints_prepare(cn_world *world, const cni_solve *s)
 		w->flags = work_flags(j);
 		w->rigid_count = -1;
 		w->start = cni_joint_frame_make(world, j);
-		work_build(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
+		cni_joint_work_build(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
 		work_soften(w, j, s);
 		if (w->flags & CNI_WORK_BOUNDED) {
 			w->force_max = j->force_max > 0.0f ? j->force_max : FLT_MAX;
@@ -260,8 +265,8 @@ void cni_joints_warm_start(cn_world *world, const cni_solve *s)
 {
 	int32_t k, r;
 	for (k = 0; k < world->awake_joints.count; ++k) {
-		cni_joint_work *w = works(world) + k;
-		for (r = 0; r < w->row_count; ++r) {
+		cni_joint_work *w = cni_joint_works(world) + k;
+		for (r = 0; r < w->row_count && !(w->flags & CNI_WORK_SWUNG); ++r) {
 			w->rows[r].impulse *= s->warm_scale;
 			row_push(&w->rows[r], w->rows[r].impulse, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
 		}
@@ -404,6 +409,8 @@ static void solve_work(cni_joint_work *w, cni_motion *motions, const cni_solve *
 		else if (bias)
 			solve_spring(r, w->single_mass[k], a, b, &w->spring, s->h);
 	}
+	if (w->flags & CNI_WORK_DIRECT)
+		return;
 	if (!(w->flags & CNI_WORK_SPRINGY))
 		solve_rigid(w, a, b, bias ? &s->joint : &rigid, s->h);
 	else if (bias)
@@ -414,14 +421,16 @@ void cni_joints_solve(cn_world *world, const cni_solve *s)
 {
 	int32_t k;
 	for (k = 0; k < world->awake_joints.count; ++k)
-		solve_work(works(world) + k, cni_motions(world), s, 1);
+		if (!(cni_joint_works(world)[k].flags & CNI_WORK_SWUNG))
+			solve_work(cni_joint_works(world) + k, cni_motions(world), s, 1);
+	cni_direct_solve(world, s, 1);
 }
 
 void cni_joints_solve_fresh(cn_world *world, const cni_solve *s, int32_t constraints)
 {
 	int32_t k, r;
 	for (k = 0; k < world->awake_joints.count; ++k) {
-		cni_joint_work *w = works(world) + k;
+		cni_joint_work *w = cni_joint_works(world) + k;
 		if (cni_joint_is_constraint(cni_joint_at(world, w->joint)->type) != constraints)
 			continue;
 		for (r = 0; r < w->row_count; ++r)
@@ -440,7 +449,7 @@ static void work_rebuild(cn_world *world, cni_joint_work *w)
 	int32_t k;
 	for (k = 0; k < w->row_count; ++k)
 		old[k] = w->rows[k];
-	work_build(w, a, b);
+	cni_joint_work_build(w, a, b);
 	change_a.vx = change_a.vy = change_a.w = 0.0f;
 	change_b.vx = change_b.vy = change_b.w = 0.0f;
 	for (k = 0; k < w->row_count; ++k) {
@@ -459,7 +468,7 @@ static void work_rebuild(cn_world *world, cni_joint_work *w)
 	sb->w -= change_b.w;
 }
 
-static void work_stress(cni_joint_work *w, const cni_motion *b, float inv_h)
+void cni_joint_work_stress(cni_joint_work *w, const cni_motion *b, float inv_h)
 {
 	cni_vec2 rb = cni_rotate(cni_rot_small(b->theta), w->start.rb), linear;
 	float angular;
@@ -472,11 +481,17 @@ void cni_joints_relax(cn_world *world, const cni_solve *s)
 {
 	int32_t k;
 	for (k = 0; k < world->awake_joints.count; ++k) {
-		cni_joint_work *w = works(world) + k;
+		cni_joint_work *w = cni_joint_works(world) + k;
+		if (w->flags & CNI_WORK_SWUNG)
+			continue;
 		work_rebuild(world, w);
 		solve_work(w, cni_motions(world), s, 0);
-		if (w->flags & CNI_WORK_BREAKABLE)
-			work_stress(w, cni_motions(world) + w->ib, s->inv_h);
+	}
+	cni_direct_solve(world, s, 0);
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		cni_joint_work *w = cni_joint_works(world) + k;
+		if ((w->flags & (CNI_WORK_BREAKABLE | CNI_WORK_SWUNG)) == CNI_WORK_BREAKABLE)
+			cni_joint_work_stress(w, cni_motions(world) + w->ib, s->inv_h);
 	}
 }
 
@@ -490,7 +505,7 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 	int32_t k, r;
 	world->stressed_joints = 0;
 	for (k = 0; k < world->awake_joints.count; ++k) {
-		cni_joint_work *w = works(world) + k;
+		cni_joint_work *w = cni_joint_works(world) + k;
 		cni_joint *j = cni_joint_at(world, w->joint);
 		float impulse[CNI_JOINT_ROWS];
 		for (r = 0; r < w->row_count; ++r)
@@ -504,7 +519,8 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 		if (w->flags & CNI_WORK_TURNS)
 			cni_joint_turns_advance(world, j, cni_motions(world)[w->ia].theta, cni_motions(world)[w->ib].theta);
 		if (w->flags & CNI_WORK_BREAKABLE) {
-			work_stress(w, cni_motions(world) + w->ib, s->inv_h);
+			if (!(w->flags & CNI_WORK_SWUNG))
+				cni_joint_work_stress(w, cni_motions(world) + w->ib, s->inv_h);
 			world->stressed_joints += is_beyond(w, j);
 		}
 	}
@@ -531,7 +547,7 @@ void cni_joints_break(cn_world *world)
 		return;
 	world->stressed_joints = 0;
 	for (k = world->awake_joints.count - 1; k >= 0; --k) {
-		const cni_joint_work *w = works(world) + k;
+		const cni_joint_work *w = cni_joint_works(world) + k;
 		if ((w->flags & CNI_WORK_BREAKABLE) && is_beyond(w, cni_joint_at(world, w->joint)))
 			joint_break(world, w);
 	}

@@ -5,13 +5,16 @@
 #define CNI_STAGES_JOINT_WORK_H
 
 #include "stages/solver.h"
+#include "stages/sparse.h"
 
 enum {
 	CNI_WORK_SPRINGY = 1u << 0,   /* the first rows and violated limits act in the soft pass only */
 	CNI_WORK_BOUNDED = 1u << 1,   /* force_max or torque_max is set */
 	CNI_WORK_BREAKABLE = 1u << 2, /* a break threshold is set */
 	CNI_WORK_GROUNDS = 1u << 3,   /* d and e are seen from points of the world */
-	CNI_WORK_TURNS = 1u << 4      /* counts whole turns */
+	CNI_WORK_TURNS = 1u << 4,     /* counts whole turns */
+	CNI_WORK_DIRECT = 1u << 5,    /* its rigid rows are solved with its neighbours': stages/joint_direct.c */
+	CNI_WORK_SWUNG = 1u << 6      /* done with for this step: stages/joint_swing.c */
 };
 
 /* What every pass over plain joints touches comes first and together. */
@@ -32,5 +35,40 @@ typedef struct cni_joint_work {
 	float force_max, torque_max;       /* bounded: most, FLT_MAX without a bound */
 	float force_stress, torque_stress; /* breakable: largest reaction of the step so far */
 } cni_joint_work;
+
+static inline cni_joint_work *cni_joint_works(const cn_world *world)
+{
+	return (cni_joint_work *)world->joint_work.data;
+}
+/* Builds all rows at the bodies' present positions, impulses left undefined. */
+void cni_joint_work_build(cni_joint_work *w, const cni_motion *a, const cni_motion *b);
+/* The rows as their type gives them, for joints whose rows are all rigid or limits that are far away; turns: rotations
+   by the motions' theta. Impulses are left undefined. */
+void cni_joint_work_rows(cni_joint_work *w, const cni_motion *motions, const cni_rot *turns);
+/* Keeps the largest reaction of the step. */
+void cni_joint_work_stress(cni_joint_work *w, const cni_motion *b, float inv_h);
+
+/* ---- components of joints that are solved directly: stages/joint_direct.c ---- */
+
+/* The nodes' levers from their works' rows, and the factors of it. */
+void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c);
+/* Is the component held by its rigid joints alone in this step? */
+int32_t cni_component_swings(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
+/* Rotations of the component's bodies since the step began. */
+void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_component *c);
+
+/* ---- tension: stages/joint_tension.c ---- */
+
+/* sum(r.f) of every body, after cni_direct_turns, from impulses of substeps of length h. */
+void cni_tension_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
+/* The largest sum(r.f) / I, after cni_tension_find: squared radians a second. */
+float cni_tension_stiffness(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
+/* Is that too stiff for substeps of length h, or nearly? */
+int32_t cni_tension_needs_dampers(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float h);
+/* Sets the third rows of pins in a component of width 3, before its factorization. */
+void cni_tension_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
+
+/* x of every node to its bodies' velocities and its rows' impulses. */
+void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c);
 
 #endif

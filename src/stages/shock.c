@@ -50,6 +50,7 @@ static void lane_forget(cn_world *world, cni_contact_block *k, int32_t l)
 	response_take_out(world, k->ia[l], -px, -py, -(k->p[0].at[l] * j0 + k->p[1].at[l] * j1 - k->fa[l] * jt));
 	response_take_out(world, k->ib[l], px, py, (k->p[0].at[l] - k->dt[l]) * j0 + (k->p[1].at[l] - k->dt[l]) * j1 - k->fb[l] * jt);
 	k->p[0].jn[l] = k->p[1].jn[l] = k->jt[l] = 0.0f;
+	k->p[0].load[l] = k->p[1].load[l] = 0.0f;
 }
 
 static int32_t shocked(const cn_world *world, int32_t a, int32_t b)

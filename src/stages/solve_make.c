@@ -97,6 +97,7 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	s.contact_static = cni_soft_implicit(0.25f * s.inv_h, 10.0f, s.h);
 	s.joint = cni_soft_implicit(0.25f * s.inv_h, 2.0f, s.h);
 	s.kernel = cni_contact_kernel_choose();
+	s.direct = NULL;
 	return s;
 }
 

@@ -43,6 +43,7 @@ typedef struct cni_solve {
 	cni_soft contact_static;   /* one of them cannot move */
 	cni_soft joint;
 	const struct cni_contact_kernel *kernel;
+	struct cni_sparse *direct; /* joints that are solved directly, NULL: none */
 } cni_solve;
 
 cni_solve cni_solve_make(const cn_world *world, float dt);
@@ -73,6 +74,14 @@ void cni_contacts_impact(cn_world *world, const cni_solve *s);
 void cni_joints_prepare(cn_world *world, const cni_solve *s);
 void cni_joints_warm_start(cn_world *world, const cni_solve *s);
 void cni_joints_solve(cn_world *world, const cni_solve *s);
+/* Scratch that directly solving so many joints may take. */
+uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t bodies);
+/* Plans which joints are solved directly into out, and sets s->direct to it. */
+void cni_direct_prepare(cn_world *world, cni_solve *s, struct cni_sparse *out);
+/* One pass over them: with errors' bias (1), or rigid at the new positions (0). */
+void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias);
+/* The whole step of bodies that nothing but joints holds. */
+void cni_swings_run(cn_world *world, const cni_solve *s);
 /* Constraints on single bodies (1) or joints between bodies (0), from no impulse: sequential solver. */
 void cni_joints_solve_fresh(cn_world *world, const cni_solve *s, int32_t constraints);
 void cni_joints_relax(cn_world *world, const cni_solve *s);

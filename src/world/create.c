@@ -33,7 +33,7 @@ static void def_check_numbers(cni_call *call, const cn_world_def *d)
 {
 	cni_check_finite2(call, "gravity_mps2", d->gravity_mps2);
 	cni_check_range(call, "length_unit_m", d->length_unit_m, 1e-6f, 1e6f);
-	cni_check_range_int(call, "solver", d->solver, CN_SOLVER_SOFT, CN_SOLVER_SEQUENTIAL);
+	cni_check_range_int(call, "solver", d->solver, CN_SOLVER_AUTO, CN_SOLVER_SEQUENTIAL);
 	cni_check_range_int(call, "broadphase", d->broadphase, CN_BROADPHASE_SWEEP, CN_BROADPHASE_TREE);
 	cni_check_range_int(call, "substep_count", d->substep_count, 1, 64);
 	cni_check_at_least(call, "restitution_threshold_mps", d->restitution_threshold_mps, 0.0f);
@@ -250,12 +250,14 @@ static int32_t reserve_pieces(cn_world *world, const cn_world_def *d)
 	       cni_blocks_reserve(blocks, CN_NAME_MAX_BYTES + 1, d->body_capacity);
 }
 
-/* An island's search, the broadphase's pass over all boxes (see its files), and sorting the new pairs. */
+/* An island's search, the broadphase's pass over all boxes (see its files), sorting the new pairs, and joints that are
+   solved directly. */
 static uint64_t arena_bytes(const cn_world_def *d)
 {
 	uint64_t boxes = 2048u + 40u * (uint64_t)d->shape_capacity, pairs = 64u + sizeof(cni_pair) * (uint64_t)d->contact_capacity;
 	uint64_t island = 64u + 8u * (uint64_t)d->body_capacity;
-	return (boxes > pairs ? boxes : pairs) + island;
+	uint64_t joints = cni_direct_bytes(d->solver, d->joint_capacity, d->body_capacity), scratch = boxes > pairs ? boxes : pairs;
+	return (scratch > joints ? scratch : joints) + island;
 }
 
 /* What only a fixed world takes beforehand: everything that a growing one takes when it comes to it. */

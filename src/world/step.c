@@ -4,6 +4,7 @@
  */
 #include "base/clock.h"
 #include "stages/sequential.h"
+#include "stages/sparse.h"
 #include "world/error.h"
 
 #include <string.h>
@@ -62,6 +63,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 {
 	cn_profile *profile = &world->profile;
 	cni_solve s = cni_solve_make(world, dt);
+	cni_sparse direct;
 	int32_t rested;
 	cni_stage_pairs(world, dt);
 	profile_mark(world, &profile->broadphase_s, mark);
@@ -71,6 +73,8 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 		return 0;
 	cni_drive_prepare(world, &s);
 	cni_joints_prepare(world, &s);
+	cni_direct_prepare(world, &s, &direct);
+	cni_swings_run(world, &s);
 	profile_mark(world, &profile->prepare_s, mark);
 	substeps_run(world, &s);
 	cni_joints_store(world, &s);

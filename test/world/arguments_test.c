@@ -149,7 +149,7 @@ static void bad_world_defs(cn_result (*call)(const cn_world_def *))
 	VECTOR(v, call(WD(gravity_mps2, v)));
 	POSITIVE(x, call(WD(length_unit_m, x)));
 	ARG(call(WD(length_unit_m, 1.1e6f)));
-	INTEGER(x, -1, 2, call(WD(solver, x)));
+	INTEGER(x, -1, 4, call(WD(solver, x)));
 	INTEGER(x, -1, 2, call(WD(broadphase, x)));
 	INTEGER(x, 0, 65, call(WD(substep_count, x)));
 	NOT_NEGATIVE(x, call(WD(restitution_threshold_mps, x)));

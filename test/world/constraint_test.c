@@ -221,7 +221,8 @@ static double creep(int32_t how, float *out_torque, double *out_start)
 	x0 = x_of(world, ball);
 	y0 = y_of(world, ball);
 	fixture_step(world, 3600);
-	way = hypot(x_of(world, ball) - x0, y_of(world, ball) - y0);
+	/* Along the slope: across it the contact settles for some seconds, while its load becomes known. */
+	way = fabs((x_of(world, ball) - x0) * (double)cosf(tilt) + (y_of(world, ball) - y0) * (double)sinf(tilt));
 	*out_torque = lock != 0 ? (float)torque_of(world, lock) : 0.0f;
 	cn_world_destroy(world);
 	return way;

@@ -24,17 +24,17 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0xf588e0b700da40bc },
-	{ "small_200", 300, 1, 0xde3814eef48bca68 },
-	{ "small_50_sleep", 600, 1, 0x650fb52aec3e9bae },
-	{ "dominoes", 400, 1, 0xd2c5b336e713a0d1 },
-	{ "ragdolls", 480, 1, 0x2ff7bd60480282d2 },
-	{ "bridge", 240, 1, 0x27e913895d03cfc9 },
-	{ "car", 400, 1, 0x64b8e2b6106424ce },
-	{ "mixer", 240, 1, 0xcc44c8f607a6c817 },
-	{ "pyramid", 120, 0, 0x96cac2611a552232 },
-	{ "rain", 150, 0, 0x121a2ee5b3854b66 },
-	{ "tumbler_1000", 300, 0, 0xf77763f831c1b914 },
+	{ "falling_hinges", 480, 1, 0x578f175e694552e4 },
+	{ "small_200", 300, 1, 0x9bd98520f35d7ce8 },
+	{ "small_50_sleep", 600, 1, 0x704f66b51b718f87 },
+	{ "dominoes", 400, 1, 0xeddb4208284e60ef },
+	{ "ragdolls", 480, 1, 0x1efd36e4e66a3467 },
+	{ "bridge", 240, 1, 0x8411e0724c186fb7 },
+	{ "car", 400, 1, 0x56652a38efe5d7f1 },
+	{ "mixer", 240, 1, 0x53e0e0b6aeabc6ca },
+	{ "pyramid", 120, 0, 0x61ea1620043f1df9 },
+	{ "rain", 150, 0, 0xe5ff28e1f3e3e2b0 },
+	{ "tumbler_1000", 300, 0, 0x639c54456a1fbde0 },
 };
 /* clang-format on */
 #define GOLDENS ((int32_t)(sizeof goldens / sizeof *goldens))

@@ -1,0 +1,431 @@
+/*
+ * stages/joint_swing.c - bodies that nothing but rigid joints holds: their whole step at once, second order
+ * and without losing energy.
+ *
+ * RATTLE (Andersen, 1983; Leimkuhler and Skeel, 1994) with the direct solver, per substep:
+ *
+ *   v += h/2 a                    half a kick
+ *   x += h (v + M^-1 J' mu)       mu such that the joints are closed at the new x (Newton: K mu = -C/h)
+ *   v += M^-1 J' mu + h/2 a       the other half
+ *   v += M^-1 J' nu               J at the new x; nu such that J v = 0
+ *
+ * Both start from half of the last substep's impulse, so that Newton rarely needs a second round, but not where
+ * dampers are at work, which must see all of the tension;
+ * with one factorization a substep: of K at the old x for mu, which is that of the last substep's nu.
+ * Gaps that are there already are closed by a part in each substep; nu takes out the speed that this needs.
+ * Substeps follow the tension's springs as far as they go, dampers do the rest: stages/joint_tension.c.
+ *
+ * Reads works, drives, motion; writes motion, start, works' rows and flags, drive flags.
+ */
+#include "stages/joint_work.h"
+
+#define CLOSED 2e-6f           /* length units or radians: a joint that is closed */
+#define NEWTON_ROUNDS 5
+#define FAILED 50.0f            /* gaps above this many times CLOSED after all rounds: the substep is too long */
+#define CLOSING_RATE 0.2f      /* part of an old gap that is closed in a substep */
+#define SUBSTEPS_MOST 8.0f
+#define SUBSTEPS_RETRY 64        /* that many or more are not tried again */
+
+/* ---- which components ---- */
+
+/* Can no row but the rigid ones have anything to do in this step? */
+static int32_t work_is_rigid(const cni_joint_work *w, const cni_motion *motions, float dt)
+{
+	const cni_motion *a = motions + w->ia, *b = motions + w->ib;
+	int32_t k;
+	for (k = w->rigid_count; k < w->row_count; ++k) {
+		const cni_row *r = &w->rows[k];
+		float speed = r->ax * a->vx + r->ay * a->vy + r->aw * a->w + r->bx * b->vx + r->by * b->vy + r->bw * b->w;
+		if (r->kind != CNI_ROW_LIMIT || r->error < 0.05f + 2.0f * dt * cni_abs(speed))
+			return 0;
+	}
+	return 1;
+}
+
+static int32_t end_swings(const cn_world *world, int32_t index)
+{
+	const cni_motion *m = cni_motions(world) + index;
+	return index == 0 || m->inv_mass > 0.0f || m->inv_inertia > 0.0f;
+}
+
+/* Only joints of the component hold it, and nothing touches it. */
+static int32_t body_swings(const cn_world *world, int32_t index)
+{
+	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
+	int32_t key;
+	if (cni_drives(world)[index].flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y))
+		return 0;
+	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+		int32_t at = cni_joint_at(world, key >> 1)->awake;
+		if (at != CNI_NONE && !(cni_joint_works(world)[at].flags & CNI_WORK_DIRECT))
+			return 0;
+	}
+	return 1;
+}
+
+int32_t cni_component_swings(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		if (!body_swings(world, sparse->bodies[k]))
+			return 0;
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_node *n = &sparse->nodes[k];
+		if (!end_swings(world, n->ia) || !end_swings(world, n->ib) ||
+		    !work_is_rigid(&cni_joint_works(world)[n->owner], cni_motions(world), s->dt))
+			return 0;
+	}
+	return 1;
+}
+
+/* ---- one substep ---- */
+
+typedef struct swing {
+	cn_world *world;
+	cni_sparse *sparse;
+	const cni_component *c;
+	cni_motion *motions;
+	float h;
+	float closed;      /* errors below it do not matter */
+	float closing;     /* most that is closed of an old gap in a substep */
+	float *left;       /* by row: what of an old gap is to be left after the substep */
+	float warm;        /* 0.5, or 0: what of the last substep's impulse mu starts from */
+} swing;
+
+static cni_joint_work *work_of(const swing *g, int32_t node)
+{
+	return &cni_joint_works(g->world)[g->sparse->nodes[node].owner];
+}
+
+/* Half of what the drive gives in a substep. */
+static void kick(const swing *g)
+{
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		int32_t index = g->sparse->bodies[k];
+		const cni_drive *d = cni_drives(g->world) + index;
+		cni_motion *m = g->motions + index;
+		float half = 0.5f * g->h;
+		m->vx += half * d->ax;
+		m->vy += half * d->ay;
+		m->w += half * d->alpha;
+		if (d->flags & CNI_DRIVE_DAMPED) {
+			const cni_body *b = cni_body_at(g->world, cni_awake_ids(g->world)[index]);
+			float linear = cni_damping_factor(b->linear_damping, half);
+			m->vx *= linear;
+			m->vy *= linear;
+			m->w *= cni_damping_factor(b->angular_damping, half);
+		}
+	}
+}
+
+static void drift(const swing *g)
+{
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		cni_motion *m = g->motions + g->sparse->bodies[k];
+		m->dpx += g->h * m->vx;
+		m->dpy += g->h * m->vy;
+		m->theta += g->h * m->w;
+	}
+}
+
+/* What of an old gap is to be left after the substep. */
+static float gap_left(const swing *g, float error)
+{
+	if (cni_abs(error) <= 100.0f * g->closed)
+		return 0.0f;
+	return error - cni_clamp(CLOSING_RATE * error, -g->closing, g->closing);
+}
+
+static void move(cni_motion *m, float h, float vx, float vy, float w)
+{
+	m->vx += vx;
+	m->vy += vy;
+	m->w += w;
+	m->dpx += h * vx;
+	m->dpy += h * vy;
+	m->theta += h * w;
+}
+
+/* x of every node to velocities and positions. */
+static void push_and_move(const swing *g)
+{
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		const cni_node *n = &g->sparse->nodes[k];
+		cni_motion *a = g->motions + n->ia, *b = g->motions + n->ib;
+		for (i = 0; i < CNI_NODE_ROWS; ++i) {
+			const cni_lever *l = &n->lever[i];
+			float x = n->x[i], pa = a->inv_mass * x, pb = b->inv_mass * x;
+			move(a, g->h, pa * l->ax, pa * l->ay, a->inv_inertia * x * l->aw);
+			move(b, g->h, pb * l->bx, pb * l->by, b->inv_inertia * x * l->bw);
+		}
+	}
+}
+
+static void impulses_add(const swing *g)
+{
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		const cni_node *n = &g->sparse->nodes[k];
+		for (i = 0; i < n->rows; ++i)
+			work_of(g, k)->rows[i].impulse += n->x[i];
+	}
+}
+
+/* Rows at the present positions into the works, impulses kept; x: what closes them. Returns the largest gap. */
+static float gaps_find(const swing *g)
+{
+	float largest = 0.0f, inv_h = 1.0f / g->h;
+	int32_t k, i;
+	cni_direct_turns(g->world, g->sparse, g->c);
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		cni_node *n = &g->sparse->nodes[k];
+		cni_joint_work *w = work_of(g, k);
+		float impulse[CNI_NODE_ROWS] = { 0.0f, 0.0f, 0.0f };
+		for (i = 0; i < n->rows; ++i)
+			impulse[i] = w->rows[i].impulse;
+		cni_joint_work_rows(w, g->motions, g->sparse->turn);
+		for (i = 0; i < n->rows; ++i) {
+			float gap = w->rows[i].error - g->left[(k - g->c->begin) * CNI_NODE_ROWS + i];
+			w->rows[i].impulse = impulse[i];
+			n->x[i] = -gap * inv_h;
+			largest = cni_max(largest, cni_abs(gap));
+		}
+		for (; i < CNI_NODE_ROWS; ++i)
+			n->x[i] = 0.0f;
+	}
+	return largest;
+}
+
+static void gaps_left_find(const swing *g)
+{
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k)
+		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
+			g->left[(k - g->c->begin) * CNI_NODE_ROWS + i] = gap_left(g, work_of(g, k)->rows[i].error);
+}
+
+/* A part of the rows' impulses once more, along the levers as they are; `kept` of them stays in the rows. */
+static void impulses_push(const swing *g, float part, float kept)
+{
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		const cni_node *n = &g->sparse->nodes[k];
+		for (i = 0; i < n->rows; ++i) {
+			cni_row *r = &work_of(g, k)->rows[i];
+			cni_lever_push(&n->lever[i], part * r->impulse, g->motions + n->ia, g->motions + n->ib);
+			r->impulse *= kept;
+		}
+	}
+}
+
+/* One round at least: what mu starts from may look good enough, and be wrong to the same side again and again. Returns
+   whether the joints were closed. */
+static int32_t positions_close(const swing *g)
+{
+	float gap = gaps_find(g);
+	int32_t round;
+	for (round = 0; round < NEWTON_ROUNDS && (round == 0 || gap > g->closed); ++round) {
+		cni_sparse_solve(g->sparse, g->c);
+		impulses_add(g);
+		push_and_move(g);
+		gap = gaps_find(g);
+	}
+	return gap <= FAILED * g->closed;
+}
+
+static void velocities_close(const swing *g)
+{
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		cni_node *n = &g->sparse->nodes[k];
+		for (i = 0; i < CNI_NODE_ROWS; ++i)
+			n->x[i] = -cni_lever_speed(&n->lever[i], g->motions + n->ia, g->motions + n->ib);
+	}
+	cni_sparse_solve(g->sparse, g->c);
+	cni_direct_push(g->world, g->sparse, g->c);
+}
+
+/* Substeps that follow the fastest of the tension's springs, as far as they go. */
+static int32_t substeps_of(const swing *g, const cni_solve *s)
+{
+	float fastest = 0.0f, needed;
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k)
+		fastest = cni_max(fastest, cni_abs(g->motions[g->sparse->bodies[k]].w));
+	needed = cni_max(1.5f * s->dt * cni_sqrt(cni_tension_stiffness(g->world, g->sparse, g->c)), 2.0f * s->dt * fastest);
+	return cni_max_i(s->substeps, (int32_t)cni_min(SUBSTEPS_MOST, needed));
+}
+
+static int32_t substep(const swing *g)
+{
+	int32_t closed;
+	gaps_left_find(g);
+	impulses_push(g, g->warm, g->warm);
+	kick(g);
+	drift(g);
+	closed = positions_close(g);
+	kick(g);
+	cni_tension_damp(g->world, g->sparse, g->c, g->h);
+	cni_direct_refresh(g->world, g->sparse, g->c);
+	impulses_push(g, 2.0f * g->warm, 1.0f + 2.0f * g->warm);
+	velocities_close(g);
+	return closed;
+}
+
+/* ---- the step ---- */
+
+/* start is what it would be had the last substep been one of the world's: what tells bodies at rest needs it. */
+static void start_store(const swing *g, const cni_solve *s, int32_t index, const cni_velocity_start *before)
+{
+	const cni_drive *d = cni_drives(g->world) + index;
+	cni_velocity_start *start = cni_starts(g->world) + index;
+	start->vx = before->vx + s->h * d->ax;
+	start->vy = before->vy + s->h * d->ay;
+	start->w = before->w + s->h * d->alpha;
+	start->struck = 0.0f;
+}
+
+static void bodies_begin(const swing *g)
+{
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		int32_t index = g->sparse->bodies[k];
+		const cni_motion *m = g->motions + index;
+		cni_velocity_start *start = cni_starts(g->world) + index;
+		start->vx = m->vx;
+		start->vy = m->vy;
+		start->w = m->w;
+	}
+}
+
+static void bodies_end(const swing *g, const cni_solve *s)
+{
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		int32_t index = g->sparse->bodies[k];
+		cni_velocity_start before = cni_starts(g->world)[index];
+		start_store(g, s, index, &before);
+		cni_drives(g->world)[index].flags |= CNI_DRIVE_SWUNG;
+	}
+}
+
+/* Reactions are read as impulses of the world's substep. */
+static void works_end(const swing *g, const cni_solve *s)
+{
+	float scale = s->h / g->h;
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		cni_joint_work *w = work_of(g, k);
+		for (i = 0; i < w->rigid_count; ++i)
+			w->rows[i].impulse *= scale;
+		for (; i < w->row_count; ++i)
+			w->rows[i].impulse = 0.0f;
+		w->flags |= CNI_WORK_SWUNG;
+	}
+}
+
+static void works_stress(const swing *g)
+{
+	int32_t k;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		cni_joint_work *w = work_of(g, k);
+		if (w->flags & CNI_WORK_BREAKABLE)
+			cni_joint_work_stress(w, g->motions + w->ib, 1.0f / g->h);
+	}
+}
+
+/* Rows and impulses as the step found them. */
+static void works_begin(const swing *g, float scale)
+{
+	int32_t k, i;
+	cni_direct_turns(g->world, g->sparse, g->c);
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		cni_joint_work *w = work_of(g, k);
+		cni_joint_work_rows(w, g->motions, g->sparse->turn);
+		for (i = 0; i < w->rigid_count; ++i)
+			w->rows[i].impulse = scale * w->record->impulse[w->rows[i].slot];
+		if (w->flags & CNI_WORK_BREAKABLE)
+			w->force_stress = w->torque_stress = 0.0f;
+	}
+}
+
+static void motions_copy(const swing *g, cni_motion *copy, int32_t back)
+{
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		cni_motion *m = g->motions + g->sparse->bodies[k], *saved = copy + (k - g->c->body_begin);
+		*(back ? m : saved) = *(back ? saved : m);
+	}
+}
+
+/* All substeps, or as many as go well. */
+static int32_t substeps_try(swing *g, const cni_solve *s, cni_component *c, int32_t substeps)
+{
+	int32_t k;
+	g->h = s->dt / (float)substeps;
+	g->closing = g->h * s->push_speed;
+	works_begin(g, s->warm_scale * g->h / s->h);
+	cni_tension_find(g->world, g->sparse, c, g->h);
+	g->warm = 0.5f;
+	if (cni_tension_needs_dampers(g->world, g->sparse, c, g->h)) {
+		g->warm = 0.0f;
+		c->width = CNI_NODE_ROWS;
+	}
+	cni_tension_damp(g->world, g->sparse, c, g->h);
+	cni_direct_refresh(g->world, g->sparse, c);
+	for (k = 0; k < substeps; ++k) {
+		bodies_begin(g);
+		if (!substep(g) && substeps < SUBSTEPS_RETRY)
+			return 0;
+		works_stress(g);
+	}
+	return 1;
+}
+
+/* A step whose joints do not close, in a fast whip, is taken again with substeps half as long. */
+static void swing_run(cn_world *world, const cni_solve *s, cni_component *c, float *left, cni_motion *saved)
+{
+	swing g = { world, s->direct, c, cni_motions(world), s->h, CLOSED * world->settings.length_unit, 0.0f, left, 0.5f };
+	int32_t substeps;
+	cni_direct_turns(world, g.sparse, c);
+	cni_tension_find(world, g.sparse, c, s->h);
+	motions_copy(&g, saved, 0);
+	for (substeps = substeps_of(&g, s); !substeps_try(&g, s, c, substeps); substeps *= 2)
+		motions_copy(&g, saved, 1);
+	bodies_end(&g, s);
+	works_end(&g, s);
+}
+
+static int32_t largest_component(const cni_sparse *sparse)
+{
+	int32_t k, largest = 0;
+	for (k = 0; k < sparse->component_count; ++k)
+		if (sparse->components[k].swings)
+			largest = cni_max_i(largest, sparse->components[k].end - sparse->components[k].begin);
+	return largest;
+}
+
+void cni_swings_run(cn_world *world, const cni_solve *s)
+{
+	float *left;
+	cni_motion *saved;
+	int32_t k, largest = s->direct == NULL ? 0 : largest_component(s->direct);
+	if (largest == 0)
+		return;
+	left = (float *)cni_arena_push(&world->arena, sizeof(float) * CNI_NODE_ROWS * (uint64_t)largest);
+	saved = left == NULL ? NULL : (cni_motion *)cni_arena_push(&world->arena, sizeof(cni_motion) * 2 * (uint64_t)largest);
+	if (saved == NULL)
+		world->warnings |= CN_WARNING_FRAME_MEMORY;
+	for (k = 0; k < s->direct->component_count; ++k) {
+		cni_component *c = &s->direct->components[k];
+		if (saved == NULL)
+			c->swings = 0;
+		else if (c->swings)
+			swing_run(world, s, c, left, saved);
+	}
+	(void)cni_arena_pop(&world->arena, saved);
+	(void)cni_arena_pop(&world->arena, left);
+}

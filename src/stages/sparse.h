@@ -1,0 +1,117 @@
+/*
+ * stages/sparse.h - direct solution of coupled constraints: (J M^-1 J^T + C) x = b by sparse block LDL^T.
+ *
+ * A node is a joint (or a contact): one to three rows between two bodies. Two nodes are neighbours when they
+ * share a body that can move. Nodes are eliminated in the order of least degree, which makes no fill on
+ * trees, so chains, bridges and ragdolls cost O(n) (Baraff, "Linear-Time Dynamics using Lagrange Multipliers",
+ * 1996); loops fill in, and a limit on the work says when that is too dear.
+ *
+ *   nodes     [0][1][2][3]...            in the order of elimination; components one after the other
+ *   first     where node k's blocks begin: one for each later neighbour, fill included
+ *   below     which node each block leads to, ascending
+ *   block     2 x 2 or 3 x 3 floats, row major: rows of the later node, columns of the earlier one
+ *   pivot     inverse of the node's own block after elimination
+ *
+ * A row that acts on nothing, or that only repeats what others say (a pivot that cancels), gets no impulse.
+ * All arrays are scratch of one step and come from the frame arena.
+ */
+#ifndef CNI_STAGES_SPARSE_H
+#define CNI_STAGES_SPARSE_H
+
+#include "model/world.h"
+
+#define CNI_NODE_ROWS 3
+
+/* One row of J: speed = a . (va, wa) + b . (vb, wb). */
+typedef struct cni_lever {
+	float ax, ay, aw, bx, by, bw;
+} cni_lever;
+
+typedef struct cni_node {
+	int32_t ia, ib;                    /* dense indices of its bodies, 0: static or the world */
+	int32_t owner;                     /* the caller's */
+	int32_t rows;                      /* 1 to 3 */
+	cni_lever lever[CNI_NODE_ROWS];    /* rows beyond `rows` are zero */
+	float compliance[CNI_NODE_ROWS];   /* added to the diagonal */
+	float whole[CNI_NODE_ROWS];        /* the diagonal before elimination */
+	float x[CNI_NODE_ROWS];            /* right hand side in, solution out */
+} cni_node;
+
+/* What is planned: a node's bodies (dense indices, 0: static or the world) and how many rows it has. */
+typedef struct cni_link {
+	int32_t ia, ib;
+	int32_t owner, rows;
+} cni_link;
+
+/* Two nodes that share a body: a term of a block. */
+typedef struct cni_coupling {
+	int32_t low, high;          /* positions */
+	int32_t block;
+	uint8_t low_side, high_side; /* which of each one's bodies */
+	uint8_t reserved[2];
+} cni_coupling;
+
+/* Positions [begin, end) that no other component couples with. */
+typedef struct cni_component {
+	int32_t begin, end;
+	int32_t coupling_begin, coupling_end;
+	int32_t body_begin, body_end;  /* in bodies */
+	int32_t work;                  /* blocks formed or multiplied in one factorization */
+	int32_t loops;                 /* 1: more nodes than a tree has */
+	int32_t width;                 /* 2 or 3: rows that its nodes are solved with */
+	float regular;                 /* added to the diagonal, as a part of it */
+	int32_t swings;                /* of stages/joint_swing.c */
+} cni_component;
+
+typedef struct cni_sparse {
+	cni_node *nodes;
+	int32_t node_count;
+	int32_t *first;               /* node_count + 1 */
+	int32_t *below;
+	int32_t block_count;
+	float *blocks;                /* 9 a block */
+	float *pivots;                /* 9 a node */
+	cni_coupling *couplings;
+	int32_t coupling_count;
+	cni_component *components;
+	int32_t component_count;
+	int32_t *bodies;              /* dense indices, by component */
+	int32_t body_count;
+	float *pull;                  /* by dense body: sum(r.f) of its joints; stages/joint_tension.c */
+	cni_rot *turn;                /* by dense body: rotation since the step began */
+} cni_sparse;
+
+/* Most work of a component is base + each * nodes. */
+typedef struct cni_sparse_limit {
+	int32_t base, each;
+} cni_sparse_limit;
+
+/* Which of count links make components within the limit, their order and their blocks. out_planned[i] (count bytes)
+   says whether link i became a node. Bodies that cannot move do not connect. What it pushed
+   to the arena stays there until the end of the step. 0: not enough scratch memory, nothing planned. */
+int32_t cni_sparse_plan(cni_arena *arena, const cni_link *links, int32_t count, const cni_motion *motions, int32_t motion_count,
+                        cni_sparse_limit limit, cni_sparse *out, uint8_t *out_planned);
+/* Scratch that planning so many nodes within this limit may take. */
+uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, cni_sparse_limit limit);
+/* From the levers of the component's nodes to its pivots and blocks. */
+void cni_sparse_factor(cni_sparse *sparse, const cni_component *c, const cni_motion *motions);
+/* The nodes' x from right hand sides to solutions. */
+void cni_sparse_solve(cni_sparse *sparse, const cni_component *c);
+
+static inline float cni_lever_speed(const cni_lever *l, const cni_motion *a, const cni_motion *b)
+{
+	return l->ax * a->vx + l->ay * a->vy + l->aw * a->w + l->bx * b->vx + l->by * b->vy + l->bw * b->w;
+}
+
+static inline void cni_lever_push(const cni_lever *l, float impulse, cni_motion *a, cni_motion *b)
+{
+	float ma = a->inv_mass * impulse, mb = b->inv_mass * impulse;
+	a->vx += ma * l->ax;
+	a->vy += ma * l->ay;
+	a->w += a->inv_inertia * impulse * l->aw;
+	b->vx += mb * l->bx;
+	b->vy += mb * l->by;
+	b->w += b->inv_inertia * impulse * l->bw;
+}
+
+#endif
