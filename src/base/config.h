@@ -45,6 +45,20 @@
 #define CNI_INLINE static inline
 #endif
 
+/* Before a member or variable: where vectors are loaded from. Without vectors it says nothing. */
+#if defined(__GNUC__)
+#define CNI_ALIGNED(bytes) __attribute__((aligned(bytes)))
+#else
+#define CNI_ALIGNED(bytes)
+#endif
+
+/* Memory that is read soon: a hint, which changes no result. */
+#if defined(__GNUC__)
+#define CNI_PREFETCH(address) __builtin_prefetch(address)
+#else
+#define CNI_PREFETCH(address) ((void)(address))
+#endif
+
 /* Index that names nothing. */
 #define CNI_NONE (-1)
 

@@ -36,6 +36,12 @@ static inline void *cni_table_at(const cni_table *table, int32_t index)
 	       (size_t)(index & ((1 << table->page_shift) - 1)) * (size_t)table->item_bytes;
 }
 
+/* The same where the size of an item is known when compiling. */
+static inline void *cni_table_at_sized(const cni_table *table, int32_t index, size_t item_bytes)
+{
+	return table->pages[index >> table->page_shift] + (size_t)(index & ((1 << table->page_shift) - 1)) * item_bytes;
+}
+
 typedef struct cni_array {
 	void *data;        /* 64-byte aligned */
 	int32_t count;     /* the owner's: reserve only preserves items below count */

@@ -37,6 +37,7 @@ CNI_INLINE cni_wide cni_wide_min(cni_wide a, cni_wide b) { return a < b ? a : b;
 typedef float cni_wide __attribute__((vector_size(CNI_WIDTH * 4)));
 typedef int32_t cni_mask __attribute__((vector_size(CNI_WIDTH * 4)));
 typedef float cni_wide4 __attribute__((vector_size(16)));
+typedef float cni_wide4_loose __attribute__((vector_size(16), aligned(4)));
 
 CNI_INLINE cni_wide cni_wide_load(const float *p) { return *(const cni_wide *)(const void *)p; }
 CNI_INLINE void cni_wide_store(float *p, cni_wide a) { *(cni_wide *)(void *)p = a; }
@@ -111,12 +112,10 @@ CNI_INLINE cni_wide4 cni_wide4_at(const float *base, int32_t stride, int32_t ind
 	return *(const cni_wide4 *)(const void *)(base + (size_t)index * (size_t)stride);
 }
 
-CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_t *index, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
+/* CNI_WIDTH rows of four become four columns. */
+CNI_INLINE void cni_wide_columns(cni_wide4 r[CNI_WIDTH], cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
 {
-	cni_wide4 r[CNI_WIDTH];
 	int32_t l;
-	for (l = 0; l < CNI_WIDTH; ++l)
-		r[l] = cni_wide4_at(base, stride, index[l]);
 	for (l = 0; l < CNI_WIDTH; l += 4)
 		cni_wide_transpose(&r[l], &r[l + 1], &r[l + 2], &r[l + 3]);
 #if CNI_WIDTH == 4
@@ -130,6 +129,25 @@ CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_
 	*c = __builtin_shufflevector(r[2], r[6], 0, 1, 2, 3, 4, 5, 6, 7);
 	*d = __builtin_shufflevector(r[3], r[7], 0, 1, 2, 3, 4, 5, 6, 7);
 #endif
+}
+
+CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_t *index, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
+{
+	cni_wide4 r[CNI_WIDTH];
+	int32_t l;
+	for (l = 0; l < CNI_WIDTH; ++l)
+		r[l] = cni_wide4_at(base, stride, index[l]);
+	cni_wide_columns(r, a, b, c, d);
+}
+
+/* The same from records anywhere: floats offset .. offset + 3 of each. */
+CNI_INLINE void cni_wide_gather4_from(const float *const *records, int32_t offset, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
+{
+	cni_wide4 r[CNI_WIDTH];
+	int32_t l;
+	for (l = 0; l < CNI_WIDTH; ++l)
+		r[l] = *(const cni_wide4_loose *)(const void *)(records[l] + offset);
+	cni_wide_columns(r, a, b, c, d);
 }
 
 CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *index, cni_wide a, cni_wide b, cni_wide c, cni_wide d)

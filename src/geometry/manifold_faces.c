@@ -20,10 +20,6 @@
 #include "geometry/manifold_faces.h"
 #include "geometry/distance.h"
 
-/* Ends of the two edges within this share of the slop of each other count as vertex on vertex in ids,
-   so that equal boxes on top of each other keep theirs. */
-#define ALIGNED_PER_SLOP 0.5f
-
 static const cni_transform same_frame = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
 
 cni_faces cni_faces_of(const cni_geometry *g, cni_faces_storage *storage)
@@ -237,7 +233,7 @@ static void clip_emit(const clip *c, const cni_faces *a, const cni_faces *b, int
 		cni_manifold_point *p = &out->points[out->count++];
 		p->point = cni_madd(e->point, shift, n);
 		p->separation = e->height - radii;
-		p->id = clip_id(c, e->vertex, of_b, ALIGNED_PER_SLOP * in->slop);
+		p->id = clip_id(c, e->vertex, of_b, CNI_ALIGNED_PER_SLOP * in->slop);
 	}
 }
 

@@ -13,6 +13,10 @@
    skeletons so near to each other touch, contact points so near to each other are one. */
 #define CNI_TOUCH_PER_SLOP 0.1f
 
+/* Ends of two edges within this share of the slop of each other count as vertex on vertex in ids,
+   so that equal boxes on top of each other keep theirs. */
+#define CNI_ALIGNED_PER_SLOP 0.5f
+
 /* Feature numbers in ids. */
 #define CNI_FEATURE_EDGE 16
 

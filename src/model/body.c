@@ -8,11 +8,6 @@
 
 #include <string.h>
 
-cni_body *cni_body_at(const cn_world *world, int32_t body)
-{
-	return (cni_body *)cni_table_at(&world->bodies, body);
-}
-
 cni_transform cni_body_b_in_a(const cni_body *a, const cni_body *b)
 {
 	cni_rot qa = { 1.0f, 0.0f }, qb = { 1.0f, 0.0f };

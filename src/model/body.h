@@ -34,17 +34,17 @@ typedef struct cni_body {
 	float cx_low, cy_low;    /* low part: the true centre is the sum */
 	cni_rot q;
 	cni_vec2 local_center;   /* of mass, in the body's frame */
+	float extent;            /* farthest surface point from the centre of mass */
+	uint32_t flags;          /* CN_BODY_ (AWAKE bit unused) and CNI_BODY_ */
+	int32_t awake;           /* dense index, 0: not awake; up to here is what every contact asks for */
+	int32_t type;            /* CN_BODY_STATIC ... */
 	float vx, vy, w;         /* valid while awake == 0; read through cni_body_velocity */
 	float mass, inertia;     /* of a dynamic body (mass > 0, inertia >= 0, 0 = never rotates); 0 for others */
 	float linear_damping, angular_damping;
 	float gravity_scale;
 	float sleep_speed;       /* 0: the world's */
 	float sleep_time;        /* seconds at rest */
-	float extent;            /* farthest surface point from the centre of mass */
 	float core;              /* smallest inner radius of its shapes: how far it may jump without passing through things */
-	uint32_t flags;          /* CN_BODY_ (AWAKE bit unused) and CNI_BODY_ */
-	int32_t type;            /* CN_BODY_STATIC ... */
-	int32_t awake;           /* dense index, 0: not awake */
 	int32_t island;          /* CNI_NONE: alone */
 	int32_t island_next, island_prev;
 	int32_t shape_first;     /* shape index, linked by cni_shape.next */
@@ -93,7 +93,6 @@ typedef struct cni_previous {
 
 /* All take a live body index. Those that return cn_result change nothing when they fail. */
 
-cni_body *cni_body_at(const cn_world *world, int32_t body);
 static inline cni_vec2 cni_body_origin(const cni_body *b)
 {
 	cni_vec2 r = cni_rotate(b->q, b->local_center);

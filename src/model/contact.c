@@ -10,11 +10,6 @@
 
 #include <string.h>
 
-cni_contact *cni_contact_at(const cn_world *world, int32_t contact)
-{
-	return (cni_contact *)cni_table_at(&world->contacts, contact);
-}
-
 /* ---- lists ---- */
 
 static void list_link(cn_world *world, int32_t contact, int32_t side)
@@ -331,7 +326,7 @@ static int32_t contact_reserve_extra(cn_world *world, const cni_contact *c)
 	return 1;
 }
 
-int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap)
+int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap, const float radius[2])
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	if (!cni_lane_reserve(world, world->touching_count + 1) || !cni_island_reserve(world, 1) || !contact_reserve_extra(world, c))
@@ -343,7 +338,7 @@ int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *
 	c->flags |= CNI_CONTACT_TOUCHING | CNI_CONTACT_ENTERED | CNI_CONTACT_REFRESH;
 	c->id[0] = c->id[1] = 0;
 	cni_block_info_at(world, c->slot / CNI_LANES)->fresh_step = world->step_count + 1u;
-	cni_contact_write(world, contact, manifold, gap);
+	cni_contact_write(world, contact, manifold, gap, radius);
 	log_or_owe(world, contact, CN_EVENT_ENTER, CNI_CONTACT_ENTER_OWED);
 	return 1;
 }

@@ -122,13 +122,6 @@ typedef struct cni_contact {
 	float gap;               /* along the normal between the lane's two anchors when it was written: 0, or how far ahead it was */
 } cni_contact;
 
-cni_contact *cni_contact_at(const cn_world *world, int32_t contact);
-static inline cni_contact *cni_contact_of_key(const cn_world *world, int32_t key) { return cni_contact_at(world, key >> 1); }
-cni_contact_block *cni_block_at(const cn_world *world, int32_t block);
-cni_block_info *cni_block_info_at(const cn_world *world, int32_t block);
-/* NULL when no contact has ever needed one. */
-cni_block_extra *cni_block_extra_at(const cn_world *world, int32_t block);
-
 /* Makes room for extra more contacts: records and awake list (lanes are reserved when they begin to touch). */
 cn_result cni_contact_reserve(cn_world *world, int32_t extra);
 /* Record of an existing contact between two proxies, or CNI_NONE. O(contacts of the lesser body). */
@@ -147,7 +140,7 @@ void cni_contact_destroy_of_shape(cn_world *world, int32_t shape);
 
 /* The manifold begins to touch: takes a lane, joins islands (waking the sleeping side), logs ENTER.
    0: no memory for a lane; the contact stays apart. */
-int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap);
+int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap, const float radius[2]);
 /* Stops touching: frees the lane, notes the islands' loss, logs LEAVE. 0: no memory for the log; the
    contact then stays with an empty lane. */
 int32_t cni_contact_end(cn_world *world, int32_t contact);
@@ -164,8 +157,9 @@ void cni_contact_pay_owed(cn_world *world, int32_t contact, uint32_t owed, int32
 /* A sensor pair overlaps or no longer does: logs the change. 0: no memory for the log; nothing changes. */
 int32_t cni_contact_sense(cn_world *world, int32_t contact, int32_t overlaps);
 /* Writes a manifold to the contact's lane, keeping the impulses of points with equal ids. gap: where b's contact
-   point is from a's at the beginning of the step, in a's frame; (0, 0) but for contacts that are still ahead. */
-void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap);
+   point is from a's at the beginning of the step, in a's frame; (0, 0) but for contacts that are still ahead. radius: of the contact's
+   shapes a and b. */
+void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap, const float radius[2]);
 /* An empty manifold: the lane stays but can do nothing. */
 void cni_contact_write_empty(cn_world *world, int32_t contact);
 

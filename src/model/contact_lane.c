@@ -113,21 +113,55 @@ static void lane_write_locks(cn_world *world, const cni_contact *c, const lane_f
 	extra->lock_by[lane] = lock(f->b, CN_BODY_LOCK_Y);
 }
 
-void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap)
+/* What the bodies' inverse masses are for the lane's impulses. */
+typedef struct lane_mass {
+	float n, t;   /* along n and t */
+	float ia, ib;
+} lane_mass;
+
+static lane_mass lane_mass_of(const cn_world *world, const lane_frame *f)
+{
+	const cni_motion *ma = cni_motions(world) + f->a->awake, *mb = cni_motions(world) + f->b->awake;
+	lane_mass m;
+	m.ia = ma->inv_inertia;
+	m.ib = mb->inv_inertia;
+	m.n = m.t = ma->inv_mass + mb->inv_mass;
+	if ((f->a->flags | f->b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) {
+		m.n = mass_along(f->a, ma->inv_mass, f->n) + mass_along(f->b, mb->inv_mass, f->n);
+		m.t = mass_along(f->a, ma->inv_mass, f->t) + mass_along(f->b, mb->inv_mass, f->t);
+	}
+	return m;
+}
+
+/* What few lanes have: locked axes, a material that changed, rolling resistance. */
+static void lane_write_rare(cn_world *world, cni_contact *c, const lane_frame *f, const lane_mass *m)
+{
+	int32_t block = c->slot / CNI_LANES;
+	lane_write_locks(world, c, f);
+	if (c->flags & CNI_CONTACT_REFRESH) {
+		lane_write_material(world, c, cni_block_at(world, block), c->slot % CNI_LANES);
+		c->flags &= ~(uint32_t)CNI_CONTACT_REFRESH;
+	}
+	if (cni_block_info_at(world, block)->flags & CNI_BLOCK_EXTRA)
+		cni_block_extra_at(world, block)->rolling_mass[c->slot % CNI_LANES] = inverse_or_zero(m->ia + m->ib);
+}
+
+void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap, const float radius[2])
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
-	int32_t lane = c->slot % CNI_LANES, k, kept = 0;
+	int32_t lane = c->slot % CNI_LANES, flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, kept = 0, k;
 	const cni_body *first = cni_body_at(world, c->body[0]);
-	lane_frame f = frame_make(world, c, cni_rotate(first->q, manifold->normal));
-	const cni_motion *ma = cni_motions(world) + f.a->awake, *mb = cni_motions(world) + f.b->awake;
-	float inv_mass = mass_along(f.a, ma->inv_mass, f.n) + mass_along(f.b, mb->inv_mass, f.n), ia = ma->inv_inertia, ib = mb->inv_inertia, fa = 0.0f, dn;
-	float radius_a = lane_radius(world, c, 0), radius_b = lane_radius(world, c, 1);
-	float old_jn[2], old_load[2];
+	cni_vec2 normal = cni_rotate(first->q, manifold->normal);
+	lane_frame f = frame_make(world, c, normal);
+	lane_mass m = lane_mass_of(world, &f);
+	float radius_a = radius[flipped], old_jn[2], old_load[2], fa = 0.0f, dn, dt;
 	uint16_t old_id[2];
 	gap = cni_rotate(first->q, gap);
-	c->gap = cni_dot(gap, cni_rotate(first->q, manifold->normal));
-	f.d = c->flags & CNI_CONTACT_FLIPPED ? cni_add(f.d, gap) : cni_sub(f.d, gap);
+	c->gap = cni_dot(gap, normal);
+	f.d = flipped ? cni_add(f.d, gap) : cni_sub(f.d, gap);
+	dn = cni_dot(f.d, f.n);
+	dt = cni_dot(f.d, f.t);
 	for (k = 0; k < 2; ++k) {
 		old_jn[k] = block->p[k].jn[lane];
 		old_load[k] = block->p[k].load[lane];
@@ -136,26 +170,27 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 	}
 	block->nx[lane] = f.n.x;
 	block->ny[lane] = f.n.y;
-	dn = cni_dot(f.d, f.n);
-	block->dn[lane] = dn - radius_a - radius_b;
-	block->dt[lane] = cni_dot(f.d, f.t);
+	block->dn[lane] = dn - radius_a - radius[1 - flipped];
+	block->dt[lane] = dt;
 	for (k = 0; k < manifold->count; ++k) {
 		const cni_manifold_point *point = &manifold->points[k];
 		cni_contact_row *p = &block->p[k];
 		cni_vec2 r = cni_rotate(first->q, cni_sub(point->point, first->local_center));
-		float bt;
-		if (c->flags & CNI_CONTACT_FLIPPED)
+		float at, bt, an;
+		if (flipped)
 			r = cni_add(r, f.d); /* from lane b's centre to lane a's */
-		p->at[lane] = cni_dot(r, f.t);
-		p->an[lane] = cni_dot(r, f.n) - radius_a;
-		bt = p->at[lane] - block->dt[lane];
+		at = cni_dot(r, f.t);
+		bt = at - dt;
+		an = cni_dot(r, f.n) - radius_a;
+		p->at[lane] = at;
+		p->an[lane] = an;
 		p->s0[lane] = point->separation;
-		p->nm[lane] = inverse_or_zero(inv_mass + ia * p->at[lane] * p->at[lane] + ib * bt * bt);
+		p->nm[lane] = inverse_or_zero(m.n + m.ia * at * at + m.ib * bt * bt);
 		p->jn[lane] = of_old_point(old_id, old_jn, point->id);
 		p->load[lane] = of_old_point(old_id, old_load, point->id);
 		kept |= old_id[0] == point->id || old_id[1] == point->id;
 		c->id[k] = (uint16_t)point->id;
-		fa += p->an[lane] + radius_a;
+		fa += an + radius_a;
 	}
 	if (manifold->count == 1)
 		lane_clear_point(&block->p[1], lane);
@@ -163,14 +198,10 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 		block->jt[lane] = 0.0f;
 	if (manifold->count == 2)
 		fa *= 0.5f;
-	lane_write_friction(block, lane, fa, fa - dn, mass_along(f.a, ma->inv_mass, f.t) + mass_along(f.b, mb->inv_mass, f.t), ia, ib);
-	lane_write_locks(world, c, &f);
-	if (c->flags & CNI_CONTACT_REFRESH) {
-		lane_write_material(world, c, block, lane);
-		c->flags &= ~(uint32_t)CNI_CONTACT_REFRESH;
-	}
-	if (cni_block_info_at(world, c->slot / CNI_LANES)->flags & CNI_BLOCK_EXTRA)
-		cni_block_extra_at(world, c->slot / CNI_LANES)->rolling_mass[lane] = inverse_or_zero(ia + ib);
+	lane_write_friction(block, lane, fa, fa - dn, m.t, m.ia, m.ib);
+	if ((c->flags & CNI_CONTACT_REFRESH) || ((f.a->flags | f.b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) ||
+	    (cni_block_info_at(world, c->slot / CNI_LANES)->flags & CNI_BLOCK_EXTRA))
+		lane_write_rare(world, c, &f, &m);
 }
 
 void cni_contact_write_empty(cn_world *world, int32_t contact)

@@ -14,23 +14,6 @@
 
 #include <string.h>
 
-cni_contact_block *cni_block_at(const cn_world *world, int32_t block)
-{
-	return (cni_contact_block *)cni_table_at(&world->blocks_hot, block);
-}
-
-cni_block_info *cni_block_info_at(const cn_world *world, int32_t block)
-{
-	return (cni_block_info *)cni_table_at(&world->blocks_info, block);
-}
-
-cni_block_extra *cni_block_extra_at(const cn_world *world, int32_t block)
-{
-	if (block >= cni_table_capacity(&world->blocks_extra))
-		return NULL;
-	return (cni_block_extra *)cni_table_at(&world->blocks_extra, block);
-}
-
 int32_t cni_lane_reserve_extra(cn_world *world)
 {
 	return cni_table_reserve(&world->blocks_extra, &world->memory, cni_table_capacity(&world->blocks_hot));

@@ -5,11 +5,6 @@
  */
 #include "model/world.h"
 
-cni_shape *cni_shape_at(const cn_world *world, int32_t shape)
-{
-	return (cni_shape *)cni_table_at(&world->shapes, shape);
-}
-
 uint64_t cni_shape_piece_bytes(const cn_world *world, int32_t type, int32_t count)
 {
 	int32_t bytes = cni_geometry_bytes(type, count);

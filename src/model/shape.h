@@ -33,7 +33,6 @@ typedef struct cni_shape {
 	uint64_t user_data;
 } cni_shape;
 
-cni_shape *cni_shape_at(const cn_world *world, int32_t shape);
 static inline const cni_geometry *cni_shape_geometry(const cni_blocks *blocks, const cni_shape *s)
 {
 	return (const cni_geometry *)cni_blocks_at(blocks, s->geometry);

@@ -132,7 +132,20 @@ struct cn_world {
 	char error[CNI_ERROR_TEXT_BYTES];
 };
 
-static inline cni_proxy *cni_proxy_at(const cn_world *world, int32_t proxy) { return (cni_proxy *)cni_table_at(&world->proxies, proxy); }
+/* ---- records by index ---- */
+
+static inline cni_body *cni_body_at(const cn_world *world, int32_t body) { return (cni_body *)cni_table_at_sized(&world->bodies, body, sizeof(cni_body)); }
+static inline cni_shape *cni_shape_at(const cn_world *world, int32_t shape) { return (cni_shape *)cni_table_at_sized(&world->shapes, shape, sizeof(cni_shape)); }
+static inline cni_contact *cni_contact_at(const cn_world *world, int32_t contact) { return (cni_contact *)cni_table_at_sized(&world->contacts, contact, sizeof(cni_contact)); }
+static inline cni_contact *cni_contact_of_key(const cn_world *world, int32_t key) { return cni_contact_at(world, key >> 1); }
+static inline cni_contact_block *cni_block_at(const cn_world *world, int32_t block) { return (cni_contact_block *)cni_table_at_sized(&world->blocks_hot, block, sizeof(cni_contact_block)); }
+static inline cni_block_info *cni_block_info_at(const cn_world *world, int32_t block) { return (cni_block_info *)cni_table_at_sized(&world->blocks_info, block, sizeof(cni_block_info)); }
+/* NULL when no contact has ever needed one. */
+static inline cni_block_extra *cni_block_extra_at(const cn_world *world, int32_t block)
+{
+	return block < cni_table_capacity(&world->blocks_extra) ? (cni_block_extra *)cni_table_at(&world->blocks_extra, block) : NULL;
+}
+static inline cni_proxy *cni_proxy_at(const cn_world *world, int32_t proxy) { return (cni_proxy *)cni_table_at_sized(&world->proxies, proxy, sizeof(cni_proxy)); }
 static inline cni_motion *cni_motions(const cn_world *world) { return (cni_motion *)world->motion.data; }
 static inline cni_velocity_start *cni_starts(const cn_world *world) { return (cni_velocity_start *)world->start.data; }
 static inline cni_drive *cni_drives(const cn_world *world) { return (cni_drive *)world->drive.data; }

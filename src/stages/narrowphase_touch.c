@@ -1,0 +1,207 @@
+/*
+ * stages/narrowphase_touch.c - from poses and velocities to how two shapes touch.
+ *
+ * Contact margin: slow pairs touch when closer than four slops (speculative contact). Fast pairs look as far
+ * ahead as they come closer in the step, so that they meet the surface instead of each other's inside; a
+ * point that their motion does not reach is dropped.
+ */
+#include "stages/narrowphase_touch.h"
+#include "geometry/toi.h"
+
+static cni_pair_motion motion_make(const cn_world *world, const cni_body *a, const cni_body *b, float dt)
+{
+	const cni_motion *ma = cni_motions(world) + a->awake, *mb = cni_motions(world) + b->awake;
+	cni_pair_motion m;
+	m.v = cni_unrotate(a->q, cni_v(mb->vx - ma->vx, mb->vy - ma->vy));
+	m.wa = ma->w;
+	m.wb = mb->w;
+	m.reach = dt * (cni_abs(m.v.x) + cni_abs(m.v.y) + cni_abs(m.wa) * a->extent + cni_abs(m.wb) * b->extent);
+	return m;
+}
+
+/* Speed at which the surfaces come closer at a point. */
+static float closing_at(const cni_manifold *out, int32_t k, const cni_pair_motion *m, const cni_body *a, cni_vec2 b_center)
+{
+	cni_vec2 p = out->points[k].point, ra = cni_sub(p, a->local_center), rb = cni_sub(p, b_center);
+	cni_vec2 v = cni_add(m->v, cni_sub(cni_mul(m->wb, cni_left_perp(rb)), cni_mul(m->wa, cni_left_perp(ra))));
+	return -cni_dot(out->normal, v);
+}
+
+/* Keeps the points that are within the plain margin or are reached within the step: the normal of one that is not
+   stays a separating axis. Returns the largest separation kept. */
+static float drop_unreached(cni_manifold *out, const cni_pair_motion *m, const cni_body *a, cni_vec2 b_center, float margin, float dt)
+{
+	int32_t k, kept = 0;
+	float nearest = FLT_MAX;
+	for (k = 0; k < out->count; ++k) {
+		if (out->points[k].separation > margin + cni_max(closing_at(out, k, m, a, b_center), 0.0f) * dt)
+			continue;
+		nearest = cni_min(nearest, out->points[k].separation);
+		out->points[kept++] = out->points[k];
+	}
+	out->count = kept;
+	return nearest;
+}
+
+/* How deep the planes of points that are all ahead would be passed in the step; 0 when some point is nearer than least. */
+static float depth_ahead(const cni_manifold *out, const cni_pair_motion *m, const cni_body *a, cni_vec2 b_center, float least, float dt)
+{
+	float depth = 0.0f;
+	int32_t k;
+	for (k = 0; k < out->count; ++k) {
+		if (out->points[k].separation <= least)
+			return 0.0f;
+		depth = cni_max(depth, closing_at(out, k, m, a, b_center) * dt - cni_max(out->points[k].separation, 0.0f));
+	}
+	return depth;
+}
+
+/*
+ * Do the shapes graze each other at most? While they move along a line, the shadows that they throw along it stay:
+ * shadows that overlap by no more than the slop are of shapes that never meet deeper. So the corner of the next
+ * piece of flat ground, which is ahead of what slides over it, does not hold it up. A plane that is reached by a
+ * hair only, which is how things slide, or in the substep after, for which the solver brakes too, is given up only
+ * for shadows that are clear of each other.
+ */
+static int32_t shadows_graze(const cni_manifold_input *in, const cni_pair_motion *m, const cni_body *a, const cni_body *b, float depth, float dt)
+{
+	float speed = cni_length(m->v), hair = 0.1f * in->slop;
+	float turn = dt * (cni_abs(m->wa) * (a->extent - in->a->radius) + cni_abs(m->wb) * (b->extent - in->b->radius));
+	cni_transform along, b_along;
+	cni_aabb box_a, box_b;
+	if (speed * dt <= hair || turn > in->slop)
+		return 0;
+	along.q.c = m->v.x / speed; /* turns the motion to +x: shadows are what is left in y */
+	along.q.s = -m->v.y / speed;
+	along.t = cni_v(0.0f, 0.0f);
+	b_along.q = cni_rot_mul(along.q, in->b_in_a.q);
+	b_along.t = cni_rotate(along.q, in->b_in_a.t);
+	box_a = cni_geometry_aabb(in->a, in->child_a, along);
+	box_b = cni_geometry_aabb(in->b, in->child_b, b_along);
+	return cni_min(box_a.y1, box_b.y1) - cni_max(box_a.y0, box_b.y0) + turn <= (depth > hair ? in->slop : -hair);
+}
+
+static cni_path path_make(const cni_body *b, cni_vec2 from, const cni_motion *m, float dt)
+{
+	cni_path p;
+	p.start = cni_v((b->cx - from.x) + b->cx_low, (b->cy - from.y) + b->cy_low);
+	p.end = cni_v(p.start.x + dt * m->vx, p.start.y + dt * m->vy);
+	p.q = b->q;
+	p.turn = dt * m->w;
+	p.local_center = b->local_center;
+	return p;
+}
+
+/*
+ * A contact that is still ahead: the shapes are moved to where they will first meet, the manifold there is
+ * taken, and its points are traced back to now. So a fast body meets the surface that it would really hit,
+ * and is not held by the plane of what merely happens to be nearest.
+ */
+static void meet(const cn_world *world, const cni_body *a, const cni_body *b, const cni_manifold_input *near, float dt, cni_touch *out)
+{
+	cni_manifold_input in = *near;
+	cni_manifold_cache cache = { 0, 0, { 0, 0 } };
+	cni_vec2 from = cni_v(a->cx, a->cy);
+	cni_transform xa, xb, a_now, b_now;
+	cni_toi_input toi;
+	cni_toi_result hit;
+	int32_t k;
+	toi.a = in.a;
+	toi.b = in.b;
+	toi.child_a = in.child_a;
+	toi.child_b = in.child_b;
+	toi.path_a = path_make(a, from, cni_motions(world) + a->awake, dt);
+	toi.path_b = path_make(b, from, cni_motions(world) + b->awake, dt);
+	toi.target = 0.5f * world->settings.slop;
+	toi.tolerance = 0.25f * world->settings.slop;
+	hit = cni_toi(&toi);
+	if (hit.state == CNI_TOI_SEPARATED)
+		out->manifold.count = 0;
+	if (hit.state != CNI_TOI_HIT)
+		return;
+	xa = cni_path_at(&toi.path_a, hit.fraction);
+	xb = cni_path_at(&toi.path_b, hit.fraction);
+	in.b_in_a.q = cni_rot_between(xa.q, xb.q);
+	in.b_in_a.t = cni_untransform_point(xa, xb.t);
+	in.margin = world->settings.contact_margin;
+	cni_manifold_function(in.a->type, in.b->type)(&in, &cache, &out->manifold);
+	if (out->manifold.count == 0)
+		return;
+	a_now = cni_path_at(&toi.path_a, 0.0f);
+	b_now = cni_path_at(&toi.path_b, 0.0f);
+	out->manifold.normal = cni_unrotate(a_now.q, cni_rotate(xa.q, out->manifold.normal));
+	for (k = out->manifold.count - 1; k >= 0; --k) { /* the gap of the first point stays */
+		cni_manifold_point *p = &out->manifold.points[k];
+		cni_vec2 on_b = cni_untransform_point(in.b_in_a, p->point);
+		cni_vec2 apart = cni_sub(cni_transform_point(b_now, on_b), cni_transform_point(a_now, p->point));
+		out->gap = cni_unrotate(a_now.q, apart);
+		p->separation += cni_dot(out->manifold.normal, out->gap);
+	}
+}
+
+/* By how much circles must be apart, against rounding. */
+#define CIRCLES_APART 1.0001f
+
+/* Are even the circles around the two bodies farther apart than the pair looks? Boxes with their margins are much
+   larger than small bodies, so most pairs that do not touch end here, before shapes are looked at. */
+static int32_t circles_apart(const cni_body *a, const cni_body *b, float margin)
+{
+	float reach = CIRCLES_APART * (a->extent + b->extent + margin);
+	cni_vec2 d = cni_v((b->cx - a->cx) + (b->cx_low - a->cx_low), (b->cy - a->cy) + (b->cy_low - a->cy_low));
+	return cni_length_sq(d) > reach * reach;
+}
+
+int32_t cni_touch_begin(const cn_world *world, cni_contact *c, float dt, cni_touch *out)
+{
+	const cni_proxy *pa = cni_proxy_at(world, c->proxy[0]), *pb = cni_proxy_at(world, c->proxy[1]);
+	const cni_shape *sa, *sb;
+	out->contact = c;
+	out->a = cni_body_at(world, c->body[0]);
+	out->b = cni_body_at(world, c->body[1]);
+	out->boxes_overlap = cni_aabb_overlap(&pa->fat, &pb->fat);
+	out->motion = motion_make(world, out->a, out->b, dt);
+	out->manifold.count = 0;
+	out->in.margin = cni_max(world->settings.contact_margin, out->motion.reach);
+	if (circles_apart(out->a, out->b, out->in.margin))
+		return 0;
+	sa = cni_shape_at(world, pa->shape);
+	sb = cni_shape_at(world, pb->shape);
+	out->in.a = cni_shape_geometry(&world->blocks, sa);
+	out->in.b = cni_shape_geometry(&world->blocks, sb);
+	out->radius[0] = out->in.a->radius;
+	out->radius[1] = out->in.b->radius;
+	out->in.child_a = pa->child;
+	out->in.child_b = pb->child;
+	out->in.b_in_a = cni_body_b_in_a(out->a, out->b);
+	out->in.slop = world->settings.slop;
+	out->gap = cni_v(0.0f, 0.0f);
+	return 1;
+}
+
+void cni_touch_collide(cni_touch *out)
+{
+	cni_manifold_function(out->in.a->type, out->in.b->type)(&out->in, &out->contact->cache, &out->manifold);
+}
+
+void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
+{
+	const cni_body *a = out->a, *b = out->b;
+	const cni_pair_motion *m = &out->motion;
+	float margin = world->settings.contact_margin, nearest, least, sooner, later;
+	cni_vec2 b_center;
+	if (out->manifold.count == 0)
+		return;
+	b_center = cni_transform_point(out->in.b_in_a, b->local_center);
+	least = out->contact->flags & CNI_CONTACT_TOUCHING ? 0.0f : -out->in.slop;
+	later = depth_ahead(&out->manifold, m, a, b_center, least, dt + dt / (float)world->settings.substeps);
+	if (later > 0.0f) {
+		sooner = depth_ahead(&out->manifold, m, a, b_center, least, dt);
+		if (shadows_graze(&out->in, m, a, b, sooner, dt))
+			out->manifold.count = 0;
+	}
+	if (m->reach <= margin || out->manifold.count == 0)
+		return;
+	nearest = drop_unreached(&out->manifold, m, a, b_center, margin, dt);
+	if (out->manifold.count > 0 && nearest > 2.0f * margin)
+		meet(world, a, b, &out->in, dt, out);
+}

@@ -1,0 +1,38 @@
+/*
+ * stages/narrowphase_touch.h - how the shapes of one contact touch in this step. In three parts, so that the middle one, the
+ * manifold, can be done for many pairs at once:
+ *
+ *   begin     poses, velocities, how far ahead the pair looks
+ *   collide   the manifold
+ *   finish    drops what the motion does not reach, moves what is still ahead to where it will be met
+ *
+ * Reads bodies, shapes, geometry, proxies; writes the contact's cache only.
+ */
+#ifndef CNI_STAGES_NARROWPHASE_TOUCH_H
+#define CNI_STAGES_NARROWPHASE_TOUCH_H
+
+#include "stages/solver.h"
+
+typedef struct cni_pair_motion {
+	cni_vec2 v;       /* velocity of b's centre relative to a's, in a's frame */
+	float wa, wb;
+	float reach;      /* most that surface points can come closer in the step */
+} cni_pair_motion;
+
+typedef struct cni_touch {
+	cni_contact *contact;
+	const cni_body *a, *b;
+	cni_manifold_input in;
+	cni_pair_motion motion;
+	int32_t boxes_overlap;   /* the fat ones */
+	float radius[2];         /* of the shapes */
+	cni_manifold manifold;
+	cni_vec2 gap;            /* where b's point is from a's now, when the contact is still ahead; in a's frame */
+} cni_touch;
+
+/* 0: the bodies are so far apart that there is nothing more to do; the manifold is empty. */
+int32_t cni_touch_begin(const cn_world *world, cni_contact *c, float dt, cni_touch *out);
+void cni_touch_collide(cni_touch *out);
+void cni_touch_finish(const cn_world *world, float dt, cni_touch *out);
+
+#endif
