@@ -160,6 +160,11 @@ stability: $(BUILD)/bin/stability
 	@$(BUILD)/bin/stability --csv $(BUILD)/stability.csv $(STABILITY)
 -include $(STABILITY_OBJ:.o=.d)
 
+# Error against cost, drawn: test/stability/chart/README.md. PEERS=1: other engines run the same scenes; ROUNDS=3.
+.PHONY: chart
+chart: $(BUILD)/bin/stability
+	@CC='$(CC)' ROUNDS='$(ROUNDS)' sh test/stability/chart/run.sh $(BUILD) $(if $(PEERS),--peers)
+
 bindings:
 	@python3 bindings/generate.py
 
