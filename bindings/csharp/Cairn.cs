@@ -247,6 +247,31 @@ namespace Cairn
 		public uint warnings;
 		public int pairs_not_added;
 		public int events_not_reported;
+		/// <summary>of several bodies, solved directly in the last step, contacts and all</summary>
+		public int islands_direct;
+		/// <summary>planned for all that is solved directly in it, in the units of work_budget; at most 2^31 - 1</summary>
+		public int direct_work;
+	}
+
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_island_report
+	{
+		/// <summary>one of it: of least slot</summary>
+		public cn_body body;
+		public int bodies;
+		/// <summary>touching</summary>
+		public int contacts;
+		/// <summary>and constraints</summary>
+		public int joints;
+		/// <summary>CN_TIER_*, after the last step</summary>
+		public int tier;
+		/// <summary>CN_TIER_REASON_*</summary>
+		public int reason;
+		/// <summary>of the world; joints that swing freely may take more</summary>
+		public int substeps;
+		/// <summary>where bodies are now: largest overlap, or gap of a rigid joint (angles times its bodies' extent); joints
+		/// that may give way (stiffness_hertz, force_max_N, torque_max_Nm) do not count</summary>
+		public float residual_m;
 	}
 
 	/// <summary>Seconds of the last step by stage, all 0 unless CN_WORLD_PROFILE is set.</summary>
@@ -309,7 +334,8 @@ namespace Cairn
 		public float sleep_speed_mps;
 		/// <summary>CN_BODY_*; default ENABLED | SLEEP | AWAKE</summary>
 		public uint flags;
-		public uint reserved;
+		/// <summary>as in cn_body_set_solver; default CN_SOLVER_AUTO</summary>
+		public int solver;
 		public ulong user_data;
 		/// <summary>NULL, or at most CN_NAME_MAX_BYTES bytes of text, copied</summary>
 		public byte* name;
@@ -902,6 +928,7 @@ namespace Cairn
 			CheckSize("cn_mass_data", sizeof(cn_mass_data), CN_TYPE_MASS_DATA);
 			CheckSize("cn_world_def", sizeof(cn_world_def), CN_TYPE_WORLD_DEF);
 			CheckSize("cn_counters", sizeof(cn_counters), CN_TYPE_COUNTERS);
+			CheckSize("cn_island_report", sizeof(cn_island_report), CN_TYPE_ISLAND_REPORT);
 			CheckSize("cn_profile", sizeof(cn_profile), CN_TYPE_PROFILE);
 			CheckSize("cn_memory_stats", sizeof(cn_memory_stats), CN_TYPE_MEMORY_STATS);
 			CheckSize("cn_body_def", sizeof(cn_body_def), CN_TYPE_BODY_DEF);
@@ -1029,7 +1056,8 @@ namespace Cairn
 		public const int CN_TYPE_JOINT_EVENT = 44;
 		public const int CN_TYPE_ANGLE_CONSTRAINT_DEF = 45;
 		public const int CN_TYPE_LINE_CONSTRAINT_DEF = 46;
-		public const int CN_TYPE_COUNT = 47;
+		public const int CN_TYPE_ISLAND_REPORT = 47;
+		public const int CN_TYPE_COUNT = 48;
 
 		/// <summary>islands at rest fall asleep (default on)</summary>
 		public const uint CN_WORLD_SLEEP = 1;
@@ -1043,7 +1071,7 @@ namespace Cairn
 		public const int CN_SOLVER_AUTO = 0;
 		/// <summary>soft contact and joint constraints with substeps alone (Catto, Solver2D, 2024)</summary>
 		public const int CN_SOLVER_SOFT = 1;
-		/// <summary>directly solved wherever it can be, whatever it costs</summary>
+		/// <summary>directly solved wherever it can be, whatever it costs: all joints, all piles without joints</summary>
 		public const int CN_SOLVER_DIRECT = 2;
 		public const int CN_SOLVER_SEQUENTIAL = 3;
 
@@ -1056,6 +1084,46 @@ namespace Cairn
 		/// <summary>the step worked around missing scratch memory</summary>
 		public const uint CN_WARNING_FRAME_MEMORY = 2;
 		public const uint CN_WARNING_EVENT_MEMORY = 4;
+
+		// How an island is solved. Joints of either may be solved together with their neighbours.
+		/// <summary>contacts by soft constraints</summary>
+		public const int CN_TIER_SOFT = 0;
+		/// <summary>contacts and joints in one system, exactly</summary>
+		public const int CN_TIER_DIRECT = 1;
+		public const int CN_TIER_FREE = 2;
+
+		// Why.
+		/// <summary>nothing is wrong</summary>
+		public const int CN_TIER_REASON_NONE = 0;
+		/// <summary>direct: nothing is wrong any more, but not yet for long enough</summary>
+		public const int CN_TIER_REASON_SETTLING = 1;
+		/// <summary>direct: a contact began to bear</summary>
+		public const int CN_TIER_REASON_NEW_CONTACT = 2;
+		/// <summary>direct: an overlap that the accuracy does not allow</summary>
+		public const int CN_TIER_REASON_OVERLAP = 3;
+		/// <summary>direct: joints came apart by more than the accuracy allows</summary>
+		public const int CN_TIER_REASON_JOINT = 4;
+		/// <summary>direct: something bears so many times its weight that soft contacts would give way</summary>
+		public const int CN_TIER_REASON_STRESSED = 5;
+		/// <summary>the world's solver is not CN_SOLVER_AUTO</summary>
+		public const int CN_TIER_REASON_SOLVER = 6;
+		/// <summary>a body's own solver: cn_body_set_solver</summary>
+		public const int CN_TIER_REASON_OVERRIDE = 7;
+		/// <summary>soft: a single body</summary>
+		public const int CN_TIER_REASON_ALONE = 8;
+		/// <summary>soft: something is wrong, but it moves too fast</summary>
+		public const int CN_TIER_REASON_MOVING = 9;
+		/// <summary>soft: something is wrong, but it or the sum of such islands is too large</summary>
+		public const int CN_TIER_REASON_CROWDED = 10;
+		/// <summary>soft for a time: its system is beyond the limit of work or the work_budget</summary>
+		public const int CN_TIER_REASON_WORK = 11;
+		/// <summary>soft for a time: restitution, a conveyor, rolling resistance or a locked axis</summary>
+		public const int CN_TIER_REASON_KIND = 12;
+		/// <summary>soft for a time: no consistent set of bearing contacts was found</summary>
+		public const int CN_TIER_REASON_NO_SET = 13;
+		/// <summary>soft: no scratch memory (CN_WARNING_FRAME_MEMORY)</summary>
+		public const int CN_TIER_REASON_MEMORY = 14;
+		public const int CN_TIER_REASON_JOINTED = 15;
 
 		/// <summary>never moves, infinite mass</summary>
 		public const int CN_BODY_STATIC = 0;
@@ -1207,6 +1275,21 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_substep_count(cn_world* world, int* out_count);
 
+		/// <summary>CN_SOLVER_*, from the next step on. A world in a caller's block has scratch memory for the solver that
+		/// it was made with: a dearer one may have to do without direct solving there (CN_WARNING_FRAME_MEMORY).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_set_solver(cn_world* world, int solver);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_get_solver(cn_world* world, int* out_solver);
+
+		/// <summary>Both as in cn_world_def; 0 metres: the default. get gives the accuracy in metres that this stands for.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_set_accuracy(cn_world* world, float accuracy_m, int work_budget);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_get_accuracy(cn_world* world, float* out_accuracy_m, int* out_work_budget);
+
 		/// <summary>Replaces the CN_WORLD_ flags. Turning CN_WORLD_SLEEP off wakes everything: O(bodies) then.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_flags(cn_world* world, uint flags);
@@ -1246,6 +1329,12 @@ namespace Cairn
 		/// <summary>O(bodies + islands).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_counters(cn_world* world, cn_counters* @out);
+
+		/// <summary>Of every awake island, as cn_counters.islands_awake counts them: those of several bodies first, in a
+		/// deterministic order, then bodies alone. Writes at most capacity; *out_count is how many there are. Costs
+		/// nothing when it is not called. O(bodies + what touches in the islands written).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_get_islands(cn_world* world, cn_island_report* @out, int capacity, int* out_count);
 
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_profile(cn_world* world, cn_profile* @out);
@@ -1398,6 +1487,16 @@ namespace Cairn
 		/// <summary>&gt;= 0; 0 restores the world's.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_sleep_speed(cn_world* world, cn_body body, float speed_mps);
+
+		/// <summary>How the island of a dynamic body is solved, in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO
+		/// (default): as the world chooses. _SOFT: never directly, contacts and all, whatever its other bodies ask
+		/// for. _DIRECT: always, however fast it moves, as far as its contacts can be, and within the work_budget.
+		/// From the next step on; does not wake.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_body_set_solver(cn_world* world, cn_body body, int solver);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_body_get_solver(cn_world* world, cn_body body, int* out_solver);
 
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_user_data(cn_world* world, cn_body body, ulong user_data);
@@ -1705,6 +1804,17 @@ namespace Cairn
 		/// radians (angles beyond limits), both &gt;= 0.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_error(cn_world* world, cn_joint joint, float* out_m, float* out_rad);
+
+		/// <summary>In worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default): the joint is solved together with its
+		/// neighbours where that is cheap. _SOFT: always by itself. _DIRECT: together with all joints that it hangs
+		/// together with, for as much work as CN_SOLVER_DIRECT takes, within the work_budget. In a world in a
+		/// caller's block that was not made with CN_SOLVER_DIRECT, _DIRECT is _AUTO. From the next step on; does
+		/// not wake.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_set_solver(cn_world* world, cn_joint joint, int solver);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_joint_get_solver(cn_world* world, cn_joint joint, int* out_solver);
 
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_user_data(cn_world* world, cn_joint joint, ulong user_data);

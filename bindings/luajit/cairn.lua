@@ -79,7 +79,8 @@ enum {
 	CN_TYPE_JOINT_EVENT = 44,
 	CN_TYPE_ANGLE_CONSTRAINT_DEF = 45,
 	CN_TYPE_LINE_CONSTRAINT_DEF = 46,
-	CN_TYPE_COUNT = 47,
+	CN_TYPE_ISLAND_REPORT = 47,
+	CN_TYPE_COUNT = 48,
 };
 
 enum {
@@ -92,7 +93,7 @@ enum {
 enum {
 	CN_SOLVER_AUTO = 0, // soft constraints with substeps; directly solved where that is worth its cost
 	CN_SOLVER_SOFT = 1, // soft contact and joint constraints with substeps alone (Catto, Solver2D, 2024)
-	CN_SOLVER_DIRECT = 2, // directly solved wherever it can be, whatever it costs
+	CN_SOLVER_DIRECT = 2, // directly solved wherever it can be, whatever it costs: all joints, all piles without joints
 	CN_SOLVER_SEQUENTIAL = 3,
 };
 
@@ -105,6 +106,33 @@ enum {
 	CN_WARNING_CONTACT_MEMORY = 1, // new contacts were not added: pairs_not_added
 	CN_WARNING_FRAME_MEMORY = 2, // the step worked around missing scratch memory
 	CN_WARNING_EVENT_MEMORY = 4,
+};
+
+// How an island is solved. Joints of either may be solved together with their neighbours.
+enum {
+	CN_TIER_SOFT = 0, // contacts by soft constraints
+	CN_TIER_DIRECT = 1, // contacts and joints in one system, exactly
+	CN_TIER_FREE = 2,
+};
+
+// Why.
+enum {
+	CN_TIER_REASON_NONE = 0, // nothing is wrong
+	CN_TIER_REASON_SETTLING = 1, // direct: nothing is wrong any more, but not yet for long enough
+	CN_TIER_REASON_NEW_CONTACT = 2, // direct: a contact began to bear
+	CN_TIER_REASON_OVERLAP = 3, // direct: an overlap that the accuracy does not allow
+	CN_TIER_REASON_JOINT = 4, // direct: joints came apart by more than the accuracy allows
+	CN_TIER_REASON_STRESSED = 5, // direct: something bears so many times its weight that soft contacts would give way
+	CN_TIER_REASON_SOLVER = 6, // the world's solver is not CN_SOLVER_AUTO
+	CN_TIER_REASON_OVERRIDE = 7, // a body's own solver: cn_body_set_solver
+	CN_TIER_REASON_ALONE = 8, // soft: a single body
+	CN_TIER_REASON_MOVING = 9, // soft: something is wrong, but it moves too fast
+	CN_TIER_REASON_CROWDED = 10, // soft: something is wrong, but it or the sum of such islands is too large
+	CN_TIER_REASON_WORK = 11, // soft for a time: its system is beyond the limit of work or the work_budget
+	CN_TIER_REASON_KIND = 12, // soft for a time: restitution, a conveyor, rolling resistance or a locked axis
+	CN_TIER_REASON_NO_SET = 13, // soft for a time: no consistent set of bearing contacts was found
+	CN_TIER_REASON_MEMORY = 14, // soft: no scratch memory (CN_WARNING_FRAME_MEMORY)
+	CN_TIER_REASON_JOINTED = 15,
 };
 
 enum {
@@ -290,7 +318,20 @@ typedef struct cn_counters {
 	uint32_t warnings; // What the last step could not do for want of memory; 0 when all is well. It tries again. CN_WARNING_*
 	int32_t pairs_not_added;
 	int32_t events_not_reported;
+	int32_t islands_direct; // of several bodies, solved directly in the last step, contacts and all
+	int32_t direct_work; // planned for all that is solved directly in it, in the units of work_budget; at most 2^31 - 1
 } cn_counters;
+
+typedef struct cn_island_report {
+	cn_body body; // one of it: of least slot
+	int32_t bodies;
+	int32_t contacts; // touching
+	int32_t joints; // and constraints
+	int32_t tier; // CN_TIER_*, after the last step
+	int32_t reason; // CN_TIER_REASON_*
+	int32_t substeps; // of the world; joints that swing freely may take more
+	float residual_m; // where bodies are now: largest overlap, or gap of a rigid joint (angles times its bodies' extent); joints that may give way (stiffness_hertz, force_max_N, torque_max_Nm) do not count
+} cn_island_report;
 
 // Seconds of the last step by stage, all 0 unless CN_WORLD_PROFILE is set.
 typedef struct cn_profile {
@@ -332,7 +373,7 @@ typedef struct cn_body_def {
 	float gravity_scale; // default 1
 	float sleep_speed_mps; // >= 0; default 0: the world's
 	uint32_t flags; // CN_BODY_*; default ENABLED | SLEEP | AWAKE
-	uint32_t reserved;
+	int32_t solver; // as in cn_body_set_solver; default CN_SOLVER_AUTO
 	uint64_t user_data;
 	const char *name; // NULL, or at most CN_NAME_MAX_BYTES bytes of text, copied
 } cn_body_def;
@@ -767,6 +808,13 @@ cn_result cn_world_get_gravity(const cn_world *world, cn_vec2 *out_mps2);
 // 1 to 64; more substeps are stiffer and dearer.
 cn_result cn_world_set_substep_count(cn_world *world, int32_t count);
 cn_result cn_world_get_substep_count(const cn_world *world, int32_t *out_count);
+// CN_SOLVER_*, from the next step on. A world in a caller's block has scratch memory for the solver that it
+// was made with: a dearer one may have to do without direct solving there (CN_WARNING_FRAME_MEMORY).
+cn_result cn_world_set_solver(cn_world *world, int32_t solver);
+cn_result cn_world_get_solver(const cn_world *world, int32_t *out_solver);
+// Both as in cn_world_def; 0 metres: the default. get gives the accuracy in metres that this stands for.
+cn_result cn_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_budget);
+cn_result cn_world_get_accuracy(const cn_world *world, float *out_accuracy_m, int32_t *out_work_budget);
 // Replaces the CN_WORLD_ flags. Turning CN_WORLD_SLEEP off wakes everything: O(bodies) then.
 cn_result cn_world_set_flags(cn_world *world, uint32_t flags);
 cn_result cn_world_get_flags(const cn_world *world, uint32_t *out_flags);
@@ -785,6 +833,10 @@ cn_result cn_world_get_shapes(const cn_world *world, cn_shape *out, int32_t capa
 cn_result cn_world_get_joints(const cn_world *world, cn_joint *out, int32_t capacity, int32_t *out_count);
 // O(bodies + islands).
 cn_result cn_world_get_counters(const cn_world *world, cn_counters *out);
+// Of every awake island, as cn_counters.islands_awake counts them: those of several bodies first, in a
+// deterministic order, then bodies alone. Writes at most capacity; *out_count is how many there are. Costs
+// nothing when it is not called. O(bodies + what touches in the islands written).
+cn_result cn_world_get_islands(const cn_world *world, cn_island_report *out, int32_t capacity, int32_t *out_count);
 cn_result cn_world_get_profile(const cn_world *world, cn_profile *out);
 cn_result cn_world_get_memory_stats(const cn_world *world, cn_memory_stats *out);
 // 64-bit hash (FNV-1a, Fowler/Noll/Vo) of every body's pose, velocity and sleep state and every contact's
@@ -859,6 +911,12 @@ cn_result cn_body_set_gravity_scale(cn_world *world, cn_body body, float scale);
 cn_result cn_body_get_gravity_scale(const cn_world *world, cn_body body, float *out_scale);
 // >= 0; 0 restores the world's.
 cn_result cn_body_set_sleep_speed(cn_world *world, cn_body body, float speed_mps);
+// How the island of a dynamic body is solved, in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO
+// (default): as the world chooses. _SOFT: never directly, contacts and all, whatever its other bodies ask
+// for. _DIRECT: always, however fast it moves, as far as its contacts can be, and within the work_budget.
+// From the next step on; does not wake.
+cn_result cn_body_set_solver(cn_world *world, cn_body body, int32_t solver);
+cn_result cn_body_get_solver(const cn_world *world, cn_body body, int32_t *out_solver);
 cn_result cn_body_set_user_data(cn_world *world, cn_body body, uint64_t user_data);
 cn_result cn_body_get_user_data(const cn_world *world, cn_body body, uint64_t *out_user_data);
 // NULL or "" removes the name.
@@ -992,6 +1050,12 @@ cn_result cn_joint_get_reaction(const cn_world *world, cn_joint joint, cn_vec2 *
 // How far the joint's rigid parts are from being satisfied: metres (anchors, lengths beyond limits) and
 // radians (angles beyond limits), both >= 0.
 cn_result cn_joint_get_error(const cn_world *world, cn_joint joint, float *out_m, float *out_rad);
+// In worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default): the joint is solved together with its
+// neighbours where that is cheap. _SOFT: always by itself. _DIRECT: together with all joints that it hangs
+// together with, for as much work as CN_SOLVER_DIRECT takes, within the work_budget. In a world in a caller's
+// block that was not made with CN_SOLVER_DIRECT, _DIRECT is _AUTO. From the next step on; does not wake.
+cn_result cn_joint_set_solver(cn_world *world, cn_joint joint, int32_t solver);
+cn_result cn_joint_get_solver(const cn_world *world, cn_joint joint, int32_t *out_solver);
 cn_result cn_joint_set_user_data(cn_world *world, cn_joint joint, uint64_t user_data);
 cn_result cn_joint_get_user_data(const cn_world *world, cn_joint joint, uint64_t *out_user_data);
 // Replaces the CN_JOINT_ flags. Wakes. O(contacts) when CN_JOINT_COLLIDE changes.
@@ -1142,6 +1206,7 @@ for name, number in pairs {
 	cn_mass_data = cairn.CN_TYPE_MASS_DATA,
 	cn_world_def = cairn.CN_TYPE_WORLD_DEF,
 	cn_counters = cairn.CN_TYPE_COUNTERS,
+	cn_island_report = cairn.CN_TYPE_ISLAND_REPORT,
 	cn_profile = cairn.CN_TYPE_PROFILE,
 	cn_memory_stats = cairn.CN_TYPE_MEMORY_STATS,
 	cn_body_def = cairn.CN_TYPE_BODY_DEF,

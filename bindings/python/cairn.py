@@ -94,7 +94,8 @@ CN_TYPE_JOINT_BASE = 43
 CN_TYPE_JOINT_EVENT = 44
 CN_TYPE_ANGLE_CONSTRAINT_DEF = 45
 CN_TYPE_LINE_CONSTRAINT_DEF = 46
-CN_TYPE_COUNT = 47
+CN_TYPE_ISLAND_REPORT = 47
+CN_TYPE_COUNT = 48
 CN_WORLD_SLEEP = 1
 CN_WORLD_WARM_START = 2
 CN_WORLD_PROFILE = 4
@@ -108,6 +109,25 @@ CN_BROADPHASE_TREE = 1
 CN_WARNING_CONTACT_MEMORY = 1
 CN_WARNING_FRAME_MEMORY = 2
 CN_WARNING_EVENT_MEMORY = 4
+CN_TIER_SOFT = 0
+CN_TIER_DIRECT = 1
+CN_TIER_FREE = 2
+CN_TIER_REASON_NONE = 0
+CN_TIER_REASON_SETTLING = 1
+CN_TIER_REASON_NEW_CONTACT = 2
+CN_TIER_REASON_OVERLAP = 3
+CN_TIER_REASON_JOINT = 4
+CN_TIER_REASON_STRESSED = 5
+CN_TIER_REASON_SOLVER = 6
+CN_TIER_REASON_OVERRIDE = 7
+CN_TIER_REASON_ALONE = 8
+CN_TIER_REASON_MOVING = 9
+CN_TIER_REASON_CROWDED = 10
+CN_TIER_REASON_WORK = 11
+CN_TIER_REASON_KIND = 12
+CN_TIER_REASON_NO_SET = 13
+CN_TIER_REASON_MEMORY = 14
+CN_TIER_REASON_JOINTED = 15
 CN_BODY_STATIC = 0
 CN_BODY_KINEMATIC = 1
 CN_BODY_DYNAMIC = 2
@@ -279,6 +299,21 @@ class cn_counters(_c.Structure):
         ("warnings", _c.c_uint32),  # What the last step could not do for want of memory; 0 when all is well. It tries again. CN_WARNING_*
         ("pairs_not_added", _c.c_int32),
         ("events_not_reported", _c.c_int32),
+        ("islands_direct", _c.c_int32),  # of several bodies, solved directly in the last step, contacts and all
+        ("direct_work", _c.c_int32),  # planned for all that is solved directly in it, in the units of work_budget; at most 2^31 - 1
+    ]
+
+
+class cn_island_report(_c.Structure):
+    _fields_ = [
+        ("body", cn_body),  # one of it: of least slot
+        ("bodies", _c.c_int32),
+        ("contacts", _c.c_int32),  # touching
+        ("joints", _c.c_int32),  # and constraints
+        ("tier", _c.c_int32),  # CN_TIER_*, after the last step
+        ("reason", _c.c_int32),  # CN_TIER_REASON_*
+        ("substeps", _c.c_int32),  # of the world; joints that swing freely may take more
+        ("residual_m", _c.c_float),  # where bodies are now: largest overlap, or gap of a rigid joint (angles times its bodies' extent); joints that may give way (stiffness_hertz, force_max_N, torque_max_Nm) do not count
     ]
 
 
@@ -327,7 +362,7 @@ class cn_body_def(_c.Structure):
         ("gravity_scale", _c.c_float),  # default 1
         ("sleep_speed_mps", _c.c_float),  # >= 0; default 0: the world's
         ("flags", _c.c_uint32),  # CN_BODY_*; default ENABLED | SLEEP | AWAKE
-        ("reserved", _c.c_uint32),
+        ("solver", _c.c_int32),  # as in cn_body_set_solver; default CN_SOLVER_AUTO
         ("user_data", _c.c_uint64),
         ("name", _c.c_char_p),  # NULL, or at most CN_NAME_MAX_BYTES bytes of text, copied
     ]
@@ -849,6 +884,13 @@ cn_world_get_gravity = _function("cn_world_get_gravity", cn_result, _c.POINTER(c
 # 1 to 64; more substeps are stiffer and dearer.
 cn_world_set_substep_count = _function("cn_world_set_substep_count", cn_result, _c.POINTER(cn_world), _c.c_int32)
 cn_world_get_substep_count = _function("cn_world_get_substep_count", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_int32))
+# CN_SOLVER_*, from the next step on. A world in a caller's block has scratch memory for the solver that it
+# was made with: a dearer one may have to do without direct solving there (CN_WARNING_FRAME_MEMORY).
+cn_world_set_solver = _function("cn_world_set_solver", cn_result, _c.POINTER(cn_world), _c.c_int32)
+cn_world_get_solver = _function("cn_world_get_solver", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_int32))
+# Both as in cn_world_def; 0 metres: the default. get gives the accuracy in metres that this stands for.
+cn_world_set_accuracy = _function("cn_world_set_accuracy", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_int32)
+cn_world_get_accuracy = _function("cn_world_get_accuracy", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_float), _c.POINTER(_c.c_int32))
 # Replaces the CN_WORLD_ flags. Turning CN_WORLD_SLEEP off wakes everything: O(bodies) then.
 cn_world_set_flags = _function("cn_world_set_flags", cn_result, _c.POINTER(cn_world), _c.c_uint32)
 cn_world_get_flags = _function("cn_world_get_flags", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_uint32))
@@ -867,6 +909,10 @@ cn_world_get_shapes = _function("cn_world_get_shapes", cn_result, _c.POINTER(cn_
 cn_world_get_joints = _function("cn_world_get_joints", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_joint), _c.c_int32, _c.POINTER(_c.c_int32))
 # O(bodies + islands).
 cn_world_get_counters = _function("cn_world_get_counters", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_counters))
+# Of every awake island, as cn_counters.islands_awake counts them: those of several bodies first, in a
+# deterministic order, then bodies alone. Writes at most capacity; *out_count is how many there are. Costs
+# nothing when it is not called. O(bodies + what touches in the islands written).
+cn_world_get_islands = _function("cn_world_get_islands", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_island_report), _c.c_int32, _c.POINTER(_c.c_int32))
 cn_world_get_profile = _function("cn_world_get_profile", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_profile))
 cn_world_get_memory_stats = _function("cn_world_get_memory_stats", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_memory_stats))
 # 64-bit hash (FNV-1a, Fowler/Noll/Vo) of every body's pose, velocity and sleep state and every contact's
@@ -941,6 +987,12 @@ cn_body_set_gravity_scale = _function("cn_body_set_gravity_scale", cn_result, _c
 cn_body_get_gravity_scale = _function("cn_body_get_gravity_scale", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_float))
 # >= 0; 0 restores the world's.
 cn_body_set_sleep_speed = _function("cn_body_set_sleep_speed", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float)
+# How the island of a dynamic body is solved, in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO
+# (default): as the world chooses. _SOFT: never directly, contacts and all, whatever its other bodies ask for.
+# _DIRECT: always, however fast it moves, as far as its contacts can be, and within the work_budget. From the
+# next step on; does not wake.
+cn_body_set_solver = _function("cn_body_set_solver", cn_result, _c.POINTER(cn_world), cn_body, _c.c_int32)
+cn_body_get_solver = _function("cn_body_get_solver", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_int32))
 cn_body_set_user_data = _function("cn_body_set_user_data", cn_result, _c.POINTER(cn_world), cn_body, _c.c_uint64)
 cn_body_get_user_data = _function("cn_body_get_user_data", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_uint64))
 # NULL or "" removes the name.
@@ -1073,6 +1125,12 @@ cn_joint_get_reaction = _function("cn_joint_get_reaction", cn_result, _c.POINTER
 # How far the joint's rigid parts are from being satisfied: metres (anchors, lengths beyond limits) and
 # radians (angles beyond limits), both >= 0.
 cn_joint_get_error = _function("cn_joint_get_error", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_float), _c.POINTER(_c.c_float))
+# In worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default): the joint is solved together with its
+# neighbours where that is cheap. _SOFT: always by itself. _DIRECT: together with all joints that it hangs
+# together with, for as much work as CN_SOLVER_DIRECT takes, within the work_budget. In a world in a caller's
+# block that was not made with CN_SOLVER_DIRECT, _DIRECT is _AUTO. From the next step on; does not wake.
+cn_joint_set_solver = _function("cn_joint_set_solver", cn_result, _c.POINTER(cn_world), cn_joint, _c.c_int32)
+cn_joint_get_solver = _function("cn_joint_get_solver", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_int32))
 cn_joint_set_user_data = _function("cn_joint_set_user_data", cn_result, _c.POINTER(cn_world), cn_joint, _c.c_uint64)
 cn_joint_get_user_data = _function("cn_joint_get_user_data", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_uint64))
 # Replaces the CN_JOINT_ flags. Wakes. O(contacts) when CN_JOINT_COLLIDE changes.
@@ -1217,6 +1275,7 @@ for _struct, _number in (
     (cn_mass_data, CN_TYPE_MASS_DATA),
     (cn_world_def, CN_TYPE_WORLD_DEF),
     (cn_counters, CN_TYPE_COUNTERS),
+    (cn_island_report, CN_TYPE_ISLAND_REPORT),
     (cn_profile, CN_TYPE_PROFILE),
     (cn_memory_stats, CN_TYPE_MEMORY_STATS),
     (cn_body_def, CN_TYPE_BODY_DEF),

@@ -81,7 +81,8 @@ pub const CN_TYPE_JOINT_BASE = 43;
 pub const CN_TYPE_JOINT_EVENT = 44;
 pub const CN_TYPE_ANGLE_CONSTRAINT_DEF = 45;
 pub const CN_TYPE_LINE_CONSTRAINT_DEF = 46;
-pub const CN_TYPE_COUNT = 47;
+pub const CN_TYPE_ISLAND_REPORT = 47;
+pub const CN_TYPE_COUNT = 48;
 
 /// islands at rest fall asleep (default on)
 pub const CN_WORLD_SLEEP = 1;
@@ -95,7 +96,7 @@ pub const CN_WORLD_CONTINUOUS = 8;
 pub const CN_SOLVER_AUTO = 0;
 /// soft contact and joint constraints with substeps alone (Catto, Solver2D, 2024)
 pub const CN_SOLVER_SOFT = 1;
-/// directly solved wherever it can be, whatever it costs
+/// directly solved wherever it can be, whatever it costs: all joints, all piles without joints
 pub const CN_SOLVER_DIRECT = 2;
 pub const CN_SOLVER_SEQUENTIAL = 3;
 
@@ -108,6 +109,46 @@ pub const CN_WARNING_CONTACT_MEMORY = 1;
 /// the step worked around missing scratch memory
 pub const CN_WARNING_FRAME_MEMORY = 2;
 pub const CN_WARNING_EVENT_MEMORY = 4;
+
+// How an island is solved. Joints of either may be solved together with their neighbours.
+/// contacts by soft constraints
+pub const CN_TIER_SOFT = 0;
+/// contacts and joints in one system, exactly
+pub const CN_TIER_DIRECT = 1;
+pub const CN_TIER_FREE = 2;
+
+// Why.
+/// nothing is wrong
+pub const CN_TIER_REASON_NONE = 0;
+/// direct: nothing is wrong any more, but not yet for long enough
+pub const CN_TIER_REASON_SETTLING = 1;
+/// direct: a contact began to bear
+pub const CN_TIER_REASON_NEW_CONTACT = 2;
+/// direct: an overlap that the accuracy does not allow
+pub const CN_TIER_REASON_OVERLAP = 3;
+/// direct: joints came apart by more than the accuracy allows
+pub const CN_TIER_REASON_JOINT = 4;
+/// direct: something bears so many times its weight that soft contacts would give way
+pub const CN_TIER_REASON_STRESSED = 5;
+/// the world's solver is not CN_SOLVER_AUTO
+pub const CN_TIER_REASON_SOLVER = 6;
+/// a body's own solver: cn_body_set_solver
+pub const CN_TIER_REASON_OVERRIDE = 7;
+/// soft: a single body
+pub const CN_TIER_REASON_ALONE = 8;
+/// soft: something is wrong, but it moves too fast
+pub const CN_TIER_REASON_MOVING = 9;
+/// soft: something is wrong, but it or the sum of such islands is too large
+pub const CN_TIER_REASON_CROWDED = 10;
+/// soft for a time: its system is beyond the limit of work or the work_budget
+pub const CN_TIER_REASON_WORK = 11;
+/// soft for a time: restitution, a conveyor, rolling resistance or a locked axis
+pub const CN_TIER_REASON_KIND = 12;
+/// soft for a time: no consistent set of bearing contacts was found
+pub const CN_TIER_REASON_NO_SET = 13;
+/// soft: no scratch memory (CN_WARNING_FRAME_MEMORY)
+pub const CN_TIER_REASON_MEMORY = 14;
+pub const CN_TIER_REASON_JOINTED = 15;
 
 /// never moves, infinite mass
 pub const CN_BODY_STATIC = 0;
@@ -380,9 +421,36 @@ pub const cn_counters = extern struct {
     warnings: u32,
     pairs_not_added: i32,
     events_not_reported: i32,
+    /// of several bodies, solved directly in the last step, contacts and all
+    islands_direct: i32,
+    /// planned for all that is solved directly in it, in the units of work_budget; at most 2^31 - 1
+    direct_work: i32,
 
     comptime {
-        if (@sizeOf(usize) == 8 and @sizeOf(cn_counters) != 72) @compileError("cn_counters");
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_counters) != 80) @compileError("cn_counters");
+    }
+};
+
+pub const cn_island_report = extern struct {
+    /// one of it: of least slot
+    body: cn_body,
+    bodies: i32,
+    /// touching
+    contacts: i32,
+    /// and constraints
+    joints: i32,
+    /// CN_TIER_*, after the last step
+    tier: i32,
+    /// CN_TIER_REASON_*
+    reason: i32,
+    /// of the world; joints that swing freely may take more
+    substeps: i32,
+    /// where bodies are now: largest overlap, or gap of a rigid joint (angles times its bodies' extent);
+    /// joints that may give way (stiffness_hertz, force_max_N, torque_max_Nm) do not count
+    residual_m: f32,
+
+    comptime {
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_island_report) != 32) @compileError("cn_island_report");
     }
 };
 
@@ -448,7 +516,8 @@ pub const cn_body_def = extern struct {
     sleep_speed_mps: f32,
     /// CN_BODY_*; default ENABLED | SLEEP | AWAKE
     flags: u32,
-    reserved: u32,
+    /// as in cn_body_set_solver; default CN_SOLVER_AUTO
+    solver: i32,
     user_data: u64,
     /// NULL, or at most CN_NAME_MAX_BYTES bytes of text, copied
     name: [*c]const u8,
@@ -1133,6 +1202,13 @@ pub extern fn cn_world_get_gravity(world: ?*const cn_world, out_mps2: [*c]cn_vec
 /// 1 to 64; more substeps are stiffer and dearer.
 pub extern fn cn_world_set_substep_count(world: ?*cn_world, count: i32) cn_result;
 pub extern fn cn_world_get_substep_count(world: ?*const cn_world, out_count: [*c]i32) cn_result;
+/// CN_SOLVER_*, from the next step on. A world in a caller's block has scratch memory for the solver that it
+/// was made with: a dearer one may have to do without direct solving there (CN_WARNING_FRAME_MEMORY).
+pub extern fn cn_world_set_solver(world: ?*cn_world, solver: i32) cn_result;
+pub extern fn cn_world_get_solver(world: ?*const cn_world, out_solver: [*c]i32) cn_result;
+/// Both as in cn_world_def; 0 metres: the default. get gives the accuracy in metres that this stands for.
+pub extern fn cn_world_set_accuracy(world: ?*cn_world, accuracy_m: f32, work_budget: i32) cn_result;
+pub extern fn cn_world_get_accuracy(world: ?*const cn_world, out_accuracy_m: [*c]f32, out_work_budget: [*c]i32) cn_result;
 /// Replaces the CN_WORLD_ flags. Turning CN_WORLD_SLEEP off wakes everything: O(bodies) then.
 pub extern fn cn_world_set_flags(world: ?*cn_world, flags: u32) cn_result;
 pub extern fn cn_world_get_flags(world: ?*const cn_world, out_flags: [*c]u32) cn_result;
@@ -1151,6 +1227,10 @@ pub extern fn cn_world_get_shapes(world: ?*const cn_world, out: [*c]cn_shape, ca
 pub extern fn cn_world_get_joints(world: ?*const cn_world, out: [*c]cn_joint, capacity: i32, out_count: [*c]i32) cn_result;
 /// O(bodies + islands).
 pub extern fn cn_world_get_counters(world: ?*const cn_world, out: [*c]cn_counters) cn_result;
+/// Of every awake island, as cn_counters.islands_awake counts them: those of several bodies first, in a
+/// deterministic order, then bodies alone. Writes at most capacity; *out_count is how many there are. Costs
+/// nothing when it is not called. O(bodies + what touches in the islands written).
+pub extern fn cn_world_get_islands(world: ?*const cn_world, out: [*c]cn_island_report, capacity: i32, out_count: [*c]i32) cn_result;
 pub extern fn cn_world_get_profile(world: ?*const cn_world, out: [*c]cn_profile) cn_result;
 pub extern fn cn_world_get_memory_stats(world: ?*const cn_world, out: [*c]cn_memory_stats) cn_result;
 /// 64-bit hash (FNV-1a, Fowler/Noll/Vo) of every body's pose, velocity and sleep state and every contact's
@@ -1225,6 +1305,12 @@ pub extern fn cn_body_set_gravity_scale(world: ?*cn_world, body: cn_body, scale:
 pub extern fn cn_body_get_gravity_scale(world: ?*const cn_world, body: cn_body, out_scale: [*c]f32) cn_result;
 /// >= 0; 0 restores the world's.
 pub extern fn cn_body_set_sleep_speed(world: ?*cn_world, body: cn_body, speed_mps: f32) cn_result;
+/// How the island of a dynamic body is solved, in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO
+/// (default): as the world chooses. _SOFT: never directly, contacts and all, whatever its other bodies ask
+/// for. _DIRECT: always, however fast it moves, as far as its contacts can be, and within the work_budget.
+/// From the next step on; does not wake.
+pub extern fn cn_body_set_solver(world: ?*cn_world, body: cn_body, solver: i32) cn_result;
+pub extern fn cn_body_get_solver(world: ?*const cn_world, body: cn_body, out_solver: [*c]i32) cn_result;
 pub extern fn cn_body_set_user_data(world: ?*cn_world, body: cn_body, user_data: u64) cn_result;
 pub extern fn cn_body_get_user_data(world: ?*const cn_world, body: cn_body, out_user_data: [*c]u64) cn_result;
 /// NULL or "" removes the name.
@@ -1358,6 +1444,13 @@ pub extern fn cn_joint_get_reaction(world: ?*const cn_world, joint: cn_joint, ou
 /// How far the joint's rigid parts are from being satisfied: metres (anchors, lengths beyond limits) and
 /// radians (angles beyond limits), both >= 0.
 pub extern fn cn_joint_get_error(world: ?*const cn_world, joint: cn_joint, out_m: [*c]f32, out_rad: [*c]f32) cn_result;
+/// In worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default): the joint is solved together with its
+/// neighbours where that is cheap. _SOFT: always by itself. _DIRECT: together with all joints that it hangs
+/// together with, for as much work as CN_SOLVER_DIRECT takes, within the work_budget. In a world in a
+/// caller's block that was not made with CN_SOLVER_DIRECT, _DIRECT is _AUTO. From the next step on; does not
+/// wake.
+pub extern fn cn_joint_set_solver(world: ?*cn_world, joint: cn_joint, solver: i32) cn_result;
+pub extern fn cn_joint_get_solver(world: ?*const cn_world, joint: cn_joint, out_solver: [*c]i32) cn_result;
 pub extern fn cn_joint_set_user_data(world: ?*cn_world, joint: cn_joint, user_data: u64) cn_result;
 pub extern fn cn_joint_get_user_data(world: ?*const cn_world, joint: cn_joint, out_user_data: [*c]u64) cn_result;
 /// Replaces the CN_JOINT_ flags. Wakes. O(contacts) when CN_JOINT_COLLIDE changes.
@@ -1503,6 +1596,7 @@ pub fn check() error{WrongLibrary}!void {
     if (cn_sizeof(CN_TYPE_MASS_DATA) != @sizeOf(cn_mass_data)) return error.WrongLibrary;
     if (cn_sizeof(CN_TYPE_WORLD_DEF) != @sizeOf(cn_world_def)) return error.WrongLibrary;
     if (cn_sizeof(CN_TYPE_COUNTERS) != @sizeOf(cn_counters)) return error.WrongLibrary;
+    if (cn_sizeof(CN_TYPE_ISLAND_REPORT) != @sizeOf(cn_island_report)) return error.WrongLibrary;
     if (cn_sizeof(CN_TYPE_PROFILE) != @sizeOf(cn_profile)) return error.WrongLibrary;
     if (cn_sizeof(CN_TYPE_MEMORY_STATS) != @sizeOf(cn_memory_stats)) return error.WrongLibrary;
     if (cn_sizeof(CN_TYPE_BODY_DEF) != @sizeOf(cn_body_def)) return error.WrongLibrary;

@@ -22,11 +22,14 @@
 typedef float cni_wide;
 typedef int32_t cni_mask;
 CNI_INLINE cni_wide cni_wide_load(const float *p) { return *p; }
+CNI_INLINE cni_wide cni_wide_load_loose(const float *p) { return *p; }
 CNI_INLINE void cni_wide_store(float *p, cni_wide a) { *p = a; }
 CNI_INLINE cni_wide cni_wide_of(float x) { return x; }
 CNI_INLINE cni_wide cni_wide_select(cni_mask mask, cni_wide a, cni_wide b) { return mask ? a : b; }
 CNI_INLINE cni_wide cni_wide_max(cni_wide a, cni_wide b) { return a > b ? a : b; }
 CNI_INLINE cni_wide cni_wide_min(cni_wide a, cni_wide b) { return a < b ? a : b; }
+CNI_INLINE uint32_t cni_mask_bits(cni_mask mask) { return mask ? 1u : 0u; }
+CNI_INLINE cni_mask cni_mask_of_bits(uint32_t bits) { return (cni_mask)(bits & 1u); }
 
 #else
 
@@ -35,11 +38,14 @@ CNI_INLINE cni_wide cni_wide_min(cni_wide a, cni_wide b) { return a < b ? a : b;
 #endif
 
 typedef float cni_wide __attribute__((vector_size(CNI_WIDTH * 4)));
+typedef float cni_wide_loose __attribute__((vector_size(CNI_WIDTH * 4), aligned(4)));
 typedef int32_t cni_mask __attribute__((vector_size(CNI_WIDTH * 4)));
 typedef float cni_wide4 __attribute__((vector_size(16)));
 typedef float cni_wide4_loose __attribute__((vector_size(16), aligned(4)));
 
 CNI_INLINE cni_wide cni_wide_load(const float *p) { return *(const cni_wide *)(const void *)p; }
+/* From anywhere: not aligned to a vector. */
+CNI_INLINE cni_wide cni_wide_load_loose(const float *p) { return *(const cni_wide_loose *)(const void *)p; }
 CNI_INLINE void cni_wide_store(float *p, cni_wide a) { *(cni_wide *)(void *)p = a; }
 CNI_INLINE cni_wide cni_wide_of(float x) { return x - (cni_wide){ 0 }; }
 CNI_INLINE cni_wide cni_wide_select(cni_mask mask, cni_wide a, cni_wide b)
@@ -66,6 +72,31 @@ CNI_INLINE cni_wide cni_wide_min(cni_wide a, cni_wide b)
 #else
 	return cni_wide_select(a < b, a, b);
 #endif
+}
+/* Bit l: lane l compared true. */
+CNI_INLINE uint32_t cni_mask_bits(cni_mask mask)
+{
+#if CNI_WIDTH == 4 && defined(__SSE2__)
+	return (uint32_t)_mm_movemask_ps((__m128)mask);
+#elif CNI_WIDTH == 8 && defined(__AVX__)
+	return (uint32_t)_mm256_movemask_ps((__m256)mask);
+#else
+	uint32_t bits = 0;
+	int32_t l;
+	for (l = 0; l < CNI_WIDTH; ++l)
+		bits |= ((uint32_t)mask[l] & 1u) << l;
+	return bits;
+#endif
+}
+/* Lane l is true where bit l is set. */
+CNI_INLINE cni_mask cni_mask_of_bits(uint32_t bits)
+{
+#if CNI_WIDTH == 4
+	const cni_mask lane = { 1, 2, 4, 8 };
+#elif CNI_WIDTH == 8
+	const cni_mask lane = { 1, 2, 4, 8, 16, 32, 64, 128 };
+#endif
+	return (((int32_t)bits - (cni_mask){ 0 }) & lane) == lane;
 }
 
 #endif

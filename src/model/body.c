@@ -78,6 +78,7 @@ void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def)
 	b->gravity_scale = def->gravity_scale;
 	b->sleep_speed = def->sleep_speed_mps;
 	b->flags = def->flags & ~(uint32_t)CN_BODY_AWAKE;
+	cni_body_set_solver(world, b, def->solver);
 	b->type = def->type;
 	b->mass = def->type == CN_BODY_DYNAMIC ? 1.0f : 0.0f;
 	b->island = b->island_next = b->island_prev = CNI_NONE;
@@ -87,6 +88,14 @@ void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def)
 	v.angular_radps = def->angular_velocity_radps;
 	if (def->type != CN_BODY_STATIC)
 		cni_body_store_velocity(world, b, v);
+}
+
+void cni_body_set_solver(cn_world *world, cni_body *b, int32_t solver)
+{
+	b->flags &= ~(uint32_t)(CNI_BODY_SOLVER_SOFT | CNI_BODY_SOLVER_DIRECT);
+	b->flags |= solver == CN_SOLVER_SOFT ? (uint32_t)CNI_BODY_SOLVER_SOFT : solver == CN_SOLVER_DIRECT ? (uint32_t)CNI_BODY_SOLVER_DIRECT : 0u;
+	if (solver != CN_SOLVER_AUTO)
+		world->overridden = 1;
 }
 
 cn_result cni_body_reserve(cn_world *world, int32_t extra)
@@ -261,7 +270,7 @@ void cni_body_refresh_boxes(cn_world *world, int32_t body)
 			tight = cni_geometry_aabb(cni_shape_geometry(&world->blocks, s), child, x);
 			if (cni_aabb_contains(&cni_proxy_at(world, proxy)->fat, &tight))
 				continue;
-			fat = cni_box_fatten(world, b->type, tight);
+			fat = cni_box_fatten(tight, cni_box_margin(world, b->type, &tight));
 			world->broadphase_ops->move(world->broadphase, proxy, &fat);
 		}
 	}
@@ -279,10 +288,9 @@ void cni_body_kick(cn_world *world, int32_t body)
 }
 
 /* Less than half of the margin ahead is within the margin anyway. */
-static int32_t looks_ahead(const cn_world *world, cni_vec2 ahead)
+static int32_t looks_ahead(float margin, cni_vec2 ahead)
 {
-	float half = 0.5f * world->settings.box_margin;
-	return cni_abs(ahead.x) > half || cni_abs(ahead.y) > half;
+	return cni_abs(ahead.x) > 0.5f * margin || cni_abs(ahead.y) > 0.5f * margin;
 }
 
 static cni_aabb box_stretch(cni_aabb box, cni_vec2 ahead)
@@ -297,18 +305,19 @@ static cni_aabb box_stretch(cni_aabb box, cni_vec2 ahead)
 void cni_body_look_ahead(cn_world *world, const cni_body *b, cni_vec2 ahead)
 {
 	cni_transform x = cni_body_transform(b);
-	int32_t shape, child, fast = looks_ahead(world, ahead);
+	int32_t shape, child;
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		const cni_geometry *g = cni_shape_geometry(&world->blocks, s);
 		for (child = 0; child < s->children; ++child) {
 			int32_t proxy = cni_shape_proxy(world, s, child);
 			cni_aabb box = cni_geometry_aabb(g, child, x);
-			if (fast)
+			float margin = cni_box_margin(world, b->type, &box);
+			if (looks_ahead(margin, ahead))
 				box = box_stretch(box, ahead);
 			if (cni_aabb_contains(&cni_proxy_at(world, proxy)->fat, &box))
 				continue;
-			box = cni_box_fatten(world, b->type, box);
+			box = cni_box_fatten(box, margin);
 			world->broadphase_ops->move(world->broadphase, proxy, &box);
 		}
 	}

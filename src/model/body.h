@@ -26,7 +26,10 @@
 enum {
 	CNI_BODY_MASS_OVERRIDE = 1u << 16, /* mass data was set by the user */
 	CNI_BODY_MOVED = 1u << 17,         /* pose changed in the last step */
-	CNI_BODY_MARK = 1u << 18           /* scratch for batch calls and searches; clear outside of them */
+	CNI_BODY_MARK = 1u << 18,          /* scratch for batch calls and searches; clear outside of them */
+	CNI_BODY_SOLVER_SOFT = 1u << 19,   /* the body's own solver; neither: CN_SOLVER_AUTO */
+	CNI_BODY_SOLVER_DIRECT = 1u << 20,
+	CNI_BODY_AT_STATIC = 1u << 21      /* has had contacts with static bodies, touching or not, since the last continuous stage */
 };
 
 typedef struct cni_body {
@@ -91,7 +94,15 @@ typedef struct cni_previous {
 	uint32_t step;     /* count of steps after which it is the previous pose */
 } cni_previous;
 
+/* CN_SOLVER_AUTO, _SOFT or _DIRECT. */
+static inline int32_t cni_body_solver(const cni_body *b)
+{
+	return b->flags & CNI_BODY_SOLVER_SOFT ? CN_SOLVER_SOFT : b->flags & CNI_BODY_SOLVER_DIRECT ? CN_SOLVER_DIRECT : CN_SOLVER_AUTO;
+}
+
 /* All take a live body index. Those that return cn_result change nothing when they fail. */
+
+void cni_body_set_solver(cn_world *world, cni_body *b, int32_t solver);
 
 static inline cni_vec2 cni_body_origin(const cni_body *b)
 {

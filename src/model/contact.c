@@ -44,6 +44,7 @@ void cni_contact_enter_awake_list(cn_world *world, int32_t contact)
 	cni_contact *c = cni_contact_at(world, contact);
 	if (c->awake != CNI_NONE)
 		return;
+	cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
 	c->awake = world->awake_contacts.count;
 	((int32_t *)world->awake_contacts.data)[world->awake_contacts.count++] = contact;
 }
@@ -337,7 +338,7 @@ int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *
 	cni_lane_take(world, contact);
 	c->flags |= CNI_CONTACT_TOUCHING | CNI_CONTACT_ENTERED | CNI_CONTACT_REFRESH;
 	c->id[0] = c->id[1] = 0;
-	cni_block_info_at(world, c->slot / CNI_LANES)->fresh_step = world->step_count + 1u;
+	cni_lane_set_fresh(world, c->slot);
 	cni_contact_write(world, contact, manifold, gap, radius);
 	log_or_owe(world, contact, CN_EVENT_ENTER, CNI_CONTACT_ENTER_OWED);
 	return 1;

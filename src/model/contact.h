@@ -32,6 +32,7 @@
 #define CNI_MODEL_CONTACT_H
 
 #include "geometry/manifold.h"
+#include "model/body.h"
 
 #define CNI_LANES 16
 #define CNI_COLOR_STATIC 23
@@ -74,7 +75,7 @@ typedef struct cni_block_info {
 	int32_t color;
 	uint32_t flags;
 	uint32_t fresh_step;             /* step + 1 in which a lane last began to touch */
-	uint32_t reserved;
+	uint32_t fresh;                  /* ... lanes that did then, as bits */
 } cni_block_info;
 
 typedef struct cni_color {
@@ -168,6 +169,14 @@ void cni_contact_fix_body(cn_world *world, int32_t body);
 /* Moves a touching contact between its lane and the sleep store. */
 void cni_contact_lane_to_sleep(cn_world *world, int32_t contact);
 void cni_contact_sleep_to_lane(cn_world *world, int32_t contact);
+/* Marks a body whose contact is with a static one CNI_BODY_AT_STATIC. */
+static inline void cni_contact_mark_static(cni_body *a, cni_body *b)
+{
+	if (a->awake == 0 && !(b->flags & CNI_BODY_AT_STATIC))
+		b->flags |= CNI_BODY_AT_STATIC;
+	if (b->awake == 0 && !(a->flags & CNI_BODY_AT_STATIC))
+		a->flags |= CNI_BODY_AT_STATIC;
+}
 void cni_contact_enter_awake_list(cn_world *world, int32_t contact);
 void cni_contact_leave_awake_list(cn_world *world, int32_t contact);
 

@@ -13,7 +13,7 @@ typedef struct lane_frame {
 	cni_vec2 n, t;
 } lane_frame;
 
-static lane_frame frame_make(const cn_world *world, const cni_contact *c, cni_vec2 normal)
+CNI_INLINE lane_frame frame_make(const cn_world *world, const cni_contact *c, cni_vec2 normal)
 {
 	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0;
 	lane_frame f;

@@ -20,15 +20,19 @@ typedef struct cni_island {
 	int32_t awake;         /* 1: its bodies are in the dense arrays */
 	int32_t next_free;
 	float rest_time;       /* scratch of the sleep stage: least sleep_time of its bodies */
+	uint32_t joints_soft_step; /* until which its joints are soft: stages/joint_swing.c */
 	int32_t tier;          /* CNI_TIER_; these are of stages/tiers.c */
 	int32_t good_steps;    /* directly solved ones since something was wrong */
 	int32_t stay_steps;    /* good ones until it is given back to the soft solver, 0: as few as can be */
 	uint32_t looked_step;  /* step + 1 in which something was wrong last */
 	uint32_t refused_step; /* in which it could not be solved directly */
 	int32_t refused_steps; /* how long that counts, 0: never refused */
+	int32_t reason;        /* CN_TIER_REASON_ of its tier; of a soft one: why it was not taken when something was wrong last */
+	int32_t solver;        /* in the last step: CN_SOLVER_SOFT if a body asks for that, else CN_SOLVER_DIRECT if one does */
+	int32_t joints_solver; /* then: CN_SOLVER_DIRECT if a joint asks for that */
 } cni_island;
 
-enum { CNI_TIER_SOFT = 0, CNI_TIER_DIRECT = 1 };
+enum { CNI_TIER_SOFT = CN_TIER_SOFT, CNI_TIER_DIRECT = CN_TIER_DIRECT };
 
 cni_island *cni_island_at(const cn_world *world, int32_t island);
 /* Makes the next extra links certain to find a record; 0: no memory. */

@@ -29,8 +29,11 @@ typedef struct cni_joint {
 	int32_t next[2], prev[2];  /* keys in the bodies' lists: joint << 1 | side */
 	int32_t awake;             /* index in the awake list, CNI_NONE */
 	int32_t linked;            /* joins two dynamic bodies' islands */
+	int32_t solver;            /* its own: CN_SOLVER_AUTO, _SOFT or _DIRECT */
+	int32_t reserved;
 	cni_vec2 anchor[2];        /* in the bodies' frames, or the world */
 	float impulse[CNI_JOINT_ROWS]; /* accumulated, by row meaning of the type */
+	float load[CNI_JOINT_RIGID_ROWS]; /* of a net's joint: what its first rows bear all the time; else 0 */
 	float inv_h;               /* 1 / substep of the last step, to turn impulses into forces */
 	float stiffness_hertz, stiffness_damping; /* of rigid rows and limits; 0: as stiff as the substeps allow */
 	float force_max, torque_max;      /* of the same; 0: no bound */

@@ -154,6 +154,27 @@ static void extra_move(cn_world *world, int32_t from, int32_t to)
 	}
 }
 
+void cni_lane_set_fresh(cn_world *world, int32_t slot)
+{
+	cni_block_info *info = cni_block_info_at(world, slot / CNI_LANES);
+	if (info->fresh_step != world->step_count + 1u)
+		info->fresh = 0;
+	info->fresh_step = world->step_count + 1u;
+	info->fresh |= 1u << slot % CNI_LANES;
+}
+
+/* The target is as fresh as the source was, which is no longer. */
+static void fresh_move(cn_world *world, int32_t from, int32_t to)
+{
+	cni_block_info *source = cni_block_info_at(world, from / CNI_LANES);
+	uint32_t bit = 1u << from % CNI_LANES;
+	int32_t was_fresh = source->fresh_step == world->step_count + 1u && (source->fresh & bit);
+	source->fresh &= ~bit;
+	cni_block_info_at(world, to / CNI_LANES)->fresh &= ~(1u << to % CNI_LANES);
+	if (was_fresh && from != to)
+		cni_lane_set_fresh(world, to);
+}
+
 /* Copies one lane over another and clears the source. */
 static void lane_move(cn_world *world, int32_t from, int32_t to)
 {
@@ -172,11 +193,10 @@ static void lane_move(cn_world *world, int32_t from, int32_t to)
 		target_info->contact[to % CNI_LANES] = contact;
 		target_info->restitution[to % CNI_LANES] = source_info->restitution[from % CNI_LANES];
 		target_info->flags |= source_info->flags;
-		if (source_info->fresh_step == world->step_count + 1u)
-			target_info->fresh_step = source_info->fresh_step;
 		cni_contact_at(world, contact)->slot = to;
 	}
 	extra_move(world, from, to);
+	fresh_move(world, from, to);
 	source_info->contact[from % CNI_LANES] = CNI_NONE;
 	source_info->restitution[from % CNI_LANES] = 0.0f;
 }

@@ -58,8 +58,9 @@ void cni_shape_unplace(cn_world *world, int32_t shape);
 void cni_shape_link(cn_world *world, int32_t shape, int32_t body);
 void cni_shape_unlink(cn_world *world, int32_t shape);
 
-/* A tight box with the margin of a body of this type around it. */
-cni_aabb cni_box_fatten(const cn_world *world, int32_t body_type, cni_aabb tight);
+/* The margin of the fat box of a shape, by the type of its body and its tight box. */
+float cni_box_margin(const cn_world *world, int32_t body_type, const cni_aabb *tight);
+cni_aabb cni_box_fatten(cni_aabb box, float margin);
 /* All pairs of the shape's boxes count as new at the next step (filter, type or joint changed). */
 void cni_shape_look_again(cn_world *world, int32_t shape);
 

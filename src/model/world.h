@@ -51,7 +51,7 @@ struct cn_world {
 	int32_t locked;              /* > 0 while callbacks run */
 	uint32_t step_count;
 	float step_dt;               /* of the step that runs or ran last */
-	int32_t reserved;
+	int32_t overridden;          /* 1: a body or joint has had a solver of its own */
 
 	/* bodies */
 	cni_handles body_handles;
@@ -114,7 +114,11 @@ struct cn_world {
 	int32_t island_free;
 	int32_t island_count;
 
+	uint32_t joints_soft_step;   /* until which some island's joints are soft */
+	int32_t reserved_joints;
 	cni_array direct_islands;    /* int32_t: those that are solved directly, see stages/tiers.c */
+	int32_t direct_work;         /* planned in the last step, substeps included; 0: nothing was solved directly */
+	int32_t direct_failed;       /* 1: for want of memory */
 
 	cn_filter_fn *filter;        /* the user's callbacks, NULL: none */
 	void *filter_user;

@@ -17,10 +17,16 @@
  *   is not dense             with the lower id
  *   loose (no memory)        by a slow search of the loose one
  *
- * The inner loop tests CNI_SWEEP_LANES entries at a time and looks closer only where one of them is
- * new: `lanes_have_new` is the function to replace by SIMD.
+ * The inner loop tests CNI_SWEEP_LANES entries at a time.
  */
+#include "base/cpu.h"
 #include "stages/broadphase_sweep.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#else
+#define CNI_WIDTH 1
+#endif
+#include "base/wide.h"
 
 #include <string.h>
 
@@ -90,38 +96,47 @@ static inline int32_t entry_is_new(const probe *q, const tile_view *v, int32_t k
 	return now & (old ^ 1);
 }
 
-/* Is there a new overlap among the group of entries that begins at k? May say yes for none. */
-static inline int32_t lanes_have_new(const probe *q, const tile_view *v, int32_t k)
+static inline cni_mask lanes_overlap(const float *x0, const float *x1, const float *y0, const float *y1, const cni_aabb *box)
 {
-	int32_t i, any = 0;
-	for (i = k; i < k + CNI_SWEEP_LANES; ++i)
-		any |= entry_is_new(q, v, i) & (v->x0[i] <= q->now.x1);
-	return any;
+	cni_wide left = cni_wide_load_loose(x0), right = cni_wide_load_loose(x1), low = cni_wide_load_loose(y0), high = cni_wide_load_loose(y1);
+	cni_wide box_x0 = cni_wide_of(box->x0), box_x1 = cni_wide_of(box->x1), box_y0 = cni_wide_of(box->y0), box_y1 = cni_wide_of(box->y1);
+	return (left <= box_x1) & (right >= box_x0) & (low <= box_y1) & (high >= box_y0);
+}
+
+/* New overlaps in the group of entries that begins at k, as bits. What is behind the last entry begins beyond any probe. */
+static inline uint32_t lanes_new(const probe *q, const tile_view *v, int32_t k)
+{
+	uint32_t bits = 0;
+	int32_t l, i;
+	for (l = 0; l < CNI_SWEEP_LANES; l += CNI_WIDTH) {
+		cni_mask now, old;
+		i = k + l;
+		now = lanes_overlap(v->x0 + i, v->x1 + i, v->y0 + i, v->y1 + i, &q->now);
+		old = lanes_overlap(v->px0 + i, v->px1 + i, v->py0 + i, v->py1 + i, &q->old);
+		bits |= cni_mask_bits(now & ~old) << l;
+	}
+	return bits;
 }
 
 static void scan_lanes(pair_pass *pass, const probe *q, const tile_view *v, int32_t from)
 {
 	int32_t k = from & ~(CNI_SWEEP_LANES - 1);
+	uint32_t wanted = ~0u << (from - k);
 	for (; k < v->count && v->x0[k] <= q->now.x1; k += CNI_SWEEP_LANES) {
-		int32_t i, end = cni_min_i(k + CNI_SWEEP_LANES, v->count);
-		if (!lanes_have_new(q, v, k))
-			continue;
-		for (i = cni_max_i(k, from); i < end && v->x0[i] <= q->now.x1; ++i)
-			if (entry_is_new(q, v, i))
+		uint32_t bits = lanes_new(q, v, k) & wanted;
+		wanted = ~0u;
+		for (; bits != 0; bits &= bits - 1) {
+			int32_t i = k + cni_bit_lowest32(bits);
+			if (i < v->count)
 				entry_found(pass, q, v, i);
+		}
 	}
 }
 
 /* Tests the entries from an index on, until they begin beyond the probe. */
 static inline void scan(pair_pass *pass, const probe *q, const tile_view *v, int32_t from)
 {
-	int32_t k, end = cni_min_i(from + 4, v->count);
-	for (k = from; k < end; ++k) {
-		if (!(v->x0[k] <= q->now.x1))
-			return;
-		if (entry_is_new(q, v, k))
-			entry_found(pass, q, v, k);
-	}
+	int32_t k = from;
 	if (k >= v->count || !(v->x0[k] <= q->now.x1))
 		return;
 	if (v->wide) {

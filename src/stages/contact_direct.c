@@ -7,14 +7,15 @@
  * coefficient slides, a slide that would go back is held; and again, until nothing changes. The sets of the pass
  * before are nearly always right, and arms do not turn within a step, so that a pile costs about one
  * factorization a step. A set that is still changing after ROUNDS is not used at all: impulses of an
- * inconsistent set can put in energy without bound. The lanes are then given back to the soft solver.
+ * inconsistent set can put in energy without bound. The lanes are then given back to the soft solver
+ * without impulses.
  *
  * Points that overlap are pushed apart by PUSH_RATE of the overlap in a substep: slowly, since all of a pile is pushed
  * at once. The second pass of a substep takes that speed out again.
  *
  * Reads and writes lanes of contact blocks, motion velocities, joint works' impulses.
  */
-#include "stages/contact_direct.h"
+#include "stages/press.h"
 #include "stages/joint_work.h"
 
 #include <string.h>
@@ -22,7 +23,7 @@
 #define ROUNDS 32
 #define ROUNDS_ALL 6           /* in which all that does not fit is changed at once */
 #define REFINEMENTS 3          /* solutions with one factorization */
-#define STRESS_MOST 40.0f      /* own weights; what bears more is not given back to the soft solver, which would crush it */
+#define STRESS_MOST 15.0f      /* own weights; what bears more is not given back to the soft solver, which would crush it */
 #define PUSH_RATE 0.1f
 #define JOINT_RATE 0.3f
 #define SPEED_LEAST 1e-4f      /* length units a second that are no motion */
@@ -79,8 +80,10 @@ int32_t cni_presses_collect(const cn_world *world, int32_t island, cni_press *pr
 				continue;
 			if (cni_body_at(world, other)->type == CN_BODY_DYNAMIC && (key & 1))
 				continue; /* seen from its other body */
-			if (count == room || !lane_is_plain(world, c))
-				return -1;
+			if (!lane_is_plain(world, c))
+				return CNI_PRESSES_KIND;
+			if (count == room)
+				return CNI_PRESSES_MANY;
 			press_read(world, c, &presses[count++]);
 		}
 	return count;
@@ -162,11 +165,15 @@ static cni_lever press_lever(const cni_press *p, int32_t row)
 }
 
 /* Separation of a point now; see stages/contact_kernel.h. */
+CNI_INLINE float turned(float angle, float n, float t)
+{
+	float x = cni_clamp(angle, -1.25f, 1.25f), x2 = x * x;
+	return x * (1.0f - x2 * (1.0f / 6.0f - x2 * (1.0f / 120.0f))) * t - x2 * (0.5f - x2 * (1.0f / 24.0f)) * n;
+}
+
 static float separation(const cni_press *p, int32_t i, const cni_motion *a, const cni_motion *b)
 {
-	cni_rot qa = cni_rot_small(a->theta), qb = cni_rot_small(b->theta);
-	float bt = p->at[i] - p->dt, bn = p->an[i] - p->dn;
-	return p->s0[i] + p->nx * (b->dpx - a->dpx) + p->ny * (b->dpy - a->dpy) + ((qb.c - 1.0f) * bn + qb.s * bt) - ((qa.c - 1.0f) * p->an[i] + qa.s * p->at[i]);
+	return p->s0[i] + p->nx * (b->dpx - a->dpx) + p->ny * (b->dpy - a->dpy) + turned(b->theta, p->an[i] - p->dn, p->at[i] - p->dt) - turned(a->theta, p->an[i], p->at[i]);
 }
 
 static float normal_sum(const cni_press *p)
@@ -230,9 +237,6 @@ static void press_begin(const pass *q, cni_press *p, const cni_node *n)
 			p->state[i] = CNI_ROW_HELD; /* touching and not parting: in a pile all of it must bear at once */
 	}
 	friction_follow(p);
-	for (i = 0; i < 3; ++i) {
-		p->start[i] = p->j[i];
-	}
 }
 
 static void motions_copy(const pass *q, int32_t back)
@@ -293,7 +297,7 @@ static float right_sides(const pass *q)
 		const cni_press *p = press_of(q->sparse, n);
 		const cni_row *rows = p == NULL ? cni_joint_works(q->world)[n->owner].rows : NULL;
 		for (i = 0; i < CNI_NODE_ROWS; ++i) {
-			float more = p != NULL ? (i < 2 && p->state[i] == CNI_ROW_HELD ? p->room[i] : 0.0f) : i < n->rows ? rate * rows[i].error : 0.0f;
+			float more = p != NULL ? (i < 2 && p->state[i] == CNI_ROW_HELD ? p->room[i] : 0.0f) : i < n->rows ? cni_clamp(rate * rows[i].error, -q->s->push_speed, q->s->push_speed) : 0.0f;
 			n->x[i] = -cni_lever_speed(&n->lever[i], q->motions + n->ia, q->motions + n->ib) - more;
 			largest = cni_max(largest, cni_abs(n->x[i]));
 		}
@@ -316,14 +320,16 @@ static void velocities_push(const pass *q)
 	}
 }
 
-/* Again with what is left, because the diagonal is not quite the true one. */
-static void held_rows_solve(const pass *q)
+/* Again with what is left, because the diagonal is not quite the true one. 0: no finite solution. */
+static int32_t held_rows_solve(const pass *q)
 {
 	int32_t k;
 	for (k = 0; k < REFINEMENTS && (right_sides(q) > 0.5f * q->speed_least || k == 0); ++k) {
-		cni_sparse_solve(q->sparse, q->c);
+		if (!cni_sparse_solve(q->sparse, q->c))
+			return 0;
 		velocities_push(q);
 	}
+	return 1;
 }
 
 /* ---- the set ---- */
@@ -429,40 +435,150 @@ static void commit(const pass *q)
 	}
 }
 
-static void give_up(const pass *q)
+/*
+ * Before a pushing pass: velocities as the drive makes them, without the response to the last substep's impulses, and no
+ * impulses but those of rows that are not part of the system. What is known from the last substep is the set.
+ * Carrying impulses over would leave what a system that says things twice does not see to grow from substep to
+ * substep.
+ */
+static void forget_impulses(const pass *q)
 {
 	int32_t k, i;
-	motions_copy(q, 1);
+	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
+		cni_motion *m = q->motions + q->sparse->bodies[k];
+		const cni_velocity_start *start = cni_starts(q->world) + q->sparse->bodies[k];
+		m->vx = start->vx;
+		m->vy = start->vy;
+		m->w = start->w;
+	}
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		const cni_node *n = &q->sparse->nodes[k];
+		cni_press *p = press_of(q->sparse, n);
+		for (i = 0; p == NULL && i < cni_joint_works(q->world)[n->owner].row_count; ++i) {
+			cni_row *r = &cni_joint_works(q->world)[n->owner].rows[i];
+			cni_lever l = { r->ax, r->ay, r->aw, r->bx, r->by, r->bw };
+			if (i < n->rows)
+				r->impulse = 0.0f;
+			else
+				cni_lever_push(&l, r->impulse, q->motions + n->ia, q->motions + n->ib);
+		}
+	}
+}
+
+/* Impulses and velocities as the pass found them, kept or put back. */
+static void all_keep(const pass *q, int32_t back)
+{
+	int32_t k, i;
+	motions_copy(q, back);
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_node *n = &q->sparse->nodes[k];
+		cni_press *p = press_of(q->sparse, n);
+		cni_row *rows = p == NULL ? cni_joint_works(q->world)[n->owner].rows : NULL;
+		for (i = 0; i < n->rows; ++i) {
+			float *impulse = p != NULL ? &p->j[i] : &rows[i].impulse;
+			*(back ? impulse : &n->carried[i]) = back ? n->carried[i] : *impulse;
+		}
+	}
+}
+
+/* What every round of a pass begins with. */
+static void round_begin(const pass *q)
+{
+	int32_t k, i;
+	if (q->bias)
+		forget_impulses(q);
+	else
+		motions_copy(q, 1);
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_press *p = press_of(q->sparse, &q->sparse->nodes[k]);
 		for (i = 0; p != NULL && i < 3; ++i)
-			p->j[i] = p->start[i];
+			p->start[i] = q->bias ? 0.0f : q->sparse->nodes[k].carried[i];
 	}
+}
+
+/* No set was found: the soft solver begins from nothing. */
+static void forget_all(const pass *q)
+{
+	int32_t k;
+	forget_impulses(q);
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_press *p = press_of(q->sparse, &q->sparse->nodes[k]);
+		if (p != NULL)
+			p->j[0] = p->j[1] = p->j[2] = 0.0f;
+	}
+}
+
+/* Was nothing pushed? The speeds are then closed already, and arms that turn are those of joints alone. */
+static int32_t is_calm(const pass *q)
+{
+	int32_t k;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		const cni_press *p = press_of(q->sparse, &q->sparse->nodes[k]);
+		if (p == NULL || p->room[0] < -q->speed_least || p->room[1] < -q->speed_least)
+			return 0;
+	}
+	return 1;
+}
+
+static int32_t system_solve(const pass *q)
+{
+	if (presses_set(q) || !q->c->factored) {
+		cni_sparse_factor(q->sparse, q->c, q->motions);
+		q->c->factored = 1;
+	}
+	return held_rows_solve(q);
+}
+
+static void states_keep(const pass *q, int32_t back)
+{
+	int32_t k, i;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_press *p = press_of(q->sparse, &q->sparse->nodes[k]);
+		for (i = 0; p != NULL && i < 3; ++i)
+			*(back ? &p->state[i] : &p->state_kept[i]) = back ? p->state_kept[i] : p->state[i];
+	}
+}
+
+/* The set that the pass began with, consistent or not: a projection, which takes energy out and puts none in. */
+static int32_t relax_with_old_set(const pass *q)
+{
+	states_keep(q, 1);
+	round_begin(q);
+	if (!system_solve(q)) {
+		all_keep(q, 1);
+		return 0;
+	}
+	commit(q);
+	return 1;
 }
 
 int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
 {
 	pass q = { world, s, sparse, c, cni_motions(world), SPEED_LEAST * world->settings.length_unit, bias };
 	int32_t round, k;
+	if (!bias && c->calm)
+		return 1;
+	all_keep(&q, 0);
+	round_begin(&q);
 	for (k = c->begin; k < c->end; ++k) {
 		cni_press *p = press_of(sparse, &sparse->nodes[k]);
 		if (p != NULL)
 			press_begin(&q, p, &sparse->nodes[k]);
 	}
-	motions_copy(&q, 0);
+	states_keep(&q, 0);
 	for (round = 0; round < ROUNDS; ++round) {
 		if (round > 0)
-			motions_copy(&q, 1);
-		if (presses_set(&q) || !c->factored) {
-			cni_sparse_factor(sparse, c, q.motions);
-			c->factored = 1;
-		}
-		held_rows_solve(&q);
+			round_begin(&q);
+		if (!system_solve(&q))
+			break;
 		if (!set_changes(&q, round < ROUNDS_ALL)) {
 			commit(&q);
+			c->calm = bias && is_calm(&q);
 			return 1;
 		}
 	}
-	give_up(&q);
+	if (!bias)
+		return relax_with_old_set(&q);
+	forget_all(&q);
 	return 0;
 }

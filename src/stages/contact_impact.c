@@ -15,10 +15,13 @@
  * speed at the true moment of contact, v^2 + 2 a s, and the outgoing speed is the one that a body has
  * at the end of the substep, s + h v' above the surface: v'^2 = e^2 (v^2 + 2 a s) - 2 a (s + h v').
  *
+ * Few lanes of a sweep close that fast: the kernel finds them side by side, and only they are looked at one by one.
+ *
  * Reads blocks, motion and start; writes motion velocities and start (so that the warm start of the next substep does
  * not contain the impact).
  */
-#include "stages/solver.h"
+#include "base/bitset.h"
+#include "stages/contact_pass.h"
 
 #define SWEEPS 4 /* a wave through touching balls may need several; the solve after takes the rest */
 
@@ -155,18 +158,37 @@ static int32_t lane_impact(cn_world *world, const cni_contact_block *k, const cn
 	return 1;
 }
 
+/* Lanes of a block that may meet. In the overflow colour a body is in several lanes, and one may make another meet. */
+static uint32_t lanes_closing(cn_world *world, int32_t block, int32_t color, int32_t lanes, const cni_solve *s)
+{
+	if (color == CNI_COLOR_OVERFLOW)
+		return (1u << lanes) - 1u;
+	return s->kernel->closing(cni_starts(world), cni_block_at(world, block), cni_block_info_at(world, block), s->restitution_threshold, lanes);
+}
+
+static int32_t block_sweep(cn_world *world, int32_t block, uint32_t closing, const cni_solve *s)
+{
+	const cni_block_info *info = cni_block_info_at(world, block);
+	int32_t hits = 0;
+	for (; closing != 0; closing &= closing - 1) {
+		int32_t l = cni_bit_lowest32(closing);
+		if (info->restitution[l] > 0.0f)
+			hits += lane_impact(world, cni_block_at(world, block), info, l, s);
+	}
+	return hits;
+}
+
 static int32_t sweep(cn_world *world, const cni_solve *s)
 {
-	int32_t color, block, l, hits = 0;
-	for (color = 0; color < CNI_COLORS; ++color)
+	int32_t color, block, hits = 0;
+	for (color = 0; color < CNI_COLORS; ++color) {
+		int32_t lanes = world->colors[color].lanes;
 		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
-			const cni_block_info *info = cni_block_info_at(world, block);
-			if (!(info->flags & CNI_BLOCK_RESTITUTION))
-				continue;
-			for (l = 0; l < CNI_LANES; ++l)
-				if (info->restitution[l] > 0.0f)
-					hits += lane_impact(world, cni_block_at(world, block), info, l, s);
+			if (cni_block_info_at(world, block)->flags & CNI_BLOCK_RESTITUTION)
+				hits += block_sweep(world, block, lanes_closing(world, block, color, cni_min_i(lanes, CNI_LANES), s), s);
+			lanes -= CNI_LANES;
 		}
+	}
 	return hits;
 }
 

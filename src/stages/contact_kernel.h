@@ -9,9 +9,9 @@
  * The soft pass gives way by a part of the impulse: that is what damps it, but also what lets a stack sink into
  * itself by its weight. So it gives way around the load, the slow mean of what the contact bears, and not around
  * zero: a thing at rest stands without overlap whatever lies on it, and what is sudden is as soft as ever. The mean
- * must be slower than impulses need to travel through the largest pile; see LOAD_RATE in contact_solve.c.
+ * must be slower than impulses need to travel through the largest pile; see CNI_LOAD_RATE in solver.h.
  *
- * Reads motion and block rows; writes motion velocities and block.jn, jt, load.
+ * Reads motion, start and block rows; writes motion velocities and block.jn, jt, load.
  */
 #include "base/wide.h"
 #include "stages/contact_pass.h"
@@ -50,6 +50,14 @@ CNI_INLINE void sides_lock(const cni_block_extra *extra, int32_t l, side *a, sid
 	a->my = a->m * (1.0f - cni_wide_load(extra->lock_ay + l));
 	b->mx = b->m * (1.0f - cni_wide_load(extra->lock_bx + l));
 	b->my = b->m * (1.0f - cni_wide_load(extra->lock_by + l));
+}
+
+/* Takes back what happened to lanes that are not live. */
+CNI_INLINE void side_keep(side *a, const side *old, cni_mask live)
+{
+	a->vx = cni_wide_select(live, a->vx, old->vx);
+	a->vy = cni_wide_select(live, a->vy, old->vy);
+	a->w = cni_wide_select(live, a->w, old->w);
 }
 
 /* A point of every lane, ready for the pair solve. */
@@ -164,37 +172,74 @@ CNI_INLINE void solve_rolling(const cni_contact_block *k, cni_block_extra *extra
 	b->w += b->i * dj;
 }
 
-CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass, int32_t rounds, int32_t bias)
+/* Once through the rows of a group; lanes that are not live stay as they are. */
+CNI_INLINE void solve_live(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, cni_mask live)
+{
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
+	cni_wide p = cni_wide_load(k->p[0].jn + l), q = cni_wide_load(k->p[1].jn + l), t = cni_wide_load(k->jt + l), roll;
+	side a_old = *a, b_old = *b;
+	solve_normals(k, extra, l, a, b, nx, ny, pass, bias);
+	solve_friction(k, extra, l, a, b, nx, ny);
+	if (extra != NULL) {
+		roll = cni_wide_load(extra->rolling_impulse + l);
+		solve_rolling(k, extra, l, a, b);
+		cni_wide_store(extra->rolling_impulse + l, cni_wide_select(live, cni_wide_load(extra->rolling_impulse + l), roll));
+	}
+	cni_wide_store(k->p[0].jn + l, cni_wide_select(live, cni_wide_load(k->p[0].jn + l), p));
+	cni_wide_store(k->p[1].jn + l, cni_wide_select(live, cni_wide_load(k->p[1].jn + l), q));
+	cni_wide_store(k->jt + l, cni_wide_select(live, cni_wide_load(k->jt + l), t));
+	side_keep(a, &a_old, live);
+	side_keep(b, &b_old, live);
+}
+
+/*
+ * Lanes whose contact began to touch this step iterate between normals and friction: with no impulse
+ * to start from, one round leaves friction bounded by a normal force that is not there yet, and a body set
+ * down on a slope would start with a false speed.
+ */
+#define FRESH_ROUNDS 4
+
+CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass, uint32_t fresh, int32_t bias)
 {
 	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
 	side a, b;
+	int32_t round;
 	side_gather(motions, k->ia + l, &a);
 	side_gather(motions, k->ib + l, &b);
 	if (extra != NULL)
 		sides_lock(extra, l, &a, &b);
-	do {
-		solve_normals(k, extra, l, &a, &b, nx, ny, pass, bias);
-		solve_friction(k, extra, l, &a, &b, nx, ny);
-		if (extra != NULL)
-			solve_rolling(k, extra, l, &a, &b);
-	} while (--rounds > 0);
+	solve_normals(k, extra, l, &a, &b, nx, ny, pass, bias);
+	solve_friction(k, extra, l, &a, &b, nx, ny);
+	if (extra != NULL)
+		solve_rolling(k, extra, l, &a, &b);
+	if (fresh >> l & ((1u << CNI_WIDTH) - 1u))
+		for (round = 1; round < FRESH_ROUNDS; ++round)
+			solve_live(k, extra, l, &a, &b, pass, bias, cni_mask_of_bits(fresh >> l));
 	side_scatter(motions, k->ia + l, &a);
 	if (!pass->one_sided)
 		side_scatter(motions, k->ib + l, &b);
 }
 
-static void kernel_solve(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, const cni_contact_pass *pass, int32_t rounds, int32_t lanes)
+/* Few blocks have extra rows: for the others a loop of its own, in which the compiler knows that there are none. */
+CNI_INLINE void solve_block(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, const cni_contact_pass *pass, uint32_t fresh, int32_t lanes, int32_t bias)
 {
 	int32_t l;
-	for (l = 0; l < lanes; l += CNI_WIDTH)
-		solve_group(motions, k, extra, l, pass, rounds, 1);
+	if (extra == NULL)
+		for (l = 0; l < lanes; l += CNI_WIDTH)
+			solve_group(motions, k, NULL, l, pass, fresh, bias);
+	else
+		for (l = 0; l < lanes; l += CNI_WIDTH)
+			solve_group(motions, k, extra, l, pass, fresh, bias);
 }
 
-static void kernel_relax(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, const cni_contact_pass *pass, int32_t rounds, int32_t lanes)
+static void kernel_solve(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, const cni_contact_pass *pass, uint32_t fresh, int32_t lanes)
 {
-	int32_t l;
-	for (l = 0; l < lanes; l += CNI_WIDTH)
-		solve_group(motions, k, extra, l, pass, rounds, 0);
+	solve_block(motions, k, extra, pass, fresh, lanes, 1);
+}
+
+static void kernel_relax(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, const cni_contact_pass *pass, uint32_t fresh, int32_t lanes)
+{
+	solve_block(motions, k, extra, pass, fresh, lanes, 0);
 }
 
 /* A load follows slowly and never exceeds the impulse that is there. */
@@ -237,12 +282,39 @@ CNI_INLINE void warm_group(cni_motion *motions, cni_contact_block *k, cni_block_
 		side_scatter(motions, k->ib + l, &b);
 }
 
-static void kernel_warm(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, const cni_contact_pass *pass, int32_t rounds, int32_t lanes)
+static void kernel_warm(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, const cni_contact_pass *pass, uint32_t fresh, int32_t lanes)
 {
 	int32_t l;
-	(void)rounds;
+	(void)fresh;
 	for (l = 0; l < lanes; l += CNI_WIDTH)
 		warm_group(motions, k, extra, l, pass);
 }
 
-const cni_contact_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax };
+/* Is the point in use, and does it close faster than the speed? a and b hold velocities only. */
+CNI_INLINE cni_mask point_closes(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b, float speed)
+{
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), at = cni_wide_load(p->at + l), bt = at - cni_wide_load(k->dt + l);
+	cni_wide vn = nx * (b->vx - a->vx) + ny * (b->vy - a->vy) + b->w * bt - a->w * at;
+	cni_wide nm = cni_wide_load(p->nm + l), least = cni_wide_of(-speed), zero = cni_wide_of(0.0f);
+	return (nm > zero) & (vn < least);
+}
+
+static uint32_t kernel_closing(const cni_velocity_start *starts, const cni_contact_block *k, const cni_block_info *info, float speed, int32_t lanes)
+{
+	const float *base = (const float *)(const void *)starts;
+	uint32_t bits = 0;
+	int32_t l;
+	for (l = 0; l < lanes; l += CNI_WIDTH) {
+		side a, b;
+		cni_wide struck;
+		cni_mask closes, bounces;
+		cni_wide_gather4(base, 4, k->ia + l, &a.vx, &a.vy, &a.w, &struck);
+		cni_wide_gather4(base, 4, k->ib + l, &b.vx, &b.vy, &b.w, &struck);
+		closes = point_closes(k, &k->p[0], l, &a, &b, speed) | point_closes(k, &k->p[1], l, &a, &b, speed);
+		bounces = cni_wide_load_loose(info->restitution + l) > cni_wide_of(0.0f);
+		bits |= cni_mask_bits(closes & bounces) << l;
+	}
+	return bits;
+}
+
+const cni_contact_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax, kernel_closing };

@@ -16,14 +16,18 @@ typedef struct cni_contact_pass {
 	int32_t one_sided;   /* lane bodies b are not written */
 } cni_contact_pass;
 
-/* Works on the first lanes of the block (a multiple of 16, or 1 for a block whose other lanes are empty);
-   extra: NULL when no lane needs it; rounds: how often to go between normals and friction. */
-typedef void cni_contact_kernel_fn(cni_motion *motions, cni_contact_block *block, cni_block_extra *extra, const cni_contact_pass *pass, int32_t rounds, int32_t lanes);
+/* Works on the first lanes of the block, and on those behind them up to a whole vector, which are empty.
+   extra: NULL when no lane needs it; fresh: lanes, as bits, that go more than once between normals and friction. */
+typedef void cni_contact_kernel_fn(cni_motion *motions, cni_contact_block *block, cni_block_extra *extra, const cni_contact_pass *pass, uint32_t fresh, int32_t lanes);
+
+/* Of the first lanes those, as bits, that bounce and have a point that closes faster than the speed. */
+typedef uint32_t cni_contact_closing_fn(const cni_velocity_start *starts, const cni_contact_block *block, const cni_block_info *info, float speed, int32_t lanes);
 
 typedef struct cni_contact_kernel {
 	cni_contact_kernel_fn *warm;
 	cni_contact_kernel_fn *solve;
 	cni_contact_kernel_fn *relax;
+	cni_contact_closing_fn *closing;
 } cni_contact_kernel;
 
 extern const cni_contact_kernel cni_contact_kernel_plain; /* width 1: any compiler */

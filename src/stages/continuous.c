@@ -6,6 +6,7 @@
  * radius, the core of each of its shapes, shrunk by twice that, is moved along its path against the static
  * shapes there (for bullets: against all, each on its own path); at the first meeting the rest of the path is given
  * up for this step, by a dynamic body that a bullet meets too.
+ * Most bodies have nothing static about them, which the narrowphase saw; they are not looked at any further.
  * A shape that merely rests on or slides along something keeps its core clear of it, so nothing catches.
  *
  * Reads bodies, shapes, the broadphase; writes the changes in motion of the bodies that meet.
@@ -189,13 +190,59 @@ static void clamp_body(cn_world *world, int32_t body, int32_t what)
 		motion_shorten(cni_motions(world) + c.met, c.fraction);
 }
 
+/* Farther turns are looked at the long way. */
+#define WATCHED_TURN_MAX_RAD 1.0f
+
+/*
+ * Does the body stay within the fat boxes of its shapes all the way? Whatever static shape it could meet there
+ * already has a contact with it. A point of the body strays from the line between its two ends by no more than
+ * extent turn^2 / 8.
+ */
+static int32_t path_is_watched(const cn_world *world, const cni_body *b, const cni_motion *m)
+{
+	float stray = 0.125f * b->extent * m->theta * m->theta;
+	cni_transform start = cni_body_transform(b), end;
+	cni_path path = body_path(b, cni_v(0.0f, 0.0f), m->dpx, m->dpy, m->theta);
+	int32_t shape;
+	if (cni_abs(m->theta) > WATCHED_TURN_MAX_RAD)
+		return 0;
+	end = cni_path_at(&path, 1.0f);
+	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+		const cni_shape *s = cni_shape_at(world, shape);
+		const cni_geometry *g = cni_shape_geometry(&world->blocks, s);
+		int32_t proxy = cni_shape_proxy(world, s, 0);
+		cni_aabb from, to, box;
+		if (s->type == CN_SHAPE_CHAIN || (s->flags & CN_SHAPE_SENSOR) || proxy == CNI_NONE)
+			continue;
+		from = cni_geometry_aabb(g, 0, start);
+		to = cni_geometry_aabb(g, 0, end);
+		box = cni_aabb_union(&from, &to);
+		box.x0 -= stray;
+		box.y0 -= stray;
+		box.x1 += stray;
+		box.y1 += stray;
+		if (!cni_aabb_contains(&cni_proxy_at(world, proxy)->fat, &box))
+			return 0;
+	}
+	return 1;
+}
+
+/* Can there be nothing static on the body's way? at_static: it has static bodies about it. */
+static int32_t way_is_clear(const cn_world *world, const cni_body *b, const cni_motion *m, uint32_t at_static)
+{
+	return !at_static && !(b->flags & CN_BODY_BULLET) && !world->pairs_may_repeat && path_is_watched(world, b, m);
+}
+
 void cni_stage_continuous(cn_world *world)
 {
 	const int32_t *ids = cni_awake_ids(world);
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
-		const cni_body *b = cni_body_at(world, ids[k]);
-		if (body_is_fast(b, cni_motions(world) + k))
+		cni_body *b = cni_body_at(world, ids[k]);
+		const cni_motion *m = cni_motions(world) + k;
+		uint32_t at_static = b->flags & CNI_BODY_AT_STATIC;
+		b->flags &= ~(uint32_t)CNI_BODY_AT_STATIC;
+		if (body_is_fast(b, m) && !way_is_clear(world, b, m, at_static))
 			clamp_body(world, ids[k], b->flags & CN_BODY_BULLET ? CLAMP_ALL : CLAMP_STATIC);
 	}
 }

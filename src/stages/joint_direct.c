@@ -8,14 +8,14 @@
  *
  * Reads works, motion and inverse masses; writes works' flags and their rigid rows' impulses, motion velocities.
  */
-#include "stages/contact_direct.h"
+#include "stages/press.h"
 #include "stages/joint_work.h"
 
 #include <string.h>
 
 #define ERROR_RATE 0.3f        /* part of the error that is taken out in a substep */
 #define PRESSES_REGULAR 1e-4f  /* two points of a contact, piles of several ways to bear the same, say much twice */
-#define LOOPS_REGULAR 1e-5f    /* loops may say the same twice: their diagonal grows by this part */
+#define LOOPS_REGULAR 1e-4f    /* loops may say the same twice: their diagonal grows by this part */
 
 /* Most work of a system for each contact of it. */
 static int32_t press_work(int32_t solver)
@@ -25,7 +25,10 @@ static int32_t press_work(int32_t solver)
 
 /* Most work of a system, a joint of it: trees take 3 to 6. */
 #define JOINT_WORK 16
-#define JOINT_WORK_DIRECT 2000
+#define JOINT_WORK_DIRECT 4000
+/* A dear system is solved once, in one substep, and then not again for so long that it is no more work than this a step
+   for each of its nodes, in the mean. */
+#define DEAR_SPREAD 8
 
 static int32_t joint_work(int32_t solver)
 {
@@ -48,10 +51,52 @@ static int32_t body_is_locked(const cn_world *world, int32_t index)
 	return (cni_drives(world)[index].flags & (CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y)) != 0;
 }
 
+/* May what asks for it take as much as CN_SOLVER_DIRECT? A world in a caller's block has scratch memory for its own solver only. */
+static int32_t may_take_most(const cn_world *world)
+{
+	return world->settings.solver == CN_SOLVER_DIRECT || !world->memory.fixed;
+}
+
+/* Worlds in which no joint ever had a solver of its own do not look. */
+static int32_t joint_stays_soft(const cn_world *world, const cni_joint_work *w)
+{
+	return world->overridden && w->record->solver == CN_SOLVER_SOFT;
+}
+
+/* Does some joint of its island ask for all that CN_SOLVER_DIRECT allows? */
+static int32_t joint_may_take_most(const cn_world *world, const cni_joint_work *w)
+{
+	int32_t island;
+	if (!world->overridden || !may_take_most(world))
+		return 0;
+	island = cni_body_at(world, cni_awake_ids(world)[w->ia != 0 ? w->ia : w->ib])->island;
+	return island == CNI_NONE ? w->record->solver == CN_SOLVER_DIRECT : cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
+}
+
+static int32_t is_left_soft(const cn_world *world, const cni_joint_work *w)
+{
+	int32_t island;
+	if (world->joints_soft_step <= world->step_count)
+		return 0;
+	island = cni_body_at(world, cni_awake_ids(world)[w->ia != 0 ? w->ia : w->ib])->island;
+	return island != CNI_NONE && cni_island_at(world, island)->joints_soft_step > world->step_count;
+}
+
 static int32_t work_is_eligible(const cn_world *world, const cni_joint_work *w)
 {
-	return w->rigid_count > 0 && !(w->flags & (CNI_WORK_SPRINGY | CNI_WORK_BOUNDED)) &&
+	if (joint_stays_soft(world, w))
+		return 0;
+	return w->rigid_count > 0 && !is_left_soft(world, w) && !(w->flags & (CNI_WORK_SPRINGY | CNI_WORK_BOUNDED)) &&
 	       !(w->ia != 0 && body_is_locked(world, w->ia)) && !(w->ib != 0 && body_is_locked(world, w->ib));
+}
+
+static int32_t is_in_direct_island(const cn_world *world, const cni_joint_work *w)
+{
+	int32_t island;
+	if (world->direct_islands.count == 0)
+		return 0;
+	island = cni_body_at(world, cni_awake_ids(world)[w->ia != 0 ? w->ia : w->ib])->island;
+	return island != CNI_NONE && cni_island_at(world, island)->tier == CNI_TIER_DIRECT;
 }
 
 static int32_t joint_links_collect(const cn_world *world, cni_link *links)
@@ -66,10 +111,16 @@ static int32_t joint_links_collect(const cn_world *world, cni_link *links)
 		link->ib = w->ib;
 		link->owner = k;
 		link->rows = w->rigid_count;
-		link->work_most = joint_work(world->settings.solver);
+		link->work_most = is_in_direct_island(world, w) || joint_may_take_most(world, w) ? JOINT_WORK_DIRECT : joint_work(world->settings.solver);
 		++count;
 	}
 	return count;
+}
+
+/* A net, which is solved directly for its joints' sake. */
+static int32_t takes_joints_alone(const cn_world *world, int32_t island)
+{
+	return cni_island_at(world, island)->solver != CN_SOLVER_DIRECT && cni_island_has_joints(world, island);
 }
 
 /* Contacts of the islands that are solved directly; an island that has too many, or of the wrong kind, is refused. */
@@ -79,12 +130,26 @@ static void presses_collect(cn_world *world, cni_press *presses, int32_t room, c
 	int32_t k;
 	out->presses = presses;
 	for (k = 0; k < world->direct_islands.count; ++k) {
-		int32_t count = cni_presses_collect(world, islands[k], presses + out->press_count, room - out->press_count);
+		int32_t count;
+		if (takes_joints_alone(world, islands[k]))
+			continue;
+		count = cni_presses_collect(world, islands[k], presses + out->press_count, room - out->press_count);
 		if (count < 0)
-			cni_island_refuse(world, islands[k]);
+			cni_island_refuse(world, islands[k], count == CNI_PRESSES_MANY ? CN_TIER_REASON_CROWDED : CN_TIER_REASON_KIND);
 		else
 			out->press_count += count;
 	}
+}
+
+static int32_t island_of(const cn_world *world, const cni_link *link)
+{
+	return cni_body_at(world, cni_awake_ids(world)[link->ia != 0 ? link->ia : link->ib])->island;
+}
+
+static int32_t press_link_work(const cn_world *world, const cni_link *link)
+{
+	int32_t most = world->overridden && may_take_most(world) && cni_island_at(world, island_of(world, link))->solver == CN_SOLVER_DIRECT;
+	return press_work(most ? CN_SOLVER_DIRECT : world->settings.solver);
 }
 
 static int32_t press_links_collect(const cn_world *world, const cni_sparse *sparse, cni_link *links)
@@ -97,26 +162,21 @@ static int32_t press_links_collect(const cn_world *world, const cni_sparse *spar
 		link->ib = cni_block_at(world, p->block)->ib[p->lane];
 		link->owner = -1 - k;
 		link->rows = 3;
-		link->work_most = press_work(world->settings.solver);
+		link->work_most = press_link_work(world, link);
 	}
 	return sparse->press_count;
-}
-
-static int32_t island_of(const cn_world *world, const cni_link *link)
-{
-	return cni_body_at(world, cni_awake_ids(world)[link->ia])->island;
 }
 
 /* Refuses the islands whose contacts are not in the plan. Returns how many links of them there are. */
 static int32_t islands_refuse(cn_world *world, const cni_link *links, int32_t count, const uint8_t *planned)
 {
 	int32_t k, refused = 0;
-	for (k = 0; k < count; ++k)
-		if (!planned[k] && links[k].owner < 0) {
-			if (cni_island_at(world, island_of(world, &links[k]))->tier == CNI_TIER_DIRECT)
-				cni_island_refuse(world, island_of(world, &links[k]));
-			++refused;
-		}
+	for (k = 0; k < count; ++k) {
+		int32_t island = planned[k] || links[k].ia + links[k].ib == 0 ? CNI_NONE : island_of(world, &links[k]);
+		if (island != CNI_NONE && cni_island_at(world, island)->tier == CNI_TIER_DIRECT)
+			cni_island_refuse(world, island, CN_TIER_REASON_WORK);
+		refused += !planned[k] && links[k].owner < 0;
+	}
 	return refused;
 }
 
@@ -149,11 +209,44 @@ static int64_t budget_of(const cn_world *world)
 	return budget == 0 || world->settings.solver == CN_SOLVER_DIRECT ? INT64_MAX : budget / world->settings.substeps;
 }
 
+/* Most contacts that are looked at. */
+static int32_t presses_most(const cn_world *world)
+{
+	int32_t all = world->settings.solver == CN_SOLVER_DIRECT || (world->overridden && may_take_most(world));
+	if (world->direct_islands.count == 0)
+		return 0;
+	return all ? world->touching_count : cni_min_i(world->touching_count, CNI_PRESS_MOST);
+}
+
+static int32_t links_plan(cn_world *world, const cni_link *links, int32_t count, cni_sparse *out, uint8_t *planned)
+{
+	return cni_sparse_plan(&world->arena, links, count, cni_motions(world), world->awake_count, budget_of(world), out, planned);
+}
+
+/* Nets that were not planned for their work, and have new joints: they begin to bear in this step, and are best solved
+   before anything has come apart. Returns how many links may now take the work. */
+static int32_t nets_take(cn_world *world, cni_link *links, int32_t count, const uint8_t *planned)
+{
+	int32_t k, taken = 0;
+	for (k = 0; k < count && world->settings.solver == CN_SOLVER_AUTO; ++k) {
+		const cni_joint_work *w;
+		if (planned[k] || links[k].owner < 0)
+			continue;
+		w = cni_joint_works(world) + links[k].owner;
+		if (w->record->inv_h == 0.0f && island_of(world, &links[k]) != CNI_NONE && !is_in_direct_island(world, w))
+			cni_island_joints_part(world, island_of(world, &links[k]));
+		if (is_in_direct_island(world, w)) {
+			links[k].work_most = JOINT_WORK_DIRECT;
+			++taken;
+		}
+	}
+	return taken;
+}
+
 /* 0: no scratch memory. */
 static int32_t plan(cn_world *world, cni_sparse *out)
 {
-	int32_t most = world->settings.solver == CN_SOLVER_DIRECT ? world->touching_count : cni_min_i(world->touching_count, CNI_PRESS_MOST);
-	int32_t room = world->direct_islands.count == 0 ? 0 : most;
+	int32_t room = presses_most(world);
 	int32_t joints = world->awake_joints.count, count;
 	cni_press *presses = (cni_press *)cni_arena_push(&world->arena, sizeof(cni_press) * (uint64_t)room);
 	cni_link *links;
@@ -169,15 +262,16 @@ static int32_t plan(cn_world *world, cni_sparse *out)
 	count += press_links_collect(world, out, links + count);
 	if (count == 0)
 		return 1;
-	if (!cni_sparse_plan(&world->arena, links, count, cni_motions(world), world->awake_count, budget_of(world), out, planned))
+	if (!links_plan(world, links, count, out, planned))
 		return 0;
-	if (islands_refuse(world, links, count, planned) > 0) {
+	if (islands_refuse(world, links, count, planned) > 0 || nets_take(world, links, count, planned) > 0) {
 		cni_sparse_discard(&world->arena, out);
 		count = links_keep(world, links, count);
 		if (count == 0)
 			return 1;
-		if (!cni_sparse_plan(&world->arena, links, count, cni_motions(world), world->awake_count, budget_of(world), out, planned))
+		if (!links_plan(world, links, count, out, planned))
 			return 0;
+		(void)islands_refuse(world, links, count, planned); /* joints that are alone now may have spent the budget before them */
 	}
 	owners_tell(world, links, count, planned, out);
 	out->saved = (cni_motion *)cni_arena_push(&world->arena, sizeof(cni_motion) * (uint64_t)out->body_count);
@@ -209,16 +303,17 @@ static void works_release(cn_world *world)
 		cni_joint_works(world)[k].flags &= ~(uint32_t)CNI_WORK_DIRECT;
 }
 
-/* A joint alone is solved as well by itself. */
+/* A joint alone is solved as well by itself; a large net that other things hold too, better. */
 static void component_drop(cn_world *world, cni_sparse *sparse, int32_t component)
 {
 	const cni_component *c = &sparse->components[component];
-	cni_joint_works(world)[sparse->nodes[c->begin].owner].flags &= ~(uint32_t)CNI_WORK_DIRECT;
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k)
+		cni_joint_works(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_WORK_DIRECT;
 	sparse->components[component] = sparse->components[--sparse->component_count];
 }
 
-/* Joints' levers from their rows. Returns how many joints there are. */
-static int32_t levers_set(const cn_world *world, cni_sparse *sparse, const cni_component *c)
+int32_t cni_direct_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k, i, joints = 0;
 	for (k = c->begin; k < c->end; ++k) {
@@ -238,18 +333,18 @@ static int32_t levers_set(const cn_world *world, cni_sparse *sparse, const cni_c
 
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
-	(void)levers_set(world, sparse, c);
+	(void)cni_direct_levers(world, sparse, c);
 	cni_sparse_factor(sparse, c, cni_motions(world));
 }
 
-static void component_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
+void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
 	cni_direct_turns(world, sparse, c);
 	cni_tension_find(world, sparse, c, s->h);
 	if (cni_tension_needs_dampers(world, sparse, c, s->h))
 		c->width = CNI_NODE_ROWS;
 	cni_tension_damp(world, sparse, c, s->h);
-	c->joints = levers_set(world, sparse, c);
+	c->joints = cni_direct_levers(world, sparse, c);
 	if (!c->presses)
 		cni_sparse_factor(sparse, c, cni_motions(world));
 }
@@ -263,6 +358,18 @@ static int32_t component_has_presses(const cni_sparse *sparse, const cni_compone
 	return 0;
 }
 
+/* In a step, in the units of work_budget. */
+static int32_t work_planned(const cn_world *world, const cni_sparse *sparse)
+{
+	int64_t work = 0;
+	int32_t k;
+	for (k = 0; k < sparse->component_count; ++k) {
+		const cni_component *c = &sparse->components[k];
+		work += (int64_t)c->work * (c->dear && c->swings ? 1 : world->settings.substeps);
+	}
+	return work < INT32_MAX ? (int32_t)work : INT32_MAX;
+}
+
 void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 {
 	int32_t k;
@@ -271,6 +378,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		return;
 	if (!plan(world, out)) {
 		works_release(world);
+		world->direct_failed = 1;
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
 		return;
 	}
@@ -280,14 +388,17 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	for (k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
 		c->presses = component_has_presses(out, c);
+		if (c->dear && world->settings.solver == CN_SOLVER_AUTO)
+			cni_island_once(world, cni_body_at(world, cni_awake_ids(world)[out->bodies[c->body_begin]])->island, c->work / (DEAR_SPREAD * (c->end - c->begin)));
 		c->regular = c->presses ? PRESSES_REGULAR : c->loops ? LOOPS_REGULAR : 0.0f;
 		c->swings = !c->presses && cni_component_swings(world, s, out, c);
-		if (!c->swings && !c->presses && c->end - c->begin == 1)
+		if (!c->swings && !c->presses && (c->dear || c->end - c->begin == 1))
 			component_drop(world, out, k--);
 		else if (!c->swings)
-			component_begin(world, s, out, c);
+			cni_direct_begin(world, s, out, c);
 	}
 	cni_presses_take(world, out);
+	world->direct_work = work_planned(world, out);
 }
 
 void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c)
@@ -307,7 +418,7 @@ void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_compon
 	}
 }
 
-static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate)
+static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push)
 {
 	const cni_motion *motions = cni_motions(world);
 	int32_t k, i;
@@ -318,7 +429,7 @@ static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_com
 			continue;
 		rows = cni_joint_works(world)[n->owner].rows;
 		for (i = 0; i < CNI_NODE_ROWS; ++i)
-			n->x[i] = -cni_lever_speed(&n->lever[i], motions + n->ia, motions + n->ib) - (i < n->rows ? rate * rows[i].error : 0.0f);
+			n->x[i] = -cni_lever_speed(&n->lever[i], motions + n->ia, motions + n->ib) - (i < n->rows ? cni_clamp(rate * rows[i].error, -push, push) : 0.0f);
 	}
 }
 
@@ -336,14 +447,26 @@ static void component_release(cn_world *world, cni_sparse *sparse, cni_component
 	c->regular = c->loops ? LOOPS_REGULAR : 0.0f;
 	cni_sparse_factor(sparse, c, cni_motions(world));
 	if (world->settings.solver == CN_SOLVER_AUTO)
-		cni_island_refuse(world, cni_body_at(world, cni_awake_ids(world)[sparse->bodies[c->body_begin]])->island);
+		cni_island_refuse(world, cni_body_at(world, cni_awake_ids(world)[sparse->bodies[c->body_begin]])->island, CN_TIER_REASON_NO_SET);
 }
 
-static void joints_solve(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
+/* Each joint by itself after all, in this step. */
+static void joints_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
-	right_sides(world, s->direct, c, bias ? ERROR_RATE * s->inv_h : 0.0f);
-	cni_sparse_solve(s->direct, c);
-	cni_direct_push(world, s->direct, c);
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k)
+		if (sparse->nodes[k].owner >= 0)
+			cni_joint_works(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_WORK_DIRECT;
+	c->done = 1;
+}
+
+static void joints_solve(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)
+{
+	right_sides(world, s->direct, c, bias ? ERROR_RATE * s->inv_h : 0.0f, s->push_speed);
+	if (cni_sparse_solve(s->direct, c))
+		cni_direct_push(world, s->direct, c);
+	else
+		joints_release(world, s->direct, c);
 }
 
 /* The same levers at the new positions. */
@@ -351,7 +474,7 @@ static void component_turn(cn_world *world, const cni_solve *s, cni_component *c
 {
 	cni_direct_turns(world, s->direct, c);
 	cni_tension_damp(world, s->direct, c, s->h);
-	if (levers_set(world, s->direct, c) > 0 && !c->presses)
+	if (cni_direct_levers(world, s->direct, c) > 0 && !c->presses)
 		cni_sparse_factor(s->direct, c, cni_motions(world));
 	else if (c->joints)
 		c->factored = 0;
@@ -362,7 +485,7 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 	int32_t k;
 	for (k = 0; s->direct != NULL && k < s->direct->component_count; ++k) {
 		cni_component *c = &s->direct->components[k];
-		if (c->swings)
+		if (c->done)
 			continue;
 		if (!bias)
 			component_turn(world, s, c);

@@ -229,36 +229,42 @@ static void work_soften(cni_joint_work *w, const cni_joint *j, const cni_solve *
 	}
 }
 
+void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k)
+{
+	int32_t joint = ((const int32_t *)world->awake_joints.data)[k], r;
+	cni_joint_work *w = cni_joint_works(world) + k;
+	const cni_joint *j = cni_joint_at(world, joint);
+	float impulse[CNI_JOINT_ROWS];
+	w->record = j;
+	w->make_rows = cni_joint_type_of(j->type)->rows;
+	w->joint = joint;
+	w->ia = j->body[0] == CNI_NONE ? 0 : cni_body_at(world, j->body[0])->awake;
+	w->ib = j->body[1] == CNI_NONE ? 0 : cni_body_at(world, j->body[1])->awake;
+	w->flags = work_flags(j);
+	w->rigid_count = -1;
+	w->start = cni_joint_frame_make(world, j);
+	cni_joint_work_build(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
+	work_soften(w, j, s);
+	if (w->flags & CNI_WORK_BOUNDED) {
+		w->force_max = j->force_max > 0.0f ? j->force_max : FLT_MAX;
+		w->torque_max = j->torque_max > 0.0f ? j->torque_max : FLT_MAX;
+	}
+	if (w->flags & CNI_WORK_BREAKABLE)
+		w->force_stress = w->torque_stress = 0.0f;
+	for (r = 0; r < w->row_count; ++r)
+		impulse[r] = j->impulse[w->rows[r].slot];
+	impulses_recouple(world, w, -1.0f, impulse);
+	for (r = 0; r < w->row_count; ++r)
+		w->rows[r].impulse = impulse[r];
+	for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r)
+		w->load[r] = s->warm_scale * j->load[r];
+}
+
 void cni_joints_prepare(cn_world *world, const cni_solve *s)
 {
-	const int32_t *list = (const int32_t *)world->awake_joints.data;
-	int32_t k, r;
-	for (k = 0; k < world->awake_joints.count; ++k) {
-		cni_joint_work *w = cni_joint_works(world) + k;
-		const cni_joint *j = cni_joint_at(world, list[k]);
-		float impulse[CNI_JOINT_ROWS];
-		w->record = j;
-		w->make_rows = cni_joint_type_of(j->type)->rows;
-		w->joint = list[k];
-		w->ia = j->body[0] == CNI_NONE ? 0 : cni_body_at(world, j->body[0])->awake;
-		w->ib = j->body[1] == CNI_NONE ? 0 : cni_body_at(world, j->body[1])->awake;
-		w->flags = work_flags(j);
-		w->rigid_count = -1;
-		w->start = cni_joint_frame_make(world, j);
-		cni_joint_work_build(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
-		work_soften(w, j, s);
-		if (w->flags & CNI_WORK_BOUNDED) {
-			w->force_max = j->force_max > 0.0f ? j->force_max : FLT_MAX;
-			w->torque_max = j->torque_max > 0.0f ? j->torque_max : FLT_MAX;
-		}
-		if (w->flags & CNI_WORK_BREAKABLE)
-			w->force_stress = w->torque_stress = 0.0f;
-		for (r = 0; r < w->row_count; ++r)
-			impulse[r] = j->impulse[w->rows[r].slot];
-		impulses_recouple(world, w, -1.0f, impulse);
-		for (r = 0; r < w->row_count; ++r)
-			w->rows[r].impulse = impulse[r];
-	}
+	int32_t k;
+	for (k = 0; k < world->awake_joints.count; ++k)
+		cni_joint_work_prepare(world, s, k);
 }
 
 void cni_joints_warm_start(cn_world *world, const cni_solve *s)
@@ -276,14 +282,14 @@ void cni_joints_warm_start(cn_world *world, const cni_solve *s)
 /* ---- impulses ---- */
 
 /* What count rows that are solved together ask for. */
-CNI_INLINE void block_solve(const cni_row *rows, int32_t count, const float *inverse, const cni_motion *a, const cni_motion *b, const cni_soft *soft, float *dj)
+CNI_INLINE void block_solve(const cni_row *rows, const float *load, int32_t count, const float *inverse, const cni_motion *a, const cni_motion *b, const cni_soft *soft, float *dj)
 {
 	float rhs[CNI_JOINT_RIGID_ROWS];
 	int32_t i, k;
 	for (i = 0; i < count; ++i)
 		rhs[i] = soft->mass_scale * row_speed(&rows[i], a, b) + soft->bias_scale * rows[i].error;
 	for (i = 0; i < count; ++i) {
-		dj[i] = -soft->impulse_scale * rows[i].impulse;
+		dj[i] = -soft->impulse_scale * (rows[i].impulse - load[i]);
 		for (k = 0; k < count; ++k)
 			dj[i] -= inverse[inverse_at[i][k]] * rhs[k];
 	}
@@ -314,11 +320,11 @@ static int32_t block_clamp(const cni_row *rows, int32_t count, float most, float
 }
 
 /* Solves some of the first rows alone, the others being given. */
-static void solve_part(cni_row *rows, int32_t count, float most, cni_motion *a, cni_motion *b, const cni_soft *soft)
+static void solve_part(cni_row *rows, const float *load, int32_t count, float most, cni_motion *a, cni_motion *b, const cni_soft *soft)
 {
 	float inverse[6], dj[CNI_JOINT_RIGID_ROWS];
 	block_invert(rows, count, a, b, inverse);
-	block_solve(rows, count, inverse, a, b, soft, dj);
+	block_solve(rows, load, count, inverse, a, b, soft, dj);
 	block_clamp(rows, count, most, dj);
 	block_push(rows, count, dj, a, b);
 }
@@ -330,15 +336,15 @@ static void solve_bounded(cni_joint_work *w, cni_motion *a, cni_motion *b, const
 	while (linear < w->rigid_count && !w->rows[linear].angular)
 		++linear;
 	angular = w->rigid_count - linear;
-	block_solve(w->rows, w->rigid_count, w->inverse, a, b, soft, dj);
+	block_solve(w->rows, w->load, w->rigid_count, w->inverse, a, b, soft, dj);
 	over_linear = block_clamp(w->rows, linear, most_linear, dj);
 	over_angular = block_clamp(w->rows + linear, angular, most_angular, dj + linear);
 	if (over_linear && !over_angular && angular > 0) {
 		block_push(w->rows, linear, dj, a, b);
-		solve_part(w->rows + linear, angular, most_angular, a, b, soft);
+		solve_part(w->rows + linear, w->load + linear, angular, most_angular, a, b, soft);
 	} else if (over_angular && !over_linear && linear > 0) {
 		block_push(w->rows + linear, angular, dj + linear, a, b);
-		solve_part(w->rows, linear, most_linear, a, b, soft);
+		solve_part(w->rows, w->load, linear, most_linear, a, b, soft);
 	} else {
 		block_push(w->rows, w->rigid_count, dj, a, b);
 	}
@@ -350,10 +356,10 @@ static void solve_rigid(cni_joint_work *w, cni_motion *a, cni_motion *b, const c
 	if (w->flags & CNI_WORK_BOUNDED) {
 		solve_bounded(w, a, b, soft, h);
 	} else if (w->rigid_count == 2) { /* the same with a count known to the compiler */
-		block_solve(w->rows, 2, w->inverse, a, b, soft, dj);
+		block_solve(w->rows, w->load, 2, w->inverse, a, b, soft, dj);
 		block_push(w->rows, 2, dj, a, b);
 	} else {
-		block_solve(w->rows, w->rigid_count, w->inverse, a, b, soft, dj);
+		block_solve(w->rows, w->load, w->rigid_count, w->inverse, a, b, soft, dj);
 		block_push(w->rows, w->rigid_count, dj, a, b);
 	}
 }
@@ -495,9 +501,34 @@ void cni_joints_relax(cn_world *world, const cni_solve *s)
 	}
 }
 
+/* A joint that is solved by itself, with its neighbours pulling at it: is its gap more than is good? */
+static void look_for_gap(cn_world *world, const cni_joint_work *w)
+{
+	float gap = 0.0f;
+	int32_t k, island;
+	if (w->flags & (CNI_WORK_DIRECT | CNI_WORK_SPRINGY | CNI_WORK_BOUNDED))
+		return;
+	for (k = 0; k < w->rigid_count; ++k)
+		gap = cni_max(gap, w->rows[k].angular ? 0.0f : cni_abs(w->rows[k].error));
+	if (gap <= CNI_BAD_PART * world->settings.accuracy)
+		return;
+	island = cni_body_at(world, cni_awake_ids(world)[w->ia != 0 ? w->ia : w->ib])->island;
+	if (island != CNI_NONE)
+		cni_island_joints_part(world, island);
+}
+
 static int32_t is_beyond(const cni_joint_work *w, const cni_joint *j)
 {
 	return (j->break_force > 0.0f && w->force_stress > j->break_force) || (j->break_torque > 0.0f && w->torque_stress > j->break_torque);
+}
+
+/* A load follows what is there slowly, as that of a contact does; what has none gets none. */
+static void load_store(const cni_joint_work *w, cni_joint *j, const cni_solve *s)
+{
+	float part = cni_min(CNI_LOAD_RATE * s->dt, 1.0f);
+	int32_t r;
+	for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r)
+		j->load[r] = w->load[r] == 0.0f || r >= w->rigid_count || (w->flags & CNI_WORK_DIRECT) ? 0.0f : w->load[r] + part * (w->rows[r].impulse - w->load[r]);
 }
 
 void cni_joints_store(cn_world *world, const cni_solve *s)
@@ -515,7 +546,10 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 			j->impulse[r] = 0.0f;
 		for (r = 0; r < w->row_count; ++r)
 			j->impulse[w->rows[r].slot] = impulse[r];
+		load_store(w, j, s);
 		j->inv_h = s->inv_h;
+		if (world->settings.solver == CN_SOLVER_AUTO)
+			look_for_gap(world, w);
 		if (w->flags & CNI_WORK_TURNS)
 			cni_joint_turns_advance(world, j, cni_motions(world)[w->ia].theta, cni_motions(world)[w->ib].theta);
 		if (w->flags & CNI_WORK_BREAKABLE) {

@@ -13,6 +13,9 @@
  * dampers are at work, which must see all of the tension;
  * with one factorization a substep: of K at the old x for mu, which is that of the last substep's nu.
  * Gaps that are there already are closed by a part in each substep; nu takes out the speed that this needs.
+ * Joints alone bring in no energy: a step after which there is more of it, as from a bridge so straight that nothing can hold
+ * it, is taken again with more substeps, or left to the soft solver.
+ *
  * Substeps follow the tension's springs as far as they go, dampers do the rest: stages/joint_tension.c.
  *
  * Reads works, drives, motion; writes motion, start, works' rows and flags, drive flags.
@@ -22,9 +25,12 @@
 #define CLOSED 2e-6f           /* length units or radians: a joint that is closed */
 #define NEWTON_ROUNDS 5
 #define FAILED 50.0f            /* gaps above this many times CLOSED after all rounds: the substep is too long */
+#define GAP_OLD 100.0f          /* times CLOSED: a gap that this step has not made */
 #define CLOSING_RATE 0.2f      /* part of an old gap that is closed in a substep */
+#define ENERGY_GAIN 0.01f      /* in a step, as a part: more is not physics */
+#define SOFT_STEPS 3600           /* without direct solving after a step that gained energy in spite of all */
 #define SUBSTEPS_MOST 8.0f
-#define SUBSTEPS_RETRY 64        /* that many or more are not tried again */
+#define SUBSTEPS_RETRY 64        /* as many as that are taken as they come */
 
 /* ---- which components ---- */
 
@@ -80,6 +86,9 @@ int32_t cni_component_swings(const cn_world *world, const cni_solve *s, const cn
 
 /* ---- one substep ---- */
 
+/* How a substep went: closed, still open after all rounds, or beyond what floats hold. */
+enum { CLOSED_WELL = 0, OPEN = 1, BROKEN = 2 };
+
 typedef struct swing {
 	cn_world *world;
 	cni_sparse *sparse;
@@ -133,7 +142,7 @@ static void drift(const swing *g)
 /* What of an old gap is to be left after the substep. */
 static float gap_left(const swing *g, float error)
 {
-	if (cni_abs(error) <= 100.0f * g->closed)
+	if (cni_abs(error) <= GAP_OLD * g->closed)
 		return 0.0f;
 	return error - cni_clamp(CLOSING_RATE * error, -g->closing, g->closing);
 }
@@ -221,22 +230,22 @@ static void impulses_push(const swing *g, float part, float kept)
 	}
 }
 
-/* One round at least: what mu starts from may look good enough, and be wrong to the same side again and again. Returns
-   whether the joints were closed. */
+/* One round at least: what mu starts from may look good enough, and be wrong to the same side again and again. */
 static int32_t positions_close(const swing *g)
 {
 	float gap = gaps_find(g);
 	int32_t round;
 	for (round = 0; round < NEWTON_ROUNDS && (round == 0 || gap > g->closed); ++round) {
-		cni_sparse_solve(g->sparse, g->c);
+		if (!cni_sparse_solve(g->sparse, g->c))
+			return BROKEN;
 		impulses_add(g);
 		push_and_move(g);
 		gap = gaps_find(g);
 	}
-	return gap <= FAILED * g->closed;
+	return gap <= FAILED * g->closed ? CLOSED_WELL : OPEN;
 }
 
-static void velocities_close(const swing *g)
+static int32_t velocities_close(const swing *g)
 {
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k) {
@@ -244,8 +253,10 @@ static void velocities_close(const swing *g)
 		for (i = 0; i < CNI_NODE_ROWS; ++i)
 			n->x[i] = -cni_lever_speed(&n->lever[i], g->motions + n->ia, g->motions + n->ib);
 	}
-	cni_sparse_solve(g->sparse, g->c);
+	if (!cni_sparse_solve(g->sparse, g->c))
+		return 0;
 	cni_direct_push(g->world, g->sparse, g->c);
+	return 1;
 }
 
 /* Substeps that follow the fastest of the tension's springs, as far as they go. */
@@ -271,8 +282,7 @@ static int32_t substep(const swing *g)
 	cni_tension_damp(g->world, g->sparse, g->c, g->h);
 	cni_direct_refresh(g->world, g->sparse, g->c);
 	impulses_push(g, 2.0f * g->warm, 1.0f + 2.0f * g->warm);
-	velocities_close(g);
-	return closed;
+	return velocities_close(g) ? closed : BROKEN;
 }
 
 /* ---- the step ---- */
@@ -361,9 +371,38 @@ static void motions_copy(const swing *g, cni_motion *copy, int32_t back)
 	}
 }
 
+/* Are there old gaps, which are closed with some speed? */
+static int32_t gaps_are_closing(const swing *g)
+{
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k)
+		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
+			if (cni_abs(work_of(g, k)->rows[i].error) > GAP_OLD * g->closed)
+				return 1;
+	return 0;
+}
+
+/* Of motion, less the work that drives have done in this step; and what a step of free fall, and of closing gaps, may
+   give from rest. */
+static float energy(const swing *g, float dt, float *out_fall)
+{
+	float sum = 0.0f, fall = 0.0f, pull = gaps_are_closing(g) ? g->closing / g->h : 0.0f;
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		const cni_motion *m = g->motions + g->sparse->bodies[k];
+		const cni_drive *d = cni_drives(g->world) + g->sparse->bodies[k];
+		float mass = m->inv_mass > 0.0f ? 1.0f / m->inv_mass : 0.0f, inertia = m->inv_inertia > 0.0f ? 1.0f / m->inv_inertia : 0.0f;
+		sum += mass * (0.5f * (m->vx * m->vx + m->vy * m->vy) - (d->ax * m->dpx + d->ay * m->dpy)) + inertia * (0.5f * m->w * m->w - d->alpha * m->theta);
+		fall += 0.5f * dt * dt * (mass * (d->ax * d->ax + d->ay * d->ay) + inertia * d->alpha * d->alpha) + 0.5f * mass * pull * pull;
+	}
+	*out_fall = fall;
+	return sum;
+}
+
 /* All substeps, or as many as go well. */
 static int32_t substeps_try(swing *g, const cni_solve *s, cni_component *c, int32_t substeps)
 {
+	float before, allowed, fall;
 	int32_t k;
 	g->h = s->dt / (float)substeps;
 	g->closing = g->h * s->push_speed;
@@ -376,25 +415,52 @@ static int32_t substeps_try(swing *g, const cni_solve *s, cni_component *c, int3
 	}
 	cni_tension_damp(g->world, g->sparse, c, g->h);
 	cni_direct_refresh(g->world, g->sparse, c);
+	before = energy(g, s->dt, &allowed);
 	for (k = 0; k < substeps; ++k) {
+		int32_t how;
 		bodies_begin(g);
-		if (!substep(g) && substeps < SUBSTEPS_RETRY)
-			return 0;
+		how = substep(g);
+		if (how == BROKEN || (how == OPEN && substeps < SUBSTEPS_RETRY))
+			return how;
 		works_stress(g);
 	}
-	return 1;
+	/* Written so that what is not a number fails too. */
+	return energy(g, s->dt, &fall) - before <= ENERGY_GAIN * cni_abs(before) + allowed ? CLOSED_WELL : BROKEN;
+}
+
+/*
+ * Each joint by itself after all, in this step and for some time. A bridge between two walls that is exactly straight can
+ * be held by no force: what is rigid must explode there, and only what gives way stands.
+ */
+static void swing_release(const swing *g, const cni_solve *s)
+{
+	int32_t k, i, island = cni_body_at(g->world, cni_awake_ids(g->world)[g->sparse->bodies[g->c->body_begin]])->island;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		cni_joint_work_prepare(g->world, s, g->sparse->nodes[k].owner);
+		for (i = 0; i < work_of(g, k)->row_count; ++i)
+			work_of(g, k)->rows[i].impulse = 0.0f; /* what could not be held has grown beyond all measure */
+	}
+	g->world->joints_soft_step = g->world->step_count + SOFT_STEPS;
+	if (island != CNI_NONE)
+		cni_island_at(g->world, island)->joints_soft_step = g->world->joints_soft_step;
 }
 
 /* A step whose joints do not close, in a fast whip, is taken again with substeps half as long. */
 static void swing_run(cn_world *world, const cni_solve *s, cni_component *c, float *left, cni_motion *saved)
 {
 	swing g = { world, s->direct, c, cni_motions(world), s->h, CLOSED * world->settings.length_unit, 0.0f, left, 0.5f };
-	int32_t substeps;
+	int32_t substeps, how;
 	cni_direct_turns(world, g.sparse, c);
 	cni_tension_find(world, g.sparse, c, s->h);
 	motions_copy(&g, saved, 0);
-	for (substeps = substeps_of(&g, s); !substeps_try(&g, s, c, substeps); substeps *= 2)
+	c->done = 1;
+	for (substeps = substeps_of(&g, s); (how = substeps_try(&g, s, c, substeps)) != CLOSED_WELL; substeps *= 2) {
 		motions_copy(&g, saved, 1);
+		if (how == BROKEN && substeps >= SUBSTEPS_RETRY) {
+			swing_release(&g, s);
+			return;
+		}
+	}
 	bodies_end(&g, s);
 	works_end(&g, s);
 }
@@ -423,6 +489,8 @@ void cni_swings_run(cn_world *world, const cni_solve *s)
 		cni_component *c = &s->direct->components[k];
 		if (saved == NULL)
 			c->swings = 0;
+		else if (c->swings && c->dear)
+			cni_net_run(world, s, s->direct, c);
 		else if (c->swings)
 			swing_run(world, s, c, left, saved);
 	}

@@ -29,6 +29,7 @@ typedef struct cni_joint_work {
 	cni_joint_frame start;     /* at the beginning of the step */
 	float inverse[6];          /* of the first rows' K: 00 01 02 11 12 22 */
 	cni_row rows[CNI_JOINT_ROWS];
+	float load[CNI_JOINT_RIGID_ROWS]; /* the first rows give way around it; 0 but in nets: stages/joint_net.c */
 	float single_mass[CNI_JOINT_ROWS];
 	cni_soft soft;             /* springy: of the first rows and of limits */
 	cni_soft spring;           /* of the spring or soft row, if there is one */
@@ -40,6 +41,8 @@ static inline cni_joint_work *cni_joint_works(const cn_world *world)
 {
 	return (cni_joint_work *)world->joint_work.data;
 }
+/* The work of place k in the awake list, as a step begins. */
+void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k);
 /* Builds all rows at the bodies' present positions, impulses left undefined. */
 void cni_joint_work_build(cni_joint_work *w, const cni_motion *a, const cni_motion *b);
 /* The rows as their type gives them, for joints whose rows are all rigid or limits that are far away; turns: rotations
@@ -50,10 +53,14 @@ void cni_joint_work_stress(cni_joint_work *w, const cni_motion *b, float inv_h);
 
 /* ---- components of joints that are solved directly: stages/joint_direct.c ---- */
 
+/* Joints' levers from their rows. Returns how many joints there are. */
+int32_t cni_direct_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* The nodes' levers from their works' rows, and the factors of it. */
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* Is the component held by its rigid joints alone in this step? */
 int32_t cni_component_swings(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
+/* Levers, dampers and factors of a component for the world's substeps. */
+void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 /* Rotations of the component's bodies since the step began. */
 void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 
@@ -68,6 +75,8 @@ int32_t cni_tension_needs_dampers(const cn_world *world, const cni_sparse *spars
 /* Sets the third rows of pins in a component of width 3, before its factorization. */
 void cni_tension_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 
+/* The whole step of a dear component that swings: stages/joint_net.c. */
+void cni_net_run(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 /* x of every node to its bodies' velocities and its rows' impulses. */
 void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c);
 

@@ -10,7 +10,8 @@
  * of boxes are made side by side, then each is finished in order. So memory is asked for early, and the
  * results are those of one by one.
  *
- * Reads bodies, shapes, geometry, proxies; writes contacts, lanes, and through them islands and events.
+ * Reads bodies, shapes, geometry, proxies; writes contacts, lanes, and through them islands and events; marks
+ * bodies that have static ones about them.
  */
 #include "geometry/manifold_boxes.h"
 #include "stages/narrowphase_touch.h"
@@ -167,7 +168,11 @@ typedef struct window {
 	int32_t column[WINDOW];  /* in boxes, or one of the below */
 	cni_box_batch boxes;
 	cni_box_kernel_fn *kernel;
+	int32_t prefetches;
 } window;
+
+/* Contacts of fewer are in the cache anyway. */
+#define PREFETCH_FROM 2048
 
 enum {
 	COLUMN_NONE = -1,   /* not a pair of boxes */
@@ -175,39 +180,44 @@ enum {
 	COLUMN_ASLEEP = -3  /* nothing to look at */
 };
 
-/* Asks for the memory of the windows to come: of the next one bodies and boxes, of the one after it contacts. */
-static void window_prefetch(const cn_world *world, const int32_t *contacts, int32_t count)
+/* Asks for the memory of contacts to come: of the one a window ahead bodies and boxes, of the one two ahead its record.
+   Inlined by force: compilers take a function that only prefetches for one that does nothing. */
+CNI_INLINE void window_prefetch(const cn_world *world, const int32_t *contacts, int32_t k, int32_t count)
 {
-	int32_t k;
-	for (k = WINDOW; k < cni_min_i(2 * WINDOW, count); ++k) {
-		const cni_contact *c = cni_contact_at(world, contacts[k]);
-		int32_t side;
-		for (side = 0; side < 2; ++side) {
-			const cni_proxy *p = cni_proxy_at(world, c->proxy[side]);
-			const cni_body *b = cni_body_at(world, c->body[side]);
-			CNI_PREFETCH(&p->fat);
-			CNI_PREFETCH(&p->shape);
-			CNI_PREFETCH(b);
-			CNI_PREFETCH(&b->awake);
-		}
+	int32_t side;
+	if (k + 2 * WINDOW < count) {
+		const cni_contact *c = cni_contact_at(world, contacts[k + 2 * WINDOW]);
+		CNI_PREFETCH(c);
+		CNI_PREFETCH(&c->gap);
 	}
-	for (k = 2 * WINDOW; k < cni_min_i(3 * WINDOW, count); ++k)
-		CNI_PREFETCH(cni_contact_at(world, contacts[k]));
+	if (k + WINDOW >= count)
+		return;
+	for (side = 0; side < 2; ++side) {
+		const cni_contact *c = cni_contact_at(world, contacts[k + WINDOW]);
+		const cni_proxy *p = cni_proxy_at(world, c->proxy[side]);
+		const cni_body *b = cni_body_at(world, c->body[side]);
+		CNI_PREFETCH(&p->fat);
+		CNI_PREFETCH(b);
+	}
 }
 
-static void window_begin(const cn_world *world, window *w, const int32_t *contacts, int32_t count, float dt)
+/* left: contacts from the window's first to the last of all. */
+static void window_begin(const cn_world *world, window *w, const int32_t *contacts, int32_t left, float dt)
 {
-	int32_t k;
+	int32_t k, count = cni_min_i(WINDOW, left);
 	w->boxes.count = 0;
 	for (k = 0; k < count; ++k) {
 		cni_contact *c = cni_contact_at(world, contacts[k]);
 		cni_touch *t = &w->touch[k];
+		if (w->prefetches)
+			window_prefetch(world, contacts, k, left);
 		if (c->flags & CNI_CONTACT_ENTERED)
 			c->flags &= ~(uint32_t)CNI_CONTACT_ENTERED;
 		w->column[k] = COLUMN_ASLEEP;
 		if (c->flags & CNI_CONTACT_ASLEEP)
 			continue;
 		w->column[k] = COLUMN_APART;
+		cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
 		if (!cni_touch_begin(world, c, look_ahead(c, dt), t))
 			continue;
 		w->column[k] = COLUMN_NONE;
@@ -237,10 +247,10 @@ void cni_stage_narrowphase(cn_world *world, float dt)
 	int32_t from, k, count = 0;
 	window w;
 	w.kernel = cni_box_kernel_choose();
+	w.prefetches = world->awake_contacts.count >= PREFETCH_FROM;
 	for (from = 0; from < world->awake_contacts.count; from += WINDOW) {
 		int32_t size = cni_min_i(WINDOW, world->awake_contacts.count - from);
-		window_prefetch(world, awake + from, world->awake_contacts.count - from);
-		window_begin(world, &w, awake + from, size, dt);
+		window_begin(world, &w, awake + from, world->awake_contacts.count - from, dt);
 		cni_boxes_run(&w.boxes, w.kernel);
 		for (k = 0; k < size; ++k) {
 			uint32_t change = (uint32_t)window_finish(world, &w, k, awake[from + k], dt);

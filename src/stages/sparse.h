@@ -34,8 +34,9 @@ typedef struct cni_node {
 	uint32_t held;                     /* of a contact: bits of the rows whose levers are set */
 	cni_lever lever[CNI_NODE_ROWS];    /* rows beyond `rows` are zero */
 	float compliance[CNI_NODE_ROWS];   /* added to the diagonal */
-	float whole[CNI_NODE_ROWS];        /* the diagonal before elimination */
+	float least[CNI_NODE_ROWS];        /* least pivots: less is rounding */
 	float x[CNI_NODE_ROWS];            /* right hand side in, solution out */
+	float carried[CNI_NODE_ROWS];      /* impulses that a pass began with */
 	float total[CNI_NODE_ROWS];        /* solutions so far, where there are several */
 } cni_node;
 
@@ -55,6 +56,8 @@ typedef struct cni_coupling {
 } cni_coupling;
 
 /* Positions [begin, end) that no other component couples with. */
+#define CNI_DEAR_WORK 64 /* for each node: more is dear */
+
 typedef struct cni_component {
 	int32_t begin, end;
 	int32_t coupling_begin, coupling_end;
@@ -64,8 +67,11 @@ typedef struct cni_component {
 	int32_t width;                 /* 2 or 3: rows that its nodes are solved with */
 	float regular;                 /* added to the diagonal, as a part of it */
 	int32_t swings;                /* of stages/joint_swing.c */
+	int32_t done;                  /* 1: nothing more to do for it in this step */
 	int32_t presses;               /* 1: with contacts, of stages/contact_direct.c */
+	int32_t calm;                  /* ... nothing was pushed in this substep */
 	int32_t factored;              /* ... and its pivots are those of the levers */
+	int32_t dear;                  /* 1: much work for each node: stages/joint_net.c */
 	int32_t joints;                /* of stages/joint_direct.c: how many of its nodes are joints */
 } cni_component;
 
@@ -101,8 +107,9 @@ void cni_sparse_discard(cni_arena *arena, cni_sparse *sparse);
 uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most);
 /* From the levers of the component's nodes to its pivots and blocks. */
 void cni_sparse_factor(cni_sparse *sparse, const cni_component *c, const cni_motion *motions);
-/* The nodes' x from right hand sides to solutions. */
-void cni_sparse_solve(cni_sparse *sparse, const cni_component *c);
+/* The nodes' x from right hand sides to solutions. 0: some of it is not finite, for masses or arms that floats cannot
+   hold together; nothing must be done with it. */
+int32_t cni_sparse_solve(cni_sparse *sparse, const cni_component *c);
 
 static inline float cni_lever_speed(const cni_lever *l, const cni_motion *a, const cni_motion *b)
 {

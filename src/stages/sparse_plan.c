@@ -85,7 +85,8 @@ static uint64_t block_bytes(int32_t count)
 
 uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most)
 {
-	return scratch_bytes(count, body_count, work_most) + kept_bytes(count, work_most) + block_bytes(count + below_capacity_of(count, work_most)) + 256;
+	return scratch_bytes(count, body_count, work_most) + kept_bytes(count, work_most) +
+	       block_bytes(count + below_capacity_of(count, work_most)) + 256;
 }
 
 /* Takes bytes from the front of a piece of memory. */
@@ -446,13 +447,12 @@ static void component_plan(planner *p)
 {
 	cni_sparse *s = p->out;
 	cni_component c;
-	int32_t k;
+	int32_t k, blocks_before = s->block_count;
 	c.begin = s->node_count;
 	c.coupling_begin = s->coupling_count;
 	c.body_begin = s->body_count;
-	k = s->block_count;
 	if (!neighbours_collect(p) || !order_find(p) || !component_emit_blocks(p, c.begin) || !component_emit_couplings(p, c.begin)) {
-		s->block_count = k;
+		s->block_count = blocks_before;
 		s->coupling_count = c.coupling_begin;
 		return;
 	}
@@ -464,11 +464,12 @@ static void component_plan(planner *p)
 	c.coupling_end = s->coupling_count;
 	c.body_end = s->body_count;
 	c.work = p->work;
+	c.dear = p->work > CNI_DEAR_WORK * p->member_count;
 	p->budget -= p->work;
 	c.loops = p->member_count > c.body_end - c.body_begin;
 	c.width = component_width(p);
 	c.regular = 0.0f;
-	c.swings = c.presses = c.factored = c.joints = 0;
+	c.swings = c.done = c.presses = c.calm = c.factored = c.joints = 0;
 	s->components[s->component_count++] = c;
 }
 

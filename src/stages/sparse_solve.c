@@ -10,8 +10,9 @@
 #include <string.h>
 
 #define STRIDE (CNI_NODE_ROWS * CNI_NODE_ROWS)
-/* A pivot below this part of the diagonal it came from is rounding. */
+/* A pivot below this part of the diagonal it came from is rounding: so it is below a part of what was added to it. */
 #define PIVOT_LEAST 2e-6f
+#define PIVOT_LEAST_REGULAR 0.2f
 
 /* Where a component's blocks and pivots are: they lie close, in room for the greatest width. */
 typedef struct region {
@@ -85,26 +86,26 @@ CNI_INLINE void coupling_add(const cni_sparse *s, const cni_coupling *c, const c
 
 /* ---- elimination ---- */
 
-CNI_INLINE float pivot_inverse(float pivot, float whole)
+CNI_INLINE float pivot_inverse(float pivot, float least)
 {
-	return pivot > PIVOT_LEAST * whole ? 1.0f / pivot : 0.0f;
+	return pivot > least ? 1.0f / pivot : 0.0f;
 }
 
 /*
  * The inverse of a symmetric block whose lower half is given, in place, by LDL^T; a row whose pivot has cancelled
- * against `whole`, its diagonal before elimination, is left out: zero in the inverse, so that it gets no impulse.
+ * to below `least` is left out: zero in the inverse, so that it gets no impulse.
  */
-CNI_INLINE void pivot_invert(float *d, const float *whole, int32_t w)
+CNI_INLINE void pivot_invert(float *d, const float *least, int32_t w)
 {
 	if (w == 2) {
-		float i0 = pivot_inverse(d[0], whole[0]), l10 = d[2] * i0, i1 = pivot_inverse(d[3] - l10 * d[2], whole[1]);
+		float i0 = pivot_inverse(d[0], least[0]), l10 = d[2] * i0, i1 = pivot_inverse(d[3] - l10 * d[2], least[1]);
 		d[0] = i0 + l10 * l10 * i1;
 		d[1] = d[2] = -l10 * i1;
 		d[3] = i1;
 	} else {
-		float i0 = pivot_inverse(d[0], whole[0]), l10 = d[3] * i0, l20 = d[6] * i0;
-		float i1 = pivot_inverse(d[4] - l10 * d[3], whole[1]), c21 = d[7] - l20 * d[3], l21 = c21 * i1;
-		float i2 = pivot_inverse(d[8] - l20 * d[6] - l21 * c21, whole[2]), t20 = l10 * l21 - l20;
+		float i0 = pivot_inverse(d[0], least[0]), l10 = d[3] * i0, l20 = d[6] * i0;
+		float i1 = pivot_inverse(d[4] - l10 * d[3], least[1]), c21 = d[7] - l20 * d[3], l21 = c21 * i1;
+		float i2 = pivot_inverse(d[8] - l20 * d[6] - l21 * c21, least[2]), t20 = l10 * l21 - l20;
 		d[0] = i0 + l10 * l10 * i1 + t20 * t20 * i2;
 		d[3] = d[1] = -l10 * i1 - t20 * l21 * i2;
 		d[6] = d[2] = t20 * i2;
@@ -161,18 +162,19 @@ CNI_INLINE void node_eliminate(const cni_sparse *s, const region *r, int32_t k, 
 CNI_INLINE void factor(cni_sparse *s, const cni_component *c, const cni_motion *motions, int32_t w)
 {
 	region r = region_of(s, c);
+	float least = cni_max(PIVOT_LEAST, PIVOT_LEAST_REGULAR * c->regular);
 	int32_t k, i;
 	memset(r.blocks, 0, sizeof(float) * (size_t)(w * w) * (size_t)(s->first[c->end] - r.block_first));
 	for (k = c->begin; k < c->end; ++k) {
 		float *d = pivot_at(&r, k, w);
 		diagonal_form(&s->nodes[k], d, motions, c->regular, w);
 		for (i = 0; i < w; ++i)
-			s->nodes[k].whole[i] = d[i * w + i];
+			s->nodes[k].least[i] = least * d[i * w + i];
 	}
 	for (k = c->coupling_begin; k < c->coupling_end; ++k)
 		coupling_add(s, &s->couplings[k], motions, block_at(&r, s->couplings[k].block, w), w);
 	for (k = c->begin; k < c->end; ++k) {
-		pivot_invert(pivot_at(&r, k, w), s->nodes[k].whole, w);
+		pivot_invert(pivot_at(&r, k, w), s->nodes[k].least, w);
 		node_eliminate(s, &r, k, w);
 	}
 }
@@ -211,10 +213,11 @@ CNI_INLINE void pivot_apply(const float *pivot, const float *x, float *out, int3
 	}
 }
 
-CNI_INLINE void solve(cni_sparse *s, const cni_component *c, int32_t w)
+CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
 {
 	region r = region_of(s, c);
 	int32_t k, e, i;
+	float finite = 0.0f; /* stays so: 0 times what is finite */
 	for (k = c->begin; k < c->end; ++k) {
 		float z[CNI_NODE_ROWS];
 		pivot_apply(pivot_at(&r, k, w), s->nodes[k].x, z, w);
@@ -226,15 +229,15 @@ CNI_INLINE void solve(cni_sparse *s, const cni_component *c, int32_t w)
 		for (e = s->first[k]; e < s->first[k + 1]; ++e)
 			block_take(y, block_at(&r, e, w), s->nodes[s->below[e]].x, 1, w);
 		pivot_apply(pivot_at(&r, k, w), y, out, w);
-		for (i = 0; i < w; ++i)
+		for (i = 0; i < w; ++i) {
 			y[i] = out[i];
+			finite += 0.0f * out[i];
+		}
 	}
+	return finite == 0.0f;
 }
 
-void cni_sparse_solve(cni_sparse *s, const cni_component *c)
+int32_t cni_sparse_solve(cni_sparse *s, const cni_component *c)
 {
-	if (c->width == 2)
-		solve(s, c, 2);
-	else
-		solve(s, c, 3);
+	return c->width == 2 ? solve(s, c, 2) : solve(s, c, 3);
 }

@@ -10,15 +10,21 @@
  *
  * A scene in which nothing is wrong pays for one look at the separations of its lanes.
  *
- * CN_SOLVER_DIRECT takes every island, quiet or not, and never gives it back.
+ * Islands with joints are not taken by themselves: their joints are solved directly as it is (stages/joint_direct.c), and
+ * one system of taut joints and of contacts whose set is not found in one step out of hundreds does more harm by that
+ * step than good by the others. A body's own solver takes them too.
  *
- * Reads lanes, islands, motion; writes islands' tier fields and world->direct_islands.
+ * CN_SOLVER_DIRECT takes every island, quiet or not, and never gives it back. A body's own solver does the same for its
+ * island, or keeps it soft.
+ *
+ * Why an island is in its tier is written down where that is decided: world/islands.c tells it.
+ *
+ * Reads lanes, islands, motion; writes islands' tier fields, world->direct_islands.
  */
-#include "stages/contact_direct.h"
+#include "stages/press.h"
 #include "stages/solver.h"
 
 #define ISLANDS_MOST 64        /* solved directly at the same time, of CN_SOLVER_AUTO */
-#define OVERLAP_PART 0.1f      /* of the accuracy: more is bad */
 #define QUIET_SPEED 0.5f       /* length units a second: what moves faster is no pile */
 #define STAY_FIRST 15          /* good steps until an island is given back, the first time */
 #define STAY_FACTOR 4          /* ... and each time it turned bad again after that */
@@ -46,7 +52,16 @@ static int32_t island_is_quiet(const cn_world *world, const cni_island *i)
 	return 1;
 }
 
-static void island_take(cn_world *world, int32_t island)
+int32_t cni_island_has_joints(const cn_world *world, int32_t island)
+{
+	int32_t body;
+	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		if (cni_body_at(world, body)->joint_count > 0)
+			return 1;
+	return 0;
+}
+
+static void island_take(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
 	if (!cni_array_reserve(&world->direct_islands, &world->memory, world->direct_islands.count + 1)) {
@@ -54,30 +69,65 @@ static void island_take(cn_world *world, int32_t island)
 		return;
 	}
 	i->tier = CNI_TIER_DIRECT;
+	i->reason = reason;
 	i->good_steps = 0;
 	listed(world)[world->direct_islands.count++] = island;
 }
 
-/* Something is wrong in it. */
-static void island_is_bad(cn_world *world, int32_t island)
+int32_t cni_island_is_refused(const cni_island *i, uint32_t step)
+{
+	return i->refused_steps > 0 && step - i->refused_step < (uint32_t)i->refused_steps;
+}
+
+/* Something is wrong in it. Of several reasons the latest of the list is told. */
+static void island_is_bad(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
 	i->good_steps = 0;
+	if (i->tier == CNI_TIER_DIRECT && i->reason < reason)
+		i->reason = reason;
 	if (i->tier == CNI_TIER_DIRECT || i->looked_step == world->step_count + 1u)
 		return;
 	i->looked_step = world->step_count + 1u;
-	if (i->refused_steps > 0 && world->step_count - i->refused_step < (uint32_t)i->refused_steps)
+	if (cni_island_is_refused(i, world->step_count) || i->solver == CN_SOLVER_SOFT)
 		return;
-	if (world->direct_islands.count < ISLANDS_MOST && 2 * i->count <= CNI_PRESS_MOST && island_is_quiet(world, i))
-		island_take(world, island);
+	if (world->direct_islands.count >= ISLANDS_MOST || 2 * i->count > CNI_PRESS_MOST)
+		i->reason = CN_TIER_REASON_CROWDED;
+	else if (!island_is_quiet(world, i))
+		i->reason = CN_TIER_REASON_MOVING;
+	else if (cni_island_has_joints(world, island))
+		i->reason = CN_TIER_REASON_JOINTED;
+	else
+		island_take(world, island, reason);
 }
 
-void cni_island_refuse(cn_world *world, int32_t island)
+void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
 	i->tier = CNI_TIER_SOFT;
+	i->reason = reason;
 	i->refused_step = world->step_count;
 	i->refused_steps = cni_min_i(i->refused_steps > 0 ? 2 * i->refused_steps : REFUSED_STEPS, 16 * REFUSED_STEPS);
+}
+
+/* Large nets, which are not solved directly from the start. */
+void cni_island_joints_part(cn_world *world, int32_t island)
+{
+	cni_island *i = cni_island_at(world, island);
+	if (i->tier == CNI_TIER_DIRECT || cni_island_is_refused(i, world->step_count) || world->direct_islands.count >= ISLANDS_MOST)
+		return;
+	if (i->solver != CN_SOLVER_SOFT)
+		island_take(world, island, CN_TIER_REASON_JOINT);
+}
+
+void cni_island_once(cn_world *world, int32_t island, int32_t steps)
+{
+	cni_island *i = cni_island_at(world, island);
+	if (i->tier != CNI_TIER_DIRECT || i->solver == CN_SOLVER_DIRECT)
+		return; /* a joint or a body asks for it in every step */
+	i->good_steps = STAY_MOST + 1;
+	i->refused_step = world->step_count;
+	i->refused_steps = cni_max_i(2 * i->refused_steps, steps);
 }
 
 /* ---- looking for what is wrong ---- */
@@ -105,13 +155,13 @@ static void block_look(cn_world *world, int32_t block, float most)
 			continue;
 		island = cni_body_at(world, cni_awake_ids(world)[k->ia[l]])->island;
 		if (island != CNI_NONE)
-			island_is_bad(world, island);
+			island_is_bad(world, island, overlap(k, l) > most ? CN_TIER_REASON_OVERLAP : CN_TIER_REASON_NEW_CONTACT);
 	}
 }
 
 static void lanes_look(cn_world *world)
 {
-	float most = OVERLAP_PART * world->settings.accuracy;
+	float most = CNI_BAD_PART * world->settings.accuracy;
 	int32_t color, block;
 	for (color = 0; color < CNI_COLORS; ++color)
 		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
@@ -125,38 +175,99 @@ static void list_update(cn_world *world)
 	for (k = 0; k < world->direct_islands.count; ++k) {
 		int32_t island = listed(world)[k];
 		cni_island *i = cni_island_at(world, island);
-		if (i->first == CNI_NONE || !i->awake || i->tier != CNI_TIER_DIRECT)
+		if (i->first == CNI_NONE || i->tier != CNI_TIER_DIRECT)
 			continue;
-		if (i->good_steps++ < cni_max_i(i->stay_steps, STAY_FIRST)) {
+		if (!i->awake) {
+			i->tier = CNI_TIER_SOFT;
+			continue;
+		}
+		if (i->solver != CN_SOLVER_SOFT && i->good_steps <= STAY_MOST &&
+		    (i->good_steps++ < cni_max_i(i->stay_steps, STAY_FIRST) || i->solver == CN_SOLVER_DIRECT)) {
+			i->reason = CN_TIER_REASON_SETTLING;
 			listed(world)[kept++] = island;
 			continue;
 		}
 		i->tier = CNI_TIER_SOFT;
+		i->reason = i->good_steps > STAY_MOST ? CN_TIER_REASON_WORK : CN_TIER_REASON_NONE;
+		if (i->solver == CN_SOLVER_SOFT)
+			continue;
 		i->stay_steps = cni_min_i(STAY_FACTOR * cni_max_i(i->stay_steps, STAY_FIRST), STAY_MOST);
 	}
 	world->direct_islands.count = kept;
 }
 
-/* Every island that is awake. */
-static void list_all(cn_world *world)
+void cni_tiers_forget(cn_world *world)
 {
 	int32_t k;
 	for (k = 0; k < world->direct_islands.count; ++k)
 		cni_island_at(world, listed(world)[k])->tier = CNI_TIER_SOFT;
 	world->direct_islands.count = 0;
+	world->direct_work = world->direct_failed = 0;
+}
+
+static cni_island *awake_island(const cn_world *world, int32_t index)
+{
+	int32_t island = cni_body_at(world, cni_awake_ids(world)[index])->island;
+	return island != CNI_NONE ? cni_island_at(world, island) : NULL;
+}
+
+static void joint_solver_gather(cn_world *world, const cni_joint *j)
+{
+	int32_t side;
+	for (side = 0; side < 2; ++side) {
+		int32_t index = j->body[side] != CNI_NONE ? cni_body_at(world, j->body[side])->awake : 0;
+		cni_island *i = index != 0 ? awake_island(world, index) : NULL;
+		if (i != NULL)
+			i->joints_solver = CN_SOLVER_DIRECT;
+	}
+}
+
+/* What bodies and joints ask for, into their islands. */
+static void solvers_gather(cn_world *world)
+{
+	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
-		int32_t island = cni_body_at(world, cni_awake_ids(world)[k])->island;
-		if (island != CNI_NONE && cni_island_at(world, island)->tier != CNI_TIER_DIRECT)
-			island_take(world, island);
+		cni_island *i = awake_island(world, k);
+		if (i != NULL)
+			i->solver = i->joints_solver = CN_SOLVER_AUTO;
+	}
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
+		if (j->solver == CN_SOLVER_DIRECT)
+			joint_solver_gather(world, j);
+	}
+	for (k = 1; k < world->awake_count; ++k) {
+		int32_t solver = cni_body_solver(cni_body_at(world, cni_awake_ids(world)[k]));
+		cni_island *i = solver != CN_SOLVER_AUTO ? awake_island(world, k) : NULL;
+		if (i != NULL && i->solver != CN_SOLVER_SOFT)
+			i->solver = solver;
+	}
+}
+
+/* Every island that is awake, or those with a body that asks for it; but none that a body keeps soft. */
+static void list_awake(cn_world *world, int32_t every)
+{
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		const cni_island *i = awake_island(world, k);
+		if (i == NULL || i->tier == CNI_TIER_DIRECT || i->solver == CN_SOLVER_SOFT || (!every && i->solver != CN_SOLVER_DIRECT))
+			continue;
+		island_take(world, cni_body_at(world, cni_awake_ids(world)[k])->island, every ? CN_TIER_REASON_SOLVER : CN_TIER_REASON_OVERRIDE);
 	}
 }
 
 void cni_stage_tiers(cn_world *world)
 {
+	world->direct_work = world->direct_failed = 0;
+	if (world->overridden)
+		solvers_gather(world);
 	if (world->settings.solver == CN_SOLVER_DIRECT) {
-		list_all(world);
+		cni_tiers_forget(world);
+		list_awake(world, 1);
 	} else if (world->settings.solver == CN_SOLVER_AUTO) {
 		list_update(world);
+		if (world->overridden)
+			list_awake(world, 0);
 		lanes_look(world);
 	}
 }

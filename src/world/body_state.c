@@ -1,6 +1,6 @@
 /*
  * world/body_state.c - public functions that change what a body is to the simulation: type, flags,
- * awake or asleep.
+ * awake or asleep, its own solver.
  *
  * A change of type or of CN_BODY_ENABLED takes the body out of everything that depends on it (joints,
  * contacts, island, dense arrays), changes the record, and puts it back in. The joints' records stay;
@@ -219,4 +219,26 @@ cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake)
 		return cni_refuse(&call, CN_ERROR_MEMORY, "no memory for contacts at rest");
 	world->events.moved_built = 0;
 	return CN_OK;
+}
+
+/* ------------------------------------------------------------------ solver */
+
+cn_result cn_body_set_solver(cn_world *world, cn_body body, int32_t solver)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_range_int(&call, "solver", solver, CN_SOLVER_AUTO, CN_SOLVER_DIRECT);
+	if (call.result == CN_OK)
+		cni_body_set_solver(world, b, solver);
+	return call.result;
+}
+
+cn_result cn_body_get_solver(const cn_world *world, cn_body body, int32_t *out_solver)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_check_pointer(&call, "out_solver", out_solver);
+	if (call.result == CN_OK)
+		*out_solver = cni_body_solver(b);
+	return call.result;
 }

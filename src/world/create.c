@@ -37,7 +37,7 @@ static void def_check_numbers(cni_call *call, const cn_world_def *d)
 	cni_check_range_int(call, "broadphase", d->broadphase, CN_BROADPHASE_SWEEP, CN_BROADPHASE_TREE);
 	cni_check_range_int(call, "substep_count", d->substep_count, 1, 64);
 	cni_check_at_least(call, "accuracy_m", d->accuracy_m, 0.0f);
-	cni_check_range_int(call, "work_budget", d->work_budget, 0, 1000000000);
+	cni_check_range_int(call, "work_budget", d->work_budget, 0, CNI_WORK_BUDGET_MAX);
 	cni_check_at_least(call, "restitution_threshold_mps", d->restitution_threshold_mps, 0.0f);
 	cni_check_at_least(call, "push_speed_max_mps", d->push_speed_max_mps, 0.0f);
 	cni_check_at_least(call, "linear_speed_max_mps", d->linear_speed_max_mps, 0.0f);

@@ -24,6 +24,7 @@
 #define CNI_POSITION_MAX_UNITS 1e6f
 /* All public shape flags. */
 #define CNI_SHAPE_FLAGS ((uint32_t)(CN_SHAPE_SENSOR | CN_SHAPE_SENSOR_SEEN | CN_SHAPE_ONE_WAY | CN_SHAPE_PRE_SOLVE))
+#define CNI_WORK_BUDGET_MAX 1000000000
 /* Angles up to this many radians are accepted. */
 #define CNI_ANGLE_MAX_RAD 1e4f
 

@@ -131,6 +131,19 @@ cn_result cn_joint_set_target(cn_world *world, cn_joint joint, float target_x_m,
 	return CN_OK;
 }
 
+cn_result cn_joint_set_solver(cn_world *world, cn_joint joint, int32_t solver)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_check_range_int(&call, "solver", solver, CN_SOLVER_AUTO, CN_SOLVER_DIRECT);
+	if (call.result != CN_OK)
+		return call.result;
+	j->solver = solver;
+	if (solver != CN_SOLVER_AUTO)
+		world->overridden = 1;
+	return CN_OK;
+}
+
 cn_result cn_joint_set_user_data(cn_world *world, cn_joint joint, uint64_t user_data)
 {
 	cni_call call = cni_enter(world, __func__);
@@ -200,6 +213,16 @@ cn_result cn_joint_get_error(const cn_world *world, cn_joint joint, float *out_m
 	cni_check_pointer(&call, "out_rad", out_rad);
 	if (call.result == CN_OK)
 		cni_joint_error(world, j, out_m, out_rad);
+	return call.result;
+}
+
+cn_result cn_joint_get_solver(const cn_world *world, cn_joint joint, int32_t *out_solver)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_joint *j = cni_check_joint(&call, "joint", joint);
+	cni_check_pointer(&call, "out_solver", out_solver);
+	if (call.result == CN_OK)
+		*out_solver = j->solver;
 	return call.result;
 }
 

@@ -80,6 +80,7 @@ int32_t cn_sizeof(int32_t type)
 	case CN_TYPE_JOINT_EVENT: return (int32_t)sizeof(cn_joint_event);
 	case CN_TYPE_ANGLE_CONSTRAINT_DEF: return (int32_t)sizeof(cn_angle_constraint_def);
 	case CN_TYPE_LINE_CONSTRAINT_DEF: return (int32_t)sizeof(cn_line_constraint_def);
+	case CN_TYPE_ISLAND_REPORT: return (int32_t)sizeof(cn_island_report);
 	default: return 0;
 	}
 }

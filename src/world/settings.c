@@ -2,6 +2,7 @@
  * world/settings.c - the world's own numbers: settings that may change while it lives, and what it counts
  * and measures. Writes world->settings and user_data; wakes bodies where a setting asks for it.
  */
+#include "stages/solver.h"
 #include "world/error.h"
 
 #include <string.h>
@@ -52,6 +53,50 @@ cn_result cn_world_get_substep_count(const cn_world *world, int32_t *out_count)
 	if (call.result == CN_OK)
 		*out_count = world->settings.substeps;
 	return call.result;
+}
+
+cn_result cn_world_set_solver(cn_world *world, int32_t solver)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_check_range_int(&call, "solver", solver, CN_SOLVER_AUTO, CN_SOLVER_SEQUENTIAL);
+	if (call.result != CN_OK || solver == world->settings.solver)
+		return call.result;
+	world->settings.solver = solver;
+	cni_tiers_forget(world);
+	return CN_OK;
+}
+
+cn_result cn_world_get_solver(const cn_world *world, int32_t *out_solver)
+{
+	cni_call call = cni_enter_const(world);
+	cni_check_pointer(&call, "out_solver", out_solver);
+	if (call.result == CN_OK)
+		*out_solver = world->settings.solver;
+	return call.result;
+}
+
+cn_result cn_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_budget)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_check_at_least(&call, "accuracy_m", accuracy_m, 0.0f);
+	cni_check_range_int(&call, "work_budget", work_budget, 0, CNI_WORK_BUDGET_MAX);
+	if (call.result != CN_OK)
+		return call.result;
+	world->settings.accuracy = accuracy_m > 0.0f ? accuracy_m : world->settings.slop;
+	world->settings.work_budget = work_budget;
+	return CN_OK;
+}
+
+cn_result cn_world_get_accuracy(const cn_world *world, float *out_accuracy_m, int32_t *out_work_budget)
+{
+	cni_call call = cni_enter_const(world);
+	cni_check_pointer(&call, "out_accuracy_m", out_accuracy_m);
+	cni_check_pointer(&call, "out_work_budget", out_work_budget);
+	if (call.result != CN_OK)
+		return call.result;
+	*out_accuracy_m = world->settings.accuracy;
+	*out_work_budget = world->settings.work_budget;
+	return CN_OK;
 }
 
 cn_result cn_world_set_flags(cn_world *world, uint32_t flags)
@@ -145,6 +190,7 @@ static void count_islands(const cn_world *world, cn_counters *out)
 	for (k = 0; k < world->island_used; ++k) {
 		const cni_island *island = cni_island_at(world, k);
 		out->islands_awake += island->first != CNI_NONE && island->awake;
+		out->islands_direct += island->first != CNI_NONE && island->awake && island->tier == CNI_TIER_DIRECT && !world->direct_failed;
 	}
 }
 
@@ -179,6 +225,7 @@ cn_result cn_world_get_counters(const cn_world *world, cn_counters *out)
 	out->warnings = world->warnings;
 	out->pairs_not_added = world->pairs_not_added;
 	out->events_not_reported = world->events_not_reported;
+	out->direct_work = world->direct_work;
 	return CN_OK;
 }
 

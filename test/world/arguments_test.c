@@ -203,6 +203,13 @@ WORLD_GETTER(cn_world_get_gravity, cn_vec2)
 ENTRY(cn_world_set_substep_count, cn_world_set_substep_count(W, 8),
 	NOW(cn_world_set_substep_count(NULL, 8)); INTEGER(x, 0, 65, cn_world_set_substep_count(W, x));)
 WORLD_GETTER(cn_world_get_substep_count, int32_t)
+ENTRY(cn_world_set_solver, cn_world_set_solver(W, CN_SOLVER_DIRECT),
+	NOW(cn_world_set_solver(NULL, 0)); INTEGER(x, -1, 4, cn_world_set_solver(W, x));)
+WORLD_GETTER(cn_world_get_solver, int32_t)
+ENTRY(cn_world_set_accuracy, cn_world_set_accuracy(W, 0.001f, 500),
+	NOW(cn_world_set_accuracy(NULL, 0.001f, 500)); NOT_NEGATIVE(x, cn_world_set_accuracy(W, x, 500)); INTEGER(x, -1, 1000000001, cn_world_set_accuracy(W, 0.001f, x));)
+ENTRY(cn_world_get_accuracy, cn_world_get_accuracy(W, OUT(float), INT + 8),
+	NOW(cn_world_get_accuracy(NULL, OUT(float), INT + 8)); ARG(cn_world_get_accuracy(W, NULL, INT)); ARG(cn_world_get_accuracy(W, OUT(float), NULL));)
 ENTRY(cn_world_set_flags, cn_world_set_flags(W, CN_WORLD_PROFILE),
 	NOW(cn_world_set_flags(NULL, 0)); FLAGS(x, 4, cn_world_set_flags(W, x));)
 WORLD_GETTER(cn_world_get_flags, uint32_t)
@@ -217,6 +224,7 @@ WORLD_GETTER(cn_world_get_user_data, uint64_t)
 WORLD_LIST(cn_world_get_bodies, cn_body)
 WORLD_LIST(cn_world_get_shapes, cn_shape)
 WORLD_LIST(cn_world_get_joints, cn_joint)
+WORLD_LIST(cn_world_get_islands, cn_island_report)
 WORLD_GETTER(cn_world_get_counters, cn_counters)
 WORLD_GETTER(cn_world_get_profile, cn_profile)
 WORLD_GETTER(cn_world_get_memory_stats, cn_memory_stats)
@@ -259,6 +267,7 @@ static void bad_body_defs(cn_result (*call)(const cn_body_def *))
 	FLOAT(x, call(BD(gravity_scale, x)));
 	NOT_NEGATIVE(x, call(BD(sleep_speed_mps, x)));
 	FLAGS(x, 7, call(BD(flags, x)));
+	INTEGER(x, -1, 3, call(BD(solver, x)));
 	ARG(call(BD(name, too_long())));
 }
 
@@ -331,6 +340,9 @@ ENTRY(cn_body_set_gravity_scale, cn_body_set_gravity_scale(W, f.box, -0.5f),
 GETTER(cn_body_get_gravity_scale, BODY, f.box, float)
 ENTRY(cn_body_set_sleep_speed, cn_body_set_sleep_speed(W, f.box, 0.1f),
 	NOW(cn_body_set_sleep_speed(NULL, f.box, 0.1f)); BODY(h, cn_body_set_sleep_speed(W, h, 0.1f)); NOT_NEGATIVE(x, cn_body_set_sleep_speed(W, f.box, x));)
+ENTRY(cn_body_set_solver, cn_body_set_solver(W, f.box, CN_SOLVER_DIRECT),
+	NOW(cn_body_set_solver(NULL, f.box, 0)); BODY(h, cn_body_set_solver(W, h, 0)); INTEGER(x, -1, 3, cn_body_set_solver(W, f.box, x));)
+GETTER(cn_body_get_solver, BODY, f.box, int32_t)
 ENTRY(cn_body_set_user_data, cn_body_set_user_data(W, f.box, 3), NOW(cn_body_set_user_data(NULL, f.box, 3)); BODY(h, cn_body_set_user_data(W, h, 3));)
 GETTER(cn_body_get_user_data, BODY, f.box, uint64_t)
 ENTRY(cn_body_set_name, cn_body_set_name(W, f.box, "another and a rather longer name"),
@@ -581,6 +593,9 @@ GETTER2(cn_joint_get_bodies, JOINT, f.pin, cn_body, cn_body)
 GETTER2(cn_joint_get_anchors, JOINT, f.pin, cn_vec2, cn_vec2)
 GETTER2(cn_joint_get_reaction, JOINT, f.pin, cn_vec2, float)
 GETTER2(cn_joint_get_error, JOINT, f.pin, float, float)
+ENTRY(cn_joint_set_solver, cn_joint_set_solver(W, f.pin, CN_SOLVER_SOFT),
+	NOW(cn_joint_set_solver(NULL, f.pin, 0)); JOINT(h, cn_joint_set_solver(W, h, 0)); INTEGER(x, -1, 3, cn_joint_set_solver(W, f.pin, x));)
+GETTER(cn_joint_get_solver, JOINT, f.pin, int32_t)
 ENTRY(cn_joint_set_user_data, cn_joint_set_user_data(W, f.pin, 3), NOW(cn_joint_set_user_data(NULL, f.pin, 3)); JOINT(h, cn_joint_set_user_data(W, h, 3));)
 GETTER(cn_joint_get_user_data, JOINT, f.pin, uint64_t)
 ENTRY(cn_joint_set_flags, cn_joint_set_flags(W, f.pin, CN_JOINT_MOTOR | CN_JOINT_COLLIDE),
@@ -828,6 +843,7 @@ static const entry table[] = {
 	E(cn_version), E(cn_abi_version), E(cn_result_text), E(cn_sizeof),
 	E(cn_world_def_init), E(cn_world_def_check), E(cn_world_bytes_needed), E(cn_world_create), E(cn_world_destroy), E(cn_world_step),
 	E(cn_world_error_text), E(cn_world_set_gravity), E(cn_world_get_gravity), E(cn_world_set_substep_count), E(cn_world_get_substep_count),
+	E(cn_world_set_solver), E(cn_world_get_solver), E(cn_world_set_accuracy), E(cn_world_get_accuracy), E(cn_world_get_islands),
 	E(cn_world_set_flags), E(cn_world_get_flags), E(cn_world_set_restitution_threshold), E(cn_world_set_speed_limits), E(cn_world_set_sleep),
 	E(cn_world_set_user_data), E(cn_world_get_user_data), E(cn_world_get_bodies), E(cn_world_get_shapes), E(cn_world_get_joints),
 	E(cn_world_get_counters), E(cn_world_get_profile), E(cn_world_get_memory_stats), E(cn_world_hash), E(cn_world_validate),
@@ -838,6 +854,7 @@ static const entry table[] = {
 	E(cn_body_apply_force_at), E(cn_body_apply_torque), E(cn_body_apply_impulse), E(cn_body_apply_impulse_at),
 	E(cn_body_apply_angular_impulse), E(cn_body_get_mass_data), E(cn_body_set_mass_data), E(cn_body_reset_mass_data),
 	E(cn_body_set_damping), E(cn_body_get_damping), E(cn_body_set_gravity_scale), E(cn_body_get_gravity_scale), E(cn_body_set_sleep_speed),
+	E(cn_body_set_solver), E(cn_body_get_solver),
 	E(cn_body_set_user_data), E(cn_body_get_user_data), E(cn_body_set_name), E(cn_body_get_name), E(cn_body_get_shapes), E(cn_body_get_joints),
 	E(cn_world_read_poses), E(cn_world_read_poses_strided), E(cn_world_read_velocities), E(cn_world_write_velocities), E(cn_world_moved),
 	E(cn_shape_def_init), E(cn_shape_create_circle), E(cn_shape_create_capsule), E(cn_shape_create_edge), E(cn_shape_create_polygon),
@@ -849,7 +866,7 @@ static const entry table[] = {
 	E(cn_polygon_make_hull), E(cn_polygon_make_box), E(cn_world_contact_events), E(cn_world_set_contact_callback), E(cn_body_get_contacts),
 	E(cn_world_fell_asleep), E(cn_revolute_def_init), E(cn_distance_def_init), E(cn_joint_create_revolute), E(cn_joint_create_distance),
 	E(cn_joint_destroy), E(cn_joint_is_valid), E(cn_joint_get_type), E(cn_joint_get_bodies), E(cn_joint_get_anchors),
-	E(cn_joint_get_reaction), E(cn_joint_get_error), E(cn_joint_set_user_data), E(cn_joint_get_user_data), E(cn_joint_set_flags),
+	E(cn_joint_get_reaction), E(cn_joint_get_error), E(cn_joint_set_solver), E(cn_joint_get_solver), E(cn_joint_set_user_data), E(cn_joint_get_user_data), E(cn_joint_set_flags),
 	E(cn_joint_get_flags), E(cn_joint_get_revolute), E(cn_joint_set_revolute), E(cn_joint_get_distance), E(cn_joint_set_distance),
 	E(cn_joint_get_position), E(cn_joint_get_speed), E(cn_joint_set_motor), E(cn_joint_set_limits), JOINT_ENTRIES,
 	E(cn_world_set_filter_callback), E(cn_world_set_pre_solve_callback), E(cn_world_set_material_mix_callback), E(cn_world_sensor_events),

@@ -109,12 +109,27 @@ static void read_back_joint(void)
 	CHECK(cn_joint_get_bodies(W, f.rope, &a, &b) == CN_OK && a == 0 && b == f.ball);
 }
 
+static void read_back_solvers(void)
+{
+	float accuracy = 0.0f;
+	int32_t solver, got = -1, budget = -1;
+	for (solver = CN_SOLVER_SEQUENTIAL; solver >= CN_SOLVER_AUTO; --solver)
+		CHECK(cn_world_set_solver(W, solver) == CN_OK && cn_world_get_solver(W, &got) == CN_OK && got == solver);
+	CHECK(cn_world_set_accuracy(W, 0.25f, 1234) == CN_OK && cn_world_get_accuracy(W, &accuracy, &budget) == CN_OK && accuracy == 0.25f && budget == 1234);
+	CHECK(cn_world_set_accuracy(W, 0.0f, 0) == CN_OK && cn_world_get_accuracy(W, &accuracy, &budget) == CN_OK && accuracy == 0.005f && budget == 0);
+	for (solver = CN_SOLVER_DIRECT; solver >= CN_SOLVER_AUTO; --solver) {
+		CHECK(cn_body_set_solver(W, f.box, solver) == CN_OK && cn_body_get_solver(W, f.box, &got) == CN_OK && got == solver);
+		CHECK(cn_joint_set_solver(W, f.pin, solver) == CN_OK && cn_joint_get_solver(W, f.pin, &got) == CN_OK && got == solver);
+	}
+}
+
 static void t_what_is_set_is_read_back(void)
 {
 	fixture_make(0);
 	read_back_body();
 	read_back_shape();
 	read_back_joint();
+	read_back_solvers();
 	check_valid("setters");
 	fixture_free();
 }
@@ -425,6 +440,17 @@ static cn_result random_create(uint32_t r, uint32_t *state_)
 	}
 }
 
+/* Of the world, now and then, of a joint or of a body. */
+static cn_result random_solver(cn_body body, cn_joint joint, uint32_t more)
+{
+	switch (more & 7u) {
+	case 0: return cn_world_set_solver(W, (int32_t)(more >> 3 & 3u));
+	case 1: return cn_world_set_accuracy(W, 0.001f * (float)(more >> 3 & 7u), (int32_t)(more >> 6 & 1023u));
+	case 2: case 3: return cn_joint_set_solver(W, joint, (int32_t)(more >> 3 & 3u));
+	default: return cn_body_set_solver(W, body, (int32_t)(more >> 3 & 3u));
+	}
+}
+
 static cn_result random_change(uint32_t r, uint32_t *state_)
 {
 	cn_body body = bodies[r >> 8 & 31u];
@@ -448,7 +474,7 @@ static cn_result random_change(uint32_t r, uint32_t *state_)
 	case 12: return cn_body_set_mass_data(W, body, &mass);
 	case 13: return cn_shape_set_density(W, shape, (float)(more & 3u));
 	case 14: return more >> 28 ? cn_world_set_gravity(W, 0.0f, -8.0f - (float)(more & 3u)) : cn_body_destroy_many(W, three(body, bodies[more & 31u], bodies[more >> 8 & 31u]), 3);
-	default: return cn_body_set_name(W, body, more & 1u ? "a name of some length, longer than sixteen" : "short");
+	default: return more & 2u ? random_solver(body, joint, more >> 2) : cn_body_set_name(W, body, more & 1u ? "a name of some length, longer than sixteen" : "short");
 	}
 }
 

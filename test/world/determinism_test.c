@@ -24,17 +24,17 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0x89277fa72539f531 },
-	{ "small_200", 300, 1, 0x9bd98520f35d7ce8 },
-	{ "small_50_sleep", 600, 1, 0x254913f0122fd705 },
-	{ "dominoes", 400, 1, 0xeddb4208284e60ef },
-	{ "ragdolls", 480, 1, 0x1efd36e4e66a3467 },
-	{ "bridge", 240, 1, 0x8411e0724c186fb7 },
-	{ "car", 400, 1, 0x56652a38efe5d7f1 },
-	{ "mixer", 240, 1, 0x53e0e0b6aeabc6ca },
-	{ "pyramid", 120, 0, 0x61ea1620043f1df9 },
+	{ "falling_hinges", 480, 1, 0xcdca6c520437000a },
+	{ "small_200", 300, 1, 0xcbb4f50365d6be28 },
+	{ "small_50_sleep", 600, 1, 0xd752828f745dbbe7 },
+	{ "dominoes", 400, 1, 0xad0f181b8ceb4c41 },
+	{ "ragdolls", 480, 1, 0x507eb7ec0d8c6fe7 },
+	{ "bridge", 240, 1, 0xef9e50458e0c0775 },
+	{ "car", 400, 1, 0x2581cb7384e6da47 },
+	{ "mixer", 240, 1, 0x82ef460516e6eba2 },
+	{ "pyramid", 120, 0, 0xc6062f4ceaa36191 },
 	{ "rain", 150, 0, 0xe5ff28e1f3e3e2b0 },
-	{ "tumbler_1000", 300, 0, 0x639c54456a1fbde0 },
+	{ "tumbler_1000", 300, 0, 0x9f26ded555f2a850 },
 };
 /* clang-format on */
 #define GOLDENS ((int32_t)(sizeof goldens / sizeof *goldens))

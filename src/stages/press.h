@@ -1,9 +1,9 @@
 /*
- * stages/contact_direct.h - contacts that are solved directly with their island's joints: normals and friction in
+ * stages/press.h - contacts that are solved directly with their island's joints: normals and friction in
  * one sparse system with an active set.
  */
-#ifndef CNI_STAGES_CONTACT_DIRECT_H
-#define CNI_STAGES_CONTACT_DIRECT_H
+#ifndef CNI_STAGES_PRESS_H
+#define CNI_STAGES_PRESS_H
 
 #include "stages/solver.h"
 #include "stages/sparse.h"
@@ -26,11 +26,14 @@ typedef struct cni_press {
 	float start[3];             /* impulses at the beginning of the pass */
 	float room[3];              /* in this pass speeds must be at least -room */
 	uint8_t state[3];           /* CNI_ROW_ */
-	uint8_t reserved;
+	uint8_t state_kept[3];      /* ... as the pass began */
+	uint8_t reserved[2];
 	float way;                  /* 1 or -1: where friction of a sliding contact points */
 } cni_press;
 
-/* The touching contacts of an island, appended to presses; -1: more than `room`, or one that cannot be solved so. */
+/* The touching contacts of an island, appended to presses; or that there are more than `room`, or one that cannot be
+   solved so. */
+enum { CNI_PRESSES_MANY = -1, CNI_PRESSES_KIND = -2 };
 int32_t cni_presses_collect(const cn_world *world, int32_t island, cni_press *presses, int32_t room);
 /* Takes the planned ones' impulses out of their lanes, and makes the lanes idle. */
 void cni_presses_take(cn_world *world, cni_sparse *sparse);

@@ -1,0 +1,184 @@
+/*
+ * world/islands.c - the report on awake islands: what each is made of, how it is solved and why, and how far its bodies
+ * are from where contacts and joints want them.
+ *
+ * Everything is computed when it is asked for: the step only leaves behind, in each island's record, why it chose its tier
+ * (stages/tiers.c). Contacts collide once more, at the poses that bodies have now. Writes nothing.
+ */
+#include "stages/narrowphase_touch.h"
+#include "stages/solver.h"
+#include "world/error.h"
+
+#include <string.h>
+
+/* ---- what is in it, and its errors ---- */
+
+/* The user's callback let the two pass through each other. */
+static int32_t contact_is_let_through(const cn_world *world, const cni_contact *c)
+{
+	const cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
+	int32_t l = c->slot % CNI_LANES;
+	return (c->flags & CNI_CONTACT_PRE_SOLVE) && block->p[0].nm[l] == 0.0f && block->p[1].nm[l] == 0.0f;
+}
+
+/* How deep the two shapes overlap now; 0 when they do not. */
+static float overlap_of(const cn_world *world, const cni_contact *contact)
+{
+	cni_contact c = *contact; /* colliding leaves hints in the contact */
+	cni_touch touch;
+	float deepest = 0.0f;
+	int32_t k;
+	if (contact_is_let_through(world, contact) || !cni_touch_begin(world, &c, 0.0f, &touch))
+		return 0.0f;
+	cni_touch_collide(&touch);
+	for (k = 0; k < touch.manifold.count; ++k)
+		deepest = cni_max(deepest, -touch.manifold.points[k].separation);
+	return deepest;
+}
+
+static int32_t side_is_dynamic(const cn_world *world, int32_t body)
+{
+	return body != CNI_NONE && cni_body_at(world, body)->type == CN_BODY_DYNAMIC;
+}
+
+/* How far a rigid joint is open, in metres. */
+static float gap_of(const cn_world *world, const cni_joint *j)
+{
+	float metres, radians, extent = 0.0f;
+	int32_t side;
+	if (j->stiffness_hertz > 0.0f || j->force_max > 0.0f || j->torque_max > 0.0f)
+		return 0.0f;
+	for (side = 0; side < 2; ++side)
+		if (side_is_dynamic(world, j->body[side]))
+			extent = cni_max(extent, cni_body_at(world, j->body[side])->extent);
+	cni_joint_error(world, j, &metres, &radians);
+	return cni_max(metres, extent * radians);
+}
+
+/* A contact or joint of two dynamic bodies is in both lists, and is counted with its first body. */
+static void body_add(const cn_world *world, int32_t body, cn_island_report *out)
+{
+	const cni_body *b = cni_body_at(world, body);
+	int32_t key;
+	++out->bodies;
+	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		if (!(c->flags & CNI_CONTACT_TOUCHING) || ((key & 1) && side_is_dynamic(world, c->body[0])))
+			continue;
+		++out->contacts;
+		out->residual_m = cni_max(out->residual_m, overlap_of(world, c));
+	}
+	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+		const cni_joint *j = cni_joint_at(world, key >> 1);
+		if (j->awake == CNI_NONE || ((key & 1) && side_is_dynamic(world, j->body[0])))
+			continue;
+		++out->joints;
+		out->residual_m = cni_max(out->residual_m, gap_of(world, j));
+	}
+}
+
+static cn_island_report report_begin(const cn_world *world)
+{
+	cn_island_report r;
+	memset(&r, 0, sizeof r);
+	r.substeps = world->settings.solver == CN_SOLVER_SEQUENTIAL ? 1 : world->settings.substeps;
+	return r;
+}
+
+/* ---- how it is solved, and why ---- */
+
+/* The reason of a soft island that is written in its record holds for as long as it is refused, or while it was bad in
+   the last step. */
+static int32_t soft_reason(const cn_world *world, const cni_island *i)
+{
+	if (world->settings.solver == CN_SOLVER_SOFT || world->settings.solver == CN_SOLVER_SEQUENTIAL)
+		return CN_TIER_REASON_SOLVER;
+	if (i->solver == CN_SOLVER_SOFT)
+		return CN_TIER_REASON_OVERRIDE;
+	if (i->looked_step == world->step_count || cni_island_is_refused(i, world->step_count - 1u))
+		return i->reason;
+	return CN_TIER_REASON_NONE;
+}
+
+/* Good steps are counted from 0 again by what was wrong in the last step; of that only stress has no reason written down. */
+static int32_t direct_reason(const cn_world *world, const cni_island *i)
+{
+	if (world->settings.solver == CN_SOLVER_DIRECT)
+		return CN_TIER_REASON_SOLVER;
+	if (i->solver == CN_SOLVER_DIRECT)
+		return CN_TIER_REASON_OVERRIDE;
+	return i->reason == CN_TIER_REASON_SETTLING && i->good_steps == 0 ? CN_TIER_REASON_STRESSED : i->reason;
+}
+
+static void tier_tell(const cn_world *world, const cni_island *i, cn_island_report *out)
+{
+	if (out->contacts == 0 && out->joints == 0) {
+		out->tier = CN_TIER_FREE;
+	} else if (i == NULL) {
+		out->reason = CN_TIER_REASON_ALONE;
+	} else if (i->tier == CNI_TIER_DIRECT && world->direct_failed) {
+		out->reason = CN_TIER_REASON_MEMORY;
+	} else if (i->tier == CNI_TIER_DIRECT) {
+		out->tier = CN_TIER_DIRECT;
+		out->reason = direct_reason(world, i);
+	} else {
+		out->reason = soft_reason(world, i);
+	}
+}
+
+static void report_island(const cn_world *world, int32_t island, cn_island_report *out)
+{
+	const cni_island *i = cni_island_at(world, island);
+	int32_t body, first = i->first;
+	*out = report_begin(world);
+	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+		first = cni_min_i(first, body);
+		body_add(world, body, out);
+	}
+	out->body = cni_handles_of(&world->body_handles, first);
+	tier_tell(world, i, out);
+}
+
+static void report_alone(const cn_world *world, int32_t body, cn_island_report *out)
+{
+	*out = report_begin(world);
+	body_add(world, body, out);
+	out->body = cni_handles_of(&world->body_handles, body);
+	tier_tell(world, NULL, out);
+}
+
+/* ---- all of them ---- */
+
+static int32_t body_is_awake_alone(const cn_world *world, int32_t body)
+{
+	const cni_body *b = cni_body_at(world, body);
+	return b->type == CN_BODY_DYNAMIC && b->awake != 0 && b->island == CNI_NONE;
+}
+
+cn_result cn_world_get_islands(const cn_world *world, cn_island_report *out, int32_t capacity, int32_t *out_count)
+{
+	cni_call call = cni_enter_const(world);
+	int32_t k, used, count = 0;
+	cni_check_capacity(&call, "out", out, capacity);
+	cni_check_pointer(&call, "out_count", out_count);
+	if (call.result != CN_OK)
+		return call.result;
+	for (k = 0; k < world->island_used; ++k) {
+		const cni_island *i = cni_island_at(world, k);
+		if (i->first == CNI_NONE || !i->awake)
+			continue;
+		if (count < capacity)
+			report_island(world, k, &out[count]);
+		++count;
+	}
+	used = cni_handles_used(&world->body_handles);
+	for (k = 0; k < used; ++k) {
+		if (!cni_handles_alive(&world->body_handles, k) || !body_is_awake_alone(world, k))
+			continue;
+		if (count < capacity)
+			report_alone(world, k, &out[count]);
+		++count;
+	}
+	*out_count = count;
+	return CN_OK;
+}
