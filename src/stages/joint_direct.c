@@ -2,8 +2,8 @@
  * stages/joint_direct.c - rigid rows of connected joints solved together, exactly (stages/sparse.h).
  *
  * Joints with rigid rows that nothing bounds or softens are nodes; those that share bodies make components.
- * CN_SOLVER_AUTO takes the components whose factorization costs about what a pass over their joints does: all
- * trees, small nets. CN_SOLVER_DIRECT takes all. The rest, and springs, motors and limits, are solved row by row in
+ * CN_SOLVER_AUTO takes trees, whose factorization costs about what a pass over their joints does, and large nets
+ * once (stages/joint_net.c). CN_SOLVER_DIRECT takes all. The rest, and springs, motors and limits, are solved row by row in
  * stages/joint_solve.c, before; contacts come after, so joints and contacts alternate.
  *
  * Reads works, motion and inverse masses; writes works' flags and their rigid rows' impulses, motion velocities.
@@ -370,6 +370,26 @@ static int32_t work_planned(const cn_world *world, const cni_sparse *sparse)
 	return work < INT32_MAX ? (int32_t)work : INT32_MAX;
 }
 
+/*
+ * A loop of pins, such as a bridge between two walls, may be so straight that no force can hold it: what is rigid
+ * explodes there, and what gives way a little stands. Trees have no such places, nor have loops by gears.
+ */
+static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k, island;
+	if (c->body_begin == c->body_end)
+		return 1; /* of bodies that cannot move */
+	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->dear || c->presses)
+		return 0;
+	island = cni_body_at(world, cni_awake_ids(world)[sparse->bodies[c->body_begin]])->island;
+	if (island != CNI_NONE && cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT)
+		return 0;
+	for (k = c->begin; k < c->end; ++k)
+		if (sparse->nodes[k].rows != 2)
+			return 0;
+	return 1;
+}
+
 void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 {
 	int32_t k;
@@ -392,7 +412,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 			cni_island_once(world, cni_body_at(world, cni_awake_ids(world)[out->bodies[c->body_begin]])->island, c->work / (DEAR_SPREAD * (c->end - c->begin)));
 		c->regular = c->presses ? PRESSES_REGULAR : c->loops ? LOOPS_REGULAR : 0.0f;
 		c->swings = !c->presses && cni_component_swings(world, s, out, c);
-		if (!c->swings && !c->presses && (c->dear || c->end - c->begin == 1))
+		if (loop_is_better_soft(world, out, c) || (!c->swings && !c->presses && (c->dear || c->end - c->begin == 1)))
 			component_drop(world, out, k--);
 		else if (!c->swings)
 			cni_direct_begin(world, s, out, c);

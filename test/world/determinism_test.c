@@ -29,7 +29,7 @@ static const golden goldens[] = {
 	{ "small_50_sleep", 600, 1, 0xd752828f745dbbe7 },
 	{ "dominoes", 400, 1, 0xad0f181b8ceb4c41 },
 	{ "ragdolls", 480, 1, 0x507eb7ec0d8c6fe7 },
-	{ "bridge", 240, 1, 0xef9e50458e0c0775 },
+	{ "bridge", 240, 1, 0x82a3d561f5973c19 },
 	{ "car", 400, 1, 0x2581cb7384e6da47 },
 	{ "mixer", 240, 1, 0x82ef460516e6eba2 },
 	{ "pyramid", 120, 0, 0xc6062f4ceaa36191 },
