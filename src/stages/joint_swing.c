@@ -487,9 +487,11 @@ void cni_swings_run(cn_world *world, const cni_solve *s)
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
 	for (k = 0; k < s->direct->component_count; ++k) {
 		cni_component *c = &s->direct->components[k];
-		if (saved == NULL)
+		if (saved == NULL && c->swings) {
 			c->swings = 0;
-		else if (c->swings && c->dear)
+			cni_direct_begin(world, s, s->direct, c);
+		}
+		if (c->swings && c->dear)
 			cni_net_run(world, s, s->direct, c);
 		else if (c->swings)
 			swing_run(world, s, c, left, saved);

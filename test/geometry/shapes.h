@@ -8,6 +8,7 @@
 #include "geometry/distance.h"
 #include "geometry/manifold.h"
 #include <math.h>
+#include <string.h>
 #include <stdint.h>
 
 #define SLOP 0.005f
@@ -92,6 +93,7 @@ static inline void record_capsule(record *r, float half, float radius)
 static inline cn_polygon random_polygon(float size)
 {
 	cn_polygon p;
+	memset(&p, 0, sizeof p);
 	float wide = random_in(0.15f, 1.0f) * size, high = random_in(0.15f, 1.0f) * size;
 	if (random_below(4) == 0)
 		return box_polygon(wide, high, random_below(2) ? 0.0f : 0.2f * size);
