@@ -858,6 +858,37 @@ static void swinging_chain_of_20_stays_together(void)
 	cn_world_destroy(world);
 }
 
+/* The benchmark's joint_grid: 10,000 balls on 19,794 pins, seven of them held. As stiff as 16 substeps make it. */
+static void grid_of_10000_bodies_keeps_its_anchors(void)
+{
+#ifdef TEST_SLOW
+	const int32_t steps = 2;
+#else
+	const int32_t steps = 120;
+#endif
+	enum { SIDE = 100 };
+	static cn_body balls[SIDE][SIDE];
+	cn_world *world = fixture_world(-10.0f, 0);
+	double worst = 0.0;
+	int32_t i, k;
+	must(cn_world_set_substep_count(world, 16), world, "cn_world_set_substep_count");
+	for (k = 0; k < SIDE; ++k)
+		for (i = 0; i < SIDE; ++i) {
+			int32_t held = i == 0 && k >= SIDE / 2 - 3 && k <= SIDE / 2 + 3;
+			balls[k][i] = fixture_circle(world, held ? CN_BODY_STATIC : CN_BODY_DYNAMIC, (float)k, -(float)i, 0.4f, 0.6f, 0.0f);
+			if (i > 0)
+				hinge(world, balls[k][i - 1], at(0.0f, -0.5f), balls[k][i], at(0.0f, 0.5f));
+			if (k > 0 && !(held && k > SIDE / 2 - 3))
+				hinge(world, balls[k - 1][i], at(0.5f, 0.0f), balls[k][i], at(-0.5f, 0.0f));
+		}
+	for (k = 0; k < steps; ++k) {
+		fixture_step(world, 1);
+		worst = fmax(worst, worst_joint_error(world));
+	}
+	CHECK_LE("greatest distance between anchors", worst, 0.01, "m");
+	cn_world_destroy(world);
+}
+
 static void bridge_of_50_links_carries(void)
 {
 	cn_world *world = fixture_world(-10.0f, 0);
@@ -1335,6 +1366,7 @@ int main(int argc, char **argv)
 	RUN(chain_of_10_carries_what_hangs_below);
 	RUN(hanging_chain_of_20_does_not_stretch);
 	RUN(swinging_chain_of_20_stays_together);
+	RUN(grid_of_10000_bodies_keeps_its_anchors);
 	RUN(bridge_of_50_links_carries);
 	RUN(ragdoll_on_the_ground_stays_together);
 	RUN(ragdolls_in_a_heap_come_together_again);
