@@ -154,5 +154,7 @@ static inline cni_motion *cni_motions(const cn_world *world) { return (cni_motio
 static inline cni_velocity_start *cni_starts(const cn_world *world) { return (cni_velocity_start *)world->start.data; }
 static inline cni_drive *cni_drives(const cn_world *world) { return (cni_drive *)world->drive.data; }
 static inline int32_t *cni_awake_ids(const cn_world *world) { return (int32_t *)world->awake_id.data; }
+/* The island of an awake body by its dense index; CNI_NONE: alone, or no dynamic body. */
+static inline int32_t cni_awake_island(const cn_world *world, int32_t index) { return index == 0 ? CNI_NONE : cni_body_at(world, cni_awake_ids(world)[index])->island; }
 
 #endif

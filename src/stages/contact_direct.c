@@ -25,7 +25,6 @@
 #define REFINEMENTS 3          /* solutions with one factorization */
 #define STRESS_MOST 15.0f      /* own weights; what bears more is not given back to the soft solver, which would crush it */
 #define PUSH_RATE 0.1f
-#define JOINT_RATE 0.3f
 #define SPEED_LEAST 1e-4f      /* length units a second that are no motion */
 #define SLIDE_CLOSE 0.01f      /* part by which a sliding friction may be off its normal force */
 
@@ -149,7 +148,7 @@ void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h)
 		if (p->node == CNI_NONE)
 			continue;
 		if (stress_of(world, n, p, h) > STRESS_MOST)
-			cni_island_at(world, cni_body_at(world, cni_awake_ids(world)[n->ia])->island)->good_steps = 0;
+			cni_island_at(world, cni_awake_island(world, n->ia))->good_steps = 0;
 		press_give_back(world, p);
 	}
 }
@@ -188,21 +187,6 @@ static void press_push(const cni_press *p, int32_t row, float impulse, cni_motio
 		cni_lever_push(&l, impulse, a, b);
 }
 
-void cni_presses_warm_start(cn_world *world, cni_sparse *sparse, float scale)
-{
-	cni_motion *motions = cni_motions(world);
-	int32_t k, i;
-	for (k = 0; k < sparse->press_count; ++k) {
-		cni_press *p = &sparse->presses[k];
-		if (p->node == CNI_NONE)
-			continue;
-		for (i = 0; i < 3; ++i) {
-			p->j[i] *= scale;
-			press_push(p, i, p->j[i], motions + sparse->nodes[p->node].ia, motions + sparse->nodes[p->node].ib);
-		}
-	}
-}
-
 /* ---- a pass ---- */
 
 typedef struct pass {
@@ -237,15 +221,6 @@ static void press_begin(const pass *q, cni_press *p, const cni_node *n)
 			p->state[i] = CNI_ROW_HELD; /* touching and not parting: in a pile all of it must bear at once */
 	}
 	friction_follow(p);
-}
-
-static void motions_copy(const pass *q, int32_t back)
-{
-	int32_t k;
-	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
-		cni_motion *m = q->motions + q->sparse->bodies[k], *saved = q->sparse->saved + k;
-		*(back ? m : saved) = *(back ? saved : m);
-	}
 }
 
 /* Levers of what is held; 1 when they are not those of the last factorization. */
@@ -290,7 +265,7 @@ static int32_t presses_set(const pass *q)
 static float right_sides(const pass *q)
 {
 	float largest = 0.0f;
-	const float rate = q->bias ? JOINT_RATE * q->s->inv_h : 0.0f;
+	const float rate = q->bias ? CNI_JOINT_ERROR_RATE * q->s->inv_h : 0.0f;
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
@@ -456,7 +431,7 @@ static void forget_impulses(const pass *q)
 		cni_press *p = press_of(q->sparse, n);
 		for (i = 0; p == NULL && i < cni_joint_works(q->world)[n->owner].row_count; ++i) {
 			cni_row *r = &cni_joint_works(q->world)[n->owner].rows[i];
-			cni_lever l = { r->ax, r->ay, r->aw, r->bx, r->by, r->bw };
+			cni_lever l = cni_row_lever(r);
 			if (i < n->rows)
 				r->impulse = 0.0f;
 			else
@@ -465,11 +440,11 @@ static void forget_impulses(const pass *q)
 	}
 }
 
-/* Impulses and velocities as the pass found them, kept or put back. */
+/* Impulses and velocities as a relaxing pass found them, kept or put back. */
 static void all_keep(const pass *q, int32_t back)
 {
 	int32_t k, i;
-	motions_copy(q, back);
+	cni_direct_motions_keep(q->world, q->sparse, q->c, back);
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
 		cni_press *p = press_of(q->sparse, n);
@@ -488,7 +463,7 @@ static void round_begin(const pass *q)
 	if (q->bias)
 		forget_impulses(q);
 	else
-		motions_copy(q, 1);
+		cni_direct_motions_keep(q->world, q->sparse, q->c, 1);
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_press *p = press_of(q->sparse, &q->sparse->nodes[k]);
 		for (i = 0; p != NULL && i < 3; ++i)
@@ -558,7 +533,8 @@ int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *spars
 	int32_t round, k;
 	if (!bias && c->calm)
 		return 1;
-	all_keep(&q, 0);
+	if (!bias)
+		all_keep(&q, 0);
 	round_begin(&q);
 	for (k = c->begin; k < c->end; ++k) {
 		cni_press *p = press_of(sparse, &sparse->nodes[k]);

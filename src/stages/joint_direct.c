@@ -13,9 +13,9 @@
 
 #include <string.h>
 
-#define ERROR_RATE 0.3f        /* part of the error that is taken out in a substep */
-#define PRESSES_REGULAR 1e-4f  /* two points of a contact, piles of several ways to bear the same, say much twice */
-#define LOOPS_REGULAR 1e-4f    /* loops may say the same twice: their diagonal grows by this part */
+/* Loops, the two points of a contact, and piles with several ways to bear the same say much twice: their diagonal grows by
+   this part. */
+#define REGULAR 1e-4f
 
 /* Most work of a system for each contact of it. */
 static int32_t press_work(int32_t solver)
@@ -39,7 +39,7 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 {
 	int32_t presses = solver == CN_SOLVER_DIRECT ? contacts : cni_min_i(contacts, CNI_PRESS_MOST), links = joints + presses;
 	int64_t work = (int64_t)joints * joint_work(solver) + (int64_t)presses * press_work(solver);
-	uint64_t joint = 1 + sizeof(float) * CNI_NODE_ROWS + 2 * sizeof(cni_motion), link = sizeof(cni_link) + 2 * sizeof(cni_motion) + 1;
+	uint64_t joint = 1 + sizeof(float) * CNI_NODE_ROWS, link = sizeof(cni_link) + 2 * sizeof(cni_motion) + 1;
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
 	return joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_press) * (uint64_t)presses +
@@ -69,7 +69,7 @@ static int32_t joint_may_take_most(const cn_world *world, const cni_joint_work *
 	int32_t island;
 	if (!world->overridden || !may_take_most(world))
 		return 0;
-	island = cni_body_at(world, cni_awake_ids(world)[w->ia != 0 ? w->ia : w->ib])->island;
+	island = cni_joint_island(world, w->ia, w->ib);
 	return island == CNI_NONE ? w->record->solver == CN_SOLVER_DIRECT : cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
 }
 
@@ -78,7 +78,7 @@ static int32_t is_left_soft(const cn_world *world, const cni_joint_work *w)
 	int32_t island;
 	if (world->joints_soft_step <= world->step_count)
 		return 0;
-	island = cni_body_at(world, cni_awake_ids(world)[w->ia != 0 ? w->ia : w->ib])->island;
+	island = cni_joint_island(world, w->ia, w->ib);
 	return island != CNI_NONE && cni_island_at(world, island)->joints_soft_step > world->step_count;
 }
 
@@ -95,7 +95,7 @@ static int32_t is_in_direct_island(const cn_world *world, const cni_joint_work *
 	int32_t island;
 	if (world->direct_islands.count == 0)
 		return 0;
-	island = cni_body_at(world, cni_awake_ids(world)[w->ia != 0 ? w->ia : w->ib])->island;
+	island = cni_joint_island(world, w->ia, w->ib);
 	return island != CNI_NONE && cni_island_at(world, island)->tier == CNI_TIER_DIRECT;
 }
 
@@ -143,7 +143,7 @@ static void presses_collect(cn_world *world, cni_press *presses, int32_t room, c
 
 static int32_t island_of(const cn_world *world, const cni_link *link)
 {
-	return cni_body_at(world, cni_awake_ids(world)[link->ia != 0 ? link->ia : link->ib])->island;
+	return cni_joint_island(world, link->ia, link->ib);
 }
 
 static int32_t press_link_work(const cn_world *world, const cni_link *link)
@@ -280,6 +280,15 @@ static int32_t plan(cn_world *world, cni_sparse *out)
 	return out->saved != NULL && out->pull != NULL && out->turn != NULL;
 }
 
+void cni_direct_motions_keep(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t back)
+{
+	int32_t k;
+	for (k = c->body_begin; k < c->body_end; ++k) {
+		cni_motion *m = cni_motions(world) + sparse->bodies[k], *saved = sparse->saved + k;
+		*(back ? m : saved) = *(back ? saved : m);
+	}
+}
+
 void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
@@ -303,14 +312,15 @@ static void works_release(cn_world *world)
 		cni_joint_works(world)[k].flags &= ~(uint32_t)CNI_WORK_DIRECT;
 }
 
-/* A joint alone is solved as well by itself; a large net that other things hold too, better. */
-static void component_drop(cn_world *world, cni_sparse *sparse, int32_t component)
+/* Each joint by itself after all, in this step. */
+static void joints_release(cn_world *world, const cni_sparse *sparse, cni_component *c)
 {
-	const cni_component *c = &sparse->components[component];
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k)
-		cni_joint_works(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_WORK_DIRECT;
-	sparse->components[component] = sparse->components[--sparse->component_count];
+		if (sparse->nodes[k].owner >= 0)
+			cni_joint_works(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_WORK_DIRECT;
+	c->swings = 0;
+	c->done = 1;
 }
 
 int32_t cni_direct_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c)
@@ -323,10 +333,8 @@ int32_t cni_direct_levers(const cn_world *world, cni_sparse *sparse, const cni_c
 			continue;
 		++joints;
 		rows = cni_joint_works(world)[n->owner].rows;
-		for (i = 0; i < n->rows; ++i) {
-			cni_lever l = { rows[i].ax, rows[i].ay, rows[i].aw, rows[i].bx, rows[i].by, rows[i].bw };
-			n->lever[i] = l;
-		}
+		for (i = 0; i < n->rows; ++i)
+			n->lever[i] = cni_row_lever(&rows[i]);
 	}
 	return joints;
 }
@@ -365,7 +373,8 @@ static int32_t work_planned(const cn_world *world, const cni_sparse *sparse)
 	int32_t k;
 	for (k = 0; k < sparse->component_count; ++k) {
 		const cni_component *c = &sparse->components[k];
-		work += (int64_t)c->work * (c->dear && c->swings ? 1 : world->settings.substeps);
+		if (!c->done)
+			work += (int64_t)c->work * (c->dear && c->swings ? 1 : world->settings.substeps);
 	}
 	return work < INT32_MAX ? (int32_t)work : INT32_MAX;
 }
@@ -381,13 +390,19 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *spar
 		return 1; /* of bodies that cannot move */
 	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->dear || c->presses)
 		return 0;
-	island = cni_body_at(world, cni_awake_ids(world)[sparse->bodies[c->body_begin]])->island;
+	island = cni_awake_island(world, sparse->bodies[c->body_begin]);
 	if (island != CNI_NONE && cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT)
 		return 0;
 	for (k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].rows != 2)
 			return 0;
 	return 1;
+}
+
+/* A joint alone is solved as well by itself; a large net that other things hold too, better. */
+static int32_t is_better_alone(const cni_component *c)
+{
+	return !c->swings && !c->presses && (c->dear || c->end - c->begin == 1);
 }
 
 void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
@@ -409,11 +424,11 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		cni_component *c = &out->components[k];
 		c->presses = component_has_presses(out, c);
 		if (c->dear && world->settings.solver == CN_SOLVER_AUTO)
-			cni_island_once(world, cni_body_at(world, cni_awake_ids(world)[out->bodies[c->body_begin]])->island, c->work / (DEAR_SPREAD * (c->end - c->begin)));
-		c->regular = c->presses ? PRESSES_REGULAR : c->loops ? LOOPS_REGULAR : 0.0f;
+			cni_island_once(world, cni_awake_island(world, out->bodies[c->body_begin]), c->work / (DEAR_SPREAD * (c->end - c->begin)));
+		c->regular = c->presses || c->loops ? REGULAR : 0.0f;
 		c->swings = !c->presses && cni_component_swings(world, s, out, c);
-		if (loop_is_better_soft(world, out, c) || (!c->swings && !c->presses && (c->dear || c->end - c->begin == 1)))
-			component_drop(world, out, k--);
+		if (loop_is_better_soft(world, out, c) || is_better_alone(c))
+			joints_release(world, out, c);
 		else if (!c->swings)
 			cni_direct_begin(world, s, out, c);
 	}
@@ -464,25 +479,15 @@ static void component_release(cn_world *world, cni_sparse *sparse, cni_component
 			sparse->nodes[k].x[i] = 0.0f;
 		}
 	c->presses = 0;
-	c->regular = c->loops ? LOOPS_REGULAR : 0.0f;
+	c->regular = c->loops ? REGULAR : 0.0f;
 	cni_sparse_factor(sparse, c, cni_motions(world));
 	if (world->settings.solver == CN_SOLVER_AUTO)
-		cni_island_refuse(world, cni_body_at(world, cni_awake_ids(world)[sparse->bodies[c->body_begin]])->island, CN_TIER_REASON_NO_SET);
-}
-
-/* Each joint by itself after all, in this step. */
-static void joints_release(cn_world *world, cni_sparse *sparse, cni_component *c)
-{
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k)
-		if (sparse->nodes[k].owner >= 0)
-			cni_joint_works(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_WORK_DIRECT;
-	c->done = 1;
+		cni_island_refuse(world, cni_awake_island(world, sparse->bodies[c->body_begin]), CN_TIER_REASON_NO_SET);
 }
 
 static void joints_solve(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)
 {
-	right_sides(world, s->direct, c, bias ? ERROR_RATE * s->inv_h : 0.0f, s->push_speed);
+	right_sides(world, s->direct, c, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f, s->push_speed);
 	if (cni_sparse_solve(s->direct, c))
 		cni_direct_push(world, s->direct, c);
 	else
@@ -494,10 +499,11 @@ static void component_turn(cn_world *world, const cni_solve *s, cni_component *c
 {
 	cni_direct_turns(world, s->direct, c);
 	cni_tension_damp(world, s->direct, c, s->h);
-	if (cni_direct_levers(world, s->direct, c) > 0 && !c->presses)
-		cni_sparse_factor(s->direct, c, cni_motions(world));
-	else if (c->joints)
+	(void)cni_direct_levers(world, s->direct, c);
+	if (c->presses)
 		c->factored = 0;
+	else
+		cni_sparse_factor(s->direct, c, cni_motions(world));
 }
 
 void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
@@ -507,19 +513,13 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 		cni_component *c = &s->direct->components[k];
 		if (c->done)
 			continue;
-		if (!bias)
+		if (!bias && c->joints > 0)
 			component_turn(world, s, c);
 		if (c->presses && !cni_presses_solve(world, s, s->direct, c, bias))
 			component_release(world, s->direct, c);
 		if (!c->presses)
 			joints_solve(world, s, c, bias);
 	}
-}
-
-void cni_direct_warm_start(cn_world *world, const cni_solve *s)
-{
-	if (s->direct != NULL)
-		cni_presses_warm_start(world, s->direct, s->warm_scale);
 }
 
 void cni_direct_store(cn_world *world, const cni_solve *s)

@@ -259,15 +259,6 @@ static void bodies_end(const net *g)
 	}
 }
 
-static void motions_copy(const net *g, int32_t back)
-{
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
-		cni_motion *m = g->motions + g->sparse->bodies[k], *saved = g->sparse->saved + k;
-		*(back ? m : saved) = *(back ? saved : m);
-	}
-}
-
 void cni_net_run(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
 	uint64_t rows = sizeof(float) * CNI_NODE_ROWS * (uint64_t)(c->end - c->begin);
@@ -277,7 +268,7 @@ void cni_net_run(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_co
 	g.change = (cni_motion *)cni_arena_push(&world->arena, sizeof(cni_motion) * (uint64_t)world->awake_count);
 	g.left = g.change == NULL ? NULL : (float *)cni_arena_push(&world->arena, rows);
 	g.way = g.left == NULL ? NULL : (float *)cni_arena_push(&world->arena, rows);
-	motions_copy(&g, 0);
+	cni_direct_motions_keep(world, sparse, c, 0);
 	if (g.way != NULL) {
 		memset(g.way, 0, rows);
 		g.change[0] = g.motions[0];
@@ -287,7 +278,7 @@ void cni_net_run(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_co
 	if (g.way != NULL && substeps_take(&g)) {
 		bodies_end(&g);
 	} else {
-		motions_copy(&g, 1);
+		cni_direct_motions_keep(world, sparse, c, 1);
 		for (k = c->begin; k < c->end; ++k) /* each joint by itself, after all */
 			cni_joint_work_prepare(world, s, sparse->nodes[k].owner);
 	}

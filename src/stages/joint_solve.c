@@ -31,18 +31,14 @@ static float row_mass(const cni_row *r, const cni_row *q, const cni_motion *a, c
 
 static float row_speed(const cni_row *r, const cni_motion *a, const cni_motion *b)
 {
-	return r->ax * a->vx + r->ay * a->vy + r->aw * a->w + r->bx * b->vx + r->by * b->vy + r->bw * b->w;
+	cni_lever l = cni_row_lever(r);
+	return cni_lever_speed(&l, a, b);
 }
 
 static void row_push(const cni_row *r, float impulse, cni_motion *a, cni_motion *b)
 {
-	float ma = a->inv_mass * impulse, mb = b->inv_mass * impulse;
-	a->vx += ma * r->ax;
-	a->vy += ma * r->ay;
-	a->w += a->inv_inertia * impulse * r->aw;
-	b->vx += mb * r->bx;
-	b->vy += mb * r->by;
-	b->w += b->inv_inertia * impulse * r->bw;
+	cni_lever l = cni_row_lever(r);
+	cni_lever_push(&l, impulse, a, b);
 }
 
 /* Inverse of the symmetric K of one to three rows; a singular direction gives nothing. */
@@ -512,7 +508,7 @@ static void look_for_gap(cn_world *world, const cni_joint_work *w)
 		gap = cni_max(gap, w->rows[k].angular ? 0.0f : cni_abs(w->rows[k].error));
 	if (gap <= CNI_BAD_PART * world->settings.accuracy)
 		return;
-	island = cni_body_at(world, cni_awake_ids(world)[w->ia != 0 ? w->ia : w->ib])->island;
+	island = cni_joint_island(world, w->ia, w->ib);
 	if (island != CNI_NONE)
 		cni_island_joints_part(world, island);
 }

@@ -41,7 +41,8 @@ static int32_t work_is_rigid(const cni_joint_work *w, const cni_motion *motions,
 	int32_t k;
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		const cni_row *r = &w->rows[k];
-		float speed = r->ax * a->vx + r->ay * a->vy + r->aw * a->w + r->bx * b->vx + r->by * b->vy + r->bw * b->w;
+		cni_lever l = cni_row_lever(r);
+		float speed = cni_lever_speed(&l, a, b);
 		if (r->kind != CNI_ROW_LIMIT || r->error < 0.05f + 2.0f * dt * cni_abs(speed))
 			return 0;
 	}
@@ -288,38 +289,26 @@ static int32_t substep(const swing *g)
 /* ---- the step ---- */
 
 /* start is what it would be had the last substep been one of the world's: what tells bodies at rest needs it. */
-static void start_store(const swing *g, const cni_solve *s, int32_t index, const cni_velocity_start *before)
-{
-	const cni_drive *d = cni_drives(g->world) + index;
-	cni_velocity_start *start = cni_starts(g->world) + index;
-	start->vx = before->vx + s->h * d->ax;
-	start->vy = before->vy + s->h * d->ay;
-	start->w = before->w + s->h * d->alpha;
-	start->struck = 0.0f;
-}
-
-static void bodies_begin(const swing *g)
+static void last_substep_begins(const swing *g, const cni_solve *s)
 {
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		int32_t index = g->sparse->bodies[k];
 		const cni_motion *m = g->motions + index;
+		const cni_drive *d = cni_drives(g->world) + index;
 		cni_velocity_start *start = cni_starts(g->world) + index;
-		start->vx = m->vx;
-		start->vy = m->vy;
-		start->w = m->w;
+		start->vx = m->vx + s->h * d->ax;
+		start->vy = m->vy + s->h * d->ay;
+		start->w = m->w + s->h * d->alpha;
+		start->struck = 0.0f;
 	}
 }
 
-static void bodies_end(const swing *g, const cni_solve *s)
+static void bodies_end(const swing *g)
 {
 	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
-		int32_t index = g->sparse->bodies[k];
-		cni_velocity_start before = cni_starts(g->world)[index];
-		start_store(g, s, index, &before);
-		cni_drives(g->world)[index].flags |= CNI_DRIVE_SWUNG;
-	}
+	for (k = g->c->body_begin; k < g->c->body_end; ++k)
+		cni_drives(g->world)[g->sparse->bodies[k]].flags |= CNI_DRIVE_SWUNG;
 }
 
 /* Reactions are read as impulses of the world's substep. */
@@ -347,14 +336,12 @@ static void works_stress(const swing *g)
 	}
 }
 
-/* Rows and impulses as the step found them. */
+/* Impulses as the step found them. */
 static void works_begin(const swing *g, float scale)
 {
 	int32_t k, i;
-	cni_direct_turns(g->world, g->sparse, g->c);
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_work *w = work_of(g, k);
-		cni_joint_work_rows(w, g->motions, g->sparse->turn);
 		for (i = 0; i < w->rigid_count; ++i)
 			w->rows[i].impulse = scale * w->record->impulse[w->rows[i].slot];
 		if (w->flags & CNI_WORK_BREAKABLE)
@@ -362,13 +349,14 @@ static void works_begin(const swing *g, float scale)
 	}
 }
 
-static void motions_copy(const swing *g, cni_motion *copy, int32_t back)
+/* All as the step found it. */
+static void step_undo(const swing *g)
 {
 	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
-		cni_motion *m = g->motions + g->sparse->bodies[k], *saved = copy + (k - g->c->body_begin);
-		*(back ? m : saved) = *(back ? saved : m);
-	}
+	cni_direct_motions_keep(g->world, g->sparse, g->c, 1);
+	cni_direct_turns(g->world, g->sparse, g->c);
+	for (k = g->c->begin; k < g->c->end; ++k)
+		cni_joint_work_rows(work_of(g, k), g->motions, g->sparse->turn);
 }
 
 /* Are there old gaps, which are closed with some speed? */
@@ -382,32 +370,47 @@ static int32_t gaps_are_closing(const swing *g)
 	return 0;
 }
 
-/* Of motion, less the work that drives have done in this step; and what a step of free fall, and of closing gaps, may
-   give from rest. */
-static float energy(const swing *g, float dt, float *out_fall)
+static float inverse_or_zero(float x)
 {
-	float sum = 0.0f, fall = 0.0f, pull = gaps_are_closing(g) ? g->closing / g->h : 0.0f;
+	return x > 0.0f ? 1.0f / x : 0.0f;
+}
+
+/* Of motion, less the work that drives have done in this step. */
+static float energy(const swing *g)
+{
+	float sum = 0.0f;
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
 		const cni_drive *d = cni_drives(g->world) + g->sparse->bodies[k];
-		float mass = m->inv_mass > 0.0f ? 1.0f / m->inv_mass : 0.0f, inertia = m->inv_inertia > 0.0f ? 1.0f / m->inv_inertia : 0.0f;
-		sum += mass * (0.5f * (m->vx * m->vx + m->vy * m->vy) - (d->ax * m->dpx + d->ay * m->dpy)) + inertia * (0.5f * m->w * m->w - d->alpha * m->theta);
-		fall += 0.5f * dt * dt * (mass * (d->ax * d->ax + d->ay * d->ay) + inertia * d->alpha * d->alpha) + 0.5f * mass * pull * pull;
+		sum += inverse_or_zero(m->inv_mass) * (0.5f * (m->vx * m->vx + m->vy * m->vy) - (d->ax * m->dpx + d->ay * m->dpy)) +
+		       inverse_or_zero(m->inv_inertia) * (0.5f * m->w * m->w - d->alpha * m->theta);
 	}
-	*out_fall = fall;
+	return sum;
+}
+
+/* What a step of free fall, and of closing gaps, may give from rest. */
+static float energy_allowed(const swing *g, float dt)
+{
+	float sum = 0.0f, pull = gaps_are_closing(g) ? g->closing / g->h : 0.0f;
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		const cni_motion *m = g->motions + g->sparse->bodies[k];
+		const cni_drive *d = cni_drives(g->world) + g->sparse->bodies[k];
+		sum += 0.5f * inverse_or_zero(m->inv_mass) * (dt * dt * (d->ax * d->ax + d->ay * d->ay) + pull * pull) +
+		       0.5f * inverse_or_zero(m->inv_inertia) * dt * dt * d->alpha * d->alpha;
+	}
 	return sum;
 }
 
 /* All substeps, or as many as go well. */
 static int32_t substeps_try(swing *g, const cni_solve *s, cni_component *c, int32_t substeps)
 {
-	float before, allowed, fall;
+	float before, allowed;
 	int32_t k;
 	g->h = s->dt / (float)substeps;
 	g->closing = g->h * s->push_speed;
 	works_begin(g, s->warm_scale * g->h / s->h);
-	cni_tension_find(g->world, g->sparse, c, g->h);
 	g->warm = 0.5f;
 	if (cni_tension_needs_dampers(g->world, g->sparse, c, g->h)) {
 		g->warm = 0.0f;
@@ -415,17 +418,19 @@ static int32_t substeps_try(swing *g, const cni_solve *s, cni_component *c, int3
 	}
 	cni_tension_damp(g->world, g->sparse, c, g->h);
 	cni_direct_refresh(g->world, g->sparse, c);
-	before = energy(g, s->dt, &allowed);
+	before = energy(g);
+	allowed = energy_allowed(g, s->dt);
 	for (k = 0; k < substeps; ++k) {
 		int32_t how;
-		bodies_begin(g);
+		if (k == substeps - 1)
+			last_substep_begins(g, s);
 		how = substep(g);
 		if (how == BROKEN || (how == OPEN && substeps < SUBSTEPS_RETRY))
 			return how;
 		works_stress(g);
 	}
 	/* Written so that what is not a number fails too. */
-	return energy(g, s->dt, &fall) - before <= ENERGY_GAIN * cni_abs(before) + allowed ? CLOSED_WELL : BROKEN;
+	return energy(g) - before <= ENERGY_GAIN * cni_abs(before) + allowed ? CLOSED_WELL : BROKEN;
 }
 
 /*
@@ -434,7 +439,7 @@ static int32_t substeps_try(swing *g, const cni_solve *s, cni_component *c, int3
  */
 static void swing_release(const swing *g, const cni_solve *s)
 {
-	int32_t k, i, island = cni_body_at(g->world, cni_awake_ids(g->world)[g->sparse->bodies[g->c->body_begin]])->island;
+	int32_t k, i, island = cni_awake_island(g->world, g->sparse->bodies[g->c->body_begin]);
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_work_prepare(g->world, s, g->sparse->nodes[k].owner);
 		for (i = 0; i < work_of(g, k)->row_count; ++i)
@@ -446,22 +451,22 @@ static void swing_release(const swing *g, const cni_solve *s)
 }
 
 /* A step whose joints do not close, in a fast whip, is taken again with substeps half as long. */
-static void swing_run(cn_world *world, const cni_solve *s, cni_component *c, float *left, cni_motion *saved)
+static void swing_run(cn_world *world, const cni_solve *s, cni_component *c, float *left)
 {
 	swing g = { world, s->direct, c, cni_motions(world), s->h, CLOSED * world->settings.length_unit, 0.0f, left, 0.5f };
 	int32_t substeps, how;
 	cni_direct_turns(world, g.sparse, c);
 	cni_tension_find(world, g.sparse, c, s->h);
-	motions_copy(&g, saved, 0);
+	cni_direct_motions_keep(world, g.sparse, c, 0);
 	c->done = 1;
 	for (substeps = substeps_of(&g, s); (how = substeps_try(&g, s, c, substeps)) != CLOSED_WELL; substeps *= 2) {
-		motions_copy(&g, saved, 1);
+		step_undo(&g);
 		if (how == BROKEN && substeps >= SUBSTEPS_RETRY) {
 			swing_release(&g, s);
 			return;
 		}
 	}
-	bodies_end(&g, s);
+	bodies_end(&g);
 	works_end(&g, s);
 }
 
@@ -477,25 +482,22 @@ static int32_t largest_component(const cni_sparse *sparse)
 void cni_swings_run(cn_world *world, const cni_solve *s)
 {
 	float *left;
-	cni_motion *saved;
 	int32_t k, largest = s->direct == NULL ? 0 : largest_component(s->direct);
 	if (largest == 0)
 		return;
 	left = (float *)cni_arena_push(&world->arena, sizeof(float) * CNI_NODE_ROWS * (uint64_t)largest);
-	saved = left == NULL ? NULL : (cni_motion *)cni_arena_push(&world->arena, sizeof(cni_motion) * 2 * (uint64_t)largest);
-	if (saved == NULL)
+	if (left == NULL)
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
 	for (k = 0; k < s->direct->component_count; ++k) {
 		cni_component *c = &s->direct->components[k];
-		if (saved == NULL && c->swings) {
-			c->swings = 0;
-			cni_direct_begin(world, s, s->direct, c);
-		}
-		if (c->swings && c->dear)
+		if (!c->swings)
+			continue;
+		if (c->dear)
 			cni_net_run(world, s, s->direct, c);
-		else if (c->swings)
-			swing_run(world, s, c, left, saved);
+		else if (left != NULL)
+			swing_run(world, s, c, left);
+		else
+			cni_direct_begin(world, s, s->direct, c);
 	}
-	(void)cni_arena_pop(&world->arena, saved);
 	(void)cni_arena_pop(&world->arena, left);
 }

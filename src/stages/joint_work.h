@@ -17,6 +17,8 @@ enum {
 	CNI_WORK_SWUNG = 1u << 6      /* done with for this step: stages/joint_swing.c */
 };
 
+#define CNI_JOINT_ERROR_RATE 0.3f /* part of its gap that a directly solved joint takes out in a substep */
+
 /* What every pass over plain joints touches comes first and together. */
 typedef struct cni_joint_work {
 	const cni_joint *record;   /* within a step records do not move */
@@ -41,6 +43,16 @@ static inline cni_joint_work *cni_joint_works(const cn_world *world)
 {
 	return (cni_joint_work *)world->joint_work.data;
 }
+static inline cni_lever cni_row_lever(const cni_row *r)
+{
+	cni_lever l = { r->ax, r->ay, r->aw, r->bx, r->by, r->bw };
+	return l;
+}
+/* The island of whichever of a joint's bodies has one. */
+static inline int32_t cni_joint_island(const cn_world *world, int32_t ia, int32_t ib)
+{
+	return cni_awake_island(world, ia != 0 ? ia : ib);
+}
 /* The work of place k in the awake list, as a step begins. */
 void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k);
 /* Builds all rows at the bodies' present positions, impulses left undefined. */
@@ -61,6 +73,8 @@ void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component
 int32_t cni_component_swings(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
 /* Levers, dampers and factors of a component for the world's substeps. */
 void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
+/* Velocities and positions of the component's bodies into sparse->saved, or back (1). */
+void cni_direct_motions_keep(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t back);
 /* Rotations of the component's bodies since the step began. */
 void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 

@@ -40,8 +40,6 @@ void cni_presses_take(cn_world *world, cni_sparse *sparse);
 /* Gives lanes back with the impulses as they are: those of one component, or of all. */
 void cni_presses_give_back(cn_world *world, cni_sparse *sparse, const cni_component *c);
 void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h);
-/* Impulses of the last step, once more. */
-void cni_presses_warm_start(cn_world *world, cni_sparse *sparse, float scale);
 /* One pass over a component with presses. 0: no consistent set was found, nothing changed. rate: of joints' errors. */
 int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias);
 

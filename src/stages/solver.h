@@ -102,7 +102,6 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 void cni_direct_prepare(cn_world *world, cni_solve *s, struct cni_sparse *out);
 /* One pass over them: with errors' bias (1), or rigid at the new positions (0). */
 void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias);
-void cni_direct_warm_start(cn_world *world, const cni_solve *s);
 /* Gives its contacts back to their lanes. */
 void cni_direct_store(cn_world *world, const cni_solve *s);
 /* The whole step of bodies that nothing but joints holds. */

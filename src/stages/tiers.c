@@ -153,7 +153,7 @@ static void block_look(cn_world *world, int32_t block, float most)
 			continue;
 		if (overlap(k, l) <= most && !(fresh && lane_is_new(k, l, world->settings.slop)))
 			continue;
-		island = cni_body_at(world, cni_awake_ids(world)[k->ia[l]])->island;
+		island = cni_awake_island(world, k->ia[l]);
 		if (island != CNI_NONE)
 			island_is_bad(world, island, overlap(k, l) > most ? CN_TIER_REASON_OVERLAP : CN_TIER_REASON_NEW_CONTACT);
 	}
@@ -207,7 +207,7 @@ void cni_tiers_forget(cn_world *world)
 
 static cni_island *awake_island(const cn_world *world, int32_t index)
 {
-	int32_t island = cni_body_at(world, cni_awake_ids(world)[index])->island;
+	int32_t island = cni_awake_island(world, index);
 	return island != CNI_NONE ? cni_island_at(world, island) : NULL;
 }
 
@@ -252,7 +252,7 @@ static void list_awake(cn_world *world, int32_t every)
 		const cni_island *i = awake_island(world, k);
 		if (i == NULL || i->tier == CNI_TIER_DIRECT || i->solver == CN_SOLVER_SOFT || (!every && i->solver != CN_SOLVER_DIRECT))
 			continue;
-		island_take(world, cni_body_at(world, cni_awake_ids(world)[k])->island, every ? CN_TIER_REASON_SOLVER : CN_TIER_REASON_OVERRIDE);
+		island_take(world, cni_awake_island(world, k), every ? CN_TIER_REASON_SOLVER : CN_TIER_REASON_OVERRIDE);
 	}
 }
 

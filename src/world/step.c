@@ -37,7 +37,6 @@ static void substeps_run(cn_world *world, const cni_solve *s)
 		if (k == 0) {
 			cni_joints_warm_start(world, s);
 			cni_contacts_warm_start(world, s);
-			cni_direct_warm_start(world, s);
 		}
 		cni_contacts_impact(world, s);
 		cni_joints_solve(world, s);
