@@ -30,6 +30,7 @@ CNI_INLINE cni_wide cni_wide_max(cni_wide a, cni_wide b) { return a > b ? a : b;
 CNI_INLINE cni_wide cni_wide_min(cni_wide a, cni_wide b) { return a < b ? a : b; }
 CNI_INLINE uint32_t cni_mask_bits(cni_mask mask) { return mask ? 1u : 0u; }
 CNI_INLINE cni_mask cni_mask_of_bits(uint32_t bits) { return (cni_mask)(bits & 1u); }
+CNI_INLINE cni_mask cni_mask_of_zero(const int32_t *p) { return *p == 0; }
 
 #else
 
@@ -98,6 +99,8 @@ CNI_INLINE cni_mask cni_mask_of_bits(uint32_t bits)
 #endif
 	return (((int32_t)bits - (cni_mask){ 0 }) & lane) == lane;
 }
+/* Lane l is true where the l-th number is 0. */
+CNI_INLINE cni_mask cni_mask_of_zero(const int32_t *p) { return *(const cni_mask *)(const void *)p == (cni_mask){ 0 }; }
 
 #endif
 
@@ -111,6 +114,14 @@ CNI_INLINE cni_wide cni_wide_abs(cni_wide a) { return cni_wide_max(a, -a); }
 CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_t *index, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
 {
 	const float *r = base + (size_t)index[0] * (size_t)stride;
+	*a = r[0];
+	*b = r[1];
+	*c = r[2];
+	*d = r[3];
+}
+CNI_INLINE void cni_wide_gather4_from(const float *const *records, int32_t offset, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
+{
+	const float *r = records[0] + offset;
 	*a = r[0];
 	*b = r[1];
 	*c = r[2];

@@ -222,6 +222,7 @@ static void body_set_center(cn_world *world, cni_body *b, cni_vec2 local_center)
 	b->cx += shift.x;
 	b->cy += shift.y;
 	b->local_center = local_center;
+	cni_contact_loosen_body(world, b);
 	if (b->type != CN_BODY_STATIC)
 		cni_body_store_velocity(world, b, v);
 }

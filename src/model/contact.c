@@ -1,7 +1,7 @@
 /*
  * model/contact.c - contact records: lists, life and death, what users see (layout in contact.h).
  *
- * Owns the contact table, its free list, the awake list and the sleep store. Events are logged here, and
+ * Owns the contact table, its free list, the apart list and the sleep store. Events are logged here, and
  * only here, which is what makes them bookended: a contact that has logged CREATED logs DESTROYED
  * before its record is freed, one that has logged ENTER logs LEAVE before it stops touching.
  */
@@ -39,27 +39,31 @@ static void list_unlink(cn_world *world, int32_t contact, int32_t side)
 	--b->contact_count;
 }
 
-void cni_contact_enter_awake_list(cn_world *world, int32_t contact)
+static int32_t contact_is_awake(const cn_world *world, const cni_contact *c)
 {
-	cni_contact *c = cni_contact_at(world, contact);
-	if (c->awake != CNI_NONE)
-		return;
-	cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
-	c->awake = world->awake_contacts.count;
-	((int32_t *)world->awake_contacts.data)[world->awake_contacts.count++] = contact;
+	return cni_body_at(world, c->body[0])->awake != 0 || cni_body_at(world, c->body[1])->awake != 0;
 }
 
-void cni_contact_leave_awake_list(cn_world *world, int32_t contact)
+void cni_contact_enter_apart_list(cn_world *world, int32_t contact)
 {
 	cni_contact *c = cni_contact_at(world, contact);
-	int32_t *list = (int32_t *)world->awake_contacts.data;
-	int32_t last;
-	if (c->awake == CNI_NONE)
+	if ((c->flags & CNI_CONTACT_TOUCHING) || c->slot != CNI_NONE)
 		return;
-	last = list[--world->awake_contacts.count];
-	list[c->awake] = last;
-	cni_contact_at(world, last)->awake = c->awake;
-	c->awake = CNI_NONE;
+	c->slot = world->apart.count;
+	((int32_t *)world->apart.data)[world->apart.count++] = contact;
+}
+
+void cni_contact_leave_apart_list(cn_world *world, int32_t contact)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	int32_t *list = (int32_t *)world->apart.data;
+	int32_t last;
+	if ((c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
+		return;
+	last = list[--world->apart.count];
+	list[c->slot] = last;
+	cni_contact_at(world, last)->slot = c->slot;
+	c->slot = CNI_NONE;
 }
 
 int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b)
@@ -134,15 +138,9 @@ cn_result cni_contact_reserve(cn_world *world, int32_t extra)
 {
 	int32_t count = world->contact_count + extra;
 	int32_t good = cni_table_reserve(&world->contacts, &world->memory, cni_max_i(world->contact_used, count)) &&
-	               cni_array_reserve(&world->awake_contacts, &world->memory, count) &&
-	               cni_array_reserve(&world->changes, &world->memory, count) &&
+	               cni_array_reserve(&world->apart, &world->memory, count) &&
 	               (!world->memory.fixed || reserve_ends(world, count));
 	return good ? CN_OK : CN_ERROR_MEMORY;
-}
-
-static int32_t contact_is_awake(const cn_world *world, const cni_contact *c)
-{
-	return cni_body_at(world, c->body[0])->awake != 0 || cni_body_at(world, c->body[1])->awake != 0;
 }
 
 static void log_or_owe(cn_world *world, int32_t contact, int32_t kind, uint32_t owed)
@@ -182,12 +180,14 @@ int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
 	c->proxy[1 - side] = proxy_b;
 	c->body[side] = a->body;
 	c->body[1 - side] = b->body;
-	c->slot = c->awake = CNI_NONE;
+	c->slot = CNI_NONE;
 	c->flags = flags_of_shapes(a, b);
 	list_link(world, contact, 0);
 	list_link(world, contact, 1);
-	if (contact_is_awake(world, c))
-		cni_contact_enter_awake_list(world, contact);
+	if (contact_is_awake(world, c)) {
+		cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
+		cni_contact_enter_apart_list(world, contact);
+	}
 	log_or_owe(world, contact, CN_EVENT_CREATED, CNI_CONTACT_CREATED_OWED);
 	return contact;
 }
@@ -212,7 +212,7 @@ int32_t cni_contact_destroy(cn_world *world, int32_t contact)
 		return 0;
 	if (!(c->flags & CNI_CONTACT_CREATED_OWED) && !cni_event_log(world, contact, CN_EVENT_DESTROYED))
 		return 0;
-	cni_contact_leave_awake_list(world, contact);
+	cni_contact_leave_apart_list(world, contact);
 	list_unlink(world, contact, 0);
 	list_unlink(world, contact, 1);
 	c->flags = 0;
@@ -266,6 +266,7 @@ static void span_change(cn_world *world, int32_t contact, uint32_t mask, int32_t
 		return;
 	if (after) {
 		c->flags |= owed;
+		cni_contact_loosen(world, contact);
 		return;
 	}
 	if (!(c->flags & owed))
@@ -301,7 +302,7 @@ static void contact_join_islands(cn_world *world, cni_contact *c)
 }
 
 /* Closing speed along the normal before the solver acts. */
-static float contact_approach(const cn_world *world, const cni_contact *c, const cni_manifold *manifold)
+static float approach_now(const cn_world *world, const cni_contact *c, const cni_manifold *manifold)
 {
 	const cni_body *a = cni_body_at(world, c->body[0]), *b = cni_body_at(world, c->body[1]);
 	cn_velocity va = cni_body_velocity(world, a), vb = cni_body_velocity(world, b);
@@ -311,6 +312,22 @@ static float contact_approach(const cn_world *world, const cni_contact *c, const
 	cni_vec2 at_a = cni_madd(va.linear_mps, va.angular_radps, cni_left_perp(ra));
 	cni_vec2 at_b = cni_madd(vb.linear_mps, vb.angular_radps, cni_left_perp(rb));
 	return cni_max(-cni_dot(n, cni_sub(at_b, at_a)), 0.0f);
+}
+
+float cni_contact_gap(const cn_world *world, const cni_contact *c)
+{
+	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
+	if ((c->flags & CNI_CONTACT_ASLEEP) || (cni_block_info_at(world, block)->anchored >> l & 1u))
+		return 0.0f;
+	return cni_block_anchor_at(world, block)->of.fresh.gap[l];
+}
+
+float cni_contact_approach(const cn_world *world, const cni_contact *c)
+{
+	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
+	if ((c->flags & CNI_CONTACT_ASLEEP) || (cni_block_info_at(world, block)->anchored >> l & 1u))
+		return 0.0f;
+	return cni_block_anchor_at(world, block)->of.fresh.approach[l];
 }
 
 /* Shapes that roll stiffly or convey need extra rows. */
@@ -330,14 +347,17 @@ static int32_t contact_reserve_extra(cn_world *world, const cni_contact *c)
 int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap, const float radius[2])
 {
 	cni_contact *c = cni_contact_at(world, contact);
+	float approach;
 	if (!cni_lane_reserve(world, world->touching_count + 1) || !cni_island_reserve(world, 1) || !contact_reserve_extra(world, c))
 		return 0;
 	++world->touching_count;
-	c->approach_speed = contact_approach(world, c, manifold);
+	approach = approach_now(world, c, manifold);
 	contact_join_islands(world, c);
+	cni_contact_leave_apart_list(world, contact);
 	cni_lane_take(world, contact);
 	c->flags |= CNI_CONTACT_TOUCHING | CNI_CONTACT_ENTERED | CNI_CONTACT_REFRESH;
 	c->id[0] = c->id[1] = 0;
+	cni_block_anchor_at(world, c->slot / CNI_LANES)->of.fresh.approach[c->slot % CNI_LANES] = approach;
 	cni_lane_set_fresh(world, c->slot);
 	cni_contact_write(world, contact, manifold, gap, radius);
 	log_or_owe(world, contact, CN_EVENT_ENTER, CNI_CONTACT_ENTER_OWED);
@@ -372,6 +392,8 @@ int32_t cni_contact_end(cn_world *world, int32_t contact)
 		cni_island_unlink(world, c->body[0], c->body[1]);
 	c->flags &= ~(uint32_t)(CNI_CONTACT_TOUCHING | CNI_CONTACT_LINKED | CNI_CONTACT_ENTER_OWED | CNI_CONTACT_ENTERED);
 	--world->touching_count;
+	if (contact_is_awake(world, c))
+		cni_contact_enter_apart_list(world, contact);
 	return 1;
 }
 
@@ -387,12 +409,31 @@ int32_t cni_contact_sense(cn_world *world, int32_t contact, int32_t overlaps)
 	return 1;
 }
 
+static int32_t has_lane(const cni_contact *c)
+{
+	return (c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING;
+}
+
+void cni_contact_loosen(cn_world *world, int32_t contact)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	if (has_lane(c))
+		cni_lane_loosen(world, c->slot);
+}
+
+void cni_contact_loosen_body(cn_world *world, const cni_body *b)
+{
+	int32_t key;
+	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
+		cni_contact_loosen(world, key >> 1);
+}
+
 void cni_contact_fix_body(cn_world *world, int32_t body)
 {
 	int32_t key = cni_body_at(world, body)->contact_first;
 	while (key != CNI_NONE) {
 		const cni_contact *c = cni_contact_of_key(world, key);
-		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING)
+		if (has_lane(c))
 			cni_lane_set_bodies(world, c);
 		key = c->next[key & 1];
 	}
@@ -429,8 +470,12 @@ void cni_contact_lane_to_sleep(cn_world *world, int32_t contact)
 	cni_contact *c = cni_contact_at(world, contact);
 	const float *rows = (const float *)(const void *)cni_block_at(world, c->slot / CNI_LANES) + c->slot % CNI_LANES;
 	cni_sleep_lane *s = (cni_sleep_lane *)world->sleep_lanes.data + world->sleep_lanes.count;
-	int32_t row;
+	cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
+	float gap = cni_contact_gap(world, c);
+	int32_t row, k;
 	CNI_ASSERT(world->sleep_lanes.count < world->sleep_lanes.capacity);
+	for (k = 0; k < 2; ++k)
+		block->p[k].s0[c->slot % CNI_LANES] -= gap;
 	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
 		s->rows[row] = rows[(row + 2) * CNI_LANES];
 	s->restitution = cni_block_info_at(world, c->slot / CNI_LANES)->restitution[c->slot % CNI_LANES];

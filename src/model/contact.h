@@ -4,7 +4,7 @@
  *
  * A contact's record has a stable index. Where its manifold is depends on its state:
  *
- *   apart     slot CNI_NONE                      record only
+ *   apart     slot = index in the apart list     record only; CNI_NONE while no body of the two is awake
  *   touching  slot = block * 16 + lane           a lane of a block of its colour, kept across steps
  *   asleep    slot = index in the sleep store    both bodies asleep (or one asleep, one static)
  *
@@ -27,6 +27,10 @@
  *   friction impulse along t on body b
  *   an = qa.n, dn = an - qb.n for the points qa, qb that turn with the bodies: the contact point less the
  *   shapes' radii, so that a rolling circle does not seem to lift
+ *
+ * Beside each block lie the anchors of its lanes: where the bodies were when the manifold was last computed. While
+ * they have hardly moved since, the lane is brought up to date from there (stages/contact_follow.c) and the narrowphase
+ * has nothing to do for it.
  */
 #ifndef CNI_MODEL_CONTACT_H
 #define CNI_MODEL_CONTACT_H
@@ -57,6 +61,27 @@ enum {
 	CNI_BLOCK_EXTRA = 1u << 1        /* some lane has rolling resistance, a conveyor or a locked axis: see cni_block_extra */
 };
 
+/*
+ * A lane as it was when its manifold was written, for the lanes whose bit is set in the block's info. The frame in which
+ * points and normal are at rest is lane body a's, but the world's where lane body b is static (its ib is 0).
+ */
+typedef struct cni_block_anchor {
+	union {
+		float nx[CNI_LANES];    /* normal in lane a's frame */
+		int32_t body[CNI_LANES]; /* ib is 0: record of lane body b */
+	} x;
+	float ny[CNI_LANES];
+	float dt[CNI_LANES];        /* lane's dt */
+	float c[CNI_LANES], s[CNI_LANES]; /* rotation of b relative to a */
+	union {
+		float less[2][CNI_LANES]; /* separation of each point less (centre b - centre a).n */
+		struct {
+			float gap[CNI_LANES];      /* along the normal between the two anchors when the lane was written: how far ahead it was */
+			float approach[CNI_LANES]; /* m/s along the normal when it began to touch */
+		} fresh;                      /* of a lane whose bit is not set */
+	} of;
+} cni_block_anchor;
+
 /* Rows that few contacts need, beside the block of the same index. */
 typedef struct cni_block_extra {
 	float tangent_speed[CNI_LANES];  /* wanted slip along t */
@@ -75,7 +100,8 @@ typedef struct cni_block_info {
 	int32_t color;
 	uint32_t flags;
 	uint32_t fresh_step;             /* step + 1 in which a lane last began to touch */
-	uint32_t fresh;                  /* ... lanes that did then, as bits */
+	uint16_t fresh;                  /* ... lanes that did then, as bits */
+	uint16_t anchored;               /* lanes that have an anchor, as bits */
 } cni_block_info;
 
 typedef struct cni_color {
@@ -115,15 +141,12 @@ typedef struct cni_contact {
 	int32_t body[2];
 	int32_t next[2], prev[2]; /* keys in the bodies' lists */
 	uint32_t flags;
-	int32_t slot;
-	int32_t awake;           /* index in the awake list, CNI_NONE */
+	int32_t slot;            /* of a free record the next one */
 	uint16_t id[2];          /* feature ids of the lane's points, 0: none */
 	cni_manifold_cache cache;
-	float approach_speed;    /* along the normal when it began to touch */
-	float gap;               /* along the normal between the lane's two anchors when it was written: 0, or how far ahead it was */
 } cni_contact;
 
-/* Makes room for extra more contacts: records and awake list (lanes are reserved when they begin to touch). */
+/* Makes room for extra more contacts: records and apart list (lanes are reserved when they begin to touch). */
 cn_result cni_contact_reserve(cn_world *world, int32_t extra);
 /* Record of an existing contact between two proxies, or CNI_NONE. O(contacts of the lesser body). */
 int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b);
@@ -147,6 +170,10 @@ int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *
 int32_t cni_contact_end(cn_world *world, int32_t contact);
 /* Which CN_EVENT_ kinds the contact reports from now on. After cni_contact_reserve_end. */
 void cni_contact_set_events(cn_world *world, int32_t contact, uint32_t mask);
+/* How far ahead a contact was when its lane was written, along the normal, metres; 0 unless it is fast. */
+float cni_contact_gap(const cn_world *world, const cni_contact *c);
+/* Closing speed, m/s, when a contact began to touch; 0 once its lane is anchored or asleep. */
+float cni_contact_approach(const cn_world *world, const cni_contact *c);
 /* May these two proxies make a contact? (cni_pair_filter_fn; context is the world) */
 int32_t cni_contact_allowed(const void *context, int32_t proxy_a, int32_t proxy_b);
 /* Room for `lanes` touching contacts, awake or asleep, however they are coloured. 0: no memory. */
@@ -164,6 +191,10 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 /* An empty manifold: the lane stays but can do nothing. */
 void cni_contact_write_empty(cn_world *world, int32_t contact);
 
+/* The contact's next step computes its manifold, however little moves. */
+void cni_contact_loosen(cn_world *world, int32_t contact);
+/* ... all contacts of a body: its centre is another. */
+void cni_contact_loosen_body(cn_world *world, const cni_body *b);
 /* Dense index of a body changed: fixes its lanes. */
 void cni_contact_fix_body(cn_world *world, int32_t body);
 /* Moves a touching contact between its lane and the sleep store. */
@@ -177,8 +208,10 @@ static inline void cni_contact_mark_static(cni_body *a, cni_body *b)
 	if (b->awake == 0 && !(a->flags & CNI_BODY_AT_STATIC))
 		a->flags |= CNI_BODY_AT_STATIC;
 }
-void cni_contact_enter_awake_list(cn_world *world, int32_t contact);
-void cni_contact_leave_awake_list(cn_world *world, int32_t contact);
+/* A contact that does not touch is in the list of those that are looked at in each step while one of its bodies is
+   awake. Nothing happens where it is in or out already, or touches. */
+void cni_contact_enter_apart_list(cn_world *world, int32_t contact);
+void cni_contact_leave_apart_list(cn_world *world, int32_t contact);
 
 /* The contact as users see it; manifold filled when touching. kind is stored as given. */
 void cni_contact_describe(const cn_world *world, int32_t contact, int32_t kind, cn_contact_event *out);

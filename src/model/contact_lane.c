@@ -1,7 +1,9 @@
 /*
  * model/contact_lane.c - between manifolds and lanes: writing what the narrowphase found into a lane
- * where the solver reads it, and reading a lane back as what users see.
+ * where the solver reads it, with the anchor from which it is followed while little moves; and reading a lane
+ * back as what users see.
  */
+#include "model/lane.h"
 #include "model/world.h"
 
 #include <string.h>
@@ -146,6 +148,43 @@ static void lane_write_rare(cn_world *world, cni_contact *c, const lane_frame *f
 		cni_block_extra_at(world, block)->rolling_mass[c->slot % CNI_LANES] = inverse_or_zero(m->ia + m->ib);
 }
 
+/* Contacts that somebody looks at in each step, and lanes whose rare rows depend on more than poses. */
+static int32_t may_be_followed(const cn_world *world, const cni_contact *c, const lane_frame *f)
+{
+	const cni_block_extra *extra = cni_block_extra_at(world, c->slot / CNI_LANES);
+	const uint32_t looked_at = CNI_CONTACT_ENTERED | CNI_CONTACT_ENTER_OWED | CNI_CONTACT_CREATED_OWED | CNI_CONTACT_ONE_WAY | CNI_CONTACT_PRE_SOLVE;
+	int32_t l = c->slot % CNI_LANES;
+	if ((c->flags & looked_at) || ((f->a->flags | f->b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)))
+		return 0;
+	return extra == NULL || (extra->rolling[l] == 0.0f && extra->tangent_speed[l] == 0.0f);
+}
+
+/* After the lane's rows. */
+static void anchor_write(cn_world *world, const cni_contact *c, const lane_frame *f, float gap)
+{
+	const cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
+	cni_block_anchor *anchor = cni_block_anchor_at(world, c->slot / CNI_LANES);
+	cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
+	int32_t l = c->slot % CNI_LANES, k;
+	cni_rot turn = cni_rot_between(f->a->q, f->b->q);
+	cni_vec2 n = cni_unrotate(f->a->q, f->n);
+	if (gap != 0.0f || !may_be_followed(world, c, f)) {
+		cni_lane_loosen(world, c->slot);
+		anchor->of.fresh.gap[l] = gap;
+		return;
+	}
+	info->anchored = (uint16_t)(info->anchored | 1u << l);
+	anchor->x.nx[l] = n.x;
+	if (block->ib[l] == 0)
+		anchor->x.body[l] = c->body[1 - ((c->flags & CNI_CONTACT_FLIPPED) != 0)];
+	anchor->ny[l] = n.y;
+	anchor->dt[l] = block->dt[l];
+	anchor->c[l] = turn.c;
+	anchor->s[l] = turn.s;
+	for (k = 0; k < 2; ++k)
+		anchor->of.less[k][l] = block->p[k].s0[l] - cni_dot(f->d, f->n);
+}
+
 void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap, const float radius[2])
 {
 	cni_contact *c = cni_contact_at(world, contact);
@@ -155,10 +194,10 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 	cni_vec2 normal = cni_rotate(first->q, manifold->normal);
 	lane_frame f = frame_make(world, c, normal);
 	lane_mass m = lane_mass_of(world, &f);
-	float radius_a = radius[flipped], old_jn[2], old_load[2], fa = 0.0f, dn, dt;
+	float radius_a = radius[flipped], old_jn[2], old_load[2], fa = 0.0f, ahead, dn, dt;
 	uint16_t old_id[2];
 	gap = cni_rotate(first->q, gap);
-	c->gap = cni_dot(gap, normal);
+	ahead = cni_dot(gap, normal);
 	f.d = flipped ? cni_add(f.d, gap) : cni_sub(f.d, gap);
 	dn = cni_dot(f.d, f.n);
 	dt = cni_dot(f.d, f.t);
@@ -202,6 +241,7 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 	if ((c->flags & CNI_CONTACT_REFRESH) || ((f.a->flags | f.b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) ||
 	    (cni_block_info_at(world, c->slot / CNI_LANES)->flags & CNI_BLOCK_EXTRA))
 		lane_write_rare(world, c, &f, &m);
+	anchor_write(world, c, &f, ahead);
 }
 
 void cni_contact_write_empty(cn_world *world, int32_t contact)
@@ -213,6 +253,7 @@ void cni_contact_write_empty(cn_world *world, int32_t contact)
 	lane_clear_point(&block->p[1], lane);
 	block->tm[lane] = block->jt[lane] = 0.0f;
 	c->id[0] = c->id[1] = 0;
+	cni_lane_loosen(world, c->slot);
 }
 
 /* One lane in the order of the sleep store's rows, wherever it lives. */
@@ -256,7 +297,7 @@ static void describe_manifold(const cn_world *world, const cni_contact *c, cn_ma
 		if (c->id[k] == 0)
 			continue;
 		point->point_m = cni_add(middle, r);
-		point->separation_m = p[2] - c->gap + moved_n;
+		point->separation_m = p[2] - cni_contact_gap(world, c) + moved_n;
 		point->normal_impulse_Ns = p[4];
 		point->feature_id = c->id[k];
 		++out->point_count;

@@ -89,7 +89,7 @@ int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind)
 	e->child_a = a->child;
 	e->child_b = b->child;
 	e->contact = contact;
-	e->approach_speed = kind == CN_EVENT_ENTER ? c->approach_speed : 0.0f;
+	e->approach_speed = kind == CN_EVENT_ENTER ? cni_contact_approach(world, c) : 0.0f;
 	return 1;
 }
 
@@ -148,19 +148,26 @@ static int32_t contact_stays(const cni_contact *c)
 	return (c->flags & mask) == CNI_CONTACT_TOUCHING && (c->flags >> CNI_CONTACT_EVENTS_SHIFT & 1u << CN_EVENT_STAY);
 }
 
+static int32_t stay_add(cn_world *world, int32_t contact, cni_array *seen)
+{
+	if (!contact_stays(cni_contact_at(world, contact)))
+		return 1;
+	if (!cni_array_reserve(seen, &world->memory, seen->count + 1)) {
+		seen->count = 0;
+		return 0;
+	}
+	cni_contact_describe(world, contact, CN_EVENT_STAY, (cn_contact_event *)seen->data + seen->count++);
+	return 1;
+}
+
 static cn_result build_stay(cn_world *world, cni_array *seen)
 {
-	const int32_t *list = (const int32_t *)world->awake_contacts.data;
-	int32_t k;
-	for (k = 0; k < world->awake_contacts.count; ++k) {
-		if (!contact_stays(cni_contact_at(world, list[k])))
-			continue;
-		if (!cni_array_reserve(seen, &world->memory, seen->count + 1)) {
-			seen->count = 0;
-			return CN_ERROR_MEMORY;
-		}
-		cni_contact_describe(world, list[k], CN_EVENT_STAY, (cn_contact_event *)seen->data + seen->count++);
-	}
+	int32_t color, block, l;
+	for (color = 0; color < CNI_COLORS; ++color)
+		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
+			for (l = 0; l < CNI_LANES && cni_block_info_at(world, block)->contact[l] != CNI_NONE; ++l)
+				if (!stay_add(world, cni_block_info_at(world, block)->contact[l], seen))
+					return CN_ERROR_MEMORY;
 	return CN_OK;
 }
 

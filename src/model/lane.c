@@ -25,6 +25,7 @@ int32_t cni_lane_reserve(cn_world *world, int32_t lanes)
 	int32_t blocks = lanes / CNI_LANES + cni_min_i(lanes, CNI_COLORS);
 	return cni_table_reserve(&world->blocks_hot, &world->memory, blocks) &&
 	       cni_table_reserve(&world->blocks_info, &world->memory, blocks) &&
+	       cni_table_reserve(&world->blocks_anchor, &world->memory, blocks) &&
 	       (cni_table_capacity(&world->blocks_extra) == 0 || cni_lane_reserve_extra(world));
 }
 
@@ -105,12 +106,30 @@ static void color_mark(cni_body *a, cni_body *b, int32_t color, int32_t on)
 	}
 }
 
+/* It begins again with nothing ahead and nothing approaching. */
+static void anchor_clear(cn_world *world, int32_t slot)
+{
+	cni_block_anchor *anchor = cni_block_anchor_at(world, slot / CNI_LANES);
+	cni_block_info *info = cni_block_info_at(world, slot / CNI_LANES);
+	info->anchored = (uint16_t)(info->anchored & ~(1u << slot % CNI_LANES));
+	anchor->of.fresh.gap[slot % CNI_LANES] = anchor->of.fresh.approach[slot % CNI_LANES] = 0.0f;
+}
+
+void cni_lane_loosen(cn_world *world, int32_t slot)
+{
+	if (cni_block_info_at(world, slot / CNI_LANES)->anchored >> slot % CNI_LANES & 1u)
+		anchor_clear(world, slot);
+}
+
 void cni_lane_set_bodies(cn_world *world, const cni_contact *c)
 {
 	cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
 	int32_t lane = c->slot % CNI_LANES;
+	int32_t ib = lane_body(world, c, 1)->awake;
+	if ((block->ib[lane] == 0) != (ib == 0))
+		cni_lane_loosen(world, c->slot); /* the anchor of a static one is another */
 	block->ia[lane] = lane_body(world, c, 0)->awake;
-	block->ib[lane] = lane_body(world, c, 1)->awake;
+	block->ib[lane] = ib;
 }
 
 void cni_lane_take(cn_world *world, int32_t contact)
@@ -136,6 +155,7 @@ void cni_lane_take(cn_world *world, int32_t contact)
 	++group->lanes;
 	c->slot = block * CNI_LANES + lane;
 	cni_block_info_at(world, block)->contact[lane] = contact;
+	anchor_clear(world, c->slot);
 	cni_lane_set_bodies(world, c);
 }
 
@@ -160,19 +180,36 @@ void cni_lane_set_fresh(cn_world *world, int32_t slot)
 	if (info->fresh_step != world->step_count + 1u)
 		info->fresh = 0;
 	info->fresh_step = world->step_count + 1u;
-	info->fresh |= 1u << slot % CNI_LANES;
+	info->fresh = (uint16_t)(info->fresh | 1u << slot % CNI_LANES);
 }
 
 /* The target is as fresh as the source was, which is no longer. */
 static void fresh_move(cn_world *world, int32_t from, int32_t to)
 {
 	cni_block_info *source = cni_block_info_at(world, from / CNI_LANES);
+	cni_block_info *target = cni_block_info_at(world, to / CNI_LANES);
 	uint32_t bit = 1u << from % CNI_LANES;
 	int32_t was_fresh = source->fresh_step == world->step_count + 1u && (source->fresh & bit);
-	source->fresh &= ~bit;
-	cni_block_info_at(world, to / CNI_LANES)->fresh &= ~(1u << to % CNI_LANES);
+	source->fresh = (uint16_t)(source->fresh & ~bit);
+	target->fresh = (uint16_t)(target->fresh & ~(1u << to % CNI_LANES));
 	if (was_fresh && from != to)
 		cni_lane_set_fresh(world, to);
+}
+
+/* The source's bit is cleared, whatever is left in its rows. */
+static void anchor_move(cn_world *world, int32_t from, int32_t to)
+{
+	cni_block_info *source_info = cni_block_info_at(world, from / CNI_LANES), *target_info = cni_block_info_at(world, to / CNI_LANES);
+	const float *source = (const float *)(const void *)cni_block_anchor_at(world, from / CNI_LANES) + from % CNI_LANES;
+	float *target = (float *)(void *)cni_block_anchor_at(world, to / CNI_LANES) + to % CNI_LANES;
+	uint32_t anchored = source_info->anchored >> from % CNI_LANES & 1u;
+	int32_t row;
+	for (row = 0; row < CNI_ANCHOR_ROWS; ++row)
+		memcpy(target + row * CNI_LANES, source + row * CNI_LANES, sizeof(float));
+	source_info->anchored = (uint16_t)(source_info->anchored & ~(1u << from % CNI_LANES));
+	target_info->anchored = (uint16_t)(target_info->anchored & ~(1u << to % CNI_LANES));
+	if (from != to)
+		target_info->anchored = (uint16_t)(target_info->anchored | anchored << to % CNI_LANES);
 }
 
 /* Copies one lane over another and clears the source. */
@@ -196,6 +233,7 @@ static void lane_move(cn_world *world, int32_t from, int32_t to)
 		cni_contact_at(world, contact)->slot = to;
 	}
 	extra_move(world, from, to);
+	anchor_move(world, from, to);
 	fresh_move(world, from, to);
 	source_info->contact[from % CNI_LANES] = CNI_NONE;
 	source_info->restitution[from % CNI_LANES] = 0.0f;

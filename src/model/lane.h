@@ -11,6 +11,8 @@
    the body indices. */
 #define CNI_BLOCK_ROWS ((int32_t)(sizeof(cni_contact_block) / (CNI_LANES * sizeof(float))))
 
+#define CNI_ANCHOR_ROWS ((int32_t)(sizeof(cni_block_anchor) / (CNI_LANES * sizeof(float))))
+
 /* Chooses a colour for the contact, marks its bodies and takes a lane; the rows are zero but for the
    body indices. Room must have been reserved. */
 void cni_lane_take(cn_world *world, int32_t contact);
@@ -18,6 +20,8 @@ void cni_lane_take(cn_world *world, int32_t contact);
 void cni_lane_free(cn_world *world, int32_t contact);
 /* The slot's contact began to touch in this step. */
 void cni_lane_set_fresh(cn_world *world, int32_t slot);
+/* The slot's lane has no anchor any more. */
+void cni_lane_loosen(cn_world *world, int32_t slot);
 /* Sets the lane's body indices from the bodies. */
 void cni_lane_set_bodies(cn_world *world, const cni_contact *c);
 

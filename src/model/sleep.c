@@ -40,7 +40,8 @@ static void wake_links_of(cn_world *world, int32_t body)
 	int32_t key;
 	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
-		cni_contact_enter_awake_list(world, key >> 1);
+		cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
+		cni_contact_enter_apart_list(world, key >> 1);
 		if (world->events.in_step)
 			pay_what_is_owed(world, key >> 1);
 		if ((c->flags & CNI_CONTACT_ASLEEP) && contact_may_solve(world, c))
@@ -189,7 +190,7 @@ static void leave_lists_of(cn_world *world, int32_t body)
 	int32_t key, side;
 	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
 		if (cni_body_at(world, cni_contact_of_key(world, key)->body[1 - (key & 1)])->awake == 0)
-			cni_contact_leave_awake_list(world, key >> 1);
+			cni_contact_leave_apart_list(world, key >> 1);
 	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
 		int32_t other;
 		side = key & 1;

@@ -90,10 +90,10 @@ struct cn_world {
 	int32_t contact_count;
 	int32_t touching_count;      /* lanes and sleep lanes */
 	cni_table contacts;          /* cni_contact */
-	cni_array awake_contacts;    /* int32_t; count is the list's */
-	cni_array changes;           /* of stages/narrowphase.c: room for every awake contact */
+	cni_array apart;             /* int32_t: awake contacts that do not touch; count is the list's, room for all contacts */
 	cni_table blocks_hot;        /* cni_contact_block */
 	cni_table blocks_info;       /* cni_block_info */
+	cni_table blocks_anchor;     /* cni_block_anchor */
 	cni_table blocks_extra;      /* cni_block_extra, reserved only once some contact needs one */
 	int32_t block_used;
 	int32_t block_free;
@@ -144,6 +144,7 @@ static inline cni_contact *cni_contact_at(const cn_world *world, int32_t contact
 static inline cni_contact *cni_contact_of_key(const cn_world *world, int32_t key) { return cni_contact_at(world, key >> 1); }
 static inline cni_contact_block *cni_block_at(const cn_world *world, int32_t block) { return (cni_contact_block *)cni_table_at_sized(&world->blocks_hot, block, sizeof(cni_contact_block)); }
 static inline cni_block_info *cni_block_info_at(const cn_world *world, int32_t block) { return (cni_block_info *)cni_table_at_sized(&world->blocks_info, block, sizeof(cni_block_info)); }
+static inline cni_block_anchor *cni_block_anchor_at(const cn_world *world, int32_t block) { return (cni_block_anchor *)cni_table_at_sized(&world->blocks_anchor, block, sizeof(cni_block_anchor)); }
 /* NULL when no contact has ever needed one. */
 static inline cni_block_extra *cni_block_extra_at(const cn_world *world, int32_t block)
 {

@@ -317,4 +317,6 @@ static uint32_t kernel_closing(const cni_velocity_start *starts, const cni_conta
 	return bits;
 }
 
-const cni_contact_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax, kernel_closing };
+#include "stages/contact_follow.h"
+
+const cni_contact_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax, kernel_closing, kernel_follow };

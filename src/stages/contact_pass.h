@@ -23,11 +23,33 @@ typedef void cni_contact_kernel_fn(cni_motion *motions, cni_contact_block *block
 /* Of the first lanes those, as bits, that bounce and have a point that closes faster than the speed. */
 typedef uint32_t cni_contact_closing_fn(const cni_velocity_start *starts, const cni_contact_block *block, const cni_block_info *info, float speed, int32_t lanes);
 
+/* Numbers of following: see stages/contact_follow.h. */
+typedef struct cni_follow_pass {
+	const cni_motion *motions;
+	float dt;          /* of the step */
+	float drift_most;  /* metres that surfaces may slide along each other */
+	float hair;        /* ... that a pair which is apart may move in the step */
+	float apart_most;  /* separation that is followed */
+	float depth_most;  /* ... and overlap */
+} cni_follow_pass;
+
+/* ... and what part of the smaller body's extent. */
+#define CNI_FOLLOW_PART (1.0f / 256.0f)
+
+/* Records of the lanes' bodies, as floats. */
+typedef struct cni_follow_bodies {
+	const float *a[CNI_LANES], *b[CNI_LANES];
+} cni_follow_bodies;
+
+/* Brings lanes with an anchor up to date; returns those, as bits, for which that holds good. */
+typedef uint32_t cni_contact_follow_fn(const cni_follow_pass *pass, cni_contact_block *block, const cni_block_anchor *anchor, const cni_follow_bodies *bodies, uint32_t anchored);
+
 typedef struct cni_contact_kernel {
 	cni_contact_kernel_fn *warm;
 	cni_contact_kernel_fn *solve;
 	cni_contact_kernel_fn *relax;
 	cni_contact_closing_fn *closing;
+	cni_contact_follow_fn *follow;
 } cni_contact_kernel;
 
 extern const cni_contact_kernel cni_contact_kernel_plain; /* width 1: any compiler */

@@ -1,8 +1,8 @@
 /*
  * stages/narrowphase.c - stages 3 and 4: how the shapes of awake contacts touch.
  *
- * First every awake contact is looked at on its own: one that goes on touching has its lane rewritten in
- * place; one whose state changes is put on a list. Then the list is worked through in contact order: lanes are
+ * Contacts whose bodies have hardly moved are followed (contact_follow.c). Every other awake one is looked at on its own: one
+ * that goes on touching has its lane rewritten in place; one whose state changes is put on a list. Then the list is worked through in contact order: lanes are
  * taken and freed, islands linked, events logged, ended pairs removed. Only the second part
  * changes shared tables.
  *
@@ -176,8 +176,7 @@ typedef struct window {
 
 enum {
 	COLUMN_NONE = -1,   /* not a pair of boxes */
-	COLUMN_APART = -2,  /* no manifold */
-	COLUMN_ASLEEP = -3  /* nothing to look at */
+	COLUMN_APART = -2   /* no manifold */
 };
 
 /* Asks for the memory of contacts to come: of the one a window ahead bodies and boxes, of the one two ahead its record.
@@ -186,9 +185,7 @@ CNI_INLINE void window_prefetch(const cn_world *world, const int32_t *contacts, 
 {
 	int32_t side;
 	if (k + 2 * WINDOW < count) {
-		const cni_contact *c = cni_contact_at(world, contacts[k + 2 * WINDOW]);
-		CNI_PREFETCH(c);
-		CNI_PREFETCH(&c->gap);
+		CNI_PREFETCH(cni_contact_at(world, contacts[k + 2 * WINDOW]));
 	}
 	if (k + WINDOW >= count)
 		return;
@@ -213,9 +210,6 @@ static void window_begin(const cn_world *world, window *w, const int32_t *contac
 			window_prefetch(world, contacts, k, left);
 		if (c->flags & CNI_CONTACT_ENTERED)
 			c->flags &= ~(uint32_t)CNI_CONTACT_ENTERED;
-		w->column[k] = COLUMN_ASLEEP;
-		if (c->flags & CNI_CONTACT_ASLEEP)
-			continue;
 		w->column[k] = COLUMN_APART;
 		cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
 		if (!cni_touch_begin(world, c, look_ahead(c, dt), t))
@@ -229,8 +223,6 @@ static void window_begin(const cn_world *world, window *w, const int32_t *contac
 static int32_t window_finish(cn_world *world, window *w, int32_t k, int32_t contact, float dt)
 {
 	cni_touch *t = &w->touch[k];
-	if (w->column[k] == COLUMN_ASLEEP)
-		return CHANGE_NONE;
 	if (w->column[k] == COLUMN_NONE)
 		cni_touch_collide(t);
 	else if (w->column[k] >= 0)
@@ -239,25 +231,70 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, int32_t cont
 	return contact_update(world, contact, t);
 }
 
-/* world->changes has room for every awake contact. */
+/* Everything that has to be looked at, behind the apart list, which has room for every contact: first the contacts that
+   do not touch, then those that cannot be followed. */
+static int32_t contacts_collect(cn_world *world, float dt)
+{
+	return world->apart.count + cni_contacts_follow(world, dt, (int32_t *)world->apart.data + world->apart.count);
+}
+
+/* ---- what is to change ---- */
+
+/* Without memory for the list a few changes are made in each step, and the rest is found again in the next. */
+#define CHANGES_LEAST 64
+
+typedef struct change_list {
+	uint32_t *items;  /* contact << 2 | what */
+	int32_t count, room;
+	uint32_t few[CHANGES_LEAST];
+} change_list;
+
+static void changes_begin(cn_world *world, change_list *list, int32_t contacts)
+{
+	list->items = (uint32_t *)cni_arena_push(&world->arena, sizeof(uint32_t) * (uint64_t)contacts);
+	list->room = list->items != NULL ? contacts : CHANGES_LEAST;
+	if (list->items == NULL)
+		list->items = list->few;
+	list->count = 0;
+}
+
+static void change_add(cn_world *world, change_list *list, int32_t contact, int32_t change)
+{
+	if (change == CHANGE_NONE)
+		return;
+	if (list->count < list->room) {
+		list->items[list->count++] = (uint32_t)contact << 2 | (uint32_t)change;
+		return;
+	}
+	world->warnings |= CN_WARNING_CONTACT_MEMORY;
+	if (cni_contact_at(world, contact)->flags & CNI_CONTACT_TOUCHING)
+		cni_contact_write_empty(world, contact);
+}
+
+static void changes_apply(cn_world *world, change_list *list, float dt)
+{
+	int32_t k;
+	for (k = 0; k < list->count; ++k)
+		change_apply(world, (int32_t)(list->items[k] >> 2), (int32_t)(list->items[k] & 3u), dt);
+	if (list->items != list->few)
+		cni_arena_pop(&world->arena, list->items);
+}
+
 void cni_stage_narrowphase(cn_world *world, float dt)
 {
-	const int32_t *awake = (const int32_t *)world->awake_contacts.data;
-	uint32_t *changes = (uint32_t *)world->changes.data;
-	int32_t from, k, count = 0;
+	const int32_t *contacts = (const int32_t *)world->apart.data;
+	int32_t from, k, count = contacts_collect(world, dt);
+	change_list changes;
 	window w;
+	changes_begin(world, &changes, count);
 	w.kernel = cni_box_kernel_choose();
-	w.prefetches = world->awake_contacts.count >= PREFETCH_FROM;
-	for (from = 0; from < world->awake_contacts.count; from += WINDOW) {
-		int32_t size = cni_min_i(WINDOW, world->awake_contacts.count - from);
-		window_begin(world, &w, awake + from, world->awake_contacts.count - from, dt);
+	w.prefetches = count >= PREFETCH_FROM;
+	for (from = 0; from < count; from += WINDOW) {
+		int32_t size = cni_min_i(WINDOW, count - from);
+		window_begin(world, &w, contacts + from, count - from, dt);
 		cni_boxes_run(&w.boxes, w.kernel);
-		for (k = 0; k < size; ++k) {
-			uint32_t change = (uint32_t)window_finish(world, &w, k, awake[from + k], dt);
-			if (change != CHANGE_NONE)
-				changes[count++] = (uint32_t)awake[from + k] << 2 | change;
-		}
+		for (k = 0; k < size; ++k)
+			change_add(world, &changes, contacts[from + k], window_finish(world, &w, k, contacts[from + k], dt));
 	}
-	for (k = 0; k < count; ++k)
-		change_apply(world, (int32_t)(changes[k] >> 2), (int32_t)(changes[k] & 3u), dt);
+	changes_apply(world, &changes, dt);
 }

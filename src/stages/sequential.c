@@ -131,27 +131,26 @@ static void lane_respond(cn_world *world, int32_t slot, float threshold)
 		k->p[p].jn[l] = on[p] ? jn / (float)points : 0.0f;
 }
 
-static int32_t solved_slot(const cn_world *world, int32_t contact)
+/* All lanes in the order of their contacts: the oldest, which are often the lowest of a pile, come first. */
+static void lanes_run(cn_world *world, void (*run)(cn_world *world, int32_t slot, float threshold), float threshold)
 {
-	const cni_contact *c = cni_contact_at(world, contact);
-	return (c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING ? c->slot : CNI_NONE;
+	int32_t k;
+	for (k = 0; k < world->contact_used; ++k) {
+		const cni_contact *c = cni_contact_at(world, k);
+		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING)
+			run(world, c->slot, threshold);
+	}
 }
 
 void cni_sequential_velocity_response(cn_world *world, const cni_solve *s)
 {
-	const int32_t *list = (const int32_t *)world->awake_contacts.data;
-	int32_t k;
-	for (k = 0; k < world->awake_contacts.count; ++k) {
-		int32_t slot = solved_slot(world, list[k]);
-		if (slot != CNI_NONE)
-			lane_respond(world, slot, s->restitution_threshold);
-	}
+	lanes_run(world, lane_respond, s->restitution_threshold);
 }
 
 /* ---- 8: position response ---- */
 
 /* Out of the overlap along the normal: half each for two dynamic bodies, the whole for one. */
-static void lane_separate(cn_world *world, int32_t slot)
+static void lane_separate(cn_world *world, int32_t slot, float threshold)
 {
 	const cni_contact_block *k = cni_block_at(world, slot / CNI_LANES);
 	int32_t l = slot % CNI_LANES;
@@ -159,6 +158,7 @@ static void lane_separate(cn_world *world, int32_t slot)
 	float deepest = cni_min(k->p[0].nm[l] > 0.0f ? k->p[0].s0[l] : 0.0f, k->p[1].nm[l] > 0.0f ? k->p[1].s0[l] : 0.0f);
 	float moved = (b->dpx - a->dpx) * k->nx[l] + (b->dpy - a->dpy) * k->ny[l];
 	float depth = -(deepest + moved), share = b->inv_mass > 0.0f && a->inv_mass > 0.0f ? 0.5f : 1.0f;
+	(void)threshold;
 	if (depth <= 0.0f)
 		return;
 	if (a->inv_mass > 0.0f) {
@@ -173,13 +173,7 @@ static void lane_separate(cn_world *world, int32_t slot)
 
 void cni_sequential_position_response(cn_world *world)
 {
-	const int32_t *list = (const int32_t *)world->awake_contacts.data;
-	int32_t k;
-	for (k = 0; k < world->awake_contacts.count; ++k) {
-		int32_t slot = solved_slot(world, list[k]);
-		if (slot != CNI_NONE)
-			lane_separate(world, slot);
-	}
+	lanes_run(world, lane_separate, 0.0f);
 }
 
 /* ---- 3, 9: constraints and joints ---- */

@@ -26,6 +26,7 @@ static void move_center(cn_world *world, cni_body *b, cni_vec2 local_center)
 	b->cx += shift.x;
 	b->cy += shift.y;
 	b->local_center = local_center;
+	cni_contact_loosen_body(world, b);
 	cni_body_store_velocity(world, b, v);
 }
 

@@ -130,6 +130,7 @@ static void tables_init(cn_world *world)
 	cni_table_init(&world->contacts, (int32_t)sizeof(cni_contact), PAGE_CONTACTS);
 	cni_table_init(&world->blocks_hot, (int32_t)sizeof(cni_contact_block), PAGE_BLOCKS);
 	cni_table_init(&world->blocks_info, (int32_t)sizeof(cni_block_info), PAGE_BLOCKS);
+	cni_table_init(&world->blocks_anchor, (int32_t)sizeof(cni_block_anchor), PAGE_BLOCKS);
 	cni_table_init(&world->blocks_extra, (int32_t)sizeof(cni_block_extra), PAGE_BLOCKS);
 	cni_table_init(&world->joints, (int32_t)sizeof(cni_joint), PAGE_JOINTS);
 	cni_table_init(&world->islands, (int32_t)sizeof(cni_island), PAGE_ISLANDS);
@@ -139,8 +140,7 @@ static void tables_init(cn_world *world)
 	cni_array_init(&world->awake_id, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->kicked, (int32_t)sizeof(cn_body));
 	cni_array_init(&world->previous, (int32_t)sizeof(cni_previous));
-	cni_array_init(&world->awake_contacts, (int32_t)sizeof(int32_t));
-	cni_array_init(&world->changes, (int32_t)sizeof(uint32_t));
+	cni_array_init(&world->apart, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->awake_joints, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->direct_islands, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->joint_work, (int32_t)sizeof(cni_joint_work));
@@ -168,6 +168,7 @@ static void tables_deinit(cn_world *world)
 	cni_table_deinit(&world->contacts, memory);
 	cni_table_deinit(&world->blocks_hot, memory);
 	cni_table_deinit(&world->blocks_info, memory);
+	cni_table_deinit(&world->blocks_anchor, memory);
 	cni_table_deinit(&world->blocks_extra, memory);
 	cni_table_deinit(&world->joints, memory);
 	cni_table_deinit(&world->islands, memory);
@@ -177,13 +178,12 @@ static void tables_deinit(cn_world *world)
 	cni_array_deinit(&world->awake_id, memory);
 	cni_array_deinit(&world->kicked, memory);
 	cni_array_deinit(&world->previous, memory);
-	cni_array_deinit(&world->awake_contacts, memory);
+	cni_array_deinit(&world->apart, memory);
 	cni_array_deinit(&world->awake_joints, memory);
 	cni_array_deinit(&world->direct_islands, memory);
 	cni_array_deinit(&world->joint_work, memory);
 	cni_array_deinit(&world->sleep_lanes, memory);
 	cni_array_deinit(&world->pairs.list, memory);
-	cni_array_deinit(&world->changes, memory);
 	cni_events_deinit(&world->events, memory);
 }
 
@@ -260,7 +260,7 @@ static int32_t reserve_pieces(cn_world *world, const cn_world_def *d)
    solved directly. */
 static uint64_t arena_bytes(const cn_world_def *d)
 {
-	uint64_t boxes = 2048u + 40u * (uint64_t)d->shape_capacity, pairs = 64u + sizeof(cni_pair) * (uint64_t)d->contact_capacity;
+	uint64_t boxes = 2048u + 40u * (uint64_t)d->shape_capacity, pairs = 64u + sizeof(cni_pair) * (uint64_t)d->contact_capacity; /* and changes of the narrowphase */
 	uint64_t island = 64u + 8u * (uint64_t)d->body_capacity;
 	uint64_t joints = cni_direct_bytes(d->solver, d->joint_capacity, d->contact_capacity, d->body_capacity), scratch = boxes > pairs ? boxes : pairs;
 	return (scratch > joints ? scratch : joints) + island;
@@ -306,10 +306,10 @@ static uint64_t records_bytes(const cn_world_def *d)
 		{ (int32_t)sizeof(cni_body), PAGE_BODIES }, { (int32_t)sizeof(cni_shape), PAGE_SHAPES }, { (int32_t)sizeof(cni_joint), PAGE_JOINTS },
 		{ (int32_t)sizeof(cni_proxy), PAGE_PROXIES }, { (int32_t)sizeof(cni_island), PAGE_ISLANDS }, { (int32_t)sizeof(cni_contact), PAGE_CONTACTS },
 		{ (int32_t)sizeof(cni_contact_block), PAGE_BLOCKS }, { (int32_t)sizeof(cni_block_info), PAGE_BLOCKS },
-		{ (int32_t)sizeof(cni_block_extra), PAGE_BLOCKS }
+		{ (int32_t)sizeof(cni_block_extra), PAGE_BLOCKS }, { (int32_t)sizeof(cni_block_anchor), PAGE_BLOCKS }
 	};
 	int32_t blocks = d->contact_capacity / CNI_LANES + cni_min_i(d->contact_capacity, CNI_COLORS);
-	int32_t counts[9], k;
+	int32_t counts[10], k;
 	uint64_t bytes = 0;
 	counts[0] = with_spares(d->body_capacity);
 	counts[1] = with_spares(d->shape_capacity);
@@ -317,8 +317,8 @@ static uint64_t records_bytes(const cn_world_def *d)
 	counts[3] = d->shape_capacity;
 	counts[4] = d->body_capacity / 2 + 2;
 	counts[5] = d->contact_capacity;
-	counts[6] = counts[7] = counts[8] = blocks;
-	for (k = 0; k < 9; ++k) {
+	counts[6] = counts[7] = counts[8] = counts[9] = blocks;
+	for (k = 0; k < 10; ++k) {
 		cni_table table;
 		cni_table_init(&table, sizes[k].item, sizes[k].shift);
 		bytes += cni_table_bytes_for(&table, counts[k]);
@@ -337,7 +337,7 @@ static uint64_t body_arrays_bytes(int32_t n)
    created, for twice as many contacts, because those arrays grow. */
 static uint64_t contact_arrays_bytes(int32_t n)
 {
-	return 2u * array_bytes(n, sizeof(int32_t)) + 6u * array_bytes(n, sizeof(cni_event)) + 2u * array_bytes(n, sizeof(cn_sensor_event)) +
+	return array_bytes(n, sizeof(int32_t)) + 6u * array_bytes(n, sizeof(cni_event)) + 2u * array_bytes(n, sizeof(cn_sensor_event)) +
 	       array_bytes(n, sizeof(cni_sleep_lane)) + array_bytes(n, sizeof(cni_pair)) +
 	       2u * array_bytes(n, sizeof(cn_contact_event));
 }

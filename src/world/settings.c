@@ -198,8 +198,10 @@ static void count_contacts(const cn_world *world, cn_counters *out)
 {
 	int32_t color;
 	out->contacts = world->contact_count;
-	out->contacts_awake = world->awake_contacts.count;
+	out->contacts_awake = world->apart.count;
 	out->contacts_touching = world->touching_count;
+	for (color = 0; color < CNI_COLORS; ++color)
+		out->contacts_awake += world->colors[color].lanes;
 	for (color = 0; color < CNI_COLOR_OVERFLOW; ++color)
 		out->colors_used += world->colors[color].lanes > 0;
 	out->overflow_contacts = world->colors[CNI_COLOR_OVERFLOW].lanes;

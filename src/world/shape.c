@@ -159,6 +159,7 @@ cn_result cn_shape_set_material(cn_world *world, cn_shape shape, const cn_materi
 	cni_shape_store_material(s, material);
 	for (key = first_contact(world, index); key != CNI_NONE; key = next_contact(world, key, index)) {
 		cni_contact_of_key(world, key)->flags |= CNI_CONTACT_REFRESH;
+		cni_contact_loosen(world, key >> 1);
 		wake_touching(world, cni_contact_of_key(world, key));
 	}
 	return CN_OK;

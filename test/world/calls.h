@@ -292,7 +292,7 @@ static inline state state_of(const cn_world *world)
 	h = fnv_table(h, &world->shape_handles, &world->shapes);
 	h = fnv_table(h, &world->joint_handles, &world->joints);
 	h = fnv(h, world->motion.data, (size_t)world->motion.count * sizeof(cni_motion));
-	h = fnv(h, world->awake_contacts.data, (size_t)world->awake_contacts.count * sizeof(int32_t));
+	h = fnv(h, world->apart.data, (size_t)world->apart.count * sizeof(int32_t));
 	s.records = h;
 	return s;
 }

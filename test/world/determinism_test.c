@@ -24,17 +24,17 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0xcdca6c520437000a },
-	{ "small_200", 300, 1, 0xcbb4f50365d6be28 },
-	{ "small_50_sleep", 600, 1, 0xd752828f745dbbe7 },
-	{ "dominoes", 400, 1, 0xad0f181b8ceb4c41 },
-	{ "ragdolls", 480, 1, 0x507eb7ec0d8c6fe7 },
-	{ "bridge", 240, 1, 0x82a3d561f5973c19 },
-	{ "car", 400, 1, 0x2581cb7384e6da47 },
-	{ "mixer", 240, 1, 0x82ef460516e6eba2 },
-	{ "pyramid", 120, 0, 0xc6062f4ceaa36191 },
+	{ "falling_hinges", 480, 1, 0x322e31d8c0add1c2 },
+	{ "small_200", 300, 1, 0x1e43f80b713d837a },
+	{ "small_50_sleep", 600, 1, 0xbc0d996760fc65d8 },
+	{ "dominoes", 400, 1, 0x8c9a9bdc7509ebac },
+	{ "ragdolls", 480, 1, 0xf5285c2ba070851d },
+	{ "bridge", 240, 1, 0xcd9c1f906cb1c0fb },
+	{ "car", 400, 1, 0xb88b2654d776c1a0 },
+	{ "mixer", 240, 1, 0x987d8fbffd16c1bc },
+	{ "pyramid", 120, 0, 0x51cc9236e9135607 },
 	{ "rain", 150, 0, 0xe5ff28e1f3e3e2b0 },
-	{ "tumbler_1000", 300, 0, 0x9f26ded555f2a850 },
+	{ "tumbler_1000", 300, 0, 0x2f55d0d933e9b5ad },
 };
 /* clang-format on */
 #define GOLDENS ((int32_t)(sizeof goldens / sizeof *goldens))

@@ -642,11 +642,12 @@ static void print_owners(const cn_world *world, int32_t bodies)
 	sum += table_row("contacts", &world->contacts, world->contact_count);
 	sum += table_row("contact blocks", &world->blocks_hot, world->block_used);
 	sum += table_row("contact block infos", &world->blocks_info, world->block_used);
+	sum += table_row("contact block anchors", &world->blocks_anchor, world->block_used);
 	sum += table_row("islands", &world->islands, world->island_count);
 	sum += array_row("body handles", &world->body_handles.slots) + array_row("shape handles", &world->shape_handles.slots);
 	sum += array_row("motion", &world->motion) + array_row("start", &world->start) + array_row("drive", &world->drive);
-	sum += array_row("awake ids", &world->awake_id) + array_row("awake contacts", &world->awake_contacts);
-	sum += array_row("changes", &world->changes) + array_row("pairs", &world->pairs.list) + array_row("sleep lanes", &world->sleep_lanes);
+	sum += array_row("awake ids", &world->awake_id) + array_row("apart contacts", &world->apart);
+	sum += array_row("pairs", &world->pairs.list) + array_row("sleep lanes", &world->sleep_lanes);
 	sum += events_rows(&world->events);
 	sum += print_row("frame arena", world->arena.capacity, world->arena.high_water);
 	sum += blocks_row("geometry and names", &world->blocks) + blocks_row("broadphase rows", &sweep->rows);
