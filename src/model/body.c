@@ -58,11 +58,10 @@ void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v)
 		m->vx = v.linear_mps.x;
 		m->vy = v.linear_mps.y;
 		m->w = v.angular_radps;
-	} else {
-		b->vx = v.linear_mps.x;
-		b->vy = v.linear_mps.y;
-		b->w = v.angular_radps;
 	}
+	b->vx = v.linear_mps.x;
+	b->vy = v.linear_mps.y;
+	b->w = v.angular_radps;
 }
 
 void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def)
@@ -258,7 +257,7 @@ void cni_body_set_transform(cn_world *world, int32_t body, cni_vec2 origin, cni_
 
 void cni_body_refresh_boxes(cn_world *world, int32_t body)
 {
-	const cni_body *b = cni_body_at(world, body);
+	cni_body *b = cni_body_at(world, body);
 	cni_transform x = cni_body_transform(b);
 	int32_t index, child;
 	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
@@ -273,6 +272,7 @@ void cni_body_refresh_boxes(cn_world *world, int32_t body)
 				continue;
 			fat = cni_box_fatten(tight, cni_box_margin(world, b->type, &tight));
 			world->broadphase_ops->move(world->broadphase, proxy, &fat);
+			b->flags |= CNI_BODY_BOXED;
 		}
 	}
 }
@@ -303,7 +303,7 @@ static cni_aabb box_stretch(cni_aabb box, cni_vec2 ahead)
 	return box;
 }
 
-void cni_body_look_ahead(cn_world *world, const cni_body *b, cni_vec2 ahead)
+void cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead)
 {
 	cni_transform x = cni_body_transform(b);
 	int32_t shape, child;
@@ -320,6 +320,7 @@ void cni_body_look_ahead(cn_world *world, const cni_body *b, cni_vec2 ahead)
 				continue;
 			box = cni_box_fatten(box, margin);
 			world->broadphase_ops->move(world->broadphase, proxy, &box);
+			b->flags |= CNI_BODY_BOXED;
 		}
 	}
 }

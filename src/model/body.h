@@ -4,7 +4,7 @@
  * A body's record has a stable slot (the index in its handle). What the solver touches lives in dense
  * arrays that hold awake bodies only, so that a sleeping or static body costs a step nothing:
  *
- *   records  [b0][b1][b2][b3]...                 stable, paged; pose always, velocity while not awake
+ *   records  [b0][b1][b2][b3]...                 stable, paged; pose always, velocity between steps
  *   motion   [dummy][b3][b0]...                  cni_motion: velocity, inverse mass, change of pose this step
  *   start    [dummy][b3][b0]...                  cni_velocity_start: velocity right after integration
  *   drive    [dummy][b3][b0]...                  cni_drive: force for this step, then acceleration
@@ -29,7 +29,8 @@ enum {
 	CNI_BODY_MARK = 1u << 18,          /* scratch for batch calls and searches; clear outside of them */
 	CNI_BODY_SOLVER_SOFT = 1u << 19,   /* the body's own solver; neither: CN_SOLVER_AUTO */
 	CNI_BODY_SOLVER_DIRECT = 1u << 20,
-	CNI_BODY_AT_STATIC = 1u << 21      /* has had contacts with static bodies, touching or not, since the last continuous stage */
+	CNI_BODY_AT_STATIC = 1u << 21,     /* has had contacts with static bodies, touching or not, since the last continuous stage */
+	CNI_BODY_BOXED = 1u << 22          /* a fat box of it changed since the last narrowphase; or, while not awake, ever */
 };
 
 typedef struct cni_body {
@@ -41,7 +42,7 @@ typedef struct cni_body {
 	uint32_t flags;          /* CN_BODY_ (AWAKE bit unused) and CNI_BODY_ */
 	int32_t awake;           /* dense index, 0: not awake; up to here is what every contact asks for */
 	int32_t type;            /* CN_BODY_STATIC ... */
-	float vx, vy, w;         /* valid while awake == 0; read through cni_body_velocity */
+	float vx, vy, w;         /* between steps; read through cni_body_velocity. Up to here is what pairs that are apart ask for */
 	float mass, inertia;     /* of a dynamic body (mass > 0, inertia >= 0, 0 = never rotates); 0 for others */
 	float linear_damping, angular_damping;
 	float gravity_scale;
@@ -124,7 +125,7 @@ cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b);
 /* The velocity was set from outside: its boxes must look ahead again before the next step. */
 void cni_body_kick(cn_world *world, int32_t body);
 /* Moves the boxes that do not contain the shapes now and where they will be after ahead (metres). */
-void cni_body_look_ahead(cn_world *world, const cni_body *b, cni_vec2 ahead);
+void cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead);
 /* Does not wake. Locked axes are zeroed. */
 void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v);
 

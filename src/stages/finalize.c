@@ -93,6 +93,9 @@ int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
 		cni_motion *m = &motions[k];
 		cni_body *b = cni_body_at(world, ids[k]);
 		limit_speed(m, &world->settings);
+		b->vx = m->vx;
+		b->vy = m->vy;
+		b->w = m->w;
 		take_pose(b, m);
 		rest_update(world, b, k, s);
 		rested |= b->sleep_time >= world->settings.sleep_delay && b->sleep_time > 0.0f;

@@ -97,7 +97,7 @@ void cni_drive_prepare(cn_world *world, const cni_solve *s)
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
 		cni_body *b = cni_body_at(world, ids[k]);
-		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
+		b->flags &= ~(uint32_t)(CNI_BODY_MOVED | CNI_BODY_BOXED);
 		drives[k] = drive_make(world, b, &motions[k], &drives[k]);
 		if (!(drives[k].flags & CNI_DRIVE_FREE))
 			continue;

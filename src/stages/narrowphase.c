@@ -176,7 +176,8 @@ typedef struct window {
 
 enum {
 	COLUMN_NONE = -1,   /* not a pair of boxes */
-	COLUMN_APART = -2   /* no manifold */
+	COLUMN_APART = -2,  /* no manifold */
+	COLUMN_FAR = -3     /* nothing to do */
 };
 
 /* Asks for the memory of contacts to come: of the one a window ahead bodies and boxes, of the one two ahead its record.
@@ -210,8 +211,11 @@ static void window_begin(const cn_world *world, window *w, const int32_t *contac
 			window_prefetch(world, contacts, k, left);
 		if (c->flags & CNI_CONTACT_ENTERED)
 			c->flags &= ~(uint32_t)CNI_CONTACT_ENTERED;
-		w->column[k] = COLUMN_APART;
 		cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
+		w->column[k] = COLUMN_FAR;
+		if (dt > 0.0f && cni_touch_is_far(world, c, dt))
+			continue;
+		w->column[k] = COLUMN_APART;
 		if (!cni_touch_begin(world, c, look_ahead(c, dt), t))
 			continue;
 		w->column[k] = COLUMN_NONE;
@@ -223,6 +227,8 @@ static void window_begin(const cn_world *world, window *w, const int32_t *contac
 static int32_t window_finish(cn_world *world, window *w, int32_t k, int32_t contact, float dt)
 {
 	cni_touch *t = &w->touch[k];
+	if (w->column[k] == COLUMN_FAR)
+		return CHANGE_NONE;
 	if (w->column[k] == COLUMN_NONE)
 		cni_touch_collide(t);
 	else if (w->column[k] >= 0)

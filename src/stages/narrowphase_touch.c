@@ -151,6 +151,18 @@ static int32_t circles_apart(const cni_body *a, const cni_body *b, float margin)
 	return cni_length_sq(d) > reach * reach;
 }
 
+/* The reach is that of motion_make at most, whose sum is taken along other axes. */
+int32_t cni_touch_is_far(const cn_world *world, const cni_contact *c, float dt)
+{
+	const uint32_t looked_at = CNI_CONTACT_TOUCHING | CNI_CONTACT_SENSING | CNI_CONTACT_PASSING | CNI_CONTACT_CREATED_OWED;
+	const cni_body *a = cni_body_at(world, c->body[0]), *b = cni_body_at(world, c->body[1]);
+	float reach;
+	if ((c->flags & looked_at) || ((a->flags | b->flags) & CNI_BODY_BOXED))
+		return 0;
+	reach = dt * (1.4143f * (cni_abs(b->vx - a->vx) + cni_abs(b->vy - a->vy)) + cni_abs(a->w) * a->extent + cni_abs(b->w) * b->extent);
+	return circles_apart(a, b, cni_max(world->settings.contact_margin, reach));
+}
+
 int32_t cni_touch_begin(const cn_world *world, cni_contact *c, float dt, cni_touch *out)
 {
 	const cni_proxy *pa = cni_proxy_at(world, c->proxy[0]), *pb = cni_proxy_at(world, c->proxy[1]);

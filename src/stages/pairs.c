@@ -21,7 +21,7 @@ static void kicked_look_ahead(cn_world *world, float dt)
 	int32_t k;
 	for (k = 0; k < world->kicked.count; ++k) {
 		int32_t body = cni_handles_find(&world->body_handles, ((const cn_body *)world->kicked.data)[k]);
-		const cni_body *b = body == CNI_NONE ? NULL : cni_body_at(world, body);
+		cni_body *b = body == CNI_NONE ? NULL : cni_body_at(world, body);
 		if (b != NULL && b->awake != 0)
 			cni_body_look_ahead(world, b, cni_mul(dt, cni_body_velocity(world, b).linear_mps));
 	}
