@@ -86,7 +86,8 @@ total() { awk '{ sum += $1 } END { printf "%.4f", sum }' "$1"; }
 
 once() { # side scene steps
 	# shellcheck disable=SC2086
-	$pin "$out/$1" "$2" --steps "$3" --times "$out/times" > "$out/$1.row" 2> "$out/$1.error" || { cat "$out/$1.error"; echo "diff: $2 failed"; exit 2; }
+	$pin "$out/$1" "$2" --steps "$3" --times "$out/times" > "$out/$1.row" 2> "$out/$1.error" ||
+		{ cat "$out/$1.error"; echo "diff: $2 failed"; exit 2; }
 	keep_least "$out/times" "$out/$1.least"
 }
 
@@ -107,9 +108,13 @@ instructions() { # side scene steps
 }
 
 # As many steps as fit, but two at least: the first is not counted.
-steps_to_count() { awk -v most="$count_ms" '{ sum += $1; if (sum > most) exit; ++steps } END { print steps < 1 ? 2 : steps + 1 }' "$out/before.least"; }
+steps_to_count() {
+	awk -v most="$count_ms" '{ sum += $1; if (sum > most) exit; ++steps } END { print steps < 1 ? 2 : steps + 1 }' "$out/before.least"
+}
 
-is_slower() { awk -v before="$(total "$out/before.least")" -v after="$(total "$out/after.least")" 'BEGIN { exit !(after > 1.03 * before) }'; }
+is_slower() {
+	awk -v before="$(total "$out/before.least")" -v after="$(total "$out/after.least")" 'BEGIN { exit !(after > 1.03 * before) }'
+}
 
 compare() { # scene steps
 	rm -f "$out/before.least" "$out/after.least"
@@ -123,17 +128,19 @@ compare() { # scene steps
 		before_count=$(instructions before "$1" "$counted")
 		after_count=$(instructions after "$1" "$counted")
 	fi
-	echo "$(cat "$out/before.row"),$(cat "$out/after.row" | cut -d, -f4-),$(total "$out/before.least"),$(total "$out/after.least"),$before_count,$after_count" |
+	times=$(total "$out/before.least"),$(total "$out/after.least")
+	echo "$(cat "$out/before.row"),$(cut -d, -f4- "$out/after.row"),$times,$before_count,$after_count" |
 		awk -F, -v OFS=, '{ print $1, $2, $12 / ($2 - 1), $13 / ($2 - 1), $14, $15, $4, $8, $5, $9, $6, $10, $7, $11 }'
 }
 
 scenes=$("$out/after" --list | awk -v only="$scene" 'only == "" || $1 == only')
 [ -n "$scenes" ] || { echo "diff: the benchmark has no scene $scene; it has:"; "$out/after" --list; exit 2; }
 csv=$out/diff.csv
-echo 'scene,steps,ms_before,ms_after,instructions_before,instructions_after,displacement_m_before,displacement_m_after,joint_m_before,joint_m_after,penetration_m_before,penetration_m_after,hash_before,hash_after' > "$csv"
+echo scene,steps,ms_before,ms_after,instructions_before,instructions_after,displacement_m_before,displacement_m_after,\
+joint_m_before,joint_m_after,penetration_m_before,penetration_m_after,hash_before,hash_after > "$csv"
 echo "$scenes" | while read -r name steps; do
 	[ -n "$quick" ] && steps=$((steps / 4 > 60 ? steps / 4 : 60))
-	"$out/after" --list | grep -q "^$name " && "$out/before" --list | grep -q "^$name " || { echo "diff: $short has no scene $name"; continue; }
+	"$out/before" --list | grep -q "^$name " || { echo "diff: $short has no scene $name"; continue; }
 	compare "$name" "$steps" > "$out/line" || { cat "$out/line"; exit 2; }
 	cat "$out/line" >> "$csv"
 	echo "diff: $name" >&2

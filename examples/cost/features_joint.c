@@ -57,8 +57,15 @@ static void change_base(cost_world *w, cn_joint joint, float break_N, float most
 	scene_check(&w->run, cn_joint_set_base(w->run.world, joint, &base));
 }
 
-static void revolute_breaking(cost_world *w, cn_body a, cn_body b) { change_base(w, add_revolute(w, a, b, CN_JOINT_BREAKS), 1000.0f, 0.0f); }
-static void revolute_bounded(cost_world *w, cn_body a, cn_body b) { change_base(w, add_revolute(w, a, b, 0), 0.0f, 1000.0f); }
+static void revolute_breaking(cost_world *w, cn_body a, cn_body b)
+{
+	change_base(w, add_revolute(w, a, b, CN_JOINT_BREAKS), 1000.0f, 0.0f);
+}
+
+static void revolute_bounded(cost_world *w, cn_body a, cn_body b)
+{
+	change_base(w, add_revolute(w, a, b, 0), 0.0f, 1000.0f);
+}
 
 static void distance(cost_world *w, cn_body a, cn_body b)
 {

@@ -6,6 +6,9 @@
 #define SLEEPERS 200
 #define FAST_BODIES 10
 
+/* Is the feature switched on, used or not? */
+static int32_t is_there(const cost_world *w) { return w->form == COST_UNUSED || w->form == COST_USED; }
+
 /* ------------------------------------------------------------------ sleeping, continuous collision, profile */
 
 static void define_sleep(cn_world_def *def, int32_t form)
@@ -84,7 +87,11 @@ static void define_profile(cn_world_def *def, int32_t form)
 
 /* ------------------------------------------------------------------ solvers, broadphase */
 
-static void define_auto(cn_world_def *def, int32_t form) { def->solver = form == COST_WITHOUT || form == COST_PLAIN ? CN_SOLVER_SOFT : CN_SOLVER_AUTO; }
+static void define_auto(cn_world_def *def, int32_t form)
+{
+	if (form == COST_WITHOUT || form == COST_PLAIN)
+		def->solver = CN_SOLVER_SOFT;
+}
 
 static void define_solver(cn_world_def *def, int32_t form, int32_t solver)
 {
@@ -157,7 +164,7 @@ static void build_callback(cost_world *w)
 {
 	for (int32_t i = 0; i < COST_DRUM_BODIES && w->run.result == CN_OK; ++i)
 		scene_check(&w->run, cn_shape_set_event_mask(w->run.world, w->shapes[i], 1u << CN_EVENT_STAY));
-	if (w->run.result == CN_OK && (w->form & COST_UNUSED))
+	if (w->run.result == CN_OK && is_there(w))
 		scene_check(&w->run, cn_world_set_contact_callback(w->run.world, CN_EVENT_STAY, hear, NULL));
 	if (w->run.result == CN_OK && w->form == COST_UNUSED)
 		scene_check(&w->run, cn_world_set_contact_callback(w->run.world, CN_EVENT_STAY, NULL, NULL));
@@ -173,7 +180,7 @@ static int32_t allow(cn_world *world, cn_shape a, cn_shape b, void *user)
 
 static void build_filter(cost_world *w)
 {
-	if (w->form & COST_UNUSED)
+	if (is_there(w))
 		scene_check(&w->run, cn_world_set_filter_callback(w->run.world, allow, NULL));
 	if (w->form == COST_UNUSED)
 		scene_check(&w->run, cn_world_set_filter_callback(w->run.world, NULL, NULL));
@@ -188,17 +195,23 @@ static int32_t go_on(cn_world *world, const cn_contact_event *contact, void *use
 /* Unused: the callback is there, and shapes that sleep want to be shown to it. */
 static void build_pre_solve(cost_world *w)
 {
-	if (w->form & COST_UNUSED)
+	if (is_there(w))
 		scene_check(&w->run, cn_world_set_pre_solve_callback(w->run.world, go_on, NULL));
 }
 
-static void show_to_pre_solve(cost_world *w, cn_shape shape) { scene_check(&w->run, cn_shape_set_flags(w->run.world, shape, CN_SHAPE_PRE_SOLVE)); }
+static void show_to_pre_solve(cost_world *w, cn_shape shape)
+{
+	scene_check(&w->run, cn_shape_set_flags(w->run.world, shape, CN_SHAPE_PRE_SOLVE));
+}
 
-static void leave_mixed(cn_world *world, cn_shape a, cn_shape b, cn_material *mixed, void *user) { (void)world, (void)a, (void)b, (void)mixed, (void)user; }
+static void leave_mixed(cn_world *world, cn_shape a, cn_shape b, cn_material *mixed, void *user)
+{
+	(void)world, (void)a, (void)b, (void)mixed, (void)user;
+}
 
 static void build_mix(cost_world *w)
 {
-	if (w->form & COST_UNUSED)
+	if (is_there(w))
 		scene_check(&w->run, cn_world_set_material_mix_callback(w->run.world, leave_mixed, NULL));
 	if (w->form == COST_UNUSED)
 		scene_check(&w->run, cn_world_set_material_mix_callback(w->run.world, NULL, NULL));
@@ -212,7 +225,7 @@ static void set_gravity_scale(cost_world *w, cn_body body) { scene_check(&w->run
 
 static void build_speed_limits(cost_world *w)
 {
-	if (w->form & COST_UNUSED)
+	if (is_there(w))
 		scene_check(&w->run, cn_world_set_speed_limits(w->run.world, w->form == COST_USED ? 2.0f : 100.0f, 300.0f));
 }
 
@@ -239,7 +252,7 @@ const cost_feature cost_world_features[] = {
 	{"static bodies", NULL, 0, 1, 0, NULL, build_statics, NULL, NULL, NULL},
 	{"disabled bodies", NULL, 0, 1, 0, NULL, build_disabled, NULL, NULL, NULL},
 	{"continuous collision", "10 balls at 80 m/s", 10, 1, 0, define_continuous, build_fast, NULL, NULL, NULL},
-	{"bullets", "10 balls at 80 m/s", 10, 1, 0, NULL, build_fast, make_bullet, NULL, NULL},
+	{"bullets", "10 balls at 80 m/s", 0, 1, 0, NULL, build_fast, make_bullet, NULL, NULL},
 	{"profile", "on", 0, 0, 0, define_profile, NULL, NULL, NULL, NULL},
 	{"AUTO beside SOFT", "a stack of 10 too", 0, 1, 0, define_auto, build_stack, NULL, NULL, NULL},
 	{"DIRECT beside AUTO", "the world's", 0, 0, 0, define_direct, NULL, NULL, NULL, NULL},
@@ -257,9 +270,9 @@ const cost_feature cost_world_features[] = {
 	{"filter callback", "all pairs", 0, 1, 0, NULL, build_filter, NULL, NULL, NULL},
 	{"pre-solve callback", "all contacts", 0, 1, 0, NULL, build_pre_solve, NULL, show_to_pre_solve, NULL},
 	{"material mix callback", "all pairs", 0, 1, 0, NULL, build_mix, NULL, NULL, NULL},
-	{"locked rotation", "150 bodies", 150, 1, 0, NULL, NULL, lock_rotation, NULL, NULL},
-	{"damping", "150 bodies", 150, 1, 0, NULL, NULL, set_damping, NULL, NULL},
-	{"gravity scale", "150 bodies", 150, 1, 0, NULL, NULL, set_gravity_scale, NULL, NULL},
+	{"locked rotation", "150 bodies", 0, 1, 0, NULL, NULL, lock_rotation, NULL, NULL},
+	{"damping", "150 bodies", 0, 1, 0, NULL, NULL, set_damping, NULL, NULL},
+	{"gravity scale", "150 bodies", 0, 1, 0, NULL, NULL, set_gravity_scale, NULL, NULL},
 	{"speed limits", "2 m/s", 0, 1, 0, NULL, build_speed_limits, NULL, NULL, NULL},
 };
 const int32_t cost_world_feature_count = (int32_t)(sizeof cost_world_features / sizeof cost_world_features[0]);
