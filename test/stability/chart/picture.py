@@ -373,7 +373,7 @@ def summary_page(panels, path, columns=4, dpi=110):
     """panels: (scene, points, limit)."""
     rows = (len(panels) + columns - 1) // columns
     wide = columns > 3
-    legend = 2.2 if wide else 2.85
+    legend = 2.5 if wide else 2.85
     figure, grid = plt.subplots(rows, columns, figsize=(4.75 * columns, 4.3 * rows + 1.0 + legend))
     height, width = figure.get_figheight(), figure.get_figwidth()
     figure.subplots_adjust(left=1.0 / width, right=1.0 - 0.29 / width, top=1.0 - 1.95 / height, bottom=legend / height, hspace=0.43, wspace=0.22)
