@@ -18,7 +18,7 @@ out=$build/diff
 asked=$2
 shift 2
 CC=${CC:-gcc}
-flags='-std=c99 -O3 -ffp-contract=off -ffunction-sections -fdata-sections'
+flags='-std=c99 -Werror=implicit-function-declaration -O3 -ffp-contract=off -ffunction-sections -fdata-sections'
 
 quick= rounds= scene=
 while [ $# -gt 0 ]; do
@@ -52,10 +52,13 @@ library . "$build" "$out/after.log"
 
 program() { # header-tree scenes-tree library program
 	objects=$4.objects
-	rm -rf "$objects" && mkdir -p "$objects"
+	rm -rf "$objects" && mkdir -p "$objects/include"
+	# Measuring is always this tree's: a revision may have folders of the same names.
+	ln -s "$(pwd)/examples/measure" "$objects/include/measure" || return 1
+	ln -s "$(cd "$2" && pwd)/examples/scenes" "$objects/include/scenes" || return 1
 	for file in examples/bench/once.c examples/measure/measure.c examples/measure/clock.c "$2"/examples/scenes/*.c; do
 		# shellcheck disable=SC2086
-		"$CC" $flags -I"$1/include" -I"$2/examples" -Iexamples -c "$file" -o "$objects/$(basename "$file" .c).o" || return 1
+		"$CC" $flags -I"$1/include" -I"$objects/include" -c "$file" -o "$objects/$(basename "$file" .c).o" || return 1
 	done
 	"$CC" "$objects"/*.o "$3" -lpthread -lm -o "$4"
 }
