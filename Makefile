@@ -6,6 +6,8 @@
 #                   compilers and options              make install    DESTDIR and PREFIX; make clean
 #   make bindings   writes bindings/ from the header   make test-bindings  in every language that is installed
 #   make bench-peers  time and accuracy beside other engines: see examples/peers/README.md
+#   make bench-diff BASE=rev  time and accuracy beside another revision: see examples/README.md
+#   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
 #
 # CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
 # commands.
@@ -50,7 +52,8 @@ endif
 
 # New files are found by themselves.
 LIB_SRC := $(sort $(wildcard src/*/*.c))
-MAIN_SRC := examples/hello.c examples/demo/demo.c examples/bench/bench.c
+MAIN_SRC := examples/hello.c examples/demo/demo.c examples/bench/bench.c examples/bench/once.c \
+	examples/cost/cost.c
 EXAMPLE_SRC := $(filter-out $(MAIN_SRC) examples/peers/%,$(sort $(wildcard examples/*/*.c)))
 TEST_SRC := $(sort $(wildcard test/*/*_test.c))
 
@@ -62,7 +65,7 @@ CHECKED_EXAMPLE_OBJ := $(EXAMPLE_SRC:%.c=$(BUILD)/checked/%.o)
 TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
 TESTS := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all bindings demo test test-all stability test-bindings bench bench-peers hello check-deps install clean FORCE
+.PHONY: all bindings demo test test-all stability test-bindings bench bench-peers bench-diff feature-cost hello check-deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -98,7 +101,8 @@ $(BUILD)/$(SHARED_LINK): $(BUILD)/$(SHARED)
 $(BUILD)/bin/hello: $(BUILD)/release/examples/hello.o
 $(BUILD)/bin/demo: $(BUILD)/release/examples/demo/demo.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench: $(BUILD)/release/examples/bench/bench.o $(EXAMPLE_OBJ)
-$(BUILD)/bin/hello $(BUILD)/bin/demo $(BUILD)/bin/bench: $(BUILD)/libcairn.a
+$(BUILD)/bin/feature_cost: $(BUILD)/release/examples/cost/cost.o $(EXAMPLE_OBJ)
+$(BUILD)/bin/hello $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
 	@mkdir -p $(@D)
 	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STRIP_UNUSED) $(filter %.o,$^) $(BUILD)/libcairn.a -lm -o $@
 
@@ -114,6 +118,14 @@ bench: $(BUILD)/bin/bench
 
 bench-peers:
 	@CC='$(CC)' sh examples/peers/run.sh $(BUILD) $(if $(QUICK),--quick) $(if $(ROUNDS),--rounds $(ROUNDS)) $(if $(SCENE),--scene $(SCENE))
+
+# Two revisions of the library: BASE beside this tree. examples/README.md
+bench-diff:
+	@CC='$(CC)' sh examples/bench/diff.sh $(BUILD) '$(or $(BASE),HEAD)' $(if $(QUICK),--quick) $(if $(ROUNDS),--rounds $(ROUNDS)) $(if $(SCENE),--scene $(SCENE))
+
+# What each feature costs a step, used and unused. FEATURE: those whose names contain it.
+feature-cost: $(BUILD)/bin/feature_cost
+	@sh examples/cost/run.sh $(BUILD) $(if $(FEATURE),'$(FEATURE)')
 
 # ---------------------------------------------------------------- tests
 

@@ -21,6 +21,28 @@ double measure_clock_s(void)
 double measure_clock_s(void) { return (double)clock() / (double)CLOCKS_PER_SEC; }
 #endif
 
+#ifdef CLOCK_PROCESS_CPUTIME_ID
+double measure_cpu_s(void)
+{
+	struct timespec now;
+	clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+	return (double)now.tv_sec + 1.0e-9 * (double)now.tv_nsec;
+}
+#else
+double measure_cpu_s(void) { return (double)clock() / (double)CLOCKS_PER_SEC; }
+#endif
+
+double measure_cpu_clock_cost_s(void)
+{
+	double least = 1.0;
+	for (int32_t i = 0; i < 1000; ++i) {
+		double start = measure_cpu_s();
+		double cost = measure_cpu_s() - start;
+		least = cost < least ? cost : least;
+	}
+	return least;
+}
+
 #ifdef __linux__
 void measure_stay_on_core(void)
 {

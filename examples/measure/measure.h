@@ -11,6 +11,12 @@
 double measure_clock_s(void);
 /* Keeps this thread on the core it is on, where the system offers that. */
 void measure_stay_on_core(void);
+/* Processor time of this process, and what two readings with nothing between them differ by, at least. */
+double measure_cpu_s(void);
+double measure_cpu_clock_cost_s(void);
+/* cn_world_step, under a name of its own: callgrind counts in it (--toggle-collect=measure_step) and so leaves out
+   steps that are taken without it. */
+cn_result measure_step(cn_world *world, float dt_s);
 
 /* Largest values seen by measure_errors since the start. */
 typedef struct measure_worst {

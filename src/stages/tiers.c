@@ -2,11 +2,11 @@
  * stages/tiers.c - which islands are solved directly in this step, contacts and all.
  *
  * Soft contacts settle from impulse to impulse: exact at rest, but a pile that was just put together sags for
- * seconds while its weight travels down, and much weight on little mass crushes what bears it. A quiet island with a contact that
- * is new or that overlaps by more than a part of the accuracy is solved directly (stages/contact_direct.c) until it has been good for
- * a while; the loads it then has are exact, and the soft solver goes on from them. The stay doubles each time
- * it turns bad again. An island whose system has been refused, for its work, for what it is made of, or because no consistent set was found, is
- * left alone for a time.
+ * seconds while its weight travels down, and much weight on little mass crushes what bears it. A quiet island with
+ * a contact that is new or that overlaps by more than a part of the accuracy is solved directly
+ * (stages/contact_direct.c) until it has been good for a while; the loads it then has are exact, and the soft solver
+ * goes on from them. The stay doubles each time it turns bad again. An island whose system has been refused, for its
+ * work, for what it is made of, or because no consistent set was found, is left alone for a time.
  *
  * A scene in which nothing is wrong pays for one look at the separations of its lanes.
  *

@@ -3,12 +3,12 @@
  * or breaks an invariant, and every history repeats to the bit.
  *
  * A scene is mixed shapes, chains of ground, joints of both types, materials, masses from 1:1 to 1:1000 and a
- * time step that is fixed or changes at random. Known limit: the soft step holds the energy of every scene without
- * joints, but of some 6 in 1,000 with joints between unequal masses (of the first thousand seeds 157, 313, 524, 565,
- * 853, 944) it does not; they need joints that are solved together. The test prints the seed of a scene that fails:
- * `random_test seed 17` runs that one alone. If it fails, look first in: geometry/manifold*.c
- * (NaN, escapes), stages/joint_solve.c and contact_impact.c (energy), model/island.c and model/contact*.c
- * (validation).
+ * time step that is fixed or changes at random. Known limit: five of the first thousand seeds gain energy at once
+ * somewhere, all of them scenes with joints: 103 and 377 up to a quarter of the start, 842, 871 and 908 ten times it.
+ * The others stay below 1e-4 of it. CN_SOLVER_SOFT does not hold 524, 842, 871 and 944. The test prints the seed of a
+ * scene that fails: `random_test seed 17` runs that one alone. If it fails, look first in: geometry/manifold*.c (NaN,
+ * escapes), stages/joint_solve.c, joint_direct.c, joint_swing.c and contact_impact.c (energy), model/island.c and
+ * model/contact*.c (validation).
  */
 #include "fixture.h"
 
@@ -18,6 +18,7 @@
 #define JOINTS_MAX 64
 #define HALF_WIDTH 8.0f /* of the room; the floor is at y = 0, the ceiling at 2 HALF_WIDTH */
 #define WALL 2.0f       /* its thickness */
+#define ENERGY_MAX 1e-4 /* above start and work, over the start */
 #define ESCAPE_MAX 0.5  /* a light body squeezed into a wall: a quarter of it */
 
 typedef struct trial {
@@ -331,7 +332,7 @@ static void random_scenes_behave(void)
 		outcome o, again;
 		o = trial_run(seed, 1);
 		again = trial_run(seed, 0);
-		if (!o.finite || !o.valid || o.escape > ESCAPE_MAX || o.energy_most > 0.01 || o.hash != again.hash || only_seed != NULL)
+		if (!o.finite || !o.valid || o.escape > ESCAPE_MAX || o.energy_most > ENERGY_MAX || o.hash != again.hash || only_seed != NULL)
 			printf("  seed %u: energy %+.5f of the start, escape %.3f m, most speed %.1f m/s, finite %d, valid %d, repeats %d\n", (unsigned)seed,
 			       o.energy_most, o.escape, o.speed_most, (int)o.finite, (int)o.valid, o.hash == again.hash);
 		CHECK(o.finite);
@@ -342,7 +343,7 @@ static void random_scenes_behave(void)
 		worst.speed_most = fmax(worst.speed_most, o.speed_most);
 	}
 	printf("  greatest speed %.1f m/s\n", worst.speed_most);
-	CHECK_LE("energy above start + work of motors / start", worst.energy_most, 0.01, "");
+	CHECK_LE("energy above start + work of motors / start", worst.energy_most, ENERGY_MAX, "");
 	CHECK_LE("farthest centre outside of the room", worst.escape, ESCAPE_MAX, "m");
 }
 

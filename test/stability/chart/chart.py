@@ -25,7 +25,7 @@ except ImportError as missing:
     sys.exit(f"chart: {missing.name} is not installed for {sys.executable} (Debian: python3-matplotlib)")
 import points  # noqa: E402
 import table  # noqa: E402
-from scenes import SCENES, SUMMARY  # noqa: E402
+from scenes import README, SCENES, SUMMARY  # noqa: E402
 
 
 def run(program, arguments, path):
@@ -78,7 +78,8 @@ def draw(suite, folder):
         limit = points.limit_of(points.verdict(suite, scene).bounds)
         picture.scene_page(scene, of_scene, limit, os.path.join(folder, table.file_name(scene)))
         panels.append((scene, of_scene, limit))
-    picture.summary_page([next(panel for panel in panels if panel[0].name == name) for name in SUMMARY], os.path.join(folder, "summary"))
+    for names, columns, dpi, file in ((SUMMARY, 4, 110, "summary"), (README, 3, 80, "readme")):
+        picture.summary_page([next(panel for panel in panels if panel[0].name == name) for name in names], os.path.join(folder, file), columns, dpi)
     table.write(os.path.join(folder, "chart.md"), [panel[:2] for panel in panels], suite, picture.OURS)
 
 

@@ -5,7 +5,8 @@
  * with the suite's objects instead of the library: scenes, measurements and clock are the same to the line. A setting
  * that the engine does not have is refused by cn_world_def_check, and the suite counts its cases as skipped.
  *
- * peer.c has what does not depend on the engine; peer_box2d.c and peer_chipmunk.c are the adapters.
+ * peer.c has what does not depend on the engine; peer_box2d.c, peer_chipmunk.c and peer_rapier.c are the
+ * adapters.
  */
 #ifndef CAIRN_CHART_PEER_H
 #define CAIRN_CHART_PEER_H

@@ -28,6 +28,7 @@ PEERS = {
     "box2d": Look("Box2D 3.2", "#D55E00", "D"),
     "box2dT": Look("Box2D 3.2, stiffer contacts or joints", "#D55E00", "d"),
     "chipmunk": Look("Chipmunk 7", "#E69F00", "^"),
+    "rapier": Look("Rapier 0.36", "#7B4FA3", "p"),
     "avbd": Look("AVBD", "#CC79A7", "X"),
     "s2": Look("the solvers of Solver2D", "#777777", "x"),
 }
@@ -279,9 +280,9 @@ def notes(points_lists):
     return ELSEWHERE_NOTE if any(not point.here for points in points_lists for point in points) else ""
 
 
-def save(figure, path):
+def save(figure, path, dpi=110):
     figure.savefig(path + ".svg", metadata={"Date": None})
-    figure.savefig(path + ".png", dpi=110)
+    figure.savefig(path + ".png", dpi=dpi)
     plt.close(figure)
 
 
@@ -368,31 +369,31 @@ def wrapped(text, columns):
 
 # ---------------------------------------------------------------- summary
 
-def summary_page(panels, path):
-    """panels: (scene, points, limit), sixteen at most."""
-    columns = 4
+def summary_page(panels, path, columns=4, dpi=110):
+    """panels: (scene, points, limit)."""
     rows = (len(panels) + columns - 1) // columns
-    figure, grid = plt.subplots(rows, columns, figsize=(19, 4.3 * rows + 3.2))
-    height = figure.get_figheight()
-    figure.subplots_adjust(left=0.052, right=0.985, top=1.0 - 1.95 / height, bottom=2.2 / height, hspace=0.43, wspace=0.22)
+    wide = columns > 3
+    legend = 2.5 if wide else 2.85
+    figure, grid = plt.subplots(rows, columns, figsize=(4.75 * columns, 4.3 * rows + 1.0 + legend))
+    height, width = figure.get_figheight(), figure.get_figwidth()
+    figure.subplots_adjust(left=1.0 / width, right=1.0 - 0.29 / width, top=1.0 - 1.95 / height, bottom=legend / height, hspace=0.43, wspace=0.22)
     cells = list(grid.flat)
     hidden = []
     for axes, (scene, points, limit) in zip(cells, panels):
         hidden.append(draw_scene(axes, scene, points, limit, small=True)[2])
-        axes.set_title(f"{scene.title}\n", fontsize=13, fontweight="bold", loc="left", pad=4)
-        axes.text(0.0, 1.025, scene.axis, transform=axes.transAxes, fontsize=11, color="#444444")
+        axes.set_title(f"{scene.title}\n", fontsize=13 if wide else 15, fontweight="bold", loc="left", pad=4)
+        axes.text(0.0, 1.025, scene.axis, transform=axes.transAxes, fontsize=11 if wide else 13, color="#444444")
     for axes in cells[len(panels):]:
         axes.axis("off")
     for axes in cells[len(panels) - columns:len(panels)]:
-        axes.set_xlabel("microseconds a frame", fontsize=12)
-    figure.text(0.02, 1.0 - 0.55 / height, "How wrong is each engine, and what does it cost?", fontsize=25, fontweight="bold")
-    figure.text(0.02, 1.0 - 1.05 / height,
-                "Each panel is one scene. Down is more accurate, left is cheaper: the nearer to the corner at the bottom left, the better. "
-                "Both axes are logarithmic.", fontsize=15)
+        axes.set_xlabel("microseconds a frame", fontsize=12 if wide else 13)
+    figure.text(0.38 / width, 1.0 - 0.55 / height, "How wrong is each engine, and what does it cost?", fontsize=25, fontweight="bold")
+    words = "Each panel is one scene. Down is more accurate, left is cheaper: the nearer to the corner at the bottom left, the better."
+    figure.text(0.38 / width, 1.0 - 1.05 / height, words + " Both axes are logarithmic." if wide else words, fontsize=15)
     lists = [points for _, points, _ in panels]
     never_drawn = [engine for engine in OURS if all(engine in same for same in hidden)]
-    figure.legend(handles=legend_entries(lists, never_drawn), loc="lower center", ncol=4, fontsize=13, frameon=False, bbox_to_anchor=(0.5, 0.62 / height))
-    figure.text(0.02, 0.12 / height, "Curves run from 1 to 16 substeps a frame.  'fell', 'broke': the scene did not survive.  "
-                "Where a solver of Cairn gives the errors of the default one, it is not drawn.\n" + notes(lists),
-                fontsize=12, color="#444444", linespacing=1.4)
-    save(figure, path)
+    figure.legend(handles=legend_entries(lists, never_drawn), loc="lower center", ncol=columns, fontsize=13, frameon=False, bbox_to_anchor=(0.5, 0.62 / height))
+    small_print = ["Curves run from 1 to 16 substeps a frame.  'fell', 'broke': the scene did not survive.  ",
+                   "Where a solver of Cairn gives the errors of the default one, it is not drawn.\n"]
+    figure.text(0.38 / width, 0.12 / height, "".join(small_print if wide else [small_print[0], "\n"]) + notes(lists), fontsize=12, color="#444444", linespacing=1.4)
+    save(figure, path, dpi)

@@ -13,7 +13,7 @@ Point = namedtuple("Point", "engine setting cost_us error fell here default")
 Verdict = namedtuple("Verdict", "bounds passed")
 
 # Engine -> the setting that a new user gets; that of the suite's own is found by default_setting.
-DEFAULTS = {"box2d": "ss4", "chipmunk": "ss1"}
+DEFAULTS = {"box2d": "ss4", "chipmunk": "ss1", "rapier": "ss4"}
 # How peers.csv names the same.
 DEFAULTS_ELSEWHERE = {"box2d": "ss4", "chipmunk": "60Hz it10"}
 

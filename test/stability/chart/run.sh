@@ -32,24 +32,25 @@ library_of() {
 
 link_peer() { # engine standard
 	library=$(library_of "$1")
-	[ -n "$library" ] || { echo "chart: no $1 in $build/peers: drawn from peers.csv"; return 1; }
+	[ -n "$library" ] || { echo "chart: no $1 in $build/peers: drawn from peers.csv, if it is there"; return 1; }
 	program=$build/bin/stability_$1
 	# shellcheck disable=SC2086
 	"$CC" -std=c99 $strict $optimise -Iinclude -c $here/peer.c -o "$build/chart/peer.o" &&
 		"$CC" -std="$2" ${strict#-pedantic} $optimise -Iinclude -isystem "$build/peers/source/$1/include" -c "$here/peer_$1.c" -o "$build/chart/peer_$1.o" &&
-		"$CC" "$build"/release/test/stability/*.o "$build/chart/peer.o" "$build/chart/peer_$1.o" "$library" -lpthread -lm -o "$program" ||
+		"$CC" "$build"/release/test/stability/*.o "$build/chart/peer.o" "$build/chart/peer_$1.o" "$library" -lpthread -ldl -lm -o "$program" ||
 		{ echo "chart: $1 does not link under the suite"; exit 1; }
 }
 
 peers=
 if [ "${2:-}" = --peers ]; then
 	if [ -x .ci/peers ]; then
-		CC=$CC .ci/peers "$build/peers"
+		CC=$CC .ci/peers "$build/peers" rapier
 	else
 		echo "chart: .ci/peers is not there, which fetches the other engines"
 	fi
 	link_peer box2d gnu17 && peers="$peers --peer box2d=$build/bin/stability_box2d"
 	link_peer chipmunk gnu99 && peers="$peers --peer chipmunk=$build/bin/stability_chipmunk"
+	link_peer rapier gnu99 && peers="$peers --peer rapier=$build/bin/stability_rapier"
 fi
 # shellcheck disable=SC2086
 "$python" $here/chart.py "$build/bin/stability" "$build/chart" $peers --rounds "${ROUNDS:-3}"
