@@ -104,6 +104,7 @@ void cni_shocks_forget(cn_world *world, const cni_solve *s)
 {
 	if (shocks_mark(world, s) == 0)
 		return;
+	cni_energy_hold(world);
 	contacts_forget(world);
 	joints_forget(world);
 }

@@ -151,10 +151,10 @@ static void build_pile(cn_world *world, int32_t kinds)
 
 /*
  * What following may miss: surfaces slide a quarter of the slop (1.25 mm) before the manifold is computed again, so an arm
- * may be out by that on each body, and a separation by that times the angle between clipped edges (a tenth or so); a
+ * may be out by that on each body and by half as much where the point lies between them, and a separation by that times the angle between clipped edges (a tenth or so); a
  * normal between two corners 0.3 m from the centres may turn by 1.25 mm over that distance, and as much by the turn.
  */
-#define ARM 2.5e-3
+#define ARM 4e-3
 #define SEPARATION 2e-4
 #define NORMAL 8e-3
 

@@ -24,17 +24,17 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0x322e31d8c0add1c2 },
-	{ "small_200", 300, 1, 0x1e43f80b713d837a },
-	{ "small_50_sleep", 600, 1, 0xbc0d996760fc65d8 },
+	{ "falling_hinges", 480, 1, 0xe624eca61bbe7a4f },
+	{ "small_200", 300, 1, 0x0582f68b79b17769 },
+	{ "small_50_sleep", 600, 1, 0x27dadb050ced9ac6 },
 	{ "dominoes", 400, 1, 0x8c9a9bdc7509ebac },
-	{ "ragdolls", 480, 1, 0xf5285c2ba070851d },
-	{ "bridge", 240, 1, 0xcd9c1f906cb1c0fb },
+	{ "ragdolls", 480, 1, 0x5e3561143092a1bb },
+	{ "bridge", 240, 1, 0x4bdd298372deed0a },
 	{ "car", 400, 1, 0xb88b2654d776c1a0 },
-	{ "mixer", 240, 1, 0x987d8fbffd16c1bc },
+	{ "mixer", 240, 1, 0x15c7488c98056c2b },
 	{ "pyramid", 120, 0, 0x51cc9236e9135607 },
 	{ "rain", 150, 0, 0xe5ff28e1f3e3e2b0 },
-	{ "tumbler_1000", 300, 0, 0x2f55d0d933e9b5ad },
+	{ "tumbler_1000", 300, 0, 0x92364f951131b1b1 },
 };
 /* clang-format on */
 #define GOLDENS ((int32_t)(sizeof goldens / sizeof *goldens))

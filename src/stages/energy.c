@@ -1,0 +1,218 @@
+/*
+ * stages/energy.c - contacts and joints that only hold or bounce cannot raise kinetic energy; where a solve that did
+ * not converge says they did, the excess is taken out.
+ *
+ * One sweep over light bodies that are caught among heavy ones may end far from the solution, and then with more energy
+ * than the bodies had. What a set of bodies that act on each other has is split into the energy of moving as one rigid
+ * body with its momentum and angular momentum, and the rest; the two are orthogonal in the mass metric. The rest is
+ * scaled down until the sum is what it was, so momentum stays. Only islands that touch what does not move can have too
+ * much in the first part: then all of it is scaled, and what does not move takes the difference.
+ *
+ * Springs and motors may give energy: each row j (J v0 + J v1) / 2, which is exact whatever else acts. Islands with
+ * conveyors or kinematic bodies are left alone. Runs only in
+ * substeps in which some velocity jumped (stages/shock.c), which is when solves fail.
+ *
+ * Reads start (velocities before the impulses of the substep) and motion; writes both by the same change, so that
+ * the response between them stays.
+ */
+#include "stages/joint_work.h"
+
+#include <string.h>
+
+/* Energies that agree this well are equal. */
+#define ENERGY_ROUNDING 1.001f
+
+typedef struct island_sum {
+	float mass, x, y;         /* total, centre (first the moment) */
+	float px, py, spin, inertia; /* momentum; angular momentum and inertia around the centre */
+	float before, after;      /* twice the kinetic energy; before: with what springs and motors gave */
+	float keep_rest, keep_rigid; /* factors; both 1: nothing is wrong */
+	int32_t driven;
+} island_sum;
+
+static int32_t moves(const cni_motion *m)
+{
+	return m->inv_mass > 0.0f;
+}
+
+static cni_vec2 center_of(const cn_world *world, int32_t k)
+{
+	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+	return cni_v(b->cx + cni_motions(world)[k].dpx, b->cy + cni_motions(world)[k].dpy);
+}
+
+static float inertia_of(const cni_motion *m)
+{
+	return m->inv_inertia > 0.0f ? 1.0f / m->inv_inertia : 0.0f;
+}
+
+/* The sums of every island: by its index, with those of bodies without one left out. */
+static void sums_find(const cn_world *world, island_sum *sums)
+{
+	const cni_motion *motions = cni_motions(world);
+	const cni_velocity_start *starts = cni_starts(world);
+	int32_t k, pass;
+	for (pass = 0; pass < 2; ++pass) {
+		for (k = 1; k < world->awake_count; ++k) {
+			const cni_motion *m = &motions[k];
+			const cni_velocity_start *v = &starts[k];
+			int32_t island = cni_awake_island(world, k);
+			float mass, inertia = inertia_of(m);
+			island_sum *sum;
+			cni_vec2 c;
+			if (island == CNI_NONE || !moves(m))
+				continue;
+			sum = &sums[island];
+			mass = 1.0f / m->inv_mass;
+			c = center_of(world, k);
+			if (pass == 0) {
+				sum->mass += mass;
+				sum->x += mass * c.x;
+				sum->y += mass * c.y;
+				sum->px += mass * m->vx;
+				sum->py += mass * m->vy;
+				sum->before += mass * (v->vx * v->vx + v->vy * v->vy) + inertia * v->w * v->w;
+				sum->after += mass * (m->vx * m->vx + m->vy * m->vy) + inertia * m->w * m->w;
+				continue;
+			}
+			c = cni_v(c.x - sum->x, c.y - sum->y);
+			sum->spin += mass * (c.x * m->vy - c.y * m->vx) + inertia * m->w;
+			sum->inertia += mass * (c.x * c.x + c.y * c.y) + inertia;
+		}
+		for (k = 0; k < world->island_used && pass == 0; ++k)
+			if (sums[k].mass > 0.0f) {
+				sums[k].x /= sums[k].mass;
+				sums[k].y /= sums[k].mass;
+			}
+	}
+}
+
+static void mark_driven(const cn_world *world, island_sum *sums, int32_t ia, int32_t ib)
+{
+	int32_t a = cni_awake_island(world, ia), b = cni_awake_island(world, ib);
+	if (a != CNI_NONE)
+		sums[a].driven = 1;
+	if (b != CNI_NONE)
+		sums[b].driven = 1;
+}
+
+/* Does a lane body b other than the world's push with a motion of its own, or a conveyor? */
+static void driven_by_contacts(const cn_world *world, island_sum *sums)
+{
+	const cni_motion *motions = cni_motions(world);
+	int32_t color, block, l;
+	for (color = CNI_COLOR_STATIC; color < CNI_COLORS; ++color)
+		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
+			const cni_contact_block *k = cni_block_at(world, block);
+			for (l = 0; l < CNI_LANES; ++l)
+				if (k->ib[l] != 0 && motions[k->ib[l]].inv_mass == 0.0f)
+					mark_driven(world, sums, k->ia[l], k->ib[l]);
+		}
+	for (color = 0; color < CNI_COLORS && cni_table_capacity(&world->blocks_extra) > 0; ++color)
+		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
+			for (l = 0; l < CNI_LANES && cni_block_extra_at(world, block) != NULL; ++l)
+				if (cni_block_extra_at(world, block)->tangent_speed[l] != 0.0f)
+					mark_driven(world, sums, cni_block_at(world, block)->ia[l], cni_block_at(world, block)->ib[l]);
+}
+
+static float row_speed(const cni_row *r, cni_vec2 va, float wa, cni_vec2 vb, float wb)
+{
+	return r->ax * va.x + r->ay * va.y + r->aw * wa + r->bx * vb.x + r->by * vb.y + r->bw * wb;
+}
+
+/* Twice the energy that a row gave in the substep. */
+static float row_work(const cn_world *world, const cni_joint_work *w, const cni_row *r)
+{
+	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
+	const cni_velocity_start *sa = cni_starts(world) + w->ia, *sb = cni_starts(world) + w->ib;
+	return r->impulse * (row_speed(r, cni_v(sa->vx, sa->vy), sa->w, cni_v(sb->vx, sb->vy), sb->w) +
+	                     row_speed(r, cni_v(a->vx, a->vy), a->w, cni_v(b->vx, b->vy), b->w));
+}
+
+static void driven_by_joints(const cn_world *world, island_sum *sums)
+{
+	const cni_motion *motions = cni_motions(world);
+	int32_t k, r;
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		const cni_joint_work *w = cni_joint_works(world) + k;
+		int32_t island = cni_joint_island(world, w->ia, w->ib);
+		if ((w->ia != 0 && motions[w->ia].inv_mass == 0.0f) || (w->ib != 0 && motions[w->ib].inv_mass == 0.0f))
+			mark_driven(world, sums, w->ia, w->ib);
+		for (r = 0; r < w->row_count && island != CNI_NONE; ++r)
+			if ((w->flags & CNI_WORK_SPRINGY) || w->rows[r].kind == CNI_ROW_SPRING || w->rows[r].kind == CNI_ROW_DRIVE)
+				sums[island].before += cni_max(row_work(world, w, &w->rows[r]), 0.0f);
+	}
+}
+
+/* What of each part stays. Returns 1 when some island has too much. */
+static int32_t factors_find(const cn_world *world, island_sum *sums)
+{
+	int32_t k, found = 0;
+	for (k = 0; k < world->island_used; ++k) {
+		island_sum *s = &sums[k];
+		float rigid, rest;
+		s->keep_rest = s->keep_rigid = 1.0f;
+		if (s->mass == 0.0f || s->driven || s->after <= ENERGY_ROUNDING * s->before)
+			continue;
+		rigid = (s->px * s->px + s->py * s->py) / s->mass + (s->inertia > 0.0f ? s->spin * s->spin / s->inertia : 0.0f);
+		rest = s->after - rigid;
+		if (rigid <= s->before && rest > 0.0f) {
+			s->keep_rest = cni_sqrt((s->before - rigid) / rest);
+		} else {
+			s->keep_rest = 0.0f;
+			s->keep_rigid = rigid > s->before ? cni_sqrt(s->before / rigid) : 1.0f;
+		}
+		found = 1;
+	}
+	return found;
+}
+
+static void factors_apply(cn_world *world, const island_sum *sums)
+{
+	cni_motion *motions = cni_motions(world);
+	cni_velocity_start *starts = cni_starts(world);
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		cni_motion *m = &motions[k];
+		int32_t island = cni_awake_island(world, k);
+		const island_sum *s;
+		float w, vx, vy, dvx, dvy, dw;
+		cni_vec2 c;
+		if (island == CNI_NONE || !moves(m))
+			continue;
+		s = &sums[island];
+		if (s->keep_rest == 1.0f && s->keep_rigid == 1.0f)
+			continue;
+		c = center_of(world, k);
+		w = s->inertia > 0.0f ? s->spin / s->inertia : 0.0f;
+		vx = s->px / s->mass - w * (c.y - s->y);
+		vy = s->py / s->mass + w * (c.x - s->x);
+		dvx = s->keep_rigid * vx + s->keep_rest * (m->vx - vx) - m->vx;
+		dvy = s->keep_rigid * vy + s->keep_rest * (m->vy - vy) - m->vy;
+		dw = m->inv_inertia > 0.0f ? s->keep_rigid * w + s->keep_rest * (m->w - w) - m->w : 0.0f;
+		m->vx += dvx;
+		m->vy += dvy;
+		m->w += dw;
+		starts[k].vx += dvx;
+		starts[k].vy += dvy;
+		starts[k].w += dw;
+	}
+}
+
+void cni_energy_hold(cn_world *world)
+{
+	uint64_t bytes = sizeof(island_sum) * (uint64_t)world->island_used;
+	island_sum *sums;
+	if (world->island_used == 0)
+		return;
+	sums = (island_sum *)cni_arena_push(&world->arena, bytes);
+	if (sums == NULL)
+		return; /* no memory to look: the step goes on as it is */
+	memset(sums, 0, (size_t)bytes);
+	driven_by_contacts(world, sums);
+	driven_by_joints(world, sums);
+	sums_find(world, sums);
+	if (factors_find(world, sums))
+		factors_apply(world, sums);
+	cni_arena_pop(&world->arena, sums);
+}
