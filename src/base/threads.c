@@ -2,13 +2,13 @@
  * base/threads.c - teams: how a loop's chunks are given out, how workers wait, threads of POSIX and Win32.
  *
  * Every worker has a seat, in cache lines of its own, with one word that says how many chunks of the seat's run are
- * left to take. Whoever leads writes the loop's numbers, then the words; a worker that sees its word rise takes
- * chunks from it, one by one, then from the other seats, adds how many it did to `done`, and watches its word again.
- * The leader does the same, then waits until `done` and its own are all. So the loop's numbers are read only by one
- * who has taken a chunk, and do not change before that chunk is done:
+ * left to take, and what they are. Whoever leads writes the seats, the words last; a worker that sees its word rise
+ * takes chunks from it, one by one, then from the other seats, adds how many it did to `done`, and watches its word
+ * again. The leader does the same, then waits until `done` and its own are all. So what stands in a seat is read only by
+ * one who has taken a chunk of it, and does not change before that chunk is done:
  *
- *   leader   numbers, words --release-->        take, run ...  wait for done ... next loop
- *   worker                  --acquire--> take, run ...  done --release-->
+ *   leader   seats, words --release-->        take, run ...  wait for done ... next loop
+ *   worker                --acquire--> take, run ...  done --release-->
  *
  * Nobody is waited for who has not taken a chunk: workers that are asleep, late, or never come cost nothing.
  *
@@ -118,10 +118,19 @@ static void thread_pause(void)
 
 /* ---- the team ---- */
 
+/* The loop that chunks belong to. */
+typedef struct loop {
+	cni_range_fn *fn;
+	void *context;
+	int32_t item_count;
+	int32_t chunk_count;
+} loop;
+
 typedef struct seat {
-	uint32_t word;      /* chunks left of its run, or flags */
+	loop of;            /* a copy beside the word: one cache line to fetch */
 	int32_t chunk_end;  /* of its run */
-	uint8_t rest[LINE_BYTES - 8];
+	uint32_t word;      /* chunks left of its run, or flags */
+	uint8_t rest[LINE_BYTES - sizeof(loop) - 8];
 } seat;
 
 /* A thread of one's own and what it is told. */
@@ -132,11 +141,6 @@ typedef struct thread {
 } thread;
 
 struct cni_team {
-	/* the loop: written by who leads while no chunk is out */
-	cni_range_fn *fn;
-	void *context;
-	int32_t item_count;
-	int32_t chunk_count;
 	int32_t open;       /* somebody leads: loops are shared. Threads of one's own: always */
 	int32_t worker_count;
 	cn_enqueue_fn *enqueue; /* NULL: threads of its own */
@@ -158,33 +162,35 @@ struct cni_team {
 
 /* ---- taking chunks ---- */
 
-/* The next chunk of a seat's run; CNI_NONE: nothing is left. */
-static int32_t seat_take(seat *s)
+static int32_t chunk_begin(const loop *of, int32_t chunk)
 {
-	uint32_t left = cni_atomic_load(&s->word);
-	while (left & CHUNKS_MOST)
-		if (cni_atomic_replace(&s->word, &left, left - 1u))
-			return s->chunk_end - (int32_t)left;
-	return CNI_NONE;
+	return (int32_t)((int64_t)of->item_count * chunk / of->chunk_count);
 }
 
-static int32_t chunk_begin(const cni_team *team, int32_t chunk)
+/* Runs what is left of a seat's run; returns how many chunks that was. */
+static uint32_t run_take(seat *s, int32_t worker)
 {
-	return (int32_t)((int64_t)team->item_count * chunk / team->chunk_count);
-}
-
-/* Runs chunks while there are any, its own first; returns how many. */
-static uint32_t chunks_run(cni_team *team, int32_t worker)
-{
-	uint32_t count = 0;
-	int32_t k, chunk;
-	for (k = 0; k < team->worker_count; ++k) {
-		seat *s = &team->seats[worker + k < team->worker_count ? worker + k : worker + k - team->worker_count];
-		while ((chunk = seat_take(s)) != CNI_NONE) {
-			team->fn(team->context, chunk_begin(team, chunk), chunk_begin(team, chunk + 1), worker);
+	uint32_t left = cni_atomic_load(&s->word), count = 0;
+	while (left & CHUNKS_MOST) {
+		if (cni_atomic_replace(&s->word, &left, left - 1u)) {
+			int32_t chunk = s->chunk_end - (int32_t)left;
+			s->of.fn(s->of.context, chunk_begin(&s->of, chunk), chunk_begin(&s->of, chunk + 1), worker);
 			++count;
+			left = cni_atomic_load(&s->word);
 		}
 	}
+	return count;
+}
+
+/* The same with the other seats, nearest first. */
+static uint32_t others_take(cni_team *team, int32_t worker)
+{
+	uint32_t count = 0;
+	int32_t k;
+	for (k = worker + 1; k < team->worker_count; ++k)
+		count += run_take(&team->seats[k], worker);
+	for (k = 0; k < worker; ++k)
+		count += run_take(&team->seats[k], worker);
 	return count;
 }
 
@@ -229,12 +235,18 @@ static uint32_t seat_watch(cni_team *team, seat *s)
 	}
 }
 
+static void done_add(cni_team *team, uint32_t count)
+{
+	if (count > 0)
+		cni_atomic_add(&team->done, count);
+}
+
+/* Says that its own run is done before it looks at others': the leader may be waiting for just that. */
 static void help(cni_team *team, int32_t worker)
 {
 	while (!(seat_watch(team, &team->seats[worker]) & CLOSED)) {
-		uint32_t count = chunks_run(team, worker);
-		if (count > 0)
-			cni_atomic_add(&team->done, count);
+		done_add(team, run_take(&team->seats[worker], worker));
+		done_add(team, others_take(team, worker));
 	}
 }
 
@@ -252,22 +264,27 @@ static void seats_set(cni_team *team, uint32_t word)
 /* ---- loops ---- */
 
 /* The workers' runs of the loop. Those of others first: they may begin. */
-static void seats_fill(cni_team *team, int32_t runs)
+static void seats_fill(cni_team *team, const loop *of, int32_t runs)
 {
 	uint32_t was = 0;
 	int32_t k;
 	for (k = runs - 1; k >= 0; --k) {
-		int32_t begin = team->chunk_count * k / runs;
-		team->seats[k].chunk_end = team->chunk_count * (k + 1) / runs;
-		was |= cni_atomic_exchange(&team->seats[k].word, (uint32_t)(team->seats[k].chunk_end - begin));
+		seat *s = &team->seats[k];
+		s->of = *of;
+		s->chunk_end = of->chunk_count * (k + 1) / runs;
+		was |= cni_atomic_exchange(&s->word, (uint32_t)(s->chunk_end - of->chunk_count * k / runs));
 	}
 	if (was & ASLEEP)
 		wake_all(team);
 }
 
-static void chunks_wait(cni_team *team, uint32_t count)
+/* The leader's part of a loop. Who has done all in time is not disturbed. */
+static void chunks_finish(cni_team *team, uint32_t count)
 {
 	int32_t round;
+	count -= run_take(&team->seats[0], 0);
+	if (cni_atomic_load(&team->done) != count)
+		count -= others_take(team, 0);
 	for (round = 0; cni_atomic_load(&team->done) != count; ++round) {
 		if (round < WAIT_ROUNDS)
 			thread_pause();
@@ -284,17 +301,18 @@ static int32_t workers_here(const cni_team *team)
 static void loop_share(cni_team *team, int32_t item_count, int32_t ranges, cni_range_fn *fn, void *context)
 {
 	int32_t runs = cni_min_i(workers_here(team), ranges);
+	loop of;
 	if (runs < 2) {
 		fn(context, 0, item_count, 0);
 		return;
 	}
-	team->fn = fn;
-	team->context = context;
-	team->item_count = item_count;
-	team->chunk_count = cni_min_i(ranges, runs * CHUNKS_A_RUN);
+	of.fn = fn;
+	of.context = context;
+	of.item_count = item_count;
+	of.chunk_count = cni_min_i(ranges, runs * CHUNKS_A_RUN);
 	cni_atomic_store(&team->done, 0);
-	seats_fill(team, runs);
-	chunks_wait(team, (uint32_t)team->chunk_count - chunks_run(team, 0));
+	seats_fill(team, &of, runs);
+	chunks_finish(team, (uint32_t)of.chunk_count);
 }
 
 typedef struct single_loop {
