@@ -252,16 +252,16 @@ cn_free_fn = _c.CFUNCTYPE(None, _c.c_void_p, _c.c_uint64, _c.c_void_p)
 
 # A user's own task system, for worlds with worker_count of 2 or more; without one they start threads of their
 # own. Within cn_world_step a world that has enough to do asks for help with enqueue, works itself, and then
-# calls finish. The library depends on none of what is left open here: where tasks run, in which order, and
-# whether side by side. cn_task_fn     the library's: call it for ranges of 0 to item_count - 1 that cover
-# each item once, from any threads, side by side or not. It may block for the rest of the step, so tasks that
-# the same threads must run meanwhile have to wait. The threads must have the floating-point mode of the one
-# that steps. cn_enqueue_fn  the user's: makes a task of item_count items (one less than worker_count) in
-# ranges of at least min_range, and returns what finish knows it by. It may also run all of it at once, and
-# must do so if it cannot keep it; NULL then says that there is nothing to finish. cn_finish_fn   the user's:
-# returns when every item of the task has run. Called once for each enqueue that did not return NULL, in the
-# thread that enqueued. It may run items itself. enqueue and finish are called in the thread that steps, while
-# no callback runs, and must not call the library.
+# calls finish; some 3 to 10 times a step. It does not matter where tasks run, in which order, or whether side
+# by side. cn_task_fn     the library's: call it for ranges [begin, end) that cover 0 to item_count - 1, each
+# item once, on any threads. A call may last as long as the step, and may wait for others that have already
+# begun, never for one that has not. Its thread must have the floating-point mode of the one that steps.
+# cn_enqueue_fn  the user's: makes a task of item_count items (one less than worker_count) in ranges of at
+# least min_range, and returns what finish knows it by. It may also run all of it at once, and must do so if
+# it cannot keep it; NULL then says that there is nothing to finish. cn_finish_fn   the user's: returns when
+# every item of the task has run. Called once for each enqueue that did not return NULL, in the thread that
+# enqueued. It may run items itself. enqueue and finish are called in the thread that steps, while no callback
+# runs, and must not call the library.
 cn_task_fn = _c.CFUNCTYPE(None, _c.c_int32, _c.c_int32, _c.c_void_p)
 
 
@@ -897,9 +897,10 @@ cn_world_def_init = _function("cn_world_def_init", None, _c.POINTER(cn_world_def
 cn_world_def_check = _function("cn_world_def_check", cn_result, _c.POINTER(cn_world_def), _c.POINTER(_c.c_char), _c.c_int32)
 # Bytes that def.memory must have so that the capacities in def never run out. def.memory may be NULL here.
 cn_world_bytes_needed = _function("cn_world_bytes_needed", cn_result, _c.POINTER(cn_world_def), _c.POINTER(_c.c_uint64))
-# Threads that cannot be started are CN_ERROR_MEMORY; they take nothing from def.memory or the hooks but some
-# 200 bytes each, and their stacks from the system. A library built with CN_NO_THREADS, or on a system whose
-# threads it does not know, makes the same world without them: see cn_world_get_worker_count.
+# Threads that cannot be started are CN_ERROR_MEMORY. A world's memory holds some 150 bytes for each; their
+# stacks, and whatever else a thread needs, are the system's, for a world in a caller's block too. A library
+# built with CN_NO_THREADS, or on a system whose threads it does not know, makes the same world without them:
+# see cn_world_get_worker_count.
 cn_world_create = _function("cn_world_create", cn_result, _c.POINTER(cn_world_def), _c.POINTER(_c.POINTER(cn_world)))
 # NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have
 # ended when this returns. Not from callbacks.
