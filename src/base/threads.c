@@ -45,8 +45,8 @@
 #define ASLEEP 0x40000000u     /* it waits on the condition variable */
 #define CHUNKS_MOST 0xFFFFu    /* the rest of a word: chunks left */
 #define CHUNKS_A_RUN 4         /* so that little is left to a worker whose core was taken away */
-#define WATCH_ROUNDS 2000      /* some 20 to 80 us before a worker sleeps */
-#define WAIT_ROUNDS 2000       /* before a leader gives its core to the worker that it waits for */
+#define SPIN_ROUNDS 1000       /* some 10 to 50 us before one who waits offers its core: who it waits for may need it */
+#define YIELD_ROUNDS 4         /* ... so many times, before a worker sleeps */
 #define LINE_BYTES 128         /* processors fetch cache lines of 64 bytes in pairs */
 
 /* ---- threads of the system ---- */
@@ -226,8 +226,10 @@ static uint32_t seat_watch(cni_team *team, seat *s)
 		uint32_t word = cni_atomic_load(&s->word);
 		if (word != 0)
 			return word;
-		if (round < WATCH_ROUNDS) {
+		if (round < SPIN_ROUNDS) {
 			thread_pause();
+		} else if (round < SPIN_ROUNDS + YIELD_ROUNDS) {
+			thread_yield();
 		} else {
 			seat_sleep(team, s);
 			round = 0;
@@ -286,7 +288,7 @@ static void chunks_finish(cni_team *team, uint32_t count)
 	if (cni_atomic_load(&team->done) != count)
 		count -= others_take(team, 0);
 	for (round = 0; cni_atomic_load(&team->done) != count; ++round) {
-		if (round < WAIT_ROUNDS)
+		if (round < SPIN_ROUNDS)
 			thread_pause();
 		else
 			thread_yield();

@@ -328,16 +328,19 @@ void cni_body_look_ahead(cn_world *world, const cni_body *b, cni_vec2 ahead)
 	}
 }
 
-int32_t cni_body_leaves_boxes(const cn_world *world, const cni_body *b, cni_vec2 ahead)
+int32_t cni_body_boxes_left(const cn_world *world, const cni_body *b, cni_vec2 ahead, cni_box_move *out)
 {
 	cni_transform x = cni_body_transform(b);
-	int32_t shape, child;
+	int32_t shape, child, count = 0;
 	cni_aabb fat;
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
-		for (child = 0; child < s->children; ++child)
-			if (box_leaves(world, b, s, child, x, ahead, &fat))
-				return 1;
+		for (child = 0; child < s->children; ++child) {
+			if (!box_leaves(world, b, s, child, x, ahead, &fat) || count++ > 0)
+				continue;
+			out->fat = fat;
+			out->proxy = cni_shape_proxy(world, s, child);
+		}
 	}
-	return 0;
+	return count;
 }

@@ -126,8 +126,12 @@ cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b);
 void cni_body_kick(cn_world *world, int32_t body);
 /* Moves the boxes that do not contain the shapes now and where they will be after ahead (metres). */
 void cni_body_look_ahead(cn_world *world, const cni_body *b, cni_vec2 ahead);
-/* Would that move a box? */
-int32_t cni_body_leaves_boxes(const cn_world *world, const cni_body *b, cni_vec2 ahead);
+/* How many boxes that would move; *out is the first of them. */
+typedef struct cni_box_move {
+	cni_aabb fat;
+	int32_t proxy;
+} cni_box_move;
+int32_t cni_body_boxes_left(const cn_world *world, const cni_body *b, cni_vec2 ahead, cni_box_move *out);
 /* Does not wake. Locked axes are zeroed. */
 void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v);
 

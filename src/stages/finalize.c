@@ -90,6 +90,7 @@ void cni_poses_take(cn_world *world)
 typedef struct pose_loop {
 	cn_world *world;
 	const cni_solve *s;
+	cni_box_move *moves; /* one a body, for those with CNI_DRIVE_LATER */
 	uint32_t rested;
 } pose_loop;
 
@@ -120,34 +121,44 @@ static void pose_range(void *context, int32_t begin, int32_t end, int32_t worker
 	uint32_t rested = 0;
 	int32_t k;
 	(void)worker;
-	for (k = begin + 1; k <= end; ++k)
-		if (body_finalize(world, loop->s, k, &rested) &&
-		    cni_body_leaves_boxes(world, cni_body_at(world, cni_awake_ids(world)[k]), way_ahead(world, loop->s, k)))
+	for (k = begin + 1; k <= end; ++k) {
+		int32_t left;
+		if (!body_finalize(world, loop->s, k, &rested))
+			continue;
+		left = cni_body_boxes_left(world, cni_body_at(world, cni_awake_ids(world)[k]), way_ahead(world, loop->s, k), &loop->moves[k]);
+		if (left > 0)
 			cni_drives(world)[k].flags |= CNI_DRIVE_LATER;
+		if (left > 1)
+			loop->moves[k].proxy = CNI_NONE;
+	}
 	if (rested)
 		cni_atomic_add(&loop->rested, 1u);
 }
 
-/* The broadphase moves one box at a time, in the order of the bodies; few leave theirs in a step. */
-static void boxes_move(cn_world *world, const cni_solve *s)
+/* The broadphase moves one box at a time, in the order of the bodies. Bodies with several to move look again. */
+static void boxes_move(cn_world *world, const cni_solve *s, const cni_box_move *moves)
 {
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
 		if (!(cni_drives(world)[k].flags & CNI_DRIVE_LATER))
 			continue;
 		cni_drives(world)[k].flags &= ~(uint32_t)CNI_DRIVE_LATER;
-		cni_body_look_ahead(world, cni_body_at(world, cni_awake_ids(world)[k]), way_ahead(world, s, k));
+		if (moves[k].proxy != CNI_NONE)
+			world->broadphase_ops->move(world->broadphase, moves[k].proxy, &moves[k].fat);
+		else
+			cni_body_look_ahead(world, cni_body_at(world, cni_awake_ids(world)[k]), way_ahead(world, s, k));
 	}
 }
 
-static uint32_t finalize_shared(cn_world *world, const cni_solve *s)
+static uint32_t finalize_shared(cn_world *world, const cni_solve *s, cni_box_move *moves)
 {
 	pose_loop loop;
 	loop.world = world;
 	loop.s = s;
+	loop.moves = moves;
 	loop.rested = 0;
 	cni_parallel_for(world, world->awake_count - 1, BODIES_A_RANGE, pose_range, &loop);
-	boxes_move(world, s);
+	boxes_move(world, s, moves);
 	return loop.rested;
 }
 
@@ -163,7 +174,12 @@ static uint32_t finalize_alone(cn_world *world, const cni_solve *s)
 
 int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
 {
-	uint32_t rested = world->team != NULL && world->awake_count > 2 * BODIES_A_RANGE ? finalize_shared(world, s) : finalize_alone(world, s);
+	cni_box_move *moves = NULL;
+	uint32_t rested;
+	if (world->team != NULL && world->awake_count > 2 * BODIES_A_RANGE)
+		moves = (cni_box_move *)cni_arena_push(&world->arena, sizeof(cni_box_move) * (uint64_t)world->awake_count);
+	rested = moves != NULL ? finalize_shared(world, s, moves) : finalize_alone(world, s);
+	cni_arena_pop(&world->arena, moves);
 	world->broadphase_ops->settle(world->broadphase);
 	return rested != 0;
 }
