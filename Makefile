@@ -46,6 +46,8 @@ SHARED_LINK := libcairn.so
 SHARED_FLAGS := -shared -Wl,-soname,$(SHARED)
 STRIP_UNUSED := -Wl,--gc-sections
 endif
+# What a program that holds the library is linked with; threads are a part of Windows.
+LIBS := -lm $(if $(filter Windows_NT,$(OS)),,-lpthread)
 
 # The one example that looks inside of the library.
 %/examples/bench/broadphase.o: EXAMPLE_FLAGS += -Isrc
@@ -92,7 +94,7 @@ $(BUILD)/libcairn.a: $(LIB_OBJ)
 	@rm -f $@
 	$(call say,ar)$(AR) rcs $@ $^
 $(BUILD)/$(SHARED): $(LIB_OBJ)
-	$(call say,link)$(CC) $(SHARED_FLAGS) $(CFLAGS) $(LDFLAGS) $^ -lm -o $@
+	$(call say,link)$(CC) $(SHARED_FLAGS) $(CFLAGS) $(LDFLAGS) $^ $(LIBS) -o $@
 $(BUILD)/$(SHARED_LINK): $(BUILD)/$(SHARED)
 	@ln -sf $(SHARED) $@
 
@@ -104,7 +106,7 @@ $(BUILD)/bin/bench: $(BUILD)/release/examples/bench/bench.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/feature_cost: $(BUILD)/release/examples/cost/cost.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/hello $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
 	@mkdir -p $(@D)
-	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STRIP_UNUSED) $(filter %.o,$^) $(BUILD)/libcairn.a -lm -o $@
+	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STRIP_UNUSED) $(filter %.o,$^) $(BUILD)/libcairn.a $(LIBS) -o $@
 
 hello: $(BUILD)/bin/hello
 	@$(BUILD)/bin/hello
@@ -148,7 +150,7 @@ $(BUILD)/libexamples-checked.a: $(CHECKED_EXAMPLE_OBJ)
 
 $(BUILD)/test/%: $(BUILD)/checked/test/%.o $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a
 	@mkdir -p $(@D)
-	$(call say,link)$(CC) $(TEST_CFLAGS) $(LDFLAGS) $< $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a -lm -o $@
+	$(call say,link)$(CC) $(TEST_CFLAGS) $(LDFLAGS) $< $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a $(LIBS) -o $@
 
 test: $(TESTS)
 	@JOBS=$(JOBS) sh test/run.sh $(BUILD)/test-output $(TESTS)
@@ -165,7 +167,7 @@ $(BUILD)/release/test/stability/%.o: test/stability/%.c $(BUILD)/release/flags
 	$(call say,cc)$(CC) $(STRICT) $(MODE) -Iinclude $(CPPFLAGS) $(CFLAGS) -c $< -o $@
 $(BUILD)/bin/stability: $(STABILITY_OBJ) $(BUILD)/libcairn.a
 	@mkdir -p $(@D)
-	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STABILITY_OBJ) $(BUILD)/libcairn.a -lm -o $@
+	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STABILITY_OBJ) $(BUILD)/libcairn.a $(LIBS) -o $@
 
 # STABILITY: arguments of the program instead of the whole list, for example STABILITY='--family stack --set boxes=30'.
 stability: $(BUILD)/bin/stability
@@ -194,7 +196,7 @@ install: all
 	cp $(BUILD)/libcairn.a $(BUILD)/$(SHARED) '$(DESTDIR)$(PREFIX)/lib/'
 	ln -sf $(SHARED) '$(DESTDIR)$(PREFIX)/lib/$(SHARED_LINK)'
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: cairn' 'Description: 2D rigid-body physics' 'Version: $(VERSION)' \
-		'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -lcairn' 'Libs.private: -lm' \
+		'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -lcairn' 'Libs.private: $(LIBS)' \
 		> '$(DESTDIR)$(PREFIX)/lib/pkgconfig/cairn.pc'
 
 clean:

@@ -31,7 +31,10 @@
  *             tells the library which version of the struct it was given. Fields are only appended.
  *  Threads    one world may be used by one thread at a time; different worlds share nothing, so any
  *             number may be used at once. Functions that take a const cn_world may be called from
- *             several threads at once while no other function runs on that world.
+ *             several threads at once while no other function runs on that world. Within cn_world_step
+ *             a world may share its work among several workers (worker_count in cn_world_def); that is
+ *             over when the step returns, changes no bit of any result, and the user's callbacks and
+ *             memory hooks are still called one at a time.
  *  Callbacks  while a callback runs the world is locked: reading works, every function that takes
  *             a non-const cn_world fails with CN_ERROR_LOCKED.
  *  Cost       O(1) unless the comment says otherwise.
@@ -69,6 +72,8 @@ extern "C" {
 #define CN_POLYGON_MAX_VERTICES 16
 /* Longest body name in bytes, without the terminating zero. */
 #define CN_NAME_MAX_BYTES 63
+/* Most workers of a world. */
+#define CN_WORKERS_MAX 64
 /* Most bodies, shapes or joints alive at once in one world (20 bits of index). */
 #define CN_MAX_HANDLES 1048575
 
@@ -191,6 +196,24 @@ CN_API int32_t cn_sizeof(int32_t type);
 typedef void *cn_alloc_fn(uint64_t bytes, uint32_t align, void *user);
 typedef void cn_free_fn(void *memory, uint64_t bytes, void *user);
 
+/* A user's own task system, for worlds with worker_count of 2 or more; without one they start threads of their own.
+   Within cn_world_step a world that has enough to do asks for help with enqueue, works itself, and then calls finish;
+   some 3 to 10 times a step. It does not matter where tasks run, in which order, or whether side by side.
+
+   cn_task_fn     the library's: call it for ranges [begin, end) that cover 0 to item_count - 1, each item once, on any
+                  threads. A call may last as long as the step, and may wait for others that have already begun, never
+                  for one that has not. Its thread must have the floating-point mode of the one that steps.
+   cn_enqueue_fn  the user's: makes a task of item_count items (one less than worker_count) in ranges of at least
+                  min_range, and returns what finish knows it by. It may also run all of it at once, and must
+                  do so if it cannot keep it; NULL then says that there is nothing to finish.
+   cn_finish_fn   the user's: returns when every item of the task has run. Called once for each enqueue that did not
+                  return NULL, in the thread that enqueued. It may run items itself.
+
+   enqueue and finish are called in the thread that steps, while no callback runs, and must not call the library. */
+typedef void cn_task_fn(int32_t begin, int32_t end, void *context);
+typedef void *cn_enqueue_fn(cn_task_fn *task, void *context, int32_t item_count, int32_t min_range, void *user);
+typedef void cn_finish_fn(void *task, void *user);
+
 enum {
 	CN_WORLD_SLEEP = 1u << 0,       /* islands at rest fall asleep (default on) */
 	CN_WORLD_WARM_START = 1u << 1,  /* start solving from the last step's impulses (default on) */
@@ -238,6 +261,12 @@ typedef struct cn_world_def {
 	cn_alloc_fn *alloc;               /* NULL: malloc; set both or none */
 	cn_free_fn *free;
 	void *allocator_user;
+	cn_enqueue_fn *enqueue;           /* NULL: threads of the world's own; set both or none */
+	cn_finish_fn *finish;
+	void *task_user;
+	int32_t worker_count;             /* how many may work on a step at once, the calling thread one of them; 0 to CN_WORKERS_MAX;
+	                                     default 0: as 1, which starts no threads and enqueues no tasks */
+	uint32_t reserved;
 } cn_world_def;
 
 /* Defaults as given beside the fields (those that scale with the length unit are stored as 0 and
@@ -248,8 +277,12 @@ CN_API void cn_world_def_init(cn_world_def *def);
 CN_API cn_result cn_world_def_check(const cn_world_def *def, char *text, int32_t text_bytes);
 /* Bytes that def.memory must have so that the capacities in def never run out. def.memory may be NULL here. */
 CN_API cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes);
+/* Threads that cannot be started are CN_ERROR_MEMORY. A world's memory holds some 150 bytes for each; their stacks, and
+   whatever else a thread needs, are the system's, for a world in a caller's block too. A library built with CN_NO_THREADS, or on a system whose threads it does not
+   know, makes the same world without them: see cn_world_get_worker_count. */
 CN_API cn_result cn_world_create(const cn_world_def *def, cn_world **out_world);
-/* NULL is allowed. Frees everything; a world in a caller's block just stops using it. Not from callbacks. */
+/* NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have ended when
+   this returns. Not from callbacks. */
 CN_API void cn_world_destroy(cn_world *world);
 /* One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion.
    Cost grows with the number of awake bodies and their contacts. */
@@ -270,6 +303,8 @@ CN_API cn_result cn_world_get_solver(const cn_world *world, int32_t *out_solver)
 /* Both as in cn_world_def; 0 metres: the default. get gives the accuracy in metres that this stands for. */
 CN_API cn_result cn_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_budget);
 CN_API cn_result cn_world_get_accuracy(const cn_world *world, float *out_accuracy_m, int32_t *out_work_budget);
+/* Workers that a step may have: 1, or worker_count where the library can have several. */
+CN_API cn_result cn_world_get_worker_count(const cn_world *world, int32_t *out_count);
 /* Replaces the CN_WORLD_ flags. Turning CN_WORLD_SLEEP off wakes everything: O(bodies) then. */
 CN_API cn_result cn_world_set_flags(cn_world *world, uint32_t flags);
 CN_API cn_result cn_world_get_flags(const cn_world *world, uint32_t *out_flags);

@@ -19,8 +19,10 @@ add() { # label passed failed skipped
 	echo "$line"
 }
 
-suite() { # name compiler cflags defines
+suite() { # name compiler cflags defines [tests]
 	name=$1 compiler=$2 cflags=$3 defines=$4
+	tests=
+	for test in ${5:-}; do tests="$tests $build/$name/test/$test"; done
 	if ! command -v "$compiler" >/dev/null 2>&1; then
 		echo "$compiler is not installed (see .ci/deps)"
 		add "$name" 0 0 1
@@ -28,7 +30,7 @@ suite() { # name compiler cflags defines
 	fi
 	started=$(date +%s)
 	${MAKE:-make} -s -j"$cores" test BUILD="$build/$name" CC="$compiler" CFLAGS= TEST_CFLAGS="$cflags" TEST_DEFINES="$defines" \
-		JOBS="$cores" > "$build/$name.log" 2>&1
+		JOBS="$cores" ${tests:+"TESTS=$tests"} > "$build/$name.log" 2>&1
 	read_log "$name" $?
 	echo "$name: $(($(date +%s) - started)) s"
 }
@@ -40,7 +42,7 @@ read_log() { # name code: adds what $build/$name.log counts
 		tail -n 40 "$build/$name.log"
 		line="0 passed, 1 failed, 0 skipped"
 	elif [ $code != 0 ]; then
-		grep -aE -B 8 '^FAIL|ERROR: .*Sanitizer|runtime error|WARNING: MemorySanitizer|invariant broken' "$build/$name.log" | head -n 120
+		grep -aE -B 8 '^FAIL|ERROR: .*Sanitizer|runtime error|WARNING: (Memory|Thread)Sanitizer|invariant broken' "$build/$name.log" | head -n 120
 		grep -a '^failed in:' "$build/$name.log"
 	fi
 	# shellcheck disable=SC2086
@@ -100,6 +102,8 @@ sanitize='-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all'
 suite gcc-O2 gcc '-O2 -g' -DCNI_DEBUG
 suite clang-address clang-19 "$sanitize -fsanitize=address,undefined" "$slow"
 suite clang-memory clang-19 "$sanitize -fsanitize=memory -fsanitize-memory-track-origins" "$slow"
+suite clang-thread clang-19 "-O1 -g -fno-omit-frame-pointer -fsanitize=thread" "$slow" 'base/threads_test world/threads_test'
+suite no-threads gcc '-O1' '-DCNI_DEBUG -DCN_NO_THREADS' 'base/threads_test world/threads_test world/determinism_test world/memory_test'
 suite gcc-O0 gcc '-O0' "$slow"
 suite gcc-O3-native gcc '-O3 -march=native' ''
 suite clang-O2 clang-19 '-O2' -DCNI_DEBUG

@@ -29,6 +29,27 @@ namespace Cairn
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void cn_free_fn(void* memory, ulong bytes, void* user);
 
+	/// <summary>A user's own task system, for worlds with worker_count of 2 or more; without one they start threads of
+	/// their own. Within cn_world_step a world that has enough to do asks for help with enqueue, works itself,
+	/// and then calls finish; some 3 to 10 times a step. It does not matter where tasks run, in which order, or
+	/// whether side by side. cn_task_fn     the library's: call it for ranges [begin, end) that cover 0 to
+	/// item_count - 1, each item once, on any threads. A call may last as long as the step, and may wait for
+	/// others that have already begun, never for one that has not. Its thread must have the floating-point mode
+	/// of the one that steps. cn_enqueue_fn  the user's: makes a task of item_count items (one less than
+	/// worker_count) in ranges of at least min_range, and returns what finish knows it by. It may also run all
+	/// of it at once, and must do so if it cannot keep it; NULL then says that there is nothing to finish.
+	/// cn_finish_fn   the user's: returns when every item of the task has run. Called once for each enqueue that
+	/// did not return NULL, in the thread that enqueued. It may run items itself. enqueue and finish are called
+	/// in the thread that steps, while no callback runs, and must not call the library.</summary>
+	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+	public unsafe delegate void cn_task_fn(int begin, int end, void* context);
+
+	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+	public unsafe delegate void* cn_enqueue_fn(IntPtr task, void* context, int item_count, int min_range, void* user);
+
+	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+	public unsafe delegate void cn_finish_fn(void* task, void* user);
+
 	/// <summary>Called at the end of cn_world_step for each event of this kind, in the order of the array.</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void cn_contact_event_fn(cn_world* world, cn_contact_event* @event, void* user);
@@ -214,6 +235,14 @@ namespace Cairn
 		public IntPtr alloc;
 		public IntPtr free;
 		public void* allocator_user;
+		/// <summary>NULL: threads of the world's own; set both or none</summary>
+		public IntPtr enqueue;
+		public IntPtr finish;
+		public void* task_user;
+		/// <summary>how many may work on a step at once, the calling thread one of them; 0 to CN_WORKERS_MAX; default 0: as
+		/// 1, which starts no threads and enqueues no tasks</summary>
+		public int worker_count;
+		public uint reserved;
 	}
 
 	[StructLayout(LayoutKind.Sequential)]
@@ -992,6 +1021,7 @@ namespace Cairn
 		public const int CN_ABI_VERSION = 1;
 		public const int CN_POLYGON_MAX_VERTICES = 16;
 		public const int CN_NAME_MAX_BYTES = 63;
+		public const int CN_WORKERS_MAX = 64;
 		public const int CN_MAX_HANDLES = 1048575;
 
 		public const int CN_OK = 0;
@@ -1245,10 +1275,15 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_bytes_needed(cn_world_def* def, ulong* out_bytes);
 
+		/// <summary>Threads that cannot be started are CN_ERROR_MEMORY. A world's memory holds some 150 bytes for each;
+		/// their stacks, and whatever else a thread needs, are the system's, for a world in a caller's block too. A
+		/// library built with CN_NO_THREADS, or on a system whose threads it does not know, makes the same world
+		/// without them: see cn_world_get_worker_count.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_create(cn_world_def* def, cn_world** out_world);
 
-		/// <summary>NULL is allowed. Frees everything; a world in a caller's block just stops using it. Not from callbacks.</summary>
+		/// <summary>NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have
+		/// ended when this returns. Not from callbacks.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_world_destroy(cn_world* world);
 
@@ -1289,6 +1324,10 @@ namespace Cairn
 
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_accuracy(cn_world* world, float* out_accuracy_m, int* out_work_budget);
+
+		/// <summary>Workers that a step may have: 1, or worker_count where the library can have several.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_get_worker_count(cn_world* world, int* out_count);
 
 		/// <summary>Replaces the CN_WORLD_ flags. Turning CN_WORLD_SLEEP off wakes everything: O(bodies) then.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

@@ -18,6 +18,7 @@ static const int32_t CN_VERSION_PATCH = 0;
 static const int32_t CN_ABI_VERSION = 1;
 static const int32_t CN_POLYGON_MAX_VERTICES = 16;
 static const int32_t CN_NAME_MAX_BYTES = 63;
+static const int32_t CN_WORKERS_MAX = 64;
 static const int32_t CN_MAX_HANDLES = 1048575;
 
 enum {
@@ -271,6 +272,24 @@ typedef void *cn_alloc_fn(uint64_t bytes, uint32_t align, void *user);
 
 typedef void cn_free_fn(void *memory, uint64_t bytes, void *user);
 
+// A user's own task system, for worlds with worker_count of 2 or more; without one they start threads of
+// their own. Within cn_world_step a world that has enough to do asks for help with enqueue, works itself, and
+// then calls finish; some 3 to 10 times a step. It does not matter where tasks run, in which order, or
+// whether side by side. cn_task_fn     the library's: call it for ranges [begin, end) that cover 0 to
+// item_count - 1, each item once, on any threads. A call may last as long as the step, and may wait for
+// others that have already begun, never for one that has not. Its thread must have the floating-point mode of
+// the one that steps. cn_enqueue_fn  the user's: makes a task of item_count items (one less than
+// worker_count) in ranges of at least min_range, and returns what finish knows it by. It may also run all of
+// it at once, and must do so if it cannot keep it; NULL then says that there is nothing to finish.
+// cn_finish_fn   the user's: returns when every item of the task has run. Called once for each enqueue that
+// did not return NULL, in the thread that enqueued. It may run items itself. enqueue and finish are called in
+// the thread that steps, while no callback runs, and must not call the library.
+typedef void cn_task_fn(int32_t begin, int32_t end, void *context);
+
+typedef void *cn_enqueue_fn(cn_task_fn *task, void *context, int32_t item_count, int32_t min_range, void *user);
+
+typedef void cn_finish_fn(void *task, void *user);
+
 typedef struct cn_world_def {
 	uint32_t struct_size;
 	uint32_t flags; // CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS
@@ -297,6 +316,11 @@ typedef struct cn_world_def {
 	cn_alloc_fn *alloc; // NULL: malloc; set both or none
 	cn_free_fn *free;
 	void *allocator_user;
+	cn_enqueue_fn *enqueue; // NULL: threads of the world's own; set both or none
+	cn_finish_fn *finish;
+	void *task_user;
+	int32_t worker_count; // how many may work on a step at once, the calling thread one of them; 0 to CN_WORKERS_MAX; default 0: as 1, which starts no threads and enqueues no tasks
+	uint32_t reserved;
 } cn_world_def;
 
 typedef struct cn_counters {
@@ -794,8 +818,13 @@ void cn_world_def_init(cn_world_def *def);
 cn_result cn_world_def_check(const cn_world_def *def, char *text, int32_t text_bytes);
 // Bytes that def.memory must have so that the capacities in def never run out. def.memory may be NULL here.
 cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes);
+// Threads that cannot be started are CN_ERROR_MEMORY. A world's memory holds some 150 bytes for each; their
+// stacks, and whatever else a thread needs, are the system's, for a world in a caller's block too. A library
+// built with CN_NO_THREADS, or on a system whose threads it does not know, makes the same world without them:
+// see cn_world_get_worker_count.
 cn_result cn_world_create(const cn_world_def *def, cn_world **out_world);
-// NULL is allowed. Frees everything; a world in a caller's block just stops using it. Not from callbacks.
+// NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have
+// ended when this returns. Not from callbacks.
 void cn_world_destroy(cn_world *world);
 // One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion. Cost grows
 // with the number of awake bodies and their contacts.
@@ -815,6 +844,8 @@ cn_result cn_world_get_solver(const cn_world *world, int32_t *out_solver);
 // Both as in cn_world_def; 0 metres: the default. get gives the accuracy in metres that this stands for.
 cn_result cn_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_budget);
 cn_result cn_world_get_accuracy(const cn_world *world, float *out_accuracy_m, int32_t *out_work_budget);
+// Workers that a step may have: 1, or worker_count where the library can have several.
+cn_result cn_world_get_worker_count(const cn_world *world, int32_t *out_count);
 // Replaces the CN_WORLD_ flags. Turning CN_WORLD_SLEEP off wakes everything: O(bodies) then.
 cn_result cn_world_set_flags(cn_world *world, uint32_t flags);
 cn_result cn_world_get_flags(const cn_world *world, uint32_t *out_flags);

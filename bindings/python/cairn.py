@@ -38,6 +38,7 @@ CN_VERSION_PATCH = 0
 CN_ABI_VERSION = 1
 CN_POLYGON_MAX_VERTICES = 16
 CN_NAME_MAX_BYTES = 63
+CN_WORKERS_MAX = 64
 CN_MAX_HANDLES = 1048575
 CN_OK = 0
 CN_ERROR_ARGUMENT = -1
@@ -249,6 +250,27 @@ cn_alloc_fn = _c.CFUNCTYPE(_c.c_void_p, _c.c_uint64, _c.c_uint32, _c.c_void_p)
 cn_free_fn = _c.CFUNCTYPE(None, _c.c_void_p, _c.c_uint64, _c.c_void_p)
 
 
+# A user's own task system, for worlds with worker_count of 2 or more; without one they start threads of their
+# own. Within cn_world_step a world that has enough to do asks for help with enqueue, works itself, and then
+# calls finish; some 3 to 10 times a step. It does not matter where tasks run, in which order, or whether side
+# by side. cn_task_fn     the library's: call it for ranges [begin, end) that cover 0 to item_count - 1, each
+# item once, on any threads. A call may last as long as the step, and may wait for others that have already
+# begun, never for one that has not. Its thread must have the floating-point mode of the one that steps.
+# cn_enqueue_fn  the user's: makes a task of item_count items (one less than worker_count) in ranges of at
+# least min_range, and returns what finish knows it by. It may also run all of it at once, and must do so if
+# it cannot keep it; NULL then says that there is nothing to finish. cn_finish_fn   the user's: returns when
+# every item of the task has run. Called once for each enqueue that did not return NULL, in the thread that
+# enqueued. It may run items itself. enqueue and finish are called in the thread that steps, while no callback
+# runs, and must not call the library.
+cn_task_fn = _c.CFUNCTYPE(None, _c.c_int32, _c.c_int32, _c.c_void_p)
+
+
+cn_enqueue_fn = _c.CFUNCTYPE(_c.c_void_p, cn_task_fn, _c.c_void_p, _c.c_int32, _c.c_int32, _c.c_void_p)
+
+
+cn_finish_fn = _c.CFUNCTYPE(None, _c.c_void_p, _c.c_void_p)
+
+
 class cn_world_def(_c.Structure):
     _fields_ = [
         ("struct_size", _c.c_uint32),
@@ -276,6 +298,11 @@ class cn_world_def(_c.Structure):
         ("alloc", cn_alloc_fn),  # NULL: malloc; set both or none
         ("free", cn_free_fn),
         ("allocator_user", _c.c_void_p),
+        ("enqueue", cn_enqueue_fn),  # NULL: threads of the world's own; set both or none
+        ("finish", cn_finish_fn),
+        ("task_user", _c.c_void_p),
+        ("worker_count", _c.c_int32),  # how many may work on a step at once, the calling thread one of them; 0 to CN_WORKERS_MAX; default 0: as 1, which starts no threads and enqueues no tasks
+        ("reserved", _c.c_uint32),
     ]
 
 
@@ -870,8 +897,13 @@ cn_world_def_init = _function("cn_world_def_init", None, _c.POINTER(cn_world_def
 cn_world_def_check = _function("cn_world_def_check", cn_result, _c.POINTER(cn_world_def), _c.POINTER(_c.c_char), _c.c_int32)
 # Bytes that def.memory must have so that the capacities in def never run out. def.memory may be NULL here.
 cn_world_bytes_needed = _function("cn_world_bytes_needed", cn_result, _c.POINTER(cn_world_def), _c.POINTER(_c.c_uint64))
+# Threads that cannot be started are CN_ERROR_MEMORY. A world's memory holds some 150 bytes for each; their
+# stacks, and whatever else a thread needs, are the system's, for a world in a caller's block too. A library
+# built with CN_NO_THREADS, or on a system whose threads it does not know, makes the same world without them:
+# see cn_world_get_worker_count.
 cn_world_create = _function("cn_world_create", cn_result, _c.POINTER(cn_world_def), _c.POINTER(_c.POINTER(cn_world)))
-# NULL is allowed. Frees everything; a world in a caller's block just stops using it. Not from callbacks.
+# NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have
+# ended when this returns. Not from callbacks.
 cn_world_destroy = _function("cn_world_destroy", None, _c.POINTER(cn_world))
 # One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion. Cost grows
 # with the number of awake bodies and their contacts.
@@ -891,6 +923,8 @@ cn_world_get_solver = _function("cn_world_get_solver", cn_result, _c.POINTER(cn_
 # Both as in cn_world_def; 0 metres: the default. get gives the accuracy in metres that this stands for.
 cn_world_set_accuracy = _function("cn_world_set_accuracy", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_int32)
 cn_world_get_accuracy = _function("cn_world_get_accuracy", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_float), _c.POINTER(_c.c_int32))
+# Workers that a step may have: 1, or worker_count where the library can have several.
+cn_world_get_worker_count = _function("cn_world_get_worker_count", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_int32))
 # Replaces the CN_WORLD_ flags. Turning CN_WORLD_SLEEP off wakes everything: O(bodies) then.
 cn_world_set_flags = _function("cn_world_set_flags", cn_result, _c.POINTER(cn_world), _c.c_uint32)
 cn_world_get_flags = _function("cn_world_get_flags", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_uint32))

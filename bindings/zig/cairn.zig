@@ -16,6 +16,8 @@ pub const CN_ABI_VERSION = 1;
 pub const CN_POLYGON_MAX_VERTICES = 16;
 /// Longest body name in bytes, without the terminating zero.
 pub const CN_NAME_MAX_BYTES = 63;
+/// Most workers of a world.
+pub const CN_WORKERS_MAX = 64;
 /// Most bodies, shapes or joints alive at once in one world (20 bits of index).
 pub const CN_MAX_HANDLES = 1048575;
 
@@ -253,6 +255,24 @@ pub const cn_alloc_fn = fn (bytes: u64, @"align": u32, user: ?*anyopaque) callco
 
 pub const cn_free_fn = fn (memory: ?*anyopaque, bytes: u64, user: ?*anyopaque) callconv(.c) void;
 
+/// A user's own task system, for worlds with worker_count of 2 or more; without one they start threads of
+/// their own. Within cn_world_step a world that has enough to do asks for help with enqueue, works itself,
+/// and then calls finish; some 3 to 10 times a step. It does not matter where tasks run, in which order, or
+/// whether side by side. cn_task_fn     the library's: call it for ranges [begin, end) that cover 0 to
+/// item_count - 1, each item once, on any threads. A call may last as long as the step, and may wait for
+/// others that have already begun, never for one that has not. Its thread must have the floating-point mode
+/// of the one that steps. cn_enqueue_fn  the user's: makes a task of item_count items (one less than
+/// worker_count) in ranges of at least min_range, and returns what finish knows it by. It may also run all of
+/// it at once, and must do so if it cannot keep it; NULL then says that there is nothing to finish.
+/// cn_finish_fn   the user's: returns when every item of the task has run. Called once for each enqueue that
+/// did not return NULL, in the thread that enqueued. It may run items itself. enqueue and finish are called
+/// in the thread that steps, while no callback runs, and must not call the library.
+pub const cn_task_fn = fn (begin: i32, end: i32, context: ?*anyopaque) callconv(.c) void;
+
+pub const cn_enqueue_fn = fn (task: ?*const cn_task_fn, context: ?*anyopaque, item_count: i32, min_range: i32, user: ?*anyopaque) callconv(.c) ?*anyopaque;
+
+pub const cn_finish_fn = fn (task: ?*anyopaque, user: ?*anyopaque) callconv(.c) void;
+
 /// Called at the end of cn_world_step for each event of this kind, in the order of the array.
 pub const cn_contact_event_fn = fn (world: ?*cn_world, event: [*c]const cn_contact_event, user: ?*anyopaque) callconv(.c) void;
 
@@ -386,9 +406,17 @@ pub const cn_world_def = extern struct {
     alloc: ?*const cn_alloc_fn,
     free: ?*const cn_free_fn,
     allocator_user: ?*anyopaque,
+    /// NULL: threads of the world's own; set both or none
+    enqueue: ?*const cn_enqueue_fn,
+    finish: ?*const cn_finish_fn,
+    task_user: ?*anyopaque,
+    /// how many may work on a step at once, the calling thread one of them; 0 to CN_WORKERS_MAX; default 0:
+    /// as 1, which starts no threads and enqueues no tasks
+    worker_count: i32,
+    reserved: u32,
 
     comptime {
-        if (@sizeOf(usize) == 8 and @sizeOf(cn_world_def) != 128) @compileError("cn_world_def");
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_world_def) != 160) @compileError("cn_world_def");
     }
 };
 
@@ -1188,8 +1216,13 @@ pub extern fn cn_world_def_init(def: [*c]cn_world_def) void;
 pub extern fn cn_world_def_check(def: [*c]const cn_world_def, text: [*c]u8, text_bytes: i32) cn_result;
 /// Bytes that def.memory must have so that the capacities in def never run out. def.memory may be NULL here.
 pub extern fn cn_world_bytes_needed(def: [*c]const cn_world_def, out_bytes: [*c]u64) cn_result;
+/// Threads that cannot be started are CN_ERROR_MEMORY. A world's memory holds some 150 bytes for each; their
+/// stacks, and whatever else a thread needs, are the system's, for a world in a caller's block too. A library
+/// built with CN_NO_THREADS, or on a system whose threads it does not know, makes the same world without
+/// them: see cn_world_get_worker_count.
 pub extern fn cn_world_create(def: [*c]const cn_world_def, out_world: [*c]?*cn_world) cn_result;
-/// NULL is allowed. Frees everything; a world in a caller's block just stops using it. Not from callbacks.
+/// NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have
+/// ended when this returns. Not from callbacks.
 pub extern fn cn_world_destroy(world: ?*cn_world) void;
 /// One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion. Cost grows
 /// with the number of awake bodies and their contacts.
@@ -1209,6 +1242,8 @@ pub extern fn cn_world_get_solver(world: ?*const cn_world, out_solver: [*c]i32) 
 /// Both as in cn_world_def; 0 metres: the default. get gives the accuracy in metres that this stands for.
 pub extern fn cn_world_set_accuracy(world: ?*cn_world, accuracy_m: f32, work_budget: i32) cn_result;
 pub extern fn cn_world_get_accuracy(world: ?*const cn_world, out_accuracy_m: [*c]f32, out_work_budget: [*c]i32) cn_result;
+/// Workers that a step may have: 1, or worker_count where the library can have several.
+pub extern fn cn_world_get_worker_count(world: ?*const cn_world, out_count: [*c]i32) cn_result;
 /// Replaces the CN_WORLD_ flags. Turning CN_WORLD_SLEEP off wakes everything: O(bodies) then.
 pub extern fn cn_world_set_flags(world: ?*cn_world, flags: u32) cn_result;
 pub extern fn cn_world_get_flags(world: ?*const cn_world, out_flags: [*c]u32) cn_result;

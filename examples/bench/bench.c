@@ -1,8 +1,9 @@
 /*
- * examples/bench/bench.c - times every benchmark scene on one core and prints CSV, one row a scene, with
+ * examples/bench/bench.c - times every benchmark scene, on one core, and prints CSV, one row a scene, with
  * how exact the result was beside each time.
  *
  *     bench [scene]        bench broadphase and bench queries: see bench/broadphase.c
+ *     WORKERS=2 bench      with so many workers, on as many cores
  *
  * The first step is not timed; what a scene creates and destroys between steps is not either. bodies,
  * contacts (touching) and joints are as of the last step. bytes_per_body is all memory of the world by
@@ -15,6 +16,7 @@
 #include "scenes/scenes.h"
 #include <inttypes.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define SAMPLE_STEPS 20
@@ -51,13 +53,15 @@ static void print_row(bench_run *b)
 	cn_counters counters;
 	cn_memory_stats memory;
 	uint64_t hash = 0;
+	int32_t workers = 1;
+	cn_world_get_worker_count(world, &workers);
 	cn_world_get_counters(world, &counters);
 	cn_world_get_memory_stats(world, &memory);
 	cn_world_hash(world, &hash);
 	measure_times_sort(&b->times);
 	double bytes_per_body = (double)memory.bytes_in_use / (double)(counters.bodies > 0 ? counters.bodies : 1);
-	printf("%s,%" PRId32 ",%" PRId32 ",%" PRId32 ",1,%.4f,%.4f,%.0f,%016" PRIx64 ",", b->run.scene->name, counters.bodies,
-		counters.contacts_touching, counters.joints, measure_times_at(&b->times, 0.0), measure_times_at(&b->times, 0.5), bytes_per_body, hash);
+	printf("%s,%" PRId32 ",%" PRId32 ",%" PRId32 ",%" PRId32 ",%.4f,%.4f,%.0f,%016" PRIx64 ",", b->run.scene->name, counters.bodies,
+		counters.contacts_touching, counters.joints, workers, measure_times_at(&b->times, 0.0), measure_times_at(&b->times, 0.5), bytes_per_body, hash);
 	if (b->run.scene->flags & SCENE_STANDS)
 		printf("%.6f", (double)measure_displacement(&b->start, world));
 	printf(",%.6f,%.6f,%" PRId32 "\n", (double)b->worst.joint_m, (double)b->worst.penetration_m,
@@ -65,12 +69,21 @@ static void print_row(bench_run *b)
 	fflush(stdout);
 }
 
+static int32_t worker_count(void)
+{
+	const char *workers = getenv("WORKERS");
+	return workers != NULL ? (int32_t)strtol(workers, NULL, 10) : 1;
+}
+
 static int32_t run_scene(const scene *which)
 {
 	bench_run b;
+	cn_world_def def;
 	int32_t good = 0;
 	memset(&b, 0, sizeof b);
-	if (scene_open(&b.run, which, NULL) != CN_OK) {
+	scene_world_def(which, &def);
+	def.worker_count = worker_count();
+	if (scene_open(&b.run, which, &def) != CN_OK) {
 		fprintf(stderr, "%s: %s\n", which->name, b.run.error_text);
 		return 0;
 	}
@@ -92,7 +105,8 @@ static int32_t is_bench(const scene *which) { return (which->flags & SCENE_BENCH
 int main(int argc, char **argv)
 {
 	int32_t failed = 0;
-	measure_stay_on_core();
+	if (worker_count() < 2)
+		measure_stay_on_core();
 	if (argc > 1 && strcmp(argv[1], "broadphase") == 0)
 		return bench_broadphase() != 0;
 	if (argc > 1 && strcmp(argv[1], "queries") == 0)

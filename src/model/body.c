@@ -303,24 +303,47 @@ static cni_aabb box_stretch(cni_aabb box, cni_vec2 ahead)
 	return box;
 }
 
+/* A shape's box with what lies ahead, if that leaves its proxy's: 1, and the new one. */
+static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_shape *s, int32_t child, cni_transform x, cni_vec2 ahead, cni_aabb *fat)
+{
+	cni_aabb box = cni_geometry_aabb(cni_shape_geometry(&world->blocks, s), child, x);
+	float margin = cni_box_margin(world, b->type, &box);
+	if (looks_ahead(margin, ahead))
+		box = box_stretch(box, ahead);
+	if (cni_aabb_contains(&cni_proxy_at(world, cni_shape_proxy(world, s, child))->fat, &box))
+		return 0;
+	*fat = cni_box_fatten(box, margin);
+	return 1;
+}
+
 void cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead)
 {
 	cni_transform x = cni_body_transform(b);
 	int32_t shape, child;
+	cni_aabb fat;
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
-		const cni_geometry *g = cni_shape_geometry(&world->blocks, s);
+		for (child = 0; child < s->children; ++child)
+			if (box_leaves(world, b, s, child, x, ahead, &fat)) {
+				world->broadphase_ops->move(world->broadphase, cni_shape_proxy(world, s, child), &fat);
+				b->flags |= CNI_BODY_BOXED;
+			}
+	}
+}
+
+int32_t cni_body_boxes_left(const cn_world *world, const cni_body *b, cni_vec2 ahead, cni_box_move *out)
+{
+	cni_transform x = cni_body_transform(b);
+	int32_t shape, child, count = 0;
+	cni_aabb fat;
+	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+		const cni_shape *s = cni_shape_at(world, shape);
 		for (child = 0; child < s->children; ++child) {
-			int32_t proxy = cni_shape_proxy(world, s, child);
-			cni_aabb box = cni_geometry_aabb(g, child, x);
-			float margin = cni_box_margin(world, b->type, &box);
-			if (looks_ahead(margin, ahead))
-				box = box_stretch(box, ahead);
-			if (cni_aabb_contains(&cni_proxy_at(world, proxy)->fat, &box))
+			if (!box_leaves(world, b, s, child, x, ahead, &fat) || count++ > 0)
 				continue;
-			box = cni_box_fatten(box, margin);
-			world->broadphase_ops->move(world->broadphase, proxy, &box);
-			b->flags |= CNI_BODY_BOXED;
+			out->fat = fat;
+			out->proxy = cni_shape_proxy(world, s, child);
 		}
 	}
+	return count;
 }

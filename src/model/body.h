@@ -80,7 +80,8 @@ enum {
 	CNI_DRIVE_LOCK_Y = 1u << 3,
 	CNI_DRIVE_JOINTED = 1u << 4, /* has joints: positions follow end velocities */
 	CNI_DRIVE_TOUCHED = 1u << 5, /* has contacts that are solved */
-	CNI_DRIVE_SWUNG = 1u << 6    /* its joints alone moved it, for the whole step: stages/joint_swing.c */
+	CNI_DRIVE_SWUNG = 1u << 6,   /* its joints alone moved it, for the whole step: stages/joint_swing.c */
+	CNI_DRIVE_LATER = 1u << 7    /* a shared loop found that something must be done for it alone, in order; clear outside of stages */
 };
 typedef struct cni_drive {
 	float ax, ay, alpha; /* between steps: the user's force and torque for the next one; within a step:
@@ -126,6 +127,12 @@ cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b);
 void cni_body_kick(cn_world *world, int32_t body);
 /* Moves the boxes that do not contain the shapes now and where they will be after ahead (metres). */
 void cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead);
+/* How many boxes that would move; *out is the first of them. */
+typedef struct cni_box_move {
+	cni_aabb fat;
+	int32_t proxy;
+} cni_box_move;
+int32_t cni_body_boxes_left(const cn_world *world, const cni_body *b, cni_vec2 ahead, cni_box_move *out);
 /* Does not wake. Locked axes are zeroed. */
 void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v);
 

@@ -107,8 +107,19 @@ typedef struct cni_block_info {
 typedef struct cni_color {
 	int32_t first, last;   /* blocks */
 	int32_t lanes;         /* contacts in it; all blocks but the last are full */
-	int32_t reserved;
+	int32_t listed;        /* where its blocks begin in world.block_list; within a step */
 } cni_color;
+
+/* A block as the passes of a step find it: colours in order, a colour's blocks in order. */
+typedef struct cni_listed_block {
+	cni_contact_block *rows;
+	cni_block_extra *extra;  /* NULL: no lane needs it */
+	const cni_block_info *info;
+	uint32_t fresh;          /* lanes that began to touch in this step, as bits */
+	int32_t lanes;           /* in use, the first of it */
+} cni_listed_block;
+
+static inline int32_t cni_color_blocks(const cni_color *color) { return (color->lanes + CNI_LANES - 1) / CNI_LANES; }
 
 /* A touching contact at rest: the rows of its lane, without ia and ib. */
 #define CNI_SLEEP_ROWS 22

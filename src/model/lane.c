@@ -26,6 +26,7 @@ int32_t cni_lane_reserve(cn_world *world, int32_t lanes)
 	return cni_table_reserve(&world->blocks_hot, &world->memory, blocks) &&
 	       cni_table_reserve(&world->blocks_info, &world->memory, blocks) &&
 	       cni_table_reserve(&world->blocks_anchor, &world->memory, blocks) &&
+	       cni_array_reserve(&world->block_list, &world->memory, blocks) &&
 	       (cni_table_capacity(&world->blocks_extra) == 0 || cni_lane_reserve_extra(world));
 }
 

@@ -8,6 +8,7 @@
 #include "base/arena.h"
 #include "base/blocks.h"
 #include "base/handles.h"
+#include "base/threads.h"
 #include "model/body.h"
 #include "model/contact.h"
 #include "model/event.h"
@@ -45,6 +46,7 @@ struct cn_world {
 	cni_memory memory;
 	cni_arena arena;
 	cni_blocks blocks;
+	cni_team *team;              /* who share a step's work, NULL: the calling thread alone */
 	uint64_t user_data;
 
 	cni_settings settings;
@@ -98,6 +100,7 @@ struct cn_world {
 	int32_t block_used;
 	int32_t block_free;
 	cni_color colors[CNI_COLORS];
+	cni_array block_list;        /* cni_listed_block: scratch of a step, room for every block */
 	cni_array sleep_lanes;       /* cni_sleep_lane */
 
 	/* joints and constraints */
@@ -145,6 +148,7 @@ static inline cni_contact *cni_contact_of_key(const cn_world *world, int32_t key
 static inline cni_contact_block *cni_block_at(const cn_world *world, int32_t block) { return (cni_contact_block *)cni_table_at_sized(&world->blocks_hot, block, sizeof(cni_contact_block)); }
 static inline cni_block_info *cni_block_info_at(const cn_world *world, int32_t block) { return (cni_block_info *)cni_table_at_sized(&world->blocks_info, block, sizeof(cni_block_info)); }
 static inline cni_block_anchor *cni_block_anchor_at(const cn_world *world, int32_t block) { return (cni_block_anchor *)cni_table_at_sized(&world->blocks_anchor, block, sizeof(cni_block_anchor)); }
+static inline const cni_listed_block *cni_listed_blocks(const cn_world *world, int32_t color) { return (const cni_listed_block *)world->block_list.data + world->colors[color].listed; }
 /* NULL when no contact has ever needed one. */
 static inline cni_block_extra *cni_block_extra_at(const cn_world *world, int32_t block)
 {
@@ -155,6 +159,12 @@ static inline cni_motion *cni_motions(const cn_world *world) { return (cni_motio
 static inline cni_velocity_start *cni_starts(const cn_world *world) { return (cni_velocity_start *)world->start.data; }
 static inline cni_drive *cni_drives(const cn_world *world) { return (cni_drive *)world->drive.data; }
 static inline int32_t *cni_awake_ids(const cn_world *world) { return (int32_t *)world->awake_id.data; }
+/* Items that do not depend on each other, shared among the world's workers: cni_team_for. A loop outside of
+   cni_team_run may have to wake them, some microseconds; so min_range is to be 10 us of work there, and 1 us within. */
+static inline void cni_parallel_for(const cn_world *world, int32_t item_count, int32_t min_range, cni_range_fn *fn, void *context)
+{
+	cni_team_for(world->team, item_count, min_range, fn, context);
+}
 /* The island of an awake body by its dense index; CNI_NONE: alone, or no dynamic body. */
 static inline int32_t cni_awake_island(const cn_world *world, int32_t index) { return index == 0 ? CNI_NONE : cni_body_at(world, cni_awake_ids(world)[index])->island; }
 

@@ -23,6 +23,7 @@
 #include "base/bitset.h"
 #include "stages/contact_pass.h"
 
+#define BLOCKS_A_RANGE 64 /* of one colour: most of them do not bounce */
 #define SWEEPS 4 /* a wave through touching balls may need several; the solve after takes the rest */
 
 typedef struct impact_point {
@@ -39,6 +40,7 @@ typedef struct impact_lane {
 	float mass;          /* sum of inverse masses along n */
 	float closing;       /* acceleration that brings the bodies together */
 	float restitution;
+	int32_t one_sided;   /* body b cannot move, and others may be looking at it: it is not written */
 } impact_lane;
 
 static float point_speed(const impact_lane *c, float at, float bt)
@@ -62,7 +64,7 @@ static float outgoing_speed(float before, float s, float a, float e, float h)
 	return cni_max(cni_sqrt(cni_max(inside, 0.0f)) - a * h, 0.0f);
 }
 
-static impact_lane lane_make(cn_world *world, const cni_contact_block *k, const cni_block_info *info, int32_t l)
+static impact_lane lane_make(cn_world *world, const cni_contact_block *k, const cni_block_info *info, int32_t l, int32_t color)
 {
 	const cni_drive *da = cni_drives(world) + k->ia[l], *db = cni_drives(world) + k->ib[l];
 	impact_lane c;
@@ -81,6 +83,7 @@ static impact_lane lane_make(cn_world *world, const cni_contact_block *k, const 
 	c.mass = c.nx * c.nx * (c.ax + c.bx) + c.ny * c.ny * (c.ay + c.by);
 	c.closing = c.nx * (da->ax - db->ax) + c.ny * (da->ay - db->ay);
 	c.restitution = info->restitution[l];
+	c.one_sided = c.ib == 0 || (color >= CNI_COLOR_STATIC && color != CNI_COLOR_OVERFLOW);
 	return c;
 }
 
@@ -127,14 +130,14 @@ static void lane_strike(impact_lane *c, const cni_contact_block *k, int32_t l, f
 	float most = k->dynamic_friction[l] * jn, jt = cni_clamp(-k->tm[l] * vt, -most, most);
 	float px = jn * c->nx + jt * tx, py = jn * c->ny + jt * ty;
 	body_strike(c->a, c->sa, -c->ax * px, -c->ay * py, wa + c->a->inv_inertia * fa * jt);
-	if (c->ib != 0)
+	if (!c->one_sided)
 		body_strike(c->b, c->sb, c->bx * px, c->by * py, wb - c->b->inv_inertia * fb * jt);
 }
 
 /* Both points at once when both hit and both impulses come out positive, else the one that closes faster. */
-static int32_t lane_impact(cn_world *world, const cni_contact_block *k, const cni_block_info *info, int32_t l, const cni_solve *s)
+static int32_t lane_impact(cn_world *world, const cni_contact_block *k, const cni_block_info *info, int32_t l, int32_t color, const cni_solve *s)
 {
-	impact_lane c = lane_make(world, k, info, l);
+	impact_lane c = lane_make(world, k, info, l, color);
 	impact_point p = point_make(&c, k, 0, l, s), q = point_make(&c, k, 1, l, s);
 	if (!p.hits && !q.hits)
 		return 0;
@@ -159,43 +162,63 @@ static int32_t lane_impact(cn_world *world, const cni_contact_block *k, const cn
 }
 
 /* Lanes of a block that may meet. In the overflow colour a body is in several lanes, and one may make another meet. */
-static uint32_t lanes_closing(cn_world *world, int32_t block, int32_t color, int32_t lanes, const cni_solve *s)
+static uint32_t lanes_closing(cn_world *world, const cni_listed_block *b, int32_t color, const cni_solve *s)
 {
 	if (color == CNI_COLOR_OVERFLOW)
-		return (1u << lanes) - 1u;
-	return s->kernel->closing(cni_starts(world), cni_block_at(world, block), cni_block_info_at(world, block), s->restitution_threshold, lanes);
+		return (1u << b->lanes) - 1u;
+	return s->kernel->closing(cni_starts(world), b->rows, b->info, s->restitution_threshold, b->lanes);
 }
 
-static int32_t block_sweep(cn_world *world, int32_t block, uint32_t closing, const cni_solve *s)
+static uint32_t block_sweep(cn_world *world, const cni_listed_block *b, int32_t color, const cni_solve *s)
 {
-	const cni_block_info *info = cni_block_info_at(world, block);
-	int32_t hits = 0;
+	uint32_t closing = lanes_closing(world, b, color, s), hits = 0;
 	for (; closing != 0; closing &= closing - 1) {
 		int32_t l = cni_bit_lowest32(closing);
-		if (info->restitution[l] > 0.0f)
-			hits += lane_impact(world, cni_block_at(world, block), info, l, s);
+		if (b->info->restitution[l] > 0.0f)
+			hits += (uint32_t)lane_impact(world, b->rows, b->info, l, color, s);
 	}
 	return hits;
 }
 
-static int32_t sweep(cn_world *world, const cni_solve *s)
+/* A sweep over the blocks of one colour: they share no body that they write, but for those of the overflow colour. */
+typedef struct color_sweep {
+	cn_world *world;
+	const cni_solve *s;
+	const cni_listed_block *blocks;
+	int32_t color;
+	uint32_t hits;
+} color_sweep;
+
+static void color_sweep_run(void *context, int32_t begin, int32_t end, int32_t worker)
 {
-	int32_t color, block, hits = 0;
-	for (color = 0; color < CNI_COLORS; ++color) {
-		int32_t lanes = world->colors[color].lanes;
-		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
-			if (cni_block_info_at(world, block)->flags & CNI_BLOCK_RESTITUTION)
-				hits += block_sweep(world, block, lanes_closing(world, block, color, cni_min_i(lanes, CNI_LANES), s), s);
-			lanes -= CNI_LANES;
-		}
+	color_sweep *c = (color_sweep *)context;
+	uint32_t hits = 0;
+	int32_t k;
+	(void)worker;
+	for (k = begin; k < end; ++k)
+		if (c->blocks[k].info->flags & CNI_BLOCK_RESTITUTION)
+			hits += block_sweep(c->world, &c->blocks[k], c->color, c->s);
+	if (hits > 0)
+		cni_atomic_add(&c->hits, hits);
+}
+
+static uint32_t sweep(cn_world *world, const cni_solve *s)
+{
+	color_sweep c;
+	c.world = world;
+	c.s = s;
+	c.hits = 0;
+	for (c.color = 0; c.color < CNI_COLORS; ++c.color) {
+		c.blocks = cni_listed_blocks(world, c.color);
+		cni_team_for(c.color == CNI_COLOR_OVERFLOW ? NULL : s->team, cni_color_blocks(&world->colors[c.color]), BLOCKS_A_RANGE, color_sweep_run, &c);
 	}
-	return hits;
+	return c.hits;
 }
 
 void cni_contacts_impact(cn_world *world, const cni_solve *s)
 {
 	int32_t k;
-	for (k = 0; k < SWEEPS; ++k)
+	for (k = 0; k < SWEEPS && s->bounces; ++k)
 		if (sweep(world, s) == 0)
 			return;
 }

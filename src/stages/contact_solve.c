@@ -3,12 +3,15 @@
  * colour through the widest kernel there is.
  *
  * Within a colour no dynamic body appears twice, so its lanes are independent. In static colours lane body
- * b is read and not written. Contacts in the overflow colour are solved one by one.
+ * b is read and not written. So a colour's blocks may be shared among workers; they meet before the next colour. Contacts
+ * in the overflow colour are solved one by one.
  */
 #include "base/cpu.h"
 #include "stages/contact_pass.h"
 
 #include <string.h>
+
+#define BLOCKS_A_RANGE 8 /* about a microsecond, more than the workers of a team take to meet */
 
 const cni_contact_kernel *cni_contact_kernel_choose(void)
 {
@@ -36,11 +39,6 @@ static cni_contact_pass pass_make(const cni_solve *s, int32_t one_sided)
 	return pass;
 }
 
-static uint32_t fresh_of(const cn_world *world, const cni_block_info *info)
-{
-	return info->fresh_step == world->step_count + 1u ? info->fresh : 0;
-}
-
 /* Copies one lane between blocks. */
 static void lane_copy(const cni_contact_block *from, int32_t from_lane, cni_contact_block *to, int32_t to_lane)
 {
@@ -60,50 +58,92 @@ static void extra_lane_copy(const cni_block_extra *from, int32_t from_lane, cni_
 		memcpy((float *)(void *)to + row * CNI_LANES + to_lane, (const float *)(const void *)from + row * CNI_LANES + from_lane, sizeof(float));
 }
 
-static cni_block_extra *extra_of(const cn_world *world, int32_t block)
-{
-	return cni_block_info_at(world, block)->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL;
-}
-
 /* One lane at a time, through the plain kernel. */
 static void overflow_run(cn_world *world, const cni_solve *s, cni_contact_kernel_fn *run)
 {
+	const cni_listed_block *blocks = cni_listed_blocks(world, CNI_COLOR_OVERFLOW);
+	int32_t count = cni_color_blocks(&world->colors[CNI_COLOR_OVERFLOW]), k, l;
 	cni_motion *motions = cni_motions(world);
-	int32_t block, l;
 	cni_contact_block one;
 	cni_block_extra one_extra;
+	if (count == 0)
+		return;
 	memset(&one, 0, sizeof one);
 	memset(&one_extra, 0, sizeof one_extra);
-	for (block = world->colors[CNI_COLOR_OVERFLOW].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
-		cni_contact_block *k = cni_block_at(world, block);
-		cni_block_extra *extra = extra_of(world, block);
-		uint32_t fresh = fresh_of(world, cni_block_info_at(world, block));
-		for (l = 0; l < CNI_LANES && cni_block_info_at(world, block)->contact[l] != CNI_NONE; ++l) {
-			cni_contact_pass pass = pass_make(s, motions[k->ib[l]].inv_mass == 0.0f);
-			lane_copy(k, l, &one, 0);
-			extra_lane_copy(extra, l, &one_extra, 0);
-			run(motions, &one, extra != NULL ? &one_extra : NULL, &pass, fresh >> l & 1u, 1);
-			lane_copy(&one, 0, k, l);
-			extra_lane_copy(extra != NULL ? &one_extra : NULL, 0, extra, l);
+	for (k = 0; k < count; ++k) {
+		const cni_listed_block *b = &blocks[k];
+		for (l = 0; l < b->lanes; ++l) {
+			cni_contact_pass pass = pass_make(s, motions[b->rows->ib[l]].inv_mass == 0.0f);
+			lane_copy(b->rows, l, &one, 0);
+			extra_lane_copy(b->extra, l, &one_extra, 0);
+			run(motions, &one, b->extra != NULL ? &one_extra : NULL, &pass, b->fresh >> l & 1u, 1);
+			lane_copy(&one, 0, b->rows, l);
+			extra_lane_copy(b->extra != NULL ? &one_extra : NULL, 0, b->extra, l);
 		}
+	}
+}
+
+/* A pass over the blocks of one colour: they share no body that they write. */
+typedef struct color_pass {
+	cni_contact_pass pass;
+	cni_contact_kernel_fn *run;
+	cni_motion *motions;
+	const cni_listed_block *blocks;
+} color_pass;
+
+static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const color_pass *c = (const color_pass *)context;
+	int32_t k;
+	(void)worker;
+	for (k = begin; k < end; ++k) {
+		const cni_listed_block *b = &c->blocks[k];
+		c->run(c->motions, b->rows, b->extra, &c->pass, b->fresh, b->lanes);
 	}
 }
 
 static void colors_run(cn_world *world, const cni_solve *s, cni_contact_kernel_fn *run)
 {
-	cni_motion *motions = cni_motions(world);
-	int32_t color, block;
+	color_pass c;
+	int32_t color;
+	c.run = run;
+	c.motions = cni_motions(world);
 	for (color = 0; color < CNI_COLOR_OVERFLOW; ++color) {
-		int32_t lanes = world->colors[color].lanes;
-		cni_contact_pass pass;
-		if (lanes == 0)
+		if (world->colors[color].lanes == 0)
 			continue;
-		pass = pass_make(s, color >= CNI_COLOR_STATIC);
-		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
-			run(motions, cni_block_at(world, block), extra_of(world, block), &pass, fresh_of(world, cni_block_info_at(world, block)), cni_min_i(lanes, CNI_LANES));
-			lanes -= CNI_LANES;
+		c.pass = pass_make(s, color >= CNI_COLOR_STATIC);
+		c.blocks = cni_listed_blocks(world, color);
+		cni_team_for(s->team, cni_color_blocks(&world->colors[color]), BLOCKS_A_RANGE, color_pass_run, &c);
+	}
+}
+
+static cni_listed_block listed_of(const cn_world *world, int32_t block, int32_t lanes)
+{
+	const cni_block_info *info = cni_block_info_at(world, block);
+	cni_listed_block listed;
+	listed.rows = cni_block_at(world, block);
+	listed.extra = info->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL;
+	listed.info = info;
+	listed.fresh = info->fresh_step == world->step_count + 1u ? info->fresh : 0;
+	listed.lanes = cni_min_i(lanes, CNI_LANES);
+	return listed;
+}
+
+int32_t cni_contacts_list(cn_world *world, cni_solve *s)
+{
+	cni_listed_block *list = (cni_listed_block *)world->block_list.data;
+	int32_t color, block, count = 0, lanes = 0, k;
+	for (color = 0; color < CNI_COLORS; ++color) {
+		world->colors[color].listed = count;
+		lanes += world->colors[color].lanes;
+		for (k = world->colors[color].lanes, block = world->colors[color].first; k > 0; k -= CNI_LANES) {
+			list[count] = listed_of(world, block, k);
+			block = list[count].info->next;
+			s->bounces |= (list[count++].info->flags & CNI_BLOCK_RESTITUTION) != 0;
 		}
 	}
+	CNI_ASSERT(count <= world->block_list.capacity);
+	return lanes;
 }
 
 void cni_contacts_warm_start(cn_world *world, const cni_solve *s)

@@ -6,8 +6,12 @@
  *
  * A body rests while it is slow and does not accelerate: at the apex of a throw the last substep's change of
  * velocity is all of what gravity gives, on the ground it is nearly none of it.
+ *
+ * Workers may share all of it but for the boxes: they find which must move, and one moves them in order.
  */
 #include "stages/solver.h"
+
+#define BODIES_A_RANGE 256 /* some ten microseconds: records and shapes are read */
 
 static void limit_speed(cni_motion *m, const cni_settings *set)
 {
@@ -83,26 +87,103 @@ void cni_poses_take(cn_world *world)
 	}
 }
 
+typedef struct pose_loop {
+	cn_world *world;
+	const cni_solve *s;
+	cni_box_move *moves; /* one a body, for those with CNI_DRIVE_LATER */
+	uint32_t rested;
+} pose_loop;
+
+/* Everything of a body but its boxes. Returns 1 when they may have to move. */
+static int32_t body_finalize(cn_world *world, const cni_solve *s, int32_t k, uint32_t *rested)
+{
+	cni_motion *m = cni_motions(world) + k;
+	cni_drive *d = cni_drives(world) + k;
+	cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+	limit_speed(m, &world->settings);
+	b->vx = m->vx;
+	b->vy = m->vy;
+	b->w = m->w;
+	take_pose(b, m);
+	rest_update(world, b, k, s);
+	*rested |= b->sleep_time >= world->settings.sleep_delay && b->sleep_time > 0.0f;
+	d->ax = d->ay = d->alpha = 0.0f;
+	return (b->flags & CNI_BODY_MOVED) != 0;
+}
+
+static cni_vec2 way_ahead(const cn_world *world, const cni_solve *s, int32_t k)
+{
+	const cni_motion *m = cni_motions(world) + k;
+	return cni_v(s->dt * m->vx, s->dt * m->vy);
+}
+
+static void pose_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	pose_loop *loop = (pose_loop *)context;
+	cn_world *world = loop->world;
+	uint32_t rested = 0;
+	int32_t k;
+	(void)worker;
+	for (k = begin + 1; k <= end; ++k) {
+		int32_t left;
+		if (!body_finalize(world, loop->s, k, &rested))
+			continue;
+		left = cni_body_boxes_left(world, cni_body_at(world, cni_awake_ids(world)[k]), way_ahead(world, loop->s, k), &loop->moves[k]);
+		if (left > 0)
+			cni_drives(world)[k].flags |= CNI_DRIVE_LATER;
+		if (left > 1)
+			loop->moves[k].proxy = CNI_NONE;
+	}
+	if (rested)
+		cni_atomic_add(&loop->rested, 1u);
+}
+
+/* The broadphase moves one box at a time, in the order of the bodies. Bodies with several to move look again. */
+static void boxes_move(cn_world *world, const cni_solve *s, const cni_box_move *moves)
+{
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		if (!(cni_drives(world)[k].flags & CNI_DRIVE_LATER))
+			continue;
+		cni_drives(world)[k].flags &= ~(uint32_t)CNI_DRIVE_LATER;
+		cni_body_at(world, cni_awake_ids(world)[k])->flags |= CNI_BODY_BOXED;
+		if (moves[k].proxy != CNI_NONE)
+			world->broadphase_ops->move(world->broadphase, moves[k].proxy, &moves[k].fat);
+		else
+			cni_body_look_ahead(world, cni_body_at(world, cni_awake_ids(world)[k]), way_ahead(world, s, k));
+	}
+}
+
+static uint32_t finalize_shared(cn_world *world, const cni_solve *s, cni_box_move *moves)
+{
+	pose_loop loop;
+	loop.world = world;
+	loop.s = s;
+	loop.moves = moves;
+	loop.rested = 0;
+	cni_parallel_for(world, world->awake_count - 1, BODIES_A_RANGE, pose_range, &loop);
+	boxes_move(world, s, moves);
+	return loop.rested;
+}
+
+static uint32_t finalize_alone(cn_world *world, const cni_solve *s)
+{
+	uint32_t rested = 0;
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k)
+		if (body_finalize(world, s, k, &rested))
+			cni_body_look_ahead(world, cni_body_at(world, cni_awake_ids(world)[k]), way_ahead(world, s, k));
+	return rested;
+}
+
 int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
 {
-	cni_motion *motions = cni_motions(world);
-	cni_drive *drives = cni_drives(world);
-	const int32_t *ids = cni_awake_ids(world);
-	int32_t k, rested = 0;
-	for (k = 1; k < world->awake_count; ++k) {
-		cni_motion *m = &motions[k];
-		cni_body *b = cni_body_at(world, ids[k]);
-		limit_speed(m, &world->settings);
-		b->vx = m->vx;
-		b->vy = m->vy;
-		b->w = m->w;
-		take_pose(b, m);
-		rest_update(world, b, k, s);
-		rested |= b->sleep_time >= world->settings.sleep_delay && b->sleep_time > 0.0f;
-		drives[k].ax = drives[k].ay = drives[k].alpha = 0.0f;
-		if (b->flags & CNI_BODY_MOVED)
-			cni_body_look_ahead(world, b, cni_v(s->dt * m->vx, s->dt * m->vy));
-	}
+	cni_box_move *moves = NULL;
+	uint32_t rested;
+	if (world->team != NULL && world->awake_count > 2 * BODIES_A_RANGE)
+		moves = (cni_box_move *)cni_arena_push(&world->arena, sizeof(cni_box_move) * (uint64_t)world->awake_count);
+	rested = moves != NULL ? finalize_shared(world, s, moves) : finalize_alone(world, s);
+	cni_arena_pop(&world->arena, moves);
 	world->broadphase_ops->settle(world->broadphase);
-	return rested;
+	return rested != 0;
 }

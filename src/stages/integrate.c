@@ -14,6 +14,9 @@
  */
 #include "stages/solver.h"
 
+#define BODIES_A_RANGE 256 /* about a microsecond */
+#define DRIVES_A_RANGE 512 /* about ten: their records are read */
+
 /* Has it a joint that is solved? Filters and joints with a disabled body are not. */
 static int32_t body_is_jointed(const cn_world *world, const cni_body *b)
 {
@@ -89,23 +92,48 @@ static void fly_damped(cni_motion *m, const cni_drive *d, const cni_body *b, con
 	}
 }
 
-void cni_drive_prepare(cn_world *world, const cni_solve *s)
+/* A loop over the awake bodies, each of which is read and written by itself. */
+typedef struct body_loop {
+	cn_world *world;
+	const cni_solve *s;
+	int32_t substep;
+} body_loop;
+
+/* run gets the bodies' dense indices. */
+static void bodies_run(cni_team *team, int32_t min_range, cni_range_fn *run, cn_world *world, const cni_solve *s, int32_t substep)
 {
+	body_loop loop;
+	loop.world = world;
+	loop.s = s;
+	loop.substep = substep;
+	cni_team_for(team, world->awake_count - 1, min_range, run, &loop);
+}
+
+static void drive_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const body_loop *loop = (const body_loop *)context;
+	const cn_world *world = loop->world;
 	cni_motion *motions = cni_motions(world);
 	cni_drive *drives = cni_drives(world);
 	const int32_t *ids = cni_awake_ids(world);
 	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	(void)worker;
+	for (k = begin + 1; k <= end; ++k) {
 		cni_body *b = cni_body_at(world, ids[k]);
 		b->flags &= ~(uint32_t)(CNI_BODY_MOVED | CNI_BODY_BOXED);
 		drives[k] = drive_make(world, b, &motions[k], &drives[k]);
 		if (!(drives[k].flags & CNI_DRIVE_FREE))
 			continue;
 		if (drives[k].flags & CNI_DRIVE_DAMPED)
-			fly_damped(&motions[k], &drives[k], b, s);
+			fly_damped(&motions[k], &drives[k], b, loop->s);
 		else
-			fly(&motions[k], &drives[k], s->dt);
+			fly(&motions[k], &drives[k], loop->s->dt);
 	}
+}
+
+void cni_drive_prepare(cn_world *world, const cni_solve *s)
+{
+	bodies_run(world->team, DRIVES_A_RANGE, drive_range, world, s, 0);
 }
 
 void cni_drive_prepare_bound(cn_world *world)
@@ -133,21 +161,24 @@ static void correct_to_trapezoid(cni_motion *m, const cni_velocity_start *start,
 	m->theta -= 0.5f * h * dw;
 }
 
-void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t substep)
+static void velocity_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
+	const body_loop *loop = (const body_loop *)context;
+	const cn_world *world = loop->world;
 	cni_motion *motions = cni_motions(world);
 	cni_velocity_start *starts = cni_starts(world);
 	const cni_drive *drives = cni_drives(world);
-	float h = s->h;
+	float h = loop->s->h;
 	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	(void)worker;
+	for (k = begin + 1; k <= end; ++k) {
 		cni_motion *m = &motions[k];
 		cni_velocity_start *start = &starts[k];
 		const cni_drive *d = &drives[k];
 		float rx = 0.0f, ry = 0.0f, rw = 0.0f;
 		if (d->flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG))
 			continue;
-		if (substep > 0) {
+		if (loop->substep > 0) {
 			if (!(d->flags & (CNI_DRIVE_JOINTED | CNI_DRIVE_DAMPED)))
 				correct_to_trapezoid(m, start, d, h);
 			rx = m->vx - start->vx;
@@ -171,12 +202,20 @@ void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t subst
 	}
 }
 
-void cni_integrate_positions(cn_world *world, const cni_solve *s)
+void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t substep)
 {
-	cni_motion *motions = cni_motions(world);
-	const cni_drive *drives = cni_drives(world);
+	bodies_run(s->team, BODIES_A_RANGE, velocity_range, world, s, substep);
+}
+
+static void position_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const body_loop *loop = (const body_loop *)context;
+	cni_motion *motions = cni_motions(loop->world);
+	const cni_drive *drives = cni_drives(loop->world);
+	float h = loop->s->h;
 	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	(void)worker;
+	for (k = begin + 1; k <= end; ++k) {
 		cni_motion *m = &motions[k];
 		if (drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG | CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y)) {
 			if (drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG))
@@ -186,23 +225,36 @@ void cni_integrate_positions(cn_world *world, const cni_solve *s)
 			if (drives[k].flags & CNI_DRIVE_LOCK_Y)
 				m->vy = 0.0f;
 		}
-		m->dpx += s->h * m->vx;
-		m->dpy += s->h * m->vy;
-		m->theta += s->h * m->w;
+		m->dpx += h * m->vx;
+		m->dpy += h * m->vy;
+		m->theta += h * m->w;
 	}
 }
 
-void cni_integrate_finish(cn_world *world, const cni_solve *s)
+void cni_integrate_positions(cn_world *world, const cni_solve *s)
 {
-	cni_motion *motions = cni_motions(world);
-	const cni_drive *drives = cni_drives(world);
+	bodies_run(s->team, BODIES_A_RANGE, position_range, world, s, 0);
+}
+
+static void finish_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const body_loop *loop = (const body_loop *)context;
+	cni_motion *motions = cni_motions(loop->world);
+	const cni_velocity_start *starts = cni_starts(loop->world);
+	const cni_drive *drives = cni_drives(loop->world);
 	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
+	(void)worker;
+	for (k = begin + 1; k <= end; ++k) {
 		if (!(drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_JOINTED | CNI_DRIVE_DAMPED)))
-			correct_to_trapezoid(&motions[k], &cni_starts(world)[k], &drives[k], s->h);
+			correct_to_trapezoid(&motions[k], &starts[k], &drives[k], loop->s->h);
 		if (drives[k].flags & CNI_DRIVE_LOCK_X)
 			motions[k].vx = 0.0f;
 		if (drives[k].flags & CNI_DRIVE_LOCK_Y)
 			motions[k].vy = 0.0f;
 	}
+}
+
+void cni_integrate_finish(cn_world *world, const cni_solve *s)
+{
+	bodies_run(s->team, BODIES_A_RANGE, finish_range, world, s, 0);
 }

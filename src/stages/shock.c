@@ -12,15 +12,30 @@
  */
 #include "stages/joint_work.h"
 
-/* Marks the bodies whose velocity jumped; returns how many. start holds v + h a, so the jump is motion.v - start + h a. */
-static int32_t shocks_mark(cn_world *world, const cni_solve *s)
+#define BODIES_A_RANGE 256 /* about a microsecond each */
+#define BLOCKS_A_RANGE 16
+
+typedef struct shock_loop {
+	cn_world *world;
+	const cni_solve *s;
+	const cni_listed_block *blocks; /* of one colour */
+	int32_t one_sided;              /* lane bodies b cannot move, and other lanes have them too: they are not written */
+	uint32_t shocks;
+} shock_loop;
+
+/* Marks the bodies whose velocity jumped and counts them. start holds v + h a, so the jump is motion.v - start + h a. */
+static void mark_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
-	const cni_motion *motions = cni_motions(world);
-	const cni_drive *drives = cni_drives(world);
-	cni_velocity_start *starts = cni_starts(world);
+	shock_loop *loop = (shock_loop *)context;
+	const cni_solve *s = loop->s;
+	const cni_motion *motions = cni_motions(loop->world);
+	const cni_drive *drives = cni_drives(loop->world);
+	cni_velocity_start *starts = cni_starts(loop->world);
 	float most_sq = s->shock_speed * s->shock_speed;
-	int32_t k, shocks = 0;
-	for (k = 1; k < world->awake_count; ++k) {
+	uint32_t shocks = 0;
+	int32_t k;
+	(void)worker;
+	for (k = begin + 1; k <= end; ++k) {
 		float dx = motions[k].vx - starts[k].vx, dy = motions[k].vy - starts[k].vy;
 		float ax = s->h * drives[k].ax, ay = s->h * drives[k].ay;
 		if (!(drives[k].flags & CNI_DRIVE_TOUCHED) || dx * dx + dy * dy <= most_sq + 64.0f * (ax * ax + ay * ay))
@@ -28,7 +43,8 @@ static int32_t shocks_mark(cn_world *world, const cni_solve *s)
 		starts[k].struck = 2.0f;
 		++shocks;
 	}
-	return shocks;
+	if (shocks > 0)
+		cni_atomic_add(&loop->shocks, shocks);
 }
 
 static void response_take_out(cn_world *world, int32_t index, float px, float py, float moment)
@@ -43,12 +59,13 @@ static void response_take_out(cn_world *world, int32_t index, float px, float py
 	start->w += m->inv_inertia * moment;
 }
 
-static void lane_forget(cn_world *world, cni_contact_block *k, int32_t l)
+static void lane_forget(cn_world *world, cni_contact_block *k, int32_t l, int32_t one_sided)
 {
 	float j0 = k->p[0].jn[l], j1 = k->p[1].jn[l], jt = k->jt[l], jn = j0 + j1;
 	float px = jn * k->nx[l] + jt * k->ny[l], py = jn * k->ny[l] - jt * k->nx[l];
 	response_take_out(world, k->ia[l], -px, -py, -(k->p[0].at[l] * j0 + k->p[1].at[l] * j1 - k->fa[l] * jt));
-	response_take_out(world, k->ib[l], px, py, (k->p[0].at[l] - k->dt[l]) * j0 + (k->p[1].at[l] - k->dt[l]) * j1 - k->fb[l] * jt);
+	if (!one_sided)
+		response_take_out(world, k->ib[l], px, py, (k->p[0].at[l] - k->dt[l]) * j0 + (k->p[1].at[l] - k->dt[l]) * j1 - k->fb[l] * jt);
 	k->p[0].jn[l] = k->p[1].jn[l] = k->jt[l] = 0.0f;
 	k->p[0].load[l] = k->p[1].load[l] = 0.0f;
 }
@@ -58,16 +75,27 @@ static int32_t shocked(const cn_world *world, int32_t a, int32_t b)
 	return cni_starts(world)[a].struck == 2.0f || cni_starts(world)[b].struck == 2.0f;
 }
 
-static void contacts_forget(cn_world *world)
+static void forget_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
-	int32_t color, block, l;
-	for (color = 0; color < CNI_COLORS; ++color)
-		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
-			cni_contact_block *k = cni_block_at(world, block);
-			for (l = 0; l < CNI_LANES; ++l)
-				if (shocked(world, k->ia[l], k->ib[l]))
-					lane_forget(world, k, l);
-		}
+	const shock_loop *loop = (const shock_loop *)context;
+	int32_t k, l;
+	(void)worker;
+	for (k = begin; k < end; ++k) {
+		cni_contact_block *rows = loop->blocks[k].rows;
+		for (l = 0; l < loop->blocks[k].lanes; ++l)
+			if (shocked(loop->world, rows->ia[l], rows->ib[l]))
+				lane_forget(loop->world, rows, l, loop->one_sided);
+	}
+}
+
+static void contacts_forget(cn_world *world, shock_loop *loop)
+{
+	int32_t color;
+	for (color = 0; color < CNI_COLORS; ++color) {
+		loop->blocks = cni_listed_blocks(world, color);
+		loop->one_sided = color >= CNI_COLOR_STATIC && color != CNI_COLOR_OVERFLOW;
+		cni_team_for(color == CNI_COLOR_OVERFLOW ? NULL : loop->s->team, cni_color_blocks(&world->colors[color]), BLOCKS_A_RANGE, forget_range, loop);
+	}
 }
 
 /* The part of an impulse that goes the way of the load, and no farther. */
@@ -102,9 +130,14 @@ static void joints_forget(cn_world *world)
 
 void cni_shocks_forget(cn_world *world, const cni_solve *s)
 {
-	if (shocks_mark(world, s) == 0)
+	shock_loop loop;
+	loop.world = world;
+	loop.s = s;
+	loop.shocks = 0;
+	cni_team_for(s->team, world->awake_count - 1, BODIES_A_RANGE, mark_range, &loop);
+	if (loop.shocks == 0)
 		return;
 	cni_energy_hold(world);
-	contacts_forget(world);
+	contacts_forget(world, &loop);
 	joints_forget(world);
 }

@@ -98,6 +98,8 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	s.joint = cni_soft_implicit(0.25f * s.inv_h, 2.0f, s.h);
 	s.kernel = cni_contact_kernel_choose();
 	s.direct = NULL;
+	s.bounces = s.reserved = 0;
+	s.team = NULL;
 	return s;
 }
 

@@ -51,6 +51,9 @@ typedef struct cni_solve {
 	cni_soft joint;
 	const struct cni_contact_kernel *kernel;
 	struct cni_sparse *direct; /* joints that are solved directly, NULL: none */
+	int32_t bounces;           /* some contact has restitution */
+	int32_t reserved;
+	cni_team *team;            /* who share the loops of the substeps, NULL: not worth it */
 } cni_solve;
 
 cni_solve cni_solve_make(const cn_world *world, float dt);
@@ -76,6 +79,9 @@ void cni_drive_prepare_bound(cn_world *world);                         /* drive 
 void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t substep);
 void cni_integrate_positions(cn_world *world, const cni_solve *s);
 void cni_integrate_finish(cn_world *world, const cni_solve *s);
+/* The blocks of all colours, for the passes of this step; after the narrowphase. Sets s->bounces; returns how many
+   lanes they have. */
+int32_t cni_contacts_list(cn_world *world, cni_solve *s);
 void cni_contacts_warm_start(cn_world *world, const cni_solve *s);
 void cni_contacts_solve(cn_world *world, const cni_solve *s);
 void cni_contacts_relax(cn_world *world, const cni_solve *s);

@@ -44,6 +44,7 @@ static void def_check_numbers(cni_call *call, const cn_world_def *d)
 	cni_check_at_least(call, "angular_speed_max_radps", d->angular_speed_max_radps, 0.0f);
 	cni_check_at_least(call, "sleep_speed_mps", d->sleep_speed_mps, 0.0f);
 	cni_check_at_least(call, "sleep_delay_s", d->sleep_delay_s, 0.0f);
+	cni_check_range_int(call, "worker_count", d->worker_count, 0, CN_WORKERS_MAX);
 }
 
 static void def_check_memory(cni_call *call, const cn_world_def *d)
@@ -55,6 +56,8 @@ static void def_check_memory(cni_call *call, const cn_world_def *d)
 	cni_check_range_int(call, "joint_capacity", d->joint_capacity, 0, most);
 	if (call->result == CN_OK && (d->alloc == NULL) != (d->free == NULL))
 		cni_refuse(call, CN_ERROR_ARGUMENT, "alloc and free; must both be set or both be NULL");
+	if (call->result == CN_OK && (d->enqueue == NULL) != (d->finish == NULL))
+		cni_refuse(call, CN_ERROR_ARGUMENT, "enqueue and finish; must both be set or both be NULL");
 	if (call->result == CN_OK && d->memory != NULL && ((uintptr_t)d->memory & (CNI_MEMORY_ALIGN - 1u)) != 0)
 		cni_refuse(call, CN_ERROR_ARGUMENT, "memory; must be aligned to 64 bytes");
 }
@@ -144,6 +147,7 @@ static void tables_init(cn_world *world)
 	cni_array_init(&world->awake_joints, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->direct_islands, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->joint_work, (int32_t)sizeof(cni_joint_work));
+	cni_array_init(&world->block_list, (int32_t)sizeof(cni_listed_block));
 	cni_array_init(&world->sleep_lanes, (int32_t)sizeof(cni_sleep_lane));
 	cni_array_init(&world->pairs.list, (int32_t)sizeof(cni_pair));
 	cni_events_init(&world->events);
@@ -182,6 +186,7 @@ static void tables_deinit(cn_world *world)
 	cni_array_deinit(&world->awake_joints, memory);
 	cni_array_deinit(&world->direct_islands, memory);
 	cni_array_deinit(&world->joint_work, memory);
+	cni_array_deinit(&world->block_list, memory);
 	cni_array_deinit(&world->sleep_lanes, memory);
 	cni_array_deinit(&world->pairs.list, memory);
 	cni_events_deinit(&world->events, memory);
@@ -218,6 +223,14 @@ static cn_result broadphase_create(cn_world *world, int32_t capacity)
 	world->broadphase_ops = broadphase_choice(world->settings.broadphase);
 	world->broadphase = world->broadphase_ops->create(&context, capacity);
 	return world->broadphase != NULL ? CN_OK : CN_ERROR_MEMORY;
+}
+
+static cn_result team_create(cn_world *world, const cn_world_def *d)
+{
+	if (!cni_team_possible(d->worker_count, d->enqueue))
+		return CN_OK;
+	world->team = cni_team_create(&world->memory, d->worker_count, d->enqueue, d->finish, d->task_user);
+	return world->team != NULL ? CN_OK : CN_ERROR_MEMORY;
 }
 
 /* ---- capacities ---- */
@@ -300,6 +313,12 @@ static uint64_t pieces_bytes(const cn_world_def *d)
 	return bytes + bytes / 512u + 8192u; /* chunk ends and the table of chunks */
 }
 
+/* See cni_lane_reserve. */
+static int32_t blocks_for(int32_t contacts)
+{
+	return contacts / CNI_LANES + cni_min_i(contacts, CNI_COLORS);
+}
+
 static uint64_t records_bytes(const cn_world_def *d)
 {
 	static const struct { int32_t item, shift; } sizes[] = {
@@ -308,7 +327,7 @@ static uint64_t records_bytes(const cn_world_def *d)
 		{ (int32_t)sizeof(cni_contact_block), PAGE_BLOCKS }, { (int32_t)sizeof(cni_block_info), PAGE_BLOCKS },
 		{ (int32_t)sizeof(cni_block_extra), PAGE_BLOCKS }, { (int32_t)sizeof(cni_block_anchor), PAGE_BLOCKS }
 	};
-	int32_t blocks = d->contact_capacity / CNI_LANES + cni_min_i(d->contact_capacity, CNI_COLORS);
+	int32_t blocks = blocks_for(d->contact_capacity);
 	int32_t counts[10], k;
 	uint64_t bytes = 0;
 	counts[0] = with_spares(d->body_capacity);
@@ -338,7 +357,7 @@ static uint64_t body_arrays_bytes(int32_t n)
 static uint64_t contact_arrays_bytes(int32_t n)
 {
 	return array_bytes(n, sizeof(int32_t)) + 6u * array_bytes(n, sizeof(cni_event)) + 2u * array_bytes(n, sizeof(cn_sensor_event)) +
-	       array_bytes(n, sizeof(cni_sleep_lane)) + array_bytes(n, sizeof(cni_pair)) +
+	       array_bytes(blocks_for(n), sizeof(cni_listed_block)) + array_bytes(n, sizeof(cni_sleep_lane)) + array_bytes(n, sizeof(cni_pair)) +
 	       2u * array_bytes(n, sizeof(cn_contact_event));
 }
 
@@ -360,6 +379,8 @@ cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes)
 		return call.result;
 	*out_bytes = cni_memory_rounded(sizeof(cn_world)) + records_bytes(def) + arrays_bytes(def) + pieces_bytes(def) +
 	             broadphase_choice(def->broadphase)->bytes_needed(def->shape_capacity) + 4096u;
+	if (cni_team_possible(def->worker_count, def->enqueue))
+		*out_bytes += cni_memory_rounded(cni_team_bytes(def->worker_count));
 	return CN_OK;
 }
 
@@ -402,7 +423,7 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world)
 	tables_init(world);
 	good = dummy_create(world) == CN_OK && broadphase_create(world, def->shape_capacity) == CN_OK &&
 	       reserve_records(world, def) && reserve_contacts(world, def) &&
-	       (def->memory == NULL || reserve_rest(world, def));
+	       (def->memory == NULL || reserve_rest(world, def)) && team_create(world, def) == CN_OK;
 	if (!good) {
 		cn_world_destroy(world);
 		return CN_ERROR_MEMORY;
@@ -416,6 +437,7 @@ void cn_world_destroy(cn_world *world)
 	cni_memory memory;
 	if (world == NULL || world->locked > 0)
 		return;
+	cni_team_destroy(world->team, &world->memory);
 	tables_deinit(world);
 	memory = world->memory;
 	if (!memory.fixed)

@@ -111,6 +111,15 @@ cn_result cn_world_set_flags(cn_world *world, uint32_t flags)
 	return CN_OK;
 }
 
+cn_result cn_world_get_worker_count(const cn_world *world, int32_t *out_count)
+{
+	cni_call call = cni_enter_const(world);
+	cni_check_pointer(&call, "out_count", out_count);
+	if (call.result == CN_OK)
+		*out_count = cni_team_workers(world->team);
+	return call.result;
+}
+
 cn_result cn_world_get_flags(const cn_world *world, uint32_t *out_flags)
 {
 	cni_call call = cni_enter_const(world);

@@ -9,6 +9,9 @@
 
 #include <string.h>
 
+/* Awake bodies and contacts from which on the substeps take so long that waking the workers for them pays. */
+#define SHARED_WORK 1024
+
 /* Adds the time since the last mark to a field of the profile. */
 static void profile_mark(cn_world *world, float *field, uint64_t *mark)
 {
@@ -29,8 +32,15 @@ static void step_begin(cn_world *world)
 	world->events.in_step = 1;
 }
 
-static void substeps_run(cn_world *world, const cni_solve *s)
+typedef struct substeps {
+	cn_world *world;
+	const cni_solve *s;
+} substeps;
+
+static void substeps_lead(void *context)
 {
+	cn_world *world = ((const substeps *)context)->world;
+	const cni_solve *s = ((const substeps *)context)->s;
 	int32_t k;
 	for (k = 0; k < s->substeps; ++k) {
 		cni_integrate_velocities(world, s, k);
@@ -47,6 +57,18 @@ static void substeps_run(cn_world *world, const cni_solve *s)
 		cni_shocks_forget(world, s);
 	}
 	cni_integrate_finish(world, s);
+}
+
+/* The substeps are a loop in a loop in a loop: the workers stay for all of them. */
+static void substeps_run(cn_world *world, cni_solve *s)
+{
+	substeps all;
+	int32_t lanes = cni_contacts_list(world, s);
+	if (lanes + world->awake_count >= SHARED_WORK)
+		s->team = world->team;
+	all.world = world;
+	all.s = s;
+	cni_team_run(s->team, substeps_lead, &all);
 }
 
 static void step_end(cn_world *world, float dt)

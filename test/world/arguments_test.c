@@ -139,6 +139,13 @@ static void bad_world_defs(cn_result (*call)(const cn_world_def *));
 static cn_result call_def_check(const cn_world_def *d) { return cn_world_def_check(d, NULL, 0); }
 static cn_result call_bytes_needed(const cn_world_def *d) { return cn_world_bytes_needed(d, OUT(uint64_t)); }
 static cn_result call_create(const cn_world_def *d) { return cn_world_create(d, OUT(cn_world *)); }
+static void *test_enqueue(cn_task_fn *task, void *context, int32_t item_count, int32_t min_range, void *user)
+{
+	(void)min_range, (void)user;
+	task(0, item_count, context);
+	return NULL;
+}
+static void test_finish(void *task, void *user) { (void)task, (void)user; }
 static void *some_pointer(int offset) { static uint64_t block[64]; return (unsigned char *)block + offset; }
 
 static void bad_world_defs(cn_result (*call)(const cn_world_def *))
@@ -164,6 +171,9 @@ static void bad_world_defs(cn_result (*call)(const cn_world_def *))
 	INTEGER(x, -1, CN_MAX_HANDLES + 1, call(WD(shape_capacity, x)));
 	INTEGER(x, -1, INT32_MAX, call(WD(contact_capacity, x)));
 	INTEGER(x, -1, CN_MAX_HANDLES + 1, call(WD(joint_capacity, x)));
+	INTEGER(x, -1, CN_WORKERS_MAX + 1, call(WD(worker_count, x)));
+	ARG(call(WD(enqueue, test_enqueue)));
+	ARG(call(WD(finish, test_finish)));
 	ARG(call(WD(alloc, test_alloc)));
 	ARG(call(WD(free, test_free)));
 	ARG(call(WD(memory, some_pointer(1))));
@@ -213,6 +223,7 @@ ENTRY(cn_world_get_accuracy, cn_world_get_accuracy(W, OUT(float), INT + 8),
 ENTRY(cn_world_set_flags, cn_world_set_flags(W, CN_WORLD_PROFILE),
 	NOW(cn_world_set_flags(NULL, 0)); FLAGS(x, 4, cn_world_set_flags(W, x));)
 WORLD_GETTER(cn_world_get_flags, uint32_t)
+WORLD_GETTER(cn_world_get_worker_count, int32_t)
 ENTRY(cn_world_set_restitution_threshold, cn_world_set_restitution_threshold(W, 2.0f),
 	NOW(cn_world_set_restitution_threshold(NULL, 2.0f)); NOT_NEGATIVE(x, cn_world_set_restitution_threshold(W, x));)
 ENTRY(cn_world_set_speed_limits, cn_world_set_speed_limits(W, 50.0f, 60.0f),
@@ -844,7 +855,7 @@ static const entry table[] = {
 	E(cn_world_def_init), E(cn_world_def_check), E(cn_world_bytes_needed), E(cn_world_create), E(cn_world_destroy), E(cn_world_step),
 	E(cn_world_error_text), E(cn_world_set_gravity), E(cn_world_get_gravity), E(cn_world_set_substep_count), E(cn_world_get_substep_count),
 	E(cn_world_set_solver), E(cn_world_get_solver), E(cn_world_set_accuracy), E(cn_world_get_accuracy), E(cn_world_get_islands),
-	E(cn_world_set_flags), E(cn_world_get_flags), E(cn_world_set_restitution_threshold), E(cn_world_set_speed_limits), E(cn_world_set_sleep),
+	E(cn_world_set_flags), E(cn_world_get_flags), E(cn_world_get_worker_count), E(cn_world_set_restitution_threshold), E(cn_world_set_speed_limits), E(cn_world_set_sleep),
 	E(cn_world_set_user_data), E(cn_world_get_user_data), E(cn_world_get_bodies), E(cn_world_get_shapes), E(cn_world_get_joints),
 	E(cn_world_get_counters), E(cn_world_get_profile), E(cn_world_get_memory_stats), E(cn_world_hash), E(cn_world_validate),
 	E(cn_body_def_init), E(cn_body_create), E(cn_body_create_many), E(cn_body_destroy), E(cn_body_destroy_many), E(cn_body_is_valid),
