@@ -35,10 +35,28 @@ static int32_t joint_work(int32_t solver)
 	return solver == CN_SOLVER_DIRECT ? JOINT_WORK_DIRECT : JOINT_WORK;
 }
 
+static int32_t presses_of(int32_t solver, int32_t contacts)
+{
+	return solver == CN_SOLVER_DIRECT ? contacts : cni_min_i(contacts, CNI_PRESS_MOST);
+}
+
+static int64_t work_of(int32_t solver, int32_t joints, int32_t presses)
+{
+	return (int64_t)joints * joint_work(solver) + (int64_t)presses * press_work(solver);
+}
+
+uint64_t cni_direct_kept_bytes(int32_t solver, int32_t joints, int32_t contacts)
+{
+	int32_t presses = presses_of(solver, contacts);
+	if (joints + presses == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
+		return 0;
+	return cni_sparse_kept_bytes(joints + presses, work_of(solver, joints, presses)) + CNI_KEPT_BYTES;
+}
+
 uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies)
 {
-	int32_t presses = solver == CN_SOLVER_DIRECT ? contacts : cni_min_i(contacts, CNI_PRESS_MOST), links = joints + presses;
-	int64_t work = (int64_t)joints * joint_work(solver) + (int64_t)presses * press_work(solver);
+	int32_t presses = presses_of(solver, contacts), links = joints + presses;
+	int64_t work = work_of(solver, joints, presses);
 	uint64_t joint = 1 + sizeof(float) * CNI_NODE_ROWS, link = sizeof(cni_link) + 2 * sizeof(cni_motion) + 1;
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
@@ -218,9 +236,12 @@ static int32_t presses_most(const cn_world *world)
 	return all ? world->touching_count : cni_min_i(world->touching_count, CNI_PRESS_MOST);
 }
 
-static int32_t links_plan(cn_world *world, const cni_link *links, int32_t count, cni_sparse *out, uint8_t *planned)
+/* again: without what was refused. A world in a caller's block has set aside room for one kept plan. */
+static int32_t links_plan(cn_world *world, const cni_link *links, int32_t count, int32_t again, cni_sparse *out, uint8_t *planned)
 {
-	return cni_sparse_plan(&world->arena, links, count, cni_motions(world), world->awake_count, budget_of(world), out, planned);
+	cni_array *kept = &world->direct_plans[again && !world->memory.fixed];
+	cni_system system = { links, count, world->awake_count, cni_motions(world), budget_of(world), world->settings.solver == CN_SOLVER_AUTO, 0 };
+	return cni_sparse_plan(&world->arena, kept, &system, out, planned);
 }
 
 /* Nets that were not planned for their work, and have new joints: they begin to bear in this step, and are best solved
@@ -262,14 +283,14 @@ static int32_t plan(cn_world *world, cni_sparse *out)
 	count += press_links_collect(world, out, links + count);
 	if (count == 0)
 		return 1;
-	if (!links_plan(world, links, count, out, planned))
+	if (!links_plan(world, links, count, 0, out, planned))
 		return 0;
 	if (islands_refuse(world, links, count, planned) > 0 || nets_take(world, links, count, planned) > 0) {
 		cni_sparse_discard(&world->arena, out);
 		count = links_keep(world, links, count);
 		if (count == 0)
 			return 1;
-		if (!links_plan(world, links, count, out, planned))
+		if (!links_plan(world, links, count, 1, out, planned))
 			return 0;
 		(void)islands_refuse(world, links, count, planned); /* joints that are alone now may have spent the budget before them */
 	}

@@ -461,7 +461,7 @@ static void t_without_memory_it_is_soft(void)
 	def.flags &= ~(uint32_t)CN_WORLD_SLEEP;
 	def.solver = CN_SOLVER_SOFT;
 	def.body_capacity = def.shape_capacity = 128;
-	def.contact_capacity = 512;
+	def.contact_capacity = 128;
 	must(cn_world_bytes_needed(&def, &bytes), NULL, "cn_world_bytes_needed");
 	raw = malloc((size_t)bytes + 64);
 	REQUIRE(raw != NULL);
