@@ -457,36 +457,55 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	world->direct_work = work_planned(world, out);
 }
 
-void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+/* Both bodies are read once and written once: a node's two bodies are never the same. */
+CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t width)
 {
 	cni_motion *motions = cni_motions(world);
+	cni_joint_work *works = cni_joint_works(world);
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
-		cni_row *rows;
+		cni_motion a = motions[n->ia], b = motions[n->ib];
 		if (n->owner < 0)
 			continue;
-		rows = cni_joint_works(world)[n->owner].rows;
 		for (i = 0; i < n->rows; ++i)
-			rows[i].impulse += n->x[i];
-		for (i = 0; i < CNI_NODE_ROWS; ++i)
-			cni_lever_push(&n->lever[i], n->x[i], motions + n->ia, motions + n->ib);
+			works[n->owner].rows[i].impulse += n->x[i];
+		for (i = 0; i < width; ++i)
+			cni_lever_push(&n->lever[i], n->x[i], &a, &b);
+		motions[n->ia] = a;
+		motions[n->ib] = b;
+	}
+}
+
+void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	if (c->width == 2)
+		nodes_push(world, sparse, c, 2);
+	else
+		nodes_push(world, sparse, c, CNI_NODE_ROWS);
+}
+
+CNI_INLINE void speeds_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push, int32_t width)
+{
+	const cni_motion *motions = cni_motions(world);
+	const cni_joint_work *works = cni_joint_works(world);
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		const cni_motion *a = motions + n->ia, *b = motions + n->ib;
+		if (n->owner < 0)
+			continue;
+		for (i = 0; i < width; ++i)
+			n->x[i] = -cni_lever_speed(&n->lever[i], a, b) - (i < n->rows ? cni_clamp(rate * works[n->owner].rows[i].error, -push, push) : 0.0f);
 	}
 }
 
 static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push)
 {
-	const cni_motion *motions = cni_motions(world);
-	int32_t k, i;
-	for (k = c->begin; k < c->end; ++k) {
-		cni_node *n = &sparse->nodes[k];
-		const cni_row *rows;
-		if (n->owner < 0)
-			continue;
-		rows = cni_joint_works(world)[n->owner].rows;
-		for (i = 0; i < CNI_NODE_ROWS; ++i)
-			n->x[i] = -cni_lever_speed(&n->lever[i], motions + n->ia, motions + n->ib) - (i < n->rows ? cni_clamp(rate * rows[i].error, -push, push) : 0.0f);
-	}
+	if (c->width == 2)
+		speeds_read(world, sparse, c, rate, push, 2);
+	else
+		speeds_read(world, sparse, c, rate, push, CNI_NODE_ROWS);
 }
 
 /* No consistent set of contacts: they are the soft solver's until the step ends, the joints go on alone. */
