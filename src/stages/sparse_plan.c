@@ -2,8 +2,9 @@
  * stages/sparse_plan.c - which nodes belong together, in what order they are eliminated, which blocks that makes.
  *
  * One component at a time, breadth first from its first node. A tree needs no search: its nodes are eliminated in the
- * opposite order, in which what is left at a node's body is a clique already, so that nothing fills in. Others are
- * ordered by stages/sparse_order.c. When all orders are known so are all sizes, and the plan is written.
+ * opposite order, in which what is left at a node's body is a clique already, so that nothing fills in (a chain as well
+ * from its first node on). Others are ordered by stages/sparse_order.c. When all orders are known so are all sizes, and the
+ * plan is written.
  *
  * A plan depends on the links, on which bodies can move and on the budget, and on nothing else. It is kept with these;
  * while they are the same it is used again as it is.
@@ -237,14 +238,25 @@ static int32_t component_is_tree(const cni_planner *p)
 	return ends == p->member_count + p->body_count - 1;
 }
 
+/* Of a tree: no more than two nodes at a body, and the first node is an end of the row. */
+static int32_t is_chain_from_its_end(const cni_planner *p)
+{
+	int32_t side, meets = 0;
+	for (side = 0; side < 2; ++side) {
+		int32_t body = cni_planner_body(p, p->member[0], side);
+		meets += body != 0 && cni_planner_next(p, p->body_head[body]) != CNI_NONE;
+	}
+	return p->hub <= 2 && meets < 2;
+}
+
 static int32_t tree_order(cni_planner *p, int64_t most)
 {
-	int32_t k, base = p->out->node_count;
+	int32_t k, base = p->out->node_count, forward = is_chain_from_its_end(p);
 	if (p->tree_work > most)
 		return 0;
 	p->work = (int32_t)p->tree_work;
 	for (k = 0; k < p->member_count; ++k) {
-		int32_t node = p->member[p->member_count - 1 - k];
+		int32_t node = p->member[forward ? k : p->member_count - 1 - k];
 		p->order[base + k] = node;
 		p->position[node] = base + k;
 	}
