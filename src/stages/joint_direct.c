@@ -35,10 +35,28 @@ static int32_t joint_work(int32_t solver)
 	return solver == CN_SOLVER_DIRECT ? JOINT_WORK_DIRECT : JOINT_WORK;
 }
 
+static int32_t presses_of(int32_t solver, int32_t contacts)
+{
+	return solver == CN_SOLVER_DIRECT ? contacts : cni_min_i(contacts, CNI_PRESS_MOST);
+}
+
+static int64_t work_of(int32_t solver, int32_t joints, int32_t presses)
+{
+	return (int64_t)joints * joint_work(solver) + (int64_t)presses * press_work(solver);
+}
+
+uint64_t cni_direct_kept_bytes(int32_t solver, int32_t joints, int32_t contacts)
+{
+	int32_t presses = presses_of(solver, contacts);
+	if (joints + presses == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
+		return 0;
+	return cni_sparse_kept_bytes(joints + presses, work_of(solver, joints, presses)) + CNI_KEPT_BYTES;
+}
+
 uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies)
 {
-	int32_t presses = solver == CN_SOLVER_DIRECT ? contacts : cni_min_i(contacts, CNI_PRESS_MOST), links = joints + presses;
-	int64_t work = (int64_t)joints * joint_work(solver) + (int64_t)presses * press_work(solver);
+	int32_t presses = presses_of(solver, contacts), links = joints + presses;
+	int64_t work = work_of(solver, joints, presses);
 	uint64_t joint = 1 + sizeof(float) * CNI_NODE_ROWS, link = sizeof(cni_link) + 2 * sizeof(cni_motion) + 1;
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
@@ -218,9 +236,12 @@ static int32_t presses_most(const cn_world *world)
 	return all ? world->touching_count : cni_min_i(world->touching_count, CNI_PRESS_MOST);
 }
 
-static int32_t links_plan(cn_world *world, const cni_link *links, int32_t count, cni_sparse *out, uint8_t *planned)
+/* again: without what was refused. A world in a caller's block has set aside room for one kept plan. */
+static int32_t links_plan(cn_world *world, const cni_link *links, int32_t count, int32_t again, cni_sparse *out, uint8_t *planned)
 {
-	return cni_sparse_plan(&world->arena, links, count, cni_motions(world), world->awake_count, budget_of(world), out, planned);
+	cni_array *kept = &world->direct_plans[again && !world->memory.fixed];
+	cni_system system = { links, count, world->awake_count, cni_motions(world), budget_of(world), world->settings.solver == CN_SOLVER_AUTO, 0 };
+	return cni_sparse_plan(&world->arena, kept, &system, out, planned);
 }
 
 /* Nets that were not planned for their work, and have new joints: they begin to bear in this step, and are best solved
@@ -262,14 +283,14 @@ static int32_t plan(cn_world *world, cni_sparse *out)
 	count += press_links_collect(world, out, links + count);
 	if (count == 0)
 		return 1;
-	if (!links_plan(world, links, count, out, planned))
+	if (!links_plan(world, links, count, 0, out, planned))
 		return 0;
 	if (islands_refuse(world, links, count, planned) > 0 || nets_take(world, links, count, planned) > 0) {
 		cni_sparse_discard(&world->arena, out);
 		count = links_keep(world, links, count);
 		if (count == 0)
 			return 1;
-		if (!links_plan(world, links, count, out, planned))
+		if (!links_plan(world, links, count, 1, out, planned))
 			return 0;
 		(void)islands_refuse(world, links, count, planned); /* joints that are alone now may have spent the budget before them */
 	}
@@ -436,36 +457,55 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	world->direct_work = work_planned(world, out);
 }
 
-void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+/* Both bodies are read once and written once: a node's two bodies are never the same. */
+CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t width)
 {
 	cni_motion *motions = cni_motions(world);
+	cni_joint_work *works = cni_joint_works(world);
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
-		cni_row *rows;
+		cni_motion a = motions[n->ia], b = motions[n->ib];
 		if (n->owner < 0)
 			continue;
-		rows = cni_joint_works(world)[n->owner].rows;
 		for (i = 0; i < n->rows; ++i)
-			rows[i].impulse += n->x[i];
-		for (i = 0; i < CNI_NODE_ROWS; ++i)
-			cni_lever_push(&n->lever[i], n->x[i], motions + n->ia, motions + n->ib);
+			works[n->owner].rows[i].impulse += n->x[i];
+		for (i = 0; i < width; ++i)
+			cni_lever_push(&n->lever[i], n->x[i], &a, &b);
+		motions[n->ia] = a;
+		motions[n->ib] = b;
+	}
+}
+
+void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	if (c->width == 2)
+		nodes_push(world, sparse, c, 2);
+	else
+		nodes_push(world, sparse, c, CNI_NODE_ROWS);
+}
+
+CNI_INLINE void speeds_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push, int32_t width)
+{
+	const cni_motion *motions = cni_motions(world);
+	const cni_joint_work *works = cni_joint_works(world);
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		const cni_motion *a = motions + n->ia, *b = motions + n->ib;
+		if (n->owner < 0)
+			continue;
+		for (i = 0; i < width; ++i)
+			n->x[i] = -cni_lever_speed(&n->lever[i], a, b) - (i < n->rows ? cni_clamp(rate * works[n->owner].rows[i].error, -push, push) : 0.0f);
 	}
 }
 
 static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push)
 {
-	const cni_motion *motions = cni_motions(world);
-	int32_t k, i;
-	for (k = c->begin; k < c->end; ++k) {
-		cni_node *n = &sparse->nodes[k];
-		const cni_row *rows;
-		if (n->owner < 0)
-			continue;
-		rows = cni_joint_works(world)[n->owner].rows;
-		for (i = 0; i < CNI_NODE_ROWS; ++i)
-			n->x[i] = -cni_lever_speed(&n->lever[i], motions + n->ia, motions + n->ib) - (i < n->rows ? cni_clamp(rate * rows[i].error, -push, push) : 0.0f);
-	}
+	if (c->width == 2)
+		speeds_read(world, sparse, c, rate, push, 2);
+	else
+		speeds_read(world, sparse, c, rate, push, CNI_NODE_ROWS);
 }
 
 /* No consistent set of contacts: they are the soft solver's until the step ends, the joints go on alone. */

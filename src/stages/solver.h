@@ -109,6 +109,8 @@ void cni_island_joints_part(cn_world *world, int32_t island);
 void cni_island_once(cn_world *world, int32_t island, int32_t steps);
 /* Scratch that directly solving so many joints and contacts may take. */
 uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies);
+/* ... and what of it is kept from step to step. */
+uint64_t cni_direct_kept_bytes(int32_t solver, int32_t joints, int32_t contacts);
 /* Plans which joints and contacts are solved directly into out, and sets s->direct to it. */
 void cni_direct_prepare(cn_world *world, cni_solve *s, struct cni_sparse *out);
 /* One pass over them: with errors' bias (1), or rigid at the new positions (0). */

@@ -14,7 +14,7 @@
  *   pivot     inverse of the node's own block after elimination
  *
  * A row that acts on nothing, or that only repeats what others say (a pivot that cancels), gets no impulse.
- * All arrays are scratch of one step and come from the frame arena.
+ * What may change in a step is scratch from the frame arena. The plan itself is kept for the steps after.
  */
 #ifndef CNI_STAGES_SPARSE_H
 #define CNI_STAGES_SPARSE_H
@@ -22,6 +22,7 @@
 #include "model/world.h"
 
 #define CNI_NODE_ROWS 3
+#define CNI_KEPT_BYTES 64
 
 /* One row of J: speed = a . (va, wa) + b . (vb, wb). */
 typedef struct cni_lever {
@@ -65,6 +66,7 @@ typedef struct cni_component {
 	int32_t body_begin, body_end;  /* in bodies */
 	int32_t work;                  /* blocks formed or multiplied in one factorization */
 	int32_t loops;                 /* 1: more nodes than a tree has */
+	int32_t tree;                  /* 1: its nodes are one: no two ways from one to another */
 	int32_t width;                 /* 2 or 3: rows that its nodes are solved with */
 	float regular;                 /* added to the diagonal, as a part of it */
 	int32_t swings;                /* of stages/joint_swing.c */
@@ -90,6 +92,7 @@ typedef struct cni_sparse {
 	int32_t component_count;
 	int32_t *bodies;              /* dense indices, by component */
 	int32_t body_count;
+	int32_t arena_entries;        /* before it was planned */
 	struct cni_press *presses;    /* contacts: nodes whose owner is -1 - press */
 	int32_t press_count;
 	cni_motion *saved;            /* by place in bodies */
@@ -97,15 +100,28 @@ typedef struct cni_sparse {
 	cni_rot *turn;                /* by dense body: rotation since the step began */
 } cni_sparse;
 
-/* Which of count links make components within the limit of each, and together within the budget, their order and their blocks. out_planned[i] (count bytes)
-   says whether link i became a node. Bodies that cannot move do not connect. What it pushed
-   to the arena stays there until the end of the step. out is zero but for presses. 0: not enough scratch memory, nothing planned. */
-int32_t cni_sparse_plan(cni_arena *arena, const cni_link *links, int32_t count, const cni_motion *motions, int32_t motion_count,
-                        int64_t budget, cni_sparse *out, uint8_t *out_planned);
+/* What is to be planned. */
+typedef struct cni_system {
+	const cni_link *links;
+	int32_t link_count;
+	int32_t motion_count;
+	const cni_motion *motions;
+	int64_t budget;              /* most work of all components together */
+	int32_t dear_is_rare;        /* 1: a plan with a dear component is for one step: the arena is not to grow for it */
+	int32_t reserved;
+} cni_system;
+
+/* Which of the links make components within the limit of each, and together within the budget, their order and their
+   blocks. out_planned[i] says whether link i became a node. Bodies that cannot move do not connect.
+   kept (NULL: nothing is) holds the plan of the call before, of items of CNI_KEPT_BYTES; where links, moving bodies and
+   budget are those of that call it is used again, else replaced; out points into it. What was pushed to the arena stays there until
+   the end of the step. out is zero but for presses. 0: not enough memory, nothing planned. */
+int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *system, cni_sparse *out, uint8_t *out_planned);
 /* Takes a plan back: its memory must be the latest of the arena. */
 void cni_sparse_discard(cni_arena *arena, cni_sparse *sparse);
-/* Scratch that planning `count` links may take whose work_most add up to this. */
+/* Scratch, and what is kept, of planning `count` links whose work_most add up to this, at most. */
 uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most);
+uint64_t cni_sparse_kept_bytes(int32_t count, int64_t work_most);
 /* From the levers of the component's nodes to its pivots and blocks. */
 void cni_sparse_factor(cni_sparse *sparse, const cni_component *c, const cni_motion *motions);
 /* The nodes' x from right hand sides to solutions. 0: some of it is not finite, for masses or arms that floats cannot

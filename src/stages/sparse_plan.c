@@ -1,43 +1,26 @@
 /*
  * stages/sparse_plan.c - which nodes belong together, in what order they are eliminated, which blocks that makes.
  *
- * One component at a time: its nodes' neighbours are collected by body, then the node of least degree is
- * eliminated again and again; its neighbours become neighbours of one another (George and Liu, "Computer Solution
- * of Large Sparse Positive Definite Systems", 1981). The lists of eliminated nodes are the columns of L. A
- * component whose work passes the limit is given up as soon as that shows. Ties go to the node that
- * reached its degree last, so the plan depends on the nodes and their order alone.
+ * One component at a time, breadth first from its first node. A tree needs no search: its nodes are eliminated in the
+ * opposite order, in which what is left at a node's body is a clique already, so that nothing fills in (a chain as well
+ * from its first node on). Others are ordered by stages/sparse_order.c. When all orders are known so are all sizes, and the
+ * plan is written.
  *
- * Scratch: one entry of the arena, cut into arrays; the adjacency lists grow in a pool at its end.
+ * A plan depends on the links, on which bodies can move and on the budget, and on nothing else. It is kept with these;
+ * while they are the same it is used again as it is.
+ *
+ *   kept   [ head | links | ends that move | planned | order | first | bodies | below | couplings | components ]
+ *
+ * Scratch: one entry of the arena, cut into arrays, and the pool of the order.
  */
-#include "stages/sparse.h"
+#include "stages/sparse_planner.h"
 
 #include <string.h>
 
-typedef struct planner {
-	const cni_link *links;
-	const cni_motion *motions;
-	int32_t count;
-	int32_t body_count;
-	int64_t work_most, budget;
-	cni_sparse *out;
-	uint8_t *planned;
-	int32_t *body_head;          /* by body: key of a node = node << 1 | side */
-	int32_t *node_next[2];
-	int32_t *member;             /* nodes of the component, in order of discovery */
-	int32_t *seen;
-	int32_t *list, *list_count, *list_capacity; /* by node: its neighbours in the pool */
-	int32_t *mark;
-	int32_t *degree_head, *degree_next, *degree_prev;
-	int32_t *order, *position;
-	int32_t *pool;
-	int32_t pool_used, pool_capacity;
-	int32_t below_capacity, coupling_capacity;
-	int32_t member_count, work, turn;
-} planner;
-
 /* ---- memory ---- */
 
-enum { POOL_EACH = 12, PLAN_ARRAYS = 16, HUB_MOST = 64, COUPLINGS_EACH = 32 };
+enum { POOL_EACH = 12, COUPLINGS_EACH = 32, NODE_INTS = 12 };
+#define KEPT_SPARE 4 /* times what is needed: more is given back */
 
 /* A limit on the work is one on the blocks as well; beyond a thousand a node it bounds work alone. */
 static int64_t work_held(int32_t count, int64_t work_most)
@@ -46,19 +29,19 @@ static int64_t work_held(int32_t count, int64_t work_most)
 	return work_most < held ? work_most : held;
 }
 
-static int32_t pool_capacity_of(int32_t count, int64_t work_most)
+static int64_t pool_most(int32_t count, int64_t work_most)
 {
-	return count * POOL_EACH + (int32_t)work_held(count, work_most) + 64;
+	return (int64_t)count * POOL_EACH + work_held(count, work_most) + 4096;
 }
 
-static int32_t below_capacity_of(int32_t count, int64_t work_most)
+static int32_t below_most(int32_t count, int64_t work_most)
 {
 	return count * 2 + (int32_t)(work_held(count, work_most) / 3) + 16;
 }
 
-static int32_t coupling_capacity_of(int32_t count, int64_t work_most)
+static int32_t couplings_most(int32_t count, int64_t work_most)
 {
-	return cni_min_i(below_capacity_of(count, work_most), count * COUPLINGS_EACH);
+	return cni_min_i(below_most(count, work_most), count * COUPLINGS_EACH);
 }
 
 static uint64_t rounded(uint64_t bytes)
@@ -66,16 +49,10 @@ static uint64_t rounded(uint64_t bytes)
 	return (bytes + 15) & ~(uint64_t)15;
 }
 
-static uint64_t scratch_bytes(int32_t count, int32_t body_count, int64_t work_most)
+static uint64_t scratch_bytes(int32_t count, int32_t body_count)
 {
-	return rounded(4u * (uint64_t)count) * PLAN_ARRAYS + rounded(4u * (uint64_t)body_count) + rounded(4u * (uint64_t)pool_capacity_of(count, work_most));
-}
-
-static uint64_t kept_bytes(int32_t count, int64_t work_most)
-{
-	uint64_t n = (uint64_t)count;
-	return rounded(n * sizeof(cni_node)) + rounded(n * sizeof(cni_component)) + rounded(4u * (n + 1)) + rounded(8u * n) +
-	       rounded(4u * (uint64_t)below_capacity_of(count, work_most)) + rounded(sizeof(cni_coupling) * (uint64_t)coupling_capacity_of(count, work_most));
+	uint64_t n = (uint64_t)count, bodies = (uint64_t)body_count;
+	return rounded(4u * n) * NODE_INTS + rounded(sizeof(int32_t *) * n) + rounded(n) + rounded(n * sizeof(cni_component)) + rounded(4u * bodies) + rounded(bodies);
 }
 
 static uint64_t block_bytes(int32_t count)
@@ -83,10 +60,52 @@ static uint64_t block_bytes(int32_t count)
 	return sizeof(float) * CNI_NODE_ROWS * CNI_NODE_ROWS * (uint64_t)count;
 }
 
+static uint64_t node_bytes(int32_t nodes, int32_t components)
+{
+	return rounded((uint64_t)nodes * sizeof(cni_node)) + (uint64_t)components * sizeof(cni_component);
+}
+
+/* What a plan was made of and how large it is. */
+typedef struct kept_head {
+	int64_t budget;
+	int32_t link_count, node_count, block_count, coupling_count, component_count, body_count;
+} kept_head;
+
+/* The arrays of a kept plan. */
+typedef struct kept_plan {
+	kept_head *head;
+	cni_link *links;
+	uint8_t *moving;             /* bits: which of a link's bodies can move */
+	uint8_t *planned;
+	int32_t *order;
+	int32_t *first;
+	int32_t *bodies;
+	int32_t *below;
+	cni_coupling *couplings;
+	cni_component *components;
+} kept_plan;
+
+static uint64_t kept_bytes(const kept_head *h)
+{
+	uint64_t n = (uint64_t)h->link_count;
+	return rounded(sizeof *h) + rounded(n * sizeof(cni_link)) + 2 * rounded(n) + rounded(4u * (uint64_t)h->node_count) +
+	       rounded(4u * ((uint64_t)h->node_count + 1)) + rounded(4u * (uint64_t)h->body_count) + rounded(4u * (uint64_t)h->block_count) +
+	       rounded(sizeof(cni_coupling) * (uint64_t)h->coupling_count) + rounded(sizeof(cni_component) * (uint64_t)h->component_count);
+}
+
+uint64_t cni_sparse_kept_bytes(int32_t count, int64_t work_most)
+{
+	kept_head h = { 0, 0, 0, 0, 0, 0, 0 };
+	h.link_count = h.node_count = h.component_count = count;
+	h.body_count = 2 * count;
+	h.block_count = below_most(count, work_most);
+	h.coupling_count = couplings_most(count, work_most);
+	return kept_bytes(&h);
+}
+
 uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most)
 {
-	return scratch_bytes(count, body_count, work_most) + kept_bytes(count, work_most) +
-	       block_bytes(count + below_capacity_of(count, work_most)) + 256;
+	return scratch_bytes(count, body_count) + 4u * (uint64_t)pool_most(count, work_most) + node_bytes(count, count) + block_bytes(count + below_most(count, work_most)) + 1024;
 }
 
 /* Takes bytes from the front of a piece of memory. */
@@ -102,15 +121,33 @@ static int32_t *cut_ints(uint8_t **at, int32_t count)
 	return (int32_t *)cut(at, 4u * (uint64_t)count);
 }
 
-static void planner_cut(planner *p, uint8_t *at)
+/* The head is there already. */
+static kept_plan kept_cut(uint8_t *at)
 {
-	int32_t n = p->count;
-	p->body_head = cut_ints(&at, p->body_count);
+	kept_plan k;
+	kept_head *h = (kept_head *)cut(&at, sizeof *h);
+	k.head = h;
+	k.links = (cni_link *)cut(&at, sizeof(cni_link) * (uint64_t)h->link_count);
+	k.moving = (uint8_t *)cut(&at, (uint64_t)h->link_count);
+	k.planned = (uint8_t *)cut(&at, (uint64_t)h->link_count);
+	k.order = cut_ints(&at, h->node_count);
+	k.first = cut_ints(&at, h->node_count + 1);
+	k.bodies = cut_ints(&at, h->body_count);
+	k.below = cut_ints(&at, h->block_count);
+	k.couplings = (cni_coupling *)cut(&at, sizeof(cni_coupling) * (uint64_t)h->coupling_count);
+	k.components = (cni_component *)cut(&at, sizeof(cni_component) * (uint64_t)h->component_count);
+	return k;
+}
+
+static void planner_cut(cni_planner *p, uint8_t *at)
+{
+	int32_t n = p->system->link_count;
+	p->list = (int32_t **)cut(&at, sizeof(int32_t *) * (uint64_t)n);
+	p->out->components = (cni_component *)cut(&at, sizeof(cni_component) * (uint64_t)n);
+	p->body_head = cut_ints(&at, p->system->motion_count);
 	p->node_next[0] = cut_ints(&at, n);
 	p->node_next[1] = cut_ints(&at, n);
 	p->member = cut_ints(&at, n);
-	p->seen = cut_ints(&at, n);
-	p->list = cut_ints(&at, n);
 	p->list_count = cut_ints(&at, n);
 	p->list_capacity = cut_ints(&at, n);
 	p->mark = cut_ints(&at, n);
@@ -119,41 +156,28 @@ static void planner_cut(planner *p, uint8_t *at)
 	p->degree_prev = cut_ints(&at, n);
 	p->order = cut_ints(&at, n);
 	p->position = cut_ints(&at, n);
-	p->pool_capacity = pool_capacity_of(n, p->work_most);
-	p->pool = cut_ints(&at, p->pool_capacity);
+	p->seen = (uint8_t *)cut(&at, (uint64_t)n);
+	p->body_reached = (uint8_t *)cut(&at, (uint64_t)p->system->motion_count);
 }
 
-static void kept_cut(planner *p, uint8_t *at)
+static void arena_pop_to(cni_arena *arena, int32_t entries)
 {
-	int32_t n = p->count;
-	cni_sparse *s = p->out;
-	p->below_capacity = below_capacity_of(n, p->work_most);
-	p->coupling_capacity = coupling_capacity_of(n, p->work_most);
-	s->nodes = (cni_node *)cut(&at, (uint64_t)n * sizeof(cni_node));
-	s->components = (cni_component *)cut(&at, (uint64_t)n * sizeof(cni_component));
-	s->first = cut_ints(&at, n + 1);
-	s->bodies = cut_ints(&at, 2 * n);
-	s->below = cut_ints(&at, p->below_capacity);
-	s->couplings = (cni_coupling *)cut(&at, sizeof(cni_coupling) * (uint64_t)p->coupling_capacity);
+	while (arena->entry_count > entries)
+		(void)cni_arena_pop(arena, arena->entries[arena->entry_count - 1].pointer);
 }
 
 /* ---- components ---- */
 
-/* 0: a body that cannot move, by which nodes do not meet. */
-static int32_t node_body(const planner *p, int32_t node, int32_t side)
-{
-	int32_t body = side ? p->links[node].ib : p->links[node].ia;
-	return p->motions[body].inv_mass == 0.0f && p->motions[body].inv_inertia == 0.0f ? 0 : body;
-}
-
 /* Lists of the nodes at each body. */
-static void bodies_collect(planner *p)
+static void bodies_collect(cni_planner *p)
 {
 	int32_t i, side;
-	memset(p->body_head, 0xff, sizeof(int32_t) * (size_t)p->body_count);
-	for (i = p->count - 1; i >= 0; --i)
+	memset(p->body_head, 0xff, sizeof(int32_t) * (size_t)p->system->motion_count);
+	memset(p->body_reached, 0, (size_t)p->system->motion_count);
+	memset(p->seen, 0, (size_t)p->system->link_count);
+	for (i = p->system->link_count - 1; i >= 0; --i)
 		for (side = 1; side >= 0; --side) {
-			int32_t body = node_body(p, i, side);
+			int32_t body = cni_planner_body(p, i, side);
 			if (body == 0)
 				continue;
 			p->node_next[side][i] = p->body_head[body];
@@ -161,184 +185,142 @@ static void bodies_collect(planner *p)
 		}
 }
 
-static int32_t key_next(const planner *p, int32_t key)
+/* All nodes at a body that was not reached before. In a tree the k-th of them has k neighbours that are eliminated after
+   it: 1 + k + k (k + 1) / 2 blocks of work. */
+static void body_reach(cni_planner *p, int32_t body)
 {
-	return p->node_next[key & 1][key >> 1];
+	int32_t key, count = 0;
+	for (key = p->body_head[body]; key != CNI_NONE; key = cni_planner_next(p, key), ++count)
+		if (!p->seen[key >> 1]) {
+			p->seen[key >> 1] = 1;
+			p->member[p->member_count++] = key >> 1;
+		}
+	p->body_reached[body] = 1;
+	++p->body_count;
+	p->hub = cni_max_i(p->hub, count);
+	p->pairs += count * (count - 1) / 2;
+	p->tree_work += (int64_t)count * (count - 1) / 2 + (int64_t)(count - 1) * count * (count + 1) / 6;
 }
 
 /* The nodes that hang together with `start`, breadth first. */
-static void component_collect(planner *p, int32_t start)
+static void component_collect(cni_planner *p, int32_t start)
 {
-	int32_t at, side, key;
-	p->member_count = 0;
+	int32_t at, side;
+	p->member_count = p->body_count = p->pairs = p->hub = 0;
+	p->tree_work = 0;
 	p->member[p->member_count++] = start;
 	p->seen[start] = 1;
 	for (at = 0; at < p->member_count; ++at)
 		for (side = 0; side < 2; ++side) {
-			int32_t body = node_body(p, p->member[at], side);
-			for (key = body == 0 ? CNI_NONE : p->body_head[body]; key != CNI_NONE; key = key_next(p, key))
-				if (!p->seen[key >> 1]) {
-					p->seen[key >> 1] = 1;
-					p->member[p->member_count++] = key >> 1;
-				}
+			int32_t body = cni_planner_body(p, p->member[at], side);
+			if (body != 0 && !p->body_reached[body])
+				body_reach(p, body);
 		}
+	p->tree_work += p->member_count;
 }
 
-/* ---- neighbours ---- */
-
-static int32_t list_has(const planner *p, int32_t node, int32_t other)
+static int64_t component_limit(const cni_planner *p)
 {
-	const int32_t *list = p->pool + p->list[node];
-	int32_t k;
-	for (k = 0; k < p->list_count[node]; ++k)
-		if (list[k] == other)
-			return 1;
+	int32_t k, each = 0;
+	int64_t most;
+	for (k = 0; k < p->member_count; ++k)
+		each = cni_max_i(each, p->system->links[p->member[k]].work_most);
+	most = (int64_t)each * p->member_count + 64;
+	return most < p->budget ? most : p->budget;
+}
+
+/* As many ends that move as nodes and bodies that a tree has: no two ways from one body to another. */
+static int32_t component_is_tree(const cni_planner *p)
+{
+	int32_t k, ends = 0;
+	for (k = 0; k < p->member_count; ++k)
+		ends += (cni_planner_body(p, p->member[k], 0) != 0) + (cni_planner_body(p, p->member[k], 1) != 0);
+	return ends == p->member_count + p->body_count - 1;
+}
+
+/* Of a tree: no more than two nodes at a body, and the first node is an end of the row. */
+static int32_t is_chain_from_its_end(const cni_planner *p)
+{
+	int32_t side, meets = 0;
+	for (side = 0; side < 2; ++side) {
+		int32_t body = cni_planner_body(p, p->member[0], side);
+		meets += body != 0 && cni_planner_next(p, p->body_head[body]) != CNI_NONE;
+	}
+	return p->hub <= 2 && meets < 2;
+}
+
+static int32_t tree_order(cni_planner *p, int64_t most)
+{
+	int32_t k, base = p->out->node_count, forward = is_chain_from_its_end(p);
+	if (p->tree_work > most)
+		return 0;
+	p->work = (int32_t)p->tree_work;
+	for (k = 0; k < p->member_count; ++k) {
+		int32_t node = p->member[forward ? k : p->member_count - 1 - k];
+		p->order[base + k] = node;
+		p->position[node] = base + k;
+	}
+	return 1;
+}
+
+/* What it took for lists is given back when it fails. */
+static int32_t loops_order(cni_planner *p, int64_t most)
+{
+	cni_planner before = *p;
+	int32_t entries = p->arena->entry_count;
+	if (cni_planner_order(p, most))
+		return 1;
+	arena_pop_to(p->arena, entries);
+	p->pool = before.pool;
+	p->pool_left = before.pool_left;
+	p->pool_taken = before.pool_taken;
 	return 0;
 }
 
-/* Room for `count` neighbours of a node; 0: the pool is full. */
-static int32_t list_reserve(planner *p, int32_t node, int32_t count)
+static int32_t component_width(const cni_planner *p)
 {
-	int32_t capacity = count + count / 2 + 2;
-	if (count <= p->list_capacity[node])
-		return 1;
-	if (capacity > p->pool_capacity - p->pool_used)
-		return 0;
-	memcpy(p->pool + p->pool_used, p->pool + p->list[node], sizeof(int32_t) * (size_t)p->list_count[node]);
-	p->list[node] = p->pool_used;
-	p->list_capacity[node] = capacity;
-	p->pool_used += capacity;
-	return 1;
-}
-
-static void list_add(planner *p, int32_t node, int32_t other)
-{
-	p->pool[p->list[node] + p->list_count[node]++] = other;
-}
-
-/* Neighbours of a component's nodes. 0: too many. */
-static int32_t neighbours_collect(planner *p)
-{
-	int32_t k, side, key, nodes_at;
-	p->pool_used = 0;
-	for (k = 0; k < p->member_count; ++k) {
-		int32_t i = p->member[k];
-		p->list[i] = p->list_count[i] = p->list_capacity[i] = 0;
-		p->mark[i] = CNI_NONE;
-	}
-	for (k = 0; k < p->member_count; ++k) {
-		int32_t i = p->member[k];
-		for (side = 0; side < 2; ++side) {
-			int32_t body = node_body(p, i, side);
-			nodes_at = 0;
-			for (key = body == 0 ? CNI_NONE : p->body_head[body]; key != CNI_NONE; key = key_next(p, key)) {
-				int32_t other = key >> 1;
-				if (++nodes_at > HUB_MOST)
-					return 0;
-				if (other == i || list_has(p, i, other))
-					continue;
-				if (!list_reserve(p, i, p->list_count[i] + 1))
-					return 0;
-				list_add(p, i, other);
-			}
-		}
-	}
-	return 1;
-}
-
-/* ---- order ---- */
-
-static void degree_link(planner *p, int32_t node)
-{
-	int32_t d = p->list_count[node], head = p->degree_head[d];
-	p->degree_next[node] = head;
-	p->degree_prev[node] = CNI_NONE;
-	if (head != CNI_NONE)
-		p->degree_prev[head] = node;
-	p->degree_head[d] = node;
-}
-
-static void degree_unlink(planner *p, int32_t node)
-{
-	int32_t next = p->degree_next[node], prev = p->degree_prev[node];
-	if (prev != CNI_NONE)
-		p->degree_next[prev] = next;
-	else
-		p->degree_head[p->list_count[node]] = next;
-	if (next != CNI_NONE)
-		p->degree_prev[next] = prev;
-}
-
-/* u forgets v, which is eliminated, and meets v's other neighbours. turn: another number for every call, so that
-   mark[] need not be cleared. 0: the pool is full. */
-static int32_t neighbour_inherit(planner *p, int32_t u, int32_t v, int32_t turn)
-{
-	int32_t k, count = p->list_count[v], *list = p->pool + p->list[u];
-	for (k = 0; k < p->list_count[u]; ++k) {
-		if (list[k] == v)
-			list[k--] = list[--p->list_count[u]];
-		else
-			p->mark[list[k]] = turn;
-	}
-	p->mark[u] = turn;
-	for (k = 0; k < count; ++k) {
-		int32_t w = p->pool[p->list[v] + k];
-		if (p->mark[w] == turn)
-			continue;
-		if (!list_reserve(p, u, p->list_count[u] + 1))
-			return 0;
-		list_add(p, u, w);
-	}
-	return 1;
-}
-
-static int32_t node_eliminate(planner *p, int32_t v)
-{
-	int32_t k, count = p->list_count[v];
-	for (k = 0; k < count; ++k) {
-		int32_t u = p->pool[p->list[v] + k];
-		degree_unlink(p, u);
-		if (!neighbour_inherit(p, u, v, p->turn++))
-			return 0;
-		degree_link(p, u);
-	}
-	p->work += 1 + count + count * (count + 1) / 2;
-	return 1;
-}
-
-static int64_t component_limit(const planner *p)
-{
-	int32_t k, each = 0;
+	int32_t k, width = 2;
 	for (k = 0; k < p->member_count; ++k)
-		each = cni_max_i(each, p->links[p->member[k]].work_most);
-	return (int64_t)each * p->member_count + 64;
+		width = cni_max_i(width, p->system->links[p->member[k]].rows);
+	return width;
 }
 
-/* 0: above the limit. */
-static int32_t order_find(planner *p)
+static int32_t columns_length(const cni_planner *p)
 {
-	int32_t k, degree = 0;
-	int64_t most = component_limit(p) < p->budget ? component_limit(p) : p->budget;
-	p->work = p->turn = 0;
-	memset(p->degree_head, 0xff, sizeof(int32_t) * (size_t)p->member_count);
-	for (k = p->member_count - 1; k >= 0; --k)
-		degree_link(p, p->member[k]);
-	for (k = 0; k < p->member_count; ++k) {
-		int32_t v;
-		while (p->degree_head[degree] == CNI_NONE)
-			++degree;
-		v = p->degree_head[degree];
-		degree_unlink(p, v);
-		p->order[k] = v;
-		p->position[v] = k;
-		if (!node_eliminate(p, v) || p->work > most)
-			return 0;
-		degree = degree > 0 ? degree - 1 : 0;
-	}
-	return 1;
+	int32_t k, sum = 0;
+	for (k = 0; k < p->member_count; ++k)
+		sum += p->list_count[p->member[k]];
+	return sum;
 }
 
-/* ---- the plan ---- */
+/* Finds the component's order, and adds it to what is planned if it may be. */
+static void component_plan(cni_planner *p)
+{
+	cni_sparse *s = p->out;
+	cni_component *c = &s->components[s->component_count];
+	int32_t k, tree = component_is_tree(p);
+	if (p->hub > CNI_HUB_MOST || !(tree ? tree_order(p, component_limit(p)) : loops_order(p, component_limit(p))))
+		return;
+	memset(c, 0, sizeof *c);
+	c->begin = s->node_count;
+	c->end = s->node_count += p->member_count;
+	c->coupling_begin = s->coupling_count;
+	c->coupling_end = s->coupling_count += p->pairs;
+	c->body_begin = s->body_count;
+	c->body_end = s->body_count += p->body_count;
+	s->block_count += tree ? p->pairs : columns_length(p);
+	c->work = p->work;
+	c->tree = tree;
+	c->dear = p->work > CNI_DEAR_WORK * p->member_count;
+	c->loops = p->member_count > p->body_count;
+	c->width = component_width(p);
+	p->budget -= p->work;
+	for (k = 0; k < p->member_count; ++k)
+		p->planned[p->member[k]] = 1;
+	++s->component_count;
+}
+
+/* ---- writing the plan ---- */
 
 static void sort_ascending(int32_t *list, int32_t count)
 {
@@ -352,6 +334,167 @@ static void sort_ascending(int32_t *list, int32_t count)
 		}
 }
 
+/* Terms of node k's blocks: every two nodes at one body, ascending. Returns where they end. */
+static cni_coupling *couplings_write(const cni_planner *p, int32_t k, cni_coupling *begin)
+{
+	int32_t side, key, v = p->order[k];
+	cni_coupling *end = begin, *at;
+	for (side = 0; side < 2; ++side) {
+		int32_t body = cni_planner_body(p, v, side);
+		for (key = body == 0 ? CNI_NONE : p->body_head[body]; key != CNI_NONE; key = cni_planner_next(p, key)) {
+			int32_t high = p->position[key >> 1];
+			if (high <= k)
+				continue;
+			for (at = end++; at > begin && at[-1].high > high; --at)
+				*at = at[-1];
+			memset(at, 0, sizeof *at);
+			at->low = k;
+			at->high = high;
+			at->low_side = (uint8_t)side;
+			at->high_side = (uint8_t)(key & 1);
+		}
+	}
+	return end;
+}
+
+/* Node k's column, ascending: of a tree what it is coupled with, else its list. Returns where it ends. */
+static int32_t column_write(const cni_planner *p, const cni_component *c, int32_t k, const cni_coupling *begin, const cni_coupling *end, int32_t *below, int32_t at)
+{
+	int32_t e, count = c->tree ? (int32_t)(end - begin) : p->list_count[p->order[k]];
+	for (e = 0; e < count; ++e)
+		below[at + e] = c->tree ? begin[e].high : p->position[p->list[p->order[k]][e]];
+	if (!c->tree)
+		sort_ascending(below + at, count);
+	return at + count;
+}
+
+static void component_write(const cni_planner *p, const cni_component *c, kept_plan *kept)
+{
+	cni_coupling *begin = kept->couplings + c->coupling_begin, *end;
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k, begin = end) {
+		int32_t e = kept->first[k];
+		end = couplings_write(p, k, begin);
+		kept->first[k + 1] = column_write(p, c, k, begin, end, kept->below, e);
+		for (; begin < end; ++begin) {
+			while (kept->below[e] != begin->high)
+				++e;
+			begin->block = e;
+		}
+	}
+	CNI_ASSERT(begin == kept->couplings + c->coupling_end);
+}
+
+/* Every body of the component once, in the order of its nodes. */
+static void bodies_write(const cni_planner *p, const cni_component *c, int32_t *bodies)
+{
+	int32_t k, side, at = c->body_begin;
+	for (k = c->begin; k < c->end; ++k)
+		for (side = 0; side < 2; ++side) {
+			int32_t body = cni_planner_body(p, p->order[k], side);
+			if (body == 0 || !p->body_reached[body])
+				continue;
+			p->body_reached[body] = 0;
+			bodies[at++] = body;
+		}
+	CNI_ASSERT(at == c->body_end);
+}
+
+static uint8_t link_moving(const cni_planner *p, int32_t node)
+{
+	return (uint8_t)((cni_planner_body(p, node, 0) != 0) | (cni_planner_body(p, node, 1) != 0) << 1);
+}
+
+static void plan_write(const cni_planner *p, kept_plan *kept)
+{
+	const cni_system *system = p->system;
+	int32_t k;
+	memcpy(kept->links, system->links, sizeof(cni_link) * (size_t)system->link_count);
+	memcpy(kept->planned, p->planned, (size_t)system->link_count);
+	memcpy(kept->order, p->order, sizeof(int32_t) * (size_t)p->out->node_count);
+	memcpy(kept->components, p->out->components, sizeof(cni_component) * (size_t)p->out->component_count);
+	for (k = 0; k < system->link_count; ++k)
+		kept->moving[k] = link_moving(p, k);
+	kept->first[0] = 0;
+	for (k = 0; k < p->out->component_count; ++k) {
+		component_write(p, &kept->components[k], kept);
+		bodies_write(p, &kept->components[k], kept->bodies);
+	}
+	CNI_ASSERT(kept->first[p->out->node_count] == p->out->block_count);
+}
+
+/* ---- keeping it ---- */
+
+/* Memory for a plan of this size: what is kept, given back where it has become much too large, or else scratch. A world
+   in a caller's block keeps what it set aside at the beginning. */
+static uint8_t *kept_reserve(cni_arena *arena, cni_array *kept, uint64_t bytes)
+{
+	int64_t items = (int64_t)(bytes / CNI_KEPT_BYTES) + 1;
+	if (kept == NULL || items > INT32_MAX / CNI_KEPT_BYTES)
+		return (uint8_t *)cni_arena_push(arena, bytes);
+	kept->count = 0;
+	if (!arena->memory->fixed) {
+		if (kept->capacity / KEPT_SPARE > items)
+			cni_array_deinit(kept, arena->memory);
+		(void)cni_array_reserve(kept, arena->memory, (int32_t)items);
+	}
+	if (kept->capacity < items)
+		return (uint8_t *)cni_arena_push(arena, bytes);
+	kept->count = (int32_t)items;
+	return (uint8_t *)kept->data;
+}
+
+/* Is what is kept the plan of this very system? */
+static int32_t kept_fits(const cni_planner *p, const kept_plan *kept)
+{
+	const cni_system *system = p->system;
+	int32_t k;
+	if (kept->head->link_count != system->link_count || kept->head->budget != system->budget ||
+	    memcmp(kept->links, system->links, sizeof(cni_link) * (size_t)system->link_count) != 0)
+		return 0;
+	for (k = 0; k < system->link_count; ++k)
+		if (kept->moving[k] != link_moving(p, k))
+			return 0;
+	return 1;
+}
+
+/* Plans anew, into what is kept or into scratch. 0: no memory. */
+static int32_t plan_make(cni_planner *p, cni_array *array, kept_plan *kept)
+{
+	const cni_system *system = p->system;
+	int32_t before = p->arena->entry_count, after, k;
+	uint8_t *at = (uint8_t *)cni_arena_push(p->arena, scratch_bytes(system->link_count, system->motion_count));
+	kept_head head = { 0, 0, 0, 0, 0, 0, 0 };
+	if (at == NULL)
+		return 0;
+	planner_cut(p, at);
+	bodies_collect(p);
+	for (k = 0; k < system->link_count && !p->no_memory; ++k)
+		if (!p->seen[k]) {
+			component_collect(p, k);
+			component_plan(p);
+		}
+	head.budget = system->budget;
+	head.link_count = system->link_count;
+	head.node_count = p->out->node_count;
+	head.block_count = p->out->block_count;
+	head.coupling_count = p->out->coupling_count;
+	head.component_count = p->out->component_count;
+	head.body_count = p->out->body_count;
+	after = p->arena->entry_count;
+	at = p->no_memory ? NULL : kept_reserve(p->arena, array, kept_bytes(&head));
+	if (at == NULL)
+		return 0;
+	memcpy(at, &head, sizeof head);
+	*kept = kept_cut(at);
+	plan_write(p, kept);
+	if (p->arena->entry_count == after)
+		arena_pop_to(p->arena, before);
+	return 1;
+}
+
+/* ---- using it ---- */
+
 static void node_make(cni_node *n, const cni_link *link)
 {
 	memset(n, 0, sizeof *n);
@@ -361,166 +504,85 @@ static void node_make(cni_node *n, const cni_link *link)
 	n->rows = link->rows;
 }
 
-/* The component's nodes and their blocks, after those that are there. 0: no room. */
-static int32_t component_emit_blocks(planner *p, int32_t base)
+static int32_t has_dear(const kept_plan *kept)
 {
+	int32_t k, dear = 0;
+	for (k = 0; k < kept->head->component_count; ++k)
+		dear |= kept->components[k].dear;
+	return dear;
+}
+
+/* The step's own copy: nodes, components, room for the numbers. */
+static int32_t plan_take(const cni_planner *p, const kept_plan *kept)
+{
+	const kept_head *h = kept->head;
 	cni_sparse *s = p->out;
-	int32_t k, e;
-	for (k = 0; k < p->member_count; ++k) {
-		int32_t v = p->order[k], count = p->list_count[v];
-		if (s->block_count + count > p->below_capacity)
+	int32_t once = p->system->dear_is_rare && has_dear(kept), k;
+	uint64_t bytes[2];
+	uint8_t *at[2];
+	bytes[0] = node_bytes(h->node_count, h->component_count);
+	bytes[1] = block_bytes(h->node_count + h->block_count);
+	for (k = 0; k < 2; ++k) {
+		at[k] = (uint8_t *)(once ? cni_arena_push_once(p->arena, bytes[k]) : cni_arena_push(p->arena, bytes[k]));
+		if (at[k] == NULL)
 			return 0;
-		node_make(&s->nodes[base + k], &p->links[v]);
-		for (e = 0; e < count; ++e)
-			s->below[s->block_count + e] = base + p->position[p->pool[p->list[v] + e]];
-		sort_ascending(s->below + s->block_count, count);
-		s->block_count += count;
-		s->first[base + k + 1] = s->block_count;
 	}
+	s->nodes = (cni_node *)(void *)at[0];
+	s->components = (cni_component *)(void *)(at[0] + rounded((uint64_t)h->node_count * sizeof(cni_node)));
+	s->pivots = (float *)(void *)at[1];
+	s->blocks = s->pivots + (size_t)h->node_count * (CNI_NODE_ROWS * CNI_NODE_ROWS);
+	for (k = 0; k < h->node_count; ++k)
+		node_make(&s->nodes[k], &kept->links[kept->order[k]]);
+	memcpy(s->components, kept->components, sizeof(cni_component) * (size_t)h->component_count);
+	memcpy(p->planned, kept->planned, (size_t)h->link_count);
+	s->first = kept->first;
+	s->below = kept->below;
+	s->couplings = kept->couplings;
+	s->bodies = kept->bodies;
+	s->node_count = h->node_count;
+	s->block_count = h->block_count;
+	s->coupling_count = h->coupling_count;
+	s->component_count = h->component_count;
+	s->body_count = h->body_count;
 	return 1;
 }
 
-static int32_t block_find(const cni_sparse *s, int32_t low, int32_t high)
+static void counts_forget(cni_sparse *s)
 {
-	int32_t lo = s->first[low], hi = s->first[low + 1] - 1;
-	while (lo < hi) {
-		int32_t mid = (lo + hi) / 2;
-		if (s->below[mid] < high)
-			lo = mid + 1;
-		else
-			hi = mid;
-	}
-	return lo;
+	s->node_count = s->block_count = s->coupling_count = s->component_count = s->body_count = 0;
 }
 
-/* Terms of the blocks: every two nodes at one body. 0: no room. */
-static int32_t component_emit_couplings(planner *p, int32_t base)
+int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *system, cni_sparse *out, uint8_t *out_planned)
 {
-	cni_sparse *s = p->out;
-	int32_t k, side, other;
-	for (k = 0; k < p->member_count; ++k) {
-		int32_t v = p->order[k];
-		for (side = 0; side < 2; ++side) {
-			int32_t body = node_body(p, v, side);
-			for (other = body == 0 ? CNI_NONE : p->body_head[body]; other != CNI_NONE; other = key_next(p, other)) {
-				cni_coupling *c;
-				int32_t at = p->position[other >> 1];
-				if (at <= k)
-					continue;
-				if (s->coupling_count == p->coupling_capacity)
-					return 0;
-				c = &s->couplings[s->coupling_count++];
-				c->low = base + k;
-				c->high = base + at;
-				c->low_side = (uint8_t)side;
-				c->high_side = (uint8_t)(other & 1);
-				c->block = block_find(s, c->low, c->high);
-			}
-		}
-	}
-	return 1;
-}
-
-/* Every body of the component once, in the order of its nodes; the lists of nodes at bodies are consumed. */
-static void component_emit_bodies(planner *p)
-{
-	int32_t k, side;
-	for (k = 0; k < p->member_count; ++k)
-		for (side = 0; side < 2; ++side) {
-			int32_t body = node_body(p, p->order[k], side);
-			if (body == 0 || p->body_head[body] == CNI_NONE)
-				continue;
-			p->body_head[body] = CNI_NONE;
-			p->out->bodies[p->out->body_count++] = body;
-		}
-}
-
-static int32_t component_width(const planner *p)
-{
-	int32_t k, width = 2;
-	for (k = 0; k < p->member_count; ++k)
-		width = cni_max_i(width, p->links[p->member[k]].rows);
-	return width;
-}
-
-static void component_plan(planner *p)
-{
-	cni_sparse *s = p->out;
-	cni_component c;
-	int32_t k, blocks_before = s->block_count;
-	c.begin = s->node_count;
-	c.coupling_begin = s->coupling_count;
-	c.body_begin = s->body_count;
-	if (!neighbours_collect(p) || !order_find(p) || !component_emit_blocks(p, c.begin) || !component_emit_couplings(p, c.begin)) {
-		s->block_count = blocks_before;
-		s->coupling_count = c.coupling_begin;
-		return;
-	}
-	component_emit_bodies(p);
-	for (k = 0; k < p->member_count; ++k)
-		p->planned[p->member[k]] = 1;
-	s->node_count += p->member_count;
-	c.end = s->node_count;
-	c.coupling_end = s->coupling_count;
-	c.body_end = s->body_count;
-	c.work = p->work;
-	c.dear = p->work > CNI_DEAR_WORK * p->member_count;
-	p->budget -= p->work;
-	c.loops = p->member_count > c.body_end - c.body_begin;
-	c.width = component_width(p);
-	c.regular = 0.0f;
-	c.swings = c.done = c.presses = c.calm = c.factored = c.joints = 0;
-	s->components[s->component_count++] = c;
-}
-
-int32_t cni_sparse_plan(cni_arena *arena, const cni_link *links, int32_t count, const cni_motion *motions, int32_t motion_count,
-                        int64_t budget, cni_sparse *out, uint8_t *out_planned)
-{
-	planner p;
-	uint8_t *kept, *scratch;
-	int32_t i;
+	cni_planner p;
+	kept_plan plan;
+	int64_t work_most = 0;
+	int32_t k, there = 0;
 	memset(&p, 0, sizeof p);
-	p.links = links;
-	p.count = count;
-	p.motions = motions;
-	p.body_count = motion_count;
-	for (i = 0; i < count; ++i)
-		p.work_most += links[i].work_most;
-	p.budget = budget;
+	p.arena = arena;
+	p.system = system;
 	p.out = out;
 	p.planned = out_planned;
-	memset(out_planned, 0, (size_t)count);
-	kept = (uint8_t *)cni_arena_push(arena, kept_bytes(count, p.work_most));
-	scratch = kept == NULL ? NULL : (uint8_t *)cni_arena_push(arena, scratch_bytes(count, motion_count, p.work_most));
-	if (scratch == NULL) {
-		(void)cni_arena_pop(arena, kept);
-		return 0;
+	p.budget = system->budget;
+	for (k = 0; k < system->link_count; ++k)
+		work_most += system->links[k].work_most;
+	p.pool_most = pool_most(system->link_count, work_most);
+	out->arena_entries = arena->entry_count;
+	if (kept != NULL && kept->count > 0) {
+		plan = kept_cut((uint8_t *)kept->data);
+		there = kept_fits(&p, &plan);
 	}
-	kept_cut(&p, kept);
-	planner_cut(&p, scratch);
-	out->first[0] = 0;
-	bodies_collect(&p);
-	memset(p.seen, 0, sizeof(int32_t) * (size_t)count);
-	for (i = 0; i < count; ++i)
-		if (!p.seen[i]) {
-			component_collect(&p, i);
-			component_plan(&p);
-		}
-	(void)cni_arena_pop(arena, scratch);
-	out->pivots = (float *)cni_arena_push(arena, block_bytes(out->node_count + out->block_count));
-	if (out->pivots == NULL) {
-		(void)cni_arena_pop(arena, kept);
-		memset(out_planned, 0, (size_t)count);
-		out->component_count = 0;
-		return 0;
-	}
-	out->blocks = out->pivots + (size_t)out->node_count * (CNI_NODE_ROWS * CNI_NODE_ROWS);
-	return 1;
+	memset(out_planned, 0, (uint32_t)system->link_count);
+	if ((there || plan_make(&p, kept, &plan)) && plan_take(&p, &plan))
+		return 1;
+	arena_pop_to(arena, out->arena_entries);
+	memset(out_planned, 0, (uint32_t)system->link_count);
+	counts_forget(out);
+	return 0;
 }
 
 void cni_sparse_discard(cni_arena *arena, cni_sparse *sparse)
 {
-	(void)cni_arena_pop(arena, sparse->pivots);
-	(void)cni_arena_pop(arena, sparse->nodes);
-	sparse->node_count = sparse->block_count = sparse->coupling_count = sparse->component_count = sparse->body_count = 0;
+	arena_pop_to(arena, sparse->arena_entries);
+	counts_forget(sparse);
 }

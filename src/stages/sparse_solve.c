@@ -65,7 +65,8 @@ CNI_INLINE void lever_end(const cni_lever *l, int32_t side, float *x, float *y, 
 	*w = side ? l->bw : l->aw;
 }
 
-CNI_INLINE void coupling_add(const cni_sparse *s, const cni_coupling *c, const cni_motion *motions, float *block, int32_t w)
+/* `first`: what was in the block does not count. */
+CNI_INLINE void coupling_add(const cni_sparse *s, const cni_coupling *c, const cni_motion *motions, float *block, int32_t first, int32_t w)
 {
 	const cni_node *high = &s->nodes[c->high], *low = &s->nodes[c->low];
 	const cni_motion *m = motions + (c->high_side ? high->ib : high->ia);
@@ -79,7 +80,7 @@ CNI_INLINE void coupling_add(const cni_sparse *s, const cni_coupling *c, const c
 		for (l = 0; l < w; ++l) {
 			float lx, ly, lw;
 			lever_end(&low->lever[l], c->low_side, &lx, &ly, &lw);
-			block[i * w + l] += x * lx + y * ly + turn * lw;
+			block[i * w + l] = (first ? 0.0f : block[i * w + l]) + (x * lx + y * ly + turn * lw);
 		}
 	}
 }
@@ -164,15 +165,18 @@ CNI_INLINE void factor(cni_sparse *s, const cni_component *c, const cni_motion *
 	region r = region_of(s, c);
 	float least = cni_max(PIVOT_LEAST, PIVOT_LEAST_REGULAR * c->regular);
 	int32_t k, i;
-	memset(r.blocks, 0, sizeof(float) * (size_t)(w * w) * (size_t)(s->first[c->end] - r.block_first));
+	if (!c->tree)
+		memset(r.blocks, 0, sizeof(float) * (size_t)(w * w) * (size_t)(s->first[c->end] - r.block_first));
 	for (k = c->begin; k < c->end; ++k) {
 		float *d = pivot_at(&r, k, w);
 		diagonal_form(&s->nodes[k], d, motions, c->regular, w);
 		for (i = 0; i < w; ++i)
 			s->nodes[k].least[i] = least * d[i * w + i];
 	}
-	for (k = c->coupling_begin; k < c->coupling_end; ++k)
-		coupling_add(s, &s->couplings[k], motions, block_at(&r, s->couplings[k].block, w), w);
+	for (k = c->coupling_begin; k < c->coupling_end && c->tree; ++k) /* each of a tree is a block by itself */
+		coupling_add(s, &s->couplings[k], motions, block_at(&r, s->couplings[k].block, w), 1, w);
+	for (k = c->coupling_begin; k < c->coupling_end && !c->tree; ++k)
+		coupling_add(s, &s->couplings[k], motions, block_at(&r, s->couplings[k].block, w), 0, w);
 	for (k = c->begin; k < c->end; ++k) {
 		pivot_invert(pivot_at(&r, k, w), s->nodes[k].least, w);
 		node_eliminate(s, &r, k, w);

@@ -146,6 +146,8 @@ static void tables_init(cn_world *world)
 	cni_array_init(&world->apart, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->awake_joints, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->direct_islands, (int32_t)sizeof(int32_t));
+	cni_array_init(&world->direct_plans[0], CNI_KEPT_BYTES);
+	cni_array_init(&world->direct_plans[1], CNI_KEPT_BYTES);
 	cni_array_init(&world->joint_work, (int32_t)sizeof(cni_joint_work));
 	cni_array_init(&world->block_list, (int32_t)sizeof(cni_listed_block));
 	cni_array_init(&world->sleep_lanes, (int32_t)sizeof(cni_sleep_lane));
@@ -185,6 +187,8 @@ static void tables_deinit(cn_world *world)
 	cni_array_deinit(&world->apart, memory);
 	cni_array_deinit(&world->awake_joints, memory);
 	cni_array_deinit(&world->direct_islands, memory);
+	cni_array_deinit(&world->direct_plans[0], memory);
+	cni_array_deinit(&world->direct_plans[1], memory);
 	cni_array_deinit(&world->joint_work, memory);
 	cni_array_deinit(&world->block_list, memory);
 	cni_array_deinit(&world->sleep_lanes, memory);
@@ -279,6 +283,12 @@ static uint64_t arena_bytes(const cn_world_def *d)
 	return (scratch > joints ? scratch : joints) + island;
 }
 
+/* The kept plan of joints that are solved directly. */
+static int32_t plan_items(const cn_world_def *d)
+{
+	return (int32_t)(cni_direct_kept_bytes(d->solver, d->joint_capacity, d->contact_capacity) / CNI_KEPT_BYTES);
+}
+
 /* What only a fixed world takes beforehand: everything that a growing one takes when it comes to it. */
 static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 {
@@ -292,6 +302,7 @@ static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 	       cni_array_reserve_exact(&world->events.asleep, m, 2 * d->body_capacity) &&
 	       cni_array_reserve_exact(&world->events.moved, m, 2 * d->body_capacity + 1) &&
 	       cni_array_reserve_exact(&world->direct_islands, m, d->body_capacity / 2) &&
+	       cni_array_reserve_exact(&world->direct_plans[0], m, plan_items(d)) &&
 	       cni_array_reserve_exact(&world->kicked, m, 2 * d->body_capacity) &&
 	       cni_array_reserve_exact(&world->previous, m, with_spares(d->body_capacity)) &&
 	       cni_array_reserve_exact(&world->events.joint_log, m, d->joint_capacity) &&
@@ -367,7 +378,7 @@ static uint64_t arrays_bytes(const cn_world_def *d)
 	return body_arrays_bytes(d->body_capacity) + array_bytes(d->body_capacity / 2, sizeof(int32_t)) + contact_arrays_bytes(d->contact_capacity) + array_bytes(with_spares(d->shape_capacity), sizeof(uint32_t)) +
 	       2u * array_bytes(joints, sizeof(cn_joint_event)) +
 	       array_bytes(with_spares(joints), sizeof(uint32_t)) + array_bytes(joints, sizeof(cni_joint_work)) + array_bytes(joints, sizeof(int32_t)) +
-	       array_bytes(1, (size_t)arena_bytes(d));
+	       array_bytes(1, (size_t)arena_bytes(d)) + array_bytes(plan_items(d), CNI_KEPT_BYTES);
 }
 
 cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes)

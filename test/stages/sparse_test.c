@@ -29,6 +29,7 @@ typedef struct problem {
 	double decades; /* masses from 1 to 10^decades */
 	cni_memory memory;
 	cni_arena arena;
+	cni_array *kept; /* NULL: every plan is made anew */
 	cni_sparse sparse;
 } problem;
 
@@ -181,9 +182,16 @@ static int64_t work_allowed(const problem *p)
 	return sum;
 }
 
+static uint64_t bytes_promised(const problem *p)
+{
+	int64_t work = work_allowed(p);
+	return cni_sparse_bytes(p->link_count, p->body_count, work) + cni_sparse_kept_bytes(p->link_count, work);
+}
+
 static int32_t plan_within(problem *p, int64_t budget)
 {
-	return cni_sparse_plan(&p->arena, p->links, p->link_count, p->bodies, p->body_count, budget, &p->sparse, p->planned);
+	cni_system system = { p->links, p->link_count, p->body_count, p->bodies, budget, 0, 0 };
+	return cni_sparse_plan(&p->arena, p->kept, &system, &p->sparse, p->planned);
 }
 
 static int32_t plan(problem *p)
@@ -344,7 +352,7 @@ static void judge(problem *p, errors *worst)
 {
 	REQUIRE(plan(p));
 	CHECK(p->sparse.node_count == p->link_count);
-	CHECK(p->arena.high_water <= cni_sparse_bytes(p->link_count, p->body_count, work_allowed(p)));
+	CHECK(p->arena.high_water <= bytes_promised(p));
 	solve(p, 0.0f);
 	dense_form(p);
 	dense_solve();
@@ -708,6 +716,78 @@ static void t_hubs_are_refused(void)
 	end(p);
 }
 
+/* ---- kept plans ---- */
+
+/* A plan by what is kept, and one that is made anew, over several components with and without loops. */
+static int32_t kept_differs(problem *p)
+{
+	static problem anew;
+	const cni_sparse *a = &p->sparse, *b = &anew.sparse;
+	int32_t k, e, differs;
+	anew = *p;
+	cni_memory_init_hooks(&anew.memory, NULL, NULL, NULL);
+	cni_arena_init(&anew.arena, &anew.memory);
+	anew.kept = NULL;
+	memset(&p->sparse, 0, sizeof p->sparse);
+	memset(&anew.sparse, 0, sizeof anew.sparse);
+	if (!plan(p) || !plan(&anew))
+		return 1;
+	differs = a->node_count != b->node_count || a->block_count != b->block_count || a->component_count != b->component_count ||
+	          a->coupling_count != b->coupling_count || a->body_count != b->body_count || memcmp(p->planned, anew.planned, sizeof p->planned) != 0;
+	for (k = 0; k < a->node_count && !differs; ++k) {
+		differs |= memcmp(&a->nodes[k], &b->nodes[k], sizeof a->nodes[k]) != 0 || a->first[k + 1] != b->first[k + 1];
+		for (e = a->first[k]; e < a->first[k + 1]; ++e)
+			differs |= a->below[e] != b->below[e];
+	}
+	for (k = 0; k < a->component_count && !differs; ++k)
+		differs |= memcmp(&a->components[k], &b->components[k], sizeof a->components[k]) != 0;
+	for (k = 0; k < a->coupling_count && !differs; ++k)
+		differs |= memcmp(&a->couplings[k], &b->couplings[k], sizeof a->couplings[k]) != 0;
+	for (k = 0; k < a->body_count && !differs; ++k)
+		differs |= a->bodies[k] != b->bodies[k];
+	cni_arena_deinit(&anew.arena);
+	cni_arena_reset(&p->arena);
+	return differs;
+}
+
+static void t_a_kept_plan_is_used_again(void)
+{
+	problem *p = begin(5, 0.0);
+	cni_array kept;
+	const int32_t *first;
+	cni_array_init(&kept, CNI_KEPT_BYTES);
+	p->kept = &kept;
+	add_grid(p, 5, 1);
+	add_tree(p, 40, 0);
+	add_bridge(p, 20, 2);
+	CHECK(!kept_differs(p));
+	first = p->sparse.first;
+	memset(&p->sparse, 0, sizeof p->sparse);
+	REQUIRE(plan(p));
+	p->sparse.components[0].work = 0; /* the step's own */
+	cni_arena_reset(&p->arena);
+	CHECK(!kept_differs(p) && p->sparse.first == first);
+	/* Whatever a plan depends on. */
+	p->bodies[p->links[30].ia].inv_mass = p->bodies[p->links[30].ia].inv_inertia = 0.0f;
+	CHECK(!kept_differs(p));
+	p->links[12].ib = p->links[70].ib;
+	CHECK(!kept_differs(p));
+	p->links[50].owner = 7;
+	CHECK(!kept_differs(p));
+	p->links[50].rows = 3;
+	CHECK(!kept_differs(p));
+	for (p->link_count = 80; p->link_count > 0; p->link_count -= 7)
+		CHECK(!kept_differs(p) && !kept_differs(p));
+	p->link_count = 60;
+	memset(&p->sparse, 0, sizeof p->sparse);
+	REQUIRE(plan_within(p, 100));
+	CHECK(planned_in(p, 0, 60) < 60);
+	cni_arena_reset(&p->arena);
+	CHECK(!kept_differs(p));
+	cni_array_deinit(&kept, &p->memory);
+	end(p);
+}
+
 /* ---- memory ---- */
 
 static void *aligned_block(void)
@@ -724,11 +804,11 @@ static void t_too_little_memory_is_survived(void)
 	int32_t refused = 0, done = 0;
 	problem *p = begin(6, 0.0);
 	add_grid(p, 6, 2);
-	needed = cni_sparse_bytes(p->link_count, p->body_count, work_allowed(p));
+	needed = bytes_promised(p);
 	memcpy(&at, p, sizeof at);
 	end(p);
 	REQUIRE(needed + 8192 < 4 * 1024 * 1024);
-	for (bytes = 64; bytes < needed + 4096; bytes += needed / 400 / 64 * 64 + 64) {
+	for (bytes = 64; bytes < needed + 4096; bytes += done > 0 ? needed / 40 / 64 * 64 : 256) {
 		int32_t good;
 		cni_memory_init_block(&at.memory, aligned_block(), bytes);
 		cni_arena_init(&at.arena, &at.memory);
@@ -762,7 +842,7 @@ static void t_scratch_is_what_was_promised(void)
 			make[m](p);
 			for (k = 0; k < p->link_count; ++k)
 				p->links[k].work_most = each;
-			bytes = cni_sparse_bytes(p->link_count, p->body_count, work_allowed(p));
+			bytes = bytes_promised(p);
 			REQUIRE(cni_arena_reserve(&p->arena, bytes));
 			REQUIRE(plan(p));
 			CHECK(p->arena.fallbacks == 0);
@@ -820,6 +900,7 @@ int main(int argc, char **argv)
 	RUN(t_beyond_the_limit_is_refused_alone);
 	RUN(t_beyond_the_budget_is_refused);
 	RUN(t_hubs_are_refused);
+	RUN(t_a_kept_plan_is_used_again);
 	RUN(t_too_little_memory_is_survived);
 	RUN(t_scratch_is_what_was_promised);
 	RUN(t_the_same_twice);
