@@ -154,18 +154,41 @@ CNI_INLINE void solve_limits(cni_joint_block *k, int32_t l, hinge *g, const cni_
 	cni_wide_store(k->limit_j + l, lower - upper);
 }
 
+/* All that acts on the angle now. */
+CNI_INLINE cni_wide torque_of(const cni_joint_block *k, int32_t l)
+{
+	return cni_wide_load(k->spring_j + l) + cni_wide_load(k->motor_j + l) + cni_wide_load(k->limit_j + l);
+}
+
 /* Velocities and impulses of a group, its arms and errors being what they are. */
 CNI_INLINE void solve_group(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t angular)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
-	cni_wide jx = cni_wide_load(k->jx + l), jy = cni_wide_load(k->jy + l), x, y, qx, qy, t = zero;
+	cni_wide jx = cni_wide_load(k->jx + l), jy = cni_wide_load(k->jy + l), around_x, around_y, x, y, qx, qy, t = zero;
 	cni_mask direct = cni_mask_of_bits(k->direct >> l);
 	pin p = pin_make(a, b, r);
+	hinge g;
+	if (bias) {
+		around_x = cni_wide_load(k->load_x + l);
+		around_y = cni_wide_load(k->load_y + l);
+	}
+	if (angular) {
+		g = hinge_make(a, b, r, &p);
+		if (bias) {
+			cni_wide torque = torque_of(k, l);
+			around_x += g.sx * torque;
+			around_y += g.sy * torque;
+			solve_spring(k, l, &g);
+		}
+		solve_motor(k, l, &g, pass->h);
+		solve_limits(k, l, &g, pass, bias);
+		t = g.t;
+	}
 	if (bias) {
 		x = pass->soft.mass_scale * p.vx + pass->soft.bias_scale * cni_wide_load(k->ex + l);
 		y = pass->soft.mass_scale * p.vy + pass->soft.bias_scale * cni_wide_load(k->ey + l);
-		qx = -(p.i00 * x + p.i01 * y) - pass->soft.impulse_scale * (jx - cni_wide_load(k->load_x + l));
-		qy = -(p.i01 * x + p.i11 * y) - pass->soft.impulse_scale * (jy - cni_wide_load(k->load_y + l));
+		qx = -(p.i00 * x + p.i01 * y) - pass->soft.impulse_scale * (jx - around_x);
+		qy = -(p.i01 * x + p.i11 * y) - pass->soft.impulse_scale * (jy - around_y);
 	} else {
 		qx = -(p.i00 * p.vx + p.i01 * p.vy);
 		qy = -(p.i01 * p.vx + p.i11 * p.vy);
@@ -173,12 +196,6 @@ CNI_INLINE void solve_group(cni_joint_block *k, int32_t l, side *a, side *b, con
 	qx = cni_wide_select(direct, zero, qx);
 	qy = cni_wide_select(direct, zero, qy);
 	if (angular) {
-		hinge g = hinge_make(a, b, r, &p);
-		if (bias)
-			solve_spring(k, l, &g);
-		solve_motor(k, l, &g, pass->h);
-		solve_limits(k, l, &g, pass, bias);
-		t = g.t;
 		qx += g.sx * t;
 		qy += g.sy * t;
 	}
