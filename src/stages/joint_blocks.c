@@ -33,6 +33,56 @@ const cni_joint_kernel *cni_joint_kernel_choose(void)
 #endif
 }
 
+/* ---- works ---- */
+
+/* Revolute joints that nothing softens, bounds or breaks. */
+static int32_t may_be_wide(const cn_world *world, int32_t k)
+{
+	const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
+	return j->type == CN_JOINT_REVOLUTE && j->stiffness_hertz <= 0.0f && j->force_max <= 0.0f && j->torque_max <= 0.0f &&
+	       j->break_force <= 0.0f && j->break_torque <= 0.0f && world->settings.solver != CN_SOLVER_SEQUENTIAL;
+}
+
+/* Only a spring or a limit asks for the angle. */
+int32_t cni_joint_work_widen(cn_world *world, int32_t k)
+{
+	cni_joint_work *w = cni_joint_works(world) + k;
+	if (!may_be_wide(world, k))
+		return 0;
+	cni_joint_work_begin(world, k);
+	w->flags |= CNI_WORK_WIDE;
+	w->row_count = 0;
+	w->rigid_count = 2;
+	if (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT))
+		w->start.angle = cni_joint_frame_angle(world, w->record);
+	return 1;
+}
+
+void cni_joint_works_complete(cn_world *world, const cni_solve *s)
+{
+	int32_t k, r;
+	for (k = 0; k < s->direct->node_count; ++k) {
+		cni_joint_work *w = cni_joint_works(world) + s->direct->nodes[k].owner;
+		if (s->direct->nodes[k].owner < 0 || !(w->flags & CNI_WORK_WIDE))
+			continue;
+		w->row_count = w->make_rows(w->record, &w->start, w->rows);
+		for (r = 0; r < w->row_count; ++r)
+			w->rows[r].impulse = w->record->impulse[w->rows[r].slot];
+		cni_joint_loads_read(w, s);
+	}
+}
+
+/* A wide work is solved by rows after all; a plain one stays as it is. */
+static void work_narrow(cn_world *world, const cni_solve *s, int32_t k)
+{
+	cni_joint_work *w = cni_joint_works(world) + k;
+	if (!(w->flags & CNI_WORK_WIDE))
+		return;
+	w->flags &= ~(uint32_t)CNI_WORK_WIDE;
+	cni_joint_rows_begin(world, s, w);
+}
+
+
 /* ---- colours ---- */
 
 static int32_t can_move(const cni_motion *m)
@@ -182,7 +232,7 @@ static void pressed_works_leave(cn_world *world, const cni_solve *s)
 		const cni_component *c = &s->direct->components[k];
 		for (n = c->begin; c->presses && n < c->end; ++n)
 			if (s->direct->nodes[n].owner >= 0)
-				cni_joint_work_narrow(world, s, s->direct->nodes[n].owner);
+				work_narrow(world, s, s->direct->nodes[n].owner);
 	}
 }
 
@@ -208,7 +258,7 @@ void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 		if ((w->flags & CNI_WORK_WIDE) && lane_take(&g, k))
 			continue;
 		if (w->flags & CNI_WORK_WIDE)
-			cni_joint_work_narrow(world, s, k);
+			work_narrow(world, s, k);
 		*plain = k;
 		plain = &w->next_plain;
 	}

@@ -225,8 +225,7 @@ static void work_soften(cni_joint_work *w, const cni_joint *j, const cni_solve *
 	}
 }
 
-/* What does not depend on how it is solved. */
-static void work_begin(cn_world *world, int32_t k)
+void cni_joint_work_begin(cn_world *world, int32_t k)
 {
 	int32_t joint = ((const int32_t *)world->awake_joints.data)[k];
 	cni_joint_work *w = cni_joint_works(world) + k;
@@ -240,15 +239,14 @@ static void work_begin(cn_world *world, int32_t k)
 	w->start = cni_joint_frame_place(world, j);
 }
 
-static void loads_read(cni_joint_work *w, const cni_solve *s)
+void cni_joint_loads_read(cni_joint_work *w, const cni_solve *s)
 {
 	int32_t r;
 	for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r)
 		w->load[r] = s->warm_scale * w->record->load[r];
 }
 
-/* All rows, decoupled, with their impulses; after work_begin and the frame's angle. */
-static void work_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work *w)
+void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work *w)
 {
 	const cni_joint *j = w->record;
 	float impulse[CNI_JOINT_ROWS];
@@ -267,35 +265,15 @@ static void work_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work 
 	impulses_recouple(world, w, -1.0f, impulse);
 	for (r = 0; r < w->row_count; ++r)
 		w->rows[r].impulse = impulse[r];
-	loads_read(w, s);
+	cni_joint_loads_read(w, s);
 }
 
 void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k)
 {
 	cni_joint_work *w = cni_joint_works(world) + k;
-	work_begin(world, k);
+	cni_joint_work_begin(world, k);
 	w->start.angle = cni_joint_frame_angle(world, w->record);
-	work_rows_begin(world, s, w);
-}
-
-/* Only a spring or a limit asks for the angle. */
-static void work_begin_wide(cn_world *world, int32_t k)
-{
-	cni_joint_work *w = cni_joint_works(world) + k;
-	work_begin(world, k);
-	w->flags |= CNI_WORK_WIDE;
-	w->row_count = 0;
-	w->rigid_count = 2;
-	if (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT))
-		w->start.angle = cni_joint_frame_angle(world, w->record);
-}
-
-/* Revolute joints that nothing softens, bounds or breaks. */
-static int32_t may_be_wide(const cn_world *world, int32_t k)
-{
-	const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
-	return j->type == CN_JOINT_REVOLUTE && j->stiffness_hertz <= 0.0f && j->force_max <= 0.0f && j->torque_max <= 0.0f &&
-	       j->break_force <= 0.0f && j->break_torque <= 0.0f && world->settings.solver != CN_SOLVER_SEQUENTIAL;
+	cni_joint_rows_begin(world, s, w);
 }
 
 void cni_joints_prepare(cn_world *world, const cni_solve *s)
@@ -303,35 +281,9 @@ void cni_joints_prepare(cn_world *world, const cni_solve *s)
 	int32_t k;
 	cni_joint_blocks_empty(world);
 	for (k = 0; k < world->awake_joints.count; ++k)
-		if (may_be_wide(world, k))
-			work_begin_wide(world, k);
-		else
+		if (!cni_joint_work_widen(world, k))
 			cni_joint_work_prepare(world, s, k);
 }
-
-void cni_joint_works_complete(cn_world *world, const cni_solve *s)
-{
-	int32_t k, r;
-	for (k = 0; k < s->direct->node_count; ++k) {
-		cni_joint_work *w = cni_joint_works(world) + s->direct->nodes[k].owner;
-		if (s->direct->nodes[k].owner < 0 || !(w->flags & CNI_WORK_WIDE))
-			continue;
-		w->row_count = w->make_rows(w->record, &w->start, w->rows);
-		for (r = 0; r < w->row_count; ++r)
-			w->rows[r].impulse = w->record->impulse[w->rows[r].slot];
-		loads_read(w, s);
-	}
-}
-
-void cni_joint_work_narrow(cn_world *world, const cni_solve *s, int32_t k)
-{
-	cni_joint_work *w = cni_joint_works(world) + k;
-	if (!(w->flags & CNI_WORK_WIDE))
-		return;
-	w->flags &= ~(uint32_t)CNI_WORK_WIDE;
-	work_rows_begin(world, s, w);
-}
-
 
 void cni_joints_warm_start(cn_world *world, const cni_solve *s)
 {
