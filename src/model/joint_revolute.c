@@ -2,7 +2,7 @@
  * model/joint_revolute.c - two bodies share a point; spring, motor and limit act on the angle.
  *
  * p: reference, lower, upper, motor speed, motor torque max, spring target, hertz, damping ratio.
- * Impulse slots: 0, 1 point (x, y); 2 spring; 3 motor; 4 limit.
+ * Impulse slots: 0, 1 point (x, y); 2 spring; 3 motor; 4 limit. stages/joint_kernel.h solves the same without rows.
  */
 #include "model/joint_row.h"
 

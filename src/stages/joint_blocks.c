@@ -82,7 +82,6 @@ static void work_narrow(cn_world *world, const cni_solve *s, int32_t k)
 	cni_joint_rows_begin(world, s, w);
 }
 
-
 /* ---- colours ---- */
 
 static int32_t can_move(const cni_motion *m)
@@ -263,6 +262,8 @@ void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 		plain = &w->next_plain;
 	}
 	*plain = CNI_NONE;
+	if (s->direct != NULL)
+		s->direct->released = 0;
 }
 
 /* ---- pins that are solved directly ---- */
@@ -332,7 +333,7 @@ static void colors_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn 
 			cni_joint_block *block = cni_joint_blocks(world) + index;
 			if (block->direct != 0 && moving)
 				rows_pull(world, block);
-			else if (block->direct != 0)
+			else if (block->direct != 0 && s->direct->released > 0)
 				released_look(world, block);
 			run(cni_motions(world), cni_starts(world), block, &pass, cni_min_i(lanes, CNI_LANES));
 			if (block->direct != 0 && moving)

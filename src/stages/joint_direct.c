@@ -313,9 +313,10 @@ static void works_release(cn_world *world)
 }
 
 /* Each joint by itself after all, in this step. */
-static void joints_release(cn_world *world, const cni_sparse *sparse, cni_component *c)
+static void joints_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
 	int32_t k;
+	++sparse->released;
 	for (k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].owner >= 0)
 			cni_joint_works(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_WORK_DIRECT;
