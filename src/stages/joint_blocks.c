@@ -7,7 +7,7 @@
  *
  * Greedy colouring in the order of the awake list: a joint takes the lowest colour that neither of its bodies uses. The
  * colours of a body are bits of its drive's flags, which every step writes anew.
- * Passes go from the highest colour to the lowest: every joint's body has low colours, and what is solved last holds best.
+ * Passes go from the highest colour to the lowest: every body has low colours, and what is solved last holds best.
  *
  * Reads works, records, motion, drive; writes blocks, colours, the list of works that are solved by rows, and after the
  * substeps records' impulses and loads.

@@ -5,6 +5,7 @@
  * with and without one must move alike. If only the widths disagree look in base/wide.h and stages/joint_kernel.h; if a
  * body is twice in a colour, in color_take.
  */
+#include "base/cpu.h"
 #include "stages/joint_pass.h"
 #include "world/fixture.h"
 
@@ -94,13 +95,10 @@ static void bench_run(bench *b, const cni_joint_kernel *kernel)
 	kernel->solve(b->motions, b->starts, &b->block, &pass, b->lanes);
 }
 
-static void every_width_has_the_same_bits(void)
+static void width_has_the_bits_of_one(const cni_joint_kernel *kernel)
 {
-	const cni_joint_kernel *kernel = cni_joint_kernel_choose();
 	uint32_t seed;
 	int32_t differ = 0;
-	if (kernel == &cni_joint_kernel_plain)
-		SKIP("this build has no vectors");
 	for (seed = 1; seed <= 200; ++seed) {
 		bench_draw(seed);
 		bench_run(&plain, &cni_joint_kernel_plain);
@@ -108,6 +106,17 @@ static void every_width_has_the_same_bits(void)
 		differ += memcmp(&plain, &wide, sizeof plain) != 0;
 	}
 	CHECK_LE("blocks whose bits differ", differ, 0, "of 200");
+}
+
+static void every_width_has_the_same_bits(void)
+{
+	const cni_joint_kernel *kernel = cni_joint_kernel_choose();
+	if (kernel == &cni_joint_kernel_plain)
+		SKIP("this build has no vectors");
+	width_has_the_bits_of_one(kernel);
+#if CNI_HAS_WIDE_4
+	width_has_the_bits_of_one(&cni_joint_kernel_4);
+#endif
 }
 
 /* ---- mechanisms, in lanes and by rows ---- */
