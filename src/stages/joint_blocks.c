@@ -7,7 +7,6 @@
  *
  * Greedy colouring in the order of the awake list: a joint takes the lowest colour that neither of its bodies uses. The
  * colours of a body are bits of its drive's flags, which every step writes anew.
- * Passes go from the highest colour to the lowest: every body has low colours, and what is solved last holds best.
  *
  * Reads works, records, motion, drive; writes blocks, colours, the list of works that are solved by rows, and after the
  * substeps records' impulses and loads.
@@ -328,7 +327,7 @@ static void colors_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn 
 {
 	cni_joint_pass pass = { s->h, s->inv_h, s->warm_scale, s->joint };
 	int32_t color, index;
-	for (color = CNI_JOINT_COLORS - 1; color >= 0; --color) {
+	for (color = 0; color < CNI_JOINT_COLORS; ++color) {
 		int32_t lanes = world->joint_colors[color].lanes;
 		for (index = world->joint_colors[color].first; index != CNI_NONE; index = cni_joint_blocks(world)[index].next) {
 			cni_joint_block *block = cni_joint_blocks(world) + index;
