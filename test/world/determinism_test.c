@@ -24,16 +24,16 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0xcdca6c520437000a },
+	{ "falling_hinges", 480, 1, 0x25c874132aecad2c },
 	{ "small_200", 300, 1, 0xcbb4f50365d6be28 },
 	{ "small_50_sleep", 600, 1, 0xd752828f745dbbe7 },
 	{ "dominoes", 400, 1, 0xad0f181b8ceb4c41 },
-	{ "ragdolls", 480, 1, 0x507eb7ec0d8c6fe7 },
-	{ "bridge", 240, 1, 0x82a3d561f5973c19 },
-	{ "car", 400, 1, 0x2581cb7384e6da47 },
-	{ "mixer", 240, 1, 0x82ef460516e6eba2 },
+	{ "ragdolls", 480, 1, 0xb94f4e388dd3af0c },
+	{ "bridge", 240, 1, 0x813c5858964ae23b },
+	{ "car", 400, 1, 0x4565223551808d53 },
+	{ "mixer", 240, 1, 0x15f1ebfd0f0675fc },
 	{ "pyramid", 120, 0, 0xc6062f4ceaa36191 },
-	{ "rain", 150, 0, 0xe5ff28e1f3e3e2b0 },
+	{ "rain", 150, 0, 0xc23076a5ba51a4e9 },
 	{ "tumbler_1000", 300, 0, 0x9f26ded555f2a850 },
 };
 /* clang-format on */
