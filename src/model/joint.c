@@ -41,12 +41,18 @@ int32_t cni_joint_find(const cn_world *world, uint32_t handle, int32_t constrain
 	return index;
 }
 
+int32_t cni_joint_blocks_for(int32_t joints)
+{
+	return joints / CNI_LANES + cni_min_i(joints, CNI_JOINT_COLORS);
+}
+
 cn_result cni_joint_reserve(cn_world *world, int32_t extra)
 {
 	int32_t used = cni_handles_used(&world->joint_handles) + extra;
 	int32_t good = cni_table_reserve(&world->joints, &world->memory, used) &&
 	               cni_array_reserve(&world->awake_joints, &world->memory, world->joint_handles.count + extra) &&
 	               cni_array_reserve(&world->joint_work, &world->memory, world->joint_handles.count + extra) &&
+	               cni_array_reserve(&world->joint_blocks, &world->memory, cni_joint_blocks_for(world->joint_handles.count + extra)) &&
 	               cni_island_reserve(world, extra);
 	return good ? CN_OK : CN_ERROR_MEMORY;
 }
@@ -225,9 +231,16 @@ static cni_vec2 from_ground(const cni_body *b, const cni_joint *j, int32_t side,
 	return b == NULL ? cni_sub(j->anchor[side], point) : cni_add(center_from(b, point), r);
 }
 
-static float frame_angle(const cni_joint *j, const cni_joint_type *type, cni_rot qa, cni_rot qb)
+static cni_rot side_rotation(const cn_world *world, const cni_joint *j, int32_t side)
 {
-	cni_rot q;
+	cni_rot none = { 1.0f, 0.0f };
+	return j->body[side] == CNI_NONE ? none : cni_body_at(world, j->body[side])->q;
+}
+
+float cni_joint_frame_angle(const cn_world *world, const cni_joint *j)
+{
+	const cni_joint_type *type = cni_joint_type_of(j->type);
+	cni_rot qa = side_rotation(world, j, 0), qb = side_rotation(world, j, 1), q;
 	if (type->uses & CNI_USES_TURNS)
 		return cni_joint_turned(j, qa, qb, (type->uses & CNI_USES_RATIO) ? j->p[CNI_P_GEAR_RATIO] : 1.0f);
 	if (!(type->uses & CNI_USES_ANGLE))
@@ -236,7 +249,7 @@ static float frame_angle(const cni_joint *j, const cni_joint_type *type, cni_rot
 	return cni_wrap_angle(cni_atan2(q.s, q.c) - j->p[CNI_P_REFERENCE] * (float)((type->uses & CNI_USES_REFERENCE) != 0));
 }
 
-cni_joint_frame cni_joint_frame_make(const cn_world *world, const cni_joint *j)
+cni_joint_frame cni_joint_frame_place(const cn_world *world, const cni_joint *j)
 {
 	const cni_joint_type *type = cni_joint_type_of(j->type);
 	const cni_body *a = j->body[0] == CNI_NONE ? NULL : cni_body_at(world, j->body[0]);
@@ -267,8 +280,15 @@ cni_joint_frame cni_joint_frame_make(const cn_world *world, const cni_joint *j)
 		f.e = from_ground(b, j, 1, f.rb);
 	}
 	f.qa = qa;
-	f.angle = frame_angle(j, type, qa, qb);
+	f.angle = 0.0f;
 	f.ratio = (type->uses & CNI_USES_RATIO) ? j->p[CNI_P_GEAR_RATIO] : 1.0f;
+	return f;
+}
+
+cni_joint_frame cni_joint_frame_make(const cn_world *world, const cni_joint *j)
+{
+	cni_joint_frame f = cni_joint_frame_place(world, j);
+	f.angle = cni_joint_frame_angle(world, j);
 	return f;
 }
 

@@ -3,7 +3,8 @@
  *
  * A type describes itself by rows: scalar constraints with a Jacobian, an error and bounds. Warm
  * starting, soft and rigid solving, reactions and error read-back work on rows and know no types, so a
- * new joint is one file with one function that writes rows and two that read it back.
+ * new joint is one file with one function that writes rows and two that read it back. Most revolute joints, which
+ * are most joints, are solved without their rows: stages/joint_blocks.c.
  */
 #ifndef CNI_MODEL_JOINT_H
 #define CNI_MODEL_JOINT_H
@@ -13,6 +14,7 @@
 #define CNI_JOINT_ROWS 5 /* most rows of a joint */
 #define CNI_JOINT_RIGID_ROWS 3 /* most of those that are solved together */
 #define CNI_JOINT_NUMBERS 10
+#define CNI_JOINT_COLORS 24 /* of stages/joint_blocks.c */
 
 /* Types after the public joint types: constraints on one body, which are joints with the world as body a. */
 enum {
@@ -60,6 +62,8 @@ typedef struct cni_joint {
      angle           reserved   lower    upper                          angle a  turns a  angle b turns b
      line            tolerance  lower    upper                                            axis x  axis y  */
 enum { CNI_P_REFERENCE = 0, CNI_P_LENGTH = 0, CNI_P_LOWER = 1, CNI_P_UPPER = 2, CNI_P_MOTOR_SPEED = 3, CNI_P_MOTOR_MAX = 4 };
+/* Its impulses after the point's two. */
+enum { CNI_REVOLUTE_SPRING = 2, CNI_REVOLUTE_MOTOR = 3, CNI_REVOLUTE_LIMIT = 4 };
 enum { CNI_P_REVOLUTE_TARGET = 5, CNI_P_REVOLUTE_HERTZ = 6, CNI_P_REVOLUTE_DAMPING = 7 };
 enum { CNI_P_DISTANCE_HERTZ = 5, CNI_P_DISTANCE_DAMPING = 6 };
 enum { CNI_P_TARGET = 5, CNI_P_HERTZ = 6, CNI_P_DAMPING = 7, CNI_P_AXIS_X = 8, CNI_P_AXIS_Y = 9 };
@@ -78,6 +82,8 @@ cni_joint *cni_joint_at(const cn_world *world, int32_t joint);
 uint32_t cni_joint_handle(const cn_world *world, int32_t joint);
 /* Index of a live joint (constraint 0) or constraint (1), or CNI_NONE. Any 32 bits may come in. */
 int32_t cni_joint_find(const cn_world *world, uint32_t handle, int32_t constraint);
+/* Most blocks of lanes that so many joints fill: whole ones, and one begun in each colour. */
+int32_t cni_joint_blocks_for(int32_t joints);
 /* Room for extra more joints in records and lists. */
 cn_result cni_joint_reserve(cn_world *world, int32_t extra);
 /* Record `joint` (a taken slot) is filled in but for its lists: links it to bodies and islands, wakes,
@@ -154,7 +160,11 @@ extern const cni_joint_type cni_joint_revolute, cni_joint_distance, cni_joint_fi
 	cni_joint_groove, cni_joint_filter, cni_joint_angle, cni_joint_line;
 const cni_joint_type *cni_joint_type_of(int32_t type);
 
-/* The frame at the bodies' present poses. */
+/* The frame at the bodies' present poses, the angle left at 0. */
+cni_joint_frame cni_joint_frame_place(const cn_world *world, const cni_joint *j);
+/* The angle at the bodies' present poses. */
+float cni_joint_frame_angle(const cn_world *world, const cni_joint *j);
+/* Both. */
 cni_joint_frame cni_joint_frame_make(const cn_world *world, const cni_joint *j);
 
 /* ---- turns ---- */

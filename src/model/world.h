@@ -109,7 +109,11 @@ struct cn_world {
 	int32_t stressed_joints;     /* beyond a break threshold in this step, not yet dealt with */
 	cni_table joints;            /* cni_joint */
 	cni_array awake_joints;      /* int32_t */
-	cni_array joint_work;        /* cni_joint_work of stages/joint_rows.h, one an awake joint */
+	cni_array joint_work;        /* cni_joint_work of stages/joint_work.h, one an awake joint */
+	cni_array joint_blocks;      /* cni_joint_block of stages/joint_pass.h, within a step; room for every joint in any colours */
+	cni_color joint_colors[CNI_JOINT_COLORS];
+	int32_t joint_plain_first;   /* works that are solved by rows, linked by next_plain; CNI_NONE */
+	int32_t reserved_plain;
 
 	/* islands */
 	cni_table islands;           /* cni_island */

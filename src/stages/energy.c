@@ -15,7 +15,7 @@
  * Reads start (velocities before the impulses of the substep) and motion; writes both by the same change, so that
  * the response between them stays.
  */
-#include "stages/joint_work.h"
+#include "stages/joint_pass.h"
 
 #include <string.h>
 
@@ -129,6 +129,23 @@ static float row_work(const cn_world *world, const cni_joint_work *w, const cni_
 	                     row_speed(r, cni_v(a->vx, a->vy), a->w, cni_v(b->vx, b->vy), b->w));
 }
 
+/* Joints in lanes: springs and motors are torques on body b. */
+static void driven_by_lanes(const cn_world *world, island_sum *sums)
+{
+	const cni_motion *motions = cni_motions(world);
+	const cni_velocity_start *starts = cni_starts(world);
+	int32_t index, l;
+	for (index = 0; index < world->joint_blocks.count; ++index) {
+		const cni_joint_block *k = cni_joint_blocks(world) + index;
+		for (l = 0; l < CNI_LANES; ++l) {
+			int32_t a = k->ia[l], b = k->ib[l], island = cni_joint_island(world, a, b);
+			float torque = k->spring_j[l] + k->motor_j[l];
+			if (torque != 0.0f && island != CNI_NONE)
+				sums[island].before += cni_max(torque * ((starts[b].w - starts[a].w) + (motions[b].w - motions[a].w)), 0.0f);
+		}
+	}
+}
+
 static void driven_by_joints(const cn_world *world, island_sum *sums)
 {
 	const cni_motion *motions = cni_motions(world);
@@ -211,6 +228,7 @@ void cni_energy_hold(cn_world *world)
 	memset(sums, 0, (size_t)bytes);
 	driven_by_contacts(world, sums);
 	driven_by_joints(world, sums);
+	driven_by_lanes(world, sums);
 	sums_find(world, sums);
 	if (factors_find(world, sums))
 		factors_apply(world, sums);

@@ -334,9 +334,10 @@ static void works_release(cn_world *world)
 }
 
 /* Each joint by itself after all, in this step. */
-static void joints_release(cn_world *world, const cni_sparse *sparse, cni_component *c)
+static void joints_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
 	int32_t k;
+	++sparse->released;
 	for (k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].owner >= 0)
 			cni_joint_works(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_WORK_DIRECT;
@@ -441,6 +442,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	if (out->component_count == 0)
 		return;
 	s->direct = out;
+	cni_joint_works_complete(world, s);
 	for (k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
 		c->presses = component_has_presses(out, c);

@@ -1,5 +1,6 @@
 /*
- * stages/joint_solve.c - joints in the soft step: rows to impulses, for every type alike.
+ * stages/joint_solve.c - joints in the soft step: rows to impulses, for every type alike. Revolute joints that need nothing
+ * of this are in lanes: stages/joint_blocks.c.
  *
  * Each awake joint gets a work item in a dense array: body indices, anchors turned with the bodies, rows. A
  * joint's rigid rows are solved together by the inverse of their K = J M^-1 J^T. Every other row is combined
@@ -19,7 +20,7 @@
  * Reads records and motion, writes motion velocities, start, the records' impulses and turns; breaks joints
  * whose largest reaction within the step was beyond their threshold.
  */
-#include "stages/joint_work.h"
+#include "stages/joint_pass.h"
 
 /* ---- rows ---- */
 
@@ -182,7 +183,7 @@ static void impulses_recouple(const cn_world *world, const cni_joint_work *w, fl
 	cni_row rows[CNI_JOINT_ROWS];
 	float share[CNI_JOINT_RIGID_ROWS];
 	int32_t i, k;
-	if (!work_is_decoupled(w))
+	if ((w->flags & CNI_WORK_WIDE) || !work_is_decoupled(w))
 		return;
 	f = work_frame(w, a, b);
 	w->make_rows(w->record, &f, rows);
@@ -225,20 +226,33 @@ static void work_soften(cni_joint_work *w, const cni_joint *j, const cni_solve *
 	}
 }
 
-void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k)
+void cni_joint_work_begin(cn_world *world, int32_t k)
 {
-	int32_t joint = ((const int32_t *)world->awake_joints.data)[k], r;
+	int32_t joint = ((const int32_t *)world->awake_joints.data)[k];
 	cni_joint_work *w = cni_joint_works(world) + k;
 	const cni_joint *j = cni_joint_at(world, joint);
-	float impulse[CNI_JOINT_ROWS];
 	w->record = j;
 	w->make_rows = cni_joint_type_of(j->type)->rows;
 	w->joint = joint;
 	w->ia = j->body[0] == CNI_NONE ? 0 : cni_body_at(world, j->body[0])->awake;
 	w->ib = j->body[1] == CNI_NONE ? 0 : cni_body_at(world, j->body[1])->awake;
 	w->flags = work_flags(j);
+	w->start = cni_joint_frame_place(world, j);
+}
+
+void cni_joint_loads_read(cni_joint_work *w, const cni_solve *s)
+{
+	int32_t r;
+	for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r)
+		w->load[r] = s->warm_scale * w->record->load[r];
+}
+
+void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work *w)
+{
+	const cni_joint *j = w->record;
+	float impulse[CNI_JOINT_ROWS];
+	int32_t r;
 	w->rigid_count = -1;
-	w->start = cni_joint_frame_make(world, j);
 	cni_joint_work_build(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
 	work_soften(w, j, s);
 	if (w->flags & CNI_WORK_BOUNDED) {
@@ -252,27 +266,38 @@ void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k)
 	impulses_recouple(world, w, -1.0f, impulse);
 	for (r = 0; r < w->row_count; ++r)
 		w->rows[r].impulse = impulse[r];
-	for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r)
-		w->load[r] = s->warm_scale * j->load[r];
+	cni_joint_loads_read(w, s);
+}
+
+void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k)
+{
+	cni_joint_work *w = cni_joint_works(world) + k;
+	cni_joint_work_begin(world, k);
+	w->start.angle = cni_joint_frame_angle(world, w->record);
+	cni_joint_rows_begin(world, s, w);
 }
 
 void cni_joints_prepare(cn_world *world, const cni_solve *s)
 {
 	int32_t k;
+	cni_joint_blocks_empty(world);
 	for (k = 0; k < world->awake_joints.count; ++k)
-		cni_joint_work_prepare(world, s, k);
+		if (!cni_joint_work_widen(world, k))
+			cni_joint_work_prepare(world, s, k);
 }
 
 void cni_joints_warm_start(cn_world *world, const cni_solve *s)
 {
 	int32_t k, r;
-	for (k = 0; k < world->awake_joints.count; ++k) {
-		cni_joint_work *w = cni_joint_works(world) + k;
-		for (r = 0; r < w->row_count && !(w->flags & CNI_WORK_SWUNG); ++r) {
+	cni_joint_work *w;
+	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
+		w = cni_joint_works(world) + k;
+		for (r = 0; r < w->row_count; ++r) {
 			w->rows[r].impulse *= s->warm_scale;
 			row_push(&w->rows[r], w->rows[r].impulse, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
 		}
 	}
+	cni_joint_blocks_warm(world, s);
 }
 
 /* ---- impulses ---- */
@@ -422,9 +447,9 @@ static void solve_work(cni_joint_work *w, cni_motion *motions, const cni_solve *
 void cni_joints_solve(cn_world *world, const cni_solve *s)
 {
 	int32_t k;
-	for (k = 0; k < world->awake_joints.count; ++k)
-		if (!(cni_joint_works(world)[k].flags & CNI_WORK_SWUNG))
-			solve_work(cni_joint_works(world) + k, cni_motions(world), s, 1);
+	for (k = world->joint_plain_first; k != CNI_NONE; k = cni_joint_works(world)[k].next_plain)
+		solve_work(cni_joint_works(world) + k, cni_motions(world), s, 1);
+	cni_joint_blocks_solve(world, s);
 	cni_direct_solve(world, s, 1);
 }
 
@@ -482,35 +507,41 @@ void cni_joint_work_stress(cni_joint_work *w, const cni_motion *b, float inv_h)
 void cni_joints_relax(cn_world *world, const cni_solve *s)
 {
 	int32_t k;
-	for (k = 0; k < world->awake_joints.count; ++k) {
-		cni_joint_work *w = cni_joint_works(world) + k;
-		if (w->flags & CNI_WORK_SWUNG)
-			continue;
+	cni_joint_work *w;
+	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
+		w = cni_joint_works(world) + k;
 		work_rebuild(world, w);
 		solve_work(w, cni_motions(world), s, 0);
 	}
+	cni_joint_blocks_relax(world, s);
 	cni_direct_solve(world, s, 0);
-	for (k = 0; k < world->awake_joints.count; ++k) {
-		cni_joint_work *w = cni_joint_works(world) + k;
-		if ((w->flags & (CNI_WORK_BREAKABLE | CNI_WORK_SWUNG)) == CNI_WORK_BREAKABLE)
+	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
+		w = cni_joint_works(world) + k;
+		if (w->flags & CNI_WORK_BREAKABLE)
 			cni_joint_work_stress(w, cni_motions(world) + w->ib, s->inv_h);
 	}
 }
 
-/* A joint that is solved by itself, with its neighbours pulling at it: is its gap more than is good? */
-static void look_for_gap(cn_world *world, const cni_joint_work *w)
+/* With its neighbours pulling at it. */
+void cni_joint_gap_look(cn_world *world, const cni_joint_work *w, float gap)
 {
-	float gap = 0.0f;
-	int32_t k, island;
-	if (w->flags & (CNI_WORK_DIRECT | CNI_WORK_SPRINGY | CNI_WORK_BOUNDED))
-		return;
-	for (k = 0; k < w->rigid_count; ++k)
-		gap = cni_max(gap, w->rows[k].angular ? 0.0f : cni_abs(w->rows[k].error));
-	if (gap <= CNI_BAD_PART * world->settings.accuracy)
+	int32_t island;
+	if (world->settings.solver != CN_SOLVER_AUTO || gap <= CNI_BAD_PART * world->settings.accuracy)
 		return;
 	island = cni_joint_island(world, w->ia, w->ib);
 	if (island != CNI_NONE)
 		cni_island_joints_part(world, island);
+}
+
+static void look_for_gap(cn_world *world, const cni_joint_work *w)
+{
+	float gap = 0.0f;
+	int32_t k;
+	if (w->flags & (CNI_WORK_DIRECT | CNI_WORK_SPRINGY | CNI_WORK_BOUNDED))
+		return;
+	for (k = 0; k < w->rigid_count; ++k)
+		gap = cni_max(gap, w->rows[k].angular ? 0.0f : cni_abs(w->rows[k].error));
+	cni_joint_gap_look(world, w, gap);
 }
 
 static int32_t is_beyond(const cni_joint_work *w, const cni_joint *j)
@@ -533,8 +564,11 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 	world->stressed_joints = 0;
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		cni_joint_work *w = cni_joint_works(world) + k;
-		cni_joint *j = cni_joint_at(world, w->joint);
+		cni_joint *j;
 		float impulse[CNI_JOINT_ROWS];
+		if ((w->flags & (CNI_WORK_WIDE | CNI_WORK_SWUNG)) == CNI_WORK_WIDE)
+			continue;
+		j = cni_joint_at(world, w->joint);
 		for (r = 0; r < w->row_count; ++r)
 			impulse[r] = w->rows[r].impulse;
 		impulses_recouple(world, w, 1.0f, impulse);
@@ -544,8 +578,7 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 			j->impulse[w->rows[r].slot] = impulse[r];
 		load_store(w, j, s);
 		j->inv_h = s->inv_h;
-		if (world->settings.solver == CN_SOLVER_AUTO)
-			look_for_gap(world, w);
+		look_for_gap(world, w);
 		if (w->flags & CNI_WORK_TURNS)
 			cni_joint_turns_advance(world, j, cni_motions(world)[w->ia].theta, cni_motions(world)[w->ib].theta);
 		if (w->flags & CNI_WORK_BREAKABLE) {
@@ -554,6 +587,7 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 			world->stressed_joints += is_beyond(w, j);
 		}
 	}
+	cni_joint_blocks_store(world, s);
 }
 
 /* ---- breaking ---- */

@@ -14,7 +14,8 @@ enum {
 	CNI_WORK_GROUNDS = 1u << 3,   /* d and e are seen from points of the world */
 	CNI_WORK_TURNS = 1u << 4,     /* counts whole turns */
 	CNI_WORK_DIRECT = 1u << 5,    /* its rigid rows are solved with its neighbours': stages/joint_direct.c */
-	CNI_WORK_SWUNG = 1u << 6      /* done with for this step: stages/joint_swing.c */
+	CNI_WORK_SWUNG = 1u << 6,     /* done with for this step: stages/joint_swing.c */
+	CNI_WORK_WIDE = 1u << 7       /* unless swung it is in a lane: stages/joint_blocks.c; rows are written only if direct, and their impulses are all of the record's */
 };
 
 #define CNI_JOINT_ERROR_RATE 0.3f /* part of its gap that a directly solved joint takes out in a substep */
@@ -28,9 +29,10 @@ typedef struct cni_joint_work {
 	int32_t row_count;
 	int32_t rigid_count;       /* the first rows: rigid or drive */
 	uint32_t flags;            /* CNI_WORK_* */
+	int32_t next_plain;        /* the next that is solved by rows */
+	cni_row rows[CNI_JOINT_ROWS];
 	cni_joint_frame start;     /* at the beginning of the step */
 	float inverse[6];          /* of the first rows' K: 00 01 02 11 12 22 */
-	cni_row rows[CNI_JOINT_ROWS];
 	float load[CNI_JOINT_RIGID_ROWS]; /* the first rows give way around it; 0 but in nets: stages/joint_net.c */
 	float single_mass[CNI_JOINT_ROWS];
 	cni_soft soft;             /* springy: of the first rows and of limits */
@@ -53,8 +55,15 @@ static inline int32_t cni_joint_island(const cn_world *world, int32_t ia, int32_
 {
 	return cni_awake_island(world, ia != 0 ? ia : ib);
 }
-/* The work of place k in the awake list, as a step begins. */
+/* The work of place k in the awake list, as a step begins, to be solved by rows. */
 void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k);
+/* What of it does not depend on how it is solved, the frame's angle left out. */
+void cni_joint_work_begin(cn_world *world, int32_t k);
+/* ... then its rows, decoupled, with their impulses. */
+void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work *w);
+void cni_joint_loads_read(cni_joint_work *w, const cni_solve *s);
+/* A joint that is solved by itself: is its gap more than is good? */
+void cni_joint_gap_look(cn_world *world, const cni_joint_work *w, float gap);
 /* Builds all rows at the bodies' present positions, impulses left undefined. */
 void cni_joint_work_build(cni_joint_work *w, const cni_motion *a, const cni_motion *b);
 /* The rows as their type gives them, for joints whose rows are all rigid or limits that are far away; turns: rotations
@@ -77,6 +86,13 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 void cni_direct_motions_keep(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t back);
 /* Rotations of the component's bodies since the step began. */
 void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_component *c);
+
+/* ---- wide works: stages/joint_blocks.c ---- */
+
+/* The work of place k, as a step begins, if it can be solved in a lane; 0: it cannot. */
+int32_t cni_joint_work_widen(cn_world *world, int32_t k);
+/* The rows of wide works that are solved directly. */
+void cni_joint_works_complete(cn_world *world, const cni_solve *s);
 
 /* ---- tension: stages/joint_tension.c ---- */
 

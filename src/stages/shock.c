@@ -10,7 +10,7 @@
  * Reads motion, start, drive; writes start (struck, and the response that is taken out), block.jn jt,
  * joint impulses.
  */
-#include "stages/joint_work.h"
+#include "stages/joint_pass.h"
 
 #define BODIES_A_RANGE 256 /* about a microsecond each */
 #define BLOCKS_A_RANGE 16
@@ -128,6 +128,32 @@ static void joints_forget(cn_world *world)
 	}
 }
 
+static void joint_lane_forget(cn_world *world, cni_joint_block *k, int32_t l)
+{
+	const cni_joint *j = cni_joint_works(world)[k->work[l]].record;
+	float limit = k->limit_j[l] > 0.0f ? j->impulse[CNI_REVOLUTE_LIMIT] : -j->impulse[CNI_REVOLUTE_LIMIT];
+	float x = k->jx[l] - load_part(k->jx[l], j->impulse[0]), y = k->jy[l] - load_part(k->jy[l], j->impulse[1]);
+	float motor = k->motor_j[l] - load_part(k->motor_j[l], j->impulse[CNI_REVOLUTE_MOTOR]), stop = k->limit_j[l] - load_part(k->limit_j[l], limit);
+	response_take_out(world, k->ia[l], -x, -y, k->ay[l] * x - k->ax[l] * y - motor - stop);
+	response_take_out(world, k->ib[l], x, y, k->bx[l] * y - k->by[l] * x + motor + stop);
+	k->jx[l] -= x;
+	k->jy[l] -= y;
+	k->motor_j[l] -= motor;
+	k->limit_j[l] -= stop;
+}
+
+/* The same of those in lanes; pins that are solved directly have their impulses in their works. */
+static void joint_lanes_forget(cn_world *world)
+{
+	int32_t index, l;
+	for (index = 0; index < world->joint_blocks.count; ++index) {
+		cni_joint_block *k = cni_joint_blocks(world) + index;
+		for (l = 0; l < CNI_LANES; ++l)
+			if (shocked(world, k->ia[l], k->ib[l]))
+				joint_lane_forget(world, k, l);
+	}
+}
+
 void cni_shocks_forget(cn_world *world, const cni_solve *s)
 {
 	shock_loop loop;
@@ -140,4 +166,5 @@ void cni_shocks_forget(cn_world *world, const cni_solve *s)
 	cni_energy_hold(world);
 	contacts_forget(world, &loop);
 	joints_forget(world);
+	joint_lanes_forget(world);
 }

@@ -2,6 +2,7 @@
  * stages/solve_make.c - the numbers of one step: substep length and soft-constraint coefficients.
  */
 #include "stages/contact_pass.h"
+#include "stages/joint_pass.h"
 
 cni_soft cni_soft_implicit(float hertz, float damping_ratio, float h)
 {
@@ -97,6 +98,7 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	s.contact_static = cni_soft_implicit(0.25f * s.inv_h, 10.0f, s.h);
 	s.joint = cni_soft_implicit(0.25f * s.inv_h, 2.0f, s.h);
 	s.kernel = cni_contact_kernel_choose();
+	s.joint_kernel = cni_joint_kernel_choose();
 	s.direct = NULL;
 	s.bounces = s.reserved = 0;
 	s.team = NULL;

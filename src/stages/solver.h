@@ -32,6 +32,7 @@ typedef struct cni_soft {
 #define CNI_LOAD_RATE 0.6f
 
 struct cni_contact_kernel; /* stages/contact_pass.h */
+struct cni_joint_kernel;   /* stages/joint_pass.h */
 
 /* v' = (v + h a) times this: v' = a - damping v taken implicitly, so that the speed that a fall tends to is exact. */
 static inline float cni_damping_factor(float damping, float h)
@@ -50,6 +51,7 @@ typedef struct cni_solve {
 	cni_soft contact_static;   /* one of them cannot move */
 	cni_soft joint;
 	const struct cni_contact_kernel *kernel;
+	const struct cni_joint_kernel *joint_kernel;
 	struct cni_sparse *direct; /* joints that are solved directly, NULL: none */
 	int32_t bounces;           /* some contact has restitution */
 	int32_t reserved;
@@ -90,6 +92,8 @@ void cni_shocks_forget(cn_world *world, const cni_solve *s);
 void cni_energy_hold(cn_world *world);
 void cni_contacts_impact(cn_world *world, const cni_solve *s);
 void cni_joints_prepare(cn_world *world, const cni_solve *s);
+/* Those that are solved wide into their lanes, once it is known which are solved directly. */
+void cni_joint_blocks_gather(cn_world *world, const cni_solve *s);
 void cni_joints_warm_start(cn_world *world, const cni_solve *s);
 void cni_joints_solve(cn_world *world, const cni_solve *s);
 /* Stage 5: which islands are solved directly, contacts and all. */

@@ -93,6 +93,7 @@ typedef struct cni_sparse {
 	int32_t *bodies;              /* dense indices, by component */
 	int32_t body_count;
 	int32_t arena_entries;        /* before it was planned */
+	int32_t released;             /* of stages/joint_direct.c: components given up since lanes were filled */
 	struct cni_press *presses;    /* contacts: nodes whose owner is -1 - press */
 	int32_t press_count;
 	cni_motion *saved;            /* by place in bodies */

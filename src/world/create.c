@@ -5,7 +5,7 @@
  * lies at its beginning and the rest of the block serves everything else; all capacities are then
  * reserved at once, so that a world within its capacities never asks again.
  */
-#include "stages/joint_work.h"
+#include "stages/joint_pass.h"
 #include "world/error.h"
 
 #include <string.h>
@@ -150,6 +150,7 @@ static void tables_init(cn_world *world)
 	cni_array_init(&world->direct_plans[1], CNI_KEPT_BYTES);
 	cni_array_init(&world->joint_work, (int32_t)sizeof(cni_joint_work));
 	cni_array_init(&world->block_list, (int32_t)sizeof(cni_listed_block));
+	cni_array_init(&world->joint_blocks, (int32_t)sizeof(cni_joint_block));
 	cni_array_init(&world->sleep_lanes, (int32_t)sizeof(cni_sleep_lane));
 	cni_array_init(&world->pairs.list, (int32_t)sizeof(cni_pair));
 	cni_events_init(&world->events);
@@ -191,6 +192,7 @@ static void tables_deinit(cn_world *world)
 	cni_array_deinit(&world->direct_plans[1], memory);
 	cni_array_deinit(&world->joint_work, memory);
 	cni_array_deinit(&world->block_list, memory);
+	cni_array_deinit(&world->joint_blocks, memory);
 	cni_array_deinit(&world->sleep_lanes, memory);
 	cni_array_deinit(&world->pairs.list, memory);
 	cni_events_deinit(&world->events, memory);
@@ -262,7 +264,8 @@ static int32_t reserve_contacts(cn_world *world, const cn_world_def *d)
 	int32_t n = d->contact_capacity;
 	return cni_contact_reserve(world, n) == CN_OK && cni_lane_reserve(world, n) &&
 	       cni_array_reserve_exact(&world->awake_joints, m, d->joint_capacity) &&
-	       cni_array_reserve_exact(&world->joint_work, m, d->joint_capacity);
+	       cni_array_reserve_exact(&world->joint_work, m, d->joint_capacity) &&
+	       cni_array_reserve_exact(&world->joint_blocks, m, cni_joint_blocks_for(d->joint_capacity));
 }
 
 static int32_t reserve_pieces(cn_world *world, const cn_world_def *d)
@@ -378,6 +381,7 @@ static uint64_t arrays_bytes(const cn_world_def *d)
 	return body_arrays_bytes(d->body_capacity) + array_bytes(d->body_capacity / 2, sizeof(int32_t)) + contact_arrays_bytes(d->contact_capacity) + array_bytes(with_spares(d->shape_capacity), sizeof(uint32_t)) +
 	       2u * array_bytes(joints, sizeof(cn_joint_event)) +
 	       array_bytes(with_spares(joints), sizeof(uint32_t)) + array_bytes(joints, sizeof(cni_joint_work)) + array_bytes(joints, sizeof(int32_t)) +
+	       array_bytes(cni_joint_blocks_for(joints), sizeof(cni_joint_block)) +
 	       array_bytes(1, (size_t)arena_bytes(d)) + array_bytes(plan_items(d), CNI_KEPT_BYTES);
 }
 

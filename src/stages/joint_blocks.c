@@ -1,0 +1,397 @@
+/*
+ * stages/joint_blocks.c - revolute joints in the soft step, many at once: colours, lanes, passes.
+ *
+ * Nearly all joints of most scenes are pins with or without an angle's spring, motor and limit. Those that have nothing else
+ * (work flag CNI_WORK_WIDE) leave the rows of stages/joint_solve.c for the lanes drawn in stages/joint_pass.h. What
+ * does not change within the step is written into the lane once; kernels do the rest.
+ *
+ * Greedy colouring in the order of the awake list: a joint takes the lowest colour that neither of its bodies uses. The
+ * colours of a body are bits of its drive's flags, which every step writes anew.
+ *
+ * Reads works, records, motion, drive; writes blocks, colours, the list of works that are solved by rows, and after the
+ * substeps records' impulses and loads.
+ */
+#include "base/bitset.h"
+#include "base/cpu.h"
+#include "stages/joint_pass.h"
+
+#include <string.h>
+
+#define FAR_RAD 1e9f          /* a limit that is nowhere */
+#define TURN_MOST_RAD 1.5f    /* in a step: faster bodies' joints are solved by rows, whose arms turn any way exactly */
+
+const cni_joint_kernel *cni_joint_kernel_choose(void)
+{
+#if CNI_HAS_WIDE_8
+	if (cni_cpu_has_avx2())
+		return &cni_joint_kernel_8;
+#endif
+#if CNI_HAS_WIDE_4
+	return &cni_joint_kernel_4;
+#else
+	return &cni_joint_kernel_plain;
+#endif
+}
+
+/* ---- works ---- */
+
+/* Revolute joints that nothing softens, bounds or breaks. */
+static int32_t may_be_wide(const cn_world *world, int32_t k)
+{
+	const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
+	return j->type == CN_JOINT_REVOLUTE && j->stiffness_hertz <= 0.0f && j->force_max <= 0.0f && j->torque_max <= 0.0f &&
+	       j->break_force <= 0.0f && j->break_torque <= 0.0f && world->settings.solver != CN_SOLVER_SEQUENTIAL;
+}
+
+/* Only a spring or a limit asks for the angle. */
+int32_t cni_joint_work_widen(cn_world *world, int32_t k)
+{
+	cni_joint_work *w = cni_joint_works(world) + k;
+	if (!may_be_wide(world, k))
+		return 0;
+	cni_joint_work_begin(world, k);
+	w->flags |= CNI_WORK_WIDE;
+	w->row_count = 0;
+	w->rigid_count = 2;
+	if (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT))
+		w->start.angle = cni_joint_frame_angle(world, w->record);
+	return 1;
+}
+
+void cni_joint_works_complete(cn_world *world, const cni_solve *s)
+{
+	int32_t k, r;
+	for (k = 0; k < s->direct->node_count; ++k) {
+		cni_joint_work *w = cni_joint_works(world) + s->direct->nodes[k].owner;
+		if (s->direct->nodes[k].owner < 0 || !(w->flags & CNI_WORK_WIDE))
+			continue;
+		w->row_count = w->make_rows(w->record, &w->start, w->rows);
+		for (r = 0; r < w->row_count; ++r)
+			w->rows[r].impulse = w->record->impulse[w->rows[r].slot];
+		cni_joint_loads_read(w, s);
+	}
+}
+
+/* A wide work is solved by rows after all; a plain one stays as it is. */
+static void work_narrow(cn_world *world, const cni_solve *s, int32_t k)
+{
+	cni_joint_work *w = cni_joint_works(world) + k;
+	if (!(w->flags & CNI_WORK_WIDE))
+		return;
+	w->flags &= ~(uint32_t)CNI_WORK_WIDE;
+	cni_joint_rows_begin(world, s, w);
+}
+
+/* ---- colours ---- */
+
+static int32_t can_move(const cni_motion *m)
+{
+	return m->inv_mass > 0.0f || m->inv_inertia > 0.0f;
+}
+
+/* A colour that neither body uses yet, which they use from now on; CNI_NONE: there is none. */
+static int32_t color_take(cn_world *world, int32_t ia, int32_t ib)
+{
+	cni_drive *a = can_move(cni_motions(world) + ia) ? cni_drives(world) + ia : NULL;
+	cni_drive *b = can_move(cni_motions(world) + ib) ? cni_drives(world) + ib : NULL;
+	uint32_t used = (a != NULL ? a->flags : 0) | (b != NULL ? b->flags : 0);
+	uint32_t open = ~(used >> CNI_DRIVE_COLOR_SHIFT) & ((1u << CNI_JOINT_COLORS) - 1u);
+	int32_t color;
+	if (open == 0)
+		return CNI_NONE;
+	color = cni_bit_lowest32(open);
+	if (a != NULL)
+		a->flags |= 1u << (CNI_DRIVE_COLOR_SHIFT + color);
+	if (b != NULL)
+		b->flags |= 1u << (CNI_DRIVE_COLOR_SHIFT + color);
+	return color;
+}
+
+/* An empty block at the end of the colour. */
+static cni_joint_block *block_take(cn_world *world, int32_t color)
+{
+	cni_color *group = &world->joint_colors[color];
+	int32_t index = world->joint_blocks.count++;
+	cni_joint_block *block = cni_joint_blocks(world) + index;
+	CNI_ASSERT(world->joint_blocks.count <= world->joint_blocks.capacity);
+	memset(block, 0, sizeof *block);
+	block->next = CNI_NONE;
+	if (group->last == CNI_NONE)
+		group->first = index;
+	else
+		cni_joint_blocks(world)[group->last].next = index;
+	group->last = index;
+	return block;
+}
+
+/* ---- lanes ---- */
+
+/* The last spring's coefficients: neighbours' are often the same. */
+typedef struct gather {
+	cn_world *world;
+	const cni_solve *s;
+	float hertz, damping_ratio;
+	cni_soft soft;
+} gather;
+
+static void spring_fill(gather *g, const cni_joint *j, cni_joint_block *block, int32_t l)
+{
+	float hertz = j->p[CNI_P_REVOLUTE_HERTZ], damping_ratio = j->p[CNI_P_REVOLUTE_DAMPING];
+	if (hertz != g->hertz || damping_ratio != g->damping_ratio) {
+		g->hertz = hertz;
+		g->damping_ratio = damping_ratio;
+		g->soft = cni_soft_exact(hertz, damping_ratio, g->s->h);
+	}
+	block->rest[l] = j->p[CNI_P_REVOLUTE_TARGET];
+	block->spring_mass[l] = g->soft.mass_scale;
+	block->spring_bias[l] = g->soft.bias_scale;
+	block->spring_give[l] = g->soft.impulse_scale;
+	block->spring_j[l] = j->impulse[CNI_REVOLUTE_SPRING];
+}
+
+/* 1: the lower end is nearer. */
+static float limit_sign(const cni_joint *j, float angle)
+{
+	return angle - j->p[CNI_P_LOWER] <= j->p[CNI_P_UPPER] - angle ? 1.0f : -1.0f;
+}
+
+static void angle_fill(gather *g, const cni_joint_work *w, cni_joint_block *block, int32_t l)
+{
+	const cni_joint *j = w->record;
+	block->angular |= (j->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR | CN_JOINT_LIMIT)) != 0;
+	block->angle0[l] = block->angle[l] = w->start.angle;
+	if (j->flags & CN_JOINT_SPRING)
+		spring_fill(g, j, block, l);
+	if (j->flags & CN_JOINT_MOTOR) {
+		block->speed[l] = j->p[CNI_P_MOTOR_SPEED];
+		block->torque[l] = j->p[CNI_P_MOTOR_MAX];
+		block->motor_j[l] = j->impulse[CNI_REVOLUTE_MOTOR];
+	}
+	block->lower[l] = -FAR_RAD;
+	block->upper[l] = FAR_RAD;
+	if (j->flags & CN_JOINT_LIMIT) {
+		block->lower[l] = j->p[CNI_P_LOWER];
+		block->upper[l] = j->p[CNI_P_UPPER];
+		block->limit_j[l] = limit_sign(j, w->start.angle) * j->impulse[CNI_REVOLUTE_LIMIT];
+	}
+}
+
+static void pin_fill(const gather *g, cni_joint_work *w, cni_joint_block *block, int32_t l)
+{
+	const cni_joint *j = w->record;
+	block->ia[l] = w->ia;
+	block->ib[l] = w->ib;
+	block->ai[l] = cni_motions(g->world)[w->ia].inv_inertia;
+	block->bi[l] = cni_motions(g->world)[w->ib].inv_inertia;
+	block->ax0[l] = block->ax[l] = w->start.ra.x;
+	block->ay0[l] = block->ay[l] = w->start.ra.y;
+	block->bx0[l] = block->bx[l] = w->start.rb.x;
+	block->by0[l] = block->by[l] = w->start.rb.y;
+	block->dx0[l] = block->ex[l] = w->start.d.x;
+	block->dy0[l] = block->ey[l] = w->start.d.y;
+	if (w->flags & CNI_WORK_DIRECT) {
+		block->direct |= 1u << l;
+		w->row_count = w->rigid_count; /* the angle's rows are the lane's */
+		return;
+	}
+	block->jx[l] = j->impulse[0];
+	block->jy[l] = j->impulse[1];
+	block->load_x[l] = g->s->warm_scale * j->load[0];
+	block->load_y[l] = g->s->warm_scale * j->load[1];
+}
+
+static int32_t work_fits(const cn_world *world, const cni_solve *s, const cni_joint_work *w)
+{
+	float most = TURN_MOST_RAD / s->dt;
+	return cni_abs(cni_motions(world)[w->ia].w) <= most && cni_abs(cni_motions(world)[w->ib].w) <= most;
+}
+
+/* 0: it has no place in a lane. */
+static int32_t lane_take(gather *g, int32_t k)
+{
+	cn_world *world = g->world;
+	cni_joint_work *w = cni_joint_works(world) + k;
+	int32_t color = work_fits(world, g->s, w) ? color_take(world, w->ia, w->ib) : CNI_NONE, l;
+	cni_joint_block *block;
+	if (color == CNI_NONE)
+		return 0;
+	l = world->joint_colors[color].lanes++ % CNI_LANES;
+	block = l == 0 ? block_take(world, color) : cni_joint_blocks(world) + world->joint_colors[color].last;
+	block->work[l] = k;
+	pin_fill(g, w, block, l);
+	angle_fill(g, w, block, l);
+	return 1;
+}
+
+/* Joints in one system with contacts stay rows: it begins every pass by taking back what impulses have done. */
+static void pressed_works_leave(cn_world *world, const cni_solve *s)
+{
+	int32_t k, n;
+	for (k = 0; s->direct != NULL && k < s->direct->component_count; ++k) {
+		const cni_component *c = &s->direct->components[k];
+		for (n = c->begin; c->presses && n < c->end; ++n)
+			if (s->direct->nodes[n].owner >= 0)
+				work_narrow(world, s, s->direct->nodes[n].owner);
+	}
+}
+
+void cni_joint_blocks_empty(cn_world *world)
+{
+	int32_t k;
+	world->joint_blocks.count = 0;
+	for (k = 0; k < CNI_JOINT_COLORS; ++k) {
+		world->joint_colors[k].first = world->joint_colors[k].last = CNI_NONE;
+		world->joint_colors[k].lanes = 0;
+	}
+}
+
+void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
+{
+	gather g = { world, s, 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } };
+	int32_t k, *plain = &world->joint_plain_first;
+	pressed_works_leave(world, s);
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		cni_joint_work *w = cni_joint_works(world) + k;
+		if (w->flags & CNI_WORK_SWUNG)
+			continue;
+		if ((w->flags & CNI_WORK_WIDE) && lane_take(&g, k))
+			continue;
+		if (w->flags & CNI_WORK_WIDE)
+			work_narrow(world, s, k);
+		*plain = k;
+		plain = &w->next_plain;
+	}
+	*plain = CNI_NONE;
+	if (s->direct != NULL)
+		s->direct->released = 0;
+}
+
+/* ---- pins that are solved directly ---- */
+
+/* Its system has given it up within the step: the lane has its pin from now on. */
+static void lane_release(cni_joint_block *block, int32_t l, cni_joint_work *w)
+{
+	block->jx[l] += w->rows[0].impulse;
+	block->jy[l] += w->rows[1].impulse;
+	w->rows[0].impulse = w->rows[1].impulse = 0.0f;
+	block->direct &= ~(1u << l);
+}
+
+static void released_look(cn_world *world, cni_joint_block *block)
+{
+	uint32_t bits;
+	for (bits = block->direct; bits != 0; bits &= bits - 1u) {
+		int32_t l = cni_bit_lowest32(bits);
+		cni_joint_work *w = cni_joint_works(world) + block->work[l];
+		if (!(w->flags & CNI_WORK_DIRECT))
+			lane_release(block, l, w);
+	}
+}
+
+/* The rows' impulses are the lanes' while arms turn. */
+static void rows_pull(cn_world *world, cni_joint_block *block)
+{
+	uint32_t bits;
+	released_look(world, block);
+	for (bits = block->direct; bits != 0; bits &= bits - 1u) {
+		int32_t l = cni_bit_lowest32(bits);
+		const cni_row *rows = cni_joint_works(world)[block->work[l]].rows;
+		block->jx[l] += rows[0].impulse;
+		block->jy[l] += rows[1].impulse;
+	}
+}
+
+/* Gives them back, with the rows as they are at the new positions. */
+static void rows_give(cn_world *world, cni_joint_block *block)
+{
+	uint32_t bits;
+	for (bits = block->direct; bits != 0; bits &= bits - 1u) {
+		int32_t l = cni_bit_lowest32(bits);
+		cni_row *rows = cni_joint_works(world)[block->work[l]].rows;
+		rows[0].impulse = block->jx[l];
+		rows[1].impulse = block->jy[l];
+		block->jx[l] = block->jy[l] = 0.0f;
+		rows[0].aw = block->ay[l];
+		rows[1].aw = -block->ax[l];
+		rows[0].bw = -block->by[l];
+		rows[1].bw = block->bx[l];
+		rows[0].error = block->ex[l];
+		rows[1].error = block->ey[l];
+	}
+}
+
+/* ---- passes ---- */
+
+/* moving: bodies have new positions, or warm impulses are given. */
+static void colors_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn *run, int32_t moving)
+{
+	cni_joint_pass pass = { s->h, s->inv_h, s->warm_scale, s->joint };
+	int32_t color, index;
+	for (color = 0; color < CNI_JOINT_COLORS; ++color) {
+		int32_t lanes = world->joint_colors[color].lanes;
+		for (index = world->joint_colors[color].first; index != CNI_NONE; index = cni_joint_blocks(world)[index].next) {
+			cni_joint_block *block = cni_joint_blocks(world) + index;
+			if (block->direct != 0 && moving)
+				rows_pull(world, block);
+			else if (block->direct != 0 && s->direct->released > 0)
+				released_look(world, block);
+			run(cni_motions(world), cni_starts(world), block, &pass, cni_min_i(lanes, CNI_LANES));
+			if (block->direct != 0 && moving)
+				rows_give(world, block);
+			lanes -= CNI_LANES;
+		}
+	}
+}
+
+void cni_joint_blocks_warm(cn_world *world, const cni_solve *s)
+{
+	colors_run(world, s, s->joint_kernel->warm, 1);
+}
+
+void cni_joint_blocks_solve(cn_world *world, const cni_solve *s)
+{
+	colors_run(world, s, s->joint_kernel->solve, 0);
+}
+
+void cni_joint_blocks_relax(cn_world *world, const cni_solve *s)
+{
+	colors_run(world, s, s->joint_kernel->relax, 1);
+}
+
+/* ---- storing ---- */
+
+static float load_follow(float load, float impulse, float part)
+{
+	return load == 0.0f ? 0.0f : load + part * (impulse - load);
+}
+
+static void lane_store(cn_world *world, const cni_joint_block *block, int32_t l, const cni_solve *s)
+{
+	const cni_joint_work *w = cni_joint_works(world) + block->work[l];
+	cni_joint *j = cni_joint_at(world, w->joint);
+	float part = cni_min(CNI_LOAD_RATE * s->dt, 1.0f);
+	j->impulse[0] = block->jx[l] + (block->direct >> l & 1u ? w->rows[0].impulse : 0.0f);
+	j->impulse[1] = block->jy[l] + (block->direct >> l & 1u ? w->rows[1].impulse : 0.0f);
+	j->impulse[CNI_REVOLUTE_SPRING] = block->spring_j[l];
+	j->impulse[CNI_REVOLUTE_MOTOR] = block->motor_j[l];
+	j->impulse[CNI_REVOLUTE_LIMIT] = (j->flags & CN_JOINT_LIMIT) ? cni_max(limit_sign(j, block->angle[l]) * block->limit_j[l], 0.0f) : 0.0f;
+	j->load[0] = load_follow(block->load_x[l], j->impulse[0], part);
+	j->load[1] = load_follow(block->load_y[l], j->impulse[1], part);
+	j->load[2] = 0.0f;
+	j->inv_h = s->inv_h;
+	if (!(block->direct >> l & 1u))
+		cni_joint_gap_look(world, w, cni_max(cni_abs(block->ex[l]), cni_abs(block->ey[l])));
+}
+
+void cni_joint_blocks_store(cn_world *world, const cni_solve *s)
+{
+	int32_t color, index, l;
+	for (color = 0; color < CNI_JOINT_COLORS; ++color) {
+		int32_t lanes = world->joint_colors[color].lanes;
+		for (index = world->joint_colors[color].first; index != CNI_NONE; index = cni_joint_blocks(world)[index].next) {
+			for (l = 0; l < cni_min_i(lanes, CNI_LANES); ++l)
+				lane_store(world, cni_joint_blocks(world) + index, l, s);
+			lanes -= CNI_LANES;
+		}
+	}
+}

@@ -1,0 +1,27 @@
+/*
+ * stages/joint_kernel_8.c - the kernel of revolute joints on vectors of eight floats: AVX2, used only where the
+ * processor has it. Fused multiply-add stays off: it would change the bits.
+ */
+#include "base/cpu.h"
+
+#if CNI_HAS_WIDE_8
+/* Headers with functions of their own come first, so that only this file's code needs AVX2. */
+#include "stages/joint_pass.h"
+#include <immintrin.h>
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#endif
+#define CNI_WIDTH 8
+#define CNI_KERNEL cni_joint_kernel_8
+#include "stages/joint_kernel.h"
+#if defined(__clang__)
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+#else
+typedef int cni_no_joint_kernel_8;
+#endif

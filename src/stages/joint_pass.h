@@ -1,0 +1,77 @@
+/*
+ * stages/joint_pass.h - blocks of revolute joints, and what joint_blocks.c hands to a kernel.
+ *
+ * A block is 16 lanes, structure of arrays, made anew in every step from the works of revolute joints that nothing
+ * bounds, softens or breaks. Colours are as of contacts: no body that can move appears twice in one. A body
+ * whose colours are used up leaves its further joints to the rows of stages/joint_solve.c.
+ *
+ *   pin       ra0 rb0 d0   arms and gap as the step begins          ra rb e   as of the last relaxing pass
+ *             j            impulse on body b, all of it: what springs, motors and limits ask of the pin too
+ *             load         what the soft pass gives way around: stages/joint_net.c
+ *   angle     angle0 angle as above; bounds and coefficients; impulses of spring, motor and limit, all
+ *             as torques on body b (limit: > 0 the lower one's, < 0 the upper one's)
+ *
+ * A lane whose work is solved directly (bit in `direct`) has its pin solved by stages/joint_direct.c; the work's
+ * two rows are kept up to date for it, and the pin's impulse is the lane's plus the rows'.
+ */
+#ifndef CNI_STAGES_JOINT_PASS_H
+#define CNI_STAGES_JOINT_PASS_H
+
+#include "stages/joint_work.h"
+
+typedef struct cni_joint_block {
+	int32_t ia[CNI_LANES], ib[CNI_LANES];  /* dense body indices */
+	float ai[CNI_LANES], bi[CNI_LANES];    /* inverse inertias */
+	float ax0[CNI_LANES], ay0[CNI_LANES], bx0[CNI_LANES], by0[CNI_LANES];
+	float dx0[CNI_LANES], dy0[CNI_LANES];
+	float ax[CNI_LANES], ay[CNI_LANES], bx[CNI_LANES], by[CNI_LANES];
+	float ex[CNI_LANES], ey[CNI_LANES];
+	float jx[CNI_LANES], jy[CNI_LANES];
+	float load_x[CNI_LANES], load_y[CNI_LANES];
+	float angle0[CNI_LANES], angle[CNI_LANES];
+	float rest[CNI_LANES], spring_mass[CNI_LANES], spring_bias[CNI_LANES], spring_give[CNI_LANES], spring_j[CNI_LANES];
+	float speed[CNI_LANES], torque[CNI_LANES], motor_j[CNI_LANES];
+	float lower[CNI_LANES], upper[CNI_LANES], limit_j[CNI_LANES];
+	int32_t work[CNI_LANES];               /* place in the works */
+	uint32_t direct;                       /* lanes, as bits */
+	int32_t angular;                       /* 1: some lane has a spring, motor or limit */
+	int32_t next;                          /* block of the colour */
+	int32_t reserved[13];
+} cni_joint_block;
+
+typedef struct cni_joint_pass {
+	float h, inv_h;
+	float warm_scale;
+	cni_soft soft;
+} cni_joint_pass;
+
+/* Works on the first lanes of the block, and on those behind them up to a whole vector, which are empty. */
+typedef void cni_joint_kernel_fn(cni_motion *motions, cni_velocity_start *starts, cni_joint_block *block, const cni_joint_pass *pass, int32_t lanes);
+
+typedef struct cni_joint_kernel {
+	cni_joint_kernel_fn *warm;
+	cni_joint_kernel_fn *solve;
+	cni_joint_kernel_fn *relax;
+} cni_joint_kernel;
+
+extern const cni_joint_kernel cni_joint_kernel_plain; /* width 1: any compiler */
+extern const cni_joint_kernel cni_joint_kernel_4;     /* SSE2, NEON, WASM SIMD */
+extern const cni_joint_kernel cni_joint_kernel_8;     /* AVX2, chosen at run time */
+
+static inline cni_joint_block *cni_joint_blocks(const cn_world *world)
+{
+	return (cni_joint_block *)world->joint_blocks.data;
+}
+
+/* The widest that this build and this processor have. */
+const cni_joint_kernel *cni_joint_kernel_choose(void);
+
+/* No joint is in a lane. */
+void cni_joint_blocks_empty(cn_world *world);
+void cni_joint_blocks_warm(cn_world *world, const cni_solve *s);
+void cni_joint_blocks_solve(cn_world *world, const cni_solve *s);
+void cni_joint_blocks_relax(cn_world *world, const cni_solve *s);
+/* Impulses and loads back to the records. */
+void cni_joint_blocks_store(cn_world *world, const cni_solve *s);
+
+#endif
