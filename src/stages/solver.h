@@ -85,6 +85,8 @@ void cni_joints_solve(cn_world *world, const cni_solve *s);
 void cni_stage_tiers(cn_world *world);
 /* An overlap or gap of more than this part of the accuracy is bad. */
 #define CNI_BAD_PART 0.1f
+/* Nothing in it moves faster than a pile does. */
+int32_t cni_island_is_quiet(const cn_world *world, const cni_island *i);
 int32_t cni_island_has_joints(const cn_world *world, int32_t island);
 /* The island cannot be solved directly, now and for some time. reason: CN_TIER_REASON_ */
 void cni_island_refuse(cn_world *world, int32_t island, int32_t reason);
@@ -98,6 +100,10 @@ void cni_island_joints_part(cn_world *world, int32_t island);
 void cni_island_once(cn_world *world, int32_t island, int32_t steps);
 /* Scratch that directly solving so many joints and contacts may take. */
 uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies);
+/* Loads of piles that are too large for that, and their impulses when they are new. Before the warm start. */
+void cni_piles_load(cn_world *world, const cni_solve *s);
+/* Scratch that it may take. */
+uint64_t cni_pile_bytes(int32_t bodies);
 /* Plans which joints and contacts are solved directly into out, and sets s->direct to it. */
 void cni_direct_prepare(cn_world *world, cni_solve *s, struct cni_sparse *out);
 /* One pass over them: with errors' bias (1), or rigid at the new positions (0). */

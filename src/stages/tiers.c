@@ -43,7 +43,7 @@ static int32_t body_is_quiet(const cn_world *world, const cni_body *b)
 	return m->vx * m->vx + m->vy * m->vy <= most * most && turn * turn <= most * most;
 }
 
-static int32_t island_is_quiet(const cn_world *world, const cni_island *i)
+int32_t cni_island_is_quiet(const cn_world *world, const cni_island *i)
 {
 	int32_t body;
 	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
@@ -79,10 +79,21 @@ int32_t cni_island_is_refused(const cni_island *i, uint32_t step)
 	return i->refused_steps > 0 && step - i->refused_step < (uint32_t)i->refused_steps;
 }
 
+/* Remembered until stages/pile_load.c has seen it. */
+static void island_note(cn_world *world, cni_island *i, int32_t reason)
+{
+	if (i->noted_step != world->step_count + 1u)
+		i->new_contacts = 0;
+	i->noted_step = world->step_count + 1u;
+	i->new_contacts += reason == CN_TIER_REASON_NEW_CONTACT;
+	world->piles_noted = 1;
+}
+
 /* Something is wrong in it. Of several reasons the latest of the list is told. */
 static void island_is_bad(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
+	island_note(world, i, reason);
 	i->good_steps = 0;
 	if (i->tier == CNI_TIER_DIRECT && i->reason < reason)
 		i->reason = reason;
@@ -93,7 +104,7 @@ static void island_is_bad(cn_world *world, int32_t island, int32_t reason)
 		return;
 	if (world->direct_islands.count >= ISLANDS_MOST || 2 * i->count > CNI_PRESS_MOST)
 		i->reason = CN_TIER_REASON_CROWDED;
-	else if (!island_is_quiet(world, i))
+	else if (!cni_island_is_quiet(world, i))
 		i->reason = CN_TIER_REASON_MOVING;
 	else if (cni_island_has_joints(world, island))
 		i->reason = CN_TIER_REASON_JOINTED;
@@ -258,7 +269,7 @@ static void list_awake(cn_world *world, int32_t every)
 
 void cni_stage_tiers(cn_world *world)
 {
-	world->direct_work = world->direct_failed = 0;
+	world->direct_work = world->direct_failed = world->piles_noted = 0;
 	if (world->overridden)
 		solvers_gather(world);
 	if (world->settings.solver == CN_SOLVER_DIRECT) {
