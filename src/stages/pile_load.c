@@ -9,10 +9,8 @@
  * of shock propagation, Guendelman, Bridson and Fedkiw, 2003, with bodies below taken as fixed). So every body is in
  * balance, and a pile whose contacts are given these impulses and loads does not move at all.
  *
- * That is done when most of a quiet island's contacts are new. When a quiet island has sunk into itself later, after
- * something fell on it, only the loads are led towards what is found: it then rises back. They
- * depend on where bodies are and not on how they swing, so that this cannot drive a swing, as loads that
- * follow the impulses can.
+ * That is done once, when most of a quiet island's contacts are new. Loads that were led to what is found again and again
+ * would drive a pile that swings.
  *
  * An island in which some body cannot be held by what is below it (an arch, a bridge) is left alone.
  *
@@ -32,9 +30,6 @@
 #define REGULAR 1e-5f          /* of the trace, on the diagonal: directions that no support has */
 #define CLOSE 1e-3f            /* own weights that may be left before more contacts are asked */
 #define LEFT_MOST 0.05f        /* ... that may be left at all */
-#define LED_STEPS 15           /* between looks at a pile that has sunk */
-#define LED_PART 0.5f          /* of its way that a load is led each time */
-#define REFUSED_STEPS 120
 
 /* By dense index: momentum that a substep's forces and what lies on the body give it; how high it is. */
 typedef struct weight {
@@ -70,7 +65,6 @@ typedef struct pile {
 	uint64_t *order;         /* highest first */
 	int32_t count;
 	float weight_speed;      /* what gravity gives in a substep */
-	int32_t give_impulses;   /* else loads are led */
 } pile;
 
 uint64_t cni_pile_bytes(int32_t bodies)
@@ -265,14 +259,9 @@ static void lanes_write(const pile *q, const stand *b)
 		const support *p = &b->supports[k];
 		for (i = 0; i < 2; ++i) {
 			cni_contact_row *r = &p->lanes->p[i];
-			float found = scale * p->rows[i].impulse, load = r->load[p->lane];
-			if (q->give_impulses)
-				r->jn[p->lane] = r->load[p->lane] = found;
-			else
-				r->load[p->lane] = load + LED_PART * (found - load);
+			r->jn[p->lane] = r->load[p->lane] = scale * p->rows[i].impulse;
 		}
-		if (q->give_impulses)
-			p->lanes->jt[p->lane] = scale * p->rows[2].impulse;
+		p->lanes->jt[p->lane] = scale * p->rows[2].impulse;
 	}
 }
 
@@ -335,20 +324,18 @@ static void order_find(pile *q, int32_t island, uint64_t *scratch)
 	cni_sort_keys(q->order, scratch, q->count);
 }
 
-/* 0: nothing was changed. All of it is tried before any of it is written. */
-static int32_t pile_load(cn_world *world, const cni_solve *s, int32_t island, int32_t give_impulses)
+/* All of it is tried before any of it is written. */
+static void pile_load(cn_world *world, const cni_solve *s, int32_t island)
 {
-	uint64_t room = (uint64_t)world->awake_count, *scratch = NULL;
-	int32_t found = 0;
-	pile q = { world, s, NULL, NULL, 0, s->h * cni_length(world->settings.gravity), give_impulses };
+	uint64_t room = (uint64_t)world->awake_count, *scratch;
+	pile q = { world, s, NULL, NULL, 0, s->h * cni_length(world->settings.gravity) };
 	q.weights = (weight *)cni_arena_push(&world->arena, sizeof(weight) * room);
 	q.order = q.weights == NULL ? NULL : (uint64_t *)cni_arena_push(&world->arena, sizeof(uint64_t) * room);
 	scratch = q.order == NULL ? NULL : (uint64_t *)cni_arena_push(&world->arena, sizeof(uint64_t) * room);
 	if (scratch != NULL) {
 		order_find(&q, island, scratch);
 		weights_begin(&q);
-		found = pile_lay(&q, 0);
-		if (found) {
+		if (pile_lay(&q, 0)) {
 			weights_begin(&q);
 			(void)pile_lay(&q, 1);
 		}
@@ -358,29 +345,24 @@ static int32_t pile_load(cn_world *world, const cni_solve *s, int32_t island, in
 	(void)cni_arena_pop(&world->arena, scratch);
 	(void)cni_arena_pop(&world->arena, q.order);
 	(void)cni_arena_pop(&world->arena, q.weights);
-	return found;
 }
 
-static int32_t is_due(const cn_world *world, const cni_island *i, int32_t fresh)
+/* Most of what it stands by is new, and nothing else holds it. */
+static int32_t is_due(const cn_world *world, int32_t island)
 {
-	return fresh || i->led_steps == 0 || world->step_count - i->led_step >= (uint32_t)i->led_steps;
+	const cni_island *i = cni_island_at(world, island);
+	return i->new_step == world->step_count + 1u && 2 * i->new_contacts >= i->count && i->tier != CNI_TIER_DIRECT &&
+	       i->solver != CN_SOLVER_SOFT && cni_island_is_quiet(world, i) && !cni_island_has_joints(world, island);
 }
 
 void cni_piles_load(cn_world *world, const cni_solve *s)
 {
 	int32_t k;
-	if (!world->piles_noted || s->warm_scale == 0.0f || cni_length_sq(world->settings.gravity) == 0.0f)
+	if (!world->piles_new || s->warm_scale == 0.0f || cni_length_sq(world->settings.gravity) == 0.0f)
 		return;
 	for (k = 1; k < world->awake_count; ++k) {
-		int32_t island = cni_awake_island(world, k), fresh;
-		cni_island *i = island != CNI_NONE ? cni_island_at(world, island) : NULL;
-		if (i == NULL || i->first != cni_awake_ids(world)[k] || i->noted_step != world->step_count + 1u)
-			continue;
-		fresh = 2 * i->new_contacts >= i->count;
-		if (i->tier == CNI_TIER_DIRECT || i->solver == CN_SOLVER_SOFT || !is_due(world, i, fresh) ||
-		    !cni_island_is_quiet(world, i) || cni_island_has_joints(world, island))
-			continue;
-		i->led_step = world->step_count;
-		i->led_steps = pile_load(world, s, island, fresh) ? LED_STEPS : REFUSED_STEPS;
+		int32_t island = cni_awake_island(world, k);
+		if (island != CNI_NONE && cni_island_at(world, island)->first == cni_awake_ids(world)[k] && is_due(world, island))
+			pile_load(world, s, island);
 	}
 }

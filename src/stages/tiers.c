@@ -79,21 +79,22 @@ int32_t cni_island_is_refused(const cni_island *i, uint32_t step)
 	return i->refused_steps > 0 && step - i->refused_step < (uint32_t)i->refused_steps;
 }
 
-/* Remembered until stages/pile_load.c has seen it. */
-static void island_note(cn_world *world, cni_island *i, int32_t reason)
+/* Counted for stages/pile_load.c. */
+static void new_contact_count(cn_world *world, cni_island *i)
 {
-	if (i->noted_step != world->step_count + 1u)
+	if (i->new_step != world->step_count + 1u)
 		i->new_contacts = 0;
-	i->noted_step = world->step_count + 1u;
-	i->new_contacts += reason == CN_TIER_REASON_NEW_CONTACT;
-	world->piles_noted = 1;
+	i->new_step = world->step_count + 1u;
+	++i->new_contacts;
+	world->piles_new = 1;
 }
 
 /* Something is wrong in it. Of several reasons the latest of the list is told. */
 static void island_is_bad(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
-	island_note(world, i, reason);
+	if (reason == CN_TIER_REASON_NEW_CONTACT)
+		new_contact_count(world, i);
 	i->good_steps = 0;
 	if (i->tier == CNI_TIER_DIRECT && i->reason < reason)
 		i->reason = reason;
@@ -269,7 +270,7 @@ static void list_awake(cn_world *world, int32_t every)
 
 void cni_stage_tiers(cn_world *world)
 {
-	world->direct_work = world->direct_failed = world->piles_noted = 0;
+	world->direct_work = world->direct_failed = world->piles_new = 0;
 	if (world->overridden)
 		solvers_gather(world);
 	if (world->settings.solver == CN_SOLVER_DIRECT) {
