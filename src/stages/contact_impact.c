@@ -37,6 +37,7 @@ typedef struct impact_lane {
 	float nx, ny;
 	float ax, ay, bx, by; /* inverse masses along x and y: 0 for a locked axis */
 	float mass;          /* sum of inverse masses along n */
+	float moved_n, moved_t; /* how far b has moved from a since the step began: arms of b follow */
 	float closing;       /* acceleration that brings the bodies together */
 	float restitution;
 } impact_lane;
@@ -50,7 +51,7 @@ static float point_speed(const impact_lane *c, float at, float bt)
 static float point_separation(const impact_lane *c, float s0, float an, float dn, float at, float bt)
 {
 	float ta = c->a->theta, tb = c->b->theta;
-	return s0 + c->nx * (c->b->dpx - c->a->dpx) + c->ny * (c->b->dpy - c->a->dpy) +
+	return s0 + c->moved_n +
 	       (tb * bt - 0.5f * tb * tb * (an - dn)) - (ta * at - 0.5f * ta * ta * an);
 }
 
@@ -79,6 +80,8 @@ static impact_lane lane_make(cn_world *world, const cni_contact_block *k, const 
 	c.bx = db->flags & CNI_DRIVE_LOCK_X ? 0.0f : c.b->inv_mass;
 	c.by = db->flags & CNI_DRIVE_LOCK_Y ? 0.0f : c.b->inv_mass;
 	c.mass = c.nx * c.nx * (c.ax + c.bx) + c.ny * c.ny * (c.ay + c.by);
+	c.moved_n = c.nx * (c.b->dpx - c.a->dpx) + c.ny * (c.b->dpy - c.a->dpy);
+	c.moved_t = c.ny * (c.b->dpx - c.a->dpx) - c.nx * (c.b->dpy - c.a->dpy);
 	c.closing = c.nx * (da->ax - db->ax) + c.ny * (da->ay - db->ay);
 	c.restitution = info->restitution[l];
 	return c;
@@ -90,14 +93,14 @@ static impact_point point_make(const impact_lane *c, const cni_contact_block *k,
 	impact_point q;
 	float separation;
 	q.at = p->at[l];
-	q.bt = q.at - k->dt[l];
+	q.bt = q.at - (k->dt[l] + c->moved_t);
 	q.vn = point_speed(c, q.at, q.bt);
 	q.k = c->mass + c->a->inv_inertia * q.at * q.at + c->b->inv_inertia * q.bt * q.bt;
 	q.out = 0.0f;
 	q.hits = p->nm[l] > 0.0f && q.vn < -s->restitution_threshold;
 	if (!q.hits)
 		return q;
-	separation = point_separation(c, p->s0[l], p->an[l], k->dn[l], q.at, q.bt);
+	separation = point_separation(c, p->s0[l], p->an[l], k->dn[l], q.at, q.at - k->dt[l]);
 	q.hits = separation + s->h * q.vn < 0.0f;
 	q.out = outgoing_speed(q.vn + s->h * c->closing, separation, c->closing, c->restitution, s->h);
 	/* Never more than the law gives at this instant plus what the drive adds: two fast bodies that were
@@ -121,7 +124,7 @@ static void body_strike(cni_motion *m, cni_velocity_start *start, float dvx, flo
 /* Impulse jn along n with moment arms, and friction opposing the sliding speed within mu jn. */
 static void lane_strike(impact_lane *c, const cni_contact_block *k, int32_t l, float jn, float moment_a, float moment_b)
 {
-	float tx = c->ny, ty = -c->nx, fa = k->fa[l], fb = k->fb[l];
+	float tx = c->ny, ty = -c->nx, fa = k->fa[l], fb = k->fb[l] - c->moved_n;
 	float wa = -c->a->inv_inertia * moment_a, wb = c->b->inv_inertia * moment_b;
 	float vt = tx * (c->sb->vx - c->sa->vx) + ty * (c->sb->vy - c->sa->vy) - (c->sb->w + wb) * fb + (c->sa->w + wa) * fa;
 	float most = k->dynamic_friction[l] * jn, jt = cni_clamp(-k->tm[l] * vt, -most, most);

@@ -69,7 +69,7 @@ typedef struct pile {
 
 uint64_t cni_pile_bytes(int32_t bodies)
 {
-	return (sizeof(weight) + 2u * sizeof(uint64_t)) * (uint64_t)(bodies + 1) + 192u;
+	return (sizeof(weight) + sizeof(uint64_t)) * (uint64_t)(bodies + 1) + 128u;
 }
 
 /* ---- one body ---- */
@@ -295,6 +295,11 @@ static float inverse_or_zero(float x)
 	return x > 0.0f ? 1.0f / x : 0.0f;
 }
 
+static float height_of(const cn_world *world, const cni_body *b)
+{
+	return -(b->cx * world->settings.gravity.x + b->cy * world->settings.gravity.y);
+}
+
 /* What the forces of a substep give each body: its own weight. */
 static void weights_begin(const pile *q)
 {
@@ -307,33 +312,35 @@ static void weights_begin(const pile *q)
 		w->x = q->s->h * d->ax * inverse_or_zero(m->inv_mass);
 		w->y = q->s->h * d->ay * inverse_or_zero(m->inv_mass);
 		w->turn = q->s->h * d->alpha * inverse_or_zero(m->inv_inertia);
+		w->height = height_of(q->world, cni_body_at(q->world, cni_awake_ids(q->world)[index]));
 	}
 }
 
-static void order_find(pile *q, int32_t island, uint64_t *scratch)
+/* 0: no memory. */
+static int32_t order_find(pile *q, int32_t island)
 {
-	cni_vec2 g = q->world->settings.gravity;
+	uint64_t *scratch = (uint64_t *)cni_arena_push(&q->world->arena, sizeof(uint64_t) * (uint64_t)cni_island_at(q->world, island)->count);
 	int32_t body;
-	q->count = 0;
+	if (scratch == NULL)
+		return 0;
 	for (body = cni_island_at(q->world, island)->first; body != CNI_NONE; body = cni_body_at(q->world, body)->island_next) {
 		const cni_body *b = cni_body_at(q->world, body);
-		float height = -(b->cx * g.x + b->cy * g.y);
-		q->weights[b->awake].height = height;
-		q->order[q->count++] = (uint64_t)~cni_sort_float_key(height) << 32 | (uint32_t)b->awake;
+		q->order[q->count++] = (uint64_t)~cni_sort_float_key(height_of(q->world, b)) << 32 | (uint32_t)b->awake;
 	}
 	cni_sort_keys(q->order, scratch, q->count);
+	(void)cni_arena_pop(&q->world->arena, scratch);
+	return 1;
 }
 
 /* All of it is tried before any of it is written. */
 static void pile_load(cn_world *world, const cni_solve *s, int32_t island)
 {
-	uint64_t room = (uint64_t)world->awake_count, *scratch;
 	pile q = { world, s, NULL, NULL, 0, s->h * cni_length(world->settings.gravity) };
-	q.weights = (weight *)cni_arena_push(&world->arena, sizeof(weight) * room);
-	q.order = q.weights == NULL ? NULL : (uint64_t *)cni_arena_push(&world->arena, sizeof(uint64_t) * room);
-	scratch = q.order == NULL ? NULL : (uint64_t *)cni_arena_push(&world->arena, sizeof(uint64_t) * room);
-	if (scratch != NULL) {
-		order_find(&q, island, scratch);
+	int32_t ordered;
+	q.order = (uint64_t *)cni_arena_push(&world->arena, sizeof(uint64_t) * (uint64_t)cni_island_at(world, island)->count);
+	ordered = q.order != NULL && order_find(&q, island);
+	q.weights = !ordered ? NULL : (weight *)cni_arena_push(&world->arena, sizeof(weight) * (uint64_t)world->awake_count);
+	if (q.weights != NULL) {
 		weights_begin(&q);
 		if (pile_lay(&q, 0)) {
 			weights_begin(&q);
@@ -342,9 +349,8 @@ static void pile_load(cn_world *world, const cni_solve *s, int32_t island)
 	} else {
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
 	}
-	(void)cni_arena_pop(&world->arena, scratch);
-	(void)cni_arena_pop(&world->arena, q.order);
 	(void)cni_arena_pop(&world->arena, q.weights);
+	(void)cni_arena_pop(&world->arena, q.order);
 }
 
 /* Most of what it stands by is new, and nothing else holds it. */
