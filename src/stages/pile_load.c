@@ -12,9 +12,11 @@
  * That is done once, when most of a quiet island's contacts are new. Loads that were led to what is found again and again
  * would drive a pile that swings.
  *
+ * A body alone that is set down is a pile of one: it stands, or begins to slide, without a false step.
+ *
  * An island in which some body cannot be held by what is below it (an arch, a bridge) is left alone.
  *
- * Reads lanes, drives, motion, islands as stages/tiers.c marked them; writes lanes' jn, jt, load.
+ * Reads lanes, drives, motion, islands as stages/tiers.c counted their new contacts; writes lanes' jn, jt, load.
  */
 #include "base/sort.h"
 #include "stages/solver.h"
@@ -46,7 +48,7 @@ typedef struct row {
 typedef struct support {
 	cni_contact_block *lanes;
 	int32_t lane, below;
-	float friction;
+	float sticks, slides;    /* coefficients of friction */
 	row rows[3];
 } support;
 
@@ -88,7 +90,8 @@ static void support_read(support *p, cni_contact_block *k, int32_t l, int32_t is
 	p->lanes = k;
 	p->lane = l;
 	p->below = is_b ? k->ia[l] : k->ib[l];
-	p->friction = k->dynamic_friction[l];
+	p->sticks = k->static_friction[l];
+	p->slides = k->dynamic_friction[l];
 	for (i = 0; i < 2; ++i) {
 		float at = k->p[i].at[l], bt = at - k->dt[l];
 		p->rows[i] = is_b ? row_make(nx, ny, -scale * bt, -at) : row_make(nx, ny, scale * at, bt);
@@ -195,15 +198,16 @@ static int32_t impulses_bound(stand *b)
 	for (k = 0; k < b->count; ++k) {
 		support *p = &b->supports[k];
 		row *f = &p->rows[2];
-		float most;
+		float normal, most;
 		for (i = 0; i < 2; ++i)
 			if (p->rows[i].impulse < 0.0f) {
 				row_push(b, &p->rows[i], -p->rows[i].impulse);
 				p->rows[i].share = 0.0f;
 				changed = 1;
 			}
-		most = p->friction * (p->rows[0].impulse + p->rows[1].impulse);
-		if (cni_abs(f->impulse) > most) {
+		normal = p->rows[0].impulse + p->rows[1].impulse;
+		most = p->slides * normal;
+		if (cni_abs(f->impulse) > p->sticks * normal) {
 			row_push(b, f, cni_clamp(f->impulse, -most, most) - f->impulse);
 			f->share *= FRICTION_LESS;
 			changed = 1;
@@ -316,59 +320,70 @@ static void weights_begin(const pile *q)
 	}
 }
 
-/* 0: no memory. */
-static int32_t order_find(pile *q, int32_t island)
+/* The weights are not there yet: their place is scratch. */
+static void order_find(pile *q, int32_t island)
 {
-	uint64_t *scratch = (uint64_t *)cni_arena_push(&q->world->arena, sizeof(uint64_t) * (uint64_t)cni_island_at(q->world, island)->count);
 	int32_t body;
-	if (scratch == NULL)
-		return 0;
+	q->count = 0;
 	for (body = cni_island_at(q->world, island)->first; body != CNI_NONE; body = cni_body_at(q->world, body)->island_next) {
 		const cni_body *b = cni_body_at(q->world, body);
 		q->order[q->count++] = (uint64_t)~cni_sort_float_key(height_of(q->world, b)) << 32 | (uint32_t)b->awake;
 	}
-	cni_sort_keys(q->order, scratch, q->count);
-	(void)cni_arena_pop(&q->world->arena, scratch);
-	return 1;
+	cni_sort_keys(q->order, (uint64_t *)(void *)q->weights, q->count);
 }
 
 /* All of it is tried before any of it is written. */
-static void pile_load(cn_world *world, const cni_solve *s, int32_t island)
+static void pile_load(const pile *q)
 {
-	pile q = { world, s, NULL, NULL, 0, s->h * cni_length(world->settings.gravity) };
-	int32_t ordered;
-	q.order = (uint64_t *)cni_arena_push(&world->arena, sizeof(uint64_t) * (uint64_t)cni_island_at(world, island)->count);
-	ordered = q.order != NULL && order_find(&q, island);
-	q.weights = !ordered ? NULL : (weight *)cni_arena_push(&world->arena, sizeof(weight) * (uint64_t)world->awake_count);
-	if (q.weights != NULL) {
-		weights_begin(&q);
-		if (pile_lay(&q, 0)) {
-			weights_begin(&q);
-			(void)pile_lay(&q, 1);
-		}
-	} else {
-		world->warnings |= CN_WARNING_FRAME_MEMORY;
-	}
-	(void)cni_arena_pop(&world->arena, q.weights);
-	(void)cni_arena_pop(&world->arena, q.order);
+	weights_begin(q);
+	if (!pile_lay(q, 0))
+		return;
+	weights_begin(q);
+	(void)pile_lay(q, 1);
 }
 
 /* Most of what it stands by is new, and nothing else holds it. */
-static int32_t is_due(const cn_world *world, int32_t island)
+static int32_t island_is_due(const cn_world *world, int32_t island)
 {
 	const cni_island *i = cni_island_at(world, island);
 	return i->new_step == world->step_count + 1u && 2 * i->new_contacts >= i->count && i->tier != CNI_TIER_DIRECT &&
 	       i->solver != CN_SOLVER_SOFT && cni_island_is_quiet(world, i) && !cni_island_has_joints(world, island);
 }
 
-void cni_piles_load(cn_world *world, const cni_solve *s)
+static int32_t body_is_due(const cn_world *world, const cni_body *b)
+{
+	return b->island == CNI_NONE && (b->flags & CNI_BODY_SET_DOWN) && b->joint_count == 0 && cni_body_is_quiet(world, b);
+}
+
+static void piles_find(pile *q)
 {
 	int32_t k;
-	if (!world->piles_new || s->warm_scale == 0.0f || cni_length_sq(world->settings.gravity) == 0.0f)
-		return;
-	for (k = 1; k < world->awake_count; ++k) {
-		int32_t island = cni_awake_island(world, k);
-		if (island != CNI_NONE && cni_island_at(world, island)->first == cni_awake_ids(world)[k] && is_due(world, island))
-			pile_load(world, s, island);
+	for (k = 1; k < q->world->awake_count; ++k) {
+		cni_body *b = cni_body_at(q->world, cni_awake_ids(q->world)[k]);
+		if (body_is_due(q->world, b)) {
+			q->count = 1;
+			q->order[0] = (uint32_t)k;
+			pile_load(q);
+		} else if (b->island != CNI_NONE && cni_island_at(q->world, b->island)->first == cni_awake_ids(q->world)[k] && island_is_due(q->world, b->island)) {
+			order_find(q, b->island);
+			pile_load(q);
+		}
+		b->flags &= ~(uint32_t)CNI_BODY_SET_DOWN;
 	}
+}
+
+void cni_piles_load(cn_world *world, const cni_solve *s)
+{
+	pile q = { world, s, NULL, NULL, 0, s->h * cni_length(world->settings.gravity) };
+	uint64_t room = (uint64_t)world->awake_count;
+	if (!world->piles_new || s->warm_scale == 0.0f || q.weight_speed == 0.0f)
+		return;
+	q.order = (uint64_t *)cni_arena_push(&world->arena, sizeof(uint64_t) * room);
+	q.weights = q.order == NULL ? NULL : (weight *)cni_arena_push(&world->arena, sizeof(weight) * room);
+	if (q.weights != NULL)
+		piles_find(&q);
+	else
+		world->warnings |= CN_WARNING_FRAME_MEMORY;
+	(void)cni_arena_pop(&world->arena, q.weights);
+	(void)cni_arena_pop(&world->arena, q.order);
 }

@@ -89,7 +89,8 @@ void cni_joints_solve(cn_world *world, const cni_solve *s);
 void cni_stage_tiers(cn_world *world);
 /* An overlap or gap of more than this part of the accuracy is bad. */
 #define CNI_BAD_PART 0.1f
-/* Nothing in it moves faster than a pile does. */
+/* Neither moves nor turns faster than what lies in a pile. */
+int32_t cni_body_is_quiet(const cn_world *world, const cni_body *b);
 int32_t cni_island_is_quiet(const cn_world *world, const cni_island *i);
 int32_t cni_island_has_joints(const cn_world *world, int32_t island);
 /* The island cannot be solved directly, now and for some time. reason: CN_TIER_REASON_ */
