@@ -99,8 +99,9 @@ const scene_case scene_cases[] = {
 	{ "4_heavy_top_x1000", "stack", "boxes=10 top=1000", "stands>=1 pen_max_m<=2e-3", 0 },
 	{ "heavy_top_x10000", "stack", "boxes=10 top=10000", "stands>=1 pen_max_m<=0.02", 0 },
 	{ "5_pyramid20", "pyramid", "base=20", "stands>=1 disp_max_m<=5e-3", 0 },
-	{ "pyramid50", "pyramid", "base=50 seconds=5", "stands>=1 top_sag_m<=0.02", 0 },
-	{ "pyramid100", "pyramid", "base=100 seconds=5", "stands>=1 top_sag_m<=0.05", 0 },
+	{ "pyramid50", "pyramid", "base=50 seconds=5", "stands>=1 disp_max_m<=5e-3 top_sag_m<=0.02", 0 },
+	{ "pyramid100", "pyramid", "base=100 seconds=5", "stands>=1 disp_max_m<=5e-3 top_sag_m<=0.05", 0 },
+	{ "pyramid100_pushed", "pyramid", "base=100 push=0.3 seconds=12", "stands>=1 v_end<=0.05", 0 },
 
 	/* Structures. */
 	{ "6_arch", "arch", "", "stands>=1 key_sag_m<=0.02", 0 },
