@@ -3,18 +3,15 @@
  *
  * Soft contacts give way around their load (stages/contact_kernel.h), and a sweep brings a weight down by a few
  * bodies: a pile that was just put together would sag by its softness until loads are known. Small piles are solved
- * directly (stages/tiers.c). In one that is too large for that, bodies are taken from the highest to the lowest. Each
- * has its own weight and what was laid on it, and lays that on what is below: by the impulses of least
- * squares that take all of its momentum in a substep, without those that would pull (a small system of three unknowns; the method
- * of shock propagation, Guendelman, Bridson and Fedkiw, 2003, with bodies below taken as fixed). So every body is in
- * balance, and a pile whose contacts are given these impulses and loads does not move at all.
+ * directly (stages/tiers.c). In one that is too large for that, bodies are taken from the highest to the lowest (the
+ * method of shock propagation, Guendelman, Bridson and Fedkiw, 2003). Each has its own weight and what was laid on it, and
+ * lays that on what is below, taken as fixed: by the impulses of least squares, none of which pulls, that take all of
+ * its momentum in a substep. So every body is in balance, and a pile whose contacts are given these impulses and loads
+ * does not move at all.
  *
  * That is done once, when most of a quiet island's contacts are new. Loads that were led to what is found again and again
- * would drive a pile that swings.
- *
- * A body alone that is set down is a pile of one: it stands, or begins to slide, without a false step.
- *
- * An island in which some body cannot be held by what is below it (an arch, a bridge) is left alone.
+ * would drive a pile that swings. A body alone that is set down is a pile of one: it stands, or begins to slide, without
+ * a false step. An island in which some body cannot be held by what is below it (an arch, a bridge) is left alone.
  *
  * Reads lanes, drives, motion, islands as stages/tiers.c counted their new contacts; writes lanes' jn, jt, load.
  */
@@ -103,7 +100,8 @@ static void support_read(support *p, cni_contact_block *k, int32_t l, int32_t is
 static int32_t lane_is_plain(const cn_world *world, int32_t block, int32_t l)
 {
 	const cni_block_extra *x = cni_block_info_at(world, block)->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL;
-	return x == NULL || (x->rolling[l] == 0.0f && x->tangent_speed[l] == 0.0f && x->lock_ax[l] + x->lock_ay[l] + x->lock_bx[l] + x->lock_by[l] == 0.0f);
+	return x == NULL || (x->rolling[l] == 0.0f && x->tangent_speed[l] == 0.0f &&
+	                     x->lock_ax[l] + x->lock_ay[l] + x->lock_bx[l] + x->lock_by[l] == 0.0f);
 }
 
 static int32_t is_above(const pile *q, int32_t other, int32_t body)
@@ -324,7 +322,6 @@ static void weights_begin(const pile *q)
 static void order_find(pile *q, int32_t island)
 {
 	int32_t body;
-	q->count = 0;
 	for (body = cni_island_at(q->world, island)->first; body != CNI_NONE; body = cni_body_at(q->world, body)->island_next) {
 		const cni_body *b = cni_body_at(q->world, body);
 		q->order[q->count++] = (uint64_t)~cni_sort_float_key(height_of(q->world, b)) << 32 | (uint32_t)b->awake;
@@ -355,19 +352,20 @@ static int32_t body_is_due(const cn_world *world, const cni_body *b)
 	return b->island == CNI_NONE && (b->flags & CNI_BODY_SET_DOWN) && b->joint_count == 0 && cni_body_is_quiet(world, b);
 }
 
+/* An island is met at its first body. */
 static void piles_find(pile *q)
 {
 	int32_t k;
 	for (k = 1; k < q->world->awake_count; ++k) {
-		cni_body *b = cni_body_at(q->world, cni_awake_ids(q->world)[k]);
-		if (body_is_due(q->world, b)) {
-			q->count = 1;
-			q->order[0] = (uint32_t)k;
-			pile_load(q);
-		} else if (b->island != CNI_NONE && cni_island_at(q->world, b->island)->first == cni_awake_ids(q->world)[k] && island_is_due(q->world, b->island)) {
+		int32_t body = cni_awake_ids(q->world)[k];
+		cni_body *b = cni_body_at(q->world, body);
+		q->count = 0;
+		if (body_is_due(q->world, b))
+			q->order[q->count++] = (uint32_t)k;
+		else if (b->island != CNI_NONE && cni_island_at(q->world, b->island)->first == body && island_is_due(q->world, b->island))
 			order_find(q, b->island);
+		if (q->count > 0)
 			pile_load(q);
-		}
 		b->flags &= ~(uint32_t)CNI_BODY_SET_DOWN;
 	}
 }

@@ -124,6 +124,7 @@ const scene_case scene_cases[] = {
 	{ "stack20_30hz", "stack", "boxes=20 hertz=30", "stands>=1 pen_max_m<=2e-3 drift_x_m<=4e-3", 0 },
 	{ "stack20_120hz", "stack", "boxes=20 hertz=120", STACK, 0 },
 	{ "stack20_vary", "stack", "boxes=20 vary=1", STACK, 0 },
+	{ "pyramid40_vary", "pyramid", "base=40 vary=1 seconds=5", "stands>=1 disp_max_m<=0.05", 0 },
 
 	/* Other sizes: 1 cm and 50 m; with the world's length unit to match, and without. */
 	{ "stack10_1cm", "stack", "boxes=10 size=0.01 unit=0.01", "stands>=1 pen_max_m<=1e-4 drift_x_m<=2e-4", 0 },

@@ -146,6 +146,27 @@ static void t_a_body_set_down_sticks(void)
 	cn_world_destroy(tested.world);
 }
 
+/* The same on a level floor, pushed by 0.6 of its weight from its first step on. */
+static void t_a_body_pushed_from_the_start_sticks(void)
+{
+	cn_body body;
+	cn_shape_def def;
+	int32_t k;
+	pile_begin(&tested);
+	def = fixture_shape_def(fixture_body(tested.world, CN_BODY_STATIC, 0.0f, -1.0f, 0.0f), 0.8f, 0.0f);
+	def.material.dynamic_friction = 0.4f;
+	fixture_box_shape(tested.world, &def, 50.0f, 1.0f);
+	body = fixture_body(tested.world, CN_BODY_DYNAMIC, 0.0f, 0.5f, 0.0f);
+	def.body = body;
+	fixture_box_shape(tested.world, &def, 0.5f, 0.5f);
+	for (k = 0; k < 120; ++k) {
+		must(cn_body_apply_force(tested.world, body, 6.0f, 0.0f), tested.world, "cn_body_apply_force");
+		fixture_step(tested.world, 1);
+	}
+	CHECK_LE("slip in 2 s", fabs((double)fixture_pose(tested.world, body).position_m.x), 1e-5, "m");
+	cn_world_destroy(tested.world);
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -154,5 +175,6 @@ int main(int argc, char **argv)
 	RUN(t_a_pyramid_may_be_built_late);
 	RUN(t_what_cannot_be_held_is_let_fall);
 	RUN(t_a_body_set_down_sticks);
+	RUN(t_a_body_pushed_from_the_start_sticks);
 	return test_end();
 }
