@@ -252,7 +252,11 @@ static void lay_on(const pile *q, const stand *b)
 	}
 }
 
-/* Impulses are kept as those of the last step's substeps: the warm start scales them to this one's. */
+/*
+ * Impulses are kept as those of the last step's substeps: the warm start scales them to this one's. A body alone that
+ * slides more easily than it sticks is given no load: a sudden push rocks it on a full one, friction is
+ * exceeded for a substep, and it would not stop again.
+ */
 static void lanes_write(const pile *q, const stand *b)
 {
 	float scale = 1.0f / q->s->warm_scale;
@@ -261,7 +265,8 @@ static void lanes_write(const pile *q, const stand *b)
 		const support *p = &b->supports[k];
 		for (i = 0; i < 2; ++i) {
 			cni_contact_row *r = &p->lanes->p[i];
-			r->jn[p->lane] = r->load[p->lane] = scale * p->rows[i].impulse;
+			r->jn[p->lane] = scale * p->rows[i].impulse;
+			r->load[p->lane] = q->count > 1 || p->sticks == p->slides ? r->jn[p->lane] : 0.0f;
 		}
 		p->lanes->jt[p->lane] = scale * p->rows[2].impulse;
 	}
