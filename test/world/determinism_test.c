@@ -24,17 +24,17 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0xcdca6c520437000a },
-	{ "small_200", 300, 1, 0xcbb4f50365d6be28 },
-	{ "small_50_sleep", 600, 1, 0xd752828f745dbbe7 },
-	{ "dominoes", 400, 1, 0xad0f181b8ceb4c41 },
-	{ "ragdolls", 480, 1, 0x507eb7ec0d8c6fe7 },
-	{ "bridge", 240, 1, 0x82a3d561f5973c19 },
-	{ "car", 400, 1, 0x2581cb7384e6da47 },
-	{ "mixer", 240, 1, 0x82ef460516e6eba2 },
-	{ "pyramid", 120, 0, 0xc6062f4ceaa36191 },
+	{ "falling_hinges", 480, 1, 0x1f7c707d00f19b08 },
+	{ "small_200", 300, 1, 0xa7f55a2f31ecebab },
+	{ "small_50_sleep", 600, 1, 0x4af1557cffe886c2 },
+	{ "dominoes", 400, 1, 0xef9d80e7b4f10981 },
+	{ "ragdolls", 480, 1, 0x8f557bb68d8c6121 },
+	{ "bridge", 240, 1, 0x247bff8b43fb6c9d },
+	{ "car", 400, 1, 0xaad39a208da9003a },
+	{ "mixer", 240, 1, 0x6aa3f00eb442f4ad },
+	{ "pyramid", 120, 0, 0xe1f2bc74e3a5d6c8 },
 	{ "rain", 150, 0, 0xe5ff28e1f3e3e2b0 },
-	{ "tumbler_1000", 300, 0, 0x9f26ded555f2a850 },
+	{ "tumbler_1000", 300, 0, 0x6b4d925179333324 },
 };
 /* clang-format on */
 #define GOLDENS ((int32_t)(sizeof goldens / sizeof *goldens))
