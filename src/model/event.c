@@ -86,8 +86,7 @@ int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind)
 	e->shape_b = cni_handles_of(&world->shape_handles, b->shape);
 	e->body_a = cni_handles_of(&world->body_handles, c->body[0]);
 	e->body_b = cni_handles_of(&world->body_handles, c->body[1]);
-	e->child_a = a->child;
-	e->child_b = b->child;
+	e->child = b->child != 0 ? ~b->child : a->child;
 	e->contact = contact;
 	e->approach_speed = kind == CN_EVENT_ENTER ? cni_contact_approach(world, c) : 0.0f;
 	return 1;
@@ -135,8 +134,8 @@ static void event_expand(const cn_world *world, const cni_event *e, int32_t kind
 	out->shape_b = e->shape_b;
 	out->body_a = e->body_a;
 	out->body_b = e->body_b;
-	out->child_a = e->child_a;
-	out->child_b = e->child_b;
+	out->child_a = e->child >= 0 ? e->child : 0;
+	out->child_b = e->child < 0 ? ~e->child : 0;
 	out->contact_id = (uint32_t)e->contact + 1u;
 	out->kind = kind;
 	out->approach_speed_mps = e->approach_speed;

@@ -18,7 +18,7 @@
 typedef struct cni_event {
 	cn_shape shape_a, shape_b;
 	cn_body body_a, body_b;
-	int32_t child_a, child_b;
+	int32_t child;          /* of shape a, or ~child of shape b: at most one of the two is a chain */
 	int32_t contact;
 	float approach_speed;
 } cni_event;

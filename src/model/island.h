@@ -30,6 +30,8 @@ typedef struct cni_island {
 	int32_t reason;        /* CN_TIER_REASON_ of its tier; of a soft one: why it was not taken when something was wrong last */
 	int32_t solver;        /* in the last step: CN_SOLVER_SOFT if a body asks for that, else CN_SOLVER_DIRECT if one does */
 	int32_t joints_solver; /* then: CN_SOLVER_DIRECT if a joint asks for that */
+	uint32_t new_step;     /* step + 1 in which a contact began to bear last */
+	int32_t new_contacts;  /* how many did then */
 } cni_island;
 
 enum { CNI_TIER_SOFT = CN_TIER_SOFT, CNI_TIER_DIRECT = CN_TIER_DIRECT };

@@ -122,7 +122,7 @@ struct cn_world {
 	int32_t island_count;
 
 	uint32_t joints_soft_step;   /* until which some island's joints are soft */
-	int32_t reserved_joints;
+	int32_t piles_new;           /* 1: in this step a contact began to bear */
 	cni_array direct_islands;    /* int32_t: those that are solved directly, see stages/tiers.c */
 	int32_t direct_work;         /* planned in the last step, substeps included; 0: nothing was solved directly */
 	int32_t direct_failed;       /* 1: for want of memory */

@@ -24,6 +24,7 @@
 #define ROUNDS_ALL 6           /* in which all that does not fit is changed at once */
 #define REFINEMENTS 3          /* solutions with one factorization */
 #define STRESS_MOST 15.0f      /* own weights; what bears more is not given back to the soft solver, which would crush it */
+#define BUCKLING 0.055f        /* ... nor is what bears s of them when s^2 g h^2 is more than this part of its size */
 #define PUSH_RATE 0.1f
 #define SPEED_LEAST 1e-4f      /* length units a second that are no motion */
 #define SLIDE_CLOSE 0.01f      /* part by which a sliding friction may be off its normal force */
@@ -131,12 +132,17 @@ void cni_presses_give_back(cn_world *world, cni_sparse *sparse, const cni_compon
 	}
 }
 
-/* What the lighter of its bodies bears, as a multiple of its own weight. */
-static float stress_of(const cn_world *world, const cni_node *n, const cni_press *p, float h)
+/*
+ * Does the lighter of its bodies bear more than soft contacts can? They give way by some g h^2 for each weight, so that a
+ * column of s bodies shortens by s^2 of that. When this is no longer small beside its width, the column leans
+ * faster than it is righted: small bodies sooner than large ones.
+ */
+static int32_t is_stressed(const cn_world *world, const cni_node *n, const cni_press *p, float h)
 {
-	float weight = h * cni_length(world->settings.gravity);
-	float inv_mass = cni_max(cni_motions(world)[n->ia].inv_mass, cni_motions(world)[n->ib].inv_mass);
-	return weight > 0.0f ? (p->j[0] + p->j[1]) * inv_mass / weight : 0.0f;
+	float g = cni_length(world->settings.gravity), inv_a = cni_motions(world)[n->ia].inv_mass, inv_b = cni_motions(world)[n->ib].inv_mass;
+	float stress = g > 0.0f ? (p->j[0] + p->j[1]) * cni_max(inv_a, inv_b) / (h * g) : 0.0f;
+	float size = cni_body_at(world, cni_awake_ids(world)[inv_b > inv_a ? n->ib : n->ia])->extent;
+	return stress > STRESS_MOST || stress * stress * g * h * h > BUCKLING * size;
 }
 
 void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h)
@@ -147,7 +153,7 @@ void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h)
 		const cni_node *n = &sparse->nodes[cni_max_i(p->node, 0)];
 		if (p->node == CNI_NONE)
 			continue;
-		if (stress_of(world, n, p, h) > STRESS_MOST)
+		if (is_stressed(world, n, p, h))
 			cni_island_at(world, cni_awake_island(world, n->ia))->good_steps = 0;
 		press_give_back(world, p);
 	}

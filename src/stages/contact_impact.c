@@ -38,6 +38,7 @@ typedef struct impact_lane {
 	float nx, ny;
 	float ax, ay, bx, by; /* inverse masses along x and y: 0 for a locked axis */
 	float mass;          /* sum of inverse masses along n */
+	float dn, dt;        /* from a's centre to b's, now: both arms end in one point */
 	float closing;       /* acceleration that brings the bodies together */
 	float restitution;
 	int32_t one_sided;   /* body b cannot move, and others may be looking at it: it is not written */
@@ -64,6 +65,26 @@ static float outgoing_speed(float before, float s, float a, float e, float h)
 	return cni_max(cni_sqrt(cni_max(inside, 0.0f)) - a * h, 0.0f);
 }
 
+/*
+ * An impulse and its opposite must act along one line, or they turn the two bodies by what they have no right to. A lane's
+ * arms are those of the step's beginning, or of where bodies that are still apart will meet; so the arms of b are taken from a's and
+ * from where the centres are now.
+ */
+static void centers_part(const cn_world *world, const cni_contact_block *k, int32_t l, impact_lane *c)
+{
+	const cni_body *a = cni_body_at(world, cni_awake_ids(world)[c->ia]), *b;
+	float x, y;
+	c->dn = k->fa[l] - k->fb[l];
+	c->dt = k->dt[l];
+	if (c->ib == 0)
+		return;
+	b = cni_body_at(world, cni_awake_ids(world)[c->ib]);
+	x = (b->cx - a->cx) + (b->cx_low - a->cx_low) + (c->b->dpx - c->a->dpx);
+	y = (b->cy - a->cy) + (b->cy_low - a->cy_low) + (c->b->dpy - c->a->dpy);
+	c->dn = c->nx * x + c->ny * y;
+	c->dt = c->ny * x - c->nx * y;
+}
+
 static impact_lane lane_make(cn_world *world, const cni_contact_block *k, const cni_block_info *info, int32_t l, int32_t color)
 {
 	const cni_drive *da = cni_drives(world) + k->ia[l], *db = cni_drives(world) + k->ib[l];
@@ -81,6 +102,7 @@ static impact_lane lane_make(cn_world *world, const cni_contact_block *k, const 
 	c.bx = db->flags & CNI_DRIVE_LOCK_X ? 0.0f : c.b->inv_mass;
 	c.by = db->flags & CNI_DRIVE_LOCK_Y ? 0.0f : c.b->inv_mass;
 	c.mass = c.nx * c.nx * (c.ax + c.bx) + c.ny * c.ny * (c.ay + c.by);
+	centers_part(world, k, l, &c);
 	c.closing = c.nx * (da->ax - db->ax) + c.ny * (da->ay - db->ay);
 	c.restitution = info->restitution[l];
 	c.one_sided = c.ib == 0 || (color >= CNI_COLOR_STATIC && color != CNI_COLOR_OVERFLOW);
@@ -93,14 +115,14 @@ static impact_point point_make(const impact_lane *c, const cni_contact_block *k,
 	impact_point q;
 	float separation;
 	q.at = p->at[l];
-	q.bt = q.at - k->dt[l];
+	q.bt = q.at - c->dt;
 	q.vn = point_speed(c, q.at, q.bt);
 	q.k = c->mass + c->a->inv_inertia * q.at * q.at + c->b->inv_inertia * q.bt * q.bt;
 	q.out = 0.0f;
 	q.hits = p->nm[l] > 0.0f && q.vn < -s->restitution_threshold;
 	if (!q.hits)
 		return q;
-	separation = point_separation(c, p->s0[l], p->an[l], k->dn[l], q.at, q.bt);
+	separation = point_separation(c, p->s0[l], p->an[l], k->dn[l], q.at, q.at - k->dt[l]);
 	q.hits = separation + s->h * q.vn < 0.0f;
 	q.out = outgoing_speed(q.vn + s->h * c->closing, separation, c->closing, c->restitution, s->h);
 	/* Never more than the law gives at this instant plus what the drive adds: two fast bodies that were
@@ -124,7 +146,7 @@ static void body_strike(cni_motion *m, cni_velocity_start *start, float dvx, flo
 /* Impulse jn along n with moment arms, and friction opposing the sliding speed within mu jn. */
 static void lane_strike(impact_lane *c, const cni_contact_block *k, int32_t l, float jn, float moment_a, float moment_b)
 {
-	float tx = c->ny, ty = -c->nx, fa = k->fa[l], fb = k->fb[l];
+	float tx = c->ny, ty = -c->nx, fa = k->fa[l], fb = fa - c->dn;
 	float wa = -c->a->inv_inertia * moment_a, wb = c->b->inv_inertia * moment_b;
 	float vt = tx * (c->sb->vx - c->sa->vx) + ty * (c->sb->vy - c->sa->vy) - (c->sb->w + wb) * fb + (c->sa->w + wa) * fa;
 	float most = k->dynamic_friction[l] * jn, jt = cni_clamp(-k->tm[l] * vt, -most, most);

@@ -242,10 +242,12 @@ static void kernel_relax(cni_motion *motions, cni_contact_block *k, cni_block_ex
 	solve_block(motions, k, extra, pass, fresh, lanes, 0);
 }
 
-/* A load follows slowly and never exceeds the impulse that is there. */
-CNI_INLINE cni_wide load_follow(cni_wide load, cni_wide jn, const cni_contact_pass *pass)
+/* A load follows slowly, where much is borne more slowly still, and never exceeds the impulse that is there. m: the larger
+   inverse mass. */
+CNI_INLINE cni_wide load_follow(cni_wide load, cni_wide jn, cni_wide m, const cni_contact_pass *pass)
 {
-	return cni_wide_min(load + pass->load_part * (jn - load), jn);
+	cni_wide speed = jn * m, part = cni_wide_min(cni_wide_of(pass->load_part), pass->load_heavy / (speed * speed + FLT_MIN));
+	return cni_wide_min(load + part * (jn - load), jn);
 }
 
 CNI_INLINE void warm_group(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass)
@@ -266,7 +268,7 @@ CNI_INLINE void warm_group(cni_motion *motions, cni_contact_block *k, cni_block_
 		q.bt = q.at - cni_wide_load(k->dt + l);
 		q.old = zero;
 		cni_wide_store(k->p[p].jn + l, jn);
-		cni_wide_store(k->p[p].load + l, load_follow(cni_wide_load(k->p[p].load + l) * scale, jn, pass));
+		cni_wide_store(k->p[p].load + l, load_follow(cni_wide_load(k->p[p].load + l) * scale, jn, cni_wide_max(a.m, b.m), pass));
 		apply_normal(&a, &b, nx, ny, &q, jn);
 	}
 	cni_wide_store(k->jt + l, jt);

@@ -12,6 +12,7 @@ typedef struct cni_contact_pass {
 	float impact_speed;  /* < 0: faster approaches are impacts */
 	float warm_scale;
 	float load_part;     /* of its way to the impulse that a load goes in this step */
+	float load_heavy;    /* ... at most this over the square of the speed that the impulse gives */
 	cni_soft soft;
 	int32_t one_sided;   /* lane bodies b are not written */
 } cni_contact_pass;

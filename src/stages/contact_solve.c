@@ -34,6 +34,7 @@ static cni_contact_pass pass_make(const cni_solve *s, int32_t one_sided)
 	pass.impact_speed = -s->restitution_threshold;
 	pass.warm_scale = s->warm_scale;
 	pass.load_part = cni_min(CNI_LOAD_RATE * s->dt, 1.0f);
+	pass.load_heavy = s->load_heavy;
 	pass.one_sided = one_sided;
 	pass.soft = one_sided ? s->contact_static : s->contact;
 	return pass;

@@ -4,6 +4,8 @@
 #include "stages/contact_pass.h"
 #include "stages/joint_pass.h"
 
+#define WARM_MOST 4.0f /* what is borne is a force: a longer step needs larger impulses. After a pause nothing is known */
+
 cni_soft cni_soft_implicit(float hertz, float damping_ratio, float h)
 {
 	float omega = 2.0f * CNI_PI * hertz;
@@ -81,6 +83,14 @@ cni_soft cni_soft_exact(float hertz, float damping_ratio, float h)
 	return soft;
 }
 
+/* CNI_LOAD_HEAVY / (h stress^2) of a step, times the square of the speed that the impulse gives. Without gravity there is
+   no weight to compare with. */
+static float load_heavy(const cn_world *world, const cni_solve *s)
+{
+	float g_sq = cni_length_sq(world->settings.gravity);
+	return g_sq > 0.0f ? CNI_LOAD_HEAVY * s->dt * s->h * g_sq : FLT_MAX;
+}
+
 static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 {
 	const cni_settings *set = &world->settings;
@@ -90,9 +100,10 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	s.substeps = substeps;
 	s.h = dt / (float)substeps;
 	s.inv_h = s.h > 0.0f ? 1.0f / s.h : 0.0f;
-	s.warm_scale = (set->flags & CN_WORLD_WARM_START) == 0 ? 0.0f : last > 0.0f ? cni_min(dt / last, 1.0f) : 1.0f;
+	s.warm_scale = (set->flags & CN_WORLD_WARM_START) == 0 ? 0.0f : last > 0.0f ? cni_min(dt / last, WARM_MOST) : 1.0f;
 	s.push_speed = set->push_speed_max;
 	s.restitution_threshold = set->restitution_threshold;
+	s.load_heavy = load_heavy(world, &s);
 	s.shock_speed = set->length_unit;
 	s.contact = cni_soft_implicit(0.125f * s.inv_h, 10.0f, s.h);
 	s.contact_static = cni_soft_implicit(0.25f * s.inv_h, 10.0f, s.h);

@@ -25,11 +25,14 @@ typedef struct cni_soft {
 } cni_soft;
 
 /*
- * How fast loads follow the impulses that are there, per second; see stages/contact_kernel.h. Measured: at 0.6 a pyramid of base 100 keeps within 0.1 m after 5 s (0.74 without loads), one of 50
- * within 12 mm (186), of 20 within 3 mm (31), a stack of 50 within 0.01 mm (0.87 m); at 1.2 the pyramid of 100
- * sways and falls, at 6 that of 50.
+ * How fast loads follow the impulses that are there, per second; see stages/contact_kernel.h. A load that follows drives
+ * slow swings of a pile, and softness damps them: by a rate of about 0.24 s w^2 at h = 1/240 s, with w^2 falling as
+ * the square of the height. So a load must be slower where more is borne: at most
+ * CNI_LOAD_HEAVY / (h stress^2), where stress is what a point bears over the lighter body's weight. A pyramid of base 100
+ * (stress 25) comes to rest at 0.1, sways on at 0.3, and falls when all its loads follow at 0.6 per second.
  */
 #define CNI_LOAD_RATE 0.6f
+#define CNI_LOAD_HEAVY 0.1f
 
 struct cni_contact_kernel; /* stages/contact_pass.h */
 struct cni_joint_kernel;   /* stages/joint_pass.h */
@@ -46,6 +49,7 @@ typedef struct cni_solve {
 	float warm_scale;          /* of stored impulses: this substep over the last one's */
 	float push_speed;
 	float restitution_threshold;
+	float load_heavy;          /* see CNI_LOAD_HEAVY; of a step */
 	float shock_speed;         /* a jump of a body's velocity in one substep that is an impact */
 	cni_soft contact;          /* two dynamic bodies */
 	cni_soft contact_static;   /* one of them cannot move */
@@ -100,6 +104,9 @@ void cni_joints_solve(cn_world *world, const cni_solve *s);
 void cni_stage_tiers(cn_world *world);
 /* An overlap or gap of more than this part of the accuracy is bad. */
 #define CNI_BAD_PART 0.1f
+/* Neither moves nor turns faster than what lies in a pile. */
+int32_t cni_body_is_quiet(const cn_world *world, const cni_body *b);
+int32_t cni_island_is_quiet(const cn_world *world, const cni_island *i);
 int32_t cni_island_has_joints(const cn_world *world, int32_t island);
 /* The island cannot be solved directly, now and for some time. reason: CN_TIER_REASON_ */
 void cni_island_refuse(cn_world *world, int32_t island, int32_t reason);
@@ -115,6 +122,10 @@ void cni_island_once(cn_world *world, int32_t island, int32_t steps);
 uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies);
 /* ... and what of it is kept from step to step. */
 uint64_t cni_direct_kept_bytes(int32_t solver, int32_t joints, int32_t contacts);
+/* Loads of piles that are too large for that, and their impulses when they are new. Before the warm start. */
+void cni_piles_load(cn_world *world, const cni_solve *s);
+/* Scratch that it may take. */
+uint64_t cni_pile_bytes(int32_t bodies);
 /* Plans which joints and contacts are solved directly into out, and sets s->direct to it. */
 void cni_direct_prepare(cn_world *world, cni_solve *s, struct cni_sparse *out);
 /* One pass over them: with errors' bias (1), or rigid at the new positions (0). */

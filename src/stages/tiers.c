@@ -36,18 +36,18 @@ static int32_t *listed(const cn_world *world)
 	return (int32_t *)world->direct_islands.data;
 }
 
-static int32_t body_is_quiet(const cn_world *world, const cni_body *b)
+int32_t cni_body_is_quiet(const cn_world *world, const cni_body *b)
 {
 	const cni_motion *m = cni_motions(world) + b->awake;
 	float most = QUIET_SPEED * world->settings.length_unit, turn = m->w * b->extent;
 	return m->vx * m->vx + m->vy * m->vy <= most * most && turn * turn <= most * most;
 }
 
-static int32_t island_is_quiet(const cn_world *world, const cni_island *i)
+int32_t cni_island_is_quiet(const cn_world *world, const cni_island *i)
 {
 	int32_t body;
 	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
-		if (!body_is_quiet(world, cni_body_at(world, body)))
+		if (!cni_body_is_quiet(world, cni_body_at(world, body)))
 			return 0;
 	return 1;
 }
@@ -79,6 +79,22 @@ int32_t cni_island_is_refused(const cni_island *i, uint32_t step)
 	return i->refused_steps > 0 && step - i->refused_step < (uint32_t)i->refused_steps;
 }
 
+/* Counted for stages/pile_load.c. */
+static void new_contact_count(cn_world *world, int32_t index)
+{
+	int32_t island = cni_awake_island(world, index);
+	cni_island *i = island != CNI_NONE ? cni_island_at(world, island) : NULL;
+	world->piles_new = 1;
+	if (i == NULL) {
+		cni_body_at(world, cni_awake_ids(world)[index])->flags |= CNI_BODY_SET_DOWN;
+		return;
+	}
+	if (i->new_step != world->step_count + 1u)
+		i->new_contacts = 0;
+	i->new_step = world->step_count + 1u;
+	++i->new_contacts;
+}
+
 /* Something is wrong in it. Of several reasons the latest of the list is told. */
 static void island_is_bad(cn_world *world, int32_t island, int32_t reason)
 {
@@ -93,7 +109,7 @@ static void island_is_bad(cn_world *world, int32_t island, int32_t reason)
 		return;
 	if (world->direct_islands.count >= ISLANDS_MOST || 2 * i->count > CNI_PRESS_MOST)
 		i->reason = CN_TIER_REASON_CROWDED;
-	else if (!island_is_quiet(world, i))
+	else if (!cni_island_is_quiet(world, i))
 		i->reason = CN_TIER_REASON_MOVING;
 	else if (cni_island_has_joints(world, island))
 		i->reason = CN_TIER_REASON_JOINTED;
@@ -153,6 +169,8 @@ static void block_look(cn_world *world, int32_t block, float most)
 			continue;
 		if (overlap(k, l) <= most && !(fresh && lane_is_new(k, l, world->settings.slop)))
 			continue;
+		if (fresh && (info->fresh >> l & 1u) && lane_is_new(k, l, world->settings.slop))
+			new_contact_count(world, k->ia[l]);
 		island = cni_awake_island(world, k->ia[l]);
 		if (island != CNI_NONE)
 			island_is_bad(world, island, overlap(k, l) > most ? CN_TIER_REASON_OVERLAP : CN_TIER_REASON_NEW_CONTACT);
@@ -258,7 +276,7 @@ static void list_awake(cn_world *world, int32_t every)
 
 void cni_stage_tiers(cn_world *world)
 {
-	world->direct_work = world->direct_failed = 0;
+	world->direct_work = world->direct_failed = world->piles_new = 0;
 	if (world->overridden)
 		solvers_gather(world);
 	if (world->settings.solver == CN_SOLVER_DIRECT) {

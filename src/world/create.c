@@ -276,13 +276,15 @@ static int32_t reserve_pieces(cn_world *world, const cn_world_def *d)
 	       cni_blocks_reserve(blocks, CN_NAME_MAX_BYTES + 1, d->body_capacity);
 }
 
-/* An island's search, the broadphase's pass over all boxes (see its files), sorting the new pairs, and joints that are
-   solved directly. */
+/* An island's search, the broadphase's pass over all boxes (see its files), sorting the new pairs, and what is
+   solved directly, with the loads of piles that are not. */
 static uint64_t arena_bytes(const cn_world_def *d)
 {
 	uint64_t boxes = 2048u + 40u * (uint64_t)d->shape_capacity, pairs = 64u + sizeof(cni_pair) * (uint64_t)d->contact_capacity; /* and changes of the narrowphase */
 	uint64_t island = 64u + 8u * (uint64_t)d->body_capacity;
 	uint64_t joints = cni_direct_bytes(d->solver, d->joint_capacity, d->contact_capacity, d->body_capacity), scratch = boxes > pairs ? boxes : pairs;
+	if (d->solver == CN_SOLVER_AUTO)
+		joints += cni_pile_bytes(d->body_capacity);
 	return (scratch > joints ? scratch : joints) + island;
 }
 

@@ -97,6 +97,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	cni_joints_prepare(world, &s);
 	cni_stage_tiers(world);
 	cni_direct_prepare(world, &s, &direct);
+	cni_piles_load(world, &s);
 	cni_swings_run(world, &s);
 	cni_joint_blocks_gather(world, &s);
 	profile_mark(world, &profile->prepare_s, mark);

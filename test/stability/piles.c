@@ -88,15 +88,19 @@ static void stack_finish(scene_run *run)
 	scene_report(run, "height_loss_m", run->items[top].y - scene_read(run, top).y);
 }
 
-/* ---- pyramid ---- */
+/* ---- pyramid; push: speed aside of the top, and of the others by their height ---- */
 
 static void pyramid_build(scene_run *run)
 {
 	int32_t base = scene_count(run, "base"), i, j;
+	double push = scene_value(run, "push");
 	scene_floor(run);
 	for (i = 0; i < base; ++i)
-		for (j = i; j < base; ++j)
-			scene_box(run, CN_BODY_DYNAMIC, 0.5 * (double)(i + 1) + (double)(j - i) - 0.5 * (double)base, (double)i + 0.5, 0.0, 0.5, 0.5);
+		for (j = i; j < base; ++j) {
+			cn_body body = scene_box(run, CN_BODY_DYNAMIC, 0.5 * (double)(i + 1) + (double)(j - i) - 0.5 * (double)base, (double)i + 0.5, 0.0, 0.5, 0.5);
+			if (push != 0.0)
+				scene_set_velocity(run, body, push * (double)(i + 1) / (double)base, 0.0, 0.0);
+		}
 }
 
 static void pyramid_finish(scene_run *run)
@@ -114,6 +118,6 @@ static void pyramid_finish(scene_run *run)
 
 const scene_family pile_families[] = {
 	{ "stack", "boxes=10 top=0 offset=0.001 seconds=10", sizeof(pile_state), stack_build, stack_observe, stack_finish },
-	{ "pyramid", "base=20 seconds=10", sizeof(pile_state), pyramid_build, observe_pile, pyramid_finish },
+	{ "pyramid", "base=20 push=0 seconds=10", sizeof(pile_state), pyramid_build, observe_pile, pyramid_finish },
 };
 const int32_t pile_family_count = (int32_t)(sizeof pile_families / sizeof *pile_families);

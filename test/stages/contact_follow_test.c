@@ -71,6 +71,16 @@ static int32_t follow_all(cn_world *world, int32_t *total)
 	return count;
 }
 
+/*
+ * What following may miss: surfaces slide a quarter of the slop (1.25 mm) before the manifold is computed again, so an arm
+ * may be out by that on each body and by half as much where the point lies between them, and a separation by that times
+ * the angle between clipped edges (up to 0.2); a normal by the turn that is followed (2 mrad on each body), but for
+ * corners that nearly touch, whose normal hangs on micrometres: those count as another manifold.
+ */
+#define ARM 4e-3
+#define SEPARATION 3e-4
+#define NORMAL 4e-3
+
 typedef struct worst {
 	double separation, arm, normal, mass; /* metres, metres, radians, relative */
 	int32_t other; /* lanes with another manifold: corner on corner, or a point that just reached the margin */
@@ -87,12 +97,20 @@ static int32_t points_of(const lane_copy *c)
 
 static int32_t is_another(const lane_copy *a, const lane_copy *b)
 {
-	return points_of(a) != points_of(b) || fabs((double)(a->nx * b->ny - a->ny * b->nx)) > 0.02;
+	return points_of(a) != points_of(b) || fabs((double)(a->nx * b->ny - a->ny * b->nx)) > NORMAL;
+}
+
+/* A normal between corners that are apart may turn much; it matters once they touch. */
+static int32_t bears(const lane_copy *c)
+{
+	return (c->nm[0] > 0.0f && c->s0[0] < 1e-3f) || (c->nm[1] > 0.0f && c->s0[1] < 1e-3f);
 }
 
 static void compare(worst *w, const lane_copy *a, const lane_copy *b)
 {
 	int32_t k, points = points_of(a);
+	if (!bears(a))
+		return;
 	if (is_another(a, b)) {
 		++w->other;
 		return;
@@ -149,15 +167,6 @@ static void build_pile(cn_world *world, int32_t kinds)
 	}
 }
 
-/*
- * What following may miss: surfaces slide a quarter of the slop (1.25 mm) before the manifold is computed again, so an arm
- * may be out by that on each body and by half as much where the point lies between them, and a separation by that times the angle between clipped edges (a tenth or so); a
- * normal between two corners 0.3 m from the centres may turn by 1.25 mm over that distance, and as much by the turn.
- */
-#define ARM 4e-3
-#define SEPARATION 2e-4
-#define NORMAL 8e-3
-
 static void a_pile_at_rest_is_followed(void)
 {
 	cn_world *world = fixture_world(-10.0f, 0);
@@ -169,7 +178,7 @@ static void a_pile_at_rest_is_followed(void)
 	CHECK_LE("arms", w.arm, ARM, "m");
 	CHECK_LE("normal", w.normal, NORMAL, "rad");
 	CHECK_LE("masses", w.mass, 1e-2, "");
-	CHECK_LE("lanes with another manifold", w.other, 10, "");
+	CHECK_LE("lanes with another manifold", w.other, 22, "of 2,200");
 	cn_world_destroy(world);
 }
 
@@ -185,7 +194,7 @@ static void a_pile_in_motion_is_followed_where_it_rests(void)
 	CHECK_LE("separation", w.separation, SEPARATION, "m");
 	CHECK_LE("arms", w.arm, ARM, "m");
 	CHECK_LE("normal", w.normal, NORMAL, "rad");
-	CHECK_LE("lanes with another manifold", w.other, 10, "");
+	CHECK_LE("lanes with another manifold", w.other, 44, "of 4,400");
 	cn_world_destroy(world);
 }
 

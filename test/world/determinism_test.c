@@ -24,17 +24,17 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0xe624eca61bbe7a4f },
-	{ "small_200", 300, 1, 0x0582f68b79b17769 },
-	{ "small_50_sleep", 600, 1, 0x27dadb050ced9ac6 },
-	{ "dominoes", 400, 1, 0x8c9a9bdc7509ebac },
-	{ "ragdolls", 480, 1, 0x5e3561143092a1bb },
-	{ "bridge", 240, 1, 0x4bdd298372deed0a },
-	{ "car", 400, 1, 0xb88b2654d776c1a0 },
-	{ "mixer", 240, 1, 0x15c7488c98056c2b },
-	{ "pyramid", 120, 0, 0x51cc9236e9135607 },
-	{ "rain", 150, 0, 0xe5ff28e1f3e3e2b0 },
-	{ "tumbler_1000", 300, 0, 0x92364f951131b1b1 },
+	{ "falling_hinges", 480, 1, 0xa09542fa3dc43fb1 },
+	{ "small_200", 300, 1, 0xe6282c91bbd89c24 },
+	{ "small_50_sleep", 600, 1, 0xd5b51a59514eec41 },
+	{ "dominoes", 400, 1, 0xed592478d36cb01b },
+	{ "ragdolls", 480, 1, 0xce6ecc1508c48597 },
+	{ "bridge", 240, 1, 0x25b35b0f453be69d },
+	{ "car", 400, 1, 0x0c3fd30f19687833 },
+	{ "mixer", 240, 1, 0x20754041192daadf },
+	{ "pyramid", 120, 0, 0x7786151d916b360f },
+	{ "rain", 150, 0, 0xcfddbe9076b7a34f },
+	{ "tumbler_1000", 300, 0, 0xc23a02bce215302b },
 };
 /* clang-format on */
 #define GOLDENS ((int32_t)(sizeof goldens / sizeof *goldens))
