@@ -32,6 +32,7 @@ typedef struct cni_island {
 	int32_t joints_solver; /* then: CN_SOLVER_DIRECT if a joint asks for that */
 	uint32_t new_step;     /* step + 1 in which a contact began to bear last */
 	int32_t new_contacts;  /* how many did then */
+	uint32_t unheld_step;  /* step + 1 in which its loads were looked for from the top down, last, and not found */
 } cni_island;
 
 enum { CNI_TIER_SOFT = CN_TIER_SOFT, CNI_TIER_DIRECT = CN_TIER_DIRECT };

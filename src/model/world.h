@@ -123,6 +123,7 @@ struct cn_world {
 
 	uint32_t joints_soft_step;   /* until which some island's joints are soft */
 	int32_t piles_new;           /* 1: in this step a contact began to bear */
+	int32_t piles_unheld;        /* 1: in the last one some island could not be loaded from the top down */
 	cni_array direct_islands;    /* int32_t: those that are solved directly, see stages/tiers.c */
 	int32_t direct_work;         /* planned in the last step, substeps included; 0: nothing was solved directly */
 	int32_t direct_failed;       /* 1: for want of memory */

@@ -22,9 +22,9 @@
 
 #define ROUNDS 32
 #define ROUNDS_ALL 6           /* in which all that does not fit is changed at once */
+#define ROUNDS_MOVING 10       /* of things that move, whose set is another in a moment, and of relaxing passes, which can do without */
+#define STILL_SPEED 0.1f       /* length units a second: what is slower began this step at rest */
 #define REFINEMENTS 3          /* solutions with one factorization */
-#define STRESS_MOST 15.0f      /* own weights; what bears more is not given back to the soft solver, which would crush it */
-#define BUCKLING 0.055f        /* ... nor is what bears s of them when s^2 g h^2 is more than this part of its size */
 #define PUSH_RATE 0.1f
 #define SPEED_LEAST 1e-4f      /* length units a second that are no motion */
 #define SLIDE_CLOSE 0.01f      /* part by which a sliding friction may be off its normal force */
@@ -132,19 +132,6 @@ void cni_presses_give_back(cn_world *world, cni_sparse *sparse, const cni_compon
 	}
 }
 
-/*
- * Does the lighter of its bodies bear more than soft contacts can? They give way by some g h^2 for each weight, so that a
- * column of s bodies shortens by s^2 of that. When this is no longer small beside its width, the column leans
- * faster than it is righted: small bodies sooner than large ones.
- */
-static int32_t is_stressed(const cn_world *world, const cni_node *n, const cni_press *p, float h)
-{
-	float g = cni_length(world->settings.gravity), inv_a = cni_motions(world)[n->ia].inv_mass, inv_b = cni_motions(world)[n->ib].inv_mass;
-	float stress = g > 0.0f ? (p->j[0] + p->j[1]) * cni_max(inv_a, inv_b) / (h * g) : 0.0f;
-	float size = cni_body_at(world, cni_awake_ids(world)[inv_b > inv_a ? n->ib : n->ia])->extent;
-	return stress > STRESS_MOST || stress * stress * g * h * h > BUCKLING * size;
-}
-
 void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h)
 {
 	int32_t k;
@@ -153,7 +140,7 @@ void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h)
 		const cni_node *n = &sparse->nodes[cni_max_i(p->node, 0)];
 		if (p->node == CNI_NONE)
 			continue;
-		if (is_stressed(world, n, p, h))
+		if (cni_is_stressed(world, n->ia, n->ib, p->j[0] + p->j[1], h, 1.0f))
 			cni_island_at(world, cni_awake_island(world, n->ia))->good_steps = 0;
 		press_give_back(world, p);
 	}
@@ -533,6 +520,25 @@ static int32_t relax_with_old_set(const pass *q)
 	return 1;
 }
 
+/* Did some body move as the step began? */
+static int32_t moves(const pass *q)
+{
+	float most = STILL_SPEED * q->world->settings.length_unit;
+	int32_t k;
+	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
+		const cni_body *b = cni_body_at(q->world, cni_awake_ids(q->world)[q->sparse->bodies[k]]);
+		if (b->vx * b->vx + b->vy * b->vy > most * most)
+			return 1;
+	}
+	return 0;
+}
+
+/* Is it time to give up? */
+static int32_t rounds_are_over(const pass *q, int32_t round)
+{
+	return round >= ROUNDS || (round >= ROUNDS_MOVING && (!q->bias || moves(q)));
+}
+
 int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
 {
 	pass q = { world, s, sparse, c, cni_motions(world), SPEED_LEAST * world->settings.length_unit, bias };
@@ -548,7 +554,7 @@ int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *spars
 			press_begin(&q, p, &sparse->nodes[k]);
 	}
 	states_keep(&q, 0);
-	for (round = 0; round < ROUNDS; ++round) {
+	for (round = 0; !rounds_are_over(&q, round); ++round) {
 		if (round > 0)
 			round_begin(&q);
 		if (!system_solve(&q))

@@ -11,7 +11,8 @@
  *
  * That is done once, when most of a quiet island's contacts are new. Loads that were led to what is found again and again
  * would drive a pile that swings. A body alone that is set down is a pile of one: it stands, or begins to slide, without
- * a false step. An island in which some body cannot be held by what is below it (an arch, a bridge) is left alone.
+ * a false step. An island in which some body cannot be held by what is below it (an arch, a bridge) is left to the direct
+ * solver (stages/tiers.c).
  *
  * Reads lanes, drives, motion, islands as stages/tiers.c counted their new contacts; writes lanes' jn, jt, load.
  */
@@ -63,6 +64,7 @@ typedef struct pile {
 	weight *weights;
 	uint64_t *order;         /* highest first */
 	int32_t count;
+	int32_t stressed;        /* some contact bears more than soft ones can */
 	float weight_speed;      /* what gravity gives in a substep */
 } pile;
 
@@ -257,7 +259,7 @@ static void lay_on(const pile *q, const stand *b)
  * slides more easily than it sticks is given no load: a sudden push rocks it on a full one, friction is
  * exceeded for a substep, and it would not stop again.
  */
-static void lanes_write(const pile *q, const stand *b)
+static void lanes_write(pile *q, const stand *b)
 {
 	float scale = 1.0f / q->s->warm_scale;
 	int32_t k, i;
@@ -269,11 +271,12 @@ static void lanes_write(const pile *q, const stand *b)
 			r->load[p->lane] = q->count > 1 || p->sticks == p->slides ? r->jn[p->lane] : 0.0f;
 		}
 		p->lanes->jt[p->lane] = scale * p->rows[2].impulse;
+		q->stressed |= cni_is_stressed(q->world, p->lanes->ia[p->lane], p->lanes->ib[p->lane], p->rows[0].impulse + p->rows[1].impulse, q->s->h, 1.0f);
 	}
 }
 
 /* 0: some body cannot be held. */
-static int32_t pile_lay(const pile *q, int32_t write)
+static int32_t pile_lay(pile *q, int32_t write)
 {
 	stand b;
 	float g = q->weight_speed / q->s->h;
@@ -334,14 +337,15 @@ static void order_find(pile *q, int32_t island)
 	cni_sort_keys(q->order, (uint64_t *)(void *)q->weights, q->count);
 }
 
-/* All of it is tried before any of it is written. */
-static void pile_load(const pile *q)
+/* All of it is tried before any of it is written. 0: the direct solver should have it. */
+static int32_t pile_load(pile *q)
 {
 	weights_begin(q);
 	if (!pile_lay(q, 0))
-		return;
+		return 0;
 	weights_begin(q);
-	(void)pile_lay(q, 1);
+	q->stressed = 0;
+	return pile_lay(q, 1) && !q->stressed;
 }
 
 /* Most of what it stands by is new, and nothing else holds it. */
@@ -357,6 +361,12 @@ static int32_t body_is_due(const cn_world *world, const cni_body *b)
 	return b->island == CNI_NONE && (b->flags & CNI_BODY_SET_DOWN) && b->joint_count == 0 && cni_body_is_quiet(world, b);
 }
 
+static void unheld(cn_world *world, int32_t island)
+{
+	cni_island_at(world, island)->unheld_step = world->step_count + 1u;
+	world->piles_unheld = 1;
+}
+
 /* An island is met at its first body. */
 static void piles_find(pile *q)
 {
@@ -369,15 +379,15 @@ static void piles_find(pile *q)
 			q->order[q->count++] = (uint32_t)k;
 		else if (b->island != CNI_NONE && cni_island_at(q->world, b->island)->first == body && island_is_due(q->world, b->island))
 			order_find(q, b->island);
-		if (q->count > 0)
-			pile_load(q);
+		if (q->count > 0 && !pile_load(q) && b->island != CNI_NONE)
+			unheld(q->world, b->island);
 		b->flags &= ~(uint32_t)CNI_BODY_SET_DOWN;
 	}
 }
 
 void cni_piles_load(cn_world *world, const cni_solve *s)
 {
-	pile q = { world, s, NULL, NULL, 0, s->h * cni_length(world->settings.gravity) };
+	pile q = { world, s, NULL, NULL, 0, 0, s->h * cni_length(world->settings.gravity) };
 	uint64_t room = (uint64_t)world->awake_count;
 	if (!world->piles_new || s->warm_scale == 0.0f || q.weight_speed == 0.0f)
 		return;

@@ -101,9 +101,12 @@ void cni_joint_blocks_gather(cn_world *world, const cni_solve *s);
 void cni_joints_warm_start(cn_world *world, const cni_solve *s);
 void cni_joints_solve(cn_world *world, const cni_solve *s);
 /* Stage 5: which islands are solved directly, contacts and all. */
-void cni_stage_tiers(cn_world *world);
+void cni_stage_tiers(cn_world *world, float h);
 /* An overlap or gap of more than this part of the accuracy is bad. */
 #define CNI_BAD_PART 0.1f
+/* Does the lighter of two bodies bear more than a part of what soft contacts can, with this impulse between them in a
+   substep h? Such contacts are not left to the soft solver, which would crush them. stages/tiers.c. */
+int32_t cni_is_stressed(const cn_world *world, int32_t ia, int32_t ib, float impulse, float h, float part);
 /* Neither moves nor turns faster than what lies in a pile. */
 int32_t cni_body_is_quiet(const cn_world *world, const cni_body *b);
 int32_t cni_island_is_quiet(const cn_world *world, const cni_island *i);

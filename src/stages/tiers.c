@@ -30,6 +30,14 @@
 #define STAY_FACTOR 4          /* ... and each time it turned bad again after that */
 #define STAY_MOST 100000
 #define REFUSED_STEPS 120      /* until a refused island is looked at again */
+#define STRESS_MOST 15.0f      /* own weights: what bears more is crushed by the soft solver */
+#define BUCKLING 0.055f        /* ... and what bears s of them when s^2 g h^2 is more than this part of its size */
+#define HEAVIER 5.0f           /* times: such a body on a lighter one may crush it */
+
+typedef struct look {
+	float most;    /* metres: overlap that is bad where much is borne */
+	float h;       /* of a substep */
+} look;
 
 static int32_t *listed(const cn_world *world)
 {
@@ -158,32 +166,91 @@ static int32_t lane_is_new(const cni_contact_block *k, int32_t l, float slop)
 	return k->p[0].jn[l] + k->p[1].jn[l] == 0.0f && overlap(k, l) > -0.1f * slop;
 }
 
-static void block_look(cn_world *world, int32_t block, float most)
+/*
+ * They give way by some g h^2 for each weight, so that a column of s bodies shortens by s^2 of that. When this is no longer
+ * small beside its width, the column leans faster than it is righted: small bodies sooner than large ones.
+ */
+int32_t cni_is_stressed(const cn_world *world, int32_t ia, int32_t ib, float impulse, float h, float part)
+{
+	float g = cni_length(world->settings.gravity), inv_a = cni_motions(world)[ia].inv_mass, inv_b = cni_motions(world)[ib].inv_mass;
+	float stress = g > 0.0f ? impulse * cni_max(inv_a, inv_b) / (part * h * g) : 0.0f;
+	float size = cni_body_at(world, cni_awake_ids(world)[inv_b > inv_a ? ib : ia])->extent;
+	return stress > STRESS_MOST || stress * stress * g * h * h > BUCKLING * size;
+}
+
+/* May it come to bear that much? What lies on it is much heavier, or it bears half as much already. */
+static int32_t may_be_stressed(const cn_world *world, const cni_contact_block *k, int32_t l, float h)
+{
+	float inv_a = cni_motions(world)[k->ia[l]].inv_mass, inv_b = cni_motions(world)[k->ib[l]].inv_mass;
+	if (inv_b > 0.0f && cni_max(inv_a, inv_b) > HEAVIER * cni_min(inv_a, inv_b))
+		return 1;
+	return cni_is_stressed(world, k->ia[l], k->ib[l], k->p[0].jn[l] + k->p[1].jn[l], h, 0.5f);
+}
+
+static int32_t creeps(const cn_world *world, int32_t index)
+{
+	const cni_motion *m = cni_motions(world) + index;
+	return m->vx * m->vx + m->vy * m->vy <= world->settings.sleep_speed * world->settings.sleep_speed;
+}
+
+/* Things that lean on each other: a sweep could not load them from the top down, or they sink while nothing moves. */
+static int32_t leans(const cn_world *world, const cni_contact_block *k, int32_t l)
+{
+	int32_t island = cni_awake_island(world, k->ia[l]);
+	return island != CNI_NONE && (cni_island_at(world, island)->unheld_step != 0 || (creeps(world, k->ia[l]) && creeps(world, k->ib[l])));
+}
+
+/* What is wrong with a lane, 0: nothing. */
+static int32_t lane_reason(const cn_world *world, const look *q, const cni_contact_block *k, int32_t l, int32_t fresh)
+{
+	float deep = overlap(k, l);
+	int32_t is_new = fresh && lane_is_new(k, l, world->settings.slop);
+	if (deep > world->settings.accuracy)
+		return CN_TIER_REASON_OVERLAP;
+	if ((deep <= q->most && !is_new) || (!leans(world, k, l) && !may_be_stressed(world, k, l, q->h)))
+		return 0;
+	return deep > q->most ? CN_TIER_REASON_OVERLAP : CN_TIER_REASON_NEW_CONTACT;
+}
+
+static void block_look(cn_world *world, const look *q, int32_t block)
 {
 	const cni_contact_block *k = cni_block_at(world, block);
 	const cni_block_info *info = cni_block_info_at(world, block);
 	int32_t l, fresh = info->fresh_step == world->step_count + 1u;
 	for (l = 0; l < CNI_LANES; ++l) {
-		int32_t island;
-		if (!(k->p[0].s0[l] < -most || k->p[1].s0[l] < -most || fresh) || info->contact[l] == CNI_NONE)
-			continue;
-		if (overlap(k, l) <= most && !(fresh && lane_is_new(k, l, world->settings.slop)))
+		int32_t island, reason;
+		if (!(k->p[0].s0[l] < -q->most || k->p[1].s0[l] < -q->most || fresh) || info->contact[l] == CNI_NONE)
 			continue;
 		if (fresh && (info->fresh >> l & 1u) && lane_is_new(k, l, world->settings.slop))
 			new_contact_count(world, k->ia[l]);
-		island = cni_awake_island(world, k->ia[l]);
+		reason = lane_reason(world, q, k, l, fresh);
+		island = reason != 0 ? cni_awake_island(world, k->ia[l]) : CNI_NONE;
 		if (island != CNI_NONE)
-			island_is_bad(world, island, overlap(k, l) > most ? CN_TIER_REASON_OVERLAP : CN_TIER_REASON_NEW_CONTACT);
+			island_is_bad(world, island, reason);
 	}
 }
 
-static void lanes_look(cn_world *world)
+/* What could not be loaded from the top down in the last step. */
+static void unheld_look(cn_world *world)
 {
-	float most = CNI_BAD_PART * world->settings.accuracy;
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		int32_t island = cni_awake_island(world, k);
+		if (island != CNI_NONE && cni_island_at(world, island)->unheld_step == world->step_count && world->step_count > 0)
+			island_is_bad(world, island, CN_TIER_REASON_NEW_CONTACT);
+	}
+}
+
+static void lanes_look(cn_world *world, float h)
+{
+	look q = { CNI_BAD_PART * world->settings.accuracy, h };
 	int32_t color, block;
 	for (color = 0; color < CNI_COLORS; ++color)
 		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
-			block_look(world, block, most);
+			block_look(world, &q, block);
+	if (world->piles_unheld)
+		unheld_look(world);
+	world->piles_unheld = 0;
 }
 
 /* Islands that have been good for long enough, have fallen asleep, or are no more. */
@@ -274,7 +341,7 @@ static void list_awake(cn_world *world, int32_t every)
 	}
 }
 
-void cni_stage_tiers(cn_world *world)
+void cni_stage_tiers(cn_world *world, float h)
 {
 	world->direct_work = world->direct_failed = world->piles_new = 0;
 	if (world->overridden)
@@ -286,6 +353,6 @@ void cni_stage_tiers(cn_world *world)
 		list_update(world);
 		if (world->overridden)
 			list_awake(world, 0);
-		lanes_look(world);
+		lanes_look(world, h);
 	}
 }

@@ -95,7 +95,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 		return 0;
 	cni_drive_prepare(world, &s);
 	cni_joints_prepare(world, &s);
-	cni_stage_tiers(world);
+	cni_stage_tiers(world, s.h);
 	cni_direct_prepare(world, &s, &direct);
 	cni_piles_load(world, &s);
 	cni_swings_run(world, &s);
