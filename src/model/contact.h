@@ -108,6 +108,7 @@ typedef struct cni_color {
 	int32_t first, last;   /* blocks */
 	int32_t lanes;         /* contacts in it; all blocks but the last are full */
 	int32_t listed;        /* where its blocks begin in world.block_list; within a step */
+	int32_t listed_count;  /* how many of them the passes go through */
 } cni_color;
 
 /* A block as the passes of a step find it: colours in order, a colour's blocks in order. */
@@ -119,7 +120,6 @@ typedef struct cni_listed_block {
 	int32_t lanes;           /* in use, the first of it */
 } cni_listed_block;
 
-static inline int32_t cni_color_blocks(const cni_color *color) { return (color->lanes + CNI_LANES - 1) / CNI_LANES; }
 
 /* A touching contact at rest: the rows of its lane, without ia and ib. */
 #define CNI_SLEEP_ROWS 22

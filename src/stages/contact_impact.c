@@ -232,7 +232,7 @@ static uint32_t sweep(cn_world *world, const cni_solve *s)
 	c.hits = 0;
 	for (c.color = 0; c.color < CNI_COLORS; ++c.color) {
 		c.blocks = cni_listed_blocks(world, c.color);
-		cni_team_for(c.color == CNI_COLOR_OVERFLOW ? NULL : s->team, cni_color_blocks(&world->colors[c.color]), BLOCKS_A_RANGE, color_sweep_run, &c);
+		cni_team_for(c.color == CNI_COLOR_OVERFLOW ? NULL : s->team, world->colors[c.color].listed_count, BLOCKS_A_RANGE, color_sweep_run, &c);
 	}
 	return c.hits;
 }

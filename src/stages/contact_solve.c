@@ -63,7 +63,7 @@ static void extra_lane_copy(const cni_block_extra *from, int32_t from_lane, cni_
 static void overflow_run(cn_world *world, const cni_solve *s, cni_contact_kernel_fn *run)
 {
 	const cni_listed_block *blocks = cni_listed_blocks(world, CNI_COLOR_OVERFLOW);
-	int32_t count = cni_color_blocks(&world->colors[CNI_COLOR_OVERFLOW]), k, l;
+	int32_t count = world->colors[CNI_COLOR_OVERFLOW].listed_count, k, l;
 	cni_motion *motions = cni_motions(world);
 	cni_contact_block one;
 	cni_block_extra one_extra;
@@ -110,11 +110,11 @@ static void colors_run(cn_world *world, const cni_solve *s, cni_contact_kernel_f
 	c.run = run;
 	c.motions = cni_motions(world);
 	for (color = 0; color < CNI_COLOR_OVERFLOW; ++color) {
-		if (world->colors[color].lanes == 0)
+		if (world->colors[color].listed_count == 0)
 			continue;
 		c.pass = pass_make(s, color >= CNI_COLOR_STATIC);
 		c.blocks = cni_listed_blocks(world, color);
-		cni_team_for(s->team, cni_color_blocks(&world->colors[color]), BLOCKS_A_RANGE, color_pass_run, &c);
+		cni_team_for(s->team, world->colors[color].listed_count, BLOCKS_A_RANGE, color_pass_run, &c);
 	}
 }
 
@@ -142,6 +142,7 @@ int32_t cni_contacts_list(cn_world *world, cni_solve *s)
 			block = list[count].info->next;
 			s->bounces |= (list[count++].info->flags & CNI_BLOCK_RESTITUTION) != 0;
 		}
+		world->colors[color].listed_count = count - world->colors[color].listed;
 	}
 	CNI_ASSERT(count <= world->block_list.capacity);
 	return lanes;

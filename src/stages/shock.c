@@ -94,7 +94,7 @@ static void contacts_forget(cn_world *world, shock_loop *loop)
 	for (color = 0; color < CNI_COLORS; ++color) {
 		loop->blocks = cni_listed_blocks(world, color);
 		loop->one_sided = color >= CNI_COLOR_STATIC && color != CNI_COLOR_OVERFLOW;
-		cni_team_for(color == CNI_COLOR_OVERFLOW ? NULL : loop->s->team, cni_color_blocks(&world->colors[color]), BLOCKS_A_RANGE, forget_range, loop);
+		cni_team_for(color == CNI_COLOR_OVERFLOW ? NULL : loop->s->team, world->colors[color].listed_count, BLOCKS_A_RANGE, forget_range, loop);
 	}
 }
 

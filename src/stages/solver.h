@@ -92,6 +92,8 @@ void cni_contacts_warm_start(cn_world *world, const cni_solve *s);
 void cni_contacts_solve(cn_world *world, const cni_solve *s);
 void cni_contacts_relax(cn_world *world, const cni_solve *s);
 void cni_shocks_forget(cn_world *world, const cni_solve *s);
+/* After the first substep: what stands is done with for this step: stages/rest.c. */
+void cni_rest_find(cn_world *world, const cni_solve *s);
 /* ... and takes out kinetic energy that passive contacts and joints cannot have given: stages/energy.c. */
 void cni_energy_hold(cn_world *world);
 void cni_contacts_impact(cn_world *world, const cni_solve *s);

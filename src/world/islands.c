@@ -77,11 +77,21 @@ static void body_add(const cn_world *world, int32_t body, cn_island_report *out)
 	}
 }
 
-static cn_island_report report_begin(const cn_world *world)
+/* One while it rests, see stages/rest.c; body: any of it. */
+static int32_t substeps_of(const cn_world *world, const cni_body *b)
+{
+	const uint32_t rests = CNI_DRIVE_SWUNG | CNI_DRIVE_TOUCHED;
+	uint32_t flags = cni_drives(world)[b->awake].flags;
+	if (world->settings.solver == CN_SOLVER_SEQUENTIAL || (flags & (rests | CNI_DRIVE_JOINTED)) == rests)
+		return 1;
+	return world->settings.substeps;
+}
+
+static cn_island_report report_begin(const cn_world *world, int32_t body)
 {
 	cn_island_report r;
 	memset(&r, 0, sizeof r);
-	r.substeps = world->settings.solver == CN_SOLVER_SEQUENTIAL ? 1 : world->settings.substeps;
+	r.substeps = substeps_of(world, cni_body_at(world, body));
 	return r;
 }
 
@@ -130,7 +140,7 @@ static void report_island(const cn_world *world, int32_t island, cn_island_repor
 {
 	const cni_island *i = cni_island_at(world, island);
 	int32_t body, first = i->first;
-	*out = report_begin(world);
+	*out = report_begin(world, i->first);
 	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
 		first = cni_min_i(first, body);
 		body_add(world, body, out);
@@ -141,7 +151,7 @@ static void report_island(const cn_world *world, int32_t island, cn_island_repor
 
 static void report_alone(const cn_world *world, int32_t body, cn_island_report *out)
 {
-	*out = report_begin(world);
+	*out = report_begin(world, body);
 	body_add(world, body, out);
 	out->body = cni_handles_of(&world->body_handles, body);
 	tier_tell(world, NULL, out);

@@ -55,6 +55,8 @@ static void substeps_lead(void *context)
 		cni_joints_relax(world, s);
 		cni_contacts_relax(world, s);
 		cni_shocks_forget(world, s);
+		if (k == 0)
+			cni_rest_find(world, s);
 	}
 	cni_integrate_finish(world, s);
 }

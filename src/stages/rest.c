@@ -1,0 +1,175 @@
+/*
+ * stages/rest.c - islands in which nothing happens take one substep instead of all.
+ *
+ * A body that stands has after a substep the velocity that it had before the step: what gravity gave it the contacts took.
+ * The next substeps would be the same again. So after the first one, islands of which every body is so, and hardly moves,
+ * are done with: integration leaves their bodies alone, and blocks that hold only their lanes are struck off the list of
+ * the passes. Where such a lane shares a block with one that goes on it is solved with it, which finds nothing to do.
+ *
+ * For such an island time passes more slowly, and that is all: its substeps are those of any other, so it is as
+ * stable. (To let bodies glide through what is left of the step is not: a pyramid of base 100 begins to sway.) What creeps at
+ * less than REST_SPEED creeps slower still; what is about to move gathers speed until it is above, and then moves as
+ * it should.
+ *
+ * It is not done where joints hold an island, nor for kinematic bodies that move.
+ *
+ * Reads motion, bodies (velocity as the step began), drives, islands; writes drives' flag SWUNG, the block list, and
+ * which directly solved systems are done.
+ */
+#include "stages/solver.h"
+#include "stages/sparse.h"
+
+#include <string.h>
+
+#define REST_SPEED 1e-4f /* length units a second: a thousandth of what gravity gives in a step */
+#define HELD_PART 1e-4f  /* of what forces give in a substep that a body which is held may keep */
+
+typedef struct rest {
+	cn_world *world;
+	uint8_t *moving;    /* by island */
+	float speed, h;
+	int32_t carried;    /* 1 and more: bodies have the flag LATER */
+} rest;
+
+static int32_t is_within(float x, float y, float turn, float most)
+{
+	return x * x + y * y <= most * most && turn * turn <= most * most;
+}
+
+/* Slow now, not pushed out of an overlap, and held: what forces gave it in the substep is gone. */
+static int32_t body_rests(const rest *r, int32_t k)
+{
+	const cni_motion *m = cni_motions(r->world) + k;
+	const cni_drive *d = cni_drives(r->world) + k;
+	const cni_body *b = cni_body_at(r->world, cni_awake_ids(r->world)[k]);
+	float given = r->h * cni_sqrt(d->ax * d->ax + d->ay * d->ay) + r->h * cni_abs(d->alpha) * b->extent;
+	if (m->inv_mass == 0.0f)
+		return m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f;
+	return is_within(m->vx, m->vy, m->w * b->extent, r->speed) && is_within(m->dpx, m->dpy, m->theta * b->extent, r->h * r->speed) &&
+	       is_within(m->vx - b->vx, m->vy - b->vy, (m->w - b->w) * b->extent, HELD_PART * given + 0.001f * r->speed);
+}
+
+/* Only what touches something is solved by passes. */
+static int32_t is_solved(uint32_t flags)
+{
+	return (flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_FREE | CNI_DRIVE_SWUNG)) == CNI_DRIVE_TOUCHED;
+}
+
+/* A moving kinematic body carries along what touches it, however slowly. */
+static int32_t carried_mark(const rest *r, int32_t index)
+{
+	const cni_motion *m = cni_motions(r->world) + index;
+	int32_t body = cni_awake_ids(r->world)[index], key, count = 0;
+	if (m->inv_mass > 0.0f || (m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f))
+		return 0;
+	for (key = cni_body_at(r->world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(r->world, key)->next[key & 1]) {
+		int32_t other = cni_body_at(r->world, cni_contact_of_key(r->world, key)->body[1 - (key & 1)])->awake;
+		cni_drives(r->world)[other].flags |= CNI_DRIVE_LATER;
+		++count;
+	}
+	return count;
+}
+
+/* Returns how many bodies may rest. */
+static int32_t moving_find(rest *r)
+{
+	const cni_drive *drives = cni_drives(r->world);
+	int32_t k, count = 0;
+	for (k = 1; k < r->world->awake_count; ++k)
+		r->carried += carried_mark(r, k);
+	for (k = 1; k < r->world->awake_count; ++k) {
+		int32_t island = cni_awake_island(r->world, k);
+		if (is_solved(drives[k].flags) && !(drives[k].flags & (CNI_DRIVE_JOINTED | CNI_DRIVE_LATER)) && body_rests(r, k))
+			++count;
+		else if (island != CNI_NONE)
+			r->moving[island] = 1;
+	}
+	return count;
+}
+
+/* After moving_find. */
+static int32_t body_is_done(const rest *r, int32_t k)
+{
+	uint32_t flags = cni_drives(r->world)[k].flags;
+	int32_t island = cni_awake_island(r->world, k);
+	if (!is_solved(flags) || (flags & (CNI_DRIVE_JOINTED | CNI_DRIVE_LATER)))
+		return 0;
+	if (island == CNI_NONE)
+		return body_rests(r, k);
+	return !r->moving[island];
+}
+
+static int32_t bodies_done(const rest *r)
+{
+	int32_t k, count = 0;
+	for (k = 1; k < r->world->awake_count; ++k)
+		if (body_is_done(r, k)) {
+			cni_drives(r->world)[k].flags |= CNI_DRIVE_SWUNG;
+			++count;
+		}
+	return count;
+}
+
+static void carried_clear(const rest *r)
+{
+	int32_t k;
+	for (k = 0; k < r->world->awake_count && r->carried > 0; ++k)
+		cni_drives(r->world)[k].flags &= ~(uint32_t)CNI_DRIVE_LATER;
+}
+
+static int32_t goes_on(const cni_drive *drives, int32_t k)
+{
+	return k != 0 && !(drives[k].flags & CNI_DRIVE_SWUNG);
+}
+
+static int32_t block_goes_on(const cni_drive *drives, const cni_listed_block *b)
+{
+	int32_t l;
+	for (l = 0; l < b->lanes; ++l)
+		if (goes_on(drives, b->rows->ia[l]) || goes_on(drives, b->rows->ib[l]))
+			return 1;
+	return 0;
+}
+
+static void blocks_strike(cn_world *world)
+{
+	const cni_drive *drives = cni_drives(world);
+	cni_listed_block *list = (cni_listed_block *)world->block_list.data;
+	int32_t color, k;
+	for (color = 0; color < CNI_COLORS; ++color) {
+		cni_color *c = &world->colors[color];
+		int32_t kept = 0;
+		for (k = 0; k < c->listed_count; ++k)
+			if (block_goes_on(drives, &list[c->listed + k]))
+				list[c->listed + kept++] = list[c->listed + k];
+		c->listed_count = kept;
+	}
+}
+
+/* A system of contacts is an island or a part of one: its first body tells. */
+static void systems_done(const cn_world *world, cni_sparse *direct)
+{
+	int32_t k;
+	for (k = 0; direct != NULL && k < direct->component_count; ++k) {
+		cni_component *c = &direct->components[k];
+		if (c->presses && c->joints == 0 && !goes_on(cni_drives(world), direct->bodies[c->body_begin]))
+			c->done = 1;
+	}
+}
+
+void cni_rest_find(cn_world *world, const cni_solve *s)
+{
+	rest r = { world, NULL, REST_SPEED * world->settings.length_unit, s->h, 0 };
+	if (s->substeps < 2)
+		return;
+	r.moving = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->island_used);
+	if (r.moving == NULL)
+		return; /* everything is solved in every substep */
+	memset(r.moving, 0, (size_t)world->island_used);
+	if (moving_find(&r) > 0 && bodies_done(&r) > 0) {
+		blocks_strike(world);
+		systems_done(world, s->direct);
+	}
+	carried_clear(&r);
+	cni_arena_pop(&world->arena, r.moving);
+}

@@ -1,0 +1,94 @@
+/*
+ * test/world/rest_test.c - islands at rest take one substep (stages/rest.c): that changes nothing that anybody sees.
+ *
+ * What is about to move moves as it should, however gently it is asked to; what stands on something slow is carried; an
+ * island of which one body moves is solved as ever. If something sticks or lags, look at the conditions of body_rests.
+ */
+#include "fixture.h"
+
+static cn_body box_at(cn_world *world, float x, float y, float friction)
+{
+	return fixture_box(world, CN_BODY_DYNAMIC, x, y, 0.0f, 0.5f, 0.5f, friction, 0.0f);
+}
+
+static int32_t substeps_of_first_island(const cn_world *world)
+{
+	cn_island_report reports[8];
+	int32_t count = 0;
+	must(cn_world_get_islands(world, reports, 8, &count), world, "cn_world_get_islands");
+	return count > 0 ? reports[0].substeps : 0;
+}
+
+static void a_pile_at_rest_takes_one_substep(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body top;
+	int32_t k;
+	fixture_floor(world, 0.6f, 0.0f);
+	for (k = 0; k < 5; ++k)
+		top = box_at(world, 0.0f, 0.5f + (float)k, 0.6f);
+	fixture_step(world, 60);
+	CHECK(substeps_of_first_island(world) == 1);
+	fixture_set_velocity(world, top, 0.2f, 0.0f, 0.0f);
+	fixture_step(world, 1);
+	CHECK(substeps_of_first_island(world) == 4);
+	fixture_step(world, 240);
+	CHECK(substeps_of_first_island(world) == 1);
+	CHECK_LE("the top's height against 4.5 m", fabs((double)fixture_pose(world, top).position_m.y - 4.5), 1e-4, "m");
+	cn_world_destroy(world);
+}
+
+/* A force of a thousandth of the weight on a box without friction: x = a t^2 / 2. */
+static void a_gentle_force_moves_it(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body box;
+	int32_t k;
+	fixture_floor(world, 0.0f, 0.0f);
+	box = box_at(world, 0.0f, 0.5f, 0.0f);
+	fixture_step(world, 60);
+	for (k = 0; k < 600; ++k) {
+		must(cn_body_apply_force(world, box, 0.01f, 0.0f), world, "cn_body_apply_force");
+		fixture_step(world, 1);
+	}
+	CHECK_LE("way in 10 s against 0.5 m", fabs((double)fixture_pose(world, box).position_m.x - 0.5), 2e-3, "m");
+	cn_world_destroy(world);
+}
+
+static void what_stands_on_something_slow_is_carried(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body lift = fixture_box(world, CN_BODY_KINEMATIC, 0.0f, -0.5f, 0.0f, 3.0f, 0.5f, 0.6f, 0.0f), box;
+	box = box_at(world, 0.0f, 0.5f, 0.6f);
+	fixture_step(world, 60);
+	fixture_set_velocity(world, lift, 5e-5f, 5e-5f, 0.0f);
+	fixture_step(world, 3600);
+	CHECK_LE("the lift's way in a minute against 3 mm", fabs((double)fixture_pose(world, lift).position_m.x - 3e-3), 1e-5, "m");
+	CHECK_LE("... and up", fabs((double)fixture_pose(world, lift).position_m.y + 0.5 - 3e-3), 1e-5, "m");
+	CHECK_LE("the box's way against 3 mm", fabs((double)fixture_pose(world, box).position_m.x - 3e-3), 3e-4, "m");
+	CHECK_LE("... and up", fabs((double)fixture_pose(world, box).position_m.y - 0.5 - 3e-3), 3e-4, "m");
+	cn_world_destroy(world);
+}
+
+/* The end of a throw is no rest, however weak gravity is; nor is being pushed out of an overlap. */
+static void what_is_on_its_way_is_not_at_rest(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body low, high;
+	fixture_floor(world, 0.6f, 0.0f);
+	low = box_at(world, 0.0f, 0.5f, 0.6f);
+	high = box_at(world, 0.0f, 1.45f, 0.6f);
+	fixture_step(world, 120);
+	CHECK_LE("height of the upper box, pushed out of 50 mm of overlap in 2 s", fabs((double)fixture_pose(world, high).position_m.y - 1.5), 6e-3, "m");
+	(void)low;
+	cn_world_destroy(world);
+}
+
+int main(void)
+{
+	RUN(a_pile_at_rest_takes_one_substep);
+	RUN(a_gentle_force_moves_it);
+	RUN(what_stands_on_something_slow_is_carried);
+	RUN(what_is_on_its_way_is_not_at_rest);
+	return test_end();
+}
