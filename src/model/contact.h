@@ -58,6 +58,7 @@ typedef struct cni_contact_block {
 
 enum {
 	CNI_BLOCK_RESTITUTION = 1u << 0, /* some lane may bounce */
+	CNI_BLOCK_RESTED = 1u << 2,      /* in the last step its lanes took one substep: stages/rest.c */
 	CNI_BLOCK_EXTRA = 1u << 1        /* some lane has rolling resistance, a conveyor or a locked axis: see cni_block_extra */
 };
 
@@ -115,9 +116,10 @@ typedef struct cni_color {
 typedef struct cni_listed_block {
 	cni_contact_block *rows;
 	cni_block_extra *extra;  /* NULL: no lane needs it */
-	const cni_block_info *info;
+	cni_block_info *info;
 	uint32_t fresh;          /* lanes that began to touch in this step, as bits */
 	int32_t lanes;           /* in use, the first of it */
+	int32_t rested;          /* 1: it took one substep in the last step */
 } cni_listed_block;
 
 

@@ -86,7 +86,7 @@ static void overflow_run(cn_world *world, const cni_solve *s, cni_contact_kernel
 
 /* A pass over the blocks of one colour: they share no body that they write. */
 typedef struct color_pass {
-	cni_contact_pass pass;
+	cni_contact_pass pass, rested; /* the latter for blocks whose time passes more slowly: loads follow in its measure */
 	cni_contact_kernel_fn *run;
 	cni_motion *motions;
 	const cni_listed_block *blocks;
@@ -99,7 +99,7 @@ static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t wo
 	(void)worker;
 	for (k = begin; k < end; ++k) {
 		const cni_listed_block *b = &c->blocks[k];
-		c->run(c->motions, b->rows, b->extra, &c->pass, b->fresh, b->lanes);
+		c->run(c->motions, b->rows, b->extra, b->rested ? &c->rested : &c->pass, b->fresh, b->lanes);
 	}
 }
 
@@ -112,7 +112,9 @@ static void colors_run(cn_world *world, const cni_solve *s, cni_contact_kernel_f
 	for (color = 0; color < CNI_COLOR_OVERFLOW; ++color) {
 		if (world->colors[color].listed_count == 0)
 			continue;
-		c.pass = pass_make(s, color >= CNI_COLOR_STATIC);
+		c.pass = c.rested = pass_make(s, color >= CNI_COLOR_STATIC);
+		c.rested.load_part /= (float)s->substeps;
+		c.rested.load_heavy /= (float)s->substeps;
 		c.blocks = cni_listed_blocks(world, color);
 		cni_team_for(s->team, world->colors[color].listed_count, BLOCKS_A_RANGE, color_pass_run, &c);
 	}
@@ -120,13 +122,15 @@ static void colors_run(cn_world *world, const cni_solve *s, cni_contact_kernel_f
 
 static cni_listed_block listed_of(const cn_world *world, int32_t block, int32_t lanes)
 {
-	const cni_block_info *info = cni_block_info_at(world, block);
+	cni_block_info *info = cni_block_info_at(world, block);
 	cni_listed_block listed;
 	listed.rows = cni_block_at(world, block);
 	listed.extra = info->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL;
 	listed.info = info;
 	listed.fresh = info->fresh_step == world->step_count + 1u ? info->fresh : 0;
 	listed.lanes = cni_min_i(lanes, CNI_LANES);
+	listed.rested = (info->flags & CNI_BLOCK_RESTED) != 0;
+	info->flags &= ~(uint32_t)CNI_BLOCK_RESTED;
 	return listed;
 }
 

@@ -6,8 +6,8 @@
  * are done with: integration leaves their bodies alone, and blocks that hold only their lanes are struck off the list of
  * the passes. Where such a lane shares a block with one that goes on it is solved with it, which finds nothing to do.
  *
- * For such an island time passes more slowly, and that is all: its substeps are those of any other, so it is as
- * stable. (To let bodies glide through what is left of the step is not: a pyramid of base 100 begins to sway.) What creeps at
+ * For such an island time passes more slowly, and that is all: its substeps are those of any other, and its loads follow as
+ * much more slowly, so it is as stable. (To let bodies glide through what is left of the step is not: a pyramid of base 100 begins to sway.) What creeps at
  * less than REST_SPEED creeps slower still; what is about to move gathers speed until it is above, and then moves as
  * it should.
  *
@@ -142,6 +142,8 @@ static void blocks_strike(cn_world *world)
 		for (k = 0; k < c->listed_count; ++k)
 			if (block_goes_on(drives, &list[c->listed + k]))
 				list[c->listed + kept++] = list[c->listed + k];
+			else
+				list[c->listed + k].info->flags |= CNI_BLOCK_RESTED;
 		c->listed_count = kept;
 	}
 }
