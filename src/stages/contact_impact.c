@@ -99,11 +99,14 @@ static void color_sweep_run(void *context, int32_t begin, int32_t end, int32_t w
 {
 	color_sweep *c = (color_sweep *)context;
 	cni_impact_lanes lanes;
-	int32_t k, count = 0, hits = 0;
+	int32_t k, count = 0, clear = 0, hits = 0;
 	(void)worker;
-	lanes_clear(&lanes);
 	for (k = begin; k < end; ++k) {
 		uint32_t closing = lanes_closing(c, &c->blocks[k]);
+		if (closing != 0 && !clear) {
+			lanes_clear(&lanes);
+			clear = 1;
+		}
 		for (; closing != 0; closing &= closing - 1) {
 			lane_copy(c->world, &c->blocks[k], cni_bit_lowest32(closing), &lanes, count++);
 			if (count < CNI_LANES)
@@ -112,7 +115,8 @@ static void color_sweep_run(void *context, int32_t begin, int32_t end, int32_t w
 			count = 0;
 		}
 	}
-	hits += c->kernel->impact(&c->pass, &lanes, count);
+	if (count > 0)
+		hits += c->kernel->impact(&c->pass, &lanes, count);
 	if (hits > 0)
 		cni_atomic_add(&c->hits, (uint32_t)hits);
 }
@@ -122,7 +126,6 @@ static void overflow_sweep(color_sweep *c, int32_t count)
 {
 	cni_impact_lanes one;
 	int32_t k, l;
-	lanes_clear(&one);
 	for (k = 0; k < count; ++k) {
 		const cni_listed_block *b = &c->blocks[k];
 		for (l = 0; l < b->lanes; ++l) {
