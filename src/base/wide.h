@@ -11,7 +11,7 @@
 #ifndef CNI_BASE_WIDE_H
 #define CNI_BASE_WIDE_H
 
-#include "base/config.h"
+#include "base/maths.h"
 
 #if !defined(CNI_WIDTH)
 #error "define CNI_WIDTH before including base/wide.h"
@@ -28,6 +28,7 @@ CNI_INLINE cni_wide cni_wide_of(float x) { return x; }
 CNI_INLINE cni_wide cni_wide_select(cni_mask mask, cni_wide a, cni_wide b) { return mask ? a : b; }
 CNI_INLINE cni_wide cni_wide_max(cni_wide a, cni_wide b) { return a > b ? a : b; }
 CNI_INLINE cni_wide cni_wide_min(cni_wide a, cni_wide b) { return a < b ? a : b; }
+CNI_INLINE cni_wide cni_wide_sqrt(cni_wide a) { return cni_sqrt(a); }
 CNI_INLINE uint32_t cni_mask_bits(cni_mask mask) { return mask ? 1u : 0u; }
 CNI_INLINE cni_mask cni_mask_of_bits(uint32_t bits) { return (cni_mask)(bits & 1u); }
 CNI_INLINE cni_mask cni_mask_of_zero(const int32_t *p) { return *p == 0; }
@@ -72,6 +73,19 @@ CNI_INLINE cni_wide cni_wide_min(cni_wide a, cni_wide b)
 	return (cni_wide)_mm256_min_ps((__m256)a, (__m256)b);
 #else
 	return cni_wide_select(a < b, a, b);
+#endif
+}
+CNI_INLINE cni_wide cni_wide_sqrt(cni_wide a)
+{
+#if CNI_WIDTH == 4 && defined(__SSE2__)
+	return (cni_wide)_mm_sqrt_ps((__m128)a);
+#elif CNI_WIDTH == 8 && defined(__AVX__)
+	return (cni_wide)_mm256_sqrt_ps((__m256)a);
+#else
+	int32_t l;
+	for (l = 0; l < CNI_WIDTH; ++l)
+		a[l] = cni_sqrt(a[l]);
+	return a;
 #endif
 }
 /* Bit l: lane l compared true. */
@@ -135,6 +149,11 @@ CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *in
 	r[2] = c;
 	r[3] = d;
 }
+CNI_INLINE void cni_wide_scatter4_where(float *base, int32_t stride, const int32_t *index, uint32_t lanes, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+{
+	if (lanes & 1u)
+		cni_wide_scatter4(base, stride, index, a, b, c, d);
+}
 
 #else
 
@@ -192,9 +211,9 @@ CNI_INLINE void cni_wide_gather4_from(const float *const *records, int32_t offse
 	cni_wide_columns(r, a, b, c, d);
 }
 
-CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *index, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+/* Four columns become CNI_WIDTH rows of four. */
+CNI_INLINE void cni_wide_rows(cni_wide4 r[CNI_WIDTH], cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {
-	cni_wide4 r[CNI_WIDTH];
 	int32_t l;
 #if CNI_WIDTH == 4
 	r[0] = a;
@@ -213,8 +232,26 @@ CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *in
 #endif
 	for (l = 0; l < CNI_WIDTH; l += 4)
 		cni_wide_transpose(&r[l], &r[l + 1], &r[l + 2], &r[l + 3]);
+}
+
+CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *index, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+{
+	cni_wide4 r[CNI_WIDTH];
+	int32_t l;
+	cni_wide_rows(r, a, b, c, d);
 	for (l = 0; l < CNI_WIDTH; ++l)
 		*(cni_wide4 *)(void *)(base + (size_t)index[l] * (size_t)stride) = r[l];
+}
+
+/* The same in the given lanes, as bits: the other records are not written. */
+CNI_INLINE void cni_wide_scatter4_where(float *base, int32_t stride, const int32_t *index, uint32_t lanes, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+{
+	cni_wide4 r[CNI_WIDTH];
+	int32_t l;
+	cni_wide_rows(r, a, b, c, d);
+	for (l = 0; l < CNI_WIDTH; ++l)
+		if (lanes >> l & 1u)
+			*(cni_wide4 *)(void *)(base + (size_t)index[l] * (size_t)stride) = r[l];
 }
 
 #endif

@@ -120,6 +120,7 @@ struct cn_world {
 	int32_t island_used;
 	int32_t island_free;
 	int32_t island_count;
+	uint32_t split_step;         /* until which no island is split */
 
 	uint32_t joints_soft_step;   /* until which some island's joints are soft */
 	int32_t piles_new;           /* 1: in this step a contact began to bear */

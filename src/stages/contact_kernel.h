@@ -320,5 +320,6 @@ static uint32_t kernel_closing(const cni_velocity_start *starts, const cni_conta
 }
 
 #include "stages/contact_follow.h"
+#include "stages/contact_impact.h"
 
-const cni_contact_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax, kernel_closing, kernel_follow };
+const cni_contact_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax, kernel_closing, kernel_impact, kernel_follow };

@@ -6,6 +6,7 @@
 
 #if CNI_HAS_WIDE_8
 /* Headers with functions of their own come first, so that only this file's code needs AVX2. */
+#include "base/bitset.h"
 #include "stages/contact_pass.h"
 #include <immintrin.h>
 #if defined(__clang__)

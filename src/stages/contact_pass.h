@@ -24,6 +24,32 @@ typedef void cni_contact_kernel_fn(cni_motion *motions, cni_contact_block *block
 /* Of the first lanes those, as bits, that bounce and have a point that closes faster than the speed. */
 typedef uint32_t cni_contact_closing_fn(const cni_velocity_start *starts, const cni_contact_block *block, const cni_block_info *info, float speed, int32_t lanes);
 
+/* Lanes that may bounce, from any blocks of one colour: the rows of theirs that an impact needs. */
+typedef struct cni_impact_lanes {
+	int32_t ia[CNI_LANES], ib[CNI_LANES];
+	float nx[CNI_LANES], ny[CNI_LANES];
+	float dynamic_friction[CNI_LANES], restitution[CNI_LANES];
+	float dn[CNI_LANES], dt[CNI_LANES];
+	float fa[CNI_LANES], fb[CNI_LANES], tm[CNI_LANES];
+	float at[2][CNI_LANES], an[2][CNI_LANES], s0[2][CNI_LANES], nm[2][CNI_LANES]; /* of both points */
+	float lock_ax[CNI_LANES], lock_ay[CNI_LANES], lock_bx[CNI_LANES], lock_by[CNI_LANES]; /* as in cni_block_extra */
+	float at_world[CNI_LANES];                /* 1: lane body b is the world, 0: it is not */
+	const float *a[CNI_LANES], *b[CNI_LANES]; /* records of the bodies */
+} cni_impact_lanes;
+
+typedef struct cni_impact_pass {
+	cni_motion *motions;
+	cni_velocity_start *starts;
+	const cni_drive *drives;
+	float h;
+	float speed;       /* > 0: what closes no faster does not bounce */
+	int32_t one_sided; /* lane bodies b are not written */
+} cni_impact_pass;
+
+/* Lets the first lanes bounce where they meet, and returns how many did. They share no body that is written; those behind
+   them up to a whole vector are read. */
+typedef int32_t cni_contact_impact_fn(const cni_impact_pass *pass, const cni_impact_lanes *lanes, int32_t count);
+
 /* Numbers of following: see stages/contact_follow.h. */
 typedef struct cni_follow_pass {
 	const cni_motion *motions;
@@ -50,6 +76,7 @@ typedef struct cni_contact_kernel {
 	cni_contact_kernel_fn *solve;
 	cni_contact_kernel_fn *relax;
 	cni_contact_closing_fn *closing;
+	cni_contact_impact_fn *impact;
 	cni_contact_follow_fn *follow;
 } cni_contact_kernel;
 

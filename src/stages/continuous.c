@@ -83,10 +83,10 @@ static cni_path body_path(const cni_body *b, cni_vec2 from, float dpx, float dpy
 static int32_t other_stops(const clamp *c, int32_t proxy)
 {
 	const cn_world *world = c->world;
-	const cni_shape *s = cni_shape_at(world, cni_proxy_at(world, proxy)->shape);
-	if (c->what == CLAMP_STATIC && cni_body_at(world, s->body)->type != CN_BODY_STATIC)
+	const cni_proxy *p = cni_proxy_at(world, proxy);
+	if (c->what == CLAMP_STATIC && !(p->flags & CNI_PROXY_STATIC))
 		return 0;
-	if (s->flags & (CN_SHAPE_SENSOR | CN_SHAPE_ONE_WAY))
+	if (cni_shape_at(world, p->shape)->flags & (CN_SHAPE_SENSOR | CN_SHAPE_ONE_WAY))
 		return 0;
 	return cni_contact_allowed(world, c->proxy, proxy);
 }
@@ -124,13 +124,15 @@ static float visit(void *context, int32_t proxy, float limit)
 	clamp *c = (clamp *)context;
 	const cn_world *world = c->world;
 	const cni_proxy *p = cni_proxy_at(world, proxy);
-	const cni_shape *s = cni_shape_at(world, p->shape);
-	const cni_body *other = cni_body_at(world, s->body);
+	const cni_shape *s;
+	const cni_body *other;
 	const cni_motion *motion;
 	cni_toi_input in;
 	float free;
-	if (!other_stops(c, proxy))
+	if (!other_stops(c, proxy)) /* most of a heap: nothing else of them is read */
 		return limit;
+	s = cni_shape_at(world, p->shape);
+	other = cni_body_at(world, s->body);
 	in.a = cni_shape_geometry(&world->blocks, s);
 	in.b = &c->core.geometry;
 	in.child_a = p->child;
@@ -232,7 +234,11 @@ static int32_t path_is_watched(const cn_world *world, const cni_body *b, const c
 /* Can there be nothing static on the body's way? at_static: it has static bodies about it. */
 static int32_t way_is_clear(const cn_world *world, const cni_body *b, const cni_motion *m, uint32_t at_static)
 {
-	return !at_static && !(b->flags & CN_BODY_BULLET) && !world->pairs_may_repeat && path_is_watched(world, b, m);
+	if (b->flags & CN_BODY_BULLET)
+		return 0;
+	if (world->movable_count == world->body_handles.count)
+		return 1; /* nothing is static anywhere */
+	return !at_static && !world->pairs_may_repeat && path_is_watched(world, b, m);
 }
 
 static void body_guard(cn_world *world, int32_t k)

@@ -53,12 +53,21 @@ static void rest_times_collect(cn_world *world)
 	}
 }
 
-/* The awake island that lost links and has a body that has rested longest; at most one a step is split. */
+/* Bodies that may be looked at a step on the average to split islands: hardly a part of what the step costs with as many. */
+#define SPLIT_BODIES_A_STEP 1024
+
+/*
+ * The awake island that lost links and has a body that has rested longest; at most one a step is split. While a large one
+ * comes apart it loses links in every step, and what rests in it hangs on what moves: the next split waits until
+ * this one has been paid for.
+ */
 static void split_one(cn_world *world)
 {
 	const int32_t *ids = cni_awake_ids(world);
 	int32_t k, best = CNI_NONE;
 	float longest = world->settings.sleep_delay;
+	if ((int32_t)(world->step_count - world->split_step) < 0)
+		return;
 	for (k = 1; k < world->awake_count; ++k) {
 		const cni_body *b = cni_body_at(world, ids[k]);
 		if (b->island == CNI_NONE || cni_island_at(world, b->island)->losses == 0 || b->sleep_time < longest || b->sleep_time <= 0.0f)
@@ -68,7 +77,10 @@ static void split_one(cn_world *world)
 			longest = b->sleep_time;
 		}
 	}
-	if (best != CNI_NONE && !cni_island_split(world, best))
+	if (best == CNI_NONE)
+		return;
+	world->split_step = world->step_count + 1u + (uint32_t)(cni_island_at(world, best)->count / SPLIT_BODIES_A_STEP);
+	if (!cni_island_split(world, best))
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
 }
 
