@@ -212,11 +212,22 @@ static int32_t lane_reason(const cn_world *world, const look *q, const cni_conta
 	return deep > q->most ? CN_TIER_REASON_OVERLAP : CN_TIER_REASON_NEW_CONTACT;
 }
 
+/* Is there a lane with a deep point? Without a branch, for it is asked of every block and hardly ever true. */
+static int32_t block_is_deep(const cni_contact_block *k, float most)
+{
+	int32_t l, deep = 0;
+	for (l = 0; l < CNI_LANES; ++l)
+		deep |= (k->p[0].s0[l] < -most) | (k->p[1].s0[l] < -most);
+	return deep;
+}
+
 static void block_look(cn_world *world, const look *q, int32_t block)
 {
 	const cni_contact_block *k = cni_block_at(world, block);
 	const cni_block_info *info = cni_block_info_at(world, block);
 	int32_t l, fresh = info->fresh_step == world->step_count + 1u;
+	if (!fresh && !block_is_deep(k, q->most))
+		return;
 	for (l = 0; l < CNI_LANES; ++l) {
 		int32_t island, reason;
 		if (!(k->p[0].s0[l] < -q->most || k->p[1].s0[l] < -q->most || fresh) || info->contact[l] == CNI_NONE)
