@@ -205,21 +205,32 @@ static cni_wide only_three(cni_wide a)
 	return (cni_wide)((cni_mask)a & three);
 }
 
+/* With the bits of correct_to_trapezoid. response: motion.v - start; change: what the drive gives. */
+static void correct_to_trapezoid_wide(cni_motion *m, const cni_velocity_start *start, cni_wide response, cni_wide change, float h)
+{
+	cni_wide jump = response + change, jump_sq = jump * jump, change_sq = change * change;
+	if (start->struck == 0.0f && !(jump_sq[0] + jump_sq[1] > 4.0f * (change_sq[0] + change_sq[1])))
+		cni_wide_store(&m->dpx, cni_wide_load(&m->dpx) - cni_wide_of(0.5f * h) * jump);
+}
+
 /* The three components of a body without damping at once, with the bits of velocity_take. */
 static void velocity_take_wide(cni_motion *m, cni_velocity_start *start, const cni_drive *d, float h, int32_t first)
 {
 	cni_wide v = cni_wide_load(&m->vx), change = cni_wide_of(h) * only_three(cni_wide_load(&d->ax)), response = { 0 }, from;
 	if (!first) {
 		response = only_three(v - cni_wide_load(&start->vx));
-		if (!(d->flags & CNI_DRIVE_JOINTED) && start->struck == 0.0f) {
-			cni_wide jump = response + change, jump_sq = jump * jump, change_sq = change * change;
-			if (!(jump_sq[0] + jump_sq[1] > 4.0f * (change_sq[0] + change_sq[1])))
-				cni_wide_store(&m->dpx, cni_wide_load(&m->dpx) - cni_wide_of(0.5f * h) * jump);
-		}
+		if (!(d->flags & CNI_DRIVE_JOINTED))
+			correct_to_trapezoid_wide(m, start, response, change, h);
 	}
 	from = v + change;
 	cni_wide_store(&start->vx, only_three(from));
 	cni_wide_store(&m->vx, from + response);
+}
+
+static void position_finish(cni_motion *m, const cni_velocity_start *start, const cni_drive *d, float h)
+{
+	cni_wide response = only_three(cni_wide_load(&m->vx) - cni_wide_load(&start->vx));
+	correct_to_trapezoid_wide(m, start, response, cni_wide_of(h) * only_three(cni_wide_load(&d->ax)), h);
 }
 
 static void position_take(cni_motion *m, float h)
@@ -228,6 +239,11 @@ static void position_take(cni_motion *m, float h)
 }
 
 #else
+
+static void position_finish(cni_motion *m, const cni_velocity_start *start, const cni_drive *d, float h)
+{
+	correct_to_trapezoid(m, start, d, h);
+}
 
 static void position_take(cni_motion *m, float h)
 {
@@ -301,7 +317,7 @@ static void finish_range(void *context, int32_t begin, int32_t end, int32_t work
 	(void)worker;
 	for (k = begin + 1; k <= end; ++k) {
 		if (!(drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_JOINTED | CNI_DRIVE_DAMPED)))
-			correct_to_trapezoid(&motions[k], &starts[k], &drives[k], loop->s->h);
+			position_finish(&motions[k], &starts[k], &drives[k], loop->s->h);
 		if (drives[k].flags & CNI_DRIVE_LOCK_X)
 			motions[k].vx = 0.0f;
 		if (drives[k].flags & CNI_DRIVE_LOCK_Y)

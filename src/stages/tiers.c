@@ -313,13 +313,14 @@ static void joint_solver_gather(cn_world *world, const cni_joint *j)
 	for (side = 0; side < 2; ++side) {
 		int32_t index = j->body[side] != CNI_NONE ? cni_body_at(world, j->body[side])->awake : 0;
 		cni_island *i = index != 0 ? awake_island(world, index) : NULL;
-		if (i != NULL)
-			i->joints_solver = CN_SOLVER_DIRECT;
+		if (i == NULL)
+			continue;
+		i->joints_solver = CN_SOLVER_DIRECT;
+		world->solvers_asked = 1;
 	}
 }
 
-/* What bodies and joints ask for, into their islands. */
-static void solvers_gather(cn_world *world)
+static void solvers_reset(const cn_world *world)
 {
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
@@ -327,6 +328,15 @@ static void solvers_gather(cn_world *world)
 		if (i != NULL)
 			i->solver = i->joints_solver = CN_SOLVER_AUTO;
 	}
+}
+
+/* What bodies and joints ask for, into their islands. Those that wake, and new ones, are asked for nothing yet. */
+static void solvers_gather(cn_world *world)
+{
+	int32_t k;
+	if (world->solvers_asked)
+		solvers_reset(world);
+	world->solvers_asked = 0;
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
 		if (j->solver == CN_SOLVER_DIRECT)
@@ -335,7 +345,10 @@ static void solvers_gather(cn_world *world)
 	for (k = 1; k < world->awake_count; ++k) {
 		int32_t solver = cni_body_solver(cni_body_at(world, cni_awake_ids(world)[k]));
 		cni_island *i = solver != CN_SOLVER_AUTO ? awake_island(world, k) : NULL;
-		if (i != NULL && i->solver != CN_SOLVER_SOFT)
+		if (i == NULL)
+			continue;
+		world->solvers_asked = 1;
+		if (i->solver != CN_SOLVER_SOFT)
 			i->solver = solver;
 	}
 }
@@ -362,7 +375,7 @@ void cni_stage_tiers(cn_world *world, float h)
 		list_awake(world, 1);
 	} else if (world->settings.solver == CN_SOLVER_AUTO) {
 		list_update(world);
-		if (world->overridden)
+		if (world->solvers_asked)
 			list_awake(world, 0);
 		lanes_look(world, h);
 	}
