@@ -21,8 +21,13 @@
  *
  * Reads lanes, islands, motion; writes islands' tier fields, world->direct_islands.
  */
+#include "base/cpu.h"
 #include "stages/press.h"
 #include "stages/solver.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#include "base/wide.h"
+#endif
 
 #define ISLANDS_MOST 64        /* solved directly at the same time, of CN_SOLVER_AUTO */
 #define QUIET_SPEED 0.5f       /* length units a second: what moves faster is no pile */
@@ -212,13 +217,36 @@ static int32_t lane_reason(const cn_world *world, const look *q, const cni_conta
 	return deep > q->most ? CN_TIER_REASON_OVERLAP : CN_TIER_REASON_NEW_CONTACT;
 }
 
-/* Is there a lane with a deep point? Without a branch, for it is asked of every block and hardly ever true. */
-static int32_t block_is_deep(const cni_contact_block *k, float most)
+/* Bit l: a point of lane l overlaps by more than most. Asked of every block. */
+static uint32_t deep_lanes(const cni_contact_block *k, float most)
 {
-	int32_t l, deep = 0;
+	uint32_t deep = 0;
+	int32_t l;
+#if CNI_HAS_WIDE_4
+	for (l = 0; l < CNI_LANES; l += 4)
+		deep |= cni_mask_bits(cni_wide_min(cni_wide_load(&k->p[0].s0[l]), cni_wide_load(&k->p[1].s0[l])) < cni_wide_of(-most)) << l;
+#else
 	for (l = 0; l < CNI_LANES; ++l)
-		deep |= (k->p[0].s0[l] < -most) | (k->p[1].s0[l] < -most);
+		deep |= (uint32_t)(cni_min(k->p[0].s0[l], k->p[1].s0[l]) < -most) << l;
+#endif
 	return deep;
+}
+
+/* Has it been found bad in this step, and left to the soft solver? Then more that is bad changes nothing. */
+static int32_t island_is_settled(const cn_world *world, int32_t island)
+{
+	const cni_island *i = cni_island_at(world, island);
+	return i->tier != CNI_TIER_DIRECT && i->looked_step == world->step_count + 1u;
+}
+
+static void lane_look(cn_world *world, const look *q, const cni_contact_block *k, int32_t l, int32_t fresh)
+{
+	int32_t island = cni_awake_island(world, k->ia[l]), reason;
+	if (island == CNI_NONE || island_is_settled(world, island))
+		return;
+	reason = lane_reason(world, q, k, l, fresh);
+	if (reason != 0)
+		island_is_bad(world, island, reason);
 }
 
 static void block_look(cn_world *world, const look *q, int32_t block)
@@ -226,18 +254,13 @@ static void block_look(cn_world *world, const look *q, int32_t block)
 	const cni_contact_block *k = cni_block_at(world, block);
 	const cni_block_info *info = cni_block_info_at(world, block);
 	int32_t l, fresh = info->fresh_step == world->step_count + 1u;
-	if (!fresh && !block_is_deep(k, q->most))
-		return;
-	for (l = 0; l < CNI_LANES; ++l) {
-		int32_t island, reason;
-		if (!(k->p[0].s0[l] < -q->most || k->p[1].s0[l] < -q->most || fresh) || info->contact[l] == CNI_NONE)
+	uint32_t lanes = fresh ? ~0u : deep_lanes(k, q->most);
+	for (l = 0; l < CNI_LANES && lanes != 0; ++l, lanes >>= 1) {
+		if (!(lanes & 1u) || info->contact[l] == CNI_NONE)
 			continue;
 		if (fresh && (info->fresh >> l & 1u) && lane_is_new(k, l, world->settings.slop))
 			new_contact_count(world, k->ia[l]);
-		reason = lane_reason(world, q, k, l, fresh);
-		island = reason != 0 ? cni_awake_island(world, k->ia[l]) : CNI_NONE;
-		if (island != CNI_NONE)
-			island_is_bad(world, island, reason);
+		lane_look(world, q, k, l, fresh);
 	}
 }
 
