@@ -21,6 +21,7 @@
  *
  * Reads lanes, islands, motion; writes islands' tier fields, world->direct_islands.
  */
+#include "base/bitset.h"
 #include "base/cpu.h"
 #include "stages/press.h"
 #include "stages/solver.h"
@@ -42,6 +43,7 @@
 typedef struct look {
 	float most;    /* metres: overlap that is bad where much is borne */
 	float h;       /* of a substep */
+	int32_t done;  /* the island of the last lane that could not change anything more, CNI_NONE */
 } look;
 
 static int32_t *listed(const cn_world *world)
@@ -239,24 +241,29 @@ static int32_t island_is_settled(const cn_world *world, int32_t island)
 	return i->tier != CNI_TIER_DIRECT && i->looked_step == world->step_count + 1u;
 }
 
-static void lane_look(cn_world *world, const look *q, const cni_contact_block *k, int32_t l, int32_t fresh)
+static void lane_look(cn_world *world, look *q, const cni_contact_block *k, int32_t l, int32_t fresh)
 {
 	int32_t island = cni_awake_island(world, k->ia[l]), reason;
-	if (island == CNI_NONE || island_is_settled(world, island))
+	if (island == CNI_NONE || island == q->done)
 		return;
+	if (island_is_settled(world, island)) {
+		q->done = island;
+		return;
+	}
 	reason = lane_reason(world, q, k, l, fresh);
 	if (reason != 0)
 		island_is_bad(world, island, reason);
 }
 
-static void block_look(cn_world *world, const look *q, int32_t block)
+static void block_look(cn_world *world, look *q, int32_t block)
 {
 	const cni_contact_block *k = cni_block_at(world, block);
 	const cni_block_info *info = cni_block_info_at(world, block);
-	int32_t l, fresh = info->fresh_step == world->step_count + 1u;
-	uint32_t lanes = fresh ? ~0u : deep_lanes(k, q->most);
-	for (l = 0; l < CNI_LANES && lanes != 0; ++l, lanes >>= 1) {
-		if (!(lanes & 1u) || info->contact[l] == CNI_NONE)
+	int32_t fresh = info->fresh_step == world->step_count + 1u;
+	uint32_t lanes = fresh ? (1u << CNI_LANES) - 1u : deep_lanes(k, q->most);
+	for (; lanes != 0; lanes &= lanes - 1u) {
+		int32_t l = cni_bit_lowest32(lanes);
+		if (info->contact[l] == CNI_NONE)
 			continue;
 		if (fresh && (info->fresh >> l & 1u) && lane_is_new(k, l, world->settings.slop))
 			new_contact_count(world, k->ia[l]);
@@ -277,7 +284,7 @@ static void unheld_look(cn_world *world)
 
 static void lanes_look(cn_world *world, float h)
 {
-	look q = { CNI_BAD_PART * world->settings.accuracy, h };
+	look q = { CNI_BAD_PART * world->settings.accuracy, h, CNI_NONE };
 	int32_t color, block;
 	for (color = 0; color < CNI_COLORS; ++color)
 		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
