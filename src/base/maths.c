@@ -98,12 +98,15 @@ static uint32_t reduce_quarter(float x, float *rest_rad)
 
 cni_rot cni_sincos(float angle_rad)
 {
-	float r;
+	float r, u, s, c;
 	uint32_t quarter = reduce_quarter(angle_rad, &r);
-	cni_rot near = cni_sincos_near(r), q;
+	cni_rot q;
 
-	q.c = quarter & 1u ? near.s : near.c;
-	q.s = quarter & 1u ? near.c : near.s;
+	u = r * r;
+	s = r + r * u * (-0.166666508f + u * (0.00833197497f + u * -0.000194951994f));
+	c = 1.0f + (u * u * (0.0416666456f + u * (-0.00138873642f + u * 2.44379917e-05f)) - 0.5f * u);
+	q.c = quarter & 1u ? s : c;
+	q.s = quarter & 1u ? c : s;
 	if (quarter == 1u || quarter == 2u)
 		q.c = -q.c;
 	if (quarter >= 2u)

@@ -91,15 +91,6 @@ static inline int32_t cni_is_finite2(cni_vec2 v) { return cni_is_finite(v.x) && 
    Cody and Waite up to 1e4, in integers after Payne and Hanek beyond; minimax polynomials). Result is
    within 1e-6 of unit length, also for what is not finite. */
 cni_rot cni_sincos(float angle_rad);
-/* The same bits as cni_sincos, for |angle_rad| <= 0.75 alone. */
-static inline cni_rot cni_sincos_near(float angle_rad)
-{
-	float u = angle_rad * angle_rad;
-	cni_rot q;
-	q.s = angle_rad + angle_rad * u * (-0.166666508f + u * (0.00833197497f + u * -0.000194951994f));
-	q.c = 1.0f + (u * u * (0.0416666456f + u * (-0.00138873642f + u * 2.44379917e-05f)) - 0.5f * u);
-	return q;
-}
 /* In (-pi, pi]; error <= 3e-7 rad; (0, 0) gives 0. */
 float cni_atan2(float y, float x);
 /* Rotation by a small angle without range reduction: sin to degree 5, cos to degree 4, then normalised

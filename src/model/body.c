@@ -260,7 +260,6 @@ void cni_body_refresh_boxes(cn_world *world, int32_t body)
 	cni_body *b = cni_body_at(world, body);
 	cni_transform x = cni_body_transform(b);
 	int32_t index, child;
-	b->room = 0.0f;
 	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
 		const cni_shape *s = cni_shape_at(world, index);
 		for (child = 0; child < s->children; ++child) {
@@ -304,67 +303,47 @@ static cni_aabb box_stretch(cni_aabb box, cni_vec2 ahead)
 	return box;
 }
 
-/* How far a tight box can go within a fat one. */
-static float box_room(const cni_aabb *fat, const cni_aabb *tight)
+/* A shape's box with what lies ahead, if that leaves its proxy's: 1, and the new one. */
+static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_shape *s, int32_t child, cni_transform x, cni_vec2 ahead, cni_aabb *fat)
 {
-	return cni_min(cni_min(tight->x0 - fat->x0, tight->y0 - fat->y0), cni_min(fat->x1 - tight->x1, fat->y1 - tight->y1));
-}
-
-/* A shape's box with what lies ahead, if that leaves its proxy's: 1, and the new one. *room becomes no more than it leaves. */
-static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_shape *s, int32_t child, cni_transform x, cni_vec2 ahead, cni_aabb *fat, float *room)
-{
-	cni_aabb tight = cni_geometry_aabb(cni_shape_geometry(&world->blocks, s), child, x), box = tight;
-	const cni_aabb *now = &cni_proxy_at(world, cni_shape_proxy(world, s, child))->fat;
-	float margin = cni_box_margin(world, b->type, &tight);
+	cni_aabb box = cni_geometry_aabb(cni_shape_geometry(&world->blocks, s), child, x);
+	float margin = cni_box_margin(world, b->type, &box);
 	if (looks_ahead(margin, ahead))
 		box = box_stretch(box, ahead);
-	if (cni_aabb_contains(now, &box)) {
-		*room = cni_min(*room, box_room(now, &tight));
+	if (cni_aabb_contains(&cni_proxy_at(world, cni_shape_proxy(world, s, child))->fat, &box))
 		return 0;
-	}
 	*fat = cni_box_fatten(box, margin);
-	*room = cni_min(*room, margin);
 	return 1;
-}
-
-/* ... less what the sides of the boxes are rounded by. */
-static void body_set_room(cni_body *b, float room)
-{
-	b->room = room - 1e-6f * (cni_max(cni_abs(b->cx), cni_abs(b->cy)) + b->extent);
 }
 
 void cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead)
 {
 	cni_transform x = cni_body_transform(b);
-	float room = FLT_MAX;
 	int32_t shape, child;
 	cni_aabb fat;
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		for (child = 0; child < s->children; ++child)
-			if (box_leaves(world, b, s, child, x, ahead, &fat, &room)) {
+			if (box_leaves(world, b, s, child, x, ahead, &fat)) {
 				world->broadphase_ops->move(world->broadphase, cni_shape_proxy(world, s, child), &fat);
 				b->flags |= CNI_BODY_BOXED;
 			}
 	}
-	body_set_room(b, room);
 }
 
-int32_t cni_body_boxes_left(const cn_world *world, cni_body *b, cni_vec2 ahead, cni_box_move *out)
+int32_t cni_body_boxes_left(const cn_world *world, const cni_body *b, cni_vec2 ahead, cni_box_move *out)
 {
 	cni_transform x = cni_body_transform(b);
-	float room = FLT_MAX;
 	int32_t shape, child, count = 0;
 	cni_aabb fat;
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		for (child = 0; child < s->children; ++child) {
-			if (!box_leaves(world, b, s, child, x, ahead, &fat, &room) || count++ > 0)
+			if (!box_leaves(world, b, s, child, x, ahead, &fat) || count++ > 0)
 				continue;
 			out->fat = fat;
 			out->proxy = cni_shape_proxy(world, s, child);
 		}
 	}
-	body_set_room(b, room);
 	return count;
 }

@@ -59,8 +59,6 @@ typedef struct cni_body {
 	int32_t contact_count;
 	uint32_t colors;         /* which colours its contacts use: bit of each colour */
 	int32_t lanes;           /* touching contacts that are being solved */
-	float room;              /* its points may move so far until a box of it must be looked at; 0 or less: now */
-	uint32_t reserved;
 	cni_ref name;            /* zero-terminated in the world's blocks; 0: none */
 	uint64_t user_data;
 } cni_body;
@@ -129,17 +127,6 @@ cni_transform cni_body_b_in_a(const cni_body *a, const cni_body *b);
 cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b);
 /* The velocity was set from outside: its boxes must look ahead again before the next step. */
 void cni_body_kick(cn_world *world, int32_t body);
-/* The centre moved by (dx, dy) and the body turned by theta: its boxes have so much less room. What a long row of such
-   sums rounds away, and what the rotation does, is within the parts that are taken off beside it. */
-static inline void cni_body_use_room(cni_body *b, float dx, float dy, float theta)
-{
-	b->room = 0.9999f * b->room - (cni_max(cni_abs(dx), cni_abs(dy)) + b->extent * (cni_abs(theta) + 2e-7f));
-}
-/* Can it be that a box must move? */
-static inline int32_t cni_body_needs_look(const cni_body *b, cni_vec2 ahead)
-{
-	return !(cni_max(cni_abs(ahead.x), cni_abs(ahead.y)) <= b->room);
-}
 /* Moves the boxes that do not contain the shapes now and where they will be after ahead (metres). */
 void cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead);
 /* How many boxes that would move; *out is the first of them. */
@@ -147,7 +134,7 @@ typedef struct cni_box_move {
 	cni_aabb fat;
 	int32_t proxy;
 } cni_box_move;
-int32_t cni_body_boxes_left(const cn_world *world, cni_body *b, cni_vec2 ahead, cni_box_move *out);
+int32_t cni_body_boxes_left(const cn_world *world, const cni_body *b, cni_vec2 ahead, cni_box_move *out);
 /* Does not wake. Locked axes are zeroed. */
 void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v);
 

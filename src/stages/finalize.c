@@ -32,37 +32,24 @@ static void sum_exactly(float *high, float *low, float change)
 	*high = sum;
 }
 
-/* Rotation by any angle a body can turn in a step; few turn far. */
+/* Rotation by any angle a body can turn in a step. */
 static cni_rot rotate_by(cni_rot q, float theta)
 {
-	return cni_rot_normalize(cni_rot_mul(q, cni_abs(theta) <= 0.75f ? cni_sincos_near(theta) : cni_sincos(theta)));
-}
-
-/* Takes the centre along. Returns 1 when the origin, which has not turned, shows it. */
-static int32_t take_center(cni_body *b, float dx, float dy)
-{
-	cni_vec2 before = cni_body_origin(b), after;
-	sum_exactly(&b->cx, &b->cx_low, dx);
-	sum_exactly(&b->cy, &b->cy_low, dy);
-	after = cni_body_origin(b);
-	return before.x != after.x || before.y != after.y;
+	return cni_rot_normalize(cni_rot_mul(q, cni_sincos(theta)));
 }
 
 /* A change too small to show in the pose only goes into the low part: the body did not move for anyone to see. */
 static void take_pose(cni_body *b, cni_motion *m)
 {
+	cni_vec2 before = cni_body_origin(b), after;
 	cni_rot q = b->q;
-	cni_body_use_room(b, m->dpx, m->dpy, m->theta);
+	sum_exactly(&b->cx, &b->cx_low, m->dpx);
+	sum_exactly(&b->cy, &b->cy_low, m->dpy);
 	if (m->theta != 0.0f)
-		q = rotate_by(b->q, m->theta);
-	if (q.c != b->q.c || q.s != b->q.s) {
-		b->q = q;
+		b->q = rotate_by(b->q, m->theta);
+	after = cni_body_origin(b);
+	if (before.x != after.x || before.y != after.y || q.c != b->q.c || q.s != b->q.s)
 		b->flags |= CNI_BODY_MOVED;
-		sum_exactly(&b->cx, &b->cx_low, m->dpx);
-		sum_exactly(&b->cy, &b->cy_low, m->dpy);
-	} else if (take_center(b, m->dpx, m->dpy)) {
-		b->flags |= CNI_BODY_MOVED;
-	}
 	m->dpx = m->dpy = m->theta = 0.0f;
 }
 
@@ -96,8 +83,7 @@ void cni_poses_take(cn_world *world)
 		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		cni_motion *m = cni_motions(world) + k;
 		take_pose(b, m);
-		if (cni_body_needs_look(b, cni_v(0.0f, 0.0f)))
-			cni_body_look_ahead(world, b, cni_v(0.0f, 0.0f));
+		cni_body_look_ahead(world, b, cni_v(0.0f, 0.0f));
 	}
 }
 
@@ -107,12 +93,6 @@ typedef struct pose_loop {
 	cni_box_move *moves; /* one a body, for those with CNI_DRIVE_LATER */
 	uint32_t rested;
 } pose_loop;
-
-static cni_vec2 way_ahead(const cn_world *world, const cni_solve *s, int32_t k)
-{
-	const cni_motion *m = cni_motions(world) + k;
-	return cni_v(s->dt * m->vx, s->dt * m->vy);
-}
 
 /* Everything of a body but its boxes. Returns 1 when they may have to move. */
 static int32_t body_finalize(cn_world *world, const cni_solve *s, int32_t k, uint32_t *rested)
@@ -128,7 +108,13 @@ static int32_t body_finalize(cn_world *world, const cni_solve *s, int32_t k, uin
 	rest_update(world, b, k, s);
 	*rested |= b->sleep_time >= world->settings.sleep_delay && b->sleep_time > 0.0f;
 	d->ax = d->ay = d->alpha = 0.0f;
-	return (b->flags & CNI_BODY_MOVED) && cni_body_needs_look(b, way_ahead(world, s, k));
+	return (b->flags & CNI_BODY_MOVED) != 0;
+}
+
+static cni_vec2 way_ahead(const cn_world *world, const cni_solve *s, int32_t k)
+{
+	const cni_motion *m = cni_motions(world) + k;
+	return cni_v(s->dt * m->vx, s->dt * m->vy);
 }
 
 static void pose_range(void *context, int32_t begin, int32_t end, int32_t worker)
