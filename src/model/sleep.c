@@ -56,8 +56,11 @@ static void wake_island(cn_world *world, int32_t body)
 	int32_t k, first = first_of(world, body);
 	/* A body that left its fat box in the step that put it to sleep may still have contacts whose boxes are apart. */
 	world->pairs_may_repeat = 1;
-	if (cni_body_at(world, body)->island != CNI_NONE)
-		cni_island_at(world, cni_body_at(world, body)->island)->awake = 1;
+	if (cni_body_at(world, body)->island != CNI_NONE) {
+		cni_island *i = cni_island_at(world, cni_body_at(world, body)->island);
+		i->awake = 1;
+		i->solver = i->joints_solver = CN_SOLVER_AUTO;
+	}
 	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next) {
 		cni_body_at(world, k)->sleep_time = 0.0f;
 		cni_body_enter_awake(world, k);

@@ -125,6 +125,7 @@ struct cn_world {
 	uint32_t joints_soft_step;   /* until which some island's joints are soft */
 	int32_t piles_new;           /* 1: in this step a contact began to bear */
 	int32_t piles_unheld;        /* 1: in the last one some island could not be loaded from the top down */
+	int32_t solvers_asked;       /* 1: in the last step some awake island had a body or joint with a solver of its own */
 	cni_array direct_islands;    /* int32_t: those that are solved directly, see stages/tiers.c */
 	int32_t direct_work;         /* planned in the last step, substeps included; 0: nothing was solved directly */
 	int32_t direct_failed;       /* 1: for want of memory */

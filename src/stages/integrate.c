@@ -12,7 +12,12 @@
  * to all impulses, so adding it again is the next substep's warm start (exact, because contact anchors
  * are fixed within the step; joints correct for their turning anchors in joint_solve.c).
  */
+#include "base/cpu.h"
 #include "stages/solver.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#include "base/wide.h"
+#endif
 
 #define BODIES_A_RANGE 256 /* about a microsecond */
 #define DRIVES_A_RANGE 512 /* about ten: their records are read */
@@ -161,44 +166,112 @@ static void correct_to_trapezoid(cni_motion *m, const cni_velocity_start *start,
 	m->theta -= 0.5f * h * dw;
 }
 
+/* Any body: with damping, or where there are no vectors. first: of the step's substeps. */
+static void velocity_take(const cn_world *world, int32_t k, float h, int32_t first)
+{
+	cni_motion *m = cni_motions(world) + k;
+	cni_velocity_start *start = cni_starts(world) + k;
+	const cni_drive *d = cni_drives(world) + k;
+	float rx = 0.0f, ry = 0.0f, rw = 0.0f;
+	if (!first) {
+		if (!(d->flags & (CNI_DRIVE_JOINTED | CNI_DRIVE_DAMPED)))
+			correct_to_trapezoid(m, start, d, h);
+		rx = m->vx - start->vx;
+		ry = m->vy - start->vy;
+		rw = m->w - start->w;
+	}
+	start->vx = m->vx + h * d->ax;
+	start->vy = m->vy + h * d->ay;
+	start->w = m->w + h * d->alpha;
+	if (d->flags & CNI_DRIVE_DAMPED) {
+		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+		float linear = cni_damping_factor(b->linear_damping, h);
+		start->vx *= linear;
+		start->vy *= linear;
+		start->w *= cni_damping_factor(b->angular_damping, h);
+	}
+	start->struck = 0.0f;
+	m->vx = start->vx + rx;
+	m->vy = start->vy + ry;
+	m->w = start->w + rw;
+}
+
+#if CNI_HAS_WIDE_4
+
+static const cni_mask three = { -1, -1, -1, 0 }; /* components, without the inverse mass or the flags beside them */
+
+static cni_wide only_three(cni_wide a)
+{
+	return (cni_wide)((cni_mask)a & three);
+}
+
+/* With the bits of correct_to_trapezoid. response: motion.v - start; change: what the drive gives. */
+static void correct_to_trapezoid_wide(cni_motion *m, const cni_velocity_start *start, cni_wide response, cni_wide change, float h)
+{
+	cni_wide jump = response + change, jump_sq = jump * jump, change_sq = change * change;
+	if (start->struck == 0.0f && !(jump_sq[0] + jump_sq[1] > 4.0f * (change_sq[0] + change_sq[1])))
+		cni_wide_store(&m->dpx, cni_wide_load(&m->dpx) - cni_wide_of(0.5f * h) * jump);
+}
+
+/* The three components of a body without damping at once, with the bits of velocity_take. */
+static void velocity_take_wide(cni_motion *m, cni_velocity_start *start, const cni_drive *d, float h, int32_t first)
+{
+	cni_wide v = cni_wide_load(&m->vx), change = cni_wide_of(h) * only_three(cni_wide_load(&d->ax)), response = { 0 }, from;
+	if (!first) {
+		response = only_three(v - cni_wide_load(&start->vx));
+		if (!(d->flags & CNI_DRIVE_JOINTED))
+			correct_to_trapezoid_wide(m, start, response, change, h);
+	}
+	from = v + change;
+	cni_wide_store(&start->vx, only_three(from));
+	cni_wide_store(&m->vx, from + response);
+}
+
+static void position_finish(cni_motion *m, const cni_velocity_start *start, const cni_drive *d, float h)
+{
+	cni_wide response = only_three(cni_wide_load(&m->vx) - cni_wide_load(&start->vx));
+	correct_to_trapezoid_wide(m, start, response, cni_wide_of(h) * only_three(cni_wide_load(&d->ax)), h);
+}
+
+static void position_take(cni_motion *m, float h)
+{
+	cni_wide_store(&m->dpx, cni_wide_load(&m->dpx) + cni_wide_of(h) * only_three(cni_wide_load(&m->vx)));
+}
+
+#else
+
+static void position_finish(cni_motion *m, const cni_velocity_start *start, const cni_drive *d, float h)
+{
+	correct_to_trapezoid(m, start, d, h);
+}
+
+static void position_take(cni_motion *m, float h)
+{
+	m->dpx += h * m->vx;
+	m->dpy += h * m->vy;
+	m->theta += h * m->w;
+}
+
+#endif
+
 static void velocity_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const body_loop *loop = (const body_loop *)context;
 	const cn_world *world = loop->world;
-	cni_motion *motions = cni_motions(world);
-	cni_velocity_start *starts = cni_starts(world);
 	const cni_drive *drives = cni_drives(world);
 	float h = loop->s->h;
-	int32_t k;
+	int32_t k, first = loop->substep == 0;
 	(void)worker;
 	for (k = begin + 1; k <= end; ++k) {
-		cni_motion *m = &motions[k];
-		cni_velocity_start *start = &starts[k];
-		const cni_drive *d = &drives[k];
-		float rx = 0.0f, ry = 0.0f, rw = 0.0f;
-		if (d->flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG))
+		if (drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG))
 			continue;
-		if (loop->substep > 0) {
-			if (!(d->flags & (CNI_DRIVE_JOINTED | CNI_DRIVE_DAMPED)))
-				correct_to_trapezoid(m, start, d, h);
-			rx = m->vx - start->vx;
-			ry = m->vy - start->vy;
-			rw = m->w - start->w;
+#if CNI_HAS_WIDE_4
+		if (!(drives[k].flags & CNI_DRIVE_DAMPED)) {
+			velocity_take_wide(cni_motions(world) + k, cni_starts(world) + k, &drives[k], h, first);
+			continue;
 		}
-		start->vx = m->vx + h * d->ax;
-		start->vy = m->vy + h * d->ay;
-		start->w = m->w + h * d->alpha;
-		if (d->flags & CNI_DRIVE_DAMPED) {
-			const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
-			float linear = cni_damping_factor(b->linear_damping, h);
-			start->vx *= linear;
-			start->vy *= linear;
-			start->w *= cni_damping_factor(b->angular_damping, h);
-		}
-		start->struck = 0.0f;
-		m->vx = start->vx + rx;
-		m->vy = start->vy + ry;
-		m->w = start->w + rw;
+#endif
+		velocity_take(world, k, h, first);
 	}
 }
 
@@ -225,9 +298,7 @@ static void position_range(void *context, int32_t begin, int32_t end, int32_t wo
 			if (drives[k].flags & CNI_DRIVE_LOCK_Y)
 				m->vy = 0.0f;
 		}
-		m->dpx += h * m->vx;
-		m->dpy += h * m->vy;
-		m->theta += h * m->w;
+		position_take(m, h);
 	}
 }
 
@@ -246,7 +317,7 @@ static void finish_range(void *context, int32_t begin, int32_t end, int32_t work
 	(void)worker;
 	for (k = begin + 1; k <= end; ++k) {
 		if (!(drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_JOINTED | CNI_DRIVE_DAMPED)))
-			correct_to_trapezoid(&motions[k], &starts[k], &drives[k], loop->s->h);
+			position_finish(&motions[k], &starts[k], &drives[k], loop->s->h);
 		if (drives[k].flags & CNI_DRIVE_LOCK_X)
 			motions[k].vx = 0.0f;
 		if (drives[k].flags & CNI_DRIVE_LOCK_Y)

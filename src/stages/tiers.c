@@ -21,8 +21,14 @@
  *
  * Reads lanes, islands, motion; writes islands' tier fields, world->direct_islands.
  */
+#include "base/bitset.h"
+#include "base/cpu.h"
 #include "stages/press.h"
 #include "stages/solver.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#include "base/wide.h"
+#endif
 
 #define ISLANDS_MOST 64        /* solved directly at the same time, of CN_SOLVER_AUTO */
 #define QUIET_SPEED 0.5f       /* length units a second: what moves faster is no pile */
@@ -37,6 +43,7 @@
 typedef struct look {
 	float most;    /* metres: overlap that is bad where much is borne */
 	float h;       /* of a substep */
+	int32_t done;  /* the island of the last lane that could not change anything more, CNI_NONE */
 } look;
 
 static int32_t *listed(const cn_world *world)
@@ -212,21 +219,55 @@ static int32_t lane_reason(const cn_world *world, const look *q, const cni_conta
 	return deep > q->most ? CN_TIER_REASON_OVERLAP : CN_TIER_REASON_NEW_CONTACT;
 }
 
-static void block_look(cn_world *world, const look *q, int32_t block)
+/* Bit l: a point of lane l overlaps by more than most. Asked of every block. */
+static uint32_t deep_lanes(const cni_contact_block *k, float most)
+{
+	uint32_t deep = 0;
+	int32_t l;
+#if CNI_HAS_WIDE_4
+	for (l = 0; l < CNI_LANES; l += 4)
+		deep |= cni_mask_bits(cni_wide_min(cni_wide_load(&k->p[0].s0[l]), cni_wide_load(&k->p[1].s0[l])) < cni_wide_of(-most)) << l;
+#else
+	for (l = 0; l < CNI_LANES; ++l)
+		deep |= (uint32_t)(cni_min(k->p[0].s0[l], k->p[1].s0[l]) < -most) << l;
+#endif
+	return deep;
+}
+
+/* Has it been found bad in this step, and left to the soft solver? Then more that is bad changes nothing. */
+static int32_t island_is_settled(const cn_world *world, int32_t island)
+{
+	const cni_island *i = cni_island_at(world, island);
+	return i->tier != CNI_TIER_DIRECT && i->looked_step == world->step_count + 1u;
+}
+
+static void lane_look(cn_world *world, look *q, const cni_contact_block *k, int32_t l, int32_t fresh)
+{
+	int32_t island = cni_awake_island(world, k->ia[l]), reason;
+	if (island == CNI_NONE || island == q->done)
+		return;
+	if (island_is_settled(world, island)) {
+		q->done = island;
+		return;
+	}
+	reason = lane_reason(world, q, k, l, fresh);
+	if (reason != 0)
+		island_is_bad(world, island, reason);
+}
+
+static void block_look(cn_world *world, look *q, int32_t block)
 {
 	const cni_contact_block *k = cni_block_at(world, block);
 	const cni_block_info *info = cni_block_info_at(world, block);
-	int32_t l, fresh = info->fresh_step == world->step_count + 1u;
-	for (l = 0; l < CNI_LANES; ++l) {
-		int32_t island, reason;
-		if (!(k->p[0].s0[l] < -q->most || k->p[1].s0[l] < -q->most || fresh) || info->contact[l] == CNI_NONE)
+	int32_t fresh = info->fresh_step == world->step_count + 1u;
+	uint32_t lanes = fresh ? (1u << CNI_LANES) - 1u : deep_lanes(k, q->most);
+	for (; lanes != 0; lanes &= lanes - 1u) {
+		int32_t l = cni_bit_lowest32(lanes);
+		if (info->contact[l] == CNI_NONE)
 			continue;
 		if (fresh && (info->fresh >> l & 1u) && lane_is_new(k, l, world->settings.slop))
 			new_contact_count(world, k->ia[l]);
-		reason = lane_reason(world, q, k, l, fresh);
-		island = reason != 0 ? cni_awake_island(world, k->ia[l]) : CNI_NONE;
-		if (island != CNI_NONE)
-			island_is_bad(world, island, reason);
+		lane_look(world, q, k, l, fresh);
 	}
 }
 
@@ -243,7 +284,7 @@ static void unheld_look(cn_world *world)
 
 static void lanes_look(cn_world *world, float h)
 {
-	look q = { CNI_BAD_PART * world->settings.accuracy, h };
+	look q = { CNI_BAD_PART * world->settings.accuracy, h, CNI_NONE };
 	int32_t color, block;
 	for (color = 0; color < CNI_COLORS; ++color)
 		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
@@ -302,13 +343,14 @@ static void joint_solver_gather(cn_world *world, const cni_joint *j)
 	for (side = 0; side < 2; ++side) {
 		int32_t index = j->body[side] != CNI_NONE ? cni_body_at(world, j->body[side])->awake : 0;
 		cni_island *i = index != 0 ? awake_island(world, index) : NULL;
-		if (i != NULL)
-			i->joints_solver = CN_SOLVER_DIRECT;
+		if (i == NULL)
+			continue;
+		i->joints_solver = CN_SOLVER_DIRECT;
+		world->solvers_asked = 1;
 	}
 }
 
-/* What bodies and joints ask for, into their islands. */
-static void solvers_gather(cn_world *world)
+static void solvers_reset(const cn_world *world)
 {
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
@@ -316,6 +358,15 @@ static void solvers_gather(cn_world *world)
 		if (i != NULL)
 			i->solver = i->joints_solver = CN_SOLVER_AUTO;
 	}
+}
+
+/* What bodies and joints ask for, into their islands. Those that wake, and new ones, are asked for nothing yet. */
+static void solvers_gather(cn_world *world)
+{
+	int32_t k;
+	if (world->solvers_asked)
+		solvers_reset(world);
+	world->solvers_asked = 0;
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
 		if (j->solver == CN_SOLVER_DIRECT)
@@ -324,7 +375,10 @@ static void solvers_gather(cn_world *world)
 	for (k = 1; k < world->awake_count; ++k) {
 		int32_t solver = cni_body_solver(cni_body_at(world, cni_awake_ids(world)[k]));
 		cni_island *i = solver != CN_SOLVER_AUTO ? awake_island(world, k) : NULL;
-		if (i != NULL && i->solver != CN_SOLVER_SOFT)
+		if (i == NULL)
+			continue;
+		world->solvers_asked = 1;
+		if (i->solver != CN_SOLVER_SOFT)
 			i->solver = solver;
 	}
 }
@@ -351,7 +405,7 @@ void cni_stage_tiers(cn_world *world, float h)
 		list_awake(world, 1);
 	} else if (world->settings.solver == CN_SOLVER_AUTO) {
 		list_update(world);
-		if (world->overridden)
+		if (world->solvers_asked)
 			list_awake(world, 0);
 		lanes_look(world, h);
 	}

@@ -66,6 +66,8 @@ static void substeps_run(cn_world *world, cni_solve *s)
 {
 	substeps all;
 	int32_t lanes = cni_contacts_list(world, s);
+	if (world->awake_count == 1)
+		return; /* nothing but the dummy */
 	if (lanes + world->awake_count >= SHARED_WORK)
 		s->team = world->team;
 	all.world = world;
