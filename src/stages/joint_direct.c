@@ -2,9 +2,10 @@
  * stages/joint_direct.c - rigid rows of connected joints solved together, exactly (stages/sparse.h).
  *
  * Joints with rigid rows that nothing bounds or softens are nodes; those that share bodies make components.
- * CN_SOLVER_AUTO takes trees, whose factorization costs about what a pass over their joints does, and large nets
- * once (stages/joint_net.c). CN_SOLVER_DIRECT takes all. The rest, and springs, motors and limits, are solved row by row in
- * stages/joint_solve.c, before; contacts come after, so joints and contacts alternate.
+ * CN_SOLVER_AUTO takes trees, whose factorization costs about what a pass over their joints does, but not those that are
+ * touched and whose joints hardly feel each other (stages/joint_couple.c), and large nets once (stages/joint_net.c).
+ * CN_SOLVER_DIRECT takes all. The rest, and springs, motors and limits, are solved row by row in stages/joint_solve.c,
+ * before; contacts come after, so joints and contacts alternate.
  *
  * Reads works, motion and inverse masses; writes works' flags and their rigid rows' impulses, motion velocities.
  */
@@ -401,23 +402,40 @@ static int32_t work_planned(const cn_world *world, const cni_sparse *sparse)
 	return work < INT32_MAX ? (int32_t)work : INT32_MAX;
 }
 
+/* Does some joint of it ask to be solved directly? Of components with several bodies. */
+static int32_t is_asked_for(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t island = cni_awake_island(world, sparse->bodies[c->body_begin]);
+	return island != CNI_NONE && cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
+}
+
 /*
  * A loop of pins, such as a bridge between two walls, may be so straight that no force can hold it: what is rigid
  * explodes there, and what gives way a little stands. Trees have no such places, nor have loops by gears.
  */
 static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k, island;
+	int32_t k;
 	if (c->body_begin == c->body_end)
 		return 1; /* of bodies that cannot move */
-	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->dear || c->presses)
-		return 0;
-	island = cni_awake_island(world, sparse->bodies[c->body_begin]);
-	if (island != CNI_NONE && cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT)
+	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->dear || c->presses || is_asked_for(world, sparse, c))
 		return 0;
 	for (k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].rows != 2)
 			return 0;
+	return 1;
+}
+
+/* Touched trees of which passes over the joints make as much as a system does: their joints know it. */
+static int32_t tree_loosen(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	if (world->settings.solver != CN_SOLVER_AUTO || !c->tree || c->loops || c->presses || c->swings || is_asked_for(world, sparse, c))
+		return 0;
+	if (!cni_component_is_loose(world, sparse, c))
+		return 0;
+	for (k = c->begin; k < c->end; ++k)
+		cni_joint_works(world)[sparse->nodes[k].owner].flags |= CNI_WORK_LOOSE;
 	return 1;
 }
 
@@ -450,7 +468,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 			cni_island_once(world, cni_awake_island(world, out->bodies[c->body_begin]), c->work / (DEAR_SPREAD * (c->end - c->begin)));
 		c->regular = c->presses || c->loops ? REGULAR : 0.0f;
 		c->swings = !c->presses && cni_component_swings(world, s, out, c);
-		if (loop_is_better_soft(world, out, c) || is_better_alone(c))
+		if (loop_is_better_soft(world, out, c) || is_better_alone(c) || tree_loosen(world, out, c))
 			joints_release(world, out, c);
 		else if (!c->swings)
 			cni_direct_begin(world, s, out, c);

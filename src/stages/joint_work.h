@@ -15,7 +15,8 @@ enum {
 	CNI_WORK_TURNS = 1u << 4,     /* counts whole turns */
 	CNI_WORK_DIRECT = 1u << 5,    /* its rigid rows are solved with its neighbours': stages/joint_direct.c */
 	CNI_WORK_SWUNG = 1u << 6,     /* done with for this step: stages/joint_swing.c */
-	CNI_WORK_WIDE = 1u << 7       /* unless swung it is in a lane: stages/joint_blocks.c; rows are written only if direct, and their impulses are all of the record's */
+	CNI_WORK_WIDE = 1u << 7,      /* unless swung it is in a lane: stages/joint_blocks.c; rows are written only if direct, and their impulses are all of the record's */
+	CNI_WORK_LOOSE = 1u << 8      /* a system would do no better, so that a gap asks for none: stages/joint_couple.c */
 };
 
 #define CNI_JOINT_ERROR_RATE 0.3f /* part of its gap that a directly solved joint takes out in a substep */
@@ -86,6 +87,9 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 void cni_direct_motions_keep(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t back);
 /* Rotations of the component's bodies since the step began. */
 void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_component *c);
+
+/* Do passes over its joints, one by one, make about as much of it as a system? Of pins: stages/joint_couple.c. */
+int32_t cni_component_is_loose(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 
 /* ---- wide works: stages/joint_blocks.c ---- */
 

@@ -30,7 +30,7 @@ static const golden goldens[] = {
 	{ "dominoes", 400, 1, 0xadf03cf1271cc9ec },
 	{ "ragdolls", 480, 1, 0xce6ecc1508c48597 },
 	{ "bridge", 240, 1, 0x25b35b0f453be69d },
-	{ "car", 400, 1, 0x0c3fd30f19687833 },
+	{ "car", 400, 1, 0x4194dfe91d1f4ede },
 	{ "mixer", 240, 1, 0x20754041192daadf },
 	{ "pyramid", 120, 0, 0x9f35e213b77ae719 },
 	{ "rain", 150, 0, 0xcfddbe9076b7a34f },
