@@ -32,7 +32,7 @@ static const golden goldens[] = {
 	{ "bridge", 240, 1, 0x25b35b0f453be69d },
 	{ "car", 400, 1, 0x4194dfe91d1f4ede },
 	{ "mixer", 240, 1, 0x20754041192daadf },
-	{ "pyramid", 120, 0, 0x9f35e213b77ae719 },
+	{ "pyramid", 120, 0, 0xbb24e8518c196cd8 },
 	{ "rain", 150, 0, 0xcfddbe9076b7a34f },
 	{ "tumbler_1000", 300, 0, 0xc23a02bce215302b },
 };
