@@ -10,8 +10,8 @@
  * Where b is static the frame is the world's: b's arms are at rest and a turns the other way.
  *
  * What is not followed: a pair that slid or turned farther than a small part of its size or a quarter of the slop (its
- * features may be others), that is apart by more than the contact margin or deep in each other, or that moves so fast that it may be elsewhere after the
- * step. Such lanes stay as they are.
+ * features may be others), that is apart by more than the contact margin or deep in each other, or that moves so fast that
+ * it may be elsewhere after the step. Such lanes stay as they are.
  */
 #include "stages/contact_pass.h"
 

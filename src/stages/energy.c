@@ -9,8 +9,8 @@
  * much in the first part: then all of it is scaled, and what does not move takes the difference.
  *
  * Springs and motors may give energy: each row j (J v0 + J v1) / 2, which is exact whatever else acts. Islands with
- * conveyors or kinematic bodies are left alone. Runs only in
- * substeps in which some velocity jumped (stages/shock.c), which is when solves fail.
+ * conveyors or kinematic bodies are left alone. Runs only in substeps in which some velocity jumped (stages/shock.c),
+ * which is when solves fail.
  *
  * Reads start (velocities before the impulses of the substep) and motion; writes both by the same change, so that
  * the response between them stays.
