@@ -156,7 +156,7 @@ static inline cni_contact *cni_contact_of_key(const cn_world *world, int32_t key
 static inline cni_contact_block *cni_block_at(const cn_world *world, int32_t block) { return (cni_contact_block *)cni_table_at_sized(&world->blocks_hot, block, sizeof(cni_contact_block)); }
 static inline cni_block_info *cni_block_info_at(const cn_world *world, int32_t block) { return (cni_block_info *)cni_table_at_sized(&world->blocks_info, block, sizeof(cni_block_info)); }
 static inline cni_block_anchor *cni_block_anchor_at(const cn_world *world, int32_t block) { return (cni_block_anchor *)cni_table_at_sized(&world->blocks_anchor, block, sizeof(cni_block_anchor)); }
-static inline const cni_listed_block *cni_listed_blocks(const cn_world *world, int32_t color) { return (const cni_listed_block *)world->block_list.data + world->colors[color].listed; }
+static inline const cni_listed_block *cni_listed_blocks(const cn_world *world, int32_t color) { return world->block_list.data == NULL ? NULL : (const cni_listed_block *)world->block_list.data + world->colors[color].listed; }
 /* NULL when no contact has ever needed one. */
 static inline cni_block_extra *cni_block_extra_at(const cn_world *world, int32_t block)
 {

@@ -6,7 +6,7 @@
  * than the bodies had. What a set of bodies that act on each other has is split into the energy of moving as one rigid
  * body with its momentum and angular momentum, and the rest; the two are orthogonal in the mass metric. The rest is
  * scaled down until the sum is what it was, so momentum stays. Only islands that touch what does not move can have too
- * much in the first part: then all of it is scaled, and what does not move takes the difference.
+ * much in the first part (but for rounding): then all of it is scaled, and what does not move takes the difference.
  *
  * Springs and motors may give energy: each row j (J v0 + J v1) / 2, which is exact whatever else acts. Islands with
  * conveyors or kinematic bodies are left alone. Runs only in substeps in which some velocity jumped (stages/shock.c),
@@ -28,6 +28,7 @@ typedef struct island_sum {
 	float before, after;      /* twice the kinetic energy; before: with what springs and motors gave */
 	float keep_rest, keep_rigid; /* factors; both 1: nothing is wrong */
 	int32_t driven;
+	int32_t grounded;         /* touches or hangs on what does not move: only then may its momentum change */
 } island_sum;
 
 static int32_t moves(const cni_motion *m)
@@ -96,7 +97,7 @@ static void mark_driven(const cn_world *world, island_sum *sums, int32_t ia, int
 		sums[b].driven = 1;
 }
 
-/* Does a lane body b other than the world's push with a motion of its own, or a conveyor? */
+/* Does a lane body b other than the world's push with a motion of its own, or a conveyor? Is it the world's? */
 static void driven_by_contacts(const cn_world *world, island_sum *sums)
 {
 	const cni_motion *motions = cni_motions(world);
@@ -104,9 +105,13 @@ static void driven_by_contacts(const cn_world *world, island_sum *sums)
 	for (color = CNI_COLOR_STATIC; color < CNI_COLORS; ++color)
 		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
 			const cni_contact_block *k = cni_block_at(world, block);
-			for (l = 0; l < CNI_LANES; ++l)
+			for (l = 0; l < CNI_LANES; ++l) {
+				int32_t island = cni_awake_island(world, k->ia[l]);
 				if (k->ib[l] != 0 && motions[k->ib[l]].inv_mass == 0.0f)
 					mark_driven(world, sums, k->ia[l], k->ib[l]);
+				if (k->ib[l] == 0 && island != CNI_NONE)
+					sums[island].grounded = 1;
+			}
 		}
 	for (color = 0; color < CNI_COLORS && cni_table_capacity(&world->blocks_extra) > 0; ++color)
 		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
@@ -155,6 +160,8 @@ static void driven_by_joints(const cn_world *world, island_sum *sums)
 		int32_t island = cni_joint_island(world, w->ia, w->ib);
 		if ((w->ia != 0 && motions[w->ia].inv_mass == 0.0f) || (w->ib != 0 && motions[w->ib].inv_mass == 0.0f))
 			mark_driven(world, sums, w->ia, w->ib);
+		if (island != CNI_NONE)
+			sums[island].grounded |= w->ia == 0 || w->ib == 0;
 		for (r = 0; r < w->row_count && island != CNI_NONE; ++r)
 			if ((w->flags & CNI_WORK_SPRINGY) || w->rows[r].kind == CNI_ROW_SPRING || w->rows[r].kind == CNI_ROW_DRIVE)
 				sums[island].before += cni_max(row_work(world, w, &w->rows[r]), 0.0f);
@@ -177,7 +184,7 @@ static int32_t factors_find(const cn_world *world, island_sum *sums)
 			s->keep_rest = cni_sqrt((s->before - rigid) / rest);
 		} else {
 			s->keep_rest = 0.0f;
-			s->keep_rigid = rigid > s->before ? cni_sqrt(s->before / rigid) : 1.0f;
+			s->keep_rigid = s->grounded && rigid > s->before ? cni_sqrt(s->before / rigid) : 1.0f;
 		}
 		found = 1;
 	}

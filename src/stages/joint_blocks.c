@@ -62,8 +62,8 @@ void cni_joint_works_complete(cn_world *world, const cni_solve *s)
 {
 	int32_t k, r;
 	for (k = 0; k < s->direct->node_count; ++k) {
-		cni_joint_work *w = cni_joint_works(world) + s->direct->nodes[k].owner;
-		if (s->direct->nodes[k].owner < 0 || !(w->flags & CNI_WORK_WIDE))
+		cni_joint_work *w = s->direct->nodes[k].owner >= 0 ? cni_joint_works(world) + s->direct->nodes[k].owner : NULL;
+		if (w == NULL || !(w->flags & CNI_WORK_WIDE))
 			continue;
 		w->row_count = w->make_rows(w->record, &w->start, w->rows);
 		for (r = 0; r < w->row_count; ++r)

@@ -241,6 +241,8 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, int32_t cont
    do not touch, then those that cannot be followed. */
 static int32_t contacts_collect(cn_world *world, float dt)
 {
+	if (world->apart.data == NULL)
+		return 0; /* there has never been a contact */
 	return world->apart.count + cni_contacts_follow(world, dt, (int32_t *)world->apart.data + world->apart.count);
 }
 

@@ -31,7 +31,7 @@ typedef struct bench {
 	int32_t lanes;
 } bench;
 
-static bench drawn, plain, wide;
+static CNI_ALIGNED(64) bench drawn, plain, wide; /* as the kernels expect blocks and motions */
 
 static void pick_row(float *row, float lower, float upper)
 {
