@@ -153,7 +153,7 @@ $(BUILD)/test/%: $(BUILD)/checked/test/%.o $(BUILD)/libexamples-checked.a $(BUIL
 	$(call say,link)$(CC) $(TEST_CFLAGS) $(LDFLAGS) $< $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a $(LIBS) -o $@
 
 test: $(TESTS)
-	@JOBS=$(JOBS) sh test/run.sh $(BUILD)/test-output $(TESTS)
+	@JOBS=$(JOBS) RUNNER='$(RUNNER)' sh test/run.sh $(BUILD)/test-output $(TESTS)
 
 test-all:
 	@sh test/variants.sh $(BUILD)

@@ -67,6 +67,12 @@ bindings() {
 	read_log bindings $?
 }
 
+# Other processors.
+others() {
+	sh test/cross.sh "$build/cross" > "$build/cross.log" 2>&1
+	read_log cross $?
+}
+
 header_in_cxx() {
 	for standard in c++11 c++20; do
 		g++ -std=$standard -pedantic -Wall -Wextra -Werror -fsyntax-only -x c++ include/cairn.h || return 1
@@ -112,6 +118,7 @@ if command -v g++ >/dev/null 2>&1; then check header-cxx header_in_cxx; else add
 check header-padding header_without_padding
 check exports exports
 bindings
+others
 if [ "$(uname -m)" = x86_64 ]; then check no-fused no_fused_operations; else add no-fused 0 0 1; fi
 check check-deps sh test/check_deps.sh
 
