@@ -7,7 +7,7 @@
  */
 #include "base/cpu.h"
 #include "stages/joint_pass.h"
-#include "world/fixture.h"
+#include "world/joints.h"
 
 #define BODIES (2 * CNI_LANES + 1)
 
@@ -132,14 +132,7 @@ static cn_world *soft_world(float gravity)
 
 static cn_revolute_def pin_def(cn_body a, float ax, float ay, cn_body b, float bx, float by, int32_t how)
 {
-	cn_revolute_def def;
-	cn_revolute_def_init(&def);
-	def.base.body_a = a;
-	def.base.body_b = b;
-	def.base.anchor_a_m.x = ax;
-	def.base.anchor_a_m.y = ay;
-	def.base.anchor_b_m.x = bx;
-	def.base.anchor_b_m.y = by;
+	cn_revolute_def def = revolute_def(a, at(ax, ay), b, at(bx, by));
 	if (how == BY_ROWS)
 		def.base.break_force_N = 1e30f;
 	return def;

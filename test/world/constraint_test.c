@@ -4,26 +4,7 @@
  * If a test here fails, look first in: model/joint_angle.c, joint_line.c (rows), model/joint_turns.c (whole
  * turns), stages/joint_solve.c (solving, breaking), world/constraint.c (definitions, handles).
  */
-#include "fixture.h"
-
-#define PI 3.14159265358979323846
-#define GRAVITY 10.0
-
-static cn_vec2 at(float x, float y)
-{
-	cn_vec2 v;
-	v.x = x;
-	v.y = y;
-	return v;
-}
-
-/* 1 kg, inertia 1/6 kg m^2. */
-static cn_body unit_box(cn_world *world, float x, float y, float angle)
-{
-	return fixture_box(world, CN_BODY_DYNAMIC, x, y, angle, 0.5f, 0.5f, 0.5f, 0.0f);
-}
-
-#define UNIT_INERTIA (1.0 / 6.0)
+#include "joints.h"
 
 static cn_angle_constraint_def angle_def(cn_body body, float lower, float upper)
 {

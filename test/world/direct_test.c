@@ -6,9 +6,8 @@
  * nothing but joints holds), stages/joint_tension.c (heavy ends), stages/joint_direct.c (joints among contacts, motors and
  * limits), stages/tiers.c and contact_direct.c (stacks, walls, energy of random scenes).
  */
-#include "fixture.h"
+#include "joints.h"
 
-#define GRAVITY 10.0
 #define PARTS_MOST 96
 
 /* A world, its bodies and its joints in order of making. */
@@ -17,23 +16,13 @@ typedef struct scene {
 	cn_body bodies[PARTS_MOST];
 	cn_joint joints[PARTS_MOST];
 	int32_t body_count, joint_count;
-	double gravity;
 } scene;
-
-static cn_vec2 at(float x, float y)
-{
-	cn_vec2 v;
-	v.x = x;
-	v.y = y;
-	return v;
-}
 
 static scene scene_open(double gravity, int32_t sleep, int32_t solver)
 {
 	scene s;
 	cn_world_def def;
 	memset(&s, 0, sizeof s);
-	s.gravity = gravity;
 	cn_world_def_init(&def);
 	def.gravity_mps2 = at(0.0f, (float)-gravity);
 	def.solver = solver;
@@ -57,8 +46,7 @@ static cn_body keep(scene *s, cn_body body)
 
 static void set_mass(const scene *s, cn_body body, float mass, float inertia)
 {
-	cn_mass_data m;
-	must(cn_body_get_mass_data(s->world, body, &m), s->world, "cn_body_get_mass_data");
+	cn_mass_data m = mass_of(s->world, body);
 	m.mass_kg = mass;
 	m.inertia_kgm2 = inertia;
 	must(cn_body_set_mass_data(s->world, body, &m), s->world, "cn_body_set_mass_data");
@@ -66,20 +54,14 @@ static void set_mass(const scene *s, cn_body body, float mass, float inertia)
 
 static void weigh(const scene *s, cn_body body, float factor)
 {
-	cn_mass_data m;
-	must(cn_body_get_mass_data(s->world, body, &m), s->world, "cn_body_get_mass_data");
+	cn_mass_data m = mass_of(s->world, body);
 	set_mass(s, body, m.mass_kg * factor, m.inertia_kgm2 * factor);
 }
 
-static cn_joint hinge(scene *s, cn_body a, cn_vec2 anchor_a, cn_body b, cn_vec2 anchor_b)
+/* The scene keeps the joint. */
+static cn_joint pin(scene *s, cn_body a, cn_vec2 anchor_a, cn_body b, cn_vec2 anchor_b)
 {
-	cn_revolute_def def;
-	cn_revolute_def_init(&def);
-	def.base.body_a = a;
-	def.base.body_b = b;
-	def.base.anchor_a_m = anchor_a;
-	def.base.anchor_b_m = anchor_b;
-	must(cn_joint_create_revolute(s->world, &def, &s->joints[s->joint_count]), s->world, "cn_joint_create_revolute");
+	s->joints[s->joint_count] = hinge(s->world, a, anchor_a, b, anchor_b);
 	return s->joints[s->joint_count++];
 }
 
@@ -96,7 +78,7 @@ static cn_body add_link(const scene *s, float x, float y, float angle)
 	return link;
 }
 
-/* Links from (x, y) along the direction of `angle`, hinged to one another; `first` is what the first one hangs on. */
+/* Links from (x, y) along the direction of `angle`, pinned to one another; `first` is what the first one hangs on. */
 static void add_chain(scene *s, cn_body first, cn_vec2 first_anchor, float x, float y, float angle, int32_t count)
 {
 	float c = (float)cos((double)angle), n = (float)sin((double)angle);
@@ -105,9 +87,9 @@ static void add_chain(scene *s, cn_body first, cn_vec2 first_anchor, float x, fl
 		float along = LINK * (float)(2 * k + 1);
 		cn_body link = add_link(s, x + along * c, y + along * n, angle);
 		if (k > 0)
-			hinge(s, s->bodies[s->body_count - 1], at(LINK, 0.0f), link, at(-LINK, 0.0f));
+			pin(s, s->bodies[s->body_count - 1], at(LINK, 0.0f), link, at(-LINK, 0.0f));
 		else if (first != 0 || first_anchor.x > -1e6f)
-			hinge(s, first, first_anchor, link, at(-LINK, 0.0f));
+			pin(s, first, first_anchor, link, at(-LINK, 0.0f));
 		keep(s, link);
 	}
 }
@@ -139,51 +121,26 @@ static double anchors_apart(const scene *s)
 	return worst;
 }
 
-typedef struct totals {
-	double kinetic, energy, px, py, spin, momentum_scale, spin_scale, speed_most, turn_most;
-} totals;
-
-static totals totals_of(const scene *s)
+static totals totals_in(const scene *s)
 {
-	totals t = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-	int32_t k;
-	for (k = 0; k < s->body_count; ++k) {
-		cn_mass_data m;
-		cn_vec2 c;
-		cn_velocity v = fixture_velocity(s->world, s->bodies[k]);
-		double vx = (double)v.linear_mps.x, vy = (double)v.linear_mps.y, w = (double)v.angular_radps, mass, turn;
-		must(cn_body_get_mass_data(s->world, s->bodies[k], &m), s->world, "cn_body_get_mass_data");
-		must(cn_body_get_center(s->world, s->bodies[k], &c), s->world, "cn_body_get_center");
-		mass = (double)m.mass_kg;
-		turn = mass * ((double)c.x * vy - (double)c.y * vx);
-		t.kinetic += 0.5 * mass * (vx * vx + vy * vy) + 0.5 * (double)m.inertia_kgm2 * w * w;
-		t.energy += mass * s->gravity * (double)c.y;
-		t.px += mass * vx;
-		t.py += mass * vy;
-		t.spin += turn + (double)m.inertia_kgm2 * w;
-		t.momentum_scale += mass * sqrt(vx * vx + vy * vy);
-		t.spin_scale += fabs(turn) + fabs((double)m.inertia_kgm2 * w);
-		t.speed_most = fmax(t.speed_most, sqrt(vx * vx + vy * vy));
-		t.turn_most = fmax(t.turn_most, fabs(w));
-	}
-	t.energy += t.kinetic;
-	return t;
+	return totals_of(s->world, s->bodies, s->body_count);
 }
 
-/* The worst of every step; a number that is none counts as infinite. */
+static double energy_in(const scene *s)
+{
+	totals t = totals_in(s);
+	return t.kinetic + t.potential;
+}
+
+/* The worst of every step. */
 typedef struct watch {
 	double apart, energy, energy_start, speed, spin;
 } watch;
 
-static double greater(double most, double value)
-{
-	return isfinite(value) ? fmax(most, value) : HUGE_VAL;
-}
-
 static watch watch_begin(const scene *s)
 {
 	watch w = { 0.0, 0.0, 0.0, 0.0, 0.0 };
-	w.energy = w.energy_start = totals_of(s).energy;
+	w.energy = w.energy_start = energy_in(s);
 	return w;
 }
 
@@ -193,9 +150,9 @@ static void watch_steps(watch *w, scene *s, int32_t steps)
 	for (k = 0; k < steps; ++k) {
 		totals t;
 		fixture_step(s->world, 1);
-		t = totals_of(s);
+		t = totals_in(s);
 		w->apart = greater(w->apart, anchors_apart(s));
-		w->energy = greater(w->energy, t.energy);
+		w->energy = greater(w->energy, t.kinetic + t.potential);
 		w->speed = greater(w->speed, t.speed_most);
 		w->spin = greater(w->spin, t.turn_most);
 	}
@@ -222,10 +179,10 @@ static void heavy_end_run(float ratio, int32_t solver)
 	watch w;
 	double depth;
 	add_chain(&s, 0, at(0.0f, 0.0f), 0.0f, 0.0f, 0.0f, 20);
-	must(cn_body_get_mass_data(s.world, s.bodies[0], &link), s.world, "cn_body_get_mass_data");
+	link = mass_of(s.world, s.bodies[0]);
 	ball = keep(&s, fixture_circle(s.world, CN_BODY_DYNAMIC, 40.0f * LINK + 0.5f, 0.0f, 0.5f, 0.5f, 0.0f));
 	set_mass(&s, ball, link.mass_kg * ratio, 0.5f * link.mass_kg * ratio * 0.25f);
-	hinge(&s, s.bodies[19], at(LINK, 0.0f), ball, at(-0.5f, 0.0f));
+	pin(&s, s.bodies[19], at(LINK, 0.0f), ball, at(-0.5f, 0.0f));
 	depth = (double)link.mass_kg * GRAVITY * ((double)ratio * (40.0 * (double)LINK + 0.5) + 20.0 * 20.0 * (double)LINK);
 	w = watch_begin(&s);
 	watch_steps(&w, &s, 600);
@@ -305,7 +262,7 @@ static void double_pendulum_follows_its_equations(void)
 		int32_t step;
 		p.angle[0] = p.angle[1] = starts[k];
 		add_chain(&s, 0, at(0.0f, 0.0f), 0.0f, 0.0f, (float)starts[k], 2);
-		must(cn_body_get_mass_data(s.world, s.bodies[0], &m), s.world, "cn_body_get_mass_data");
+		m = mass_of(s.world, s.bodies[0]);
 		for (step = 0; step < 60; ++step) {
 			pendulum_advance(&p, l, (double)m.mass_kg, (double)m.inertia_kgm2, (double)FRAME_S, 100);
 			fixture_step(s.world, 1);
@@ -336,10 +293,10 @@ static void thrown_chain_keeps_its_momentum(void)
 		weigh(&s, s.bodies[k], fixture_random(&random, 0.2f, 5.0f));
 		fixture_set_velocity(s.world, s.bodies[k], vx, vy, w);
 	}
-	start = totals_of(&s);
+	start = totals_in(&s);
 	for (k = 0; k < 300; ++k) {
 		fixture_step(s.world, 1);
-		t = totals_of(&s);
+		t = totals_in(&s);
 		linear = greater(linear, hypot(t.px - start.px, t.py - start.py) / start.momentum_scale);
 		angular = greater(angular, fabs(t.spin - start.spin) / fmax(start.spin_scale, t.spin_scale));
 		apart = greater(apart, anchors_apart(&s));
@@ -414,8 +371,8 @@ static void gap_run(const char *name, int32_t solver, int32_t on_floor, double m
 	add_chain(&s, 0, nowhere(), -1.0f, on_floor ? THIN : 0.0f, 0.0f, 2);
 	add_chain(&s, 0, nowhere(), 0.2f, on_floor ? THIN : 0.0f, 0.0f, 2);
 	fixture_step(s.world, on_floor ? 60 : 1);
-	hinge(&s, s.bodies[1], at(LINK, 0.0f), s.bodies[2], at(-LINK, 0.0f));
-	must(cn_body_get_mass_data(s.world, s.bodies[0], &m), s.world, "cn_body_get_mass_data");
+	pin(&s, s.bodies[1], at(LINK, 0.0f), s.bodies[2], at(-LINK, 0.0f));
+	m = mass_of(s.world, s.bodies[0]);
 	mass = 4.0 * (double)m.mass_kg;
 	before = anchors_apart(&s);
 	CHECK(fabs(before - 0.2) < 1e-3);
@@ -424,14 +381,14 @@ static void gap_run(const char *name, int32_t solver, int32_t on_floor, double m
 		fixture_step(s.world, 1);
 		now = anchors_apart(&s);
 		fastest = greater(fastest, (before - now) / (double)FRAME_S);
-		energy = greater(energy, totals_of(&s).kinetic);
+		energy = greater(energy, totals_in(&s).kinetic);
 		before = now;
 	}
 	printf("  %s\n", name);
 	CHECK_LE("speed at which the gap closes", fastest, 1.02 * most, "m/s");
 	CHECK_LE("kinetic energy / that of all at 3 m/s", energy / (0.5 * mass * 9.0), 1.0, "");
 	CHECK_LE("gap after 2 s", before, 1e-3, "m");
-	CHECK_LE("speed after 2 s", totals_of(&s).speed_most, 0.01, "m/s");
+	CHECK_LE("speed after 2 s", totals_in(&s).speed_most, 0.01, "m/s");
 	scene_close(&s);
 }
 
@@ -512,7 +469,7 @@ static void joints_come_and_go_in_mid_swing(void)
 	must(cn_joint_destroy(s.world, s.joints[6]), s.world, "cn_joint_destroy");
 	watch_steps(&w, &s, 20);
 	must(cn_body_get_world_point(s.world, s.bodies[6], -LINK, 0.0f, &caught), s.world, "cn_body_get_world_point");
-	catch_joint = hinge(&s, 0, caught, s.bodies[6], at(-LINK, 0.0f));
+	catch_joint = pin(&s, 0, caught, s.bodies[6], at(-LINK, 0.0f));
 	watch_steps(&w, &s, 90);
 	must(cn_joint_destroy(s.world, catch_joint), s.world, "cn_joint_destroy");
 	watch_steps(&w, &s, 20);
@@ -690,7 +647,7 @@ static void random_pair(scene *s, uint32_t *random, cn_body a, cn_body b)
 	must(cn_body_get_local_point(s->world, a, x, y, &la), s->world, "cn_body_get_local_point");
 	must(cn_body_get_local_point(s->world, b, x, y, &lb), s->world, "cn_body_get_local_point");
 	if (kind < 1.0f) {
-		hinge(s, a, la, b, lb);
+		pin(s, a, la, b, lb);
 	} else if (kind < 2.0f) {
 		cn_distance_def def;
 		cn_distance_def_init(&def);
@@ -763,11 +720,11 @@ static balance random_run(uint32_t seed, int32_t solver)
 	double start, least;
 	int32_t k;
 	fill_random(&s, seed);
-	start = least = totals_of(&s).energy;
+	start = least = energy_in(&s);
 	for (k = 0; k < RANDOM_STEPS; ++k) {
 		double now;
 		fixture_step(s.world, 1);
-		now = totals_of(&s).energy;
+		now = energy_in(&s);
 		least = fmin(least, now);
 		b.most = greater(b.most, now / start);
 		b.rise = greater(b.rise, (now - least) / start);
@@ -809,7 +766,6 @@ static uint64_t history(const cn_world_def *def, uint32_t *warnings)
 	uint64_t hash;
 	int32_t k;
 	memset(&s, 0, sizeof s);
-	s.gravity = GRAVITY;
 	must(cn_world_create(def, &s.world), NULL, "cn_world_create");
 	fill_random(&s, 5);
 	add_chain(&s, 0, at(10.0f, 6.0f), 10.0f, 6.0f, 0.0f, 12);
@@ -873,7 +829,7 @@ static void add_carried(scene *s, float wheel_factor, float motor)
 		float x = k == 0 ? -1.0f : 1.0f, part = mass * wheel_factor;
 		cn_body wheel = keep(s, fixture_circle(s->world, CN_BODY_DYNAMIC, x, 1.0f, 0.5f, 0.9f, 0.0f));
 		set_mass(s, wheel, part, 0.125f * part);
-		hinge(s, chassis, at(x, -0.5f), wheel, at(0.0f, 0.0f));
+		pin(s, chassis, at(x, -0.5f), wheel, at(0.0f, 0.0f));
 		change_joint(s, s->joint_count - 1, motor > 0.0f ? CN_JOINT_MOTOR : 0, 0.0f, -8.0f, motor);
 	}
 }

@@ -5,155 +5,10 @@
  * stages/solve_make.c (springs), model/joint_revolute.c and joint_distance.c (limits, motors),
  * model/joint.c (lists, sleep, collide), world/joint*.c (setters).
  */
-#include "fixture.h"
+#include "joints.h"
 #include "scenes/build.h"
 
-#define GRAVITY 10.0
-#define PI 3.14159265358979323846
 #define DEGREE (PI / 180.0)
-
-/* ---- making joints ---- */
-
-static cn_vec2 at(float x, float y)
-{
-	cn_vec2 v;
-	v.x = x;
-	v.y = y;
-	return v;
-}
-
-static cn_revolute_def revolute_def(cn_body a, cn_vec2 anchor_a, cn_body b, cn_vec2 anchor_b)
-{
-	cn_revolute_def def;
-	cn_revolute_def_init(&def);
-	def.base.body_a = a;
-	def.base.body_b = b;
-	def.base.anchor_a_m = anchor_a;
-	def.base.anchor_b_m = anchor_b;
-	return def;
-}
-
-static cn_distance_def distance_def(cn_body a, cn_vec2 anchor_a, cn_body b, cn_vec2 anchor_b, float length)
-{
-	cn_distance_def def;
-	cn_distance_def_init(&def);
-	def.base.body_a = a;
-	def.base.body_b = b;
-	def.base.anchor_a_m = anchor_a;
-	def.base.anchor_b_m = anchor_b;
-	def.length_m = length;
-	return def;
-}
-
-static cn_joint make_revolute(cn_world *world, const cn_revolute_def *def)
-{
-	cn_joint joint = 0;
-	must(cn_joint_create_revolute(world, def, &joint), world, "cn_joint_create_revolute");
-	return joint;
-}
-
-static cn_joint make_distance(cn_world *world, const cn_distance_def *def)
-{
-	cn_joint joint = 0;
-	must(cn_joint_create_distance(world, def, &joint), world, "cn_joint_create_distance");
-	return joint;
-}
-
-static cn_joint hinge(cn_world *world, cn_body a, cn_vec2 anchor_a, cn_body b, cn_vec2 anchor_b)
-{
-	cn_revolute_def def = revolute_def(a, anchor_a, b, anchor_b);
-	return make_revolute(world, &def);
-}
-
-/* ---- reading joints ---- */
-
-static double joint_position(const cn_world *world, cn_joint joint)
-{
-	float position = 0.0f;
-	must(cn_joint_get_position(world, joint, &position), world, "cn_joint_get_position");
-	return (double)position;
-}
-
-static double joint_speed(const cn_world *world, cn_joint joint)
-{
-	float speed = 0.0f;
-	must(cn_joint_get_speed(world, joint, &speed), world, "cn_joint_get_speed");
-	return (double)speed;
-}
-
-static double joint_error_m(const cn_world *world, cn_joint joint)
-{
-	float m = 0.0f, rad = 0.0f;
-	must(cn_joint_get_error(world, joint, &m, &rad), world, "cn_joint_get_error");
-	return (double)m;
-}
-
-static double joint_error_rad(const cn_world *world, cn_joint joint)
-{
-	float m = 0.0f, rad = 0.0f;
-	must(cn_joint_get_error(world, joint, &m, &rad), world, "cn_joint_get_error");
-	return (double)rad;
-}
-
-static double joint_torque(const cn_world *world, cn_joint joint)
-{
-	cn_vec2 force;
-	float torque = 0.0f;
-	must(cn_joint_get_reaction(world, joint, &force, &torque), world, "cn_joint_get_reaction");
-	return (double)torque;
-}
-
-static cn_vec2 joint_force(const cn_world *world, cn_joint joint)
-{
-	cn_vec2 force;
-	float torque = 0.0f;
-	must(cn_joint_get_reaction(world, joint, &force, &torque), world, "cn_joint_get_reaction");
-	return force;
-}
-
-static cn_mass_data mass_of(const cn_world *world, cn_body body)
-{
-	cn_mass_data m;
-	must(cn_body_get_mass_data(world, body, &m), world, "cn_body_get_mass_data");
-	return m;
-}
-
-static double worst_joint_error(const cn_world *world)
-{
-	cn_joint joints[512];
-	double worst = 0.0;
-	int32_t count = 0, k;
-	must(cn_world_get_joints(world, joints, 512, &count), world, "cn_world_get_joints");
-	for (k = 0; k < count && k < 512; ++k)
-		worst = fmax(worst, joint_error_m(world, joints[k]));
-	return worst;
-}
-
-typedef struct totals {
-	double kinetic, potential, px, py, spin, momentum_scale, spin_scale;
-} totals;
-
-/* Sums over bodies; spin is the angular momentum about the origin. */
-static totals totals_of(const cn_world *world, const cn_body *bodies, int32_t count)
-{
-	totals t = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-	int32_t k;
-	for (k = 0; k < count; ++k) {
-		cn_mass_data m = mass_of(world, bodies[k]);
-		cn_velocity v = fixture_velocity(world, bodies[k]);
-		double mass = (double)m.mass_kg, vx = (double)v.linear_mps.x, vy = (double)v.linear_mps.y, w = (double)v.angular_radps;
-		cn_vec2 c;
-		must(cn_body_get_center(world, bodies[k], &c), world, "cn_body_get_center");
-		t.kinetic += 0.5 * mass * (vx * vx + vy * vy) + 0.5 * (double)m.inertia_kgm2 * w * w;
-		t.potential += mass * GRAVITY * (double)c.y;
-		t.px += mass * vx;
-		t.py += mass * vy;
-		t.spin += mass * ((double)c.x * vy - (double)c.y * vx) + (double)m.inertia_kgm2 * w;
-		t.momentum_scale += mass * sqrt(vx * vx + vy * vy);
-		t.spin_scale += fabs(mass * ((double)c.x * vy - (double)c.y * vx)) + fabs((double)m.inertia_kgm2 * w);
-	}
-	return t;
-}
 
 /* ---- pendulums ---- */
 
@@ -1004,13 +859,13 @@ static void assembly_run(int32_t kind, const char *name)
 	cn_body bodies[8];
 	uint32_t seed = 77u + (uint32_t)kind;
 	int32_t count = make_assembly(world, kind, bodies, 2463534242u), k;
-	totals start, now = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+	totals start, now;
 	double most = 0.0, drift_1 = 0.0, drift = 0.0, spin_drift = 0.0, settled = 0.0;
 	for (k = 0; k < count; ++k) {
 		float vx = fixture_random(&seed, -3.0f, 3.0f), vy = fixture_random(&seed, -3.0f, 3.0f), w = fixture_random(&seed, -5.0f, 5.0f);
 		fixture_set_velocity(world, bodies[k], vx, vy, w);
 	}
-	start = totals_of(world, bodies, count);
+	start = now = totals_of(world, bodies, count);
 	for (k = 1; k <= 600; ++k) {
 		fixture_step(world, 1);
 		now = totals_of(world, bodies, count);

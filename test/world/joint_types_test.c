@@ -6,110 +6,7 @@
  * If a test here fails, look first in: model/joint_<type>.c (its rows), model/joint_turns.c (gear, ratchet,
  * rotary spring), stages/joint_solve.c (bounds, stiffness, breaking), world/joint_kinds.c (definitions).
  */
-#include "fixture.h"
-
-#define PI 3.14159265358979323846
-#define GRAVITY 10.0
-
-/* ---- making ---- */
-
-static cn_vec2 at(float x, float y)
-{
-	cn_vec2 v;
-	v.x = x;
-	v.y = y;
-	return v;
-}
-
-static void connect(cn_joint_base *base, cn_body a, cn_vec2 anchor_a, cn_body b, cn_vec2 anchor_b)
-{
-	base->body_a = a;
-	base->body_b = b;
-	base->anchor_a_m = anchor_a;
-	base->anchor_b_m = anchor_b;
-}
-
-/* A box of half sizes 0.5 that weighs 1 kg and has inertia 1/6 kg m^2. */
-static cn_body unit_box(cn_world *world, float x, float y, float angle)
-{
-	return fixture_box(world, CN_BODY_DYNAMIC, x, y, angle, 0.5f, 0.5f, 0.5f, 0.0f);
-}
-
-#define UNIT_INERTIA (1.0 / 6.0)
-
-#define MAKER(name, type) \
-	static cn_joint make_##name(cn_world *world, const cn_##type *def) \
-	{ \
-		cn_joint joint = 0; \
-		must(cn_joint_create_##name(world, def, &joint), world, "cn_joint_create_" #name); \
-		return joint; \
-	}
-MAKER(revolute, revolute_def)
-MAKER(fixed, fixed_def)
-MAKER(prismatic, prismatic_def)
-MAKER(wheel, wheel_def)
-MAKER(motor, motor_def)
-MAKER(mouse, mouse_def)
-MAKER(gear, gear_def)
-MAKER(pulley, pulley_def)
-MAKER(ratchet, ratchet_def)
-MAKER(rotary_spring, rotary_spring_def)
-MAKER(groove, groove_def)
-MAKER(filter, filter_joint_def)
-
-/* ---- reading ---- */
-
-static double position_of(const cn_world *world, cn_joint joint)
-{
-	float x = 0.0f;
-	must(cn_joint_get_position(world, joint, &x), world, "cn_joint_get_position");
-	return (double)x;
-}
-
-static double speed_of(const cn_world *world, cn_joint joint)
-{
-	float x = 0.0f;
-	must(cn_joint_get_speed(world, joint, &x), world, "cn_joint_get_speed");
-	return (double)x;
-}
-
-static double error_m(const cn_world *world, cn_joint joint)
-{
-	float m = 0.0f, rad = 0.0f;
-	must(cn_joint_get_error(world, joint, &m, &rad), world, "cn_joint_get_error");
-	return (double)m;
-}
-
-static double error_rad(const cn_world *world, cn_joint joint)
-{
-	float m = 0.0f, rad = 0.0f;
-	must(cn_joint_get_error(world, joint, &m, &rad), world, "cn_joint_get_error");
-	return (double)rad;
-}
-
-static cn_vec2 force_of(const cn_world *world, cn_joint joint)
-{
-	cn_vec2 force;
-	float torque = 0.0f;
-	must(cn_joint_get_reaction(world, joint, &force, &torque), world, "cn_joint_get_reaction");
-	return force;
-}
-
-static double torque_of(const cn_world *world, cn_joint joint)
-{
-	cn_vec2 force;
-	float torque = 0.0f;
-	must(cn_joint_get_reaction(world, joint, &force, &torque), world, "cn_joint_get_reaction");
-	return (double)torque;
-}
-
-static double larger(double a, double b) { return a > b ? a : b; }
-
-static double angle_of(const cn_world *world, cn_body body)
-{
-	cn_pose p = fixture_pose(world, body);
-	return atan2((double)p.sine, (double)p.cosine);
-}
+#include "joints.h"
 
 /* Adds the change since the last call (less than half a turn) to *total. */
 static void count_turns(const cn_world *world, cn_body body, double *last, double *total)
@@ -134,7 +31,7 @@ static double oscillation_error(cn_world *world, cn_joint joint, double rest, do
 	int32_t k, steps = (int32_t)(seconds * 60.0);
 	for (k = 1; k <= steps; ++k) {
 		fixture_step(world, 1);
-		worst = larger(worst, fabs(position_of(world, joint) - rest - oscillation(x0, hertz, zeta, (double)k / 60.0)));
+		worst = greater(worst, fabs(joint_position(world, joint) - rest - oscillation(x0, hertz, zeta, (double)k / 60.0)));
 	}
 	return worst / fabs(x0);
 }
@@ -160,18 +57,18 @@ static void prismatic_slides_down_an_incline(void)
 		double t = (double)k / 60.0, s = 0.5 * GRAVITY * sin(tilt) * t * t;
 		fixture_step(world, 1);
 		if (k >= 30)
-			worst = larger(worst, fabs(position_of(world, joint) - s) / s);
-		side = larger(side, error_m(world, joint));
-		turn = larger(turn, error_rad(world, joint));
+			worst = greater(worst, fabs(joint_position(world, joint) - s) / s);
+		side = greater(side, joint_error_m(world, joint));
+		turn = greater(turn, joint_error_rad(world, joint));
 	}
 	CHECK_LE("way against g sin(30) t^2 / 2, 0.5 to 2 s", worst, 0.01, "");
-	CHECK_LE("speed against g sin(30) t after 2 s", fabs(speed_of(world, joint) / (GRAVITY * sin(tilt) * 2.0) - 1.0), 1e-4, "");
+	CHECK_LE("speed against g sin(30) t after 2 s", fabs(joint_speed(world, joint) / (GRAVITY * sin(tilt) * 2.0) - 1.0), 1e-4, "");
 	CHECK_LE("off the axis", side, 1e-4, "m");
 	CHECK_LE("turned", turn, 1e-4, "rad");
 	{
-		cn_vec2 f = force_of(world, joint);
+		cn_vec2 f = joint_force(world, joint);
 		CHECK_LE("reaction against m g cos(30)", fabs(hypot((double)f.x, (double)f.y) - GRAVITY * cos(tilt)), 0.01, "N");
-		CHECK_LE("moment about the centre", fabs(torque_of(world, joint) + cos(0.3) * (0.1 * (double)f.y - 0.2 * (double)f.x) - sin(0.3) * (0.2 * (double)f.y + 0.1 * (double)f.x)), 1e-3, "Nm");
+		CHECK_LE("moment about the centre", fabs(joint_torque(world, joint) + cos(0.3) * (0.1 * (double)f.y - 0.2 * (double)f.x) - sin(0.3) * (0.2 * (double)f.y + 0.1 * (double)f.x)), 1e-3, "Nm");
 	}
 	cn_world_destroy(world);
 }
@@ -215,19 +112,19 @@ static void prismatic_motor_and_limits(void)
 	def.motor_force_max_N = 4.0f;
 	joint = make_prismatic(world, &def);
 	fixture_step(world, 15);
-	CHECK_LE("speed after 0.25 s against F t / m", fabs(speed_of(world, joint) - 1.0), 1e-4, "m/s");
+	CHECK_LE("speed after 0.25 s against F t / m", fabs(joint_speed(world, joint) - 1.0), 1e-4, "m/s");
 	fixture_step(world, 30);
-	CHECK_LE("speed after F t / m > v against v", fabs(speed_of(world, joint) - 2.0), 1e-4, "m/s");
+	CHECK_LE("speed after F t / m > v against v", fabs(joint_speed(world, joint) - 2.0), 1e-4, "m/s");
 	for (k = 0; k < 120; ++k) {
 		fixture_step(world, 1);
-		beyond = larger(beyond, position_of(world, joint) - 3.0);
+		beyond = greater(beyond, joint_position(world, joint) - 3.0);
 	}
 	CHECK_LE("beyond the upper limit", beyond, 1e-3, "m");
-	CHECK_LE("force of the motor at the limit", fabs((double)force_of(world, joint).x), 1e-3, "N");
+	CHECK_LE("force of the motor at the limit", fabs((double)joint_force(world, joint).x), 1e-3, "N");
 	must(cn_joint_set_motor(world, joint, -2.0f, 4.0f), world, "cn_joint_set_motor");
 	must(cn_joint_set_limits(world, joint, 1.0f, 3.0f), world, "cn_joint_set_limits");
 	fixture_step(world, 180);
-	CHECK_LE("rest at the new lower limit", fabs(position_of(world, joint) - 1.0), 2e-3, "m");
+	CHECK_LE("rest at the new lower limit", fabs(joint_position(world, joint) - 1.0), 2e-3, "m");
 	cn_world_destroy(world);
 }
 
@@ -251,7 +148,7 @@ static void wheel_spring_has_its_period_and_decay(void)
 		joint = make_wheel(world, &def);
 		fixture_set_velocity(world, wheel, 0.0f, 0.0f, 20.0f); /* turning is free */
 		CHECK_LE("suspension against its closed form over 10 s", oscillation_error(world, joint, 0.0, -0.3, 1.5, (double)zetas[k], 10.0), 0.03, "of x0");
-		CHECK_LE("wheel still turns at 20", fabs(speed_of(world, joint) - 20.0), 1e-3, "rad/s");
+		CHECK_LE("wheel still turns at 20", fabs(joint_speed(world, joint) - 20.0), 1e-3, "rad/s");
 		cn_world_destroy(world);
 	}
 }
@@ -265,7 +162,7 @@ static void wheel_motor_reaches_its_speed_in_time(void)
 	cn_joint joint;
 	double ideal;
 	int32_t k = 0;
-	must(cn_body_get_mass_data(world, wheel, &mass), world, "cn_body_get_mass_data");
+	mass = mass_of(world, wheel);
 	cn_wheel_def_init(&def);
 	connect(&def.base, 0, at(0.0f, 0.0f), wheel, at(0.0f, 0.0f));
 	def.base.flags = CN_JOINT_MOTOR | CN_JOINT_SPRING | CN_JOINT_LIMIT;
@@ -276,14 +173,14 @@ static void wheel_motor_reaches_its_speed_in_time(void)
 	def.motor_torque_max_Nm = (float)((double)mass.inertia_kgm2 * 30.0 / 2.0);
 	joint = make_wheel(world, &def);
 	ideal = (double)mass.inertia_kgm2 * 30.0 / (double)def.motor_torque_max_Nm;
-	while (speed_of(world, joint) < 30.0 - 1e-3 && k < 600) {
+	while (joint_speed(world, joint) < 30.0 - 1e-3 && k < 600) {
 		fixture_step(world, 1);
 		++k;
 	}
 	CHECK_LE("time to reach the speed against I w / T = 2 s", fabs((double)k / 60.0 - ideal), 1.01 / 60.0, "s");
 	/* Static deflection of the suspension: m g / (m w^2). */
 	fixture_step(world, 300);
-	CHECK_LE("sag against g / w^2", fabs(position_of(world, joint) + GRAVITY / pow(2.0 * PI * 5.0, 2.0)), 2e-4, "m");
+	CHECK_LE("sag against g / w^2", fabs(joint_position(world, joint) + GRAVITY / pow(2.0 * PI * 5.0, 2.0)), 2e-4, "m");
 	cn_world_destroy(world);
 }
 
@@ -308,12 +205,12 @@ static void mouse_drags_like_a_spring(void)
 		cn_pose p;
 		fixture_step(world, 1);
 		p = fixture_pose(world, box);
-		worst = larger(worst, fabs((double)p.position_m.x * 0.6 + (double)p.position_m.y * 0.8 - 1.0 - oscillation(-1.0, 1.0, 0.1, (double)k / 60.0)));
+		worst = greater(worst, fabs((double)p.position_m.x * 0.6 + (double)p.position_m.y * 0.8 - 1.0 - oscillation(-1.0, 1.0, 0.1, (double)k / 60.0)));
 	}
 	CHECK_LE("way against the closed form over 10 s", worst, 0.02, "m");
 	must(cn_joint_set_target(world, joint, -3.0f, 2.0f), world, "cn_joint_set_target");
 	fixture_step(world, 1200);
-	CHECK_LE("from the new target", position_of(world, joint), 1e-3, "m");
+	CHECK_LE("from the new target", joint_position(world, joint), 1e-3, "m");
 	cn_world_destroy(world);
 }
 
@@ -333,8 +230,8 @@ static void mouse_keeps_to_its_force(void)
 	for (k = 0; k < 60; ++k) {
 		cn_vec2 f;
 		fixture_step(world, 1);
-		f = force_of(world, joint);
-		most = larger(most, hypot((double)f.x, (double)f.y));
+		f = joint_force(world, joint);
+		most = greater(most, hypot((double)f.x, (double)f.y));
 	}
 	CHECK_LE("force", most, 5.0001, "N");
 	CHECK_LE("speed after 1 s against F t / m", fabs((double)fixture_velocity(world, box).linear_mps.x - 5.0), 0.01, "m/s");
@@ -345,8 +242,8 @@ static void mouse_keeps_to_its_force(void)
 	for (k = 0; k < 120; ++k) {
 		cn_vec2 f;
 		fixture_step(world, 1);
-		f = force_of(world, joint);
-		most = larger(most, hypot((double)f.x, (double)f.y));
+		f = joint_force(world, joint);
+		most = greater(most, hypot((double)f.x, (double)f.y));
 	}
 	CHECK_LE("force on a corner", most, 5.0001, "N");
 	cn_world_destroy(world);
@@ -374,8 +271,8 @@ static void motor_drives_to_an_offset(void)
 		cn_pose p;
 		fixture_step(world, 1);
 		p = fixture_pose(world, box);
-		worst = larger(worst, hypot((double)p.position_m.x - 1.0 - left, (double)p.position_m.y - 1.0 + left));
-		turn = larger(turn, fabs(position_of(world, joint) - 0.5 + 0.5 * left));
+		worst = greater(worst, hypot((double)p.position_m.x - 1.0 - left, (double)p.position_m.y - 1.0 + left));
+		turn = greater(turn, fabs(joint_position(world, joint) - 0.5 + 0.5 * left));
 	}
 	CHECK_LE("way against the closed form over 10 s", worst, 0.03, "m");
 	CHECK_LE("angle against the closed form over 10 s", turn, 0.01, "rad");
@@ -400,14 +297,14 @@ static void motor_keeps_to_its_force_and_torque(void)
 		cn_vec2 f;
 		must(cn_body_apply_torque(world, box, 0.04f), world, "cn_body_apply_torque");
 		fixture_step(world, 1);
-		f = force_of(world, joint);
-		most = larger(most, hypot((double)f.x, (double)f.y));
-		torque = larger(torque, fabs(torque_of(world, joint)));
+		f = joint_force(world, joint);
+		most = greater(most, hypot((double)f.x, (double)f.y));
+		torque = greater(torque, fabs(joint_torque(world, joint)));
 	}
 	CHECK_LE("force", most, 4.0001, "N");
 	CHECK_LE("torque", torque, 0.050001, "Nm");
 	CHECK_LE("speed after 1 s against (g - F/m) t", fabs((double)fixture_velocity(world, box).linear_mps.y + GRAVITY - 4.0), 0.02, "m/s");
-	CHECK_LE("angle against T / (I w^2)", fabs(position_of(world, joint) - 0.04 / (UNIT_INERTIA * pow(2.0 * PI * 5.0, 2.0))), 1e-5, "rad");
+	CHECK_LE("angle against T / (I w^2)", fabs(joint_position(world, joint) - 0.04 / (UNIT_INERTIA * pow(2.0 * PI * 5.0, 2.0))), 1e-5, "rad");
 	for (k = 0; k < 60; ++k) {
 		must(cn_body_apply_torque(world, box, 0.07f), world, "cn_body_apply_torque");
 		fixture_step(world, 1);
@@ -441,10 +338,7 @@ static void rotary_spring_has_its_period_and_decay(void)
 
 static cn_joint axle(cn_world *world, cn_body body, float x, float y)
 {
-	cn_revolute_def def;
-	cn_revolute_def_init(&def);
-	connect(&def.base, 0, at(x, y), body, at(0.0f, 0.0f));
-	return make_revolute(world, &def);
+	return hinge(world, 0, at(x, y), body, at(0.0f, 0.0f));
 }
 
 /* The load changes its sign every 5 s; a second after that the error is that of a steady load. */
@@ -455,14 +349,12 @@ static void gear_run(float ratio, float phase, double *out_ratio_error, double *
 	cn_body b = fixture_body(world, CN_BODY_DYNAMIC, 3.0f, 0.0f, phase);
 	cn_circle circle = { { 0.0f, 0.0f }, 0.4f };
 	cn_shape_def shape = fixture_shape_def(b, 0.5f, 0.0f);
-	cn_revolute_def drive;
+	cn_revolute_def drive = revolute_def(0, at(0.0f, 0.0f), a, at(0.0f, 0.0f));
 	cn_gear_def def;
 	cn_joint joint;
 	double last_a, last_b, total_a = 0.0, total_b, worst = 0.0, steady = 0.0, error;
 	int32_t k;
 	must(cn_shape_create_circle(world, &shape, &circle, NULL), world, "cn_shape_create_circle");
-	cn_revolute_def_init(&drive);
-	connect(&drive.base, 0, at(0.0f, 0.0f), a, at(0.0f, 0.0f));
 	drive.base.flags = CN_JOINT_MOTOR;
 	drive.motor_speed_radps = 11.0f;
 	drive.motor_torque_max_Nm = 50.0f;
@@ -481,10 +373,10 @@ static void gear_run(float ratio, float phase, double *out_ratio_error, double *
 		count_turns(world, a, &last_a, &total_a);
 		count_turns(world, b, &last_b, &total_b);
 		error = fabs(total_b - (double)ratio * total_a - (double)phase);
-		worst = larger(worst, error);
+		worst = greater(worst, error);
 		if (k % 300 >= 60)
-			steady = larger(steady, error);
-		CHECK(fabs(position_of(world, joint) - (total_b - (double)ratio * total_a)) < 2e-5);
+			steady = greater(steady, error);
+		CHECK(fabs(joint_position(world, joint) - (total_b - (double)ratio * total_a)) < 2e-5);
 	}
 	CHECK_GE("turns of a", fabs(total_a) / (2.0 * PI), 90.0, "");
 	*out_ratio_error = fabs((total_b - (double)phase) / total_a / (double)ratio - 1.0);
@@ -516,7 +408,7 @@ static void gear_passes_torque_on(void)
 	cn_joint joint;
 	double w, alpha;
 	int32_t k;
-	must(cn_body_get_mass_data(world, a, &mass), world, "cn_body_get_mass_data");
+	mass = mass_of(world, a);
 	cn_gear_def_init(&def);
 	connect(&def.base, a, at(0.0f, 0.0f), b, at(0.0f, 0.0f));
 	def.ratio = 2.0f;
@@ -529,7 +421,7 @@ static void gear_passes_torque_on(void)
 	alpha = 1.0 / (5.0 * (double)mass.inertia_kgm2);
 	w = (double)fixture_velocity(world, a).angular_radps;
 	CHECK_LE("spin of a after 1 s against T t / (I + 4 I)", fabs(w / alpha - 1.0), 1e-3, "");
-	CHECK_LE("torque on b against 2 I alpha", fabs(torque_of(world, joint) / (2.0 * (double)mass.inertia_kgm2 * alpha) - 1.0), 1e-3, "");
+	CHECK_LE("torque on b against 2 I alpha", fabs(joint_torque(world, joint) / (2.0 * (double)mass.inertia_kgm2 * alpha) - 1.0), 1e-3, "");
 	cn_world_destroy(world);
 }
 
@@ -555,7 +447,7 @@ static void pulley_is_an_atwood_machine(void)
 		joint = make_pulley(world, &def);
 		for (k = 0; k < 60; ++k) {
 			fixture_step(world, 1);
-			worst = larger(worst, fabs(position_of(world, joint) - (double)def.length_m));
+			worst = greater(worst, fabs(joint_position(world, joint) - (double)def.length_m));
 		}
 		/* a rises by ratio x b's fall: ma (ratio A) = T - ma g, mb A = mb g - ratio T. */
 		a = GRAVITY * (mb - ratio * ma) / (mb + ratio * ratio * ma);
@@ -563,8 +455,8 @@ static void pulley_is_an_atwood_machine(void)
 		s = 5.0 - (double)fixture_pose(world, right).position_m.y;
 		CHECK_LE("sum of the lengths, 1 s", worst, 5e-4, "m");
 		CHECK_LE("fall against A t^2 / 2", fabs(s / (0.5 * a) - 1.0), 0.01, "");
-		CHECK_LE("force on b against ratio T", fabs((double)force_of(world, joint).y / (ratio * tension) - 1.0), 0.002, "");
-		CHECK_LE("error read back", error_m(world, joint), 5e-4, "m");
+		CHECK_LE("force on b against ratio T", fabs((double)joint_force(world, joint).y / (ratio * tension) - 1.0), 0.002, "");
+		CHECK_LE("error read back", joint_error_m(world, joint), 5e-4, "m");
 		cn_world_destroy(world);
 	}
 }
@@ -582,10 +474,10 @@ static void pulley_never_pushes(void)
 	def.length_m = 15.0f; /* 5 m of slack */
 	joint = make_pulley(world, &def);
 	fixture_step(world, 30);
-	CHECK_LE("force while slack", fabs((double)force_of(world, joint).y), 0.0, "N");
+	CHECK_LE("force while slack", fabs((double)joint_force(world, joint).y), 0.0, "N");
 	CHECK_LE("fall against g t^2 / 2", fabs((double)fixture_pose(world, left).position_m.y - 5.0 + 1.25), 0.02, "m");
 	fixture_step(world, 600);
-	CHECK_LE("rope when taut", fabs(position_of(world, joint) - 15.0), 1e-3, "m");
+	CHECK_LE("rope when taut", fabs(joint_position(world, joint) - 15.0), 1e-3, "m");
 	cn_world_destroy(world);
 }
 
@@ -610,12 +502,12 @@ static void ratchet_turns_one_way(void)
 			/* Forwards a while, then back for longer. */
 			must(cn_body_apply_torque(world, wheel, (float)sign * (k % 90 < 30 ? 2.0f : -1.5f)), world, "cn_body_apply_torque");
 			fixture_step(world, 1);
-			farthest = larger(farthest, sign * position_of(world, joint));
-			back = larger(back, farthest - sign * position_of(world, joint));
+			farthest = greater(farthest, sign * joint_position(world, joint));
+			back = greater(back, farthest - sign * joint_position(world, joint));
 		}
 		CHECK_GE("turns forwards", farthest / (2.0 * PI), 2.0, "");
 		CHECK_LE("farthest back, in clicks", back / click, 1.01, "");
-		CHECK_LE("error read back", error_rad(world, joint), 2e-3, "rad");
+		CHECK_LE("error read back", joint_error_rad(world, joint), 2e-3, "rad");
 		cn_world_destroy(world);
 	}
 }
@@ -624,19 +516,16 @@ static void ratchet_holds_a_load(void)
 {
 	cn_world *world = fixture_world(-(float)GRAVITY, 0);
 	cn_body bar = fixture_box(world, CN_BODY_DYNAMIC, 1.0f, 0.0f, 0.0f, 1.0f, 0.1f, 0.5f, 0.0f);
-	cn_revolute_def pin;
 	cn_ratchet_def def;
 	cn_joint joint;
-	cn_revolute_def_init(&pin);
-	connect(&pin.base, 0, at(0.0f, 0.0f), bar, at(-1.0f, 0.0f));
-	make_revolute(world, &pin);
+	hinge(world, 0, at(0.0f, 0.0f), bar, at(-1.0f, 0.0f));
 	cn_ratchet_def_init(&def);
 	connect(&def.base, 0, at(0.0f, 0.0f), bar, at(-1.0f, 0.0f));
 	def.click_rad = 0.25f;
 	joint = make_ratchet(world, &def);
 	fixture_step(world, 600);
 	CHECK_LE("sag of the bar", fabs(angle_of(world, bar)), 1e-3, "rad");
-	CHECK_LE("torque against m g l", fabs(torque_of(world, joint) - 0.4 * GRAVITY * 1.0), 0.02, "Nm");
+	CHECK_LE("torque against m g l", fabs(joint_torque(world, joint) - 0.4 * GRAVITY * 1.0), 0.02, "Nm");
 	cn_world_destroy(world);
 }
 
@@ -661,14 +550,14 @@ static void groove_holds_its_pin(void)
 		must(cn_joint_get_anchors(world, joint, &a, &b), world, "cn_joint_get_anchors");
 		along = 0.8 * (double)b.x - 0.6 * (double)b.y;
 		across = 0.6 * (double)b.x + 0.8 * (double)b.y;
-		off = larger(off, fabs(across));
-		spin = larger(spin, fabs((double)fixture_velocity(world, ball).angular_radps));
-		beyond = larger(beyond, larger(along - 5.0, -along));
+		off = greater(off, fabs(across));
+		spin = greater(spin, fabs((double)fixture_velocity(world, ball).angular_radps));
+		beyond = greater(beyond, greater(along - 5.0, -along));
 	}
 	CHECK_GE("spin that it hangs on against", spin, 15.0, "rad/s");
 	CHECK_LE("off the slot, 20 s", off, 0.01, "m");
 	CHECK_LE("beyond its ends", beyond, 0.005, "m");
-	CHECK_LE("rest at the lower end", fabs(position_of(world, joint) - 5.0), 2e-3, "m");
+	CHECK_LE("rest at the lower end", fabs(joint_position(world, joint) - 5.0), 2e-3, "m");
 	cn_world_destroy(world);
 }
 
@@ -700,15 +589,15 @@ static void cantilever_of_ten_boxes(void)
 	}
 	sag = -(double)fixture_pose(world, box).position_m.y;
 	for (k = 0; k < 10; ++k) {
-		m = larger(m, error_m(world, joints[k]));
-		rad = larger(rad, error_rad(world, joints[k]));
+		m = greater(m, joint_error_m(world, joints[k]));
+		rad = greater(rad, joint_error_rad(world, joints[k]));
 	}
 	CHECK_LE("sag of the tip of 10 m", mean, 2.0, "m");
 	CHECK_LE("last sag against its mean over 5 s", fabs(sag - mean), 0.01, "m");
 	CHECK_LE("largest gap", m, 0.02, "m");
 	CHECK_LE("largest turn in one weld", rad, 0.1, "rad");
-	CHECK_LE("force on the wall against the weight", fabs((double)force_of(world, first).y / (2.5 * GRAVITY) - 1.0), 0.02, "");
-	CHECK_LE("torque on the wall against m g l / 2", fabs(torque_of(world, first) / (2.5 * GRAVITY * 5.0) - 1.0), 0.05, "");
+	CHECK_LE("force on the wall against the weight", fabs((double)joint_force(world, first).y / (2.5 * GRAVITY) - 1.0), 0.02, "");
+	CHECK_LE("torque on the wall against m g l / 2", fabs(joint_torque(world, first) / (2.5 * GRAVITY * 5.0) - 1.0), 0.05, "");
 	cn_world_destroy(world);
 }
 
@@ -738,9 +627,9 @@ static void weld_has_its_stiffness(void)
 	CHECK_LE("sag against g / w^2", fabs((double)fixture_pose(world, box).position_m.y + GRAVITY / w2), 1e-5, "m");
 	CHECK_LE("twist against T / (I w^2)", fabs(angle_of(world, box) - 1.0 / (UNIT_INERTIA * w2)), 1e-5, "rad");
 	CHECK_LE("the same with a rigid point", fabs(angle_of(world, arm) - 1.0 / (UNIT_INERTIA * w2)), 1e-5, "rad");
-	CHECK_LE("error of the soft weld read back", fabs(error_m(world, soft) - GRAVITY / w2), 1e-5, "m");
-	CHECK_LE("gap of the rigid point", error_m(world, twist), 1e-4, "m");
-	CHECK_LE("torque read back", fabs(torque_of(world, twist) + 1.0), 1e-3, "Nm");
+	CHECK_LE("error of the soft weld read back", fabs(joint_error_m(world, soft) - GRAVITY / w2), 1e-5, "m");
+	CHECK_LE("gap of the rigid point", joint_error_m(world, twist), 1e-4, "m");
+	CHECK_LE("torque read back", fabs(joint_torque(world, twist) + 1.0), 1e-3, "Nm");
 	cn_world_destroy(world);
 }
 
@@ -764,21 +653,21 @@ static void rigid_parts_keep_to_their_force(void)
 		must(cn_body_apply_torque(world, box, 1.9f), world, "cn_body_apply_torque");
 		fixture_step(world, 1);
 	}
-	CHECK_LE("gap below the bound", error_m(world, joint), 1e-3, "m");
-	CHECK_LE("turn below the bound", error_rad(world, joint), 1e-2, "rad");
+	CHECK_LE("gap below the bound", joint_error_m(world, joint), 1e-3, "m");
+	CHECK_LE("turn below the bound", joint_error_rad(world, joint), 1e-2, "rad");
 	for (k = 0; k < 30; ++k) {
 		cn_vec2 f;
 		must(cn_body_apply_force(world, box, 9.0f, 12.0f), world, "cn_body_apply_force"); /* 15 N */
 		must(cn_body_apply_torque(world, box, 1.9f), world, "cn_body_apply_torque");
 		fixture_step(world, 1);
-		f = force_of(world, joint);
-		most = larger(most, hypot((double)f.x, (double)f.y));
-		torque = larger(torque, fabs(torque_of(world, joint)));
+		f = joint_force(world, joint);
+		most = greater(most, hypot((double)f.x, (double)f.y));
+		torque = greater(torque, fabs(joint_torque(world, joint)));
 	}
 	CHECK_LE("force", most, 10.001, "N");
 	CHECK_LE("torque", torque, 2.0001, "Nm");
 	CHECK_LE("speed after 0.5 s against (P - F) t / m", fabs(hypot((double)fixture_velocity(world, box).linear_mps.x, (double)fixture_velocity(world, box).linear_mps.y) - 2.5), 0.02, "m/s");
-	CHECK_LE("turn while the point gives way", error_rad(world, joint), 1e-2, "rad");
+	CHECK_LE("turn while the point gives way", joint_error_rad(world, joint), 1e-2, "rad");
 	cn_world_destroy(world);
 }
 
@@ -796,13 +685,13 @@ static void limits_keep_to_their_force(void)
 	def.axis = at(0.0f, 1.0f);
 	joint = make_prismatic(world, &def);
 	fixture_step(world, 120);
-	CHECK_LE("sag at 10 of 12 N", fabs(position_of(world, joint)), 1e-3, "m");
+	CHECK_LE("sag at 10 of 12 N", fabs(joint_position(world, joint)), 1e-3, "m");
 	must(cn_joint_get_base(world, joint, &base), world, "cn_joint_get_base");
 	base.force_max_N = 6.0f;
 	must(cn_joint_set_base(world, joint, &base), world, "cn_joint_set_base");
 	fixture_step(world, 60);
-	CHECK_LE("speed after 1 s against (g - F/m) t", fabs(speed_of(world, joint) + 4.0), 0.02, "m/s");
-	CHECK_LE("force", fabs((double)force_of(world, joint).y), 6.001, "N");
+	CHECK_LE("speed after 1 s against (g - F/m) t", fabs(joint_speed(world, joint) + 4.0), 0.02, "m/s");
+	CHECK_LE("force", fabs((double)joint_force(world, joint).y), 6.001, "N");
 	cn_world_destroy(world);
 }
 
@@ -867,8 +756,7 @@ static void a_blow_breaks_a_joint(void)
 		cn_revolute_def pin;
 		cn_joint joint;
 		links[k] = fixture_box(world, CN_BODY_DYNAMIC, 0.5f + (float)k, 0.0f, 0.0f, 0.5f, 0.1f, 0.5f, 0.0f);
-		cn_revolute_def_init(&pin);
-		connect(&pin.base, k == 0 ? 0 : links[k - 1], k == 0 ? at(0.0f, 0.0f) : at(0.5f, 0.0f), links[k], at(-0.5f, 0.0f));
+		pin = revolute_def(k == 0 ? 0 : links[k - 1], k == 0 ? at(0.0f, 0.0f) : at(0.5f, 0.0f), links[k], at(-0.5f, 0.0f));
 		if (k == 3) {
 			pin.base.break_force_N = 12.0f; /* hanging still it bears 6 N */
 			pin.base.flags = CN_JOINT_BREAKS;
@@ -946,7 +834,7 @@ static void check_carries(cn_world *world, cn_joint joint, const char *what)
 {
 	cn_vec2 f;
 	fixture_step(world, 600);
-	f = force_of(world, joint);
+	f = joint_force(world, joint);
 	CHECK_LE(what, hypot((double)f.x, (double)f.y - GRAVITY), 0.01, "N");
 }
 
@@ -995,9 +883,9 @@ static void reactions_agree_with_statics(void)
 		static const char *const names[] = { "fixed: force from the weight", "prismatic", "wheel", "motor", "mouse", "pulley", "groove" };
 		check_carries(world, joints[k], names[k]);
 	}
-	CHECK_LE("fixed: torque against m g l", fabs(torque_of(world, joints[0]) - 2.0 * GRAVITY), 0.05, "Nm");
-	CHECK_LE("wheel: sag against g / w^2", fabs(position_of(world, joints[2]) + GRAVITY / pow(2.0 * PI, 2.0)), 1e-3, "m");
-	CHECK_LE("mouse: sag against g / w^2", fabs(position_of(world, joints[4]) - GRAVITY / pow(10.0 * PI, 2.0)), 1e-4, "m");
+	CHECK_LE("fixed: torque against m g l", fabs(joint_torque(world, joints[0]) - 2.0 * GRAVITY), 0.05, "Nm");
+	CHECK_LE("wheel: sag against g / w^2", fabs(joint_position(world, joints[2]) + GRAVITY / pow(2.0 * PI, 2.0)), 1e-3, "m");
+	CHECK_LE("mouse: sag against g / w^2", fabs(joint_position(world, joints[4]) - GRAVITY / pow(10.0 * PI, 2.0)), 1e-4, "m");
 	cn_world_destroy(world);
 }
 
@@ -1006,7 +894,6 @@ static void reactions_agree_with_statics(void)
 /* One of each type between two bodies whose distance and angle agree with it. */
 static cn_joint make_any(cn_world *world, int32_t type, cn_body a, cn_vec2 anchor_a, cn_body b, cn_vec2 anchor_b)
 {
-	cn_revolute_def revolute;
 	cn_distance_def distance;
 	cn_fixed_def fixed;
 	cn_prismatic_def prismatic;
@@ -1019,17 +906,13 @@ static cn_joint make_any(cn_world *world, int32_t type, cn_body a, cn_vec2 ancho
 	cn_rotary_spring_def spring;
 	cn_groove_def groove;
 	cn_filter_joint_def filter;
-	cn_joint joint = 0;
 	switch (type) {
 	case CN_JOINT_REVOLUTE:
-		cn_revolute_def_init(&revolute);
-		connect(&revolute.base, a, anchor_a, b, anchor_b);
-		return make_revolute(world, &revolute);
+		return hinge(world, a, anchor_a, b, anchor_b);
 	case CN_JOINT_DISTANCE:
 		cn_distance_def_init(&distance);
 		connect(&distance.base, a, at(anchor_a.x, anchor_a.y + 1.0f), b, anchor_b);
-		must(cn_joint_create_distance(world, &distance, &joint), world, "cn_joint_create_distance");
-		return joint;
+		return make_distance(world, &distance);
 	case CN_JOINT_FIXED:
 		cn_fixed_def_init(&fixed);
 		connect(&fixed.base, a, anchor_a, b, anchor_b);
@@ -1127,8 +1010,8 @@ static void errors_stay_bounded_for_a_minute(void)
 			}
 			fixture_step(world, 1);
 			for (type = 0; type < TYPES; ++type) {
-				m[type] = larger(m[type], error_m(world, joints[type]));
-				rad[type] = larger(rad[type], error_rad(world, joints[type]));
+				m[type] = greater(m[type], joint_error_m(world, joints[type]));
+				rad[type] = greater(rad[type], joint_error_rad(world, joints[type]));
 			}
 		}
 		printf("    to %s:\n", other == 0 ? "the world" : other == 1 ? "a dynamic body" : "a turning kinematic body");
