@@ -4,7 +4,7 @@
  * If a test here fails, look first in: world/body*.c (the calls), model/body.c (mass, records),
  * stages/integrate.c (drives, damping, locks), stages/contact_lane.c and stages/contact_solve.c (locked bodies in contact).
  */
-#include "fixture.h"
+#include "joints.h"
 
 static cn_body box_at(cn_world *world, int32_t type, float x, float y)
 {
@@ -16,13 +16,6 @@ static int32_t type_of(const cn_world *world, cn_body body)
 	int32_t type = -1;
 	must(cn_body_get_type(world, body, &type), world, "cn_body_get_type");
 	return type;
-}
-
-static cn_mass_data mass_of(const cn_world *world, cn_body body)
-{
-	cn_mass_data mass;
-	must(cn_body_get_mass_data(world, body, &mass), world, "cn_body_get_mass_data");
-	return mass;
 }
 
 static cn_vec2 center_of(const cn_world *world, cn_body body)
@@ -74,21 +67,14 @@ static void change_run(int32_t from, int32_t to, int32_t asleep, int32_t jointed
 {
 	cn_world *world = fixture_world(-10.0f, asleep);
 	cn_body box, top, other;
-	cn_revolute_def hinge;
 	cn_joint joint = 0;
 	float y;
 	fixture_floor(world, 0.6f, 0.0f);
 	box = box_at(world, from, 0.0f, 0.5f);
 	top = box_at(world, CN_BODY_DYNAMIC, 0.0f, 1.5f);
 	other = box_at(world, CN_BODY_DYNAMIC, 1.0f, 0.5f);
-	if (jointed) {
-		cn_revolute_def_init(&hinge);
-		hinge.base.body_a = box;
-		hinge.base.body_b = other;
-		hinge.base.anchor_a_m.x = 0.5f;
-		hinge.base.anchor_b_m.x = -0.5f;
-		must(cn_joint_create_revolute(world, &hinge, &joint), world, "cn_joint_create_revolute");
-	}
+	if (jointed)
+		joint = hinge(world, box, at(0.5f, 0.0f), other, at(-0.5f, 0.0f));
 	fixture_step(world, 120);
 	must(cn_body_set_type(world, box, to), world, "cn_body_set_type");
 	CHECK(fixture_is_valid(world));

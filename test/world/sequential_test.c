@@ -7,10 +7,7 @@
  * If a test here fails, look first in: stages/sequential.c, then world/step.c (order), stages/joint_solve.c (joints
  * and constraints), stages/finalize.c (velocity limit, rest).
  */
-#include "fixture.h"
-
-#define GRAVITY 10.0
-#define PI 3.14159265358979323846
+#include "joints.h"
 
 static cn_world *world_of(int32_t solver, float gravity_y, int32_t sleep)
 {
@@ -400,14 +397,8 @@ static void chain_of_five_hangs_together(void)
 	double worst = 0.0, last = 0.0, energy = 0.0;
 	int32_t k, step;
 	for (k = 0; k < 5; ++k) {
-		cn_revolute_def def;
 		links[k] = fixture_box(world, CN_BODY_DYNAMIC, 0.5f + (float)k, 0.0f, 0.0f, 0.5f, 0.1f, 0.6f, 0.0f);
-		cn_revolute_def_init(&def);
-		def.base.body_a = k > 0 ? links[k - 1] : 0;
-		def.base.body_b = links[k];
-		def.base.anchor_a_m.x = k > 0 ? 0.5f : 0.0f;
-		def.base.anchor_b_m.x = -0.5f;
-		must(cn_joint_create_revolute(world, &def, &joints[k]), world, "cn_joint_create_revolute");
+		joints[k] = hinge(world, k > 0 ? links[k - 1] : 0, at(k > 0 ? 0.5f : 0.0f, 0.0f), links[k], at(-0.5f, 0.0f));
 	}
 	for (step = 0; step < 1200; ++step) {
 		double total = energy_of(world, links, 5);

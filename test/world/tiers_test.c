@@ -3,7 +3,7 @@
  * report says so and why; the work of that stays within the budget; bodies' and joints' own solvers are followed; what
  * cannot be solved directly is not, and nothing breaks; the report is deterministic and changes nothing.
  */
-#include "fixture.h"
+#include "joints.h"
 
 #define REPORTS 64
 
@@ -183,17 +183,14 @@ static void t_residuals_are_errors_now(void)
 {
 	cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, 0);
 	cn_revolute_def pin;
-	cn_joint joint = 0;
+	cn_joint joint;
 	cn_body box, ball;
 	cn_island_report list[REPORTS];
 	fixture_floor(world, 0.6f, 0.0f);
 	box = fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 0.47f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
 	ball = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 5.0f, 0.5f, 0.6f, 0.0f);
-	cn_revolute_def_init(&pin);
-	pin.base.body_b = ball;
-	pin.base.anchor_a_m.x = 0.3f;
-	pin.base.anchor_a_m.y = 5.4f;
-	must(cn_joint_create_revolute(world, &pin, &joint), world, "cn_joint_create_revolute");
+	pin = revolute_def(0, at(0.3f, 5.4f), ball, at(0.0f, 0.0f));
+	joint = make_revolute(world, &pin);
 	must(cn_world_step(world, 0.0f), world, "cn_world_step");
 	REQUIRE(reports(world, list) == 2);
 	CHECK(list[0].body == box && list[1].body == ball && list[1].joints == 1);
@@ -321,26 +318,19 @@ static void t_the_definition_has_a_solver(void)
 static int32_t net(cn_world *world, int32_t size, cn_joint *joints)
 {
 	cn_body bodies[400];
-	cn_revolute_def pin;
-	int32_t x, y, count = 0, way;
+	int32_t x, y, count = 0;
 	for (y = 0; y < size; ++y)
 		for (x = 0; x < size; ++x)
 			bodies[y * size + x] = fixture_box(world, y == 0 && (x == 0 || x == size - 1) ? CN_BODY_STATIC : CN_BODY_DYNAMIC, (float)x, 20.0f - (float)y,
 			                                   0.0f, 0.2f, 0.2f, 0.6f, 0.0f);
 	for (y = 0; y < size; ++y)
-		for (x = 0; x < size; ++x)
-			for (way = 0; way < 2; ++way) {
-				if ((way == 0 ? x : y) == size - 1)
-					continue;
-				cn_revolute_def_init(&pin);
-				pin.base.body_a = bodies[y * size + x];
-				pin.base.body_b = bodies[way == 0 ? y * size + x + 1 : y * size + size + x];
-				pin.base.anchor_a_m.x = way == 0 ? 0.5f : 0.0f;
-				pin.base.anchor_a_m.y = way == 0 ? 0.0f : -0.5f;
-				pin.base.anchor_b_m.x = -pin.base.anchor_a_m.x;
-				pin.base.anchor_b_m.y = -pin.base.anchor_a_m.y;
-				must(cn_joint_create_revolute(world, &pin, &joints[count++]), world, "cn_joint_create_revolute");
-			}
+		for (x = 0; x < size; ++x) {
+			const cn_body *body = &bodies[y * size + x];
+			if (x < size - 1)
+				joints[count++] = hinge(world, body[0], at(0.5f, 0.0f), body[1], at(-0.5f, 0.0f));
+			if (y < size - 1)
+				joints[count++] = hinge(world, body[0], at(0.0f, -0.5f), body[size], at(0.0f, 0.5f));
+		}
 	return count;
 }
 
