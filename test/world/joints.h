@@ -83,6 +83,17 @@ static inline cn_joint hinge(cn_world *world, cn_body a, cn_vec2 anchor_a, cn_bo
 	return make_revolute(world, &def);
 }
 
+/* count links of 0.5 m from the origin along (x, y), hinged end to end. */
+static inline void make_chain(cn_world *world, int32_t count, float x, float y, cn_body *bodies, cn_joint *joints)
+{
+	int32_t k;
+	for (k = 0; k < count; ++k) {
+		float middle = 0.5f * ((float)k + 0.5f);
+		bodies[k] = fixture_box(world, CN_BODY_DYNAMIC, x * middle, y * middle, atan2f(y, x), 0.25f, 0.06f, 0.6f, 0.0f);
+		joints[k] = hinge(world, k == 0 ? 0 : bodies[k - 1], k == 0 ? at(0.0f, 0.0f) : at(0.25f, 0.0f), bodies[k], at(-0.25f, 0.0f));
+	}
+}
+
 /* ---- reading ---- */
 
 static inline double joint_position(const cn_world *world, cn_joint joint)
