@@ -88,6 +88,16 @@ static inline cn_body fixture_floor(cn_world *world, float friction, float resti
 	return fixture_box(world, CN_BODY_STATIC, 0.0f, -1.0f, 0.0f, 100.0f, 1.0f, friction, restitution);
 }
 
+/* Boxes of 1 m on a floor, `base` in the lowest row, touching each other. */
+static inline void fixture_pyramid(cn_world *world, int32_t base)
+{
+	int32_t i, k;
+	fixture_floor(world, 0.6f, 0.0f);
+	for (i = 0; i < base; ++i)
+		for (k = i; k < base; ++k)
+			fixture_box(world, CN_BODY_DYNAMIC, (float)k - 0.5f * (float)i - 0.5f * (float)base, 0.5f + (float)i, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+}
+
 static inline void fixture_step(cn_world *world, int32_t steps)
 {
 	int32_t k;
