@@ -182,7 +182,7 @@ static void t_moving_both_changes_nothing(void)
 	}
 	CHECK_GE("touching", count, 5000, "pairs");
 	CHECK_LE("other features chosen", different, 0.001 * (double)count, "pairs");
-	CHECK_LE("difference", worst, 5e-4, "m");
+	CHECK_LE("difference", worst, 2e-5, "m"); /* rounding of places up to 4 m away */
 }
 
 static uint32_t id_flipped(uint32_t id) { return (id & 255u) << 8 | id >> 8; }
@@ -229,7 +229,7 @@ static void t_ids_persist_under_small_motion(void)
 			lost += !found;
 		}
 	}
-	CHECK_LE("ids lost by 0.1 mm of motion", (double)lost / (double)(kept + lost), 0.01, "share");
+	CHECK_LE("ids lost by 0.1 mm of motion", (double)lost / (double)(kept + lost), 1e-3, "share");
 }
 
 /* ------------------------------------------------------------------ particular poses */

@@ -185,7 +185,7 @@ static void lanes_move_as_rows_do(void)
 	size_t k;
 	for (k = 0; k < sizeof flags / sizeof *flags; ++k) {
 		cn_vec2 lane = bar_end(flags[k], IN_LANES, 120), row = bar_end(flags[k], BY_ROWS, 120);
-		CHECK_LE("distance after 2 s", hypot((double)(lane.x - row.x), (double)(lane.y - row.y)), 1e-3, "m");
+		CHECK_LE("distance after 2 s", hypot((double)(lane.x - row.x), (double)(lane.y - row.y)), 2e-5, "m");
 	}
 }
 

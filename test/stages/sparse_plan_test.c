@@ -78,7 +78,7 @@ static void t_random_trees_make_little(void)
 		filled += more > 0;
 	}
 	printf("  200 random trees: %d pairs, %d blocks more, in %d trees\n", (int)pairs, (int)fill, (int)filled);
-	CHECK_LE("blocks that are fill / pairs", (double)fill / (double)pairs, 0.05, "");
+	CHECK_LE("blocks that are fill / pairs", (double)fill / (double)pairs, 0.01, "");
 }
 
 /* Positions belong to one component each, blocks lead upwards, every body is listed once. */

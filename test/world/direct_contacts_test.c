@@ -29,7 +29,7 @@ static void stack_run(const char *name, int32_t count, float top_factor, int32_t
 	printf("  %s\n", name);
 	CHECK_LE("greatest overlap", overlap, overlap_bound, "m");
 	CHECK_LE("greatest distance of a box from where it was", drift, 2e-3, "m");
-	CHECK_LE("greatest tilt", angle, 1e-3, "rad");
+	CHECK_LE("greatest tilt", angle, ROUNDING, "rad");
 	scene_close(&s);
 }
 

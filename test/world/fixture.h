@@ -13,6 +13,16 @@
 
 #define FRAME_S (1.0f / 60.0f)
 
+/*
+ * Bounds that many tests share, for lengths, speeds and forces of the order of one, and for relative errors.
+ *   ROUNDING  the method is exact: what is left is float's 6e-8, some times in each of hundreds of substeps
+ *   SOLVED    what iterated, soft constraints leave over; a bound is a multiple of it, some ten times what is measured
+ *   SAG_M     what a body sinks at rest on a contact, which is a spring of 1 / (4 h) = 60 Hz: g / w^2 = 0.07 mm
+ */
+#define ROUNDING 1e-5
+#define SOLVED 1e-4
+#define SAG_M 2e-4
+
 static inline void must(cn_result result, const cn_world *world, const char *what)
 {
 	if (result == CN_OK)

@@ -300,7 +300,7 @@ static void disabling_a_body_rests_its_joints(void)
 	must(cn_body_set_flags(world, links[0], CN_BODY_ENABLED), world, "cn_body_set_flags");
 	CHECK(fixture_counters(world).joints_awake == 2);
 	fixture_step(world, 60);
-	CHECK_LE("distance between anchors", worst_joint_error(world), 1e-3, "m");
+	CHECK_LE("distance between anchors", worst_joint_error(world), ROUNDING, "m");
 	CHECK(fixture_is_valid(world));
 	cn_world_destroy(world);
 }

@@ -47,8 +47,8 @@ static void box_comes_to_rest_and_sleeps(void)
 	}
 	CHECK(!fixture_is_awake(world, box));
 	CHECK_LE("time until asleep", steps / 60.0, 1.5, "s");
-	CHECK_LE("height error", fabs(height_of(world, box) - 0.5), 1e-4, "m");
-	CHECK_LE("tilt", fabs((double)fixture_pose(world, box).sine), 1e-4, "rad");
+	CHECK_LE("height error", fabs(height_of(world, box) - 0.5), ROUNDING, "m");
+	CHECK_LE("tilt", fabs((double)fixture_pose(world, box).sine), ROUNDING, "rad");
 	CHECK(fixture_is_valid(world));
 	cn_world_destroy(world);
 }
@@ -147,7 +147,7 @@ static void inelastic_drop_stays_down(void)
 		fixture_step(world, 1);
 		highest = fmax(highest, height_of(world, ball) - 0.5);
 	}
-	CHECK_LE("height after an inelastic drop", highest, 1e-4, "m");
+	CHECK_LE("height after an inelastic drop", highest, ROUNDING, "m");
 	cn_world_destroy(world);
 }
 

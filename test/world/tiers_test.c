@@ -82,7 +82,7 @@ static void t_a_new_stack_is_direct_and_then_soft(void)
 	CHECK_GE("direct work", fixture_counters(world).direct_work, 10 * 4, "blocks");
 	for (k = 1; k < 600 && report(world).tier == CN_TIER_DIRECT; ++k) {
 		settling += report(world).reason == CN_TIER_REASON_SETTLING;
-		CHECK_LE("residual while direct", report(world).residual_m, 0.001, "m");
+		CHECK_LE("residual while direct", report(world).residual_m, ROUNDING, "m");
 		fixture_step(world, 1);
 	}
 	CHECK_GE("steps in which it settled", settling, 10, "");
@@ -91,7 +91,7 @@ static void t_a_new_stack_is_direct_and_then_soft(void)
 	CHECK(fixture_counters(world).islands_direct == 0 && fixture_counters(world).direct_work == 0);
 	fixture_step(world, 120);
 	CHECK(is(world, CN_TIER_SOFT, CN_TIER_REASON_NONE));
-	CHECK_LE("residual after", report(world).residual_m, 0.005, "m");
+	CHECK_LE("residual after", report(world).residual_m, SAG_M, "m");
 	cn_world_destroy(world);
 }
 
@@ -228,10 +228,11 @@ static void t_work_stays_within_the_budget(void)
 			direct[k] = c.islands_direct > direct[k] ? c.islands_direct : direct[k];
 		}
 		CHECK_LE("most work of a step", most, budgets[k], "blocks");
-		CHECK_GE("a budget that is enough for something is used", most, budgets[k] >= 1000 ? 100 : 0, "blocks");
+		if (budgets[k] >= 1000)
+			CHECK_GE("a budget that is enough for something is used", most, 100, "blocks");
 		CHECK(fixture_is_valid(world));
 		deepest = fixture_penetration(world, lowest, 8);
-		CHECK_LE("overlap at the end", deepest, 0.02, "m");
+		CHECK_LE("overlap at the end", deepest, SAG_M, "m");
 		cn_world_destroy(world);
 	}
 	printf("  stacks solved directly, most at a time: %d %d %d %d %d %d\n", (int)direct[0], (int)direct[1], (int)direct[2], (int)direct[3], (int)direct[4], (int)direct[5]);
@@ -435,8 +436,8 @@ static void t_solvers_may_change_between_steps(void)
 	}
 	must(cn_world_set_solver(world, CN_SOLVER_AUTO), world, "cn_world_set_solver");
 	fixture_step(world, 120);
-	CHECK_LE("the stack leans", fabs((double)(fixture_pose(world, top).position_m.x - fixture_pose(world, first).position_m.x)), 0.05, "m");
-	CHECK_LE("the stack sags", fabs((double)fixture_pose(world, top).position_m.y - 4.5), 0.03, "m");
+	CHECK_LE("the stack leans", fabs((double)(fixture_pose(world, top).position_m.x - fixture_pose(world, first).position_m.x)), ROUNDING, "m");
+	CHECK_LE("the stack sags", fabs((double)fixture_pose(world, top).position_m.y - 4.5), SAG_M, "m");
 	cn_world_destroy(world);
 }
 
