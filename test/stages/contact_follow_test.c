@@ -92,8 +92,6 @@ typedef struct worst {
 	int32_t other; /* lanes with another manifold: corner on corner, or a point that just reached the margin */
 } worst;
 
-static double greater(double a, double b) { return a > b ? a : b; }
-
 static double apart(float a, float b) { return fabs((double)a - (double)b); }
 
 static int32_t points_of(const lane_copy *c)

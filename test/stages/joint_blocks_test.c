@@ -251,7 +251,7 @@ static void wheels_stay_together(void)
 		for (k = 0; k < SPOKES; ++k) {
 			float m = 0.0f, rad = 0.0f;
 			must(cn_joint_get_error(world, joints[k], &m, &rad), world, "cn_joint_get_error");
-			worst = fmax(worst, (double)m);
+			worst = greater(worst, (double)m);
 		}
 		CHECK(joints_in_lanes(world) == (spins[s] < 90.0f ? CNI_JOINT_COLORS : 0));
 		CHECK_LE("largest gap after 1 s / arm", worst / 3.0, spins[s] < 90.0f ? 1e-4 : 0.1, "");
@@ -276,7 +276,7 @@ static void equal_limits_hold_both_ways(void)
 			float angle = 0.0f;
 			must(cn_world_step(world, FRAME_S), world, "cn_world_step");
 			must(cn_joint_get_position(world, joint, &angle), world, "cn_joint_get_position");
-			worst = fmax(worst, fabs((double)angle));
+			worst = greater(worst, fabs((double)angle));
 		}
 		CHECK_LE("largest angle", worst, 1e-3, "rad");
 		cn_world_destroy(world);

@@ -324,7 +324,7 @@ static void t_scratch_is_what_was_promised(void)
 			REQUIRE(cni_arena_reserve(&p->arena, bytes));
 			REQUIRE(plan(p));
 			CHECK(p->arena.fallbacks == 0);
-			most = fmax(most, (double)p->arena.high_water / (double)bytes);
+			most = greater(most, (double)p->arena.high_water / (double)bytes);
 			end(p);
 		}
 	CHECK_LE("scratch used / cni_sparse_bytes", most, 1.0, "");

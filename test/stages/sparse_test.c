@@ -140,9 +140,9 @@ static void judge(problem *p, errors *worst)
 	dense_form(p);
 	dense_solve();
 	CHECK(isfinite(forward_error()));
-	worst->backward = fmax(worst->backward, backward_error());
-	worst->forward = fmax(worst->forward, forward_error());
-	worst->residual = fmax(worst->residual, residual());
+	worst->backward = greater(worst->backward, backward_error());
+	worst->forward = greater(worst->forward, forward_error());
+	worst->residual = greater(worst->residual, residual());
 }
 
 /* ---- solutions ---- */
@@ -231,7 +231,7 @@ static void t_repeated_constraints_are_satisfied(void)
 			}
 			REQUIRE(plan(p));
 			solve(p, regular[r]);
-			worst = fmax(worst, unsatisfied(p));
+			worst = greater(worst, unsatisfied(p));
 			if (!isfinite(unsatisfied(p)))
 				worst = 1e30;
 			end(p);

@@ -177,13 +177,13 @@ static bounce ball_hits_locked_box(float mass_kg, uint32_t locks, float e)
 	fixture_set_velocity(world, ball, 5.0f, 0.0f, 0.0f);
 	for (k = 0; k < 60; ++k) {
 		fixture_step(world, 1);
-		b.deepest = fmax(b.deepest, (double)fixture_pose(world, ball).position_m.x + 0.75);
+		b.deepest = greater(b.deepest, (double)fixture_pose(world, ball).position_m.x + 0.75);
 	}
 	back = -(double)fixture_velocity(world, ball).linear_mps.x;
 	b.speed_error = fabs(back - 5.0 * (double)e);
 	b.moved = fabs((double)fixture_pose(world, box).position_m.x);
 	if (locks & CN_BODY_LOCK_Y)
-		b.moved = fmax(b.moved, fabs((double)fixture_pose(world, box).position_m.y));
+		b.moved = greater(b.moved, fabs((double)fixture_pose(world, box).position_m.y));
 	b.energy = back * back / 25.0;
 	cn_world_destroy(world);
 	return b;
@@ -199,10 +199,10 @@ static bounce locked_box_worst(uint32_t locks)
 	for (m = 0; m < 3; ++m)
 		for (e = 0; e < 2; ++e) {
 			bounce b = ball_hits_locked_box(masses[m], locks, (float)e);
-			worst.deepest = fmax(worst.deepest, b.deepest);
-			worst.speed_error = fmax(worst.speed_error, b.speed_error);
-			worst.moved = fmax(worst.moved, b.moved);
-			worst.energy = fmax(worst.energy, b.energy);
+			worst.deepest = greater(worst.deepest, b.deepest);
+			worst.speed_error = greater(worst.speed_error, b.speed_error);
+			worst.moved = greater(worst.moved, b.moved);
+			worst.energy = greater(worst.energy, b.energy);
 		}
 	return worst;
 }
@@ -435,10 +435,10 @@ static void a_body_spins_about_its_centre_of_mass(void)
 		fixture_step(world, 1);
 		c = center_of(world, body);
 		p = fixture_pose(world, body);
-		worst = fmax(worst, hypot((double)(c.x - start.x), (double)(c.y - start.y)));
-		worst = fmax(worst, fabs(hypot((double)(p.position_m.x - c.x), (double)(p.position_m.y - c.y)) - radius));
+		worst = greater(worst, hypot((double)(c.x - start.x), (double)(c.y - start.y)));
+		worst = greater(worst, fabs(hypot((double)(p.position_m.x - c.x), (double)(p.position_m.y - c.y)) - radius));
 		must(cn_body_get_local_point(world, body, c.x, c.y, &local), world, "local point");
-		worst = fmax(worst, hypot((double)local.x - 0.7, (double)local.y + 0.2));
+		worst = greater(worst, hypot((double)local.x - 0.7, (double)local.y + 0.2));
 	}
 	CHECK_LE("wandering of the centre and of the origin's distance", worst, 1e-5, "m");
 	cn_world_destroy(world);

@@ -76,8 +76,6 @@ static cn_vec2 force_of(const cn_world *world, cn_constraint constraint)
 	return force;
 }
 
-static double larger(double a, double b) { return a > b ? a : b; }
-
 static double x_of(const cn_world *world, cn_body body) { return (double)fixture_pose(world, body).position_m.x; }
 static double y_of(const cn_world *world, cn_body body) { return (double)fixture_pose(world, body).position_m.y; }
 
@@ -93,7 +91,7 @@ static void angle_limits_cancel_spin(void)
 	fixture_set_velocity(world, box, 1.0f, 2.0f, 3.0f);
 	for (k = 0; k < 60; ++k) {
 		fixture_step(world, 1);
-		most = larger(most, position_of(world, limit));
+		most = greater(most, position_of(world, limit));
 		if (!reached && position_of(world, limit) > 0.499) {
 			fixture_step(world, 2);
 			reached = 1;
@@ -106,7 +104,7 @@ static void angle_limits_cancel_spin(void)
 	fixture_set_velocity(world, box, 0.0f, 0.0f, -20.0f);
 	for (k = 0; k < 60; ++k) {
 		fixture_step(world, 1);
-		least = larger(least, -position_of(world, limit));
+		least = greater(least, -position_of(world, limit));
 	}
 	CHECK_LE("beyond the lower limit at 20 rad/s", least - 0.4, ROUNDING, "rad");
 	CHECK_LE("rest there", fabs((double)fixture_velocity(world, box).angular_radps), ROUNDING, "rad/s");
@@ -126,7 +124,7 @@ static void angle_counts_whole_turns(void)
 	CHECK_LE("angle after 1 s at 20 rad/s from 2", fabs(position_of(world, limit) - 22.0), 2.0 * ROUNDING, "rad");
 	for (k = 0; k < 600; ++k) {
 		fixture_step(world, 1);
-		most = larger(most, position_of(world, limit));
+		most = greater(most, position_of(world, limit));
 	}
 	CHECK_LE("beyond 100 rad", most - 100.0, 100.0 * ROUNDING, "rad");
 	CHECK_LE("rest there", fabs((double)fixture_velocity(world, box).angular_radps), ROUNDING, "rad/s");
@@ -273,9 +271,9 @@ static void line_keeps_a_bead_on_a_wire(void)
 	for (k = 1; k <= 120; ++k) {
 		double t = (double)k / 60.0, s = 0.5 * GRAVITY * 0.5 * t * t;
 		fixture_step(world, 1);
-		off = larger(off, error_of(world, line));
+		off = greater(off, error_of(world, line));
 		if (k >= 30)
-			worst = larger(worst, fabs(position_of(world, line) / s - 1.0));
+			worst = greater(worst, fabs(position_of(world, line) / s - 1.0));
 	}
 	CHECK_LE("off the line", off, ROUNDING, "m");
 	CHECK_LE("way against g sin(30) t^2 / 2, 0.5 to 2 s", worst, 2.0 * ROUNDING, "");
@@ -298,8 +296,8 @@ static void line_holds_a_point_of_the_body(void)
 	fixture_set_velocity(world, box, 3.0f, 0.0f, 3.0f);
 	for (k = 0; k < 3600; ++k) {
 		fixture_step(world, 1);
-		off = larger(off, error_of(world, line));
-		momentum = larger(momentum, fabs((double)fixture_velocity(world, box).linear_mps.x - 3.0));
+		off = greater(off, error_of(world, line));
+		momentum = greater(momentum, fabs((double)fixture_velocity(world, box).linear_mps.x - 3.0));
 	}
 	CHECK_LE("off the line, 60 s", off, ROUNDING, "m");
 	CHECK_LE("speed along it (nothing pushes that way)", momentum, ROUNDING, "m/s");
@@ -328,9 +326,9 @@ static void line_has_tolerance_and_limits(void)
 		float fx = k / 60 % 2 ? 8.0f : -8.0f, fy = k / 90 % 2 ? -6.0f : 6.0f;
 		must(cn_body_apply_force(world, box, fx, fy), world, "cn_body_apply_force");
 		fixture_step(world, 1);
-		aside = larger(aside, fabs(x_of(world, box)));
-		up = larger(up, position_of(world, line));
-		down = larger(down, -position_of(world, line));
+		aside = greater(aside, fabs(x_of(world, box)));
+		up = greater(up, position_of(world, line));
+		down = greater(down, -position_of(world, line));
 	}
 	CHECK_LE("beyond the tolerance", aside - 0.3, 1e-3, "m");
 	CHECK_LE("beyond the upper limit", up - 2.0, 4.0 * SOLVED, "m");

@@ -148,7 +148,7 @@ static void thrown_chain_keeps_its_momentum(void)
 		fixture_step(s.world, 1);
 		t = totals_in(&s);
 		linear = greater(linear, hypot(t.px - start.px, t.py - start.py) / start.momentum_scale);
-		angular = greater(angular, fabs(t.spin - start.spin) / fmax(start.spin_scale, t.spin_scale));
+		angular = greater(angular, fabs(t.spin - start.spin) / greater(start.spin_scale, t.spin_scale));
 		apart = greater(apart, anchors_apart(&s));
 		energy = greater(energy, t.kinetic / start.kinetic);
 	}

@@ -209,7 +209,7 @@ static void truth_of(truth *t, const cn_world *world, const cn_contact_event *e)
 	must(cn_shape_get_aabb(world, e->shape_a, &a), world, "cn_shape_get_aabb");
 	must(cn_shape_get_aabb(world, e->shape_b, &b), world, "cn_shape_get_aabb");
 	along = m->normal.x * (b.lower_m.x + b.upper_m.x - a.lower_m.x - a.upper_m.x) + m->normal.y * (b.lower_m.y + b.upper_m.y - a.lower_m.y - a.upper_m.y);
-	t->normal_error = fmax(t->normal_error, fabs(hypot((double)m->normal.x, (double)m->normal.y) - 1.0));
+	t->normal_error = greater(t->normal_error, fabs(hypot((double)m->normal.x, (double)m->normal.y) - 1.0));
 	t->backwards += along <= 0.0f;
 	t->bad_counts += m->point_count < 1 || m->point_count > 2;
 	for (k = 0; k < m->point_count; ++k) {
@@ -286,8 +286,8 @@ static void separation_is_that_at_the_end_of_the_step(void)
 			for (kind = CN_EVENT_ENTER; kind <= CN_EVENT_STAY; ++kind)
 				if (events_of(world, kind, &e) == 1) {
 					double gap = (double)fixture_pose(world, ball).position_m.y - 0.5;
-					worst = fmax(worst, fabs((double)e->manifold.points[0].separation_m - gap));
-					worst_point = fmax(worst_point, fabs((double)e->manifold.points[0].point_m.y - 0.5 * gap));
+					worst = greater(worst, fabs((double)e->manifold.points[0].separation_m - gap));
+					worst_point = greater(worst_point, fabs((double)e->manifold.points[0].point_m.y - 0.5 * gap));
 					++seen;
 				}
 		}
@@ -325,7 +325,7 @@ static void approach_speed_is_that_of_the_fall(void)
 						if (kind == CN_EVENT_ENTER && told < 0.0)
 							told = (double)e->approach_speed_mps;
 						else if (kind != CN_EVENT_ENTER)
-							other = fmax(other, fabs((double)e->approach_speed_mps));
+							other = greater(other, fabs((double)e->approach_speed_mps));
 					}
 			}
 			printf("  from %.1f m: %.3f m/s, exact %.3f\n", (double)heights[i], told, v);

@@ -21,7 +21,7 @@ static void chain_of_10_carries_what_hangs_below(void)
 	for (k = 0; k < 10; ++k) {
 		double exact = link_weight * (double)(10 - k), force = (double)joint_force(world, joints[k]).y;
 		printf("  link %d: %.5f N, exact %.5f N\n", (int)k, force, exact);
-		worst = fmax(worst, fabs(force - exact) / exact);
+		worst = greater(worst, fabs(force - exact) / exact);
 	}
 	CHECK_LE("relative error of the reactions", worst, ROUNDING, "");
 	cn_world_destroy(world);
@@ -40,7 +40,7 @@ static void hanging_chain_of_20_does_not_stretch(void)
 		fixture_step(world, 1);
 		must(cn_body_get_world_point(world, links[19], 0.25f, 0.0f, &end), world, "cn_body_get_world_point");
 		stretch = hypot((double)end.x, (double)end.y) - 10.0;
-		worst = fmax(worst, stretch);
+		worst = greater(worst, stretch);
 	}
 	CHECK_LE("stretch of 10 m after 60 s", stretch, ROUNDING, "m");
 	CHECK_LE("most stretch since the chain was let go", worst, ROUNDING, "m");
@@ -63,10 +63,10 @@ static void swinging_chain_of_20_stays_together(void)
 		double error;
 		fixture_step(world, 1);
 		error = worst_joint_error(world);
-		worst = fmax(worst, error);
+		worst = greater(worst, error);
 		late = k >= 3000 ? fmax(late, error) : late;
 		t = totals_of(world, links, 20);
-		most = fmax(most, t.kinetic + t.potential - energy0);
+		most = greater(most, t.kinetic + t.potential - energy0);
 	}
 	/* Depth: 20 links of 0.06 kg... falling 5 m on average. */
 	printf("  energy %+.2e of its depth at most above the start; error in the last 10 s %.6f m\n", most / (20.0 * 0.06 * GRAVITY * 5.0), late);
@@ -100,7 +100,7 @@ static void grid_of_10000_bodies_keeps_its_anchors(void)
 		}
 	for (k = 0; k < steps; ++k) {
 		fixture_step(world, 1);
-		worst = fmax(worst, worst_joint_error(world));
+		worst = greater(worst, worst_joint_error(world));
 	}
 	CHECK_LE("greatest distance between anchors", worst, 0.01, "m");
 	cn_world_destroy(world);
@@ -127,7 +127,7 @@ static void bridge_of_50_links_carries(void)
 		double error;
 		fixture_step(world, 1);
 		error = worst_joint_error(world);
-		worst = fmax(worst, error);
+		worst = greater(worst, error);
 		late = k >= 600 ? fmax(late, error) : late;
 	}
 	for (k = 0; k < 6; ++k)
@@ -148,7 +148,7 @@ static double worst_error_over(scene_run *run, int32_t from, int32_t to)
 		must(scene_step(run), run->world, "scene_step");
 	for (; run->step_index < to; ) {
 		must(scene_step(run), run->world, "scene_step");
-		worst = fmax(worst, worst_joint_error(run->world));
+		worst = greater(worst, worst_joint_error(run->world));
 	}
 	return worst;
 }
@@ -233,14 +233,14 @@ static void assembly_run(int32_t kind, const char *name)
 	for (k = 1; k <= 600; ++k) {
 		fixture_step(world, 1);
 		now = totals_of(world, bodies, count);
-		drift = fmax(drift, hypot(now.px - start.px, now.py - start.py) / start.momentum_scale);
-		spin_drift = fmax(spin_drift, fabs(now.spin - start.spin) / start.spin_scale);
+		drift = greater(drift, hypot(now.px - start.px, now.py - start.py) / start.momentum_scale);
+		spin_drift = greater(spin_drift, fabs(now.spin - start.spin) / start.spin_scale);
 		if (k <= 60) {
 			settled = now.kinetic;
 			drift_1 = drift;
 			CHECK(now.kinetic <= start.kinetic);
 		}
-		most = fmax(most, k < 60 ? 0.0 : now.kinetic / settled);
+		most = greater(most, k < 60 ? 0.0 : now.kinetic / settled);
 	}
 	printf("  %s: energy %.4f J, %.4f after 1 s, %.4f after 10 s\n", name, start.kinetic, settled, now.kinetic);
 	CHECK_LE("most energy / that after 1 s", most, 1.002, "");

@@ -192,11 +192,11 @@ static void stiff_springs_hold(void)
 			joint = make_distance(world, &def);
 			for (k = 0; k < 600; ++k) {
 				fixture_step(world, 1);
-				most = fmax(most, fabs(joint_position(world, joint) - 1.0));
+				most = greater(most, fabs(joint_position(world, joint) - 1.0));
 			}
 			if (most > 1e-3)
 				printf("  %g Hz, damping ratio %g: %.6f m\n", (double)hertz[f], (double)zeta[z], most);
-			worst = fmax(worst, most);
+			worst = greater(worst, most);
 			cn_world_destroy(world);
 		}
 	/* 2 g / w^2 at 60 Hz is 0.14 mm, one substep's fall g h^2 = 0.17 mm. */

@@ -113,9 +113,9 @@ static void anchors_stay_together_60_s(void)
 	energy0 = t.kinetic + t.potential;
 	for (k = 0; k < 3600; ++k) {
 		fixture_step(world, 1);
-		worst = fmax(worst, worst_joint_error(world));
+		worst = greater(worst, worst_joint_error(world));
 		t = totals_of(world, bodies, 2);
-		most = fmax(most, t.kinetic + t.potential - energy0);
+		most = greater(most, t.kinetic + t.potential - energy0);
 		least = fmin(least, t.kinetic + t.potential - energy0);
 	}
 	/* The lowest state has 2 kg m^2/s^2 less: 0.1 kg x g x (0.5 + 1.5) m. */
@@ -147,7 +147,7 @@ static void limit_run(double torque, double lower_deg, double upper_deg, double 
 		must(cn_body_apply_torque(world, bar, (float)torque), world, "cn_body_apply_torque");
 		fixture_step(world, 1);
 		angle = joint_position(world, joint);
-		beyond = fmax(beyond, fmax(angle - upper_deg * DEGREE, lower_deg * DEGREE - angle));
+		beyond = greater(beyond, greater(angle - upper_deg * DEGREE, lower_deg * DEGREE - angle));
 		CHECK(fabs(joint_error_rad(world, joint) - fmax(0.0, fmax(angle - upper_deg * DEGREE, lower_deg * DEGREE - angle))) < 1e-5);
 	}
 	held = joint_position(world, joint) / DEGREE;
@@ -187,7 +187,7 @@ static void equal_limits_weld_the_angle(void)
 	joint[1] = make_revolute(world, &def);
 	for (k = 0; k < 600; ++k) {
 		fixture_step(world, 1);
-		turn = fmax(turn, fmax(fabs(joint_position(world, joint[0])), fabs(joint_position(world, joint[1]))));
+		turn = greater(turn, greater(fabs(joint_position(world, joint[0])), fabs(joint_position(world, joint[1]))));
 	}
 	CHECK_LE("turn of a cantilever of 2 m", turn / DEGREE, 0.5, "degree");
 	torque = joint_torque(world, joint[0]); /* 0.4 kg at 1 m */
@@ -196,7 +196,7 @@ static void equal_limits_weld_the_angle(void)
 	fixture_set_velocity(world, arm[0], 3.0f, 5.0f, 8.0f);
 	for (turn = 0.0, k = 0; k < 120; ++k) {
 		fixture_step(world, 1);
-		turn = fmax(turn, fabs(joint_position(world, joint[1])));
+		turn = greater(turn, fabs(joint_position(world, joint[1])));
 	}
 	CHECK_LE("turn of the welded pair in flight", turn / DEGREE, 0.5, "degree");
 	cn_world_destroy(world);
@@ -304,7 +304,7 @@ static void rope_is_slack_then_holds(void)
 	CHECK_LE("error of the free fall inside the rope", fabs(fall - 1.25), 0.011, "m");
 	for (k = 0; k < 600; ++k) {
 		fixture_step(world, 1);
-		longest = fmax(longest, joint_position(world, rope));
+		longest = greater(longest, joint_position(world, rope));
 	}
 	CHECK_LE("length of a rope of 2 m that stopped a fall", longest, 2.005, "m");
 	CHECK_LE("error of the force at rest / weight", fabs((double)joint_force(world, rope).y - weight) / weight, ROUNDING, "");
@@ -383,7 +383,7 @@ static void world_static_and_kinematic_sides(void)
 				fixture_set_velocity(world, holder, 0.0f, 2.0f, 0.0f);
 			for (k = 0; k < 120; ++k) {
 				fixture_step(world, 1);
-				worst = fmax(worst, joint_error_m(world, joint));
+				worst = greater(worst, joint_error_m(world, joint));
 			}
 			p = fixture_pose(world, weight);
 			printf("  weight on %s, as body %s\n", side == 0 ? "the world" : side == 1 ? "a static body" : "a kinematic body", order ? "a" : "b");
@@ -408,7 +408,7 @@ static void kinematic_body_carries(void)
 	fixture_set_velocity(world, bar, 0.0f, 7.5f, 5.0f);
 	for (k = 0; k < 600; ++k) {
 		fixture_step(world, 1);
-		worst = fmax(worst, joint_error_m(world, joint));
+		worst = greater(worst, joint_error_m(world, joint));
 	}
 	CHECK_LE("distance between anchors on a rim at 5 m/s", worst, 2e-3, "m");
 	cn_world_destroy(world);

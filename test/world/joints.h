@@ -153,12 +153,6 @@ static inline double angle_of(const cn_world *world, cn_body body)
 	return atan2((double)p.sine, (double)p.cosine);
 }
 
-/* The worst so far; a number that is none counts as infinite, and so is never forgotten. */
-static inline double greater(double most, double value)
-{
-	return isfinite(value) ? fmax(most, value) : HUGE_VAL;
-}
-
 /* The largest distance between the anchors of a joint of the world. */
 static inline double worst_joint_error(const cn_world *world)
 {
@@ -200,8 +194,8 @@ static inline totals totals_of(const cn_world *world, const cn_body *bodies, int
 		t.spin += turn + (double)m.inertia_kgm2 * w;
 		t.momentum_scale += mass * sqrt(vx * vx + vy * vy);
 		t.spin_scale += fabs(turn) + fabs((double)m.inertia_kgm2 * w);
-		t.speed_most = fmax(t.speed_most, sqrt(vx * vx + vy * vy));
-		t.turn_most = fmax(t.turn_most, fabs(w));
+		t.speed_most = greater(t.speed_most, sqrt(vx * vx + vy * vy));
+		t.turn_most = greater(t.turn_most, fabs(w));
 	}
 	return t;
 }

@@ -161,8 +161,8 @@ static void drops_return_to_their_height(void)
 					expected *= (double)(es[i] * es[i]);
 					if (sqrt(2.0 * GRAVITY * expected / (double)(es[i] * es[i])) < 1.1)
 						break; /* below the restitution threshold */
-					worst = fmax(worst, fabs(apex - expected) / (double)heights[h]);
-					above = fmax(above, (apex - expected) / (double)heights[h]);
+					worst = greater(worst, fabs(apex - expected) / (double)heights[h]);
+					above = greater(above, (apex - expected) / (double)heights[h]);
 				}
 				last_v = v;
 			}
@@ -210,7 +210,7 @@ static void cluster_run(float e, int32_t boxes, uint32_t seed)
 		double energy;
 		fixture_step(world, 1);
 		energy = kinetic_energy(world, bodies, 40, &px, &py, &scale);
-		most = fmax(most, energy / energy0);
+		most = greater(most, energy / energy0);
 	}
 	printf("  e %.1f boxes %d: energy at the end %.4f of the start\n", (double)e, (int)boxes,
 	       kinetic_energy(world, bodies, 40, &px, &py, &scale) / energy0);
@@ -246,7 +246,7 @@ static void stack_stands(int32_t count)
 	fixture_step(world, 3600);
 	for (k = 0; k < count; ++k) {
 		cn_pose p = fixture_pose(world, bodies[k]);
-		drift = fmax(drift, fabs((double)p.position_m.x));
+		drift = greater(drift, fabs((double)p.position_m.x));
 	}
 	penetration = fixture_penetration(world, bodies, count);
 	printf("  stack of %d after 60 s\n", (int)count);
@@ -278,7 +278,7 @@ static void pyramid_of_20_keeps_its_place(void)
 	fixture_step(world, 600);
 	for (k = 0; k < n; ++k) {
 		cn_pose p = fixture_pose(world, bodies[k]);
-		worst = fmax(worst, hypot((double)p.position_m.x - start[k][0], (double)p.position_m.y - start[k][1]));
+		worst = greater(worst, hypot((double)p.position_m.x - start[k][0], (double)p.position_m.y - start[k][1]));
 	}
 	CHECK_LE("displacement after 10 s", worst, SOLVED, "m");
 	CHECK(fixture_is_valid(world));
@@ -326,7 +326,7 @@ static void stack_stands_far_from_the_origin(void)
 		fixture_step(world, 1200);
 		for (k = 0; k < 10; ++k) {
 			cn_pose p = fixture_pose(world, bodies[k]);
-			drift = fmax(drift, fabs((double)p.position_m.x - (double)places[i]));
+			drift = greater(drift, fabs((double)p.position_m.x - (double)places[i]));
 		}
 		printf("  at %g m\n", (double)places[i]);
 		/* At 10 km a float counts in millimetres. */

@@ -116,7 +116,7 @@ static void thrown_in_weak_gravity(void)
 		double t = (double)k * (double)FRAME_S, y;
 		fixture_step(world, 1);
 		y = (double)fixture_pose(world, box).position_m.y - 0.5;
-		off = fmax(off, fabs(y - 3e-3 * t + 0.5e-3 * t * t));
+		off = greater(off, fabs(y - 3e-3 * t + 0.5e-3 * t * t));
 		slow += fabs((double)fixture_velocity(world, box).linear_mps.y) < 5e-5;
 		rested += substeps_of_first_island(world) != 4;
 	}

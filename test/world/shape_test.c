@@ -116,9 +116,9 @@ static void compound_mass_is_the_closed_form(void)
 		for (k = 0; k < count; ++k)
 			sum.inertia += parts[k].inertia + parts[k].mass * (pow(parts[k].x - sum.x, 2) + pow(parts[k].y - sum.y, 2));
 		m = mass_of(world, body);
-		worst_mass = fmax(worst_mass, fabs((double)m.mass_kg / sum.mass - 1.0));
-		worst_center = fmax(worst_center, hypot((double)m.center_m.x - sum.x, (double)m.center_m.y - sum.y));
-		worst_inertia = fmax(worst_inertia, fabs((double)m.inertia_kgm2 / sum.inertia - 1.0));
+		worst_mass = greater(worst_mass, fabs((double)m.mass_kg / sum.mass - 1.0));
+		worst_center = greater(worst_center, hypot((double)m.center_m.x - sum.x, (double)m.center_m.y - sum.y));
+		worst_inertia = greater(worst_inertia, fabs((double)m.inertia_kgm2 / sum.inertia - 1.0));
 		cn_world_destroy(world);
 	}
 	CHECK_LE("error of mass, relative", worst_mass, 2e-6, "");
@@ -197,7 +197,7 @@ static void restitution_change_acts_at_once(void)
 	must(cn_body_set_velocity(world, ball, 0.0f, -5.0f, 0.0f), world, "velocity"); /* struck down while it rests */
 	for (k = 0; k < 60; ++k) {
 		fixture_step(world, 1);
-		apex = fmax(apex, (double)fixture_pose(world, ball).position_m.y - 0.5);
+		apex = greater(apex, (double)fixture_pose(world, ball).position_m.y - 0.5);
 	}
 	CHECK_LE("error of the apex / exact", fabs(apex / (0.5 * 4.5 * 4.5 / 10.0) - 1.0), ROUNDING, "");
 	cn_world_destroy(world);
@@ -344,12 +344,12 @@ static void slide_run(int32_t ground, int32_t what, int32_t fast)
 		cn_pose p;
 		fixture_step(world, 1);
 		p = fixture_pose(world, body);
-		bump = fmax(bump, fabs((double)(p.position_m.y - height)));
+		bump = greater(bump, fabs((double)(p.position_m.y - height)));
 		if (what != SLIDE_CIRCLE)
-			tilt = fmax(tilt, fabs((double)p.sine));
+			tilt = greater(tilt, fabs((double)p.sine));
 		v = (double)fixture_velocity(world, body).linear_mps.x;
 		exact = what == SLIDE_CIRCLE ? (double)v0 : (double)v0 - 10.0 * (double)mu * k / 60.0;
-		worst = fmax(worst, fabs(v - exact));
+		worst = greater(worst, fabs(v - exact));
 	}
 	if (bump > 1e-3 || tilt > 2e-3 || worst > 0.02 * (double)v0) {
 		printf("  %s over %s at %.0f m/s: bump %.5f m, tilt %.5f, speed error %.4f m/s\n", slide_names[what], ground_names[ground], (double)v0, bump, tilt, worst);
@@ -391,7 +391,7 @@ static void things_slide_over_smooth_hills_without_kicks(void)
 		fixture_step(world, 1);
 		v = fixture_velocity(world, ball);
 		energy = 10.0 * (double)fixture_pose(world, ball).position_m.y + 0.5 * (pow((double)v.linear_mps.x, 2) + pow((double)v.linear_mps.y, 2));
-		worst = fmax(worst, energy - start);
+		worst = greater(worst, energy - start);
 	}
 	CHECK_LE("energy gained / energy of the swing", worst / (start - 3.0), 0.01, "");
 	CHECK_GE("swing after 10 s is still inside of the valley", fabs((double)fixture_pose(world, ball).position_m.x) < 9.0, 1, "");
@@ -511,7 +511,7 @@ static void hulls_hold_their_points(void)
 			least = fmin(least, turn);
 			for (k = 0; k < count; ++k) {
 				double out = (((double)points[k].x - (double)a.x) * ((double)b.y - (double)a.y) - ((double)points[k].y - (double)a.y) * ((double)b.x - (double)a.x)) / length;
-				worst = fmax(worst, out);
+				worst = greater(worst, out);
 				outside += out > 0.1;
 			}
 		}

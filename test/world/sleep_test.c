@@ -162,7 +162,7 @@ static int32_t throw_run(int32_t what, float gravity, float delay, double *worst
 		double t = k / 60.0, y = (double)gravity * (2.0 * t - 0.5 * t * t);
 		fixture_step(world, 1);
 		asleep += !fixture_is_awake(world, body);
-		*worst = fmax(*worst, fabs((double)fixture_pose(world, body).position_m.y - y) / (1.0 + 2.0 * (double)gravity));
+		*worst = greater(*worst, fabs((double)fixture_pose(world, body).position_m.y - y) / (1.0 + 2.0 * (double)gravity));
 	}
 	cn_world_destroy(world);
 	return asleep;
