@@ -34,17 +34,9 @@ static inline int32_t count_all_events(cn_world *world)
 	return count;
 }
 
-static inline cn_shape first_shape(const cn_world *world, cn_body body)
-{
-	cn_shape shape = 0;
-	int32_t count;
-	must(cn_body_get_shapes(world, body, &shape, 1, &count), world, "cn_body_get_shapes");
-	return shape;
-}
-
 static inline void set_mask(cn_world *world, cn_body body, uint32_t mask)
 {
-	must(cn_shape_set_event_mask(world, first_shape(world, body), mask), world, "cn_shape_set_event_mask");
+	must(cn_shape_set_event_mask(world, fixture_first_shape(world, body), mask), world, "cn_shape_set_event_mask");
 }
 
 /* ---- churn: a world to which everything happens ---- */
@@ -173,8 +165,8 @@ static inline void churn_filter(churn *c, cn_body body)
 	static const cn_filter filters[] = {
 		{ 1, ~(uint64_t)0, 0, 0 }, { 1, ~(uint64_t)0, 0, 0 }, { 2, 2, 0, 0 }, { 1, 1, -3, 0 }, { 4, 0, 5, 0 }, { (uint64_t)1 << 63, ~(uint64_t)0, 0, 0 }
 	};
-	if (first_shape(c->world, body) != 0)
-		must(cn_shape_set_filter(c->world, first_shape(c->world, body), &filters[churn_int(c, 6)]), c->world, "cn_shape_set_filter");
+	if (fixture_first_shape(c->world, body) != 0)
+		must(cn_shape_set_filter(c->world, fixture_first_shape(c->world, body), &filters[churn_int(c, 6)]), c->world, "cn_shape_set_filter");
 }
 
 static inline void churn_detach(churn *c, cn_body body)
@@ -186,7 +178,7 @@ static inline void churn_detach(churn *c, cn_body body)
 		else
 			must(cn_shape_attach(c->world, *slot, body), c->world, "cn_shape_attach");
 		*slot = 0;
-	} else if ((*slot = first_shape(c->world, body)) != 0) {
+	} else if ((*slot = fixture_first_shape(c->world, body)) != 0) {
 		must(cn_shape_detach(c->world, *slot), c->world, "cn_shape_detach");
 	}
 }
@@ -237,11 +229,11 @@ static inline void churn_act(churn *c)
 	case 17: case 18: must(cn_body_set_awake(c->world, body, churn_int(c, 2)), c->world, "cn_body_set_awake"); break;
 	case 19: if (churn_int(c, 8) == 0) churn_world(c); break;
 	case 20: churn_shape(c, body); break;
-	case 21: if (first_shape(c->world, body) != 0) must(cn_shape_set_material(c->world, first_shape(c->world, body), &material), c->world, "material"); break;
-	case 22: if (first_shape(c->world, body) != 0) must(cn_shape_set_density(c->world, first_shape(c->world, body), churn_random(c, 0.5f, 4.0f)), c->world, "density"); break;
+	case 21: if (fixture_first_shape(c->world, body) != 0) must(cn_shape_set_material(c->world, fixture_first_shape(c->world, body), &material), c->world, "material"); break;
+	case 22: if (fixture_first_shape(c->world, body) != 0) must(cn_shape_set_density(c->world, fixture_first_shape(c->world, body), churn_random(c, 0.5f, 4.0f)), c->world, "density"); break;
 	default:
-		if (c->masks_change && first_shape(c->world, body) != 0)
-			must(cn_shape_set_event_mask(c->world, first_shape(c->world, body), churn_mask(c)), c->world, "mask");
+		if (c->masks_change && fixture_first_shape(c->world, body) != 0)
+			must(cn_shape_set_event_mask(c->world, fixture_first_shape(c->world, body), churn_mask(c)), c->world, "mask");
 	}
 }
 

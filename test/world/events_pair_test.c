@@ -53,7 +53,7 @@ static void end_by_call(cn_world *world, int32_t way, cn_body ground, cn_body bo
 	cn_vec2 away = { 0.0f, 50.0f };
 	cn_distance_def def;
 	cn_joint joint;
-	cn_shape shape = first_shape(world, box);
+	cn_shape shape = fixture_first_shape(world, box);
 	switch (way) {
 	case END_DESTROY_BODY: must(cn_body_destroy(world, box), world, "destroy"); break;
 	case END_DESTROY_SHAPE: must(cn_shape_destroy(world, shape), world, "destroy shape"); break;
@@ -81,7 +81,7 @@ static void ends_between_steps_are_told_by_the_next_step(void)
 		for (asleep = 0; asleep < 2; ++asleep) {
 			cn_world *world = fixture_world(-10.0f, asleep);
 			cn_body ground = fixture_floor(world, 0.5f, 0.0f), box = fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 0.5f, 0.0f, 0.5f, 0.5f, 0.5f, 0.0f);
-			cn_shape ground_shape = first_shape(world, ground), box_shape = first_shape(world, box);
+			cn_shape ground_shape = fixture_first_shape(world, ground), box_shape = fixture_first_shape(world, box);
 			const cn_contact_event *e;
 			int32_t before;
 			set_mask(world, box, ALL_EVENTS);

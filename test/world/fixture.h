@@ -108,6 +108,15 @@ static inline void fixture_pyramid(cn_world *world, int32_t base)
 			fixture_box(world, CN_BODY_DYNAMIC, (float)k - 0.5f * (float)i - 0.5f * (float)base, 0.5f + (float)i, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
 }
 
+/* In order of attachment. */
+static inline cn_shape fixture_first_shape(const cn_world *world, cn_body body)
+{
+	cn_shape shape = 0;
+	int32_t count;
+	must(cn_body_get_shapes(world, body, &shape, 1, &count), world, "cn_body_get_shapes");
+	return shape;
+}
+
 static inline void fixture_step(cn_world *world, int32_t steps)
 {
 	int32_t k;

@@ -15,14 +15,6 @@ static cn_mass_data mass_of(const cn_world *world, cn_body body)
 	return mass;
 }
 
-static cn_shape first_shape(const cn_world *world, cn_body body)
-{
-	cn_shape shape = 0;
-	int32_t count;
-	must(cn_body_get_shapes(world, body, &shape, 1, &count), world, "cn_body_get_shapes");
-	return shape;
-}
-
 static cn_shape chain_of(cn_world *world, cn_body body, const cn_vec2 *points, int32_t count, uint32_t loop, float friction)
 {
 	cn_shape_def def = fixture_shape_def(body, friction, 0.0f);
@@ -172,7 +164,7 @@ static void friction_change_acts_on_resting_contacts(void)
 			fixture_step(world, 120);
 			CHECK(fixture_is_awake(world, box) == !asleep);
 			start = fixture_pose(world, box);
-			must(cn_shape_set_material(world, first_shape(world, on_box ? box : ground), &slippery), world, "material");
+			must(cn_shape_set_material(world, fixture_first_shape(world, on_box ? box : ground), &slippery), world, "material");
 			fixture_step(world, 60);
 			end = fixture_pose(world, box);
 			a = 10.0 * (s - mu * c);
@@ -191,8 +183,8 @@ static void restitution_change_acts_at_once(void)
 	fixture_floor(world, 0.6f, 0.0f);
 	ball = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
 	fixture_step(world, 30);
-	must(cn_shape_set_material(world, first_shape(world, ball), &bouncy), world, "material");
-	must(cn_shape_get_material(world, first_shape(world, ball), &read), world, "material");
+	must(cn_shape_set_material(world, fixture_first_shape(world, ball), &bouncy), world, "material");
+	must(cn_shape_get_material(world, fixture_first_shape(world, ball), &read), world, "material");
 	CHECK(read.restitution == 0.9f);
 	must(cn_body_set_velocity(world, ball, 0.0f, -5.0f, 0.0f), world, "velocity"); /* struck down while it rests */
 	for (k = 0; k < 60; ++k) {
@@ -210,8 +202,8 @@ static int32_t filters_collide(const cn_filter *a, const cn_filter *b)
 	cn_world *world = fixture_world(-10.0f, 0);
 	cn_body ground = fixture_floor(world, 0.6f, 0.0f), box = fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 0.5f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
 	int32_t collide;
-	must(cn_shape_set_filter(world, first_shape(world, ground), a), world, "filter");
-	must(cn_shape_set_filter(world, first_shape(world, box), b), world, "filter");
+	must(cn_shape_set_filter(world, fixture_first_shape(world, ground), a), world, "filter");
+	must(cn_shape_set_filter(world, fixture_first_shape(world, box), b), world, "filter");
 	fixture_step(world, 20);
 	collide = fixture_pose(world, box).position_m.y > 0.45f;
 	cn_world_destroy(world);
@@ -254,10 +246,10 @@ static void filter_changes_begin_and_end_contacts(void)
 		fixture_floor(world, 0.6f, 0.0f);
 		box = fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 0.5f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
 		fixture_step(world, 90);
-		must(cn_shape_set_filter(world, first_shape(world, box), &none), world, "filter");
+		must(cn_shape_set_filter(world, fixture_first_shape(world, box), &none), world, "filter");
 		fixture_step(world, 6); /* sinks 5 cm */
 		CHECK_LE("height of the box that falls through", fixture_pose(world, box).position_m.y, 0.46, "m");
-		must(cn_shape_set_filter(world, first_shape(world, box), &all), world, "filter");
+		must(cn_shape_set_filter(world, fixture_first_shape(world, box), &all), world, "filter");
 		fixture_step(world, 60);
 		CHECK_LE("error of its height when the floor holds again", fabs((double)fixture_pose(world, box).position_m.y - 0.5), SAG_M, "m");
 		cn_world_destroy(world);
