@@ -133,13 +133,13 @@ static inline double energy_in(const scene *s)
 
 /* The worst of every step. */
 typedef struct watch {
-	double apart, energy, energy_start, speed, spin;
+	double apart, energy, energy_least, energy_start, speed, spin;
 } watch;
 
 static inline watch watch_begin(const scene *s)
 {
-	watch w = { 0.0, 0.0, 0.0, 0.0, 0.0 };
-	w.energy = w.energy_start = energy_in(s);
+	watch w = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
+	w.energy = w.energy_least = w.energy_start = energy_in(s);
 	return w;
 }
 
@@ -152,6 +152,7 @@ static inline void watch_steps(watch *w, scene *s, int32_t steps)
 		t = totals_in(s);
 		w->apart = greater(w->apart, anchors_apart(s));
 		w->energy = greater(w->energy, t.kinetic + t.potential);
+		w->energy_least = fmin(w->energy_least, t.kinetic + t.potential);
 		w->speed = greater(w->speed, t.speed_most);
 		w->spin = greater(w->spin, t.turn_most);
 	}

@@ -40,6 +40,7 @@ static void heavy_end_run(float ratio, int32_t solver)
 	CHECK_GE("it swings", w.speed, 10.0, "m/s");
 	CHECK_LE("greatest distance between anchors", w.apart, 2.0 * ROUNDING, "m");
 	CHECK_LE("energy gained / depth of the swing", (w.energy - w.energy_start) / depth, 2.0 * ROUNDING, "");
+	CHECK_LE("energy lost / depth of the swing", (w.energy_start - w.energy_least) / depth, 0.05, "");
 	scene_close(&s);
 }
 
