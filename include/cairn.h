@@ -278,8 +278,8 @@ CN_API cn_result cn_world_def_check(const cn_world_def *def, char *text, int32_t
 /* Bytes that def.memory must have so that the capacities in def never run out. def.memory may be NULL here. */
 CN_API cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes);
 /* Threads that cannot be started are CN_ERROR_MEMORY. A world's memory holds some 150 bytes for each; their stacks, and
-   whatever else a thread needs, are the system's, for a world in a caller's block too. A library built with CN_NO_THREADS, or on a system whose threads it does not
-   know, makes the same world without them: see cn_world_get_worker_count. */
+   whatever else a thread needs, are the system's, for a world in a caller's block too. A library built with CN_NO_THREADS,
+   or on a system whose threads it does not know, makes the same world without them: see cn_world_get_worker_count. */
 CN_API cn_result cn_world_create(const cn_world_def *def, cn_world **out_world);
 /* NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have ended when
    this returns. Not from callbacks. */
@@ -364,7 +364,7 @@ enum {
 enum {
 	CN_TIER_REASON_NONE = 0,        /* nothing is wrong */
 	CN_TIER_REASON_SETTLING = 1,    /* direct: nothing is wrong any more, but not yet for long enough */
-	CN_TIER_REASON_NEW_CONTACT = 2, /* direct: a contact began to bear */
+	CN_TIER_REASON_NEW_CONTACT = 2, /* direct: a contact began to bear where much is borne or things lean */
 	CN_TIER_REASON_OVERLAP = 3,     /* direct: an overlap that the accuracy does not allow */
 	CN_TIER_REASON_JOINT = 4,       /* direct: joints came apart by more than the accuracy allows */
 	CN_TIER_REASON_STRESSED = 5,    /* direct: something bears so many times its weight that soft contacts would give way */
@@ -723,8 +723,8 @@ CN_API cn_result cn_shape_get_polygon(const cn_world *world, cn_shape shape, cn_
 CN_API cn_result cn_shape_get_chain_points(const cn_world *world, cn_shape shape, cn_vec2 *out, int32_t capacity, int32_t *out_count);
 CN_API cn_result cn_shape_test_point(const cn_world *world, cn_shape shape, float point_x_m, float point_y_m, int32_t *out_inside);
 
-/* Convex hull of 1 or more points (Andrew's monotone chain, 1979), simplified to at most
-   CN_POLYGON_MAX_VERTICES by dropping the vertices that change its area least. CN_ERROR_ARGUMENT
+/* Convex hull of 1 or more points (farthest points inserted, as in Quickhull: Barber, Dobkin, Huhdanpaa 1996) of at most
+   CN_POLYGON_MAX_VERTICES, those that add the most area. CN_ERROR_ARGUMENT
    for fewer than three distinct points or collinear ones. Details below 5 mm are dropped (below 5% of
    the half size for hulls under 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count <= 65536. */
 CN_API cn_result cn_polygon_make_hull(const cn_vec2 *points_m, int32_t count, float radius_m, cn_polygon *out);
@@ -1020,8 +1020,8 @@ CN_API cn_result cn_joint_get_reaction(const cn_world *world, cn_joint joint, cn
 CN_API cn_result cn_joint_get_error(const cn_world *world, cn_joint joint, float *out_m, float *out_rad);
 /* In worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default): the joint is solved together with its neighbours
    where that is cheap. _SOFT: always by itself. _DIRECT: together with all joints that it hangs together with, for as much
-   work as CN_SOLVER_DIRECT takes, within the work_budget. In a world in a caller's block that was not made with CN_SOLVER_DIRECT, _DIRECT is _AUTO.
-   From the next step on; does not wake. */
+   work as CN_SOLVER_DIRECT takes, within the work_budget. In a world in a caller's block that was not made with
+   CN_SOLVER_DIRECT, _DIRECT is _AUTO. From the next step on; does not wake. */
 CN_API cn_result cn_joint_set_solver(cn_world *world, cn_joint joint, int32_t solver);
 CN_API cn_result cn_joint_get_solver(const cn_world *world, cn_joint joint, int32_t *out_solver);
 CN_API cn_result cn_joint_set_user_data(cn_world *world, cn_joint joint, uint64_t user_data);

@@ -1127,7 +1127,7 @@ namespace Cairn
 		public const int CN_TIER_REASON_NONE = 0;
 		/// <summary>direct: nothing is wrong any more, but not yet for long enough</summary>
 		public const int CN_TIER_REASON_SETTLING = 1;
-		/// <summary>direct: a contact began to bear</summary>
+		/// <summary>direct: a contact began to bear where much is borne or things lean</summary>
 		public const int CN_TIER_REASON_NEW_CONTACT = 2;
 		/// <summary>direct: an overlap that the accuracy does not allow</summary>
 		public const int CN_TIER_REASON_OVERLAP = 3;
@@ -1691,10 +1691,10 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_test_point(cn_world* world, cn_shape shape, float point_x_m, float point_y_m, int* out_inside);
 
-		/// <summary>Convex hull of 1 or more points (Andrew's monotone chain, 1979), simplified to at most
-		/// CN_POLYGON_MAX_VERTICES by dropping the vertices that change its area least. CN_ERROR_ARGUMENT for fewer
-		/// than three distinct points or collinear ones. Details below 5 mm are dropped (below 5% of the half size
-		/// for hulls under 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count &lt;= 65536.</summary>
+		/// <summary>Convex hull of 1 or more points (farthest points inserted, as in Quickhull: Barber, Dobkin, Huhdanpaa
+		/// 1996) of at most CN_POLYGON_MAX_VERTICES, those that add the most area. CN_ERROR_ARGUMENT for fewer than
+		/// three distinct points or collinear ones. Details below 5 mm are dropped (below 5% of the half size for
+		/// hulls under 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count &lt;= 65536.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_polygon_make_hull(cn_vec2* points_m, int count, float radius_m, cn_polygon* @out);
 

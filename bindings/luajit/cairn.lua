@@ -120,7 +120,7 @@ enum {
 enum {
 	CN_TIER_REASON_NONE = 0, // nothing is wrong
 	CN_TIER_REASON_SETTLING = 1, // direct: nothing is wrong any more, but not yet for long enough
-	CN_TIER_REASON_NEW_CONTACT = 2, // direct: a contact began to bear
+	CN_TIER_REASON_NEW_CONTACT = 2, // direct: a contact began to bear where much is borne or things lean
 	CN_TIER_REASON_OVERLAP = 3, // direct: an overlap that the accuracy does not allow
 	CN_TIER_REASON_JOINT = 4, // direct: joints came apart by more than the accuracy allows
 	CN_TIER_REASON_STRESSED = 5, // direct: something bears so many times its weight that soft contacts would give way
@@ -1014,10 +1014,10 @@ cn_result cn_shape_get_polygon(const cn_world *world, cn_shape shape, cn_polygon
 // Writes at most capacity points (out may be NULL when capacity is 0); *out_count is how many there are.
 cn_result cn_shape_get_chain_points(const cn_world *world, cn_shape shape, cn_vec2 *out, int32_t capacity, int32_t *out_count);
 cn_result cn_shape_test_point(const cn_world *world, cn_shape shape, float point_x_m, float point_y_m, int32_t *out_inside);
-// Convex hull of 1 or more points (Andrew's monotone chain, 1979), simplified to at most
-// CN_POLYGON_MAX_VERTICES by dropping the vertices that change its area least. CN_ERROR_ARGUMENT for fewer
-// than three distinct points or collinear ones. Details below 5 mm are dropped (below 5% of the half size for
-// hulls under 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count <= 65536.
+// Convex hull of 1 or more points (farthest points inserted, as in Quickhull: Barber, Dobkin, Huhdanpaa 1996)
+// of at most CN_POLYGON_MAX_VERTICES, those that add the most area. CN_ERROR_ARGUMENT for fewer than three
+// distinct points or collinear ones. Details below 5 mm are dropped (below 5% of the half size for hulls
+// under 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count <= 65536.
 cn_result cn_polygon_make_hull(const cn_vec2 *points_m, int32_t count, float radius_m, cn_polygon *out);
 // A box of half sizes > 0, moved and then turned about its own centre.
 cn_result cn_polygon_make_box(float half_width_m, float half_height_m, float center_x_m, float center_y_m, float angle_rad, float radius_m, cn_polygon *out);

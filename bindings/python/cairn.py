@@ -1093,10 +1093,10 @@ cn_shape_get_polygon = _function("cn_shape_get_polygon", cn_result, _c.POINTER(c
 # Writes at most capacity points (out may be NULL when capacity is 0); *out_count is how many there are.
 cn_shape_get_chain_points = _function("cn_shape_get_chain_points", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_vec2), _c.c_int32, _c.POINTER(_c.c_int32))
 cn_shape_test_point = _function("cn_shape_test_point", cn_result, _c.POINTER(cn_world), cn_shape, _c.c_float, _c.c_float, _c.POINTER(_c.c_int32))
-# Convex hull of 1 or more points (Andrew's monotone chain, 1979), simplified to at most
-# CN_POLYGON_MAX_VERTICES by dropping the vertices that change its area least. CN_ERROR_ARGUMENT for fewer
-# than three distinct points or collinear ones. Details below 5 mm are dropped (below 5% of the half size for
-# hulls under 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count <= 65536.
+# Convex hull of 1 or more points (farthest points inserted, as in Quickhull: Barber, Dobkin, Huhdanpaa 1996)
+# of at most CN_POLYGON_MAX_VERTICES, those that add the most area. CN_ERROR_ARGUMENT for fewer than three
+# distinct points or collinear ones. Details below 5 mm are dropped (below 5% of the half size for hulls under
+# 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count <= 65536.
 cn_polygon_make_hull = _function("cn_polygon_make_hull", cn_result, _c.POINTER(cn_vec2), _c.c_int32, _c.c_float, _c.POINTER(cn_polygon))
 # A box of half sizes > 0, moved and then turned about its own centre.
 cn_polygon_make_box = _function("cn_polygon_make_box", cn_result, _c.c_float, _c.c_float, _c.c_float, _c.c_float, _c.c_float, _c.c_float, _c.POINTER(cn_polygon))

@@ -124,7 +124,7 @@ pub const CN_TIER_FREE = 2;
 pub const CN_TIER_REASON_NONE = 0;
 /// direct: nothing is wrong any more, but not yet for long enough
 pub const CN_TIER_REASON_SETTLING = 1;
-/// direct: a contact began to bear
+/// direct: a contact began to bear where much is borne or things lean
 pub const CN_TIER_REASON_NEW_CONTACT = 2;
 /// direct: an overlap that the accuracy does not allow
 pub const CN_TIER_REASON_OVERLAP = 3;
@@ -1412,10 +1412,10 @@ pub extern fn cn_shape_get_polygon(world: ?*const cn_world, shape: cn_shape, out
 /// Writes at most capacity points (out may be NULL when capacity is 0); *out_count is how many there are.
 pub extern fn cn_shape_get_chain_points(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_vec2, capacity: i32, out_count: [*c]i32) cn_result;
 pub extern fn cn_shape_test_point(world: ?*const cn_world, shape: cn_shape, point_x_m: f32, point_y_m: f32, out_inside: [*c]i32) cn_result;
-/// Convex hull of 1 or more points (Andrew's monotone chain, 1979), simplified to at most
-/// CN_POLYGON_MAX_VERTICES by dropping the vertices that change its area least. CN_ERROR_ARGUMENT for fewer
-/// than three distinct points or collinear ones. Details below 5 mm are dropped (below 5% of the half size
-/// for hulls under 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count <= 65536.
+/// Convex hull of 1 or more points (farthest points inserted, as in Quickhull: Barber, Dobkin, Huhdanpaa
+/// 1996) of at most CN_POLYGON_MAX_VERTICES, those that add the most area. CN_ERROR_ARGUMENT for fewer than
+/// three distinct points or collinear ones. Details below 5 mm are dropped (below 5% of the half size for
+/// hulls under 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count <= 65536.
 pub extern fn cn_polygon_make_hull(points_m: [*c]const cn_vec2, count: i32, radius_m: f32, out: [*c]cn_polygon) cn_result;
 /// A box of half sizes > 0, moved and then turned about its own centre.
 pub extern fn cn_polygon_make_box(half_width_m: f32, half_height_m: f32, center_x_m: f32, center_y_m: f32, angle_rad: f32, radius_m: f32, out: [*c]cn_polygon) cn_result;

@@ -9,20 +9,11 @@
 #include "geometry/manifold_boxes.h"
 #include "geometry/manifold_faces.h"
 #include <immintrin.h>
-#if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
-#else
-#pragma GCC push_options
-#pragma GCC target("avx2")
-#endif
+#include "base/avx2_begin.h"
 #define CNI_WIDTH 8
 #define CNI_KERNEL cni_box_kernel_8
 #include "geometry/manifold_boxes_kernel.h"
-#if defined(__clang__)
-#pragma clang attribute pop
-#else
-#pragma GCC pop_options
-#endif
+#include "base/avx2_end.h"
 #else
 typedef int cni_no_box_kernel_8;
 #endif

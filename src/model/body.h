@@ -82,7 +82,7 @@ enum {
 	CNI_DRIVE_JOINTED = 1u << 4, /* has joints: positions follow end velocities */
 	CNI_DRIVE_TOUCHED = 1u << 5, /* has contacts that are solved */
 	CNI_DRIVE_SWUNG = 1u << 6,   /* moved for the whole step: by its joints alone (stages/joint_swing.c), or at rest (stages/rest.c) */
-	CNI_DRIVE_LATER = 1u << 7,   /* a shared loop found that something must be done for it alone, in order; clear outside of stages */
+	CNI_DRIVE_LATER = 1u << 7,   /* scratch of a stage, clear outside of it: found in a first loop, which may be shared, for a second in order */
 	CNI_DRIVE_COLOR_SHIFT = 8    /* bits 8 .. 31: which colours its joints use in this step: stages/joint_blocks.c */
 };
 typedef struct cni_drive {

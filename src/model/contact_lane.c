@@ -121,14 +121,16 @@ typedef struct lane_mass {
 	float ia, ib;
 } lane_mass;
 
-static lane_mass lane_mass_of(const cn_world *world, const lane_frame *f)
+/* Locks count only where the kernel will know of them: it would push a body that it takes for free as hard as one that
+   is lighter along the normal, and more in each pass. */
+static lane_mass lane_mass_of(cn_world *world, const lane_frame *f)
 {
 	const cni_motion *ma = cni_motions(world) + f->a->awake, *mb = cni_motions(world) + f->b->awake;
 	lane_mass m;
 	m.ia = ma->inv_inertia;
 	m.ib = mb->inv_inertia;
 	m.n = m.t = ma->inv_mass + mb->inv_mass;
-	if ((f->a->flags | f->b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) {
+	if (((f->a->flags | f->b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) && cni_lane_reserve_extra(world)) {
 		m.n = mass_along(f->a, ma->inv_mass, f->n) + mass_along(f->b, mb->inv_mass, f->n);
 		m.t = mass_along(f->a, ma->inv_mass, f->t) + mass_along(f->b, mb->inv_mass, f->t);
 	}

@@ -14,16 +14,10 @@
 
 #include <stddef.h>
 
-/* What the kernel reads of a record. */
+/* What kernels read of a record. */
 typedef char cni_body_begins_with_pose[offsetof(cni_body, cx) == 0 && offsetof(cni_body, q) == 16 && offsetof(cni_body, extent) == 32 ? 1 : -1];
 
-/* In place of the bodies of unused lanes. */
-static const cni_body nowhere;
-
-static const float *record_of(const cni_body *b)
-{
-	return (const float *)(const void *)b;
-}
+const cni_body cni_body_nowhere;
 
 /* Fills the table; returns the anchored lanes whose axes are free: locked ones have other masses. */
 static uint32_t bodies_find(const cn_world *world, const cni_contact_block *k, const cni_block_anchor *anchor, uint32_t anchored, cni_follow_bodies *out)
@@ -32,7 +26,7 @@ static uint32_t bodies_find(const cn_world *world, const cni_contact_block *k, c
 	int32_t l;
 	for (l = 0; l < CNI_LANES; ++l) {
 		cni_body *a, *b;
-		out->a[l] = out->b[l] = record_of(&nowhere);
+		out->a[l] = out->b[l] = cni_record_floats(&cni_body_nowhere);
 		if (!(anchored >> l & 1u))
 			continue;
 		a = cni_body_at(world, ids[k->ia[l]]);
@@ -43,8 +37,8 @@ static uint32_t bodies_find(const cn_world *world, const cni_contact_block *k, c
 		}
 		if (k->ib[l] == 0)
 			cni_contact_mark_static(a, b);
-		out->a[l] = record_of(a);
-		out->b[l] = record_of(b);
+		out->a[l] = cni_record_floats(a);
+		out->b[l] = cni_record_floats(b);
 	}
 	return anchored;
 }

@@ -29,12 +29,9 @@
 #define BLOCKS_A_RANGE 64 /* of one colour: most of them do not bounce */
 #define SWEEPS 4 /* a wave through touching balls may need several; the solve after takes the rest */
 
-/* In place of the record of the world, and of bodies of unused lanes. */
-static const cni_body nowhere;
-
 static const float *record_of(const cn_world *world, int32_t index)
 {
-	return (const float *)(const void *)(index == 0 ? &nowhere : cni_body_at(world, cni_awake_ids(world)[index]));
+	return cni_record_floats(index == 0 ? &cni_body_nowhere : cni_body_at(world, cni_awake_ids(world)[index]));
 }
 
 static void lanes_clear(cni_impact_lanes *lanes)
@@ -42,7 +39,7 @@ static void lanes_clear(cni_impact_lanes *lanes)
 	int32_t l;
 	memset(lanes, 0, sizeof *lanes);
 	for (l = 0; l < CNI_LANES; ++l)
-		lanes->a[l] = lanes->b[l] = (const float *)(const void *)&nowhere;
+		lanes->a[l] = lanes->b[l] = cni_record_floats(&cni_body_nowhere);
 }
 
 static void point_copy(const cni_contact_row *row, int32_t from, cni_impact_lanes *lanes, int32_t which, int32_t l)

@@ -50,6 +50,14 @@ typedef struct cni_impact_pass {
    them up to a whole vector are read. */
 typedef int32_t cni_contact_impact_fn(const cni_impact_pass *pass, const cni_impact_lanes *lanes, int32_t count);
 
+/* A record as kernels read it, and one in place of those of the world and of unused lanes. */
+extern const cni_body cni_body_nowhere;
+
+static inline const float *cni_record_floats(const cni_body *b)
+{
+	return (const float *)(const void *)b;
+}
+
 /* Numbers of following: see stages/contact_follow.h. */
 typedef struct cni_follow_pass {
 	const cni_motion *motions;

@@ -223,9 +223,14 @@ static void factors_apply(cn_world *world, const island_sum *sums)
 	}
 }
 
+uint64_t cni_energy_bytes(int32_t islands)
+{
+	return sizeof(island_sum) * (uint64_t)islands;
+}
+
 void cni_energy_hold(cn_world *world)
 {
-	uint64_t bytes = sizeof(island_sum) * (uint64_t)world->island_used;
+	uint64_t bytes = cni_energy_bytes(world->island_used);
 	island_sum *sums;
 	if (world->island_used == 0)
 		return;

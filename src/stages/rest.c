@@ -36,17 +36,22 @@ static int32_t is_within(float x, float y, float turn, float most)
 	return x * x + y * y <= most * most && turn * turn <= most * most;
 }
 
-/* Slow now, not pushed out of an overlap, and held: what forces gave it in the substep is gone. */
+/* Slow now, not pushed out of an overlap, not struck, and held: what forces gave it in the substep is gone. */
 static int32_t body_rests(const rest *r, int32_t k)
 {
 	const cni_motion *m = cni_motions(r->world) + k;
 	const cni_drive *d = cni_drives(r->world) + k;
-	const cni_body *b = cni_body_at(r->world, cni_awake_ids(r->world)[k]);
-	float given = r->h * cni_sqrt(d->ax * d->ax + d->ay * d->ay) + r->h * cni_abs(d->alpha) * b->extent;
+	const cni_body *b;
+	float given;
 	if (m->inv_mass == 0.0f)
 		return m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f;
-	return is_within(m->vx, m->vy, m->w * b->extent, r->speed) && is_within(m->dpx, m->dpy, m->theta * b->extent, r->h * r->speed) &&
-	       is_within(m->vx - b->vx, m->vy - b->vy, (m->w - b->w) * b->extent, HELD_PART * given + 0.001f * r->speed);
+	if (!is_within(m->vx, m->vy, 0.0f, r->speed) || cni_starts(r->world)[k].struck != 0.0f)
+		return 0;
+	b = cni_body_at(r->world, cni_awake_ids(r->world)[k]);
+	if (!is_within(0.0f, 0.0f, m->w * b->extent, r->speed) || !is_within(m->dpx, m->dpy, m->theta * b->extent, r->h * r->speed))
+		return 0;
+	given = r->h * cni_sqrt(d->ax * d->ax + d->ay * d->ay) + r->h * cni_abs(d->alpha) * b->extent;
+	return is_within(m->vx - b->vx, m->vy - b->vy, (m->w - b->w) * b->extent, HELD_PART * given + 0.001f * r->speed);
 }
 
 /* Only what touches something is solved by passes. */

@@ -96,6 +96,10 @@ void cni_shocks_forget(cn_world *world, const cni_solve *s);
 void cni_rest_find(cn_world *world, const cni_solve *s);
 /* ... and takes out kinetic energy that passive contacts and joints cannot have given: stages/energy.c. */
 void cni_energy_hold(cn_world *world);
+/* Scratch that it may take. */
+uint64_t cni_energy_bytes(int32_t islands);
+/* After the substeps: gives what nothing holds its angular momentum back: stages/spin.c. */
+void cni_spin_hold(cn_world *world);
 void cni_contacts_impact(cn_world *world, const cni_solve *s);
 void cni_joints_prepare(cn_world *world, const cni_solve *s);
 /* Those that are solved wide into their lanes, once it is known which are solved directly. */

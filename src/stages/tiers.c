@@ -1,11 +1,15 @@
 /*
  * stages/tiers.c - which islands are solved directly in this step, contacts and all.
  *
- * Soft contacts settle from impulse to impulse: exact at rest, but a pile that was just put together sags for
- * seconds while its weight travels down, and much weight on little mass crushes what bears it. A quiet island with
- * a contact that is new or that overlaps by more than a part of the accuracy is solved directly
- * (stages/contact_direct.c) until it has been good for a while; the loads it then has are exact, and the soft solver
- * goes on from them. The stay doubles each time it turns bad again. An island whose system has been refused, for its
+ * Soft contacts settle from impulse to impulse: exact at rest once their loads are, which a new pile is given from the top
+ * down (stages/pile_load.c). That fails where things lean on each other, and much weight on little mass crushes what bears
+ * it. A quiet island is solved directly (stages/contact_direct.c)
+ *   - when a contact overlaps by more than the accuracy;
+ *   - by more than a tenth of it, or when it is new, where it bears or may come to bear more than soft contacts can, or is
+ *     between things that lean;
+ *   - when the sweep from the top down left something of it that falls.
+ * It is so until it has been good for a while; the loads it then has are exact, and the soft solver
+ * goes on from them. The stay grows fourfold each time it turns bad again. An island whose system has been refused, for its
  * work, for what it is made of, or because no consistent set was found, is left alone for a time.
  *
  * A scene in which nothing is wrong pays for one look at the separations of its lanes.

@@ -278,6 +278,12 @@ static int32_t reserve_pieces(cn_world *world, const cn_world_def *d)
 
 /* An island's search, the broadphase's pass over all boxes (see its files), sorting the new pairs, and what is
    solved directly, with the loads of piles that are not. */
+/* Bodies that touch nothing are in none. */
+static int32_t islands_for(int32_t bodies)
+{
+	return bodies / 2 + 2;
+}
+
 static uint64_t arena_bytes(const cn_world_def *d)
 {
 	uint64_t boxes = 2048u + 40u * (uint64_t)d->shape_capacity, pairs = 64u + sizeof(cni_pair) * (uint64_t)d->contact_capacity; /* and changes of the narrowphase */
@@ -285,6 +291,7 @@ static uint64_t arena_bytes(const cn_world_def *d)
 	uint64_t joints = cni_direct_bytes(d->solver, d->joint_capacity, d->contact_capacity, d->body_capacity), scratch = boxes > pairs ? boxes : pairs;
 	if (d->solver == CN_SOLVER_AUTO)
 		joints += cni_pile_bytes(d->body_capacity);
+	joints += 64u + cni_energy_bytes(islands_for(d->body_capacity)); /* which is more than cni_rest_find takes */
 	return (scratch > joints ? scratch : joints) + island;
 }
 
@@ -350,7 +357,7 @@ static uint64_t records_bytes(const cn_world_def *d)
 	counts[1] = with_spares(d->shape_capacity);
 	counts[2] = with_spares(d->joint_capacity);
 	counts[3] = d->shape_capacity;
-	counts[4] = d->body_capacity / 2 + 2;
+	counts[4] = islands_for(d->body_capacity);
 	counts[5] = d->contact_capacity;
 	counts[6] = counts[7] = counts[8] = counts[9] = blocks;
 	for (k = 0; k < 10; ++k) {

@@ -108,6 +108,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	substeps_run(world, &s);
 	cni_joints_store(world, &s);
 	cni_direct_store(world, &s);
+	cni_spin_hold(world);
 	profile_mark(world, &profile->substeps_s, mark);
 	if (world->settings.flags & CN_WORLD_CONTINUOUS)
 		cni_stage_continuous(world);

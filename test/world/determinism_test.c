@@ -31,7 +31,7 @@ static const golden goldens[] = {
 	{ "ragdolls", 480, 1, 0xce6ecc1508c48597 },
 	{ "bridge", 240, 1, 0x25b35b0f453be69d },
 	{ "car", 400, 1, 0x4194dfe91d1f4ede },
-	{ "mixer", 240, 1, 0xf61b30f0fdd07771 },
+	{ "mixer", 240, 1, 0xf91b6be09cadb6e7 },
 	{ "pyramid", 120, 0, 0xbb24e8518c196cd8 },
 	{ "rain", 150, 0, 0xcfddbe9076b7a34f },
 	{ "tumbler_1000", 300, 0, 0xc23a02bce215302b },

@@ -1,0 +1,8 @@
+/*
+ * base/avx2_end.h - closes base/avx2_begin.h.
+ */
+#if defined(__clang__)
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
