@@ -281,7 +281,7 @@ static void check_carries(cn_world *world, cn_joint joint, const char *what)
 	cn_vec2 f;
 	fixture_step(world, 600);
 	f = joint_force(world, joint);
-	CHECK_LE(what, hypot((double)f.x, (double)f.y - GRAVITY), 0.01, "N");
+	CHECK_LE(what, hypot((double)f.x, (double)f.y - GRAVITY), 2.0 * ROUNDING, "N");
 }
 
 static void reactions_agree_with_statics(void)
