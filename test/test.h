@@ -5,13 +5,14 @@
  *     int main(int argc, char **argv) { RUN(t_ball_falls); return test_end(); }
  *
  * CHECK fails the running test and goes on; REQUIRE also leaves the test function. CHECK_LE prints the
- * measured value beside its bound, always. test_begin takes an optional substring filter from argv.
+ * measured value beside its bound, always; greater() gathers the worst of many. test_begin takes an optional substring filter from argv.
  * Each executable ends with one line "N passed, N failed, N skipped" and exit code 0 when none failed;
  * test/run.sh adds those up.
  */
 #ifndef CAIRN_TEST_H
 #define CAIRN_TEST_H
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -54,6 +55,12 @@ static inline void test_bound(const char *file, int line, const char *what, doub
 	printf("  %s %s: %.7g %s, bound %s %.7g\n", good ? "    " : "OVER", what, value, unit, below ? "<=" : ">=", bound);
 	if (!good)
 		test_fail(file, line, what);
+}
+
+/* The worst so far. A number that is none counts as infinite, and so is never forgotten: fmax would pass over it. */
+static inline double greater(double most, double value)
+{
+	return isfinite(most) && isfinite(value) ? fmax(most, value) : HUGE_VAL;
 }
 
 #define RUN(function) test_run(#function, function)

@@ -9,8 +9,6 @@
 
 #define PI_D 3.14159265358979323846
 
-static double larger(double a, double b) { return a > b ? a : b; }
-
 static float random_in(uint32_t *state, float lower, float upper)
 {
 	return lower + (upper - lower) * ((float)(random_next(state) >> 8) * (1.0f / 16777216.0f));
@@ -34,8 +32,8 @@ static void sincos_measure(worst *w, float x)
 	cni_rot q = cni_sincos(x);
 	double c = (double)q.c, s = (double)q.s;
 
-	w->component = larger(w->component, larger(fabs(c - cos((double)x)), fabs(s - sin((double)x))));
-	w->length = larger(w->length, fabs(sqrt(c * c + s * s) - 1));
+	w->component = greater(w->component, greater(fabs(c - cos((double)x)), fabs(s - sin((double)x))));
+	w->length = greater(w->length, fabs(sqrt(c * c + s * s) - 1));
 	if (!(c == c && s == s))
 		w->component = 1;
 }
@@ -151,18 +149,18 @@ static void t_atan2_error(void)
 	int32_t i;
 
 	for (i = 0; i < 1000000; ++i)
-		w = larger(w, atan2_error(random_in(&state, -1.0f, 1.0f), random_in(&state, -1.0f, 1.0f)));
+		w = greater(w, atan2_error(random_in(&state, -1.0f, 1.0f), random_in(&state, -1.0f, 1.0f)));
 	for (i = 0; i < 500000; ++i) {
 		double turn = (i - 250000) * (PI_D / 250000.0);
 
-		w = larger(w, i == 0 ? 0 : atan2_error((float)(3 * sin(turn)), (float)(3 * cos(turn))));
+		w = greater(w, i == 0 ? 0 : atan2_error((float)(3 * sin(turn)), (float)(3 * cos(turn))));
 	}
 	for (i = 0; i < 500000; ++i) {
 		float y = float_of(random_next(&state)), x = float_of(random_next(&state));
 
 		/* A negative y that vanishes beside x still lies above -pi; a y of -0 counts as 0. */
 		if (isfinite(x) && isfinite(y))
-			w = larger(w, atan2_error(y, x));
+			w = greater(w, atan2_error(y, x));
 	}
 	CHECK_LE("atan2 error", w, 3e-7, "rad");
 }
@@ -184,8 +182,8 @@ static void rot_small_measure(worst *w, float x)
 	cni_rot q = cni_rot_small(x);
 	double c = (double)q.c, s = (double)q.s;
 
-	w->component = larger(w->component, larger(fabs(c - cos((double)x)), fabs(s - sin((double)x))));
-	w->length = larger(w->length, fabs(sqrt(c * c + s * s) - 1));
+	w->component = greater(w->component, greater(fabs(c - cos((double)x)), fabs(s - sin((double)x))));
+	w->length = greater(w->length, fabs(sqrt(c * c + s * s) - 1));
 }
 
 static void t_rot_small_error(void)
@@ -227,9 +225,9 @@ static void t_wrap_angle(void)
 	for (i = 0; i < 500000; ++i) {
 		float a = random_in(&state, -CNI_PI, CNI_PI);
 
-		w = larger(w, wrap_error(random_in(&state, -1e5f, 1e5f)));
-		w = larger(w, wrap_error(random_in(&state, -20.0f, 20.0f)));
-		beyond = larger(beyond, wrap_error(random_in(&state, -1e8f, 1e8f)));
+		w = greater(w, wrap_error(random_in(&state, -1e5f, 1e5f)));
+		w = greater(w, wrap_error(random_in(&state, -20.0f, 20.0f)));
+		beyond = greater(beyond, wrap_error(random_in(&state, -1e8f, 1e8f)));
 		changed += a > -CNI_PI && cni_wrap_angle(a) != a;
 	}
 	/* Around every odd multiple of pi, where the ends of the range are. */
@@ -239,11 +237,11 @@ static void t_wrap_angle(void)
 		for (d = 0; d < 3; ++d)
 			a = nextafterf(a, -1e9f);
 		for (d = 0; d < 6; ++d, a = nextafterf(a, 1e9f))
-			w = larger(w, wrap_error(a));
+			w = greater(w, wrap_error(a));
 	}
 	CHECK_LE("wrap error, |a| <= 1e5", w, 3e-7, "rad");
 	CHECK_LE("wrap error, |a| <= 1e8", beyond, 3e-7, "rad");
-	CHECK_LE("wrap error, FLT_MAX", larger(wrap_error(FLT_MAX), wrap_error(-FLT_MAX)), 3e-7, "rad");
+	CHECK_LE("wrap error, FLT_MAX", greater(wrap_error(FLT_MAX), wrap_error(-FLT_MAX)), 3e-7, "rad");
 	CHECK_LE("angles in range that changed", changed, 0, "");
 	CHECK(cni_wrap_angle(CNI_PI) == CNI_PI && cni_wrap_angle(-CNI_PI) > 3.14159f);
 }
@@ -300,7 +298,7 @@ static void t_small_helpers(void)
 	r = cni_untransform_point(x, cni_transform_point(x, p));
 	CHECK_LE("transform and back", cni_length(cni_sub(r, p)), 1e-6, "m");
 	m = cni_rot_mul(a, cni_rot_between(a, b));
-	CHECK_LE("a * between(a, b) - b", larger((double)fabsf(m.c - b.c), (double)fabsf(m.s - b.s)), 2e-7, "");
+	CHECK_LE("a * between(a, b) - b", greater((double)fabsf(m.c - b.c), (double)fabsf(m.s - b.s)), 2e-7, "");
 	CHECK_LE("angle of a product", fabsf(cni_atan2(cni_rot_mul(a, b).s, cni_rot_mul(a, b).c) + 1.4f), 4e-7, "rad");
 	CHECK(cni_cross(cni_v(1, 0), cni_left_perp(cni_v(1, 0))) == 1.0f);
 	CHECK(cni_aabb_overlap(&box, &inner) && !cni_aabb_overlap(&box, &apart));

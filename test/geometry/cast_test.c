@@ -32,16 +32,16 @@ static void check_cast(const double_set *a, const double_set *m, cni_vec2 d, int
 	++seen.hits;
 	if (h->normal.x == 0.0f && h->normal.y == 0.0f) {
 		++seen.inside;
-		seen.distance = fmax(seen.distance, distance_of(a, m, 0.0, 0.0) / epsilon);
+		seen.distance = greater(seen.distance, distance_of(a, m, 0.0, 0.0) / epsilon);
 		CHECK(h->fraction == 0.0f);
 		return;
 	}
 	double t = (double)h->fraction;
-	seen.distance = fmax(seen.distance, fabs(distance_of(a, m, t * dx, t * dy)) / epsilon);
+	seen.distance = greater(seen.distance, fabs(distance_of(a, m, t * dx, t * dy)) / epsilon);
 	seen.early += trace(a, m, dx, dy, -epsilon, t) < t;
-	seen.point_a = fmax(seen.point_a, fabs(set_distance_to_point(a, (double)h->point.x, (double)h->point.y, 0.0, 0.0)) / epsilon);
-	seen.point_m = fmax(seen.point_m, fabs(set_distance_to_point(m, (double)h->point.x, (double)h->point.y, t * dx, t * dy)) / epsilon);
-	seen.normal = fmax(seen.normal, fabs(hypot((double)h->normal.x, (double)h->normal.y) - 1.0));
+	seen.point_a = greater(seen.point_a, fabs(set_distance_to_point(a, (double)h->point.x, (double)h->point.y, 0.0, 0.0)) / epsilon);
+	seen.point_m = greater(seen.point_m, fabs(set_distance_to_point(m, (double)h->point.x, (double)h->point.y, t * dx, t * dy)) / epsilon);
+	seen.normal = greater(seen.normal, fabs(hypot((double)h->normal.x, (double)h->normal.y) - 1.0));
 	CHECK(h->fraction >= 0.0f && h->fraction <= 1.0f);
 	CHECK((double)h->normal.x * dx + (double)h->normal.y * dy <= 0.0);
 	/* A step outward along the normal leaves. */

@@ -92,13 +92,13 @@ static void t_flat_chain_never_catches(void)
 			contacts += m.count;
 			for (int32_t i = 0; i < m.count; ++i) {
 				deepest = cni_min(deepest, m.points[i].separation);
-				worst_normal = fmax(worst_normal, (double)cni_length(cni_add(m.normal, up)));
+				worst_normal = greater(worst_normal, (double)cni_length(cni_add(m.normal, up)));
 			}
 		}
 		if (deepest == 1.0f)
 			++bare;
 		else
-			worst_depth = fmax(worst_depth, fabs((double)deepest + (double)depth));
+			worst_depth = greater(worst_depth, fabs((double)deepest + (double)depth));
 	}
 	CHECK_GE("placements", count, 50000, "");
 	CHECK_GE("contact points", contacts, 60000, "");
@@ -221,7 +221,7 @@ static void t_convex_loop_is_closed(void)
 		}
 		bare += deepest == 1.0f;
 		if (deepest < 1.0f)
-			worst = fmax(worst, fabs((double)deepest - reference));
+			worst = greater(worst, fabs((double)deepest - reference));
 	}
 	CHECK_GE("touching placements", count, 20000, "");
 	CHECK_LE("placements without a contact", bare, 0, "");
@@ -247,7 +247,7 @@ static void t_ledge_does_not_push(void)
 			cni_manifold m = collide(&shape.g, &ground.g, child, p.ground, MARGIN, NULL);
 			contacts += m.count > 0;
 			if (m.count > 0)
-				worst = fmax(worst, fabs((double)cni_rotate(p.pose.q, m.normal).x));
+				worst = greater(worst, fabs((double)cni_rotate(p.pose.q, m.normal).x));
 		}
 	}
 	CHECK_GE("contacts", contacts, 20000, "");
@@ -292,7 +292,7 @@ static void t_sliding_is_smooth(void)
 			for (int32_t child = 0; child < 48; ++child) {
 				cni_manifold m = collide(&box.g, &ground.g, child, p.ground, MARGIN, NULL);
 				for (int32_t i = 0; i < m.count; ++i) {
-					worst = fmax(worst, fabs((double)m.points[i].separation + (double)SLOP));
+					worst = greater(worst, fabs((double)m.points[i].separation + (double)SLOP));
 					low = cni_min(low, m.points[i].point.x);
 					high = cni_max(high, m.points[i].point.x);
 				}

@@ -20,10 +20,10 @@ static void t_segments(void)
 			best = fmin(best, point_segment((double)p[0].x + t * ((double)p[1].x - (double)p[0].x), (double)p[0].y + t * ((double)p[1].y - (double)p[0].y), p[2], p[3]));
 		}
 		best = fmin(best, points_distance(p, 2, p + 2, 2));
-		worst = fmax(worst, d - best);
-		worst_points = fmax(worst_points, fabs((double)cni_length(cni_sub(s.point_b, s.point_a)) - d));
-		worst_points = fmax(worst_points, point_segment((double)s.point_a.x, (double)s.point_a.y, p[0], p[1]));
-		worst_points = fmax(worst_points, point_segment((double)s.point_b.x, (double)s.point_b.y, p[2], p[3]));
+		worst = greater(worst, d - best);
+		worst_points = greater(worst_points, fabs((double)cni_length(cni_sub(s.point_b, s.point_a)) - d));
+		worst_points = greater(worst_points, point_segment((double)s.point_a.x, (double)s.point_a.y, p[0], p[1]));
+		worst_points = greater(worst_points, point_segment((double)s.point_b.x, (double)s.point_b.y, p[2], p[3]));
 		CHECK(s.fraction_a >= 0.0f && s.fraction_a <= 1.0f && s.fraction_b >= 0.0f && s.fraction_b <= 1.0f);
 	}
 	CHECK_LE("farther than the best of 400 samples by", worst, 1e-6, "m");
@@ -51,10 +51,10 @@ static void t_shapes_apart_and_overlapping(void)
 			continue;
 		}
 		++apart;
-		worst = fmax(worst, fabs((double)d.distance - reference) / (double)size);
-		worst_normal = fmax(worst_normal, fabs((double)cni_length(d.normal) - 1.0));
+		worst = greater(worst, fabs((double)d.distance - reference) / (double)size);
+		worst_normal = greater(worst_normal, fabs((double)cni_length(d.normal) - 1.0));
 		cni_vec2 gap = cni_sub(d.point_b, d.point_a);
-		worst_points = fmax(worst_points, (double)cni_length(cni_sub(gap, cni_mul(d.distance, d.normal))) / (double)size);
+		worst_points = greater(worst_points, (double)cni_length(cni_sub(gap, cni_mul(d.distance, d.normal))) / (double)size);
 	}
 	CHECK_GE("pairs apart", apart, 10000, "");
 	CHECK_GE("pairs overlapping", overlapping, 1000, "");

@@ -9,7 +9,7 @@ static double outside_most(const cn_polygon *h, const cni_vec2 *points, int32_t 
 	double worst = -1e30;
 	for (int32_t i = 0; i < count; ++i) {
 		double f = faces_separation(h->points_m, h->count, &points[i], 1);
-		worst = fmax(worst, f);
+		worst = greater(worst, f);
 	}
 	return worst;
 }
@@ -45,7 +45,7 @@ static void t_random_clouds(void)
 		++hulls;
 		refused += cni_check_polygon(&h, TOLERANCE) != NULL;
 		CHECK(area(h.points_m, h.count) > 0.0);
-		worst = fmax(worst, outside_most(&h, points, count));
+		worst = greater(worst, outside_most(&h, points, count));
 		for (int32_t i = 0; i < h.count; ++i)
 			foreign += !among(h.points_m[i], points, count);
 	}
@@ -84,9 +84,9 @@ static void t_area_of_clouds(void)
 		REQUIRE(cni_hull_make(points, count, TOLERANCE, &h) == NULL);
 		double loss = 1.0 - area(h.points_m, h.count) / brute_area(points, count);
 		if (h.count < CN_POLYGON_MAX_VERTICES)
-			worst = fmax(worst, loss);
+			worst = greater(worst, loss);
 		else
-			worst_many = fmax(worst_many, loss);
+			worst_many = greater(worst_many, loss);
 	}
 	CHECK_LE("area lost, hulls that fit", worst, 0.001, "share");
 	CHECK_LE("area lost, hulls of more than 16 vertices", worst_many, 0.02, "share");

@@ -49,7 +49,7 @@ static void manifold_check_form(const cni_manifold *m, double *worst_normal, int
 	*wrong += m->count < 0 || m->count > 2;
 	if (m->count == 0)
 		return;
-	*worst_normal = fmax(*worst_normal, fabs((double)cni_length(m->normal) - 1.0));
+	*worst_normal = greater(*worst_normal, fabs((double)cni_length(m->normal) - 1.0));
 	for (int32_t i = 0; i < m->count; ++i) {
 		const cni_manifold_point *p = &m->points[i];
 		*wrong += !cni_is_finite2(p->point) || !cni_is_finite(p->separation) || p->id == 0u || p->separation > MARGIN;
@@ -96,8 +96,8 @@ static void t_separation_is_exact(void)
 				continue;
 			++touching;
 			double error = (double)manifold_depth(&m) - reference;
-			worst_low = fmax(worst_low, -error - noise);
-			worst_high = fmax(worst_high, error - noise);
+			worst_low = greater(worst_low, -error - noise);
+			worst_high = greater(worst_high, error - noise);
 		}
 		printf("  types %d and %d: %d touching\n", pair_types[kind][0], pair_types[kind][1], touching);
 		CHECK_LE("deeper than the reference", worst_low, BIAS, "m");
@@ -122,8 +122,8 @@ static void t_normal_resolves(void)
 			++count;
 			cni_transform x = moved(p.b_in_a, -manifold_depth(&m), m.normal);
 			double after = reference_separation(&p.a.g, &p.b.g, x), noise = 3e-6 * (double)p.size;
-			worst_gap = fmax(worst_gap, after - noise);
-			worst_overlap = fmax(worst_overlap, -after - noise);
+			worst_gap = greater(worst_gap, after - noise);
+			worst_overlap = greater(worst_overlap, -after - noise);
 		}
 		printf("  types %d and %d: %d touching\n", pair_types[kind][0], pair_types[kind][1], count);
 		CHECK_LE("gap left", worst_gap, BIAS, "m");
@@ -147,7 +147,7 @@ static void t_points_are_between_the_surfaces(void)
 			double da = points_distance(cni_geometry_points(&p.a.g), p.a.g.count, &m.points[i].point, 1) - (double)p.a.g.radius;
 			double db = points_distance(cni_geometry_points(&p.b.g), p.b.g.count, &in_b, 1) - (double)p.b.g.radius;
 			double half = 0.5 * fabs((double)m.points[i].separation);
-			worst = fmax(worst, fmax(da, db) - half - 2e-6 * (double)p.size);
+			worst = greater(worst, greater(da, db) - half - 2e-6 * (double)p.size);
 		}
 	}
 	CHECK_LE("farther from a surface than half the separation", worst, BIAS, "m");
@@ -174,15 +174,15 @@ static void t_moving_both_changes_nothing(void)
 		}
 		if (m0.count == 0)
 			continue;
-		worst = fmax(worst, (double)cni_length(cni_sub(cni_rotate(x.q, m0.normal), m1.normal)));
+		worst = greater(worst, (double)cni_length(cni_sub(cni_rotate(x.q, m0.normal), m1.normal)));
 		for (int32_t i = 0; i < m0.count; ++i) {
-			worst = fmax(worst, fabs((double)m0.points[i].separation - (double)m1.points[i].separation));
-			worst = fmax(worst, (double)cni_length(cni_sub(cni_transform_point(x, m0.points[i].point), m1.points[i].point)));
+			worst = greater(worst, fabs((double)m0.points[i].separation - (double)m1.points[i].separation));
+			worst = greater(worst, (double)cni_length(cni_sub(cni_transform_point(x, m0.points[i].point), m1.points[i].point)));
 		}
 	}
 	CHECK_GE("touching", count, 5000, "pairs");
 	CHECK_LE("other features chosen", different, 0.001 * (double)count, "pairs");
-	CHECK_LE("difference", worst, 5e-4, "m");
+	CHECK_LE("difference", worst, 2e-5, "m"); /* rounding of places up to 4 m away */
 }
 
 static uint32_t id_flipped(uint32_t id) { return (id & 255u) << 8 | id >> 8; }
@@ -199,7 +199,7 @@ static void t_swapping_roles_gives_the_mirror(void)
 		cni_manifold f = collide(&p.b.g, &p.a.g, 0, transform_inverse(p.b_in_a), MARGIN, NULL);
 		count += m.count > 0;
 		if (m.count > 0 && f.count > 0)
-			worst = fmax(worst, fabs((double)manifold_depth(&m) - (double)manifold_depth(&f)));
+			worst = greater(worst, fabs((double)manifold_depth(&m) - (double)manifold_depth(&f)));
 		int32_t mirrored = m.count == f.count;
 		for (int32_t i = 0; i < m.count && mirrored; ++i)
 			mirrored = id_flipped(f.points[m.count - 1 - i].id) == m.points[i].id;
@@ -229,7 +229,7 @@ static void t_ids_persist_under_small_motion(void)
 			lost += !found;
 		}
 	}
-	CHECK_LE("ids lost by 0.1 mm of motion", (double)lost / (double)(kept + lost), 0.01, "share");
+	CHECK_LE("ids lost by 0.1 mm of motion", (double)lost / (double)(kept + lost), 1e-3, "share");
 }
 
 /* ------------------------------------------------------------------ particular poses */
@@ -276,7 +276,7 @@ static void t_jitter_does_not_change_a_stack(void)
 				changed += m.points[0].id != id0 || m.points[1].id != id1;
 			id0 = m.points[0].id;
 			id1 = m.points[1].id;
-			tilt = fmax(tilt, fabs((double)m.normal.x));
+			tilt = greater(tilt, fabs((double)m.normal.x));
 		}
 	}
 	CHECK_LE("ids changed", changed, 0, "");
@@ -379,7 +379,7 @@ static void t_cache_only_decides_ties(void)
 			continue;
 		}
 		if (m.count > 0)
-			worst = fmax(worst, fabs((double)manifold_depth(&m) - (double)manifold_depth(&c)) - 2e-6 * (double)p.size);
+			worst = greater(worst, fabs((double)manifold_depth(&m) - (double)manifold_depth(&c)) - 2e-6 * (double)p.size);
 	}
 	CHECK_LE("other answers", different, 0, "");
 	CHECK_LE("other depth", worst, BIAS, "m");
@@ -409,7 +409,7 @@ static void t_extremes_stay_finite(void)
 		cni_manifold m = collide(&a.g, &b.g, type_b == CN_SHAPE_CHAIN ? random_below(7) : 0, x, MARGIN, NULL);
 		touching += m.count > 0;
 		if (m.count > 0)
-			worst = fmax(worst, fabs((double)cni_length(m.normal) - 1.0));
+			worst = greater(worst, fabs((double)cni_length(m.normal) - 1.0));
 		for (int32_t i = 0; i < m.count; ++i)
 			wrong += !cni_is_finite2(m.points[i].point) || !cni_is_finite(m.points[i].separation) || m.points[i].id == 0u;
 	}

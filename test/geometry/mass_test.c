@@ -10,7 +10,7 @@ static void mass_compare(const char *what, cn_mass_data m, double mass, double i
 {
 	double error = fmax(fabs((double)m.mass_kg / mass - 1.0), fabs((double)m.inertia_kgm2 / inertia - 1.0));
 	double size = sqrt(inertia / mass);
-	error = fmax(error, hypot((double)m.center_m.x - x, (double)m.center_m.y - y) / size);
+	error = greater(error, hypot((double)m.center_m.x - x, (double)m.center_m.y - y) / size);
 	CHECK_LE(what, error, bound, "relative");
 }
 

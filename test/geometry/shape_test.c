@@ -34,9 +34,9 @@ static void t_polygon_is_counter_clockwise_with_outward_normals(void)
 		cni_geometry_polygon(&r.g, k & 1 ? &reversed : &p, transform_make(random_in(-2, 2), random_in(-2, 2), random_in(-3, 3)));
 		const cni_vec2 *v = cni_geometry_points(&r.g), *n = cni_geometry_normals(&r.g);
 		for (int32_t i = 0; i < r.g.count; ++i) {
-			worst = fmax(worst, fabs((double)cni_length(n[i]) - 1.0));
+			worst = greater(worst, fabs((double)cni_length(n[i]) - 1.0));
 			for (int32_t j = 0; j < r.g.count; ++j)
-				worst = fmax(worst, (double)cni_dot(n[i], cni_sub(v[j], v[i])));
+				worst = greater(worst, (double)cni_dot(n[i], cni_sub(v[j], v[i])));
 		}
 		CHECK(cni_geometry_contains(&r.g, r.g.centroid));
 	}
@@ -68,10 +68,10 @@ static void t_box_is_tight(void)
 			cni_vec2 p = cni_transform_point(x, cni_geometry_points(&r.g)[i]);
 			x0 = fmin(x0, (double)p.x - radius);
 			y0 = fmin(y0, (double)p.y - radius);
-			x1 = fmax(x1, (double)p.x + radius);
-			y1 = fmax(y1, (double)p.y + radius);
+			x1 = greater(x1, (double)p.x + radius);
+			y1 = greater(y1, (double)p.y + radius);
 		}
-		worst = fmax(worst, fmax(fmax(fabs(x0 - (double)box.x0), fabs(y0 - (double)box.y0)), fmax(fabs(x1 - (double)box.x1), fabs(y1 - (double)box.y1))));
+		worst = greater(worst, greater(greater(fabs(x0 - (double)box.x0), fabs(y0 - (double)box.y0)), greater(fabs(x1 - (double)box.x1), fabs(y1 - (double)box.y1))));
 	}
 	CHECK_LE("box error", worst, 1e-6, "m");
 }

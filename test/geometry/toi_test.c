@@ -142,15 +142,15 @@ static void check_pair(const cni_toi_input *in, int32_t samples)
 	if (r.iterations > seen.iterations_most)
 		seen.iterations_most = r.iterations;
 	if (r.state == CNI_TOI_OVERLAPPED) {
-		seen.below = fmax(seen.below, start / tolerance);
+		seen.below = greater(seen.below, start / tolerance);
 		return;
 	}
 	if (r.state == CNI_TOI_HIT) {
 		double at = distance_at(in, (double)r.fraction);
 		double high = fmax(target, tolerance) + tolerance;
-		seen.early = fmax(seen.early, (at - high) / tolerance);
+		seen.early = greater(seen.early, (at - high) / tolerance);
 		if (r.fraction > 0.0f)
-			seen.below = fmax(seen.below, (target - at) / tolerance);
+			seen.below = greater(seen.below, (target - at) / tolerance);
 		seen.started_near += r.fraction == 0.0f;
 	}
 	for (int32_t i = 0; i <= samples && r.fraction > 0.0f; ++i)
@@ -407,7 +407,7 @@ static void t_swapping_changes_little(void)
 		r = cni_toi(&in);
 		s = cni_toi(&swapped);
 		if (r.state == CNI_TOI_HIT && s.state == CNI_TOI_HIT)
-			worst = fmax(worst, fabs((double)r.fraction - (double)s.fraction));
+			worst = greater(worst, fabs((double)r.fraction - (double)s.fraction));
 		else
 			differ += r.state != s.state;
 	}

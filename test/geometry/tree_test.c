@@ -125,7 +125,7 @@ static int32_t crosses(cni_vec2 o, cni_vec2 d, const cni_aabb *b, double margin)
 		}
 		a = (low[k] - start[k]) / along[k];
 		c = (high[k] - start[k]) / along[k];
-		t0 = fmax(t0, fmin(a, c));
+		t0 = greater(t0, fmin(a, c));
 		t1 = fmin(t1, fmax(a, c));
 	}
 	return t0 <= t1;
@@ -371,7 +371,7 @@ static double worst_cost(int32_t share, void *scratch)
 			cni_tree_set_box(&p.tree, k, &box);
 		}
 		cni_tree_settle(&p.tree, scratch);
-		worst = fmax(worst, (double)cni_tree_cost(&p.tree));
+		worst = greater(worst, (double)cni_tree_cost(&p.tree));
 	}
 	CHECK(cni_tree_validate(&p.tree));
 	return worst;

@@ -72,21 +72,25 @@ static int32_t follow_all(cn_world *world, int32_t *total)
 }
 
 /*
- * What following may miss: surfaces slide a quarter of the slop (1.25 mm) before the manifold is computed again, so an arm
- * may be out by that on each body and by half as much where the point lies between them, and a separation by that times
- * the angle between clipped edges (up to 0.2); a normal by the turn that is followed (2 mrad on each body), but for
- * corners that nearly touch, whose normal hangs on micrometres: those count as another manifold.
+ * What following may miss. Until a manifold is computed again, one surface slides along the other by a 256th of the smaller
+ * body's extent at most, and by no more than a quarter of the slop, 1.25 mm; one body turns against the other by a 512th.
+ *   normal      between faces, that turn; at a box's corner a ball's centre moves along by what it slid: 1 / 256
+ *   arms        what slid, and what the normal missed times the distance of the centres, 0.72 m for two boxes; balls slide
+ *               less, and nearer
+ *   separation  what slid times the angle between clipped edges, up to 0.2
  */
-#define ARM 4e-3
-#define SEPARATION 3e-4
-#define NORMAL 4e-3
+#define NORMAL_OF_FACES (1.0 / 512.0)
+#define NORMAL_OF_BALLS (1.0 / 256.0)
+#define ARM (1.25e-3 + 0.72 * NORMAL_OF_FACES)
+#define SEPARATION 2.5e-4
+
+/* Far above all of these, in radians: corner on corner, the normal hangs on micrometres and may be any. */
+#define OTHER_NORMAL 0.1
 
 typedef struct worst {
 	double separation, arm, normal, mass; /* metres, metres, radians, relative */
 	int32_t other; /* lanes with another manifold: corner on corner, or a point that just reached the margin */
 } worst;
-
-static double greater(double a, double b) { return a > b ? a : b; }
 
 static double apart(float a, float b) { return fabs((double)a - (double)b); }
 
@@ -95,9 +99,15 @@ static int32_t points_of(const lane_copy *c)
 	return (c->nm[0] > 0.0f) + (c->nm[1] > 0.0f);
 }
 
+static double angle_between(const lane_copy *a, const lane_copy *b)
+{
+	double ax = (double)a->nx, ay = (double)a->ny, bx = (double)b->nx, by = (double)b->ny;
+	return fabs(atan2(ax * by - ay * bx, ax * bx + ay * by));
+}
+
 static int32_t is_another(const lane_copy *a, const lane_copy *b)
 {
-	return points_of(a) != points_of(b) || fabs((double)(a->nx * b->ny - a->ny * b->nx)) > NORMAL;
+	return points_of(a) != points_of(b) || angle_between(a, b) > OTHER_NORMAL;
 }
 
 /* A normal between corners that are apart may turn much; it matters once they touch. */
@@ -115,7 +125,7 @@ static void compare(worst *w, const lane_copy *a, const lane_copy *b)
 		++w->other;
 		return;
 	}
-	w->normal = greater(w->normal, fabs((double)(a->nx * b->ny - a->ny * b->nx)));
+	w->normal = greater(w->normal, angle_between(a, b));
 	w->arm = greater(w->arm, greater(greater(apart(a->fa, b->fa), apart(a->fb, b->fb)), greater(apart(a->dn, b->dn), apart(a->dt, b->dt))));
 	w->mass = greater(w->mass, fabs((double)(a->tm / b->tm) - 1.0));
 	for (k = 0; k < points; ++k) {
@@ -176,9 +186,9 @@ static void a_pile_at_rest_is_followed(void)
 	CHECK_GE("part of the lanes that is followed", run(world, 100, &w), 0.9, "");
 	CHECK_LE("separation", w.separation, SEPARATION, "m");
 	CHECK_LE("arms", w.arm, ARM, "m");
-	CHECK_LE("normal", w.normal, NORMAL, "rad");
+	CHECK_LE("normal", w.normal, NORMAL_OF_FACES, "rad");
 	CHECK_LE("masses", w.mass, 1e-2, "");
-	CHECK_LE("lanes with another manifold", w.other, 22, "of 2,200");
+	CHECK_LE("lanes with another manifold", w.other, 2, "of 2,400");
 	cn_world_destroy(world);
 }
 
@@ -193,8 +203,8 @@ static void a_pile_in_motion_is_followed_where_it_rests(void)
 	CHECK_LE("... and not all of them are", part, 0.95, "");
 	CHECK_LE("separation", w.separation, SEPARATION, "m");
 	CHECK_LE("arms", w.arm, ARM, "m");
-	CHECK_LE("normal", w.normal, NORMAL, "rad");
-	CHECK_LE("lanes with another manifold", w.other, 44, "of 4,400");
+	CHECK_LE("normal", w.normal, NORMAL_OF_BALLS, "rad");
+	CHECK_LE("lanes with another manifold", w.other, 5, "of 5,300");
 	cn_world_destroy(world);
 }
 
@@ -209,8 +219,10 @@ static void what_rides_along_is_followed(void)
 	fixture_step(world, 120);
 	must(cn_body_set_velocity(world, platform, 0.3f, 0.5f, 0.1f), world, "cn_body_set_velocity");
 	CHECK_GE("part of the lanes that is followed", run(world, 120, &w), 0.5, "");
-	CHECK_LE("separation", w.separation, 1e-4, "m");
-	CHECK_LE("normal", w.normal, 1e-3, "rad");
+	/* Nothing slides or turns there, so far less is missed than could be. */
+	CHECK_LE("separation", w.separation, SEPARATION / 50.0, "m");
+	CHECK_LE("normal", w.normal, NORMAL_OF_FACES / 10.0, "rad");
+	CHECK_LE("lanes with another manifold", w.other, 0, "of 24");
 	cn_world_destroy(world);
 }
 

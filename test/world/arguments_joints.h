@@ -1,9 +1,98 @@
 /*
- * test/world/arguments_joints.h - entries of arguments_test for the joint types beside revolute and distance
- * and for constraints: good and bad calls of each function. Included by arguments_test.c only, after its macros.
+ * test/world/arguments_joints.h - entries of arguments_test for joints and constraints: good and bad calls of each
+ * function. Included by arguments_test.c only, after its macros.
  */
 #ifndef CAIRN_TEST_ARGUMENTS_JOINTS_H
 #define CAIRN_TEST_ARGUMENTS_JOINTS_H
+
+/* ---- all joints, revolute, distance */
+
+ENTRY(cn_revolute_def_init, (cn_revolute_def_init(&rd), CN_OK), cn_revolute_def_init(NULL);)
+ENTRY(cn_distance_def_init, (cn_distance_def_init(&dd), CN_OK), cn_distance_def_init(NULL);)
+
+static cn_result call_create_revolute(const cn_revolute_def *d) { return cn_joint_create_revolute(W, d, OUT(cn_joint)); }
+static cn_result call_create_distance(const cn_distance_def *d) { return cn_joint_create_distance(W, d, OUT(cn_joint)); }
+static cn_result call_set_revolute(const cn_revolute_def *d) { return cn_joint_set_revolute(W, f.pin, d); }
+static cn_result call_set_distance(const cn_distance_def *d) { return cn_joint_set_distance(W, f.rope, d); }
+
+static void bad_revolute(cn_result (*call)(const cn_revolute_def *))
+{
+	ARG(call(NULL));
+	FLAGS(x, 5, call(RD(base.flags, x)));
+	ANGLE(x, call(RD(reference_angle_rad, x)));
+	RANGE(x, -3.2f, 0.1f, call(RD(lower_angle_rad, x)));
+	RANGE(x, -0.1f, 3.2f, call(RD(upper_angle_rad, x)));
+	FLOAT(x, call(RD(motor_speed_radps, x)));
+	NOT_NEGATIVE(x, call(RD(motor_torque_max_Nm, x)));
+	ANGLE(x, call(RD(spring_target_rad, x)));
+	RANGE(x, -1.0f, 1.1e6f, call(RD(spring_hertz, x)));
+	RANGE(x, -1.0f, 1.1e6f, call(RD(spring_damping_ratio, x)));
+}
+
+static void bad_distance(cn_result (*call)(const cn_distance_def *))
+{
+	ARG(call(NULL));
+	FLAGS(x, 5, call(DD(base.flags, x)));
+	POSITIVE(x, call(DD(length_m, x)));
+	RANGE(x, -0.1f, 1.1f, call(DD(length_min_m, x)));
+	NOT_NEGATIVE(x, call(DD(length_max_m, x)));
+	FLOAT(x, call(DD(motor_speed_mps, x)));
+	NOT_NEGATIVE(x, call(DD(motor_force_max_N, x)));
+	RANGE(x, -1.0f, 1.1e6f, call(DD(spring_hertz, x)));
+	RANGE(x, -1.0f, 1.1e6f, call(DD(spring_damping_ratio, x)));
+}
+
+/* What both creators check in base; S spoils a field of one type's definition. */
+#define BAD_BASE(create, S, def) NOW(create(NULL, (reset(), &def), OUT(cn_joint))); ARG(create(W, (reset(), &def), NULL)); \
+	SIZES(x, create(W, S(base.struct_size, x), OUT(cn_joint))); BODY_BUT_ZERO(h, create(W, S(base.body_a, h), OUT(cn_joint))); \
+	BODY_BUT_ZERO(h, create(W, S(base.body_b, h), OUT(cn_joint))); POSITION(v, create(W, S(base.anchor_a_m, v), OUT(cn_joint))); \
+	POSITION(v, create(W, S(base.anchor_b_m, v), OUT(cn_joint))); \
+	ARG(create(W, BASE(def, f.box, f.box), OUT(cn_joint))); \
+	ARG(create(W, BASE(def, 0, 0), OUT(cn_joint))); \
+	ARG(create(W, BASE(def, f.ground, f.rail), OUT(cn_joint))); \
+	ARG(create(W, BASE(def, f.ground, 0), OUT(cn_joint)));
+
+ENTRY(cn_joint_create_revolute, cn_joint_create_revolute(W, (reset(), &rd), OUT(cn_joint)),
+	bad_revolute(call_create_revolute); BAD_BASE(cn_joint_create_revolute, RD, rd))
+ENTRY(cn_joint_create_distance, cn_joint_create_distance(W, (reset(), &dd), OUT(cn_joint)),
+	bad_distance(call_create_distance); BAD_BASE(cn_joint_create_distance, DD, dd))
+ENTRY(cn_joint_destroy, cn_joint_destroy(W, f.pin), NOW(cn_joint_destroy(NULL, f.pin)); JOINT(h, cn_joint_destroy(W, h));)
+ENTRY(cn_joint_is_valid, cn_joint_is_valid(W, f.pin) ? CN_OK : -1,
+	int k; CHECK(cn_joint_is_valid(NULL, f.pin) == 0); for (k = 0; k < f.bad_joint_count; ++k) CHECK(cn_joint_is_valid(W, f.bad_joints[k]) == 0);)
+GETTER(cn_joint_get_type, JOINT, f.pin, int32_t)
+GETTER2(cn_joint_get_bodies, JOINT, f.pin, cn_body, cn_body)
+GETTER2(cn_joint_get_anchors, JOINT, f.pin, cn_vec2, cn_vec2)
+GETTER2(cn_joint_get_reaction, JOINT, f.pin, cn_vec2, float)
+GETTER2(cn_joint_get_error, JOINT, f.pin, float, float)
+ENTRY(cn_joint_set_solver, cn_joint_set_solver(W, f.pin, CN_SOLVER_SOFT),
+	NOW(cn_joint_set_solver(NULL, f.pin, 0)); JOINT(h, cn_joint_set_solver(W, h, 0)); INTEGER(x, -1, 3, cn_joint_set_solver(W, f.pin, x));)
+GETTER(cn_joint_get_solver, JOINT, f.pin, int32_t)
+ENTRY(cn_joint_set_user_data, cn_joint_set_user_data(W, f.pin, 3), NOW(cn_joint_set_user_data(NULL, f.pin, 3)); JOINT(h, cn_joint_set_user_data(W, h, 3));)
+GETTER(cn_joint_get_user_data, JOINT, f.pin, uint64_t)
+ENTRY(cn_joint_set_flags, cn_joint_set_flags(W, f.pin, CN_JOINT_MOTOR | CN_JOINT_COLLIDE),
+	NOW(cn_joint_set_flags(NULL, f.pin, 0)); JOINT(h, cn_joint_set_flags(W, h, 0)); FLAGS(x, 5, cn_joint_set_flags(W, f.pin, x));)
+GETTER(cn_joint_get_flags, JOINT, f.pin, uint32_t)
+#define JOINT_TYPE_GETTER(name, joint, other, T) ENTRY(name, name(W, joint, OUT(T)), \
+	NOW(name(NULL, joint, OUT(T))); JOINT(h, name(W, h, OUT(T))); ARG(name(W, joint, NULL)); STATE(name(W, other, OUT(T)));)
+JOINT_TYPE_GETTER(cn_joint_get_revolute, f.pin, f.rope, cn_revolute_def)
+JOINT_TYPE_GETTER(cn_joint_get_distance, f.rope, f.pin, cn_distance_def)
+ENTRY(cn_joint_set_revolute, cn_joint_set_revolute(W, f.pin, RD(base.flags, CN_JOINT_LIMIT | CN_JOINT_COLLIDE)),
+	bad_revolute(call_set_revolute); NOW(cn_joint_set_revolute(NULL, f.pin, (reset(), &rd))); JOINT(h, cn_joint_set_revolute(W, h, (reset(), &rd)));
+	STATE(cn_joint_set_revolute(W, f.rope, (reset(), &rd)));)
+ENTRY(cn_joint_set_distance, cn_joint_set_distance(W, f.rope, DD(base.flags, CN_JOINT_SPRING)),
+	bad_distance(call_set_distance); NOW(cn_joint_set_distance(NULL, f.rope, (reset(), &dd))); JOINT(h, cn_joint_set_distance(W, h, (reset(), &dd)));
+	STATE(cn_joint_set_distance(W, f.pin, (reset(), &dd)));)
+GETTER(cn_joint_get_position, JOINT, f.pin, float)
+GETTER(cn_joint_get_speed, JOINT, f.pin, float)
+ENTRY(cn_joint_set_motor, cn_joint_set_motor(W, f.pin, 1.0f, 2.0f),
+	NOW(cn_joint_set_motor(NULL, f.pin, 1.0f, 2.0f)); JOINT(h, cn_joint_set_motor(W, h, 1.0f, 2.0f));
+	FLOAT(x, cn_joint_set_motor(W, f.pin, x, 2.0f)); NOT_NEGATIVE(x, cn_joint_set_motor(W, f.pin, 1.0f, x));)
+ENTRY(cn_joint_set_limits, cn_joint_set_limits(W, f.pin, -1.0f, 1.0f),
+	NOW(cn_joint_set_limits(NULL, f.pin, -1.0f, 1.0f)); JOINT(h, cn_joint_set_limits(W, h, -1.0f, 1.0f));
+	RANGE(x, -3.2f, 1.1f, cn_joint_set_limits(W, f.pin, x, 1.0f)); RANGE(x, -1.1f, 3.2f, cn_joint_set_limits(W, f.pin, -1.0f, x));
+	RANGE(x, -0.1f, 2.1f, cn_joint_set_limits(W, f.rope, x, 2.0f)); RANGE(x, -0.1f, 0.9f, cn_joint_set_limits(W, f.rope, 1.0f, x));)
+
+/* ---- the other types, constraints */
 
 /* One joint of each type and both constraints, in the fixture's world. */
 static cn_joint any[CN_JOINT_FILTER + 1];

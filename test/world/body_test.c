@@ -1,275 +1,11 @@
 /*
- * test/world/body_test.c - what a body is: type, locks, damping, forces, mass, pose, names, lists, handles.
+ * test/world/body_test.c - what a body is: damping, forces, mass, pose, names, lists, handles. Types and locks are in
+ * body_state_test.c.
  *
  * If a test here fails, look first in: world/body*.c (the calls), model/body.c (mass, records),
- * stages/integrate.c (drives, damping, locks), stages/contact_lane.c and stages/contact_solve.c (locked bodies in contact).
+ * stages/integrate.c (drives, damping).
  */
-#include "fixture.h"
-
-static cn_body box_at(cn_world *world, int32_t type, float x, float y)
-{
-	return fixture_box(world, type, x, y, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
-}
-
-static int32_t type_of(const cn_world *world, cn_body body)
-{
-	int32_t type = -1;
-	must(cn_body_get_type(world, body, &type), world, "cn_body_get_type");
-	return type;
-}
-
-static cn_mass_data mass_of(const cn_world *world, cn_body body)
-{
-	cn_mass_data mass;
-	must(cn_body_get_mass_data(world, body, &mass), world, "cn_body_get_mass_data");
-	return mass;
-}
-
-static cn_vec2 center_of(const cn_world *world, cn_body body)
-{
-	cn_vec2 center;
-	must(cn_body_get_center(world, body, &center), world, "cn_body_get_center");
-	return center;
-}
-
-static void set_flags(cn_world *world, cn_body body, uint32_t flags)
-{
-	must(cn_body_set_flags(world, body, CN_BODY_ENABLED | CN_BODY_SLEEP | flags), world, "cn_body_set_flags");
-}
-
-/* ---- types ---- */
-
-static void each_type_moves_as_it_should(void)
-{
-	cn_world *world = fixture_world(-10.0f, 0);
-	cn_body fixed = box_at(world, CN_BODY_STATIC, 0.0f, 0.0f), moving = box_at(world, CN_BODY_KINEMATIC, 5.0f, 0.0f), falling = box_at(world, CN_BODY_DYNAMIC, 10.0f, 0.0f);
-	CHECK(cn_body_set_velocity(world, fixed, 1.0f, 0.0f, 0.0f) == CN_ERROR_STATE);
-	fixture_set_velocity(world, moving, 1.0f, 0.5f, 0.25f);
-	must(cn_body_apply_force(world, moving, 100.0f, 0.0f), world, "force");
-	must(cn_body_apply_impulse(world, fixed, 100.0f, 0.0f), world, "impulse");
-	fixture_step(world, 120);
-	CHECK(fixture_pose(world, fixed).position_m.y == 0.0f && fixture_pose(world, fixed).position_m.x == 0.0f);
-	CHECK_LE("error of a kinematic body's place after 2 s", hypot((double)fixture_pose(world, moving).position_m.x - 7.0, (double)fixture_pose(world, moving).position_m.y - 1.0), 1e-5, "m");
-	CHECK_LE("error of its angle", fabs(asin((double)fixture_pose(world, moving).sine) - 0.5), 1e-5, "rad");
-	CHECK_LE("error of a falling body's place", fabs((double)fixture_pose(world, falling).position_m.y + 20.0), 1e-4, "m");
-	CHECK(mass_of(world, fixed).mass_kg == 0.0f && mass_of(world, moving).mass_kg == 0.0f && fabsf(mass_of(world, falling).mass_kg - 1.0f) < 1e-6f);
-	cn_world_destroy(world);
-}
-
-/* A kinematic body pushes, and is not pushed back. */
-static void kinematic_bodies_are_not_pushed(void)
-{
-	cn_world *world = fixture_world(0.0f, 0);
-	cn_body ram = box_at(world, CN_BODY_KINEMATIC, 0.0f, 0.0f), box = box_at(world, CN_BODY_DYNAMIC, 2.0f, 0.0f);
-	fixture_set_velocity(world, ram, 2.0f, 0.0f, 0.0f);
-	fixture_step(world, 120);
-	CHECK_LE("error of the ram's place", fabs((double)fixture_pose(world, ram).position_m.x - 4.0), 1e-5, "m");
-	CHECK_GE("place of the pushed box", fixture_pose(world, box).position_m.x, 4.99, "m");
-	CHECK_LE("error of its speed", fabs((double)fixture_velocity(world, box).linear_mps.x - 2.0), 0.05, "m/s");
-	cn_world_destroy(world);
-}
-
-/* A box on the ground with one on top, jointed to a third, changes type while awake or asleep. */
-static void change_run(int32_t from, int32_t to, int32_t asleep, int32_t jointed)
-{
-	cn_world *world = fixture_world(-10.0f, asleep);
-	cn_body box, top, other;
-	cn_revolute_def hinge;
-	cn_joint joint = 0;
-	float y;
-	fixture_floor(world, 0.6f, 0.0f);
-	box = box_at(world, from, 0.0f, 0.5f);
-	top = box_at(world, CN_BODY_DYNAMIC, 0.0f, 1.5f);
-	other = box_at(world, CN_BODY_DYNAMIC, 1.0f, 0.5f);
-	if (jointed) {
-		cn_revolute_def_init(&hinge);
-		hinge.base.body_a = box;
-		hinge.base.body_b = other;
-		hinge.base.anchor_a_m.x = 0.5f;
-		hinge.base.anchor_b_m.x = -0.5f;
-		must(cn_joint_create_revolute(world, &hinge, &joint), world, "cn_joint_create_revolute");
-	}
-	fixture_step(world, 120);
-	must(cn_body_set_type(world, box, to), world, "cn_body_set_type");
-	CHECK(fixture_is_valid(world));
-	CHECK(type_of(world, box) == to && fixture_is_awake(world, top));
-	CHECK(fixture_is_awake(world, box) == (to != CN_BODY_STATIC));
-	CHECK((mass_of(world, box).mass_kg > 0.0f) == (to == CN_BODY_DYNAMIC));
-	CHECK(fixture_velocity(world, box).linear_mps.x == 0.0f || to != CN_BODY_STATIC);
-	fixture_step(world, 120);
-	CHECK(fixture_is_valid(world));
-	y = fixture_pose(world, top).position_m.y; /* it still stands on it */
-	if (fabsf(y - 1.5f) > 0.01f || fabsf(fixture_pose(world, box).position_m.y - 0.5f) > 0.01f || (jointed && !cn_joint_is_valid(world, joint))) {
-		printf("  %d to %d, asleep %d, jointed %d: top at %.4f, box at %.4f\n", (int)from, (int)to, (int)asleep, (int)jointed, (double)y, (double)fixture_pose(world, box).position_m.y);
-		CHECK(0);
-	}
-	/* What it has become shows when it is pushed. */
-	must(cn_body_apply_impulse(world, box, 0.0f, 8.0f), world, "impulse");
-	fixture_step(world, 1);
-	CHECK((fixture_velocity(world, box).linear_mps.y > 0.5f) == (to == CN_BODY_DYNAMIC));
-	if (jointed) {
-		must(cn_joint_destroy(world, joint), world, "cn_joint_destroy");
-		CHECK(fixture_is_valid(world));
-	}
-	cn_world_destroy(world);
-}
-
-static void all_six_changes_of_type_work(void)
-{
-	int32_t from, to, asleep, jointed;
-	for (from = 0; from < 3; ++from)
-		for (to = 0; to < 3; ++to)
-			for (asleep = 0; asleep < 2; ++asleep)
-				for (jointed = 0; jointed < 2; ++jointed)
-					if (from != to)
-						change_run(from, to, asleep, jointed);
-}
-
-static void a_type_may_not_leave_a_joint_without_a_dynamic_body(void)
-{
-	cn_world *world = fixture_world(-10.0f, 0);
-	cn_body a = box_at(world, CN_BODY_DYNAMIC, 0.0f, 0.0f), b = box_at(world, CN_BODY_DYNAMIC, 1.0f, 0.0f);
-	cn_distance_def rod;
-	cn_joint joint;
-	uint64_t hash;
-	cn_distance_def_init(&rod);
-	rod.base.body_a = a;
-	rod.base.body_b = b;
-	must(cn_joint_create_distance(world, &rod, &joint), world, "joint");
-	must(cn_body_set_type(world, a, CN_BODY_STATIC), world, "type");
-	hash = fixture_hash(world);
-	CHECK(cn_body_set_type(world, b, CN_BODY_KINEMATIC) == CN_ERROR_STATE);
-	CHECK(cn_body_set_type(world, b, CN_BODY_STATIC) == CN_ERROR_STATE);
-	CHECK(type_of(world, b) == CN_BODY_DYNAMIC && fixture_hash(world) == hash && fixture_is_valid(world));
-	must(cn_joint_destroy(world, joint), world, "destroy");
-	CHECK(cn_body_set_type(world, b, CN_BODY_STATIC) == CN_OK);
-	cn_world_destroy(world);
-}
-
-/* ---- locks ---- */
-
-static void locked_axes_keep_their_place(void)
-{
-	cn_world *world = fixture_world(-10.0f, 0);
-	cn_body x_locked = box_at(world, CN_BODY_DYNAMIC, 0.0f, 0.0f), y_locked = box_at(world, CN_BODY_DYNAMIC, 5.0f, 0.0f), turn_locked = box_at(world, CN_BODY_DYNAMIC, 10.0f, 0.0f);
-	set_flags(world, x_locked, CN_BODY_LOCK_X);
-	set_flags(world, y_locked, CN_BODY_LOCK_Y);
-	set_flags(world, turn_locked, CN_BODY_LOCK_ROTATION);
-	fixture_set_velocity(world, x_locked, 3.0f, 0.0f, 1.0f);
-	fixture_set_velocity(world, y_locked, 3.0f, 1.0f, 1.0f);
-	fixture_set_velocity(world, turn_locked, 0.0f, 0.0f, 1.0f);
-	must(cn_body_apply_torque(world, turn_locked, 10.0f), world, "torque");
-	must(cn_body_apply_angular_impulse(world, turn_locked, 10.0f), world, "angular impulse");
-	must(cn_body_apply_force(world, x_locked, 50.0f, 0.0f), world, "force");
-	fixture_step(world, 60);
-	CHECK_LE("change of the locked x", fabs((double)fixture_pose(world, x_locked).position_m.x), 0.0, "m");
-	CHECK_LE("error of the free y", fabs((double)fixture_pose(world, x_locked).position_m.y + 5.0), 1e-4, "m");
-	CHECK_LE("change of the locked y", fabs((double)fixture_pose(world, y_locked).position_m.y), 0.0, "m");
-	CHECK_LE("error of the free x", fabs((double)fixture_pose(world, y_locked).position_m.x - 8.0), 1e-4, "m");
-	CHECK_LE("change of the locked angle", fabs((double)fixture_pose(world, turn_locked).sine), 0.0, "");
-	CHECK_LE("error of the free angle", fabs(asin((double)fixture_pose(world, x_locked).sine) - 1.0), 1e-4, "rad");
-	cn_world_destroy(world);
-}
-
-typedef struct bounce {
-	double deepest, speed_error, moved, energy; /* how far the ball went in, its final speed, the box, energy / start */
-} bounce;
-
-/* A ball of some mass hits a box of 1 kg from its side at 5 m/s. */
-static bounce ball_hits_locked_box(float mass_kg, uint32_t locks, float e)
-{
-	cn_world *world = fixture_world(0.0f, 0);
-	cn_body box = box_at(world, CN_BODY_DYNAMIC, 0.0f, 0.0f), ball = fixture_circle(world, CN_BODY_DYNAMIC, -2.0f, 0.0f, 0.25f, 0.0f, e);
-	cn_mass_data mass = mass_of(world, ball);
-	bounce b = { 0.0, 0.0, 0.0, 0.0 };
-	double back;
-	int32_t k;
-	mass.inertia_kgm2 *= mass_kg / mass.mass_kg;
-	mass.mass_kg = mass_kg;
-	must(cn_body_set_mass_data(world, ball, &mass), world, "mass");
-	set_flags(world, box, locks);
-	fixture_set_velocity(world, ball, 5.0f, 0.0f, 0.0f);
-	for (k = 0; k < 60; ++k) {
-		fixture_step(world, 1);
-		b.deepest = fmax(b.deepest, (double)fixture_pose(world, ball).position_m.x + 0.75);
-	}
-	back = -(double)fixture_velocity(world, ball).linear_mps.x;
-	b.speed_error = fabs(back - 5.0 * (double)e);
-	b.moved = fabs((double)fixture_pose(world, box).position_m.x);
-	if (locks & CN_BODY_LOCK_Y)
-		b.moved = fmax(b.moved, fabs((double)fixture_pose(world, box).position_m.y));
-	b.energy = back * back / 25.0;
-	cn_world_destroy(world);
-	return b;
-}
-
-/* The worst over balls of 10 g to 100 kg, with and without bounce. */
-static bounce locked_box_worst(uint32_t locks)
-{
-	static const float masses[] = { 0.01f, 1.0f, 100.0f };
-	bounce worst = { 0.0, 0.0, 0.0, 0.0 };
-	size_t m;
-	int32_t e;
-	for (m = 0; m < 3; ++m)
-		for (e = 0; e < 2; ++e) {
-			bounce b = ball_hits_locked_box(masses[m], locks, (float)e);
-			worst.deepest = fmax(worst.deepest, b.deepest);
-			worst.speed_error = fmax(worst.speed_error, b.speed_error);
-			worst.moved = fmax(worst.moved, b.moved);
-			worst.energy = fmax(worst.energy, b.energy);
-		}
-	return worst;
-}
-
-static void both_locks_are_infinite_mass(void)
-{
-	int32_t turn;
-	for (turn = 0; turn < 2; ++turn) {
-		bounce b = locked_box_worst(CN_BODY_LOCK_X | CN_BODY_LOCK_Y | (turn ? (uint32_t)CN_BODY_LOCK_ROTATION : 0u));
-		CHECK_LE("change of the locked place", b.moved, 0.0, "m");
-		CHECK_LE("how deep the ball went", b.deepest, 0.005, "m");
-		CHECK_LE("error of its speed afterwards", b.speed_error, 0.01, "m/s");
-		CHECK_LE("energy / start", b.energy, 1.0001, "");
-	}
-}
-
-static void a_locked_axis_keeps_its_place_when_hit(void)
-{
-	int32_t turn;
-	for (turn = 0; turn < 2; ++turn) {
-		bounce b = locked_box_worst(CN_BODY_LOCK_X | (turn ? (uint32_t)CN_BODY_LOCK_ROTATION : 0u));
-		CHECK_LE("change of the locked x", b.moved, 0.0, "m");
-		CHECK_LE("energy / start", b.energy, 1.0001, "");
-	}
-}
-
-static void a_locked_axis_is_a_wall(void)
-{
-	bounce b = locked_box_worst(CN_BODY_LOCK_X | CN_BODY_LOCK_ROTATION);
-	CHECK_LE("how deep the ball went", b.deepest, 0.005, "m");
-	CHECK_LE("error of its speed afterwards", b.speed_error, 0.01, "m/s");
-}
-
-/* A box locked in the air carries another; a tall thin one whose rotation is locked is not pushed over. */
-static void locked_bodies_rest_and_carry(void)
-{
-	cn_world *world = fixture_world(-10.0f, 1);
-	cn_body lift = box_at(world, CN_BODY_DYNAMIC, 0.0f, 5.0f), load = box_at(world, CN_BODY_DYNAMIC, 0.0f, 6.0f), tall;
-	fixture_floor(world, 0.6f, 0.0f);
-	set_flags(world, lift, CN_BODY_LOCK_X | CN_BODY_LOCK_Y);
-	tall = fixture_box(world, CN_BODY_DYNAMIC, 10.0f, 2.0f, 0.0f, 0.2f, 2.0f, 0.6f, 0.0f);
-	set_flags(world, tall, CN_BODY_LOCK_ROTATION);
-	must(cn_body_apply_impulse_at(world, tall, 1.0f, 0.0f, 10.0f, 4.0f), world, "impulse");
-	fixture_step(world, 300);
-	CHECK(fixture_pose(world, lift).position_m.y == 5.0f && fixture_pose(world, tall).sine == 0.0f);
-	CHECK_LE("sinking of the load", fabs((double)fixture_pose(world, load).position_m.y - 6.0), 0.006, "m");
-	CHECK_LE("sinking of the tall one", fabs((double)fixture_pose(world, tall).position_m.y - 2.0), 0.006, "m");
-	CHECK(!fixture_is_awake(world, load) && !fixture_is_awake(world, tall));
-	set_flags(world, lift, 0);
-	fixture_step(world, 120);
-	CHECK_LE("height of the lift when it is let go", fabs((double)fixture_pose(world, lift).position_m.y - 0.5), 0.01, "m");
-	cn_world_destroy(world);
-}
+#include "bodies.h"
 
 /* ---- damping, gravity ---- */
 
@@ -312,7 +48,7 @@ static void gravity_scale_scales(void)
 	}
 	fixture_step(world, 60);
 	for (k = 0; k < 5; ++k)
-		CHECK_LE("error of the fall in 1 s", fabs((double)fixture_pose(world, bodies[k]).position_m.y + 5.0 * (double)scales[k]), 1e-4, "m");
+		CHECK_LE("error of the fall in 1 s", fabs((double)fixture_pose(world, bodies[k]).position_m.y + 5.0 * (double)scales[k]), ROUNDING, "m");
 	cn_world_destroy(world);
 }
 
@@ -449,10 +185,10 @@ static void a_body_spins_about_its_centre_of_mass(void)
 		fixture_step(world, 1);
 		c = center_of(world, body);
 		p = fixture_pose(world, body);
-		worst = fmax(worst, hypot((double)(c.x - start.x), (double)(c.y - start.y)));
-		worst = fmax(worst, fabs(hypot((double)(p.position_m.x - c.x), (double)(p.position_m.y - c.y)) - radius));
+		worst = greater(worst, hypot((double)(c.x - start.x), (double)(c.y - start.y)));
+		worst = greater(worst, fabs(hypot((double)(p.position_m.x - c.x), (double)(p.position_m.y - c.y)) - radius));
 		must(cn_body_get_local_point(world, body, c.x, c.y, &local), world, "local point");
-		worst = fmax(worst, hypot((double)local.x - 0.7, (double)local.y + 0.2));
+		worst = greater(worst, hypot((double)local.x - 0.7, (double)local.y + 0.2));
 	}
 	CHECK_LE("wandering of the centre and of the origin's distance", worst, 1e-5, "m");
 	cn_world_destroy(world);
@@ -467,7 +203,7 @@ static void a_body_without_mass_weighs_a_kilogram(void)
 	fixture_box_shape(world, &def, 0.5f, 0.5f);
 	CHECK(mass_of(world, bare).mass_kg == 1.0f && mass_of(world, light).mass_kg == 1.0f && mass_of(world, bare).inertia_kgm2 == 0.0f);
 	fixture_step(world, 60);
-	CHECK_LE("error of its fall in 1 s", fabs((double)fixture_pose(world, bare).position_m.y + 5.0), 1e-4, "m");
+	CHECK_LE("error of its fall in 1 s", fabs((double)fixture_pose(world, bare).position_m.y + 5.0), ROUNDING, "m");
 	cn_world_destroy(world);
 }
 
@@ -499,30 +235,6 @@ static void teleport_keeps_velocity_and_finds_its_place(void)
 	must(cn_body_set_pose(world, body, 99.0f, 0.0f, 0.0f), world, "pose"); /* into a wall: it is pushed out */
 	fixture_step(world, 120);
 	CHECK(fixture_penetration(world, &wall, 1) < 0.006f);
-	CHECK(fixture_is_valid(world));
-	cn_world_destroy(world);
-}
-
-static void disabled_bodies_take_no_part(void)
-{
-	cn_world *world = fixture_world(-10.0f, 1);
-	cn_body ball, box;
-	uint32_t flags;
-	fixture_floor(world, 0.6f, 0.0f);
-	box = box_at(world, CN_BODY_DYNAMIC, 0.0f, 0.5f);
-	must(cn_body_set_flags(world, box, CN_BODY_SLEEP), world, "flags");
-	must(cn_body_get_flags(world, box, &flags), world, "flags");
-	CHECK(!(flags & (CN_BODY_ENABLED | CN_BODY_AWAKE)));
-	must(cn_body_apply_impulse(world, box, 1.0f, 1.0f), world, "impulse");
-	must(cn_body_set_awake(world, box, 1), world, "awake");
-	ball = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 3.0f, 0.3f, 0.6f, 0.0f);
-	fixture_step(world, 120);
-	CHECK(fixture_pose(world, box).position_m.y == 0.5f && fixture_pose(world, box).position_m.x == 0.0f);
-	CHECK_LE("height of the ball that fell through it", fixture_pose(world, ball).position_m.y, 0.301, "m");
-	must(cn_body_set_flags(world, box, CN_BODY_SLEEP | CN_BODY_ENABLED), world, "flags");
-	CHECK(fixture_is_awake(world, box));
-	fixture_step(world, 120);
-	CHECK(fixture_penetration(world, &ball, 1) < 0.006f);
 	CHECK(fixture_is_valid(world));
 	cn_world_destroy(world);
 }
@@ -704,15 +416,6 @@ static void dead_handles_stay_dead(void)
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
-	RUN(each_type_moves_as_it_should);
-	RUN(kinematic_bodies_are_not_pushed);
-	RUN(all_six_changes_of_type_work);
-	RUN(a_type_may_not_leave_a_joint_without_a_dynamic_body);
-	RUN(locked_axes_keep_their_place);
-	RUN(both_locks_are_infinite_mass);
-	RUN(a_locked_axis_keeps_its_place_when_hit);
-	RUN(a_locked_axis_is_a_wall);
-	RUN(locked_bodies_rest_and_carry);
 	RUN(damping_follows_its_law);
 	RUN(gravity_scale_scales);
 	RUN(forces_follow_newton);
@@ -721,7 +424,6 @@ int main(int argc, char **argv)
 	RUN(a_body_spins_about_its_centre_of_mass);
 	RUN(a_body_without_mass_weighs_a_kilogram);
 	RUN(teleport_keeps_velocity_and_finds_its_place);
-	RUN(disabled_bodies_take_no_part);
 	RUN(names_and_data_are_kept);
 	RUN(bodies_can_be_gone_through);
 	RUN(bulk_reads_are_single_reads);

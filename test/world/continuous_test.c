@@ -278,7 +278,7 @@ static double deflection(int32_t mover, float speed, float angle, float gap, flo
 	turn = fabs((double)v.angular_radps);
 	x += 0.5f * speed * dx;
 	y += 0.5f * speed * dy;
-	change = fmax(change, fmax(turn, sqrt(pow((double)b.x - (double)x, 2) + pow((double)b.y - (double)y, 2)) / (0.5 * (double)speed)));
+	change = greater(change, greater(turn, sqrt(pow((double)b.x - (double)x, 2) + pow((double)b.y - (double)y, 2)) / (0.5 * (double)speed)));
 	cn_world_destroy(world);
 	return change;
 }

@@ -1,205 +1,12 @@
 /*
- * test/world/direct_test.c - what is promised of joints and contacts that are solved directly: CN_SOLVER_AUTO where
- * nothing else is said, and CN_SOLVER_DIRECT.
+ * test/world/direct_test.c - what is promised of joints that are solved directly: CN_SOLVER_AUTO where nothing else is
+ * said, and CN_SOLVER_DIRECT. Contacts are in direct_contacts_test.c.
  *
  * If a test here fails, run stages/sparse first. Then look in: stages/joint_swing.c (energy, anchors, momentum of what
  * nothing but joints holds), stages/joint_tension.c (heavy ends), stages/joint_direct.c (joints among contacts, motors and
- * limits), stages/tiers.c and contact_direct.c (stacks, walls, energy of random scenes).
+ * limits), stages/joint_couple.c (wheels).
  */
-#include "fixture.h"
-
-#define GRAVITY 10.0
-#define PARTS_MOST 96
-
-/* A world, its bodies and its joints in order of making. */
-typedef struct scene {
-	cn_world *world;
-	cn_body bodies[PARTS_MOST];
-	cn_joint joints[PARTS_MOST];
-	int32_t body_count, joint_count;
-	double gravity;
-} scene;
-
-static cn_vec2 at(float x, float y)
-{
-	cn_vec2 v;
-	v.x = x;
-	v.y = y;
-	return v;
-}
-
-static scene scene_open(double gravity, int32_t sleep, int32_t solver)
-{
-	scene s;
-	cn_world_def def;
-	memset(&s, 0, sizeof s);
-	s.gravity = gravity;
-	cn_world_def_init(&def);
-	def.gravity_mps2 = at(0.0f, (float)-gravity);
-	def.solver = solver;
-	if (!sleep)
-		def.flags &= ~(uint32_t)CN_WORLD_SLEEP;
-	must(cn_world_create(&def, &s.world), NULL, "cn_world_create");
-	return s;
-}
-
-static void scene_close(scene *s)
-{
-	CHECK(fixture_is_valid(s->world));
-	cn_world_destroy(s->world);
-}
-
-static cn_body keep(scene *s, cn_body body)
-{
-	s->bodies[s->body_count++] = body;
-	return body;
-}
-
-static void set_mass(const scene *s, cn_body body, float mass, float inertia)
-{
-	cn_mass_data m;
-	must(cn_body_get_mass_data(s->world, body, &m), s->world, "cn_body_get_mass_data");
-	m.mass_kg = mass;
-	m.inertia_kgm2 = inertia;
-	must(cn_body_set_mass_data(s->world, body, &m), s->world, "cn_body_set_mass_data");
-}
-
-static void weigh(const scene *s, cn_body body, float factor)
-{
-	cn_mass_data m;
-	must(cn_body_get_mass_data(s->world, body, &m), s->world, "cn_body_get_mass_data");
-	set_mass(s, body, m.mass_kg * factor, m.inertia_kgm2 * factor);
-}
-
-static cn_joint hinge(scene *s, cn_body a, cn_vec2 anchor_a, cn_body b, cn_vec2 anchor_b)
-{
-	cn_revolute_def def;
-	cn_revolute_def_init(&def);
-	def.base.body_a = a;
-	def.base.body_b = b;
-	def.base.anchor_a_m = anchor_a;
-	def.base.anchor_b_m = anchor_b;
-	must(cn_joint_create_revolute(s->world, &def, &s->joints[s->joint_count]), s->world, "cn_joint_create_revolute");
-	return s->joints[s->joint_count++];
-}
-
-#define LINK 0.25f /* half length of a link */
-#define THIN 0.05f
-
-/* It collides with others, not with other links. */
-static cn_body add_link(const scene *s, float x, float y, float angle)
-{
-	cn_body link = fixture_body(s->world, CN_BODY_DYNAMIC, x, y, angle);
-	cn_shape_def def = fixture_shape_def(link, 0.5f, 0.0f);
-	def.filter.group = -1;
-	fixture_box_shape(s->world, &def, LINK, THIN);
-	return link;
-}
-
-/* Links from (x, y) along the direction of `angle`, hinged to one another; `first` is what the first one hangs on. */
-static void add_chain(scene *s, cn_body first, cn_vec2 first_anchor, float x, float y, float angle, int32_t count)
-{
-	float c = (float)cos((double)angle), n = (float)sin((double)angle);
-	int32_t k;
-	for (k = 0; k < count; ++k) {
-		float along = LINK * (float)(2 * k + 1);
-		cn_body link = add_link(s, x + along * c, y + along * n, angle);
-		if (k > 0)
-			hinge(s, s->bodies[s->body_count - 1], at(LINK, 0.0f), link, at(-LINK, 0.0f));
-		else if (first != 0 || first_anchor.x > -1e6f)
-			hinge(s, first, first_anchor, link, at(-LINK, 0.0f));
-		keep(s, link);
-	}
-}
-
-static cn_vec2 nowhere(void)
-{
-	return at(-2e6f, 0.0f);
-}
-
-static cn_body last_body(const scene *s)
-{
-	return s->bodies[s->body_count - 1];
-}
-
-/* ---- reading ---- */
-
-static double anchors_apart(const scene *s)
-{
-	double worst = 0.0;
-	int32_t k;
-	for (k = 0; k < s->joint_count; ++k) {
-		float m = 0.0f, rad = 0.0f;
-		if (!cn_joint_is_valid(s->world, s->joints[k]))
-			continue;
-		must(cn_joint_get_error(s->world, s->joints[k], &m, &rad), s->world, "cn_joint_get_error");
-		if (!((double)m <= worst))
-			worst = (double)m;
-	}
-	return worst;
-}
-
-typedef struct totals {
-	double kinetic, energy, px, py, spin, momentum_scale, spin_scale, speed_most, turn_most;
-} totals;
-
-static totals totals_of(const scene *s)
-{
-	totals t = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
-	int32_t k;
-	for (k = 0; k < s->body_count; ++k) {
-		cn_mass_data m;
-		cn_vec2 c;
-		cn_velocity v = fixture_velocity(s->world, s->bodies[k]);
-		double vx = (double)v.linear_mps.x, vy = (double)v.linear_mps.y, w = (double)v.angular_radps, mass, turn;
-		must(cn_body_get_mass_data(s->world, s->bodies[k], &m), s->world, "cn_body_get_mass_data");
-		must(cn_body_get_center(s->world, s->bodies[k], &c), s->world, "cn_body_get_center");
-		mass = (double)m.mass_kg;
-		turn = mass * ((double)c.x * vy - (double)c.y * vx);
-		t.kinetic += 0.5 * mass * (vx * vx + vy * vy) + 0.5 * (double)m.inertia_kgm2 * w * w;
-		t.energy += mass * s->gravity * (double)c.y;
-		t.px += mass * vx;
-		t.py += mass * vy;
-		t.spin += turn + (double)m.inertia_kgm2 * w;
-		t.momentum_scale += mass * sqrt(vx * vx + vy * vy);
-		t.spin_scale += fabs(turn) + fabs((double)m.inertia_kgm2 * w);
-		t.speed_most = fmax(t.speed_most, sqrt(vx * vx + vy * vy));
-		t.turn_most = fmax(t.turn_most, fabs(w));
-	}
-	t.energy += t.kinetic;
-	return t;
-}
-
-/* The worst of every step; a number that is none counts as infinite. */
-typedef struct watch {
-	double apart, energy, energy_start, speed, spin;
-} watch;
-
-static double greater(double most, double value)
-{
-	return isfinite(value) ? fmax(most, value) : HUGE_VAL;
-}
-
-static watch watch_begin(const scene *s)
-{
-	watch w = { 0.0, 0.0, 0.0, 0.0, 0.0 };
-	w.energy = w.energy_start = totals_of(s).energy;
-	return w;
-}
-
-static void watch_steps(watch *w, scene *s, int32_t steps)
-{
-	int32_t k;
-	for (k = 0; k < steps; ++k) {
-		totals t;
-		fixture_step(s->world, 1);
-		t = totals_of(s);
-		w->apart = greater(w->apart, anchors_apart(s));
-		w->energy = greater(w->energy, t.energy);
-		w->speed = greater(w->speed, t.speed_most);
-		w->spin = greater(w->spin, t.turn_most);
-	}
-}
+#include "direct.h"
 
 #define SUBSTEP_S (0.25 * (double)FRAME_S)
 
@@ -222,17 +29,18 @@ static void heavy_end_run(float ratio, int32_t solver)
 	watch w;
 	double depth;
 	add_chain(&s, 0, at(0.0f, 0.0f), 0.0f, 0.0f, 0.0f, 20);
-	must(cn_body_get_mass_data(s.world, s.bodies[0], &link), s.world, "cn_body_get_mass_data");
+	link = mass_of(s.world, s.bodies[0]);
 	ball = keep(&s, fixture_circle(s.world, CN_BODY_DYNAMIC, 40.0f * LINK + 0.5f, 0.0f, 0.5f, 0.5f, 0.0f));
 	set_mass(&s, ball, link.mass_kg * ratio, 0.5f * link.mass_kg * ratio * 0.25f);
-	hinge(&s, s.bodies[19], at(LINK, 0.0f), ball, at(-0.5f, 0.0f));
+	pin(&s, s.bodies[19], at(LINK, 0.0f), ball, at(-0.5f, 0.0f));
 	depth = (double)link.mass_kg * GRAVITY * ((double)ratio * (40.0 * (double)LINK + 0.5) + 20.0 * 20.0 * (double)LINK);
 	w = watch_begin(&s);
 	watch_steps(&w, &s, 600);
 	printf("  1:%g: lowest point %.3f m/s at most\n", (double)ratio, w.speed);
 	CHECK_GE("it swings", w.speed, 10.0, "m/s");
-	CHECK_LE("greatest distance between anchors", w.apart, 1e-4, "m");
-	CHECK_LE("energy gained / depth of the swing", (w.energy - w.energy_start) / depth, 1e-3, "");
+	CHECK_LE("greatest distance between anchors", w.apart, 2.0 * ROUNDING, "m");
+	CHECK_LE("energy gained / depth of the swing", (w.energy - w.energy_start) / depth, 2.0 * ROUNDING, "");
+	CHECK_LE("energy lost / depth of the swing", (w.energy_start - w.energy_least) / depth, 0.05, "");
 	scene_close(&s);
 }
 
@@ -305,7 +113,7 @@ static void double_pendulum_follows_its_equations(void)
 		int32_t step;
 		p.angle[0] = p.angle[1] = starts[k];
 		add_chain(&s, 0, at(0.0f, 0.0f), 0.0f, 0.0f, (float)starts[k], 2);
-		must(cn_body_get_mass_data(s.world, s.bodies[0], &m), s.world, "cn_body_get_mass_data");
+		m = mass_of(s.world, s.bodies[0]);
 		for (step = 0; step < 60; ++step) {
 			pendulum_advance(&p, l, (double)m.mass_kg, (double)m.inertia_kgm2, (double)FRAME_S, 100);
 			fixture_step(s.world, 1);
@@ -336,18 +144,18 @@ static void thrown_chain_keeps_its_momentum(void)
 		weigh(&s, s.bodies[k], fixture_random(&random, 0.2f, 5.0f));
 		fixture_set_velocity(s.world, s.bodies[k], vx, vy, w);
 	}
-	start = totals_of(&s);
+	start = totals_in(&s);
 	for (k = 0; k < 300; ++k) {
 		fixture_step(s.world, 1);
-		t = totals_of(&s);
+		t = totals_in(&s);
 		linear = greater(linear, hypot(t.px - start.px, t.py - start.py) / start.momentum_scale);
-		angular = greater(angular, fabs(t.spin - start.spin) / fmax(start.spin_scale, t.spin_scale));
+		angular = greater(angular, fabs(t.spin - start.spin) / greater(start.spin_scale, t.spin_scale));
 		apart = greater(apart, anchors_apart(&s));
 		energy = greater(energy, t.kinetic / start.kinetic);
 	}
 	CHECK_LE("change of linear momentum / its parts", linear, 1e-6, "");
 	CHECK_LE("change of angular momentum / its parts", angular, 1e-5, "");
-	CHECK_LE("greatest distance between anchors", apart, 1e-4, "m");
+	CHECK_LE("greatest distance between anchors", apart, ROUNDING, "m");
 	CHECK_LE("energy / start", energy, 1.0, "");
 	scene_close(&s);
 }
@@ -414,8 +222,8 @@ static void gap_run(const char *name, int32_t solver, int32_t on_floor, double m
 	add_chain(&s, 0, nowhere(), -1.0f, on_floor ? THIN : 0.0f, 0.0f, 2);
 	add_chain(&s, 0, nowhere(), 0.2f, on_floor ? THIN : 0.0f, 0.0f, 2);
 	fixture_step(s.world, on_floor ? 60 : 1);
-	hinge(&s, s.bodies[1], at(LINK, 0.0f), s.bodies[2], at(-LINK, 0.0f));
-	must(cn_body_get_mass_data(s.world, s.bodies[0], &m), s.world, "cn_body_get_mass_data");
+	pin(&s, s.bodies[1], at(LINK, 0.0f), s.bodies[2], at(-LINK, 0.0f));
+	m = mass_of(s.world, s.bodies[0]);
 	mass = 4.0 * (double)m.mass_kg;
 	before = anchors_apart(&s);
 	CHECK(fabs(before - 0.2) < 1e-3);
@@ -424,14 +232,14 @@ static void gap_run(const char *name, int32_t solver, int32_t on_floor, double m
 		fixture_step(s.world, 1);
 		now = anchors_apart(&s);
 		fastest = greater(fastest, (before - now) / (double)FRAME_S);
-		energy = greater(energy, totals_of(&s).kinetic);
+		energy = greater(energy, totals_in(&s).kinetic);
 		before = now;
 	}
 	printf("  %s\n", name);
 	CHECK_LE("speed at which the gap closes", fastest, 1.02 * most, "m/s");
-	CHECK_LE("kinetic energy / that of all at 3 m/s", energy / (0.5 * mass * 9.0), 1.0, "");
-	CHECK_LE("gap after 2 s", before, 1e-3, "m");
-	CHECK_LE("speed after 2 s", totals_of(&s).speed_most, 0.01, "m/s");
+	CHECK_LE("kinetic energy / that of all at 3 m/s", energy / (0.5 * mass * 9.0), 1e-6, "");
+	CHECK_LE("gap after 2 s", before, ROUNDING, "m");
+	CHECK_LE("speed after 2 s", totals_in(&s).speed_most, SOLVED, "m/s");
 	scene_close(&s);
 }
 
@@ -461,8 +269,8 @@ static void link_set_by_hand_drags_the_others(void)
 	fixture_set_velocity(s.world, s.bodies[5], 8.0f, 2.0f, -10.0f);
 	w = watch_begin(&s);
 	watch_steps(&w, &s, 180);
-	CHECK_LE("greatest distance between anchors", w.apart, 1e-4, "m");
-	CHECK_LE("energy above that right after / kinetic energy given", (w.energy - w.energy_start) / (0.5 * 0.05 * 68.0), 1e-3, "");
+	CHECK_LE("greatest distance between anchors", w.apart, 2.0 * ROUNDING, "m");
+	CHECK_LE("energy above that right after / kinetic energy given", (w.energy - w.energy_start) / (0.5 * 0.05 * 68.0), ROUNDING, "");
 	CHECK_GE("it moves", w.speed, 1.0, "m/s");
 	scene_close(&s);
 }
@@ -494,7 +302,7 @@ static void chain_sleeps_and_wakes(void)
 		watch_steps(&w, &s, 1);
 		CHECK(awake_of(&s) == 8);
 	}
-	CHECK_LE("greatest distance between anchors", w.apart, 1e-4, "m");
+	CHECK_LE("greatest distance between anchors", w.apart, ROUNDING, "m");
 	CHECK_LE("greatest speed", w.speed, 3.01, "m/s");
 	scene_close(&s);
 }
@@ -512,14 +320,14 @@ static void joints_come_and_go_in_mid_swing(void)
 	must(cn_joint_destroy(s.world, s.joints[6]), s.world, "cn_joint_destroy");
 	watch_steps(&w, &s, 20);
 	must(cn_body_get_world_point(s.world, s.bodies[6], -LINK, 0.0f, &caught), s.world, "cn_body_get_world_point");
-	catch_joint = hinge(&s, 0, caught, s.bodies[6], at(-LINK, 0.0f));
+	catch_joint = pin(&s, 0, caught, s.bodies[6], at(-LINK, 0.0f));
 	watch_steps(&w, &s, 90);
 	must(cn_joint_destroy(s.world, catch_joint), s.world, "cn_joint_destroy");
 	watch_steps(&w, &s, 20);
 	must(cn_joint_destroy(s.world, s.joints[0]), s.world, "cn_joint_destroy");
 	watch_steps(&w, &s, 30);
 	CHECK_LE("greatest distance between anchors", w.apart, 1e-4, "m");
-	CHECK_LE("energy gained / depth", (w.energy - w.energy_start) / (12.0 * 0.05 * GRAVITY * 3.0), 1e-3, "");
+	CHECK_LE("energy gained / depth", (w.energy - w.energy_start) / (12.0 * 0.05 * GRAVITY * 3.0), ROUNDING, "");
 	scene_close(&s);
 }
 
@@ -546,8 +354,8 @@ static void chain_on_a_steady_cart_hangs(void)
 		}
 		apart = greater(apart, anchors_apart(&s));
 	}
-	CHECK_LE("farthest link from below the cart", aside, 1e-3, "m");
-	CHECK_LE("greatest distance between anchors", apart, 1e-4, "m");
+	CHECK_LE("farthest link from below the cart", aside, ROUNDING, "m");
+	CHECK_LE("greatest distance between anchors", apart, ROUNDING, "m");
 	scene_close(&s);
 }
 
@@ -601,9 +409,9 @@ static void wall_hit_run(const char *name, int32_t solver, double bound)
 	}
 	printf("  %s: contacts came in %d steps and went in %d; %.1f m/s at most\n", name, (int)begins, (int)ends, w.speed);
 	CHECK(begins > 2 && ends > 2);
-	CHECK_LE("energy gained / depth of the swing", (w.energy - w.energy_start) / depth, 1e-3, "");
+	CHECK_LE("energy gained / depth of the swing", (w.energy - w.energy_start) / depth, 2.0 * ROUNDING, "");
 	CHECK_LE("greatest distance between anchors / way of the fastest link in a substep", w.apart / (w.speed * SUBSTEP_S), bound, "");
-	CHECK_LE("distance between anchors in the end", anchors_apart(&s), 1e-3, "m");
+	CHECK_LE("distance between anchors in the end", anchors_apart(&s), 2.0 * SOLVED, "m");
 	scene_close(&s);
 }
 
@@ -611,253 +419,6 @@ static void swinging_chain_hits_a_wall(void)
 {
 	wall_hit_run("CN_SOLVER_AUTO", CN_SOLVER_AUTO, 1.0);
 	wall_hit_run("CN_SOLVER_DIRECT", CN_SOLVER_DIRECT, 1.0); /* the contacts of what has joints are soft there too */
-}
-
-/* ---- stacks ---- */
-
-static void stack_run(const char *name, int32_t count, float top_factor, int32_t solver, double overlap_bound)
-{
-	scene s = scene_open(GRAVITY, 0, solver);
-	double overlap = 0.0, drift = 0.0, angle = 0.0;
-	int32_t k, i;
-	fixture_floor(s.world, 0.6f, 0.0f);
-	for (k = 0; k < count; ++k)
-		keep(&s, fixture_box(s.world, CN_BODY_DYNAMIC, 0.0f, 0.5f + (float)k, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f));
-	weigh(&s, last_body(&s), top_factor);
-	for (k = 0; k < 300; ++k) {
-		fixture_step(s.world, 1);
-		overlap = greater(overlap, (double)fixture_penetration(s.world, s.bodies, s.body_count));
-		for (i = 0; i < count; ++i) {
-			cn_pose p = fixture_pose(s.world, s.bodies[i]);
-			drift = greater(drift, hypot((double)p.position_m.x, (double)p.position_m.y - 0.5 - (double)i));
-			angle = greater(angle, fabs((double)p.sine));
-		}
-	}
-	printf("  %s\n", name);
-	CHECK_LE("greatest overlap", overlap, overlap_bound, "m");
-	CHECK_LE("greatest distance of a box from where it was", drift, 2e-3, "m");
-	CHECK_LE("greatest tilt", angle, 1e-3, "rad");
-	scene_close(&s);
-}
-
-static void stacks_stand_still(void)
-{
-	stack_run("20 boxes", 20, 1.0f, CN_SOLVER_AUTO, 1e-3);
-	stack_run("20 boxes, CN_SOLVER_DIRECT", 20, 1.0f, CN_SOLVER_DIRECT, 1e-3);
-	stack_run("1,000 times the mass on ten boxes", 11, 1000.0f, CN_SOLVER_AUTO, 1e-3);
-	stack_run("1,000 times the mass on ten boxes, CN_SOLVER_DIRECT", 11, 1000.0f, CN_SOLVER_DIRECT, 1e-3);
-}
-
-/* ---- a wall and a ball ---- */
-
-static void wall_run(const char *name, float speed, int32_t solver)
-{
-	scene s = scene_open(GRAVITY, 0, solver);
-	cn_body ball;
-	watch w;
-	int32_t row, column;
-	fixture_floor(s.world, 0.6f, 0.0f);
-	for (row = 0; row < 6; ++row)
-		for (column = 0; column < 4 + row % 2; ++column)
-			keep(&s, fixture_box(s.world, CN_BODY_DYNAMIC, (float)column - 0.5f * (float)(row % 2), 0.25f + 0.5f * (float)row, 0.0f, 0.5f, 0.25f, 0.6f, 0.0f));
-	ball = keep(&s, fixture_circle(s.world, CN_BODY_DYNAMIC, -6.0f, 1.2f, 0.5f, 0.6f, 0.0f));
-	weigh(&s, ball, 10.0f);
-	fixture_set_velocity(s.world, ball, speed, 2.0f, 0.0f);
-	w = watch_begin(&s);
-	watch_steps(&w, &s, 240);
-	printf("  %s\n", name);
-	CHECK_LE("greatest speed / the ball's", w.speed / hypot((double)speed, 2.0), 1.05, "");
-	CHECK_LE("energy / start", w.energy / w.energy_start, 1.0001, "");
-	scene_close(&s);
-}
-
-static void wall_falls_or_stands(void)
-{
-	wall_run("ball of 15 m/s", 15.0f, CN_SOLVER_AUTO);
-	wall_run("ball of 15 m/s, CN_SOLVER_DIRECT", 15.0f, CN_SOLVER_DIRECT);
-	wall_run("ball of 40 m/s", 40.0f, CN_SOLVER_AUTO);
-}
-
-/* ---- random scenes ---- */
-
-static void random_pair(scene *s, uint32_t *random, cn_body a, cn_body b)
-{
-	float kind = fixture_random(random, 0.0f, 3.0f), x, y;
-	cn_pose pa = fixture_pose(s->world, a), pb = fixture_pose(s->world, b);
-	cn_vec2 la, lb;
-	x = 0.5f * (pa.position_m.x + pb.position_m.x);
-	y = 0.5f * (pa.position_m.y + pb.position_m.y);
-	must(cn_body_get_local_point(s->world, a, x, y, &la), s->world, "cn_body_get_local_point");
-	must(cn_body_get_local_point(s->world, b, x, y, &lb), s->world, "cn_body_get_local_point");
-	if (kind < 1.0f) {
-		hinge(s, a, la, b, lb);
-	} else if (kind < 2.0f) {
-		cn_distance_def def;
-		cn_distance_def_init(&def);
-		def.base.body_a = a;
-		def.base.body_b = b;
-		def.length_m = hypotf(pa.position_m.x - pb.position_m.x, pa.position_m.y - pb.position_m.y);
-		must(cn_joint_create_distance(s->world, &def, &s->joints[s->joint_count++]), s->world, "cn_joint_create_distance");
-	} else {
-		cn_fixed_def def;
-		cn_fixed_def_init(&def);
-		def.base.body_a = a;
-		def.base.body_b = b;
-		def.base.anchor_a_m = la;
-		def.base.anchor_b_m = lb;
-		must(cn_joint_create_fixed(s->world, &def, &s->joints[s->joint_count]), s->world, "cn_joint_create_fixed");
-		must(cn_joint_get_position(s->world, s->joints[s->joint_count++], &def.reference_angle_rad), s->world, "cn_joint_get_position");
-		must(cn_joint_set_fixed(s->world, s->joints[s->joint_count - 1], &def), s->world, "cn_joint_set_fixed");
-	}
-}
-
-/* Boxes and circles, some jointed to their neighbours, fall into a trough. */
-static void fill_random(scene *s, uint32_t seed)
-{
-	uint32_t random = seed * 2654435761u + 99u;
-	int32_t row, column;
-	fixture_floor(s->world, 0.6f, 0.0f);
-	fixture_box(s->world, CN_BODY_STATIC, -4.0f, 4.0f, 0.0f, 0.5f, 5.0f, 0.6f, 0.0f);
-	fixture_box(s->world, CN_BODY_STATIC, 4.0f, 4.0f, 0.0f, 0.5f, 5.0f, 0.6f, 0.0f);
-	for (row = 0; row < 4; ++row) {
-		cn_body before = 0;
-		for (column = -2; column <= 2; ++column) {
-			float size = fixture_random(&random, 0.2f, 0.5f), friction = fixture_random(&random, 0.0f, 1.0f), angle = fixture_random(&random, -3.0f, 3.0f);
-			float restitution = fixture_random(&random, -1.5f, 0.5f), x = 1.3f * (float)column, y = 1.0f + 1.4f * (float)row, vx, vy, w;
-			cn_body body;
-			if (fixture_random(&random, 0.0f, 1.0f) < 0.25f) {
-				before = 0;
-				continue;
-			}
-			restitution = restitution > 0.0f ? restitution : 0.0f;
-			if (fixture_random(&random, 0.0f, 1.0f) < 0.4f)
-				body = fixture_circle(s->world, CN_BODY_DYNAMIC, x, y, size, friction, restitution);
-			else
-				body = fixture_box(s->world, CN_BODY_DYNAMIC, x, y, angle, size, 0.6f * size, friction, restitution);
-			keep(s, body);
-			weigh(s, body, (float)pow(10.0, (double)fixture_random(&random, -1.0f, 1.0f)));
-			vx = fixture_random(&random, -3.0f, 3.0f);
-			vy = fixture_random(&random, -3.0f, 3.0f);
-			w = fixture_random(&random, -3.0f, 3.0f);
-			fixture_set_velocity(s->world, body, vx, vy, w);
-			if (before != 0 && fixture_random(&random, 0.0f, 1.0f) < 0.5f)
-				random_pair(s, &random, before, body);
-			before = body;
-		}
-	}
-}
-
-#define RANDOM_SEEDS 30
-#define RANDOM_STEPS 150
-
-/* As parts of the energy at the start: the most there was, and the most that came back after a low. */
-typedef struct balance {
-	double most, rise;
-	int32_t valid;
-} balance;
-
-static balance random_run(uint32_t seed, int32_t solver)
-{
-	scene s = scene_open(GRAVITY, seed % 2 == 0, solver);
-	balance b = { 0.0, 0.0, 1 };
-	double start, least;
-	int32_t k;
-	fill_random(&s, seed);
-	start = least = totals_of(&s).energy;
-	for (k = 0; k < RANDOM_STEPS; ++k) {
-		double now;
-		fixture_step(s.world, 1);
-		now = totals_of(&s).energy;
-		least = fmin(least, now);
-		b.most = greater(b.most, now / start);
-		b.rise = greater(b.rise, (now - least) / start);
-		b.valid = b.valid && fixture_is_valid(s.world);
-	}
-	scene_close(&s);
-	return b;
-}
-
-/* Joints and contacts that contradict each other store some energy in what overlaps, and give it back. */
-static void random_scenes_behave(void)
-{
-	static const char *const names[] = { "CN_SOLVER_AUTO", "CN_SOLVER_SOFT", "CN_SOLVER_DIRECT" };
-	static const int32_t solvers[] = { CN_SOLVER_AUTO, CN_SOLVER_SOFT, CN_SOLVER_DIRECT };
-	int32_t k;
-	for (k = 0; k < 3; ++k) {
-		balance worst = { 0.0, 0.0, 1 };
-		uint32_t seed;
-		for (seed = 1; seed <= RANDOM_SEEDS; ++seed) {
-			balance b = random_run(seed, solvers[k]);
-			if (!b.valid || b.most > 1.001 || b.rise > 0.1)
-				printf("  seed %u: energy %.5f of the start at most, %.5f back, valid %d\n", (unsigned)seed, b.most, b.rise, (int)b.valid);
-			CHECK(b.valid);
-			worst.most = greater(worst.most, b.most);
-			worst.rise = greater(worst.rise, b.rise);
-		}
-		printf("  %s\n", names[k]);
-		CHECK_LE("energy / start", worst.most, solvers[k] == CN_SOLVER_SOFT ? 1.02 : 1.001, "");
-		CHECK_LE("energy that came back / start", worst.rise, 0.1, "");
-	}
-}
-
-/* ---- the same bits ---- */
-
-/* Chains, a stack and a random heap, in a world of the definition's kind of memory. */
-static uint64_t history(const cn_world_def *def, uint32_t *warnings)
-{
-	scene s;
-	uint64_t hash;
-	int32_t k;
-	memset(&s, 0, sizeof s);
-	s.gravity = GRAVITY;
-	must(cn_world_create(def, &s.world), NULL, "cn_world_create");
-	fill_random(&s, 5);
-	add_chain(&s, 0, at(10.0f, 6.0f), 10.0f, 6.0f, 0.0f, 12);
-	weigh(&s, last_body(&s), 500.0f);
-	for (k = 0; k < 8; ++k)
-		keep(&s, fixture_box(s.world, CN_BODY_DYNAMIC, -10.0f, 0.5f + (float)k, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f));
-	weigh(&s, last_body(&s), 200.0f);
-	*warnings = 0;
-	for (k = 0; k < 180; ++k) {
-		fixture_step(s.world, 1);
-		*warnings |= fixture_counters(s.world).warnings;
-	}
-	CHECK(fixture_is_valid(s.world));
-	hash = fixture_hash(s.world);
-	cn_world_destroy(s.world);
-	return hash;
-}
-
-static void fixed_memory_gives_the_same_bits(void)
-{
-	static const int32_t solvers[] = { CN_SOLVER_AUTO, CN_SOLVER_DIRECT };
-	int32_t k;
-	for (k = 0; k < 2; ++k) {
-		cn_world_def def;
-		uint64_t bytes = 0, growing, again, fixed;
-		uint32_t warnings;
-		uint8_t *raw;
-		cn_world_def_init(&def);
-		def.solver = solvers[k];
-		def.body_capacity = def.shape_capacity = 64;
-		def.contact_capacity = 512;
-		def.joint_capacity = 64;
-		growing = history(&def, &warnings);
-		CHECK(warnings == 0);
-		again = history(&def, &warnings);
-		must(cn_world_bytes_needed(&def, &bytes), NULL, "cn_world_bytes_needed");
-		raw = (uint8_t *)malloc((size_t)bytes + 64);
-		REQUIRE(raw != NULL);
-		def.memory = raw + (64 - (uintptr_t)raw % 64) % 64;
-		def.memory_bytes = bytes;
-		fixed = history(&def, &warnings);
-		free(raw);
-		printf("  %s: growing %016llx, again %016llx, in %llu bytes %016llx, warnings %u\n", k ? "CN_SOLVER_DIRECT" : "CN_SOLVER_AUTO",
-		       (unsigned long long)growing, (unsigned long long)again, (unsigned long long)bytes, (unsigned long long)fixed, (unsigned)warnings);
-		CHECK(warnings == 0);
-		CHECK(growing == again);
-		CHECK(growing == fixed);
-	}
 }
 
 /* ---- joints that hardly feel each other ---- */
@@ -873,7 +434,7 @@ static void add_carried(scene *s, float wheel_factor, float motor)
 		float x = k == 0 ? -1.0f : 1.0f, part = mass * wheel_factor;
 		cn_body wheel = keep(s, fixture_circle(s->world, CN_BODY_DYNAMIC, x, 1.0f, 0.5f, 0.9f, 0.0f));
 		set_mass(s, wheel, part, 0.125f * part);
-		hinge(s, chassis, at(x, -0.5f), wheel, at(0.0f, 0.0f));
+		pin(s, chassis, at(x, -0.5f), wheel, at(0.0f, 0.0f));
 		change_joint(s, s->joint_count - 1, motor > 0.0f ? CN_JOINT_MOTOR : 0, 0.0f, -8.0f, motor);
 	}
 }
@@ -910,7 +471,7 @@ static void wheels_of_a_car_are_loose(void)
 	CHECK(car.work == 0);
 	CHECK_LE("gap of a driving car's wheels", car.gap, 1e-3, "m");
 	CHECK(yoke.work > 0);
-	CHECK_LE("gap of a light yoke on heavy wheels", yoke.gap, 1e-3, "m");
+	CHECK_LE("gap of a light yoke on heavy wheels", yoke.gap, ROUNDING, "m");
 }
 
 int main(int argc, char **argv)
@@ -928,10 +489,6 @@ int main(int argc, char **argv)
 	RUN(chain_on_a_steady_cart_hangs);
 	RUN(chain_on_a_shaken_cart_holds);
 	RUN(swinging_chain_hits_a_wall);
-	RUN(stacks_stand_still);
-	RUN(wall_falls_or_stands);
-	RUN(random_scenes_behave);
-	RUN(fixed_memory_gives_the_same_bits);
 	RUN(wheels_of_a_car_are_loose);
 	return test_end();
 }

@@ -146,7 +146,7 @@ static void polygons_have_their_corners(void)
 	CHECK(r->mark[0].count == 4 && r->mark[0].size == 0.1f && r->mark[0].color != 0);
 	for (k = 0; k < 4; ++k) { /* turned by a quarter: 1 wide, 2 high */
 		double dx = fabs((double)r->mark[0].points[k].x - 3.0), dy = fabs((double)r->mark[0].points[k].y - 2.0);
-		worst = fmax(worst, fmax(fabs(dx - 0.5), fabs(dy - 1.0)));
+		worst = greater(worst, greater(fabs(dx - 0.5), fabs(dy - 1.0)));
 	}
 	CHECK_LE("corner error", worst, 1e-5, "m");
 	cn_world_destroy(world);
@@ -271,8 +271,8 @@ static void boxes_and_centres(void)
 	for (k = 0; k < 4; ++k) {
 		x0 = fmin(x0, (double)r->mark[k].points[0].x);
 		y0 = fmin(y0, (double)r->mark[k].points[0].y);
-		x1 = fmax(x1, (double)r->mark[k].points[0].x);
-		y1 = fmax(y1, (double)r->mark[k].points[0].y);
+		x1 = greater(x1, (double)r->mark[k].points[0].x);
+		y1 = greater(y1, (double)r->mark[k].points[0].y);
 	}
 	CHECK_LE("box error", fabs(x0 - 2.75) + fabs(y0 - 2.75) + fabs(x1 - 3.25) + fabs(y1 - 3.25), 1e-5, "m");
 	r = draw(world, CN_DRAW_CENTERS);

@@ -39,8 +39,8 @@ static void t_speed_follows_distance(void)
 		double distance = 2.0 * k + 0.5;
 		double strength = distance <= 5.0 ? 1.0 : distance >= 11.0 ? 0.0 : 1.0 - (distance - 5.0) / 6.0;
 		cn_velocity v = fixture_velocity(w, balls[k]);
-		worst = fmax(worst, fabs((double)v.linear_mps.x - 3.0 * 1.0 * strength / mass));
-		worst = fmax(worst, fabs((double)v.linear_mps.y) + fabs((double)v.angular_radps));
+		worst = greater(worst, fabs((double)v.linear_mps.x - 3.0 * 1.0 * strength / mass));
+		worst = greater(worst, fabs((double)v.linear_mps.y) + fabs((double)v.angular_radps));
 	}
 	CHECK_LE("error of speed", worst, 1e-5, "m/s");
 	cn_world_destroy(w);
@@ -102,7 +102,7 @@ static void t_a_ring_flies_apart_evenly(void)
 		px += (double)v.linear_mps.x;
 		py += (double)v.linear_mps.y;
 		least = fmin(least, speed_of(w, balls[k]));
-		most = fmax(most, speed_of(w, balls[k]));
+		most = greater(most, speed_of(w, balls[k]));
 	}
 	CHECK_LE("sum of velocities", hypot(px, py) / most, 1e-5, "");
 	CHECK_LE("difference of speeds", (most - least) / most, 1e-5, "");

@@ -13,6 +13,16 @@
 
 #define FRAME_S (1.0f / 60.0f)
 
+/*
+ * Bounds that many tests share, for lengths, speeds and forces of the order of one, and for relative errors.
+ *   ROUNDING  the method is exact: what is left is float's 6e-8, some times in each of hundreds of substeps
+ *   SOLVED    what iterated, soft constraints leave over; a bound is a multiple of it, some ten times what is measured
+ *   SAG_M     what a body sinks at rest on a contact, which is a spring of 1 / (4 h) = 60 Hz: g / w^2 = 0.07 mm
+ */
+#define ROUNDING 1e-5
+#define SOLVED 1e-4
+#define SAG_M 2e-4
+
 static inline void must(cn_result result, const cn_world *world, const char *what)
 {
 	if (result == CN_OK)
@@ -86,6 +96,25 @@ static inline cn_body fixture_circle(cn_world *world, int32_t type, float x, flo
 static inline cn_body fixture_floor(cn_world *world, float friction, float restitution)
 {
 	return fixture_box(world, CN_BODY_STATIC, 0.0f, -1.0f, 0.0f, 100.0f, 1.0f, friction, restitution);
+}
+
+/* Boxes of 1 m on a floor, `base` in the lowest row, touching each other. */
+static inline void fixture_pyramid(cn_world *world, int32_t base)
+{
+	int32_t i, k;
+	fixture_floor(world, 0.6f, 0.0f);
+	for (i = 0; i < base; ++i)
+		for (k = i; k < base; ++k)
+			fixture_box(world, CN_BODY_DYNAMIC, (float)k - 0.5f * (float)i - 0.5f * (float)base, 0.5f + (float)i, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+}
+
+/* In order of attachment. */
+static inline cn_shape fixture_first_shape(const cn_world *world, cn_body body)
+{
+	cn_shape shape = 0;
+	int32_t count;
+	must(cn_body_get_shapes(world, body, &shape, 1, &count), world, "cn_body_get_shapes");
+	return shape;
 }
 
 static inline void fixture_step(cn_world *world, int32_t steps)

@@ -5,20 +5,12 @@
  * is not compared.
  */
 #include "base/hooks.h"
-#include "fixture.h"
+#include "joints.h"
 #include "model/world.h"
 
 #define STEPS 420
 #define PARTS 9
 #define DOLLS 6
-
-static cn_vec2 at(float x, float y)
-{
-	cn_vec2 v;
-	v.x = x;
-	v.y = y;
-	return v;
-}
 
 typedef struct life {
 	cn_world *world;
@@ -27,19 +19,6 @@ typedef struct life {
 	cn_joint joints[DOLLS][PARTS];
 	cn_body wheel, stack[8];
 } life;
-
-static cn_joint hinge(cn_world *world, cn_body a, cn_vec2 anchor_a, cn_body b, cn_vec2 anchor_b)
-{
-	cn_revolute_def def;
-	cn_joint joint;
-	cn_revolute_def_init(&def);
-	def.base.body_a = a;
-	def.base.body_b = b;
-	def.base.anchor_a_m = anchor_a;
-	def.base.anchor_b_m = anchor_b;
-	must(cn_joint_create_revolute(world, &def, &joint), world, "cn_joint_create_revolute");
-	return joint;
-}
 
 /* A tree of hinged boxes, each on one of those before it; odd ones hang from the world, even ones fall. */
 static void doll(life *l, int32_t which, float x, float y)

@@ -19,8 +19,8 @@ static double box_depth(const cni_shape *s, int32_t child, const void *region)
 	for (i = 0; i < set.count; ++i) {
 		x0 = fmin(x0, set.x[i] - set.radius);
 		y0 = fmin(y0, set.y[i] - set.radius);
-		x1 = fmax(x1, set.x[i] + set.radius);
-		y1 = fmax(y1, set.y[i] + set.radius);
+		x1 = greater(x1, set.x[i] + set.radius);
+		y1 = greater(y1, set.y[i] + set.radius);
 	}
 	return fmax(fmax(x0 - (double)box->upper_m.x, (double)box->lower_m.x - x1), fmax(y0 - (double)box->upper_m.y, (double)box->lower_m.y - y1));
 }
@@ -177,9 +177,9 @@ static void check_moved(float center, double epsilon)
 		return;
 	moved_seen.wrong_shape += !seen_by(hit.shape, &filter);
 	met = child_set(record_of(hit.shape), hit.child);
-	moved_seen.distance = fmax(moved_seen.distance, distance_of(&met, &moving, until * dx, until * dy));
+	moved_seen.distance = greater(moved_seen.distance, distance_of(&met, &moving, until * dx, until * dy));
 	if (hit.normal.x != 0.0f || hit.normal.y != 0.0f)
-		moved_seen.distance = fmax(moved_seen.distance, fabs(set_distance_to_point(&met, (double)hit.point_m.x, (double)hit.point_m.y, 0.0, 0.0)));
+		moved_seen.distance = greater(moved_seen.distance, fabs(set_distance_to_point(&met, (double)hit.point_m.x, (double)hit.point_m.y, 0.0, 0.0)));
 }
 
 static void t_moved_shapes_stop_at_the_first(void)
@@ -245,10 +245,10 @@ static void check_closest(float center, double epsilon, int *wrong, double *wors
 	}
 	double_set met = child_set(record_of(found.shape), found.child);
 	*wrong += !seen_by(found.shape, &filter);
-	*worst = fmax(*worst, fabs((double)found.distance_m - best));
-	*worst = fmax(*worst, fabs(set_distance_to_point(&met, (double)found.point_m.x, (double)found.point_m.y, 0.0, 0.0)));
-	*worst = fmax(*worst, fabs((double)found.point_m.x + (double)(found.distance_m * found.normal.x) - (double)x));
-	*worst = fmax(*worst, fabs((double)found.point_m.y + (double)(found.distance_m * found.normal.y) - (double)y));
+	*worst = greater(*worst, fabs((double)found.distance_m - best));
+	*worst = greater(*worst, fabs(set_distance_to_point(&met, (double)found.point_m.x, (double)found.point_m.y, 0.0, 0.0)));
+	*worst = greater(*worst, fabs((double)found.point_m.x + (double)(found.distance_m * found.normal.x) - (double)x));
+	*worst = greater(*worst, fabs((double)found.point_m.y + (double)(found.distance_m * found.normal.y) - (double)y));
 }
 
 static void t_closest_point_is_the_closest(void)

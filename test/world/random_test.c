@@ -262,8 +262,8 @@ static double energy_of(const trial *t, outcome *out)
 			out->finite = 0;
 		out_x = fabs((double)c.x) - (double)HALF_WIDTH;
 		out_y = fmax(-(double)c.y, (double)c.y - 2.0 * (double)HALF_WIDTH);
-		out->escape = fmax(out->escape, fmax(out_x, out_y));
-		out->speed_most = fmax(out->speed_most, sqrt(vx * vx + vy * vy));
+		out->escape = greater(out->escape, greater(out_x, out_y));
+		out->speed_most = greater(out->speed_most, sqrt(vx * vx + vy * vy));
 	}
 	return energy;
 }
@@ -309,7 +309,7 @@ static outcome trial_run(uint32_t seed, int32_t judge)
 			double after = motor_power(&t);
 			t.motor_work += fmax(power, after) * (double)dt;
 			power = after;
-			out.energy_most = fmax(out.energy_most, (energy_of(&t, &out) - t.energy_start - t.motor_work) / t.energy_start);
+			out.energy_most = greater(out.energy_most, (energy_of(&t, &out) - t.energy_start - t.motor_work) / t.energy_start);
 		}
 		if (judge && k % 20 == 0)
 			out.valid = out.valid && fixture_is_valid(t.world);
@@ -336,9 +336,9 @@ static void random_scenes_behave(void)
 		CHECK(o.finite);
 		CHECK(o.valid);
 		CHECK(o.hash == again.hash);
-		worst.energy_most = fmax(worst.energy_most, o.energy_most);
-		worst.escape = fmax(worst.escape, o.escape);
-		worst.speed_most = fmax(worst.speed_most, o.speed_most);
+		worst.energy_most = greater(worst.energy_most, o.energy_most);
+		worst.escape = greater(worst.escape, o.escape);
+		worst.speed_most = greater(worst.speed_most, o.speed_most);
 	}
 	printf("  greatest speed %.1f m/s\n", worst.speed_most);
 	CHECK_LE("energy above start + work of motors / start", worst.energy_most, ENERGY_MAX, "");

@@ -11,12 +11,19 @@ static cn_body box_at(cn_world *world, float x, float y, float friction)
 	return fixture_box(world, CN_BODY_DYNAMIC, x, y, 0.0f, 0.5f, 0.5f, friction, 0.0f);
 }
 
-static int32_t substeps_of_first_island(const cn_world *world)
+static cn_island_report first_island(const cn_world *world)
 {
 	cn_island_report reports[8];
 	int32_t count = 0;
+	memset(reports, 0, sizeof reports);
 	must(cn_world_get_islands(world, reports, 8, &count), world, "cn_world_get_islands");
-	return count > 0 ? reports[0].substeps : 0;
+	CHECK(count > 0);
+	return reports[0];
+}
+
+static int32_t substeps_of_first_island(const cn_world *world)
+{
+	return first_island(world).substeps;
 }
 
 static void a_pile_at_rest_takes_one_substep(void)
@@ -34,11 +41,11 @@ static void a_pile_at_rest_takes_one_substep(void)
 	CHECK(substeps_of_first_island(world) == 4);
 	fixture_step(world, 240);
 	CHECK(substeps_of_first_island(world) == 1);
-	CHECK_LE("the top's height against 4.5 m", fabs((double)fixture_pose(world, top).position_m.y - 4.5), 1e-4, "m");
+	CHECK_LE("the top's height against 4.5 m", fabs((double)fixture_pose(world, top).position_m.y - 4.5), 1e-5, "m");
 	cn_world_destroy(world);
 }
 
-/* A force of a thousandth of the weight on a box without friction: x = a t^2 / 2. */
+/* A force of a thousandth of the weight on a box without friction: x = a t^2 / 2. A step that is lost costs 1.7 mm. */
 static void a_gentle_force_moves_it(void)
 {
 	cn_world *world = fixture_world(-10.0f, 0);
@@ -51,7 +58,7 @@ static void a_gentle_force_moves_it(void)
 		must(cn_body_apply_force(world, box, 0.01f, 0.0f), world, "cn_body_apply_force");
 		fixture_step(world, 1);
 	}
-	CHECK_LE("way in 10 s against 0.5 m", fabs((double)fixture_pose(world, box).position_m.x - 0.5), 2e-3, "m");
+	CHECK_LE("way in 10 s against 0.5 m", fabs((double)fixture_pose(world, box).position_m.x - 0.5), 1e-5, "m");
 	cn_world_destroy(world);
 }
 
@@ -63,25 +70,67 @@ static void what_stands_on_something_slow_is_carried(void)
 	fixture_step(world, 60);
 	fixture_set_velocity(world, lift, 5e-5f, 5e-5f, 0.0f);
 	fixture_step(world, 3600);
-	CHECK_LE("the lift's way in a minute against 3 mm", fabs((double)fixture_pose(world, lift).position_m.x - 3e-3), 1e-5, "m");
-	CHECK_LE("... and up", fabs((double)fixture_pose(world, lift).position_m.y + 0.5 - 3e-3), 1e-5, "m");
-	CHECK_LE("the box's way against 3 mm", fabs((double)fixture_pose(world, box).position_m.x - 3e-3), 3e-4, "m");
-	CHECK_LE("... and up", fabs((double)fixture_pose(world, box).position_m.y - 0.5 - 3e-3), 3e-4, "m");
+	CHECK_LE("the lift's way in a minute against 3 mm", fabs((double)fixture_pose(world, lift).position_m.x - 3e-3), 1e-6, "m");
+	CHECK_LE("... and up", fabs((double)fixture_pose(world, lift).position_m.y + 0.5 - 3e-3), 1e-6, "m");
+	CHECK_LE("the box's way against 3 mm", fabs((double)fixture_pose(world, box).position_m.x - 3e-3), 1e-5, "m");
+	CHECK_LE("... and up", fabs((double)fixture_pose(world, box).position_m.y - 0.5 - 3e-3), 1e-5, "m");
+	cn_world_destroy(world);
+}
+
+/* Until the overlap is gone; what is left then is pushed apart at less than the 0.1 mm/s at which things rest. */
+static void pushed_out_of_an_overlap(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body high;
+	int32_t k, pushed = 0, rested = 0;
+	fixture_floor(world, 0.6f, 0.0f);
+	box_at(world, 0.0f, 0.5f, 0.6f);
+	high = box_at(world, 0.0f, 1.45f, 0.6f);
+	for (k = 0; k < 120; ++k) {
+		cn_island_report island;
+		fixture_step(world, 1);
+		island = first_island(world);
+		pushed += island.residual_m > 1e-5f;
+		rested += island.residual_m > 1e-5f && island.substeps != 4;
+	}
+	CHECK_GE("steps with more than 10 um of overlap", pushed, 10, "");
+	CHECK_LE("... of these not in all substeps", rested, 0, "");
+	CHECK(substeps_of_first_island(world) == 1);
+	CHECK_LE("height of the upper box against 1.5 m", fabs((double)fixture_pose(world, high).position_m.y - 1.5), 1e-5, "m");
+	cn_world_destroy(world);
+}
+
+/* With a thousandth of a metre a second squared, thrown 4.5 mm high: at the top it is slow, and still near the floor. */
+static void thrown_in_weak_gravity(void)
+{
+	cn_world *world = fixture_world(-1e-3f, 0);
+	double off = 0.0;
+	cn_body box;
+	int32_t k, slow = 0, rested = 0;
+	fixture_floor(world, 0.6f, 0.0f);
+	box = box_at(world, 0.0f, 0.5f, 0.6f);
+	fixture_step(world, 60);
+	CHECK(substeps_of_first_island(world) == 1);
+	fixture_set_velocity(world, box, 0.0f, 3e-3f, 0.0f);
+	for (k = 1; k <= 350; ++k) {
+		double t = (double)k * (double)FRAME_S, y;
+		fixture_step(world, 1);
+		y = (double)fixture_pose(world, box).position_m.y - 0.5;
+		off = greater(off, fabs(y - 3e-3 * t + 0.5e-3 * t * t));
+		slow += fabs((double)fixture_velocity(world, box).linear_mps.y) < 5e-5;
+		rested += substeps_of_first_island(world) != 4;
+	}
+	CHECK_GE("steps below 0.05 mm/s", slow, 5, "");
+	CHECK_LE("steps of its flight not in all substeps", rested, 0, "");
+	CHECK_LE("distance from the parabola", off, 1e-6, "m");
 	cn_world_destroy(world);
 }
 
 /* The end of a throw is no rest, however weak gravity is; nor is being pushed out of an overlap. */
 static void what_is_on_its_way_is_not_at_rest(void)
 {
-	cn_world *world = fixture_world(-10.0f, 0);
-	cn_body low, high;
-	fixture_floor(world, 0.6f, 0.0f);
-	low = box_at(world, 0.0f, 0.5f, 0.6f);
-	high = box_at(world, 0.0f, 1.45f, 0.6f);
-	fixture_step(world, 120);
-	CHECK_LE("height of the upper box, pushed out of 50 mm of overlap in 2 s", fabs((double)fixture_pose(world, high).position_m.y - 1.5), 6e-3, "m");
-	(void)low;
-	cn_world_destroy(world);
+	pushed_out_of_an_overlap();
+	thrown_in_weak_gravity();
 }
 
 int main(void)

@@ -116,8 +116,8 @@ static void sensor_is_exact(void)
 		enter_x = b.enters > enters ? x : enter_x;
 		leave_x = b.leaves > leaves ? x : leave_x;
 	}
-	CHECK_LE("entered off the surface by", fabs((double)enter_x + 1.25), 0.0201, "m");
-	CHECK_LE("left off the surface by", fabs((double)leave_x - 1.25), 0.0201, "m");
+	CHECK_LE("entered off the surface by", fabs((double)enter_x + 1.25), 0.01 + ROUNDING, "m");
+	CHECK_LE("left off the surface by", fabs((double)leave_x - 1.25), 0.01 + ROUNDING, "m");
 	cn_world_destroy(world);
 }
 
@@ -283,11 +283,11 @@ static void body_jumps_through_and_lands(void)
 		y = (double)fixture_pose(world, box).position_m.y;
 		apex = y > apex ? y : apex;
 	}
-	CHECK_LE("error of the height of the jump", fabs(apex - 5.25), 0.02, "m");
-	CHECK_LE("error of the height on the platform", fabs((double)fixture_pose(world, box).position_m.y - 3.35), 0.006, "m");
+	CHECK_LE("error of the height of the jump", fabs(apex - 5.25), 2.0 * ROUNDING, "m");
+	CHECK_LE("error of the height on the platform", fabs((double)fixture_pose(world, box).position_m.y - 3.35), SAG_M, "m");
 	fixture_set_velocity(world, box, 3.0f, 0.0f, 0.0f); /* walks off */
 	fixture_step(world, 150);
-	CHECK_LE("error of the height after walking off", fabs((double)fixture_pose(world, box).position_m.y - 0.25), 0.006, "m");
+	CHECK_LE("error of the height after walking off", fabs((double)fixture_pose(world, box).position_m.y - 0.25), SAG_M, "m");
 	cn_world_destroy(world);
 }
 
@@ -302,7 +302,7 @@ static void fall_from_above_stays(void)
 		fixture_set_velocity(world, box, 0.0f, -falls[k], 0.0f);
 		fixture_step(world, 120);
 		printf("  thrown down at %g m/s\n", (double)falls[k]);
-		CHECK_LE("error of the height on the platform", fabs((double)fixture_pose(world, box).position_m.y - 3.35), 0.006, "m");
+		CHECK_LE("error of the height on the platform", fabs((double)fixture_pose(world, box).position_m.y - 3.35), SAG_M, "m");
 		cn_world_destroy(world);
 	}
 }
@@ -397,12 +397,12 @@ static void pre_solve_lets_pass_in_chosen_steps(void)
 		y = (double)fixture_pose(world, box).position_m.y;
 		lowest = y < lowest ? y : lowest;
 		if (w.step == 59)
-			CHECK_LE("error of the height before", fabs(y - 0.25), 0.006, "m");
+			CHECK_LE("error of the height before", fabs(y - 0.25), SAG_M, "m");
 		if (w.step == 63)
 			speed = (double)fixture_velocity(world, box).linear_mps.y;
 	}
-	CHECK_LE("error of the speed after passing for 4 steps", fabs(speed + GRAVITY * 4.0 / 60.0), 1e-4, "m/s");
-	CHECK_LE("error of the height after", fabs((double)fixture_pose(world, box).position_m.y - 0.25), 0.006, "m");
+	CHECK_LE("error of the speed after passing for 4 steps", fabs(speed + GRAVITY * 4.0 / 60.0), ROUNDING, "m/s");
+	CHECK_LE("error of the height after", fabs((double)fixture_pose(world, box).position_m.y - 0.25), SAG_M, "m");
 	printf("  %d calls, lowest %.4f m\n", (int)w.calls, lowest);
 	CHECK(w.calls == 240 && w.enters == 1 && w.unlocked == 0 && w.bad == 0);
 	cn_world_destroy(world);
@@ -418,7 +418,7 @@ static void pre_solve_lets_fall_through(void)
 	calls = w.calls;
 	CHECK(calls == 1 && w.enters == 1);
 	fixture_step(world, 59);
-	CHECK_LE("error of the fall in 1 s", fabs((double)fixture_pose(world, box).position_m.y - (0.25 - 0.5 * GRAVITY)), 1e-4, "m");
+	CHECK_LE("error of the fall in 1 s", fabs((double)fixture_pose(world, box).position_m.y - (0.25 - 0.5 * GRAVITY)), ROUNDING, "m");
 	CHECK(w.unlocked == 0 && w.enters == 1);
 	cn_world_destroy(world);
 }
@@ -442,7 +442,7 @@ static void pre_solve_is_asked_only_where_wanted(void)
 	must(cn_world_set_pre_solve_callback(world, NULL, NULL), world, "cn_world_set_pre_solve_callback");
 	fixture_step(world, 10);
 	CHECK(w.calls == calls && w.bad == 0 && w.unlocked == 0);
-	CHECK_LE("error of the height", fabs((double)fixture_pose(world, box).position_m.y - 0.25), 0.006, "m");
+	CHECK_LE("error of the height", fabs((double)fixture_pose(world, box).position_m.y - 0.25), SAG_M, "m");
 	cn_world_destroy(world);
 }
 
@@ -483,15 +483,15 @@ static double fall_on_judged_floor(judge *j, int32_t remove_first)
 static void filter_callback_decides(void)
 {
 	judge j = { 0, 0, 0, 1 };
-	CHECK_LE("error of the height when allowed", fabs(fall_on_judged_floor(&j, 0) - 0.25), 0.006, "m");
+	CHECK_LE("error of the height when allowed", fabs(fall_on_judged_floor(&j, 0) - 0.25), SAG_M, "m");
 	printf("  allowed: %d calls\n", (int)j.calls);
 	CHECK(j.calls >= 1 && j.unlocked == 0 && j.bad == 0);
 	j.calls = j.answer = 0;
-	CHECK_LE("error of the fall when denied", fabs(fall_on_judged_floor(&j, 0) - (2.0 - 0.5 * GRAVITY * 2.25)), 1e-4, "m");
+	CHECK_LE("error of the fall when denied", fabs(fall_on_judged_floor(&j, 0) - (2.0 - 0.5 * GRAVITY * 2.25)), 2.0 * ROUNDING, "m");
 	printf("  denied: %d calls\n", (int)j.calls);
 	CHECK(j.calls >= 1 && j.unlocked == 0 && j.bad == 0);
 	j.calls = 0;
-	CHECK_LE("error of the height when removed", fabs(fall_on_judged_floor(&j, 1) - 0.25), 0.006, "m");
+	CHECK_LE("error of the height when removed", fabs(fall_on_judged_floor(&j, 1) - 0.25), SAG_M, "m");
 	CHECK(j.calls == 0);
 }
 

@@ -93,7 +93,7 @@ static double cluster_drift(float gravity, float friction, float e, int32_t join
 	for (k = 0; k < STEPS; ++k) {
 		fixture_step(world, 1);
 		after = spin_of(world, bodies, BODIES);
-		drift = fmax(drift, fabs(after.sum - before.sum) / before.scale);
+		drift = greater(drift, fabs(after.sum - before.sum) / before.scale);
 		touching += fixture_counters(world).contacts_touching;
 	}
 	CHECK(fixture_is_valid(world));

@@ -5,7 +5,7 @@
 #include "base/tasks.h"
 
 #include "base/hooks.h"
-#include "fixture.h"
+#include "joints.h"
 #include "scenes/scenes.h"
 
 static const int32_t worker_counts[] = { 2, 3, 8 };
@@ -77,16 +77,8 @@ static void crowd_fill(cn_world *world, int32_t count)
 	crowd_walls(world);
 	for (k = 0; k < count; ++k) {
 		cn_body body = crowd_member(world, k, &random);
-		if (k % 10 == 1) {
-			cn_revolute_def joint;
-			cn_joint out;
-			cn_revolute_def_init(&joint);
-			joint.base.body_a = last;
-			joint.base.body_b = body;
-			joint.base.anchor_a_m.x = 0.5f;
-			joint.base.anchor_b_m.x = -0.5f;
-			must(cn_joint_create_revolute(world, &joint, &out), world, "cn_joint_create_revolute");
-		}
+		if (k % 10 == 1)
+			hinge(world, last, at(0.5f, 0.0f), body, at(-0.5f, 0.0f));
 		last = body;
 	}
 }

@@ -3,7 +3,7 @@
  * report says so and why; the work of that stays within the budget; bodies' and joints' own solvers are followed; what
  * cannot be solved directly is not, and nothing breaks; the report is deterministic and changes nothing.
  */
-#include "fixture.h"
+#include "joints.h"
 
 #define REPORTS 64
 
@@ -82,7 +82,7 @@ static void t_a_new_stack_is_direct_and_then_soft(void)
 	CHECK_GE("direct work", fixture_counters(world).direct_work, 10 * 4, "blocks");
 	for (k = 1; k < 600 && report(world).tier == CN_TIER_DIRECT; ++k) {
 		settling += report(world).reason == CN_TIER_REASON_SETTLING;
-		CHECK_LE("residual while direct", report(world).residual_m, 0.001, "m");
+		CHECK_LE("residual while direct", report(world).residual_m, ROUNDING, "m");
 		fixture_step(world, 1);
 	}
 	CHECK_GE("steps in which it settled", settling, 10, "");
@@ -91,7 +91,7 @@ static void t_a_new_stack_is_direct_and_then_soft(void)
 	CHECK(fixture_counters(world).islands_direct == 0 && fixture_counters(world).direct_work == 0);
 	fixture_step(world, 120);
 	CHECK(is(world, CN_TIER_SOFT, CN_TIER_REASON_NONE));
-	CHECK_LE("residual after", report(world).residual_m, 0.005, "m");
+	CHECK_LE("residual after", report(world).residual_m, SAG_M, "m");
 	cn_world_destroy(world);
 }
 
@@ -183,17 +183,14 @@ static void t_residuals_are_errors_now(void)
 {
 	cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, 0);
 	cn_revolute_def pin;
-	cn_joint joint = 0;
+	cn_joint joint;
 	cn_body box, ball;
 	cn_island_report list[REPORTS];
 	fixture_floor(world, 0.6f, 0.0f);
 	box = fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 0.47f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
 	ball = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 5.0f, 0.5f, 0.6f, 0.0f);
-	cn_revolute_def_init(&pin);
-	pin.base.body_b = ball;
-	pin.base.anchor_a_m.x = 0.3f;
-	pin.base.anchor_a_m.y = 5.4f;
-	must(cn_joint_create_revolute(world, &pin, &joint), world, "cn_joint_create_revolute");
+	pin = revolute_def(0, at(0.3f, 5.4f), ball, at(0.0f, 0.0f));
+	joint = make_revolute(world, &pin);
 	must(cn_world_step(world, 0.0f), world, "cn_world_step");
 	REQUIRE(reports(world, list) == 2);
 	CHECK(list[0].body == box && list[1].body == ball && list[1].joints == 1);
@@ -231,10 +228,11 @@ static void t_work_stays_within_the_budget(void)
 			direct[k] = c.islands_direct > direct[k] ? c.islands_direct : direct[k];
 		}
 		CHECK_LE("most work of a step", most, budgets[k], "blocks");
-		CHECK_GE("a budget that is enough for something is used", most, budgets[k] >= 1000 ? 100 : 0, "blocks");
+		if (budgets[k] >= 1000)
+			CHECK_GE("a budget that is enough for something is used", most, 100, "blocks");
 		CHECK(fixture_is_valid(world));
 		deepest = fixture_penetration(world, lowest, 8);
-		CHECK_LE("overlap at the end", deepest, 0.02, "m");
+		CHECK_LE("overlap at the end", deepest, SAG_M, "m");
 		cn_world_destroy(world);
 	}
 	printf("  stacks solved directly, most at a time: %d %d %d %d %d %d\n", (int)direct[0], (int)direct[1], (int)direct[2], (int)direct[3], (int)direct[4], (int)direct[5]);
@@ -321,26 +319,19 @@ static void t_the_definition_has_a_solver(void)
 static int32_t net(cn_world *world, int32_t size, cn_joint *joints)
 {
 	cn_body bodies[400];
-	cn_revolute_def pin;
-	int32_t x, y, count = 0, way;
+	int32_t x, y, count = 0;
 	for (y = 0; y < size; ++y)
 		for (x = 0; x < size; ++x)
 			bodies[y * size + x] = fixture_box(world, y == 0 && (x == 0 || x == size - 1) ? CN_BODY_STATIC : CN_BODY_DYNAMIC, (float)x, 20.0f - (float)y,
 			                                   0.0f, 0.2f, 0.2f, 0.6f, 0.0f);
 	for (y = 0; y < size; ++y)
-		for (x = 0; x < size; ++x)
-			for (way = 0; way < 2; ++way) {
-				if ((way == 0 ? x : y) == size - 1)
-					continue;
-				cn_revolute_def_init(&pin);
-				pin.base.body_a = bodies[y * size + x];
-				pin.base.body_b = bodies[way == 0 ? y * size + x + 1 : y * size + size + x];
-				pin.base.anchor_a_m.x = way == 0 ? 0.5f : 0.0f;
-				pin.base.anchor_a_m.y = way == 0 ? 0.0f : -0.5f;
-				pin.base.anchor_b_m.x = -pin.base.anchor_a_m.x;
-				pin.base.anchor_b_m.y = -pin.base.anchor_a_m.y;
-				must(cn_joint_create_revolute(world, &pin, &joints[count++]), world, "cn_joint_create_revolute");
-			}
+		for (x = 0; x < size; ++x) {
+			const cn_body *body = &bodies[y * size + x];
+			if (x < size - 1)
+				joints[count++] = hinge(world, body[0], at(0.5f, 0.0f), body[1], at(-0.5f, 0.0f));
+			if (y < size - 1)
+				joints[count++] = hinge(world, body[0], at(0.0f, -0.5f), body[size], at(0.0f, 0.5f));
+		}
 	return count;
 }
 
@@ -445,8 +436,8 @@ static void t_solvers_may_change_between_steps(void)
 	}
 	must(cn_world_set_solver(world, CN_SOLVER_AUTO), world, "cn_world_set_solver");
 	fixture_step(world, 120);
-	CHECK_LE("the stack leans", fabs((double)(fixture_pose(world, top).position_m.x - fixture_pose(world, first).position_m.x)), 0.05, "m");
-	CHECK_LE("the stack sags", fabs((double)fixture_pose(world, top).position_m.y - 4.5), 0.03, "m");
+	CHECK_LE("the stack leans", fabs((double)(fixture_pose(world, top).position_m.x - fixture_pose(world, first).position_m.x)), ROUNDING, "m");
+	CHECK_LE("the stack sags", fabs((double)fixture_pose(world, top).position_m.y - 4.5), SAG_M, "m");
 	cn_world_destroy(world);
 }
 

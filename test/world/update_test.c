@@ -51,9 +51,9 @@ static void long_run(const char *name, int32_t mode, float frame_s)
 		steps += r.steps;
 		dropped += (double)r.dropped_s;
 		owed = elapsed - (double)steps * (double)FRAME_S;
-		worst = fmax(worst, fmax(owed - (double)FRAME_S, -owed));
-		worst_leftover = fmax(worst_leftover, fabs(owed - (double)r.leftover_s));
-		worst_factor = fmax(worst_factor, fabs((double)r.interpolation - (double)r.leftover_s / (double)FRAME_S));
+		worst = greater(worst, greater(owed - (double)FRAME_S, -owed));
+		worst_leftover = greater(worst_leftover, fabs(owed - (double)r.leftover_s));
+		worst_factor = greater(worst_factor, fabs((double)r.interpolation - (double)r.leftover_s / (double)FRAME_S));
 		wrong += r.interpolation < 0.0f || r.interpolation >= 1.0f || r.leftover_s < 0.0f;
 	}
 	printf("  %s: %.1f s, %ld steps\n", name, elapsed, (long)steps);
@@ -202,9 +202,9 @@ static void poses_lie_between_the_last_two(void)
 		ends_wrong += !pose_is(p, before);
 		ends_wrong += !pose_is(pose_at(world, ball, 1.0f), after);
 		p = pose_at(world, ball, f);
-		length = fmax(length, fabs(hypot((double)p.cosine, (double)p.sine) - 1.0));
-		off = fmax(off, fabs((double)p.position_m.x - ((double)before.position_m.x + (double)f * ((double)after.position_m.x - (double)before.position_m.x))));
-		off = fmax(off, fabs((double)p.position_m.y - ((double)before.position_m.y + (double)f * ((double)after.position_m.y - (double)before.position_m.y))));
+		length = greater(length, fabs(hypot((double)p.cosine, (double)p.sine) - 1.0));
+		off = greater(off, fabs((double)p.position_m.x - ((double)before.position_m.x + (double)f * ((double)after.position_m.x - (double)before.position_m.x))));
+		off = greater(off, fabs((double)p.position_m.y - ((double)before.position_m.y + (double)f * ((double)after.position_m.y - (double)before.position_m.y))));
 	}
 	CHECK_LE("ends that are not the two poses", ends_wrong, 0, "");
 	CHECK_LE("distance from the line between", off, 2e-5, "m");
@@ -227,7 +227,7 @@ static void angles_turn_evenly_enough(void)
 	turn = 20.0 * (double)FRAME_S;
 	for (k = 0; k <= 16; ++k) {
 		p = pose_at(world, body, (float)k / 16.0f);
-		worst = fmax(worst, fabs(remainder(atan2((double)p.sine, (double)p.cosine) - start - turn * k / 16.0, 6.283185307179586)));
+		worst = greater(worst, fabs(remainder(atan2((double)p.sine, (double)p.cosine) - start - turn * k / 16.0, 6.283185307179586)));
 	}
 	/* A chord instead of the arc: off by at most turn^3 sqrt(3) / 108. */
 	CHECK_LE("angle against even turning", worst, turn * turn * turn * sqrt(3.0) / 108.0 * 1.01, "rad");
@@ -244,7 +244,7 @@ static void teleports_do_not_glide(void)
 	for (k = 0; k <= 4; ++k)
 		CHECK(pose_is(pose_at(world, ball, 0.25f * (float)k), fixture_pose(world, ball)));
 	update(world, FRAME_S * 1.01f);
-	CHECK_LE("distance from the new place after the next update", hypot((double)pose_at(world, ball, 0.0f).position_m.x - 50.0, (double)pose_at(world, ball, 0.0f).position_m.y - 60.0), 1.0, "m");
+	CHECK_LE("distance from the new place after the next update", hypot((double)pose_at(world, ball, 0.0f).position_m.x - 50.0, (double)pose_at(world, ball, 0.0f).position_m.y - 60.0), ROUNDING, "m");
 	cn_world_destroy(world);
 }
 

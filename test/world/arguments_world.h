@@ -1,0 +1,173 @@
+/*
+ * test/world/arguments_world.h - entries of arguments_test for the library, worlds, callbacks, sensors, variable time and
+ * drawing: good and bad calls of each function. Included by arguments_test.c only, after its macros.
+ */
+#ifndef CAIRN_TEST_ARGUMENTS_WORLD_H
+#define CAIRN_TEST_ARGUMENTS_WORLD_H
+
+/* ---- library and world */
+
+ENTRY(cn_version, cn_version() > 0 ? CN_OK : -1, CHECK(cn_version() == CN_VERSION_MAJOR * 1000000 + CN_VERSION_MINOR * 1000 + CN_VERSION_PATCH);)
+ENTRY(cn_abi_version, cn_abi_version() == CN_ABI_VERSION ? CN_OK : -1, (void)0;)
+ENTRY(cn_result_text, cn_result_text(CN_OK) != NULL ? CN_OK : -1,
+	CHECK(strlen(cn_result_text(CN_ERROR_HANDLE)) > 0); CHECK(strlen(cn_result_text(7)) > 0); CHECK(strlen(cn_result_text(INT32_MIN)) > 0);)
+ENTRY(cn_sizeof, cn_sizeof(CN_TYPE_WORLD_DEF) == (int32_t)sizeof(cn_world_def) ? CN_OK : -1,
+	int32_t k; CHECK(cn_sizeof(-1) == 0); CHECK(cn_sizeof(CN_TYPE_COUNT) == 0); CHECK(cn_sizeof(INT32_MAX) == 0); CHECK(cn_sizeof(INT32_MIN) == 0);
+	for (k = 0; k < CN_TYPE_COUNT; ++k) CHECK(cn_sizeof(k) > 0);)
+ENTRY(cn_world_def_init, (cn_world_def_init(&wd), CN_OK), cn_world_def_init(NULL);)
+
+static void bad_world_defs(cn_result (*call)(const cn_world_def *));
+static cn_result call_def_check(const cn_world_def *d) { return cn_world_def_check(d, NULL, 0); }
+static cn_result call_bytes_needed(const cn_world_def *d) { return cn_world_bytes_needed(d, OUT(uint64_t)); }
+static cn_result call_create(const cn_world_def *d) { return cn_world_create(d, OUT(cn_world *)); }
+static void *test_enqueue(cn_task_fn *task, void *context, int32_t item_count, int32_t min_range, void *user)
+{
+	(void)min_range, (void)user;
+	task(0, item_count, context);
+	return NULL;
+}
+static void test_finish(void *task, void *user) { (void)task, (void)user; }
+static void *some_pointer(int offset) { static uint64_t block[64]; return (unsigned char *)block + offset; }
+
+static void bad_world_defs(cn_result (*call)(const cn_world_def *))
+{
+	ARG(call(NULL));
+	SIZES(x, call(WD(struct_size, x)));
+	FLAGS(x, 4, call(WD(flags, x)));
+	VECTOR(v, call(WD(gravity_mps2, v)));
+	POSITIVE(x, call(WD(length_unit_m, x)));
+	ARG(call(WD(length_unit_m, 1.1e6f)));
+	INTEGER(x, -1, 4, call(WD(solver, x)));
+	INTEGER(x, -1, 2, call(WD(broadphase, x)));
+	INTEGER(x, 0, 65, call(WD(substep_count, x)));
+	NOT_NEGATIVE(x, call(WD(accuracy_m, x)));
+	INTEGER(x, -1, 1000000001, call(WD(work_budget, x)));
+	NOT_NEGATIVE(x, call(WD(restitution_threshold_mps, x)));
+	NOT_NEGATIVE(x, call(WD(push_speed_max_mps, x)));
+	NOT_NEGATIVE(x, call(WD(linear_speed_max_mps, x)));
+	NOT_NEGATIVE(x, call(WD(angular_speed_max_radps, x)));
+	NOT_NEGATIVE(x, call(WD(sleep_speed_mps, x)));
+	NOT_NEGATIVE(x, call(WD(sleep_delay_s, x)));
+	INTEGER(x, -1, CN_MAX_HANDLES + 1, call(WD(body_capacity, x)));
+	INTEGER(x, -1, CN_MAX_HANDLES + 1, call(WD(shape_capacity, x)));
+	INTEGER(x, -1, INT32_MAX, call(WD(contact_capacity, x)));
+	INTEGER(x, -1, CN_MAX_HANDLES + 1, call(WD(joint_capacity, x)));
+	INTEGER(x, -1, CN_WORKERS_MAX + 1, call(WD(worker_count, x)));
+	ARG(call(WD(enqueue, test_enqueue)));
+	ARG(call(WD(finish, test_finish)));
+	ARG(call(WD(alloc, test_alloc)));
+	ARG(call(WD(free, test_free)));
+	ARG(call(WD(memory, some_pointer(1))));
+}
+
+ENTRY(cn_world_def_check, cn_world_def_check((reset(), &wd), NULL, 0),
+	char text[64] = "x"; bad_world_defs(call_def_check); ARG(cn_world_def_check(&wd, NULL, 5)); ARG(cn_world_def_check(&wd, OUT(char), -1));
+	CHECK(cn_world_def_check(WD(substep_count, 99), text, 8) == CN_ERROR_ARGUMENT); CHECK(strlen(text) == 7);
+	CHECK(cn_world_def_check(WD(substep_count, 99), text, 64) == CN_ERROR_ARGUMENT); CHECK(strstr(text, "substep_count 99") != NULL);)
+ENTRY(cn_world_bytes_needed, cn_world_bytes_needed((reset(), &wd), OUT(uint64_t)),
+	bad_world_defs(call_bytes_needed); ARG(cn_world_bytes_needed((reset(), &wd), NULL));)
+
+static cn_result create_and_destroy(void)
+{
+	cn_world *world = NULL;
+	cn_result result;
+	reset();
+	wd.alloc = test_alloc;
+	wd.free = test_free;
+	result = cn_world_create(&wd, &world);
+	if (result == CN_OK)
+		cn_world_destroy(world);
+	return result;
+}
+
+ENTRY(cn_world_create, create_and_destroy(),
+	static uint64_t tiny[64]; void *block = (void *)(((uintptr_t)tiny + 63) & ~(uintptr_t)63);
+	bad_world_defs(call_create); ARG(cn_world_create((reset(), &wd), NULL));
+	reset(); wd.memory = block; wd.memory_bytes = 128; BAD(CN_ERROR_MEMORY, cn_world_create(&wd, OUT(cn_world *)));)
+ENTRY(cn_world_destroy, CN_OK, cn_world_destroy(NULL);)
+ENTRY(cn_world_step, cn_world_step(W, 0.01f),
+	NOW(cn_world_step(NULL, 0.01f)); RANGE(x, -0.001f, 1.001f, cn_world_step(W, x));)
+ENTRY(cn_world_error_text, cn_world_error_text(W) != NULL ? CN_OK : -1, CHECK(strcmp(cn_world_error_text(NULL), "") == 0);)
+ENTRY(cn_world_set_gravity, cn_world_set_gravity(W, 1.0f, -9.0f),
+	NOW(cn_world_set_gravity(NULL, 1.0f, 1.0f)); VECTOR(v, cn_world_set_gravity(W, v.x, v.y));)
+WORLD_GETTER(cn_world_get_gravity, cn_vec2)
+ENTRY(cn_world_set_substep_count, cn_world_set_substep_count(W, 8),
+	NOW(cn_world_set_substep_count(NULL, 8)); INTEGER(x, 0, 65, cn_world_set_substep_count(W, x));)
+WORLD_GETTER(cn_world_get_substep_count, int32_t)
+ENTRY(cn_world_set_solver, cn_world_set_solver(W, CN_SOLVER_DIRECT),
+	NOW(cn_world_set_solver(NULL, 0)); INTEGER(x, -1, 4, cn_world_set_solver(W, x));)
+WORLD_GETTER(cn_world_get_solver, int32_t)
+ENTRY(cn_world_set_accuracy, cn_world_set_accuracy(W, 0.001f, 500),
+	NOW(cn_world_set_accuracy(NULL, 0.001f, 500)); NOT_NEGATIVE(x, cn_world_set_accuracy(W, x, 500)); INTEGER(x, -1, 1000000001, cn_world_set_accuracy(W, 0.001f, x));)
+ENTRY(cn_world_get_accuracy, cn_world_get_accuracy(W, OUT(float), INT + 8),
+	NOW(cn_world_get_accuracy(NULL, OUT(float), INT + 8)); ARG(cn_world_get_accuracy(W, NULL, INT)); ARG(cn_world_get_accuracy(W, OUT(float), NULL));)
+ENTRY(cn_world_set_flags, cn_world_set_flags(W, CN_WORLD_PROFILE),
+	NOW(cn_world_set_flags(NULL, 0)); FLAGS(x, 4, cn_world_set_flags(W, x));)
+WORLD_GETTER(cn_world_get_flags, uint32_t)
+WORLD_GETTER(cn_world_get_worker_count, int32_t)
+ENTRY(cn_world_set_restitution_threshold, cn_world_set_restitution_threshold(W, 2.0f),
+	NOW(cn_world_set_restitution_threshold(NULL, 2.0f)); NOT_NEGATIVE(x, cn_world_set_restitution_threshold(W, x));)
+ENTRY(cn_world_set_speed_limits, cn_world_set_speed_limits(W, 50.0f, 60.0f),
+	NOW(cn_world_set_speed_limits(NULL, 1.0f, 1.0f)); POSITIVE(x, cn_world_set_speed_limits(W, x, 1.0f)); POSITIVE(x, cn_world_set_speed_limits(W, 1.0f, x));)
+ENTRY(cn_world_set_sleep, cn_world_set_sleep(W, 0.1f, 1.0f),
+	NOW(cn_world_set_sleep(NULL, 0.1f, 1.0f)); NOT_NEGATIVE(x, cn_world_set_sleep(W, x, 1.0f)); NOT_NEGATIVE(x, cn_world_set_sleep(W, 1.0f, x));)
+ENTRY(cn_world_set_user_data, cn_world_set_user_data(W, 7), NOW(cn_world_set_user_data(NULL, 7));)
+WORLD_GETTER(cn_world_get_user_data, uint64_t)
+WORLD_LIST(cn_world_get_bodies, cn_body)
+WORLD_LIST(cn_world_get_shapes, cn_shape)
+WORLD_LIST(cn_world_get_joints, cn_joint)
+WORLD_LIST(cn_world_get_islands, cn_island_report)
+WORLD_GETTER(cn_world_get_counters, cn_counters)
+WORLD_GETTER(cn_world_get_profile, cn_profile)
+WORLD_GETTER(cn_world_get_memory_stats, cn_memory_stats)
+WORLD_GETTER(cn_world_hash, uint64_t)
+ENTRY(cn_world_validate, cn_world_validate(W, NULL, 0),
+	NOW(cn_world_validate(NULL, NULL, 0)); ARG(cn_world_validate(W, NULL, 5)); ARG(cn_world_validate(W, OUT(char), -1));)
+
+/* ---- callbacks, sensors, shape flags, variable time, drawing */
+
+static int32_t any_filter(cn_world *world, cn_shape a, cn_shape b, void *user) { (void)world; (void)a; (void)b; (void)user; return 1; }
+static int32_t any_pre_solve(cn_world *world, const cn_contact_event *e, void *user) { (void)world; (void)e; (void)user; return 1; }
+static void any_mix(cn_world *world, cn_shape a, cn_shape b, cn_material *m, void *user) { (void)world; (void)a; (void)b; (void)m; (void)user; }
+
+ENTRY(cn_world_set_filter_callback, cn_world_set_filter_callback(W, any_filter, NULL),
+	NOW(cn_world_set_filter_callback(NULL, any_filter, NULL)); CHECK(cn_world_set_filter_callback(W, NULL, NULL) == CN_OK);)
+ENTRY(cn_world_set_pre_solve_callback, cn_world_set_pre_solve_callback(W, any_pre_solve, NULL),
+	NOW(cn_world_set_pre_solve_callback(NULL, any_pre_solve, NULL)); CHECK(cn_world_set_pre_solve_callback(W, NULL, NULL) == CN_OK);)
+ENTRY(cn_world_set_material_mix_callback, cn_world_set_material_mix_callback(W, any_mix, NULL),
+	NOW(cn_world_set_material_mix_callback(NULL, any_mix, NULL)); CHECK(cn_world_set_material_mix_callback(W, NULL, NULL) == CN_OK);)
+static const cn_sensor_event *sensor_events;
+ENTRY(cn_world_sensor_events, cn_world_sensor_events(W, &sensor_events, INT),
+	NOW(cn_world_sensor_events(NULL, &sensor_events, INT)); ARG(cn_world_sensor_events(W, NULL, INT)); ARG(cn_world_sensor_events(W, &sensor_events, NULL));)
+ENTRY(cn_shape_set_flags, cn_shape_set_flags(W, f.box_shape, CN_SHAPE_ONE_WAY),
+	NOW(cn_shape_set_flags(NULL, f.box_shape, 0)); SHAPE(h, cn_shape_set_flags(W, h, 0)); FLAGS(x, 4, cn_shape_set_flags(W, f.box_shape, x));)
+GETTER(cn_shape_get_flags, SHAPE, f.box_shape, uint32_t)
+ENTRY(cn_world_set_fixed_step, cn_world_set_fixed_step(W, 0.01f, 4),
+	NOW(cn_world_set_fixed_step(NULL, 0.01f, 4)); POSITIVE(x, cn_world_set_fixed_step(W, x, 4)); ARG(cn_world_set_fixed_step(W, 1.01f, 4));
+	INTEGER(x, 0, 1001, cn_world_set_fixed_step(W, 0.01f, x));)
+ENTRY(cn_world_update, cn_world_update(W, 0.02f, (cn_update_report *)OUT(cn_update_report)),
+	NOW(cn_world_update(NULL, 0.02f, NULL)); RANGE(x, -0.01f, 10.1f, cn_world_update(W, x, NULL));)
+ENTRY(cn_world_read_poses_interpolated, cn_world_read_poses_interpolated(W, three(f.box, f.ball, f.pill), 3, 0.5f, OUT(cn_pose)),
+	NOW(cn_world_read_poses_interpolated(NULL, three(f.box, f.ball, f.pill), 3, 0.5f, OUT(cn_pose)));
+	RANGE(x, -0.01f, 1.01f, cn_world_read_poses_interpolated(W, three(f.box, f.ball, f.pill), 3, x, OUT(cn_pose)));
+	BODY(h, cn_world_read_poses_interpolated(W, three(f.box, h, f.pill), 3, 0.5f, OUT(cn_pose)));
+	ARG(cn_world_read_poses_interpolated(W, three(f.box, f.ball, f.pill), 3, 0.5f, NULL));
+	ARG(cn_world_read_poses_interpolated(W, three(f.box, f.ball, f.pill), -1, 0.5f, OUT(cn_pose)));
+	ARG(cn_world_read_poses_interpolated(W, NULL, 1, 0.5f, OUT(cn_pose)));)
+static cn_debug_draw draw_functions;
+static cn_debug_draw *draw_with(uint32_t size, uint32_t flags, cn_vec2 lower)
+{
+	cn_debug_draw_init(&draw_functions);
+	draw_functions.struct_size = size;
+	draw_functions.flags = flags;
+	draw_functions.view.lower_m = lower;
+	return &draw_functions;
+}
+#define DRAW_SIZE ((uint32_t)sizeof(cn_debug_draw))
+ENTRY(cn_debug_draw_init, (cn_debug_draw_init(&draw_functions), CN_OK), cn_debug_draw_init(NULL);)
+ENTRY(cn_world_draw, cn_world_draw(W, draw_with(DRAW_SIZE, 0, v2(0.0f, 0.0f))),
+	NOW(cn_world_draw(NULL, draw_with(DRAW_SIZE, 0, v2(0.0f, 0.0f)))); ARG(cn_world_draw(W, NULL));
+	SIZES(x, cn_world_draw(W, draw_with(x, 0, v2(0.0f, 0.0f)))); FLAGS(x, 6, cn_world_draw(W, draw_with(DRAW_SIZE, x, v2(0.0f, 0.0f))));
+	VECTOR(v, cn_world_draw(W, draw_with(DRAW_SIZE, 0, v)));)
+
+#endif

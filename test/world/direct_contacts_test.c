@@ -1,0 +1,263 @@
+/*
+ * test/world/direct_contacts_test.c - what is promised of contacts that are solved directly, alone and among joints:
+ * stacks, walls, random scenes, and the same bits in a fixed block.
+ *
+ * If a test here fails, run stages/sparse and world/direct first. Then look in: stages/tiers.c and contact_direct.c.
+ */
+#include "direct.h"
+
+/* ---- stacks ---- */
+
+static void stack_run(const char *name, int32_t count, float top_factor, int32_t solver, double overlap_bound)
+{
+	scene s = scene_open(GRAVITY, 0, solver);
+	double overlap = 0.0, drift = 0.0, angle = 0.0;
+	int32_t k, i;
+	fixture_floor(s.world, 0.6f, 0.0f);
+	for (k = 0; k < count; ++k)
+		keep(&s, fixture_box(s.world, CN_BODY_DYNAMIC, 0.0f, 0.5f + (float)k, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f));
+	weigh(&s, last_body(&s), top_factor);
+	for (k = 0; k < 300; ++k) {
+		fixture_step(s.world, 1);
+		overlap = greater(overlap, (double)fixture_penetration(s.world, s.bodies, s.body_count));
+		for (i = 0; i < count; ++i) {
+			cn_pose p = fixture_pose(s.world, s.bodies[i]);
+			drift = greater(drift, hypot((double)p.position_m.x, (double)p.position_m.y - 0.5 - (double)i));
+			angle = greater(angle, fabs((double)p.sine));
+		}
+	}
+	printf("  %s\n", name);
+	CHECK_LE("greatest overlap", overlap, overlap_bound, "m");
+	CHECK_LE("greatest distance of a box from where it was", drift, 2e-3, "m");
+	CHECK_LE("greatest tilt", angle, ROUNDING, "rad");
+	scene_close(&s);
+}
+
+static void stacks_stand_still(void)
+{
+	stack_run("20 boxes", 20, 1.0f, CN_SOLVER_AUTO, 1e-3);
+	stack_run("20 boxes, CN_SOLVER_DIRECT", 20, 1.0f, CN_SOLVER_DIRECT, 1e-3);
+	stack_run("1,000 times the mass on ten boxes", 11, 1000.0f, CN_SOLVER_AUTO, 1e-3);
+	stack_run("1,000 times the mass on ten boxes, CN_SOLVER_DIRECT", 11, 1000.0f, CN_SOLVER_DIRECT, 1e-3);
+}
+
+/* ---- a wall and a ball ---- */
+
+static void wall_run(const char *name, float speed, int32_t solver)
+{
+	scene s = scene_open(GRAVITY, 0, solver);
+	cn_body ball;
+	watch w;
+	int32_t row, column;
+	fixture_floor(s.world, 0.6f, 0.0f);
+	for (row = 0; row < 6; ++row)
+		for (column = 0; column < 4 + row % 2; ++column)
+			keep(&s, fixture_box(s.world, CN_BODY_DYNAMIC, (float)column - 0.5f * (float)(row % 2), 0.25f + 0.5f * (float)row, 0.0f, 0.5f, 0.25f, 0.6f, 0.0f));
+	ball = keep(&s, fixture_circle(s.world, CN_BODY_DYNAMIC, -6.0f, 1.2f, 0.5f, 0.6f, 0.0f));
+	weigh(&s, ball, 10.0f);
+	fixture_set_velocity(s.world, ball, speed, 2.0f, 0.0f);
+	w = watch_begin(&s);
+	watch_steps(&w, &s, 240);
+	printf("  %s\n", name);
+	CHECK_LE("greatest speed / the ball's", w.speed / hypot((double)speed, 2.0), 1.05, "");
+	CHECK_LE("energy / start", w.energy / w.energy_start, 1.0001, "");
+	scene_close(&s);
+}
+
+static void wall_falls_or_stands(void)
+{
+	wall_run("ball of 15 m/s", 15.0f, CN_SOLVER_AUTO);
+	wall_run("ball of 15 m/s, CN_SOLVER_DIRECT", 15.0f, CN_SOLVER_DIRECT);
+	wall_run("ball of 40 m/s", 40.0f, CN_SOLVER_AUTO);
+}
+
+/* ---- random scenes ---- */
+
+static void random_pair(scene *s, uint32_t *random, cn_body a, cn_body b)
+{
+	float kind = fixture_random(random, 0.0f, 3.0f), x, y;
+	cn_pose pa = fixture_pose(s->world, a), pb = fixture_pose(s->world, b);
+	cn_vec2 la, lb;
+	x = 0.5f * (pa.position_m.x + pb.position_m.x);
+	y = 0.5f * (pa.position_m.y + pb.position_m.y);
+	must(cn_body_get_local_point(s->world, a, x, y, &la), s->world, "cn_body_get_local_point");
+	must(cn_body_get_local_point(s->world, b, x, y, &lb), s->world, "cn_body_get_local_point");
+	if (kind < 1.0f) {
+		pin(s, a, la, b, lb);
+	} else if (kind < 2.0f) {
+		cn_distance_def def;
+		cn_distance_def_init(&def);
+		def.base.body_a = a;
+		def.base.body_b = b;
+		def.length_m = hypotf(pa.position_m.x - pb.position_m.x, pa.position_m.y - pb.position_m.y);
+		must(cn_joint_create_distance(s->world, &def, &s->joints[s->joint_count++]), s->world, "cn_joint_create_distance");
+	} else {
+		cn_fixed_def def;
+		cn_fixed_def_init(&def);
+		def.base.body_a = a;
+		def.base.body_b = b;
+		def.base.anchor_a_m = la;
+		def.base.anchor_b_m = lb;
+		must(cn_joint_create_fixed(s->world, &def, &s->joints[s->joint_count]), s->world, "cn_joint_create_fixed");
+		must(cn_joint_get_position(s->world, s->joints[s->joint_count++], &def.reference_angle_rad), s->world, "cn_joint_get_position");
+		must(cn_joint_set_fixed(s->world, s->joints[s->joint_count - 1], &def), s->world, "cn_joint_set_fixed");
+	}
+}
+
+/* Boxes and circles, some jointed to their neighbours, fall into a trough. */
+static void fill_random(scene *s, uint32_t seed)
+{
+	uint32_t random = seed * 2654435761u + 99u;
+	int32_t row, column;
+	fixture_floor(s->world, 0.6f, 0.0f);
+	fixture_box(s->world, CN_BODY_STATIC, -4.0f, 4.0f, 0.0f, 0.5f, 5.0f, 0.6f, 0.0f);
+	fixture_box(s->world, CN_BODY_STATIC, 4.0f, 4.0f, 0.0f, 0.5f, 5.0f, 0.6f, 0.0f);
+	for (row = 0; row < 4; ++row) {
+		cn_body before = 0;
+		for (column = -2; column <= 2; ++column) {
+			float size = fixture_random(&random, 0.2f, 0.5f), friction = fixture_random(&random, 0.0f, 1.0f), angle = fixture_random(&random, -3.0f, 3.0f);
+			float restitution = fixture_random(&random, -1.5f, 0.5f), x = 1.3f * (float)column, y = 1.0f + 1.4f * (float)row, vx, vy, w;
+			cn_body body;
+			if (fixture_random(&random, 0.0f, 1.0f) < 0.25f) {
+				before = 0;
+				continue;
+			}
+			restitution = restitution > 0.0f ? restitution : 0.0f;
+			if (fixture_random(&random, 0.0f, 1.0f) < 0.4f)
+				body = fixture_circle(s->world, CN_BODY_DYNAMIC, x, y, size, friction, restitution);
+			else
+				body = fixture_box(s->world, CN_BODY_DYNAMIC, x, y, angle, size, 0.6f * size, friction, restitution);
+			keep(s, body);
+			weigh(s, body, (float)pow(10.0, (double)fixture_random(&random, -1.0f, 1.0f)));
+			vx = fixture_random(&random, -3.0f, 3.0f);
+			vy = fixture_random(&random, -3.0f, 3.0f);
+			w = fixture_random(&random, -3.0f, 3.0f);
+			fixture_set_velocity(s->world, body, vx, vy, w);
+			if (before != 0 && fixture_random(&random, 0.0f, 1.0f) < 0.5f)
+				random_pair(s, &random, before, body);
+			before = body;
+		}
+	}
+}
+
+#define RANDOM_SEEDS 30
+#define RANDOM_STEPS 150
+
+/* As parts of the energy at the start: the most there was, and the most that came back after a low. */
+typedef struct balance {
+	double most, rise;
+	int32_t valid;
+} balance;
+
+static balance random_run(uint32_t seed, int32_t solver)
+{
+	scene s = scene_open(GRAVITY, seed % 2 == 0, solver);
+	balance b = { 0.0, 0.0, 1 };
+	double start, least;
+	int32_t k;
+	fill_random(&s, seed);
+	start = least = energy_in(&s);
+	for (k = 0; k < RANDOM_STEPS; ++k) {
+		double now;
+		fixture_step(s.world, 1);
+		now = energy_in(&s);
+		least = fmin(least, now);
+		b.most = greater(b.most, now / start);
+		b.rise = greater(b.rise, (now - least) / start);
+		b.valid = b.valid && fixture_is_valid(s.world);
+	}
+	scene_close(&s);
+	return b;
+}
+
+/* Joints and contacts that contradict each other store some energy in what overlaps, and give it back. */
+static void random_scenes_behave(void)
+{
+	static const char *const names[] = { "CN_SOLVER_AUTO", "CN_SOLVER_SOFT", "CN_SOLVER_DIRECT" };
+	static const int32_t solvers[] = { CN_SOLVER_AUTO, CN_SOLVER_SOFT, CN_SOLVER_DIRECT };
+	int32_t k;
+	for (k = 0; k < 3; ++k) {
+		balance worst = { 0.0, 0.0, 1 };
+		uint32_t seed;
+		for (seed = 1; seed <= RANDOM_SEEDS; ++seed) {
+			balance b = random_run(seed, solvers[k]);
+			if (!b.valid || b.most > 1.001 || b.rise > 0.1)
+				printf("  seed %u: energy %.5f of the start at most, %.5f back, valid %d\n", (unsigned)seed, b.most, b.rise, (int)b.valid);
+			CHECK(b.valid);
+			worst.most = greater(worst.most, b.most);
+			worst.rise = greater(worst.rise, b.rise);
+		}
+		printf("  %s\n", names[k]);
+		CHECK_LE("energy / start", worst.most, solvers[k] == CN_SOLVER_SOFT ? 1.02 : 1.001, "");
+		CHECK_LE("energy that came back / start", worst.rise, 0.1, "");
+	}
+}
+
+/* ---- the same bits ---- */
+
+/* Chains, a stack and a random heap, in a world of the definition's kind of memory. */
+static uint64_t history(const cn_world_def *def, uint32_t *warnings)
+{
+	scene s;
+	uint64_t hash;
+	int32_t k;
+	memset(&s, 0, sizeof s);
+	must(cn_world_create(def, &s.world), NULL, "cn_world_create");
+	fill_random(&s, 5);
+	add_chain(&s, 0, at(10.0f, 6.0f), 10.0f, 6.0f, 0.0f, 12);
+	weigh(&s, last_body(&s), 500.0f);
+	for (k = 0; k < 8; ++k)
+		keep(&s, fixture_box(s.world, CN_BODY_DYNAMIC, -10.0f, 0.5f + (float)k, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f));
+	weigh(&s, last_body(&s), 200.0f);
+	*warnings = 0;
+	for (k = 0; k < 180; ++k) {
+		fixture_step(s.world, 1);
+		*warnings |= fixture_counters(s.world).warnings;
+	}
+	CHECK(fixture_is_valid(s.world));
+	hash = fixture_hash(s.world);
+	cn_world_destroy(s.world);
+	return hash;
+}
+
+static void fixed_memory_gives_the_same_bits(void)
+{
+	static const int32_t solvers[] = { CN_SOLVER_AUTO, CN_SOLVER_DIRECT };
+	int32_t k;
+	for (k = 0; k < 2; ++k) {
+		cn_world_def def;
+		uint64_t bytes = 0, growing, again, fixed;
+		uint32_t warnings;
+		uint8_t *raw;
+		cn_world_def_init(&def);
+		def.solver = solvers[k];
+		def.body_capacity = def.shape_capacity = 64;
+		def.contact_capacity = 512;
+		def.joint_capacity = 64;
+		growing = history(&def, &warnings);
+		CHECK(warnings == 0);
+		again = history(&def, &warnings);
+		must(cn_world_bytes_needed(&def, &bytes), NULL, "cn_world_bytes_needed");
+		raw = (uint8_t *)malloc((size_t)bytes + 64);
+		REQUIRE(raw != NULL);
+		def.memory = raw + (64 - (uintptr_t)raw % 64) % 64;
+		def.memory_bytes = bytes;
+		fixed = history(&def, &warnings);
+		free(raw);
+		printf("  %s: growing %016llx, again %016llx, in %llu bytes %016llx, warnings %u\n", k ? "CN_SOLVER_DIRECT" : "CN_SOLVER_AUTO",
+		       (unsigned long long)growing, (unsigned long long)again, (unsigned long long)bytes, (unsigned long long)fixed, (unsigned)warnings);
+		CHECK(warnings == 0);
+		CHECK(growing == again);
+		CHECK(growing == fixed);
+	}
+}
+
+int main(int argc, char **argv)
+{
+	test_begin(argc, argv);
+	RUN(stacks_stand_still);
+	RUN(wall_falls_or_stands);
+	RUN(random_scenes_behave);
+	RUN(fixed_memory_gives_the_same_bits);
+	return test_end();
+}

@@ -1,0 +1,275 @@
+/*
+ * test/world/joint_assembly_test.c - many bodies on revolute joints and rods: chains, a grid, a bridge, ragdolls, and
+ * what flies freely. Anchors stay together, reactions carry what hangs below, momentum is kept, no energy comes in.
+ *
+ * If a test here fails, look first in: stages/joint_solve.c, joint_blocks.c, then joint_swing.c and joint_direct.c (which
+ * of them are solved together).
+ */
+#include "joints.h"
+#include "scenes/build.h"
+
+static void chain_of_10_carries_what_hangs_below(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body links[10];
+	cn_joint joints[10];
+	double worst = 0.0, link_weight;
+	int32_t k;
+	make_chain(world, 10, 0.0f, -1.0f, links, joints);
+	link_weight = (double)mass_of(world, links[0]).mass_kg * GRAVITY;
+	fixture_step(world, 300);
+	for (k = 0; k < 10; ++k) {
+		double exact = link_weight * (double)(10 - k), force = (double)joint_force(world, joints[k]).y;
+		printf("  link %d: %.5f N, exact %.5f N\n", (int)k, force, exact);
+		worst = greater(worst, fabs(force - exact) / exact);
+	}
+	CHECK_LE("relative error of the reactions", worst, ROUNDING, "");
+	cn_world_destroy(world);
+}
+
+static void hanging_chain_of_20_does_not_stretch(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body links[20];
+	cn_joint joints[20];
+	double worst = 0.0, stretch = 0.0;
+	cn_vec2 end;
+	int32_t k;
+	make_chain(world, 20, 0.0f, -1.0f, links, joints);
+	for (k = 0; k < 3600; ++k) {
+		fixture_step(world, 1);
+		must(cn_body_get_world_point(world, links[19], 0.25f, 0.0f, &end), world, "cn_body_get_world_point");
+		stretch = hypot((double)end.x, (double)end.y) - 10.0;
+		worst = greater(worst, stretch);
+	}
+	CHECK_LE("stretch of 10 m after 60 s", stretch, ROUNDING, "m");
+	CHECK_LE("most stretch since the chain was let go", worst, ROUNDING, "m");
+	CHECK_LE("sideways drift", fabs((double)end.x), ROUNDING, "m");
+	cn_world_destroy(world);
+}
+
+static void swinging_chain_of_20_stays_together(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body links[20];
+	cn_joint joints[20];
+	double worst = 0.0, late = 0.0, most = -1e9, least = 1e9, energy0;
+	totals t;
+	int32_t k;
+	make_chain(world, 20, 1.0f, 0.0f, links, joints);
+	t = totals_of(world, links, 20);
+	energy0 = t.kinetic + t.potential;
+	for (k = 0; k < 3600; ++k) {
+		double error;
+		fixture_step(world, 1);
+		error = worst_joint_error(world);
+		worst = greater(worst, error);
+		late = k >= 3000 ? fmax(late, error) : late;
+		t = totals_of(world, links, 20);
+		most = greater(most, t.kinetic + t.potential - energy0);
+		least = fmin(least, t.kinetic + t.potential - energy0);
+	}
+	/* Depth: 20 links of 0.06 kg... falling 5 m on average. */
+	printf("  energy %+.2e of its depth at least, %+.2e at most against the start; error in the last 10 s %.6f m\n", least / (20.0 * 0.06 * GRAVITY * 5.0), most / (20.0 * 0.06 * GRAVITY * 5.0), late);
+	CHECK_LE("greatest distance between anchors", worst, 0.035, "m");
+	CHECK_LE("energy gained / depth", most / (20.0 * 0.06 * GRAVITY * 5.0), 2.0 * ROUNDING, "");
+	cn_world_destroy(world);
+}
+
+/* The benchmark's joint_grid: 10,000 balls on 19,794 pins, seven of them held. As stiff as 16 substeps make it. */
+static void grid_of_10000_bodies_keeps_its_anchors(void)
+{
+#ifdef TEST_SLOW
+	const int32_t steps = 2;
+#else
+	const int32_t steps = 120;
+#endif
+	enum { SIDE = 100 };
+	static cn_body balls[SIDE][SIDE];
+	cn_world *world = fixture_world(-10.0f, 0);
+	double worst = 0.0;
+	int32_t i, k;
+	must(cn_world_set_substep_count(world, 16), world, "cn_world_set_substep_count");
+	for (k = 0; k < SIDE; ++k)
+		for (i = 0; i < SIDE; ++i) {
+			int32_t held = i == 0 && k >= SIDE / 2 - 3 && k <= SIDE / 2 + 3;
+			balls[k][i] = fixture_circle(world, held ? CN_BODY_STATIC : CN_BODY_DYNAMIC, (float)k, -(float)i, 0.4f, 0.6f, 0.0f);
+			if (i > 0)
+				hinge(world, balls[k][i - 1], at(0.0f, -0.5f), balls[k][i], at(0.0f, 0.5f));
+			if (k > 0 && !(held && k > SIDE / 2 - 3))
+				hinge(world, balls[k - 1][i], at(0.5f, 0.0f), balls[k][i], at(-0.5f, 0.0f));
+		}
+	for (k = 0; k < steps; ++k) {
+		fixture_step(world, 1);
+		worst = greater(worst, worst_joint_error(world));
+	}
+	CHECK_LE("greatest distance between anchors", worst, 0.01, "m");
+	cn_world_destroy(world);
+}
+
+static void bridge_of_50_links_carries(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body links[50], loads[6];
+	double worst = 0.0, late = 0.0;
+	int32_t k, on = 0;
+	for (k = 0; k < 50; ++k) {
+		cn_shape_def shape;
+		links[k] = fixture_body(world, CN_BODY_DYNAMIC, -12.25f + 0.5f * (float)k, 0.0f, 0.0f);
+		shape = fixture_shape_def(links[k], 0.6f, 0.0f);
+		shape.density_kgpm2 = 20.0f;
+		fixture_box_shape(world, &shape, 0.25f, 0.125f);
+		hinge(world, k == 0 ? 0 : links[k - 1], k == 0 ? at(-12.5f, 0.0f) : at(0.25f, 0.0f), links[k], at(-0.25f, 0.0f));
+	}
+	hinge(world, links[49], at(0.25f, 0.0f), 0, at(12.5f, 0.0f));
+	for (k = 0; k < 6; ++k)
+		loads[k] = fixture_box(world, CN_BODY_DYNAMIC, -5.0f + 2.0f * (float)k, 2.0f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+	for (k = 0; k < 1200; ++k) {
+		double error;
+		fixture_step(world, 1);
+		error = worst_joint_error(world);
+		worst = greater(worst, error);
+		late = k >= 600 ? fmax(late, error) : late;
+	}
+	for (k = 0; k < 6; ++k)
+		on += (double)fixture_pose(world, loads[k]).position_m.y > -6.0;
+	printf("  %d of 6 loads are on the bridge\n", (int)on);
+	CHECK(on == 6);
+	/* 131 kg on a nearly straight bridge: links pull with tens of times their weight at first. */
+	CHECK_LE("greatest distance between anchors", worst, 0.1, "m");
+	CHECK_LE("greatest distance between anchors in the last 10 s", late, 0.02, "m");
+	CHECK(fixture_is_valid(world));
+	cn_world_destroy(world);
+}
+
+static double worst_error_over(scene_run *run, int32_t from, int32_t to)
+{
+	double worst = 0.0;
+	for (; run->step_index < from; )
+		must(scene_step(run), run->world, "scene_step");
+	for (; run->step_index < to; ) {
+		must(scene_step(run), run->world, "scene_step");
+		worst = greater(worst, worst_joint_error(run->world));
+	}
+	return worst;
+}
+
+static void ragdoll_run(float height, double bound)
+{
+	scene_run run;
+	cn_body bones[SCENE_RAGDOLL_BODIES];
+	must(scene_open(&run, scene_find("memory_empty"), NULL), NULL, "scene_open");
+	fixture_floor(run.world, 0.6f, 0.0f);
+	scene_ragdoll(&run, 0.0f, height, -1, bones);
+	printf("  dropped from %.1f m\n", (double)height);
+	CHECK_LE("greatest distance between anchors in the fall", worst_error_over(&run, 0, 240), bound, "m");
+	CHECK_LE("lying on the ground", worst_error_over(&run, 240, 480), SOLVED, "m");
+	CHECK(fixture_is_valid(run.world));
+	scene_close(&run);
+}
+
+/* A stop travels one joint a substep through the bones, so it tears them by up to 2 v h: 53 mm from 2 m. */
+static void ragdoll_on_the_ground_stays_together(void)
+{
+	ragdoll_run(0.0f, 0.02);
+	ragdoll_run(0.2f, 0.02);
+	ragdoll_run(2.0f, 0.053);
+}
+
+/* Limbs of 60 g under several ragdolls that come down at 10 m/s and more: joints give way and close again. */
+static void ragdolls_in_a_heap_come_together_again(void)
+{
+	scene_run run;
+	must(scene_open(&run, scene_find("ragdolls"), NULL), NULL, "scene_open");
+	CHECK_LE("greatest distance between anchors while they fall", worst_error_over(&run, 0, 360), 0.15, "m");
+	CHECK_LE("in the last 2 s", worst_error_over(&run, 360, 480), 3e-3, "m");
+	scene_close(&run);
+}
+
+/* ---- free assemblies ---- */
+
+/* A chain, a ring and a spring-loaded tree of bodies in free flight. */
+static int32_t make_assembly(cn_world *world, int32_t kind, cn_body *bodies, uint32_t seed)
+{
+	int32_t k, count = kind == 0 ? 2 : 8;
+	for (k = 0; k < count; ++k) {
+		float r = kind == 0 ? 0.3f : fixture_random(&seed, 0.1f, 0.3f);
+		cn_shape_def shape;
+		bodies[k] = fixture_body(world, CN_BODY_DYNAMIC, kind == 2 ? (float)cos(PI * k / 4.0) * 2.0f : (float)k, kind == 2 ? (float)sin(PI * k / 4.0) * 2.0f : 0.0f, 0.0f);
+		shape = fixture_shape_def(bodies[k], 0.6f, 0.0f);
+		shape.filter.group = -1;
+		fixture_box_shape(world, &shape, r, 0.7f * r);
+	}
+	for (k = 0; k + 1 < count + (kind == 2); ++k) {
+		cn_pose a = fixture_pose(world, bodies[k]), b = fixture_pose(world, bodies[(k + 1) % count]);
+		float hx = 0.5f * (b.position_m.x - a.position_m.x), hy = 0.5f * (b.position_m.y - a.position_m.y);
+		if (kind == 3) {
+			cn_distance_def def = distance_def(bodies[k / 2], at(0.0f, 0.0f), bodies[k + 1], at(0.0f, 0.0f), (float)(k + 1 - k / 2));
+			make_distance(world, &def);
+		} else {
+			hinge(world, bodies[k], at(hx, hy), bodies[(k + 1) % count], at(-hx, -hy));
+		}
+	}
+	return count;
+}
+
+/*
+ * Momentum changes by rounding only: velocities are summed up some 7,000 times in 10 s, a random walk of
+ * half units in the last place that comes to a few 1e-6. Energy is compared with that after one second: at first
+ * the joints are torn open by velocities that do not fit, and close again.
+ */
+static void assembly_run(int32_t kind, const char *name)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	cn_body bodies[8];
+	uint32_t seed = 77u + (uint32_t)kind;
+	int32_t count = make_assembly(world, kind, bodies, 2463534242u), k;
+	totals start, now;
+	double most = 0.0, drift_1 = 0.0, drift = 0.0, spin_drift = 0.0, settled = 0.0;
+	for (k = 0; k < count; ++k) {
+		float vx = fixture_random(&seed, -3.0f, 3.0f), vy = fixture_random(&seed, -3.0f, 3.0f), w = fixture_random(&seed, -5.0f, 5.0f);
+		fixture_set_velocity(world, bodies[k], vx, vy, w);
+	}
+	start = now = totals_of(world, bodies, count);
+	for (k = 1; k <= 600; ++k) {
+		fixture_step(world, 1);
+		now = totals_of(world, bodies, count);
+		drift = greater(drift, hypot(now.px - start.px, now.py - start.py) / start.momentum_scale);
+		spin_drift = greater(spin_drift, fabs(now.spin - start.spin) / start.spin_scale);
+		if (k <= 60) {
+			settled = now.kinetic;
+			drift_1 = drift;
+			CHECK(now.kinetic <= start.kinetic);
+		}
+		most = greater(most, k < 60 ? 0.0 : now.kinetic / settled);
+	}
+	printf("  %s: energy %.4f J, %.4f after 1 s, %.4f after 10 s\n", name, start.kinetic, settled, now.kinetic);
+	CHECK_LE("most energy / that after 1 s", most, 1.002, "");
+	CHECK_LE("change of momentum in 1 s / sum of momenta", drift_1, 2e-6, "");
+	CHECK_LE("change of momentum in 10 s / sum of momenta", drift, 1e-5, "");
+	CHECK_LE("change of angular momentum in 10 s / its parts", spin_drift, 2.0 * SOLVED, "");
+	CHECK_LE("distance between anchors at the end", worst_joint_error(world), ROUNDING, "m");
+	cn_world_destroy(world);
+}
+
+static void free_assemblies_keep_momentum_and_gain_no_energy(void)
+{
+	assembly_run(0, "two bars");
+	assembly_run(1, "chain of 8");
+	assembly_run(2, "ring of 8");
+	assembly_run(3, "tree of rods");
+}
+
+int main(int argc, char **argv)
+{
+	test_begin(argc, argv);
+	RUN(chain_of_10_carries_what_hangs_below);
+	RUN(hanging_chain_of_20_does_not_stretch);
+	RUN(swinging_chain_of_20_stays_together);
+	RUN(grid_of_10000_bodies_keeps_its_anchors);
+	RUN(bridge_of_50_links_carries);
+	RUN(ragdoll_on_the_ground_stays_together);
+	RUN(ragdolls_in_a_heap_come_together_again);
+	RUN(free_assemblies_keep_momentum_and_gain_no_energy);
+	return test_end();
+}
