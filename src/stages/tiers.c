@@ -212,10 +212,9 @@ static int32_t leans(const cn_world *world, const cni_contact_block *k, int32_t 
 }
 
 /* What is wrong with a lane, 0: nothing. */
-static int32_t lane_reason(const cn_world *world, const look *q, const cni_contact_block *k, int32_t l, int32_t fresh)
+static int32_t lane_reason(const cn_world *world, const look *q, const cni_contact_block *k, int32_t l, int32_t is_new)
 {
 	float deep = overlap(k, l);
-	int32_t is_new = fresh && lane_is_new(k, l, world->settings.slop);
 	if (deep > world->settings.accuracy)
 		return CN_TIER_REASON_OVERLAP;
 	if ((deep <= q->most && !is_new) || (!leans(world, k, l) && !may_be_stressed(world, k, l, q->h)))
@@ -223,7 +222,7 @@ static int32_t lane_reason(const cn_world *world, const look *q, const cni_conta
 	return deep > q->most ? CN_TIER_REASON_OVERLAP : CN_TIER_REASON_NEW_CONTACT;
 }
 
-/* Bit l: a point of lane l overlaps by more than most. Asked of every block. */
+/* Bit l: a point of lane l overlaps by more than most. Asked of every block. Lanes without a contact are zeros. */
 static uint32_t deep_lanes(const cni_contact_block *k, float most)
 {
 	uint32_t deep = 0;
@@ -245,7 +244,7 @@ static int32_t island_is_settled(const cn_world *world, int32_t island)
 	return i->tier != CNI_TIER_DIRECT && i->looked_step == world->step_count + 1u;
 }
 
-static void lane_look(cn_world *world, look *q, const cni_contact_block *k, int32_t l, int32_t fresh)
+static void lane_look(cn_world *world, look *q, const cni_contact_block *k, int32_t l, int32_t is_new)
 {
 	int32_t island = cni_awake_island(world, k->ia[l]), reason;
 	if (island == CNI_NONE || island == q->done)
@@ -254,7 +253,7 @@ static void lane_look(cn_world *world, look *q, const cni_contact_block *k, int3
 		q->done = island;
 		return;
 	}
-	reason = lane_reason(world, q, k, l, fresh);
+	reason = lane_reason(world, q, k, l, is_new);
 	if (reason != 0)
 		island_is_bad(world, island, reason);
 }
@@ -263,15 +262,12 @@ static void block_look(cn_world *world, look *q, int32_t block)
 {
 	const cni_contact_block *k = cni_block_at(world, block);
 	const cni_block_info *info = cni_block_info_at(world, block);
-	int32_t fresh = info->fresh_step == world->step_count + 1u;
-	uint32_t lanes = fresh ? (1u << CNI_LANES) - 1u : deep_lanes(k, q->most);
+	uint32_t fresh = info->fresh_step == world->step_count + 1u ? info->fresh : 0, lanes = fresh | deep_lanes(k, q->most);
 	for (; lanes != 0; lanes &= lanes - 1u) {
-		int32_t l = cni_bit_lowest32(lanes);
-		if (info->contact[l] == CNI_NONE)
-			continue;
-		if (fresh && (info->fresh >> l & 1u) && lane_is_new(k, l, world->settings.slop))
+		int32_t l = cni_bit_lowest32(lanes), is_new = (fresh >> l & 1u) && lane_is_new(k, l, world->settings.slop);
+		if (is_new)
 			new_contact_count(world, k->ia[l]);
-		lane_look(world, q, k, l, fresh);
+		lane_look(world, q, k, l, is_new);
 	}
 }
 
