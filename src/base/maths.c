@@ -17,6 +17,7 @@
 
 #include <string.h>
 
+#define TINY_RAD 2.44140625e-4f /* 2^-12: to here sine and cosine round to x and 1, and below some x their polynomials are subnormal, which is slow */
 #define REDUCE_SMALL_MAX_RAD 1.0e4f
 #define WRAP_SMALL_MAX_RAD 1.0e5f
 
@@ -99,9 +100,15 @@ static uint32_t reduce_quarter(float x, float *rest_rad)
 cni_rot cni_sincos(float angle_rad)
 {
 	float r, u, s, c;
-	uint32_t quarter = reduce_quarter(angle_rad, &r);
+	uint32_t quarter;
 	cni_rot q;
 
+	if (cni_abs(angle_rad) <= TINY_RAD) {
+		q.c = 1.0f;
+		q.s = angle_rad;
+		return q;
+	}
+	quarter = reduce_quarter(angle_rad, &r);
 	u = r * r;
 	s = r + r * u * (-0.166666508f + u * (0.00833197497f + u * -0.000194951994f));
 	c = 1.0f + (u * u * (0.0416666456f + u * (-0.00138873642f + u * 2.44379917e-05f)) - 0.5f * u);

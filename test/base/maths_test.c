@@ -142,6 +142,19 @@ static double atan2_error(float y, float x)
 	return fabs((double)a - atan2((double)y, (double)x));
 }
 
+/* To where polynomials take over sine and cosine are the nearest floats. */
+static void t_sincos_of_little_is_exact(void)
+{
+	float x;
+	int wrong = 0, count = 0;
+	for (x = 2.6e-4f; x > 1e-44f; x *= x > 2.3e-4f ? 0.99999f : 0.97f, ++count) {
+		cni_rot q = cni_sincos(x), back = cni_sincos(-x);
+		wrong += q.s != (float)sin((double)x) || q.c != (float)cos((double)x) || back.s != -q.s || back.c != q.c;
+	}
+	CHECK_GE("angles", count, 10000, "");
+	CHECK(wrong == 0);
+}
+
 static void t_atan2_error(void)
 {
 	double w = 0;
@@ -314,6 +327,7 @@ int main(int argc, char **argv)
 	RUN(t_sincos_any_finite);
 	RUN(t_sincos_axes_and_garbage);
 	RUN(t_sincos_is_symmetric);
+	RUN(t_sincos_of_little_is_exact);
 	RUN(t_atan2_error);
 	RUN(t_atan2_axes);
 	RUN(t_rot_small_error);
