@@ -163,7 +163,15 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, float
 /* Contacts that are looked at together; also how far ahead memory is asked for. */
 #define WINDOW CNI_BOX_PAIRS
 
+/* What the narrowphase goes through: first the contacts that do not touch, then those that cannot be followed. */
+typedef struct contact_list {
+	const int32_t *contacts;
+	int32_t apart, count;
+} contact_list;
+
 typedef struct window {
+	int32_t contact[WINDOW];
+	int32_t count;
 	cni_touch touch[WINDOW];
 	int32_t column[WINDOW];  /* in boxes, or one of the below */
 	cni_box_batch boxes;
@@ -176,8 +184,7 @@ typedef struct window {
 
 enum {
 	COLUMN_NONE = -1,   /* not a pair of boxes */
-	COLUMN_APART = -2,  /* no manifold */
-	COLUMN_FAR = -3     /* nothing to do */
+	COLUMN_APART = -2   /* no manifold */
 };
 
 /* Asks for the memory of contacts to come: of the one a window ahead bodies and boxes, of the one two ahead its record.
@@ -186,7 +193,9 @@ CNI_INLINE void window_prefetch(const cn_world *world, const int32_t *contacts, 
 {
 	int32_t side;
 	if (k + 2 * WINDOW < count) {
-		CNI_PREFETCH(cni_contact_at(world, contacts[k + 2 * WINDOW]));
+		const cni_contact *c = cni_contact_at(world, contacts[k + 2 * WINDOW]);
+		CNI_PREFETCH(c);
+		CNI_PREFETCH(&c->flags);
 	}
 	if (k + WINDOW >= count)
 		return;
@@ -196,25 +205,36 @@ CNI_INLINE void window_prefetch(const cn_world *world, const int32_t *contacts, 
 		const cni_body *b = cni_body_at(world, c->body[side]);
 		CNI_PREFETCH(&p->fat);
 		CNI_PREFETCH(b);
+		CNI_PREFETCH(&b->vx);
 	}
 }
 
-/* left: contacts from the window's first to the last of all. */
-static void window_begin(const cn_world *world, window *w, const int32_t *contacts, int32_t left, float dt)
+/* Takes the next contacts that have to be looked at, up to a window; returns where it stopped. Those that stay apart are
+   passed by without a branch: which they are nobody can guess. */
+static int32_t window_fill(const cn_world *world, window *w, const contact_list *list, int32_t from, float dt)
 {
-	int32_t k, count = cni_min_i(WINDOW, left);
-	w->boxes.count = 0;
-	for (k = 0; k < count; ++k) {
-		cni_contact *c = cni_contact_at(world, contacts[k]);
-		cni_touch *t = &w->touch[k];
+	int32_t k;
+	w->count = 0;
+	for (k = from; k < list->count && w->count < WINDOW; ++k) {
+		cni_contact *c = cni_contact_at(world, list->contacts[k]);
 		if (w->prefetches)
-			window_prefetch(world, contacts, k, left);
+			window_prefetch(world, list->contacts, k, list->count);
 		if (c->flags & CNI_CONTACT_ENTERED)
 			c->flags &= ~(uint32_t)CNI_CONTACT_ENTERED;
 		cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
-		w->column[k] = COLUMN_FAR;
-		if (dt > 0.0f && cni_touch_is_far(world, c, dt))
-			continue;
+		w->contact[w->count] = list->contacts[k];
+		w->count += k >= list->apart || !cni_touch_stays_apart(world, c, dt);
+	}
+	return k;
+}
+
+static void window_begin(const cn_world *world, window *w, float dt)
+{
+	int32_t k;
+	w->boxes.count = 0;
+	for (k = 0; k < w->count; ++k) {
+		cni_contact *c = cni_contact_at(world, w->contact[k]);
+		cni_touch *t = &w->touch[k];
 		w->column[k] = COLUMN_APART;
 		if (!cni_touch_begin(world, c, look_ahead(c, dt), t))
 			continue;
@@ -224,26 +244,24 @@ static void window_begin(const cn_world *world, window *w, const int32_t *contac
 	}
 }
 
-static int32_t window_finish(cn_world *world, window *w, int32_t k, int32_t contact, float dt)
+static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 {
 	cni_touch *t = &w->touch[k];
-	if (w->column[k] == COLUMN_FAR)
-		return CHANGE_NONE;
 	if (w->column[k] == COLUMN_NONE)
 		cni_touch_collide(t);
 	else if (w->column[k] >= 0)
 		cni_boxes_read(&w->boxes, w->column[k], &t->in, &t->contact->cache, &t->manifold);
 	cni_touch_finish(world, look_ahead(t->contact, dt), t);
-	return contact_update(world, contact, t);
+	return contact_update(world, w->contact[k], t);
 }
 
-/* Everything that has to be looked at, behind the apart list, which has room for every contact: first the contacts that
-   do not touch, then those that cannot be followed. */
-static int32_t contacts_collect(cn_world *world, float dt)
+/* The second part lies behind the apart list, which has room for every contact. */
+static contact_list contacts_collect(cn_world *world, float dt)
 {
-	if (world->apart.data == NULL)
-		return 0; /* there has never been a contact */
-	return world->apart.count + cni_contacts_follow(world, dt, (int32_t *)world->apart.data + world->apart.count);
+	contact_list list = { (const int32_t *)world->apart.data, world->apart.count, world->apart.count };
+	if (world->apart.data != NULL) /* else there has never been a contact */
+		list.count += cni_contacts_follow(world, dt, (int32_t *)world->apart.data + world->apart.count);
+	return list;
 }
 
 /* ---- what is to change ---- */
@@ -290,19 +308,19 @@ static void changes_apply(cn_world *world, change_list *list, float dt)
 
 void cni_stage_narrowphase(cn_world *world, float dt)
 {
-	const int32_t *contacts = (const int32_t *)world->apart.data;
-	int32_t from, k, count = contacts_collect(world, dt);
+	contact_list list = contacts_collect(world, dt);
+	int32_t at = 0, k;
 	change_list changes;
 	window w;
-	changes_begin(world, &changes, count);
+	changes_begin(world, &changes, list.count);
 	w.kernel = cni_box_kernel_choose();
-	w.prefetches = count >= PREFETCH_FROM;
-	for (from = 0; from < count; from += WINDOW) {
-		int32_t size = cni_min_i(WINDOW, count - from);
-		window_begin(world, &w, contacts + from, count - from, dt);
+	w.prefetches = list.count >= PREFETCH_FROM;
+	while (at < list.count) {
+		at = window_fill(world, &w, &list, at, dt);
+		window_begin(world, &w, dt);
 		cni_boxes_run(&w.boxes, w.kernel);
-		for (k = 0; k < size; ++k)
-			change_add(world, &changes, contacts[from + k], window_finish(world, &w, k, contacts[from + k], dt));
+		for (k = 0; k < w.count; ++k)
+			change_add(world, &changes, w.contact[k], window_finish(world, &w, k, dt));
 	}
 	changes_apply(world, &changes, dt);
 }

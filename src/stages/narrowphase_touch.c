@@ -152,15 +152,20 @@ static int32_t circles_apart(const cni_body *a, const cni_body *b, float margin)
 }
 
 /* The reach is that of motion_make at most, whose sum is taken along other axes. */
-int32_t cni_touch_is_far(const cn_world *world, const cni_contact *c, float dt)
+/* Every comparison is made, whatever the others say. */
+static int32_t boxes_overlap(const cn_world *world, const cni_contact *c)
 {
-	const uint32_t looked_at = CNI_CONTACT_TOUCHING | CNI_CONTACT_SENSING | CNI_CONTACT_PASSING | CNI_CONTACT_CREATED_OWED;
+	const cni_aabb *a = &cni_proxy_at(world, c->proxy[0])->fat, *b = &cni_proxy_at(world, c->proxy[1])->fat;
+	return (a->x0 <= b->x1) & (b->x0 <= a->x1) & (a->y0 <= b->y1) & (b->y0 <= a->y1);
+}
+
+int32_t cni_touch_stays_apart(const cn_world *world, const cni_contact *c, float dt)
+{
+	const uint32_t looked_at = CNI_CONTACT_SENSING | CNI_CONTACT_PASSING | CNI_CONTACT_CREATED_OWED;
 	const cni_body *a = cni_body_at(world, c->body[0]), *b = cni_body_at(world, c->body[1]);
-	float reach;
-	if ((c->flags & looked_at) || ((a->flags | b->flags) & CNI_BODY_BOXED))
-		return 0;
-	reach = dt * (1.4143f * (cni_abs(b->vx - a->vx) + cni_abs(b->vy - a->vy)) + cni_abs(a->w) * a->extent + cni_abs(b->w) * b->extent);
-	return circles_apart(a, b, cni_max(world->settings.contact_margin, reach));
+	float reach = dt * (1.4143f * (cni_abs(b->vx - a->vx) + cni_abs(b->vy - a->vy)) + cni_abs(a->w) * a->extent + cni_abs(b->w) * b->extent);
+	int32_t far = circles_apart(a, b, cni_max(world->settings.contact_margin, reach));
+	return far & ((c->flags & looked_at) == 0) & (boxes_overlap(world, c) != 0);
 }
 
 int32_t cni_touch_begin(const cn_world *world, cni_contact *c, float dt, cni_touch *out)

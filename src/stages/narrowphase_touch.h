@@ -30,9 +30,9 @@ typedef struct cni_touch {
 	cni_vec2 gap;            /* where b's point is from a's now, when the contact is still ahead; in a's frame */
 } cni_touch;
 
-/* Are the two so far apart that the contact stays as it is, apart, without a look at shapes and boxes? From the first
-   part of the bodies' records alone: most pairs of a heap in motion are only neighbours. */
-int32_t cni_touch_is_far(const cn_world *world, const cni_contact *c, float dt);
+/* Does a contact that does not touch stay as it is, whatever its shapes are? From bodies and boxes alone: most pairs of
+   a heap in motion are only neighbours. */
+int32_t cni_touch_stays_apart(const cn_world *world, const cni_contact *c, float dt);
 
 /* 0: the bodies are so far apart that there is nothing more to do; the manifold is empty. */
 int32_t cni_touch_begin(const cn_world *world, cni_contact *c, float dt, cni_touch *out);
