@@ -313,8 +313,8 @@ void cni_contact_describe(const cn_world *world, int32_t contact, int32_t kind, 
 	out->shape_b = cni_handles_of(&world->shape_handles, b->shape);
 	out->body_a = cni_handles_of(&world->body_handles, c->body[0]);
 	out->body_b = cni_handles_of(&world->body_handles, c->body[1]);
-	out->child_a = a->child;
-	out->child_b = b->child;
+	out->child_a = cni_proxy_child(a);
+	out->child_b = cni_proxy_child(b);
 	out->contact_id = (uint32_t)contact + 1u;
 	out->kind = kind;
 	if (c->flags & CNI_CONTACT_TOUCHING)

@@ -16,6 +16,8 @@
 #include "geometry/manifold_boxes.h"
 #include "stages/narrowphase_touch.h"
 
+#include <string.h>
+
 /* What the second part has to do for a contact. */
 enum { CHANGE_NONE = 0, CHANGE_BEGIN = 1, CHANGE_END = 2, CHANGE_OWED = 3 };
 
@@ -115,8 +117,9 @@ static float look_ahead(const cni_contact *c, float dt)
    takes more memory than the contacts themselves. */
 static void change_begin(cn_world *world, int32_t contact, float dt)
 {
+	cni_touch_pair pair = cni_touch_pair_of(world, contact);
 	cni_touch t;
-	if (!cni_touch_begin(world, cni_contact_at(world, contact), dt, &t))
+	if (!cni_touch_begin(world, &pair, dt, &t))
 		return;
 	cni_touch_collide(&t);
 	cni_touch_finish(world, dt, &t);
@@ -169,8 +172,15 @@ typedef struct contact_list {
 	int32_t apart, count;
 } contact_list;
 
+/* Contacts whose records were found, from `from` of the list on. */
+typedef struct pair_batch {
+	cni_touch_pair pair[WINDOW];
+	int32_t from, count;
+} pair_batch;
+
 typedef struct window {
-	int32_t contact[WINDOW];
+	pair_batch next;                 /* not asked yet */
+	cni_touch_pair pair[2 * WINDOW]; /* to be looked at */
 	int32_t count;
 	cni_touch touch[WINDOW];
 	int32_t column[WINDOW];  /* in boxes, or one of the below */
@@ -187,56 +197,75 @@ enum {
 	COLUMN_APART = -2   /* no manifold */
 };
 
-/* Asks for the memory of contacts to come: of the one a window ahead bodies and boxes, of the one two ahead its record.
-   Inlined by force: compilers take a function that only prefetches for one that does nothing. */
-CNI_INLINE void window_prefetch(const cn_world *world, const int32_t *contacts, int32_t k, int32_t count)
+/* Records are larger than the steps that they lie in: both ends are asked for. */
+CNI_INLINE void records_prefetch(const cn_world *world, const contact_list *list, int32_t from)
 {
-	int32_t side;
-	if (k + 2 * WINDOW < count) {
-		const cni_contact *c = cni_contact_at(world, contacts[k + 2 * WINDOW]);
+	int32_t k, end = cni_min_i(from + WINDOW, list->count);
+	for (k = from; k < end; ++k) {
+		const cni_contact *c = cni_contact_at(world, list->contacts[k]);
 		CNI_PREFETCH(c);
 		CNI_PREFETCH(&c->flags);
 	}
-	if (k + WINDOW >= count)
-		return;
+}
+
+CNI_INLINE void pair_prefetch(const cni_touch_pair *p)
+{
+	int32_t side;
 	for (side = 0; side < 2; ++side) {
-		const cni_contact *c = cni_contact_at(world, contacts[k + WINDOW]);
-		const cni_proxy *p = cni_proxy_at(world, c->proxy[side]);
-		const cni_body *b = cni_body_at(world, c->body[side]);
-		CNI_PREFETCH(&p->fat);
-		CNI_PREFETCH(b);
-		CNI_PREFETCH(&b->vx);
+		CNI_PREFETCH(p->body[side]);
+		CNI_PREFETCH(&p->body[side]->vx);
+		CNI_PREFETCH(&p->proxy[side]->fat);
 	}
 }
 
-/* Takes the next contacts that have to be looked at, up to a window; returns where it stopped. Those that stay apart are
-   passed by without a branch: which they are nobody can guess. */
-static int32_t window_fill(const cn_world *world, window *w, const contact_list *list, int32_t from, float dt)
+static void batch_find(const cn_world *world, const contact_list *list, int32_t from, int32_t prefetches, pair_batch *out)
 {
 	int32_t k;
-	w->count = 0;
-	for (k = from; k < list->count && w->count < WINDOW; ++k) {
-		cni_contact *c = cni_contact_at(world, list->contacts[k]);
-		if (w->prefetches)
-			window_prefetch(world, list->contacts, k, list->count);
-		if (c->flags & CNI_CONTACT_ENTERED)
-			c->flags &= ~(uint32_t)CNI_CONTACT_ENTERED;
-		cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
-		w->contact[w->count] = list->contacts[k];
-		w->count += k >= list->apart || !cni_touch_stays_apart(world, c, dt);
+	out->from = from;
+	out->count = cni_min_i(WINDOW, list->count - from);
+	if (prefetches)
+		records_prefetch(world, list, from + WINDOW);
+	for (k = 0; k < out->count; ++k) {
+		out->pair[k] = cni_touch_pair_of(world, list->contacts[from + k]);
+		if (prefetches)
+			pair_prefetch(&out->pair[k]);
 	}
-	return k;
 }
 
-static void window_begin(const cn_world *world, window *w, float dt)
+/* Appends to the window what of a batch has to be looked at. Those that stay apart are passed by without a branch: which they
+   are nobody can guess. */
+static void window_add(const cn_world *world, window *w, const pair_batch *batch, int32_t apart, float dt)
+{
+	int32_t k;
+	for (k = 0; k < batch->count; ++k) {
+		const cni_touch_pair *p = &batch->pair[k];
+		if (p->contact->flags & CNI_CONTACT_ENTERED)
+			p->contact->flags &= ~(uint32_t)CNI_CONTACT_ENTERED;
+		cni_contact_mark_static(p->body[0], p->body[1]);
+		w->pair[w->count] = *p;
+		w->count += batch->from + k >= apart || !cni_touch_stays_apart(world, p, dt);
+	}
+}
+
+/* Goes on until there is a window to be looked at, or nothing more. */
+static void window_fill(const cn_world *world, window *w, const contact_list *list, float dt)
+{
+	while (w->count < WINDOW && w->next.count > 0) {
+		pair_batch batch = w->next;
+		batch_find(world, list, batch.from + batch.count, w->prefetches, &w->next);
+		window_add(world, w, &batch, list->apart, dt);
+	}
+}
+
+static void window_begin(const cn_world *world, window *w, int32_t count, float dt)
 {
 	int32_t k;
 	w->boxes.count = 0;
-	for (k = 0; k < w->count; ++k) {
-		cni_contact *c = cni_contact_at(world, w->contact[k]);
+	for (k = 0; k < count; ++k) {
+		cni_contact *c = w->pair[k].contact;
 		cni_touch *t = &w->touch[k];
 		w->column[k] = COLUMN_APART;
-		if (!cni_touch_begin(world, c, look_ahead(c, dt), t))
+		if (!cni_touch_begin(world, &w->pair[k], look_ahead(c, dt), t))
 			continue;
 		w->column[k] = COLUMN_NONE;
 		if (w->kernel != NULL && cni_geometry_is_box(t->in.a) && cni_geometry_is_box(t->in.b))
@@ -252,7 +281,7 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 	else if (w->column[k] >= 0)
 		cni_boxes_read(&w->boxes, w->column[k], &t->in, &t->contact->cache, &t->manifold);
 	cni_touch_finish(world, look_ahead(t->contact, dt), t);
-	return contact_update(world, w->contact[k], t);
+	return contact_update(world, w->pair[k].index, t);
 }
 
 /* The second part lies behind the apart list, which has room for every contact. */
@@ -309,18 +338,25 @@ static void changes_apply(cn_world *world, change_list *list, float dt)
 void cni_stage_narrowphase(cn_world *world, float dt)
 {
 	contact_list list = contacts_collect(world, dt);
-	int32_t at = 0, k;
 	change_list changes;
 	window w;
 	changes_begin(world, &changes, list.count);
 	w.kernel = cni_box_kernel_choose();
 	w.prefetches = list.count >= PREFETCH_FROM;
-	while (at < list.count) {
-		at = window_fill(world, &w, &list, at, dt);
-		window_begin(world, &w, dt);
+	w.count = 0;
+	batch_find(world, &list, 0, w.prefetches, &w.next);
+	for (;;) {
+		int32_t k, count;
+		window_fill(world, &w, &list, dt);
+		count = cni_min_i(w.count, WINDOW);
+		if (count == 0)
+			break;
+		window_begin(world, &w, count, dt);
 		cni_boxes_run(&w.boxes, w.kernel);
-		for (k = 0; k < w.count; ++k)
-			change_add(world, &changes, w.contact[k], window_finish(world, &w, k, dt));
+		for (k = 0; k < count; ++k)
+			change_add(world, &changes, w.pair[k].index, window_finish(world, &w, k, dt));
+		w.count -= count;
+		memmove(w.pair, w.pair + count, sizeof(cni_touch_pair) * (size_t)w.count);
 	}
 	changes_apply(world, &changes, dt);
 }

@@ -8,13 +8,21 @@
 #include "stages/narrowphase_touch.h"
 #include "geometry/toi.h"
 
-static cni_pair_motion motion_make(const cn_world *world, const cni_body *a, const cni_body *b, float dt)
+#if defined(CNI_DEBUG)
+static int32_t record_is_of_motion(const cn_world *world, const cni_body *b)
 {
-	const cni_motion *ma = cni_motions(world) + a->awake, *mb = cni_motions(world) + b->awake;
+	const cni_motion *m = cni_motions(world) + b->awake;
+	return b->vx == m->vx && b->vy == m->vy && b->w == m->w;
+}
+#endif
+
+/* Velocities are those of the records, which at the beginning of a step are the same as in motion. */
+static cni_pair_motion motion_make(const cni_body *a, const cni_body *b, float dt)
+{
 	cni_pair_motion m;
-	m.v = cni_unrotate(a->q, cni_v(mb->vx - ma->vx, mb->vy - ma->vy));
-	m.wa = ma->w;
-	m.wb = mb->w;
+	m.v = cni_unrotate(a->q, cni_v(b->vx - a->vx, b->vy - a->vy));
+	m.wa = a->w;
+	m.wb = b->w;
 	m.reach = dt * (cni_abs(m.v.x) + cni_abs(m.v.y) + cni_abs(m.wa) * a->extent + cni_abs(m.wb) * b->extent);
 	return m;
 }
@@ -152,43 +160,54 @@ static int32_t circles_apart(const cni_body *a, const cni_body *b, float margin)
 }
 
 /* The reach is that of motion_make at most, whose sum is taken along other axes. */
-/* Every comparison is made, whatever the others say. */
-static int32_t boxes_overlap(const cn_world *world, const cni_contact *c)
+cni_touch_pair cni_touch_pair_of(const cn_world *world, int32_t contact)
 {
-	const cni_aabb *a = &cni_proxy_at(world, c->proxy[0])->fat, *b = &cni_proxy_at(world, c->proxy[1])->fat;
+	cni_contact *c = cni_contact_at(world, contact);
+	cni_touch_pair p;
+	int32_t side;
+	p.contact = c;
+	p.index = contact;
+	for (side = 0; side < 2; ++side) {
+		p.body[side] = cni_body_at(world, c->body[side]);
+		p.proxy[side] = cni_proxy_at(world, c->proxy[side]);
+	}
+	return p;
+}
+
+/* Every comparison is made, whatever the others say. */
+static int32_t boxes_overlap(const cni_aabb *a, const cni_aabb *b)
+{
 	return (a->x0 <= b->x1) & (b->x0 <= a->x1) & (a->y0 <= b->y1) & (b->y0 <= a->y1);
 }
 
-int32_t cni_touch_stays_apart(const cn_world *world, const cni_contact *c, float dt)
+/* The reach is that of motion_make at most, whose sum is taken along other axes. */
+int32_t cni_touch_stays_apart(const cn_world *world, const cni_touch_pair *p, float dt)
 {
 	const uint32_t looked_at = CNI_CONTACT_SENSING | CNI_CONTACT_PASSING | CNI_CONTACT_CREATED_OWED;
-	const cni_body *a = cni_body_at(world, c->body[0]), *b = cni_body_at(world, c->body[1]);
+	const cni_body *a = p->body[0], *b = p->body[1];
 	float reach = dt * (1.4143f * (cni_abs(b->vx - a->vx) + cni_abs(b->vy - a->vy)) + cni_abs(a->w) * a->extent + cni_abs(b->w) * b->extent);
 	int32_t far = circles_apart(a, b, cni_max(world->settings.contact_margin, reach));
-	return far & ((c->flags & looked_at) == 0) & (boxes_overlap(world, c) != 0);
+	return far & ((p->contact->flags & looked_at) == 0) & boxes_overlap(&p->proxy[0]->fat, &p->proxy[1]->fat);
 }
 
-int32_t cni_touch_begin(const cn_world *world, cni_contact *c, float dt, cni_touch *out)
+int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out)
 {
-	const cni_proxy *pa = cni_proxy_at(world, c->proxy[0]), *pb = cni_proxy_at(world, c->proxy[1]);
-	const cni_shape *sa, *sb;
-	out->contact = c;
-	out->a = cni_body_at(world, c->body[0]);
-	out->b = cni_body_at(world, c->body[1]);
-	out->boxes_overlap = cni_aabb_overlap(&pa->fat, &pb->fat);
-	out->motion = motion_make(world, out->a, out->b, dt);
+	out->contact = p->contact;
+	out->a = p->body[0];
+	out->b = p->body[1];
+	CNI_ASSERT(dt == 0.0f || (record_is_of_motion(world, out->a) && record_is_of_motion(world, out->b)));
+	out->boxes_overlap = cni_aabb_overlap(&p->proxy[0]->fat, &p->proxy[1]->fat);
+	out->motion = motion_make(out->a, out->b, dt);
 	out->manifold.count = 0;
 	out->in.margin = cni_max(world->settings.contact_margin, out->motion.reach);
 	if (circles_apart(out->a, out->b, out->in.margin))
 		return 0;
-	sa = cni_shape_at(world, pa->shape);
-	sb = cni_shape_at(world, pb->shape);
-	out->in.a = cni_shape_geometry(&world->blocks, sa);
-	out->in.b = cni_shape_geometry(&world->blocks, sb);
+	out->in.a = cni_proxy_geometry(&world->blocks, p->proxy[0]);
+	out->in.b = cni_proxy_geometry(&world->blocks, p->proxy[1]);
 	out->radius[0] = out->in.a->radius;
 	out->radius[1] = out->in.b->radius;
-	out->in.child_a = pa->child;
-	out->in.child_b = pb->child;
+	out->in.child_a = cni_proxy_child(p->proxy[0]);
+	out->in.child_b = cni_proxy_child(p->proxy[1]);
 	out->in.b_in_a = cni_body_b_in_a(out->a, out->b);
 	out->in.slop = world->settings.slop;
 	out->gap = cni_v(0.0f, 0.0f);

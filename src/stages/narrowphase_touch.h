@@ -19,6 +19,14 @@ typedef struct cni_pair_motion {
 	float reach;      /* most that surface points can come closer in the step */
 } cni_pair_motion;
 
+/* A contact, and where to look for what is asked of it first. */
+typedef struct cni_touch_pair {
+	cni_contact *contact;
+	cni_body *body[2];
+	const cni_proxy *proxy[2];
+	int32_t index; /* of the contact */
+} cni_touch_pair;
+
 typedef struct cni_touch {
 	cni_contact *contact;
 	const cni_body *a, *b;
@@ -30,12 +38,14 @@ typedef struct cni_touch {
 	cni_vec2 gap;            /* where b's point is from a's now, when the contact is still ahead; in a's frame */
 } cni_touch;
 
+cni_touch_pair cni_touch_pair_of(const cn_world *world, int32_t contact);
+
 /* Does a contact that does not touch stay as it is, whatever its shapes are? From bodies and boxes alone: most pairs of
    a heap in motion are only neighbours. */
-int32_t cni_touch_stays_apart(const cn_world *world, const cni_contact *c, float dt);
+int32_t cni_touch_stays_apart(const cn_world *world, const cni_touch_pair *p, float dt);
 
 /* 0: the bodies are so far apart that there is nothing more to do; the manifold is empty. */
-int32_t cni_touch_begin(const cn_world *world, cni_contact *c, float dt, cni_touch *out);
+int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out);
 void cni_touch_collide(cni_touch *out);
 void cni_touch_finish(const cn_world *world, float dt, cni_touch *out);
 
