@@ -14,7 +14,7 @@
  * bodies that have static ones about them.
  */
 #include "geometry/manifold_boxes.h"
-#include "stages/narrowphase_touch.h"
+#include "stages/narrowphase_sift.h"
 
 #include <string.h>
 
@@ -117,7 +117,7 @@ static float look_ahead(const cni_contact *c, float dt)
    takes more memory than the contacts themselves. */
 static void change_begin(cn_world *world, int32_t contact, float dt)
 {
-	cni_touch_pair pair = cni_touch_pair_of(world, contact);
+	cni_touch_pair pair = cni_touch_pair_of(world, cni_contact_at(world, contact), contact);
 	cni_touch t;
 	if (!cni_touch_begin(world, &pair, dt, &t))
 		return;
@@ -163,98 +163,30 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, float
 
 /* ---- windows ---- */
 
-/* Contacts that are looked at together; also how far ahead memory is asked for. */
+/* Contacts that are looked at together. */
 #define WINDOW CNI_BOX_PAIRS
 
-/* What the narrowphase goes through: first the contacts that do not touch, then those that cannot be followed. */
-typedef struct contact_list {
-	const int32_t *contacts;
-	int32_t apart, count;
-} contact_list;
-
-/* Contacts whose records were found, from `from` of the list on. */
-typedef struct pair_batch {
-	cni_touch_pair pair[WINDOW];
-	int32_t from, count;
-} pair_batch;
-
 typedef struct window {
-	pair_batch next;                 /* not asked yet */
-	cni_touch_pair pair[2 * WINDOW]; /* to be looked at */
+	cni_touch_pair pair[WINDOW + CNI_SIFT_BATCH]; /* to be looked at; what is beyond a window waits for the next */
 	int32_t count;
 	cni_touch touch[WINDOW];
 	int32_t column[WINDOW];  /* in boxes, or one of the below */
 	cni_box_batch boxes;
 	cni_box_kernel_fn *kernel;
-	int32_t prefetches;
 } window;
-
-/* Contacts of fewer are in the cache anyway. */
-#define PREFETCH_FROM 2048
 
 enum {
 	COLUMN_NONE = -1,   /* not a pair of boxes */
 	COLUMN_APART = -2   /* no manifold */
 };
 
-/* Records are larger than the steps that they lie in: both ends are asked for. */
-CNI_INLINE void records_prefetch(const cn_world *world, const contact_list *list, int32_t from)
+/* Returns how many contacts it holds: fewer than a window only where there are no more. */
+static int32_t window_fill(window *w, cni_sift *sift)
 {
-	int32_t k, end = cni_min_i(from + WINDOW, list->count);
-	for (k = from; k < end; ++k) {
-		const cni_contact *c = cni_contact_at(world, list->contacts[k]);
-		CNI_PREFETCH(c);
-		CNI_PREFETCH(&c->flags);
-	}
-}
-
-CNI_INLINE void pair_prefetch(const cni_touch_pair *p)
-{
-	int32_t side;
-	for (side = 0; side < 2; ++side) {
-		CNI_PREFETCH(p->body[side]);
-		CNI_PREFETCH(&p->body[side]->vx);
-		CNI_PREFETCH(&p->proxy[side]->fat);
-	}
-}
-
-static void batch_find(const cn_world *world, const contact_list *list, int32_t from, int32_t prefetches, pair_batch *out)
-{
-	int32_t k;
-	out->from = from;
-	out->count = cni_min_i(WINDOW, list->count - from);
-	if (prefetches)
-		records_prefetch(world, list, from + WINDOW);
-	for (k = 0; k < out->count; ++k) {
-		out->pair[k] = cni_touch_pair_of(world, list->contacts[from + k]);
-		if (prefetches)
-			pair_prefetch(&out->pair[k]);
-	}
-}
-
-/* Appends to the window what of a batch has to be looked at. Those that stay apart are passed by without a branch: which they
-   are nobody can guess. */
-static void window_add(const cn_world *world, window *w, const pair_batch *batch, int32_t apart, float dt)
-{
-	int32_t k;
-	for (k = 0; k < batch->count; ++k) {
-		const cni_touch_pair *p = &batch->pair[k];
-		if (p->contact->flags & CNI_CONTACT_ENTERED)
-			p->contact->flags &= ~(uint32_t)CNI_CONTACT_ENTERED;
-		cni_contact_mark_static(p->body[0], p->body[1]);
-		w->pair[w->count] = *p;
-		w->count += batch->from + k >= apart || !cni_touch_stays_apart(world, p, dt);
-	}
-}
-
-/* Goes on until there is a window to be looked at, or nothing more. */
-static void window_fill(const cn_world *world, window *w, const contact_list *list, float dt)
-{
-	while (w->count < WINDOW && w->next.count > 0) {
-		pair_batch batch = w->next;
-		batch_find(world, list, batch.from + batch.count, w->prefetches, &w->next);
-		window_add(world, w, &batch, list->apart, dt);
-	}
+	int32_t more = 0;
+	for (; w->count < WINDOW && more != CNI_NONE; w->count += cni_max_i(more, 0))
+		more = cni_sift_batch(sift, w->pair + w->count);
+	return cni_min_i(w->count, WINDOW);
 }
 
 static void window_begin(const cn_world *world, window *w, int32_t count, float dt)
@@ -282,15 +214,6 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 		cni_boxes_read(&w->boxes, w->column[k], &t->in, &t->contact->cache, &t->manifold);
 	cni_touch_finish(world, look_ahead(t->contact, dt), t);
 	return contact_update(world, w->pair[k].index, t);
-}
-
-/* The second part lies behind the apart list, which has room for every contact. */
-static contact_list contacts_collect(cn_world *world, float dt)
-{
-	contact_list list = { (const int32_t *)world->apart.data, world->apart.count, world->apart.count };
-	if (world->apart.data != NULL) /* else there has never been a contact */
-		list.count += cni_contacts_follow(world, dt, (int32_t *)world->apart.data + world->apart.count);
-	return list;
 }
 
 /* ---- what is to change ---- */
@@ -335,28 +258,39 @@ static void changes_apply(cn_world *world, change_list *list, float dt)
 		cni_arena_pop(&world->arena, list->items);
 }
 
-void cni_stage_narrowphase(cn_world *world, float dt)
+/* Takes the first contacts of the window away. */
+static void window_drop(window *w, int32_t count)
 {
-	contact_list list = contacts_collect(world, dt);
-	change_list changes;
+	w->count -= count;
+	memmove(w->pair, w->pair + count, sizeof(cni_touch_pair) * (size_t)w->count);
+}
+
+static void contacts_look_at(cn_world *world, cni_sift *sift, change_list *changes, float dt)
+{
 	window w;
-	changes_begin(world, &changes, list.count);
+	int32_t k, count;
 	w.kernel = cni_box_kernel_choose();
-	w.prefetches = list.count >= PREFETCH_FROM;
 	w.count = 0;
-	batch_find(world, &list, 0, w.prefetches, &w.next);
-	for (;;) {
-		int32_t k, count;
-		window_fill(world, &w, &list, dt);
-		count = cni_min_i(w.count, WINDOW);
-		if (count == 0)
-			break;
+	while ((count = window_fill(&w, sift)) > 0) {
 		window_begin(world, &w, count, dt);
 		cni_boxes_run(&w.boxes, w.kernel);
 		for (k = 0; k < count; ++k)
-			change_add(world, &changes, w.pair[k].index, window_finish(world, &w, k, dt));
-		w.count -= count;
-		memmove(w.pair, w.pair + count, sizeof(cni_touch_pair) * (size_t)w.count);
+			change_add(world, changes, w.pair[k].index, window_finish(world, &w, k, dt));
+		window_drop(&w, count);
 	}
+}
+
+void cni_stage_narrowphase(cn_world *world, float dt)
+{
+	int32_t *contacts = (int32_t *)world->apart.data, apart = world->apart.count, count;
+	change_list changes;
+	cni_sift sift;
+	if (contacts == NULL)
+		return; /* there has never been a contact */
+	count = apart + cni_contacts_follow(world, dt, contacts + apart); /* the list has room for every contact */
+	changes_begin(world, &changes, count);
+	cni_sift_begin(&sift, world, contacts, apart, count, dt);
+	contacts_look_at(world, &sift, &changes, dt);
+	cni_sift_end(&sift);
 	changes_apply(world, &changes, dt);
 }

@@ -160,36 +160,6 @@ static int32_t circles_apart(const cni_body *a, const cni_body *b, float margin)
 }
 
 /* The reach is that of motion_make at most, whose sum is taken along other axes. */
-cni_touch_pair cni_touch_pair_of(const cn_world *world, int32_t contact)
-{
-	cni_contact *c = cni_contact_at(world, contact);
-	cni_touch_pair p;
-	int32_t side;
-	p.contact = c;
-	p.index = contact;
-	for (side = 0; side < 2; ++side) {
-		p.body[side] = cni_body_at(world, c->body[side]);
-		p.proxy[side] = cni_proxy_at(world, c->proxy[side]);
-	}
-	return p;
-}
-
-/* Every comparison is made, whatever the others say. */
-static int32_t boxes_overlap(const cni_aabb *a, const cni_aabb *b)
-{
-	return (a->x0 <= b->x1) & (b->x0 <= a->x1) & (a->y0 <= b->y1) & (b->y0 <= a->y1);
-}
-
-/* The reach is that of motion_make at most, whose sum is taken along other axes. */
-int32_t cni_touch_stays_apart(const cn_world *world, const cni_touch_pair *p, float dt)
-{
-	const uint32_t looked_at = CNI_CONTACT_SENSING | CNI_CONTACT_PASSING | CNI_CONTACT_CREATED_OWED;
-	const cni_body *a = p->body[0], *b = p->body[1];
-	float reach = dt * (1.4143f * (cni_abs(b->vx - a->vx) + cni_abs(b->vy - a->vy)) + cni_abs(a->w) * a->extent + cni_abs(b->w) * b->extent);
-	int32_t far = circles_apart(a, b, cni_max(world->settings.contact_margin, reach));
-	return far & ((p->contact->flags & looked_at) == 0) & boxes_overlap(&p->proxy[0]->fat, &p->proxy[1]->fat);
-}
-
 int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out)
 {
 	out->contact = p->contact;

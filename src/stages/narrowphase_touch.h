@@ -38,11 +38,17 @@ typedef struct cni_touch {
 	cni_vec2 gap;            /* where b's point is from a's now, when the contact is still ahead; in a's frame */
 } cni_touch;
 
-cni_touch_pair cni_touch_pair_of(const cn_world *world, int32_t contact);
-
-/* Does a contact that does not touch stay as it is, whatever its shapes are? From bodies and boxes alone: most pairs of
-   a heap in motion are only neighbours. */
-int32_t cni_touch_stays_apart(const cn_world *world, const cni_touch_pair *p, float dt);
+static inline cni_touch_pair cni_touch_pair_of(const cn_world *world, cni_contact *c, int32_t index)
+{
+	cni_touch_pair p;
+	p.contact = c;
+	p.body[0] = cni_body_at(world, c->body[0]);
+	p.body[1] = cni_body_at(world, c->body[1]);
+	p.proxy[0] = cni_proxy_at(world, c->proxy[0]);
+	p.proxy[1] = cni_proxy_at(world, c->proxy[1]);
+	p.index = index;
+	return p;
+}
 
 /* 0: the bodies are so far apart that there is nothing more to do; the manifold is empty. */
 int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out);

@@ -24,7 +24,7 @@ static int32_t contact_is_let_through(const cn_world *world, const cni_contact *
 /* How deep the two shapes overlap now; 0 when they do not. */
 static float overlap_of(const cn_world *world, int32_t contact)
 {
-	cni_touch_pair pair = cni_touch_pair_of(world, contact);
+	cni_touch_pair pair = cni_touch_pair_of(world, cni_contact_at(world, contact), contact);
 	cni_contact c = *pair.contact; /* colliding leaves hints in the contact */
 	cni_touch touch;
 	float deepest = 0.0f;
