@@ -189,10 +189,38 @@ static int32_t window_fill(window *w, cni_sift *sift)
 	return cni_min_i(w->count, WINDOW);
 }
 
+/* Asks for what a lane is written from. Inlined by force: compilers take a function that only prefetches for one that
+   does nothing. */
+CNI_INLINE void lane_prefetch(const cn_world *world, const cni_touch_pair *p)
+{
+	const cni_contact_block *block;
+	int32_t l = p->contact->slot % CNI_LANES;
+	if (!(p->contact->flags & CNI_CONTACT_TOUCHING))
+		return;
+	block = cni_block_at(world, p->contact->slot / CNI_LANES);
+	CNI_PREFETCH(cni_motions(world) + p->body[0]->awake);
+	CNI_PREFETCH(cni_motions(world) + p->body[1]->awake);
+	CNI_PREFETCH(&block->p[0].jn[l]);
+	CNI_PREFETCH(&block->p[1].jn[l]);
+}
+
+/* A box takes more than a line. */
+CNI_INLINE void geometry_prefetch(const cn_world *world, const cni_proxy *p)
+{
+	const cni_geometry *g = cni_proxy_geometry(&world->blocks, p);
+	CNI_PREFETCH(g);
+	CNI_PREFETCH(g + 2);
+}
+
 static void window_begin(const cn_world *world, window *w, int32_t count, float dt)
 {
 	int32_t k;
 	w->boxes.count = 0;
+	for (k = 0; k < count; ++k) {
+		geometry_prefetch(world, w->pair[k].proxy[0]);
+		geometry_prefetch(world, w->pair[k].proxy[1]);
+		lane_prefetch(world, &w->pair[k]);
+	}
 	for (k = 0; k < count; ++k) {
 		cni_contact *c = w->pair[k].contact;
 		cni_touch *t = &w->touch[k];

@@ -57,6 +57,7 @@ CNI_INLINE void record_prefetch(const cni_contact *c)
 CNI_INLINE void pair_prefetch(const cni_touch_pair *p)
 {
 	int32_t side;
+	CNI_PREFETCH(&p->contact->cache);
 	for (side = 0; side < 2; ++side) {
 		CNI_PREFETCH(p->body[side]);
 		CNI_PREFETCH(&p->body[side]->vx);
