@@ -3,7 +3,7 @@
  *
  * Most pairs of a heap in motion are only neighbours: their boxes overlap, for boxes look ahead, and circles around the two
  * bodies are apart. Such a contact costs what it takes to fetch its memory. So records are asked for early, where there are
- * many contacts what is needed of bodies is copied to where it takes a quarter of the lines, and nothing branches on what
+ * many contacts what is needed of bodies is copied to where it takes a part of the lines, and nothing branches on what
  * nobody can guess.
  *
  * Passing by is an early out only: what it passes by would come out apart, and with its boxes overlapping it stays so.
@@ -25,10 +25,10 @@ static cni_sift_body sift_body_make(const cni_body *b, float dt)
 	s.x = b->cx;
 	s.y = b->cy;
 	s.radius = CIRCLES_APART * (b->extent + dt * cni_abs(b->w) * b->extent) + FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy));
-	s.awake = b->awake;
+	if (b->awake == 0)
+		s.radius = -s.radius;
 	s.ahead_x = dt * b->vx;
 	s.ahead_y = dt * b->vy;
-	s.reserved[0] = s.reserved[1] = 0.0f;
 	return s;
 }
 
@@ -103,7 +103,7 @@ static int32_t circles_apart(const cni_sift_body *a, const cni_sift_body *b, flo
 {
 	float dx = b->x - a->x, dy = b->y - a->y, reach;
 	reach = cni_max(margin, 1.4143f * (cni_abs(b->ahead_x - a->ahead_x) + cni_abs(b->ahead_y - a->ahead_y)));
-	reach = a->radius + b->radius + CIRCLES_APART * reach;
+	reach = cni_abs(a->radius) + cni_abs(b->radius) + CIRCLES_APART * reach;
 	return dx * dx + dy * dy > reach * reach;
 }
 
@@ -121,7 +121,7 @@ static int32_t contact_sift(const cni_sift *s, const cni_touch_pair *p, int32_t 
 	cni_sift_body a, b;
 	if (s->bodies != NULL) {
 		const cni_sift_body *of_a = &s->bodies[p->contact->body[0]], *of_b = &s->bodies[p->contact->body[1]];
-		if (of_a->awake == 0 || of_b->awake == 0)
+		if (of_a->radius <= 0.0f || of_b->radius <= 0.0f)
 			cni_contact_mark_static(p->body[0], p->body[1]);
 		return touches || !stays_apart(s->world, p, of_a, of_b);
 	}

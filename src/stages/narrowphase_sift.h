@@ -13,10 +13,8 @@
 /* What of a body tells how far it is: of a step. */
 typedef struct cni_sift_body {
 	float x, y;
-	float radius;     /* of a circle around it, with what it turns */
-	int32_t awake;    /* dense index, 0: none */
+	float radius;           /* of a circle around it, with what it turns; less than nothing: the body is not awake */
 	float ahead_x, ahead_y; /* change of position by velocity */
-	float reserved[2];
 } cni_sift_body;
 
 typedef struct cni_sift {
