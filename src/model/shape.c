@@ -166,7 +166,8 @@ void cni_shape_look_again(cn_world *world, int32_t shape)
 		p->flags = (p->flags & ~(uint32_t)CNI_PROXY_STATIC) | is_static;
 		world->broadphase_ops->touch(world->broadphase, cni_shape_proxy(world, s, child));
 	}
-	world->pairs_may_repeat = 1;
+	cni_body_at(world, s->body)->flags |= CNI_BODY_AGAIN;
+	world->pairs_may_repeat |= CNI_PAIRS_MARKED;
 }
 
 void cni_shape_link(cn_world *world, int32_t shape, int32_t body)
