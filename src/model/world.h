@@ -44,7 +44,7 @@ typedef struct cni_settings {
 /* Which new pairs may have a contact already. */
 enum {
 	CNI_PAIRS_MARKED = 1, /* those of bodies that are marked CNI_BODY_AGAIN: they woke, were moved, look again */
-	CNI_PAIRS_ALL = 3     /* memory was short */
+	CNI_PAIRS_ALL = 3     /* memory was short for a new contact, or for the end of one */
 };
 
 struct cn_world {

@@ -134,12 +134,20 @@ static void change_begin(cn_world *world, int32_t contact, float dt)
 	++world->pairs_not_added;
 }
 
+/* A pair whose boxes are apart ends for good. Without memory for that it stays, and may be found once more. */
+static void pair_end(cn_world *world, int32_t contact)
+{
+	if (!boxes_overlap(world, cni_contact_at(world, contact)) && !cni_contact_destroy(world, contact))
+		world->pairs_may_repeat = CNI_PAIRS_ALL;
+}
+
 /* Sensor pairs end and begin by themselves: nothing is solved. */
 static void sensor_change(cn_world *world, int32_t contact, int32_t change)
 {
-	if (cni_contact_sense(world, contact, change == CHANGE_BEGIN) && change == CHANGE_END &&
-	    !boxes_overlap(world, cni_contact_at(world, contact)))
-		cni_contact_destroy(world, contact);
+	if (!cni_contact_sense(world, contact, change == CHANGE_BEGIN))
+		world->pairs_may_repeat = CNI_PAIRS_ALL;
+	else if (change == CHANGE_END)
+		pair_end(world, contact);
 }
 
 static void change_apply(cn_world *world, int32_t contact, int32_t change, float dt)
@@ -155,10 +163,12 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, float
 		cni_contact_pay_owed(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
 	if (change == CHANGE_BEGIN)
 		change_begin(world, contact, dt);
-	if (change != CHANGE_END || ((c->flags & CNI_CONTACT_TOUCHING) && !cni_contact_end(world, contact)))
+	if (change != CHANGE_END)
 		return;
-	if (!boxes_overlap(world, c))
-		cni_contact_destroy(world, contact);
+	if ((c->flags & CNI_CONTACT_TOUCHING) && !cni_contact_end(world, contact))
+		world->pairs_may_repeat = CNI_PAIRS_ALL;
+	else
+		pair_end(world, contact);
 }
 
 /* ---- windows ---- */
@@ -173,6 +183,7 @@ typedef struct window {
 	int32_t column[WINDOW];  /* in boxes, or one of the below */
 	cni_box_batch boxes;
 	cni_box_kernel_fn *kernel;
+	int32_t prefetches;
 } window;
 
 enum {
@@ -212,15 +223,22 @@ CNI_INLINE void geometry_prefetch(const cn_world *world, const cni_proxy *p)
 	CNI_PREFETCH(g + 2);
 }
 
-static void window_begin(const cn_world *world, window *w, int32_t count, float dt)
+static void window_prefetch(const cn_world *world, const window *w, int32_t count)
 {
 	int32_t k;
-	w->boxes.count = 0;
 	for (k = 0; k < count; ++k) {
 		geometry_prefetch(world, w->pair[k].proxy[0]);
 		geometry_prefetch(world, w->pair[k].proxy[1]);
 		lane_prefetch(world, &w->pair[k]);
 	}
+}
+
+static void window_begin(const cn_world *world, window *w, int32_t count, float dt)
+{
+	int32_t k;
+	w->boxes.count = 0;
+	if (w->prefetches)
+		window_prefetch(world, w, count);
 	for (k = 0; k < count; ++k) {
 		cni_contact *c = w->pair[k].contact;
 		cni_touch *t = &w->touch[k];
@@ -273,6 +291,7 @@ static void change_add(cn_world *world, change_list *list, int32_t contact, int3
 		return;
 	}
 	world->warnings |= CN_WARNING_CONTACT_MEMORY;
+	world->pairs_may_repeat = CNI_PAIRS_ALL;
 	if (cni_contact_at(world, contact)->flags & CNI_CONTACT_TOUCHING)
 		cni_contact_write_empty(world, contact);
 }
@@ -290,7 +309,8 @@ static void changes_apply(cn_world *world, change_list *list, float dt)
 static void window_drop(window *w, int32_t count)
 {
 	w->count -= count;
-	memmove(w->pair, w->pair + count, sizeof(cni_touch_pair) * (size_t)w->count);
+	if (w->count > 0)
+		memmove(w->pair, w->pair + count, sizeof(cni_touch_pair) * (size_t)w->count);
 }
 
 static void contacts_look_at(cn_world *world, cni_sift *sift, change_list *changes, float dt)
@@ -298,6 +318,7 @@ static void contacts_look_at(cn_world *world, cni_sift *sift, change_list *chang
 	window w;
 	int32_t k, count;
 	w.kernel = cni_box_kernel_choose();
+	w.prefetches = sift->prefetches;
 	w.count = 0;
 	while ((count = window_fill(&w, sift)) > 0) {
 		window_begin(world, &w, count, dt);

@@ -167,7 +167,8 @@ int32_t cni_sift_batch(cni_sift *s, cni_touch_pair *out)
 		if (p->contact->flags & CNI_CONTACT_ENTERED)
 			p->contact->flags &= ~(uint32_t)CNI_CONTACT_ENTERED;
 		count += contact_sift(s, p, from + k >= s->apart);
-		pair_prefetch(p);
+		if (s->prefetches)
+			pair_prefetch(p);
 	}
 	return count;
 }
