@@ -1,16 +1,16 @@
 /*
  * stages/narrowphase.c - stages 3 and 4: how the shapes of awake contacts touch.
  *
- * Contacts whose bodies have hardly moved are followed (contact_follow.c). Every other awake one is looked at on its own: one
- * that goes on touching has its lane rewritten in place; one whose state changes is put on a list. Then the list is worked through in contact order: lanes are
- * taken and freed, islands linked, events logged, ended pairs removed. Only the second part
- * changes shared tables.
+ * Contacts whose bodies have hardly moved are followed (contact_follow.c), those that are certain to stay apart are passed by
+ * (narrowphase_sift.c). Every other awake one is looked at on its own: one that goes on touching has its lane rewritten in
+ * place; one whose state changes is put on a list. Then the list is worked through in contact order: lanes are taken and
+ * freed, islands linked, events logged, ended pairs removed. Only the second part changes shared tables.
  *
  * Contacts are looked at in windows of a few: all of a window are begun, then the manifolds of its pairs
  * of boxes are made side by side, then each is finished in order. So memory is asked for early, and the
  * results are those of one by one.
  *
- * Reads bodies, shapes, geometry, proxies; writes contacts, lanes, and through them islands and events; marks
+ * Reads bodies, geometry, proxies; writes contacts, lanes, and through them islands and events; marks
  * bodies that have static ones about them.
  */
 #include "geometry/manifold_boxes.h"

@@ -6,7 +6,7 @@
  * many contacts what is needed of bodies is copied to where it takes a part of the lines, and nothing branches on what
  * nobody can guess.
  *
- * Passing by is an early out only: what it passes by would come out apart, and with its boxes overlapping it stays so.
+ * Passing by is an early out only: what it passes by would come out apart, and as its boxes overlap it stays a contact.
  *
  * Reads contacts, bodies, boxes; marks bodies that have static ones about them.
  */
@@ -15,16 +15,13 @@
 /* Contacts of fewer are in the cache anyway. */
 #define PREFETCH_FROM 2048
 
-/* By how much circles must be apart, against rounding. */
-#define CIRCLES_APART 1.0001f
-
 /* The high part of a centre is within half a unit of its last place. */
 static cni_sift_body sift_body_make(const cni_body *b, float dt)
 {
 	cni_sift_body s;
 	s.x = b->cx;
 	s.y = b->cy;
-	s.radius = CIRCLES_APART * (b->extent + dt * cni_abs(b->w) * b->extent) + FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy));
+	s.radius = CNI_CIRCLES_APART * (b->extent + dt * cni_abs(b->w) * b->extent) + FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy));
 	if (b->awake == 0)
 		s.radius = -s.radius;
 	s.ahead_x = dt * b->vx;
@@ -47,7 +44,8 @@ static cni_sift_body *sift_bodies_make(cn_world *world, int32_t apart, float dt)
 	return bodies;
 }
 
-/* Records are larger than the lines that they lie in: both ends are asked for. */
+/* Records reach from one line into the next: both ends are asked for. Inlined by force, like those below: compilers take a
+   function that only prefetches for one that does nothing. */
 CNI_INLINE void record_prefetch(const cni_contact *c)
 {
 	CNI_PREFETCH(c);
@@ -103,7 +101,7 @@ static int32_t circles_apart(const cni_sift_body *a, const cni_sift_body *b, flo
 {
 	float dx = b->x - a->x, dy = b->y - a->y, reach;
 	reach = cni_max(margin, 1.4143f * (cni_abs(b->ahead_x - a->ahead_x) + cni_abs(b->ahead_y - a->ahead_y)));
-	reach = cni_abs(a->radius) + cni_abs(b->radius) + CIRCLES_APART * reach;
+	reach = cni_abs(a->radius) + cni_abs(b->radius) + CNI_CIRCLES_APART * reach;
 	return dx * dx + dy * dy > reach * reach;
 }
 
@@ -115,7 +113,7 @@ static int32_t stays_apart(const cn_world *world, const cni_touch_pair *p, const
 	       boxes_overlap(&p->proxy[0]->fat, &p->proxy[1]->fat);
 }
 
-/* Has to be looked at; touches: whatever it is. */
+/* Does it have to be looked at? What touches always. */
 static int32_t contact_sift(const cni_sift *s, const cni_touch_pair *p, int32_t touches)
 {
 	cni_sift_body a, b;

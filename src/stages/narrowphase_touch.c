@@ -147,19 +147,15 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 	}
 }
 
-/* By how much circles must be apart, against rounding. */
-#define CIRCLES_APART 1.0001f
-
 /* Are even the circles around the two bodies farther apart than the pair looks? Boxes with their margins are much
    larger than small bodies, so most pairs that do not touch end here, before shapes are looked at. */
 static int32_t circles_apart(const cni_body *a, const cni_body *b, float margin)
 {
-	float reach = CIRCLES_APART * (a->extent + b->extent + margin);
+	float reach = CNI_CIRCLES_APART * (a->extent + b->extent + margin);
 	cni_vec2 d = cni_v((b->cx - a->cx) + (b->cx_low - a->cx_low), (b->cy - a->cy) + (b->cy_low - a->cy_low));
 	return cni_length_sq(d) > reach * reach;
 }
 
-/* The reach is that of motion_make at most, whose sum is taken along other axes. */
 int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out)
 {
 	out->contact = p->contact;
