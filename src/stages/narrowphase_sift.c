@@ -44,14 +44,7 @@ static cni_sift_body *sift_bodies_make(cn_world *world, int32_t apart, float dt)
 	return bodies;
 }
 
-/* Records reach from one line into the next: both ends are asked for. Inlined by force, like those below: compilers take a
-   function that only prefetches for one that does nothing. */
-CNI_INLINE void record_prefetch(const cni_contact *c)
-{
-	CNI_PREFETCH(c);
-	CNI_PREFETCH(&c->flags);
-}
-
+/* Inlined by force, like those below: compilers take a function that only prefetches for one that does nothing. */
 CNI_INLINE void pair_prefetch(const cni_touch_pair *p)
 {
 	int32_t side;
@@ -63,30 +56,45 @@ CNI_INLINE void pair_prefetch(const cni_touch_pair *p)
 	}
 }
 
-CNI_INLINE void sides_prefetch(const cni_sift *s, const cni_contact *c)
+CNI_INLINE void item_prefetch(const cni_sift *s, const cni_sift_item *item)
 {
 	int32_t side;
 	for (side = 0; side < 2; ++side) {
-		CNI_PREFETCH(&cni_proxy_at(s->world, c->proxy[side])->fat);
+		int32_t body = item->contact->body[side];
+		CNI_PREFETCH(&item->proxy[side]->fat);
 		if (s->bodies != NULL) {
-			CNI_PREFETCH(&s->bodies[c->body[side]]);
+			CNI_PREFETCH(&s->bodies[body]);
 		} else {
-			CNI_PREFETCH(cni_body_at(s->world, c->body[side]));
-			CNI_PREFETCH(&cni_body_at(s->world, c->body[side])->vx);
+			CNI_PREFETCH(cni_body_at(s->world, body));
+			CNI_PREFETCH(&cni_body_at(s->world, body)->vx);
 		}
 	}
 }
 
-/* Finds the records of the batch at `at`, and asks for their bodies and boxes and for the records of the batch after. */
+/* Looks up the batch at `at`, whose records were asked for, and asks for its bodies and boxes. */
 static void batch_find(cni_sift *s)
 {
-	int32_t k, end = cni_min_i(s->at + CNI_SIFT_BATCH, s->count), ahead = s->prefetches ? cni_min_i(end + CNI_SIFT_BATCH, s->count) : end;
-	for (k = end; k < ahead; ++k)
-		record_prefetch(cni_contact_at(s->world, s->contacts[k]));
-	for (k = s->at; k < end; ++k) {
-		cni_contact *c = s->next[k - s->at] = cni_contact_at(s->world, s->contacts[k]);
+	int32_t k, size = cni_min_i(CNI_SIFT_BATCH, s->count - s->at);
+	cni_sift_item *batch = s->batch[s->side];
+	for (k = 0; k < size; ++k) {
+		cni_contact *c = s->records[k];
+		batch[k].contact = c;
+		batch[k].proxy[0] = cni_proxy_at(s->world, c->proxy[0]);
+		batch[k].proxy[1] = cni_proxy_at(s->world, c->proxy[1]);
 		if (s->prefetches)
-			sides_prefetch(s, c);
+			item_prefetch(s, &batch[k]);
+	}
+}
+
+/* Asks for the records of the batch that begins at a contact. They reach from one line into the next: both ends are asked
+   for. */
+static void records_find(cni_sift *s, int32_t from)
+{
+	int32_t k, size = cni_min_i(CNI_SIFT_BATCH, s->count - from);
+	for (k = 0; k < size; ++k) {
+		cni_contact *c = s->records[k] = cni_contact_at(s->world, s->contacts[from + k]);
+		CNI_PREFETCH(c);
+		CNI_PREFETCH(&c->flags);
 	}
 }
 
@@ -106,29 +114,44 @@ static int32_t circles_apart(const cni_sift_body *a, const cni_sift_body *b, flo
 }
 
 /* Contacts of which there is something to tell, or that may have, are looked at. */
-static int32_t stays_apart(const cn_world *world, const cni_touch_pair *p, const cni_sift_body *a, const cni_sift_body *b)
+static int32_t stays_apart(const cni_sift *s, const cni_sift_item *item, const cni_sift_body *a, const cni_sift_body *b)
 {
 	const uint32_t looked_at = CNI_CONTACT_SENSING | CNI_CONTACT_PASSING | CNI_CONTACT_CREATED_OWED;
-	return circles_apart(a, b, world->settings.contact_margin) & ((p->contact->flags & looked_at) == 0) &
-	       boxes_overlap(&p->proxy[0]->fat, &p->proxy[1]->fat);
+	return circles_apart(a, b, s->world->settings.contact_margin) & ((item->contact->flags & looked_at) == 0) &
+	       boxes_overlap(&item->proxy[0]->fat, &item->proxy[1]->fat);
 }
 
 /* Does it have to be looked at? What touches always. */
-static int32_t contact_sift(const cni_sift *s, const cni_touch_pair *p, int32_t touches)
+static int32_t item_sift(const cni_sift *s, const cni_sift_item *item, int32_t touches)
 {
+	cni_body *body_a, *body_b;
 	cni_sift_body a, b;
 	if (s->bodies != NULL) {
-		const cni_sift_body *of_a = &s->bodies[p->contact->body[0]], *of_b = &s->bodies[p->contact->body[1]];
+		const cni_sift_body *of_a = &s->bodies[item->contact->body[0]], *of_b = &s->bodies[item->contact->body[1]];
 		if (of_a->radius <= 0.0f || of_b->radius <= 0.0f)
-			cni_contact_mark_static(p->body[0], p->body[1]);
-		return touches || !stays_apart(s->world, p, of_a, of_b);
+			cni_contact_mark_static(cni_body_at(s->world, item->contact->body[0]), cni_body_at(s->world, item->contact->body[1]));
+		return touches || !stays_apart(s, item, of_a, of_b);
 	}
-	cni_contact_mark_static(p->body[0], p->body[1]);
+	body_a = cni_body_at(s->world, item->contact->body[0]);
+	body_b = cni_body_at(s->world, item->contact->body[1]);
+	cni_contact_mark_static(body_a, body_b);
 	if (touches)
 		return 1;
-	a = sift_body_make(p->body[0], s->dt);
-	b = sift_body_make(p->body[1], s->dt);
-	return !stays_apart(s->world, p, &a, &b);
+	a = sift_body_make(body_a, s->dt);
+	b = sift_body_make(body_b, s->dt);
+	return !stays_apart(s, item, &a, &b);
+}
+
+static cni_touch_pair pair_of(const cni_sift *s, const cni_sift_item *item, int32_t index)
+{
+	cni_touch_pair p;
+	p.contact = item->contact;
+	p.body[0] = cni_body_at(s->world, item->contact->body[0]);
+	p.body[1] = cni_body_at(s->world, item->contact->body[1]);
+	p.proxy[0] = item->proxy[0];
+	p.proxy[1] = item->proxy[1];
+	p.index = index;
+	return p;
 }
 
 void cni_sift_begin(cni_sift *s, cn_world *world, const int32_t *contacts, int32_t apart, int32_t count, float dt)
@@ -139,9 +162,11 @@ void cni_sift_begin(cni_sift *s, cn_world *world, const int32_t *contacts, int32
 	s->count = count;
 	s->dt = dt;
 	s->bodies = sift_bodies_make(world, apart, dt);
-	s->at = 0;
+	s->at = s->side = 0;
 	s->prefetches = count >= PREFETCH_FROM;
+	records_find(s, 0);
 	batch_find(s);
+	records_find(s, CNI_SIFT_BATCH);
 }
 
 void cni_sift_end(cni_sift *s)
@@ -149,24 +174,27 @@ void cni_sift_end(cni_sift *s)
 	cni_arena_pop(&s->world->arena, s->bodies);
 }
 
+/* The batch after is looked up first, so that its memory is on its way. */
 int32_t cni_sift_batch(cni_sift *s, cni_touch_pair *out)
 {
-	cni_contact *batch[CNI_SIFT_BATCH];
-	int32_t k, from = s->at, size = cni_min_i(CNI_SIFT_BATCH, s->count - from), count = 0;
+	const cni_sift_item *batch = s->batch[s->side];
+	int32_t looked_at[CNI_SIFT_BATCH], k, from = s->at, size = cni_min_i(CNI_SIFT_BATCH, s->count - from), count = 0;
 	if (size <= 0)
 		return CNI_NONE;
-	for (k = 0; k < size; ++k)
-		batch[k] = s->next[k];
 	s->at += size;
+	s->side ^= 1;
 	batch_find(s);
+	records_find(s, s->at + CNI_SIFT_BATCH);
 	for (k = 0; k < size; ++k) {
-		cni_touch_pair *p = &out[count];
-		*p = cni_touch_pair_of(s->world, batch[k], s->contacts[from + k]);
-		if (p->contact->flags & CNI_CONTACT_ENTERED)
-			p->contact->flags &= ~(uint32_t)CNI_CONTACT_ENTERED;
-		count += contact_sift(s, p, from + k >= s->apart);
+		if (batch[k].contact->flags & CNI_CONTACT_ENTERED)
+			batch[k].contact->flags &= ~(uint32_t)CNI_CONTACT_ENTERED;
+		looked_at[count] = k;
+		count += item_sift(s, &batch[k], from + k >= s->apart);
+	}
+	for (k = 0; k < count; ++k) {
+		out[k] = pair_of(s, &batch[looked_at[k]], s->contacts[from + looked_at[k]]);
 		if (s->prefetches)
-			pair_prefetch(p);
+			pair_prefetch(&out[k]);
 	}
 	return count;
 }

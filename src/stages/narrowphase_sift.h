@@ -17,6 +17,12 @@ typedef struct cni_sift_body {
 	float ahead_x, ahead_y; /* change of position by velocity */
 } cni_sift_body;
 
+/* A contact whose record has come. */
+typedef struct cni_sift_item {
+	cni_contact *contact;
+	const cni_proxy *proxy[2];
+} cni_sift_item;
+
 typedef struct cni_sift {
 	cn_world *world;
 	const int32_t *contacts;   /* first those that do not touch */
@@ -25,7 +31,9 @@ typedef struct cni_sift {
 	cni_sift_body *bodies;     /* by record, when there is memory and so many contacts that it is worth it; else NULL */
 	int32_t at;                /* first contact that was not sifted yet */
 	int32_t prefetches;
-	cni_contact *next[CNI_SIFT_BATCH]; /* records from there on */
+	int32_t side;              /* of batch that begins there */
+	cni_sift_item batch[2][CNI_SIFT_BATCH];
+	cni_contact *records[CNI_SIFT_BATCH]; /* of the batch after */
 } cni_sift;
 
 /* Contacts of a list, the first `apart` of which do not touch. Every begin has its end; what was pushed on the frame arena in
