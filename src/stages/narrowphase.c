@@ -94,8 +94,6 @@ static int32_t contact_update(cn_world *world, int32_t contact, cni_touch *t)
 	int32_t touching = (c->flags & CNI_CONTACT_TOUCHING) != 0;
 	if (c->flags & CNI_CONTACT_SENSOR)
 		return sensor_update(t);
-	if (!t->boxes_overlap)
-		t->manifold.count = 0; /* the reach of a fast pair: a pair whose boxes are apart ends, or it would be found twice */
 	if (c->flags & CNI_CONTACT_ONE_WAY)
 		let_pass(world, c, &t->manifold);
 	if (t->manifold.count > 0 && !touching)

@@ -166,7 +166,7 @@ int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt
 	out->motion = motion_make(out->a, out->b, dt);
 	out->manifold.count = 0;
 	out->in.margin = cni_max(world->settings.contact_margin, out->motion.reach);
-	if (circles_apart(out->a, out->b, out->in.margin))
+	if (!out->boxes_overlap || circles_apart(out->a, out->b, out->in.margin))
 		return 0;
 	out->in.a = cni_proxy_geometry(&world->blocks, p->proxy[0]);
 	out->in.b = cni_proxy_geometry(&world->blocks, p->proxy[1]);

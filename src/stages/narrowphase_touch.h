@@ -53,7 +53,8 @@ static inline cni_touch_pair cni_touch_pair_of(const cn_world *world, cni_contac
 	return p;
 }
 
-/* 0: the bodies are so far apart that there is nothing more to do; the manifold is empty. */
+/* 0: there is nothing more to do, the manifold is empty: the bodies are far apart, or their boxes are. Such a pair ends
+   however far it reaches, or it would be found twice. */
 int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out);
 void cni_touch_collide(cni_touch *out);
 void cni_touch_finish(const cn_world *world, float dt, cni_touch *out);
