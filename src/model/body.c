@@ -272,7 +272,6 @@ void cni_body_refresh_boxes(cn_world *world, int32_t body)
 				continue;
 			fat = cni_box_fatten(tight, cni_box_margin(world, b->type, &tight));
 			world->broadphase_ops->move(world->broadphase, proxy, &fat);
-			b->flags |= CNI_BODY_BOXED;
 		}
 	}
 }
@@ -324,10 +323,8 @@ void cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead)
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		for (child = 0; child < s->children; ++child)
-			if (box_leaves(world, b, s, child, x, ahead, &fat)) {
+			if (box_leaves(world, b, s, child, x, ahead, &fat))
 				world->broadphase_ops->move(world->broadphase, cni_shape_proxy(world, s, child), &fat);
-				b->flags |= CNI_BODY_BOXED;
-			}
 	}
 }
 

@@ -152,9 +152,9 @@ enum {
 typedef struct cni_contact {
 	int32_t proxy[2];        /* of shape a and b: type a <= type b */
 	int32_t body[2];
-	int32_t next[2], prev[2]; /* keys in the bodies' lists */
 	uint32_t flags;
-	int32_t slot;            /* of a free record the next one */
+	int32_t slot;            /* of a free record the next one; up to here is what pairs that are apart ask for */
+	int32_t next[2], prev[2]; /* keys in the bodies' lists */
 	uint16_t id[2];          /* feature ids of the lane's points, 0: none */
 	cni_manifold_cache cache;
 } cni_contact;

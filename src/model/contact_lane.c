@@ -162,14 +162,13 @@ static int32_t may_be_followed(const cn_world *world, const cni_contact *c, cons
 }
 
 /* After the lane's rows. */
-static void anchor_write(cn_world *world, const cni_contact *c, const lane_frame *f, float gap)
+static void anchor_write(cn_world *world, const cni_contact *c, const cni_contact_block *block, cni_block_info *info, const lane_frame *f, float gap)
 {
-	const cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
 	cni_block_anchor *anchor = cni_block_anchor_at(world, c->slot / CNI_LANES);
-	cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
 	int32_t l = c->slot % CNI_LANES, k;
 	cni_rot turn = cni_rot_between(f->a->q, f->b->q);
 	cni_vec2 n = cni_unrotate(f->a->q, f->n);
+	float centers;
 	if (gap != 0.0f || !may_be_followed(world, c, f)) {
 		cni_lane_loosen(world, c->slot);
 		anchor->of.fresh.gap[l] = gap;
@@ -183,14 +182,16 @@ static void anchor_write(cn_world *world, const cni_contact *c, const lane_frame
 	anchor->dt[l] = block->dt[l];
 	anchor->c[l] = turn.c;
 	anchor->s[l] = turn.s;
+	centers = cni_dot(f->d, f->n);
 	for (k = 0; k < 2; ++k)
-		anchor->of.less[k][l] = block->p[k].s0[l] - cni_dot(f->d, f->n);
+		anchor->of.less[k][l] = block->p[k].s0[l] - centers;
 }
 
 void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap, const float radius[2])
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
+	cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
 	int32_t lane = c->slot % CNI_LANES, flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, kept = 0, k;
 	const cni_body *first = cni_body_at(world, c->body[0]);
 	cni_vec2 normal = cni_rotate(first->q, manifold->normal);
@@ -240,10 +241,9 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 	if (manifold->count == 2)
 		fa *= 0.5f;
 	lane_write_friction(block, lane, fa, fa - dn, m.t, m.ia, m.ib);
-	if ((c->flags & CNI_CONTACT_REFRESH) || ((f.a->flags | f.b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) ||
-	    (cni_block_info_at(world, c->slot / CNI_LANES)->flags & CNI_BLOCK_EXTRA))
+	if ((c->flags & CNI_CONTACT_REFRESH) || ((f.a->flags | f.b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) || (info->flags & CNI_BLOCK_EXTRA))
 		lane_write_rare(world, c, &f, &m);
-	anchor_write(world, c, &f, ahead);
+	anchor_write(world, c, block, info, &f, ahead);
 }
 
 void cni_contact_write_empty(cn_world *world, int32_t contact)
@@ -315,8 +315,8 @@ void cni_contact_describe(const cn_world *world, int32_t contact, int32_t kind, 
 	out->shape_b = cni_handles_of(&world->shape_handles, b->shape);
 	out->body_a = cni_handles_of(&world->body_handles, c->body[0]);
 	out->body_b = cni_handles_of(&world->body_handles, c->body[1]);
-	out->child_a = a->child;
-	out->child_b = b->child;
+	out->child_a = cni_proxy_child(a);
+	out->child_b = cni_proxy_child(b);
 	out->contact_id = (uint32_t)contact + 1u;
 	out->kind = kind;
 	if (c->flags & CNI_CONTACT_TOUCHING)

@@ -86,7 +86,7 @@ int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind)
 	e->shape_b = cni_handles_of(&world->shape_handles, b->shape);
 	e->body_a = cni_handles_of(&world->body_handles, c->body[0]);
 	e->body_b = cni_handles_of(&world->body_handles, c->body[1]);
-	e->child = b->child != 0 ? ~b->child : a->child;
+	e->child = cni_proxy_child(b) != 0 ? ~cni_proxy_child(b) : cni_proxy_child(a);
 	e->contact = contact;
 	e->approach_speed = kind == CN_EVENT_ENTER ? cni_contact_approach(world, c) : 0.0f;
 	return 1;

@@ -105,9 +105,9 @@ static int32_t proxy_create(cn_world *world, int32_t shape, int32_t child)
 	p->old.x0 = p->old.y0 = 1.0f;
 	p->old.x1 = p->old.y1 = -1.0f;
 	p->shape = shape;
-	p->child = child;
+	p->geometry = s->geometry;
 	p->cell = CNI_NONE;
-	p->flags = CNI_PROXY_ALIVE | CNI_PROXY_MOVED | (b->type == CN_BODY_STATIC ? (uint32_t)CNI_PROXY_STATIC : 0u);
+	p->flags = (uint32_t)child << CNI_PROXY_CHILD_SHIFT | CNI_PROXY_ALIVE | CNI_PROXY_MOVED | (b->type == CN_BODY_STATIC ? (uint32_t)CNI_PROXY_STATIC : 0u);
 	world->broadphase_ops->add(world->broadphase, id);
 	return id;
 }
@@ -166,7 +166,8 @@ void cni_shape_look_again(cn_world *world, int32_t shape)
 		p->flags = (p->flags & ~(uint32_t)CNI_PROXY_STATIC) | is_static;
 		world->broadphase_ops->touch(world->broadphase, cni_shape_proxy(world, s, child));
 	}
-	world->pairs_may_repeat = 1;
+	cni_body_at(world, s->body)->flags |= CNI_BODY_AGAIN;
+	world->pairs_may_repeat |= CNI_PAIRS_MARKED;
 }
 
 void cni_shape_link(cn_world *world, int32_t shape, int32_t body)

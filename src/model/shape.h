@@ -37,6 +37,10 @@ static inline const cni_geometry *cni_shape_geometry(const cni_blocks *blocks, c
 {
 	return (const cni_geometry *)cni_blocks_at(blocks, s->geometry);
 }
+static inline const cni_geometry *cni_proxy_geometry(const cni_blocks *blocks, const cni_proxy *p)
+{
+	return (const cni_geometry *)cni_blocks_at(blocks, p->geometry);
+}
 /*
  * What a geometry of so many points takes of the blocks. In a fixed block all but long chains take the same, and so
  * do proxy ids: whatever is made and destroyed in whatever order, the pieces set aside at the beginning fit.

@@ -55,7 +55,7 @@ static void wake_island(cn_world *world, int32_t body)
 {
 	int32_t k, first = first_of(world, body);
 	/* A body that left its fat box in the step that put it to sleep may still have contacts whose boxes are apart. */
-	world->pairs_may_repeat = 1;
+	world->pairs_may_repeat |= CNI_PAIRS_MARKED;
 	if (cni_body_at(world, body)->island != CNI_NONE) {
 		cni_island *i = cni_island_at(world, cni_body_at(world, body)->island);
 		i->awake = 1;
@@ -63,6 +63,7 @@ static void wake_island(cn_world *world, int32_t body)
 	}
 	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next) {
 		cni_body_at(world, k)->sleep_time = 0.0f;
+		cni_body_at(world, k)->flags |= CNI_BODY_AGAIN;
 		cni_body_enter_awake(world, k);
 	}
 	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next)

@@ -41,6 +41,12 @@ typedef struct cni_settings {
 	int32_t work_budget;    /* of direct solving in a step, 0: no bound */
 } cni_settings;
 
+/* Which new pairs may have a contact already. */
+enum {
+	CNI_PAIRS_MARKED = 1, /* those of bodies that are marked CNI_BODY_AGAIN: they woke, were moved, look again */
+	CNI_PAIRS_ALL = 3     /* memory was short for a new contact, or for the end of one */
+};
+
 struct cn_world {
 	/* memory: where everything below comes from */
 	cni_memory memory;
@@ -84,7 +90,7 @@ struct cn_world {
 	const cni_broadphase_ops *broadphase_ops;
 	cni_broadphase *broadphase;
 	cni_broadphase_pairs pairs;
-	int32_t pairs_may_repeat;    /* some proxy was touched: new pairs may already have a contact */
+	int32_t pairs_may_repeat;    /* 0 or CNI_PAIRS_ */
 
 	/* contacts */
 	int32_t contact_used;

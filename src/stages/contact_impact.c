@@ -27,6 +27,7 @@
 #include <string.h>
 
 #define BLOCKS_A_RANGE 64 /* of one colour: most of them do not bounce */
+#define BLOCKS_AHEAD 2    /* whose memory is asked for */
 #define SWEEPS 4 /* a wave through touching balls may need several; the solve after takes the rest */
 
 static const float *record_of(const cn_world *world, int32_t index)
@@ -91,6 +92,35 @@ static uint32_t lanes_closing(const color_sweep *c, const cni_listed_block *b)
 	return c->kernel->closing(c->pass.starts, b->rows, b->info, c->pass.speed, b->lanes);
 }
 
+/* Asks for what the search for lanes reads of a block to come. */
+CNI_INLINE void block_prefetch(const cni_listed_block *b)
+{
+	const cni_contact_block *k = b->rows;
+	if (!(b->info->flags & CNI_BLOCK_RESTITUTION))
+		return;
+	CNI_PREFETCH(b->info->restitution);
+	CNI_PREFETCH(k->ia);
+	CNI_PREFETCH(k->ib);
+	CNI_PREFETCH(k->nx);
+	CNI_PREFETCH(k->ny);
+	CNI_PREFETCH(k->dt);
+	CNI_PREFETCH(k->p[0].at);
+	CNI_PREFETCH(k->p[0].nm);
+	CNI_PREFETCH(k->p[1].at);
+	CNI_PREFETCH(k->p[1].nm);
+}
+
+/* ... and for the bodies of a lane that was found. */
+CNI_INLINE void bodies_prefetch(const cni_impact_pass *pass, const cni_impact_lanes *lanes, int32_t l)
+{
+	CNI_PREFETCH(lanes->a[l]);
+	CNI_PREFETCH(lanes->b[l]);
+	CNI_PREFETCH(pass->motions + lanes->ia[l]);
+	CNI_PREFETCH(pass->motions + lanes->ib[l]);
+	CNI_PREFETCH(pass->drives + lanes->ia[l]);
+	CNI_PREFETCH(pass->drives + lanes->ib[l]);
+}
+
 /* Lanes that may meet are few in each block: they are brought together, and solved side by side. */
 static void color_sweep_run(void *context, int32_t begin, int32_t end, int32_t worker)
 {
@@ -99,13 +129,19 @@ static void color_sweep_run(void *context, int32_t begin, int32_t end, int32_t w
 	int32_t k, count = 0, clear = 0, hits = 0;
 	(void)worker;
 	for (k = begin; k < end; ++k) {
-		uint32_t closing = lanes_closing(c, &c->blocks[k]);
+		uint32_t closing;
+		if (k + 2 * BLOCKS_AHEAD < end)
+			CNI_PREFETCH(&c->blocks[k + 2 * BLOCKS_AHEAD].info->flags);
+		if (k + BLOCKS_AHEAD < end)
+			block_prefetch(&c->blocks[k + BLOCKS_AHEAD]);
+		closing = lanes_closing(c, &c->blocks[k]);
 		if (closing != 0 && !clear) {
 			lanes_clear(&lanes);
 			clear = 1;
 		}
 		for (; closing != 0; closing &= closing - 1) {
-			lane_copy(c->world, &c->blocks[k], cni_bit_lowest32(closing), &lanes, count++);
+			lane_copy(c->world, &c->blocks[k], cni_bit_lowest32(closing), &lanes, count);
+			bodies_prefetch(&c->pass, &lanes, count++);
 			if (count < CNI_LANES)
 				continue;
 			hits += c->kernel->impact(&c->pass, &lanes, count);

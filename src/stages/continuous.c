@@ -135,7 +135,7 @@ static float visit(void *context, int32_t proxy, float limit)
 	other = cni_body_at(world, s->body);
 	in.a = cni_shape_geometry(&world->blocks, s);
 	in.b = &c->core.geometry;
-	in.child_a = p->child;
+	in.child_a = cni_proxy_child(p);
 	in.child_b = 0;
 	motion = cni_motions(world) + other->awake; /* the dummy for static ones */
 	in.path_a = body_path(other, cni_v(c->body->cx, c->body->cy), motion->dpx, motion->dpy, motion->theta);

@@ -146,7 +146,6 @@ static void boxes_move(cn_world *world, const cni_solve *s, const cni_box_move *
 		if (!(cni_drives(world)[k].flags & CNI_DRIVE_LATER))
 			continue;
 		cni_drives(world)[k].flags &= ~(uint32_t)CNI_DRIVE_LATER;
-		cni_body_at(world, cni_awake_ids(world)[k])->flags |= CNI_BODY_BOXED;
 		if (moves[k].proxy != CNI_NONE)
 			world->broadphase_ops->move(world->broadphase, moves[k].proxy, &moves[k].fat);
 		else

@@ -125,7 +125,7 @@ static void drive_range(void *context, int32_t begin, int32_t end, int32_t worke
 	(void)worker;
 	for (k = begin + 1; k <= end; ++k) {
 		cni_body *b = cni_body_at(world, ids[k]);
-		b->flags &= ~(uint32_t)(CNI_BODY_MOVED | CNI_BODY_BOXED);
+		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
 		drives[k] = drive_make(world, b, &motions[k], &drives[k]);
 		if (!(drives[k].flags & CNI_DRIVE_FREE))
 			continue;

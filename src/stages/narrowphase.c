@@ -1,20 +1,22 @@
 /*
  * stages/narrowphase.c - stages 3 and 4: how the shapes of awake contacts touch.
  *
- * Contacts whose bodies have hardly moved are followed (contact_follow.c). Every other awake one is looked at on its own: one
- * that goes on touching has its lane rewritten in place; one whose state changes is put on a list. Then the list is worked through in contact order: lanes are
- * taken and freed, islands linked, events logged, ended pairs removed. Only the second part
- * changes shared tables.
+ * Contacts whose bodies have hardly moved are followed (contact_follow.c), those that are certain to stay apart are passed by
+ * (narrowphase_sift.c). Every other awake one is looked at on its own: one that goes on touching has its lane rewritten in
+ * place; one whose state changes is put on a list. Then the list is worked through in contact order: lanes are taken and
+ * freed, islands linked, events logged, ended pairs removed. Only the second part changes shared tables.
  *
  * Contacts are looked at in windows of a few: all of a window are begun, then the manifolds of its pairs
  * of boxes are made side by side, then each is finished in order. So memory is asked for early, and the
  * results are those of one by one.
  *
- * Reads bodies, shapes, geometry, proxies; writes contacts, lanes, and through them islands and events; marks
+ * Reads bodies, geometry, proxies; writes contacts, lanes, and through them islands and events; marks
  * bodies that have static ones about them.
  */
 #include "geometry/manifold_boxes.h"
-#include "stages/narrowphase_touch.h"
+#include "stages/narrowphase_sift.h"
+
+#include <string.h>
 
 /* What the second part has to do for a contact. */
 enum { CHANGE_NONE = 0, CHANGE_BEGIN = 1, CHANGE_END = 2, CHANGE_OWED = 3 };
@@ -92,8 +94,6 @@ static int32_t contact_update(cn_world *world, int32_t contact, cni_touch *t)
 	int32_t touching = (c->flags & CNI_CONTACT_TOUCHING) != 0;
 	if (c->flags & CNI_CONTACT_SENSOR)
 		return sensor_update(t);
-	if (!t->boxes_overlap)
-		t->manifold.count = 0; /* the reach of a fast pair: a pair whose boxes are apart ends, or it would be found twice */
 	if (c->flags & CNI_CONTACT_ONE_WAY)
 		let_pass(world, c, &t->manifold);
 	if (t->manifold.count > 0 && !touching)
@@ -115,8 +115,9 @@ static float look_ahead(const cni_contact *c, float dt)
    takes more memory than the contacts themselves. */
 static void change_begin(cn_world *world, int32_t contact, float dt)
 {
+	cni_touch_pair pair = cni_touch_pair_of(world, cni_contact_at(world, contact), contact);
 	cni_touch t;
-	if (!cni_touch_begin(world, cni_contact_at(world, contact), dt, &t))
+	if (!cni_touch_begin(world, &pair, dt, &t))
 		return;
 	cni_touch_collide(&t);
 	cni_touch_finish(world, dt, &t);
@@ -131,12 +132,20 @@ static void change_begin(cn_world *world, int32_t contact, float dt)
 	++world->pairs_not_added;
 }
 
+/* A pair whose boxes are apart ends for good. Without memory for that it stays, and may be found once more. */
+static void pair_end(cn_world *world, int32_t contact)
+{
+	if (!boxes_overlap(world, cni_contact_at(world, contact)) && !cni_contact_destroy(world, contact))
+		world->pairs_may_repeat = CNI_PAIRS_ALL;
+}
+
 /* Sensor pairs end and begin by themselves: nothing is solved. */
 static void sensor_change(cn_world *world, int32_t contact, int32_t change)
 {
-	if (cni_contact_sense(world, contact, change == CHANGE_BEGIN) && change == CHANGE_END &&
-	    !boxes_overlap(world, cni_contact_at(world, contact)))
-		cni_contact_destroy(world, contact);
+	if (!cni_contact_sense(world, contact, change == CHANGE_BEGIN))
+		world->pairs_may_repeat = CNI_PAIRS_ALL;
+	else if (change == CHANGE_END)
+		pair_end(world, contact);
 }
 
 static void change_apply(cn_world *world, int32_t contact, int32_t change, float dt)
@@ -152,18 +161,22 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, float
 		cni_contact_pay_owed(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
 	if (change == CHANGE_BEGIN)
 		change_begin(world, contact, dt);
-	if (change != CHANGE_END || ((c->flags & CNI_CONTACT_TOUCHING) && !cni_contact_end(world, contact)))
+	if (change != CHANGE_END)
 		return;
-	if (!boxes_overlap(world, c))
-		cni_contact_destroy(world, contact);
+	if ((c->flags & CNI_CONTACT_TOUCHING) && !cni_contact_end(world, contact))
+		world->pairs_may_repeat = CNI_PAIRS_ALL;
+	else
+		pair_end(world, contact);
 }
 
 /* ---- windows ---- */
 
-/* Contacts that are looked at together; also how far ahead memory is asked for. */
+/* Contacts that are looked at together. */
 #define WINDOW CNI_BOX_PAIRS
 
 typedef struct window {
+	cni_touch_pair pair[WINDOW + CNI_SIFT_BATCH]; /* to be looked at; what is beyond a window waits for the next */
+	int32_t count;
 	cni_touch touch[WINDOW];
 	int32_t column[WINDOW];  /* in boxes, or one of the below */
 	cni_box_batch boxes;
@@ -171,52 +184,64 @@ typedef struct window {
 	int32_t prefetches;
 } window;
 
-/* Contacts of fewer are in the cache anyway. */
-#define PREFETCH_FROM 2048
-
 enum {
 	COLUMN_NONE = -1,   /* not a pair of boxes */
-	COLUMN_APART = -2,  /* no manifold */
-	COLUMN_FAR = -3     /* nothing to do */
+	COLUMN_APART = -2   /* no manifold */
 };
 
-/* Asks for the memory of contacts to come: of the one a window ahead bodies and boxes, of the one two ahead its record.
-   Inlined by force: compilers take a function that only prefetches for one that does nothing. */
-CNI_INLINE void window_prefetch(const cn_world *world, const int32_t *contacts, int32_t k, int32_t count)
+/* Returns how many contacts it holds: fewer than a window only where there are no more. */
+static int32_t window_fill(window *w, cni_sift *sift)
 {
-	int32_t side;
-	if (k + 2 * WINDOW < count) {
-		CNI_PREFETCH(cni_contact_at(world, contacts[k + 2 * WINDOW]));
-	}
-	if (k + WINDOW >= count)
+	int32_t more = 0;
+	for (; w->count < WINDOW && more != CNI_NONE; w->count += cni_max_i(more, 0))
+		more = cni_sift_batch(sift, w->pair + w->count);
+	return cni_min_i(w->count, WINDOW);
+}
+
+/* Asks for what a lane is written from. Inlined by force: compilers take a function that only prefetches for one that
+   does nothing. */
+CNI_INLINE void lane_prefetch(const cn_world *world, const cni_touch_pair *p)
+{
+	const cni_contact_block *block;
+	int32_t l = p->contact->slot % CNI_LANES;
+	if (!(p->contact->flags & CNI_CONTACT_TOUCHING))
 		return;
-	for (side = 0; side < 2; ++side) {
-		const cni_contact *c = cni_contact_at(world, contacts[k + WINDOW]);
-		const cni_proxy *p = cni_proxy_at(world, c->proxy[side]);
-		const cni_body *b = cni_body_at(world, c->body[side]);
-		CNI_PREFETCH(&p->fat);
-		CNI_PREFETCH(b);
+	block = cni_block_at(world, p->contact->slot / CNI_LANES);
+	CNI_PREFETCH(cni_motions(world) + p->body[0]->awake);
+	CNI_PREFETCH(cni_motions(world) + p->body[1]->awake);
+	CNI_PREFETCH(&block->p[0].jn[l]);
+	CNI_PREFETCH(&block->p[1].jn[l]);
+}
+
+/* A box takes more than a line. */
+CNI_INLINE void geometry_prefetch(const cn_world *world, const cni_proxy *p)
+{
+	const cni_geometry *g = cni_proxy_geometry(&world->blocks, p);
+	CNI_PREFETCH(g);
+	CNI_PREFETCH(g + 2);
+}
+
+static void window_prefetch(const cn_world *world, const window *w, int32_t count)
+{
+	int32_t k;
+	for (k = 0; k < count; ++k) {
+		geometry_prefetch(world, w->pair[k].proxy[0]);
+		geometry_prefetch(world, w->pair[k].proxy[1]);
+		lane_prefetch(world, &w->pair[k]);
 	}
 }
 
-/* left: contacts from the window's first to the last of all. */
-static void window_begin(const cn_world *world, window *w, const int32_t *contacts, int32_t left, float dt)
+static void window_begin(const cn_world *world, window *w, int32_t count, float dt)
 {
-	int32_t k, count = cni_min_i(WINDOW, left);
+	int32_t k;
 	w->boxes.count = 0;
+	if (w->prefetches)
+		window_prefetch(world, w, count);
 	for (k = 0; k < count; ++k) {
-		cni_contact *c = cni_contact_at(world, contacts[k]);
+		cni_contact *c = w->pair[k].contact;
 		cni_touch *t = &w->touch[k];
-		if (w->prefetches)
-			window_prefetch(world, contacts, k, left);
-		if (c->flags & CNI_CONTACT_ENTERED)
-			c->flags &= ~(uint32_t)CNI_CONTACT_ENTERED;
-		cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
-		w->column[k] = COLUMN_FAR;
-		if (dt > 0.0f && cni_touch_is_far(world, c, dt))
-			continue;
 		w->column[k] = COLUMN_APART;
-		if (!cni_touch_begin(world, c, look_ahead(c, dt), t))
+		if (!cni_touch_begin(world, &w->pair[k], look_ahead(c, dt), t))
 			continue;
 		w->column[k] = COLUMN_NONE;
 		if (w->kernel != NULL && cni_geometry_is_box(t->in.a) && cni_geometry_is_box(t->in.b))
@@ -224,26 +249,15 @@ static void window_begin(const cn_world *world, window *w, const int32_t *contac
 	}
 }
 
-static int32_t window_finish(cn_world *world, window *w, int32_t k, int32_t contact, float dt)
+static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 {
 	cni_touch *t = &w->touch[k];
-	if (w->column[k] == COLUMN_FAR)
-		return CHANGE_NONE;
 	if (w->column[k] == COLUMN_NONE)
 		cni_touch_collide(t);
 	else if (w->column[k] >= 0)
 		cni_boxes_read(&w->boxes, w->column[k], &t->in, &t->contact->cache, &t->manifold);
 	cni_touch_finish(world, look_ahead(t->contact, dt), t);
-	return contact_update(world, contact, t);
-}
-
-/* Everything that has to be looked at, behind the apart list, which has room for every contact: first the contacts that
-   do not touch, then those that cannot be followed. */
-static int32_t contacts_collect(cn_world *world, float dt)
-{
-	if (world->apart.data == NULL)
-		return 0; /* there has never been a contact */
-	return world->apart.count + cni_contacts_follow(world, dt, (int32_t *)world->apart.data + world->apart.count);
+	return contact_update(world, w->pair[k].index, t);
 }
 
 /* ---- what is to change ---- */
@@ -275,6 +289,7 @@ static void change_add(cn_world *world, change_list *list, int32_t contact, int3
 		return;
 	}
 	world->warnings |= CN_WARNING_CONTACT_MEMORY;
+	world->pairs_may_repeat = CNI_PAIRS_ALL;
 	if (cni_contact_at(world, contact)->flags & CNI_CONTACT_TOUCHING)
 		cni_contact_write_empty(world, contact);
 }
@@ -288,21 +303,41 @@ static void changes_apply(cn_world *world, change_list *list, float dt)
 		cni_arena_pop(&world->arena, list->items);
 }
 
+/* Takes the first contacts of the window away. */
+static void window_drop(window *w, int32_t count)
+{
+	w->count -= count;
+	if (w->count > 0)
+		memmove(w->pair, w->pair + count, sizeof(cni_touch_pair) * (size_t)w->count);
+}
+
+static void contacts_look_at(cn_world *world, cni_sift *sift, change_list *changes, float dt)
+{
+	window w;
+	int32_t k, count;
+	w.kernel = cni_box_kernel_choose();
+	w.prefetches = sift->prefetches;
+	w.count = 0;
+	while ((count = window_fill(&w, sift)) > 0) {
+		window_begin(world, &w, count, dt);
+		cni_boxes_run(&w.boxes, w.kernel);
+		for (k = 0; k < count; ++k)
+			change_add(world, changes, w.pair[k].index, window_finish(world, &w, k, dt));
+		window_drop(&w, count);
+	}
+}
+
 void cni_stage_narrowphase(cn_world *world, float dt)
 {
-	const int32_t *contacts = (const int32_t *)world->apart.data;
-	int32_t from, k, count = contacts_collect(world, dt);
+	int32_t *contacts = (int32_t *)world->apart.data, apart = world->apart.count, count;
 	change_list changes;
-	window w;
+	cni_sift sift;
+	if (contacts == NULL)
+		return; /* there has never been a contact */
+	count = apart + cni_contacts_follow(world, dt, contacts + apart); /* the list has room for every contact */
 	changes_begin(world, &changes, count);
-	w.kernel = cni_box_kernel_choose();
-	w.prefetches = count >= PREFETCH_FROM;
-	for (from = 0; from < count; from += WINDOW) {
-		int32_t size = cni_min_i(WINDOW, count - from);
-		window_begin(world, &w, contacts + from, count - from, dt);
-		cni_boxes_run(&w.boxes, w.kernel);
-		for (k = 0; k < size; ++k)
-			change_add(world, &changes, contacts[from + k], window_finish(world, &w, k, contacts[from + k], dt));
-	}
+	cni_sift_begin(&sift, world, contacts, apart, count, dt);
+	contacts_look_at(world, &sift, &changes, dt);
+	cni_sift_end(&sift);
 	changes_apply(world, &changes, dt);
 }

@@ -8,13 +8,21 @@
 #include "stages/narrowphase_touch.h"
 #include "geometry/toi.h"
 
-static cni_pair_motion motion_make(const cn_world *world, const cni_body *a, const cni_body *b, float dt)
+#if defined(CNI_DEBUG)
+static int32_t record_is_of_motion(const cn_world *world, const cni_body *b)
 {
-	const cni_motion *ma = cni_motions(world) + a->awake, *mb = cni_motions(world) + b->awake;
+	const cni_motion *m = cni_motions(world) + b->awake;
+	return b->vx == m->vx && b->vy == m->vy && b->w == m->w;
+}
+#endif
+
+/* Velocities are those of the records, which at the beginning of a step are the same as in motion. */
+static cni_pair_motion motion_make(const cni_body *a, const cni_body *b, float dt)
+{
 	cni_pair_motion m;
-	m.v = cni_unrotate(a->q, cni_v(mb->vx - ma->vx, mb->vy - ma->vy));
-	m.wa = ma->w;
-	m.wb = mb->w;
+	m.v = cni_unrotate(a->q, cni_v(b->vx - a->vx, b->vy - a->vy));
+	m.wa = a->w;
+	m.wb = b->w;
 	m.reach = dt * (cni_abs(m.v.x) + cni_abs(m.v.y) + cni_abs(m.wa) * a->extent + cni_abs(m.wb) * b->extent);
 	return m;
 }
@@ -139,51 +147,33 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 	}
 }
 
-/* By how much circles must be apart, against rounding. */
-#define CIRCLES_APART 1.0001f
-
 /* Are even the circles around the two bodies farther apart than the pair looks? Boxes with their margins are much
    larger than small bodies, so most pairs that do not touch end here, before shapes are looked at. */
 static int32_t circles_apart(const cni_body *a, const cni_body *b, float margin)
 {
-	float reach = CIRCLES_APART * (a->extent + b->extent + margin);
+	float reach = CNI_CIRCLES_APART * (a->extent + b->extent + margin);
 	cni_vec2 d = cni_v((b->cx - a->cx) + (b->cx_low - a->cx_low), (b->cy - a->cy) + (b->cy_low - a->cy_low));
 	return cni_length_sq(d) > reach * reach;
 }
 
-/* The reach is that of motion_make at most, whose sum is taken along other axes. */
-int32_t cni_touch_is_far(const cn_world *world, const cni_contact *c, float dt)
+int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out)
 {
-	const uint32_t looked_at = CNI_CONTACT_TOUCHING | CNI_CONTACT_SENSING | CNI_CONTACT_PASSING | CNI_CONTACT_CREATED_OWED;
-	const cni_body *a = cni_body_at(world, c->body[0]), *b = cni_body_at(world, c->body[1]);
-	float reach;
-	if ((c->flags & looked_at) || ((a->flags | b->flags) & CNI_BODY_BOXED))
-		return 0;
-	reach = dt * (1.4143f * (cni_abs(b->vx - a->vx) + cni_abs(b->vy - a->vy)) + cni_abs(a->w) * a->extent + cni_abs(b->w) * b->extent);
-	return circles_apart(a, b, cni_max(world->settings.contact_margin, reach));
-}
-
-int32_t cni_touch_begin(const cn_world *world, cni_contact *c, float dt, cni_touch *out)
-{
-	const cni_proxy *pa = cni_proxy_at(world, c->proxy[0]), *pb = cni_proxy_at(world, c->proxy[1]);
-	const cni_shape *sa, *sb;
-	out->contact = c;
-	out->a = cni_body_at(world, c->body[0]);
-	out->b = cni_body_at(world, c->body[1]);
-	out->boxes_overlap = cni_aabb_overlap(&pa->fat, &pb->fat);
-	out->motion = motion_make(world, out->a, out->b, dt);
+	out->contact = p->contact;
+	out->a = p->body[0];
+	out->b = p->body[1];
+	CNI_ASSERT(dt == 0.0f || (record_is_of_motion(world, out->a) && record_is_of_motion(world, out->b)));
+	out->boxes_overlap = cni_aabb_overlap(&p->proxy[0]->fat, &p->proxy[1]->fat);
+	out->motion = motion_make(out->a, out->b, dt);
 	out->manifold.count = 0;
 	out->in.margin = cni_max(world->settings.contact_margin, out->motion.reach);
-	if (circles_apart(out->a, out->b, out->in.margin))
+	if (!out->boxes_overlap || circles_apart(out->a, out->b, out->in.margin))
 		return 0;
-	sa = cni_shape_at(world, pa->shape);
-	sb = cni_shape_at(world, pb->shape);
-	out->in.a = cni_shape_geometry(&world->blocks, sa);
-	out->in.b = cni_shape_geometry(&world->blocks, sb);
+	out->in.a = cni_proxy_geometry(&world->blocks, p->proxy[0]);
+	out->in.b = cni_proxy_geometry(&world->blocks, p->proxy[1]);
 	out->radius[0] = out->in.a->radius;
 	out->radius[1] = out->in.b->radius;
-	out->in.child_a = pa->child;
-	out->in.child_b = pb->child;
+	out->in.child_a = cni_proxy_child(p->proxy[0]);
+	out->in.child_b = cni_proxy_child(p->proxy[1]);
 	out->in.b_in_a = cni_body_b_in_a(out->a, out->b);
 	out->in.slop = world->settings.slop;
 	out->gap = cni_v(0.0f, 0.0f);

@@ -13,11 +13,22 @@
 
 #include "stages/solver.h"
 
+/* By how much circles must be apart, against rounding. */
+#define CNI_CIRCLES_APART 1.0001f
+
 typedef struct cni_pair_motion {
 	cni_vec2 v;       /* velocity of b's centre relative to a's, in a's frame */
 	float wa, wb;
 	float reach;      /* most that surface points can come closer in the step */
 } cni_pair_motion;
+
+/* A contact, and where to look for what is asked of it first. */
+typedef struct cni_touch_pair {
+	cni_contact *contact;
+	cni_body *body[2];
+	const cni_proxy *proxy[2];
+	int32_t index; /* of the contact */
+} cni_touch_pair;
 
 typedef struct cni_touch {
 	cni_contact *contact;
@@ -30,12 +41,21 @@ typedef struct cni_touch {
 	cni_vec2 gap;            /* where b's point is from a's now, when the contact is still ahead; in a's frame */
 } cni_touch;
 
-/* Are the two so far apart that the contact stays as it is, apart, without a look at shapes and boxes? From the first
-   part of the bodies' records alone: most pairs of a heap in motion are only neighbours. */
-int32_t cni_touch_is_far(const cn_world *world, const cni_contact *c, float dt);
+static inline cni_touch_pair cni_touch_pair_of(const cn_world *world, cni_contact *c, int32_t index)
+{
+	cni_touch_pair p;
+	p.contact = c;
+	p.body[0] = cni_body_at(world, c->body[0]);
+	p.body[1] = cni_body_at(world, c->body[1]);
+	p.proxy[0] = cni_proxy_at(world, c->proxy[0]);
+	p.proxy[1] = cni_proxy_at(world, c->proxy[1]);
+	p.index = index;
+	return p;
+}
 
-/* 0: the bodies are so far apart that there is nothing more to do; the manifold is empty. */
-int32_t cni_touch_begin(const cn_world *world, cni_contact *c, float dt, cni_touch *out);
+/* 0: there is nothing more to do, the manifold is empty: the bodies are far apart, or their boxes are. Such a pair ends
+   however far it reaches, or it would be found twice. */
+int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out);
 void cni_touch_collide(cni_touch *out);
 void cni_touch_finish(const cn_world *world, float dt, cni_touch *out);
 

@@ -10,7 +10,7 @@
 static void pair_lose(cn_world *world, const cni_pair *pair)
 {
 	world->broadphase_ops->touch(world->broadphase, pair->a);
-	world->pairs_may_repeat = 1;
+	world->pairs_may_repeat = CNI_PAIRS_ALL;
 	world->warnings |= CN_WARNING_CONTACT_MEMORY;
 	++world->pairs_not_added;
 }
@@ -28,6 +28,28 @@ static void kicked_look_ahead(cn_world *world, float dt)
 	world->kicked.count = 0;
 }
 
+static int32_t is_marked(const cn_world *world, int32_t proxy)
+{
+	return (cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy)->shape)->body)->flags & CNI_BODY_AGAIN) != 0;
+}
+
+/* Is there a contact of the pair already? Most pairs are of bodies that nothing happened to. */
+static int32_t pair_repeats(const cn_world *world, const cni_pair *pair, int32_t may_repeat)
+{
+	if (may_repeat == CNI_PAIRS_ALL || (may_repeat && (is_marked(world, pair->a) || is_marked(world, pair->b))))
+		return cni_contact_find(world, pair->a, pair->b) != CNI_NONE;
+	CNI_ASSERT(cni_contact_find(world, pair->a, pair->b) == CNI_NONE);
+	return 0;
+}
+
+/* Those that are not awake keep their mark: their pairs are looked for once more than they must. */
+static void marks_clear(const cn_world *world)
+{
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k)
+		cni_body_at(world, cni_awake_ids(world)[k])->flags &= ~(uint32_t)CNI_BODY_AGAIN;
+}
+
 void cni_stage_pairs(cn_world *world, float dt)
 {
 	cni_broadphase_pairs *pairs = &world->pairs;
@@ -39,15 +61,17 @@ void cni_stage_pairs(cn_world *world, float dt)
 	if (pairs->pairs_lost > 0) {
 		world->warnings |= CN_WARNING_CONTACT_MEMORY;
 		world->pairs_not_added += pairs->pairs_lost;
-		world->pairs_may_repeat = 1;
+		world->pairs_may_repeat = CNI_PAIRS_ALL;
 	}
 	list = (const cni_pair *)pairs->list.data;
 	for (k = 0; k < pairs->list.count; ++k) {
-		if (may_repeat && cni_contact_find(world, list[k].a, list[k].b) != CNI_NONE)
+		if (pair_repeats(world, &list[k], may_repeat))
 			continue;
 		if (cni_contact_reserve(world, 1) != CN_OK)
 			pair_lose(world, &list[k]);
 		else
 			cni_contact_create(world, list[k].a, list[k].b);
 	}
+	if (may_repeat)
+		marks_clear(world);
 }

@@ -57,7 +57,8 @@ cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, fl
 	cni_body_set_transform(world, index, position_m, cni_sincos(angle_rad));
 	end_contacts_apart(world, index);
 	cni_body_wake_met(world, index);
-	world->pairs_may_repeat = 1; /* the boxes may have been apart and be together again */
+	cni_body_at(world, index)->flags |= CNI_BODY_AGAIN;
+	world->pairs_may_repeat |= CNI_PAIRS_MARKED; /* the boxes may have been apart and be together again */
 	return CN_OK;
 }
 

@@ -22,13 +22,15 @@ static int32_t contact_is_let_through(const cn_world *world, const cni_contact *
 }
 
 /* How deep the two shapes overlap now; 0 when they do not. */
-static float overlap_of(const cn_world *world, const cni_contact *contact)
+static float overlap_of(const cn_world *world, int32_t contact)
 {
-	cni_contact c = *contact; /* colliding leaves hints in the contact */
+	cni_touch_pair pair = cni_touch_pair_of(world, cni_contact_at(world, contact), contact);
+	cni_contact c = *pair.contact; /* colliding leaves hints in the contact */
 	cni_touch touch;
 	float deepest = 0.0f;
 	int32_t k;
-	if (contact_is_let_through(world, contact) || !cni_touch_begin(world, &c, 0.0f, &touch))
+	pair.contact = &c;
+	if (contact_is_let_through(world, &c) || !cni_touch_begin(world, &pair, 0.0f, &touch))
 		return 0.0f;
 	cni_touch_collide(&touch);
 	for (k = 0; k < touch.manifold.count; ++k)
@@ -66,7 +68,7 @@ static void body_add(const cn_world *world, int32_t body, cn_island_report *out)
 		if (!(c->flags & CNI_CONTACT_TOUCHING) || ((key & 1) && side_is_dynamic(world, c->body[0])))
 			continue;
 		++out->contacts;
-		out->residual_m = cni_max(out->residual_m, overlap_of(world, c));
+		out->residual_m = cni_max(out->residual_m, overlap_of(world, key >> 1));
 	}
 	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
 		const cni_joint *j = cni_joint_at(world, key >> 1);

@@ -33,7 +33,7 @@ int32_t cni_query_target_of(const cn_world *world, int32_t proxy, const cn_query
 {
 	const cni_proxy *p = cni_proxy_at(world, proxy);
 	out->index = p->shape;
-	out->child = p->child;
+	out->child = cni_proxy_child(p);
 	out->shape = cni_shape_at(world, p->shape);
 	if (!cni_query_sees(out->shape, filter))
 		return 0;

@@ -40,7 +40,7 @@ static void check_shapes_of(report *r, int32_t body)
 			expect(r, (proxy != CNI_NONE) == ((b->flags & CN_BODY_ENABLED) != 0), "shape is placed exactly when enabled, shape", shape);
 			if (proxy == CNI_NONE)
 				continue;
-			expect(r, cni_proxy_at(world, proxy)->shape == shape && cni_proxy_at(world, proxy)->child == child, "proxy of shape", shape);
+			expect(r, cni_proxy_at(world, proxy)->shape == shape && cni_proxy_child(cni_proxy_at(world, proxy)) == child && cni_proxy_at(world, proxy)->geometry == s->geometry, "proxy of shape", shape);
 			expect(r, ((cni_proxy_at(world, proxy)->flags & CNI_PROXY_STATIC) != 0) == (b->type == CN_BODY_STATIC), "static mark of proxy", proxy);
 		}
 	}
