@@ -147,7 +147,7 @@ static void t_sincos_of_little_is_exact(void)
 {
 	float x;
 	int wrong = 0, count = 0;
-	for (x = 2.6e-4f; x > 1e-44f; x *= x > 2.3e-4f ? 0.99999f : 0.97f, ++count) {
+	for (x = 2.6e-4f; x > 1e-38f; x *= x > 2.3e-4f ? 0.99999f : 0.97f, ++count) {
 		cni_rot q = cni_sincos(x), back = cni_sincos(-x);
 		wrong += q.s != (float)sin((double)x) || q.c != (float)cos((double)x) || back.s != -q.s || back.c != q.c;
 	}
