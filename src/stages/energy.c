@@ -134,21 +134,13 @@ static float row_work(const cn_world *world, const cni_joint_work *w, const cni_
 	                     row_speed(r, cni_v(a->vx, a->vy), a->w, cni_v(b->vx, b->vy), b->w));
 }
 
-/* Joints in lanes: springs and motors are torques on body b. */
-static void driven_by_lanes(const cn_world *world, island_sum *sums)
+/* The same of a joint in a lane: its spring and its motor are torques on body b. */
+static float lane_work(const cn_world *world, const cni_joint_work *w)
 {
-	const cni_motion *motions = cni_motions(world);
-	const cni_velocity_start *starts = cni_starts(world);
-	int32_t index, l;
-	for (index = 0; index < world->joint_blocks.count; ++index) {
-		const cni_joint_block *k = cni_joint_blocks(world) + index;
-		for (l = 0; l < CNI_LANES; ++l) {
-			int32_t a = k->ia[l], b = k->ib[l], island = cni_joint_island(world, a, b);
-			float torque = k->spring_j[l] + k->motor_j[l];
-			if (torque != 0.0f && island != CNI_NONE)
-				sums[island].before += cni_max(torque * ((starts[b].w - starts[a].w) + (motions[b].w - motions[a].w)), 0.0f);
-		}
-	}
+	const cni_joint_block *k = cni_joint_block_of(world, w);
+	int32_t l = w->lane % CNI_LANES;
+	float torque = k->spring_j[l] + k->motor_j[l];
+	return torque * ((cni_starts(world)[w->ib].w - cni_starts(world)[w->ia].w) + (cni_motions(world)[w->ib].w - cni_motions(world)[w->ia].w));
 }
 
 static void driven_by_joints(const cn_world *world, island_sum *sums)
@@ -165,6 +157,8 @@ static void driven_by_joints(const cn_world *world, island_sum *sums)
 		for (r = 0; r < w->row_count && island != CNI_NONE; ++r)
 			if ((w->flags & CNI_WORK_SPRINGY) || w->rows[r].kind == CNI_ROW_SPRING || w->rows[r].kind == CNI_ROW_DRIVE)
 				sums[island].before += cni_max(row_work(world, w, &w->rows[r]), 0.0f);
+		if (w->lane != CNI_NONE && island != CNI_NONE)
+			sums[island].before += cni_max(lane_work(world, w), 0.0f);
 	}
 }
 
@@ -235,7 +229,6 @@ void cni_energy_hold(cn_world *world)
 	memset(sums, 0, (size_t)bytes);
 	driven_by_contacts(world, sums);
 	driven_by_joints(world, sums);
-	driven_by_lanes(world, sums);
 	sums_find(world, sums);
 	if (factors_find(world, sums))
 		factors_apply(world, sums);

@@ -552,6 +552,15 @@ static void counts_forget(cni_sparse *s)
 	s->node_count = s->block_count = s->coupling_count = s->component_count = s->body_count = 0;
 }
 
+/* Kinds are found with the plan, and kept with it. */
+static void kinds_keep(cni_sparse *s, const cni_motion *motions, kept_plan *kept)
+{
+	int32_t k;
+	cni_kinds_find(s, motions);
+	for (k = 0; k < s->component_count; ++k)
+		kept->components[k].kind = s->components[k].kind;
+}
+
 int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *system, cni_sparse *out, uint8_t *out_planned)
 {
 	cni_planner p;
@@ -573,8 +582,11 @@ int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *sys
 		there = kept_fits(&p, &plan);
 	}
 	memset(out_planned, 0, (uint32_t)system->link_count);
-	if ((there || plan_make(&p, kept, &plan)) && plan_take(&p, &plan))
+	if ((there || plan_make(&p, kept, &plan)) && plan_take(&p, &plan)) {
+		if (!there)
+			kinds_keep(out, system->motions, &plan);
 		return 1;
+	}
 	arena_pop_to(arena, out->arena_entries);
 	memset(out_planned, 0, (uint32_t)system->link_count);
 	counts_forget(out);
