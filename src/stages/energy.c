@@ -8,6 +8,8 @@
  * scaled down until the sum is what it was, so momentum stays. Only islands that touch what does not move can have too
  * much in the first part (but for rounding): then all of it is scaled, and what does not move takes the difference.
  *
+ * Few islands are ever suspect: their energy alone has grown, whoever gave it. The others are not looked at any further.
+ *
  * Springs and motors may give energy: each row j (J v0 + J v1) / 2, which is exact whatever else acts. Islands with
  * conveyors or kinematic bodies are left alone. Runs only in substeps in which some velocity jumped (stages/shock.c),
  * which is when solves fail.
@@ -19,8 +21,9 @@
 
 #include <string.h>
 
-/* Energies that agree this well are equal. */
+/* Energies that agree this well are equal; without springs and motors, which only ask for more, one is looked at from here on. */
 #define ENERGY_ROUNDING 1.001f
+#define ENERGY_SUSPECT 1.0005f
 
 typedef struct island_sum {
 	float mass, x, y;         /* total, centre (first the moment) */
@@ -29,6 +32,7 @@ typedef struct island_sum {
 	float keep_rest, keep_rigid; /* factors; both 1: nothing is wrong */
 	int32_t driven;
 	int32_t grounded;         /* touches or hangs on what does not move: only then may its momentum change */
+	int32_t suspect;
 } island_sum;
 
 static int32_t moves(const cni_motion *m)
@@ -47,7 +51,39 @@ static float inertia_of(const cni_motion *m)
 	return m->inv_inertia > 0.0f ? 1.0f / m->inv_inertia : 0.0f;
 }
 
-/* The sums of every island: by its index, with those of bodies without one left out. */
+/* The sum of a body's island; NULL: it has none, or one that is not suspect. */
+static island_sum *suspect_of(const cn_world *world, island_sum *sums, int32_t k)
+{
+	int32_t island = cni_awake_island(world, k);
+	return island != CNI_NONE && sums[island].suspect ? &sums[island] : NULL;
+}
+
+/* Returns how many there are. */
+static int32_t suspects_find(const cn_world *world, island_sum *sums)
+{
+	const cni_motion *motions = cni_motions(world);
+	const cni_velocity_start *starts = cni_starts(world);
+	int32_t k, count = 0;
+	for (k = 1; k < world->awake_count; ++k) {
+		const cni_motion *m = &motions[k];
+		const cni_velocity_start *v = &starts[k];
+		int32_t island = cni_awake_island(world, k);
+		float mass, inertia = inertia_of(m);
+		if (island == CNI_NONE || !moves(m))
+			continue;
+		mass = 1.0f / m->inv_mass;
+		sums[island].before += mass * (v->vx * v->vx + v->vy * v->vy) + inertia * v->w * v->w;
+		sums[island].after += mass * (m->vx * m->vx + m->vy * m->vy) + inertia * m->w * m->w;
+	}
+	for (k = 0; k < world->island_used; ++k) {
+		sums[k].suspect = !(sums[k].after <= ENERGY_SUSPECT * sums[k].before);
+		sums[k].before = sums[k].after = 0.0f;
+		count += sums[k].suspect;
+	}
+	return count;
+}
+
+/* The sums of every suspect island, by its index. */
 static void sums_find(const cn_world *world, island_sum *sums)
 {
 	const cni_motion *motions = cni_motions(world);
@@ -57,14 +93,13 @@ static void sums_find(const cn_world *world, island_sum *sums)
 		for (k = 1; k < world->awake_count; ++k) {
 			const cni_motion *m = &motions[k];
 			const cni_velocity_start *v = &starts[k];
-			int32_t island = cni_awake_island(world, k);
-			float mass, inertia = inertia_of(m);
-			island_sum *sum;
+			island_sum *sum = suspect_of(world, sums, k);
+			float mass, inertia;
 			cni_vec2 c;
-			if (island == CNI_NONE || !moves(m))
+			if (sum == NULL || !moves(m))
 				continue;
-			sum = &sums[island];
 			mass = 1.0f / m->inv_mass;
+			inertia = inertia_of(m);
 			c = center_of(world, k);
 			if (pass == 0) {
 				sum->mass += mass;
@@ -152,12 +187,13 @@ static void driven_by_joints(const cn_world *world, island_sum *sums)
 		int32_t island = cni_joint_island(world, w->ia, w->ib);
 		if ((w->ia != 0 && motions[w->ia].inv_mass == 0.0f) || (w->ib != 0 && motions[w->ib].inv_mass == 0.0f))
 			mark_driven(world, sums, w->ia, w->ib);
-		if (island != CNI_NONE)
-			sums[island].grounded |= w->ia == 0 || w->ib == 0;
-		for (r = 0; r < w->row_count && island != CNI_NONE; ++r)
+		if (island == CNI_NONE || !sums[island].suspect)
+			continue;
+		sums[island].grounded |= w->ia == 0 || w->ib == 0;
+		for (r = 0; r < w->row_count; ++r)
 			if ((w->flags & CNI_WORK_SPRINGY) || w->rows[r].kind == CNI_ROW_SPRING || w->rows[r].kind == CNI_ROW_DRIVE)
 				sums[island].before += cni_max(row_work(world, w, &w->rows[r]), 0.0f);
-		if (w->lane != CNI_NONE && island != CNI_NONE)
+		if (w->lane != CNI_NONE)
 			sums[island].before += cni_max(lane_work(world, w), 0.0f);
 	}
 }
@@ -170,7 +206,7 @@ static int32_t factors_find(const cn_world *world, island_sum *sums)
 		island_sum *s = &sums[k];
 		float rigid, rest;
 		s->keep_rest = s->keep_rigid = 1.0f;
-		if (s->mass == 0.0f || s->driven || s->after <= ENERGY_ROUNDING * s->before)
+		if (!s->suspect || s->mass == 0.0f || s->driven || s->after <= ENERGY_ROUNDING * s->before)
 			continue;
 		rigid = (s->px * s->px + s->py * s->py) / s->mass + (s->inertia > 0.0f ? s->spin * s->spin / s->inertia : 0.0f);
 		rest = s->after - rigid;
@@ -227,10 +263,12 @@ void cni_energy_hold(cn_world *world)
 	if (sums == NULL)
 		return; /* no memory to look: the step goes on as it is */
 	memset(sums, 0, (size_t)bytes);
-	driven_by_contacts(world, sums);
-	driven_by_joints(world, sums);
-	sums_find(world, sums);
-	if (factors_find(world, sums))
-		factors_apply(world, sums);
+	if (suspects_find(world, sums) > 0) {
+		driven_by_contacts(world, sums);
+		driven_by_joints(world, sums);
+		sums_find(world, sums);
+		if (factors_find(world, sums))
+			factors_apply(world, sums);
+	}
 	cni_arena_pop(&world->arena, sums);
 }
