@@ -5,7 +5,7 @@
  * (work flag CNI_WORK_WIDE) leave the rows of stages/joint_solve.c for the lanes drawn in stages/joint_pass.h. What
  * does not change within the step is written into the lane once; kernels do the rest.
  *
- * Greedy colouring in the order of the awake list: a joint takes the lowest colour that neither of its bodies uses. The
+ * Greedy colouring, what is solved directly first, then in the order of the awake list: a joint takes the lowest colour that neither of its bodies uses. The
  * colours of a body are bits of its drive's flags, which every step writes anew.
  *
  * Reads works, records, motion, drive; writes blocks, colours, the list of works that are solved by rows, and after the
@@ -252,14 +252,30 @@ void cni_joint_blocks_empty(cn_world *world)
 	}
 }
 
+/* Directly solved components take their lanes first and in the order of their nodes: so colours, and with them the order
+   of passes, are the same in all that are alike, and in herds. */
+static void components_gather(cn_world *world, const cni_solve *s, cni_lane_spring *spring)
+{
+	int32_t k;
+	for (k = 0; s->direct != NULL && k < s->direct->node_count; ++k) {
+		int32_t owner = s->direct->nodes[k].owner;
+		cni_joint_work *w = cni_joint_works(world) + owner;
+		if (owner < 0 || (w->flags & (CNI_WORK_WIDE | CNI_WORK_DIRECT | CNI_WORK_SWUNG | CNI_WORK_HERD)) != (CNI_WORK_WIDE | CNI_WORK_DIRECT))
+			continue;
+		if (!lane_take(world, s, spring, owner))
+			work_narrow(world, s, owner);
+	}
+}
+
 void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 {
 	cni_lane_spring spring = { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } };
 	int32_t k, *plain = &world->joint_plain_first;
 	pressed_works_leave(world, s);
+	components_gather(world, s, &spring);
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		cni_joint_work *w = cni_joint_works(world) + k;
-		if (w->flags & (CNI_WORK_SWUNG | CNI_WORK_HERD))
+		if ((w->flags & CNI_WORK_SWUNG) || w->lane != CNI_NONE)
 			continue;
 		if ((w->flags & CNI_WORK_WIDE) && lane_take(world, s, &spring, k))
 			continue;

@@ -1,5 +1,11 @@
 /*
- * stages/sparse_kind.c - which components are alike, so that what is true of one's lists is true of the others'.
+ * stages/sparse_kind.c - which components are alike, so that what is true of one's lists is true of the others'; and an
+ * order of small trees that does not depend on what their nodes are called.
+ *
+ * Joints come and go, and the places of the awake list with them: two ragdolls have their joints there in different orders. So
+ * a tree is hung up by the body with most nodes, branches are told apart by what hangs from them (a sum over
+ * children of mixed sums, as of Zobrist, 1970), and nodes are taken from the tips to that body. Branches that are the same
+ * may change places. Rows of pins keep the order they have: that from one end is as good for all.
  *
  * Two trees are of one kind when their nodes, in the order of elimination, meet at bodies of the same places, and take
  * the same colours: then couplings, columns and blocks are the same from the component's begin on. Bodies are numbered
@@ -11,9 +17,106 @@
  * Reads nodes, bodies and inverse masses; writes components' kinds.
  */
 #include "base/bitset.h"
-#include "stages/sparse.h"
+#include "stages/sparse_planner.h"
 
 #include <string.h>
+
+/* ---- order ---- */
+
+/* A tree of bodies, hung up by one: each with the node by which it hangs, breadth first. */
+typedef struct hanging {
+	int32_t count;
+	int32_t body[CNI_KIND_NODES + 1];     /* 0: what cannot move */
+	int32_t node[CNI_KIND_NODES + 1];
+	int32_t side[CNI_KIND_NODES + 1];     /* of the node, which is above */
+	int32_t above[CNI_KIND_NODES + 1];
+	int32_t first[CNI_KIND_NODES + 2];    /* of those that hang from it */
+	uint32_t sum[CNI_KIND_NODES + 1];     /* over all that hangs from it */
+} hanging;
+
+static uint32_t mixed(uint32_t x)
+{
+	x = (x ^ x >> 16) * 0x7feb352du;
+	x = (x ^ x >> 15) * 0x846ca68bu;
+	return x ^ x >> 16;
+}
+
+static void hang(const cni_planner *p, int32_t root, hanging *t)
+{
+	int32_t k, key;
+	t->count = 1;
+	t->body[0] = root;
+	t->node[0] = t->above[0] = CNI_NONE;
+	t->side[0] = 0;
+	for (k = 0; k < t->count; ++k) {
+		t->first[k] = t->count;
+		t->sum[k] = t->body[k] == 0 ? 1u : 2u;
+		for (key = t->body[k] == 0 ? CNI_NONE : p->body_head[t->body[k]]; key != CNI_NONE; key = cni_planner_next(p, key)) {
+			int32_t at = t->count;
+			if (key >> 1 == t->node[k])
+				continue;
+			t->body[at] = cni_planner_body(p, key >> 1, 1 - (key & 1));
+			t->node[at] = key >> 1;
+			t->side[at] = key & 1;
+			t->above[at] = k;
+			++t->count;
+		}
+	}
+	t->first[t->count] = t->count;
+	for (k = t->count - 1; k >= 0; --k) {
+		t->sum[k] = mixed(t->sum[k] + (uint32_t)t->side[k]);
+		if (k > 0)
+			t->sum[t->above[k]] += mixed(t->sum[k]);
+	}
+}
+
+static int32_t nodes_at(const cni_planner *p, int32_t body)
+{
+	int32_t key, count = 0;
+	for (key = p->body_head[body]; key != CNI_NONE; key = cni_planner_next(p, key))
+		++count;
+	return count;
+}
+
+/* By the body with most nodes; of several, by that of the least sum. */
+static void hang_best(const cni_planner *p, hanging *out)
+{
+	hanging t;
+	int32_t k, side;
+	out->count = 0;
+	for (k = 0; k < p->member_count; ++k)
+		for (side = 0; side < 2; ++side) {
+			int32_t body = cni_planner_body(p, p->member[k], side);
+			if (body == 0 || nodes_at(p, body) < p->hub || (out->count > 0 && out->body[0] == body))
+				continue;
+			hang(p, body, &t);
+			if (out->count == 0 || t.sum[0] < out->sum[0])
+				*out = t;
+		}
+}
+
+void cni_planner_order_tree(cni_planner *p)
+{
+	hanging t;
+	int32_t queue[CNI_KIND_NODES + 1], count = 1, at, k, base = p->out->node_count;
+	hang_best(p, &t);
+	queue[0] = 0;
+	for (at = 0; at < count; ++at) {
+		int32_t begin = count, v = queue[at];
+		for (k = t.first[v]; k < t.first[v + 1]; ++k) {
+			int32_t to = count++;
+			for (; to > begin && t.sum[queue[to - 1]] > t.sum[k]; --to)
+				queue[to] = queue[to - 1];
+			queue[to] = k;
+		}
+	}
+	for (k = 1; k < count; ++k) {
+		p->order[base + p->member_count - k] = t.node[queue[k]];
+		p->position[t.node[queue[k]]] = base + p->member_count - k;
+	}
+}
+
+/* ---- kinds ---- */
 
 static int32_t can_move(const cni_motion *m)
 {
@@ -42,33 +145,22 @@ static uint8_t place_of(const cni_sparse *s, const cni_component *c, const cni_m
 	return (uint8_t)(k - c->body_begin);
 }
 
-/* The node whose owner comes next after `owner`. */
-static int32_t next_of(const cni_sparse *s, const cni_component *c, int32_t owner)
-{
-	int32_t k, next = CNI_NONE;
-	for (k = c->begin; k < c->end; ++k)
-		if (s->nodes[k].owner > owner && (next == CNI_NONE || s->nodes[k].owner < s->nodes[next].owner))
-			next = k;
-	return next;
-}
-
-/* As lanes do: the lowest colour that is open, in the order of the awake list. */
-static int32_t colors_take(const cni_sparse *s, const cni_component *c, cni_kind *kind)
+/* As lanes do: the lowest colour that is open. */
+static int32_t colors_take(cni_kind *kind)
 {
 	uint32_t used[CNI_KIND_NODES + 2] = { 0 };
-	int32_t k, node = next_of(s, c, CNI_NONE);
-	for (; node != CNI_NONE; node = next_of(s, c, s->nodes[node].owner)) {
-		uint32_t open, bit;
-		const uint8_t *end = kind->end[node - c->begin];
+	int32_t k, color;
+	for (k = 0; k < kind->nodes; ++k) {
+		uint32_t open;
+		const uint8_t *end = kind->end[k];
 		used[kind->bodies] = 0; /* what cannot move is in the way of nobody */
 		open = ~(used[end[0]] | used[end[1]]) & ((1u << CNI_JOINT_COLORS) - 1u);
 		if (open == 0)
 			return 0;
-		k = cni_bit_lowest32(open);
-		bit = 1u << k;
-		used[end[0]] |= bit;
-		used[end[1]] |= bit;
-		kind->color[node - c->begin] = (uint8_t)k;
+		color = cni_bit_lowest32(open);
+		used[end[0]] |= 1u << color;
+		used[end[1]] |= 1u << color;
+		kind->color[k] = (uint8_t)color;
 	}
 	return 1;
 }
@@ -85,7 +177,7 @@ int32_t cni_kind_describe(const cni_sparse *s, const cni_component *c, const cni
 		out->end[k][0] = place_of(s, c, motions, s->nodes[c->begin + k].ia);
 		out->end[k][1] = place_of(s, c, motions, s->nodes[c->begin + k].ib);
 	}
-	return colors_take(s, c, out);
+	return colors_take(out);
 }
 
 typedef struct known {

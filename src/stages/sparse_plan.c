@@ -3,7 +3,7 @@
  *
  * One component at a time, breadth first from its first node. A tree needs no search: its nodes are eliminated in the
  * opposite order, in which what is left at a node's body is a clique already, so that nothing fills in (a chain as well
- * from its first node on). Others are ordered by stages/sparse_order.c. When all orders are known so are all sizes, and the
+ * from its first node on; a small one with branches as in stages/sparse_kind.c). Others are ordered by stages/sparse_order.c. When all orders are known so are all sizes, and the
  * plan is written.
  *
  * A plan depends on the links, on which bodies can move and on the budget, and on nothing else. It is kept with these;
@@ -255,6 +255,10 @@ static int32_t tree_order(cni_planner *p, int64_t most)
 	if (p->tree_work > most)
 		return 0;
 	p->work = (int32_t)p->tree_work;
+	if (p->hub > 2 && p->member_count <= CNI_KIND_NODES) {
+		cni_planner_order_tree(p);
+		return 1;
+	}
 	for (k = 0; k < p->member_count; ++k) {
 		int32_t node = p->member[forward ? k : p->member_count - 1 - k];
 		p->order[base + k] = node;
