@@ -8,11 +8,9 @@
  * scaled down until the sum is what it was, so momentum stays. Only islands that touch what does not move can have too
  * much in the first part (but for rounding): then all of it is scaled, and what does not move takes the difference.
  *
- * Few islands are ever suspect: their energy alone has grown, whoever gave it. The others are not looked at any further.
- *
  * Springs and motors may give energy: each row j (J v0 + J v1) / 2, which is exact whatever else acts. Islands with
- * conveyors or kinematic bodies are left alone. Runs only in substeps in which some velocity jumped (stages/shock.c),
- * which is when solves fail.
+ * conveyors or kinematic bodies are left alone. Only islands in which a velocity jumped in this substep (stages/shock.c) are
+ * looked at, for that is when solves fail; and of these closely only those whose energy has grown, whoever gave it.
  *
  * Reads start (velocities before the impulses of the substep) and motion; writes both by the same change, so that
  * the response between them stays.
@@ -21,9 +19,8 @@
 
 #include <string.h>
 
-/* Energies that agree this well are equal; without springs and motors, which only ask for more, one is looked at from here on. */
+/* Energies that agree this well are equal. */
 #define ENERGY_ROUNDING 1.001f
-#define ENERGY_SUSPECT 1.0005f
 
 typedef struct island_sum {
 	float mass, x, y;         /* total, centre (first the moment) */
@@ -32,7 +29,7 @@ typedef struct island_sum {
 	float keep_rest, keep_rigid; /* factors; both 1: nothing is wrong */
 	int32_t driven;
 	int32_t grounded;         /* touches or hangs on what does not move: only then may its momentum change */
-	int32_t suspect;
+	int32_t looked_at, suspect;
 } island_sum;
 
 static int32_t moves(const cni_motion *m)
@@ -51,52 +48,47 @@ static float inertia_of(const cni_motion *m)
 	return m->inv_inertia > 0.0f ? 1.0f / m->inv_inertia : 0.0f;
 }
 
-/* The sum of a body's island; NULL: it has none, or one that is not suspect. */
-static island_sum *suspect_of(const cn_world *world, island_sum *sums, int32_t k)
+/* Twice the kinetic energy of an island alone. */
+static void energies_add(const cn_world *world, int32_t island, island_sum *sum)
 {
-	int32_t island = cni_awake_island(world, k);
-	return island != CNI_NONE && sums[island].suspect ? &sums[island] : NULL;
+	int32_t body;
+	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+		int32_t k = cni_body_at(world, body)->awake;
+		const cni_motion *m = cni_motions(world) + k;
+		const cni_velocity_start *v = cni_starts(world) + k;
+		float mass = moves(m) ? 1.0f / m->inv_mass : 0.0f, inertia = moves(m) ? inertia_of(m) : 0.0f;
+		sum->before += mass * (v->vx * v->vx + v->vy * v->vy) + inertia * v->w * v->w;
+		sum->after += mass * (m->vx * m->vx + m->vy * m->vy) + inertia * m->w * m->w;
+	}
 }
 
-/* Returns how many there are. */
+/* Of islands in which a velocity jumped. Returns how many there are. */
 static int32_t suspects_find(const cn_world *world, island_sum *sums)
 {
-	const cni_motion *motions = cni_motions(world);
-	const cni_velocity_start *starts = cni_starts(world);
 	int32_t k, count = 0;
 	for (k = 1; k < world->awake_count; ++k) {
-		const cni_motion *m = &motions[k];
-		const cni_velocity_start *v = &starts[k];
-		int32_t island = cni_awake_island(world, k);
-		float mass, inertia = inertia_of(m);
-		if (island == CNI_NONE || !moves(m))
+		int32_t island = cni_starts(world)[k].struck == CNI_SHOCKED ? cni_awake_island(world, k) : CNI_NONE;
+		if (island == CNI_NONE || sums[island].looked_at)
 			continue;
-		mass = 1.0f / m->inv_mass;
-		sums[island].before += mass * (v->vx * v->vx + v->vy * v->vy) + inertia * v->w * v->w;
-		sums[island].after += mass * (m->vx * m->vx + m->vy * m->vy) + inertia * m->w * m->w;
-	}
-	for (k = 0; k < world->island_used; ++k) {
-		sums[k].suspect = !(sums[k].after <= ENERGY_SUSPECT * sums[k].before);
-		sums[k].before = sums[k].after = 0.0f;
-		count += sums[k].suspect;
+		sums[island].looked_at = 1;
+		energies_add(world, island, &sums[island]);
+		sums[island].suspect = !(sums[island].after <= ENERGY_ROUNDING * sums[island].before);
+		count += sums[island].suspect;
 	}
 	return count;
 }
 
-/* The sums of every suspect island, by its index. */
-static void sums_find(const cn_world *world, island_sum *sums)
+/* What else is to be known of a suspect island. */
+static void sum_find(const cn_world *world, int32_t island, island_sum *sum)
 {
-	const cni_motion *motions = cni_motions(world);
-	const cni_velocity_start *starts = cni_starts(world);
-	int32_t k, pass;
+	int32_t body, pass, first = cni_island_at(world, island)->first;
 	for (pass = 0; pass < 2; ++pass) {
-		for (k = 1; k < world->awake_count; ++k) {
-			const cni_motion *m = &motions[k];
-			const cni_velocity_start *v = &starts[k];
-			island_sum *sum = suspect_of(world, sums, k);
+		for (body = first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+			int32_t k = cni_body_at(world, body)->awake;
+			const cni_motion *m = cni_motions(world) + k;
 			float mass, inertia;
 			cni_vec2 c;
-			if (sum == NULL || !moves(m))
+			if (!moves(m))
 				continue;
 			mass = 1.0f / m->inv_mass;
 			inertia = inertia_of(m);
@@ -107,19 +99,16 @@ static void sums_find(const cn_world *world, island_sum *sums)
 				sum->y += mass * c.y;
 				sum->px += mass * m->vx;
 				sum->py += mass * m->vy;
-				sum->before += mass * (v->vx * v->vx + v->vy * v->vy) + inertia * v->w * v->w;
-				sum->after += mass * (m->vx * m->vx + m->vy * m->vy) + inertia * m->w * m->w;
 				continue;
 			}
 			c = cni_v(c.x - sum->x, c.y - sum->y);
 			sum->spin += mass * (c.x * m->vy - c.y * m->vx) + inertia * m->w;
 			sum->inertia += mass * (c.x * c.x + c.y * c.y) + inertia;
 		}
-		for (k = 0; k < world->island_used && pass == 0; ++k)
-			if (sums[k].mass > 0.0f) {
-				sums[k].x /= sums[k].mass;
-				sums[k].y /= sums[k].mass;
-			}
+		if (pass == 0 && sum->mass > 0.0f) {
+			sum->x /= sum->mass;
+			sum->y /= sum->mass;
+		}
 	}
 }
 
@@ -198,47 +187,37 @@ static void driven_by_joints(const cn_world *world, island_sum *sums)
 	}
 }
 
-/* What of each part stays. Returns 1 when some island has too much. */
-static int32_t factors_find(const cn_world *world, island_sum *sums)
+/* What of each part stays. Returns 1 when there is too much. */
+static int32_t factors_find(island_sum *s)
 {
-	int32_t k, found = 0;
-	for (k = 0; k < world->island_used; ++k) {
-		island_sum *s = &sums[k];
-		float rigid, rest;
-		s->keep_rest = s->keep_rigid = 1.0f;
-		if (!s->suspect || s->mass == 0.0f || s->driven || s->after <= ENERGY_ROUNDING * s->before)
-			continue;
-		rigid = (s->px * s->px + s->py * s->py) / s->mass + (s->inertia > 0.0f ? s->spin * s->spin / s->inertia : 0.0f);
-		rest = s->after - rigid;
-		if (rigid <= s->before && rest > 0.0f) {
-			s->keep_rest = cni_sqrt((s->before - rigid) / rest);
-		} else {
-			s->keep_rest = 0.0f;
-			s->keep_rigid = s->grounded && rigid > s->before ? cni_sqrt(s->before / rigid) : 1.0f;
-		}
-		found = 1;
+	float rigid, rest;
+	s->keep_rest = s->keep_rigid = 1.0f;
+	if (s->mass == 0.0f || s->driven || s->after <= ENERGY_ROUNDING * s->before)
+		return 0;
+	rigid = (s->px * s->px + s->py * s->py) / s->mass + (s->inertia > 0.0f ? s->spin * s->spin / s->inertia : 0.0f);
+	rest = s->after - rigid;
+	if (rigid <= s->before && rest > 0.0f) {
+		s->keep_rest = cni_sqrt((s->before - rigid) / rest);
+	} else {
+		s->keep_rest = 0.0f;
+		s->keep_rigid = s->grounded && rigid > s->before ? cni_sqrt(s->before / rigid) : 1.0f;
 	}
-	return found;
+	return 1;
 }
 
-static void factors_apply(cn_world *world, const island_sum *sums)
+static void factors_apply(cn_world *world, int32_t island, const island_sum *s)
 {
-	cni_motion *motions = cni_motions(world);
-	cni_velocity_start *starts = cni_starts(world);
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
-		cni_motion *m = &motions[k];
-		int32_t island = cni_awake_island(world, k);
-		const island_sum *s;
-		float w, vx, vy, dvx, dvy, dw;
+	float w = s->inertia > 0.0f ? s->spin / s->inertia : 0.0f;
+	int32_t body;
+	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+		int32_t k = cni_body_at(world, body)->awake;
+		cni_motion *m = cni_motions(world) + k;
+		cni_velocity_start *start = cni_starts(world) + k;
+		float vx, vy, dvx, dvy, dw;
 		cni_vec2 c;
-		if (island == CNI_NONE || !moves(m))
-			continue;
-		s = &sums[island];
-		if (s->keep_rest == 1.0f && s->keep_rigid == 1.0f)
+		if (!moves(m))
 			continue;
 		c = center_of(world, k);
-		w = s->inertia > 0.0f ? s->spin / s->inertia : 0.0f;
 		vx = s->px / s->mass - w * (c.y - s->y);
 		vy = s->py / s->mass + w * (c.x - s->x);
 		dvx = s->keep_rigid * vx + s->keep_rest * (m->vx - vx) - m->vx;
@@ -247,9 +226,9 @@ static void factors_apply(cn_world *world, const island_sum *sums)
 		m->vx += dvx;
 		m->vy += dvy;
 		m->w += dw;
-		starts[k].vx += dvx;
-		starts[k].vy += dvy;
-		starts[k].w += dw;
+		start->vx += dvx;
+		start->vy += dvy;
+		start->w += dw;
 	}
 }
 
@@ -257,6 +236,7 @@ void cni_energy_hold(cn_world *world)
 {
 	uint64_t bytes = sizeof(island_sum) * (uint64_t)world->island_used;
 	island_sum *sums;
+	int32_t k;
 	if (world->island_used == 0)
 		return;
 	sums = (island_sum *)cni_arena_push(&world->arena, bytes);
@@ -266,9 +246,13 @@ void cni_energy_hold(cn_world *world)
 	if (suspects_find(world, sums) > 0) {
 		driven_by_contacts(world, sums);
 		driven_by_joints(world, sums);
-		sums_find(world, sums);
-		if (factors_find(world, sums))
-			factors_apply(world, sums);
+		for (k = 0; k < world->island_used; ++k) {
+			if (!sums[k].suspect)
+				continue;
+			sum_find(world, k, &sums[k]);
+			if (factors_find(&sums[k]))
+				factors_apply(world, k, &sums[k]);
+		}
 	}
 	cni_arena_pop(&world->arena, sums);
 }

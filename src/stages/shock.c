@@ -40,7 +40,7 @@ static void mark_range(void *context, int32_t begin, int32_t end, int32_t worker
 		float ax = s->h * drives[k].ax, ay = s->h * drives[k].ay;
 		if (!(drives[k].flags & CNI_DRIVE_TOUCHED) || dx * dx + dy * dy <= most_sq + 64.0f * (ax * ax + ay * ay))
 			continue;
-		starts[k].struck = 2.0f;
+		starts[k].struck = CNI_SHOCKED;
 		++shocks;
 	}
 	if (shocks > 0)
@@ -72,7 +72,7 @@ static void lane_forget(cn_world *world, cni_contact_block *k, int32_t l, int32_
 
 static int32_t shocked(const cn_world *world, int32_t a, int32_t b)
 {
-	return cni_starts(world)[a].struck == 2.0f || cni_starts(world)[b].struck == 2.0f;
+	return cni_starts(world)[a].struck == CNI_SHOCKED || cni_starts(world)[b].struck == CNI_SHOCKED;
 }
 
 static void forget_range(void *context, int32_t begin, int32_t end, int32_t worker)
