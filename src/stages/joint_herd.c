@@ -7,8 +7,7 @@
  * stages/joint_direct.c and its lanes lie among others' in stages/joint_blocks.c.
  *
  * A herd takes all of a tree's joints, which are wide works in two rows: no dampers, no loops, no contacts in the system, and
- * not the whole step at once. Those of a kind that are left when herds are full make one more if the array of blocks has
- * room for it.
+ * not the whole step at once. Those of a kind that are left when herds are full make one more.
  *
  * Reads works, records, motion, the plan; writes herds, blocks of lanes, works' flags.
  */
@@ -90,16 +89,23 @@ static void waiting_count(maker *m)
 		}
 }
 
+/* Is there room for so many blocks? A world in a caller's block has what all its joints would take in lanes. */
+static int32_t blocks_fit(cn_world *world, int32_t blocks)
+{
+	if (world->memory.fixed)
+		return blocks <= cni_joint_blocks_for(world->awake_joints.count);
+	return cni_array_reserve(&world->joint_blocks, &world->memory, blocks);
+}
+
 /* How many herds a kind makes. What does not fill one makes another if it is worth it, and if its blocks leave room for the
    joints that are in none. */
 static int32_t herds_count(maker *m, int32_t kind, int32_t *blocks, int32_t *joints)
 {
 	int32_t nodes = nodes_of(&m->sparse->components[m->example[kind]]);
 	int32_t full = m->waiting[kind] / CNI_LANES, rest = m->waiting[kind] % CNI_LANES;
-	int32_t most = cni_joint_blocks_for(m->world->awake_joints.count);
 	*blocks += full * nodes;
 	*joints -= full * nodes * CNI_LANES;
-	if (rest < LANES_LEAST || *blocks + nodes + cni_joint_blocks_for(*joints - rest * nodes) > most) {
+	if (rest < LANES_LEAST || !blocks_fit(m->world, *blocks + nodes + cni_joint_blocks_for(*joints - rest * nodes))) {
 		m->waiting[kind] -= rest;
 		return full;
 	}

@@ -83,11 +83,11 @@ static void hang_best(const cni_planner *p, hanging *out)
 {
 	hanging t;
 	int32_t k, side;
-	out->count = 0;
+	out->count = out->body[0] = 0;
 	for (k = 0; k < p->member_count; ++k)
 		for (side = 0; side < 2; ++side) {
 			int32_t body = cni_planner_body(p, p->member[k], side);
-			if (body == 0 || nodes_at(p, body) < p->hub || (out->count > 0 && out->body[0] == body))
+			if (body == 0 || nodes_at(p, body) < p->hub || body == out->body[0])
 				continue;
 			hang(p, body, &t);
 			if (out->count == 0 || t.sum[0] < out->sum[0])
