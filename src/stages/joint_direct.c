@@ -371,6 +371,7 @@ void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component
 void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
 	cni_joint_works_complete(world, s, sparse, c);
+	cni_sparse_clear(sparse, c);
 	cni_direct_turns(world, sparse, c);
 	cni_tension_find(world, sparse, c, s->h);
 	if (cni_tension_needs_dampers(world, sparse, c, s->h))
@@ -470,7 +471,9 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		c->swings = !c->presses && cni_component_swings(world, s, out, c);
 		if (loop_is_better_soft(world, out, c) || is_better_alone(c) || tree_loosen(world, out, c))
 			joints_release(world, out, c);
-		else if (!c->swings && !(c->herds = cni_component_herds(world, s, out, c)))
+		else if (c->swings)
+			cni_sparse_clear(out, c);
+		else if (!(c->herds = cni_component_herds(world, s, out, c)))
 			cni_direct_begin(world, s, out, c);
 	}
 	cni_herds_make(world, s, out);

@@ -33,8 +33,8 @@ typedef struct cni_joint_work {
 	uint32_t flags;            /* CNI_WORK_* */
 	int32_t next_plain;        /* the next that is solved by rows */
 	int32_t lane;              /* block * CNI_LANES + lane, CNI_NONE: solved by rows alone */
+	cni_joint_frame start;     /* at the beginning of the step; what is in lanes needs nothing of what follows */
 	cni_row rows[CNI_JOINT_ROWS];
-	cni_joint_frame start;     /* at the beginning of the step */
 	float inverse[6];          /* of the first rows' K: 00 01 02 11 12 22 */
 	float load[CNI_JOINT_RIGID_ROWS]; /* the first rows give way around it; 0 but in nets: stages/joint_net.c */
 	float single_mass[CNI_JOINT_ROWS];

@@ -131,8 +131,10 @@ typedef struct cni_system {
    blocks. out_planned[i] says whether link i became a node. Bodies that cannot move do not connect.
    kept (NULL: nothing is) holds the plan of the call before, of items of CNI_KEPT_BYTES; where links, moving bodies and
    budget are those of that call it is used again, else replaced; out points into it. What was pushed to the arena stays there until
-   the end of the step. out is zero but for presses. 0: not enough memory, nothing planned. */
+   the end of the step. out is zero but for presses; nodes' numbers are not written. 0: not enough memory, nothing planned. */
 int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *system, cni_sparse *out, uint8_t *out_planned);
+/* The numbers of a component's nodes become zero: before it is used. */
+void cni_sparse_clear(cni_sparse *sparse, const cni_component *c);
 /* Takes a plan back: its memory must be the latest of the arena. */
 void cni_sparse_discard(cni_arena *arena, cni_sparse *sparse);
 /* Scratch, and what is kept, of planning `count` links whose work_most add up to this, at most. */

@@ -501,7 +501,6 @@ static int32_t plan_make(cni_planner *p, cni_array *array, kept_plan *kept)
 
 static void node_make(cni_node *n, const cni_link *link)
 {
-	memset(n, 0, sizeof *n);
 	n->ia = link->ia;
 	n->ib = link->ib;
 	n->owner = link->owner;
@@ -595,6 +594,21 @@ int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *sys
 	memset(out_planned, 0, (uint32_t)system->link_count);
 	counts_forget(out);
 	return 0;
+}
+
+void cni_sparse_clear(cni_sparse *s, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &s->nodes[k];
+		n->held = 0;
+		memset(n->lever, 0, sizeof n->lever);
+		memset(n->compliance, 0, sizeof n->compliance);
+		memset(n->least, 0, sizeof n->least);
+		memset(n->x, 0, sizeof n->x);
+		memset(n->carried, 0, sizeof n->carried);
+		memset(n->total, 0, sizeof n->total);
+	}
 }
 
 void cni_sparse_discard(cni_arena *arena, cni_sparse *sparse)
