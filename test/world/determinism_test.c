@@ -25,16 +25,16 @@ typedef struct golden {
 /* clang-format off */
 static const golden goldens[] = {
 	{ "falling_hinges", 480, 1, 0xa09542fa3dc43fb1 },
-	{ "small_200", 300, 1, 0xe6282c91bbd89c24 },
-	{ "small_50_sleep", 600, 1, 0xd5b51a59514eec41 },
+	{ "small_200", 300, 1, 0xc7bfb4c53cea5aa5 },
+	{ "small_50_sleep", 600, 1, 0x24603dc33e12a0d1 },
 	{ "dominoes", 400, 1, 0xadf03cf1271cc9ec },
-	{ "ragdolls", 480, 1, 0xce6ecc1508c48597 },
-	{ "bridge", 240, 1, 0x25b35b0f453be69d },
+	{ "ragdolls", 480, 1, 0xa6a5ec1115873dfe },
+	{ "bridge", 240, 1, 0xcfdd1410b6eb0b3e },
 	{ "car", 400, 1, 0x4194dfe91d1f4ede },
-	{ "mixer", 240, 1, 0xf61b30f0fdd07771 },
+	{ "mixer", 240, 1, 0x29c0d0839cfa408b },
 	{ "pyramid", 120, 0, 0xbb24e8518c196cd8 },
-	{ "rain", 150, 0, 0xcfddbe9076b7a34f },
-	{ "tumbler_1000", 300, 0, 0xc23a02bce215302b },
+	{ "rain", 150, 0, 0x77f20642a3cbe8b7 },
+	{ "tumbler_1000", 300, 0, 0x1d76cae0782d85b3 },
 };
 /* clang-format on */
 #define GOLDENS ((int32_t)(sizeof goldens / sizeof *goldens))
