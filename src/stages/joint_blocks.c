@@ -5,8 +5,8 @@
  * (work flag CNI_WORK_WIDE) leave the rows of stages/joint_solve.c for the lanes drawn in stages/joint_pass.h. What
  * does not change within the step is written into the lane once; kernels do the rest.
  *
- * Greedy colouring, what is solved directly first, then in the order of the awake list: a joint takes the lowest colour that neither of its bodies uses. The
- * colours of a body are bits of its drive's flags, which every step writes anew.
+ * Greedy colouring, first of what is solved directly, then in the order of the awake list: a joint takes the lowest colour
+ * that neither of its bodies uses. The colours of a body are bits of its drive's flags, which every step writes anew.
  *
  * Reads works, records, motion, drive; writes blocks, colours, the list of works that are solved by rows, and after the
  * substeps records' impulses and loads.
@@ -258,10 +258,10 @@ static void components_gather(cn_world *world, const cni_solve *s, cni_lane_spri
 {
 	int32_t k;
 	for (k = 0; s->direct != NULL && k < s->direct->node_count; ++k) {
+		const uint32_t which = CNI_WORK_WIDE | CNI_WORK_DIRECT | CNI_WORK_SWUNG | CNI_WORK_HERD;
 		int32_t owner = s->direct->nodes[k].owner;
-		cni_joint_work *w = cni_joint_works(world) + owner;
-		if (owner < 0 || (w->flags & (CNI_WORK_WIDE | CNI_WORK_DIRECT | CNI_WORK_SWUNG | CNI_WORK_HERD)) != (CNI_WORK_WIDE | CNI_WORK_DIRECT))
-			continue;
+		if (owner < 0 || (cni_joint_works(world)[owner].flags & which) != (CNI_WORK_WIDE | CNI_WORK_DIRECT))
+			continue; /* a contact, a row, or done with */
 		if (!lane_take(world, s, spring, owner))
 			work_narrow(world, s, owner);
 	}
