@@ -71,8 +71,9 @@ typedef struct cni_motion {
 
 typedef struct cni_velocity_start {
 	float vx, vy, w;
-	float struck; /* 1 when an impact changed the velocity in this substep */
+	float struck; /* 1 when an impact changed the velocity in this substep, CNI_SHOCKED when it jumped */
 } cni_velocity_start;
+#define CNI_SHOCKED 2.0f
 
 enum {
 	CNI_DRIVE_FREE = 1u << 0,    /* nothing touches it: integrated once, exactly, for the whole step */

@@ -9,8 +9,8 @@
  * much in the first part (but for rounding): then all of it is scaled, and what does not move takes the difference.
  *
  * Springs and motors may give energy: each row j (J v0 + J v1) / 2, which is exact whatever else acts. Islands with
- * conveyors or kinematic bodies are left alone. Runs only in substeps in which some velocity jumped (stages/shock.c),
- * which is when solves fail.
+ * conveyors or kinematic bodies are left alone. Only islands in which a velocity jumped in this substep (stages/shock.c) are
+ * looked at, for that is when solves fail; and of these closely only those whose energy has grown, whoever gave it.
  *
  * Reads start (velocities before the impulses of the substep) and motion; writes both by the same change, so that
  * the response between them stays.
@@ -29,6 +29,7 @@ typedef struct island_sum {
 	float keep_rest, keep_rigid; /* factors; both 1: nothing is wrong */
 	int32_t driven;
 	int32_t grounded;         /* touches or hangs on what does not move: only then may its momentum change */
+	int32_t looked_at, suspect;
 } island_sum;
 
 static int32_t moves(const cni_motion *m)
@@ -47,24 +48,50 @@ static float inertia_of(const cni_motion *m)
 	return m->inv_inertia > 0.0f ? 1.0f / m->inv_inertia : 0.0f;
 }
 
-/* The sums of every island: by its index, with those of bodies without one left out. */
-static void sums_find(const cn_world *world, island_sum *sums)
+/* Twice the kinetic energy of an island alone. */
+static void energies_add(const cn_world *world, int32_t island, island_sum *sum)
 {
-	const cni_motion *motions = cni_motions(world);
-	const cni_velocity_start *starts = cni_starts(world);
-	int32_t k, pass;
+	int32_t body;
+	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+		int32_t k = cni_body_at(world, body)->awake;
+		const cni_motion *m = cni_motions(world) + k;
+		const cni_velocity_start *v = cni_starts(world) + k;
+		float mass = moves(m) ? 1.0f / m->inv_mass : 0.0f, inertia = moves(m) ? inertia_of(m) : 0.0f;
+		sum->before += mass * (v->vx * v->vx + v->vy * v->vy) + inertia * v->w * v->w;
+		sum->after += mass * (m->vx * m->vx + m->vy * m->vy) + inertia * m->w * m->w;
+	}
+}
+
+/* Of islands in which a velocity jumped. Returns how many there are. */
+static int32_t suspects_find(const cn_world *world, island_sum *sums)
+{
+	int32_t k, count = 0;
+	for (k = 1; k < world->awake_count; ++k) {
+		int32_t island = cni_starts(world)[k].struck == CNI_SHOCKED ? cni_awake_island(world, k) : CNI_NONE;
+		if (island == CNI_NONE || sums[island].looked_at)
+			continue;
+		sums[island].looked_at = 1;
+		energies_add(world, island, &sums[island]);
+		sums[island].suspect = !(sums[island].after <= ENERGY_ROUNDING * sums[island].before);
+		count += sums[island].suspect;
+	}
+	return count;
+}
+
+/* What else is to be known of a suspect island. */
+static void sum_find(const cn_world *world, int32_t island, island_sum *sum)
+{
+	int32_t body, pass, first = cni_island_at(world, island)->first;
 	for (pass = 0; pass < 2; ++pass) {
-		for (k = 1; k < world->awake_count; ++k) {
-			const cni_motion *m = &motions[k];
-			const cni_velocity_start *v = &starts[k];
-			int32_t island = cni_awake_island(world, k);
-			float mass, inertia = inertia_of(m);
-			island_sum *sum;
+		for (body = first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+			int32_t k = cni_body_at(world, body)->awake;
+			const cni_motion *m = cni_motions(world) + k;
+			float mass, inertia;
 			cni_vec2 c;
-			if (island == CNI_NONE || !moves(m))
+			if (!moves(m))
 				continue;
-			sum = &sums[island];
 			mass = 1.0f / m->inv_mass;
+			inertia = inertia_of(m);
 			c = center_of(world, k);
 			if (pass == 0) {
 				sum->mass += mass;
@@ -72,19 +99,16 @@ static void sums_find(const cn_world *world, island_sum *sums)
 				sum->y += mass * c.y;
 				sum->px += mass * m->vx;
 				sum->py += mass * m->vy;
-				sum->before += mass * (v->vx * v->vx + v->vy * v->vy) + inertia * v->w * v->w;
-				sum->after += mass * (m->vx * m->vx + m->vy * m->vy) + inertia * m->w * m->w;
 				continue;
 			}
 			c = cni_v(c.x - sum->x, c.y - sum->y);
 			sum->spin += mass * (c.x * m->vy - c.y * m->vx) + inertia * m->w;
 			sum->inertia += mass * (c.x * c.x + c.y * c.y) + inertia;
 		}
-		for (k = 0; k < world->island_used && pass == 0; ++k)
-			if (sums[k].mass > 0.0f) {
-				sums[k].x /= sums[k].mass;
-				sums[k].y /= sums[k].mass;
-			}
+		if (pass == 0 && sum->mass > 0.0f) {
+			sum->x /= sum->mass;
+			sum->y /= sum->mass;
+		}
 	}
 }
 
@@ -134,21 +158,13 @@ static float row_work(const cn_world *world, const cni_joint_work *w, const cni_
 	                     row_speed(r, cni_v(a->vx, a->vy), a->w, cni_v(b->vx, b->vy), b->w));
 }
 
-/* Joints in lanes: springs and motors are torques on body b. */
-static void driven_by_lanes(const cn_world *world, island_sum *sums)
+/* The same of a joint in a lane: its spring and its motor are torques on body b. */
+static float lane_work(const cn_world *world, const cni_joint_work *w)
 {
-	const cni_motion *motions = cni_motions(world);
-	const cni_velocity_start *starts = cni_starts(world);
-	int32_t index, l;
-	for (index = 0; index < world->joint_blocks.count; ++index) {
-		const cni_joint_block *k = cni_joint_blocks(world) + index;
-		for (l = 0; l < CNI_LANES; ++l) {
-			int32_t a = k->ia[l], b = k->ib[l], island = cni_joint_island(world, a, b);
-			float torque = k->spring_j[l] + k->motor_j[l];
-			if (torque != 0.0f && island != CNI_NONE)
-				sums[island].before += cni_max(torque * ((starts[b].w - starts[a].w) + (motions[b].w - motions[a].w)), 0.0f);
-		}
-	}
+	const cni_joint_block *k = cni_joint_block_of(world, w);
+	int32_t l = w->lane % CNI_LANES;
+	float torque = k->spring_j[l] + k->motor_j[l];
+	return torque * ((cni_starts(world)[w->ib].w - cni_starts(world)[w->ia].w) + (cni_motions(world)[w->ib].w - cni_motions(world)[w->ia].w));
 }
 
 static void driven_by_joints(const cn_world *world, island_sum *sums)
@@ -160,55 +176,48 @@ static void driven_by_joints(const cn_world *world, island_sum *sums)
 		int32_t island = cni_joint_island(world, w->ia, w->ib);
 		if ((w->ia != 0 && motions[w->ia].inv_mass == 0.0f) || (w->ib != 0 && motions[w->ib].inv_mass == 0.0f))
 			mark_driven(world, sums, w->ia, w->ib);
-		if (island != CNI_NONE)
-			sums[island].grounded |= w->ia == 0 || w->ib == 0;
-		for (r = 0; r < w->row_count && island != CNI_NONE; ++r)
+		if (island == CNI_NONE || !sums[island].suspect)
+			continue;
+		sums[island].grounded |= w->ia == 0 || w->ib == 0;
+		for (r = 0; r < w->row_count; ++r)
 			if ((w->flags & CNI_WORK_SPRINGY) || w->rows[r].kind == CNI_ROW_SPRING || w->rows[r].kind == CNI_ROW_DRIVE)
 				sums[island].before += cni_max(row_work(world, w, &w->rows[r]), 0.0f);
+		if (w->lane != CNI_NONE)
+			sums[island].before += cni_max(lane_work(world, w), 0.0f);
 	}
 }
 
-/* What of each part stays. Returns 1 when some island has too much. */
-static int32_t factors_find(const cn_world *world, island_sum *sums)
+/* What of each part stays. Returns 1 when there is too much. */
+static int32_t factors_find(island_sum *s)
 {
-	int32_t k, found = 0;
-	for (k = 0; k < world->island_used; ++k) {
-		island_sum *s = &sums[k];
-		float rigid, rest;
-		s->keep_rest = s->keep_rigid = 1.0f;
-		if (s->mass == 0.0f || s->driven || s->after <= ENERGY_ROUNDING * s->before)
-			continue;
-		rigid = (s->px * s->px + s->py * s->py) / s->mass + (s->inertia > 0.0f ? s->spin * s->spin / s->inertia : 0.0f);
-		rest = s->after - rigid;
-		if (rigid <= s->before && rest > 0.0f) {
-			s->keep_rest = cni_sqrt((s->before - rigid) / rest);
-		} else {
-			s->keep_rest = 0.0f;
-			s->keep_rigid = s->grounded && rigid > s->before ? cni_sqrt(s->before / rigid) : 1.0f;
-		}
-		found = 1;
+	float rigid, rest;
+	s->keep_rest = s->keep_rigid = 1.0f;
+	if (s->mass == 0.0f || s->driven || s->after <= ENERGY_ROUNDING * s->before)
+		return 0;
+	rigid = (s->px * s->px + s->py * s->py) / s->mass + (s->inertia > 0.0f ? s->spin * s->spin / s->inertia : 0.0f);
+	rest = s->after - rigid;
+	if (rigid <= s->before && rest > 0.0f) {
+		s->keep_rest = cni_sqrt((s->before - rigid) / rest);
+	} else {
+		s->keep_rest = 0.0f;
+		s->keep_rigid = s->grounded && rigid > s->before ? cni_sqrt(s->before / rigid) : 1.0f;
 	}
-	return found;
+	return 1;
 }
 
-static void factors_apply(cn_world *world, const island_sum *sums)
+static void factors_apply(cn_world *world, int32_t island, const island_sum *s)
 {
-	cni_motion *motions = cni_motions(world);
-	cni_velocity_start *starts = cni_starts(world);
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
-		cni_motion *m = &motions[k];
-		int32_t island = cni_awake_island(world, k);
-		const island_sum *s;
-		float w, vx, vy, dvx, dvy, dw;
+	float w = s->inertia > 0.0f ? s->spin / s->inertia : 0.0f;
+	int32_t body;
+	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+		int32_t k = cni_body_at(world, body)->awake;
+		cni_motion *m = cni_motions(world) + k;
+		cni_velocity_start *start = cni_starts(world) + k;
+		float vx, vy, dvx, dvy, dw;
 		cni_vec2 c;
-		if (island == CNI_NONE || !moves(m))
-			continue;
-		s = &sums[island];
-		if (s->keep_rest == 1.0f && s->keep_rigid == 1.0f)
+		if (!moves(m))
 			continue;
 		c = center_of(world, k);
-		w = s->inertia > 0.0f ? s->spin / s->inertia : 0.0f;
 		vx = s->px / s->mass - w * (c.y - s->y);
 		vy = s->py / s->mass + w * (c.x - s->x);
 		dvx = s->keep_rigid * vx + s->keep_rest * (m->vx - vx) - m->vx;
@@ -217,9 +226,9 @@ static void factors_apply(cn_world *world, const island_sum *sums)
 		m->vx += dvx;
 		m->vy += dvy;
 		m->w += dw;
-		starts[k].vx += dvx;
-		starts[k].vy += dvy;
-		starts[k].w += dw;
+		start->vx += dvx;
+		start->vy += dvy;
+		start->w += dw;
 	}
 }
 
@@ -232,17 +241,23 @@ void cni_energy_hold(cn_world *world)
 {
 	uint64_t bytes = cni_energy_bytes(world->island_used);
 	island_sum *sums;
+	int32_t k;
 	if (world->island_used == 0)
 		return;
 	sums = (island_sum *)cni_arena_push(&world->arena, bytes);
 	if (sums == NULL)
 		return; /* no memory to look: the step goes on as it is */
 	memset(sums, 0, (size_t)bytes);
-	driven_by_contacts(world, sums);
-	driven_by_joints(world, sums);
-	driven_by_lanes(world, sums);
-	sums_find(world, sums);
-	if (factors_find(world, sums))
-		factors_apply(world, sums);
+	if (suspects_find(world, sums) > 0) {
+		driven_by_contacts(world, sums);
+		driven_by_joints(world, sums);
+		for (k = 0; k < world->island_used; ++k) {
+			if (!sums[k].suspect)
+				continue;
+			sum_find(world, k, &sums[k]);
+			if (factors_find(&sums[k]))
+				factors_apply(world, k, &sums[k]);
+		}
+	}
 	cni_arena_pop(&world->arena, sums);
 }

@@ -5,8 +5,8 @@
  * (work flag CNI_WORK_WIDE) leave the rows of stages/joint_solve.c for the lanes drawn in stages/joint_pass.h. What
  * does not change within the step is written into the lane once; kernels do the rest.
  *
- * Greedy colouring in the order of the awake list: a joint takes the lowest colour that neither of its bodies uses. The
- * colours of a body are bits of its drive's flags, which every step writes anew.
+ * Greedy colouring, first of what is solved directly, then in the order of the awake list: a joint takes the lowest colour
+ * that neither of its bodies uses. The colours of a body are bits of its drive's flags, which every step writes anew.
  *
  * Reads works, records, motion, drive; writes blocks, colours, the list of works that are solved by rows, and after the
  * substeps records' impulses and loads.
@@ -58,11 +58,11 @@ int32_t cni_joint_work_widen(cn_world *world, int32_t k)
 	return 1;
 }
 
-void cni_joint_works_complete(cn_world *world, const cni_solve *s)
+void cni_joint_works_complete(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k, r;
-	for (k = 0; k < s->direct->node_count; ++k) {
-		cni_joint_work *w = s->direct->nodes[k].owner >= 0 ? cni_joint_works(world) + s->direct->nodes[k].owner : NULL;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_joint_work *w = sparse->nodes[k].owner >= 0 ? cni_joint_works(world) + sparse->nodes[k].owner : NULL;
 		if (w == NULL || !(w->flags & CNI_WORK_WIDE))
 			continue;
 		w->row_count = w->make_rows(w->record, &w->start, w->rows);
@@ -107,40 +107,38 @@ static int32_t color_take(cn_world *world, int32_t ia, int32_t ib)
 	return color;
 }
 
-/* An empty block at the end of the colour. */
-static cni_joint_block *block_take(cn_world *world, int32_t color)
+int32_t cni_joint_block_take(cn_world *world)
 {
-	cni_color *group = &world->joint_colors[color];
 	int32_t index = world->joint_blocks.count++;
 	cni_joint_block *block = cni_joint_blocks(world) + index;
 	CNI_ASSERT(world->joint_blocks.count <= world->joint_blocks.capacity);
 	memset(block, 0, sizeof *block);
 	block->next = CNI_NONE;
+	return index;
+}
+
+/* An empty block at the end of the colour. */
+static cni_joint_block *block_take(cn_world *world, int32_t color)
+{
+	cni_color *group = &world->joint_colors[color];
+	int32_t index = cni_joint_block_take(world);
 	if (group->last == CNI_NONE)
 		group->first = index;
 	else
 		cni_joint_blocks(world)[group->last].next = index;
 	group->last = index;
-	return block;
+	return cni_joint_blocks(world) + index;
 }
 
 /* ---- lanes ---- */
 
-/* The last spring's coefficients: neighbours' are often the same. */
-typedef struct gather {
-	cn_world *world;
-	const cni_solve *s;
-	float hertz, damping_ratio;
-	cni_soft soft;
-} gather;
-
-static void spring_fill(gather *g, const cni_joint *j, cni_joint_block *block, int32_t l)
+static void spring_fill(cni_lane_spring *g, float h, const cni_joint *j, cni_joint_block *block, int32_t l)
 {
 	float hertz = j->p[CNI_P_REVOLUTE_HERTZ], damping_ratio = j->p[CNI_P_REVOLUTE_DAMPING];
 	if (hertz != g->hertz || damping_ratio != g->damping_ratio) {
 		g->hertz = hertz;
 		g->damping_ratio = damping_ratio;
-		g->soft = cni_soft_exact(hertz, damping_ratio, g->s->h);
+		g->soft = cni_soft_exact(hertz, damping_ratio, h);
 	}
 	block->rest[l] = j->p[CNI_P_REVOLUTE_TARGET];
 	block->spring_mass[l] = g->soft.mass_scale;
@@ -155,13 +153,13 @@ static float limit_sign(const cni_joint *j, float angle)
 	return angle - j->p[CNI_P_LOWER] <= j->p[CNI_P_UPPER] - angle ? 1.0f : -1.0f;
 }
 
-static void angle_fill(gather *g, const cni_joint_work *w, cni_joint_block *block, int32_t l)
+static void angle_fill(cni_lane_spring *spring, float h, const cni_joint_work *w, cni_joint_block *block, int32_t l)
 {
 	const cni_joint *j = w->record;
 	block->angular |= (j->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR | CN_JOINT_LIMIT)) != 0;
 	block->angle0[l] = block->angle[l] = w->start.angle;
 	if (j->flags & CN_JOINT_SPRING)
-		spring_fill(g, j, block, l);
+		spring_fill(spring, h, j, block, l);
 	if (j->flags & CN_JOINT_MOTOR) {
 		block->speed[l] = j->p[CNI_P_MOTOR_SPEED];
 		block->torque[l] = j->p[CNI_P_MOTOR_MAX];
@@ -176,13 +174,13 @@ static void angle_fill(gather *g, const cni_joint_work *w, cni_joint_block *bloc
 	}
 }
 
-static void pin_fill(const gather *g, cni_joint_work *w, cni_joint_block *block, int32_t l)
+static void pin_fill(const cn_world *world, const cni_solve *s, cni_joint_work *w, cni_joint_block *block, int32_t l)
 {
 	const cni_joint *j = w->record;
 	block->ia[l] = w->ia;
 	block->ib[l] = w->ib;
-	block->ai[l] = cni_motions(g->world)[w->ia].inv_inertia;
-	block->bi[l] = cni_motions(g->world)[w->ib].inv_inertia;
+	block->ai[l] = cni_motions(world)[w->ia].inv_inertia;
+	block->bi[l] = cni_motions(world)[w->ib].inv_inertia;
 	block->ax0[l] = block->ax[l] = w->start.ra.x;
 	block->ay0[l] = block->ay[l] = w->start.ra.y;
 	block->bx0[l] = block->bx[l] = w->start.rb.x;
@@ -191,35 +189,44 @@ static void pin_fill(const gather *g, cni_joint_work *w, cni_joint_block *block,
 	block->dy0[l] = block->ey[l] = w->start.d.y;
 	if (w->flags & CNI_WORK_DIRECT) {
 		block->direct |= 1u << l;
-		w->row_count = w->rigid_count; /* the angle's rows are the lane's */
-		return;
+		w->row_count = block->herd ? 0 : w->rigid_count; /* the angle's rows are the lane's */
+		if (!block->herd)
+			return;
 	}
 	block->jx[l] = j->impulse[0];
 	block->jy[l] = j->impulse[1];
-	block->load_x[l] = g->s->warm_scale * j->load[0];
-	block->load_y[l] = g->s->warm_scale * j->load[1];
+	if (block->herd)
+		return;
+	block->load_x[l] = s->warm_scale * j->load[0];
+	block->load_y[l] = s->warm_scale * j->load[1];
 }
 
-static int32_t work_fits(const cn_world *world, const cni_solve *s, const cni_joint_work *w)
+void cni_joint_lane_fill(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k, cni_joint_block *block, int32_t l)
+{
+	cni_joint_work *w = cni_joint_works(world) + k;
+	block->work[l] = k;
+	w->lane = (int32_t)(block - cni_joint_blocks(world)) * CNI_LANES + l;
+	pin_fill(world, s, w, block, l);
+	angle_fill(spring, s->h, w, block, l);
+}
+
+int32_t cni_joint_fits_lane(const cn_world *world, const cni_solve *s, const cni_joint_work *w)
 {
 	float most = TURN_MOST_RAD / s->dt;
 	return cni_abs(cni_motions(world)[w->ia].w) <= most && cni_abs(cni_motions(world)[w->ib].w) <= most;
 }
 
 /* 0: it has no place in a lane. */
-static int32_t lane_take(gather *g, int32_t k)
+static int32_t lane_take(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k)
 {
-	cn_world *world = g->world;
-	cni_joint_work *w = cni_joint_works(world) + k;
-	int32_t color = work_fits(world, g->s, w) ? color_take(world, w->ia, w->ib) : CNI_NONE, l;
+	const cni_joint_work *w = cni_joint_works(world) + k;
+	int32_t color = cni_joint_fits_lane(world, s, w) ? color_take(world, w->ia, w->ib) : CNI_NONE, l;
 	cni_joint_block *block;
 	if (color == CNI_NONE)
 		return 0;
 	l = world->joint_colors[color].lanes++ % CNI_LANES;
 	block = l == 0 ? block_take(world, color) : cni_joint_blocks(world) + world->joint_colors[color].last;
-	block->work[l] = k;
-	pin_fill(g, w, block, l);
-	angle_fill(g, w, block, l);
+	cni_joint_lane_fill(world, s, spring, k, block, l);
 	return 1;
 }
 
@@ -245,16 +252,32 @@ void cni_joint_blocks_empty(cn_world *world)
 	}
 }
 
+/* Directly solved components take their lanes first and in the order of their nodes: so colours, and with them the order
+   of passes, are the same in all that are alike, and in herds. */
+static void components_gather(cn_world *world, const cni_solve *s, cni_lane_spring *spring)
+{
+	int32_t k;
+	for (k = 0; s->direct != NULL && k < s->direct->node_count; ++k) {
+		const uint32_t which = CNI_WORK_WIDE | CNI_WORK_DIRECT | CNI_WORK_SWUNG | CNI_WORK_HERD;
+		int32_t owner = s->direct->nodes[k].owner;
+		if (owner < 0 || (cni_joint_works(world)[owner].flags & which) != (CNI_WORK_WIDE | CNI_WORK_DIRECT))
+			continue; /* a contact, a row, or done with */
+		if (!lane_take(world, s, spring, owner))
+			work_narrow(world, s, owner);
+	}
+}
+
 void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 {
-	gather g = { world, s, 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } };
+	cni_lane_spring spring = { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } };
 	int32_t k, *plain = &world->joint_plain_first;
 	pressed_works_leave(world, s);
+	components_gather(world, s, &spring);
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		cni_joint_work *w = cni_joint_works(world) + k;
-		if (w->flags & CNI_WORK_SWUNG)
+		if ((w->flags & CNI_WORK_SWUNG) || w->lane != CNI_NONE)
 			continue;
-		if ((w->flags & CNI_WORK_WIDE) && lane_take(&g, k))
+		if ((w->flags & CNI_WORK_WIDE) && lane_take(world, s, &spring, k))
 			continue;
 		if (w->flags & CNI_WORK_WIDE)
 			work_narrow(world, s, k);
@@ -370,8 +393,9 @@ static void lane_store(cn_world *world, const cni_joint_block *block, int32_t l,
 	const cni_joint_work *w = cni_joint_works(world) + block->work[l];
 	cni_joint *j = cni_joint_at(world, w->joint);
 	float part = cni_min(CNI_LOAD_RATE * s->dt, 1.0f);
-	j->impulse[0] = block->jx[l] + (block->direct >> l & 1u ? w->rows[0].impulse : 0.0f);
-	j->impulse[1] = block->jy[l] + (block->direct >> l & 1u ? w->rows[1].impulse : 0.0f);
+	int32_t has_rows = (block->direct >> l & 1u) && !block->herd;
+	j->impulse[0] = block->jx[l] + (has_rows ? w->rows[0].impulse : 0.0f);
+	j->impulse[1] = block->jy[l] + (has_rows ? w->rows[1].impulse : 0.0f);
 	j->impulse[CNI_REVOLUTE_SPRING] = block->spring_j[l];
 	j->impulse[CNI_REVOLUTE_MOTOR] = block->motor_j[l];
 	j->impulse[CNI_REVOLUTE_LIMIT] = (j->flags & CN_JOINT_LIMIT) ? cni_max(limit_sign(j, block->angle[l]) * block->limit_j[l], 0.0f) : 0.0f;
@@ -383,14 +407,25 @@ static void lane_store(cn_world *world, const cni_joint_block *block, int32_t l,
 		cni_joint_gap_look(world, w, cni_max(cni_abs(block->ex[l]), cni_abs(block->ey[l])));
 }
 
+static void lanes_store(cn_world *world, const cni_joint_block *block, int32_t lanes, const cni_solve *s)
+{
+	int32_t l;
+	for (l = 0; l < cni_min_i(lanes, CNI_LANES); ++l)
+		lane_store(world, block, l, s);
+}
+
 void cni_joint_blocks_store(cn_world *world, const cni_solve *s)
 {
-	int32_t color, index, l;
+	int32_t color, index, k, n;
+	for (k = 0; s->direct != NULL && k < s->direct->herd_count; ++k) {
+		const cni_herd *herd = &s->direct->herds[k];
+		for (n = 0; n < herd->kind.nodes; ++n)
+			lanes_store(world, &herd->nodes[n], herd->lanes, s);
+	}
 	for (color = 0; color < CNI_JOINT_COLORS; ++color) {
 		int32_t lanes = world->joint_colors[color].lanes;
 		for (index = world->joint_colors[color].first; index != CNI_NONE; index = cni_joint_blocks(world)[index].next) {
-			for (l = 0; l < cni_min_i(lanes, CNI_LANES); ++l)
-				lane_store(world, cni_joint_blocks(world) + index, l, s);
+			lanes_store(world, cni_joint_blocks(world) + index, lanes, s);
 			lanes -= CNI_LANES;
 		}
 	}

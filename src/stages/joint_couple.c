@@ -17,14 +17,33 @@ typedef struct matrix {
 	float m00, m01, m10, m11;
 } matrix;
 
-static float row_couple(const cni_row *p, int32_t p_side, const cni_row *q, int32_t q_side, const cni_motion *m)
+/* The two rows of a pin; those of a wide work are not written yet. */
+typedef struct pin {
+	cni_lever row[2];
+} pin;
+
+static pin pin_of(const cni_joint_work *w)
+{
+	pin p;
+	if (w->flags & CNI_WORK_WIDE) {
+		cni_lever x = { -1.0f, 0.0f, w->start.ra.y, 1.0f, 0.0f, -w->start.rb.y }, y = { 0.0f, -1.0f, -w->start.ra.x, 0.0f, 1.0f, w->start.rb.x };
+		p.row[0] = x;
+		p.row[1] = y;
+	} else {
+		p.row[0] = cni_row_lever(&w->rows[0]);
+		p.row[1] = cni_row_lever(&w->rows[1]);
+	}
+	return p;
+}
+
+static float row_couple(const cni_lever *p, int32_t p_side, const cni_lever *q, int32_t q_side, const cni_motion *m)
 {
 	float px = p_side ? p->bx : p->ax, py = p_side ? p->by : p->ay, pw = p_side ? p->bw : p->aw;
 	float qx = q_side ? q->bx : q->ax, qy = q_side ? q->by : q->ay, qw = q_side ? q->bw : q->aw;
 	return m->inv_mass * (px * qx + py * qy) + m->inv_inertia * pw * qw;
 }
 
-static matrix couple(const cni_row *p, int32_t p_side, const cni_row *q, int32_t q_side, const cni_motion *m)
+static matrix couple(const cni_lever *p, int32_t p_side, const cni_lever *q, int32_t q_side, const cni_motion *m)
 {
 	matrix k;
 	k.m00 = row_couple(p, p_side, q, q_side, m);
@@ -45,7 +64,7 @@ static float trace_of(const matrix *k, const matrix *l, const matrix *x)
 	return det > 0.0f ? (u00 * v00 + u01 * v10 + u10 * v01 + u11 * v11) / det : 1.0f;
 }
 
-static matrix own(const cn_world *world, const cni_node *n, const cni_row *rows)
+static matrix own(const cn_world *world, const cni_node *n, const cni_lever *rows)
 {
 	matrix a = couple(rows, 0, rows, 0, cni_motions(world) + n->ia), b = couple(rows, 1, rows, 1, cni_motions(world) + n->ib);
 	a.m00 += b.m00;
@@ -58,14 +77,16 @@ static matrix own(const cn_world *world, const cni_node *n, const cni_row *rows)
 static float coupling_part(const cn_world *world, const cni_sparse *sparse, const cni_coupling *c)
 {
 	const cni_node *p = &sparse->nodes[c->low], *q = &sparse->nodes[c->high];
-	const cni_row *rows_p = cni_joint_works(world)[p->owner].rows, *rows_q = cni_joint_works(world)[q->owner].rows;
 	const cni_motion *shared = cni_motions(world) + (c->low_side ? p->ib : p->ia);
+	pin a, b;
 	matrix k, l, x;
 	if (p->rows != 2 || q->rows != 2)
 		return 1.0f;
-	k = own(world, p, rows_p);
-	l = own(world, q, rows_q);
-	x = couple(rows_p, c->low_side, rows_q, c->high_side, shared);
+	a = pin_of(&cni_joint_works(world)[p->owner]);
+	b = pin_of(&cni_joint_works(world)[q->owner]);
+	k = own(world, p, a.row);
+	l = own(world, q, b.row);
+	x = couple(a.row, c->low_side, b.row, c->high_side, shared);
 	return trace_of(&k, &l, &x);
 }
 

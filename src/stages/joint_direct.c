@@ -62,7 +62,7 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
 	return joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_press) * (uint64_t)presses +
-	       (sizeof(float) + sizeof(cni_rot)) * (uint64_t)(bodies + 1) + 640 + cni_sparse_bytes(links, bodies + 1, work);
+	       (sizeof(float) + sizeof(cni_rot)) * (uint64_t)(bodies + 1) + 640 + cni_herd_bytes(joints) + cni_sparse_bytes(links, bodies + 1, work);
 }
 
 static int32_t body_is_locked(const cn_world *world, int32_t index)
@@ -370,6 +370,8 @@ void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component
 
 void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
+	cni_joint_works_complete(world, s, sparse, c);
+	cni_sparse_clear(sparse, c);
 	cni_direct_turns(world, sparse, c);
 	cni_tension_find(world, sparse, c, s->h);
 	if (cni_tension_needs_dampers(world, sparse, c, s->h))
@@ -460,7 +462,6 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	if (out->component_count == 0)
 		return;
 	s->direct = out;
-	cni_joint_works_complete(world, s);
 	for (k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
 		c->presses = component_has_presses(out, c);
@@ -470,9 +471,12 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		c->swings = !c->presses && cni_component_swings(world, s, out, c);
 		if (loop_is_better_soft(world, out, c) || is_better_alone(c) || tree_loosen(world, out, c))
 			joints_release(world, out, c);
-		else if (!c->swings)
+		else if (c->swings)
+			cni_sparse_clear(out, c);
+		else if (!(c->herds = cni_component_herds(world, s, out, c)))
 			cni_direct_begin(world, s, out, c);
 	}
+	cni_herds_make(world, s, out);
 	cni_presses_take(world, out);
 	world->direct_work = work_planned(world, out);
 }
@@ -571,7 +575,7 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 	int32_t k;
 	for (k = 0; s->direct != NULL && k < s->direct->component_count; ++k) {
 		cni_component *c = &s->direct->components[k];
-		if (c->done)
+		if (c->done || c->herds)
 			continue;
 		if (!bias && c->joints > 0)
 			component_turn(world, s, c);

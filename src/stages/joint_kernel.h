@@ -160,48 +160,58 @@ CNI_INLINE cni_wide torque_of(const cni_joint_block *k, int32_t l)
 	return cni_wide_load(k->spring_j + l) + cni_wide_load(k->motor_j + l) + cni_wide_load(k->limit_j + l);
 }
 
-/* Velocities and impulses of a group, its arms and errors being what they are. */
-CNI_INLINE void solve_group(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t angular)
+/* Velocities and angular impulses of a group, its arms and errors being what they are; what the pins' impulses change by
+   goes to *dx and *dy. pins 0: all of them are solved directly. */
+CNI_INLINE void solve_group(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t angular, int32_t pins, cni_wide *dx, cni_wide *dy)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
-	cni_wide jx = cni_wide_load(k->jx + l), jy = cni_wide_load(k->jy + l), around_x, around_y, x, y, qx, qy, t = zero;
-	cni_mask direct = cni_mask_of_bits(k->direct >> l);
+	cni_wide around_x, around_y, x, y, qx = zero, qy = zero, t = zero;
 	pin p = pin_make(a, b, r);
 	hinge g;
-	if (bias) {
+	if (bias && pins) {
 		around_x = cni_wide_load(k->load_x + l);
 		around_y = cni_wide_load(k->load_y + l);
 	}
 	if (angular) {
 		g = hinge_make(a, b, r, &p);
 		if (bias) {
-			cni_wide torque = torque_of(k, l);
-			around_x += g.sx * torque;
-			around_y += g.sy * torque;
+			if (pins) {
+				cni_wide torque = torque_of(k, l);
+				around_x += g.sx * torque;
+				around_y += g.sy * torque;
+			}
 			solve_spring(k, l, &g);
 		}
 		solve_motor(k, l, &g, pass->h);
 		solve_limits(k, l, &g, pass, bias);
 		t = g.t;
 	}
-	if (bias) {
-		x = pass->soft.mass_scale * p.vx + pass->soft.bias_scale * cni_wide_load(k->ex + l);
-		y = pass->soft.mass_scale * p.vy + pass->soft.bias_scale * cni_wide_load(k->ey + l);
-		qx = -(p.i00 * x + p.i01 * y) - pass->soft.impulse_scale * (jx - around_x);
-		qy = -(p.i01 * x + p.i11 * y) - pass->soft.impulse_scale * (jy - around_y);
-	} else {
-		qx = -(p.i00 * p.vx + p.i01 * p.vy);
-		qy = -(p.i01 * p.vx + p.i11 * p.vy);
+	if (pins) {
+		cni_mask direct = cni_mask_of_bits(k->direct >> l);
+		if (bias) {
+			x = pass->soft.mass_scale * p.vx + pass->soft.bias_scale * cni_wide_load(k->ex + l);
+			y = pass->soft.mass_scale * p.vy + pass->soft.bias_scale * cni_wide_load(k->ey + l);
+			qx = -(p.i00 * x + p.i01 * y) - pass->soft.impulse_scale * (cni_wide_load(k->jx + l) - around_x);
+			qy = -(p.i01 * x + p.i11 * y) - pass->soft.impulse_scale * (cni_wide_load(k->jy + l) - around_y);
+		} else {
+			qx = -(p.i00 * p.vx + p.i01 * p.vy);
+			qy = -(p.i01 * p.vx + p.i11 * p.vy);
+		}
+		qx = cni_wide_select(direct, zero, qx);
+		qy = cni_wide_select(direct, zero, qy);
 	}
-	qx = cni_wide_select(direct, zero, qx);
-	qy = cni_wide_select(direct, zero, qy);
 	if (angular) {
 		qx += g.sx * t;
 		qy += g.sy * t;
 	}
-	cni_wide_store(k->jx + l, jx + qx);
-	cni_wide_store(k->jy + l, jy + qy);
 	push(a, b, r, qx, qy, t);
+	*dx = qx;
+	*dy = qy;
+}
+
+CNI_INLINE void impulse_add(float *impulse, cni_wide change)
+{
+	cni_wide_store(impulse, cni_wide_load(impulse) + change);
 }
 
 CNI_INLINE void solve_lanes(cni_motion *motions, cni_joint_block *k, const cni_joint_pass *pass, int32_t lanes, int32_t angular)
@@ -210,9 +220,12 @@ CNI_INLINE void solve_lanes(cni_motion *motions, cni_joint_block *k, const cni_j
 	for (l = 0; l < lanes; l += CNI_WIDTH) {
 		arms r = arms_load(k, l);
 		side a, b;
+		cni_wide dx, dy;
 		side_gather(motions, k->ia + l, k->ai + l, &a);
 		side_gather(motions, k->ib + l, k->bi + l, &b);
-		solve_group(k, l, &a, &b, &r, pass, 1, angular);
+		solve_group(k, l, &a, &b, &r, pass, 1, angular, 1, &dx, &dy);
+		impulse_add(k->jx + l, dx);
+		impulse_add(k->jy + l, dy);
 		side_scatter(motions, k->ia + l, &a);
 		side_scatter(motions, k->ib + l, &b);
 	}
@@ -253,10 +266,10 @@ CNI_INLINE place place_gather(const cni_motion *motions, const int32_t *index)
 }
 
 /* The pins' error and angle at the new positions, and the new arms. */
-CNI_INLINE arms arms_renew(const cni_motion *motions, cni_joint_block *k, int32_t l, int32_t angular)
+CNI_INLINE arms arms_renew(const place *at_a, const place *at_b, cni_joint_block *k, int32_t l, int32_t angular)
 {
+	const place a = *at_a, b = *at_b;
 	cni_wide ax0 = cni_wide_load(k->ax0 + l), ay0 = cni_wide_load(k->ay0 + l), bx0 = cni_wide_load(k->bx0 + l), by0 = cni_wide_load(k->by0 + l);
-	place a = place_gather(motions, k->ia + l), b = place_gather(motions, k->ib + l);
 	cni_wide ax = a.c1 * ax0 - a.s * ay0, ay = a.c1 * ay0 + a.s * ax0, bx = b.c1 * bx0 - b.s * by0, by = b.c1 * by0 + b.s * bx0;
 	arms r;
 	cni_wide_store(k->ex + l, cni_wide_load(k->dx0 + l) + ((b.x - a.x) + (bx - ax)));
@@ -286,13 +299,17 @@ CNI_INLINE void relax_lanes(cni_motion *motions, cni_velocity_start *starts, cni
 	int32_t l;
 	for (l = 0; l < lanes; l += CNI_WIDTH) {
 		cni_wide jx = cni_wide_load(k->jx + l), jy = cni_wide_load(k->jy + l);
-		arms old = arms_load(k, l), r = arms_renew(motions, k, l, angular);
+		place at_a = place_gather(motions, k->ia + l), at_b = place_gather(motions, k->ib + l);
+		arms old = arms_load(k, l), r = arms_renew(&at_a, &at_b, k, l, angular);
 		side a, b;
+		cni_wide dx, dy;
 		side_gather(motions, k->ia + l, k->ai + l, &a);
 		side_gather(motions, k->ib + l, k->bi + l, &b);
 		start_turn(starts, k->ia + l, -(a.i * ((r.ax - old.ax) * jy - (r.ay - old.ay) * jx)));
 		start_turn(starts, k->ib + l, b.i * ((r.bx - old.bx) * jy - (r.by - old.by) * jx));
-		solve_group(k, l, &a, &b, &r, pass, 0, angular);
+		solve_group(k, l, &a, &b, &r, pass, 0, angular, 1, &dx, &dy);
+		impulse_add(k->jx + l, dx);
+		impulse_add(k->jy + l, dy);
 		side_scatter(motions, k->ia + l, &a);
 		side_scatter(motions, k->ib + l, &b);
 	}
@@ -332,4 +349,6 @@ static void kernel_warm(cni_motion *motions, cni_velocity_start *starts, cni_joi
 	}
 }
 
-const cni_joint_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax };
+#include "stages/joint_herd_kernel.h"
+
+const cni_joint_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax, herd_begin, herd_warm, herd_solve, herd_relax };

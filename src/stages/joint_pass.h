@@ -12,12 +12,13 @@
  *             as torques on body b (limit: > 0 the lower one's, < 0 the upper one's)
  *
  * A lane whose work is solved directly (bit in `direct`) has its pin solved by stages/joint_direct.c; the work's
- * two rows are kept up to date for it, and the pin's impulse is the lane's plus the rows'.
+ * two rows are kept up to date for it, and the pin's impulse is the lane's plus the rows'. Blocks of a herd
+ * (stages/joint_herd.h) are in no colour and have no rows: their pins' impulses are in the lanes.
  */
 #ifndef CNI_STAGES_JOINT_PASS_H
 #define CNI_STAGES_JOINT_PASS_H
 
-#include "stages/joint_work.h"
+#include "stages/joint_herd.h"
 
 typedef struct cni_joint_block {
 	int32_t ia[CNI_LANES], ib[CNI_LANES];  /* dense body indices */
@@ -36,7 +37,8 @@ typedef struct cni_joint_block {
 	uint32_t direct;                       /* lanes, as bits */
 	int32_t angular;                       /* 1: some lane has a spring, motor or limit */
 	int32_t next;                          /* block of the colour */
-	int32_t reserved[13];
+	int32_t herd;                          /* 1: a herd's */
+	int32_t reserved[12];
 } cni_joint_block;
 
 typedef struct cni_joint_pass {
@@ -45,13 +47,24 @@ typedef struct cni_joint_pass {
 	cni_soft soft;
 } cni_joint_pass;
 
+typedef struct cni_herd_pass {
+	cni_joint_pass joint;
+	float rate, push; /* part of a gap that is closed in a second, and the greatest speed of it */
+} cni_herd_pass;
+
 /* Works on the first lanes of the block, and on those behind them up to a whole vector, which are empty. */
 typedef void cni_joint_kernel_fn(cni_motion *motions, cni_velocity_start *starts, cni_joint_block *block, const cni_joint_pass *pass, int32_t lanes);
+
+typedef void cni_herd_kernel_fn(cni_motion *motions, cni_velocity_start *starts, struct cni_herd *herd, const cni_herd_pass *pass);
 
 typedef struct cni_joint_kernel {
 	cni_joint_kernel_fn *warm;
 	cni_joint_kernel_fn *solve;
 	cni_joint_kernel_fn *relax;
+	cni_herd_kernel_fn *herd_begin; /* factors of the systems */
+	cni_herd_kernel_fn *herd_warm;
+	cni_herd_kernel_fn *herd_solve;
+	cni_herd_kernel_fn *herd_relax;
 } cni_joint_kernel;
 
 extern const cni_joint_kernel cni_joint_kernel_plain; /* width 1: any compiler */
@@ -63,6 +76,12 @@ static inline cni_joint_block *cni_joint_blocks(const cn_world *world)
 	return (cni_joint_block *)world->joint_blocks.data;
 }
 
+/* The block of a work that is in a lane. */
+static inline cni_joint_block *cni_joint_block_of(const cn_world *world, const cni_joint_work *w)
+{
+	return cni_joint_blocks(world) + w->lane / CNI_LANES;
+}
+
 /* The widest that this build and this processor have. */
 const cni_joint_kernel *cni_joint_kernel_choose(void);
 
@@ -71,6 +90,17 @@ void cni_joint_blocks_empty(cn_world *world);
 void cni_joint_blocks_warm(cn_world *world, const cni_solve *s);
 void cni_joint_blocks_solve(cn_world *world, const cni_solve *s);
 void cni_joint_blocks_relax(cn_world *world, const cni_solve *s);
+/* A cleared block, of no colour yet, at the end of the array. Returns its index. */
+int32_t cni_joint_block_take(cn_world *world);
+/* The spring that was met last, and its coefficients: neighbours' are often the same. */
+typedef struct cni_lane_spring {
+	float hertz, damping_ratio;
+	cni_soft soft;
+} cni_lane_spring;
+/* Work k into a lane that is empty. */
+void cni_joint_lane_fill(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k, cni_joint_block *block, int32_t l);
+/* Is no body of it so fast that its arms turn further in a step than lanes can follow? */
+int32_t cni_joint_fits_lane(const cn_world *world, const cni_solve *s, const cni_joint_work *w);
 /* Impulses and loads back to the records. */
 void cni_joint_blocks_store(cn_world *world, const cni_solve *s);
 

@@ -234,6 +234,7 @@ void cni_joint_work_begin(cn_world *world, int32_t k)
 	w->record = j;
 	w->make_rows = cni_joint_type_of(j->type)->rows;
 	w->joint = joint;
+	w->lane = CNI_NONE;
 	w->ia = j->body[0] == CNI_NONE ? 0 : cni_body_at(world, j->body[0])->awake;
 	w->ib = j->body[1] == CNI_NONE ? 0 : cni_body_at(world, j->body[1])->awake;
 	w->flags = work_flags(j);
@@ -298,6 +299,7 @@ void cni_joints_warm_start(cn_world *world, const cni_solve *s)
 		}
 	}
 	cni_joint_blocks_warm(world, s);
+	cni_herds_warm(world, s);
 }
 
 /* ---- impulses ---- */
@@ -450,6 +452,7 @@ void cni_joints_solve(cn_world *world, const cni_solve *s)
 	for (k = world->joint_plain_first; k != CNI_NONE; k = cni_joint_works(world)[k].next_plain)
 		solve_work(cni_joint_works(world) + k, cni_motions(world), s, 1);
 	cni_joint_blocks_solve(world, s);
+	cni_herds_solve(world, s);
 	cni_direct_solve(world, s, 1);
 }
 
@@ -514,6 +517,7 @@ void cni_joints_relax(cn_world *world, const cni_solve *s)
 		solve_work(w, cni_motions(world), s, 0);
 	}
 	cni_joint_blocks_relax(world, s);
+	cni_herds_relax(world, s);
 	cni_direct_solve(world, s, 0);
 	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
 		w = cni_joint_works(world) + k;

@@ -70,12 +70,22 @@ static int32_t body_swings(const cn_world *world, int32_t index)
 	return 1;
 }
 
+/* A pin with a spring or a motor, of which it need not be known what it would do. */
+static int32_t work_is_driven(const cni_joint_work *w)
+{
+	return (w->flags & CNI_WORK_WIDE) && (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR));
+}
+
 int32_t cni_component_swings(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
+	for (k = c->begin; k < c->end; ++k)
+		if (work_is_driven(&cni_joint_works(world)[sparse->nodes[k].owner]))
+			return 0;
 	for (k = c->body_begin; k < c->body_end; ++k)
 		if (!body_swings(world, sparse->bodies[k]))
 			return 0;
+	cni_joint_works_complete(world, s, sparse, c);
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
 		if (!end_swings(world, n->ia) || !end_swings(world, n->ib) ||

@@ -16,7 +16,8 @@ enum {
 	CNI_WORK_DIRECT = 1u << 5,    /* its rigid rows are solved with its neighbours': stages/joint_direct.c */
 	CNI_WORK_SWUNG = 1u << 6,     /* done with for this step: stages/joint_swing.c */
 	CNI_WORK_WIDE = 1u << 7,      /* unless swung it is in a lane: stages/joint_blocks.c; rows are written only if direct, and their impulses are all of the record's */
-	CNI_WORK_LOOSE = 1u << 8      /* a system would do no better, so that a gap asks for none: stages/joint_couple.c */
+	CNI_WORK_LOOSE = 1u << 8,     /* a system would do no better, so that a gap asks for none: stages/joint_couple.c */
+	CNI_WORK_HERD = 1u << 9       /* in a lane of a herd, pin and all: stages/joint_herd.c */
 };
 
 #define CNI_JOINT_ERROR_RATE 0.3f /* part of its gap that a directly solved joint takes out in a substep */
@@ -31,8 +32,9 @@ typedef struct cni_joint_work {
 	int32_t rigid_count;       /* the first rows: rigid or drive */
 	uint32_t flags;            /* CNI_WORK_* */
 	int32_t next_plain;        /* the next that is solved by rows */
+	int32_t lane;              /* block * CNI_LANES + lane, CNI_NONE: solved by rows alone */
+	cni_joint_frame start;     /* at the beginning of the step; what is in lanes needs nothing of what follows */
 	cni_row rows[CNI_JOINT_ROWS];
-	cni_joint_frame start;     /* at the beginning of the step */
 	float inverse[6];          /* of the first rows' K: 00 01 02 11 12 22 */
 	float load[CNI_JOINT_RIGID_ROWS]; /* the first rows give way around it; 0 but in nets: stages/joint_net.c */
 	float single_mass[CNI_JOINT_ROWS];
@@ -95,8 +97,20 @@ int32_t cni_component_is_loose(const cn_world *world, const cni_sparse *sparse, 
 
 /* The work of place k, as a step begins, if it can be solved in a lane; 0: it cannot. */
 int32_t cni_joint_work_widen(cn_world *world, int32_t k);
-/* The rows of wide works that are solved directly. */
-void cni_joint_works_complete(cn_world *world, const cni_solve *s);
+/* The rows of a component's wide works, with the impulses of their records. */
+void cni_joint_works_complete(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
+
+/* ---- trees that are alike: stages/joint_herd.c ---- */
+
+/* Can the component be one of a herd? It is solved directly, and does not swing. */
+int32_t cni_component_herds(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
+/* Herds of all that `herds` says so of; those that remain alone are begun by themselves. */
+void cni_herds_make(cn_world *world, const cni_solve *s, cni_sparse *sparse);
+void cni_herds_warm(cn_world *world, const cni_solve *s);
+void cni_herds_solve(cn_world *world, const cni_solve *s);
+void cni_herds_relax(cn_world *world, const cni_solve *s);
+/* Scratch that they may take, with so many joints. */
+uint64_t cni_herd_bytes(int32_t joints);
 
 /* ---- tension: stages/joint_tension.c ---- */
 

@@ -42,7 +42,7 @@ static void mark_range(void *context, int32_t begin, int32_t end, int32_t worker
 		float ax = s->h * drives[k].ax, ay = s->h * drives[k].ay;
 		if (!(drives[k].flags & CNI_DRIVE_TOUCHED) || dx * dx + dy * dy <= most_sq + 64.0f * (ax * ax + ay * ay))
 			continue;
-		starts[k].struck = 2.0f;
+		starts[k].struck = CNI_SHOCKED;
 		++shocks;
 	}
 	if (shocks > 0)
@@ -74,7 +74,7 @@ static void lane_forget(cn_world *world, cni_contact_block *k, int32_t l, int32_
 
 static int32_t shocked(const cn_world *world, int32_t a, int32_t b)
 {
-	return cni_starts(world)[a].struck == 2.0f || cni_starts(world)[b].struck == 2.0f;
+	return cni_starts(world)[a].struck == CNI_SHOCKED || cni_starts(world)[b].struck == CNI_SHOCKED;
 }
 
 /* Lanes with such a body, as bits: few have one, and looking for them without a branch takes the same time for all. */
@@ -126,6 +126,39 @@ static float load_part(float impulse, float load)
 	return load > 0.0f ? cni_clamp(impulse, 0.0f, load) : cni_clamp(impulse, load, 0.0f);
 }
 
+static void row_forget(cn_world *world, const cni_joint_work *w, const cni_lever *row, int32_t slot, float *impulse)
+{
+	float kept = load_part(*impulse, w->record->impulse[slot]), j = *impulse - kept;
+	response_take_out(world, w->ia, row->ax * j, row->ay * j, row->aw * j);
+	response_take_out(world, w->ib, row->bx * j, row->by * j, row->bw * j);
+	*impulse = kept;
+}
+
+/* A pin that its herd solves directly, as if it had rows. */
+static void pin_forget(cn_world *world, const cni_joint_work *w, cni_joint_block *k, int32_t l)
+{
+	cni_lever x = { -1.0f, 0.0f, k->ay[l], 1.0f, 0.0f, -k->by[l] }, y = { 0.0f, -1.0f, -k->ax[l], 0.0f, 1.0f, k->bx[l] };
+	if (!k->herd || !(k->direct >> l & 1u))
+		return;
+	row_forget(world, w, &x, 0, &k->jx[l]);
+	row_forget(world, w, &y, 1, &k->jy[l]);
+}
+
+/* Those in lanes; pins that are solved directly have their impulses in rows, or as if they had. */
+static void joint_lane_forget(cn_world *world, const cni_joint *j, cni_joint_block *k, int32_t l)
+{
+	int32_t apart = k->herd && (k->direct >> l & 1u);
+	float limit = k->limit_j[l] > 0.0f ? j->impulse[CNI_REVOLUTE_LIMIT] : -j->impulse[CNI_REVOLUTE_LIMIT];
+	float x = apart ? 0.0f : k->jx[l] - load_part(k->jx[l], j->impulse[0]), y = apart ? 0.0f : k->jy[l] - load_part(k->jy[l], j->impulse[1]);
+	float motor = k->motor_j[l] - load_part(k->motor_j[l], j->impulse[CNI_REVOLUTE_MOTOR]), stop = k->limit_j[l] - load_part(k->limit_j[l], limit);
+	response_take_out(world, k->ia[l], -x, -y, k->ay[l] * x - k->ax[l] * y - motor - stop);
+	response_take_out(world, k->ib[l], x, y, k->bx[l] * y - k->by[l] * x + motor + stop);
+	k->jx[l] -= x;
+	k->jy[l] -= y;
+	k->motor_j[l] -= motor;
+	k->limit_j[l] -= stop;
+}
+
 /*
  * A joint forgets what goes beyond its load at the beginning of the step: without that a bridge which is hit would
  * lose the tension it stands by, jump for that reason, and the shock would run through all of it. Springs
@@ -138,41 +171,16 @@ static void joints_forget(cn_world *world)
 		cni_joint_work *w = (cni_joint_work *)world->joint_work.data + k;
 		if (!shocked(world, w->ia, w->ib))
 			continue;
+		if (w->lane != CNI_NONE)
+			pin_forget(world, w, cni_joint_block_of(world, w), w->lane % CNI_LANES);
 		for (r = 0; r < w->row_count; ++r) {
-			const cni_row *row = &w->rows[r];
-			float load = cni_joint_at(world, w->joint)->impulse[row->slot], kept = load_part(row->impulse, load), j = row->impulse - kept;
-			if (row->kind == CNI_ROW_SPRING || row->kind == CNI_ROW_DRIVE)
-				continue;
-			response_take_out(world, w->ia, row->ax * j, row->ay * j, row->aw * j);
-			response_take_out(world, w->ib, row->bx * j, row->by * j, row->bw * j);
-			w->rows[r].impulse = kept;
+			cni_row *row = &w->rows[r];
+			cni_lever lever = cni_row_lever(row);
+			if (row->kind != CNI_ROW_SPRING && row->kind != CNI_ROW_DRIVE)
+				row_forget(world, w, &lever, row->slot, &row->impulse);
 		}
-	}
-}
-
-static void joint_lane_forget(cn_world *world, cni_joint_block *k, int32_t l)
-{
-	const cni_joint *j = cni_joint_works(world)[k->work[l]].record;
-	float limit = k->limit_j[l] > 0.0f ? j->impulse[CNI_REVOLUTE_LIMIT] : -j->impulse[CNI_REVOLUTE_LIMIT];
-	float x = k->jx[l] - load_part(k->jx[l], j->impulse[0]), y = k->jy[l] - load_part(k->jy[l], j->impulse[1]);
-	float motor = k->motor_j[l] - load_part(k->motor_j[l], j->impulse[CNI_REVOLUTE_MOTOR]), stop = k->limit_j[l] - load_part(k->limit_j[l], limit);
-	response_take_out(world, k->ia[l], -x, -y, k->ay[l] * x - k->ax[l] * y - motor - stop);
-	response_take_out(world, k->ib[l], x, y, k->bx[l] * y - k->by[l] * x + motor + stop);
-	k->jx[l] -= x;
-	k->jy[l] -= y;
-	k->motor_j[l] -= motor;
-	k->limit_j[l] -= stop;
-}
-
-/* The same of those in lanes; pins that are solved directly have their impulses in their works. */
-static void joint_lanes_forget(cn_world *world)
-{
-	int32_t index, l;
-	for (index = 0; index < world->joint_blocks.count; ++index) {
-		cni_joint_block *k = cni_joint_blocks(world) + index;
-		for (l = 0; l < CNI_LANES; ++l)
-			if (shocked(world, k->ia[l], k->ib[l]))
-				joint_lane_forget(world, k, l);
+		if (w->lane != CNI_NONE)
+			joint_lane_forget(world, w->record, cni_joint_block_of(world, w), w->lane % CNI_LANES);
 	}
 }
 
@@ -188,5 +196,4 @@ void cni_shocks_forget(cn_world *world, const cni_solve *s)
 	cni_energy_hold(world);
 	contacts_forget(world, &loop);
 	joints_forget(world);
-	joint_lanes_forget(world);
 }

@@ -22,6 +22,7 @@
 #include "model/world.h"
 
 #define CNI_NODE_ROWS 3
+#define CNI_PIVOT_LEAST 2e-6f /* a pivot below this part of the diagonal it came from is rounding */
 #define CNI_KEPT_BYTES 64
 
 /* One row of J: speed = a . (va, wa) + b . (vb, wb). */
@@ -76,7 +77,19 @@ typedef struct cni_component {
 	int32_t factored;              /* ... and its pivots are those of the levers */
 	int32_t dear;                  /* 1: much work for each node: stages/joint_net.c */
 	int32_t joints;                /* of stages/joint_direct.c: how many of its nodes are joints */
+	int32_t kind;                  /* those of one kind are alike: stages/sparse_kind.c; CNI_NONE */
+	int32_t herds;                 /* 1: solved beside others of its kind: stages/joint_herd.c */
 } cni_component;
+
+/* A tree of nodes of two rows, as what is alike sees it. */
+#define CNI_KIND_NODES 32
+#define CNI_KIND_COUPLINGS 3 /* for each node */
+
+typedef struct cni_kind {
+	int32_t nodes, bodies;            /* bodies: that move */
+	uint8_t end[CNI_KIND_NODES][2];   /* by node and side: place of the body among the component's; `bodies`: it cannot move */
+	uint8_t color[CNI_KIND_NODES];    /* by node: no body has one twice, as of stages/joint_blocks.c */
+} cni_kind;
 
 typedef struct cni_sparse {
 	cni_node *nodes;
@@ -94,6 +107,8 @@ typedef struct cni_sparse {
 	int32_t body_count;
 	int32_t arena_entries;        /* before it was planned */
 	int32_t released;             /* of stages/joint_direct.c: components given up since lanes were filled */
+	struct cni_herd *herds;       /* of stages/joint_herd.c */
+	int32_t herd_count;
 	struct cni_press *presses;    /* contacts: nodes whose owner is -1 - press */
 	int32_t press_count;
 	cni_motion *saved;            /* by place in bodies */
@@ -116,8 +131,10 @@ typedef struct cni_system {
    blocks. out_planned[i] says whether link i became a node. Bodies that cannot move do not connect.
    kept (NULL: nothing is) holds the plan of the call before, of items of CNI_KEPT_BYTES; where links, moving bodies and
    budget are those of that call it is used again, else replaced; out points into it. What was pushed to the arena stays there until
-   the end of the step. out is zero but for presses. 0: not enough memory, nothing planned. */
+   the end of the step. out is zero but for presses; nodes' numbers are not written. 0: not enough memory, nothing planned. */
 int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *system, cni_sparse *out, uint8_t *out_planned);
+/* The numbers of a component's nodes become zero: before it is used. */
+void cni_sparse_clear(cni_sparse *sparse, const cni_component *c);
 /* Takes a plan back: its memory must be the latest of the arena. */
 void cni_sparse_discard(cni_arena *arena, cni_sparse *sparse);
 /* Scratch, and what is kept, of planning `count` links whose work_most add up to this, at most. */
@@ -128,6 +145,14 @@ void cni_sparse_factor(cni_sparse *sparse, const cni_component *c, const cni_mot
 /* The nodes' x from right hand sides to solutions. 0: some of it is not finite, for masses or arms that floats cannot
    hold together; nothing must be done with it. */
 int32_t cni_sparse_solve(cni_sparse *sparse, const cni_component *c);
+
+/* ---- kinds: stages/sparse_kind.c ---- */
+
+/* What the component is to those that are like it. 0: it is not of the sort that has a kind. */
+int32_t cni_kind_describe(const cni_sparse *sparse, const cni_component *c, const cni_motion *motions, cni_kind *out);
+/* Sets every component's kind: a number less than CNI_KINDS, or CNI_NONE. */
+#define CNI_KINDS 64
+void cni_kinds_find(cni_sparse *sparse, const cni_motion *motions);
 
 static inline float cni_lever_speed(const cni_lever *l, const cni_motion *a, const cni_motion *b)
 {

@@ -3,7 +3,7 @@
  *
  * One component at a time, breadth first from its first node. A tree needs no search: its nodes are eliminated in the
  * opposite order, in which what is left at a node's body is a clique already, so that nothing fills in (a chain as well
- * from its first node on). Others are ordered by stages/sparse_order.c. When all orders are known so are all sizes, and the
+ * from its first node on; a small one with branches as in stages/sparse_kind.c). Others are ordered by stages/sparse_order.c. When all orders are known so are all sizes, and the
  * plan is written.
  *
  * A plan depends on the links, on which bodies can move and on the budget, and on nothing else. It is kept with these;
@@ -255,6 +255,10 @@ static int32_t tree_order(cni_planner *p, int64_t most)
 	if (p->tree_work > most)
 		return 0;
 	p->work = (int32_t)p->tree_work;
+	if (p->hub > 2 && p->member_count <= CNI_KIND_NODES) {
+		cni_planner_order_tree(p);
+		return 1;
+	}
 	for (k = 0; k < p->member_count; ++k) {
 		int32_t node = p->member[forward ? k : p->member_count - 1 - k];
 		p->order[base + k] = node;
@@ -497,7 +501,6 @@ static int32_t plan_make(cni_planner *p, cni_array *array, kept_plan *kept)
 
 static void node_make(cni_node *n, const cni_link *link)
 {
-	memset(n, 0, sizeof *n);
 	n->ia = link->ia;
 	n->ib = link->ib;
 	n->owner = link->owner;
@@ -552,6 +555,15 @@ static void counts_forget(cni_sparse *s)
 	s->node_count = s->block_count = s->coupling_count = s->component_count = s->body_count = 0;
 }
 
+/* Kinds are found with the plan, and kept with it. */
+static void kinds_keep(cni_sparse *s, const cni_motion *motions, kept_plan *kept)
+{
+	int32_t k;
+	cni_kinds_find(s, motions);
+	for (k = 0; k < s->component_count; ++k)
+		kept->components[k].kind = s->components[k].kind;
+}
+
 int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *system, cni_sparse *out, uint8_t *out_planned)
 {
 	cni_planner p;
@@ -573,12 +585,30 @@ int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *sys
 		there = kept_fits(&p, &plan);
 	}
 	memset(out_planned, 0, (uint32_t)system->link_count);
-	if ((there || plan_make(&p, kept, &plan)) && plan_take(&p, &plan))
+	if ((there || plan_make(&p, kept, &plan)) && plan_take(&p, &plan)) {
+		if (!there)
+			kinds_keep(out, system->motions, &plan);
 		return 1;
+	}
 	arena_pop_to(arena, out->arena_entries);
 	memset(out_planned, 0, (uint32_t)system->link_count);
 	counts_forget(out);
 	return 0;
+}
+
+void cni_sparse_clear(cni_sparse *s, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &s->nodes[k];
+		n->held = 0;
+		memset(n->lever, 0, sizeof n->lever);
+		memset(n->compliance, 0, sizeof n->compliance);
+		memset(n->least, 0, sizeof n->least);
+		memset(n->x, 0, sizeof n->x);
+		memset(n->carried, 0, sizeof n->carried);
+		memset(n->total, 0, sizeof n->total);
+	}
 }
 
 void cni_sparse_discard(cni_arena *arena, cni_sparse *sparse)

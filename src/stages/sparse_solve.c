@@ -10,9 +10,7 @@
 #include <string.h>
 
 #define STRIDE (CNI_NODE_ROWS * CNI_NODE_ROWS)
-/* A pivot below this part of the diagonal it came from is rounding: so it is below a part of what was added to it. */
-#define PIVOT_LEAST 2e-6f
-#define PIVOT_LEAST_REGULAR 0.2f
+#define PIVOT_LEAST_REGULAR 0.2f /* so is one below this part of what was added to it: see CNI_PIVOT_LEAST */
 
 /* Where a component's blocks and pivots are: they lie close, in room for the greatest width. */
 typedef struct region {
@@ -163,7 +161,7 @@ CNI_INLINE void node_eliminate(const cni_sparse *s, const region *r, int32_t k, 
 CNI_INLINE void factor(cni_sparse *s, const cni_component *c, const cni_motion *motions, int32_t w)
 {
 	region r = region_of(s, c);
-	float least = cni_max(PIVOT_LEAST, PIVOT_LEAST_REGULAR * c->regular);
+	float least = cni_max(CNI_PIVOT_LEAST, PIVOT_LEAST_REGULAR * c->regular);
 	int32_t k, i;
 	if (!c->tree)
 		memset(r.blocks, 0, sizeof(float) * (size_t)(w * w) * (size_t)(s->first[c->end] - r.block_first));

@@ -191,7 +191,10 @@ static inline uint64_t bytes_promised(const problem *p)
 static inline int32_t plan_within(problem *p, int64_t budget)
 {
 	cni_system system = { p->links, p->link_count, p->body_count, p->bodies, budget, 0, 0 };
-	return cni_sparse_plan(&p->arena, p->kept, &system, &p->sparse, p->planned);
+	int32_t k, good = cni_sparse_plan(&p->arena, p->kept, &system, &p->sparse, p->planned);
+	for (k = 0; k < p->sparse.component_count; ++k)
+		cni_sparse_clear(&p->sparse, &p->sparse.components[k]);
+	return good;
 }
 
 static inline int32_t plan(problem *p)
