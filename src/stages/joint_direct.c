@@ -5,7 +5,8 @@
  * CN_SOLVER_AUTO takes trees, whose factorization costs about what a pass over their joints does, but not those that are
  * touched and whose joints hardly feel each other (stages/joint_couple.c), and large nets once (stages/joint_net.c).
  * CN_SOLVER_DIRECT takes all. The rest, and springs, motors and limits, are solved row by row in stages/joint_solve.c,
- * before; contacts come after, so joints and contacts alternate.
+ * before; contacts come after, so joints and contacts alternate. What contacts stopped hard would come apart from its
+ * neighbours in that substep: where they would open a joint by more than is good, all of its system is solved once more.
  *
  * Reads works, motion and inverse masses; writes works' flags and their rigid rows' impulses, motion velocities.
  */
@@ -579,6 +580,35 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 			component_release(world, s->direct, c);
 		if (!c->presses)
 			joints_solve(world, s, c, bias);
+	}
+}
+
+/* Do contacts, which came after, part joints by more in this substep than is good? Reads the right sides. */
+static int32_t is_parting(const cn_world *world, const cni_solve *s, const cni_component *c)
+{
+	float most = CNI_BAD_PART * world->settings.accuracy * s->inv_h;
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k)
+		for (i = 0; i < s->direct->nodes[k].rows; ++i)
+			if (cni_abs(s->direct->nodes[k].x[i]) > most)
+				return 1;
+	return 0;
+}
+
+void cni_direct_close(cn_world *world, const cni_solve *s)
+{
+	int32_t k;
+	for (k = 0; s->direct != NULL && k < s->direct->component_count; ++k) {
+		cni_component *c = &s->direct->components[k];
+		if (c->done || c->presses)
+			continue;
+		right_sides(world, s->direct, c, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed);
+		if (!is_parting(world, s, c))
+			continue;
+		if (cni_sparse_solve(s->direct, c))
+			cni_direct_push(world, s->direct, c);
+		else
+			joints_release(world, s->direct, c);
 	}
 }
 

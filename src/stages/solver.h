@@ -135,6 +135,8 @@ uint64_t cni_pile_bytes(int32_t bodies);
 void cni_direct_prepare(cn_world *world, cni_solve *s, struct cni_sparse *out);
 /* One pass over them: with errors' bias (1), or rigid at the new positions (0). */
 void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias);
+/* After the contacts: joints that they would part in this substep once more. */
+void cni_direct_close(cn_world *world, const cni_solve *s);
 /* Gives its contacts back to their lanes. */
 void cni_direct_store(cn_world *world, const cni_solve *s);
 /* The whole step of bodies that nothing but joints holds. */
