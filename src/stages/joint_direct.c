@@ -419,7 +419,7 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *spar
 	int32_t k;
 	if (c->body_begin == c->body_end)
 		return 1; /* of bodies that cannot move */
-	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->dear || c->presses || is_asked_for(world, sparse, c))
+	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->dear || c->presses || is_asked_for(world, sparse, c) || cni_component_is_joined(world, sparse, c))
 		return 0;
 	for (k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].rows != 2)
@@ -431,7 +431,7 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *spar
 static int32_t tree_loosen(cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
-	if (world->settings.solver != CN_SOLVER_AUTO || !c->tree || c->loops || c->presses || c->swings || is_asked_for(world, sparse, c))
+	if (world->settings.solver != CN_SOLVER_AUTO || !c->tree || c->loops || c->presses || c->swings || is_asked_for(world, sparse, c) || cni_component_is_joined(world, sparse, c))
 		return 0;
 	if (!cni_component_is_loose(world, sparse, c))
 		return 0;
@@ -462,6 +462,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		return;
 	s->direct = out;
 	cni_joint_works_complete(world, s);
+	(void)cni_joined_collect(world, out);
 	for (k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
 		c->presses = component_has_presses(out, c);
@@ -475,6 +476,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 			cni_direct_begin(world, s, out, c);
 	}
 	cni_presses_take(world, out);
+	(void)cni_joined_take(world, out);
 	world->direct_work = work_planned(world, out);
 }
 
@@ -567,6 +569,22 @@ static void component_turn(cn_world *world, const cni_solve *s, cni_component *c
 		cni_sparse_factor(s->direct, c, cni_motions(world));
 }
 
+/* Contacts between two passes over their joints. */
+static void joined_solve(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias)
+{
+	int32_t k;
+	cni_joined_solve(world, s, joined, bias);
+	for (k = 0; k < s->direct->component_count; ++k) {
+		cni_component *c = &s->direct->components[k];
+		if (!c->done && cni_awake_island(world, s->direct->bodies[c->body_begin]) == joined->island)
+			joints_solve(world, s, c, bias);
+	}
+	if (bias)
+		cni_joined_moved(world, s, joined);
+	else
+		cni_joined_hold(world, s, joined);
+}
+
 void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 {
 	int32_t k;
@@ -581,6 +599,8 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 		if (!c->presses)
 			joints_solve(world, s, c, bias);
 	}
+	for (k = 0; s->direct != NULL && k < s->direct->joined_count; ++k)
+		joined_solve(world, s, &s->direct->joined[k], bias);
 }
 
 /* Do contacts, which came after, part joints by more in this substep than is good? Reads the right sides. */
@@ -614,6 +634,9 @@ void cni_direct_close(cn_world *world, const cni_solve *s)
 
 void cni_direct_store(cn_world *world, const cni_solve *s)
 {
-	if (s->direct != NULL)
-		cni_presses_give_back_all(world, s->direct, s->h);
+	if (s->direct == NULL)
+		return;
+	cni_presses_give_back_all(world, s->direct, s->h);
+	cni_joined_look(world, s);
+	cni_joined_give_back(world, s->direct);
 }
