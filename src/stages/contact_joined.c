@@ -215,7 +215,7 @@ static void reach_held(const pass *q, const cni_component *c)
 		cni_sparse_reach(q->sparse, c, j->columns_of_nodes, j->columns, j->reach);
 }
 
-static int32_t component_is_of(const cn_world *world, const cni_sparse *sparse, const cni_component *c, const cni_joined *j)
+int32_t cni_component_is_of(const cn_world *world, const cni_sparse *sparse, const cni_component *c, const cni_joined *j)
 {
 	return !c->done && c->body_begin < c->body_end && cni_awake_island(world, sparse->bodies[c->body_begin]) == j->island;
 }
@@ -228,7 +228,7 @@ static int32_t reach_find(const pass *q)
 	memset(j->reach, 0, sizeof(float) * (size_t)(j->columns * j->columns));
 	reach_free(q);
 	for (k = 0; k < q->sparse->component_count; ++k)
-		if (component_is_of(q->world, q->sparse, &q->sparse->components[k], j))
+		if (cni_component_is_of(q->world, q->sparse, &q->sparse->components[k], j))
 			reach_held(q, &q->sparse->components[k]);
 	for (k = 0; k < j->columns; ++k)
 		for (l = 0; l < k; ++l)

@@ -569,16 +569,43 @@ static void component_turn(cn_world *world, const cni_solve *s, cni_component *c
 		cni_sparse_factor(s->direct, c, cni_motions(world));
 }
 
+/* What snaps straight faster than substeps follow is held as it is. Returns 1 when there was any. */
+static int32_t joined_lock(cn_world *world, const cni_solve *s, const cni_joined *joined)
+{
+	int32_t k, locked = 0;
+	for (k = 0; k < s->direct->component_count; ++k) {
+		cni_component *c = &s->direct->components[k];
+		if (!cni_component_is_of(world, s->direct, c, joined) || !cni_tension_lock(world, s->direct, c, s->h))
+			continue;
+		cni_sparse_factor(s->direct, c, cni_motions(world));
+		joints_solve(world, s, c, 1);
+		locked = 1;
+	}
+	return locked;
+}
+
 /* Contacts between two passes over their joints. */
-static void joined_solve(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias)
+static void joined_round(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias)
 {
 	int32_t k;
 	cni_joined_solve(world, s, joined, bias);
-	for (k = 0; k < s->direct->component_count; ++k) {
-		cni_component *c = &s->direct->components[k];
-		if (!c->done && cni_awake_island(world, s->direct->bodies[c->body_begin]) == joined->island)
-			joints_solve(world, s, c, bias);
+	for (k = 0; k < s->direct->component_count; ++k)
+		if (cni_component_is_of(world, s->direct, &s->direct->components[k], joined))
+			joints_solve(world, s, &s->direct->components[k], bias);
+}
+
+#define LOCKS 3
+
+static void joined_solve(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias)
+{
+	int32_t round;
+	joined_round(world, s, joined, bias);
+	for (round = 0; bias && round < LOCKS && joined_lock(world, s, joined); ++round) {
+		joined->turned = FLT_MAX;
+		joined_round(world, s, joined, bias);
 	}
+	if (round > 0)
+		joined->turned = FLT_MAX;
 	if (bias)
 		cni_joined_moved(world, s, joined);
 	else

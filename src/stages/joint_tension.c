@@ -14,6 +14,7 @@
 #include "stages/joint_work.h"
 
 #define XI_MOST 1.0f
+#define SNAP_MOST_RAD 0.2f /* that a body may turn in a substep, with one that does not */
 
 /* From the rows' impulses, which are those of a substep of length h. */
 void cni_tension_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
@@ -82,4 +83,23 @@ void cni_tension_damp(const cn_world *world, cni_sparse *sparse, const cni_compo
 		l->bw = most > 0.0f ? 1.0f : 0.0f;
 		n->compliance[2] = most > 0.0f ? 1.0f / most : 0.0f;
 	}
+}
+
+int32_t cni_tension_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float h)
+{
+	const cni_motion *motions = cni_motions(world);
+	float most = SNAP_MOST_RAD / h;
+	int32_t k, found = 0;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		if (n->rows != 2 || is_fixed(world, n->ia) || is_fixed(world, n->ib) ||
+		    (cni_abs(motions[n->ia].w) <= most && cni_abs(motions[n->ib].w) <= most) || cni_abs(motions[n->ib].w - motions[n->ia].w) <= 0.5f * most)
+			continue;
+		c->width = CNI_NODE_ROWS;
+		n->lever[2].aw = -1.0f;
+		n->lever[2].bw = 1.0f;
+		n->compliance[2] = 0.0f;
+		found = 1;
+	}
+	return found;
 }

@@ -113,5 +113,8 @@ void cni_tension_damp(const cn_world *world, cni_sparse *sparse, const cni_compo
 void cni_net_run(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 /* x of every node to its bodies' velocities and its rows' impulses. */
 void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c);
+/* Makes pins rigid until the next turn of the component, between bodies of which one would turn so far in a substep of length h
+   that positions do not follow. Returns 1 when there are any: it must be factored again. */
+int32_t cni_tension_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float h);
 
 #endif

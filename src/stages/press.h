@@ -68,6 +68,7 @@ typedef struct cni_joined {
 
 /* The contacts of islands that are solved directly for their joints' sake. 0: no memory. */
 int32_t cni_joined_collect(cn_world *world, cni_sparse *out);
+int32_t cni_component_is_of(const cn_world *world, const cni_sparse *sparse, const cni_component *c, const cni_joined *j);
 int32_t cni_component_is_joined(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Takes them out of their lanes. 0: no memory for all. */
 int32_t cni_joined_take(cn_world *world, cni_sparse *sparse);
