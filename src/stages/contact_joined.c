@@ -18,9 +18,7 @@
 
 #include <string.h>
 
-#define JOINED_ISLANDS 16
-#define JOINED_CONTACTS 16     /* of an island: one solution of its joints for each of their rows */
-#define ROW_MOST (3 * JOINED_CONTACTS)
+#define ROW_MOST (3 * CNI_JOINED_CONTACTS)
 #define ROUNDS 40
 #define TURN_MOST 0.01f        /* radians that bodies may turn until the reach is found anew */
 #define PUSH_RATE 0.1f         /* part of an overlap that is taken out in a substep */
@@ -39,25 +37,26 @@ static int32_t joined_may_be(const cn_world *world, int32_t island)
 int32_t cni_joined_collect(cn_world *world, cni_sparse *out)
 {
 	const int32_t *islands = (const int32_t *)world->direct_islands.data;
-	int32_t k, room = cni_min_i(world->direct_islands.count, JOINED_ISLANDS), presses = 0;
-	out->joined_count = 0;
-	if (room == 0 || world->awake_joints.count == 0)
+	int32_t k, room = world->awake_joints.count > 0 ? cni_min_i(world->direct_islands.count, CNI_JOINED_ISLANDS) : 0, presses = 0;
+	if (room == 0)
 		return 1;
 	out->joined = (cni_joined *)cni_arena_push(&world->arena, sizeof(cni_joined) * (uint64_t)room);
-	out->joined_presses = (cni_press *)cni_arena_push(&world->arena, sizeof(cni_press) * (uint64_t)(room * JOINED_CONTACTS));
+	out->joined_presses = (cni_press *)cni_arena_push(&world->arena, sizeof(cni_press) * (uint64_t)(room * CNI_JOINED_CONTACTS));
 	if (out->joined == NULL || out->joined_presses == NULL)
 		return 0;
 	for (k = 0; k < world->direct_islands.count && out->joined_count < room; ++k) {
 		cni_joined *j = &out->joined[out->joined_count];
 		if (!joined_may_be(world, islands[k]))
 			continue;
+		memset(j, 0, sizeof *j);
 		j->island = islands[k];
 		j->presses = out->joined_presses + presses;
-		j->count = cni_presses_collect(world, islands[k], j->presses, JOINED_CONTACTS);
-		j->fresh = 1;
-		j->turned = FLT_MAX;
+		j->count = cni_presses_collect(world, islands[k], j->presses, CNI_JOINED_CONTACTS);
 		if (j->count < 0)
 			continue;
+		j->columns = (3 * j->count + 3) & ~3;
+		j->fresh = 1;
+		j->turned = FLT_MAX;
 		presses += j->count;
 		++out->joined_count;
 	}
@@ -73,6 +72,62 @@ int32_t cni_component_is_joined(const cn_world *world, const cni_sparse *sparse,
 	return 0;
 }
 
+/* ---- what of it may change its energy ---- */
+
+static int32_t is_driven_by(const cn_world *world, int32_t index)
+{
+	const cni_motion *m = cni_motions(world) + index;
+	return index != 0 && m->inv_mass == 0.0f && (m->vx != 0.0f || m->vy != 0.0f || m->w != 0.0f);
+}
+
+static int32_t is_still(const cn_world *world, int32_t index)
+{
+	return cni_motions(world)[index].inv_mass == 0.0f;
+}
+
+static cni_joined *joined_of(const cn_world *world, const cni_sparse *sparse, int32_t index)
+{
+	int32_t k, island = cni_awake_island(world, index);
+	for (k = 0; k < sparse->joined_count && island != CNI_NONE; ++k)
+		if (sparse->joined[k].island == island)
+			return &sparse->joined[k];
+	return NULL;
+}
+
+static void ends_look(const cn_world *world, cni_joined *j, int32_t ia, int32_t ib)
+{
+	j->grounded |= is_still(world, ia) || is_still(world, ib);
+	j->driven |= is_driven_by(world, ia) || is_driven_by(world, ib);
+}
+
+static int32_t may_drive(const cni_joint_work *w)
+{
+	return (w->flags & CNI_WORK_SPRINGY) || (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR));
+}
+
+static void drives_look(const cn_world *world, cni_sparse *sparse)
+{
+	int32_t k, i;
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		const cni_joint_work *w = cni_joint_works(world) + k;
+		cni_joined *j = joined_of(world, sparse, w->ia != 0 ? w->ia : w->ib);
+		if (j == NULL)
+			continue;
+		ends_look(world, j, w->ia, w->ib);
+		j->driven |= may_drive(w);
+	}
+	for (k = 0; k < sparse->joined_count; ++k)
+		for (i = 0; i < sparse->joined[k].count; ++i)
+			ends_look(world, &sparse->joined[k], sparse->joined[k].presses[i].ia, sparse->joined[k].presses[i].ib);
+}
+
+/* ---- lanes ---- */
+
+static uint64_t reach_floats(const cni_joined *j)
+{
+	return (uint64_t)(j->columns * j->columns);
+}
+
 static int32_t nodes_most(const cni_sparse *sparse)
 {
 	int32_t k, most = 0;
@@ -81,26 +136,50 @@ static int32_t nodes_most(const cni_sparse *sparse)
 	return most;
 }
 
-int32_t cni_joined_take(cn_world *world, cni_sparse *sparse)
+static void presses_take(cn_world *world, cni_joined *j)
 {
-	int32_t k, i;
-	for (k = 0; k < sparse->joined_count; ++k) {
-		cni_joined *j = &sparse->joined[k];
-		j->columns = (3 * j->count + 3) & ~3;
-		j->reach = (float *)cni_arena_push(&world->arena, sizeof(float) * (uint64_t)(j->columns * j->columns));
-		j->columns_of_nodes = (float *)cni_arena_push(&world->arena, sizeof(float) * (uint64_t)(j->columns * CNI_NODE_ROWS * nodes_most(sparse)));
-		if (j->reach == NULL || j->columns_of_nodes == NULL) {
-			sparse->joined_count = k;
-			return 0;
-		}
-		for (i = 0; i < j->count; ++i) {
-			cni_press *p = &j->presses[i];
-			p->ia = cni_block_at(world, p->block)->ia[p->lane];
-			p->ib = cni_block_at(world, p->block)->ib[p->lane];
-			cni_press_take(world, p);
-		}
+	int32_t i;
+	for (i = 0; i < j->count; ++i) {
+		cni_press *p = &j->presses[i];
+		p->ia = cni_block_at(world, p->block)->ia[p->lane];
+		p->ib = cni_block_at(world, p->block)->ib[p->lane];
+		cni_press_take(world, p);
 	}
-	return 1;
+}
+
+void cni_joined_take(cn_world *world, cni_sparse *sparse)
+{
+	uint64_t floats = 0;
+	int32_t k, columns = 0;
+	float *reach, *nodes;
+	for (k = 0; k < sparse->joined_count; ++k) {
+		floats += reach_floats(&sparse->joined[k]);
+		columns = cni_max_i(columns, sparse->joined[k].columns);
+	}
+	if (sparse->joined_count == 0)
+		return;
+	reach = (float *)cni_arena_push(&world->arena, sizeof(float) * floats);
+	nodes = (float *)cni_arena_push(&world->arena, sizeof(float) * (uint64_t)(columns * CNI_NODE_ROWS * nodes_most(sparse)));
+	if (reach == NULL || nodes == NULL) {
+		sparse->joined_count = 0; /* their contacts are the soft solver's */
+		return;
+	}
+	for (k = 0; k < sparse->joined_count; ++k) {
+		sparse->joined[k].reach = reach;
+		sparse->joined[k].nodes = nodes;
+		reach += reach_floats(&sparse->joined[k]);
+		presses_take(world, &sparse->joined[k]);
+	}
+	drives_look(world, sparse);
+}
+
+uint64_t cni_joined_bytes(int32_t joints, int32_t contacts)
+{
+	const uint64_t rows = 3 * CNI_JOINED_CONTACTS;
+	uint64_t islands = (uint64_t)cni_min_i(joints, CNI_JOINED_ISLANDS), most = (uint64_t)cni_min_i(contacts, CNI_JOINED_CONTACTS * CNI_JOINED_ISLANDS);
+	if (joints == 0 || contacts == 0)
+		return 0;
+	return islands * (sizeof(cni_joined) + sizeof(cni_press) * CNI_JOINED_CONTACTS) + sizeof(float) * rows * (3 * most + CNI_NODE_ROWS * (uint64_t)joints) + 256;
 }
 
 /* Would its joints come apart if the soft solver had them? They give way by about 0.4 h of the speed that what they bear
@@ -198,10 +277,10 @@ static void reach_held(const pass *q, const cni_component *c)
 {
 	const cni_joined *j = q->joined;
 	int32_t k, n, i, any = 0;
-	memset(j->columns_of_nodes, 0, sizeof(float) * (size_t)((c->end - c->begin) * CNI_NODE_ROWS * j->columns));
+	memset(j->nodes, 0, sizeof(float) * (size_t)((c->end - c->begin) * CNI_NODE_ROWS * j->columns));
 	for (n = c->begin; n < c->end; ++n) {
 		const cni_node *node = &q->sparse->nodes[n];
-		float *x = j->columns_of_nodes + (n - c->begin) * CNI_NODE_ROWS * j->columns;
+		float *x = j->nodes + (n - c->begin) * CNI_NODE_ROWS * j->columns;
 		for (k = 0; k < j->count; ++k) {
 			const cni_press *p = &j->presses[k];
 			if (!shares(p->ia, p->ib, node->ia, node->ib))
@@ -212,7 +291,7 @@ static void reach_held(const pass *q, const cni_component *c)
 		}
 	}
 	if (any)
-		cni_sparse_reach(q->sparse, c, j->columns_of_nodes, j->columns, j->reach);
+		cni_sparse_reach(q->sparse, c, j->nodes, j->columns, j->reach);
 }
 
 int32_t cni_component_is_of(const cn_world *world, const cni_sparse *sparse, const cni_component *c, const cni_joined *j)
@@ -351,62 +430,66 @@ static void given_push(const pass *q)
 
 /* ---- energy ---- */
 
-static int32_t next_of(const cn_world *world, int32_t body)
+static const cni_body *next_of(const cn_world *world, const cni_body *b)
 {
-	return cni_body_at(world, body)->island_next;
+	return b->island_next == CNI_NONE ? NULL : cni_body_at(world, b->island_next);
+}
+
+static const cni_body *first_of(const cn_world *world, const cni_joined *j)
+{
+	return cni_body_at(world, cni_island_at(world, j->island)->first);
+}
+
+/* Twice the kinetic energy. */
+static float energy_of(const cni_motion *m, float vx, float vy, float w)
+{
+	float moving = m->inv_mass > 0.0f ? (vx * vx + vy * vy) / m->inv_mass : 0.0f;
+	return m->inv_inertia > 0.0f ? moving + w * w / m->inv_inertia : moving;
+}
+
+/* Twice what its drive gives to a body that moves like this for a substep. */
+static float work_of(const cni_motion *m, const cni_drive *d, float h)
+{
+	float moving = m->inv_mass > 0.0f ? (d->ax * m->vx + d->ay * m->vy) / m->inv_mass : 0.0f;
+	return 2.0f * h * (m->inv_inertia > 0.0f ? moving + d->alpha * m->w / m->inv_inertia : moving);
 }
 
 void cni_joined_moved(cn_world *world, const cni_solve *s, cni_joined *j)
 {
-	int32_t body;
+	const cni_body *b;
 	float most = 0.0f;
-	j->work = 0.0f;
-	for (body = cni_island_at(world, j->island)->first; body != CNI_NONE; body = next_of(world, body)) {
-		int32_t k = cni_body_at(world, body)->awake;
-		const cni_motion *m = cni_motions(world) + k;
-		const cni_drive *d = cni_drives(world) + k;
-		if (m->inv_mass > 0.0f)
-			j->work += 2.0f * s->h * (d->ax * m->vx + d->ay * m->vy) / m->inv_mass;
-		if (m->inv_inertia > 0.0f)
-			j->work += 2.0f * s->h * d->alpha * m->w / m->inv_inertia;
+	j->energy = 0.0f;
+	for (b = first_of(world, j); b != NULL; b = next_of(world, b)) {
+		const cni_motion *m = cni_motions(world) + b->awake;
+		const cni_drive *d = cni_drives(world) + b->awake;
+		cni_velocity_start *v = cni_starts(world) + b->awake;
+		j->energy += energy_of(m, v->vx - s->h * d->ax, v->vy - s->h * d->ay, v->w - s->h * d->alpha) + work_of(m, d, s->h);
+		v->struck = cni_max(v->struck, 1.0f); /* it moves by these velocities, and is not corrected */
 		most = cni_max(most, cni_abs(m->w));
 	}
 	j->turned += s->h * most;
 }
 
-void cni_joined_hold(cn_world *world, const cni_solve *s, cni_joined *j)
+void cni_joined_hold(cn_world *world, cni_joined *j)
 {
-	float before = j->work, after = 0.0f, keep;
-	int32_t body;
-	for (body = cni_island_at(world, j->island)->first; body != CNI_NONE; body = next_of(world, body)) {
-		int32_t k = cni_body_at(world, body)->awake;
-		const cni_motion *m = cni_motions(world) + k;
-		const cni_drive *d = cni_drives(world) + k;
-		const cni_velocity_start *v = cni_starts(world) + k;
-		float vx = v->vx - s->h * d->ax, vy = v->vy - s->h * d->ay, w = v->w - s->h * d->alpha;
-		if (m->inv_mass > 0.0f) {
-			before += (vx * vx + vy * vy) / m->inv_mass;
-			after += (m->vx * m->vx + m->vy * m->vy) / m->inv_mass;
-		}
-		if (m->inv_inertia > 0.0f) {
-			before += w * w / m->inv_inertia;
-			after += m->w * m->w / m->inv_inertia;
-		}
+	const cni_body *b;
+	float after = 0.0f, less;
+	for (b = first_of(world, j); b != NULL; b = next_of(world, b)) {
+		const cni_motion *m = cni_motions(world) + b->awake;
+		after += energy_of(m, m->vx, m->vy, m->w);
 	}
-	if (after <= 1.001f * before)
+	if (after <= j->energy || !j->grounded || j->driven)
 		return;
-	keep = before > 0.0f ? cni_sqrt(before / after) : 0.0f;
-	for (body = cni_island_at(world, j->island)->first; body != CNI_NONE; body = next_of(world, body)) {
-		int32_t k = cni_body_at(world, body)->awake;
-		cni_motion *m = cni_motions(world) + k;
-		cni_velocity_start *v = cni_starts(world) + k;
-		float dvx = (keep - 1.0f) * m->vx, dvy = (keep - 1.0f) * m->vy, dw = (keep - 1.0f) * m->w;
-		m->vx += dvx;
-		m->vy += dvy;
-		m->w += dw;
-		v->vx += dvx;
-		v->vy += dvy;
-		v->w += dw;
+	less = (j->energy > 0.0f ? cni_sqrt(j->energy / after) : 0.0f) - 1.0f;
+	for (b = first_of(world, j); b != NULL; b = next_of(world, b)) {
+		cni_motion *m = cni_motions(world) + b->awake;
+		cni_velocity_start *v = cni_starts(world) + b->awake;
+		v->vx += less * m->vx;
+		v->vy += less * m->vy;
+		v->w += less * m->w;
+		m->vx += less * m->vx;
+		m->vy += less * m->vy;
+		m->w += less * m->w;
 	}
 }
 

@@ -31,6 +31,7 @@ static int32_t press_work(int32_t solver)
 /* A dear system is solved once, in one substep, and then not again for so long that it is no more work than this a step
    for each of its nodes, in the mean. */
 #define DEAR_SPREAD 8
+#define LOCKS 3 /* rounds in a substep in which pins are made rigid */
 
 static int32_t joint_work(int32_t solver)
 {
@@ -62,7 +63,7 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 	uint64_t joint = 1 + sizeof(float) * CNI_NODE_ROWS, link = sizeof(cni_link) + 2 * sizeof(cni_motion) + 1;
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
-	return joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_press) * (uint64_t)presses +
+	return cni_joined_bytes(joints, contacts) + joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_press) * (uint64_t)presses +
 	       (sizeof(float) + sizeof(cni_rot)) * (uint64_t)(bodies + 1) + 640 + cni_sparse_bytes(links, bodies + 1, work);
 }
 
@@ -462,21 +463,22 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		return;
 	s->direct = out;
 	cni_joint_works_complete(world, s);
-	(void)cni_joined_collect(world, out);
+	if (!cni_joined_collect(world, out))
+		world->warnings |= CN_WARNING_FRAME_MEMORY;
 	for (k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
 		c->presses = component_has_presses(out, c);
 		if (c->dear && world->settings.solver == CN_SOLVER_AUTO)
 			cni_island_once(world, cni_awake_island(world, out->bodies[c->body_begin]), c->work / (DEAR_SPREAD * (c->end - c->begin)));
 		c->regular = c->presses || c->loops ? REGULAR : 0.0f;
-		c->swings = !c->presses && cni_component_swings(world, s, out, c);
+		c->swings = !c->presses && !(c->loops && cni_component_is_joined(world, out, c)) && cni_component_swings(world, s, out, c);
 		if (loop_is_better_soft(world, out, c) || is_better_alone(c) || tree_loosen(world, out, c))
 			joints_release(world, out, c);
 		else if (!c->swings)
 			cni_direct_begin(world, s, out, c);
 	}
 	cni_presses_take(world, out);
-	(void)cni_joined_take(world, out);
+	cni_joined_take(world, out);
 	world->direct_work = work_planned(world, out);
 }
 
@@ -594,11 +596,20 @@ static void joined_round(cn_world *world, const cni_solve *s, cni_joined *joined
 			joints_solve(world, s, &s->direct->components[k], bias);
 }
 
-#define LOCKS 3
+static int32_t joined_is_done(const cn_world *world, const cni_sparse *sparse, const cni_joined *joined)
+{
+	int32_t k;
+	for (k = 0; k < sparse->component_count; ++k)
+		if (cni_component_is_of(world, sparse, &sparse->components[k], joined))
+			return 0;
+	return joined->count == 0;
+}
 
 static void joined_solve(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias)
 {
 	int32_t round;
+	if (joined_is_done(world, s->direct, joined))
+		return;
 	joined_round(world, s, joined, bias);
 	for (round = 0; bias && round < LOCKS && joined_lock(world, s, joined); ++round) {
 		joined->turned = FLT_MAX;
@@ -609,7 +620,7 @@ static void joined_solve(cn_world *world, const cni_solve *s, cni_joined *joined
 	if (bias)
 		cni_joined_moved(world, s, joined);
 	else
-		cni_joined_hold(world, s, joined);
+		cni_joined_hold(world, joined);
 }
 
 void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
@@ -647,7 +658,7 @@ void cni_direct_close(cn_world *world, const cni_solve *s)
 	int32_t k;
 	for (k = 0; s->direct != NULL && k < s->direct->component_count; ++k) {
 		cni_component *c = &s->direct->components[k];
-		if (c->done || c->presses)
+		if (c->done || c->presses || cni_component_is_joined(world, s->direct, c))
 			continue;
 		right_sides(world, s->direct, c, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed);
 		if (!is_parting(world, s, c))

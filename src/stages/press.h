@@ -54,15 +54,20 @@ int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *spars
 
 /* ---- contacts that are solved through their joints: stages/contact_joined.c ---- */
 
+#define CNI_JOINED_ISLANDS 16
+#define CNI_JOINED_CONTACTS 16 /* of an island: its joints are half solved for each of their rows */
+
 typedef struct cni_joined {
 	int32_t island;
 	int32_t count;
 	cni_press *presses;
 	float *reach;               /* [row][row]: speed of the first by an impulse on the second */
-	float *columns_of_nodes;    /* scratch */
+	float *nodes;               /* scratch: what the rows do to the joints of a system */
 	int32_t columns;            /* three a contact, rounded up */
 	int32_t fresh;              /* 1: the impulses are those of the last step */
-	float work;
+	int32_t grounded;           /* touches or hangs on what cannot be moved */
+	int32_t driven;             /* something may give it energy */
+	float energy;               /* twice the most kinetic energy that the substep may end with */
 	float turned;               /* radians at most since reach was found */
 } cni_joined;
 
@@ -70,12 +75,16 @@ typedef struct cni_joined {
 int32_t cni_joined_collect(cn_world *world, cni_sparse *out);
 int32_t cni_component_is_of(const cn_world *world, const cni_sparse *sparse, const cni_component *c, const cni_joined *j);
 int32_t cni_component_is_joined(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
-/* Takes them out of their lanes. 0: no memory for all. */
-int32_t cni_joined_take(cn_world *world, cni_sparse *sparse);
+/* Takes them out of their lanes. */
+void cni_joined_take(cn_world *world, cni_sparse *sparse);
+/* Scratch that it may take. */
+uint64_t cni_joined_bytes(int32_t joints, int32_t contacts);
+/* Islands that the soft solver would let come apart again stay. */
 void cni_joined_look(cn_world *world, const cni_solve *s);
 void cni_joined_give_back(cn_world *world, cni_sparse *sparse);
+/* Around the move of positions: what energy there is, and the taking out of what is more. */
 void cni_joined_moved(cn_world *world, const cni_solve *s, cni_joined *j);
-void cni_joined_hold(cn_world *world, const cni_solve *s, cni_joined *j);
+void cni_joined_hold(cn_world *world, cni_joined *j);
 /* After a pass over its joints; another is to follow. */
 void cni_joined_solve(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias);
 
