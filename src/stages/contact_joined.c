@@ -34,6 +34,17 @@ static int32_t joined_may_be(const cn_world *world, int32_t island)
 	return i->tier == CNI_TIER_DIRECT && i->solver != CN_SOLVER_DIRECT && cni_island_has_joints(world, island);
 }
 
+static int32_t has_dear(const cn_world *world, const cni_sparse *sparse, int32_t island)
+{
+	int32_t k;
+	for (k = 0; k < sparse->component_count; ++k) {
+		const cni_component *c = &sparse->components[k];
+		if (c->dear && c->body_begin < c->body_end && cni_awake_island(world, sparse->bodies[c->body_begin]) == island)
+			return 1;
+	}
+	return 0;
+}
+
 int32_t cni_joined_collect(cn_world *world, cni_sparse *out)
 {
 	const int32_t *islands = (const int32_t *)world->direct_islands.data;
@@ -46,7 +57,7 @@ int32_t cni_joined_collect(cn_world *world, cni_sparse *out)
 		return 0;
 	for (k = 0; k < world->direct_islands.count && out->joined_count < room; ++k) {
 		cni_joined *j = &out->joined[out->joined_count];
-		if (!joined_may_be(world, islands[k]))
+		if (!joined_may_be(world, islands[k]) || has_dear(world, out, islands[k]))
 			continue;
 		memset(j, 0, sizeof *j);
 		j->island = islands[k];
@@ -65,8 +76,8 @@ int32_t cni_joined_collect(cn_world *world, cni_sparse *out)
 
 int32_t cni_component_is_joined(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k, island = sparse->joined_count > 0 ? cni_awake_island(world, sparse->bodies[c->body_begin]) : CNI_NONE;
-	for (k = 0; k < sparse->joined_count; ++k)
+	int32_t k, island = c->body_begin < c->body_end ? cni_awake_island(world, sparse->bodies[c->body_begin]) : CNI_NONE;
+	for (k = 0; k < sparse->joined_count && island != CNI_NONE; ++k)
 		if (sparse->joined[k].island == island)
 			return 1;
 	return 0;
