@@ -6,7 +6,11 @@
  * touched and whose joints hardly feel each other (stages/joint_couple.c), and large nets once (stages/joint_net.c).
  * CN_SOLVER_DIRECT takes all. The rest, and springs, motors and limits, are solved row by row in stages/joint_solve.c,
  * before; contacts come after, so joints and contacts alternate. What contacts stopped hard would come apart from its
- * neighbours in that substep: where they would open a joint by more than is good, all of its system is solved once more.
+ * neighbours in that substep, by 4 cm at 10 m/s. So where a joint would open by more than is good as positions move, its
+ * system is solved once more, then the contacts of its bodies, and so on for a few rounds, joints last.
+ *
+ * Loops of pins, and what they carry, are the soft solver's until they come apart by more than is good; then they are
+ * solved with their contacts (stages/contact_joined.c), those of them that are few.
  *
  * Reads works, motion and inverse masses; writes works' flags and their rigid rows' impulses, motion velocities.
  */
@@ -31,6 +35,8 @@ static int32_t press_work(int32_t solver)
 /* A dear system is solved once, in one substep, and then not again for so long that it is no more work than this a step
    for each of its nodes, in the mean. */
 #define DEAR_SPREAD 8
+#define CLOSE_ROUNDS 4 /* of joints and the contacts that part them, in a substep */
+#define TURN_LEAST_RAD 0.02f /* in a substep: arms that turn less stay on the tangent */
 #define LOCKS 3 /* rounds in a substep in which pins are made rigid */
 
 static int32_t joint_work(int32_t solver)
@@ -653,21 +659,83 @@ static int32_t is_parting(const cn_world *world, const cni_solve *s, const cni_c
 	return 0;
 }
 
+/* How a point at r leaves the tangent when its body turns by this angle. */
+static cni_vec2 swerve(cni_vec2 r, float turn)
+{
+	cni_rot q = cni_rot_small(turn);
+	return cni_v((q.c - 1.0f) * r.x - (q.s - turn) * r.y, (q.c - 1.0f) * r.y + (q.s - turn) * r.x);
+}
+
+static int32_t is_pin(const cn_world *world, const cni_node *n)
+{
+	return cni_joint_works(world)[n->owner].record->type == CN_JOINT_REVOLUTE;
+}
+
+/* Arms that turn fast carry pins apart at the second order of the substep: their speeds shall make up for it. */
+static void swerves_add(const cn_world *world, const cni_solve *s, const cni_component *c)
+{
+	const cni_motion *motions = cni_motions(world);
+	float least = TURN_LEAST_RAD * s->inv_h;
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &s->direct->nodes[k];
+		const cni_lever *x = &n->lever[0], *y = &n->lever[1];
+		float wa = motions[n->ia].w, wb = motions[n->ib].w;
+		cni_vec2 a, b;
+		if ((cni_abs(wa) <= least && cni_abs(wb) <= least) || !is_pin(world, n))
+			continue;
+		a = swerve(cni_v(-y->aw, x->aw), s->h * wa);
+		b = swerve(cni_v(y->bw, -x->bw), s->h * wb);
+		n->x[0] -= (b.x - a.x) * s->inv_h;
+		n->x[1] -= (b.y - a.y) * s->inv_h;
+	}
+}
+
+/* The contacts of its bodies once more. */
+static void touching_solve(cn_world *world, const cni_solve *s, const cni_component *c)
+{
+	int32_t k, key;
+	for (k = c->body_begin; k < c->body_end; ++k) {
+		int32_t body = cni_awake_ids(world)[s->direct->bodies[k]];
+		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+			const cni_contact *contact = cni_contact_of_key(world, key);
+			if ((contact->flags & CNI_CONTACT_TOUCHING) && contact->slot != CNI_NONE)
+				cni_contact_solve_again(world, s, contact->slot);
+		}
+	}
+}
+
+/* Returns 1 when it had to. */
+static int32_t component_close(cn_world *world, const cni_solve *s, cni_component *c)
+{
+	if (c->done || c->presses || cni_component_is_joined(world, s->direct, c))
+		return 0;
+	right_sides(world, s->direct, c, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed);
+	swerves_add(world, s, c);
+	if (!is_parting(world, s, c))
+		return 0;
+	if (cni_sparse_solve(s->direct, c))
+		cni_direct_push(world, s->direct, c);
+	else
+		joints_release(world, s->direct, c);
+	return 1;
+}
+
+static int32_t components_close(cn_world *world, const cni_solve *s)
+{
+	int32_t k, closed = 0;
+	for (k = 0; k < s->direct->component_count; ++k)
+		closed |= s->direct->components[k].parting = component_close(world, s, &s->direct->components[k]);
+	return closed;
+}
+
 void cni_direct_close(cn_world *world, const cni_solve *s)
 {
-	int32_t k;
-	for (k = 0; s->direct != NULL && k < s->direct->component_count; ++k) {
-		cni_component *c = &s->direct->components[k];
-		if (c->done || c->presses || cni_component_is_joined(world, s->direct, c))
-			continue;
-		right_sides(world, s->direct, c, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed);
-		if (!is_parting(world, s, c))
-			continue;
-		if (cni_sparse_solve(s->direct, c))
-			cni_direct_push(world, s->direct, c);
-		else
-			joints_release(world, s->direct, c);
-	}
+	int32_t k, round;
+	for (round = 0; s->direct != NULL && components_close(world, s) && round < CLOSE_ROUNDS; ++round)
+		for (k = 0; k < s->direct->component_count; ++k)
+			if (s->direct->components[k].parting)
+				touching_solve(world, s, &s->direct->components[k]);
 }
 
 void cni_direct_store(cn_world *world, const cni_solve *s)

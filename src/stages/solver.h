@@ -91,6 +91,8 @@ int32_t cni_contacts_list(cn_world *world, cni_solve *s);
 void cni_contacts_warm_start(cn_world *world, const cni_solve *s);
 void cni_contacts_solve(cn_world *world, const cni_solve *s);
 void cni_contacts_relax(cn_world *world, const cni_solve *s);
+/* One contact of them, in a pass that has been: by its slot. */
+void cni_contact_solve_again(cn_world *world, const cni_solve *s, int32_t slot);
 void cni_shocks_forget(cn_world *world, const cni_solve *s);
 /* After the first substep: what stands is done with for this step: stages/rest.c. */
 void cni_rest_find(cn_world *world, const cni_solve *s);
