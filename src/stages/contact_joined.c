@@ -34,6 +34,18 @@ static int32_t joined_may_be(const cn_world *world, int32_t island)
 	return i->tier == CNI_TIER_DIRECT && i->solver != CN_SOLVER_DIRECT && cni_island_has_joints(world, island);
 }
 
+/* Were its joints held in the last step? */
+static int32_t was_joined(const cn_world *world, int32_t island)
+{
+	int32_t body;
+	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+		const cni_body *b = cni_body_at(world, body);
+		if (b->joint_count > 0 && cni_joint_at(world, b->joint_first >> 1)->held_step == world->step_count)
+			return world->joined_step == world->step_count;
+	}
+	return 0;
+}
+
 static int32_t has_dear(const cn_world *world, const cni_sparse *sparse, int32_t island)
 {
 	int32_t k;
@@ -63,6 +75,8 @@ int32_t cni_joined_collect(cn_world *world, cni_sparse *out)
 		j->island = islands[k];
 		j->presses = out->joined_presses + presses;
 		j->count = cni_presses_collect(world, islands[k], j->presses, CNI_JOINED_CONTACTS);
+		if (j->count < 0 && was_joined(world, islands[k]))
+			cni_island_refuse(world, islands[k], j->count == CNI_PRESSES_MANY ? CN_TIER_REASON_CROWDED : CN_TIER_REASON_KIND);
 		if (j->count < 0)
 			continue;
 		j->columns = (3 * j->count + 3) & ~3;
@@ -158,6 +172,34 @@ static void presses_take(cn_world *world, cni_joined *j)
 	}
 }
 
+static void held_mark(cn_world *world, const cni_sparse *sparse)
+{
+	int32_t k, n;
+	world->joined_step = world->step_count + 1u;
+	for (k = 0; k < sparse->component_count; ++k) {
+		const cni_component *c = &sparse->components[k];
+		for (n = c->begin; n < c->end && !c->done && cni_component_is_joined(world, sparse, c); ++n)
+			cni_joint_at(world, cni_joint_works(world)[sparse->nodes[n].owner].joint)->held_step = world->joined_step;
+	}
+}
+
+void cni_joined_let_go(cn_world *world)
+{
+	int32_t k, r;
+	if (world->joined_step != world->step_count || world->step_count == 0)
+		return;
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		cni_joint_work *w = cni_joint_works(world) + k;
+		cni_joint *j = cni_joint_at(world, w->joint);
+		if (j->held_step != world->step_count || (w->flags & CNI_WORK_DIRECT))
+			continue;
+		for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r)
+			j->impulse[r] = 0.0f;
+		for (r = 0; r < w->row_count && r < w->rigid_count; ++r)
+			w->rows[r].impulse = 0.0f;
+	}
+}
+
 void cni_joined_take(cn_world *world, cni_sparse *sparse)
 {
 	uint64_t floats = 0;
@@ -175,6 +217,7 @@ void cni_joined_take(cn_world *world, cni_sparse *sparse)
 		sparse->joined_count = 0; /* their contacts are the soft solver's */
 		return;
 	}
+	held_mark(world, sparse);
 	for (k = 0; k < sparse->joined_count; ++k) {
 		sparse->joined[k].reach = reach;
 		sparse->joined[k].nodes = nodes;

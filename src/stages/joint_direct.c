@@ -453,7 +453,7 @@ static int32_t is_better_alone(const cni_component *c)
 	return !c->swings && !c->presses && (c->dear || c->end - c->begin == 1);
 }
 
-void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
+static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 {
 	int32_t k;
 	memset(out, 0, sizeof *out);
@@ -486,6 +486,12 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	cni_presses_take(world, out);
 	cni_joined_take(world, out);
 	world->direct_work = work_planned(world, out);
+}
+
+void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
+{
+	prepare(world, s, out);
+	cni_joined_let_go(world);
 }
 
 /* Both bodies are read once and written once: a node's two bodies are never the same. */
@@ -668,7 +674,7 @@ static cni_vec2 swerve(cni_vec2 r, float turn)
 
 static int32_t is_pin(const cn_world *world, const cni_node *n)
 {
-	return cni_joint_works(world)[n->owner].record->type == CN_JOINT_REVOLUTE;
+	return n->owner >= 0 && cni_joint_works(world)[n->owner].record->type == CN_JOINT_REVOLUTE;
 }
 
 /* Arms that turn fast carry pins apart at the second order of the substep: their speeds shall make up for it. */

@@ -55,7 +55,7 @@ int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *spars
 /* ---- contacts that are solved through their joints: stages/contact_joined.c ---- */
 
 #define CNI_JOINED_ISLANDS 16
-#define CNI_JOINED_CONTACTS 16 /* of an island: its joints are half solved for each of their rows */
+#define CNI_JOINED_CONTACTS 24 /* of an island: its joints are half solved for each of their rows */
 
 typedef struct cni_joined {
 	int32_t island;
@@ -77,6 +77,8 @@ int32_t cni_component_is_of(const cn_world *world, const cni_sparse *sparse, con
 int32_t cni_component_is_joined(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Takes them out of their lanes. */
 void cni_joined_take(cn_world *world, cni_sparse *sparse);
+/* Joints that were held and are not any more begin from nothing: what they bore, soft joints would give way to by metres. */
+void cni_joined_let_go(cn_world *world);
 /* Scratch that it may take. */
 uint64_t cni_joined_bytes(int32_t joints, int32_t contacts);
 /* Islands that the soft solver would let come apart again stay. */

@@ -135,7 +135,7 @@ int32_t cni_sparse_solve(cni_sparse *sparse, const cni_component *c);
 /* Half a solution: out -= x^T K^-1 x with the factored K of the component. x: [node of it][CNI_NODE_ROWS][columns], which is
    destroyed; out: [columns][columns], of which what is left of the diagonal may be left out. columns: a multiple of 4; aligned
    as the arena gives it. */
-#define CNI_REACH_MOST 48
+#define CNI_REACH_MOST 72
 void cni_sparse_reach(const cni_sparse *sparse, const cni_component *c, float *x, int32_t columns, float *out);
 
 static inline float cni_lever_speed(const cni_lever *l, const cni_motion *a, const cni_motion *b)
