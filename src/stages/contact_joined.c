@@ -23,6 +23,7 @@
 #define TURN_MOST 0.01f        /* radians that bodies may turn until the reach is found anew */
 #define PUSH_RATE 0.1f         /* part of an overlap that is taken out in a substep */
 #define SPEED_LEAST 1e-3f      /* length units a second that are no motion */
+#define STILL_SPEED 1e-4f      /* ... and that need not be solved at all */
 #define SOFT_GIVE 0.4f         /* 1 / (w h)^2 of soft joints: stages/solve_make.c */
 #define REACH_LEAST 1e-5f      /* of a row's own: less is rounding, its joints hold it as it is */
 
@@ -416,6 +417,28 @@ static float friction_solve(pass *q, int32_t row)
 	return cni_abs(p->j[2] - old) / mass;
 }
 
+/* Would a row change its impulse by a speed that counts? */
+static int32_t row_is_off(const pass *q, int32_t row, float least)
+{
+	const cni_press *p = &q->joined->presses[row / 3];
+	float speed = q->speed[row] + q->room[row], most = p->static_friction * (p->j[0] + p->j[1]), j = p->j[row % 3];
+	if (q->mass[row] == 0.0f)
+		return 0;
+	if (row % 3 < 2)
+		return speed < -least || (speed > least && j > 0.0f);
+	return cni_abs(speed) > least && (most > 0.0f || j != 0.0f);
+}
+
+static int32_t is_off(const pass *q)
+{
+	float least = STILL_SPEED * q->world->settings.length_unit;
+	int32_t row;
+	for (row = 0; row < 3 * q->joined->count; ++row)
+		if (row_is_off(q, row, least))
+			return 1;
+	return 0;
+}
+
 static void rounds_run(pass *q)
 {
 	float least = SPEED_LEAST * q->world->settings.length_unit;
@@ -547,7 +570,7 @@ void cni_joined_hold(cn_world *world, cni_joined *j)
 	}
 }
 
-void cni_joined_solve(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias)
+int32_t cni_joined_solve(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias)
 {
 	pass q;
 	q.world = world;
@@ -556,14 +579,19 @@ void cni_joined_solve(cn_world *world, const cni_solve *s, cni_joined *joined, i
 	q.joined = joined;
 	q.motions = cni_motions(world);
 	q.bias = bias;
+	if (joined->count == 0)
+		return 0;
 	levers_make(&q);
-	if (joined->count == 0 || (joined->turned > TURN_MOST && !reach_find(&q)))
-		return;
+	if (joined->turned > TURN_MOST && !reach_find(&q))
+		return 0;
 	if (joined->turned > TURN_MOST)
 		joined->turned = 0.0f;
 	rows_begin(&q);
 	if (joined->fresh)
 		rows_warm(&q);
+	else if (!is_off(&q))
+		return 0;
 	rounds_run(&q);
 	given_push(&q);
+	return 1;
 }

@@ -453,6 +453,19 @@ static int32_t is_better_alone(const cni_component *c)
 	return !c->swings && !c->presses && (c->dear || c->end - c->begin == 1);
 }
 
+/* What contacts may part. */
+static void closing_mark(const cn_world *world, cni_sparse *sparse)
+{
+	int32_t k, n;
+	for (k = 0; k < sparse->component_count; ++k) {
+		cni_component *c = &sparse->components[k];
+		for (n = c->body_begin; n < c->body_end && !c->closes && !c->done && !c->presses; ++n)
+			c->closes = (cni_drives(world)[sparse->bodies[n]].flags & CNI_DRIVE_TOUCHED) != 0;
+		if (c->closes && cni_component_is_joined(world, sparse, c))
+			c->closes = 0;
+	}
+}
+
 static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 {
 	int32_t k;
@@ -485,6 +498,7 @@ static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	}
 	cni_presses_take(world, out);
 	cni_joined_take(world, out);
+	closing_mark(world, out);
 	world->direct_work = work_planned(world, out);
 }
 
@@ -602,7 +616,8 @@ static int32_t joined_lock(cn_world *world, const cni_solve *s, const cni_joined
 static void joined_round(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias)
 {
 	int32_t k;
-	cni_joined_solve(world, s, joined, bias);
+	if (!cni_joined_solve(world, s, joined, bias))
+		return;
 	for (k = 0; k < s->direct->component_count; ++k)
 		if (cni_component_is_of(world, s->direct, &s->direct->components[k], joined))
 			joints_solve(world, s, &s->direct->components[k], bias);
@@ -714,7 +729,7 @@ static void touching_solve(cn_world *world, const cni_solve *s, const cni_compon
 /* Returns 1 when it had to. */
 static int32_t component_close(cn_world *world, const cni_solve *s, cni_component *c)
 {
-	if (c->done || c->presses || cni_component_is_joined(world, s->direct, c))
+	if (!c->closes || c->done || c->presses)
 		return 0;
 	right_sides(world, s->direct, c, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed);
 	swerves_add(world, s, c);

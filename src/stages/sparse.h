@@ -76,6 +76,7 @@ typedef struct cni_component {
 	int32_t factored;              /* ... and its pivots are those of the levers */
 	int32_t dear;                  /* 1: much work for each node: stages/joint_net.c */
 	int32_t joints;                /* of stages/joint_direct.c: how many of its nodes are joints */
+	int32_t closes;                /* ... 1: contacts may open some of them */
 	int32_t parting;               /* ... 1: contacts would open some of them in this substep */
 } cni_component;
 
