@@ -19,11 +19,11 @@
 #include <string.h>
 
 #define ROW_MOST (3 * CNI_JOINED_CONTACTS)
-#define ROUNDS 40
+#define ROUNDS 20
 #define TURN_MOST 0.01f        /* radians that bodies may turn until the reach is found anew */
 #define PUSH_RATE 0.1f         /* part of an overlap that is taken out in a substep */
-#define SPEED_LEAST 1e-3f      /* length units a second that are no motion */
-#define STILL_SPEED 1e-4f      /* ... and that need not be solved at all */
+#define SPEED_LEAST 3e-3f      /* length units a second that are no motion */
+#define STILL_SPEED 1e-3f      /* ... and that need not be solved at all */
 #define SOFT_GIVE 0.4f         /* 1 / (w h)^2 of soft joints: stages/solve_make.c */
 #define REACH_LEAST 1e-5f      /* of a row's own: less is rounding, its joints hold it as it is */
 
