@@ -707,8 +707,8 @@ static void swerves_add(const cn_world *world, const cni_solve *s, const cni_com
 			continue;
 		a = swerve(cni_v(-y->aw, x->aw), s->h * wa);
 		b = swerve(cni_v(y->bw, -x->bw), s->h * wb);
-		n->x[0] -= (b.x - a.x) * s->inv_h;
-		n->x[1] -= (b.y - a.y) * s->inv_h;
+		n->x[0] -= cni_clamp((b.x - a.x) * s->inv_h, -s->push_speed, s->push_speed);
+		n->x[1] -= cni_clamp((b.y - a.y) * s->inv_h, -s->push_speed, s->push_speed);
 	}
 }
 
