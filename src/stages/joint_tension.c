@@ -14,7 +14,7 @@
 #include "stages/joint_work.h"
 
 #define XI_MOST 1.0f
-#define SNAP_MOST_RAD 0.2f /* that a body may turn in a substep, with one that does not */
+#define SNAP_MOST_RAD 0.1f /* that a body may turn in a substep, with one that does not */
 
 /* From the rows' impulses, which are those of a substep of length h. */
 void cni_tension_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
