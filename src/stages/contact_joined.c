@@ -4,14 +4,19 @@
  * A heavy box on a light plank of a bridge: a pass over the contact sees the plank alone, not the bridge that holds it, and
  * passes over contacts and joints by turns would need thousands of rounds. So contacts of an island with joints that have
  * come apart see the joints: its reach R = Jc A Jc^T is the speed that an impulse on one contact row gives to another,
- * where A is the response of bodies whose joints are held, found by one solution of the factored joints for each row. R is
+ * where A is the response of bodies whose joints are held, by half a solution of the factored joints for each row. R is
  * small and dense; projected Gauss-Seidel on it (Jean & Moreau, 1992) has an end for any friction, cannot fail as an active
- * set can, and needs few rounds, because what made it slow is in R. Then the impulses are given and the joints solved
- * once more, so that both hold as positions move.
+ * set can, and needs few rounds, because what made it slow is in R. Then the joints are solved once more, so that
+ * both hold as positions move (stages/joint_close.c). R serves until bodies have turned.
  *
- * The relaxing pass has the same R: bodies hardly turned since.
+ * Closing gaps lifts what hangs, more than the gap where joints are nearly in line. What stands on fixed ground and
+ * is not driven may not end a substep with more kinetic energy than it began with and its drive gave on the way; the rest is
+ * taken out of all its velocities.
  *
- * Reads and writes lanes of contact blocks, motion velocities, joint works' impulses.
+ * Loops stay while the soft solver would let them come apart again. Those that are given back all the same, when there are too
+ * many contacts, begin from no impulse.
+ *
+ * Reads and writes lanes of contact blocks, motion velocities, start; islands' tier fields, joints' held_step.
  */
 #include "stages/press.h"
 #include "stages/joint_work.h"

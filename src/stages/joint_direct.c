@@ -5,12 +5,10 @@
  * CN_SOLVER_AUTO takes trees, whose factorization costs about what a pass over their joints does, but not those that are
  * touched and whose joints hardly feel each other (stages/joint_couple.c), and large nets once (stages/joint_net.c).
  * CN_SOLVER_DIRECT takes all. The rest, and springs, motors and limits, are solved row by row in stages/joint_solve.c,
- * before; contacts come after, so joints and contacts alternate. What contacts stopped hard would come apart from its
- * neighbours in that substep, by 4 cm at 10 m/s. So where a joint would open by more than is good as positions move, its
- * system is solved once more, then the contacts of its bodies, and so on for a few rounds, joints last.
+ * before; contacts come after, so joints and contacts alternate, where they disagree more than once: stages/joint_close.c.
  *
  * Loops of pins, and what they carry, are the soft solver's until they come apart by more than is good; then they are
- * solved with their contacts (stages/contact_joined.c), those of them that are few.
+ * solved with their contacts, those of them that are few: stages/contact_joined.c.
  *
  * Reads works, motion and inverse masses; writes works' flags and their rigid rows' impulses, motion velocities.
  */
@@ -35,9 +33,6 @@ static int32_t press_work(int32_t solver)
 /* A dear system is solved once, in one substep, and then not again for so long that it is no more work than this a step
    for each of its nodes, in the mean. */
 #define DEAR_SPREAD 8
-#define CLOSE_ROUNDS 4 /* of joints and the contacts that part them, in a substep */
-#define TURN_LEAST_RAD 0.02f /* in a substep: arms that turn less stay on the tangent */
-#define LOCKS 3 /* rounds in a substep in which pins are made rigid */
 
 static int32_t joint_work(int32_t solver)
 {
@@ -453,19 +448,6 @@ static int32_t is_better_alone(const cni_component *c)
 	return !c->swings && !c->presses && (c->dear || c->end - c->begin == 1);
 }
 
-/* What contacts may part. */
-static void closing_mark(const cn_world *world, cni_sparse *sparse)
-{
-	int32_t k, n;
-	for (k = 0; k < sparse->component_count; ++k) {
-		cni_component *c = &sparse->components[k];
-		for (n = c->body_begin; n < c->body_end && !c->closes && !c->done && !c->presses; ++n)
-			c->closes = (cni_drives(world)[sparse->bodies[n]].flags & CNI_DRIVE_TOUCHED) != 0;
-		if (c->closes && cni_component_is_joined(world, sparse, c))
-			c->closes = 0;
-	}
-}
-
 static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 {
 	int32_t k;
@@ -498,7 +480,7 @@ static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	}
 	cni_presses_take(world, out);
 	cni_joined_take(world, out);
-	closing_mark(world, out);
+	cni_close_mark(world, out);
 	world->direct_work = work_planned(world, out);
 }
 
@@ -576,13 +558,23 @@ static void component_release(cn_world *world, cni_sparse *sparse, cni_component
 		cni_island_refuse(world, cni_awake_island(world, sparse->bodies[c->body_begin]), CN_TIER_REASON_NO_SET);
 }
 
-static void joints_solve(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)
+void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
 {
 	right_sides(world, s->direct, c, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f, s->push_speed);
+}
+
+void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c)
+{
 	if (cni_sparse_solve(s->direct, c))
 		cni_direct_push(world, s->direct, c);
 	else
 		joints_release(world, s->direct, c);
+}
+
+void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)
+{
+	cni_direct_sides(world, s, c, bias);
+	cni_direct_answer(world, s, c);
 }
 
 /* The same levers at the new positions. */
@@ -597,59 +589,6 @@ static void component_turn(cn_world *world, const cni_solve *s, cni_component *c
 		cni_sparse_factor(s->direct, c, cni_motions(world));
 }
 
-/* What snaps straight faster than substeps follow is held as it is. Returns 1 when there was any. */
-static int32_t joined_lock(cn_world *world, const cni_solve *s, const cni_joined *joined)
-{
-	int32_t k, locked = 0;
-	for (k = 0; k < s->direct->component_count; ++k) {
-		cni_component *c = &s->direct->components[k];
-		if (!cni_component_is_of(world, s->direct, c, joined) || !cni_tension_lock(world, s->direct, c, s->h))
-			continue;
-		cni_sparse_factor(s->direct, c, cni_motions(world));
-		joints_solve(world, s, c, 1);
-		locked = 1;
-	}
-	return locked;
-}
-
-/* Contacts between two passes over their joints. */
-static void joined_round(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias)
-{
-	int32_t k;
-	if (!cni_joined_solve(world, s, joined, bias))
-		return;
-	for (k = 0; k < s->direct->component_count; ++k)
-		if (cni_component_is_of(world, s->direct, &s->direct->components[k], joined))
-			joints_solve(world, s, &s->direct->components[k], bias);
-}
-
-static int32_t joined_is_done(const cn_world *world, const cni_sparse *sparse, const cni_joined *joined)
-{
-	int32_t k;
-	for (k = 0; k < sparse->component_count; ++k)
-		if (cni_component_is_of(world, sparse, &sparse->components[k], joined))
-			return 0;
-	return joined->count == 0;
-}
-
-static void joined_solve(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias)
-{
-	int32_t round;
-	if (joined_is_done(world, s->direct, joined))
-		return;
-	joined_round(world, s, joined, bias);
-	for (round = 0; bias && round < LOCKS && joined_lock(world, s, joined); ++round) {
-		joined->turned = FLT_MAX;
-		joined_round(world, s, joined, bias);
-	}
-	if (round > 0)
-		joined->turned = FLT_MAX;
-	if (bias)
-		cni_joined_moved(world, s, joined);
-	else
-		cni_joined_hold(world, joined);
-}
-
 void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 {
 	int32_t k;
@@ -662,101 +601,10 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 		if (c->presses && !cni_presses_solve(world, s, s->direct, c, bias))
 			component_release(world, s->direct, c);
 		if (!c->presses)
-			joints_solve(world, s, c, bias);
+			cni_direct_joints(world, s, c, bias);
 	}
 	for (k = 0; s->direct != NULL && k < s->direct->joined_count; ++k)
-		joined_solve(world, s, &s->direct->joined[k], bias);
-}
-
-/* Do contacts, which came after, part joints by more in this substep than is good? Reads the right sides. */
-static int32_t is_parting(const cn_world *world, const cni_solve *s, const cni_component *c)
-{
-	float most = CNI_BAD_PART * world->settings.accuracy * s->inv_h;
-	int32_t k, i;
-	for (k = c->begin; k < c->end; ++k)
-		for (i = 0; i < s->direct->nodes[k].rows; ++i)
-			if (cni_abs(s->direct->nodes[k].x[i]) > most)
-				return 1;
-	return 0;
-}
-
-/* How a point at r leaves the tangent when its body turns by this angle. */
-static cni_vec2 swerve(cni_vec2 r, float turn)
-{
-	cni_rot q = cni_rot_small(turn);
-	return cni_v((q.c - 1.0f) * r.x - (q.s - turn) * r.y, (q.c - 1.0f) * r.y + (q.s - turn) * r.x);
-}
-
-static int32_t is_pin(const cn_world *world, const cni_node *n)
-{
-	return n->owner >= 0 && cni_joint_works(world)[n->owner].record->type == CN_JOINT_REVOLUTE;
-}
-
-/* Arms that turn fast carry pins apart at the second order of the substep: their speeds shall make up for it. */
-static void swerves_add(const cn_world *world, const cni_solve *s, const cni_component *c)
-{
-	const cni_motion *motions = cni_motions(world);
-	float least = TURN_LEAST_RAD * s->inv_h;
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
-		cni_node *n = &s->direct->nodes[k];
-		const cni_lever *x = &n->lever[0], *y = &n->lever[1];
-		float wa = motions[n->ia].w, wb = motions[n->ib].w;
-		cni_vec2 a, b;
-		if ((cni_abs(wa) <= least && cni_abs(wb) <= least) || !is_pin(world, n))
-			continue;
-		a = swerve(cni_v(-y->aw, x->aw), s->h * wa);
-		b = swerve(cni_v(y->bw, -x->bw), s->h * wb);
-		n->x[0] -= cni_clamp((b.x - a.x) * s->inv_h, -s->push_speed, s->push_speed);
-		n->x[1] -= cni_clamp((b.y - a.y) * s->inv_h, -s->push_speed, s->push_speed);
-	}
-}
-
-/* The contacts of its bodies once more. */
-static void touching_solve(cn_world *world, const cni_solve *s, const cni_component *c)
-{
-	int32_t k, key;
-	for (k = c->body_begin; k < c->body_end; ++k) {
-		int32_t body = cni_awake_ids(world)[s->direct->bodies[k]];
-		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
-			const cni_contact *contact = cni_contact_of_key(world, key);
-			if ((contact->flags & CNI_CONTACT_TOUCHING) && contact->slot != CNI_NONE)
-				cni_contact_solve_again(world, s, contact->slot);
-		}
-	}
-}
-
-/* Returns 1 when it had to. */
-static int32_t component_close(cn_world *world, const cni_solve *s, cni_component *c)
-{
-	if (!c->closes || c->done || c->presses)
-		return 0;
-	right_sides(world, s->direct, c, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed);
-	swerves_add(world, s, c);
-	if (!is_parting(world, s, c))
-		return 0;
-	if (cni_sparse_solve(s->direct, c))
-		cni_direct_push(world, s->direct, c);
-	else
-		joints_release(world, s->direct, c);
-	return 1;
-}
-
-static int32_t components_close(cn_world *world, const cni_solve *s)
-{
-	int32_t k, closed = 0;
-	for (k = 0; k < s->direct->component_count; ++k)
-		closed |= s->direct->components[k].parting = component_close(world, s, &s->direct->components[k]);
-	return closed;
-}
-
-void cni_direct_close(cn_world *world, const cni_solve *s)
-{
-	int32_t k, round;
-	for (round = 0; s->direct != NULL && components_close(world, s) && round < CLOSE_ROUNDS; ++round)
-		for (k = 0; k < s->direct->component_count; ++k)
-			if (s->direct->components[k].parting)
-				touching_solve(world, s, &s->direct->components[k]);
+		cni_joined_round(world, s, &s->direct->joined[k], bias);
 }
 
 void cni_direct_store(cn_world *world, const cni_solve *s)

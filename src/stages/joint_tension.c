@@ -9,6 +9,8 @@
  * third row, (w_b - w_a) + lambda / c = 0 with c = h^2 sum(r.f) - XI_MOST I: between bodies, so that it keeps
  * momentum, and not at all where the substeps are short enough.
  *
+ * What turns too far in a substep for positions to follow is held rigid in it (stages/joint_close.c).
+ *
  * Reads works, motion, the sparse system's turn; writes its pull and the third rows of its nodes.
  */
 #include "stages/joint_work.h"

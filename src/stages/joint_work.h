@@ -88,6 +88,15 @@ void cni_direct_motions_keep(const cn_world *world, const cni_sparse *sparse, co
 /* Rotations of the component's bodies since the step began. */
 void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 
+/* What the component's rows lack, with errors' bias (1) or without, into its nodes' x. */
+void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias);
+/* From there to impulses; or its joints are solved by themselves from now on. */
+void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c);
+/* Both. */
+void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias);
+/* What contacts may part: stages/joint_close.c. */
+void cni_close_mark(const cn_world *world, cni_sparse *sparse);
+
 /* Do passes over its joints, one by one, make about as much of it as a system? Of pins: stages/joint_couple.c. */
 int32_t cni_component_is_loose(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 

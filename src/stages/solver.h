@@ -9,6 +9,7 @@
  *   block.jn, joint.impulse --warm start (first substep)--> motion.v
  *   motion --impacts--> motion.v, start                      contacts that bounce
  *   motion, block --solve--> motion.v, block.jn jt           soft, pushes overlap apart
+ *   motion --direct_close--> motion.v, impulses              joints that contacts would part, and those contacts
  *   motion.v --integrate_positions--> motion.dp theta
  *   motion, block --relax--> motion.v, block.jn jt           rigid, takes the pushing out again
  */
