@@ -500,6 +500,18 @@ static void rows_warm(pass *q)
 	q->joined->fresh = 0;
 }
 
+/* Masses or arms that floats cannot hold together: contacts let go in this pass. 0: so it is. */
+static int32_t given_is_finite(const pass *q)
+{
+	float finite = 0.0f; /* stays so: 0 times what is finite */
+	int32_t row;
+	for (row = 0; row < 3 * q->joined->count; ++row)
+		finite += 0.0f * q->given[row];
+	for (row = 0; row < 3 * q->joined->count && finite != 0.0f; ++row)
+		q->joined->presses[row / 3].j[row % 3] = 0.0f;
+	return finite == 0.0f;
+}
+
 static void given_push(const pass *q)
 {
 	int32_t row;
@@ -560,7 +572,7 @@ void cni_joined_hold(cn_world *world, cni_joined *j)
 		const cni_motion *m = cni_motions(world) + b->awake;
 		after += energy_of(m, m->vx, m->vy, m->w);
 	}
-	if (after <= j->energy || !j->grounded || j->driven)
+	if (!(after > j->energy) || !j->grounded || j->driven)
 		return;
 	less = (j->energy > 0.0f ? cni_sqrt(j->energy / after) : 0.0f) - 1.0f;
 	for (b = first_of(world, j); b != NULL; b = next_of(world, b)) {
@@ -597,6 +609,8 @@ int32_t cni_joined_solve(cn_world *world, const cni_solve *s, cni_joined *joined
 	else if (!is_off(&q))
 		return 0;
 	rounds_run(&q);
+	if (!given_is_finite(&q))
+		return 0;
 	given_push(&q);
 	return 1;
 }

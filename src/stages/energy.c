@@ -27,6 +27,7 @@ typedef struct island_sum {
 	float px, py, spin, inertia; /* momentum; angular momentum and inertia around the centre */
 	float before, after;      /* twice the kinetic energy; before: with what springs and motors gave */
 	float keep_rest, keep_rigid; /* factors; both 1: nothing is wrong */
+	int32_t lost;             /* it has speeds whose squares floats do not hold: impulses of the substep do not count */
 	int32_t driven;
 	int32_t grounded;         /* touches or hangs on what does not move: only then may its momentum change */
 } island_sum;
@@ -176,7 +177,9 @@ static int32_t factors_find(const cn_world *world, island_sum *sums)
 		island_sum *s = &sums[k];
 		float rigid, rest;
 		s->keep_rest = s->keep_rigid = 1.0f;
-		if (s->mass == 0.0f || s->driven || s->after <= ENERGY_ROUNDING * s->before)
+		s->lost = s->mass > 0.0f && !(s->after < FLT_MAX);
+		found |= s->lost;
+		if (s->mass == 0.0f || s->driven || s->lost || s->after <= ENERGY_ROUNDING * s->before)
 			continue;
 		rigid = (s->px * s->px + s->py * s->py) / s->mass + (s->inertia > 0.0f ? s->spin * s->spin / s->inertia : 0.0f);
 		rest = s->after - rigid;
@@ -205,6 +208,12 @@ static void factors_apply(cn_world *world, const island_sum *sums)
 		if (island == CNI_NONE || !moves(m))
 			continue;
 		s = &sums[island];
+		if (s->lost) {
+			m->vx = starts[k].vx;
+			m->vy = starts[k].vy;
+			m->w = starts[k].w;
+			continue;
+		}
 		if (s->keep_rest == 1.0f && s->keep_rigid == 1.0f)
 			continue;
 		c = center_of(world, k);
