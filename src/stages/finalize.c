@@ -13,6 +13,14 @@
 
 #define BODIES_A_RANGE 256 /* some ten microseconds: records and shapes are read */
 
+/* What floats could not hold, among absurd speeds, does not become a pose: the body stays where it is, and stands. */
+static void keep_finite(cni_motion *m)
+{
+	float zero = 0.0f * m->vx + 0.0f * m->vy + 0.0f * m->w + 0.0f * m->dpx + 0.0f * m->dpy + 0.0f * m->theta;
+	if (zero != 0.0f)
+		m->vx = m->vy = m->w = m->dpx = m->dpy = m->theta = 0.0f;
+}
+
 static void limit_speed(cni_motion *m, const cni_settings *set)
 {
 	float v_sq = m->vx * m->vx + m->vy * m->vy, most = set->linear_speed_max;
@@ -100,6 +108,7 @@ static int32_t body_finalize(cn_world *world, const cni_solve *s, int32_t k, uin
 	cni_motion *m = cni_motions(world) + k;
 	cni_drive *d = cni_drives(world) + k;
 	cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+	keep_finite(m);
 	limit_speed(m, &world->settings);
 	b->vx = m->vx;
 	b->vy = m->vy;
