@@ -24,13 +24,13 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0xa09542fa3dc43fb1 },
+	{ "falling_hinges", 480, 1, 0x5b702f63a17dcef2 },
 	{ "small_200", 300, 1, 0xe6282c91bbd89c24 },
 	{ "small_50_sleep", 600, 1, 0xd5b51a59514eec41 },
 	{ "dominoes", 400, 1, 0xadf03cf1271cc9ec },
-	{ "ragdolls", 480, 1, 0xce6ecc1508c48597 },
-	{ "bridge", 240, 1, 0x25b35b0f453be69d },
-	{ "car", 400, 1, 0x4194dfe91d1f4ede },
+	{ "ragdolls", 480, 1, 0x4fa961b72d793723 },
+	{ "bridge", 240, 1, 0x2ede43e48474497d },
+	{ "car", 400, 1, 0xec4a1b6aa8c60567 },
 	{ "mixer", 240, 1, 0xf61b30f0fdd07771 },
 	{ "pyramid", 120, 0, 0xbb24e8518c196cd8 },
 	{ "rain", 150, 0, 0xcfddbe9076b7a34f },
