@@ -236,10 +236,12 @@ void cni_joined_take(cn_world *world, cni_sparse *sparse)
 uint64_t cni_joined_bytes(int32_t joints, int32_t contacts)
 {
 	const uint64_t rows = 3 * CNI_JOINED_CONTACTS;
-	uint64_t islands = (uint64_t)cni_min_i(joints, CNI_JOINED_ISLANDS), most = (uint64_t)cni_min_i(contacts, CNI_JOINED_CONTACTS * CNI_JOINED_ISLANDS);
+	uint64_t islands = (uint64_t)cni_min_i(joints, CNI_JOINED_ISLANDS);
+	uint64_t most = (uint64_t)cni_min_i(contacts, CNI_JOINED_CONTACTS * CNI_JOINED_ISLANDS);
 	if (joints == 0 || contacts == 0)
 		return 0;
-	return islands * (sizeof(cni_joined) + sizeof(cni_press) * CNI_JOINED_CONTACTS) + sizeof(float) * rows * (3 * most + CNI_NODE_ROWS * (uint64_t)joints) + 256;
+	return islands * (sizeof(cni_joined) + sizeof(cni_press) * CNI_JOINED_CONTACTS) +
+	       sizeof(float) * rows * (3 * most + CNI_NODE_ROWS * (uint64_t)joints) + 256;
 }
 
 /* Would its joints come apart if the soft solver had them? They give way by about 0.4 h of the speed that what they bear
@@ -254,7 +256,8 @@ static int32_t joints_are_laden(const cn_world *world, const cni_solve *s, const
 		for (i = 0; i < n->rows; ++i) {
 			const cni_lever *l = &n->lever[i];
 			const cni_motion *a = motions + n->ia, *b = motions + n->ib;
-			float own = a->inv_mass * (l->ax * l->ax + l->ay * l->ay) + a->inv_inertia * l->aw * l->aw + b->inv_mass * (l->bx * l->bx + l->by * l->by) + b->inv_inertia * l->bw * l->bw;
+			float own = a->inv_mass * (l->ax * l->ax + l->ay * l->ay) + a->inv_inertia * l->aw * l->aw +
+			            b->inv_mass * (l->bx * l->bx + l->by * l->by) + b->inv_inertia * l->bw * l->bw;
 			if (own * cni_abs(cni_joint_works(world)[n->owner].rows[i].impulse) > most)
 				return 1;
 		}
@@ -327,7 +330,8 @@ static void reach_free(const pass *q)
 			const cni_press *p = &j->presses[k], *o = &j->presses[l];
 			for (i = 0; i < 9 && shares(p->ia, p->ib, o->ia, o->ib); ++i) {
 				m = i % 3;
-				j->reach[(3 * k + i / 3) * j->columns + 3 * l + m] = coupling(q, &q->lever[3 * k + i / 3], p->ia, p->ib, &q->lever[3 * l + m], o->ia, o->ib);
+				j->reach[(3 * k + i / 3) * j->columns + 3 * l + m] =
+					coupling(q, &q->lever[3 * k + i / 3], p->ia, p->ib, &q->lever[3 * l + m], o->ia, o->ib);
 			}
 		}
 }

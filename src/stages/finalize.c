@@ -21,15 +21,20 @@ static void keep_finite(cni_motion *m)
 		m->vx = m->vy = m->w = m->dpx = m->dpy = m->theta = 0.0f;
 }
 
+/* Written so that what is not a number is looked at too. */
 static void limit_speed(cni_motion *m, const cni_settings *set)
 {
 	float v_sq = m->vx * m->vx + m->vy * m->vy, most = set->linear_speed_max;
-	if (v_sq > most * most) {
+	if (!(v_sq <= most * most)) {
 		float scale = most / cni_sqrt(v_sq);
 		m->vx *= scale;
 		m->vy *= scale;
+		keep_finite(m);
 	}
-	m->w = cni_clamp(m->w, -set->angular_speed_max, set->angular_speed_max);
+	if (!(cni_abs(m->w) <= set->angular_speed_max)) {
+		m->w = cni_clamp(m->w, -set->angular_speed_max, set->angular_speed_max);
+		keep_finite(m);
+	}
 }
 
 /* high + low += change, keeping what high cannot hold (Dekker, 1971). */
@@ -108,7 +113,6 @@ static int32_t body_finalize(cn_world *world, const cni_solve *s, int32_t k, uin
 	cni_motion *m = cni_motions(world) + k;
 	cni_drive *d = cni_drives(world) + k;
 	cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
-	keep_finite(m);
 	limit_speed(m, &world->settings);
 	b->vx = m->vx;
 	b->vy = m->vy;
