@@ -32,7 +32,7 @@ typedef struct cni_joint {
 	int32_t awake;             /* index in the awake list, CNI_NONE */
 	int32_t linked;            /* joins two dynamic bodies' islands */
 	int32_t solver;            /* its own: CN_SOLVER_AUTO, _SOFT or _DIRECT */
-	int32_t reserved;
+	uint32_t held_step;        /* step + 1 in which stages/contact_joined.c had it last */
 	cni_vec2 anchor[2];        /* in the bodies' frames, or the world */
 	float impulse[CNI_JOINT_ROWS]; /* accumulated, by row meaning of the type */
 	float load[CNI_JOINT_RIGID_ROWS]; /* of a net's joint: what its first rows bear all the time; else 0 */

@@ -89,22 +89,25 @@ int32_t cni_presses_collect(const cn_world *world, int32_t island, cni_press *pr
 	return count;
 }
 
+void cni_press_take(cn_world *world, const cni_press *p)
+{
+	cni_contact_block *block = cni_block_at(world, p->block);
+	int32_t i;
+	block->tm[p->lane] = block->jt[p->lane] = 0.0f;
+	for (i = 0; i < 2; ++i)
+		block->p[i].nm[p->lane] = block->p[i].jn[p->lane] = block->p[i].load[p->lane] = 0.0f;
+}
+
 void cni_presses_take(cn_world *world, cni_sparse *sparse)
 {
-	int32_t k, i;
-	for (k = 0; k < sparse->press_count; ++k) {
-		const cni_press *p = &sparse->presses[k];
-		cni_contact_block *block = cni_block_at(world, p->block);
-		if (p->node == CNI_NONE)
-			continue;
-		block->tm[p->lane] = block->jt[p->lane] = 0.0f;
-		for (i = 0; i < 2; ++i)
-			block->p[i].nm[p->lane] = block->p[i].jn[p->lane] = block->p[i].load[p->lane] = 0.0f;
-	}
+	int32_t k;
+	for (k = 0; k < sparse->press_count; ++k)
+		if (sparse->presses[k].node != CNI_NONE)
+			cni_press_take(world, &sparse->presses[k]);
 }
 
 /* What it bears is known exactly: its load is its impulse. */
-static void press_give_back(cn_world *world, cni_press *p)
+void cni_press_give_back(cn_world *world, const cni_press *p)
 {
 	cni_contact_block *block = cni_block_at(world, p->block);
 	int32_t i;
@@ -114,6 +117,11 @@ static void press_give_back(cn_world *world, cni_press *p)
 		block->p[i].nm[p->lane] = p->mass[i];
 		block->p[i].jn[p->lane] = block->p[i].load[p->lane] = p->j[i];
 	}
+}
+
+static void press_give_back(cn_world *world, cni_press *p)
+{
+	cni_press_give_back(world, p);
 	p->node = CNI_NONE;
 }
 
@@ -148,7 +156,7 @@ void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h)
 
 /* ---- rows ---- */
 
-static cni_lever press_lever(const cni_press *p, int32_t row)
+cni_lever cni_press_lever(const cni_press *p, int32_t row)
 {
 	float bt = p->at[row & 1] - p->dt;
 	cni_lever normal = { -p->nx, -p->ny, -p->at[row & 1], p->nx, p->ny, bt };
@@ -163,7 +171,7 @@ CNI_INLINE float turned(float angle, float n, float t)
 	return x * (1.0f - x2 * (1.0f / 6.0f - x2 * (1.0f / 120.0f))) * t - x2 * (0.5f - x2 * (1.0f / 24.0f)) * n;
 }
 
-static float separation(const cni_press *p, int32_t i, const cni_motion *a, const cni_motion *b)
+float cni_press_separation(const cni_press *p, int32_t i, const cni_motion *a, const cni_motion *b)
 {
 	return p->s0[i] + p->nx * (b->dpx - a->dpx) + p->ny * (b->dpy - a->dpy) + turned(b->theta, p->an[i] - p->dn, p->at[i] - p->dt) - turned(a->theta, p->an[i], p->at[i]);
 }
@@ -175,7 +183,7 @@ static float normal_sum(const cni_press *p)
 
 static void press_push(const cni_press *p, int32_t row, float impulse, cni_motion *a, cni_motion *b)
 {
-	cni_lever l = press_lever(p, row);
+	cni_lever l = cni_press_lever(p, row);
 	if (impulse != 0.0f)
 		cni_lever_push(&l, impulse, a, b);
 }
@@ -207,8 +215,8 @@ static void press_begin(const pass *q, cni_press *p, const cni_node *n)
 	const cni_motion *a = q->motions + n->ia, *b = q->motions + n->ib;
 	int32_t i;
 	for (i = 0; i < 2; ++i) {
-		float s = p->mass[i] > 0.0f ? separation(p, i, a, b) : 0.0f, push = PUSH_RATE * q->s->inv_h * s;
-		cni_lever l = press_lever(p, i);
+		float s = p->mass[i] > 0.0f ? cni_press_separation(p, i, a, b) : 0.0f, push = PUSH_RATE * q->s->inv_h * s;
+		cni_lever l = cni_press_lever(p, i);
 		p->room[i] = s > 0.0f ? s * q->s->inv_h : q->bias ? cni_max(push, -q->s->push_speed) : 0.0f;
 		if (p->mass[i] > 0.0f && p->state[i] == CNI_ROW_OPEN && cni_lever_speed(&l, a, b) + p->room[i] < q->speed_least)
 			p->state[i] = CNI_ROW_HELD; /* touching and not parting: in a pile all of it must bear at once */
@@ -226,7 +234,7 @@ static int32_t press_levers(const cni_press *p, cni_node *n)
 			continue;
 		memset(&n->lever[i], 0, sizeof n->lever[i]);
 		if (held)
-			n->lever[i] = press_lever(p, i);
+			n->lever[i] = cni_press_lever(p, i);
 		n->held ^= 1 << i;
 		changed = 1;
 	}
@@ -313,7 +321,7 @@ typedef struct misfit {
 static misfit point_misfit(const pass *q, cni_press *p, const cni_node *n, int32_t i)
 {
 	misfit m = { p, i, p->state[i], 0.0f };
-	cni_lever l = press_lever(p, i);
+	cni_lever l = cni_press_lever(p, i);
 	if (p->mass[i] == 0.0f)
 		return m;
 	if (p->state[i] == CNI_ROW_HELD) {
@@ -329,7 +337,7 @@ static misfit point_misfit(const pass *q, cni_press *p, const cni_node *n, int32
 static misfit friction_misfit(const pass *q, cni_press *p, const cni_node *n)
 {
 	misfit m = { p, 2, p->state[2], 0.0f };
-	cni_lever l = press_lever(p, 2);
+	cni_lever l = cni_press_lever(p, 2);
 	float sum = cni_max(normal_sum(p), 0.0f);
 	if (p->state[2] == CNI_ROW_SLIDES) {
 		m.by = cni_lever_speed(&l, q->motions + n->ia, q->motions + n->ib) * p->way;

@@ -59,6 +59,22 @@ static void extra_lane_copy(const cni_block_extra *from, int32_t from_lane, cni_
 		memcpy((float *)(void *)to + row * CNI_LANES + to_lane, (const float *)(const void *)from + row * CNI_LANES + from_lane, sizeof(float));
 }
 
+/* A lane by itself, through the plain kernel. */
+static void lane_run(cn_world *world, const cni_solve *s, cni_contact_kernel_fn *run, const cni_listed_block *b, int32_t l)
+{
+	cni_motion *motions = cni_motions(world);
+	cni_contact_pass pass = pass_make(s, motions[b->rows->ib[l]].inv_mass == 0.0f);
+	cni_contact_block one;
+	cni_block_extra one_extra;
+	memset(&one, 0, sizeof one);
+	memset(&one_extra, 0, sizeof one_extra);
+	lane_copy(b->rows, l, &one, 0);
+	extra_lane_copy(b->extra, l, &one_extra, 0);
+	run(motions, &one, b->extra != NULL ? &one_extra : NULL, &pass, b->fresh >> l & 1u, 1);
+	lane_copy(&one, 0, b->rows, l);
+	extra_lane_copy(b->extra != NULL ? &one_extra : NULL, 0, b->extra, l);
+}
+
 /* One lane at a time, through the plain kernel. */
 static void overflow_run(cn_world *world, const cni_solve *s, cni_contact_kernel_fn *run)
 {
@@ -162,6 +178,12 @@ void cni_contacts_solve(cn_world *world, const cni_solve *s)
 {
 	overflow_run(world, s, cni_contact_kernel_plain.solve);
 	colors_run(world, s, s->kernel->solve);
+}
+
+void cni_contact_solve_again(cn_world *world, const cni_solve *s, int32_t slot)
+{
+	cni_listed_block b = listed_of(world, slot / CNI_LANES, CNI_LANES);
+	lane_run(world, s, cni_contact_kernel_plain.solve, &b, slot % CNI_LANES);
 }
 
 void cni_contacts_relax(cn_world *world, const cni_solve *s)

@@ -27,6 +27,7 @@ typedef struct island_sum {
 	float px, py, spin, inertia; /* momentum; angular momentum and inertia around the centre */
 	float before, after;      /* twice the kinetic energy; before: with what springs and motors gave */
 	float keep_rest, keep_rigid; /* factors; both 1: nothing is wrong */
+	int32_t lost;             /* it has speeds whose squares floats do not hold: impulses of the substep do not count */
 	int32_t driven;
 	int32_t grounded;         /* touches or hangs on what does not move: only then may its momentum change */
 	int32_t looked_at, suspect;
@@ -192,6 +193,9 @@ static int32_t factors_find(island_sum *s)
 {
 	float rigid, rest;
 	s->keep_rest = s->keep_rigid = 1.0f;
+	s->lost = s->mass > 0.0f && !(s->after < FLT_MAX);
+	if (s->lost)
+		return 1;
 	if (s->mass == 0.0f || s->driven || s->after <= ENERGY_ROUNDING * s->before)
 		return 0;
 	rigid = (s->px * s->px + s->py * s->py) / s->mass + (s->inertia > 0.0f ? s->spin * s->spin / s->inertia : 0.0f);
@@ -217,6 +221,12 @@ static void factors_apply(cn_world *world, int32_t island, const island_sum *s)
 		cni_vec2 c;
 		if (!moves(m))
 			continue;
+		if (s->lost) {
+			m->vx = start->vx;
+			m->vy = start->vy;
+			m->w = start->w;
+			continue;
+		}
 		c = center_of(world, k);
 		vx = s->px / s->mass - w * (c.y - s->y);
 		vy = s->py / s->mass + w * (c.x - s->x);

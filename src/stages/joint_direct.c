@@ -5,7 +5,10 @@
  * CN_SOLVER_AUTO takes trees, whose factorization costs about what a pass over their joints does, but not those that are
  * touched and whose joints hardly feel each other (stages/joint_couple.c), and large nets once (stages/joint_net.c).
  * CN_SOLVER_DIRECT takes all. The rest, and springs, motors and limits, are solved row by row in stages/joint_solve.c,
- * before; contacts come after, so joints and contacts alternate.
+ * before; contacts come after, so joints and contacts alternate, where they disagree more than once: stages/joint_close.c.
+ *
+ * Loops of pins, and what they carry, are the soft solver's until they come apart by more than is good; then they are
+ * solved with their contacts, those of them that are few: stages/contact_joined.c.
  *
  * Reads works, motion and inverse masses; writes works' flags and their rigid rows' impulses, motion velocities.
  */
@@ -61,7 +64,7 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 	uint64_t joint = 1 + sizeof(float) * CNI_NODE_ROWS, link = sizeof(cni_link) + 2 * sizeof(cni_motion) + 1;
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
-	return joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_press) * (uint64_t)presses +
+	return cni_joined_bytes(joints, contacts) + joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_press) * (uint64_t)presses +
 	       (sizeof(float) + sizeof(cni_rot)) * (uint64_t)(bodies + 1) + 640 + cni_herd_bytes(joints) + cni_sparse_bytes(links, bodies + 1, work);
 }
 
@@ -420,7 +423,7 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *spar
 	int32_t k;
 	if (c->body_begin == c->body_end)
 		return 1; /* of bodies that cannot move */
-	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->dear || c->presses || is_asked_for(world, sparse, c))
+	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->dear || c->presses || is_asked_for(world, sparse, c) || cni_component_is_joined(world, sparse, c))
 		return 0;
 	for (k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].rows != 2)
@@ -432,7 +435,7 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *spar
 static int32_t tree_loosen(cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
-	if (world->settings.solver != CN_SOLVER_AUTO || !c->tree || c->loops || c->presses || c->swings || is_asked_for(world, sparse, c))
+	if (world->settings.solver != CN_SOLVER_AUTO || !c->tree || c->loops || c->presses || c->swings || is_asked_for(world, sparse, c) || cni_component_is_joined(world, sparse, c))
 		return 0;
 	if (!cni_component_is_loose(world, sparse, c))
 		return 0;
@@ -447,7 +450,7 @@ static int32_t is_better_alone(const cni_component *c)
 	return !c->swings && !c->presses && (c->dear || c->end - c->begin == 1);
 }
 
-void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
+static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 {
 	int32_t k;
 	memset(out, 0, sizeof *out);
@@ -462,23 +465,33 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	if (out->component_count == 0)
 		return;
 	s->direct = out;
+	if (!cni_joined_collect(world, out))
+		world->warnings |= CN_WARNING_FRAME_MEMORY;
 	for (k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
 		c->presses = component_has_presses(out, c);
 		if (c->dear && world->settings.solver == CN_SOLVER_AUTO)
 			cni_island_once(world, cni_awake_island(world, out->bodies[c->body_begin]), c->work / (DEAR_SPREAD * (c->end - c->begin)));
 		c->regular = c->presses || c->loops ? REGULAR : 0.0f;
-		c->swings = !c->presses && cni_component_swings(world, s, out, c);
+		c->swings = !c->presses && !(c->loops && cni_component_is_joined(world, out, c)) && cni_component_swings(world, s, out, c);
 		if (loop_is_better_soft(world, out, c) || is_better_alone(c) || tree_loosen(world, out, c))
 			joints_release(world, out, c);
 		else if (c->swings)
 			cni_sparse_clear(out, c);
-		else if (!(c->herds = cni_component_herds(world, s, out, c)))
+		else if (!(c->herds = !cni_component_is_joined(world, out, c) && cni_component_herds(world, s, out, c)))
 			cni_direct_begin(world, s, out, c);
 	}
 	cni_herds_make(world, s, out);
 	cni_presses_take(world, out);
+	cni_joined_take(world, out);
+	cni_close_mark(world, out);
 	world->direct_work = work_planned(world, out);
+}
+
+void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
+{
+	prepare(world, s, out);
+	cni_joined_let_go(world);
 }
 
 /* Both bodies are read once and written once: a node's two bodies are never the same. */
@@ -549,13 +562,23 @@ static void component_release(cn_world *world, cni_sparse *sparse, cni_component
 		cni_island_refuse(world, cni_awake_island(world, sparse->bodies[c->body_begin]), CN_TIER_REASON_NO_SET);
 }
 
-static void joints_solve(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)
+void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
 {
 	right_sides(world, s->direct, c, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f, s->push_speed);
+}
+
+void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c)
+{
 	if (cni_sparse_solve(s->direct, c))
 		cni_direct_push(world, s->direct, c);
 	else
 		joints_release(world, s->direct, c);
+}
+
+void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)
+{
+	cni_direct_sides(world, s, c, bias);
+	cni_direct_answer(world, s, c);
 }
 
 /* The same levers at the new positions. */
@@ -582,12 +605,17 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 		if (c->presses && !cni_presses_solve(world, s, s->direct, c, bias))
 			component_release(world, s->direct, c);
 		if (!c->presses)
-			joints_solve(world, s, c, bias);
+			cni_direct_joints(world, s, c, bias);
 	}
+	for (k = 0; s->direct != NULL && k < s->direct->joined_count; ++k)
+		cni_joined_round(world, s, &s->direct->joined[k], bias);
 }
 
 void cni_direct_store(cn_world *world, const cni_solve *s)
 {
-	if (s->direct != NULL)
-		cni_presses_give_back_all(world, s->direct, s->h);
+	if (s->direct == NULL)
+		return;
+	cni_presses_give_back_all(world, s->direct, s->h);
+	cni_joined_look(world, s);
+	cni_joined_give_back(world, s->direct);
 }

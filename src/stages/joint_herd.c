@@ -171,6 +171,7 @@ static cni_herd *herd_open(maker *m, const cni_component *c)
 	sources_find(herd);
 	blocks_take(m->world, herd);
 	herd->lanes = 0;
+	herd->closes = herd->parting = 0;
 	herd->couplings = sparse->couplings + c->coupling_begin;
 	herd->coupling_count = c->coupling_end - c->coupling_begin;
 	herd->first = sparse->first + c->begin;
@@ -204,6 +205,8 @@ static void component_place(maker *m, cni_component *c)
 	--m->waiting[c->kind];
 	if (*open == NULL)
 		*open = herd_open(m, c);
+	c->herd = (int32_t)(*open - m->sparse->herds);
+	c->lane = (*open)->lanes;
 	lane_fill(m, c, *open);
 	if ((*open)->lanes == CNI_LANES)
 		*open = NULL;
@@ -230,7 +233,8 @@ static void herd_range(void *context, int32_t begin, int32_t end, int32_t worker
 
 static void herds_run(cn_world *world, const cni_solve *s, cni_herd_kernel_fn *run)
 {
-	herd_loop loop = { world, NULL, run, { { s->h, s->inv_h, s->warm_scale, s->joint }, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed } };
+	herd_loop loop = { world, NULL, run, { { s->h, s->inv_h, s->warm_scale, s->joint }, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed,
+		CNI_CLOSE_PART * world->settings.accuracy * s->inv_h, CNI_CLOSE_TURN_RAD * s->inv_h } };
 	if (s->direct == NULL || s->direct->herd_count == 0)
 		return;
 	loop.herds = s->direct->herds;
@@ -263,4 +267,9 @@ void cni_herds_solve(cn_world *world, const cni_solve *s)
 void cni_herds_relax(cn_world *world, const cni_solve *s)
 {
 	herds_run(world, s, s->joint_kernel->herd_relax);
+}
+
+void cni_herds_close(cn_world *world, const cni_solve *s)
+{
+	herds_run(world, s, s->joint_kernel->herd_close);
 }

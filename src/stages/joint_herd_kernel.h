@@ -265,20 +265,23 @@ CNI_INLINE void pin_push(const arms *r, const pair *x, side *a, side *b)
 	b->w += by * r->bx;
 }
 
-/* All pins at once; lanes whose impulses are not finite get none, and are single from the next pass on. `dealt`: impulses
-   of springs, motors and limits, which follow those of the system. */
-CNI_INLINE void pins_solve(cni_herd *herd, int32_t l, flock *f, float rate, float most, const pair *dealt)
+CNI_INLINE void right_sides(const cni_herd *herd, int32_t l, const flock *f, float rate, float most, pair *x)
 {
-	const cni_wide zero = cni_wide_of(0.0f);
-	uint32_t group = (1u << CNI_WIDTH) - 1u, broken;
-	pair x[CNI_KIND_NODES];
-	cni_mask good;
 	int32_t k;
 	for (k = 0; k < herd->kind.nodes; ++k)
 		x[k] = right_side(&herd->nodes[k], l, &f->body[herd->kind.end[k][0]], &f->body[herd->kind.end[k][1]], rate, most);
-	good = system_solve(herd, l, x) == zero;
-	broken = herd->nodes[0].direct >> l & group & ~cni_mask_bits(good);
-	good = cni_mask_of_bits(herd->nodes[0].direct >> l & ~broken);
+}
+
+/* From right hand sides x to impulses, in the lanes that are asked for, as bits from l on; those whose impulses are not finite
+   get none, and are single from the next pass on. */
+CNI_INLINE void pins_solve(cni_herd *herd, int32_t l, flock *f, pair *x, uint32_t asked)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	uint32_t direct = herd->nodes[0].direct >> l & ((1u << CNI_WIDTH) - 1u) & asked, broken;
+	cni_mask good = system_solve(herd, l, x) == zero;
+	int32_t k;
+	broken = direct & ~cni_mask_bits(good);
+	good = cni_mask_of_bits(direct & ~broken);
 	for (k = 0; k < herd->kind.nodes; ++k) {
 		cni_joint_block *node = &herd->nodes[k];
 		arms r = arms_load(node, l);
@@ -287,10 +290,6 @@ CNI_INLINE void pins_solve(cni_herd *herd, int32_t l, flock *f, float rate, floa
 		pin_push(&r, &x[k], &f->body[herd->kind.end[k][0]], &f->body[herd->kind.end[k][1]]);
 		impulse_add(node->jx + l, x[k].x);
 		impulse_add(node->jy + l, x[k].y);
-		if (dealt != NULL) {
-			impulse_add(node->jx + l, dealt[k].x);
-			impulse_add(node->jy + l, dealt[k].y);
-		}
 		node->direct &= ~(broken << l);
 	}
 }
@@ -349,21 +348,86 @@ CNI_INLINE void node_solve(cni_herd *herd, int32_t node, int32_t l, flock *f, co
 		dealt->x = dealt->y = cni_wide_of(0.0f);
 }
 
+/* What springs, motors and limits give the pins is kept aside until positions have moved, in the rows of loads, which herds do
+   not have. */
 static void herd_solve(cni_motion *motions, cni_velocity_start *starts, cni_herd *herd, const cni_herd_pass *pass)
 {
 	int32_t l, n;
 	(void)starts;
 	for (l = 0; l < herd->lanes; l += CNI_WIDTH) {
 		flock f;
-		pair dealt[CNI_KIND_NODES];
+		pair dealt, x[CNI_KIND_NODES];
 		int32_t single = has_single(herd, l);
 		flock_gather(motions, herd, l, &f);
 		for (n = 0; n < herd->kind.nodes; ++n) {
 			int32_t node = herd->order[n];
 			arms r = arms_load(&herd->nodes[node], l);
-			node_solve(herd, node, l, &f, &r, &pass->joint, 1, single, &dealt[node]);
+			node_solve(herd, node, l, &f, &r, &pass->joint, 1, single, &dealt);
+			cni_wide_store(herd->nodes[node].load_x + l, dealt.x);
+			cni_wide_store(herd->nodes[node].load_y + l, dealt.y);
 		}
-		pins_solve(herd, l, &f, pass->rate, pass->push, dealt);
+		right_sides(herd, l, &f, pass->rate, pass->push, x);
+		pins_solve(herd, l, &f, x, ~0u);
+		flock_scatter(motions, herd, l, &f);
+	}
+}
+
+/* ---- hard stops: stages/joint_close.c, whose words these are ---- */
+
+CNI_INLINE pair swerve(cni_wide rx, cni_wide ry, cni_wide turn)
+{
+	cni_wide s, c1;
+	pair p;
+	turn_series(turn, &s, &c1);
+	p.x = c1 * rx - (s - turn) * ry;
+	p.y = c1 * ry + (s - turn) * rx;
+	return p;
+}
+
+CNI_INLINE cni_wide clamped(cni_wide x, float most)
+{
+	return cni_wide_min(cni_wide_max(x, cni_wide_of(-most)), cni_wide_of(most));
+}
+
+CNI_INLINE void swerve_add(const cni_joint_block *k, int32_t l, const side *a, const side *b, const cni_herd_pass *pass, pair *x)
+{
+	const cni_wide zero = cni_wide_of(0.0f), least = cni_wide_of(pass->turn_least);
+	cni_mask turns = (cni_wide_abs(a->w) > least) | (cni_wide_abs(b->w) > least);
+	arms r = arms_load(k, l);
+	pair of_a, of_b;
+	if (cni_mask_bits(turns) == 0)
+		return;
+	of_a = swerve(r.ax, r.ay, pass->joint.h * a->w);
+	of_b = swerve(r.bx, r.by, pass->joint.h * b->w);
+	x->x -= cni_wide_select(turns, clamped((of_b.x - of_a.x) * pass->joint.inv_h, pass->push), zero);
+	x->y -= cni_wide_select(turns, clamped((of_b.y - of_a.y) * pass->joint.inv_h, pass->push), zero);
+}
+
+/* Lanes whose pins lack more than the pass' parting speed, of those that may, are solved once more. */
+static void herd_close(cni_motion *motions, cni_velocity_start *starts, cni_herd *herd, const cni_herd_pass *pass)
+{
+	const cni_wide most = cni_wide_of(pass->parting);
+	int32_t l, k;
+	(void)starts;
+	herd->parting = 0;
+	for (l = 0; l < herd->lanes; l += CNI_WIDTH) {
+		uint32_t asked = herd->closes & herd->nodes[0].direct, parting = 0;
+		pair x[CNI_KIND_NODES];
+		flock f;
+		asked = asked >> l & ((1u << CNI_WIDTH) - 1u);
+		if (asked == 0)
+			continue;
+		flock_gather(motions, herd, l, &f);
+		right_sides(herd, l, &f, pass->rate, pass->push, x);
+		for (k = 0; k < herd->kind.nodes; ++k) {
+			swerve_add(&herd->nodes[k], l, &f.body[herd->kind.end[k][0]], &f.body[herd->kind.end[k][1]], pass, &x[k]);
+			parting |= cni_mask_bits((cni_wide_abs(x[k].x) > most) | (cni_wide_abs(x[k].y) > most));
+		}
+		parting &= asked;
+		if (parting == 0)
+			continue;
+		herd->parting |= parting << l;
+		pins_solve(herd, l, &f, x, parting);
 		flock_scatter(motions, herd, l, &f);
 	}
 }
@@ -391,19 +455,29 @@ CNI_INLINE void journey_scatter(cni_velocity_start *starts, const cni_herd *herd
 		cni_wide_scatter4((float *)(void *)starts, START_FLOATS, body_index(herd, k, l), j->vx[k], j->vy[k], j->w[k], j->struck[k]);
 }
 
+/* To the pin's impulse, with the order of sums of stages/joint_blocks.c. */
+CNI_INLINE cni_wide dealt_take(float *impulse, float *dealt)
+{
+	cni_wide sum = cni_wide_load(impulse) + cni_wide_load(dealt);
+	cni_wide_store(impulse, sum);
+	cni_wide_store(dealt, cni_wide_of(0.0f));
+	return sum;
+}
+
 static void herd_relax(cni_motion *motions, cni_velocity_start *starts, cni_herd *herd, const cni_herd_pass *pass)
 {
 	int32_t l, n;
 	for (l = 0; l < herd->lanes; l += CNI_WIDTH) {
 		flock f;
 		journey j;
+		pair x[CNI_KIND_NODES];
 		int32_t single = has_single(herd, l);
 		flock_gather(motions, herd, l, &f);
 		journey_gather(motions, starts, herd, l, &j);
 		for (n = 0; n < herd->kind.nodes; ++n) {
 			int32_t node = herd->order[n], a = herd->kind.end[node][0], b = herd->kind.end[node][1];
 			cni_joint_block *k = &herd->nodes[node];
-			cni_wide jx = cni_wide_load(k->jx + l), jy = cni_wide_load(k->jy + l);
+			cni_wide jx = dealt_take(k->jx + l, k->load_x + l), jy = dealt_take(k->jy + l, k->load_y + l);
 			arms old = arms_load(k, l), r = arms_renew(&j.at[a], &j.at[b], k, l, k->angular);
 			pair dealt;
 			j.w[a] -= -(f.body[a].i * ((r.ax - old.ax) * jy - (r.ay - old.ay) * jx));
@@ -414,7 +488,8 @@ static void herd_relax(cni_motion *motions, cni_velocity_start *starts, cni_herd
 		}
 		journey_scatter(starts, herd, l, &j);
 		system_factor(herd, l, &f);
-		pins_solve(herd, l, &f, 0.0f, 0.0f, NULL);
+		right_sides(herd, l, &f, 0.0f, 0.0f, x);
+		pins_solve(herd, l, &f, x, ~0u);
 		flock_scatter(motions, herd, l, &f);
 	}
 }

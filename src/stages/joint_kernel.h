@@ -251,17 +251,21 @@ typedef struct place {
 
 /* Half of the angle by series (to degrees 7 and 6), then doubled: right to 1e-7 up to a radian, to 1e-4 up to two.
    Joints of bodies that are faster than that are not in lanes. */
-CNI_INLINE place place_gather(const cni_motion *motions, const int32_t *index)
+CNI_INLINE void turn_series(cni_wide theta, cni_wide *out_s, cni_wide *out_c1)
 {
-	cni_wide half, u, s, c1, inertia;
-	place p;
-	cni_wide_gather4((const float *)(const void *)motions + 4, MOTION_FLOATS, index, &p.x, &p.y, &p.theta, &inertia);
-	half = cni_wide_min(cni_wide_max(p.theta * 0.5f, cni_wide_of(-1.5f)), cni_wide_of(1.5f));
-	u = half * half;
+	cni_wide half = cni_wide_min(cni_wide_max(theta * 0.5f, cni_wide_of(-1.5f)), cni_wide_of(1.5f)), u = half * half, s, c1;
 	s = half * (1.0f - u * (1.0f / 6.0f - u * (1.0f / 120.0f - u * (1.0f / 5040.0f))));
 	c1 = -u * (0.5f - u * (1.0f / 24.0f - u * (1.0f / 720.0f)));
-	p.s = 2.0f * (s + s * c1);
-	p.c1 = -2.0f * (s * s);
+	*out_s = 2.0f * (s + s * c1);
+	*out_c1 = -2.0f * (s * s);
+}
+
+CNI_INLINE place place_gather(const cni_motion *motions, const int32_t *index)
+{
+	cni_wide inertia;
+	place p;
+	cni_wide_gather4((const float *)(const void *)motions + 4, MOTION_FLOATS, index, &p.x, &p.y, &p.theta, &inertia);
+	turn_series(p.theta, &p.s, &p.c1);
 	return p;
 }
 
@@ -351,4 +355,4 @@ static void kernel_warm(cni_motion *motions, cni_velocity_start *starts, cni_joi
 
 #include "stages/joint_herd_kernel.h"
 
-const cni_joint_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax, herd_begin, herd_warm, herd_solve, herd_relax };
+const cni_joint_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax, herd_begin, herd_warm, herd_solve, herd_relax, herd_close };

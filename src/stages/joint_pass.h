@@ -50,6 +50,8 @@ typedef struct cni_joint_pass {
 typedef struct cni_herd_pass {
 	cni_joint_pass joint;
 	float rate, push; /* part of a gap that is closed in a second, and the greatest speed of it */
+	float parting;    /* speed of a pin that hard stops may leave */
+	float turn_least; /* radians a second: arms that turn slower stay on the tangent */
 } cni_herd_pass;
 
 /* Works on the first lanes of the block, and on those behind them up to a whole vector, which are empty. */
@@ -65,6 +67,7 @@ typedef struct cni_joint_kernel {
 	cni_herd_kernel_fn *herd_warm;
 	cni_herd_kernel_fn *herd_solve;
 	cni_herd_kernel_fn *herd_relax;
+	cni_herd_kernel_fn *herd_close; /* after contacts: those of herd->closes that came apart, which become herd->parting */
 } cni_joint_kernel;
 
 extern const cni_joint_kernel cni_joint_kernel_plain; /* width 1: any compiler */

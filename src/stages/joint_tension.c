@@ -9,11 +9,14 @@
  * third row, (w_b - w_a) + lambda / c = 0 with c = h^2 sum(r.f) - XI_MOST I: between bodies, so that it keeps
  * momentum, and not at all where the substeps are short enough.
  *
+ * What turns too far in a substep for positions to follow is held rigid in it (stages/joint_close.c).
+ *
  * Reads works, motion, the sparse system's turn; writes its pull and the third rows of its nodes.
  */
 #include "stages/joint_work.h"
 
 #define XI_MOST 1.0f
+#define SNAP_MOST_RAD 0.1f /* that a body may turn in a substep, with one that does not */
 
 /* From the rows' impulses, which are those of a substep of length h. */
 void cni_tension_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
@@ -82,4 +85,23 @@ void cni_tension_damp(const cn_world *world, cni_sparse *sparse, const cni_compo
 		l->bw = most > 0.0f ? 1.0f : 0.0f;
 		n->compliance[2] = most > 0.0f ? 1.0f / most : 0.0f;
 	}
+}
+
+int32_t cni_tension_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float h)
+{
+	const cni_motion *motions = cni_motions(world);
+	float most = SNAP_MOST_RAD / h;
+	int32_t k, found = 0;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		if (n->rows != 2 || is_fixed(world, n->ia) || is_fixed(world, n->ib) ||
+		    (cni_abs(motions[n->ia].w) <= most && cni_abs(motions[n->ib].w) <= most) || cni_abs(motions[n->ib].w - motions[n->ia].w) <= 0.5f * most)
+			continue;
+		c->width = CNI_NODE_ROWS;
+		n->lever[2].aw = -1.0f;
+		n->lever[2].bw = 1.0f;
+		n->compliance[2] = 0.0f;
+		found = 1;
+	}
+	return found;
 }

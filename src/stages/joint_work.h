@@ -90,6 +90,19 @@ void cni_direct_motions_keep(const cn_world *world, const cni_sparse *sparse, co
 /* Rotations of the component's bodies since the step began. */
 void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 
+/* What the component's rows lack, with errors' bias (1) or without, into its nodes' x. */
+void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias);
+/* From there to impulses; or its joints are solved by themselves from now on. */
+void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c);
+/* Both. */
+void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias);
+/* Joints that contacts would open by more than this part of the accuracy in a substep are closed before positions move,
+   also for arms that turn by more than this angle in it and so leave the tangent. */
+#define CNI_CLOSE_PART CNI_BAD_PART
+#define CNI_CLOSE_TURN_RAD 0.02f
+/* What contacts may part: stages/joint_close.c. */
+void cni_close_mark(const cn_world *world, cni_sparse *sparse);
+
 /* Do passes over its joints, one by one, make about as much of it as a system? Of pins: stages/joint_couple.c. */
 int32_t cni_component_is_loose(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 
@@ -109,6 +122,8 @@ void cni_herds_make(cn_world *world, const cni_solve *s, cni_sparse *sparse);
 void cni_herds_warm(cn_world *world, const cni_solve *s);
 void cni_herds_solve(cn_world *world, const cni_solve *s);
 void cni_herds_relax(cn_world *world, const cni_solve *s);
+/* After contacts: what they would part is solved once more. stages/joint_close.c */
+void cni_herds_close(cn_world *world, const cni_solve *s);
 /* Scratch that they may take, with so many joints. */
 uint64_t cni_herd_bytes(int32_t joints);
 
@@ -127,5 +142,8 @@ void cni_tension_damp(const cn_world *world, cni_sparse *sparse, const cni_compo
 void cni_net_run(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 /* x of every node to its bodies' velocities and its rows' impulses. */
 void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c);
+/* Makes pins rigid until the next turn of the component, between bodies of which one would turn so far in a substep of length h
+   that positions do not follow. Returns 1 when there are any: it must be factored again. */
+int32_t cni_tension_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float h);
 
 #endif

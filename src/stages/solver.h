@@ -9,6 +9,7 @@
  *   block.jn, joint.impulse --warm start (first substep)--> motion.v
  *   motion --impacts--> motion.v, start                      contacts that bounce
  *   motion, block --solve--> motion.v, block.jn jt           soft, pushes overlap apart
+ *   motion --direct_close--> motion.v, impulses              joints that contacts would part, and those contacts
  *   motion.v --integrate_positions--> motion.dp theta
  *   motion, block --relax--> motion.v, block.jn jt           rigid, takes the pushing out again
  */
@@ -91,6 +92,8 @@ int32_t cni_contacts_list(cn_world *world, cni_solve *s);
 void cni_contacts_warm_start(cn_world *world, const cni_solve *s);
 void cni_contacts_solve(cn_world *world, const cni_solve *s);
 void cni_contacts_relax(cn_world *world, const cni_solve *s);
+/* One contact of them, in a pass that has been: by its slot. */
+void cni_contact_solve_again(cn_world *world, const cni_solve *s, int32_t slot);
 void cni_shocks_forget(cn_world *world, const cni_solve *s);
 /* After the first substep: what stands is done with for this step: stages/rest.c. */
 void cni_rest_find(cn_world *world, const cni_solve *s);
@@ -139,6 +142,8 @@ uint64_t cni_pile_bytes(int32_t bodies);
 void cni_direct_prepare(cn_world *world, cni_solve *s, struct cni_sparse *out);
 /* One pass over them: with errors' bias (1), or rigid at the new positions (0). */
 void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias);
+/* After the contacts: joints that they would part in this substep once more. */
+void cni_direct_close(cn_world *world, const cni_solve *s);
 /* Gives its contacts back to their lanes. */
 void cni_direct_store(cn_world *world, const cni_solve *s);
 /* The whole step of bodies that nothing but joints holds. */

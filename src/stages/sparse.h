@@ -79,6 +79,9 @@ typedef struct cni_component {
 	int32_t joints;                /* of stages/joint_direct.c: how many of its nodes are joints */
 	int32_t kind;                  /* those of one kind are alike: stages/sparse_kind.c; CNI_NONE */
 	int32_t herds;                 /* 1: solved beside others of its kind: stages/joint_herd.c */
+	int32_t herd, lane;            /* ... where */
+	int32_t closes;                /* ... 1: contacts may open some of them */
+	int32_t parting;               /* ... 1: contacts would open some of them in this substep */
 } cni_component;
 
 /* A tree of nodes of two rows, as what is alike sees it. */
@@ -111,6 +114,9 @@ typedef struct cni_sparse {
 	int32_t herd_count;
 	struct cni_press *presses;    /* contacts: nodes whose owner is -1 - press */
 	int32_t press_count;
+	struct cni_joined *joined;    /* of stages/contact_joined.c */
+	struct cni_press *joined_presses;
+	int32_t joined_count;
 	cni_motion *saved;            /* by place in bodies */
 	float *pull;                  /* by dense body: sum(r.f) of its joints; stages/joint_tension.c */
 	cni_rot *turn;                /* by dense body: rotation since the step began */
@@ -145,6 +151,11 @@ void cni_sparse_factor(cni_sparse *sparse, const cni_component *c, const cni_mot
 /* The nodes' x from right hand sides to solutions. 0: some of it is not finite, for masses or arms that floats cannot
    hold together; nothing must be done with it. */
 int32_t cni_sparse_solve(cni_sparse *sparse, const cni_component *c);
+/* Half a solution: out -= x^T K^-1 x with the factored K of the component. x: [node of it][CNI_NODE_ROWS][columns], which is
+   destroyed; out: [columns][columns], of which what is left of the diagonal may be left out. columns: a multiple of 4; aligned
+   as the arena gives it. */
+#define CNI_REACH_MOST 72
+void cni_sparse_reach(const cni_sparse *sparse, const cni_component *c, float *x, int32_t columns, float *out);
 
 /* ---- kinds: stages/sparse_kind.c ---- */
 

@@ -5,7 +5,14 @@
  * three; each function is written once with the width as its last argument and inlined with it known. Rows that a node
  * lacks are zero and get no impulse.
  */
+#include "base/cpu.h"
 #include "stages/sparse.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#else
+#define CNI_WIDTH 1
+#endif
+#include "base/wide.h"
 
 #include <string.h>
 
@@ -242,4 +249,83 @@ CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
 int32_t cni_sparse_solve(cni_sparse *s, const cni_component *c)
 {
 	return c->width == 2 ? solve(s, c, 2) : solve(s, c, 3);
+}
+
+/* ---- reach ---- */
+
+#define GROUPS_MOST (CNI_REACH_MOST / CNI_WIDTH)
+
+/* -pivot x of a node for all columns; 0: x is zero. */
+CNI_INLINE int32_t columns_turn(const float *pivot, const float *x, int32_t columns, cni_wide z[CNI_NODE_ROWS][GROUPS_MOST], int32_t w)
+{
+	int32_t i, k, l;
+	float any = 0.0f;
+	for (i = 0; i < w * columns; ++i)
+		any += cni_abs(x[i]);
+	for (i = 0; i < w && any != 0.0f; ++i)
+		for (l = 0; l < columns / CNI_WIDTH; ++l) {
+			cni_wide sum = cni_wide_of(0.0f);
+			for (k = 0; k < w; ++k)
+				sum -= pivot[i * w + k] * cni_wide_load(x + k * columns + l * CNI_WIDTH);
+			z[i][l] = sum;
+		}
+	return any != 0.0f;
+}
+
+/* target += block z */
+CNI_INLINE void columns_take(float *target, const float *block, int32_t columns, cni_wide z[CNI_NODE_ROWS][GROUPS_MOST], int32_t w)
+{
+	int32_t i, k, l;
+	for (i = 0; i < w; ++i)
+		for (l = 0; l < columns / CNI_WIDTH; ++l) {
+			float *t = target + i * columns + l * CNI_WIDTH;
+			cni_wide sum = cni_wide_load(t);
+			for (k = 0; k < w; ++k)
+				sum += block[i * w + k] * z[k][l];
+			cni_wide_store(t, sum);
+		}
+}
+
+/* out += x^T z, what is left of the diagonal's groups left out */
+CNI_INLINE void columns_square(float *out, const float *x, int32_t columns, cni_wide z[CNI_NODE_ROWS][GROUPS_MOST], int32_t w)
+{
+	int32_t i, k, l;
+	for (k = 0; k < columns; ++k) {
+		float a[CNI_NODE_ROWS], any = 0.0f;
+		for (i = 0; i < w; ++i) {
+			a[i] = x[i * columns + k];
+			any += cni_abs(a[i]);
+		}
+		for (l = k / CNI_WIDTH; l < columns / CNI_WIDTH && any != 0.0f; ++l) {
+			float *t = out + k * columns + l * CNI_WIDTH;
+			cni_wide sum = cni_wide_load(t);
+			for (i = 0; i < w; ++i)
+				sum += a[i] * z[i][l];
+			cni_wide_store(t, sum);
+		}
+	}
+}
+
+CNI_INLINE void reach(const cni_sparse *s, const cni_component *c, float *x, int32_t columns, float *out, int32_t w)
+{
+	region r = region_of(s, c);
+	int32_t k, e, stride = CNI_NODE_ROWS * columns;
+	cni_wide z[CNI_NODE_ROWS][GROUPS_MOST];
+	for (k = c->begin; k < c->end; ++k) {
+		const float *own = x + (k - c->begin) * stride;
+		if (!columns_turn(pivot_at(&r, k, w), own, columns, z, w))
+			continue;
+		columns_square(out, own, columns, z, w);
+		for (e = s->first[k]; e < s->first[k + 1]; ++e)
+			columns_take(x + (s->below[e] - c->begin) * stride, block_at(&r, e, w), columns, z, w);
+	}
+}
+
+void cni_sparse_reach(const cni_sparse *s, const cni_component *c, float *x, int32_t columns, float *out)
+{
+	CNI_ASSERT(columns <= CNI_REACH_MOST);
+	if (c->width == 2)
+		reach(s, c, x, columns, out, 2);
+	else
+		reach(s, c, x, columns, out, 3);
 }

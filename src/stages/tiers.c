@@ -16,7 +16,8 @@
  *
  * Islands with joints are not taken by themselves: their joints are solved directly as it is (stages/joint_direct.c), and
  * one system of taut joints and of contacts whose set is not found in one step out of hundreds does more harm by that
- * step than good by the others. A body's own solver takes them too.
+ * step than good by the others. A body's own solver takes them too. Those whose joints come apart are taken for the joints'
+ * sake, with few contacts by another method: stages/contact_joined.c.
  *
  * CN_SOLVER_DIRECT takes every island, quiet or not, and never gives it back. A body's own solver does the same for its
  * island, or keeps it soft.

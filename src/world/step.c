@@ -51,6 +51,7 @@ static void substeps_lead(void *context)
 		cni_contacts_impact(world, s);
 		cni_joints_solve(world, s);
 		cni_contacts_solve(world, s);
+		cni_direct_close(world, s);
 		cni_integrate_positions(world, s);
 		cni_joints_relax(world, s);
 		cni_contacts_relax(world, s);

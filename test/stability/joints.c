@@ -77,21 +77,20 @@ static void held_report(scene_run *run)
 
 /* ---- bridge: planks of 1 m pinned along an arc that hangs between two points, and heavy boxes on them ---- */
 
-#define ARC_HALF 0.5 /* half the angle that the arc spans; the sag is about an eighth of the span */
 #define BRIDGE_LOADS 3
 
 static void bridge_build(scene_run *run)
 {
 	int32_t planks = scene_count(run, "planks"), k;
-	double turn = 2.0 * ARC_HALF / (double)planks, radius = 0.5 / sin(0.5 * turn);
+	double half = scene_value(run, "arc"), turn = 2.0 * half / (double)planks, radius = 0.5 / sin(0.5 * turn);
 	cn_body previous = 0;
 	for (k = 0; k < planks; ++k) {
-		double at = -ARC_HALF + turn * (double)k, middle = at + 0.5 * turn, deep = radius * cos(0.5 * turn);
+		double at = -half + turn * (double)k, middle = at + 0.5 * turn, deep = radius * cos(0.5 * turn);
 		cn_body plank = scene_box(run, CN_BODY_DYNAMIC, deep * sin(middle), -deep * cos(middle), middle, 0.5, 0.1);
 		scene_pin(run, previous, plank, radius * sin(at), -radius * cos(at));
 		previous = plank;
 	}
-	scene_pin(run, 0, previous, radius * sin(ARC_HALF), -radius * cos(ARC_HALF));
+	scene_pin(run, 0, previous, radius * sin(half), -radius * cos(half));
 	run->density = scene_value(run, "load");
 	for (k = 0; k < BRIDGE_LOADS; ++k)
 		scene_box(run, CN_BODY_DYNAMIC, 2.0 * (double)(k - 1), -radius + 1.0, 0.0, 0.5, 0.5);
@@ -269,7 +268,7 @@ static void ragdolls_finish(scene_run *run)
 
 const scene_family joint_families[] = {
 	{ "cantilever", "boxes=10 tip=1 seconds=10", sizeof(cantilever_state), cantilever_build, cantilever_observe, cantilever_finish },
-	{ "bridge", "planks=20 load=20 seconds=10", sizeof(held_state), bridge_build, held_observe, bridge_finish },
+	{ "bridge", "planks=20 load=20 arc=0.5 seconds=10", sizeof(held_state), bridge_build, held_observe, bridge_finish },
 	{ "joint_grid", "side=100 seconds=5", sizeof(held_state), joint_grid_build, held_observe, held_report },
 	{ "gear_train", "wheels=8 speed=4 torque=10 gravity=0 seconds=10", sizeof(gear_state), gear_train_build, gear_train_observe, gear_train_finish },
 	{ "ragdolls", "count=12 seconds=10", sizeof(held_state), ragdolls_build, held_observe, ragdolls_finish },

@@ -1,8 +1,9 @@
 /*
  * test/world/direct_contacts_test.c - what is promised of contacts that are solved directly, alone and among joints:
- * stacks, walls, random scenes, and the same bits in a fixed block.
+ * stacks, walls, random scenes, the same bits in a fixed block; and of contacts that would part joints.
  *
- * If a test here fails, run stages/sparse and world/direct first. Then look in: stages/tiers.c and contact_direct.c.
+ * If a test here fails, run stages/sparse and world/direct first. Then look in: stages/tiers.c and contact_direct.c,
+ * joint_close.c (hard stops), contact_joined.c (loaded bridges).
  */
 #include "direct.h"
 
@@ -252,6 +253,75 @@ static void fixed_memory_gives_the_same_bits(void)
 	}
 }
 
+/* ---- contacts that part joints ---- */
+
+/* Planks of 1 m between two points along an arc, or straight with arc 0. */
+static void add_planks(scene *s, int32_t count, double arc)
+{
+	double turn = 2.0 * arc / (double)count, radius = arc > 0.0 ? 0.5 / sin(0.5 * turn) : 0.0;
+	cn_body before = 0;
+	int32_t k;
+	for (k = 0; k < count; ++k) {
+		double middle = -arc + turn * ((double)k + 0.5), deep = radius * cos(0.5 * turn);
+		double x = arc > 0.0 ? deep * sin(middle) : (double)k + 0.5 - 0.5 * (double)count;
+		cn_body plank = fixture_box(s->world, CN_BODY_DYNAMIC, (float)x, (float)(radius - deep * cos(middle)), (float)middle, 0.5f, 0.1f, 0.6f, 0.0f);
+		double end_x = arc > 0.0 ? -radius * sin(arc) : -0.5 * (double)count, end_y = radius * (1.0 - cos(arc));
+		pin(s, before, before != 0 ? at(0.5f, 0.0f) : at((float)end_x, (float)end_y), keep(s, plank), at(-0.5f, 0.0f));
+		before = plank;
+		if (k + 1 == count)
+			pin(s, plank, at(0.5f, 0.0f), 0, at((float)-end_x, (float)end_y));
+	}
+}
+
+/* Boxes of `factor` times their mass fall onto it, and lie in rows of six. */
+static void bridge_run(const char *name, int32_t planks, double arc, int32_t boxes, float factor, double bound)
+{
+	scene s = scene_open(GRAVITY, 0, CN_SOLVER_AUTO);
+	double lowest = 0.0;
+	watch w;
+	int32_t k;
+	add_planks(&s, planks, arc);
+	for (k = 0; k < boxes; ++k) {
+		keep(&s, fixture_box(s.world, CN_BODY_DYNAMIC, -5.0f + 2.0f * (float)(k % 6), 2.0f + 3.0f * (float)(k / 6), 0.0f, 0.5f, 0.5f, 0.6f, 0.0f));
+		weigh(&s, last_body(&s), factor);
+	}
+	w = watch_begin(&s);
+	watch_steps(&w, &s, 600);
+	for (k = 0; k < boxes; ++k)
+		lowest = fmin(lowest, (double)fixture_pose(s.world, s.bodies[planks + k]).position_m.y);
+	printf("  %s\n", name);
+	CHECK_LE("greatest distance between anchors", w.apart, bound, "m");
+	CHECK_LE("energy gained, by what the bodies weigh", (w.energy - w.energy_start) / (GRAVITY * ((double)planks * 0.2 + (double)boxes * (double)factor)), 0.01, "m");
+	CHECK_LE("how far boxes sank", -lowest, 0.2 * (double)planks, "m");
+	scene_close(&s);
+}
+
+static void loaded_bridges_hold(void)
+{
+	bridge_run("an arc, 6 boxes of 20 kg", 20, 0.5, 6, 20.0f, 5e-3);
+	bridge_run("an arc, 3 boxes of 200 kg", 20, 0.5, 3, 200.0f, 1e-2);
+	bridge_run("straight, 6 boxes of 1 kg", 20, 0.0, 6, 1.0f, 5e-3);
+	/* More contacts than are solved through joints: held first, then given back, and soft. */
+	bridge_run("straight, 30 boxes of 1 kg", 20, 0.0, 30, 1.0f, 0.2);
+}
+
+/* A chain that comes down on its end at 10 m/s, and is 42 mm shorter in a substep if only the end is stopped. */
+static void hard_stops_part_no_joints(void)
+{
+	scene s = scene_open(GRAVITY, 0, CN_SOLVER_AUTO);
+	watch w;
+	int32_t k;
+	fixture_floor(s.world, 0.6f, 0.0f);
+	add_chain(&s, 0, nowhere(), 0.0f, 0.4f, 1.4f, 6);
+	for (k = 0; k < s.body_count; ++k)
+		fixture_set_velocity(s.world, s.bodies[k], 0.0f, -10.0f, 0.0f);
+	w = watch_begin(&s);
+	watch_steps(&w, &s, 180);
+	CHECK_LE("greatest distance between anchors", w.apart, 5e-3, "m");
+	CHECK_LE("energy gained", w.energy / w.energy_start - 1.0, 1e-3, "");
+	scene_close(&s);
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -259,5 +329,7 @@ int main(int argc, char **argv)
 	RUN(wall_falls_or_stands);
 	RUN(random_scenes_behave);
 	RUN(fixed_memory_gives_the_same_bits);
+	RUN(loaded_bridges_hold);
+	RUN(hard_stops_part_no_joints);
 	return test_end();
 }

@@ -1,0 +1,187 @@
+/*
+ * stages/joint_close.c - joints and contacts by turns, until they agree.
+ *
+ * Hard stops: joints are solved first, then contacts. What contacts stopped would come apart from its neighbours as positions
+ * move, by 4 cm in a substep at 10 m/s. So where a joint would open by more than is good, also because arms that turn
+ * fast leave the tangent, its system is solved once more, then the contacts of its bodies, and so on for a few rounds, joints
+ * last. A scene without hard stops pays for one look at the joints of touched systems.
+ *
+ * Laden loops (stages/contact_joined.c): contacts between two solutions of their joints. A light plank that is nearly in line
+ * with its neighbours between heavy loads snaps straight within a substep, and beyond: it is held as it is in that
+ * substep, and all is solved anew.
+ *
+ * Reads and writes what stages/joint_direct.c and contact_solve.c do, between their passes.
+ */
+#include "stages/joint_herd.h"
+#include "stages/press.h"
+
+#define CLOSE_ROUNDS 4       /* of joints and the contacts that part them, in a substep */
+#define LOCKS 3              /* rounds in a substep in which pins are made rigid */
+
+/* ---- hard stops ---- */
+
+/* What contacts may part. */
+void cni_close_mark(const cn_world *world, cni_sparse *sparse)
+{
+	int32_t k, n;
+	for (k = 0; k < sparse->component_count; ++k) {
+		cni_component *c = &sparse->components[k];
+		for (n = c->body_begin; n < c->body_end && !c->closes && !c->done && !c->presses; ++n)
+			c->closes = (cni_drives(world)[sparse->bodies[n]].flags & CNI_DRIVE_TOUCHED) != 0;
+		if (c->closes && cni_component_is_joined(world, sparse, c))
+			c->closes = 0;
+		if (c->closes && c->herds)
+			sparse->herds[c->herd].closes |= 1u << c->lane;
+	}
+}
+
+/* Do contacts, which came after, part joints by more in this substep than is good? Reads the right sides. */
+static int32_t is_parting(const cn_world *world, const cni_solve *s, const cni_component *c)
+{
+	float most = CNI_CLOSE_PART * world->settings.accuracy * s->inv_h;
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k)
+		for (i = 0; i < s->direct->nodes[k].rows; ++i)
+			if (cni_abs(s->direct->nodes[k].x[i]) > most)
+				return 1;
+	return 0;
+}
+
+/* How a point at r leaves the tangent when its body turns by this angle, with the bits of herds: turn_series in
+   stages/joint_kernel.h. */
+static cni_vec2 swerve(cni_vec2 r, float turn)
+{
+	float half = cni_clamp(0.5f * turn, -1.5f, 1.5f), u = half * half, s, c1, c2;
+	s = half * (1.0f - u * (1.0f / 6.0f - u * (1.0f / 120.0f - u * (1.0f / 5040.0f))));
+	c1 = -u * (0.5f - u * (1.0f / 24.0f - u * (1.0f / 720.0f)));
+	c2 = -2.0f * (s * s);
+	s = 2.0f * (s + s * c1);
+	return cni_v(c2 * r.x - (s - turn) * r.y, c2 * r.y + (s - turn) * r.x);
+}
+
+static int32_t is_pin(const cn_world *world, const cni_node *n)
+{
+	return n->owner >= 0 && cni_joint_works(world)[n->owner].record->type == CN_JOINT_REVOLUTE;
+}
+
+/* Arms that turn fast carry pins apart at the second order of the substep: their speeds shall make up for it. */
+static void swerves_add(const cn_world *world, const cni_solve *s, const cni_component *c)
+{
+	const cni_motion *motions = cni_motions(world);
+	float least = CNI_CLOSE_TURN_RAD * s->inv_h;
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &s->direct->nodes[k];
+		const cni_lever *x = &n->lever[0], *y = &n->lever[1];
+		float wa = motions[n->ia].w, wb = motions[n->ib].w;
+		cni_vec2 a, b;
+		if ((cni_abs(wa) <= least && cni_abs(wb) <= least) || !is_pin(world, n))
+			continue;
+		a = swerve(cni_v(-y->aw, x->aw), s->h * wa);
+		b = swerve(cni_v(y->bw, -x->bw), s->h * wb);
+		n->x[0] -= cni_clamp((b.x - a.x) * s->inv_h, -s->push_speed, s->push_speed);
+		n->x[1] -= cni_clamp((b.y - a.y) * s->inv_h, -s->push_speed, s->push_speed);
+	}
+}
+
+/* The contacts of its bodies once more. */
+static void touching_solve(cn_world *world, const cni_solve *s, const cni_component *c)
+{
+	int32_t k, key;
+	for (k = c->body_begin; k < c->body_end; ++k) {
+		int32_t body = cni_awake_ids(world)[s->direct->bodies[k]];
+		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+			const cni_contact *contact = cni_contact_of_key(world, key);
+			if ((contact->flags & CNI_CONTACT_TOUCHING) && contact->slot != CNI_NONE)
+				cni_contact_solve_again(world, s, contact->slot);
+		}
+	}
+}
+
+/* Returns 1 when it had to. */
+static int32_t component_close(cn_world *world, const cni_solve *s, cni_component *c)
+{
+	if (c->herds)
+		return (int32_t)(s->direct->herds[c->herd].parting >> c->lane & 1u);
+	if (!c->closes || c->done || c->presses)
+		return 0;
+	cni_direct_sides(world, s, c, 1);
+	swerves_add(world, s, c);
+	if (!is_parting(world, s, c))
+		return 0;
+	cni_direct_answer(world, s, c);
+	return 1;
+}
+
+static int32_t components_close(cn_world *world, const cni_solve *s)
+{
+	int32_t k, closed = 0;
+	cni_herds_close(world, s);
+	for (k = 0; k < s->direct->component_count; ++k)
+		closed |= s->direct->components[k].parting = component_close(world, s, &s->direct->components[k]);
+	return closed;
+}
+
+void cni_direct_close(cn_world *world, const cni_solve *s)
+{
+	int32_t k, round;
+	for (round = 0; s->direct != NULL && components_close(world, s) && round < CLOSE_ROUNDS; ++round)
+		for (k = 0; k < s->direct->component_count; ++k)
+			if (s->direct->components[k].parting)
+				touching_solve(world, s, &s->direct->components[k]);
+}
+
+/* ---- laden loops ---- */
+
+/* What snaps straight faster than substeps follow is held as it is. Returns 1 when there was any. */
+static int32_t joined_lock(cn_world *world, const cni_solve *s, const cni_joined *joined)
+{
+	int32_t k, locked = 0;
+	for (k = 0; k < s->direct->component_count; ++k) {
+		cni_component *c = &s->direct->components[k];
+		if (!cni_component_is_of(world, s->direct, c, joined) || !cni_tension_lock(world, s->direct, c, s->h))
+			continue;
+		cni_sparse_factor(s->direct, c, cni_motions(world));
+		cni_direct_joints(world, s, c, 1);
+		locked = 1;
+	}
+	return locked;
+}
+
+/* Contacts between two passes over their joints. */
+static void round_run(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias)
+{
+	int32_t k;
+	if (!cni_joined_solve(world, s, joined, bias))
+		return;
+	for (k = 0; k < s->direct->component_count; ++k)
+		if (cni_component_is_of(world, s->direct, &s->direct->components[k], joined))
+			cni_direct_joints(world, s, &s->direct->components[k], bias);
+}
+
+static int32_t joined_is_done(const cn_world *world, const cni_sparse *sparse, const cni_joined *joined)
+{
+	int32_t k;
+	for (k = 0; k < sparse->component_count; ++k)
+		if (cni_component_is_of(world, sparse, &sparse->components[k], joined))
+			return 0;
+	return joined->count == 0;
+}
+
+void cni_joined_round(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias)
+{
+	int32_t round;
+	if (joined_is_done(world, s->direct, joined))
+		return;
+	round_run(world, s, joined, bias);
+	for (round = 0; bias && round < LOCKS && joined_lock(world, s, joined); ++round) {
+		joined->turned = FLT_MAX;
+		round_run(world, s, joined, bias);
+	}
+	if (round > 0)
+		joined->turned = FLT_MAX;
+	if (bias)
+		cni_joined_moved(world, s, joined);
+	else
+		cni_joined_hold(world, joined);
+}
