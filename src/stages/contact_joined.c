@@ -270,7 +270,7 @@ void cni_joined_look(cn_world *world, const cni_solve *s)
 	int32_t k;
 	for (k = 0; k < s->direct->component_count && s->direct->joined_count > 0; ++k) {
 		const cni_component *c = &s->direct->components[k];
-		if (cni_component_is_joined(world, s->direct, c) && !c->presses && joints_are_laden(world, s, c))
+		if (!c->done && !c->presses && cni_component_is_joined(world, s->direct, c) && joints_are_laden(world, s, c))
 			cni_island_at(world, cni_awake_island(world, s->direct->bodies[c->body_begin]))->good_steps = 0;
 	}
 }
