@@ -392,7 +392,7 @@ CNI_INLINE cni_wide clamped(cni_wide x, float most)
 CNI_INLINE void swerve_add(const cni_joint_block *k, int32_t l, const side *a, const side *b, const cni_herd_pass *pass, pair *x)
 {
 	const cni_wide zero = cni_wide_of(0.0f), least = cni_wide_of(pass->turn_least);
-	cni_mask turns = (cni_wide_abs(a->w) > least) | (cni_wide_abs(b->w) > least);
+	cni_mask turns = cni_wide_max(cni_wide_abs(a->w), cni_wide_abs(b->w)) > least;
 	arms r = arms_load(k, l);
 	pair of_a, of_b;
 	if (cni_mask_bits(turns) == 0)
@@ -421,7 +421,7 @@ static void herd_close(cni_motion *motions, cni_velocity_start *starts, cni_herd
 		right_sides(herd, l, &f, pass->rate, pass->push, x);
 		for (k = 0; k < herd->kind.nodes; ++k) {
 			swerve_add(&herd->nodes[k], l, &f.body[herd->kind.end[k][0]], &f.body[herd->kind.end[k][1]], pass, &x[k]);
-			parting |= cni_mask_bits((cni_wide_abs(x[k].x) > most) | (cni_wide_abs(x[k].y) > most));
+			parting |= cni_mask_bits(cni_wide_max(cni_wide_abs(x[k].x), cni_wide_abs(x[k].y)) > most);
 		}
 		parting &= asked;
 		if (parting == 0)
