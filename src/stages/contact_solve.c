@@ -6,6 +6,7 @@
  * b is read and not written. So a colour's blocks may be shared among workers; they meet before the next colour. Contacts
  * in the overflow colour are solved one by one.
  */
+#include "base/bitset.h"
 #include "base/cpu.h"
 #include "stages/contact_pass.h"
 
@@ -122,15 +123,18 @@ static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t wo
 static void colors_run(cn_world *world, const cni_solve *s, cni_contact_kernel_fn *run)
 {
 	color_pass c;
-	int32_t color;
+	uint32_t left;
+	int32_t one_sided = -1;
 	c.run = run;
 	c.motions = cni_motions(world);
-	for (color = 0; color < CNI_COLOR_OVERFLOW; ++color) {
-		if (world->colors[color].listed_count == 0)
-			continue;
-		c.pass = c.rested = pass_make(s, color >= CNI_COLOR_STATIC);
-		c.rested.load_part /= (float)s->substeps;
-		c.rested.load_heavy /= (float)s->substeps;
+	for (left = s->contact_colors & ~(1u << CNI_COLOR_OVERFLOW); left != 0; left &= left - 1u) {
+		int32_t color = cni_bit_lowest32(left);
+		if ((color >= CNI_COLOR_STATIC) != one_sided) {
+			one_sided = color >= CNI_COLOR_STATIC;
+			c.pass = c.rested = pass_make(s, one_sided);
+			c.rested.load_part /= (float)s->substeps;
+			c.rested.load_heavy /= (float)s->substeps;
+		}
 		c.blocks = cni_listed_blocks(world, color);
 		cni_team_for(s->team, world->colors[color].listed_count, BLOCKS_A_RANGE, color_pass_run, &c);
 	}
@@ -146,7 +150,6 @@ static cni_listed_block listed_of(const cn_world *world, int32_t block, int32_t 
 	listed.fresh = info->fresh_step == world->step_count + 1u ? info->fresh : 0;
 	listed.lanes = cni_min_i(lanes, CNI_LANES);
 	listed.rested = (info->flags & CNI_BLOCK_RESTED) != 0;
-	info->flags &= ~(uint32_t)CNI_BLOCK_RESTED;
 	return listed;
 }
 
@@ -158,11 +161,14 @@ int32_t cni_contacts_list(cn_world *world, cni_solve *s)
 		world->colors[color].listed = count;
 		lanes += world->colors[color].lanes;
 		for (k = world->colors[color].lanes, block = world->colors[color].first; k > 0; k -= CNI_LANES) {
-			list[count] = listed_of(world, block, k);
-			block = list[count].info->next;
-			s->bounces |= (list[count++].info->flags & CNI_BLOCK_RESTITUTION) != 0;
+			cni_block_info *info = cni_block_info_at(world, block);
+			list[count++] = listed_of(world, block, k);
+			s->bounces |= (info->flags & CNI_BLOCK_RESTITUTION) != 0;
+			info->flags &= ~(uint32_t)CNI_BLOCK_RESTED;
+			block = info->next;
 		}
 		world->colors[color].listed_count = count - world->colors[color].listed;
+		s->contact_colors |= (uint32_t)(world->colors[color].lanes > 0) << color;
 	}
 	CNI_ASSERT(count <= world->block_list.capacity);
 	return lanes;

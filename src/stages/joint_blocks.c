@@ -350,7 +350,7 @@ static void colors_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn 
 {
 	cni_joint_pass pass = { s->h, s->inv_h, s->warm_scale, s->joint };
 	int32_t color, index;
-	for (color = 0; color < CNI_JOINT_COLORS; ++color) {
+	for (color = 0; color < CNI_JOINT_COLORS && world->joint_blocks.count > 0; ++color) {
 		int32_t lanes = world->joint_colors[color].lanes;
 		for (index = world->joint_colors[color].first; index != CNI_NONE; index = cni_joint_blocks(world)[index].next) {
 			cni_joint_block *block = cni_joint_blocks(world) + index;

@@ -59,7 +59,7 @@ typedef struct cni_solve {
 	const struct cni_joint_kernel *joint_kernel;
 	struct cni_sparse *direct; /* joints that are solved directly, NULL: none */
 	int32_t bounces;           /* some contact has restitution */
-	int32_t reserved;
+	uint32_t contact_colors;   /* those that have contacts, as bits */
 	cni_team *team;            /* who share the loops of the substeps, NULL: not worth it */
 } cni_solve;
 
@@ -86,8 +86,8 @@ void cni_drive_prepare_bound(cn_world *world);                         /* drive 
 void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t substep);
 void cni_integrate_positions(cn_world *world, const cni_solve *s);
 void cni_integrate_finish(cn_world *world, const cni_solve *s);
-/* The blocks of all colours, for the passes of this step; after the narrowphase. Sets s->bounces; returns how many
-   lanes they have. */
+/* The blocks of all colours, for the passes of this step; after the narrowphase. Sets s->bounces and contact_colors; returns
+   how many lanes they have. */
 int32_t cni_contacts_list(cn_world *world, cni_solve *s);
 void cni_contacts_warm_start(cn_world *world, const cni_solve *s);
 void cni_contacts_solve(cn_world *world, const cni_solve *s);
