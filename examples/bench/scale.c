@@ -108,7 +108,7 @@ static void print_row(const kind *k, int32_t bodies, const sample *least)
 {
 	double ms = 0.0;
 	for (int32_t i = 0; i < STEPS; ++i)
-		ms += least->ms[i] / STEPS;
+		ms += least->ms[i] / (double)STEPS;
 	printf("%s,%" PRId32 ",%.5f,%.2f,%.0f\n", k->name, bodies, ms, 1.0e6 * ms / bodies, least->contacts);
 	fflush(stdout);
 }

@@ -30,25 +30,24 @@ def read(path):
 def draw_kind(axes, kind, rows, exponent):
     words, color, marker = LOOKS[kind]
     bodies, ns = [float(row["bodies"]) for row in rows], [float(row["ns_per_body"]) for row in rows]
-    axes.plot(bodies, ns, color=color, marker=marker, ms=8, lw=2.2, mec="white", mew=0.6, zorder=5)
+    axes.plot(bodies, ns, color=color, marker=marker, ms=8, lw=2.2, mec="white", mew=0.6, zorder=5, label=words)
     # The most that the target allows, from the first point.
     axes.plot([bodies[0], 1e5], [ns[0], ns[0] * (1e5 / bodies[0]) ** (TARGET - 1.0)], color=color, lw=1.2, ls=(0, (5, 3)), alpha=0.7, zorder=3)
-    axes.annotate(f"{words}: $N^{{{exponent:.2f}}}$", (bodies[0], ns[0]), xytext=(0, 12), textcoords="offset points", color=color,
-                  fontsize=12, fontweight="bold")
+    axes.annotate(f"$N^{{{exponent:.2f}}}$", (bodies[-1], ns[-1]), xytext=(11, 0), textcoords="offset points", color=color, fontsize=15, va="center")
 
 
 def main():
     folder = sys.argv[1]
     rows = read(os.path.join(folder, "scale.csv"))
     figure, axes = plt.subplots(figsize=(11, 8.2))
-    figure.subplots_adjust(left=0.095, right=0.965, top=0.86, bottom=0.15)
+    figure.subplots_adjust(left=0.095, right=0.965, top=0.86, bottom=0.2)
     axes.set_xscale("log")
     axes.set_yscale("log")
     for fit in read(os.path.join(folder, "exponents.csv")):
         draw_kind(axes, fit["kind"], [row for row in rows if row["kind"] == fit["kind"]], float(fit["exponent"]))
     ns = [float(row["ns_per_body"]) for row in rows]
     low, high = min(ns) / 1.6, max(ns) * 1.6
-    axes.set_xlim(800, 1.25 * max(float(row["bodies"]) for row in rows))
+    axes.set_xlim(800, 2.0 * max(float(row["bodies"]) for row in rows))
     axes.set_ylim(low, high)
     along, up = [1e3, 1e4, 1e5, 1e6], ticks(low, high, 12)
     set_ticks(axes.xaxis, along, ["1,000", "10,000", "100,000", "1,000,000"], 12)
@@ -58,7 +57,8 @@ def main():
     axes.set_ylabel("nanoseconds of processor time a body and step", fontsize=13)
     figure.text(0.03, 0.945, "What a body costs as worlds grow", fontsize=19, fontweight="bold")
     figure.text(0.03, 0.895, "Level is linear: twice the bodies cost twice the time. Exponents are fitted from 1,000 to 100,000 bodies.", fontsize=12.5)
-    figure.text(0.03, 0.03, f"Dashed: the target, $N^{{{TARGET}}}$ from the first point.  One core, sleeping off.", fontsize=10.5, color="#444444")
+    figure.text(0.03, 0.02, f"Dashed: the target, $N^{{{TARGET}}}$ from the first point.  One core, sleeping off.", fontsize=10.5, color="#444444")
+    figure.legend(loc="lower center", ncol=2, fontsize=12, frameon=False, bbox_to_anchor=(0.53, 0.055))
     save(figure, os.path.join(folder, "scale"))
 
 
