@@ -4,8 +4,7 @@
 # and scale.png into build-folder/scale.
 #
 # The exponent is the slope of log ms over log bodies by least squares, from 1,000 to 100,000 bodies; beside each row
-# stands the local one, from the row before. The exit code is 1 when a kind that worlds use unless told otherwise (all
-# but the tree) is above 1.1.
+# stands the local one, from the row before. The exit code is 1 when a kind is above 1.1.
 set -u
 cd "$(dirname "$0")/../.." || exit 2
 [ $# -ge 1 ] || { echo "usage: scale.sh build-folder [kind]"; exit 2; }
@@ -19,7 +18,7 @@ function close_kind() {
 	if (kind == "")
 		return
 	exponent = (n * sxy - sx * sy) / (n * sxx - sx * sx)
-	verdict = exponent > 1.1 && kind != "tree" ? "  ABOVE 1.1" : ""
+	verdict = exponent > 1.1 ? "  ABOVE 1.1" : ""
 	failed += verdict != ""
 	last = last sprintf("%s: N^%.2f%s\n", kind, exponent, verdict)
 	printf "%s,%.4f\n", kind, exponent > fits
