@@ -7,6 +7,7 @@
 #   make bindings   writes bindings/ from the header   make test-bindings  in every language that is installed
 #   make bench-peers  time and accuracy beside other engines: see examples/peers/README.md
 #   make bench-diff BASE=rev  time and accuracy beside another revision: see examples/README.md
+#   make bench-scale  how cost grows with the number of bodies: see examples/README.md
 #   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
 #
 # CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
@@ -55,7 +56,7 @@ LIBS := -lm $(if $(filter Windows_NT,$(OS)),,-lpthread)
 # New files are found by themselves.
 LIB_SRC := $(sort $(wildcard src/*/*.c))
 MAIN_SRC := examples/hello.c examples/demo/demo.c examples/bench/bench.c examples/bench/once.c \
-	examples/cost/cost.c
+	examples/bench/scale.c examples/cost/cost.c
 EXAMPLE_SRC := $(filter-out $(MAIN_SRC) examples/peers/%,$(sort $(wildcard examples/*/*.c)))
 TEST_SRC := $(sort $(wildcard test/*/*_test.c))
 
@@ -67,7 +68,7 @@ CHECKED_EXAMPLE_OBJ := $(EXAMPLE_SRC:%.c=$(BUILD)/checked/%.o)
 TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
 TESTS := $(TEST_SRC:%.c=$(BUILD)/%)
 
-.PHONY: all bindings demo test test-all stability test-bindings bench bench-peers bench-diff feature-cost hello check-deps install clean FORCE
+.PHONY: all bindings demo test test-all stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello check-deps install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -103,8 +104,9 @@ $(BUILD)/$(SHARED_LINK): $(BUILD)/$(SHARED)
 $(BUILD)/bin/hello: $(BUILD)/release/examples/hello.o
 $(BUILD)/bin/demo: $(BUILD)/release/examples/demo/demo.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench: $(BUILD)/release/examples/bench/bench.o $(EXAMPLE_OBJ)
+$(BUILD)/bin/bench_scale: $(BUILD)/release/examples/bench/scale.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/feature_cost: $(BUILD)/release/examples/cost/cost.o $(EXAMPLE_OBJ)
-$(BUILD)/bin/hello $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
+$(BUILD)/bin/hello $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
 	@mkdir -p $(@D)
 	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STRIP_UNUSED) $(filter %.o,$^) $(BUILD)/libcairn.a $(LIBS) -o $@
 
@@ -124,6 +126,10 @@ bench-peers:
 # Two revisions of the library: BASE beside this tree. examples/README.md
 bench-diff:
 	@CC='$(CC)' sh examples/bench/diff.sh $(BUILD) '$(or $(BASE),HEAD)' $(if $(QUICK),--quick) $(if $(ROUNDS),--rounds $(ROUNDS)) $(if $(SCENE),--scene $(SCENE))
+
+# Cost against the number of bodies at fixed density. KIND=field: one kind.
+bench-scale: $(BUILD)/bin/bench_scale
+	@sh examples/bench/scale.sh $(BUILD) $(KIND)
 
 # What each feature costs a step, used and unused. FEATURE: those whose names contain it.
 feature-cost: $(BUILD)/bin/feature_cost

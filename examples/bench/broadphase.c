@@ -277,10 +277,8 @@ static void replace_some(bench_world *w)
 	}
 }
 
-static void world_step(bench_world *w)
+static void world_update(bench_world *w)
 {
-	boxes_advance(w);
-	double start = measure_clock_s();
 	for (int32_t i = 0; i < w->left_count; ++i) {
 		cni_aabb fat = box_fat(&w->boxes[w->left[i]]);
 		w->ops->move(w->broadphase, w->left[i], &fat);
@@ -288,7 +286,14 @@ static void world_step(bench_world *w)
 	replace_some(w);
 	w->ops->settle(w->broadphase);
 	w->ops->update(w->broadphase, allow, NULL, &w->pairs);
-	measure_times_add(&w->times, measure_clock_s() - start);
+}
+
+static void world_step(bench_world *w, double (*clock_s)(void))
+{
+	boxes_advance(w);
+	double start = clock_s();
+	world_update(w);
+	measure_times_add(&w->times, clock_s() - start);
 	w->pair_count += (uint64_t)w->pairs.list.count;
 	cni_arena_reset(&w->arena);
 }
@@ -307,7 +312,7 @@ static int32_t run_world(const world_kind *kind)
 			return 1;
 		}
 		for (int32_t i = 0; i < kind->steps; ++i)
-			world_step(&w);
+			world_step(&w, measure_clock_s);
 		measure_times_sort(&w.times);
 		pairs[s] = w.pair_count;
 		failed += s > 0 && pairs[s] != pairs[0];
@@ -329,6 +334,26 @@ int32_t bench_broadphase(void)
 		if (worlds[i].boxes < 1000000 || (huge != NULL && huge[0] == '1'))
 			failed += run_world(&worlds[i]);
 	return failed;
+}
+
+/* ---------------------------------------------------------------- scale */
+
+int32_t bench_broadphase_scale(const char *structure, int32_t boxes, int32_t warm_steps, int32_t steps, double *out_ms, double *out_pairs)
+{
+	float side_m = 2.0f * cni_sqrt((float)boxes);
+	world_kind kind = {"scale", boxes, warm_steps + steps, side_m, side_m, 0.5f, 1.5f, 3.0f, 0.5f, 0.0f, 0.0f, 0, 0};
+	bench_world w;
+	int32_t good = world_open(&w, &kind, structures[strcmp(structure, structures[1].name) == 0].ops);
+	for (int32_t i = 0; good && i < kind.steps; ++i) {
+		if (i == warm_steps)
+			w.pair_count = 0;
+		world_step(&w, measure_cpu_s);
+	}
+	for (int32_t i = 0; good && i < steps; ++i)
+		out_ms[i] = w.times.ms[warm_steps + i];
+	*out_pairs = (double)w.pair_count / steps;
+	world_close(&w);
+	return good;
 }
 
 /* ---------------------------------------------------------------- queries */
@@ -438,7 +463,7 @@ static int32_t query_world(const world_kind *kind)
 			return 1;
 		}
 		for (int32_t i = 0; i < kind->steps; ++i)
-			world_step(&w);
+			world_step(&w, measure_clock_s);
 		printf("%s,%d,%s", kind->name, kind->boxes, structures[s].name);
 		for (int32_t k = 0; k < QUERY_KINDS; ++k) {
 			printf(",%.0f", query_rate(&w, k, &q[s][k]));

@@ -11,5 +11,8 @@
 int32_t bench_broadphase(void);
 /* CSV, a row for each world and structure: regions and rays a second. */
 int32_t bench_queries(void);
+/* One structure, "sweep" or "tree", with boxes of 0.5 m to 1.5 m, one in 4 m^2, every second of which moves: processor
+   time of each of the steps after the warm ones, and new pairs a step. 0 when there is no memory. */
+int32_t bench_broadphase_scale(const char *structure, int32_t boxes, int32_t warm_steps, int32_t steps, double *out_ms, double *out_pairs);
 
 #endif

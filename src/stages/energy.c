@@ -262,8 +262,8 @@ void cni_energy_hold(cn_world *world)
 		driven_by_contacts(world, sums);
 		driven_by_joints(world, sums);
 		for (k = 0; k < world->island_used; ++k) {
-			if (!sums[k].suspect)
-				continue;
+			if (!sums[k].suspect || (sums[k].driven && sums[k].after < FLT_MAX))
+				continue; /* what is driven is left alone unless it was lost: factors_find */
 			sum_find(world, k, &sums[k]);
 			if (factors_find(&sums[k]))
 				factors_apply(world, k, &sums[k]);

@@ -12,15 +12,7 @@ strict='-pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Werror
 optimise='-O3 -ffp-contract=off'
 mkdir -p "$build/chart" || exit 2
 
-# Debian puts matplotlib under its own python3, which need not be the first in PATH.
-python=
-for candidate in python3 /usr/bin/python3; do
-	if "$candidate" -c 'import matplotlib' 2>/dev/null; then
-		python=$candidate
-		break
-	fi
-done
-[ -n "$python" ] || { echo "chart: no python3 here has matplotlib (Debian: python3-matplotlib; .ci/deps installs it)"; exit 2; }
+python=$(sh $here/python.sh) || exit 2
 
 # The widest build of an engine that this processor runs, as the library chooses at run time.
 library_of() {
