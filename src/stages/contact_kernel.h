@@ -25,12 +25,17 @@ typedef struct side {
 	cni_wide x, y, s, c1; /* change of centre; sin and cos - 1 of the change of angle */
 } side;
 
-/* Turns beyond what the series holds for are cut: a contact's geometry does not last that far. */
+/* Turns beyond what the series holds for are cut: a contact's geometry does not last that far. A speed of -0 becomes 0, which
+   an impulse of nothing leaves as it is. */
 CNI_INLINE void side_gather(const cni_motion *motions, const int32_t *index, side *out)
 {
 	const float *base = (const float *)(const void *)motions;
+	const cni_wide zero = cni_wide_of(0.0f);
 	cni_wide t, t2;
 	cni_wide_gather4(base, MOTION_FLOATS, index, &out->vx, &out->vy, &out->w, &out->m);
+	out->vx += zero;
+	out->vy += zero;
+	out->w += zero;
 	cni_wide_gather4(base + 4, MOTION_FLOATS, index, &out->x, &out->y, &t, &out->i);
 	t = cni_wide_min(cni_wide_max(t, cni_wide_of(-1.25f)), cni_wide_of(1.25f));
 	t2 = t * t;
@@ -93,7 +98,7 @@ CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row
 		   would take the speed that an impact there should return. */
 		part = cni_wide_select(s > zero, cni_wide_select(q.old > zero, one, cni_wide_select(vn < cni_wide_of(pass->impact_speed), zero, one)), one);
 		q.m = part * q.m;
-		q.want = part * q.want;
+		q.want = part * q.want + zero; /* not -0 */
 	}
 	return q;
 }
@@ -107,6 +112,22 @@ CNI_INLINE void apply_normal(side *a, side *b, cni_wide nx, cni_wide ny, const p
 	b->vx += b->mx * dj * nx;
 	b->vy += b->my * dj * ny;
 	b->w += b->i * q->bt * dj;
+}
+
+/* Has no lane of the group a second point? Then all of its row is zero, and so is what it would do. */
+CNI_INLINE int32_t has_one_point(const cni_contact_block *k, int32_t l)
+{
+	return cni_mask_bits(cni_wide_load(k->p[1].nm + l) != cni_wide_of(0.0f)) == 0;
+}
+
+/* What solve_normals makes of it where there is no second point. */
+CNI_INLINE void solve_normal(cni_contact_block *k, int32_t l, side *a, side *b, cni_wide nx, cni_wide ny, const cni_contact_pass *pass, int32_t bias)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	point p = point_prepare(k, &k->p[0], l, nx, ny, a, b, pass, bias);
+	cni_wide impulse = cni_wide_select(p.want >= zero, p.want, zero);
+	cni_wide_store(k->p[0].jn + l, impulse);
+	apply_normal(a, b, nx, ny, &p, impulse);
 }
 
 /*
@@ -208,7 +229,10 @@ CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block
 	side_gather(motions, k->ib + l, &b);
 	if (extra != NULL)
 		sides_lock(extra, l, &a, &b);
-	solve_normals(k, extra, l, &a, &b, nx, ny, pass, bias);
+	if (has_one_point(k, l))
+		solve_normal(k, l, &a, &b, nx, ny, pass, bias);
+	else
+		solve_normals(k, extra, l, &a, &b, nx, ny, pass, bias);
 	solve_friction(k, extra, l, &a, &b, nx, ny);
 	if (extra != NULL)
 		solve_rolling(k, extra, l, &a, &b);
@@ -256,12 +280,12 @@ CNI_INLINE void warm_group(cni_motion *motions, cni_contact_block *k, cni_block_
 	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), scale = cni_wide_of(pass->warm_scale);
 	cni_wide jt = cni_wide_load(k->jt + l) * scale;
 	side a, b;
-	int32_t p;
+	int32_t p, points = has_one_point(k, l) ? 1 : 2;
 	side_gather(motions, k->ia + l, &a);
 	side_gather(motions, k->ib + l, &b);
 	if (extra != NULL)
 		sides_lock(extra, l, &a, &b);
-	for (p = 0; p < 2; ++p) {
+	for (p = 0; p < points; ++p) {
 		point q;
 		cni_wide jn = cni_wide_load(k->p[p].jn + l) * scale;
 		q.at = cni_wide_load(k->p[p].at + l);
