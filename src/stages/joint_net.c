@@ -270,7 +270,7 @@ void cni_net_run(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_co
 	g.way = g.left == NULL ? NULL : (float *)cni_arena_push(&world->arena, rows);
 	cni_direct_motions_keep(world, sparse, c, 0);
 	if (g.way != NULL) {
-		memset(g.way, 0, rows);
+		memset(g.way, 0, (size_t)rows);
 		g.change[0] = g.motions[0];
 		(void)cni_direct_levers(world, sparse, c);
 		cni_sparse_factor(sparse, c, g.motions);

@@ -584,7 +584,8 @@ int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *sys
 		plan = kept_cut((uint8_t *)kept->data);
 		there = kept_fits(&p, &plan);
 	}
-	memset(out_planned, 0, (uint32_t)system->link_count);
+	if (system->link_count > 0)
+		memset(out_planned, 0, (size_t)system->link_count);
 	if ((there || plan_make(&p, kept, &plan)) && plan_take(&p, &plan)) {
 		if (!there)
 			kinds_keep(out, system->motions, &plan);

@@ -2,23 +2,31 @@
  * stages/spin.c - what nothing holds keeps its angular momentum.
  *
  * Impulses act at arms of the step's beginning while bodies move on, and the velocity that moves a body differs from the one
- * that it keeps by what pushes overlaps apart. Both change an island's angular momentum a little in each step, and a
- * cluster that hangs together in free space turns slower or faster. So at the end of the substeps islands on which nothing
- * acts but one uniform acceleration are turned as a whole by what has been lost: with L = sum m r x u + I w, r and u relative
- * to the centre of mass, and I' the inertia of all around it,
+ * that it keeps by what pushes overlaps apart. Both change the angular momentum of bodies that hang together a little in
+ * each step, and a cluster in free space turns slower or faster. So at the end of the substeps what touches or is joined, and
+ * has nothing acting on it but one uniform acceleration, is turned as a whole by what has been lost: with
+ * L = sum m r x u + I w, r and u relative to the centre of mass, and I' the inertia of all around it,
  *   dL = sum m (r x du + dr x u') + I dw     w' -= dL / I'     v' -= dL / I' x r'
  * A rigid turn changes no relative velocity of touching points. Sums are of differences, so that rounding is one of changes.
  *
- * Not for islands that touch or hang on what does not move, with gears and pulleys (which turn against the world), with locked
- * axes, damping, or forces of the user's. Swings (stages/joint_swing.c) keep it themselves.
+ * Islands keep bodies that have come apart until they sleep: their connected parts are found anew, and what flies alone
+ * is left alone. Not for islands that touch or hang on what does not move, with gears and pulleys (which turn against
+ * the world), nor for parts with locked axes, damping, or forces of the user's, nor for what soft joints alone hold: at
+ * 100 rad/s they tear sooner when their spin is kept.
  *
- * Reads bodies (pose and velocity as the step began), islands, drives, joints, lanes; writes motion.
+ * Reads bodies (pose and velocity as the step began), islands, contacts, drives, joints, lanes; writes motion.
  */
 #include "stages/solver.h"
 
 #include <string.h>
 
-/* What it takes to turn an island. */
+/* Bodies that hang together. */
+typedef struct part {
+	int32_t *bodies;
+	int32_t count;
+} part;
+
+/* What it takes to turn them. */
 typedef struct turning {
 	float mass;
 	cni_vec2 center, moved, speed, change; /* centre of mass as the step began, its way; its velocity then, and the change of that */
@@ -31,12 +39,13 @@ static cni_vec2 center_of(const cni_body *b, const cni_body *first)
 	return cni_v((b->cx - first->cx) + (b->cx_low - first->cx_low), (b->cy - first->cy) + (b->cy_low - first->cy_low));
 }
 
+/* Joints, or contacts between two bodies that move? */
 static int32_t has_pairs(const cn_world *world)
 {
-	int32_t color, lanes = world->colors[CNI_COLOR_OVERFLOW].lanes;
-	for (color = 0; color < CNI_COLOR_STATIC && lanes == 0; ++color)
-		lanes += world->colors[color].lanes;
-	return lanes > 0;
+	int32_t color, pairs = world->awake_joints.count + world->colors[CNI_COLOR_OVERFLOW].lanes;
+	for (color = 0; color < CNI_COLOR_STATIC && pairs == 0; ++color)
+		pairs += world->colors[color].lanes;
+	return pairs > 0;
 }
 
 static void hold(const cn_world *world, uint8_t *held, int32_t index)
@@ -74,33 +83,59 @@ static void held_by_joints(const cn_world *world, uint8_t *held)
 	}
 }
 
-/* Nothing but an acceleration that all have in common, and each other. */
-static int32_t is_alone(const cn_world *world, const cni_island *i)
+/* ---- parts ---- */
+
+static void part_add(const cn_world *world, part *p, int32_t body)
 {
-	const cni_drive *drives = cni_drives(world), *of_first = &drives[cni_body_at(world, i->first)->awake];
-	int32_t body, touched = 0;
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
-		int32_t k = cni_body_at(world, body)->awake;
-		const cni_drive *d = &drives[k];
-		if (d->ax != of_first->ax || d->ay != of_first->ay || d->alpha != 0.0f || cni_motions(world)[k].inv_inertia == 0.0f)
+	cni_body *b = cni_body_at(world, body);
+	if (b->flags & CNI_BODY_MARK)
+		return;
+	b->flags |= CNI_BODY_MARK;
+	p->bodies[p->count++] = body;
+}
+
+/* All that hangs together with a body. */
+static void part_find(const cn_world *world, part *p, int32_t first)
+{
+	int32_t k, key;
+	p->count = 0;
+	part_add(world, p, first);
+	for (k = 0; k < p->count; ++k) {
+		const cni_body *b = cni_body_at(world, p->bodies[k]);
+		for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
+			if (cni_contact_of_key(world, key)->flags & CNI_CONTACT_LINKED)
+				part_add(world, p, cni_contact_of_key(world, key)->body[1 - (key & 1)]);
+		for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+			if (cni_joint_at(world, key >> 1)->linked)
+				part_add(world, p, cni_joint_at(world, key >> 1)->body[1 - (key & 1)]);
+	}
+}
+
+/* Nothing but an acceleration that all have in common, and each other. */
+static int32_t is_alone(const cn_world *world, const part *p)
+{
+	const cni_drive *drives = cni_drives(world), *of_first = &drives[cni_body_at(world, p->bodies[0])->awake];
+	int32_t k, solved = 0;
+	for (k = 0; k < p->count; ++k) {
+		int32_t index = cni_body_at(world, p->bodies[k])->awake;
+		const cni_drive *d = &drives[index];
+		if (d->ax != of_first->ax || d->ay != of_first->ay || d->alpha != 0.0f || cni_motions(world)[index].inv_inertia == 0.0f)
 			return 0;
 		if (d->flags & (CNI_DRIVE_DAMPED | CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y))
 			return 0;
-		touched |= (d->flags & CNI_DRIVE_TOUCHED) != 0;
+		solved |= (d->flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_SWUNG)) != 0;
 	}
-	return touched;
+	return solved;
 }
 
-static void means_find(const cn_world *world, const cni_island *i, turning *t)
+static void means_find(const cn_world *world, const part *p, turning *t)
 {
-	const cni_body *first = cni_body_at(world, i->first), *b;
-	int32_t body;
-	for (body = i->first; body != CNI_NONE; body = b->island_next) {
-		const cni_motion *m;
-		float mass;
-		b = cni_body_at(world, body);
-		m = cni_motions(world) + b->awake;
-		mass = 1.0f / m->inv_mass;
+	const cni_body *first = cni_body_at(world, p->bodies[0]);
+	int32_t k;
+	for (k = 0; k < p->count; ++k) {
+		const cni_body *b = cni_body_at(world, p->bodies[k]);
+		const cni_motion *m = cni_motions(world) + b->awake;
+		float mass = 1.0f / m->inv_mass;
 		t->mass += mass;
 		t->center = cni_madd(t->center, mass, center_of(b, first));
 		t->moved = cni_madd(t->moved, mass, cni_v(m->dpx, m->dpy));
@@ -119,65 +154,81 @@ static cni_vec2 arm_change(const turning *t, const cni_motion *m)
 	return cni_sub(cni_v(m->dpx, m->dpy), t->moved);
 }
 
-static void lost_find(const cn_world *world, const cni_island *i, turning *t)
+static void lost_find(const cn_world *world, const part *p, turning *t)
 {
-	const cni_body *first = cni_body_at(world, i->first), *b;
-	int32_t body;
-	for (body = i->first; body != CNI_NONE; body = b->island_next) {
-		const cni_motion *m;
-		cni_vec2 r, dr, u, du, now;
-		float mass, inertia;
-		b = cni_body_at(world, body);
-		m = cni_motions(world) + b->awake;
-		mass = 1.0f / m->inv_mass;
-		inertia = 1.0f / m->inv_inertia;
-		r = cni_sub(center_of(b, first), t->center);
-		dr = arm_change(t, m);
-		du = cni_sub(cni_v(m->vx - b->vx, m->vy - b->vy), t->change);
-		u = cni_add(cni_sub(cni_v(b->vx, b->vy), t->speed), du);
-		now = cni_add(r, dr);
+	const cni_body *first = cni_body_at(world, p->bodies[0]);
+	int32_t k;
+	for (k = 0; k < p->count; ++k) {
+		const cni_body *b = cni_body_at(world, p->bodies[k]);
+		const cni_motion *m = cni_motions(world) + b->awake;
+		float mass = 1.0f / m->inv_mass, inertia = 1.0f / m->inv_inertia;
+		cni_vec2 r = cni_sub(center_of(b, first), t->center), dr = arm_change(t, m);
+		cni_vec2 du = cni_sub(cni_v(m->vx - b->vx, m->vy - b->vy), t->change);
+		cni_vec2 u = cni_add(cni_sub(cni_v(b->vx, b->vy), t->speed), du);
 		t->lost += mass * (cni_cross(r, du) + cni_cross(dr, u)) + inertia * (m->w - b->w);
-		t->inertia += mass * cni_length_sq(now) + inertia;
+		t->inertia += mass * cni_length_sq(cni_add(r, dr)) + inertia;
 	}
 }
 
-static void turn(const cn_world *world, const cni_island *i, const turning *t)
+static void turn(const cn_world *world, const part *p, const turning *t)
 {
-	const cni_body *first = cni_body_at(world, i->first), *b;
+	const cni_body *first = cni_body_at(world, p->bodies[0]);
 	float w = -t->lost / t->inertia;
-	int32_t body;
-	for (body = i->first; body != CNI_NONE; body = b->island_next) {
-		cni_motion *m;
-		cni_vec2 r;
-		b = cni_body_at(world, body);
-		m = cni_motions(world) + b->awake;
-		r = cni_add(cni_sub(center_of(b, first), t->center), arm_change(t, m));
+	int32_t k;
+	for (k = 0; k < p->count; ++k) {
+		const cni_body *b = cni_body_at(world, p->bodies[k]);
+		cni_motion *m = cni_motions(world) + b->awake;
+		cni_vec2 r = cni_add(cni_sub(center_of(b, first), t->center), arm_change(t, m));
 		m->vx -= w * r.y;
 		m->vy += w * r.x;
 		m->w += w;
 	}
 }
 
+static void part_hold(const cn_world *world, const part *p)
+{
+	turning t;
+	if (p->count < 2 || !is_alone(world, p))
+		return;
+	memset(&t, 0, sizeof t);
+	means_find(world, p, &t);
+	lost_find(world, p, &t);
+	turn(world, p, &t);
+}
+
+static void island_hold(const cn_world *world, const cni_island *i, part *p)
+{
+	int32_t body;
+	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
+		if (cni_body_at(world, body)->flags & CNI_BODY_MARK)
+			continue;
+		part_find(world, p, body);
+		part_hold(world, p);
+	}
+	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		cni_body_at(world, body)->flags &= ~(uint32_t)CNI_BODY_MARK;
+}
+
 void cni_spin_hold(cn_world *world)
 {
 	uint8_t *held;
+	part p = { NULL, 0 };
 	int32_t k;
 	if (world->island_used == 0 || !has_pairs(world))
 		return;
 	held = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->island_used);
-	if (held == NULL)
-		return; /* no memory to look: the step goes on as it is */
-	memset(held, 0, (size_t)world->island_used);
-	held_by_contacts(world, held);
-	held_by_joints(world, held);
-	for (k = 0; k < world->island_used; ++k) {
-		const cni_island *i = cni_island_at(world, k);
-		turning t = { 0.0f, { 0.0f, 0.0f }, { 0.0f, 0.0f }, { 0.0f, 0.0f }, { 0.0f, 0.0f }, 0.0f, 0.0f };
-		if (i->first == CNI_NONE || !i->awake || held[k] || !is_alone(world, i))
-			continue;
-		means_find(world, i, &t);
-		lost_find(world, i, &t);
-		turn(world, i, &t);
+	if (held != NULL)
+		p.bodies = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
+	if (p.bodies != NULL) { /* else there is no memory to look: the step goes on as it is */
+		memset(held, 0, (size_t)world->island_used);
+		held_by_contacts(world, held);
+		held_by_joints(world, held);
+		for (k = 0; k < world->island_used; ++k) {
+			const cni_island *i = cni_island_at(world, k);
+			if (i->first != CNI_NONE && i->awake && !held[k])
+				island_hold(world, i, &p);
+		}
 	}
-	cni_arena_pop(&world->arena, held);
+	(void)cni_arena_pop(&world->arena, p.bodies);
+	(void)cni_arena_pop(&world->arena, held);
 }

@@ -291,7 +291,7 @@ static uint64_t arena_bytes(const cn_world_def *d)
 	uint64_t joints = cni_direct_bytes(d->solver, d->joint_capacity, d->contact_capacity, d->body_capacity), scratch = boxes > pairs ? boxes : pairs;
 	if (d->solver == CN_SOLVER_AUTO)
 		joints += cni_pile_bytes(d->body_capacity);
-	joints += 64u + cni_energy_bytes(islands_for(d->body_capacity)); /* which is more than cni_rest_find takes */
+	joints += 64u + cni_energy_bytes(islands_for(d->body_capacity)); /* which is more than cni_rest_find and cni_spin_hold take */
 	return (scratch > joints ? scratch : joints) + island;
 }
 

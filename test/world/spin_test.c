@@ -122,6 +122,30 @@ static void jointed_clusters_keep_their_spin(void)
 	CHECK_LE("drift", cluster_drift(0.0f, 0.6f, 0.3f, 1, 99u), 2e-6, "");
 }
 
+/* A ball that another has left goes straight on, whatever the other meets, though they are of one island until they sleep. */
+static void what_flies_alone_is_left_alone(void)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	cn_body ball = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 0.0f, 0.5f, 0.6f, 0.8f);
+	cn_body box = fixture_box(world, CN_BODY_DYNAMIC, 2.0f, 0.4f, 0.3f, 0.5f, 0.5f, 0.6f, 0.0f);
+	cn_velocity after, now;
+	int32_t k, apart = 0;
+	fixture_box(world, CN_BODY_DYNAMIC, 5.0f, 1.5f, 0.1f, 0.5f, 2.0f, 0.6f, 0.0f);
+	fixture_set_velocity(world, ball, 4.0f, 0.0f, 0.0f);
+	fixture_step(world, 40);
+	CHECK(fixture_counters(world).contacts_touching == 0);
+	after = fixture_velocity(world, ball);
+	CHECK_GE("speed of the box", (double)fixture_velocity(world, box).linear_mps.x, 1.0, "m/s");
+	for (k = 0; k < 200; ++k) {
+		fixture_step(world, 1);
+		now = fixture_velocity(world, ball);
+		apart += now.linear_mps.x != after.linear_mps.x || now.linear_mps.y != after.linear_mps.y || now.angular_radps != after.angular_radps;
+	}
+	CHECK_GE("turning of the box by what it met", fabs((double)fixture_velocity(world, box).angular_radps), 0.01, "rad/s");
+	CHECK(apart == 0);
+	cn_world_destroy(world);
+}
+
 /* One of two boxes that touch has a torque, and pushes the other away when it turns. */
 static void a_torque_turns_what_nothing_else_holds(void)
 {
@@ -166,6 +190,7 @@ int main(int argc, char **argv)
 	RUN(clusters_keep_their_spin);
 	RUN(falling_clusters_keep_their_spin);
 	RUN(jointed_clusters_keep_their_spin);
+	RUN(what_flies_alone_is_left_alone);
 	RUN(a_torque_turns_what_nothing_else_holds);
 	RUN(damping_is_not_undone);
 	return test_end();
