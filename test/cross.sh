@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: cross.sh build-folder
 # The same bits on other processors: the golden scenes of world/determinism_test, and the tests of base/ and geometry/,
-# compiled for each target and run by an emulator. What a target is there for:
+# compiled for each target and run by an emulator (of geometry, by WebAssembly alone). What a target is there for:
 #
 #   aarch64   kernels on NEON           s390x   most significant byte first, no vectors
 #   wasm32    kernels on WASM SIMD,     i686    pointers of 32 bits, kernels on SSE2
@@ -12,44 +12,61 @@ set -u
 unset MAKEFLAGS MFLAGS MAKELEVEL
 build=$1
 cores=$(nproc 2>/dev/null || echo 2)
-passed=0 failed=0 skipped=0
+passed=0 failed=0 skipped=0 running=0 begun=
 
-# Tests that measure time say nothing here.
-units=$(ls test/base/*_test.c test/geometry/*_test.c | grep -v time_test)
+# Emulators are slow: geometry is tested by the golden scenes, and by its own tests where they take no minutes.
+units=$(ls test/base/*_test.c | grep -v time_test)
+geometry=$(ls test/geometry/*_test.c | grep -v time_test)
 
-run() { # target
-	target=$1 tests="$build/$target/test/world/determinism_test"
-	for test in $units; do tests="$tests $build/$target/${test%.c}"; done
-	${MAKE:-make} -s -j"$cores" test BUILD="$build/$target" CC="$compiler" CFLAGS= TEST_CFLAGS="-O2 $flags" \
-		TEST_DEFINES="-DCNI_DEBUG -DTEST_EMULATED $defines" LIBS="$libs" JOBS="$cores" RUNNER="$runner" TESTS="$tests" > "$build/$target.log" 2>&1
-	code=$?
-	line=$(grep -aE '^[0-9]+ passed, [0-9]+ failed, [0-9]+ skipped$' "$build/$target.log" | tail -n 1)
-	if [ -z "$line" ] || [ $code != 0 ]; then
-		tail -n 40 "$build/$target.log"
-		line=${line:-0 passed, 1 failed, 0 skipped}
-	fi
-	# shellcheck disable=SC2086
-	set -- $line
-	passed=$((passed + $1)) failed=$((failed + $3)) skipped=$((skipped + $5))
-	echo "$target: $line"
+# As many targets at a time as there are cores. Leaves $build/<target>.log and .code.
+run() { # target tests, as source files
+	target=$1
+	shift
+	tests="$build/$target/test/world/determinism_test"
+	for test in "$@"; do tests="$tests $build/$target/${test%.c}"; done
+	(
+		${MAKE:-make} -s test BUILD="$build/$target" CC="$compiler" CFLAGS= TEST_CFLAGS="-O2 $flags" \
+			TEST_DEFINES="-DCNI_DEBUG -DTEST_EMULATED $defines" LIBS="$libs" RUNNER="$runner" TESTS="$tests" > "$build/$target.log" 2>&1
+		echo $? > "$build/$target.code"
+	) &
+	begun="$begun $target"
+	running=$((running + 1))
+	[ $((running % cores)) != 0 ] || wait
 }
 
-target() { # name compiler runner flags defines libs
-	compiler=$2 runner=$3 flags=$4 defines=$5 libs=$6
+target() { # name tests compiler runner flags defines libs
+	name=$1 sources=$2 compiler=$3 runner=$4 flags=$5 defines=$6 libs=$7
 	for tool in ${compiler%% *} ${runner%% *}; do
 		command -v "$tool" >/dev/null 2>&1 && continue
-		echo "$1: $tool is not installed (see .ci/deps)"
+		echo "$name: $tool is not installed (see .ci/deps)"
 		skipped=$((skipped + 1))
 		return
 	done
-	run "$1"
+	# shellcheck disable=SC2086
+	run "$name" $sources
+}
+
+read_logs() {
+	for target in $begun; do
+		line=$(grep -aE '^[0-9]+ passed, [0-9]+ failed, [0-9]+ skipped$' "$build/$target.log" | tail -n 1)
+		if [ -z "$line" ] || [ "$(cat "$build/$target.code")" != 0 ]; then
+			tail -n 40 "$build/$target.log"
+			line=${line:-0 passed, 1 failed, 0 skipped}
+		fi
+		echo "$target: $line"
+		# shellcheck disable=SC2086
+		set -- $line
+		passed=$((passed + $1)) failed=$((failed + $3)) skipped=$((skipped + $5))
+	done
 }
 
 mkdir -p "$build"
-target aarch64 aarch64-linux-gnu-gcc qemu-aarch64-static -static '' '-lm -lpthread'
-target s390x s390x-linux-gnu-gcc qemu-s390x-static '-static -fexcess-precision=fast' '' '-lm -lpthread'
-target i686 i686-linux-gnu-gcc qemu-i386-static '-static -msse2 -mfpmath=sse' '' '-lm -lpthread'
-target armhf arm-linux-gnueabihf-gcc qemu-arm-static -static '' '-lm -lpthread'
-target wasm32 'clang-19 --target=wasm32-wasi --sysroot=/usr -isystem /usr/include/wasm32-wasi' 'node --no-warnings test/wasi.js' -msimd128 -DCN_NO_THREADS -lm
+target aarch64 "$units" aarch64-linux-gnu-gcc qemu-aarch64-static -static '' '-lm -lpthread'
+target s390x "$units" s390x-linux-gnu-gcc qemu-s390x-static '-static -fexcess-precision=fast' '' '-lm -lpthread'
+target i686 "$units" i686-linux-gnu-gcc qemu-i386-static '-static -msse2 -mfpmath=sse' '' '-lm -lpthread'
+target armhf "$units" arm-linux-gnueabihf-gcc qemu-arm-static -static '' '-lm -lpthread'
+target wasm32 "$units $geometry" 'clang-19 --target=wasm32-wasi --sysroot=/usr -isystem /usr/include/wasm32-wasi' 'node --no-warnings test/wasi.js' -msimd128 -DCN_NO_THREADS -lm
+wait
+read_logs
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" = 0 ]
