@@ -33,11 +33,14 @@ static int32_t hole_count(const cni_memory *memory, uint64_t *first_bytes)
 	/* The holes are opaque: the largest piece that can still be had is found by trying. */
 	*first_bytes = 0;
 	while (copy.holes != NULL && count < 1000) {
-		uint64_t words[2];
+		struct {
+			void *next;
+			uint64_t bytes;
+		} hole;
 
-		memcpy(words, (const void *)copy.holes, sizeof words);
-		*first_bytes = *first_bytes > words[1] ? *first_bytes : words[1];
-		memcpy((void *)&copy.holes, words, sizeof copy.holes);
+		memcpy(&hole, (const void *)copy.holes, sizeof hole);
+		*first_bytes = *first_bytes > hole.bytes ? *first_bytes : hole.bytes;
+		memcpy((void *)&copy.holes, &hole.next, sizeof copy.holes);
 		++count;
 	}
 	return count;
