@@ -63,9 +63,6 @@ static int32_t boxes_overlap(const cn_world *world, int32_t contact)
 }
 #endif
 
-/* Bodies of fewer are in the cache anyway. */
-#define PREFETCH_FROM 16384
-
 /* Asks for the bodies of the next block, and for the rows of that after it. Inlined by force: compilers take a function
    that only prefetches for one that does nothing. */
 CNI_INLINE void blocks_prefetch(const cn_world *world, int32_t next)
@@ -88,10 +85,8 @@ CNI_INLINE void blocks_prefetch(const cn_world *world, int32_t next)
 	after = cni_block_info_at(world, next)->next;
 	if (after == CNI_NONE)
 		return;
-	for (l = 0; l < (int32_t)sizeof(cni_contact_block); l += 64)
-		CNI_PREFETCH((const char *)cni_block_at(world, after) + l);
-	for (l = 0; l < (int32_t)sizeof(cni_block_anchor); l += 64)
-		CNI_PREFETCH((const char *)cni_block_anchor_at(world, after) + l);
+	cni_lines_prefetch(cni_block_at(world, after), (int32_t)sizeof(cni_contact_block));
+	cni_lines_prefetch(cni_block_anchor_at(world, after), (int32_t)sizeof(cni_block_anchor));
 	CNI_PREFETCH(cni_block_info_at(world, after));
 }
 
@@ -105,7 +100,7 @@ int32_t cni_contacts_follow(cn_world *world, float dt, int32_t *left)
 		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
 			const cni_block_info *info = cni_block_info_at(world, block);
 			uint32_t followed = info->anchored;
-			if (world->awake_count >= PREFETCH_FROM)
+			if (world->awake_count >= CNI_PREFETCH_BODIES)
 				blocks_prefetch(world, info->next);
 			if (dt == 0.0f)
 				followed = 0;

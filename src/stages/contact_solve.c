@@ -60,45 +60,35 @@ static void extra_lane_copy(const cni_block_extra *from, int32_t from_lane, cni_
 		memcpy((float *)(void *)to + row * CNI_LANES + to_lane, (const float *)(const void *)from + row * CNI_LANES + from_lane, sizeof(float));
 }
 
+/* Room for a lane by itself; its other lanes stay empty. */
+typedef struct lone_lane {
+	cni_contact_block rows;
+	cni_block_extra extra;
+} lone_lane;
+
 /* A lane by itself, through the plain kernel. */
-static void lane_run(cn_world *world, const cni_solve *s, cni_contact_kernel_fn *run, const cni_listed_block *b, int32_t l)
+static void lane_run(cn_world *world, const cni_solve *s, cni_contact_kernel_fn *run, const cni_listed_block *b, int32_t l, lone_lane *one)
 {
 	cni_motion *motions = cni_motions(world);
 	cni_contact_pass pass = pass_make(s, motions[b->rows->ib[l]].inv_mass == 0.0f);
-	cni_contact_block one;
-	cni_block_extra one_extra;
-	memset(&one, 0, sizeof one);
-	memset(&one_extra, 0, sizeof one_extra);
-	lane_copy(b->rows, l, &one, 0);
-	extra_lane_copy(b->extra, l, &one_extra, 0);
-	run(motions, &one, b->extra != NULL ? &one_extra : NULL, &pass, b->fresh >> l & 1u, 1);
-	lane_copy(&one, 0, b->rows, l);
-	extra_lane_copy(b->extra != NULL ? &one_extra : NULL, 0, b->extra, l);
+	lane_copy(b->rows, l, &one->rows, 0);
+	extra_lane_copy(b->extra, l, &one->extra, 0);
+	run(motions, &one->rows, b->extra != NULL ? &one->extra : NULL, &pass, b->fresh >> l & 1u, 1);
+	lane_copy(&one->rows, 0, b->rows, l);
+	extra_lane_copy(b->extra != NULL ? &one->extra : NULL, 0, b->extra, l);
 }
 
-/* One lane at a time, through the plain kernel. */
 static void overflow_run(cn_world *world, const cni_solve *s, cni_contact_kernel_fn *run)
 {
 	const cni_listed_block *blocks = cni_listed_blocks(world, CNI_COLOR_OVERFLOW);
 	int32_t count = world->colors[CNI_COLOR_OVERFLOW].listed_count, k, l;
-	cni_motion *motions = cni_motions(world);
-	cni_contact_block one;
-	cni_block_extra one_extra;
+	lone_lane one;
 	if (count == 0)
 		return;
 	memset(&one, 0, sizeof one);
-	memset(&one_extra, 0, sizeof one_extra);
-	for (k = 0; k < count; ++k) {
-		const cni_listed_block *b = &blocks[k];
-		for (l = 0; l < b->lanes; ++l) {
-			cni_contact_pass pass = pass_make(s, motions[b->rows->ib[l]].inv_mass == 0.0f);
-			lane_copy(b->rows, l, &one, 0);
-			extra_lane_copy(b->extra, l, &one_extra, 0);
-			run(motions, &one, b->extra != NULL ? &one_extra : NULL, &pass, b->fresh >> l & 1u, 1);
-			lane_copy(&one, 0, b->rows, l);
-			extra_lane_copy(b->extra != NULL ? &one_extra : NULL, 0, b->extra, l);
-		}
-	}
+	for (k = 0; k < count; ++k)
+		for (l = 0; l < blocks[k].lanes; ++l)
+			lane_run(world, s, run, &blocks[k], l, &one);
 }
 
 /* A pass over the blocks of one colour: they share no body that they write. */
@@ -110,17 +100,13 @@ typedef struct color_pass {
 	int32_t prefetches;
 } color_pass;
 
-/* Bodies of fewer are in the cache anyway. */
-#define PREFETCH_FROM 16384
-
 /* Asks for the rows of the block after the next, and for the bodies of the next. Inlined by force: compilers take a function
    that only prefetches for one that does nothing. */
 CNI_INLINE void blocks_prefetch(const color_pass *c, int32_t k, int32_t end)
 {
 	int32_t l;
 	if (k + 2 < end)
-		for (l = 0; l < (int32_t)sizeof(cni_contact_block); l += 64)
-			CNI_PREFETCH((const char *)c->blocks[k + 2].rows + l);
+		cni_lines_prefetch(c->blocks[k + 2].rows, (int32_t)sizeof(cni_contact_block));
 	if (k + 1 >= end)
 		return;
 	for (l = 0; l < CNI_LANES; ++l) {
@@ -149,7 +135,7 @@ static void colors_run(cn_world *world, const cni_solve *s, cni_contact_kernel_f
 	int32_t one_sided = -1;
 	c.run = run;
 	c.motions = cni_motions(world);
-	c.prefetches = world->awake_count >= PREFETCH_FROM;
+	c.prefetches = world->awake_count >= CNI_PREFETCH_BODIES;
 	for (left = s->contact_colors & ~(1u << CNI_COLOR_OVERFLOW); left != 0; left &= left - 1u) {
 		int32_t color = cni_bit_lowest32(left);
 		if ((color >= CNI_COLOR_STATIC) != one_sided) {
@@ -212,7 +198,9 @@ void cni_contacts_solve(cn_world *world, const cni_solve *s)
 void cni_contact_solve_again(cn_world *world, const cni_solve *s, int32_t slot)
 {
 	cni_listed_block b = listed_of(world, slot / CNI_LANES, CNI_LANES);
-	lane_run(world, s, cni_contact_kernel_plain.solve, &b, slot % CNI_LANES);
+	lone_lane one;
+	memset(&one, 0, sizeof one);
+	lane_run(world, s, cni_contact_kernel_plain.solve, &b, slot % CNI_LANES, &one);
 }
 
 void cni_contacts_relax(cn_world *world, const cni_solve *s)

@@ -84,7 +84,7 @@ static uint32_t lanes_shocked(const cn_world *world, const cni_contact_block *k,
 	uint32_t bits = 0;
 	int32_t l;
 	for (l = 0; l < lanes; ++l)
-		bits |= (uint32_t)((starts[k->ia[l]].struck == 2.0f) | (starts[k->ib[l]].struck == 2.0f)) << l;
+		bits |= (uint32_t)((starts[k->ia[l]].struck == CNI_SHOCKED) | (starts[k->ib[l]].struck == CNI_SHOCKED)) << l;
 	return bits;
 }
 

@@ -115,7 +115,7 @@ static void part_find(const cn_world *world, part *p, int32_t first)
 static int32_t is_alone(const cn_world *world, const part *p)
 {
 	const cni_drive *drives = cni_drives(world), *of_first = &drives[cni_body_at(world, p->bodies[0])->awake];
-	int32_t k, solved = 0;
+	int32_t k;
 	for (k = 0; k < p->count; ++k) {
 		int32_t index = cni_body_at(world, p->bodies[k])->awake;
 		const cni_drive *d = &drives[index];
@@ -123,9 +123,8 @@ static int32_t is_alone(const cn_world *world, const part *p)
 			return 0;
 		if (d->flags & (CNI_DRIVE_DAMPED | CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y))
 			return 0;
-		solved |= (d->flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_SWUNG)) != 0;
 	}
-	return solved;
+	return 1;
 }
 
 static void means_find(const cn_world *world, const part *p, turning *t)
@@ -199,13 +198,16 @@ static void part_hold(const cn_world *world, const part *p)
 static void island_hold(const cn_world *world, const cni_island *i, part *p)
 {
 	int32_t body;
+	int32_t found = 0;
 	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
-		if (cni_body_at(world, body)->flags & CNI_BODY_MARK)
+		const cni_body *b = cni_body_at(world, body);
+		if ((b->flags & CNI_BODY_MARK) || !(cni_drives(world)[b->awake].flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_SWUNG)))
 			continue;
 		part_find(world, p, body);
 		part_hold(world, p);
+		found = 1;
 	}
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+	for (body = found ? i->first : CNI_NONE; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
 		cni_body_at(world, body)->flags &= ~(uint32_t)CNI_BODY_MARK;
 }
 
