@@ -15,7 +15,6 @@
 #include "stages/joint_herd.h"
 #include "stages/press.h"
 
-#define CLOSE_ROUNDS 4       /* of joints and the contacts that part them, in a substep */
 #define LOCKS 3              /* rounds in a substep in which pins are made rigid */
 
 /* ---- hard stops ---- */
@@ -113,19 +112,24 @@ static int32_t component_close(cn_world *world, const cni_solve *s, cni_componen
 	return 1;
 }
 
-static int32_t components_close(cn_world *world, const cni_solve *s)
+/* Those that have not had their rounds. Returns 1 when contacts of some are to come once more: they are parting. */
+static int32_t components_close(cn_world *world, const cni_solve *s, int32_t round)
 {
 	int32_t k, closed = 0;
-	cni_herds_close(world, s);
-	for (k = 0; k < s->direct->component_count; ++k)
-		closed |= s->direct->components[k].parting = component_close(world, s, &s->direct->components[k]);
+	cni_herds_close(world, s, round);
+	for (k = 0; k < s->direct->component_count; ++k) {
+		cni_component *c = &s->direct->components[k];
+		int32_t rounds = cni_close_rounds(c->end - c->begin);
+		c->parting = round <= rounds && component_close(world, s, c) && round < rounds;
+		closed |= c->parting;
+	}
 	return closed;
 }
 
 void cni_direct_close(cn_world *world, const cni_solve *s)
 {
 	int32_t k, round;
-	for (round = 0; s->direct != NULL && components_close(world, s) && round < CLOSE_ROUNDS; ++round)
+	for (round = 0; s->direct != NULL && components_close(world, s, round); ++round)
 		for (k = 0; k < s->direct->component_count; ++k)
 			if (s->direct->components[k].parting)
 				touching_solve(world, s, &s->direct->components[k]);

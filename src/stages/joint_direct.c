@@ -2,8 +2,8 @@
  * stages/joint_direct.c - rigid rows of connected joints solved together, exactly (stages/sparse.h).
  *
  * Joints with rigid rows that nothing bounds or softens are nodes; those that share bodies make components.
- * CN_SOLVER_AUTO takes trees, whose factorization costs about what a pass over their joints does, but not those that are
- * touched and whose joints hardly feel each other (stages/joint_couple.c), and large nets once (stages/joint_net.c).
+ * CN_SOLVER_AUTO takes trees, whose factorization costs about what a pass over their joints does, and large nets once
+ * (stages/joint_net.c).
  * CN_SOLVER_DIRECT takes all. The rest, and springs, motors and limits, are solved row by row in stages/joint_solve.c,
  * before; contacts come after, so joints and contacts alternate, where they disagree more than once: stages/joint_close.c.
  *
@@ -431,23 +431,10 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *spar
 	return 1;
 }
 
-/* Touched trees of which passes over the joints make as much as a system does: their joints know it. */
-static int32_t tree_loosen(cn_world *world, const cni_sparse *sparse, const cni_component *c)
-{
-	int32_t k;
-	if (world->settings.solver != CN_SOLVER_AUTO || !c->tree || c->loops || c->presses || c->swings || is_asked_for(world, sparse, c) || cni_component_is_joined(world, sparse, c))
-		return 0;
-	if (!cni_component_is_loose(world, sparse, c))
-		return 0;
-	for (k = c->begin; k < c->end; ++k)
-		cni_joint_works(world)[sparse->nodes[k].owner].flags |= CNI_WORK_LOOSE;
-	return 1;
-}
-
-/* A joint alone is solved as well by itself; a large net that other things hold too, better. */
+/* Joints to the world alone, and large nets that other things hold too. */
 static int32_t is_better_alone(const cni_component *c)
 {
-	return !c->swings && !c->presses && (c->dear || c->end - c->begin == 1);
+	return !c->swings && !c->presses && (c->dear || (c->end - c->begin == 1 && c->body_end - c->body_begin == 1));
 }
 
 static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
@@ -474,7 +461,7 @@ static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 			cni_island_once(world, cni_awake_island(world, out->bodies[c->body_begin]), c->work / (DEAR_SPREAD * (c->end - c->begin)));
 		c->regular = c->presses || c->loops ? REGULAR : 0.0f;
 		c->swings = !c->presses && !(c->loops && cni_component_is_joined(world, out, c)) && cni_component_swings(world, s, out, c);
-		if (loop_is_better_soft(world, out, c) || is_better_alone(c) || tree_loosen(world, out, c))
+		if (loop_is_better_soft(world, out, c) || is_better_alone(c))
 			joints_release(world, out, c);
 		else if (c->swings)
 			cni_sparse_clear(out, c);

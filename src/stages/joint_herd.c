@@ -171,7 +171,7 @@ static cni_herd *herd_open(maker *m, const cni_component *c)
 	sources_find(herd);
 	blocks_take(m->world, herd);
 	herd->lanes = 0;
-	herd->closes = herd->parting = 0;
+	herd->closes = herd->asked = herd->parting = 0;
 	herd->couplings = sparse->couplings + c->coupling_begin;
 	herd->coupling_count = c->coupling_end - c->coupling_begin;
 	herd->first = sparse->first + c->begin;
@@ -269,7 +269,12 @@ void cni_herds_relax(cn_world *world, const cni_solve *s)
 	herds_run(world, s, s->joint_kernel->herd_relax);
 }
 
-void cni_herds_close(cn_world *world, const cni_solve *s)
+void cni_herds_close(cn_world *world, const cni_solve *s, int32_t round)
 {
+	int32_t k;
+	for (k = 0; k < s->direct->herd_count; ++k) {
+		cni_herd *herd = &s->direct->herds[k];
+		herd->asked = round <= cni_close_rounds(herd->kind.nodes) ? herd->closes : 0;
+	}
 	herds_run(world, s, s->joint_kernel->herd_close);
 }

@@ -530,7 +530,7 @@ void cni_joints_relax(cn_world *world, const cni_solve *s)
 void cni_joint_gap_look(cn_world *world, const cni_joint_work *w, float gap)
 {
 	int32_t island;
-	if (world->settings.solver != CN_SOLVER_AUTO || (w->flags & CNI_WORK_LOOSE) || gap <= CNI_BAD_PART * world->settings.accuracy)
+	if (world->settings.solver != CN_SOLVER_AUTO || gap <= CNI_BAD_PART * world->settings.accuracy)
 		return;
 	island = cni_joint_island(world, w->ia, w->ib);
 	if (island != CNI_NONE)

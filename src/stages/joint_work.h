@@ -16,7 +16,6 @@ enum {
 	CNI_WORK_DIRECT = 1u << 5,    /* its rigid rows are solved with its neighbours': stages/joint_direct.c */
 	CNI_WORK_SWUNG = 1u << 6,     /* done with for this step: stages/joint_swing.c */
 	CNI_WORK_WIDE = 1u << 7,      /* unless swung it is in a lane: stages/joint_blocks.c; rows are written only if direct, and their impulses are all of the record's */
-	CNI_WORK_LOOSE = 1u << 8,     /* a system would do no better, so that a gap asks for none: stages/joint_couple.c */
 	CNI_WORK_HERD = 1u << 9       /* in a lane of a herd, pin and all: stages/joint_herd.c */
 };
 
@@ -100,11 +99,13 @@ void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, in
    also for arms that turn by more than this angle in it and so leave the tangent. */
 #define CNI_CLOSE_PART CNI_BAD_PART
 #define CNI_CLOSE_TURN_RAD 0.02f
+/* Rounds of joints and the contacts that part them, in a substep: a blow goes on through a tree joint by joint. */
+static inline int32_t cni_close_rounds(int32_t nodes)
+{
+	return cni_max_i(1, cni_min_i(nodes - 1, 4));
+}
 /* What contacts may part: stages/joint_close.c. */
 void cni_close_mark(const cn_world *world, cni_sparse *sparse);
-
-/* Do passes over its joints, one by one, make about as much of it as a system? Of pins: stages/joint_couple.c. */
-int32_t cni_component_is_loose(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 
 /* ---- wide works: stages/joint_blocks.c ---- */
 
@@ -123,7 +124,7 @@ void cni_herds_warm(cn_world *world, const cni_solve *s);
 void cni_herds_solve(cn_world *world, const cni_solve *s);
 void cni_herds_relax(cn_world *world, const cni_solve *s);
 /* After contacts: what they would part is solved once more. stages/joint_close.c */
-void cni_herds_close(cn_world *world, const cni_solve *s);
+void cni_herds_close(cn_world *world, const cni_solve *s, int32_t round);
 /* Scratch that they may take, with so many joints. */
 uint64_t cni_herd_bytes(int32_t joints);
 

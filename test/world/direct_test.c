@@ -4,7 +4,7 @@
  *
  * If a test here fails, run stages/sparse first. Then look in: stages/joint_swing.c (energy, anchors, momentum of what
  * nothing but joints holds), stages/joint_tension.c (heavy ends), stages/joint_direct.c (joints among contacts, motors and
- * limits), stages/joint_couple.c (wheels).
+ * limits).
  */
 #include "direct.h"
 
@@ -214,9 +214,10 @@ static void mixed_chain_holds_together(void)
 static void gap_run(const char *name, int32_t solver, int32_t on_floor, double most)
 {
 	scene s = scene_open(on_floor ? GRAVITY : 0.0, 0, solver);
-	double before, fastest = 0.0, energy = 0.0, mass;
+	double before, fastest = 0.0, energy = 0.0, mass, way = 0.0;
+	cn_pose late[4];
 	cn_mass_data m;
-	int32_t k;
+	int32_t k, i;
 	if (on_floor)
 		fixture_floor(s.world, 0.5f, 0.0f);
 	add_chain(&s, 0, nowhere(), -1.0f, on_floor ? THIN : 0.0f, 0.0f, 2);
@@ -234,12 +235,18 @@ static void gap_run(const char *name, int32_t solver, int32_t on_floor, double m
 		fastest = greater(fastest, (before - now) / (double)FRAME_S);
 		energy = greater(energy, totals_in(&s).kinetic);
 		before = now;
+		for (i = 0; k == 60 && i < 4; ++i)
+			late[i] = fixture_pose(s.world, s.bodies[i]);
+	}
+	for (i = 0; i < 4; ++i) {
+		cn_pose p = fixture_pose(s.world, s.bodies[i]);
+		way = greater(way, hypot((double)(p.position_m.x - late[i].position_m.x), (double)(p.position_m.y - late[i].position_m.y)));
 	}
 	printf("  %s\n", name);
 	CHECK_LE("speed at which the gap closes", fastest, 1.02 * most, "m/s");
 	CHECK_LE("kinetic energy / that of all at 3 m/s", energy / (0.5 * mass * 9.0), 1e-6, "");
 	CHECK_LE("gap after 2 s", before, ROUNDING, "m");
-	CHECK_LE("speed after 2 s", totals_in(&s).speed_most, SOLVED, "m/s");
+	CHECK_LE("way of a body in the second that follows", way, 0.5 * SOLVED, "m");
 	scene_close(&s);
 }
 
@@ -418,7 +425,7 @@ static void swinging_chain_hits_a_wall(void)
 	wall_hit_run("CN_SOLVER_DIRECT", CN_SOLVER_DIRECT, 0.1); /* the contacts of what has joints are soft there too */
 }
 
-/* ---- joints that hardly feel each other ---- */
+/* ---- few joints among contacts ---- */
 
 /* A body on two others that lie on the ground, pinned to it: a cart on wheels of this part of its mass, or a light yoke. */
 static void add_carried(scene *s, float wheel_factor, float motor)
@@ -436,39 +443,60 @@ static void add_carried(scene *s, float wheel_factor, float motor)
 	}
 }
 
-typedef struct carried {
-	int32_t work;    /* most that was planned in a step, once they have landed */
-	double gap;      /* greatest of joints from then on */
-} carried;
-
-static carried carried_run(float wheel_factor, float motor)
+/* Greatest gap of its joints, also as it lands. */
+static double carried_run(float wheel_factor, float motor)
 {
 	scene s = scene_open(GRAVITY, 0, CN_SOLVER_AUTO);
-	carried out = { 0, 0.0 };
+	double gap = 0.0;
 	int32_t k;
 	fixture_floor(s.world, 0.9f, 0.0f);
 	add_carried(&s, wheel_factor, motor);
 	for (k = 0; k < 300; ++k) {
-		int32_t work;
 		fixture_step(s.world, 1);
-		if (k < 60)
-			continue;
-		work = fixture_counters(s.world).direct_work;
-		out.work = work > out.work ? work : out.work;
-		out.gap = greater(out.gap, anchors_apart(&s));
+		gap = greater(gap, anchors_apart(&s));
 	}
 	scene_close(&s);
-	return out;
+	return gap;
 }
 
-/* A car's wheels need no system, and drive without coming off; what lies lightly on heavy wheels does. */
-static void wheels_of_a_car_are_loose(void)
+static void wheels_stay_on(void)
 {
-	carried car = carried_run(0.5f, 5.0f), yoke = carried_run(20.0f, 0.0f);
-	CHECK(car.work == 0);
-	CHECK_LE("gap of a driving car's wheels", car.gap, 1e-3, "m");
-	CHECK(yoke.work > 0);
-	CHECK_LE("gap of a light yoke on heavy wheels", yoke.gap, ROUNDING, "m");
+	CHECK_LE("gap of a driving car's wheels", carried_run(0.5f, 5.0f), 1e-3, "m");
+	CHECK_LE("gap of a light yoke on heavy wheels", carried_run(20.0f, 0.0f), 1e-3, "m");
+}
+
+/* Forty chains of few thin links fall into a heap, the lower ones for a metre, the upper ones for six. */
+static void heap_run(int32_t links)
+{
+	cn_world *world = fixture_world((float)-GRAVITY, 0);
+	double gap = 0.0;
+	int32_t k, i;
+	fixture_floor(world, 0.6f, 0.0f);
+	fixture_box(world, CN_BODY_STATIC, -5.0f, 5.0f, 0.0f, 0.5f, 6.0f, 0.6f, 0.0f);
+	fixture_box(world, CN_BODY_STATIC, 5.0f, 5.0f, 0.0f, 0.5f, 6.0f, 0.6f, 0.0f);
+	for (k = 0; k < 40; ++k) {
+		cn_body last = 0;
+		for (i = 0; i < links; ++i) {
+			float x = -3.8f + 2.0f * (float)(k % 4) + 0.1f * (float)(k / 4 % 3) + 0.6f * (float)i;
+			cn_body body = fixture_box(world, CN_BODY_DYNAMIC, x, 1.0f + 0.6f * (float)(k / 4), 0.0f, 0.3f, 0.1f + 0.02f * (float)(k % 5), 0.6f, 0.0f);
+			if (i > 0)
+				hinge(world, last, at(0.3f, 0.0f), body, at(-0.3f, 0.0f));
+			last = body;
+		}
+	}
+	for (k = 0; k < 300; ++k) {
+		fixture_step(world, 1);
+		gap = greater(gap, worst_joint_error(world));
+	}
+	printf("  chains of %d links\n", (int)links);
+	CHECK_LE("greatest distance between anchors", gap, 5e-3, "m");
+	cn_world_destroy(world);
+}
+
+static void short_chains_in_a_heap_hold(void)
+{
+	heap_run(2);
+	heap_run(3);
 }
 
 int main(int argc, char **argv)
@@ -486,6 +514,7 @@ int main(int argc, char **argv)
 	RUN(chain_on_a_steady_cart_hangs);
 	RUN(chain_on_a_shaken_cart_holds);
 	RUN(swinging_chain_hits_a_wall);
-	RUN(wheels_of_a_car_are_loose);
+	RUN(wheels_stay_on);
+	RUN(short_chains_in_a_heap_hold);
 	return test_end();
 }
