@@ -32,26 +32,30 @@ static int32_t body_is_jointed(const cn_world *world, const cni_body *b)
 	return 0;
 }
 
-static uint32_t drive_flags(const cn_world *world, const cni_body *b)
+static uint32_t lock_flags(uint32_t body_flags)
+{
+	return (body_flags & CN_BODY_LOCK_X ? (uint32_t)CNI_DRIVE_LOCK_X : 0u) | (body_flags & CN_BODY_LOCK_Y ? (uint32_t)CNI_DRIVE_LOCK_Y : 0u);
+}
+
+CNI_INLINE uint32_t drive_flags(const cn_world *world, const cni_body *b)
 {
 	uint32_t flags = b->lanes != 0 ? (uint32_t)CNI_DRIVE_TOUCHED : 0u;
 	if (b->joint_first != CNI_NONE && body_is_jointed(world, b))
 		flags |= CNI_DRIVE_JOINTED;
 	if (flags == 0)
-		flags |= CNI_DRIVE_FREE;
-	if (b->linear_damping > 0.0f || b->angular_damping > 0.0f)
+		flags = CNI_DRIVE_FREE;
+	if (b->linear_damping + b->angular_damping > 0.0f)
 		flags |= CNI_DRIVE_DAMPED;
-	if (b->flags & CN_BODY_LOCK_X)
-		flags |= CNI_DRIVE_LOCK_X;
-	if (b->flags & CN_BODY_LOCK_Y)
-		flags |= CNI_DRIVE_LOCK_Y;
+	if (b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y))
+		flags |= lock_flags(b->flags);
 	return flags;
 }
 
 /* d: the user's force, as it is held between steps, becomes the step's drive. */
 CNI_INLINE void drive_make(const cn_world *world, const cni_body *b, const cni_motion *m, cni_drive *d)
 {
-	d->flags = drive_flags(world, b);
+	uint32_t flags = drive_flags(world, b);
+	d->flags = flags;
 	if (b->type != CN_BODY_DYNAMIC) {
 		d->ax = d->ay = d->alpha = 0.0f;
 		return;
@@ -59,9 +63,11 @@ CNI_INLINE void drive_make(const cn_world *world, const cni_body *b, const cni_m
 	d->ax = b->gravity_scale * world->settings.gravity.x + m->inv_mass * d->ax;
 	d->ay = b->gravity_scale * world->settings.gravity.y + m->inv_mass * d->ay;
 	d->alpha = m->inv_inertia * d->alpha;
-	if (m->inv_mass == 0.0f || (d->flags & CNI_DRIVE_LOCK_X))
+	if (m->inv_mass != 0.0f && !(flags & (CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y)))
+		return;
+	if (m->inv_mass == 0.0f || (flags & CNI_DRIVE_LOCK_X))
 		d->ax = 0.0f;
-	if (m->inv_mass == 0.0f || (d->flags & CNI_DRIVE_LOCK_Y))
+	if (m->inv_mass == 0.0f || (flags & CNI_DRIVE_LOCK_Y))
 		d->ay = 0.0f;
 }
 
@@ -314,6 +320,8 @@ static void finish_range(void *context, int32_t begin, int32_t end, int32_t work
 	for (k = begin + 1; k <= end; ++k) {
 		if (!(drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_JOINTED | CNI_DRIVE_DAMPED)))
 			position_finish(&motions[k], &starts[k], &drives[k], loop->s->h);
+		if (!(drives[k].flags & (CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y)))
+			continue;
 		if (drives[k].flags & CNI_DRIVE_LOCK_X)
 			motions[k].vx = 0.0f;
 		if (drives[k].flags & CNI_DRIVE_LOCK_Y)
