@@ -17,7 +17,6 @@
 
 #include <string.h>
 
-#define TINY_RAD 2.44140625e-4f /* 2^-12: to here sine and cosine round to x and 1, and below some x their polynomials are subnormal, which is slow */
 #define REDUCE_SMALL_MAX_RAD 1.0e4f
 #define WRAP_SMALL_MAX_RAD 1.0e5f
 
@@ -103,15 +102,15 @@ cni_rot cni_sincos(float angle_rad)
 	uint32_t quarter;
 	cni_rot q;
 
-	if (cni_abs(angle_rad) <= TINY_RAD) {
+	if (cni_abs(angle_rad) <= CNI_TINY_RAD) {
 		q.c = 1.0f;
 		q.s = angle_rad;
 		return q;
 	}
 	quarter = reduce_quarter(angle_rad, &r);
 	u = r * r;
-	s = r + r * u * (-0.166666508f + u * (0.00833197497f + u * -0.000194951994f));
-	c = 1.0f + (u * u * (0.0416666456f + u * (-0.00138873642f + u * 2.44379917e-05f)) - 0.5f * u);
+	s = r + r * u * (CNI_SINE_3 + u * (CNI_SINE_5 + u * CNI_SINE_7));
+	c = 1.0f + (u * u * (CNI_COSINE_4 + u * (CNI_COSINE_6 + u * CNI_COSINE_8)) - 0.5f * u);
 	q.c = quarter & 1u ? s : c;
 	q.s = quarter & 1u ? c : s;
 	if (quarter == 1u || quarter == 2u)

@@ -87,6 +87,16 @@ static inline cni_aabb cni_aabb_union(const cni_aabb *a, const cni_aabb *b)
 static inline int32_t cni_is_finite(float x) { return x - x == 0.0f; }
 static inline int32_t cni_is_finite2(cni_vec2 v) { return cni_is_finite(v.x) && cni_is_finite(v.y); }
 
+/* Polynomials of sine and cosine on a quarter turn about 0, and where they are not taken: maths.c. */
+#define CNI_SINE_3 (-0.166666508f)
+#define CNI_SINE_5 0.00833197497f
+#define CNI_SINE_7 (-0.000194951994f)
+#define CNI_COSINE_4 0.0416666456f
+#define CNI_COSINE_6 (-0.00138873642f)
+#define CNI_COSINE_8 2.44379917e-05f
+#define CNI_TINY_RAD 2.44140625e-4f /* 2^-12: to here sine and cosine round to x and 1, and below some x their polynomials are subnormal, which is slow */
+#define CNI_NEAR_RAD 0.75f          /* to here an angle is its own rest */
+
 /* Any finite angle; absolute error of each component <= 1.5e-7 (argument reduction in three parts after
    Cody and Waite up to 1e4, in integers after Payne and Hanek beyond; minimax polynomials). Result is
    within 1e-6 of unit length, also for what is not finite. */

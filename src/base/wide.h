@@ -121,6 +121,17 @@ CNI_INLINE cni_mask cni_mask_of_zero(const int32_t *p) { return *(const cni_mask
 /* Clears the sign bit. */
 CNI_INLINE cni_wide cni_wide_abs(cni_wide a) { return cni_wide_max(a, -a); }
 
+/* With the bits of cni_sincos, for angles of up to CNI_NEAR_RAD. */
+CNI_INLINE void cni_wide_sincos_near(cni_wide angle, cni_wide *c, cni_wide *s)
+{
+	cni_mask tiny = cni_wide_abs(angle) <= cni_wide_of(CNI_TINY_RAD);
+	cni_wide one = cni_wide_of(1.0f), r = cni_wide_select(tiny, cni_wide_of(CNI_TINY_RAD), angle), u = r * r;
+	cni_wide sine = r + r * u * (cni_wide_of(CNI_SINE_3) + u * (cni_wide_of(CNI_SINE_5) + u * cni_wide_of(CNI_SINE_7)));
+	cni_wide cosine = one + (u * u * (cni_wide_of(CNI_COSINE_4) + u * (cni_wide_of(CNI_COSINE_6) + u * cni_wide_of(CNI_COSINE_8))) - cni_wide_of(0.5f) * u);
+	*s = cni_wide_select(tiny, angle, sine);
+	*c = cni_wide_select(tiny, one, cosine);
+}
+
 /* ---- records of four floats: lane l of the outputs is record index[l], floats 0..3 ---- */
 
 #if CNI_WIDTH == 1
@@ -144,6 +155,14 @@ CNI_INLINE void cni_wide_gather4_from(const float *const *records, int32_t offse
 CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *index, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {
 	float *r = base + (size_t)index[0] * (size_t)stride;
+	r[0] = a;
+	r[1] = b;
+	r[2] = c;
+	r[3] = d;
+}
+CNI_INLINE void cni_wide_scatter4_to(float *const *records, int32_t offset, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+{
+	float *r = records[0] + offset;
 	r[0] = a;
 	r[1] = b;
 	r[2] = c;
@@ -241,6 +260,16 @@ CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *in
 	cni_wide_rows(r, a, b, c, d);
 	for (l = 0; l < CNI_WIDTH; ++l)
 		*(cni_wide4 *)(void *)(base + (size_t)index[l] * (size_t)stride) = r[l];
+}
+
+/* The same to records anywhere: floats offset .. offset + 3 of each. */
+CNI_INLINE void cni_wide_scatter4_to(float *const *records, int32_t offset, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+{
+	cni_wide4 r[CNI_WIDTH];
+	int32_t l;
+	cni_wide_rows(r, a, b, c, d);
+	for (l = 0; l < CNI_WIDTH; ++l)
+		*(cni_wide4_loose *)(void *)(records[l] + offset) = r[l];
 }
 
 /* The same in the given lanes, as bits: the other records are not written. */

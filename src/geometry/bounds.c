@@ -1,27 +1,76 @@
 /*
  * geometry/bounds.c - where a shape is: its tight box, and whether a point is inside of it.
  */
+#include "base/cpu.h"
 #include "geometry/shape.h"
 #include "geometry/distance.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#include "base/wide.h"
+#endif
 
-cni_aabb cni_geometry_aabb(const cni_geometry *g, int32_t child, cni_transform transform)
+static void points_box(const cni_vec2 *points, int32_t count, float radius, const cni_transform *x, cni_aabb *out)
 {
-	cni_vec2 storage[2];
-	cni_proxy_points set = cni_geometry_proxy(g, child, storage);
-	cni_vec2 p = cni_transform_point(transform, set.points[0]);
+	cni_vec2 p = cni_transform_point(*x, points[0]);
 	cni_aabb box = { p.x, p.y, p.x, p.y };
-	for (int32_t i = 1; i < set.count; ++i) {
-		p = cni_transform_point(transform, set.points[i]);
+	for (int32_t i = 1; i < count; ++i) {
+		p = cni_transform_point(*x, points[i]);
 		box.x0 = cni_min(p.x, box.x0);
 		box.y0 = cni_min(p.y, box.y0);
 		box.x1 = cni_max(p.x, box.x1);
 		box.y1 = cni_max(p.y, box.y1);
 	}
-	box.x0 -= set.radius;
-	box.y0 -= set.radius;
-	box.x1 += set.radius;
-	box.y1 += set.radius;
-	return box;
+	out->x0 = box.x0 - radius;
+	out->y0 = box.y0 - radius;
+	out->x1 = box.x1 + radius;
+	out->y1 = box.y1 + radius;
+}
+
+#if CNI_HAS_WIDE_4
+
+/* Two points at once, with the bits of points_box. The last of an odd number comes with the one before it again. */
+static void pairs_box(const cni_vec2 *points, int32_t count, float radius, const cni_transform *x, cni_aabb *out)
+{
+	const cni_wide c = cni_wide_of(x->q.c), s = { -x->q.s, x->q.s, -x->q.s, x->q.s }, t = { x->t.x, x->t.y, x->t.x, x->t.y };
+	cni_wide low, high, p;
+	int32_t i;
+	p = cni_wide_load_loose(&points[0].x);
+	low = high = c * p + s * __builtin_shufflevector(p, p, 1, 0, 3, 2) + t;
+	for (i = 2; i < count; i += 2) {
+		p = cni_wide_load_loose(&points[cni_min_i(i, count - 2)].x);
+		p = c * p + s * __builtin_shufflevector(p, p, 1, 0, 3, 2) + t;
+		low = cni_wide_min(p, low);
+		high = cni_wide_max(p, high);
+	}
+	low = cni_wide_min(__builtin_shufflevector(low, low, 2, 3, 0, 1), low) - cni_wide_of(radius);
+	high = cni_wide_max(__builtin_shufflevector(high, high, 2, 3, 0, 1), high) + cni_wide_of(radius);
+	*(cni_wide_loose *)(void *)out = __builtin_shufflevector(low, high, 0, 1, 4, 5);
+}
+
+#else
+
+static void pairs_box(const cni_vec2 *points, int32_t count, float radius, const cni_transform *x, cni_aabb *out)
+{
+	points_box(points, count, radius, x, out);
+}
+
+#endif
+
+void cni_geometry_box(const cni_geometry *g, int32_t child, const cni_transform *transform, cni_aabb *out)
+{
+	cni_vec2 storage[2];
+	cni_proxy_points edge;
+	switch (g->type) {
+	case CN_SHAPE_CIRCLE:
+		points_box(cni_geometry_points(g), 1, g->radius, transform, out);
+		break;
+	case CN_SHAPE_CHAIN:
+		edge = cni_geometry_proxy(g, child, storage);
+		points_box(edge.points, edge.count, edge.radius, transform, out);
+		break;
+	default:
+		pairs_box(cni_geometry_points(g), g->count, g->radius, transform, out);
+	}
 }
 
 static float point_to_segment_sq(cni_vec2 point, cni_vec2 a, cni_vec2 b)

@@ -66,8 +66,14 @@ const char *cni_check_chain(const cn_chain *chain, float tolerance);
    else what is wrong. count <= 65536. No allocation: repeated farthest-point insertion, see hull.c. */
 const char *cni_hull_make(const cni_vec2 *points, int32_t count, float tolerance, cn_polygon *out);
 
-/* Tight box of child (0 for all but chains) with the body's origin at transform.t. */
-cni_aabb cni_geometry_aabb(const cni_geometry *g, int32_t child, cni_transform transform);
+/* Tight box of child (0 for all but chains) with the body's origin at transform->t. */
+void cni_geometry_box(const cni_geometry *g, int32_t child, const cni_transform *transform, cni_aabb *out);
+static inline cni_aabb cni_geometry_aabb(const cni_geometry *g, int32_t child, cni_transform transform)
+{
+	cni_aabb box;
+	cni_geometry_box(g, child, &transform, &box);
+	return box;
+}
 /* Height of a vertex above the line through its neighbours below which it counts as collinear. */
 float cni_collinear_height(const cni_vec2 *points, int32_t count, float tolerance);
 

@@ -78,7 +78,7 @@ void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def)
 	b->sleep_speed = def->sleep_speed_mps;
 	b->flags = def->flags & ~(uint32_t)CN_BODY_AWAKE;
 	cni_body_set_solver(world, b, def->solver);
-	b->type = def->type;
+	b->type = (uint8_t)def->type;
 	b->mass = def->type == CN_BODY_DYNAMIC ? 1.0f : 0.0f;
 	b->island = b->island_next = b->island_prev = CNI_NONE;
 	b->shape_first = b->joint_first = b->contact_first = CNI_NONE;
@@ -210,6 +210,7 @@ static void measure_shapes(const cn_world *world, cni_body *b)
 	}
 	b->extent = extent + cni_length(b->local_center);
 	b->core = core;
+	b->room = 0;
 }
 
 /* Moves the centre of mass within the body: the origin stays, the material keeps its velocity. */
@@ -260,6 +261,7 @@ void cni_body_refresh_boxes(cn_world *world, int32_t body)
 	cni_body *b = cni_body_at(world, body);
 	cni_transform x = cni_body_transform(b);
 	int32_t index, child;
+	b->room = 0;
 	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
 		const cni_shape *s = cni_shape_at(world, index);
 		for (child = 0; child < s->children; ++child) {
@@ -302,45 +304,73 @@ static cni_aabb box_stretch(cni_aabb box, cni_vec2 ahead)
 	return box;
 }
 
-/* A shape's box with what lies ahead, if that leaves its proxy's: 1, and the new one. */
-static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_shape *s, int32_t child, cni_transform x, cni_vec2 ahead, cni_aabb *fat)
+/* How far a box reaches beyond one within it. */
+static float box_room(const cni_aabb *outer, const cni_aabb *inner)
 {
-	cni_aabb box = cni_geometry_aabb(cni_shape_geometry(&world->blocks, s), child, x);
-	float margin = cni_box_margin(world, b->type, &box);
+	float x = cni_min(inner->x0 - outer->x0, outer->x1 - inner->x1), y = cni_min(inner->y0 - outer->y0, outer->y1 - inner->y1);
+	return cni_min(x, y);
+}
+
+/* A shape's box with what lies ahead, if that leaves its proxy's: 1, and the new one. *room: how far the proxy's reaches beyond the shape, then. */
+static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_shape *s, int32_t child, const cni_transform *x, cni_vec2 ahead, cni_aabb *fat, float *room)
+{
+	const cni_aabb *now = &cni_proxy_at(world, cni_shape_proxy(world, s, child))->fat;
+	float margin, rounding = CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
+	cni_aabb box;
+	cni_geometry_box(cni_shape_geometry(&world->blocks, s), child, x, &box);
+	*room = box_room(now, &box) - rounding;
+	if (*room > cni_max(cni_abs(ahead.x), cni_abs(ahead.y)))
+		return 0;
+	margin = cni_box_margin(world, b->type, &box);
 	if (looks_ahead(margin, ahead))
 		box = box_stretch(box, ahead);
-	if (cni_aabb_contains(&cni_proxy_at(world, cni_shape_proxy(world, s, child))->fat, &box))
+	if (cni_aabb_contains(now, &box))
 		return 0;
 	*fat = cni_box_fatten(box, margin);
+	*room = margin - rounding;
 	return 1;
 }
 
 void cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead)
 {
-	cni_transform x = cni_body_transform(b);
+	cni_transform x;
+	float room = FLT_MAX, one;
 	int32_t shape, child;
 	cni_aabb fat;
-	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
-		const cni_shape *s = cni_shape_at(world, shape);
-		for (child = 0; child < s->children; ++child)
-			if (box_leaves(world, b, s, child, x, ahead, &fat))
-				world->broadphase_ops->move(world->broadphase, cni_shape_proxy(world, s, child), &fat);
-	}
-}
-
-int32_t cni_body_boxes_left(const cn_world *world, const cni_body *b, cni_vec2 ahead, cni_box_move *out)
-{
-	cni_transform x = cni_body_transform(b);
-	int32_t shape, child, count = 0;
-	cni_aabb fat;
+	if (cni_body_has_room(b, ahead))
+		return;
+	x = cni_body_transform(b);
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		for (child = 0; child < s->children; ++child) {
-			if (!box_leaves(world, b, s, child, x, ahead, &fat) || count++ > 0)
+			if (box_leaves(world, b, s, child, &x, ahead, &fat, &one))
+				world->broadphase_ops->move(world->broadphase, cni_shape_proxy(world, s, child), &fat);
+			room = cni_min(room, one);
+		}
+	}
+	cni_body_set_room(b, room);
+}
+
+int32_t cni_body_boxes_left(const cn_world *world, cni_body *b, cni_vec2 ahead, cni_box_move *out)
+{
+	cni_transform x;
+	float room = FLT_MAX, one;
+	int32_t shape, child, count = 0;
+	cni_aabb fat;
+	if (cni_body_has_room(b, ahead))
+		return 0;
+	x = cni_body_transform(b);
+	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+		const cni_shape *s = cni_shape_at(world, shape);
+		for (child = 0; child < s->children; ++child) {
+			int32_t leaves = box_leaves(world, b, s, child, &x, ahead, &fat, &one);
+			room = cni_min(room, one);
+			if (!leaves || count++ > 0)
 				continue;
 			out->fat = fat;
 			out->proxy = cni_shape_proxy(world, s, child);
 		}
 	}
+	cni_body_set_room(b, count > 1 ? 0.0f : room); /* with several to move it looks again */
 	return count;
 }

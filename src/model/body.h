@@ -22,6 +22,8 @@
 #include "base/blocks.h"
 #include "base/maths.h"
 
+#include <string.h>
+
 /* Internal bits of cni_body.flags, above the public CN_BODY_ ones. */
 enum {
 	CNI_BODY_MASS_OVERRIDE = 1u << 16, /* mass data was set by the user */
@@ -42,7 +44,9 @@ typedef struct cni_body {
 	float extent;            /* farthest surface point from the centre of mass */
 	uint32_t flags;          /* CN_BODY_ (AWAKE bit unused) and CNI_BODY_ */
 	int32_t awake;           /* dense index, 0: not awake; up to here is what every contact asks for */
-	int32_t type;            /* CN_BODY_STATIC ... */
+	uint8_t type;            /* CN_BODY_STATIC ... */
+	uint8_t reserved;
+	uint16_t room;           /* by so much its boxes are known to reach beyond its shapes, all around: cni_body_room */
 	float vx, vy, w;         /* between steps; read through cni_body_velocity. Up to here is what pairs that are apart ask for */
 	float mass, inertia;     /* of a dynamic body (mass > 0, inertia >= 0, 0 = never rotates); 0 for others */
 	float linear_damping, angular_damping;
@@ -62,6 +66,9 @@ typedef struct cni_body {
 	cni_ref name;            /* zero-terminated in the world's blocks; 0: none */
 	uint64_t user_data;
 } cni_body;
+
+/* Of coordinates and extents: more than rounding moves a box by in a step, and a rotation that is not quite of unit length. */
+#define CNI_BODY_ROUNDING 4e-6f
 
 /* 32 bytes, aligned: the solver gathers and scatters these. */
 typedef struct cni_motion {
@@ -128,14 +135,39 @@ cni_transform cni_body_b_in_a(const cni_body *a, const cni_body *b);
 cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b);
 /* The velocity was set from outside: its boxes must look ahead again before the next step. */
 void cni_body_kick(cn_world *world, int32_t body);
+/* The room, in metres; 0: not known. Kept as the upper half of a float, which is never more. */
+static inline float cni_body_room(const cni_body *b)
+{
+	uint32_t bits = (uint32_t)b->room << 16;
+	float room;
+	memcpy(&room, &bits, sizeof room);
+	return room;
+}
+static inline void cni_body_set_room(cni_body *b, float room)
+{
+	float positive = cni_max(room, 0.0f);
+	uint32_t bits;
+	memcpy(&bits, &positive, sizeof bits);
+	b->room = (uint16_t)(bits >> 16);
+}
+/* What a step's change takes of it: a point of the body goes no farther than this, whatever is rounded on the way. */
+static inline float cni_body_reach(const cni_body *b, float dpx, float dpy, float theta)
+{
+	return cni_max(cni_abs(dpx), cni_abs(dpy)) + cni_abs(theta) * b->extent + CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
+}
+/* Do the boxes contain the shapes now and after ahead for certain? Most do, and shapes and boxes need not be read. */
+static inline int32_t cni_body_has_room(const cni_body *b, cni_vec2 ahead)
+{
+	return cni_body_room(b) > cni_max(cni_abs(ahead.x), cni_abs(ahead.y));
+}
 /* Moves the boxes that do not contain the shapes now and where they will be after ahead (metres). */
 void cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead);
-/* How many boxes that would move; *out is the first of them. */
+/* How many boxes that would move; *out is the first of them. Those are to be moved: the body's room counts on it. */
 typedef struct cni_box_move {
 	cni_aabb fat;
 	int32_t proxy;
 } cni_box_move;
-int32_t cni_body_boxes_left(const cn_world *world, const cni_body *b, cni_vec2 ahead, cni_box_move *out);
+int32_t cni_body_boxes_left(const cn_world *world, cni_body *b, cni_vec2 ahead, cni_box_move *out);
 /* Does not wake. Locked axes are zeroed. */
 void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v);
 

@@ -29,10 +29,8 @@ static uint64_t ids_bytes(const cn_world *world, const cni_shape *s)
 	return cni_shape_piece_bytes(world, CN_SHAPE_CHAIN, 0) > bytes ? cni_shape_piece_bytes(world, CN_SHAPE_CHAIN, 0) : bytes;
 }
 
-int32_t cni_shape_proxy(const cn_world *world, const cni_shape *s, int32_t child)
+int32_t cni_shape_edge_proxy(const cn_world *world, const cni_shape *s, int32_t child)
 {
-	if (s->type != CN_SHAPE_CHAIN)
-		return s->box.proxy;
 	if (s->box.proxies == 0)
 		return CNI_NONE;
 	return ((const int32_t *)cni_blocks_at(&world->blocks, s->box.proxies))[child];
@@ -53,15 +51,6 @@ float cni_box_margin(const cn_world *world, int32_t body_type, const cni_aabb *t
 	if (body_type == CN_BODY_STATIC)
 		return set->contact_margin;
 	return cni_clamp(MARGIN_PART * cni_max(tight->x1 - tight->x0, tight->y1 - tight->y0), set->contact_margin, set->box_margin);
-}
-
-cni_aabb cni_box_fatten(cni_aabb box, float margin)
-{
-	box.x0 -= margin;
-	box.y0 -= margin;
-	box.x1 += margin;
-	box.y1 += margin;
-	return box;
 }
 
 cn_result cni_proxy_reserve(cn_world *world, int32_t extra)
@@ -120,6 +109,7 @@ cn_result cni_shape_place(cn_world *world, int32_t shape)
 		return CN_OK;
 	if (cni_proxy_reserve(world, s->children) != CN_OK)
 		return CN_ERROR_MEMORY;
+	cni_body_at(world, s->body)->room = 0;
 	if (s->type != CN_SHAPE_CHAIN) {
 		s->box.proxy = proxy_create(world, shape, 0);
 		if (cni_body_at(world, s->body)->awake != 0)

@@ -49,8 +49,13 @@ uint64_t cni_shape_piece_bytes(const cn_world *world, int32_t type, int32_t coun
 void cni_shape_free_geometry(cn_world *world, int32_t shape);
 /* In a fixed block: proxy ids of chains of at most 8 edges; longer ones take the piece of a geometry. */
 #define CNI_SHAPE_IDS_BYTES 32u
-/* Proxy id of a child, CNI_NONE when the shape is not placed. */
-int32_t cni_shape_proxy(const cn_world *world, const cni_shape *s, int32_t child);
+/* Proxy id of a chain's edge, CNI_NONE when it is not placed. */
+int32_t cni_shape_edge_proxy(const cn_world *world, const cni_shape *s, int32_t child);
+/* ... of any shape's child. */
+static inline int32_t cni_shape_proxy(const cn_world *world, const cni_shape *s, int32_t child)
+{
+	return s->type != CN_SHAPE_CHAIN ? s->box.proxy : cni_shape_edge_proxy(world, s, child);
+}
 
 /* Makes room for `extra` proxies more. */
 cn_result cni_proxy_reserve(cn_world *world, int32_t extra);
@@ -64,7 +69,14 @@ void cni_shape_unlink(cn_world *world, int32_t shape);
 
 /* The margin of the fat box of a shape, by the type of its body and its tight box. */
 float cni_box_margin(const cn_world *world, int32_t body_type, const cni_aabb *tight);
-cni_aabb cni_box_fatten(cni_aabb box, float margin);
+static inline cni_aabb cni_box_fatten(cni_aabb box, float margin)
+{
+	box.x0 -= margin;
+	box.y0 -= margin;
+	box.x1 += margin;
+	box.y1 += margin;
+	return box;
+}
 /* All pairs of the shape's boxes count as new at the next step (filter, type or joint changed). */
 void cni_shape_look_again(cn_world *world, int32_t shape);
 

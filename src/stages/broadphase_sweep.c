@@ -144,22 +144,36 @@ static void sweep_touch(cni_broadphase *broadphase, int32_t id)
 
 /* ---- update ---- */
 
+/* Those of which a pair was lost stay moved; their flag is still set. */
+static void unmark_moved(cni_sweep *sweep, int32_t lost)
+{
+	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->moved);
+	int32_t id;
+	if (lost == 0)
+		memset(cni_sweep_moved(sweep), 0, (size_t)cni_bit_words(sweep->id_end) * sizeof(uint64_t));
+	while (lost > 0 && (id = cni_sweep_walk_next(&walk)) != CNI_NONE)
+		if (!(cni_sweep_proxy(sweep, id)->flags & CNI_PROXY_MOVED))
+			cni_bit_clear(cni_sweep_moved(sweep), id);
+	sweep->moved_count = lost;
+}
+
 /* What is now becomes what was, except where a pair was lost. */
 static void finish_moved(cni_sweep *sweep)
 {
 	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->moved);
-	int32_t id;
+	int32_t id, lost = 0;
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
 		cni_proxy *proxy = cni_sweep_proxy(sweep, id);
 		if (proxy->flags & CNI_PROXY_AGAIN) {
 			proxy->flags &= ~(uint32_t)CNI_PROXY_AGAIN;
 			proxy->old = cni_no_box();
+			++lost;
 			continue;
 		}
 		proxy->old = proxy->fat;
 		proxy->flags &= ~(uint32_t)CNI_PROXY_MOVED;
-		unmark(cni_sweep_moved(sweep), id, &sweep->moved_count);
 	}
+	unmark_moved(sweep, lost);
 }
 
 static void sweep_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out)

@@ -5,6 +5,7 @@
  *   broadphase_sweep_tiles.c   levels, the tile table, entries in a tile
  *   broadphase_sweep_settle.c  brings tiles up to date with the boxes (migrate, sort) and chooses sizes
  *   broadphase_sweep_pairs.c   finds the pairs that began to overlap (self, tile with tile, one with tile)
+ *   broadphase_sweep_lanes.h   ... its inner loop, for each vector width
  *   broadphase_sweep_query.c   region and ray queries through the same tiles
  *
  * Boxes are kept by size in levels (S_l = S0 * 4^l: a box goes to the lowest level whose S_l is above
@@ -235,6 +236,33 @@ void cni_sweep_settle(cni_sweep *sweep);
 /* Appends the new pairs in no particular order; see model/broadphase.h. Nothing may be loose but
    for want of memory. Pairs that found no room flag one of their moved proxies CNI_PROXY_AGAIN. */
 void cni_sweep_find_pairs(cni_sweep *sweep, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out);
+
+/* Rows of a tile with the boxes of the last update. */
+typedef struct cni_sweep_view {
+	const float *x0, *x1, *y0, *y1;
+	const float *px0, *px1, *py0, *py1;
+	const int32_t *id;
+	int32_t count;
+	int32_t wide;      /* rows are padded to whole groups of lanes */
+	float reach;
+	int32_t skip_moved;/* its moved entries find their pairs themselves */
+} cni_sweep_view;
+
+/* The box that is tested against a tile's entries. */
+typedef struct cni_sweep_probe {
+	cni_aabb now;
+	cni_aabb old;
+	int32_t id;
+	int32_t skip_moved;
+} cni_sweep_probe;
+
+/*
+ * The first group of CNI_SWEEP_LANES entries from *k on with some that overlap the probe now and did not before: those,
+ * as bits, and where it is in *k; 0: there are none until entries begin beyond the probe. wanted: bits of the first group.
+ */
+typedef uint32_t cni_sweep_find_new_fn(const cni_sweep_probe *q, const cni_sweep_view *v, int32_t *k, uint32_t wanted);
+cni_sweep_find_new_fn cni_sweep_find_new;   /* vectors of four, or one by one */
+cni_sweep_find_new_fn cni_sweep_find_new_8; /* AVX2, chosen at run time */
 
 /* ---- queries ---- */
 

@@ -17,48 +17,31 @@
  *   is not dense             with the lower id
  *   loose (no memory)        by a slow search of the loose one
  *
- * The inner loop tests CNI_SWEEP_LANES entries at a time.
+ * The inner loop tests CNI_SWEEP_LANES entries at a time: stages/broadphase_sweep_lanes.h.
  */
 #include "base/cpu.h"
-#include "stages/broadphase_sweep.h"
 #if CNI_HAS_WIDE_4
 #define CNI_WIDTH 4
 #else
 #define CNI_WIDTH 1
 #endif
-#include "base/wide.h"
+#define CNI_KERNEL cni_sweep_find_new
+#include "stages/broadphase_sweep_lanes.h"
 
 #include <string.h>
 
 #define DENSE_SHARE 6      /* one in so many entries moved: sweep the whole tile */
 #define DENSE_CHANGES 3    /* but not for fewer */
 
-/* Rows of a tile with the boxes of the last update. */
-typedef struct tile_view {
-	const float *x0, *x1, *y0, *y1;
-	const float *px0, *px1, *py0, *py1;
-	const int32_t *id;
-	int32_t count;
-	int32_t wide;      /* rows are padded to whole groups of lanes */
-	float reach;
-	int32_t skip_moved;/* its moved entries find their pairs themselves */
-} tile_view;
-
-/* The box that is tested against a tile's entries. */
-typedef struct probe {
-	cni_aabb now;
-	cni_aabb old;
-	int32_t id;
-	int32_t skip_moved;
-} probe;
-
 typedef struct pair_pass {
 	cni_sweep *sweep;
 	cni_pair_filter_fn *filter;
 	const void *filter_context;
 	cni_broadphase_pairs *out;
-	int32_t *touched;  /* tiles with moved proxies; NULL without scratch */
+	cni_sweep_find_new_fn *find_new;
+	int32_t *touched;  /* tiles with moved proxies, the dense ones first; NULL without scratch */
 	int32_t touched_count;
+	int32_t dense_count;
 	int32_t dense_entries;
 	int32_t new_entries; /* of the largest dense tile whose entries are all new */
 	float *scratch;      /* +inf and -inf for those (2 new_entries), then old boxes of the other dense tiles */
@@ -78,7 +61,7 @@ static void pair_found(pair_pass *pass, int32_t a, int32_t b)
 	cni_pairs_add(pass->out, pass->sweep->context.memory, a, b, is_moved(pass, a) ? pa : pb);
 }
 
-static void entry_found(pair_pass *pass, const probe *q, const tile_view *view, int32_t k)
+static void entry_found(pair_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *view, int32_t k)
 {
 	int32_t id = view->id[k];
 	if (id == q->id || (view->skip_moved && is_moved(pass, id)) || (q->skip_moved && is_moved(pass, q->id)))
@@ -89,41 +72,18 @@ static void entry_found(pair_pass *pass, const probe *q, const tile_view *view, 
 /* ---- the inner loop ---- */
 
 /* Does entry k overlap now and did not before? The entry begins left of the probe's right side. */
-static inline int32_t entry_is_new(const probe *q, const tile_view *v, int32_t k)
+static inline int32_t entry_is_new(const cni_sweep_probe *q, const cni_sweep_view *v, int32_t k)
 {
 	int32_t now = (v->x1[k] >= q->now.x0) & (v->y0[k] <= q->now.y1) & (v->y1[k] >= q->now.y0);
 	int32_t old = (v->px0[k] <= q->old.x1) & (v->px1[k] >= q->old.x0) & (v->py0[k] <= q->old.y1) & (v->py1[k] >= q->old.y0);
 	return now & (old ^ 1);
 }
 
-static inline cni_mask lanes_overlap(const float *x0, const float *x1, const float *y0, const float *y1, const cni_aabb *box)
-{
-	cni_wide left = cni_wide_load_loose(x0), right = cni_wide_load_loose(x1), low = cni_wide_load_loose(y0), high = cni_wide_load_loose(y1);
-	cni_wide box_x0 = cni_wide_of(box->x0), box_x1 = cni_wide_of(box->x1), box_y0 = cni_wide_of(box->y0), box_y1 = cni_wide_of(box->y1);
-	return (left <= box_x1) & (right >= box_x0) & (low <= box_y1) & (high >= box_y0);
-}
-
-/* New overlaps in the group of entries that begins at k, as bits. What is behind the last entry begins beyond any probe. */
-static inline uint32_t lanes_new(const probe *q, const tile_view *v, int32_t k)
-{
-	uint32_t bits = 0;
-	int32_t l, i;
-	for (l = 0; l < CNI_SWEEP_LANES; l += CNI_WIDTH) {
-		cni_mask now, old;
-		i = k + l;
-		now = lanes_overlap(v->x0 + i, v->x1 + i, v->y0 + i, v->y1 + i, &q->now);
-		old = lanes_overlap(v->px0 + i, v->px1 + i, v->py0 + i, v->py1 + i, &q->old);
-		bits |= cni_mask_bits(now & ~old) << l;
-	}
-	return bits;
-}
-
-static void scan_lanes(pair_pass *pass, const probe *q, const tile_view *v, int32_t from)
+static void scan_lanes(pair_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *v, int32_t from)
 {
 	int32_t k = from & ~(CNI_SWEEP_LANES - 1);
-	uint32_t wanted = ~0u << (from - k);
-	for (; k < v->count && v->x0[k] <= q->now.x1; k += CNI_SWEEP_LANES) {
-		uint32_t bits = lanes_new(q, v, k) & wanted;
+	uint32_t bits, wanted = ~0u << (from - k);
+	for (; (bits = pass->find_new(q, v, &k, wanted)) != 0; k += CNI_SWEEP_LANES) {
 		wanted = ~0u;
 		for (; bits != 0; bits &= bits - 1) {
 			int32_t i = k + cni_bit_lowest32(bits);
@@ -134,7 +94,7 @@ static void scan_lanes(pair_pass *pass, const probe *q, const tile_view *v, int3
 }
 
 /* Tests the entries from an index on, until they begin beyond the probe. */
-static inline void scan(pair_pass *pass, const probe *q, const tile_view *v, int32_t from)
+static inline void scan(pair_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *v, int32_t from)
 {
 	int32_t k = from;
 	if (k >= v->count || !(v->x0[k] <= q->now.x1))
@@ -155,10 +115,10 @@ static float *old_boxes(const pair_pass *pass, const cni_sweep_tile *tile)
 	return pass->scratch + 2 * pass->new_entries + tile->previous;
 }
 
-static tile_view view_of(const pair_pass *pass, const cni_sweep_tile *tile)
+static cni_sweep_view view_of(const pair_pass *pass, const cni_sweep_tile *tile)
 {
 	cni_sweep_rows rows = cni_sweep_rows_of(pass->sweep, tile);
-	tile_view v;
+	cni_sweep_view v;
 	v.x0 = v.px0 = rows.x0;
 	v.x1 = v.px1 = rows.x1;
 	v.y0 = v.py0 = rows.y0;
@@ -180,9 +140,9 @@ static tile_view view_of(const pair_pass *pass, const cni_sweep_tile *tile)
 	return v;
 }
 
-static inline probe probe_of(const tile_view *v, int32_t i)
+static inline cni_sweep_probe probe_of(const cni_sweep_view *v, int32_t i)
 {
-	probe q;
+	cni_sweep_probe q;
 	q.now.x0 = v->x0[i];
 	q.now.x1 = v->x1[i];
 	q.now.y0 = v->y0[i];
@@ -197,7 +157,7 @@ static inline probe probe_of(const tile_view *v, int32_t i)
 }
 
 /* First entry that may reach x0. */
-static int32_t scan_begin(const tile_view *v, float x0)
+static int32_t scan_begin(const cni_sweep_view *v, float x0)
 {
 	float from = x0 - v->reach;
 	int32_t low = 0, left = v->count;
@@ -211,11 +171,11 @@ static int32_t scan_begin(const tile_view *v, float x0)
 
 /* ---- dense tiles ---- */
 
-static void sweep_self(pair_pass *pass, const tile_view *v)
+static void sweep_self(pair_pass *pass, const cni_sweep_view *v)
 {
 	int32_t i;
 	for (i = 0; i + 1 < v->count; ++i) {
-		probe q;
+		cni_sweep_probe q;
 		if (v->x0[i + 1] > v->x1[i])
 			continue;
 		q = probe_of(v, i);
@@ -224,12 +184,12 @@ static void sweep_self(pair_pass *pass, const tile_view *v)
 }
 
 /* Each entry of one tile against those of the other that begin where they may reach it. */
-static void sweep_two(pair_pass *pass, const tile_view *outer, const tile_view *inner, const cni_aabb *inner_bounds)
+static void sweep_two(pair_pass *pass, const cni_sweep_view *outer, const cni_sweep_view *inner, const cni_aabb *inner_bounds)
 {
 	int32_t i, low = 0;
 	for (i = 0; i < outer->count && outer->x0[i] <= inner_bounds->x1; ++i) {
 		float from = outer->x0[i] - inner->reach;
-		probe q;
+		cni_sweep_probe q;
 		if ((outer->x1[i] < inner_bounds->x0) | (outer->y1[i] < inner_bounds->y0) | (outer->y0[i] > inner_bounds->y1))
 			continue;
 		while (low < inner->count && inner->x0[low] < from)
@@ -257,14 +217,14 @@ static void sweep_tile(pair_pass *pass, int32_t tile)
 {
 	const cni_sweep *sweep = pass->sweep;
 	const cni_sweep_tile *a = cni_sweep_tile_at(sweep, tile);
-	tile_view view = view_of(pass, a);
+	cni_sweep_view view = view_of(pass, a);
 	cni_sweep_cursor cursor;
 	int32_t other;
 	sweep_self(pass, &view);
 	cni_sweep_cursor_start(sweep, &cursor, &a->bounds);
 	while ((other = cni_sweep_cursor_next(sweep, &cursor)) != CNI_NONE) {
 		const cni_sweep_tile *b = cni_sweep_tile_at(sweep, other);
-		tile_view other_view;
+		cni_sweep_view other_view;
 		if (other == tile || !owns(sweep, tile, other))
 			continue;
 		other_view = view_of(pass, b);
@@ -284,7 +244,7 @@ static int32_t overlapped(const cni_proxy *a, const cni_proxy *b)
 }
 
 /* A moved entry against a tile with others that search for themselves. */
-static void search_touched(pair_pass *pass, const probe *q, const tile_view *v)
+static void search_touched(pair_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *v)
 {
 	const cni_proxy *proxy = cni_sweep_proxy(pass->sweep, q->id);
 	int32_t k;
@@ -303,7 +263,7 @@ static void search_entry(pair_pass *pass, int32_t id)
 	const cni_proxy *proxy = cni_sweep_proxy(sweep, id);
 	cni_sweep_cursor cursor;
 	int32_t tile;
-	probe q;
+	cni_sweep_probe q;
 	q.now = proxy->fat;
 	q.old = cni_sweep_old(proxy);
 	q.id = id;
@@ -311,7 +271,7 @@ static void search_entry(pair_pass *pass, int32_t id)
 	cni_sweep_cursor_start(sweep, &cursor, &q.now);
 	while ((tile = cni_sweep_cursor_next(sweep, &cursor)) != CNI_NONE) {
 		const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
-		tile_view v = view_of(pass, t);
+		cni_sweep_view v = view_of(pass, t);
 		if (v.skip_moved)
 			search_touched(pass, &q, &v);
 		else
@@ -323,6 +283,8 @@ static void search_entries(pair_pass *pass)
 {
 	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->moved);
 	int32_t id;
+	if (pass->touched != NULL && pass->dense_count == pass->touched_count)
+		return; /* every one of them is in a dense tile */
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
 		int32_t cell = cni_sweep_proxy(pass->sweep, id)->cell;
 		if (cell != CNI_NONE && !cni_sweep_tile_at(pass->sweep, cell)->dense)
@@ -391,12 +353,13 @@ static int32_t all_are_new(const cni_sweep *sweep, const cni_sweep_tile *tile)
 	return k == tile->count;
 }
 
-/* Marks dense tiles and keeps only them in the list. */
+/* Marks dense tiles and brings them to the front of the list. */
 static void choose_dense(pair_pass *pass)
 {
-	int32_t i, count = 0;
+	int32_t i;
 	for (i = 0; i < pass->touched_count; ++i) {
-		cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[i]);
+		int32_t index = pass->touched[i];
+		cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, index);
 		if (tile->touched < DENSE_CHANGES || DENSE_SHARE * tile->touched < tile->count)
 			continue;
 		tile->dense = 1;
@@ -407,17 +370,17 @@ static void choose_dense(pair_pass *pass)
 			tile->previous = 4 * pass->dense_entries;
 			pass->dense_entries += tile->capacity;
 		}
-		pass->touched[count++] = pass->touched[i];
+		pass->touched[i] = pass->touched[pass->dense_count];
+		pass->touched[pass->dense_count++] = index;
 	}
-	pass->touched_count = count;
 }
 
 static void forget_dense(pair_pass *pass)
 {
 	int32_t i;
-	for (i = 0; i < pass->touched_count; ++i)
+	for (i = 0; i < pass->dense_count; ++i)
 		cni_sweep_tile_at(pass->sweep, pass->touched[i])->dense = 0;
-	pass->touched_count = 0;
+	pass->dense_count = 0;
 }
 
 static void gather_previous(const pair_pass *pass, const cni_sweep_tile *tile)
@@ -448,24 +411,40 @@ static void sweep_dense(pair_pass *pass)
 		pass->scratch[i] = INFINITY;
 		pass->scratch[pass->new_entries + i] = -INFINITY;
 	}
-	for (i = 0; i < pass->touched_count; ++i)
+	for (i = 0; i < pass->dense_count; ++i)
 		gather_previous(pass, cni_sweep_tile_at(pass->sweep, pass->touched[i]));
-	for (i = 0; i < pass->touched_count; ++i)
+	for (i = 0; i < pass->dense_count; ++i)
 		sweep_tile(pass, pass->touched[i]);
+}
+
+static void tile_clear_marks(cni_sweep *sweep, int32_t tile)
+{
+	cni_sweep_tile_at(sweep, tile)->touched = 0;
+	cni_sweep_tile_at(sweep, tile)->dense = 0;
 }
 
 /* Clears the marks of the pass; tiles were settled before and did not change since. */
 static void clear_marks(pair_pass *pass)
 {
 	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->moved);
-	int32_t id;
-	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
+	int32_t id, i;
+	for (i = 0; i < pass->touched_count; ++i)
+		tile_clear_marks(pass->sweep, pass->touched[i]);
+	while (pass->touched == NULL && (id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
 		int32_t cell = cni_sweep_proxy(pass->sweep, id)->cell;
-		if (cell == CNI_NONE)
-			continue;
-		cni_sweep_tile_at(pass->sweep, cell)->touched = 0;
-		cni_sweep_tile_at(pass->sweep, cell)->dense = 0;
+		if (cell != CNI_NONE)
+			tile_clear_marks(pass->sweep, cell);
 	}
+}
+
+/* The widest that the processor has. */
+static cni_sweep_find_new_fn *find_new_choose(void)
+{
+#if CNI_HAS_WIDE_8
+	if (cni_cpu_has_avx2())
+		return cni_sweep_find_new_8;
+#endif
+	return cni_sweep_find_new;
 }
 
 void cni_sweep_find_pairs(cni_sweep *sweep, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out)
@@ -477,6 +456,7 @@ void cni_sweep_find_pairs(cni_sweep *sweep, cni_pair_filter_fn *filter, const vo
 	pass.filter = filter;
 	pass.filter_context = filter_context;
 	pass.out = out;
+	pass.find_new = find_new_choose();
 	pass.touched = (int32_t *)cni_arena_push(sweep->context.arena, sizeof(int32_t) * (uint64_t)touched);
 	count_moved(&pass);
 	choose_dense(&pass);

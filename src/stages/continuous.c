@@ -197,35 +197,51 @@ static void clamp_body(cn_world *world, int32_t body, int32_t what)
 /* Farther turns are looked at the long way. */
 #define WATCHED_TURN_MAX_RAD 1.0f
 
+static cni_aabb box_moved(cni_aabb box, const cni_motion *m)
+{
+	box.x0 += m->dpx;
+	box.y0 += m->dpy;
+	box.x1 += m->dpx;
+	box.y1 += m->dpy;
+	return box;
+}
+
+static cni_aabb box_at_end(const cni_body *b, const cni_motion *m, const cni_geometry *g)
+{
+	cni_path path = body_path(b, cni_v(0.0f, 0.0f), m->dpx, m->dpy, m->theta);
+	return cni_geometry_aabb(g, 0, cni_path_at(&path, 1.0f));
+}
+
 /*
  * Does the body stay within the fat boxes of its shapes all the way? Whatever static shape it could meet there
  * already has a contact with it. A point of the body strays from the line between its two ends by no more than
- * extent turn^2 / 8.
+ * extent turn^2 / 8, and turning moves it by no more than extent turn: most boxes have room for that too, and where
+ * the shape will be at the end need not be found.
  */
 static int32_t path_is_watched(const cn_world *world, const cni_body *b, const cni_motion *m)
 {
-	float stray = 0.125f * b->extent * m->theta * m->theta;
-	cni_transform start = cni_body_transform(b), end;
-	cni_path path = body_path(b, cni_v(0.0f, 0.0f), m->dpx, m->dpy, m->theta);
+	float stray = 0.125f * b->extent * m->theta * m->theta, turned = stray + cni_body_reach(b, 0.0f, 0.0f, m->theta);
+	cni_transform start = cni_body_transform(b);
 	int32_t shape;
 	if (cni_abs(m->theta) > WATCHED_TURN_MAX_RAD)
 		return 0;
-	end = cni_path_at(&path, 1.0f);
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		const cni_geometry *g = cni_shape_geometry(&world->blocks, s);
 		int32_t proxy = cni_shape_proxy(world, s, 0);
+		const cni_aabb *fat;
 		cni_aabb from, to, box;
 		if (s->type == CN_SHAPE_CHAIN || (s->flags & CN_SHAPE_SENSOR) || proxy == CNI_NONE)
 			continue;
-		from = cni_geometry_aabb(g, 0, start);
-		to = cni_geometry_aabb(g, 0, end);
-		box = cni_aabb_union(&from, &to);
-		box.x0 -= stray;
-		box.y0 -= stray;
-		box.x1 += stray;
-		box.y1 += stray;
-		if (!cni_aabb_contains(&cni_proxy_at(world, proxy)->fat, &box))
+		fat = &cni_proxy_at(world, proxy)->fat;
+		cni_geometry_box(g, 0, &start, &from);
+		to = box_moved(from, m);
+		box = cni_box_fatten(cni_aabb_union(&from, &to), turned);
+		if (cni_aabb_contains(fat, &box))
+			continue;
+		to = box_at_end(b, m, g);
+		box = cni_box_fatten(cni_aabb_union(&from, &to), stray);
+		if (!cni_aabb_contains(fat, &box))
 			return 0;
 	}
 	return 1;

@@ -66,9 +66,13 @@ static void energies_add(const cn_world *world, int32_t island, island_sum *sum)
 /* Of islands in which a velocity jumped. Returns how many there are. */
 static int32_t suspects_find(const cn_world *world, island_sum *sums)
 {
+	const cni_velocity_start *starts = cni_starts(world);
 	int32_t k, count = 0;
 	for (k = 1; k < world->awake_count; ++k) {
-		int32_t island = cni_starts(world)[k].struck == CNI_SHOCKED ? cni_awake_island(world, k) : CNI_NONE;
+		int32_t island;
+		if (starts[k].struck != CNI_SHOCKED)
+			continue;
+		island = cni_awake_island(world, k);
 		if (island == CNI_NONE || sums[island].looked_at)
 			continue;
 		sums[island].looked_at = 1;

@@ -9,7 +9,14 @@
  *
  * Workers may share all of it but for the boxes: they find which must move, and one moves them in order.
  */
+#include "base/cpu.h"
 #include "stages/solver.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#include "base/wide.h"
+#endif
+
+#include <stddef.h>
 
 #define BODIES_A_RANGE 256 /* some ten microseconds: records and shapes are read */
 
@@ -61,14 +68,75 @@ static void take_pose(cni_body *b, cni_motion *m)
 	if (m->theta != 0.0f)
 		b->q = rotate_by(b->q, m->theta);
 	after = cni_body_origin(b);
+	cni_body_set_room(b, cni_body_room(b) - cni_body_reach(b, m->dpx, m->dpy, m->theta));
 	if (before.x != after.x || before.y != after.y || q.c != b->q.c || q.s != b->q.s)
 		b->flags |= CNI_BODY_MOVED;
 	m->dpx = m->dpy = m->theta = 0.0f;
 }
 
+#if CNI_HAS_WIDE_4
+
+static void sum_exactly_wide(cni_wide *high, cni_wide *low, cni_wide change)
+{
+	cni_wide rest = *low + change, sum = *high + rest;
+	*low = rest - (sum - *high);
+	*high = sum;
+}
+
+/* take_pose of four bodies in a row, with its bits. 0: one turns too far, and nothing was done. */
+static int32_t take_poses(cni_body *const *b, cni_motion *m)
+{
+	const int32_t row[4] = { 0, 1, 2, 3 }, at_center = (int32_t)(offsetof(cni_body, cx) / sizeof(float)), at_rotation = (int32_t)(offsetof(cni_body, q) / sizeof(float));
+	float *const records[4] = { (float *)(void *)b[0], (float *)(void *)b[1], (float *)(void *)b[2], (float *)(void *)b[3] };
+	cni_wide extent = { b[0]->extent, b[1]->extent, b[2]->extent, b[3]->extent };
+	cni_wide dx, dy, turn, inv_inertia, x, y, x_low, y_low, c, s, lx, ly, before_x, before_y, turn_c, turn_s, new_c, new_s, length, reach;
+	cni_mask turns, same;
+	uint32_t moved;
+	int32_t l;
+	cni_wide_gather4(&m->dpx, (int32_t)(sizeof *m / sizeof(float)), row, &dx, &dy, &turn, &inv_inertia);
+	if (cni_mask_bits(cni_wide_abs(turn) <= cni_wide_of(CNI_NEAR_RAD)) != 15u)
+		return 0;
+	cni_wide_gather4_from((const float *const *)records, at_center, &x, &y, &x_low, &y_low);
+	cni_wide_gather4_from((const float *const *)records, at_rotation, &c, &s, &lx, &ly);
+	before_x = x - (c * lx - s * ly) + x_low;
+	before_y = y - (s * lx + c * ly) + y_low;
+	sum_exactly_wide(&x, &x_low, dx);
+	sum_exactly_wide(&y, &y_low, dy);
+	cni_wide_sincos_near(turn, &turn_c, &turn_s);
+	new_c = c * turn_c - s * turn_s;
+	new_s = s * turn_c + c * turn_s;
+	length = cni_wide_sqrt(new_c * new_c + new_s * new_s);
+	turns = turn != cni_wide_of(0.0f);
+	new_c = cni_wide_select(turns, new_c / length, c);
+	new_s = cni_wide_select(turns, new_s / length, s);
+	same = (before_x == x - (new_c * lx - new_s * ly) + x_low) & (before_y == y - (new_s * lx + new_c * ly) + y_low) & (c == new_c) & (s == new_s);
+	moved = ~cni_mask_bits(same);
+	reach = cni_wide_max(cni_wide_abs(dx), cni_wide_abs(dy)) + cni_wide_abs(turn) * extent + cni_wide_of(CNI_BODY_ROUNDING) * (cni_wide_abs(x) + cni_wide_abs(y) + extent);
+	for (l = 0; l < 4; ++l) {
+		cni_body_set_room(b[l], cni_body_room(b[l]) - reach[l]);
+		b[l]->flags |= moved >> l & 1u ? (uint32_t)CNI_BODY_MOVED : 0u;
+	}
+	cni_wide_scatter4_to(records, at_center, x, y, x_low, y_low);
+	cni_wide_scatter4_to(records, at_rotation, new_c, new_s, lx, ly);
+	dx = cni_wide_of(0.0f);
+	cni_wide_scatter4(&m->dpx, (int32_t)(sizeof *m / sizeof(float)), row, dx, dx, dx, inv_inertia);
+	return 1;
+}
+
+#else
+
+static int32_t take_poses(cni_body *const *b, cni_motion *m)
+{
+	(void)b;
+	(void)m;
+	return 0;
+}
+
+#endif
+
 static int32_t body_accelerates(const cni_body *b, const cni_motion *m, const cni_velocity_start *start, const cni_drive *d, float h)
 {
-	float change = h * cni_damping_factor(b->linear_damping, h), ax = change * d->ax, ay = change * d->ay, dx, dy;
+	float change = d->flags & CNI_DRIVE_DAMPED ? h * cni_damping_factor(b->linear_damping, h) : h, ax = change * d->ax, ay = change * d->ay, dx, dy;
 	if (d->flags & CNI_DRIVE_FREE)
 		return ax != 0.0f || ay != 0.0f;
 	dx = m->vx - start->vx + ax;
@@ -81,7 +149,7 @@ static void rest_update(cn_world *world, cni_body *b, int32_t k, const cni_solve
 	const cni_motion *m = cni_motions(world) + k;
 	float slow = b->sleep_speed > 0.0f ? b->sleep_speed : world->settings.sleep_speed;
 	float turn = m->w * b->extent;
-	if ((b->flags & CN_BODY_SLEEP) && m->vx * m->vx + m->vy * m->vy <= slow * slow && turn * turn <= slow * slow &&
+	if (m->vx * m->vx + m->vy * m->vy <= slow * slow && turn * turn <= slow * slow && (b->flags & CN_BODY_SLEEP) &&
 	    (b->type != CN_BODY_KINEMATIC || (m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f)) &&
 	    !body_accelerates(b, m, cni_starts(world) + k, cni_drives(world) + k, s->h))
 		b->sleep_time += s->dt;
@@ -107,21 +175,43 @@ typedef struct pose_loop {
 	uint32_t rested;
 } pose_loop;
 
-/* Everything of a body but its boxes. Returns 1 when they may have to move. */
-static int32_t body_finalize(cn_world *world, const cni_solve *s, int32_t k, uint32_t *rested)
+/* Everything of a body but its pose and boxes. Returns 1 when it has rested for long enough. */
+static uint32_t body_finalize(cn_world *world, const cni_solve *s, cni_body *b, int32_t k)
 {
-	cni_motion *m = cni_motions(world) + k;
+	const cni_motion *m = cni_motions(world) + k;
 	cni_drive *d = cni_drives(world) + k;
-	cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
-	limit_speed(m, &world->settings);
 	b->vx = m->vx;
 	b->vy = m->vy;
 	b->w = m->w;
-	take_pose(b, m);
 	rest_update(world, b, k, s);
-	*rested |= b->sleep_time >= world->settings.sleep_delay && b->sleep_time > 0.0f;
 	d->ax = d->ay = d->alpha = 0.0f;
-	return (b->flags & CNI_BODY_MOVED) != 0;
+	return b->sleep_time >= world->settings.sleep_delay && b->sleep_time > 0.0f;
+}
+
+/* Up to four bodies, b, from k on. Returns 1 when one has rested for long enough. */
+static uint32_t few_finalize(cn_world *world, const cni_solve *s, cni_body *const *b, int32_t k, int32_t count)
+{
+	cni_motion *m = cni_motions(world) + k;
+	uint32_t rested = 0;
+	int32_t l, taken;
+	for (l = 0; l < count; ++l)
+		limit_speed(&m[l], &world->settings);
+	taken = count == 4 && take_poses(b, m);
+	for (l = 0; l < count; ++l) {
+		if (!taken)
+			take_pose(b[l], &m[l]);
+		rested |= body_finalize(world, s, b[l], k + l);
+	}
+	return rested;
+}
+
+/* The bodies from k on, at most four, and how many they are. */
+static int32_t few_bodies(const cn_world *world, int32_t k, int32_t end, cni_body **b)
+{
+	int32_t l, count = cni_min_i(4, end - k);
+	for (l = 0; l < count; ++l)
+		b[l] = cni_body_at(world, cni_awake_ids(world)[k + l]);
+	return count;
 }
 
 static cni_vec2 way_ahead(const cn_world *world, const cni_solve *s, int32_t k)
@@ -130,22 +220,35 @@ static cni_vec2 way_ahead(const cn_world *world, const cni_solve *s, int32_t k)
 	return cni_v(s->dt * m->vx, s->dt * m->vy);
 }
 
+/* Must its boxes be looked at? */
+static int32_t body_boxes_may_leave(const cn_world *world, const cni_solve *s, const cni_body *b, int32_t k)
+{
+	return (b->flags & CNI_BODY_MOVED) && !cni_body_has_room(b, way_ahead(world, s, k));
+}
+
+static void body_boxes_find(cn_world *world, const cni_solve *s, cni_body *b, int32_t k, cni_box_move *move)
+{
+	int32_t left = cni_body_boxes_left(world, b, way_ahead(world, s, k), move);
+	if (left > 0)
+		cni_drives(world)[k].flags |= CNI_DRIVE_LATER;
+	if (left > 1)
+		move->proxy = CNI_NONE;
+}
+
 static void pose_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	pose_loop *loop = (pose_loop *)context;
 	cn_world *world = loop->world;
 	uint32_t rested = 0;
-	int32_t k;
+	int32_t k, l, count;
+	cni_body *b[4];
 	(void)worker;
-	for (k = begin + 1; k <= end; ++k) {
-		int32_t left;
-		if (!body_finalize(world, loop->s, k, &rested))
-			continue;
-		left = cni_body_boxes_left(world, cni_body_at(world, cni_awake_ids(world)[k]), way_ahead(world, loop->s, k), &loop->moves[k]);
-		if (left > 0)
-			cni_drives(world)[k].flags |= CNI_DRIVE_LATER;
-		if (left > 1)
-			loop->moves[k].proxy = CNI_NONE;
+	for (k = begin + 1; k <= end; k += count) {
+		count = few_bodies(world, k, end + 1, b);
+		rested |= few_finalize(world, loop->s, b, k, count);
+		for (l = 0; l < count; ++l)
+			if (body_boxes_may_leave(world, loop->s, b[l], k + l))
+				body_boxes_find(world, loop->s, b[l], k + l, &loop->moves[k + l]);
 	}
 	if (rested)
 		cni_atomic_add(&loop->rested, 1u);
@@ -181,10 +284,15 @@ static uint32_t finalize_shared(cn_world *world, const cni_solve *s, cni_box_mov
 static uint32_t finalize_alone(cn_world *world, const cni_solve *s)
 {
 	uint32_t rested = 0;
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k)
-		if (body_finalize(world, s, k, &rested))
-			cni_body_look_ahead(world, cni_body_at(world, cni_awake_ids(world)[k]), way_ahead(world, s, k));
+	int32_t k, l, count;
+	cni_body *b[4];
+	for (k = 1; k < world->awake_count; k += count) {
+		count = few_bodies(world, k, world->awake_count, b);
+		rested |= few_finalize(world, s, b, k, count);
+		for (l = 0; l < count; ++l)
+			if (body_boxes_may_leave(world, s, b[l], k + l))
+				cni_body_look_ahead(world, b[l], way_ahead(world, s, k + l));
+	}
 	return rested;
 }
 

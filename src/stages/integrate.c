@@ -32,41 +32,43 @@ static int32_t body_is_jointed(const cn_world *world, const cni_body *b)
 	return 0;
 }
 
-static uint32_t drive_flags(const cn_world *world, const cni_body *b)
+static uint32_t lock_flags(uint32_t body_flags)
 {
-	uint32_t flags = 0;
-	int32_t jointed = body_is_jointed(world, b);
-	if (b->lanes == 0 && !jointed)
-		flags |= CNI_DRIVE_FREE;
-	if (jointed)
+	return (body_flags & CN_BODY_LOCK_X ? (uint32_t)CNI_DRIVE_LOCK_X : 0u) | (body_flags & CN_BODY_LOCK_Y ? (uint32_t)CNI_DRIVE_LOCK_Y : 0u);
+}
+
+CNI_INLINE uint32_t drive_flags(const cn_world *world, const cni_body *b)
+{
+	uint32_t flags = b->lanes != 0 ? (uint32_t)CNI_DRIVE_TOUCHED : 0u;
+	if (b->joint_first != CNI_NONE && body_is_jointed(world, b))
 		flags |= CNI_DRIVE_JOINTED;
-	if (b->lanes != 0)
-		flags |= CNI_DRIVE_TOUCHED;
-	if (b->linear_damping > 0.0f || b->angular_damping > 0.0f)
+	if (flags == 0)
+		flags = CNI_DRIVE_FREE;
+	if (b->linear_damping + b->angular_damping > 0.0f)
 		flags |= CNI_DRIVE_DAMPED;
-	if (b->flags & CN_BODY_LOCK_X)
-		flags |= CNI_DRIVE_LOCK_X;
-	if (b->flags & CN_BODY_LOCK_Y)
-		flags |= CNI_DRIVE_LOCK_Y;
+	if (b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y))
+		flags |= lock_flags(b->flags);
 	return flags;
 }
 
-/* force: the user's, as the drive holds it between steps. */
-static cni_drive drive_make(const cn_world *world, const cni_body *b, const cni_motion *m, const cni_drive *force)
+/* d: the user's force, as it is held between steps, becomes the step's drive. */
+CNI_INLINE void drive_make(const cn_world *world, const cni_body *b, const cni_motion *m, cni_drive *d)
 {
-	cni_drive d;
-	d.flags = drive_flags(world, b);
-	d.ax = d.ay = d.alpha = 0.0f;
-	if (b->type != CN_BODY_DYNAMIC)
-		return d;
-	d.ax = b->gravity_scale * world->settings.gravity.x + m->inv_mass * force->ax;
-	d.ay = b->gravity_scale * world->settings.gravity.y + m->inv_mass * force->ay;
-	d.alpha = m->inv_inertia * force->alpha;
-	if (m->inv_mass == 0.0f || (b->flags & CN_BODY_LOCK_X))
-		d.ax = 0.0f;
-	if (m->inv_mass == 0.0f || (b->flags & CN_BODY_LOCK_Y))
-		d.ay = 0.0f;
-	return d;
+	uint32_t flags = drive_flags(world, b);
+	d->flags = flags;
+	if (b->type != CN_BODY_DYNAMIC) {
+		d->ax = d->ay = d->alpha = 0.0f;
+		return;
+	}
+	d->ax = b->gravity_scale * world->settings.gravity.x + m->inv_mass * d->ax;
+	d->ay = b->gravity_scale * world->settings.gravity.y + m->inv_mass * d->ay;
+	d->alpha = m->inv_inertia * d->alpha;
+	if (m->inv_mass != 0.0f && !(flags & (CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y)))
+		return;
+	if (m->inv_mass == 0.0f || (flags & CNI_DRIVE_LOCK_X))
+		d->ax = 0.0f;
+	if (m->inv_mass == 0.0f || (flags & CNI_DRIVE_LOCK_Y))
+		d->ay = 0.0f;
 }
 
 /* Exact flight over time h. */
@@ -126,7 +128,7 @@ static void drive_range(void *context, int32_t begin, int32_t end, int32_t worke
 	for (k = begin + 1; k <= end; ++k) {
 		cni_body *b = cni_body_at(world, ids[k]);
 		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
-		drives[k] = drive_make(world, b, &motions[k], &drives[k]);
+		drive_make(world, b, &motions[k], &drives[k]);
 		if (!(drives[k].flags & CNI_DRIVE_FREE))
 			continue;
 		if (drives[k].flags & CNI_DRIVE_DAMPED)
@@ -148,7 +150,7 @@ void cni_drive_prepare_bound(cn_world *world)
 	for (k = 1; k < world->awake_count; ++k) {
 		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
-		drives[k] = drive_make(world, b, cni_motions(world) + k, &drives[k]);
+		drive_make(world, b, cni_motions(world) + k, &drives[k]);
 		drives[k].flags &= ~(uint32_t)CNI_DRIVE_FREE;
 	}
 }
@@ -318,6 +320,8 @@ static void finish_range(void *context, int32_t begin, int32_t end, int32_t work
 	for (k = begin + 1; k <= end; ++k) {
 		if (!(drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_JOINTED | CNI_DRIVE_DAMPED)))
 			position_finish(&motions[k], &starts[k], &drives[k], loop->s->h);
+		if (!(drives[k].flags & (CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y)))
+			continue;
 		if (drives[k].flags & CNI_DRIVE_LOCK_X)
 			motions[k].vx = 0.0f;
 		if (drives[k].flags & CNI_DRIVE_LOCK_Y)

@@ -29,6 +29,8 @@ typedef struct rest {
 	uint8_t *moving;    /* by island */
 	float speed, h;
 	int32_t carried;    /* 1 and more: bodies have the flag LATER */
+	int32_t done;       /* bodies that are */
+	int32_t going;      /* 1: some body goes on */
 } rest;
 
 static int32_t is_within(float x, float y, float turn, float most)
@@ -42,7 +44,7 @@ static int32_t body_rests(const rest *r, int32_t k)
 	const cni_motion *m = cni_motions(r->world) + k;
 	const cni_drive *d = cni_drives(r->world) + k;
 	const cni_body *b;
-	float given;
+	float given, vx, vy, turn, little = 0.001f * r->speed;
 	if (m->inv_mass == 0.0f)
 		return m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f;
 	if (!is_within(m->vx, m->vy, 0.0f, r->speed) || cni_starts(r->world)[k].struck != 0.0f)
@@ -50,14 +52,19 @@ static int32_t body_rests(const rest *r, int32_t k)
 	b = cni_body_at(r->world, cni_awake_ids(r->world)[k]);
 	if (!is_within(0.0f, 0.0f, m->w * b->extent, r->speed) || !is_within(m->dpx, m->dpy, m->theta * b->extent, r->h * r->speed))
 		return 0;
+	vx = m->vx - b->vx;
+	vy = m->vy - b->vy;
+	turn = (m->w - b->w) * b->extent;
+	if (is_within(vx, vy, turn, little)) /* whatever was given */
+		return 1;
 	given = r->h * cni_sqrt(d->ax * d->ax + d->ay * d->ay) + r->h * cni_abs(d->alpha) * b->extent;
-	return is_within(m->vx - b->vx, m->vy - b->vy, (m->w - b->w) * b->extent, HELD_PART * given + 0.001f * r->speed);
+	return is_within(vx, vy, turn, HELD_PART * given + little);
 }
 
-/* Only what touches something is solved by passes. */
-static int32_t is_solved(uint32_t flags)
+/* Only what touches something is solved by passes; neither jointed nor carried bodies may rest. */
+static int32_t may_rest(uint32_t flags)
 {
-	return (flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_FREE | CNI_DRIVE_SWUNG)) == CNI_DRIVE_TOUCHED;
+	return (flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_FREE | CNI_DRIVE_SWUNG | CNI_DRIVE_JOINTED | CNI_DRIVE_LATER)) == CNI_DRIVE_TOUCHED;
 }
 
 /* A moving kinematic body carries along what touches it, however slowly. */
@@ -75,44 +82,43 @@ static int32_t carried_mark(const rest *r, int32_t index)
 	return count;
 }
 
-/* Returns how many bodies may rest. */
+/* Returns how many bodies may rest. Those without an island are done. */
 static int32_t moving_find(rest *r)
 {
-	const cni_drive *drives = cni_drives(r->world);
+	cni_drive *drives = cni_drives(r->world);
 	int32_t k, count = 0;
 	for (k = 1; k < r->world->awake_count; ++k)
 		r->carried += carried_mark(r, k);
 	for (k = 1; k < r->world->awake_count; ++k) {
-		int32_t island = cni_awake_island(r->world, k);
-		if (is_solved(drives[k].flags) && !(drives[k].flags & (CNI_DRIVE_JOINTED | CNI_DRIVE_LATER)) && body_rests(r, k))
-			++count;
-		else if (island != CNI_NONE)
+		int32_t rests = may_rest(drives[k].flags) && body_rests(r, k), island = cni_awake_island(r->world, k);
+		count += rests;
+		if (!rests && island != CNI_NONE)
 			r->moving[island] = 1;
+		if (rests && island == CNI_NONE) {
+			drives[k].flags |= CNI_DRIVE_SWUNG;
+			++r->done;
+		}
 	}
 	return count;
 }
 
-/* After moving_find. */
-static int32_t body_is_done(const rest *r, int32_t k)
+/* After moving_find: those of islands in which nothing moves. */
+static void islands_done(rest *r)
 {
-	uint32_t flags = cni_drives(r->world)[k].flags;
-	int32_t island = cni_awake_island(r->world, k);
-	if (!is_solved(flags) || (flags & (CNI_DRIVE_JOINTED | CNI_DRIVE_LATER)))
-		return 0;
-	if (island == CNI_NONE)
-		return body_rests(r, k);
-	return !r->moving[island];
-}
-
-static int32_t bodies_done(const rest *r)
-{
-	int32_t k, count = 0;
-	for (k = 1; k < r->world->awake_count; ++k)
-		if (body_is_done(r, k)) {
-			cni_drives(r->world)[k].flags |= CNI_DRIVE_SWUNG;
-			++count;
+	cni_drive *drives = cni_drives(r->world);
+	int32_t k;
+	for (k = 1; k < r->world->awake_count; ++k) {
+		int32_t island;
+		if (drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG))
+			continue;
+		island = may_rest(drives[k].flags) ? cni_awake_island(r->world, k) : CNI_NONE;
+		if (island == CNI_NONE || r->moving[island]) {
+			r->going = 1;
+			continue;
 		}
-	return count;
+		drives[k].flags |= CNI_DRIVE_SWUNG;
+		++r->done;
+	}
 }
 
 static void carried_clear(const rest *r)
@@ -136,7 +142,7 @@ static int32_t block_goes_on(const cni_drive *drives, const cni_listed_block *b)
 	return 0;
 }
 
-static void blocks_strike(cn_world *world)
+static void blocks_strike(cn_world *world, int32_t going)
 {
 	const cni_drive *drives = cni_drives(world);
 	cni_listed_block *list = (cni_listed_block *)world->block_list.data;
@@ -145,7 +151,7 @@ static void blocks_strike(cn_world *world)
 		cni_color *c = &world->colors[color];
 		int32_t kept = 0;
 		for (k = 0; k < c->listed_count; ++k)
-			if (block_goes_on(drives, &list[c->listed + k]))
+			if (going && block_goes_on(drives, &list[c->listed + k]))
 				list[c->listed + kept++] = list[c->listed + k];
 			else
 				list[c->listed + k].info->flags |= CNI_BLOCK_RESTED;
@@ -166,15 +172,17 @@ static void systems_done(const cn_world *world, cni_sparse *direct)
 
 void cni_rest_find(cn_world *world, const cni_solve *s)
 {
-	rest r = { world, NULL, REST_SPEED * world->settings.length_unit, s->h, 0 };
+	rest r = { world, NULL, REST_SPEED * world->settings.length_unit, s->h, 0, 0, 0 };
 	if (s->substeps < 2)
 		return;
 	r.moving = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->island_used);
 	if (r.moving == NULL)
 		return; /* everything is solved in every substep */
 	memset(r.moving, 0, (size_t)world->island_used);
-	if (moving_find(&r) > 0 && bodies_done(&r) > 0) {
-		blocks_strike(world);
+	if (moving_find(&r) > 0)
+		islands_done(&r);
+	if (r.done > 0) {
+		blocks_strike(world, r.going);
 		systems_done(world, s->direct);
 	}
 	carried_clear(&r);

@@ -38,9 +38,17 @@ static void mark_range(void *context, int32_t begin, int32_t end, int32_t worker
 	int32_t k;
 	(void)worker;
 	for (k = begin + 1; k <= end; ++k) {
-		float dx = motions[k].vx - starts[k].vx, dy = motions[k].vy - starts[k].vy;
-		float ax = s->h * drives[k].ax, ay = s->h * drives[k].ay;
-		if (!(drives[k].flags & CNI_DRIVE_TOUCHED) || dx * dx + dy * dy <= most_sq + 64.0f * (ax * ax + ay * ay))
+		float dx, dy, ax, ay, jump_sq;
+		if (!(drives[k].flags & CNI_DRIVE_TOUCHED))
+			continue;
+		dx = motions[k].vx - starts[k].vx;
+		dy = motions[k].vy - starts[k].vy;
+		jump_sq = dx * dx + dy * dy;
+		if (jump_sq <= most_sq) /* whatever its drive: nearly all */
+			continue;
+		ax = s->h * drives[k].ax;
+		ay = s->h * drives[k].ay;
+		if (jump_sq <= most_sq + 64.0f * (ax * ax + ay * ay))
 			continue;
 		starts[k].struck = CNI_SHOCKED;
 		++shocks;

@@ -71,7 +71,7 @@ static int32_t some_joint_needs_dynamic(const cn_world *world, const cni_body *b
 static void store_type(cn_world *world, cni_body *b, int32_t type)
 {
 	world->movable_count += (type != CN_BODY_STATIC) - (b->type != CN_BODY_STATIC);
-	b->type = type;
+	b->type = (uint8_t)type;
 	b->sleep_time = 0.0f;
 	if (type == CN_BODY_STATIC)
 		b->vx = b->vy = b->w = 0.0f;

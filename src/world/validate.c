@@ -27,6 +27,15 @@ static int32_t body_alive(const cn_world *world, int32_t body)
 
 /* ---- bodies ---- */
 
+static void check_room(report *r, const cni_body *b, const cni_shape *s, int32_t child, int32_t proxy)
+{
+	cni_aabb tight;
+	if (b->room == 0)
+		return;
+	tight = cni_box_fatten(cni_geometry_aabb(cni_shape_geometry(&r->world->blocks, s), child, cni_body_transform(b)), cni_body_room(b));
+	expect(r, cni_aabb_contains(&cni_proxy_at(r->world, proxy)->fat, &tight), "room of body", s->body);
+}
+
 static void check_shapes_of(report *r, int32_t body)
 {
 	const cn_world *world = r->world;
@@ -42,6 +51,7 @@ static void check_shapes_of(report *r, int32_t body)
 				continue;
 			expect(r, cni_proxy_at(world, proxy)->shape == shape && cni_proxy_child(cni_proxy_at(world, proxy)) == child && cni_proxy_at(world, proxy)->geometry == s->geometry, "proxy of shape", shape);
 			expect(r, ((cni_proxy_at(world, proxy)->flags & CNI_PROXY_STATIC) != 0) == (b->type == CN_BODY_STATIC), "static mark of proxy", proxy);
+			check_room(r, b, s, child, proxy);
 		}
 	}
 }

@@ -1,7 +1,14 @@
 /* Promises of base/maths.h: errors against the C library's double functions, ranges, special values. */
 #include "hooks.h"
 
+#include "base/cpu.h"
 #include "base/maths.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#else
+#define CNI_WIDTH 1
+#endif
+#include "base/wide.h"
 
 #include "../test.h"
 
@@ -320,6 +327,31 @@ static void t_small_helpers(void)
 	CHECK(both.x0 == 0.0f && both.x1 == 3.0f && both.y1 == 2.0f);
 }
 
+/* Tiny, zero and negative angles side by side: every lane has its own. */
+static void t_sincos_of_lanes_has_the_same_bits(void)
+{
+	CNI_ALIGNED(16) float angles[CNI_WIDTH], c[CNI_WIDTH], s[CNI_WIDTH];
+	uint32_t state = 11;
+	int32_t i, l, wrong = 0, tiny = 0;
+	for (i = 0; i < 400000; ++i) {
+		cni_wide cosine, sine;
+		for (l = 0; l < CNI_WIDTH; ++l) {
+			float x = i & 1 ? float_of(random_next(&state)) : random_in(&state, -CNI_NEAR_RAD, CNI_NEAR_RAD);
+			angles[l] = fabsf(x) <= CNI_NEAR_RAD ? x : i & 2 ? 0.0f : CNI_NEAR_RAD;
+			tiny += fabsf(angles[l]) <= CNI_TINY_RAD;
+		}
+		cni_wide_sincos_near(cni_wide_load(angles), &cosine, &sine);
+		cni_wide_store(c, cosine);
+		cni_wide_store(s, sine);
+		for (l = 0; l < CNI_WIDTH; ++l) {
+			cni_rot q = cni_sincos(angles[l]);
+			wrong += memcmp(&q.c, &c[l], sizeof q.c) != 0 || memcmp(&q.s, &s[l], sizeof q.s) != 0;
+		}
+	}
+	CHECK_LE("lanes that differ", wrong, 0, "");
+	CHECK_GE("tiny angles", tiny, 1000, "");
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -328,6 +360,7 @@ int main(int argc, char **argv)
 	RUN(t_sincos_axes_and_garbage);
 	RUN(t_sincos_is_symmetric);
 	RUN(t_sincos_of_little_is_exact);
+	RUN(t_sincos_of_lanes_has_the_same_bits);
 	RUN(t_atan2_error);
 	RUN(t_atan2_axes);
 	RUN(t_rot_small_error);
