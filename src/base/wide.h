@@ -175,13 +175,23 @@ CNI_INLINE cni_wide4 cni_wide4_at(const float *base, int32_t stride, int32_t ind
 
 #if CNI_WIDTH == 8
 
-/* Two rows of four side by side: of lanes l and l + 4. The second one straight from memory, which gcc does not see by itself. */
+/* Two rows of four side by side: of lanes l and l + 4. The second one straight from memory, which gcc does not do by itself. */
 CNI_INLINE cni_wide cni_wide_pair(cni_wide4 low, cni_wide4 high)
 {
 #if defined(__AVX__)
 	return (cni_wide)_mm256_insertf128_ps(_mm256_castps128_ps256((__m128)low), (__m128)high, 1);
 #else
 	return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+#endif
+}
+
+/* Lanes 4 to 7, straight to memory. */
+CNI_INLINE cni_wide4 cni_wide_high(cni_wide a)
+{
+#if defined(__AVX__)
+	return (cni_wide4)_mm256_extractf128_ps((__m256)a, 1);
+#else
+	return __builtin_shufflevector(a, a, 4, 5, 6, 7);
 #endif
 }
 
@@ -250,10 +260,10 @@ CNI_INLINE void cni_wide_rows(cni_wide4 r[CNI_WIDTH], cni_wide a, cni_wide b, cn
 	r[1] = __builtin_shufflevector(b, b, 0, 1, 2, 3);
 	r[2] = __builtin_shufflevector(c, c, 0, 1, 2, 3);
 	r[3] = __builtin_shufflevector(d, d, 0, 1, 2, 3);
-	r[4] = __builtin_shufflevector(a, a, 4, 5, 6, 7);
-	r[5] = __builtin_shufflevector(b, b, 4, 5, 6, 7);
-	r[6] = __builtin_shufflevector(c, c, 4, 5, 6, 7);
-	r[7] = __builtin_shufflevector(d, d, 4, 5, 6, 7);
+	r[4] = cni_wide_high(a);
+	r[5] = cni_wide_high(b);
+	r[6] = cni_wide_high(c);
+	r[7] = cni_wide_high(d);
 #endif
 }
 
