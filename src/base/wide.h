@@ -121,6 +121,20 @@ CNI_INLINE cni_mask cni_mask_of_zero(const int32_t *p) { return *(const cni_mask
 /* Clears the sign bit. */
 CNI_INLINE cni_wide cni_wide_abs(cni_wide a) { return cni_wide_max(a, -a); }
 
+/* ---- one float of each record: lane l is records[l][offset] ---- */
+
+CNI_INLINE cni_wide cni_wide_gather_from(const float *const *records, size_t offset)
+{
+#if CNI_WIDTH == 1
+	return records[0][offset];
+#elif CNI_WIDTH == 4
+	return (cni_wide){ records[0][offset], records[1][offset], records[2][offset], records[3][offset] };
+#elif CNI_WIDTH == 8
+	return (cni_wide){ records[0][offset], records[1][offset], records[2][offset], records[3][offset],
+	                   records[4][offset], records[5][offset], records[6][offset], records[7][offset] };
+#endif
+}
+
 /* ---- records of four floats: lane l of the outputs is record index[l], floats 0..3 ---- */
 
 #if CNI_WIDTH == 1

@@ -375,22 +375,48 @@ CNI_INLINE cni_mask point_closes(const cni_contact_block *k, const cni_contact_r
 	return (nm > zero) & (vn < least);
 }
 
-static uint32_t kernel_closing(const cni_velocity_start *starts, const cni_contact_block *k, const cni_block_info *info, float speed, int32_t lanes)
+CNI_INLINE uint32_t group_closing(const float *starts, const cni_contact_block *k, const cni_block_info *info, float speed, int32_t l)
 {
-	const float *base = (const float *)(const void *)starts;
-	uint32_t bits = 0;
-	int32_t l;
-	for (l = 0; l < lanes; l += CNI_WIDTH) {
-		side a, b;
-		cni_wide struck;
-		cni_mask closes, bounces;
-		cni_wide_gather4(base, 4, k->ia + l, &a.vx, &a.vy, &a.w, &struck);
-		cni_wide_gather4(base, 4, k->ib + l, &b.vx, &b.vy, &b.w, &struck);
-		closes = point_closes(k, &k->p[0], l, &a, &b, speed) | point_closes(k, &k->p[1], l, &a, &b, speed);
-		bounces = cni_wide_load_loose(info->restitution + l) > cni_wide_of(0.0f);
-		bits |= cni_mask_bits(closes & bounces) << l;
+	side a, b;
+	cni_wide struck;
+	cni_mask closes, bounces;
+	cni_wide_gather4(starts, 4, k->ia + l, &a.vx, &a.vy, &a.w, &struck);
+	cni_wide_gather4(starts, 4, k->ib + l, &b.vx, &b.vy, &b.w, &struck);
+	closes = point_closes(k, &k->p[0], l, &a, &b, speed) | point_closes(k, &k->p[1], l, &a, &b, speed);
+	bounces = cni_wide_load_loose(info->restitution + l) > cni_wide_of(0.0f);
+	return cni_mask_bits(closes & bounces) << l;
+}
+
+/* Asks for what is read of a block. */
+CNI_INLINE void closing_prefetch(const cni_listed_block *b)
+{
+	const cni_contact_block *k = b->rows;
+	CNI_PREFETCH(b->info->restitution);
+	CNI_PREFETCH(k->ia);
+	CNI_PREFETCH(k->ib);
+	CNI_PREFETCH(k->nx);
+	CNI_PREFETCH(k->ny);
+	CNI_PREFETCH(k->dt);
+	CNI_PREFETCH(k->p[0].at);
+	CNI_PREFETCH(k->p[0].nm);
+	CNI_PREFETCH(k->p[1].at);
+	CNI_PREFETCH(k->p[1].nm);
+}
+
+#define CLOSING_AHEAD 2 /* blocks whose memory is asked for */
+
+static void kernel_closing(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, uint32_t *closing)
+{
+	int32_t k, l;
+	for (k = 0; k < count; ++k) {
+		const cni_listed_block *b = &blocks[k];
+		closing[k] = 0;
+		if (k + CLOSING_AHEAD < count)
+			closing_prefetch(&blocks[k + CLOSING_AHEAD]);
+		if (b->info->flags & CNI_BLOCK_RESTITUTION)
+			for (l = 0; l < b->lanes; l += CNI_WIDTH)
+				closing[k] |= group_closing((const float *)(const void *)starts, b->rows, b->info, speed, l);
 	}
-	return bits;
 }
 
 #include "stages/contact_follow.h"

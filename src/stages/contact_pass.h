@@ -22,20 +22,18 @@ typedef int32_t cni_contact_kernel_fn(const cni_color_pass *c, int32_t begin, in
 /* The passes of a kernel. */
 enum { CNI_PASS_WARM, CNI_PASS_SOLVE, CNI_PASS_RELAX, CNI_PASSES };
 
-/* Of the first lanes those, as bits, that bounce and have a point that closes faster than the speed. */
-typedef uint32_t cni_contact_closing_fn(const cni_velocity_start *starts, const cni_contact_block *block, const cni_block_info *info, float speed, int32_t lanes);
+/* Of the lanes of so many blocks those, as bits of each, that bounce and have a point that closes faster than the speed. */
+typedef void cni_contact_closing_fn(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, uint32_t *closing);
 
-/* Lanes that may bounce, from any blocks of one colour: the rows of theirs that an impact needs. */
+/* Lanes that may bounce, from any blocks of one colour. Row r of a lane is rows[r * CNI_LANES]. */
 typedef struct cni_impact_lanes {
 	int32_t ia[CNI_LANES], ib[CNI_LANES];
-	float nx[CNI_LANES], ny[CNI_LANES];
-	float dynamic_friction[CNI_LANES], restitution[CNI_LANES];
-	float dn[CNI_LANES], dt[CNI_LANES];
-	float fa[CNI_LANES], fb[CNI_LANES], tm[CNI_LANES];
-	float at[2][CNI_LANES], an[2][CNI_LANES], s0[2][CNI_LANES], nm[2][CNI_LANES]; /* of both points */
-	float lock_ax[CNI_LANES], lock_ay[CNI_LANES], lock_bx[CNI_LANES], lock_by[CNI_LANES]; /* as in cni_block_extra */
-	float at_world[CNI_LANES];                /* 1: lane body b is the world, 0: it is not */
+	float restitution[CNI_LANES];
+	const float *rows[CNI_LANES];             /* of cni_contact_block */
+	const float *extra[CNI_LANES];            /* of cni_block_extra, where has_extra is not 0 */
 	const float *a[CNI_LANES], *b[CNI_LANES]; /* records of the bodies */
+	uint32_t at_world;                        /* lanes, as bits, whose body b is the world */
+	int32_t has_extra;                        /* 0: all extra rows are zero */
 } cni_impact_lanes;
 
 typedef struct cni_impact_pass {
