@@ -132,6 +132,20 @@ CNI_INLINE void cni_wide_sincos_near(cni_wide angle, cni_wide *c, cni_wide *s)
 	*c = cni_wide_select(tiny, one, cosine);
 }
 
+/* ---- one float of each record: lane l is records[l][offset] ---- */
+
+CNI_INLINE cni_wide cni_wide_gather_from(const float *const *records, size_t offset)
+{
+#if CNI_WIDTH == 1
+	return records[0][offset];
+#elif CNI_WIDTH == 4
+	return (cni_wide){ records[0][offset], records[1][offset], records[2][offset], records[3][offset] };
+#elif CNI_WIDTH == 8
+	return (cni_wide){ records[0][offset], records[1][offset], records[2][offset], records[3][offset],
+	                   records[4][offset], records[5][offset], records[6][offset], records[7][offset] };
+#endif
+}
+
 /* ---- records of four floats: lane l of the outputs is record index[l], floats 0..3 ---- */
 
 #if CNI_WIDTH == 1
@@ -192,22 +206,56 @@ CNI_INLINE cni_wide4 cni_wide4_at(const float *base, int32_t stride, int32_t ind
 	return *(const cni_wide4 *)(const void *)(base + (size_t)index * (size_t)stride);
 }
 
+#if CNI_WIDTH == 8
+
+/* Two rows of four side by side: of lanes l and l + 4. The second one straight from memory, which gcc does not do by itself. */
+CNI_INLINE cni_wide cni_wide_pair(cni_wide4 low, cni_wide4 high)
+{
+#if defined(__AVX__)
+	return (cni_wide)_mm256_insertf128_ps(_mm256_castps128_ps256((__m128)low), (__m128)high, 1);
+#else
+	return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+#endif
+}
+
+/* Lanes 4 to 7, straight to memory. */
+CNI_INLINE cni_wide4 cni_wide_high(cni_wide a)
+{
+#if defined(__AVX__)
+	return (cni_wide4)_mm256_extractf128_ps((__m256)a, 1);
+#else
+	return __builtin_shufflevector(a, a, 4, 5, 6, 7);
+#endif
+}
+
+/* The same 4 x 4 transpose in both halves. */
+CNI_INLINE void cni_wide_transpose8(cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
+{
+	cni_wide ab_low = __builtin_shufflevector(*a, *b, 0, 8, 1, 9, 4, 12, 5, 13), ab_high = __builtin_shufflevector(*a, *b, 2, 10, 3, 11, 6, 14, 7, 15);
+	cni_wide cd_low = __builtin_shufflevector(*c, *d, 0, 8, 1, 9, 4, 12, 5, 13), cd_high = __builtin_shufflevector(*c, *d, 2, 10, 3, 11, 6, 14, 7, 15);
+	*a = __builtin_shufflevector(ab_low, cd_low, 0, 1, 8, 9, 4, 5, 12, 13);
+	*b = __builtin_shufflevector(ab_low, cd_low, 2, 3, 10, 11, 6, 7, 14, 15);
+	*c = __builtin_shufflevector(ab_high, cd_high, 0, 1, 8, 9, 4, 5, 12, 13);
+	*d = __builtin_shufflevector(ab_high, cd_high, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+
+#endif
+
 /* CNI_WIDTH rows of four become four columns. */
 CNI_INLINE void cni_wide_columns(cni_wide4 r[CNI_WIDTH], cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
 {
-	int32_t l;
-	for (l = 0; l < CNI_WIDTH; l += 4)
-		cni_wide_transpose(&r[l], &r[l + 1], &r[l + 2], &r[l + 3]);
 #if CNI_WIDTH == 4
 	*a = r[0];
 	*b = r[1];
 	*c = r[2];
 	*d = r[3];
+	cni_wide_transpose(a, b, c, d);
 #elif CNI_WIDTH == 8
-	*a = __builtin_shufflevector(r[0], r[4], 0, 1, 2, 3, 4, 5, 6, 7);
-	*b = __builtin_shufflevector(r[1], r[5], 0, 1, 2, 3, 4, 5, 6, 7);
-	*c = __builtin_shufflevector(r[2], r[6], 0, 1, 2, 3, 4, 5, 6, 7);
-	*d = __builtin_shufflevector(r[3], r[7], 0, 1, 2, 3, 4, 5, 6, 7);
+	*a = cni_wide_pair(r[0], r[4]);
+	*b = cni_wide_pair(r[1], r[5]);
+	*c = cni_wide_pair(r[2], r[6]);
+	*d = cni_wide_pair(r[3], r[7]);
+	cni_wide_transpose8(a, b, c, d);
 #endif
 }
 
@@ -233,24 +281,23 @@ CNI_INLINE void cni_wide_gather4_from(const float *const *records, int32_t offse
 /* Four columns become CNI_WIDTH rows of four. */
 CNI_INLINE void cni_wide_rows(cni_wide4 r[CNI_WIDTH], cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {
-	int32_t l;
 #if CNI_WIDTH == 4
+	cni_wide_transpose(&a, &b, &c, &d);
 	r[0] = a;
 	r[1] = b;
 	r[2] = c;
 	r[3] = d;
 #elif CNI_WIDTH == 8
+	cni_wide_transpose8(&a, &b, &c, &d);
 	r[0] = __builtin_shufflevector(a, a, 0, 1, 2, 3);
 	r[1] = __builtin_shufflevector(b, b, 0, 1, 2, 3);
 	r[2] = __builtin_shufflevector(c, c, 0, 1, 2, 3);
 	r[3] = __builtin_shufflevector(d, d, 0, 1, 2, 3);
-	r[4] = __builtin_shufflevector(a, a, 4, 5, 6, 7);
-	r[5] = __builtin_shufflevector(b, b, 4, 5, 6, 7);
-	r[6] = __builtin_shufflevector(c, c, 4, 5, 6, 7);
-	r[7] = __builtin_shufflevector(d, d, 4, 5, 6, 7);
+	r[4] = cni_wide_high(a);
+	r[5] = cni_wide_high(b);
+	r[6] = cni_wide_high(c);
+	r[7] = cni_wide_high(d);
 #endif
-	for (l = 0; l < CNI_WIDTH; l += 4)
-		cni_wide_transpose(&r[l], &r[l + 1], &r[l + 2], &r[l + 3]);
 }
 
 CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *index, cni_wide a, cni_wide b, cni_wide c, cni_wide d)

@@ -118,8 +118,8 @@ typedef struct cni_listed_block {
 	cni_block_extra *extra;  /* NULL: no lane needs it */
 	cni_block_info *info;
 	uint32_t fresh;          /* lanes that began to touch in this step, as bits */
-	int32_t lanes;           /* in use, the first of it */
-	int32_t rested;          /* 1: it took one substep in the last step */
+	int32_t begin, lanes;    /* lanes begin .. lanes - 1 are worked on; as listed, the first of it, all that are in use */
+	int32_t kind;            /* CNI_CONTACTS_ of stages/solver.h */
 } cni_listed_block;
 
 

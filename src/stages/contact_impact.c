@@ -24,56 +24,68 @@
 #include "base/bitset.h"
 #include "stages/contact_pass.h"
 
-#include <string.h>
-
 #define BLOCKS_A_RANGE 64 /* of one colour: most of them do not bounce */
-#define BLOCKS_AHEAD 2    /* whose memory is asked for */
+#define BLOCKS_AT_ONCE 16 /* that are searched before what was found is solved: they stay in the cache */
 #define SWEEPS 4 /* a wave through touching balls may need several; the solve after takes the rest */
+
+static const cni_contact_block no_rows;
+static const cni_block_extra no_extra;
+
+/* A lane of a block, as a kernel finds its rows. */
+static const float *lane_floats(const void *block, int32_t lane)
+{
+	return (const float *)block + lane;
+}
 
 static const float *record_of(const cn_world *world, int32_t index)
 {
-	return cni_record_floats(index == 0 ? &cni_body_nowhere : cni_body_at(world, cni_awake_ids(world)[index]));
+	return cni_record_floats(cni_body_at(world, cni_awake_ids(world)[index]));
 }
 
-static void lanes_clear(cni_impact_lanes *lanes)
+static void lanes_begin(cni_impact_lanes *lanes)
+{
+	lanes->at_world = 0;
+	lanes->has_extra = 0;
+}
+
+/* The lane's extra rows; rows of lanes that have none are there when one has. */
+static void extra_add(cni_impact_lanes *lanes, const cni_block_extra *extra, int32_t from, int32_t l)
+{
+	int32_t k;
+	for (k = 0; k < CNI_LANES && !lanes->has_extra; ++k)
+		lanes->extra[k] = lane_floats(&no_extra, 0);
+	lanes->has_extra = 1;
+	lanes->extra[l] = lane_floats(extra, from);
+}
+
+static void lane_add(const cn_world *world, const cni_listed_block *b, int32_t from, cni_impact_lanes *lanes, int32_t l)
+{
+	int32_t ia = b->rows->ia[from], ib = b->rows->ib[from];
+	lanes->ia[l] = ia;
+	lanes->ib[l] = ib;
+	lanes->restitution[l] = b->info->restitution[from];
+	lanes->rows[l] = lane_floats(b->rows, from);
+	if (b->extra != NULL)
+		extra_add(lanes, b->extra, from, l);
+	lanes->a[l] = record_of(world, ia);
+	if (ib != 0) {
+		lanes->b[l] = record_of(world, ib);
+	} else {
+		lanes->b[l] = cni_record_floats(&cni_body_nowhere);
+		lanes->at_world |= 1u << l;
+	}
+}
+
+/* Lanes from count on are unused. */
+static void lanes_end(cni_impact_lanes *lanes, int32_t count)
 {
 	int32_t l;
-	memset(lanes, 0, sizeof *lanes);
-	for (l = 0; l < CNI_LANES; ++l)
+	for (l = count; l < CNI_LANES; ++l) {
+		lanes->ia[l] = lanes->ib[l] = 0;
+		lanes->restitution[l] = 0.0f;
+		lanes->rows[l] = lane_floats(&no_rows, 0);
 		lanes->a[l] = lanes->b[l] = cni_record_floats(&cni_body_nowhere);
-}
-
-static void point_copy(const cni_contact_row *row, int32_t from, cni_impact_lanes *lanes, int32_t which, int32_t l)
-{
-	lanes->at[which][l] = row->at[from];
-	lanes->an[which][l] = row->an[from];
-	lanes->s0[which][l] = row->s0[from];
-	lanes->nm[which][l] = row->nm[from];
-}
-
-static void lane_copy(const cn_world *world, const cni_listed_block *b, int32_t from, cni_impact_lanes *lanes, int32_t l)
-{
-	const cni_contact_block *k = b->rows;
-	lanes->ia[l] = k->ia[from];
-	lanes->ib[l] = k->ib[from];
-	lanes->nx[l] = k->nx[from];
-	lanes->ny[l] = k->ny[from];
-	lanes->dynamic_friction[l] = k->dynamic_friction[from];
-	lanes->restitution[l] = b->info->restitution[from];
-	lanes->dn[l] = k->dn[from];
-	lanes->dt[l] = k->dt[from];
-	lanes->fa[l] = k->fa[from];
-	lanes->fb[l] = k->fb[from];
-	lanes->tm[l] = k->tm[from];
-	point_copy(&k->p[0], from, lanes, 0, l);
-	point_copy(&k->p[1], from, lanes, 1, l);
-	lanes->lock_ax[l] = b->extra != NULL ? b->extra->lock_ax[from] : 0.0f;
-	lanes->lock_ay[l] = b->extra != NULL ? b->extra->lock_ay[from] : 0.0f;
-	lanes->lock_bx[l] = b->extra != NULL ? b->extra->lock_bx[from] : 0.0f;
-	lanes->lock_by[l] = b->extra != NULL ? b->extra->lock_by[from] : 0.0f;
-	lanes->at_world[l] = k->ib[from] == 0 ? 1.0f : 0.0f;
-	lanes->a[l] = record_of(world, k->ia[from]);
-	lanes->b[l] = record_of(world, k->ib[from]);
+	}
 }
 
 /* A sweep over the blocks of one colour: they share no body that they write. */
@@ -85,32 +97,7 @@ typedef struct color_sweep {
 	uint32_t hits;
 } color_sweep;
 
-static uint32_t lanes_closing(const color_sweep *c, const cni_listed_block *b)
-{
-	if (!(b->info->flags & CNI_BLOCK_RESTITUTION))
-		return 0;
-	return c->kernel->closing(c->pass.starts, b->rows, b->info, c->pass.speed, b->lanes);
-}
-
-/* Asks for what the search for lanes reads of a block to come. */
-CNI_INLINE void block_prefetch(const cni_listed_block *b)
-{
-	const cni_contact_block *k = b->rows;
-	if (!(b->info->flags & CNI_BLOCK_RESTITUTION))
-		return;
-	CNI_PREFETCH(b->info->restitution);
-	CNI_PREFETCH(k->ia);
-	CNI_PREFETCH(k->ib);
-	CNI_PREFETCH(k->nx);
-	CNI_PREFETCH(k->ny);
-	CNI_PREFETCH(k->dt);
-	CNI_PREFETCH(k->p[0].at);
-	CNI_PREFETCH(k->p[0].nm);
-	CNI_PREFETCH(k->p[1].at);
-	CNI_PREFETCH(k->p[1].nm);
-}
-
-/* ... and for the bodies of a lane that was found. */
+/* Asks for the bodies of a lane that was found. */
 CNI_INLINE void bodies_prefetch(const cni_impact_pass *pass, const cni_impact_lanes *lanes, int32_t l)
 {
 	CNI_PREFETCH(lanes->a[l]);
@@ -122,36 +109,50 @@ CNI_INLINE void bodies_prefetch(const cni_impact_pass *pass, const cni_impact_la
 }
 
 /* Lanes that may meet are few in each block: they are brought together, and solved side by side. */
+typedef struct found_lanes {
+	cni_impact_lanes lanes;
+	int32_t count, hits;
+} found_lanes;
+
+static void found_solve(const color_sweep *c, found_lanes *found)
+{
+	found->hits += c->kernel->impact(&c->pass, &found->lanes, found->count);
+	found->count = 0;
+	lanes_begin(&found->lanes);
+}
+
+static void found_add(const color_sweep *c, found_lanes *found, const cni_listed_block *b, uint32_t closing)
+{
+	for (; closing != 0; closing &= closing - 1) {
+		int32_t l = found->count++;
+		lane_add(c->world, b, cni_bit_lowest32(closing), &found->lanes, l);
+		bodies_prefetch(&c->pass, &found->lanes, l);
+		if (l == CNI_LANES - 1)
+			found_solve(c, found);
+	}
+}
+
 static void color_sweep_run(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	color_sweep *c = (color_sweep *)context;
-	cni_impact_lanes lanes;
-	int32_t k, count = 0, clear = 0, hits = 0;
+	found_lanes found;
+	int32_t from, k;
 	(void)worker;
-	for (k = begin; k < end; ++k) {
-		uint32_t closing;
-		if (k + 2 * BLOCKS_AHEAD < end)
-			CNI_PREFETCH(&c->blocks[k + 2 * BLOCKS_AHEAD].info->flags);
-		if (k + BLOCKS_AHEAD < end)
-			block_prefetch(&c->blocks[k + BLOCKS_AHEAD]);
-		closing = lanes_closing(c, &c->blocks[k]);
-		if (closing != 0 && !clear) {
-			lanes_clear(&lanes);
-			clear = 1;
-		}
-		for (; closing != 0; closing &= closing - 1) {
-			lane_copy(c->world, &c->blocks[k], cni_bit_lowest32(closing), &lanes, count);
-			bodies_prefetch(&c->pass, &lanes, count++);
-			if (count < CNI_LANES)
-				continue;
-			hits += c->kernel->impact(&c->pass, &lanes, count);
-			count = 0;
-		}
+	found.count = found.hits = 0;
+	lanes_begin(&found.lanes);
+	for (from = begin; from < end; from += BLOCKS_AT_ONCE) {
+		uint32_t closing[BLOCKS_AT_ONCE];
+		int32_t count = cni_min_i(end - from, BLOCKS_AT_ONCE);
+		c->kernel->closing(c->pass.starts, c->blocks + from, count, c->pass.speed, closing);
+		for (k = 0; k < count; ++k)
+			found_add(c, &found, &c->blocks[from + k], closing[k]);
 	}
-	if (count > 0)
-		hits += c->kernel->impact(&c->pass, &lanes, count);
-	if (hits > 0)
-		cni_atomic_add(&c->hits, (uint32_t)hits);
+	if (found.count > 0) {
+		lanes_end(&found.lanes, found.count);
+		found_solve(c, &found);
+	}
+	if (found.hits > 0)
+		cni_atomic_add(&c->hits, (uint32_t)found.hits);
 }
 
 /* In the overflow colour a body is in several lanes, and one may make another meet. */
@@ -164,7 +165,8 @@ static void overflow_sweep(color_sweep *c, int32_t count)
 		for (l = 0; l < b->lanes; ++l) {
 			if (b->info->restitution[l] == 0.0f)
 				continue;
-			lane_copy(c->world, b, l, &one, 0);
+			lanes_begin(&one);
+			lane_add(c->world, b, l, &one, 0);
 			c->pass.one_sided = b->rows->ib[l] == 0;
 			c->hits += (uint32_t)cni_contact_kernel_plain.impact(&c->pass, &one, 1);
 		}

@@ -28,6 +28,7 @@ CNI_INLINE void impact_gather(const cni_impact_pass *pass, const int32_t *index,
 	cni_wide_gather4(motions, MOTION_FLOATS, index, &out->mvx, &out->mvy, &out->mw, &out->m);
 	cni_wide_gather4(motions + 4, MOTION_FLOATS, index, &out->dpx, &out->dpy, &out->theta, &out->i);
 	cni_wide_gather4(drives, DRIVE_FLOATS, index, &out->ax, &out->ay, &alpha, &flags);
+	out->mx = out->my = out->m;
 }
 
 /* Changes velocities of the given lanes' bodies, and with them what the last impulses' response is added to. */
@@ -40,35 +41,51 @@ CNI_INLINE void impact_strike(const cni_impact_pass *pass, const int32_t *index,
 
 typedef struct impact_lanes {
 	impact_side a, b;
-	cni_wide nx, ny;
+	cni_wide nx, ny, fa, tm, dynamic_friction;
+	cni_wide step_dn, step_dt; /* rows dn and dt */
 	cni_wide mass;        /* sum of inverse masses along n */
 	cni_wide dn, dt;      /* from a's centre to b's, now: both arms end in one point */
 	cni_wide closing;     /* acceleration that brings the bodies together */
 	cni_wide restitution;
 } impact_lanes;
 
+/* Row of a block, or of its extra rows, in all lanes. */
+#define IMPACT_ROW(k, l, row) cni_wide_gather_from((k)->rows + (l), offsetof(cni_contact_block, row) / sizeof(float))
+#define IMPACT_EXTRA(k, l, row) cni_wide_gather_from((k)->extra + (l), offsetof(cni_block_extra, row) / sizeof(float))
+
 CNI_INLINE void impact_centers(impact_lanes *c, const cni_impact_lanes *k, int32_t l)
 {
-	cni_mask fixed = cni_wide_load_loose(k->at_world + l) > cni_wide_of(0.0f);
 	cni_wide ax, ay, ax_low, ay_low, bx, by, bx_low, by_low, x, y;
 	cni_wide_gather4_from(k->a + l, 0, &ax, &ay, &ax_low, &ay_low);
 	cni_wide_gather4_from(k->b + l, 0, &bx, &by, &bx_low, &by_low);
 	x = (bx - ax) + (bx_low - ax_low) + (c->b.dpx - c->a.dpx);
 	y = (by - ay) + (by_low - ay_low) + (c->b.dpy - c->a.dpy);
-	c->dn = cni_wide_select(fixed, cni_wide_load_loose(k->fa + l) - cni_wide_load_loose(k->fb + l), c->nx * x + c->ny * y);
-	c->dt = cni_wide_select(fixed, cni_wide_load_loose(k->dt + l), c->ny * x - c->nx * y);
+	c->dn = c->nx * x + c->ny * y;
+	c->dt = c->ny * x - c->nx * y;
+	if (k->at_world != 0) {
+		cni_mask fixed = cni_mask_of_bits(k->at_world >> l);
+		c->dn = cni_wide_select(fixed, c->fa - IMPACT_ROW(k, l, fb), c->dn);
+		c->dt = cni_wide_select(fixed, c->step_dt, c->dt);
+	}
 }
 
 CNI_INLINE void impact_lanes_make(impact_lanes *c, const cni_impact_pass *pass, const cni_impact_lanes *k, int32_t l)
 {
+	c->nx = IMPACT_ROW(k, l, nx);
+	c->ny = IMPACT_ROW(k, l, ny);
+	c->fa = IMPACT_ROW(k, l, fa);
+	c->tm = IMPACT_ROW(k, l, tm);
+	c->dynamic_friction = IMPACT_ROW(k, l, dynamic_friction);
+	c->step_dn = IMPACT_ROW(k, l, dn);
+	c->step_dt = IMPACT_ROW(k, l, dt);
 	impact_gather(pass, k->ia + l, &c->a);
 	impact_gather(pass, k->ib + l, &c->b);
-	c->a.mx = c->a.m * (1.0f - cni_wide_load_loose(k->lock_ax + l));
-	c->a.my = c->a.m * (1.0f - cni_wide_load_loose(k->lock_ay + l));
-	c->b.mx = c->b.m * (1.0f - cni_wide_load_loose(k->lock_bx + l));
-	c->b.my = c->b.m * (1.0f - cni_wide_load_loose(k->lock_by + l));
-	c->nx = cni_wide_load_loose(k->nx + l);
-	c->ny = cni_wide_load_loose(k->ny + l);
+	if (k->has_extra) {
+		c->a.mx = c->a.m * (1.0f - IMPACT_EXTRA(k, l, lock_ax));
+		c->a.my = c->a.m * (1.0f - IMPACT_EXTRA(k, l, lock_ay));
+		c->b.mx = c->b.m * (1.0f - IMPACT_EXTRA(k, l, lock_bx));
+		c->b.my = c->b.m * (1.0f - IMPACT_EXTRA(k, l, lock_by));
+	}
 	c->mass = c->nx * c->nx * (c->a.mx + c->b.mx) + c->ny * c->ny * (c->a.my + c->b.my);
 	impact_centers(c, k, l);
 	c->closing = c->nx * (c->a.ax - c->b.ax) + c->ny * (c->a.ay - c->b.ay);
@@ -92,21 +109,24 @@ CNI_INLINE cni_wide impact_outgoing(cni_wide before, cni_wide s, cni_wide a, cni
 	return cni_wide_max(cni_wide_sqrt(cni_wide_max(inside, zero)) - a * h, zero);
 }
 
+#define POINT_ROW(k, l, from, row) cni_wide_gather_from((k)->rows + (l), ((from) + offsetof(cni_contact_row, row)) / sizeof(float))
+
 typedef struct impact_point {
 	cni_wide at, bt, vn, out, k; /* k = n K n */
 	cni_mask hits;
 } impact_point;
 
-CNI_INLINE impact_point impact_point_make(const impact_lanes *c, const cni_impact_pass *pass, const cni_impact_lanes *k, int32_t which, int32_t l)
+/* from: where its rows are in the block. */
+CNI_INLINE impact_point impact_point_make(const impact_lanes *c, const cni_impact_pass *pass, const cni_impact_lanes *k, size_t from, int32_t l)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
 	impact_point q;
-	cni_wide separation, nm = cni_wide_load_loose(k->nm[which] + l), least = cni_wide_of(-pass->speed);
-	q.at = cni_wide_load_loose(k->at[which] + l);
+	cni_wide separation, nm = POINT_ROW(k, l, from, nm), least = cni_wide_of(-pass->speed);
+	q.at = POINT_ROW(k, l, from, at);
 	q.bt = q.at - c->dt;
 	q.vn = c->nx * (c->b.vx - c->a.vx) + c->ny * (c->b.vy - c->a.vy) + c->b.w * q.bt - c->a.w * q.at;
 	q.k = c->mass + c->a.i * q.at * q.at + c->b.i * q.bt * q.bt;
-	separation = impact_separation(c, cni_wide_load_loose(k->s0[which] + l), cni_wide_load_loose(k->an[which] + l), cni_wide_load_loose(k->dn + l), q.at, q.at - cni_wide_load_loose(k->dt + l));
+	separation = impact_separation(c, POINT_ROW(k, l, from, s0), POINT_ROW(k, l, from, an), c->step_dn, q.at, q.at - c->step_dt);
 	q.hits = (nm > zero) & (q.vn < least) & (separation + pass->h * q.vn < zero);
 	/* Never more than the law gives at this instant plus what the drive adds: two fast bodies that were
 	   just struck by others must not gain. */
@@ -143,10 +163,10 @@ CNI_INLINE impact_blow impact_solve(const impact_lanes *c, const impact_point *p
 CNI_INLINE void impact_apply(const impact_lanes *c, const cni_impact_pass *pass, const cni_impact_lanes *k, int32_t l, const impact_blow *blow, uint32_t lanes)
 {
 	const impact_side *a = &c->a, *b = &c->b;
-	cni_wide tx = c->ny, ty = -c->nx, fa = cni_wide_load_loose(k->fa + l), fb = fa - c->dn;
+	cni_wide tx = c->ny, ty = -c->nx, fa = c->fa, fb = fa - c->dn;
 	cni_wide wa = -a->i * blow->moment_a, wb = b->i * blow->moment_b;
 	cni_wide vt = tx * (b->vx - a->vx) + ty * (b->vy - a->vy) - (b->w + wb) * fb + (a->w + wa) * fa;
-	cni_wide most = cni_wide_load_loose(k->dynamic_friction + l) * blow->jn, jt = -cni_wide_load_loose(k->tm + l) * vt, px, py;
+	cni_wide most = c->dynamic_friction * blow->jn, jt = -c->tm * vt, px, py;
 	jt = cni_wide_select(jt < -most, -most, cni_wide_min(jt, most));
 	px = blow->jn * c->nx + jt * tx;
 	py = blow->jn * c->ny + jt * ty;
@@ -164,8 +184,8 @@ static int32_t kernel_impact(const cni_impact_pass *pass, const cni_impact_lanes
 		impact_blow blow;
 		uint32_t lanes;
 		impact_lanes_make(&c, pass, k, l);
-		p = impact_point_make(&c, pass, k, 0, l);
-		q = impact_point_make(&c, pass, k, 1, l);
+		p = impact_point_make(&c, pass, k, offsetof(cni_contact_block, p[0]), l);
+		q = impact_point_make(&c, pass, k, offsetof(cni_contact_block, p[1]), l);
 		lanes = cni_mask_bits(p.hits | q.hits) & ((1u << (count - l)) - 1u);
 		if (lanes == 0)
 			continue;

@@ -16,6 +16,10 @@
 #include "base/wide.h"
 #include "stages/contact_pass.h"
 
+#if !defined(CNI_FEW)
+#define CNI_FEW 0 /* 1: this is the one for what the kernel of width 8 leaves */
+#endif
+
 #define MOTION_FLOATS ((int32_t)(sizeof(cni_motion) / sizeof(float)))
 
 /* The bodies on one side of CNI_WIDTH lanes. */
@@ -244,26 +248,66 @@ CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block
 		side_scatter(motions, k->ib + l, &b);
 }
 
+/*
+ * Which lanes of a block this kernel does. That of width 8 leaves few lanes at a block's end to contact_kernel_few.c, which
+ * goes on through the blocks behind it while they have no others.
+ */
+CNI_INLINE int32_t lanes_begin(const cni_listed_block *b)
+{
+	return CNI_FEW ? cni_lanes_wide(b->lanes) : b->begin;
+}
+
+CNI_INLINE int32_t lanes_end(const cni_listed_block *b)
+{
+	return CNI_WIDTH == 8 ? cni_lanes_wide(b->lanes) : b->lanes;
+}
+
+/* The block after k that is to be done, by this kernel if block_is_mine. */
+CNI_INLINE int32_t block_next(const cni_color_pass *c, int32_t k, int32_t end, int32_t which)
+{
+#if CNI_WIDTH == 8
+	if (lanes_end(&c->blocks[k]) < c->blocks[k].lanes)
+		return cni_contact_kernel_few.pass[which](c, k, end);
+#endif
+	(void)c;
+	(void)end;
+	(void)which;
+	return k + 1;
+}
+
+CNI_INLINE int32_t block_is_mine(const cni_color_pass *c, int32_t k, int32_t end)
+{
+	return k < end && (!CNI_FEW || cni_lanes_wide(c->blocks[k].lanes) == 0);
+}
+
 /* Few blocks have extra rows: for the others a loop of its own, in which the compiler knows that there are none. */
-CNI_INLINE void solve_block(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, const cni_contact_pass *pass, uint32_t fresh, int32_t lanes, int32_t bias)
+CNI_INLINE int32_t solve_blocks(const cni_color_pass *c, int32_t begin, int32_t end, int32_t bias)
 {
-	int32_t l;
-	if (extra == NULL)
-		for (l = 0; l < lanes; l += CNI_WIDTH)
-			solve_group(motions, k, NULL, l, pass, fresh, bias);
-	else
-		for (l = 0; l < lanes; l += CNI_WIDTH)
-			solve_group(motions, k, extra, l, pass, fresh, bias);
+	int32_t k = begin, l;
+	do {
+		const cni_listed_block *b = &c->blocks[k];
+		const cni_contact_pass *pass = &c->kinds[b->kind];
+		if (c->prefetches)
+			cni_blocks_prefetch(c, k, end);
+		if (b->extra == NULL)
+			for (l = lanes_begin(b); l < lanes_end(b); l += CNI_WIDTH)
+				solve_group(c->motions, b->rows, NULL, l, pass, b->fresh, bias);
+		else
+			for (l = lanes_begin(b); l < lanes_end(b); l += CNI_WIDTH)
+				solve_group(c->motions, b->rows, b->extra, l, pass, b->fresh, bias);
+		k = block_next(c, k, end, bias ? CNI_PASS_SOLVE : CNI_PASS_RELAX);
+	} while (block_is_mine(c, k, end));
+	return k;
 }
 
-static void kernel_solve(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, const cni_contact_pass *pass, uint32_t fresh, int32_t lanes)
+static int32_t kernel_solve(const cni_color_pass *c, int32_t begin, int32_t end)
 {
-	solve_block(motions, k, extra, pass, fresh, lanes, 1);
+	return solve_blocks(c, begin, end, 1);
 }
 
-static void kernel_relax(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, const cni_contact_pass *pass, uint32_t fresh, int32_t lanes)
+static int32_t kernel_relax(const cni_color_pass *c, int32_t begin, int32_t end)
 {
-	solve_block(motions, k, extra, pass, fresh, lanes, 0);
+	return solve_blocks(c, begin, end, 0);
 }
 
 /* A load follows slowly, where much is borne more slowly still, and never exceeds the impulse that is there. m: the larger
@@ -308,12 +352,18 @@ CNI_INLINE void warm_group(cni_motion *motions, cni_contact_block *k, cni_block_
 		side_scatter(motions, k->ib + l, &b);
 }
 
-static void kernel_warm(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, const cni_contact_pass *pass, uint32_t fresh, int32_t lanes)
+static int32_t kernel_warm(const cni_color_pass *c, int32_t begin, int32_t end)
 {
-	int32_t l;
-	(void)fresh;
-	for (l = 0; l < lanes; l += CNI_WIDTH)
-		warm_group(motions, k, extra, l, pass);
+	int32_t k = begin, l;
+	do {
+		const cni_listed_block *b = &c->blocks[k];
+		if (c->prefetches)
+			cni_blocks_prefetch(c, k, end);
+		for (l = lanes_begin(b); l < lanes_end(b); l += CNI_WIDTH)
+			warm_group(c->motions, b->rows, b->extra, l, &c->kinds[b->kind]);
+		k = block_next(c, k, end, CNI_PASS_WARM);
+	} while (block_is_mine(c, k, end));
+	return k;
 }
 
 /* Is the point in use, and does it close faster than the speed? a and b hold velocities only. */
@@ -325,25 +375,51 @@ CNI_INLINE cni_mask point_closes(const cni_contact_block *k, const cni_contact_r
 	return (nm > zero) & (vn < least);
 }
 
-static uint32_t kernel_closing(const cni_velocity_start *starts, const cni_contact_block *k, const cni_block_info *info, float speed, int32_t lanes)
+CNI_INLINE uint32_t group_closing(const float *starts, const cni_contact_block *k, const cni_block_info *info, float speed, int32_t l)
 {
-	const float *base = (const float *)(const void *)starts;
-	uint32_t bits = 0;
-	int32_t l;
-	for (l = 0; l < lanes; l += CNI_WIDTH) {
-		side a, b;
-		cni_wide struck;
-		cni_mask closes, bounces;
-		cni_wide_gather4(base, 4, k->ia + l, &a.vx, &a.vy, &a.w, &struck);
-		cni_wide_gather4(base, 4, k->ib + l, &b.vx, &b.vy, &b.w, &struck);
-		closes = point_closes(k, &k->p[0], l, &a, &b, speed) | point_closes(k, &k->p[1], l, &a, &b, speed);
-		bounces = cni_wide_load_loose(info->restitution + l) > cni_wide_of(0.0f);
-		bits |= cni_mask_bits(closes & bounces) << l;
+	side a, b;
+	cni_wide struck;
+	cni_mask closes, bounces;
+	cni_wide_gather4(starts, 4, k->ia + l, &a.vx, &a.vy, &a.w, &struck);
+	cni_wide_gather4(starts, 4, k->ib + l, &b.vx, &b.vy, &b.w, &struck);
+	closes = point_closes(k, &k->p[0], l, &a, &b, speed) | point_closes(k, &k->p[1], l, &a, &b, speed);
+	bounces = cni_wide_load_loose(info->restitution + l) > cni_wide_of(0.0f);
+	return cni_mask_bits(closes & bounces) << l;
+}
+
+/* Asks for what is read of a block. */
+CNI_INLINE void closing_prefetch(const cni_listed_block *b)
+{
+	const cni_contact_block *k = b->rows;
+	CNI_PREFETCH(b->info->restitution);
+	CNI_PREFETCH(k->ia);
+	CNI_PREFETCH(k->ib);
+	CNI_PREFETCH(k->nx);
+	CNI_PREFETCH(k->ny);
+	CNI_PREFETCH(k->dt);
+	CNI_PREFETCH(k->p[0].at);
+	CNI_PREFETCH(k->p[0].nm);
+	CNI_PREFETCH(k->p[1].at);
+	CNI_PREFETCH(k->p[1].nm);
+}
+
+#define CLOSING_AHEAD 2 /* blocks whose memory is asked for */
+
+static void kernel_closing(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, uint32_t *closing)
+{
+	int32_t k, l;
+	for (k = 0; k < count; ++k) {
+		const cni_listed_block *b = &blocks[k];
+		closing[k] = 0;
+		if (k + CLOSING_AHEAD < count)
+			closing_prefetch(&blocks[k + CLOSING_AHEAD]);
+		if (b->info->flags & CNI_BLOCK_RESTITUTION)
+			for (l = 0; l < b->lanes; l += CNI_WIDTH)
+				closing[k] |= group_closing((const float *)(const void *)starts, b->rows, b->info, speed, l);
 	}
-	return bits;
 }
 
 #include "stages/contact_follow.h"
 #include "stages/contact_impact.h"
 
-const cni_contact_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax, kernel_closing, kernel_impact, kernel_follow };
+const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, kernel_closing, kernel_impact, kernel_follow };

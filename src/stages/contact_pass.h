@@ -1,40 +1,39 @@
 /*
- * stages/contact_pass.h - what contact_solve.c hands to a kernel: one block and the numbers of the pass.
+ * stages/contact_pass.h - what contact_solve.c hands to a kernel: blocks, and the numbers of the pass.
  */
 #ifndef CNI_STAGES_CONTACT_PASS_H
 #define CNI_STAGES_CONTACT_PASS_H
 
 #include "stages/solver.h"
 
-typedef struct cni_contact_pass {
-	float inv_h;
-	float push_speed;
-	float impact_speed;  /* < 0: faster approaches are impacts */
-	float warm_scale;
-	float load_part;     /* of its way to the impulse that a load goes in this step */
-	float load_heavy;    /* ... at most this over the square of the speed that the impulse gives */
-	cni_soft soft;
-	int32_t one_sided;   /* lane bodies b are not written */
-} cni_contact_pass;
+/* A pass over blocks. Without a team they may be those of several colours, in order. */
+typedef struct cni_color_pass {
+	const cni_contact_pass *kinds;
+	cni_motion *motions;
+	const cni_listed_block *blocks;
+	int32_t prefetches;        /* 1: they are not in the cache */
+} cni_color_pass;
 
-/* Works on the first lanes of the block, and on those behind them up to a whole vector, which are empty.
-   extra: NULL when no lane needs it; fresh: lanes, as bits, that go more than once between normals and friction. */
-typedef void cni_contact_kernel_fn(cni_motion *motions, cni_contact_block *block, cni_block_extra *extra, const cni_contact_pass *pass, uint32_t fresh, int32_t lanes);
+/* Works on the lanes of blocks begin to end - 1, and on those behind them up to a whole vector, which are empty. Fresh lanes
+   go more than once between normals and friction. Returns the first block that it has not done: see
+   cni_contact_kernel_few. */
+typedef int32_t cni_contact_kernel_fn(const cni_color_pass *c, int32_t begin, int32_t end);
 
-/* Of the first lanes those, as bits, that bounce and have a point that closes faster than the speed. */
-typedef uint32_t cni_contact_closing_fn(const cni_velocity_start *starts, const cni_contact_block *block, const cni_block_info *info, float speed, int32_t lanes);
+/* The passes of a kernel. */
+enum { CNI_PASS_WARM, CNI_PASS_SOLVE, CNI_PASS_RELAX, CNI_PASSES };
 
-/* Lanes that may bounce, from any blocks of one colour: the rows of theirs that an impact needs. */
+/* Of the lanes of so many blocks those, as bits of each, that bounce and have a point that closes faster than the speed. */
+typedef void cni_contact_closing_fn(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, uint32_t *closing);
+
+/* Lanes that may bounce, from any blocks of one colour. Row r of a lane is rows[r * CNI_LANES]. */
 typedef struct cni_impact_lanes {
 	int32_t ia[CNI_LANES], ib[CNI_LANES];
-	float nx[CNI_LANES], ny[CNI_LANES];
-	float dynamic_friction[CNI_LANES], restitution[CNI_LANES];
-	float dn[CNI_LANES], dt[CNI_LANES];
-	float fa[CNI_LANES], fb[CNI_LANES], tm[CNI_LANES];
-	float at[2][CNI_LANES], an[2][CNI_LANES], s0[2][CNI_LANES], nm[2][CNI_LANES]; /* of both points */
-	float lock_ax[CNI_LANES], lock_ay[CNI_LANES], lock_bx[CNI_LANES], lock_by[CNI_LANES]; /* as in cni_block_extra */
-	float at_world[CNI_LANES];                /* 1: lane body b is the world, 0: it is not */
+	float restitution[CNI_LANES];
+	const float *rows[CNI_LANES];             /* of cni_contact_block */
+	const float *extra[CNI_LANES];            /* of cni_block_extra, where has_extra is not 0 */
 	const float *a[CNI_LANES], *b[CNI_LANES]; /* records of the bodies */
+	uint32_t at_world;                        /* lanes, as bits, whose body b is the world */
+	int32_t has_extra;                        /* 0: all extra rows are zero */
 } cni_impact_lanes;
 
 typedef struct cni_impact_pass {
@@ -59,6 +58,20 @@ CNI_INLINE void cni_lines_prefetch(const void *from, int32_t bytes)
 	int32_t at;
 	for (at = 0; at < bytes; at += 64)
 		CNI_PREFETCH((const char *)from + at);
+}
+
+/* Asks for the rows of the block after the next, and for the bodies of the next. Inlined by force: as above. */
+CNI_INLINE void cni_blocks_prefetch(const cni_color_pass *c, int32_t k, int32_t end)
+{
+	int32_t l;
+	if (k + 2 < end)
+		cni_lines_prefetch(c->blocks[k + 2].rows, (int32_t)sizeof(cni_contact_block));
+	if (k + 1 >= end)
+		return;
+	for (l = 0; l < CNI_LANES; ++l) {
+		CNI_PREFETCH(&c->motions[c->blocks[k + 1].rows->ia[l]]);
+		CNI_PREFETCH(&c->motions[c->blocks[k + 1].rows->ib[l]]);
+	}
 }
 
 /* A record as kernels read it, and one in place of those of the world and of unused lanes. */
@@ -91,17 +104,22 @@ typedef struct cni_follow_bodies {
 typedef uint32_t cni_contact_follow_fn(const cni_follow_pass *pass, cni_contact_block *block, const cni_block_anchor *anchor, const cni_follow_bodies *bodies, uint32_t anchored);
 
 typedef struct cni_contact_kernel {
-	cni_contact_kernel_fn *warm;
-	cni_contact_kernel_fn *solve;
-	cni_contact_kernel_fn *relax;
+	cni_contact_kernel_fn *pass[CNI_PASSES];
 	cni_contact_closing_fn *closing;
 	cni_contact_impact_fn *impact;
 	cni_contact_follow_fn *follow;
 } cni_contact_kernel;
 
+/* Of a block's lanes those that a kernel of width 8 does: whole vectors, and a last one if more than half of it is in use. */
+static inline int32_t cni_lanes_wide(int32_t lanes)
+{
+	return (lanes + 3) & ~7;
+}
+
 extern const cni_contact_kernel cni_contact_kernel_plain; /* width 1: any compiler */
 extern const cni_contact_kernel cni_contact_kernel_4;     /* SSE2, NEON, WASM SIMD */
 extern const cni_contact_kernel cni_contact_kernel_8;     /* AVX2, chosen at run time */
+extern const cni_contact_kernel cni_contact_kernel_few;   /* width 4 on AVX2: for those lanes of a block that are too few for cni_contact_kernel_8 */
 
 /* The widest that this build and this processor have. */
 const cni_contact_kernel *cni_contact_kernel_choose(void);

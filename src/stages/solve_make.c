@@ -91,11 +91,30 @@ static float load_heavy(const cn_world *world, const cni_solve *s)
 	return g_sq > 0.0f ? CNI_LOAD_HEAVY * s->dt * s->h * g_sq : FLT_MAX;
 }
 
+static cni_contact_pass contact_pass_make(const cn_world *world, const cni_solve *s, int32_t kind)
+{
+	cni_contact_pass pass;
+	pass.inv_h = s->inv_h;
+	pass.push_speed = s->push_speed;
+	pass.impact_speed = -s->restitution_threshold;
+	pass.warm_scale = s->warm_scale;
+	pass.load_part = cni_min(CNI_LOAD_RATE * s->dt, 1.0f);
+	pass.load_heavy = load_heavy(world, s);
+	pass.one_sided = (kind & CNI_CONTACTS_ONE_SIDED) != 0;
+	pass.soft = cni_soft_implicit(pass.one_sided ? 0.25f * s->inv_h : 0.125f * s->inv_h, 10.0f, s->h);
+	if (kind & CNI_CONTACTS_RESTED) {
+		pass.load_part /= (float)s->substeps;
+		pass.load_heavy /= (float)s->substeps;
+	}
+	return pass;
+}
+
 static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 {
 	const cni_settings *set = &world->settings;
 	cni_solve s;
 	float last = world->step_dt;
+	int32_t kind;
 	s.dt = dt;
 	s.substeps = substeps;
 	s.h = dt / (float)substeps;
@@ -103,10 +122,9 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	s.warm_scale = (set->flags & CN_WORLD_WARM_START) == 0 ? 0.0f : last > 0.0f ? cni_min(dt / last, WARM_MOST) : 1.0f;
 	s.push_speed = set->push_speed_max;
 	s.restitution_threshold = set->restitution_threshold;
-	s.load_heavy = load_heavy(world, &s);
 	s.shock_speed = set->length_unit;
-	s.contact = cni_soft_implicit(0.125f * s.inv_h, 10.0f, s.h);
-	s.contact_static = cni_soft_implicit(0.25f * s.inv_h, 10.0f, s.h);
+	for (kind = 0; kind < CNI_CONTACTS_KINDS; ++kind)
+		s.contact[kind] = contact_pass_make(world, &s, kind);
 	s.joint = cni_soft_implicit(0.25f * s.inv_h, 2.0f, s.h);
 	s.kernel = cni_contact_kernel_choose();
 	s.joint_kernel = cni_joint_kernel_choose();

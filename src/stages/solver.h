@@ -25,6 +25,25 @@ typedef struct cni_soft {
 	float impulse_scale;
 } cni_soft;
 
+/* The numbers of the passes over contacts of one kind. */
+typedef struct cni_contact_pass {
+	float inv_h;
+	float push_speed;
+	float impact_speed;  /* < 0: faster approaches are impacts */
+	float warm_scale;
+	float load_part;     /* of its way to the impulse that a load goes in this step */
+	float load_heavy;    /* ... at most this over the square of the speed that the impulse gives: see CNI_LOAD_HEAVY */
+	cni_soft soft;
+	int32_t one_sided;   /* lane bodies b are not written */
+} cni_contact_pass;
+
+/* Kinds of blocks, as bits. */
+enum {
+	CNI_CONTACTS_RESTED = 1,    /* time passes more slowly for them: loads follow in its measure */
+	CNI_CONTACTS_ONE_SIDED = 2, /* lane body b cannot move */
+	CNI_CONTACTS_KINDS = 4
+};
+
 /*
  * How fast loads follow the impulses that are there, per second; see stages/contact_kernel.h. A load that follows drives
  * slow swings of a pile, and softness damps them: by a rate of about 0.24 s w^2 at h = 1/240 s, with w^2 falling as
@@ -50,10 +69,8 @@ typedef struct cni_solve {
 	float warm_scale;          /* of stored impulses: this substep over the last one's */
 	float push_speed;
 	float restitution_threshold;
-	float load_heavy;          /* see CNI_LOAD_HEAVY; of a step */
 	float shock_speed;         /* a jump of a body's velocity in one substep that is an impact */
-	cni_soft contact;          /* two dynamic bodies */
-	cni_soft contact_static;   /* one of them cannot move */
+	cni_contact_pass contact[CNI_CONTACTS_KINDS];
 	cni_soft joint;
 	const struct cni_contact_kernel *kernel;
 	const struct cni_joint_kernel *joint_kernel;
