@@ -21,6 +21,7 @@
 
 #include "base/blocks.h"
 #include "base/maths.h"
+#include "base/threads.h"
 
 /* Internal bits of cni_body.flags, above the public CN_BODY_ ones. */
 enum {
@@ -98,6 +99,15 @@ typedef struct cni_previous {
 	cn_body body;      /* 0: none */
 	uint32_t step;     /* count of steps after which it is the previous pose */
 } cni_previous;
+
+/* As the narrowphase must read them: its workers set CNI_BODY_AT_STATIC, whoever finds it first. */
+static inline uint32_t cni_body_flags(const cni_body *b) { return cni_atomic_peek(&b->flags); }
+static inline void cni_body_mark_static(cni_body *b)
+{
+	uint32_t flags = cni_body_flags(b);
+	if (!(flags & CNI_BODY_AT_STATIC))
+		cni_atomic_put(&b->flags, flags | CNI_BODY_AT_STATIC);
+}
 
 /* CN_SOLVER_AUTO, _SOFT or _DIRECT. */
 static inline int32_t cni_body_solver(const cni_body *b)

@@ -216,10 +216,10 @@ void cni_contact_sleep_to_lane(cn_world *world, int32_t contact);
 /* Marks a body whose contact is with a static one CNI_BODY_AT_STATIC. */
 static inline void cni_contact_mark_static(cni_body *a, cni_body *b)
 {
-	if (a->awake == 0 && !(b->flags & CNI_BODY_AT_STATIC))
-		b->flags |= CNI_BODY_AT_STATIC;
-	if (b->awake == 0 && !(a->flags & CNI_BODY_AT_STATIC))
-		a->flags |= CNI_BODY_AT_STATIC;
+	if (a->awake == 0)
+		cni_body_mark_static(b);
+	if (b->awake == 0)
+		cni_body_mark_static(a);
 }
 /* A contact that does not touch is in the list of those that are looked at in each step while one of its bodies is
    awake. Nothing happens where it is in or out already, or touches. */

@@ -13,6 +13,7 @@ typedef struct lane_frame {
 	const cni_body *a, *b; /* lane bodies */
 	cni_vec2 d;            /* ra - rb: centre b - centre a where the contact points coincide */
 	cni_vec2 n, t;
+	uint32_t locks;        /* CN_BODY_LOCK_ flags of either body */
 } lane_frame;
 
 CNI_INLINE lane_frame frame_make(const cn_world *world, const cni_contact *c, cni_vec2 normal)
@@ -24,6 +25,7 @@ CNI_INLINE lane_frame frame_make(const cn_world *world, const cni_contact *c, cn
 	f.d = cni_v((f.b->cx - f.a->cx) + (f.b->cx_low - f.a->cx_low), (f.b->cy - f.a->cy) + (f.b->cy_low - f.a->cy_low));
 	f.n = flipped ? cni_neg(normal) : normal;
 	f.t = cni_right_perp(f.n);
+	f.locks = (cni_body_flags(f.a) | cni_body_flags(f.b)) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y);
 	return f;
 }
 
@@ -86,27 +88,27 @@ static float lane_radius(const cn_world *world, const cni_contact *c, int32_t la
 /* Inverse mass along a direction: less where an axis is locked. */
 static float mass_along(const cni_body *b, float inv_mass, cni_vec2 n)
 {
-	float x = b->flags & CN_BODY_LOCK_X ? 0.0f : n.x, y = b->flags & CN_BODY_LOCK_Y ? 0.0f : n.y;
-	return b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y) ? inv_mass * (x * x + y * y) : inv_mass;
+	uint32_t flags = cni_body_flags(b);
+	float x = flags & CN_BODY_LOCK_X ? 0.0f : n.x, y = flags & CN_BODY_LOCK_Y ? 0.0f : n.y;
+	return flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y) ? inv_mass * (x * x + y * y) : inv_mass;
 }
 
 static float lock(const cni_body *b, uint32_t flag)
 {
-	return b->flags & flag ? 1.0f : 0.0f;
+	return cni_body_flags(b) & flag ? 1.0f : 0.0f;
 }
 
 /* Bodies with a locked axis need the extra rows; without memory for them the axis is only cleared after solving. */
 static void lane_write_locks(cn_world *world, const cni_contact *c, const lane_frame *f)
 {
 	int32_t lane = c->slot % CNI_LANES;
-	uint32_t locked = (f->a->flags | f->b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y);
-	cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
+		cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
 	cni_block_extra *extra;
-	if (!locked && !(info->flags & CNI_BLOCK_EXTRA))
+	if (!f->locks && !(info->flags & CNI_BLOCK_EXTRA))
 		return;
-	if (locked && !cni_lane_reserve_extra(world))
+	if (f->locks && !cni_lane_reserve_extra(world))
 		return;
-	if (locked)
+	if (f->locks)
 		info->flags |= CNI_BLOCK_EXTRA;
 	extra = cni_block_extra_at(world, c->slot / CNI_LANES);
 	extra->lock_ax[lane] = lock(f->a, CN_BODY_LOCK_X);
@@ -130,7 +132,7 @@ static lane_mass lane_mass_of(cn_world *world, const lane_frame *f)
 	m.ia = ma->inv_inertia;
 	m.ib = mb->inv_inertia;
 	m.n = m.t = ma->inv_mass + mb->inv_mass;
-	if (((f->a->flags | f->b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) && cni_lane_reserve_extra(world)) {
+	if (f->locks && cni_lane_reserve_extra(world)) {
 		m.n = mass_along(f->a, ma->inv_mass, f->n) + mass_along(f->b, mb->inv_mass, f->n);
 		m.t = mass_along(f->a, ma->inv_mass, f->t) + mass_along(f->b, mb->inv_mass, f->t);
 	}
@@ -156,7 +158,7 @@ static int32_t may_be_followed(const cn_world *world, const cni_contact *c, cons
 	const cni_block_extra *extra = cni_block_extra_at(world, c->slot / CNI_LANES);
 	const uint32_t looked_at = CNI_CONTACT_ENTERED | CNI_CONTACT_ENTER_OWED | CNI_CONTACT_CREATED_OWED | CNI_CONTACT_ONE_WAY | CNI_CONTACT_PRE_SOLVE;
 	int32_t l = c->slot % CNI_LANES;
-	if ((c->flags & looked_at) || ((f->a->flags | f->b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)))
+	if ((c->flags & looked_at) || f->locks)
 		return 0;
 	return extra == NULL || (extra->rolling[l] == 0.0f && extra->tangent_speed[l] == 0.0f);
 }
@@ -241,7 +243,7 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 	if (manifold->count == 2)
 		fa *= 0.5f;
 	lane_write_friction(block, lane, fa, fa - dn, m.t, m.ia, m.ib);
-	if ((c->flags & CNI_CONTACT_REFRESH) || ((f.a->flags | f.b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) || (info->flags & CNI_BLOCK_EXTRA))
+	if ((c->flags & CNI_CONTACT_REFRESH) || f.locks || (info->flags & CNI_BLOCK_EXTRA))
 		lane_write_rare(world, c, &f, &m);
 	anchor_write(world, c, block, info, &f, ahead);
 }
