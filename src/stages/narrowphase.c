@@ -85,8 +85,8 @@ static void ask_user(cn_world *world, int32_t contact)
 
 static void write_and_ask(cn_world *world, int32_t contact, const cni_touch *t)
 {
-	cni_contact_write(world, contact, &t->manifold, t->gap, t->radius);
-	if (cni_contact_at(world, contact)->flags & CNI_CONTACT_PRE_SOLVE)
+	cni_contact_write(world, t->contact, t->a, t->b, &t->manifold, t->gap, t->radius);
+	if (t->contact->flags & CNI_CONTACT_PRE_SOLVE)
 		ask_user(world, contact);
 }
 
@@ -182,6 +182,7 @@ typedef struct window {
 	int32_t count;
 	cni_touch touch[WINDOW];
 	int32_t column[WINDOW];  /* in boxes, or one of the below */
+	int32_t change[WINDOW];  /* what came of it */
 	cni_box_batch boxes;
 	cni_box_kernel_fn *kernel;
 	int32_t prefetches;
@@ -253,8 +254,7 @@ static void window_prefetch(const cn_world *world, const window *w, int32_t coun
 	}
 }
 
-/* Inlined by force, like window_finish: every contact goes through both. */
-CNI_INLINE void window_begin(const cn_world *world, window *w, int32_t count, float dt)
+static void window_begin(const cn_world *world, window *w, int32_t count, float dt)
 {
 	int32_t k;
 	w->boxes.count = 0;
@@ -274,7 +274,7 @@ CNI_INLINE void window_begin(const cn_world *world, window *w, int32_t count, fl
 	}
 }
 
-CNI_INLINE int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
+static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 {
 	cni_touch *t = &w->touch[k];
 	if (w->column[k] == COLUMN_LATER)
@@ -285,6 +285,16 @@ CNI_INLINE int32_t window_finish(cn_world *world, window *w, int32_t k, float dt
 		cni_boxes_read(&w->boxes, w->column[k], &t->in, &t->contact->cache, &t->manifold);
 	cni_touch_finish(world, look_ahead(t->contact, dt), t);
 	return contact_update(world, w->pair[k].index, t);
+}
+
+/* Looks at the first contacts of the window. */
+static void window_look(cn_world *world, window *w, int32_t count, float dt)
+{
+	int32_t k;
+	window_begin(world, w, count, dt);
+	cni_boxes_run(&w->boxes, w->kernel);
+	for (k = 0; k < count; ++k)
+		w->change[k] = window_finish(world, w, k, dt);
 }
 
 /* ---- what is to change ---- */
@@ -303,8 +313,6 @@ typedef struct change_list {
 
 static void change_add(cn_world *world, change_list *list, int32_t contact, int32_t change)
 {
-	if (change == CHANGE_NONE)
-		return;
 	if (list->count < list->room) {
 		list->items[list->count++] = (uint32_t)contact << 3 | (uint32_t)change;
 		return;
@@ -319,7 +327,8 @@ static void changes_apply(cn_world *world, const change_list *list, float dt)
 {
 	int32_t k;
 	for (k = 0; k < list->count; ++k)
-		change_apply(world, (int32_t)(list->items[k] >> 3), (int32_t)(list->items[k] & 7u), dt);
+		if ((list->items[k] & 7u) != CHANGE_NONE)
+			change_apply(world, (int32_t)(list->items[k] >> 3), (int32_t)(list->items[k] & 7u), dt);
 }
 
 /* ---- looking ---- */
@@ -337,10 +346,10 @@ static void contacts_look_at(cn_world *world, window *w, cni_sift *sift, change_
 	int32_t k, count;
 	w->prefetches = sift->of.prefetches;
 	while ((count = window_fill(w, sift)) > 0) {
-		window_begin(world, w, count, dt);
-		cni_boxes_run(&w->boxes, w->kernel);
+		window_look(world, w, count, dt);
 		for (k = 0; k < count; ++k)
-			change_add(world, changes, w->pair[k].index, window_finish(world, w, k, dt));
+			if (w->change[k] != CHANGE_NONE)
+				change_add(world, changes, w->pair[k].index, w->change[k]);
 		window_drop(w, count);
 	}
 }
@@ -406,10 +415,9 @@ static change_list parts_join(const look_loop *loop, int32_t parts)
 static void items_look_at(cn_world *world, window *w, const int32_t *items, const change_list *changes, float dt)
 {
 	int32_t k;
-	window_begin(world, w, w->count, dt);
-	cni_boxes_run(&w->boxes, w->kernel);
+	window_look(world, w, w->count, dt);
 	for (k = 0; k < w->count; ++k)
-		changes->items[items[k]] = (uint32_t)w->pair[k].index << 3 | (uint32_t)window_finish(world, w, k, dt);
+		changes->items[items[k]] = (uint32_t)w->pair[k].index << 3 | (uint32_t)w->change[k];
 	w->count = 0;
 }
 

@@ -134,21 +134,27 @@ static int32_t stays_apart(const cni_sift *s, const cni_sift_item *item, const c
 static int32_t item_sift(const cni_sift *s, const cni_sift_item *item, int32_t touches)
 {
 	cni_body *body_a, *body_b;
+	const cni_sift_body *of_a, *of_b;
 	cni_sift_body a, b;
 	if (s->of.bodies != NULL) {
-		const cni_sift_body *of_a = &s->of.bodies[item->contact->body[0]], *of_b = &s->of.bodies[item->contact->body[1]];
+		of_a = &s->of.bodies[item->contact->body[0]];
+		of_b = &s->of.bodies[item->contact->body[1]];
 		if (of_a->radius <= 0.0f || of_b->radius <= 0.0f)
 			cni_contact_mark_static(cni_body_at(s->of.world, item->contact->body[0]), cni_body_at(s->of.world, item->contact->body[1]));
-		return touches || !stays_apart(s, item, of_a, of_b);
+		if (touches)
+			return 1;
+	} else {
+		body_a = cni_body_at(s->of.world, item->contact->body[0]);
+		body_b = cni_body_at(s->of.world, item->contact->body[1]);
+		cni_contact_mark_static(body_a, body_b);
+		if (touches)
+			return 1;
+		a = sift_body_make(body_a, s->of.dt);
+		b = sift_body_make(body_b, s->of.dt);
+		of_a = &a;
+		of_b = &b;
 	}
-	body_a = cni_body_at(s->of.world, item->contact->body[0]);
-	body_b = cni_body_at(s->of.world, item->contact->body[1]);
-	cni_contact_mark_static(body_a, body_b);
-	if (touches)
-		return 1;
-	a = sift_body_make(body_a, s->of.dt);
-	b = sift_body_make(body_b, s->of.dt);
-	return !stays_apart(s, item, &a, &b);
+	return !stays_apart(s, item, of_a, of_b);
 }
 
 static cni_touch_pair pair_of(const cni_sift *s, const cni_sift_item *item, int32_t index)

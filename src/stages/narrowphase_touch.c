@@ -152,8 +152,7 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 static int32_t circles_apart(const cni_body *a, const cni_body *b, float margin)
 {
 	float reach = CNI_CIRCLES_APART * (a->extent + b->extent + margin);
-	cni_vec2 d = cni_v((b->cx - a->cx) + (b->cx_low - a->cx_low), (b->cy - a->cy) + (b->cy_low - a->cy_low));
-	return cni_length_sq(d) > reach * reach;
+	return cni_length_sq(cni_body_a_to_b(a, b)) > reach * reach;
 }
 
 int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out)
