@@ -42,10 +42,13 @@ static float drop_unreached(cni_manifold *out, const cni_pair_motion *m, const c
 	int32_t k, kept = 0;
 	float nearest = FLT_MAX;
 	for (k = 0; k < out->count; ++k) {
-		if (out->points[k].separation > margin + cni_max(closing_at(out, k, m, a, b_center), 0.0f) * dt)
+		float separation = out->points[k].separation;
+		if (separation > margin && separation > margin + cni_max(closing_at(out, k, m, a, b_center), 0.0f) * dt)
 			continue;
-		nearest = cni_min(nearest, out->points[k].separation);
-		out->points[kept++] = out->points[k];
+		nearest = cni_min(nearest, separation);
+		if (kept < k)
+			out->points[kept] = out->points[k];
+		++kept;
 	}
 	out->count = kept;
 	return nearest;
