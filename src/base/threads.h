@@ -69,8 +69,13 @@ static inline int32_t cni_atomic_replace(uint32_t *word, uint32_t *expected, uin
 {
 	return __atomic_compare_exchange_n(word, expected, value, 0, __ATOMIC_ACQ_REL, __ATOMIC_ACQUIRE);
 }
+/* Of a word that several workers may set to the same value: cost what plain ones do, and say nothing of other memory. */
+static inline uint32_t cni_atomic_peek(const uint32_t *word) { return __atomic_load_n(word, __ATOMIC_RELAXED); }
+static inline void cni_atomic_put(uint32_t *word, uint32_t value) { __atomic_store_n(word, value, __ATOMIC_RELAXED); }
 #elif CNI_HAS_TEAMS
 #include <intrin.h>
+static inline uint32_t cni_atomic_peek(const uint32_t *word) { return *(const volatile uint32_t *)word; }
+static inline void cni_atomic_put(uint32_t *word, uint32_t value) { *(volatile uint32_t *)word = value; }
 static inline uint32_t cni_atomic_load(const uint32_t *word) { return (uint32_t)_InterlockedOr((volatile long *)word, 0); }
 static inline void cni_atomic_store(uint32_t *word, uint32_t value) { (void)_InterlockedExchange((volatile long *)word, (long)value); }
 static inline uint32_t cni_atomic_exchange(uint32_t *word, uint32_t value) { return (uint32_t)_InterlockedExchange((volatile long *)word, (long)value); }
@@ -88,6 +93,8 @@ static inline uint32_t cni_atomic_add(uint32_t *word, uint32_t value)
 	*word += value;
 	return was;
 }
+static inline uint32_t cni_atomic_peek(const uint32_t *word) { return *word; }
+static inline void cni_atomic_put(uint32_t *word, uint32_t value) { *word = value; }
 #endif
 
 #endif

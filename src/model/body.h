@@ -21,6 +21,7 @@
 
 #include "base/blocks.h"
 #include "base/maths.h"
+#include "base/threads.h"
 
 #include <string.h>
 
@@ -106,6 +107,15 @@ typedef struct cni_previous {
 	uint32_t step;     /* count of steps after which it is the previous pose */
 } cni_previous;
 
+/* As the narrowphase must read them: its workers set CNI_BODY_AT_STATIC, whoever finds it first. */
+static inline uint32_t cni_body_flags(const cni_body *b) { return cni_atomic_peek(&b->flags); }
+static inline void cni_body_mark_static(cni_body *b)
+{
+	uint32_t flags = cni_body_flags(b);
+	if (!(flags & CNI_BODY_AT_STATIC))
+		cni_atomic_put(&b->flags, flags | CNI_BODY_AT_STATIC);
+}
+
 /* CN_SOLVER_AUTO, _SOFT or _DIRECT. */
 static inline int32_t cni_body_solver(const cni_body *b)
 {
@@ -129,8 +139,19 @@ static inline cni_transform cni_body_transform(const cni_body *b)
 	x.t = cni_body_origin(b);
 	return x;
 }
-/* Maps frame b into frame a without losing digits far from the origin. NULL means the world frame. */
-cni_transform cni_body_b_in_a(const cni_body *a, const cni_body *b);
+/* From centre a to centre b, without losing digits far from the origin. */
+static inline cni_vec2 cni_body_a_to_b(const cni_body *a, const cni_body *b)
+{
+	return cni_v((b->cx - a->cx) + (b->cx_low - a->cx_low), (b->cy - a->cy) + (b->cy_low - a->cy_low));
+}
+/* Maps frame b into frame a, as exactly. */
+static inline cni_transform cni_body_b_in_a(const cni_body *a, const cni_body *b)
+{
+	cni_transform x;
+	x.q = cni_rot_between(a->q, b->q);
+	x.t = cni_add(cni_unrotate(a->q, cni_sub(cni_body_a_to_b(a, b), cni_rotate(b->q, b->local_center))), a->local_center);
+	return x;
+}
 
 cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b);
 /* The velocity was set from outside: its boxes must look ahead again before the next step. */

@@ -198,9 +198,9 @@ void cni_contact_pay_owed(cn_world *world, int32_t contact, uint32_t owed, int32
 /* A sensor pair overlaps or no longer does: logs the change. 0: no memory for the log; nothing changes. */
 int32_t cni_contact_sense(cn_world *world, int32_t contact, int32_t overlaps);
 /* Writes a manifold to the contact's lane, keeping the impulses of points with equal ids. gap: where b's contact
-   point is from a's at the beginning of the step, in a's frame; (0, 0) but for contacts that are still ahead. radius: of the contact's
-   shapes a and b. */
-void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap, const float radius[2]);
+   point is from a's at the beginning of the step, in a's frame; (0, 0) but for contacts that are still ahead. a, b, radius: of the
+   contact's bodies and shapes. */
+void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const cni_body *b, const cni_manifold *manifold, cni_vec2 gap, const float radius[2]);
 /* An empty manifold: the lane stays but can do nothing. */
 void cni_contact_write_empty(cn_world *world, int32_t contact);
 
@@ -216,10 +216,10 @@ void cni_contact_sleep_to_lane(cn_world *world, int32_t contact);
 /* Marks a body whose contact is with a static one CNI_BODY_AT_STATIC. */
 static inline void cni_contact_mark_static(cni_body *a, cni_body *b)
 {
-	if (a->awake == 0 && !(b->flags & CNI_BODY_AT_STATIC))
-		b->flags |= CNI_BODY_AT_STATIC;
-	if (b->awake == 0 && !(a->flags & CNI_BODY_AT_STATIC))
-		a->flags |= CNI_BODY_AT_STATIC;
+	if (a->awake == 0)
+		cni_body_mark_static(b);
+	if (b->awake == 0)
+		cni_body_mark_static(a);
 }
 /* A contact that does not touch is in the list of those that are looked at in each step while one of its bodies is
    awake. Nothing happens where it is in or out already, or touches. */

@@ -13,17 +13,19 @@ typedef struct lane_frame {
 	const cni_body *a, *b; /* lane bodies */
 	cni_vec2 d;            /* ra - rb: centre b - centre a where the contact points coincide */
 	cni_vec2 n, t;
+	uint32_t locks;        /* CN_BODY_LOCK_ flags of either body */
 } lane_frame;
 
-CNI_INLINE lane_frame frame_make(const cn_world *world, const cni_contact *c, cni_vec2 normal)
+/* a, b: the contact's bodies. */
+CNI_INLINE lane_frame frame_make(const cni_body *a, const cni_body *b, int32_t flipped, cni_vec2 normal)
 {
-	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0;
 	lane_frame f;
-	f.a = cni_body_at(world, c->body[flipped]);
-	f.b = cni_body_at(world, c->body[1 - flipped]);
-	f.d = cni_v((f.b->cx - f.a->cx) + (f.b->cx_low - f.a->cx_low), (f.b->cy - f.a->cy) + (f.b->cy_low - f.a->cy_low));
+	f.a = flipped ? b : a;
+	f.b = flipped ? a : b;
+	f.d = cni_body_a_to_b(f.a, f.b);
 	f.n = flipped ? cni_neg(normal) : normal;
 	f.t = cni_right_perp(f.n);
+	f.locks = (cni_body_flags(f.a) | cni_body_flags(f.b)) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y);
 	return f;
 }
 
@@ -32,17 +34,21 @@ static float inverse_or_zero(float k)
 	return k > 0.0f ? 1.0f / k : 0.0f;
 }
 
-static void lane_clear_point(cni_contact_row *p, int32_t lane)
+static void lane_clear_point(cni_contact_row *p, uint32_t lane)
 {
 	p->at[lane] = p->an[lane] = p->s0[lane] = p->nm[lane] = p->jn[lane] = p->load[lane] = 0.0f;
 }
 
-/* Impulse or load of the old point with this id; 0 for a new one. */
-static float of_old_point(const uint16_t *old_id, const float *old, uint32_t id)
+/* What a lane keeps of the points that it had. */
+typedef struct old_points {
+	uint16_t id[2];
+	float jn[3], load[3]; /* the last of a new point */
+} old_points;
+
+/* Which of them has this id; 2: none, for those that there were not have the id 0. */
+CNI_INLINE int32_t old_point_of(const old_points *old, uint32_t id)
 {
-	if (old_id[0] == id)
-		return old[0];
-	return old_id[1] == id ? old[1] : 0.0f;
+	return old->id[0] == id ? 0 : old->id[1] == id ? 1 : 2;
 }
 
 static void lane_write_material(cn_world *world, const cni_contact *c, cni_contact_block *block, int32_t lane)
@@ -68,7 +74,7 @@ static void lane_write_material(cn_world *world, const cni_contact *c, cni_conta
 
 /* Friction acts on the contact line, at the mean height of the points along the normal: one row is
    exact in 2D when the points share that line. */
-static void lane_write_friction(cni_contact_block *block, int32_t lane, float fa, float fb, float inv_mass, float ia, float ib)
+static void lane_write_friction(cni_contact_block *block, uint32_t lane, float fa, float fb, float inv_mass, float ia, float ib)
 {
 	block->fa[lane] = fa;
 	block->fb[lane] = fb;
@@ -86,27 +92,27 @@ static float lane_radius(const cn_world *world, const cni_contact *c, int32_t la
 /* Inverse mass along a direction: less where an axis is locked. */
 static float mass_along(const cni_body *b, float inv_mass, cni_vec2 n)
 {
-	float x = b->flags & CN_BODY_LOCK_X ? 0.0f : n.x, y = b->flags & CN_BODY_LOCK_Y ? 0.0f : n.y;
-	return b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y) ? inv_mass * (x * x + y * y) : inv_mass;
+	uint32_t flags = cni_body_flags(b);
+	float x = flags & CN_BODY_LOCK_X ? 0.0f : n.x, y = flags & CN_BODY_LOCK_Y ? 0.0f : n.y;
+	return flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y) ? inv_mass * (x * x + y * y) : inv_mass;
 }
 
 static float lock(const cni_body *b, uint32_t flag)
 {
-	return b->flags & flag ? 1.0f : 0.0f;
+	return cni_body_flags(b) & flag ? 1.0f : 0.0f;
 }
 
 /* Bodies with a locked axis need the extra rows; without memory for them the axis is only cleared after solving. */
 static void lane_write_locks(cn_world *world, const cni_contact *c, const lane_frame *f)
 {
 	int32_t lane = c->slot % CNI_LANES;
-	uint32_t locked = (f->a->flags | f->b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y);
-	cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
+		cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
 	cni_block_extra *extra;
-	if (!locked && !(info->flags & CNI_BLOCK_EXTRA))
+	if (!f->locks && !(info->flags & CNI_BLOCK_EXTRA))
 		return;
-	if (locked && !cni_lane_reserve_extra(world))
+	if (f->locks && !cni_lane_reserve_extra(world))
 		return;
-	if (locked)
+	if (f->locks)
 		info->flags |= CNI_BLOCK_EXTRA;
 	extra = cni_block_extra_at(world, c->slot / CNI_LANES);
 	extra->lock_ax[lane] = lock(f->a, CN_BODY_LOCK_X);
@@ -130,7 +136,7 @@ static lane_mass lane_mass_of(cn_world *world, const lane_frame *f)
 	m.ia = ma->inv_inertia;
 	m.ib = mb->inv_inertia;
 	m.n = m.t = ma->inv_mass + mb->inv_mass;
-	if (((f->a->flags | f->b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) && cni_lane_reserve_extra(world)) {
+	if (f->locks && cni_lane_reserve_extra(world)) {
 		m.n = mass_along(f->a, ma->inv_mass, f->n) + mass_along(f->b, mb->inv_mass, f->n);
 		m.t = mass_along(f->a, ma->inv_mass, f->t) + mass_along(f->b, mb->inv_mass, f->t);
 	}
@@ -151,29 +157,35 @@ static void lane_write_rare(cn_world *world, cni_contact *c, const lane_frame *f
 }
 
 /* Contacts that somebody looks at in each step, and lanes whose rare rows depend on more than poses. */
-static int32_t may_be_followed(const cn_world *world, const cni_contact *c, const lane_frame *f)
+static int32_t may_be_followed(const cn_world *world, const cni_contact *c, const cni_block_info *info, const lane_frame *f)
 {
-	const cni_block_extra *extra = cni_block_extra_at(world, c->slot / CNI_LANES);
 	const uint32_t looked_at = CNI_CONTACT_ENTERED | CNI_CONTACT_ENTER_OWED | CNI_CONTACT_CREATED_OWED | CNI_CONTACT_ONE_WAY | CNI_CONTACT_PRE_SOLVE;
+	const cni_block_extra *extra;
 	int32_t l = c->slot % CNI_LANES;
-	if ((c->flags & looked_at) || ((f->a->flags | f->b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)))
+	if ((c->flags & looked_at) || f->locks)
 		return 0;
-	return extra == NULL || (extra->rolling[l] == 0.0f && extra->tangent_speed[l] == 0.0f);
+	if (!(info->flags & CNI_BLOCK_EXTRA))
+		return 1;
+	extra = cni_block_extra_at(world, c->slot / CNI_LANES);
+	return extra->rolling[l] == 0.0f && extra->tangent_speed[l] == 0.0f;
 }
 
 /* After the lane's rows. */
-static void anchor_write(cn_world *world, const cni_contact *c, const cni_contact_block *block, cni_block_info *info, const lane_frame *f, float gap)
+CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, const cni_contact_block *block, cni_block_info *info, const lane_frame *f, float gap)
 {
-	cni_block_anchor *anchor = cni_block_anchor_at(world, c->slot / CNI_LANES);
-	int32_t l = c->slot % CNI_LANES, k;
-	cni_rot turn = cni_rot_between(f->a->q, f->b->q);
-	cni_vec2 n = cni_unrotate(f->a->q, f->n);
+	uint32_t slot = (uint32_t)c->slot, l = slot % CNI_LANES;
+	cni_block_anchor *anchor = cni_block_anchor_at(world, (int32_t)(slot / CNI_LANES));
+	cni_rot turn;
+	cni_vec2 n;
 	float centers;
-	if (gap != 0.0f || !may_be_followed(world, c, f)) {
+	if (gap != 0.0f || !may_be_followed(world, c, info, f)) {
 		cni_lane_loosen(world, c->slot);
 		anchor->of.fresh.gap[l] = gap;
 		return;
 	}
+	turn = cni_rot_between(f->a->q, f->b->q);
+	n = cni_unrotate(f->a->q, f->n);
+	centers = cni_dot(f->d, f->n);
 	info->anchored = (uint16_t)(info->anchored | 1u << l);
 	anchor->x.nx[l] = n.x;
 	if (block->ib[l] == 0)
@@ -182,34 +194,40 @@ static void anchor_write(cn_world *world, const cni_contact *c, const cni_contac
 	anchor->dt[l] = block->dt[l];
 	anchor->c[l] = turn.c;
 	anchor->s[l] = turn.s;
-	centers = cni_dot(f->d, f->n);
-	for (k = 0; k < 2; ++k)
-		anchor->of.less[k][l] = block->p[k].s0[l] - centers;
+	anchor->of.less[0][l] = block->p[0].s0[l] - centers;
+	anchor->of.less[1][l] = block->p[1].s0[l] - centers;
 }
 
-void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap, const float radius[2])
+CNI_INLINE old_points old_points_take(cni_contact *c, const cni_contact_block *block, uint32_t lane)
 {
-	cni_contact *c = cni_contact_at(world, contact);
-	cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
-	cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
-	int32_t lane = c->slot % CNI_LANES, flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, kept = 0, k;
-	const cni_body *first = cni_body_at(world, c->body[0]);
-	cni_vec2 normal = cni_rotate(first->q, manifold->normal);
-	lane_frame f = frame_make(world, c, normal);
+	old_points old;
+	int32_t k;
+	for (k = 0; k < 2; ++k) {
+		old.jn[k] = block->p[k].jn[lane];
+		old.load[k] = block->p[k].load[lane];
+		old.id[k] = c->id[k];
+		c->id[k] = 0;
+	}
+	old.jn[2] = old.load[2] = 0.0f;
+	return old;
+}
+
+void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const cni_body *b, const cni_manifold *manifold, cni_vec2 gap, const float radius[2])
+{
+	uint32_t slot = (uint32_t)c->slot, lane = slot % CNI_LANES;
+	cni_contact_block *block = cni_block_at(world, (int32_t)(slot / CNI_LANES));
+	cni_block_info *info = cni_block_info_at(world, (int32_t)(slot / CNI_LANES));
+	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, kept = 0, k;
+	cni_vec2 normal = cni_rotate(a->q, manifold->normal);
+	lane_frame f = frame_make(a, b, flipped, normal);
 	lane_mass m = lane_mass_of(world, &f);
-	float radius_a = radius[flipped], old_jn[2], old_load[2], fa = 0.0f, ahead, dn, dt;
-	uint16_t old_id[2];
-	gap = cni_rotate(first->q, gap);
+	float radius_a = radius[flipped], fa = 0.0f, ahead, dn, dt;
+	old_points old = old_points_take(c, block, lane);
+	gap = cni_rotate(a->q, gap);
 	ahead = cni_dot(gap, normal);
 	f.d = flipped ? cni_add(f.d, gap) : cni_sub(f.d, gap);
 	dn = cni_dot(f.d, f.n);
 	dt = cni_dot(f.d, f.t);
-	for (k = 0; k < 2; ++k) {
-		old_jn[k] = block->p[k].jn[lane];
-		old_load[k] = block->p[k].load[lane];
-		old_id[k] = c->id[k] != 0 ? c->id[k] : (uint16_t)0xFFFF;
-		c->id[k] = 0;
-	}
 	block->nx[lane] = f.n.x;
 	block->ny[lane] = f.n.y;
 	block->dn[lane] = dn - radius_a - radius[1 - flipped];
@@ -217,7 +235,8 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 	for (k = 0; k < manifold->count; ++k) {
 		const cni_manifold_point *point = &manifold->points[k];
 		cni_contact_row *p = &block->p[k];
-		cni_vec2 r = cni_rotate(first->q, cni_sub(point->point, first->local_center));
+		cni_vec2 r = cni_rotate(a->q, cni_sub(point->point, a->local_center));
+		int32_t was = old_point_of(&old, point->id);
 		float at, bt, an;
 		if (flipped)
 			r = cni_add(r, f.d); /* from lane b's centre to lane a's */
@@ -228,9 +247,9 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 		p->an[lane] = an;
 		p->s0[lane] = point->separation;
 		p->nm[lane] = inverse_or_zero(m.n + m.ia * at * at + m.ib * bt * bt);
-		p->jn[lane] = of_old_point(old_id, old_jn, point->id);
-		p->load[lane] = of_old_point(old_id, old_load, point->id);
-		kept |= old_id[0] == point->id || old_id[1] == point->id;
+		p->jn[lane] = old.jn[was];
+		p->load[lane] = old.load[was];
+		kept |= was < 2;
 		c->id[k] = (uint16_t)point->id;
 		fa += an + radius_a;
 	}
@@ -241,7 +260,7 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 	if (manifold->count == 2)
 		fa *= 0.5f;
 	lane_write_friction(block, lane, fa, fa - dn, m.t, m.ia, m.ib);
-	if ((c->flags & CNI_CONTACT_REFRESH) || ((f.a->flags | f.b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) || (info->flags & CNI_BLOCK_EXTRA))
+	if ((c->flags & CNI_CONTACT_REFRESH) || f.locks || (info->flags & CNI_BLOCK_EXTRA))
 		lane_write_rare(world, c, &f, &m);
 	anchor_write(world, c, block, info, &f, ahead);
 }
@@ -250,7 +269,7 @@ void cni_contact_write_empty(cn_world *world, int32_t contact)
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
-	int32_t lane = c->slot % CNI_LANES;
+	uint32_t lane = (uint32_t)c->slot % CNI_LANES;
 	lane_clear_point(&block->p[0], lane);
 	lane_clear_point(&block->p[1], lane);
 	block->tm[lane] = block->jt[lane] = 0.0f;
@@ -286,7 +305,7 @@ static void describe_manifold(const cn_world *world, const cni_contact *c, cn_ma
 	lane_read_rows(world, c, rows);
 	n = cni_v(rows[ROW_NX], rows[ROW_NY]);
 	t = cni_right_perp(n);
-	f = frame_make(world, c, flipped ? cni_neg(n) : n);
+	f = frame_make(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]), flipped, flipped ? cni_neg(n) : n);
 	moved_n = cni_dot(f.d, n) - (rows[ROW_FA] - rows[ROW_FB]);
 	moved_t = cni_dot(f.d, t) - rows[ROW_DT];
 	middle = cni_madd(cni_madd(cni_v(f.a->cx, f.a->cy), 0.5f * moved_n, n), 0.5f * moved_t, t);

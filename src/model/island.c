@@ -11,7 +11,7 @@
 
 cni_island *cni_island_at(const cn_world *world, int32_t island)
 {
-	return (cni_island *)cni_table_at(&world->islands, island);
+	return (cni_island *)cni_table_at_sized(&world->islands, island, sizeof(cni_island), CNI_PAGE_ISLANDS);
 }
 
 int32_t cni_island_reserve(cn_world *world, int32_t extra)

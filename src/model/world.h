@@ -20,6 +20,9 @@
 
 #define CNI_ERROR_TEXT_BYTES 192
 
+/* Items in a page of each table, as powers of two: small first pages keep an empty world small. */
+enum { CNI_PAGE_BODIES = 4, CNI_PAGE_SHAPES = 4, CNI_PAGE_PROXIES = 5, CNI_PAGE_CONTACTS = 6, CNI_PAGE_BLOCKS = 2, CNI_PAGE_JOINTS = 5, CNI_PAGE_ISLANDS = 5 };
+
 /* Numbers of the world definition with defaults and the length unit resolved. */
 typedef struct cni_settings {
 	cn_vec2 gravity;
@@ -156,20 +159,20 @@ struct cn_world {
 
 /* ---- records by index ---- */
 
-static inline cni_body *cni_body_at(const cn_world *world, int32_t body) { return (cni_body *)cni_table_at_sized(&world->bodies, body, sizeof(cni_body)); }
-static inline cni_shape *cni_shape_at(const cn_world *world, int32_t shape) { return (cni_shape *)cni_table_at_sized(&world->shapes, shape, sizeof(cni_shape)); }
-static inline cni_contact *cni_contact_at(const cn_world *world, int32_t contact) { return (cni_contact *)cni_table_at_sized(&world->contacts, contact, sizeof(cni_contact)); }
+static inline cni_body *cni_body_at(const cn_world *world, int32_t body) { return (cni_body *)cni_table_at_sized(&world->bodies, body, sizeof(cni_body), CNI_PAGE_BODIES); }
+static inline cni_shape *cni_shape_at(const cn_world *world, int32_t shape) { return (cni_shape *)cni_table_at_sized(&world->shapes, shape, sizeof(cni_shape), CNI_PAGE_SHAPES); }
+static inline cni_contact *cni_contact_at(const cn_world *world, int32_t contact) { return (cni_contact *)cni_table_at_sized(&world->contacts, contact, sizeof(cni_contact), CNI_PAGE_CONTACTS); }
 static inline cni_contact *cni_contact_of_key(const cn_world *world, int32_t key) { return cni_contact_at(world, key >> 1); }
-static inline cni_contact_block *cni_block_at(const cn_world *world, int32_t block) { return (cni_contact_block *)cni_table_at_sized(&world->blocks_hot, block, sizeof(cni_contact_block)); }
-static inline cni_block_info *cni_block_info_at(const cn_world *world, int32_t block) { return (cni_block_info *)cni_table_at_sized(&world->blocks_info, block, sizeof(cni_block_info)); }
-static inline cni_block_anchor *cni_block_anchor_at(const cn_world *world, int32_t block) { return (cni_block_anchor *)cni_table_at_sized(&world->blocks_anchor, block, sizeof(cni_block_anchor)); }
+static inline cni_contact_block *cni_block_at(const cn_world *world, int32_t block) { return (cni_contact_block *)cni_table_at_sized(&world->blocks_hot, block, sizeof(cni_contact_block), CNI_PAGE_BLOCKS); }
+static inline cni_block_info *cni_block_info_at(const cn_world *world, int32_t block) { return (cni_block_info *)cni_table_at_sized(&world->blocks_info, block, sizeof(cni_block_info), CNI_PAGE_BLOCKS); }
+static inline cni_block_anchor *cni_block_anchor_at(const cn_world *world, int32_t block) { return (cni_block_anchor *)cni_table_at_sized(&world->blocks_anchor, block, sizeof(cni_block_anchor), CNI_PAGE_BLOCKS); }
 static inline const cni_listed_block *cni_listed_blocks(const cn_world *world, int32_t color) { return world->block_list.data == NULL ? NULL : (const cni_listed_block *)world->block_list.data + world->colors[color].listed; }
 /* NULL when no contact has ever needed one. */
 static inline cni_block_extra *cni_block_extra_at(const cn_world *world, int32_t block)
 {
-	return block < cni_table_capacity(&world->blocks_extra) ? (cni_block_extra *)cni_table_at(&world->blocks_extra, block) : NULL;
+	return block < cni_table_capacity(&world->blocks_extra) ? (cni_block_extra *)cni_table_at_sized(&world->blocks_extra, block, sizeof(cni_block_extra), CNI_PAGE_BLOCKS) : NULL;
 }
-static inline cni_proxy *cni_proxy_at(const cn_world *world, int32_t proxy) { return (cni_proxy *)cni_table_at_sized(&world->proxies, proxy, sizeof(cni_proxy)); }
+static inline cni_proxy *cni_proxy_at(const cn_world *world, int32_t proxy) { return (cni_proxy *)cni_table_at_sized(&world->proxies, proxy, sizeof(cni_proxy), CNI_PAGE_PROXIES); }
 static inline cni_motion *cni_motions(const cn_world *world) { return (cni_motion *)world->motion.data; }
 static inline cni_velocity_start *cni_starts(const cn_world *world) { return (cni_velocity_start *)world->start.data; }
 static inline cni_drive *cni_drives(const cn_world *world) { return (cni_drive *)world->drive.data; }

@@ -10,6 +10,7 @@
  *
  * Reads bodies, motion, anchors; writes lanes; marks bodies that have static ones about them.
  */
+#include "base/bitset.h"
 #include "stages/contact_pass.h"
 
 #include <stddef.h>
@@ -18,6 +19,9 @@
 typedef char cni_body_begins_with_pose[offsetof(cni_body, cx) == 0 && offsetof(cni_body, q) == 16 && offsetof(cni_body, extent) == 32 ? 1 : -1];
 
 const cni_body cni_body_nowhere;
+
+/* 10 us of work where all is followed. */
+#define BLOCKS_A_RANGE 32
 
 /* Fills the table; returns the anchored lanes whose axes are free: locked ones have other masses. */
 static uint32_t bodies_find(const cn_world *world, const cni_contact_block *k, const cni_block_anchor *anchor, uint32_t anchored, cni_follow_bodies *out)
@@ -31,7 +35,7 @@ static uint32_t bodies_find(const cn_world *world, const cni_contact_block *k, c
 			continue;
 		a = cni_body_at(world, ids[k->ia[l]]);
 		b = cni_body_at(world, k->ib[l] == 0 ? anchor->x.body[l] : ids[k->ib[l]]);
-		if ((a->flags | b->flags) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) {
+		if ((cni_body_flags(a) | cni_body_flags(b)) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) {
 			anchored &= ~(1u << l);
 			continue;
 		}
@@ -56,22 +60,58 @@ static cni_follow_pass pass_make(const cn_world *world, float dt)
 }
 
 #if defined(CNI_DEBUG)
-static int32_t boxes_overlap(const cn_world *world, int32_t contact)
+static int32_t followed_overlap(const cn_world *world, const int32_t *contacts, uint32_t left)
 {
-	const cni_contact *c = cni_contact_at(world, contact);
-	return cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat);
+	int32_t l, overlap = 1;
+	for (l = 0; l < CNI_LANES && contacts[l] != CNI_NONE; ++l) {
+		const cni_contact *c = cni_contact_at(world, contacts[l]);
+		overlap &= (left >> l & 1u) || cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat);
+	}
+	return overlap;
 }
 #endif
 
+/* A block and, as bits, its lanes in use; after following those that were not followed. */
+typedef struct followed_block {
+	int32_t block;
+	uint32_t left;
+} followed_block;
+
+/* They lie where the passes will have their list: there is room for every block. */
+typedef char followed_blocks_fit[sizeof(followed_block) <= sizeof(cni_listed_block) ? 1 : -1];
+
+typedef struct follow_loop {
+	const cn_world *world;
+	const cni_contact_kernel *kernel;
+	followed_block *blocks; /* colours in order, a colour's blocks in order */
+	int32_t count;
+	cni_follow_pass pass;
+} follow_loop;
+
+static void blocks_list(const cn_world *world, follow_loop *loop)
+{
+	int32_t color, block, lanes;
+	loop->blocks = (followed_block *)world->block_list.data;
+	loop->count = 0;
+	for (color = 0; color < CNI_COLORS; ++color)
+		for (lanes = world->colors[color].lanes, block = world->colors[color].first; lanes > 0; lanes -= CNI_LANES) {
+			followed_block *b = &loop->blocks[loop->count++];
+			b->block = block;
+			b->left = (1u << cni_min_i(lanes, CNI_LANES)) - 1u;
+			block = cni_block_info_at(world, block)->next;
+		}
+}
+
 /* Asks for the bodies of the next block, and for the rows of that after it. Inlined by force: compilers take a function
    that only prefetches for one that does nothing. */
-CNI_INLINE void blocks_prefetch(const cn_world *world, int32_t next)
+CNI_INLINE void blocks_prefetch(const follow_loop *loop, int32_t next)
 {
+	const cn_world *world = loop->world;
 	const cni_contact_block *k;
 	int32_t l, after;
-	if (next == CNI_NONE)
+	if (next >= loop->count)
 		return;
-	k = cni_block_at(world, next);
+	k = cni_block_at(world, loop->blocks[next].block);
 	for (l = 0; l < CNI_LANES; ++l) {
 		const cni_body *a = cni_body_at(world, cni_max_i(cni_awake_ids(world)[k->ia[l]], 0));
 		CNI_PREFETCH(a);
@@ -82,37 +122,60 @@ CNI_INLINE void blocks_prefetch(const cn_world *world, int32_t next)
 			CNI_PREFETCH(&b->flags);
 		}
 	}
-	after = cni_block_info_at(world, next)->next;
-	if (after == CNI_NONE)
+	if (next + 1 >= loop->count)
 		return;
+	after = loop->blocks[next + 1].block;
 	cni_lines_prefetch(cni_block_at(world, after), (int32_t)sizeof(cni_contact_block));
 	cni_lines_prefetch(cni_block_anchor_at(world, after), (int32_t)sizeof(cni_block_anchor));
 	CNI_PREFETCH(cni_block_info_at(world, after));
 }
 
+static uint32_t block_follow(const follow_loop *loop, int32_t block)
+{
+	const cn_world *world = loop->world;
+	uint32_t anchored = loop->pass.dt == 0.0f ? 0 : cni_block_info_at(world, block)->anchored;
+	cni_follow_bodies bodies;
+	if (anchored != 0)
+		anchored = bodies_find(world, cni_block_at(world, block), cni_block_anchor_at(world, block), anchored, &bodies);
+	if (anchored == 0)
+		return 0;
+	return loop->kernel->follow(&loop->pass, cni_block_at(world, block), cni_block_anchor_at(world, block), &bodies, anchored);
+}
+
+/* Blocks share bodies, of which only CNI_BODY_AT_STATIC is written. */
+static void follow_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const follow_loop *loop = (const follow_loop *)context;
+	int32_t k;
+	(void)worker;
+	for (k = begin; k < end; ++k) {
+		if (loop->world->awake_count >= CNI_PREFETCH_BODIES)
+			blocks_prefetch(loop, k + 1);
+		loop->blocks[k].left &= ~block_follow(loop, loop->blocks[k].block);
+	}
+}
+
+/* The contacts of lanes that were not followed, in the order of blocks and lanes. */
+static int32_t left_collect(const follow_loop *loop, int32_t *left)
+{
+	int32_t k, count = 0;
+	for (k = 0; k < loop->count; ++k) {
+		const int32_t *contact = cni_block_info_at(loop->world, loop->blocks[k].block)->contact;
+		uint32_t lanes;
+		CNI_ASSERT(followed_overlap(loop->world, contact, loop->blocks[k].left));
+		for (lanes = loop->blocks[k].left; lanes != 0; lanes &= lanes - 1u)
+			left[count++] = contact[cni_bit_lowest32(lanes)];
+	}
+	return count;
+}
+
 int32_t cni_contacts_follow(cn_world *world, float dt, int32_t *left)
 {
-	const cni_contact_kernel *kernel = cni_contact_kernel_choose();
-	cni_follow_pass pass = pass_make(world, dt);
-	cni_follow_bodies bodies;
-	int32_t color, block, l, count = 0;
-	for (color = 0; color < CNI_COLORS; ++color)
-		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
-			const cni_block_info *info = cni_block_info_at(world, block);
-			uint32_t followed = info->anchored;
-			if (world->awake_count >= CNI_PREFETCH_BODIES)
-				blocks_prefetch(world, info->next);
-			if (dt == 0.0f)
-				followed = 0;
-			if (followed != 0)
-				followed = bodies_find(world, cni_block_at(world, block), cni_block_anchor_at(world, block), followed, &bodies);
-			if (followed != 0)
-				followed = kernel->follow(&pass, cni_block_at(world, block), cni_block_anchor_at(world, block), &bodies, followed);
-			for (l = 0; l < CNI_LANES && info->contact[l] != CNI_NONE; ++l)
-				if (!(followed >> l & 1u))
-					left[count++] = info->contact[l];
-				else
-					CNI_ASSERT(boxes_overlap(world, info->contact[l]));
-		}
-	return count;
+	follow_loop loop;
+	loop.world = world;
+	loop.kernel = cni_contact_kernel_choose();
+	loop.pass = pass_make(world, dt);
+	blocks_list(world, &loop);
+	cni_parallel_for(world, loop.count, BLOCKS_A_RANGE, follow_range, &loop);
+	return left_collect(&loop, left);
 }

@@ -15,8 +15,8 @@
  */
 #include "stages/contact_pass.h"
 
-/* Floats of a body record: see cni_body. */
-enum { BODY_POSE = 0 /* centre, its low part */, BODY_TURN = 4 /* rotation, local centre */, BODY_EXTENT = 8 };
+/* Floats of a body record: see cni_body. Flags, which come next, are not read: another worker may be setting one. */
+enum { BODY_POSE = 0 /* centre, its low part */, BODY_TURN = 4 /* rotation, local centre */, BODY_TO_EXTENT = 5 /* extent is the fourth */ };
 
 /* The two bodies of each lane, and what b is in a's frame. */
 typedef struct follow_pair {
@@ -46,8 +46,8 @@ CNI_INLINE follow_pair follow_gather(const cni_motion *motions, const cni_contac
 	cni_wide_gather4_from(b, BODY_TURN, &bc, &bs, &u, &v);
 	p.turn_c = p.ac * bc + p.as * bs;
 	p.turn_s = p.ac * bs - p.as * bc;
-	cni_wide_gather4_from(a, BODY_EXTENT, &ea, &u, &v, &w);
-	cni_wide_gather4_from(b, BODY_EXTENT, &eb, &u, &v, &w);
+	cni_wide_gather4_from(a, BODY_TO_EXTENT, &u, &v, &w, &ea);
+	cni_wide_gather4_from(b, BODY_TO_EXTENT, &u, &v, &w, &eb);
 	p.extent = cni_wide_min(ea, eb);
 	return p;
 }

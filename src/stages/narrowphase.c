@@ -6,6 +6,9 @@
  * place; one whose state changes is put on a list. Then the list is worked through in contact order: lanes are taken and
  * freed, islands linked, events logged, ended pairs removed. Only the second part changes shared tables.
  *
+ * So the first is shared among the world's workers: a range of contacts writes its own records, lanes and changes. What would
+ * take memory or ask the user is left for later, and looked at in order between the two parts.
+ *
  * Contacts are looked at in windows of a few: all of a window are begun, then the manifolds of its pairs
  * of boxes are made side by side, then each is finished in order. So memory is asked for early, and the
  * results are those of one by one.
@@ -19,7 +22,7 @@
 #include <string.h>
 
 /* What the second part has to do for a contact. */
-enum { CHANGE_NONE = 0, CHANGE_BEGIN = 1, CHANGE_END = 2, CHANGE_OWED = 3 };
+enum { CHANGE_NONE = 0, CHANGE_BEGIN = 1, CHANGE_END = 2, CHANGE_OWED = 3, CHANGE_LATER = 4 };
 
 static int32_t boxes_overlap(const cn_world *world, const cni_contact *c)
 {
@@ -82,8 +85,8 @@ static void ask_user(cn_world *world, int32_t contact)
 
 static void write_and_ask(cn_world *world, int32_t contact, const cni_touch *t)
 {
-	cni_contact_write(world, contact, &t->manifold, t->gap, t->radius);
-	if (cni_contact_at(world, contact)->flags & CNI_CONTACT_PRE_SOLVE)
+	cni_contact_write(world, t->contact, t->a, t->b, &t->manifold, t->gap, t->radius);
+	if (t->contact->flags & CNI_CONTACT_PRE_SOLVE)
 		ask_user(world, contact);
 }
 
@@ -179,15 +182,35 @@ typedef struct window {
 	int32_t count;
 	cni_touch touch[WINDOW];
 	int32_t column[WINDOW];  /* in boxes, or one of the below */
+	int32_t change[WINDOW];  /* what came of it */
 	cni_box_batch boxes;
 	cni_box_kernel_fn *kernel;
 	int32_t prefetches;
+	uint32_t later_flags, later_locks; /* of contacts that touch, of bodies: such ones are left for later */
 } window;
 
 enum {
 	COLUMN_NONE = -1,   /* not a pair of boxes */
-	COLUMN_APART = -2   /* no manifold */
+	COLUMN_APART = -2,  /* no manifold */
+	COLUMN_LATER = -3
 };
+
+/* Alone: all is done as it comes. Else what takes memory or asks the user is left for later. */
+static void window_init(window *w, const cn_world *world, int32_t alone)
+{
+	int32_t extra_rows = cni_table_capacity(&world->blocks_extra) >= cni_table_capacity(&world->blocks_hot);
+	w->kernel = cni_box_kernel_choose();
+	w->count = w->prefetches = 0;
+	w->later_flags = alone ? 0 : CNI_CONTACT_REFRESH | CNI_CONTACT_PRE_SOLVE;
+	w->later_locks = alone || extra_rows ? 0 : CN_BODY_LOCK_X | CN_BODY_LOCK_Y;
+}
+
+static int32_t is_later(const window *w, const cni_touch_pair *p)
+{
+	if (!(p->contact->flags & CNI_CONTACT_TOUCHING))
+		return 0;
+	return (p->contact->flags & w->later_flags) || ((cni_body_flags(p->body[0]) | cni_body_flags(p->body[1])) & w->later_locks);
+}
 
 /* Returns how many contacts it holds: fewer than a window only where there are no more. */
 static int32_t window_fill(window *w, cni_sift *sift)
@@ -240,7 +263,9 @@ static void window_begin(const cn_world *world, window *w, int32_t count, float 
 	for (k = 0; k < count; ++k) {
 		cni_contact *c = w->pair[k].contact;
 		cni_touch *t = &w->touch[k];
-		w->column[k] = COLUMN_APART;
+		w->column[k] = is_later(w, &w->pair[k]) ? COLUMN_LATER : COLUMN_APART;
+		if (w->column[k] == COLUMN_LATER)
+			continue;
 		if (!cni_touch_begin(world, &w->pair[k], look_ahead(c, dt), t))
 			continue;
 		w->column[k] = COLUMN_NONE;
@@ -252,6 +277,8 @@ static void window_begin(const cn_world *world, window *w, int32_t count, float 
 static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 {
 	cni_touch *t = &w->touch[k];
+	if (w->column[k] == COLUMN_LATER)
+		return CHANGE_LATER;
 	if (w->column[k] == COLUMN_NONE)
 		cni_touch_collide(t);
 	else if (w->column[k] >= 0)
@@ -260,32 +287,34 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 	return contact_update(world, w->pair[k].index, t);
 }
 
+/* Looks at the first contacts of the window. */
+static void window_look(cn_world *world, window *w, int32_t count, float dt)
+{
+	int32_t k;
+	window_begin(world, w, count, dt);
+	cni_boxes_run(&w->boxes, w->kernel);
+	for (k = 0; k < count; ++k)
+		w->change[k] = window_finish(world, w, k, dt);
+}
+
 /* ---- what is to change ---- */
 
 /* Without memory for the list a few changes are made in each step, and the rest is found again in the next. */
 #define CHANGES_LEAST 64
 
-typedef struct change_list {
-	uint32_t *items;  /* contact << 2 | what */
-	int32_t count, room;
-	uint32_t few[CHANGES_LEAST];
-} change_list;
+/* Contacts that are looked at together by one worker, at least; and how many there must be for it to be worth sharing. */
+#define RANGE_LEAST 64
+#define SHARED_CONTACTS 1024
 
-static void changes_begin(cn_world *world, change_list *list, int32_t contacts)
-{
-	list->items = (uint32_t *)cni_arena_push(&world->arena, sizeof(uint32_t) * (uint64_t)contacts);
-	list->room = list->items != NULL ? contacts : CHANGES_LEAST;
-	if (list->items == NULL)
-		list->items = list->few;
-	list->count = 0;
-}
+typedef struct change_list {
+	uint32_t *items;  /* contact << 3 | what */
+	int32_t count, room;
+} change_list;
 
 static void change_add(cn_world *world, change_list *list, int32_t contact, int32_t change)
 {
-	if (change == CHANGE_NONE)
-		return;
 	if (list->count < list->room) {
-		list->items[list->count++] = (uint32_t)contact << 2 | (uint32_t)change;
+		list->items[list->count++] = (uint32_t)contact << 3 | (uint32_t)change;
 		return;
 	}
 	world->warnings |= CN_WARNING_CONTACT_MEMORY;
@@ -294,14 +323,15 @@ static void change_add(cn_world *world, change_list *list, int32_t contact, int3
 		cni_contact_write_empty(world, contact);
 }
 
-static void changes_apply(cn_world *world, change_list *list, float dt)
+static void changes_apply(cn_world *world, const change_list *list, float dt)
 {
 	int32_t k;
 	for (k = 0; k < list->count; ++k)
-		change_apply(world, (int32_t)(list->items[k] >> 2), (int32_t)(list->items[k] & 3u), dt);
-	if (list->items != list->few)
-		cni_arena_pop(&world->arena, list->items);
+		if ((list->items[k] & 7u) != CHANGE_NONE)
+			change_apply(world, (int32_t)(list->items[k] >> 3), (int32_t)(list->items[k] & 7u), dt);
 }
+
+/* ---- looking ---- */
 
 /* Takes the first contacts of the window away. */
 static void window_drop(window *w, int32_t count)
@@ -311,33 +341,144 @@ static void window_drop(window *w, int32_t count)
 		memmove(w->pair, w->pair + count, sizeof(cni_touch_pair) * (size_t)w->count);
 }
 
-static void contacts_look_at(cn_world *world, cni_sift *sift, change_list *changes, float dt)
+static void contacts_look_at(cn_world *world, window *w, cni_sift *sift, change_list *changes, float dt)
+{
+	int32_t k, count;
+	w->prefetches = sift->of.prefetches;
+	while ((count = window_fill(w, sift)) > 0) {
+		window_look(world, w, count, dt);
+		for (k = 0; k < count; ++k)
+			if (w->change[k] != CHANGE_NONE)
+				change_add(world, changes, w->pair[k].index, w->change[k]);
+		window_drop(w, count);
+	}
+}
+
+/* What the range of the list that begins about there is to change: its part of the items begins with its contacts. */
+typedef struct look_part {
+	int32_t begin, count;
+} look_part;
+
+typedef struct look_loop {
+	cni_sift_list list;
+	uint32_t *items;    /* one a contact */
+	look_part *parts;   /* one for each RANGE_LEAST contacts, most of them empty */
+} look_loop;
+
+/* Where a range that would begin at k begins: lanes of a block share words, so a block's contacts stay together. */
+static int32_t range_begin(const cni_sift_list *list, int32_t k)
+{
+	if (k <= list->apart)
+		return k;
+	while (k < list->count && cni_contact_at(list->world, list->contacts[k])->slot / CNI_LANES ==
+	                              cni_contact_at(list->world, list->contacts[k - 1])->slot / CNI_LANES)
+		++k;
+	return k;
+}
+
+/* Writes nothing but contacts and lanes of the range, marks at bodies, and the range's changes. */
+static void look_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const look_loop *loop = (const look_loop *)context;
+	look_part *part = &loop->parts[begin / RANGE_LEAST];
+	int32_t from = range_begin(&loop->list, begin), to = range_begin(&loop->list, end);
+	change_list changes;
+	cni_sift sift;
+	window w;
+	(void)worker;
+	changes.items = loop->items + from;
+	changes.room = to - from;
+	changes.count = 0;
+	window_init(&w, loop->list.world, 0);
+	cni_sift_begin(&sift, &loop->list, from, to);
+	contacts_look_at(loop->list.world, &w, &sift, &changes, loop->list.dt);
+	part->begin = from;
+	part->count = changes.count;
+}
+
+static change_list parts_join(const look_loop *loop, int32_t parts)
+{
+	change_list changes;
+	int32_t k;
+	changes.items = loop->items;
+	changes.room = loop->list.count;
+	changes.count = 0;
+	for (k = 0; k < parts; ++k) {
+		if (loop->parts[k].count > 0)
+			memmove(changes.items + changes.count, loop->items + loop->parts[k].begin, sizeof(uint32_t) * (size_t)loop->parts[k].count);
+		changes.count += loop->parts[k].count;
+	}
+	return changes;
+}
+
+/* Looks at the window, whose contacts are those of the given items of the list, and says there what came of it. */
+static void items_look_at(cn_world *world, window *w, const int32_t *items, const change_list *changes, float dt)
+{
+	int32_t k;
+	window_look(world, w, w->count, dt);
+	for (k = 0; k < w->count; ++k)
+		changes->items[items[k]] = (uint32_t)w->pair[k].index << 3 | (uint32_t)w->change[k];
+	w->count = 0;
+}
+
+/* What was left, in order. */
+static void later_look_at(cn_world *world, const change_list *changes, float dt)
 {
 	window w;
-	int32_t k, count;
-	w.kernel = cni_box_kernel_choose();
-	w.prefetches = sift->prefetches;
-	w.count = 0;
-	while ((count = window_fill(&w, sift)) > 0) {
-		window_begin(world, &w, count, dt);
-		cni_boxes_run(&w.boxes, w.kernel);
-		for (k = 0; k < count; ++k)
-			change_add(world, changes, w.pair[k].index, window_finish(world, &w, k, dt));
-		window_drop(&w, count);
+	int32_t items[WINDOW], k;
+	window_init(&w, world, 1);
+	for (k = 0; k < changes->count; ++k) {
+		int32_t contact = (int32_t)(changes->items[k] >> 3);
+		if ((changes->items[k] & 7u) != CHANGE_LATER)
+			continue;
+		items[w.count] = k;
+		w.pair[w.count++] = cni_touch_pair_of(world, cni_contact_at(world, contact), contact);
+		if (w.count == WINDOW)
+			items_look_at(world, &w, items, changes, dt);
 	}
+	items_look_at(world, &w, items, changes, dt);
+}
+
+static change_list look_shared(cn_world *world, look_loop *loop, int32_t parts)
+{
+	change_list changes;
+	memset(loop->parts, 0, sizeof(look_part) * (size_t)parts);
+	loop->items = (uint32_t *)(void *)(loop->parts + parts);
+	cni_team_for(loop->list.count < SHARED_CONTACTS ? NULL : world->team, loop->list.count, RANGE_LEAST, look_range, loop);
+	changes = parts_join(loop, parts);
+	later_look_at(world, &changes, loop->list.dt);
+	return changes;
+}
+
+/* Where there is no memory to look otherwise: few has room for CHANGES_LEAST. */
+static change_list look_alone(cn_world *world, const look_loop *loop, uint32_t *few)
+{
+	change_list changes;
+	cni_sift sift;
+	window w;
+	changes.items = few;
+	changes.count = 0;
+	changes.room = CHANGES_LEAST;
+	window_init(&w, world, 1);
+	cni_sift_begin(&sift, &loop->list, 0, loop->list.count);
+	contacts_look_at(world, &w, &sift, &changes, loop->list.dt);
+	return changes;
 }
 
 void cni_stage_narrowphase(cn_world *world, float dt)
 {
-	int32_t *contacts = (int32_t *)world->apart.data, apart = world->apart.count, count;
+	int32_t *contacts = (int32_t *)world->apart.data, apart = world->apart.count, count, parts;
+	uint32_t few[CHANGES_LEAST];
 	change_list changes;
-	cni_sift sift;
+	look_loop loop;
 	if (contacts == NULL)
 		return; /* there has never been a contact */
 	count = apart + cni_contacts_follow(world, dt, contacts + apart); /* the list has room for every contact */
-	changes_begin(world, &changes, count);
-	cni_sift_begin(&sift, world, contacts, apart, count, dt);
-	contacts_look_at(world, &sift, &changes, dt);
-	cni_sift_end(&sift);
+	parts = count / RANGE_LEAST + 1;
+	loop.parts = (look_part *)cni_arena_push(&world->arena, sizeof(look_part) * (uint64_t)parts + sizeof(uint32_t) * (uint64_t)count);
+	cni_sift_open(&loop.list, world, contacts, apart, count, dt);
+	changes = loop.parts != NULL ? look_shared(world, &loop, parts) : look_alone(world, &loop, few);
+	cni_sift_close(&loop.list);
 	changes_apply(world, &changes, dt);
+	cni_arena_pop(&world->arena, loop.parts);
 }

@@ -8,12 +8,15 @@
  *
  * Passing by is an early out only: what it passes by would come out apart, and as its boxes overlap it stays a contact.
  *
- * Reads contacts, bodies, boxes; marks bodies that have static ones about them.
+ * Reads contacts, bodies, boxes; marks bodies that have static ones about them. Writes flags of its own contacts.
  */
 #include "stages/narrowphase_sift.h"
 
 /* Contacts of fewer are in the cache anyway. */
 #define PREFETCH_FROM 2048
+
+/* 10 us of work. */
+#define BODIES_A_RANGE 512
 
 /* The high part of a centre is within half a unit of its last place. */
 static cni_sift_body sift_body_make(const cni_body *b, float dt)
@@ -29,19 +32,25 @@ static cni_sift_body sift_body_make(const cni_body *b, float dt)
 	return s;
 }
 
-/* Worth a pass over all bodies where each has a contact that is apart. */
-static cni_sift_body *sift_bodies_make(cn_world *world, int32_t apart, float dt)
+static void bodies_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
-	int32_t k, count = world->body_handles.slots.count;
-	cni_sift_body *bodies;
-	if (apart < PREFETCH_FROM || apart < count)
-		return NULL;
-	bodies = (cni_sift_body *)cni_arena_push(&world->arena, sizeof(cni_sift_body) * (uint64_t)count);
-	if (bodies == NULL)
-		return NULL;
-	for (k = 0; k < count; ++k)
-		bodies[k] = sift_body_make(cni_body_at(world, k), dt);
-	return bodies;
+	const cni_sift_list *list = (const cni_sift_list *)context;
+	int32_t k;
+	(void)worker;
+	for (k = begin; k < end; ++k)
+		list->bodies[k] = sift_body_make(cni_body_at(list->world, k), list->dt);
+}
+
+/* Worth a pass over all bodies where each has a contact that is apart. */
+static void bodies_make(cni_sift_list *list)
+{
+	cn_world *world = list->world;
+	int32_t count = world->body_handles.slots.count;
+	if (list->apart < PREFETCH_FROM || list->apart < count)
+		return;
+	list->bodies = (cni_sift_body *)cni_arena_push(&world->arena, sizeof(cni_sift_body) * (uint64_t)count);
+	if (list->bodies != NULL)
+		cni_parallel_for(world, count, BODIES_A_RANGE, bodies_range, list);
 }
 
 /* Inlined by force, like those below: compilers take a function that only prefetches for one that does nothing. */
@@ -62,11 +71,11 @@ CNI_INLINE void item_prefetch(const cni_sift *s, const cni_sift_item *item)
 	for (side = 0; side < 2; ++side) {
 		int32_t body = item->contact->body[side];
 		CNI_PREFETCH(&item->proxy[side]->fat);
-		if (s->bodies != NULL) {
-			CNI_PREFETCH(&s->bodies[body]);
+		if (s->of.bodies != NULL) {
+			CNI_PREFETCH(&s->of.bodies[body]);
 		} else {
-			CNI_PREFETCH(cni_body_at(s->world, body));
-			CNI_PREFETCH(&cni_body_at(s->world, body)->vx);
+			CNI_PREFETCH(cni_body_at(s->of.world, body));
+			CNI_PREFETCH(&cni_body_at(s->of.world, body)->vx);
 		}
 	}
 }
@@ -74,14 +83,14 @@ CNI_INLINE void item_prefetch(const cni_sift *s, const cni_sift_item *item)
 /* Looks up the batch at `at`, whose records were asked for, and asks for its bodies and boxes. */
 static void batch_find(cni_sift *s)
 {
-	int32_t k, size = cni_min_i(CNI_SIFT_BATCH, s->count - s->at);
+	int32_t k, size = cni_min_i(CNI_SIFT_BATCH, s->end - s->at);
 	cni_sift_item *batch = s->batch[s->side];
 	for (k = 0; k < size; ++k) {
 		cni_contact *c = s->records[k];
 		batch[k].contact = c;
-		batch[k].proxy[0] = cni_proxy_at(s->world, c->proxy[0]);
-		batch[k].proxy[1] = cni_proxy_at(s->world, c->proxy[1]);
-		if (s->prefetches)
+		batch[k].proxy[0] = cni_proxy_at(s->of.world, c->proxy[0]);
+		batch[k].proxy[1] = cni_proxy_at(s->of.world, c->proxy[1]);
+		if (s->of.prefetches)
 			item_prefetch(s, &batch[k]);
 	}
 }
@@ -90,9 +99,9 @@ static void batch_find(cni_sift *s)
    for. */
 static void records_find(cni_sift *s, int32_t from)
 {
-	int32_t k, size = cni_min_i(CNI_SIFT_BATCH, s->count - from);
+	int32_t k, size = cni_min_i(CNI_SIFT_BATCH, s->end - from);
 	for (k = 0; k < size; ++k) {
-		cni_contact *c = s->records[k] = cni_contact_at(s->world, s->contacts[from + k]);
+		cni_contact *c = s->records[k] = cni_contact_at(s->of.world, s->of.contacts[from + k]);
 		CNI_PREFETCH(c);
 		CNI_PREFETCH(&c->flags);
 	}
@@ -117,7 +126,7 @@ static int32_t circles_apart(const cni_sift_body *a, const cni_sift_body *b, flo
 static int32_t stays_apart(const cni_sift *s, const cni_sift_item *item, const cni_sift_body *a, const cni_sift_body *b)
 {
 	const uint32_t looked_at = CNI_CONTACT_SENSING | CNI_CONTACT_PASSING | CNI_CONTACT_CREATED_OWED;
-	return circles_apart(a, b, s->world->settings.contact_margin) & ((item->contact->flags & looked_at) == 0) &
+	return circles_apart(a, b, s->of.world->settings.contact_margin) & ((item->contact->flags & looked_at) == 0) &
 	       boxes_overlap(&item->proxy[0]->fat, &item->proxy[1]->fat);
 }
 
@@ -125,60 +134,74 @@ static int32_t stays_apart(const cni_sift *s, const cni_sift_item *item, const c
 static int32_t item_sift(const cni_sift *s, const cni_sift_item *item, int32_t touches)
 {
 	cni_body *body_a, *body_b;
+	const cni_sift_body *of_a, *of_b;
 	cni_sift_body a, b;
-	if (s->bodies != NULL) {
-		const cni_sift_body *of_a = &s->bodies[item->contact->body[0]], *of_b = &s->bodies[item->contact->body[1]];
+	if (s->of.bodies != NULL) {
+		of_a = &s->of.bodies[item->contact->body[0]];
+		of_b = &s->of.bodies[item->contact->body[1]];
 		if (of_a->radius <= 0.0f || of_b->radius <= 0.0f)
-			cni_contact_mark_static(cni_body_at(s->world, item->contact->body[0]), cni_body_at(s->world, item->contact->body[1]));
-		return touches || !stays_apart(s, item, of_a, of_b);
+			cni_contact_mark_static(cni_body_at(s->of.world, item->contact->body[0]), cni_body_at(s->of.world, item->contact->body[1]));
+		if (touches)
+			return 1;
+	} else {
+		body_a = cni_body_at(s->of.world, item->contact->body[0]);
+		body_b = cni_body_at(s->of.world, item->contact->body[1]);
+		cni_contact_mark_static(body_a, body_b);
+		if (touches)
+			return 1;
+		a = sift_body_make(body_a, s->of.dt);
+		b = sift_body_make(body_b, s->of.dt);
+		of_a = &a;
+		of_b = &b;
 	}
-	body_a = cni_body_at(s->world, item->contact->body[0]);
-	body_b = cni_body_at(s->world, item->contact->body[1]);
-	cni_contact_mark_static(body_a, body_b);
-	if (touches)
-		return 1;
-	a = sift_body_make(body_a, s->dt);
-	b = sift_body_make(body_b, s->dt);
-	return !stays_apart(s, item, &a, &b);
+	return !stays_apart(s, item, of_a, of_b);
 }
 
 static cni_touch_pair pair_of(const cni_sift *s, const cni_sift_item *item, int32_t index)
 {
 	cni_touch_pair p;
 	p.contact = item->contact;
-	p.body[0] = cni_body_at(s->world, item->contact->body[0]);
-	p.body[1] = cni_body_at(s->world, item->contact->body[1]);
+	p.body[0] = cni_body_at(s->of.world, item->contact->body[0]);
+	p.body[1] = cni_body_at(s->of.world, item->contact->body[1]);
 	p.proxy[0] = item->proxy[0];
 	p.proxy[1] = item->proxy[1];
 	p.index = index;
 	return p;
 }
 
-void cni_sift_begin(cni_sift *s, cn_world *world, const int32_t *contacts, int32_t apart, int32_t count, float dt)
+void cni_sift_open(cni_sift_list *list, cn_world *world, const int32_t *contacts, int32_t apart, int32_t count, float dt)
 {
-	s->world = world;
-	s->contacts = contacts;
-	s->apart = apart;
-	s->count = count;
-	s->dt = dt;
-	s->bodies = sift_bodies_make(world, apart, dt);
-	s->at = s->side = 0;
-	s->prefetches = count >= PREFETCH_FROM;
-	records_find(s, 0);
-	batch_find(s);
-	records_find(s, CNI_SIFT_BATCH);
+	list->world = world;
+	list->contacts = contacts;
+	list->apart = apart;
+	list->count = count;
+	list->dt = dt;
+	list->bodies = NULL;
+	list->prefetches = count >= PREFETCH_FROM;
+	bodies_make(list);
 }
 
-void cni_sift_end(cni_sift *s)
+void cni_sift_close(cni_sift_list *list)
 {
-	cni_arena_pop(&s->world->arena, s->bodies);
+	cni_arena_pop(&list->world->arena, list->bodies);
+}
+
+void cni_sift_begin(cni_sift *s, const cni_sift_list *list, int32_t begin, int32_t end)
+{
+	s->of = *list;
+	s->at = begin;
+	s->end = end;
+	s->side = 0;
+	records_find(s, begin);
+	batch_find(s);
+	records_find(s, begin + CNI_SIFT_BATCH);
 }
 
 /* The batch after is looked up first, so that its memory is on its way. */
 int32_t cni_sift_batch(cni_sift *s, cni_touch_pair *out)
 {
 	const cni_sift_item *batch = s->batch[s->side];
-	int32_t looked_at[CNI_SIFT_BATCH], k, from = s->at, size = cni_min_i(CNI_SIFT_BATCH, s->count - from), count = 0;
+	int32_t looked_at[CNI_SIFT_BATCH], k, from = s->at, size = cni_min_i(CNI_SIFT_BATCH, s->end - from), count = 0;
 	if (size <= 0)
 		return CNI_NONE;
 	s->at += size;
@@ -189,11 +212,11 @@ int32_t cni_sift_batch(cni_sift *s, cni_touch_pair *out)
 		if (batch[k].contact->flags & CNI_CONTACT_ENTERED)
 			batch[k].contact->flags &= ~(uint32_t)CNI_CONTACT_ENTERED;
 		looked_at[count] = k;
-		count += item_sift(s, &batch[k], from + k >= s->apart);
+		count += item_sift(s, &batch[k], from + k >= s->of.apart);
 	}
 	for (k = 0; k < count; ++k) {
-		out[k] = pair_of(s, &batch[looked_at[k]], s->contacts[from + looked_at[k]]);
-		if (s->prefetches)
+		out[k] = pair_of(s, &batch[looked_at[k]], s->of.contacts[from + looked_at[k]]);
+		if (s->of.prefetches)
 			pair_prefetch(&out[k]);
 	}
 	return count;

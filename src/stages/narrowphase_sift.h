@@ -23,23 +23,30 @@ typedef struct cni_sift_item {
 	const cni_proxy *proxy[2];
 } cni_sift_item;
 
-typedef struct cni_sift {
+/* Contacts to sift, of which ranges may be sifted side by side. */
+typedef struct cni_sift_list {
 	cn_world *world;
 	const int32_t *contacts;   /* first those that do not touch */
 	int32_t apart, count;
 	float dt;
 	cni_sift_body *bodies;     /* by record, when there is memory and so many contacts that it is worth it; else NULL */
-	int32_t at;                /* first contact that was not sifted yet */
 	int32_t prefetches;
+} cni_sift_list;
+
+typedef struct cni_sift {
+	cni_sift_list of;
+	int32_t at, end;           /* first contact that was not sifted yet; end of the range */
 	int32_t side;              /* of batch that begins there */
 	cni_sift_item batch[2][CNI_SIFT_BATCH];
 	cni_contact *records[CNI_SIFT_BATCH]; /* of the batch after */
 } cni_sift;
 
-/* Contacts of a list, the first `apart` of which do not touch. Every begin has its end; what was pushed on the frame arena in
+/* A list of contacts, the first `apart` of which do not touch. Every open has its close; what was pushed on the frame arena in
    between must be popped by then. */
-void cni_sift_begin(cni_sift *s, cn_world *world, const int32_t *contacts, int32_t apart, int32_t count, float dt);
-void cni_sift_end(cni_sift *s);
+void cni_sift_open(cni_sift_list *list, cn_world *world, const int32_t *contacts, int32_t apart, int32_t count, float dt);
+void cni_sift_close(cni_sift_list *list);
+/* Contacts begin to end - 1 of the list. */
+void cni_sift_begin(cni_sift *s, const cni_sift_list *list, int32_t begin, int32_t end);
 /* Sifts one batch in the order of the list: returns how many of it have to be looked at, CNI_NONE when there is none left. */
 int32_t cni_sift_batch(cni_sift *s, cni_touch_pair *out);
 

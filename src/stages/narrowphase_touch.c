@@ -42,10 +42,13 @@ static float drop_unreached(cni_manifold *out, const cni_pair_motion *m, const c
 	int32_t k, kept = 0;
 	float nearest = FLT_MAX;
 	for (k = 0; k < out->count; ++k) {
-		if (out->points[k].separation > margin + cni_max(closing_at(out, k, m, a, b_center), 0.0f) * dt)
+		float separation = out->points[k].separation;
+		if (separation > margin && separation > margin + cni_max(closing_at(out, k, m, a, b_center), 0.0f) * dt)
 			continue;
-		nearest = cni_min(nearest, out->points[k].separation);
-		out->points[kept++] = out->points[k];
+		nearest = cni_min(nearest, separation);
+		if (kept < k)
+			out->points[kept] = out->points[k];
+		++kept;
 	}
 	out->count = kept;
 	return nearest;
@@ -152,8 +155,7 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 static int32_t circles_apart(const cni_body *a, const cni_body *b, float margin)
 {
 	float reach = CNI_CIRCLES_APART * (a->extent + b->extent + margin);
-	cni_vec2 d = cni_v((b->cx - a->cx) + (b->cx_low - a->cx_low), (b->cy - a->cy) + (b->cy_low - a->cy_low));
-	return cni_length_sq(d) > reach * reach;
+	return cni_length_sq(cni_body_a_to_b(a, b)) > reach * reach;
 }
 
 int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out)

@@ -10,9 +10,6 @@
 
 #include <string.h>
 
-/* Items in a page of each table, as powers of two: small first pages keep an empty world small. */
-enum { PAGE_BODIES = 4, PAGE_SHAPES = 4, PAGE_PROXIES = 5, PAGE_CONTACTS = 6, PAGE_BLOCKS = 2, PAGE_JOINTS = 5, PAGE_ISLANDS = 5 };
-
 void cn_world_def_init(cn_world_def *def)
 {
 	if (def == NULL)
@@ -127,16 +124,16 @@ static void tables_init(cn_world *world)
 	cni_handles_init(&world->body_handles, CNI_KIND_BODY);
 	cni_handles_init(&world->shape_handles, CNI_KIND_SHAPE);
 	cni_handles_init(&world->joint_handles, CNI_KIND_JOINT);
-	cni_table_init(&world->bodies, (int32_t)sizeof(cni_body), PAGE_BODIES);
-	cni_table_init(&world->shapes, (int32_t)sizeof(cni_shape), PAGE_SHAPES);
-	cni_table_init(&world->proxies, (int32_t)sizeof(cni_proxy), PAGE_PROXIES);
-	cni_table_init(&world->contacts, (int32_t)sizeof(cni_contact), PAGE_CONTACTS);
-	cni_table_init(&world->blocks_hot, (int32_t)sizeof(cni_contact_block), PAGE_BLOCKS);
-	cni_table_init(&world->blocks_info, (int32_t)sizeof(cni_block_info), PAGE_BLOCKS);
-	cni_table_init(&world->blocks_anchor, (int32_t)sizeof(cni_block_anchor), PAGE_BLOCKS);
-	cni_table_init(&world->blocks_extra, (int32_t)sizeof(cni_block_extra), PAGE_BLOCKS);
-	cni_table_init(&world->joints, (int32_t)sizeof(cni_joint), PAGE_JOINTS);
-	cni_table_init(&world->islands, (int32_t)sizeof(cni_island), PAGE_ISLANDS);
+	cni_table_init(&world->bodies, (int32_t)sizeof(cni_body), CNI_PAGE_BODIES);
+	cni_table_init(&world->shapes, (int32_t)sizeof(cni_shape), CNI_PAGE_SHAPES);
+	cni_table_init(&world->proxies, (int32_t)sizeof(cni_proxy), CNI_PAGE_PROXIES);
+	cni_table_init(&world->contacts, (int32_t)sizeof(cni_contact), CNI_PAGE_CONTACTS);
+	cni_table_init(&world->blocks_hot, (int32_t)sizeof(cni_contact_block), CNI_PAGE_BLOCKS);
+	cni_table_init(&world->blocks_info, (int32_t)sizeof(cni_block_info), CNI_PAGE_BLOCKS);
+	cni_table_init(&world->blocks_anchor, (int32_t)sizeof(cni_block_anchor), CNI_PAGE_BLOCKS);
+	cni_table_init(&world->blocks_extra, (int32_t)sizeof(cni_block_extra), CNI_PAGE_BLOCKS);
+	cni_table_init(&world->joints, (int32_t)sizeof(cni_joint), CNI_PAGE_JOINTS);
+	cni_table_init(&world->islands, (int32_t)sizeof(cni_island), CNI_PAGE_ISLANDS);
 	cni_array_init(&world->motion, (int32_t)sizeof(cni_motion));
 	cni_array_init(&world->start, (int32_t)sizeof(cni_velocity_start));
 	cni_array_init(&world->drive, (int32_t)sizeof(cni_drive));
@@ -345,10 +342,10 @@ static int32_t blocks_for(int32_t contacts)
 static uint64_t records_bytes(const cn_world_def *d)
 {
 	static const struct { int32_t item, shift; } sizes[] = {
-		{ (int32_t)sizeof(cni_body), PAGE_BODIES }, { (int32_t)sizeof(cni_shape), PAGE_SHAPES }, { (int32_t)sizeof(cni_joint), PAGE_JOINTS },
-		{ (int32_t)sizeof(cni_proxy), PAGE_PROXIES }, { (int32_t)sizeof(cni_island), PAGE_ISLANDS }, { (int32_t)sizeof(cni_contact), PAGE_CONTACTS },
-		{ (int32_t)sizeof(cni_contact_block), PAGE_BLOCKS }, { (int32_t)sizeof(cni_block_info), PAGE_BLOCKS },
-		{ (int32_t)sizeof(cni_block_extra), PAGE_BLOCKS }, { (int32_t)sizeof(cni_block_anchor), PAGE_BLOCKS }
+		{ (int32_t)sizeof(cni_body), CNI_PAGE_BODIES }, { (int32_t)sizeof(cni_shape), CNI_PAGE_SHAPES }, { (int32_t)sizeof(cni_joint), CNI_PAGE_JOINTS },
+		{ (int32_t)sizeof(cni_proxy), CNI_PAGE_PROXIES }, { (int32_t)sizeof(cni_island), CNI_PAGE_ISLANDS }, { (int32_t)sizeof(cni_contact), CNI_PAGE_CONTACTS },
+		{ (int32_t)sizeof(cni_contact_block), CNI_PAGE_BLOCKS }, { (int32_t)sizeof(cni_block_info), CNI_PAGE_BLOCKS },
+		{ (int32_t)sizeof(cni_block_extra), CNI_PAGE_BLOCKS }, { (int32_t)sizeof(cni_block_anchor), CNI_PAGE_BLOCKS }
 	};
 	int32_t blocks = blocks_for(d->contact_capacity);
 	int32_t counts[10], k;

@@ -40,13 +40,15 @@ static int32_t sift(cn_world *world, int32_t first, int32_t count, int32_t *out,
 {
 	cni_touch_pair pairs[CNI_SIFT_BATCH];
 	int32_t more, k, found = 0;
+	cni_sift_list list;
 	cni_sift s;
-	cni_sift_begin(&s, world, (const int32_t *)world->apart.data + first, count, count, FRAME_S);
-	*with_copy = s.bodies != NULL;
+	cni_sift_open(&list, world, (const int32_t *)world->apart.data + first, count, count, FRAME_S);
+	*with_copy = list.bodies != NULL;
+	cni_sift_begin(&s, &list, 0, count);
 	while ((more = cni_sift_batch(&s, pairs)) != CNI_NONE)
 		for (k = 0; k < more; ++k)
 			out[found++] = pairs[k].index;
-	cni_sift_end(&s);
+	cni_sift_close(&list);
 	return found;
 }
 
