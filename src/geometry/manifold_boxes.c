@@ -3,7 +3,9 @@
  */
 #include "geometry/manifold_boxes.h"
 #include "base/cpu.h"
-#include "geometry/manifold_table.h"
+
+/* Columns that a kernel may work out beyond the last pair. */
+#define WIDTH_MAX 8
 
 cni_box_kernel_fn *cni_box_kernel_choose(void)
 {
@@ -37,7 +39,7 @@ static void axis_add(cni_box_batch *batch, int32_t k, const cni_manifold_input *
 int32_t cni_boxes_add(cni_box_batch *batch, const cni_manifold_input *in, const cni_manifold_cache *cache)
 {
 	int32_t k = batch->count++;
-	CNI_ASSERT(k < CNI_BOX_PAIRS && cni_geometry_is_box(in->a) && cni_geometry_is_box(in->b));
+	CNI_ASSERT(k < CNI_BOX_PAIRS && cni_boxes_take(in));
 	batch->qc[k] = in->b_in_a.q.c;
 	batch->qs[k] = in->b_in_a.q.s;
 	batch->tx[k] = in->b_in_a.t.x;
@@ -46,6 +48,8 @@ int32_t cni_boxes_add(cni_box_batch *batch, const cni_manifold_input *in, const 
 	batch->radius_b[k] = in->b->radius;
 	batch->margin[k] = in->margin;
 	batch->slop = in->slop;
+	batch->count_a[k] = in->a->count;
+	batch->count_b[k] = in->b->count;
 	batch->a[k] = (const float *)(const void *)cni_geometry_points(in->a);
 	batch->b[k] = (const float *)(const void *)cni_geometry_points(in->b);
 	axis_add(batch, k, in, cache->axis);
@@ -56,7 +60,7 @@ int32_t cni_boxes_add(cni_box_batch *batch, const cni_manifold_input *in, const 
 static void pad(cni_box_batch *batch)
 {
 	int32_t last = batch->count - 1, k;
-	for (k = batch->count; k < CNI_BOX_PAIRS; ++k) {
+	for (k = batch->count; k % WIDTH_MAX != 0; ++k) {
 		batch->qc[k] = batch->qc[last];
 		batch->qs[k] = batch->qs[last];
 		batch->tx[k] = batch->tx[last];
@@ -69,6 +73,8 @@ static void pad(cni_box_batch *batch)
 		batch->axis_px[k] = batch->axis_px[last];
 		batch->axis_py[k] = batch->axis_py[last];
 		batch->axis[k] = batch->axis[last];
+		batch->count_a[k] = batch->count_a[last];
+		batch->count_b[k] = batch->count_b[last];
 		batch->a[k] = batch->a[last];
 		batch->b[k] = batch->b[last];
 	}
@@ -78,15 +84,29 @@ void cni_boxes_run(cni_box_batch *batch, cni_box_kernel_fn *kernel)
 {
 	if (batch->count == 0)
 		return;
+	if (batch->count == 1) { /* costs less alone */
+		batch->state[0] = CNI_BOXES_LEFT;
+		return;
+	}
 	pad(batch);
 	kernel(batch, batch->count);
 }
 
+static void point_read(const cni_box_point *p, int32_t column, float margin, cni_manifold *out)
+{
+	cni_manifold_point *to = &out->points[out->count];
+	if (p->separation[column] > margin)
+		return;
+	to->point = cni_v(p->x[column], p->y[column]);
+	to->separation = p->separation[column];
+	to->id = (uint32_t)p->id[column];
+	++out->count;
+}
+
 void cni_boxes_read(const cni_box_batch *batch, int32_t column, const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
-	int32_t k;
 	if (batch->state[column] == CNI_BOXES_LEFT) {
-		cni_collide_polygons(in, cache, out);
+		cni_manifold_function(in->a->type, in->b->type)(in, cache, out);
 		return;
 	}
 	cache->axis = (uint8_t)batch->axis[column];
@@ -94,14 +114,7 @@ void cni_boxes_read(const cni_box_batch *batch, int32_t column, const cni_manifo
 	if (batch->state[column] == CNI_BOXES_APART)
 		return;
 	out->normal = cni_v(batch->nx[column], batch->ny[column]);
-	for (k = 0; k < 2; ++k) {
-		const cni_box_point *p = &batch->point[k];
-		cni_manifold_point *to = &out->points[out->count];
-		if (p->separation[column] > in->margin)
-			continue;
-		to->point = cni_v(p->x[column], p->y[column]);
-		to->separation = p->separation[column];
-		to->id = (uint32_t)p->id[column];
-		++out->count;
-	}
+	point_read(&batch->point[0], column, in->margin, out);
+	if (batch->state[column] == CNI_BOXES_POINTS)
+		point_read(&batch->point[1], column, in->margin, out);
 }

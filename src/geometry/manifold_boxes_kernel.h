@@ -2,8 +2,17 @@
  * geometry/manifold_boxes_kernel.h - CNI_WIDTH pairs of boxes side by side: included by manifold_boxes_4.c
  * and manifold_boxes_8.c, which define CNI_WIDTH and CNI_KERNEL (the function's name).
  *
- * The method, its names and the order of every operation are those of manifold_faces.c, so that the bits
- * are the same. What is a branch there is a mask here.
+ * The method, its names and the order of every operation are those of manifold_faces.c and distance.c, so that
+ * the bits are the same. What is a branch there is a mask here.
+ *
+ * Shapes of fewer corners fill the four places of a box with some of them twice:
+ *
+ *   place      0   1   2   3
+ *   box       p0  p1  p2  p3
+ *   triangle  p0  p1  p1  p2
+ *   segment   p0  p1  p0  p1
+ *
+ * Of equal ones the first is always chosen, so only a triangle's last corner has a place that is not its number.
  */
 #include "base/wide.h"
 #include "geometry/manifold_boxes.h"
@@ -14,7 +23,8 @@ typedef struct wide2 {
 } wide2;
 
 typedef struct box {
-	wide2 point[4], normal[4];
+	wide2 point[4], normal[4]; /* by place */
+	cni_mask count;
 } box;
 
 /* A face of one of the two boxes in every lane, and how far the other box is in front of it. */
@@ -35,13 +45,7 @@ CNI_INLINE cni_mask mask_of(int32_t x) { return x - (cni_mask){ 0 }; }
 CNI_INLINE cni_mask mask_load(const int32_t *p) { return *(const cni_mask *)(const void *)p; }
 CNI_INLINE void mask_store(int32_t *p, cni_mask m) { *(cni_mask *)(void *)p = m; }
 
-CNI_INLINE int32_t mask_any(cni_mask m)
-{
-	int32_t any = 0, l;
-	for (l = 0; l < CNI_WIDTH; ++l)
-		any |= m[l];
-	return any != 0;
-}
+CNI_INLINE int32_t mask_any(cni_mask m) { return cni_mask_bits(m) != 0; }
 
 /* Two vectors at offset (in floats) of CNI_WIDTH records. */
 CNI_INLINE void load_two(const float *const *records, int32_t offset, wide2 *first, wide2 *second)
@@ -49,13 +53,41 @@ CNI_INLINE void load_two(const float *const *records, int32_t offset, wide2 *fir
 	cni_wide_gather4_from(records, offset, &first->x, &first->y, &second->x, &second->y);
 }
 
-CNI_INLINE void box_load(const float *const *records, box *out)
+/* Any shapes: the last two places begin at corner count - 2. */
+CNI_INLINE void corners_load(const float *const *records, const int32_t *count, box *out)
+{
+	const float *normals[CNI_WIDTH], *last_points[CNI_WIDTH], *last_normals[CNI_WIDTH];
+	int32_t l;
+	for (l = 0; l < CNI_WIDTH; ++l) {
+		normals[l] = records[l] + 2 * count[l];
+		last_points[l] = normals[l] - 4;
+		last_normals[l] = last_points[l] + 2 * count[l];
+	}
+	load_two(records, 0, &out->point[0], &out->point[1]);
+	load_two(last_points, 0, &out->point[2], &out->point[3]);
+	load_two(normals, 0, &out->normal[0], &out->normal[1]);
+	load_two(last_normals, 0, &out->normal[2], &out->normal[3]);
+}
+
+CNI_INLINE void boxes_load(const float *const *records, box *out)
 {
 	load_two(records, 0, &out->point[0], &out->point[1]);
 	load_two(records, 4, &out->point[2], &out->point[3]);
 	load_two(records, 8, &out->normal[0], &out->normal[1]);
 	load_two(records, 12, &out->normal[2], &out->normal[3]);
 }
+
+CNI_INLINE void box_load(const float *const *records, const int32_t *count, box *out)
+{
+	out->count = mask_load(count);
+	if (mask_any(out->count != mask_of(4)))
+		corners_load(records, count, out);
+	else
+		boxes_load(records, out);
+}
+
+CNI_INLINE cni_mask place_of(const box *b, cni_mask index) { return index + ((index > mask_of(1)) & (mask_of(4) - b->count)); }
+CNI_INLINE cni_mask index_of(const box *b, cni_mask place) { return place - ((place > mask_of(1)) & (mask_of(4) - b->count)); }
 
 CNI_INLINE cni_wide lowest(const box *b, wide2 direction)
 {
@@ -98,7 +130,7 @@ CNI_INLINE face best_face(const box *reference, const box *other, cni_mask of_b)
 	cni_wide low2 = face_separation(reference, other, 2), low3 = face_separation(reference, other, 3);
 	cni_wide best01 = cni_wide_max(low1, low0), best23 = cni_wide_max(low3, low2);
 	face f;
-	f.edge = choose_i(best23 > best01, mask_of(2) - (low3 > low2), mask_of(0) - (low1 > low0));
+	f.edge = index_of(reference, choose_i(best23 > best01, mask_of(2) - (low3 > low2), mask_of(0) - (low1 > low0)));
 	f.separation = cni_wide_max(best23, best01);
 	f.of_b = of_b;
 	return f;
@@ -124,17 +156,21 @@ CNI_INLINE face axis_choose(const box *a, const box *b, cni_mask cached, cni_wid
 	return face_select(cached_at >= cni_wide_max(best.separation, of_b.separation) - touch, old, best);
 }
 
-/* Vertex or normal number `index` of every lane. */
-CNI_INLINE wide2 pick(const wide2 *v, cni_mask index)
+/* Point or normal at a place in every lane. */
+CNI_INLINE wide2 pick(const wide2 *v, cni_mask place)
 {
-	wide2 low = choose(index == mask_of(1), v[1], v[0]), high = choose(index == mask_of(3), v[3], v[2]);
-	return choose(index > mask_of(1), high, low);
+	wide2 low = choose(place == mask_of(1), v[1], v[0]), high = choose(place == mask_of(3), v[3], v[2]);
+	return choose(place > mask_of(1), high, low);
 }
 
-CNI_INLINE cni_mask next_vertex(cni_mask edge) { return (edge + mask_of(1)) & mask_of(3); }
+CNI_INLINE cni_mask next_vertex(const box *b, cni_mask edge)
+{
+	cni_mask next = edge + mask_of(1);
+	return next & ~(next == b->count);
+}
 
 typedef struct clip {
-	wide2 normal;
+	wide2 normal, start, end;
 	cni_wide length;
 	cni_mask reference[2], reference_edge;
 	cni_mask incident[2], incident_edge;
@@ -152,24 +188,26 @@ CNI_INLINE cni_mask incident_find(const box *b, wide2 normal)
 		edge = choose_i(facing < least, mask_of(i), edge);
 		least = cni_wide_min(facing, least);
 	}
-	return edge;
+	return index_of(b, edge);
 }
 
 CNI_INLINE clip clip_make(const box *reference, cni_mask edge, const box *incident)
 {
 	clip c;
-	wide2 n = pick(reference->normal, edge), t = wide2_of(-n.y, n.x), start = pick(reference->point, edge), first, second;
-	cni_mask end = next_vertex(edge), v0, v1, swap;
+	cni_mask place = place_of(reference, edge), end = next_vertex(reference, edge), v0, v1, swap;
+	wide2 n = pick(reference->normal, place), t = wide2_of(-n.y, n.x), start = pick(reference->point, place), first, second;
 	int32_t i;
 	c.normal = n;
-	c.length = dot(t, sub(pick(reference->point, end), start));
+	c.start = start;
+	c.end = pick(reference->point, place_of(reference, end));
+	c.length = dot(t, sub(c.end, start));
 	c.reference[0] = edge;
 	c.reference[1] = end;
 	c.reference_edge = edge;
 	c.incident_edge = v0 = incident_find(incident, n);
-	v1 = next_vertex(v0);
-	first = pick(incident->point, v0);
-	second = pick(incident->point, v1);
+	v1 = next_vertex(incident, v0);
+	first = pick(incident->point, place_of(incident, v0));
+	second = pick(incident->point, place_of(incident, v1));
 	swap = dot(t, sub(second, first)) < cni_wide_of(0.0f);
 	c.incident[0] = choose_i(swap, v1, v0);
 	c.incident[1] = choose_i(swap, v0, v1);
@@ -220,13 +258,123 @@ CNI_INLINE void end_store(cni_box_batch *k, int32_t l, int32_t side, const clipp
 	mask_store(p->id + l, id_of(choose_i(of_b, e->incident, e->reference), choose_i(of_b, e->reference, e->incident)));
 }
 
-/* Stores both ends in the manifold's order; returns the lanes in which the clipped edges do not tell enough. */
-CNI_INLINE cni_mask faces_store(cni_box_batch *k, int32_t l, const box *a, const box *b, face axis, cni_wide touch, cni_wide aligned)
+/* ---- corners ---- */
+
+/* Closest points of two segments. */
+typedef struct closest {
+	wide2 point_a, point_b;
+	cni_wide fraction_a, fraction_b, distance_sq;
+} closest;
+
+CNI_INLINE cni_wide fraction_nearest(wide2 point, wide2 start, wide2 end)
+{
+	wide2 edge = sub(end, start);
+	cni_wide length_sq = dot(edge, edge), fraction = dot(sub(point, start), edge) / length_sq;
+	fraction = cni_wide_max(cni_wide_of(0.0f), cni_wide_min(cni_wide_of(1.0f), fraction));
+	return cni_wide_select(length_sq > cni_wide_of(0.0f), fraction, cni_wide_of(0.0f));
+}
+
+CNI_INLINE wide2 lerp(wide2 a, wide2 b, cni_wide t) { return wide2_of(a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)); }
+
+CNI_INLINE void closest_try(closest *best, wide2 a, wide2 b, cni_wide fraction_a, cni_wide fraction_b)
+{
+	wide2 d = sub(b, a);
+	cni_wide distance_sq = dot(d, d);
+	cni_mask keep = distance_sq >= best->distance_sq;
+	best->point_a = choose(keep, best->point_a, a);
+	best->point_b = choose(keep, best->point_b, b);
+	best->fraction_a = cni_wide_select(keep, best->fraction_a, fraction_a);
+	best->fraction_b = cni_wide_select(keep, best->fraction_b, fraction_b);
+	best->distance_sq = cni_wide_select(keep, best->distance_sq, distance_sq);
+}
+
+CNI_INLINE closest closest_make(wide2 p1, wide2 q1, wide2 p2, wide2 q2)
+{
+	closest best;
+	cni_wide zero = cni_wide_of(0.0f), one = cni_wide_of(1.0f), f;
+	best.point_a = best.point_b = wide2_of(zero, zero);
+	best.fraction_a = best.fraction_b = zero;
+	best.distance_sq = cni_wide_of(FLT_MAX);
+	f = fraction_nearest(p1, p2, q2);
+	closest_try(&best, p1, lerp(p2, q2, f), zero, f);
+	f = fraction_nearest(q1, p2, q2);
+	closest_try(&best, q1, lerp(p2, q2, f), one, f);
+	f = fraction_nearest(p2, p1, q1);
+	closest_try(&best, lerp(p1, q1, f), p2, f, zero);
+	f = fraction_nearest(q2, p1, q1);
+	closest_try(&best, lerp(p1, q1, f), q2, f, one);
+	return best;
+}
+
+/* Lanes in which the two segments cross. */
+CNI_INLINE cni_mask segments_cross(wide2 p1, wide2 q1, wide2 p2, wide2 q2)
+{
+	wide2 e1 = sub(q1, p1), e2 = sub(q2, p2), r = sub(p2, p1);
+	cni_wide zero = cni_wide_of(0.0f), c = e1.x * e2.y - e1.y * e2.x, t1 = r.x * e2.y - r.y * e2.x, t2 = r.x * e1.y - r.y * e1.x;
+	cni_mask minus = c < zero;
+	c = cni_wide_select(minus, -c, c);
+	t1 = cni_wide_select(minus, -t1, t1);
+	t2 = cni_wide_select(minus, -t2, t2);
+	return (c > zero) & (t1 > zero) & (t1 < c) & (t2 > zero) & (t2 < c);
+}
+
+CNI_INLINE cni_mask is_end(cni_wide fraction) { return (fraction <= cni_wide_of(0.0f)) | (fraction >= cni_wide_of(1.0f)); }
+
+/* Closest points that may be two corners. */
+typedef struct corners {
+	closest at;
+	wide2 normal;
+	cni_wide distance;
+	cni_mask a, b;  /* the corners */
+	cni_mask known; /* they are */
+} corners;
+
+CNI_INLINE corners corners_find(const box *a, const box *b, const clip *c, cni_mask of_b, cni_wide touch, cni_wide error)
+{
+	wide2 p1 = choose(of_b, c->point[0], c->start), q1 = choose(of_b, c->point[1], c->end);
+	wide2 p2 = choose(of_b, c->start, c->point[0]), q2 = choose(of_b, c->end, c->point[1]), d;
+	corners f;
+	cni_mask last_a, last_b;
+	f.at = closest_make(p1, q1, p2, q2);
+	f.distance = cni_wide_sqrt(f.at.distance_sq);
+	d = sub(f.at.point_b, f.at.point_a);
+	f.normal = wide2_of(d.x / f.distance, d.y / f.distance);
+	last_a = ~(f.at.fraction_a < cni_wide_of(1.0f));
+	last_b = ~(f.at.fraction_b < cni_wide_of(1.0f));
+	f.a = choose_i(of_b, choose_i(last_a, c->incident[1], c->incident[0]), choose_i(last_a, c->reference[1], c->reference[0]));
+	f.b = choose_i(of_b, choose_i(last_b, c->reference[1], c->reference[0]), choose_i(last_b, c->incident[1], c->incident[0]));
+	f.known = is_end(f.at.fraction_a) & is_end(f.at.fraction_b) & ~segments_cross(p1, q1, p2, q2);
+	f.known &= (f.distance > touch) & (f.at.distance_sq < cni_wide_of(FLT_MAX));
+	f.known &= -lowest(a, wide2_of(-f.normal.x, -f.normal.y)) - dot(f.normal, f.at.point_a) <= error;
+	f.known &= dot(f.normal, f.at.point_b) - lowest(b, f.normal) <= error;
+	return f;
+}
+
+CNI_INLINE void store_where(cni_mask m, float *p, cni_wide x) { cni_wide_store(p, cni_wide_select(m, x, cni_wide_load(p))); }
+
+/* Their point over what was stored. */
+CNI_INLINE void corners_store(cni_box_batch *k, int32_t l, const corners *f, cni_mask where)
+{
+	cni_wide ra = cni_wide_load(k->radius_a + l), separation = f->distance - ra - cni_wide_load(k->radius_b + l);
+	cni_wide shift = ra + cni_wide_of(0.5f) * separation;
+	cni_box_point *p = &k->point[0];
+	store_where(where, k->nx + l, f->normal.x);
+	store_where(where, k->ny + l, f->normal.y);
+	store_where(where, p->x + l, f->at.point_a.x + shift * f->normal.x);
+	store_where(where, p->y + l, f->at.point_a.y + shift * f->normal.y);
+	store_where(where, p->separation + l, separation);
+	mask_store(p->id + l, choose_i(where, id_of(f->a, f->b), mask_load(p->id + l)));
+}
+
+/* ---- manifolds ---- */
+
+/* Stores the points of every lane and its state. */
+CNI_INLINE void points_store(cni_box_batch *k, int32_t l, const box *a, const box *b, face axis, cni_mask is_apart, cni_wide touch, cni_wide aligned)
 {
 	box reference, incident;
 	clipped_end low, high, first, second;
-	cni_wide at, height, error;
-	cni_mask exact, near;
+	cni_wide at, height, overlap, ends;
+	cni_mask exact, near, missed, wanted, state;
 	wide2 normal;
 	clip c;
 	int32_t i;
@@ -236,14 +384,19 @@ CNI_INLINE cni_mask faces_store(cni_box_batch *k, int32_t l, const box *a, const
 		incident.point[i] = choose(axis.of_b, a->point[i], b->point[i]);
 		incident.normal[i] = choose(axis.of_b, a->normal[i], b->normal[i]);
 	}
+	reference.count = choose_i(axis.of_b, b->count, a->count);
+	incident.count = choose_i(axis.of_b, a->count, b->count);
 	c = clip_make(&reference, axis.edge, &incident);
 	low = clip_end(&c, 0, aligned);
 	high = clip_end(&c, 1, aligned);
 	at = cni_wide_select(c.height[1] < c.height[0], c.at[1], c.at[0]);
 	height = cni_wide_select(c.height[1] < c.height[0], c.height[1], c.height[0]);
 	exact = (at >= cni_wide_of(0.0f)) & (at <= c.length);
-	error = cni_wide_min(low.height, high.height) - height;
-	near = cni_wide_abs(error) <= touch;
+	overlap = cni_wide_min(c.length, c.at[1]) - cni_wide_max(cni_wide_of(0.0f), c.at[0]);
+	missed = overlap < cni_wide_of(0.0f);
+	ends = cni_wide_min(low.height, high.height);
+	near = ~missed & (cni_wide_abs(ends - height) <= touch);
+	wanted = ~is_apart & ~exact & ~near & (missed | (height > touch));
 	normal = choose(axis.of_b, wide2_of(-c.normal.x, -c.normal.y), c.normal);
 	cni_wide_store(k->nx + l, normal.x);
 	cni_wide_store(k->ny + l, normal.y);
@@ -257,7 +410,14 @@ CNI_INLINE cni_mask faces_store(cni_box_batch *k, int32_t l, const box *a, const
 	second.incident = choose_i(axis.of_b, low.incident, high.incident);
 	end_store(k, l, 0, &first, axis.of_b, normal);
 	end_store(k, l, 1, &second, axis.of_b, normal);
-	return ~(cni_wide_min(c.length, c.at[1]) - cni_wide_max(cni_wide_of(0.0f), c.at[0]) >= touch) | ((height > touch) & ~exact & ~near);
+	state = choose_i(overlap >= touch, mask_of(CNI_BOXES_POINTS), mask_of(CNI_BOXES_LEFT));
+	if (mask_any(wanted)) {
+		corners f = corners_find(a, b, &c, axis.of_b, touch, cni_wide_of(0.01f * k->slop));
+		cni_mask where = wanted & f.known & (missed | ~(cni_wide_abs(ends - f.distance) <= touch));
+		corners_store(k, l, &f, where);
+		state = choose_i(where, mask_of(CNI_BOXES_POINT), choose_i(wanted & ~f.known, mask_of(CNI_BOXES_LEFT), state));
+	}
+	mask_store(k->state + l, choose_i(is_apart, mask_of(CNI_BOXES_APART), state));
 }
 
 CNI_INLINE void pairs_collide(cni_box_batch *k, int32_t l)
@@ -265,11 +425,11 @@ CNI_INLINE void pairs_collide(cni_box_batch *k, int32_t l)
 	cni_wide touch = cni_wide_of(CNI_TOUCH_PER_SLOP * k->slop), aligned = cni_wide_of(CNI_ALIGNED_PER_SLOP * k->slop);
 	cni_wide reach = cni_wide_load(k->margin + l) + cni_wide_load(k->radius_a + l) + cni_wide_load(k->radius_b + l), cached_at;
 	wide2 q = wide2_of(cni_wide_load(k->qc + l), cni_wide_load(k->qs + l)), t = wide2_of(cni_wide_load(k->tx + l), cni_wide_load(k->ty + l));
-	cni_mask cached = mask_load(k->axis + l), apart, still, left;
+	cni_mask cached = mask_load(k->axis + l), is_apart, still;
 	face axis;
 	box a, b;
-	box_load(k->a + l, &a);
-	box_load(k->b + l, &b);
+	box_load(k->a + l, k->count_a + l, &a);
+	box_load(k->b + l, k->count_b + l, &b);
 	cached_at = cached_separation(k, l, &a, &b, q, t);
 	still = cached_at > reach;
 	mask_store(k->state + l, mask_of(CNI_BOXES_APART));
@@ -278,11 +438,9 @@ CNI_INLINE void pairs_collide(cni_box_batch *k, int32_t l)
 	box_move(&b, q, t);
 	axis = axis_choose(&a, &b, cached, cached_at, touch);
 	mask_store(k->axis + l, choose_i(still, cached, axis.edge + mask_of(1) + (axis.of_b & mask_of(CN_POLYGON_MAX_VERTICES))));
-	apart = still | (axis.separation > reach);
-	if (!mask_any(~apart))
-		return;
-	left = faces_store(k, l, &a, &b, axis, touch, aligned) & ~apart;
-	mask_store(k->state + l, (mask_of(CNI_BOXES_MANIFOLD) & ~apart & ~left) | (mask_of(CNI_BOXES_LEFT) & left));
+	is_apart = still | (axis.separation > reach);
+	if (mask_any(~is_apart))
+		points_store(k, l, &a, &b, axis, is_apart, touch, aligned);
 }
 
 void CNI_KERNEL(cni_box_batch *batch, int32_t pairs)

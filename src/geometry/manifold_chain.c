@@ -219,13 +219,12 @@ static void collide_faces_chain(const cni_faces *a, const cni_manifold_input *in
 
 void cni_collide_capsule_chain(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
-	cni_faces_storage storage;
-	cni_faces a = cni_faces_of(in->a, &storage);
+	cni_faces a = cni_faces_of(in->a);
 	collide_faces_chain(&a, in, cache, out);
 }
 
 void cni_collide_polygon_chain(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
-	cni_faces a = { cni_geometry_points(in->a), cni_geometry_normals(in->a), in->a->count, in->a->radius };
+	cni_faces a = cni_faces_of(in->a);
 	collide_faces_chain(&a, in, cache, out);
 }

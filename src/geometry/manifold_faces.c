@@ -22,19 +22,6 @@
 
 static const cni_transform same_frame = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
 
-cni_faces cni_faces_of(const cni_geometry *g, cni_faces_storage *storage)
-{
-	cni_faces f = { cni_geometry_points(g), NULL, g->count, g->radius };
-	if (g->type == CN_SHAPE_POLYGON) {
-		f.normals = cni_geometry_normals(g);
-		return f;
-	}
-	storage->normals[0] = cni_normalize(cni_right_perp(cni_sub(f.points[1], f.points[0])));
-	storage->normals[1] = cni_neg(storage->normals[0]);
-	f.normals = storage->normals;
-	return f;
-}
-
 cni_faces cni_faces_moved(cni_faces f, cni_transform transform, cni_faces_storage *storage)
 {
 	for (int32_t i = 0; i < f.count; ++i) {

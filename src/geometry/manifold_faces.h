@@ -59,8 +59,12 @@ static inline uint32_t cni_manifold_id(int32_t feature_a, int32_t feature_b)
 	return ((uint32_t)feature_a + 1u) << 8 | ((uint32_t)feature_b + 1u);
 }
 
-/* Skeleton in its own frame; a segment is written to storage, a polygon is not copied. */
-cni_faces cni_faces_of(const cni_geometry *g, cni_faces_storage *storage);
+/* Skeleton of a polygon or a segment in its own frame. */
+static inline cni_faces cni_faces_of(const cni_geometry *g)
+{
+	cni_faces f = { cni_geometry_points(g), cni_geometry_normals(g), g->count, g->radius };
+	return f;
+}
 cni_faces cni_faces_moved(cni_faces f, cni_transform transform, cni_faces_storage *storage);
 
 /* The face of reference that other is farthest in front of (greatest separation). */

@@ -6,42 +6,39 @@
 #include "geometry/manifold_faces.h"
 #include "geometry/manifold_table.h"
 
-static void collide_with_segments(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
+static void collide(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
-	cni_faces_storage storage_a, storage_b;
-	cni_faces a = cni_faces_of(in->a, &storage_a);
-	cni_faces b = cni_faces_of(in->b, &storage_b);
+	cni_faces a = cni_faces_of(in->a);
+	cni_faces b = cni_faces_of(in->b);
 	cni_faces_collide(&a, &b, in, cache, out);
 }
 
 void cni_collide_polygons(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
-	cni_faces a = { cni_geometry_points(in->a), cni_geometry_normals(in->a), in->a->count, in->a->radius };
-	cni_faces b = { cni_geometry_points(in->b), cni_geometry_normals(in->b), in->b->count, in->b->radius };
-	cni_faces_collide(&a, &b, in, cache, out);
+	collide(in, cache, out);
 }
 
 void cni_collide_capsules(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
-	collide_with_segments(in, cache, out);
+	collide(in, cache, out);
 }
 
 void cni_collide_capsule_polygon(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
-	collide_with_segments(in, cache, out);
+	collide(in, cache, out);
 }
 
 void cni_collide_capsule_edge(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
-	collide_with_segments(in, cache, out);
+	collide(in, cache, out);
 }
 
 void cni_collide_polygon_edge(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
-	collide_with_segments(in, cache, out);
+	collide(in, cache, out);
 }
 
 void cni_collide_edges(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
-	collide_with_segments(in, cache, out);
+	collide(in, cache, out);
 }

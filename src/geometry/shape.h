@@ -3,9 +3,10 @@
  * mass, point test, and the making and checking of hulls.
  *
  * One variable-size record serves all types. Points are in the body's local frame (the shape's offset
- * is already applied), polygons are counter-clockwise and carry outward unit normals behind the points:
+ * is already applied), polygons are counter-clockwise and carry outward unit normals behind the points, and so do
+ * segments (capsules, edges), which are polygons of two corners:
  *
- *   | header 32 bytes | points[count] | normals[count] (polygon only) |
+ *   | header 32 bytes | points[count] | normals[count] (not of circles and chains) |
  *
  *   circle   count 1, radius > 0          capsule  count 2, radius > 0
  *   edge     count 2, radius 0            polygon  count 3..16, radius >= 0, normals

@@ -7,7 +7,8 @@
 
 int32_t cni_geometry_bytes(int32_t type, int32_t count)
 {
-	int32_t vectors = type == CN_SHAPE_POLYGON ? 2 * count : count;
+	int32_t has_normals = type != CN_SHAPE_CIRCLE && type != CN_SHAPE_CHAIN;
+	int32_t vectors = has_normals ? 2 * count : count;
 	return (int32_t)sizeof(cni_geometry) + vectors * (int32_t)sizeof(cni_vec2);
 }
 
@@ -47,6 +48,14 @@ static void header_measure(cni_geometry *out)
 	out->extent = cni_sqrt(extent_sq) + out->radius;
 }
 
+/* A segment is a polygon of two corners that it looks away from on both sides. */
+static void segment_normals_write(cni_geometry *out)
+{
+	cni_vec2 *p = points_write(out);
+	p[2] = cni_normalize(cni_right_perp(cni_sub(p[1], p[0])));
+	p[3] = cni_neg(p[2]);
+}
+
 void cni_geometry_circle(cni_geometry *out, const cn_circle *circle, cni_transform offset)
 {
 	header_write(out, CN_SHAPE_CIRCLE, 1, circle->radius_m);
@@ -60,6 +69,7 @@ void cni_geometry_capsule(cni_geometry *out, const cn_capsule *capsule, cni_tran
 	header_write(out, CN_SHAPE_CAPSULE, 2, capsule->radius_m);
 	points_write(out)[0] = cni_transform_point(offset, capsule->a_m);
 	points_write(out)[1] = cni_transform_point(offset, capsule->b_m);
+	segment_normals_write(out);
 	header_measure(out);
 	out->inner_radius = capsule->radius_m;
 }
@@ -69,6 +79,7 @@ void cni_geometry_edge(cni_geometry *out, const cn_edge *edge, cni_transform off
 	header_write(out, CN_SHAPE_EDGE, 2, 0.0f);
 	points_write(out)[0] = cni_transform_point(offset, edge->a_m);
 	points_write(out)[1] = cni_transform_point(offset, edge->b_m);
+	segment_normals_write(out);
 	header_measure(out);
 }
 

@@ -10,7 +10,7 @@
  * take memory or ask the user is left for later, and looked at in order between the two parts.
  *
  * Contacts are looked at in windows of a few: all of a window are begun, then the manifolds of its pairs
- * of boxes are made side by side, then each is finished in order. So memory is asked for early, and the
+ * of boxes and the like are made side by side, then each is finished in order. So memory is asked for early, and the
  * results are those of one by one.
  *
  * Reads bodies, geometry, proxies; writes contacts, lanes, and through them islands and events; marks
@@ -190,7 +190,7 @@ typedef struct window {
 } window;
 
 enum {
-	COLUMN_NONE = -1,   /* not a pair of boxes */
+	COLUMN_NONE = -1,   /* not a pair for the batch */
 	COLUMN_APART = -2,  /* no manifold */
 	COLUMN_LATER = -3
 };
@@ -269,7 +269,7 @@ static void window_begin(const cn_world *world, window *w, int32_t count, float 
 		if (!cni_touch_begin(world, &w->pair[k], look_ahead(c, dt), t))
 			continue;
 		w->column[k] = COLUMN_NONE;
-		if (w->kernel != NULL && cni_geometry_is_box(t->in.a) && cni_geometry_is_box(t->in.b))
+		if (w->kernel != NULL && cni_boxes_take(&t->in))
 			w->column[k] = cni_boxes_add(&w->boxes, &t->in, &c->cache);
 	}
 }
