@@ -18,6 +18,7 @@
 #include <string.h>
 
 #define FAR_RAD 1e9f          /* a limit that is nowhere */
+#define BLOCKS_A_RANGE 8      /* a microsecond or two, more than the workers of a team take to meet */
 #define TURN_MOST_RAD 1.5f    /* in a step: faster bodies' joints are solved by rows, whose arms turn any way exactly */
 
 const cni_joint_kernel *cni_joint_kernel_choose(void)
@@ -179,6 +180,8 @@ static void pin_fill(const cn_world *world, const cni_solve *s, cni_joint_work *
 	const cni_joint *j = w->record;
 	block->ia[l] = w->ia;
 	block->ib[l] = w->ib;
+	block->moves_a |= (uint32_t)can_move(cni_motions(world) + w->ia) << l;
+	block->moves_b |= (uint32_t)can_move(cni_motions(world) + w->ib) << l;
 	block->ai[l] = cni_motions(world)[w->ia].inv_inertia;
 	block->bi[l] = cni_motions(world)[w->ib].inv_inertia;
 	block->ax0[l] = block->ax[l] = w->start.ra.x;
@@ -267,6 +270,16 @@ static void components_gather(cn_world *world, const cni_solve *s, cni_lane_spri
 	}
 }
 
+/* A colour's blocks one after the other, so that they can be shared among workers. */
+static void blocks_list(cn_world *world)
+{
+	cni_joint_block *blocks = cni_joint_blocks(world);
+	int32_t color, index, count = 0;
+	for (color = 0; color < CNI_JOINT_COLORS; ++color)
+		for (index = world->joint_colors[color].first; index != CNI_NONE; index = blocks[index].next)
+			blocks[count++].listed = index;
+}
+
 void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 {
 	cni_lane_spring spring = { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } };
@@ -285,6 +298,7 @@ void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 		plain = &w->next_plain;
 	}
 	*plain = CNI_NONE;
+	blocks_list(world);
 	if (s->direct != NULL)
 		s->direct->released = 0;
 }
@@ -345,24 +359,46 @@ static void rows_give(cn_world *world, cni_joint_block *block)
 
 /* ---- passes ---- */
 
-/* moving: bodies have new positions, or warm impulses are given. */
+/* A pass over the blocks of one colour: they share no body that they write, and no work. */
+typedef struct color_pass {
+	cn_world *world;
+	cni_joint_pass pass;
+	cni_joint_kernel_fn *run;
+	int32_t moving;   /* bodies have new positions, or warm impulses are given */
+	int32_t released; /* some lane that is solved directly may not be any more */
+	int32_t first;    /* of the colour, in the list */
+	int32_t lanes;
+} color_pass;
+
+static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const color_pass *c = (const color_pass *)context;
+	cn_world *world = c->world;
+	int32_t k;
+	(void)worker;
+	for (k = begin; k < end; ++k) {
+		cni_joint_block *block = cni_joint_blocks(world) + cni_joint_blocks(world)[c->first + k].listed;
+		if (block->direct != 0 && c->moving)
+			rows_pull(world, block);
+		else if (block->direct != 0 && c->released)
+			released_look(world, block);
+		c->run(cni_motions(world), cni_starts(world), block, &c->pass, cni_min_i(c->lanes - k * CNI_LANES, CNI_LANES));
+		if (block->direct != 0 && c->moving)
+			rows_give(world, block);
+	}
+}
+
 static void colors_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn *run, int32_t moving)
 {
-	cni_joint_pass pass = { s->h, s->inv_h, s->warm_scale, s->joint };
-	int32_t color, index;
+	color_pass c = { world, { s->h, s->inv_h, s->warm_scale, s->joint }, run, moving, 0, 0, 0 };
+	int32_t color;
+	c.released = s->direct != NULL && s->direct->released > 0;
 	for (color = 0; color < CNI_JOINT_COLORS && world->joint_blocks.count > 0; ++color) {
-		int32_t lanes = world->joint_colors[color].lanes;
-		for (index = world->joint_colors[color].first; index != CNI_NONE; index = cni_joint_blocks(world)[index].next) {
-			cni_joint_block *block = cni_joint_blocks(world) + index;
-			if (block->direct != 0 && moving)
-				rows_pull(world, block);
-			else if (block->direct != 0 && s->direct->released > 0)
-				released_look(world, block);
-			run(cni_motions(world), cni_starts(world), block, &pass, cni_min_i(lanes, CNI_LANES));
-			if (block->direct != 0 && moving)
-				rows_give(world, block);
-			lanes -= CNI_LANES;
-		}
+		int32_t blocks;
+		c.lanes = world->joint_colors[color].lanes;
+		blocks = (c.lanes + CNI_LANES - 1) / CNI_LANES;
+		cni_team_for(s->team, blocks, BLOCKS_A_RANGE, color_pass_run, &c);
+		c.first += blocks;
 	}
 }
 

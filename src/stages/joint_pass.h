@@ -38,7 +38,9 @@ typedef struct cni_joint_block {
 	int32_t angular;                       /* 1: some lane has a spring, motor or limit */
 	int32_t next;                          /* block of the colour */
 	int32_t herd;                          /* 1: a herd's */
-	int32_t reserved[12];
+	uint32_t moves_a, moves_b;             /* lanes, as bits, whose body can move and so is written */
+	int32_t listed;                        /* (of the n-th block) which block is the n-th of all colours in order */
+	int32_t reserved[9];
 } cni_joint_block;
 
 typedef struct cni_joint_pass {
