@@ -365,5 +365,7 @@ static void kernel_warm(cni_motion *motions, cni_velocity_start *starts, cni_joi
 }
 
 #include "stages/joint_herd_kernel.h"
+#include "stages/joint_rows_kernel.h"
 
-const cni_joint_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax, herd_begin, herd_warm, herd_solve, herd_relax, herd_close };
+const cni_joint_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax, herd_begin, herd_warm, herd_solve, herd_relax, herd_close,
+	row_lanes_begin, row_lanes_warm, row_lanes_solve, row_lanes_relax, row_lanes_finish };
