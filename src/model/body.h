@@ -77,6 +77,8 @@ typedef struct cni_motion {
 	float dpx, dpy, theta, inv_inertia; /* change of centre and angle since the step began */
 } cni_motion;
 
+static inline int32_t cni_motion_can_move(const cni_motion *m) { return m->inv_mass > 0.0f || m->inv_inertia > 0.0f; }
+
 typedef struct cni_velocity_start {
 	float vx, vy, w;
 	float struck; /* 1 when an impact changed the velocity in this substep, CNI_SHOCKED when it jumped */

@@ -121,6 +121,9 @@ struct cn_world {
 	cni_array joint_work;        /* cni_joint_work of stages/joint_work.h, one an awake joint */
 	cni_array joint_blocks;      /* cni_joint_block of stages/joint_pass.h, within a step; room for every joint in any colours */
 	cni_color joint_colors[CNI_JOINT_COLORS];
+	void *row_blocks;            /* cni_row_block of stages/joint_rows.h, within a step: other joints' lanes, scratch of the arena */
+	int32_t row_block_count;
+	int32_t row_blocks_of[CNI_JOINT_COLORS]; /* each colour */
 	int32_t joint_plain_first;   /* works that are solved by rows, linked by next_plain; CNI_NONE */
 	int32_t reserved_plain;
 

@@ -178,15 +178,19 @@ static void driven_by_joints(const cn_world *world, island_sum *sums)
 	int32_t k, r;
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		const cni_joint_work *w = cni_joint_works(world) + k;
-		int32_t island = cni_joint_island(world, w->ia, w->ib);
+		int32_t island = cni_joint_island(world, w->ia, w->ib), count;
+		const cni_row *rows;
+		cni_row in_lane[CNI_JOINT_ROWS];
 		if ((w->ia != 0 && motions[w->ia].inv_mass == 0.0f) || (w->ib != 0 && motions[w->ib].inv_mass == 0.0f))
 			mark_driven(world, sums, w->ia, w->ib);
 		if (island == CNI_NONE || !sums[island].suspect)
 			continue;
 		sums[island].grounded |= w->ia == 0 || w->ib == 0;
-		for (r = 0; r < w->row_count; ++r)
-			if ((w->flags & CNI_WORK_SPRINGY) || w->rows[r].kind == CNI_ROW_SPRING || w->rows[r].kind == CNI_ROW_DRIVE)
-				sums[island].before += cni_max(row_work(world, w, &w->rows[r]), 0.0f);
+		rows = w->row_lane != CNI_NONE ? in_lane : w->rows;
+		count = w->row_lane != CNI_NONE ? cni_row_lane_read(world, w, in_lane) : w->row_count;
+		for (r = 0; r < count; ++r)
+			if ((w->flags & CNI_WORK_SPRINGY) || rows[r].kind == CNI_ROW_SPRING || rows[r].kind == CNI_ROW_DRIVE)
+				sums[island].before += cni_max(row_work(world, w, &rows[r]), 0.0f);
 		if (w->lane != CNI_NONE)
 			sums[island].before += cni_max(lane_work(world, w), 0.0f);
 	}

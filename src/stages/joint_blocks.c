@@ -18,6 +18,7 @@
 #include <string.h>
 
 #define FAR_RAD 1e9f          /* a limit that is nowhere */
+#define BLOCKS_A_RANGE 8      /* a microsecond or two, more than the workers of a team take to meet */
 #define TURN_MOST_RAD 1.5f    /* in a step: faster bodies' joints are solved by rows, whose arms turn any way exactly */
 
 const cni_joint_kernel *cni_joint_kernel_choose(void)
@@ -35,20 +36,36 @@ const cni_joint_kernel *cni_joint_kernel_choose(void)
 
 /* ---- works ---- */
 
-/* Revolute joints that nothing softens, bounds or breaks. */
-static int32_t may_be_wide(const cn_world *world, int32_t k)
+/* Joints that nothing softens, bounds or breaks. */
+static int32_t may_be_wide(const cn_world *world, const cni_joint *j)
 {
-	const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
-	return j->type == CN_JOINT_REVOLUTE && j->stiffness_hertz <= 0.0f && j->force_max <= 0.0f && j->torque_max <= 0.0f &&
+	return j->stiffness_hertz <= 0.0f && j->force_max <= 0.0f && j->torque_max <= 0.0f &&
 	       j->break_force <= 0.0f && j->break_torque <= 0.0f && world->settings.solver != CN_SOLVER_SEQUENTIAL;
+}
+
+/* To be in a lane of rows, if it is not solved directly. */
+static int32_t work_form(cn_world *world, int32_t k, int32_t form)
+{
+	cni_joint_work *w = cni_joint_works(world) + k;
+	if (form == CNI_FORM_NONE)
+		return 0;
+	cni_joint_work_begin(world, k);
+	w->start.angle = cni_joint_frame_angle(world, w->record);
+	w->form = form;
+	w->row_count = 0;
+	w->rigid_count = cni_form_rigid_rows(form);
+	return 1;
 }
 
 /* Only a spring or a limit asks for the angle. */
 int32_t cni_joint_work_widen(cn_world *world, int32_t k)
 {
 	cni_joint_work *w = cni_joint_works(world) + k;
-	if (!may_be_wide(world, k))
+	const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
+	if (!may_be_wide(world, j))
 		return 0;
+	if (j->type != CN_JOINT_REVOLUTE)
+		return work_form(world, k, cni_joint_form(j));
 	cni_joint_work_begin(world, k);
 	w->flags |= CNI_WORK_WIDE;
 	w->row_count = 0;
@@ -72,6 +89,13 @@ void cni_joint_works_complete(const cn_world *world, const cni_solve *s, const c
 	}
 }
 
+void cni_joint_work_settle(cn_world *world, const cni_solve *s, int32_t k)
+{
+	cni_joint_work *w = cni_joint_works(world) + k;
+	if (w->form != CNI_FORM_NONE)
+		cni_joint_rows_begin(world, s, w);
+}
+
 /* A wide work is solved by rows after all; a plain one stays as it is. */
 static void work_narrow(cn_world *world, const cni_solve *s, int32_t k)
 {
@@ -84,27 +108,23 @@ static void work_narrow(cn_world *world, const cni_solve *s, int32_t k)
 
 /* ---- colours ---- */
 
-static int32_t can_move(const cni_motion *m)
+static uint32_t colors_used(const cn_world *world, int32_t index)
 {
-	return m->inv_mass > 0.0f || m->inv_inertia > 0.0f;
+	return cni_motion_can_move(cni_motions(world) + index) ? cni_drives(world)[index].flags >> CNI_DRIVE_COLOR_SHIFT : 0;
 }
 
-/* A colour that neither body uses yet, which they use from now on; CNI_NONE: there is none. */
-static int32_t color_take(cn_world *world, int32_t ia, int32_t ib)
+int32_t cni_joint_color_find(const cn_world *world, int32_t ia, int32_t ib)
 {
-	cni_drive *a = can_move(cni_motions(world) + ia) ? cni_drives(world) + ia : NULL;
-	cni_drive *b = can_move(cni_motions(world) + ib) ? cni_drives(world) + ib : NULL;
-	uint32_t used = (a != NULL ? a->flags : 0) | (b != NULL ? b->flags : 0);
-	uint32_t open = ~(used >> CNI_DRIVE_COLOR_SHIFT) & ((1u << CNI_JOINT_COLORS) - 1u);
-	int32_t color;
-	if (open == 0)
-		return CNI_NONE;
-	color = cni_bit_lowest32(open);
-	if (a != NULL)
-		a->flags |= 1u << (CNI_DRIVE_COLOR_SHIFT + color);
-	if (b != NULL)
-		b->flags |= 1u << (CNI_DRIVE_COLOR_SHIFT + color);
-	return color;
+	uint32_t open = ~(colors_used(world, ia) | colors_used(world, ib)) & ((1u << CNI_JOINT_COLORS) - 1u);
+	return open == 0 ? CNI_NONE : cni_bit_lowest32(open);
+}
+
+void cni_joint_color_use(cn_world *world, int32_t ia, int32_t ib, int32_t color)
+{
+	if (cni_motion_can_move(cni_motions(world) + ia))
+		cni_drives(world)[ia].flags |= 1u << (CNI_DRIVE_COLOR_SHIFT + color);
+	if (cni_motion_can_move(cni_motions(world) + ib))
+		cni_drives(world)[ib].flags |= 1u << (CNI_DRIVE_COLOR_SHIFT + color);
 }
 
 int32_t cni_joint_block_take(cn_world *world)
@@ -132,18 +152,23 @@ static cni_joint_block *block_take(cn_world *world, int32_t color)
 
 /* ---- lanes ---- */
 
-static void spring_fill(cni_lane_spring *g, float h, const cni_joint *j, cni_joint_block *block, int32_t l)
+cni_soft cni_lane_spring_soft(cni_lane_spring *g, float hertz, float damping_ratio, float h)
 {
-	float hertz = j->p[CNI_P_REVOLUTE_HERTZ], damping_ratio = j->p[CNI_P_REVOLUTE_DAMPING];
 	if (hertz != g->hertz || damping_ratio != g->damping_ratio) {
 		g->hertz = hertz;
 		g->damping_ratio = damping_ratio;
 		g->soft = cni_soft_exact(hertz, damping_ratio, h);
 	}
+	return g->soft;
+}
+
+static void spring_fill(cni_lane_spring *g, float h, const cni_joint *j, cni_joint_block *block, int32_t l)
+{
+	cni_soft soft = cni_lane_spring_soft(g, j->p[CNI_P_REVOLUTE_HERTZ], j->p[CNI_P_REVOLUTE_DAMPING], h);
 	block->rest[l] = j->p[CNI_P_REVOLUTE_TARGET];
-	block->spring_mass[l] = g->soft.mass_scale;
-	block->spring_bias[l] = g->soft.bias_scale;
-	block->spring_give[l] = g->soft.impulse_scale;
+	block->spring_mass[l] = soft.mass_scale;
+	block->spring_bias[l] = soft.bias_scale;
+	block->spring_give[l] = soft.impulse_scale;
 	block->spring_j[l] = j->impulse[CNI_REVOLUTE_SPRING];
 }
 
@@ -179,6 +204,8 @@ static void pin_fill(const cn_world *world, const cni_solve *s, cni_joint_work *
 	const cni_joint *j = w->record;
 	block->ia[l] = w->ia;
 	block->ib[l] = w->ib;
+	block->moves_a |= (uint32_t)cni_motion_can_move(cni_motions(world) + w->ia) << l;
+	block->moves_b |= (uint32_t)cni_motion_can_move(cni_motions(world) + w->ib) << l;
 	block->ai[l] = cni_motions(world)[w->ia].inv_inertia;
 	block->bi[l] = cni_motions(world)[w->ib].inv_inertia;
 	block->ax0[l] = block->ax[l] = w->start.ra.x;
@@ -220,10 +247,11 @@ int32_t cni_joint_fits_lane(const cn_world *world, const cni_solve *s, const cni
 static int32_t lane_take(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k)
 {
 	const cni_joint_work *w = cni_joint_works(world) + k;
-	int32_t color = cni_joint_fits_lane(world, s, w) ? color_take(world, w->ia, w->ib) : CNI_NONE, l;
+	int32_t color = cni_joint_fits_lane(world, s, w) ? cni_joint_color_find(world, w->ia, w->ib) : CNI_NONE, l;
 	cni_joint_block *block;
 	if (color == CNI_NONE)
 		return 0;
+	cni_joint_color_use(world, w->ia, w->ib, color);
 	l = world->joint_colors[color].lanes++ % CNI_LANES;
 	block = l == 0 ? block_take(world, color) : cni_joint_blocks(world) + world->joint_colors[color].last;
 	cni_joint_lane_fill(world, s, spring, k, block, l);
@@ -250,6 +278,7 @@ void cni_joint_blocks_empty(cn_world *world)
 		world->joint_colors[k].first = world->joint_colors[k].last = CNI_NONE;
 		world->joint_colors[k].lanes = 0;
 	}
+	cni_row_blocks_empty(world);
 }
 
 /* Directly solved components take their lanes first and in the order of their nodes: so colours, and with them the order
@@ -267,10 +296,34 @@ static void components_gather(cn_world *world, const cni_solve *s, cni_lane_spri
 	}
 }
 
+/* What is in no lane, in order; left 0: all are. */
+static void plain_link(cn_world *world, int32_t left)
+{
+	int32_t k, *plain = &world->joint_plain_first;
+	for (k = 0; left > 0 && k < world->awake_joints.count; ++k) {
+		cni_joint_work *w = cni_joint_works(world) + k;
+		if ((w->flags & CNI_WORK_SWUNG) || w->lane != CNI_NONE || w->row_lane != CNI_NONE)
+			continue;
+		*plain = k;
+		plain = &w->next_plain;
+	}
+	*plain = CNI_NONE;
+}
+
+/* A colour's blocks one after the other, so that they can be shared among workers. */
+static void blocks_list(cn_world *world)
+{
+	cni_joint_block *blocks = cni_joint_blocks(world);
+	int32_t color, index, count = 0;
+	for (color = 0; color < CNI_JOINT_COLORS; ++color)
+		for (index = world->joint_colors[color].first; index != CNI_NONE; index = blocks[index].next)
+			blocks[count++].listed = index;
+}
+
 void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 {
 	cni_lane_spring spring = { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } };
-	int32_t k, *plain = &world->joint_plain_first;
+	int32_t k, left = 0;
 	pressed_works_leave(world, s);
 	components_gather(world, s, &spring);
 	for (k = 0; k < world->awake_joints.count; ++k) {
@@ -281,10 +334,12 @@ void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 			continue;
 		if (w->flags & CNI_WORK_WIDE)
 			work_narrow(world, s, k);
-		*plain = k;
-		plain = &w->next_plain;
+		++left;
 	}
-	*plain = CNI_NONE;
+	blocks_list(world);
+	if (left > 0)
+		cni_row_lanes_gather(world, s);
+	plain_link(world, left);
 	if (s->direct != NULL)
 		s->direct->released = 0;
 }
@@ -345,40 +400,66 @@ static void rows_give(cn_world *world, cni_joint_block *block)
 
 /* ---- passes ---- */
 
-/* moving: bodies have new positions, or warm impulses are given. */
-static void colors_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn *run, int32_t moving)
+/* A pass over the blocks of one colour: they share no body that they write, and no work. Pins come first. */
+typedef struct color_pass {
+	cn_world *world;
+	cni_joint_pass pass;
+	cni_joint_kernel_fn *run;
+	cni_row_kernel_fn *run_rows;
+	int32_t moving;   /* bodies have new positions, or warm impulses are given */
+	int32_t released; /* some lane that is solved directly may not be any more */
+	int32_t lanes;
+	int32_t first, blocks;         /* of the colour, in the list */
+	int32_t first_rows;            /* the same of blocks of rows */
+} color_pass;
+
+static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t worker)
 {
-	cni_joint_pass pass = { s->h, s->inv_h, s->warm_scale, s->joint };
-	int32_t color, index;
-	for (color = 0; color < CNI_JOINT_COLORS && world->joint_blocks.count > 0; ++color) {
-		int32_t lanes = world->joint_colors[color].lanes;
-		for (index = world->joint_colors[color].first; index != CNI_NONE; index = cni_joint_blocks(world)[index].next) {
-			cni_joint_block *block = cni_joint_blocks(world) + index;
-			if (block->direct != 0 && moving)
-				rows_pull(world, block);
-			else if (block->direct != 0 && s->direct->released > 0)
-				released_look(world, block);
-			run(cni_motions(world), cni_starts(world), block, &pass, cni_min_i(lanes, CNI_LANES));
-			if (block->direct != 0 && moving)
-				rows_give(world, block);
-			lanes -= CNI_LANES;
-		}
+	const color_pass *c = (const color_pass *)context;
+	cn_world *world = c->world;
+	int32_t k;
+	(void)worker;
+	for (k = begin; k < end && k < c->blocks; ++k) {
+		cni_joint_block *block = cni_joint_blocks(world) + cni_joint_blocks(world)[c->first + k].listed;
+		if (block->direct != 0 && c->moving)
+			rows_pull(world, block);
+		else if (block->direct != 0 && c->released)
+			released_look(world, block);
+		c->run(cni_motions(world), cni_starts(world), block, &c->pass, cni_min_i(c->lanes - k * CNI_LANES, CNI_LANES));
+		if (block->direct != 0 && c->moving)
+			rows_give(world, block);
+	}
+	if (k < end)
+		cni_row_blocks_run(world, c->run_rows, &c->pass, c->first_rows + k - c->blocks, c->first_rows + end - c->blocks);
+}
+
+static void colors_run(cn_world *world, const cni_solve *s, cni_joint_kernel_fn *run, cni_row_kernel_fn *run_rows, int32_t moving)
+{
+	color_pass c = { world, { s->h, s->inv_h, s->warm_scale, s->joint }, run, run_rows, moving, 0, 0, 0, 0, 0 };
+	int32_t color;
+	c.released = s->direct != NULL && s->direct->released > 0;
+	for (color = 0; color < CNI_JOINT_COLORS && world->joint_blocks.count + world->row_block_count > 0; ++color) {
+		c.lanes = world->joint_colors[color].lanes;
+		c.blocks = (c.lanes + CNI_LANES - 1) / CNI_LANES;
+		cni_team_for(s->team, c.blocks + world->row_blocks_of[color], BLOCKS_A_RANGE, color_pass_run, &c);
+		c.first += c.blocks;
+		c.first_rows += world->row_blocks_of[color];
 	}
 }
 
 void cni_joint_blocks_warm(cn_world *world, const cni_solve *s)
 {
-	colors_run(world, s, s->joint_kernel->warm, 1);
+	colors_run(world, s, s->joint_kernel->warm, s->joint_kernel->rows_warm, 1);
 }
 
 void cni_joint_blocks_solve(cn_world *world, const cni_solve *s)
 {
-	colors_run(world, s, s->joint_kernel->solve, 0);
+	colors_run(world, s, s->joint_kernel->solve, s->joint_kernel->rows_solve, 0);
 }
 
 void cni_joint_blocks_relax(cn_world *world, const cni_solve *s)
 {
-	colors_run(world, s, s->joint_kernel->relax, 1);
+	colors_run(world, s, s->joint_kernel->relax, s->joint_kernel->rows_relax, 1);
 }
 
 /* ---- storing ---- */

@@ -213,12 +213,14 @@ static int32_t links_keep(const cn_world *world, cni_link *links, int32_t count)
 }
 
 /* Who is in the plan knows it. */
-static void owners_tell(cn_world *world, const cni_link *links, int32_t count, const uint8_t *planned, cni_sparse *out)
+static void owners_tell(cn_world *world, const cni_solve *s, const cni_link *links, int32_t count, const uint8_t *planned, cni_sparse *out)
 {
 	int32_t k;
 	for (k = 0; k < count; ++k)
-		if (planned[k] && links[k].owner >= 0)
+		if (planned[k] && links[k].owner >= 0) {
 			cni_joint_works(world)[links[k].owner].flags |= CNI_WORK_DIRECT;
+			cni_joint_work_settle(world, s, links[k].owner);
+		}
 	for (k = 0; k < out->node_count; ++k)
 		if (out->nodes[k].owner < 0)
 			out->presses[-1 - out->nodes[k].owner].node = k;
@@ -269,7 +271,7 @@ static int32_t nets_take(cn_world *world, cni_link *links, int32_t count, const 
 }
 
 /* 0: no scratch memory. */
-static int32_t plan(cn_world *world, cni_sparse *out)
+static int32_t plan(cn_world *world, const cni_solve *s, cni_sparse *out)
 {
 	int32_t room = presses_most(world);
 	int32_t joints = world->awake_joints.count, count;
@@ -298,7 +300,7 @@ static int32_t plan(cn_world *world, cni_sparse *out)
 			return 0;
 		(void)islands_refuse(world, links, count, planned); /* joints that are alone now may have spent the budget before them */
 	}
-	owners_tell(world, links, count, planned, out);
+	owners_tell(world, s, links, count, planned, out);
 	out->saved = (cni_motion *)cni_arena_push(&world->arena, sizeof(cni_motion) * (uint64_t)out->body_count);
 	out->pull = (float *)cni_arena_push(&world->arena, sizeof(float) * (uint64_t)world->awake_count);
 	out->turn = (cni_rot *)cni_arena_push(&world->arena, sizeof(cni_rot) * (uint64_t)world->awake_count);
@@ -443,7 +445,7 @@ static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	memset(out, 0, sizeof *out);
 	if ((world->awake_joints.count == 0 && world->direct_islands.count == 0) || world->settings.solver == CN_SOLVER_SOFT)
 		return;
-	if (!plan(world, out)) {
+	if (!plan(world, s, out)) {
 		works_release(world);
 		world->direct_failed = 1;
 		world->warnings |= CN_WARNING_FRAME_MEMORY;

@@ -18,6 +18,12 @@ CNI_INLINE const int32_t *body_index(const cni_herd *herd, int32_t body, int32_t
 	return (herd->source[body] & 1 ? k->ib : k->ia) + l;
 }
 
+/* Those that have a tree, as bits from l on. */
+CNI_INLINE uint32_t lanes_from(const cni_herd *herd, int32_t l)
+{
+	return (1u << cni_min_i(herd->lanes - l, CNI_WIDTH)) - 1u;
+}
+
 CNI_INLINE void flock_gather(const cni_motion *motions, const cni_herd *herd, int32_t l, flock *f)
 {
 	int32_t k;
@@ -29,9 +35,10 @@ CNI_INLINE void flock_gather(const cni_motion *motions, const cni_herd *herd, in
 
 CNI_INLINE void flock_scatter(cni_motion *motions, const cni_herd *herd, int32_t l, const flock *f)
 {
+	uint32_t lanes = lanes_from(herd, l);
 	int32_t k;
 	for (k = 0; k < herd->moving; ++k)
-		side_scatter(motions, body_index(herd, k, l), &f->body[k]);
+		side_scatter(motions, body_index(herd, k, l), lanes, &f->body[k]);
 }
 
 /* ---- the matrix ---- */
@@ -331,7 +338,7 @@ static void herd_warm(cni_motion *motions, cni_velocity_start *starts, cni_herd 
 /* Are there lanes among these whose pins are single? */
 CNI_INLINE int32_t has_single(const cni_herd *herd, int32_t l)
 {
-	uint32_t lanes = (1u << cni_min_i(herd->lanes - l, CNI_WIDTH)) - 1u;
+	uint32_t lanes = lanes_from(herd, l);
 	return (herd->nodes[0].direct >> l & lanes) != lanes;
 }
 
@@ -450,9 +457,10 @@ CNI_INLINE void journey_gather(const cni_motion *motions, const cni_velocity_sta
 
 CNI_INLINE void journey_scatter(cni_velocity_start *starts, const cni_herd *herd, int32_t l, const journey *j)
 {
+	uint32_t lanes = lanes_from(herd, l);
 	int32_t k;
 	for (k = 0; k < herd->moving; ++k)
-		cni_wide_scatter4((float *)(void *)starts, START_FLOATS, body_index(herd, k, l), j->vx[k], j->vy[k], j->w[k], j->struck[k]);
+		moving_scatter((float *)(void *)starts, START_FLOATS, body_index(herd, k, l), lanes, j->vx[k], j->vy[k], j->w[k], j->struck[k]);
 }
 
 /* To the pin's impulse, with the order of sums of stages/joint_blocks.c. */

@@ -30,9 +30,20 @@ CNI_INLINE void side_gather(const cni_motion *motions, const int32_t *index, con
 	out->i = cni_wide_load(inertia);
 }
 
-CNI_INLINE void side_scatter(cni_motion *motions, const int32_t *index, const side *a)
+/* Records of four floats in the lanes that move, as bits. What cannot move may be in many lanes of a colour at once: who
+   writes it, even as it was, would be in the way of other workers. */
+CNI_INLINE void moving_scatter(float *base, int32_t stride, const int32_t *index, uint32_t moves, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {
-	cni_wide_scatter4((float *)(void *)motions, MOTION_FLOATS, index, a->vx, a->vy, a->w, a->m);
+	const uint32_t all = (1u << CNI_WIDTH) - 1u;
+	if ((moves & all) == all)
+		cni_wide_scatter4(base, stride, index, a, b, c, d);
+	else
+		cni_wide_scatter4_where(base, stride, index, moves, a, b, c, d);
+}
+
+CNI_INLINE void side_scatter(cni_motion *motions, const int32_t *index, uint32_t moves, const side *a)
+{
+	moving_scatter((float *)(void *)motions, MOTION_FLOATS, index, moves, a->vx, a->vy, a->w, a->m);
 }
 
 typedef struct arms {
@@ -226,8 +237,8 @@ CNI_INLINE void solve_lanes(cni_motion *motions, cni_joint_block *k, const cni_j
 		solve_group(k, l, &a, &b, &r, pass, 1, angular, 1, &dx, &dy);
 		impulse_add(k->jx + l, dx);
 		impulse_add(k->jy + l, dy);
-		side_scatter(motions, k->ia + l, &a);
-		side_scatter(motions, k->ib + l, &b);
+		side_scatter(motions, k->ia + l, k->moves_a >> l, &a);
+		side_scatter(motions, k->ib + l, k->moves_b >> l, &b);
 	}
 }
 
@@ -291,11 +302,11 @@ CNI_INLINE arms arms_renew(const place *at_a, const place *at_b, cni_joint_block
 	return r;
 }
 
-CNI_INLINE void start_turn(cni_velocity_start *starts, const int32_t *index, cni_wide spin)
+CNI_INLINE void start_turn(cni_velocity_start *starts, const int32_t *index, uint32_t moves, cni_wide spin)
 {
 	cni_wide vx, vy, w, struck;
 	cni_wide_gather4((const float *)(const void *)starts, START_FLOATS, index, &vx, &vy, &w, &struck);
-	cni_wide_scatter4((float *)(void *)starts, START_FLOATS, index, vx, vy, w - spin, struck);
+	moving_scatter((float *)(void *)starts, START_FLOATS, index, moves, vx, vy, w - spin, struck);
 }
 
 CNI_INLINE void relax_lanes(cni_motion *motions, cni_velocity_start *starts, cni_joint_block *k, const cni_joint_pass *pass, int32_t lanes, int32_t angular)
@@ -309,13 +320,13 @@ CNI_INLINE void relax_lanes(cni_motion *motions, cni_velocity_start *starts, cni
 		cni_wide dx, dy;
 		side_gather(motions, k->ia + l, k->ai + l, &a);
 		side_gather(motions, k->ib + l, k->bi + l, &b);
-		start_turn(starts, k->ia + l, -(a.i * ((r.ax - old.ax) * jy - (r.ay - old.ay) * jx)));
-		start_turn(starts, k->ib + l, b.i * ((r.bx - old.bx) * jy - (r.by - old.by) * jx));
+		start_turn(starts, k->ia + l, k->moves_a >> l, -(a.i * ((r.ax - old.ax) * jy - (r.ay - old.ay) * jx)));
+		start_turn(starts, k->ib + l, k->moves_b >> l, b.i * ((r.bx - old.bx) * jy - (r.by - old.by) * jx));
 		solve_group(k, l, &a, &b, &r, pass, 0, angular, 1, &dx, &dy);
 		impulse_add(k->jx + l, dx);
 		impulse_add(k->jy + l, dy);
-		side_scatter(motions, k->ia + l, &a);
-		side_scatter(motions, k->ib + l, &b);
+		side_scatter(motions, k->ia + l, k->moves_a >> l, &a);
+		side_scatter(motions, k->ib + l, k->moves_b >> l, &b);
 	}
 }
 
@@ -348,11 +359,13 @@ static void kernel_warm(cni_motion *motions, cni_velocity_start *starts, cni_joi
 		side_gather(motions, k->ia + l, k->ai + l, &a);
 		side_gather(motions, k->ib + l, k->bi + l, &b);
 		push(&a, &b, &r, jx, jy, t);
-		side_scatter(motions, k->ia + l, &a);
-		side_scatter(motions, k->ib + l, &b);
+		side_scatter(motions, k->ia + l, k->moves_a >> l, &a);
+		side_scatter(motions, k->ib + l, k->moves_b >> l, &b);
 	}
 }
 
 #include "stages/joint_herd_kernel.h"
+#include "stages/joint_rows_kernel.h"
 
-const cni_joint_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax, herd_begin, herd_warm, herd_solve, herd_relax, herd_close };
+const cni_joint_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax, herd_begin, herd_warm, herd_solve, herd_relax, herd_close,
+	row_lanes_begin, row_lanes_warm, row_lanes_solve, row_lanes_relax, row_lanes_finish };

@@ -19,6 +19,7 @@
 #define CNI_STAGES_JOINT_PASS_H
 
 #include "stages/joint_herd.h"
+#include "stages/joint_rows.h"
 
 typedef struct cni_joint_block {
 	int32_t ia[CNI_LANES], ib[CNI_LANES];  /* dense body indices */
@@ -38,7 +39,9 @@ typedef struct cni_joint_block {
 	int32_t angular;                       /* 1: some lane has a spring, motor or limit */
 	int32_t next;                          /* block of the colour */
 	int32_t herd;                          /* 1: a herd's */
-	int32_t reserved[12];
+	uint32_t moves_a, moves_b;             /* lanes, as bits, whose body can move and so is written */
+	int32_t listed;                        /* (of the n-th block) which block is the n-th of all colours in order */
+	int32_t reserved[9];
 } cni_joint_block;
 
 typedef struct cni_joint_pass {
@@ -68,6 +71,11 @@ typedef struct cni_joint_kernel {
 	cni_herd_kernel_fn *herd_solve;
 	cni_herd_kernel_fn *herd_relax;
 	cni_herd_kernel_fn *herd_close; /* after contacts: those of herd->closes that came apart, which become herd->parting */
+	cni_row_kernel_fn *rows_begin;  /* first rows, and impulses of records to those of lanes */
+	cni_row_kernel_fn *rows_warm;
+	cni_row_kernel_fn *rows_solve;
+	cni_row_kernel_fn *rows_relax;
+	cni_row_kernel_fn *rows_finish; /* impulses of lanes to those of records */
 } cni_joint_kernel;
 
 extern const cni_joint_kernel cni_joint_kernel_plain; /* width 1: any compiler */
@@ -100,6 +108,10 @@ typedef struct cni_lane_spring {
 	float hertz, damping_ratio;
 	cni_soft soft;
 } cni_lane_spring;
+cni_soft cni_lane_spring_soft(cni_lane_spring *spring, float hertz, float damping_ratio, float h);
+/* A colour that neither body uses yet, CNI_NONE: there is none; and that both use from now on, if they can move. */
+int32_t cni_joint_color_find(const cn_world *world, int32_t ia, int32_t ib);
+void cni_joint_color_use(cn_world *world, int32_t ia, int32_t ib, int32_t color);
 /* Work k into a lane that is empty. */
 void cni_joint_lane_fill(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k, cni_joint_block *block, int32_t l);
 /* Is no body of it so fast that its arms turn further in a step than lanes can follow? */

@@ -234,7 +234,8 @@ void cni_joint_work_begin(cn_world *world, int32_t k)
 	w->record = j;
 	w->make_rows = cni_joint_type_of(j->type)->rows;
 	w->joint = joint;
-	w->lane = CNI_NONE;
+	w->lane = w->row_lane = CNI_NONE;
+	w->form = CNI_FORM_NONE;
 	w->ia = j->body[0] == CNI_NONE ? 0 : cni_body_at(world, j->body[0])->awake;
 	w->ib = j->body[1] == CNI_NONE ? 0 : cni_body_at(world, j->body[1])->awake;
 	w->flags = work_flags(j);
@@ -570,7 +571,7 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 		cni_joint_work *w = cni_joint_works(world) + k;
 		cni_joint *j;
 		float impulse[CNI_JOINT_ROWS];
-		if ((w->flags & (CNI_WORK_WIDE | CNI_WORK_SWUNG)) == CNI_WORK_WIDE)
+		if ((w->flags & (CNI_WORK_WIDE | CNI_WORK_SWUNG)) == CNI_WORK_WIDE || w->row_lane != CNI_NONE)
 			continue;
 		j = cni_joint_at(world, w->joint);
 		for (r = 0; r < w->row_count; ++r)
@@ -592,6 +593,7 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 		}
 	}
 	cni_joint_blocks_store(world, s);
+	cni_row_lanes_store(world, s);
 }
 
 /* ---- breaking ---- */

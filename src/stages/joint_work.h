@@ -31,7 +31,9 @@ typedef struct cni_joint_work {
 	int32_t rigid_count;       /* the first rows: rigid or drive */
 	uint32_t flags;            /* CNI_WORK_* */
 	int32_t next_plain;        /* the next that is solved by rows */
-	int32_t lane;              /* block * CNI_LANES + lane, CNI_NONE: solved by rows alone */
+	int32_t lane;              /* block * CNI_LANES + lane of a pin, CNI_NONE: solved by rows alone */
+	int32_t form;              /* CNI_FORM_*, if it may be in a lane of rows: stages/joint_rows.h */
+	int32_t row_lane;          /* ... block * CNI_LANES + lane there; CNI_NONE. It then has no rows here */
 	cni_joint_frame start;     /* at the beginning of the step; what is in lanes needs nothing of what follows */
 	cni_row rows[CNI_JOINT_ROWS];
 	float inverse[6];          /* of the first rows' K: 00 01 02 11 12 22 */
@@ -111,6 +113,8 @@ void cni_close_mark(const cn_world *world, cni_sparse *sparse);
 
 /* The work of place k, as a step begins, if it can be solved in a lane; 0: it cannot. */
 int32_t cni_joint_work_widen(cn_world *world, int32_t k);
+/* Rows for the work of place k, which is solved directly, if it might have been in a lane of rows. */
+void cni_joint_work_settle(cn_world *world, const cni_solve *s, int32_t k);
 /* The rows of a component's wide works, with the impulses of their records. */
 void cni_joint_works_complete(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
 

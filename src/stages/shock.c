@@ -167,6 +167,23 @@ static void joint_lane_forget(cn_world *world, const cni_joint *j, cni_joint_blo
 	k->limit_j[l] -= stop;
 }
 
+static void rows_forget(cn_world *world, const cni_joint_work *w, cni_row *rows, int32_t count)
+{
+	int32_t r;
+	for (r = 0; r < count; ++r) {
+		cni_lever lever = cni_row_lever(&rows[r]);
+		if (rows[r].kind != CNI_ROW_SPRING && rows[r].kind != CNI_ROW_DRIVE)
+			row_forget(world, w, &lever, rows[r].slot, &rows[r].impulse);
+	}
+}
+
+static void row_lane_forget(cn_world *world, const cni_joint_work *w)
+{
+	cni_row rows[CNI_JOINT_ROWS];
+	rows_forget(world, w, rows, cni_row_lane_read(world, w, rows));
+	cni_row_lane_write(world, w, rows);
+}
+
 /*
  * A joint forgets what goes beyond its load at the beginning of the step: without that a bridge which is hit would
  * lose the tension it stands by, jump for that reason, and the shock would run through all of it. Springs
@@ -174,19 +191,16 @@ static void joint_lane_forget(cn_world *world, const cni_joint *j, cni_joint_blo
  */
 static void joints_forget(cn_world *world)
 {
-	int32_t k, r;
+	int32_t k;
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		cni_joint_work *w = (cni_joint_work *)world->joint_work.data + k;
 		if (!shocked(world, w->ia, w->ib))
 			continue;
 		if (w->lane != CNI_NONE)
 			pin_forget(world, w, cni_joint_block_of(world, w), w->lane % CNI_LANES);
-		for (r = 0; r < w->row_count; ++r) {
-			cni_row *row = &w->rows[r];
-			cni_lever lever = cni_row_lever(row);
-			if (row->kind != CNI_ROW_SPRING && row->kind != CNI_ROW_DRIVE)
-				row_forget(world, w, &lever, row->slot, &row->impulse);
-		}
+		rows_forget(world, w, w->rows, w->row_count);
+		if (w->row_lane != CNI_NONE)
+			row_lane_forget(world, w);
 		if (w->lane != CNI_NONE)
 			joint_lane_forget(world, w->record, cni_joint_block_of(world, w), w->lane % CNI_LANES);
 	}

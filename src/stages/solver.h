@@ -147,6 +147,8 @@ void cni_tiers_forget(cn_world *world);
 void cni_island_joints_part(cn_world *world, int32_t island);
 /* Its system is so dear that it is solved in this step alone, and not again before that many steps. */
 void cni_island_once(cn_world *world, int32_t island, int32_t steps);
+/* Scratch that lanes of joints which are not pins may take. */
+uint64_t cni_row_bytes(int32_t joints);
 /* Scratch that directly solving so many joints and contacts may take. */
 uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies);
 /* ... and what of it is kept from step to step. */

@@ -286,6 +286,8 @@ static uint64_t arena_bytes(const cn_world_def *d)
 	uint64_t boxes = 2048u + 40u * (uint64_t)d->shape_capacity, pairs = 64u + sizeof(cni_pair) * (uint64_t)d->contact_capacity; /* and changes of the narrowphase */
 	uint64_t island = 64u + 8u * (uint64_t)d->body_capacity;
 	uint64_t joints = cni_direct_bytes(d->solver, d->joint_capacity, d->contact_capacity, d->body_capacity), scratch = boxes > pairs ? boxes : pairs;
+	if (d->solver != CN_SOLVER_SEQUENTIAL)
+		joints += cni_row_bytes(d->joint_capacity);
 	if (d->solver == CN_SOLVER_AUTO)
 		joints += cni_pile_bytes(d->body_capacity);
 	joints += 64u + cni_energy_bytes(islands_for(d->body_capacity)); /* which is more than cni_rest_find and cni_spin_hold take */

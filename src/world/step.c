@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-/* Awake bodies and contacts from which on the substeps take so long that waking the workers for them pays. */
+/* Awake bodies, contacts and joints from which on the substeps take so long that waking the workers for them pays. */
 #define SHARED_WORK 1024
 
 /* Adds the time since the last mark to a field of the profile. */
@@ -69,7 +69,7 @@ static void substeps_run(cn_world *world, cni_solve *s)
 	int32_t lanes = cni_contacts_list(world, s);
 	if (world->awake_count == 1)
 		return; /* nothing but the dummy */
-	if (lanes + world->awake_count >= SHARED_WORK)
+	if (lanes + world->awake_joints.count + world->awake_count >= SHARED_WORK)
 		s->team = world->team;
 	all.world = world;
 	all.s = s;

@@ -57,6 +57,11 @@ static void bodies_draw(void)
 	}
 }
 
+static int32_t can_move(int32_t body)
+{
+	return drawn.motions[body].inv_mass > 0.0f || drawn.motions[body].inv_inertia > 0.0f;
+}
+
 static void bench_draw(uint32_t seed)
 {
 	cni_joint_block *k = &drawn.block;
@@ -70,6 +75,8 @@ static void bench_draw(uint32_t seed)
 		k->ib[l] = 1 + CNI_LANES + l;
 		k->ai[l] = drawn.motions[k->ia[l]].inv_inertia;
 		k->bi[l] = drawn.motions[k->ib[l]].inv_inertia;
+		k->moves_a |= (uint32_t)can_move(k->ia[l]) << l;
+		k->moves_b |= (uint32_t)can_move(k->ib[l]) << l;
 		k->direct |= pick(0.0f, 1.0f) < 0.2f ? 1u << l : 0;
 	}
 	pick_row(k->ax0, -1.0f, 1.0f), pick_row(k->ay0, -1.0f, 1.0f), pick_row(k->bx0, -1.0f, 1.0f), pick_row(k->by0, -1.0f, 1.0f);

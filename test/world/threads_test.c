@@ -5,7 +5,7 @@
 #include "base/tasks.h"
 
 #include "base/hooks.h"
-#include "joints.h"
+#include "nets.h"
 #include "scenes/scenes.h"
 
 static const int32_t worker_counts[] = { 2, 3, 8 };
@@ -182,6 +182,36 @@ static void scenes_do_not_know_their_workers(void)
 	}
 }
 
+#define NET_SIDE 36
+
+static uint64_t net_digest(const cn_world_def *def, int32_t kind)
+{
+	cn_world *world = NULL;
+	uint64_t digest;
+	must(cn_world_create(def, &world), NULL, "cn_world_create");
+	net_fill(world, kind, NET_IN_LANES, NET_SIDE, NULL);
+	digest = run_digest(world, 10);
+	cn_world_destroy(world);
+	return digest;
+}
+
+/* Lanes of joints in colours that are shared, some of them to the world and to one moving bar. */
+static void nets_do_not_know_their_workers(void)
+{
+	int32_t kind, w;
+	for (kind = 0; kind < NET_KINDS; ++kind) {
+		cn_world_def def;
+		uint64_t alone;
+		cn_world_def_init(&def);
+		def.solver = CN_SOLVER_SOFT;
+		alone = net_digest(&def, kind);
+		for (w = 0; w < WORKER_COUNTS; ++w) {
+			def.worker_count = worker_counts[w];
+			check_digest(net_name(kind), worker_counts[w], "own threads", net_digest(&def, kind), alone);
+		}
+	}
+}
+
 static void any_task_system_gives_the_same_bits(void)
 {
 	cn_world_def def = crowd_def(0);
@@ -341,6 +371,7 @@ int main(int argc, char **argv)
 	test_begin(argc, argv);
 	RUN(any_number_of_workers_gives_the_same_bits);
 	RUN(scenes_do_not_know_their_workers);
+	RUN(nets_do_not_know_their_workers);
 	RUN(any_task_system_gives_the_same_bits);
 	RUN(small_worlds_stay_alone);
 	RUN(worlds_come_and_go);
