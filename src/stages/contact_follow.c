@@ -3,7 +3,7 @@
  *
  * Most contacts of a pile are between things at rest. Their lanes are brought up to date side by side from their anchors
  * and the bodies' poses, in the blocks where they lie, by the kernel of stages/contact_follow.h; records, shapes and boxes
- * are not looked at. What cannot be followed so is handed to the narrowphase.
+ * are not looked at. What cannot be followed so is handed to the narrowphase. Blocks are shared among the world's workers.
  *
  * Boxes need no test: a pair nearer than the least margin of a fat box goes on overlapping with it, whichever box
  * was made anew.

@@ -15,7 +15,7 @@
 /* Contacts of fewer are in the cache anyway. */
 #define PREFETCH_FROM 2048
 
-/* 10 us of work. */
+/* Bodies that one worker copies, at least: 10 us of work. */
 #define BODIES_A_RANGE 512
 
 /* The high part of a centre is within half a unit of its last place. */
