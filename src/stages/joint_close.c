@@ -58,12 +58,35 @@ static cni_vec2 swerve(cni_vec2 r, float turn)
 	return cni_v(c2 * r.x - (s - turn) * r.y, c2 * r.y + (s - turn) * r.x);
 }
 
-static int32_t is_pin(const cn_world *world, const cni_node *n)
+static int32_t joint_is(const cn_world *world, const cni_node *n, int32_t type)
 {
-	return n->owner >= 0 && cni_joint_works(world)[n->owner].record->type == CN_JOINT_REVOLUTE;
+	return cni_joint_works(world)[n->owner].record->type == type;
 }
 
-/* Arms that turn fast carry pins apart at the second order of the substep: their speeds shall make up for it. */
+static void pin_swerve(const cni_solve *s, cni_node *n, float wa, float wb)
+{
+	const cni_lever *x = &n->lever[0], *y = &n->lever[1];
+	cni_vec2 a = swerve(cni_v(-y->aw, x->aw), s->h * wa), b = swerve(cni_v(y->bw, -x->bw), s->h * wb);
+	n->x[0] -= cni_clamp((b.x - a.x) * s->inv_h, -s->push_speed, s->push_speed);
+	n->x[1] -= cni_clamp((b.y - a.y) * s->inv_h, -s->push_speed, s->push_speed);
+}
+
+/* Any other joint: what its errors will be, less what their speeds tell. */
+static void joint_swerve(const cn_world *world, const cni_solve *s, cni_node *n)
+{
+	const cni_motion *motions = cni_motions(world);
+	const cni_joint_work *w = cni_joint_works(world) + n->owner;
+	float ahead[CNI_NODE_ROWS];
+	int32_t i;
+	cni_joint_work_ahead(w, motions, s->h, ahead);
+	for (i = 0; i < n->rows; ++i) {
+		float speed = (ahead[i] - w->rows[i].error) * s->inv_h - cni_lever_speed(&n->lever[i], motions + n->ia, motions + n->ib);
+		n->x[i] -= cni_clamp(speed, -s->push_speed, s->push_speed);
+	}
+}
+
+/* Arms that turn fast, and rods, whose bodies need not, carry joints apart at the second order of the substep: their speeds
+   shall make up for it. */
 static void swerves_add(const cn_world *world, const cni_solve *s, const cni_component *c)
 {
 	const cni_motion *motions = cni_motions(world);
@@ -71,15 +94,12 @@ static void swerves_add(const cn_world *world, const cni_solve *s, const cni_com
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &s->direct->nodes[k];
-		const cni_lever *x = &n->lever[0], *y = &n->lever[1];
 		float wa = motions[n->ia].w, wb = motions[n->ib].w;
-		cni_vec2 a, b;
-		if ((cni_abs(wa) <= least && cni_abs(wb) <= least) || !is_pin(world, n))
-			continue;
-		a = swerve(cni_v(-y->aw, x->aw), s->h * wa);
-		b = swerve(cni_v(y->bw, -x->bw), s->h * wb);
-		n->x[0] -= cni_clamp((b.x - a.x) * s->inv_h, -s->push_speed, s->push_speed);
-		n->x[1] -= cni_clamp((b.y - a.y) * s->inv_h, -s->push_speed, s->push_speed);
+		int32_t turns = cni_abs(wa) > least || cni_abs(wb) > least;
+		if (n->owner >= 0 && turns && joint_is(world, n, CN_JOINT_REVOLUTE))
+			pin_swerve(s, n, wa, wb);
+		else if (n->owner >= 0 && (turns || n->rows == 1) && !joint_is(world, n, CN_JOINT_REVOLUTE))
+			joint_swerve(world, s, n);
 	}
 }
 

@@ -175,6 +175,23 @@ void cni_joint_work_rows(cni_joint_work *w, const cni_motion *motions, const cni
 	(void)w->make_rows(w->record, &f, w->rows);
 }
 
+void cni_joint_work_ahead(const cni_joint_work *w, const cni_motion *motions, float h, float *errors)
+{
+	cni_motion end[2] = { motions[w->ia], motions[w->ib] };
+	cni_row rows[CNI_JOINT_ROWS];
+	cni_joint_frame f;
+	int32_t k;
+	for (k = 0; k < 2; ++k) {
+		end[k].dpx += h * end[k].vx;
+		end[k].dpy += h * end[k].vy;
+		end[k].theta += h * end[k].w;
+	}
+	f = work_frame(w, &end[0], &end[1]);
+	(void)w->make_rows(w->record, &f, rows);
+	for (k = 0; k < w->rigid_count; ++k)
+		errors[k] = rows[k].error;
+}
+
 /* Impulses between the record, by the type's rows, and the work, by decoupled rows: sign +1 stores, -1 loads. */
 static void impulses_recouple(const cn_world *world, const cni_joint_work *w, float sign, float *impulse)
 {

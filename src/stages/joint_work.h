@@ -73,6 +73,8 @@ void cni_joint_work_build(cni_joint_work *w, const cni_motion *a, const cni_moti
 /* The rows as their type gives them, for joints whose rows are all rigid or limits that are far away; turns: rotations
    by the motions' theta. Impulses are left undefined. */
 void cni_joint_work_rows(cni_joint_work *w, const cni_motion *motions, const cni_rot *turns);
+/* Errors of the rigid rows after a time at the bodies' present velocities. */
+void cni_joint_work_ahead(const cni_joint_work *w, const cni_motion *motions, float h, float *errors);
 /* Keeps the largest reaction of the step. */
 void cni_joint_work_stress(cni_joint_work *w, const cni_motion *b, float inv_h);
 

@@ -22,6 +22,7 @@
 #define SLIDES "slip_err_m<=2e-3"
 #define APEX "apex_maxerr_frac_of_h0<=1e-3"
 #define CLUSTER "energy_max_over_E0<=1.0001 lin_mom_drift_rel<=1e-6 ang_mom_drift_rel<=1e-5"
+#define LINKS "joint_stretch_max_m<=5e-3 energy_max_gain_pct<=1 lost<=0"
 #define RANDOM "energy_max_over_E0<=1.001 not_finite<=0 lost<=0"
 #define STOPS "tunnel_frac<=0"
 
@@ -86,6 +87,10 @@ const scene_case scene_cases[] = {
 	{ "bridge_load200", "bridge", "load=200", "joint_stretch_max_m<=1e-2 energy_max_gain_pct<=1 fallen<=0", 0 },
 	{ "joint_grid100", "joint_grid", "", "joint_stretch_max_m<=2e-3 energy_max_gain_pct<=1", 0 },
 	{ "gear_train", "gear_train", "", "gear_err_max_rad<=1e-3 speed_err_rel<=1e-3 joint_stretch_max_m<=1e-3", 0 },
+	{ "links_of_2", "links", "", LINKS, 0 },
+	{ "links_of_2_1:10", "links", "ratio=10", LINKS, 0 },
+	{ "links_of_3", "links", "links=3", LINKS, 0 },
+	{ "links_of_4_1:10", "links", "links=4 ratio=10", LINKS, 0 },
 	{ "ragdolls", "ragdolls", "", "joint_stretch_max_m<=1e-2 energy_max_gain_pct<=1 lost<=0", 0 },
 
 	/* Piles. */

@@ -1,5 +1,5 @@
 /*
- * test/stability/joints.c - structures held by joints: cantilevers, a bridge, a grid, a gear train, ragdolls.
+ * test/stability/joints.c - structures held by joints: cantilevers, a bridge, a grid, a gear train, ragdolls, short chains.
  */
 #include "scene.h"
 
@@ -242,19 +242,24 @@ static void make_ragdoll(scene_run *run, double x, double y)
 	}
 }
 
-static void ragdolls_build(scene_run *run)
+static void make_pit(scene_run *run)
 {
-	int32_t count = scene_count(run, "count"), k;
 	scene_floor(run);
 	scene_box(run, CN_BODY_STATIC, -PIT_HALF - 1.0, 5.0, 0.0, 1.0, 5.0);
 	scene_box(run, CN_BODY_STATIC, PIT_HALF + 1.0, 5.0, 0.0, 1.0, 5.0);
+}
+
+static void ragdolls_build(scene_run *run)
+{
+	int32_t count = scene_count(run, "count"), k;
+	make_pit(run);
 	run->friction = 0.2;
 	for (k = 0; k < count; ++k)
 		make_ragdoll(run, 0.8 * (double)(k % 3 - 1) + 0.02 * (double)(k / 3), 0.5 + 1.8 * (double)(k / 3));
 	held_begin(run, 1.0);
 }
 
-static void ragdolls_finish(scene_run *run)
+static void pit_finish(scene_run *run)
 {
 	double wide = PIT_HALF * scene_value(run, "size");
 	int32_t k, lost = 0;
@@ -266,11 +271,38 @@ static void ragdolls_finish(scene_run *run)
 	scene_report(run, "lost", (double)lost);
 }
 
+/* ---- links: short chains of thin boxes fall into the same pit ---- */
+
+static void make_links(scene_run *run, int32_t links, double x, double y, double half_y)
+{
+	cn_body previous = 0;
+	int32_t k;
+	--run->group;
+	for (k = 0; k < links; ++k) {
+		cn_body link;
+		run->density = k % 2 == 1 ? scene_value(run, "ratio") : 1.0;
+		link = scene_box(run, CN_BODY_DYNAMIC, x + 0.3 * (double)k, y, 0.0, 0.15, half_y);
+		if (k > 0)
+			scene_pin(run, previous, link, x + 0.3 * (double)k - 0.15, y);
+		previous = link;
+	}
+}
+
+static void links_build(scene_run *run)
+{
+	int32_t count = scene_count(run, "count"), links = scene_count(run, "links"), k;
+	make_pit(run);
+	for (k = 0; k < count; ++k)
+		make_links(run, links, -1.2 + 1.3 * (double)(k % 2) + 0.05 * (double)(k / 2 % 3), 0.5 + 0.4 * (double)(k / 2), 0.05 + 0.01 * (double)(k % 5));
+	held_begin(run, 1.0);
+}
+
 const scene_family joint_families[] = {
 	{ "cantilever", "boxes=10 tip=1 seconds=10", sizeof(cantilever_state), cantilever_build, cantilever_observe, cantilever_finish },
 	{ "bridge", "planks=20 load=20 arc=0.5 seconds=10", sizeof(held_state), bridge_build, held_observe, bridge_finish },
 	{ "joint_grid", "side=100 seconds=5", sizeof(held_state), joint_grid_build, held_observe, held_report },
 	{ "gear_train", "wheels=8 speed=4 torque=10 gravity=0 seconds=10", sizeof(gear_state), gear_train_build, gear_train_observe, gear_train_finish },
-	{ "ragdolls", "count=12 seconds=10", sizeof(held_state), ragdolls_build, held_observe, ragdolls_finish },
+	{ "links", "count=40 links=2 ratio=1 seconds=10", sizeof(held_state), links_build, held_observe, pit_finish },
+	{ "ragdolls", "count=12 seconds=10", sizeof(held_state), ragdolls_build, held_observe, pit_finish },
 };
 const int32_t joint_family_count = (int32_t)(sizeof joint_families / sizeof *joint_families);
