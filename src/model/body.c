@@ -8,29 +8,6 @@
 
 #include <string.h>
 
-cni_transform cni_body_b_in_a(const cni_body *a, const cni_body *b)
-{
-	cni_rot qa = { 1.0f, 0.0f }, qb = { 1.0f, 0.0f };
-	cni_vec2 local_a = { 0.0f, 0.0f }, local_b = { 0.0f, 0.0f };
-	cni_vec2 d = { 0.0f, 0.0f }, d_low = { 0.0f, 0.0f };
-	cni_transform x;
-	if (b != NULL) {
-		qb = b->q;
-		local_b = b->local_center;
-		d = cni_v(b->cx, b->cy);
-		d_low = cni_v(b->cx_low, b->cy_low);
-	}
-	if (a != NULL) {
-		qa = a->q;
-		local_a = a->local_center;
-		d = cni_sub(d, cni_v(a->cx, a->cy));
-		d_low = cni_sub(d_low, cni_v(a->cx_low, a->cy_low));
-	}
-	x.q = cni_rot_between(qa, qb);
-	x.t = cni_add(cni_unrotate(qa, cni_sub(cni_add(d, d_low), cni_rotate(qb, local_b))), local_a);
-	return x;
-}
-
 cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b)
 {
 	cn_velocity v;

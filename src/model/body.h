@@ -122,8 +122,6 @@ static inline cni_transform cni_body_transform(const cni_body *b)
 	x.t = cni_body_origin(b);
 	return x;
 }
-/* Maps frame b into frame a without losing digits far from the origin. NULL means the world frame. */
-cni_transform cni_body_b_in_a(const cni_body *a, const cni_body *b);
 
 cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b);
 /* The velocity was set from outside: its boxes must look ahead again before the next step. */

@@ -359,7 +359,7 @@ int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *
 	c->id[0] = c->id[1] = 0;
 	cni_block_anchor_at(world, c->slot / CNI_LANES)->of.fresh.approach[c->slot % CNI_LANES] = approach;
 	cni_lane_set_fresh(world, c->slot);
-	cni_contact_write(world, contact, manifold, gap, radius);
+	cni_contact_write(world, c, cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]), manifold, gap, radius);
 	log_or_owe(world, contact, CN_EVENT_ENTER, CNI_CONTACT_ENTER_OWED);
 	return 1;
 }

@@ -197,10 +197,10 @@ int32_t cni_lane_reserve_extra(cn_world *world);
 void cni_contact_pay_owed(cn_world *world, int32_t contact, uint32_t owed, int32_t kind);
 /* A sensor pair overlaps or no longer does: logs the change. 0: no memory for the log; nothing changes. */
 int32_t cni_contact_sense(cn_world *world, int32_t contact, int32_t overlaps);
-/* Writes a manifold to the contact's lane, keeping the impulses of points with equal ids. gap: where b's contact
-   point is from a's at the beginning of the step, in a's frame; (0, 0) but for contacts that are still ahead. radius: of the contact's
-   shapes a and b. */
-void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap, const float radius[2]);
+/* Writes a manifold to the contact's lane, keeping the impulses of points with equal ids. a, b: the contact's bodies. gap: where b's
+   contact point is from a's at the beginning of the step, in a's frame; (0, 0) but for contacts that are still ahead. radius: of the
+   contact's shapes a and b. */
+void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const cni_body *b, const cni_manifold *manifold, cni_vec2 gap, const float radius[2]);
 /* An empty manifold: the lane stays but can do nothing. */
 void cni_contact_write_empty(cn_world *world, int32_t contact);
 

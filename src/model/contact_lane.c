@@ -15,12 +15,12 @@ typedef struct lane_frame {
 	cni_vec2 n, t;
 } lane_frame;
 
-CNI_INLINE lane_frame frame_make(const cn_world *world, const cni_contact *c, cni_vec2 normal)
+CNI_INLINE lane_frame frame_make(const cni_contact *c, const cni_body *a, const cni_body *b, cni_vec2 normal)
 {
 	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0;
 	lane_frame f;
-	f.a = cni_body_at(world, c->body[flipped]);
-	f.b = cni_body_at(world, c->body[1 - flipped]);
+	f.a = flipped ? b : a;
+	f.b = flipped ? a : b;
 	f.d = cni_v((f.b->cx - f.a->cx) + (f.b->cx_low - f.a->cx_low), (f.b->cy - f.a->cy) + (f.b->cy_low - f.a->cy_low));
 	f.n = flipped ? cni_neg(normal) : normal;
 	f.t = cni_right_perp(f.n);
@@ -187,19 +187,17 @@ static void anchor_write(cn_world *world, const cni_contact *c, const cni_contac
 		anchor->of.less[k][l] = block->p[k].s0[l] - centers;
 }
 
-void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap, const float radius[2])
+void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const cni_body *b, const cni_manifold *manifold, cni_vec2 gap, const float radius[2])
 {
-	cni_contact *c = cni_contact_at(world, contact);
 	cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
 	cni_block_info *info = cni_block_info_at(world, c->slot / CNI_LANES);
 	int32_t lane = c->slot % CNI_LANES, flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, kept = 0, k;
-	const cni_body *first = cni_body_at(world, c->body[0]);
-	cni_vec2 normal = cni_rotate(first->q, manifold->normal);
-	lane_frame f = frame_make(world, c, normal);
+	cni_vec2 normal = cni_rotate(a->q, manifold->normal);
+	lane_frame f = frame_make(c, a, b, normal);
 	lane_mass m = lane_mass_of(world, &f);
 	float radius_a = radius[flipped], old_jn[2], old_load[2], fa = 0.0f, ahead, dn, dt;
 	uint16_t old_id[2];
-	gap = cni_rotate(first->q, gap);
+	gap = cni_rotate(a->q, gap);
 	ahead = cni_dot(gap, normal);
 	f.d = flipped ? cni_add(f.d, gap) : cni_sub(f.d, gap);
 	dn = cni_dot(f.d, f.n);
@@ -217,7 +215,7 @@ void cni_contact_write(cn_world *world, int32_t contact, const cni_manifold *man
 	for (k = 0; k < manifold->count; ++k) {
 		const cni_manifold_point *point = &manifold->points[k];
 		cni_contact_row *p = &block->p[k];
-		cni_vec2 r = cni_rotate(first->q, cni_sub(point->point, first->local_center));
+		cni_vec2 r = cni_rotate(a->q, cni_sub(point->point, a->local_center));
 		float at, bt, an;
 		if (flipped)
 			r = cni_add(r, f.d); /* from lane b's centre to lane a's */
@@ -286,7 +284,7 @@ static void describe_manifold(const cn_world *world, const cni_contact *c, cn_ma
 	lane_read_rows(world, c, rows);
 	n = cni_v(rows[ROW_NX], rows[ROW_NY]);
 	t = cni_right_perp(n);
-	f = frame_make(world, c, flipped ? cni_neg(n) : n);
+	f = frame_make(c, cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]), flipped ? cni_neg(n) : n);
 	moved_n = cni_dot(f.d, n) - (rows[ROW_FA] - rows[ROW_FB]);
 	moved_t = cni_dot(f.d, t) - rows[ROW_DT];
 	middle = cni_madd(cni_madd(cni_v(f.a->cx, f.a->cy), 0.5f * moved_n, n), 0.5f * moved_t, t);

@@ -82,8 +82,8 @@ static void ask_user(cn_world *world, int32_t contact)
 
 static void write_and_ask(cn_world *world, int32_t contact, const cni_touch *t)
 {
-	cni_contact_write(world, contact, &t->manifold, t->gap, t->radius);
-	if (cni_contact_at(world, contact)->flags & CNI_CONTACT_PRE_SOLVE)
+	cni_contact_write(world, t->contact, t->a, t->b, &t->manifold, t->gap, t->radius);
+	if (t->contact->flags & CNI_CONTACT_PRE_SOLVE)
 		ask_user(world, contact);
 }
 
