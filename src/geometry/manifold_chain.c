@@ -47,30 +47,35 @@ static cni_vec2 normal_moved(const cni_manifold_input *in, cni_vec2 along)
 	return cni_rotate(in->b_in_a.q, cni_normalize(cni_right_perp(along)));
 }
 
-/* Directions come from the chain's own points, which keep more digits than the moved ones. */
-static cni_chain_edge chain_edge(const cni_manifold_input *in)
+/* The edge itself, which is all that is asked of most: of what is behind it or too far in front. Directions come from
+   the chain's own points, which keep more digits than the moved ones. */
+static void chain_surface(cni_chain_edge *e, const cni_manifold_input *in)
+{
+	const cni_vec2 *p = cni_geometry_points(in->b);
+	cni_vec2 start = p[in->child_b], end = p[chain_neighbour(in->b, in->child_b + 1)];
+	e->normal = normal_moved(in, cni_sub(end, start));
+	e->points[0] = cni_transform_point(in->b_in_a, start);
+	e->points[1] = cni_transform_point(in->b_in_a, end);
+}
+
+/* What lies beyond one of its ends. */
+static void chain_corner(cni_chain_edge *e, const cni_manifold_input *in, int32_t end)
 {
 	const cni_geometry *g = in->b;
 	const cni_vec2 *p = cni_geometry_points(g);
-	cni_chain_edge e;
-	int32_t index[2] = { in->child_b, chain_neighbour(g, in->child_b + 1) };
-	int32_t ghost[2] = { chain_neighbour(g, in->child_b - 1), chain_neighbour(g, in->child_b + 2) };
-	cni_vec2 along = cni_sub(p[index[1]], p[index[0]]);
-	e.normal = normal_moved(in, along);
-	for (int32_t end = 0; end < 2; ++end) {
-		e.points[end] = cni_transform_point(in->b_in_a, p[index[end]]);
-		e.corner[end] = CNI_CORNER_OPEN;
-		e.ghost[end] = e.points[end];
-		e.neighbour_normal[end] = e.normal;
-		if (ghost[end] == CNI_NONE)
-			continue;
-		cni_vec2 beyond = end ? cni_sub(p[ghost[1]], p[index[1]]) : cni_sub(p[index[0]], p[ghost[0]]);
-		e.ghost[end] = cni_transform_point(in->b_in_a, p[ghost[end]]);
-		e.corner[end] = end ? corner_kind(along, beyond) : corner_kind(beyond, along);
-		if (e.corner[end] == CNI_CORNER_CONVEX)
-			e.neighbour_normal[end] = normal_moved(in, beyond);
-	}
-	return e;
+	cni_vec2 start = p[in->child_b], stop = p[chain_neighbour(g, in->child_b + 1)];
+	cni_vec2 along = cni_sub(stop, start);
+	int32_t ghost = chain_neighbour(g, in->child_b + (end ? 2 : -1));
+	e->corner[end] = CNI_CORNER_OPEN;
+	e->ghost[end] = e->points[end];
+	e->neighbour_normal[end] = e->normal;
+	if (ghost == CNI_NONE)
+		return;
+	cni_vec2 beyond = end ? cni_sub(p[ghost], stop) : cni_sub(start, p[ghost]);
+	e->ghost[end] = cni_transform_point(in->b_in_a, p[ghost]);
+	e->corner[end] = end ? corner_kind(along, beyond) : corner_kind(beyond, along);
+	if (e->corner[end] == CNI_CORNER_CONVEX)
+		e->neighbour_normal[end] = normal_moved(in, beyond);
 }
 
 /* ------------------------------------------------------------------ circle */
@@ -104,7 +109,8 @@ void cni_collide_circle_chain(const cni_manifold_input *in, cni_manifold_cache *
 {
 	(void)cache;
 	float touch = CNI_TOUCH_PER_SLOP * in->slop;
-	cni_chain_edge e = chain_edge(in);
+	cni_chain_edge e;
+	chain_surface(&e, in);
 	cni_vec2 center = cni_geometry_points(in->a)[0];
 	cni_vec2 offset = cni_sub(center, e.points[0]);
 	cni_vec2 along = cni_left_perp(e.normal);
@@ -114,16 +120,22 @@ void cni_collide_circle_chain(const cni_manifold_input *in, cni_manifold_cache *
 		return;
 	float at = cni_dot(along, offset);
 	float length = cni_dot(along, cni_sub(e.points[1], e.points[0]));
-	/* Flat corners overlap a little, so that rounding opens no gap between two edges. */
-	float reach0 = e.corner[0] == CNI_CORNER_FLAT ? touch : 0.0f;
-	float reach1 = e.corner[1] == CNI_CORNER_FLAT ? touch : 0.0f;
-	if (at >= -reach0 && at <= length + reach1) {
+	if (at >= 0.0f && at <= length) {
 		circle_emit(in, e.normal, height, CNI_FEATURE_EDGE, out);
 		return;
 	}
 	int32_t end = at > 0.0f;
+	int32_t almost_on = end ? at <= length + touch : at >= -touch;
 	cni_vec2 d = cni_sub(center, e.points[end]);
 	float distance = cni_length(d);
+	if (!almost_on && distance - in->a->radius > in->margin)
+		return;
+	chain_corner(&e, in, end);
+	/* Flat corners overlap a little, so that rounding opens no gap between two edges. */
+	if (e.corner[end] == CNI_CORNER_FLAT && almost_on) {
+		circle_emit(in, e.normal, height, CNI_FEATURE_EDGE, out);
+		return;
+	}
 	cni_vec2 outward = distance > 0.0f ? cni_normalize(d) : e.normal;
 	if (corner_owns(&e, end, outward, d))
 		circle_emit(in, outward, distance, end, out);
@@ -148,10 +160,10 @@ static float points_height(const cni_faces *f, cni_vec2 normal, cni_vec2 origin)
 	return low;
 }
 
-/* The edge's own normal and those of convex neighbours. */
-static void surface_axes(const cni_chain_edge *e, const cni_faces *a, float touch, chain_axis *best)
+/* The edge's own normal, over which a is at a height, and those of convex neighbours. */
+static void surface_axes(const cni_chain_edge *e, const cni_faces *a, float height, float touch, chain_axis *best)
 {
-	best->separation = points_height(a, e->normal, e->points[0]);
+	best->separation = height;
 	best->kind = AXIS_SURFACE;
 	best->edge = 0;
 	float bar = best->separation + touch;
@@ -200,13 +212,19 @@ static void shape_axis(const cni_chain_edge *e, cni_vec2 normal, cni_vec2 origin
 static void collide_faces_chain(const cni_faces *a, const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
 	float touch = CNI_TOUCH_PER_SLOP * in->slop;
-	cni_chain_edge e = chain_edge(in);
+	cni_chain_edge e;
 	chain_axis best;
 	(void)cache;
 	out->count = 0;
+	chain_surface(&e, in);
 	if (cni_dot(e.normal, cni_sub(in->a->centroid, e.points[0])) < 0.0f)
 		return;
-	surface_axes(&e, a, touch, &best);
+	float height = points_height(a, e.normal, e.points[0]);
+	if (height > in->margin + a->radius)
+		return;
+	chain_corner(&e, in, 0);
+	chain_corner(&e, in, 1);
+	surface_axes(&e, a, height, touch, &best);
 	for (int32_t i = 0; i < a->count && best.apart <= in->margin + a->radius; ++i)
 		shape_axis(&e, a->normals[i], a->points[i], i, touch, &best);
 	if (best.apart > in->margin + a->radius || best.kind == AXIS_NEIGHBOUR)

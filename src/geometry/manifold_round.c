@@ -48,13 +48,14 @@ void cni_collide_circles(const cni_manifold_input *in, cni_manifold_cache *cache
 	nearest_emit(&near, in, out);
 }
 
-static nearest nearest_on_segment(cni_vec2 center, const cni_vec2 p[2])
+static nearest nearest_on_segment(cni_vec2 center, const cni_geometry *segment)
 {
 	nearest near;
+	const cni_vec2 *p = cni_geometry_points(segment);
 	cni_vec2 edge = cni_sub(p[1], p[0]);
 	float length_sq = cni_length_sq(edge);
 	float at = cni_dot(cni_sub(center, p[0]), edge);
-	cni_vec2 side = cni_normalize(cni_left_perp(edge));
+	cni_vec2 side = cni_geometry_normals(segment)[1]; /* left of the edge */
 	if (at <= 0.0f)
 		return nearest_to_point(center, p[0], side, 0);
 	if (at >= length_sq)
@@ -69,7 +70,7 @@ static nearest nearest_on_segment(cni_vec2 center, const cni_vec2 p[2])
 static void collide_circle_segment(const cni_manifold_input *in, cni_manifold *out)
 {
 	cni_vec2 center = cni_untransform_point(in->b_in_a, cni_geometry_points(in->a)[0]);
-	nearest near = nearest_on_segment(center, cni_geometry_points(in->b));
+	nearest near = nearest_on_segment(center, in->b);
 	nearest_emit(&near, in, out);
 }
 
@@ -90,16 +91,32 @@ static float face_height(const cni_geometry *g, int32_t edge, cni_vec2 point)
 	return cni_dot(cni_geometry_normals(g)[edge], cni_sub(point, cni_geometry_points(g)[edge]));
 }
 
+/* Of a box: the four faces side by side. */
+static int32_t box_face(const cni_geometry *g, cni_vec2 center, float *out_height)
+{
+	float h[4];
+	for (int32_t i = 0; i < 4; ++i)
+		h[i] = face_height(g, i, center);
+	float best01 = cni_max(h[1], h[0]);
+	float best23 = cni_max(h[3], h[2]);
+	*out_height = cni_max(best23, best01);
+	return best23 > best01 ? 2 + (h[3] > h[2]) : h[1] > h[0];
+}
+
 /* The face the centre is farthest in front of, with a bias towards the last one when inside, so that
    a centre deep in the middle does not jump between faces. */
 static int32_t face_find(const cni_geometry *g, cni_vec2 center, int32_t cached, float touch, float *out_height)
 {
 	int32_t best = 0;
 	float height = face_height(g, 0, center);
-	for (int32_t i = 1; i < g->count; ++i) {
-		float h = face_height(g, i, center);
-		best = h > height ? i : best;
-		height = cni_max(h, height);
+	if (g->count == 4) {
+		best = box_face(g, center, &height);
+	} else {
+		for (int32_t i = 1; i < g->count; ++i) {
+			float h = face_height(g, i, center);
+			best = h > height ? i : best;
+			height = cni_max(h, height);
+		}
 	}
 	if (height < 0.0f && cached > CN_POLYGON_MAX_VERTICES && cached <= CN_POLYGON_MAX_VERTICES + g->count) {
 		int32_t edge = cached - CN_POLYGON_MAX_VERTICES - 1;

@@ -146,15 +146,6 @@ static inline cni_vec2 cni_body_a_to_b(const cni_body *a, const cni_body *b)
 {
 	return cni_v((b->cx - a->cx) + (b->cx_low - a->cx_low), (b->cy - a->cy) + (b->cy_low - a->cy_low));
 }
-/* Maps frame b into frame a, as exactly. */
-static inline cni_transform cni_body_b_in_a(const cni_body *a, const cni_body *b)
-{
-	cni_transform x;
-	x.q = cni_rot_between(a->q, b->q);
-	x.t = cni_add(cni_unrotate(a->q, cni_sub(cni_body_a_to_b(a, b), cni_rotate(b->q, b->local_center))), a->local_center);
-	return x;
-}
-
 cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b);
 /* The velocity was set from outside: its boxes must look ahead again before the next step. */
 void cni_body_kick(cn_world *world, int32_t body);

@@ -152,23 +152,35 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 
 /* Are even the circles around the two bodies farther apart than the pair looks? Boxes with their margins are much
    larger than small bodies, so most pairs that do not touch end here, before shapes are looked at. */
-static int32_t circles_apart(const cni_body *a, const cni_body *b, float margin)
+static int32_t circles_apart(const cni_body *a, const cni_body *b, cni_vec2 centers, float margin)
 {
 	float reach = CNI_CIRCLES_APART * (a->extent + b->extent + margin);
-	return cni_length_sq(cni_body_a_to_b(a, b)) > reach * reach;
+	return cni_length_sq(centers) > reach * reach;
+}
+
+/* Maps frame b into frame a without losing digits far from the origin, by the way between the two centres. */
+static cni_transform b_in_a(const cni_body *a, const cni_body *b, cni_vec2 centers)
+{
+	cni_transform x;
+	x.q = cni_rot_between(a->q, b->q);
+	x.t = cni_add(cni_unrotate(a->q, cni_sub(centers, cni_rotate(b->q, b->local_center))), a->local_center);
+	return x;
 }
 
 int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out)
 {
+	const cni_body *a = p->body[0], *b = p->body[1];
+	cni_vec2 centers;
 	out->contact = p->contact;
-	out->a = p->body[0];
-	out->b = p->body[1];
-	CNI_ASSERT(dt == 0.0f || (record_is_of_motion(world, out->a) && record_is_of_motion(world, out->b)));
+	out->a = a;
+	out->b = b;
+	CNI_ASSERT(dt == 0.0f || (record_is_of_motion(world, a) && record_is_of_motion(world, b)));
 	out->boxes_overlap = cni_aabb_overlap(&p->proxy[0]->fat, &p->proxy[1]->fat);
-	out->motion = motion_make(out->a, out->b, dt);
+	out->motion = motion_make(a, b, dt);
 	out->manifold.count = 0;
 	out->in.margin = cni_max(world->settings.contact_margin, out->motion.reach);
-	if (!out->boxes_overlap || circles_apart(out->a, out->b, out->in.margin))
+	centers = cni_body_a_to_b(a, b);
+	if (!out->boxes_overlap || circles_apart(a, b, centers, out->in.margin))
 		return 0;
 	out->in.a = cni_proxy_geometry(&world->blocks, p->proxy[0]);
 	out->in.b = cni_proxy_geometry(&world->blocks, p->proxy[1]);
@@ -176,7 +188,7 @@ int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt
 	out->radius[1] = out->in.b->radius;
 	out->in.child_a = cni_proxy_child(p->proxy[0]);
 	out->in.child_b = cni_proxy_child(p->proxy[1]);
-	out->in.b_in_a = cni_body_b_in_a(out->a, out->b);
+	out->in.b_in_a = b_in_a(a, b, centers);
 	out->in.slop = world->settings.slop;
 	out->gap = cni_v(0.0f, 0.0f);
 	return 1;

@@ -55,6 +55,22 @@ static void t_header_measures(void)
 	CHECK(r.g.inner_radius == 0.0f && r.g.centroid.x == 1.0f && r.g.centroid.y == 1.0f);
 }
 
+static void t_segments_look_away_on_both_sides(void)
+{
+	double worst = 0.0;
+	int32_t wrong = 0;
+	for (int32_t k = 0; k < 1000; ++k) {
+		record r;
+		record_random(&r, random_below(2) ? CN_SHAPE_CAPSULE : CN_SHAPE_EDGE, 1.0f);
+		const cni_vec2 *p = cni_geometry_points(&r.g), *n = cni_geometry_normals(&r.g);
+		cni_vec2 along = cni_normalize(cni_sub(p[1], p[0]));
+		worst = fmax(worst, hypot((double)n[0].x - (double)along.y, (double)n[0].y + (double)along.x));
+		wrong += n[1].x != -n[0].x || n[1].y != -n[0].y;
+	}
+	CHECK_LE("first normal against right of the segment", worst, 1e-6, "");
+	CHECK_LE("second normals that are not its opposite", (double)wrong, 0.0, "");
+}
+
 static void t_box_is_tight(void)
 {
 	double worst = 0.0;
@@ -200,6 +216,7 @@ int main(int argc, char **argv)
 	RUN(t_record_layout);
 	RUN(t_polygon_is_counter_clockwise_with_outward_normals);
 	RUN(t_header_measures);
+	RUN(t_segments_look_away_on_both_sides);
 	RUN(t_box_is_tight);
 	RUN(t_chain_box_is_of_the_child);
 	RUN(t_contains_agrees_with_distance);
