@@ -63,6 +63,7 @@ static void take_pose(cni_body *b, cni_motion *m)
 {
 	cni_vec2 before = cni_body_origin(b), after;
 	cni_rot q = b->q;
+	b->flags &= ~(uint32_t)CNI_BODY_AHEAD;
 	sum_exactly(&b->cx, &b->cx_low, m->dpx);
 	sum_exactly(&b->cy, &b->cy_low, m->dpy);
 	if (m->theta != 0.0f)
@@ -114,7 +115,7 @@ static int32_t take_poses(cni_body *const *b, cni_motion *m)
 	reach = cni_wide_max(cni_wide_abs(dx), cni_wide_abs(dy)) + cni_wide_abs(turn) * extent + cni_wide_of(CNI_BODY_ROUNDING) * (cni_wide_abs(x) + cni_wide_abs(y) + extent);
 	for (l = 0; l < 4; ++l) {
 		cni_body_set_room(b[l], cni_body_room(b[l]) - reach[l]);
-		b[l]->flags |= moved >> l & 1u ? (uint32_t)CNI_BODY_MOVED : 0u;
+		b[l]->flags = (b[l]->flags & ~(uint32_t)CNI_BODY_AHEAD) | (moved >> l & 1u ? (uint32_t)CNI_BODY_MOVED : 0u);
 	}
 	cni_wide_scatter4_to(records, at_center, x, y, x_low, y_low);
 	cni_wide_scatter4_to(records, at_rotation, new_c, new_s, lx, ly);
@@ -226,9 +227,17 @@ static int32_t body_boxes_may_leave(const cn_world *world, const cni_solve *s, c
 	return (b->flags & CNI_BODY_MOVED) && !cni_body_has_room(b, way_ahead(world, s, k));
 }
 
+static void boxes_look_ahead(cn_world *world, const cni_solve *s, cni_body *b, int32_t k)
+{
+	if (cni_body_look_ahead(world, b, way_ahead(world, s, k)))
+		b->flags |= CNI_BODY_AHEAD;
+}
+
 static void body_boxes_find(cn_world *world, const cni_solve *s, cni_body *b, int32_t k, cni_box_move *move)
 {
 	int32_t left = cni_body_boxes_left(world, b, way_ahead(world, s, k), move);
+	if (left == 1 && move->reaches)
+		b->flags |= CNI_BODY_AHEAD;
 	if (left > 0)
 		cni_drives(world)[k].flags |= CNI_DRIVE_LATER;
 	if (left > 1)
@@ -265,7 +274,7 @@ static void boxes_move(cn_world *world, const cni_solve *s, const cni_box_move *
 		if (moves[k].proxy != CNI_NONE)
 			world->broadphase_ops->move(world->broadphase, moves[k].proxy, &moves[k].fat);
 		else
-			cni_body_look_ahead(world, cni_body_at(world, cni_awake_ids(world)[k]), way_ahead(world, s, k));
+			boxes_look_ahead(world, s, cni_body_at(world, cni_awake_ids(world)[k]), k);
 	}
 }
 
@@ -291,7 +300,7 @@ static uint32_t finalize_alone(cn_world *world, const cni_solve *s)
 		rested |= few_finalize(world, s, b, k, count);
 		for (l = 0; l < count; ++l)
 			if (body_boxes_may_leave(world, s, b[l], k + l))
-				cni_body_look_ahead(world, b[l], way_ahead(world, s, k + l));
+				boxes_look_ahead(world, s, b[l], k + l);
 	}
 	return rested;
 }
