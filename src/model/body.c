@@ -39,6 +39,7 @@ void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v)
 	b->vx = v.linear_mps.x;
 	b->vy = v.linear_mps.y;
 	b->w = v.angular_radps;
+	b->flags &= ~(uint32_t)CNI_BODY_AHEAD;
 }
 
 void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def)
@@ -141,6 +142,7 @@ void cni_body_leave_awake(cn_world *world, int32_t body)
 	b->vy = m[k].vy;
 	b->w = m[k].w;
 	b->awake = 0;
+	b->flags &= ~(uint32_t)CNI_BODY_AHEAD;
 	cni_contact_fix_body(world, body);
 	if (k != last) {
 		int32_t moved = cni_awake_ids(world)[last];
@@ -187,7 +189,7 @@ static void measure_shapes(const cn_world *world, cni_body *b)
 	}
 	b->extent = extent + cni_length(b->local_center);
 	b->core = core;
-	b->room = 0;
+	cni_body_forget_room(b);
 }
 
 /* Moves the centre of mass within the body: the origin stays, the material keeps its velocity. */
@@ -238,7 +240,7 @@ void cni_body_refresh_boxes(cn_world *world, int32_t body)
 	cni_body *b = cni_body_at(world, body);
 	cni_transform x = cni_body_transform(b);
 	int32_t index, child;
-	b->room = 0;
+	cni_body_forget_room(b);
 	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
 		const cni_shape *s = cni_shape_at(world, index);
 		for (child = 0; child < s->children; ++child) {
@@ -288,51 +290,60 @@ static float box_room(const cni_aabb *outer, const cni_aabb *inner)
 	return cni_min(x, y);
 }
 
-/* A shape's box with what lies ahead, if that leaves its proxy's: 1, and the new one. *room: how far the proxy's reaches beyond the shape, then. */
+/* What becomes of a shape's box. */
+enum { BOX_STAYS, BOX_LEAVES, BOX_LEAVES_AHEAD };
+
+/* A shape's box with what lies ahead, if that leaves its proxy's: the new one; BOX_LEAVES_AHEAD: with that. *room: how far the proxy's reaches beyond the shape, then. */
 static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_shape *s, int32_t child, const cni_transform *x, cni_vec2 ahead, cni_aabb *fat, float *room)
 {
 	const cni_aabb *now = &cni_proxy_at(world, cni_shape_proxy(world, s, child))->fat;
 	float margin, rounding = CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
+	int32_t reaches;
 	cni_aabb box;
 	cni_geometry_box(cni_shape_geometry(&world->blocks, s), child, x, &box);
 	*room = box_room(now, &box) - rounding;
 	if (*room > cni_max(cni_abs(ahead.x), cni_abs(ahead.y)))
-		return 0;
+		return BOX_STAYS;
 	margin = cni_box_margin(world, b->type, &box);
-	if (looks_ahead(margin, ahead))
+	reaches = looks_ahead(margin, ahead);
+	if (reaches)
 		box = box_stretch(box, ahead);
 	if (cni_aabb_contains(now, &box))
-		return 0;
+		return BOX_STAYS;
 	*fat = cni_box_fatten(box, margin);
 	*room = margin - rounding;
-	return 1;
+	return reaches ? BOX_LEAVES_AHEAD : BOX_LEAVES;
 }
 
-void cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead)
+int32_t cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead)
 {
 	cni_transform x;
 	float room = FLT_MAX, one;
-	int32_t shape, child;
+	int32_t shape, child, all = 1;
 	cni_aabb fat;
 	if (cni_body_has_room(b, ahead))
-		return;
+		return 0;
+	b->flags &= ~(uint32_t)CNI_BODY_AHEAD;
 	x = cni_body_transform(b);
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		for (child = 0; child < s->children; ++child) {
-			if (box_leaves(world, b, s, child, &x, ahead, &fat, &one))
+			int32_t what = box_leaves(world, b, s, child, &x, ahead, &fat, &one);
+			if (what != BOX_STAYS)
 				world->broadphase_ops->move(world->broadphase, cni_shape_proxy(world, s, child), &fat);
+			all &= what == BOX_LEAVES_AHEAD;
 			room = cni_min(room, one);
 		}
 	}
 	cni_body_set_room(b, room);
+	return all;
 }
 
 int32_t cni_body_boxes_left(const cn_world *world, cni_body *b, cni_vec2 ahead, cni_box_move *out)
 {
 	cni_transform x;
 	float room = FLT_MAX, one;
-	int32_t shape, child, count = 0;
+	int32_t shape, child, count = 0, all = 1;
 	cni_aabb fat;
 	if (cni_body_has_room(b, ahead))
 		return 0;
@@ -340,14 +351,16 @@ int32_t cni_body_boxes_left(const cn_world *world, cni_body *b, cni_vec2 ahead, 
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		for (child = 0; child < s->children; ++child) {
-			int32_t leaves = box_leaves(world, b, s, child, &x, ahead, &fat, &one);
+			int32_t what = box_leaves(world, b, s, child, &x, ahead, &fat, &one);
 			room = cni_min(room, one);
-			if (!leaves || count++ > 0)
+			all &= what == BOX_LEAVES_AHEAD;
+			if (what == BOX_STAYS || count++ > 0)
 				continue;
 			out->fat = fat;
 			out->proxy = cni_shape_proxy(world, s, child);
 		}
 	}
 	cni_body_set_room(b, count > 1 ? 0.0f : room); /* with several to move it looks again */
+	out->reaches = all;
 	return count;
 }

@@ -34,7 +34,8 @@ enum {
 	CNI_BODY_SOLVER_DIRECT = 1u << 20,
 	CNI_BODY_AT_STATIC = 1u << 21,     /* has had contacts with static bodies, touching or not, since the last continuous stage */
 	CNI_BODY_AGAIN = 1u << 22,         /* new pairs of it may have a contact already: see CNI_PAIRS_MARKED */
-	CNI_BODY_SET_DOWN = 1u << 23       /* in this step, alone: a contact began to bear */
+	CNI_BODY_SET_DOWN = 1u << 23,      /* in this step, alone: a contact began to bear */
+	CNI_BODY_AHEAD = 1u << 24          /* its boxes were made at the end of the last step, and have its room around the way ahead too: last step's dt times its velocity */
 };
 
 typedef struct cni_body {
@@ -164,6 +165,12 @@ static inline void cni_body_set_room(cni_body *b, float room)
 	memcpy(&bits, &positive, sizeof bits);
 	b->room = (uint16_t)(bits >> 16);
 }
+/* The shapes or boxes were changed by something else than a step. */
+static inline void cni_body_forget_room(cni_body *b)
+{
+	b->room = 0;
+	b->flags &= ~(uint32_t)CNI_BODY_AHEAD;
+}
 /* What a step's change takes of it: a point of the body goes no farther than this, whatever is rounded on the way. */
 static inline float cni_body_reach(const cni_body *b, float dpx, float dpy, float theta)
 {
@@ -174,12 +181,14 @@ static inline int32_t cni_body_has_room(const cni_body *b, cni_vec2 ahead)
 {
 	return cni_body_room(b) > cni_max(cni_abs(ahead.x), cni_abs(ahead.y));
 }
-/* Moves the boxes that do not contain the shapes now and where they will be after ahead (metres). */
-void cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead);
+/* Moves the boxes that do not contain the shapes now and where they will be after ahead (metres). Returns 1 when
+   these were all, and they reach ahead. */
+int32_t cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead);
 /* How many boxes that would move; *out is the first of them. Those are to be moved: the body's room counts on it. */
 typedef struct cni_box_move {
 	cni_aabb fat;
 	int32_t proxy;
+	int32_t reaches; /* as cni_body_look_ahead would return */
 } cni_box_move;
 int32_t cni_body_boxes_left(const cn_world *world, cni_body *b, cni_vec2 ahead, cni_box_move *out);
 /* Does not wake. Locked axes are zeroed. */

@@ -109,7 +109,7 @@ cn_result cni_shape_place(cn_world *world, int32_t shape)
 		return CN_OK;
 	if (cni_proxy_reserve(world, s->children) != CN_OK)
 		return CN_ERROR_MEMORY;
-	cni_body_at(world, s->body)->room = 0;
+	cni_body_forget_room(cni_body_at(world, s->body));
 	if (s->type != CN_SHAPE_CHAIN) {
 		s->box.proxy = proxy_create(world, shape, 0);
 		if (cni_body_at(world, s->body)->awake != 0)

@@ -212,19 +212,28 @@ static cni_aabb box_at_end(const cni_body *b, const cni_motion *m, const cni_geo
 	return cni_geometry_aabb(g, 0, cni_path_at(&path, 1.0f));
 }
 
+/* How far the way leads from the one for which boxes were made. */
+static float strays_from_ahead(const cn_world *world, const cni_body *b, const cni_motion *m)
+{
+	return cni_max(cni_abs(m->dpx - world->step_dt * b->vx), cni_abs(m->dpy - world->step_dt * b->vy));
+}
+
 /*
  * Does the body stay within the fat boxes of its shapes all the way? Whatever static shape it could meet there
  * already has a contact with it. A point of the body strays from the line between its two ends by no more than
  * extent turn^2 / 8, and turning moves it by no more than extent turn: most boxes have room for that too, and where
- * the shape will be at the end need not be found.
+ * the shape will be at the end need not be found; where it is now neither, if its boxes were made for this way.
  */
 static int32_t path_is_watched(const cn_world *world, const cni_body *b, const cni_motion *m)
 {
 	float stray = 0.125f * b->extent * m->theta * m->theta, turned = stray + cni_body_reach(b, 0.0f, 0.0f, m->theta);
-	cni_transform start = cni_body_transform(b);
+	cni_transform start;
 	int32_t shape;
 	if (cni_abs(m->theta) > WATCHED_TURN_MAX_RAD)
 		return 0;
+	if ((b->flags & CNI_BODY_AHEAD) && strays_from_ahead(world, b, m) + turned < cni_body_room(b))
+		return 1;
+	start = cni_body_transform(b);
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		const cni_geometry *g = cni_shape_geometry(&world->blocks, s);
@@ -289,9 +298,11 @@ void cni_stage_continuous(cn_world *world)
 	if (shared)
 		cni_parallel_for(world, world->awake_count - 1, BODIES_A_RANGE, slow_range, world);
 	for (k = 1; k < world->awake_count; ++k) {
-		if (shared && !(cni_drives(world)[k].flags & CNI_DRIVE_LATER))
-			continue;
-		cni_drives(world)[k].flags &= ~(uint32_t)CNI_DRIVE_LATER;
+		if (shared) {
+			if (!(cni_drives(world)[k].flags & CNI_DRIVE_LATER))
+				continue;
+			cni_drives(world)[k].flags &= ~(uint32_t)CNI_DRIVE_LATER;
+		}
 		body_guard(world, k);
 	}
 }

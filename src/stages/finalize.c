@@ -19,6 +19,7 @@
 #include <stddef.h>
 
 #define BODIES_A_RANGE 256 /* some ten microseconds: records and shapes are read */
+#define BODIES_NEAR 64     /* whose records are still near after a loop over them */
 
 /* What floats could not hold, among absurd speeds, does not become a pose: the body stays where it is, and stands. */
 static void keep_finite(cni_motion *m)
@@ -63,6 +64,7 @@ static void take_pose(cni_body *b, cni_motion *m)
 {
 	cni_vec2 before = cni_body_origin(b), after;
 	cni_rot q = b->q;
+	b->flags &= ~(uint32_t)CNI_BODY_AHEAD;
 	sum_exactly(&b->cx, &b->cx_low, m->dpx);
 	sum_exactly(&b->cy, &b->cy_low, m->dpy);
 	if (m->theta != 0.0f)
@@ -114,7 +116,7 @@ static int32_t take_poses(cni_body *const *b, cni_motion *m)
 	reach = cni_wide_max(cni_wide_abs(dx), cni_wide_abs(dy)) + cni_wide_abs(turn) * extent + cni_wide_of(CNI_BODY_ROUNDING) * (cni_wide_abs(x) + cni_wide_abs(y) + extent);
 	for (l = 0; l < 4; ++l) {
 		cni_body_set_room(b[l], cni_body_room(b[l]) - reach[l]);
-		b[l]->flags |= moved >> l & 1u ? (uint32_t)CNI_BODY_MOVED : 0u;
+		b[l]->flags = (b[l]->flags & ~(uint32_t)CNI_BODY_AHEAD) | (moved >> l & 1u ? (uint32_t)CNI_BODY_MOVED : 0u);
 	}
 	cni_wide_scatter4_to(records, at_center, x, y, x_low, y_low);
 	cni_wide_scatter4_to(records, at_rotation, new_c, new_s, lx, ly);
@@ -188,30 +190,36 @@ static uint32_t body_finalize(cn_world *world, const cni_solve *s, cni_body *b, 
 	return b->sleep_time >= world->settings.sleep_delay && b->sleep_time > 0.0f;
 }
 
-/* Up to four bodies, b, from k on. Returns 1 when one has rested for long enough. */
-static uint32_t few_finalize(cn_world *world, const cni_solve *s, cni_body *const *b, int32_t k, int32_t count)
+/* The records of four bodies from k on. */
+static void bodies_of(const cn_world *world, int32_t k, cni_body **b)
 {
-	cni_motion *m = cni_motions(world) + k;
-	uint32_t rested = 0;
-	int32_t l, taken;
-	for (l = 0; l < count; ++l)
-		limit_speed(&m[l], &world->settings);
-	taken = count == 4 && take_poses(b, m);
-	for (l = 0; l < count; ++l) {
-		if (!taken)
-			take_pose(b[l], &m[l]);
-		rested |= body_finalize(world, s, b[l], k + l);
-	}
-	return rested;
+	const int32_t *ids = cni_awake_ids(world) + k;
+	b[0] = cni_body_at(world, ids[0]);
+	b[1] = cni_body_at(world, ids[1]);
+	b[2] = cni_body_at(world, ids[2]);
+	b[3] = cni_body_at(world, ids[3]);
 }
 
-/* The bodies from k on, at most four, and how many they are. */
-static int32_t few_bodies(const cn_world *world, int32_t k, int32_t end, cni_body **b)
+/* Poses of bodies within their speed limits. */
+static void poses_range(cn_world *world, int32_t begin, int32_t end)
 {
-	int32_t l, count = cni_min_i(4, end - k);
-	for (l = 0; l < count; ++l)
-		b[l] = cni_body_at(world, cni_awake_ids(world)[k + l]);
-	return count;
+	cni_motion *motions = cni_motions(world);
+	const int32_t *ids = cni_awake_ids(world);
+	int32_t k;
+	cni_body *b[4];
+	for (k = begin; k < end; ++k)
+		limit_speed(&motions[k], &world->settings);
+	for (k = begin; k + 4 <= end; k += 4) {
+		bodies_of(world, k, b);
+		if (take_poses(b, &motions[k]))
+			continue;
+		take_pose(b[0], &motions[k]);
+		take_pose(b[1], &motions[k + 1]);
+		take_pose(b[2], &motions[k + 2]);
+		take_pose(b[3], &motions[k + 3]);
+	}
+	for (; k < end; ++k)
+		take_pose(cni_body_at(world, ids[k]), &motions[k]);
 }
 
 static cni_vec2 way_ahead(const cn_world *world, const cni_solve *s, int32_t k)
@@ -226,9 +234,17 @@ static int32_t body_boxes_may_leave(const cn_world *world, const cni_solve *s, c
 	return (b->flags & CNI_BODY_MOVED) && !cni_body_has_room(b, way_ahead(world, s, k));
 }
 
+static void boxes_look_ahead(cn_world *world, const cni_solve *s, cni_body *b, int32_t k)
+{
+	if (cni_body_look_ahead(world, b, way_ahead(world, s, k)))
+		b->flags |= CNI_BODY_AHEAD;
+}
+
 static void body_boxes_find(cn_world *world, const cni_solve *s, cni_body *b, int32_t k, cni_box_move *move)
 {
 	int32_t left = cni_body_boxes_left(world, b, way_ahead(world, s, k), move);
+	if (left == 1 && move->reaches)
+		b->flags |= CNI_BODY_AHEAD;
 	if (left > 0)
 		cni_drives(world)[k].flags |= CNI_DRIVE_LATER;
 	if (left > 1)
@@ -240,15 +256,14 @@ static void pose_range(void *context, int32_t begin, int32_t end, int32_t worker
 	pose_loop *loop = (pose_loop *)context;
 	cn_world *world = loop->world;
 	uint32_t rested = 0;
-	int32_t k, l, count;
-	cni_body *b[4];
+	int32_t k;
 	(void)worker;
-	for (k = begin + 1; k <= end; k += count) {
-		count = few_bodies(world, k, end + 1, b);
-		rested |= few_finalize(world, loop->s, b, k, count);
-		for (l = 0; l < count; ++l)
-			if (body_boxes_may_leave(world, loop->s, b[l], k + l))
-				body_boxes_find(world, loop->s, b[l], k + l, &loop->moves[k + l]);
+	poses_range(world, begin + 1, end + 1);
+	for (k = begin + 1; k <= end; ++k) {
+		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+		rested |= body_finalize(world, loop->s, b, k);
+		if (body_boxes_may_leave(world, loop->s, b, k))
+			body_boxes_find(world, loop->s, b, k, &loop->moves[k]);
 	}
 	if (rested)
 		cni_atomic_add(&loop->rested, 1u);
@@ -265,7 +280,7 @@ static void boxes_move(cn_world *world, const cni_solve *s, const cni_box_move *
 		if (moves[k].proxy != CNI_NONE)
 			world->broadphase_ops->move(world->broadphase, moves[k].proxy, &moves[k].fat);
 		else
-			cni_body_look_ahead(world, cni_body_at(world, cni_awake_ids(world)[k]), way_ahead(world, s, k));
+			boxes_look_ahead(world, s, cni_body_at(world, cni_awake_ids(world)[k]), k);
 	}
 }
 
@@ -284,14 +299,16 @@ static uint32_t finalize_shared(cn_world *world, const cni_solve *s, cni_box_mov
 static uint32_t finalize_alone(cn_world *world, const cni_solve *s)
 {
 	uint32_t rested = 0;
-	int32_t k, l, count;
-	cni_body *b[4];
-	for (k = 1; k < world->awake_count; k += count) {
-		count = few_bodies(world, k, world->awake_count, b);
-		rested |= few_finalize(world, s, b, k, count);
-		for (l = 0; l < count; ++l)
-			if (body_boxes_may_leave(world, s, b[l], k + l))
-				cni_body_look_ahead(world, b[l], way_ahead(world, s, k + l));
+	int32_t begin, k, end;
+	for (begin = 1; begin < world->awake_count; begin = end) {
+		end = cni_min_i(begin + BODIES_NEAR, world->awake_count);
+		poses_range(world, begin, end);
+		for (k = begin; k < end; ++k) {
+			cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+			rested |= body_finalize(world, s, b, k);
+			if (body_boxes_may_leave(world, s, b, k))
+				boxes_look_ahead(world, s, b, k);
+		}
 	}
 	return rested;
 }

@@ -34,6 +34,13 @@ static void check_room(report *r, const cni_body *b, const cni_shape *s, int32_t
 		return;
 	tight = cni_box_fatten(cni_geometry_aabb(cni_shape_geometry(&r->world->blocks, s), child, cni_body_transform(b)), cni_body_room(b));
 	expect(r, cni_aabb_contains(&cni_proxy_at(r->world, proxy)->fat, &tight), "room of body", s->body);
+	if (!(b->flags & CNI_BODY_AHEAD))
+		return;
+	tight.x0 += r->world->step_dt * b->vx;
+	tight.x1 += r->world->step_dt * b->vx;
+	tight.y0 += r->world->step_dt * b->vy;
+	tight.y1 += r->world->step_dt * b->vy;
+	expect(r, cni_aabb_contains(&cni_proxy_at(r->world, proxy)->fat, &tight), "room ahead of body", s->body);
 }
 
 static void check_shapes_of(report *r, int32_t body)
