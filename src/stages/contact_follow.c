@@ -23,12 +23,13 @@ const cni_body cni_body_nowhere;
 /* 10 us of work where all is followed. */
 #define BLOCKS_A_RANGE 32
 
-/* Fills the table; returns the anchored lanes whose axes are free: locked ones have other masses. */
+/* Fills the table, of whose halves only those with anchored lanes are read; returns the anchored lanes whose axes are
+   free: locked ones have other masses. */
 static uint32_t bodies_find(const cn_world *world, const cni_contact_block *k, const cni_block_anchor *anchor, uint32_t anchored, cni_follow_bodies *out)
 {
 	const int32_t *ids = cni_awake_ids(world);
-	int32_t l;
-	for (l = 0; l < CNI_LANES; ++l) {
+	int32_t l, end = anchored >> CNI_LANES / 2 != 0 ? CNI_LANES : CNI_LANES / 2;
+	for (l = 0; l < end; ++l) {
 		cni_body *a, *b;
 		out->a[l] = out->b[l] = cni_record_floats(&cni_body_nowhere);
 		if (!(anchored >> l & 1u))

@@ -13,7 +13,7 @@ enum { START_FLOATS = sizeof(cni_velocity_start) / sizeof(float), DRIVE_FLOATS =
 
 /* The bodies on one side of CNI_WIDTH lanes. */
 typedef struct impact_side {
-	cni_wide vx, vy, w;           /* the velocities that meet */
+	cni_wide vx, vy, w, struck;   /* the velocities that meet */
 	cni_wide mvx, mvy, mw, m;     /* those of motion */
 	cni_wide dpx, dpy, theta, i;
 	cni_wide mx, my;              /* inverse mass along x and y: 0 for a locked axis */
@@ -23,20 +23,32 @@ typedef struct impact_side {
 CNI_INLINE void impact_gather(const cni_impact_pass *pass, const int32_t *index, impact_side *out)
 {
 	const float *motions = (const float *)(const void *)pass->motions, *drives = (const float *)(const void *)pass->drives;
-	cni_wide struck, alpha, flags;
-	cni_wide_gather4((const float *)(const void *)pass->starts, START_FLOATS, index, &out->vx, &out->vy, &out->w, &struck);
+	cni_wide alpha, flags;
+	cni_wide_gather4((const float *)(const void *)pass->starts, START_FLOATS, index, &out->vx, &out->vy, &out->w, &out->struck);
 	cni_wide_gather4(motions, MOTION_FLOATS, index, &out->mvx, &out->mvy, &out->mw, &out->m);
 	cni_wide_gather4(motions + 4, MOTION_FLOATS, index, &out->dpx, &out->dpy, &out->theta, &out->i);
 	cni_wide_gather4(drives, DRIVE_FLOATS, index, &out->ax, &out->ay, &alpha, &flags);
 	out->mx = out->my = out->m;
 }
 
-/* Changes velocities of the given lanes' bodies, and with them what the last impulses' response is added to. */
-CNI_INLINE void impact_strike(const cni_impact_pass *pass, const int32_t *index, const impact_side *c, uint32_t lanes, cni_wide dvx, cni_wide dvy, cni_wide dw)
+/*
+ * Changes velocities of the lanes' bodies that are hit, and with them what the last impulses' response is added to. Whole
+ * vectors write back what the others have, so that nothing depends on chance; unused lanes, of which several workers may have
+ * some, are not written.
+ */
+CNI_INLINE void impact_strike(const cni_impact_pass *pass, const int32_t *index, const impact_side *c, cni_mask hit, int32_t whole, cni_wide dvx, cni_wide dvy, cni_wide dw)
 {
 	float *starts = (float *)(void *)pass->starts, *motions = (float *)(void *)pass->motions;
-	cni_wide_scatter4_where(starts, START_FLOATS, index, lanes, c->vx + dvx, c->vy + dvy, c->w + dw, cni_wide_of(1.0f));
-	cni_wide_scatter4_where(motions, MOTION_FLOATS, index, lanes, c->mvx + dvx, c->mvy + dvy, c->mw + dw, c->m);
+	cni_wide vx = cni_wide_select(hit, c->vx + dvx, c->vx), vy = cni_wide_select(hit, c->vy + dvy, c->vy), w = cni_wide_select(hit, c->w + dw, c->w);
+	cni_wide mvx = cni_wide_select(hit, c->mvx + dvx, c->mvx), mvy = cni_wide_select(hit, c->mvy + dvy, c->mvy), mw = cni_wide_select(hit, c->mw + dw, c->mw);
+	cni_wide struck = cni_wide_select(hit, cni_wide_of(1.0f), c->struck);
+	if (whole) {
+		cni_wide_scatter4(starts, START_FLOATS, index, vx, vy, w, struck);
+		cni_wide_scatter4(motions, MOTION_FLOATS, index, mvx, mvy, mw, c->m);
+	} else {
+		cni_wide_scatter4_where(starts, START_FLOATS, index, cni_mask_bits(hit), vx, vy, w, struck);
+		cni_wide_scatter4_where(motions, MOTION_FLOATS, index, cni_mask_bits(hit), mvx, mvy, mw, c->m);
+	}
 }
 
 typedef struct impact_lanes {
@@ -160,7 +172,7 @@ CNI_INLINE impact_blow impact_solve(const impact_lanes *c, const impact_point *p
 }
 
 /* The blow along n, and friction opposing the sliding speed within mu jn. */
-CNI_INLINE void impact_apply(const impact_lanes *c, const cni_impact_pass *pass, const cni_impact_lanes *k, int32_t l, const impact_blow *blow, uint32_t lanes)
+CNI_INLINE void impact_apply(const impact_lanes *c, const cni_impact_pass *pass, const cni_impact_lanes *k, int32_t l, const impact_blow *blow, cni_mask hit, int32_t whole)
 {
 	const impact_side *a = &c->a, *b = &c->b;
 	cni_wide tx = c->ny, ty = -c->nx, fa = c->fa, fb = fa - c->dn;
@@ -170,9 +182,9 @@ CNI_INLINE void impact_apply(const impact_lanes *c, const cni_impact_pass *pass,
 	jt = cni_wide_select(jt < -most, -most, cni_wide_min(jt, most));
 	px = blow->jn * c->nx + jt * tx;
 	py = blow->jn * c->ny + jt * ty;
-	impact_strike(pass, k->ia + l, a, lanes, -a->mx * px, -a->my * py, wa + a->i * fa * jt);
+	impact_strike(pass, k->ia + l, a, hit, whole, -a->mx * px, -a->my * py, wa + a->i * fa * jt);
 	if (!pass->one_sided)
-		impact_strike(pass, k->ib + l, b, lanes, b->mx * px, b->my * py, wb - b->i * fb * jt);
+		impact_strike(pass, k->ib + l, b, hit, whole, b->mx * px, b->my * py, wb - b->i * fb * jt);
 }
 
 static int32_t kernel_impact(const cni_impact_pass *pass, const cni_impact_lanes *k, int32_t count)
@@ -190,7 +202,7 @@ static int32_t kernel_impact(const cni_impact_pass *pass, const cni_impact_lanes
 		if (lanes == 0)
 			continue;
 		blow = impact_solve(&c, &p, &q);
-		impact_apply(&c, pass, k, l, &blow, lanes);
+		impact_apply(&c, pass, k, l, &blow, cni_mask_of_bits(lanes), count - l >= CNI_WIDTH);
 		hits += cni_bit_count64(lanes);
 	}
 	return hits;

@@ -1,6 +1,7 @@
 /*
  * stages/contact_kernel.h - the contact kernel of one instruction set: included by contact_kernel_*.c, which
- * define CNI_WIDTH and CNI_KERNEL (the name of the table they fill). Results do not depend on the width.
+ * define CNI_WIDTH and CNI_KERNEL (the name of the table they fill). Results do not depend on the width. What sets up a pass
+ * is done once a call, so a call goes through as many blocks as it can.
  *
  * With the letters of model/contact.h and body changes dp, th since the step began, a point's separation is
  *   s = s0 + n.(dpb - dpa) + [(cos thb - 1) bn + sin thb bt] - [(cos tha - 1) an + sin tha at]
@@ -391,6 +392,7 @@ CNI_INLINE uint32_t group_closing(const float *starts, const cni_contact_block *
 CNI_INLINE void closing_prefetch(const cni_listed_block *b)
 {
 	const cni_contact_block *k = b->rows;
+	CNI_PREFETCH(&b->info->flags);
 	CNI_PREFETCH(b->info->restitution);
 	CNI_PREFETCH(k->ia);
 	CNI_PREFETCH(k->ib);

@@ -1,5 +1,6 @@
 /*
- * stages/contact_pass.h - what contact_solve.c hands to a kernel: blocks, and the numbers of the pass.
+ * stages/contact_pass.h - what contact_solve.c, contact_impact.c and contact_follow.c hand to a kernel: blocks or lanes, and
+ * the numbers of the pass.
  */
 #ifndef CNI_STAGES_CONTACT_PASS_H
 #define CNI_STAGES_CONTACT_PASS_H
@@ -8,15 +9,15 @@
 
 /* A pass over blocks. Without a team they may be those of several colours, in order. */
 typedef struct cni_color_pass {
-	const cni_contact_pass *kinds;
+	const cni_contact_pass *kinds; /* by CNI_CONTACTS_ */
 	cni_motion *motions;
 	const cni_listed_block *blocks;
 	int32_t prefetches;        /* 1: they are not in the cache */
 } cni_color_pass;
 
 /* Works on the lanes of blocks begin to end - 1, and on those behind them up to a whole vector, which are empty. Fresh lanes
-   go more than once between normals and friction. Returns the first block that it has not done: see
-   cni_contact_kernel_few. */
+   go more than once between normals and friction. begin < end; returns the first block that is left: end, but for
+   cni_contact_kernel_few, which stops where another has more lanes than it is for. */
 typedef int32_t cni_contact_kernel_fn(const cni_color_pass *c, int32_t begin, int32_t end);
 
 /* The passes of a kernel. */
