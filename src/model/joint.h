@@ -77,7 +77,6 @@ enum { CNI_P_LINE_TOLERANCE = 0 };
 /* State of types that count turns: side s has its angle in (-pi, pi] and its whole turns here and after. */
 enum { CNI_P_TURN = 6 };
 
-cni_joint *cni_joint_at(const cn_world *world, int32_t joint);
 /* Public handle: of kind joint, or constraint. */
 uint32_t cni_joint_handle(const cn_world *world, int32_t joint);
 /* Index of a live joint (constraint 0) or constraint (1), or CNI_NONE. Any 32 bits may come in. */

@@ -418,7 +418,7 @@ static void herd_close(cni_motion *motions, cni_velocity_start *starts, cni_herd
 	(void)starts;
 	herd->parting = 0;
 	for (l = 0; l < herd->lanes; l += CNI_WIDTH) {
-		uint32_t asked = herd->closes & herd->nodes[0].direct, parting = 0;
+		uint32_t asked = herd->asked & herd->nodes[0].direct, parting = 0;
 		pair x[CNI_KIND_NODES];
 		flock f;
 		asked = asked >> l & ((1u << CNI_WIDTH) - 1u);

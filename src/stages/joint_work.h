@@ -33,8 +33,8 @@ typedef struct cni_joint_work {
 	uint32_t flags;            /* CNI_WORK_* */
 	int32_t next_plain;        /* the next that is solved by rows */
 	int32_t lane;              /* block * CNI_LANES + lane of a pin, CNI_NONE: solved by rows alone */
-	int32_t form;              /* CNI_FORM_*, if it may be in a lane of rows: stages/joint_rows.h */
-	int32_t row_lane;          /* ... block * CNI_LANES + lane there; CNI_NONE. It then has no rows here */
+	int32_t form;              /* CNI_FORM_*, 0: none. It has no rows here until it is solved directly, or finds no lane: stages/joint_rows.h */
+	int32_t row_lane;          /* ... block * CNI_LANES + lane of rows, CNI_NONE */
 	cni_joint_frame start;     /* at the beginning of the step; what is in lanes needs nothing of what follows */
 	cni_row rows[CNI_JOINT_ROWS];
 	float inverse[6];          /* of the first rows' K: 00 01 02 11 12 22 */
@@ -63,7 +63,7 @@ static inline int32_t cni_joint_island(const cn_world *world, int32_t ia, int32_
 /* The work of place k in the awake list, as a step begins, to be solved by rows. */
 void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k);
 /* What of it does not depend on how it is solved, the frame's angle left out. */
-void cni_joint_work_begin(cn_world *world, int32_t k);
+void cni_joint_work_begin(cn_world *world, int32_t k, const cni_joint *j);
 /* ... then its rows, decoupled, with their impulses. */
 void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work *w);
 void cni_joint_loads_read(cni_joint_work *w, const cni_solve *s);
@@ -112,8 +112,6 @@ int32_t cni_component_is_loose(const cn_world *world, const cni_sparse *sparse, 
 
 /* The work of place k, as a step begins, if it can be solved in a lane; 0: it cannot. */
 int32_t cni_joint_work_widen(cn_world *world, int32_t k);
-/* Rows for the work of place k, which is solved directly, if it might have been in a lane of rows. */
-void cni_joint_work_settle(cn_world *world, const cni_solve *s, int32_t k);
 /* The rows of a component's wide works, with the impulses of their records. */
 void cni_joint_works_complete(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
 
@@ -135,6 +133,8 @@ uint64_t cni_herd_bytes(int32_t joints);
 
 /* sum(r.f) of every body, after cni_direct_turns, from impulses of substeps of length h. */
 void cni_tension_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
+/* The same of pins that have no rows yet, at the beginning of a step. */
+void cni_tension_find_pins(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 /* The largest sum(r.f) / I, after cni_tension_find: squared radians a second. */
 float cni_tension_stiffness(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Is that too stiff for substeps of length h, or nearly? */
