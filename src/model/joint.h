@@ -4,7 +4,8 @@
  * A type describes itself by rows: scalar constraints with a Jacobian, an error and bounds. Warm
  * starting, soft and rigid solving, reactions and error read-back work on rows and know no types, so a
  * new joint is one file with one function that writes rows and two that read it back. Most revolute joints, which
- * are most joints, are solved without their rows: stages/joint_blocks.c.
+ * are most joints, are solved without their rows: stages/joint_blocks.c; some other types by rows in lanes, where the
+ * types' formulas are written once more: stages/joint_rows_kernel.h.
  */
 #ifndef CNI_MODEL_JOINT_H
 #define CNI_MODEL_JOINT_H

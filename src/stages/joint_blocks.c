@@ -1,12 +1,14 @@
 /*
- * stages/joint_blocks.c - revolute joints in the soft step, many at once: colours, lanes, passes.
+ * stages/joint_blocks.c - joints in the soft step, many at once: colours and passes of all, lanes of revolute joints.
  *
  * Nearly all joints of most scenes are pins with or without an angle's spring, motor and limit. Those that have nothing else
  * (work flag CNI_WORK_WIDE) leave the rows of stages/joint_solve.c for the lanes drawn in stages/joint_pass.h. What
  * does not change within the step is written into the lane once; kernels do the rest.
  *
  * Greedy colouring, first of what is solved directly, then in the order of the awake list: a joint takes the lowest colour
- * that neither of its bodies uses. The colours of a body are bits of its drive's flags, which every step writes anew.
+ * that neither of its bodies uses. The colours of a body are bits of its drive's flags, which every step writes anew. Other
+ * types take theirs after that (stages/joint_rows.c). The blocks of a colour may be shared among workers, who meet before
+ * the next.
  *
  * Reads works, records, motion, drive; writes blocks, colours, the list of works that are solved by rows, and after the
  * substeps records' impulses and loads.

@@ -1,6 +1,6 @@
 /*
- * stages/joint_solve.c - joints in the soft step: rows to impulses, for every type alike. Revolute joints that need nothing
- * of this are in lanes: stages/joint_blocks.c.
+ * stages/joint_solve.c - joints in the soft step: rows to impulses, for every type alike. Those that are solved many at once
+ * are in lanes: stages/joint_blocks.c, joint_rows.c, whose sums are the same as here.
  *
  * Each awake joint gets a work item in a dense array: body indices, anchors turned with the bodies, rows. A
  * joint's rigid rows are solved together by the inverse of their K = J M^-1 J^T. Every other row is combined
