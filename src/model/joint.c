@@ -9,11 +9,6 @@
 
 #include <string.h>
 
-cni_joint *cni_joint_at(const cn_world *world, int32_t joint)
-{
-	return (cni_joint *)cni_table_at_sized(&world->joints, joint, sizeof(cni_joint), CNI_PAGE_JOINTS);
-}
-
 const cni_joint_type *cni_joint_type_of(int32_t type)
 {
 	static const cni_joint_type *const types[CNI_JOINT_TYPES] = {

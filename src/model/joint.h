@@ -4,7 +4,8 @@
  * A type describes itself by rows: scalar constraints with a Jacobian, an error and bounds. Warm
  * starting, soft and rigid solving, reactions and error read-back work on rows and know no types, so a
  * new joint is one file with one function that writes rows and two that read it back. Most revolute joints, which
- * are most joints, are solved without their rows: stages/joint_blocks.c.
+ * are most joints, are solved without their rows: stages/joint_blocks.c; some other types by rows in lanes, where the
+ * types' formulas are written once more: stages/joint_rows_kernel.h.
  */
 #ifndef CNI_MODEL_JOINT_H
 #define CNI_MODEL_JOINT_H
@@ -77,7 +78,6 @@ enum { CNI_P_LINE_TOLERANCE = 0 };
 /* State of types that count turns: side s has its angle in (-pi, pi] and its whole turns here and after. */
 enum { CNI_P_TURN = 6 };
 
-cni_joint *cni_joint_at(const cn_world *world, int32_t joint);
 /* Public handle: of kind joint, or constraint. */
 uint32_t cni_joint_handle(const cn_world *world, int32_t joint);
 /* Index of a live joint (constraint 0) or constraint (1), or CNI_NONE. Any 32 bits may come in. */

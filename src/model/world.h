@@ -164,6 +164,7 @@ struct cn_world {
 
 static inline cni_body *cni_body_at(const cn_world *world, int32_t body) { return (cni_body *)cni_table_at_sized(&world->bodies, body, sizeof(cni_body), CNI_PAGE_BODIES); }
 static inline cni_shape *cni_shape_at(const cn_world *world, int32_t shape) { return (cni_shape *)cni_table_at_sized(&world->shapes, shape, sizeof(cni_shape), CNI_PAGE_SHAPES); }
+static inline cni_joint *cni_joint_at(const cn_world *world, int32_t joint) { return (cni_joint *)cni_table_at_sized(&world->joints, joint, sizeof(cni_joint), CNI_PAGE_JOINTS); }
 static inline cni_contact *cni_contact_at(const cn_world *world, int32_t contact) { return (cni_contact *)cni_table_at_sized(&world->contacts, contact, sizeof(cni_contact), CNI_PAGE_CONTACTS); }
 static inline cni_contact *cni_contact_of_key(const cn_world *world, int32_t key) { return cni_contact_at(world, key >> 1); }
 static inline cni_contact_block *cni_block_at(const cn_world *world, int32_t block) { return (cni_contact_block *)cni_table_at_sized(&world->blocks_hot, block, sizeof(cni_contact_block), CNI_PAGE_BLOCKS); }

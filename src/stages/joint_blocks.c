@@ -1,12 +1,14 @@
 /*
- * stages/joint_blocks.c - revolute joints in the soft step, many at once: colours, lanes, passes.
+ * stages/joint_blocks.c - joints in the soft step, many at once: colours and passes of all, lanes of revolute joints.
  *
  * Nearly all joints of most scenes are pins with or without an angle's spring, motor and limit. Those that have nothing else
  * (work flag CNI_WORK_WIDE) leave the rows of stages/joint_solve.c for the lanes drawn in stages/joint_pass.h. What
  * does not change within the step is written into the lane once; kernels do the rest.
  *
  * Greedy colouring, first of what is solved directly, then in the order of the awake list: a joint takes the lowest colour
- * that neither of its bodies uses. The colours of a body are bits of its drive's flags, which every step writes anew.
+ * that neither of its bodies uses. The colours of a body are bits of its drive's flags, which every step writes anew. Other
+ * types take theirs after that (stages/joint_rows.c). The blocks of a colour may be shared among workers, who meet before
+ * the next.
  *
  * Reads works, records, motion, drive; writes blocks, colours, the list of works that are solved by rows, and after the
  * substeps records' impulses and loads.
@@ -44,12 +46,12 @@ static int32_t may_be_wide(const cn_world *world, const cni_joint *j)
 }
 
 /* To be in a lane of rows, if it is not solved directly. */
-static int32_t work_form(cn_world *world, int32_t k, int32_t form)
+static int32_t work_form(cn_world *world, int32_t k, const cni_joint *j, int32_t form)
 {
 	cni_joint_work *w = cni_joint_works(world) + k;
 	if (form == CNI_FORM_NONE)
 		return 0;
-	cni_joint_work_begin(world, k);
+	cni_joint_work_begin(world, k, j);
 	w->start.angle = cni_joint_frame_angle(world, w->record);
 	w->form = form;
 	w->row_count = 0;
@@ -65,8 +67,8 @@ int32_t cni_joint_work_widen(cn_world *world, int32_t k)
 	if (!may_be_wide(world, j))
 		return 0;
 	if (j->type != CN_JOINT_REVOLUTE)
-		return work_form(world, k, cni_joint_form(j));
-	cni_joint_work_begin(world, k);
+		return work_form(world, k, j, cni_joint_form(j));
+	cni_joint_work_begin(world, k, j);
 	w->flags |= CNI_WORK_WIDE;
 	w->row_count = 0;
 	w->rigid_count = 2;
@@ -89,13 +91,6 @@ void cni_joint_works_complete(const cn_world *world, const cni_solve *s, const c
 	}
 }
 
-void cni_joint_work_settle(cn_world *world, const cni_solve *s, int32_t k)
-{
-	cni_joint_work *w = cni_joint_works(world) + k;
-	if (w->form != CNI_FORM_NONE)
-		cni_joint_rows_begin(world, s, w);
-}
-
 /* A wide work is solved by rows after all; a plain one stays as it is. */
 static void work_narrow(cn_world *world, const cni_solve *s, int32_t k)
 {
@@ -108,23 +103,21 @@ static void work_narrow(cn_world *world, const cni_solve *s, int32_t k)
 
 /* ---- colours ---- */
 
-static uint32_t colors_used(const cn_world *world, int32_t index)
+int32_t cni_joint_color_take(cn_world *world, int32_t ia, int32_t ib)
 {
-	return cni_motion_can_move(cni_motions(world) + index) ? cni_drives(world)[index].flags >> CNI_DRIVE_COLOR_SHIFT : 0;
-}
-
-int32_t cni_joint_color_find(const cn_world *world, int32_t ia, int32_t ib)
-{
-	uint32_t open = ~(colors_used(world, ia) | colors_used(world, ib)) & ((1u << CNI_JOINT_COLORS) - 1u);
-	return open == 0 ? CNI_NONE : cni_bit_lowest32(open);
-}
-
-void cni_joint_color_use(cn_world *world, int32_t ia, int32_t ib, int32_t color)
-{
-	if (cni_motion_can_move(cni_motions(world) + ia))
-		cni_drives(world)[ia].flags |= 1u << (CNI_DRIVE_COLOR_SHIFT + color);
-	if (cni_motion_can_move(cni_motions(world) + ib))
-		cni_drives(world)[ib].flags |= 1u << (CNI_DRIVE_COLOR_SHIFT + color);
+	cni_drive *a = cni_motion_can_move(cni_motions(world) + ia) ? cni_drives(world) + ia : NULL;
+	cni_drive *b = cni_motion_can_move(cni_motions(world) + ib) ? cni_drives(world) + ib : NULL;
+	uint32_t used = (a != NULL ? a->flags : 0) | (b != NULL ? b->flags : 0);
+	uint32_t open = ~(used >> CNI_DRIVE_COLOR_SHIFT) & ((1u << CNI_JOINT_COLORS) - 1u);
+	int32_t color;
+	if (open == 0)
+		return CNI_NONE;
+	color = cni_bit_lowest32(open);
+	if (a != NULL)
+		a->flags |= 1u << (CNI_DRIVE_COLOR_SHIFT + color);
+	if (b != NULL)
+		b->flags |= 1u << (CNI_DRIVE_COLOR_SHIFT + color);
+	return color;
 }
 
 int32_t cni_joint_block_take(cn_world *world)
@@ -204,8 +197,6 @@ static void pin_fill(const cn_world *world, const cni_solve *s, cni_joint_work *
 	const cni_joint *j = w->record;
 	block->ia[l] = w->ia;
 	block->ib[l] = w->ib;
-	block->moves_a |= (uint32_t)cni_motion_can_move(cni_motions(world) + w->ia) << l;
-	block->moves_b |= (uint32_t)cni_motion_can_move(cni_motions(world) + w->ib) << l;
 	block->ai[l] = cni_motions(world)[w->ia].inv_inertia;
 	block->bi[l] = cni_motions(world)[w->ib].inv_inertia;
 	block->ax0[l] = block->ax[l] = w->start.ra.x;
@@ -247,13 +238,14 @@ int32_t cni_joint_fits_lane(const cn_world *world, const cni_solve *s, const cni
 static int32_t lane_take(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k)
 {
 	const cni_joint_work *w = cni_joint_works(world) + k;
-	int32_t color = cni_joint_fits_lane(world, s, w) ? cni_joint_color_find(world, w->ia, w->ib) : CNI_NONE, l;
+	int32_t color = cni_joint_fits_lane(world, s, w) ? cni_joint_color_take(world, w->ia, w->ib) : CNI_NONE, l;
 	cni_joint_block *block;
 	if (color == CNI_NONE)
 		return 0;
-	cni_joint_color_use(world, w->ia, w->ib, color);
 	l = world->joint_colors[color].lanes++ % CNI_LANES;
 	block = l == 0 ? block_take(world, color) : cni_joint_blocks(world) + world->joint_colors[color].last;
+	block->moves_a |= (uint32_t)cni_motion_can_move(cni_motions(world) + w->ia) << l;
+	block->moves_b |= (uint32_t)cni_motion_can_move(cni_motions(world) + w->ib) << l;
 	cni_joint_lane_fill(world, s, spring, k, block, l);
 	return 1;
 }

@@ -4,7 +4,8 @@
  * Hard stops: joints are solved first, then contacts. What contacts stopped would come apart from its neighbours as positions
  * move, by 4 cm in a substep at 10 m/s. So where a joint would open by more than is good, also because arms that turn
  * fast leave the tangent, its system is solved once more, then the contacts of its bodies, and so on for a few rounds, joints
- * last. A scene without hard stops pays for one look at the joints of touched systems.
+ * last. A scene without hard stops pays for one look at the joints of touched systems; in later rounds only those are
+ * looked at whose bodies have changed.
  *
  * Laden loops (stages/contact_joined.c): contacts between two solutions of their joints. A light plank that is nearly in line
  * with its neighbours between heavy loads snaps straight within a substep, and beyond: it is held as it is in that
@@ -15,6 +16,7 @@
 #include "stages/joint_herd.h"
 #include "stages/press.h"
 
+#define CLOSE_ROUNDS 4       /* of joints and the contacts that part them, in a substep, at most */
 #define LOCKS 3              /* rounds in a substep in which pins are made rigid */
 
 /* ---- hard stops ---- */
@@ -29,8 +31,6 @@ void cni_close_mark(const cn_world *world, cni_sparse *sparse)
 			c->closes = (cni_drives(world)[sparse->bodies[n]].flags & CNI_DRIVE_TOUCHED) != 0;
 		if (c->closes && cni_component_is_joined(world, sparse, c))
 			c->closes = 0;
-		if (c->closes && c->herds)
-			sparse->herds[c->herd].closes |= 1u << c->lane;
 	}
 }
 
@@ -103,8 +103,10 @@ static void swerves_add(const cn_world *world, const cni_solve *s, const cni_com
 	}
 }
 
-/* The contacts of its bodies once more. */
-static void touching_solve(cn_world *world, const cni_solve *s, const cni_component *c)
+typedef void contact_fn(cn_world *world, const cni_solve *s, int32_t slot);
+
+/* What is in lanes of the contacts of its bodies. */
+static void contacts_visit(cn_world *world, const cni_solve *s, const cni_component *c, contact_fn *visit)
 {
 	int32_t k, key;
 	for (k = c->body_begin; k < c->body_end; ++k) {
@@ -112,18 +114,66 @@ static void touching_solve(cn_world *world, const cni_solve *s, const cni_compon
 		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 			const cni_contact *contact = cni_contact_of_key(world, key);
 			if ((contact->flags & CNI_CONTACT_TOUCHING) && contact->slot != CNI_NONE)
-				cni_contact_solve_again(world, s, contact->slot);
+				visit(world, s, contact->slot);
 		}
 	}
+}
+
+static uint32_t *flags_of(const cn_world *world, int32_t slot, int32_t side)
+{
+	const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
+	return &cni_drives(world)[side ? block->ib[slot % CNI_LANES] : block->ia[slot % CNI_LANES]].flags;
+}
+
+/* Once more; both bodies are marked as changed until it is known which systems have them. */
+static void contact_again(cn_world *world, const cni_solve *s, int32_t slot)
+{
+	cni_contact_solve_again(world, s, slot);
+	*flags_of(world, slot, 0) |= CNI_DRIVE_LATER;
+	*flags_of(world, slot, 1) |= CNI_DRIVE_LATER;
+}
+
+static void contact_unmark(cn_world *world, const cni_solve *s, int32_t slot)
+{
+	(void)s;
+	*flags_of(world, slot, 0) &= ~(uint32_t)CNI_DRIVE_LATER;
+	*flags_of(world, slot, 1) &= ~(uint32_t)CNI_DRIVE_LATER;
+}
+
+static int32_t is_changed(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		if (cni_drives(world)[sparse->bodies[k]].flags & CNI_DRIVE_LATER)
+			return 1;
+	return 0;
+}
+
+/* Which are to be looked at: all, or those that parted in the last round, and whose bodies its contacts changed. */
+static void components_ask(cn_world *world, const cni_solve *s, int32_t round)
+{
+	cni_sparse *sparse = s->direct;
+	int32_t k;
+	for (k = 0; k < sparse->herd_count; ++k)
+		sparse->herds[k].asked = 0;
+	for (k = 0; k < sparse->component_count; ++k) {
+		cni_component *c = &sparse->components[k];
+		c->asked = c->closes && !c->done && !c->presses && (round == 0 || c->parting || is_changed(world, sparse, c));
+		if (c->asked && c->herds)
+			sparse->herds[c->herd].asked |= 1u << c->lane;
+	}
+	for (k = 0; round > 0 && k < sparse->component_count; ++k)
+		if (sparse->components[k].parting)
+			contacts_visit(world, s, &sparse->components[k], contact_unmark);
 }
 
 /* Returns 1 when it had to. */
 static int32_t component_close(cn_world *world, const cni_solve *s, cni_component *c)
 {
+	if (!c->asked)
+		return 0;
 	if (c->herds)
 		return (int32_t)(s->direct->herds[c->herd].parting >> c->lane & 1u);
-	if (!c->closes || c->done || c->presses)
-		return 0;
 	cni_direct_sides(world, s, c, 1);
 	swerves_add(world, s, c);
 	if (!is_parting(world, s, c))
@@ -132,15 +182,21 @@ static int32_t component_close(cn_world *world, const cni_solve *s, cni_componen
 	return 1;
 }
 
-/* Those that have not had their rounds. Returns 1 when contacts of some are to come once more: they are parting. */
+/* Rounds of contacts for which a system asks in a substep: a blow goes on through a tree joint by joint. */
+static int32_t rounds_of(const cni_component *c)
+{
+	return cni_max_i(1, cni_min_i(c->end - c->begin - 1, CLOSE_ROUNDS));
+}
+
+/* Returns 1 when contacts of some are to come once more: they are parting. */
 static int32_t components_close(cn_world *world, const cni_solve *s, int32_t round)
 {
 	int32_t k, closed = 0;
-	cni_herds_close(world, s, round);
+	components_ask(world, s, round);
+	cni_herds_close(world, s);
 	for (k = 0; k < s->direct->component_count; ++k) {
 		cni_component *c = &s->direct->components[k];
-		int32_t rounds = cni_close_rounds(c->end - c->begin);
-		c->parting = round <= rounds && component_close(world, s, c) && round < rounds;
+		c->parting = component_close(world, s, c) && round < rounds_of(c);
 		closed |= c->parting;
 	}
 	return closed;
@@ -152,7 +208,7 @@ void cni_direct_close(cn_world *world, const cni_solve *s)
 	for (round = 0; s->direct != NULL && components_close(world, s, round); ++round)
 		for (k = 0; k < s->direct->component_count; ++k)
 			if (s->direct->components[k].parting)
-				touching_solve(world, s, &s->direct->components[k]);
+				contacts_visit(world, s, &s->direct->components[k], contact_again);
 }
 
 /* ---- laden loops ---- */

@@ -218,8 +218,10 @@ static void owners_tell(cn_world *world, const cni_solve *s, const cni_link *lin
 	int32_t k;
 	for (k = 0; k < count; ++k)
 		if (planned[k] && links[k].owner >= 0) {
-			cni_joint_works(world)[links[k].owner].flags |= CNI_WORK_DIRECT;
-			cni_joint_work_settle(world, s, links[k].owner);
+			cni_joint_work *w = cni_joint_works(world) + links[k].owner;
+			w->flags |= CNI_WORK_DIRECT;
+			if (w->form != 0)
+				cni_joint_rows_begin(world, s, w);
 		}
 	for (k = 0; k < out->node_count; ++k)
 		if (out->nodes[k].owner < 0)

@@ -19,21 +19,6 @@
 
 /* ---- which components ---- */
 
-/* Tension of pins that have no rows yet: stages/joint_tension.c. */
-static void pins_pull(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
-{
-	float inv_h = 1.0f / h;
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k)
-		sparse->pull[sparse->nodes[k].ia] = sparse->pull[sparse->nodes[k].ib] = 0.0f;
-	for (k = c->begin; k < c->end; ++k) {
-		const cni_joint_work *w = &cni_joint_works(world)[sparse->nodes[k].owner];
-		cni_vec2 f = cni_v(inv_h * w->record->impulse[0], inv_h * w->record->impulse[1]);
-		sparse->pull[w->ia] -= cni_dot(w->start.ra, f);
-		sparse->pull[w->ib] += cni_dot(w->start.rb, f);
-	}
-}
-
 int32_t cni_component_herds(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
@@ -44,7 +29,7 @@ int32_t cni_component_herds(const cn_world *world, const cni_solve *s, cni_spars
 		if (!(w->flags & CNI_WORK_WIDE) || !cni_joint_fits_lane(world, s, w))
 			return 0;
 	}
-	pins_pull(world, sparse, c, s->h);
+	cni_tension_find_pins(world, sparse, c, s->h);
 	return !cni_tension_needs_dampers(world, sparse, c, s->h);
 }
 
@@ -171,7 +156,7 @@ static cni_herd *herd_open(maker *m, const cni_component *c)
 	sources_find(herd);
 	blocks_take(m->world, herd);
 	herd->lanes = 0;
-	herd->closes = herd->asked = herd->parting = 0;
+	herd->asked = herd->parting = 0;
 	herd->couplings = sparse->couplings + c->coupling_begin;
 	herd->coupling_count = c->coupling_end - c->coupling_begin;
 	herd->first = sparse->first + c->begin;
@@ -269,12 +254,7 @@ void cni_herds_relax(cn_world *world, const cni_solve *s)
 	herds_run(world, s, s->joint_kernel->herd_relax);
 }
 
-void cni_herds_close(cn_world *world, const cni_solve *s, int32_t round)
+void cni_herds_close(cn_world *world, const cni_solve *s)
 {
-	int32_t k;
-	for (k = 0; k < s->direct->herd_count; ++k) {
-		cni_herd *herd = &s->direct->herds[k];
-		herd->asked = round <= cni_close_rounds(herd->kind.nodes) ? herd->closes : 0;
-	}
 	herds_run(world, s, s->joint_kernel->herd_close);
 }

@@ -1,6 +1,9 @@
 /*
- * stages/joint_kernel.h - the kernel of revolute joints of one instruction set: included by joint_kernel_*.c, which
+ * stages/joint_kernel.h - the kernel of joints of one instruction set: included by joint_kernel_*.c, which
  * define CNI_WIDTH and CNI_KERNEL (the name of the table they fill). Results do not depend on the width.
+ *
+ * Here are revolute joints; herds of them and lanes of other joints' rows are in joint_herd_kernel.h and
+ * joint_rows_kernel.h, which this includes.
  *
  * With the letters of stages/joint_pass.h, the pin's velocity is
  *   v = (vb + wb x rb) - (va + wa x ra)         K = sum of m + I^-1 terms, det K without cancellation:

@@ -1,5 +1,5 @@
 /*
- * stages/joint_kernel_4.c - the kernel of revolute joints on vectors of four floats: SSE2, NEON, WASM SIMD.
+ * stages/joint_kernel_4.c - the kernel of joints on vectors of four floats: SSE2, NEON, WASM SIMD.
  */
 #include "base/cpu.h"
 

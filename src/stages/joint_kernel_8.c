@@ -1,5 +1,5 @@
 /*
- * stages/joint_kernel_8.c - the kernel of revolute joints on vectors of eight floats: AVX2, used only where the
+ * stages/joint_kernel_8.c - the kernel of joints on vectors of eight floats: AVX2, used only where the
  * processor has it. Fused multiply-add stays off: it would change the bits.
  */
 #include "base/cpu.h"

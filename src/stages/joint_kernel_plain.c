@@ -1,5 +1,5 @@
 /*
- * stages/joint_kernel_plain.c - the kernel of revolute joints in plain C, one lane at a time.
+ * stages/joint_kernel_plain.c - the kernel of joints in plain C, one lane at a time.
  */
 #define CNI_WIDTH 1
 #define CNI_KERNEL cni_joint_kernel_plain

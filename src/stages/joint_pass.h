@@ -70,7 +70,7 @@ typedef struct cni_joint_kernel {
 	cni_herd_kernel_fn *herd_warm;
 	cni_herd_kernel_fn *herd_solve;
 	cni_herd_kernel_fn *herd_relax;
-	cni_herd_kernel_fn *herd_close; /* after contacts: those of herd->closes that came apart, which become herd->parting */
+	cni_herd_kernel_fn *herd_close; /* after contacts: those of herd->asked that came apart, which become herd->parting */
 	cni_row_kernel_fn *rows_begin;  /* first rows, and impulses of records to those of lanes */
 	cni_row_kernel_fn *rows_warm;
 	cni_row_kernel_fn *rows_solve;
@@ -109,9 +109,8 @@ typedef struct cni_lane_spring {
 	cni_soft soft;
 } cni_lane_spring;
 cni_soft cni_lane_spring_soft(cni_lane_spring *spring, float hertz, float damping_ratio, float h);
-/* A colour that neither body uses yet, CNI_NONE: there is none; and that both use from now on, if they can move. */
-int32_t cni_joint_color_find(const cn_world *world, int32_t ia, int32_t ib);
-void cni_joint_color_use(cn_world *world, int32_t ia, int32_t ib, int32_t color);
+/* A colour that neither body uses yet, which they use from now on; CNI_NONE: there is none. */
+int32_t cni_joint_color_take(cn_world *world, int32_t ia, int32_t ib);
 /* Work k into a lane that is empty. */
 void cni_joint_lane_fill(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k, cni_joint_block *block, int32_t l);
 /* Is no body of it so fast that its arms turn further in a step than lanes can follow? */

@@ -204,11 +204,10 @@ static void lane_fill(taker *t, cni_joint_work *w, int32_t k, cni_row_block *blo
 
 static int32_t lane_take(taker *t, cni_joint_work *w, int32_t k)
 {
-	int32_t color = cni_joint_color_find(t->world, w->ia, w->ib);
+	int32_t color = cni_joint_color_take(t->world, w->ia, w->ib);
 	cni_row_block *block = color == CNI_NONE ? NULL : block_open(t, color, w->form);
 	if (block == NULL)
 		return 0;
-	cni_joint_color_use(t->world, w->ia, w->ib, color);
 	lane_fill(t, w, k, block);
 	return 1;
 }

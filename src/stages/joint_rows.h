@@ -5,13 +5,13 @@
  * with the same sums, so that a joint does the same in a lane as by itself. A block is 16 lanes of one form, structure of
  * arrays, made anew in every step.
  *
- *   form        rigid rows             free rows                          spring     motor      limit
- *   rod         along                                                                                    distance joints that only hold
- *   tie                                along                              free[0]    free[0]    free[0]  ... that give: spring, rope, motor
- *   weld        point x, y, angle                                                                        fixed joints
- *   soft weld   point x, y             angle                              free[0]                        ... whose angle gives
- *   slide       across, angle          along                              free[0]    free[0]    free[0]  prismatic joints
- *   wheel       across                 along, angle                       free[0]    free[1]    free[0]  wheel joints
+ *   form        of                         rigid rows            free rows       spring, limit    motor
+ *   rod         distance that holds        along
+ *   tie         distance that gives                              along           free[0]          free[0]
+ *   weld        fixed                      point x, y, angle
+ *   soft weld   fixed whose angle gives    point x, y            angle           free[0] (spring)
+ *   slide       prismatic                  across, angle         along           free[0]          free[0]
+ *   wheel       wheel                      across                along, angle    free[0]          free[1]
  *
  * Every row has equal and opposite linear parts: row . v = n . (vb - va) + aw wa + bw wb. Free rows are kept with the rigid
  * ones taken out of them. A lane without a spring, motor or limit has numbers with which it gives no impulse.

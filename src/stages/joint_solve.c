@@ -1,6 +1,6 @@
 /*
- * stages/joint_solve.c - joints in the soft step: rows to impulses, for every type alike. Revolute joints that need nothing
- * of this are in lanes: stages/joint_blocks.c.
+ * stages/joint_solve.c - joints in the soft step: rows to impulses, for every type alike. Those that are solved many at once
+ * are in lanes: stages/joint_blocks.c, joint_rows.c, whose sums are the same as here.
  *
  * Each awake joint gets a work item in a dense array: body indices, anchors turned with the bodies, rows. A
  * joint's rigid rows are solved together by the inverse of their K = J M^-1 J^T. Every other row is combined
@@ -243,14 +243,12 @@ static void work_soften(cni_joint_work *w, const cni_joint *j, const cni_solve *
 	}
 }
 
-void cni_joint_work_begin(cn_world *world, int32_t k)
+void cni_joint_work_begin(cn_world *world, int32_t k, const cni_joint *j)
 {
-	int32_t joint = ((const int32_t *)world->awake_joints.data)[k];
 	cni_joint_work *w = cni_joint_works(world) + k;
-	const cni_joint *j = cni_joint_at(world, joint);
 	w->record = j;
 	w->make_rows = cni_joint_type_of(j->type)->rows;
-	w->joint = joint;
+	w->joint = ((const int32_t *)world->awake_joints.data)[k];
 	w->lane = w->row_lane = CNI_NONE;
 	w->form = CNI_FORM_NONE;
 	w->ia = j->body[0] == CNI_NONE ? 0 : cni_body_at(world, j->body[0])->awake;
@@ -291,7 +289,7 @@ void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work *w
 void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k)
 {
 	cni_joint_work *w = cni_joint_works(world) + k;
-	cni_joint_work_begin(world, k);
+	cni_joint_work_begin(world, k, cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]));
 	w->start.angle = cni_joint_frame_angle(world, w->record);
 	cni_joint_rows_begin(world, s, w);
 }

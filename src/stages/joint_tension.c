@@ -18,13 +18,38 @@
 #define XI_MOST 1.0f
 #define SNAP_MOST_RAD 0.1f /* that a body may turn in a substep, with one that does not */
 
+static void pulls_clear(cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k)
+		sparse->pull[sparse->nodes[k].ia] = sparse->pull[sparse->nodes[k].ib] = 0.0f;
+}
+
+/* Forces of a joint on its bodies, at the ends of these arms. */
+static void pull_add(cni_sparse *sparse, const cni_joint_work *w, cni_vec2 ra, cni_vec2 rb, cni_vec2 fa, cni_vec2 fb)
+{
+	sparse->pull[w->ia] += cni_dot(ra, fa);
+	sparse->pull[w->ib] += cni_dot(rb, fb);
+}
+
+void cni_tension_find_pins(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
+{
+	float inv_h = 1.0f / h;
+	int32_t k;
+	pulls_clear(sparse, c);
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_joint_work *w = &cni_joint_works(world)[sparse->nodes[k].owner];
+		cni_vec2 f = cni_mul(inv_h, cni_v(w->record->impulse[0], w->record->impulse[1]));
+		pull_add(sparse, w, w->start.ra, w->start.rb, cni_neg(f), f);
+	}
+}
+
 /* From the rows' impulses, which are those of a substep of length h. */
 void cni_tension_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
 {
 	float inv_h = 1.0f / h;
 	int32_t k, i;
-	for (k = c->begin; k < c->end; ++k)
-		sparse->pull[sparse->nodes[k].ia] = sparse->pull[sparse->nodes[k].ib] = 0.0f;
+	pulls_clear(sparse, c);
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_joint_work *w;
 		cni_vec2 fa = cni_v(0.0f, 0.0f), fb = fa;
@@ -36,8 +61,7 @@ void cni_tension_find(const cn_world *world, cni_sparse *sparse, const cni_compo
 			fa = cni_madd(fa, r->impulse * inv_h, cni_v(r->ax, r->ay));
 			fb = cni_madd(fb, r->impulse * inv_h, cni_v(r->bx, r->by));
 		}
-		sparse->pull[w->ia] += cni_dot(cni_rotate(sparse->turn[w->ia], w->start.ra), fa);
-		sparse->pull[w->ib] += cni_dot(cni_rotate(sparse->turn[w->ib], w->start.rb), fb);
+		pull_add(sparse, w, cni_rotate(sparse->turn[w->ia], w->start.ra), cni_rotate(sparse->turn[w->ib], w->start.rb), fa, fb);
 	}
 }
 

@@ -32,8 +32,8 @@ typedef struct cni_joint_work {
 	uint32_t flags;            /* CNI_WORK_* */
 	int32_t next_plain;        /* the next that is solved by rows */
 	int32_t lane;              /* block * CNI_LANES + lane of a pin, CNI_NONE: solved by rows alone */
-	int32_t form;              /* CNI_FORM_*, if it may be in a lane of rows: stages/joint_rows.h */
-	int32_t row_lane;          /* ... block * CNI_LANES + lane there; CNI_NONE. It then has no rows here */
+	int32_t form;              /* CNI_FORM_*, 0: none. It has no rows here until it is solved directly, or finds no lane: stages/joint_rows.h */
+	int32_t row_lane;          /* ... block * CNI_LANES + lane of rows, CNI_NONE */
 	cni_joint_frame start;     /* at the beginning of the step; what is in lanes needs nothing of what follows */
 	cni_row rows[CNI_JOINT_ROWS];
 	float inverse[6];          /* of the first rows' K: 00 01 02 11 12 22 */
@@ -62,7 +62,7 @@ static inline int32_t cni_joint_island(const cn_world *world, int32_t ia, int32_
 /* The work of place k in the awake list, as a step begins, to be solved by rows. */
 void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k);
 /* What of it does not depend on how it is solved, the frame's angle left out. */
-void cni_joint_work_begin(cn_world *world, int32_t k);
+void cni_joint_work_begin(cn_world *world, int32_t k, const cni_joint *j);
 /* ... then its rows, decoupled, with their impulses. */
 void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work *w);
 void cni_joint_loads_read(cni_joint_work *w, const cni_solve *s);
@@ -103,11 +103,6 @@ void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, in
    also for arms that turn by more than this angle in it and so leave the tangent. */
 #define CNI_CLOSE_PART CNI_BAD_PART
 #define CNI_CLOSE_TURN_RAD 0.02f
-/* Rounds of joints and the contacts that part them, in a substep: a blow goes on through a tree joint by joint. */
-static inline int32_t cni_close_rounds(int32_t nodes)
-{
-	return cni_max_i(1, cni_min_i(nodes - 1, 4));
-}
 /* What contacts may part: stages/joint_close.c. */
 void cni_close_mark(const cn_world *world, cni_sparse *sparse);
 
@@ -115,8 +110,6 @@ void cni_close_mark(const cn_world *world, cni_sparse *sparse);
 
 /* The work of place k, as a step begins, if it can be solved in a lane; 0: it cannot. */
 int32_t cni_joint_work_widen(cn_world *world, int32_t k);
-/* Rows for the work of place k, which is solved directly, if it might have been in a lane of rows. */
-void cni_joint_work_settle(cn_world *world, const cni_solve *s, int32_t k);
 /* The rows of a component's wide works, with the impulses of their records. */
 void cni_joint_works_complete(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
 
@@ -130,7 +123,7 @@ void cni_herds_warm(cn_world *world, const cni_solve *s);
 void cni_herds_solve(cn_world *world, const cni_solve *s);
 void cni_herds_relax(cn_world *world, const cni_solve *s);
 /* After contacts: what they would part is solved once more. stages/joint_close.c */
-void cni_herds_close(cn_world *world, const cni_solve *s, int32_t round);
+void cni_herds_close(cn_world *world, const cni_solve *s);
 /* Scratch that they may take, with so many joints. */
 uint64_t cni_herd_bytes(int32_t joints);
 
@@ -138,6 +131,8 @@ uint64_t cni_herd_bytes(int32_t joints);
 
 /* sum(r.f) of every body, after cni_direct_turns, from impulses of substeps of length h. */
 void cni_tension_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
+/* The same of pins that have no rows yet, at the beginning of a step. */
+void cni_tension_find_pins(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 /* The largest sum(r.f) / I, after cni_tension_find: squared radians a second. */
 float cni_tension_stiffness(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Is that too stiff for substeps of length h, or nearly? */

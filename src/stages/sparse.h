@@ -82,6 +82,7 @@ typedef struct cni_component {
 	int32_t herd, lane;            /* ... where */
 	int32_t closes;                /* ... 1: contacts may open some of them */
 	int32_t parting;               /* ... 1: contacts would open some of them in this substep */
+	int32_t asked;                 /* ... 1: its bodies may have changed since it was looked at */
 } cni_component;
 
 /* A tree of nodes of two rows, as what is alike sees it. */

@@ -224,11 +224,72 @@ static void nets_hold_as_well_in_lanes(void)
 	}
 }
 
+/* ---- memory ---- */
+
+/* After 20 steps; the world is destroyed. */
+static uint64_t slides_hash(const cn_world_def *def)
+{
+	cn_world *world = NULL;
+	uint64_t hash;
+	must(cn_world_create(def, &world), NULL, "cn_world_create");
+	net_fill(world, NET_SLIDE, NET_IN_LANES, SIDE, NULL);
+	fixture_step(world, 20);
+	CHECK(joints_by_rows(world) == 0);
+	hash = fixture_hash(world);
+	cn_world_destroy(world);
+	return hash;
+}
+
+/* A world in a caller's block has room for all its lanes. */
+static void fixed_memory_changes_nothing(void)
+{
+	cn_world_def def;
+	uint64_t growing;
+	unsigned char *raw;
+	cn_world_def_init(&def);
+	def.solver = CN_SOLVER_SOFT;
+	growing = slides_hash(&def);
+	def.body_capacity = def.shape_capacity = SIDE * SIDE + 1;
+	def.contact_capacity = 16;
+	def.joint_capacity = 2 * SIDE * SIDE;
+	must(cn_world_bytes_needed(&def, &def.memory_bytes), NULL, "cn_world_bytes_needed");
+	raw = (unsigned char *)malloc((size_t)def.memory_bytes + 64);
+	REQUIRE(raw != NULL);
+	def.memory = raw + (64 - (uintptr_t)raw % 64) % 64;
+	CHECK(slides_hash(&def) == growing);
+	free(raw);
+}
+
+/* ---- every build ---- */
+
+/* As in test/world/determinism_test.c, whose rules for replacing these hold here. */
+static void nets_have_golden_bits(void)
+{
+	static const uint64_t golden[NET_KINDS] = {
+		0x6fd69acb0721a147, 0x2b2515f8c2008c61, 0x1e58133f66334b4a, 0x03f2fb1aa1920542, 0x2c3ca2e44f2d735a, 0x5b359f02d760b835, 0xa5e7f4c3c73a09f0
+	};
+	int32_t kind, k;
+	for (kind = 0; kind < NET_KINDS; ++kind) {
+		cn_world *world = soft_world();
+		uint64_t digest = 0xCBF29CE484222325u;
+		net_fill(world, kind, NET_IN_LANES, SIDE, NULL);
+		for (k = 0; k < 30; ++k) {
+			fixture_step(world, 1);
+			digest = (digest ^ fixture_hash(world)) * 0x100000001B3u;
+		}
+		printf("  %s: 0x%016llx, golden 0x%016llx\n", net_name(kind), (unsigned long long)digest, (unsigned long long)golden[kind]);
+		CHECK(digest == golden[kind]);
+		cn_world_destroy(world);
+	}
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
 	RUN(every_width_has_the_same_bits);
 	RUN(lanes_have_the_bits_of_rows);
 	RUN(nets_hold_as_well_in_lanes);
+	RUN(fixed_memory_changes_nothing);
+	RUN(nets_have_golden_bits);
 	return test_end();
 }
