@@ -24,13 +24,13 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0x5b702f63a17dcef2 },
+	{ "falling_hinges", 480, 1, 0xc174b67639973fab },
 	{ "small_200", 300, 1, 0xc7bfb4c53cea5aa5 },
 	{ "small_50_sleep", 600, 1, 0x24603dc33e12a0d1 },
 	{ "dominoes", 400, 1, 0xadf03cf1271cc9ec },
 	{ "ragdolls", 480, 1, 0x60f5eb64a1647803 },
 	{ "bridge", 240, 1, 0xdafd1f0446b07366 },
-	{ "car", 400, 1, 0x75be79ca3be13a46 },
+	{ "car", 400, 1, 0x380e988acbcb444f },
 	{ "mixer", 240, 1, 0xe03a20e30ac31da3 },
 	{ "pyramid", 120, 0, 0xbb24e8518c196cd8 },
 	{ "rain", 150, 0, 0x77f20642a3cbe8b7 },
