@@ -412,6 +412,9 @@ CNI_INLINE void solve_form(cni_motion *motions, cni_row_block *k, const cni_join
 static void row_lanes_solve(cni_motion *motions, cni_velocity_start *starts, cni_row_block *k, const cni_joint_pass *pass)
 {
 	(void)starts;
+#if CNI_WIDTH == 1
+	solve_form(motions, k, pass, k->form); /* made once: it is for few */
+#else
 	switch (k->form) {
 	case CNI_FORM_ROD: solve_form(motions, k, pass, CNI_FORM_ROD); break;
 	case CNI_FORM_TIE: solve_form(motions, k, pass, CNI_FORM_TIE); break;
@@ -420,6 +423,7 @@ static void row_lanes_solve(cni_motion *motions, cni_velocity_start *starts, cni
 	case CNI_FORM_SLIDE: solve_form(motions, k, pass, CNI_FORM_SLIDE); break;
 	default: solve_form(motions, k, pass, CNI_FORM_WHEEL); break;
 	}
+#endif
 }
 
 /* ---- new positions ---- */
@@ -492,6 +496,9 @@ CNI_INLINE void relax_form(cni_motion *motions, cni_velocity_start *starts, cni_
 
 static void row_lanes_relax(cni_motion *motions, cni_velocity_start *starts, cni_row_block *k, const cni_joint_pass *pass)
 {
+#if CNI_WIDTH == 1
+	relax_form(motions, starts, k, pass, k->form); /* made once: it is for few */
+#else
 	switch (k->form) {
 	case CNI_FORM_ROD: relax_form(motions, starts, k, pass, CNI_FORM_ROD); break;
 	case CNI_FORM_TIE: relax_form(motions, starts, k, pass, CNI_FORM_TIE); break;
@@ -500,6 +507,7 @@ static void row_lanes_relax(cni_motion *motions, cni_velocity_start *starts, cni
 	case CNI_FORM_SLIDE: relax_form(motions, starts, k, pass, CNI_FORM_SLIDE); break;
 	default: relax_form(motions, starts, k, pass, CNI_FORM_WHEEL); break;
 	}
+#endif
 }
 
 /* ---- before and after the substeps: once a step, for any form ---- */
