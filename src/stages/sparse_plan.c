@@ -591,6 +591,8 @@ int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *sys
 			kinds_keep(out, system->motions, &plan);
 		return 1;
 	}
+	if (kept != NULL && !there)
+		kept->count = 0; /* its kinds were not found */
 	arena_pop_to(arena, out->arena_entries);
 	memset(out_planned, 0, (uint32_t)system->link_count);
 	counts_forget(out);
