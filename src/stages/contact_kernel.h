@@ -367,6 +367,8 @@ static int32_t kernel_warm(const cni_color_pass *c, int32_t begin, int32_t end)
 	return k;
 }
 
+#if !CNI_FEW /* nobody asks that one for impacts */
+
 /* Is the point in use, and does it close faster than the speed? a and b hold velocities only. */
 CNI_INLINE cni_mask point_closes(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b, float speed)
 {
@@ -421,7 +423,14 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 	}
 }
 
-#include "stages/contact_follow.h"
 #include "stages/contact_impact.h"
 
+#endif
+
+#include "stages/contact_follow.h"
+
+#if CNI_FEW
+const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, NULL, NULL, kernel_follow };
+#else
 const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, kernel_closing, kernel_impact, kernel_follow };
+#endif

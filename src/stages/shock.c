@@ -136,7 +136,10 @@ static float load_part(float impulse, float load)
 
 static void row_forget(cn_world *world, const cni_joint_work *w, const cni_lever *row, int32_t slot, float *impulse)
 {
-	float kept = load_part(*impulse, w->record->impulse[slot]), j = *impulse - kept;
+	float kept, j;
+	CNI_ASSERT(slot < CNI_JOINT_ROWS);
+	kept = load_part(*impulse, w->record->impulse[slot]);
+	j = *impulse - kept;
 	response_take_out(world, w->ia, row->ax * j, row->ay * j, row->aw * j);
 	response_take_out(world, w->ib, row->bx * j, row->by * j, row->bw * j);
 	*impulse = kept;
