@@ -6,7 +6,7 @@
  * made once with a diagonal that is a little too great, are the preconditioner. Loops say the same twice in thousands of
  * ways, and floats cannot factor that as it is; conjugate gradients ask for no more than products with K and
  * stop when the speeds are closed. The soft solver, which brings no such loads together in years of
- * sweeps, holds them well once they are there.
+ * sweeps, holds them well once they are there; what it cannot see, stages/joint_coarse.h does.
  *
  * Reads works, drives, motion; writes motion, start, works' rows and flags, drive flags.
  */

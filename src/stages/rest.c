@@ -11,7 +11,8 @@
  * less than REST_SPEED creeps slower still; what is about to move gathers speed until it is above, and then moves as
  * it should.
  *
- * It is not done where joints hold an island, nor for kinematic bodies that move.
+ * It is not done where joints hold an island, but for nets that stages/joint_coarse.c holds and nothing else does, nor for
+ * kinematic bodies that move.
  *
  * Reads motion, bodies (velocity as the step began), drives, islands; writes drives' flag SWUNG, the block list, and
  * which directly solved systems are done.
@@ -27,6 +28,7 @@
 typedef struct rest {
 	cn_world *world;
 	uint8_t *moving;    /* by island */
+	uint8_t *netted;    /* by dense index: bodies whose joints are all of a net that is held; NULL: there are none */
 	float speed, h;
 	int32_t carried;    /* 1 and more: bodies have the flag LATER */
 	int32_t done;       /* bodies that are */
@@ -61,9 +63,12 @@ static int32_t body_rests(const rest *r, int32_t k)
 	return is_within(vx, vy, turn, HELD_PART * given + little);
 }
 
-/* Only what touches something is solved by passes; neither jointed nor carried bodies may rest. */
-static int32_t may_rest(uint32_t flags)
+/* Only what touches something, or is in a net, is solved by passes; neither otherwise jointed nor carried bodies may rest. */
+static int32_t may_rest(const rest *r, int32_t k)
 {
+	uint32_t flags = cni_drives(r->world)[k].flags;
+	if (r->netted != NULL && r->netted[k])
+		return !(flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG | CNI_DRIVE_LATER));
 	return (flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_FREE | CNI_DRIVE_SWUNG | CNI_DRIVE_JOINTED | CNI_DRIVE_LATER)) == CNI_DRIVE_TOUCHED;
 }
 
@@ -90,7 +95,7 @@ static int32_t moving_find(rest *r)
 	for (k = 1; k < r->world->awake_count; ++k)
 		r->carried += carried_mark(r, k);
 	for (k = 1; k < r->world->awake_count; ++k) {
-		int32_t rests = may_rest(drives[k].flags) && body_rests(r, k), island = cni_awake_island(r->world, k);
+		int32_t rests = may_rest(r, k) && body_rests(r, k), island = cni_awake_island(r->world, k);
 		count += rests;
 		if (!rests && island != CNI_NONE)
 			r->moving[island] = 1;
@@ -111,7 +116,7 @@ static void islands_done(rest *r)
 		int32_t island;
 		if (drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG))
 			continue;
-		island = may_rest(drives[k].flags) ? cni_awake_island(r->world, k) : CNI_NONE;
+		island = may_rest(r, k) ? cni_awake_island(r->world, k) : CNI_NONE;
 		if (island == CNI_NONE || r->moving[island]) {
 			r->going = 1;
 			continue;
@@ -172,19 +177,24 @@ static void systems_done(const cn_world *world, cni_sparse *direct)
 
 void cni_rest_find(cn_world *world, const cni_solve *s)
 {
-	rest r = { world, NULL, REST_SPEED * world->settings.length_unit, s->h, 0, 0, 0 };
+	rest r = { world, NULL, NULL, REST_SPEED * world->settings.length_unit, s->h, 0, 0, 0 };
 	if (s->substeps < 2)
 		return;
 	r.moving = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->island_used);
 	if (r.moving == NULL)
 		return; /* everything is solved in every substep */
 	memset(r.moving, 0, (size_t)world->island_used);
+	if (s->coarse && (r.netted = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->awake_count)) != NULL)
+		cni_coarse_netted(world, r.netted);
 	if (moving_find(&r) > 0)
 		islands_done(&r);
 	if (r.done > 0) {
 		blocks_strike(world, r.going);
 		systems_done(world, s->direct);
+		if (r.netted != NULL)
+			cni_coarse_rest(world);
 	}
 	carried_clear(&r);
+	(void)cni_arena_pop(&world->arena, r.netted);
 	cni_arena_pop(&world->arena, r.moving);
 }

@@ -129,6 +129,7 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	s.kernel = cni_contact_kernel_choose();
 	s.joint_kernel = cni_joint_kernel_choose();
 	s.direct = NULL;
+	s.coarse = 0;
 	s.bounces = 0;
 	s.contact_colors = 0;
 	s.team = NULL;

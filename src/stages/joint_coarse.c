@@ -1,0 +1,318 @@
+/*
+ * stages/joint_coarse.c - large nets of pins at rest: the part of their motion that passes over joints do not see is taken out
+ * in every substep. What and why is in stages/joint_coarse.h; patches are made in stages/joint_patches.c.
+ *
+ * Reads joint blocks, motion, awake ids; writes world->coarse, motion velocities.
+ */
+#include "stages/joint_coarse.h"
+
+#include <string.h>
+
+#define TURN_MOST 5e-3f      /* radians */
+#define MAKING 32            /* what making patches costs of a credit that grows by one a step ... */
+#define CREDIT_MOST 128      /* ... up to this */
+#define BALANCED_PART 0.01f  /* of what gravity gives in a substep */
+#define BALANCED_SPEED 1e-5f /* length units a second, where there is little gravity */
+#define BLOCKS_LEAST 4       /* of joints: fewer are no large net */
+
+static uint64_t rounded(uint64_t bytes)
+{
+	return (bytes + CNI_COARSE_BYTES - 1) / CNI_COARSE_BYTES * CNI_COARSE_BYTES;
+}
+
+static void *piece(uint8_t **at, uint64_t bytes)
+{
+	void *here = *at;
+	*at += rounded(bytes);
+	return here;
+}
+
+cni_coarse_view cni_coarse_view_of(const cn_world *world)
+{
+	cni_coarse_view v;
+	uint8_t *at = (uint8_t *)world->coarse.data;
+	v.head = (cni_coarse *)piece(&at, sizeof(cni_coarse));
+	v.nets = (cni_net_range *)piece(&at, sizeof(cni_net_range) * (uint64_t)v.head->net_count);
+	v.bodies = (cni_net_body *)piece(&at, sizeof(cni_net_body) * (uint64_t)v.head->body_count);
+	v.pins = (cni_net_pin *)piece(&at, sizeof(cni_net_pin) * (uint64_t)v.head->pin_count);
+	v.patches = (cni_patch *)piece(&at, sizeof(cni_patch) * (uint64_t)v.head->patch_count);
+	v.entries = (double *)piece(&at, sizeof(double) * (uint64_t)v.head->entry_count);
+	v.speeds = (double *)piece(&at, 2 * sizeof(double) * (uint64_t)v.head->mode_count);
+	v.parts = (float *)piece(&at, sizeof(float) * (uint64_t)v.head->part_count);
+	return v;
+}
+
+/* ---- do they still hold ---- */
+
+/* Pins that are in lanes of colours and not solved directly. */
+static int32_t lanes_count(const cn_world *world)
+{
+	int32_t color, index, l, count = 0;
+	for (color = 0; color < CNI_JOINT_COLORS; ++color)
+		for (index = world->joint_colors[color].first; index != CNI_NONE; index = cni_joint_blocks(world)[index].next)
+			for (l = 0; l < CNI_LANES; ++l)
+				count += cni_coarse_takes(&cni_joint_blocks(world)[index], l);
+	return count;
+}
+
+/* All awake, and as heavy as they were. */
+static int32_t bodies_hold(const cn_world *world, const cni_coarse_view *v, const cni_net_range *net)
+{
+	const int32_t *ids = cni_awake_ids(world);
+	int32_t k;
+	for (k = net->body_begin; k < net->body_end; ++k) {
+		cni_net_body *b = &v->bodies[k];
+		const cni_motion *m;
+		if (b->index >= world->awake_count || ids[b->index] != b->body) {
+			b->index = cni_body_at(world, b->body)->awake;
+			if (b->index == 0 || b->index >= world->awake_count || ids[b->index] != b->body)
+				return 0;
+		}
+		m = cni_motions(world) + b->index;
+		if (m->inv_mass != b->inv_mass || m->inv_inertia != b->inv_inertia)
+			return 0;
+	}
+	return 1;
+}
+
+/* The lane of every joint by its slot; NULL: no memory. */
+static int32_t *lanes_look_up(cn_world *world)
+{
+	const int32_t *joints = (const int32_t *)world->awake_joints.data;
+	int32_t *lanes = (int32_t *)cni_arena_push_once(&world->arena, sizeof(int32_t) * (uint64_t)cni_table_capacity(&world->joints));
+	int32_t k;
+	for (k = 0; lanes != NULL && k < cni_table_capacity(&world->joints); ++k)
+		lanes[k] = CNI_NONE;
+	for (k = 0; lanes != NULL && k < world->awake_joints.count; ++k)
+		lanes[joints[k]] = cni_joint_works(world)[k].flags & (CNI_WORK_SWUNG | CNI_WORK_DIRECT | CNI_WORK_HERD) ? CNI_NONE : cni_joint_works(world)[k].lane;
+	return lanes;
+}
+
+static int32_t has_turned(float x, float y, float old_x, float old_y)
+{
+	float dx = x - old_x, dy = y - old_y;
+	return dx * dx + dy * dy > TURN_MOST * TURN_MOST * (old_x * old_x + old_y * old_y);
+}
+
+static int32_t index_of(const cni_coarse_view *v, int32_t net_body)
+{
+	return net_body == CNI_NONE ? 0 : v->bodies[net_body].index;
+}
+
+/* Is the pin in this lane? Arms that have turned show that it is not the one it was. */
+static int32_t pin_is_at(const cn_world *world, const cni_coarse_view *v, const cni_net_pin *p, int32_t lane)
+{
+	const cni_joint_block *k;
+	int32_t l = lane % CNI_LANES;
+	if (lane == CNI_NONE || lane / CNI_LANES >= world->joint_blocks.count)
+		return 0;
+	k = cni_joint_blocks(world) + lane / CNI_LANES;
+	if (k->ia[l] != index_of(v, p->a) || k->ib[l] != index_of(v, p->b))
+		return 0;
+	return !k->herd && cni_coarse_takes(k, l) && !has_turned(k->ax[l], k->ay[l], p->ax, p->ay) && !has_turned(k->bx[l], k->by[l], p->bx, p->by);
+}
+
+static int32_t pins_hold(cn_world *world, const cni_coarse_view *v, const cni_net_range *net, int32_t **lanes)
+{
+	int32_t k;
+	for (k = net->pin_begin; k < net->pin_end; ++k) {
+		cni_net_pin *p = &v->pins[k];
+		if (pin_is_at(world, v, p, p->lane))
+			continue;
+		if (*lanes == NULL && (*lanes = lanes_look_up(world)) == NULL)
+			return 0;
+		p->lane = (*lanes)[p->joint];
+		if (!pin_is_at(world, v, p, p->lane))
+			return 0;
+	}
+	return 1;
+}
+
+/* Which nets hold; returns how many do not. */
+static int32_t nets_look(cn_world *world, const cni_coarse_view *v)
+{
+	int32_t *lanes = NULL, k, failed = 0;
+	for (k = 0; k < v->head->net_count; ++k) {
+		cni_net_range *net = &v->nets[k];
+		net->holds = !net->dear && bodies_hold(world, v, net) && pins_hold(world, v, net, &lanes);
+		net->rests = 0;
+		failed += !net->holds && !net->dear;
+	}
+	(void)cni_arena_pop(&world->arena, lanes);
+	return failed;
+}
+
+/* ---- the step ---- */
+
+static uint32_t credit_of(const cn_world *world, const cni_coarse *old)
+{
+	uint32_t credit = old->credit + (world->step_count - old->made_step);
+	return credit < CREDIT_MOST ? credit : CREDIT_MOST;
+}
+
+/* Patches are made anew at once where that has not been necessary for long, and then ever more rarely. */
+static void make_anew(cn_world *world, int32_t lanes)
+{
+	const cni_coarse *old = world->coarse.count > 0 ? (const cni_coarse *)world->coarse.data : NULL;
+	uint32_t credit = old == NULL ? CREDIT_MOST : credit_of(world, old);
+	cni_coarse *head;
+	if (credit < MAKING)
+		return;
+	if (!cni_coarse_make(world, lanes))
+		world->warnings |= CN_WARNING_FRAME_MEMORY;
+	if (world->coarse.count == 0)
+		return;
+	head = (cni_coarse *)world->coarse.data;
+	head->made_step = world->step_count;
+	head->credit = credit - MAKING;
+	head->lanes = lanes;
+}
+
+void cni_coarse_prepare(cn_world *world, cni_solve *s)
+{
+	int32_t lanes, k;
+	cni_coarse_view v;
+	/* A world in a caller's block has set nothing aside for it. */
+	if (world->joint_blocks.count < BLOCKS_LEAST || world->settings.solver != CN_SOLVER_AUTO || world->memory.fixed)
+		return;
+	lanes = lanes_count(world);
+	if (world->coarse.count == 0 || ((cni_coarse *)world->coarse.data)->lanes != lanes)
+		make_anew(world, lanes);
+	if (world->coarse.count == 0)
+		return;
+	v = cni_coarse_view_of(world);
+	if (nets_look(world, &v) > 0) {
+		make_anew(world, lanes);
+		v = cni_coarse_view_of(world);
+		(void)nets_look(world, &v);
+	}
+	for (k = 0; k < v.head->net_count; ++k)
+		s->coarse |= v.nets[k].holds;
+}
+
+/* ---- a substep ---- */
+
+/* q = F' M v */
+static void speeds_find(const cn_world *world, const cni_coarse_view *v, const cni_patch *p)
+{
+	float sum[CNI_PATCH_MODES] = { 0.0f };
+	const float *part = v->parts + p->part;
+	int32_t k, i;
+	for (k = p->body_begin; k < p->body_end; ++k) {
+		const cni_motion *m = cni_motions(world) + v->bodies[k].index;
+		float px = m->vx / m->inv_mass, py = m->vy / m->inv_mass, turn = m->w / m->inv_inertia;
+		for (i = 0; i < p->modes; ++i, part += 3)
+			sum[i] += part[0] * px + part[1] * py + part[2] * turn;
+	}
+	for (i = 0; i < p->modes; ++i)
+		v->speeds[p->mode + i] = (double)sum[i];
+}
+
+/* The velocity that the modes give a body; part: those of the body. */
+CNI_INLINE cni_motion modes_velocity(const float *part, const float *speed, int32_t modes)
+{
+	cni_motion sum = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
+	int32_t i;
+	for (i = 0; i < modes; ++i, part += 3) {
+		sum.vx += part[0] * speed[i];
+		sum.vy += part[1] * speed[i];
+		sum.w += part[2] * speed[i];
+	}
+	return sum;
+}
+
+/* Is what modes do not hold of the patch's velocity no more than forces that nearly balance leave behind? Energies. */
+static int32_t is_balanced(const cn_world *world, const cni_coarse_view *v, const cni_patch *p, const float *speed, float least_speed)
+{
+	float left = 0.0f, most = 0.0f;
+	int32_t k;
+	for (k = p->body_begin; k < p->body_end; ++k) {
+		const cni_motion *m = cni_motions(world) + v->bodies[k].index;
+		cni_motion held = modes_velocity(v->parts + p->part + 3 * (k - p->body_begin) * p->modes, speed, p->modes);
+		float x = m->vx - held.vx, y = m->vy - held.vy, turn = m->w - held.w;
+		left += (x * x + y * y) / m->inv_mass + turn * turn / m->inv_inertia;
+		most += 1.0f / m->inv_mass;
+	}
+	return left <= most * (least_speed * least_speed);
+}
+
+/* v += F (q' - q), or where balance is near F q' */
+static void velocities_change(const cn_world *world, const cni_coarse_view *v, const cni_patch *p, const double *old, float least_speed)
+{
+	float before[CNI_PATCH_MODES], now[CNI_PATCH_MODES], keep;
+	int32_t k, i;
+	for (i = 0; i < p->modes; ++i) {
+		before[i] = (float)old[p->mode + i];
+		now[i] = (float)v->speeds[p->mode + i];
+	}
+	keep = is_balanced(world, v, p, before, least_speed) ? 0.0f : 1.0f;
+	for (i = 0; i < p->modes && keep != 0.0f; ++i)
+		now[i] = (float)(v->speeds[p->mode + i] - old[p->mode + i]);
+	for (k = p->body_begin; k < p->body_end; ++k) {
+		cni_motion *m = cni_motions(world) + v->bodies[k].index;
+		cni_motion change = modes_velocity(v->parts + p->part + 3 * (k - p->body_begin) * p->modes, now, p->modes);
+		m->vx = keep * m->vx + change.vx;
+		m->vy = keep * m->vy + change.vy;
+		m->w = keep * m->w + change.w;
+	}
+}
+
+void cni_coarse_solve(cn_world *world, const cni_solve *s)
+{
+	cni_coarse_view v;
+	double *old;
+	float least_speed = cni_max(BALANCED_PART * s->h * cni_length(world->settings.gravity), BALANCED_SPEED * world->settings.length_unit);
+	int32_t k, p;
+	if (!s->coarse)
+		return;
+	v = cni_coarse_view_of(world);
+	old = v.speeds + v.head->mode_count;
+	for (k = 0; k < v.head->net_count; ++k) {
+		const cni_net_range *net = &v.nets[k];
+		if (!net->holds || net->rests)
+			continue;
+		for (p = net->patch_begin; p < net->patch_end; ++p)
+			speeds_find(world, &v, &v.patches[p]);
+		for (p = net->mode_begin; p < net->mode_end; ++p)
+			old[p] = v.speeds[p];
+		cni_coarse_system_solve(&v, net);
+		for (p = net->patch_begin; p < net->patch_end; ++p)
+			velocities_change(world, &v, &v.patches[p], old, least_speed);
+	}
+}
+
+/* ---- rest ---- */
+
+/* Does nothing else join the net's bodies? */
+static int32_t is_alone(const cn_world *world, const cni_coarse_view *v, const cni_net_range *net)
+{
+	int32_t k, ends = 0;
+	for (k = net->pin_begin; k < net->pin_end; ++k)
+		ends += (v->pins[k].a != CNI_NONE) + (v->pins[k].b != CNI_NONE);
+	for (k = net->body_begin; k < net->body_end; ++k)
+		ends -= cni_body_at(world, v->bodies[k].body)->joint_count;
+	return ends == 0;
+}
+
+void cni_coarse_netted(const cn_world *world, uint8_t *netted)
+{
+	cni_coarse_view v = cni_coarse_view_of(world);
+	int32_t n, k;
+	memset(netted, 0, (size_t)world->awake_count);
+	for (n = 0; n < v.head->net_count; ++n) {
+		if (!v.nets[n].holds || !is_alone(world, &v, &v.nets[n]))
+			continue;
+		for (k = v.nets[n].body_begin; k < v.nets[n].body_end; ++k)
+			netted[v.bodies[k].index] = 1;
+	}
+}
+
+void cni_coarse_rest(cn_world *world)
+{
+	cni_coarse_view v = cni_coarse_view_of(world);
+	int32_t n;
+	for (n = 0; n < v.head->net_count; ++n)
+		if (cni_drives(world)[v.bodies[v.nets[n].body_begin].index].flags & CNI_DRIVE_SWUNG)
+			v.nets[n].rests = 1;
+	cni_joint_blocks_rest(world);
+}
