@@ -61,11 +61,11 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 {
 	int32_t presses = presses_of(solver, contacts), links = joints + presses;
 	int64_t work = work_of(solver, joints, presses);
-	uint64_t joint = 1 + sizeof(float) * CNI_NODE_ROWS, link = sizeof(cni_link) + 2 * sizeof(cni_motion) + 1;
+	uint64_t joint = 1 + sizeof(float) * CNI_NODE_ROWS, link = sizeof(cni_link) + 2 * sizeof(cni_motion) + sizeof(cni_closer) + 1;
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
 	return cni_joined_bytes(joints, contacts) + joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_press) * (uint64_t)presses +
-	       (sizeof(float) + sizeof(cni_rot)) * (uint64_t)(bodies + 1) + 640 + cni_herd_bytes(joints) + cni_sparse_bytes(links, bodies + 1, work);
+	       (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 768 + cni_herd_bytes(joints) + cni_sparse_bytes(links, bodies + 1, work);
 }
 
 static int32_t body_is_locked(const cn_world *world, int32_t index)
@@ -306,7 +306,9 @@ static int32_t plan(cn_world *world, const cni_solve *s, cni_sparse *out)
 	out->saved = (cni_motion *)cni_arena_push(&world->arena, sizeof(cni_motion) * (uint64_t)out->body_count);
 	out->pull = (float *)cni_arena_push(&world->arena, sizeof(float) * (uint64_t)world->awake_count);
 	out->turn = (cni_rot *)cni_arena_push(&world->arena, sizeof(cni_rot) * (uint64_t)world->awake_count);
-	return out->saved != NULL && out->pull != NULL && out->turn != NULL;
+	out->closers = (cni_closer *)cni_arena_push(&world->arena, sizeof(cni_closer) * (uint64_t)out->component_count);
+	out->closer_of = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
+	return out->saved != NULL && out->pull != NULL && out->turn != NULL && out->closers != NULL && out->closer_of != NULL;
 }
 
 void cni_direct_motions_keep(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t back)
