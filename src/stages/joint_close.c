@@ -140,23 +140,28 @@ static void change_tell(cni_sparse *sparse, int32_t index)
 		sparse->closers[sparse->closer_of[index]].changed = 1;
 }
 
-/* What is in lanes of the contacts of its bodies, once more. */
+/* What is in lanes of the contacts of a body, once more. */
+static void body_contacts_again(cn_world *world, const cni_solve *s, const cni_body *b)
+{
+	int32_t key, left = b->lanes;
+	for (key = b->contact_first; left > 0; key = cni_contact_of_key(world, key)->next[key & 1]) {
+		const cni_contact *contact = cni_contact_of_key(world, key);
+		const cni_contact_block *block;
+		if (!(contact->flags & CNI_CONTACT_TOUCHING) || contact->slot == CNI_NONE)
+			continue;
+		--left;
+		block = cni_block_at(world, contact->slot / CNI_LANES);
+		cni_contact_solve_again(world, s, contact->slot);
+		change_tell(s->direct, block->ia[contact->slot % CNI_LANES]);
+		change_tell(s->direct, block->ib[contact->slot % CNI_LANES]);
+	}
+}
+
 static void contacts_again(cn_world *world, const cni_solve *s, const cni_component *c)
 {
-	int32_t k, key;
-	for (k = c->body_begin; k < c->body_end; ++k) {
-		int32_t body = cni_awake_ids(world)[s->direct->bodies[k]];
-		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
-			const cni_contact *contact = cni_contact_of_key(world, key);
-			const cni_contact_block *block;
-			if (!(contact->flags & CNI_CONTACT_TOUCHING) || contact->slot == CNI_NONE)
-				continue;
-			block = cni_block_at(world, contact->slot / CNI_LANES);
-			cni_contact_solve_again(world, s, contact->slot);
-			change_tell(s->direct, block->ia[contact->slot % CNI_LANES]);
-			change_tell(s->direct, block->ib[contact->slot % CNI_LANES]);
-		}
-	}
+	int32_t k;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		body_contacts_again(world, s, cni_body_at(world, cni_awake_ids(world)[s->direct->bodies[k]]));
 }
 
 /* Which are to be looked at: all, or those that parted in the last round, and whose bodies its contacts changed. */
