@@ -342,6 +342,18 @@ CNI_INLINE int32_t has_single(const cni_herd *herd, int32_t l)
 	return (herd->nodes[0].direct >> l & lanes) != lanes;
 }
 
+/* What solve_group does where motors are all there is. */
+CNI_INLINE void solve_motors(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, float h, pair *dealt)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	pin p = pin_make(a, b, r);
+	hinge g = hinge_make(a, b, r, &p);
+	solve_motor(k, l, &g, h);
+	dealt->x = zero + g.sx * g.t;
+	dealt->y = zero + g.sy * g.t;
+	push(a, b, r, dealt->x, dealt->y, g.t);
+}
+
 /* Springs, motors, limits, and single pins. */
 CNI_INLINE void node_solve(cni_herd *herd, int32_t node, int32_t l, flock *f, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t single, pair *dealt)
 {
@@ -349,6 +361,8 @@ CNI_INLINE void node_solve(cni_herd *herd, int32_t node, int32_t l, flock *f, co
 	side *a = &f->body[herd->kind.end[node][0]], *b = &f->body[herd->kind.end[node][1]];
 	if (single)
 		solve_group(k, l, a, b, r, pass, bias, 1, 1, &dealt->x, &dealt->y);
+	else if (k->angular == CN_JOINT_MOTOR)
+		solve_motors(k, l, a, b, r, pass->h, dealt);
 	else if (k->angular)
 		solve_group(k, l, a, b, r, pass, bias, 1, 0, &dealt->x, &dealt->y);
 	else
@@ -486,7 +500,7 @@ static void herd_relax(cni_motion *motions, cni_velocity_start *starts, cni_herd
 			int32_t node = herd->order[n], a = herd->kind.end[node][0], b = herd->kind.end[node][1];
 			cni_joint_block *k = &herd->nodes[node];
 			cni_wide jx = dealt_take(k->jx + l, k->load_x + l), jy = dealt_take(k->jy + l, k->load_y + l);
-			arms old = arms_load(k, l), r = arms_renew(&j.at[a], &j.at[b], k, l, k->angular);
+			arms old = arms_load(k, l), r = arms_renew(&j.at[a], &j.at[b], k, l, k->angular != 0);
 			pair dealt;
 			j.w[a] -= -(f.body[a].i * ((r.ax - old.ax) * jy - (r.ay - old.ay) * jx));
 			j.w[b] -= f.body[b].i * ((r.bx - old.bx) * jy - (r.by - old.by) * jx);
