@@ -133,7 +133,7 @@ static void sources_find(cni_herd *herd)
 	herd->moving = herd->bodies = herd->kind.bodies;
 	for (k = 2 * herd->kind.nodes - 1; k >= 0; --k) {
 		int32_t body = herd->kind.end[k >> 1][k & 1];
-		herd->source[body] = (uint8_t)k;
+		herd->source[body] = (uint32_t)((size_t)(k >> 1) * sizeof(cni_joint_block) + (k & 1 ? offsetof(cni_joint_block, ib) : offsetof(cni_joint_block, ia)));
 		herd->bodies = cni_max_i(herd->bodies, body + 1);
 	}
 }

@@ -14,8 +14,12 @@ typedef struct flock {
 
 CNI_INLINE const int32_t *body_index(const cni_herd *herd, int32_t body, int32_t l)
 {
-	const cni_joint_block *k = &herd->nodes[herd->source[body] >> 1];
-	return (herd->source[body] & 1 ? k->ib : k->ia) + l;
+	return (const int32_t *)(const void *)((const char *)herd->nodes + herd->source[body]) + l;
+}
+
+CNI_INLINE const float *body_inertia(const cni_herd *herd, int32_t body, int32_t l)
+{
+	return (const float *)(const void *)((const char *)herd->nodes + herd->source[body] + CNI_SIDE_BYTES) + l;
 }
 
 /* Those that have a tree, as bits from l on. */
@@ -27,10 +31,8 @@ CNI_INLINE uint32_t lanes_from(const cni_herd *herd, int32_t l)
 CNI_INLINE void flock_gather(const cni_motion *motions, const cni_herd *herd, int32_t l, flock *f)
 {
 	int32_t k;
-	for (k = 0; k < herd->bodies; ++k) {
-		const cni_joint_block *node = &herd->nodes[herd->source[k] >> 1];
-		side_gather(motions, body_index(herd, k, l), (herd->source[k] & 1 ? node->bi : node->ai) + l, &f->body[k]);
-	}
+	for (k = 0; k < herd->bodies; ++k)
+		side_gather(motions, body_index(herd, k, l), body_inertia(herd, k, l), &f->body[k]);
 }
 
 CNI_INLINE void flock_scatter(cni_motion *motions, const cni_herd *herd, int32_t l, const flock *f)

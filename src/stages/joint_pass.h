@@ -44,6 +44,9 @@ typedef struct cni_joint_block {
 	int32_t reserved[9];
 } cni_joint_block;
 
+/* From a body's row of indices to that of its inverse inertias, on either side. */
+#define CNI_SIDE_BYTES ((uint32_t)(offsetof(cni_joint_block, ai) - offsetof(cni_joint_block, ia)))
+
 typedef struct cni_joint_pass {
 	float h, inv_h;
 	float warm_scale;
