@@ -48,6 +48,7 @@ static void closer_add(cni_sparse *sparse, int32_t component)
 	closer->lane = c->lane;
 	closer->rounds = rounds_of(c);
 	closer->asked = closer->parting = closer->changed = 0;
+	closer->slot_begin = CNI_NONE;
 	for (k = c->body_begin; k < c->body_end; ++k)
 		sparse->closer_of[sparse->bodies[k]] = sparse->closer_count;
 	++sparse->closer_count;
@@ -140,28 +141,42 @@ static void change_tell(cni_sparse *sparse, int32_t index)
 		sparse->closers[sparse->closer_of[index]].changed = 1;
 }
 
-/* What is in lanes of the contacts of a body, once more. */
-static void body_contacts_again(cn_world *world, const cni_solve *s, const cni_body *b)
+static void body_slots_find(const cn_world *world, cni_sparse *sparse, const cni_body *b)
 {
 	int32_t key, left = b->lanes;
 	for (key = b->contact_first; left > 0; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *contact = cni_contact_of_key(world, key);
-		const cni_contact_block *block;
 		if (!(contact->flags & CNI_CONTACT_TOUCHING) || contact->slot == CNI_NONE)
 			continue;
 		--left;
-		block = cni_block_at(world, contact->slot / CNI_LANES);
-		cni_contact_solve_again(world, s, contact->slot);
-		change_tell(s->direct, block->ia[contact->slot % CNI_LANES]);
-		change_tell(s->direct, block->ib[contact->slot % CNI_LANES]);
+		sparse->closer_slots[sparse->closer_slot_count++] = contact->slot;
 	}
 }
 
-static void contacts_again(cn_world *world, const cni_solve *s, const cni_component *c)
+/* Where the contacts of its bodies are in lanes: the same all through the substeps. */
+static void slots_find(const cn_world *world, cni_sparse *sparse, cni_closer *closer)
+{
+	const cni_component *c = &sparse->components[closer->component];
+	int32_t k;
+	closer->slot_begin = sparse->closer_slot_count;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		body_slots_find(world, sparse, cni_body_at(world, cni_awake_ids(world)[sparse->bodies[k]]));
+	closer->slot_end = sparse->closer_slot_count;
+}
+
+/* What is in lanes of the contacts of its bodies, once more. */
+static void contacts_again(cn_world *world, const cni_solve *s, cni_closer *closer)
 {
 	int32_t k;
-	for (k = c->body_begin; k < c->body_end; ++k)
-		body_contacts_again(world, s, cni_body_at(world, cni_awake_ids(world)[s->direct->bodies[k]]));
+	if (closer->slot_begin == CNI_NONE)
+		slots_find(world, s->direct, closer);
+	for (k = closer->slot_begin; k < closer->slot_end; ++k) {
+		int32_t slot = s->direct->closer_slots[k];
+		const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
+		cni_contact_solve_again(world, s, slot);
+		change_tell(s->direct, block->ia[slot % CNI_LANES]);
+		change_tell(s->direct, block->ib[slot % CNI_LANES]);
+	}
 }
 
 /* Which are to be looked at: all, or those that parted in the last round, and whose bodies its contacts changed. */
@@ -223,7 +238,7 @@ void cni_direct_close(cn_world *world, const cni_solve *s)
 	for (round = 0; closers_close(world, s, round); ++round)
 		for (k = 0; k < s->direct->closer_count; ++k)
 			if (s->direct->closers[k].parting)
-				contacts_again(world, s, &s->direct->components[s->direct->closers[k].component]);
+				contacts_again(world, s, &s->direct->closers[k]);
 }
 
 /* ---- laden loops ---- */

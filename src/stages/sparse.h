@@ -90,6 +90,7 @@ typedef struct cni_closer {
 	int32_t asked;                 /* 1: its bodies may have changed since it was looked at */
 	int32_t parting;               /* 1: contacts would open some of its joints in this substep */
 	int32_t changed;               /* 1: contacts have changed its bodies since then */
+	int32_t slot_begin, slot_end;  /* in closer_slots; CNI_NONE: not looked up in this step */
 } cni_closer;
 
 /* A tree of nodes of two rows, as what is alike sees it. */
@@ -127,6 +128,8 @@ typedef struct cni_sparse {
 	int32_t joined_count;
 	cni_closer *closers;          /* of stages/joint_close.c, by component */
 	int32_t closer_count;
+	int32_t *closer_slots;        /* places in lanes of the contacts of each one's bodies */
+	int32_t closer_slot_count;
 	int32_t *closer_of;           /* by dense body: its closer, CNI_NONE */
 	cni_motion *saved;            /* by place in bodies */
 	float *pull;                  /* by dense body: sum(r.f) of its joints; stages/joint_tension.c */
