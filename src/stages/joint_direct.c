@@ -454,7 +454,7 @@ static int32_t is_better_alone(const cni_component *c)
 
 static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 {
-	int32_t k;
+	int32_t k, far = cni_joints_are_far(world);
 	memset(out, 0, sizeof *out);
 	if ((world->awake_joints.count == 0 && world->direct_islands.count == 0) || world->settings.solver == CN_SOLVER_SOFT)
 		return;
@@ -471,6 +471,8 @@ static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
 	for (k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
+		if (far && k + 1 < out->component_count)
+			cni_component_prefetch(world, out, k + 1);
 		c->presses = component_has_presses(out, c);
 		if (c->dear && world->settings.solver == CN_SOLVER_AUTO)
 			cni_island_once(world, cni_awake_island(world, out->bodies[c->body_begin]), c->work / (DEAR_SPREAD * (c->end - c->begin)));

@@ -229,13 +229,16 @@ static void herds_run(cn_world *world, const cni_solve *s, cni_herd_kernel_fn *r
 void cni_herds_make(cn_world *world, const cni_solve *s, cni_sparse *sparse)
 {
 	maker m = { world, s, sparse, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { 0 }, { 0 }, { NULL }, NULL };
-	int32_t k;
+	int32_t k, far = cni_joints_are_far(world);
 	waiting_count(&m);
 	if (!herds_reserve(&m))
 		memset(m.waiting, 0, sizeof m.waiting);
-	for (k = 0; k < sparse->component_count; ++k)
+	for (k = 0; k < sparse->component_count; ++k) {
+		if (far && k + 1 < sparse->component_count)
+			cni_component_prefetch(world, sparse, k + 1);
 		if (sparse->components[k].herds)
 			component_place(&m, &sparse->components[k]);
+	}
 	herds_run(world, s, s->joint_kernel->herd_begin);
 }
 

@@ -22,6 +22,8 @@
  */
 #include "stages/joint_pass.h"
 
+#define PREFETCH_AHEAD 8 /* joints */
+
 /* ---- rows ---- */
 
 static float row_mass(const cni_row *r, const cni_row *q, const cni_motion *a, const cni_motion *b)
@@ -298,11 +300,14 @@ void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k)
 
 void cni_joints_prepare(cn_world *world, const cni_solve *s)
 {
-	int32_t k;
+	int32_t k, ahead = cni_joints_are_far(world) ? PREFETCH_AHEAD : world->awake_joints.count;
 	cni_joint_blocks_empty(world);
-	for (k = 0; k < world->awake_joints.count; ++k)
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		if (k + ahead < world->awake_joints.count)
+			cni_joint_prefetch(cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k + ahead]));
 		if (!cni_joint_work_widen(world, k))
 			cni_joint_work_prepare(world, s, k);
+	}
 }
 
 void cni_joints_warm_start(cn_world *world, const cni_solve *s)

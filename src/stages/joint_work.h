@@ -63,6 +63,26 @@ static inline cni_joint_numbers *cni_joint_numbers_of(const cn_world *world, int
 {
 	return (cni_joint_numbers *)(void *)(cni_joint_works(world) + world->joint_work.capacity) + k;
 }
+/* Are there so many that records leave the caches between one loop over all and the next? Then it pays to ask for them early. */
+static inline int32_t cni_joints_are_far(const cn_world *world)
+{
+	return world->awake_joints.count >= 1024;
+}
+/* All of a record: three cache lines. */
+CNI_INLINE void cni_joint_prefetch(const cni_joint *j)
+{
+	CNI_PREFETCH(j);
+	CNI_PREFETCH(j->impulse);
+	CNI_PREFETCH(j->p);
+}
+CNI_INLINE void cni_component_prefetch(const cn_world *world, const cni_sparse *sparse, int32_t component)
+{
+	const cni_component *c = &sparse->components[component];
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k)
+		if (sparse->nodes[k].owner >= 0)
+			cni_joint_prefetch(cni_joint_works(world)[sparse->nodes[k].owner].record);
+}
 static inline cni_lever cni_row_lever(const cni_row *r)
 {
 	cni_lever l = { r->ax, r->ay, r->aw, r->bx, r->by, r->bw };
