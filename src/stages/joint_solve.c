@@ -581,8 +581,10 @@ static void load_store(const cni_joint_work *w, cni_joint *j, const cni_solve *s
 {
 	float part = cni_min(CNI_LOAD_RATE * s->dt, 1.0f);
 	int32_t r;
-	for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r)
-		j->load[r] = w->numbers->load[r] == 0.0f || r >= w->rigid_count || (w->flags & CNI_WORK_DIRECT) ? 0.0f : w->numbers->load[r] + part * (w->rows[r].impulse - w->numbers->load[r]);
+	for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r) {
+		float load = w->numbers->load[r];
+		j->load[r] = load == 0.0f || r >= w->rigid_count || (w->flags & CNI_WORK_DIRECT) ? 0.0f : load + part * (w->rows[r].impulse - load);
+	}
 }
 
 void cni_joints_store(cn_world *world, const cni_solve *s)
