@@ -96,7 +96,10 @@ int32_t cni_joined_collect(cn_world *world, cni_sparse *out)
 
 int32_t cni_component_is_joined(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k, island = c->body_begin < c->body_end ? cni_awake_island(world, sparse->bodies[c->body_begin]) : CNI_NONE;
+	int32_t k, island;
+	if (sparse->joined_count == 0 || c->body_begin == c->body_end)
+		return 0;
+	island = cni_awake_island(world, sparse->bodies[c->body_begin]);
 	for (k = 0; k < sparse->joined_count && island != CNI_NONE; ++k)
 		if (sparse->joined[k].island == island)
 			return 1;

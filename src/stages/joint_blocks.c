@@ -174,7 +174,7 @@ static float limit_sign(const cni_joint *j, float angle)
 static void angle_fill(cni_lane_spring *spring, float h, const cni_joint_work *w, cni_joint_block *block, int32_t l)
 {
 	const cni_joint *j = w->record;
-	block->angular |= (j->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR | CN_JOINT_LIMIT)) != 0;
+	block->angular |= j->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR | CN_JOINT_LIMIT);
 	block->angle0[l] = block->angle[l] = w->start.angle;
 	if (j->flags & CN_JOINT_SPRING)
 		spring_fill(spring, h, j, block, l);

@@ -21,17 +21,48 @@
 
 /* ---- hard stops ---- */
 
+static int32_t may_close(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t n;
+	if (c->done || c->presses)
+		return 0;
+	for (n = c->body_begin; n < c->body_end; ++n)
+		if (cni_drives(world)[sparse->bodies[n]].flags & CNI_DRIVE_TOUCHED)
+			return !cni_component_is_joined(world, sparse, c);
+	return 0;
+}
+
+/* Rounds of contacts for which a system asks in a substep: a blow goes on through a tree joint by joint. */
+static int32_t rounds_of(const cni_component *c)
+{
+	return cni_max_i(1, cni_min_i(c->end - c->begin - 1, CLOSE_ROUNDS));
+}
+
+static void closer_add(cni_sparse *sparse, int32_t component)
+{
+	const cni_component *c = &sparse->components[component];
+	cni_closer *closer = &sparse->closers[sparse->closer_count];
+	int32_t k;
+	closer->component = component;
+	closer->herd = c->herds ? c->herd : CNI_NONE;
+	closer->lane = c->lane;
+	closer->rounds = rounds_of(c);
+	closer->asked = closer->parting = closer->changed = 0;
+	closer->slot_begin = CNI_NONE;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		sparse->closer_of[sparse->bodies[k]] = sparse->closer_count;
+	++sparse->closer_count;
+}
+
 /* What contacts may part. */
 void cni_close_mark(const cn_world *world, cni_sparse *sparse)
 {
-	int32_t k, n;
-	for (k = 0; k < sparse->component_count; ++k) {
-		cni_component *c = &sparse->components[k];
-		for (n = c->body_begin; n < c->body_end && !c->closes && !c->done && !c->presses; ++n)
-			c->closes = (cni_drives(world)[sparse->bodies[n]].flags & CNI_DRIVE_TOUCHED) != 0;
-		if (c->closes && cni_component_is_joined(world, sparse, c))
-			c->closes = 0;
-	}
+	int32_t k;
+	for (k = 0; k < world->awake_count; ++k)
+		sparse->closer_of[k] = CNI_NONE;
+	for (k = 0; k < sparse->component_count; ++k)
+		if (may_close(world, sparse, &sparse->components[k]))
+			closer_add(sparse, k);
 }
 
 /* Do contacts, which came after, part joints by more in this substep than is good? Reads the right sides. */
@@ -103,77 +134,71 @@ static void swerves_add(const cn_world *world, const cni_solve *s, const cni_com
 	}
 }
 
-typedef void contact_fn(cn_world *world, const cni_solve *s, int32_t slot);
-
-/* What is in lanes of the contacts of its bodies. */
-static void contacts_visit(cn_world *world, const cni_solve *s, const cni_component *c, contact_fn *visit)
+/* Whose bodies have changed since it was looked at; index: dense. */
+static void change_tell(cni_sparse *sparse, int32_t index)
 {
-	int32_t k, key;
-	for (k = c->body_begin; k < c->body_end; ++k) {
-		int32_t body = cni_awake_ids(world)[s->direct->bodies[k]];
-		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
-			const cni_contact *contact = cni_contact_of_key(world, key);
-			if ((contact->flags & CNI_CONTACT_TOUCHING) && contact->slot != CNI_NONE)
-				visit(world, s, contact->slot);
-		}
+	if (sparse->closer_of[index] != CNI_NONE)
+		sparse->closers[sparse->closer_of[index]].changed = 1;
+}
+
+static void body_slots_find(const cn_world *world, cni_sparse *sparse, const cni_body *b)
+{
+	int32_t key, left = b->lanes;
+	for (key = b->contact_first; left > 0; key = cni_contact_of_key(world, key)->next[key & 1]) {
+		const cni_contact *contact = cni_contact_of_key(world, key);
+		if (!(contact->flags & CNI_CONTACT_TOUCHING) || contact->slot == CNI_NONE)
+			continue;
+		--left;
+		sparse->closer_slots[sparse->closer_slot_count++] = contact->slot;
 	}
 }
 
-static uint32_t *flags_of(const cn_world *world, int32_t slot, int32_t side)
+/* Where the contacts of its bodies are in lanes: the same all through the substeps. */
+static void slots_find(const cn_world *world, cni_sparse *sparse, cni_closer *closer)
 {
-	const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
-	return &cni_drives(world)[side ? block->ib[slot % CNI_LANES] : block->ia[slot % CNI_LANES]].flags;
+	const cni_component *c = &sparse->components[closer->component];
+	int32_t k;
+	closer->slot_begin = sparse->closer_slot_count;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		body_slots_find(world, sparse, cni_body_at(world, cni_awake_ids(world)[sparse->bodies[k]]));
+	closer->slot_end = sparse->closer_slot_count;
 }
 
-/* Once more; both bodies are marked as changed until it is known which systems have them. */
-static void contact_again(cn_world *world, const cni_solve *s, int32_t slot)
-{
-	cni_contact_solve_again(world, s, slot);
-	*flags_of(world, slot, 0) |= CNI_DRIVE_LATER;
-	*flags_of(world, slot, 1) |= CNI_DRIVE_LATER;
-}
-
-static void contact_unmark(cn_world *world, const cni_solve *s, int32_t slot)
-{
-	(void)s;
-	*flags_of(world, slot, 0) &= ~(uint32_t)CNI_DRIVE_LATER;
-	*flags_of(world, slot, 1) &= ~(uint32_t)CNI_DRIVE_LATER;
-}
-
-static int32_t is_changed(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+/* What is in lanes of the contacts of its bodies, once more. */
+static void contacts_again(cn_world *world, const cni_solve *s, cni_closer *closer)
 {
 	int32_t k;
-	for (k = c->body_begin; k < c->body_end; ++k)
-		if (cni_drives(world)[sparse->bodies[k]].flags & CNI_DRIVE_LATER)
-			return 1;
-	return 0;
+	if (closer->slot_begin == CNI_NONE)
+		slots_find(world, s->direct, closer);
+	for (k = closer->slot_begin; k < closer->slot_end; ++k) {
+		int32_t slot = s->direct->closer_slots[k];
+		const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
+		cni_contact_solve_again(world, s, slot);
+		change_tell(s->direct, block->ia[slot % CNI_LANES]);
+		change_tell(s->direct, block->ib[slot % CNI_LANES]);
+	}
 }
 
 /* Which are to be looked at: all, or those that parted in the last round, and whose bodies its contacts changed. */
-static void components_ask(cn_world *world, const cni_solve *s, int32_t round)
+static void closers_ask(cni_sparse *sparse, int32_t round)
 {
-	cni_sparse *sparse = s->direct;
 	int32_t k;
 	for (k = 0; k < sparse->herd_count; ++k)
 		sparse->herds[k].asked = 0;
-	for (k = 0; k < sparse->component_count; ++k) {
-		cni_component *c = &sparse->components[k];
-		c->asked = c->closes && !c->done && !c->presses && (round == 0 || c->parting || is_changed(world, sparse, c));
-		if (c->asked && c->herds)
+	for (k = 0; k < sparse->closer_count; ++k) {
+		cni_closer *c = &sparse->closers[k];
+		c->asked = round == 0 || c->parting || c->changed;
+		c->changed = 0;
+		if (c->asked && c->herd != CNI_NONE)
 			sparse->herds[c->herd].asked |= 1u << c->lane;
 	}
-	for (k = 0; round > 0 && k < sparse->component_count; ++k)
-		if (sparse->components[k].parting)
-			contacts_visit(world, s, &sparse->components[k], contact_unmark);
 }
 
 /* Returns 1 when it had to. */
 static int32_t component_close(cn_world *world, const cni_solve *s, cni_component *c)
 {
-	if (!c->asked)
+	if (c->done)
 		return 0;
-	if (c->herds)
-		return (int32_t)(s->direct->herds[c->herd].parting >> c->lane & 1u);
 	cni_direct_sides(world, s, c, 1);
 	swerves_add(world, s, c);
 	if (!is_parting(world, s, c))
@@ -182,21 +207,24 @@ static int32_t component_close(cn_world *world, const cni_solve *s, cni_componen
 	return 1;
 }
 
-/* Rounds of contacts for which a system asks in a substep: a blow goes on through a tree joint by joint. */
-static int32_t rounds_of(const cni_component *c)
+static int32_t closer_close(cn_world *world, const cni_solve *s, const cni_closer *c)
 {
-	return cni_max_i(1, cni_min_i(c->end - c->begin - 1, CLOSE_ROUNDS));
+	if (!c->asked)
+		return 0;
+	if (c->herd != CNI_NONE)
+		return (int32_t)(s->direct->herds[c->herd].parting >> c->lane & 1u);
+	return component_close(world, s, &s->direct->components[c->component]);
 }
 
 /* Returns 1 when contacts of some are to come once more: they are parting. */
-static int32_t components_close(cn_world *world, const cni_solve *s, int32_t round)
+static int32_t closers_close(cn_world *world, const cni_solve *s, int32_t round)
 {
 	int32_t k, closed = 0;
-	components_ask(world, s, round);
+	closers_ask(s->direct, round);
 	cni_herds_close(world, s);
-	for (k = 0; k < s->direct->component_count; ++k) {
-		cni_component *c = &s->direct->components[k];
-		c->parting = component_close(world, s, c) && round < rounds_of(c);
+	for (k = 0; k < s->direct->closer_count; ++k) {
+		cni_closer *c = &s->direct->closers[k];
+		c->parting = closer_close(world, s, c) && round < c->rounds;
 		closed |= c->parting;
 	}
 	return closed;
@@ -205,10 +233,12 @@ static int32_t components_close(cn_world *world, const cni_solve *s, int32_t rou
 void cni_direct_close(cn_world *world, const cni_solve *s)
 {
 	int32_t k, round;
-	for (round = 0; s->direct != NULL && components_close(world, s, round); ++round)
-		for (k = 0; k < s->direct->component_count; ++k)
-			if (s->direct->components[k].parting)
-				contacts_visit(world, s, &s->direct->components[k], contact_again);
+	if (s->direct == NULL || s->direct->closer_count == 0)
+		return;
+	for (round = 0; closers_close(world, s, round); ++round)
+		for (k = 0; k < s->direct->closer_count; ++k)
+			if (s->direct->closers[k].parting)
+				contacts_again(world, s, &s->direct->closers[k]);
 }
 
 /* ---- laden loops ---- */

@@ -61,11 +61,11 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 {
 	int32_t presses = presses_of(solver, contacts), links = joints + presses;
 	int64_t work = work_of(solver, joints, presses);
-	uint64_t joint = 1 + sizeof(float) * CNI_NODE_ROWS, link = sizeof(cni_link) + 2 * sizeof(cni_motion) + 1;
+	uint64_t joint = 1 + sizeof(float) * CNI_NODE_ROWS, link = sizeof(cni_link) + 2 * sizeof(cni_motion) + sizeof(cni_closer) + 1;
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
 	return cni_joined_bytes(joints, contacts) + joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_press) * (uint64_t)presses +
-	       (sizeof(float) + sizeof(cni_rot)) * (uint64_t)(bodies + 1) + 640 + cni_herd_bytes(joints) + cni_sparse_bytes(links, bodies + 1, work);
+	       2 * sizeof(int32_t) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 832 + cni_herd_bytes(joints) + cni_sparse_bytes(links, bodies + 1, work);
 }
 
 static int32_t body_is_locked(const cn_world *world, int32_t index)
@@ -272,6 +272,20 @@ static int32_t nets_take(cn_world *world, cni_link *links, int32_t count, const 
 	return taken;
 }
 
+/* What is of the step beside the plan. 0: no scratch memory. */
+static int32_t lists_take(cn_world *world, cni_sparse *out)
+{
+	cni_arena *arena = &world->arena;
+	uint64_t bodies = (uint64_t)world->awake_count;
+	out->saved = (cni_motion *)cni_arena_push(arena, sizeof(cni_motion) * (uint64_t)out->body_count);
+	out->pull = (float *)cni_arena_push(arena, sizeof(float) * bodies);
+	out->turn = (cni_rot *)cni_arena_push(arena, sizeof(cni_rot) * bodies);
+	out->closers = (cni_closer *)cni_arena_push(arena, sizeof(cni_closer) * (uint64_t)out->component_count);
+	out->closer_slots = (int32_t *)cni_arena_push(arena, 2 * sizeof(int32_t) * (uint64_t)world->touching_count); /* each at two bodies */
+	out->closer_of = (int32_t *)cni_arena_push(arena, sizeof(int32_t) * bodies);
+	return out->saved != NULL && out->pull != NULL && out->turn != NULL && out->closers != NULL && out->closer_slots != NULL && out->closer_of != NULL;
+}
+
 /* 0: no scratch memory. */
 static int32_t plan(cn_world *world, const cni_solve *s, cni_sparse *out)
 {
@@ -303,10 +317,7 @@ static int32_t plan(cn_world *world, const cni_solve *s, cni_sparse *out)
 		(void)islands_refuse(world, links, count, planned); /* joints that are alone now may have spent the budget before them */
 	}
 	owners_tell(world, s, links, count, planned, out);
-	out->saved = (cni_motion *)cni_arena_push(&world->arena, sizeof(cni_motion) * (uint64_t)out->body_count);
-	out->pull = (float *)cni_arena_push(&world->arena, sizeof(float) * (uint64_t)world->awake_count);
-	out->turn = (cni_rot *)cni_arena_push(&world->arena, sizeof(cni_rot) * (uint64_t)world->awake_count);
-	return out->saved != NULL && out->pull != NULL && out->turn != NULL;
+	return lists_take(world, out);
 }
 
 void cni_direct_motions_keep(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t back)
@@ -443,7 +454,7 @@ static int32_t is_better_alone(const cni_component *c)
 
 static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 {
-	int32_t k;
+	int32_t k, far = cni_joints_are_far(world);
 	memset(out, 0, sizeof *out);
 	if ((world->awake_joints.count == 0 && world->direct_islands.count == 0) || world->settings.solver == CN_SOLVER_SOFT)
 		return;
@@ -460,6 +471,8 @@ static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
 	for (k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
+		if (far && k + 1 < out->component_count)
+			cni_component_prefetch(world, out, k + 1);
 		c->presses = component_has_presses(out, c);
 		if (c->dear && world->settings.solver == CN_SOLVER_AUTO)
 			cni_island_once(world, cni_awake_island(world, out->bodies[c->body_begin]), c->work / (DEAR_SPREAD * (c->end - c->begin)));

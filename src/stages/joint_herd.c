@@ -133,7 +133,7 @@ static void sources_find(cni_herd *herd)
 	herd->moving = herd->bodies = herd->kind.bodies;
 	for (k = 2 * herd->kind.nodes - 1; k >= 0; --k) {
 		int32_t body = herd->kind.end[k >> 1][k & 1];
-		herd->source[body] = (uint8_t)k;
+		herd->source[body] = (uint32_t)((size_t)(k >> 1) * sizeof(cni_joint_block) + (k & 1 ? offsetof(cni_joint_block, ib) : offsetof(cni_joint_block, ia)));
 		herd->bodies = cni_max_i(herd->bodies, body + 1);
 	}
 }
@@ -229,13 +229,16 @@ static void herds_run(cn_world *world, const cni_solve *s, cni_herd_kernel_fn *r
 void cni_herds_make(cn_world *world, const cni_solve *s, cni_sparse *sparse)
 {
 	maker m = { world, s, sparse, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { 0 }, { 0 }, { NULL }, NULL };
-	int32_t k;
+	int32_t k, far = cni_joints_are_far(world);
 	waiting_count(&m);
 	if (!herds_reserve(&m))
 		memset(m.waiting, 0, sizeof m.waiting);
-	for (k = 0; k < sparse->component_count; ++k)
+	for (k = 0; k < sparse->component_count; ++k) {
+		if (far && k + 1 < sparse->component_count)
+			cni_component_prefetch(world, sparse, k + 1);
 		if (sparse->components[k].herds)
 			component_place(&m, &sparse->components[k]);
+	}
 	herds_run(world, s, s->joint_kernel->herd_begin);
 }
 

@@ -27,10 +27,10 @@ typedef struct cni_herd {
 	int32_t node_first, block_first;
 	int32_t coupling_count;
 	int32_t lanes, moving;                 /* moving: bodies that do, of each tree */
-	uint32_t asked, parting;               /* lanes, as bits, of trees that are: see cni_component */
+	uint32_t asked, parting;               /* lanes, as bits, of trees that are: see cni_closer */
 	cni_kind kind;
 	uint8_t order[CNI_KIND_NODES];         /* nodes by colour */
-	uint8_t source[CNI_KIND_NODES + 2];    /* by body: node << 1 | side where its index is */
+	uint32_t source[CNI_KIND_NODES + 2];   /* by body: bytes from the nodes on to the row with its index; its inertia is CNI_SIDE_BYTES behind */
 	int32_t bodies;                        /* with the one that cannot move, if there is one */
 } cni_herd;
 

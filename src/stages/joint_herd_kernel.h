@@ -14,8 +14,12 @@ typedef struct flock {
 
 CNI_INLINE const int32_t *body_index(const cni_herd *herd, int32_t body, int32_t l)
 {
-	const cni_joint_block *k = &herd->nodes[herd->source[body] >> 1];
-	return (herd->source[body] & 1 ? k->ib : k->ia) + l;
+	return (const int32_t *)(const void *)((const char *)herd->nodes + herd->source[body]) + l;
+}
+
+CNI_INLINE const float *body_inertia(const cni_herd *herd, int32_t body, int32_t l)
+{
+	return (const float *)(const void *)((const char *)herd->nodes + herd->source[body] + CNI_SIDE_BYTES) + l;
 }
 
 /* Those that have a tree, as bits from l on. */
@@ -27,10 +31,8 @@ CNI_INLINE uint32_t lanes_from(const cni_herd *herd, int32_t l)
 CNI_INLINE void flock_gather(const cni_motion *motions, const cni_herd *herd, int32_t l, flock *f)
 {
 	int32_t k;
-	for (k = 0; k < herd->bodies; ++k) {
-		const cni_joint_block *node = &herd->nodes[herd->source[k] >> 1];
-		side_gather(motions, body_index(herd, k, l), (herd->source[k] & 1 ? node->bi : node->ai) + l, &f->body[k]);
-	}
+	for (k = 0; k < herd->bodies; ++k)
+		side_gather(motions, body_index(herd, k, l), body_inertia(herd, k, l), &f->body[k]);
 }
 
 CNI_INLINE void flock_scatter(cni_motion *motions, const cni_herd *herd, int32_t l, const flock *f)
@@ -342,6 +344,18 @@ CNI_INLINE int32_t has_single(const cni_herd *herd, int32_t l)
 	return (herd->nodes[0].direct >> l & lanes) != lanes;
 }
 
+/* What solve_group does where motors are all there is. */
+CNI_INLINE void solve_motors(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, float h, pair *dealt)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	pin p = pin_make(a, b, r);
+	hinge g = hinge_make(a, b, r, &p);
+	solve_motor(k, l, &g, h);
+	dealt->x = zero + g.sx * g.t;
+	dealt->y = zero + g.sy * g.t;
+	push(a, b, r, dealt->x, dealt->y, g.t);
+}
+
 /* Springs, motors, limits, and single pins. */
 CNI_INLINE void node_solve(cni_herd *herd, int32_t node, int32_t l, flock *f, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t single, pair *dealt)
 {
@@ -349,6 +363,8 @@ CNI_INLINE void node_solve(cni_herd *herd, int32_t node, int32_t l, flock *f, co
 	side *a = &f->body[herd->kind.end[node][0]], *b = &f->body[herd->kind.end[node][1]];
 	if (single)
 		solve_group(k, l, a, b, r, pass, bias, 1, 1, &dealt->x, &dealt->y);
+	else if (k->angular == CN_JOINT_MOTOR)
+		solve_motors(k, l, a, b, r, pass->h, dealt);
 	else if (k->angular)
 		solve_group(k, l, a, b, r, pass, bias, 1, 0, &dealt->x, &dealt->y);
 	else
@@ -486,7 +502,7 @@ static void herd_relax(cni_motion *motions, cni_velocity_start *starts, cni_herd
 			int32_t node = herd->order[n], a = herd->kind.end[node][0], b = herd->kind.end[node][1];
 			cni_joint_block *k = &herd->nodes[node];
 			cni_wide jx = dealt_take(k->jx + l, k->load_x + l), jy = dealt_take(k->jy + l, k->load_y + l);
-			arms old = arms_load(k, l), r = arms_renew(&j.at[a], &j.at[b], k, l, k->angular);
+			arms old = arms_load(k, l), r = arms_renew(&j.at[a], &j.at[b], k, l, k->angular != 0);
 			pair dealt;
 			j.w[a] -= -(f.body[a].i * ((r.ax - old.ax) * jy - (r.ay - old.ay) * jx));
 			j.w[b] -= f.body[b].i * ((r.bx - old.bx) * jy - (r.by - old.by) * jx);

@@ -253,7 +253,7 @@ static void bodies_end(const net *g)
 		w->flags |= CNI_WORK_SWUNG;
 		w->flags &= ~(uint32_t)CNI_WORK_DIRECT; /* the soft solver's from now on, around these loads */
 		for (i = 0; i < w->rigid_count; ++i)
-			w->load[i] = w->rows[i].impulse;
+			w->numbers->load[i] = w->rows[i].impulse;
 		if (w->flags & CNI_WORK_BREAKABLE)
 			cni_joint_work_stress(w, g->motions + w->ib, g->s->inv_h);
 	}

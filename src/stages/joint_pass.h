@@ -36,7 +36,7 @@ typedef struct cni_joint_block {
 	float lower[CNI_LANES], upper[CNI_LANES], limit_j[CNI_LANES];
 	int32_t work[CNI_LANES];               /* place in the works */
 	uint32_t direct;                       /* lanes, as bits */
-	int32_t angular;                       /* 1: some lane has a spring, motor or limit */
+	uint32_t angular;                      /* which of CN_JOINT_SPRING, _MOTOR, _LIMIT some lane has */
 	int32_t next;                          /* block of the colour */
 	int32_t herd;                          /* 1: a herd's */
 	uint32_t moves_a, moves_b;             /* lanes, as bits, whose body can move and so is written */
@@ -44,6 +44,9 @@ typedef struct cni_joint_block {
 	int32_t rested;                        /* 1: all its lanes are done with for this step */
 	int32_t reserved[8];
 } cni_joint_block;
+
+/* From a body's row of indices to that of its inverse inertias, on either side. */
+#define CNI_SIDE_BYTES ((uint32_t)(offsetof(cni_joint_block, ai) - offsetof(cni_joint_block, ia)))
 
 typedef struct cni_joint_pass {
 	float h, inv_h;

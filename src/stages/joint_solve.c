@@ -22,6 +22,8 @@
  */
 #include "stages/joint_pass.h"
 
+#define PREFETCH_AHEAD 8 /* joints */
+
 /* ---- rows ---- */
 
 static float row_mass(const cni_row *r, const cni_row *q, const cni_motion *a, const cni_motion *b)
@@ -112,7 +114,7 @@ static void row_shares(const cni_joint_work *w, const cni_row *r, const cni_moti
 	for (i = 0; i < w->rigid_count; ++i) {
 		out[i] = 0.0f;
 		for (l = 0; l < w->rigid_count; ++l)
-			out[i] -= w->inverse[inverse_at[i][l]] * k[l];
+			out[i] -= w->numbers->inverse[inverse_at[i][l]] * k[l];
 	}
 }
 
@@ -159,13 +161,13 @@ void cni_joint_work_build(cni_joint_work *w, const cni_motion *a, const cni_moti
 	w->row_count = w->make_rows(w->record, &f, w->rows);
 	if (w->rigid_count < 0)
 		w->rigid_count = rows_together(w->rows, w->row_count);
-	block_invert(w->rows, w->rigid_count, a, b, w->inverse);
+	block_invert(w->rows, w->rigid_count, a, b, w->numbers->inverse);
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		float mass;
 		if (work_is_decoupled(w))
 			row_decouple(w, k, a, b);
 		mass = row_mass(&w->rows[k], &w->rows[k], a, b);
-		w->single_mass[k] = mass > 0.0f ? 1.0f / mass : 0.0f;
+		w->numbers->single_mass[k] = mass > 0.0f ? 1.0f / mass : 0.0f;
 	}
 }
 
@@ -232,14 +234,14 @@ static void work_soften(cni_joint_work *w, const cni_joint *j, const cni_solve *
 {
 	int32_t r;
 	if (cni_joint_type_of(j->type)->uses & CNI_USES_DRIVE)
-		w->soft = cni_soft_exact(w->rows[0].hertz, w->rows[0].damping_ratio, s->h);
+		w->numbers->soft = cni_soft_exact(w->rows[0].hertz, w->rows[0].damping_ratio, s->h);
 	else if (j->stiffness_hertz > 0.0f)
-		w->soft = cni_soft_implicit(j->stiffness_hertz, j->stiffness_damping, s->h);
+		w->numbers->soft = cni_soft_implicit(j->stiffness_hertz, j->stiffness_damping, s->h);
 	for (r = w->rigid_count; r < w->row_count; ++r) {
 		if (w->rows[r].kind == CNI_ROW_SPRING)
-			w->spring = cni_soft_exact(w->rows[r].hertz, w->rows[r].damping_ratio, s->h);
+			w->numbers->spring = cni_soft_exact(w->rows[r].hertz, w->rows[r].damping_ratio, s->h);
 		else if (w->rows[r].kind == CNI_ROW_SOFT)
-			w->spring = cni_soft_implicit(w->rows[r].hertz, w->rows[r].damping_ratio, s->h);
+			w->numbers->spring = cni_soft_implicit(w->rows[r].hertz, w->rows[r].damping_ratio, s->h);
 	}
 }
 
@@ -248,6 +250,8 @@ void cni_joint_work_begin(cn_world *world, int32_t k, const cni_joint *j)
 	cni_joint_work *w = cni_joint_works(world) + k;
 	w->record = j;
 	w->make_rows = cni_joint_type_of(j->type)->rows;
+	w->numbers = cni_joint_numbers_of(world, k);
+	w->rows = w->numbers->rows;
 	w->joint = ((const int32_t *)world->awake_joints.data)[k];
 	w->lane = w->row_lane = CNI_NONE;
 	w->form = CNI_FORM_NONE;
@@ -261,7 +265,7 @@ void cni_joint_loads_read(cni_joint_work *w, const cni_solve *s)
 {
 	int32_t r;
 	for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r)
-		w->load[r] = s->warm_scale * w->record->load[r];
+		w->numbers->load[r] = s->warm_scale * w->record->load[r];
 }
 
 void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work *w)
@@ -273,11 +277,11 @@ void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work *w
 	cni_joint_work_build(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
 	work_soften(w, j, s);
 	if (w->flags & CNI_WORK_BOUNDED) {
-		w->force_max = j->force_max > 0.0f ? j->force_max : FLT_MAX;
-		w->torque_max = j->torque_max > 0.0f ? j->torque_max : FLT_MAX;
+		w->numbers->force_max = j->force_max > 0.0f ? j->force_max : FLT_MAX;
+		w->numbers->torque_max = j->torque_max > 0.0f ? j->torque_max : FLT_MAX;
 	}
 	if (w->flags & CNI_WORK_BREAKABLE)
-		w->force_stress = w->torque_stress = 0.0f;
+		w->numbers->force_stress = w->numbers->torque_stress = 0.0f;
 	for (r = 0; r < w->row_count; ++r)
 		impulse[r] = j->impulse[w->rows[r].slot];
 	impulses_recouple(world, w, -1.0f, impulse);
@@ -296,11 +300,14 @@ void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k)
 
 void cni_joints_prepare(cn_world *world, const cni_solve *s)
 {
-	int32_t k;
+	int32_t k, ahead = cni_joints_are_far(world) ? PREFETCH_AHEAD : world->awake_joints.count;
 	cni_joint_blocks_empty(world);
-	for (k = 0; k < world->awake_joints.count; ++k)
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		if (k + ahead < world->awake_joints.count)
+			cni_joint_prefetch(cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k + ahead]));
 		if (!cni_joint_work_widen(world, k))
 			cni_joint_work_prepare(world, s, k);
+	}
 }
 
 void cni_joints_warm_start(cn_world *world, const cni_solve *s)
@@ -370,20 +377,20 @@ static void solve_part(cni_row *rows, const float *load, int32_t count, float mo
 
 static void solve_bounded(cni_joint_work *w, cni_motion *a, cni_motion *b, const cni_soft *soft, float h)
 {
-	float most_linear = w->force_max * h, most_angular = w->torque_max * h, dj[CNI_JOINT_RIGID_ROWS];
+	float most_linear = w->numbers->force_max * h, most_angular = w->numbers->torque_max * h, dj[CNI_JOINT_RIGID_ROWS];
 	int32_t linear = 0, angular, over_linear, over_angular;
 	while (linear < w->rigid_count && !w->rows[linear].angular)
 		++linear;
 	angular = w->rigid_count - linear;
-	block_solve(w->rows, w->load, w->rigid_count, w->inverse, a, b, soft, dj);
+	block_solve(w->rows, w->numbers->load, w->rigid_count, w->numbers->inverse, a, b, soft, dj);
 	over_linear = block_clamp(w->rows, linear, most_linear, dj);
 	over_angular = block_clamp(w->rows + linear, angular, most_angular, dj + linear);
 	if (over_linear && !over_angular && angular > 0) {
 		block_push(w->rows, linear, dj, a, b);
-		solve_part(w->rows + linear, w->load + linear, angular, most_angular, a, b, soft);
+		solve_part(w->rows + linear, w->numbers->load + linear, angular, most_angular, a, b, soft);
 	} else if (over_angular && !over_linear && linear > 0) {
 		block_push(w->rows + linear, angular, dj + linear, a, b);
-		solve_part(w->rows, w->load, linear, most_linear, a, b, soft);
+		solve_part(w->rows, w->numbers->load, linear, most_linear, a, b, soft);
 	} else {
 		block_push(w->rows, w->rigid_count, dj, a, b);
 	}
@@ -395,10 +402,10 @@ static void solve_rigid(cni_joint_work *w, cni_motion *a, cni_motion *b, const c
 	if (w->flags & CNI_WORK_BOUNDED) {
 		solve_bounded(w, a, b, soft, h);
 	} else if (w->rigid_count == 2) { /* the same with a count known to the compiler */
-		block_solve(w->rows, w->load, 2, w->inverse, a, b, soft, dj);
+		block_solve(w->rows, w->numbers->load, 2, w->numbers->inverse, a, b, soft, dj);
 		block_push(w->rows, 2, dj, a, b);
 	} else {
-		block_solve(w->rows, w->load, w->rigid_count, w->inverse, a, b, soft, dj);
+		block_solve(w->rows, w->numbers->load, w->rigid_count, w->numbers->inverse, a, b, soft, dj);
 		block_push(w->rows, w->rigid_count, dj, a, b);
 	}
 }
@@ -423,7 +430,7 @@ static void solve_motor(cni_row *r, float mass, cni_motion *a, cni_motion *b, co
 /* Room that is left bounds the speed (speculative); beyond the limit it is soft. */
 static void solve_limit(const cni_joint_work *w, cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_solve *s, int32_t bias)
 {
-	const cni_soft *soft = (w->flags & CNI_WORK_SPRINGY) ? &w->soft : &s->joint;
+	const cni_soft *soft = (w->flags & CNI_WORK_SPRINGY) ? &w->numbers->soft : &s->joint;
 	float speed, old = r->impulse, impulse;
 	if (!bias && r->error <= 0.0f && (w->flags & CNI_WORK_SPRINGY))
 		return;
@@ -436,7 +443,7 @@ static void solve_limit(const cni_joint_work *w, cni_row *r, float mass, cni_mot
 		impulse = old - mass * speed;
 	r->impulse = cni_max(impulse, 0.0f);
 	if (w->flags & CNI_WORK_BOUNDED)
-		r->impulse = cni_min(r->impulse, (r->angular ? w->torque_max : w->force_max) * s->h);
+		r->impulse = cni_min(r->impulse, (r->angular ? w->numbers->torque_max : w->numbers->force_max) * s->h);
 	row_push(r, r->impulse - old, a, b);
 }
 
@@ -448,18 +455,18 @@ static void solve_work(cni_joint_work *w, cni_motion *motions, const cni_solve *
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		cni_row *r = &w->rows[k];
 		if (r->kind == CNI_ROW_MOTOR)
-			solve_motor(r, w->single_mass[k], a, b, s);
+			solve_motor(r, w->numbers->single_mass[k], a, b, s);
 		else if (r->kind == CNI_ROW_LIMIT)
-			solve_limit(w, r, w->single_mass[k], a, b, s, bias);
+			solve_limit(w, r, w->numbers->single_mass[k], a, b, s, bias);
 		else if (bias)
-			solve_spring(r, w->single_mass[k], a, b, &w->spring, s->h);
+			solve_spring(r, w->numbers->single_mass[k], a, b, &w->numbers->spring, s->h);
 	}
 	if (w->flags & CNI_WORK_DIRECT)
 		return;
 	if (!(w->flags & CNI_WORK_SPRINGY))
 		solve_rigid(w, a, b, bias ? &s->joint : &rigid, s->h);
 	else if (bias)
-		solve_rigid(w, a, b, &w->soft, s->h);
+		solve_rigid(w, a, b, &w->numbers->soft, s->h);
 }
 
 void cni_joints_solve(cn_world *world, const cni_solve *s)
@@ -519,8 +526,8 @@ void cni_joint_work_stress(cni_joint_work *w, const cni_motion *b, float inv_h)
 	cni_vec2 rb = cni_rotate(cni_rot_small(b->theta), w->start.rb), linear;
 	float angular;
 	cni_rows_impulse(w->rows, w->row_count, rb, &linear, &angular);
-	w->force_stress = cni_max(w->force_stress, cni_length(linear) * inv_h);
-	w->torque_stress = cni_max(w->torque_stress, cni_abs(angular) * inv_h);
+	w->numbers->force_stress = cni_max(w->numbers->force_stress, cni_length(linear) * inv_h);
+	w->numbers->torque_stress = cni_max(w->numbers->torque_stress, cni_abs(angular) * inv_h);
 }
 
 void cni_joints_relax(cn_world *world, const cni_solve *s)
@@ -566,7 +573,7 @@ static void look_for_gap(cn_world *world, const cni_joint_work *w)
 
 static int32_t is_beyond(const cni_joint_work *w, const cni_joint *j)
 {
-	return (j->break_force > 0.0f && w->force_stress > j->break_force) || (j->break_torque > 0.0f && w->torque_stress > j->break_torque);
+	return (j->break_force > 0.0f && w->numbers->force_stress > j->break_force) || (j->break_torque > 0.0f && w->numbers->torque_stress > j->break_torque);
 }
 
 /* A load follows what is there slowly, as that of a contact does; what has none gets none. */
@@ -574,8 +581,10 @@ static void load_store(const cni_joint_work *w, cni_joint *j, const cni_solve *s
 {
 	float part = cni_min(CNI_LOAD_RATE * s->dt, 1.0f);
 	int32_t r;
-	for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r)
-		j->load[r] = w->load[r] == 0.0f || r >= w->rigid_count || (w->flags & CNI_WORK_DIRECT) ? 0.0f : w->load[r] + part * (w->rows[r].impulse - w->load[r]);
+	for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r) {
+		float load = w->numbers->load[r];
+		j->load[r] = load == 0.0f || r >= w->rigid_count || (w->flags & CNI_WORK_DIRECT) ? 0.0f : load + part * (w->rows[r].impulse - load);
+	}
 }
 
 void cni_joints_store(cn_world *world, const cni_solve *s)
@@ -616,7 +625,7 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 static void joint_break(cn_world *world, const cni_joint_work *w)
 {
 	uint32_t breaks = (cni_joint_at(world, w->joint)->flags & CN_JOINT_BREAKS) != 0;
-	if (!cni_joint_event_log(world, w->joint, w->force_stress, w->torque_stress, breaks)) {
+	if (!cni_joint_event_log(world, w->joint, w->numbers->force_stress, w->numbers->torque_stress, breaks)) {
 		world->warnings |= CN_WARNING_EVENT_MEMORY;
 		++world->events_not_reported;
 	}

@@ -355,7 +355,7 @@ static void works_begin(const swing *g, float scale)
 		for (i = 0; i < w->rigid_count; ++i)
 			w->rows[i].impulse = scale * w->record->impulse[w->rows[i].slot];
 		if (w->flags & CNI_WORK_BREAKABLE)
-			w->force_stress = w->torque_stress = 0.0f;
+			w->numbers->force_stress = w->numbers->torque_stress = 0.0f;
 	}
 }
 

@@ -21,20 +21,8 @@ enum {
 
 #define CNI_JOINT_ERROR_RATE 0.3f /* part of its gap that a directly solved joint takes out in a substep */
 
-/* What every pass over plain joints touches comes first and together. */
-typedef struct cni_joint_work {
-	const cni_joint *record;   /* within a step records do not move */
-	cni_joint_rows_fn *make_rows; /* of its type */
-	int32_t joint;
-	int32_t ia, ib;            /* dense body indices, 0: static or the world */
-	int32_t row_count;
-	int32_t rigid_count;       /* the first rows: rigid or drive */
-	uint32_t flags;            /* CNI_WORK_* */
-	int32_t next_plain;        /* the next that is solved by rows */
-	int32_t lane;              /* block * CNI_LANES + lane of a pin, CNI_NONE: solved by rows alone */
-	int32_t form;              /* CNI_FORM_*, 0: none. It has no rows here until it is solved directly, or finds no lane: stages/joint_rows.h */
-	int32_t row_lane;          /* ... block * CNI_LANES + lane of rows, CNI_NONE */
-	cni_joint_frame start;     /* at the beginning of the step; what is in lanes needs nothing of what follows */
+/* What a joint has that is solved by rows, alone or with others; most are in lanes, and never look at it. */
+typedef struct cni_joint_numbers {
 	cni_row rows[CNI_JOINT_ROWS];
 	float inverse[6];          /* of the first rows' K: 00 01 02 11 12 22 */
 	float load[CNI_JOINT_RIGID_ROWS]; /* the first rows give way around it; 0 but in nets: stages/joint_net.c */
@@ -43,11 +31,57 @@ typedef struct cni_joint_work {
 	cni_soft spring;           /* of the spring or soft row, if there is one */
 	float force_max, torque_max;       /* bounded: most, FLT_MAX without a bound */
 	float force_stress, torque_stress; /* breakable: largest reaction of the step so far */
+} cni_joint_numbers;
+
+/* Works come one after the other, their numbers behind the last that there is room for. */
+typedef struct cni_joint_work {
+	const cni_joint *record;   /* within a step records do not move */
+	cni_joint_rows_fn *make_rows; /* of its type */
+	cni_row *rows;             /* its numbers' */
+	cni_joint_numbers *numbers;
+	int32_t joint;
+	int32_t ia, ib;            /* dense body indices, 0: static or the world */
+	uint32_t flags;            /* CNI_WORK_* */
+	int32_t row_count;
+	int32_t rigid_count;       /* the first rows: rigid or drive */
+	int32_t next_plain;        /* the next that is solved by rows */
+	int32_t lane;              /* block * CNI_LANES + lane of a pin, CNI_NONE: solved by rows alone */
+	int32_t form;              /* CNI_FORM_*, 0: none. It has no rows here until it is solved directly, or finds no lane: stages/joint_rows.h */
+	int32_t row_lane;          /* ... block * CNI_LANES + lane of rows, CNI_NONE */
+	cni_joint_frame start;     /* at the beginning of the step */
+	int32_t reserved[2];
 } cni_joint_work;
+
+#define CNI_JOINT_WORK_BYTES ((int32_t)(sizeof(cni_joint_work) + sizeof(cni_joint_numbers)))
 
 static inline cni_joint_work *cni_joint_works(const cn_world *world)
 {
 	return (cni_joint_work *)world->joint_work.data;
+}
+/* Those of the work of place k. */
+static inline cni_joint_numbers *cni_joint_numbers_of(const cn_world *world, int32_t k)
+{
+	return (cni_joint_numbers *)(void *)(cni_joint_works(world) + world->joint_work.capacity) + k;
+}
+/* Are there so many that records leave the caches between one loop over all and the next? Then it pays to ask for them early. */
+static inline int32_t cni_joints_are_far(const cn_world *world)
+{
+	return world->awake_joints.count >= 1024;
+}
+/* All of a record: three cache lines. */
+CNI_INLINE void cni_joint_prefetch(const cni_joint *j)
+{
+	CNI_PREFETCH(j);
+	CNI_PREFETCH(j->impulse);
+	CNI_PREFETCH(j->p);
+}
+CNI_INLINE void cni_component_prefetch(const cn_world *world, const cni_sparse *sparse, int32_t component)
+{
+	const cni_component *c = &sparse->components[component];
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k)
+		if (sparse->nodes[k].owner >= 0)
+			cni_joint_prefetch(cni_joint_works(world)[sparse->nodes[k].owner].record);
 }
 static inline cni_lever cni_row_lever(const cni_row *r)
 {

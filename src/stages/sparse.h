@@ -80,10 +80,18 @@ typedef struct cni_component {
 	int32_t kind;                  /* those of one kind are alike: stages/sparse_kind.c; CNI_NONE */
 	int32_t herds;                 /* 1: solved beside others of its kind: stages/joint_herd.c */
 	int32_t herd, lane;            /* ... where */
-	int32_t closes;                /* ... 1: contacts may open some of them */
-	int32_t parting;               /* ... 1: contacts would open some of them in this substep */
-	int32_t asked;                 /* ... 1: its bodies may have changed since it was looked at */
 } cni_component;
+
+/* A component that contacts may part: stages/joint_close.c. */
+typedef struct cni_closer {
+	int32_t component;
+	int32_t herd, lane;            /* herd CNI_NONE: it is in none */
+	int32_t rounds;                /* of contacts, in a substep, at most */
+	int32_t asked;                 /* 1: its bodies may have changed since it was looked at */
+	int32_t parting;               /* 1: contacts would open some of its joints in this substep */
+	int32_t changed;               /* 1: contacts have changed its bodies since then */
+	int32_t slot_begin, slot_end;  /* in closer_slots; CNI_NONE: not looked up in this step */
+} cni_closer;
 
 /* A tree of nodes of two rows, as what is alike sees it. */
 #define CNI_KIND_NODES 32
@@ -118,6 +126,11 @@ typedef struct cni_sparse {
 	struct cni_joined *joined;    /* of stages/contact_joined.c */
 	struct cni_press *joined_presses;
 	int32_t joined_count;
+	cni_closer *closers;          /* of stages/joint_close.c, by component */
+	int32_t closer_count;
+	int32_t *closer_slots;        /* places in lanes of the contacts of each one's bodies */
+	int32_t closer_slot_count;
+	int32_t *closer_of;           /* by dense body: its closer, CNI_NONE */
 	cni_motion *saved;            /* by place in bodies */
 	float *pull;                  /* by dense body: sum(r.f) of its joints; stages/joint_tension.c */
 	cni_rot *turn;                /* by dense body: rotation since the step began */

@@ -127,7 +127,7 @@ static int32_t can_move(const cni_motion *m)
 static int32_t has_kind(const cni_sparse *s, const cni_component *c)
 {
 	int32_t k, nodes = c->end - c->begin;
-	if (!c->tree || c->loops || c->width != 2 || nodes < 2 || nodes > CNI_KIND_NODES || c->coupling_end - c->coupling_begin > CNI_KIND_COUPLINGS * nodes)
+	if (!c->tree || c->loops || c->width != 2 || nodes > CNI_KIND_NODES || c->coupling_end - c->coupling_begin > CNI_KIND_COUPLINGS * nodes)
 		return 0;
 	for (k = c->begin; k < c->end; ++k)
 		if (s->nodes[k].rows != 2 || s->nodes[k].owner < 0)

@@ -146,7 +146,7 @@ static void tables_init(cn_world *world)
 	cni_array_init(&world->direct_plans[0], CNI_KEPT_BYTES);
 	cni_array_init(&world->direct_plans[1], CNI_KEPT_BYTES);
 	cni_array_init(&world->coarse, CNI_COARSE_BYTES);
-	cni_array_init(&world->joint_work, (int32_t)sizeof(cni_joint_work));
+	cni_array_init(&world->joint_work, CNI_JOINT_WORK_BYTES);
 	cni_array_init(&world->block_list, (int32_t)sizeof(cni_listed_block));
 	cni_array_init(&world->joint_blocks, (int32_t)sizeof(cni_joint_block));
 	cni_array_init(&world->sleep_lanes, (int32_t)sizeof(cni_sleep_lane));
@@ -390,7 +390,7 @@ static uint64_t arrays_bytes(const cn_world_def *d)
 	int32_t joints = d->joint_capacity;
 	return body_arrays_bytes(d->body_capacity) + array_bytes(d->body_capacity / 2, sizeof(int32_t)) + contact_arrays_bytes(d->contact_capacity) + array_bytes(with_spares(d->shape_capacity), sizeof(uint32_t)) +
 	       2u * array_bytes(joints, sizeof(cn_joint_event)) +
-	       array_bytes(with_spares(joints), sizeof(uint32_t)) + array_bytes(joints, sizeof(cni_joint_work)) + array_bytes(joints, sizeof(int32_t)) +
+	       array_bytes(with_spares(joints), sizeof(uint32_t)) + array_bytes(joints, CNI_JOINT_WORK_BYTES) + array_bytes(joints, sizeof(int32_t)) +
 	       array_bytes(cni_joint_blocks_for(joints), sizeof(cni_joint_block)) +
 	       array_bytes(1, (size_t)arena_bytes(d)) + array_bytes(plan_items(d), CNI_KEPT_BYTES);
 }

@@ -128,16 +128,22 @@ static int32_t works_single(const cn_world *world)
 	return count;
 }
 
-static int32_t differs(const cn_world *a, const creature *ca, const cn_world *b, const creature *cb)
+/* In the first so many bodies. */
+static int32_t bodies_differ(const cn_world *a, const creature *ca, const cn_world *b, const creature *cb, int32_t bodies)
 {
 	int32_t k;
-	for (k = 0; k < BODIES; ++k) {
+	for (k = 0; k < bodies; ++k) {
 		cn_pose pa = fixture_pose(a, ca->body[k]), pb = fixture_pose(b, cb->body[k]);
 		cn_velocity va = fixture_velocity(a, ca->body[k]), vb = fixture_velocity(b, cb->body[k]);
 		if (memcmp(&pa, &pb, sizeof pa) != 0 || memcmp(&va, &vb, sizeof va) != 0)
 			return 1;
 	}
 	return 0;
+}
+
+static int32_t differs(const cn_world *a, const creature *ca, const cn_world *b, const creature *cb)
+{
+	return bodies_differ(a, ca, b, cb, BODIES);
 }
 
 /* Falling, landing and lying; hanging and swinging: all with the bits of one that is alone. */
@@ -165,6 +171,41 @@ static void herds_have_the_bits_of_one(void)
 	CHECK_GE("joints in herds, least of the first 20 steps", least, HANGING * JOINTS + (CREATURES - HANGING) * (JOINTS + 1), "");
 	CHECK_LE("joints in herds of those that are alone", alone_in_herds, 0, "");
 	CHECK_LE("creatures that move otherwise than alone", different, 0, "of 20");
+	cn_world_destroy(world);
+}
+
+/* Two boxes on one pin. */
+static void add_pair(cn_world *world, creature *c, int32_t number)
+{
+	float x = 6.0f * (float)number;
+	add_body(world, c, 0, x, 2.0f, 0.5f, 0.08f, number);
+	add_body(world, c, 1, x + 0.7f, 2.0f, 0.3f, 0.1f, number);
+	c->joint[0] = join(world, c->body[0], 0.45f, 0.0f, c->body[1], -0.25f, 0.0f, number);
+	fixture_set_velocity(world, c->body[0], 0.1f * (float)number, -1.0f, 0.5f + 0.1f * (float)number);
+}
+
+/* The least tree: one pin between two bodies. */
+static void pairs_have_the_bits_of_one(void)
+{
+	static creature herd[CREATURES];
+	cn_world *world = empty_world();
+	int32_t k, different = 0, alone_in_herds = 0;
+	for (k = 0; k < CREATURES; ++k)
+		add_pair(world, &herd[k], k);
+	fixture_step(world, 1);
+	CHECK(works_in_herds(world) == CREATURES);
+	fixture_step(world, 179);
+	for (k = 0; k < CREATURES; ++k) {
+		creature c;
+		cn_world *lone = empty_world();
+		add_pair(lone, &c, k);
+		fixture_step(lone, 180);
+		alone_in_herds += works_in_herds(lone);
+		different += bodies_differ(world, &herd[k], lone, &c, 2);
+		cn_world_destroy(lone);
+	}
+	CHECK_LE("joints in herds of those that are alone", alone_in_herds, 0, "");
+	CHECK_LE("pairs that move otherwise than alone", different, 0, "of 20");
 	cn_world_destroy(world);
 }
 
@@ -225,6 +266,7 @@ int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
 	RUN(herds_have_the_bits_of_one);
+	RUN(pairs_have_the_bits_of_one);
 	RUN(shuffled_joints_stay_of_a_kind);
 	RUN(broken_systems_leave);
 	return test_end();
