@@ -92,7 +92,7 @@ static int32_t sensor_may_see(const cn_world *world, const cni_shape *a, const c
 	return !(a->flags & b->flags & CN_SHAPE_SENSOR) && cni_body_at(world, visitor->body)->type != CN_BODY_STATIC;
 }
 
-static int32_t user_allows(const cn_world *world, int32_t proxy_a, int32_t proxy_b)
+int32_t cni_contact_user_allows(const cn_world *world, int32_t proxy_a, int32_t proxy_b)
 {
 	cn_world *locked = (cn_world *)(uintptr_t)world; /* the lock is the one thing a filter may not see unchanged */
 	int32_t allowed;
@@ -105,7 +105,7 @@ static int32_t user_allows(const cn_world *world, int32_t proxy_a, int32_t proxy
 	return allowed != 0;
 }
 
-int32_t cni_contact_allowed(const void *context, int32_t proxy_a, int32_t proxy_b)
+int32_t cni_contact_possible(const void *context, int32_t proxy_a, int32_t proxy_b)
 {
 	const cn_world *world = (const cn_world *)context;
 	const cni_shape *a = cni_shape_at(world, cni_proxy_at(world, proxy_a)->shape);
@@ -116,7 +116,12 @@ int32_t cni_contact_allowed(const void *context, int32_t proxy_a, int32_t proxy_
 		return 0;
 	if (cni_manifold_function(cni_min_i(a->type, b->type), cni_max_i(a->type, b->type)) == NULL)
 		return 0;
-	return !cni_joint_forbids(world, a->body, b->body) && user_allows(world, proxy_a, proxy_b);
+	return !cni_joint_forbids(world, a->body, b->body);
+}
+
+int32_t cni_contact_allowed(const cn_world *world, int32_t proxy_a, int32_t proxy_b)
+{
+	return cni_contact_possible(world, proxy_a, proxy_b) && cni_contact_user_allows(world, proxy_a, proxy_b);
 }
 
 /* ---- life and death ---- */
