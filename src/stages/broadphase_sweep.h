@@ -4,7 +4,8 @@
  *   broadphase_sweep.c         the operations of model/broadphase.h, validation, memory figures
  *   broadphase_sweep_tiles.c   levels, the tile table, entries in a tile
  *   broadphase_sweep_settle.c  brings tiles up to date with the boxes (migrate, sort) and chooses sizes
- *   broadphase_sweep_pairs.c   finds the pairs that began to overlap (self, tile with tile, one with tile)
+ *   broadphase_sweep_pairs.c   finds the pairs that began to overlap: which searches there are, alone or among workers
+ *   broadphase_sweep_search.c  ... one of those (tile with itself, with another, one entry with all); broadphase_sweep_pass.h
  *   broadphase_sweep_lanes.h   ... its inner loop, for each vector width
  *   broadphase_sweep_query.c   region and ray queries through the same tiles
  *
@@ -229,6 +230,17 @@ void cni_sweep_level_cover(cni_sweep *sweep, int32_t level, float extent);
 void cni_sweep_tile_pad(const cni_sweep *sweep, cni_sweep_tile *tile);
 /* First entry at or behind (x0, id). */
 int32_t cni_sweep_entry_bound(const cni_sweep_rows *rows, int32_t count, float x0, int32_t id);
+/* First entry that begins at x0 or behind. By halves without branches, which would be predicted wrong half of the time. */
+static inline int32_t cni_sweep_entry_from(const float *x0s, int32_t count, float x0)
+{
+	int32_t low = 0, left = count;
+	while (left > 0) {
+		int32_t half = (left + 1) / 2;
+		low += half & -(x0s[low + half - 1] < x0);
+		left -= half;
+	}
+	return low;
+}
 /* Where a tile keeps a proxy; the proxy must be there. */
 int32_t cni_sweep_entry_find(const cni_sweep *sweep, const cni_sweep_tile *tile, int32_t id);
 /* Sorted in; 0 when there is no memory. */

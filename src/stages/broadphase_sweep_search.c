@@ -141,17 +141,7 @@ static inline cni_sweep_probe probe_of(const cni_sweep_view *v, int32_t i)
 }
 
 /* First entry that may reach x0. */
-static int32_t scan_begin(const cni_sweep_view *v, float x0)
-{
-	float from = x0 - v->reach;
-	int32_t low = 0, left = v->count;
-	while (left > 0) {
-		int32_t half = (left + 1) / 2;
-		low += half & -(v->x0[low + half - 1] < from);
-		left -= half;
-	}
-	return low;
-}
+static int32_t scan_begin(const cni_sweep_view *v, float x0) { return cni_sweep_entry_from(v->x0, v->count, x0 - v->reach); }
 
 /* ---- dense tiles ---- */
 

@@ -311,7 +311,6 @@ void cni_sweep_tile_pad(const cni_sweep *sweep, cni_sweep_tile *tile)
 
 /* ---- entries ---- */
 
-/* By halves without branches, which would be predicted wrong half of the time. */
 int32_t cni_sweep_entry_bound(const cni_sweep_rows *rows, int32_t count, float x0, int32_t id)
 {
 	int32_t low = 0, left = count;
