@@ -187,10 +187,30 @@ static void crowd_update(crowd *c, outcome *o)
 	cni_arena_reset(&c->arena);
 }
 
-/* What fails: every so many steps the persistent memory, every so many scratch, from some call on. 0: never. */
+/* What fails: every so many steps the persistent memory, every so many scratch. 0: never. */
 typedef struct failing {
 	int32_t persistent_every, scratch_every;
 } failing;
+
+/* The list has room for a few pairs and gets no more. */
+static void list_fails(crowd *c)
+{
+	cni_array_deinit(&c->pairs.list, &c->memory);
+	cni_array_init(&c->pairs.list, (int32_t)sizeof(cni_pair));
+	if (!cni_array_reserve_exact(&c->pairs.list, &c->memory, 200))
+		abort();
+	c->persistent.fail_after = 1;
+	c->persistent.fail_at = c->persistent.calls + 1;
+}
+
+/* One of the first takings of scratch fails, and by turns all after it. */
+static void scratch_fails(crowd *c, int32_t step)
+{
+	cni_arena_deinit(&c->arena);
+	cni_arena_init(&c->arena, &c->arena_memory);
+	c->scratch.fail_after = step / 2 % 2;
+	c->scratch.fail_at = c->scratch.calls + 1 + step / 4 % 5;
+}
 
 static outcome crowd_run(const cni_broadphase_ops *ops, int32_t workers, failing fails)
 {
@@ -200,17 +220,10 @@ static outcome crowd_run(const cni_broadphase_ops *ops, int32_t workers, failing
 	memset(&o, 0, sizeof o);
 	crowd_open(&c, ops, workers);
 	for (step = 0; step < STEPS; ++step) {
-		c.persistent.fail_after = c.scratch.fail_after = 1;
-		c.persistent.fail_at = fails.persistent_every > 0 && step % fails.persistent_every == 1 ? c.persistent.calls + 1 : 0;
-		if (fails.persistent_every > 0 && step % fails.persistent_every == 1) { /* the list has no room, and gets none */
-			cni_array_deinit(&c.pairs.list, &c.memory);
-			cni_array_init(&c.pairs.list, (int32_t)sizeof(cni_pair));
-		}
-		if (fails.scratch_every > 0 && step % fails.scratch_every == 1) {
-			cni_arena_deinit(&c.arena);
-			cni_arena_init(&c.arena, &c.arena_memory);
-			c.scratch.fail_at = c.scratch.calls + 1 + step / 3 % 5;
-		}
+		if (fails.persistent_every > 0 && step % fails.persistent_every == 1)
+			list_fails(&c);
+		if (fails.scratch_every > 0 && step % fails.scratch_every == 1)
+			scratch_fails(&c, step);
 		crowd_update(&c, &o);
 		c.persistent.fail_at = 0;
 		crowd_change(&c, step);
