@@ -108,8 +108,8 @@ sanitize='-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all'
 suite gcc-O2 gcc '-O2 -g' -DCNI_DEBUG
 suite clang-address clang-19 "$sanitize -fsanitize=address,undefined" "$slow"
 suite clang-memory clang-19 "$sanitize -fsanitize=memory -fsanitize-memory-track-origins" "$slow"
-suite clang-thread clang-19 "-O1 -g -fno-omit-frame-pointer -fsanitize=thread" "$slow" 'base/threads_test world/threads_test world/threads_contacts_test'
-suite no-threads gcc '-O1' '-DCNI_DEBUG -DCN_NO_THREADS' 'base/threads_test world/threads_test world/threads_contacts_test world/determinism_test world/memory_test world/memory_block_test'
+suite clang-thread clang-19 "-O1 -g -fno-omit-frame-pointer -fsanitize=thread" "$slow" 'base/threads_test stages/broadphase_threads_test world/threads_test world/threads_contacts_test world/threads_pairs_test'
+suite no-threads gcc '-O1' '-DCNI_DEBUG -DCN_NO_THREADS' 'base/threads_test stages/broadphase_threads_test world/threads_test world/threads_contacts_test world/threads_pairs_test world/determinism_test world/memory_test world/memory_block_test'
 suite gcc-O0 gcc '-O0' "$slow"
 suite gcc-O3-native gcc '-O3 -march=native' ''
 suite clang-O2 clang-19 '-O2' -DCNI_DEBUG

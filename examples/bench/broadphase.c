@@ -281,7 +281,8 @@ static void world_update(bench_world *w)
 {
 	for (int32_t i = 0; i < w->left_count; ++i) {
 		cni_aabb fat = box_fat(&w->boxes[w->left[i]]);
-		w->ops->move(w->broadphase, w->left[i], &fat);
+		cni_proxy_set_fat((cni_proxy *)cni_table_at(&w->proxies, w->left[i]), &fat);
+		w->ops->move(w->broadphase, w->left[i]);
 	}
 	replace_some(w);
 	w->ops->settle(w->broadphase);

@@ -252,7 +252,8 @@ void cni_body_refresh_boxes(cn_world *world, int32_t body)
 			if (cni_aabb_contains(&cni_proxy_at(world, proxy)->fat, &tight))
 				continue;
 			fat = cni_box_fatten(tight, cni_box_margin(world, b->type, &tight));
-			world->broadphase_ops->move(world->broadphase, proxy, &fat);
+			cni_proxy_set_fat(cni_proxy_at(world, proxy), &fat);
+			world->broadphase_ops->move(world->broadphase, proxy);
 		}
 	}
 }
@@ -329,8 +330,11 @@ int32_t cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead)
 		const cni_shape *s = cni_shape_at(world, shape);
 		for (child = 0; child < s->children; ++child) {
 			int32_t what = box_leaves(world, b, s, child, &x, ahead, &fat, &one);
-			if (what != BOX_STAYS)
-				world->broadphase_ops->move(world->broadphase, cni_shape_proxy(world, s, child), &fat);
+			if (what != BOX_STAYS) {
+				int32_t proxy = cni_shape_proxy(world, s, child);
+				cni_proxy_set_fat(cni_proxy_at(world, proxy), &fat);
+				world->broadphase_ops->move(world->broadphase, proxy);
+			}
 			all &= what == BOX_LEAVES_AHEAD;
 			room = cni_min(room, one);
 		}

@@ -17,9 +17,11 @@
 
 #include "base/arena.h"
 #include "base/blocks.h"
+#include "base/threads.h"
 #include "model/proxy.h"
 
-/* May these two proxies ever make a contact? Both directions give the same answer. Must be cheap. */
+/* May these two proxies ever make a contact? Both directions give the same answer. Must be cheap, and several workers
+   may ask at once. */
 typedef int32_t cni_pair_filter_fn(const void *context, int32_t proxy_a, int32_t proxy_b);
 
 /* Query and ray visitors return the new limit: for rays the fraction to go on with (0 stops), for
@@ -37,6 +39,7 @@ typedef struct cni_broadphase_context {
 	cni_blocks *blocks;    /* for small pieces that live across steps */
 	cni_arena *arena;      /* scratch within update */
 	cni_table *proxies;    /* cni_proxy by id */
+	cni_team *const *team; /* where the team is kept that may share an update or settling; NULL: the caller works alone */
 	float length_unit;
 	int32_t reserved;
 } cni_broadphase_context;
@@ -53,8 +56,8 @@ typedef struct cni_broadphase_ops {
 	/* The proxy's fat box is set, its old box empty; flags MOVED is set by add. After reserve it cannot fail. */
 	void (*add)(cni_broadphase *broadphase, int32_t proxy);
 	void (*remove)(cni_broadphase *broadphase, int32_t proxy);
-	/* The shape left its fat box: stores the new one and sets MOVED. */
-	void (*move)(cni_broadphase *broadphase, int32_t proxy, const cni_aabb *fat);
+	/* The shape left its fat box, and cni_proxy_set_fat has given the proxy another. */
+	void (*move)(cni_broadphase *broadphase, int32_t proxy);
 	/* All pairs of this proxy count as new at the next update (filter or type changed): sets MOVED and empties old. */
 	void (*touch)(cni_broadphase *broadphase, int32_t proxy);
 	void (*update)(cni_broadphase *broadphase, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out);

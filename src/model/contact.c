@@ -92,7 +92,7 @@ static int32_t sensor_may_see(const cn_world *world, const cni_shape *a, const c
 	return !(a->flags & b->flags & CN_SHAPE_SENSOR) && cni_body_at(world, visitor->body)->type != CN_BODY_STATIC;
 }
 
-static int32_t user_allows(const cn_world *world, int32_t proxy_a, int32_t proxy_b)
+int32_t cni_contact_user_allows(const cn_world *world, int32_t proxy_a, int32_t proxy_b)
 {
 	cn_world *locked = (cn_world *)(uintptr_t)world; /* the lock is the one thing a filter may not see unchanged */
 	int32_t allowed;
@@ -105,7 +105,7 @@ static int32_t user_allows(const cn_world *world, int32_t proxy_a, int32_t proxy
 	return allowed != 0;
 }
 
-int32_t cni_contact_allowed(const void *context, int32_t proxy_a, int32_t proxy_b)
+int32_t cni_contact_possible(const void *context, int32_t proxy_a, int32_t proxy_b)
 {
 	const cn_world *world = (const cn_world *)context;
 	const cni_shape *a = cni_shape_at(world, cni_proxy_at(world, proxy_a)->shape);
@@ -116,7 +116,12 @@ int32_t cni_contact_allowed(const void *context, int32_t proxy_a, int32_t proxy_
 		return 0;
 	if (cni_manifold_function(cni_min_i(a->type, b->type), cni_max_i(a->type, b->type)) == NULL)
 		return 0;
-	return !cni_joint_forbids(world, a->body, b->body) && user_allows(world, proxy_a, proxy_b);
+	return !cni_joint_forbids(world, a->body, b->body);
+}
+
+int32_t cni_contact_allowed(const cn_world *world, int32_t proxy_a, int32_t proxy_b)
+{
+	return cni_contact_possible(world, proxy_a, proxy_b) && cni_contact_user_allows(world, proxy_a, proxy_b);
 }
 
 /* ---- life and death ---- */
@@ -162,16 +167,44 @@ static uint32_t flags_of_shapes(const cni_shape *a, const cni_shape *b)
 	return flags | (uint32_t)(a->event_mask | b->event_mask) << CNI_CONTACT_EVENTS_SHIFT;
 }
 
+/*
+ * Free records are a stack, each with the next one below it, and beside that the four below that one: without those, taking many
+ * in a row would wait for each record's memory to learn where the next one is.
+ */
+static int32_t record_take(cn_world *world)
+{
+	int32_t contact = world->contact_free;
+	const cni_contact *c, *ahead;
+	if (contact == CNI_NONE)
+		return world->contact_used++;
+	c = cni_contact_at(world, contact);
+	world->contact_free = c->slot;
+	if (c->prev[1] != CNI_NONE) {
+		ahead = cni_contact_at(world, c->prev[1]);
+		CNI_PREFETCH(ahead);
+		CNI_PREFETCH((const char *)(ahead + 1) - 1);
+	}
+	return contact;
+}
+
+static void record_give(cn_world *world, int32_t contact)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	const cni_contact *below = world->contact_free == CNI_NONE ? NULL : cni_contact_at(world, world->contact_free);
+	c->slot = world->contact_free;
+	c->next[0] = below == NULL ? CNI_NONE : below->slot;
+	c->next[1] = below == NULL ? CNI_NONE : below->next[0];
+	c->prev[0] = below == NULL ? CNI_NONE : below->next[1];
+	c->prev[1] = below == NULL ? CNI_NONE : below->prev[0];
+	world->contact_free = contact;
+}
+
 int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
 {
 	const cni_shape *a = cni_shape_at(world, cni_proxy_at(world, proxy_a)->shape);
 	const cni_shape *b = cni_shape_at(world, cni_proxy_at(world, proxy_b)->shape);
-	int32_t contact = world->contact_free, side;
+	int32_t contact = record_take(world), side;
 	cni_contact *c;
-	if (contact != CNI_NONE)
-		world->contact_free = cni_contact_at(world, contact)->slot;
-	else
-		contact = world->contact_used++;
 	++world->contact_count;
 	c = cni_contact_at(world, contact);
 	memset(c, 0, sizeof *c);
@@ -217,8 +250,7 @@ int32_t cni_contact_destroy(cn_world *world, int32_t contact)
 	list_unlink(world, contact, 1);
 	c->flags = 0;
 	c->body[0] = c->body[1] = CNI_NONE;
-	c->slot = world->contact_free;
-	world->contact_free = contact;
+	record_give(world, contact);
 	--world->contact_count;
 	return 1;
 }

@@ -28,6 +28,13 @@ typedef struct cni_proxy {
 	uint32_t flags;   /* CNI_PROXY_, and the child */
 } cni_proxy;
 
+/* Another fat box; whoever sets one tells the broadphase: see move in model/broadphase.h. */
+static inline void cni_proxy_set_fat(cni_proxy *p, const cni_aabb *fat)
+{
+	p->fat = *fat;
+	p->flags |= CNI_PROXY_MOVED;
+}
+
 static inline int32_t cni_proxy_child(const cni_proxy *p) { return (int32_t)(p->flags >> CNI_PROXY_CHILD_SHIFT); }
 
 /* A new pair of overlapping boxes, a < b. */

@@ -107,7 +107,7 @@ static void sweep_add(cni_broadphase *broadphase, int32_t id)
 	mark(cni_sweep_loose(sweep), id, &sweep->loose_count);
 	/* Queries test loose proxies one by one, so not too many of them may pile up between steps. */
 	if (sweep->loose_count > SETTLE_PENDING + sweep->count / 8)
-		cni_sweep_settle(sweep);
+		cni_sweep_settle(sweep, NULL); /* not a step: the user's task system is left alone */
 }
 
 static void sweep_remove(cni_broadphase *broadphase, int32_t id)
@@ -127,11 +127,10 @@ static void sweep_remove(cni_broadphase *broadphase, int32_t id)
 	--sweep->count;
 }
 
-static void sweep_move(cni_broadphase *broadphase, int32_t id, const cni_aabb *fat)
+static void sweep_move(cni_broadphase *broadphase, int32_t id)
 {
 	cni_sweep *sweep = sweep_of(broadphase);
-	cni_sweep_proxy(sweep, id)->fat = *fat;
-	mark_moved(sweep, id);
+	mark(cni_sweep_moved(sweep), id, &sweep->moved_count);
 	mark(cni_sweep_loose(sweep), id, &sweep->loose_count);
 }
 
@@ -181,7 +180,7 @@ static void sweep_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter,
 	cni_sweep *sweep = sweep_of(broadphase);
 	out->list.count = 0;
 	out->pairs_lost = 0;
-	cni_sweep_settle(sweep);
+	cni_sweep_settle(sweep, cni_sweep_team(sweep));
 	if (sweep->moved_count == 0)
 		return;
 	cni_sweep_find_pairs(sweep, filter, filter_context, out);
@@ -189,7 +188,11 @@ static void sweep_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter,
 	cni_pairs_sort(out, sweep->context.arena);
 }
 
-static void sweep_settle(cni_broadphase *broadphase) { cni_sweep_settle(sweep_of(broadphase)); }
+static void sweep_settle(cni_broadphase *broadphase)
+{
+	cni_sweep *sweep = sweep_of(broadphase);
+	cni_sweep_settle(sweep, cni_sweep_team(sweep));
+}
 
 static void sweep_query(const cni_broadphase *broadphase, const cni_aabb *box, cni_query_fn *visit, void *context)
 {

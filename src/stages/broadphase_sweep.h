@@ -4,7 +4,8 @@
  *   broadphase_sweep.c         the operations of model/broadphase.h, validation, memory figures
  *   broadphase_sweep_tiles.c   levels, the tile table, entries in a tile
  *   broadphase_sweep_settle.c  brings tiles up to date with the boxes (migrate, sort) and chooses sizes
- *   broadphase_sweep_pairs.c   finds the pairs that began to overlap (self, tile with tile, one with tile)
+ *   broadphase_sweep_pairs.c   finds the pairs that began to overlap: which searches there are, alone or among workers
+ *   broadphase_sweep_search.c  ... one of those (tile with itself, with another, one entry with all); broadphase_sweep_pass.h
  *   broadphase_sweep_lanes.h   ... its inner loop, for each vector width
  *   broadphase_sweep_query.c   region and ray queries through the same tiles
  *
@@ -135,6 +136,22 @@ static inline cni_sweep_tile *cni_sweep_tile_at(const cni_sweep *sweep, int32_t 
 static inline uint64_t *cni_sweep_moved(const cni_sweep *sweep) { return (uint64_t *)sweep->moved.data; }
 static inline uint64_t *cni_sweep_loose(const cni_sweep *sweep) { return (uint64_t *)sweep->loose.data; }
 
+static inline cni_team *cni_sweep_team(const cni_sweep *sweep) { return sweep->context.team == NULL ? NULL : *sweep->context.team; }
+
+/* Of things that take so many entries, one after the other, the first that begins at or behind an entry. */
+static inline int32_t cni_sweep_first_at(const int32_t *begins, int32_t count, int32_t entry)
+{
+	int32_t low = 0;
+	while (low < count) {
+		int32_t middle = (low + count) / 2;
+		if (begins[middle] < entry)
+			low = middle + 1;
+		else
+			count = middle;
+	}
+	return low;
+}
+
 static inline cni_sweep_rows cni_sweep_rows_of(const cni_sweep *sweep, const cni_sweep_tile *tile)
 {
 	cni_sweep_rows rows;
@@ -207,11 +224,23 @@ void cni_sweep_tile_destroy(cni_sweep *sweep, int32_t tile);
 int32_t cni_sweep_tile_reserve(cni_sweep *sweep, cni_sweep_tile *tile, int32_t count);
 /* Gives back room that a tile has grown out of. */
 void cni_sweep_tile_shrink(cni_sweep *sweep, cni_sweep_tile *tile);
-/* Recomputes bounds and reach. */
-void cni_sweep_tile_tighten(cni_sweep *sweep, cni_sweep_tile *tile);
+/* Recomputes bounds and reach. Returns the largest extent of its entries, which the level must cover. */
+float cni_sweep_tile_measure(const cni_sweep *sweep, cni_sweep_tile *tile);
+void cni_sweep_level_cover(cni_sweep *sweep, int32_t level, float extent);
 void cni_sweep_tile_pad(const cni_sweep *sweep, cni_sweep_tile *tile);
 /* First entry at or behind (x0, id). */
 int32_t cni_sweep_entry_bound(const cni_sweep_rows *rows, int32_t count, float x0, int32_t id);
+/* First entry that begins at x0 or behind. By halves without branches, which would be predicted wrong half of the time. */
+static inline int32_t cni_sweep_entry_from(const float *x0s, int32_t count, float x0)
+{
+	int32_t low = 0, left = count;
+	while (left > 0) {
+		int32_t half = (left + 1) / 2;
+		low += half & -(x0s[low + half - 1] < x0);
+		left -= half;
+	}
+	return low;
+}
 /* Where a tile keeps a proxy; the proxy must be there. */
 int32_t cni_sweep_entry_find(const cni_sweep *sweep, const cni_sweep_tile *tile, int32_t id);
 /* Sorted in; 0 when there is no memory. */
@@ -228,8 +257,8 @@ int32_t cni_sweep_cursor_next(const cni_sweep *sweep, cni_sweep_cursor *cursor);
 
 /* ---- settle ---- */
 
-/* Tiles agree with the boxes afterwards, but for proxies that stay loose for want of memory. */
-void cni_sweep_settle(cni_sweep *sweep);
+/* Tiles agree with the boxes afterwards, but for proxies that stay loose for want of memory. team: who share it, or NULL. */
+void cni_sweep_settle(cni_sweep *sweep, cni_team *team);
 
 /* ---- pairs ---- */
 

@@ -1,7 +1,7 @@
 /*
- * stages/broadphase_sweep_lanes.h - the inner loop of finding pairs, CNI_WIDTH entries at a time: included by
- * broadphase_sweep_pairs.c and broadphase_sweep_lanes_8.c, which define CNI_WIDTH and CNI_KERNEL. Comparisons only, so
- * all widths find the same.
+ * stages/broadphase_sweep_lanes.h - tests of a box against CNI_WIDTH entries at a time, and where CNI_KERNEL is defined the
+ * inner loop of finding pairs under that name: broadphase_sweep_search.c and broadphase_sweep_lanes_8.c have one each.
+ * Comparisons only, so all widths find the same.
  */
 #include "base/wide.h"
 #include "stages/broadphase_sweep.h"
@@ -12,6 +12,8 @@ CNI_INLINE cni_mask lanes_overlap(const float *x0, const float *x1, const float 
 	cni_wide box_x0 = cni_wide_of(box->x0), box_x1 = cni_wide_of(box->x1), box_y0 = cni_wide_of(box->y0), box_y1 = cni_wide_of(box->y1);
 	return (left <= box_x1) & (right >= box_x0) & (low <= box_y1) & (high >= box_y0);
 }
+
+#ifdef CNI_KERNEL
 
 /* New overlaps in the group of entries that begins at k, as bits. What is behind the last entry begins beyond any probe. */
 CNI_INLINE uint32_t lanes_new(const cni_sweep_probe *q, const cni_sweep_view *v, int32_t k)
@@ -41,3 +43,5 @@ uint32_t CNI_KERNEL(const cni_sweep_probe *q, const cni_sweep_view *v, int32_t *
 	*k = i;
 	return bits;
 }
+
+#endif

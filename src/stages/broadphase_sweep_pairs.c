@@ -17,328 +17,34 @@
  *   is not dense             with the lower id
  *   loose (no memory)        by a slow search of the loose one
  *
- * The inner loop tests CNI_SWEEP_LANES entries at a time: stages/broadphase_sweep_lanes.h.
+ * Of these the first three may be shared among workers, job by job: a dense tile, or an entry that searches for itself. A
+ * job has room for its pairs in scratch; they are listed afterwards in the order of the jobs, so that one who works alone
+ * lists the same ones in the same order, and where the list finds no memory the same ones are lost. A job that finds more
+ * than it has room for is done once more, alone.
  */
-#include "base/cpu.h"
-#if CNI_HAS_WIDE_4
-#define CNI_WIDTH 4
-#else
-#define CNI_WIDTH 1
-#endif
-#define CNI_KERNEL cni_sweep_find_new
-#include "stages/broadphase_sweep_lanes.h"
+#include "stages/broadphase_sweep_pass.h"
 
 #include <string.h>
 
 #define DENSE_SHARE 6      /* one in so many entries moved: sweep the whole tile */
 #define DENSE_CHANGES 3    /* but not for fewer */
+#define RANGE_LEAST 128    /* entries, some ten microseconds */
+#define SHARED_LEAST 1024  /* entries for which it pays to wake others */
+#define SINGLE_ENTRIES 8   /* what one that searches for itself counts for */
+#define PAIRS_AN_ENTRY 4   /* room; a crowd in its first step has fewer */
 
-typedef struct pair_pass {
-	cni_sweep *sweep;
-	cni_pair_filter_fn *filter;
-	const void *filter_context;
-	cni_broadphase_pairs *out;
-	cni_sweep_find_new_fn *find_new;
-	int32_t *touched;  /* tiles with moved proxies, the dense ones first; NULL without scratch */
-	int32_t touched_count;
-	int32_t dense_count;
-	int32_t dense_entries;
-	int32_t new_entries; /* of the largest dense tile whose entries are all new */
-	float *scratch;      /* +inf and -inf for those (2 new_entries), then old boxes of the other dense tiles */
-} pair_pass;
+/* ---- what moved ---- */
 
-static inline int32_t is_moved(const pair_pass *pass, int32_t id) { return cni_bit_get(cni_sweep_moved(pass->sweep), id); }
-
-/* ---- what was found ---- */
-
-/* A pair of boxes that is new. One of them moved: should the pair be lost, that one looks again. */
-static void pair_found(pair_pass *pass, int32_t a, int32_t b)
-{
-	cni_proxy *pa = cni_sweep_proxy(pass->sweep, a);
-	cni_proxy *pb = cni_sweep_proxy(pass->sweep, b);
-	if ((pa->flags & pb->flags & CNI_PROXY_STATIC) || !pass->filter(pass->filter_context, a, b))
-		return;
-	cni_pairs_add(pass->out, pass->sweep->context.memory, a, b, is_moved(pass, a) ? pa : pb);
-}
-
-static void entry_found(pair_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *view, int32_t k)
-{
-	int32_t id = view->id[k];
-	if (id == q->id || (view->skip_moved && is_moved(pass, id)) || (q->skip_moved && is_moved(pass, q->id)))
-		return;
-	pair_found(pass, q->id, id);
-}
-
-/* ---- the inner loop ---- */
-
-/* Does entry k overlap now and did not before? The entry begins left of the probe's right side. */
-static inline int32_t entry_is_new(const cni_sweep_probe *q, const cni_sweep_view *v, int32_t k)
-{
-	int32_t now = (v->x1[k] >= q->now.x0) & (v->y0[k] <= q->now.y1) & (v->y1[k] >= q->now.y0);
-	int32_t old = (v->px0[k] <= q->old.x1) & (v->px1[k] >= q->old.x0) & (v->py0[k] <= q->old.y1) & (v->py1[k] >= q->old.y0);
-	return now & (old ^ 1);
-}
-
-static void scan_lanes(pair_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *v, int32_t from)
-{
-	int32_t k = from & ~(CNI_SWEEP_LANES - 1);
-	uint32_t bits, wanted = ~0u << (from - k);
-	for (; (bits = pass->find_new(q, v, &k, wanted)) != 0; k += CNI_SWEEP_LANES) {
-		wanted = ~0u;
-		for (; bits != 0; bits &= bits - 1) {
-			int32_t i = k + cni_bit_lowest32(bits);
-			if (i < v->count)
-				entry_found(pass, q, v, i);
-		}
-	}
-}
-
-/* Tests the entries from an index on, until they begin beyond the probe. */
-static inline void scan(pair_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *v, int32_t from)
-{
-	int32_t k = from;
-	if (k >= v->count || !(v->x0[k] <= q->now.x1))
-		return;
-	if (v->wide) {
-		scan_lanes(pass, q, v, k);
-		return;
-	}
-	for (; k < v->count && v->x0[k] <= q->now.x1; ++k)
-		if (entry_is_new(q, v, k))
-			entry_found(pass, q, v, k);
-}
-
-/* ---- views and probes ---- */
-
-static float *old_boxes(const pair_pass *pass, const cni_sweep_tile *tile)
-{
-	return pass->scratch + 2 * pass->new_entries + tile->previous;
-}
-
-static cni_sweep_view view_of(const pair_pass *pass, const cni_sweep_tile *tile)
-{
-	cni_sweep_rows rows = cni_sweep_rows_of(pass->sweep, tile);
-	cni_sweep_view v;
-	v.x0 = v.px0 = rows.x0;
-	v.x1 = v.px1 = rows.x1;
-	v.y0 = v.py0 = rows.y0;
-	v.y1 = v.py1 = rows.y1;
-	v.id = rows.id;
-	v.count = tile->count;
-	v.wide = tile->capacity >= CNI_SWEEP_LANES;
-	v.reach = tile->reach;
-	v.skip_moved = tile->touched > 0 && !tile->dense;
-	if (tile->dense && tile->previous == CNI_NONE) {
-		v.px0 = v.py0 = pass->scratch;
-		v.px1 = v.py1 = pass->scratch + pass->new_entries;
-	} else if (tile->dense) {
-		v.px0 = old_boxes(pass, tile);
-		v.px1 = v.px0 + tile->capacity;
-		v.py0 = v.px1 + tile->capacity;
-		v.py1 = v.py0 + tile->capacity;
-	}
-	return v;
-}
-
-static inline cni_sweep_probe probe_of(const cni_sweep_view *v, int32_t i)
-{
-	cni_sweep_probe q;
-	q.now.x0 = v->x0[i];
-	q.now.x1 = v->x1[i];
-	q.now.y0 = v->y0[i];
-	q.now.y1 = v->y1[i];
-	q.old.x0 = v->px0[i];
-	q.old.x1 = v->px1[i];
-	q.old.y0 = v->py0[i];
-	q.old.y1 = v->py1[i];
-	q.id = v->id[i];
-	q.skip_moved = v->skip_moved;
-	return q;
-}
-
-/* First entry that may reach x0. */
-static int32_t scan_begin(const cni_sweep_view *v, float x0)
-{
-	float from = x0 - v->reach;
-	int32_t low = 0, left = v->count;
-	while (left > 0) {
-		int32_t half = (left + 1) / 2;
-		low += half & -(v->x0[low + half - 1] < from);
-		left -= half;
-	}
-	return low;
-}
-
-/* ---- dense tiles ---- */
-
-static void sweep_self(pair_pass *pass, const cni_sweep_view *v)
-{
-	int32_t i;
-	for (i = 0; i + 1 < v->count; ++i) {
-		cni_sweep_probe q;
-		if (v->x0[i + 1] > v->x1[i])
-			continue;
-		q = probe_of(v, i);
-		scan(pass, &q, v, i + 1);
-	}
-}
-
-/* Each entry of one tile against those of the other that begin where they may reach it. */
-static void sweep_two(pair_pass *pass, const cni_sweep_view *outer, const cni_sweep_view *inner, const cni_aabb *inner_bounds)
-{
-	int32_t i, low = 0;
-	for (i = 0; i < outer->count && outer->x0[i] <= inner_bounds->x1; ++i) {
-		float from = outer->x0[i] - inner->reach;
-		cni_sweep_probe q;
-		if ((outer->x1[i] < inner_bounds->x0) | (outer->y1[i] < inner_bounds->y0) | (outer->y0[i] > inner_bounds->y1))
-			continue;
-		while (low < inner->count && inner->x0[low] < from)
-			++low;
-		if (low == inner->count)
-			return;
-		if (inner->x0[low] > outer->x1[i])
-			continue;
-		q = probe_of(outer, i);
-		scan(pass, &q, inner, low);
-	}
-}
-
-/* Is a dense tile the one to sweep itself with the other? */
-static int32_t owns(const cni_sweep *sweep, int32_t tile, int32_t other)
-{
-	const cni_sweep_tile *a = cni_sweep_tile_at(sweep, tile);
-	const cni_sweep_tile *b = cni_sweep_tile_at(sweep, other);
-	if (!b->dense)
-		return 1;
-	return a->level != b->level ? a->level < b->level : tile < other;
-}
-
-static void sweep_tile(pair_pass *pass, int32_t tile)
-{
-	const cni_sweep *sweep = pass->sweep;
-	const cni_sweep_tile *a = cni_sweep_tile_at(sweep, tile);
-	cni_sweep_view view = view_of(pass, a);
-	cni_sweep_cursor cursor;
-	int32_t other;
-	sweep_self(pass, &view);
-	cni_sweep_cursor_start(sweep, &cursor, &a->bounds);
-	while ((other = cni_sweep_cursor_next(sweep, &cursor)) != CNI_NONE) {
-		const cni_sweep_tile *b = cni_sweep_tile_at(sweep, other);
-		cni_sweep_view other_view;
-		if (other == tile || !owns(sweep, tile, other))
-			continue;
-		other_view = view_of(pass, b);
-		if (b->count < a->count)
-			sweep_two(pass, &other_view, &view, &a->bounds);
-		else
-			sweep_two(pass, &view, &other_view, &b->bounds);
-	}
-}
-
-/* ---- single entries ---- */
-
-/* Whether two boxes overlapped at the last update, from the proxies. */
-static int32_t overlapped(const cni_proxy *a, const cni_proxy *b)
-{
-	return a->old.x0 <= a->old.x1 && b->old.x0 <= b->old.x1 && cni_aabb_overlap(&a->old, &b->old);
-}
-
-/* A moved entry against a tile with others that search for themselves. */
-static void search_touched(pair_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *v)
-{
-	const cni_proxy *proxy = cni_sweep_proxy(pass->sweep, q->id);
-	int32_t k;
-	for (k = scan_begin(v, q->now.x0); k < v->count && v->x0[k] <= q->now.x1; ++k) {
-		int32_t id = v->id[k];
-		if (!((v->x1[k] >= q->now.x0) & (v->y0[k] <= q->now.y1) & (v->y1[k] >= q->now.y0)) || id == q->id)
-			continue;
-		if (is_moved(pass, id) ? id > q->id && !overlapped(proxy, cni_sweep_proxy(pass->sweep, id)) : entry_is_new(q, v, k))
-			pair_found(pass, q->id, id);
-	}
-}
-
-static void search_entry(pair_pass *pass, int32_t id)
-{
-	const cni_sweep *sweep = pass->sweep;
-	const cni_proxy *proxy = cni_sweep_proxy(sweep, id);
-	cni_sweep_cursor cursor;
-	int32_t tile;
-	cni_sweep_probe q;
-	q.now = proxy->fat;
-	q.old = cni_sweep_old(proxy);
-	q.id = id;
-	q.skip_moved = 0;
-	cni_sweep_cursor_start(sweep, &cursor, &q.now);
-	while ((tile = cni_sweep_cursor_next(sweep, &cursor)) != CNI_NONE) {
-		const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
-		cni_sweep_view v = view_of(pass, t);
-		if (v.skip_moved)
-			search_touched(pass, &q, &v);
-		else
-			scan(pass, &q, &v, scan_begin(&v, q.now.x0));
-	}
-}
-
-static void search_entries(pair_pass *pass)
-{
-	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->moved);
-	int32_t id;
-	if (pass->touched != NULL && pass->dense_count == pass->touched_count)
-		return; /* every one of them is in a dense tile */
-	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
-		int32_t cell = cni_sweep_proxy(pass->sweep, id)->cell;
-		if (cell != CNI_NONE && !cni_sweep_tile_at(pass->sweep, cell)->dense)
-			search_entry(pass, id);
-	}
-}
-
-/* ---- loose proxies, for which there was no memory ---- */
-
-static void loose_candidate(pair_pass *pass, int32_t id, int32_t other)
-{
-	const cni_proxy *a = cni_sweep_proxy(pass->sweep, id);
-	const cni_proxy *b = cni_sweep_proxy(pass->sweep, other);
-	if (!is_moved(pass, id) && !is_moved(pass, other))
-		return;
-	if (cni_aabb_overlap(&a->fat, &b->fat) && !overlapped(a, b))
-		pair_found(pass, id, other);
-}
-
-static void search_loose(pair_pass *pass, int32_t id, cni_sweep_walk others)
-{
-	const cni_sweep *sweep = pass->sweep;
-	cni_sweep_cursor cursor;
-	int32_t tile, other, k;
-	cni_sweep_cursor_start(sweep, &cursor, &cni_sweep_proxy(sweep, id)->fat);
-	while ((tile = cni_sweep_cursor_next(sweep, &cursor)) != CNI_NONE) {
-		const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
-		cni_sweep_rows rows = cni_sweep_rows_of(sweep, t);
-		for (k = 0; k < t->count; ++k)
-			loose_candidate(pass, id, rows.id[k]);
-	}
-	while ((other = cni_sweep_walk_next(&others)) != CNI_NONE)
-		loose_candidate(pass, id, other);
-}
-
-static void search_all_loose(pair_pass *pass)
-{
-	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->loose);
-	int32_t id;
-	if (pass->sweep->loose_count == 0)
-		return;
-	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE)
-		search_loose(pass, id, walk);
-}
-
-/* ---- the pass ---- */
-
-static void count_moved(pair_pass *pass)
+static void count_moved(cni_sweep_pass *pass)
 {
 	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->moved);
 	int32_t id;
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
 		int32_t cell = cni_sweep_proxy(pass->sweep, id)->cell;
-		if (cell != CNI_NONE && cni_sweep_tile_at(pass->sweep, cell)->touched++ == 0 && pass->touched != NULL)
+		if (cell == CNI_NONE)
+			continue;
+		++pass->single_count;
+		if (cni_sweep_tile_at(pass->sweep, cell)->touched++ == 0 && pass->touched != NULL)
 			pass->touched[pass->touched_count++] = cell;
 	}
 }
@@ -354,7 +60,7 @@ static int32_t all_are_new(const cni_sweep *sweep, const cni_sweep_tile *tile)
 }
 
 /* Marks dense tiles and brings them to the front of the list. */
-static void choose_dense(pair_pass *pass)
+static void choose_dense(cni_sweep_pass *pass)
 {
 	int32_t i;
 	for (i = 0; i < pass->touched_count; ++i) {
@@ -364,6 +70,7 @@ static void choose_dense(pair_pass *pass)
 			continue;
 		tile->dense = 1;
 		tile->previous = CNI_NONE;
+		pass->single_count -= tile->touched;
 		if (all_are_new(pass->sweep, tile)) {
 			pass->new_entries = cni_max_i(pass->new_entries, (tile->capacity + CNI_SWEEP_LANES - 1) & ~(CNI_SWEEP_LANES - 1));
 		} else {
@@ -375,23 +82,28 @@ static void choose_dense(pair_pass *pass)
 	}
 }
 
-static void forget_dense(pair_pass *pass)
+static void forget_dense(cni_sweep_pass *pass)
 {
 	int32_t i;
-	for (i = 0; i < pass->dense_count; ++i)
-		cni_sweep_tile_at(pass->sweep, pass->touched[i])->dense = 0;
+	for (i = 0; i < pass->dense_count; ++i) {
+		cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[i]);
+		tile->dense = 0;
+		pass->single_count += tile->touched;
+	}
 	pass->dense_count = 0;
 }
 
-static void gather_previous(const pair_pass *pass, const cni_sweep_tile *tile)
+/* The old boxes of a dense tile: as they are now, but for those that moved. */
+static void gather_previous(const cni_sweep_pass *pass, int32_t dense)
 {
-	const int32_t *ids = cni_sweep_rows_of(pass->sweep, tile).id;
-	float *px0 = old_boxes(pass, tile), *px1 = px0 + tile->capacity, *py0 = px1 + tile->capacity, *py1 = py0 + tile->capacity;
+	const cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[dense]);
+	cni_sweep_rows rows = cni_sweep_rows_of(pass->sweep, tile);
+	float *px0 = cni_sweep_old_boxes(pass, tile), *px1 = px0 + tile->capacity, *py0 = px1 + tile->capacity, *py1 = py0 + tile->capacity;
 	int32_t k;
 	if (tile->previous == CNI_NONE)
 		return;
 	for (k = 0; k < tile->count; ++k) {
-		cni_aabb old = cni_sweep_old(cni_sweep_proxy(pass->sweep, ids[k]));
+		cni_aabb old = cni_sweep_old(cni_sweep_proxy(pass->sweep, rows.id[k]));
 		px0[k] = old.x0;
 		px1[k] = old.x1;
 		py0[k] = old.y0;
@@ -399,22 +111,172 @@ static void gather_previous(const pair_pass *pass, const cni_sweep_tile *tile)
 	}
 }
 
-static void sweep_dense(pair_pass *pass)
+/* Takes scratch for old boxes; without it there are no dense tiles. */
+static void open_dense(cni_sweep_pass *pass)
 {
-	cni_arena *arena = pass->sweep->context.arena;
 	uint64_t floats = 4 * (uint64_t)pass->dense_entries + 2 * (uint64_t)pass->new_entries;
 	int32_t i;
-	pass->scratch = (float *)cni_arena_push(arena, sizeof(float) * floats);
+	pass->scratch = (float *)cni_arena_push(pass->sweep->context.arena, sizeof(float) * floats);
 	if (pass->scratch == NULL)
 		forget_dense(pass);
 	for (i = 0; i < pass->new_entries && pass->scratch != NULL; ++i) {
 		pass->scratch[i] = INFINITY;
 		pass->scratch[pass->new_entries + i] = -INFINITY;
 	}
+}
+
+/* The next moved entry that is not in a dense tile. There must be more. */
+static int32_t next_single(const cni_sweep_pass *pass, cni_sweep_walk *walk)
+{
+	for (;;) {
+		int32_t id = cni_sweep_walk_next(walk), cell = cni_sweep_proxy(pass->sweep, id)->cell;
+		if (cell != CNI_NONE && !cni_sweep_tile_at(pass->sweep, cell)->dense)
+			return id;
+	}
+}
+
+static void search_entries(cni_sweep_pass *pass)
+{
+	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->moved);
+	int32_t k;
+	for (k = 0; k < pass->single_count; ++k)
+		cni_sweep_search_entry(pass, next_single(pass, &walk));
+}
+
+static void find_alone(cni_sweep_pass *pass)
+{
+	int32_t i;
 	for (i = 0; i < pass->dense_count; ++i)
-		gather_previous(pass, cni_sweep_tile_at(pass->sweep, pass->touched[i]));
+		gather_previous(pass, i);
 	for (i = 0; i < pass->dense_count; ++i)
-		sweep_tile(pass, pass->touched[i]);
+		cni_sweep_search_tile(pass, pass->touched[i]);
+	search_entries(pass);
+}
+
+/* ---- the same with workers ---- */
+
+/* Jobs: the dense tiles, then the entries that search for themselves. */
+typedef struct pair_loop {
+	const cni_sweep_pass *pass;
+	int32_t job_count;
+	int32_t *begins;  /* of each job: the entries of those before it, where its room for pairs begins; and of one behind the last */
+	int32_t *found;   /* by each job */
+	int32_t *singles; /* those entries */
+	cni_pair *slots;  /* PAIRS_AN_ENTRY each */
+} pair_loop;
+
+/* Where the room of a job is; returns how much. */
+static int32_t job_room(const pair_loop *loop, int32_t job, cni_pair **slots)
+{
+	*slots = loop->slots + (int64_t)PAIRS_AN_ENTRY * loop->begins[job];
+	return PAIRS_AN_ENTRY * (loop->begins[job + 1] - loop->begins[job]);
+}
+
+static void job_run(const pair_loop *loop, int32_t job, cni_sweep_pass *pass)
+{
+	if (job < pass->dense_count)
+		cni_sweep_search_tile(pass, pass->touched[job]);
+	else
+		cni_sweep_search_entry(pass, loop->singles[job - pass->dense_count]);
+}
+
+static void gather_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const pair_loop *loop = (const pair_loop *)context;
+	int32_t job = cni_sweep_first_at(loop->begins, loop->job_count, begin);
+	(void)worker;
+	for (; job < loop->pass->dense_count && loop->begins[job] < end; ++job)
+		gather_previous(loop->pass, job);
+}
+
+static void find_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const pair_loop *loop = (const pair_loop *)context;
+	cni_sweep_pass own = *loop->pass;
+	int32_t job = cni_sweep_first_at(loop->begins, loop->job_count, begin);
+	(void)worker;
+	for (; job < loop->job_count && loop->begins[job] < end; ++job) {
+		own.slot_room = job_room(loop, job, &own.slots);
+		own.slot_count = 0;
+		job_run(loop, job, &own);
+		loop->found[job] = own.slot_count;
+	}
+}
+
+static void find_lead(void *context)
+{
+	pair_loop *loop = (pair_loop *)context;
+	cni_team *team = cni_sweep_team(loop->pass->sweep);
+	int32_t entries = loop->begins[loop->job_count];
+	cni_team_for(team, entries, RANGE_LEAST, gather_range, loop);
+	cni_team_for(team, entries, RANGE_LEAST, find_range, loop);
+}
+
+/* Lists what the jobs found, in their order. */
+static void jobs_list(const pair_loop *loop, cni_sweep_pass *pass)
+{
+	int32_t job, k;
+	for (job = 0; job < loop->job_count; ++job) {
+		cni_pair *slots;
+		if (loop->found[job] > job_room(loop, job, &slots)) {
+			job_run(loop, job, pass);
+			continue;
+		}
+		for (k = 0; k < loop->found[job]; ++k)
+			cni_sweep_pair_list(pass, slots[k].a, slots[k].b);
+	}
+}
+
+static void jobs_fill(const pair_loop *loop, const cni_sweep_pass *pass)
+{
+	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->moved);
+	int32_t job, entries = 0;
+	for (job = 0; job < loop->job_count; ++job) {
+		loop->begins[job] = entries;
+		entries += job < pass->dense_count ? cni_sweep_tile_at(pass->sweep, pass->touched[job])->count : SINGLE_ENTRIES;
+		if (job >= pass->dense_count)
+			loop->singles[job - pass->dense_count] = next_single(pass, &walk);
+	}
+	loop->begins[job] = entries;
+}
+
+static int32_t entries_to_do(const cni_sweep_pass *pass)
+{
+	int32_t i, entries = SINGLE_ENTRIES * pass->single_count;
+	for (i = 0; i < pass->dense_count; ++i)
+		entries += cni_sweep_tile_at(pass->sweep, pass->touched[i])->count;
+	return entries;
+}
+
+/* Takes scratch for the jobs of so many entries; 0 when there is no memory. */
+static int32_t jobs_open(pair_loop *loop, cni_sweep_pass *pass, int32_t entries)
+{
+	uint64_t jobs = (uint64_t)pass->dense_count + (uint64_t)pass->single_count;
+	uint64_t numbers = 2u * jobs + 1u + (uint64_t)pass->single_count, slots = PAIRS_AN_ENTRY * (uint64_t)entries;
+	loop->slots = (cni_pair *)cni_arena_push(pass->sweep->context.arena, sizeof(cni_pair) * slots + sizeof(int32_t) * numbers);
+	if (loop->slots == NULL)
+		return 0;
+	loop->pass = pass;
+	loop->job_count = (int32_t)jobs;
+	loop->begins = (int32_t *)(void *)(loop->slots + slots);
+	loop->found = loop->begins + jobs + 1;
+	loop->singles = loop->found + jobs;
+	jobs_fill(loop, pass);
+	return 1;
+}
+
+/* 0 where it does not pay, or for want of memory: nothing was done. */
+static int32_t find_shared(cni_sweep_pass *pass)
+{
+	cni_team *team = cni_sweep_team(pass->sweep);
+	int32_t entries = team == NULL ? 0 : entries_to_do(pass);
+	pair_loop loop;
+	if (entries < SHARED_LEAST || !jobs_open(&loop, pass, entries))
+		return 0;
+	cni_team_run(team, find_lead, &loop);
+	jobs_list(&loop, pass);
+	(void)cni_arena_pop(pass->sweep->context.arena, loop.slots);
+	return 1;
 }
 
 static void tile_clear_marks(cni_sweep *sweep, int32_t tile)
@@ -424,7 +286,7 @@ static void tile_clear_marks(cni_sweep *sweep, int32_t tile)
 }
 
 /* Clears the marks of the pass; tiles were settled before and did not change since. */
-static void clear_marks(pair_pass *pass)
+static void clear_marks(cni_sweep_pass *pass)
 {
 	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->moved);
 	int32_t id, i;
@@ -437,32 +299,23 @@ static void clear_marks(pair_pass *pass)
 	}
 }
 
-/* The widest that the processor has. */
-static cni_sweep_find_new_fn *find_new_choose(void)
-{
-#if CNI_HAS_WIDE_8
-	if (cni_cpu_has_avx2())
-		return cni_sweep_find_new_8;
-#endif
-	return cni_sweep_find_new;
-}
-
 void cni_sweep_find_pairs(cni_sweep *sweep, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out)
 {
 	int32_t touched = cni_min_i(sweep->moved_count, sweep->tile_count);
-	pair_pass pass;
+	cni_sweep_pass pass;
 	memset(&pass, 0, sizeof(pass));
 	pass.sweep = sweep;
 	pass.filter = filter;
 	pass.filter_context = filter_context;
 	pass.out = out;
-	pass.find_new = find_new_choose();
+	pass.find_new = cni_sweep_find_new_choose();
 	pass.touched = (int32_t *)cni_arena_push(sweep->context.arena, sizeof(int32_t) * (uint64_t)touched);
 	count_moved(&pass);
 	choose_dense(&pass);
-	sweep_dense(&pass);
-	search_entries(&pass);
-	search_all_loose(&pass);
+	open_dense(&pass);
+	if (!find_shared(&pass))
+		find_alone(&pass);
+	cni_sweep_search_loose(&pass);
 	clear_marks(&pass);
 	(void)cni_arena_pop(sweep->context.arena, pass.scratch);
 	(void)cni_arena_pop(sweep->context.arena, pass.touched);

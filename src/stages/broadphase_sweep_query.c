@@ -9,7 +9,13 @@
  * lies beyond the fraction that the visitor has settled for: grid traversal after Amanatides and Woo
  * (1987), by rows instead of cells because tiles overlap their neighbours.
  */
-#include "stages/broadphase_sweep.h"
+#include "base/cpu.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#else
+#define CNI_WIDTH 1
+#endif
+#include "stages/broadphase_sweep_lanes.h"
 
 /* ---- regions ---- */
 
@@ -18,28 +24,66 @@ static int32_t is_loose(const cni_sweep *sweep, int32_t id)
 	return sweep->loose_count > 0 && cni_bit_get(cni_sweep_loose(sweep), id);
 }
 
-/* 0 when the visitor has had enough. */
-static int32_t query_tile(const cni_sweep *sweep, const cni_sweep_tile *tile, const cni_aabb *box, cni_query_fn *visit, void *context)
+typedef struct region {
+	const cni_sweep *sweep;
+	cni_aabb box;
+	cni_query_fn *visit;
+	void *context;
+} region;
+
+/* Entries of the group that begins at k which overlap the region, as bits. */
+static uint32_t group_overlaps(const region *r, const cni_sweep_rows *rows, int32_t k)
 {
-	cni_sweep_rows rows = cni_sweep_rows_of(sweep, tile);
-	int32_t k = cni_sweep_entry_bound(&rows, tile->count, box->x0 - tile->reach, CNI_NONE);
-	for (; k < tile->count && rows.x0[k] <= box->x1; ++k) {
-		if (!((rows.x1[k] >= box->x0) & (rows.y0[k] <= box->y1) & (rows.y1[k] >= box->y0)) || is_loose(sweep, rows.id[k]))
-			continue;
-		if (visit(context, rows.id[k], 1.0f) == 0.0f)
-			return 0;
+	uint32_t bits = 0;
+	int32_t l;
+	for (l = 0; l < CNI_SWEEP_LANES; l += CNI_WIDTH)
+		bits |= cni_mask_bits(lanes_overlap(rows->x0 + k + l, rows->x1 + k + l, rows->y0 + k + l, rows->y1 + k + l, &r->box)) << l;
+	return bits;
+}
+
+/* 0 when the visitor has had enough. */
+static int32_t query_entry(const region *r, int32_t id)
+{
+	return is_loose(r->sweep, id) || r->visit(r->context, id, 1.0f) != 0.0f;
+}
+
+/* A tile whose rows are padded to whole groups. */
+static int32_t query_groups(const region *r, const cni_sweep_tile *tile, const cni_sweep_rows *rows, int32_t from)
+{
+	int32_t k = from & ~(CNI_SWEEP_LANES - 1);
+	uint32_t bits, wanted = ~0u << (from - k);
+	for (; k < tile->count && rows->x0[k] <= r->box.x1; k += CNI_SWEEP_LANES) {
+		for (bits = group_overlaps(r, rows, k) & wanted; bits != 0; bits &= bits - 1) {
+			int32_t i = k + cni_bit_lowest32(bits);
+			if (i < tile->count && !query_entry(r, rows->id[i]))
+				return 0;
+		}
+		wanted = ~0u;
 	}
 	return 1;
 }
 
-static void query_loose(const cni_sweep *sweep, const cni_aabb *box, cni_query_fn *visit, void *context)
+static int32_t query_tile(const region *r, const cni_sweep_tile *tile)
 {
-	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->loose);
+	cni_sweep_rows rows = cni_sweep_rows_of(r->sweep, tile);
+	const cni_aabb *box = &r->box;
+	int32_t k = cni_sweep_entry_from(rows.x0, tile->count, box->x0 - tile->reach);
+	if (tile->capacity >= CNI_SWEEP_LANES)
+		return query_groups(r, tile, &rows, k);
+	for (; k < tile->count && rows.x0[k] <= box->x1; ++k)
+		if ((rows.x1[k] >= box->x0) & (rows.y0[k] <= box->y1) & (rows.y1[k] >= box->y0) && !query_entry(r, rows.id[k]))
+			return 0;
+	return 1;
+}
+
+static void query_loose(const region *r)
+{
+	cni_sweep_walk walk = cni_sweep_walk_bits(r->sweep, &r->sweep->loose);
 	int32_t id;
-	if (sweep->loose_count == 0)
+	if (r->sweep->loose_count == 0)
 		return;
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE)
-		if (cni_aabb_overlap(&cni_sweep_proxy(sweep, id)->fat, box) && visit(context, id, 1.0f) == 0.0f)
+		if (cni_aabb_overlap(&cni_sweep_proxy(r->sweep, id)->fat, &r->box) && r->visit(r->context, id, 1.0f) == 0.0f)
 			return;
 }
 
@@ -47,11 +91,16 @@ void cni_sweep_query(const cni_sweep *sweep, const cni_aabb *box, cni_query_fn *
 {
 	cni_sweep_cursor cursor;
 	int32_t tile;
+	region r;
+	r.sweep = sweep;
+	r.box = *box;
+	r.visit = visit;
+	r.context = context;
 	cni_sweep_cursor_start(sweep, &cursor, box);
 	while ((tile = cni_sweep_cursor_next(sweep, &cursor)) != CNI_NONE)
-		if (!query_tile(sweep, cni_sweep_tile_at(sweep, tile), box, visit, context))
+		if (!query_tile(&r, cni_sweep_tile_at(sweep, tile)))
 			return;
-	query_loose(sweep, box, visit, context);
+	query_loose(&r);
 }
 
 /* ---- rays ---- */
@@ -139,7 +188,7 @@ static int32_t ray_tile(ray_pass *ray, const cni_sweep_tile *tile, float x0, flo
 	ray_lanes lanes = ray_lanes_of(ray, &rows);
 	int32_t step = ray->d.x < 0.0f ? -1 : 1;
 	float from = x0 - tile->reach;
-	int32_t k = step > 0 ? cni_sweep_entry_bound(&rows, tile->count, from, CNI_NONE)
+	int32_t k = step > 0 ? cni_sweep_entry_from(rows.x0, tile->count, from)
 	                     : cni_sweep_entry_bound(&rows, tile->count, x1, INT32_MAX) - 1;
 	for (; k >= 0 && k < tile->count && rows.x0[k] >= from && rows.x0[k] <= x1; k += step)
 		if (ray_crosses_entry(ray, &lanes, k) && !is_loose(ray->sweep, rows.id[k]) && !ray_visit(ray, rows.id[k]))

@@ -10,6 +10,9 @@
  * the proxies. Elsewhere each entry is shifted, inserted or removed in place. Without scratch memory
  * everything goes the second way, one proxy after the other.
  *
+ * Workers may share looking for homes, where nothing is made, and rebuilding, where nothing but the tile is written: what
+ * changes the table, the levels or memory is done in between and after, in order, by one.
+ *
  * Sizes: S0 is twice the power of two above the 90th percentile of the larger sides of non-static boxes,
  * raised while tiles hold too few entries. It is chosen at the first settle, when as many proxies
  * were added as there were, when half of them are gone, and, ever more patiently, while tiles are badly
@@ -29,6 +32,10 @@
 #define FILL_HIGH_ANEW 64      /* when sizes are chosen anyway */
 #define TUNE_FEWEST 64         /* proxies: below, sizes hardly matter */
 #define PATIENCE_MOST 256      /* settles */
+#define SHARED_LEAST 1024      /* loose proxies for which it pays to wake other workers */
+#define RANGE_WORDS 16         /* of the loose set, some ten microseconds of looking for homes */
+#define RANGE_ENTRIES 512      /* ... of rebuilding */
+#define HOME_STAYS 0x40000000  /* beside a tile: the proxy is there now */
 
 /* ---- choosing sizes ---- */
 
@@ -162,17 +169,32 @@ static void tune(cni_sweep *sweep)
 
 /* ---- one proxy ---- */
 
-/* The tile where a proxy's box belongs; CNI_NONE when it would have to be made and there is no memory. */
-static int32_t home_find(cni_sweep *sweep, const cni_proxy *proxy)
+typedef struct cell {
+	int32_t level, tx, ty;
+} cell;
+
+/* The cell where a proxy's box belongs, and its tile: with HOME_STAYS if that is where it is now, CNI_NONE if there is none. */
+static int32_t home_look(const cni_sweep *sweep, const cni_proxy *proxy, cell *out)
 {
 	const cni_sweep_tile *now = proxy->cell == CNI_NONE ? NULL : cni_sweep_tile_at(sweep, proxy->cell);
 	int32_t l = cni_sweep_level_for(sweep, cni_sweep_extent(&proxy->fat), now != NULL ? now->level : 0);
-	int32_t tx = cni_sweep_cell_x(&sweep->levels[l], proxy->fat.x0);
-	int32_t ty = cni_sweep_cell_y(&sweep->levels[l], proxy->fat.y0);
-	if (now != NULL && now->tx == tx && now->ty == ty && now->level == l)
-		return proxy->cell;
-	return cni_sweep_tile_make(sweep, l, tx, ty);
+	out->level = l;
+	out->tx = cni_sweep_cell_x(&sweep->levels[l], proxy->fat.x0);
+	out->ty = cni_sweep_cell_y(&sweep->levels[l], proxy->fat.y0);
+	if (now != NULL && now->tx == out->tx && now->ty == out->ty && now->level == l)
+		return proxy->cell | HOME_STAYS;
+	return cni_sweep_tile_find(sweep, l, out->tx, out->ty);
 }
+
+/* The same, made if need be; CNI_NONE when there is no memory. */
+static int32_t home_find(cni_sweep *sweep, const cni_proxy *proxy)
+{
+	cell at;
+	int32_t home = home_look(sweep, proxy, &at);
+	return home != CNI_NONE ? home : cni_sweep_tile_make(sweep, at.level, at.tx, at.ty);
+}
+
+static inline int32_t home_tile(int32_t home) { return home == CNI_NONE ? CNI_NONE : home & ~HOME_STAYS; }
 
 static void mark_settled(cni_sweep *sweep, int32_t id)
 {
@@ -224,7 +246,7 @@ static void settle_singly(cni_sweep *sweep)
 	int32_t id;
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
 		int32_t before = cni_sweep_proxy(sweep, id)->cell;
-		int32_t home = home_find(sweep, cni_sweep_proxy(sweep, id));
+		int32_t home = home_tile(home_find(sweep, cni_sweep_proxy(sweep, id)));
 		settle_proxy(sweep, id, home);
 		if (before != CNI_NONE && before != home && cni_sweep_tile_at(sweep, before)->count == 0)
 			cni_sweep_tile_destroy(sweep, before);
@@ -235,57 +257,111 @@ static void settle_singly(cni_sweep *sweep)
 
 /* ---- many at once ---- */
 
+/* What a rebuild changes beside the tile. */
+typedef struct rebuilt {
+	int32_t gone;      /* entries */
+	float extent;      /* of the largest */
+} rebuilt;
+
 typedef struct settle_pass {
-	int32_t *homes;    /* of each loose proxy */
+	cni_sweep *sweep;
+	cni_team *team;    /* NULL: alone */
+	int32_t *homes;    /* of each loose proxy, HOME_STAYS beside it */
 	int32_t *touched;  /* tiles that change */
 	int32_t touched_count;
-	uint64_t *keys;    /* room for the largest tile, twice */
-	int32_t key_count;
+	int32_t key_count; /* of the largest tile */
+	uint64_t *keys;    /* room for those twice, for each worker */
+	int32_t *begins;   /* of each touched tile: the entries of those before it that are rebuilt */
+	rebuilt *rebuilt;  /* of each touched tile */
 } settle_pass;
 
-static void touch(const cni_sweep *sweep, settle_pass *pass, int32_t tile)
+static void touch(settle_pass *pass, int32_t tile)
 {
-	if (tile != CNI_NONE && cni_sweep_tile_at(sweep, tile)->touched++ == 0)
+	if (tile != CNI_NONE && cni_sweep_tile_at(pass->sweep, tile)->touched++ == 0)
 		pass->touched[pass->touched_count++] = tile;
 }
 
-static void find_homes(cni_sweep *sweep, settle_pass *pass)
+/* A range of words of the loose set. Nothing is made: those of new tiles are left. */
+static void homes_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
+	const settle_pass *pass = (const settle_pass *)context;
+	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->loose);
+	int32_t id, w, i = 0;
+	cell at;
+	(void)worker;
+	for (w = 0; w < begin; ++w)
+		i += cni_bit_count64(walk.words[w]);
+	walk.word = begin - 1;
+	walk.end = end;
+	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE)
+		pass->homes[i++] = home_look(pass->sweep, cni_sweep_proxy(pass->sweep, id), &at);
+}
+
+/* In order of the proxies, so that tiles are made in that order. */
+static void find_homes(settle_pass *pass)
+{
+	cni_sweep *sweep = pass->sweep;
 	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->loose);
 	int32_t id, i = 0;
+	if (pass->team != NULL)
+		cni_team_for(pass->team, walk.end, RANGE_WORDS, homes_range, pass);
 	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
-		const cni_proxy *proxy = cni_sweep_proxy(sweep, id);
-		int32_t home = home_find(sweep, proxy);
+		int32_t home = pass->team != NULL ? pass->homes[i] : CNI_NONE;
+		if (home == CNI_NONE)
+			home = home_find(sweep, cni_sweep_proxy(sweep, id));
 		pass->homes[i++] = home;
-		touch(sweep, pass, home);
-		if (proxy->cell != home)
-			touch(sweep, pass, proxy->cell);
+		touch(pass, home_tile(home));
+		if (home == CNI_NONE || !(home & HOME_STAYS))
+			touch(pass, cni_sweep_proxy(sweep, id)->cell);
 	}
 }
 
+/* Room to rebuild tiles of so many keys, for each worker or at least for one. */
+static void take_keys(settle_pass *pass, int32_t count)
+{
+	cni_arena *arena = pass->sweep->context.arena;
+	uint64_t one = 2u * sizeof(uint64_t) * (uint64_t)count, tiles = (sizeof(rebuilt) + sizeof(int32_t)) * (uint64_t)pass->touched_count;
+	pass->key_count = count;
+	pass->keys = (uint64_t *)cni_arena_push(arena, one * (uint64_t)cni_team_workers(pass->team) + tiles);
+	if (pass->keys == NULL && pass->team != NULL) {
+		pass->team = NULL;
+		pass->keys = (uint64_t *)cni_arena_push(arena, one + tiles);
+	}
+	if (pass->keys == NULL)
+		return;
+	pass->rebuilt = (rebuilt *)(void *)(pass->keys + 2 * (int64_t)count * cni_team_workers(pass->team));
+	pass->begins = (int32_t *)(void *)(pass->rebuilt + pass->touched_count);
+}
+
 /* Decides which tiles are rebuilt, and takes the keys for the largest. */
-static void choose_dense(cni_sweep *sweep, settle_pass *pass)
+static void choose_dense(settle_pass *pass)
 {
 	int32_t largest = 0;
 	int32_t i;
 	for (i = 0; i < pass->touched_count; ++i) {
-		const cni_sweep_tile *tile = cni_sweep_tile_at(sweep, pass->touched[i]);
+		const cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[i]);
 		largest = cni_max_i(largest, tile->count + tile->touched);
 	}
-	pass->keys = (uint64_t *)cni_arena_push(sweep->context.arena, 2u * sizeof(uint64_t) * (uint64_t)largest);
-	pass->key_count = largest;
+	take_keys(pass, largest);
 	for (i = 0; i < pass->touched_count; ++i) {
-		cni_sweep_tile *tile = cni_sweep_tile_at(sweep, pass->touched[i]);
+		cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[i]);
 		tile->dense = pass->keys != NULL && tile->touched >= DENSE_CHANGES && DENSE_SHARE * tile->touched >= tile->count;
 	}
 }
 
-static void migrate(cni_sweep *sweep, const settle_pass *pass)
+/* Of what stays in a tile that is rebuilt nothing is read here. */
+static void migrate(const settle_pass *pass)
 {
+	cni_sweep *sweep = pass->sweep;
 	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->loose);
 	int32_t id, i = 0;
-	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE)
-		settle_proxy(sweep, id, pass->homes[i++]);
+	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
+		int32_t home = pass->homes[i++], tile = home_tile(home);
+		if (tile != home && cni_sweep_tile_at(sweep, tile)->dense)
+			mark_settled(sweep, id);
+		else
+			settle_proxy(sweep, id, tile);
+	}
 }
 
 /* Keys of the entries that still belong here; returns their number. */
@@ -318,31 +394,59 @@ static void gather_rows(const cni_sweep *sweep, const cni_sweep_tile *tile, cons
 	}
 }
 
-static void rebuild(cni_sweep *sweep, settle_pass *pass, int32_t tile)
+static void rebuild(const settle_pass *pass, int32_t tile, uint64_t *keys, rebuilt *out)
 {
-	cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
+	cni_sweep_tile *t = cni_sweep_tile_at(pass->sweep, tile);
 	int32_t count;
 	CNI_ASSERT(t->count <= pass->key_count);
-	count = t->count > 0 ? collect_keys(sweep, tile, pass->keys) : 0;
-	sweep->levels[t->level].entries += count - t->count;
+	count = t->count > 0 ? collect_keys(pass->sweep, tile, keys) : 0;
+	out->gone = t->count - count;
+	out->extent = 0.0f;
 	t->count = count;
 	if (count == 0)
 		return;
-	cni_sort_keys(pass->keys, pass->keys + pass->key_count, count);
-	gather_rows(sweep, t, pass->keys);
-	cni_sweep_tile_tighten(sweep, t);
-	cni_sweep_tile_shrink(sweep, t);
-	cni_sweep_tile_pad(sweep, t);
+	cni_sort_keys(keys, keys + pass->key_count, count);
+	gather_rows(pass->sweep, t, keys);
+	out->extent = cni_sweep_tile_measure(pass->sweep, t);
+	cni_sweep_tile_pad(pass->sweep, t);
 }
 
-static void finish_tiles(cni_sweep *sweep, settle_pass *pass)
+/* Those of the touched tiles that begin among a range of entries. Writes nothing but the tiles and what is noted of them. */
+static void rebuild_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
+	const settle_pass *pass = (const settle_pass *)context;
+	int32_t i = cni_sweep_first_at(pass->begins, pass->touched_count, begin);
+	for (; i < pass->touched_count && pass->begins[i] < end; ++i)
+		if (cni_sweep_tile_at(pass->sweep, pass->touched[i])->dense)
+			rebuild(pass, pass->touched[i], pass->keys + 2 * (int64_t)pass->key_count * worker, &pass->rebuilt[i]);
+}
+
+static int32_t count_begins(const settle_pass *pass)
+{
+	int32_t i, entries = 0;
+	for (i = 0; i < pass->touched_count; ++i) {
+		const cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[i]);
+		pass->begins[i] = entries;
+		entries += tile->dense ? cni_max_i(tile->count, 1) : 0;
+	}
+	return entries;
+}
+
+static void finish_tiles(settle_pass *pass)
+{
+	cni_sweep *sweep = pass->sweep;
 	int32_t i;
+	if (pass->keys != NULL)
+		cni_team_for(pass->team, count_begins(pass), RANGE_ENTRIES, rebuild_range, pass);
 	for (i = 0; i < pass->touched_count; ++i) {
 		int32_t tile = pass->touched[i];
 		cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
-		if (t->dense)
-			rebuild(sweep, pass, tile);
+		if (t->dense) {
+			sweep->levels[t->level].entries -= pass->rebuilt[i].gone;
+			cni_sweep_level_cover(sweep, t->level, pass->rebuilt[i].extent);
+			if (t->count > 0)
+				cni_sweep_tile_shrink(sweep, t);
+		}
 		t->dense = 0;
 		t->touched = 0;
 		if (t->count == 0)
@@ -350,7 +454,7 @@ static void finish_tiles(cni_sweep *sweep, settle_pass *pass)
 	}
 }
 
-static int32_t settle_together(cni_sweep *sweep)
+static int32_t settle_together(cni_sweep *sweep, cni_team *team)
 {
 	settle_pass pass;
 	/* Tiles that change: a loose proxy's home and where it is now, or all tiles that there are and a new one each. */
@@ -359,20 +463,22 @@ static int32_t settle_together(cni_sweep *sweep)
 	if (scratch == NULL)
 		return 0;
 	memset(&pass, 0, sizeof(pass));
+	pass.sweep = sweep;
+	pass.team = sweep->loose_count < SHARED_LEAST ? NULL : team;
 	pass.homes = (int32_t *)scratch;
 	pass.touched = pass.homes + sweep->loose_count;
-	find_homes(sweep, &pass);
-	choose_dense(sweep, &pass);
-	migrate(sweep, &pass);
-	finish_tiles(sweep, &pass);
+	find_homes(&pass);
+	choose_dense(&pass);
+	migrate(&pass);
+	finish_tiles(&pass);
 	(void)cni_arena_pop(sweep->context.arena, pass.keys);
 	(void)cni_arena_pop(sweep->context.arena, scratch);
 	return 1;
 }
 
-void cni_sweep_settle(cni_sweep *sweep)
+void cni_sweep_settle(cni_sweep *sweep, cni_team *team)
 {
 	tune(sweep);
-	if (sweep->loose_count > 0 && !settle_together(sweep))
+	if (sweep->loose_count > 0 && !settle_together(sweep, team))
 		settle_singly(sweep);
 }

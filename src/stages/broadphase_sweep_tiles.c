@@ -263,7 +263,9 @@ static inline void level_cover(cni_sweep_level *level, float extent)
 	level->reach = cni_max(level->reach, entry_reach(extent));
 }
 
-void cni_sweep_tile_tighten(cni_sweep *sweep, cni_sweep_tile *tile)
+void cni_sweep_level_cover(cni_sweep *sweep, int32_t level, float extent) { level_cover(&sweep->levels[level], extent); }
+
+float cni_sweep_tile_measure(const cni_sweep *sweep, cni_sweep_tile *tile)
 {
 	cni_sweep_rows rows = cni_sweep_rows_of(sweep, tile);
 	cni_aabb bounds = cni_no_box();
@@ -280,8 +282,8 @@ void cni_sweep_tile_tighten(cni_sweep *sweep, cni_sweep_tile *tile)
 	}
 	tile->bounds = bounds;
 	tile->reach = entry_reach(width);
-	level_cover(&sweep->levels[tile->level], cni_max(width, height));
 	tile->slack = 0;
+	return cni_max(width, height);
 }
 
 static void tile_cover(cni_sweep *sweep, cni_sweep_tile *tile, const cni_aabb *box)
@@ -295,7 +297,7 @@ static void tile_cover(cni_sweep *sweep, cni_sweep_tile *tile, const cni_aabb *b
 static void tile_loosen(cni_sweep *sweep, cni_sweep_tile *tile)
 {
 	if (++tile->slack > tile->count)
-		cni_sweep_tile_tighten(sweep, tile);
+		level_cover(&sweep->levels[tile->level], cni_sweep_tile_measure(sweep, tile));
 }
 
 void cni_sweep_tile_pad(const cni_sweep *sweep, cni_sweep_tile *tile)
@@ -309,7 +311,6 @@ void cni_sweep_tile_pad(const cni_sweep *sweep, cni_sweep_tile *tile)
 
 /* ---- entries ---- */
 
-/* By halves without branches, which would be predicted wrong half of the time. */
 int32_t cni_sweep_entry_bound(const cni_sweep_rows *rows, int32_t count, float x0, int32_t id)
 {
 	int32_t low = 0, left = count;

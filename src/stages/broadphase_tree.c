@@ -83,12 +83,11 @@ static void tree_remove(cni_broadphase *broadphase, int32_t id)
 	proxy_at(b, id)->flags &= ~(uint32_t)CNI_PROXY_MOVED;
 }
 
-static void tree_move(cni_broadphase *broadphase, int32_t id, const cni_aabb *fat)
+static void tree_move(cni_broadphase *broadphase, int32_t id)
 {
 	tree_broadphase *b = tree_of(broadphase);
-	proxy_at(b, id)->fat = *fat;
-	cni_tree_set_box(&b->tree, id, fat);
-	mark_moved(b, id);
+	cni_tree_set_box(&b->tree, id, &proxy_at(b, id)->fat);
+	cni_tree_mark_moved(&b->tree, id);
 }
 
 static void tree_touch(cni_broadphase *broadphase, int32_t id)

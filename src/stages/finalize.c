@@ -7,7 +7,8 @@
  * A body rests while it is slow and does not accelerate: at the apex of a throw the last substep's change of
  * velocity is all of what gravity gives, on the ground it is nearly none of it.
  *
- * Workers may share all of it but for the boxes: they find which must move, and one moves them in order.
+ * Workers may share all of it but for what the broadphase is told: they give proxies their new boxes, and one tells it in
+ * the order of the bodies which those are.
  */
 #include "base/cpu.h"
 #include "stages/solver.h"
@@ -170,10 +171,12 @@ void cni_poses_take(cn_world *world)
 	}
 }
 
+enum { MOVED_NONE = -1, MOVED_SEVERAL = -2 };
+
 typedef struct pose_loop {
 	cn_world *world;
 	const cni_solve *s;
-	cni_box_move *moves; /* one a body, for those with CNI_DRIVE_LATER */
+	int32_t *moved; /* of each body: the proxy that has a new box, MOVED_NONE or MOVED_SEVERAL */
 	uint32_t rested;
 } pose_loop;
 
@@ -240,15 +243,17 @@ static void boxes_look_ahead(cn_world *world, const cni_solve *s, cni_body *b, i
 		b->flags |= CNI_BODY_AHEAD;
 }
 
-static void body_boxes_find(cn_world *world, const cni_solve *s, cni_body *b, int32_t k, cni_box_move *move)
+/* Gives a body's box its new bounds; where there are several, one looks again. */
+static int32_t body_boxes_set(cn_world *world, const cni_solve *s, cni_body *b, int32_t k)
 {
-	int32_t left = cni_body_boxes_left(world, b, way_ahead(world, s, k), move);
-	if (left == 1 && move->reaches)
+	cni_box_move move;
+	int32_t left = cni_body_boxes_left(world, b, way_ahead(world, s, k), &move);
+	if (left != 1)
+		return left == 0 ? MOVED_NONE : MOVED_SEVERAL;
+	if (move.reaches)
 		b->flags |= CNI_BODY_AHEAD;
-	if (left > 0)
-		cni_drives(world)[k].flags |= CNI_DRIVE_LATER;
-	if (left > 1)
-		move->proxy = CNI_NONE;
+	cni_proxy_set_fat(cni_proxy_at(world, move.proxy), &move.fat);
+	return move.proxy;
 }
 
 static void pose_range(void *context, int32_t begin, int32_t end, int32_t worker)
@@ -262,37 +267,33 @@ static void pose_range(void *context, int32_t begin, int32_t end, int32_t worker
 	for (k = begin + 1; k <= end; ++k) {
 		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		rested |= body_finalize(world, loop->s, b, k);
-		if (body_boxes_may_leave(world, loop->s, b, k))
-			body_boxes_find(world, loop->s, b, k, &loop->moves[k]);
+		loop->moved[k] = body_boxes_may_leave(world, loop->s, b, k) ? body_boxes_set(world, loop->s, b, k) : MOVED_NONE;
 	}
 	if (rested)
 		cni_atomic_add(&loop->rested, 1u);
 }
 
-/* The broadphase moves one box at a time, in the order of the bodies. Bodies with several to move look again. */
-static void boxes_move(cn_world *world, const cni_solve *s, const cni_box_move *moves)
+/* Tells the broadphase of one box at a time, in the order of the bodies. Bodies with several look again. */
+static void boxes_tell(cn_world *world, const cni_solve *s, const int32_t *moved)
 {
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
-		if (!(cni_drives(world)[k].flags & CNI_DRIVE_LATER))
-			continue;
-		cni_drives(world)[k].flags &= ~(uint32_t)CNI_DRIVE_LATER;
-		if (moves[k].proxy != CNI_NONE)
-			world->broadphase_ops->move(world->broadphase, moves[k].proxy, &moves[k].fat);
-		else
+		if (moved[k] >= 0)
+			world->broadphase_ops->move(world->broadphase, moved[k]);
+		else if (moved[k] == MOVED_SEVERAL)
 			boxes_look_ahead(world, s, cni_body_at(world, cni_awake_ids(world)[k]), k);
 	}
 }
 
-static uint32_t finalize_shared(cn_world *world, const cni_solve *s, cni_box_move *moves)
+static uint32_t finalize_shared(cn_world *world, const cni_solve *s, int32_t *moved)
 {
 	pose_loop loop;
 	loop.world = world;
 	loop.s = s;
-	loop.moves = moves;
+	loop.moved = moved;
 	loop.rested = 0;
 	cni_parallel_for(world, world->awake_count - 1, BODIES_A_RANGE, pose_range, &loop);
-	boxes_move(world, s, moves);
+	boxes_tell(world, s, moved);
 	return loop.rested;
 }
 
@@ -315,12 +316,12 @@ static uint32_t finalize_alone(cn_world *world, const cni_solve *s)
 
 int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
 {
-	cni_box_move *moves = NULL;
+	int32_t *moved = NULL;
 	uint32_t rested;
 	if (world->team != NULL && world->awake_count > 2 * BODIES_A_RANGE)
-		moves = (cni_box_move *)cni_arena_push(&world->arena, sizeof(cni_box_move) * (uint64_t)world->awake_count);
-	rested = moves != NULL ? finalize_shared(world, s, moves) : finalize_alone(world, s);
-	cni_arena_pop(&world->arena, moves);
+		moved = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
+	rested = moved != NULL ? finalize_shared(world, s, moved) : finalize_alone(world, s);
+	cni_arena_pop(&world->arena, moved);
 	world->broadphase_ops->settle(world->broadphase);
 	return rested != 0;
 }

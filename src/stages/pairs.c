@@ -33,6 +33,19 @@ static int32_t is_marked(const cn_world *world, int32_t proxy)
 	return (cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy)->shape)->body)->flags & CNI_BODY_AGAIN) != 0;
 }
 
+/* Leaves those out that the user does not want. Workers may have found the pairs; the user is asked here, in order. */
+static void user_filter(const cn_world *world, cni_broadphase_pairs *pairs)
+{
+	cni_pair *list = (cni_pair *)pairs->list.data;
+	int32_t k, count = pairs->list.count;
+	if (world->filter == NULL)
+		return;
+	pairs->list.count = 0;
+	for (k = 0; k < count; ++k)
+		if (cni_contact_user_allows(world, list[k].a, list[k].b))
+			list[pairs->list.count++] = list[k];
+}
+
 /* Is there a contact of the pair already? Most pairs are of bodies that nothing happened to. */
 static int32_t pair_repeats(const cn_world *world, const cni_pair *pair, int32_t may_repeat)
 {
@@ -57,12 +70,13 @@ void cni_stage_pairs(cn_world *world, float dt)
 	int32_t k, may_repeat = world->pairs_may_repeat;
 	world->pairs_may_repeat = 0;
 	kicked_look_ahead(world, dt);
-	world->broadphase_ops->update(world->broadphase, cni_contact_allowed, world, pairs);
+	world->broadphase_ops->update(world->broadphase, cni_contact_possible, world, pairs);
 	if (pairs->pairs_lost > 0) {
 		world->warnings |= CN_WARNING_CONTACT_MEMORY;
 		world->pairs_not_added += pairs->pairs_lost;
 		world->pairs_may_repeat = CNI_PAIRS_ALL;
 	}
+	user_filter(world, pairs);
 	list = (const cni_pair *)pairs->list.data;
 	for (k = 0; k < pairs->list.count; ++k) {
 		if (pair_repeats(world, &list[k], may_repeat))

@@ -224,6 +224,7 @@ static cn_result broadphase_create(cn_world *world, int32_t capacity)
 	context.blocks = &world->blocks;
 	context.arena = &world->arena;
 	context.proxies = &world->proxies;
+	context.team = &world->team;
 	context.length_unit = world->settings.length_unit;
 	world->broadphase_ops = broadphase_choice(world->settings.broadphase);
 	world->broadphase = world->broadphase_ops->create(&context, capacity);
@@ -285,7 +286,8 @@ static int32_t islands_for(int32_t bodies)
 
 static uint64_t arena_bytes(const cn_world_def *d)
 {
-	uint64_t boxes = 2048u + 40u * (uint64_t)d->shape_capacity, pairs = 64u + sizeof(cni_pair) * (uint64_t)d->contact_capacity; /* and changes of the narrowphase */
+	uint64_t box = cni_team_possible(d->worker_count, d->enqueue) ? 80u : 40u; /* workers have room for their pairs beside that */
+	uint64_t boxes = 2048u + box * (uint64_t)d->shape_capacity, pairs = 64u + sizeof(cni_pair) * (uint64_t)d->contact_capacity; /* and changes of the narrowphase */
 	uint64_t island = 64u + 8u * (uint64_t)d->body_capacity;
 	uint64_t joints = cni_direct_bytes(d->solver, d->joint_capacity, d->contact_capacity, d->body_capacity), scratch = boxes > pairs ? boxes : pairs;
 	if (d->solver != CN_SOLVER_SEQUENTIAL)

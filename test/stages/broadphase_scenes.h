@@ -124,7 +124,7 @@ static void scene_move(box_world *w, const scene *s, int32_t id)
 		box = scene_box(s->kind, id);
 	else
 		box = box_at(box.x0 + dx, box.y0 + dy, box.x1 - box.x0, box.y1 - box.y0);
-	w->ops->move(w->broadphase, id, &box);
+	world_move(w, id, &box);
 }
 
 static void scene_add(box_world *w, const scene *s, int32_t id)
@@ -275,7 +275,7 @@ static void t_many_boxes_on_one_body_are_cheap(void)
 	for (step = 0; step < 50; ++step) {
 		for (id = 0; id < 2000; ++id) {
 			cni_aabb box = box_at((float)(id % 50) + (float)step * 0.3f, (float)(id / 50), 1.2f, 1.2f);
-			w.ops->move(w.broadphase, id, &box);
+			world_move(&w, id, &box);
 		}
 		w.ops->update(w.broadphase, filter_pair, &w, &w.pairs);
 		CHECK(w.pairs.list.count == 0);
@@ -317,7 +317,7 @@ static void t_rebuilding_changes_nothing(void)
 			for (id = 0; id < 800; ++id)
 				if (w.alive[id] && random_unit() < 0.1f) {
 					cni_aabb box = box_within(-spread, spread, -spread, spread, cni_v(size, size));
-					w.ops->move(w.broadphase, id, &box);
+					world_move(&w, id, &box);
 				}
 		}
 	}
@@ -479,7 +479,7 @@ static int64_t fail_run(int64_t fail_first, int64_t fail_last, uint32_t one_in, 
 				world_remove(&w, id);
 				forget_pairs_of(id);
 			} else if (w.alive[id] && (dice == 6 || step % 5 == 4))
-				w.ops->move(w.broadphase, id, &box);
+				world_move(&w, id, &box);
 		}
 		if (step % 3 == 1)
 			w.ops->settle(w.broadphase);

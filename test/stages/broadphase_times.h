@@ -39,7 +39,7 @@ static void bench_step(box_world *w, const bench *b)
 			box = bench_box(b);
 		else
 			box = box_within(box.x0 - 0.1f, box.x0 + 0.1f, box.y0 - 0.1f, box.y0 + 0.1f, cni_v(b->width, b->height));
-		w->ops->move(w->broadphase, id, &box);
+		world_move(w, id, &box);
 	}
 }
 

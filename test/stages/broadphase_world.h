@@ -169,6 +169,12 @@ static int32_t world_add(box_world *w, int32_t id, cni_aabb box, int32_t is_stat
 	return 1;
 }
 
+static void world_move(box_world *w, int32_t id, const cni_aabb *box)
+{
+	cni_proxy_set_fat(proxy_at(w, id), box);
+	w->ops->move(w->broadphase, id);
+}
+
 static void world_remove(box_world *w, int32_t id)
 {
 	w->ops->remove(w->broadphase, id);
