@@ -112,6 +112,35 @@ static int32_t discs_miss(const advance *v)
 	return cni_length_sq(cni_madd(v->center, at, v->velocity)) > reach * reach;
 }
 
+/* Does a disc whose centre goes straight from one place to another stay beyond its reach of a line, on one side? The
+   line goes through the point with a normal of that length. */
+static int32_t disc_stays_off(cni_vec2 from, cni_vec2 to, cni_vec2 point, cni_vec2 normal, float reach)
+{
+	float start = cni_dot(cni_sub(from, point), normal), end = cni_dot(cni_sub(to, point), normal);
+	return cni_min(start, end) > reach || cni_max(start, end) < -reach;
+}
+
+/* The disc around b's centre stays in front of a face of a, which does not turn. What falls on a floor is mostly told so. */
+static int32_t disc_stays_in_front(const advance *v, const cni_toi_input *in)
+{
+	const mover *a = &v->a;
+	const float reach = v->b.reach + v->target + v->tolerance;
+	cni_vec2 from = cni_unrotate(a->q0, v->center), to = cni_unrotate(a->q0, cni_add(v->center, v->velocity)), along;
+	int32_t i;
+	if (a->turn != 0.0f || a->count < 2)
+		return 0;
+	if (in->a->type != CN_SHAPE_POLYGON) {
+		along = cni_sub(a->arms[1], a->arms[0]);
+		return disc_stays_off(from, to, a->arms[0], cni_left_perp(along), reach * cni_length(along));
+	}
+	for (i = 0; i < a->count; ++i) {
+		cni_vec2 normal = cni_geometry_normals(in->a)[i];
+		if (cni_min(cni_dot(cni_sub(from, a->arms[i]), normal), cni_dot(cni_sub(to, a->arms[i]), normal)) > reach)
+			return 1;
+	}
+	return 0;
+}
+
 static void advance_to(advance *v, float t)
 {
 	v->a.q = cni_rot_normalize(cni_rot_mul(v->a.q0, cni_sincos(v->a.turn * t)));
@@ -275,7 +304,7 @@ cni_toi_result cni_toi(const cni_toi_input *in)
 	cni_toi_result out = { CNI_TOI_SEPARATED, 1.0f, 0.0f, { 0.0f, 0.0f }, { 0.0f, 0.0f }, 0 };
 	advance v;
 	advance_make(&v, in);
-	if (discs_miss(&v) || comes_from_behind(in, 0.0f))
+	if (discs_miss(&v) || disc_stays_in_front(&v, in) || comes_from_behind(in, 0.0f))
 		return out;
 	search(&out, &v, in);
 	if (out.state == CNI_TOI_SEPARATED)

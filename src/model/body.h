@@ -32,7 +32,7 @@ enum {
 	CNI_BODY_MARK = 1u << 18,          /* scratch for batch calls and searches; clear outside of them */
 	CNI_BODY_SOLVER_SOFT = 1u << 19,   /* the body's own solver; neither: CN_SOLVER_AUTO */
 	CNI_BODY_SOLVER_DIRECT = 1u << 20,
-	CNI_BODY_AT_STATIC = 1u << 21,     /* has had contacts with static bodies, touching or not, since the last continuous stage */
+	CNI_BODY_AT_STATIC = 1u << 21,     /* has had contacts with static bodies, touching or not, since its last pose was taken */
 	CNI_BODY_AGAIN = 1u << 22,         /* new pairs of it may have a contact already: see CNI_PAIRS_MARKED */
 	CNI_BODY_SET_DOWN = 1u << 23,      /* in this step, alone: a contact began to bear */
 	CNI_BODY_AHEAD = 1u << 24          /* its boxes were made at the end of the last step, and have its room around the way ahead too: last step's dt times its velocity */

@@ -14,14 +14,17 @@
 #include "stages/contact_pass.h"
 
 #include <stddef.h>
+#include <string.h>
 
 /* What kernels read of a record. */
 typedef char cni_body_begins_with_pose[offsetof(cni_body, cx) == 0 && offsetof(cni_body, q) == 16 && offsetof(cni_body, extent) == 32 ? 1 : -1];
+typedef char cni_follow_pose_begins_alike[offsetof(cni_follow_pose, c) == offsetof(cni_body, q) && offsetof(cni_follow_pose, extent) == 24 ? 1 : -1];
 
 const cni_body cni_body_nowhere;
 
 /* 10 us of work where all is followed. */
 #define BLOCKS_A_RANGE 32
+#define BODIES_A_RANGE 1024 /* likewise: records are read */
 
 /* Fills the table, of whose halves only those with anchored lanes are read; returns the anchored lanes whose axes are
    free: locked ones have other masses. */
@@ -52,6 +55,7 @@ static cni_follow_pass pass_make(const cn_world *world, float dt)
 {
 	cni_follow_pass pass;
 	pass.motions = cni_motions(world);
+	pass.poses = NULL;
 	pass.dt = dt;
 	pass.drift_most = 0.25f * world->settings.slop;
 	pass.hair = 0.1f * world->settings.slop;
@@ -72,6 +76,40 @@ static int32_t followed_overlap(const cn_world *world, const int32_t *contacts, 
 }
 #endif
 
+typedef struct pose_loop {
+	const cn_world *world;
+	cni_follow_pose *poses;
+} pose_loop;
+
+/* A body has several lanes: where most have an anchored one, what is read of the records comes side by side first. */
+static void poses_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const pose_loop *loop = (const pose_loop *)context;
+	const cn_world *world = loop->world;
+	int32_t k;
+	(void)worker;
+	for (k = begin + 1; k <= end; ++k) {
+		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+		cni_follow_pose *p = &loop->poses[k];
+		memcpy(p, b, offsetof(cni_follow_pose, extent));
+		p->extent = b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y) ? -1.0f : b->extent;
+		p->inv_inertia = cni_motions(world)[k].inv_inertia;
+	}
+}
+
+/* NULL: not worth it, or no memory. anchored: lanes between bodies that are awake. */
+static cni_follow_pose *poses_make(cn_world *world, int32_t anchored)
+{
+	pose_loop loop;
+	loop.world = world;
+	loop.poses = anchored < world->awake_count / 2 ? NULL : (cni_follow_pose *)cni_arena_push(&world->arena, sizeof(cni_follow_pose) * (uint64_t)world->awake_count);
+	if (loop.poses == NULL)
+		return NULL;
+	memset(loop.poses, 0, sizeof *loop.poses);
+	cni_parallel_for(world, world->awake_count - 1, BODIES_A_RANGE, poses_range, &loop);
+	return loop.poses;
+}
+
 /* A block and, as bits, its lanes in use; after following those that were not followed. */
 typedef struct followed_block {
 	int32_t block;
@@ -89,18 +127,30 @@ typedef struct follow_loop {
 	cni_follow_pass pass;
 } follow_loop;
 
-static void blocks_list(const cn_world *world, follow_loop *loop)
+/* Returns how many anchored lanes there are between bodies that are awake. */
+static int32_t blocks_list(const cn_world *world, follow_loop *loop)
 {
-	int32_t color, block, lanes;
+	int32_t color, block, lanes, anchored = 0;
 	loop->blocks = (followed_block *)world->block_list.data;
 	loop->count = 0;
 	for (color = 0; color < CNI_COLORS; ++color)
 		for (lanes = world->colors[color].lanes, block = world->colors[color].first; lanes > 0; lanes -= CNI_LANES) {
+			const cni_block_info *info = cni_block_info_at(world, block);
 			followed_block *b = &loop->blocks[loop->count++];
 			b->block = block;
 			b->left = (1u << cni_min_i(lanes, CNI_LANES)) - 1u;
-			block = cni_block_info_at(world, block)->next;
+			if (color < CNI_COLOR_STATIC)
+				anchored += cni_bit_count64(info->anchored);
+			block = info->next;
 		}
+	return anchored;
+}
+
+CNI_INLINE void record_prefetch(const cn_world *world, int32_t index)
+{
+	const cni_body *b = cni_body_at(world, cni_max_i(cni_awake_ids(world)[index], 0));
+	CNI_PREFETCH(b);
+	CNI_PREFETCH(&b->flags);
 }
 
 /* Asks for the bodies of the next block, and for the rows of that after it. Inlined by force: compilers take a function
@@ -114,13 +164,12 @@ CNI_INLINE void blocks_prefetch(const follow_loop *loop, int32_t next)
 		return;
 	k = cni_block_at(world, loop->blocks[next].block);
 	for (l = 0; l < CNI_LANES; ++l) {
-		const cni_body *a = cni_body_at(world, cni_max_i(cni_awake_ids(world)[k->ia[l]], 0));
-		CNI_PREFETCH(a);
-		CNI_PREFETCH(&a->flags);
-		if (k->ib[l] != 0) {
-			const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k->ib[l]]);
-			CNI_PREFETCH(b);
-			CNI_PREFETCH(&b->flags);
+		if (loop->pass.poses != NULL) {
+			CNI_PREFETCH(&loop->pass.poses[k->ia[l]]);
+			CNI_PREFETCH(&loop->pass.poses[k->ib[l]]);
+		} else {
+			record_prefetch(world, k->ia[l]);
+			record_prefetch(world, k->ib[l]);
 		}
 	}
 	if (next + 1 >= loop->count)
@@ -134,8 +183,11 @@ CNI_INLINE void blocks_prefetch(const follow_loop *loop, int32_t next)
 static uint32_t block_follow(const follow_loop *loop, int32_t block)
 {
 	const cn_world *world = loop->world;
-	uint32_t anchored = loop->pass.dt == 0.0f ? 0 : cni_block_info_at(world, block)->anchored;
+	const cni_block_info *info = cni_block_info_at(world, block);
+	uint32_t anchored = loop->pass.dt == 0.0f ? 0 : info->anchored;
 	cni_follow_bodies bodies;
+	if (anchored != 0 && loop->pass.poses != NULL && info->color < CNI_COLOR_STATIC)
+		return loop->kernel->follow(&loop->pass, cni_block_at(world, block), cni_block_anchor_at(world, block), NULL, anchored);
 	if (anchored != 0)
 		anchored = bodies_find(world, cni_block_at(world, block), cni_block_anchor_at(world, block), anchored, &bodies);
 	if (anchored == 0)
@@ -173,10 +225,15 @@ static int32_t left_collect(const follow_loop *loop, int32_t *left)
 int32_t cni_contacts_follow(cn_world *world, float dt, int32_t *left)
 {
 	follow_loop loop;
+	cni_follow_pose *poses = NULL;
+	int32_t anchored;
 	loop.world = world;
 	loop.kernel = cni_contact_kernel_choose();
 	loop.pass = pass_make(world, dt);
-	blocks_list(world, &loop);
+	anchored = blocks_list(world, &loop);
+	if (dt > 0.0f)
+		loop.pass.poses = poses = poses_make(world, anchored);
 	cni_parallel_for(world, loop.count, BLOCKS_A_RANGE, follow_range, &loop);
+	cni_arena_pop(&world->arena, poses);
 	return left_collect(&loop, left);
 }

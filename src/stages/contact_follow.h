@@ -27,28 +27,55 @@ typedef struct follow_pair {
 	cni_wide extent;             /* of the smaller */
 } follow_pair;
 
-CNI_INLINE follow_pair follow_gather(const cni_motion *motions, const cni_contact_block *k, const cni_follow_bodies *bodies, int32_t l)
+/* The pose of one side's bodies. */
+typedef struct follow_pose {
+	cni_wide x, y, x_low, y_low, c, s, extent, inv_inertia;
+} follow_pose;
+
+#define POSE_FLOATS ((int32_t)(sizeof(cni_follow_pose) / sizeof(float)))
+
+CNI_INLINE void pose_gather(const cni_follow_pose *poses, const int32_t *index, follow_pose *out)
 {
-	const float *base = (const float *)(const void *)motions, *const *a = bodies->a + l, *const *b = bodies->b + l;
+	const float *base = (const float *)(const void *)poses;
+	cni_wide_gather4(base, POSE_FLOATS, index, &out->x, &out->y, &out->x_low, &out->y_low);
+	cni_wide_gather4(base + 4, POSE_FLOATS, index, &out->c, &out->s, &out->extent, &out->inv_inertia);
+}
+
+CNI_INLINE void pose_gather_from(const cni_motion *motions, const int32_t *index, const float *const *records, follow_pose *out)
+{
+	cni_wide u, v, w;
+	cni_wide_gather4_from(records, BODY_POSE, &out->x, &out->y, &out->x_low, &out->y_low);
+	cni_wide_gather4_from(records, BODY_TURN, &out->c, &out->s, &u, &v);
+	cni_wide_gather4_from(records, BODY_TO_EXTENT, &u, &v, &w, &out->extent);
+	cni_wide_gather4((const float *)(const void *)motions + 4, MOTION_FLOATS, index, &u, &v, &w, &out->inv_inertia);
+}
+
+CNI_INLINE follow_pair follow_gather(const cni_follow_pass *pass, const cni_contact_block *k, const cni_follow_bodies *bodies, int32_t l)
+{
+	const float *base = (const float *)(const void *)pass->motions;
 	follow_pair p;
-	cni_wide avx, avy, ax, ay, ax_low, ay_low, bx, by, bx_low, by_low, bc, bs, ea, eb, u, v, w;
+	follow_pose a, b;
+	cni_wide avx, avy;
 	cni_wide_gather4(base, MOTION_FLOATS, k->ia + l, &avx, &avy, &p.wa, &p.ma);
 	cni_wide_gather4(base, MOTION_FLOATS, k->ib + l, &p.vx, &p.vy, &p.wb, &p.mb);
-	cni_wide_gather4(base + 4, MOTION_FLOATS, k->ia + l, &u, &v, &w, &p.ia);
-	cni_wide_gather4(base + 4, MOTION_FLOATS, k->ib + l, &u, &v, &w, &p.ib);
 	p.vx -= avx;
 	p.vy -= avy;
-	cni_wide_gather4_from(a, BODY_POSE, &ax, &ay, &ax_low, &ay_low);
-	cni_wide_gather4_from(b, BODY_POSE, &bx, &by, &bx_low, &by_low);
-	p.dx = (bx - ax) + (bx_low - ax_low);
-	p.dy = (by - ay) + (by_low - ay_low);
-	cni_wide_gather4_from(a, BODY_TURN, &p.ac, &p.as, &u, &v);
-	cni_wide_gather4_from(b, BODY_TURN, &bc, &bs, &u, &v);
-	p.turn_c = p.ac * bc + p.as * bs;
-	p.turn_s = p.ac * bs - p.as * bc;
-	cni_wide_gather4_from(a, BODY_TO_EXTENT, &u, &v, &w, &ea);
-	cni_wide_gather4_from(b, BODY_TO_EXTENT, &u, &v, &w, &eb);
-	p.extent = cni_wide_min(ea, eb);
+	if (bodies == NULL) {
+		pose_gather(pass->poses, k->ia + l, &a);
+		pose_gather(pass->poses, k->ib + l, &b);
+	} else {
+		pose_gather_from(pass->motions, k->ia + l, bodies->a + l, &a);
+		pose_gather_from(pass->motions, k->ib + l, bodies->b + l, &b);
+	}
+	p.ia = a.inv_inertia;
+	p.ib = b.inv_inertia;
+	p.dx = (b.x - a.x) + (b.x_low - a.x_low);
+	p.dy = (b.y - a.y) + (b.y_low - a.y_low);
+	p.ac = a.c;
+	p.as = a.s;
+	p.turn_c = a.c * b.c + a.s * b.s;
+	p.turn_s = a.c * b.s - a.s * b.c;
+	p.extent = cni_wide_min(a.extent, b.extent);
 	return p;
 }
 
@@ -136,7 +163,7 @@ CNI_INLINE void follow_point_store(const follow_pair *f, cni_contact_row *row, i
 /* Lanes of a vector that were followed, as bits. */
 CNI_INLINE uint32_t follow_group(const cni_follow_pass *pass, cni_contact_block *k, const cni_block_anchor *anchor, const cni_follow_bodies *bodies, uint32_t anchored, int32_t l)
 {
-	follow_pair f = follow_gather(pass->motions, k, bodies, l);
+	follow_pair f = follow_gather(pass, k, bodies, l);
 	follow_change g = follow_change_make(&f, k, anchor, l);
 	follow_point p = follow_point_make(&g, k, anchor, 0, l), q = follow_point_make(&g, k, anchor, 1, l);
 	cni_wide fa = cni_wide_load(k->fa + l) + cni_wide_select(q.used, 0.5f * (p.shift + q.shift), p.shift), fb = fa - g.dn;

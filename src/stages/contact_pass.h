@@ -83,9 +83,18 @@ static inline const float *cni_record_floats(const cni_body *b)
 	return (const float *)(const void *)b;
 }
 
+/* What following reads of a body, by its dense index. */
+typedef struct cni_follow_pose {
+	float x, y, x_low, y_low;
+	float c, s;
+	float extent;      /* < 0: some axis is locked, its lanes are not followed */
+	float inv_inertia;
+} cni_follow_pose;
+
 /* Numbers of following: see stages/contact_follow.h. */
 typedef struct cni_follow_pass {
 	const cni_motion *motions;
+	const cni_follow_pose *poses; /* NULL: records are read instead */
 	float dt;          /* of the step */
 	float drift_most;  /* metres that surfaces may slide along each other */
 	float hair;        /* ... that a pair which is apart may move in the step */
@@ -96,12 +105,12 @@ typedef struct cni_follow_pass {
 /* ... and what part of the smaller body's extent. */
 #define CNI_FOLLOW_PART (1.0f / 256.0f)
 
-/* Records of the lanes' bodies, as floats. */
+/* Records of the lanes' bodies, as floats, where poses do not tell. */
 typedef struct cni_follow_bodies {
 	const float *a[CNI_LANES], *b[CNI_LANES];
 } cni_follow_bodies;
 
-/* Brings lanes with an anchor up to date; returns those, as bits, for which that holds good. */
+/* Brings lanes with an anchor up to date; returns those, as bits, for which that holds good. bodies NULL: by the pass's poses. */
 typedef uint32_t cni_contact_follow_fn(const cni_follow_pass *pass, cni_contact_block *block, const cni_block_anchor *anchor, const cni_follow_bodies *bodies, uint32_t anchored);
 
 typedef struct cni_contact_kernel {

@@ -6,7 +6,8 @@
  * radius, the core of each of its shapes, shrunk by twice that, is moved along its path against the static
  * shapes there (for bullets: against all, each on its own path); at the first meeting the rest of the path is given
  * up for this step, by a dynamic body that a bullet meets too.
- * Most bodies have nothing static about them, which the narrowphase saw; they are not looked at any further.
+ * Most bodies have nothing static about them, which the narrowphase saw; they are not looked at any further. Those that stay
+ * within their boxes can meet only what they have contacts with.
  * A shape that merely rests on or slides along something keeps its core clear of it, so nothing catches.
  *
  * Reads bodies, shapes, the broadphase; writes the changes in motion of the bodies that meet.
@@ -168,7 +169,21 @@ static void motion_shorten(cni_motion *m, float fraction)
 	m->theta *= fraction;
 }
 
-static void clamp_body(cn_world *world, int32_t body, int32_t what)
+/* The static shapes that the shape has contacts with. */
+static void visit_contacts(clamp *c)
+{
+	const cn_world *world = c->world;
+	int32_t key;
+	for (key = c->body->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+		const cni_contact *contact = cni_contact_of_key(world, key);
+		int32_t other = contact->proxy[1 - (key & 1)];
+		if (contact->proxy[key & 1] == c->proxy && (cni_proxy_at(world, other)->flags & CNI_PROXY_STATIC))
+			visit(c, other, 0.0f);
+	}
+}
+
+/* watched: whatever it could meet has a contact with it. */
+static void clamp_body(cn_world *world, int32_t body, int32_t what, int32_t watched)
 {
 	const cni_body *b = cni_body_at(world, body);
 	cni_motion *m = cni_motions(world) + b->awake;
@@ -187,7 +202,10 @@ static void clamp_body(cn_world *world, int32_t body, int32_t what)
 		if (s->type == CN_SHAPE_CHAIN || (s->flags & CN_SHAPE_SENSOR) || c.proxy == CNI_NONE)
 			continue;
 		core_make(cni_shape_geometry(&world->blocks, s), &c.core);
-		world->broadphase_ops->query(world->broadphase, &box, visit, &c);
+		if (watched)
+			visit_contacts(&c);
+		else
+			world->broadphase_ops->query(world->broadphase, &box, visit, &c);
 	}
 	motion_shorten(m, c.fraction);
 	if (c.met != 0) /* it was not found to be free beyond that either: it would sweep over the bullet */
@@ -256,25 +274,20 @@ static int32_t path_is_watched(const cn_world *world, const cni_body *b, const c
 	return 1;
 }
 
-/* Can there be nothing static on the body's way? at_static: it has static bodies about it. */
-static int32_t way_is_clear(const cn_world *world, const cni_body *b, const cni_motion *m, uint32_t at_static)
+/* A fast body. Bullets may meet what they have no contact with. */
+static void body_guard(cn_world *world, int32_t body, const cni_motion *m)
 {
-	if (b->flags & CN_BODY_BULLET)
-		return 0;
+	const cni_body *b = cni_body_at(world, body);
+	int32_t watched;
+	if (b->flags & CN_BODY_BULLET) {
+		clamp_body(world, body, CLAMP_ALL, 0);
+		return;
+	}
 	if (world->movable_count == world->body_handles.count)
-		return 1; /* nothing is static anywhere */
-	return !at_static && !world->pairs_may_repeat && path_is_watched(world, b, m);
-}
-
-static void body_guard(cn_world *world, int32_t k)
-{
-	int32_t body = cni_awake_ids(world)[k];
-	cni_body *b = cni_body_at(world, body);
-	const cni_motion *m = cni_motions(world) + k;
-	uint32_t at_static = b->flags & CNI_BODY_AT_STATIC;
-	b->flags &= ~(uint32_t)CNI_BODY_AT_STATIC;
-	if (body_is_fast(b, m) && !way_is_clear(world, b, m, at_static))
-		clamp_body(world, body, b->flags & CN_BODY_BULLET ? CLAMP_ALL : CLAMP_STATIC);
+		return; /* nothing is static anywhere */
+	watched = !world->pairs_may_repeat && path_is_watched(world, b, m);
+	if (!watched || (b->flags & CNI_BODY_AT_STATIC))
+		clamp_body(world, body, CLAMP_STATIC, watched);
 }
 
 /* Leaves the fast ones to be looked at in order: one may shorten the change of another, which never makes a slow one fast. */
@@ -283,26 +296,43 @@ static void slow_range(void *context, int32_t begin, int32_t end, int32_t worker
 	const cn_world *world = (const cn_world *)context;
 	int32_t k;
 	(void)worker;
-	for (k = begin + 1; k <= end; ++k) {
-		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
-		if (body_is_fast(b, cni_motions(world) + k))
+	for (k = begin + 1; k <= end; ++k)
+		if (body_is_fast(cni_body_at(world, cni_awake_ids(world)[k]), cni_motions(world) + k))
 			cni_drives(world)[k].flags |= CNI_DRIVE_LATER;
-		else
-			b->flags &= ~(uint32_t)CNI_BODY_AT_STATIC;
+}
+
+static void fast_guard(cn_world *world)
+{
+	const int32_t *ids = cni_awake_ids(world);
+	const cni_motion *motions = cni_motions(world);
+	int32_t k, count = world->awake_count;
+	for (k = 1; k < count; ++k)
+		if (body_is_fast(cni_body_at(world, ids[k]), &motions[k]))
+			body_guard(world, ids[k], &motions[k]);
+}
+
+/* After slow_range: a body that was fast may be slow by now. */
+static void later_guard(cn_world *world)
+{
+	cni_drive *drives = cni_drives(world);
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		const cni_motion *m = cni_motions(world) + k;
+		int32_t body = cni_awake_ids(world)[k];
+		if (!(drives[k].flags & CNI_DRIVE_LATER))
+			continue;
+		drives[k].flags &= ~(uint32_t)CNI_DRIVE_LATER;
+		if (body_is_fast(cni_body_at(world, body), m))
+			body_guard(world, body, m);
 	}
 }
 
 void cni_stage_continuous(cn_world *world)
 {
-	int32_t k, shared = world->team != NULL && world->awake_count > 2 * BODIES_A_RANGE;
-	if (shared)
+	if (world->team != NULL && world->awake_count > 2 * BODIES_A_RANGE) {
 		cni_parallel_for(world, world->awake_count - 1, BODIES_A_RANGE, slow_range, world);
-	for (k = 1; k < world->awake_count; ++k) {
-		if (shared) {
-			if (!(cni_drives(world)[k].flags & CNI_DRIVE_LATER))
-				continue;
-			cni_drives(world)[k].flags &= ~(uint32_t)CNI_DRIVE_LATER;
-		}
-		body_guard(world, k);
+		later_guard(world);
+	} else {
+		fast_guard(world);
 	}
 }

@@ -60,12 +60,15 @@ static cni_rot rotate_by(cni_rot q, float theta)
 	return cni_rot_normalize(cni_rot_mul(q, cni_sincos(theta)));
 }
 
+/* Flags that tell of the way that is taken. */
+#define OF_THE_WAY ((uint32_t)CNI_BODY_AHEAD | (uint32_t)CNI_BODY_AT_STATIC)
+
 /* A change too small to show in the pose only goes into the low part: the body did not move for anyone to see. */
 static void take_pose(cni_body *b, cni_motion *m)
 {
 	cni_vec2 before = cni_body_origin(b), after;
 	cni_rot q = b->q;
-	b->flags &= ~(uint32_t)CNI_BODY_AHEAD;
+	b->flags &= ~OF_THE_WAY;
 	sum_exactly(&b->cx, &b->cx_low, m->dpx);
 	sum_exactly(&b->cy, &b->cy_low, m->dpy);
 	if (m->theta != 0.0f)
@@ -117,7 +120,7 @@ static int32_t take_poses(cni_body *const *b, cni_motion *m)
 	reach = cni_wide_max(cni_wide_abs(dx), cni_wide_abs(dy)) + cni_wide_abs(turn) * extent + cni_wide_of(CNI_BODY_ROUNDING) * (cni_wide_abs(x) + cni_wide_abs(y) + extent);
 	for (l = 0; l < 4; ++l) {
 		cni_body_set_room(b[l], cni_body_room(b[l]) - reach[l]);
-		b[l]->flags = (b[l]->flags & ~(uint32_t)CNI_BODY_AHEAD) | (moved >> l & 1u ? (uint32_t)CNI_BODY_MOVED : 0u);
+		b[l]->flags = (b[l]->flags & ~OF_THE_WAY) | (moved >> l & 1u ? (uint32_t)CNI_BODY_MOVED : 0u);
 	}
 	cni_wide_scatter4_to(records, at_center, x, y, x_low, y_low);
 	cni_wide_scatter4_to(records, at_rotation, new_c, new_s, lx, ly);

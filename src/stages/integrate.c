@@ -13,11 +13,7 @@
  * are fixed within the step; joints correct for their turning anchors in joint_solve.c).
  */
 #include "base/cpu.h"
-#include "stages/solver.h"
-#if CNI_HAS_WIDE_4
-#define CNI_WIDTH 4
-#include "base/wide.h"
-#endif
+#include "stages/integrate_pass.h"
 
 #define BODIES_A_RANGE 256 /* about a microsecond */
 #define DRIVES_A_RANGE 512 /* about ten: their records are read */
@@ -168,15 +164,17 @@ static void correct_to_trapezoid(cni_motion *m, const cni_velocity_start *start,
 	m->theta -= 0.5f * h * dw;
 }
 
-/* Any body: with damping, or where there are no vectors. first: of the step's substeps. */
+/* Bodies that a kernel leaves, and all where there is none. */
 static void velocity_take(const cn_world *world, int32_t k, float h, int32_t first)
 {
 	cni_motion *m = cni_motions(world) + k;
 	cni_velocity_start *start = cni_starts(world) + k;
 	const cni_drive *d = cni_drives(world) + k;
 	float rx = 0.0f, ry = 0.0f, rw = 0.0f;
+	if (d->flags & CNI_DRIVE_DONE)
+		return;
 	if (!first) {
-		if (!(d->flags & (CNI_DRIVE_JOINTED | CNI_DRIVE_DAMPED)))
+		if (!(d->flags & CNI_DRIVE_AS_IT_IS))
 			correct_to_trapezoid(m, start, d, h);
 		rx = m->vx - start->vx;
 		ry = m->vy - start->vy;
@@ -198,83 +196,63 @@ static void velocity_take(const cn_world *world, int32_t k, float h, int32_t fir
 	m->w = start->w + rw;
 }
 
-#if CNI_HAS_WIDE_4
-
-static const cni_mask three = { -1, -1, -1, 0 }; /* components, without the inverse mass or the flags beside them */
-
-static cni_wide only_three(cni_wide a)
+static void axes_lock(cni_motion *m, uint32_t flags)
 {
-	return (cni_wide)((cni_mask)a & three);
+	if (flags & CNI_DRIVE_LOCK_X)
+		m->vx = 0.0f;
+	if (flags & CNI_DRIVE_LOCK_Y)
+		m->vy = 0.0f;
 }
 
-/* With the bits of correct_to_trapezoid. response: motion.v - start; change: what the drive gives. */
-static void correct_to_trapezoid_wide(cni_motion *m, const cni_velocity_start *start, cni_wide response, cni_wide change, float h)
+static void position_take(const cn_world *world, int32_t k, float h)
 {
-	cni_wide jump = response + change, jump_sq = jump * jump, change_sq = change * change;
-	if (start->struck == 0.0f && !(jump_sq[0] + jump_sq[1] > 4.0f * (change_sq[0] + change_sq[1])))
-		cni_wide_store(&m->dpx, cni_wide_load(&m->dpx) - cni_wide_of(0.5f * h) * jump);
-}
-
-/* The three components of a body without damping at once, with the bits of velocity_take. */
-static void velocity_take_wide(cni_motion *m, cni_velocity_start *start, const cni_drive *d, float h, int32_t first)
-{
-	cni_wide v = cni_wide_load(&m->vx), change = cni_wide_of(h) * only_three(cni_wide_load(&d->ax)), response = { 0 }, from;
-	if (!first) {
-		response = only_three(v - cni_wide_load(&start->vx));
-		if (!(d->flags & CNI_DRIVE_JOINTED))
-			correct_to_trapezoid_wide(m, start, response, change, h);
-	}
-	from = v + change;
-	cni_wide_store(&start->vx, only_three(from));
-	cni_wide_store(&m->vx, from + response);
-}
-
-static void position_finish(cni_motion *m, const cni_velocity_start *start, const cni_drive *d, float h)
-{
-	cni_wide response = only_three(cni_wide_load(&m->vx) - cni_wide_load(&start->vx));
-	correct_to_trapezoid_wide(m, start, response, cni_wide_of(h) * only_three(cni_wide_load(&d->ax)), h);
-}
-
-static void position_take(cni_motion *m, float h)
-{
-	cni_wide_store(&m->dpx, cni_wide_load(&m->dpx) + cni_wide_of(h) * only_three(cni_wide_load(&m->vx)));
-}
-
-#else
-
-static void position_finish(cni_motion *m, const cni_velocity_start *start, const cni_drive *d, float h)
-{
-	correct_to_trapezoid(m, start, d, h);
-}
-
-static void position_take(cni_motion *m, float h)
-{
+	cni_motion *m = cni_motions(world) + k;
+	uint32_t flags = cni_drives(world)[k].flags;
+	if (flags & CNI_DRIVE_DONE)
+		return;
+	axes_lock(m, flags);
 	m->dpx += h * m->vx;
 	m->dpy += h * m->vy;
 	m->theta += h * m->w;
 }
 
+static void position_finish(const cn_world *world, int32_t k, float h)
+{
+	cni_motion *m = cni_motions(world) + k;
+	const cni_drive *d = cni_drives(world) + k;
+	if (!(d->flags & (CNI_DRIVE_FREE | CNI_DRIVE_AS_IT_IS)))
+		correct_to_trapezoid(m, cni_starts(world) + k, d, h);
+	axes_lock(m, d->flags);
+}
+
+const cni_body_kernel *cni_body_kernel_choose(void)
+{
+#if CNI_HAS_WIDE_8
+	if (cni_cpu_has_avx2())
+		return &cni_body_kernel_8;
 #endif
+#if CNI_HAS_WIDE_4
+	return &cni_body_kernel_4;
+#else
+	return NULL;
+#endif
+}
+
+static cni_body_pass body_pass_make(const body_loop *loop)
+{
+	cni_body_pass pass = { loop->world, cni_motions(loop->world), cni_starts(loop->world), cni_drives(loop->world), loop->s->h, loop->substep == 0 };
+	return pass;
+}
 
 static void velocity_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const body_loop *loop = (const body_loop *)context;
-	const cn_world *world = loop->world;
-	const cni_drive *drives = cni_drives(world);
-	float h = loop->s->h;
-	int32_t k, first = loop->substep == 0;
+	const cni_body_kernel *kernel = loop->s->body_kernel;
+	cni_body_pass pass = body_pass_make(loop);
+	int32_t k = kernel == NULL ? begin + 1 : kernel->velocities(&pass, begin + 1, end + 1);
 	(void)worker;
-	for (k = begin + 1; k <= end; ++k) {
-		if (drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG))
-			continue;
-#if CNI_HAS_WIDE_4
-		if (!(drives[k].flags & CNI_DRIVE_DAMPED)) {
-			velocity_take_wide(cni_motions(world) + k, cni_starts(world) + k, &drives[k], h, first);
-			continue;
-		}
-#endif
-		velocity_take(world, k, h, first);
-	}
+	for (; k <= end; ++k)
+		velocity_take(loop->world, k, pass.h, pass.first);
 }
 
 void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t substep)
@@ -285,23 +263,12 @@ void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t subst
 static void position_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const body_loop *loop = (const body_loop *)context;
-	cni_motion *motions = cni_motions(loop->world);
-	const cni_drive *drives = cni_drives(loop->world);
-	float h = loop->s->h;
-	int32_t k;
+	const cni_body_kernel *kernel = loop->s->body_kernel;
+	cni_body_pass pass = body_pass_make(loop);
+	int32_t k = kernel == NULL ? begin + 1 : kernel->positions(&pass, begin + 1, end + 1);
 	(void)worker;
-	for (k = begin + 1; k <= end; ++k) {
-		cni_motion *m = &motions[k];
-		if (drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG | CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y)) {
-			if (drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG))
-				continue;
-			if (drives[k].flags & CNI_DRIVE_LOCK_X)
-				m->vx = 0.0f;
-			if (drives[k].flags & CNI_DRIVE_LOCK_Y)
-				m->vy = 0.0f;
-		}
-		position_take(m, h);
-	}
+	for (; k <= end; ++k)
+		position_take(loop->world, k, pass.h);
 }
 
 void cni_integrate_positions(cn_world *world, const cni_solve *s)
@@ -312,21 +279,12 @@ void cni_integrate_positions(cn_world *world, const cni_solve *s)
 static void finish_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const body_loop *loop = (const body_loop *)context;
-	cni_motion *motions = cni_motions(loop->world);
-	const cni_velocity_start *starts = cni_starts(loop->world);
-	const cni_drive *drives = cni_drives(loop->world);
-	int32_t k;
+	const cni_body_kernel *kernel = loop->s->body_kernel;
+	cni_body_pass pass = body_pass_make(loop);
+	int32_t k = kernel == NULL ? begin + 1 : kernel->finish(&pass, begin + 1, end + 1);
 	(void)worker;
-	for (k = begin + 1; k <= end; ++k) {
-		if (!(drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_JOINTED | CNI_DRIVE_DAMPED)))
-			position_finish(&motions[k], &starts[k], &drives[k], loop->s->h);
-		if (!(drives[k].flags & (CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y)))
-			continue;
-		if (drives[k].flags & CNI_DRIVE_LOCK_X)
-			motions[k].vx = 0.0f;
-		if (drives[k].flags & CNI_DRIVE_LOCK_Y)
-			motions[k].vy = 0.0f;
-	}
+	for (; k <= end; ++k)
+		position_finish(loop->world, k, pass.h);
 }
 
 void cni_integrate_finish(cn_world *world, const cni_solve *s)

@@ -2,6 +2,7 @@
  * stages/solve_make.c - the numbers of one step: substep length and soft-constraint coefficients.
  */
 #include "stages/contact_pass.h"
+#include "stages/integrate_pass.h"
 #include "stages/joint_pass.h"
 
 #define WARM_MOST 4.0f /* what is borne is a force: a longer step needs larger impulses. After a pause nothing is known */
@@ -128,6 +129,7 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	s.joint = cni_soft_implicit(0.25f * s.inv_h, 2.0f, s.h);
 	s.kernel = cni_contact_kernel_choose();
 	s.joint_kernel = cni_joint_kernel_choose();
+	s.body_kernel = cni_body_kernel_choose();
 	s.direct = NULL;
 	s.coarse = 0;
 	s.bounces = 0;

@@ -57,6 +57,7 @@ enum {
 
 struct cni_contact_kernel; /* stages/contact_pass.h */
 struct cni_joint_kernel;   /* stages/joint_pass.h */
+struct cni_body_kernel;    /* stages/integrate_pass.h */
 
 /* v' = (v + h a) times this: v' = a - damping v taken implicitly, so that the speed that a fall tends to is exact. */
 static inline float cni_damping_factor(float damping, float h)
@@ -75,6 +76,7 @@ typedef struct cni_solve {
 	cni_soft joint;
 	const struct cni_contact_kernel *kernel;
 	const struct cni_joint_kernel *joint_kernel;
+	const struct cni_body_kernel *body_kernel; /* NULL: bodies one by one */
 	struct cni_sparse *direct; /* joints that are solved directly, NULL: none */
 	int32_t coarse;            /* some net has patches: stages/joint_coarse.h */
 	int32_t bounces;           /* some contact has restitution */

@@ -1,0 +1,157 @@
+/*
+ * test/stages/integrate_test.c - the loops over bodies of a substep (stages/integrate.c): kernels do with vectors what the plain
+ * code does with one body, to the bit, whatever flags bodies side by side have.
+ *
+ * If a width differs look in stages/integrate_kernel.h; if a flag does, at its masks there.
+ */
+#include "base/cpu.h"
+#include "stages/integrate_pass.h"
+#include "world/fixture.h"
+
+#include <string.h>
+
+#define BODIES 61 /* odd: one is left over */
+#define ROUNDS 200
+
+/* xorshift32 (Marsaglia, 2003) */
+static uint32_t random_state = 7u;
+static uint32_t random_bits(void)
+{
+	random_state ^= random_state << 13;
+	random_state ^= random_state >> 17;
+	random_state ^= random_state << 5;
+	return random_state;
+}
+
+static float pick(float lower, float upper)
+{
+	return lower + (upper - lower) * (float)(random_bits() >> 8) / 16777216.0f;
+}
+
+/* Zeros of both signs among them. */
+static float pick_some(float most)
+{
+	uint32_t which = random_bits() % 8u;
+	return which == 0 ? 0.0f : which == 1 ? -0.0f : pick(-most, most);
+}
+
+typedef struct state {
+	cni_motion motions[BODIES + 1];
+	cni_velocity_start starts[BODIES + 1];
+	cni_drive drives[BODIES + 1];
+} state;
+
+static state drawn, plain, wide;
+
+/* flags: those that bodies may have. Responses are of the size of what gravity gives, so that some are corrected. */
+static void draw(uint32_t flags)
+{
+	int32_t k;
+	memset(&drawn, 0, sizeof drawn);
+	for (k = 1; k <= BODIES; ++k) {
+		cni_motion *m = &drawn.motions[k];
+		cni_velocity_start *s = &drawn.starts[k];
+		cni_drive *d = &drawn.drives[k];
+		m->vx = pick_some(2.0f);
+		m->vy = pick_some(2.0f);
+		m->w = pick_some(5.0f);
+		m->dpx = pick_some(0.1f);
+		m->dpy = pick_some(0.1f);
+		m->theta = pick_some(0.1f);
+		m->inv_mass = pick(0.0f, 3.0f);
+		m->inv_inertia = pick(0.0f, 3.0f);
+		s->vx = m->vx + pick_some(0.2f);
+		s->vy = m->vy + pick_some(0.2f);
+		s->w = m->w + pick_some(0.2f);
+		s->struck = random_bits() % 4u == 0 ? 1.0f : 0.0f;
+		d->ax = pick_some(20.0f);
+		d->ay = pick_some(20.0f);
+		d->alpha = pick_some(20.0f);
+		d->flags = random_bits() % 3u == 0 ? random_bits() & flags : 0u;
+	}
+}
+
+static void put(cn_world *world, const state *s)
+{
+	memcpy(cni_motions(world), s->motions, sizeof s->motions);
+	memcpy(cni_starts(world), s->starts, sizeof s->starts);
+	memcpy(cni_drives(world), s->drives, sizeof s->drives);
+}
+
+static void get(const cn_world *world, state *s)
+{
+	memcpy(s->motions, cni_motions(world), sizeof s->motions);
+	memcpy(s->starts, cni_starts(world), sizeof s->starts);
+	memcpy(s->drives, cni_drives(world), sizeof s->drives);
+}
+
+enum { VELOCITIES_FIRST, VELOCITIES, POSITIONS, FINISH, LOOPS };
+
+static void run(cn_world *world, const cni_body_kernel *kernel, int32_t loop, state *out)
+{
+	cni_solve s = cni_solve_make(world, FRAME_S);
+	s.body_kernel = kernel;
+	put(world, &drawn);
+	if (loop == VELOCITIES_FIRST)
+		cni_integrate_velocities(world, &s, 0);
+	else if (loop == VELOCITIES)
+		cni_integrate_velocities(world, &s, 1);
+	else if (loop == POSITIONS)
+		cni_integrate_positions(world, &s);
+	else
+		cni_integrate_finish(world, &s);
+	get(world, out);
+}
+
+/* The dummy is row 0. */
+static cn_world *world_of_bodies(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	int32_t k;
+	for (k = 0; k < BODIES; ++k) {
+		cn_body body = fixture_box(world, CN_BODY_DYNAMIC, 3.0f * (float)k, 0.0f, 0.0f, 0.5f, 0.5f, 0.5f, 0.0f);
+		must(cn_body_set_damping(world, body, 0.1f * (float)(k % 5), 0.2f * (float)(k % 3)), world, "cn_body_set_damping");
+	}
+	CHECK(world->awake_count == BODIES + 1);
+	return world;
+}
+
+static void same_bits(cn_world *world, const cni_body_kernel *kernel, const char *name)
+{
+	static const uint32_t flags[] = { 0, CNI_DRIVE_FREE | CNI_DRIVE_SWUNG, CNI_DRIVE_DAMPED, CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y, CNI_DRIVE_JOINTED | CNI_DRIVE_TOUCHED, 127u };
+	int32_t round, loop, kind, differ = 0, moved = 0;
+	for (round = 0; round < ROUNDS; ++round)
+		for (kind = 0; kind < (int32_t)(sizeof flags / sizeof flags[0]); ++kind) {
+			draw(flags[kind]);
+			for (loop = 0; loop < LOOPS; ++loop) {
+				run(world, NULL, loop, &plain);
+				run(world, kernel, loop, &wide);
+				differ += memcmp(&plain, &wide, sizeof plain) != 0;
+				moved += memcmp(&plain, &drawn, sizeof plain) != 0;
+			}
+		}
+	printf("  %s: runs that changed something %d of %d\n", name, (int)moved, ROUNDS * 6 * LOOPS);
+	CHECK(moved > ROUNDS * 6 * LOOPS * 9 / 10);
+	CHECK_LE("runs that differ from the plain code", differ, 0, "");
+	put(world, &drawn);
+}
+
+static void kernels_have_the_bits_of_the_plain_code(void)
+{
+	cn_world *world = world_of_bodies();
+#if CNI_HAS_WIDE_4
+	same_bits(world, &cni_body_kernel_4, "width 4");
+#endif
+#if CNI_HAS_WIDE_8
+	if (cni_cpu_has_avx2())
+		same_bits(world, &cni_body_kernel_8, "width 8");
+#endif
+	same_bits(world, cni_body_kernel_choose(), "as chosen");
+	cn_world_destroy(world);
+}
+
+int main(void)
+{
+	RUN(kernels_have_the_bits_of_the_plain_code);
+	return test_end();
+}
