@@ -78,18 +78,24 @@ typedef struct point {
 	cni_wide old;
 } point;
 
+/* Of a point, where the bodies are now. */
+CNI_INLINE cni_wide point_separation(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b)
+{
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
+	cni_wide an = cni_wide_load(p->an + l), bn = an - cni_wide_load(k->dn + l), at = cni_wide_load(p->at + l), bt = at - cni_wide_load(k->dt + l);
+	return cni_wide_load(p->s0 + l) + nx * (b->x - a->x) + ny * (b->y - a->y) + (b->c1 * bn + b->s * bt) - (a->c1 * an + a->s * at);
+}
+
 /* bias: the soft pass, else the rigid one. */
-CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row *p, int32_t l, cni_wide nx, cni_wide ny,
-                               const side *a, const side *b, const cni_contact_pass *pass, int32_t bias)
+CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b, const cni_contact_pass *pass, int32_t bias)
 {
 	point q;
-	cni_wide an = cni_wide_load(p->an + l), bn = an - cni_wide_load(k->dn + l), nm = cni_wide_load(p->nm + l);
-	cni_wide s, vn, soft_push, push, scale, part;
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), nm = cni_wide_load(p->nm + l), s = point_separation(k, p, l, a, b);
+	cni_wide vn, soft_push, push, scale, part;
 	const cni_wide zero = cni_wide_of(0.0f), one = cni_wide_of(1.0f);
 	q.at = cni_wide_load(p->at + l);
 	q.bt = q.at - cni_wide_load(k->dt + l);
 	q.old = cni_wide_load(p->jn + l);
-	s = cni_wide_load(p->s0 + l) + nx * (b->x - a->x) + ny * (b->y - a->y) + (b->c1 * bn + b->s * q.bt) - (a->c1 * an + a->s * q.at);
 	vn = nx * (b->vx - a->vx) + ny * (b->vy - a->vy) + b->w * q.bt - a->w * q.at;
 	soft_push = bias ? cni_wide_max(pass->soft.bias_scale * s, cni_wide_of(-pass->push_speed * pass->soft.mass_scale)) : zero;
 	push = cni_wide_select(s > zero, s * pass->inv_h, soft_push);
@@ -125,14 +131,17 @@ CNI_INLINE int32_t has_one_point(const cni_contact_block *k, int32_t l)
 	return cni_mask_bits(cni_wide_load(k->p[1].nm + l) != cni_wide_of(0.0f)) == 0;
 }
 
-/* What solve_normals makes of it where there is no second point. */
-CNI_INLINE void solve_normal(cni_contact_block *k, int32_t l, side *a, side *b, cni_wide nx, cni_wide ny, const cni_contact_pass *pass, int32_t bias)
+/* The points of every lane: both, or the first where no lane has a second. */
+typedef struct normals {
+	point p, q;
+	cni_wide jp, jq;
+} normals;
+
+CNI_INLINE void normals_prepare(normals *out, const cni_contact_block *k, int32_t l, const side *a, const side *b, const cni_contact_pass *pass, int32_t bias, int32_t points)
 {
-	const cni_wide zero = cni_wide_of(0.0f);
-	point p = point_prepare(k, &k->p[0], l, nx, ny, a, b, pass, bias);
-	cni_wide impulse = cni_wide_select(p.want >= zero, p.want, zero);
-	cni_wide_store(k->p[0].jn + l, impulse);
-	apply_normal(a, b, nx, ny, &p, impulse);
+	out->p = point_prepare(k, &k->p[0], l, a, b, pass, bias);
+	if (points == 2)
+		out->q = point_prepare(k, &k->p[1], l, a, b, pass, bias);
 }
 
 /*
@@ -141,23 +150,48 @@ CNI_INLINE void solve_normal(cni_contact_block *k, int32_t l, side *a, side *b, 
  * (total enumeration after Catto, "Iterative Dynamics", 2005). k12 is held a little below its true
  * size, which keeps A well conditioned when the points nearly coincide and does not move the fixed point.
  */
-CNI_INLINE void solve_normals(cni_contact_block *k, const cni_block_extra *extra, int32_t l, side *a, side *b, cni_wide nx, cni_wide ny, const cni_contact_pass *pass, int32_t bias)
+CNI_INLINE void normals_solve_both(normals *c, const cni_contact_block *k, const cni_block_extra *extra, int32_t l, const side *a, const side *b)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
-	point p = point_prepare(k, &k->p[0], l, nx, ny, a, b, pass, bias), q = point_prepare(k, &k->p[1], l, nx, ny, a, b, pass, bias);
+	const point *p = &c->p, *q = &c->q;
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
 	cni_wide mass = extra != NULL ? nx * nx * (a->mx + b->mx) + ny * ny * (a->my + b->my) : a->m + b->m;
-	cni_wide k12 = 0.99f * (mass + a->i * p.at * q.at + b->i * p.bt * q.bt);
-	cni_wide kp = k12 * p.m, kq = k12 * q.m, rp = p.want + kp * q.old, rq = q.want + kq * p.old;
+	cni_wide k12 = 0.99f * (mass + a->i * p->at * q->at + b->i * p->bt * q->bt);
+	cni_wide kp = k12 * p->m, kq = k12 * q->m, rp = p->want + kp * q->old, rq = q->want + kq * p->old;
 	cni_wide inv_det = 1.0f / (1.0f - kp * kq);
 	cni_wide both_p = (rp - kp * rq) * inv_det, both_q = (rq - kq * rp) * inv_det;
 	cni_wide one_p = cni_wide_max(rp, zero), one_q = cni_wide_max(rq, zero);
 	cni_mask only_p = kq * one_p >= rq, both = (both_p >= zero) & (both_q >= zero);
-	cni_wide jp = cni_wide_select(both, both_p, cni_wide_select(only_p, one_p, zero));
-	cni_wide jq = cni_wide_select(both, both_q, cni_wide_select(only_p, zero, one_q));
-	cni_wide_store(k->p[0].jn + l, jp);
-	cni_wide_store(k->p[1].jn + l, jq);
-	apply_normal(a, b, nx, ny, &p, jp);
-	apply_normal(a, b, nx, ny, &q, jq);
+	c->jp = cni_wide_select(both, both_p, cni_wide_select(only_p, one_p, zero));
+	c->jq = cni_wide_select(both, both_q, cni_wide_select(only_p, zero, one_q));
+}
+
+CNI_INLINE void normals_solve(normals *c, const cni_contact_block *k, const cni_block_extra *extra, int32_t l, const side *a, const side *b, int32_t points)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	if (points == 2)
+		normals_solve_both(c, k, extra, l, a, b);
+	else
+		c->jp = cni_wide_select(c->p.want >= zero, c->p.want, zero); /* what the above makes of a second point whose row is zero */
+}
+
+CNI_INLINE void normals_apply(const normals *c, cni_contact_block *k, int32_t l, side *a, side *b, int32_t points)
+{
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
+	cni_wide_store(k->p[0].jn + l, c->jp);
+	apply_normal(a, b, nx, ny, &c->p, c->jp);
+	if (points == 2) {
+		cni_wide_store(k->p[1].jn + l, c->jq);
+		apply_normal(a, b, nx, ny, &c->q, c->jq);
+	}
+}
+
+CNI_INLINE void solve_normals(cni_contact_block *k, const cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, int32_t points)
+{
+	normals c;
+	normals_prepare(&c, k, l, a, b, pass, bias, points);
+	normals_solve(&c, k, extra, l, a, b, points);
+	normals_apply(&c, k, l, a, b, points);
 }
 
 /* Impulse along t = (ny, -nx) on body b. */
@@ -172,8 +206,9 @@ CNI_INLINE void apply_friction(side *a, side *b, cni_wide nx, cni_wide ny, cni_w
 }
 
 /* Sticks within static friction, slides at dynamic friction. */
-CNI_INLINE void solve_friction(cni_contact_block *k, const cni_block_extra *extra, int32_t l, side *a, side *b, cni_wide nx, cni_wide ny)
+CNI_INLINE void solve_friction(cni_contact_block *k, const cni_block_extra *extra, int32_t l, side *a, side *b)
 {
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
 	cni_wide fa = cni_wide_load(k->fa + l), fb = cni_wide_load(k->fb + l);
 	cni_wide vt = ny * (b->vx - a->vx) - nx * (b->vy - a->vy) - b->w * fb + a->w * fa;
 	cni_wide slip = extra != NULL ? vt - cni_wide_load(extra->tangent_speed + l) : vt;
@@ -201,11 +236,10 @@ CNI_INLINE void solve_rolling(const cni_contact_block *k, cni_block_extra *extra
 /* Once through the rows of a group; lanes that are not live stay as they are. */
 CNI_INLINE void solve_live(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, cni_mask live)
 {
-	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
 	cni_wide p = cni_wide_load(k->p[0].jn + l), q = cni_wide_load(k->p[1].jn + l), t = cni_wide_load(k->jt + l), roll;
 	side a_old = *a, b_old = *b;
-	solve_normals(k, extra, l, a, b, nx, ny, pass, bias);
-	solve_friction(k, extra, l, a, b, nx, ny);
+	solve_normals(k, extra, l, a, b, pass, bias, 2);
+	solve_friction(k, extra, l, a, b);
 	if (extra != NULL) {
 		roll = cni_wide_load(extra->rolling_impulse + l);
 		solve_rolling(k, extra, l, a, b);
@@ -225,28 +259,76 @@ CNI_INLINE void solve_live(cni_contact_block *k, cni_block_extra *extra, int32_t
  */
 #define FRESH_ROUNDS 4
 
+/* The rounds but the first. A function of its own, called with copies: groups without such lanes keep their registers. */
+static void solve_again(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, uint32_t live)
+{
+	int32_t round;
+	for (round = 1; round < FRESH_ROUNDS; ++round)
+		solve_live(k, extra, l, a, b, pass, bias, cni_mask_of_bits(live));
+}
+
+CNI_INLINE void solve_fresh(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, uint32_t fresh)
+{
+	side a_copy, b_copy;
+	if ((fresh >> l & ((1u << CNI_WIDTH) - 1u)) == 0)
+		return;
+	a_copy = *a;
+	b_copy = *b;
+	solve_again(k, extra, l, &a_copy, &b_copy, pass, bias, fresh >> l);
+	*a = a_copy;
+	*b = b_copy;
+}
+
+CNI_INLINE void sides_scatter(cni_motion *motions, const cni_contact_block *k, int32_t l, const side *a, const side *b, const cni_contact_pass *pass)
+{
+	side_scatter(motions, k->ia + l, a);
+	if (!pass->one_sided)
+		side_scatter(motions, k->ib + l, b);
+}
+
 CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass, uint32_t fresh, int32_t bias)
 {
-	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
 	side a, b;
-	int32_t round;
 	side_gather(motions, k->ia + l, &a);
 	side_gather(motions, k->ib + l, &b);
 	if (extra != NULL)
 		sides_lock(extra, l, &a, &b);
 	if (has_one_point(k, l))
-		solve_normal(k, l, &a, &b, nx, ny, pass, bias);
+		solve_normals(k, extra, l, &a, &b, pass, bias, 1);
 	else
-		solve_normals(k, extra, l, &a, &b, nx, ny, pass, bias);
-	solve_friction(k, extra, l, &a, &b, nx, ny);
+		solve_normals(k, extra, l, &a, &b, pass, bias, 2);
+	solve_friction(k, extra, l, &a, &b);
 	if (extra != NULL)
 		solve_rolling(k, extra, l, &a, &b);
-	if (fresh >> l & ((1u << CNI_WIDTH) - 1u))
-		for (round = 1; round < FRESH_ROUNDS; ++round)
-			solve_live(k, extra, l, &a, &b, pass, bias, cni_mask_of_bits(fresh >> l));
-	side_scatter(motions, k->ia + l, &a);
-	if (!pass->one_sided)
-		side_scatter(motions, k->ib + l, &b);
+	solve_fresh(k, extra, l, &a, &b, pass, bias, fresh);
+	sides_scatter(motions, k, l, &a, &b, pass);
+}
+
+/*
+ * Two groups of one colour without extra rows, by turns: each is a long chain of operations that wait for one
+ * another, and processors do not look far enough ahead to begin the next group meanwhile.
+ */
+CNI_INLINE void solve_pair(cni_motion *motions, cni_contact_block *k, int32_t l, const cni_contact_pass *pass, uint32_t fresh, int32_t bias, int32_t points)
+{
+	int32_t m = l + CNI_WIDTH;
+	side al, bl, am, bm;
+	normals cl, cm;
+	side_gather(motions, k->ia + l, &al);
+	side_gather(motions, k->ib + l, &bl);
+	side_gather(motions, k->ia + m, &am);
+	side_gather(motions, k->ib + m, &bm);
+	normals_prepare(&cl, k, l, &al, &bl, pass, bias, points);
+	normals_prepare(&cm, k, m, &am, &bm, pass, bias, points);
+	normals_solve(&cl, k, NULL, l, &al, &bl, points);
+	normals_solve(&cm, k, NULL, m, &am, &bm, points);
+	normals_apply(&cl, k, l, &al, &bl, points);
+	normals_apply(&cm, k, m, &am, &bm, points);
+	solve_friction(k, NULL, l, &al, &bl);
+	solve_friction(k, NULL, m, &am, &bm);
+	solve_fresh(k, NULL, l, &al, &bl, pass, bias, fresh);
+	solve_fresh(k, NULL, m, &am, &bm, pass, bias, fresh);
+	sides_scatter(motions, k, l, &al, &bl, pass);
+	sides_scatter(motions, k, m, &am, &bm, pass);
 }
 
 /*
@@ -281,7 +363,22 @@ CNI_INLINE int32_t block_is_mine(const cni_color_pass *c, int32_t k, int32_t end
 	return k < end && (!CNI_FEW || cni_lanes_wide(c->blocks[k].lanes) == 0);
 }
 
-/* Few blocks have extra rows: for the others a loop of its own, in which the compiler knows that there are none. */
+/* The groups of a block without extra rows. */
+CNI_INLINE void solve_plain(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, int32_t bias)
+{
+	int32_t l = lanes_begin(b), end = lanes_end(b);
+#if CNI_WIDTH > 1 && !CNI_FEW
+	for (; l + CNI_WIDTH < end; l += 2 * CNI_WIDTH)
+		if (has_one_point(b->rows, l) && has_one_point(b->rows, l + CNI_WIDTH))
+			solve_pair(motions, b->rows, l, pass, b->fresh, bias, 1);
+		else
+			solve_pair(motions, b->rows, l, pass, b->fresh, bias, 2);
+#endif
+	for (; l < end; l += CNI_WIDTH)
+		solve_group(motions, b->rows, NULL, l, pass, b->fresh, bias);
+}
+
+/* Few blocks have extra rows: the compiler knows that the others have none. */
 CNI_INLINE int32_t solve_blocks(const cni_color_pass *c, int32_t begin, int32_t end, int32_t bias)
 {
 	int32_t k = begin, l;
@@ -291,8 +388,7 @@ CNI_INLINE int32_t solve_blocks(const cni_color_pass *c, int32_t begin, int32_t 
 		if (c->prefetches)
 			cni_blocks_prefetch(c, k, end);
 		if (b->extra == NULL)
-			for (l = lanes_begin(b); l < lanes_end(b); l += CNI_WIDTH)
-				solve_group(c->motions, b->rows, NULL, l, pass, b->fresh, bias);
+			solve_plain(c->motions, b, pass, bias);
 		else
 			for (l = lanes_begin(b); l < lanes_end(b); l += CNI_WIDTH)
 				solve_group(c->motions, b->rows, b->extra, l, pass, b->fresh, bias);
