@@ -73,6 +73,7 @@ struct cn_world {
 	cni_array start;             /* cni_velocity_start */
 	cni_array drive;             /* cni_drive */
 	cni_array awake_id;          /* int32_t */
+	int32_t *awake_islands;      /* the records' islands by dense index, within a step: scratch of the arena. NULL outside, without islands, without memory */
 	cni_array kicked;            /* cn_body whose velocity was set since the last step */
 
 	/* variable time: empty until cn_world_update is used */
@@ -190,6 +191,11 @@ static inline void cni_parallel_for(const cn_world *world, int32_t item_count, i
 	cni_team_for(world->team, item_count, min_range, fn, context);
 }
 /* The island of an awake body by its dense index; CNI_NONE: alone, or no dynamic body. */
-static inline int32_t cni_awake_island(const cn_world *world, int32_t index) { return index == 0 ? CNI_NONE : cni_body_at(world, cni_awake_ids(world)[index])->island; }
+static inline int32_t cni_awake_island(const cn_world *world, int32_t index)
+{
+	if (world->awake_islands != NULL)
+		return world->awake_islands[index];
+	return index == 0 || world->island_count == 0 ? CNI_NONE : cni_body_at(world, cni_awake_ids(world)[index])->island;
+}
 
 #endif

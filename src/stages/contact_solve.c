@@ -99,13 +99,22 @@ static cni_listed_block listed_of(const cn_world *world, int32_t block, int32_t 
 	return listed;
 }
 
-int32_t cni_contacts_list(cn_world *world, cni_solve *s)
+/* A colour's blocks are linked, and a link that is not in the cache is waited for: all are asked for beforehand. */
+static void infos_prefetch(const cn_world *world)
+{
+	int32_t block;
+	for (block = 0; block < world->block_used; ++block)
+		CNI_PREFETCH(&cni_block_info_at(world, block)->next);
+}
+
+void cni_contacts_list(cn_world *world, cni_solve *s)
 {
 	cni_listed_block *list = (cni_listed_block *)world->block_list.data;
-	int32_t color, block, count = 0, lanes = 0, k;
+	int32_t color, block, count = 0, k;
+	infos_prefetch(world);
 	for (color = 0; color < CNI_COLORS; ++color) {
 		world->colors[color].listed = count;
-		lanes += world->colors[color].lanes;
+		s->lanes += world->colors[color].lanes;
 		for (k = world->colors[color].lanes, block = world->colors[color].first; k > 0; k -= CNI_LANES) {
 			cni_block_info *info = cni_block_info_at(world, block);
 			list[count++] = listed_of(world, block, k);
@@ -117,7 +126,6 @@ int32_t cni_contacts_list(cn_world *world, cni_solve *s)
 		s->contact_colors |= (uint32_t)(world->colors[color].lanes > 0) << color;
 	}
 	CNI_ASSERT(count <= world->block_list.capacity);
-	return lanes;
 }
 
 void cni_contacts_warm_start(cn_world *world, const cni_solve *s)

@@ -10,7 +10,8 @@
  *
  * Springs and motors may give energy: each row j (J v0 + J v1) / 2, which is exact whatever else acts. Islands with
  * conveyors or kinematic bodies are left alone. Only islands in which a velocity jumped in this substep (stages/shock.c) are
- * looked at, for that is when solves fail; and of these closely only those whose energy has grown, whoever gave it.
+ * looked at, for that is when solves fail; and of these closely only those whose energy has grown, whoever gave it. Most
+ * have clearly not grown: a sum in the order of memory tells, and no record is read.
  *
  * Reads start (velocities before the impulses of the substep) and motion; writes both by the same change, so that
  * the response between them stays.
@@ -21,6 +22,10 @@
 
 /* Energies that agree this well are equal. */
 #define ENERGY_ROUNDING 1.001f
+/* ... and if they agree this well when summed in another order, they surely are. */
+#define ENERGY_ROUNDING_SURE 1.0005f
+#define SUMMED_MOST 64 /* numbers that are added up one by one: sums of such sums are rounded less */
+#define FEW_PART 16    /* bodies of which fewer than this part of all are in question are found island by island */
 
 typedef struct island_sum {
 	float mass, x, y;         /* total, centre (first the moment) */
@@ -30,8 +35,17 @@ typedef struct island_sum {
 	int32_t lost;             /* it has speeds whose squares floats do not hold: impulses of the substep do not count */
 	int32_t driven;
 	int32_t grounded;         /* touches or hangs on what does not move: only then may its momentum change */
-	int32_t looked_at, suspect;
+	int32_t looked_at, suspect; /* suspect: it may have grown, and then: it has */
+	int32_t *members;         /* dense indices in the island's order */
+	int32_t count;            /* ... 0: not yet found */
 } island_sum;
+
+typedef struct looking {
+	cn_world *world;
+	island_sum *sums;  /* by island */
+	int32_t *members;  /* room for all awake bodies */
+	int32_t found;     /* of it */
+} looking;
 
 static int32_t moves(const cni_motion *m)
 {
@@ -49,47 +63,128 @@ static float inertia_of(const cni_motion *m)
 	return m->inv_inertia > 0.0f ? 1.0f / m->inv_inertia : 0.0f;
 }
 
-/* Twice the kinetic energy of an island alone. */
-static void energies_add(const cn_world *world, int32_t island, island_sum *sum)
+/* Twice the kinetic energies of a body, before and after. */
+CNI_INLINE void energy_add(const cni_motion *m, const cni_velocity_start *v, float *before, float *after)
 {
+	float mass = moves(m) ? 1.0f / m->inv_mass : 0.0f, inertia = moves(m) ? inertia_of(m) : 0.0f;
+	*before += mass * (v->vx * v->vx + v->vy * v->vy) + inertia * v->w * v->w;
+	*after += mass * (m->vx * m->vx + m->vy * m->vy) + inertia * m->w * m->w;
+}
+
+/* An island's list is gone through once: each of its links is waited for. */
+static void members_find(looking *q, int32_t island)
+{
+	island_sum *sum = &q->sums[island];
 	int32_t body;
-	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
-		int32_t k = cni_body_at(world, body)->awake;
-		const cni_motion *m = cni_motions(world) + k;
-		const cni_velocity_start *v = cni_starts(world) + k;
-		float mass = moves(m) ? 1.0f / m->inv_mass : 0.0f, inertia = moves(m) ? inertia_of(m) : 0.0f;
-		sum->before += mass * (v->vx * v->vx + v->vy * v->vy) + inertia * v->w * v->w;
-		sum->after += mass * (m->vx * m->vx + m->vy * m->vy) + inertia * m->w * m->w;
+	if (sum->count > 0)
+		return;
+	sum->members = q->members + q->found;
+	for (body = cni_island_at(q->world, island)->first; body != CNI_NONE; body = cni_body_at(q->world, body)->island_next)
+		sum->members[sum->count++] = cni_body_at(q->world, body)->awake;
+	q->found += sum->count;
+}
+
+/* Of an island, in its order. */
+static void energies_find(looking *q, int32_t island)
+{
+	island_sum *sum = &q->sums[island];
+	int32_t n;
+	members_find(q, island);
+	sum->before = sum->after = 0.0f;
+	for (n = 0; n < sum->count; ++n) {
+		int32_t k = sum->members[n];
+		energy_add(cni_motions(q->world) + k, cni_starts(q->world) + k, &sum->before, &sum->after);
 	}
 }
 
-/* Of islands in which a velocity jumped. Returns how many there are. */
-static int32_t suspects_find(const cn_world *world, island_sum *sums)
+/* Of all that are looked at, in the order of memory. */
+static void energies_stream(const cn_world *world, island_sum *sums)
+{
+	const cni_motion *motions = cni_motions(world);
+	const cni_velocity_start *starts = cni_starts(world);
+	float before = 0.0f, after = 0.0f;
+	int32_t k, of = CNI_NONE, summed = 0;
+	for (k = 1; k < world->awake_count; ++k) {
+		int32_t island = cni_awake_island(world, k);
+		if (island == CNI_NONE || !sums[island].looked_at)
+			continue;
+		if (island != of || ++summed == SUMMED_MOST) {
+			if (of != CNI_NONE) {
+				sums[of].before += before;
+				sums[of].after += after;
+			}
+			of = island;
+			before = after = 0.0f;
+			summed = 0;
+		}
+		energy_add(&motions[k], &starts[k], &before, &after);
+	}
+	sums[of].before += before;
+	sums[of].after += after;
+}
+
+/* Marks islands in which a velocity jumped. Returns how many bodies are in them. */
+static int32_t shocked_find(const cn_world *world, island_sum *sums)
 {
 	const cni_velocity_start *starts = cni_starts(world);
 	int32_t k, count = 0;
 	for (k = 1; k < world->awake_count; ++k) {
-		int32_t island;
-		if (starts[k].struck != CNI_SHOCKED)
-			continue;
-		island = cni_awake_island(world, k);
+		int32_t island = starts[k].struck == CNI_SHOCKED ? cni_awake_island(world, k) : CNI_NONE;
 		if (island == CNI_NONE || sums[island].looked_at)
 			continue;
 		sums[island].looked_at = 1;
-		energies_add(world, island, &sums[island]);
-		sums[island].suspect = !(sums[island].after <= ENERGY_ROUNDING * sums[island].before);
-		count += sums[island].suspect;
+		count += cni_island_at(world, island)->count;
+	}
+	return count;
+}
+
+/* Marks islands whose energy may have grown. Returns how many there are. */
+static int32_t suspects_find(looking *q)
+{
+	const cn_world *world = q->world;
+	island_sum *sums = q->sums;
+	int32_t bodies = shocked_find(world, sums), few = bodies < world->awake_count / FEW_PART, k, count = 0;
+	if (bodies > 0 && !few)
+		energies_stream(world, sums);
+	for (k = 0; k < world->island_used && bodies > 0; ++k) {
+		if (!sums[k].looked_at)
+			continue;
+		if (few)
+			energies_find(q, k);
+		sums[k].suspect = !(sums[k].after <= ENERGY_ROUNDING_SURE * sums[k].before);
+		count += sums[k].suspect;
+	}
+	return count;
+}
+
+/* What is driven is left alone, unless it was lost: factors_find. */
+static int32_t has_too_much(const island_sum *s, float rounding)
+{
+	return s->suspect && !(s->after < FLT_MAX && (s->driven || s->after <= rounding * s->before));
+}
+
+/* With what was given: whose energy has grown. Its energies are what they are in the island's order, and nothing is given yet. */
+static int32_t suspects_confirm(looking *q)
+{
+	island_sum *sums = q->sums;
+	int32_t k, count = 0;
+	for (k = 0; k < q->world->island_used; ++k) {
+		sums[k].suspect = has_too_much(&sums[k], ENERGY_ROUNDING_SURE);
+		if (!sums[k].suspect)
+			continue;
+		energies_find(q, k);
+		count += sums[k].suspect = has_too_much(&sums[k], ENERGY_ROUNDING);
 	}
 	return count;
 }
 
 /* What else is to be known of a suspect island. */
-static void sum_find(const cn_world *world, int32_t island, island_sum *sum)
+static void sum_find(const cn_world *world, island_sum *sum)
 {
-	int32_t body, pass, first = cni_island_at(world, island)->first;
+	int32_t n, pass;
 	for (pass = 0; pass < 2; ++pass) {
-		for (body = first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
-			int32_t k = cni_body_at(world, body)->awake;
+		for (n = 0; n < sum->count; ++n) {
+			int32_t k = sum->members[n];
 			const cni_motion *m = cni_motions(world) + k;
 			float mass, inertia;
 			cni_vec2 c;
@@ -126,27 +221,41 @@ static void mark_driven(const cn_world *world, island_sum *sums, int32_t ia, int
 		sums[b].driven = 1;
 }
 
-/* Does a lane body b other than the world's push with a motion of its own, or a conveyor? Is it the world's? */
-static void driven_by_contacts(const cn_world *world, island_sum *sums)
+/* Does a lane body b other than the world's push with a motion of its own? Is it the world's? */
+static void lanes_look(const cn_world *world, island_sum *sums, const cni_listed_block *b)
 {
 	const cni_motion *motions = cni_motions(world);
-	int32_t color, block, l;
-	for (color = CNI_COLOR_STATIC; color < CNI_COLORS; ++color)
-		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
-			const cni_contact_block *k = cni_block_at(world, block);
-			for (l = 0; l < CNI_LANES; ++l) {
-				int32_t island = cni_awake_island(world, k->ia[l]);
-				if (k->ib[l] != 0 && motions[k->ib[l]].inv_mass == 0.0f)
-					mark_driven(world, sums, k->ia[l], k->ib[l]);
-				if (k->ib[l] == 0 && island != CNI_NONE)
-					sums[island].grounded = 1;
-			}
+	int32_t l;
+	for (l = 0; l < b->lanes; ++l) {
+		int32_t island = cni_awake_island(world, b->rows->ia[l]), ib = b->rows->ib[l];
+		if (ib != 0 && motions[ib].inv_mass == 0.0f)
+			mark_driven(world, sums, b->rows->ia[l], ib);
+		if (ib == 0 && island != CNI_NONE)
+			sums[island].grounded = 1;
+	}
+}
+
+static void conveyors_look(const cn_world *world, island_sum *sums, const cni_listed_block *b)
+{
+	int32_t l;
+	for (l = 0; l < b->lanes; ++l)
+		if (b->extra->tangent_speed[l] != 0.0f)
+			mark_driven(world, sums, b->rows->ia[l], b->rows->ib[l]);
+}
+
+/* Blocks that rest are not in the lists, and nothing in them is suspect. */
+static void driven_by_contacts(const cn_world *world, island_sum *sums)
+{
+	int32_t color, k;
+	for (color = 0; color < CNI_COLORS; ++color) {
+		const cni_listed_block *blocks = cni_listed_blocks(world, color);
+		for (k = 0; k < world->colors[color].listed_count; ++k) {
+			if (color >= CNI_COLOR_STATIC)
+				lanes_look(world, sums, &blocks[k]);
+			if (blocks[k].extra != NULL)
+				conveyors_look(world, sums, &blocks[k]);
 		}
-	for (color = 0; color < CNI_COLORS && cni_table_capacity(&world->blocks_extra) > 0; ++color)
-		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
-			for (l = 0; l < CNI_LANES && cni_block_extra_at(world, block) != NULL; ++l)
-				if (cni_block_extra_at(world, block)->tangent_speed[l] != 0.0f)
-					mark_driven(world, sums, cni_block_at(world, block)->ia[l], cni_block_at(world, block)->ib[l]);
+	}
 }
 
 static float row_speed(const cni_row *r, cni_vec2 va, float wa, cni_vec2 vb, float wb)
@@ -217,12 +326,12 @@ static int32_t factors_find(island_sum *s)
 	return 1;
 }
 
-static void factors_apply(cn_world *world, int32_t island, const island_sum *s)
+static void factors_apply(const cn_world *world, const island_sum *s)
 {
 	float w = s->inertia > 0.0f ? s->spin / s->inertia : 0.0f;
-	int32_t body;
-	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
-		int32_t k = cni_body_at(world, body)->awake;
+	int32_t n;
+	for (n = 0; n < s->count; ++n) {
+		int32_t k = s->members[n];
 		cni_motion *m = cni_motions(world) + k;
 		cni_velocity_start *start = cni_starts(world) + k;
 		float vx, vy, dvx, dvy, dw;
@@ -250,32 +359,47 @@ static void factors_apply(cn_world *world, int32_t island, const island_sum *s)
 	}
 }
 
-uint64_t cni_energy_bytes(int32_t islands)
+static void excess_take(const looking *q)
 {
-	return sizeof(island_sum) * (uint64_t)islands;
+	int32_t k;
+	for (k = 0; k < q->world->island_used; ++k) {
+		island_sum *sum = &q->sums[k];
+		if (!has_too_much(sum, ENERGY_ROUNDING))
+			continue;
+		sum_find(q->world, sum);
+		if (factors_find(sum))
+			factors_apply(q->world, sum);
+	}
+}
+
+static void look_at_all(looking *q)
+{
+	memset(q->sums, 0, sizeof(island_sum) * (size_t)q->world->island_used);
+	if (suspects_find(q) == 0)
+		return;
+	driven_by_contacts(q->world, q->sums);
+	driven_by_joints(q->world, q->sums);
+	if (suspects_confirm(q) == 0)
+		return;
+	driven_by_joints(q->world, q->sums);
+	excess_take(q);
+}
+
+uint64_t cni_energy_bytes(int32_t bodies, int32_t islands)
+{
+	return sizeof(island_sum) * (uint64_t)islands + 64u + sizeof(int32_t) * (uint64_t)bodies;
 }
 
 void cni_energy_hold(cn_world *world)
 {
-	uint64_t bytes = cni_energy_bytes(world->island_used);
-	island_sum *sums;
-	int32_t k;
+	looking q = { world, NULL, NULL, 0 };
 	if (world->island_used == 0)
 		return;
-	sums = (island_sum *)cni_arena_push(&world->arena, bytes);
-	if (sums == NULL)
-		return; /* no memory to look: the step goes on as it is */
-	memset(sums, 0, (size_t)bytes);
-	if (suspects_find(world, sums) > 0) {
-		driven_by_contacts(world, sums);
-		driven_by_joints(world, sums);
-		for (k = 0; k < world->island_used; ++k) {
-			if (!sums[k].suspect || (sums[k].driven && sums[k].after < FLT_MAX))
-				continue; /* what is driven is left alone unless it was lost: factors_find */
-			sum_find(world, k, &sums[k]);
-			if (factors_find(&sums[k]))
-				factors_apply(world, k, &sums[k]);
-		}
-	}
-	cni_arena_pop(&world->arena, sums);
+	q.sums = (island_sum *)cni_arena_push(&world->arena, sizeof(island_sum) * (uint64_t)world->island_used);
+	if (q.sums != NULL)
+		q.members = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
+	if (q.members != NULL) /* else there is no memory to look: the step goes on as it is */
+		look_at_all(&q);
+	(void)cni_arena_pop(&world->arena, q.members);
+	(void)cni_arena_pop(&world->arena, q.sums);
 }

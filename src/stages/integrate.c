@@ -124,6 +124,8 @@ static void drive_range(void *context, int32_t begin, int32_t end, int32_t worke
 	for (k = begin + 1; k <= end; ++k) {
 		cni_body *b = cni_body_at(world, ids[k]);
 		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
+		if (world->awake_islands != NULL)
+			world->awake_islands[k] = b->island;
 		drive_make(world, b, &motions[k], &drives[k]);
 		if (!(drives[k].flags & CNI_DRIVE_FREE))
 			continue;
@@ -136,7 +138,17 @@ static void drive_range(void *context, int32_t begin, int32_t end, int32_t worke
 
 void cni_drive_prepare(cn_world *world, const cni_solve *s)
 {
+	if (world->island_count > 0)
+		world->awake_islands = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
+	if (world->awake_islands != NULL)
+		world->awake_islands[0] = CNI_NONE;
 	bodies_run(world->team, DRIVES_A_RANGE, drive_range, world, s, 0);
+}
+
+/* The arena has it until the end of the step, as what else is pushed between. */
+void cni_drive_finish(cn_world *world)
+{
+	world->awake_islands = NULL;
 }
 
 void cni_drive_prepare_bound(cn_world *world)

@@ -24,43 +24,26 @@
 
 #define REST_SPEED 1e-4f /* length units a second: a thousandth of what gravity gives in a step */
 #define HELD_PART 1e-4f  /* of what forces give in a substep that a body which is held may keep */
+#define RECORDS_AHEAD 8  /* bodies whose records are asked for */
+#define BLOCKS_AHEAD 8
 
 typedef struct rest {
 	cn_world *world;
 	uint8_t *moving;    /* by island */
 	uint8_t *netted;    /* by dense index: bodies whose joints are all of a net that is held; NULL: there are none */
-	float speed, h;
+	int32_t *slow;      /* dense indices */
+	int32_t slow_count;
+	float h;
+	float speed_sq, way_sq, little_sq; /* most that a body which rests has, and moves in a substep; what may be left, whatever was given */
+	float little;
 	int32_t carried;    /* 1 and more: bodies have the flag LATER */
 	int32_t done;       /* bodies that are */
 	int32_t going;      /* 1: some body goes on */
 } rest;
 
-static int32_t is_within(float x, float y, float turn, float most)
+static int32_t is_within(float x, float y, float turn, float most_sq)
 {
-	return x * x + y * y <= most * most && turn * turn <= most * most;
-}
-
-/* Slow now, not pushed out of an overlap, not struck, and held: what forces gave it in the substep is gone. */
-static int32_t body_rests(const rest *r, int32_t k)
-{
-	const cni_motion *m = cni_motions(r->world) + k;
-	const cni_drive *d = cni_drives(r->world) + k;
-	const cni_body *b;
-	float given, vx, vy, turn, little = 0.001f * r->speed;
-	if (m->inv_mass == 0.0f)
-		return m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f;
-	if (!is_within(m->vx, m->vy, 0.0f, r->speed) || cni_starts(r->world)[k].struck != 0.0f)
-		return 0;
-	b = cni_body_at(r->world, cni_awake_ids(r->world)[k]);
-	if (!is_within(0.0f, 0.0f, m->w * b->extent, r->speed) || !is_within(m->dpx, m->dpy, m->theta * b->extent, r->h * r->speed))
-		return 0;
-	vx = m->vx - b->vx;
-	vy = m->vy - b->vy;
-	turn = (m->w - b->w) * b->extent;
-	if (is_within(vx, vy, turn, little)) /* whatever was given */
-		return 1;
-	given = r->h * cni_sqrt(d->ax * d->ax + d->ay * d->ay) + r->h * cni_abs(d->alpha) * b->extent;
-	return is_within(vx, vy, turn, HELD_PART * given + little);
+	return x * x + y * y <= most_sq && turn * turn <= most_sq;
 }
 
 /* Only what touches something, or is in a net, is solved by passes; neither otherwise jointed nor carried bodies may rest. */
@@ -72,13 +55,46 @@ static int32_t may_rest(const rest *r, int32_t k)
 	return (flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_FREE | CNI_DRIVE_SWUNG | CNI_DRIVE_JOINTED | CNI_DRIVE_LATER)) == CNI_DRIVE_TOUCHED;
 }
 
+static int32_t stands_still(const cni_motion *m)
+{
+	return m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f;
+}
+
+/* Slow now, and not struck: what can be told without the body's record. */
+static int32_t body_is_slow(const rest *r, const cni_motion *m, int32_t k)
+{
+	if (!may_rest(r, k))
+		return 0;
+	if (m->inv_mass == 0.0f)
+		return stands_still(m);
+	return is_within(m->vx, m->vy, 0.0f, r->speed_sq) && cni_starts(r->world)[k].struck == 0.0f;
+}
+
+/* Of a slow one: not pushed out of an overlap, and held: what forces gave it in the substep is gone. */
+static int32_t body_rests(const rest *r, int32_t k)
+{
+	const cni_motion *m = cni_motions(r->world) + k;
+	const cni_drive *d = cni_drives(r->world) + k;
+	const cni_body *b;
+	float most, vx, vy, turn;
+	if (m->inv_mass == 0.0f || (d->flags & CNI_DRIVE_LATER))
+		return !(d->flags & CNI_DRIVE_LATER);
+	b = cni_body_at(r->world, cni_awake_ids(r->world)[k]);
+	if (!is_within(0.0f, 0.0f, m->w * b->extent, r->speed_sq) || !is_within(m->dpx, m->dpy, m->theta * b->extent, r->way_sq))
+		return 0;
+	vx = m->vx - b->vx;
+	vy = m->vy - b->vy;
+	turn = (m->w - b->w) * b->extent;
+	if (is_within(vx, vy, turn, r->little_sq))
+		return 1;
+	most = HELD_PART * (r->h * cni_sqrt(d->ax * d->ax + d->ay * d->ay) + r->h * cni_abs(d->alpha) * b->extent) + r->little;
+	return is_within(vx, vy, turn, most * most);
+}
+
 /* A moving kinematic body carries along what touches it, however slowly. */
 static int32_t carried_mark(const rest *r, int32_t index)
 {
-	const cni_motion *m = cni_motions(r->world) + index;
 	int32_t body = cni_awake_ids(r->world)[index], key, count = 0;
-	if (m->inv_mass > 0.0f || (m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f))
-		return 0;
 	for (key = cni_body_at(r->world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(r->world, key)->next[key & 1]) {
 		int32_t other = cni_body_at(r->world, cni_contact_of_key(r->world, key)->body[1 - (key & 1)])->awake;
 		cni_drives(r->world)[other].flags |= CNI_DRIVE_LATER;
@@ -87,21 +103,57 @@ static int32_t carried_mark(const rest *r, int32_t index)
 	return count;
 }
 
-/* Returns how many bodies may rest. Those without an island are done. */
+static int32_t is_moving(const rest *r, int32_t island)
+{
+	return island != CNI_NONE && r->moving[island];
+}
+
+/* Which islands surely move, and which bodies are slow, but for those of islands that were found to move: from dense arrays alone. */
+static void slow_find(rest *r)
+{
+	const cni_motion *motions = cni_motions(r->world);
+	int32_t k;
+	for (k = 1; k < r->world->awake_count; ++k) {
+		int32_t island = cni_awake_island(r->world, k);
+		if (motions[k].inv_mass == 0.0f && !stands_still(&motions[k]))
+			r->carried += carried_mark(r, k);
+		if (is_moving(r, island))
+			continue;
+		if (body_is_slow(r, &motions[k], k))
+			r->slow[r->slow_count++] = k;
+		else if (island != CNI_NONE)
+			r->moving[island] = 1;
+	}
+}
+
+static void record_prefetch(const rest *r, int32_t k)
+{
+	const cni_body *b = cni_body_at(r->world, cni_awake_ids(r->world)[k]);
+	if (is_moving(r, cni_awake_island(r->world, k)))
+		return;
+	CNI_PREFETCH(&b->extent);
+	CNI_PREFETCH(&b->w);
+}
+
+/* The slow ones of islands that may be at rest closely. Returns how many rest. Those without an island are done. */
 static int32_t moving_find(rest *r)
 {
 	cni_drive *drives = cni_drives(r->world);
-	int32_t k, count = 0;
-	for (k = 1; k < r->world->awake_count; ++k)
-		r->carried += carried_mark(r, k);
-	for (k = 1; k < r->world->awake_count; ++k) {
-		int32_t rests = may_rest(r, k) && body_rests(r, k), island = cni_awake_island(r->world, k);
-		count += rests;
-		if (!rests && island != CNI_NONE)
-			r->moving[island] = 1;
-		if (rests && island == CNI_NONE) {
+	int32_t n, count = 0;
+	for (n = 0; n < r->slow_count; ++n) {
+		int32_t k = r->slow[n], island = cni_awake_island(r->world, k);
+		if (n + RECORDS_AHEAD < r->slow_count)
+			record_prefetch(r, r->slow[n + RECORDS_AHEAD]);
+		if (is_moving(r, island))
+			continue;
+		if (body_rests(r, k)) {
+			++count;
+			if (island != CNI_NONE)
+				continue;
 			drives[k].flags |= CNI_DRIVE_SWUNG;
 			++r->done;
+		} else if (island != CNI_NONE) {
+			r->moving[island] = 1;
 		}
 	}
 	return count;
@@ -147,6 +199,15 @@ static int32_t block_goes_on(const cni_drive *drives, const cni_listed_block *b)
 	return 0;
 }
 
+static void block_prefetch(const cni_listed_block *b, int32_t going)
+{
+	CNI_PREFETCH(&b->info->flags);
+	if (!going)
+		return;
+	CNI_PREFETCH(b->rows->ia);
+	CNI_PREFETCH(b->rows->ib);
+}
+
 static void blocks_strike(cn_world *world, int32_t going)
 {
 	const cni_drive *drives = cni_drives(world);
@@ -155,11 +216,14 @@ static void blocks_strike(cn_world *world, int32_t going)
 	for (color = 0; color < CNI_COLORS; ++color) {
 		cni_color *c = &world->colors[color];
 		int32_t kept = 0;
-		for (k = 0; k < c->listed_count; ++k)
+		for (k = 0; k < c->listed_count; ++k) {
+			if (k + BLOCKS_AHEAD < c->listed_count)
+				block_prefetch(&list[c->listed + k + BLOCKS_AHEAD], going);
 			if (going && block_goes_on(drives, &list[c->listed + k]))
 				list[c->listed + kept++] = list[c->listed + k];
 			else
 				list[c->listed + k].info->flags |= CNI_BLOCK_RESTED;
+		}
 		c->listed_count = kept;
 	}
 }
@@ -175,26 +239,45 @@ static void systems_done(const cn_world *world, cni_sparse *direct)
 	}
 }
 
+static float square(float x)
+{
+	return x * x;
+}
+
+static void look_at_all(rest *r, const cni_solve *s)
+{
+	float speed = REST_SPEED * r->world->settings.length_unit;
+	r->h = s->h;
+	r->little = 0.001f * speed;
+	r->speed_sq = square(speed);
+	r->way_sq = square(s->h * speed);
+	r->little_sq = square(r->little);
+	memset(r->moving, 0, (size_t)r->world->island_used);
+	slow_find(r);
+	if (moving_find(r) > 0)
+		islands_done(r);
+	if (r->done > 0) {
+		blocks_strike(r->world, r->going);
+		systems_done(r->world, s->direct);
+		if (r->netted != NULL)
+			cni_coarse_rest(r->world);
+	}
+	carried_clear(r);
+}
+
 void cni_rest_find(cn_world *world, const cni_solve *s)
 {
-	rest r = { world, NULL, NULL, REST_SPEED * world->settings.length_unit, s->h, 0, 0, 0 };
+	rest r = { world, NULL, NULL, NULL, 0, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0, 0, 0 };
 	if (s->substeps < 2)
 		return;
 	r.moving = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->island_used);
-	if (r.moving == NULL)
-		return; /* everything is solved in every substep */
-	memset(r.moving, 0, (size_t)world->island_used);
-	if (s->coarse && (r.netted = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->awake_count)) != NULL)
+	if (r.moving != NULL)
+		r.slow = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
+	if (r.slow != NULL && s->coarse && (r.netted = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->awake_count)) != NULL)
 		cni_coarse_netted(world, r.netted);
-	if (moving_find(&r) > 0)
-		islands_done(&r);
-	if (r.done > 0) {
-		blocks_strike(world, r.going);
-		systems_done(world, s->direct);
-		if (r.netted != NULL)
-			cni_coarse_rest(world);
-	}
-	carried_clear(&r);
+	if (r.slow != NULL) /* else everything is solved in every substep */
+		look_at_all(&r, s);
 	(void)cni_arena_pop(&world->arena, r.netted);
-	cni_arena_pop(&world->arena, r.moving);
+	(void)cni_arena_pop(&world->arena, r.slow);
+	(void)cni_arena_pop(&world->arena, r.moving);
 }

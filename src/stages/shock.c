@@ -15,7 +15,8 @@
 
 #define BODIES_A_RANGE 256 /* about a microsecond each */
 #define BLOCKS_A_RANGE 16
-#define BLOCKS_AHEAD 4     /* whose memory is asked for */
+#define BLOCKS_AHEAD 4     /* whose bodies are asked for */
+#define BLOCKS_AT_ONCE 8   /* whose rows are */
 
 typedef struct shock_loop {
 	cn_world *world;
@@ -38,13 +39,8 @@ static void mark_range(void *context, int32_t begin, int32_t end, int32_t worker
 	int32_t k;
 	(void)worker;
 	for (k = begin + 1; k <= end; ++k) {
-		float dx, dy, ax, ay, jump_sq;
-		if (!(drives[k].flags & CNI_DRIVE_TOUCHED))
-			continue;
-		dx = motions[k].vx - starts[k].vx;
-		dy = motions[k].vy - starts[k].vy;
-		jump_sq = dx * dx + dy * dy;
-		if (jump_sq <= most_sq) /* whatever its drive: nearly all */
+		float dx = motions[k].vx - starts[k].vx, dy = motions[k].vy - starts[k].vy, ax, ay, jump_sq = dx * dx + dy * dy;
+		if (jump_sq <= most_sq || !(drives[k].flags & CNI_DRIVE_TOUCHED)) /* nearly all are slower, whatever their drive */
 			continue;
 		ax = s->h * drives[k].ax;
 		ay = s->h * drives[k].ay;
@@ -102,19 +98,42 @@ CNI_INLINE void indices_prefetch(const cni_contact_block *k)
 	CNI_PREFETCH(k->ib);
 }
 
+/* What lane_forget reads and writes. */
+static void rows_prefetch(const cni_contact_block *k)
+{
+	int32_t point;
+	CNI_PREFETCH(k->nx);
+	CNI_PREFETCH(k->ny);
+	CNI_PREFETCH(k->dt);
+	CNI_PREFETCH(k->fa);
+	CNI_PREFETCH(k->fb);
+	CNI_PREFETCH(k->jt);
+	for (point = 0; point < 2; ++point) {
+		CNI_PREFETCH(k->p[point].at);
+		CNI_PREFETCH(k->p[point].jn);
+		CNI_PREFETCH(k->p[point].load);
+	}
+}
+
+/* Some blocks at once: the rows of those with such a lane come while the others are looked at. */
 static void forget_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const shock_loop *loop = (const shock_loop *)context;
-	int32_t k;
+	uint32_t lanes[BLOCKS_AT_ONCE];
+	int32_t first, last, k;
 	(void)worker;
-	for (k = begin; k < end; ++k) {
-		cni_contact_block *rows = loop->blocks[k].rows;
-		uint32_t lanes;
-		if (k + BLOCKS_AHEAD < end)
-			indices_prefetch(loop->blocks[k + BLOCKS_AHEAD].rows);
-		lanes = lanes_shocked(loop->world, rows, loop->blocks[k].lanes);
-		for (; lanes != 0; lanes &= lanes - 1)
-			lane_forget(loop->world, rows, cni_bit_lowest32(lanes), loop->one_sided);
+	for (first = begin; first < end; first = last) {
+		last = cni_min_i(first + BLOCKS_AT_ONCE, end);
+		for (k = first; k < last; ++k) {
+			if (k + BLOCKS_AHEAD < end)
+				indices_prefetch(loop->blocks[k + BLOCKS_AHEAD].rows);
+			lanes[k - first] = lanes_shocked(loop->world, loop->blocks[k].rows, loop->blocks[k].lanes);
+			if (lanes[k - first] != 0)
+				rows_prefetch(loop->blocks[k].rows);
+		}
+		for (k = first; k < last; ++k)
+			for (; lanes[k - first] != 0; lanes[k - first] &= lanes[k - first] - 1)
+				lane_forget(loop->world, loop->blocks[k].rows, cni_bit_lowest32(lanes[k - first]), loop->one_sided);
 	}
 }
 

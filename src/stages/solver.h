@@ -81,6 +81,7 @@ typedef struct cni_solve {
 	int32_t coarse;            /* some net has patches: stages/joint_coarse.h */
 	int32_t bounces;           /* some contact has restitution */
 	uint32_t contact_colors;   /* those that have contacts, as bits */
+	int32_t lanes;             /* contacts of all colours */
 	cni_team *team;            /* who share the loops of the substeps, NULL: not worth it */
 } cni_solve;
 
@@ -103,13 +104,13 @@ void cni_stage_narrowphase(cn_world *world, float dt);
 
 /* Stage 6. */
 void cni_drive_prepare(cn_world *world, const cni_solve *s);           /* drive; free bodies' whole step */
+void cni_drive_finish(cn_world *world);                                /* ... before islands may change: their dense array is no more */
 void cni_drive_prepare_bound(cn_world *world);                         /* drive of all bodies, none taken as free */
 void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t substep);
 void cni_integrate_positions(cn_world *world, const cni_solve *s);
 void cni_integrate_finish(cn_world *world, const cni_solve *s);
-/* The blocks of all colours, for the passes of this step; after the narrowphase. Sets s->bounces and contact_colors; returns
-   how many lanes they have. */
-int32_t cni_contacts_list(cn_world *world, cni_solve *s);
+/* The blocks of all colours, for the passes of this step; after the narrowphase. Sets s->bounces, contact_colors and lanes. */
+void cni_contacts_list(cn_world *world, cni_solve *s);
 void cni_contacts_warm_start(cn_world *world, const cni_solve *s);
 void cni_contacts_solve(cn_world *world, const cni_solve *s);
 void cni_contacts_relax(cn_world *world, const cni_solve *s);
@@ -121,7 +122,7 @@ void cni_rest_find(cn_world *world, const cni_solve *s);
 /* ... and takes out kinetic energy that passive contacts and joints cannot have given: stages/energy.c. */
 void cni_energy_hold(cn_world *world);
 /* Scratch that it may take. */
-uint64_t cni_energy_bytes(int32_t islands);
+uint64_t cni_energy_bytes(int32_t bodies, int32_t islands);
 /* After the substeps: gives what nothing holds its angular momentum back: stages/spin.c. */
 void cni_spin_hold(cn_world *world);
 void cni_contacts_impact(cn_world *world, const cni_solve *s);

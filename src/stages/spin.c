@@ -14,17 +14,31 @@
  * the world), nor for parts with locked axes, damping, or forces of the user's, nor for what soft joints alone hold: at
  * 100 rad/s they tear sooner when their spin is kept.
  *
- * Reads bodies (pose and velocity as the step began), islands, contacts, drives, joints, lanes; writes motion.
+ * Parts are found from lanes and joints over dense indices: of two roots the lower one becomes the root of both
+ * (union-find, Galler and Fisher, 1964), so a part's root is its first body whatever comes first.
+ *
+ * Reads bodies (pose and velocity as the step began), islands, drives, joints, lanes; writes motion.
  */
-#include "stages/solver.h"
+#include "stages/joint_work.h"
 
 #include <string.h>
 
-/* Bodies that hang together. */
+#define RECORDS_AHEAD 8 /* bodies whose records are asked for */
+
+/* Bodies that hang together, by dense index, ascending. */
 typedef struct part {
-	int32_t *bodies;
+	const int32_t *bodies;
 	int32_t count;
 } part;
+
+/* All of them: by dense index, and then the bodies part by part. */
+typedef struct parts {
+	cn_world *world;
+	uint8_t *held;    /* by island */
+	int32_t *root;    /* an earlier body of the part, or itself; 0: it is held, or in no island */
+	int32_t *end;     /* of a root: where its part ends in bodies */
+	int32_t *bodies;
+} parts;
 
 /* What it takes to turn them. */
 typedef struct turning {
@@ -48,15 +62,16 @@ static int32_t has_pairs(const cn_world *world)
 	return pairs > 0;
 }
 
-static void hold(const cn_world *world, uint8_t *held, int32_t index)
+static void hold(const parts *p, int32_t index)
 {
-	int32_t island = cni_awake_island(world, index);
+	int32_t island = cni_awake_island(p->world, index);
 	if (island != CNI_NONE)
-		held[island] = 1;
+		p->held[island] = 1;
 }
 
-static void held_by_contacts(const cn_world *world, uint8_t *held)
+static void held_by_contacts(const parts *p)
 {
+	const cn_world *world = p->world;
 	const cni_motion *motions = cni_motions(world);
 	int32_t color, block, l;
 	for (color = CNI_COLOR_STATIC; color < CNI_COLORS; ++color)
@@ -64,77 +79,134 @@ static void held_by_contacts(const cn_world *world, uint8_t *held)
 			const cni_contact_block *k = cni_block_at(world, block);
 			for (l = 0; l < CNI_LANES; ++l)
 				if (k->ia[l] != 0 && motions[k->ib[l]].inv_mass == 0.0f)
-					hold(world, held, k->ia[l]);
+					hold(p, k->ia[l]);
 		}
 }
 
-static void held_by_joints(const cn_world *world, uint8_t *held)
+static void held_by_joints(const parts *p)
 {
-	int32_t k, side;
-	for (k = 0; k < world->awake_joints.count; ++k) {
-		const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
-		int32_t index[2];
-		for (side = 0; side < 2; ++side)
-			index[side] = j->body[side] != CNI_NONE ? cni_body_at(world, j->body[side])->awake : 0;
-		if (j->type != CN_JOINT_GEAR && j->type != CN_JOINT_PULLEY && cni_motions(world)[index[0]].inv_mass > 0.0f && cni_motions(world)[index[1]].inv_mass > 0.0f)
+	const cni_motion *motions = cni_motions(p->world);
+	int32_t k;
+	for (k = 0; k < p->world->awake_joints.count; ++k) {
+		const cni_joint_work *w = cni_joint_works(p->world) + k;
+		if (w->record->type != CN_JOINT_GEAR && w->record->type != CN_JOINT_PULLEY && motions[w->ia].inv_mass > 0.0f && motions[w->ib].inv_mass > 0.0f)
 			continue;
-		hold(world, held, index[0]);
-		hold(world, held, index[1]);
+		hold(p, w->ia);
+		hold(p, w->ib);
 	}
 }
 
 /* ---- parts ---- */
 
-static void part_add(const cn_world *world, part *p, int32_t body)
+/* Those that are not held are their own roots. 0: none of them touches anything, or swings. */
+static int32_t roots_begin(const parts *p)
 {
-	cni_body *b = cni_body_at(world, body);
-	if (b->flags & CNI_BODY_MARK)
-		return;
-	b->flags |= CNI_BODY_MARK;
-	p->bodies[p->count++] = body;
+	const cni_drive *drives = cni_drives(p->world);
+	int32_t k, count = 0;
+	p->root[0] = 0;
+	for (k = 1; k < p->world->awake_count; ++k) {
+		int32_t island = cni_awake_island(p->world, k);
+		p->root[k] = island != CNI_NONE && !p->held[island] ? k : 0;
+		count += p->root[k] != 0 && (drives[k].flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_SWUNG));
+	}
+	return count;
 }
 
-/* All that hangs together with a body. */
-static void part_find(const cn_world *world, part *p, int32_t first)
+/* The way to it becomes half as long. */
+static int32_t root_of(int32_t *root, int32_t k)
 {
-	int32_t k, key;
-	p->count = 0;
-	part_add(world, p, first);
-	for (k = 0; k < p->count; ++k) {
-		const cni_body *b = cni_body_at(world, p->bodies[k]);
-		for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
-			if (cni_contact_of_key(world, key)->flags & CNI_CONTACT_LINKED)
-				part_add(world, p, cni_contact_of_key(world, key)->body[1 - (key & 1)]);
-		for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
-			if (cni_joint_at(world, key >> 1)->linked)
-				part_add(world, p, cni_joint_at(world, key >> 1)->body[1 - (key & 1)]);
+	while (root[k] != k) {
+		root[k] = root[root[k]];
+		k = root[k];
+	}
+	return k;
+}
+
+static void roots_join(int32_t *root, int32_t a, int32_t b)
+{
+	int32_t ra = root_of(root, a), rb = root_of(root, b), low = cni_min_i(ra, rb);
+	root[ra] = root[rb] = low;
+}
+
+static void lanes_join(const parts *p, const cni_contact_block *k)
+{
+	int32_t l;
+	for (l = 0; l < CNI_LANES; ++l)
+		if (p->root[k->ia[l]] != 0 && p->root[k->ib[l]] != 0)
+			roots_join(p->root, k->ia[l], k->ib[l]);
+}
+
+/* What touches, and what joints hold together. A lane's bodies are in one island, or one of them is in none. Blocks in the order of
+   memory: those of the free list have no lanes. */
+static void roots_find(const parts *p)
+{
+	const cn_world *world = p->world;
+	int32_t block, k;
+	for (block = 0; block < world->block_used; ++block)
+		if (cni_block_info_at(world, block)->color != CNI_NONE)
+			lanes_join(p, cni_block_at(world, block));
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		const cni_joint_work *w = cni_joint_works(world) + k;
+		if (w->record->linked && p->root[w->ia] != 0 && p->root[w->ib] != 0)
+			roots_join(p->root, w->ia, w->ib);
 	}
 }
 
-/* Nothing but an acceleration that all have in common, and each other. */
+/* From roots to parts. A body's root is lower, and so has its own already. */
+static void bodies_find(const parts *p)
+{
+	int32_t k, count = p->world->awake_count, begin = 0;
+	memset(p->end, 0, sizeof(int32_t) * (size_t)count);
+	for (k = 1; k < count; ++k) {
+		p->root[k] = p->root[p->root[k]];
+		++p->end[p->root[k]];
+	}
+	for (k = 1; k < count; ++k) {
+		int32_t members = p->end[k];
+		p->end[k] = begin;
+		begin += p->root[k] == k ? members : 0;
+	}
+	for (k = 1; k < count; ++k)
+		if (p->root[k] != 0)
+			p->bodies[p->end[p->root[k]]++] = k;
+}
+
+/* Nothing but an acceleration that all have in common, and each other: some touch, or swing. */
 static int32_t is_alone(const cn_world *world, const part *p)
 {
-	const cni_drive *drives = cni_drives(world), *of_first = &drives[cni_body_at(world, p->bodies[0])->awake];
+	const cni_drive *drives = cni_drives(world), *of_first = &drives[p->bodies[0]];
+	uint32_t flags = 0;
 	int32_t k;
 	for (k = 0; k < p->count; ++k) {
-		int32_t index = cni_body_at(world, p->bodies[k])->awake;
-		const cni_drive *d = &drives[index];
-		if (d->ax != of_first->ax || d->ay != of_first->ay || d->alpha != 0.0f || cni_motions(world)[index].inv_inertia == 0.0f)
+		const cni_drive *d = &drives[p->bodies[k]];
+		if (d->ax != of_first->ax || d->ay != of_first->ay || d->alpha != 0.0f || cni_motions(world)[p->bodies[k]].inv_inertia == 0.0f)
 			return 0;
-		if (d->flags & (CNI_DRIVE_DAMPED | CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y))
-			return 0;
+		flags |= d->flags;
 	}
-	return 1;
+	return !(flags & (CNI_DRIVE_DAMPED | CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y)) && (flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_SWUNG));
+}
+
+static const cni_body *body_at(const cn_world *world, int32_t index)
+{
+	return cni_body_at(world, cni_awake_ids(world)[index]);
+}
+
+static void record_prefetch(const cn_world *world, int32_t index)
+{
+	CNI_PREFETCH(&body_at(world, index)->cx);
+	CNI_PREFETCH(&body_at(world, index)->w);
 }
 
 static void means_find(const cn_world *world, const part *p, turning *t)
 {
-	const cni_body *first = cni_body_at(world, p->bodies[0]);
+	const cni_body *first = body_at(world, p->bodies[0]);
 	int32_t k;
 	for (k = 0; k < p->count; ++k) {
-		const cni_body *b = cni_body_at(world, p->bodies[k]);
-		const cni_motion *m = cni_motions(world) + b->awake;
+		const cni_body *b = body_at(world, p->bodies[k]);
+		const cni_motion *m = cni_motions(world) + p->bodies[k];
 		float mass = 1.0f / m->inv_mass;
+		if (k + RECORDS_AHEAD < p->count)
+			record_prefetch(world, p->bodies[k + RECORDS_AHEAD]);
 		t->mass += mass;
 		t->center = cni_madd(t->center, mass, center_of(b, first));
 		t->moved = cni_madd(t->moved, mass, cni_v(m->dpx, m->dpy));
@@ -155,11 +227,11 @@ static cni_vec2 arm_change(const turning *t, const cni_motion *m)
 
 static void lost_find(const cn_world *world, const part *p, turning *t)
 {
-	const cni_body *first = cni_body_at(world, p->bodies[0]);
+	const cni_body *first = body_at(world, p->bodies[0]);
 	int32_t k;
 	for (k = 0; k < p->count; ++k) {
-		const cni_body *b = cni_body_at(world, p->bodies[k]);
-		const cni_motion *m = cni_motions(world) + b->awake;
+		const cni_body *b = body_at(world, p->bodies[k]);
+		const cni_motion *m = cni_motions(world) + p->bodies[k];
 		float mass = 1.0f / m->inv_mass, inertia = 1.0f / m->inv_inertia;
 		cni_vec2 r = cni_sub(center_of(b, first), t->center), dr = arm_change(t, m);
 		cni_vec2 du = cni_sub(cni_v(m->vx - b->vx, m->vy - b->vy), t->change);
@@ -171,12 +243,12 @@ static void lost_find(const cn_world *world, const part *p, turning *t)
 
 static void turn(const cn_world *world, const part *p, const turning *t)
 {
-	const cni_body *first = cni_body_at(world, p->bodies[0]);
+	const cni_body *first = body_at(world, p->bodies[0]);
 	float w = -t->lost / t->inertia;
 	int32_t k;
 	for (k = 0; k < p->count; ++k) {
-		const cni_body *b = cni_body_at(world, p->bodies[k]);
-		cni_motion *m = cni_motions(world) + b->awake;
+		const cni_body *b = body_at(world, p->bodies[k]);
+		cni_motion *m = cni_motions(world) + p->bodies[k];
 		cni_vec2 r = cni_add(cni_sub(center_of(b, first), t->center), arm_change(t, m));
 		m->vx -= w * r.y;
 		m->vy += w * r.x;
@@ -195,42 +267,47 @@ static void part_hold(const cn_world *world, const part *p)
 	turn(world, p, &t);
 }
 
-static void island_hold(const cn_world *world, const cni_island *i, part *p)
+/* Parts lie in the order of their roots. */
+static void parts_hold(const parts *p)
 {
-	int32_t body;
-	int32_t found = 0;
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
-		const cni_body *b = cni_body_at(world, body);
-		if ((b->flags & CNI_BODY_MARK) || !(cni_drives(world)[b->awake].flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_SWUNG)))
+	int32_t k, begin = 0;
+	for (k = 1; k < p->world->awake_count; ++k) {
+		part one;
+		if (p->root[k] != k)
 			continue;
-		part_find(world, p, body);
-		part_hold(world, p);
-		found = 1;
+		one.bodies = p->bodies + begin;
+		one.count = p->end[k] - begin;
+		begin = p->end[k];
+		part_hold(p->world, &one);
 	}
-	for (body = found ? i->first : CNI_NONE; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
-		cni_body_at(world, body)->flags &= ~(uint32_t)CNI_BODY_MARK;
+}
+
+static void look_at_all(const parts *p)
+{
+	memset(p->held, 0, (size_t)p->world->island_used);
+	held_by_contacts(p);
+	held_by_joints(p);
+	if (roots_begin(p) == 0)
+		return;
+	roots_find(p);
+	bodies_find(p);
+	parts_hold(p);
 }
 
 void cni_spin_hold(cn_world *world)
 {
-	uint8_t *held;
-	part p = { NULL, 0 };
-	int32_t k;
+	uint64_t count = (uint64_t)world->awake_count;
+	parts p = { world, NULL, NULL, NULL, NULL };
 	if (world->island_used == 0 || !has_pairs(world))
 		return;
-	held = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->island_used);
-	if (held != NULL)
-		p.bodies = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
-	if (p.bodies != NULL) { /* else there is no memory to look: the step goes on as it is */
-		memset(held, 0, (size_t)world->island_used);
-		held_by_contacts(world, held);
-		held_by_joints(world, held);
-		for (k = 0; k < world->island_used; ++k) {
-			const cni_island *i = cni_island_at(world, k);
-			if (i->first != CNI_NONE && i->awake && !held[k])
-				island_hold(world, i, &p);
-		}
+	p.held = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->island_used);
+	if (p.held != NULL)
+		p.root = (int32_t *)cni_arena_push(&world->arena, 3 * sizeof(int32_t) * count);
+	if (p.root != NULL) { /* else there is no memory to look: the step goes on as it is */
+		p.end = p.root + count;
+		p.bodies = p.end + count;
+		look_at_all(&p);
 	}
-	(void)cni_arena_pop(&world->arena, p.bodies);
-	(void)cni_arena_pop(&world->arena, held);
+	(void)cni_arena_pop(&world->arena, p.root);
+	(void)cni_arena_pop(&world->arena, p.held);
 }

@@ -26,7 +26,6 @@
  *
  * Reads lanes, islands, motion; writes islands' tier fields, world->direct_islands.
  */
-#include "base/bitset.h"
 #include "base/cpu.h"
 #include "stages/press.h"
 #include "stages/solver.h"
@@ -43,6 +42,7 @@
 #define REFUSED_STEPS 120      /* until a refused island is looked at again */
 #define STRESS_MOST 15.0f      /* own weights: what bears more is crushed by the soft solver */
 #define BUCKLING 0.055f        /* ... and what bears s of them when s^2 g h^2 is more than this part of its size */
+#define BLOCKS_AT_ONCE 8       /* whose memory is asked for */
 #define HEAVIER 5.0f           /* times: such a body on a lighter one may crush it */
 
 typedef struct look {
@@ -248,7 +248,7 @@ static int32_t island_is_settled(const cn_world *world, int32_t island)
 static void lane_look(cn_world *world, look *q, const cni_contact_block *k, int32_t l, int32_t is_new)
 {
 	int32_t island = cni_awake_island(world, k->ia[l]), reason;
-	if (island == CNI_NONE || island == q->done)
+	if (island == CNI_NONE)
 		return;
 	if (island_is_settled(world, island)) {
 		q->done = island;
@@ -259,16 +259,27 @@ static void lane_look(cn_world *world, look *q, const cni_contact_block *k, int3
 		island_is_bad(world, island, reason);
 }
 
-static void block_look(cn_world *world, look *q, int32_t block)
+static void lane_look_new(cn_world *world, look *q, const cni_contact_block *k, int32_t l)
 {
-	const cni_contact_block *k = cni_block_at(world, block);
-	const cni_block_info *info = cni_block_info_at(world, block);
-	uint32_t fresh = info->fresh_step == world->step_count + 1u ? info->fresh : 0, lanes = fresh | deep_lanes(k, q->most);
-	for (; lanes != 0; lanes &= lanes - 1u) {
-		int32_t l = cni_bit_lowest32(lanes), is_new = (fresh >> l & 1u) && lane_is_new(k, l, world->settings.slop);
-		if (is_new)
-			new_contact_count(world, k->ia[l]);
+	int32_t is_new = lane_is_new(k, l, world->settings.slop);
+	if (is_new)
+		new_contact_count(world, k->ia[l]);
+	if (cni_awake_island(world, k->ia[l]) != q->done)
 		lane_look(world, q, k, l, is_new);
+}
+
+/* lanes: those that are deep or new, as bits. In a heap that moves nearly all are deep, and of the island that is done. */
+static void block_look(cn_world *world, look *q, const cni_listed_block *b, uint32_t lanes)
+{
+	const cni_contact_block *k = b->rows;
+	int32_t l;
+	for (l = 0; lanes >> l != 0; ++l) {
+		if (!(lanes >> l & 1u))
+			continue;
+		if (b->fresh >> l & 1u)
+			lane_look_new(world, q, k, l);
+		else if (cni_awake_island(world, k->ia[l]) != q->done)
+			lane_look(world, q, k, l, 0);
 	}
 }
 
@@ -283,13 +294,41 @@ static void unheld_look(cn_world *world)
 	}
 }
 
+static void separations_prefetch(const cni_contact_block *k)
+{
+	CNI_PREFETCH(k->p[0].s0);
+	CNI_PREFETCH(k->p[1].s0);
+}
+
+static void impulses_prefetch(const cni_contact_block *k)
+{
+	CNI_PREFETCH(k->p[0].nm);
+	CNI_PREFETCH(k->p[1].nm);
+	CNI_PREFETCH(k->p[0].jn);
+	CNI_PREFETCH(k->p[1].jn);
+}
+
+/* Some blocks at once: what is asked of few comes while the others are looked at. */
 static void lanes_look(cn_world *world, float h)
 {
 	look q = { CNI_BAD_PART * world->settings.accuracy, h, CNI_NONE };
-	int32_t color, block;
-	for (color = 0; color < CNI_COLORS; ++color)
-		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
-			block_look(world, &q, block);
+	const cni_listed_block *list = (const cni_listed_block *)world->block_list.data;
+	uint32_t lanes[BLOCKS_AT_ONCE];
+	int32_t first, last, k, count = world->colors[CNI_COLORS - 1].listed + world->colors[CNI_COLORS - 1].listed_count;
+	for (first = 0; first < count; first = last) {
+		last = cni_min_i(first + BLOCKS_AT_ONCE, count);
+		for (k = first; k < last; ++k) {
+			if (k + BLOCKS_AT_ONCE < count)
+				separations_prefetch(list[k + BLOCKS_AT_ONCE].rows);
+			lanes[k - first] = list[k].fresh | deep_lanes(list[k].rows, q.most);
+			if (lanes[k - first] != 0)
+				CNI_PREFETCH(list[k].rows->ia);
+			if (list[k].fresh != 0)
+				impulses_prefetch(list[k].rows);
+		}
+		for (k = first; k < last; ++k)
+			block_look(world, &q, &list[k], lanes[k - first]);
+	}
 	if (world->piles_unheld)
 		unheld_look(world);
 	world->piles_unheld = 0;

@@ -67,10 +67,9 @@ static void substeps_lead(void *context)
 static void substeps_run(cn_world *world, cni_solve *s)
 {
 	substeps all;
-	int32_t lanes = cni_contacts_list(world, s);
 	if (world->awake_count == 1)
 		return; /* nothing but the dummy */
-	if (lanes + world->awake_joints.count + world->awake_count >= SHARED_WORK)
+	if (s->lanes + world->awake_joints.count + world->awake_count >= SHARED_WORK)
 		s->team = world->team;
 	all.world = world;
 	all.s = s;
@@ -101,6 +100,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 		return 0;
 	cni_drive_prepare(world, &s);
 	cni_joints_prepare(world, &s);
+	cni_contacts_list(world, &s);
 	cni_stage_tiers(world, s.h);
 	cni_direct_prepare(world, &s, &direct);
 	cni_piles_load(world, &s);
@@ -112,6 +112,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	cni_joints_store(world, &s);
 	cni_direct_store(world, &s);
 	cni_spin_hold(world);
+	cni_drive_finish(world);
 	profile_mark(world, &profile->substeps_s, mark);
 	if (world->settings.flags & CN_WORLD_CONTINUOUS)
 		cni_stage_continuous(world);

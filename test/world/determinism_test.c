@@ -31,7 +31,7 @@ static const golden goldens[] = {
 	{ "ragdolls", 480, 1, 0x60f5eb64a1647803 },
 	{ "bridge", 240, 1, 0xdafd1f0446b07366 },
 	{ "car", 400, 1, 0x380e988acbcb444f },
-	{ "mixer", 240, 1, 0xe03a20e30ac31da3 },
+	{ "mixer", 240, 1, 0xf14fde745b9ecb20 },
 	{ "pyramid", 120, 0, 0xbb24e8518c196cd8 },
 	{ "rain", 150, 0, 0x77f20642a3cbe8b7 },
 	{ "tumbler_1000", 300, 0, 0x1d76cae0782d85b3 },
