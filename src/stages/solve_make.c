@@ -116,6 +116,7 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	cni_solve s;
 	float last = world->step_dt;
 	int32_t kind;
+	memset(&s, 0, sizeof s);
 	s.dt = dt;
 	s.substeps = substeps;
 	s.h = dt / (float)substeps;
@@ -130,11 +131,6 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	s.kernel = cni_contact_kernel_choose();
 	s.joint_kernel = cni_joint_kernel_choose();
 	s.body_kernel = cni_body_kernel_choose();
-	s.direct = NULL;
-	s.coarse = 0;
-	s.bounces = 0;
-	s.contact_colors = 0;
-	s.team = NULL;
 	return s;
 }
 

@@ -86,6 +86,8 @@ static void live(life *l, int32_t step)
 		must(cn_body_set_type(l->world, l->parts[3][2], CN_BODY_DYNAMIC), l->world, "cn_body_set_type");
 	if (step == 180)
 		doll(l, 4, 12.0f, 8.0f);
+	if (step == 250) /* the stack has slept for long */
+		must(cn_body_set_awake(l->world, l->stack[7], 1), l->world, "cn_body_set_awake");
 	if (step == 300) /* what fell down sleeps by now */
 		fixture_set_velocity(l->world, l->parts[0][0], 0.0f, 4.0f, 1.0f);
 	if (step == 330)
