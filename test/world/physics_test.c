@@ -173,6 +173,38 @@ static void drops_return_to_their_height(void)
 		}
 }
 
+/* Eight balls in a row, seven at rest and touching: each hands on (1 + e) / 2 of its speed, whatever order they were made in. */
+static void wave_run(float e, float speed, int32_t backwards)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	cn_body balls[8];
+	double momentum = 0.0, expected = (double)speed * pow(0.5 * (1.0 + (double)e), 7.0);
+	int32_t k;
+	for (k = 0; k < 8; ++k) {
+		int32_t which = backwards ? 7 - k : k;
+		balls[which] = fixture_circle(world, CN_BODY_DYNAMIC, (float)which - (which == 0 ? 1.0f : 0.0f), 0.0f, 0.5f, 0.0f, e);
+	}
+	fixture_set_velocity(world, balls[0], speed, 0.0f, 0.0f);
+	fixture_step(world, 120);
+	for (k = 0; k < 8; ++k)
+		momentum += (double)fixture_velocity(world, balls[k]).linear_mps.x;
+	CHECK_LE("wave: speed of the last ball, off the law / speed", fabs((double)fixture_velocity(world, balls[7]).linear_mps.x - expected) / (double)speed, 1e-3, "");
+	CHECK_LE("wave: change of momentum / momentum", fabs(momentum - (double)speed) / (double)speed, ROUNDING, "");
+	cn_world_destroy(world);
+}
+
+/* Restitution takes as many sweeps as that needs: with one, seven balls would swallow it. */
+static void a_wave_passes_through_touching_balls(void)
+{
+	int32_t backwards;
+	for (backwards = 0; backwards < 2; ++backwards) {
+		wave_run(1.0f, 2.0f, backwards);
+		wave_run(1.0f, 12.0f, backwards);
+		wave_run(0.8f, 2.0f, backwards);
+		wave_run(0.8f, 12.0f, backwards);
+	}
+}
+
 static double kinetic_energy(const cn_world *world, const cn_body *bodies, int32_t count, double *px, double *py, double *scale)
 {
 	double energy = 0.0;
@@ -345,6 +377,7 @@ int main(int argc, char **argv)
 	RUN(sliding_box_stops_where_it_should);
 	RUN(static_and_dynamic_friction_differ);
 	RUN(drops_return_to_their_height);
+	RUN(a_wave_passes_through_touching_balls);
 	RUN(cluster_keeps_momentum_and_gains_no_energy);
 	RUN(stacks_of_boxes_stand_60_s);
 	RUN(pyramid_of_20_keeps_its_place);
