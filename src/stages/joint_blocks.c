@@ -21,6 +21,7 @@
 
 #define FAR_RAD 1e9f          /* a limit that is nowhere */
 #define BLOCKS_A_RANGE 8      /* a microsecond or two, more than the workers of a team take to meet */
+#define STORES_AHEAD 8        /* joints whose records are asked for */
 #define TURN_MOST_RAD 1.5f    /* in a step: faster bodies' joints are solved by rows, whose arms turn any way exactly */
 
 const cni_joint_kernel *cni_joint_kernel_choose(void)
@@ -479,9 +480,10 @@ static float load_follow(float load, float impulse, float part)
 	return load == 0.0f ? 0.0f : load + part * (impulse - load);
 }
 
-static void lane_store(cn_world *world, const cni_joint_block *block, int32_t l, const cni_solve *s)
+static void lane_store(cn_world *world, const cni_joint_work *w, const cni_solve *s)
 {
-	const cni_joint_work *w = cni_joint_works(world) + block->work[l];
+	const cni_joint_block *block = cni_joint_block_of(world, w);
+	int32_t l = w->lane % CNI_LANES;
 	cni_joint *j = cni_joint_at(world, w->joint);
 	float part = cni_min(CNI_LOAD_RATE * s->dt, 1.0f);
 	int32_t has_rows = (block->direct >> l & 1u) && !block->herd;
@@ -498,26 +500,19 @@ static void lane_store(cn_world *world, const cni_joint_block *block, int32_t l,
 		cni_joint_gap_look(world, w, cni_max(cni_abs(block->ex[l]), cni_abs(block->ey[l])));
 }
 
-static void lanes_store(cn_world *world, const cni_joint_block *block, int32_t lanes, const cni_solve *s)
-{
-	int32_t l;
-	for (l = 0; l < cni_min_i(lanes, CNI_LANES); ++l)
-		lane_store(world, block, l, s);
-}
-
+/* In the order of the works, which is nearly that of the records. */
 void cni_joint_blocks_store(cn_world *world, const cni_solve *s)
 {
-	int32_t color, index, k, n;
-	for (k = 0; s->direct != NULL && k < s->direct->herd_count; ++k) {
-		const cni_herd *herd = &s->direct->herds[k];
-		for (n = 0; n < herd->kind.nodes; ++n)
-			lanes_store(world, &herd->nodes[n], herd->lanes, s);
-	}
-	for (color = 0; color < CNI_JOINT_COLORS; ++color) {
-		int32_t lanes = world->joint_colors[color].lanes;
-		for (index = world->joint_colors[color].first; index != CNI_NONE; index = cni_joint_blocks(world)[index].next) {
-			lanes_store(world, cni_joint_blocks(world) + index, lanes, s);
-			lanes -= CNI_LANES;
+	const cni_joint_work *works = cni_joint_works(world);
+	int32_t k, count = world->awake_joints.count, far = cni_joints_are_far(world);
+	for (k = 0; k < count; ++k) {
+		if (far && k + STORES_AHEAD < count && works[k + STORES_AHEAD].lane != CNI_NONE) {
+			const cni_joint_block *next = cni_joint_block_of(world, &works[k + STORES_AHEAD]);
+			cni_joint_prefetch(works[k + STORES_AHEAD].record);
+			CNI_PREFETCH(next->jx);
+			CNI_PREFETCH(next->jy);
 		}
+		if (works[k].lane != CNI_NONE)
+			lane_store(world, &works[k], s);
 	}
 }
