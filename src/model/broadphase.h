@@ -31,7 +31,11 @@ typedef float cni_query_fn(void *context, int32_t proxy, float limit);
 typedef struct cni_broadphase_pairs {
 	cni_array list;        /* cni_pair, sorted by (a, b), each once */
 	int32_t pairs_lost;
-	int32_t reserved;
+	int32_t asked;         /* 1: only wanted ones are listed */
+	/* The caller's, NULL: all are wanted. update asks it when the list is full, so that nothing is lost for pairs that the
+	   caller would drop; else it leaves that to the caller. Always asked in the thread that called. */
+	cni_pair_filter_fn *wanted;
+	const void *wanted_context;
 } cni_broadphase_pairs;
 
 typedef struct cni_broadphase_context {

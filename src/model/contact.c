@@ -92,8 +92,9 @@ static int32_t sensor_may_see(const cn_world *world, const cni_shape *a, const c
 	return !(a->flags & b->flags & CN_SHAPE_SENSOR) && cni_body_at(world, visitor->body)->type != CN_BODY_STATIC;
 }
 
-int32_t cni_contact_user_allows(const cn_world *world, int32_t proxy_a, int32_t proxy_b)
+int32_t cni_contact_user_allows(const void *context, int32_t proxy_a, int32_t proxy_b)
 {
+	const cn_world *world = (const cn_world *)context;
 	cn_world *locked = (cn_world *)(uintptr_t)world; /* the lock is the one thing a filter may not see unchanged */
 	int32_t allowed;
 	if (world->filter == NULL)

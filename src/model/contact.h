@@ -189,8 +189,8 @@ float cni_contact_gap(const cn_world *world, const cni_contact *c);
 float cni_contact_approach(const cn_world *world, const cni_contact *c);
 /* May these two proxies make a contact, as far as the library knows? Reads only. (cni_pair_filter_fn; context is the world) */
 int32_t cni_contact_possible(const void *context, int32_t proxy_a, int32_t proxy_b);
-/* ... as far as the user's filter goes, who is asked in the thread that called. */
-int32_t cni_contact_user_allows(const cn_world *world, int32_t proxy_a, int32_t proxy_b);
+/* ... as far as the user's filter goes, who is asked in the thread that called. (cni_pair_filter_fn too) */
+int32_t cni_contact_user_allows(const void *context, int32_t proxy_a, int32_t proxy_b);
 /* ... both. */
 int32_t cni_contact_allowed(const cn_world *world, int32_t proxy_a, int32_t proxy_b);
 /* Room for `lanes` touching contacts, awake or asleep, however they are coloured. 0: no memory. */

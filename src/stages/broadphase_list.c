@@ -1,18 +1,44 @@
 /*
  * stages/broadphase_list.c - owns how new pairs are listed: appended in any order, sorted at the end, and what
- * happens when there is no memory for one (see model/broadphase.h).
+ * happens when there is no room for one (see model/broadphase.h).
  */
 #include "stages/broadphase_list.h"
 #include "base/sort.h"
 
 #include <string.h>
 
+void cni_pairs_begin(cni_broadphase_pairs *pairs)
+{
+	pairs->list.count = 0;
+	pairs->pairs_lost = 0;
+	pairs->asked = 0;
+}
+
+/* Leaves out what is not wanted; from now on nothing else is listed. */
+static void list_sift(cni_broadphase_pairs *pairs)
+{
+	cni_pair *list = (cni_pair *)pairs->list.data;
+	int32_t k, count = pairs->list.count;
+	pairs->list.count = 0;
+	for (k = 0; k < count; ++k)
+		if (pairs->wanted(pairs->wanted_context, list[k].a, list[k].b))
+			list[pairs->list.count++] = list[k];
+	pairs->asked = 1;
+}
+
+static int32_t list_is_full(const cni_broadphase_pairs *pairs) { return pairs->list.count == pairs->list.capacity; }
+static int32_t list_grow(cni_broadphase_pairs *pairs, cni_memory *memory) { return cni_array_reserve(&pairs->list, memory, pairs->list.count + 1); }
+
+/* A fixed block has room for pairs that become contacts and should not spend more on others: there the list is sifted before it grows. */
 void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, int32_t b, cni_proxy *looks)
 {
 	cni_pair *pair;
-	int32_t room = pairs->list.count < pairs->list.capacity;
+	if (list_is_full(pairs) && pairs->wanted != NULL && !pairs->asked && (memory->fixed || !list_grow(pairs, memory)))
+		list_sift(pairs);
+	if (pairs->asked && !pairs->wanted(pairs->wanted_context, cni_min_i(a, b), cni_max_i(a, b)))
+		return;
 	/* Once refused, memory is not asked for again. */
-	if (!room && (pairs->pairs_lost > 0 || !cni_array_reserve(&pairs->list, memory, pairs->list.count + 1))) {
+	if (list_is_full(pairs) && (pairs->pairs_lost > 0 || !list_grow(pairs, memory))) {
 		looks->flags |= CNI_PROXY_AGAIN;
 		++pairs->pairs_lost;
 		return;

@@ -6,6 +6,8 @@
 
 #include "model/broadphase.h"
 
+/* An empty list, of which nothing was asked. */
+void cni_pairs_begin(cni_broadphase_pairs *pairs);
 /* Appends the pair. Without memory it is counted as lost, and looks (a moved proxy of it) is flagged to look again. */
 void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, int32_t b, cni_proxy *looks);
 /* By (a, b). */

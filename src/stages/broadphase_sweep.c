@@ -178,8 +178,7 @@ static void finish_moved(cni_sweep *sweep)
 static void sweep_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out)
 {
 	cni_sweep *sweep = sweep_of(broadphase);
-	out->list.count = 0;
-	out->pairs_lost = 0;
+	cni_pairs_begin(out);
 	cni_sweep_settle(sweep, cni_sweep_team(sweep));
 	if (sweep->moved_count == 0)
 		return;

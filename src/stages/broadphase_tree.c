@@ -153,8 +153,7 @@ static void tree_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter, 
 {
 	tree_broadphase *b = tree_of(broadphase);
 	pair_pass pass;
-	out->list.count = 0;
-	out->pairs_lost = 0;
+	cni_pairs_begin(out);
 	tree_settle(broadphase);
 	pass.broadphase = b;
 	pass.filter = filter;

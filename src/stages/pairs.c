@@ -33,12 +33,13 @@ static int32_t is_marked(const cn_world *world, int32_t proxy)
 	return (cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy)->shape)->body)->flags & CNI_BODY_AGAIN) != 0;
 }
 
-/* Leaves those out that the user does not want. Workers may have found the pairs; the user is asked here, in order. */
+/* Leaves those out that the user does not want. Workers may have found the pairs; the user is asked here, in order, but
+   where the list had no room for all and the broadphase asked. */
 static void user_filter(const cn_world *world, cni_broadphase_pairs *pairs)
 {
 	cni_pair *list = (cni_pair *)pairs->list.data;
 	int32_t k, count = pairs->list.count;
-	if (world->filter == NULL)
+	if (world->filter == NULL || pairs->asked)
 		return;
 	pairs->list.count = 0;
 	for (k = 0; k < count; ++k)
@@ -70,6 +71,8 @@ void cni_stage_pairs(cn_world *world, float dt)
 	int32_t k, may_repeat = world->pairs_may_repeat;
 	world->pairs_may_repeat = 0;
 	kicked_look_ahead(world, dt);
+	pairs->wanted = world->filter != NULL ? cni_contact_user_allows : NULL;
+	pairs->wanted_context = world;
 	world->broadphase_ops->update(world->broadphase, cni_contact_possible, world, pairs);
 	if (pairs->pairs_lost > 0) {
 		world->warnings |= CN_WARNING_CONTACT_MEMORY;

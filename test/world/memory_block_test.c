@@ -460,6 +460,84 @@ static void contacts_beyond_capacity_are_counted(void)
 	CHECK_LE("bytes written outside of the block", block_close(&block), 0, "bytes");
 }
 
+#define REFUSED_BODIES 1100 /* enough that workers share the search */
+#define WANTED_FIRST 500
+#define WANTED 20
+
+typedef struct chooser {
+	cn_shape wanted[WANTED];
+	int32_t asked;
+} chooser;
+
+static int32_t chooser_wants(const chooser *c, cn_shape shape)
+{
+	int32_t k;
+	for (k = 0; k < WANTED; ++k)
+		if (c->wanted[k] == shape)
+			return 1;
+	return 0;
+}
+
+static int32_t choose(cn_world *world, cn_shape a, cn_shape b, void *user)
+{
+	chooser *c = user;
+	(void)world;
+	++c->asked;
+	return chooser_wants(c, a) && chooser_wants(c, b);
+}
+
+/* Discs on one heap, in the middle of the list those that collide with each other. */
+static void choosers_fill(cn_world *world, chooser *c)
+{
+	cn_circle circle = { { 0.0f, 0.0f }, 0.5f };
+	int32_t k;
+	memset(c, 0, sizeof *c);
+	for (k = 0; k < REFUSED_BODIES; ++k) {
+		cn_shape_def def = fixture_shape_def(fixture_body(world, CN_BODY_DYNAMIC, 1e-4f * (float)k, 0.0f, 0.0f), 0.5f, 0.0f);
+		cn_shape shape;
+		must(cn_shape_create_circle(world, &def, &circle, &shape), world, "cn_shape_create_circle");
+		if (k >= WANTED_FIRST && k < WANTED_FIRST + WANTED)
+			c->wanted[k - WANTED_FIRST] = shape;
+	}
+	must(cn_world_set_filter_callback(world, choose, c), world, "cn_world_set_filter_callback");
+}
+
+static void check_chooser(int32_t broadphase, int32_t workers)
+{
+	const int32_t wanted = WANTED * (WANTED - 1) / 2, pairs = REFUSED_BODIES * (REFUSED_BODIES - 1) / 2;
+	cn_world_def capacities = fixed_def(REFUSED_BODIES, REFUSED_BODIES, wanted, 0);
+	fixed_block block;
+	cn_world *world;
+	cn_counters counters;
+	chooser c;
+	int32_t step;
+	capacities.broadphase = broadphase;
+	capacities.worker_count = workers;
+	world = fixed_world(&capacities, &block);
+	choosers_fill(world, &c);
+	for (step = 0; step < 2; ++step) {
+		fixture_step(world, 1);
+		counters = fixture_counters(world);
+		printf("  broadphase %d, %d workers: %d contacts, %d pairs not added, %d asked of %d\n", (int)broadphase, (int)workers, (int)counters.contacts,
+		       (int)counters.pairs_not_added, (int)c.asked, (int)pairs);
+		CHECK(counters.contacts == wanted && counters.pairs_not_added == 0 && counters.warnings == 0);
+		CHECK(c.asked == pairs); /* each once, in the first step */
+	}
+	CHECK(fixture_is_valid(world));
+	cn_world_destroy(world);
+	CHECK_LE("bytes written outside of the block", block_close(&block), 0, "bytes");
+}
+
+/* Pairs that the user's filter refuses count against no capacity, however many there are. */
+static void refused_pairs_take_no_room(void)
+{
+	int32_t workers;
+	for (workers = 1; workers <= 3; workers += 2) {
+		check_chooser(CN_BROADPHASE_SWEEP, workers);
+		check_chooser(CN_BROADPHASE_TREE, workers);
+	}
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -469,5 +547,6 @@ int main(int argc, char **argv)
 	RUN(every_capacity_is_kept);
 	RUN(small_blocks_are_refused);
 	RUN(contacts_beyond_capacity_are_counted);
+	RUN(refused_pairs_take_no_room);
 	return test_end();
 }
