@@ -312,7 +312,7 @@ void cni_coarse_rest(cn_world *world)
 	cni_coarse_view v = cni_coarse_view_of(world);
 	int32_t n;
 	for (n = 0; n < v.head->net_count; ++n)
-		if (cni_drives(world)[v.bodies[v.nets[n].body_begin].index].flags & CNI_DRIVE_SWUNG)
+		if (v.nets[n].holds && (cni_drives(world)[v.bodies[v.nets[n].body_begin].index].flags & CNI_DRIVE_SWUNG)) /* else indices are old */
 			v.nets[n].rests = 1;
 	cni_joint_blocks_rest(world);
 }

@@ -66,7 +66,7 @@ typedef struct cni_net_range {
 	int32_t pin_begin, pin_end;
 	int32_t patch_begin, patch_end;
 	int32_t mode_begin, mode_end;
-	int32_t dear;                 /* its system is too large: it is left to the passes */
+	int32_t dear;                 /* its system is too large, or not to be solved in doubles: it is left to the passes */
 	int32_t holds;                /* in this step */
 	int32_t rests;                /* ... is done with: stages/rest.c */
 } cni_net_range;
@@ -97,7 +97,7 @@ typedef struct cni_coarse_view {
 cni_coarse_view cni_coarse_view_of(const cn_world *world);
 /* How many entries the systems have, and where; patch_of: the patch of each body, is written. */
 void cni_coarse_system_size(const cni_coarse_view *v, int32_t *patch_of);
-/* Writes and factors them; patch_of_mode is scratch. */
+/* Writes and factors them; those that rounding spoils make their nets dear. patch_of_mode is scratch. */
 void cni_coarse_system_make(const cni_coarse_view *v, const int32_t *patch_of, int32_t *patch_of_mode);
 /* q' in place of q. */
 void cni_coarse_system_solve(const cni_coarse_view *v, const cni_net_range *net);

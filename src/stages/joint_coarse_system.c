@@ -3,7 +3,7 @@
  * from its first entry that is not 0, factored in place as L L' (Cholesky; George and Liu, "Computer Solution of Large
  * Sparse Positive Definite Systems", 1981, chapter 4). Doubles: g makes the largest entries a million times the smallest.
  *
- * Reads nets, pins, patches, parts; writes patches' columns and entries, entries, speeds.
+ * Reads nets, pins, patches, parts; writes patches' columns and entries, entries, speeds, and which nets are dear.
  */
 #include "stages/joint_coarse.h"
 
@@ -11,6 +11,7 @@
 
 #define STIFF 1e6            /* g over the mass of a body */
 #define ENTRIES_MOST 64      /* of a system, a body: more cost as much as the passes */
+#define PIVOT_LEAST 0.5      /* of a factor, squared: half of what it is without rounding */
 
 /* Four sums, so that they need not wait for each other. */
 CNI_INLINE double dot(const double *a, const double *b, int32_t count)
@@ -27,6 +28,7 @@ CNI_INLINE double dot(const double *a, const double *b, int32_t count)
 		s0 += a[k] * b[k];
 	return (s0 + s1) + (s2 + s3);
 }
+
 /* ---- making ---- */
 
 void cni_coarse_system_size(const cni_coarse_view *v, int32_t *patch_of)
@@ -114,8 +116,9 @@ static void system_write(const cni_coarse_view *v, const cni_net_range *net, con
 	}
 }
 
-/* A row of the factor, given those before it. */
-static void row_factor(const cni_coarse_view *v, const cni_patch *patch, int32_t i, const int32_t *patch_of_mode)
+/* A row of the factor, given those before it. 0: rounding has eaten what the least of its pivots may be, which is 1: masses
+   differ by twelve decimal orders and more. */
+static int32_t row_factor(const cni_coarse_view *v, const cni_patch *patch, int32_t i, const int32_t *patch_of_mode)
 {
 	double *row = row_of(v, patch, i);
 	int32_t j, at = patch->mode + i;
@@ -124,8 +127,21 @@ static void row_factor(const cni_coarse_view *v, const cni_patch *patch, int32_t
 		const double *before = row_of(v, other, j - other->mode);
 		int32_t from = cni_max_i(patch->column, other->column);
 		double sum = row[j - patch->column] - dot(row + (from - patch->column), before + (from - other->column), j - from);
+		if (j == at && !(sum > PIVOT_LEAST))
+			return 0;
 		row[j - patch->column] = j < at ? sum * before[j - other->column] : 1.0 / cni_sqrt_double(sum);
 	}
+	return 1;
+}
+
+static int32_t system_factor(const cni_coarse_view *v, const cni_net_range *net, const int32_t *patch_of_mode)
+{
+	int32_t p, i;
+	for (p = net->patch_begin; p < net->patch_end; ++p)
+		for (i = 0; i < v->patches[p].modes; ++i)
+			if (!row_factor(v, &v->patches[p], i, patch_of_mode))
+				return 0;
+	return 1;
 }
 
 void cni_coarse_system_make(const cni_coarse_view *v, const int32_t *patch_of, int32_t *patch_of_mode)
@@ -139,9 +155,7 @@ void cni_coarse_system_make(const cni_coarse_view *v, const int32_t *patch_of, i
 		if (v->nets[n].dear)
 			continue;
 		system_write(v, &v->nets[n], patch_of);
-		for (p = v->nets[n].patch_begin; p < v->nets[n].patch_end; ++p)
-			for (i = 0; i < v->patches[p].modes; ++i)
-				row_factor(v, &v->patches[p], i, patch_of_mode);
+		v->nets[n].dear = !system_factor(v, &v->nets[n], patch_of_mode);
 	}
 }
 

@@ -19,6 +19,7 @@
 #define PIECE 25             /* bodies of a patch */
 #define UNKNOWNS (CNI_PATCH_BODIES + 2)
 #define FREE_PART 2e-3       /* a row this much shorter than it was speaks against nothing that is left */
+#define CANCELS 1e-9         /* nor does one as short as this: pins along which the walk went have rows of rounding errors */
 
 typedef struct maker {
 	cn_world *world;
@@ -143,7 +144,7 @@ static void row_forbid(part *p, const double *row)
 		for (along[i] = 0.0, k = 0; k < unknowns; ++k)
 			along[i] += row[k] * p->way[k][i];
 	size = length_of(along, p->ways);
-	if (p->ways == 0 || size <= FREE_PART * most)
+	if (p->ways == 0 || size <= FREE_PART * most || size <= CANCELS)
 		return;
 	along[last] += along[last] >= 0.0 ? size : -size;
 	for (sq = 0.0, i = 0; i < p->ways; ++i)
