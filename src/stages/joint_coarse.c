@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-#define TURN_MOST 5e-3f      /* radians */
+#define TURN_MOST 0.04f      /* radians, over the square root of a net's bodies */
 #define MAKING 32            /* what making patches costs of a credit that grows by one a step ... */
 #define CREDIT_MOST 128      /* ... up to this */
 #define BALANCED_PART 0.01f  /* of what gravity gives in a substep */
@@ -55,10 +55,16 @@ static int32_t lanes_count(const cn_world *world)
 	return count;
 }
 
-/* All awake, and as heavy as they were. */
-static int32_t bodies_hold(const cn_world *world, const cni_coarse_view *v, const cni_net_range *net)
+static float turn_most(const cni_net_range *net)
+{
+	return TURN_MOST / cni_sqrt((float)(net->body_end - net->body_begin));
+}
+
+/* All awake, as heavy and free as they were, and slow. */
+static int32_t bodies_hold(const cn_world *world, const cni_coarse_view *v, const cni_net_range *net, float dt)
 {
 	const int32_t *ids = cni_awake_ids(world);
+	float fast = turn_most(net) / dt;
 	int32_t k;
 	for (k = net->body_begin; k < net->body_end; ++k) {
 		cni_net_body *b = &v->bodies[k];
@@ -69,7 +75,7 @@ static int32_t bodies_hold(const cn_world *world, const cni_coarse_view *v, cons
 				return 0;
 		}
 		m = cni_motions(world) + b->index;
-		if (m->inv_mass != b->inv_mass || m->inv_inertia != b->inv_inertia)
+		if (m->inv_mass != b->inv_mass || m->inv_inertia != b->inv_inertia || cni_abs(m->w) > fast || (cni_drives(world)[b->index].flags & (CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y)))
 			return 0;
 	}
 	return 1;
@@ -88,10 +94,11 @@ static int32_t *lanes_look_up(cn_world *world)
 	return lanes;
 }
 
-static int32_t has_turned(float x, float y, float old_x, float old_y)
+static int32_t have_turned(const cni_arms *now, const cni_arms *then, float most)
 {
-	float dx = x - old_x, dy = y - old_y;
-	return dx * dx + dy * dy > TURN_MOST * TURN_MOST * (old_x * old_x + old_y * old_y);
+	float ax = now->ax - then->ax, ay = now->ay - then->ay, bx = now->bx - then->bx, by = now->by - then->by;
+	return ax * ax + ay * ay > most * most * (then->ax * then->ax + then->ay * then->ay) ||
+	       bx * bx + by * by > most * most * (then->bx * then->bx + then->by * then->by);
 }
 
 static int32_t index_of(const cni_coarse_view *v, int32_t net_body)
@@ -100,43 +107,46 @@ static int32_t index_of(const cni_coarse_view *v, int32_t net_body)
 }
 
 /* Is the pin in this lane? Arms that have turned show that it is not the one it was. */
-static int32_t pin_is_at(const cn_world *world, const cni_coarse_view *v, const cni_net_pin *p, int32_t lane)
+static int32_t pin_is_at(const cn_world *world, const cni_coarse_view *v, const cni_net_pin *p, int32_t lane, float most)
 {
 	const cni_joint_block *k;
+	cni_arms now;
 	int32_t l = lane % CNI_LANES;
 	if (lane == CNI_NONE || lane / CNI_LANES >= world->joint_blocks.count)
 		return 0;
 	k = cni_joint_blocks(world) + lane / CNI_LANES;
 	if (k->ia[l] != index_of(v, p->a) || k->ib[l] != index_of(v, p->b))
 		return 0;
-	return !k->herd && cni_coarse_takes(k, l) && !has_turned(k->ax[l], k->ay[l], p->ax, p->ay) && !has_turned(k->bx[l], k->by[l], p->bx, p->by);
+	now = cni_coarse_arms(k, l);
+	return !k->herd && cni_coarse_takes(k, l) && !have_turned(&now, &p->arms, most);
 }
 
 static int32_t pins_hold(cn_world *world, const cni_coarse_view *v, const cni_net_range *net, int32_t **lanes)
 {
+	float most = turn_most(net);
 	int32_t k;
 	for (k = net->pin_begin; k < net->pin_end; ++k) {
 		cni_net_pin *p = &v->pins[k];
-		if (pin_is_at(world, v, p, p->lane))
+		if (pin_is_at(world, v, p, p->lane, most))
 			continue;
 		if (*lanes == NULL && (*lanes = lanes_look_up(world)) == NULL)
 			return 0;
 		p->lane = (*lanes)[p->joint];
-		if (!pin_is_at(world, v, p, p->lane))
+		if (!pin_is_at(world, v, p, p->lane, most))
 			return 0;
 	}
 	return 1;
 }
 
 /* Which nets hold; returns how many do not. */
-static int32_t nets_look(cn_world *world, const cni_coarse_view *v)
+static int32_t nets_look(cn_world *world, const cni_coarse_view *v, float dt)
 {
 	int32_t *lanes = NULL, k, failed = 0;
 	for (k = 0; k < v->head->net_count; ++k) {
 		cni_net_range *net = &v->nets[k];
-		net->holds = !net->dear && bodies_hold(world, v, net) && pins_hold(world, v, net, &lanes);
+		net->holds = net->held && !net->dear && bodies_hold(world, v, net, dt) && pins_hold(world, v, net, &lanes);
 		net->rests = 0;
-		failed += !net->holds && !net->dear;
+		failed += net->held && !net->dear && !net->holds;
 	}
 	(void)cni_arena_pop(&world->arena, lanes);
 	return failed;
@@ -181,10 +191,10 @@ void cni_coarse_prepare(cn_world *world, cni_solve *s)
 	if (world->coarse.count == 0)
 		return;
 	v = cni_coarse_view_of(world);
-	if (nets_look(world, &v) > 0) {
+	if (nets_look(world, &v, s->dt) > 0) {
 		make_anew(world, lanes);
 		v = cni_coarse_view_of(world);
-		(void)nets_look(world, &v);
+		(void)nets_look(world, &v, s->dt);
 	}
 	for (k = 0; k < v.head->net_count; ++k)
 		s->coarse |= v.nets[k].holds;

@@ -22,9 +22,11 @@
  * What modes do not hold of a patch's motion is left to the passes, from which joints learn what they bear: until it is no
  * more than a hundredth of what gravity gives in a substep. Then it goes too, for patches under great pressure fold within.
  *
- * Modes are those of the arms as they were when the patches were made. A net whose arms have turned further than
- * 5 mrad since is left to the passes, until patches are made anew: at once where that has not been necessary for long, and ever
- * more rarely where it is again and again. A mode that is off by an angle d takes d^2 of the energy in a substep.
+ * Modes are those of the arms as they were when the patches were made. Where arms have turned by an angle d since, a motion that
+ * all pins allow, such as folding, is off by about d L / r of itself in a net of length L, and that squared of its energy goes in
+ * a substep. So a net whose arms have turned by more than TURN_MOST over the square root of its bodies, or are about to,
+ * is left to the passes, as are nets that nothing holds, until patches are made anew: at once where that has not been necessary for long, and ever more rarely
+ * where it is again and again.
  *
  * A net that rests is done with after the first substep, as piles are: stages/rest.c. Worlds in a caller's block have no patches:
  * they set nothing aside for them.
@@ -37,6 +39,22 @@
 #define CNI_PATCH_BODIES 32 /* most of a patch */
 #define CNI_PATCH_MODES 8   /* most of a patch; nets that have more freedom than that are no nets */
 
+/* From the bodies' centres to the middle between the pin's two ends: so loops close, and what turns as one parts no pin, also where
+   pins are a little open. */
+typedef struct cni_arms {
+	float ax, ay, bx, by;
+} cni_arms;
+
+static inline cni_arms cni_coarse_arms(const cni_joint_block *k, int32_t l)
+{
+	cni_arms r;
+	r.ax = k->ax[l] + 0.5f * k->ex[l];
+	r.ay = k->ay[l] + 0.5f * k->ey[l];
+	r.bx = k->bx[l] - 0.5f * k->ex[l];
+	r.by = k->by[l] - 0.5f * k->ey[l];
+	return r;
+}
+
 /* A body of a net. */
 typedef struct cni_net_body {
 	int32_t body, index;          /* slot; dense index when it was looked up last */
@@ -48,7 +66,7 @@ typedef struct cni_net_pin {
 	int32_t joint;
 	int32_t lane;                 /* block * CNI_LANES + lane when it was looked up last */
 	int32_t a, b;                 /* net bodies, CNI_NONE: what cannot move */
-	float ax, ay, bx, by;         /* arms when the patches were made */
+	cni_arms arms;                /* when the patches were made */
 } cni_net_pin;
 
 typedef struct cni_patch {
@@ -66,6 +84,7 @@ typedef struct cni_net_range {
 	int32_t pin_begin, pin_end;
 	int32_t patch_begin, patch_end;
 	int32_t mode_begin, mode_end;
+	int32_t held;                 /* some pin is to what cannot move; else it may turn and fold for ever, and is left to the passes */
 	int32_t dear;                 /* its system is too large, or not to be solved in doubles: it is left to the passes */
 	int32_t holds;                /* in this step */
 	int32_t rests;                /* ... is done with: stages/rest.c */

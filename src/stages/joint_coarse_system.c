@@ -105,8 +105,8 @@ static void system_write(const cni_coarse_view *v, const cni_net_range *net, con
 			continue;
 		pa = &v->patches[patch_of[pin->a]];
 		pb = &v->patches[patch_of[pin->b]];
-		arm_modes(v, pa, pin->a, pin->ax, pin->ay, -1.0, a);
-		arm_modes(v, pb, pin->b, pin->bx, pin->by, 1.0, b);
+		arm_modes(v, pa, pin->a, pin->arms.ax, pin->arms.ay, -1.0, a);
+		arm_modes(v, pb, pin->b, pin->arms.bx, pin->arms.by, 1.0, b);
 		rows_add(v, pa, pa, a, a, g);
 		rows_add(v, pb, pb, b, b, g);
 		if (pa > pb)

@@ -61,10 +61,7 @@ static void pin_take(maker *m, int32_t lane)
 	p->lane = lane;
 	p->a = ia;
 	p->b = ib;
-	p->ax = k->ax[l];
-	p->ay = k->ay[l];
-	p->bx = k->bx[l];
-	p->by = k->by[l];
+	p->arms = cni_coarse_arms(k, l);
 	++m->pin_count;
 }
 
@@ -165,9 +162,9 @@ static void pin_forbid(part *p, const cni_net_pin *pin, int32_t a, int32_t b)
 	double row[2][UNKNOWNS];
 	memset(row, 0, sizeof row);
 	if (a != CNI_NONE)
-		arm_speed(p, a, pin->ax, pin->ay, -1.0, row);
+		arm_speed(p, a, pin->arms.ax, pin->arms.ay, -1.0, row);
 	if (b != CNI_NONE)
-		arm_speed(p, b, pin->bx, pin->by, 1.0, row);
+		arm_speed(p, b, pin->arms.bx, pin->arms.by, 1.0, row);
 	row_forbid(p, row[0]);
 	row_forbid(p, row[1]);
 }
@@ -195,7 +192,7 @@ static void part_walk(maker *m, part *p, int32_t index)
 		for (e = m->first[p->body[k]]; e < m->first[p->body[k] + 1]; ++e) {
 			const cni_net_pin *pin = &m->pins[m->ends[e] >> 1];
 			int32_t other = other_of(m, m->ends[e]);
-			arms = cni_max(arms, m->ends[e] & 1 ? cni_abs(pin->bx) + cni_abs(pin->by) : cni_abs(pin->ax) + cni_abs(pin->ay));
+			arms = cni_max(arms, m->ends[e] & 1 ? cni_abs(pin->arms.bx) + cni_abs(pin->arms.by) : cni_abs(pin->arms.ax) + cni_abs(pin->arms.ay));
 			if (other != 0 && m->label[other] > 0)
 				body_place(m, p, other);
 		}
@@ -214,9 +211,9 @@ static void part_lead(const maker *m, part *p)
 			int32_t is_b = m->ends[e] & 1, other = other_of(m, m->ends[e]), before = other == 0 ? CNI_NONE : place_of(m, other);
 			if (before == CNI_NONE || before >= k)
 				continue;
-			arm_speed(p, before, is_b ? pin->ax : pin->bx, is_b ? pin->ay : pin->by, 1.0, p->to[k]);
-			p->to[k][0][2 + k] += (double)(is_b ? pin->by : pin->ay) / p->length;
-			p->to[k][1][2 + k] -= (double)(is_b ? pin->bx : pin->ax) / p->length;
+			arm_speed(p, before, is_b ? pin->arms.ax : pin->arms.bx, is_b ? pin->arms.ay : pin->arms.by, 1.0, p->to[k]);
+			p->to[k][0][2 + k] += (double)(is_b ? pin->arms.by : pin->arms.ay) / p->length;
+			p->to[k][1][2 + k] -= (double)(is_b ? pin->arms.bx : pin->arms.ax) / p->length;
 			break;
 		}
 }
@@ -382,7 +379,7 @@ static int32_t net_cut(maker *m, int32_t *list, int32_t count)
 }
 
 /* Pins of the net in the order of its bodies, each once; m->label is 1 + the net body of what is in the net. */
-static void net_pins_take(maker *m, const cni_net_range *net)
+static void net_pins_take(maker *m, cni_net_range *net)
 {
 	int32_t k, e;
 	for (k = net->body_begin; k < net->body_end; ++k)
@@ -397,6 +394,7 @@ static void net_pins_take(maker *m, const cni_net_range *net)
 			*to = *pin;
 			to->a = m->label[pin->a] - 1; /* CNI_NONE for index 0 */
 			to->b = m->label[pin->b] - 1;
+			net->held |= to->a == CNI_NONE || to->b == CNI_NONE;
 			++m->head.pin_count;
 		}
 	}
@@ -422,6 +420,7 @@ static void net_take(maker *m, int32_t *list, int32_t count)
 	/* 2 rows a pin, 3 freedoms a body; a tenth less will do, since a net has a rim */
 	if (count < NET_LEAST || 10 * (int64_t)ends_count(m, list, count) < 27 * (int64_t)count)
 		return;
+	memset(net, 0, sizeof *net);
 	net->body_begin = before.body_count;
 	net->pin_begin = before.pin_count;
 	net->patch_begin = before.patch_count;

@@ -139,13 +139,13 @@ static double parting(const cni_coarse_view *v, const cni_net_pin *pin, int32_t 
 	const float *part;
 	if (pin->a != CNI_NONE) {
 		part = part_of(v, patch_of(v, pin->a), pin->a, mode);
-		x -= (double)(part[0] - part[2] * pin->ay);
-		y -= (double)(part[1] + part[2] * pin->ax);
+		x -= (double)(part[0] - part[2] * pin->arms.ay);
+		y -= (double)(part[1] + part[2] * pin->arms.ax);
 	}
 	if (pin->b != CNI_NONE) {
 		part = part_of(v, patch_of(v, pin->b), pin->b, mode);
-		x += (double)(part[0] - part[2] * pin->by);
-		y += (double)(part[1] + part[2] * pin->bx);
+		x += (double)(part[0] - part[2] * pin->arms.by);
+		y += (double)(part[1] + part[2] * pin->arms.bx);
 	}
 	return hypot(x, y);
 }
@@ -211,6 +211,7 @@ static cni_solve solve_of(const cn_world *world)
 {
 	cni_solve s = cni_solve_make(world, FRAME_S);
 	s.coarse = 1;
+	cni_coarse_view_of(world).nets[0].holds = 1;
 	cni_coarse_view_of(world).nets[0].rests = 0;
 	return s;
 }
@@ -234,7 +235,7 @@ static void t_substep_takes_energy_alone(void)
 	uint32_t seed;
 	cni_solve s;
 	fixture_step(n->world, 2);
-	REQUIRE(holds_now(n));
+	REQUIRE(nets_now(n) == 1);
 	s = solve_of(n->world);
 	for (seed = 1; seed <= 20; ++seed) {
 		sums before, after, twice;
@@ -264,7 +265,7 @@ static void t_free_motion_passes(void)
 	int32_t k;
 	cni_solve s;
 	fixture_step(n->world, 2);
-	REQUIRE(holds_now(n));
+	REQUIRE(nets_now(n) == 1);
 	s = solve_of(n->world);
 	for (k = 1; k < n->world->awake_count; ++k) {
 		cni_motion *m = cni_motions(n->world) + k;
@@ -343,35 +344,35 @@ static void t_hung_weight(void)
 	net_end(n);
 }
 
-/* A free net that was struck turns and flies; by passes alone it opens by 59 mm. */
-static void t_struck_net_closes_again(void)
+/* What nothing holds may turn and fold for ever: it is left to the passes. */
+static void t_free_net_is_left_alone(void)
 {
-	net *n = net_make(30, 20, FREE, 0.0f, 0);
-	fixture_step(n->world, 30);
-	must(cn_body_apply_impulse(n->world, n->body[10 * 30 + 7], 30.0f, 20.0f), n->world, "cn_body_apply_impulse");
-	fixture_step(n->world, 200);
-	CHECK_LE("struck net: gap after 3 s", 1000.0 * gap_now(n), 2.0, "mm");
+	net *n = net_make(20, 16, FREE, -10.0f, 0);
+	fixture_step(n->world, 5);
+	CHECK(nets_now(n) == 1 && !holds_now(n));
 	net_end(n);
 }
 
 /* Arms at odd angles: rows of pins along which patches were walked are rounding errors, which forbid nothing. Taken for
-   rows they forbade turning: of a free net's spin a step left a two-hundredth. */
-static void t_turning_net_goes_on_turning(void)
+   rows they forbade turning: of a net's spin a substep left a twentieth. */
+static void t_odd_angles_forbid_nothing(void)
 {
 	net *n = net_make(20, 16, FREE, 0.0f, 0);
 	double before, energy;
 	int32_t k;
+	cni_solve s;
 	for (k = 0; k < 320; ++k)
 		must(cn_body_set_velocity(n->world, n->body[k], 0.5f * ((float)(k / 20) - 7.5f), 0.5f * ((float)(k % 20) - 9.5f), 0.5f), n->world, "cn_body_set_velocity");
 	fixture_step(n->world, 1);
+	n->world->coarse.count = 0; /* so that patches are made of arms as they are now */
+	fixture_step(n->world, 1);
+	REQUIRE(nets_now(n) == 1);
+	s = solve_of(n->world);
 	before = sums_of(n->world).turn;
 	energy = sums_of(n->world).energy;
-	fixture_step(n->world, 1);
-	REQUIRE(holds_now(n));
-	fixture_step(n->world, 59);
-	CHECK_LE("turning net: angular momentum lost in 1 s, of all", fabs(1.0 - sums_of(n->world).turn / before), 0.02, "");
-	CHECK_LE("turning net: energy lost", 1.0 - sums_of(n->world).energy / energy, 0.02, "");
-	CHECK_LE("turning net: energy gained", sums_of(n->world).energy / energy - 1.0, 1e-4, "");
+	cni_coarse_solve(n->world, &s);
+	CHECK_LE("turning net: change of its angular momentum, of all", fabs(1.0 - sums_of(n->world).turn / before), 1e-3, "");
+	CHECK_LE("turning net: energy lost", 1.0 - sums_of(n->world).energy / energy, 1e-3, "");
 	net_end(n);
 }
 
@@ -457,8 +458,8 @@ int main(int argc, char **argv)
 	RUN(t_smooth_motion_of_a_held_net_goes);
 	RUN(t_cantilever_stands);
 	RUN(t_hung_weight);
-	RUN(t_struck_net_closes_again);
-	RUN(t_turning_net_goes_on_turning);
+	RUN(t_free_net_is_left_alone);
+	RUN(t_odd_angles_forbid_nothing);
 	RUN(t_net_taken_apart);
 	RUN(t_net_sleeps_and_wakes);
 	RUN(t_what_is_no_net);
