@@ -47,10 +47,17 @@ static void user_filter(const cn_world *world, cni_broadphase_pairs *pairs)
 			list[pairs->list.count++] = list[k];
 }
 
+/* It fell asleep, maybe with a contact whose boxes had come apart in the step before: that ends when it wakes. */
+static int32_t is_asleep(const cn_world *world, int32_t proxy)
+{
+	const cni_body *b = cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy)->shape)->body);
+	return b->awake == 0 && b->type != CN_BODY_STATIC;
+}
+
 /* Is there a contact of the pair already? Most pairs are of bodies that nothing happened to. */
 static int32_t pair_repeats(const cn_world *world, const cni_pair *pair, int32_t may_repeat)
 {
-	if (may_repeat == CNI_PAIRS_ALL || (may_repeat && (is_marked(world, pair->a) || is_marked(world, pair->b))))
+	if (may_repeat == CNI_PAIRS_ALL || is_asleep(world, pair->a) || is_asleep(world, pair->b) || (may_repeat && (is_marked(world, pair->a) || is_marked(world, pair->b))))
 		return cni_contact_find(world, pair->a, pair->b) != CNI_NONE;
 	CNI_ASSERT(cni_contact_find(world, pair->a, pair->b) == CNI_NONE);
 	return 0;

@@ -243,6 +243,35 @@ static void set_awake_0_holds_a_flying_body(void)
 	cn_world_destroy(world);
 }
 
+/* In some step the boxes of a ball and of the wall behind it come apart as the step ends. A ball that is put to sleep then keeps
+   their contact, and the wall that comes up finds it. */
+static void a_wall_comes_up_to_one_put_to_sleep(void)
+{
+	static const float speeds[] = { 1.0f, 4.0f, 17.0f };
+	int32_t run, repeats = 0, met = 0;
+	for (run = 0; run < 180; ++run) {
+		cn_world *world = fixture_world(0.0f, 1);
+		cn_body wall = fixture_box(world, CN_BODY_KINEMATIC, -0.6f, 0.0f, 0.0f, 0.1f, 1.0f, 0.6f, 0.0f);
+		cn_body ball = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 0.0f, 0.5f, 0.6f, 0.0f);
+		cn_contact_event contacts[4];
+		int32_t k, count = 0;
+		fixture_set_velocity(world, wall, speeds[run / 60], 0.0f, 0.0f);
+		fixture_set_velocity(world, ball, 3.0f * speeds[run / 60], 0.0f, 0.0f);
+		fixture_step(world, 1 + run % 60);
+		must(cn_body_set_awake(world, ball, 0), world, "cn_body_set_awake");
+		for (k = 0; k < 60; ++k) {
+			fixture_step(world, 1);
+			must(cn_body_get_contacts(world, ball, contacts, 4, &count), world, "cn_body_get_contacts");
+			repeats += count > 1;
+			met += count == 1;
+		}
+		CHECK(fixture_is_valid(world));
+		cn_world_destroy(world);
+	}
+	printf("  %d steps with a contact, %d with several\n", (int)met, (int)repeats);
+	CHECK(repeats == 0 && met > 100);
+}
+
 static void bodies_made_asleep_wait(void)
 {
 	cn_world *world = fixture_world(-10.0f, 1);
@@ -276,6 +305,7 @@ int main(int argc, char **argv)
 	RUN(ground_that_comes_to_sleepers_wakes_them);
 	RUN(set_awake_0_takes_only_what_is_connected);
 	RUN(set_awake_0_holds_a_flying_body);
+	RUN(a_wall_comes_up_to_one_put_to_sleep);
 	RUN(bodies_made_asleep_wait);
 	return test_end();
 }
