@@ -14,11 +14,12 @@ void cni_pairs_begin(cni_broadphase_pairs *pairs)
 	pairs->asked = 0;
 }
 
-/* Leaves out what is not wanted; from now on nothing else is listed. */
-static void list_sift(cni_broadphase_pairs *pairs)
+void cni_pairs_sift(cni_broadphase_pairs *pairs)
 {
 	cni_pair *list = (cni_pair *)pairs->list.data;
 	int32_t k, count = pairs->list.count;
+	if (pairs->wanted == NULL || pairs->asked)
+		return;
 	pairs->list.count = 0;
 	for (k = 0; k < count; ++k)
 		if (pairs->wanted(pairs->wanted_context, list[k].a, list[k].b))
@@ -34,7 +35,7 @@ void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, i
 {
 	cni_pair *pair;
 	if (list_is_full(pairs) && pairs->wanted != NULL && !pairs->asked && (memory->fixed || !list_grow(pairs, memory)))
-		list_sift(pairs);
+		cni_pairs_sift(pairs);
 	if (pairs->asked && !pairs->wanted(pairs->wanted_context, cni_min_i(a, b), cni_max_i(a, b)))
 		return;
 	/* Once refused, memory is not asked for again. */

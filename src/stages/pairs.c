@@ -5,6 +5,7 @@
  * in the same order whatever broadphase found them. A pair that finds no memory is asked for again at
  * the next step (its proxy is touched) and counted.
  */
+#include "stages/broadphase_list.h"
 #include "stages/solver.h"
 
 static void pair_lose(cn_world *world, const cni_pair *pair)
@@ -28,29 +29,20 @@ static void kicked_look_ahead(cn_world *world, float dt)
 	world->kicked.count = 0;
 }
 
-static int32_t is_marked(const cn_world *world, int32_t proxy)
+static const cni_body *body_of(const cn_world *world, int32_t proxy)
 {
-	return (cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy)->shape)->body)->flags & CNI_BODY_AGAIN) != 0;
+	return cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy)->shape)->body);
 }
 
-/* Leaves those out that the user does not want. Workers may have found the pairs; the user is asked here, in order, but
-   where the list had no room for all and the broadphase asked. */
-static void user_filter(const cn_world *world, cni_broadphase_pairs *pairs)
+static int32_t is_marked(const cn_world *world, int32_t proxy)
 {
-	cni_pair *list = (cni_pair *)pairs->list.data;
-	int32_t k, count = pairs->list.count;
-	if (world->filter == NULL || pairs->asked)
-		return;
-	pairs->list.count = 0;
-	for (k = 0; k < count; ++k)
-		if (cni_contact_user_allows(world, list[k].a, list[k].b))
-			list[pairs->list.count++] = list[k];
+	return (body_of(world, proxy)->flags & CNI_BODY_AGAIN) != 0;
 }
 
 /* It fell asleep, maybe with a contact whose boxes had come apart in the step before: that ends when it wakes. */
 static int32_t is_asleep(const cn_world *world, int32_t proxy)
 {
-	const cni_body *b = cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy)->shape)->body);
+	const cni_body *b = body_of(world, proxy);
 	return b->awake == 0 && b->type != CN_BODY_STATIC;
 }
 
@@ -86,7 +78,9 @@ void cni_stage_pairs(cn_world *world, float dt)
 		world->pairs_not_added += pairs->pairs_lost;
 		world->pairs_may_repeat = CNI_PAIRS_ALL;
 	}
-	user_filter(world, pairs);
+	/* Workers may have found the pairs; the user is asked here, in order, but where the list had no room for all and the
+	   broadphase asked. */
+	cni_pairs_sift(pairs);
 	list = (const cni_pair *)pairs->list.data;
 	for (k = 0; k < pairs->list.count; ++k) {
 		if (pair_repeats(world, &list[k], may_repeat))
