@@ -3,45 +3,19 @@
  * ends and changes in each step gives the same bits, the same events in the same order and the same questions to the
  * user, asked in the calling thread, with any number of workers.
  */
-#include "base/tasks.h"
-
-#include "fixture.h"
-
-static const int32_t worker_counts[] = { 2, 3, 8 };
-#define WORKER_COUNTS ((int32_t)(sizeof worker_counts / sizeof *worker_counts))
+#include "workers.h"
 
 #define MEMBERS 1100
 #define COLUMNS 50
 #define STEPS 50
 #define FIRST_CONVEYOR_STEP 15 /* contacts have no extra rows before */
 
-/* FNV-1a. */
-static uint64_t digest_bytes(uint64_t digest, const void *bytes, size_t count)
-{
-	const unsigned char *p = bytes;
-	size_t k;
-	for (k = 0; k < count; ++k)
-		digest = (digest ^ p[k]) * 0x100000001B3u;
-	return digest;
-}
-
 /* What the user is asked, and what it sees then. */
 typedef struct witness {
 	uint64_t digest;
-	int32_t asked, mixed, elsewhere; /* elsewhere: in another thread than the caller's */
-#ifndef _WIN32
-	pthread_t caller;
-#endif
+	int32_t asked, mixed;
+	own_thread thread;
 } witness;
-
-static void witness_thread(witness *w)
-{
-#ifndef _WIN32
-	w->elsewhere += !pthread_equal(w->caller, pthread_self());
-#else
-	(void)w;
-#endif
-}
 
 /* Lets some pass, and looks at the other contacts of a body, which may have been looked at before or not. */
 static int32_t ask(cn_world *world, const cn_contact_event *event, void *user)
@@ -50,7 +24,7 @@ static int32_t ask(cn_world *world, const cn_contact_event *event, void *user)
 	cn_contact_event others[8];
 	int32_t count = 0;
 	++w->asked;
-	witness_thread(w);
+	own_thread_check(&w->thread);
 	must(cn_body_get_contacts(world, event->body_a, others, 8, &count), world, "cn_body_get_contacts");
 	w->digest = digest_bytes(w->digest, event, sizeof *event);
 	w->digest = digest_bytes(w->digest, others, sizeof *others * (size_t)(count < 8 ? count : 8));
@@ -62,7 +36,7 @@ static void mix(cn_world *world, cn_shape a, cn_shape b, cn_material *mixed, voi
 	witness *w = user;
 	(void)world;
 	++w->mixed;
-	witness_thread(w);
+	own_thread_check(&w->thread);
 	w->digest = digest_bytes(digest_bytes(w->digest, &a, sizeof a), &b, sizeof b);
 	mixed->restitution *= 0.9f;
 }
@@ -149,9 +123,7 @@ static outcome tub_run(const cn_world_def *def)
 	int32_t k;
 	outcome o;
 	memset(&o, 0, sizeof o);
-#ifndef _WIN32
-	o.seen.caller = pthread_self();
-#endif
+	own_thread_begin(&o.seen.thread);
 	must(cn_world_create(def, &world), NULL, "cn_world_create");
 	must(cn_world_set_pre_solve_callback(world, ask, &o.seen), world, "cn_world_set_pre_solve_callback");
 	must(cn_world_set_material_mix_callback(world, mix, &o.seen), world, "cn_world_set_material_mix_callback");
@@ -159,11 +131,9 @@ static outcome tub_run(const cn_world_def *def)
 	for (k = 0; k < MEMBERS; ++k)
 		shapes[k] = tub_member(world, k, &random);
 	for (k = 0; k < STEPS; ++k) {
-		uint64_t hash;
 		materials_change(world, shapes, k);
 		fixture_step(world, 1);
-		hash = fixture_hash(world);
-		o.digest = digest_events(world, digest_bytes(o.digest, &hash, sizeof hash), &o.events);
+		o.digest = digest_events(world, digest_world(o.digest, world), &o.events);
 	}
 	CHECK(fixture_is_valid(world));
 	cn_world_destroy(world);
@@ -176,7 +146,7 @@ static void check_outcome(const char *what, int32_t workers, const outcome *o, c
 	       (int)o->seen.asked, (int)o->seen.mixed, (unsigned long long)alone->digest);
 	CHECK(o->digest == alone->digest && o->events == alone->events);
 	CHECK(o->seen.digest == alone->seen.digest && o->seen.asked == alone->seen.asked && o->seen.mixed == alone->seen.mixed);
-	CHECK(o->seen.elsewhere == 0);
+	CHECK(o->seen.thread.elsewhere == 0);
 }
 
 static void tub_is_the_same_with_any_workers(int32_t solver, const char *what)
@@ -207,11 +177,7 @@ static void users_are_asked_in_their_own_thread(void)
 	alone = tub_run(&def);
 	for (kind = 0; kind < TASKS_KINDS; ++kind) {
 		tasks system;
-		memset(&system, 0, sizeof system);
-		system.kind = kind;
-		def.enqueue = tasks_enqueue;
-		def.finish = tasks_finish;
-		def.task_user = &system;
+		use_tasks(&def, &system, kind);
 		def.worker_count = 3;
 		shared = tub_run(&def);
 		check_outcome(tasks_name(kind), 3, &shared, &alone);

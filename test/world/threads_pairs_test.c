@@ -3,34 +3,19 @@
  * same bits, the same contacts in the same order and the same questions to the user's filter, asked in the calling thread,
  * with any number of workers and any task system, on both broadphases.
  */
-#include "base/tasks.h"
+#include "workers.h"
 
 #include "nets.h"
 #include "scenes/scenes.h"
-
-static const int32_t worker_counts[] = { 2, 3, 8 };
-#define WORKER_COUNTS ((int32_t)(sizeof worker_counts / sizeof *worker_counts))
 
 #define MEMBERS 1800
 #define STEPS 24
 #define SIDE_M 34.0f
 
-/* FNV-1a. */
-static uint64_t digest_bytes(uint64_t digest, const void *bytes, size_t count)
-{
-	const unsigned char *p = bytes;
-	size_t k;
-	for (k = 0; k < count; ++k)
-		digest = (digest ^ p[k]) * 0x100000001B3u;
-	return digest;
-}
-
 typedef struct witness {
-	uint64_t digest;             /* of what the filter is asked */
-	int32_t asked, elsewhere;    /* elsewhere: in another thread than the caller's */
-#ifndef _WIN32
-	pthread_t caller;
-#endif
+	uint64_t digest;   /* of what the filter is asked */
+	int32_t asked;
+	own_thread thread;
 } witness;
 
 static int32_t decide(cn_world *world, cn_shape a, cn_shape b, void *user)
@@ -39,9 +24,7 @@ static int32_t decide(cn_world *world, cn_shape a, cn_shape b, void *user)
 	cn_shape pair[2] = { a, b };
 	(void)world;
 	++w->asked;
-#ifndef _WIN32
-	w->elsewhere += !pthread_equal(w->caller, pthread_self());
-#endif
+	own_thread_check(&w->thread);
 	w->digest = digest_bytes(w->digest, pair, sizeof pair);
 	return (a ^ b) % 5u != 0;
 }
@@ -105,13 +88,11 @@ static void swarm_throw(swarm *s, int32_t step)
 static void swarm_step(swarm *s)
 {
 	const cn_contact_event *events = NULL;
-	uint64_t hash;
 	int32_t count = 0;
 	fixture_step(s->world, 1);
-	hash = fixture_hash(s->world);
 	must(cn_world_contact_events(s->world, CN_EVENT_CREATED, &events, &count), s->world, "cn_world_contact_events");
 	s->created += count;
-	s->digest = digest_bytes(digest_bytes(s->digest, &hash, sizeof hash), events, sizeof *events * (size_t)count);
+	s->digest = digest_bytes(digest_world(s->digest, s->world), events, sizeof *events * (size_t)count);
 }
 
 static void swarm_run(swarm *s, const cn_world_def *def)
@@ -119,9 +100,7 @@ static void swarm_run(swarm *s, const cn_world_def *def)
 	int32_t step;
 	memset(s, 0, sizeof *s);
 	s->random = 31u;
-#ifndef _WIN32
-	s->seen.caller = pthread_self();
-#endif
+	own_thread_begin(&s->seen.thread);
 	must(cn_world_create(def, &s->world), NULL, "cn_world_create");
 	must(cn_world_set_filter_callback(s->world, decide, &s->seen), s->world, "cn_world_set_filter_callback");
 	swarm_fill(s);
@@ -140,7 +119,7 @@ static void check_swarm(const char *what, const cn_world_def *def, const swarm *
 	printf("  %s, %d workers: %016llx, %d contacts made, %d asked; alone %016llx\n", what, (int)def->worker_count, (unsigned long long)s.digest, (int)s.created,
 	       (int)s.seen.asked, (unsigned long long)alone->digest);
 	CHECK(s.digest == alone->digest && s.created == alone->created);
-	CHECK(s.seen.digest == alone->seen.digest && s.seen.asked == alone->seen.asked && s.seen.elsewhere == 0);
+	CHECK(s.seen.digest == alone->seen.digest && s.seen.asked == alone->seen.asked && s.seen.thread.elsewhere == 0);
 }
 
 static void swarm_is_the_same_with_any_workers(int32_t broadphase, const char *what)
@@ -151,7 +130,7 @@ static void swarm_is_the_same_with_any_workers(int32_t broadphase, const char *w
 	cn_world_def_init(&def);
 	def.broadphase = broadphase;
 	swarm_run(&alone, &def);
-	CHECK(alone.created > 10000 && alone.seen.asked > alone.created && alone.seen.elsewhere == 0);
+	CHECK(alone.created > 10000 && alone.seen.asked > alone.created && alone.seen.thread.elsewhere == 0);
 	for (w = 0; w < WORKER_COUNTS; ++w) {
 		def.worker_count = worker_counts[w];
 		check_swarm(what, &def, &alone);
@@ -170,11 +149,7 @@ static void filters_are_asked_in_their_own_thread(void)
 	swarm_run(&alone, &def);
 	for (kind = 0; kind < TASKS_KINDS; ++kind) {
 		tasks system;
-		memset(&system, 0, sizeof system);
-		system.kind = kind;
-		def.enqueue = tasks_enqueue;
-		def.finish = tasks_finish;
-		def.task_user = &system;
+		use_tasks(&def, &system, kind);
 		def.worker_count = 3;
 		check_swarm(tasks_name(kind), &def, &alone);
 		CHECK(system.wrong == 0 && !system.open);
@@ -198,14 +173,13 @@ static void filters_do_not_know_the_broadphase(void)
 static uint64_t spinner_digest(const cn_world_def *def, int32_t steps)
 {
 	scene_run run;
-	uint64_t digest = 0, hash;
+	uint64_t digest = 0;
 	memset(&run, 0, sizeof run);
 	must(scene_open(&run, scene_find("spinner"), def), NULL, "spinner");
 	while (run.step_index < steps) {
 		scene_step(&run);
 		must(run.result, run.world, "spinner");
-		hash = fixture_hash(run.world);
-		digest = digest_bytes(digest, &hash, sizeof hash);
+		digest = digest_world(digest, run.world);
 	}
 	scene_close(&run);
 	return digest;

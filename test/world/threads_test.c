@@ -2,23 +2,11 @@
  * test/world/threads_test.c - a step with several workers: the same bits with any number of them and any task system,
  * small worlds alone, worlds side by side, nothing left behind.
  */
-#include "base/tasks.h"
+#include "workers.h"
 
 #include "base/hooks.h"
 #include "nets.h"
 #include "scenes/scenes.h"
-
-static const int32_t worker_counts[] = { 2, 3, 8 };
-#define WORKER_COUNTS ((int32_t)(sizeof worker_counts / sizeof *worker_counts))
-
-static void use_tasks(cn_world_def *def, tasks *system, int32_t kind)
-{
-	memset(system, 0, sizeof *system);
-	system->kind = kind;
-	def->enqueue = tasks_enqueue;
-	def->finish = tasks_finish;
-	def->task_user = system;
-}
 
 static int32_t workers_of(const cn_world *world)
 {
@@ -83,14 +71,14 @@ static void crowd_fill(cn_world *world, int32_t count)
 	}
 }
 
-/* FNV-1a over the hashes of every step. */
+/* Of the hashes of every step. */
 static uint64_t run_digest(cn_world *world, int32_t steps)
 {
-	uint64_t digest = 0xCBF29CE484222325u;
+	uint64_t digest = 0;
 	int32_t k;
 	for (k = 0; k < steps; ++k) {
 		fixture_step(world, 1);
-		digest = (digest ^ fixture_hash(world)) * 0x100000001B3u;
+		digest = digest_world(digest, world);
 	}
 	CHECK(fixture_is_valid(world));
 	return digest;
@@ -112,13 +100,13 @@ static uint64_t crowd_digest(const cn_world_def *def, int32_t steps)
 static uint64_t scene_digest(const char *name, const cn_world_def *def, int32_t steps)
 {
 	scene_run run;
-	uint64_t digest = 0xCBF29CE484222325u;
+	uint64_t digest = 0;
 	memset(&run, 0, sizeof run);
 	must(scene_open(&run, scene_find(name), def), NULL, name);
 	while (run.step_index < steps) {
 		scene_step(&run);
 		must(run.result, run.world, name);
-		digest = (digest ^ fixture_hash(run.world)) * 0x100000001B3u;
+		digest = digest_world(digest, run.world);
 	}
 	CHECK(fixture_is_valid(run.world));
 	scene_close(&run);
