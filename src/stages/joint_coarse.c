@@ -15,30 +15,24 @@
 #define BALANCED_SPEED 1e-5f /* length units a second, where there is little gravity */
 #define BLOCKS_LEAST 4       /* of joints: fewer are no large net */
 
-static uint64_t rounded(uint64_t bytes)
+uint64_t cni_coarse_lay_out(cni_coarse_view *v, const cni_coarse *head, uint8_t *memory)
 {
-	return (bytes + CNI_COARSE_BYTES - 1) / CNI_COARSE_BYTES * CNI_COARSE_BYTES;
-}
-
-static void *piece(uint8_t **at, uint64_t bytes)
-{
-	void *here = *at;
-	*at += rounded(bytes);
-	return here;
+	uint64_t at = 0;
+	v->head = (cni_coarse *)cni_coarse_piece(memory, &at, sizeof(cni_coarse));
+	v->nets = (cni_net_range *)cni_coarse_piece(memory, &at, sizeof(cni_net_range) * (uint64_t)head->net_count);
+	v->bodies = (cni_net_body *)cni_coarse_piece(memory, &at, sizeof(cni_net_body) * (uint64_t)head->body_count);
+	v->pins = (cni_net_pin *)cni_coarse_piece(memory, &at, sizeof(cni_net_pin) * (uint64_t)head->pin_count);
+	v->patches = (cni_patch *)cni_coarse_piece(memory, &at, sizeof(cni_patch) * (uint64_t)head->patch_count);
+	v->entries = (double *)cni_coarse_piece(memory, &at, sizeof(double) * (uint64_t)head->entry_count);
+	v->speeds = (double *)cni_coarse_piece(memory, &at, 2 * sizeof(double) * (uint64_t)head->mode_count);
+	v->parts = (float *)cni_coarse_piece(memory, &at, sizeof(float) * (uint64_t)head->part_count);
+	return at;
 }
 
 cni_coarse_view cni_coarse_view_of(const cn_world *world)
 {
 	cni_coarse_view v;
-	uint8_t *at = (uint8_t *)world->coarse.data;
-	v.head = (cni_coarse *)piece(&at, sizeof(cni_coarse));
-	v.nets = (cni_net_range *)piece(&at, sizeof(cni_net_range) * (uint64_t)v.head->net_count);
-	v.bodies = (cni_net_body *)piece(&at, sizeof(cni_net_body) * (uint64_t)v.head->body_count);
-	v.pins = (cni_net_pin *)piece(&at, sizeof(cni_net_pin) * (uint64_t)v.head->pin_count);
-	v.patches = (cni_patch *)piece(&at, sizeof(cni_patch) * (uint64_t)v.head->patch_count);
-	v.entries = (double *)piece(&at, sizeof(double) * (uint64_t)v.head->entry_count);
-	v.speeds = (double *)piece(&at, 2 * sizeof(double) * (uint64_t)v.head->mode_count);
-	v.parts = (float *)piece(&at, sizeof(float) * (uint64_t)v.head->part_count);
+	(void)cni_coarse_lay_out(&v, (const cni_coarse *)world->coarse.data, (uint8_t *)world->coarse.data);
 	return v;
 }
 
@@ -144,9 +138,9 @@ static int32_t nets_look(cn_world *world, const cni_coarse_view *v, float dt)
 	int32_t *lanes = NULL, k, failed = 0;
 	for (k = 0; k < v->head->net_count; ++k) {
 		cni_net_range *net = &v->nets[k];
-		net->holds = net->held && !net->dear && bodies_hold(world, v, net, dt) && pins_hold(world, v, net, &lanes);
+		net->holds = !net->dear && bodies_hold(world, v, net, dt) && pins_hold(world, v, net, &lanes);
 		net->rests = 0;
-		failed += net->held && !net->dear && !net->holds;
+		failed += !net->dear && !net->holds;
 	}
 	(void)cni_arena_pop(&world->arena, lanes);
 	return failed;
@@ -160,22 +154,25 @@ static uint32_t credit_of(const cn_world *world, const cni_coarse *old)
 	return credit < CREDIT_MOST ? credit : CREDIT_MOST;
 }
 
-/* Patches are made anew at once where that has not been necessary for long, and then ever more rarely. */
-static void make_anew(cn_world *world, int32_t lanes)
+/* Patches are made anew at once where that has not been necessary for long, and then ever more rarely. 0: not now, or no memory. */
+static int32_t make_anew(cn_world *world, int32_t lanes)
 {
 	const cni_coarse *old = world->coarse.count > 0 ? (const cni_coarse *)world->coarse.data : NULL;
 	uint32_t credit = old == NULL ? CREDIT_MOST : credit_of(world, old);
+	int32_t made;
 	cni_coarse *head;
 	if (credit < MAKING)
-		return;
-	if (!cni_coarse_make(world, lanes))
+		return 0;
+	made = cni_coarse_make(world, lanes);
+	if (!made)
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
 	if (world->coarse.count == 0)
-		return;
+		return 0;
 	head = (cni_coarse *)world->coarse.data;
 	head->made_step = world->step_count;
 	head->credit = credit - MAKING;
 	head->lanes = lanes;
+	return made;
 }
 
 void cni_coarse_prepare(cn_world *world, cni_solve *s)
@@ -187,12 +184,11 @@ void cni_coarse_prepare(cn_world *world, cni_solve *s)
 		return;
 	lanes = lanes_count(world);
 	if (world->coarse.count == 0 || ((cni_coarse *)world->coarse.data)->lanes != lanes)
-		make_anew(world, lanes);
+		(void)make_anew(world, lanes);
 	if (world->coarse.count == 0)
 		return;
 	v = cni_coarse_view_of(world);
-	if (nets_look(world, &v, s->dt) > 0) {
-		make_anew(world, lanes);
+	if (nets_look(world, &v, s->dt) > 0 && make_anew(world, lanes)) {
 		v = cni_coarse_view_of(world);
 		(void)nets_look(world, &v, s->dt);
 	}
@@ -296,9 +292,7 @@ void cni_coarse_solve(cn_world *world, const cni_solve *s)
 /* Does nothing else join the net's bodies? */
 static int32_t is_alone(const cn_world *world, const cni_coarse_view *v, const cni_net_range *net)
 {
-	int32_t k, ends = 0;
-	for (k = net->pin_begin; k < net->pin_end; ++k)
-		ends += (v->pins[k].a != CNI_NONE) + (v->pins[k].b != CNI_NONE);
+	int32_t k, ends = net->ends;
 	for (k = net->body_begin; k < net->body_end; ++k)
 		ends -= cni_body_at(world, v->bodies[k].body)->joint_count;
 	return ends == 0;

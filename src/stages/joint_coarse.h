@@ -25,8 +25,8 @@
  * Modes are those of the arms as they were when the patches were made. Where arms have turned by an angle d since, a motion that
  * all pins allow, such as folding, is off by about d L / r of itself in a net of length L, and that squared of its energy goes in
  * a substep. So a net whose arms have turned by more than TURN_MOST over the square root of its bodies, or are about to,
- * is left to the passes, as are nets that nothing holds, until patches are made anew: at once where that has not been necessary for long, and ever more rarely
- * where it is again and again.
+ * is left to the passes until patches are made anew: at once where that has not been necessary for long, and ever more rarely
+ * where it is again and again. Nets that nothing holds have no patches: they may turn and fold for ever.
  *
  * A net that rests is done with after the first substep, as piles are: stages/rest.c. Worlds in a caller's block have no patches:
  * they set nothing aside for them.
@@ -84,7 +84,7 @@ typedef struct cni_net_range {
 	int32_t pin_begin, pin_end;
 	int32_t patch_begin, patch_end;
 	int32_t mode_begin, mode_end;
-	int32_t held;                 /* some pin is to what cannot move; else it may turn and fold for ever, and is left to the passes */
+	int32_t ends;                 /* of its pins on its bodies */
 	int32_t dear;                 /* its system is too large, or not to be solved in doubles: it is left to the passes */
 	int32_t holds;                /* in this step */
 	int32_t rests;                /* ... is done with: stages/rest.c */
@@ -113,6 +113,16 @@ typedef struct cni_coarse_view {
 
 #define CNI_COARSE_BYTES 64 /* an item of world->coarse */
 
+/* Cuts a piece off a memory, behind those before it; memory NULL: only how much it takes. */
+static inline void *cni_coarse_piece(uint8_t *memory, uint64_t *at, uint64_t bytes)
+{
+	void *here = memory == NULL ? NULL : memory + *at;
+	*at += (bytes + CNI_COARSE_BYTES - 1) / CNI_COARSE_BYTES * CNI_COARSE_BYTES;
+	return here;
+}
+
+/* Lays out what world->coarse holds, as many of each as the head says. Returns how many bytes that takes; memory NULL: only that. */
+uint64_t cni_coarse_lay_out(cni_coarse_view *v, const cni_coarse *head, uint8_t *memory);
 cni_coarse_view cni_coarse_view_of(const cn_world *world);
 /* How many entries the systems have, and where; patch_of: the patch of each body, is written. */
 void cni_coarse_system_size(const cni_coarse_view *v, int32_t *patch_of);

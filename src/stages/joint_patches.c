@@ -1,7 +1,8 @@
 /*
  * stages/joint_patches.c - which pins make nets, how nets are cut into patches, and the modes of those: see stages/joint_coarse.h.
  *
- * A net is what pins connect that have nearly as many rows, or more, as their bodies have freedoms. It is cut into strips along its longer
+ * A net is what pins connect that have nearly as many rows, or more, as their bodies have freedoms, and of which some is to what
+ * cannot move. It is cut into strips along its longer
  * side, each strip into pieces of as many bodies, and what is not connected in a piece is a patch of its own: in that
  * order the system has a narrow band.
  *
@@ -394,7 +395,7 @@ static void net_pins_take(maker *m, cni_net_range *net)
 			*to = *pin;
 			to->a = m->label[pin->a] - 1; /* CNI_NONE for index 0 */
 			to->b = m->label[pin->b] - 1;
-			net->held |= to->a == CNI_NONE || to->b == CNI_NONE;
+			net->ends += (to->a != CNI_NONE) + (to->b != CNI_NONE);
 			++m->head.pin_count;
 		}
 	}
@@ -412,13 +413,24 @@ static int32_t ends_count(const maker *m, const int32_t *list, int32_t count)
 	return ends;
 }
 
+/* Is some pin to what cannot move? */
+static int32_t is_held(const maker *m, const int32_t *list, int32_t count)
+{
+	int32_t k, e;
+	for (k = 0; k < count; ++k)
+		for (e = m->first[list[k]]; e < m->first[list[k] + 1]; ++e)
+			if (other_of(m, m->ends[e]) == 0)
+				return 1;
+	return 0;
+}
+
 /* The list holds what pins connect. */
 static void net_take(maker *m, int32_t *list, int32_t count)
 {
 	cni_coarse before = m->head;
 	cni_net_range *net = &m->nets[m->head.net_count];
 	/* 2 rows a pin, 3 freedoms a body; a tenth less will do, since a net has a rim */
-	if (count < NET_LEAST || 10 * (int64_t)ends_count(m, list, count) < 27 * (int64_t)count)
+	if (count < NET_LEAST || 10 * (int64_t)ends_count(m, list, count) < 27 * (int64_t)count || !is_held(m, list, count))
 		return;
 	memset(net, 0, sizeof *net);
 	net->body_begin = before.body_count;
@@ -463,19 +475,13 @@ static void nets_take(maker *m)
 
 /* ---- all of it ---- */
 
-static uint64_t coarse_bytes(const cni_coarse *h)
-{
-	return 512 + sizeof(cni_coarse) + sizeof(cni_net_range) * (uint64_t)h->net_count + sizeof(cni_net_body) * (uint64_t)h->body_count + sizeof(cni_net_pin) * (uint64_t)h->pin_count +
-	       sizeof(cni_patch) * (uint64_t)h->patch_count + sizeof(double) * (2 * (uint64_t)h->mode_count + (uint64_t)h->entry_count) + sizeof(float) * (uint64_t)h->part_count;
-}
-
 /* From scratch to what is kept. 0: no memory. */
 static int32_t keep(maker *m)
 {
 	cn_world *world = m->world;
-	cni_coarse_view v = { &m->head, m->nets, m->bodies, m->net_pins, m->patches, NULL, NULL, m->parts };
+	cni_coarse_view v = { &m->head, m->nets, m->bodies, m->net_pins, m->patches, NULL, NULL, m->parts }, sizes;
 	cni_coarse_system_size(&v, m->list);
-	if (!cni_array_reserve_exact(&world->coarse, &world->memory, (int32_t)(coarse_bytes(&m->head) / CNI_COARSE_BYTES)))
+	if (!cni_array_reserve_exact(&world->coarse, &world->memory, (int32_t)(cni_coarse_lay_out(&sizes, &m->head, NULL) / CNI_COARSE_BYTES)))
 		return 0;
 	*(cni_coarse *)world->coarse.data = m->head;
 	world->coarse.count = 1;
@@ -489,30 +495,22 @@ static int32_t keep(maker *m)
 	return 1;
 }
 
-/* A piece of scratch behind those before it. */
-static void *carve(uint8_t *scratch, uint64_t *at, uint64_t bytes)
-{
-	void *here = scratch == NULL ? NULL : scratch + *at;
-	*at += (bytes + 63u) & ~(uint64_t)63u;
-	return here;
-}
-
 /* Returns how many bytes it takes; scratch NULL: only that. */
 static uint64_t maker_carve(maker *m, uint8_t *scratch, uint64_t pins, uint64_t bodies)
 {
 	uint64_t at = 0, ends = 2 * pins > CNI_PATCH_MODES * bodies ? 2 * pins : CNI_PATCH_MODES * bodies;
-	m->pins = (cni_net_pin *)carve(scratch, &at, sizeof(cni_net_pin) * pins);
-	m->net_pins = (cni_net_pin *)carve(scratch, &at, sizeof(cni_net_pin) * pins);
-	m->first = (int32_t *)carve(scratch, &at, sizeof(int32_t) * (bodies + 1));
-	m->ends = (int32_t *)carve(scratch, &at, sizeof(int32_t) * ends);
-	m->list = (int32_t *)carve(scratch, &at, sizeof(int32_t) * bodies);
-	m->label = (int32_t *)carve(scratch, &at, sizeof(int32_t) * bodies);
-	m->keys = (uint64_t *)carve(scratch, &at, 2 * sizeof(uint64_t) * bodies);
-	m->seen = (uint8_t *)carve(scratch, &at, bodies);
-	m->nets = (cni_net_range *)carve(scratch, &at, sizeof(cni_net_range) * (bodies / NET_LEAST + 1));
-	m->bodies = (cni_net_body *)carve(scratch, &at, sizeof(cni_net_body) * bodies);
-	m->patches = (cni_patch *)carve(scratch, &at, sizeof(cni_patch) * bodies);
-	m->parts = (float *)carve(scratch, &at, 3 * CNI_PATCH_MODES * sizeof(float) * bodies);
+	m->pins = (cni_net_pin *)cni_coarse_piece(scratch, &at, sizeof(cni_net_pin) * pins);
+	m->net_pins = (cni_net_pin *)cni_coarse_piece(scratch, &at, sizeof(cni_net_pin) * pins);
+	m->first = (int32_t *)cni_coarse_piece(scratch, &at, sizeof(int32_t) * (bodies + 1));
+	m->ends = (int32_t *)cni_coarse_piece(scratch, &at, sizeof(int32_t) * ends);
+	m->list = (int32_t *)cni_coarse_piece(scratch, &at, sizeof(int32_t) * bodies);
+	m->label = (int32_t *)cni_coarse_piece(scratch, &at, sizeof(int32_t) * bodies);
+	m->keys = (uint64_t *)cni_coarse_piece(scratch, &at, 2 * sizeof(uint64_t) * bodies);
+	m->seen = (uint8_t *)cni_coarse_piece(scratch, &at, bodies);
+	m->nets = (cni_net_range *)cni_coarse_piece(scratch, &at, sizeof(cni_net_range) * (bodies / NET_LEAST + 1));
+	m->bodies = (cni_net_body *)cni_coarse_piece(scratch, &at, sizeof(cni_net_body) * bodies);
+	m->patches = (cni_patch *)cni_coarse_piece(scratch, &at, sizeof(cni_patch) * bodies);
+	m->parts = (float *)cni_coarse_piece(scratch, &at, 3 * CNI_PATCH_MODES * sizeof(float) * bodies);
 	return at;
 }
 
