@@ -2,7 +2,7 @@
  * stages/joint_coarse.c - large nets of pins at rest: the part of their motion that passes over joints do not see is taken out
  * in every substep. What and why is in stages/joint_coarse.h; patches are made in stages/joint_patches.c.
  *
- * Reads joint blocks, motion, awake ids; writes world->coarse, motion velocities.
+ * Reads joint blocks, motion, awake ids; writes world->coarse, motion velocities, and in islands when their nets rested.
  */
 #include "stages/joint_coarse.h"
 
@@ -311,12 +311,29 @@ void cni_coarse_netted(const cn_world *world, uint8_t *netted)
 	}
 }
 
+/* It is in an island that rests, unless its indices are old. */
+static int32_t net_rests(const cn_world *world, const cni_coarse_view *v, const cni_net_range *net)
+{
+	return net->holds && (cni_drives(world)[v->bodies[net->body_begin].index].flags & CNI_DRIVE_SWUNG);
+}
+
+/* Its bodies' flag may mean that they swing, so the island's record tells who asks later: world/islands.c. */
+static void island_note(const cn_world *world, int32_t body)
+{
+	int32_t island = cni_body_at(world, body)->island;
+	if (island != CNI_NONE)
+		cni_island_at(world, island)->net_rest_step = world->step_count + 1u;
+}
+
 void cni_coarse_rest(cn_world *world)
 {
 	cni_coarse_view v = cni_coarse_view_of(world);
 	int32_t n;
-	for (n = 0; n < v.head->net_count; ++n)
-		if (v.nets[n].holds && (cni_drives(world)[v.bodies[v.nets[n].body_begin].index].flags & CNI_DRIVE_SWUNG)) /* else indices are old */
-			v.nets[n].rests = 1;
+	for (n = 0; n < v.head->net_count; ++n) {
+		if (!net_rests(world, &v, &v.nets[n]))
+			continue;
+		v.nets[n].rests = 1;
+		island_note(world, v.bodies[v.nets[n].body_begin].body);
+	}
 	cni_joint_blocks_rest(world);
 }

@@ -79,14 +79,18 @@ static void body_add(const cn_world *world, int32_t body, cn_island_report *out)
 	}
 }
 
-/* One while it rests, see stages/rest.c; body: any of it. */
-static int32_t substeps_of(const cn_world *world, const cni_body *b)
+/* See stages/rest.c; body: any of it. Of what is jointed only nets rest; the rest with this flag swing. */
+static int32_t has_rested(const cn_world *world, const cni_body *b)
 {
 	const uint32_t rests = CNI_DRIVE_SWUNG | CNI_DRIVE_TOUCHED;
-	uint32_t flags = cni_drives(world)[b->awake].flags;
-	if (world->settings.solver == CN_SOLVER_SEQUENTIAL || (flags & (rests | CNI_DRIVE_JOINTED)) == rests)
+	if (b->island != CNI_NONE && world->step_count > 0 && cni_island_at(world, b->island)->net_rest_step == world->step_count)
 		return 1;
-	return world->settings.substeps;
+	return (cni_drives(world)[b->awake].flags & (rests | CNI_DRIVE_JOINTED)) == rests;
+}
+
+static int32_t substeps_of(const cn_world *world, const cni_body *b)
+{
+	return world->settings.solver == CN_SOLVER_SEQUENTIAL || has_rested(world, b) ? 1 : world->settings.substeps;
 }
 
 static cn_island_report report_begin(const cn_world *world, int32_t body)

@@ -414,6 +414,42 @@ static void t_net_sleeps_and_wakes(void)
 	net_end(n);
 }
 
+static int32_t substeps_told(const cn_world *world)
+{
+	cn_island_report report;
+	int32_t count = 0;
+	memset(&report, 0, sizeof report);
+	must(cn_world_get_islands(world, &report, 1, &count), world, "cn_world_get_islands");
+	CHECK(count == 1);
+	return report.substeps;
+}
+
+/* One for a net that rests; all for one that does not, and for what swings, though its bodies are done with as well. */
+static void t_report_tells_substeps_that_were_taken(void)
+{
+	net *n = net_make(16, 16, BY_CORNERS, -10.0f, 0);
+	cn_velocity v;
+	int32_t k, wrong = substeps_told(n->world) != 4, rested = 0;
+	for (k = 0; k < 240; ++k) {
+		int32_t rests;
+		fixture_step(n->world, 1);
+		rests = holds_now(n) && cni_coarse_view_of(n->world).nets[0].rests;
+		wrong += substeps_told(n->world) != (rests ? 1 : 4);
+		rested += rests;
+		must(cn_body_get_velocity(n->world, n->body[100], &v), n->world, "cn_body_get_velocity");
+		if (k % 60 == 59)
+			fixture_set_velocity(n->world, n->body[100], v.linear_mps.x + 0.5f, v.linear_mps.y, v.angular_radps);
+	}
+	CHECK_GE("steps at rest, of 240", rested, 30, "");
+	CHECK_LE("steps less than that in all", rested, 237, "");
+	CHECK_LE("steps of which the report is wrong", wrong, 0, "");
+	net_end(n);
+	n = net_make(2, 1, BY_LEFT, -10.0f, 0);
+	fixture_step(n->world, 3);
+	CHECK(substeps_told(n->world) == 4);
+	net_end(n);
+}
+
 /* Chains have as many freedoms as bodies; a small net is seen whole by other solvers; the user may ask for soft joints. */
 static void t_what_is_no_net(void)
 {
@@ -470,6 +506,7 @@ int main(int argc, char **argv)
 	RUN(t_odd_angles_forbid_nothing);
 	RUN(t_net_taken_apart);
 	RUN(t_net_sleeps_and_wakes);
+	RUN(t_report_tells_substeps_that_were_taken);
 	RUN(t_what_is_no_net);
 	RUN(t_masses_that_no_system_holds);
 	return test_end();
