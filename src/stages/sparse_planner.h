@@ -1,6 +1,6 @@
 /*
- * stages/sparse_planner.h - what the parts of planning share: sparse_plan.c finds components and writes the plan,
- * sparse_order.c finds the order of those with loops.
+ * stages/sparse_planner.h - what the parts of planning share: sparse_components.c finds components, sparse_order.c the order
+ * of those with loops, sparse_plan.c writes the plan.
  */
 #ifndef CNI_STAGES_SPARSE_PLANNER_H
 #define CNI_STAGES_SPARSE_PLANNER_H
@@ -56,6 +56,15 @@ static inline int32_t cni_planner_next(const cni_planner *p, int32_t key)
 	return p->node_next[key & 1][key >> 1];
 }
 
+/* Gives scratch back that was taken since there were so many entries. */
+static inline void cni_planner_pop_to(cni_arena *arena, int32_t entries)
+{
+	while (arena->entry_count > entries)
+		(void)cni_arena_pop(arena, arena->entries[arena->entry_count - 1].pointer);
+}
+
+/* Finds all components and plans those that may be: their order, and how large everything is. */
+void cni_planner_components(cni_planner *p);
 /* Order of the present component's nodes after those that are there, and their columns in `list`, with no more work than
    `most`. 0: more, or no memory. */
 int32_t cni_planner_order(cni_planner *p, int64_t most);

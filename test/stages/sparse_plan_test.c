@@ -2,7 +2,7 @@
  * test/stages/sparse_plan_test.c - plans of the direct solver of coupled constraints: little fill, form, limits and budget,
  * plans that are kept, memory.
  *
- * If a test here fails, look in stages/sparse_plan.c, sparse_order.c.
+ * If a test here fails, look in stages/sparse_components.c, sparse_order.c, sparse_plan.c.
  */
 #include "sparse_systems.h"
 
