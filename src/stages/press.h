@@ -87,7 +87,7 @@ void cni_joined_give_back(cn_world *world, cni_sparse *sparse);
 /* Around the move of positions: what energy there is, and the taking out of what is more. */
 void cni_joined_moved(cn_world *world, const cni_solve *s, cni_joined *j);
 void cni_joined_hold(cn_world *world, cni_joined *j);
-/* After a pass over its joints. Returns 1 when another must follow. */
+/* After a pass over its joints. Returns 1 when another must follow. stages/contact_reach.c */
 int32_t cni_joined_solve(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias);
 /* All of it, after a pass over the joints: stages/joint_close.c. */
 void cni_joined_round(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias);

@@ -3,7 +3,7 @@
  * stacks, walls, random scenes, the same bits in a fixed block; and of contacts that would part joints.
  *
  * If a test here fails, run stages/sparse and world/direct first. Then look in: stages/tiers.c and contact_direct.c,
- * joint_close.c (hard stops), contact_joined.c (loaded bridges).
+ * joint_close.c (hard stops), contact_joined.c, contact_reach.c (loaded bridges).
  */
 #include "direct.h"
 
