@@ -114,6 +114,8 @@ void cni_joint_work_stress(cni_joint_work *w, const cni_motion *b, float inv_h);
 
 /* ---- components of joints that are solved directly: stages/joint_direct.c ---- */
 
+/* What is solved directly in this step; the works that are know it. 0: no scratch memory. stages/direct_plan.c */
+int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out);
 /* Joints' levers from their rows. Returns how many joints there are. */
 int32_t cni_direct_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* The nodes' levers from their works' rows, and the factors of it. */
