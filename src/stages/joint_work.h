@@ -1,5 +1,5 @@
 /*
- * stages/joint_work.h - what the solver keeps for an awake joint during a step.
+ * stages/joint_work.h - what the solver keeps for an awake joint during a step: its rows are made in stages/joint_work.c.
  */
 #ifndef CNI_STAGES_JOINT_WORK_H
 #define CNI_STAGES_JOINT_WORK_H
@@ -88,6 +88,27 @@ static inline cni_lever cni_row_lever(const cni_row *r)
 	cni_lever l = { r->ax, r->ay, r->aw, r->bx, r->by, r->bw };
 	return l;
 }
+static inline float cni_row_mass(const cni_row *r, const cni_row *q, const cni_motion *a, const cni_motion *b)
+{
+	return a->inv_mass * (r->ax * q->ax + r->ay * q->ay) + a->inv_inertia * r->aw * q->aw +
+	       b->inv_mass * (r->bx * q->bx + r->by * q->by) + b->inv_inertia * r->bw * q->bw;
+}
+static inline float cni_row_speed(const cni_row *r, const cni_motion *a, const cni_motion *b)
+{
+	cni_lever l = cni_row_lever(r);
+	return cni_lever_speed(&l, a, b);
+}
+static inline void cni_row_push(const cni_row *r, float impulse, cni_motion *a, cni_motion *b)
+{
+	cni_lever l = cni_row_lever(r);
+	cni_lever_push(&l, impulse, a, b);
+}
+/* Where the inverse of the first rows' K has its entry for rows i and k. */
+static inline int32_t cni_inverse_at(int32_t i, int32_t k)
+{
+	static const uint8_t at[CNI_JOINT_RIGID_ROWS][CNI_JOINT_RIGID_ROWS] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
+	return at[i][k];
+}
 /* The island of whichever of a joint's bodies has one. */
 static inline int32_t cni_joint_island(const cn_world *world, int32_t ia, int32_t ib)
 {
@@ -100,6 +121,12 @@ void cni_joint_work_begin(cn_world *world, int32_t k, const cni_joint *j);
 /* ... then its rows, decoupled, with their impulses. */
 void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work *w);
 void cni_joint_loads_read(cni_joint_work *w, const cni_solve *s);
+/* As a step ends: the rows' impulses to the record, by the type's rows. */
+void cni_joint_rows_end(const cn_world *world, const cni_joint_work *w, cni_joint *j);
+/* The same rows at the bodies' new positions, with the impulses they had; what that changes in the impulses' response goes into start. */
+void cni_joint_rows_renew(cn_world *world, cni_joint_work *w);
+/* Inverse of the symmetric K of one to three rows, as numbers->inverse; a singular direction gives nothing. */
+void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv);
 /* A joint that is solved by itself: is its gap more than is good? */
 void cni_joint_gap_look(cn_world *world, const cni_joint_work *w, float gap);
 /* Builds all rows at the bodies' present positions, impulses left undefined. */
