@@ -524,9 +524,10 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 #endif
 
 #include "stages/contact_follow.h"
+#include "stages/contact_write.h"
 
 #if CNI_FEW
-const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, NULL, NULL, kernel_follow };
+const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, NULL, NULL, kernel_follow, kernel_write };
 #else
-const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, kernel_closing, kernel_impact, kernel_follow };
+const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, kernel_closing, kernel_impact, kernel_follow, kernel_write };
 #endif

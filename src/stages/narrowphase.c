@@ -17,6 +17,7 @@
  * bodies that have static ones about them.
  */
 #include "geometry/manifold_boxes.h"
+#include "stages/contact_write_lanes.h"
 #include "stages/narrowphase_sift.h"
 
 #include <string.h>
@@ -83,15 +84,15 @@ static void ask_user(cn_world *world, int32_t contact)
 		cni_contact_write_empty(world, contact);
 }
 
-static void write_and_ask(cn_world *world, int32_t contact, const cni_touch *t)
+static void write_and_ask(cn_world *world, cni_writer *writer, int32_t contact, const cni_touch *t)
 {
-	cni_contact_write(world, t->contact, t->a, t->b, &t->manifold, t->gap, t->radius);
+	cni_writer_add(writer, t);
 	if (t->contact->flags & CNI_CONTACT_PRE_SOLVE)
 		ask_user(world, contact);
 }
 
 /* What becomes of a contact whose manifold is known: rewrites its lane if it goes on touching. */
-static int32_t contact_update(cn_world *world, int32_t contact, cni_touch *t)
+static int32_t contact_update(cn_world *world, cni_writer *writer, int32_t contact, cni_touch *t)
 {
 	cni_contact *c = t->contact;
 	int32_t touching = (c->flags & CNI_CONTACT_TOUCHING) != 0;
@@ -102,7 +103,7 @@ static int32_t contact_update(cn_world *world, int32_t contact, cni_touch *t)
 	if (t->manifold.count > 0 && !touching)
 		return CHANGE_BEGIN;
 	if (t->manifold.count > 0)
-		write_and_ask(world, contact, t);
+		write_and_ask(world, writer, contact, t);
 	else if (touching || !t->boxes_overlap)
 		return CHANGE_END;
 	return c->flags & (CNI_CONTACT_CREATED_OWED | CNI_CONTACT_ENTER_OWED) ? CHANGE_OWED : CHANGE_NONE;
@@ -186,6 +187,7 @@ typedef struct window {
 	cni_box_batch boxes;
 	cni_box_kernel_fn *kernel;
 	int32_t prefetches;
+	cni_writer writer;
 	uint32_t later_flags, later_locks; /* of contacts that touch, of bodies: such ones are left for later */
 } window;
 
@@ -196,10 +198,11 @@ enum {
 };
 
 /* Alone: all is done as it comes. Else what takes memory or asks the user is left for later. */
-static void window_init(window *w, const cn_world *world, int32_t alone)
+static void window_init(window *w, cn_world *world, int32_t alone)
 {
 	int32_t extra_rows = cni_table_capacity(&world->blocks_extra) >= cni_table_capacity(&world->blocks_hot);
 	w->kernel = cni_box_kernel_choose();
+	cni_writer_begin(&w->writer, world);
 	w->count = w->prefetches = 0;
 	w->later_flags = alone ? 0 : CNI_CONTACT_REFRESH | CNI_CONTACT_PRE_SOLVE;
 	w->later_locks = alone || extra_rows ? 0 : CN_BODY_LOCK_X | CN_BODY_LOCK_Y;
@@ -284,7 +287,7 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 	else if (w->column[k] >= 0)
 		cni_boxes_read(&w->boxes, w->column[k], &t->in, &t->contact->cache, &t->manifold);
 	cni_touch_finish(world, look_ahead(t->contact, dt), t);
-	return contact_update(world, w->pair[k].index, t);
+	return contact_update(world, &w->writer, w->pair[k].index, t);
 }
 
 /* Looks at the first contacts of the window. */
@@ -295,6 +298,7 @@ static void window_look(cn_world *world, window *w, int32_t count, float dt)
 	cni_boxes_run(&w->boxes, w->kernel);
 	for (k = 0; k < count; ++k)
 		w->change[k] = window_finish(world, w, k, dt);
+	cni_writer_flush(&w->writer);
 }
 
 /* ---- what is to change ---- */
