@@ -78,6 +78,14 @@ enum { CNI_P_LINE_TOLERANCE = 0 };
 /* State of types that count turns: side s has its angle in (-pi, pi] and its whole turns here and after. */
 enum { CNI_P_TURN = 6 };
 
+/* Lanes of the last step, when all joints were in them: stages/joint_blocks.c. */
+typedef struct cni_lanes_kept {
+	int32_t lanes;   /* 0: nothing is kept */
+	int32_t blocks;
+	int32_t works;   /* most works there was room for: another number is another piece of memory */
+	int32_t filled;  /* in this step so far */
+} cni_lanes_kept;
+
 /* Public handle: of kind joint, or constraint. */
 uint32_t cni_joint_handle(const cn_world *world, int32_t joint);
 /* Index of a live joint (constraint 0) or constraint (1), or CNI_NONE. Any 32 bits may come in. */

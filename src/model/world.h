@@ -120,8 +120,9 @@ struct cn_world {
 	cni_table joints;            /* cni_joint */
 	cni_array awake_joints;      /* int32_t */
 	cni_array joint_work;        /* cni_joint_work of stages/joint_work.h, one an awake joint */
-	cni_array joint_blocks;      /* cni_joint_block of stages/joint_pass.h, within a step; room for every joint in any colours */
+	cni_array joint_blocks;      /* cni_joint_block of stages/joint_pass.h; room for every joint in any colours */
 	cni_color joint_colors[CNI_JOINT_COLORS];
+	cni_lanes_kept joint_lanes;  /* what of these may be there still in the next step */
 	void *row_blocks;            /* cni_row_block of stages/joint_rows.h, within a step: other joints' lanes, scratch of the arena */
 	int32_t row_block_count;
 	int32_t row_blocks_of[CNI_JOINT_COLORS]; /* each colour */

@@ -259,7 +259,7 @@ static int32_t nets_take(cn_world *world, cni_link *links, int32_t count, const 
 		if (planned[k] || links[k].owner < 0)
 			continue;
 		w = cni_joint_works(world) + links[k].owner;
-		if (w->record->inv_h == 0.0f && island_of(world, &links[k]) != CNI_NONE && !is_in_direct_island(world, w))
+		if ((w->flags & CNI_WORK_FRESH) && island_of(world, &links[k]) != CNI_NONE && !is_in_direct_island(world, w))
 			cni_island_joints_part(world, island_of(world, &links[k]));
 		if (is_in_direct_island(world, w)) {
 			links[k].work_most = JOINT_WORK_DIRECT;

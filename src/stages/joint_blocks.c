@@ -60,24 +60,6 @@ static int32_t work_form(cn_world *world, int32_t k, const cni_joint *j, int32_t
 	return 1;
 }
 
-/* Only a spring or a limit asks for the angle. */
-int32_t cni_joint_work_widen(cn_world *world, int32_t k)
-{
-	cni_joint_work *w = cni_joint_works(world) + k;
-	const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
-	if (!may_be_wide(world, j))
-		return 0;
-	if (j->type != CN_JOINT_REVOLUTE)
-		return work_form(world, k, j, cni_joint_form(j));
-	cni_joint_work_begin(world, k, j);
-	w->flags |= CNI_WORK_WIDE;
-	w->row_count = 0;
-	w->rigid_count = 2;
-	if (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT))
-		w->start.angle = cni_joint_frame_angle(world, w->record);
-	return 1;
-}
-
 void cni_joint_works_complete(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k, r;
@@ -172,10 +154,15 @@ static float limit_sign(const cni_joint *j, float angle)
 	return angle - j->p[CNI_P_LOWER] <= j->p[CNI_P_UPPER] - angle ? 1.0f : -1.0f;
 }
 
+static uint32_t pin_has(const cni_joint *j)
+{
+	return j->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR | CN_JOINT_LIMIT);
+}
+
 static void angle_fill(cni_lane_spring *spring, float h, const cni_joint_work *w, cni_joint_block *block, int32_t l)
 {
 	const cni_joint *j = w->record;
-	block->angular |= j->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR | CN_JOINT_LIMIT);
+	block->angular |= pin_has(j);
 	block->angle0[l] = block->angle[l] = w->start.angle;
 	if (j->flags & CN_JOINT_SPRING)
 		spring_fill(spring, h, j, block, l);
@@ -248,6 +235,90 @@ static int32_t lane_take(cn_world *world, const cni_solve *s, cni_lane_spring *s
 	block->moves_a |= (uint32_t)cni_motion_can_move(cni_motions(world) + w->ia) << l;
 	block->moves_b |= (uint32_t)cni_motion_can_move(cni_motions(world) + w->ib) << l;
 	cni_joint_lane_fill(world, s, spring, k, block, l);
+	cni_joint_works(world)[k].kept_lane = w->lane;
+	cni_joint_works(world)[k].kept_has = pin_has(w->record);
+	return 1;
+}
+
+/* ---- lanes that are kept ---- */
+
+/* Which joints are in which lanes follows from their order, their bodies, and which of those can move. While all of that is as it
+   was, and all joints are in lanes of colours, the blocks of the last step are filled anew where they are, while the records are at
+   hand, and nothing is looked for. Anything else: lanes are taken as if nothing had been there. */
+
+/* Work k where it was. 0: it would not come there. */
+static int32_t lane_fill_again(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k)
+{
+	const cni_joint_work *w = cni_joint_works(world) + k;
+	int32_t l = w->kept_lane % CNI_LANES;
+	cni_joint_block *block = cni_joint_blocks(world) + w->kept_lane / CNI_LANES;
+	if (block->ia[l] != w->ia || block->ib[l] != w->ib || w->kept_has != pin_has(w->record) || !cni_joint_fits_lane(world, s, w) ||
+	    (int32_t)(block->moves_a >> l & 1u) != cni_motion_can_move(cni_motions(world) + w->ia) ||
+	    (int32_t)(block->moves_b >> l & 1u) != cni_motion_can_move(cni_motions(world) + w->ib))
+		return 0;
+	if (block->angular)
+		block->spring_j[l] = block->motor_j[l] = block->limit_j[l] = 0.0f;
+	block->rested = 0;
+	cni_joint_lane_fill(world, s, spring, k, block, l);
+	++world->joint_lanes.filled;
+	return 1;
+}
+
+/* stages/contact_joined.c may still change records of joints that it had in the last step. */
+void cni_joint_blocks_begin(cn_world *world)
+{
+	cni_lanes_kept *kept = &world->joint_lanes;
+	kept->filled = 0;
+	if (kept->lanes != world->awake_joints.count || kept->works != world->joint_work.capacity || world->joined_step == world->step_count)
+		kept->lanes = 0;
+	world->joint_blocks.count = 0;
+	cni_row_blocks_empty(world);
+}
+
+/* Is every joint where it was? What is solved directly takes its lanes first, if it takes any. */
+static int32_t lanes_hold(const cn_world *world, const cni_solve *s)
+{
+	return world->joint_lanes.lanes > 0 && world->joint_lanes.filled == world->joint_lanes.lanes && (s->direct == NULL || s->direct->node_count == 0);
+}
+
+static void lanes_empty(cn_world *world)
+{
+	int32_t k;
+	for (k = 0; k < world->awake_joints.count && world->joint_lanes.filled > 0; ++k)
+		if (!(cni_joint_works(world)[k].flags & CNI_WORK_HERD))
+			cni_joint_works(world)[k].lane = CNI_NONE;
+	for (k = 0; k < CNI_JOINT_COLORS; ++k) {
+		world->joint_colors[k].first = world->joint_colors[k].last = CNI_NONE;
+		world->joint_colors[k].lanes = 0;
+	}
+}
+
+/* left: joints that are in no lane of a pin. */
+static void lanes_keep(cn_world *world, const cni_solve *s, int32_t left)
+{
+	cni_lanes_kept *kept = &world->joint_lanes;
+	kept->lanes = left > 0 || (s->direct != NULL && s->direct->node_count > 0) ? 0 : world->awake_joints.count;
+	kept->blocks = world->joint_blocks.count;
+	kept->works = world->joint_work.capacity;
+}
+
+/* Only a spring or a limit asks for the angle. */
+int32_t cni_joint_work_widen(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k)
+{
+	cni_joint_work *w = cni_joint_works(world) + k;
+	const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
+	if (!may_be_wide(world, j))
+		return 0;
+	if (j->type != CN_JOINT_REVOLUTE)
+		return work_form(world, k, j, cni_joint_form(j));
+	cni_joint_work_begin(world, k, j);
+	w->flags |= CNI_WORK_WIDE;
+	w->row_count = 0;
+	w->rigid_count = 2;
+	if (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT))
+		w->start.angle = cni_joint_frame_angle(world, w->record);
+	if (world->joint_lanes.lanes > 0 && !lane_fill_again(world, s, spring, k))
+		world->joint_lanes.lanes = 0;
 	return 1;
 }
 
@@ -261,17 +332,6 @@ static void pressed_works_leave(cn_world *world, const cni_solve *s)
 			if (s->direct->nodes[n].owner >= 0)
 				work_narrow(world, s, s->direct->nodes[n].owner);
 	}
-}
-
-void cni_joint_blocks_empty(cn_world *world)
-{
-	int32_t k;
-	world->joint_blocks.count = 0;
-	for (k = 0; k < CNI_JOINT_COLORS; ++k) {
-		world->joint_colors[k].first = world->joint_colors[k].last = CNI_NONE;
-		world->joint_colors[k].lanes = 0;
-	}
-	cni_row_blocks_empty(world);
 }
 
 /* Directly solved components take their lanes first and in the order of their nodes: so colours, and with them the order
@@ -313,11 +373,11 @@ static void blocks_list(cn_world *world)
 			blocks[count++].listed = index;
 }
 
-void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
+/* Returns how many joints are in no lane of a pin. */
+static int32_t lanes_gather(cn_world *world, const cni_solve *s)
 {
 	cni_lane_spring spring = { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } };
 	int32_t k, left = 0;
-	pressed_works_leave(world, s);
 	components_gather(world, s, &spring);
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		cni_joint_work *w = cni_joint_works(world) + k;
@@ -329,7 +389,22 @@ void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 			work_narrow(world, s, k);
 		++left;
 	}
+	return left;
+}
+
+void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
+{
+	int32_t left;
+	if (lanes_hold(world, s)) {
+		world->joint_blocks.count = world->joint_lanes.blocks;
+		world->joint_plain_first = CNI_NONE;
+		return;
+	}
+	pressed_works_leave(world, s);
+	lanes_empty(world);
+	left = lanes_gather(world, s);
 	blocks_list(world);
+	lanes_keep(world, s, left);
 	if (left > 0)
 		cni_row_lanes_gather(world, s);
 	plain_link(world, left);

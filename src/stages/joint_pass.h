@@ -1,8 +1,8 @@
 /*
  * stages/joint_pass.h - blocks of revolute joints, and what joint_blocks.c hands to a kernel.
  *
- * A block is 16 lanes, structure of arrays, made anew in every step from the works of revolute joints that nothing
- * bounds, softens or breaks. Colours are as of contacts: no body that can move appears twice in one. A body
+ * A block is 16 lanes, structure of arrays, filled anew in every step from the works of revolute joints that nothing
+ * bounds, softens or breaks; which joints are in which lanes may be kept (stages/joint_blocks.c). Colours are as of contacts: no body that can move appears twice in one. A body
  * whose colours are used up leaves its further joints to the rows of stages/joint_solve.c.
  *
  *   pin       ra0 rb0 d0   arms and gap as the step begins          ra rb e   as of the last relaxing pass
@@ -100,8 +100,8 @@ static inline cni_joint_block *cni_joint_block_of(const cn_world *world, const c
 /* The widest that this build and this processor have. */
 const cni_joint_kernel *cni_joint_kernel_choose(void);
 
-/* No joint is in a lane. */
-void cni_joint_blocks_empty(cn_world *world);
+/* No joint is in a lane yet. */
+void cni_joint_blocks_begin(cn_world *world);
 void cni_joint_blocks_warm(cn_world *world, const cni_solve *s);
 void cni_joint_blocks_solve(cn_world *world, const cni_solve *s);
 void cni_joint_blocks_relax(cn_world *world, const cni_solve *s);

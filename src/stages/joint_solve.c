@@ -17,12 +17,13 @@
 
 void cni_joints_prepare(cn_world *world, const cni_solve *s)
 {
+	cni_lane_spring spring = { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } };
 	int32_t k, ahead = cni_joints_are_far(world) ? PREFETCH_AHEAD : world->awake_joints.count;
-	cni_joint_blocks_empty(world);
+	cni_joint_blocks_begin(world);
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		if (k + ahead < world->awake_joints.count)
 			cni_joint_prefetch(cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k + ahead]));
-		if (!cni_joint_work_widen(world, k))
+		if (!cni_joint_work_widen(world, s, &spring, k))
 			cni_joint_work_prepare(world, s, k);
 	}
 }

@@ -203,6 +203,8 @@ static uint32_t work_flags(const cni_joint *j)
 		flags |= CNI_WORK_TURNS;
 	if (j->stiffness_hertz > 0.0f || (uses & CNI_USES_DRIVE))
 		flags |= CNI_WORK_SPRINGY;
+	if (j->inv_h == 0.0f)
+		flags |= CNI_WORK_FRESH;
 	return flags;
 }
 

@@ -16,6 +16,7 @@ enum {
 	CNI_WORK_DIRECT = 1u << 5,    /* its rigid rows are solved with its neighbours': stages/joint_direct.c */
 	CNI_WORK_SWUNG = 1u << 6,     /* done with for this step: stages/joint_swing.c */
 	CNI_WORK_WIDE = 1u << 7,      /* unless swung it is in a lane: stages/joint_blocks.c; rows are written only if direct, and their impulses are all of the record's */
+	CNI_WORK_FRESH = 1u << 8,     /* this is its first step */
 	CNI_WORK_HERD = 1u << 9       /* in a lane of a herd, pin and all: stages/joint_herd.c */
 };
 
@@ -49,7 +50,8 @@ typedef struct cni_joint_work {
 	int32_t form;              /* CNI_FORM_*, 0: none. It has no rows here until it is solved directly, or finds no lane: stages/joint_rows.h */
 	int32_t row_lane;          /* ... block * CNI_LANES + lane of rows, CNI_NONE */
 	cni_joint_frame start;     /* at the beginning of the step */
-	int32_t reserved[2];
+	int32_t kept_lane;         /* the lane of the last step in which all joints were in lanes */
+	uint32_t kept_has;         /* which of CN_JOINT_SPRING, _MOTOR, _LIMIT it had there */
 } cni_joint_work;
 
 #define CNI_JOINT_WORK_BYTES ((int32_t)(sizeof(cni_joint_work) + sizeof(cni_joint_numbers)))
@@ -171,8 +173,9 @@ void cni_close_mark(const cn_world *world, cni_sparse *sparse);
 
 /* ---- wide works: stages/joint_blocks.c ---- */
 
-/* The work of place k, as a step begins, if it can be solved in a lane; 0: it cannot. */
-int32_t cni_joint_work_widen(cn_world *world, int32_t k);
+struct cni_lane_spring; /* stages/joint_pass.h */
+/* The work of place k, as a step begins, if it can be solved in a lane; 0: it cannot. A lane that is kept is filled. */
+int32_t cni_joint_work_widen(cn_world *world, const cni_solve *s, struct cni_lane_spring *spring, int32_t k);
 /* The rows of a component's wide works, with the impulses of their records. */
 void cni_joint_works_complete(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
 

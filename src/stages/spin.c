@@ -83,13 +83,19 @@ static void held_by_contacts(const parts *p)
 		}
 }
 
+/* The record is far away, and asked for only if the work cannot tell. */
+static int32_t turns_against_world(const cni_joint_work *w)
+{
+	return !(w->flags & CNI_WORK_WIDE) && (w->record->type == CN_JOINT_GEAR || w->record->type == CN_JOINT_PULLEY);
+}
+
 static void held_by_joints(const parts *p)
 {
 	const cni_motion *motions = cni_motions(p->world);
 	int32_t k;
 	for (k = 0; k < p->world->awake_joints.count; ++k) {
 		const cni_joint_work *w = cni_joint_works(p->world) + k;
-		if (w->record->type != CN_JOINT_GEAR && w->record->type != CN_JOINT_PULLEY && motions[w->ia].inv_mass > 0.0f && motions[w->ib].inv_mass > 0.0f)
+		if (motions[w->ia].inv_mass > 0.0f && motions[w->ib].inv_mass > 0.0f && !turns_against_world(w))
 			continue;
 		hold(p, w->ia);
 		hold(p, w->ib);
@@ -147,7 +153,7 @@ static void roots_find(const parts *p)
 			lanes_join(p, cni_block_at(world, block));
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		const cni_joint_work *w = cni_joint_works(world) + k;
-		if (w->record->linked && p->root[w->ia] != 0 && p->root[w->ib] != 0)
+		if (p->root[w->ia] != 0 && p->root[w->ib] != 0 && w->record->linked)
 			roots_join(p->root, w->ia, w->ib);
 	}
 }

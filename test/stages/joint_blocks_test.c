@@ -3,7 +3,7 @@
  *
  * Lanes are held to rows: a joint with a break threshold that is never reached is solved by rows, so the same mechanism
  * with and without one must move alike. If only the widths disagree look in base/wide.h and stages/joint_kernel.h; if a
- * body is twice in a colour, in color_take.
+ * body is twice in a colour, in color_take. If lanes that are kept differ from new ones, in lane_fill_again.
  */
 #include "base/cpu.h"
 #include "stages/joint_pass.h"
@@ -290,6 +290,99 @@ static void equal_limits_hold_both_ways(void)
 	}
 }
 
+/* ---- lanes that are kept ---- */
+
+enum { NET = 6, NET_JOINTS = NET * (NET - 1) };
+
+typedef struct net {
+	cn_world *world;
+	cn_body bodies[NET * NET];
+	cn_joint joints[NET_JOINTS];
+	int32_t steps_kept;
+} net;
+
+/* Chains side by side. How BY_ROWS: with a joint far away that has no lane, so that lanes are taken anew in every step. */
+static void net_open(net *n, int32_t how)
+{
+	int32_t k;
+	n->world = soft_world(-10.0f);
+	n->steps_kept = 0;
+	for (k = 0; k < NET * NET; ++k) {
+		cn_revolute_def def;
+		n->bodies[k] = fixture_circle(n->world, k < NET ? CN_BODY_STATIC : CN_BODY_DYNAMIC, 3.0f * (float)(k % NET), -1.0f * (float)(k / NET), 0.3f, 0.6f, 0.0f);
+		if (k < NET)
+			continue;
+		def = pin_def(n->bodies[k - NET], 0.0f, -0.5f, n->bodies[k], 0.1f * (float)(k % NET), 0.5f, IN_LANES);
+		n->joints[k - NET] = pin(n->world, &def);
+	}
+	if (how == BY_ROWS) {
+		cn_body far = fixture_circle(n->world, CN_BODY_DYNAMIC, -100.0f, 0.0f, 0.3f, 0.6f, 0.0f);
+		cn_revolute_def def = pin_def(0, -100.0f, 1.0f, far, 0.0f, 1.0f, BY_ROWS);
+		pin(n->world, &def);
+	}
+}
+
+/* All that may change which joints are in which lanes, or what is in these. */
+static void net_change(net *n, int32_t step)
+{
+	cn_revolute_def def = pin_def(n->bodies[NET], 0.0f, -0.5f, n->bodies[2 * NET], 0.0f, 0.5f, IN_LANES);
+	if (step == 10)
+		must(cn_joint_set_flags(n->world, n->joints[7], CN_JOINT_MOTOR), n->world, "cn_joint_set_flags");
+	if (step == 20)
+		must(cn_joint_set_flags(n->world, n->joints[7], CN_JOINT_SPRING | CN_JOINT_LIMIT), n->world, "cn_joint_set_flags");
+	if (step == 30)
+		must(cn_joint_set_flags(n->world, n->joints[7], 0), n->world, "cn_joint_set_flags");
+	if (step == 40)
+		must(cn_body_set_type(n->world, n->bodies[3 * NET], CN_BODY_STATIC), n->world, "cn_body_set_type");
+	if (step == 50)
+		must(cn_body_set_type(n->world, n->bodies[3 * NET], CN_BODY_DYNAMIC), n->world, "cn_body_set_type");
+	if (step == 60)
+		must(cn_body_set_velocity(n->world, n->bodies[NET * NET - 1], 0.0f, 0.0f, 200.0f), n->world, "cn_body_set_velocity");
+	if (step == 70)
+		must(cn_joint_destroy(n->world, n->joints[NET]), n->world, "cn_joint_destroy");
+	if (step == 80)
+		n->joints[NET] = pin(n->world, &def);
+	if (step == 90)
+		must(cn_body_set_flags(n->world, n->bodies[2 * NET + 1], 0), n->world, "cn_body_set_flags");
+	if (step == 100)
+		must(cn_body_set_flags(n->world, n->bodies[2 * NET + 1], CN_BODY_ENABLED), n->world, "cn_body_set_flags");
+}
+
+static void net_step(net *n, int32_t step)
+{
+	net_change(n, step);
+	must(cn_world_step(n->world, FRAME_S), n->world, "cn_world_step");
+	n->steps_kept += n->world->joint_lanes.lanes > 0 && n->world->joint_lanes.filled == n->world->joint_lanes.lanes;
+}
+
+static int32_t nets_differ(const net *a, const net *b)
+{
+	int32_t k, differ = 0;
+	for (k = 0; k < NET * NET; ++k) {
+		cn_pose at_a = fixture_pose(a->world, a->bodies[k]), at_b = fixture_pose(b->world, b->bodies[k]);
+		differ += memcmp(&at_a, &at_b, sizeof at_a) != 0;
+	}
+	return differ;
+}
+
+static void lanes_that_are_kept_have_the_bits_of_new_ones(void)
+{
+	net kept, anew;
+	int32_t step, differ = 0;
+	net_open(&kept, IN_LANES);
+	net_open(&anew, BY_ROWS);
+	for (step = 0; step < 120; ++step) {
+		net_step(&kept, step);
+		net_step(&anew, step);
+		differ += nets_differ(&kept, &anew);
+	}
+	CHECK_LE("poses whose bits differ", differ, 0, "");
+	CHECK(kept.steps_kept > 90 && kept.steps_kept < 119);
+	CHECK(anew.steps_kept == 0);
+	cn_world_destroy(kept.world);
+	cn_world_destroy(anew.world);
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -298,5 +391,6 @@ int main(int argc, char **argv)
 	RUN(no_body_is_twice_in_a_colour);
 	RUN(wheels_stay_together);
 	RUN(equal_limits_hold_both_ways);
+	RUN(lanes_that_are_kept_have_the_bits_of_new_ones);
 	return test_end();
 }
