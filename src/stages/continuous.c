@@ -19,6 +19,8 @@
 
 #define BODIES_A_RANGE 1024 /* about ten microseconds: records are read */
 #define WALKS 8             /* bodies whose contacts are gone through by turns */
+#define RECORDS_AHEAD 8     /* bodies whose records are asked for ... */
+#define RECORDS_MANY 1024   /* ... where there are so many that they are not near anyway */
 
 enum {
 	CLAMP_STATIC, /* stops at static shapes */
@@ -409,14 +411,24 @@ static void slow_range(void *context, int32_t begin, int32_t end, int32_t worker
 			cni_drives(world)[k].flags |= CNI_DRIVE_LATER;
 }
 
+static void record_ask(const cn_world *world, int32_t body)
+{
+	const cni_body *b = cni_body_at(world, body);
+	CNI_PREFETCH(&b->cx);
+	CNI_PREFETCH(&b->core);
+}
+
 static void fast_guard(cn_world *world, walks *all)
 {
 	const int32_t *ids = cni_awake_ids(world);
 	const cni_motion *motions = cni_motions(world);
 	int32_t k, count = world->awake_count;
-	for (k = 1; k < count; ++k)
+	for (k = 1; k < count; ++k) {
+		if (count > RECORDS_MANY && k + RECORDS_AHEAD < count)
+			record_ask(world, ids[k + RECORDS_AHEAD]);
 		if (body_is_fast(cni_body_at(world, ids[k]), &motions[k]))
 			body_guard(world, all, ids[k], &motions[k]);
+	}
 }
 
 /* After slow_range: a body that was fast may be slow by now. */
