@@ -18,6 +18,9 @@
 #include <string.h>
 
 #define BODIES_A_RANGE 1024 /* about ten microseconds: records are read */
+#define WALKS 8             /* bodies whose contacts are gone through by turns */
+#define RECORDS_AHEAD 8     /* bodies whose records are asked for ... */
+#define RECORDS_MANY 1024   /* ... where there are so many that they are not near anyway */
 
 enum {
 	CLAMP_STATIC, /* stops at static shapes */
@@ -169,47 +172,153 @@ static void motion_shorten(cni_motion *m, float fraction)
 	m->theta *= fraction;
 }
 
-/* The static shapes that the shape has contacts with. */
-static void visit_contacts(clamp *c)
+static int32_t shape_may_pass(const cni_shape *s, int32_t proxy)
 {
-	const cn_world *world = c->world;
-	int32_t key;
-	for (key = c->body->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
-		const cni_contact *contact = cni_contact_of_key(world, key);
-		int32_t other = contact->proxy[1 - (key & 1)];
-		if (contact->proxy[key & 1] == c->proxy && (cni_proxy_at(world, other)->flags & CNI_PROXY_STATIC))
-			visit(c, other, 0.0f);
-	}
+	return s->type != CN_SHAPE_CHAIN && !(s->flags & CN_SHAPE_SENSOR) && proxy != CNI_NONE;
 }
 
-/* watched: whatever it could meet has a contact with it. */
-static void clamp_body(cn_world *world, int32_t body, int32_t what, int32_t watched)
+static void clamp_begin(clamp *c, cn_world *world, int32_t body, int32_t what)
 {
 	const cni_body *b = cni_body_at(world, body);
-	cni_motion *m = cni_motions(world) + b->awake;
-	cni_aabb box = swept_box(b, m);
+	const cni_motion *m = cni_motions(world) + b->awake;
+	c->world = world;
+	c->body = b;
+	c->what = what;
+	c->fraction = 1.0f;
+	c->met = 0;
+	c->path = body_path(b, cni_v(b->cx, b->cy), m->dpx, m->dpy, m->theta);
+}
+
+static void clamp_end(const clamp *c)
+{
+	cni_motion *motions = cni_motions(c->world);
+	motion_shorten(&motions[c->body->awake], c->fraction);
+	if (c->met != 0) /* it was not found to be free beyond that either: it would sweep over the bullet */
+		motion_shorten(&motions[c->met], c->fraction);
+}
+
+/* Against whatever its way leads past. */
+static void clamp_body(cn_world *world, int32_t body, int32_t what)
+{
+	const cni_body *b = cni_body_at(world, body);
+	cni_aabb box = swept_box(b, cni_motions(world) + b->awake);
 	int32_t shape;
 	clamp c;
-	c.world = world;
-	c.body = b;
-	c.what = what;
-	c.fraction = 1.0f;
-	c.met = 0;
-	c.path = body_path(b, cni_v(b->cx, b->cy), m->dpx, m->dpy, m->theta);
+	clamp_begin(&c, world, body, what);
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		c.proxy = cni_shape_proxy(world, s, 0);
-		if (s->type == CN_SHAPE_CHAIN || (s->flags & CN_SHAPE_SENSOR) || c.proxy == CNI_NONE)
+		if (!shape_may_pass(s, c.proxy))
 			continue;
 		core_make(cni_shape_geometry(&world->blocks, s), &c.core);
-		if (watched)
-			visit_contacts(&c);
-		else
-			world->broadphase_ops->query(world->broadphase, &box, visit, &c);
+		world->broadphase_ops->query(world->broadphase, &box, visit, &c);
 	}
-	motion_shorten(m, c.fraction);
-	if (c.met != 0) /* it was not found to be free beyond that either: it would sweep over the bullet */
-		motion_shorten(cni_motions(world) + c.met, c.fraction);
+	clamp_end(&c);
+}
+
+/* ---- bodies that can meet only static shapes that they have contacts with ---- */
+
+/*
+ * One of them on its way through its contacts. Each record names the next one, so its memory would be waited for: several
+ * bodies take turns, and meanwhile it comes. What one finds depends on no other, nor on the order.
+ */
+typedef struct walk {
+	clamp c;
+	int32_t shape;
+	int32_t cored;  /* 1: the core is of this shape */
+	int32_t key;    /* of the contact to look at next, CNI_NONE: the shape is done */
+	int32_t other;  /* proxy that the last contact is with, CNI_NONE: none of the shape's */
+} walk;
+
+typedef struct walks {
+	walk of[WALKS];
+	int32_t count;
+} walks;
+
+static void key_ask(const cn_world *world, int32_t key)
+{
+	const cni_contact *c;
+	if (key == CNI_NONE)
+		return;
+	c = cni_contact_of_key(world, key);
+	CNI_PREFETCH(c);
+	CNI_PREFETCH(c->next);
+}
+
+/* From this shape on the first that may pass through things. */
+static void walk_shape(walk *w, int32_t shape)
+{
+	const cn_world *world = w->c.world;
+	for (; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+		const cni_shape *s = cni_shape_at(world, shape);
+		w->c.proxy = cni_shape_proxy(world, s, 0);
+		if (shape_may_pass(s, w->c.proxy))
+			break;
+	}
+	w->shape = shape;
+	w->cored = 0;
+	w->key = shape != CNI_NONE ? w->c.body->contact_first : CNI_NONE;
+	w->other = CNI_NONE;
+	key_ask(world, w->key);
+}
+
+static void walk_visit(walk *w)
+{
+	const cn_world *world = w->c.world;
+	if (!(cni_proxy_at(world, w->other)->flags & CNI_PROXY_STATIC))
+		return;
+	if (!w->cored)
+		core_make(cni_shape_geometry(&world->blocks, cni_shape_at(world, w->shape)), &w->c.core);
+	w->cored = 1;
+	visit(&w->c, w->other, 0.0f);
+}
+
+/* Looks at one contact. 0: all shapes are done. */
+static int32_t walk_on(walk *w)
+{
+	const cn_world *world = w->c.world;
+	int32_t side = w->key & 1;
+	const cni_contact *contact;
+	if (w->other != CNI_NONE)
+		walk_visit(w);
+	if (w->key == CNI_NONE) {
+		walk_shape(w, cni_shape_at(world, w->shape)->next);
+		return w->shape != CNI_NONE;
+	}
+	contact = cni_contact_of_key(world, w->key);
+	w->other = contact->proxy[side] == w->c.proxy ? contact->proxy[1 - side] : CNI_NONE;
+	w->key = contact->next[side];
+	key_ask(world, w->key);
+	if (w->other != CNI_NONE)
+		CNI_PREFETCH(&cni_proxy_at(world, w->other)->flags);
+	return 1;
+}
+
+/* Until at most so many are left. */
+static void walks_run(walks *all, int32_t left)
+{
+	int32_t k = 0;
+	while (all->count > left) {
+		if (k >= all->count)
+			k = 0;
+		if (walk_on(&all->of[k])) {
+			++k;
+			continue;
+		}
+		clamp_end(&all->of[k].c);
+		if (k != --all->count)
+			all->of[k] = all->of[all->count];
+	}
+}
+
+static void walks_add(walks *all, cn_world *world, int32_t body)
+{
+	walk *w;
+	walks_run(all, WALKS - 1);
+	w = &all->of[all->count];
+	clamp_begin(&w->c, world, body, CLAMP_STATIC);
+	walk_shape(w, w->c.body->shape_first);
+	all->count += w->shape != CNI_NONE;
 }
 
 /* Farther turns are looked at the long way. */
@@ -258,7 +367,7 @@ static int32_t path_is_watched(const cn_world *world, const cni_body *b, const c
 		int32_t proxy = cni_shape_proxy(world, s, 0);
 		const cni_aabb *fat;
 		cni_aabb from, to, box;
-		if (s->type == CN_SHAPE_CHAIN || (s->flags & CN_SHAPE_SENSOR) || proxy == CNI_NONE)
+		if (!shape_may_pass(s, proxy))
 			continue;
 		fat = &cni_proxy_at(world, proxy)->fat;
 		cni_geometry_box(g, 0, &start, &from);
@@ -274,20 +383,21 @@ static int32_t path_is_watched(const cn_world *world, const cni_body *b, const c
 	return 1;
 }
 
-/* A fast body. Bullets may meet what they have no contact with. */
-static void body_guard(cn_world *world, int32_t body, const cni_motion *m)
+/* A fast body. Bullets may meet what they have no contact with, and stop it: what comes before them is done first. */
+static void body_guard(cn_world *world, walks *all, int32_t body, const cni_motion *m)
 {
 	const cni_body *b = cni_body_at(world, body);
-	int32_t watched;
 	if (b->flags & CN_BODY_BULLET) {
-		clamp_body(world, body, CLAMP_ALL, 0);
+		walks_run(all, 0);
+		clamp_body(world, body, CLAMP_ALL);
 		return;
 	}
 	if (world->movable_count == world->body_handles.count)
 		return; /* nothing is static anywhere */
-	watched = !world->pairs_may_repeat && path_is_watched(world, b, m);
-	if (!watched || (b->flags & CNI_BODY_AT_STATIC))
-		clamp_body(world, body, CLAMP_STATIC, watched);
+	if (world->pairs_may_repeat || !path_is_watched(world, b, m))
+		clamp_body(world, body, CLAMP_STATIC);
+	else if (b->flags & CNI_BODY_AT_STATIC)
+		walks_add(all, world, body);
 }
 
 /* Leaves the fast ones to be looked at in order: one may shorten the change of another, which never makes a slow one fast. */
@@ -301,18 +411,28 @@ static void slow_range(void *context, int32_t begin, int32_t end, int32_t worker
 			cni_drives(world)[k].flags |= CNI_DRIVE_LATER;
 }
 
-static void fast_guard(cn_world *world)
+static void record_ask(const cn_world *world, int32_t body)
+{
+	const cni_body *b = cni_body_at(world, body);
+	CNI_PREFETCH(&b->cx);
+	CNI_PREFETCH(&b->core);
+}
+
+static void fast_guard(cn_world *world, walks *all)
 {
 	const int32_t *ids = cni_awake_ids(world);
 	const cni_motion *motions = cni_motions(world);
 	int32_t k, count = world->awake_count;
-	for (k = 1; k < count; ++k)
+	for (k = 1; k < count; ++k) {
+		if (count > RECORDS_MANY && k + RECORDS_AHEAD < count)
+			record_ask(world, ids[k + RECORDS_AHEAD]);
 		if (body_is_fast(cni_body_at(world, ids[k]), &motions[k]))
-			body_guard(world, ids[k], &motions[k]);
+			body_guard(world, all, ids[k], &motions[k]);
+	}
 }
 
 /* After slow_range: a body that was fast may be slow by now. */
-static void later_guard(cn_world *world)
+static void later_guard(cn_world *world, walks *all)
 {
 	cni_drive *drives = cni_drives(world);
 	int32_t k;
@@ -323,16 +443,19 @@ static void later_guard(cn_world *world)
 			continue;
 		drives[k].flags &= ~(uint32_t)CNI_DRIVE_LATER;
 		if (body_is_fast(cni_body_at(world, body), m))
-			body_guard(world, body, m);
+			body_guard(world, all, body, m);
 	}
 }
 
 void cni_stage_continuous(cn_world *world)
 {
+	walks all;
+	all.count = 0;
 	if (world->team != NULL && world->awake_count > 2 * BODIES_A_RANGE) {
 		cni_parallel_for(world, world->awake_count - 1, BODIES_A_RANGE, slow_range, world);
-		later_guard(world);
+		later_guard(world, &all);
 	} else {
-		fast_guard(world);
+		fast_guard(world, &all);
 	}
+	walks_run(&all, 0);
 }
