@@ -10,8 +10,6 @@
 void cni_pairs_begin(cni_broadphase_pairs *pairs);
 /* Appends the pair. Without memory it is counted as lost, and looks (a moved proxy of it) is flagged to look again. */
 void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, int32_t b, cni_proxy *looks);
-/* Leaves out what the caller does not want, where it was not asked yet; from then on nothing else is listed. */
-void cni_pairs_sift(cni_broadphase_pairs *pairs);
 /* By (a, b). */
 void cni_pairs_sort(cni_broadphase_pairs *pairs, cni_arena *arena);
 

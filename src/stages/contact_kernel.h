@@ -524,7 +524,11 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 #endif
 
 #include "stages/contact_follow.h"
+#if CNI_WIDTH > 1 /* one by one cni_contact_write is quicker */
 #include "stages/contact_write.h"
+#else
+#define kernel_write NULL
+#endif
 
 #if CNI_FEW
 const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, NULL, NULL, kernel_follow, kernel_write };

@@ -1,6 +1,6 @@
 /*
- * stages/contact_pass.h - what contact_solve.c, contact_impact.c, contact_follow.c and contact_write.c hand to a kernel: blocks or lanes, and
- * the numbers of the pass.
+ * stages/contact_pass.h - what contact_solve.c, contact_impact.c, contact_follow.c and narrowphase_write.c hand to a kernel:
+ * blocks or lanes, and the numbers of the pass.
  */
 #ifndef CNI_STAGES_CONTACT_PASS_H
 #define CNI_STAGES_CONTACT_PASS_H
@@ -116,7 +116,7 @@ typedef uint32_t cni_contact_follow_fn(const cni_follow_pass *pass, cni_contact_
 /* Manifolds for lanes of one block, by lane. What is not written has records and manifolds all the same. */
 typedef struct cni_write_lanes {
 	const float *a[CNI_LANES], *b[CNI_LANES]; /* records of the lane's bodies */
-	const float *manifold[CNI_LANES];         /* cni_manifold, in the frame of the contact's first body, which is a, or b where flipped */
+	const float *manifold[CNI_LANES];         /* cni_manifold, in the frame of the contact's first body: a, or b where flipped */
 	CNI_ALIGNED(32) float radius_a[CNI_LANES];
 	float radius_b[CNI_LANES];
 	uint32_t flipped;                         /* lanes, as bits */
@@ -133,7 +133,7 @@ typedef struct cni_contact_kernel {
 	cni_contact_closing_fn *closing;
 	cni_contact_impact_fn *impact;
 	cni_contact_follow_fn *follow;
-	cni_contact_write_fn *write;
+	cni_contact_write_fn *write; /* NULL: none */
 } cni_contact_kernel;
 
 /* Of a block's lanes those that a kernel of width 8 does: whole vectors, and a last one if more than half of it is in use. */

@@ -1,7 +1,7 @@
 /*
  * stages/contact_write.h - the kernel that writes manifolds into the lanes of a block, included by each width's contact
  * kernel. The bits are those of cni_contact_write, operation by operation; what few lanes need is left to that one:
- * see stages/contact_write.c.
+ * see stages/narrowphase_write.c.
  */
 #include "stages/contact_pass.h"
 
@@ -63,7 +63,8 @@ typedef struct write_old {
 
 /* Writes one point where it is there and clears it in the other lanes that are written. Returns its arm on a along n from
    the surface; *s: its separation, 0 where it is not there. */
-CNI_INLINE cni_wide write_point(const write_frame *f, cni_contact_block *k, const cni_write_lanes *w, const write_old *old, int32_t which, int32_t l, cni_mask where, cni_mask used, cni_wide *s)
+CNI_INLINE cni_wide write_point(const write_frame *f, cni_contact_block *k, const cni_write_lanes *w, const write_old *old, int32_t which, int32_t l,
+                                cni_mask where, cni_mask used, cni_wide *s)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
 	cni_mask from0 = cni_mask_of_bits(w->from[which][0] >> l), from1 = cni_mask_of_bits(w->from[which][1] >> l);

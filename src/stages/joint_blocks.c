@@ -264,12 +264,13 @@ static int32_t lane_fill_again(cn_world *world, const cni_solve *s, cni_lane_spr
 	return 1;
 }
 
-/* stages/contact_joined.c may still change records of joints that it had in the last step. */
+/* The blocks must be those that the last step filled: with a solver that has no blocks there are none in between, and arrays that
+   grow then move nothing. */
 void cni_joint_blocks_begin(cn_world *world)
 {
 	cni_lanes_kept *kept = &world->joint_lanes;
 	kept->filled = 0;
-	if (kept->lanes != world->awake_joints.count || kept->works != world->joint_work.capacity || world->joined_step == world->step_count)
+	if (kept->lanes != world->awake_joints.count || kept->works != world->joint_work.capacity || kept->blocks != world->joint_blocks.count)
 		kept->lanes = 0;
 	world->joint_blocks.count = 0;
 	cni_row_blocks_empty(world);

@@ -38,14 +38,20 @@ cni_coarse_view cni_coarse_view_of(const cn_world *world)
 
 /* ---- do they still hold ---- */
 
-/* Pins that are in lanes of colours and not solved directly. */
+static int32_t pin_counts(const cni_joint_block *block, int32_t l)
+{
+	return cni_coarse_takes(block, l) * (1 + (block->ia[l] == 0 || block->ib[l] == 0));
+}
+
+/* Pins that are in lanes of colours and not solved directly; those to what cannot move count twice, for by one a net may come
+   to be held. */
 static int32_t lanes_count(const cn_world *world)
 {
 	int32_t color, index, l, count = 0;
 	for (color = 0; color < CNI_JOINT_COLORS; ++color)
 		for (index = world->joint_colors[color].first; index != CNI_NONE; index = cni_joint_blocks(world)[index].next)
 			for (l = 0; l < CNI_LANES; ++l)
-				count += cni_coarse_takes(&cni_joint_blocks(world)[index], l);
+				count += pin_counts(&cni_joint_blocks(world)[index], l);
 	return count;
 }
 
@@ -171,7 +177,8 @@ static int32_t make_anew(cn_world *world, int32_t lanes)
 	head = (cni_coarse *)world->coarse.data;
 	head->made_step = world->step_count;
 	head->credit = credit - MAKING;
-	head->lanes = lanes;
+	if (made) /* else it is asked for again */
+		head->lanes = lanes;
 	return made;
 }
 

@@ -94,7 +94,7 @@ typedef struct cni_net_range {
 typedef struct cni_coarse {
 	uint32_t made_step;           /* in which patches were made, or looked for */
 	uint32_t credit;              /* what was left then of the time for doing that again */
-	int32_t lanes;                /* pins there were then, in nets or not */
+	int32_t lanes;                /* pins there were then, in nets or not; those to what cannot move twice */
 	int32_t net_count, body_count, pin_count, patch_count, mode_count;
 	int64_t part_count, entry_count;
 } cni_coarse;
@@ -130,7 +130,7 @@ void cni_coarse_system_size(const cni_coarse_view *v, int32_t *patch_of);
 void cni_coarse_system_make(const cni_coarse_view *v, const int32_t *patch_of, int32_t *patch_of_mode);
 /* q' in place of q. */
 void cni_coarse_system_solve(const cni_coarse_view *v, const cni_net_range *net);
-/* Nets among the pins in lanes, their patches and systems. 0: no memory; there are none then. */
+/* Nets among the pins in lanes, their patches and systems. 0: no memory; the old ones stay. */
 int32_t cni_coarse_make(cn_world *world, int32_t lanes);
 /* Is it a lane that a net may have? */
 static inline int32_t cni_coarse_takes(const cni_joint_block *block, int32_t l)

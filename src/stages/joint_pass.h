@@ -2,8 +2,9 @@
  * stages/joint_pass.h - blocks of revolute joints, and what joint_blocks.c hands to a kernel.
  *
  * A block is 16 lanes, structure of arrays, filled anew in every step from the works of revolute joints that nothing
- * bounds, softens or breaks; which joints are in which lanes may be kept (stages/joint_blocks.c). Colours are as of contacts: no body that can move appears twice in one. A body
- * whose colours are used up leaves its further joints to the rows of stages/joint_solve.c.
+ * bounds, softens or breaks; which joints are in which lanes may be kept (stages/joint_blocks.c). Colours are as of
+ * contacts: no body that can move appears twice in one. A body whose colours are used up leaves its further joints to the
+ * rows of stages/joint_solve.c.
  *
  *   pin       ra0 rb0 d0   arms and gap as the step begins          ra rb e   as of the last relaxing pass
  *             j            impulse on body b, all of it: what springs, motors and limits ask of the pin too

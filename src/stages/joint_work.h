@@ -50,7 +50,7 @@ typedef struct cni_joint_work {
 	int32_t form;              /* CNI_FORM_*, 0: none. It has no rows here until it is solved directly, or finds no lane: stages/joint_rows.h */
 	int32_t row_lane;          /* ... block * CNI_LANES + lane of rows, CNI_NONE */
 	cni_joint_frame start;     /* at the beginning of the step */
-	int32_t kept_lane;         /* the lane of the last step in which all joints were in lanes */
+	int32_t kept_lane;         /* the lane that it was given last */
 	uint32_t kept_has;         /* which of CN_JOINT_SPRING, _MOTOR, _LIMIT it had there */
 } cni_joint_work;
 

@@ -17,8 +17,8 @@
  * bodies that have static ones about them.
  */
 #include "geometry/manifold_boxes.h"
-#include "stages/contact_write_lanes.h"
 #include "stages/narrowphase_sift.h"
+#include "stages/narrowphase_write.h"
 
 #include <string.h>
 

@@ -5,7 +5,6 @@
  * in the same order whatever broadphase found them. A pair that finds no memory is asked for again at
  * the next step (its proxy is touched) and counted.
  */
-#include "stages/broadphase_list.h"
 #include "stages/solver.h"
 
 static void pair_lose(cn_world *world, const cni_pair *pair)

@@ -383,6 +383,30 @@ static void lanes_that_are_kept_have_the_bits_of_new_ones(void)
 	cn_world_destroy(anew.world);
 }
 
+/* After a step of a solver without blocks the array holds none, and when it grows nothing of it comes along. */
+static void lanes_are_not_kept_past_a_solver_without_blocks(void)
+{
+	net kept, anew;
+	int32_t step, differ = 0;
+	net_open(&kept, IN_LANES);
+	net_open(&anew, BY_ROWS);
+	for (step = 0; step < 9; ++step) {
+		if (step == 5 || step == 6) {
+			must(cn_world_set_solver(kept.world, step == 5 ? CN_SOLVER_SEQUENTIAL : CN_SOLVER_SOFT), kept.world, "cn_world_set_solver");
+			must(cn_world_set_solver(anew.world, step == 5 ? CN_SOLVER_SEQUENTIAL : CN_SOLVER_SOFT), anew.world, "cn_world_set_solver");
+		}
+		net_step(&kept, step);
+		net_step(&anew, step);
+		differ += nets_differ(&kept, &anew);
+		if (step == 6)
+			CHECK(kept.world->joint_lanes.filled == 0);
+	}
+	CHECK_LE("poses whose bits differ", differ, 0, "");
+	CHECK(kept.steps_kept > 2);
+	cn_world_destroy(kept.world);
+	cn_world_destroy(anew.world);
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -392,5 +416,6 @@ int main(int argc, char **argv)
 	RUN(wheels_stay_together);
 	RUN(equal_limits_hold_both_ways);
 	RUN(lanes_that_are_kept_have_the_bits_of_new_ones);
+	RUN(lanes_are_not_kept_past_a_solver_without_blocks);
 	return test_end();
 }

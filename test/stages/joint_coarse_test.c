@@ -359,6 +359,25 @@ static void t_free_net_is_left_alone(void)
 	net_end(n);
 }
 
+/* It may come to be held while the number of its pins stays. */
+static void t_free_net_comes_to_be_held(void)
+{
+	net *n = net_make(20, 16, FREE, 0.0f, 0);
+	fixture_step(n->world, 5);
+	CHECK(nets_now(n) == 0);
+	must(cn_joint_destroy(n->world, n->joint[311]), n->world, "cn_joint_destroy");
+	pin(n, 0, n->body[0], 0.0f, 0.0f);
+	fixture_step(n->world, 1);
+	CHECK(nets_now(n) == 1);
+	net_end(n);
+	n = net_make(20, 16, FREE, 0.0f, 0);
+	fixture_step(n->world, 5);
+	must(cn_body_set_type(n->world, n->body[0], CN_BODY_STATIC), n->world, "cn_body_set_type");
+	fixture_step(n->world, 1);
+	CHECK(nets_now(n) == 1);
+	net_end(n);
+}
+
 /* Arms at odd angles: rows of pins along which patches were walked are rounding errors, which forbid nothing. Taken for
    rows they forbade turning: of a net's spin a substep left a twentieth. */
 static void t_odd_angles_forbid_nothing(void)
@@ -503,6 +522,7 @@ int main(int argc, char **argv)
 	RUN(t_cantilever_stands);
 	RUN(t_hung_weight);
 	RUN(t_free_net_is_left_alone);
+	RUN(t_free_net_comes_to_be_held);
 	RUN(t_odd_angles_forbid_nothing);
 	RUN(t_net_taken_apart);
 	RUN(t_net_sleeps_and_wakes);

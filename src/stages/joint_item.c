@@ -1,5 +1,5 @@
 /*
- * stages/joint_work.c - the work item of an awake joint: body indices, anchors turned with the bodies, rows, for every type alike.
+ * stages/joint_item.c - the work item of an awake joint: body indices, anchors turned with the bodies, rows, for every type alike.
  *
  * A joint's rigid rows are solved together by the inverse of their K = J M^-1 J^T. Every other row is combined
  * with as much of the rigid ones as keeps their speeds out of it (a Schur complement): the rigid rows and
