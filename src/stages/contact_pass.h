@@ -122,7 +122,6 @@ typedef struct cni_write_lanes {
 	uint32_t flipped;                         /* lanes, as bits */
 	uint32_t two;                             /* ... of two points */
 	uint32_t from[2][2];                      /* ... in which point k is what point j was */
-	uint32_t kept;                            /* ... some point is what one was */
 } cni_write_lanes;
 
 /* Writes the given lanes and anchors, as bits, but for anchors' body indices. */

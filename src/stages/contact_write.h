@@ -1,6 +1,6 @@
 /*
  * stages/contact_write.h - the kernel that writes manifolds into the lanes of a block, included by each width's contact
- * kernel. The bits are those of cni_contact_write, operation by operation; what few lanes need is left to that one:
+ * kernel after stages/contact_follow.h, of which it uses the offsets in records and store_where. The bits are those of cni_contact_write, operation by operation; what few lanes need is left to that one:
  * see stages/narrowphase_write.c.
  */
 #include "stages/contact_pass.h"
@@ -103,7 +103,8 @@ CNI_INLINE void write_anchor(const write_frame *f, cni_block_anchor *anchor, int
 
 CNI_INLINE void write_group(const cni_motion *motions, cni_contact_block *k, cni_block_anchor *anchor, const cni_write_lanes *w, uint32_t lanes, int32_t l)
 {
-	cni_mask where = cni_mask_of_bits(lanes >> l), two = cni_mask_of_bits(w->two >> l), kept = cni_mask_of_bits(w->kept >> l);
+	cni_mask where = cni_mask_of_bits(lanes >> l), two = cni_mask_of_bits(w->two >> l);
+	cni_mask kept = cni_mask_of_bits((w->from[0][0] | w->from[0][1] | w->from[1][0] | w->from[1][1]) >> l); /* some point is what one was */
 	write_frame f = write_frame_make(motions, k, w, l);
 	cni_wide radius_a = cni_wide_load(w->radius_a + l), s[2], fa, second;
 	write_old old;

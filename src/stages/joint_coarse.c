@@ -38,20 +38,20 @@ cni_coarse_view cni_coarse_view_of(const cn_world *world)
 
 /* ---- do they still hold ---- */
 
-static int32_t pin_counts(const cni_joint_block *block, int32_t l)
-{
-	return cni_coarse_takes(block, l) * (1 + (block->ia[l] == 0 || block->ib[l] == 0));
-}
-
-/* Pins that are in lanes of colours and not solved directly; those to what cannot move count twice, for by one a net may come
-   to be held. */
-static int32_t lanes_count(const cn_world *world)
+/* Pins that are in lanes of colours and not solved directly; *fixed: how many of them are to what cannot move, for by one a net
+   may come to be held. */
+static int32_t lanes_count(const cn_world *world, int32_t *fixed)
 {
 	int32_t color, index, l, count = 0;
+	*fixed = 0;
 	for (color = 0; color < CNI_JOINT_COLORS; ++color)
 		for (index = world->joint_colors[color].first; index != CNI_NONE; index = cni_joint_blocks(world)[index].next)
-			for (l = 0; l < CNI_LANES; ++l)
-				count += pin_counts(&cni_joint_blocks(world)[index], l);
+			for (l = 0; l < CNI_LANES; ++l) {
+				const cni_joint_block *block = &cni_joint_blocks(world)[index];
+				int32_t takes = cni_coarse_takes(block, l);
+				count += takes;
+				*fixed += takes & (block->ia[l] == 0 || block->ib[l] == 0);
+			}
 	return count;
 }
 
@@ -161,7 +161,7 @@ static uint32_t credit_of(const cn_world *world, const cni_coarse *old)
 }
 
 /* Patches are made anew at once where that has not been necessary for long, and then ever more rarely. 0: not now, or no memory. */
-static int32_t make_anew(cn_world *world, int32_t lanes)
+static int32_t make_anew(cn_world *world, int32_t lanes, int32_t fixed)
 {
 	const cni_coarse *old = world->coarse.count > 0 ? (const cni_coarse *)world->coarse.data : NULL;
 	uint32_t credit = old == NULL ? CREDIT_MOST : credit_of(world, old);
@@ -177,25 +177,29 @@ static int32_t make_anew(cn_world *world, int32_t lanes)
 	head = (cni_coarse *)world->coarse.data;
 	head->made_step = world->step_count;
 	head->credit = credit - MAKING;
-	if (made) /* else it is asked for again */
+	if (made) { /* else it is asked for again */
 		head->lanes = lanes;
+		head->fixed = fixed;
+	}
 	return made;
 }
 
 void cni_coarse_prepare(cn_world *world, cni_solve *s)
 {
-	int32_t lanes, k;
+	const cni_coarse *head;
+	int32_t lanes, fixed, k;
 	cni_coarse_view v;
 	/* A world in a caller's block has set nothing aside for it. */
 	if (world->joint_blocks.count < BLOCKS_LEAST || world->settings.solver != CN_SOLVER_AUTO || world->memory.fixed)
 		return;
-	lanes = lanes_count(world);
-	if (world->coarse.count == 0 || ((cni_coarse *)world->coarse.data)->lanes != lanes)
-		(void)make_anew(world, lanes);
+	lanes = lanes_count(world, &fixed);
+	head = (const cni_coarse *)world->coarse.data;
+	if (world->coarse.count == 0 || head->lanes != lanes || head->fixed != fixed)
+		(void)make_anew(world, lanes, fixed);
 	if (world->coarse.count == 0)
 		return;
 	v = cni_coarse_view_of(world);
-	if (nets_look(world, &v, s->dt) > 0 && make_anew(world, lanes)) {
+	if (nets_look(world, &v, s->dt) > 0 && make_anew(world, lanes, fixed)) {
 		v = cni_coarse_view_of(world);
 		(void)nets_look(world, &v, s->dt);
 	}

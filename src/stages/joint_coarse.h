@@ -94,7 +94,8 @@ typedef struct cni_net_range {
 typedef struct cni_coarse {
 	uint32_t made_step;           /* in which patches were made, or looked for */
 	uint32_t credit;              /* what was left then of the time for doing that again */
-	int32_t lanes;                /* pins there were then, in nets or not; those to what cannot move twice */
+	int32_t lanes;                /* pins there were then, in nets or not */
+	int32_t fixed;                /* ... of these to what cannot move */
 	int32_t net_count, body_count, pin_count, patch_count, mode_count;
 	int64_t part_count, entry_count;
 } cni_coarse;

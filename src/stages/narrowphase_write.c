@@ -87,7 +87,6 @@ static void points_match(cni_writer *w, const cni_touch *t, int32_t l)
 	w->of.from[0][1] |= is01 << l;
 	w->of.from[1][0] |= is10 << l;
 	w->of.from[1][1] |= is11 << l;
-	w->of.kept |= (is00 | is01 | is10 | is11) << l;
 	c->id[0] = (uint16_t)id0;
 	c->id[1] = (uint16_t)id1;
 }
@@ -123,7 +122,7 @@ static void write_together(cni_writer *w)
 	uint32_t lanes;
 	if (!w->opened)
 		lanes_open(w);
-	w->of.flipped = w->of.two = w->of.kept = 0;
+	w->of.flipped = w->of.two = 0;
 	memset(w->of.from, 0, sizeof w->of.from);
 	for (lanes = w->lanes; lanes != 0; lanes &= lanes - 1u)
 		lane_set(w, w->touch[cni_bit_lowest32(lanes)], cni_bit_lowest32(lanes));

@@ -372,6 +372,14 @@ static void t_free_net_comes_to_be_held(void)
 	net_end(n);
 	n = net_make(20, 16, FREE, 0.0f, 0);
 	fixture_step(n->world, 5);
+	must(cn_joint_destroy(n->world, n->joint[311]), n->world, "cn_joint_destroy");
+	must(cn_joint_destroy(n->world, n->joint[312]), n->world, "cn_joint_destroy");
+	pin(n, 0, n->body[0], 0.0f, 0.0f);
+	fixture_step(n->world, 1);
+	CHECK(nets_now(n) == 1);
+	net_end(n);
+	n = net_make(20, 16, FREE, 0.0f, 0);
+	fixture_step(n->world, 5);
 	must(cn_body_set_type(n->world, n->body[0], CN_BODY_STATIC), n->world, "cn_body_set_type");
 	fixture_step(n->world, 1);
 	CHECK(nets_now(n) == 1);
