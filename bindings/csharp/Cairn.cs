@@ -296,7 +296,8 @@ namespace Cairn
 		public int tier;
 		/// <summary>CN_TIER_REASON_*</summary>
 		public int reason;
-		/// <summary>of the world, 1 while it rests; joints that swing freely may take more</summary>
+		/// <summary>of the world, 1 while it rests, as after the last step that took time; joints that swing freely may take
+		/// more</summary>
 		public int substeps;
 		/// <summary>where bodies are now: largest overlap, or gap of a rigid joint (angles times its bodies' extent); joints
 		/// that may give way (stiffness_hertz, force_max_N, torque_max_Nm) do not count</summary>

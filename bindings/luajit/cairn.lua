@@ -353,7 +353,7 @@ typedef struct cn_island_report {
 	int32_t joints; // and constraints
 	int32_t tier; // CN_TIER_*, after the last step
 	int32_t reason; // CN_TIER_REASON_*
-	int32_t substeps; // of the world, 1 while it rests; joints that swing freely may take more
+	int32_t substeps; // of the world, 1 while it rests, as after the last step that took time; joints that swing freely may take more
 	float residual_m; // where bodies are now: largest overlap, or gap of a rigid joint (angles times its bodies' extent); joints that may give way (stiffness_hertz, force_max_N, torque_max_Nm) do not count
 } cn_island_report;
 

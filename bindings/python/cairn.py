@@ -339,7 +339,7 @@ class cn_island_report(_c.Structure):
         ("joints", _c.c_int32),  # and constraints
         ("tier", _c.c_int32),  # CN_TIER_*, after the last step
         ("reason", _c.c_int32),  # CN_TIER_REASON_*
-        ("substeps", _c.c_int32),  # of the world, 1 while it rests; joints that swing freely may take more
+        ("substeps", _c.c_int32),  # of the world, 1 while it rests, as after the last step that took time; joints that swing freely may take more
         ("residual_m", _c.c_float),  # where bodies are now: largest overlap, or gap of a rigid joint (angles times its bodies' extent); joints that may give way (stiffness_hertz, force_max_N, torque_max_Nm) do not count
     ]
 

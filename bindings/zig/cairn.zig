@@ -471,7 +471,8 @@ pub const cn_island_report = extern struct {
     tier: i32,
     /// CN_TIER_REASON_*
     reason: i32,
-    /// of the world, 1 while it rests; joints that swing freely may take more
+    /// of the world, 1 while it rests, as after the last step that took time; joints that swing freely may
+    /// take more
     substeps: i32,
     /// where bodies are now: largest overlap, or gap of a rigid joint (angles times its bodies' extent);
     /// joints that may give way (stiffness_hertz, force_max_N, torque_max_Nm) do not count
