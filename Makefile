@@ -66,7 +66,7 @@ MAIN_OBJ := $(MAIN_SRC:%.c=$(BUILD)/release/%.o)
 CHECKED_OBJ := $(LIB_SRC:%.c=$(BUILD)/checked/%.o)
 CHECKED_EXAMPLE_OBJ := $(EXAMPLE_SRC:%.c=$(BUILD)/checked/%.o)
 TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
-TESTS := $(TEST_SRC:%.c=$(BUILD)/%)
+TESTS := $(TEST_SRC:%.c=$(BUILD)/%) bindings/test/current.sh
 
 .PHONY: all bindings demo test test-all stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello check-deps install clean FORCE
 .DELETE_ON_ERROR:

@@ -1,8 +1,11 @@
 #!/bin/sh
 # usage: variants.sh build-folder
-# The test suite as `make test` runs it, then under sanitizers and under compilers and options that
-# must all give the same bits (tests hold golden hashes), then checks of the sources. Every suite is a
-# full run in a build folder of its own. Ends with one summed line "N passed, N failed, N skipped".
+# The test suite as `make test` builds and runs it, then under sanitizers and under compilers and options
+# that must all give the same bits (tests hold golden hashes), then checks of the sources. Every suite has a
+# build folder of its own but the first, which has that of `make test`: what that built is not built again.
+# The whole suite runs once with each sanitizer, at -O2 and at -O3 with the processor's own instructions, and
+# for clang at -O3; the other builds run the tests that hold bits against bits. Ends with one summed line
+# "N passed, N failed, N skipped".
 set -u
 unset MAKEFLAGS MFLAGS MAKELEVEL # a make of its own, not a part of the one that called
 build=$1
@@ -19,6 +22,9 @@ add() { # label passed failed skipped
 	echo "$line"
 }
 
+begin() { started=$(date +%s); }
+end() { echo "$1: $(($(date +%s) - started)) s"; }
+
 suite() { # name compiler cflags defines [tests]
 	name=$1 compiler=$2 cflags=$3 defines=$4
 	tests=
@@ -28,11 +34,19 @@ suite() { # name compiler cflags defines [tests]
 		add "$name" 0 0 1
 		return
 	fi
-	started=$(date +%s)
+	begin
 	${MAKE:-make} -s -j"$cores" test BUILD="$build/$name" CC="$compiler" CFLAGS= TEST_CFLAGS="$cflags" TEST_DEFINES="$defines" \
 		JOBS="$cores" ${tests:+"TESTS=$tests"} > "$build/$name.log" 2>&1
 	read_log "$name" $?
-	echo "$name: $(($(date +%s) - started)) s"
+	end "$name"
+}
+
+# As a user calls it.
+plain() {
+	begin
+	${MAKE:-make} -s -j"$cores" test BUILD="$build" JOBS="$cores" > "$build/plain.log" 2>&1
+	read_log plain $?
+	end plain
 }
 
 read_log() { # name code: adds what $build/$name.log counts
@@ -63,14 +77,18 @@ check() { # name command...
 
 # The bindings, with the shared library that exports() built.
 bindings() {
+	begin
 	${MAKE:-make} -s -j"$cores" test-bindings BUILD="$build/release-check" > "$build/bindings.log" 2>&1
 	read_log bindings $?
+	end bindings
 }
 
 # Other processors.
 others() {
+	begin
 	sh test/cross.sh "$build/cross" > "$build/cross.log" 2>&1
 	read_log cross $?
+	end cross
 }
 
 header_in_cxx() {
@@ -103,16 +121,18 @@ no_fused_operations() {
 	[ -z "${fused:-}" ]
 }
 
-slow='-DCNI_DEBUG -DTEST_SLOW'
+slow='-DCNI_DEBUG -DTEST_SLOW' # a build that is slow: bounds on time do not hold
 sanitize='-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all'
-suite gcc-O2 gcc '-O2 -g' -DCNI_DEBUG
+threads='base/threads_test stages/broadphase_threads_test world/threads_test world/threads_contacts_test world/threads_pairs_test'
+bits='world/determinism_test world/random_test stages/joint_rows_test stages/narrowphase_write_test'
+plain
 suite clang-address clang-19 "$sanitize -fsanitize=address,undefined" "$slow"
-suite clang-memory clang-19 "$sanitize -fsanitize=memory -fsanitize-memory-track-origins" "$slow"
-suite clang-thread clang-19 "-O1 -g -fno-omit-frame-pointer -fsanitize=thread" "$slow" 'base/threads_test stages/broadphase_threads_test world/threads_test world/threads_contacts_test world/threads_pairs_test'
-suite no-threads gcc '-O1' '-DCNI_DEBUG -DCN_NO_THREADS' 'base/threads_test stages/broadphase_threads_test world/threads_test world/threads_contacts_test world/threads_pairs_test world/determinism_test world/memory_test world/memory_block_test'
-suite gcc-O0 gcc '-O0' "$slow"
+suite clang-memory clang-19 "$sanitize -fsanitize=memory" "$slow"
+suite clang-thread clang-19 "-O1 -g -fno-omit-frame-pointer -fsanitize=thread" "$slow" "$threads"
+suite no-threads gcc '-O1' '-DCNI_DEBUG -DCN_NO_THREADS' "$threads $bits world/memory_test world/memory_block_test"
+suite gcc-O0 gcc '-O0' "$slow" "$bits"
 suite gcc-O3-native gcc '-O3 -march=native' ''
-suite clang-O2 clang-19 '-O2' -DCNI_DEBUG
+suite clang-O2 clang-19 '-O2' -DCNI_DEBUG "$bits"
 suite clang-O3 clang-19 '-O3' ''
 if command -v g++ >/dev/null 2>&1; then check header-cxx header_in_cxx; else add header-cxx 0 0 1; fi
 check header-padding header_without_padding
