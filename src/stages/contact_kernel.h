@@ -253,9 +253,9 @@ CNI_INLINE void solve_live(cni_contact_block *k, cni_block_extra *extra, int32_t
 }
 
 /*
- * Lanes whose contact began to touch this step iterate between normals and friction: with no impulse
- * to start from, one round leaves friction bounded by a normal force that is not there yet, and a body set
- * down on a slope would start with a false speed.
+ * Lanes whose contact began to touch this step iterate between normals and friction in the substep in which they begin to
+ * bear: with no impulse to start from, one round leaves friction bounded by a normal force that is not there yet, and a
+ * body set down on a slope would start with a false speed.
  */
 #define FRESH_ROUNDS 4
 
@@ -267,14 +267,24 @@ static void solve_again(cni_contact_block *k, cni_block_extra *extra, int32_t l,
 		solve_live(k, extra, l, a, b, pass, bias, cni_mask_of_bits(live));
 }
 
+/* Lanes of a group that bear, as bits. */
+CNI_INLINE uint32_t group_bears(const cni_contact_block *k, int32_t l)
+{
+	return cni_mask_bits(cni_wide_load(k->p[0].jn + l) + cni_wide_load(k->p[1].jn + l) > cni_wide_of(0.0f));
+}
+
 CNI_INLINE void solve_fresh(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, uint32_t fresh)
 {
 	side a_copy, b_copy;
-	if ((fresh >> l & ((1u << CNI_WIDTH) - 1u)) == 0)
+	uint32_t live = fresh >> l & ((1u << CNI_WIDTH) - 1u);
+	if (live == 0)
+		return;
+	live &= group_bears(k, l);
+	if (live == 0)
 		return;
 	a_copy = *a;
 	b_copy = *b;
-	solve_again(k, extra, l, &a_copy, &b_copy, pass, bias, fresh >> l);
+	solve_again(k, extra, l, &a_copy, &b_copy, pass, bias, live);
 	*a = a_copy;
 	*b = b_copy;
 }
@@ -363,19 +373,33 @@ CNI_INLINE int32_t block_is_mine(const cni_color_pass *c, int32_t k, int32_t end
 	return k < end && (!CNI_FEW || cni_lanes_wide(c->blocks[k].lanes) == 0);
 }
 
+/* Lanes that began to touch in this step and did not bear in its substeps before, as bits. */
+CNI_INLINE uint32_t block_fresh(const cni_listed_block *b)
+{
+	return b->fresh != 0 ? b->fresh & b->info->fresh : 0;
+}
+
+/* At the end of a substep: those that bear are as others from now on. */
+static void block_age(const cni_listed_block *b, uint32_t fresh)
+{
+	int32_t l;
+	for (l = lanes_begin(b); l < lanes_end(b); l += CNI_WIDTH)
+		b->info->fresh = (uint16_t)(b->info->fresh & ~(fresh & group_bears(b->rows, l) << l));
+}
+
 /* The groups of a block without extra rows. */
-CNI_INLINE void solve_plain(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, int32_t bias)
+CNI_INLINE void solve_plain(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, uint32_t fresh, int32_t bias)
 {
 	int32_t l = lanes_begin(b), end = lanes_end(b);
 #if CNI_WIDTH > 1 && !CNI_FEW
 	for (; l + CNI_WIDTH < end; l += 2 * CNI_WIDTH)
 		if (has_one_point(b->rows, l) && has_one_point(b->rows, l + CNI_WIDTH))
-			solve_pair(motions, b->rows, l, pass, b->fresh, bias, 1);
+			solve_pair(motions, b->rows, l, pass, fresh, bias, 1);
 		else
-			solve_pair(motions, b->rows, l, pass, b->fresh, bias, 2);
+			solve_pair(motions, b->rows, l, pass, fresh, bias, 2);
 #endif
 	for (; l < end; l += CNI_WIDTH)
-		solve_group(motions, b->rows, NULL, l, pass, b->fresh, bias);
+		solve_group(motions, b->rows, NULL, l, pass, fresh, bias);
 }
 
 /* Few blocks have extra rows: the compiler knows that the others have none. */
@@ -385,13 +409,16 @@ CNI_INLINE int32_t solve_blocks(const cni_color_pass *c, int32_t begin, int32_t 
 	do {
 		const cni_listed_block *b = &c->blocks[k];
 		const cni_contact_pass *pass = &c->kinds[b->kind];
+		uint32_t fresh = block_fresh(b);
 		if (c->prefetches)
 			cni_blocks_prefetch(c, k, end);
 		if (b->extra == NULL)
-			solve_plain(c->motions, b, pass, bias);
+			solve_plain(c->motions, b, pass, fresh, bias);
 		else
 			for (l = lanes_begin(b); l < lanes_end(b); l += CNI_WIDTH)
-				solve_group(c->motions, b->rows, b->extra, l, pass, b->fresh, bias);
+				solve_group(c->motions, b->rows, b->extra, l, pass, fresh, bias);
+		if (fresh != 0 && !bias)
+			block_age(b, fresh);
 		k = block_next(c, k, end, bias ? CNI_PASS_SOLVE : CNI_PASS_RELAX);
 	} while (block_is_mine(c, k, end));
 	return k;
