@@ -292,9 +292,14 @@ static float box_room(const cni_aabb *outer, const cni_aabb *inner)
 }
 
 /* What becomes of a shape's box. */
-enum { BOX_STAYS, BOX_LEAVES, BOX_LEAVES_AHEAD };
+enum { BOX_STAYS, BOX_STAYS_AHEAD, BOX_LEAVES, BOX_LEAVES_AHEAD };
 
-/* A shape's box with what lies ahead, if that leaves its proxy's: the new one; BOX_LEAVES_AHEAD: with that. *room: how far the proxy's reaches beyond the shape, then. */
+/* What touches nothing goes on as it flies: its boxes are made for this many ways more, and need not move in the steps of
+   those. With two more, pairs that never meet cost more than the moves. */
+#define WAYS_OF_FLIGHT 1.0f
+
+/* A shape's box with what lies ahead, if that leaves its proxy's: the new one. _AHEAD: the proxy's reaches ahead, then. *room: how
+   far it reaches beyond the shape, then, now and ahead. */
 static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_shape *s, int32_t child, const cni_transform *x, cni_vec2 ahead, cni_aabb *fat, float *room)
 {
 	const cni_aabb *now = &cni_proxy_at(world, cni_shape_proxy(world, s, child))->fat;
@@ -309,12 +314,20 @@ static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_sh
 	reaches = looks_ahead(margin, ahead);
 	if (reaches)
 		box = box_stretch(box, ahead);
-	if (cni_aabb_contains(now, &box))
-		return BOX_STAYS;
+	if (cni_aabb_contains(now, &box)) {
+		if (!reaches || box_room(now, &box) <= rounding)
+			return BOX_STAYS;
+		*room = box_room(now, &box) - rounding;
+		return BOX_STAYS_AHEAD;
+	}
+	if (reaches && b->lanes == 0)
+		box = box_stretch(box, cni_mul(WAYS_OF_FLIGHT, ahead));
 	*fat = cni_box_fatten(box, margin);
 	*room = margin - rounding;
 	return reaches ? BOX_LEAVES_AHEAD : BOX_LEAVES;
 }
+
+static int32_t reaches_ahead(int32_t what) { return what == BOX_LEAVES_AHEAD || what == BOX_STAYS_AHEAD; }
 
 int32_t cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead)
 {
@@ -330,12 +343,12 @@ int32_t cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead)
 		const cni_shape *s = cni_shape_at(world, shape);
 		for (child = 0; child < s->children; ++child) {
 			int32_t what = box_leaves(world, b, s, child, &x, ahead, &fat, &one);
-			if (what != BOX_STAYS) {
+			if (what >= BOX_LEAVES) {
 				int32_t proxy = cni_shape_proxy(world, s, child);
 				cni_proxy_set_fat(cni_proxy_at(world, proxy), &fat);
 				world->broadphase_ops->move(world->broadphase, proxy);
 			}
-			all &= what == BOX_LEAVES_AHEAD;
+			all &= reaches_ahead(what);
 			room = cni_min(room, one);
 		}
 	}
@@ -349,6 +362,7 @@ int32_t cni_body_boxes_left(const cn_world *world, cni_body *b, cni_vec2 ahead, 
 	float room = FLT_MAX, one;
 	int32_t shape, child, count = 0, all = 1;
 	cni_aabb fat;
+	out->reaches = 0;
 	if (cni_body_has_room(b, ahead))
 		return 0;
 	x = cni_body_transform(b);
@@ -357,8 +371,8 @@ int32_t cni_body_boxes_left(const cn_world *world, cni_body *b, cni_vec2 ahead, 
 		for (child = 0; child < s->children; ++child) {
 			int32_t what = box_leaves(world, b, s, child, &x, ahead, &fat, &one);
 			room = cni_min(room, one);
-			all &= what == BOX_LEAVES_AHEAD;
-			if (what == BOX_STAYS || count++ > 0)
+			all &= reaches_ahead(what);
+			if (what < BOX_LEAVES || count++ > 0)
 				continue;
 			out->fat = fat;
 			out->proxy = cni_shape_proxy(world, s, child);

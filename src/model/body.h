@@ -35,7 +35,7 @@ enum {
 	CNI_BODY_AT_STATIC = 1u << 21,     /* has had contacts with static bodies, touching or not, since its last pose was taken */
 	CNI_BODY_AGAIN = 1u << 22,         /* new pairs of it may have a contact already: see CNI_PAIRS_MARKED */
 	CNI_BODY_SET_DOWN = 1u << 23,      /* in this step, alone: a contact began to bear */
-	CNI_BODY_AHEAD = 1u << 24          /* its boxes were made at the end of the last step, and have its room around the way ahead too: last step's dt times its velocity */
+	CNI_BODY_AHEAD = 1u << 24          /* its boxes were looked at at the end of the last step, and have its room around the way ahead too: last step's dt times its velocity */
 };
 
 typedef struct cni_body {
@@ -181,8 +181,8 @@ static inline int32_t cni_body_has_room(const cni_body *b, cni_vec2 ahead)
 {
 	return cni_body_room(b) > cni_max(cni_abs(ahead.x), cni_abs(ahead.y));
 }
-/* Moves the boxes that do not contain the shapes now and where they will be after ahead (metres). Returns 1 when
-   these were all, and they reach ahead. */
+/* Moves the boxes that do not contain the shapes now and where they will be after ahead (metres). Returns 1 when it has
+   looked at them, and all reach ahead. */
 int32_t cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead);
 /* How many boxes that would move; *out is the first of them. Those are to be moved: the body's room counts on it. */
 typedef struct cni_box_move {

@@ -251,10 +251,12 @@ static int32_t body_boxes_set(cn_world *world, const cni_solve *s, cni_body *b, 
 {
 	cni_box_move move;
 	int32_t left = cni_body_boxes_left(world, b, way_ahead(world, s, k), &move);
-	if (left != 1)
-		return left == 0 ? MOVED_NONE : MOVED_SEVERAL;
+	if (left > 1)
+		return MOVED_SEVERAL;
 	if (move.reaches)
 		b->flags |= CNI_BODY_AHEAD;
+	if (left == 0)
+		return MOVED_NONE;
 	cni_proxy_set_fat(cni_proxy_at(world, move.proxy), &move.fat);
 	return move.proxy;
 }
