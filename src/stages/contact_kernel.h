@@ -273,13 +273,23 @@ CNI_INLINE uint32_t group_bears(const cni_contact_block *k, int32_t l)
 	return cni_mask_bits(cni_wide_load(k->p[0].jn + l) + cni_wide_load(k->p[1].jn + l) > cni_wide_of(0.0f));
 }
 
+/* Lanes of a group in which normals and friction change each other, as bits. They do not where there is one point, straight
+   ahead of both centres (or of that which turns), as of balls on the ground and on each other. */
+CNI_INLINE uint32_t group_couples(const cni_contact_block *k, int32_t l, const side *a, const side *b)
+{
+	cni_wide at = cni_wide_load(k->p[0].at + l), bt = at - cni_wide_load(k->dt + l);
+	cni_wide across = a->i * cni_wide_abs(at * cni_wide_load(k->fa + l)) + b->i * cni_wide_abs(bt * cni_wide_load(k->fb + l));
+	cni_mask two = cni_wide_load(k->p[1].nm + l) > cni_wide_of(0.0f);
+	return cni_mask_bits(two | (across > 1e-3f * (a->m + b->m)));
+}
+
 CNI_INLINE void solve_fresh(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, uint32_t fresh)
 {
 	side a_copy, b_copy;
 	uint32_t live = fresh >> l & ((1u << CNI_WIDTH) - 1u);
 	if (live == 0)
 		return;
-	live &= group_bears(k, l);
+	live &= group_bears(k, l) & (extra != NULL ? live : group_couples(k, l, a, b));
 	if (live == 0)
 		return;
 	a_copy = *a;

@@ -25,13 +25,13 @@ typedef struct golden {
 /* clang-format off */
 static const golden goldens[] = {
 	{ "falling_hinges", 480, 1, 0x76ba653e2b84a93a },
-	{ "small_200", 300, 1, 0xbfd9c903a2ad2702 },
-	{ "small_50_sleep", 600, 1, 0xcb7ed7754e1643b7 },
+	{ "small_200", 300, 1, 0x6e62722a2ffe9bbb },
+	{ "small_50_sleep", 600, 1, 0xa248167c4f57d861 },
 	{ "dominoes", 400, 1, 0xc4c3b46535ad58cf },
 	{ "ragdolls", 480, 1, 0xc8d4bd1c8ba31a41 },
 	{ "bridge", 240, 1, 0x03dbc47c26105c6d },
-	{ "car", 400, 1, 0x077f8530a8dfbfc7 },
-	{ "mixer", 240, 1, 0x58d8aa22b6de3816 },
+	{ "car", 400, 1, 0x6beb498760c475c4 },
+	{ "mixer", 240, 1, 0xec8727b5bf447f51 },
 	{ "pyramid", 120, 0, 0xbb24e8518c196cd8 },
 	{ "rain", 150, 0, 0x77f20642a3cbe8b7 },
 	{ "tumbler_1000", 300, 0, 0x54661c54ede14c38 },
