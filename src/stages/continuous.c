@@ -69,6 +69,7 @@ typedef struct clamp {
 	int32_t proxy;       /* of the shape that moves */
 	cni_path path;
 	core_shape core;
+	cni_aabb reach;      /* contains the core all the way, and what is so near that it stops it; relative to the body's centre */
 	float fraction;      /* of the path that is free so far */
 	int32_t met;         /* awake index of the dynamic body at its end, else 0 */
 } clamp;
@@ -82,6 +83,28 @@ static cni_path body_path(const cni_body *b, cni_vec2 from, float dpx, float dpy
 	p.turn = theta;
 	p.local_center = b->local_center;
 	return p;
+}
+
+/* Rounding that the core gave up reaches less far from the centre, however the body turns. */
+static void core_begin(clamp *c, const cni_geometry *g)
+{
+	const cni_body *b = c->body;
+	const cni_path *p = &c->path;
+	cni_aabb way = { cni_min(p->start.x, p->end.x), cni_min(p->start.y, p->end.y), cni_max(p->start.x, p->end.x), cni_max(p->start.y, p->end.y) };
+	float rounding = CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
+	core_make(g, &c->core);
+	c->reach = cni_box_fatten(way, b->extent - (g->radius - c->core.geometry.radius) + rounding + c->world->settings.slop);
+}
+
+/* Most static shapes about a body are beside its way, or end before the core begins. */
+static int32_t core_reaches(const clamp *c, const cni_aabb *box)
+{
+	cni_aabb near = *box;
+	near.x0 -= c->body->cx;
+	near.x1 -= c->body->cx;
+	near.y0 -= c->body->cy;
+	near.y1 -= c->body->cy;
+	return cni_aabb_overlap(&c->reach, &near);
 }
 
 static int32_t other_stops(const clamp *c, int32_t proxy)
@@ -133,7 +156,7 @@ static float visit(void *context, int32_t proxy, float limit)
 	const cni_motion *motion;
 	cni_toi_input in;
 	float free;
-	if (!other_stops(c, proxy)) /* most of a heap: nothing else of them is read */
+	if (!other_stops(c, proxy) || ((p->flags & CNI_PROXY_STATIC) && !core_reaches(c, &p->fat))) /* nothing else of them is read */
 		return limit;
 	s = cni_shape_at(world, p->shape);
 	other = cni_body_at(world, s->body);
@@ -210,7 +233,7 @@ static void clamp_body(cn_world *world, int32_t body, int32_t what)
 		c.proxy = cni_shape_proxy(world, s, 0);
 		if (!shape_may_pass(s, c.proxy))
 			continue;
-		core_make(cni_shape_geometry(&world->blocks, s), &c.core);
+		core_begin(&c, cni_shape_geometry(&world->blocks, s));
 		world->broadphase_ops->query(world->broadphase, &box, visit, &c);
 	}
 	clamp_end(&c);
@@ -270,7 +293,7 @@ static void walk_visit(walk *w)
 	if (!(cni_proxy_at(world, w->other)->flags & CNI_PROXY_STATIC))
 		return;
 	if (!w->cored)
-		core_make(cni_shape_geometry(&world->blocks, cni_shape_at(world, w->shape)), &w->c.core);
+		core_begin(&w->c, cni_shape_geometry(&world->blocks, cni_shape_at(world, w->shape)));
 	w->cored = 1;
 	visit(&w->c, w->other, 0.0f);
 }
