@@ -319,6 +319,35 @@ CNI_INLINE void cni_wide_scatter4_to(float *const *records, int32_t offset, cni_
 		*(cni_wide4_loose *)(void *)(records[l] + offset) = r[l];
 }
 
+/* Two floats to two records. */
+CNI_INLINE void cni_wide_pair_to(float *first, float *second, cni_wide4 a)
+{
+#if defined(__SSE2__)
+	_mm_storel_pi((__m64 *)(void *)first, (__m128)a);
+	_mm_storeh_pi((__m64 *)(void *)second, (__m128)a);
+#else
+	first[0] = a[0];
+	first[1] = a[1];
+	second[0] = a[2];
+	second[1] = a[3];
+#endif
+}
+
+/* Floats offset and offset + 1 of each. */
+CNI_INLINE void cni_wide_scatter2_to(float *const *records, int32_t offset, cni_wide a, cni_wide b)
+{
+#if CNI_WIDTH == 4
+	cni_wide_pair_to(records[0] + offset, records[1] + offset, __builtin_shufflevector(a, b, 0, 4, 1, 5));
+	cni_wide_pair_to(records[2] + offset, records[3] + offset, __builtin_shufflevector(a, b, 2, 6, 3, 7));
+#elif CNI_WIDTH == 8
+	cni_wide low = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13), high = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+	cni_wide_pair_to(records[0] + offset, records[1] + offset, __builtin_shufflevector(low, low, 0, 1, 2, 3));
+	cni_wide_pair_to(records[2] + offset, records[3] + offset, __builtin_shufflevector(high, high, 0, 1, 2, 3));
+	cni_wide_pair_to(records[4] + offset, records[5] + offset, cni_wide_high(low));
+	cni_wide_pair_to(records[6] + offset, records[7] + offset, cni_wide_high(high));
+#endif
+}
+
 /* The same in the given lanes, as bits: the other records are not written. */
 CNI_INLINE void cni_wide_scatter4_where(float *base, int32_t stride, const int32_t *index, uint32_t lanes, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {

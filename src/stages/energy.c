@@ -16,7 +16,12 @@
  * Reads start (velocities before the impulses of the substep) and motion; writes both by the same change, so that
  * the response between them stays.
  */
+#include "base/cpu.h"
 #include "stages/joint_pass.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#include "base/wide.h"
+#endif
 
 #include <string.h>
 
@@ -97,39 +102,70 @@ static void energies_find(looking *q, int32_t island)
 	}
 }
 
+/* Energies of some bodies: by x, y and angle, which a vector adds at once. */
+typedef struct energies {
+#if CNI_HAS_WIDE_4
+	cni_wide before, after;
+#else
+	float before[3], after[3];
+#endif
+} energies;
+
+CNI_INLINE void energies_add(energies *e, const cni_motion *m, const cni_velocity_start *start)
+{
+#if CNI_HAS_WIDE_4
+	cni_wide v = cni_wide_load(&m->vx), s = cni_wide_load_loose(&start->vx), inverse = __builtin_shufflevector(v, cni_wide_load(&m->dpx), 3, 3, 7, 7);
+	cni_mask has = (inverse > cni_wide_of(0.0f)) & (__builtin_shufflevector(v, v, 3, 3, 3, 3) > cni_wide_of(0.0f));
+	cni_wide mass = (cni_wide)((cni_mask)(cni_wide_of(1.0f) / inverse) & has);
+	e->before += mass * (s * s);
+	e->after += mass * (v * v);
+#else
+	float mass = moves(m) ? 1.0f / m->inv_mass : 0.0f, inertia = moves(m) ? inertia_of(m) : 0.0f;
+	e->before[0] += mass * (start->vx * start->vx);
+	e->before[1] += mass * (start->vy * start->vy);
+	e->before[2] += inertia * (start->w * start->w);
+	e->after[0] += mass * (m->vx * m->vx);
+	e->after[1] += mass * (m->vy * m->vy);
+	e->after[2] += inertia * (m->w * m->w);
+#endif
+}
+
+static void energies_sum(const energies *e, island_sum *sum)
+{
+	sum->before += e->before[0] + e->before[1] + e->before[2];
+	sum->after += e->after[0] + e->after[1] + e->after[2];
+}
+
 /* Of all that are looked at, in the order of memory. */
 static void energies_stream(const cn_world *world, island_sum *sums)
 {
 	const cni_motion *motions = cni_motions(world);
 	const cni_velocity_start *starts = cni_starts(world);
-	float before = 0.0f, after = 0.0f;
-	int32_t k, of = CNI_NONE, summed = 0;
-	for (k = 1; k < world->awake_count; ++k) {
+	const energies none = { { 0 }, { 0 } };
+	energies e = none;
+	int32_t k, of = CNI_NONE, summed = 0, count = world->awake_count;
+	for (k = 1; k < count; ++k) {
 		int32_t island = cni_awake_island(world, k);
-		if (island == CNI_NONE || !sums[island].looked_at)
+		if (island != of && (island == CNI_NONE || !sums[island].looked_at))
 			continue;
 		if (island != of || ++summed == SUMMED_MOST) {
-			if (of != CNI_NONE) {
-				sums[of].before += before;
-				sums[of].after += after;
-			}
+			if (of != CNI_NONE)
+				energies_sum(&e, &sums[of]);
 			of = island;
-			before = after = 0.0f;
+			e = none;
 			summed = 0;
 		}
-		energy_add(&motions[k], &starts[k], &before, &after);
+		energies_add(&e, &motions[k], &starts[k]);
 	}
-	sums[of].before += before;
-	sums[of].after += after;
+	energies_sum(&e, &sums[of]);
 }
 
 /* Marks islands in which a velocity jumped. Returns how many bodies are in them. */
 static int32_t shocked_find(const cn_world *world, island_sum *sums)
 {
-	const cni_velocity_start *starts = cni_starts(world);
 	int32_t k, count = 0;
-	for (k = 1; k < world->awake_count; ++k) {
-		int32_t island = starts[k].struck == CNI_SHOCKED ? cni_awake_island(world, k) : CNI_NONE;
+	for (k = cni_shocked_next(world, 1); k < world->awake_count; k = cni_shocked_next(world, k + 1)) {
+		int32_t island = cni_awake_island(world, k);
 		if (island == CNI_NONE || sums[island].looked_at)
 			continue;
 		sums[island].looked_at = 1;

@@ -14,6 +14,10 @@
  */
 #include "base/cpu.h"
 #include "stages/integrate_pass.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#include "base/wide.h"
+#endif
 
 #define BODIES_A_RANGE 256 /* about a microsecond */
 #define DRIVES_A_RANGE 512 /* about ten: their records are read */
@@ -67,16 +71,23 @@ CNI_INLINE void drive_make(const cn_world *world, const cni_body *b, const cni_m
 		d->ay = 0.0f;
 }
 
-/* Exact flight over time h. */
-static void fly(cni_motion *m, const cni_drive *d, float h)
+/* Exact flight over time h. By rows, as in integrate_kernel.h, where there are vectors. */
+CNI_INLINE void fly(cni_motion *m, const cni_drive *d, float h)
 {
 	float half = 0.5f * h * h;
+#if CNI_HAS_WIDE_4
+	const cni_mask three = { -1, -1, -1, 0 };
+	cni_wide v = cni_wide_load(&m->vx), a = { d->ax, d->ay, d->alpha, 0.0f }, way = cni_wide_of(h) * v + cni_wide_of(half) * a;
+	cni_wide_store(&m->dpx, cni_wide_load(&m->dpx) + (cni_wide)((cni_mask)way & three));
+	cni_wide_store(&m->vx, v + cni_wide_of(h) * a);
+#else
 	m->dpx += h * m->vx + half * d->ax;
 	m->dpy += h * m->vy + half * d->ay;
 	m->theta += h * m->w + half * d->alpha;
 	m->vx += h * d->ax;
 	m->vy += h * d->ay;
 	m->w += h * d->alpha;
+#endif
 }
 
 static void fly_damped(cni_motion *m, const cni_drive *d, const cni_body *b, const cni_solve *s)
@@ -119,13 +130,13 @@ static void drive_range(void *context, int32_t begin, int32_t end, int32_t worke
 	cni_motion *motions = cni_motions(world);
 	cni_drive *drives = cni_drives(world);
 	const int32_t *ids = cni_awake_ids(world);
-	int32_t k;
+	int32_t *islands = world->awake_islands, k;
 	(void)worker;
 	for (k = begin + 1; k <= end; ++k) {
 		cni_body *b = cni_body_at(world, ids[k]);
 		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
-		if (world->awake_islands != NULL)
-			world->awake_islands[k] = b->island;
+		if (islands != NULL)
+			islands[k] = b->island;
 		drive_make(world, b, &motions[k], &drives[k]);
 		if (!(drives[k].flags & CNI_DRIVE_FREE))
 			continue;

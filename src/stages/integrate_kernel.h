@@ -5,6 +5,8 @@
  *
  * Rows are three components and one float that is not touched: the inverse mass beside a velocity, the inverse inertia beside a
  * change of pose, flags beside a drive.
+ *
+ * Beside them what other stages do with each body of the dense arrays: shock.c's search for jumps, and finalize.c's poses.
  */
 #include "base/wide.h"
 #include "stages/integrate_pass.h"
@@ -222,4 +224,59 @@ static int32_t kernel_finish(const cni_body_pass *pass, int32_t begin, int32_t e
 	return k;
 }
 
-const cni_body_kernel CNI_KERNEL = { kernel_velocities, kernel_positions, kernel_finish };
+/* One or two components of the rows in four vectors, as CNI_WIDTH bodies: all in the same order, which is not theirs. */
+CNI_INLINE void columns(const cni_wide r[4], cni_wide *first, cni_wide *second)
+{
+#if CNI_WIDTH == 8
+	cni_wide low = __builtin_shufflevector(r[0], r[1], 0, 1, 8, 9, 4, 5, 12, 13), high = __builtin_shufflevector(r[2], r[3], 0, 1, 8, 9, 4, 5, 12, 13);
+	*first = __builtin_shufflevector(low, high, 0, 2, 8, 10, 4, 6, 12, 14);
+	*second = __builtin_shufflevector(low, high, 1, 3, 9, 11, 5, 7, 13, 15);
+#else
+	cni_wide low = __builtin_shufflevector(r[0], r[1], 0, 1, 4, 5), high = __builtin_shufflevector(r[2], r[3], 0, 1, 4, 5);
+	*first = __builtin_shufflevector(low, high, 0, 2, 4, 6);
+	*second = __builtin_shufflevector(low, high, 1, 3, 5, 7);
+#endif
+}
+
+CNI_INLINE cni_wide last_column(const cni_wide r[4])
+{
+#if CNI_WIDTH == 8
+	cni_wide low = __builtin_shufflevector(r[0], r[1], 2, 3, 10, 11, 6, 7, 14, 15), high = __builtin_shufflevector(r[2], r[3], 2, 3, 10, 11, 6, 7, 14, 15);
+	return __builtin_shufflevector(low, high, 1, 3, 9, 11, 5, 7, 13, 15);
+#else
+	cni_wide low = __builtin_shufflevector(r[0], r[1], 2, 3, 6, 7), high = __builtin_shufflevector(r[2], r[3], 2, 3, 6, 7);
+	return __builtin_shufflevector(low, high, 1, 3, 5, 7);
+#endif
+}
+
+/* Of CNI_WIDTH bodies: whose velocity jumped so far. */
+CNI_INLINE cni_mask rows_jumped(const cni_motion *m, const cni_velocity_start *s, float most_sq)
+{
+	cni_wide jumps[4], x, y;
+	int32_t r;
+	for (r = 0; r < 4; ++r)
+		jumps[r] = rows_load(&m[r * ROWS].vx, sizeof *m) - cni_wide_load_loose(&s[r * ROWS].vx);
+	columns(jumps, &x, &y);
+	return ~(x * x + y * y <= cni_wide_of(most_sq));
+}
+
+CNI_INLINE cni_mask rows_touched(const cni_drive *d)
+{
+	const cni_wide drives[4] = { cni_wide_load_loose(&d[0].ax), cni_wide_load_loose(&d[ROWS].ax), cni_wide_load_loose(&d[2 * ROWS].ax), cni_wide_load_loose(&d[3 * ROWS].ax) };
+	return ((cni_mask)last_column(drives) & ((int32_t)CNI_DRIVE_TOUCHED - (cni_mask){ 0 })) != (cni_mask){ 0 };
+}
+
+static int32_t kernel_calm(const cni_body_pass *pass, int32_t begin, int32_t end, float most_sq)
+{
+	int32_t k;
+	for (k = begin; k + CNI_WIDTH <= end; k += CNI_WIDTH) {
+		cni_mask jumped = rows_jumped(pass->motions + k, pass->starts + k, most_sq);
+		if (cni_mask_bits(jumped) != 0 && cni_mask_bits(jumped & rows_touched(pass->drives + k)) != 0)
+			break;
+	}
+	return k;
+}
+
+#include "stages/finalize_kernel.h"
+
+const cni_body_kernel CNI_KERNEL = { kernel_velocities, kernel_positions, kernel_finish, kernel_calm, kernel_poses };

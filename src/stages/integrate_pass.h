@@ -1,5 +1,6 @@
 /*
- * stages/integrate_pass.h - what integrate.c hands to a body kernel: the loops over awake bodies of a substep.
+ * stages/integrate_pass.h - what integrate.c hands to a body kernel: the loops over awake bodies of a substep; and what shock.c and
+ * finalize.c do.
  */
 #ifndef CNI_STAGES_INTEGRATE_PASS_H
 #define CNI_STAGES_INTEGRATE_PASS_H
@@ -19,8 +20,25 @@ typedef struct cni_body_pass {
    fill the kernel's vectors. */
 typedef int32_t cni_body_kernel_fn(const cni_body_pass *pass, int32_t begin, int32_t end);
 
+/* Goes on while no velocity of a touched body differs from its start by more than that (squared), as many bodies at once as the
+   kernel's vectors have floats. Returns the first of those among which one does, or of what is left. */
+typedef int32_t cni_body_calm_fn(const cni_body_pass *pass, int32_t begin, int32_t end, float most_sq);
+#define CNI_CALM_MOST 8 /* floats in a kernel's vectors, at most */
+
+/* Bodies begin, begin + 1, ... as bits, in this order. */
+typedef struct cni_poses_taken {
+	uint64_t left;    /* nothing was done with them */
+	uint64_t no_room; /* in their boxes, for the way ahead */
+	uint64_t rest;    /* may rest: their timer and their drive are left */
+	uint32_t rested; /* 1: some have rested for long enough */
+} cni_poses_taken;
+/* What finalize.c does with each of 64 bodies or less. */
+typedef cni_poses_taken cni_body_poses_fn(cn_world *world, const cni_solve *s, int32_t begin, int32_t end);
+
 typedef struct cni_body_kernel {
 	cni_body_kernel_fn *velocities, *positions, *finish;
+	cni_body_calm_fn *calm;
+	cni_body_poses_fn *poses;
 } cni_body_kernel;
 
 /* Moved for the whole step already. */
@@ -29,6 +47,9 @@ typedef struct cni_body_kernel {
 #define CNI_DRIVE_LOCKED ((uint32_t)CNI_DRIVE_LOCK_X | (uint32_t)CNI_DRIVE_LOCK_Y)
 /* Their way is not corrected to the trapezoid rule. */
 #define CNI_DRIVE_AS_IT_IS ((uint32_t)CNI_DRIVE_JOINTED | (uint32_t)CNI_DRIVE_DAMPED)
+
+/* Flags of a body that tell of the way that is taken. */
+#define CNI_BODY_OF_THE_WAY ((uint32_t)CNI_BODY_AHEAD | (uint32_t)CNI_BODY_AT_STATIC)
 
 extern const cni_body_kernel cni_body_kernel_4; /* SSE2, NEON, WASM SIMD */
 extern const cni_body_kernel cni_body_kernel_8; /* AVX2, chosen at run time */

@@ -11,12 +11,15 @@
  * joint impulses.
  */
 #include "base/bitset.h"
+#include "stages/integrate_pass.h"
 #include "stages/joint_pass.h"
 
 #define BODIES_A_RANGE 256 /* about a microsecond each */
 #define BLOCKS_A_RANGE 16
 #define BLOCKS_AHEAD 4     /* whose bodies are asked for */
 #define BLOCKS_AT_ONCE 8   /* whose rows are */
+#define FEW_PART 8         /* bodies of which fewer than this part of all are struck are asked for their contacts */
+#define FEW_LANES 512      /* ... unless these are more */
 
 typedef struct shock_loop {
 	cn_world *world;
@@ -26,31 +29,51 @@ typedef struct shock_loop {
 	uint32_t shocks;
 } shock_loop;
 
-/* Marks the bodies whose velocity jumped and counts them. start holds v + h a, so the jump is motion.v - start + h a. */
+/* Marks a body whose velocity jumped. start holds v + h a, so the jump is motion.v - start + h a. Returns 1 when it did. */
+CNI_INLINE uint32_t mark(const cni_motion *m, cni_velocity_start *start, const cni_drive *d, float h, float most_sq)
+{
+	float dx = m->vx - start->vx, dy = m->vy - start->vy, ax, ay, jump_sq = dx * dx + dy * dy;
+	if (jump_sq <= most_sq || !(d->flags & CNI_DRIVE_TOUCHED)) /* nearly all are slower, whatever their drive */
+		return 0;
+	ax = h * d->ax;
+	ay = h * d->ay;
+	if (jump_sq <= most_sq + 64.0f * (ax * ax + ay * ay))
+		return 0;
+	start->struck = CNI_SHOCKED;
+	return 1;
+}
+
+/* Marks and counts them. A kernel passes by those that are slow. */
 static void mark_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	shock_loop *loop = (shock_loop *)context;
-	const cni_solve *s = loop->s;
-	const cni_motion *motions = cni_motions(loop->world);
-	const cni_drive *drives = cni_drives(loop->world);
-	cni_velocity_start *starts = cni_starts(loop->world);
-	float most_sq = s->shock_speed * s->shock_speed;
+	const cni_body_kernel *kernel = loop->s->body_kernel;
+	cni_body_pass pass = { loop->world, cni_motions(loop->world), cni_starts(loop->world), cni_drives(loop->world), loop->s->h, 0 };
+	float most_sq = loop->s->shock_speed * loop->s->shock_speed;
 	uint32_t shocks = 0;
-	int32_t k;
+	int32_t k = begin + 1, last;
 	(void)worker;
-	for (k = begin + 1; k <= end; ++k) {
-		float dx = motions[k].vx - starts[k].vx, dy = motions[k].vy - starts[k].vy, ax, ay, jump_sq = dx * dx + dy * dy;
-		if (jump_sq <= most_sq || !(drives[k].flags & CNI_DRIVE_TOUCHED)) /* nearly all are slower, whatever their drive */
-			continue;
-		ax = s->h * drives[k].ax;
-		ay = s->h * drives[k].ay;
-		if (jump_sq <= most_sq + 64.0f * (ax * ax + ay * ay))
-			continue;
-		starts[k].struck = CNI_SHOCKED;
-		++shocks;
+	while (k <= end) {
+		if (kernel != NULL)
+			k = kernel->calm(&pass, k, end + 1, most_sq);
+		for (last = cni_min_i(k + CNI_CALM_MOST - 1, end); k <= last; ++k)
+			shocks += mark(&pass.motions[k], &pass.starts[k], &pass.drives[k], pass.h, most_sq);
 	}
 	if (shocks > 0)
 		cni_atomic_add(&loop->shocks, shocks);
+}
+
+int32_t cni_shocked_next(const cn_world *world, int32_t index)
+{
+	const cni_velocity_start *s = cni_starts(world);
+	int32_t k, count = world->awake_count;
+	for (k = index; k < count; ++k) {
+		while (k + 4 <= count && s[k].struck + s[k + 1].struck + s[k + 2].struck + s[k + 3].struck < CNI_SHOCKED)
+			k += 4;
+		if (k >= count || s[k].struck == CNI_SHOCKED)
+			break;
+	}
+	return k;
 }
 
 static void response_take_out(cn_world *world, int32_t index, float px, float py, float moment)
@@ -138,14 +161,81 @@ static void forget_range(void *context, int32_t begin, int32_t end, int32_t work
 	}
 }
 
+static int32_t color_is_one_sided(int32_t color)
+{
+	return color >= CNI_COLOR_STATIC && color != CNI_COLOR_OVERFLOW;
+}
+
+static void color_forget(cn_world *world, shock_loop *loop, int32_t color)
+{
+	loop->blocks = cni_listed_blocks(world, color);
+	loop->one_sided = color_is_one_sided(color);
+	cni_team_for(color == CNI_COLOR_OVERFLOW ? NULL : loop->s->team, world->colors[color].listed_count, BLOCKS_A_RANGE, forget_range, loop);
+}
+
+/* Lanes of few bodies, by colour. */
+typedef struct few_lanes {
+	int32_t slot[FEW_LANES], next[FEW_LANES], count;
+	int32_t first[CNI_COLORS]; /* in slot, CNI_NONE */
+} few_lanes;
+
+/* Those of a shocked body; a contact of two such is lane body a's. 0: there are too many. */
+static int32_t few_add(const cn_world *world, int32_t index, few_lanes *f)
+{
+	int32_t key = cni_body_at(world, cni_awake_ids(world)[index])->contact_first;
+	while (key != CNI_NONE) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		const cni_block_info *info;
+		const cni_contact_block *rows;
+		key = c->next[key & 1];
+		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING)
+			continue;
+		info = cni_block_info_at(world, c->slot / CNI_LANES);
+		rows = cni_block_at(world, c->slot / CNI_LANES);
+		if ((info->flags & CNI_BLOCK_RESTED) || (rows->ia[c->slot % CNI_LANES] != index && cni_starts(world)[rows->ia[c->slot % CNI_LANES]].struck == CNI_SHOCKED))
+			continue;
+		if (f->count == FEW_LANES)
+			return 0;
+		f->slot[f->count] = c->slot;
+		f->next[f->count] = f->first[info->color];
+		f->first[info->color] = f->count++;
+	}
+	return 1;
+}
+
+static int32_t few_find(const cn_world *world, few_lanes *f)
+{
+	int32_t k, color;
+	f->count = 0;
+	for (color = 0; color < CNI_COLORS; ++color)
+		f->first[color] = CNI_NONE;
+	for (k = cni_shocked_next(world, 1); k < world->awake_count; k = cni_shocked_next(world, k + 1))
+		if (!few_add(world, k, f))
+			return 0;
+	return 1;
+}
+
+/* Within a colour their order does not matter: no two lanes write the same. But for the overflow's: it is gone through. */
+static void few_forget(cn_world *world, shock_loop *loop, const few_lanes *f)
+{
+	int32_t color, n;
+	for (color = 0; color < CNI_COLOR_OVERFLOW; ++color)
+		for (n = f->first[color]; n != CNI_NONE; n = f->next[n])
+			lane_forget(world, cni_block_at(world, f->slot[n] / CNI_LANES), f->slot[n] % CNI_LANES, color_is_one_sided(color));
+	if (f->first[CNI_COLOR_OVERFLOW] != CNI_NONE)
+		color_forget(world, loop, CNI_COLOR_OVERFLOW);
+}
+
 static void contacts_forget(cn_world *world, shock_loop *loop)
 {
+	few_lanes few;
 	int32_t color;
-	for (color = 0; color < CNI_COLORS; ++color) {
-		loop->blocks = cni_listed_blocks(world, color);
-		loop->one_sided = color >= CNI_COLOR_STATIC && color != CNI_COLOR_OVERFLOW;
-		cni_team_for(color == CNI_COLOR_OVERFLOW ? NULL : loop->s->team, world->colors[color].listed_count, BLOCKS_A_RANGE, forget_range, loop);
+	if (FEW_PART * loop->shocks < (uint32_t)world->awake_count && few_find(world, &few)) {
+		few_forget(world, loop, &few);
+		return;
 	}
+	for (color = 0; color < CNI_COLORS; ++color)
+		color_forget(world, loop, color);
 }
 
 /* The part of an impulse that goes the way of the load, and no farther. */
