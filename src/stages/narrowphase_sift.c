@@ -22,8 +22,8 @@
 #define PREFETCH_FROM 2048
 
 /* So many contacts ahead records are asked for, and when these have come what they name. */
-#define RECORDS_AHEAD 48
-#define MEMBERS_AHEAD 24
+#define RECORDS_AHEAD 24
+#define MEMBERS_AHEAD 12
 
 /* Bodies that one worker copies, at least: 10 us of work. */
 #define BODIES_A_RANGE 512
@@ -33,6 +33,18 @@
 #define ENTERED ((uint32_t)CNI_CONTACT_ENTERED)
 
 /* ---- bodies ---- */
+
+#if CNI_HAS_WIDE_4
+
+/* The first two columns of four rows. */
+CNI_INLINE void two_columns(const cni_wide *r, cni_wide *first, cni_wide *second)
+{
+	cni_wide low = __builtin_shufflevector(r[0], r[1], 0, 4, 1, 5), high = __builtin_shufflevector(r[2], r[3], 0, 4, 1, 5);
+	*first = __builtin_shufflevector(low, high, 0, 1, 4, 5);
+	*second = __builtin_shufflevector(low, high, 2, 3, 6, 7);
+}
+
+#endif
 
 /* The high part of a centre is within half a unit of its last place. */
 static cni_sift_body sift_body_make(const cni_body *b, float dt)
@@ -48,13 +60,68 @@ static cni_sift_body sift_body_make(const cni_body *b, float dt)
 	return s;
 }
 
+#if CNI_HAS_WIDE_4
+
+/* sift_body_make of four in a row, with its bits. */
+static void four_make(const cni_body *b, float dt, cni_sift_body *out)
+{
+	const cni_wide one = cni_wide_of(1.0f), none = cni_wide_of(0.0f);
+	cni_wide at[4], ahead[4], size[4], low, high, x, y, turn, extent, radius, still;
+	cni_mask awake;
+	int32_t l;
+	for (l = 0; l < 4; ++l) {
+		at[l] = cni_wide_load_loose(&b[l].cx);
+		ahead[l] = cni_wide_of(dt) * cni_wide_load_loose(&b[l].vx);
+		size[l] = cni_wide_load_loose(&b[l].extent);
+		cni_wide_store(&out[l].x, __builtin_shufflevector(at[l], ahead[l], 0, 1, 4, 5));
+	}
+	two_columns(at, &x, &y);
+	turn = __builtin_shufflevector(__builtin_shufflevector(ahead[0], ahead[1], 2, 2, 6, 6), __builtin_shufflevector(ahead[2], ahead[3], 2, 2, 6, 6), 0, 2, 4, 6);
+	low = __builtin_shufflevector(size[0], size[1], 0, 2, 4, 6);
+	high = __builtin_shufflevector(size[2], size[3], 0, 2, 4, 6);
+	extent = __builtin_shufflevector(low, high, 0, 2, 4, 6);
+	awake = (cni_mask)__builtin_shufflevector(low, high, 1, 3, 5, 7);
+	radius = cni_wide_of(CNI_CIRCLES_APART) * (extent + cni_wide_abs(turn) * extent) + cni_wide_of(FLT_EPSILON) * (cni_wide_abs(x) + cni_wide_abs(y));
+	still = cni_wide_select(awake == (cni_mask)none, one, none);
+	low = __builtin_shufflevector(radius, still, 0, 4, 1, 5);
+	high = __builtin_shufflevector(radius, still, 2, 6, 3, 7);
+	cni_wide_store(&out[0].radius, low);
+	cni_wide_store(&out[1].radius, __builtin_shufflevector(low, low, 2, 3, 2, 3));
+	cni_wide_store(&out[2].radius, high);
+	cni_wide_store(&out[3].radius, __builtin_shufflevector(high, high, 2, 3, 2, 3));
+}
+
+/* What it reads of a record; and four from a multiple of four lie in one page. */
+typedef char cni_four_bodies_are_read[offsetof(cni_body, w) == offsetof(cni_body, vx) + 8 && offsetof(cni_body, awake) == offsetof(cni_body, extent) + 8 && CNI_PAGE_BODIES >= 2 ? 1 : -1];
+
+#else
+
+static void four_make(const cni_body *b, float dt, cni_sift_body *out)
+{
+	int32_t l;
+	for (l = 0; l < 4; ++l)
+		out[l] = sift_body_make(&b[l], dt);
+}
+
+#endif
+
 static void bodies_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const cni_sift_list *list = (const cni_sift_list *)context;
-	int32_t k;
+	const cn_world *world = list->world;
+	cni_sift_body *bodies = list->bodies;
+	float dt = list->dt;
+	int32_t k = begin;
 	(void)worker;
-	for (k = begin; k < end; ++k)
-		list->bodies[k] = sift_body_make(cni_body_at(list->world, k), list->dt);
+	while (k < end) {
+		const cni_body *b = cni_body_at(world, k);
+		if (k % 4 == 0 && k + 4 <= end) {
+			four_make(b, dt, &bodies[k]);
+			k += 4;
+		} else {
+			bodies[k++] = sift_body_make(b, dt);
+		}
+	}
 }
 
 /* Worth a pass over all bodies where each is in a contact that is apart: two are in one. */
@@ -235,17 +302,14 @@ static uint32_t four_by_flags(cni_contact *const *c, uint32_t apart)
 static uint32_t four_sift(const cni_sift *s, cni_contact *const *c)
 {
 	const cn_world *world = s->of.world;
-	cni_wide low, high, radius, still, dx, dy, ahead_x, ahead_y, reach;
+	cni_wide radius, still, dx, dy, ahead_x, ahead_y, reach;
 	uint32_t apart, marks;
 	sift_rows r;
 	int32_t l;
 	r.flags = 0;
 	for (l = 0; l < 4; ++l)
 		rows_take(&r, l, world, s->of.bodies, c[l]);
-	low = __builtin_shufflevector(r.sum[0], r.sum[1], 0, 4, 1, 5);
-	high = __builtin_shufflevector(r.sum[2], r.sum[3], 0, 4, 1, 5);
-	radius = __builtin_shufflevector(low, high, 0, 1, 4, 5);
-	still = __builtin_shufflevector(low, high, 2, 3, 6, 7);
+	two_columns(r.sum, &radius, &still);
 	cni_wide_columns(r.between, &dx, &dy, &ahead_x, &ahead_y);
 	reach = cni_wide_max(cni_wide_of(s->of.margin), cni_wide_of(1.4143f) * (cni_wide_abs(ahead_x) + cni_wide_abs(ahead_y)));
 	reach = radius + cni_wide_of(CNI_CIRCLES_APART) * reach;
@@ -300,14 +364,17 @@ static void batch_sift(cni_sift *s)
 static int32_t take_left(cni_sift *s, cni_touch_pair *out, int32_t most)
 {
 	const cn_world *world = s->of.world;
-	int32_t count = 0;
-	for (; s->left != 0 && count < most; s->left &= s->left - 1) {
-		int32_t contact = s->of.contacts[s->batch + cni_bit_lowest32(s->left)];
+	const int32_t *contacts = s->of.contacts + s->batch;
+	int32_t count = 0, prefetches = s->of.prefetches;
+	uint32_t left = s->left;
+	for (; left != 0 && count < most; left &= left - 1) {
+		int32_t contact = contacts[cni_bit_lowest32(left)];
 		cni_contact *c = cni_contact_at(world, contact);
-		if (s->of.prefetches)
+		if (prefetches)
 			pair_prefetch(world, c);
 		out[count++] = cni_touch_pair_of(world, c, contact);
 	}
+	s->left = left;
 	return count;
 }
 
@@ -315,17 +382,18 @@ static int32_t take_left(cni_sift *s, cni_touch_pair *out, int32_t most)
 static int32_t take_touching(cni_sift *s, cni_touch_pair *out, int32_t most)
 {
 	const cn_world *world = s->of.world;
-	int32_t k, count = cni_min_i(most, s->end - s->at);
+	int32_t k, at = s->at, count = cni_min_i(most, s->end - at), prefetches = s->of.prefetches;
+	const int32_t *contacts = s->of.contacts + at;
 	for (k = 0; k < count; ++k) {
-		int32_t contact = s->of.contacts[s->at + k];
+		int32_t contact = contacts[k];
 		cni_contact *c = cni_contact_at(world, contact);
-		if (s->of.prefetches)
-			ask_ahead(s, s->at + k, 1);
+		if (prefetches)
+			ask_ahead(s, at + k, 1);
 		out[k] = cni_touch_pair_of(world, c, contact);
 		cni_contact_mark_static(out[k].body[0], out[k].body[1]);
 		contact_enters_no_more(c);
 	}
-	s->at += count;
+	s->at = at + count;
 	return count;
 }
 

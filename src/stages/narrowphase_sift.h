@@ -16,7 +16,7 @@ typedef struct cni_sift_body {
 	float ahead_x, ahead_y; /* change of position by velocity */
 	float radius;           /* of a circle around it, with what it turns */
 	float still;            /* 1: the body is not awake, else 0 */
-	float unused[2];
+	float unused[2];        /* any numbers */
 } cni_sift_body;
 
 /* Contacts to sift, of which ranges may be sifted side by side. */
