@@ -34,18 +34,6 @@
 
 /* ---- bodies ---- */
 
-#if CNI_HAS_WIDE_4
-
-/* The first two columns of four rows. */
-CNI_INLINE void two_columns(const cni_wide *r, cni_wide *first, cni_wide *second)
-{
-	cni_wide low = __builtin_shufflevector(r[0], r[1], 0, 4, 1, 5), high = __builtin_shufflevector(r[2], r[3], 0, 4, 1, 5);
-	*first = __builtin_shufflevector(low, high, 0, 1, 4, 5);
-	*second = __builtin_shufflevector(low, high, 2, 3, 6, 7);
-}
-
-#endif
-
 /* The high part of a centre is within half a unit of its last place. */
 static cni_sift_body sift_body_make(const cni_body *b, float dt)
 {
@@ -55,8 +43,8 @@ static cni_sift_body sift_body_make(const cni_body *b, float dt)
 	s.ahead_x = dt * b->vx;
 	s.ahead_y = dt * b->vy;
 	s.radius = CNI_CIRCLES_APART * (b->extent + dt * cni_abs(b->w) * b->extent) + FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy));
-	s.still = b->awake == 0 ? 1.0f : 0.0f;
-	s.unused[0] = s.unused[1] = 0.0f;
+	if (b->awake == 0)
+		s.radius = -s.radius;
 	return s;
 }
 
@@ -65,30 +53,28 @@ static cni_sift_body sift_body_make(const cni_body *b, float dt)
 /* sift_body_make of four in a row, with its bits. */
 static void four_make(const cni_body *b, float dt, cni_sift_body *out)
 {
-	const cni_wide one = cni_wide_of(1.0f), none = cni_wide_of(0.0f);
-	cni_wide at[4], ahead[4], size[4], low, high, x, y, turn, extent, radius, still;
+	cni_wide at[4], ahead[4], size[4], low, high, x, y, turn, extent, radius;
 	cni_mask awake;
 	int32_t l;
 	for (l = 0; l < 4; ++l) {
 		at[l] = cni_wide_load_loose(&b[l].cx);
 		ahead[l] = cni_wide_of(dt) * cni_wide_load_loose(&b[l].vx);
 		size[l] = cni_wide_load_loose(&b[l].extent);
-		cni_wide_store(&out[l].x, __builtin_shufflevector(at[l], ahead[l], 0, 1, 4, 5));
+		*(cni_wide_loose *)(void *)&out[l].x = __builtin_shufflevector(at[l], ahead[l], 0, 1, 4, 5);
 	}
-	two_columns(at, &x, &y);
+	low = __builtin_shufflevector(at[0], at[1], 0, 1, 4, 5);
+	high = __builtin_shufflevector(at[2], at[3], 0, 1, 4, 5);
+	x = __builtin_shufflevector(low, high, 0, 2, 4, 6);
+	y = __builtin_shufflevector(low, high, 1, 3, 5, 7);
 	turn = __builtin_shufflevector(__builtin_shufflevector(ahead[0], ahead[1], 2, 2, 6, 6), __builtin_shufflevector(ahead[2], ahead[3], 2, 2, 6, 6), 0, 2, 4, 6);
 	low = __builtin_shufflevector(size[0], size[1], 0, 2, 4, 6);
 	high = __builtin_shufflevector(size[2], size[3], 0, 2, 4, 6);
 	extent = __builtin_shufflevector(low, high, 0, 2, 4, 6);
 	awake = (cni_mask)__builtin_shufflevector(low, high, 1, 3, 5, 7);
 	radius = cni_wide_of(CNI_CIRCLES_APART) * (extent + cni_wide_abs(turn) * extent) + cni_wide_of(FLT_EPSILON) * (cni_wide_abs(x) + cni_wide_abs(y));
-	still = cni_wide_select(awake == (cni_mask)none, one, none);
-	low = __builtin_shufflevector(radius, still, 0, 4, 1, 5);
-	high = __builtin_shufflevector(radius, still, 2, 6, 3, 7);
-	cni_wide_store(&out[0].radius, low);
-	cni_wide_store(&out[1].radius, __builtin_shufflevector(low, low, 2, 3, 2, 3));
-	cni_wide_store(&out[2].radius, high);
-	cni_wide_store(&out[3].radius, __builtin_shufflevector(high, high, 2, 3, 2, 3));
+	radius = cni_wide_select(awake == (cni_mask){ 0 }, -radius, radius);
+	for (l = 0; l < 4; ++l)
+		out[l].radius = radius[l];
 }
 
 /* What it reads of a record; and four from a multiple of four lie in one page. */
@@ -216,7 +202,7 @@ static int32_t circles_apart(const cni_sift_body *a, const cni_sift_body *b, flo
 {
 	float dx = b->x - a->x, dy = b->y - a->y, reach;
 	reach = cni_max(margin, 1.4143f * (cni_abs(b->ahead_x - a->ahead_x) + cni_abs(b->ahead_y - a->ahead_y)));
-	reach = a->radius + b->radius + CNI_CIRCLES_APART * reach;
+	reach = cni_abs(a->radius) + cni_abs(b->radius) + CNI_CIRCLES_APART * reach;
 	return dx * dx + dy * dy > reach * reach;
 }
 
@@ -251,7 +237,7 @@ static uint32_t one_sift(const cni_sift *s, cni_contact *c)
 		a = &made_a;
 		b = &made_b;
 	}
-	if (a->still + b->still > 0.0f)
+	if (a->radius <= 0.0f || b->radius <= 0.0f)
 		contact_mark_static(s->of.world, c);
 	contact_enters_no_more(c);
 	return (uint32_t)(circles_apart(a, b, s->of.margin) & ((c->flags & LOOKED_AT) == 0) & boxes_of_contact_overlap(s->of.world, c));
@@ -261,19 +247,17 @@ static uint32_t one_sift(const cni_sift *s, cni_contact *c)
 
 #if CNI_HAS_WIDE_4
 
-/* Both vectors of a cni_sift_body, of the two of a contact: from one to the other, and their sum. */
+/* What is read of four contacts, row by row. */
 typedef struct sift_rows {
-	cni_wide between[4], sum[4];
-	cni_mask over[4];  /* boxes, each way along each axis */
-	uint32_t flags;    /* of any */
+	cni_wide between[4];     /* way from one body to the other, now and of the step */
+	cni_mask over[4];        /* boxes, each way along each axis */
+	uint32_t flags;          /* of any */
 } sift_rows;
 
-CNI_INLINE void rows_take(sift_rows *r, int32_t l, const cn_world *world, const cni_sift_body *bodies, const cni_contact *c)
+CNI_INLINE void rows_take(sift_rows *r, int32_t l, const cn_world *world, const cni_sift_body *a, const cni_sift_body *b, const cni_contact *c)
 {
-	const cni_sift_body *a = &bodies[c->body[0]], *b = &bodies[c->body[1]];
 	cni_wide box_a = cni_wide_load_loose(&cni_proxy_at(world, c->proxy[0])->fat.x0), box_b = cni_wide_load_loose(&cni_proxy_at(world, c->proxy[1])->fat.x0);
-	r->between[l] = cni_wide_load(&b->x) - cni_wide_load(&a->x);
-	r->sum[l] = cni_wide_load(&a->radius) + cni_wide_load(&b->radius);
+	r->between[l] = cni_wide_load_loose(&b->x) - cni_wide_load_loose(&a->x);
 	r->over[l] = __builtin_shufflevector(box_a, box_b, 0, 1, 4, 5) <= __builtin_shufflevector(box_b, box_a, 2, 3, 6, 7);
 	r->flags |= c->flags;
 }
@@ -302,19 +286,24 @@ static uint32_t four_by_flags(cni_contact *const *c, uint32_t apart)
 static uint32_t four_sift(const cni_sift *s, cni_contact *const *c)
 {
 	const cn_world *world = s->of.world;
-	cni_wide radius, still, dx, dy, ahead_x, ahead_y, reach;
+	const cni_sift_body *a[4], *b[4];
+	cni_wide radius_a, radius_b, dx, dy, ahead_x, ahead_y, reach;
 	uint32_t apart, marks;
 	sift_rows r;
 	int32_t l;
 	r.flags = 0;
-	for (l = 0; l < 4; ++l)
-		rows_take(&r, l, world, s->of.bodies, c[l]);
-	two_columns(r.sum, &radius, &still);
+	for (l = 0; l < 4; ++l) {
+		a[l] = &s->of.bodies[c[l]->body[0]];
+		b[l] = &s->of.bodies[c[l]->body[1]];
+		rows_take(&r, l, world, a[l], b[l], c[l]);
+	}
+	radius_a = (cni_wide){ a[0]->radius, a[1]->radius, a[2]->radius, a[3]->radius };
+	radius_b = (cni_wide){ b[0]->radius, b[1]->radius, b[2]->radius, b[3]->radius };
 	cni_wide_columns(r.between, &dx, &dy, &ahead_x, &ahead_y);
 	reach = cni_wide_max(cni_wide_of(s->of.margin), cni_wide_of(1.4143f) * (cni_wide_abs(ahead_x) + cni_wide_abs(ahead_y)));
-	reach = radius + cni_wide_of(CNI_CIRCLES_APART) * reach;
+	reach = cni_wide_abs(radius_a) + cni_wide_abs(radius_b) + cni_wide_of(CNI_CIRCLES_APART) * reach;
 	apart = cni_mask_bits((dx * dx + dy * dy > reach * reach) & all_of_each(r.over));
-	for (marks = cni_mask_bits(still > cni_wide_of(0.0f)); marks != 0; marks &= marks - 1)
+	for (marks = cni_mask_bits(cni_wide_min(radius_a, radius_b) <= cni_wide_of(0.0f)); marks != 0; marks &= marks - 1)
 		contact_mark_static(world, c[cni_bit_lowest32(marks)]);
 	return r.flags & (LOOKED_AT | ENTERED) ? four_by_flags(c, apart) : apart;
 }

@@ -10,13 +10,11 @@
 /* Contacts that are sifted at a time: one bit each. */
 #define CNI_SIFT_BATCH 32
 
-/* What of a body tells how far it is: of a step. Two vectors, half a line. */
+/* What of a body tells how far it is: of a step. */
 typedef struct cni_sift_body {
 	float x, y;
-	float ahead_x, ahead_y; /* change of position by velocity */
-	float radius;           /* of a circle around it, with what it turns */
-	float still;            /* 1: the body is not awake, else 0 */
-	float unused[2];        /* any numbers */
+	float ahead_x, ahead_y; /* change of position by velocity; the four are read as one vector */
+	float radius;           /* of a circle around it, with what it turns; its sign is set where the body is not awake */
 } cni_sift_body;
 
 /* Contacts to sift, of which ranges may be sifted side by side. */
