@@ -27,7 +27,7 @@ typedef struct way {
 static way all_at_once, by_threes, few_at_a_time;
 static uint32_t flags_before[CONTACTS_MOST];
 
-/* In a box of 24 m. */
+/* In a box of 24 m; some of the circles stand still. */
 static cn_world *crowd(float x)
 {
 	cn_world *world = fixture_world(-10.0f, 1);
@@ -39,9 +39,11 @@ static cn_world *crowd(float x)
 	for (k = 0; k < SIDE * SIDE; ++k) {
 		float at_x = x + 0.48f * (float)(k % SIDE), at_y = 0.48f * (float)(k / SIDE), size = fixture_random(&seed, 0.1f, 0.25f);
 		float vx = fixture_random(&seed, -20.0f, 20.0f), vy = fixture_random(&seed, -20.0f, 20.0f), w = fixture_random(&seed, -20.0f, 20.0f);
-		cn_body body = k % 2 == 0 ? fixture_circle(world, CN_BODY_DYNAMIC, at_x, at_y, size, 0.5f, 0.3f)
+		int32_t type = k % 64 == 0 ? CN_BODY_STATIC : CN_BODY_DYNAMIC;
+		cn_body body = k % 2 == 0 ? fixture_circle(world, type, at_x, at_y, size, 0.5f, 0.3f)
 		                          : fixture_box(world, CN_BODY_DYNAMIC, at_x, at_y, 0.1f * w, size, 0.2f, 0.5f, 0.3f);
-		fixture_set_velocity(world, body, vx, vy, w);
+		if (type == CN_BODY_DYNAMIC)
+			fixture_set_velocity(world, body, vx, vy, w);
 	}
 	return world;
 }
