@@ -1,6 +1,5 @@
 /*
- * base/bitset.c - counting and scanning bits, pure functions. Plain integer arithmetic, with the
- * compiler's own instruction where it has one; the results are the same.
+ * base/bitset.c - counting and scanning bits, pure functions. Plain integer arithmetic.
  */
 #include "base/bitset.h"
 
@@ -12,22 +11,6 @@ int32_t cni_bit_count64(uint64_t x)
 	x = (x & UINT64_C(0x3333333333333333)) + ((x >> 2) & UINT64_C(0x3333333333333333));
 	x = (x + (x >> 4)) & UINT64_C(0x0F0F0F0F0F0F0F0F);
 	return (int32_t)((x * UINT64_C(0x0101010101010101)) >> 56);
-}
-
-int32_t cni_bit_lowest64(uint64_t x)
-{
-	CNI_ASSERT(x != 0);
-#if defined(__GNUC__) && !defined(CNI_PLAIN_BITS)
-	return __builtin_ctzll(x);
-#else
-	/* The bits below the lowest set one are exactly those that x - 1 sets anew. */
-	return cni_bit_count64((x - 1) & ~x);
-#endif
-}
-
-int32_t cni_bit_lowest32(uint32_t x)
-{
-	return cni_bit_lowest64(x);
 }
 
 int32_t cni_bit_next(const uint64_t *words, int32_t bits, int32_t from)

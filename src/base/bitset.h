@@ -12,10 +12,30 @@ static inline void cni_bit_set(uint64_t *words, int32_t bit) { words[bit >> 6] |
 static inline void cni_bit_clear(uint64_t *words, int32_t bit) { words[bit >> 6] &= ~((uint64_t)1 << (bit & 63)); }
 static inline int32_t cni_bit_get(const uint64_t *words, int32_t bit) { return (int32_t)(words[bit >> 6] >> (bit & 63)) & 1; }
 
-/* Number of trailing zeros; x != 0. */
-int32_t cni_bit_lowest64(uint64_t x);
-int32_t cni_bit_lowest32(uint32_t x);
 int32_t cni_bit_count64(uint64_t x);
+
+/* Number of trailing zeros; x != 0. One instruction where the compiler has it, else: the bits below the lowest set one are
+   exactly those that x - 1 sets anew. */
+static inline int32_t cni_bit_lowest64(uint64_t x)
+{
+	CNI_ASSERT(x != 0);
+#if defined(__GNUC__) && !defined(CNI_PLAIN_BITS)
+	return __builtin_ctzll(x);
+#else
+	return cni_bit_count64((x - 1) & ~x);
+#endif
+}
+
+static inline int32_t cni_bit_lowest32(uint32_t x)
+{
+	CNI_ASSERT(x != 0);
+#if defined(__GNUC__) && !defined(CNI_PLAIN_BITS)
+	return __builtin_ctz(x);
+#else
+	return cni_bit_count64((x - 1u) & ~x);
+#endif
+}
+
 /* First set bit >= from among bits, or CNI_NONE. */
 int32_t cni_bit_next(const uint64_t *words, int32_t bits, int32_t from);
 

@@ -36,11 +36,12 @@ static inline void *cni_table_at(const cni_table *table, int32_t index)
 	       (size_t)(index & ((1 << table->page_shift) - 1)) * (size_t)table->item_bytes;
 }
 
-/* The same where the sizes of an item and of a page are known when compiling. */
+/* The same where the sizes of an item and of a page are known when compiling. No index is negative: as unsigned numbers
+   they need no sign extended. */
 static inline void *cni_table_at_sized(const cni_table *table, int32_t index, size_t item_bytes, int32_t page_shift)
 {
 	CNI_ASSERT(table->page_shift == page_shift);
-	return table->pages[index >> page_shift] + (size_t)(index & ((1 << page_shift) - 1)) * item_bytes;
+	return table->pages[(uint32_t)index >> page_shift] + (size_t)((uint32_t)index & ((1u << page_shift) - 1u)) * item_bytes;
 }
 
 typedef struct cni_array {

@@ -179,7 +179,7 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, float
 #define WINDOW CNI_BOX_PAIRS
 
 typedef struct window {
-	cni_touch_pair pair[WINDOW + CNI_SIFT_BATCH]; /* to be looked at; what is beyond a window waits for the next */
+	cni_touch_pair pair[WINDOW]; /* to be looked at */
 	int32_t count;
 	cni_touch touch[WINDOW];
 	int32_t column[WINDOW];  /* in boxes, or one of the below */
@@ -213,15 +213,6 @@ static int32_t is_later(const window *w, const cni_touch_pair *p)
 	if (!(p->contact->flags & CNI_CONTACT_TOUCHING))
 		return 0;
 	return (p->contact->flags & w->later_flags) || ((cni_body_flags(p->body[0]) | cni_body_flags(p->body[1])) & w->later_locks);
-}
-
-/* Returns how many contacts it holds: fewer than a window only where there are no more. */
-static int32_t window_fill(window *w, cni_sift *sift)
-{
-	int32_t more = 0;
-	for (; w->count < WINDOW && more != CNI_NONE; w->count += cni_max_i(more, 0))
-		more = cni_sift_batch(sift, w->pair + w->count);
-	return cni_min_i(w->count, WINDOW);
 }
 
 /* Asks for what a lane is written from. Inlined by force: compilers take a function that only prefetches for one that
@@ -337,24 +328,15 @@ static void changes_apply(cn_world *world, const change_list *list, float dt)
 
 /* ---- looking ---- */
 
-/* Takes the first contacts of the window away. */
-static void window_drop(window *w, int32_t count)
-{
-	w->count -= count;
-	if (w->count > 0)
-		memmove(w->pair, w->pair + count, sizeof(cni_touch_pair) * (size_t)w->count);
-}
-
 static void contacts_look_at(cn_world *world, window *w, cni_sift *sift, change_list *changes, float dt)
 {
 	int32_t k, count;
 	w->prefetches = sift->of.prefetches;
-	while ((count = window_fill(w, sift)) > 0) {
+	while ((count = cni_sift_next(sift, w->pair, WINDOW)) > 0) {
 		window_look(world, w, count, dt);
 		for (k = 0; k < count; ++k)
 			if (w->change[k] != CHANGE_NONE)
 				change_add(world, changes, w->pair[k].index, w->change[k]);
-		window_drop(w, count);
 	}
 }
 

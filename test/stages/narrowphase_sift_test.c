@@ -1,10 +1,12 @@
 /*
  * test/stages/narrowphase_sift_test.c - what the narrowphase passes by (stages/narrowphase_sift.c) against what it would find.
  *
- * A crowd of boxes and circles flies about, at the origin or far from it. After each step its contacts are sifted, all at once
- * (from the copy of the bodies) and a few at a time (from their records): what is passed by must have no manifold and
- * overlapping boxes, and all else must come out in order. If something is passed by that touches, look at the margins in
- * circles_apart.
+ * A crowd of boxes and circles flies about, at the origin or far from it. After each step its contacts are sifted in three
+ * ways: all at once (from the copy of the bodies, four side by side where there are vectors), in ranges of three (from the
+ * copy, one by one), and as lists of a few (from the bodies' records, one by one). All must tell the same: what is passed by
+ * must have no manifold and overlapping boxes, all else must come out in order, and the same bodies must be marked as having
+ * static ones about them. Contacts with something to tell must come out. If something is passed by that touches, look at the
+ * margins in circles_apart.
  */
 #include "model/world.h"
 #include "stages/narrowphase_sift.h"
@@ -14,9 +16,18 @@
 #define CONTACTS_MOST 65536
 #define A_FEW 1000
 
-static int32_t kept[CONTACTS_MOST], kept_of_few[CONTACTS_MOST];
+/* One way to sift. */
+typedef struct way {
+	int32_t list, range, at_a_time;  /* contacts of a list, of a range of it, that are asked for */
+	int32_t found[CONTACTS_MOST];    /* indices of what came out, in order */
+	int32_t count, copies;           /* lists that had a copy of the bodies */
+	uint8_t marked[SIDE * SIDE + 4]; /* bodies, by record */
+} way;
 
-/* In a box of 24 m. */
+static way all_at_once, by_threes, few_at_a_time;
+static uint32_t flags_before[CONTACTS_MOST];
+
+/* In a box of 24 m; some of the circles stand still. */
 static cn_world *crowd(float x)
 {
 	cn_world *world = fixture_world(-10.0f, 1);
@@ -28,28 +39,97 @@ static cn_world *crowd(float x)
 	for (k = 0; k < SIDE * SIDE; ++k) {
 		float at_x = x + 0.48f * (float)(k % SIDE), at_y = 0.48f * (float)(k / SIDE), size = fixture_random(&seed, 0.1f, 0.25f);
 		float vx = fixture_random(&seed, -20.0f, 20.0f), vy = fixture_random(&seed, -20.0f, 20.0f), w = fixture_random(&seed, -20.0f, 20.0f);
-		cn_body body = k % 2 == 0 ? fixture_circle(world, CN_BODY_DYNAMIC, at_x, at_y, size, 0.5f, 0.3f)
+		int32_t type = k % 64 == 0 ? CN_BODY_STATIC : CN_BODY_DYNAMIC;
+		cn_body body = k % 2 == 0 ? fixture_circle(world, type, at_x, at_y, size, 0.5f, 0.3f)
 		                          : fixture_box(world, CN_BODY_DYNAMIC, at_x, at_y, 0.1f * w, size, 0.2f, 0.5f, 0.3f);
-		fixture_set_velocity(world, body, vx, vy, w);
+		if (type == CN_BODY_DYNAMIC)
+			fixture_set_velocity(world, body, vx, vy, w);
 	}
 	return world;
 }
 
-/* Sifts part of the apart list; returns how many come out, their indices in order. with_copy: whether there was one. */
-static int32_t sift(cn_world *world, int32_t first, int32_t count, int32_t *out, int32_t *with_copy)
+/* Sifts part of the apart list. */
+static void sift_part(cn_world *world, int32_t first, int32_t count, way *w)
 {
 	cni_touch_pair pairs[CNI_SIFT_BATCH];
-	int32_t more, k, found = 0;
+	int32_t more, k, begin;
 	cni_sift_list list;
 	cni_sift s;
 	cni_sift_open(&list, world, (const int32_t *)world->apart.data + first, count, count, FRAME_S);
-	*with_copy = list.bodies != NULL;
-	cni_sift_begin(&s, &list, 0, count);
-	while ((more = cni_sift_batch(&s, pairs)) != CNI_NONE)
-		for (k = 0; k < more; ++k)
-			out[found++] = pairs[k].index;
+	w->copies += list.bodies != NULL;
+	for (begin = 0; begin < count; begin += w->range) {
+		cni_sift_begin(&s, &list, begin, cni_min_i(count, begin + w->range));
+		while ((more = cni_sift_next(&s, pairs, w->at_a_time)) > 0)
+			for (k = 0; k < more; ++k)
+				w->found[w->count++] = pairs[k].index;
+	}
 	cni_sift_close(&list);
-	return found;
+}
+
+static void sift(cn_world *world, way *w)
+{
+	int32_t k;
+	w->count = 0;
+	for (k = 0; k < world->body_handles.slots.count; ++k)
+		cni_body_at(world, k)->flags &= ~(uint32_t)CNI_BODY_AT_STATIC;
+	for (k = 0; k < world->apart.count; k += w->list)
+		sift_part(world, k, cni_min_i(w->list, world->apart.count - k), w);
+	for (k = 0; k < world->body_handles.slots.count; ++k)
+		w->marked[k] = (cni_body_at(world, k)->flags & CNI_BODY_AT_STATIC) != 0;
+}
+
+static int32_t ways_differ(const way *a, const way *b)
+{
+	return a->count != b->count || memcmp(a->found, b->found, sizeof a->found[0] * (size_t)a->count) != 0 || memcmp(a->marked, b->marked, sizeof a->marked) != 0;
+}
+
+static void way_init(way *w, int32_t list, int32_t range, int32_t at_a_time)
+{
+	memset(w, 0, sizeof *w);
+	w->list = list;
+	w->range = range;
+	w->at_a_time = at_a_time;
+}
+
+/* Every fifth contact has something to tell, every eleventh one entered. */
+static void flags_set(cn_world *world)
+{
+	static const uint32_t tells[3] = { CNI_CONTACT_SENSING, CNI_CONTACT_PASSING, CNI_CONTACT_CREATED_OWED };
+	const int32_t *apart = (const int32_t *)world->apart.data;
+	int32_t k;
+	for (k = 0; k < world->apart.count; ++k)
+		cni_contact_at(world, apart[k])->flags = flags_before[k] | (k % 5 == 0 ? tells[k / 5 % 3] : 0u) | (k % 11 == 0 ? (uint32_t)CNI_CONTACT_ENTERED : 0u);
+}
+
+/* Contacts that have something to tell and were passed by, and those that enter still. */
+static int32_t flags_ignored(cn_world *world, const way *w)
+{
+	const int32_t *apart = (const int32_t *)world->apart.data;
+	int32_t k, at = 0, ignored = 0;
+	for (k = 0; k < world->apart.count; ++k) {
+		int32_t found = at < w->count && w->found[at] == apart[k];
+		at += found;
+		ignored += (k % 5 == 0 && !found) || (cni_contact_at(world, apart[k])->flags & CNI_CONTACT_ENTERED) != 0;
+	}
+	return ignored;
+}
+
+/* Leaves the flags as they were. */
+static int32_t flags_wrong(cn_world *world)
+{
+	const int32_t *apart = (const int32_t *)world->apart.data;
+	way *ways[3] = { &all_at_once, &by_threes, &few_at_a_time };
+	int32_t k, wrong = 0;
+	for (k = 0; k < world->apart.count; ++k)
+		flags_before[k] = cni_contact_at(world, apart[k])->flags;
+	for (k = 0; k < 3; ++k) {
+		flags_set(world);
+		sift(world, ways[k]);
+		wrong += flags_ignored(world, ways[k]) + ways_differ(ways[k], ways[0]);
+	}
+	for (k = 0; k < world->apart.count; ++k)
+		cni_contact_at(world, apart[k])->flags = flags_before[k];
+	return wrong;
 }
 
 static int32_t manifold_points(cn_world *world, int32_t contact, int32_t *boxes_overlap)
@@ -87,29 +167,31 @@ static int32_t wrongly_passed(cn_world *world, const int32_t *found, int32_t cou
 static void crowd_is_sifted(float x)
 {
 	cn_world *world = crowd(x);
-	int32_t step, k, copies = 0, copies_of_few = 0, wrong = 0, passed = 0, total = 0, differ = 0;
+	int32_t step, k, wrong = 0, passed = 0, total = 0, differ = 0, ignored = 0, marked = 0;
+	way_init(&all_at_once, CONTACTS_MOST, CONTACTS_MOST, CNI_SIFT_BATCH);
+	way_init(&by_threes, CONTACTS_MOST, 3, 2);
+	way_init(&few_at_a_time, A_FEW, A_FEW, 5);
 	for (step = 0; step < 40; ++step) {
-		int32_t found, few = 0, copy;
 		fixture_step(world, 1);
-		REQUIRE(world->apart.count < CONTACTS_MOST);
-		found = sift(world, 0, world->apart.count, kept, &copy);
-		copies += copy;
-		for (k = 0; k < world->apart.count; k += A_FEW) {
-			few += sift(world, k, world->apart.count - k < A_FEW ? world->apart.count - k : A_FEW, kept_of_few + few, &copy);
-			copies_of_few += copy;
-		}
-		differ += few != found;
-		for (k = 0; k < found && k < few; ++k)
-			differ += kept[k] != kept_of_few[k];
+		REQUIRE(world->apart.count < CONTACTS_MOST && world->body_handles.slots.count <= SIDE * SIDE + 4);
+		sift(world, &all_at_once);
+		sift(world, &by_threes);
+		sift(world, &few_at_a_time);
+		differ += ways_differ(&all_at_once, &by_threes) || ways_differ(&all_at_once, &few_at_a_time);
 		total += world->apart.count;
-		wrong += wrongly_passed(world, kept, found, &passed);
+		wrong += wrongly_passed(world, all_at_once.found, all_at_once.count, &passed);
+		for (k = 0; k < SIDE * SIDE + 4; ++k)
+			marked += all_at_once.marked[k];
+		ignored += flags_wrong(world);
 	}
-	printf("  %d contacts apart in a step, of which %d are passed by\n", total / 40, passed / 40);
+	printf("  %d contacts apart in a step, of which %d are passed by; %d bodies near static ones\n", total / 40, passed / 40, marked / 40);
 	CHECK_LE("contacts passed by that would have changed", wrong, 0, "");
-	CHECK_LE("contacts told otherwise from the copy of the bodies", differ, 0, "");
-	CHECK_GE("steps sifted from a copy", copies, 20, "");
-	CHECK_LE("... when there were few contacts", copies_of_few, 0, "");
+	CHECK_LE("steps in which two ways tell otherwise", differ, 0, "");
+	CHECK_LE("contacts whose flags are not heeded", ignored, 0, "");
+	CHECK_GE("lists sifted from a copy", all_at_once.copies, 40, "");
+	CHECK_LE("... of a few", few_at_a_time.copies, 0, "");
 	CHECK_GE("part of those apart that are passed by", (double)passed / (double)total, 0.3, "");
+	CHECK_GE("bodies near static ones", (double)marked / 40.0, 10.0, "");
 	cn_world_destroy(world);
 }
 
