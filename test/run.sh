@@ -3,7 +3,7 @@
 # Runs every test executable from the top folder, JOBS at a time, shows their output in a fixed
 # order, and ends with one line "N passed, N failed, N skipped" summed over all. An executable that
 # crashes, runs out of time or does not print its own final line counts as one failure.
-# RUNNER: an emulator to run them by.
+# RUNNER: an emulator to run them by; scripts (.sh) run without.
 set -u
 output=$1
 shift
@@ -17,7 +17,10 @@ command -v timeout >/dev/null 2>&1 && guard="timeout $limit" || guard=
 # Each run leaves <name>.txt and <name>.code.
 printf '%s\n' "$@" | GUARD="$guard" OUTPUT="$output" RUNNER="${RUNNER:-}" xargs -P "$jobs" -n 1 sh -c '
 	name=$(echo "$1" | tr / _)
-	$GUARD $RUNNER "$1" > "$OUTPUT/$name.txt" 2>&1
+	case $1 in
+		*.sh) $GUARD sh "$1" ;;
+		*) $GUARD $RUNNER "$1" ;;
+	esac > "$OUTPUT/$name.txt" 2>&1
 	echo $? > "$OUTPUT/$name.code"
 ' sh
 

@@ -3,9 +3,9 @@
 # The test suite as `make test` builds and runs it, then under sanitizers and under compilers and options
 # that must all give the same bits (tests hold golden hashes), then checks of the sources. Every suite has a
 # build folder of its own but the first, which has that of `make test`: what that built is not built again.
-# The whole suite runs once with each sanitizer, at -O2 and at -O3 with the processor's own instructions, and
-# for clang at -O3; the other builds run the tests that hold bits against bits. Ends with one summed line
-# "N passed, N failed, N skipped".
+# The whole suite runs as the caller's options say, with the address, undefined-behaviour and memory sanitizers, at
+# -O3 with the processor's own instructions, and for clang at -O3; the thread sanitizer runs the tests of threads, the
+# other builds those that hold bits against bits. Ends with one summed line "N passed, N failed, N skipped".
 set -u
 unset MAKEFLAGS MFLAGS MAKELEVEL # a make of its own, not a part of the one that called
 build=$1
@@ -124,7 +124,7 @@ no_fused_operations() {
 slow='-DCNI_DEBUG -DTEST_SLOW' # a build that is slow: bounds on time do not hold
 sanitize='-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all'
 threads='base/threads_test stages/broadphase_threads_test world/threads_test world/threads_contacts_test world/threads_pairs_test'
-bits='world/determinism_test world/random_test stages/joint_rows_test stages/narrowphase_write_test'
+bits='world/determinism_test world/random_test geometry/manifold_boxes_test stages/integrate_test stages/joint_blocks_test stages/joint_rows_test stages/narrowphase_sift_test stages/narrowphase_write_test'
 plain
 suite clang-address clang-19 "$sanitize -fsanitize=address,undefined" "$slow"
 suite clang-memory clang-19 "$sanitize -fsanitize=memory" "$slow"

@@ -1,8 +1,8 @@
 #!/bin/sh
 # usage: current.sh
 # One test of `make test`: the files of bindings/ are what the header says. Needs python3, else it is skipped.
-if ! command -v python3 >/dev/null 2>&1; then
-	echo "SKIP python3 is not installed (see .ci/deps)"
+if ! python3 -c '' >/dev/null 2>&1; then
+	echo "SKIP python3 does not run (see .ci/deps)"
 	echo "0 passed, 0 failed, 1 skipped"
 elif python3 "$(dirname "$0")/../generate.py" --check; then
 	echo "1 passed, 0 failed, 0 skipped"

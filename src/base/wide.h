@@ -40,10 +40,10 @@ CNI_INLINE cni_mask cni_mask_of_zero(const int32_t *p) { return *p == 0; }
 #endif
 
 typedef float cni_wide __attribute__((vector_size(CNI_WIDTH * 4)));
-typedef float cni_wide_loose __attribute__((vector_size(CNI_WIDTH * 4), aligned(4)));
+typedef float cni_wide_loose __attribute__((vector_size(CNI_WIDTH * 4), aligned(4), may_alias)); /* rows end in flags or counts */
 typedef int32_t cni_mask __attribute__((vector_size(CNI_WIDTH * 4)));
 typedef float cni_wide4 __attribute__((vector_size(16)));
-typedef float cni_wide4_loose __attribute__((vector_size(16), aligned(4)));
+typedef float cni_wide4_loose __attribute__((vector_size(16), aligned(4), may_alias));
 
 CNI_INLINE cni_wide cni_wide_load(const float *p) { return *(const cni_wide *)(const void *)p; }
 /* From anywhere: not aligned to a vector. */

@@ -281,7 +281,7 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 	return contact_update(world, &w->writer, w->pair[k].index, t);
 }
 
-/* Looks at the first contacts of the window. */
+/* Looks at the contacts of the window. */
 static void window_look(cn_world *world, window *w, int32_t count, float dt)
 {
 	int32_t k;

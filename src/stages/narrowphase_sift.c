@@ -2,9 +2,9 @@
  * stages/narrowphase_sift.c - passes by what stays apart.
  *
  * Most pairs of a heap in motion are only neighbours: their boxes overlap, for boxes look ahead, and circles around the two
- * bodies are apart. Such a contact costs what it takes to fetch its memory. So where there are many contacts memory is asked
- * for early and evenly, a few lines at a time; what is needed of bodies is copied to where it takes a part of the lines, once
- * for all contacts of a body; four contacts are tested side by side; and nothing branches on what nobody can guess.
+ * bodies are apart. Such a contact costs what it takes to fetch its memory. So what is needed of bodies is copied to where it
+ * takes a part of the lines, once for all contacts of a body; four contacts are tested side by side; where there are many, memory
+ * is asked for early and evenly, a few lines at a time; and nothing branches on what nobody can guess.
  *
  * Passing by is an early out only: what it passes by would come out apart, and as its boxes overlap it stays a contact.
  *
@@ -53,13 +53,13 @@ static cni_sift_body sift_body_make(const cni_body *b, float dt)
 /* sift_body_make of four in a row, with its bits. */
 static void four_make(const cni_body *b, float dt, cni_sift_body *out)
 {
-	cni_wide at[4], ahead[4], size[4], low, high, x, y, turn, extent, radius;
-	cni_mask awake;
+	const cni_mask awake = { b[0].awake, b[1].awake, b[2].awake, b[3].awake };
+	const cni_wide extent = { b[0].extent, b[1].extent, b[2].extent, b[3].extent };
+	cni_wide at[4], ahead[4], low, high, x, y, turn, radius;
 	int32_t l;
 	for (l = 0; l < 4; ++l) {
 		at[l] = cni_wide_load_loose(&b[l].cx);
 		ahead[l] = cni_wide_of(dt) * cni_wide_load_loose(&b[l].vx);
-		size[l] = cni_wide_load_loose(&b[l].extent);
 		*(cni_wide_loose *)(void *)&out[l].x = __builtin_shufflevector(at[l], ahead[l], 0, 1, 4, 5);
 	}
 	low = __builtin_shufflevector(at[0], at[1], 0, 1, 4, 5);
@@ -67,10 +67,6 @@ static void four_make(const cni_body *b, float dt, cni_sift_body *out)
 	x = __builtin_shufflevector(low, high, 0, 2, 4, 6);
 	y = __builtin_shufflevector(low, high, 1, 3, 5, 7);
 	turn = __builtin_shufflevector(__builtin_shufflevector(ahead[0], ahead[1], 2, 2, 6, 6), __builtin_shufflevector(ahead[2], ahead[3], 2, 2, 6, 6), 0, 2, 4, 6);
-	low = __builtin_shufflevector(size[0], size[1], 0, 2, 4, 6);
-	high = __builtin_shufflevector(size[2], size[3], 0, 2, 4, 6);
-	extent = __builtin_shufflevector(low, high, 0, 2, 4, 6);
-	awake = (cni_mask)__builtin_shufflevector(low, high, 1, 3, 5, 7);
 	radius = cni_wide_of(CNI_CIRCLES_APART) * (extent + cni_wide_abs(turn) * extent) + cni_wide_of(FLT_EPSILON) * (cni_wide_abs(x) + cni_wide_abs(y));
 	radius = cni_wide_select(awake == (cni_mask){ 0 }, -radius, radius);
 	for (l = 0; l < 4; ++l)
@@ -78,7 +74,7 @@ static void four_make(const cni_body *b, float dt, cni_sift_body *out)
 }
 
 /* What it reads of a record; and four from a multiple of four lie in one page. */
-typedef char cni_four_bodies_are_read[offsetof(cni_body, w) == offsetof(cni_body, vx) + 8 && offsetof(cni_body, awake) == offsetof(cni_body, extent) + 8 && CNI_PAGE_BODIES >= 2 ? 1 : -1];
+typedef char cni_four_bodies_are_read[offsetof(cni_body, w) == offsetof(cni_body, vx) + 8 && CNI_PAGE_BODIES >= 2 ? 1 : -1];
 
 #else
 
@@ -303,7 +299,7 @@ static uint32_t four_sift(const cni_sift *s, cni_contact *const *c)
 	reach = cni_wide_max(cni_wide_of(s->of.margin), cni_wide_of(1.4143f) * (cni_wide_abs(ahead_x) + cni_wide_abs(ahead_y)));
 	reach = cni_wide_abs(radius_a) + cni_wide_abs(radius_b) + cni_wide_of(CNI_CIRCLES_APART) * reach;
 	apart = cni_mask_bits((dx * dx + dy * dy > reach * reach) & all_of_each(r.over));
-	for (marks = cni_mask_bits(cni_wide_min(radius_a, radius_b) <= cni_wide_of(0.0f)); marks != 0; marks &= marks - 1)
+	for (marks = cni_mask_bits((radius_a <= cni_wide_of(0.0f)) | (radius_b <= cni_wide_of(0.0f))); marks != 0; marks &= marks - 1)
 		contact_mark_static(world, c[cni_bit_lowest32(marks)]);
 	return r.flags & (LOOKED_AT | ENTERED) ? four_by_flags(c, apart) : apart;
 }
