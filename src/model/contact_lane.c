@@ -247,8 +247,8 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 		p->an[lane] = an;
 		p->s0[lane] = point->separation;
 		p->nm[lane] = inverse_or_zero(m.n + m.ia * at * at + m.ib * bt * bt);
-		p->jn[lane] = old.jn[was];
-		p->load[lane] = old.load[was];
+		p->jn[lane] = p->nm[lane] > 0.0f ? old.jn[was] : 0.0f; /* all of its row is zero to the kernels, where nothing can move */
+		p->load[lane] = p->nm[lane] > 0.0f ? old.load[was] : 0.0f;
 		kept |= was < 2;
 		c->id[k] = (uint16_t)point->id;
 		fa += an + radius_a;

@@ -182,6 +182,13 @@ static inline cni_block_extra *cni_block_extra_at(const cn_world *world, int32_t
 }
 static inline cni_proxy *cni_proxy_at(const cn_world *world, int32_t proxy) { return (cni_proxy *)cni_table_at_sized(&world->proxies, proxy, sizeof(cni_proxy), CNI_PAGE_PROXIES); }
 static inline cni_motion *cni_motions(const cn_world *world) { return (cni_motion *)world->motion.data; }
+/* The dummy, which stands for all that is static, does not move. What floats cannot hold moves it: no mass times a push without
+   bounds is not 0. */
+static inline void cni_dummy_stand(const cn_world *world)
+{
+	const cni_motion still = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
+	cni_motions(world)[0] = still;
+}
 static inline cni_velocity_start *cni_starts(const cn_world *world) { return (cni_velocity_start *)world->start.data; }
 static inline cni_drive *cni_drives(const cn_world *world) { return (cni_drive *)world->drive.data; }
 static inline int32_t *cni_awake_ids(const cn_world *world) { return (int32_t *)world->awake_id.data; }

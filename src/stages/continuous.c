@@ -490,7 +490,7 @@ static uint32_t four_look(const cn_world *world, int32_t k)
 
 #endif
 
-#if defined(CNI_DEBUG)
+#if defined(CNI_DEBUG) && CNI_HAS_WIDE_4
 /* Would body_guard find nothing to do for it? */
 static int32_t body_needs_nothing(const cn_world *world, const cni_body *b, const cni_motion *m)
 {

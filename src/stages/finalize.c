@@ -252,6 +252,7 @@ int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
 {
 	int32_t *moved = NULL;
 	uint32_t rested;
+	cni_dummy_stand(world);
 	if (world->team != NULL && world->awake_count > 2 * BODIES_A_RANGE)
 		moved = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
 	rested = moved != NULL ? finalize_shared(world, s, moved) : finalize_alone(world, s);

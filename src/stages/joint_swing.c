@@ -363,6 +363,7 @@ static void works_begin(const swing *g, float scale)
 static void step_undo(const swing *g)
 {
 	int32_t k;
+	cni_dummy_stand(g->world);
 	cni_direct_motions_keep(g->world, g->sparse, g->c, 1);
 	cni_direct_turns(g->world, g->sparse, g->c);
 	for (k = g->c->begin; k < g->c->end; ++k)
