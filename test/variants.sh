@@ -3,9 +3,9 @@
 # The test suite as `make test` builds and runs it, then under sanitizers and under compilers and options
 # that must all give the same bits (tests hold golden hashes), then checks of the sources. Every suite has a
 # build folder of its own but the first, which has that of `make test`: what that built is not built again.
-# The whole suite runs as the caller's options say, with the address, undefined-behaviour and memory sanitizers, at
-# -O3 with the processor's own instructions, and for clang at -O3; the thread sanitizer runs the tests of threads, the
-# other builds those that hold bits against bits. Ends with one summed line "N passed, N failed, N skipped".
+# The whole suite runs as the caller's options say, with the address, undefined-behaviour and memory sanitizers, and at
+# -O3 with the processor's own instructions; the thread sanitizer runs the tests of threads, the other builds those that
+# hold bits against bits. Ends with one summed line "N passed, N failed, N skipped".
 set -u
 unset MAKEFLAGS MFLAGS MAKELEVEL # a make of its own, not a part of the one that called
 build=$1
@@ -133,7 +133,7 @@ suite no-threads gcc '-O1' '-DCNI_DEBUG -DCN_NO_THREADS' "$threads $bits world/m
 suite gcc-O0 gcc '-O0' "$slow" "$bits"
 suite gcc-O3-native gcc '-O3 -march=native' ''
 suite clang-O2 clang-19 '-O2' -DCNI_DEBUG "$bits"
-suite clang-O3 clang-19 '-O3' ''
+suite clang-O3 clang-19 '-O3' '' "$bits"
 if command -v g++ >/dev/null 2>&1; then check header-cxx header_in_cxx; else add header-cxx 0 0 1; fi
 check header-padding header_without_padding
 check exports exports
