@@ -146,7 +146,7 @@ static void energies_stream(const cn_world *world, island_sum *sums)
 	int32_t k, of = CNI_NONE, summed = 0, count = world->awake_count;
 	for (k = 1; k < count; ++k) {
 		int32_t island = cni_awake_island(world, k);
-		if (island != of && (island == CNI_NONE || !sums[island].looked_at))
+		if (island == CNI_NONE || (island != of && !sums[island].looked_at))
 			continue;
 		if (island != of || ++summed == SUMMED_MOST) {
 			if (of != CNI_NONE)
