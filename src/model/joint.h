@@ -15,7 +15,7 @@
 #define CNI_JOINT_ROWS 5 /* most rows of a joint */
 #define CNI_JOINT_RIGID_ROWS 3 /* most of those that are solved together */
 #define CNI_JOINT_NUMBERS 10
-#define CNI_JOINT_COLORS 24 /* of stages/joint_blocks.c */
+#define CNI_JOINT_COLORS 23 /* of stages/joint_blocks.c */
 
 /* Types after the public joint types: constraints on one body, which are joints with the world as body a. */
 enum {

@@ -138,6 +138,7 @@ struct cn_world {
 
 	uint32_t joints_soft_step;   /* until which some island's joints are soft */
 	uint32_t joined_step;        /* step + 1 in which there were islands of stages/contact_joined.c last */
+	int32_t settled;             /* 1: at the end of the last step some body had been slow for as long as it takes to fall asleep */
 	int32_t piles_new;           /* 1: in this step a contact began to bear */
 	int32_t piles_unheld;        /* 1: in the last one some island could not be loaded from the top down */
 	int32_t solvers_asked;       /* 1: in the last step some awake island had a body or joint with a solver of its own */

@@ -6,9 +6,9 @@
  * solving it, a held point that pulls opens, an open one that closes is held, friction beyond the static
  * coefficient slides, a slide that would go back is held; and again, until nothing changes. The sets of the pass
  * before are nearly always right, and arms do not turn within a step, so that a pile costs about one
- * factorization a step. A set that is still changing after ROUNDS is not used at all: impulses of an
- * inconsistent set can put in energy without bound. The lanes are then given back to the soft solver
- * without impulses.
+ * factorization a step. A set that is still changing after ROUNDS, or has more wrong than the rounds that are left can
+ * mend, is not used at all: impulses of an inconsistent set can put in energy without bound. The lanes are then given
+ * back to the soft solver with the impulses and loads that they had, so that a pile is not disturbed by the attempt.
  *
  * Points that overlap are pushed apart by PUSH_RATE of the overlap in a substep: slowly, since all of a pile is pushed
  * at once. The second pass of a substep takes that speed out again.
@@ -57,6 +57,7 @@ static void press_read(const cn_world *world, const cni_contact *c, cni_press *p
 	p->fb = k->fb[l];
 	p->static_friction = k->static_friction[l];
 	p->dynamic_friction = k->dynamic_friction[l];
+	p->untouched = 1;
 	p->mass[2] = k->tm[l];
 	p->j[2] = k->jt[l];
 	for (i = 0; i < 2; ++i) {
@@ -65,6 +66,7 @@ static void press_read(const cn_world *world, const cni_contact *c, cni_press *p
 		p->s0[i] = k->p[i].s0[l];
 		p->mass[i] = k->p[i].nm[l];
 		p->j[i] = k->p[i].jn[l];
+		p->load[i] = k->p[i].load[l];
 		p->state[i] = p->mass[i] > 0.0f && p->j[i] > 0.0f ? CNI_ROW_HELD : CNI_ROW_OPEN;
 	}
 }
@@ -106,7 +108,7 @@ void cni_presses_take(cn_world *world, cni_sparse *sparse)
 			cni_press_take(world, &sparse->presses[k]);
 }
 
-/* What it bears is known exactly: its load is its impulse. */
+/* Once it was solved, what it bears is known exactly: its load is its impulse. */
 void cni_press_give_back(cn_world *world, const cni_press *p)
 {
 	cni_contact_block *block = cni_block_at(world, p->block);
@@ -115,7 +117,8 @@ void cni_press_give_back(cn_world *world, const cni_press *p)
 	block->jt[p->lane] = p->j[2];
 	for (i = 0; i < 2; ++i) {
 		block->p[i].nm[p->lane] = p->mass[i];
-		block->p[i].jn[p->lane] = block->p[i].load[p->lane] = p->j[i];
+		block->p[i].jn[p->lane] = p->j[i];
+		block->p[i].load[p->lane] = p->untouched ? p->load[i] : p->j[i];
 	}
 }
 
@@ -365,12 +368,12 @@ static int32_t slide_is_off(const pass *q, const cni_press *p)
 	return p->state[2] == CNI_ROW_SLIDES && off > SLIDE_CLOSE * most + q->speed_least * p->mass[2];
 }
 
-/* Is the set consistent with the solution? If not, the next one: all misfits mended at once, or the worst alone, which is
-   slow and sure (Murty, 1974). */
-static int32_t set_changes(const pass *q, int32_t all)
+/* What is not consistent with the solution: rows that do not fit; -1: slides alone are off. The next set has all of them mended at
+   once, or the worst alone, which is slow and sure (Murty, 1974). */
+static int32_t set_mend(const pass *q, int32_t all)
 {
 	misfit worst = { NULL, 0, 0, 0.0f };
-	int32_t k, i, changed = 0;
+	int32_t k, i, misfits = 0, off = 0;
 	worst.by = q->speed_least;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
@@ -378,14 +381,14 @@ static int32_t set_changes(const pass *q, int32_t all)
 		misfit m[3];
 		if (p == NULL)
 			continue;
-		changed |= slide_is_off(q, p);
+		off |= slide_is_off(q, p);
 		m[0] = point_misfit(q, p, n, 0);
 		m[1] = point_misfit(q, p, n, 1);
 		m[2] = friction_misfit(q, p, n);
 		for (i = 0; i < 3; ++i) {
 			if (m[i].by <= q->speed_least)
 				continue;
-			changed = 1;
+			++misfits;
 			if (all)
 				mend(&m[i]);
 			else if (m[i].by > worst.by)
@@ -394,7 +397,7 @@ static int32_t set_changes(const pass *q, int32_t all)
 	}
 	if (worst.press != NULL)
 		mend(&worst);
-	return changed;
+	return misfits == 0 && off ? -1 : misfits;
 }
 
 static void commit(const pass *q)
@@ -408,6 +411,8 @@ static void commit(const pass *q)
 			rows[i].impulse += n->total[i];
 		for (i = 0; p != NULL && i < 2; ++i)
 			p->j[i] = cni_max(p->j[i], 0.0f);
+		if (p != NULL)
+			p->untouched = 0;
 	}
 }
 
@@ -441,7 +446,7 @@ static void forget_impulses(const pass *q)
 	}
 }
 
-/* Impulses and velocities as a relaxing pass found them, kept or put back. */
+/* Impulses and velocities as a pass found them, kept or put back. */
 static void all_keep(const pass *q, int32_t back)
 {
 	int32_t k, i;
@@ -472,15 +477,20 @@ static void round_begin(const pass *q)
 	}
 }
 
-/* No set was found: the soft solver begins from nothing. */
-static void forget_all(const pass *q)
+/* No set was found: the soft solver goes on as if nothing had been. In the first substep lanes that were taken had no warm start. */
+static void all_put_back(const pass *q)
 {
-	int32_t k;
-	forget_impulses(q);
+	int32_t k, i;
+	all_keep(q, 1);
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = press_of(q->sparse, &q->sparse->nodes[k]);
-		if (p != NULL)
-			p->j[0] = p->j[1] = p->j[2] = 0.0f;
+		const cni_node *n = &q->sparse->nodes[k];
+		cni_press *p = press_of(q->sparse, n);
+		for (i = 0; p != NULL && p->untouched && i < 3; ++i) {
+			p->j[i] *= q->s->warm_scale;
+			if (i < 2)
+				p->load[i] *= q->s->warm_scale;
+			press_push(p, i, p->j[i], q->motions + n->ia, q->motions + n->ib);
+		}
 	}
 }
 
@@ -541,20 +551,20 @@ static int32_t moves(const pass *q)
 	return 0;
 }
 
-/* Is it time to give up? */
-static int32_t rounds_are_over(const pass *q, int32_t round)
+/* Is it time to give up, after a round with so many misfits? Those to come mend one each. */
+static int32_t rounds_are_over(const pass *q, int32_t round, int32_t misfits)
 {
-	return round >= ROUNDS || (round >= ROUNDS_MOVING && (!q->bias || moves(q)));
+	int32_t most = round >= ROUNDS_MOVING && (!q->bias || moves(q)) ? ROUNDS_MOVING : ROUNDS;
+	return round >= most || (round >= ROUNDS_ALL && misfits > ROUNDS - round);
 }
 
 int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
 {
 	pass q = { world, s, sparse, c, cni_motions(world), SPEED_LEAST * world->settings.length_unit, bias };
-	int32_t round, k;
+	int32_t round, misfits = 0, k;
 	if (!bias && c->calm)
 		return 1;
-	if (!bias)
-		all_keep(&q, 0);
+	all_keep(&q, 0);
 	round_begin(&q);
 	for (k = c->begin; k < c->end; ++k) {
 		cni_press *p = press_of(sparse, &sparse->nodes[k]);
@@ -562,12 +572,13 @@ int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *spars
 			press_begin(&q, p, &sparse->nodes[k]);
 	}
 	states_keep(&q, 0);
-	for (round = 0; !rounds_are_over(&q, round); ++round) {
+	for (round = 0; !rounds_are_over(&q, round, misfits); ++round) {
 		if (round > 0)
 			round_begin(&q);
 		if (!system_solve(&q))
 			break;
-		if (!set_changes(&q, round < ROUNDS_ALL)) {
+		misfits = set_mend(&q, round < ROUNDS_ALL);
+		if (misfits == 0) {
 			commit(&q);
 			c->calm = bias && is_calm(&q);
 			return 1;
@@ -575,6 +586,6 @@ int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *spars
 	}
 	if (!bias)
 		return relax_with_old_set(&q);
-	forget_all(&q);
+	all_put_back(&q);
 	return 0;
 }

@@ -172,6 +172,7 @@ static void presses_take(cn_world *world, cni_joined *j)
 		cni_press *p = &j->presses[i];
 		p->ia = cni_block_at(world, p->block)->ia[p->lane];
 		p->ib = cni_block_at(world, p->block)->ib[p->lane];
+		p->untouched = 0; /* whatever becomes of it, its impulses are solved for */
 		cni_press_take(world, p);
 	}
 }

@@ -10,7 +10,8 @@
  * The soft pass gives way by a part of the impulse: that is what damps it, but also what lets a stack sink into
  * itself by its weight. So it gives way around the load, the slow mean of what the contact bears, and not around
  * zero: a thing at rest stands without overlap whatever lies on it, and what is sudden is as soft as ever. The mean
- * must be slower than impulses need to travel through the largest pile; see CNI_LOAD_RATE in solver.h.
+ * must be slower than impulses need to travel through the largest pile; see CNI_LOAD_RATE in solver.h. Between bodies that have
+ * settled it does not rise any more: what is wedged would be pressed ever harder, until something slips.
  *
  * Reads motion, start and block rows; writes motion velocities and block.jn, jt, load.
  */
@@ -444,23 +445,46 @@ static int32_t kernel_relax(const cni_color_pass *c, int32_t begin, int32_t end)
 	return solve_blocks(c, begin, end, 0);
 }
 
-/* A load follows slowly, where much is borne more slowly still, and never exceeds the impulse that is there. m: the larger
-   inverse mass. */
-CNI_INLINE cni_wide load_follow(cni_wide load, cni_wide jn, cni_wide m, const cni_contact_pass *pass)
+/* Lanes whose bodies, but for what cannot move, have all settled. */
+CNI_INLINE cni_mask lanes_settled(const cni_drive *drives, const cni_contact_block *k, int32_t l, const side *b)
+{
+#if CNI_WIDTH == 1
+	if (drives == NULL || !(drives[k->ia[l]].flags & CNI_DRIVE_SETTLED))
+		return 0;
+	return (drives[k->ib[l]].flags & CNI_DRIVE_SETTLED) || b->m == 0.0f;
+#else
+	const float *base = (const float *)(const void *)drives;
+	const int32_t stride = (int32_t)(sizeof(cni_drive) / sizeof(float));
+	const cni_mask none = { 0 }, bit = (int32_t)CNI_DRIVE_SETTLED - none;
+	cni_wide ax, ay, alpha, flags_a, flags_b;
+	if (drives == NULL)
+		return none;
+	cni_wide_gather4(base, stride, k->ia + l, &ax, &ay, &alpha, &flags_a);
+	cni_wide_gather4(base, stride, k->ib + l, &ax, &ay, &alpha, &flags_b);
+	return (((cni_mask)flags_a & bit) != none) & ((((cni_mask)flags_b & bit) != none) | (b->m == cni_wide_of(0.0f)));
+#endif
+}
+
+/* A load follows slowly, where much is borne more slowly still, and never exceeds the impulse that is there; nor does it rise where
+   all has settled. m: the larger inverse mass. */
+CNI_INLINE cni_wide load_follow(cni_wide load, cni_wide jn, cni_wide m, cni_mask settled, const cni_contact_pass *pass)
 {
 	cni_wide speed = jn * m, part = cni_wide_min(cni_wide_of(pass->load_part), pass->load_heavy / (speed * speed + FLT_MIN));
+	part = cni_wide_select(settled, cni_wide_of(0.0f), part);
 	return cni_wide_min(load + part * (jn - load), jn);
 }
 
-CNI_INLINE void warm_group(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass)
+CNI_INLINE void warm_group(cni_motion *motions, const cni_drive *drives, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
 	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), scale = cni_wide_of(pass->warm_scale);
 	cni_wide jt = cni_wide_load(k->jt + l) * scale;
+	cni_mask settled;
 	side a, b;
 	int32_t p, points = has_one_point(k, l) ? 1 : 2;
 	side_gather(motions, k->ia + l, &a);
 	side_gather(motions, k->ib + l, &b);
+	settled = lanes_settled(drives, k, l, &b);
 	if (extra != NULL)
 		sides_lock(extra, l, &a, &b);
 	for (p = 0; p < points; ++p) {
@@ -470,7 +494,7 @@ CNI_INLINE void warm_group(cni_motion *motions, cni_contact_block *k, cni_block_
 		q.bt = q.at - cni_wide_load(k->dt + l);
 		q.old = zero;
 		cni_wide_store(k->p[p].jn + l, jn);
-		cni_wide_store(k->p[p].load + l, load_follow(cni_wide_load(k->p[p].load + l) * scale, jn, cni_wide_max(a.m, b.m), pass));
+		cni_wide_store(k->p[p].load + l, load_follow(cni_wide_load(k->p[p].load + l) * scale, jn, cni_wide_max(a.m, b.m), settled, pass));
 		apply_normal(&a, &b, nx, ny, &q, jn);
 	}
 	cni_wide_store(k->jt + l, jt);
@@ -494,7 +518,7 @@ static int32_t kernel_warm(const cni_color_pass *c, int32_t begin, int32_t end)
 		if (c->prefetches)
 			cni_blocks_prefetch(c, k, end);
 		for (l = lanes_begin(b); l < lanes_end(b); l += CNI_WIDTH)
-			warm_group(c->motions, b->rows, b->extra, l, &c->kinds[b->kind]);
+			warm_group(c->motions, c->drives, b->rows, b->extra, l, &c->kinds[b->kind]);
 		k = block_next(c, k, end, CNI_PASS_WARM);
 	} while (block_is_mine(c, k, end));
 	return k;

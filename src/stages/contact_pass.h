@@ -11,6 +11,7 @@
 typedef struct cni_color_pass {
 	const cni_contact_pass *kinds; /* by CNI_CONTACTS_ */
 	cni_motion *motions;
+	const cni_drive *drives;   /* NULL: nothing has settled */
 	const cni_listed_block *blocks;
 	int32_t prefetches;        /* 1: they are not in the cache */
 } cni_color_pass;

@@ -46,6 +46,8 @@ CNI_INLINE uint32_t drive_flags(const cn_world *world, const cni_body *b)
 		flags = CNI_DRIVE_FREE;
 	if (b->linear_damping + b->angular_damping > 0.0f)
 		flags |= CNI_DRIVE_DAMPED;
+	if (b->sleep_time > 0.0f && b->sleep_time >= world->settings.sleep_delay)
+		flags |= CNI_DRIVE_SETTLED;
 	if (b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y))
 		flags |= lock_flags(b->flags);
 	return flags;

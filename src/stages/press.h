@@ -24,11 +24,13 @@ typedef struct cni_press {
 	float at[2], an[2], s0[2];
 	float mass[3];              /* nm of the points, tm */
 	float j[3];                 /* impulses */
+	float load[2];              /* of the points, as the lane had it */
 	float start[3];             /* impulses at the beginning of the pass */
 	float room[3];              /* in this pass speeds must be at least -room */
 	uint8_t state[3];           /* CNI_ROW_ */
 	uint8_t state_kept[3];      /* ... as the pass began */
-	uint8_t reserved[2];
+	uint8_t untouched;          /* 1: j is what the soft solver left in the last step */
+	uint8_t reserved;
 	float way;                  /* 1 or -1: where friction of a sliding contact points */
 } cni_press;
 
@@ -49,7 +51,7 @@ void cni_presses_take(cn_world *world, cni_sparse *sparse);
 /* Gives lanes back with the impulses as they are: those of one component, or of all. */
 void cni_presses_give_back(cn_world *world, cni_sparse *sparse, const cni_component *c);
 void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h);
-/* One pass over a component with presses. 0: no consistent set was found, nothing changed. rate: of joints' errors. */
+/* One pass over a component with presses. 0: no consistent set was found; impulses and velocities are as if no pass had been. */
 int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias);
 
 /* ---- contacts that are solved through their joints: stages/contact_joined.c ---- */

@@ -158,6 +158,7 @@ static void world_step(cn_world *world, float dt)
 	step_begin(world);
 	begin = mark = (world->settings.flags & CN_WORLD_PROFILE) ? cni_clock_ns() : 0;
 	rested = world->settings.solver == CN_SOLVER_SEQUENTIAL ? step_sequential(world, dt, &mark) : step_soft(world, dt, &mark);
+	world->settled = rested != 0;
 	if (rested && (world->settings.flags & CN_WORLD_SLEEP))
 		cni_stage_sleep(world);
 	profile_mark(world, &profile->sleep_s, &mark);

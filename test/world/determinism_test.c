@@ -24,11 +24,11 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0x76ba653e2b84a93a },
-	{ "small_200", 300, 1, 0x6e62722a2ffe9bbb },
-	{ "small_50_sleep", 600, 1, 0xa248167c4f57d861 },
-	{ "dominoes", 400, 1, 0xc4c3b46535ad58cf },
-	{ "ragdolls", 480, 1, 0xc8d4bd1c8ba31a41 },
+	{ "falling_hinges", 480, 1, 0xae63bb8586cef719 },
+	{ "small_200", 300, 1, 0xfc5b38cd46672edd },
+	{ "small_50_sleep", 600, 1, 0x30eca8f2dbe508dd },
+	{ "dominoes", 400, 1, 0x404cbac45dacc1a9 },
+	{ "ragdolls", 480, 1, 0xe20b9803666fe567 },
 	{ "bridge", 240, 1, 0x03dbc47c26105c6d },
 	{ "car", 400, 1, 0x6beb498760c475c4 },
 	{ "mixer", 240, 1, 0xec8727b5bf447f51 },

@@ -3,6 +3,7 @@
  * report says so and why; the work of that stays within the budget; bodies' and joints' own solvers are followed; what
  * cannot be solved directly is not, and nothing breaks; the report is deterministic and changes nothing.
  */
+#include "heaps.h"
 #include "joints.h"
 
 #define REPORTS 64
@@ -515,6 +516,34 @@ static void t_reports_are_deterministic_and_change_nothing(void)
 	cn_world_destroy(b);
 }
 
+/* Where no consistent set is found the soft solver goes on with what it had: an attempt in vain stirs nothing up. */
+static void t_an_attempt_in_vain_changes_nothing(void)
+{
+	cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, 0);
+	cn_body bodies[50];
+	cn_island_report list[REPORTS];
+	double before = 1e9;
+	int32_t step, in_vain = 0;
+	heap_bowl(world);
+	heap_drop(world, 1, bodies, 50);
+	for (step = 0; step < 900; ++step) {
+		int32_t count, k, attempts = 0;
+		double speed;
+		fixture_step(world, 1);
+		speed = heap_speed(world, bodies, 50);
+		count = reports(world, list);
+		for (k = 0; k < count; ++k)
+			attempts += list[k].reason == CN_TIER_REASON_NO_SET && fixture_counters(world).direct_work > 0;
+		if (attempts > 0 && before < 0.02) {
+			++in_vain;
+			CHECK_LE("speed after an attempt in vain", speed, 1.5 * before + 1e-3, "m/s");
+		}
+		before = speed;
+	}
+	CHECK_GE("attempts in vain in a heap that hardly moves", in_vain, 1, "");
+	cn_world_destroy(world);
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -534,5 +563,6 @@ int main(int argc, char **argv)
 	RUN(t_solvers_may_change_between_steps);
 	RUN(t_without_memory_it_is_soft);
 	RUN(t_reports_are_deterministic_and_change_nothing);
+	RUN(t_an_attempt_in_vain_changes_nothing);
 	return test_end();
 }
