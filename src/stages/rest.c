@@ -23,7 +23,7 @@
 #include <string.h>
 
 #define REST_SPEED 1e-4f /* length units a second: a thousandth of what gravity gives in a step */
-#define HELD_PART 1e-4f  /* of what forces give in a substep that a body which is held may keep */
+#define HELD_PART 3e-4f  /* of what forces give in a substep that a body which is held may keep */
 #define RECORDS_AHEAD 8  /* bodies whose records are asked for */
 #define BLOCKS_AHEAD 8
 
