@@ -301,6 +301,50 @@ void cni_integrate_positions(cn_world *world, const cni_solve *s)
 	bodies_run(s->team, BODIES_A_RANGE, position_range, world, s, 0);
 }
 
+/* The most that a body may go and turn in a step: finite, its square too. */
+typedef struct way_limit {
+	float way, turn;
+} way_limit;
+
+static way_limit way_limit_make(const cn_world *world, float dt)
+{
+	const float finite = 1e18f, rounding = 1.0001f;
+	way_limit limit;
+	limit.way = cni_min(rounding * dt * world->settings.linear_speed_max, finite);
+	limit.turn = cni_min(rounding * dt * world->settings.angular_speed_max, finite);
+	return limit;
+}
+
+/* Velocities may have been absurd between substeps, among joints that are torn far apart. What is not a number is no way at all: the
+   body stays where it is, and stands. */
+static void way_hold(cni_motion *m, const way_limit *limit)
+{
+	float way_sq = m->dpx * m->dpx + m->dpy * m->dpy, none = 0.0f * m->dpx + 0.0f * m->dpy + 0.0f * m->theta;
+	if (none != 0.0f) {
+		m->vx = m->vy = m->w = m->dpx = m->dpy = m->theta = 0.0f;
+		return;
+	}
+	if (way_sq > limit->way * limit->way) {
+		float scale = limit->way / cni_sqrt(way_sq);
+		m->dpx *= scale;
+		m->dpy *= scale;
+	}
+	m->theta = cni_clamp(m->theta, -limit->turn, limit->turn);
+}
+
+/* Speed limits hold for ways, too, before anybody looks at them. Nearly all bodies are far below: a kernel passes by them. */
+static void ways_hold(const cni_body_pass *pass, const cni_body_kernel *kernel, float dt, int32_t begin, int32_t end)
+{
+	way_limit limit = way_limit_make(pass->world, dt);
+	int32_t k = begin, last;
+	while (k < end) {
+		if (kernel != NULL)
+			k = kernel->near(pass, k, end, limit.way * limit.way, limit.turn);
+		for (last = cni_min_i(k + CNI_CALM_MOST, end); k < last; ++k)
+			way_hold(&pass->motions[k], &limit);
+	}
+}
+
 static void finish_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const body_loop *loop = (const body_loop *)context;
@@ -310,6 +354,7 @@ static void finish_range(void *context, int32_t begin, int32_t end, int32_t work
 	(void)worker;
 	for (; k <= end; ++k)
 		position_finish(loop->world, k, pass.h);
+	ways_hold(&pass, kernel, loop->s->dt, begin + 1, end + 1);
 }
 
 void cni_integrate_finish(cn_world *world, const cni_solve *s)

@@ -6,7 +6,7 @@
  * Rows are three components and one float that is not touched: the inverse mass beside a velocity, the inverse inertia beside a
  * change of pose, flags beside a drive.
  *
- * Beside them what other stages do with each body of the dense arrays: shock.c's search for jumps, and finalize.c's poses.
+ * Beside them what is asked of each body of the dense arrays: shock.c's search for jumps, who goes too far, finalize.c's poses.
  */
 #include "base/wide.h"
 #include "stages/integrate_pass.h"
@@ -238,6 +238,17 @@ CNI_INLINE void columns(const cni_wide r[4], cni_wide *first, cni_wide *second)
 #endif
 }
 
+CNI_INLINE cni_wide third_column(const cni_wide r[4])
+{
+#if CNI_WIDTH == 8
+	cni_wide low = __builtin_shufflevector(r[0], r[1], 2, 3, 10, 11, 6, 7, 14, 15), high = __builtin_shufflevector(r[2], r[3], 2, 3, 10, 11, 6, 7, 14, 15);
+	return __builtin_shufflevector(low, high, 0, 2, 8, 10, 4, 6, 12, 14);
+#else
+	cni_wide low = __builtin_shufflevector(r[0], r[1], 2, 3, 6, 7), high = __builtin_shufflevector(r[2], r[3], 2, 3, 6, 7);
+	return __builtin_shufflevector(low, high, 0, 2, 4, 6);
+#endif
+}
+
 CNI_INLINE cni_wide last_column(const cni_wide r[4])
 {
 #if CNI_WIDTH == 8
@@ -277,6 +288,21 @@ static int32_t kernel_calm(const cni_body_pass *pass, int32_t begin, int32_t end
 	return k;
 }
 
+static int32_t kernel_near(const cni_body_pass *pass, int32_t begin, int32_t end, float way_sq, float turn)
+{
+	int32_t k;
+	for (k = begin; k + CNI_WIDTH <= end; k += CNI_WIDTH) {
+		const cni_motion *m = pass->motions + k;
+		const cni_wide ways[4] = { rows_load(&m[0].dpx, sizeof *m), rows_load(&m[ROWS].dpx, sizeof *m), rows_load(&m[2 * ROWS].dpx, sizeof *m),
+			                   rows_load(&m[3 * ROWS].dpx, sizeof *m) };
+		cni_wide x, y;
+		columns(ways, &x, &y);
+		if (cni_mask_bits((x * x + y * y <= cni_wide_of(way_sq)) & (cni_wide_abs(third_column(ways)) <= cni_wide_of(turn))) != (1u << CNI_WIDTH) - 1u)
+			break;
+	}
+	return k;
+}
+
 #include "stages/finalize_kernel.h"
 
-const cni_body_kernel CNI_KERNEL = { kernel_velocities, kernel_positions, kernel_finish, kernel_calm, kernel_poses };
+const cni_body_kernel CNI_KERNEL = { kernel_velocities, kernel_positions, kernel_finish, kernel_calm, kernel_near, kernel_poses };

@@ -25,6 +25,9 @@ typedef int32_t cni_body_kernel_fn(const cni_body_pass *pass, int32_t begin, int
 typedef int32_t cni_body_calm_fn(const cni_body_pass *pass, int32_t begin, int32_t end, float most_sq);
 #define CNI_CALM_MOST 8 /* floats in a kernel's vectors, at most */
 
+/* Likewise, while none goes farther (squared) or turns more in the step than that. What is not a number does. */
+typedef int32_t cni_body_near_fn(const cni_body_pass *pass, int32_t begin, int32_t end, float way_sq, float turn);
+
 /* Bodies begin, begin + 1, ... as bits, in this order. */
 typedef struct cni_poses_taken {
 	uint64_t left;    /* nothing was done with them */
@@ -38,6 +41,7 @@ typedef cni_poses_taken cni_body_poses_fn(cn_world *world, const cni_solve *s, i
 typedef struct cni_body_kernel {
 	cni_body_kernel_fn *velocities, *positions, *finish;
 	cni_body_calm_fn *calm;
+	cni_body_near_fn *near;
 	cni_body_poses_fn *poses;
 } cni_body_kernel;
 

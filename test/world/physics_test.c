@@ -367,6 +367,42 @@ static void stack_stands_far_from_the_origin(void)
 	}
 }
 
+/* The farthest way and turn of a step: of bodies set to fly and spin at once, and of two that a joint pulls together from afar. */
+static void speed_limits_hold_in_every_step(void)
+{
+	const double way_most = 1.001 * (double)FRAME_S, turn_most = 2.001 * (double)FRAME_S;
+	cn_world *world = fixture_world(0.0f, 0);
+	cn_body bodies[4];
+	cn_revolute_def pin;
+	cn_joint joint;
+	double way = 0.0, turn = 0.0;
+	int32_t k, step;
+	must(cn_world_set_speed_limits(world, 1.0f, 2.0f), world, "cn_world_set_speed_limits");
+	for (k = 0; k < 4; ++k)
+		bodies[k] = fixture_box(world, CN_BODY_DYNAMIC, 30.0f * (float)k, 0.0f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+	fixture_set_velocity(world, bodies[0], 100.0f, -50.0f, 60.0f);
+	fixture_set_velocity(world, bodies[1], -3e20f, 2e30f, -1e30f);
+	cn_revolute_def_init(&pin);
+	pin.base.body_a = bodies[2];
+	pin.base.body_b = bodies[3];
+	pin.base.anchor_a_m.y = 0.5f;
+	must(cn_joint_create_revolute(world, &pin, &joint), world, "cn_joint_create_revolute");
+	for (step = 0; step < 120; ++step) {
+		cn_pose before[4];
+		for (k = 0; k < 4; ++k)
+			before[k] = fixture_pose(world, bodies[k]);
+		fixture_step(world, 1);
+		for (k = 0; k < 4; ++k) {
+			cn_pose now = fixture_pose(world, bodies[k]), was = before[k];
+			way = fmax(way, hypot((double)(now.position_m.x - was.position_m.x), (double)(now.position_m.y - was.position_m.y)));
+			turn = fmax(turn, fabs((double)was.cosine * (double)now.sine - (double)was.sine * (double)now.cosine));
+		}
+	}
+	CHECK_LE("way in a step at 1 m/s", way, way_most, "m");
+	CHECK_LE("turn in a step at 2 rad/s", turn, turn_most, "rad");
+	cn_world_destroy(world);
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -383,5 +419,6 @@ int main(int argc, char **argv)
 	RUN(pyramid_of_20_keeps_its_place);
 	RUN(dominoes_topple_in_order);
 	RUN(stack_stands_far_from_the_origin);
+	RUN(speed_limits_hold_in_every_step);
 	return test_end();
 }

@@ -77,7 +77,7 @@ static void t_a_new_stack_is_direct_and_then_soft(void)
 	first = stack(world, 0.0f, 10, NULL);
 	fixture_step(world, 1);
 	r = report(world);
-	CHECK(r.body == first && r.bodies == 10 && r.contacts == 10 && r.joints == 0 && r.substeps == 4);
+	CHECK(r.body == first && r.bodies == 10 && r.contacts == 10 && r.joints == 0 && r.substeps == 1);
 	CHECK(r.tier == CN_TIER_DIRECT && r.reason == CN_TIER_REASON_NEW_CONTACT);
 	CHECK(fixture_counters(world).islands_direct == 1);
 	CHECK_GE("direct work", fixture_counters(world).direct_work, 10 * 4, "blocks");
