@@ -76,12 +76,14 @@ static void substeps_run(cn_world *world, cni_solve *s)
 	cni_team_run(s->team, substeps_lead, &all);
 }
 
-static void step_end(cn_world *world, float dt)
+static void step_end(cn_world *world, float dt, int32_t rested)
 {
 	world->events.in_step = 0;
 	++world->step_count;
-	if (dt > 0.0f)
+	if (dt > 0.0f) {
 		world->step_dt = dt;
+		world->settled = rested != 0;
+	}
 	cni_arena_reset(&world->arena);
 }
 
@@ -158,13 +160,12 @@ static void world_step(cn_world *world, float dt)
 	step_begin(world);
 	begin = mark = (world->settings.flags & CN_WORLD_PROFILE) ? cni_clock_ns() : 0;
 	rested = world->settings.solver == CN_SOLVER_SEQUENTIAL ? step_sequential(world, dt, &mark) : step_soft(world, dt, &mark);
-	world->settled = rested != 0;
 	if (rested && (world->settings.flags & CN_WORLD_SLEEP))
 		cni_stage_sleep(world);
 	profile_mark(world, &profile->sleep_s, &mark);
 	cni_stage_events(world); /* last, so that callbacks and arrays that are read later tell the same */
 	profile_mark(world, &profile->events_s, &mark);
-	step_end(world, dt);
+	step_end(world, dt, rested);
 	profile_mark(world, &profile->step_s, &begin);
 }
 
