@@ -89,12 +89,22 @@ static float lane_radius(const cn_world *world, const cni_contact *c, int32_t la
 	return cni_shape_geometry(&world->blocks, s)->radius;
 }
 
+/* Locked axes that leave less than this part of the mobility along a direction leave none: what is pushed nearly across its free axis
+   by something that does not give way would have to leave along it at a hundred times the speed. */
+#define MOBILITY_LEAST 1e-4f
+
 /* Inverse mass along a direction: less where an axis is locked. */
 static float mass_along(const cni_body *b, float inv_mass, cni_vec2 n)
 {
 	uint32_t flags = cni_body_flags(b);
 	float x = flags & CN_BODY_LOCK_X ? 0.0f : n.x, y = flags & CN_BODY_LOCK_Y ? 0.0f : n.y;
 	return flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y) ? inv_mass * (x * x + y * y) : inv_mass;
+}
+
+static float mass_of_both(const lane_frame *f, float inv_a, float inv_b, cni_vec2 n)
+{
+	float sum = mass_along(f->a, inv_a, n) + mass_along(f->b, inv_b, n);
+	return sum >= MOBILITY_LEAST * (inv_a + inv_b) ? sum : 0.0f;
 }
 
 static float lock(const cni_body *b, uint32_t flag)
@@ -137,8 +147,8 @@ static lane_mass lane_mass_of(cn_world *world, const lane_frame *f)
 	m.ib = mb->inv_inertia;
 	m.n = m.t = ma->inv_mass + mb->inv_mass;
 	if (f->locks && cni_lane_reserve_extra(world)) {
-		m.n = mass_along(f->a, ma->inv_mass, f->n) + mass_along(f->b, mb->inv_mass, f->n);
-		m.t = mass_along(f->a, ma->inv_mass, f->t) + mass_along(f->b, mb->inv_mass, f->t);
+		m.n = mass_of_both(f, ma->inv_mass, mb->inv_mass, f->n);
+		m.t = mass_of_both(f, ma->inv_mass, mb->inv_mass, f->t);
 	}
 	return m;
 }
