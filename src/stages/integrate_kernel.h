@@ -238,25 +238,17 @@ CNI_INLINE void columns(const cni_wide r[4], cni_wide *first, cni_wide *second)
 #endif
 }
 
-CNI_INLINE cni_wide third_column(const cni_wide r[4])
+/* The other two. */
+CNI_INLINE void last_columns(const cni_wide r[4], cni_wide *third, cni_wide *last)
 {
 #if CNI_WIDTH == 8
 	cni_wide low = __builtin_shufflevector(r[0], r[1], 2, 3, 10, 11, 6, 7, 14, 15), high = __builtin_shufflevector(r[2], r[3], 2, 3, 10, 11, 6, 7, 14, 15);
-	return __builtin_shufflevector(low, high, 0, 2, 8, 10, 4, 6, 12, 14);
+	*third = __builtin_shufflevector(low, high, 0, 2, 8, 10, 4, 6, 12, 14);
+	*last = __builtin_shufflevector(low, high, 1, 3, 9, 11, 5, 7, 13, 15);
 #else
 	cni_wide low = __builtin_shufflevector(r[0], r[1], 2, 3, 6, 7), high = __builtin_shufflevector(r[2], r[3], 2, 3, 6, 7);
-	return __builtin_shufflevector(low, high, 0, 2, 4, 6);
-#endif
-}
-
-CNI_INLINE cni_wide last_column(const cni_wide r[4])
-{
-#if CNI_WIDTH == 8
-	cni_wide low = __builtin_shufflevector(r[0], r[1], 2, 3, 10, 11, 6, 7, 14, 15), high = __builtin_shufflevector(r[2], r[3], 2, 3, 10, 11, 6, 7, 14, 15);
-	return __builtin_shufflevector(low, high, 1, 3, 9, 11, 5, 7, 13, 15);
-#else
-	cni_wide low = __builtin_shufflevector(r[0], r[1], 2, 3, 6, 7), high = __builtin_shufflevector(r[2], r[3], 2, 3, 6, 7);
-	return __builtin_shufflevector(low, high, 1, 3, 5, 7);
+	*third = __builtin_shufflevector(low, high, 0, 2, 4, 6);
+	*last = __builtin_shufflevector(low, high, 1, 3, 5, 7);
 #endif
 }
 
@@ -274,7 +266,9 @@ CNI_INLINE cni_mask rows_jumped(const cni_motion *m, const cni_velocity_start *s
 CNI_INLINE cni_mask rows_touched(const cni_drive *d)
 {
 	const cni_wide drives[4] = { cni_wide_load_loose(&d[0].ax), cni_wide_load_loose(&d[ROWS].ax), cni_wide_load_loose(&d[2 * ROWS].ax), cni_wide_load_loose(&d[3 * ROWS].ax) };
-	return ((cni_mask)last_column(drives) & ((int32_t)CNI_DRIVE_TOUCHED - (cni_mask){ 0 })) != (cni_mask){ 0 };
+	cni_wide alpha, flags;
+	last_columns(drives, &alpha, &flags);
+	return ((cni_mask)flags & ((int32_t)CNI_DRIVE_TOUCHED - (cni_mask){ 0 })) != (cni_mask){ 0 };
 }
 
 static int32_t kernel_calm(const cni_body_pass *pass, int32_t begin, int32_t end, float most_sq)
@@ -295,9 +289,10 @@ static int32_t kernel_near(const cni_body_pass *pass, int32_t begin, int32_t end
 		const cni_motion *m = pass->motions + k;
 		const cni_wide ways[4] = { rows_load(&m[0].dpx, sizeof *m), rows_load(&m[ROWS].dpx, sizeof *m), rows_load(&m[2 * ROWS].dpx, sizeof *m),
 			                   rows_load(&m[3 * ROWS].dpx, sizeof *m) };
-		cni_wide x, y;
+		cni_wide x, y, turns, unused;
 		columns(ways, &x, &y);
-		if (cni_mask_bits((x * x + y * y <= cni_wide_of(way_sq)) & (cni_wide_abs(third_column(ways)) <= cni_wide_of(turn))) != (1u << CNI_WIDTH) - 1u)
+		last_columns(ways, &turns, &unused);
+		if (cni_mask_bits((x * x + y * y <= cni_wide_of(way_sq)) & (cni_wide_abs(turns) <= cni_wide_of(turn))) != (1u << CNI_WIDTH) - 1u)
 			break;
 	}
 	return k;
