@@ -78,6 +78,14 @@ typedef struct cni_motion {
 	float dpx, dpy, theta, inv_inertia; /* change of centre and angle since the step began */
 } cni_motion;
 
+/* What floats could not hold, among absurd speeds, does not become a pose: the body stays where it is, and stands. */
+static inline void cni_motion_keep_finite(cni_motion *m)
+{
+	float zero = 0.0f * m->vx + 0.0f * m->vy + 0.0f * m->w + 0.0f * m->dpx + 0.0f * m->dpy + 0.0f * m->theta;
+	if (zero != 0.0f)
+		m->vx = m->vy = m->w = m->dpx = m->dpy = m->theta = 0.0f;
+}
+
 static inline int32_t cni_motion_can_move(const cni_motion *m) { return m->inv_mass > 0.0f || m->inv_inertia > 0.0f; }
 
 typedef struct cni_velocity_start {

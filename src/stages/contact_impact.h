@@ -171,8 +171,8 @@ CNI_INLINE impact_blow impact_solve(const impact_lanes *c, const impact_point *p
 	return blow;
 }
 
-/* The blow along n, and friction opposing the sliding speed within mu jn. The lane's tangential mass is that of its own arms: with those
-   of a fast body that is still metres away it would reverse the sliding, and more, and energy would rise from contact to contact. */
+/* The blow along n, and friction opposing the sliding speed within mu jn, with the tangential mass of these arms as the blow has their
+   normal mass: that of the lane, whose arms are others where bodies meet metres ahead, would reverse the sliding many times over. */
 CNI_INLINE void impact_apply(const impact_lanes *c, const cni_impact_pass *pass, const cni_impact_lanes *k, int32_t l, const impact_blow *blow, cni_mask hit, int32_t whole)
 {
 	const impact_side *a = &c->a, *b = &c->b;
@@ -180,8 +180,7 @@ CNI_INLINE void impact_apply(const impact_lanes *c, const cni_impact_pass *pass,
 	cni_wide kt = tx * tx * (a->mx + b->mx) + ty * ty * (a->my + b->my) + a->i * fa * fa + b->i * fb * fb;
 	cni_wide wa = -a->i * blow->moment_a, wb = b->i * blow->moment_b;
 	cni_wide vt = tx * (b->vx - a->vx) + ty * (b->vy - a->vy) - (b->w + wb) * fb + (a->w + wa) * fa;
-	cni_wide most = c->dynamic_friction * blow->jn, jt = -c->tm * vt, px, py;
-	jt = cni_wide_select(cni_wide_abs(jt) * kt > cni_wide_abs(vt), -vt / kt, jt);
+	cni_wide most = c->dynamic_friction * blow->jn, jt = cni_wide_select(c->tm > cni_wide_of(0.0f), -vt / kt, cni_wide_of(0.0f)), px, py;
 	jt = cni_wide_select(jt < -most, -most, cni_wide_min(jt, most));
 	px = blow->jn * c->nx + jt * tx;
 	py = blow->jn * c->ny + jt * ty;

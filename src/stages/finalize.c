@@ -18,14 +18,6 @@
 #define BODIES_A_RANGE 256 /* some ten microseconds: records and shapes are read */
 #define BODIES_NEAR 64     /* whose records are still near after a loop over them; bits of a word */
 
-/* What floats could not hold, among absurd speeds, does not become a pose: the body stays where it is, and stands. */
-static void keep_finite(cni_motion *m)
-{
-	float zero = 0.0f * m->vx + 0.0f * m->vy + 0.0f * m->w + 0.0f * m->dpx + 0.0f * m->dpy + 0.0f * m->theta;
-	if (zero != 0.0f)
-		m->vx = m->vy = m->w = m->dpx = m->dpy = m->theta = 0.0f;
-}
-
 /* Written so that what is not a number is looked at too. */
 static void limit_speed(cni_motion *m, const cni_settings *set)
 {
@@ -34,11 +26,11 @@ static void limit_speed(cni_motion *m, const cni_settings *set)
 		float scale = most / cni_sqrt(v_sq);
 		m->vx *= scale;
 		m->vy *= scale;
-		keep_finite(m);
+		cni_motion_keep_finite(m);
 	}
 	if (!(cni_abs(m->w) <= set->angular_speed_max)) {
 		m->w = cni_clamp(m->w, -set->angular_speed_max, set->angular_speed_max);
-		keep_finite(m);
+		cni_motion_keep_finite(m);
 	}
 }
 

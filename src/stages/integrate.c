@@ -315,15 +315,14 @@ static way_limit way_limit_make(const cn_world *world, float dt)
 	return limit;
 }
 
-/* Velocities may have been absurd between substeps, among joints that are torn far apart. What is not a number is no way at all: the
-   body stays where it is, and stands. */
+/* Velocities may have been absurd between substeps, among joints that are torn far apart. Written so that what is not a number is looked
+   at too; bodies within the limit are left, whoever is beside them. */
 static void way_hold(cni_motion *m, const way_limit *limit)
 {
-	float way_sq = m->dpx * m->dpx + m->dpy * m->dpy, none = 0.0f * m->dpx + 0.0f * m->dpy + 0.0f * m->theta;
-	if (none != 0.0f) {
-		m->vx = m->vy = m->w = m->dpx = m->dpy = m->theta = 0.0f;
+	float way_sq = m->dpx * m->dpx + m->dpy * m->dpy;
+	if (way_sq <= limit->way * limit->way && cni_abs(m->theta) <= limit->turn)
 		return;
-	}
+	cni_motion_keep_finite(m);
 	if (way_sq > limit->way * limit->way) {
 		float scale = limit->way / cni_sqrt(way_sq);
 		m->dpx *= scale;

@@ -31,7 +31,7 @@ static const golden goldens[] = {
 	{ "ragdolls", 480, 1, 0xe20b9803666fe567 },
 	{ "bridge", 240, 1, 0x03dbc47c26105c6d },
 	{ "car", 400, 1, 0x6beb498760c475c4 },
-	{ "mixer", 240, 1, 0x9690bcdd9489ba93 },
+	{ "mixer", 240, 1, 0xa3d272d6057aedac },
 	{ "pyramid", 120, 0, 0xbb24e8518c196cd8 },
 	{ "rain", 150, 0, 0x77f20642a3cbe8b7 },
 	{ "tumbler_1000", 300, 0, 0x54661c54ede14c38 },

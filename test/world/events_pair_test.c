@@ -224,44 +224,52 @@ static void truth_of(truth *t, const cn_world *world, const cn_contact_event *e)
 	}
 }
 
+static void churn_truths(float spin, uint32_t seed, truth *enter, truth *stay)
+{
+	churn c;
+	const cn_contact_event *e;
+	int32_t step, kind, k, count;
+	memset(&c, 0, sizeof c);
+	c.world = fixture_world(-10.0f, 0);
+	c.seed = seed;
+	c.mask = ALL_EVENTS;
+	for (k = 0; k < 3; ++k) {
+		cn_shape_def def = fixture_shape_def(fixture_body(c.world, CN_BODY_STATIC, 11.0f * (float)(k - 1), k == 1 ? -5.0f : 5.0f, 0.0f), 0.5f, 0.0f);
+		fixture_box_shape(c.world, &def, k == 1 ? 8.0f : 3.0f, k == 1 ? 5.0f : 8.0f);
+	}
+	for (k = 0; k < 150; ++k) {
+		c.bodies[k] = fixture_body(c.world, CN_BODY_DYNAMIC, 1.2f * (float)(k % 10) - 5.4f, 0.8f + 1.1f * (float)(k / 10), churn_random(&c, -3.0f, 3.0f));
+		churn_shape(&c, c.bodies[k]);
+		fixture_set_velocity(c.world, c.bodies[k], 0.0f, -4.0f, spin * churn_random(&c, -1.0f, 1.0f));
+	}
+	for (step = 0; step < 180; ++step) {
+		fixture_step(c.world, 1);
+		for (kind = CN_EVENT_ENTER; kind <= CN_EVENT_STAY; ++kind) {
+			count = events_of(c.world, kind, &e);
+			for (k = 0; k < count; ++k)
+				truth_of(kind == CN_EVENT_ENTER ? enter : stay, c.world, &e[k]);
+		}
+	}
+	cn_world_destroy(c.world);
+}
+
+/* Of 740 points at enter some 3 lie outside (0 to 8): one crowd would be a matter of luck. */
 static void manifolds_lie_between_their_shapes(void)
 {
 	static const float spins[] = { 0.0f, 2.0f };
 	size_t s;
 	for (s = 0; s < 2; ++s) {
-		static churn c;
 		truth enter = { 0.0, 0, 0, 0, 0 }, stay = { 0.0, 0, 0, 0, 0 };
-		const cn_contact_event *e;
-		int32_t step, kind, k, count;
-		memset(&c, 0, sizeof c);
-		c.world = fixture_world(-10.0f, 0);
-		c.seed = 99;
-		c.mask = ALL_EVENTS;
-		for (k = 0; k < 3; ++k) {
-			cn_shape_def def = fixture_shape_def(fixture_body(c.world, CN_BODY_STATIC, 11.0f * (float)(k - 1), k == 1 ? -5.0f : 5.0f, 0.0f), 0.5f, 0.0f);
-			fixture_box_shape(c.world, &def, k == 1 ? 8.0f : 3.0f, k == 1 ? 5.0f : 8.0f);
-		}
-		for (k = 0; k < 150; ++k) {
-			c.bodies[k] = fixture_body(c.world, CN_BODY_DYNAMIC, 1.2f * (float)(k % 10) - 5.4f, 0.8f + 1.1f * (float)(k / 10), churn_random(&c, -3.0f, 3.0f));
-			churn_shape(&c, c.bodies[k]);
-			fixture_set_velocity(c.world, c.bodies[k], 0.0f, -4.0f, spins[s] * churn_random(&c, -1.0f, 1.0f));
-		}
-		for (step = 0; step < 180; ++step) {
-			fixture_step(c.world, 1);
-			for (kind = CN_EVENT_ENTER; kind <= CN_EVENT_STAY; ++kind) {
-				count = events_of(c.world, kind, &e);
-				for (k = 0; k < count; ++k)
-					truth_of(kind == CN_EVENT_ENTER ? &enter : &stay, c.world, &e[k]);
-			}
-		}
+		uint32_t seed;
+		for (seed = 97; seed < 103; ++seed)
+			churn_truths(spins[s], seed, &enter, &stay);
 		printf("  spin %.0f rad/s: %d points at enter, %d at stay\n", (double)spins[s], (int)enter.points, (int)stay.points);
 		CHECK_LE("length of normals - 1", fmax(enter.normal_error, stay.normal_error), 1e-5, "");
 		CHECK_LE("manifolds without points, or with too many", enter.bad_counts + stay.bad_counts, 0, "");
 		CHECK_LE("normals that point from b to a", enter.backwards + stay.backwards, 0, "");
 		CHECK_LE("share of points at enter that are not between the shapes", (double)enter.outside / (double)enter.points, 0.01, "");
 		CHECK_LE("share of points at stay that are not between the shapes", (double)stay.outside / (double)stay.points, 0.002, "");
-		CHECK_GE("points at stay", stay.points, 10000, "");
-		cn_world_destroy(c.world);
+		CHECK_GE("points at stay", stay.points, 100000, "");
 	}
 }
 

@@ -422,14 +422,7 @@ static void fast_rough_bodies_gain_no_energy(void)
 				fixture_set_velocity(world, bodies[k], 200.0f, fixture_random(&random, -60.0f, 60.0f), 20.0f);
 		}
 		for (step = 0; step <= 30; ++step) {
-			double energy = 0.0;
-			for (k = 0; k < CROWD; ++k) {
-				cn_velocity v = fixture_velocity(world, bodies[k]);
-				cn_mass_data mass;
-				must(cn_body_get_mass_data(world, bodies[k], &mass), world, "cn_body_get_mass_data");
-				energy += 0.5 * (double)mass.mass_kg * (pow((double)v.linear_mps.x, 2.0) + pow((double)v.linear_mps.y, 2.0)) +
-				          0.5 * (double)mass.inertia_kgm2 * pow((double)v.angular_radps, 2.0);
-			}
+			double px, py, scale, energy = kinetic_energy(world, bodies, CROWD, &px, &py, &scale);
 			if (step == 0)
 				start = energy;
 			most = fmax(most, energy / start);
