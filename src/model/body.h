@@ -90,9 +90,10 @@ static inline int32_t cni_motion_can_move(const cni_motion *m) { return m->inv_m
 
 typedef struct cni_velocity_start {
 	float vx, vy, w;
-	float struck; /* 1 when an impact changed the velocity in this substep, CNI_SHOCKED when it jumped */
+	float struck; /* 1 when an impact changed the velocity in this substep, CNI_SHOCKED or more when it jumped */
 } cni_velocity_start;
 #define CNI_SHOCKED 2.0f
+#define CNI_UNHELD 3.0f /* ... and nobody holds the energy (stages/energy.c) */
 
 enum {
 	CNI_DRIVE_FREE = 1u << 0,    /* nothing touches it: integrated once, exactly, for the whole step */

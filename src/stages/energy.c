@@ -9,7 +9,7 @@
  * much in the first part (but for rounding): then all of it is scaled, and what does not move takes the difference.
  *
  * Springs and motors may give energy: each row j (J v0 + J v1) / 2, which is exact whatever else acts. Islands with
- * conveyors or kinematic bodies are left alone. Only islands in which a velocity jumped in this substep (stages/shock.c) are
+ * conveyors or kinematic bodies are left alone: bodies of theirs that jumped are marked, and stages/shock.c sees to them. Only islands in which a velocity jumped in this substep (stages/shock.c) are
  * looked at, for that is when solves fail; and of these closely only those whose energy has grown, whoever gave it. Most
  * have clearly not grown: a sum in the order of memory tells, and no record is read.
  *
@@ -160,6 +160,90 @@ static void energies_stream(const cn_world *world, island_sum *sums)
 	energies_sum(&e, &sums[of]);
 }
 
+/* ---- what is driven ---- */
+
+/* The two bodies of what pushes with a motion of its own. One without an island is by itself between what does not give way. */
+static void mark_driven(const cn_world *world, island_sum *sums, int32_t ia, int32_t ib)
+{
+	int32_t bodies[2], k;
+	bodies[0] = ia;
+	bodies[1] = ib;
+	for (k = 0; k < 2; ++k) {
+		int32_t island = cni_awake_island(world, bodies[k]);
+		if (island != CNI_NONE)
+			sums[island].driven = 1;
+		else if (cni_starts(world)[bodies[k]].struck == CNI_SHOCKED)
+			cni_starts(world)[bodies[k]].struck = CNI_UNHELD;
+	}
+}
+
+static int32_t pushes(const cn_world *world, int32_t index)
+{
+	return index != 0 && cni_motions(world)[index].inv_mass == 0.0f;
+}
+
+static int32_t somebody_pushes(const cn_world *world)
+{
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k)
+		if (pushes(world, k))
+			return 1;
+	return 0;
+}
+
+static void driven_by_bodies(const cn_world *world, island_sum *sums)
+{
+	int32_t color, k, l;
+	for (color = CNI_COLOR_STATIC; color < CNI_COLORS; ++color)
+		for (k = 0; k < world->colors[color].listed_count; ++k) {
+			const cni_listed_block *b = &cni_listed_blocks(world, color)[k];
+			for (l = 0; l < b->lanes; ++l)
+				if (pushes(world, b->rows->ib[l]))
+					mark_driven(world, sums, b->rows->ia[l], b->rows->ib[l]);
+		}
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		const cni_joint_work *w = cni_joint_works(world) + k;
+		if (pushes(world, w->ia) || pushes(world, w->ib))
+			mark_driven(world, sums, w->ia, w->ib);
+	}
+}
+
+static void driven_by_conveyors(const cn_world *world, island_sum *sums)
+{
+	int32_t color, k, l;
+	for (color = 0; color < CNI_COLORS; ++color)
+		for (k = 0; k < world->colors[color].listed_count; ++k) {
+			const cni_listed_block *b = &cni_listed_blocks(world, color)[k];
+			for (l = 0; b->extra != NULL && l < b->lanes; ++l)
+				if (b->extra->tangent_speed[l] != 0.0f)
+					mark_driven(world, sums, b->rows->ia[l], b->rows->ib[l]);
+		}
+}
+
+/* Blocks that rest are not in the lists, and nobody in them jumped. */
+static void driven_find(const cn_world *world, island_sum *sums)
+{
+	if (somebody_pushes(world))
+		driven_by_bodies(world, sums);
+	driven_by_conveyors(world, sums);
+}
+
+/* Marks bodies that jumped and whose energy is not held. Returns how many there are. */
+static int32_t unheld_mark(const cn_world *world, const island_sum *sums)
+{
+	cni_velocity_start *starts = cni_starts(world);
+	int32_t k, count = 0;
+	for (k = cni_shocked_next(world, 1); k < world->awake_count; k = cni_shocked_next(world, k + 1)) {
+		int32_t island = cni_awake_island(world, k);
+		if (sums == NULL || (island != CNI_NONE && sums[island].driven))
+			starts[k].struck = CNI_UNHELD;
+		count += starts[k].struck == CNI_UNHELD;
+	}
+	return count;
+}
+
+/* ---- what has grown ---- */
+
 /* Marks islands in which a velocity jumped. Returns how many bodies are in them. */
 static int32_t shocked_find(const cn_world *world, island_sum *sums)
 {
@@ -248,50 +332,18 @@ static void sum_find(const cn_world *world, island_sum *sum)
 	}
 }
 
-static void mark_driven(const cn_world *world, island_sum *sums, int32_t ia, int32_t ib)
+static void grounded_by_contacts(const cn_world *world, island_sum *sums)
 {
-	int32_t a = cni_awake_island(world, ia), b = cni_awake_island(world, ib);
-	if (a != CNI_NONE)
-		sums[a].driven = 1;
-	if (b != CNI_NONE)
-		sums[b].driven = 1;
-}
-
-/* Does a lane body b other than the world's push with a motion of its own? Is it the world's? */
-static void lanes_look(const cn_world *world, island_sum *sums, const cni_listed_block *b)
-{
-	const cni_motion *motions = cni_motions(world);
-	int32_t l;
-	for (l = 0; l < b->lanes; ++l) {
-		int32_t island = cni_awake_island(world, b->rows->ia[l]), ib = b->rows->ib[l];
-		if (ib != 0 && motions[ib].inv_mass == 0.0f)
-			mark_driven(world, sums, b->rows->ia[l], ib);
-		if (ib == 0 && island != CNI_NONE)
-			sums[island].grounded = 1;
-	}
-}
-
-static void conveyors_look(const cn_world *world, island_sum *sums, const cni_listed_block *b)
-{
-	int32_t l;
-	for (l = 0; l < b->lanes; ++l)
-		if (b->extra->tangent_speed[l] != 0.0f)
-			mark_driven(world, sums, b->rows->ia[l], b->rows->ib[l]);
-}
-
-/* Blocks that rest are not in the lists, and nothing in them is suspect. */
-static void driven_by_contacts(const cn_world *world, island_sum *sums)
-{
-	int32_t color, k;
-	for (color = 0; color < CNI_COLORS; ++color) {
-		const cni_listed_block *blocks = cni_listed_blocks(world, color);
+	int32_t color, k, l;
+	for (color = CNI_COLOR_STATIC; color < CNI_COLORS; ++color)
 		for (k = 0; k < world->colors[color].listed_count; ++k) {
-			if (color >= CNI_COLOR_STATIC)
-				lanes_look(world, sums, &blocks[k]);
-			if (blocks[k].extra != NULL)
-				conveyors_look(world, sums, &blocks[k]);
+			const cni_listed_block *b = &cni_listed_blocks(world, color)[k];
+			for (l = 0; l < b->lanes; ++l) {
+				int32_t island = cni_awake_island(world, b->rows->ia[l]);
+				if (b->rows->ib[l] == 0 && island != CNI_NONE)
+					sums[island].grounded = 1;
+			}
 		}
-	}
 }
 
 static float row_speed(const cni_row *r, cni_vec2 va, float wa, cni_vec2 vb, float wb)
@@ -317,17 +369,15 @@ static float lane_work(const cn_world *world, const cni_joint_work *w)
 	return torque * ((cni_starts(world)[w->ib].w - cni_starts(world)[w->ia].w) + (cni_motions(world)[w->ib].w - cni_motions(world)[w->ia].w));
 }
 
-static void driven_by_joints(const cn_world *world, island_sum *sums)
+/* What springs and motors gave to suspects. */
+static void work_of_joints(const cn_world *world, island_sum *sums)
 {
-	const cni_motion *motions = cni_motions(world);
 	int32_t k, r;
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		const cni_joint_work *w = cni_joint_works(world) + k;
 		int32_t island = cni_joint_island(world, w->ia, w->ib), count;
 		const cni_row *rows;
 		cni_row in_lane[CNI_JOINT_ROWS];
-		if ((w->ia != 0 && motions[w->ia].inv_mass == 0.0f) || (w->ib != 0 && motions[w->ib].inv_mass == 0.0f))
-			mark_driven(world, sums, w->ia, w->ib);
 		if (island == CNI_NONE || !sums[island].suspect)
 			continue;
 		sums[island].grounded |= w->ia == 0 || w->ib == 0;
@@ -411,31 +461,33 @@ static void excess_take(const looking *q)
 static void look_at_all(looking *q)
 {
 	memset(q->sums, 0, sizeof(island_sum) * (size_t)q->world->island_used);
+	driven_find(q->world, q->sums);
 	if (suspects_find(q) == 0)
 		return;
-	driven_by_contacts(q->world, q->sums);
-	driven_by_joints(q->world, q->sums);
+	grounded_by_contacts(q->world, q->sums);
+	work_of_joints(q->world, q->sums);
 	if (suspects_confirm(q) == 0)
 		return;
-	driven_by_joints(q->world, q->sums);
+	work_of_joints(q->world, q->sums);
 	excess_take(q);
 }
 
 uint64_t cni_energy_bytes(int32_t bodies, int32_t islands)
 {
-	return sizeof(island_sum) * (uint64_t)islands + 64u + sizeof(int32_t) * (uint64_t)bodies;
+	return sizeof(island_sum) * (uint64_t)cni_max_i(islands, 1) + 64u + sizeof(int32_t) * (uint64_t)bodies;
 }
 
-void cni_energy_hold(cn_world *world)
+int32_t cni_energy_hold(cn_world *world)
 {
 	looking q = { world, NULL, NULL, 0 };
-	if (world->island_used == 0)
-		return;
-	q.sums = (island_sum *)cni_arena_push(&world->arena, sizeof(island_sum) * (uint64_t)world->island_used);
+	int32_t unheld;
+	q.sums = (island_sum *)cni_arena_push(&world->arena, sizeof(island_sum) * (uint64_t)cni_max_i(world->island_used, 1));
 	if (q.sums != NULL)
 		q.members = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
 	if (q.members != NULL) /* else there is no memory to look: the step goes on as it is */
 		look_at_all(&q);
+	unheld = unheld_mark(world, q.members != NULL ? q.sums : NULL);
 	(void)cni_arena_pop(&world->arena, q.members);
 	(void)cni_arena_pop(&world->arena, q.sums);
+	return unheld;
 }

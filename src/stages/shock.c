@@ -1,11 +1,14 @@
 /*
- * stages/shock.c - impulses of an impact are not carried into the next substep.
+ * stages/shock.c - where a body's velocity jumped in a substep, by much more than its drive gives, solves may fail.
  *
  * Warm starting assumes that the next substep needs about the impulses of the last one. That is true of
  * loads and false of impacts: given again, an impact's impulses drive bodies apart, and one sweep of the solver does
- * not take all of that back when light bodies are caught among heavy ones; the energy grows from substep to
- * substep. So where a body's velocity jumped in a substep by much more than its drive gives, the impulses of its
- * contacts start from nothing in the next, and those of its joints from the load they had.
+ * not take all of that back when light bodies are caught among heavy ones; the energy may grow from substep to
+ * substep. So energy.c holds it, in the islands of such bodies. Their contacts keep their impulses: a crowd that is
+ * pressed together jumps in every substep, and would begin each without what holds it apart (it overlaps half as
+ * much again then, and more bodies touch). But where the energy is not held, among what kinematic bodies and conveyors
+ * push, the impulses of their contacts start from nothing in the next substep. Those of joints start from the load
+ * they had, everywhere.
  *
  * Reads motion, start, drive; writes start (struck, and the response that is taken out), block.jn jt,
  * joint impulses.
@@ -18,8 +21,6 @@
 #define BLOCKS_A_RANGE 16
 #define BLOCKS_AHEAD 4     /* whose bodies are asked for */
 #define BLOCKS_AT_ONCE 8   /* whose rows are */
-#define FEW_PART 8         /* bodies of which fewer than this part of all are struck are asked for their contacts */
-#define FEW_LANES 512      /* ... unless these are more */
 
 typedef struct shock_loop {
 	cn_world *world;
@@ -70,7 +71,7 @@ int32_t cni_shocked_next(const cn_world *world, int32_t index)
 	for (k = index; k < count; ++k) {
 		while (k + 4 <= count && s[k].struck + s[k + 1].struck + s[k + 2].struck + s[k + 3].struck < CNI_SHOCKED)
 			k += 4;
-		if (k >= count || s[k].struck == CNI_SHOCKED)
+		if (k >= count || s[k].struck >= CNI_SHOCKED)
 			break;
 	}
 	return k;
@@ -99,19 +100,15 @@ static void lane_forget(cn_world *world, cni_contact_block *k, int32_t l, int32_
 	k->p[0].load[l] = k->p[1].load[l] = 0.0f;
 }
 
-static int32_t shocked(const cn_world *world, int32_t a, int32_t b)
-{
-	return cni_starts(world)[a].struck == CNI_SHOCKED || cni_starts(world)[b].struck == CNI_SHOCKED;
-}
-
-/* Lanes with such a body, as bits: few have one, and looking for them without a branch takes the same time for all. */
-static uint32_t lanes_shocked(const cn_world *world, const cni_contact_block *k, int32_t lanes)
+/* Lanes with a body whose energy is not held, as bits: few have one, and looking for them without a branch takes the same
+   time for all. */
+static uint32_t lanes_unheld(const cn_world *world, const cni_contact_block *k, int32_t lanes)
 {
 	const cni_velocity_start *starts = cni_starts(world);
 	uint32_t bits = 0;
 	int32_t l;
 	for (l = 0; l < lanes; ++l)
-		bits |= (uint32_t)((starts[k->ia[l]].struck == CNI_SHOCKED) | (starts[k->ib[l]].struck == CNI_SHOCKED)) << l;
+		bits |= (uint32_t)((starts[k->ia[l]].struck == CNI_UNHELD) | (starts[k->ib[l]].struck == CNI_UNHELD)) << l;
 	return bits;
 }
 
@@ -151,7 +148,7 @@ static void forget_range(void *context, int32_t begin, int32_t end, int32_t work
 		for (k = first; k < last; ++k) {
 			if (k + BLOCKS_AHEAD < end)
 				indices_prefetch(loop->blocks[k + BLOCKS_AHEAD].rows);
-			lanes[k - first] = lanes_shocked(loop->world, loop->blocks[k].rows, loop->blocks[k].lanes);
+			lanes[k - first] = lanes_unheld(loop->world, loop->blocks[k].rows, loop->blocks[k].lanes);
 			if (lanes[k - first] != 0)
 				rows_prefetch(loop->blocks[k].rows);
 		}
@@ -173,67 +170,9 @@ static void color_forget(cn_world *world, shock_loop *loop, int32_t color)
 	cni_team_for(color == CNI_COLOR_OVERFLOW ? NULL : loop->s->team, world->colors[color].listed_count, BLOCKS_A_RANGE, forget_range, loop);
 }
 
-/* Lanes of few bodies, by colour. */
-typedef struct few_lanes {
-	int32_t slot[FEW_LANES], next[FEW_LANES], count;
-	int32_t first[CNI_COLORS]; /* in slot, CNI_NONE */
-} few_lanes;
-
-/* Those of a shocked body; a contact of two such is lane body a's. 0: there are too many. */
-static int32_t few_add(const cn_world *world, int32_t index, few_lanes *f)
-{
-	int32_t key = cni_body_at(world, cni_awake_ids(world)[index])->contact_first;
-	while (key != CNI_NONE) {
-		const cni_contact *c = cni_contact_of_key(world, key);
-		const cni_block_info *info;
-		const cni_contact_block *rows;
-		key = c->next[key & 1];
-		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING)
-			continue;
-		info = cni_block_info_at(world, c->slot / CNI_LANES);
-		rows = cni_block_at(world, c->slot / CNI_LANES);
-		if ((info->flags & CNI_BLOCK_RESTED) || (rows->ia[c->slot % CNI_LANES] != index && cni_starts(world)[rows->ia[c->slot % CNI_LANES]].struck == CNI_SHOCKED))
-			continue;
-		if (f->count == FEW_LANES)
-			return 0;
-		f->slot[f->count] = c->slot;
-		f->next[f->count] = f->first[info->color];
-		f->first[info->color] = f->count++;
-	}
-	return 1;
-}
-
-static int32_t few_find(const cn_world *world, few_lanes *f)
-{
-	int32_t k, color;
-	f->count = 0;
-	for (color = 0; color < CNI_COLORS; ++color)
-		f->first[color] = CNI_NONE;
-	for (k = cni_shocked_next(world, 1); k < world->awake_count; k = cni_shocked_next(world, k + 1))
-		if (!few_add(world, k, f))
-			return 0;
-	return 1;
-}
-
-/* Within a colour their order does not matter: no two lanes write the same. But for the overflow's: it is gone through. */
-static void few_forget(cn_world *world, shock_loop *loop, const few_lanes *f)
-{
-	int32_t color, n;
-	for (color = 0; color < CNI_COLOR_OVERFLOW; ++color)
-		for (n = f->first[color]; n != CNI_NONE; n = f->next[n])
-			lane_forget(world, cni_block_at(world, f->slot[n] / CNI_LANES), f->slot[n] % CNI_LANES, color_is_one_sided(color));
-	if (f->first[CNI_COLOR_OVERFLOW] != CNI_NONE)
-		color_forget(world, loop, CNI_COLOR_OVERFLOW);
-}
-
 static void contacts_forget(cn_world *world, shock_loop *loop)
 {
-	few_lanes few;
 	int32_t color;
-	if (FEW_PART * loop->shocks < (uint32_t)world->awake_count && few_find(world, &few)) {
-		few_forget(world, loop, &few);
-		return;
-	}
 	for (color = 0; color < CNI_COLORS; ++color)
 		color_forget(world, loop, color);
 }
@@ -307,7 +246,7 @@ static void joints_forget(cn_world *world)
 	int32_t k;
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		cni_joint_work *w = (cni_joint_work *)world->joint_work.data + k;
-		if (!shocked(world, w->ia, w->ib))
+		if (cni_starts(world)[w->ia].struck < CNI_SHOCKED && cni_starts(world)[w->ib].struck < CNI_SHOCKED)
 			continue;
 		if (w->lane != CNI_NONE)
 			pin_forget(world, w, cni_joint_block_of(world, w), w->lane % CNI_LANES);
@@ -328,7 +267,7 @@ void cni_shocks_forget(cn_world *world, const cni_solve *s)
 	cni_team_for(s->team, world->awake_count - 1, BODIES_A_RANGE, mark_range, &loop);
 	if (loop.shocks == 0)
 		return;
-	cni_energy_hold(world);
-	contacts_forget(world, &loop);
+	if (cni_energy_hold(world) > 0)
+		contacts_forget(world, &loop);
 	joints_forget(world);
 }
