@@ -11,6 +11,9 @@
  * the last substep's impulses, a guess that the solve has yet to correct; for a light body between heavy ones it is
  * far off, and returning such a speed would make energy of it.
  *
+ * A contact that bears already is struck only when that takes more than it bore in the last substep, m v > j: in a crowd that is
+ * pressed together by more than the solver brings into balance, bodies close all the time, and none of it is an impact.
+ *
  * Meeting early costs no energy: with closing acceleration a from the bodies' drives, the law is applied to the
  * speed at the true moment of contact, v^2 + 2 a s, and the outgoing speed is the one that a body has
  * at the end of the substep, s + h v' above the surface: v'^2 = e^2 (v^2 + 2 a s) - 2 a (s + h v').

@@ -133,13 +133,13 @@ CNI_INLINE impact_point impact_point_make(const impact_lanes *c, const cni_impac
 {
 	const cni_wide zero = cni_wide_of(0.0f);
 	impact_point q;
-	cni_wide separation, nm = POINT_ROW(k, l, from, nm), least = cni_wide_of(-pass->speed);
+	cni_wide separation, nm = POINT_ROW(k, l, from, nm), bears = POINT_ROW(k, l, from, jn), least = cni_wide_of(-pass->speed);
 	q.at = POINT_ROW(k, l, from, at);
 	q.bt = q.at - c->dt;
 	q.vn = c->nx * (c->b.vx - c->a.vx) + c->ny * (c->b.vy - c->a.vy) + c->b.w * q.bt - c->a.w * q.at;
 	q.k = c->mass + c->a.i * q.at * q.at + c->b.i * q.bt * q.bt;
 	separation = impact_separation(c, POINT_ROW(k, l, from, s0), POINT_ROW(k, l, from, an), c->step_dn, q.at, q.at - c->step_dt);
-	q.hits = (nm > zero) & (q.vn < least) & (separation + pass->h * q.vn < zero);
+	q.hits = (nm * -q.vn > bears) & (q.vn < least) & (separation + pass->h * q.vn < zero);
 	/* Never more than the law gives at this instant plus what the drive adds: two fast bodies that were
 	   just struck by others must not gain. */
 	q.out = cni_wide_min(impact_outgoing(q.vn + pass->h * c->closing, separation, c->closing, c->restitution, pass->h),

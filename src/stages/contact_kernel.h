@@ -526,13 +526,13 @@ static int32_t kernel_warm(const cni_color_pass *c, int32_t begin, int32_t end)
 
 #if !CNI_FEW /* nobody asks that one for impacts */
 
-/* Is the point in use, and does it close faster than the speed? a and b hold velocities only. */
+/* Does the point close faster than the speed, and than what it bears could answer (contact_impact.c)? a and b hold velocities only. */
 CNI_INLINE cni_mask point_closes(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b, float speed)
 {
 	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), at = cni_wide_load(p->at + l), bt = at - cni_wide_load(k->dt + l);
 	cni_wide vn = nx * (b->vx - a->vx) + ny * (b->vy - a->vy) + b->w * bt - a->w * at;
-	cni_wide nm = cni_wide_load(p->nm + l), least = cni_wide_of(-speed), zero = cni_wide_of(0.0f);
-	return (nm > zero) & (vn < least);
+	cni_wide takes = cni_wide_load(p->nm + l) * -vn, bears = cni_wide_load(p->jn + l), least = cni_wide_of(-speed);
+	return (vn < least) & (takes > bears);
 }
 
 CNI_INLINE uint32_t group_closing(const float *starts, const cni_contact_block *k, const cni_block_info *info, float speed, int32_t l)
@@ -560,8 +560,10 @@ CNI_INLINE void closing_prefetch(const cni_listed_block *b)
 	CNI_PREFETCH(k->dt);
 	CNI_PREFETCH(k->p[0].at);
 	CNI_PREFETCH(k->p[0].nm);
+	CNI_PREFETCH(k->p[0].jn);
 	CNI_PREFETCH(k->p[1].at);
 	CNI_PREFETCH(k->p[1].nm);
+	CNI_PREFETCH(k->p[1].jn);
 }
 
 #define CLOSING_AHEAD 2 /* blocks whose memory is asked for */

@@ -31,7 +31,7 @@ static const golden goldens[] = {
 	{ "ragdolls", 480, 1, 0x639054a0e5885d14 },
 	{ "bridge", 240, 1, 0x53167aa4d38700ce },
 	{ "car", 400, 1, 0x950ac791a0ca27de },
-	{ "mixer", 240, 1, 0x73264c2d8ea0ffac },
+	{ "mixer", 240, 1, 0x010240ec07b0c2e1 },
 	{ "pyramid", 120, 0, 0xbb24e8518c196cd8 },
 	{ "rain", 150, 0, 0x77f20642a3cbe8b7 },
 	{ "tumbler_1000", 300, 0, 0x065ba1f121e9db83 },

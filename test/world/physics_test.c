@@ -135,6 +135,35 @@ static void static_and_dynamic_friction_differ(void)
 
 /* ---- restitution ---- */
 
+/* Contacts that bear already bounce too, when they are struck by more than they bear: a ball and a box that lie on the
+   floor, and a ball with two more on top, of which the uppermost takes the blow: (1 + e)/2 of the speed goes from each to the next. */
+static void what_lies_bounces_when_struck(void)
+{
+	static const float speeds[] = { -1.5f, -5.0f, -30.0f };
+	size_t i;
+	for (i = 0; i < 3; ++i) {
+		cn_world *world = fixture_world(-10.0f, 0);
+		cn_body ball, box, loaded, top;
+		double speed = -(double)speeds[i];
+		fixture_floor(world, 0.6f, 0.0f);
+		ball = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f, 0.6f, 0.8f);
+		box = fixture_box(world, CN_BODY_DYNAMIC, 4.0f, 0.5f, 0.0f, 0.5f, 0.5f, 0.6f, 0.8f);
+		loaded = fixture_circle(world, CN_BODY_DYNAMIC, 8.0f, 0.5f, 0.5f, 0.6f, 0.8f);
+		fixture_circle(world, CN_BODY_DYNAMIC, 8.0f, 1.5f, 0.5f, 0.6f, 0.8f);
+		top = fixture_circle(world, CN_BODY_DYNAMIC, 8.0f, 2.5f, 0.5f, 0.6f, 0.8f);
+		fixture_step(world, 120);
+		fixture_set_velocity(world, ball, 0.0f, speeds[i], 0.0f);
+		fixture_set_velocity(world, box, 0.0f, speeds[i], 0.0f);
+		fixture_set_velocity(world, loaded, 0.0f, speeds[i], 0.0f);
+		fixture_step(world, 1);
+		printf("  struck at %.1f m/s\n", speed);
+		CHECK_LE("error of the ball's speed", fabs((double)fixture_velocity(world, ball).linear_mps.y - 0.8 * speed), 2.0 * GRAVITY * (double)FRAME_S, "m/s");
+		CHECK_LE("error of the box's speed", fabs((double)fixture_velocity(world, box).linear_mps.y - 0.8 * speed), 2.0 * GRAVITY * (double)FRAME_S, "m/s");
+		CHECK_LE("error of the speed of the uppermost of three", fabs((double)fixture_velocity(world, top).linear_mps.y - 0.9 * 0.9 * 0.8 * speed), 2.0 * GRAVITY * (double)FRAME_S, "m/s");
+		cn_world_destroy(world);
+	}
+}
+
 static void drops_return_to_their_height(void)
 {
 	static const float es[] = { 1.0f, 0.8f, 0.5f };
@@ -486,6 +515,7 @@ int main(int argc, char **argv)
 	RUN(sliding_box_stops_where_it_should);
 	RUN(static_and_dynamic_friction_differ);
 	RUN(drops_return_to_their_height);
+	RUN(what_lies_bounces_when_struck);
 	RUN(a_wave_passes_through_touching_balls);
 	RUN(cluster_keeps_momentum_and_gains_no_energy);
 	RUN(stacks_of_boxes_stand_60_s);
