@@ -8,7 +8,9 @@
  * up for this step, by a dynamic body that a bullet meets too.
  * Most bodies have nothing static about them, which the narrowphase saw; they are not looked at any further. Those that stay
  * within their boxes can meet only what they have contacts with.
- * A shape that merely rests on or slides along something keeps its core clear of it, so nothing catches.
+ * A shape that merely rests on or slides along something keeps its core clear of it, so nothing catches. A body whose core is at
+ * something static already, where an earlier step stopped it, gives up its turn and what leads farther in, and slides on: a contact
+ * that counts on the turn may do nothing, and the body would hang there while its speed grows.
  *
  * Reads bodies, shapes, the broadphase; writes the changes in motion of the bodies that meet.
  */
@@ -21,6 +23,7 @@
 #include "base/wide.h"
 #endif
 
+#include <float.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -79,6 +82,8 @@ typedef struct clamp {
 	cni_aabb reach;      /* contains the core all the way, and what is so near that it stops it; relative to the body's centre */
 	float fraction;      /* of the path that is free so far */
 	int32_t met;         /* awake index of the dynamic body at its end, else 0 */
+	cni_vec2 normal;     /* nothing is free at all: of what is met */
+	float into;          /* ... how far the path leads into it */
 } clamp;
 
 static cni_path body_path(const cni_body *b, cni_vec2 from, float dpx, float dpy, float theta)
@@ -125,19 +130,19 @@ static int32_t other_stops(const clamp *c, int32_t proxy)
 	return cni_contact_allowed(world, c->proxy, proxy);
 }
 
-/* Does b go away from a along the normal? */
-static int32_t path_leaves(const cni_toi_input *in, cni_vec2 normal)
+/* How far b goes away from a along the normal. */
+static float path_leaves_by(const cni_toi_input *in, cni_vec2 normal)
 {
 	cni_vec2 a = cni_sub(in->path_a.end, in->path_a.start), b = cni_sub(in->path_b.end, in->path_b.start);
-	return cni_dot(cni_sub(b, a), normal) > 0.0f;
+	return cni_dot(cni_sub(b, a), normal);
 }
 
 /*
  * How much of the paths is free. A core that starts nearer than the target, which is where the last step left it if
- * that stopped it, may come half as near again, and no nearer than a hundredth of the tolerance: there it stays
- * until it is pushed or turns away. One that starts overlapping is left to its contacts.
+ * that stopped it, may come half as near again, and no nearer than a hundredth of the tolerance: there it is held
+ * until it leaves. One that starts overlapping is left to its contacts.
  */
-static float free_fraction(cni_toi_input *in)
+static float free_fraction(cni_toi_input *in, cni_vec2 *normal)
 {
 	float least = 0.01f * in->tolerance;
 	cni_toi_result hit = cni_toi(in);
@@ -148,8 +153,10 @@ static float free_fraction(cni_toi_input *in)
 		if (!(hit.distance < 2.0f * in->target))
 			break;
 	}
-	if (hit.state == CNI_TOI_HIT && hit.fraction == 0.0f && (hit.distance <= 0.0f || path_leaves(in, hit.normal)))
+	if (hit.state == CNI_TOI_HIT && hit.fraction == 0.0f && (hit.distance <= 0.0f || path_leaves_by(in, hit.normal) > 0.0f))
 		return 1.0f;
+	if (hit.state == CNI_TOI_HIT)
+		*normal = hit.normal;
 	return hit.state == CNI_TOI_HIT || hit.state == CNI_TOI_FAILED ? hit.fraction : 1.0f;
 }
 
@@ -162,6 +169,7 @@ static float visit(void *context, int32_t proxy, float limit)
 	const cni_body *other;
 	const cni_motion *motion;
 	cni_toi_input in;
+	cni_vec2 normal = { 0.0f, 0.0f };
 	float free;
 	if (!other_stops(c, proxy) || ((p->flags & CNI_PROXY_STATIC) && !core_reaches(c, &p->fat))) /* nothing else of them is read */
 		return limit;
@@ -176,10 +184,12 @@ static float visit(void *context, int32_t proxy, float limit)
 	in.path_b = c->path;
 	in.target = 0.5f * world->settings.slop;
 	in.tolerance = 0.25f * world->settings.slop;
-	free = free_fraction(&in);
+	free = free_fraction(&in, &normal);
 	if (free < c->fraction) {
 		c->fraction = free;
 		c->met = other->type == CN_BODY_DYNAMIC ? other->awake : 0;
+		c->normal = normal;
+		c->into = -path_leaves_by(&in, normal);
 	}
 	return limit;
 }
@@ -227,23 +237,51 @@ static void clamp_end(const clamp *c)
 		motion_shorten(&motions[c->met], c->fraction);
 }
 
-/* Against whatever its way leads past. */
-static void clamp_body(cn_world *world, int32_t body, int32_t what)
+/* Finds what is free against whatever the body's way leads past. */
+static void clamp_look(clamp *c, cn_world *world, int32_t body, int32_t what)
 {
 	const cni_body *b = cni_body_at(world, body);
 	cni_aabb box = swept_box(b, cni_motions(world) + b->awake);
 	int32_t shape;
-	clamp c;
-	clamp_begin(&c, world, body, what);
+	clamp_begin(c, world, body, what);
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
-		c.proxy = cni_shape_proxy(world, s, 0);
-		if (!shape_may_pass(s, c.proxy))
+		c->proxy = cni_shape_proxy(world, s, 0);
+		if (!shape_may_pass(s, c->proxy))
 			continue;
-		core_begin(&c, cni_shape_geometry(&world->blocks, s));
-		world->broadphase_ops->query(world->broadphase, &box, visit, &c);
+		core_begin(c, cni_shape_geometry(&world->blocks, s));
+		world->broadphase_ops->query(world->broadphase, &box, visit, c);
 	}
-	clamp_end(&c);
+}
+
+/* The path leads along the surface then, and out by what floats can tell. What is given up of it goes from the velocities too. */
+static void motion_slide(cni_motion *m, const clamp *c)
+{
+	float out = c->into + 4.0f * FLT_EPSILON * (cni_abs(m->dpx) + cni_abs(m->dpy)), speed = cni_min(m->vx * c->normal.x + m->vy * c->normal.y, 0.0f);
+	m->dpx += out * c->normal.x;
+	m->dpy += out * c->normal.y;
+	m->theta = 0.0f;
+	m->vx -= speed * c->normal.x;
+	m->vy -= speed * c->normal.y;
+	m->w = 0.0f;
+}
+
+/* Of a body by something static nothing may be free: it slides, once. In a corner it stays. */
+static void clamp_slide_or_end(clamp *c)
+{
+	cni_motion *m = cni_motions(c->world) + c->body->awake;
+	if (c->fraction == 0.0f && c->met == 0 && cni_length_sq(c->normal) > 0.0f) {
+		motion_slide(m, c);
+		clamp_look(c, c->world, cni_awake_ids(c->world)[c->body->awake], c->what);
+	}
+	clamp_end(c);
+}
+
+static void clamp_body(cn_world *world, int32_t body, int32_t what)
+{
+	clamp c;
+	clamp_look(&c, world, body, what);
+	clamp_slide_or_end(&c);
 }
 
 /* ---- bodies that can meet only static shapes that they have contacts with ---- */
@@ -337,7 +375,7 @@ static void walks_run(walks *all, int32_t left)
 			++k;
 			continue;
 		}
-		clamp_end(&all->of[k].c);
+		clamp_slide_or_end(&all->of[k].c);
 		if (k != --all->count)
 			all->of[k] = all->of[all->count];
 	}
