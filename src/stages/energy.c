@@ -165,9 +165,7 @@ static void energies_stream(const cn_world *world, island_sum *sums)
 /* The two bodies of what pushes with a motion of its own. One without an island is by itself between what does not give way. */
 static void mark_driven(const cn_world *world, island_sum *sums, int32_t ia, int32_t ib)
 {
-	int32_t bodies[2], k;
-	bodies[0] = ia;
-	bodies[1] = ib;
+	int32_t bodies[2] = { ia, ib }, k;
 	for (k = 0; k < 2; ++k) {
 		int32_t island = cni_awake_island(world, bodies[k]);
 		if (island != CNI_NONE)
@@ -208,24 +206,28 @@ static void driven_by_bodies(const cn_world *world, island_sum *sums)
 	}
 }
 
-static void driven_by_conveyors(const cn_world *world, island_sum *sums)
+static int32_t driven_by_conveyors(const cn_world *world, island_sum *sums)
 {
-	int32_t color, k, l;
+	int32_t color, k, l, found = 0;
 	for (color = 0; color < CNI_COLORS; ++color)
 		for (k = 0; k < world->colors[color].listed_count; ++k) {
 			const cni_listed_block *b = &cni_listed_blocks(world, color)[k];
 			for (l = 0; b->extra != NULL && l < b->lanes; ++l)
-				if (b->extra->tangent_speed[l] != 0.0f)
+				if (b->extra->tangent_speed[l] != 0.0f) {
 					mark_driven(world, sums, b->rows->ia[l], b->rows->ib[l]);
+					found = 1;
+				}
 		}
+	return found;
 }
 
-/* Blocks that rest are not in the lists, and nobody in them jumped. */
-static void driven_find(const cn_world *world, island_sum *sums)
+/* 0: nobody is. Blocks that rest are not in the lists, and nobody in them jumped. */
+static int32_t driven_find(const cn_world *world, island_sum *sums)
 {
-	if (somebody_pushes(world))
+	int32_t by_bodies = somebody_pushes(world);
+	if (by_bodies)
 		driven_by_bodies(world, sums);
-	driven_by_conveyors(world, sums);
+	return driven_by_conveyors(world, sums) || by_bodies;
 }
 
 /* Marks bodies that jumped and whose energy is not held. Returns how many there are. */
@@ -458,18 +460,21 @@ static void excess_take(const looking *q)
 	}
 }
 
-static void look_at_all(looking *q)
+/* Returns how many bodies that jumped are not held. */
+static int32_t look_at_all(looking *q)
 {
+	int32_t unheld;
 	memset(q->sums, 0, sizeof(island_sum) * (size_t)q->world->island_used);
-	driven_find(q->world, q->sums);
+	unheld = driven_find(q->world, q->sums) ? unheld_mark(q->world, q->sums) : 0;
 	if (suspects_find(q) == 0)
-		return;
+		return unheld;
 	grounded_by_contacts(q->world, q->sums);
 	work_of_joints(q->world, q->sums);
 	if (suspects_confirm(q) == 0)
-		return;
+		return unheld;
 	work_of_joints(q->world, q->sums);
 	excess_take(q);
+	return unheld;
 }
 
 uint64_t cni_energy_bytes(int32_t bodies, int32_t islands)
@@ -484,9 +489,7 @@ int32_t cni_energy_hold(cn_world *world)
 	q.sums = (island_sum *)cni_arena_push(&world->arena, sizeof(island_sum) * (uint64_t)cni_max_i(world->island_used, 1));
 	if (q.sums != NULL)
 		q.members = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
-	if (q.members != NULL) /* else there is no memory to look: the step goes on as it is */
-		look_at_all(&q);
-	unheld = unheld_mark(world, q.members != NULL ? q.sums : NULL);
+	unheld = q.members != NULL ? look_at_all(&q) : unheld_mark(world, NULL); /* without memory nothing is held */
 	(void)cni_arena_pop(&world->arena, q.members);
 	(void)cni_arena_pop(&world->arena, q.sums);
 	return unheld;
