@@ -257,7 +257,8 @@ static void clamp_look(clamp *c, cn_world *world, int32_t body, int32_t what)
 /* The path leads along the surface then, and out by what floats can tell. What is given up of it goes from the velocities too. */
 static void motion_slide(cni_motion *m, const clamp *c)
 {
-	float out = c->into + 4.0f * FLT_EPSILON * (cni_abs(m->dpx) + cni_abs(m->dpy)), speed = cni_min(m->vx * c->normal.x + m->vy * c->normal.y, 0.0f);
+	float out = c->into + 4.0f * FLT_EPSILON * (cni_abs(m->dpx) + cni_abs(m->dpy));
+	float speed = cni_min(m->vx * c->normal.x + m->vy * c->normal.y, 0.0f);
 	m->dpx += out * c->normal.x;
 	m->dpy += out * c->normal.y;
 	m->theta = 0.0f;
@@ -266,11 +267,16 @@ static void motion_slide(cni_motion *m, const clamp *c)
 	m->w = 0.0f;
 }
 
-/* Of a body by something static nothing may be free: it slides, once. In a corner it stays. */
+static int32_t may_slide(const clamp *c)
+{
+	return c->fraction == 0.0f && c->met == 0 && cni_length_sq(c->normal) > 0.0f && !(c->body->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y));
+}
+
+/* Of a body's way nothing may be free for something static: it slides, once. In a corner, or with a locked axis, it stays. */
 static void clamp_slide_or_end(clamp *c)
 {
 	cni_motion *m = cni_motions(c->world) + c->body->awake;
-	if (c->fraction == 0.0f && c->met == 0 && cni_length_sq(c->normal) > 0.0f) {
+	if (may_slide(c)) {
 		motion_slide(m, c);
 		clamp_look(c, c->world, cni_awake_ids(c->world)[c->body->awake], c->what);
 	}

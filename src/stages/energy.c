@@ -9,9 +9,10 @@
  * much in the first part (but for rounding): then all of it is scaled, and what does not move takes the difference.
  *
  * Springs and motors may give energy: each row j (J v0 + J v1) / 2, which is exact whatever else acts. Islands with
- * conveyors or kinematic bodies are left alone: bodies of theirs that jumped are marked, and stages/shock.c sees to them. Only islands in which a velocity jumped in this substep (stages/shock.c) are
- * looked at, for that is when solves fail; and of these closely only those whose energy has grown, whoever gave it. Most
- * have clearly not grown: a sum in the order of memory tells, and no record is read.
+ * conveyors or kinematic bodies are left alone: bodies of theirs that jumped are marked, and stages/shock.c sees to them. Only
+ * islands in which a velocity jumped in this substep (stages/shock.c) are looked at, for that is when solves fail; and of these
+ * closely only those whose energy has grown, whoever gave it. Most have clearly not grown: a sum in the order of memory tells,
+ * and no record is read.
  *
  * Reads start (velocities before the impulses of the substep) and motion; writes both by the same change, so that
  * the response between them stays.
