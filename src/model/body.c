@@ -4,6 +4,7 @@
  * Invariant: for every dense index k >= 1, record awake_id[k] has awake == k; every lane of a touching
  * contact names its bodies by their present dense index, 0 for one that has none.
  */
+#include "geometry/distance.h"
 #include "model/world.h"
 
 #include <string.h>
@@ -178,16 +179,40 @@ static cn_mass_data shapes_mass(const cn_world *world, const cni_body *b)
 	return total;
 }
 
+/* Farthest point of a shape from the centre of mass, without the rounding around it. */
+static float shape_swing(const cni_body *b, const cni_geometry *g)
+{
+	cni_vec2 storage[2];
+	cni_proxy_points set;
+	float most_sq = 0.0f;
+	int32_t k;
+	if (g->type == CN_SHAPE_CHAIN)
+		return g->extent + cni_length(b->local_center);
+	set = cni_geometry_proxy(g, 0, storage);
+	for (k = 0; k < set.count; ++k)
+		most_sq = cni_max(most_sq, cni_distance_sq(set.points[k], b->local_center));
+	return cni_sqrt(most_sq);
+}
+
+/* Rounded up, but for what a centre of mass is off by rounding; CNI_BODY_ROUNDING is more. */
+static uint8_t swing_pack(float swing, float extent)
+{
+	float part = extent > 0.0f ? 255.0f * (swing / extent - 1e-6f) : 0.0f, up = part > 0.0f ? part + 1.0f : 0.0f;
+	return (uint8_t)cni_min(up, 255.0f);
+}
+
 static void measure_shapes(const cn_world *world, cni_body *b)
 {
-	float extent = 0.0f, core = b->shape_first == CNI_NONE ? 0.0f : FLT_MAX;
+	float extent = 0.0f, swing = 0.0f, core = b->shape_first == CNI_NONE ? 0.0f : FLT_MAX;
 	int32_t index;
 	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
 		const cni_geometry *g = cni_shape_geometry(&world->blocks, cni_shape_at(world, index));
 		extent = cni_max(extent, g->extent);
+		swing = cni_max(swing, shape_swing(b, g));
 		core = cni_min(core, cni_max(g->inner_radius, world->settings.slop));
 	}
 	b->extent = extent + cni_length(b->local_center);
+	b->swing = swing_pack(swing, b->extent);
 	b->core = core;
 	cni_body_forget_room(b);
 }

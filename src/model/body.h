@@ -47,7 +47,7 @@ typedef struct cni_body {
 	uint32_t flags;          /* CN_BODY_ (AWAKE bit unused) and CNI_BODY_ */
 	int32_t awake;           /* dense index, 0: not awake; up to here is what every contact asks for */
 	uint8_t type;            /* CN_BODY_STATIC ... */
-	uint8_t reserved;
+	uint8_t swing;           /* how far turning moves its shapes, in 1/255 of extent: cni_body_swing */
 	uint16_t room;           /* by so much its boxes are known to reach beyond its shapes, all around: cni_body_room */
 	float vx, vy, w;         /* between steps; read through cni_body_velocity. Up to here is what pairs that are apart ask for */
 	float mass, inertia;     /* of a dynamic body (mass > 0, inertia >= 0, 0 = never rotates); 0 for others */
@@ -181,10 +181,13 @@ static inline void cni_body_forget_room(cni_body *b)
 	b->room = 0;
 	b->flags &= ~(uint32_t)CNI_BODY_AHEAD;
 }
-/* What a step's change takes of it: a point of the body goes no farther than this, whatever is rounded on the way. */
+/* Turning by a small angle moves the shapes by no more than this times the angle: the rounding around their points turns on
+   the spot. 0 for a wheel. */
+static inline float cni_body_swing(const cni_body *b) { return b->extent * ((float)b->swing * (1.0f / 255.0f)); }
+/* What a step's change takes of it: the shapes reach no farther than this, whatever is rounded on the way. */
 static inline float cni_body_reach(const cni_body *b, float dpx, float dpy, float theta)
 {
-	return cni_max(cni_abs(dpx), cni_abs(dpy)) + cni_abs(theta) * b->extent + CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
+	return cni_max(cni_abs(dpx), cni_abs(dpy)) + cni_abs(theta) * cni_body_swing(b) + CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
 }
 /* Do the boxes contain the shapes now and after ahead for certain? Most do, and shapes and boxes need not be read. */
 static inline int32_t cni_body_has_room(const cni_body *b, cni_vec2 ahead)

@@ -40,7 +40,7 @@ enum {
 /* Does the step's change carry the body so far that something could be left behind it unseen? */
 static int32_t body_is_fast(const cni_body *b, const cni_motion *m)
 {
-	float most = 0.25f * b->core, turn = m->theta * b->extent;
+	float most = 0.25f * b->core, turn = m->theta * cni_body_swing(b);
 	return b->type == CN_BODY_DYNAMIC && m->dpx * m->dpx + m->dpy * m->dpy + turn * turn > most * most;
 }
 
@@ -423,16 +423,16 @@ static float strays_from_ahead(const cn_world *world, const cni_body *b, const c
 
 /*
  * Does the body stay within the fat boxes of its shapes all the way? Whatever static shape it could meet there
- * already has a contact with it. A point of the body strays from the line between its two ends by no more than
- * extent turn^2 / 8, and turning moves it by no more than extent turn: most boxes have room for that too, and where
+ * already has a contact with it. A shape strays from the line between its two ends by no more than
+ * swing turn^2 / 8, and turning moves it by no more than swing turn: most boxes have room for that too, and where
  * the shape will be at the end need not be found; where it is now neither, if its boxes were made for this way.
  */
 static int32_t path_is_watched(const cn_world *world, const cni_body *b, const cni_motion *m)
 {
-	float stray = 0.125f * b->extent * m->theta * m->theta, turned = stray + cni_body_reach(b, 0.0f, 0.0f, m->theta);
+	float swing = cni_body_swing(b), stray = 0.125f * swing * m->theta * m->theta, turned = stray + cni_body_reach(b, 0.0f, 0.0f, m->theta);
 	cni_transform start;
 	int32_t shape;
-	if (cni_abs(m->theta) > WATCHED_TURN_MAX_RAD)
+	if (cni_abs(m->theta) > WATCHED_TURN_MAX_RAD && swing > 0.0f)
 		return 0;
 	if ((b->flags & CNI_BODY_AHEAD) && strays_from_ahead(world, b, m) + turned < cni_body_room(b))
 		return 1;
@@ -497,7 +497,7 @@ CNI_INLINE void record_ask(const cn_world *world, int32_t body)
 #if CNI_HAS_WIDE_4
 
 /* Which of four bodies are surely watched (path_is_watched), without a look at their boxes, and met nothing static? */
-static cni_mask four_watched(const cn_world *world, cni_body *const b[4], cni_wide dx, cni_wide dy, cni_wide turn, cni_wide extent)
+static cni_mask four_watched(const cn_world *world, cni_body *const b[4], cni_wide dx, cni_wide dy, cni_wide turn, cni_wide extent, cni_wide swing)
 {
 	const float *const records[4] = { (const float *)(const void *)b[0], (const float *)(const void *)b[1], (const float *)(const void *)b[2], (const float *)(const void *)b[3] };
 	const cni_mask flags = { (int32_t)b[0]->flags, (int32_t)b[1]->flags, (int32_t)b[2]->flags, (int32_t)b[3]->flags };
@@ -505,9 +505,9 @@ static cni_mask four_watched(const cn_world *world, cni_body *const b[4], cni_wi
 	cni_wide x, y, x_low, y_low, vx, vy, w, mass, turned, strays, dt = cni_wide_of(world->step_dt), size = cni_wide_abs(turn);
 	cni_wide_gather4_from(records, (int32_t)(offsetof(cni_body, cx) / sizeof(float)), &x, &y, &x_low, &y_low);
 	cni_wide_gather4_from(records, (int32_t)(offsetof(cni_body, vx) / sizeof(float)), &vx, &vy, &w, &mass);
-	turned = cni_wide_of(0.125f) * extent * turn * turn + (size * extent + cni_wide_of(CNI_BODY_ROUNDING) * (cni_wide_abs(x) + cni_wide_abs(y) + extent));
+	turned = cni_wide_of(0.125f) * swing * turn * turn + (size * swing + cni_wide_of(CNI_BODY_ROUNDING) * (cni_wide_abs(x) + cni_wide_abs(y) + extent));
 	strays = cni_wide_max(cni_wide_abs(dx - dt * vx), cni_wide_abs(dy - dt * vy));
-	return (size <= cni_wide_of(WATCHED_TURN_MAX_RAD)) & (strays + turned < room) &
+	return ((size <= cni_wide_of(WATCHED_TURN_MAX_RAD)) | (swing == cni_wide_of(0.0f))) & (strays + turned < room) &
 	       ((flags & ((int32_t)(CNI_BODY_AHEAD | CNI_BODY_AT_STATIC) - (cni_mask){ 0 })) == (int32_t)CNI_BODY_AHEAD - (cni_mask){ 0 });
 }
 
@@ -520,16 +520,18 @@ static uint32_t four_look(const cn_world *world, int32_t k)
 	const int32_t *ids = cni_awake_ids(world) + k, row[4] = { 0, 1, 2, 3 };
 	cni_body *const b[4] = { cni_body_at(world, ids[0]), cni_body_at(world, ids[1]), cni_body_at(world, ids[2]), cni_body_at(world, ids[3]) };
 	const cni_wide core = { b[0]->core, b[1]->core, b[2]->core, b[3]->core }, extent = { b[0]->extent, b[1]->extent, b[2]->extent, b[3]->extent };
+	const cni_mask swings = { b[0]->swing, b[1]->swing, b[2]->swing, b[3]->swing };
+	const cni_wide swing = extent * (__builtin_convertvector(swings, cni_wide) * cni_wide_of(1.0f / 255.0f));
 	cni_wide dx, dy, turn, unused, most = cni_wide_of(0.25f) * core, turned;
 	uint32_t fast;
 	cni_wide_gather4(&cni_motions(world)[k].dpx, (int32_t)(sizeof(cni_motion) / sizeof(float)), row, &dx, &dy, &turn, &unused);
-	turned = turn * extent;
+	turned = turn * swing;
 	fast = cni_mask_bits(dx * dx + dy * dy + turned * turned > most * most);
 	if ((b[0]->flags | b[1]->flags | b[2]->flags | b[3]->flags) & CN_BODY_BULLET)
 		return 15u;
 	if (fast == 0 || world->pairs_may_repeat)
 		return fast;
-	return fast & ~cni_mask_bits(four_watched(world, b, dx, dy, turn, extent));
+	return fast & ~cni_mask_bits(four_watched(world, b, dx, dy, turn, extent, swing));
 }
 
 #endif

@@ -12,7 +12,7 @@ typedef struct some {
 	cni_body *b[CNI_WIDTH];
 	cni_motion *m;
 	cni_wide vx, vy, w, v_sq;
-	cni_wide dx, dy, turn, extent;
+	cni_wide dx, dy, turn, extent, swing;
 } some;
 
 /* 0: one of them is too fast, or turns too far for what follows. */
@@ -20,7 +20,7 @@ CNI_INLINE int32_t some_load(const cn_world *world, int32_t k, some *f)
 {
 	const int32_t *ids = cni_awake_ids(world) + k, row[8] = { 0, 1, 2, 3, 4, 5, 6, 7 }, stride = (int32_t)(sizeof(cni_motion) / sizeof(float));
 	const cni_settings *set = &world->settings;
-	float *records[CNI_WIDTH];
+	float *records[CNI_WIDTH], swing[CNI_WIDTH];
 	cni_wide unused;
 	int32_t l;
 	f->m = cni_motions(world) + k;
@@ -33,7 +33,9 @@ CNI_INLINE int32_t some_load(const cn_world *world, int32_t k, some *f)
 	for (l = 0; l < CNI_WIDTH; ++l) {
 		f->b[l] = cni_body_at(world, ids[l]);
 		records[l] = (float *)(void *)f->b[l];
+		swing[l] = cni_body_swing(f->b[l]);
 	}
+	f->swing = cni_wide_load_loose(swing);
 	f->extent = cni_wide_gather_from((const float *const *)records, offsetof(cni_body, extent) / sizeof(float));
 	return 1;
 }
@@ -74,7 +76,7 @@ CNI_INLINE cni_wide some_poses(const some *f, cni_mask *moved)
 	cni_wide_scatter2_to(records, at_rotation, new_c, new_s);
 	for (l = 0; l < CNI_WIDTH; ++l)
 		f->m[l].dpx = f->m[l].dpy = f->m[l].theta = 0.0f;
-	return cni_wide_max(cni_wide_abs(f->dx), cni_wide_abs(f->dy)) + cni_wide_abs(f->turn) * f->extent +
+	return cni_wide_max(cni_wide_abs(f->dx), cni_wide_abs(f->dy)) + cni_wide_abs(f->turn) * f->swing +
 	       cni_wide_of(CNI_BODY_ROUNDING) * (cni_wide_abs(x) + cni_wide_abs(y) + f->extent);
 }
 

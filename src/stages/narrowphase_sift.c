@@ -42,7 +42,7 @@ static cni_sift_body sift_body_make(const cni_body *b, float dt)
 	s.y = b->cy;
 	s.ahead_x = dt * b->vx;
 	s.ahead_y = dt * b->vy;
-	s.radius = CNI_CIRCLES_APART * (b->extent + dt * cni_abs(b->w) * b->extent) + FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy));
+	s.radius = CNI_CIRCLES_APART * (b->extent + dt * cni_abs(b->w) * cni_body_swing(b)) + FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy));
 	if (b->awake == 0)
 		s.radius = -s.radius;
 	return s;
@@ -55,6 +55,8 @@ static void four_make(const cni_body *b, float dt, cni_sift_body *out)
 {
 	const cni_mask awake = { b[0].awake, b[1].awake, b[2].awake, b[3].awake };
 	const cni_wide extent = { b[0].extent, b[1].extent, b[2].extent, b[3].extent };
+	const cni_mask swings = { b[0].swing, b[1].swing, b[2].swing, b[3].swing };
+	const cni_wide swing = extent * (__builtin_convertvector(swings, cni_wide) * cni_wide_of(1.0f / 255.0f));
 	cni_wide at[4], ahead[4], low, high, x, y, turn, radius;
 	int32_t l;
 	for (l = 0; l < 4; ++l) {
@@ -67,7 +69,7 @@ static void four_make(const cni_body *b, float dt, cni_sift_body *out)
 	x = __builtin_shufflevector(low, high, 0, 2, 4, 6);
 	y = __builtin_shufflevector(low, high, 1, 3, 5, 7);
 	turn = __builtin_shufflevector(__builtin_shufflevector(ahead[0], ahead[1], 2, 2, 6, 6), __builtin_shufflevector(ahead[2], ahead[3], 2, 2, 6, 6), 0, 2, 4, 6);
-	radius = cni_wide_of(CNI_CIRCLES_APART) * (extent + cni_wide_abs(turn) * extent) + cni_wide_of(FLT_EPSILON) * (cni_wide_abs(x) + cni_wide_abs(y));
+	radius = cni_wide_of(CNI_CIRCLES_APART) * (extent + cni_wide_abs(turn) * swing) + cni_wide_of(FLT_EPSILON) * (cni_wide_abs(x) + cni_wide_abs(y));
 	radius = cni_wide_select(awake == (cni_mask){ 0 }, -radius, radius);
 	for (l = 0; l < 4; ++l)
 		out[l].radius = radius[l];

@@ -23,7 +23,7 @@ static cni_pair_motion motion_make(const cni_body *a, const cni_body *b, float d
 	m.v = cni_unrotate(a->q, cni_v(b->vx - a->vx, b->vy - a->vy));
 	m.wa = a->w;
 	m.wb = b->w;
-	m.reach = dt * (cni_abs(m.v.x) + cni_abs(m.v.y) + cni_abs(m.wa) * a->extent + cni_abs(m.wb) * b->extent);
+	m.reach = dt * (cni_abs(m.v.x) + cni_abs(m.v.y) + cni_abs(m.wa) * cni_body_swing(a) + cni_abs(m.wb) * cni_body_swing(b));
 	return m;
 }
 

@@ -24,14 +24,14 @@ typedef struct golden {
 
 /* clang-format off */
 static const golden goldens[] = {
-	{ "falling_hinges", 480, 1, 0x99ff3d55b06809b7 },
-	{ "small_200", 300, 1, 0x5f336bf2e8dc0052 },
-	{ "small_50_sleep", 600, 1, 0xe3c41b0f211e9a3f },
+	{ "falling_hinges", 480, 1, 0xee7c21d13a0c5117 },
+	{ "small_200", 300, 1, 0xba0f85a17839da38 },
+	{ "small_50_sleep", 600, 1, 0x0fe4f6cf0fa3588e },
 	{ "dominoes", 400, 1, 0x44f5211b8776654d },
-	{ "ragdolls", 480, 1, 0x639054a0e5885d14 },
-	{ "bridge", 240, 1, 0x53167aa4d38700ce },
+	{ "ragdolls", 480, 1, 0xf9971b8de5771698 },
+	{ "bridge", 240, 1, 0x5a7837a21a42b114 },
 	{ "car", 400, 1, 0x950ac791a0ca27de },
-	{ "mixer", 240, 1, 0x010240ec07b0c2e1 },
+	{ "mixer", 240, 1, 0xcf88c6e23f55e53b },
 	{ "pyramid", 120, 0, 0xbb24e8518c196cd8 },
 	{ "rain", 150, 0, 0x77f20642a3cbe8b7 },
 	{ "tumbler_1000", 300, 0, 0x065ba1f121e9db83 },
