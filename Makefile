@@ -121,7 +121,7 @@ bench: $(BUILD)/bin/bench
 	@$(BUILD)/bin/bench $(SCENE)
 
 bench-peers:
-	@CC='$(CC)' sh examples/peers/run.sh $(BUILD) $(if $(QUICK),--quick) $(if $(ROUNDS),--rounds $(ROUNDS)) $(if $(SCENE),--scene $(SCENE))
+	@CC='$(CC)' sh examples/peers/run.sh $(BUILD) $(if $(QUICK),--quick) $(if $(ROUNDS),--rounds $(ROUNDS)) $(if $(WORKERS),--workers $(WORKERS)) $(if $(SCENE),--scene $(SCENE))
 
 # Two revisions of the library: BASE beside this tree. examples/README.md
 bench-diff:

@@ -27,6 +27,7 @@ typedef uint64_t peer_handle;
 typedef struct peer_world_def {
 	peer_vec gravity;
 	int32_t sleep;
+	int32_t workers;            /* threads that work on a step, 1 or more; an engine that has no threads fails beyond 1 */
 } peer_world_def;
 
 enum {

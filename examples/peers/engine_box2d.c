@@ -1,5 +1,5 @@
 /*
- * examples/peers/engine_box2d.c - Box2D 3.2 as one of the engines: default world, 4 substeps, one worker.
+ * examples/peers/engine_box2d.c - Box2D 3.2 as one of the engines: default world, 4 substeps; several workers are threads of its own.
  * Its headers need C17.
  */
 #include "peers/engine.h"
@@ -27,6 +27,7 @@ static void *create(const peer_world_def *def)
 	b2WorldDef world_def = b2DefaultWorldDef();
 	world_def.gravity = vec(def->gravity);
 	world_def.enableSleep = def->sleep != 0;
+	world_def.workerCount = def->workers;
 	world->id = b2CreateWorld(&world_def);
 	b2BodyDef ground = b2DefaultBodyDef();
 	world->ground = b2CreateBody(world->id, &ground);

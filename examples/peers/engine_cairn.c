@@ -20,6 +20,7 @@ static void *create(const peer_world_def *def)
 	cn_world *world = NULL;
 	cn_world_def_init(&world_def);
 	world_def.gravity_mps2 = vec(def->gravity);
+	world_def.worker_count = def->workers;
 	if (!def->sleep)
 		world_def.flags &= ~(uint32_t)CN_WORLD_SLEEP;
 	return cn_world_create(&world_def, &world) == CN_OK ? world : NULL;
@@ -161,7 +162,7 @@ static void read_pose(void *world, peer_handle body, peer_pose *out)
 	out->angle = (double)angle;
 }
 
-const peer_engine peer_engine_cairn = {"Cairn", "soft contacts, 4 substeps, 1 thread", create, destroy, add_body, add_shape, add_joint, NULL,
+const peer_engine peer_engine_cairn = {"Cairn", "4 substeps", create, destroy, add_body, add_shape, add_joint, NULL,
 	remove_body, step, read_pose};
 
 /* ------------------------------------------------------------------ the judge */

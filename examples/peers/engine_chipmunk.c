@@ -24,7 +24,7 @@ static cpBody *body_of(peer_handle handle) { return (cpBody *)(uintptr_t)handle;
 
 static void *create(const peer_world_def *def)
 {
-	chipmunk_world *world = (chipmunk_world *)calloc(1, sizeof *world);
+	chipmunk_world *world = def->workers == 1 ? (chipmunk_world *)calloc(1, sizeof *world) : NULL;
 	if (world == NULL)
 		return NULL;
 	world->space = cpSpaceNew();

@@ -29,6 +29,7 @@ typedef struct row {
 typedef struct table {
 	row rows[ROWS_MAX];
 	int32_t count;
+	const char *clock;   /* what times are of */
 } table;
 
 static table data;
@@ -169,7 +170,7 @@ static void write_markdown(FILE *out, int32_t quick)
 	fprintf(out, "# Time and accuracy beside other engines\n\n");
 	if (quick)
 		fprintf(out, "**Quick run: a quarter of the steps, fewer rounds. Neither times nor errors are those of a whole run.**\n\n");
-	fprintf(out, "CPU milliseconds a step on one core, least of %s rounds; the ratio is %s's time over the row's\n", data.rows[0].field[ROUNDS], BASE);
+	fprintf(out, "%s, least of %s rounds; the ratio is %s's time over the row's\n", data.clock, data.rows[0].field[ROUNDS], BASE);
 	fprintf(out, "(above 1: faster); errors in millimetres. How it is measured: examples/peers/README.md.\n\n");
 	fprintf(out, "| scene | build | engine | ms mean | ms median | ratio | displacement | joint gap | penetration | lost | verdict |\n");
 	fprintf(out, "|---|---|---|---|---|---|---|---|---|---|---|\n");
@@ -321,11 +322,12 @@ static int32_t write_file(const char *path, void (*write)(FILE *out, int32_t qui
 
 int main(int argc, char **argv)
 {
-	if (argc < 4) {
-		fprintf(stderr, "usage: report in.csv out.md out.svg [quick]\n");
+	if (argc < 5) {
+		fprintf(stderr, "usage: report in.csv out.md out.svg clock [quick]\n");
 		return 2;
 	}
-	int32_t quick = argc > 4;
+	int32_t quick = argc > 5;
+	data.clock = argv[4];
 	if (!read_table(argv[1])) {
 		fprintf(stderr, "report: no rows in %s\n", argv[1]);
 		return 1;

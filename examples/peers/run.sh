@@ -1,11 +1,12 @@
 #!/bin/sh
-# usage: run.sh build-folder [--quick] [--rounds n] [--scene name]
+# usage: run.sh build-folder [--quick] [--rounds n] [--workers n] [--scene name]
 # Fetches the engines, compiles everything with the same options - once for SSE2, once for AVX2 - and runs each
-# scene in both builds in turn on one core. Writes peers.csv, peers.md and peers.svg into build-folder/peers.
+# scene in both builds in turn on one core (with several workers: on all). Writes peers.csv, peers.md and peers.svg into
+# build-folder/peers, with 2 workers peers-2.csv and so on.
 set -u
 unset MAKEFLAGS MFLAGS MAKELEVEL # a make of its own, not a part of the one that called
 cd "$(dirname "$0")/../.." || exit 2
-[ $# -ge 1 ] || { echo "usage: run.sh build-folder [--quick] [--rounds n] [--scene name]"; exit 2; }
+[ $# -ge 1 ] || { echo "usage: run.sh build-folder [--quick] [--rounds n] [--workers n] [--scene name]"; exit 2; }
 mkdir -p "$1/peers" || exit 2
 out=$(cd "$1/peers" && pwd)
 shift
@@ -13,12 +14,13 @@ CC=${CC:-gcc}
 strict='-std=c99 -pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Werror'
 optimise='-O3 -ffp-contract=off'
 
-quick= scene=
+quick= scene= workers=1
 arguments=$*
 while [ $# -gt 0 ]; do
 	case $1 in
 	--quick) quick=1 ;;
 	--scene) shift; scene=${1:-} ;;
+	--workers) shift; workers=${1:-1} ;;
 	esac
 	shift
 done
@@ -76,8 +78,10 @@ done
 "$CC" $strict -O2 examples/peers/report.c -lm -o "$out/report" || exit 1
 
 # The last core: the first is the one that others are put on.
-pin=
-if command -v taskset >/dev/null 2>&1; then
+pin= clock="CPU milliseconds a step on one core"
+if [ "$workers" != 1 ]; then
+	clock="Milliseconds a step that pass with $workers workers"
+elif command -v taskset >/dev/null 2>&1; then
 	pin="taskset -c $(($(nproc) - 1))"
 else
 	echo "peers: taskset is not installed: times are of whatever core it runs on"
@@ -85,7 +89,9 @@ fi
 [ -n "$quick" ] && echo "peers: QUICK: a quarter of the steps, fewer rounds; times and errors are not those of a whole run"
 
 first=${builds%% *}
-csv=$out/peers.csv
+name_of=peers
+[ "$workers" = 1 ] || name_of=peers-$workers
+csv=$out/$name_of.csv
 : > "$csv.new"
 header=--header
 for name in ${scene:-$("$out/$first/peers" "$first" --list)}; do
@@ -97,4 +103,4 @@ for name in ${scene:-$("$out/$first/peers" "$first" --list)}; do
 	echo "peers: $name"
 done
 mv "$csv.new" "$csv"
-"$out/report" "$csv" "$out/peers.md" "$out/peers.svg" ${quick:+quick}
+"$out/report" "$csv" "$out/$name_of.md" "$out/$name_of.svg" "$clock" ${quick:+quick}

@@ -193,7 +193,7 @@ static void put_to_sleep(peer_world *world)
 	}
 }
 
-int32_t peer_world_open(peer_world *world, const peer_engine *engine, const peer_scene *scene, int32_t judged)
+int32_t peer_world_open(peer_world *world, const peer_engine *engine, const peer_scene *scene, int32_t workers, int32_t judged)
 {
 	peer_world_def def;
 	memset(world, 0, sizeof *world);
@@ -201,8 +201,10 @@ int32_t peer_world_open(peer_world *world, const peer_engine *engine, const peer
 	world->engine = engine;
 	def.gravity = scene->gravity;
 	def.sleep = (scene->flags & PEER_SCENE_SLEEP) != 0;
+	def.workers = workers;
 	world->world = engine->create(&def);
 	def.sleep = 0;
+	def.workers = 1;
 	if (judged)
 		world->judge = peer_engine_cairn.create(&def);
 	if (check(world, world->world != NULL && (world->judge != NULL || !judged))) {

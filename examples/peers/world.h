@@ -60,7 +60,7 @@ int32_t peer_scene_count(void);
 const peer_scene *peer_scene_at(int32_t index);
 
 /* judged 0: no judge. 0: failed (and closed). */
-int32_t peer_world_open(peer_world *world, const peer_engine *engine, const peer_scene *scene, int32_t judged);
+int32_t peer_world_open(peer_world *world, const peer_engine *engine, const peer_scene *scene, int32_t workers, int32_t judged);
 void peer_world_close(peer_world *world);
 
 /* What is wrong with the poses of now. */
