@@ -5,8 +5,8 @@
  *
  * label is the first column: how all of it was compiled. Rounds are the outer loop and engines the inner one,
  * so that what else the machine does falls on all of them. A step's time is this thread's CPU time without
- * what reading the clock costs (with several workers: time that passed); the first step is not timed, nor is what a scene makes and removes between
- * steps. Printed are the smallest mean of a round and the smallest median.
+ * what reading the clock costs (with several workers: time that passed); the first step is not timed, nor is what a
+ * scene makes and removes between steps. Printed are the smallest mean of a round and the smallest median.
  *
  * In the first round a judge (judge.h) looks on: five times in the second half of the run, because some
  * scenes begin with overlap on purpose. Later rounds run without it and must end with the same poses.

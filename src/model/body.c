@@ -197,7 +197,7 @@ static float shape_swing(const cni_body *b, const cni_geometry *g)
 /* Rounded up, but for what a centre of mass is off by rounding; CNI_BODY_ROUNDING is more. */
 static uint8_t swing_pack(float swing, float extent)
 {
-	float part = extent > 0.0f ? 255.0f * (swing / extent - 1e-6f) : 0.0f, up = part > 0.0f ? part + 1.0f : 0.0f;
+	float part = extent > 0.0f ? (swing / extent - 1e-6f) / CNI_SWING_UNIT : 0.0f, up = part > 0.0f ? part + 1.0f : 0.0f;
 	return (uint8_t)cni_min(up, 255.0f);
 }
 

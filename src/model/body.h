@@ -47,7 +47,7 @@ typedef struct cni_body {
 	uint32_t flags;          /* CN_BODY_ (AWAKE bit unused) and CNI_BODY_ */
 	int32_t awake;           /* dense index, 0: not awake; up to here is what every contact asks for */
 	uint8_t type;            /* CN_BODY_STATIC ... */
-	uint8_t swing;           /* how far turning moves its shapes, in 1/255 of extent: cni_body_swing */
+	uint8_t swing;           /* how far turning moves its shapes, as a part of extent in CNI_SWING_UNIT: cni_body_swing */
 	uint16_t room;           /* by so much its boxes are known to reach beyond its shapes, all around: cni_body_room */
 	float vx, vy, w;         /* between steps; read through cni_body_velocity. Up to here is what pairs that are apart ask for */
 	float mass, inertia;     /* of a dynamic body (mass > 0, inertia >= 0, 0 = never rotates); 0 for others */
@@ -71,6 +71,8 @@ typedef struct cni_body {
 
 /* Of coordinates and extents: more than rounding moves a box by in a step, and a rotation that is not quite of unit length. */
 #define CNI_BODY_ROUNDING 4e-6f
+
+#define CNI_SWING_UNIT (1.0f / 255.0f)
 
 /* 32 bytes, aligned: the solver gathers and scatters these. */
 typedef struct cni_motion {
@@ -183,7 +185,7 @@ static inline void cni_body_forget_room(cni_body *b)
 }
 /* Turning by a small angle moves the shapes by no more than this times the angle: the rounding around their points turns on
    the spot. 0 for a wheel. */
-static inline float cni_body_swing(const cni_body *b) { return b->extent * ((float)b->swing * (1.0f / 255.0f)); }
+static inline float cni_body_swing(const cni_body *b) { return b->extent * ((float)b->swing * CNI_SWING_UNIT); }
 /* What a step's change takes of it: the shapes reach no farther than this, whatever is rounded on the way. */
 static inline float cni_body_reach(const cni_body *b, float dpx, float dpy, float theta)
 {

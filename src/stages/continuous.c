@@ -12,7 +12,7 @@
  * something static already, where an earlier step stopped it, gives up its turn and what leads farther in, and slides on: a contact
  * that counts on the turn may do nothing, and the body would hang there while its speed grows.
  *
- * Reads bodies, shapes, the broadphase; writes the changes in motion of the bodies that meet.
+ * Reads bodies, shapes, the broadphase; writes the changes in motion of the bodies that meet, and the velocities of those that slide.
  */
 #include "base/bitset.h"
 #include "base/cpu.h"
@@ -521,7 +521,7 @@ static uint32_t four_look(const cn_world *world, int32_t k)
 	cni_body *const b[4] = { cni_body_at(world, ids[0]), cni_body_at(world, ids[1]), cni_body_at(world, ids[2]), cni_body_at(world, ids[3]) };
 	const cni_wide core = { b[0]->core, b[1]->core, b[2]->core, b[3]->core }, extent = { b[0]->extent, b[1]->extent, b[2]->extent, b[3]->extent };
 	const cni_mask swings = { b[0]->swing, b[1]->swing, b[2]->swing, b[3]->swing };
-	const cni_wide swing = extent * (__builtin_convertvector(swings, cni_wide) * cni_wide_of(1.0f / 255.0f));
+	const cni_wide swing = extent * (__builtin_convertvector(swings, cni_wide) * cni_wide_of(CNI_SWING_UNIT));
 	cni_wide dx, dy, turn, unused, most = cni_wide_of(0.25f) * core, turned;
 	uint32_t fast;
 	cni_wide_gather4(&cni_motions(world)[k].dpx, (int32_t)(sizeof(cni_motion) / sizeof(float)), row, &dx, &dy, &turn, &unused);

@@ -5,8 +5,8 @@
  * loads and false of impacts: given again, an impact's impulses drive bodies apart, and one sweep of the solver does
  * not take all of that back when light bodies are caught among heavy ones; the energy may grow from substep to
  * substep. So energy.c holds it, in the islands of such bodies. Their contacts keep their impulses: a crowd that is
- * pressed together jumps in every substep, and would begin each without what holds it apart (it overlaps half as
- * much again then, and more bodies touch). But where the energy is not held, among what kinematic bodies and conveyors
+ * pressed together jumps in every substep, and would begin each without what holds it apart (it overlaps up to
+ * twice as much then, and more bodies touch). But where the energy is not held, among what kinematic bodies and conveyors
  * push, the impulses of their contacts start from nothing in the next substep. Those of joints start from the load
  * they had, everywhere.
  *
