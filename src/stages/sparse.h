@@ -4,8 +4,8 @@
  * A node is a joint (or a contact): one to three rows between two bodies. Two nodes are neighbours when they
  * share a body that can move. Nodes are eliminated in the order of least degree, which makes no fill on chains,
  * bridges and stars and little on other trees (2.4% of the blocks of random ones), so these and ragdolls cost O(n)
- * (Baraff, "Linear-Time Dynamics using Lagrange Multipliers", 1996); loops fill in, and a limit on the work says when
- * that is too dear.
+ * (Baraff, "Linear-Time Dynamics using Lagrange Multipliers", 1996); loops fill in, large nets are dissected, so that it
+ * is n^1.5, and a limit on the work says when that is too dear.
  *
  *   nodes     [0][1][2][3]...            in the order of elimination; components one after the other
  *   first     where node k's blocks begin: one for each later neighbour, fill included

@@ -74,7 +74,8 @@ static int64_t component_limit(const cni_planner *p)
 	for (k = 0; k < p->member_count; ++k)
 		each = cni_max_i(each, p->system->links[p->member[k]].work_most);
 	most = (int64_t)each * p->member_count + 64;
-	return most < p->budget ? most : p->budget;
+	most = most < p->budget ? most : p->budget;
+	return most < INT32_MAX ? most : INT32_MAX; /* cni_component.work */
 }
 
 /* As many ends that move as nodes and bodies that a tree has: no two ways from one body to another. */
@@ -102,7 +103,7 @@ static int32_t tree_order(cni_planner *p, int64_t most)
 	int32_t k, base = p->out->node_count, forward = is_chain_from_its_end(p);
 	if (p->tree_work > most)
 		return 0;
-	p->work = (int32_t)p->tree_work;
+	p->work = p->tree_work;
 	if (p->hub > 2 && p->member_count <= CNI_KIND_NODES) {
 		cni_planner_order_tree(p);
 		return 1;
@@ -116,7 +117,7 @@ static int32_t tree_order(cni_planner *p, int64_t most)
 }
 
 /* What it took for lists is given back when it fails. */
-static int32_t loops_order(cni_planner *p, int64_t most)
+static int32_t groups_order(cni_planner *p, int64_t most)
 {
 	cni_planner before = *p;
 	int32_t entries = p->arena->entry_count;
@@ -127,6 +128,20 @@ static int32_t loops_order(cni_planner *p, int64_t most)
 	p->pool_left = before.pool_left;
 	p->pool_taken = before.pool_taken;
 	return 0;
+}
+
+static int64_t dear_work(const cni_planner *p)
+{
+	return (int64_t)CNI_DEAR_WORK * p->member_count;
+}
+
+/* What is dear is dissected first. */
+static int32_t loops_order(cni_planner *p, int64_t most)
+{
+	cni_planner_group(p);
+	if (groups_order(p, most < dear_work(p) ? most : dear_work(p)))
+		return 1;
+	return most > dear_work(p) && !p->no_memory && cni_planner_dissect(p) && groups_order(p, most);
 }
 
 /* ---- planning ---- */
@@ -163,9 +178,9 @@ static void component_plan(cni_planner *p)
 	c->body_begin = s->body_count;
 	c->body_end = s->body_count += p->body_count;
 	s->block_count += tree ? p->pairs : columns_length(p);
-	c->work = p->work;
+	c->work = (int32_t)p->work;
 	c->tree = tree;
-	c->dear = p->work > CNI_DEAR_WORK * p->member_count;
+	c->dear = !tree && (p->group_count > 1 || p->work > dear_work(p));
 	c->loops = p->member_count > p->body_count;
 	c->width = component_width(p);
 	p->budget -= p->work;

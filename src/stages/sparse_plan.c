@@ -17,7 +17,7 @@
 
 /* ---- memory ---- */
 
-enum { POOL_EACH = 12, COUPLINGS_EACH = 32, NODE_INTS = 12 };
+enum { POOL_EACH = 2, COUPLINGS_EACH = 32, NODE_INTS = 17 };
 #define KEPT_SPARE 4 /* times what is needed: more is given back */
 
 /* A limit on the work is one on the blocks as well; beyond a thousand a node it bounds work alone. */
@@ -50,7 +50,8 @@ static uint64_t rounded(uint64_t bytes)
 static uint64_t scratch_bytes(int32_t count, int32_t body_count)
 {
 	uint64_t n = (uint64_t)count, bodies = (uint64_t)body_count;
-	return rounded(4u * n) * NODE_INTS + rounded(sizeof(int32_t *) * n) + rounded(n) + rounded(n * sizeof(cni_component)) + rounded(4u * bodies) + rounded(bodies);
+	return rounded(4u * n) * NODE_INTS + rounded(sizeof(int32_t *) * n) + rounded(n) + rounded(n * sizeof(cni_component)) +
+	       rounded(sizeof(cni_clique) * bodies) + rounded(4u * bodies) + rounded(bodies);
 }
 
 static uint64_t block_bytes(int32_t count)
@@ -103,7 +104,7 @@ uint64_t cni_sparse_kept_bytes(int32_t count, int64_t work_most)
 
 uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most)
 {
-	return scratch_bytes(count, body_count) + 4u * (uint64_t)pool_most(count, work_most) + node_bytes(count, count) + block_bytes(count + below_most(count, work_most)) + 1024;
+	return scratch_bytes(count, body_count) + cni_dissect_bytes(body_count, body_count) + 4u * (uint64_t)pool_most(count, work_most) + node_bytes(count, count) + block_bytes(count + below_most(count, work_most)) + 1024;
 }
 
 /* Takes bytes from the front of a piece of memory. */
@@ -142,13 +143,19 @@ static void planner_cut(cni_planner *p, uint8_t *at)
 	int32_t n = p->system->link_count;
 	p->list = (int32_t **)cut(&at, sizeof(int32_t *) * (uint64_t)n);
 	p->out->components = (cni_component *)cut(&at, sizeof(cni_component) * (uint64_t)n);
+	p->clique = (cni_clique *)cut(&at, sizeof(cni_clique) * (uint64_t)p->system->motion_count);
 	p->body_head = cut_ints(&at, p->system->motion_count);
 	p->node_next[0] = cut_ints(&at, n);
 	p->node_next[1] = cut_ints(&at, n);
 	p->member = cut_ints(&at, n);
 	p->list_count = cut_ints(&at, n);
-	p->list_capacity = cut_ints(&at, n);
+	p->in[0] = cut_ints(&at, n);
+	p->in[1] = cut_ints(&at, n);
 	p->mark = cut_ints(&at, n);
+	p->degree = cut_ints(&at, n);
+	p->group = cut_ints(&at, n);
+	p->group_next = cut_ints(&at, n);
+	p->group_head = cut_ints(&at, 2 * n); /* no more than pieces, which halve each other */
 	p->degree_head = cut_ints(&at, n);
 	p->degree_next = cut_ints(&at, n);
 	p->degree_prev = cut_ints(&at, n);

@@ -14,6 +14,7 @@
 #endif
 #include "base/wide.h"
 
+#include <stddef.h>
 #include <string.h>
 
 #define STRIDE (CNI_NODE_ROWS * CNI_NODE_ROWS)
@@ -25,12 +26,18 @@ typedef struct region {
 	int32_t block_first, node_first;
 } region;
 
+/* Blocks of two rows are one vector each; their room is that of three. */
+static float *aligned(float *blocks, int32_t width)
+{
+	return width == 2 ? (float *)(((uintptr_t)blocks + 15u) & ~(uintptr_t)15u) : blocks;
+}
+
 static region region_of(const cni_sparse *s, const cni_component *c)
 {
 	region r;
 	r.block_first = s->first[c->begin];
 	r.node_first = c->begin;
-	r.blocks = s->blocks + (size_t)r.block_first * STRIDE;
+	r.blocks = aligned(s->blocks + (size_t)r.block_first * STRIDE, c->width);
 	r.pivots = s->pivots + (size_t)c->begin * STRIDE;
 	return r;
 }
@@ -147,20 +154,53 @@ CNI_INLINE void block_update(float *target, const float *left, const float *righ
 		}
 }
 
+/* The same with blocks that follow each other, all of each. */
+CNI_INLINE void blocks_update(float *target, const float *left, const float *right, int32_t count, int32_t w)
+{
+	int32_t n;
+#if CNI_WIDTH == 4
+	if (w == 2) {
+		cni_wide first = { right[0], right[2], right[0], right[2] }, second = { right[1], right[3], right[1], right[3] };
+		for (n = 0; n < count; ++n) {
+			cni_wide b = cni_wide_load(left + n * 4);
+			cni_wide sum = __builtin_shufflevector(b, b, 0, 0, 2, 2) * first;
+			sum += __builtin_shufflevector(b, b, 1, 1, 3, 3) * second;
+			cni_wide_store(target + n * 4, cni_wide_load(target + n * 4) - sum);
+		}
+		return;
+	}
+#endif
+	for (n = 0; n < count; ++n)
+		block_update(target + n * w * w, left + n * w * w, right, 0, w);
+}
+
+/* How many of the blocks from e to `end` follow each other from `at` on, as those of one column do in another that holds them
+   all. The first is there. */
+CNI_INLINE int32_t run_length(const cni_sparse *s, int32_t e, int32_t end, int32_t at, int32_t at_end)
+{
+	int32_t most = cni_min_i(end - e, at_end - at), count = 1;
+	if (s->below[at + most - 1] == s->below[e + most - 1])
+		return most;
+	while (s->below[at + count] == s->below[e + count])
+		++count;
+	return count;
+}
+
 /* Takes node k out of all that comes after it. */
 CNI_INLINE void node_eliminate(const cni_sparse *s, const region *r, int32_t k, int32_t w)
 {
-	int32_t e, f, end = s->first[k + 1];
+	int32_t e, f, run, end = s->first[k + 1];
 	const float *pivot = pivot_at(r, k, w);
 	for (e = s->first[k]; e < end; ++e) {
 		int32_t m = s->below[e], at = s->first[m];
 		float scaled[STRIDE];
 		block_times(block_at(r, e, w), pivot, scaled, w);
 		block_update(pivot_at(r, m, w), scaled, block_at(r, e, w), 1, w);
-		for (f = e + 1; f < end; ++f) {
+		for (f = e + 1; f < end; f += run, at += run) {
 			while (s->below[at] != s->below[f])
 				++at;
-			block_update(block_at(r, at, w), block_at(r, f, w), scaled, 0, w);
+			run = run_length(s, f, end, at, s->first[m + 1]);
+			blocks_update(block_at(r, at, w), block_at(r, f, w), scaled, run, w);
 		}
 	}
 }
@@ -222,21 +262,27 @@ CNI_INLINE void pivot_apply(const float *pivot, const float *x, float *out, int3
 	}
 }
 
-CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
+/* The numbers of the component's nodes lie `stride` bytes apart. */
+CNI_INLINE float *numbers_at(uint8_t *x, const cni_component *c, int32_t node, size_t stride)
+{
+	return (float *)(void *)(x + (size_t)(node - c->begin) * stride);
+}
+
+CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, uint8_t *x, size_t stride, int32_t w)
 {
 	region r = region_of(s, c);
 	int32_t k, e, i;
 	float finite = 0.0f; /* stays so: 0 times what is finite */
 	for (k = c->begin; k < c->end; ++k) {
 		float z[CNI_NODE_ROWS];
-		pivot_apply(pivot_at(&r, k, w), s->nodes[k].x, z, w);
+		pivot_apply(pivot_at(&r, k, w), numbers_at(x, c, k, stride), z, w);
 		for (e = s->first[k]; e < s->first[k + 1]; ++e)
-			block_take(s->nodes[s->below[e]].x, block_at(&r, e, w), z, 0, w);
+			block_take(numbers_at(x, c, s->below[e], stride), block_at(&r, e, w), z, 0, w);
 	}
 	for (k = c->end - 1; k >= c->begin; --k) {
-		float *y = s->nodes[k].x, out[CNI_NODE_ROWS];
+		float *y = numbers_at(x, c, k, stride), out[CNI_NODE_ROWS];
 		for (e = s->first[k]; e < s->first[k + 1]; ++e)
-			block_take(y, block_at(&r, e, w), s->nodes[s->below[e]].x, 1, w);
+			block_take(y, block_at(&r, e, w), numbers_at(x, c, s->below[e], stride), 1, w);
 		pivot_apply(pivot_at(&r, k, w), y, out, w);
 		for (i = 0; i < w; ++i) {
 			y[i] = out[i];
@@ -246,9 +292,30 @@ CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, int32_t w)
 	return finite == 0.0f;
 }
 
+/* Where there is much work for each node its numbers lie close: two rows leave room behind their pivots, which is that of
+   three. */
+static int32_t solve_close(cni_sparse *s, const cni_component *c)
+{
+	float *x = s->pivots + (size_t)c->begin * STRIDE + (size_t)(c->end - c->begin) * 4;
+	int32_t k, good;
+	for (k = c->begin; k < c->end; ++k) {
+		x[(k - c->begin) * 2] = s->nodes[k].x[0];
+		x[(k - c->begin) * 2 + 1] = s->nodes[k].x[1];
+	}
+	good = solve(s, c, (uint8_t *)x, 2 * sizeof(float), 2);
+	for (k = c->begin; k < c->end; ++k) {
+		s->nodes[k].x[0] = x[(k - c->begin) * 2];
+		s->nodes[k].x[1] = x[(k - c->begin) * 2 + 1];
+	}
+	return good;
+}
+
 int32_t cni_sparse_solve(cni_sparse *s, const cni_component *c)
 {
-	return c->width == 2 ? solve(s, c, 2) : solve(s, c, 3);
+	uint8_t *x = (uint8_t *)&s->nodes[c->begin] + offsetof(cni_node, x);
+	if (c->width == 2)
+		return c->dear ? solve_close(s, c) : solve(s, c, x, sizeof(cni_node), 2);
+	return solve(s, c, x, sizeof(cni_node), 3);
 }
 
 /* ---- reach ---- */

@@ -243,6 +243,15 @@ static inline void make_soft_grid(problem *p)
 		soften(p, k, 0.01f);
 }
 
+/* Dear: its order is that of a dissection, and its numbers lie close in a solution. */
+static inline void make_soft_net(problem *p)
+{
+	int32_t k;
+	add_grid(p, 10, 2);
+	for (k = 0; k < p->link_count; ++k)
+		soften(p, k, 0.1f);
+}
+
 /* Two or three rods between the same two bodies, in either order. */
 static inline void make_parallel(problem *p)
 {

@@ -172,6 +172,7 @@ static void t_equal_masses_match_a_dense_solution(void)
 	compare("star", make_star, 0.0, 2e-6, 5e-4);
 	compare("grid of rods", make_grid, 0.0, 2e-6, 5e-4);
 	compare("soft grid of welds", make_soft_grid, 0.0, 2e-6, 5e-4);
+	compare("soft net of pins", make_soft_net, 0.0, 2e-6, 5e-4);
 	compare("parallel rods", make_parallel, 0.0, 2e-6, 5e-4);
 	compare("turning or moving only", make_hindered, 0.0, 2e-6, 5e-4);
 }

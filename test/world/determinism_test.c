@@ -26,7 +26,7 @@ typedef struct golden {
 static const golden goldens[] = {
 	{ "falling_hinges", 480, 1, 0xee7c21d13a0c5117 },
 	{ "small_200", 300, 1, 0xba0f85a17839da38 },
-	{ "small_50_sleep", 600, 1, 0x0fe4f6cf0fa3588e },
+	{ "small_50_sleep", 600, 1, 0x580057aac09106db },
 	{ "dominoes", 400, 1, 0x44f5211b8776654d },
 	{ "ragdolls", 480, 1, 0xf9971b8de5771698 },
 	{ "bridge", 240, 1, 0x5a7837a21a42b114 },
