@@ -13,7 +13,8 @@
  * Nobody is waited for who has not taken a chunk: workers that are asleep, late, or never come cost nothing.
  *
  * A worker that has watched its word for some microseconds in vain marks it ASLEEP and waits on a condition variable. The mark
- * is in the word itself, so that who next writes the word cannot miss it.
+ * is in the word itself, so that who next writes the word cannot miss it. While the team is held it watches on, and offers its
+ * core to others now and then.
  *
  * With the user's task system the first who arrives leads, whether that is the caller or one of the tasks, and the
  * rest help until the seats are CLOSED. So it does not matter whether tasks run at once within enqueue, in any order,
@@ -47,6 +48,7 @@
 #define CHUNKS_A_RUN 4         /* so that little is left to a worker whose core was taken away */
 #define SPIN_ROUNDS 1000       /* some 10 to 50 us before one who waits offers its core: who it waits for may need it */
 #define YIELD_ROUNDS 4         /* ... so many times, before a worker sleeps */
+#define HELD_ROUNDS 200        /* ... of a team that is held, each after as many rounds: some milliseconds */
 #define LINE_BYTES 128         /* processors fetch cache lines of 64 bytes in pairs */
 
 /* ---- threads of the system ---- */
@@ -148,6 +150,7 @@ struct cni_team {
 	void *user;
 	cni_lead_fn *lead;
 	void *lead_context;
+	uint32_t held;      /* 1: cni_team_hold */
 	uint8_t apart[LINE_BYTES];
 	uint32_t done;      /* chunks that others than the leader have run */
 	uint8_t done_rest[LINE_BYTES - 4];
@@ -218,21 +221,32 @@ static void seat_sleep(cni_team *team, seat *s) { (void)team, (void)s; }
 static void wake_all(cni_team *team) { (void)team; }
 #endif
 
+/* For some microseconds. Returns the seat's word. */
+static uint32_t seat_spin(const seat *s)
+{
+	int32_t round;
+	for (round = 0; round < SPIN_ROUNDS; ++round) {
+		uint32_t word = cni_atomic_load(&s->word);
+		if (word != 0)
+			return word;
+		thread_pause();
+	}
+	return 0;
+}
+
 /* What the seat's word rises to. */
 static uint32_t seat_watch(cni_team *team, seat *s)
 {
 	int32_t round;
 	for (round = 0;; ++round) {
-		uint32_t word = cni_atomic_load(&s->word);
+		int32_t held = cni_atomic_load(&team->held) != 0;
+		uint32_t word = round == 0 || held ? seat_spin(s) : cni_atomic_load(&s->word);
 		if (word != 0)
 			return word;
-		if (round < SPIN_ROUNDS) {
-			thread_pause();
-		} else if (round < SPIN_ROUNDS + YIELD_ROUNDS) {
-			thread_yield();
-		} else {
+		thread_yield();
+		if (round >= (held ? HELD_ROUNDS : YIELD_ROUNDS)) {
 			seat_sleep(team, s);
-			round = 0;
+			round = -1;
 		}
 	}
 }
@@ -349,6 +363,15 @@ void cni_team_for(cni_team *team, int32_t item_count, int32_t min_range, cni_ran
 	l.item_count = item_count;
 	l.ranges = item_count / min_range;
 	cni_team_run(team, single_loop_lead, &l);
+}
+
+void cni_team_hold(cni_team *team, int32_t on)
+{
+	if (team == NULL || team->enqueue != NULL)
+		return;
+	cni_atomic_store(&team->held, (uint32_t)on);
+	if (on)
+		seats_set(team, 0);
 }
 
 /* ---- leading and helping with the user's tasks ---- */
@@ -530,5 +553,7 @@ void cni_team_run(cni_team *team, cni_lead_fn *lead, void *context)
 	(void)team;
 	lead(context);
 }
+
+void cni_team_hold(cni_team *team, int32_t on) { (void)team, (void)on; }
 
 #endif

@@ -56,6 +56,11 @@ void cni_team_for(cni_team *team, int32_t item_count, int32_t min_range, cni_ran
    one of its threads. */
 void cni_team_run(cni_team *team, cni_lead_fn *lead, void *context);
 
+/* on 1: the team's own threads wake, and watch for loops without sleeping until it is 0 again, or nothing has come for some
+   milliseconds: for when a thread does other things between loops that take less time than to wake somebody. A team of the user's
+   task system is not held. */
+void cni_team_hold(cni_team *team, int32_t on);
+
 /* ---- atomic words: loads acquire, stores release, the rest does both ---- */
 
 #if CNI_HAS_TEAMS && defined(__GNUC__)

@@ -27,7 +27,7 @@
 #include "base/bitset.h"
 #include "stages/contact_pass.h"
 
-#define BLOCKS_A_RANGE 64 /* of one colour: most of them do not bounce */
+#define BLOCKS_A_RANGE 16 /* of one colour: most of them do not bounce */
 #define BLOCKS_AT_ONCE 16 /* that are searched before what was found is solved: they stay in the cache */
 #define SWEEPS 4 /* a wave through touching balls may need several; the solve after takes the rest */
 

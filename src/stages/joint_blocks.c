@@ -22,6 +22,7 @@
 #define FAR_RAD 1e9f          /* a limit that is nowhere */
 #define BLOCKS_A_RANGE 8      /* a microsecond or two, more than the workers of a team take to meet */
 #define STORES_AHEAD 8        /* joints whose records are asked for */
+#define STORES_A_RANGE 512
 #define TURN_MOST_RAD 1.5f    /* in a step: faster bodies' joints are solved by rows, whose arms turn any way exactly */
 
 const cni_joint_kernel *cni_joint_kernel_choose(void)
@@ -162,7 +163,8 @@ static uint32_t pin_has(const cni_joint *j)
 static void angle_fill(cni_lane_spring *spring, float h, const cni_joint_work *w, cni_joint_block *block, int32_t l)
 {
 	const cni_joint *j = w->record;
-	block->angular |= pin_has(j);
+	if ((pin_has(j) & ~block->angular) != 0) /* not when a lane is filled again, side by side with others of its block */
+		block->angular |= pin_has(j);
 	block->angle0[l] = block->angle[l] = w->start.angle;
 	if (j->flags & CN_JOINT_SPRING)
 		spring_fill(spring, h, j, block, l);
@@ -246,8 +248,13 @@ static int32_t lane_take(cn_world *world, const cni_solve *s, cni_lane_spring *s
    was, and all joints are in lanes of colours, the blocks of the last step are filled anew where they are, while the records are at
    hand, and nothing is looked for. Anything else: lanes are taken as if nothing had been there. */
 
-/* Work k where it was. 0: it would not come there. */
-static int32_t lane_fill_again(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k)
+static int32_t is_locked(const cn_world *world, int32_t body)
+{
+	return body != CNI_NONE && (cni_body_at(world, body)->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) != 0;
+}
+
+/* Work k where it was. 0: it would not come there. Nothing is written but its lane. */
+static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_lanes_look *look, int32_t k)
 {
 	const cni_joint_work *w = cni_joint_works(world) + k;
 	int32_t l = w->kept_lane % CNI_LANES;
@@ -258,9 +265,9 @@ static int32_t lane_fill_again(cn_world *world, const cni_solve *s, cni_lane_spr
 		return 0;
 	if (block->angular)
 		block->spring_j[l] = block->motor_j[l] = block->limit_j[l] = 0.0f;
-	block->rested = 0;
-	cni_joint_lane_fill(world, s, spring, k, block, l);
-	++world->joint_lanes.filled;
+	cni_joint_lane_fill(world, s, &look->spring, k, block, l);
+	look->locked |= is_locked(world, w->record->body[0]) || is_locked(world, w->record->body[1]) || (w->flags & CNI_WORK_FRESH) != 0;
+	++look->filled;
 	return 1;
 }
 
@@ -269,7 +276,6 @@ static int32_t lane_fill_again(cn_world *world, const cni_solve *s, cni_lane_spr
 void cni_joint_blocks_begin(cn_world *world)
 {
 	cni_lanes_kept *kept = &world->joint_lanes;
-	kept->filled = 0;
 	if (kept->lanes != world->awake_joints.count || kept->works != world->joint_work.capacity || kept->blocks != world->joint_blocks.count)
 		kept->lanes = 0;
 	world->joint_blocks.count = 0;
@@ -280,6 +286,25 @@ void cni_joint_blocks_begin(cn_world *world)
 static int32_t lanes_hold(const cn_world *world, const cni_solve *s)
 {
 	return world->joint_lanes.lanes > 0 && world->joint_lanes.filled == world->joint_lanes.lanes && (s->direct == NULL || s->direct->node_count == 0);
+}
+
+/* What else a plan depends on that may change while lanes do not. */
+static int32_t plans_none(const cn_world *world)
+{
+	return world->settings.solver == CN_SOLVER_AUTO && !world->overridden && !world->joint_lanes.locked && world->direct_islands.count == 0 &&
+	       world->joints_soft_step <= world->step_count;
+}
+
+int32_t cni_joint_lanes_tell(const cn_world *world)
+{
+	const cni_lanes_kept *kept = &world->joint_lanes;
+	return kept->alone && kept->lanes > 0 && kept->filled == kept->lanes && kept->budget == world->settings.work_budget && plans_none(world);
+}
+
+static void lanes_alone(cn_world *world, const cni_solve *s)
+{
+	world->joint_lanes.alone = s->direct == NULL && plans_none(world);
+	world->joint_lanes.budget = world->settings.work_budget;
 }
 
 static void lanes_empty(cn_world *world)
@@ -304,7 +329,7 @@ static void lanes_keep(cn_world *world, const cni_solve *s, int32_t left)
 }
 
 /* Only a spring or a limit asks for the angle. */
-int32_t cni_joint_work_widen(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k)
+int32_t cni_joint_work_widen(cn_world *world, const cni_solve *s, struct cni_lanes_look *look, int32_t k)
 {
 	cni_joint_work *w = cni_joint_works(world) + k;
 	const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
@@ -318,8 +343,7 @@ int32_t cni_joint_work_widen(cn_world *world, const cni_solve *s, cni_lane_sprin
 	w->rigid_count = 2;
 	if (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT))
 		w->start.angle = cni_joint_frame_angle(world, w->record);
-	if (world->joint_lanes.lanes > 0 && !lane_fill_again(world, s, spring, k))
-		world->joint_lanes.lanes = 0;
+	look->kept = look->kept && lane_fill_again(world, s, look, k);
 	return 1;
 }
 
@@ -395,10 +419,13 @@ static int32_t lanes_gather(cn_world *world, const cni_solve *s)
 
 void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 {
-	int32_t left;
+	int32_t left, k;
+	lanes_alone(world, s);
 	if (lanes_hold(world, s)) {
 		world->joint_blocks.count = world->joint_lanes.blocks;
 		world->joint_plain_first = CNI_NONE;
+		for (k = 0; k < world->joint_blocks.count; ++k)
+			cni_joint_blocks(world)[k].rested = 0;
 		return;
 	}
 	pressed_works_leave(world, s);
@@ -556,7 +583,13 @@ static float load_follow(float load, float impulse, float part)
 	return load == 0.0f ? 0.0f : load + part * (impulse - load);
 }
 
-static void lane_store(cn_world *world, const cni_joint_work *w, const cni_solve *s)
+static float lane_gap(const cni_joint_block *block, int32_t l)
+{
+	return cni_max(cni_abs(block->ex[l]), cni_abs(block->ey[l]));
+}
+
+/* Returns 1 when the gap is to be looked at: cni_joint_gap_look. */
+static int32_t lane_store(cn_world *world, const cni_joint_work *w, const cni_solve *s)
 {
 	const cni_joint_block *block = cni_joint_block_of(world, w);
 	int32_t l = w->lane % CNI_LANES;
@@ -572,23 +605,48 @@ static void lane_store(cn_world *world, const cni_joint_work *w, const cni_solve
 	j->load[1] = load_follow(block->load_y[l], j->impulse[1], part);
 	j->load[2] = 0.0f;
 	j->inv_h = s->inv_h;
-	if (!(block->direct >> l & 1u))
-		cni_joint_gap_look(world, w, cni_max(cni_abs(block->ex[l]), cni_abs(block->ey[l])));
+	return !(block->direct >> l & 1u) && lane_gap(block, l) > CNI_BAD_PART * world->settings.accuracy;
 }
 
+typedef struct store_loop {
+	cn_world *world;
+	const cni_solve *s;
+	uint32_t gaps; /* 1: some lanes' are to be looked at */
+} store_loop;
+
 /* In the order of the works, which is nearly that of the records. */
-void cni_joint_blocks_store(cn_world *world, const cni_solve *s)
+static void store_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
+	store_loop *loop = (store_loop *)context;
+	cn_world *world = loop->world;
 	const cni_joint_work *works = cni_joint_works(world);
-	int32_t k, count = world->awake_joints.count, far = cni_joints_are_far(world);
-	for (k = 0; k < count; ++k) {
-		if (far && k + STORES_AHEAD < count && works[k + STORES_AHEAD].lane != CNI_NONE) {
+	int32_t k, far = cni_joints_are_far(world), gaps = 0;
+	(void)worker;
+	for (k = begin; k < end; ++k) {
+		if (far && k + STORES_AHEAD < end && works[k + STORES_AHEAD].lane != CNI_NONE) {
 			const cni_joint_block *next = cni_joint_block_of(world, &works[k + STORES_AHEAD]);
 			cni_joint_prefetch(works[k + STORES_AHEAD].record);
 			CNI_PREFETCH(next->jx);
 			CNI_PREFETCH(next->jy);
 		}
 		if (works[k].lane != CNI_NONE)
-			lane_store(world, &works[k], s);
+			gaps |= lane_store(world, &works[k], loop->s);
+	}
+	if (gaps)
+		cni_atomic_put(&loop->gaps, 1);
+}
+
+/* Islands are told by one worker. */
+void cni_joint_blocks_store(cn_world *world, const cni_solve *s)
+{
+	const cni_joint_work *works = cni_joint_works(world);
+	store_loop loop = { world, s, 0 };
+	int32_t k;
+	cni_parallel_for(world, world->awake_joints.count, STORES_A_RANGE, store_range, &loop);
+	for (k = 0; k < world->awake_joints.count && loop.gaps; ++k) {
+		const cni_joint_block *block = works[k].lane == CNI_NONE ? NULL : cni_joint_block_of(world, &works[k]);
+		int32_t l = works[k].lane % CNI_LANES;
+		if (block != NULL && !(block->direct >> l & 1u))
+			cni_joint_gap_look(world, &works[k], lane_gap(block, l));
 	}
 }

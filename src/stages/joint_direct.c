@@ -163,7 +163,7 @@ static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 {
 	int32_t k, far = cni_joints_are_far(world);
 	memset(out, 0, sizeof *out);
-	if ((world->awake_joints.count == 0 && world->direct_islands.count == 0) || world->settings.solver == CN_SOLVER_SOFT)
+	if ((world->awake_joints.count == 0 && world->direct_islands.count == 0) || world->settings.solver == CN_SOLVER_SOFT || cni_joint_lanes_tell(world))
 		return;
 	if (!cni_direct_plan(world, s, out)) {
 		works_release(world);

@@ -116,6 +116,13 @@ typedef struct cni_lane_spring {
 	cni_soft soft;
 } cni_lane_spring;
 cni_soft cni_lane_spring_soft(cni_lane_spring *spring, float hertz, float damping_ratio, float h);
+/* What looking at works one after the other has found so far: stages/joint_blocks.c. */
+struct cni_lanes_look {
+	cni_lane_spring spring;
+	int32_t kept;    /* 1: lanes of the last step may be filled again */
+	int32_t filled;  /* ... so many were */
+	int32_t locked;  /* 1: ... some with bodies that cannot move along an axis */
+};
 /* A colour that neither body uses yet, which they use from now on; CNI_NONE: there is none. */
 int32_t cni_joint_color_take(cn_world *world, int32_t ia, int32_t ib);
 /* Work k into a lane that is empty. */

@@ -12,20 +12,45 @@
 #include "stages/joint_pass.h"
 
 #define PREFETCH_AHEAD 8 /* joints */
+#define JOINTS_A_RANGE 256
 
 /* ---- as a step begins ---- */
 
+typedef struct prepare_loop {
+	cn_world *world;
+	const cni_solve *s;
+	uint32_t filled, missed, locked; /* lanes filled again; 1: some were not; 1: some have locked bodies */
+} prepare_loop;
+
+static void prepare_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	prepare_loop *loop = (prepare_loop *)context;
+	cn_world *world = loop->world;
+	struct cni_lanes_look look = { { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, world->joint_lanes.lanes > 0, 0, 0 };
+	int32_t k, ahead = cni_joints_are_far(world) ? PREFETCH_AHEAD : world->awake_joints.count;
+	(void)worker;
+	for (k = begin; k < end; ++k) {
+		if (k + ahead < end)
+			cni_joint_prefetch(cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k + ahead]));
+		if (!cni_joint_work_widen(world, loop->s, &look, k))
+			cni_joint_work_prepare(world, loop->s, k);
+	}
+	cni_atomic_add(&loop->filled, (uint32_t)look.filled);
+	if (!look.kept)
+		cni_atomic_put(&loop->missed, 1);
+	if (look.locked)
+		cni_atomic_put(&loop->locked, 1);
+}
+
 void cni_joints_prepare(cn_world *world, const cni_solve *s)
 {
-	cni_lane_spring spring = { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } };
-	int32_t k, ahead = cni_joints_are_far(world) ? PREFETCH_AHEAD : world->awake_joints.count;
+	prepare_loop loop = { world, s, 0, 0, 0 };
 	cni_joint_blocks_begin(world);
-	for (k = 0; k < world->awake_joints.count; ++k) {
-		if (k + ahead < world->awake_joints.count)
-			cni_joint_prefetch(cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k + ahead]));
-		if (!cni_joint_work_widen(world, s, &spring, k))
-			cni_joint_work_prepare(world, s, k);
-	}
+	cni_parallel_for(world, world->awake_joints.count, JOINTS_A_RANGE, prepare_range, &loop);
+	world->joint_lanes.filled = (int32_t)loop.filled;
+	world->joint_lanes.locked = (int32_t)loop.locked;
+	if (loop.missed)
+		world->joint_lanes.lanes = 0;
 }
 
 void cni_joints_warm_start(cn_world *world, const cni_solve *s)

@@ -173,9 +173,12 @@ void cni_close_mark(const cn_world *world, cni_sparse *sparse);
 
 /* ---- wide works: stages/joint_blocks.c ---- */
 
-struct cni_lane_spring; /* stages/joint_pass.h */
-/* The work of place k, as a step begins, if it can be solved in a lane; 0: it cannot. A lane that is kept is filled. */
-int32_t cni_joint_work_widen(cn_world *world, const cni_solve *s, struct cni_lane_spring *spring, int32_t k);
+struct cni_lanes_look; /* stages/joint_pass.h */
+/* The work of place k, as a step begins, if it can be solved in a lane; 0: it cannot. A lane that is kept is filled. Workers may
+   look at different works at once. */
+int32_t cni_joint_work_widen(cn_world *world, const cni_solve *s, struct cni_lanes_look *look, int32_t k);
+/* All works have lanes, where they had them in the last step, and then there was nothing to be solved directly; nor is there now. */
+int32_t cni_joint_lanes_tell(const cn_world *world);
 /* The rows of a component's wide works, with the impulses of their records. */
 void cni_joint_works_complete(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
 

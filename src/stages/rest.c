@@ -26,9 +26,11 @@
 #define HELD_PART 3e-4f  /* of what forces give in a substep that a body which is held may keep */
 #define RECORDS_AHEAD 8  /* bodies whose records are asked for */
 #define BLOCKS_AHEAD 8
+#define BODIES_A_RANGE 128
 
 typedef struct rest {
 	cn_world *world;
+	cni_team *team;     /* NULL: one worker looks, and no farther than it has to */
 	uint8_t *moving;    /* by island */
 	uint8_t *netted;    /* by dense index: bodies whose joints are all of a net that is held; NULL: there are none */
 	int32_t *slow;      /* dense indices */
@@ -135,18 +137,42 @@ static void record_prefetch(const rest *r, int32_t k)
 	CNI_PREFETCH(&b->w);
 }
 
+/* Slow bodies that do not rest become negative: a look that workers share goes at all of them, before any island is told. */
+static void rests_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const rest *r = (const rest *)context;
+	int32_t n;
+	(void)worker;
+	for (n = begin; n < end; ++n) {
+		if (n + RECORDS_AHEAD < end)
+			record_prefetch(r, r->slow[n + RECORDS_AHEAD]);
+		if (!is_moving(r, cni_awake_island(r->world, r->slow[n])) && !body_rests(r, r->slow[n]))
+			r->slow[n] = -r->slow[n];
+	}
+}
+
+/* One worker stops at the first of an island that does not rest. */
+static int32_t slow_rests(const rest *r, int32_t n)
+{
+	if (r->team != NULL)
+		return r->slow[n] > 0;
+	if (n + RECORDS_AHEAD < r->slow_count)
+		record_prefetch(r, r->slow[n + RECORDS_AHEAD]);
+	return body_rests(r, r->slow[n]);
+}
+
 /* The slow ones of islands that may be at rest closely. Returns how many rest. Those without an island are done. */
 static int32_t moving_find(rest *r)
 {
 	cni_drive *drives = cni_drives(r->world);
 	int32_t n, count = 0;
+	if (r->team != NULL)
+		cni_team_for(r->team, r->slow_count, BODIES_A_RANGE, rests_range, r);
 	for (n = 0; n < r->slow_count; ++n) {
-		int32_t k = r->slow[n], island = cni_awake_island(r->world, k);
-		if (n + RECORDS_AHEAD < r->slow_count)
-			record_prefetch(r, r->slow[n + RECORDS_AHEAD]);
+		int32_t k = r->slow[n] < 0 ? -r->slow[n] : r->slow[n], island = cni_awake_island(r->world, k);
 		if (is_moving(r, island))
 			continue;
-		if (body_rests(r, k)) {
+		if (slow_rests(r, n)) {
 			++count;
 			if (island != CNI_NONE)
 				continue;
@@ -267,7 +293,7 @@ static void look_at_all(rest *r, const cni_solve *s)
 
 void cni_rest_find(cn_world *world, const cni_solve *s)
 {
-	rest r = { world, NULL, NULL, NULL, 0, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0, 0, 0 };
+	rest r = { world, s->team, NULL, NULL, NULL, 0, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0, 0, 0 };
 	if (s->substeps < 2)
 		return;
 	r.moving = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->island_used);

@@ -9,8 +9,7 @@
 
 #include <string.h>
 
-/* Awake bodies, contacts and joints from which on the substeps take so long that waking the workers for them pays. */
-#define SHARED_WORK 1024
+#define SHARED_WORK 1024 /* awake bodies, contacts and joints */
 
 /* Adds the time since the last mark to a field of the profile. */
 static void profile_mark(cn_world *world, float *field, uint64_t *mark)
@@ -30,6 +29,15 @@ static void step_begin(cn_world *world)
 	memset(&world->profile, 0, sizeof world->profile);
 	cni_events_begin_step(&world->events);
 	world->events.in_step = 1;
+}
+
+/* Is a step so long that the workers are to stay for all of it? */
+static int32_t team_is_held(const cn_world *world)
+{
+	int32_t k, work = world->awake_count + world->awake_joints.count;
+	for (k = 0; world->team != NULL && k < CNI_COLORS; ++k)
+		work += world->colors[k].lanes;
+	return work >= SHARED_WORK;
 }
 
 typedef struct substeps {
@@ -158,11 +166,13 @@ static void world_step(cn_world *world, float dt)
 	int32_t rested;
 	uint64_t begin, mark;
 	step_begin(world);
+	cni_team_hold(world->team, team_is_held(world));
 	begin = mark = (world->settings.flags & CN_WORLD_PROFILE) ? cni_clock_ns() : 0;
 	rested = world->settings.solver == CN_SOLVER_SEQUENTIAL ? step_sequential(world, dt, &mark) : step_soft(world, dt, &mark);
 	if (rested && (world->settings.flags & CN_WORLD_SLEEP))
 		cni_stage_sleep(world);
 	profile_mark(world, &profile->sleep_s, &mark);
+	cni_team_hold(world->team, 0);
 	cni_stage_events(world); /* last, so that callbacks and arrays that are read later tell the same */
 	profile_mark(world, &profile->events_s, &mark);
 	step_end(world, dt, rested);

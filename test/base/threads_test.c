@@ -212,6 +212,32 @@ static void sleepers_are_woken(void)
 	}
 }
 
+/* Held once for several loops, held again and again, held to the end; between the loops less time than the team is held, and more. */
+static void teams_that_are_held_do_their_loops(void)
+{
+	static loop l;
+	cni_memory memory;
+	hooks h;
+	int32_t w, k;
+	hooks_init(&h, &memory);
+	cni_team_hold(NULL, 1);
+	for (w = 0; w < WORKER_COUNTS && cni_team_possible(2, NULL); ++w) {
+		memset(&l, 0, sizeof l);
+		l.team = cni_team_create(&memory, worker_counts[w], NULL, NULL, NULL);
+		REQUIRE(l.team != NULL);
+		for (k = 0; k < 6; ++k) {
+			cni_team_hold(l.team, k != 4);
+			check_loop(&l, ITEMS, 50);
+			check_loop(&l, ITEMS, 500);
+			if (k % 2 == 0)
+				idle_lead(&l);
+			cni_team_hold(l.team, k == 5);
+		}
+		cni_team_destroy(l.team, &memory);
+		CHECK(h.pieces == 0);
+	}
+}
+
 /* ---- life ---- */
 
 static void teams_come_and_go(void)
@@ -244,6 +270,7 @@ int main(int argc, char **argv)
 	RUN(every_item_runs_once);
 	RUN(loops_see_what_the_last_one_wrote);
 	RUN(sleepers_are_woken);
+	RUN(teams_that_are_held_do_their_loops);
 	RUN(teams_come_and_go);
 	return test_end();
 }
