@@ -42,7 +42,7 @@ typedef struct island_sum {
 	int32_t driven;
 	int32_t grounded;         /* touches or hangs on what does not move: only then may its momentum change */
 	int32_t looked_at, suspect; /* suspect: it may have grown, and then: it has */
-	int32_t *members;         /* dense indices in the island's order */
+	int32_t *members;         /* dense indices */
 	int32_t count;            /* ... 0: not yet found */
 } island_sum;
 
@@ -90,7 +90,26 @@ static void members_find(looking *q, int32_t island)
 	q->found += sum->count;
 }
 
-/* Of an island, in its order. */
+/* Those of all suspects, where islands are not few, in the order of memory. */
+static void members_collect(looking *q)
+{
+	const cn_world *world = q->world;
+	int32_t k;
+	for (k = 0; k < world->island_used; ++k)
+		if (q->sums[k].suspect) {
+			q->sums[k].members = q->members + q->found;
+			q->found += cni_island_at(world, k)->count;
+		}
+	for (k = 1; k < world->awake_count; ++k) {
+		int32_t island = cni_awake_island(world, k);
+		if (island == CNI_NONE || !q->sums[island].suspect)
+			continue;
+		CNI_ASSERT(q->sums[island].count < cni_island_at(world, island)->count);
+		q->sums[island].members[q->sums[island].count++] = k;
+	}
+}
+
+/* Of an island, in the order of its members. */
 static void energies_find(looking *q, int32_t island)
 {
 	island_sum *sum = &q->sums[island];
@@ -277,6 +296,8 @@ static int32_t suspects_find(looking *q)
 		sums[k].suspect = !(sums[k].after <= ENERGY_ROUNDING_SURE * sums[k].before);
 		count += sums[k].suspect;
 	}
+	if (count > 0 && !few)
+		members_collect(q);
 	return count;
 }
 
@@ -286,7 +307,7 @@ static int32_t has_too_much(const island_sum *s, float rounding)
 	return s->suspect && !(s->after < FLT_MAX && (s->driven || s->after <= rounding * s->before));
 }
 
-/* With what was given: whose energy has grown. Its energies are what they are in the island's order, and nothing is given yet. */
+/* With what was given: whose energy has grown. Its energies are those of its members one by one, and nothing is given yet. */
 static int32_t suspects_confirm(looking *q)
 {
 	island_sum *sums = q->sums;

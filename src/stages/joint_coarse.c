@@ -14,6 +14,8 @@
 #define BALANCED_PART 0.01f  /* of what gravity gives in a substep */
 #define BALANCED_SPEED 1e-5f /* length units a second, where there is little gravity */
 #define BLOCKS_LEAST 4       /* of joints: fewer are no large net */
+#define PINS_A_RANGE 512
+#define PATCHES_A_RANGE 8
 
 uint64_t cni_coarse_lay_out(cni_coarse_view *v, const cni_coarse *head, uint8_t *memory)
 {
@@ -121,10 +123,39 @@ static int32_t pin_is_at(const cn_world *world, const cni_coarse_view *v, const 
 	return !k->herd && cni_coarse_takes(k, l) && !have_turned(&now, &p->arms, most);
 }
 
+typedef struct pins_loop {
+	const cn_world *world;
+	const cni_coarse_view *v;
+	const cni_net_range *net;
+	uint32_t missed; /* 1: some pin is not where it was */
+} pins_loop;
+
+static void pins_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	pins_loop *loop = (pins_loop *)context;
+	const cni_net_pin *pins = loop->v->pins + loop->net->pin_begin;
+	float most = turn_most(loop->net);
+	int32_t k;
+	(void)worker;
+	for (k = begin; k < end && !cni_atomic_peek(&loop->missed); ++k)
+		if (!pin_is_at(loop->world, loop->v, &pins[k], pins[k].lane, most))
+			cni_atomic_put(&loop->missed, 1);
+}
+
+/* Mostly all pins are where they were. */
+static int32_t pins_stay(const cn_world *world, const cni_coarse_view *v, const cni_net_range *net)
+{
+	pins_loop loop = { world, v, net, 0 };
+	cni_parallel_for(world, net->pin_end - net->pin_begin, PINS_A_RANGE, pins_range, &loop);
+	return !loop.missed;
+}
+
 static int32_t pins_hold(cn_world *world, const cni_coarse_view *v, const cni_net_range *net, int32_t **lanes)
 {
 	float most = turn_most(net);
 	int32_t k;
+	if (pins_stay(world, v, net))
+		return 1;
 	for (k = net->pin_begin; k < net->pin_end; ++k) {
 		cni_net_pin *p = &v->pins[k];
 		if (pin_is_at(world, v, p, p->lane, most))
@@ -274,28 +305,56 @@ static void velocities_change(const cn_world *world, const cni_coarse_view *v, c
 	}
 }
 
+typedef struct patches_loop {
+	const cn_world *world;
+	const cni_coarse_view *v;
+	const cni_patch *patches;
+	const double *old;
+	float least_speed;
+} patches_loop;
+
+static void speeds_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const patches_loop *loop = (const patches_loop *)context;
+	int32_t k;
+	(void)worker;
+	for (k = begin; k < end; ++k)
+		speeds_find(loop->world, loop->v, &loop->patches[k]);
+}
+
+static void velocities_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const patches_loop *loop = (const patches_loop *)context;
+	int32_t k;
+	(void)worker;
+	for (k = begin; k < end; ++k)
+		velocities_change(loop->world, loop->v, &loop->patches[k], loop->old, loop->least_speed);
+}
+
+/* A body is in one patch. */
+static void net_solve(const cn_world *world, const cni_solve *s, const cni_coarse_view *v, const cni_net_range *net)
+{
+	float least_speed = cni_max(BALANCED_PART * s->h * cni_length(world->settings.gravity), BALANCED_SPEED * world->settings.length_unit);
+	double *old = v->speeds + v->head->mode_count;
+	patches_loop loop = { world, v, v->patches + net->patch_begin, old, least_speed };
+	int32_t p, patches = net->patch_end - net->patch_begin;
+	cni_team_for(s->team, patches, PATCHES_A_RANGE, speeds_range, &loop);
+	for (p = net->mode_begin; p < net->mode_end; ++p)
+		old[p] = v->speeds[p];
+	cni_coarse_system_solve(v, net);
+	cni_team_for(s->team, patches, PATCHES_A_RANGE, velocities_range, &loop);
+}
+
 void cni_coarse_solve(cn_world *world, const cni_solve *s)
 {
 	cni_coarse_view v;
-	double *old;
-	float least_speed = cni_max(BALANCED_PART * s->h * cni_length(world->settings.gravity), BALANCED_SPEED * world->settings.length_unit);
-	int32_t k, p;
+	int32_t k;
 	if (!s->coarse)
 		return;
 	v = cni_coarse_view_of(world);
-	old = v.speeds + v.head->mode_count;
-	for (k = 0; k < v.head->net_count; ++k) {
-		const cni_net_range *net = &v.nets[k];
-		if (!net->holds || net->rests)
-			continue;
-		for (p = net->patch_begin; p < net->patch_end; ++p)
-			speeds_find(world, &v, &v.patches[p]);
-		for (p = net->mode_begin; p < net->mode_end; ++p)
-			old[p] = v.speeds[p];
-		cni_coarse_system_solve(&v, net);
-		for (p = net->patch_begin; p < net->patch_end; ++p)
-			velocities_change(world, &v, &v.patches[p], old, least_speed);
-	}
+	for (k = 0; k < v.head->net_count; ++k)
+		if (v.nets[k].holds && !v.nets[k].rests)
+			net_solve(world, s, &v, &v.nets[k]);
 }
 
 /* ---- rest ---- */
