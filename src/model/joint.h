@@ -84,9 +84,9 @@ typedef struct cni_lanes_kept {
 	int32_t blocks;
 	int32_t works;   /* most works there was room for: another number is another piece of memory */
 	int32_t filled;  /* in this step so far */
+	int32_t special; /* ... 1: some of them with bodies that cannot move along an axis, or new joints */
 	int32_t alone;   /* 1: with this budget nothing of them was to be solved directly */
 	int32_t budget;
-	int32_t locked;  /* in this step: some have bodies that cannot move along an axis */
 } cni_lanes_kept;
 
 /* Public handle: of kind joint, or constraint. */

@@ -266,7 +266,7 @@ static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_l
 	if (block->angular)
 		block->spring_j[l] = block->motor_j[l] = block->limit_j[l] = 0.0f;
 	cni_joint_lane_fill(world, s, &look->spring, k, block, l);
-	look->locked |= is_locked(world, w->record->body[0]) || is_locked(world, w->record->body[1]) || (w->flags & CNI_WORK_FRESH) != 0;
+	look->special |= is_locked(world, w->record->body[0]) || is_locked(world, w->record->body[1]) || (w->flags & CNI_WORK_FRESH) != 0;
 	++look->filled;
 	return 1;
 }
@@ -291,7 +291,7 @@ static int32_t lanes_hold(const cn_world *world, const cni_solve *s)
 /* What else a plan depends on that may change while lanes do not. */
 static int32_t plans_none(const cn_world *world)
 {
-	return world->settings.solver == CN_SOLVER_AUTO && !world->overridden && !world->joint_lanes.locked && world->direct_islands.count == 0 &&
+	return world->settings.solver == CN_SOLVER_AUTO && !world->overridden && !world->joint_lanes.special && world->direct_islands.count == 0 &&
 	       world->joints_soft_step <= world->step_count;
 }
 
@@ -301,9 +301,10 @@ int32_t cni_joint_lanes_tell(const cn_world *world)
 	return kept->alone && kept->lanes > 0 && kept->filled == kept->lanes && kept->budget == world->settings.work_budget && plans_none(world);
 }
 
+/* Of lanes that hold, for what is locked is not known of others. */
 static void lanes_alone(cn_world *world, const cni_solve *s)
 {
-	world->joint_lanes.alone = s->direct == NULL && plans_none(world);
+	world->joint_lanes.alone = s->direct == NULL && !world->direct_failed && plans_none(world);
 	world->joint_lanes.budget = world->settings.work_budget;
 }
 
@@ -420,14 +421,15 @@ static int32_t lanes_gather(cn_world *world, const cni_solve *s)
 void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 {
 	int32_t left, k;
-	lanes_alone(world, s);
 	if (lanes_hold(world, s)) {
+		lanes_alone(world, s);
 		world->joint_blocks.count = world->joint_lanes.blocks;
 		world->joint_plain_first = CNI_NONE;
 		for (k = 0; k < world->joint_blocks.count; ++k)
 			cni_joint_blocks(world)[k].rested = 0;
 		return;
 	}
+	world->joint_lanes.alone = 0;
 	pressed_works_leave(world, s);
 	lanes_empty(world);
 	left = lanes_gather(world, s);

@@ -121,7 +121,7 @@ struct cni_lanes_look {
 	cni_lane_spring spring;
 	int32_t kept;    /* 1: lanes of the last step may be filled again */
 	int32_t filled;  /* ... so many were */
-	int32_t locked;  /* 1: ... some with bodies that cannot move along an axis */
+	int32_t special; /* 1: ... some with bodies that cannot move along an axis, or new joints */
 };
 /* A colour that neither body uses yet, which they use from now on; CNI_NONE: there is none. */
 int32_t cni_joint_color_take(cn_world *world, int32_t ia, int32_t ib);

@@ -19,7 +19,7 @@
 typedef struct prepare_loop {
 	cn_world *world;
 	const cni_solve *s;
-	uint32_t filled, missed, locked; /* lanes filled again; 1: some were not; 1: some have locked bodies */
+	uint32_t filled, missed, special; /* lanes filled again; 1: some were not; 1: some are special, struct cni_lanes_look */
 } prepare_loop;
 
 static void prepare_range(void *context, int32_t begin, int32_t end, int32_t worker)
@@ -38,8 +38,8 @@ static void prepare_range(void *context, int32_t begin, int32_t end, int32_t wor
 	cni_atomic_add(&loop->filled, (uint32_t)look.filled);
 	if (!look.kept)
 		cni_atomic_put(&loop->missed, 1);
-	if (look.locked)
-		cni_atomic_put(&loop->locked, 1);
+	if (look.special)
+		cni_atomic_put(&loop->special, 1);
 }
 
 void cni_joints_prepare(cn_world *world, const cni_solve *s)
@@ -48,7 +48,7 @@ void cni_joints_prepare(cn_world *world, const cni_solve *s)
 	cni_joint_blocks_begin(world);
 	cni_parallel_for(world, world->awake_joints.count, JOINTS_A_RANGE, prepare_range, &loop);
 	world->joint_lanes.filled = (int32_t)loop.filled;
-	world->joint_lanes.locked = (int32_t)loop.locked;
+	world->joint_lanes.special = (int32_t)loop.special;
 	if (loop.missed)
 		world->joint_lanes.lanes = 0;
 }

@@ -135,7 +135,7 @@ static int64_t dear_work(const cni_planner *p)
 	return (int64_t)CNI_DEAR_WORK * p->member_count;
 }
 
-/* What is dear is dissected first. */
+/* What is dear by least degree alone is dissected. */
 static int32_t loops_order(cni_planner *p, int64_t most)
 {
 	cni_planner_group(p);

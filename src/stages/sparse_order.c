@@ -3,9 +3,11 @@
  *
  * Nodes that share a body are neighbours of one another: a body is a clique of its nodes, and a node lies in two cliques
  * at most. To eliminate a node makes neighbours of all its neighbours (George and Liu, "Computer Solution of Large Sparse
- * Positive Definite Systems", 1981): its two cliques become one, without it. So there are never more cliques than there were bodies, a node's
- * degree follows from the sizes of two of them and from how many nodes lie in both, and the list of the clique that an
- * eliminated node leaves is its column of L. All of it takes no longer than writing these columns down.
+ * Positive Definite Systems", 1981): its two cliques become one, without it. So there are never more cliques than there were
+ * bodies, a node's degree follows from the sizes of two of them and from how many nodes lie in both, and the list of the
+ * clique that an eliminated node leaves is its column of L. All of it takes no longer than writing these columns down.
+ *
+ * Groups of nodes (stages/sparse_dissect.c) are eliminated one after the other, each so.
  *
  * A component whose work passes the limit is given up as soon as that shows. Ties go to the node that reached its degree
  * last, so the order depends on the nodes and their order alone.

@@ -104,7 +104,8 @@ uint64_t cni_sparse_kept_bytes(int32_t count, int64_t work_most)
 
 uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most)
 {
-	return scratch_bytes(count, body_count) + cni_dissect_bytes(body_count, body_count) + 4u * (uint64_t)pool_most(count, work_most) + node_bytes(count, count) + block_bytes(count + below_most(count, work_most)) + 1024;
+	return scratch_bytes(count, body_count) + cni_dissect_bytes(body_count, body_count) + 4u * (uint64_t)pool_most(count, work_most) +
+	       node_bytes(count, count) + block_bytes(count + below_most(count, work_most)) + 1024;
 }
 
 /* Takes bytes from the front of a piece of memory. */
@@ -155,7 +156,7 @@ static void planner_cut(cni_planner *p, uint8_t *at)
 	p->degree = cut_ints(&at, n);
 	p->group = cut_ints(&at, n);
 	p->group_next = cut_ints(&at, n);
-	p->group_head = cut_ints(&at, 2 * n); /* no more than pieces, which halve each other */
+	p->group_head = cut_ints(&at, 2 * n); /* a piece is one, or parts in two: fewer than two for each body */
 	p->degree_head = cut_ints(&at, n);
 	p->degree_next = cut_ints(&at, n);
 	p->degree_prev = cut_ints(&at, n);

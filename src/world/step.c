@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-#define SHARED_WORK 1024 /* awake bodies, contacts and joints */
+#define SHARED_WORK 1024 /* awake bodies, contacts and joints: fewer are done with before a worker is awake */
 
 /* Adds the time since the last mark to a field of the profile. */
 static void profile_mark(cn_world *world, float *field, uint64_t *mark)

@@ -2,11 +2,12 @@
  * test/world/plans_test.c - plans of directly solved systems are kept from step to step (stages/sparse_plan.c), and that
  * changes nothing: the same life in a world that keeps them, in one that forgets them before every step, and in one
  * that gets no memory for them, with the same hash after every step. If it differs, something that a plan depends on
- * is not compared.
+ * is not compared. So it is with nets whose lanes tell that there is nothing to plan (stages/joint_blocks.c).
  */
 #include "base/hooks.h"
 #include "joints.h"
 #include "model/world.h"
+#include "stages/joint_work.h"
 
 #define STEPS 420
 #define PARTS 9
@@ -150,9 +151,94 @@ static void kept_plans_change_nothing(void)
 	CHECK(kept.memory.pieces == 0 && denied.memory.pieces == 0 && kept.memory.wrong_frees == 0);
 }
 
+/* ---- nets of which nothing is to be planned ---- */
+
+#define NET_SIDE 16
+#define NET_STEPS 150
+
+typedef struct net_life {
+	cn_world *world;
+	cn_body body[NET_SIDE][NET_SIDE];
+	cn_joint joint[2 * NET_SIDE * NET_SIDE];
+	int32_t joint_count;
+	int32_t told; /* steps for which lanes told that there was nothing to plan */
+} net_life;
+
+static void net_begin(net_life *n)
+{
+	int32_t x, y;
+	memset(n, 0, sizeof *n);
+	n->world = fixture_world(-10.0f, 0);
+	for (y = 0; y < NET_SIDE; ++y)
+		for (x = 0; x < NET_SIDE; ++x) {
+			n->body[y][x] = fixture_circle(n->world, y == 0 && (x == 0 || x == NET_SIDE - 1) ? CN_BODY_STATIC : CN_BODY_DYNAMIC, (float)x, -(float)y, 0.3f, 0.6f, 0.0f);
+			if (x > 0)
+				n->joint[n->joint_count++] = hinge(n->world, n->body[y][x - 1], at(0.5f, 0.0f), n->body[y][x], at(-0.5f, 0.0f));
+			if (y > 0)
+				n->joint[n->joint_count++] = hinge(n->world, n->body[y - 1][x], at(0.0f, -0.5f), n->body[y][x], at(0.0f, 0.5f));
+		}
+}
+
+/* Rows whose bit is not set cannot move along x. */
+static void rows_lock(const net_life *n, uint32_t free_rows)
+{
+	int32_t x, y;
+	for (y = 1; y < NET_SIDE; ++y)
+		for (x = 0; x < NET_SIDE; ++x)
+			must(cn_body_set_flags(n->world, n->body[y][x], CN_BODY_ENABLED | CN_BODY_AWAKE | (free_rows >> y & 1u ? 0u : (uint32_t)CN_BODY_LOCK_X)), n->world, "cn_body_set_flags");
+}
+
+/* Each changes what may be planned, and most leave the joints in their lanes. */
+static void net_live(net_life *n, int32_t step)
+{
+	switch (step) {
+	case 20: rows_lock(n, 1u << 3); break;         /* a row is a chain, and so a tree */
+	case 30: rows_lock(n, ~0u); break;
+	case 50: rows_lock(n, 0); break;
+	case 60: must(cn_joint_destroy(n->world, n->joint[100]), n->world, "cn_joint_destroy"); break;
+	case 61: rows_lock(n, 1u << 7); break;         /* in the step after lanes were taken anew */
+	case 70: rows_lock(n, ~0u); break;
+	case 90: must(cn_world_set_accuracy(n->world, 0.0f, 100), n->world, "cn_world_set_accuracy"); break;
+	case 95: must(cn_world_set_accuracy(n->world, 0.0f, 0), n->world, "cn_world_set_accuracy"); break;
+	case 105: must(cn_body_set_type(n->world, n->body[5][5], CN_BODY_STATIC), n->world, "cn_body_set_type"); break;
+	case 110: must(cn_body_set_type(n->world, n->body[5][5], CN_BODY_DYNAMIC), n->world, "cn_body_set_type"); break;
+	case 120: must(cn_joint_set_solver(n->world, n->joint[7], CN_SOLVER_DIRECT), n->world, "cn_joint_set_solver"); break;
+	case 130: must(cn_joint_set_solver(n->world, n->joint[7], CN_SOLVER_AUTO), n->world, "cn_joint_set_solver"); break;
+	default: break;
+	}
+}
+
+static void nets_that_are_not_planned_move_the_same(void)
+{
+	static net_life tells, asks;
+	int32_t step, planned = 0;
+	net_begin(&tells);
+	net_begin(&asks);
+	for (step = 0; step < NET_STEPS; ++step) {
+		uint64_t a, b;
+		net_live(&tells, step);
+		net_live(&asks, step);
+		asks.world->joint_lanes.alone = 0; /* plans in every step */
+		fixture_step(tells.world, 1);
+		fixture_step(asks.world, 1);
+		tells.told += cni_joint_lanes_tell(tells.world);
+		planned += fixture_counters(asks.world).direct_work > 0;
+		REQUIRE(cn_world_hash(tells.world, &a) == CN_OK && cn_world_hash(asks.world, &b) == CN_OK);
+		if (a != b)
+			printf("  differs after step %d\n", (int)step);
+		REQUIRE(a == b);
+	}
+	printf("  %d steps were not planned, something was solved directly in %d\n", (int)tells.told, (int)planned);
+	CHECK_GE("steps that were not planned", tells.told, 40, "");
+	CHECK_GE("steps in which something was solved directly", planned, 15, "");
+	cn_world_destroy(tells.world);
+	cn_world_destroy(asks.world);
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
 	RUN(kept_plans_change_nothing);
+	RUN(nets_that_are_not_planned_move_the_same);
 	return test_end();
 }
