@@ -12,6 +12,9 @@
  * something static already, where an earlier step stopped it, gives up its turn and what leads farther in, and slides on: a contact
  * that counts on the turn may do nothing, and the body would hang there while its speed grows.
  *
+ * Bodies are shared among the workers. What stops one that is no bullet depends on no other body; bullets come after them, in
+ * order.
+ *
  * Reads bodies, shapes, the broadphase; writes the changes in motion of the bodies that meet, and the velocities of those that slide.
  */
 #include "base/bitset.h"
@@ -27,7 +30,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#define BODIES_A_RANGE 1024 /* about ten microseconds: records are read */
+#define BODIES_A_RANGE 512 /* ten microseconds: records are read */
 #define WALKS 8             /* bodies whose contacts are gone through by turns */
 #define RECORDS_AHEAD 8     /* bodies whose records are asked for ... */
 #define RECORDS_MANY 1024   /* ... where there are so many that they are not near anyway */
@@ -459,13 +462,19 @@ static int32_t path_is_watched(const cn_world *world, const cni_body *b, const c
 	return 1;
 }
 
-/* A fast body. Bullets may meet what they have no contact with, and stop it: what comes before them is done first. */
-static void body_guard(cn_world *world, walks *all, int32_t body, const cni_motion *m)
+typedef struct guard_loop {
+	cn_world *world;
+	uint32_t bullets; /* fast ones, left for later */
+} guard_loop;
+
+/* A fast body. What one finds depends on no other, but for bullets: they are looked at when all others have their ways. */
+static void body_guard(guard_loop *loop, walks *all, int32_t body, const cni_motion *m)
 {
+	cn_world *world = loop->world;
 	const cni_body *b = cni_body_at(world, body);
 	if (b->flags & CN_BODY_BULLET) {
-		walks_run(all, 0);
-		clamp_body(world, body, CLAMP_ALL);
+		cni_drives(world)[b->awake].flags |= CNI_DRIVE_LATER;
+		(void)cni_atomic_add(&loop->bullets, 1);
 		return;
 	}
 	if (world->movable_count == world->body_handles.count)
@@ -474,17 +483,6 @@ static void body_guard(cn_world *world, walks *all, int32_t body, const cni_moti
 		clamp_body(world, body, CLAMP_STATIC);
 	else if (b->flags & CNI_BODY_AT_STATIC)
 		walks_add(all, world, body);
-}
-
-/* Leaves the fast ones to be looked at in order: one may shorten the change of another, which never makes a slow one fast. */
-static void slow_range(void *context, int32_t begin, int32_t end, int32_t worker)
-{
-	const cn_world *world = (const cn_world *)context;
-	int32_t k;
-	(void)worker;
-	for (k = begin + 1; k <= end; ++k)
-		if (body_is_fast(cni_body_at(world, cni_awake_ids(world)[k]), cni_motions(world) + k))
-			cni_drives(world)[k].flags |= CNI_DRIVE_LATER;
 }
 
 CNI_INLINE void record_ask(const cn_world *world, int32_t body)
@@ -511,10 +509,7 @@ static cni_mask four_watched(const cn_world *world, cni_body *const b[4], cni_wi
 	       ((flags & ((int32_t)(CNI_BODY_AHEAD | CNI_BODY_AT_STATIC) - (cni_mask){ 0 })) == (int32_t)CNI_BODY_AHEAD - (cni_mask){ 0 });
 }
 
-/*
- * Bodies k to k + 3: which must be looked at by themselves, as bits. The others are slow, or as body_guard would find need
- * nothing. A bullet may shorten the way of the others after it: with one among the four all must.
- */
+/* Bodies k to k + 3: which must be looked at by themselves, as bits. The others are slow, or as body_guard would find need nothing. */
 static uint32_t four_look(const cn_world *world, int32_t k)
 {
 	const int32_t *ids = cni_awake_ids(world) + k, row[4] = { 0, 1, 2, 3 };
@@ -527,9 +522,7 @@ static uint32_t four_look(const cn_world *world, int32_t k)
 	cni_wide_gather4(&cni_motions(world)[k].dpx, (int32_t)(sizeof(cni_motion) / sizeof(float)), row, &dx, &dy, &turn, &unused);
 	turned = turn * swing;
 	fast = cni_mask_bits(dx * dx + dy * dy + turned * turned > most * most);
-	if ((b[0]->flags | b[1]->flags | b[2]->flags | b[3]->flags) & CN_BODY_BULLET)
-		return 15u;
-	if (fast == 0 || world->pairs_may_repeat)
+	if (fast == 0 || world->pairs_may_repeat || ((b[0]->flags | b[1]->flags | b[2]->flags | b[3]->flags) & CN_BODY_BULLET))
 		return fast;
 	return fast & ~cni_mask_bits(four_watched(world, b, dx, dy, turn, extent, swing));
 }
@@ -548,54 +541,56 @@ static int32_t body_needs_nothing(const cn_world *world, const cni_body *b, cons
 }
 #endif
 
-static void fast_guard(cn_world *world, walks *all)
+/* Writes nothing but motions and drives of the range. */
+static void guard_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
+	guard_loop *loop = (guard_loop *)context;
+	const cn_world *world = loop->world;
 	const int32_t *ids = cni_awake_ids(world);
 	const cni_motion *motions = cni_motions(world);
-	int32_t k, l, count = world->awake_count;
-	for (k = 1; k < count; k += 4) {
-		uint32_t left = 15u >> cni_max_i(k + 4 - count, 0);
-		for (l = k + RECORDS_AHEAD; count > RECORDS_MANY && l < cni_min_i(k + 4 + RECORDS_AHEAD, count); ++l)
+	int32_t k, l, last = end + 1, many = world->awake_count > RECORDS_MANY;
+	walks all;
+	(void)worker;
+	all.count = 0;
+	for (k = begin + 1; k < last; k += 4) {
+		uint32_t left = 15u >> cni_max_i(k + 4 - last, 0);
+		for (l = k + RECORDS_AHEAD; many && l < cni_min_i(k + 4 + RECORDS_AHEAD, last); ++l)
 			record_ask(world, ids[l]);
 #if CNI_HAS_WIDE_4
 		if (left == 15u)
 			left = four_look(world, k);
 		for (l = 0; l < 4; ++l)
-			CNI_ASSERT((left >> l & 1u) || k + l >= count || body_needs_nothing(world, cni_body_at(world, ids[k + l]), &motions[k + l]));
+			CNI_ASSERT((left >> l & 1u) || k + l >= last || body_needs_nothing(world, cni_body_at(world, ids[k + l]), &motions[k + l]));
 #endif
 		for (; left != 0; left &= left - 1u) {
 			l = k + cni_bit_lowest32(left);
 			if (body_is_fast(cni_body_at(world, ids[l]), &motions[l]))
-				body_guard(world, all, ids[l], &motions[l]);
+				body_guard(loop, &all, ids[l], &motions[l]);
 		}
 	}
+	walks_run(&all, 0);
 }
 
-/* After slow_range: a body that was fast may be slow by now. */
-static void later_guard(cn_world *world, walks *all)
+/* In order: one may shorten the way of another. */
+static void bullets_guard(cn_world *world)
 {
 	cni_drive *drives = cni_drives(world);
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
-		const cni_motion *m = cni_motions(world) + k;
 		int32_t body = cni_awake_ids(world)[k];
 		if (!(drives[k].flags & CNI_DRIVE_LATER))
 			continue;
 		drives[k].flags &= ~(uint32_t)CNI_DRIVE_LATER;
-		if (body_is_fast(cni_body_at(world, body), m))
-			body_guard(world, all, body, m);
+		if (body_is_fast(cni_body_at(world, body), cni_motions(world) + k)) /* no longer, perhaps */
+			clamp_body(world, body, CLAMP_ALL);
 	}
 }
 
+/* A user's filter is asked by the calling thread. */
 void cni_stage_continuous(cn_world *world)
 {
-	walks all;
-	all.count = 0;
-	if (world->team != NULL && world->awake_count > 2 * BODIES_A_RANGE) {
-		cni_parallel_for(world, world->awake_count - 1, BODIES_A_RANGE, slow_range, world);
-		later_guard(world, &all);
-	} else {
-		fast_guard(world, &all);
-	}
-	walks_run(&all, 0);
+	guard_loop loop = { world, 0 };
+	cni_team_for(world->filter != NULL ? NULL : world->team, world->awake_count - 1, BODIES_A_RANGE, guard_range, &loop);
+	if (loop.bullets > 0)
+		bullets_guard(world);
 }

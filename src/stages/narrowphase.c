@@ -297,6 +297,10 @@ static void window_look(cn_world *world, window *w, int32_t count, float dt)
 /* Without memory for the list a few changes are made in each step, and the rest is found again in the next. */
 #define CHANGES_LEAST 64
 
+/* So many changes ahead records are asked for, and when these have come their neighbours. */
+#define RECORDS_AHEAD 16
+#define NEIGHBOURS_AHEAD 8
+
 /* Contacts that are looked at together by one worker, at least; and how many there must be for it to be worth sharing. */
 #define RANGE_LEAST 64
 #define SHARED_CONTACTS 1024
@@ -318,12 +322,38 @@ static void change_add(cn_world *world, change_list *list, int32_t contact, int3
 		cni_contact_write_empty(world, contact);
 }
 
+/* Asks for what linking and unlinking that contact, whose record was asked for, writes: its neighbours in the lists of its bodies. */
+CNI_INLINE void neighbours_prefetch(const cn_world *world, const cni_contact *c)
+{
+	int32_t side;
+	for (side = 0; side < 2; ++side) {
+		CNI_PREFETCH(&cni_body_at(world, c->body[side])->contact_first);
+		if (c->next[side] != CNI_NONE)
+			CNI_PREFETCH(cni_contact_of_key(world, c->next[side])->prev);
+		if (c->prev[side] != CNI_NONE)
+			CNI_PREFETCH(cni_contact_of_key(world, c->prev[side])->next);
+	}
+}
+
+CNI_INLINE void changes_prefetch(const cn_world *world, const change_list *list, int32_t k)
+{
+	if (k + RECORDS_AHEAD < list->count) {
+		const cni_contact *c = cni_contact_at(world, (int32_t)(list->items[k + RECORDS_AHEAD] >> 3));
+		CNI_PREFETCH(c);
+		CNI_PREFETCH(&c->cache);
+	}
+	if (k + NEIGHBOURS_AHEAD < list->count)
+		neighbours_prefetch(world, cni_contact_at(world, (int32_t)(list->items[k + NEIGHBOURS_AHEAD] >> 3)));
+}
+
 static void changes_apply(cn_world *world, const change_list *list, float dt)
 {
 	int32_t k;
-	for (k = 0; k < list->count; ++k)
+	for (k = 0; k < list->count; ++k) {
+		changes_prefetch(world, list, k);
 		if ((list->items[k] & 7u) != CHANGE_NONE)
 			change_apply(world, (int32_t)(list->items[k] >> 3), (int32_t)(list->items[k] & 7u), dt);
+	}
 }
 
 /* ---- looking ---- */

@@ -62,6 +62,40 @@ static void marks_clear(const cn_world *world)
 		cni_body_at(world, cni_awake_ids(world)[k])->flags &= ~(uint32_t)CNI_BODY_AGAIN;
 }
 
+/* So many pairs ahead each is asked for, when what leads to it has come: shapes, bodies, the heads of their lists of contacts. */
+#define SHAPES_AHEAD 12
+#define BODIES_AHEAD 8
+#define HEADS_AHEAD 4
+
+/* Inlined by force: compilers take a function that only prefetches for one that does nothing. */
+CNI_INLINE void body_prefetch(const cni_body *b)
+{
+	CNI_PREFETCH(&b->flags);
+	CNI_PREFETCH(&b->contact_first);
+}
+
+CNI_INLINE void head_prefetch(const cn_world *world, const cni_body *b)
+{
+	if (b->contact_first != CNI_NONE)
+		CNI_PREFETCH(cni_contact_of_key(world, b->contact_first)->prev);
+}
+
+CNI_INLINE void pairs_prefetch(const cn_world *world, const cni_pair *list, int32_t count, int32_t k)
+{
+	if (k + SHAPES_AHEAD < count) {
+		CNI_PREFETCH(cni_shape_at(world, cni_proxy_at(world, list[k + SHAPES_AHEAD].a)->shape));
+		CNI_PREFETCH(cni_shape_at(world, cni_proxy_at(world, list[k + SHAPES_AHEAD].b)->shape));
+	}
+	if (k + BODIES_AHEAD < count) {
+		body_prefetch(body_of(world, list[k + BODIES_AHEAD].a));
+		body_prefetch(body_of(world, list[k + BODIES_AHEAD].b));
+	}
+	if (k + HEADS_AHEAD < count) {
+		head_prefetch(world, body_of(world, list[k + HEADS_AHEAD].a));
+		head_prefetch(world, body_of(world, list[k + HEADS_AHEAD].b));
+	}
+}
+
 void cni_stage_pairs(cn_world *world, float dt)
 {
 	cni_broadphase_pairs *pairs = &world->pairs;
@@ -82,6 +116,7 @@ void cni_stage_pairs(cn_world *world, float dt)
 	cni_pairs_sift(pairs);
 	list = (const cni_pair *)pairs->list.data;
 	for (k = 0; k < pairs->list.count; ++k) {
+		pairs_prefetch(world, list, pairs->list.count, k);
 		if (pair_repeats(world, &list[k], may_repeat))
 			continue;
 		if (cni_contact_reserve(world, 1) != CN_OK)
