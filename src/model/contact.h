@@ -195,6 +195,8 @@ int32_t cni_contact_user_allows(const void *context, int32_t proxy_a, int32_t pr
 int32_t cni_contact_allowed(const cn_world *world, int32_t proxy_a, int32_t proxy_b);
 /* Room for `lanes` touching contacts, awake or asleep, however they are coloured. 0: no memory. */
 int32_t cni_lane_reserve(cn_world *world, int32_t lanes);
+/* Are few of the blocks that there have been in use? Then going through all in the order of memory is a detour. */
+int32_t cni_blocks_are_few(const cn_world *world);
 /* Gives every block its extra rows; 0: no memory. */
 int32_t cni_lane_reserve_extra(cn_world *world);
 /* Logs an event that a contact still owes, if it now can be logged. In a step. */

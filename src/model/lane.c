@@ -116,6 +116,14 @@ static void anchor_clear(cn_world *world, int32_t slot)
 	anchor->of.fresh.gap[slot % CNI_LANES] = anchor->of.fresh.approach[slot % CNI_LANES] = 0.0f;
 }
 
+int32_t cni_blocks_are_few(const cn_world *world)
+{
+	int32_t color, count = 0;
+	for (color = 0; color < CNI_COLORS; ++color)
+		count += (world->colors[color].lanes + CNI_LANES - 1) / CNI_LANES;
+	return count < world->block_used / 4;
+}
+
 void cni_lane_loosen(cn_world *world, int32_t slot)
 {
 	if (cni_block_info_at(world, slot / CNI_LANES)->anchored >> slot % CNI_LANES & 1u)

@@ -73,7 +73,9 @@ struct cn_world {
 	cni_array start;             /* cni_velocity_start */
 	cni_array drive;             /* cni_drive */
 	cni_array awake_id;          /* int32_t */
-	int32_t *awake_islands;      /* the records' islands by dense index, within a step: scratch of the arena. NULL outside, without islands, without memory */
+	int32_t *awake_islands;      /* the islands' numbers by dense index, within a step: scratch of the arena. NULL outside, without islands, without memory */
+	int32_t *step_islands;       /* records of the numbered islands, scratch of the arena; NULL: each is its own number */
+	int32_t step_island_count;   /* numbers that there are, within a step */
 	cni_array kicked;            /* cn_body whose velocity was set since the last step */
 
 	/* variable time: empty until cn_world_update is used */
@@ -199,12 +201,24 @@ static inline void cni_parallel_for(const cn_world *world, int32_t item_count, i
 {
 	cni_team_for(world->team, item_count, min_range, fn, context);
 }
-/* The island of an awake body by its dense index; CNI_NONE: alone, or no dynamic body. */
-static inline int32_t cni_awake_island(const cn_world *world, int32_t index)
+/*
+ * The island of an awake body by its dense index, by its number in this step, below step_island_count; CNI_NONE: alone, or no
+ * dynamic body. Where few of many islands are awake these are numbered anew, so that the others cost a step nothing.
+ */
+static inline int32_t cni_awake_island_number(const cn_world *world, int32_t index)
 {
 	if (world->awake_islands != NULL)
 		return world->awake_islands[index];
 	return index == 0 || world->island_count == 0 ? CNI_NONE : cni_body_at(world, cni_awake_ids(world)[index])->island;
+}
+static inline int32_t cni_island_of_number(const cn_world *world, int32_t number)
+{
+	return number == CNI_NONE || world->step_islands == NULL ? number : world->step_islands[number];
+}
+/* ... by its record. */
+static inline int32_t cni_awake_island(const cn_world *world, int32_t index)
+{
+	return cni_island_of_number(world, cni_awake_island_number(world, index));
 }
 
 #endif

@@ -99,12 +99,12 @@ static cni_listed_block listed_of(const cn_world *world, int32_t block, int32_t 
 	return listed;
 }
 
-/* A colour's blocks are linked, and a link that is not in the cache is waited for: all are asked for beforehand. Inlined by
-   force: compilers take a function that only prefetches for one that does nothing. */
-CNI_INLINE void infos_prefetch(const cn_world *world)
+/* A colour's blocks are linked, and a link that is not in the cache is waited for: all are asked for beforehand, unless they are few
+   of those that there have been. Inlined by force: compilers take a function that only prefetches for one that does nothing. */
+CNI_INLINE void infos_prefetch(const cn_world *world, int32_t few)
 {
 	int32_t block;
-	for (block = 0; block < world->block_used; ++block)
+	for (block = 0; block < world->block_used && !few; ++block)
 		CNI_PREFETCH(&cni_block_info_at(world, block)->next);
 }
 
@@ -112,7 +112,7 @@ void cni_contacts_list(cn_world *world, cni_solve *s)
 {
 	cni_listed_block *list = (cni_listed_block *)world->block_list.data;
 	int32_t color, block, count = 0, k;
-	infos_prefetch(world);
+	infos_prefetch(world, cni_blocks_are_few(world));
 	for (color = 0; color < CNI_COLORS; ++color) {
 		world->colors[color].listed = count;
 		s->lanes += world->colors[color].lanes;

@@ -48,7 +48,7 @@ typedef struct island_sum {
 
 typedef struct looking {
 	cn_world *world;
-	island_sum *sums;  /* by island */
+	island_sum *sums;  /* by an island's number in the step, as all here */
 	int32_t *members;  /* room for all awake bodies */
 	int32_t found;     /* of it */
 } looking;
@@ -77,6 +77,11 @@ CNI_INLINE void energy_add(const cni_motion *m, const cni_velocity_start *v, flo
 	*after += mass * (m->vx * m->vx + m->vy * m->vy) + inertia * m->w * m->w;
 }
 
+static const cni_island *record_of(const cn_world *world, int32_t island)
+{
+	return cni_island_at(world, cni_island_of_number(world, island));
+}
+
 /* An island's list is gone through once: each of its links is waited for. */
 static void members_find(looking *q, int32_t island)
 {
@@ -85,7 +90,7 @@ static void members_find(looking *q, int32_t island)
 	if (sum->count > 0)
 		return;
 	sum->members = q->members + q->found;
-	for (body = cni_island_at(q->world, island)->first; body != CNI_NONE; body = cni_body_at(q->world, body)->island_next)
+	for (body = record_of(q->world, island)->first; body != CNI_NONE; body = cni_body_at(q->world, body)->island_next)
 		sum->members[sum->count++] = cni_body_at(q->world, body)->awake;
 	q->found += sum->count;
 }
@@ -95,16 +100,16 @@ static void members_collect(looking *q)
 {
 	const cn_world *world = q->world;
 	int32_t k;
-	for (k = 0; k < world->island_used; ++k)
+	for (k = 0; k < world->step_island_count; ++k)
 		if (q->sums[k].suspect) {
 			q->sums[k].members = q->members + q->found;
-			q->found += cni_island_at(world, k)->count;
+			q->found += record_of(world, k)->count;
 		}
 	for (k = 1; k < world->awake_count; ++k) {
-		int32_t island = cni_awake_island(world, k);
+		int32_t island = cni_awake_island_number(world, k);
 		if (island == CNI_NONE || !q->sums[island].suspect)
 			continue;
-		CNI_ASSERT(q->sums[island].count < cni_island_at(world, island)->count);
+		CNI_ASSERT(q->sums[island].count < record_of(world, island)->count);
 		q->sums[island].members[q->sums[island].count++] = k;
 	}
 }
@@ -165,7 +170,7 @@ static void energies_stream(const cn_world *world, island_sum *sums)
 	energies e = none;
 	int32_t k, of = CNI_NONE, summed = 0, count = world->awake_count;
 	for (k = 1; k < count; ++k) {
-		int32_t island = cni_awake_island(world, k);
+		int32_t island = cni_awake_island_number(world, k);
 		if (island == CNI_NONE || (island != of && !sums[island].looked_at))
 			continue;
 		if (island != of || ++summed == SUMMED_MOST) {
@@ -187,7 +192,7 @@ static void mark_driven(const cn_world *world, island_sum *sums, int32_t ia, int
 {
 	int32_t bodies[2] = { ia, ib }, k;
 	for (k = 0; k < 2; ++k) {
-		int32_t island = cni_awake_island(world, bodies[k]);
+		int32_t island = cni_awake_island_number(world, bodies[k]);
 		if (island != CNI_NONE)
 			sums[island].driven = 1;
 		else if (cni_starts(world)[bodies[k]].struck == CNI_SHOCKED)
@@ -256,7 +261,7 @@ static int32_t unheld_mark(const cn_world *world, const island_sum *sums)
 	cni_velocity_start *starts = cni_starts(world);
 	int32_t k, count = 0;
 	for (k = cni_shocked_next(world, 1); k < world->awake_count; k = cni_shocked_next(world, k + 1)) {
-		int32_t island = cni_awake_island(world, k);
+		int32_t island = cni_awake_island_number(world, k);
 		if (sums == NULL || (island != CNI_NONE && sums[island].driven))
 			starts[k].struck = CNI_UNHELD;
 		count += starts[k].struck == CNI_UNHELD;
@@ -271,11 +276,11 @@ static int32_t shocked_find(const cn_world *world, island_sum *sums)
 {
 	int32_t k, count = 0;
 	for (k = cni_shocked_next(world, 1); k < world->awake_count; k = cni_shocked_next(world, k + 1)) {
-		int32_t island = cni_awake_island(world, k);
+		int32_t island = cni_awake_island_number(world, k);
 		if (island == CNI_NONE || sums[island].looked_at)
 			continue;
 		sums[island].looked_at = 1;
-		count += cni_island_at(world, island)->count;
+		count += record_of(world, island)->count;
 	}
 	return count;
 }
@@ -288,7 +293,7 @@ static int32_t suspects_find(looking *q)
 	int32_t bodies = shocked_find(world, sums), few = bodies < world->awake_count / FEW_PART, k, count = 0;
 	if (bodies > 0 && !few)
 		energies_stream(world, sums);
-	for (k = 0; k < world->island_used && bodies > 0; ++k) {
+	for (k = 0; k < world->step_island_count && bodies > 0; ++k) {
 		if (!sums[k].looked_at)
 			continue;
 		if (few)
@@ -312,7 +317,7 @@ static int32_t suspects_confirm(looking *q)
 {
 	island_sum *sums = q->sums;
 	int32_t k, count = 0;
-	for (k = 0; k < q->world->island_used; ++k) {
+	for (k = 0; k < q->world->step_island_count; ++k) {
 		sums[k].suspect = has_too_much(&sums[k], ENERGY_ROUNDING_SURE);
 		if (!sums[k].suspect)
 			continue;
@@ -363,7 +368,7 @@ static void grounded_by_contacts(const cn_world *world, island_sum *sums)
 		for (k = 0; k < world->colors[color].listed_count; ++k) {
 			const cni_listed_block *b = &cni_listed_blocks(world, color)[k];
 			for (l = 0; l < b->lanes; ++l) {
-				int32_t island = cni_awake_island(world, b->rows->ia[l]);
+				int32_t island = cni_awake_island_number(world, b->rows->ia[l]);
 				if (b->rows->ib[l] == 0 && island != CNI_NONE)
 					sums[island].grounded = 1;
 			}
@@ -399,7 +404,7 @@ static void work_of_joints(const cn_world *world, island_sum *sums)
 	int32_t k, r;
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		const cni_joint_work *w = cni_joint_works(world) + k;
-		int32_t island = cni_joint_island(world, w->ia, w->ib), count;
+		int32_t island = cni_awake_island_number(world, w->ia != 0 ? w->ia : w->ib), count;
 		const cni_row *rows;
 		cni_row in_lane[CNI_JOINT_ROWS];
 		if (island == CNI_NONE || !sums[island].suspect)
@@ -472,7 +477,7 @@ static void factors_apply(const cn_world *world, const island_sum *s)
 static void excess_take(const looking *q)
 {
 	int32_t k;
-	for (k = 0; k < q->world->island_used; ++k) {
+	for (k = 0; k < q->world->step_island_count; ++k) {
 		island_sum *sum = &q->sums[k];
 		if (!has_too_much(sum, ENERGY_ROUNDING))
 			continue;
@@ -486,7 +491,7 @@ static void excess_take(const looking *q)
 static int32_t look_at_all(looking *q)
 {
 	int32_t unheld;
-	memset(q->sums, 0, sizeof(island_sum) * (size_t)q->world->island_used);
+	memset(q->sums, 0, sizeof(island_sum) * (size_t)q->world->step_island_count);
 	unheld = driven_find(q->world, q->sums) ? unheld_mark(q->world, q->sums) : 0;
 	if (suspects_find(q) == 0)
 		return unheld;
@@ -508,7 +513,7 @@ int32_t cni_energy_hold(cn_world *world)
 {
 	looking q = { world, NULL, NULL, 0 };
 	int32_t unheld;
-	q.sums = (island_sum *)cni_arena_push(&world->arena, sizeof(island_sum) * (uint64_t)cni_max_i(world->island_used, 1));
+	q.sums = (island_sum *)cni_arena_push(&world->arena, sizeof(island_sum) * (uint64_t)cni_max_i(world->step_island_count, 1));
 	if (q.sums != NULL)
 		q.members = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
 	unheld = q.members != NULL ? look_at_all(&q) : unheld_mark(world, NULL); /* without memory nothing is held */

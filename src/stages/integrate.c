@@ -22,6 +22,9 @@
 #define BODIES_A_RANGE 256 /* about a microsecond */
 #define DRIVES_A_RANGE 512 /* about ten: their records are read */
 
+/* More islands than this part of the awake bodies: what is kept for each island of a step is kept for those that are awake. */
+#define FEW_ISLANDS_PART 4
+
 /* Has it a joint that is solved? Filters and joints with a disabled body are not. */
 static int32_t body_is_jointed(const cn_world *world, const cni_body *b)
 {
@@ -149,19 +152,45 @@ static void drive_range(void *context, int32_t begin, int32_t end, int32_t worke
 	}
 }
 
+/* Few islands are awake: those get the numbers, in the order of their first bodies. */
+static void islands_number(cn_world *world)
+{
+	int32_t *islands = world->awake_islands, k;
+	world->step_island_count = 0;
+	for (k = 1; k < world->awake_count; ++k) {
+		cni_island *i;
+		if (islands[k] == CNI_NONE)
+			continue;
+		i = cni_island_at(world, islands[k]);
+		if (i->numbered_step != world->step_count + 1u) {
+			i->numbered_step = world->step_count + 1u;
+			i->number = world->step_island_count++;
+			world->step_islands[i->number] = islands[k];
+		}
+		islands[k] = i->number;
+	}
+}
+
 void cni_drive_prepare(cn_world *world, const cni_solve *s)
 {
-	if (world->island_count > 0)
+	int32_t some = world->island_count > 0 && world->awake_count > 1;
+	if (some)
 		world->awake_islands = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
 	if (world->awake_islands != NULL)
 		world->awake_islands[0] = CNI_NONE;
 	bodies_run(world->team, DRIVES_A_RANGE, drive_range, world, s, 0);
+	if (world->awake_islands != NULL && world->island_used > world->awake_count / FEW_ISLANDS_PART) /* awake are at most half as many as bodies */
+		world->step_islands = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count / 2);
+	world->step_island_count = some ? world->island_used : 0;
+	if (world->step_islands != NULL)
+		islands_number(world);
 }
 
 /* The arena has it until the end of the step, as what else is pushed between. */
 void cni_drive_finish(cn_world *world)
 {
-	world->awake_islands = NULL;
+	world->awake_islands = world->step_islands = NULL;
+	world->step_island_count = 0;
 }
 
 void cni_drive_prepare_bound(cn_world *world)

@@ -116,7 +116,7 @@ static void slow_find(rest *r)
 	const cni_motion *motions = cni_motions(r->world);
 	int32_t k;
 	for (k = 1; k < r->world->awake_count; ++k) {
-		int32_t island = cni_awake_island(r->world, k);
+		int32_t island = cni_awake_island_number(r->world, k);
 		if (motions[k].inv_mass == 0.0f && !stands_still(&motions[k]))
 			r->carried += carried_mark(r, k);
 		if (is_moving(r, island))
@@ -131,7 +131,7 @@ static void slow_find(rest *r)
 static void record_prefetch(const rest *r, int32_t k)
 {
 	const cni_body *b = cni_body_at(r->world, cni_awake_ids(r->world)[k]);
-	if (is_moving(r, cni_awake_island(r->world, k)))
+	if (is_moving(r, cni_awake_island_number(r->world, k)))
 		return;
 	CNI_PREFETCH(&b->extent);
 	CNI_PREFETCH(&b->w);
@@ -146,7 +146,7 @@ static void rests_range(void *context, int32_t begin, int32_t end, int32_t worke
 	for (n = begin; n < end; ++n) {
 		if (n + RECORDS_AHEAD < end)
 			record_prefetch(r, r->slow[n + RECORDS_AHEAD]);
-		if (!is_moving(r, cni_awake_island(r->world, r->slow[n])) && !body_rests(r, r->slow[n]))
+		if (!is_moving(r, cni_awake_island_number(r->world, r->slow[n])) && !body_rests(r, r->slow[n]))
 			r->slow[n] = -r->slow[n];
 	}
 }
@@ -169,7 +169,7 @@ static int32_t moving_find(rest *r)
 	if (r->team != NULL)
 		cni_team_for(r->team, r->slow_count, BODIES_A_RANGE, rests_range, r);
 	for (n = 0; n < r->slow_count; ++n) {
-		int32_t k = r->slow[n] < 0 ? -r->slow[n] : r->slow[n], island = cni_awake_island(r->world, k);
+		int32_t k = r->slow[n] < 0 ? -r->slow[n] : r->slow[n], island = cni_awake_island_number(r->world, k);
 		if (is_moving(r, island))
 			continue;
 		if (slow_rests(r, n)) {
@@ -194,7 +194,7 @@ static void islands_done(rest *r)
 		int32_t island;
 		if (drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG))
 			continue;
-		island = may_rest(r, k) ? cni_awake_island(r->world, k) : CNI_NONE;
+		island = may_rest(r, k) ? cni_awake_island_number(r->world, k) : CNI_NONE;
 		if (island == CNI_NONE || r->moving[island]) {
 			r->going = 1;
 			continue;
@@ -278,7 +278,7 @@ static void look_at_all(rest *r, const cni_solve *s)
 	r->speed_sq = square(speed);
 	r->way_sq = square(s->h * speed);
 	r->little_sq = square(r->little);
-	memset(r->moving, 0, (size_t)r->world->island_used);
+	memset(r->moving, 0, (size_t)r->world->step_island_count);
 	slow_find(r);
 	if (moving_find(r) > 0)
 		islands_done(r);
@@ -296,7 +296,7 @@ void cni_rest_find(cn_world *world, const cni_solve *s)
 	rest r = { world, s->team, NULL, NULL, NULL, 0, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0, 0, 0 };
 	if (s->substeps < 2)
 		return;
-	r.moving = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->island_used);
+	r.moving = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)cni_max_i(world->step_island_count, 1));
 	if (r.moving != NULL)
 		r.slow = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
 	if (r.slow != NULL && s->coarse && (r.netted = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->awake_count)) != NULL)

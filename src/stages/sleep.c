@@ -28,78 +28,119 @@ static void keep_near_kinematic_awake(cn_world *world)
 	const int32_t *ids = cni_awake_ids(world);
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
-		const cni_body *b = cni_body_at(world, ids[k]);
 		const cni_motion *m = cni_motions(world) + k;
-		if (b->type == CN_BODY_KINEMATIC && (m->vx != 0.0f || m->vy != 0.0f || m->w != 0.0f))
+		if (m->inv_mass == 0.0f && (m->vx != 0.0f || m->vy != 0.0f || m->w != 0.0f) && cni_body_at(world, ids[k])->type == CN_BODY_KINEMATIC)
 			keep_touching_awake(world, ids[k]);
 	}
 }
 
-static void rest_times_collect(cn_world *world)
+/* Bodies whose records are asked for: one pass reads them all. */
+#define RECORDS_AHEAD 8
+
+/* What came of looking at all awake bodies. */
+typedef struct rests {
+	int32_t split;    /* awake island that lost links and has the body that has rested longest, for long enough; CNI_NONE: none */
+	float longest;    /* how long that has */
+	int32_t alone;    /* 1: a body without an island may sleep */
+} rests;
+
+static int32_t rested(const cn_world *world, float time)
 {
-	const int32_t *ids = cni_awake_ids(world);
+	return time >= world->settings.sleep_delay && time > 0.0f;
+}
+
+/* Are there so many more islands than awake bodies that the table is not gone through? */
+static int32_t islands_are_many(const cn_world *world)
+{
+	return world->island_used > world->awake_count;
+}
+
+static void rest_times_clear(const cn_world *world)
+{
 	int32_t k;
-	for (k = 1; k < world->awake_count; ++k) {
-		const cni_body *b = cni_body_at(world, ids[k]);
+	for (k = 0; k < world->island_used && !islands_are_many(world); ++k)
+		cni_island_at(world, k)->rest_time = FLT_MAX;
+	for (k = 1; k < world->awake_count && islands_are_many(world); ++k) {
+		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		if (b->island != CNI_NONE)
 			cni_island_at(world, b->island)->rest_time = FLT_MAX;
 	}
+}
+
+/* Also each awake island's rest_time; of those that sleep it is FLT_MAX, if it is looked at. */
+static rests rests_find(cn_world *world)
+{
+	const int32_t *ids = cni_awake_ids(world);
+	rests r = { CNI_NONE, world->settings.sleep_delay, 0 };
+	int32_t k;
+	rest_times_clear(world);
 	for (k = 1; k < world->awake_count; ++k) {
 		const cni_body *b = cni_body_at(world, ids[k]);
-		if (b->island != CNI_NONE) {
-			cni_island *i = cni_island_at(world, b->island);
-			i->rest_time = cni_min(i->rest_time, b->sleep_time);
+		cni_island *i;
+		if (k + RECORDS_AHEAD < world->awake_count)
+			CNI_PREFETCH(&cni_body_at(world, ids[k + RECORDS_AHEAD])->sleep_time);
+		if (b->island == CNI_NONE) {
+			r.alone |= rested(world, b->sleep_time);
+			continue;
 		}
+		i = cni_island_at(world, b->island);
+		i->rest_time = cni_min(i->rest_time, b->sleep_time);
+		if (i->losses == 0 || b->sleep_time < r.longest || b->sleep_time <= 0.0f || (r.split != CNI_NONE && b->sleep_time == r.longest))
+			continue;
+		r.split = b->island;
+		r.longest = b->sleep_time;
 	}
+	return r;
 }
 
 /* Bodies that may be looked at a step on the average to split islands: hardly a part of what the step costs with as many. */
 #define SPLIT_BODIES_A_STEP 1024
 
 /*
- * The awake island that lost links and has a body that has rested longest; at most one a step is split. While a large one
- * comes apart it loses links in every step, and what rests in it hangs on what moves: the next split waits until
- * this one has been paid for.
+ * At most one island a step is split. While a large one comes apart it loses links in every step, and what rests in it
+ * hangs on what moves: the next split waits until this one has been paid for. Returns 1 when one was.
  */
-static void split_one(cn_world *world)
+static int32_t split_one(cn_world *world, int32_t island)
 {
-	const int32_t *ids = cni_awake_ids(world);
-	int32_t k, best = CNI_NONE;
-	float longest = world->settings.sleep_delay;
-	if ((int32_t)(world->step_count - world->split_step) < 0)
-		return;
-	for (k = 1; k < world->awake_count; ++k) {
-		const cni_body *b = cni_body_at(world, ids[k]);
-		if (b->island == CNI_NONE || cni_island_at(world, b->island)->losses == 0 || b->sleep_time < longest || b->sleep_time <= 0.0f)
-			continue;
-		if (best == CNI_NONE || b->sleep_time > longest) {
-			best = b->island;
-			longest = b->sleep_time;
-		}
-	}
-	if (best == CNI_NONE)
-		return;
-	world->split_step = world->step_count + 1u + (uint32_t)(cni_island_at(world, best)->count / SPLIT_BODIES_A_STEP);
-	if (!cni_island_split(world, best))
+	if (island == CNI_NONE || (int32_t)(world->step_count - world->split_step) < 0)
+		return 0;
+	world->split_step = world->step_count + 1u + (uint32_t)(cni_island_at(world, island)->count / SPLIT_BODIES_A_STEP);
+	if (!cni_island_split(world, island))
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
+	return 1;
+}
+
+static int32_t island_may_sleep(const cn_world *world, const cni_island *i)
+{
+	return i->losses == 0 && rested(world, i->rest_time);
 }
 
 static int32_t may_sleep(const cn_world *world, const cni_body *b)
 {
-	float delay = world->settings.sleep_delay;
-	const cni_island *i;
-	if (b->island == CNI_NONE)
-		return b->sleep_time >= delay && b->sleep_time > 0.0f;
-	i = cni_island_at(world, b->island);
-	return i->losses == 0 && i->rest_time >= delay && i->rest_time > 0.0f;
+	return b->island == CNI_NONE ? rested(world, b->sleep_time) : island_may_sleep(world, cni_island_at(world, b->island));
+}
+
+static int32_t some_island_may_sleep(const cn_world *world)
+{
+	int32_t k;
+	for (k = 0; k < world->island_used; ++k) {
+		const cni_island *i = cni_island_at(world, k);
+		if (i->rest_time < FLT_MAX && island_may_sleep(world, i))
+			return 1;
+	}
+	return 0;
 }
 
 void cni_stage_sleep(cn_world *world)
 {
+	rests r;
 	int32_t k;
 	keep_near_kinematic_awake(world);
-	split_one(world);
-	rest_times_collect(world);
+	r = rests_find(world);
+	if (split_one(world, r.split))
+		r = rests_find(world);
+	if (!r.alone && !islands_are_many(world) && !some_island_may_sleep(world))
+		return;
 	for (k = world->awake_count - 1; k >= 1; k = cni_min_i(k, world->awake_count) - 1) {
 		int32_t body = cni_awake_ids(world)[k];
 		if (may_sleep(world, cni_body_at(world, body)) && !cni_body_put_to_sleep(world, body))

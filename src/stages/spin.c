@@ -64,7 +64,7 @@ static int32_t has_pairs(const cn_world *world)
 
 static void hold(const parts *p, int32_t index)
 {
-	int32_t island = cni_awake_island(p->world, index);
+	int32_t island = cni_awake_island_number(p->world, index);
 	if (island != CNI_NONE)
 		p->held[island] = 1;
 }
@@ -111,7 +111,7 @@ static int32_t roots_begin(const parts *p)
 	int32_t k, count = 0;
 	p->root[0] = 0;
 	for (k = 1; k < p->world->awake_count; ++k) {
-		int32_t island = cni_awake_island(p->world, k);
+		int32_t island = cni_awake_island_number(p->world, k);
 		p->root[k] = island != CNI_NONE && !p->held[island] ? k : 0;
 		count += p->root[k] != 0 && (drives[k].flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_SWUNG));
 	}
@@ -142,15 +142,25 @@ static void lanes_join(const parts *p, const cni_contact_block *k)
 			roots_join(p->root, k->ia[l], k->ib[l]);
 }
 
-/* What touches, and what joints hold together. A lane's bodies are in one island, or one of them is in none. Blocks in the order of
-   memory: those of the free list have no lanes. */
+/* In the order of memory, where that is no detour: blocks of the free list have no lanes. */
+static void roots_of_contacts(const parts *p)
+{
+	const cn_world *world = p->world;
+	int32_t block, color, all = !cni_blocks_are_few(world);
+	for (block = 0; block < world->block_used && all; ++block)
+		if (cni_block_info_at(world, block)->color != CNI_NONE)
+			lanes_join(p, cni_block_at(world, block));
+	for (color = 0; color < CNI_COLORS && !all; ++color)
+		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
+			lanes_join(p, cni_block_at(world, block));
+}
+
+/* What touches, and what joints hold together. A lane's bodies are in one island, or one of them is in none. */
 static void roots_find(const parts *p)
 {
 	const cn_world *world = p->world;
-	int32_t block, k;
-	for (block = 0; block < world->block_used; ++block)
-		if (cni_block_info_at(world, block)->color != CNI_NONE)
-			lanes_join(p, cni_block_at(world, block));
+	int32_t k;
+	roots_of_contacts(p);
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		const cni_joint_work *w = cni_joint_works(world) + k;
 		if (p->root[w->ia] != 0 && p->root[w->ib] != 0 && w->record->linked)
@@ -290,7 +300,7 @@ static void parts_hold(const parts *p)
 
 static void look_at_all(const parts *p)
 {
-	memset(p->held, 0, (size_t)p->world->island_used);
+	memset(p->held, 0, (size_t)p->world->step_island_count);
 	held_by_contacts(p);
 	held_by_joints(p);
 	if (roots_begin(p) == 0)
@@ -304,9 +314,9 @@ void cni_spin_hold(cn_world *world)
 {
 	uint64_t count = (uint64_t)world->awake_count;
 	parts p = { world, NULL, NULL, NULL, NULL };
-	if (world->island_used == 0 || !has_pairs(world))
+	if (world->step_island_count == 0 || !has_pairs(world))
 		return;
-	p.held = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->island_used);
+	p.held = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->step_island_count);
 	if (p.held != NULL)
 		p.root = (int32_t *)cni_arena_push(&world->arena, 3 * sizeof(int32_t) * count);
 	if (p.root != NULL) { /* else there is no memory to look: the step goes on as it is */

@@ -357,6 +357,66 @@ static void moved_list_is_what_moved(void)
 	cn_world_destroy(world);
 }
 
+/* ---- what sleeps changes nothing ---- */
+
+#define CROWD 120
+#define PILES 1500
+
+typedef struct crowd {
+	cn_world *world;
+	cn_body bodies[CROWD];
+} crowd;
+
+/* The world's first bodies, or none: two boxes each. */
+static void crowd_begin(crowd *c, int32_t piles)
+{
+	int32_t k;
+	c->world = fixture_world(-10.0f, 1);
+	fixture_box(c->world, CN_BODY_STATIC, 0.0f, -1.0f, 0.0f, 20000.0f, 1.0f, 0.6f, 0.0f);
+	for (k = 0; k < 2 * piles; ++k)
+		unit_box(c->world, 100.0f + 1.5f * (float)(k / 2), 0.5f + (float)(k % 2));
+	fixture_step(c->world, 90);
+	CHECK(fixture_counters(c->world).bodies_awake == 0 && fixture_counters(c->world).islands == piles);
+	for (k = 0; k < CROWD; ++k) {
+		float x = -6.0f + 1.1f * (float)(k % 12), y = 1.0f + 1.2f * (float)(k / 12);
+		c->bodies[k] = k % 3 == 0 ? fixture_circle(c->world, CN_BODY_DYNAMIC, x, y, 0.5f, 0.5f, 0.5f) : unit_box(c->world, x, y);
+		fixture_set_velocity(c->world, c->bodies[k], (float)(k * 37 % 19 - 9), (float)(k * 53 % 23 - 11), 0.0f);
+	}
+}
+
+static int32_t crowd_differs(const crowd *a, const crowd *b)
+{
+	int32_t k, count = 0;
+	for (k = 0; k < CROWD; ++k) {
+		cn_pose pa = fixture_pose(a->world, a->bodies[k]), pb = fixture_pose(b->world, b->bodies[k]);
+		count += memcmp(&pa, &pb, sizeof pa) != 0;
+	}
+	return count;
+}
+
+/* Where many more islands sleep than are awake, a step numbers those that are: the same bits come of it. */
+static void sleepers_do_not_change_what_moves(void)
+{
+	crowd alone, beside;
+	int32_t step, different = 0, islands = 0, slept = 0;
+	crowd_begin(&alone, 0);
+	crowd_begin(&beside, PILES);
+	for (step = 0; step < 600; ++step) {
+		fixture_step(alone.world, 1);
+		fixture_step(beside.world, 1);
+		different += crowd_differs(&alone, &beside);
+		islands = islands > fixture_counters(beside.world).islands_awake ? islands : fixture_counters(beside.world).islands_awake;
+		slept += fixture_counters(alone.world).bodies_awake != fixture_counters(beside.world).bodies_awake;
+	}
+	printf("  at most %d islands awake beside %d asleep; in the end %d bodies of the crowd awake\n", (int)islands, PILES, (int)fixture_counters(alone.world).bodies_awake);
+	CHECK_LE("poses that differ", different, 0, "");
+	CHECK_LE("steps in which not the same number is awake", slept, 0, "");
+	CHECK(islands > 3 && fixture_counters(alone.world).bodies_awake < CROWD / 4);
+	CHECK(fixture_is_valid(beside.world));
+	cn_world_destroy(alone.world);
+	cn_world_destroy(beside.world);
+}
+
 /* ---- cost ---- */
 
 static double median_step_s(cn_world *world)
@@ -423,6 +483,7 @@ int main(int argc, char **argv)
 	RUN(own_sleep_speed_counts);
 	RUN(a_world_without_sleep_wakes_all);
 	RUN(moved_list_is_what_moved);
+	RUN(sleepers_do_not_change_what_moves);
 	RUN(sleeping_bodies_cost_nothing);
 	return test_end();
 }
