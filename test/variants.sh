@@ -4,7 +4,7 @@
 # that must all give the same bits (tests hold golden hashes), then checks of the sources. Every suite has a
 # build folder of its own but the first, which has that of `make test`: what that built is not built again.
 # The whole suite runs as the caller's options say, with the address, undefined-behaviour and memory sanitizers, and at
-# -O3 with the processor's own instructions; the thread sanitizer runs the tests of threads, the other builds those that
+# -O3 with the processor's own instructions; the thread sanitizer and helgrind run tests of threads, the other builds those that
 # hold bits against bits. Ends with one summed line "N passed, N failed, N skipped".
 set -u
 unset MAKEFLAGS MFLAGS MAKELEVEL # a make of its own, not a part of the one that called
@@ -97,6 +97,18 @@ header_in_cxx() {
 	done
 }
 header_without_padding() { gcc -std=c99 -pedantic -Wall -Wextra -Wpadded -Werror -fsyntax-only -x c include/cairn.h; }
+# Valgrind's word on threads beside the sanitizer's: it sees locks and the order of words that other threads wait for by other means.
+helgrind() {
+	if ! command -v valgrind >/dev/null 2>&1 || ! echo '#include <valgrind/helgrind.h>' | gcc -E -x c - >/dev/null 2>&1; then
+		echo "valgrind is not installed (see .ci/deps)"
+		add helgrind 0 0 1
+		return
+	fi
+	export RUNNER='valgrind -q --tool=helgrind --history-level=none --fair-sched=try --error-exitcode=9'
+	suite helgrind gcc '-O1 -g' '-DTEST_SLOW -DCNI_HELGRIND' 'base/threads_test world/threads_contacts_test'
+	unset RUNNER
+}
+
 # The shared library exports what the header declares and nothing else.
 exports() {
 	${MAKE:-make} -s -j"$cores" all BUILD="$build/release-check" || return 1
@@ -129,6 +141,7 @@ plain
 suite clang-address clang-19 "$sanitize -fsanitize=address,undefined" "$slow"
 suite clang-memory clang-19 "$sanitize -fsanitize=memory" "$slow"
 suite clang-thread clang-19 "-O1 -g -fno-omit-frame-pointer -fsanitize=thread" "$slow" "$threads"
+helgrind
 suite no-threads gcc '-O1' '-DCNI_DEBUG -DCN_NO_THREADS' "$threads $bits world/memory_test world/memory_block_test"
 suite gcc-O0 gcc '-O0' "$slow" "$bits"
 suite gcc-O3-native gcc '-O3 -march=native' ''

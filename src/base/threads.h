@@ -63,20 +63,69 @@ void cni_team_hold(cni_team *team, int32_t on);
 
 /* ---- atomic words: loads acquire, stores release, the rest does both ---- */
 
+/* For a build that helgrind looks at, which takes atomic words for races and does not see what they order. Elsewhere nothing. */
+#if defined(CNI_HELGRIND)
+#include <valgrind/helgrind.h>
+#define CNI_WORD_IS_SHARED(word) VALGRIND_HG_DISABLE_CHECKING(word, sizeof *(word))
+#define CNI_WORD_SENDS(word) do { CNI_WORD_IS_SHARED(word); ANNOTATE_HAPPENS_BEFORE(word); } while (0)
+#define CNI_WORD_RECEIVES(word) ANNOTATE_HAPPENS_AFTER(word)
+#else
+#define CNI_WORD_SENDS(word) ((void)(word))
+#define CNI_WORD_RECEIVES(word) ((void)(word))
+#define CNI_WORD_IS_SHARED(word) ((void)(word))
+#endif
+
 #if CNI_HAS_TEAMS && defined(__GNUC__)
-static inline uint32_t cni_atomic_load(const uint32_t *word) { return __atomic_load_n(word, __ATOMIC_ACQUIRE); }
-static inline void cni_atomic_store(uint32_t *word, uint32_t value) { __atomic_store_n(word, value, __ATOMIC_RELEASE); }
-static inline uint32_t cni_atomic_exchange(uint32_t *word, uint32_t value) { return __atomic_exchange_n(word, value, __ATOMIC_ACQ_REL); }
+static inline uint32_t cni_atomic_load(const uint32_t *word)
+{
+	uint32_t value;
+	CNI_WORD_IS_SHARED(word);
+	value = __atomic_load_n(word, __ATOMIC_ACQUIRE);
+	CNI_WORD_RECEIVES(word);
+	return value;
+}
+static inline void cni_atomic_store(uint32_t *word, uint32_t value)
+{
+	CNI_WORD_SENDS(word);
+	__atomic_store_n(word, value, __ATOMIC_RELEASE);
+}
+static inline uint32_t cni_atomic_exchange(uint32_t *word, uint32_t value)
+{
+	uint32_t was;
+	CNI_WORD_SENDS(word);
+	was = __atomic_exchange_n(word, value, __ATOMIC_ACQ_REL);
+	CNI_WORD_RECEIVES(word);
+	return was;
+}
 /* Returns what it was before. */
-static inline uint32_t cni_atomic_add(uint32_t *word, uint32_t value) { return __atomic_fetch_add(word, value, __ATOMIC_ACQ_REL); }
+static inline uint32_t cni_atomic_add(uint32_t *word, uint32_t value)
+{
+	uint32_t was;
+	CNI_WORD_SENDS(word);
+	was = __atomic_fetch_add(word, value, __ATOMIC_ACQ_REL);
+	CNI_WORD_RECEIVES(word);
+	return was;
+}
 /* If it is *expected it becomes value: 1. Else *expected becomes what it is: 0. */
 static inline int32_t cni_atomic_replace(uint32_t *word, uint32_t *expected, uint32_t value)
 {
-	return __atomic_compare_exchange_n(word, expected, value, 0, __ATOMIC_ACQ_REL, __ATOMIC_ACQUIRE);
+	int32_t done;
+	CNI_WORD_SENDS(word);
+	done = __atomic_compare_exchange_n(word, expected, value, 0, __ATOMIC_ACQ_REL, __ATOMIC_ACQUIRE);
+	CNI_WORD_RECEIVES(word);
+	return done;
 }
 /* Of a word that several workers may set to the same value: cost what plain ones do, and say nothing of other memory. */
-static inline uint32_t cni_atomic_peek(const uint32_t *word) { return __atomic_load_n(word, __ATOMIC_RELAXED); }
-static inline void cni_atomic_put(uint32_t *word, uint32_t value) { __atomic_store_n(word, value, __ATOMIC_RELAXED); }
+static inline uint32_t cni_atomic_peek(const uint32_t *word)
+{
+	CNI_WORD_IS_SHARED(word);
+	return __atomic_load_n(word, __ATOMIC_RELAXED);
+}
+static inline void cni_atomic_put(uint32_t *word, uint32_t value)
+{
+	CNI_WORD_IS_SHARED(word);
+	__atomic_store_n(word, value, __ATOMIC_RELAXED);
+}
 #elif CNI_HAS_TEAMS
 #include <intrin.h>
 static inline uint32_t cni_atomic_peek(const uint32_t *word) { return *(const volatile uint32_t *)word; }
