@@ -2,16 +2,17 @@
  * stages/contact_joined.c - few contacts on bodies that joints hold, solved through their joints.
  *
  * A heavy box on a light plank of a bridge: a pass over the contact sees the plank alone, not the bridge that holds it, and
- * passes over contacts and joints by turns would need thousands of rounds. So contacts of an island with joints that have
- * come apart see the joints: stages/contact_reach.c. Here is which contacts those are, their way out of their lanes and back,
- * and what they may do to energy.
+ * passes over contacts and joints by turns would need thousands of rounds. So contacts of a loop of pins, and of an island
+ * with joints that have come apart, see the joints: stages/contact_reach.c. Here is which contacts those are, their way out
+ * of their lanes and back, and what they may do to energy. Where little lies on them, or the contacts are too many, or of a
+ * kind that cannot be solved so, these stay in their lanes, by turns with the joints (stages/joint_close.c).
  *
  * Closing gaps lifts what hangs, more than the gap where joints are nearly in line. What stands on fixed ground and
  * is not driven may not end a substep with more kinetic energy than it began with and its drive gave on the way; the rest is
  * taken out of all its velocities.
  *
- * Loops stay while the soft solver would let them come apart again. Those that are given back all the same, when there are too
- * many contacts, begin from no impulse.
+ * Loops stay while the soft solver would let them come apart again. Those that are given back all the same begin from no
+ * impulse.
  *
  * Reads and writes lanes of contact blocks, motion velocities, start; islands' tier fields, joints' held_step.
  */
@@ -20,6 +21,7 @@
 
 #include <string.h>
 
+#define LOAD_MOST 800.0f       /* masses that touch, each contact its heavier one, over the lightest */
 #define SOFT_GIVE 0.4f         /* 1 / (w h)^2 of soft joints: stages/solve_make.c */
 
 /* ---- which ---- */
@@ -30,16 +32,11 @@ static int32_t joined_may_be(const cn_world *world, int32_t island)
 	return i->tier == CNI_TIER_DIRECT && i->solver != CN_SOLVER_DIRECT && cni_island_has_joints(world, island);
 }
 
-/* Were its joints held in the last step? */
-static int32_t was_joined(const cn_world *world, int32_t island)
+static cni_joined *joined_of(const cn_world *world, const cni_sparse *sparse, int32_t index)
 {
-	int32_t body;
-	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
-		const cni_body *b = cni_body_at(world, body);
-		if (b->joint_count > 0 && cni_joint_at(world, b->joint_first >> 1)->held_step == world->step_count)
-			return world->joined_step == world->step_count;
-	}
-	return 0;
+	int32_t island = cni_awake_island(world, index);
+	const cni_island *i = island != CNI_NONE ? cni_island_at(world, island) : NULL;
+	return i != NULL && i->joined_step == world->step_count + 1u ? &sparse->joined[i->joined] : NULL;
 }
 
 static int32_t has_dear(const cn_world *world, const cni_sparse *sparse, int32_t island)
@@ -53,6 +50,53 @@ static int32_t has_dear(const cn_world *world, const cni_sparse *sparse, int32_t
 	return 0;
 }
 
+static void components_find(const cn_world *world, cni_sparse *sparse)
+{
+	int32_t k;
+	for (k = sparse->component_count - 1; k >= 0 && sparse->joined_count > 0; --k) {
+		cni_component *c = &sparse->components[k];
+		cni_joined *j = c->body_begin < c->body_end ? joined_of(world, sparse, sparse->bodies[c->body_begin]) : NULL;
+		if (j == NULL)
+			continue;
+		c->joined = (int32_t)(j - sparse->joined);
+		c->joined_next = j->component;
+		j->component = k;
+		j->loops |= c->loops;
+	}
+}
+
+/* Does so much lie on what is so light that passes by turns would let it through? */
+static int32_t is_heavily_laden(const cn_world *world, const cni_joined *j)
+{
+	float load = 0.0f, lightest = 0.0f;
+	int32_t i;
+	for (i = 0; i < j->count; ++i) {
+		const cni_contact_block *block = cni_block_at(world, j->presses[i].block);
+		float inv_a = cni_motions(world)[block->ia[j->presses[i].lane]].inv_mass, inv_b = cni_motions(world)[block->ib[j->presses[i].lane]].inv_mass;
+		load += inv_a > 0.0f && inv_b > 0.0f ? 1.0f / cni_min(inv_a, inv_b) : 0.0f;
+		lightest = cni_max(lightest, cni_max(inv_a, inv_b));
+	}
+	return load * lightest > LOAD_MOST;
+}
+
+/* Loops that bear little leave their contacts to the soft solver. */
+static void contacts_leave(const cn_world *world, cni_sparse *sparse)
+{
+	int32_t k;
+	for (k = 0; k < sparse->joined_count; ++k) {
+		cni_joined *j = &sparse->joined[k];
+		j->in_lanes |= j->loops && !is_heavily_laden(world, j);
+		j->count = j->in_lanes ? 0 : j->count;
+		j->columns = (3 * j->count + 3) & ~3;
+	}
+}
+
+/* Contacts of so many islands. */
+static int32_t presses_room(int32_t islands)
+{
+	return CNI_JOINED_CONTACTS * cni_min_i(islands, CNI_JOINED_FULL);
+}
+
 int32_t cni_joined_collect(cn_world *world, cni_sparse *out)
 {
 	const int32_t *islands = (const int32_t *)world->direct_islands.data;
@@ -60,7 +104,7 @@ int32_t cni_joined_collect(cn_world *world, cni_sparse *out)
 	if (room == 0)
 		return 1;
 	out->joined = (cni_joined *)cni_arena_push(&world->arena, sizeof(cni_joined) * (uint64_t)room);
-	out->joined_presses = (cni_press *)cni_arena_push(&world->arena, sizeof(cni_press) * (uint64_t)(room * CNI_JOINED_CONTACTS));
+	out->joined_presses = (cni_press *)cni_arena_push(&world->arena, sizeof(cni_press) * (uint64_t)presses_room(room));
 	if (out->joined == NULL || out->joined_presses == NULL)
 		return 0;
 	for (k = 0; k < world->direct_islands.count && out->joined_count < room; ++k) {
@@ -69,36 +113,32 @@ int32_t cni_joined_collect(cn_world *world, cni_sparse *out)
 			continue;
 		memset(j, 0, sizeof *j);
 		j->island = islands[k];
+		j->component = CNI_NONE;
 		j->presses = out->joined_presses + presses;
-		j->count = cni_presses_collect(world, islands[k], j->presses, CNI_JOINED_CONTACTS);
-		if (j->count < 0 && was_joined(world, islands[k]))
-			cni_island_refuse(world, islands[k], j->count == CNI_PRESSES_MANY ? CN_TIER_REASON_CROWDED : CN_TIER_REASON_KIND);
-		if (j->count < 0)
-			continue;
-		j->columns = (3 * j->count + 3) & ~3;
+		j->count = cni_presses_collect(world, islands[k], j->presses, cni_min_i(CNI_JOINED_CONTACTS, presses_room(room) - presses));
+		j->in_lanes = j->count < 0;
+		j->count = cni_max_i(j->count, 0);
 		j->fresh = 1;
 		j->turned = FLT_MAX;
 		presses += j->count;
-		++out->joined_count;
+		cni_island_at(world, j->island)->joined = out->joined_count++;
+		cni_island_at(world, j->island)->joined_step = world->step_count + 1u;
 	}
+	components_find(world, out);
+	contacts_leave(world, out);
 	return 1;
 }
 
-int32_t cni_component_is_joined(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+const cni_joined *cni_component_joined(const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t k, island;
-	if (sparse->joined_count == 0 || c->body_begin == c->body_end)
-		return 0;
-	island = cni_awake_island(world, sparse->bodies[c->body_begin]);
-	for (k = 0; k < sparse->joined_count && island != CNI_NONE; ++k)
-		if (sparse->joined[k].island == island)
-			return 1;
-	return 0;
+	return c->joined != CNI_NONE && c->joined < sparse->joined_count ? &sparse->joined[c->joined] : NULL;
 }
 
-int32_t cni_component_is_of(const cn_world *world, const cni_sparse *sparse, const cni_component *c, const cni_joined *j)
+int32_t cni_joined_component(const cni_sparse *sparse, int32_t k)
 {
-	return !c->done && c->body_begin < c->body_end && cni_awake_island(world, sparse->bodies[c->body_begin]) == j->island;
+	while (k != CNI_NONE && sparse->components[k].done)
+		k = sparse->components[k].joined_next;
+	return k;
 }
 
 /* ---- what of it may change its energy ---- */
@@ -112,15 +152,6 @@ static int32_t is_driven_by(const cn_world *world, int32_t index)
 static int32_t is_still(const cn_world *world, int32_t index)
 {
 	return cni_motions(world)[index].inv_mass == 0.0f;
-}
-
-static cni_joined *joined_of(const cn_world *world, const cni_sparse *sparse, int32_t index)
-{
-	int32_t k, island = cni_awake_island(world, index);
-	for (k = 0; k < sparse->joined_count && island != CNI_NONE; ++k)
-		if (sparse->joined[k].island == island)
-			return &sparse->joined[k];
-	return NULL;
 }
 
 static void ends_look(const cn_world *world, cni_joined *j, int32_t ia, int32_t ib)
@@ -183,7 +214,7 @@ static void held_mark(cn_world *world, const cni_sparse *sparse)
 	world->joined_step = world->step_count + 1u;
 	for (k = 0; k < sparse->component_count; ++k) {
 		const cni_component *c = &sparse->components[k];
-		for (n = c->begin; n < c->end && !c->done && cni_component_is_joined(world, sparse, c); ++n)
+		for (n = c->begin; n < c->end && !c->done && cni_component_joined(sparse, c) != NULL; ++n)
 			cni_joint_at(world, cni_joint_works(world)[sparse->nodes[n].owner].joint)->held_step = world->joined_step;
 	}
 }
@@ -235,11 +266,11 @@ void cni_joined_take(cn_world *world, cni_sparse *sparse)
 uint64_t cni_joined_bytes(int32_t joints, int32_t contacts)
 {
 	const uint64_t rows = 3 * CNI_JOINED_CONTACTS;
-	uint64_t islands = (uint64_t)cni_min_i(joints, CNI_JOINED_ISLANDS);
-	uint64_t most = (uint64_t)cni_min_i(contacts, CNI_JOINED_CONTACTS * CNI_JOINED_ISLANDS);
-	if (joints == 0 || contacts == 0)
+	int32_t islands = cni_min_i(joints, CNI_JOINED_ISLANDS);
+	uint64_t most = (uint64_t)cni_min_i(contacts, CNI_JOINED_CONTACTS * CNI_JOINED_FULL);
+	if (joints == 0)
 		return 0;
-	return islands * (sizeof(cni_joined) + sizeof(cni_press) * CNI_JOINED_CONTACTS) +
+	return sizeof(cni_joined) * (uint64_t)islands + sizeof(cni_press) * (uint64_t)presses_room(islands) +
 	       sizeof(float) * rows * (3 * most + CNI_NODE_ROWS * (uint64_t)joints) + 256;
 }
 
@@ -255,8 +286,7 @@ static int32_t joints_are_laden(const cn_world *world, const cni_solve *s, const
 		for (i = 0; i < n->rows; ++i) {
 			const cni_lever *l = &n->lever[i];
 			const cni_motion *a = motions + n->ia, *b = motions + n->ib;
-			float own = a->inv_mass * (l->ax * l->ax + l->ay * l->ay) + a->inv_inertia * l->aw * l->aw +
-			            b->inv_mass * (l->bx * l->bx + l->by * l->by) + b->inv_inertia * l->bw * l->bw;
+			float own = cni_lever_inverse_mass(l, a, b);
 			if (own * cni_abs(cni_joint_works(world)[n->owner].rows[i].impulse) > most)
 				return 1;
 		}
@@ -269,7 +299,7 @@ void cni_joined_look(cn_world *world, const cni_solve *s)
 	int32_t k;
 	for (k = 0; k < s->direct->component_count && s->direct->joined_count > 0; ++k) {
 		const cni_component *c = &s->direct->components[k];
-		if (!c->done && !c->presses && cni_component_is_joined(world, s->direct, c) && joints_are_laden(world, s, c))
+		if (!c->done && !c->presses && cni_component_joined(s->direct, c) != NULL && joints_are_laden(world, s, c))
 			cni_island_at(world, cni_awake_island(world, s->direct->bodies[c->body_begin]))->good_steps = 0;
 	}
 }

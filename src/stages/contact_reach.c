@@ -10,7 +10,14 @@
  *
  * Reads the factored systems of joints, motion; writes the contacts' impulses, motion velocities.
  */
+#include "base/cpu.h"
 #include "stages/press.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#else
+#define CNI_WIDTH 1
+#endif
+#include "base/wide.h"
 
 #include <string.h>
 
@@ -32,7 +39,7 @@ typedef struct pass {
 	cni_motion *motions;
 	int32_t bias;
 	cni_lever lever[ROW_MOST]; /* zero: no row */
-	float speed[ROW_MOST];
+	CNI_ALIGNED(16) float speed[ROW_MOST];
 	float room[ROW_MOST]; /* speeds must be at least -room */
 	float given[ROW_MOST];
 	float mass[ROW_MOST]; /* 1 / reach of a row on itself; 0: nothing moves it */
@@ -104,9 +111,8 @@ static int32_t reach_find(const pass *q)
 	int32_t k, l;
 	memset(j->reach, 0, sizeof(float) * (size_t)(j->columns * j->columns));
 	reach_free(q);
-	for (k = 0; k < q->sparse->component_count; ++k)
-		if (cni_component_is_of(q->world, q->sparse, &q->sparse->components[k], j))
-			reach_held(q, &q->sparse->components[k]);
+	for (k = cni_joined_component(q->sparse, j->component); k != CNI_NONE; k = cni_joined_component(q->sparse, q->sparse->components[k].joined_next))
+		reach_held(q, &q->sparse->components[k]);
 	for (k = 0; k < j->columns; ++k)
 		for (l = 0; l < k; ++l)
 			j->reach[k * j->columns + l] = j->reach[l * j->columns + k];
@@ -119,10 +125,10 @@ static int32_t reach_find(const pass *q)
 
 static void row_give(pass *q, int32_t row, float impulse)
 {
-	const float *reach = q->joined->reach + row * q->joined->columns;
-	int32_t k;
-	for (k = 0; k < q->joined->columns; ++k)
-		q->speed[k] += reach[k] * impulse;
+	int32_t columns = q->joined->columns, k;
+	const float *reach = q->joined->reach + row * columns;
+	for (k = 0; k < columns; k += CNI_WIDTH)
+		cni_wide_store(q->speed + k, cni_wide_load(q->speed + k) + impulse * cni_wide_load(reach + k));
 	q->given[row] += impulse;
 }
 

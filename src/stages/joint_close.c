@@ -23,12 +23,13 @@
 
 static int32_t may_close(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
+	const cni_joined *joined = cni_component_joined(sparse, c);
 	int32_t n;
-	if (c->done || c->presses)
+	if (c->done || c->presses || (joined != NULL && !joined->in_lanes))
 		return 0;
 	for (n = c->body_begin; n < c->body_end; ++n)
 		if (cni_drives(world)[sparse->bodies[n]].flags & CNI_DRIVE_TOUCHED)
-			return !cni_component_is_joined(world, sparse, c);
+			return 1;
 	return 0;
 }
 
@@ -247,9 +248,9 @@ void cni_direct_close(cn_world *world, const cni_solve *s)
 static int32_t joined_lock(cn_world *world, const cni_solve *s, const cni_joined *joined)
 {
 	int32_t k, locked = 0;
-	for (k = 0; k < s->direct->component_count; ++k) {
+	for (k = cni_joined_component(s->direct, joined->component); k != CNI_NONE; k = cni_joined_component(s->direct, s->direct->components[k].joined_next)) {
 		cni_component *c = &s->direct->components[k];
-		if (!cni_component_is_of(world, s->direct, c, joined) || !cni_tension_lock(world, s->direct, c, s->h))
+		if (!cni_tension_lock(world, s->direct, c, s->h))
 			continue;
 		cni_sparse_factor(s->direct, c, cni_motions(world));
 		cni_direct_joints(world, s, c, 1);
@@ -264,24 +265,14 @@ static void round_run(cn_world *world, const cni_solve *s, cni_joined *joined, i
 	int32_t k;
 	if (!cni_joined_solve(world, s, joined, bias))
 		return;
-	for (k = 0; k < s->direct->component_count; ++k)
-		if (cni_component_is_of(world, s->direct, &s->direct->components[k], joined))
-			cni_direct_joints(world, s, &s->direct->components[k], bias);
-}
-
-static int32_t joined_is_done(const cn_world *world, const cni_sparse *sparse, const cni_joined *joined)
-{
-	int32_t k;
-	for (k = 0; k < sparse->component_count; ++k)
-		if (cni_component_is_of(world, sparse, &sparse->components[k], joined))
-			return 0;
-	return joined->count == 0;
+	for (k = cni_joined_component(s->direct, joined->component); k != CNI_NONE; k = cni_joined_component(s->direct, s->direct->components[k].joined_next))
+		cni_direct_joints(world, s, &s->direct->components[k], bias);
 }
 
 void cni_joined_round(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias)
 {
 	int32_t round;
-	if (joined_is_done(world, s->direct, joined))
+	if (joined->count == 0 && cni_joined_component(s->direct, joined->component) == CNI_NONE)
 		return;
 	round_run(world, s, joined, bias);
 	for (round = 0; bias && round < LOCKS && joined_lock(world, s, joined); ++round) {

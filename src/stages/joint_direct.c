@@ -5,8 +5,8 @@
  * What is not in them, and springs, motors and limits, are solved row by row in stages/joint_solve.c,
  * before; contacts come after, so joints and contacts alternate, where they disagree more than once: stages/joint_close.c.
  *
- * Loops of pins, and what they carry, are the soft solver's until they come apart by more than is good; then they are
- * solved with their contacts, those of them that are few: stages/contact_joined.c.
+ * Loops of pins are the soft solver's until they come apart by more than is good or touch something; then they are solved with
+ * their contacts, where those are few: stages/contact_joined.c.
  *
  * Reads works, motion and inverse masses; writes works' flags and their rigid rows' impulses, motion velocities.
  */
@@ -18,6 +18,7 @@
 /* Loops, the two points of a contact, and piles with several ways to bear the same say much twice: their diagonal grows by
    this part. */
 #define REGULAR 1e-4f
+#define LEAK 1e-5f         /* ... and their rows give way by this part of it to their whole impulses */
 
 /* A dear system is solved once, in one substep, and then not again for so long that it is no more work than this a step
    for each of its nodes, in the mean. */
@@ -138,19 +139,45 @@ static int32_t is_asked_for(const cn_world *world, const cni_sparse *sparse, con
 
 /*
  * A loop of pins, such as a bridge between two walls, may be so straight that no force can hold it: what is rigid
- * explodes there, and what gives way a little stands. Trees have no such places, nor have loops by gears.
+ * explodes there, unless its contacts see the bridge, what snaps is locked, and its energy is held: stages/contact_joined.c.
+ * Trees have no such places, nor have loops by gears.
  */
-static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+static int32_t is_loop_of_pins(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
-	if (c->body_begin == c->body_end)
-		return 1; /* of bodies that cannot move */
-	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->dear || c->presses || is_asked_for(world, sparse, c) || cni_component_is_joined(world, sparse, c))
+	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->dear || c->presses || c->body_begin == c->body_end)
 		return 0;
 	for (k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].rows != 2)
 			return 0;
 	return 1;
+}
+
+static int32_t is_touched(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		if (cni_drives(world)[sparse->bodies[k]].flags & CNI_DRIVE_TOUCHED)
+			return 1;
+	return 0;
+}
+
+/* What carries something is solved so before it has come apart: a bridge that closes many gaps at once throws what is on it. */
+static void loops_find(cn_world *world, const cni_sparse *sparse)
+{
+	int32_t k;
+	for (k = 0; k < sparse->component_count; ++k) {
+		const cni_component *c = &sparse->components[k];
+		int32_t island = is_loop_of_pins(world, sparse, c) && is_touched(world, sparse, c) ? cni_awake_island(world, sparse->bodies[c->body_begin]) : CNI_NONE;
+		if (island != CNI_NONE)
+			cni_island_joints_hold(world, island);
+	}
+}
+
+/* Others until they come apart. */
+static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	return is_loop_of_pins(world, sparse, c) && !is_asked_for(world, sparse, c) && cni_component_joined(sparse, c) == NULL;
 }
 
 /* Joints to the world alone, and large nets that other things hold too. */
@@ -174,22 +201,26 @@ static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	if (out->component_count == 0)
 		return;
 	s->direct = out;
+	for (k = 0; k < out->component_count; ++k) {
+		out->components[k].presses = component_has_presses(out, &out->components[k]);
+		out->components[k].joined = CNI_NONE;
+	}
+	loops_find(world, out);
 	if (!cni_joined_collect(world, out))
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
 	for (k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
 		if (far && k + 1 < out->component_count)
 			cni_component_prefetch(world, out, k + 1);
-		c->presses = component_has_presses(out, c);
 		if (c->dear && world->settings.solver == CN_SOLVER_AUTO)
 			cni_island_once(world, cni_awake_island(world, out->bodies[c->body_begin]), c->work / (DEAR_SPREAD * (c->end - c->begin)));
 		c->regular = c->presses || c->loops ? REGULAR : 0.0f;
-		c->swings = !c->presses && !(c->loops && cni_component_is_joined(world, out, c)) && cni_component_swings(world, s, out, c);
-		if (loop_is_better_soft(world, out, c) || is_better_alone(c))
+		c->swings = !c->presses && !(c->loops && cni_component_joined(out, c) != NULL) && cni_component_swings(world, s, out, c);
+		if (c->body_begin == c->body_end || loop_is_better_soft(world, out, c) || is_better_alone(c))
 			joints_release(world, out, c);
 		else if (c->swings)
 			cni_sparse_clear(out, c);
-		else if (!(c->herds = !cni_component_is_joined(world, out, c) && cni_component_herds(world, s, out, c)))
+		else if (!(c->herds = cni_component_joined(out, c) == NULL && cni_component_herds(world, s, out, c)))
 			cni_direct_begin(world, s, out, c);
 	}
 	cni_herds_make(world, s, out);
@@ -275,9 +306,27 @@ static void component_release(cn_world *world, cni_sparse *sparse, cni_component
 		cni_island_refuse(world, cni_awake_island(world, sparse->bodies[c->body_begin]), CN_TIER_REASON_NO_SET);
 }
 
+/*
+ * Loops give way a little to what they bear. The tension of a bridge between two walls says nothing of its bodies where it
+ * is straight: nothing but this keeps it from growing, until whatever turns a joint a little throws all that is near.
+ */
+static void leaks_add(const cn_world *world, cni_sparse *sparse, const cni_component *c)
+{
+	const cni_motion *motions = cni_motions(world);
+	const cni_joint_work *works = cni_joint_works(world);
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		for (i = 0; i < n->rows && n->owner >= 0; ++i)
+			n->x[i] -= LEAK * cni_lever_inverse_mass(&n->lever[i], motions + n->ia, motions + n->ib) * works[n->owner].rows[i].impulse;
+	}
+}
+
 void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
 {
 	right_sides(world, s->direct, c, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f, s->push_speed);
+	if (bias && c->loops && !c->presses)
+		leaks_add(world, s->direct, c);
 }
 
 void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c)

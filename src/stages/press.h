@@ -56,17 +56,21 @@ int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *spars
 
 /* ---- contacts that are solved through their joints: stages/contact_joined.c ---- */
 
-#define CNI_JOINED_ISLANDS 16
+#define CNI_JOINED_ISLANDS 64
+#define CNI_JOINED_FULL 16     /* of them with as many contacts as may be */
 #define CNI_JOINED_CONTACTS 24 /* of an island: its joints are half solved for each of their rows */
 
 typedef struct cni_joined {
 	int32_t island;
+	int32_t component;          /* its first, CNI_NONE */
+	int32_t loops;              /* 1: some component of it has loops */
 	int32_t count;
 	cni_press *presses;
 	float *reach;               /* [row][row]: speed of the first by an impulse on the second */
 	float *nodes;               /* scratch: what the rows do to the joints of a system */
 	int32_t columns;            /* three a contact, rounded up */
 	int32_t fresh;              /* 1: the impulses are those of the last step */
+	int32_t in_lanes;           /* 1: its contacts are light, too many, or of a kind that cannot be solved so: the soft solver's */
 	int32_t grounded;           /* touches or hangs on what cannot be moved */
 	int32_t driven;             /* something may give it energy */
 	float energy;               /* twice the most kinetic energy that the substep may end with */
@@ -75,8 +79,10 @@ typedef struct cni_joined {
 
 /* The contacts of islands that are solved directly for their joints' sake. 0: no memory. */
 int32_t cni_joined_collect(cn_world *world, cni_sparse *out);
-int32_t cni_component_is_of(const cn_world *world, const cni_sparse *sparse, const cni_component *c, const cni_joined *j);
-int32_t cni_component_is_joined(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
+/* NULL: none. */
+const cni_joined *cni_component_joined(const cni_sparse *sparse, const cni_component *c);
+/* Its components that are not given up, from k = joined->component on; CNI_NONE: no more. */
+int32_t cni_joined_component(const cni_sparse *sparse, int32_t k);
 /* Takes them out of their lanes. */
 void cni_joined_take(cn_world *world, cni_sparse *sparse);
 /* Joints that were held and are not any more begin from nothing: what they bore, soft joints would give way to by metres. */

@@ -163,6 +163,8 @@ int32_t cni_island_is_refused(const cni_island *i, uint32_t step);
 void cni_tiers_forget(cn_world *world);
 /* Joints of it that the soft solver holds have come apart by more than the accuracy. */
 void cni_island_joints_part(cn_world *world, int32_t island);
+/* ... or would come apart, if it held them: in this step as well. */
+void cni_island_joints_hold(cn_world *world, int32_t island);
 /* Its system is so dear that it is solved in this step alone, and not again before that many steps. */
 void cni_island_once(cn_world *world, int32_t island, int32_t steps);
 /* Scratch that lanes of joints which are not pins may take. */

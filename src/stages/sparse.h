@@ -70,6 +70,7 @@ typedef struct cni_component {
 	int32_t tree;                  /* 1: its nodes are one: no two ways from one to another */
 	int32_t width;                 /* 2 or 3: rows that its nodes are solved with */
 	float regular;                 /* added to the diagonal, as a part of it */
+	int32_t joined, joined_next;   /* of stages/contact_joined.c: whose it is, the next component of the same; CNI_NONE */
 	int32_t swings;                /* of stages/joint_swing.c */
 	int32_t done;                  /* 1: nothing more to do for it in this step */
 	int32_t presses;               /* 1: with contacts, of stages/contact_direct.c */
@@ -182,6 +183,13 @@ void cni_kinds_find(cni_sparse *sparse, const cni_motion *motions);
 static inline float cni_lever_speed(const cni_lever *l, const cni_motion *a, const cni_motion *b)
 {
 	return l->ax * a->vx + l->ay * a->vy + l->aw * a->w + l->bx * b->vx + l->by * b->vy + l->bw * b->w;
+}
+
+/* Of a row: speed by an impulse of one. */
+static inline float cni_lever_inverse_mass(const cni_lever *l, const cni_motion *a, const cni_motion *b)
+{
+	return a->inv_mass * (l->ax * l->ax + l->ay * l->ay) + a->inv_inertia * l->aw * l->aw +
+	       b->inv_mass * (l->bx * l->bx + l->by * l->by) + b->inv_inertia * l->bw * l->bw;
 }
 
 static inline void cni_lever_push(const cni_lever *l, float impulse, cni_motion *a, cni_motion *b)

@@ -156,6 +156,12 @@ void cni_island_joints_part(cn_world *world, int32_t island)
 		island_take(world, island, CN_TIER_REASON_JOINT);
 }
 
+void cni_island_joints_hold(cn_world *world, int32_t island)
+{
+	cni_island_joints_part(world, island);
+	cni_island_at(world, island)->good_steps = 0;
+}
+
 void cni_island_once(cn_world *world, int32_t island, int32_t steps)
 {
 	cni_island *i = cni_island_at(world, island);

@@ -29,7 +29,7 @@ static const golden goldens[] = {
 	{ "small_50_sleep", 600, 1, 0x2947dda372b6d8a6 },
 	{ "dominoes", 400, 1, 0x44f5211b8776654d },
 	{ "ragdolls", 480, 1, 0xf9971b8de5771698 },
-	{ "bridge", 240, 1, 0x8dfcc5f4694d1f83 },
+	{ "bridge", 240, 1, 0xed9c8a32103ac506 },
 	{ "car", 400, 1, 0x950ac791a0ca27de },
 	{ "mixer", 240, 1, 0xa68ac08a7001b7f0 },
 	{ "pyramid", 120, 0, 0xbb24e8518c196cd8 },

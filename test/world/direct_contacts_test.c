@@ -292,7 +292,7 @@ static void bridge_run(const char *name, int32_t planks, double arc, int32_t box
 	printf("  %s\n", name);
 	CHECK_LE("greatest distance between anchors", w.apart, bound, "m");
 	CHECK_LE("energy gained, by what the bodies weigh", (w.energy - w.energy_start) / (GRAVITY * ((double)planks * 0.2 + (double)boxes * (double)factor)), 0.01, "m");
-	CHECK_LE("how far boxes sank", -lowest, 0.2 * (double)planks, "m");
+	CHECK_LE("how far boxes sank", -lowest, 0.02 * (double)planks, "m");
 	scene_close(&s);
 }
 
@@ -301,8 +301,10 @@ static void loaded_bridges_hold(void)
 	bridge_run("an arc, 6 boxes of 20 kg", 20, 0.5, 6, 20.0f, 5e-3);
 	bridge_run("an arc, 3 boxes of 200 kg", 20, 0.5, 3, 200.0f, 1e-2);
 	bridge_run("straight, 6 boxes of 1 kg", 20, 0.0, 6, 1.0f, 5e-3);
-	/* More contacts than are solved through joints: held first, then given back, and soft. */
-	bridge_run("straight, 30 boxes of 1 kg", 20, 0.0, 30, 1.0f, 0.2);
+	/* More contacts than are solved through joints: those are soft, the joints are not. */
+	bridge_run("straight, 30 boxes of 1 kg", 20, 0.0, 30, 1.0f, 5e-3);
+	bridge_run("straight and long, 30 boxes of 1 kg", 60, 0.0, 30, 1.0f, 5e-3);
+	bridge_run("straight and long, 30 boxes of 10 kg", 60, 0.0, 30, 10.0f, 5e-3);
 }
 
 /* A chain that comes down on its end at 10 m/s, and is 42 mm shorter in a substep if only the end is stopped. */
