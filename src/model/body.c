@@ -208,7 +208,7 @@ static void measure_shapes(const cn_world *world, cni_body *b)
 	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
 		const cni_geometry *g = cni_shape_geometry(&world->blocks, cni_shape_at(world, index));
 		extent = cni_max(extent, g->extent);
-		swing = cni_max(swing, shape_swing(b, g));
+		swing = b->type != CN_BODY_STATIC ? cni_max(swing, shape_swing(b, g)) : 0.0f;
 		core = cni_min(core, cni_max(g->inner_radius, world->settings.slop));
 	}
 	b->extent = extent + cni_length(b->local_center);
@@ -245,6 +245,36 @@ void cni_body_update_mass(cn_world *world, int32_t body)
 	}
 	measure_shapes(world, b);
 	cni_body_refresh_motion(world, b);
+}
+
+static int32_t has_several_shapes(const cn_world *world, const cni_body *b)
+{
+	return b->shape_first != CNI_NONE && cni_shape_at(world, b->shape_first)->next != CNI_NONE;
+}
+
+void cni_body_shape_came(cn_world *world, int32_t body, int32_t shape)
+{
+	cni_body *b = cni_body_at(world, body);
+	const cni_geometry *g = cni_shape_geometry(&world->blocks, cni_shape_at(world, shape));
+	if (b->type != CN_BODY_STATIC || !has_several_shapes(world, b)) {
+		cni_body_update_mass(world, body);
+		return;
+	}
+	b->extent = cni_max(b->extent, g->extent);
+	b->core = cni_min(b->core, cni_max(g->inner_radius, world->settings.slop));
+	cni_contact_loosen_body(world, b);
+	cni_body_forget_room(b);
+}
+
+void cni_body_shape_left(cn_world *world, int32_t body)
+{
+	cni_body *b = cni_body_at(world, body);
+	if (b->type != CN_BODY_STATIC || !has_several_shapes(world, b)) {
+		cni_body_update_mass(world, body);
+		return;
+	}
+	cni_contact_loosen_body(world, b);
+	cni_body_forget_room(b);
 }
 
 void cni_body_set_transform(cn_world *world, int32_t body, cni_vec2 origin, cni_rot q)

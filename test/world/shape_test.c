@@ -6,6 +6,8 @@
  */
 #include "fixture.h"
 
+#include "base/clock.h"
+
 #define PI 3.14159265358979323846
 
 static cn_mass_data mass_of(const cn_world *world, cn_body body)
@@ -552,6 +554,74 @@ static void shapes_sit_where_their_offset_says(void)
 	cn_world_destroy(world);
 }
 
+/* ---- levels: one static body of many tiles ---- */
+
+static cn_shape tile(cn_world *world, cn_body body, int32_t k)
+{
+	cn_shape_def def = fixture_shape_def(body, 0.6f, 0.0f);
+	def.offset_m.x = (float)(k % 1000);
+	def.offset_m.y = -(float)(k / 1000);
+	return fixture_box_shape(world, &def, 0.5f, 0.5f);
+}
+
+#define TILES 8000
+
+/* Least of three, in which every second tile is taken away again. */
+static double level_seconds(int32_t tiles)
+{
+	static cn_shape shapes[TILES];
+	double least = HUGE_VAL;
+	int32_t round, k;
+	for (round = 0; round < 3; ++round) {
+		cn_world *world = fixture_world(-10.0f, 0);
+		cn_body level = fixture_body(world, CN_BODY_STATIC, 0.0f, 0.0f, 0.0f);
+		uint64_t start = cni_clock_ns();
+		for (k = 0; k < tiles; ++k)
+			shapes[k] = tile(world, level, k);
+		for (k = 0; k < tiles; k += 2)
+			must(cn_shape_destroy(world, shapes[k]), world, "cn_shape_destroy");
+		least = fmin(least, 1e-9 * (double)(cni_clock_ns() - start));
+		cn_world_destroy(world);
+	}
+	return least;
+}
+
+static void levels_of_tiles_take_their_time_once(void)
+{
+	double few = level_seconds(TILES / 8), many = level_seconds(TILES);
+	CHECK_LE("eight times the tiles, times the time", many / few, 24.0, "");
+}
+
+/* Tiles that came last, beyond all others, hold as the first; others do when some have gone; and they weigh what they should when
+   their body becomes dynamic. */
+static void tiles_hold_wherever_they_are(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body level = fixture_body(world, CN_BODY_STATIC, 0.0f, 0.0f, 0.0f), balls[3];
+	cn_shape first = tile(world, level, 0), far_away, middle;
+	int32_t k;
+	middle = tile(world, level, 30);
+	far_away = tile(world, level, 200);
+	balls[0] = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 1.5f, 0.3f, 0.6f, 0.0f);
+	balls[1] = fixture_circle(world, CN_BODY_DYNAMIC, 30.0f, 1.5f, 0.3f, 0.6f, 0.0f);
+	balls[2] = fixture_circle(world, CN_BODY_DYNAMIC, 200.0f, 1.5f, 0.3f, 0.6f, 0.0f);
+	fixture_step(world, 120);
+	for (k = 0; k < 3; ++k)
+		CHECK_LE("ball above its tile", fabs((double)fixture_pose(world, balls[k]).position_m.y - 0.8), 0.01, "m");
+	must(cn_shape_destroy(world, far_away), world, "cn_shape_destroy");
+	must(cn_shape_destroy(world, first), world, "cn_shape_destroy");
+	(void)tile(world, level, 31);
+	fixture_step(world, 60);
+	CHECK_LE("ball on a tile that stayed", fabs((double)fixture_pose(world, balls[1]).position_m.y - 0.8), 0.01, "m");
+	CHECK(fixture_pose(world, balls[0]).position_m.y < 0.0f && fixture_pose(world, balls[2]).position_m.y < 0.0f);
+	must(cn_body_set_type(world, level, CN_BODY_DYNAMIC), world, "cn_body_set_type");
+	CHECK_LE("error of the mass of two tiles", fabs((double)mass_of(world, level).mass_kg - 2.0), 1e-5, "kg");
+	CHECK_LE("error of their centre", fabs((double)mass_of(world, level).center_m.x - 30.5), 1e-4, "m");
+	must(cn_shape_destroy(world, middle), world, "cn_shape_destroy");
+	CHECK(fixture_is_valid(world));
+	cn_world_destroy(world);
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -568,5 +638,7 @@ int main(int argc, char **argv)
 	RUN(rounded_polygons_are_as_large_as_they_say);
 	RUN(hulls_hold_their_points);
 	RUN(shapes_sit_where_their_offset_says);
+	RUN(levels_of_tiles_take_their_time_once);
+	RUN(tiles_hold_wherever_they_are);
 	return test_end();
 }
