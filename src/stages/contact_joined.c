@@ -79,53 +79,52 @@ static int32_t is_heavily_laden(const cn_world *world, const cni_joined *j)
 	return load * lightest > LOAD_MOST;
 }
 
-/* Loops that bear little leave their contacts to the soft solver. */
-static void contacts_leave(const cn_world *world, cni_sparse *sparse)
-{
-	int32_t k;
-	for (k = 0; k < sparse->joined_count; ++k) {
-		cni_joined *j = &sparse->joined[k];
-		j->in_lanes |= j->loops && !is_heavily_laden(world, j);
-		j->count = j->in_lanes ? 0 : j->count;
-		j->columns = (3 * j->count + 3) & ~3;
-	}
-}
-
 /* Contacts of so many islands. */
 static int32_t presses_room(int32_t islands)
 {
 	return CNI_JOINED_CONTACTS * cni_min_i(islands, CNI_JOINED_FULL);
 }
 
+/* Its contacts, of which there may be so many. Loops that bear little leave them to the soft solver. */
+static void presses_find(const cn_world *world, cni_joined *j, cni_press *presses, int32_t room)
+{
+	j->presses = presses;
+	j->count = cni_presses_collect(world, j->island, presses, cni_min_i(CNI_JOINED_CONTACTS, room));
+	j->in_lanes = j->count < 0 || (j->loops && !is_heavily_laden(world, j));
+	j->count = j->in_lanes ? 0 : j->count;
+	j->columns = (3 * j->count + 3) & ~3;
+}
+
+static void island_join(cn_world *world, cni_sparse *out, int32_t island)
+{
+	cni_joined *j = &out->joined[out->joined_count];
+	memset(j, 0, sizeof *j);
+	j->island = island;
+	j->component = CNI_NONE;
+	j->fresh = 1;
+	j->turned = FLT_MAX;
+	cni_island_at(world, island)->joined = out->joined_count++;
+	cni_island_at(world, island)->joined_step = world->step_count + 1u;
+}
+
 int32_t cni_joined_collect(cn_world *world, cni_sparse *out)
 {
 	const int32_t *islands = (const int32_t *)world->direct_islands.data;
-	int32_t k, room = world->awake_joints.count > 0 ? cni_min_i(world->direct_islands.count, CNI_JOINED_ISLANDS) : 0, presses = 0;
-	if (room == 0)
+	int32_t k, presses = 0, most = world->awake_joints.count > 0 ? cni_min_i(world->direct_islands.count, CNI_JOINED_ISLANDS) : 0, room = presses_room(most);
+	if (most == 0)
 		return 1;
-	out->joined = (cni_joined *)cni_arena_push(&world->arena, sizeof(cni_joined) * (uint64_t)room);
-	out->joined_presses = (cni_press *)cni_arena_push(&world->arena, sizeof(cni_press) * (uint64_t)presses_room(room));
+	out->joined = (cni_joined *)cni_arena_push(&world->arena, sizeof(cni_joined) * (uint64_t)most);
+	out->joined_presses = (cni_press *)cni_arena_push(&world->arena, sizeof(cni_press) * (uint64_t)room);
 	if (out->joined == NULL || out->joined_presses == NULL)
 		return 0;
-	for (k = 0; k < world->direct_islands.count && out->joined_count < room; ++k) {
-		cni_joined *j = &out->joined[out->joined_count];
-		if (!joined_may_be(world, islands[k]) || has_dear(world, out, islands[k]))
-			continue;
-		memset(j, 0, sizeof *j);
-		j->island = islands[k];
-		j->component = CNI_NONE;
-		j->presses = out->joined_presses + presses;
-		j->count = cni_presses_collect(world, islands[k], j->presses, cni_min_i(CNI_JOINED_CONTACTS, presses_room(room) - presses));
-		j->in_lanes = j->count < 0;
-		j->count = cni_max_i(j->count, 0);
-		j->fresh = 1;
-		j->turned = FLT_MAX;
-		presses += j->count;
-		cni_island_at(world, j->island)->joined = out->joined_count++;
-		cni_island_at(world, j->island)->joined_step = world->step_count + 1u;
-	}
+	for (k = 0; k < world->direct_islands.count && out->joined_count < most; ++k)
+		if (joined_may_be(world, islands[k]) && !has_dear(world, out, islands[k]))
+			island_join(world, out, islands[k]);
 	components_find(world, out);
-	contacts_leave(world, out);
+	for (k = 0; k < out->joined_count; ++k) {
+		presses_find(world, &out->joined[k], out->joined_presses + presses, room - presses);
+		presses += out->joined[k].count;
+	}
 	return 1;
 }
 
