@@ -201,19 +201,26 @@ static uint8_t swing_pack(float swing, float extent)
 	return (uint8_t)cni_min(up, 255.0f);
 }
 
+static void shape_measure(const cn_world *world, cni_body *b, const cni_geometry *g)
+{
+	b->extent = cni_max(b->extent, g->extent);
+	b->core = cni_min(b->core, cni_max(g->inner_radius, world->settings.slop));
+}
+
 static void measure_shapes(const cn_world *world, cni_body *b)
 {
-	float extent = 0.0f, swing = 0.0f, core = b->shape_first == CNI_NONE ? 0.0f : FLT_MAX;
+	float swing = 0.0f;
 	int32_t index;
+	b->extent = 0.0f;
+	b->core = b->shape_first == CNI_NONE ? 0.0f : FLT_MAX;
 	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
 		const cni_geometry *g = cni_shape_geometry(&world->blocks, cni_shape_at(world, index));
-		extent = cni_max(extent, g->extent);
-		swing = b->type != CN_BODY_STATIC ? cni_max(swing, shape_swing(b, g)) : 0.0f;
-		core = cni_min(core, cni_max(g->inner_radius, world->settings.slop));
+		shape_measure(world, b, g);
+		if (b->type != CN_BODY_STATIC)
+			swing = cni_max(swing, shape_swing(b, g));
 	}
-	b->extent = extent + cni_length(b->local_center);
+	b->extent += cni_length(b->local_center);
 	b->swing = swing_pack(swing, b->extent);
-	b->core = core;
 	cni_body_forget_room(b);
 }
 
@@ -252,27 +259,15 @@ static int32_t has_several_shapes(const cn_world *world, const cni_body *b)
 	return b->shape_first != CNI_NONE && cni_shape_at(world, b->shape_first)->next != CNI_NONE;
 }
 
-void cni_body_shape_came(cn_world *world, int32_t body, int32_t shape)
-{
-	cni_body *b = cni_body_at(world, body);
-	const cni_geometry *g = cni_shape_geometry(&world->blocks, cni_shape_at(world, shape));
-	if (b->type != CN_BODY_STATIC || !has_several_shapes(world, b)) {
-		cni_body_update_mass(world, body);
-		return;
-	}
-	b->extent = cni_max(b->extent, g->extent);
-	b->core = cni_min(b->core, cni_max(g->inner_radius, world->settings.slop));
-	cni_contact_loosen_body(world, b);
-	cni_body_forget_room(b);
-}
-
-void cni_body_shape_left(cn_world *world, int32_t body)
+void cni_body_shapes_changed(cn_world *world, int32_t body, int32_t came)
 {
 	cni_body *b = cni_body_at(world, body);
 	if (b->type != CN_BODY_STATIC || !has_several_shapes(world, b)) {
 		cni_body_update_mass(world, body);
 		return;
 	}
+	if (came != CNI_NONE)
+		shape_measure(world, b, cni_shape_geometry(&world->blocks, cni_shape_at(world, came)));
 	cni_contact_loosen_body(world, b);
 	cni_body_forget_room(b);
 }

@@ -222,10 +222,9 @@ void cni_body_leave_awake(cn_world *world, int32_t body);
 /* Recomputes mass, centre, inertia and extent from the shapes (or keeps an override), keeps the origin
    where it is and the velocity of the material, and refreshes the dense inverse masses. */
 void cni_body_update_mass(cn_world *world, int32_t body);
-/* The same after a shape was linked, or unlinked, but in a time that does not grow with the shapes of a static body, which may
-   be a level of thousands of tiles: its extent never shrinks until all of it is measured anew. */
-void cni_body_shape_came(cn_world *world, int32_t body, int32_t shape);
-void cni_body_shape_left(cn_world *world, int32_t body);
+/* The same after the shape `came` was linked, or (CNI_NONE) one unlinked, but in a time that does not grow with the shapes of a
+   static body, which may be a level of thousands of tiles: its extent never shrinks until all of it is measured anew. */
+void cni_body_shapes_changed(cn_world *world, int32_t body, int32_t came);
 /* Writes inv_mass, inv_inertia (locks, type) to the dense array if awake. */
 void cni_body_refresh_motion(cn_world *world, cni_body *b);
 /* Moves the origin and turns; refreshes the broadphase boxes of its shapes. */

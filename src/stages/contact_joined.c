@@ -32,22 +32,40 @@ static int32_t joined_may_be(const cn_world *world, int32_t island)
 	return i->tier == CNI_TIER_DIRECT && i->solver != CN_SOLVER_DIRECT && cni_island_has_joints(world, island);
 }
 
-static cni_joined *joined_of(const cn_world *world, const cni_sparse *sparse, int32_t index)
+static int32_t component_island(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	int32_t island = cni_awake_island(world, index);
-	const cni_island *i = island != CNI_NONE ? cni_island_at(world, island) : NULL;
-	return i != NULL && i->joined_step == world->step_count + 1u ? &sparse->joined[i->joined] : NULL;
+	return c->body_begin < c->body_end ? cni_awake_island(world, sparse->bodies[c->body_begin]) : CNI_NONE;
 }
 
-static int32_t has_dear(const cn_world *world, const cni_sparse *sparse, int32_t island)
+static int32_t is_of_this_step(const cn_world *world, int32_t island)
 {
-	int32_t k;
+	return cni_island_at(world, island)->joined_step == world->step_count + 1u;
+}
+
+static void place_give(const cn_world *world, int32_t island, int32_t place)
+{
+	cni_island_at(world, island)->joined = place;
+	cni_island_at(world, island)->joined_step = world->step_count + 1u;
+}
+
+/* NULL: none. */
+static cni_joined *joined_of(const cn_world *world, const cni_sparse *sparse, int32_t island)
+{
+	int32_t place = island != CNI_NONE && is_of_this_step(world, island) ? cni_island_at(world, island)->joined : CNI_NONE;
+	return place != CNI_NONE ? &sparse->joined[place] : NULL;
+}
+
+/* They get no place. */
+static void dear_mark(const cn_world *world, const cni_sparse *sparse)
+{
+	int32_t k, island;
 	for (k = 0; k < sparse->component_count; ++k) {
-		const cni_component *c = &sparse->components[k];
-		if (c->dear && c->body_begin < c->body_end && cni_awake_island(world, sparse->bodies[c->body_begin]) == island)
-			return 1;
+		if (!sparse->components[k].dear)
+			continue;
+		island = component_island(world, sparse, &sparse->components[k]);
+		if (island != CNI_NONE)
+			place_give(world, island, CNI_NONE);
 	}
-	return 0;
 }
 
 static void components_find(const cn_world *world, cni_sparse *sparse)
@@ -55,7 +73,7 @@ static void components_find(const cn_world *world, cni_sparse *sparse)
 	int32_t k;
 	for (k = sparse->component_count - 1; k >= 0 && sparse->joined_count > 0; --k) {
 		cni_component *c = &sparse->components[k];
-		cni_joined *j = c->body_begin < c->body_end ? joined_of(world, sparse, sparse->bodies[c->body_begin]) : NULL;
+		cni_joined *j = joined_of(world, sparse, component_island(world, sparse, c));
 		if (j == NULL)
 			continue;
 		c->joined = (int32_t)(j - sparse->joined);
@@ -95,7 +113,7 @@ static void presses_find(const cn_world *world, cni_joined *j, cni_press *presse
 	j->columns = (3 * j->count + 3) & ~3;
 }
 
-static void island_join(cn_world *world, cni_sparse *out, int32_t island)
+static void island_join(const cn_world *world, cni_sparse *out, int32_t island)
 {
 	cni_joined *j = &out->joined[out->joined_count];
 	memset(j, 0, sizeof *j);
@@ -103,8 +121,7 @@ static void island_join(cn_world *world, cni_sparse *out, int32_t island)
 	j->component = CNI_NONE;
 	j->fresh = 1;
 	j->turned = FLT_MAX;
-	cni_island_at(world, island)->joined = out->joined_count++;
-	cni_island_at(world, island)->joined_step = world->step_count + 1u;
+	place_give(world, island, out->joined_count++);
 }
 
 int32_t cni_joined_collect(cn_world *world, cni_sparse *out)
@@ -117,8 +134,9 @@ int32_t cni_joined_collect(cn_world *world, cni_sparse *out)
 	out->joined_presses = (cni_press *)cni_arena_push(&world->arena, sizeof(cni_press) * (uint64_t)room);
 	if (out->joined == NULL || out->joined_presses == NULL)
 		return 0;
+	dear_mark(world, out);
 	for (k = 0; k < world->direct_islands.count && out->joined_count < most; ++k)
-		if (joined_may_be(world, islands[k]) && !has_dear(world, out, islands[k]))
+		if (!is_of_this_step(world, islands[k]) && joined_may_be(world, islands[k]))
 			island_join(world, out, islands[k]);
 	components_find(world, out);
 	for (k = 0; k < out->joined_count; ++k) {
@@ -133,11 +151,21 @@ const cni_joined *cni_component_joined(const cni_sparse *sparse, const cni_compo
 	return c->joined != CNI_NONE && c->joined < sparse->joined_count ? &sparse->joined[c->joined] : NULL;
 }
 
-int32_t cni_joined_component(const cni_sparse *sparse, int32_t k)
+static int32_t not_done_from(const cni_sparse *sparse, int32_t k)
 {
 	while (k != CNI_NONE && sparse->components[k].done)
 		k = sparse->components[k].joined_next;
 	return k;
+}
+
+int32_t cni_joined_first(const cni_sparse *sparse, const cni_joined *joined)
+{
+	return not_done_from(sparse, joined->component);
+}
+
+int32_t cni_joined_next(const cni_sparse *sparse, int32_t k)
+{
+	return not_done_from(sparse, sparse->components[k].joined_next);
 }
 
 /* ---- what of it may change its energy ---- */
@@ -169,7 +197,7 @@ static void drives_look(const cn_world *world, cni_sparse *sparse)
 	int32_t k, i;
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		const cni_joint_work *w = cni_joint_works(world) + k;
-		cni_joined *j = joined_of(world, sparse, w->ia != 0 ? w->ia : w->ib);
+		cni_joined *j = joined_of(world, sparse, cni_joint_island(world, w->ia, w->ib));
 		if (j == NULL)
 			continue;
 		ends_look(world, j, w->ia, w->ib);
@@ -213,7 +241,9 @@ static void held_mark(cn_world *world, const cni_sparse *sparse)
 	world->joined_step = world->step_count + 1u;
 	for (k = 0; k < sparse->component_count; ++k) {
 		const cni_component *c = &sparse->components[k];
-		for (n = c->begin; n < c->end && !c->done && cni_component_joined(sparse, c) != NULL; ++n)
+		if (c->done || cni_component_joined(sparse, c) == NULL)
+			continue;
+		for (n = c->begin; n < c->end; ++n)
 			cni_joint_at(world, cni_joint_works(world)[sparse->nodes[n].owner].joint)->held_step = world->joined_step;
 	}
 }

@@ -111,7 +111,7 @@ static int32_t reach_find(const pass *q)
 	int32_t k, l;
 	memset(j->reach, 0, sizeof(float) * (size_t)(j->columns * j->columns));
 	reach_free(q);
-	for (k = cni_joined_component(q->sparse, j->component); k != CNI_NONE; k = cni_joined_component(q->sparse, q->sparse->components[k].joined_next))
+	for (k = cni_joined_first(q->sparse, j); k != CNI_NONE; k = cni_joined_next(q->sparse, k))
 		reach_held(q, &q->sparse->components[k]);
 	for (k = 0; k < j->columns; ++k)
 		for (l = 0; l < k; ++l)

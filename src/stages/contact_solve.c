@@ -101,10 +101,10 @@ static cni_listed_block listed_of(const cn_world *world, int32_t block, int32_t 
 
 /* A colour's blocks are linked, and a link that is not in the cache is waited for: all are asked for beforehand, unless they are few
    of those that there have been. Inlined by force: compilers take a function that only prefetches for one that does nothing. */
-CNI_INLINE void infos_prefetch(const cn_world *world, int32_t few)
+CNI_INLINE void infos_prefetch(const cn_world *world)
 {
 	int32_t block;
-	for (block = 0; block < world->block_used && !few; ++block)
+	for (block = 0; block < world->block_used; ++block)
 		CNI_PREFETCH(&cni_block_info_at(world, block)->next);
 }
 
@@ -112,7 +112,8 @@ void cni_contacts_list(cn_world *world, cni_solve *s)
 {
 	cni_listed_block *list = (cni_listed_block *)world->block_list.data;
 	int32_t color, block, count = 0, k;
-	infos_prefetch(world, cni_blocks_are_few(world));
+	if (!cni_blocks_are_few(world))
+		infos_prefetch(world);
 	for (color = 0; color < CNI_COLORS; ++color) {
 		world->colors[color].listed = count;
 		s->lanes += world->colors[color].lanes;

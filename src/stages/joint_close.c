@@ -248,7 +248,7 @@ void cni_direct_close(cn_world *world, const cni_solve *s)
 static int32_t joined_lock(cn_world *world, const cni_solve *s, const cni_joined *joined)
 {
 	int32_t k, locked = 0;
-	for (k = cni_joined_component(s->direct, joined->component); k != CNI_NONE; k = cni_joined_component(s->direct, s->direct->components[k].joined_next)) {
+	for (k = cni_joined_first(s->direct, joined); k != CNI_NONE; k = cni_joined_next(s->direct, k)) {
 		cni_component *c = &s->direct->components[k];
 		if (!cni_tension_lock(world, s->direct, c, s->h))
 			continue;
@@ -265,14 +265,14 @@ static void round_run(cn_world *world, const cni_solve *s, cni_joined *joined, i
 	int32_t k;
 	if (!cni_joined_solve(world, s, joined, bias))
 		return;
-	for (k = cni_joined_component(s->direct, joined->component); k != CNI_NONE; k = cni_joined_component(s->direct, s->direct->components[k].joined_next))
+	for (k = cni_joined_first(s->direct, joined); k != CNI_NONE; k = cni_joined_next(s->direct, k))
 		cni_direct_joints(world, s, &s->direct->components[k], bias);
 }
 
 void cni_joined_round(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias)
 {
 	int32_t round;
-	if (joined->count == 0 && cni_joined_component(s->direct, joined->component) == CNI_NONE)
+	if (joined->count == 0 && cni_joined_first(s->direct, joined) == CNI_NONE)
 		return;
 	round_run(world, s, joined, bias);
 	for (round = 0; bias && round < LOCKS && joined_lock(world, s, joined); ++round) {

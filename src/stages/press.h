@@ -81,8 +81,9 @@ typedef struct cni_joined {
 int32_t cni_joined_collect(cn_world *world, cni_sparse *out);
 /* NULL: none. */
 const cni_joined *cni_component_joined(const cni_sparse *sparse, const cni_component *c);
-/* Its components that are not given up, from k = joined->component on; CNI_NONE: no more. */
-int32_t cni_joined_component(const cni_sparse *sparse, int32_t k);
+/* Its components that are not given up; CNI_NONE: no more. */
+int32_t cni_joined_first(const cni_sparse *sparse, const cni_joined *joined);
+int32_t cni_joined_next(const cni_sparse *sparse, int32_t k);
 /* Takes them out of their lanes. */
 void cni_joined_take(cn_world *world, cni_sparse *sparse);
 /* Joints that were held and are not any more begin from nothing: what they bore, soft joints would give way to by metres. */

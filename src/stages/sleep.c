@@ -57,10 +57,10 @@ static int32_t islands_are_many(const cn_world *world)
 
 static void rest_times_clear(const cn_world *world)
 {
-	int32_t k;
-	for (k = 0; k < world->island_used && !islands_are_many(world); ++k)
+	int32_t k, many = islands_are_many(world);
+	for (k = 0; k < world->island_used && !many; ++k)
 		cni_island_at(world, k)->rest_time = FLT_MAX;
-	for (k = 1; k < world->awake_count && islands_are_many(world); ++k) {
+	for (k = 1; k < world->awake_count && many; ++k) {
 		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		if (b->island != CNI_NONE)
 			cni_island_at(world, b->island)->rest_time = FLT_MAX;

@@ -26,7 +26,7 @@ cn_result cn_shape_attach(cn_world *world, cn_shape shape, cn_body body)
 		cni_shape_unlink(world, cni_index_of(shape));
 		return call.result;
 	}
-	cni_body_shape_came(world, cni_index_of(body), cni_index_of(shape));
+	cni_body_shapes_changed(world, cni_index_of(body), cni_index_of(shape));
 	cni_body_wake_grown(world, cni_index_of(body));
 	return CN_OK;
 }
@@ -38,7 +38,7 @@ static void shape_leave_body(cn_world *world, int32_t shape)
 	cni_body_wake(world, body);
 	cni_shape_unplace(world, shape);
 	cni_shape_unlink(world, shape);
-	cni_body_shape_left(world, body);
+	cni_body_shapes_changed(world, body, CNI_NONE);
 }
 
 static void reserve_leave(cni_call *call, cn_world *world, const cni_shape *s)

@@ -138,7 +138,7 @@ static cn_result shape_create(cni_call *call, cn_world *world, const cn_shape_de
 		return call->result;
 	shape = cni_handles_take(&world->shape_handles);
 	if (def->body != 0) {
-		cni_body_shape_came(world, cni_index_of(def->body), shape);
+		cni_body_shapes_changed(world, cni_index_of(def->body), shape);
 		cni_body_wake_grown(world, cni_index_of(def->body));
 	}
 	if (out_shape != NULL)
