@@ -37,7 +37,6 @@ typedef struct cni_island {
 	uint32_t unheld_step;  /* step + 1 in which its loads were looked for from the top down, last, and not found */
 	uint32_t joined_step;  /* step + 1 in which it was solved with its contacts through its joints: stages/contact_joined.c */
 	int32_t joined;        /* ... and its place among those */
-	uint32_t net_rest_step; /* step + 1 in which it rested last and a net holds it: stages/joint_coarse.h */
 } cni_island;
 
 enum { CNI_TIER_SOFT = CN_TIER_SOFT, CNI_TIER_DIRECT = CN_TIER_DIRECT };

@@ -149,7 +149,6 @@ struct cn_world {
 	int32_t direct_failed;       /* 1: for want of memory */
 	cni_array direct_plans[2];   /* of stages/sparse_plan.c, kept while nothing changes: the first of a step, and that without what was refused */
 
-	cni_array coarse;            /* of stages/joint_coarse.h, kept while nets stay as they are; count 1: there is something */
 
 	cn_filter_fn *filter;        /* the user's callbacks, NULL: none */
 	void *filter_user;

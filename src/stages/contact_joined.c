@@ -55,19 +55,6 @@ static cni_joined *joined_of(const cn_world *world, const cni_sparse *sparse, in
 	return place != CNI_NONE ? &sparse->joined[place] : NULL;
 }
 
-/* They get no place. */
-static void dear_mark(const cn_world *world, const cni_sparse *sparse)
-{
-	int32_t k, island;
-	for (k = 0; k < sparse->component_count; ++k) {
-		if (!sparse->components[k].dear)
-			continue;
-		island = component_island(world, sparse, &sparse->components[k]);
-		if (island != CNI_NONE)
-			place_give(world, island, CNI_NONE);
-	}
-}
-
 static void components_find(const cn_world *world, cni_sparse *sparse)
 {
 	int32_t k;
@@ -134,7 +121,6 @@ int32_t cni_joined_collect(cn_world *world, cni_sparse *out)
 	out->joined_presses = (cni_press *)cni_arena_push(&world->arena, sizeof(cni_press) * (uint64_t)room);
 	if (out->joined == NULL || out->joined_presses == NULL)
 		return 0;
-	dear_mark(world, out);
 	for (k = 0; k < world->direct_islands.count && out->joined_count < most; ++k)
 		if (!is_of_this_step(world, islands[k]) && joined_may_be(world, islands[k]))
 			island_join(world, out, islands[k]);

@@ -2,8 +2,8 @@
  * stages/direct_plan.c - what is solved directly in a step, as links of stages/sparse.h, and the scratch that takes.
  *
  * Joints with rigid rows that nothing bounds or softens are nodes; those that share bodies make components.
- * CN_SOLVER_AUTO takes trees, whose factorization costs about what a pass over their joints does, and large nets once
- * (stages/joint_net.c). CN_SOLVER_DIRECT takes all. Contacts are those of the islands that stages/tiers.c chose.
+ * CN_SOLVER_AUTO takes trees and components with few loops, whose factorization costs about what a pass over their joints
+ * does; large nets stay soft. CN_SOLVER_DIRECT takes all. Contacts are those of the islands that stages/tiers.c chose.
  *
  * What is beyond the limits of work is not planned: joints are then the soft solver's, and an island whose contacts are
  * not in the plan is refused; what is left is planned once more without them.
@@ -105,15 +105,6 @@ static int32_t work_is_eligible(const cn_world *world, const cni_joint_work *w)
 	       !(w->ia != 0 && body_is_locked(world, w->ia)) && !(w->ib != 0 && body_is_locked(world, w->ib));
 }
 
-static int32_t is_in_direct_island(const cn_world *world, const cni_joint_work *w)
-{
-	int32_t island;
-	if (world->direct_islands.count == 0)
-		return 0;
-	island = cni_joint_island(world, w->ia, w->ib);
-	return island != CNI_NONE && cni_island_at(world, island)->tier == CNI_TIER_DIRECT;
-}
-
 static int32_t joint_links_collect(const cn_world *world, cni_link *links)
 {
 	int32_t k, count = 0;
@@ -126,7 +117,7 @@ static int32_t joint_links_collect(const cn_world *world, cni_link *links)
 		link->ib = w->ib;
 		link->owner = k;
 		link->rows = w->rigid_count;
-		link->work_most = is_in_direct_island(world, w) || joint_may_take_most(world, w) ? JOINT_WORK_DIRECT : joint_work(world->settings.solver);
+		link->work_most = joint_may_take_most(world, w) ? JOINT_WORK_DIRECT : joint_work(world->settings.solver);
 		++count;
 	}
 	return count;
@@ -245,28 +236,8 @@ static int32_t presses_most(const cn_world *world)
 static int32_t links_plan(cn_world *world, const cni_link *links, int32_t count, int32_t again, cni_sparse *out, uint8_t *planned)
 {
 	cni_array *kept = &world->direct_plans[again && !world->memory.fixed];
-	cni_system system = { links, count, world->awake_count, cni_motions(world), budget_of(world), world->settings.solver == CN_SOLVER_AUTO, 0 };
+	cni_system system = { links, count, world->awake_count, cni_motions(world), budget_of(world) };
 	return cni_sparse_plan(&world->arena, kept, &system, out, planned);
-}
-
-/* Nets that were not planned for their work, and have new joints: they begin to bear in this step, and are best solved
-   before anything has come apart. Returns how many links may now take the work. */
-static int32_t nets_take(cn_world *world, cni_link *links, int32_t count, const uint8_t *planned)
-{
-	int32_t k, taken = 0;
-	for (k = 0; k < count && world->settings.solver == CN_SOLVER_AUTO; ++k) {
-		const cni_joint_work *w;
-		if (planned[k] || links[k].owner < 0)
-			continue;
-		w = cni_joint_works(world) + links[k].owner;
-		if ((w->flags & CNI_WORK_FRESH) && island_of(world, &links[k]) != CNI_NONE && !is_in_direct_island(world, w))
-			cni_island_joints_part(world, island_of(world, &links[k]));
-		if (is_in_direct_island(world, w)) {
-			links[k].work_most = JOINT_WORK_DIRECT;
-			++taken;
-		}
-	}
-	return taken;
 }
 
 /* ---- the plan ---- */
@@ -305,7 +276,7 @@ int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out)
 		return 1;
 	if (!links_plan(world, links, count, 0, out, planned))
 		return 0;
-	if (islands_refuse(world, links, count, planned) > 0 || nets_take(world, links, count, planned) > 0) {
+	if (islands_refuse(world, links, count, planned) > 0) {
 		cni_sparse_discard(&world->arena, out);
 		count = links_keep(world, links, count);
 		if (count == 0)

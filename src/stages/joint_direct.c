@@ -20,10 +20,6 @@
 #define REGULAR 1e-4f
 #define LEAK 1e-5f         /* ... and their rows give way by this part of it to their whole impulses */
 
-/* A dear system is solved once, in one substep, and then not again for so long that it is no more work than this a step
-   for each of its nodes, in the mean. */
-#define DEAR_SPREAD 8
-
 /* ---- components ---- */
 
 void cni_direct_motions_keep(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t back)
@@ -125,7 +121,7 @@ static int32_t work_planned(const cn_world *world, const cni_sparse *sparse)
 	for (k = 0; k < sparse->component_count; ++k) {
 		const cni_component *c = &sparse->components[k];
 		if (!c->done)
-			work += (int64_t)c->work * (c->dear && c->swings ? 1 : world->settings.substeps);
+			work += (int64_t)c->work * world->settings.substeps;
 	}
 	return work < INT32_MAX ? (int32_t)work : INT32_MAX;
 }
@@ -145,7 +141,7 @@ static int32_t is_asked_for(const cn_world *world, const cni_sparse *sparse, con
 static int32_t is_loop_of_pins(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
-	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->dear || c->presses || c->body_begin == c->body_end)
+	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->presses || c->body_begin == c->body_end)
 		return 0;
 	for (k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].rows != 2)
@@ -180,10 +176,10 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *spar
 	return is_loop_of_pins(world, sparse, c) && !is_asked_for(world, sparse, c) && cni_component_joined(sparse, c) == NULL;
 }
 
-/* Joints to the world alone, and large nets that other things hold too. */
+/* One joint to the world. */
 static int32_t is_better_alone(const cni_component *c)
 {
-	return !c->swings && !c->presses && (c->dear || (c->end - c->begin == 1 && c->body_end - c->body_begin == 1));
+	return !c->swings && !c->presses && c->end - c->begin == 1 && c->body_end - c->body_begin == 1;
 }
 
 static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
@@ -212,8 +208,6 @@ static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		cni_component *c = &out->components[k];
 		if (far && k + 1 < out->component_count)
 			cni_component_prefetch(world, out, k + 1);
-		if (c->dear && world->settings.solver == CN_SOLVER_AUTO)
-			cni_island_once(world, cni_awake_island(world, out->bodies[c->body_begin]), c->work / (DEAR_SPREAD * (c->end - c->begin)));
 		c->regular = c->presses || c->loops ? REGULAR : 0.0f;
 		c->swings = !c->presses && !(c->loops && cni_component_joined(out, c) != NULL) && cni_component_swings(world, s, out, c);
 		if (c->body_begin == c->body_end || loop_is_better_soft(world, out, c) || is_better_alone(c))

@@ -22,7 +22,7 @@
 int32_t cni_component_herds(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
-	if (c->kind == CNI_NONE || c->presses || c->dear)
+	if (c->kind == CNI_NONE || c->presses)
 		return 0;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_joint_work *w = &cni_joint_works(world)[sparse->nodes[k].owner];

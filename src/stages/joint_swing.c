@@ -503,9 +503,7 @@ void cni_swings_run(cn_world *world, const cni_solve *s)
 		cni_component *c = &s->direct->components[k];
 		if (!c->swings)
 			continue;
-		if (c->dear)
-			cni_net_run(world, s, s->direct, c);
-		else if (left != NULL)
+		if (left != NULL)
 			swing_run(world, s, c, left);
 		else
 			cni_direct_begin(world, s, s->direct, c);

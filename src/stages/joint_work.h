@@ -209,8 +209,6 @@ int32_t cni_tension_needs_dampers(const cn_world *world, const cni_sparse *spars
 /* Sets the third rows of pins in a component of width 3, before its factorization. */
 void cni_tension_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 
-/* The whole step of a dear component that swings: stages/joint_net.c. */
-void cni_net_run(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 /* x of every node to its bodies' velocities and its rows' impulses. */
 void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Makes pins rigid until the next turn of the component, between bodies of which one would turn so far in a substep of length h

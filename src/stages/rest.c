@@ -11,8 +11,7 @@
  * less than REST_SPEED creeps slower still; what is about to move gathers speed until it is above, and then moves as
  * it should.
  *
- * It is not done where joints hold an island, but for nets that stages/joint_coarse.c holds and nothing else does, nor for
- * kinematic bodies that move.
+ * It is not done where joints hold an island, nor for kinematic bodies that move.
  *
  * Reads motion, bodies (velocity as the step began), drives, islands; writes drives' flag SWUNG, the block list, and
  * which directly solved systems are done.
@@ -32,7 +31,6 @@ typedef struct rest {
 	cn_world *world;
 	cni_team *team;     /* NULL: one worker looks, and no farther than it has to */
 	uint8_t *moving;    /* by island */
-	uint8_t *netted;    /* by dense index: bodies whose joints are all of a net that is held; NULL: there are none */
 	int32_t *slow;      /* dense indices */
 	int32_t slow_count;
 	float h;
@@ -48,12 +46,10 @@ static int32_t is_within(float x, float y, float turn, float most_sq)
 	return x * x + y * y <= most_sq && turn * turn <= most_sq;
 }
 
-/* Only what touches something, or is in a net, is solved by passes; neither otherwise jointed nor carried bodies may rest. */
+/* Only what touches something is solved by passes; neither jointed nor carried bodies may rest. */
 static int32_t may_rest(const rest *r, int32_t k)
 {
 	uint32_t flags = cni_drives(r->world)[k].flags;
-	if (r->netted != NULL && r->netted[k])
-		return !(flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG | CNI_DRIVE_LATER));
 	return (flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_FREE | CNI_DRIVE_SWUNG | CNI_DRIVE_JOINTED | CNI_DRIVE_LATER)) == CNI_DRIVE_TOUCHED;
 }
 
@@ -285,25 +281,20 @@ static void look_at_all(rest *r, const cni_solve *s)
 	if (r->done > 0) {
 		blocks_strike(r->world, r->going);
 		systems_done(r->world, s->direct);
-		if (r->netted != NULL)
-			cni_coarse_rest(r->world);
 	}
 	carried_clear(r);
 }
 
 void cni_rest_find(cn_world *world, const cni_solve *s)
 {
-	rest r = { world, s->team, NULL, NULL, NULL, 0, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0, 0, 0 };
+	rest r = { world, s->team, NULL, NULL, 0, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0, 0, 0 };
 	if (s->substeps < 2)
 		return;
 	r.moving = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)cni_max_i(world->step_island_count, 1));
 	if (r.moving != NULL)
 		r.slow = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
-	if (r.slow != NULL && s->coarse && (r.netted = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->awake_count)) != NULL)
-		cni_coarse_netted(world, r.netted);
 	if (r.slow != NULL) /* else everything is solved in every substep */
 		look_at_all(&r, s);
-	(void)cni_arena_pop(&world->arena, r.netted);
 	(void)cni_arena_pop(&world->arena, r.slow);
 	(void)cni_arena_pop(&world->arena, r.moving);
 }

@@ -7,7 +7,6 @@
  *
  *   drive --integrate_velocities--> start, motion.v          v = start + response of the last impulses
  *   block.jn, joint.impulse --warm start (first substep)--> motion.v
- *   motion --coarse--> motion.v                              nets of pins at rest, as wholes
  *   motion --impacts--> motion.v, start                      contacts that bounce
  *   motion, block --solve--> motion.v, block.jn jt           soft, pushes overlap apart
  *   motion --direct_close--> motion.v, impulses              joints that contacts would part, and those contacts
@@ -81,7 +80,6 @@ typedef struct cni_solve {
 	const struct cni_joint_kernel *joint_kernel;
 	const struct cni_body_kernel *body_kernel; /* NULL: bodies one by one */
 	struct cni_sparse *direct; /* joints that are solved directly, NULL: none */
-	int32_t coarse;            /* some net has patches: stages/joint_coarse.h */
 	int32_t bounces;           /* some contact has restitution */
 	uint32_t contact_colors;   /* those that have contacts, as bits */
 	int32_t lanes;             /* contacts of all colours */
@@ -135,13 +133,6 @@ void cni_contacts_impact(cn_world *world, const cni_solve *s);
 void cni_joints_prepare(cn_world *world, const cni_solve *s);
 /* Those that are solved wide into their lanes, once it is known which are solved directly. */
 void cni_joint_blocks_gather(cn_world *world, const cni_solve *s);
-/* Large nets of pins: what spans many joints. Patches that are there, then a substep's part. */
-void cni_coarse_prepare(cn_world *world, cni_solve *s);
-void cni_coarse_solve(cn_world *world, const cni_solve *s);
-/* netted: by dense index, 1 for bodies of nets that hold in this step, and all of whose joints are of the net. */
-void cni_coarse_netted(const cn_world *world, uint8_t *netted);
-/* Some nets are done with for this step: stages/rest.c. */
-void cni_coarse_rest(cn_world *world);
 void cni_joints_warm_start(cn_world *world, const cni_solve *s);
 void cni_joints_solve(cn_world *world, const cni_solve *s);
 /* Stage 5: which islands are solved directly, contacts and all. */
@@ -165,8 +156,6 @@ void cni_tiers_forget(cn_world *world);
 void cni_island_joints_part(cn_world *world, int32_t island);
 /* ... or would come apart, if it held them: in this step as well. */
 void cni_island_joints_hold(cn_world *world, int32_t island);
-/* Its system is so dear that it is solved in this step alone, and not again before that many steps. */
-void cni_island_once(cn_world *world, int32_t island, int32_t steps);
 /* Scratch that lanes of joints which are not pins may take. */
 uint64_t cni_row_bytes(int32_t joints);
 /* Scratch that directly solving so many joints and contacts may take. */

@@ -4,8 +4,8 @@
  * A node is a joint (or a contact): one to three rows between two bodies. Two nodes are neighbours when they
  * share a body that can move. Nodes are eliminated in the order of least degree, which makes no fill on chains,
  * bridges and stars and little on other trees (2.4% of the blocks of random ones), so these and ragdolls cost O(n)
- * (Baraff, "Linear-Time Dynamics using Lagrange Multipliers", 1996); loops fill in, large nets are dissected, so that it
- * is n^1.5, and a limit on the work says when that is too dear.
+ * (Baraff, "Linear-Time Dynamics using Lagrange Multipliers", 1996). Loops fill in; a limit on the work leaves out
+ * components that fill in too much.
  *
  *   nodes     [0][1][2][3]...            in the order of elimination; components one after the other
  *   first     where node k's blocks begin: one for each later neighbour, fill included
@@ -59,8 +59,6 @@ typedef struct cni_coupling {
 } cni_coupling;
 
 /* Positions [begin, end) that no other component couples with. */
-#define CNI_DEAR_WORK 64 /* for each node: more is dear */
-
 typedef struct cni_component {
 	int32_t begin, end;
 	int32_t coupling_begin, coupling_end;
@@ -76,7 +74,6 @@ typedef struct cni_component {
 	int32_t presses;               /* 1: with contacts, of stages/contact_direct.c */
 	int32_t calm;                  /* ... nothing was pushed in this substep */
 	int32_t factored;              /* ... and its pivots are those of the levers */
-	int32_t dear;                  /* 1: much work for each node: stages/joint_net.c */
 	int32_t joints;                /* of stages/joint_direct.c: how many of its nodes are joints */
 	int32_t kind;                  /* those of one kind are alike: stages/sparse_kind.c; CNI_NONE */
 	int32_t herds;                 /* 1: solved beside others of its kind: stages/joint_herd.c */
@@ -144,8 +141,6 @@ typedef struct cni_system {
 	int32_t motion_count;
 	const cni_motion *motions;
 	int64_t budget;              /* most work of all components together */
-	int32_t dear_is_rare;        /* 1: a plan with a dear component is for one step: the arena is not to grow for it */
-	int32_t reserved;
 } cni_system;
 
 /* Which of the links make components within the limit of each, and together within the budget, their order and their

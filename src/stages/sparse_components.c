@@ -116,8 +116,8 @@ static int32_t tree_order(cni_planner *p, int64_t most)
 	return 1;
 }
 
-/* What it took for lists is given back when it fails. */
-static int32_t groups_order(cni_planner *p, int64_t most)
+/* A failed order gives its scratch memory back. */
+static int32_t loops_order(cni_planner *p, int64_t most)
 {
 	cni_planner before = *p;
 	int32_t entries = p->arena->entry_count;
@@ -128,20 +128,6 @@ static int32_t groups_order(cni_planner *p, int64_t most)
 	p->pool_left = before.pool_left;
 	p->pool_taken = before.pool_taken;
 	return 0;
-}
-
-static int64_t dear_work(const cni_planner *p)
-{
-	return (int64_t)CNI_DEAR_WORK * p->member_count;
-}
-
-/* What is dear by least degree alone is dissected. */
-static int32_t loops_order(cni_planner *p, int64_t most)
-{
-	cni_planner_group(p);
-	if (groups_order(p, most < dear_work(p) ? most : dear_work(p)))
-		return 1;
-	return most > dear_work(p) && !p->no_memory && cni_planner_dissect(p) && groups_order(p, most);
 }
 
 /* ---- planning ---- */
@@ -180,7 +166,6 @@ static void component_plan(cni_planner *p)
 	s->block_count += tree ? p->pairs : columns_length(p);
 	c->work = (int32_t)p->work;
 	c->tree = tree;
-	c->dear = !tree && (p->group_count > 1 || p->work > dear_work(p));
 	c->loops = p->member_count > p->body_count;
 	c->width = component_width(p);
 	p->budget -= p->work;

@@ -7,8 +7,6 @@
  * bodies, a node's degree follows from the sizes of two of them and from how many nodes lie in both, and the list of the
  * clique that an eliminated node leaves is its column of L. All of it takes no longer than writing these columns down.
  *
- * Groups of nodes (stages/sparse_dissect.c) are eliminated one after the other, each so.
- *
  * A component whose work passes the limit is given up as soon as that shows. Ties go to the node that reached its degree
  * last, so the order depends on the nodes and their order alone.
  *
@@ -31,7 +29,7 @@ static int32_t pool_grow(cni_planner *p, int32_t count)
 		piece = p->pool_most - p->pool_taken;
 	if (piece < count)
 		return 0;
-	p->pool = (int32_t *)(p->system->dear_is_rare ? cni_arena_push_once(p->arena, 4u * (uint64_t)piece) : cni_arena_push(p->arena, 4u * (uint64_t)piece));
+	p->pool = (int32_t *)cni_arena_push(p->arena, 4u * (uint64_t)piece);
 	if (p->pool == NULL) {
 		p->no_memory = 1;
 		p->pool_left = 0;
@@ -173,11 +171,8 @@ static void degrees_renew(cni_planner *p, int32_t body)
 	beside_count(p, body, 1);
 	for (k = 0; k < c->count; ++k) {
 		int32_t node = c->nodes[k], degree = degree_beside(p, c, clique_beside(p, node, body));
-		if (p->group[node] == p->group_now) {
-			degree_unlink(p, node);
-			degree_link(p, node, degree);
-		}
-		p->degree[node] = degree;
+		degree_unlink(p, node);
+		degree_link(p, node, degree);
 	}
 	beside_count(p, body, -1);
 }
@@ -221,21 +216,17 @@ static int32_t node_eliminate(cni_planner *p, int32_t v)
 	return 1;
 }
 
-/* The nodes of a group are about to be eliminated. Returns how many there are. */
-static int32_t group_link(cni_planner *p, int32_t group)
+int32_t cni_planner_order(cni_planner *p, int64_t most)
 {
-	int32_t node, count = 0;
-	p->group_now = group;
-	for (node = p->group_head[group]; node != CNI_NONE; node = p->group_next[node], ++count)
-		degree_link(p, node, p->degree[node]);
-	return count;
-}
-
-/* Eliminates the nodes of a group, which come after `at` others. 0: too much work, or no room. */
-static int32_t group_order(cni_planner *p, int32_t at, int32_t count, int64_t most)
-{
-	int32_t k, degree = 0;
-	for (k = 0; k < count; ++k) {
+	int32_t k, degree = 0, at = p->out->node_count;
+	p->work = 0;
+	if (!cliques_collect(p))
+		return 0;
+	degrees_begin(p);
+	memset(p->degree_head, 0xff, sizeof(int32_t) * (size_t)p->member_count);
+	for (k = p->member_count - 1; k >= 0; --k)
+		degree_link(p, p->member[k], p->degree[p->member[k]]); /* the first node is the first of its degree */
+	for (k = 0; k < p->member_count; ++k) {
 		int32_t v;
 		while (p->degree_head[degree] == CNI_NONE)
 			++degree;
@@ -247,36 +238,5 @@ static int32_t group_order(cni_planner *p, int32_t at, int32_t count, int64_t mo
 			return 0;
 		degree = degree > 0 ? degree - 1 : 0;
 	}
-	return 1;
-}
-
-/* The first node is the first of those that are alike. */
-void cni_planner_group(cni_planner *p)
-{
-	int32_t k;
-	p->group_count = 1;
-	p->group_head[0] = CNI_NONE;
-	for (k = 0; k < p->member_count; ++k) {
-		int32_t node = p->member[k];
-		p->group[node] = 0;
-		p->group_next[node] = p->group_head[0];
-		p->group_head[0] = node;
-	}
-}
-
-int32_t cni_planner_order(cni_planner *p, int64_t most)
-{
-	int32_t group, count, at = p->out->node_count;
-	p->work = 0;
-	if (!cliques_collect(p))
-		return 0;
-	degrees_begin(p);
-	memset(p->degree_head, 0xff, sizeof(int32_t) * (size_t)p->member_count);
-	for (group = p->group_count - 1; group >= 0; --group, at += count) {
-		count = group_link(p, group);
-		if (!group_order(p, at, count, most))
-			return 0;
-	}
-	CNI_ASSERT(at == p->out->node_count + p->member_count);
 	return 1;
 }

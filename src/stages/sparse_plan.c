@@ -17,7 +17,7 @@
 
 /* ---- memory ---- */
 
-enum { POOL_EACH = 2, COUPLINGS_EACH = 32, NODE_INTS = 17 };
+enum { POOL_EACH = 2, COUPLINGS_EACH = 32, NODE_INTS = 14 };
 #define KEPT_SPARE 4 /* times what is needed: more is given back */
 
 /* A limit on the work is one on the blocks as well; beyond a thousand a node it bounds work alone. */
@@ -104,7 +104,7 @@ uint64_t cni_sparse_kept_bytes(int32_t count, int64_t work_most)
 
 uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most)
 {
-	return scratch_bytes(count, body_count) + cni_dissect_bytes(body_count, body_count) + 4u * (uint64_t)pool_most(count, work_most) +
+	return scratch_bytes(count, body_count) + 4u * (uint64_t)pool_most(count, work_most) +
 	       node_bytes(count, count) + block_bytes(count + below_most(count, work_most)) + 1024;
 }
 
@@ -154,9 +154,6 @@ static void planner_cut(cni_planner *p, uint8_t *at)
 	p->in[1] = cut_ints(&at, n);
 	p->mark = cut_ints(&at, n);
 	p->degree = cut_ints(&at, n);
-	p->group = cut_ints(&at, n);
-	p->group_next = cut_ints(&at, n);
-	p->group_head = cut_ints(&at, 2 * n); /* a piece is one, or parts in two: fewer than two for each body */
 	p->degree_head = cut_ints(&at, n);
 	p->degree_next = cut_ints(&at, n);
 	p->degree_prev = cut_ints(&at, n);
@@ -344,26 +341,18 @@ static void node_make(cni_node *n, const cni_link *link)
 	n->rows = link->rows;
 }
 
-static int32_t has_dear(const kept_plan *kept)
-{
-	int32_t k, dear = 0;
-	for (k = 0; k < kept->head->component_count; ++k)
-		dear |= kept->components[k].dear;
-	return dear;
-}
-
 /* The step's own copy: nodes, components, room for the numbers. */
 static int32_t plan_take(const cni_planner *p, const kept_plan *kept)
 {
 	const kept_head *h = kept->head;
 	cni_sparse *s = p->out;
-	int32_t once = p->system->dear_is_rare && has_dear(kept), k;
+	int32_t k;
 	uint64_t bytes[2];
 	uint8_t *at[2];
 	bytes[0] = node_bytes(h->node_count, h->component_count);
 	bytes[1] = block_bytes(h->node_count + h->block_count);
 	for (k = 0; k < 2; ++k) {
-		at[k] = (uint8_t *)(once ? cni_arena_push_once(p->arena, bytes[k]) : cni_arena_push(p->arena, bytes[k]));
+		at[k] = (uint8_t *)cni_arena_push(p->arena, bytes[k]);
 		if (at[k] == NULL)
 			return 0;
 	}

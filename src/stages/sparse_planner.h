@@ -1,6 +1,6 @@
 /*
  * stages/sparse_planner.h - what the parts of planning share: sparse_components.c finds components, sparse_order.c the order
- * of those with loops, sparse_dissect.c what comes last in large ones, sparse_plan.c writes the plan.
+ * of those with loops, sparse_plan.c writes the plan.
  */
 #ifndef CNI_STAGES_SPARSE_PLANNER_H
 #define CNI_STAGES_SPARSE_PLANNER_H
@@ -35,11 +35,6 @@ typedef struct cni_planner {
 	int32_t pairs;               /* of nodes at one body */
 	int32_t hub;                 /* most nodes at one body */
 	int64_t tree_work;           /* of the component, if it is a tree */
-
-	/* groups of nodes, the last eliminated first */
-	int32_t *group, *group_next; /* by node */
-	int32_t *group_head;
-	int32_t group_count, group_now;
 
 	/* order */
 	int32_t *order;              /* of the planned nodes so far, components one after the other */
@@ -79,14 +74,6 @@ static inline void cni_planner_pop_to(cni_arena *arena, int32_t entries)
 
 /* Finds all components and plans those that may be: their order, and how large everything is. */
 void cni_planner_components(cni_planner *p);
-/* The present component's nodes are one group, or those of nested dissection, stages/sparse_dissect.c; 0: no memory. */
-void cni_planner_group(cni_planner *p);
-int32_t cni_planner_dissect(cni_planner *p);
-/* Scratch that takes, of a component with so many bodies of all. */
-static inline uint64_t cni_dissect_bytes(int32_t body_count, int32_t all)
-{
-	return sizeof(int32_t) * (5u * (uint64_t)all + 4u * (uint64_t)body_count + 1u);
-}
 /* Order of the present component's nodes after those that are there, and their columns in `list`, with no more work than
    `most`. 0: more, or no memory. */
 int32_t cni_planner_order(cni_planner *p, int64_t most);

@@ -292,30 +292,10 @@ CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, uint8_t *x, size
 	return finite == 0.0f;
 }
 
-/* Where there is much work for each node its numbers lie close: two rows leave room behind their pivots, which is that of
-   three. */
-static int32_t solve_close(cni_sparse *s, const cni_component *c)
-{
-	float *x = s->pivots + (size_t)c->begin * STRIDE + (size_t)(c->end - c->begin) * 4;
-	int32_t k, good;
-	for (k = c->begin; k < c->end; ++k) {
-		x[(k - c->begin) * 2] = s->nodes[k].x[0];
-		x[(k - c->begin) * 2 + 1] = s->nodes[k].x[1];
-	}
-	good = solve(s, c, (uint8_t *)x, 2 * sizeof(float), 2);
-	for (k = c->begin; k < c->end; ++k) {
-		s->nodes[k].x[0] = x[(k - c->begin) * 2];
-		s->nodes[k].x[1] = x[(k - c->begin) * 2 + 1];
-	}
-	return good;
-}
-
 int32_t cni_sparse_solve(cni_sparse *s, const cni_component *c)
 {
 	uint8_t *x = (uint8_t *)&s->nodes[c->begin] + offsetof(cni_node, x);
-	if (c->width == 2)
-		return c->dear ? solve_close(s, c) : solve(s, c, x, sizeof(cni_node), 2);
-	return solve(s, c, x, sizeof(cni_node), 3);
+	return c->width == 2 ? solve(s, c, x, sizeof(cni_node), 2) : solve(s, c, x, sizeof(cni_node), 3);
 }
 
 /* ---- reach ---- */

@@ -162,16 +162,6 @@ void cni_island_joints_hold(cn_world *world, int32_t island)
 	cni_island_at(world, island)->good_steps = 0;
 }
 
-void cni_island_once(cn_world *world, int32_t island, int32_t steps)
-{
-	cni_island *i = cni_island_at(world, island);
-	if (i->tier != CNI_TIER_DIRECT || i->solver == CN_SOLVER_DIRECT)
-		return; /* a joint or a body asks for it in every step */
-	i->good_steps = STAY_MOST + 1;
-	i->refused_step = world->step_count;
-	i->refused_steps = cni_max_i(2 * i->refused_steps, steps);
-}
-
 /* ---- looking for what is wrong ---- */
 
 static float overlap(const cni_contact_block *k, int32_t l)

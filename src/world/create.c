@@ -5,7 +5,8 @@
  * lies at its beginning and the rest of the block serves everything else; all capacities are then
  * reserved at once, so that a world within its capacities never asks again.
  */
-#include "stages/joint_coarse.h"
+#include "stages/joint_pass.h"
+#include "stages/sparse.h"
 #include "world/error.h"
 
 #include <string.h>
@@ -145,7 +146,6 @@ static void tables_init(cn_world *world)
 	cni_array_init(&world->direct_islands, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->direct_plans[0], CNI_KEPT_BYTES);
 	cni_array_init(&world->direct_plans[1], CNI_KEPT_BYTES);
-	cni_array_init(&world->coarse, CNI_COARSE_BYTES);
 	cni_array_init(&world->joint_work, CNI_JOINT_WORK_BYTES);
 	cni_array_init(&world->block_list, (int32_t)sizeof(cni_listed_block));
 	cni_array_init(&world->joint_blocks, (int32_t)sizeof(cni_joint_block));
@@ -188,7 +188,6 @@ static void tables_deinit(cn_world *world)
 	cni_array_deinit(&world->direct_islands, memory);
 	cni_array_deinit(&world->direct_plans[0], memory);
 	cni_array_deinit(&world->direct_plans[1], memory);
-	cni_array_deinit(&world->coarse, memory);
 	cni_array_deinit(&world->joint_work, memory);
 	cni_array_deinit(&world->block_list, memory);
 	cni_array_deinit(&world->joint_blocks, memory);

@@ -79,12 +79,10 @@ static void body_add(const cn_world *world, int32_t body, cn_island_report *out)
 	}
 }
 
-/* See stages/rest.c; body: any of it. Of what is jointed only nets rest; the rest with this flag swing. */
+/* See stages/rest.c; body: any of the island. Jointed bodies with this flag swing. */
 static int32_t has_rested(const cn_world *world, const cni_body *b)
 {
 	const uint32_t rests = CNI_DRIVE_SWUNG | CNI_DRIVE_TOUCHED;
-	if (b->island != CNI_NONE && world->step_count > 0 && cni_island_at(world, b->island)->net_rest_step == world->step_count)
-		return 1;
 	return (cni_drives(world)[b->awake].flags & (rests | CNI_DRIVE_JOINTED)) == rests;
 }
 

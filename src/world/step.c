@@ -56,7 +56,6 @@ static void substeps_lead(void *context)
 			cni_joints_warm_start(world, s);
 			cni_contacts_warm_start(world, s);
 		}
-		cni_coarse_solve(world, s);
 		cni_contacts_impact(world, s);
 		cni_joints_solve(world, s);
 		cni_contacts_solve(world, s);
@@ -116,7 +115,6 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	cni_piles_load(world, &s);
 	cni_swings_run(world, &s);
 	cni_joint_blocks_gather(world, &s);
-	cni_coarse_prepare(world, &s);
 	profile_mark(world, &profile->prepare_s, mark);
 	substeps_run(world, &s);
 	cni_joints_store(world, &s);
