@@ -36,7 +36,6 @@ typedef struct cni_joint {
 	uint32_t held_step;        /* step + 1 in which stages/contact_joined.c had it last */
 	cni_vec2 anchor[2];        /* in the bodies' frames, or the world */
 	float impulse[CNI_JOINT_ROWS]; /* accumulated, by row meaning of the type */
-	float load[CNI_JOINT_RIGID_ROWS]; /* of a net's joint: what its first rows bear all the time; else 0 */
 	float inv_h;               /* 1 / substep of the last step, to turn impulses into forces */
 	float stiffness_hertz, stiffness_damping; /* of rigid rows and limits; 0: as stiff as the substeps allow */
 	float force_max, torque_max;      /* of the same; 0: no bound */

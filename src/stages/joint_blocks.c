@@ -11,7 +11,7 @@
  * the next.
  *
  * Reads works, records, motion, drive; writes blocks, colours, the list of works that are solved by rows, and after the
- * substeps records' impulses and loads.
+ * substeps records' impulses.
  */
 #include "base/bitset.h"
 #include "base/cpu.h"
@@ -61,7 +61,7 @@ static int32_t work_form(cn_world *world, int32_t k, const cni_joint *j, int32_t
 	return 1;
 }
 
-void cni_joint_works_complete(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+void cni_joint_works_complete(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k, r;
 	for (k = c->begin; k < c->end; ++k) {
@@ -71,7 +71,6 @@ void cni_joint_works_complete(const cn_world *world, const cni_solve *s, const c
 		w->row_count = w->make_rows(w->record, &w->start, w->rows);
 		for (r = 0; r < w->row_count; ++r)
 			w->rows[r].impulse = w->record->impulse[w->rows[r].slot];
-		cni_joint_loads_read(w, s);
 	}
 }
 
@@ -182,7 +181,7 @@ static void angle_fill(cni_lane_spring *spring, float h, const cni_joint_work *w
 	}
 }
 
-static void pin_fill(const cn_world *world, const cni_solve *s, cni_joint_work *w, cni_joint_block *block, int32_t l)
+static void pin_fill(const cn_world *world, cni_joint_work *w, cni_joint_block *block, int32_t l)
 {
 	const cni_joint *j = w->record;
 	block->ia[l] = w->ia;
@@ -203,10 +202,6 @@ static void pin_fill(const cn_world *world, const cni_solve *s, cni_joint_work *
 	}
 	block->jx[l] = j->impulse[0];
 	block->jy[l] = j->impulse[1];
-	if (block->herd)
-		return;
-	block->load_x[l] = s->warm_scale * j->load[0];
-	block->load_y[l] = s->warm_scale * j->load[1];
 }
 
 void cni_joint_lane_fill(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k, cni_joint_block *block, int32_t l)
@@ -214,7 +209,7 @@ void cni_joint_lane_fill(cn_world *world, const cni_solve *s, cni_lane_spring *s
 	cni_joint_work *w = cni_joint_works(world) + k;
 	block->work[l] = k;
 	w->lane = (int32_t)(block - cni_joint_blocks(world)) * CNI_LANES + l;
-	pin_fill(world, s, w, block, l);
+	pin_fill(world, w, block, l);
 	angle_fill(spring, s->h, w, block, l);
 }
 
@@ -580,11 +575,6 @@ void cni_joint_blocks_rest(cn_world *world)
 
 /* ---- storing ---- */
 
-static float load_follow(float load, float impulse, float part)
-{
-	return load == 0.0f ? 0.0f : load + part * (impulse - load);
-}
-
 static float lane_gap(const cni_joint_block *block, int32_t l)
 {
 	return cni_max(cni_abs(block->ex[l]), cni_abs(block->ey[l]));
@@ -596,16 +586,12 @@ static int32_t lane_store(cn_world *world, const cni_joint_work *w, const cni_so
 	const cni_joint_block *block = cni_joint_block_of(world, w);
 	int32_t l = w->lane % CNI_LANES;
 	cni_joint *j = cni_joint_at(world, w->joint);
-	float part = cni_min(CNI_LOAD_RATE * s->dt, 1.0f);
 	int32_t has_rows = (block->direct >> l & 1u) && !block->herd;
 	j->impulse[0] = block->jx[l] + (has_rows ? w->rows[0].impulse : 0.0f);
 	j->impulse[1] = block->jy[l] + (has_rows ? w->rows[1].impulse : 0.0f);
 	j->impulse[CNI_REVOLUTE_SPRING] = block->spring_j[l];
 	j->impulse[CNI_REVOLUTE_MOTOR] = block->motor_j[l];
 	j->impulse[CNI_REVOLUTE_LIMIT] = (j->flags & CN_JOINT_LIMIT) ? cni_max(limit_sign(j, block->angle[l]) * block->limit_j[l], 0.0f) : 0.0f;
-	j->load[0] = load_follow(block->load_x[l], j->impulse[0], part);
-	j->load[1] = load_follow(block->load_y[l], j->impulse[1], part);
-	j->load[2] = 0.0f;
 	j->inv_h = s->inv_h;
 	return !(block->direct >> l & 1u) && lane_gap(block, l) > CNI_BAD_PART * world->settings.accuracy;
 }

@@ -90,7 +90,7 @@ void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component
 
 void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
-	cni_joint_works_complete(world, s, sparse, c);
+	cni_joint_works_complete(world, sparse, c);
 	cni_sparse_clear(sparse, c);
 	cni_direct_turns(world, sparse, c);
 	cni_tension_find(world, sparse, c, s->h);

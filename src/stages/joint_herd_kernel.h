@@ -371,8 +371,7 @@ CNI_INLINE void node_solve(cni_herd *herd, int32_t node, int32_t l, flock *f, co
 		dealt->x = dealt->y = cni_wide_of(0.0f);
 }
 
-/* What springs, motors and limits give the pins is kept aside until positions have moved, in the rows of loads, which herds do
-   not have. */
+/* What springs, motors and limits give the pins is kept in `dealt` until positions have moved. */
 static void herd_solve(cni_motion *motions, cni_velocity_start *starts, cni_herd *herd, const cni_herd_pass *pass)
 {
 	int32_t l, n;
@@ -386,8 +385,8 @@ static void herd_solve(cni_motion *motions, cni_velocity_start *starts, cni_herd
 			int32_t node = herd->order[n];
 			arms r = arms_load(&herd->nodes[node], l);
 			node_solve(herd, node, l, &f, &r, &pass->joint, 1, single, &dealt);
-			cni_wide_store(herd->nodes[node].load_x + l, dealt.x);
-			cni_wide_store(herd->nodes[node].load_y + l, dealt.y);
+			cni_wide_store(herd->nodes[node].dealt_x + l, dealt.x);
+			cni_wide_store(herd->nodes[node].dealt_y + l, dealt.y);
 		}
 		right_sides(herd, l, &f, pass->rate, pass->push, x);
 		pins_solve(herd, l, &f, x, ~0u);
@@ -501,7 +500,7 @@ static void herd_relax(cni_motion *motions, cni_velocity_start *starts, cni_herd
 		for (n = 0; n < herd->kind.nodes; ++n) {
 			int32_t node = herd->order[n], a = herd->kind.end[node][0], b = herd->kind.end[node][1];
 			cni_joint_block *k = &herd->nodes[node];
-			cni_wide jx = dealt_take(k->jx + l, k->load_x + l), jy = dealt_take(k->jy + l, k->load_y + l);
+			cni_wide jx = dealt_take(k->jx + l, k->dealt_x + l), jy = dealt_take(k->jy + l, k->dealt_y + l);
 			arms old = arms_load(k, l), r = arms_renew(&j.at[a], &j.at[b], k, l, k->angular != 0);
 			pair dealt;
 			j.w[a] -= -(f.body[a].i * ((r.ax - old.ax) * jy - (r.ay - old.ay) * jx));

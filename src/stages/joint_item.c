@@ -240,13 +240,6 @@ void cni_joint_work_begin(cn_world *world, int32_t k, const cni_joint *j)
 	w->start = cni_joint_frame_place(world, j);
 }
 
-void cni_joint_loads_read(cni_joint_work *w, const cni_solve *s)
-{
-	int32_t r;
-	for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r)
-		w->numbers->load[r] = s->warm_scale * w->record->load[r];
-}
-
 void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work *w)
 {
 	const cni_joint *j = w->record;
@@ -266,7 +259,6 @@ void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work *w
 	impulses_recouple(world, w, -1.0f, impulse);
 	for (r = 0; r < w->row_count; ++r)
 		w->rows[r].impulse = impulse[r];
-	cni_joint_loads_read(w, s);
 }
 
 void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k)

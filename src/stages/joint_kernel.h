@@ -179,20 +179,16 @@ CNI_INLINE cni_wide torque_of(const cni_joint_block *k, int32_t l)
 CNI_INLINE void solve_group(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t angular, int32_t pins, cni_wide *dx, cni_wide *dy)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
-	cni_wide around_x, around_y, x, y, qx = zero, qy = zero, t = zero;
+	cni_wide around_x = zero, around_y = zero, x, y, qx = zero, qy = zero, t = zero;
 	pin p = pin_make(a, b, r);
 	hinge g;
-	if (bias && pins) {
-		around_x = cni_wide_load(k->load_x + l);
-		around_y = cni_wide_load(k->load_y + l);
-	}
 	if (angular) {
 		g = hinge_make(a, b, r, &p);
 		if (bias) {
 			if (pins) {
 				cni_wide torque = torque_of(k, l);
-				around_x += g.sx * torque;
-				around_y += g.sy * torque;
+				around_x = g.sx * torque;
+				around_y = g.sy * torque;
 			}
 			solve_spring(k, l, &g);
 		}

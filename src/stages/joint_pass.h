@@ -8,7 +8,7 @@
  *
  *   pin       ra0 rb0 d0   arms and gap as the step begins          ra rb e   as of the last relaxing pass
  *             j            impulse on body b, all of it: what springs, motors and limits ask of the pin too
- *             load         what the soft pass gives way around: stages/joint_net.c
+ *             dealt        (herds) what springs, motors and limits gave the pin in the pushing pass
  *   angle     angle0 angle as above; bounds and coefficients; impulses of spring, motor and limit, all
  *             as torques on body b (limit: > 0 the lower one's, < 0 the upper one's)
  *
@@ -30,7 +30,7 @@ typedef struct cni_joint_block {
 	float ax[CNI_LANES], ay[CNI_LANES], bx[CNI_LANES], by[CNI_LANES];
 	float ex[CNI_LANES], ey[CNI_LANES];
 	float jx[CNI_LANES], jy[CNI_LANES];
-	float load_x[CNI_LANES], load_y[CNI_LANES];
+	float dealt_x[CNI_LANES], dealt_y[CNI_LANES];
 	float angle0[CNI_LANES], angle[CNI_LANES];
 	float rest[CNI_LANES], spring_mass[CNI_LANES], spring_bias[CNI_LANES], spring_give[CNI_LANES], spring_j[CNI_LANES];
 	float speed[CNI_LANES], torque[CNI_LANES], motor_j[CNI_LANES];
@@ -129,7 +129,7 @@ int32_t cni_joint_color_take(cn_world *world, int32_t ia, int32_t ib);
 void cni_joint_lane_fill(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k, cni_joint_block *block, int32_t l);
 /* Is no body of it so fast that its arms turn further in a step than lanes can follow? */
 int32_t cni_joint_fits_lane(const cn_world *world, const cni_solve *s, const cni_joint_work *w);
-/* Impulses and loads back to the records. */
+/* Impulses back to the records. */
 void cni_joint_blocks_store(cn_world *world, const cni_solve *s);
 
 #endif

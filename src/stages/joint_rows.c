@@ -6,7 +6,7 @@
  * blocks beside those of pins. Lanes of one colour and form fill a block; there are no more blocks than a few for all
  * such joints, so that what is left over, and joints that are few, stay rows one by one.
  *
- * Reads works, records, motion; writes blocks, and after the substeps records' impulses and loads.
+ * Reads works, records, motion; writes blocks, and after the substeps records' impulses.
  */
 #include "stages/joint_pass.h"
 
@@ -196,10 +196,8 @@ static void lane_fill(taker *t, cni_joint_work *w, int32_t k, cni_row_block *blo
 	block->rest[l] = rest_of(j, block->form);
 	frame_fill(&w->start, block, l);
 	parts_fill(t, j, block, l);
-	for (r = 0; r < cni_form_rigid_rows(block->form); ++r) {
+	for (r = 0; r < cni_form_rigid_rows(block->form); ++r)
 		block->j[r][l] = j->impulse[r];
-		block->load[r][l] = t->s->warm_scale * j->load[r];
-	}
 }
 
 static int32_t lane_take(taker *t, cni_joint_work *w, int32_t k)
@@ -250,11 +248,6 @@ void cni_row_lanes_gather(cn_world *world, const cni_solve *s)
 
 /* ---- storing ---- */
 
-static float load_of(const cni_row_block *block, int32_t r, int32_t l, float part)
-{
-	return block->load[r][l] == 0.0f ? 0.0f : block->load[r][l] + part * (block->j[r][l] - block->load[r][l]);
-}
-
 /* The largest gap in metres: the angles of welds and slides, which come last, are none. */
 static float gap_of(const cni_row_block *block, int32_t l)
 {
@@ -272,7 +265,6 @@ static void lane_store(cn_world *world, const cni_row_block *block, int32_t l, c
 	cni_joint *j = cni_joint_at(world, w->joint);
 	slots at = slots_of(block->form);
 	uint32_t parts = parts_of(j, block->form);
-	float part = cni_min(CNI_LOAD_RATE * s->dt, 1.0f);
 	int32_t rigid = cni_form_rigid_rows(block->form), r;
 	memset(j->impulse, 0, sizeof j->impulse);
 	for (r = 0; r < rigid; ++r)
@@ -283,8 +275,6 @@ static void lane_store(cn_world *world, const cni_row_block *block, int32_t l, c
 		j->impulse[at.motor] = block->motor_j[l];
 	if (parts & CN_JOINT_LIMIT)
 		j->impulse[at.limit] = block->limit_j[l];
-	for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r)
-		j->load[r] = r < rigid ? load_of(block, r, l, part) : 0.0f;
 	j->inv_h = s->inv_h;
 	cni_joint_gap_look(world, w, gap_of(block, l));
 }

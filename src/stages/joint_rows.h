@@ -50,7 +50,7 @@ typedef struct cni_row_block {
 	float free_mass[CNI_FREE_ROWS][CNI_LANES];
 	/* impulses: of the rigid rows without what free ones ask of them; whole: with that, when all is done */
 	float j[CNI_JOINT_RIGID_ROWS][CNI_LANES], spring_j[CNI_LANES], motor_j[CNI_LANES], limit_j[CNI_LANES];
-	float load[CNI_JOINT_RIGID_ROWS][CNI_LANES], whole[CNI_JOINT_RIGID_ROWS][CNI_LANES];
+	float whole[CNI_JOINT_RIGID_ROWS][CNI_LANES];
 	int32_t work[CNI_LANES];               /* place in the works */
 	int32_t form, lanes, color;
 	uint32_t has;                          /* CN_JOINT_SPRING, _MOTOR, _LIMIT: some lane has one */
@@ -88,7 +88,7 @@ void cni_row_blocks_empty(cn_world *world);
 void cni_row_lanes_gather(cn_world *world, const cni_solve *s);
 /* A pass over blocks begin to end - 1 of the list of all colours in order. */
 void cni_row_blocks_run(cn_world *world, cni_row_kernel_fn *run, const struct cni_joint_pass *pass, int32_t begin, int32_t end);
-/* Impulses and loads back to the records. */
+/* Impulses back to the records. */
 void cni_row_lanes_store(cn_world *world, const cni_solve *s);
 /* The rows of a work that is in such a lane, as stages/joint_solve.c would have them, and their impulses back into it. */
 int32_t cni_row_lane_read(const cn_world *world, const cni_joint_work *w, cni_row *rows);

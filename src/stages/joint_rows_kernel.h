@@ -377,7 +377,7 @@ CNI_INLINE void rigid_solve(cni_row_block *k, int32_t l, int32_t rigid, side *a,
 			want[i] = pass->soft.mass_scale * want[i] + pass->soft.bias_scale * cni_wide_load(k->error[i] + l);
 	}
 	for (i = 0; i < rigid; ++i) {
-		dj[i] = bias ? -pass->soft.impulse_scale * (cni_wide_load(k->j[i] + l) - cni_wide_load(k->load[i] + l)) : cni_wide_of(0.0f);
+		dj[i] = bias ? -pass->soft.impulse_scale * cni_wide_load(k->j[i] + l) : cni_wide_of(0.0f);
 		for (n = 0; n < rigid; ++n)
 			dj[i] -= cni_wide_load(k->inverse[wide_inverse_at[i][n]] + l) * want[n];
 	}

@@ -6,7 +6,7 @@
  * angular one. When only one of the two is clamped the other is solved again with that known (projected
  * block Gauss-Seidel), so that a weld at its force limit still holds its angle.
  *
- * Reads records and motion, writes motion velocities, the records' loads and turns; breaks joints
+ * Reads records and motion, writes motion velocities, the records' turns; breaks joints
  * whose largest reaction within the step was beyond their threshold.
  */
 #include "stages/joint_pass.h"
@@ -71,14 +71,14 @@ void cni_joints_warm_start(cn_world *world, const cni_solve *s)
 /* ---- impulses ---- */
 
 /* What count rows that are solved together ask for. */
-CNI_INLINE void block_solve(const cni_row *rows, const float *load, int32_t count, const float *inverse, const cni_motion *a, const cni_motion *b, const cni_soft *soft, float *dj)
+CNI_INLINE void block_solve(const cni_row *rows, int32_t count, const float *inverse, const cni_motion *a, const cni_motion *b, const cni_soft *soft, float *dj)
 {
 	float rhs[CNI_JOINT_RIGID_ROWS];
 	int32_t i, k;
 	for (i = 0; i < count; ++i)
 		rhs[i] = soft->mass_scale * cni_row_speed(&rows[i], a, b) + soft->bias_scale * rows[i].error;
 	for (i = 0; i < count; ++i) {
-		dj[i] = -soft->impulse_scale * (rows[i].impulse - load[i]);
+		dj[i] = -soft->impulse_scale * rows[i].impulse;
 		for (k = 0; k < count; ++k)
 			dj[i] -= inverse[cni_inverse_at(i, k)] * rhs[k];
 	}
@@ -109,11 +109,11 @@ static int32_t block_clamp(const cni_row *rows, int32_t count, float most, float
 }
 
 /* Solves some of the first rows alone, the others being given. */
-static void solve_part(cni_row *rows, const float *load, int32_t count, float most, cni_motion *a, cni_motion *b, const cni_soft *soft)
+static void solve_part(cni_row *rows, int32_t count, float most, cni_motion *a, cni_motion *b, const cni_soft *soft)
 {
 	float inverse[6], dj[CNI_JOINT_RIGID_ROWS];
 	cni_rows_invert(rows, count, a, b, inverse);
-	block_solve(rows, load, count, inverse, a, b, soft, dj);
+	block_solve(rows, count, inverse, a, b, soft, dj);
 	block_clamp(rows, count, most, dj);
 	block_push(rows, count, dj, a, b);
 }
@@ -125,15 +125,15 @@ static void solve_bounded(cni_joint_work *w, cni_motion *a, cni_motion *b, const
 	while (linear < w->rigid_count && !w->rows[linear].angular)
 		++linear;
 	angular = w->rigid_count - linear;
-	block_solve(w->rows, w->numbers->load, w->rigid_count, w->numbers->inverse, a, b, soft, dj);
+	block_solve(w->rows, w->rigid_count, w->numbers->inverse, a, b, soft, dj);
 	over_linear = block_clamp(w->rows, linear, most_linear, dj);
 	over_angular = block_clamp(w->rows + linear, angular, most_angular, dj + linear);
 	if (over_linear && !over_angular && angular > 0) {
 		block_push(w->rows, linear, dj, a, b);
-		solve_part(w->rows + linear, w->numbers->load + linear, angular, most_angular, a, b, soft);
+		solve_part(w->rows + linear, angular, most_angular, a, b, soft);
 	} else if (over_angular && !over_linear && linear > 0) {
 		block_push(w->rows + linear, angular, dj + linear, a, b);
-		solve_part(w->rows, w->numbers->load, linear, most_linear, a, b, soft);
+		solve_part(w->rows, linear, most_linear, a, b, soft);
 	} else {
 		block_push(w->rows, w->rigid_count, dj, a, b);
 	}
@@ -145,10 +145,10 @@ static void solve_rigid(cni_joint_work *w, cni_motion *a, cni_motion *b, const c
 	if (w->flags & CNI_WORK_BOUNDED) {
 		solve_bounded(w, a, b, soft, h);
 	} else if (w->rigid_count == 2) { /* the same with a count known to the compiler */
-		block_solve(w->rows, w->numbers->load, 2, w->numbers->inverse, a, b, soft, dj);
+		block_solve(w->rows, 2, w->numbers->inverse, a, b, soft, dj);
 		block_push(w->rows, 2, dj, a, b);
 	} else {
-		block_solve(w->rows, w->numbers->load, w->rigid_count, w->numbers->inverse, a, b, soft, dj);
+		block_solve(w->rows, w->rigid_count, w->numbers->inverse, a, b, soft, dj);
 		block_push(w->rows, w->rigid_count, dj, a, b);
 	}
 }
@@ -283,17 +283,6 @@ static int32_t is_beyond(const cni_joint_work *w, const cni_joint *j)
 	return (j->break_force > 0.0f && w->numbers->force_stress > j->break_force) || (j->break_torque > 0.0f && w->numbers->torque_stress > j->break_torque);
 }
 
-/* A load follows what is there slowly, as that of a contact does; what has none gets none. */
-static void load_store(const cni_joint_work *w, cni_joint *j, const cni_solve *s)
-{
-	float part = cni_min(CNI_LOAD_RATE * s->dt, 1.0f);
-	int32_t r;
-	for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r) {
-		float load = w->numbers->load[r];
-		j->load[r] = load == 0.0f || r >= w->rigid_count || (w->flags & CNI_WORK_DIRECT) ? 0.0f : load + part * (w->rows[r].impulse - load);
-	}
-}
-
 void cni_joints_store(cn_world *world, const cni_solve *s)
 {
 	int32_t k;
@@ -305,7 +294,6 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 			continue;
 		j = cni_joint_at(world, w->joint);
 		cni_joint_rows_end(world, w, j);
-		load_store(w, j, s);
 		j->inv_h = s->inv_h;
 		look_for_gap(world, w);
 		if (w->flags & CNI_WORK_TURNS)

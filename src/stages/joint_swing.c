@@ -85,7 +85,7 @@ int32_t cni_component_swings(const cn_world *world, const cni_solve *s, const cn
 	for (k = c->body_begin; k < c->body_end; ++k)
 		if (!body_swings(world, sparse->bodies[k]))
 			return 0;
-	cni_joint_works_complete(world, s, sparse, c);
+	cni_joint_works_complete(world, sparse, c);
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
 		if (!end_swings(world, n->ia) || !end_swings(world, n->ib) ||

@@ -26,7 +26,6 @@ enum {
 typedef struct cni_joint_numbers {
 	cni_row rows[CNI_JOINT_ROWS];
 	float inverse[6];          /* of the first rows' K: 00 01 02 11 12 22 */
-	float load[CNI_JOINT_RIGID_ROWS]; /* the first rows give way around it; 0 but in nets: stages/joint_net.c */
 	float single_mass[CNI_JOINT_ROWS];
 	cni_soft soft;             /* springy: of the first rows and of limits */
 	cni_soft spring;           /* of the spring or soft row, if there is one */
@@ -122,7 +121,6 @@ void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k);
 void cni_joint_work_begin(cn_world *world, int32_t k, const cni_joint *j);
 /* ... then its rows, decoupled, with their impulses. */
 void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work *w);
-void cni_joint_loads_read(cni_joint_work *w, const cni_solve *s);
 /* As a step ends: the rows' impulses to the record, by the type's rows. */
 void cni_joint_rows_end(const cn_world *world, const cni_joint_work *w, cni_joint *j);
 /* The same rows at the bodies' new positions, with the impulses they had; what that changes in the impulses' response goes into start. */
@@ -180,7 +178,7 @@ int32_t cni_joint_work_widen(cn_world *world, const cni_solve *s, struct cni_lan
 /* All works have lanes, where they had them in the last step, and then there was nothing to be solved directly; nor is there now. */
 int32_t cni_joint_lanes_tell(const cn_world *world);
 /* The rows of a component's wide works, with the impulses of their records. */
-void cni_joint_works_complete(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
+void cni_joint_works_complete(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 
 /* ---- trees that are alike: stages/joint_herd.c ---- */
 

@@ -82,7 +82,7 @@ static void bench_draw(uint32_t seed)
 	pick_row(k->ax0, -1.0f, 1.0f), pick_row(k->ay0, -1.0f, 1.0f), pick_row(k->bx0, -1.0f, 1.0f), pick_row(k->by0, -1.0f, 1.0f);
 	pick_row(k->ax, -1.0f, 1.0f), pick_row(k->ay, -1.0f, 1.0f), pick_row(k->bx, -1.0f, 1.0f), pick_row(k->by, -1.0f, 1.0f);
 	pick_row(k->dx0, -0.01f, 0.01f), pick_row(k->dy0, -0.01f, 0.01f), pick_row(k->ex, -0.01f, 0.01f), pick_row(k->ey, -0.01f, 0.01f);
-	pick_row(k->jx, -3.0f, 3.0f), pick_row(k->jy, -3.0f, 3.0f), pick_row(k->load_x, -3.0f, 3.0f), pick_row(k->load_y, -3.0f, 3.0f);
+	pick_row(k->jx, -3.0f, 3.0f), pick_row(k->jy, -3.0f, 3.0f);
 	k->angular = seed % 2 == 0;
 	if (!k->angular)
 		return;

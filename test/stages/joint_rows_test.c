@@ -58,7 +58,7 @@ static void numbers_draw(uint32_t *random)
 	draw_row(k->speed, random, -5.0f, 5.0f), draw_row(k->most, random, 0.0f, 50.0f);
 	draw_row(k->spring_j, random, -1.0f, 1.0f), draw_row(k->motor_j, random, -0.2f, 0.2f), draw_row(k->limit_j, random, 0.0f, 1.0f);
 	for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r)
-		draw_row(k->j[r], random, -3.0f, 3.0f), draw_row(k->load[r], random, -1.0f, 1.0f);
+		draw_row(k->j[r], random, -3.0f, 3.0f);
 }
 
 static void bench_draw(uint32_t seed)

@@ -2,7 +2,7 @@
  * test/stages/sparse_plan_test.c - plans of the direct solver of coupled constraints: little fill, form, limits and budget,
  * plans that are kept, memory.
  *
- * If a test here fails, look in stages/sparse_components.c, sparse_order.c, sparse_dissect.c, sparse_plan.c.
+ * If a test here fails, look in stages/sparse_components.c, sparse_order.c, sparse_plan.c.
  */
 #include "sparse_systems.h"
 
@@ -194,103 +194,6 @@ static void t_hubs_are_refused(void)
 	end(p);
 }
 
-/* ---- large nets ---- */
-
-#define NET_BODIES 1601
-#define NET_LINKS 3300
-
-typedef struct large {
-	cni_link links[NET_LINKS];
-	cni_motion bodies[NET_BODIES];
-	uint8_t planned[NET_LINKS];
-	int32_t link_count;
-} large;
-
-static large *net_begin(void)
-{
-	static large made;
-	int32_t k;
-	memset(&made, 0, sizeof made);
-	for (k = 1; k < NET_BODIES; ++k)
-		made.bodies[k].inv_mass = made.bodies[k].inv_inertia = 1.0f;
-	return &made;
-}
-
-static void net_link(large *n, int32_t a, int32_t b)
-{
-	cni_link *link = &n->links[n->link_count];
-	link->ia = a;
-	link->ib = b;
-	link->owner = n->link_count++;
-	link->rows = 2;
-	link->work_most = 4000;
-}
-
-/* Closed: its last column is joined to its first. */
-static void net_join(large *n, int32_t width, int32_t closed)
-{
-	int32_t height = (NET_BODIES - 1) / width, x, y;
-	for (y = 0; y < height; ++y)
-		for (x = 0; x < width; ++x) {
-			int32_t body = 1 + y * width + x;
-			if (x > 0)
-				net_link(n, body - 1, body);
-			if (closed && x == width - 1)
-				net_link(n, body - x, body);
-			if (y > 0)
-				net_link(n, body - width, body);
-		}
-}
-
-static void net_shuffle(large *n, uint32_t seed)
-{
-	problem *p = begin(seed, 0.0);
-	int32_t k;
-	for (k = n->link_count - 1; k > 0; --k) {
-		int32_t other = pick_int(p, k + 1);
-		cni_link link = n->links[k];
-		n->links[k] = n->links[other];
-		n->links[other] = link;
-	}
-}
-
-/* Work for each body, over the root of how many there are. */
-static double net_work(const char *name, large *n)
-{
-	problem *p = begin(1, 0.0);
-	cni_system system = { n->links, n->link_count, NET_BODIES, n->bodies, INT64_MAX, 1, 0 };
-	double part = -1.0, bodies = (double)(NET_BODIES - 1);
-	if (cni_sparse_plan(&p->arena, NULL, &system, &p->sparse, n->planned) && p->sparse.component_count == 1 && p->sparse.node_count == n->link_count)
-		part = (double)p->sparse.components[0].work / (bodies * sqrt(bodies));
-	CHECK(part > 0.0 && p->sparse.components[0].dear);
-	printf("  %s: %d joints, %d blocks, work %.2f n^1.5\n", name, (int)n->link_count, (int)p->sparse.block_count, part);
-	end(p);
-	return part;
-}
-
-/* Least degree alone takes 24, 46 and 8. */
-static void t_large_nets_are_dissected(void)
-{
-	large *n = net_begin();
-	double worst = 0.0;
-	uint32_t seed;
-	net_join(n, 40, 0);
-	CHECK_LE("square net: work / n^1.5", net_work("square", n), 11.0, "");
-	n = net_begin();
-	net_join(n, 40, 1);
-	CHECK_LE("tube: work / n^1.5", net_work("tube", n), 20.0, "");
-	n = net_begin();
-	net_join(n, 10, 0);
-	CHECK_LE("strip of 10: work / n^1.5", net_work("strip", n), 6.0, "");
-	for (seed = 1; seed <= 5; ++seed) {
-		n = net_begin();
-		net_join(n, 40, 0);
-		net_shuffle(n, seed);
-		worst = greater(worst, net_work("square, joints in any order", n));
-	}
-	CHECK_LE("square net, joints in any order: work / n^1.5", worst, 12.0, "");
-}
-
 /* ---- kept plans ---- */
 
 /* A plan by what is kept, and one that is made anew, over several components with and without loops. */
@@ -436,7 +339,6 @@ int main(int argc, char **argv)
 	RUN(t_beyond_the_limit_is_refused_alone);
 	RUN(t_beyond_the_budget_is_refused);
 	RUN(t_hubs_are_refused);
-	RUN(t_large_nets_are_dissected);
 	RUN(t_a_kept_plan_is_used_again);
 	RUN(t_too_little_memory_is_survived);
 	RUN(t_scratch_is_what_was_promised);

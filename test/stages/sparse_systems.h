@@ -190,7 +190,7 @@ static inline uint64_t bytes_promised(const problem *p)
 
 static inline int32_t plan_within(problem *p, int64_t budget)
 {
-	cni_system system = { p->links, p->link_count, p->body_count, p->bodies, budget, 0, 0 };
+	cni_system system = { p->links, p->link_count, p->body_count, p->bodies, budget };
 	int32_t k, good = cni_sparse_plan(&p->arena, p->kept, &system, &p->sparse, p->planned);
 	for (k = 0; k < p->sparse.component_count; ++k)
 		cni_sparse_clear(&p->sparse, &p->sparse.components[k]);
@@ -243,7 +243,6 @@ static inline void make_soft_grid(problem *p)
 		soften(p, k, 0.01f);
 }
 
-/* Dear: its order is that of a dissection, and its numbers lie close in a solution. */
 static inline void make_soft_net(problem *p)
 {
 	int32_t k;
