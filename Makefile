@@ -180,6 +180,23 @@ stability: $(BUILD)/bin/stability
 	@$(BUILD)/bin/stability --csv $(BUILD)/stability.csv $(STABILITY)
 -include $(STABILITY_OBJ:.o=.d)
 
+# Families of random scenes, the default solver beside another: test/families/README.md. SEEDS=10 FAMILY=name SEED_FIRST=17
+# SOLVERS=auto,soft SUBSTEPS=n NOISE=1 MONOTONE=1 PEERS=1
+FAMILIES_OBJ := $(patsubst %.c,$(BUILD)/release/%.o,$(sort $(wildcard test/families/*.c)))
+$(BUILD)/release/test/families/%.o: test/families/%.c $(BUILD)/release/flags
+	@mkdir -p $(@D)
+	$(call say,cc)$(CC) $(STRICT) $(MODE) -Iinclude $(CPPFLAGS) $(CFLAGS) -c $< -o $@
+$(BUILD)/bin/families: $(FAMILIES_OBJ) $(BUILD)/libcairn.a
+	@mkdir -p $(@D)
+	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(FAMILIES_OBJ) $(BUILD)/libcairn.a $(LIBS) -o $@
+-include $(FAMILIES_OBJ:.o=.d)
+
+.PHONY: families
+families: $(BUILD)/bin/families
+	@CC='$(CC)' sh test/families/run.sh $(BUILD) $(if $(PEERS),--peers) $(if $(SEEDS),--seeds $(SEEDS)) $(if $(SEED_FIRST),--first $(SEED_FIRST)) \
+		$(if $(FAMILY),--family $(FAMILY)) $(if $(SOLVERS),--solvers $(SOLVERS)) $(if $(SUBSTEPS),--substeps $(SUBSTEPS)) \
+		$(if $(NOISE),--noise $(NOISE)) $(if $(MONOTONE),--monotone $(MONOTONE))
+
 # Error against cost, drawn: test/stability/chart/README.md. PEERS=1: other engines run the same scenes; ROUNDS=3.
 .PHONY: chart
 chart: $(BUILD)/bin/stability
