@@ -13,7 +13,8 @@
 #include <string.h>
 
 #define CONFIRM_MAX 16
-#define PEERS_MAX 4
+#define RUNS_MAX (CONFIRM_MAX + 1)
+#define PEER_RUNS 3 /* of another engine for each seed: medians are compared */
 #define NOISE_OTHER 1000 /* perturbations of the other side when a solver is judged against itself */
 
 /* ---- judged measures ---- */
@@ -70,11 +71,6 @@ static double excess(const judged *mine, const judged *other, int32_t kind)
 
 /* ---- settings ---- */
 
-typedef struct peer_file {
-	char name[32];
-	FILE *file;
-} peer_file;
-
 typedef struct settings {
 	const char *family;
 	int32_t seeds, first, confirm, substeps;
@@ -82,7 +78,8 @@ typedef struct settings {
 	int32_t solvers[2];
 	const char *names[2];
 	FILE *csv, *record;
-	const char *peer_name, *peer_path;
+	const char *peer_name;
+	FILE *peer; /* what --record wrote */
 } settings;
 
 static const char *const solver_names[] = { "auto", "soft", "direct", "sequential" };
@@ -110,23 +107,44 @@ static scene_measures run_side(const settings *set, const family *which, int32_t
 	return run_scene(which, seed, &run);
 }
 
-/* A seed that looks worse is run again with other perturbations of 1e-5 m; medians over all runs decide. */
-static void confirm_seed(const settings *set, const family *which, int32_t seed, judged sides[2])
+static void keep_values(double values[M_COUNT][RUNS_MAX], int32_t at, const judged *j)
 {
-	double values[2][M_COUNT][CONFIRM_MAX + 1];
-	int32_t side, k, repeat;
-	for (side = 0; side < 2; ++side) {
-		for (k = 0; k < M_COUNT; ++k)
-			values[side][k][0] = sides[side].value[k];
-		for (repeat = 1; repeat <= set->confirm; ++repeat) {
+	int32_t k;
+	for (k = 0; k < M_COUNT; ++k)
+		values[k][at] = j->value[k];
+}
+
+static judged median_judged(double values[M_COUNT][RUNS_MAX], int32_t count)
+{
+	judged j;
+	int32_t k;
+	for (k = 0; k < M_COUNT; ++k)
+		j.value[k] = median(values[k], count);
+	return j;
+}
+
+/* A seed that looks worse is run again with other perturbations of 1e-5 m, twice and then as often as is asked for, as
+   long as the medians over all runs are worse. */
+static uint32_t confirm_seed(const settings *set, const family *which, int32_t seed, judged sides[2])
+{
+	double values[2][M_COUNT][RUNS_MAX];
+	uint32_t worse = worse_mask(&sides[0], &sides[1]);
+	int32_t side, repeat;
+	for (side = 0; side < 2; ++side)
+		keep_values(values[side], 0, &sides[side]);
+	for (repeat = 1; repeat <= set->confirm && worse != 0; ++repeat) {
+		for (side = 0; side < 2; ++side) {
 			scene_measures m = run_side(set, which, seed, side, repeat);
 			judged j = to_judged(&m);
-			for (k = 0; k < M_COUNT; ++k)
-				values[side][k][repeat] = j.value[k];
+			keep_values(values[side], repeat, &j);
 		}
-		for (k = 0; k < M_COUNT; ++k)
-			sides[side].value[k] = median(values[side][k], set->confirm + 1);
+		if (repeat != 2 && repeat != set->confirm)
+			continue;
+		for (side = 0; side < 2; ++side)
+			sides[side] = median_judged(values[side], repeat + 1);
+		worse = worse_mask(&sides[0], &sides[1]);
 	}
+	return worse;
 }
 
 /* ---- one family ---- */
@@ -137,7 +155,7 @@ typedef struct seed_result {
 	judged judged[2];
 	uint32_t worse;
 	int32_t has_peer;
-	scene_measures peer;
+	judged peer;
 	uint32_t worse_than_peer;
 } seed_result;
 
@@ -158,30 +176,42 @@ static void write_csv_head(FILE *file)
 			      "step_max_ms,steps,broken,at_limit,bodies,joints,refused,joint_start_m,overlap_start_m,worse\n");
 }
 
-/* A peer's row of this seed: the file has them in any order and is small enough to be read again. */
-static int find_peer(const settings *set, const char *name, int32_t seed, scene_measures *m)
+static int read_row(const char *line, char name[64], int *seed, scene_measures *m)
 {
+	int steps, broken, limit, bodies, joints, refused;
+	memset(m, 0, sizeof *m);
+	if (sscanf(line, "%63[^,],%d,%*[^,],%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%d,%d,%d,%d,%d,%d", name, seed, &m->joint_max, &m->joint_p99, &m->joint_mean, &m->overlap_max,
+		    &m->overlap_p99, &m->energy_pct, &m->speed_max, &m->speed_fall, &m->moved_m, &m->step_ms, &m->step_max_ms, &steps, &broken, &limit, &bodies, &joints, &refused)
+		!= 19)
+		return 0;
+	m->steps = steps;
+	m->broken = broken;
+	m->at_limit = limit;
+	m->refused = refused;
+	return 1;
+}
+
+/* Medians of a peer's rows of this seed. The file has families and seeds in the order in which they are asked for. */
+static int find_peer(const settings *set, const char *name, int32_t seed, uint32_t flags, judged *out, scene_measures *first)
+{
+	double values[M_COUNT][RUNS_MAX];
 	char line[512], found[64];
-	FILE *file = set->peer_path != NULL ? fopen(set->peer_path, "r") : NULL;
-	int done = 0;
-	while (file != NULL && !done && fgets(line, (int)sizeof line, file) != NULL) {
-		int at, of, broken, limit, bodies, joints, refused, steps;
-		memset(m, 0, sizeof *m);
-		if (sscanf(line, "%63[^,],%d,%*[^,],%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%d,%d,%d,%d,%d,%d", found, &at, &m->joint_max, &m->joint_p99, &m->joint_mean,
-			    &m->overlap_max, &m->overlap_p99, &m->energy_pct, &m->speed_max, &m->speed_fall, &m->moved_m, &m->step_ms, &m->step_max_ms, &steps, &broken, &limit, &bodies,
-			    &joints, &refused)
-			!= 19)
+	int32_t count = 0;
+	int at;
+	while (set->peer != NULL && count < PEER_RUNS && fgets(line, (int)sizeof line, set->peer) != NULL) {
+		scene_measures m;
+		judged j;
+		if (!read_row(line, found, &at, &m) || strcmp(found, name) != 0 || at != seed || m.refused)
 			continue;
-		of = strcmp(found, name) == 0 && at == seed;
-		m->steps = steps;
-		m->broken = broken;
-		m->at_limit = limit;
-		m->refused = refused;
-		done = of && !refused;
+		m.flags = flags;
+		j = to_judged(&m);
+		if (count == 0)
+			*first = m;
+		keep_values(values, count++, &j);
 	}
-	if (file != NULL)
-		fclose(file);
-	return done;
+	if (count > 0)
+		*out = median_judged(values, count);
+	return count > 0;
 }
 
 static void print_side(const char *engine, const scene_measures *m)
@@ -196,8 +226,23 @@ static void print_side(const char *engine, const scene_measures *m)
 		m->at_limit ? " LIMIT" : "", 1e3 * m->moved_m, m->step_ms, m->step_max_ms, (int)m->steps, m->broken > 0 ? "; BROKEN" : "");
 }
 
+static void print_seed(const settings *set, const family *which, const seed_result *r, const scene_measures *peer)
+{
+	run_settings direct = { CN_SOLVER_DIRECT, 0, 0 };
+	scene_measures m = run_scene(which, r->seed, &direct);
+	int32_t side;
+	printf("%s, seed %d: %d bodies, %d joints; at the start joint %.3f, overlap %.3f mm\n", which->name, (int)r->seed, (int)m.bodies, (int)m.joints, 1e3 * m.joint_start,
+		1e3 * m.overlap_start);
+	for (side = 0; side < 2; ++side)
+		print_side(set->names[side], &r->measures[side]);
+	print_side("direct", &m);
+	if (r->has_peer)
+		print_side(set->peer_name, peer);
+}
+
 static void run_seed(const settings *set, const family *which, int32_t seed, seed_result *r)
 {
+	scene_measures peer;
 	int32_t side;
 	memset(r, 0, sizeof *r);
 	r->seed = seed;
@@ -205,28 +250,14 @@ static void run_seed(const settings *set, const family *which, int32_t seed, see
 		r->measures[side] = run_side(set, which, seed, side, 0);
 		r->judged[side] = to_judged(&r->measures[side]);
 	}
-	r->worse = worse_mask(&r->judged[0], &r->judged[1]);
-	if (r->worse != 0 && set->confirm > 0) {
-		confirm_seed(set, which, seed, r->judged);
-		r->worse = worse_mask(&r->judged[0], &r->judged[1]);
-	}
-	r->has_peer = find_peer(set, which->name, seed, &r->peer);
-	if (r->has_peer) {
-		judged theirs;
-		r->peer.flags = r->measures[0].flags;
-		theirs = to_judged(&r->peer);
-		r->worse_than_peer = worse_mask(&r->judged[0], &theirs);
-	}
+	r->worse = confirm_seed(set, which, seed, r->judged);
+	r->has_peer = find_peer(set, which->name, seed, r->measures[0].flags, &r->peer, &peer);
+	if (r->has_peer)
+		r->worse_than_peer = worse_mask(&r->judged[0], &r->peer);
 	for (side = 0; side < 2; ++side)
 		write_csv(set->csv, which->name, seed, set->names[side], &r->measures[side], side == 0 ? r->worse : 0);
-	if (set->seeds == 1) {
-		printf("%s, seed %d: %d bodies, %d joints; at the start joint %.3f, overlap %.3f mm\n", which->name, (int)seed, (int)r->measures[0].bodies,
-			(int)r->measures[0].joints, 1e3 * r->measures[0].joint_start, 1e3 * r->measures[0].overlap_start);
-		for (side = 0; side < 2; ++side)
-			print_side(set->names[side], &r->measures[side]);
-		if (r->has_peer)
-			print_side(set->peer_name, &r->peer);
-	}
+	if (set->seeds == 1)
+		print_seed(set, which, r, &peer);
 }
 
 static double median_of(const seed_result *results, int32_t count, int32_t side, int32_t kind)
@@ -260,29 +291,32 @@ static void print_times(const seed_result *results, int32_t count)
 	free(ratios);
 }
 
+static const judged *other_of(const seed_result *r, int peer) { return peer ? &r->peer : &r->judged[1]; }
+
 /* The worst seeds of one measure, as many as fit a line. */
-static void print_worst(const seed_result *results, int32_t count, int32_t kind)
+static void print_worst(const seed_result *results, int32_t count, int32_t kind, int peer)
 {
 	int32_t k, shown, last = -1;
 	double before = HUGE_VAL;
 	printf("    %-8s", kinds[kind].name);
 	for (shown = 0; shown < 6; ++shown) {
-		const seed_result *most = NULL;
+		int32_t most = -1;
 		double at = -1.0;
 		for (k = 0; k < count; ++k) {
 			const seed_result *r = &results[k];
-			double by = excess(&r->judged[0], &r->judged[1], kind);
-			if ((r->worse >> kind & 1u) != 0 && (by < before || (by == before && k > last)) && (most == NULL || by > at)) {
-				most = r;
+			double by = excess(&r->judged[0], other_of(r, peer), kind);
+			int listed = by > before || (by == before && k <= last);
+			if (((peer ? r->worse_than_peer : r->worse) >> kind & 1u) != 0 && !listed && by > at) {
+				most = k;
 				at = by;
 			}
 		}
-		if (most == NULL)
+		if (most < 0)
 			break;
-		last = (int32_t)(most - results);
+		last = most;
 		before = at;
-		printf("%s seed %d: %.3g against %.3g %s", shown > 0 ? ";" : "", (int)most->seed, kinds[kind].shown * most->judged[0].value[kind],
-			kinds[kind].shown * most->judged[1].value[kind], kinds[kind].unit);
+		printf("%s seed %d: %.3g against %.3g %s", shown > 0 ? ";" : "", (int)results[most].seed, kinds[kind].shown * results[most].judged[0].value[kind],
+			kinds[kind].shown * other_of(&results[most], peer)->value[kind], kinds[kind].unit);
 	}
 	printf("\n");
 }
@@ -300,16 +334,16 @@ static void print_peer(const settings *set, const seed_result *results, int32_t 
 	int32_t k, compared = 0;
 	for (k = 0; k < count; ++k)
 		compared += results[k].has_peer;
-	if (set->peer_path == NULL)
+	if (set->peer == NULL)
 		return;
 	if (compared == 0) {
-		printf("    %s cannot build it\n", set->peer_name);
+		printf("  %s cannot build it\n", set->peer_name);
 		return;
 	}
-	printf("    worse than %s in %d of %d:", set->peer_name, (int)count_mask(results, count, 1, UINT32_MAX), (int)compared);
+	printf("  worse than %s in %d of %d\n", set->peer_name, (int)count_mask(results, count, 1, UINT32_MAX), (int)compared);
 	for (k = 0; k < M_COUNT; ++k)
-		printf(" %s %d", kinds[k].name, (int)count_mask(results, count, 1, 1u << k));
-	printf("\n");
+		if (count_mask(results, count, 1, 1u << k) > 0)
+			print_worst(results, count, k, 1);
 }
 
 static int32_t report_family(const settings *set, const family *which, const seed_result *results, int32_t count, double cpu_s)
@@ -328,12 +362,21 @@ static int32_t report_family(const settings *set, const family *which, const see
 	print_times(results, count);
 	for (k = 0; k < M_COUNT; ++k)
 		if (count_mask(results, count, 0, 1u << k) > 0)
-			print_worst(results, count, k);
+			print_worst(results, count, k, 0);
 	print_peer(set, results, count);
 	if (getenv("FAMILIES_TIMES") != NULL)
 		printf("    took %.1f s\n", cpu_s);
 	fflush(stdout);
 	return worse;
+}
+
+static void record_seed(const settings *set, const family *which, int32_t seed)
+{
+	int32_t repeat;
+	for (repeat = 0; repeat < PEER_RUNS; ++repeat) {
+		scene_measures m = run_side(set, which, seed, 0, repeat);
+		write_csv(set->record, which->name, seed, set->names[0], &m, 0);
+	}
 }
 
 static int32_t run_family(const settings *set, const family *which)
@@ -344,12 +387,10 @@ static int32_t run_family(const settings *set, const family *which)
 	if (results == NULL)
 		exit(2);
 	for (k = 0; k < set->seeds; ++k) {
-		if (set->record != NULL) {
-			scene_measures m = run_side(set, which, set->first + k, 0, 0);
-			write_csv(set->record, which->name, set->first + k, set->names[0], &m, 0);
-		} else {
+		if (set->record != NULL)
+			record_seed(set, which, set->first + k);
+		else
 			run_seed(set, which, set->first + k, &results[k]);
-		}
 	}
 	worse = set->record != NULL ? 0 : report_family(set, which, results, set->seeds, cpu_clock_s() - start);
 	free(results);
@@ -492,7 +533,7 @@ static void set_peer(settings *set, const char *text)
 		exit(2);
 	memcpy(name, text, length);
 	set->peer_name = name;
-	set->peer_path = equals + 1;
+	set->peer = fopen(equals + 1, "r");
 }
 
 static int take_option(settings *set, const char *option, const char *value)
@@ -531,7 +572,7 @@ int main(int argc, char **argv)
 	memset(&set, 0, sizeof set);
 	set.seeds = 200;
 	set.first = 1;
-	set.confirm = 4;
+	set.confirm = 8;
 	set_solvers(&set, "auto,soft");
 	for (k = 1; k < argc; k += 2) {
 		if (strcmp(argv[k], "--list") == 0)

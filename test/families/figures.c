@@ -89,17 +89,17 @@ static void build_blobs(scene *s)
 	int32_t count = pick_int(s, 1, 6), k;
 	s->friction = pick(s, 0.0, 1.0);
 	if (chance(s, 0.5))
-		add_pit(s, 2.6);
+		add_pit(s, 3.2);
 	else
 		add_floor(s);
 	for (k = 0; k < count; ++k) {
 		double radius = pick(s, 0.6, 1.1), jitter = pick(s, -0.1, 0.1);
-		add_blob(s, (k % 2 == 0 ? -1.25 : 1.25) + jitter, 1.5 + 2.6 * (double)(k / 2), radius);
+		add_blob(s, (k % 2 == 0 ? -1.6 : 1.6) + jitter, 1.6 + 3.0 * (double)(k / 2), radius);
 	}
 	s->group = 0;
 	if (chance(s, 0.5)) {
 		set_mass(s, pick_log(s, 1.0, 100.0), 1.0);
-		add_box(s, CN_BODY_DYNAMIC, 0.0, 2.5 + 2.6 * (double)((count + 1) / 2), 0.0, 0.5, 0.5);
+		add_box(s, CN_BODY_DYNAMIC, 0.0, 0.6 + 3.0 * (double)((count + 1) / 2), 0.0, 0.5, 0.5);
 	}
 }
 

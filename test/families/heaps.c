@@ -5,25 +5,30 @@
 
 #include <math.h>
 
-/* 15 to 60 boxes and capsules of 0.5 to 3 m with an aspect of 1:2 to 1:200 fall into a pit; friction 0 to 2. */
+static double add_thin(scene *s, double x, double y, double half, double aspect, double angle)
+{
+	double thin = fmax(half / aspect, 0.003), high = half * fabs(sin(angle)) + thin;
+	if (chance(s, 0.5))
+		add_box(s, CN_BODY_DYNAMIC, x, y + high, angle, half, thin);
+	else
+		add_capsule(s, CN_BODY_DYNAMIC, x, y + high, angle, half - thin, thin);
+	return 2.0 * high;
+}
+
+/* 15 to 60 boxes and capsules of 0.5 to 2.8 m with an aspect of 1:2 to 1:200 fall into a pit in pairs, two thirds of them nearly
+   level; friction 0 to 2. */
 static void build_thin_heap(scene *s)
 {
 	int32_t count = pick_int_log(s, 15, 60), k;
-	double aspect_max = pick_log(s, 5.0, 200.0), y = 0.5;
+	double aspect_max = pick_log(s, 5.0, 200.0), y = 0.5, next_y = 0.5;
 	s->friction = pick(s, 0.0, 2.0);
 	add_pit(s, 3.0);
 	for (k = 0; k < count; ++k) {
-		double half = pick(s, 0.25, 1.5), aspect = pick_log(s, 2.0, aspect_max), angle = chance(s, 0.5) ? pick(s, -0.2, 0.2) : pick(s, -PI, PI), x;
-		double thin = fmax(half / aspect, 0.003), high = half * fabs(sin(angle)) + thin;
-		x = pick(s, -2.9 + half, 2.9 - half);
-		y += high;
-		if (chance(s, 0.5))
-			add_box(s, CN_BODY_DYNAMIC, x, y, angle, half, thin);
-		else
-			add_capsule(s, CN_BODY_DYNAMIC, x, y, angle, half - thin, thin);
-		y += high + 0.02;
-		if (k % 20 == 19)
-			y += 1.0;
+		double half = pick(s, 0.25, 1.4), aspect = pick_log(s, 2.0, aspect_max), angle = chance(s, 0.67) ? pick(s, -0.1, 0.1) : pick(s, -PI, PI), jitter = pick(s, -0.05, 0.05);
+		double high = add_thin(s, (k % 2 == 0 ? -1.5 : 1.5) + jitter, y, half, aspect, angle);
+		next_y = fmax(next_y, y + high + 0.02);
+		if (k % 2 == 1)
+			y = next_y;
 	}
 }
 
@@ -50,10 +55,10 @@ static void build_mixed_heap(scene *s)
 	int32_t count = pick_int_log(s, 15, 80), k;
 	double ratio = pick_log(s, 2.0, 1e6);
 	s->friction = pick(s, 0.0, 2.0);
-	add_pit(s, 3.0);
+	add_pit(s, 3.4);
 	for (k = 0; k < count; ++k) {
 		double size = pick(s, 0.15, 0.5), jitter = pick(s, -0.05, 0.05), mass = pick_log(s, 1.0, ratio);
-		add_lump(s, 1.1 * (double)(k % 5 - 2) + jitter, 0.8 + 1.1 * (double)(k / 5), size, mass);
+		add_lump(s, 1.35 * (double)(k % 5 - 2) + jitter, 0.8 + 1.3 * (double)(k / 5), size, mass);
 	}
 }
 
@@ -83,7 +88,7 @@ static void crusher(scene *s)
 	double height = 1.5 + 1.05 * (double)(lumps / 5), mass = pick_log(s, 10.0, driven ? 1000.0 : 1e5) * 0.5 * (double)lumps;
 	add_pit(s, 2.8);
 	for (k = 0; k < lumps; ++k) {
-		double jitter = pick(s, -0.05, 0.05), size = pick(s, 0.25, 0.5);
+		double jitter = pick(s, -0.05, 0.05), size = pick(s, 0.2, 0.38);
 		add_lump(s, 1.05 * (double)(k % 5 - 2) + jitter, 0.55 + 1.05 * (double)(k / 5), size, 0.5);
 	}
 	set_mass(s, mass, 2.7 * 2.0 * 0.6);
@@ -115,7 +120,7 @@ static void build_thrown(scene *s)
 	add_floor(s);
 	for (k = 0; heap && k < count; ++k) {
 		double size = pick(s, 0.15, 0.3), mass = pick_log(s, 0.1, 2.0);
-		add_lump(s, 0.65 * (double)(k % 6), 0.32 + 0.65 * (double)(k / 6), size, mass);
+		add_lump(s, 0.75 * (double)(k % 6), 0.38 + 0.75 * (double)(k / 6), size, mass);
 	}
 	s->density = 1.0;
 	for (i = 0; !heap && i < rows; ++i)

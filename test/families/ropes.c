@@ -5,44 +5,46 @@
 
 #include <math.h>
 
-/* A rope of 10 to 40 capsules of 0.3 m lies over one to three fixed discs; loads of 1 to 2000 times a link's mass hang at
-   its ends, the second one 0.1 to 1 times the first. Friction 0 to 2. */
+static void hang_load(scene *s, int32_t link, double x, double y, double side, double size, double mass)
+{
+	int32_t load;
+	set_mass(s, mass, 4.0 * size * size);
+	load = add_box(s, CN_BODY_DYNAMIC, x + side * size, y, 0.0, size, size);
+	add_pin(s, link, load, x, y);
+}
+
+/* A rope of 12 to 40 capsules of 0.3 m lies level over one to three fixed discs; loads of 1 to 2000 times a link's mass hang at its
+   ends, the second one 0.1 to 1 times the first. Friction of the rope 0 to 2. */
 static void build_rope_peg(scene *s)
 {
-	int32_t links = pick_int(s, 10, 40), pegs = pick_int(s, 1, 3), k, previous = WORLD, first = WORLD;
-	double half = 0.15, radius = pick(s, 0.03, 0.08), link_mass, load = pick_log(s, 1.0, 2000.0), other = load * pick(s, 0.1, 1.0);
-	double width = 0.6 * (double)(pegs - 1) + 0.5, size = pick(s, 0.2, 0.5);
-	double start = -half * (double)links + pick(s, -0.5, 0.5) * half * (double)links;
+	int32_t pegs = pick_int(s, 1, 3), links, k, previous = 0, first = 0;
+	double half = 0.15, radius = pick(s, 0.03, 0.08), width = 1.1 * (double)(pegs - 1), size = pick(s, 0.2, 0.5), y = 12.41 + radius;
+	double load = pick_log(s, 1.0, 2000.0), other = load * pick(s, 0.1, 1.0), mass = 4.0 * half * radius + PI * radius * radius, room, start;
+	links = pick_int(s, 12 + 4 * (pegs - 1), 40);
+	room = half * (double)links - 0.5 * width - 0.5; /* that the rope's middle may be aside */
+	start = -half * (double)links + pick(s, -0.8, 0.8) * room;
 	s->friction = pick(s, 0.0, 2.0);
 	for (k = 0; k < pegs; ++k)
-		add_disc(s, CN_BODY_STATIC, width * ((double)k - 0.5 * (double)(pegs - 1)), 12.0, 0.4);
-	link_mass = 4.0 * half * radius + PI * radius * radius;
-	s->group = chance(s, 0.5) ? -1 : 0; /* links among themselves */
+		add_disc(s, CN_BODY_STATIC, 1.1 * (double)k - 0.5 * width, 12.0, 0.4);
 	for (k = 0; k < links; ++k) {
 		double x = start + 2.0 * half * (double)k;
-		int32_t link;
-		s->group = 0;
-		link = add_capsule(s, CN_BODY_DYNAMIC, x + half, 12.4 + radius + 0.01, 0.0, half, radius);
+		int32_t link = add_capsule(s, CN_BODY_DYNAMIC, x + half, y, 0.0, half, radius);
 		if (k == 0)
 			first = link;
 		else
-			add_pin(s, previous, link, x, 12.4 + radius + 0.01);
+			add_pin(s, previous, link, x, y);
 		previous = link;
 	}
 	s->friction = pick(s, 0.0, 1.0);
-	set_mass(s, load * link_mass, 4.0 * size * size);
-	k = add_box(s, CN_BODY_DYNAMIC, start - size, 12.4 + radius + 0.01, 0.0, size, size);
-	add_pin(s, first, k, start, 12.4 + radius + 0.01);
-	set_mass(s, other * link_mass, 4.0 * size * size);
-	k = add_box(s, CN_BODY_DYNAMIC, start + 2.0 * half * (double)links + size, 12.4 + radius + 0.01, 0.0, size, size);
-	add_pin(s, previous, k, start + 2.0 * half * (double)links, 12.4 + radius + 0.01);
+	hang_load(s, first, start, y, -1.0, size, load * mass);
+	hang_load(s, previous, start + 2.0 * half * (double)links, y, 1.0, size, other * mass);
 	s->density = 1.0;
 	add_floor(s);
 	s->seconds = 5.0;
 }
 
 /* 10 to 60 planks of 1 x 0.1 to 0.3 m, pinned along an arc of 0 to 2 x 0.7 rad; one to five boxes or discs of 1 to 1000 times a
-   plank's mass fall on them from 0.2 to 3 m. */
+   plank's mass fall on them from 0.2 to 3 m; the lowest plank is 3 m over the floor. Friction 0.2 to 1. */
 static void build_bridge(scene *s)
 {
 	int32_t planks = pick_int_log(s, 10, 60), loads = pick_int(s, 1, 5), k, previous = WORLD;
@@ -57,26 +59,26 @@ static void build_bridge(scene *s)
 	}
 	add_pin(s, WORLD, previous, radius * sin(half), base - radius * cos(half));
 	for (k = 0; k < loads; ++k) {
-		double x = 1.5 * ((double)k - 0.5 * (double)(loads - 1)), y = 4.0 + radius * (1.0 - cos(half)) + pick(s, 0.2, 3.0);
+		double x = 1.5 * ((double)k - 0.5 * (double)(loads - 1)), y = base - sqrt(fmax(radius * radius - x * x, 0.0)) + thin + pick(s, 0.9, 3.7);
 		int round = chance(s, 0.3);
-		y = fmin(y, 3.0 + thin + 0.6 + pick(s, 0.2, 3.0));
-		y = fmax(y, base - sqrt(fmax(radius * radius - x * x, 0.0)) + thin + 0.8);
 		set_mass(s, mass, round ? PI * 0.25 : 1.0);
 		if (round)
 			add_disc(s, CN_BODY_DYNAMIC, x, y, 0.5);
 		else
 			add_box(s, CN_BODY_DYNAMIC, x, y, 0.0, 0.5, 0.5);
 	}
+	s->density = 1.0;
+	add_floor(s);
 }
 
 /* 2 to 30 rods of 0.3 to 1 m, pinned in a row to the world, a load of 1 to 2000 times a rod's mass at the end; released level
-   or at up to 0.6 rad from it, turning or not. Half of the seeds last 4 s, one in eight 20 s. */
+   or at up to 0.6 rad from it, and let go. Half of the seeds last 4 s, others 8, 20 and 60 s. */
 static void build_chain(scene *s)
 {
 	int32_t links = pick_int_log(s, 2, 30), k, previous = WORLD, load;
 	double half = pick(s, 0.15, 0.5), thin = pick(s, 0.02, 0.05), angle = pick(s, -0.6, 0.6), ux = cos(angle), uy = sin(angle), y = 30.0;
 	double mass = 4.0 * half * thin * pick_log(s, 1.0, 2000.0), length = 2.0 * half * (double)links, radius = pick(s, 0.1, 0.5);
-	int round = chance(s, 0.5);
+	int round = chance(s, 0.5), lasting = pick_int(s, 0, 19);
 	s->group = -1;
 	for (k = 0; k < links; ++k) {
 		double at = 2.0 * half * (double)k;
@@ -90,8 +92,7 @@ static void build_chain(scene *s)
 	else
 		load = add_box(s, CN_BODY_DYNAMIC, length * ux, y + length * uy, angle, radius, radius);
 	add_pin(s, previous, load, length * ux, y + length * uy);
-	if (chance(s, 0.5))
-		s->seconds = chance(s, 0.25) ? 20.0 : 8.0;
+	s->seconds = lasting == 0 ? 60.0 : lasting < 4 ? 20.0 : lasting < 10 ? 8.0 : 4.0;
 }
 
 const family rope_families[] = {
