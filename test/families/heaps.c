@@ -15,16 +15,16 @@ static double add_thin(scene *s, double x, double y, double half, double aspect,
 	return 2.0 * high;
 }
 
-/* 15 to 60 boxes and capsules of 0.5 to 2.8 m with an aspect of 1:2 to 1:200 fall into a pit in pairs, two thirds of them nearly
+/* 15 to 60 boxes and capsules of 0.5 to 2.8 m with an aspect of 1:4 to 1:200 fall into a pit in pairs, two thirds of them nearly
    level; friction 0 to 2. */
 static void build_thin_heap(scene *s)
 {
 	int32_t count = pick_int_log(s, 15, 60), k;
-	double aspect_max = pick_log(s, 5.0, 200.0), y = 0.5, next_y = 0.5;
+	double aspect_max = pick_log(s, 8.0, 200.0), y = 0.5, next_y = 0.5;
 	s->friction = pick(s, 0.0, 2.0);
 	add_pit(s, 3.0);
 	for (k = 0; k < count; ++k) {
-		double half = pick(s, 0.25, 1.4), aspect = pick_log(s, 2.0, aspect_max), angle = chance(s, 0.67) ? pick(s, -0.1, 0.1) : pick(s, -PI, PI), jitter = pick(s, -0.05, 0.05);
+		double half = pick(s, 0.25, 1.4), aspect = pick_log(s, 4.0, aspect_max), angle = chance(s, 0.67) ? pick(s, -0.1, 0.1) : pick(s, -PI, PI), jitter = pick(s, -0.05, 0.05);
 		double high = add_thin(s, (k % 2 == 0 ? -1.5 : 1.5) + jitter, y, half, aspect, angle);
 		next_y = fmax(next_y, y + high + 0.02);
 		if (k % 2 == 1)
