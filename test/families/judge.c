@@ -3,9 +3,13 @@
  *
  * Heaps and loose joints are chaotic: two runs that start 1e-5 m apart end apart. What a single run finds worse is therefore
  * decided by medians over perturbed starts.
+ *
+ * A loaded chain whips: its light end is right to be several times as fast as a damped solver lets it be. What is faster than the
+ * other solver is therefore also compared with that solver at 64 substeps.
  */
 #include "judge.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 const measure_kind kinds[M_COUNT] = {
@@ -59,6 +63,16 @@ double median(double *values, int32_t count)
 	return values[count / 2];
 }
 
+/* Fastest body of the other solver with REFERENCE_SUBSTEPS, which damps next to nothing. */
+static double reference_speed(const settings *set, const family *which, int32_t seed, int32_t repeat)
+{
+	run_settings run;
+	run.solver = set->solvers[1];
+	run.substeps = REFERENCE_SUBSTEPS;
+	run.noise = repeat;
+	return run_scene(which, seed, &run).speed_max;
+}
+
 scene_measures run_side(const settings *set, const family *which, int32_t seed, int32_t side, int32_t repeat)
 {
 	run_settings run;
@@ -88,13 +102,20 @@ uint32_t confirm_seed(const settings *set, const family *which, int32_t seed, ju
 {
 	double values[2][M_COUNT][RUNS_MAX];
 	uint32_t worse = worse_mask(&sides[0], &sides[1]);
+	int fast = (worse >> M_SPEED & 1u) != 0;
 	int32_t side, repeat;
+	if (fast && set->confirm > 0) {
+		sides[1].value[M_SPEED] = fmax(sides[1].value[M_SPEED], reference_speed(set, which, seed, 0));
+		worse = worse_mask(&sides[0], &sides[1]);
+	}
 	for (side = 0; side < 2; ++side)
 		keep_values(values[side], 0, &sides[side]);
 	for (repeat = 1; repeat <= set->confirm && worse != 0; ++repeat) {
 		for (side = 0; side < 2; ++side) {
 			scene_measures m = run_side(set, which, seed, side, repeat);
 			judged j = to_judged(&m);
+			if (fast && side == 1)
+				j.value[M_SPEED] = fmax(j.value[M_SPEED], reference_speed(set, which, seed, repeat));
 			keep_values(values[side], repeat, &j);
 		}
 		if (repeat != 2 && repeat != set->confirm)

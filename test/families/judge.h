@@ -11,6 +11,7 @@
 #define RUNS_MAX (CONFIRM_MAX + 1)
 #define PEER_RUNS 3      /* of another engine for each seed: medians are compared */
 #define NOISE_OTHER 1000 /* perturbations of the first side when a solver is judged against itself */
+#define REFERENCE_SUBSTEPS 64
 
 enum { M_JOINT, M_OVERLAP, M_ENERGY, M_SPEED, M_MOVED, M_BROKEN, M_COUNT };
 

@@ -41,12 +41,15 @@ int find_peer(const settings *set, const char *name, int32_t seed, uint32_t flag
 {
 	double values[M_COUNT][RUNS_MAX];
 	char line[512], found[64];
-	int32_t count = 0;
+	int32_t rows = 0, count = 0;
 	int at;
-	while (set->peer != NULL && count < PEER_RUNS && fgets(line, (int)sizeof line, set->peer) != NULL) {
+	while (set->peer != NULL && rows < PEER_RUNS && fgets(line, (int)sizeof line, set->peer) != NULL) {
 		scene_measures m;
 		judged j;
-		if (!read_row(line, found, &at, &m) || strcmp(found, name) != 0 || at != seed || m.refused)
+		if (!read_row(line, found, &at, &m) || strcmp(found, name) != 0 || at != seed)
+			continue;
+		++rows;
+		if (m.refused)
 			continue;
 		m.flags = flags;
 		j = to_judged(&m);
