@@ -5,6 +5,8 @@
 #   make test-all   tests under sanitizers and other   make check-deps layers by #include, longest files
 #                   compilers and options              make install    DESTDIR and PREFIX; make clean
 #   make bindings   writes bindings/ from the header   make test-bindings  in every language that is installed
+#   make stability  scenes with bounds, and 10 seeds of each family: test/stability/README.md
+#   make families   random scenes, the default solver beside soft constraints: test/families/README.md
 #   make bench-peers  time and accuracy beside other engines: see examples/peers/README.md
 #   make bench-diff BASE=rev  time and accuracy beside another revision: see examples/README.md
 #   make bench-scale  how cost grows with the number of bodies: see examples/README.md
@@ -176,9 +178,28 @@ $(BUILD)/bin/stability: $(STABILITY_OBJ) $(BUILD)/libcairn.a
 	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STABILITY_OBJ) $(BUILD)/libcairn.a $(LIBS) -o $@
 
 # STABILITY: arguments of the program instead of the whole list, for example STABILITY='--family stack --set boxes=30'.
-stability: $(BUILD)/bin/stability
-	@$(BUILD)/bin/stability --csv $(BUILD)/stability.csv $(STABILITY)
+# Without arguments also 10 seeds of each family of test/families.
+stability: $(BUILD)/bin/stability $(BUILD)/bin/families
+	@$(BUILD)/bin/stability --csv $(BUILD)/stability.csv $(STABILITY); suite=$$?; \
+		$(if $(STABILITY),exit $$suite,$(BUILD)/bin/families --seeds 10 --csv $(BUILD)/families.csv && exit $$suite)
 -include $(STABILITY_OBJ:.o=.d)
+
+# Families of random scenes, the default solver beside another: test/families/README.md.
+# SEEDS=10 FAMILY=name SEED_FIRST=17 SOLVERS=auto,soft SUBSTEPS=n NOISE=1 MONOTONE=1 PEERS=1
+FAMILIES_OBJ := $(patsubst %.c,$(BUILD)/release/%.o,$(sort $(wildcard test/families/*.c)))
+$(BUILD)/release/test/families/%.o: test/families/%.c $(BUILD)/release/flags
+	@mkdir -p $(@D)
+	$(call say,cc)$(CC) $(STRICT) $(MODE) -Iinclude $(CPPFLAGS) $(CFLAGS) -c $< -o $@
+$(BUILD)/bin/families: $(FAMILIES_OBJ) $(BUILD)/libcairn.a
+	@mkdir -p $(@D)
+	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(FAMILIES_OBJ) $(BUILD)/libcairn.a $(LIBS) -o $@
+-include $(FAMILIES_OBJ:.o=.d)
+
+.PHONY: families
+families: $(BUILD)/bin/families
+	@CC='$(CC)' sh test/families/run.sh $(BUILD) $(if $(PEERS),--peers) $(if $(SEEDS),--seeds $(SEEDS)) $(if $(SEED_FIRST),--first $(SEED_FIRST)) \
+		$(if $(FAMILY),--family $(FAMILY)) $(if $(SOLVERS),--solvers $(SOLVERS)) $(if $(SUBSTEPS),--substeps $(SUBSTEPS)) \
+		$(if $(NOISE),--noise $(NOISE)) $(if $(MONOTONE),--monotone $(MONOTONE))
 
 # Error against cost, drawn: test/stability/chart/README.md. PEERS=1: other engines run the same scenes; ROUNDS=3.
 .PHONY: chart

@@ -71,6 +71,12 @@ cn_result cn_joint_create_gear(cn_world *world, const cn_gear_def *def, cn_joint
 	return peer_refuse("the adapter has no gears");
 }
 
+cn_result cn_joint_create_pulley(cn_world *world, const cn_pulley_def *def, cn_joint *out_joint)
+{
+	(void)world, (void)def, (void)out_joint;
+	return peer_refuse("the adapter has no pulleys");
+}
+
 cn_result cn_joint_set_motor(cn_world *world, cn_joint joint, float speed, float force_or_torque_max)
 {
 	(void)world, (void)joint, (void)speed, (void)force_or_torque_max;
@@ -124,6 +130,36 @@ void cn_fixed_def_init(cn_fixed_def *def)
 {
 	memset(def, 0, sizeof *def);
 	def->base.struct_size = (uint32_t)sizeof *def;
+}
+
+void cn_distance_def_init(cn_distance_def *def)
+{
+	memset(def, 0, sizeof *def);
+	def->base.struct_size = (uint32_t)sizeof *def;
+	def->length_m = def->length_max_m = 1.0f;
+}
+
+void cn_prismatic_def_init(cn_prismatic_def *def)
+{
+	memset(def, 0, sizeof *def);
+	def->base.struct_size = (uint32_t)sizeof *def;
+	def->axis.x = 1.0f;
+}
+
+void cn_wheel_def_init(cn_wheel_def *def)
+{
+	memset(def, 0, sizeof *def);
+	def->base.struct_size = (uint32_t)sizeof *def;
+	def->axis.y = 1.0f;
+	def->spring_hertz = 1.0f;
+	def->spring_damping_ratio = 0.7f;
+}
+
+void cn_pulley_def_init(cn_pulley_def *def)
+{
+	memset(def, 0, sizeof *def);
+	def->base.struct_size = (uint32_t)sizeof *def;
+	def->ratio = 1.0f;
 }
 
 void cn_gear_def_init(cn_gear_def *def)

@@ -227,6 +227,9 @@ cn_result cn_joint_create_revolute(cn_world *world, const cn_revolute_def *def, 
 	joint.enableLimit = (def->base.flags & CN_JOINT_LIMIT) != 0;
 	joint.lowerAngle = def->lower_angle_rad;
 	joint.upperAngle = def->upper_angle_rad;
+	joint.enableMotor = (def->base.flags & CN_JOINT_MOTOR) != 0;
+	joint.motorSpeed = def->motor_speed_radps;
+	joint.maxMotorTorque = def->motor_torque_max_Nm;
 	*out_joint = peer_keep(&world->joints, b2StoreJointId(b2CreateRevoluteJoint(world->id, &joint)));
 	return CN_OK;
 }
@@ -236,6 +239,62 @@ cn_result cn_joint_create_fixed(cn_world *world, const cn_fixed_def *def, cn_joi
 	b2WeldJointDef joint = b2DefaultWeldJointDef();
 	set_base(world, &joint.base, &def->base, def->reference_angle_rad);
 	*out_joint = peer_keep(&world->joints, b2StoreJointId(b2CreateWeldJoint(world->id, &joint)));
+	return CN_OK;
+}
+
+cn_result cn_joint_create_distance(cn_world *world, const cn_distance_def *def, cn_joint *out_joint)
+{
+	b2DistanceJointDef joint = b2DefaultDistanceJointDef();
+	set_base(world, &joint.base, &def->base, 0.0f);
+	joint.length = def->length_m;
+	joint.enableSpring = (def->base.flags & CN_JOINT_SPRING) != 0;
+	joint.hertz = def->spring_hertz;
+	joint.dampingRatio = def->spring_damping_ratio;
+	joint.enableLimit = (def->base.flags & CN_JOINT_LIMIT) != 0;
+	joint.minLength = def->length_min_m;
+	joint.maxLength = def->length_max_m;
+	*out_joint = peer_keep(&world->joints, b2StoreJointId(b2CreateDistanceJoint(world->id, &joint)));
+	return CN_OK;
+}
+
+/* Box2D slides along the x axis of frame a. */
+static void turn_frames(b2JointDef *joint, cn_vec2 axis, float reference_angle_rad)
+{
+	float angle = b2Atan2(axis.y, axis.x);
+	joint->localFrameA.q = b2MakeRot(angle);
+	joint->localFrameB.q = b2MakeRot(angle - reference_angle_rad);
+}
+
+cn_result cn_joint_create_prismatic(cn_world *world, const cn_prismatic_def *def, cn_joint *out_joint)
+{
+	b2PrismaticJointDef joint = b2DefaultPrismaticJointDef();
+	set_base(world, &joint.base, &def->base, 0.0f);
+	turn_frames(&joint.base, def->axis, def->reference_angle_rad);
+	joint.enableLimit = (def->base.flags & CN_JOINT_LIMIT) != 0;
+	joint.lowerTranslation = def->lower_m;
+	joint.upperTranslation = def->upper_m;
+	joint.enableMotor = (def->base.flags & CN_JOINT_MOTOR) != 0;
+	joint.motorSpeed = def->motor_speed_mps;
+	joint.maxMotorForce = def->motor_force_max_N;
+	*out_joint = peer_keep(&world->joints, b2StoreJointId(b2CreatePrismaticJoint(world->id, &joint)));
+	return CN_OK;
+}
+
+cn_result cn_joint_create_wheel(cn_world *world, const cn_wheel_def *def, cn_joint *out_joint)
+{
+	b2WheelJointDef joint = b2DefaultWheelJointDef();
+	set_base(world, &joint.base, &def->base, 0.0f);
+	turn_frames(&joint.base, def->axis, 0.0f);
+	joint.enableSpring = (def->base.flags & CN_JOINT_SPRING) != 0;
+	joint.hertz = def->spring_hertz;
+	joint.dampingRatio = def->spring_damping_ratio;
+	joint.enableLimit = (def->base.flags & CN_JOINT_LIMIT) != 0;
+	joint.lowerTranslation = def->lower_m;
+	joint.upperTranslation = def->upper_m;
+	joint.enableMotor = (def->base.flags & CN_JOINT_MOTOR) != 0;
+	joint.motorSpeed = def->motor_speed_radps;
+	joint.maxMotorTorque = def->motor_torque_max_Nm;
+	*out_joint = peer_keep(&world->joints, b2StoreJointId(b2CreateWheelJoint(world->id, &joint)));
 	return CN_OK;
 }
 
