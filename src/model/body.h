@@ -95,7 +95,6 @@ typedef struct cni_velocity_start {
 	float struck; /* 1 when an impact changed the velocity in this substep, CNI_SHOCKED or more when it jumped */
 } cni_velocity_start;
 #define CNI_SHOCKED 2.0f
-#define CNI_UNHELD 3.0f /* ... and nobody holds the energy (stages/energy.c) */
 
 enum {
 	CNI_DRIVE_FREE = 1u << 0,    /* nothing touches it: integrated once, exactly, for the whole step */

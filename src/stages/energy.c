@@ -1,21 +1,23 @@
 /*
- * stages/energy.c - contacts and joints that only hold or bounce cannot raise kinetic energy; where a solve that did
- * not converge says they did, the excess is taken out.
+ * stages/energy.c - passive contacts and joints cannot raise kinetic energy; where a sweep that did not converge says they did,
+ * the energy is taken back from the impulses that gave it.
  *
- * One sweep over light bodies that are caught among heavy ones may end far from the solution, and then with more energy
- * than the bodies had. What a set of bodies that act on each other has is split into the energy of moving as one rigid
- * body with its momentum and angular momentum, and the rest; the two are orthogonal in the mass metric. The rest is
- * scaled down until the sum is what it was, so momentum stays. Only islands that touch what does not move can have too
- * much in the first part (but for rounding): then all of it is scaled, and what does not move takes the difference.
+ * A sweep starts from the last substep's impulses. Each update of a row at rest lowers the energy, but one sweep does not
+ * always undo a warm start that is wrong for this substep, as among light bodies between heavy ones. The work of a
+ * constraint is w = j (J v0 + J v1) / 2, exact whatever else acts, and the sum of w is what the energy has grown by. So in
+ * an island whose energy has grown
+ *   1. constraints with w > 0 lose a part x of their impulses, the least that takes the excess back: v1 - x D, where D is the
+ *      response to their impulses and the energy is quadratic in x;
+ *   2. what is still too much is taken by a part of all impulses: v0 + y (v1 - v0). y = 0 is the energy before.
+ * Only bodies that an impulse acts on change, scaled impulses stay in their friction cones, and bodies exchange equal
+ * impulses, so that momentum stays. Springs, motors and conveyors may give energy: their positive work is allowed, and they
+ * are not scaled. So may kinematic bodies: impulse times their velocity.
  *
- * Springs and motors may give energy: each row j (J v0 + J v1) / 2, which is exact whatever else acts. Islands with
- * conveyors or kinematic bodies are left alone: bodies of theirs that jumped are marked, and stages/shock.c sees to them. Only
- * islands in which a velocity jumped in this substep (stages/shock.c) are looked at, for that is when solves fail; and of these
- * closely only those whose energy has grown, whoever gave it. Most have clearly not grown: a sum in the order of memory tells,
- * and no record is read.
+ * Only islands in which a velocity jumped in this substep (stages/shock.c) are looked at, for that is when sweeps fail; and
+ * of these closely only those whose energy may have grown: a sum in the order of memory tells.
  *
- * Reads start (velocities before the impulses of the substep) and motion; writes both by the same change, so that
- * the response between them stays.
+ * Reads start (velocities before the impulses of the substep), motion, lanes and joint works; writes start and motion by the
+ * same change, so that the response between them, which the next substep starts from, stays.
  */
 #include "base/cpu.h"
 #include "stages/joint_pass.h"
@@ -34,23 +36,23 @@
 #define FEW_PART 16    /* bodies of which fewer than this part of all are in question are found island by island */
 
 typedef struct island_sum {
-	float mass, x, y;         /* total, centre (first the moment) */
-	float px, py, spin, inertia; /* momentum; angular momentum and inertia around the centre */
-	float before, after;      /* twice the kinetic energy; before: with what springs and motors gave */
-	float keep_rest, keep_rigid; /* factors; both 1: nothing is wrong */
-	int32_t lost;             /* it has speeds whose squares floats do not hold: impulses of the substep do not count */
-	int32_t driven;
-	int32_t grounded;         /* touches or hangs on what does not move: only then may its momentum change */
+	float before, after;      /* twice the kinetic energy; before: with what springs, motors and movers gave */
 	int32_t looked_at, suspect; /* suspect: it may have grown, and then: it has */
 	int32_t *members;         /* dense indices */
 	int32_t count;            /* ... 0: not yet found */
 } island_sum;
 
+/* D of the file comment. */
+typedef struct response {
+	float x, y, w;
+} response;
+
 typedef struct looking {
 	cn_world *world;
-	island_sum *sums;  /* by an island's number in the step, as all here */
-	int32_t *members;  /* room for all awake bodies */
-	int32_t found;     /* of it */
+	island_sum *sums;    /* by an island's number in the step, as all here */
+	int32_t *members;    /* room for all awake bodies */
+	response *responses; /* by dense index, of members of suspects */
+	int32_t found;       /* members so far */
 } looking;
 
 static int32_t moves(const cni_motion *m)
@@ -58,15 +60,14 @@ static int32_t moves(const cni_motion *m)
 	return m->inv_mass > 0.0f;
 }
 
-static cni_vec2 center_of(const cn_world *world, int32_t k)
+static float inverse_or_zero(float x)
 {
-	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
-	return cni_v(b->cx + cni_motions(world)[k].dpx, b->cy + cni_motions(world)[k].dpy);
+	return x > 0.0f ? 1.0f / x : 0.0f;
 }
 
 static float inertia_of(const cni_motion *m)
 {
-	return m->inv_inertia > 0.0f ? 1.0f / m->inv_inertia : 0.0f;
+	return inverse_or_zero(m->inv_inertia);
 }
 
 /* Twice the kinetic energies of a body, before and after. */
@@ -82,6 +83,12 @@ static const cni_island *record_of(const cn_world *world, int32_t island)
 	return cni_island_at(world, cni_island_of_number(world, island));
 }
 
+/* Impulses of this substep act on it: it neither flies freely nor has moved for the whole step. */
+static int32_t is_solved(const cn_world *world, int32_t k)
+{
+	return !(cni_drives(world)[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG));
+}
+
 /* An island's list is gone through once: each of its links is waited for. */
 static void members_find(looking *q, int32_t island)
 {
@@ -91,7 +98,8 @@ static void members_find(looking *q, int32_t island)
 		return;
 	sum->members = q->members + q->found;
 	for (body = record_of(q->world, island)->first; body != CNI_NONE; body = cni_body_at(q->world, body)->island_next)
-		sum->members[sum->count++] = cni_body_at(q->world, body)->awake;
+		if (is_solved(q->world, cni_body_at(q->world, body)->awake))
+			sum->members[sum->count++] = cni_body_at(q->world, body)->awake;
 	q->found += sum->count;
 }
 
@@ -107,7 +115,7 @@ static void members_collect(looking *q)
 		}
 	for (k = 1; k < world->awake_count; ++k) {
 		int32_t island = cni_awake_island_number(world, k);
-		if (island == CNI_NONE || !q->sums[island].suspect)
+		if (island == CNI_NONE || !q->sums[island].suspect || !is_solved(world, k))
 			continue;
 		CNI_ASSERT(q->sums[island].count < record_of(world, island)->count);
 		q->sums[island].members[q->sums[island].count++] = k;
@@ -171,7 +179,7 @@ static void energies_stream(const cn_world *world, island_sum *sums)
 	int32_t k, of = CNI_NONE, summed = 0, count = world->awake_count;
 	for (k = 1; k < count; ++k) {
 		int32_t island = cni_awake_island_number(world, k);
-		if (island == CNI_NONE || (island != of && !sums[island].looked_at))
+		if (island == CNI_NONE || (island != of && !sums[island].looked_at) || !is_solved(world, k))
 			continue;
 		if (island != of || ++summed == SUMMED_MOST) {
 			if (of != CNI_NONE)
@@ -183,90 +191,6 @@ static void energies_stream(const cn_world *world, island_sum *sums)
 		energies_add(&e, &motions[k], &starts[k]);
 	}
 	energies_sum(&e, &sums[of]);
-}
-
-/* ---- what is driven ---- */
-
-/* The two bodies of what pushes with a motion of its own. One without an island is by itself between what does not give way. */
-static void mark_driven(const cn_world *world, island_sum *sums, int32_t ia, int32_t ib)
-{
-	int32_t bodies[2] = { ia, ib }, k;
-	for (k = 0; k < 2; ++k) {
-		int32_t island = cni_awake_island_number(world, bodies[k]);
-		if (island != CNI_NONE)
-			sums[island].driven = 1;
-		else if (cni_starts(world)[bodies[k]].struck == CNI_SHOCKED)
-			cni_starts(world)[bodies[k]].struck = CNI_UNHELD;
-	}
-}
-
-static int32_t pushes(const cn_world *world, int32_t index)
-{
-	return index != 0 && cni_motions(world)[index].inv_mass == 0.0f;
-}
-
-static int32_t somebody_pushes(const cn_world *world)
-{
-	int32_t k;
-	for (k = 1; k < world->awake_count; ++k)
-		if (pushes(world, k))
-			return 1;
-	return 0;
-}
-
-static void driven_by_bodies(const cn_world *world, island_sum *sums)
-{
-	int32_t color, k, l;
-	for (color = CNI_COLOR_STATIC; color < CNI_COLORS; ++color)
-		for (k = 0; k < world->colors[color].listed_count; ++k) {
-			const cni_listed_block *b = &cni_listed_blocks(world, color)[k];
-			for (l = 0; l < b->lanes; ++l)
-				if (pushes(world, b->rows->ib[l]))
-					mark_driven(world, sums, b->rows->ia[l], b->rows->ib[l]);
-		}
-	for (k = 0; k < world->awake_joints.count; ++k) {
-		const cni_joint_work *w = cni_joint_works(world) + k;
-		if (pushes(world, w->ia) || pushes(world, w->ib))
-			mark_driven(world, sums, w->ia, w->ib);
-	}
-}
-
-static int32_t driven_by_conveyors(const cn_world *world, island_sum *sums)
-{
-	int32_t color, k, l, found = 0;
-	for (color = 0; color < CNI_COLORS; ++color)
-		for (k = 0; k < world->colors[color].listed_count; ++k) {
-			const cni_listed_block *b = &cni_listed_blocks(world, color)[k];
-			for (l = 0; b->extra != NULL && l < b->lanes; ++l)
-				if (b->extra->tangent_speed[l] != 0.0f) {
-					mark_driven(world, sums, b->rows->ia[l], b->rows->ib[l]);
-					found = 1;
-				}
-		}
-	return found;
-}
-
-/* 0: nobody is. Blocks that rest are not in the lists, and nobody in them jumped. */
-static int32_t driven_find(const cn_world *world, island_sum *sums)
-{
-	int32_t by_bodies = somebody_pushes(world);
-	if (by_bodies)
-		driven_by_bodies(world, sums);
-	return driven_by_conveyors(world, sums) || by_bodies;
-}
-
-/* Marks bodies that jumped and whose energy is not held. Returns how many there are. */
-static int32_t unheld_mark(const cn_world *world, const island_sum *sums)
-{
-	cni_velocity_start *starts = cni_starts(world);
-	int32_t k, count = 0;
-	for (k = cni_shocked_next(world, 1); k < world->awake_count; k = cni_shocked_next(world, k + 1)) {
-		int32_t island = cni_awake_island_number(world, k);
-		if (sums == NULL || (island != CNI_NONE && sums[island].driven))
-			starts[k].struck = CNI_UNHELD;
-		count += starts[k].struck == CNI_UNHELD;
-	}
-	return count;
 }
 
 /* ---- what has grown ---- */
@@ -306,218 +230,277 @@ static int32_t suspects_find(looking *q)
 	return count;
 }
 
-/* What is driven is left alone, unless it was lost: factors_find. */
-static int32_t has_too_much(const island_sum *s, float rounding)
+/* ---- the work of constraints ---- */
+
+/* Impulses of a constraint on both bodies: along x, along y, around the centre. */
+typedef struct wrench {
+	float ax, ay, aw, bx, by, bw;
+} wrench;
+
+static void wrench_add(wrench *f, const cni_row *r)
 {
-	return s->suspect && !(s->after < FLT_MAX && (s->driven || s->after <= rounding * s->before));
+	f->ax += r->impulse * r->ax;
+	f->ay += r->impulse * r->ay;
+	f->aw += r->impulse * r->aw;
+	f->bx += r->impulse * r->bx;
+	f->by += r->impulse * r->by;
+	f->bw += r->impulse * r->bw;
 }
 
-/* With what was given: whose energy has grown. Its energies are those of its members one by one, and nothing is given yet. */
+/* Moves, and impulses do not change that. */
+static int32_t pushes(const cn_world *world, int32_t index)
+{
+	return index != 0 && cni_motions(world)[index].inv_mass == 0.0f;
+}
+
+/* Twice the work of an impulse on a body, at the mean of its velocities before and after all impulses. */
+static float work_on(const cn_world *world, int32_t index, float x, float y, float w)
+{
+	const cni_motion *m = cni_motions(world) + index;
+	const cni_velocity_start *s = cni_starts(world) + index;
+	if (pushes(world, index))
+		return 2.0f * (x * m->vx + y * m->vy + w * m->w);
+	return index == 0 ? 0.0f : x * (s->vx + m->vx) + y * (s->vy + m->vy) + w * (s->w + m->w);
+}
+
+/* Adds the response to an impulse to D of a body. */
+static void response_add(const looking *q, int32_t index, float x, float y, float w)
+{
+	const cni_motion *m = cni_motions(q->world) + index;
+	response *d = &q->responses[index];
+	d->x += m->inv_mass * x;
+	d->y += m->inv_mass * y;
+	d->w += m->inv_inertia * w;
+}
+
+/* What bodies push with is given. Of what is left positive work of a driven constraint is allowed, of others its impulse is to
+   be scaled. */
+static void work_take(const looking *q, island_sum *sum, int32_t ia, int32_t ib, const wrench *f, int32_t driven)
+{
+	float a = work_on(q->world, ia, f->ax, f->ay, f->aw), b = work_on(q->world, ib, f->bx, f->by, f->bw);
+	sum->before -= (pushes(q->world, ia) ? a : 0.0f) + (pushes(q->world, ib) ? b : 0.0f);
+	if (!(a + b > 0.0f))
+		return;
+	if (driven) {
+		sum->before += a + b;
+	} else {
+		response_add(q, ia, f->ax, f->ay, f->aw);
+		response_add(q, ib, f->bx, f->by, f->bw);
+	}
+}
+
+/* NULL: its energy has not grown. */
+static island_sum *suspect_of(const looking *q, int32_t ia, int32_t ib)
+{
+	int32_t island = cni_awake_island_number(q->world, ia != 0 && moves(cni_motions(q->world) + ia) ? ia : ib);
+	return island != CNI_NONE && q->sums[island].suspect ? &q->sums[island] : NULL;
+}
+
+static void lane_take(const looking *q, const cni_listed_block *b, int32_t l)
+{
+	const cni_contact_block *k = b->rows;
+	float j0 = k->p[0].jn[l], j1 = k->p[1].jn[l], jt = k->jt[l], jn = j0 + j1;
+	float px = jn * k->nx[l] + jt * k->ny[l], py = jn * k->ny[l] - jt * k->nx[l];
+	wrench f = { -px, -py, -(k->p[0].at[l] * j0 + k->p[1].at[l] * j1 - k->fa[l] * jt),
+		     px, py, (k->p[0].at[l] - k->dt[l]) * j0 + (k->p[1].at[l] - k->dt[l]) * j1 - k->fb[l] * jt };
+	island_sum *sum = jn > 0.0f ? suspect_of(q, k->ia[l], k->ib[l]) : NULL;
+	if (sum != NULL)
+		work_take(q, sum, k->ia[l], k->ib[l], &f, b->extra != NULL && b->extra->tangent_speed[l] != 0.0f);
+}
+
+/* Blocks that rest are not in the lists, and nobody in them jumped. */
+static void contacts_take(const looking *q)
+{
+	int32_t color, k, l;
+	for (color = 0; color < CNI_COLORS; ++color)
+		for (k = 0; k < q->world->colors[color].listed_count; ++k) {
+			const cni_listed_block *b = &cni_listed_blocks(q->world, color)[k];
+			for (l = 0; l < b->lanes; ++l)
+				lane_take(q, b, l);
+		}
+}
+
+static void joint_take(const looking *q, const cni_joint_work *w)
+{
+	island_sum *sum = suspect_of(q, w->ia, w->ib);
+	wrench passive = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
+	cni_joint_impulses all;
+	int32_t r;
+	if (sum == NULL)
+		return;
+	cni_joint_impulses_read(q->world, w, &all);
+	for (r = 0; r < all.count; ++r) {
+		wrench driven = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
+		int32_t drives = cni_row_kind_drives(all.rows[r].kind);
+		wrench_add(drives ? &driven : &passive, &all.rows[r]);
+		if (drives)
+			work_take(q, sum, w->ia, w->ib, &driven, 1);
+	}
+	work_take(q, sum, w->ia, w->ib, &passive, 0);
+}
+
+static void joints_take(const looking *q)
+{
+	int32_t k;
+	for (k = 0; k < q->world->awake_joints.count; ++k)
+		joint_take(q, cni_joint_works(q->world) + k);
+}
+
+/* ---- taking the excess back ---- */
+
+typedef float pair_sum(float mass, float inertia, const cni_motion *m, const cni_velocity_start *v, const response *d);
+
+static float velocity_by_response(float mass, float inertia, const cni_motion *m, const cni_velocity_start *v, const response *d)
+{
+	(void)v;
+	return mass * (m->vx * d->x + m->vy * d->y) + inertia * m->w * d->w;
+}
+
+static float response_by_response(float mass, float inertia, const cni_motion *m, const cni_velocity_start *v, const response *d)
+{
+	(void)m;
+	(void)v;
+	return mass * (d->x * d->x + d->y * d->y) + inertia * d->w * d->w;
+}
+
+static float sum_of(const looking *q, const island_sum *sum, pair_sum *pair)
+{
+	float total = 0.0f;
+	int32_t n;
+	for (n = 0; n < sum->count; ++n) {
+		int32_t k = sum->members[n];
+		const cni_motion *m = cni_motions(q->world) + k;
+		if (moves(m) || m->inv_inertia > 0.0f)
+			total += pair(inverse_or_zero(m->inv_mass), inverse_or_zero(m->inv_inertia), m, cni_starts(q->world) + k, &q->responses[k]);
+	}
+	return total;
+}
+
+/* v1 - x D, and v0 by the same. */
+static void responses_take_out(const looking *q, const island_sum *sum, float x)
+{
+	int32_t n;
+	for (n = 0; n < sum->count; ++n) {
+		int32_t k = sum->members[n];
+		cni_motion *m = cni_motions(q->world) + k;
+		cni_velocity_start *start = cni_starts(q->world) + k;
+		const response *d = &q->responses[k];
+		m->vx -= x * d->x;
+		m->vy -= x * d->y;
+		m->w -= x * d->w;
+		start->vx -= x * d->x;
+		start->vy -= x * d->y;
+		start->w -= x * d->w;
+	}
+}
+
+/* The least x in [0, 1] for which x^2 dd - 2 x vd is at most -excess, or where it is least. */
+static float part_of(float vd, float dd, float excess)
+{
+	float root = vd * vd - dd * excess;
+	if (!(vd > 0.0f && dd > 0.0f))
+		return 0.0f;
+	return cni_min((root > 0.0f ? excess / (vd + cni_sqrt(root)) : vd / dd), 1.0f);
+}
+
+/* D of all impulses: motion - v0, where v0 is the velocity before the impulses. */
+static void responses_of_all(const looking *q, const island_sum *sum, float taken)
+{
+	int32_t n;
+	for (n = 0; n < sum->count; ++n) {
+		int32_t k = sum->members[n];
+		const cni_motion *m = cni_motions(q->world) + k;
+		const cni_velocity_start *start = cni_starts(q->world) + k;
+		response *d = &q->responses[k];
+		d->x = (m->vx - start->vx) - taken * d->x;
+		d->y = (m->vy - start->vy) - taken * d->y;
+		d->w = (m->w - start->w) - taken * d->w;
+	}
+}
+
+static void excess_take(const looking *q, const island_sum *sum)
+{
+	float excess = sum->after - sum->before, vd = sum_of(q, sum, velocity_by_response), dd = sum_of(q, sum, response_by_response);
+	float part = part_of(vd, dd, excess);
+	responses_take_out(q, sum, part);
+	excess -= part * (2.0f * vd - part * dd);
+	if (excess <= (ENERGY_ROUNDING - 1.0f) * sum->before)
+		return;
+	responses_of_all(q, sum, part);
+	responses_take_out(q, sum, part_of(sum_of(q, sum, velocity_by_response), sum_of(q, sum, response_by_response), excess));
+}
+
+/* Speeds whose squares floats do not hold: impulses of the substep do not count. */
+static void impulses_drop(const looking *q, const island_sum *sum)
+{
+	int32_t n;
+	for (n = 0; n < sum->count; ++n) {
+		cni_motion *m = cni_motions(q->world) + sum->members[n];
+		const cni_velocity_start *start = cni_starts(q->world) + sum->members[n];
+		m->vx = start->vx;
+		m->vy = start->vy;
+		m->w = start->w;
+	}
+}
+
+/* Energies of suspects, one by one, without what was given. Returns how many are suspect still. */
 static int32_t suspects_confirm(looking *q)
 {
 	island_sum *sums = q->sums;
-	int32_t k, count = 0;
+	int32_t k, n, count = 0;
 	for (k = 0; k < q->world->step_island_count; ++k) {
-		sums[k].suspect = has_too_much(&sums[k], ENERGY_ROUNDING_SURE);
 		if (!sums[k].suspect)
 			continue;
 		energies_find(q, k);
-		count += sums[k].suspect = has_too_much(&sums[k], ENERGY_ROUNDING);
+		sums[k].suspect = !(sums[k].after <= ENERGY_ROUNDING * sums[k].before);
+		count += sums[k].suspect;
+		for (n = 0; n < sums[k].count; ++n)
+			memset(&q->responses[sums[k].members[n]], 0, sizeof(response));
 	}
 	return count;
 }
 
-/* What else is to be known of a suspect island. */
-static void sum_find(const cn_world *world, island_sum *sum)
-{
-	int32_t n, pass;
-	for (pass = 0; pass < 2; ++pass) {
-		for (n = 0; n < sum->count; ++n) {
-			int32_t k = sum->members[n];
-			const cni_motion *m = cni_motions(world) + k;
-			float mass, inertia;
-			cni_vec2 c;
-			if (!moves(m))
-				continue;
-			mass = 1.0f / m->inv_mass;
-			inertia = inertia_of(m);
-			c = center_of(world, k);
-			if (pass == 0) {
-				sum->mass += mass;
-				sum->x += mass * c.x;
-				sum->y += mass * c.y;
-				sum->px += mass * m->vx;
-				sum->py += mass * m->vy;
-				continue;
-			}
-			c = cni_v(c.x - sum->x, c.y - sum->y);
-			sum->spin += mass * (c.x * m->vy - c.y * m->vx) + inertia * m->w;
-			sum->inertia += mass * (c.x * c.x + c.y * c.y) + inertia;
-		}
-		if (pass == 0 && sum->mass > 0.0f) {
-			sum->x /= sum->mass;
-			sum->y /= sum->mass;
-		}
-	}
-}
-
-static void grounded_by_contacts(const cn_world *world, island_sum *sums)
-{
-	int32_t color, k, l;
-	for (color = CNI_COLOR_STATIC; color < CNI_COLORS; ++color)
-		for (k = 0; k < world->colors[color].listed_count; ++k) {
-			const cni_listed_block *b = &cni_listed_blocks(world, color)[k];
-			for (l = 0; l < b->lanes; ++l) {
-				int32_t island = cni_awake_island_number(world, b->rows->ia[l]);
-				if (b->rows->ib[l] == 0 && island != CNI_NONE)
-					sums[island].grounded = 1;
-			}
-		}
-}
-
-static float row_speed(const cni_row *r, cni_vec2 va, float wa, cni_vec2 vb, float wb)
-{
-	return r->ax * va.x + r->ay * va.y + r->aw * wa + r->bx * vb.x + r->by * vb.y + r->bw * wb;
-}
-
-/* Twice the energy that a row gave in the substep. */
-static float row_work(const cn_world *world, const cni_joint_work *w, const cni_row *r)
-{
-	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
-	const cni_velocity_start *sa = cni_starts(world) + w->ia, *sb = cni_starts(world) + w->ib;
-	return r->impulse * (row_speed(r, cni_v(sa->vx, sa->vy), sa->w, cni_v(sb->vx, sb->vy), sb->w) +
-	                     row_speed(r, cni_v(a->vx, a->vy), a->w, cni_v(b->vx, b->vy), b->w));
-}
-
-/* The same of a joint in a lane: its spring and its motor are torques on body b. */
-static float lane_work(const cn_world *world, const cni_joint_work *w)
-{
-	const cni_joint_block *k = cni_joint_block_of(world, w);
-	int32_t l = w->lane % CNI_LANES;
-	float torque = k->spring_j[l] + k->motor_j[l];
-	return torque * ((cni_starts(world)[w->ib].w - cni_starts(world)[w->ia].w) + (cni_motions(world)[w->ib].w - cni_motions(world)[w->ia].w));
-}
-
-/* What springs and motors gave to suspects. */
-static void work_of_joints(const cn_world *world, island_sum *sums)
-{
-	int32_t k, r;
-	for (k = 0; k < world->awake_joints.count; ++k) {
-		const cni_joint_work *w = cni_joint_works(world) + k;
-		int32_t island = cni_awake_island_number(world, w->ia != 0 ? w->ia : w->ib), count;
-		const cni_row *rows;
-		cni_row in_lane[CNI_JOINT_ROWS];
-		if (island == CNI_NONE || !sums[island].suspect)
-			continue;
-		sums[island].grounded |= w->ia == 0 || w->ib == 0;
-		rows = w->row_lane != CNI_NONE ? in_lane : w->rows;
-		count = w->row_lane != CNI_NONE ? cni_row_lane_read(world, w, in_lane) : w->row_count;
-		for (r = 0; r < count; ++r)
-			if ((w->flags & CNI_WORK_SPRINGY) || rows[r].kind == CNI_ROW_SPRING || rows[r].kind == CNI_ROW_DRIVE)
-				sums[island].before += cni_max(row_work(world, w, &rows[r]), 0.0f);
-		if (w->lane != CNI_NONE)
-			sums[island].before += cni_max(lane_work(world, w), 0.0f);
-	}
-}
-
-/* What of each part stays. Returns 1 when there is too much. */
-static int32_t factors_find(island_sum *s)
-{
-	float rigid, rest;
-	s->keep_rest = s->keep_rigid = 1.0f;
-	s->lost = s->mass > 0.0f && !(s->after < FLT_MAX);
-	if (s->lost)
-		return 1;
-	if (s->mass == 0.0f || s->driven || s->after <= ENERGY_ROUNDING * s->before)
-		return 0;
-	rigid = (s->px * s->px + s->py * s->py) / s->mass + (s->inertia > 0.0f ? s->spin * s->spin / s->inertia : 0.0f);
-	rest = s->after - rigid;
-	if (rigid <= s->before && rest > 0.0f) {
-		s->keep_rest = cni_sqrt((s->before - rigid) / rest);
-	} else {
-		s->keep_rest = 0.0f;
-		s->keep_rigid = s->grounded && rigid > s->before ? cni_sqrt(s->before / rigid) : 1.0f;
-	}
-	return 1;
-}
-
-static void factors_apply(const cn_world *world, const island_sum *s)
-{
-	float w = s->inertia > 0.0f ? s->spin / s->inertia : 0.0f;
-	int32_t n;
-	for (n = 0; n < s->count; ++n) {
-		int32_t k = s->members[n];
-		cni_motion *m = cni_motions(world) + k;
-		cni_velocity_start *start = cni_starts(world) + k;
-		float vx, vy, dvx, dvy, dw;
-		cni_vec2 c;
-		if (!moves(m))
-			continue;
-		if (s->lost) {
-			m->vx = start->vx;
-			m->vy = start->vy;
-			m->w = start->w;
-			continue;
-		}
-		c = center_of(world, k);
-		vx = s->px / s->mass - w * (c.y - s->y);
-		vy = s->py / s->mass + w * (c.x - s->x);
-		dvx = s->keep_rigid * vx + s->keep_rest * (m->vx - vx) - m->vx;
-		dvy = s->keep_rigid * vy + s->keep_rest * (m->vy - vy) - m->vy;
-		dw = m->inv_inertia > 0.0f ? s->keep_rigid * w + s->keep_rest * (m->w - w) - m->w : 0.0f;
-		m->vx += dvx;
-		m->vy += dvy;
-		m->w += dw;
-		start->vx += dvx;
-		start->vy += dvy;
-		start->w += dw;
-	}
-}
-
-static void excess_take(const looking *q)
+static void suspects_hold(const looking *q)
 {
 	int32_t k;
 	for (k = 0; k < q->world->step_island_count; ++k) {
-		island_sum *sum = &q->sums[k];
-		if (!has_too_much(sum, ENERGY_ROUNDING))
+		const island_sum *sum = &q->sums[k];
+		if (!sum->suspect)
 			continue;
-		sum_find(q->world, sum);
-		if (factors_find(sum))
-			factors_apply(q->world, sum);
+		if (!(sum->after < FLT_MAX))
+			impulses_drop(q, sum);
+		else if (sum->after > ENERGY_ROUNDING * sum->before)
+			excess_take(q, sum);
 	}
 }
 
-/* Returns how many bodies that jumped are not held. */
-static int32_t look_at_all(looking *q)
+static void look_at_all(looking *q)
 {
-	int32_t unheld;
 	memset(q->sums, 0, sizeof(island_sum) * (size_t)q->world->step_island_count);
-	unheld = driven_find(q->world, q->sums) ? unheld_mark(q->world, q->sums) : 0;
-	if (suspects_find(q) == 0)
-		return unheld;
-	grounded_by_contacts(q->world, q->sums);
-	work_of_joints(q->world, q->sums);
-	if (suspects_confirm(q) == 0)
-		return unheld;
-	work_of_joints(q->world, q->sums);
-	excess_take(q);
-	return unheld;
+	if (suspects_find(q) == 0 || suspects_confirm(q) == 0)
+		return;
+	contacts_take(q);
+	joints_take(q);
+	suspects_hold(q);
 }
 
 uint64_t cni_energy_bytes(int32_t bodies, int32_t islands)
 {
-	return sizeof(island_sum) * (uint64_t)cni_max_i(islands, 1) + 64u + sizeof(int32_t) * (uint64_t)bodies;
+	return sizeof(island_sum) * (uint64_t)cni_max_i(islands, 1) + 96u + (sizeof(int32_t) + sizeof(response)) * (uint64_t)bodies;
 }
 
-int32_t cni_energy_hold(cn_world *world)
+void cni_energy_hold(cn_world *world)
 {
-	looking q = { world, NULL, NULL, 0 };
-	int32_t unheld;
+	looking q = { world, NULL, NULL, NULL, 0 };
+	uint64_t bodies = (uint64_t)world->awake_count;
 	q.sums = (island_sum *)cni_arena_push(&world->arena, sizeof(island_sum) * (uint64_t)cni_max_i(world->step_island_count, 1));
-	if (q.sums != NULL)
-		q.members = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
-	unheld = q.members != NULL ? look_at_all(&q) : unheld_mark(world, NULL); /* without memory nothing is held */
+	q.members = q.sums == NULL ? NULL : (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * bodies);
+	q.responses = q.members == NULL ? NULL : (response *)cni_arena_push(&world->arena, sizeof(response) * bodies);
+	if (q.responses != NULL)
+		look_at_all(&q);
+	else
+		world->warnings |= CN_WARNING_FRAME_MEMORY;
+	(void)cni_arena_pop(&world->arena, q.responses);
 	(void)cni_arena_pop(&world->arena, q.members);
 	(void)cni_arena_pop(&world->arena, q.sums);
-	return unheld;
 }

@@ -136,6 +136,20 @@ void cni_joint_work_build(cni_joint_work *w, const cni_motion *a, const cni_moti
 void cni_joint_work_rows(cni_joint_work *w, const cni_motion *motions, const cni_rot *turns);
 /* Errors of the rigid rows after a time at the bodies' present velocities. */
 void cni_joint_work_ahead(const cni_joint_work *w, const cni_motion *motions, float h, float *errors);
+/* All rows of a joint with the impulses that they have in this substep, whatever solves it; springy joints' rows are soft.
+   row.slot: of the record's impulse, which is that of the step's beginning. stages/joint_impulse.c */
+#define CNI_PIN_LANE_ROWS 5
+typedef struct cni_joint_impulses {
+	cni_row rows[CNI_JOINT_ROWS + CNI_PIN_LANE_ROWS];
+	int32_t count;
+} cni_joint_impulses;
+void cni_joint_impulses_read(const cn_world *world, const cni_joint_work *w, cni_joint_impulses *out);
+void cni_joint_impulses_write(cn_world *world, cni_joint_work *w, const cni_joint_impulses *impulses);
+/* Does a row of this kind give energy of its own? */
+static inline int32_t cni_row_kind_drives(uint8_t kind)
+{
+	return kind != CNI_ROW_RIGID && kind != CNI_ROW_LIMIT;
+}
 /* Keeps the largest reaction of the step. */
 void cni_joint_work_stress(cni_joint_work *w, const cni_motion *b, float inv_h);
 
