@@ -37,6 +37,8 @@ typedef struct cni_island {
 	uint32_t unheld_step;  /* step + 1 in which its loads were looked for from the top down, last, and not found */
 	uint32_t joined_step;  /* step + 1 in which it was solved with its contacts through its joints: stages/contact_joined.c */
 	int32_t joined;        /* ... and its place among those */
+	uint32_t cone_step;    /* step + 1 in which its contacts were last solved by stages/contact_cone.c, or from there */
+	uint32_t gives_step;   /* step + 1 in which, solved directly, it last moved where it touches */
 } cni_island;
 
 enum { CNI_TIER_SOFT = CN_TIER_SOFT, CNI_TIER_DIRECT = CN_TIER_DIRECT };

@@ -20,12 +20,16 @@
 
 #include <string.h>
 
-#define ROUNDS 32
-#define ROUNDS_ALL 6           /* in which all that does not fit is changed at once */
-#define ROUNDS_MOVING 10       /* of things that move, whose set is another in a moment, and of relaxing passes, which can do without */
+#define ROUNDS 10              /* of the set, until stages/contact_cone.c is asked, which takes about twice as many factorizations */
+#define ROUNDS_ALL 6           /* ... in which all that does not fit is changed at once */
+#define ROUNDS_WARM 4          /* ... from impulses of the last pass */
+#define PARTING 10.0f          /* times speed_least: contacts that part or slide faster give way */
+#define ENERGY_CLOSE 1e-3f     /* part of energy that is rounding */
 #define STILL_SPEED 0.1f       /* length units a second: what is slower began this step at rest */
 #define REFINEMENTS 3          /* solutions with one factorization */
 #define PUSH_RATE 0.1f
+#define TOUCHING 5e-6f         /* length units: a lesser gap or overlap is rounding of positions. Rows that say the same twice would
+                                  answer to what they say of it differently with impulses beyond measure */
 #define SPEED_LEAST 1e-4f      /* length units a second that are no motion */
 #define SLIDE_CLOSE 0.01f      /* part by which a sliding friction may be off its normal force */
 
@@ -201,6 +205,10 @@ typedef struct pass {
 	cni_motion *motions;
 	float speed_least;
 	int32_t bias;
+	int32_t warm;          /* 1: from the impulses of the last pass, not from none */
+	int32_t kept;          /* 1: the kept set will do, if nothing better is found */
+	float before;          /* twice the kinetic energy before its impulses */
+	cni_island *island;
 } pass;
 
 /* Friction is there while a point is held. */
@@ -213,16 +221,28 @@ static void friction_follow(cni_press *p)
 		p->state[2] = CNI_ROW_HELD;
 }
 
-static void press_begin(const pass *q, cni_press *p, const cni_node *n)
+static void press_room(const pass *q, cni_press *p, const cni_node *n)
 {
 	const cni_motion *a = q->motions + n->ia, *b = q->motions + n->ib;
+	float touch = TOUCHING * q->world->settings.length_unit;
 	int32_t i;
 	for (i = 0; i < 2; ++i) {
-		float s = p->mass[i] > 0.0f ? cni_press_separation(p, i, a, b) : 0.0f, push = PUSH_RATE * q->s->inv_h * s;
-		cni_lever l = cni_press_lever(p, i);
+		float s = p->mass[i] > 0.0f ? cni_press_separation(p, i, a, b) : 0.0f, push;
+		s = s > 0.0f ? cni_max(s - touch, 0.0f) : cni_min(s + touch, 0.0f);
+		push = PUSH_RATE * q->s->inv_h * s;
 		p->room[i] = s > 0.0f ? s * q->s->inv_h : q->bias ? cni_max(push, -q->s->push_speed) : 0.0f;
-		if (p->mass[i] > 0.0f && p->state[i] == CNI_ROW_OPEN && cni_lever_speed(&l, a, b) + p->room[i] < q->speed_least)
-			p->state[i] = CNI_ROW_HELD; /* touching and not parting: in a pile all of it must bear at once */
+	}
+	friction_follow(p);
+}
+
+/* What touches and does not part is held: in a new pile all of it must bear at once. */
+static void press_hold(const pass *q, cni_press *p, const cni_node *n)
+{
+	int32_t i;
+	for (i = 0; i < 2; ++i) {
+		cni_lever l = cni_press_lever(p, i);
+		if (p->mass[i] > 0.0f && p->state[i] == CNI_ROW_OPEN && cni_lever_speed(&l, q->motions + n->ia, q->motions + n->ib) + p->room[i] < q->speed_least)
+			p->state[i] = CNI_ROW_HELD;
 	}
 	friction_follow(p);
 }
@@ -265,6 +285,14 @@ static int32_t presses_set(const pass *q)
 	return changed;
 }
 
+/* Speed that a row is to have beside what it has. */
+static float press_lacks(const pass *q, const cni_press *p, int32_t row)
+{
+	if (p->state[row] != CNI_ROW_HELD || p->mass[row] == 0.0f)
+		return 0.0f;
+	return (row < 2 ? p->room[row] : 0.0f) + (q->warm ? cni_press_leak(p, row) : 0.0f);
+}
+
 /* What the held rows' speeds lack; returns the largest. */
 static float right_sides(const pass *q)
 {
@@ -276,7 +304,7 @@ static float right_sides(const pass *q)
 		const cni_press *p = press_of(q->sparse, n);
 		const cni_row *rows = p == NULL ? cni_joint_works(q->world)[n->owner].rows : NULL;
 		for (i = 0; i < CNI_NODE_ROWS; ++i) {
-			float more = p != NULL ? (i < 2 && p->state[i] == CNI_ROW_HELD ? p->room[i] : 0.0f) : i < n->rows ? cni_clamp(rate * rows[i].error, -q->s->push_speed, q->s->push_speed) : 0.0f;
+			float more = p != NULL ? press_lacks(q, p, i) : i < n->rows ? cni_clamp(rate * rows[i].error, -q->s->push_speed, q->s->push_speed) : 0.0f;
 			n->x[i] = -cni_lever_speed(&n->lever[i], q->motions + n->ia, q->motions + n->ib) - more;
 			largest = cni_max(largest, cni_abs(n->x[i]));
 		}
@@ -462,7 +490,7 @@ static void all_keep(const pass *q, int32_t back)
 	}
 }
 
-/* What every round of a pass begins with. */
+/* What every round of a pass begins with: no impulses, or those of the last pass. */
 static void round_begin(const pass *q)
 {
 	int32_t k, i;
@@ -471,9 +499,13 @@ static void round_begin(const pass *q)
 	else
 		cni_direct_motions_keep(q->world, q->sparse, q->c, 1);
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = press_of(q->sparse, &q->sparse->nodes[k]);
-		for (i = 0; p != NULL && i < 3; ++i)
-			p->start[i] = q->bias ? 0.0f : q->sparse->nodes[k].carried[i];
+		const cni_node *n = &q->sparse->nodes[k];
+		cni_press *p = press_of(q->sparse, n);
+		for (i = 0; p != NULL && i < 3; ++i) {
+			p->start[i] = q->bias && !q->warm ? 0.0f : n->carried[i];
+			if (q->bias)
+				press_push(p, i, p->start[i], q->motions + n->ia, q->motions + n->ib);
+		}
 	}
 }
 
@@ -525,8 +557,8 @@ static void states_keep(const pass *q, int32_t back)
 	}
 }
 
-/* The set that the pass began with, consistent or not: a projection, which takes energy out and puts none in. */
-static int32_t relax_with_old_set(const pass *q)
+/* The set that was kept, consistent or not: a projection, which takes energy out and puts none in. */
+static int32_t solve_with_kept_set(const pass *q)
 {
 	states_keep(q, 1);
 	round_begin(q);
@@ -551,41 +583,192 @@ static int32_t moves(const pass *q)
 	return 0;
 }
 
-/* Is it time to give up, after a round with so many misfits? Those to come mend one each. */
-static int32_t rounds_are_over(const pass *q, int32_t round, int32_t misfits)
+/* ---- energy ---- */
+
+/* Twice the kinetic energy of its bodies. */
+static float energy_of(const pass *q)
 {
-	int32_t most = round >= ROUNDS_MOVING && (!q->bias || moves(q)) ? ROUNDS_MOVING : ROUNDS;
-	return round >= most || (round >= ROUNDS_ALL && misfits > ROUNDS - round);
+	float sum = 0.0f;
+	int32_t k;
+	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
+		const cni_motion *m = q->motions + q->sparse->bodies[k];
+		sum += (m->inv_mass > 0.0f ? (m->vx * m->vx + m->vy * m->vy) / m->inv_mass : 0.0f) + (m->inv_inertia > 0.0f ? m->w * m->w / m->inv_inertia : 0.0f);
+	}
+	return sum;
+}
+
+/* Twice the work of pushing apart what overlaps. */
+static float push_work(const pass *q)
+{
+	float sum = 0.0f;
+	int32_t k, i;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		const cni_press *p = press_of(q->sparse, &q->sparse->nodes[k]);
+		for (i = 0; p != NULL && i < 2; ++i)
+			sum += 2.0f * p->j[i] * cni_max(-p->room[i], 0.0f);
+	}
+	return sum;
+}
+
+/*
+ * With speeds w after and v before the impulses l, and room that speeds must be beyond -room, the energy grows by
+ * l.(w + v) / 2 <= l.w <= -l.room: no more than by pushing apart. Joints and what is carried along may do more.
+ */
+static int32_t energy_fits(const pass *q)
+{
+	return q->c->joints > 0 || energy_of(q) <= (1.0f + ENERGY_CLOSE) * q->before + push_work(q);
+}
+
+/* ---- does it begin to move? ---- */
+
+/* Does it open where it touches, or slide? */
+static int32_t press_gives_way(const pass *q, const cni_press *p, const cni_node *n)
+{
+	const cni_motion *a = q->motions + n->ia, *b = q->motions + n->ib;
+	float most = PARTING * q->speed_least;
+	cni_lever l = cni_press_lever(p, 2);
+	int32_t i;
+	if (p->state[2] == CNI_ROW_SLIDES && cni_abs(cni_lever_speed(&l, a, b)) > most)
+		return 1;
+	for (i = 0; i < 2; ++i) {
+		l = cni_press_lever(p, i);
+		if (p->state[i] == CNI_ROW_OPEN && p->mass[i] > 0.0f && p->room[i] < most && cni_lever_speed(&l, a, b) > most)
+			return 1;
+	}
+	return 0;
+}
+
+static int32_t gives_way(const pass *q)
+{
+	int32_t k;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		const cni_node *n = &q->sparse->nodes[k];
+		const cni_press *p = press_of(q->sparse, n);
+		if (p != NULL && press_gives_way(q, p, n))
+			return 1;
+	}
+	return 0;
+}
+
+static int32_t is_recent(const pass *q, uint32_t step)
+{
+	return step != 0 && q->world->step_count + 1u - step < 2u;
+}
+
+/* ---- how it is solved ---- */
+
+static void rooms_find(const pass *q)
+{
+	int32_t k;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_press *p = press_of(q->sparse, &q->sparse->nodes[k]);
+		if (p != NULL)
+			press_room(q, p, &q->sparse->nodes[k]);
+	}
+}
+
+static void touching_hold(const pass *q)
+{
+	int32_t k;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_press *p = press_of(q->sparse, &q->sparse->nodes[k]);
+		if (p != NULL)
+			press_hold(q, p, &q->sparse->nodes[k]);
+	}
+}
+
+/* Is this set the solution? Returns what does not fit in it, which is mended; INT32_MAX: it has none. */
+static int32_t set_try(const pass *q, int32_t all)
+{
+	round_begin(q);
+	return system_solve(q) ? set_mend(q, all) : INT32_MAX;
+}
+
+static int32_t set_follow(const pass *q)
+{
+	int32_t round, misfits = -1;
+	for (round = 0; misfits != 0 && misfits < INT32_MAX && round < ROUNDS_WARM; ++round)
+		misfits = set_try(q, 1);
+	return misfits == 0;
+}
+
+/* Is it time to give up? Misfits of the rounds to come are mended one each. */
+static int32_t rounds_are_over(int32_t round, int32_t misfits)
+{
+	return misfits == INT32_MAX || round >= ROUNDS || (round >= ROUNDS_ALL && misfits > ROUNDS - round);
+}
+
+/* The set of the pass before; if it does not fit, from that and all that touches. */
+static int32_t set_find(const pass *q)
+{
+	int32_t round, misfits = set_try(q, 1);
+	for (round = 0; misfits != 0 && !rounds_are_over(round, misfits); ++round) {
+		if (round == 0) {
+			states_keep(q, 1);
+			round_begin(q);
+			touching_hold(q);
+		}
+		misfits = set_try(q, round < ROUNDS_ALL);
+	}
+	return misfits == 0;
+}
+
+/*
+ * Friction may both hold a thing and let it go, as it may a heap of balls: whoever follows the set of the pass before may find
+ * either. What was at rest and begins to move is asked once more, for the motion of least energy.
+ */
+static int32_t set_solve(pass *q)
+{
+	if (!(q->warm ? set_follow(q) : set_find(q)) || !energy_fits(q))
+		return 0;
+	if (q->bias && !is_recent(q, q->island->gives_step) && gives_way(q) && !moves(q)) {
+		states_keep(q, 0);
+		q->kept = 1;
+		return 0;
+	}
+	return 1;
+}
+
+/* The passes to come go on from its impulses: to begin with none would find others that bear the same, and pull. */
+static int32_t cone_solve(pass *q)
+{
+	q->warm = 0;
+	round_begin(q);
+	if (!cni_presses_cone(q->world, q->s, q->sparse, q->c, q->speed_least, q->bias) || !energy_fits(q))
+		return 0;
+	q->warm = 1;
+	return 1;
+}
+
+static void found(const pass *q)
+{
+	uint32_t step = q->world->step_count + 1u;
+	if (q->warm)
+		q->island->cone_step = step;
+	if (q->bias && gives_way(q))
+		q->island->gives_step = step;
+	commit(q);
+	q->c->calm = q->bias && is_calm(q);
 }
 
 int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
 {
-	pass q = { world, s, sparse, c, cni_motions(world), SPEED_LEAST * world->settings.length_unit, bias };
-	int32_t round, misfits = 0, k;
+	pass q = { world, s, sparse, c, cni_motions(world), SPEED_LEAST * world->settings.length_unit, bias, 0, !bias, 0.0f, NULL };
 	if (!bias && c->calm)
 		return 1;
+	q.island = cni_island_at(world, cni_awake_island(world, sparse->bodies[c->body_begin]));
 	all_keep(&q, 0);
 	round_begin(&q);
-	for (k = c->begin; k < c->end; ++k) {
-		cni_press *p = press_of(sparse, &sparse->nodes[k]);
-		if (p != NULL)
-			press_begin(&q, p, &sparse->nodes[k]);
-	}
+	q.before = energy_of(&q);
+	q.warm = is_recent(&q, q.island->cone_step);
+	rooms_find(&q);
 	states_keep(&q, 0);
-	for (round = 0; !rounds_are_over(&q, round, misfits); ++round) {
-		if (round > 0)
-			round_begin(&q);
-		if (!system_solve(&q))
-			break;
-		misfits = set_mend(&q, round < ROUNDS_ALL);
-		if (misfits == 0) {
-			commit(&q);
-			c->calm = bias && is_calm(&q);
-			return 1;
-		}
+	if (set_solve(&q) || cone_solve(&q)) {
+		found(&q);
+		return 1;
 	}
-	if (!bias)
-		return relax_with_old_set(&q);
+	if (q.kept)
+		return solve_with_kept_set(&q);
 	all_put_back(&q);
 	return 0;
 }

@@ -60,12 +60,13 @@ typedef struct stand {
 
 typedef struct pile {
 	cn_world *world;
-	const cni_solve *s;
 	weight *weights;
 	uint64_t *order;         /* highest first */
 	int32_t count;
 	int32_t stressed;        /* some contact bears more than soft ones can */
-	float weight_speed;      /* what gravity gives in a substep */
+	float h;                 /* of a substep */
+	float weight_speed;      /* what gravity gives in it */
+	float warm_scale;        /* of the step's warm start */
 } pile;
 
 uint64_t cni_pile_bytes(int32_t bodies)
@@ -261,7 +262,7 @@ static void lay_on(const pile *q, const stand *b)
  */
 static void lanes_write(pile *q, const stand *b)
 {
-	float scale = 1.0f / q->s->warm_scale;
+	float scale = 1.0f / q->warm_scale;
 	int32_t k, i;
 	for (k = 0; k < b->count; ++k) {
 		const support *p = &b->supports[k];
@@ -271,7 +272,7 @@ static void lanes_write(pile *q, const stand *b)
 			r->load[p->lane] = q->count > 1 || p->sticks == p->slides ? r->jn[p->lane] : 0.0f;
 		}
 		p->lanes->jt[p->lane] = scale * p->rows[2].impulse;
-		q->stressed |= cni_is_stressed(q->world, p->lanes->ia[p->lane], p->lanes->ib[p->lane], p->rows[0].impulse + p->rows[1].impulse, q->s->h, 1.0f);
+		q->stressed |= cni_is_stressed(q->world, p->lanes->ia[p->lane], p->lanes->ib[p->lane], p->rows[0].impulse + p->rows[1].impulse, q->h, 1.0f);
 	}
 }
 
@@ -279,7 +280,7 @@ static void lanes_write(pile *q, const stand *b)
 static int32_t pile_lay(pile *q, int32_t write)
 {
 	stand b;
-	float g = q->weight_speed / q->s->h;
+	float g = q->weight_speed / q->h;
 	int32_t k;
 	b.down_x = q->world->settings.gravity.x / g;
 	b.down_y = q->world->settings.gravity.y / g;
@@ -319,9 +320,9 @@ static void weights_begin(const pile *q)
 		const cni_motion *m = cni_motions(q->world) + index;
 		const cni_drive *d = cni_drives(q->world) + index;
 		weight *w = &q->weights[index];
-		w->x = q->s->h * d->ax * inverse_or_zero(m->inv_mass);
-		w->y = q->s->h * d->ay * inverse_or_zero(m->inv_mass);
-		w->turn = q->s->h * d->alpha * inverse_or_zero(m->inv_inertia);
+		w->x = q->h * d->ax * inverse_or_zero(m->inv_mass);
+		w->y = q->h * d->ay * inverse_or_zero(m->inv_mass);
+		w->turn = q->h * d->alpha * inverse_or_zero(m->inv_inertia);
 		w->height = height_of(q->world, cni_body_at(q->world, cni_awake_ids(q->world)[index]));
 	}
 }
@@ -385,18 +386,49 @@ static void piles_find(pile *q)
 	}
 }
 
+/* 0: no scratch memory, or no weight. */
+static int32_t pile_begin(pile *q, cn_world *world, float h, float warm_scale)
+{
+	uint64_t room = (uint64_t)world->awake_count;
+	memset(q, 0, sizeof *q);
+	q->world = world;
+	q->h = h;
+	q->weight_speed = h * cni_length(world->settings.gravity);
+	q->warm_scale = warm_scale;
+	if (q->weight_speed == 0.0f)
+		return 0;
+	q->order = (uint64_t *)cni_arena_push(&world->arena, sizeof(uint64_t) * room);
+	q->weights = q->order == NULL ? NULL : (weight *)cni_arena_push(&world->arena, sizeof(weight) * room);
+	if (q->weights == NULL)
+		world->warnings |= CN_WARNING_FRAME_MEMORY;
+	return q->weights != NULL;
+}
+
+static void pile_end(pile *q)
+{
+	(void)cni_arena_pop(&q->world->arena, q->weights);
+	(void)cni_arena_pop(&q->world->arena, q->order);
+}
+
+int32_t cni_pile_stands(cn_world *world, int32_t island, float h)
+{
+	pile q;
+	int32_t stands = 1;
+	if (pile_begin(&q, world, h, 1.0f)) {
+		order_find(&q, island);
+		weights_begin(&q);
+		stands = pile_lay(&q, 0);
+	}
+	pile_end(&q);
+	return stands;
+}
+
 void cni_piles_load(cn_world *world, const cni_solve *s)
 {
-	pile q = { world, s, NULL, NULL, 0, 0, s->h * cni_length(world->settings.gravity) };
-	uint64_t room = (uint64_t)world->awake_count;
-	if (!world->piles_new || s->warm_scale == 0.0f || q.weight_speed == 0.0f)
+	pile q;
+	if (!world->piles_new || s->warm_scale == 0.0f)
 		return;
-	q.order = (uint64_t *)cni_arena_push(&world->arena, sizeof(uint64_t) * room);
-	q.weights = q.order == NULL ? NULL : (weight *)cni_arena_push(&world->arena, sizeof(weight) * room);
-	if (q.weights != NULL)
+	if (pile_begin(&q, world, s->h, s->warm_scale))
 		piles_find(&q);
-	else
-		world->warnings |= CN_WARNING_FRAME_MEMORY;
-	(void)cni_arena_pop(&world->arena, q.weights);
-	(void)cni_arena_pop(&world->arena, q.order);
+	pile_end(&q);
 }

@@ -32,8 +32,18 @@ typedef struct cni_press {
 	uint8_t untouched;          /* 1: j is what the soft solver left in the last step */
 	uint8_t reserved;
 	float way;                  /* 1 or -1: where friction of a sliding contact points */
+	float coefficient, slope;   /* of stages/contact_cone.c, as what follows: of friction; of the sliding lever */
+	float lift;                 /* m/s: coefficient times the slip of the round before */
+	float cross[4];             /* of the predictor: change of slack times change of multiplier */
+	float slack[4], dual[4];    /* normals, m sum - t, m sum + t; their multipliers, m/s */
 } cni_press;
 
+/* Where many impulses bear the same those of least energy are told by what rows give way to them: m/s. */
+#define CNI_PRESS_LEAK 1e-5f
+static inline float cni_press_leak(const cni_press *p, int32_t row)
+{
+	return CNI_PRESS_LEAK * p->j[row] / p->mass[row];
+}
 /* Row 0 and 1: the points; 2: friction. */
 cni_lever cni_press_lever(const cni_press *p, int32_t row);
 /* Separation of a point now. */
@@ -53,6 +63,8 @@ void cni_presses_give_back(cn_world *world, cni_sparse *sparse, const cni_compon
 void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h);
 /* One pass over a component with presses. 0: no consistent set was found; impulses and velocities are as if no pass had been. */
 int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias);
+/* The same by another method, from presses' start and the impulses that nodes carry. 0: not solved; everything is left as it may be. */
+int32_t cni_presses_cone(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, float speed_least, int32_t bias);
 
 /* ---- contacts that are solved through their joints: stages/contact_joined.c ---- */
 

@@ -163,7 +163,9 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 uint64_t cni_direct_kept_bytes(int32_t solver, int32_t joints, int32_t contacts);
 /* Loads of piles that are too large for that, and their impulses when they are new. Before the warm start. */
 void cni_piles_load(cn_world *world, const cni_solve *s);
-/* Scratch that it may take. */
+/* Is every body of a quiet island held by what is below it? Else things lean on each other. */
+int32_t cni_pile_stands(cn_world *world, int32_t island, float h);
+/* Scratch that either may take. */
 uint64_t cni_pile_bytes(int32_t bodies);
 /* Plans which joints and contacts are solved directly into out, and sets s->direct to it. */
 void cni_direct_prepare(cn_world *world, cni_solve *s, struct cni_sparse *out);

@@ -37,6 +37,7 @@ typedef struct cni_node {
 	uint32_t held;                     /* of a contact: bits of the rows whose levers are set */
 	cni_lever lever[CNI_NODE_ROWS];    /* rows beyond `rows` are zero */
 	float compliance[CNI_NODE_ROWS];   /* added to the diagonal */
+	float cross;                       /* ... and between its first two rows */
 	float least[CNI_NODE_ROWS];        /* least pivots: less is rounding */
 	float x[CNI_NODE_ROWS];            /* right hand side in, solution out */
 	float carried[CNI_NODE_ROWS];      /* impulses that a pass began with */

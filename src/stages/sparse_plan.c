@@ -433,6 +433,7 @@ void cni_sparse_clear(cni_sparse *s, const cni_component *c)
 		n->held = 0;
 		memset(n->lever, 0, sizeof n->lever);
 		memset(n->compliance, 0, sizeof n->compliance);
+		n->cross = 0.0f;
 		memset(n->least, 0, sizeof n->least);
 		memset(n->x, 0, sizeof n->x);
 		memset(n->carried, 0, sizeof n->carried);

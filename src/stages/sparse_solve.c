@@ -67,6 +67,7 @@ CNI_INLINE void diagonal_form(const cni_node *n, float *d, const cni_motion *mot
 		}
 	for (i = 0; i < w; ++i)
 		d[i * w + i] += regular * d[i * w + i] + n->compliance[i];
+	d[w] += n->cross;
 }
 
 /* A row's end at one of its bodies. */

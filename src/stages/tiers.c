@@ -330,8 +330,17 @@ static void lanes_look(cn_world *world, float h)
 	world->piles_unheld = 0;
 }
 
+/* What leans on each other is not given back before it sleeps or moves: soft contacts yield, and it does not come back. */
+static void leaning_keep(cn_world *world, int32_t island, float h)
+{
+	cni_island *i = cni_island_at(world, island);
+	if (i->good_steps >= cni_max_i(i->stay_steps, STAY_FIRST) && i->good_steps <= STAY_MOST && i->solver != CN_SOLVER_SOFT &&
+	    !cni_island_has_joints(world, island) && cni_island_is_quiet(world, i) && !cni_pile_stands(world, island, h))
+		i->good_steps = 0;
+}
+
 /* Islands that have been good for long enough, have fallen asleep, or are no more. */
-static void list_update(cn_world *world)
+static void list_update(cn_world *world, float h)
 {
 	int32_t k, kept = 0;
 	for (k = 0; k < world->direct_islands.count; ++k) {
@@ -343,6 +352,7 @@ static void list_update(cn_world *world)
 			i->tier = CNI_TIER_SOFT;
 			continue;
 		}
+		leaning_keep(world, island, h);
 		if (i->solver != CN_SOLVER_SOFT && i->good_steps <= STAY_MOST &&
 		    (i->good_steps++ < cni_max_i(i->stay_steps, STAY_FIRST) || i->solver == CN_SOLVER_DIRECT)) {
 			i->reason = CN_TIER_REASON_SETTLING;
@@ -440,7 +450,7 @@ void cni_stage_tiers(cn_world *world, float h)
 		cni_tiers_forget(world);
 		list_awake(world, 1);
 	} else if (world->settings.solver == CN_SOLVER_AUTO) {
-		list_update(world);
+		list_update(world, h);
 		if (world->solvers_asked)
 			list_awake(world, 0);
 		lanes_look(world, h);
