@@ -10,7 +10,7 @@
 #define STEPS (60 * SECONDS)
 #define SETTINGS 4
 
-static const struct { float speed, delay; } settings[SETTINGS] = { { 0.01f, 0.5f }, { 0.05f, 0.1f }, { 0.05f, 0.5f }, { 0.2f, 1.0f } };
+static const struct { float speed, delay; } settings[SETTINGS] = { { 0.01f, 0.5f }, { 0.05f, 0.2f }, { 0.05f, 0.5f }, { 0.2f, 1.0f } };
 
 static cn_world *slow_world(int32_t setting, float gravity_x)
 {
