@@ -55,6 +55,7 @@ typedef struct cni_body {
 	float gravity_scale;
 	float sleep_speed;       /* 0: the world's */
 	float sleep_time;        /* seconds at rest */
+	float gain_x, gain_y, gain_turn; /* metres that changes of velocity have moved it by in this time: cni_body_gains; not read at time 0 */
 	float core;              /* smallest inner radius of its shapes: how far it may jump without passing through things */
 	int32_t island;          /* CNI_NONE: alone */
 	int32_t island_next, island_prev;

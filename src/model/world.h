@@ -62,6 +62,7 @@ struct cn_world {
 	int32_t locked;              /* > 0 while callbacks run */
 	uint32_t step_count;
 	float step_dt;               /* of the step that runs or ran last */
+	float mean_dt;               /* a mean of the steps up to the last; 0: there was none */
 	int32_t overridden;          /* 1: a body or joint has had a solver of its own */
 
 	/* bodies */

@@ -4,8 +4,9 @@
  * Before each substep's solve, every lane with restitution that is closing faster than the threshold and
  * would meet within the substep gets Newton's impact law by a direct impulse: n.v' = e |n.v|. Impulses act
  * one contact after the other, so each one takes energy or keeps it (e <= 1) and momentum is kept; no
- * accumulated impulse is left behind that could push again. The soft solve that follows treats the contact
- * as an ordinary one (in place of the late restitution pass of Box2D, which lets the energy of a cluster rise).
+ * accumulated impulse is left behind that could push again (in place of the late restitution pass of Box2D, which lets the energy of
+ * a cluster rise). The solve that follows does not brake a contact with restitution that still closes faster than the threshold and
+ * bears nothing: it would take the speed that the impact is to return. The sweeps of the next substep see to it.
  *
  * The velocities that meet are those in start: what bodies really have. motion.v also holds the response to
  * the last substep's impulses, a guess that the solve has yet to correct; for a light body between heavy ones it is

@@ -87,8 +87,8 @@ CNI_INLINE cni_wide point_separation(const cni_contact_block *k, const cni_conta
 	return cni_wide_load(p->s0 + l) + nx * (b->x - a->x) + ny * (b->y - a->y) + (b->c1 * bn + b->s * bt) - (a->c1 * an + a->s * at);
 }
 
-/* bias: the soft pass, else the rigid one. */
-CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b, const cni_contact_pass *pass, int32_t bias)
+/* bias: the soft pass, else the rigid one. bounces: restitution of the block's lanes, NULL: they have none. */
+CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces)
 {
 	point q;
 	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), nm = cni_wide_load(p->nm + l), s = point_separation(k, p, l, a, b);
@@ -105,10 +105,18 @@ CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row
 	q.want = scale * q.old - nm * (scale * vn + push);
 	if (bias)
 		q.want += (1.0f - scale) * cni_wide_load(p->load + l);
-	if (!bias) {
-		/* Relax does not begin to brake a fast body for a surface that only the next substep can reach: it
-		   would take the speed that an impact there should return. */
-		part = cni_wide_select(s > zero, cni_wide_select(q.old > zero, one, cni_wide_select(vn < cni_wide_of(pass->impact_speed), zero, one)), one);
+	if (!bias || bounces != NULL) {
+		/* Impacts are left to contact_impact.c: where its sweeps found that bodies do not meet in this substep they do so in the next,
+		   and braking would take the speed that the impact there should return. Of contacts without restitution only relax leaves
+		   them, and only for a surface that only the next substep can reach. */
+		cni_mask left = (vn < cni_wide_of(pass->impact_speed)) & (q.old <= zero), apart = s > zero;
+		if (bounces != NULL && bias)
+			left &= cni_wide_load_loose(bounces + l) > zero;
+		else if (bounces != NULL)
+			left &= apart | (cni_wide_load_loose(bounces + l) > zero);
+		else
+			left &= apart;
+		part = cni_wide_select(left, zero, one);
 		q.m = part * q.m;
 		q.want = part * q.want + zero; /* not -0 */
 	}
@@ -138,11 +146,11 @@ typedef struct normals {
 	cni_wide jp, jq;
 } normals;
 
-CNI_INLINE void normals_prepare(normals *out, const cni_contact_block *k, int32_t l, const side *a, const side *b, const cni_contact_pass *pass, int32_t bias, int32_t points)
+CNI_INLINE void normals_prepare(normals *out, const cni_contact_block *k, int32_t l, const side *a, const side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, int32_t points)
 {
-	out->p = point_prepare(k, &k->p[0], l, a, b, pass, bias);
+	out->p = point_prepare(k, &k->p[0], l, a, b, pass, bias, bounces);
 	if (points == 2)
-		out->q = point_prepare(k, &k->p[1], l, a, b, pass, bias);
+		out->q = point_prepare(k, &k->p[1], l, a, b, pass, bias, bounces);
 }
 
 /*
@@ -187,10 +195,10 @@ CNI_INLINE void normals_apply(const normals *c, cni_contact_block *k, int32_t l,
 	}
 }
 
-CNI_INLINE void solve_normals(cni_contact_block *k, const cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, int32_t points)
+CNI_INLINE void solve_normals(cni_contact_block *k, const cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, int32_t points)
 {
 	normals c;
-	normals_prepare(&c, k, l, a, b, pass, bias, points);
+	normals_prepare(&c, k, l, a, b, pass, bias, bounces, points);
 	normals_solve(&c, k, extra, l, a, b, points);
 	normals_apply(&c, k, l, a, b, points);
 }
@@ -235,11 +243,11 @@ CNI_INLINE void solve_rolling(const cni_contact_block *k, cni_block_extra *extra
 }
 
 /* Once through the rows of a group; lanes that are not live stay as they are. */
-CNI_INLINE void solve_live(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, cni_mask live)
+CNI_INLINE void solve_live(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, cni_mask live)
 {
 	cni_wide p = cni_wide_load(k->p[0].jn + l), q = cni_wide_load(k->p[1].jn + l), t = cni_wide_load(k->jt + l), roll;
 	side a_old = *a, b_old = *b;
-	solve_normals(k, extra, l, a, b, pass, bias, 2);
+	solve_normals(k, extra, l, a, b, pass, bias, bounces, 2);
 	solve_friction(k, extra, l, a, b);
 	if (extra != NULL) {
 		roll = cni_wide_load(extra->rolling_impulse + l);
@@ -261,11 +269,11 @@ CNI_INLINE void solve_live(cni_contact_block *k, cni_block_extra *extra, int32_t
 #define FRESH_ROUNDS 4
 
 /* The rounds but the first. A function of its own, called with copies: groups without such lanes keep their registers. */
-static void solve_again(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, uint32_t live)
+static void solve_again(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, uint32_t live)
 {
 	int32_t round;
 	for (round = 1; round < FRESH_ROUNDS; ++round)
-		solve_live(k, extra, l, a, b, pass, bias, cni_mask_of_bits(live));
+		solve_live(k, extra, l, a, b, pass, bias, bounces, cni_mask_of_bits(live));
 }
 
 /* Lanes of a group that bear, as bits. */
@@ -284,7 +292,7 @@ CNI_INLINE uint32_t group_couples(const cni_contact_block *k, int32_t l, const s
 	return cni_mask_bits(two | (across > 1e-3f * (a->m + b->m)));
 }
 
-CNI_INLINE void solve_fresh(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, uint32_t fresh)
+CNI_INLINE void solve_fresh(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, uint32_t fresh)
 {
 	side a_copy, b_copy;
 	uint32_t live = fresh >> l & ((1u << CNI_WIDTH) - 1u);
@@ -295,7 +303,7 @@ CNI_INLINE void solve_fresh(cni_contact_block *k, cni_block_extra *extra, int32_
 		return;
 	a_copy = *a;
 	b_copy = *b;
-	solve_again(k, extra, l, &a_copy, &b_copy, pass, bias, live);
+	solve_again(k, extra, l, &a_copy, &b_copy, pass, bias, bounces, live);
 	*a = a_copy;
 	*b = b_copy;
 }
@@ -307,7 +315,7 @@ CNI_INLINE void sides_scatter(cni_motion *motions, const cni_contact_block *k, i
 		side_scatter(motions, k->ib + l, b);
 }
 
-CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass, uint32_t fresh, int32_t bias)
+CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass, uint32_t fresh, int32_t bias, const float *bounces)
 {
 	side a, b;
 	side_gather(motions, k->ia + l, &a);
@@ -315,13 +323,13 @@ CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block
 	if (extra != NULL)
 		sides_lock(extra, l, &a, &b);
 	if (has_one_point(k, l))
-		solve_normals(k, extra, l, &a, &b, pass, bias, 1);
+		solve_normals(k, extra, l, &a, &b, pass, bias, bounces, 1);
 	else
-		solve_normals(k, extra, l, &a, &b, pass, bias, 2);
+		solve_normals(k, extra, l, &a, &b, pass, bias, bounces, 2);
 	solve_friction(k, extra, l, &a, &b);
 	if (extra != NULL)
 		solve_rolling(k, extra, l, &a, &b);
-	solve_fresh(k, extra, l, &a, &b, pass, bias, fresh);
+	solve_fresh(k, extra, l, &a, &b, pass, bias, bounces, fresh);
 	sides_scatter(motions, k, l, &a, &b, pass);
 }
 
@@ -329,7 +337,7 @@ CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block
  * Two groups of one colour without extra rows, by turns: each is a long chain of operations that wait for one
  * another, and processors do not look far enough ahead to begin the next group meanwhile.
  */
-CNI_INLINE void solve_pair(cni_motion *motions, cni_contact_block *k, int32_t l, const cni_contact_pass *pass, uint32_t fresh, int32_t bias, int32_t points)
+CNI_INLINE void solve_pair(cni_motion *motions, cni_contact_block *k, int32_t l, const cni_contact_pass *pass, uint32_t fresh, int32_t bias, const float *bounces, int32_t points)
 {
 	int32_t m = l + CNI_WIDTH;
 	side al, bl, am, bm;
@@ -338,16 +346,16 @@ CNI_INLINE void solve_pair(cni_motion *motions, cni_contact_block *k, int32_t l,
 	side_gather(motions, k->ib + l, &bl);
 	side_gather(motions, k->ia + m, &am);
 	side_gather(motions, k->ib + m, &bm);
-	normals_prepare(&cl, k, l, &al, &bl, pass, bias, points);
-	normals_prepare(&cm, k, m, &am, &bm, pass, bias, points);
+	normals_prepare(&cl, k, l, &al, &bl, pass, bias, bounces, points);
+	normals_prepare(&cm, k, m, &am, &bm, pass, bias, bounces, points);
 	normals_solve(&cl, k, NULL, l, &al, &bl, points);
 	normals_solve(&cm, k, NULL, m, &am, &bm, points);
 	normals_apply(&cl, k, l, &al, &bl, points);
 	normals_apply(&cm, k, m, &am, &bm, points);
 	solve_friction(k, NULL, l, &al, &bl);
 	solve_friction(k, NULL, m, &am, &bm);
-	solve_fresh(k, NULL, l, &al, &bl, pass, bias, fresh);
-	solve_fresh(k, NULL, m, &am, &bm, pass, bias, fresh);
+	solve_fresh(k, NULL, l, &al, &bl, pass, bias, bounces, fresh);
+	solve_fresh(k, NULL, m, &am, &bm, pass, bias, bounces, fresh);
 	sides_scatter(motions, k, l, &al, &bl, pass);
 	sides_scatter(motions, k, m, &am, &bm, pass);
 }
@@ -399,35 +407,51 @@ static void block_age(const cni_listed_block *b, uint32_t fresh)
 }
 
 /* The groups of a block without extra rows. */
-CNI_INLINE void solve_plain(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, uint32_t fresh, int32_t bias)
+CNI_INLINE void solve_plain(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, uint32_t fresh, int32_t bias, const float *bounces)
 {
 	int32_t l = lanes_begin(b), end = lanes_end(b);
 #if CNI_WIDTH > 1 && !CNI_FEW
 	for (; l + CNI_WIDTH < end; l += 2 * CNI_WIDTH)
 		if (has_one_point(b->rows, l) && has_one_point(b->rows, l + CNI_WIDTH))
-			solve_pair(motions, b->rows, l, pass, fresh, bias, 1);
+			solve_pair(motions, b->rows, l, pass, fresh, bias, bounces, 1);
 		else
-			solve_pair(motions, b->rows, l, pass, fresh, bias, 2);
+			solve_pair(motions, b->rows, l, pass, fresh, bias, bounces, 2);
 #endif
 	for (; l < end; l += CNI_WIDTH)
-		solve_group(motions, b->rows, NULL, l, pass, fresh, bias);
+		solve_group(motions, b->rows, NULL, l, pass, fresh, bias, bounces);
+}
+
+/* Those of a block with extra rows or restitution. A function of its own for each of them: they are few. */
+static void solve_rare(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, uint32_t fresh, int32_t bias)
+{
+	const float *bounces = b->info->restitution;
+	int32_t l;
+	if (b->extra != NULL && bias)
+		for (l = lanes_begin(b); l < lanes_end(b); l += CNI_WIDTH)
+			solve_group(motions, b->rows, b->extra, l, pass, fresh, 1, bounces);
+	else if (b->extra != NULL)
+		for (l = lanes_begin(b); l < lanes_end(b); l += CNI_WIDTH)
+			solve_group(motions, b->rows, b->extra, l, pass, fresh, 0, bounces);
+	else if (bias)
+		solve_plain(motions, b, pass, fresh, 1, bounces);
+	else
+		solve_plain(motions, b, pass, fresh, 0, bounces);
 }
 
 /* Few blocks have extra rows: the compiler knows that the others have none. */
 CNI_INLINE int32_t solve_blocks(const cni_color_pass *c, int32_t begin, int32_t end, int32_t bias)
 {
-	int32_t k = begin, l;
+	int32_t k = begin;
 	do {
 		const cni_listed_block *b = &c->blocks[k];
 		const cni_contact_pass *pass = &c->kinds[b->kind];
 		uint32_t fresh = block_fresh(b);
 		if (c->prefetches)
 			cni_blocks_prefetch(c, k, end);
-		if (b->extra == NULL)
-			solve_plain(c->motions, b, pass, fresh, bias);
+		if (b->extra == NULL && !(b->info->flags & CNI_BLOCK_RESTITUTION))
+			solve_plain(c->motions, b, pass, fresh, bias, NULL);
 		else
-			for (l = lanes_begin(b); l < lanes_end(b); l += CNI_WIDTH)
-				solve_group(c->motions, b->rows, b->extra, l, pass, fresh, bias);
+			solve_rare(c->motions, b, pass, fresh, bias);
 		if (fresh != 0 && !bias)
 			block_age(b, fresh);
 		k = block_next(c, k, end, bias ? CNI_PASS_SOLVE : CNI_PASS_RELAX);

@@ -5,7 +5,8 @@
  * motion, drive, proxies (through the broadphase's move).
  *
  * A body rests while it is slow and does not accelerate: at the apex of a throw the last substep's change of
- * velocity is all of what gravity gives, on the ground it is nearly none of it.
+ * velocity is all of what gravity gives, on the ground it is nearly none of it. Slow acceleration, as on a slope that is a little too
+ * steep, cannot be told from the noise of one substep, but adds up over the sleep delay: see cni_body_gains.
  *
  * Workers may share all of it but for what the broadphase is told: they give proxies their new boxes, and one tells it in
  * the order of the bodies which those are.
@@ -14,6 +15,7 @@
 #include "stages/integrate_pass.h"
 
 #include <stddef.h>
+#include <string.h>
 
 #define BODIES_A_RANGE 256 /* some ten microseconds: records and shapes are read */
 #define BODIES_NEAR 64     /* whose records are still near after a loop over them; bits of a word */
@@ -75,7 +77,15 @@ static int32_t body_accelerates(const cni_body *b, const cni_motion *m, const cn
 	return dx * dx + dy * dy > 0.01f * (ax * ax + ay * ay);
 }
 
-/* Its rest timer, and what forces did is done. Returns 1 when the body has rested for long enough. */
+/* Without what damping takes away: that brings a body to rest and never turns it round. */
+static int32_t body_gains(const cn_world *world, cni_body *b, const cni_motion *m, float dt)
+{
+	float linear = dt * b->linear_damping, angular = dt * b->angular_damping;
+	cni_gain_limits limits = cni_gain_limits_make(world, dt);
+	return cni_body_gains(b, m->vx - b->vx + linear * m->vx, m->vy - b->vy + linear * m->vy, m->w - b->w + angular * m->w, &limits);
+}
+
+/* Its velocity and rest timer, and clears the forces. Returns 1 when the body has rested for long enough. */
 static uint32_t body_rest(cn_world *world, cni_body *b, int32_t k, const cni_solve *s)
 {
 	const cni_motion *m = cni_motions(world) + k;
@@ -84,10 +94,11 @@ static uint32_t body_rest(cn_world *world, cni_body *b, int32_t k, const cni_sol
 	float turn = m->w * b->extent;
 	if (m->vx * m->vx + m->vy * m->vy <= slow * slow && turn * turn <= slow * slow && (b->flags & CN_BODY_SLEEP) &&
 	    (b->type != CN_BODY_KINEMATIC || (m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f)) &&
-	    !body_accelerates(b, m, cni_starts(world) + k, d, s->h))
+	    !body_accelerates(b, m, cni_starts(world) + k, d, s->h) && !body_gains(world, b, m, s->dt))
 		b->sleep_time += s->dt;
 	else
 		b->sleep_time = 0.0f;
+	memcpy(&b->vx, &m->vx, 3 * sizeof(float));
 	d->ax = d->ay = d->alpha = 0.0f;
 	return b->sleep_time >= world->settings.sleep_delay && b->sleep_time > 0.0f;
 }
@@ -116,9 +127,6 @@ static uint32_t body_take(cn_world *world, const cni_solve *s, int32_t k, uint32
 	cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 	limit_speed(m, &world->settings);
 	take_pose(b, m);
-	b->vx = m->vx;
-	b->vy = m->vy;
-	b->w = m->w;
 	*rested |= body_rest(world, b, k, s);
 	return !cni_body_has_room(b, way_ahead(world, s, k));
 }

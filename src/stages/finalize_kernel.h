@@ -115,6 +115,7 @@ CNI_INLINE cni_mask some_accelerate(const cn_world *world, int32_t k, const some
 typedef struct rest_look {
 	uint32_t slow, still; /* lanes, as bits; still: they do not accelerate */
 	float dt, delay;
+	cni_gain_limits gain;
 	uint32_t left, rested;
 } rest_look;
 
@@ -122,23 +123,24 @@ typedef struct rest_look {
    unroll it. */
 CNI_INLINE void one_rests(rest_look *r, cni_body *b, const cni_motion *m, cni_drive *d, uint32_t lane)
 {
-	memcpy(&b->vx, &m->vx, 3 * sizeof(float));
 	if (!(r->slow & lane) && !(b->sleep_speed > 0.0f)) {
 		b->sleep_time = 0.0f;
 	} else if (b->sleep_speed > 0.0f || b->type != CN_BODY_DYNAMIC || !(b->flags & CN_BODY_SLEEP) || (d->flags & CNI_DRIVE_DAMPED)) {
 		r->left |= lane;
 		return;
 	} else {
-		b->sleep_time = r->still & lane ? b->sleep_time + r->dt : 0.0f;
+		int32_t rests = (r->still & lane) && !cni_body_gains(b, m->vx - b->vx, m->vy - b->vy, m->w - b->w, &r->gain);
+		b->sleep_time = rests ? b->sleep_time + r->dt : 0.0f;
 		r->rested |= b->sleep_time >= r->delay && b->sleep_time > 0.0f;
 	}
+	memcpy(&b->vx, &m->vx, 3 * sizeof(float));
 	d->ax = d->ay = d->alpha = 0.0f;
 }
 
 CNI_INLINE rest_look some_rest(const cn_world *world, const cni_solve *s, int32_t k, const some *f)
 {
 	cni_wide slow_sq = cni_wide_of(world->settings.sleep_speed * world->settings.sleep_speed), turn = f->w * f->extent;
-	rest_look r = { 0, 0, s->dt, world->settings.sleep_delay, 0, 0 };
+	rest_look r = { 0, 0, s->dt, world->settings.sleep_delay, cni_gain_limits_make(world, s->dt), 0, 0 };
 	cni_drive *d = cni_drives(world) + k;
 	r.slow = cni_mask_bits((f->v_sq <= slow_sq) & (turn * turn <= slow_sq));
 	if (r.slow != 0)

@@ -3,7 +3,7 @@
  *
  * Runs only when finalize saw a body that has. An island that lost links is split first, one
  * a step, so that what no longer holds together may sleep apart. What touches a moving kinematic body, or is
- * jointed to one, stays awake.
+ * jointed to one, stays awake; so does what a motor moves.
  */
 #include "stages/solver.h"
 
@@ -31,6 +31,30 @@ static void keep_near_kinematic_awake(cn_world *world)
 		const cni_motion *m = cni_motions(world) + k;
 		if (m->inv_mass == 0.0f && (m->vx != 0.0f || m->vy != 0.0f || m->w != 0.0f) && cni_body_at(world, ids[k])->type == CN_BODY_KINEMATIC)
 			keep_touching_awake(world, ids[k]);
+	}
+}
+
+/* Does its motor move it? One that is held up goes nowhere and may sleep. */
+static int32_t motor_turns(const cn_world *world, const cni_joint *j)
+{
+	float target;
+	if (!(j->flags & CN_JOINT_MOTOR) || j->type < CN_JOINT_REVOLUTE || j->type > CN_JOINT_WHEEL)
+		return 0;
+	target = j->p[CNI_P_MOTOR_SPEED];
+	return target != 0.0f && 2.0f * target * cni_joint_speed(world, j) > target * target;
+}
+
+/* However slow a motor's speed is, what it moves is not at rest. */
+static void keep_driven_awake(cn_world *world)
+{
+	int32_t k, side;
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
+		if (!motor_turns(world, j))
+			continue;
+		for (side = 0; side < 2; ++side)
+			if (j->body[side] != CNI_NONE)
+				cni_body_at(world, j->body[side])->sleep_time = 0.0f;
 	}
 }
 
@@ -136,6 +160,7 @@ void cni_stage_sleep(cn_world *world)
 	rests r;
 	int32_t k;
 	keep_near_kinematic_awake(world);
+	keep_driven_awake(world);
 	r = rests_find(world);
 	if (split_one(world, r.split))
 		r = rests_find(world);

@@ -69,6 +69,8 @@ static inline float cni_damping_factor(float damping, float h)
 
 typedef struct cni_solve {
 	float dt, h, inv_h;
+	float mean_dt;             /* of the steps so far, this one included */
+	float soft_rate;           /* 1/s: that softness is tied to; 1 / h where all steps are equal */
 	int32_t substeps;
 	float warm_scale;          /* of stored impulses: this substep over the last one's */
 	float push_speed;

@@ -107,6 +107,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	profile_mark(world, &profile->narrowphase_s, mark);
 	if (dt == 0.0f)
 		return 0;
+	world->mean_dt = s.mean_dt;
 	cni_drive_prepare(world, &s);
 	cni_joints_prepare(world, &s);
 	cni_contacts_list(world, &s);

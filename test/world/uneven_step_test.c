@@ -1,0 +1,113 @@
+/*
+ * test/world/uneven_step_test.c - what stands goes on standing when no step is as long as the last, and falls asleep.
+ *
+ * Look at stages/solve_make.c: impulses are scaled by the ratio of the steps, and softness is tied to the mean step.
+ */
+#include "fixture.h"
+
+#define BODIES_MOST 256
+#define STEPS 300
+
+typedef struct built {
+	cn_world *world;
+	cn_body bodies[BODIES_MOST];
+	cn_vec2 at[BODIES_MOST];
+	int32_t count;
+} built;
+
+static void box_add(built *b, float x, float y, float hx, float hy)
+{
+	b->bodies[b->count] = fixture_box(b->world, CN_BODY_DYNAMIC, x, y, 0.0f, hx, hy, 0.6f, 0.0f);
+	b->at[b->count].x = x;
+	b->at[b->count++].y = y;
+}
+
+static void pyramid_build(built *b, int32_t size)
+{
+	int32_t row, k;
+	for (row = 0; row < size; ++row)
+		for (k = 0; k < size - row; ++k)
+			box_add(b, (float)k - 0.5f * (float)(size - 1 - row), 0.5f + (float)row, 0.5f, 0.5f);
+}
+
+static void stack_build(built *b, int32_t size)
+{
+	int32_t k;
+	for (k = 0; k < size; ++k)
+		box_add(b, 0.0f, 0.5f + (float)k, 0.5f, 0.5f);
+}
+
+/* Every other row begins and ends with half a brick. */
+static void wall_build(built *b, int32_t size)
+{
+	int32_t row, k;
+	for (row = 0; row < size; ++row) {
+		for (k = 0; k < size - (row & 1); ++k)
+			box_add(b, (float)k + 0.5f * (float)(row & 1), 0.25f + 0.5f * (float)row, 0.5f, 0.25f);
+		if (row & 1) {
+			box_add(b, -0.25f, 0.25f + 0.5f * (float)row, 0.25f, 0.25f);
+			box_add(b, (float)size - 0.75f, 0.25f + 0.5f * (float)row, 0.25f, 0.25f);
+		}
+	}
+}
+
+typedef void build_fn(built *b, int32_t size);
+
+/* jitter < 0: one step in 37 takes 1/15 s. */
+static float step_of(int32_t step, float jitter, uint32_t *random)
+{
+	if (jitter < 0.0f)
+		return step % 37 == 17 ? 4.0f * FRAME_S : FRAME_S;
+	return FRAME_S * (1.0f + fixture_random(random, -jitter, jitter));
+}
+
+/* Returns the farthest that a body moved; awake is added up. */
+static double run(build_fn *build, int32_t size, float jitter, uint32_t seed, int32_t *awake)
+{
+	built b;
+	uint32_t random = seed * 2654435761u + 1u;
+	double most = 0.0;
+	int32_t k;
+	memset(&b, 0, sizeof b);
+	b.world = fixture_world(-10.0f, 1);
+	fixture_floor(b.world, 0.6f, 0.0f);
+	build(&b, size);
+	for (k = 0; k < STEPS; ++k)
+		must(cn_world_step(b.world, step_of(k, jitter, &random)), b.world, "cn_world_step");
+	for (k = 0; k < b.count; ++k) {
+		cn_pose pose = fixture_pose(b.world, b.bodies[k]);
+		most = greater(most, hypot((double)(pose.position_m.x - b.at[k].x), (double)(pose.position_m.y - b.at[k].y)));
+	}
+	*awake += fixture_counters(b.world).bodies_awake;
+	cn_world_destroy(b.world);
+	return most;
+}
+
+static void family(const char *name, build_fn *build, const int32_t *sizes)
+{
+	static const float jitters[] = { 0.1f, 0.3f, 0.5f, 0.8f, -1.0f };
+	double most = 0.0;
+	int32_t awake = 0, k, j;
+	uint32_t seed;
+	for (k = 0; k < 3; ++k)
+		for (j = 0; j < 5; ++j)
+			for (seed = 1; seed <= 2; ++seed)
+				most = greater(most, run(build, sizes[k], jitters[j], seed, &awake));
+	printf("  %s\n", name);
+	CHECK_LE("farthest that a body moved", most, 5e-3, "m");
+	CHECK_LE("bodies awake after 5 s", awake, 0, "");
+}
+
+static void piles_stand(void)
+{
+	static const int32_t pyramids[] = { 5, 15, 20 }, stacks[] = { 3, 10, 20 }, walls[] = { 4, 8, 13 };
+	family("pyramids", pyramid_build, pyramids);
+	family("stacks", stack_build, stacks);
+	family("walls", wall_build, walls);
+}
+
+int main(void)
+{
+	RUN(piles_stand);
+	return test_end();
+}
