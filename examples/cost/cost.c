@@ -41,7 +41,7 @@ static void list(const cost_feature *features, int32_t count)
 		const cost_feature *f = &features[i];
 		const char *without = f->define != NULL || f->build != NULL ? f->name : "base";
 		const char *plain = f->on_pair != NULL ? "pairs" : without;
-		printf("%s|%" PRId32 "|%s|%" PRId32 "|%s|%s\n", f->name, f->has_unused, f->used != NULL ? f->used : "", f->units, without, plain);
+		printf("%s|%" PRId32 "|%s|%" PRId32 "|%s|%s\n", f->name, (int32_t)(f->has_unused != COST_UNUSED_NONE), f->used != NULL ? f->used : "", f->units, without, plain);
 	}
 }
 

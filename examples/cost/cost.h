@@ -42,11 +42,14 @@ typedef struct cost_world {
 	int32_t read_kind;           /* CN_EVENT_* whose array is read after each step; -1: none */
 } cost_world;
 
+/* Has a feature a form that nothing uses, and do bodies move with it as without? */
+enum { COST_UNUSED_NONE = 0, COST_UNUSED_ALIKE = 1, COST_UNUSED_OTHERWISE = 2 };
+
 struct cost_feature {
 	const char *name;
 	const char *used;            /* the used form in words; NULL: there is none */
 	int32_t units;               /* how many of it the used form has: cost is given for each; 0: it is not counted so */
-	int32_t has_unused;
+	int32_t has_unused;          /* COST_UNUSED_ */
 	int32_t parameter;           /* its own */
 	/* Each may be NULL. define: the world's settings. build: when the drum is full, before the first step. */
 	void (*define)(cn_world_def *def, int32_t form);

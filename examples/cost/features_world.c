@@ -254,7 +254,7 @@ const cost_feature cost_world_features[] = {
 	{"continuous collision", "10 balls at 80 m/s", 10, 1, 0, define_continuous, build_fast, NULL, NULL, NULL},
 	{"bullets", "10 balls at 80 m/s", 0, 1, 0, NULL, build_fast, make_bullet, NULL, NULL},
 	{"profile", "on", 0, 0, 0, define_profile, NULL, NULL, NULL, NULL},
-	{"AUTO beside SOFT", "a stack of 10 too", 0, 1, 0, define_auto, build_stack, NULL, NULL, NULL},
+	{"AUTO beside SOFT", "a stack of 10 too", 0, COST_UNUSED_OTHERWISE, 0, define_auto, build_stack, NULL, NULL, NULL},
 	{"DIRECT beside AUTO", "the world's", 0, 0, 0, define_direct, NULL, NULL, NULL, NULL},
 	{"SOFT beside AUTO", "the world's", 0, 0, 0, define_soft, NULL, NULL, NULL, NULL},
 	{"SEQUENTIAL beside AUTO", "the world's", 0, 0, 0, define_sequential, NULL, NULL, NULL, NULL},

@@ -222,6 +222,15 @@ CNI_INLINE old_points old_points_take(cni_contact *c, const cni_contact_block *b
 	return old;
 }
 
+/* Does the normal of a lane that had two points and has two stay as it is? See CNI_NORMAL_LAG. */
+static int32_t normal_lags(const cn_world *world, const cni_contact_block *block, uint32_t lane, cni_vec2 n)
+{
+	const cni_motion *motions = cni_motions(world);
+	float x = n.x - block->nx[lane], y = n.y - block->ny[lane];
+	float spin = cni_max(cni_abs(motions[block->ia[lane]].w), cni_abs(motions[block->ib[lane]].w));
+	return block->ib[lane] != 0 && x * x + y * y <= cni_normal_lag_sq(world) && spin <= CNI_NORMAL_LAG_SPIN;
+}
+
 void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const cni_body *b, const cni_manifold *manifold, cni_vec2 gap, const float radius[2])
 {
 	uint32_t slot = (uint32_t)c->slot, lane = slot % CNI_LANES;
@@ -238,8 +247,10 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 	f.d = flipped ? cni_add(f.d, gap) : cni_sub(f.d, gap);
 	dn = cni_dot(f.d, f.n);
 	dt = cni_dot(f.d, f.t);
-	block->nx[lane] = f.n.x;
-	block->ny[lane] = f.n.y;
+	if (manifold->count < 2 || block->p[1].nm[lane] == 0.0f || !normal_lags(world, block, lane, f.n)) {
+		block->nx[lane] = f.n.x;
+		block->ny[lane] = f.n.y;
+	}
 	block->dn[lane] = dn - radius_a - radius[1 - flipped];
 	block->dt[lane] = dt;
 	for (k = 0; k < manifold->count; ++k) {

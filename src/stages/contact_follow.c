@@ -60,6 +60,7 @@ static cni_follow_pass pass_make(const cn_world *world, float dt)
 	pass.drift_most = 0.25f * world->settings.slop;
 	pass.hair = 0.1f * world->settings.slop;
 	pass.depth_most = world->settings.contact_margin;
+	pass.lag_sq = cni_normal_lag_sq(world);
 	pass.apart_most = world->settings.contact_margin - pass.hair;
 	return pass;
 }

@@ -7,7 +7,8 @@
  * an arm by that angle,
  *   s = less + dn' + turned(rb).n                    separation now
  *   drift = dt' - dt + turned(rb).t                  what one shape has slid along the other
- * Where b is static the frame is the world's: b's arms are at rest and a turns the other way.
+ * Where b is static the frame is the world's: b's arms are at rest and a turns the other way. The lane's normal may lag behind
+ * that which turns with a: CNI_NORMAL_LAG.
  *
  * What is not followed: a pair that slid or turned farther than a small part of its size or a quarter of the slop (its
  * features may be others), that is apart by more than the contact margin or deep in each other, or that moves so fast that
@@ -160,6 +161,13 @@ CNI_INLINE void follow_point_store(const follow_pair *f, cni_contact_row *row, i
 	store_where(row->nm + l, where, 1.0f / (f->ma + f->mb + f->ia * p->at * p->at + f->ib * bt * bt));
 }
 
+/* Lanes whose normal stays as it is though the true one has turned to (nx, ny). two: both points are there; wa, wb: spins. */
+CNI_INLINE cni_mask normal_lags(const cni_contact_block *k, int32_t l, cni_mask two, cni_wide nx, cni_wide ny, cni_wide wa, cni_wide wb, float lag_sq)
+{
+	cni_wide x = nx - cni_wide_load(k->nx + l), y = ny - cni_wide_load(k->ny + l), spin = cni_wide_max(cni_wide_abs(wa), cni_wide_abs(wb));
+	return two & ~cni_mask_of_zero(k->ib + l) & (x * x + y * y <= cni_wide_of(lag_sq)) & (spin <= cni_wide_of(CNI_NORMAL_LAG_SPIN));
+}
+
 /* Lanes of a vector that were followed, as bits. */
 CNI_INLINE uint32_t follow_group(const cni_follow_pass *pass, cni_contact_block *k, const cni_block_anchor *anchor, const cni_follow_bodies *bodies, uint32_t anchored, int32_t l)
 {
@@ -167,12 +175,13 @@ CNI_INLINE uint32_t follow_group(const cni_follow_pass *pass, cni_contact_block 
 	follow_change g = follow_change_make(&f, k, anchor, l);
 	follow_point p = follow_point_make(&g, k, anchor, 0, l), q = follow_point_make(&g, k, anchor, 1, l);
 	cni_wide fa = cni_wide_load(k->fa + l) + cni_wide_select(q.used, 0.5f * (p.shift + q.shift), p.shift), fb = fa - g.dn;
-	cni_mask good = cni_mask_of_bits(anchored >> l) & (cni_wide_load(anchor->c + l) * f.turn_c + cni_wide_load(anchor->s + l) * f.turn_s > cni_wide_of(0.0f));
+	cni_mask turned, good = cni_mask_of_bits(anchored >> l) & (cni_wide_load(anchor->c + l) * f.turn_c + cni_wide_load(anchor->s + l) * f.turn_s > cni_wide_of(0.0f));
 	good = good & follow_holds(pass, &f, &g, &p, &q, fa, fb);
 	follow_point_store(&f, &k->p[0], l, good, &p, g.dt);
 	follow_point_store(&f, &k->p[1], l, good, &q, g.dt);
-	store_where(k->nx + l, good, g.nx);
-	store_where(k->ny + l, good, g.ny);
+	turned = good & ~normal_lags(k, l, q.used, g.nx, g.ny, f.wa, f.wb, pass->lag_sq);
+	store_where(k->nx + l, turned, g.nx);
+	store_where(k->ny + l, turned, g.ny);
 	store_where(k->dn + l, good, cni_wide_load(k->dn + l) + g.dn_change);
 	store_where(k->dt + l, good, g.dt);
 	store_where(k->fa + l, good, fa);

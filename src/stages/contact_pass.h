@@ -101,6 +101,7 @@ typedef struct cni_follow_pass {
 	float hair;        /* ... that a pair which is apart may move in the step */
 	float apart_most;  /* separation that is followed */
 	float depth_most;  /* ... and overlap */
+	float lag_sq;      /* cni_normal_lag_sq */
 } cni_follow_pass;
 
 /* ... and what part of the smaller body's extent. */
@@ -120,6 +121,7 @@ typedef struct cni_write_lanes {
 	const float *manifold[CNI_LANES];         /* cni_manifold, in the frame of the contact's first body: a, or b where flipped */
 	CNI_ALIGNED(32) float radius_a[CNI_LANES];
 	float radius_b[CNI_LANES];
+	float lag_sq;                             /* cni_normal_lag_sq */
 	uint32_t flipped;                         /* lanes, as bits */
 	uint32_t two;                             /* ... of two points */
 	uint32_t from[2][2];                      /* ... in which point k is what point j was */

@@ -1,6 +1,6 @@
 /*
  * stages/contact_write.h - the kernel that writes manifolds into the lanes of a block, included by each width's contact
- * kernel after stages/contact_follow.h, of which it uses the offsets in records and store_where. The bits are those of cni_contact_write, operation by operation; what few lanes need is left to that one:
+ * kernel after stages/contact_follow.h, of which it uses the offsets in records, store_where and normal_lags. The bits are those of cni_contact_write, operation by operation; what few lanes need is left to that one:
  * see stages/narrowphase_write.c.
  */
 #include "stages/contact_pass.h"
@@ -16,6 +16,7 @@ typedef struct write_frame {
 	cni_wide qc, qs, cx, cy; /* of the contact's first body: rotation, centre of mass in its frame */
 	cni_wide nx, ny, dn, dt;
 	cni_wide mass, ia, ib;   /* inverse: sum, of turning */
+	cni_wide wa, wb;         /* spins */
 } write_frame;
 
 CNI_INLINE write_frame write_frame_make(const cni_motion *motions, const cni_contact_block *k, const cni_write_lanes *w, int32_t l)
@@ -41,8 +42,8 @@ CNI_INLINE write_frame write_frame_make(const cni_motion *motions, const cni_con
 	f.ny = cni_wide_select(f.flipped, -f.ny, f.ny);
 	f.dn = f.dx * f.nx + f.dy * f.ny;
 	f.dt = f.dx * f.ny - f.dy * f.nx;
-	cni_wide_gather4(base, MOTION_FLOATS, k->ia + l, &u, &v, &x, &mx);
-	cni_wide_gather4(base, MOTION_FLOATS, k->ib + l, &u, &v, &x, &my);
+	cni_wide_gather4(base, MOTION_FLOATS, k->ia + l, &u, &v, &f.wa, &mx);
+	cni_wide_gather4(base, MOTION_FLOATS, k->ib + l, &u, &v, &f.wb, &my);
 	f.mass = mx + my;
 	cni_wide_gather4(base + 4, MOTION_FLOATS, k->ia + l, &u, &v, &x, &f.ia);
 	cni_wide_gather4(base + 4, MOTION_FLOATS, k->ib + l, &u, &v, &x, &f.ib);
@@ -108,6 +109,8 @@ CNI_INLINE void write_group(const cni_motion *motions, cni_contact_block *k, cni
 	write_frame f = write_frame_make(motions, k, w, l);
 	cni_wide radius_a = cni_wide_load(w->radius_a + l), s[2], fa, second;
 	write_old old;
+	cni_mask was_two = cni_wide_load(k->p[1].nm + l) > cni_wide_of(0.0f);
+	cni_mask turned = where & ~normal_lags(k, l, two & was_two, f.nx, f.ny, f.wa, f.wb, w->lag_sq);
 	old.jn[0] = cni_wide_load(k->p[0].jn + l);
 	old.jn[1] = cni_wide_load(k->p[1].jn + l);
 	old.load[0] = cni_wide_load(k->p[0].load + l);
@@ -115,8 +118,8 @@ CNI_INLINE void write_group(const cni_motion *motions, cni_contact_block *k, cni
 	fa = write_point(&f, k, w, &old, 0, l, where, where, &s[0]) + radius_a;
 	second = write_point(&f, k, w, &old, 1, l, where, two, &s[1]) + radius_a;
 	fa = cni_wide_select(two, (fa + second) * 0.5f, fa);
-	store_where(k->nx + l, where, f.nx);
-	store_where(k->ny + l, where, f.ny);
+	store_where(k->nx + l, turned, f.nx);
+	store_where(k->ny + l, turned, f.ny);
 	store_where(k->dn + l, where, f.dn - radius_a - cni_wide_load(w->radius_b + l));
 	store_where(k->dt + l, where, f.dt);
 	store_where(k->fa + l, where, fa);

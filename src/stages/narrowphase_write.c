@@ -30,6 +30,7 @@ void cni_writer_begin(cni_writer *w, cn_world *world)
 	w->block = CNI_NONE;
 	w->lanes = 0;
 	w->opened = 0;
+	w->of.lag_sq = cni_normal_lag_sq(world);
 }
 
 static void write_one(const cni_writer *w, const cni_touch *t)
