@@ -1,8 +1,8 @@
 /*
  * stages/narrowphase_touch.c - from poses and velocities to how two shapes touch.
  *
- * Contact margin: slow pairs touch when closer than four slops (speculative contact). Fast pairs look as far
- * ahead as they come closer in the step, so that they meet the surface instead of each other's inside; a
+ * Contact margin: slow pairs touch when closer than four slops (speculative contact), thin ones when closer than half of
+ * the thinner one's thickness. Fast pairs look as far ahead as they come closer in the step, so that they meet the surface instead of each other's inside; a
  * point that their motion does not reach is dropped.
  */
 #include "stages/narrowphase_touch.h"
@@ -15,6 +15,21 @@ static int32_t record_is_of_motion(const cn_world *world, const cni_body *b)
 	return b->vx == m->vx && b->vy == m->vy && b->w == m->w;
 }
 #endif
+
+/*
+ * In a pack of thin shapes four slops would reach over several of them, and each would touch many: half a thickness does not
+ * reach over one. With something static a pair starts to fall within the step; where both move, gravity takes both along.
+ */
+static float pair_margin(const cn_world *world, const cni_body *a, const cni_body *b, const cni_manifold_input *in, float dt)
+{
+	float inner_a = in->a->inner_radius > 0.0f ? in->a->inner_radius : FLT_MAX, inner_b = in->b->inner_radius > 0.0f ? in->b->inner_radius : FLT_MAX;
+	float thin = cni_min(inner_a, inner_b), most = world->settings.contact_margin;
+	if (thin >= most)
+		return most;
+	if (a->awake == 0 || b->awake == 0)
+		thin += cni_length(world->settings.gravity) * dt * dt;
+	return cni_min(thin, most);
+}
 
 /* Velocities are those of the records, which at the beginning of a step are the same as in motion. */
 static cni_pair_motion motion_make(const cni_body *a, const cni_body *b, float dt)
@@ -190,6 +205,8 @@ int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt
 	out->in.child_b = cni_proxy_child(p->proxy[1]);
 	out->in.b_in_a = b_in_a(a, b, centers);
 	out->in.slop = world->settings.slop;
+	out->motion.margin = pair_margin(world, a, b, &out->in, dt);
+	out->in.margin = cni_max(out->motion.margin, out->motion.reach);
 	out->gap = cni_v(0.0f, 0.0f);
 	return 1;
 }
@@ -203,7 +220,7 @@ void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
 {
 	const cni_body *a = out->a, *b = out->b;
 	const cni_pair_motion *m = &out->motion;
-	float margin = world->settings.contact_margin, nearest, least, sooner, later;
+	float margin = m->margin, nearest, least, sooner, later;
 	cni_vec2 b_center;
 	if (out->manifold.count == 0)
 		return;
@@ -218,6 +235,6 @@ void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
 	if (m->reach <= margin || out->manifold.count == 0)
 		return;
 	nearest = drop_unreached(&out->manifold, m, a, b_center, margin, dt);
-	if (out->manifold.count > 0 && nearest > 2.0f * margin)
+	if (out->manifold.count > 0 && nearest > 2.0f * world->settings.contact_margin)
 		meet(world, a, b, &out->in, dt, out);
 }
