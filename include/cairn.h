@@ -676,7 +676,7 @@ typedef struct cn_chain {
 } cn_chain;
 
 CN_API void cn_shape_def_init(cn_shape_def *def);
-/* out_shape may be NULL in all of these. Points closer than 0.5% of the length unit are degenerate. */
+/* out_shape may be NULL in all of these. Points closer than 0.05% of the length unit are degenerate. */
 CN_API cn_result cn_shape_create_circle(cn_world *world, const cn_shape_def *def, const cn_circle *circle, cn_shape *out_shape);
 CN_API cn_result cn_shape_create_capsule(cn_world *world, const cn_shape_def *def, const cn_capsule *capsule, cn_shape *out_shape);
 CN_API cn_result cn_shape_create_edge(cn_world *world, const cn_shape_def *def, const cn_edge *edge, cn_shape *out_shape);

@@ -22,7 +22,7 @@ typedef struct cni_geometry {
 	int32_t type;       /* CN_SHAPE_* */
 	int32_t count;
 	float radius;
-	int32_t loop;       /* chain: 1 if closed */
+	uint32_t seams;     /* chain: 1 if it is a loop; others: hidden ends of faces, see geometry/seam.h */
 	cni_vec2 centroid;  /* of the area (polygon, capsule, circle), else the mean of the points */
 	float extent;       /* farthest surface point from the local origin */
 	float inner_radius; /* radius of a circle inside the shape around its centroid, 0 for edges and chains */
@@ -55,6 +55,9 @@ void cni_geometry_chain(cni_geometry *out, const cn_chain *chain, cni_transform 
    coordinates) above the line through its neighbours is collinear with them. All finite-ness checks are
    included. A capsule's ends may not coincide; a chain refuses coinciding consecutive points (also last
    and first of a loop). */
+extern const char cni_points_near[]; /* returned by a check when points coincide: the caller knows the tolerance's name */
+/* Between consecutive points; closed: also between the last and the first. */
+float cni_least_distance(const cni_vec2 *points, int32_t count, int32_t closed);
 const char *cni_check_circle(const cn_circle *circle, float tolerance);
 const char *cni_check_capsule(const cn_capsule *capsule, float tolerance);
 const char *cni_check_edge(const cn_edge *edge, float tolerance);

@@ -18,10 +18,20 @@ static int32_t point_good(cni_vec2 p)
 	return coordinate_good(p.x) && coordinate_good(p.y);
 }
 
-static int32_t points_apart(cni_vec2 a, cni_vec2 b, float tolerance)
+const char cni_points_near[] = "points must be farther apart";
+
+float cni_least_distance(const cni_vec2 *points, int32_t count, int32_t closed)
 {
-	float distance_sq = cni_distance_sq(a, b);
-	return distance_sq > 0.0f && distance_sq > tolerance * tolerance;
+	float least_sq = FLT_MAX;
+	for (int32_t i = 0; i < (closed ? count : count - 1); ++i)
+		least_sq = cni_min(least_sq, cni_distance_sq(points[i], points[i + 1 < count ? i + 1 : 0]));
+	return cni_sqrt(least_sq);
+}
+
+static int32_t points_apart(const cni_vec2 *points, int32_t count, int32_t closed, float tolerance)
+{
+	float distance = cni_least_distance(points, count, closed);
+	return distance > 0.0f && distance >= tolerance * (1.0f - 1.0e-4f); /* what rounds to the tolerance is taken */
 }
 
 static const char *const text_points = "coordinates must be finite and within 1e6 m";
@@ -39,22 +49,20 @@ const char *cni_check_circle(const cn_circle *circle, float tolerance)
 
 const char *cni_check_capsule(const cn_capsule *capsule, float tolerance)
 {
+	const cni_vec2 ends[2] = { capsule->a_m, capsule->b_m };
 	if (!point_good(capsule->a_m) || !point_good(capsule->b_m))
 		return text_points;
 	if (!(capsule->radius_m > 0.0f && capsule->radius_m <= CNI_COORDINATE_MAX))
 		return text_radius;
-	if (!points_apart(capsule->a_m, capsule->b_m, tolerance))
-		return "ends must be farther apart than 0.5% of the length unit";
-	return NULL;
+	return points_apart(ends, 2, 0, tolerance) ? NULL : cni_points_near;
 }
 
 const char *cni_check_edge(const cn_edge *edge, float tolerance)
 {
+	const cni_vec2 ends[2] = { edge->a_m, edge->b_m };
 	if (!point_good(edge->a_m) || !point_good(edge->b_m))
 		return text_points;
-	if (!points_apart(edge->a_m, edge->b_m, tolerance))
-		return "ends must be farther apart than 0.5% of the length unit";
-	return NULL;
+	return points_apart(ends, 2, 0, tolerance) ? NULL : cni_points_near;
 }
 
 float cni_collinear_height(const cni_vec2 *points, int32_t count, float tolerance)
@@ -109,9 +117,8 @@ const char *cni_check_polygon(const cn_polygon *polygon, float tolerance)
 	for (int32_t i = 0; i < polygon->count; ++i)
 		if (!point_good(polygon->points_m[i]))
 			return text_points;
-	for (int32_t i = 0; i < polygon->count; ++i)
-		if (!points_apart(polygon->points_m[i], polygon->points_m[i + 1 < polygon->count ? i + 1 : 0], tolerance))
-			return "points must be farther apart than 0.5% of the length unit";
+	if (!points_apart(polygon->points_m, polygon->count, 1, tolerance))
+		return cni_points_near;
 	return polygon_check_convex(polygon, tolerance);
 }
 
@@ -126,9 +133,5 @@ const char *cni_check_chain(const cn_chain *chain, float tolerance)
 	for (int32_t i = 0; i < chain->count; ++i)
 		if (!point_good(chain->points_m[i]))
 			return text_points;
-	int32_t edges = chain->loop ? chain->count : chain->count - 1;
-	for (int32_t i = 0; i < edges; ++i)
-		if (!points_apart(chain->points_m[i], chain->points_m[i + 1 < chain->count ? i + 1 : 0], tolerance))
-			return "points must be farther apart than 0.5% of the length unit";
-	return NULL;
+	return points_apart(chain->points_m, chain->count, (int32_t)chain->loop, tolerance) ? NULL : cni_points_near;
 }

@@ -38,6 +38,7 @@ typedef struct cni_settings {
 	float sleep_speed;
 	float sleep_delay;
 	float slop;             /* 0.005 length units: lengths below it do not matter */
+	float thickness_least;  /* 0.0005 length units: of shapes, and between their points. See CNI_THICKNESS_LEAST */
 	float box_margin;       /* 0.1 length units: of fat boxes */
 	float contact_margin;   /* 4 slops: speculative distance of slow contacts */
 	float accuracy;         /* errors below it are good */
@@ -98,6 +99,8 @@ struct cn_world {
 	cni_broadphase *broadphase;
 	cni_broadphase_pairs pairs;
 	int32_t pairs_may_repeat;    /* 0 or CNI_PAIRS_ */
+	int32_t seams_changed;       /* 1: fixed shapes came, went, moved or changed since the last step ... */
+	cni_aabb seams_box;          /* ... within this box: see stages/seams.c */
 
 	/* contacts */
 	int32_t contact_used;

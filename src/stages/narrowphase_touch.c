@@ -1,11 +1,12 @@
 /*
  * stages/narrowphase_touch.c - from poses and velocities to how two shapes touch.
  *
- * Contact margin: slow pairs touch when closer than four slops (speculative contact). Fast pairs look as far
- * ahead as they come closer in the step, so that they meet the surface instead of each other's inside; a
+ * Contact margin: slow pairs touch when closer than four slops (speculative contact), thin ones when closer than half of
+ * the thinner one's thickness. Fast pairs look as far ahead as they come closer in the step, so that they meet the surface instead of each other's inside; a
  * point that their motion does not reach is dropped.
  */
 #include "stages/narrowphase_touch.h"
+#include "geometry/seam.h"
 #include "geometry/toi.h"
 
 #if defined(CNI_DEBUG)
@@ -15,6 +16,27 @@ static int32_t record_is_of_motion(const cn_world *world, const cni_body *b)
 	return b->vx == m->vx && b->vy == m->vy && b->w == m->w;
 }
 #endif
+
+/* Inner radius of the thinner shape; edges and chains have none. */
+static float thinner_radius(const cni_manifold_input *in)
+{
+	float a = in->a->inner_radius, b = in->b->inner_radius;
+	return cni_min(a > 0.0f ? a : FLT_MAX, b > 0.0f ? b : FLT_MAX);
+}
+
+/*
+ * In a pack of thin shapes four slops would reach over several of them, and each would touch many: half a thickness does not
+ * reach over one. With something static a pair starts to fall within the step; where both move, gravity takes both along.
+ */
+static float pair_margin(const cn_world *world, const cni_body *a, const cni_body *b, const cni_manifold_input *in, float dt)
+{
+	float thin = thinner_radius(in), most = world->settings.contact_margin;
+	if (thin >= most)
+		return most;
+	if (a->awake == 0 || b->awake == 0)
+		thin += cni_length(world->settings.gravity) * dt * dt;
+	return cni_min(thin, most);
+}
 
 /* Velocities are those of the records, which at the beginning of a step are the same as in motion. */
 static cni_pair_motion motion_make(const cni_body *a, const cni_body *b, float dt)
@@ -76,7 +98,7 @@ static float depth_ahead(const cni_manifold *out, const cni_pair_motion *m, cons
  */
 static int32_t shadows_graze(const cni_manifold_input *in, const cni_pair_motion *m, const cni_body *a, const cni_body *b, float depth, float dt)
 {
-	float speed = cni_length(m->v), hair = 0.1f * in->slop;
+	float speed = cni_length(m->v), hair = 0.1f * in->slop, most;
 	float turn = dt * (cni_abs(m->wa) * (a->extent - in->a->radius) + cni_abs(m->wb) * (b->extent - in->b->radius));
 	cni_transform along, b_along;
 	cni_aabb box_a, box_b;
@@ -89,7 +111,8 @@ static int32_t shadows_graze(const cni_manifold_input *in, const cni_pair_motion
 	b_along.t = cni_rotate(along.q, in->b_in_a.t);
 	box_a = cni_geometry_aabb(in->a, in->child_a, along);
 	box_b = cni_geometry_aabb(in->b, in->child_b, b_along);
-	return cni_min(box_a.y1, box_b.y1) - cni_max(box_a.y0, box_b.y0) + turn <= (depth > hair ? in->slop : -hair);
+	most = depth > hair ? cni_min(in->slop, 0.5f * thinner_radius(in)) : -hair; /* a thin shape that comes on end is no graze */
+	return cni_min(box_a.y1, box_b.y1) - cni_max(box_a.y0, box_b.y0) + turn <= most;
 }
 
 static cni_path path_make(const cni_body *b, cni_vec2 from, const cni_motion *m, float dt)
@@ -101,6 +124,13 @@ static cni_path path_make(const cni_body *b, cni_vec2 from, const cni_motion *m,
 	p.turn = dt * m->w;
 	p.local_center = b->local_center;
 	return p;
+}
+
+/* A shape that reaches farther than a contact does behind a surface is not on it. */
+static void mend_seams(const cn_world *world, const cni_manifold_input *in, cni_vec2 way, cni_manifold *m)
+{
+	if (m->count > 0 && (cni_seams_of(in->a) | cni_seams_of(in->b)) != 0)
+		cni_seams_mend(in, way, world->settings.contact_margin, m);
 }
 
 /*
@@ -136,6 +166,7 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 	in.b_in_a.t = cni_untransform_point(xa, xb.t);
 	in.margin = world->settings.contact_margin;
 	cni_manifold_function(in.a->type, in.b->type)(&in, &cache, &out->manifold);
+	mend_seams(world, &in, cni_mul((1.0f - hit.fraction) * dt, out->motion.v), &out->manifold);
 	if (out->manifold.count == 0)
 		return;
 	a_now = cni_path_at(&toi.path_a, 0.0f);
@@ -190,6 +221,8 @@ int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt
 	out->in.child_b = cni_proxy_child(p->proxy[1]);
 	out->in.b_in_a = b_in_a(a, b, centers);
 	out->in.slop = world->settings.slop;
+	out->motion.margin = pair_margin(world, a, b, &out->in, dt);
+	out->in.margin = cni_max(out->motion.margin, out->motion.reach);
 	out->gap = cni_v(0.0f, 0.0f);
 	return 1;
 }
@@ -203,8 +236,10 @@ void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
 {
 	const cni_body *a = out->a, *b = out->b;
 	const cni_pair_motion *m = &out->motion;
-	float margin = world->settings.contact_margin, nearest, least, sooner, later;
+	float margin = m->margin, nearest, least, sooner, later;
 	cni_vec2 b_center;
+	if (!(out->contact->flags & CNI_CONTACT_SENSOR))
+		mend_seams(world, &out->in, cni_mul(dt, m->v), &out->manifold);
 	if (out->manifold.count == 0)
 		return;
 	b_center = cni_transform_point(out->in.b_in_a, b->local_center);
@@ -218,6 +253,6 @@ void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
 	if (m->reach <= margin || out->manifold.count == 0)
 		return;
 	nearest = drop_unreached(&out->manifold, m, a, b_center, margin, dt);
-	if (out->manifold.count > 0 && nearest > 2.0f * margin)
+	if (out->manifold.count > 0 && nearest > 2.0f * world->settings.contact_margin)
 		meet(world, a, b, &out->in, dt, out);
 }

@@ -20,6 +20,7 @@ typedef struct cni_pair_motion {
 	cni_vec2 v;       /* velocity of b's centre relative to a's, in a's frame */
 	float wa, wb;
 	float reach;      /* most that surface points can come closer in the step */
+	float margin;     /* within which the pair touches, however slow it is */
 } cni_pair_motion;
 
 /* A contact, and where to look for what is asked of it first. */

@@ -109,6 +109,7 @@ static void settings_resolve(cni_settings *set, const cn_world_def *d)
 	set->sleep_speed = or_default(d->sleep_speed_mps, 0.05f * unit);
 	set->sleep_delay = d->sleep_delay_s;
 	set->slop = 0.005f * unit;
+	set->thickness_least = CNI_THICKNESS_LEAST * unit;
 	set->accuracy = or_default(d->accuracy_m, set->slop);
 	set->work_budget = d->work_budget;
 	set->contact_margin = 4.0f * set->slop;

@@ -267,6 +267,22 @@ cn_result cni_refuse_int(cni_call *call, const char *field, int64_t value, const
 	return call->result;
 }
 
+void cni_refuse_near(cni_call *call, const cn_vec2 *points, int32_t count, int32_t closed)
+{
+	float distance = cni_least_distance(points, count, closed);
+	cni_text text;
+	if (call->result != CN_OK)
+		return;
+	refuse_float_begin(call, "distance of points_m", distance, &text);
+	cni_text_string(&text, "; must be from ");
+	cni_text_float(&text, call->world->settings.thickness_least);
+	if (!(distance > 0.0f))
+		return;
+	cni_text_string(&text, " (0.05% of the length unit) to 1e6; a world with cn_world_def.length_unit_m up to ");
+	cni_text_float(&text, distance / CNI_THICKNESS_LEAST);
+	cni_text_string(&text, " takes it");
+}
+
 void cni_check_reserved(cni_call *call, cn_result result, const char *things)
 {
 	cni_text text;

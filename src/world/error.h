@@ -24,6 +24,12 @@
 #define CNI_POSITION_MAX_UNITS 1e6f
 /* All public shape flags. */
 #define CNI_SHAPE_FLAGS ((uint32_t)(CN_SHAPE_SENSOR | CN_SHAPE_SENSOR_SEEN | CN_SHAPE_ONE_WAY | CN_SHAPE_PRE_SOLVE))
+/*
+ * Least thickness of a shape, in length units: a tenth of the slop, which is also the distance that manifolds take for none
+ * (CNI_TOUCH_PER_SLOP). Rounding leaves room below: contacts are computed in the frame of a body, where coordinates of shapes
+ * of a length unit are off by 6e-8 and differences of rotated ones by some 3e-7, a 1,600th of that.
+ */
+#define CNI_THICKNESS_LEAST 0.0005f
 #define CNI_WORK_BUDGET_MAX 1000000000
 /* Angles up to this many radians are accepted. */
 #define CNI_ANGLE_MAX_RAD 1e4f
@@ -64,6 +70,8 @@ cn_result cni_refuse(cni_call *call, cn_result result, const char *what);
 /* "function: field value; must ..." for a value that a check of its own found bad. */
 cn_result cni_refuse_float(cni_call *call, const char *field, float value, const char *must);
 cn_result cni_refuse_int(cni_call *call, const char *field, int64_t value, const char *must);
+/* Consecutive points of a shape are nearer than CNI_THICKNESS_LEAST: says how near, and which length unit would take them. */
+void cni_refuse_near(cni_call *call, const cn_vec2 *points, int32_t count, int32_t closed);
 /* Passes on what a reserve in the model said: CN_OK, CN_ERROR_MEMORY or CN_ERROR_CAPACITY. */
 void cni_check_reserved(cni_call *call, cn_result result, const char *things);
 

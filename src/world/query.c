@@ -86,7 +86,7 @@ static void points_reverse(cni_vec2 *points, int32_t count)
 /* Relative to the first point. */
 static void check_region_points(cni_call *call, cni_region *region)
 {
-	float tolerance = call->world->settings.slop;
+	float tolerance = call->world->settings.thickness_least;
 	cn_polygon relative;
 	const char *wrong = NULL;
 	memset(&relative, 0, sizeof relative);
@@ -96,8 +96,10 @@ static void check_region_points(cni_call *call, cni_region *region)
 	if (region->count > 2)
 		wrong = cni_check_polygon(&relative, tolerance);
 	else if (region->count == 2 && !(cni_length(region->points[1]) > tolerance))
-		wrong = "points must be farther apart than 0.5% of the length unit";
-	if (wrong != NULL)
+		wrong = cni_points_near;
+	if (wrong == cni_points_near)
+		cni_refuse_near(call, region->points, region->count, region->count > 2);
+	else if (wrong != NULL)
 		cni_refuse(call, CN_ERROR_ARGUMENT, wrong);
 	else if (region->count > 2 && cni_cross(region->points[1], region->points[2]) < 0.0f)
 		points_reverse(region->points, region->count);

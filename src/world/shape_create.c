@@ -147,9 +147,11 @@ static cn_result shape_create(cni_call *call, cn_world *world, const cn_shape_de
 }
 
 /* Refuses what a geometry check complains about. */
-static void check_geometry(cni_call *call, const char *complaint)
+static void check_geometry(cni_call *call, const char *complaint, const cn_vec2 *points, int32_t count, int32_t closed)
 {
-	if (complaint != NULL)
+	if (complaint == cni_points_near)
+		cni_refuse_near(call, points, count, closed);
+	else if (complaint != NULL)
 		cni_refuse(call, CN_ERROR_ARGUMENT, complaint);
 }
 
@@ -163,32 +165,38 @@ cn_result cn_shape_create_circle(cn_world *world, const cn_shape_def *def, const
 		return call.result;
 	cni_check_finite2(&call, "center_m", circle->center_m);
 	cni_check_positive(&call, "radius_m", circle->radius_m);
-	check_geometry(&call, cni_check_circle(circle, world->settings.slop));
+	check_geometry(&call, cni_check_circle(circle, world->settings.thickness_least), &circle->center_m, 1, 0);
 	return shape_create(&call, world, def, source_make(CN_SHAPE_CIRCLE, 1, circle), out_shape);
 }
 
 cn_result cn_shape_create_capsule(cn_world *world, const cn_shape_def *def, const cn_capsule *capsule, cn_shape *out_shape)
 {
 	cni_call call = cni_enter(world, __func__);
+	cn_vec2 ends[2];
 	cni_check_pointer(&call, "capsule", capsule);
 	if (call.result != CN_OK)
 		return call.result;
 	cni_check_finite2(&call, "a_m", capsule->a_m);
 	cni_check_finite2(&call, "b_m", capsule->b_m);
 	cni_check_positive(&call, "radius_m", capsule->radius_m);
-	check_geometry(&call, cni_check_capsule(capsule, world->settings.slop));
+	ends[0] = capsule->a_m;
+	ends[1] = capsule->b_m;
+	check_geometry(&call, cni_check_capsule(capsule, world->settings.thickness_least), ends, 2, 0);
 	return shape_create(&call, world, def, source_make(CN_SHAPE_CAPSULE, 2, capsule), out_shape);
 }
 
 cn_result cn_shape_create_edge(cn_world *world, const cn_shape_def *def, const cn_edge *edge, cn_shape *out_shape)
 {
 	cni_call call = cni_enter(world, __func__);
+	cn_vec2 ends[2];
 	cni_check_pointer(&call, "edge", edge);
 	if (call.result != CN_OK)
 		return call.result;
 	cni_check_finite2(&call, "a_m", edge->a_m);
 	cni_check_finite2(&call, "b_m", edge->b_m);
-	check_geometry(&call, cni_check_edge(edge, world->settings.slop));
+	ends[0] = edge->a_m;
+	ends[1] = edge->b_m;
+	check_geometry(&call, cni_check_edge(edge, world->settings.thickness_least), ends, 2, 0);
 	return shape_create(&call, world, def, source_make(CN_SHAPE_EDGE, 2, edge), out_shape);
 }
 
@@ -200,7 +208,7 @@ static cn_result polygon_create(cni_call *call, cn_world *world, const cn_shape_
 	for (k = 0; k < polygon->count && call->result == CN_OK; ++k)
 		cni_check_finite2(call, "points_m", polygon->points_m[k]);
 	if (call->result == CN_OK)
-		check_geometry(call, cni_check_polygon(polygon, world->settings.slop));
+		check_geometry(call, cni_check_polygon(polygon, world->settings.thickness_least), polygon->points_m, polygon->count, 1);
 	return shape_create(call, world, def, source_make(CN_SHAPE_POLYGON, polygon->count, polygon), out_shape);
 }
 
@@ -245,6 +253,6 @@ cn_result cn_shape_create_chain(cn_world *world, const cn_shape_def *def, const 
 	for (k = 0; k < chain->count && call.result == CN_OK; ++k)
 		cni_check_finite2(&call, "points_m", chain->points_m[k]);
 	if (call.result == CN_OK)
-		check_geometry(&call, cni_check_chain(chain, world->settings.slop));
+		check_geometry(&call, cni_check_chain(chain, world->settings.thickness_least), chain->points_m, chain->count, (int32_t)chain->loop);
 	return shape_create(&call, world, def, source_make(CN_SHAPE_CHAIN, chain->count, chain), out_shape);
 }

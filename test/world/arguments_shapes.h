@@ -42,17 +42,17 @@ ENTRY(cn_shape_create_circle, cn_shape_create_circle(W, (reset(), &sd), &circle,
 ENTRY(cn_shape_create_capsule, cn_shape_create_capsule(W, (reset(), &sd), &capsule, NULL),
 	bad_shape_defs(call_capsule, 1); NOW(cn_shape_create_capsule(NULL, &sd, &capsule, OUT(cn_shape))); ARG(cn_shape_create_capsule(W, &sd, NULL, OUT(cn_shape)));
 	VECTOR(v, cn_shape_create_capsule(W, &sd, CA(a_m, v), OUT(cn_shape))); VECTOR(v, cn_shape_create_capsule(W, &sd, CA(b_m, v), OUT(cn_shape)));
-	POSITIVE(x, cn_shape_create_capsule(W, &sd, CA(radius_m, x), OUT(cn_shape))); ARG(cn_shape_create_capsule(W, &sd, CA(a_m, v2(0.499f, 0.0f)), OUT(cn_shape)));)
+	POSITIVE(x, cn_shape_create_capsule(W, &sd, CA(radius_m, x), OUT(cn_shape))); ARG(cn_shape_create_capsule(W, &sd, CA(a_m, v2(0.4997f, 0.0f)), OUT(cn_shape)));)
 ENTRY(cn_shape_create_edge, cn_shape_create_edge(W, (reset(), &sd), &edge, NULL),
 	bad_shape_defs(call_edge, 0); NOW(cn_shape_create_edge(NULL, &sd, &edge, OUT(cn_shape))); ARG(cn_shape_create_edge(W, &sd, NULL, OUT(cn_shape)));
 	VECTOR(v, cn_shape_create_edge(W, &sd, ED(a_m, v), OUT(cn_shape))); VECTOR(v, cn_shape_create_edge(W, &sd, ED(b_m, v), OUT(cn_shape)));
-	ARG(cn_shape_create_edge(W, &sd, ED(a_m, v2(0.499f, 0.0f)), OUT(cn_shape)));)
+	ARG(cn_shape_create_edge(W, &sd, ED(a_m, v2(0.4997f, 0.0f)), OUT(cn_shape)));)
 ENTRY(cn_shape_create_polygon, cn_shape_create_polygon(W, (reset(), &sd), &polygon, NULL),
 	bad_shape_defs(call_polygon, 1); NOW(cn_shape_create_polygon(NULL, &sd, &polygon, OUT(cn_shape))); ARG(cn_shape_create_polygon(W, &sd, NULL, OUT(cn_shape)));
 	INTEGER(x, 2, 17, cn_shape_create_polygon(W, &sd, PO(count, x), OUT(cn_shape))); NOT_NEGATIVE(x, cn_shape_create_polygon(W, &sd, PO(radius_m, x), OUT(cn_shape)));
 	VECTOR(v, cn_shape_create_polygon(W, &sd, PO(points_m[2], v), OUT(cn_shape)));
 	ARG(cn_shape_create_polygon(W, &sd, PO(points_m[2], v2(-0.4f, -0.4f)), OUT(cn_shape)));
-	ARG(cn_shape_create_polygon(W, &sd, PO(points_m[2], v2(0.5f, -0.499f)), OUT(cn_shape)));
+	ARG(cn_shape_create_polygon(W, &sd, PO(points_m[2], v2(0.5f, -0.4997f)), OUT(cn_shape)));
 	ARG(cn_shape_create_polygon(W, &sd, PO(points_m[2], v2(-0.5f, 0.501f)), OUT(cn_shape)));)
 ENTRY(cn_shape_create_box, cn_shape_create_box(W, (reset(), &sd), 1.0f, 2.0f, 0.1f, NULL),
 	bad_shape_defs(call_box, 1); NOW(cn_shape_create_box(NULL, &sd, 1.0f, 2.0f, 0.1f, OUT(cn_shape))); reset();
