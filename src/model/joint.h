@@ -25,6 +25,14 @@ enum {
 };
 static inline int32_t cni_joint_is_constraint(int32_t type) { return type >= CNI_JOINT_ANGLE; }
 
+/* What stages/joint_swing.c remembers of a component: its joints carry it, so that islands may merge and split. */
+typedef struct cni_joint_trust {
+	float surplus;             /* joules: this joint's part of the energy that steps have gained */
+	uint32_t soft_step;        /* it is soft until then */
+	uint16_t left;             /* steps for which RATTLE is not tried */
+	uint16_t span;             /* as many as that the next failure doubles; falls by one a good step */
+} cni_joint_trust;
+
 typedef struct cni_joint {
 	int32_t type;              /* CN_JOINT_REVOLUTE ... CNI_JOINT_LINE */
 	uint32_t flags;            /* CN_JOINT_* */
@@ -42,6 +50,7 @@ typedef struct cni_joint {
 	float force_max, torque_max;      /* of the same; 0: no bound */
 	float break_force, break_torque;  /* 0: never */
 	float p[CNI_JOINT_NUMBERS]; /* the type's own numbers; see the type's file */
+	cni_joint_trust trust;
 	uint64_t user_data;
 } cni_joint;
 

@@ -202,6 +202,8 @@ uint64_t cni_herd_bytes(int32_t joints);
 void cni_tension_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 /* The same of pins that have no rows yet, at the beginning of a step. */
 void cni_tension_find_pins(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
+/* The same stiffness of rods, which turn: squared radians a second. Writes over what cni_tension_find found. */
+float cni_tension_rods(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 /* The largest sum(r.f) / I, after cni_tension_find: squared radians a second. */
 float cni_tension_stiffness(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Is that too stiff for substeps of length h, or nearly? */
