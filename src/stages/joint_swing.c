@@ -124,7 +124,7 @@ typedef struct swing {
 	float closing;     /* most that is closed of an old gap in a substep */
 	float *left;       /* by row: what of an old gap is to be left after the substep */
 	float warm;        /* 0.5, or 0: what of the last substep's impulse mu starts from */
-	float speeding;    /* h^2 m a^2 / 8 of the last substep: how far the method's energy may be off */
+	float speeding;    /* h^2 m a^2 / 4 of the last substep: how far the method's energy may be off */
 	float base_work;   /* that moving bodies without mass have done at their joints in this step */
 } swing;
 
@@ -481,12 +481,12 @@ static float change_of(const cni_motion *m, float vx, float vy, float w)
 /*
  * Velocities and positions of the method are those of a motion that keeps T + V + h^2 (sum m a.a / 24 - sum m g.a / 12), to
  * the fourth order of h (backward analysis of the Stoermer-Verlet scheme: Hairer, Lubich and Wanner, "Geometric Numerical
- * Integration", 2006, IX.3, with the joints' forces among the accelerations a): three times the first term.
+ * Integration", 2006, IX.3, with the joints' forces among the accelerations a): six times the first term.
  * start: velocities before the last substep, as last_substep_begins left them.
  */
 static float speeding_of(const swing *g, const cni_solve *s)
 {
-	float sum = 0.0f;
+	float sum = 0.0f, last = cni_max(1.0f, s->warm_scale > 0.0f ? 1.0f / s->warm_scale : 1.0f); /* the account was filled at the last step's h */
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		int32_t index = g->sparse->bodies[k];
@@ -495,7 +495,7 @@ static float speeding_of(const swing *g, const cni_solve *s)
 		const cni_velocity_start *start = cni_starts(g->world) + index;
 		sum += change_of(m, m->vx - start->vx + s->h * d->ax, m->vy - start->vy + s->h * d->ay, m->w - start->w + s->h * d->alpha);
 	}
-	return sum / 8.0f;
+	return sum * last * last / 4.0f;
 }
 
 /* Of a lever's ends, those that have no mass: how fast the row closes for their motion alone. */
