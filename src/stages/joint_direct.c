@@ -64,8 +64,10 @@ static void joints_release(cn_world *world, cni_sparse *sparse, cni_component *c
 	int32_t k;
 	++sparse->released;
 	for (k = c->begin; k < c->end; ++k)
-		if (sparse->nodes[k].owner >= 0)
+		if (sparse->nodes[k].owner >= 0) {
 			cni_joint_works(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_WORK_DIRECT;
+			cni_joint_works(world)[sparse->nodes[k].owner].inner = 0;
+		}
 	c->swings = 0;
 	c->done = 1;
 }
@@ -98,11 +100,23 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 	cni_sparse_clear(sparse, c);
 	cni_direct_turns(world, sparse, c);
 	cni_tension_find(world, sparse, c, s->h);
-	if (cni_tension_needs_dampers(world, sparse, c, s->h))
+	c->active = !c->presses && cni_component_joined(sparse, c) == NULL && cni_active_begin(world, s, sparse, c);
+	if (c->active || cni_tension_needs_dampers(world, sparse, c, s->h))
 		c->width = CNI_NODE_ROWS;
+	cni_direct_system(world, s, sparse, c);
+}
+
+void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
+{
+	if (c->active)
+		cni_active_clear(world, sparse, c);
 	cni_tension_damp(world, sparse, c, s->h);
 	c->joints = cni_direct_levers(world, sparse, c);
-	if (!c->presses)
+	if (c->active)
+		cni_active_levers(world, sparse, c);
+	if (c->presses)
+		c->factored = 0;
+	else
 		cni_sparse_factor(sparse, c, cni_motions(world));
 }
 
@@ -327,13 +341,16 @@ void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *
 	right_sides(world, s->direct, c, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f, s->push_speed);
 	if (bias && c->loops && !c->presses)
 		leaks_add(world, s->direct, c);
+	if (c->active)
+		cni_active_sides(world, s, s->direct, c, bias);
 }
 
 void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c)
 {
-	if (cni_sparse_solve(s->direct, c))
-		cni_direct_push(world, s->direct, c);
-	else
+	if (c->active ? cni_active_answer(world, s, s->direct, c) : cni_sparse_solve(s->direct, c)) {
+		if (!c->active)
+			cni_direct_push(world, s->direct, c);
+	} else
 		joints_release(world, s->direct, c);
 }
 
@@ -347,12 +364,7 @@ void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, in
 static void component_turn(cn_world *world, const cni_solve *s, cni_component *c)
 {
 	cni_direct_turns(world, s->direct, c);
-	cni_tension_damp(world, s->direct, c, s->h);
-	(void)cni_direct_levers(world, s->direct, c);
-	if (c->presses)
-		c->factored = 0;
-	else
-		cni_sparse_factor(s->direct, c, cni_motions(world));
+	cni_direct_system(world, s, s->direct, c);
 }
 
 /* ---- a substep ---- */

@@ -46,6 +46,7 @@ typedef struct cni_joint_work {
 	int32_t row_count;
 	int32_t rigid_count;       /* the first rows: rigid or drive */
 	int32_t next_plain;        /* the next that is solved by rows */
+	int32_t inner;             /* which of the rows that are not rigid is solved with them: stages/joint_active.c; 0: none */
 	int32_t lane;              /* block * CNI_LANES + lane of a pin, CNI_NONE: solved by rows alone */
 	int32_t form;              /* CNI_FORM_*, 0: none. It has no rows here until it is solved directly, or finds no lane: stages/joint_rows.h */
 	int32_t row_lane;          /* ... block * CNI_LANES + lane of rows, CNI_NONE */
@@ -162,6 +163,8 @@ void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_compo
 void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias);
 /* From there to impulses; or its joints are solved by themselves from now on. */
 void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c);
+/* Levers, dampers and factors, at the bodies' present turns. */
+void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 /* Both. */
 void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias);
 /* Joints that contacts would open by more than this part of the accuracy in a substep are closed before positions move,
@@ -171,7 +174,22 @@ void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, in
 /* What contacts may part: stages/joint_close.c. */
 void cni_close_mark(const cn_world *world, cni_sparse *sparse);
 
+/* ---- motors and limits in the system: stages/joint_active.c ---- */
+
+/* Chooses which; their works are solved by rows. Returns 1 when there are any. */
+int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
+/* No third levers of nodes with a motor or limit, before dampers; then those of which it is in the set. */
+void cni_active_clear(const cn_world *world, cni_sparse *sparse, const cni_component *c);
+void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c);
+/* Their right sides, after the others'. */
+void cni_active_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);
+/* From right sides to impulses. 0: not finite. */
+int32_t cni_active_answer(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
+
 /* ---- wide works: stages/joint_blocks.c ---- */
+
+/* A wide work is solved by rows after all; a plain one stays as it is. */
+void cni_joint_work_narrow(cn_world *world, const cni_solve *s, int32_t k);
 
 struct cni_lanes_look; /* stages/joint_pass.h */
 /* The work of place k, as a step begins, if it can be solved in a lane; 0: it cannot. A lane that is kept is filled. Workers may
