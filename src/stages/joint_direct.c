@@ -100,7 +100,7 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 	cni_sparse_clear(sparse, c);
 	cni_direct_turns(world, sparse, c);
 	cni_tension_find(world, sparse, c, s->h);
-	c->active = !c->presses && cni_component_joined(sparse, c) == NULL && cni_active_begin(world, s, sparse, c);
+	c->active = !c->presses && cni_active_begin(world, s, sparse, c);
 	if (c->active || cni_tension_needs_dampers(world, sparse, c, s->h))
 		c->width = CNI_NODE_ROWS;
 	cni_direct_system(world, s, sparse, c);

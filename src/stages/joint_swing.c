@@ -788,6 +788,12 @@ static void swing_run(cn_world *world, const cni_solve *s, cni_component *c, flo
 		if (trust.left == 0)
 			trust_fail(&trust);
 		--trust.left;
+		if (c->loops) {
+			trust_write(&g, &trust);
+			c->swings = c->done = 0;
+			cni_direct_begin(world, s, g.sparse, c);
+			return;
+		}
 		if (project_try(&g, s, c, &trust) != CLOSED_WELL) {
 			step_undo(&g);
 			swing_release(&g, s, &trust);

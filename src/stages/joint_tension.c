@@ -138,7 +138,7 @@ int32_t cni_tension_lock(const cn_world *world, const cni_sparse *sparse, cni_co
 	int32_t k, found = 0;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		if (n->rows != 2 || is_fixed(world, n->ia) || is_fixed(world, n->ib) ||
+		if (n->rows != 2 || cni_joint_works(world)[n->owner].inner > 0 || is_fixed(world, n->ia) || is_fixed(world, n->ib) ||
 		    (cni_abs(motions[n->ia].w) <= most && cni_abs(motions[n->ib].w) <= most) || cni_abs(motions[n->ib].w - motions[n->ia].w) <= 0.5f * most)
 			continue;
 		c->width = CNI_NODE_ROWS;
