@@ -212,9 +212,8 @@ int32_t cni_active_answer(cn_world *world, const cni_solve *s, cni_sparse *spars
 	int32_t round;
 	sides_turn(world, sparse, c, 0);
 	for (round = 0;; ++round) {
-		if (!cni_sparse_solve(sparse, c))
+		if (!cni_direct_apply(world, sparse, c))
 			return 0;
-		cni_direct_push(world, sparse, c);
 		impulses_add(world, sparse, c);
 		if (round == ROUNDS || !set_change(world, s, sparse, c))
 			return 1;

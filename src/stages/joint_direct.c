@@ -18,6 +18,8 @@
 /* Loops, the two points of a contact, and piles with several ways to bear the same say much twice: their diagonal grows by
    this part. */
 #define REGULAR 1e-4f
+#define REGULAR_STEP 10.0f /* times: a system that is still as good as singular */
+#define REGULAR_MOST 0.05f /* ... until joints are about as soft as soft ones */
 #define LEAK 1e-5f         /* ... and their rows give way by this part of it to their whole impulses */
 
 /* A dear system is solved once, in one substep, and then not again for so long that it is no more work than this a step
@@ -336,6 +338,79 @@ static void leaks_add(const cn_world *world, cni_sparse *sparse, const cni_compo
 	}
 }
 
+/* ---- solutions that are checked ---- */
+
+static void impulses_take_back(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k)
+		for (i = 0; i < sparse->nodes[k].rows && sparse->nodes[k].owner >= 0; ++i)
+			cni_joint_works(world)[sparse->nodes[k].owner].rows[i].impulse -= sparse->nodes[k].x[i];
+}
+
+static void sides_keep(cni_sparse *sparse, const cni_component *c, int32_t back)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		memcpy(back ? n->x : n->carried, back ? n->carried : n->x, sizeof n->x);
+	}
+}
+
+static float inverse_or_zero(float x)
+{
+	return x > 0.0f ? 1.0f / x : 0.0f;
+}
+
+/*
+ * With A = K + C, b the right sides and A x = b, the change of velocity M^-1 J^T x has twice the kinetic energy x K x <= x A x =
+ * x b: no solution gives more than its right sides ask for. One that does comes of pivots that were rounding.
+ */
+static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	float asked = 0.0f, given = 0.0f, all = 0.0f;
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k)
+		for (i = 0; i < c->width; ++i)
+			asked += sparse->nodes[k].carried[i] * sparse->nodes[k].x[i];
+	for (k = c->body_begin; k < c->body_end; ++k) {
+		const cni_motion *m = cni_motions(world) + sparse->bodies[k], *old = sparse->saved + k;
+		float mass = inverse_or_zero(m->inv_mass), inertia = inverse_or_zero(m->inv_inertia);
+		float vx = m->vx - old->vx, vy = m->vy - old->vy, w = m->w - old->w;
+		given += mass * (vx * vx + vy * vy) + inertia * w * w;
+		all += mass * (old->vx * old->vx + old->vy * old->vy) + inertia * old->w * old->w;
+	}
+	return given <= 1.1f * asked + 1e-6f * all; /* and what is not a number is not */
+}
+
+/* Loops say much twice, so that their systems may be as good as singular. One whose solution is beyond its bound is solved again
+   with a larger diagonal, which it keeps for this step. */
+int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
+{
+	if (!c->loops) {
+		if (!cni_sparse_solve(sparse, c))
+			return 0;
+		cni_direct_push(world, sparse, c);
+		return 1;
+	}
+	sides_keep(sparse, c, 0);
+	for (;;) {
+		cni_direct_motions_keep(world, sparse, c, 0);
+		if (cni_sparse_solve(sparse, c)) {
+			cni_direct_push(world, sparse, c);
+			if (is_bounded(world, sparse, c))
+				return 1;
+			cni_direct_motions_keep(world, sparse, c, 1);
+			impulses_take_back(world, sparse, c);
+		}
+		if (c->regular > REGULAR_MOST)
+			return 0;
+		c->regular *= REGULAR_STEP;
+		cni_sparse_factor(sparse, c, cni_motions(world));
+		sides_keep(sparse, c, 1);
+	}
+}
+
 void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
 {
 	right_sides(world, s->direct, c, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f, s->push_speed);
@@ -347,10 +422,7 @@ void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *
 
 void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c)
 {
-	if (c->active ? cni_active_answer(world, s, s->direct, c) : cni_sparse_solve(s->direct, c)) {
-		if (!c->active)
-			cni_direct_push(world, s->direct, c);
-	} else
+	if (!(c->active ? cni_active_answer(world, s, s->direct, c) : cni_direct_apply(world, s->direct, c)))
 		joints_release(world, s->direct, c);
 }
 

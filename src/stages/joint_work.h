@@ -163,6 +163,8 @@ void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_compo
 void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias);
 /* From there to impulses; or its joints are solved by themselves from now on. */
 void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c);
+/* Right sides to impulses; a system that says much twice is checked. 0: there is no good solution, and nothing was done. */
+int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c);
 /* Levers, dampers and factors, at the bodies' present turns. */
 void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 /* Both. */
