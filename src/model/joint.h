@@ -25,12 +25,12 @@ enum {
 };
 static inline int32_t cni_joint_is_constraint(int32_t type) { return type >= CNI_JOINT_ANGLE; }
 
-/* What stages/joint_swing.c remembers of a component: its joints carry it, so that islands may merge and split. */
+/* What direct solving remembers of a component: its joints carry it, so that islands may merge and split. */
 typedef struct cni_joint_trust {
-	float surplus;             /* joules: this joint's part of the energy that steps have gained */
-	uint32_t soft_step;        /* it is soft until then */
-	uint16_t left;             /* steps for which RATTLE is not tried */
-	uint16_t span;             /* as many as that the next failure doubles; falls by one a good step */
+	float surplus;             /* joules: this joint's part of the energy that steps have gained: stages/joint_swing.c */
+	uint32_t until;            /* the step until which what failed is not tried again */
+	uint16_t span;             /* ... which was so many steps after the failure; 0: nothing has failed */
+	uint16_t soft;             /* 1: it is soft until then; 0: it may be solved directly, but not by RATTLE */
 } cni_joint_trust;
 
 typedef struct cni_joint {

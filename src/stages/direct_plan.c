@@ -90,7 +90,7 @@ static int32_t joint_may_take_most(const cn_world *world, const cni_joint_work *
 
 static int32_t is_left_soft(const cn_world *world, const cni_joint_work *w)
 {
-	return world->joints_soft_step > world->step_count && w->record->trust.soft_step > world->step_count;
+	return world->joints_soft_step > world->step_count && w->record->trust.soft && w->record->trust.until > world->step_count;
 }
 
 static int32_t work_is_eligible(const cn_world *world, const cni_joint_work *w)

@@ -74,6 +74,21 @@ static void joints_release(cn_world *world, cni_sparse *sparse, cni_component *c
 	c->done = 1;
 }
 
+/* ... and for some time. */
+static void joints_fail(cn_world *world, cni_sparse *sparse, cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_joint_trust *t;
+		if (sparse->nodes[k].owner < 0)
+			continue;
+		t = &cni_joint_at(world, cni_joint_works(world)[sparse->nodes[k].owner].joint)->trust;
+		cni_trust_fail(t, world->step_count, 1);
+		world->joints_soft_step = t->until > world->joints_soft_step ? t->until : world->joints_soft_step;
+	}
+	joints_release(world, sparse, c);
+}
+
 int32_t cni_direct_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k, i, joints = 0;
@@ -423,7 +438,7 @@ void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *
 void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c)
 {
 	if (!(c->active ? cni_active_answer(world, s, s->direct, c) : cni_direct_apply(world, s->direct, c)))
-		joints_release(world, s->direct, c);
+		joints_fail(world, s->direct, c);
 }
 
 void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)

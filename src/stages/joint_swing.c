@@ -44,8 +44,6 @@
 #define SUBSTEPS_ROD_MOST 32.0f /* ... and rods, which nothing helps */
 #define SUBSTEPS_RETRY 64      /* most that a step is retried with */
 #define SUBSTEPS_FIRM 16       /* of the projection */
-#define TRUST_SPAN 256         /* steps: longest that one failure is remembered */
-#define TRUST_SOFT 16          /* times that span is a component soft that the projection could not hold */
 
 /* ---- which components ---- */
 
@@ -647,15 +645,17 @@ static cni_joint_trust *trust_of(const swing *g, int32_t node)
 	return &cni_joint_at(g->world, work_of(g, node)->joint)->trust;
 }
 
-/* Of a component: the sum of their accounts, the longest of their spans. */
+/* Of a component: the sum of their accounts, the longest of their spans, the latest of their ends. */
 static cni_joint_trust trust_read(const swing *g)
 {
 	cni_joint_trust sum = { 0.0f, 0, 0, 0 };
+	uint32_t step = g->world->step_count;
 	int32_t k;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		const cni_joint_trust *t = trust_of(g, k);
 		sum.surplus += t->surplus;
-		sum.left = (uint16_t)cni_max_i(sum.left, t->left);
+		if (t->span > 0 && (sum.span == 0 || (int32_t)(t->until - step) > (int32_t)(sum.until - step)))
+			sum.until = t->until;
 		sum.span = (uint16_t)cni_max_i(sum.span, t->span);
 	}
 	return sum;
@@ -670,13 +670,6 @@ static void trust_write(const swing *g, const cni_joint_trust *trust)
 		*t = *trust;
 		t->surplus = surplus;
 	}
-}
-
-/* RATTLE has failed, or the projection. */
-static void trust_fail(cni_joint_trust *t)
-{
-	t->span = (uint16_t)cni_min_i(cni_max_i(2 * t->span, 2), TRUST_SPAN);
-	t->left = t->span;
 }
 
 /* All substeps, or as many as go well. */
@@ -762,15 +755,14 @@ static int32_t project_try(swing *g, const cni_solve *s, cni_component *c, cni_j
 static void swing_release(const swing *g, const cni_solve *s, cni_joint_trust *t)
 {
 	int32_t k, i;
-	t->soft_step = g->world->step_count + (uint32_t)(TRUST_SOFT * t->span);
+	cni_trust_fail(t, g->world->step_count, 1);
 	t->surplus = 0.0f;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_work_prepare(g->world, s, g->sparse->nodes[k].owner);
 		for (i = 0; i < work_of(g, k)->row_count; ++i)
 			work_of(g, k)->rows[i].impulse = 0.0f; /* what could not be held has grown beyond all measure */
 	}
-	if (g->world->joints_soft_step < t->soft_step)
-		g->world->joints_soft_step = t->soft_step;
+	g->world->joints_soft_step = t->until > g->world->joints_soft_step ? t->until : g->world->joints_soft_step;
 }
 
 /* Returns 1 when a step by RATTLE went well, with as many substeps as it needs. */
@@ -791,17 +783,16 @@ static void swing_run(cn_world *world, const cni_solve *s, cni_component *c, flo
 	swing g = { world, s->direct, c, cni_motions(world), s->h, CLOSED * world->settings.length_unit, 0.0f, left, 0.5f, 0.0f, 0.0f };
 	float rods, last_h = s->warm_scale > 0.0f ? s->h / s->warm_scale : s->h; /* of which the records' impulses are */
 	cni_joint_trust trust = trust_read(&g);
+	int32_t projects;
 	cni_direct_turns(world, g.sparse, c);
 	rods = cni_tension_rods(world, g.sparse, c, last_h);
 	cni_tension_find(world, g.sparse, c, last_h);
 	cni_direct_motions_keep(world, g.sparse, c, 0);
 	c->done = 1;
-	if (trust.left == 0 && rattle_run(&g, s, c, substeps_of(&g, s, rods), &trust)) {
-		trust.span = (uint16_t)cni_max_i(trust.span - 1, 0);
-	} else {
-		if (trust.left == 0)
-			trust_fail(&trust);
-		--trust.left;
+	projects = trust.span > 0 && trust.until > world->step_count;
+	if (projects || !rattle_run(&g, s, c, substeps_of(&g, s, rods), &trust)) {
+		if (!projects)
+			cni_trust_fail(&trust, world->step_count, 0);
 		if (project_try(&g, s, c, &trust) != CLOSED_WELL) {
 			step_undo(&g);
 			swing_release(&g, s, &trust);
