@@ -22,7 +22,6 @@ typedef struct cni_island {
 	float rest_time;       /* scratch of the sleep stage: least sleep_time of its bodies */
 	int32_t number;        /* scratch of a step that numbers its islands */
 	uint32_t numbered_step; /* step + 1 in which it was numbered last */
-	uint32_t joints_soft_step; /* until which its joints are soft: stages/joint_swing.c */
 	int32_t tier;          /* CNI_TIER_; these are of stages/tiers.c */
 	int32_t good_steps;    /* directly solved ones since something was wrong */
 	int32_t stay_steps;    /* good ones until it is given back to the soft solver, 0: as few as can be */

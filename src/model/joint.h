@@ -25,6 +25,14 @@ enum {
 };
 static inline int32_t cni_joint_is_constraint(int32_t type) { return type >= CNI_JOINT_ANGLE; }
 
+/* What direct solving remembers of a component: its joints carry it, so that islands may merge and split. */
+typedef struct cni_joint_trust {
+	float surplus;             /* joules: this joint's part of the energy that steps have gained: stages/joint_swing.c */
+	uint32_t until;            /* the step until which what failed is not tried again */
+	uint16_t span;             /* ... which was so many steps after the failure; 0: nothing has failed */
+	uint16_t soft;             /* 1: it is soft until then; 0: it may be solved directly, but not by RATTLE */
+} cni_joint_trust;
+
 typedef struct cni_joint {
 	int32_t type;              /* CN_JOINT_REVOLUTE ... CNI_JOINT_LINE */
 	uint32_t flags;            /* CN_JOINT_* */
@@ -41,6 +49,7 @@ typedef struct cni_joint {
 	float force_max, torque_max;      /* of the same; 0: no bound */
 	float break_force, break_torque;  /* 0: never */
 	float p[CNI_JOINT_NUMBERS]; /* the type's own numbers; see the type's file */
+	cni_joint_trust trust;
 	uint64_t user_data;
 } cni_joint;
 

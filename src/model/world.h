@@ -142,7 +142,7 @@ struct cn_world {
 	int32_t island_count;
 	uint32_t split_step;         /* until which no island is split */
 
-	uint32_t joints_soft_step;   /* until which some island's joints are soft */
+	uint32_t joints_soft_step;   /* until which some joints are soft: stages/joint_swing.c */
 	uint32_t joined_step;        /* step + 1 in which there were islands of stages/contact_joined.c last */
 	int32_t settled;             /* 1: at the end of the last step some body had been slow for as long as it takes to fall asleep */
 	int32_t piles_new;           /* 1: in this step a contact began to bear */

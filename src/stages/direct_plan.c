@@ -90,11 +90,7 @@ static int32_t joint_may_take_most(const cn_world *world, const cni_joint_work *
 
 static int32_t is_left_soft(const cn_world *world, const cni_joint_work *w)
 {
-	int32_t island;
-	if (world->joints_soft_step <= world->step_count)
-		return 0;
-	island = cni_joint_island(world, w->ia, w->ib);
-	return island != CNI_NONE && cni_island_at(world, island)->joints_soft_step > world->step_count;
+	return world->joints_soft_step > world->step_count && w->record->trust.soft && w->record->trust.until > world->step_count;
 }
 
 static int32_t work_is_eligible(const cn_world *world, const cni_joint_work *w)

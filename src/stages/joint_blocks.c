@@ -74,8 +74,7 @@ void cni_joint_works_complete(const cn_world *world, const cni_sparse *sparse, c
 	}
 }
 
-/* A wide work is solved by rows after all; a plain one stays as it is. */
-static void work_narrow(cn_world *world, const cni_solve *s, int32_t k)
+void cni_joint_work_narrow(cn_world *world, const cni_solve *s, int32_t k)
 {
 	cni_joint_work *w = cni_joint_works(world) + k;
 	if (!(w->flags & CNI_WORK_WIDE))
@@ -351,7 +350,7 @@ static void pressed_works_leave(cn_world *world, const cni_solve *s)
 		const cni_component *c = &s->direct->components[k];
 		for (n = c->begin; c->presses && n < c->end; ++n)
 			if (s->direct->nodes[n].owner >= 0)
-				work_narrow(world, s, s->direct->nodes[n].owner);
+				cni_joint_work_narrow(world, s, s->direct->nodes[n].owner);
 	}
 }
 
@@ -366,7 +365,7 @@ static void components_gather(cn_world *world, const cni_solve *s, cni_lane_spri
 		if (owner < 0 || (cni_joint_works(world)[owner].flags & which) != (CNI_WORK_WIDE | CNI_WORK_DIRECT))
 			continue; /* a contact, a row, or done with */
 		if (!lane_take(world, s, spring, owner))
-			work_narrow(world, s, owner);
+			cni_joint_work_narrow(world, s, owner);
 	}
 }
 
@@ -407,7 +406,7 @@ static int32_t lanes_gather(cn_world *world, const cni_solve *s)
 		if ((w->flags & CNI_WORK_WIDE) && lane_take(world, s, &spring, k))
 			continue;
 		if (w->flags & CNI_WORK_WIDE)
-			work_narrow(world, s, k);
+			cni_joint_work_narrow(world, s, k);
 		++left;
 	}
 	return left;

@@ -18,6 +18,8 @@
 /* Loops, the two points of a contact, and piles with several ways to bear the same say much twice: their diagonal grows by
    this part. */
 #define REGULAR 1e-4f
+#define REGULAR_STEP 10.0f /* times: a system that is still as good as singular */
+#define REGULAR_MOST 0.05f /* ... until joints are about as soft as soft ones */
 #define LEAK 1e-5f         /* ... and their rows give way by this part of it to their whole impulses */
 
 /* ---- components ---- */
@@ -60,10 +62,27 @@ static void joints_release(cn_world *world, cni_sparse *sparse, cni_component *c
 	int32_t k;
 	++sparse->released;
 	for (k = c->begin; k < c->end; ++k)
-		if (sparse->nodes[k].owner >= 0)
+		if (sparse->nodes[k].owner >= 0) {
 			cni_joint_works(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_WORK_DIRECT;
+			cni_joint_works(world)[sparse->nodes[k].owner].inner = 0;
+		}
 	c->swings = 0;
 	c->done = 1;
+}
+
+/* ... and for some time. */
+static void joints_fail(cn_world *world, cni_sparse *sparse, cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_joint_trust *t;
+		if (sparse->nodes[k].owner < 0)
+			continue;
+		t = &cni_joint_at(world, cni_joint_works(world)[sparse->nodes[k].owner].joint)->trust;
+		cni_trust_fail(t, world->step_count, 1);
+		world->joints_soft_step = t->until > world->joints_soft_step ? t->until : world->joints_soft_step;
+	}
+	joints_release(world, sparse, c);
 }
 
 int32_t cni_direct_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c)
@@ -94,11 +113,23 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 	cni_sparse_clear(sparse, c);
 	cni_direct_turns(world, sparse, c);
 	cni_tension_find(world, sparse, c, s->h);
-	if (cni_tension_needs_dampers(world, sparse, c, s->h))
+	c->active = !c->presses && cni_active_begin(world, s, sparse, c);
+	if (c->active || cni_tension_needs_dampers(world, sparse, c, s->h))
 		c->width = CNI_NODE_ROWS;
+	cni_direct_system(world, s, sparse, c);
+}
+
+void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
+{
+	if (c->active)
+		cni_active_clear(world, sparse, c);
 	cni_tension_damp(world, sparse, c, s->h);
 	c->joints = cni_direct_levers(world, sparse, c);
-	if (!c->presses)
+	if (c->active)
+		cni_active_levers(world, sparse, c);
+	if (c->presses)
+		c->factored = 0;
+	else
 		cni_sparse_factor(sparse, c, cni_motions(world));
 }
 
@@ -316,19 +347,92 @@ static void leaks_add(const cn_world *world, cni_sparse *sparse, const cni_compo
 	}
 }
 
+/* ---- solutions that are checked ---- */
+
+static void impulses_take_back(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k)
+		for (i = 0; i < sparse->nodes[k].rows && sparse->nodes[k].owner >= 0; ++i)
+			cni_joint_works(world)[sparse->nodes[k].owner].rows[i].impulse -= sparse->nodes[k].x[i];
+}
+
+static void sides_keep(cni_sparse *sparse, const cni_component *c, int32_t back)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		memcpy(back ? n->x : n->carried, back ? n->carried : n->x, sizeof n->x);
+	}
+}
+
+static float inverse_or_zero(float x)
+{
+	return x > 0.0f ? 1.0f / x : 0.0f;
+}
+
+/*
+ * With A = K + C, b the right sides and A x = b, the change of velocity M^-1 J^T x has twice the kinetic energy x K x <= x A x =
+ * x b: no solution gives more than its right sides ask for. One that does comes of pivots that were rounding.
+ */
+static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	float asked = 0.0f, given = 0.0f, all = 0.0f;
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k)
+		for (i = 0; i < c->width; ++i)
+			asked += sparse->nodes[k].carried[i] * sparse->nodes[k].x[i];
+	for (k = c->body_begin; k < c->body_end; ++k) {
+		const cni_motion *m = cni_motions(world) + sparse->bodies[k], *old = sparse->saved + k;
+		float mass = inverse_or_zero(m->inv_mass), inertia = inverse_or_zero(m->inv_inertia);
+		float vx = m->vx - old->vx, vy = m->vy - old->vy, w = m->w - old->w;
+		given += mass * (vx * vx + vy * vy) + inertia * w * w;
+		all += mass * (old->vx * old->vx + old->vy * old->vy) + inertia * old->w * old->w;
+	}
+	return given <= 1.1f * asked + 1e-6f * all; /* and what is not a number is not */
+}
+
+/* Loops say much twice, so that their systems may be as good as singular. One whose solution is beyond its bound is solved again
+   with a larger diagonal, which it keeps for this step. */
+int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
+{
+	if (!c->loops) {
+		if (!cni_sparse_solve(sparse, c))
+			return 0;
+		cni_direct_push(world, sparse, c);
+		return 1;
+	}
+	sides_keep(sparse, c, 0);
+	for (;;) {
+		cni_direct_motions_keep(world, sparse, c, 0);
+		if (cni_sparse_solve(sparse, c)) {
+			cni_direct_push(world, sparse, c);
+			if (is_bounded(world, sparse, c))
+				return 1;
+			cni_direct_motions_keep(world, sparse, c, 1);
+			impulses_take_back(world, sparse, c);
+		}
+		if (c->regular > REGULAR_MOST)
+			return 0;
+		c->regular *= REGULAR_STEP;
+		cni_sparse_factor(sparse, c, cni_motions(world));
+		sides_keep(sparse, c, 1);
+	}
+}
+
 void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
 {
 	right_sides(world, s->direct, c, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f, s->push_speed);
 	if (bias && c->loops && !c->presses)
 		leaks_add(world, s->direct, c);
+	if (c->active)
+		cni_active_sides(world, s, s->direct, c, bias);
 }
 
 void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c)
 {
-	if (cni_sparse_solve(s->direct, c))
-		cni_direct_push(world, s->direct, c);
-	else
-		joints_release(world, s->direct, c);
+	if (!(c->active ? cni_active_answer(world, s, s->direct, c) : cni_direct_apply(world, s->direct, c)))
+		joints_fail(world, s->direct, c);
 }
 
 void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)
@@ -341,12 +445,7 @@ void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, in
 static void component_turn(cn_world *world, const cni_solve *s, cni_component *c)
 {
 	cni_direct_turns(world, s->direct, c);
-	cni_tension_damp(world, s->direct, c, s->h);
-	(void)cni_direct_levers(world, s->direct, c);
-	if (c->presses)
-		c->factored = 0;
-	else
-		cni_sparse_factor(s->direct, c, cni_motions(world));
+	cni_direct_system(world, s, s->direct, c);
 }
 
 /* ---- a substep ---- */

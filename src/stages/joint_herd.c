@@ -26,7 +26,7 @@ int32_t cni_component_herds(const cn_world *world, const cni_solve *s, cni_spars
 		return 0;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_joint_work *w = &cni_joint_works(world)[sparse->nodes[k].owner];
-		if (!(w->flags & CNI_WORK_WIDE) || !cni_joint_fits_lane(world, s, w))
+		if (!(w->flags & CNI_WORK_WIDE) || (w->record->flags & CN_JOINT_MOTOR) || !cni_joint_fits_lane(world, s, w))
 			return 0;
 	}
 	cni_tension_find_pins(world, sparse, c, s->h);

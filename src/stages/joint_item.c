@@ -234,6 +234,7 @@ void cni_joint_work_begin(cn_world *world, int32_t k, const cni_joint *j)
 	w->joint = ((const int32_t *)world->awake_joints.data)[k];
 	w->lane = w->row_lane = CNI_NONE;
 	w->form = CNI_FORM_NONE;
+	w->inner = 0;
 	w->ia = j->body[0] == CNI_NONE ? 0 : cni_body_at(world, j->body[0])->awake;
 	w->ib = j->body[1] == CNI_NONE ? 0 : cni_body_at(world, j->body[1])->awake;
 	w->flags = work_flags(j);

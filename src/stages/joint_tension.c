@@ -65,6 +65,26 @@ void cni_tension_find(const cn_world *world, cni_sparse *sparse, const cni_compo
 	}
 }
 
+/* Of rods between bodies: f / l against a body's mass. A chain of them swings at up to the square root of twice the sum at a body. */
+float cni_tension_rods(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
+{
+	float inv_h = 1.0f / h, most = 0.0f;
+	int32_t k;
+	pulls_clear(sparse, c);
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_joint_work *w = &cni_joint_works(world)[sparse->nodes[k].owner];
+		float stiffness;
+		if (w->record->type != CN_JOINT_DISTANCE || w->record->p[CNI_P_LENGTH] <= 0.0f)
+			continue;
+		stiffness = cni_abs(w->rows[0].impulse) * inv_h / w->record->p[CNI_P_LENGTH];
+		sparse->pull[w->ia] += stiffness;
+		sparse->pull[w->ib] += stiffness;
+	}
+	for (k = c->body_begin; k < c->body_end; ++k)
+		most = cni_max(most, sparse->pull[sparse->bodies[k]] * cni_motions(world)[sparse->bodies[k]].inv_mass);
+	return 2.0f * most;
+}
+
 float cni_tension_stiffness(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	float most = 0.0f;
@@ -118,7 +138,7 @@ int32_t cni_tension_lock(const cn_world *world, const cni_sparse *sparse, cni_co
 	int32_t k, found = 0;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		if (n->rows != 2 || is_fixed(world, n->ia) || is_fixed(world, n->ib) ||
+		if (n->rows != 2 || cni_joint_works(world)[n->owner].inner > 0 || is_fixed(world, n->ia) || is_fixed(world, n->ib) ||
 		    (cni_abs(motions[n->ia].w) <= most && cni_abs(motions[n->ib].w) <= most) || cni_abs(motions[n->ib].w - motions[n->ia].w) <= 0.5f * most)
 			continue;
 		c->width = CNI_NODE_ROWS;

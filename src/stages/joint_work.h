@@ -45,6 +45,7 @@ typedef struct cni_joint_work {
 	int32_t row_count;
 	int32_t rigid_count;       /* the first rows: rigid or drive */
 	int32_t next_plain;        /* the next that is solved by rows */
+	int32_t inner;             /* which of the rows that are not rigid is solved with them: stages/joint_active.c; 0: none */
 	int32_t lane;              /* block * CNI_LANES + lane of a pin, CNI_NONE: solved by rows alone */
 	int32_t form;              /* CNI_FORM_*, 0: none. It has no rows here until it is solved directly, or finds no lane: stages/joint_rows.h */
 	int32_t row_lane;          /* ... block * CNI_LANES + lane of rows, CNI_NONE */
@@ -174,6 +175,20 @@ void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_compo
 void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias);
 /* From there to impulses; or its joints are solved by themselves from now on. */
 void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c);
+/* What failed is not tried again for a time that doubles when it fails again soon. Of a joint, or what joints have in common. */
+#define CNI_TRUST_LEAST 2      /* steps */
+#define CNI_TRUST_MOST 256
+static inline void cni_trust_fail(cni_joint_trust *t, uint32_t step, int32_t soft)
+{
+	int32_t lately = t->span > 0 && (int32_t)(step - t->until) < CNI_TRUST_MOST;
+	t->span = (uint16_t)(lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST);
+	t->until = step + t->span;
+	t->soft = (uint16_t)soft;
+}
+/* Right sides to impulses; a system that says much twice is checked. 0: there is no good solution, and nothing was done. */
+int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c);
+/* Levers, dampers and factors, at the bodies' present turns. */
+void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 /* Both. */
 void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias);
 /* Joints that contacts would open by more than this part of the accuracy in a substep are closed before positions move,
@@ -183,7 +198,22 @@ void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, in
 /* What contacts may part: stages/joint_close.c. */
 void cni_close_mark(const cn_world *world, cni_sparse *sparse);
 
+/* ---- motors and limits in the system: stages/joint_active.c ---- */
+
+/* Chooses which; their works are solved by rows. Returns 1 when there are any. */
+int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
+/* No third levers of nodes with a motor or limit, before dampers; then those of which it is in the set. */
+void cni_active_clear(const cn_world *world, cni_sparse *sparse, const cni_component *c);
+void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c);
+/* Their right sides, after the others'. */
+void cni_active_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);
+/* From right sides to impulses. 0: not finite. */
+int32_t cni_active_answer(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
+
 /* ---- wide works: stages/joint_blocks.c ---- */
+
+/* A wide work is solved by rows after all; a plain one stays as it is. */
+void cni_joint_work_narrow(cn_world *world, const cni_solve *s, int32_t k);
 
 struct cni_lanes_look; /* stages/joint_pass.h */
 /* The work of place k, as a step begins, if it can be solved in a lane; 0: it cannot. A lane that is kept is filled. Workers may
@@ -214,6 +244,8 @@ uint64_t cni_herd_bytes(int32_t joints);
 void cni_tension_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 /* The same of pins that have no rows yet, at the beginning of a step. */
 void cni_tension_find_pins(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
+/* The same stiffness of rods, which turn: squared radians a second. Writes over what cni_tension_find found. */
+float cni_tension_rods(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 /* The largest sum(r.f) / I, after cni_tension_find: squared radians a second. */
 float cni_tension_stiffness(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* Is that too stiff for substeps of length h, or nearly? */

@@ -34,14 +34,15 @@ typedef struct cni_node {
 	int32_t ia, ib;                    /* dense indices of its bodies, 0: static or the world */
 	int32_t owner;                     /* the caller's */
 	int32_t rows;                      /* 1 to 3 */
-	uint32_t held;                     /* of a contact: bits of the rows whose levers are set */
+	uint32_t held;                     /* of a contact: bits of the rows whose levers are set; of a joint: stages/joint_active.c */
 	cni_lever lever[CNI_NODE_ROWS];    /* rows beyond `rows` are zero */
 	float compliance[CNI_NODE_ROWS];   /* added to the diagonal */
 	float cross;                       /* ... and between its first two rows */
 	float least[CNI_NODE_ROWS];        /* least pivots: less is rounding */
 	float x[CNI_NODE_ROWS];            /* right hand side in, solution out */
 	float carried[CNI_NODE_ROWS];      /* impulses that a pass began with */
-	float total[CNI_NODE_ROWS];        /* solutions so far, where there are several */
+	float total[CNI_NODE_ROWS];        /* solutions so far, where there are several; of joints with motors: speeds that are asked for */
+	float wanted;                      /* ... and that of the third row: stages/joint_active.c */
 } cni_node;
 
 /* What is planned: a node's bodies (dense indices, 0: static or the world) and how many rows it has. */
@@ -76,6 +77,7 @@ typedef struct cni_component {
 	int32_t calm;                  /* ... nothing was pushed in this substep */
 	int32_t factored;              /* ... and its pivots are those of the levers */
 	int32_t joints;                /* of stages/joint_direct.c: how many of its nodes are joints */
+	int32_t active;                /* 1: some have motors or limits in it: stages/joint_active.c */
 	int32_t kind;                  /* those of one kind are alike: stages/sparse_kind.c; CNI_NONE */
 	int32_t herds;                 /* 1: solved beside others of its kind: stages/joint_herd.c */
 	int32_t herd, lane;            /* ... where */

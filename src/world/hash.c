@@ -2,7 +2,7 @@
  * world/hash.c - one number for the state of a world (FNV-1a: Fowler, Noll, Vo, 1991).
  *
  * Values are hashed as little-endian bytes whatever the machine's order, so that histories can be compared
- * between machines. Order: bodies by slot, then touching contacts by slot.
+ * between machines. Order: bodies by slot, then touching contacts by slot, then joints by slot that remember something.
  */
 #include "world/error.h"
 
@@ -50,6 +50,18 @@ static uint64_t hash_contact(uint64_t hash, const cn_world *world, int32_t conta
 	return hash;
 }
 
+static uint64_t hash_joint(uint64_t hash, const cn_world *world, int32_t joint)
+{
+	const cni_joint_trust *t = &cni_joint_at(world, joint)->trust;
+	int32_t waits = t->span > 0 && t->until > world->step_count;
+	if (t->surplus == 0.0f && t->span == 0)
+		return hash;
+	hash = hash_word(hash, (uint32_t)joint);
+	hash = hash_float(hash, t->surplus);
+	hash = hash_word(hash, waits ? t->until - world->step_count : 0);
+	return hash_word(hash, (uint32_t)t->span << 16 | t->soft);
+}
+
 cn_result cn_world_hash(const cn_world *world, uint64_t *out_hash)
 {
 	cni_call call = cni_enter_const(world);
@@ -65,6 +77,10 @@ cn_result cn_world_hash(const cn_world *world, uint64_t *out_hash)
 	for (k = 0; k < world->contact_used; ++k)
 		if (cni_contact_at(world, k)->flags & CNI_CONTACT_TOUCHING)
 			hash = hash_contact(hash, world, k);
+	count = cni_handles_used(&world->joint_handles);
+	for (k = 0; k < count; ++k)
+		if (cni_handles_alive(&world->joint_handles, k))
+			hash = hash_joint(hash, world, k);
 	*out_hash = hash;
 	return CN_OK;
 }
