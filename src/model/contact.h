@@ -20,7 +20,8 @@
  * lane's normal is the opposite of the contact's.
  *
  * A lane (units: metres, seconds, kilograms; n normal from lane a to lane b, t = (ny, -nx), r from the
- * centre of mass to the contact point, all at the beginning of the step):
+ * centre of mass to the contact point, all at the beginning of the step; arms are of the true normal, nx and ny may lag behind
+ * it: CNI_NORMAL_LAG):
  *   at = ra.t, d = ra - rb, dt = d.t (so rb.t = at - dt)
  *   s0 separation, nm = 1 / (n K n), jn accumulated normal impulse, load what of it is there all the time
  *   fa, fb arms of the friction point along n from the two centres; tm = 1 / (t K t) there, jt accumulated
