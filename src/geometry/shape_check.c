@@ -30,7 +30,8 @@ float cni_least_distance(const cni_vec2 *points, int32_t count, int32_t closed)
 
 static int32_t points_apart(const cni_vec2 *points, int32_t count, int32_t closed, float tolerance)
 {
-	return cni_least_distance(points, count, closed) > tolerance;
+	float distance = cni_least_distance(points, count, closed);
+	return distance > 0.0f && distance >= tolerance * (1.0f - 1.0e-4f); /* what rounds to the tolerance is taken */
 }
 
 static const char *const text_points = "coordinates must be finite and within 1e6 m";

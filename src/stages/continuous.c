@@ -9,8 +9,8 @@
  * Most bodies have nothing static about them, which the narrowphase saw; they are not looked at any further. Those that stay
  * within their boxes can meet only what they have contacts with.
  * A shape that merely rests on or slides along something keeps its core clear of it, so nothing catches. A body whose core is at
- * something static already, where an earlier step stopped it, gives up its turn and what leads farther in, and slides on: a contact
- * that counts on the turn may do nothing, and the body would hang there while its speed grows.
+ * something static already, where an earlier step stopped it, gives up the speed of its point there, and slides and turns on: else a
+ * contact that counts on the turn may do nothing, and the body would hang there while its speed grows.
  *
  * Bodies are shared among the workers. What stops one that is no bullet depends on no other body; bullets come after them, in
  * order.
@@ -19,6 +19,7 @@
  */
 #include "base/bitset.h"
 #include "base/cpu.h"
+#include "geometry/distance.h"
 #include "geometry/toi.h"
 #include "stages/solver.h"
 #if CNI_HAS_WIDE_4
@@ -53,22 +54,33 @@ typedef struct core_shape {
 	cni_vec2 points[2 * CN_POLYGON_MAX_VERTICES];
 } core_shape;
 
-/* Moves each vertex inwards so that the edges move by depth. */
+/* Moves each vertex inwards so that the edges move by depth; the tip of a wedge by no more than half of its way to the centroid. */
 static void polygon_shrink(core_shape *core, float depth)
 {
 	const int32_t n = core->geometry.count;
 	const cni_vec2 *normals = core->points + n;
 	int32_t k;
 	for (k = 0; k < n; ++k) {
-		cni_vec2 before = normals[(k + n - 1) % n], after = normals[k];
-		float scale = depth / cni_max(1.0f + cni_dot(before, after), 0.1f);
-		core->points[k] = cni_sub(core->points[k], cni_mul(scale, cni_add(before, after)));
+		cni_vec2 sum = cni_add(normals[(k + n - 1) % n], normals[k]);
+		float length_sq = cni_length_sq(sum); /* twice 1 + cosine of the angle between the normals */
+		float most = 0.5f * cni_sqrt(cni_distance_sq(core->points[k], core->geometry.centroid) / cni_max(length_sq, FLT_MIN));
+		core->points[k] = cni_sub(core->points[k], cni_mul(cni_min(2.0f * depth / cni_max(length_sq, FLT_MIN), most), sum));
 	}
 }
 
-static void core_make(const cni_geometry *g, core_shape *core)
+/*
+ * By how much the core of a shape is smaller: half of its inner radius. A shape rests on a contact that gives way by up to
+ * SAG_PER_SLOP; the core of a thin one, which would come down to what it rests on and hang there, is smaller by that, too.
+ */
+#define SAG_PER_SLOP 0.04f /* 0.2 mm: g / (2 pi 30 Hz)^2 is 0.28 mm for a body as light as its contact, 0.07 mm for most */
+static float core_depth(const cni_geometry *g, float slop)
 {
-	float depth = 0.5f * g->inner_radius, from_radius = cni_min(depth, g->radius);
+	return cni_max(0.5f * g->inner_radius, cni_min(0.9f * g->inner_radius, SAG_PER_SLOP * slop));
+}
+
+static void core_make(const cni_geometry *g, float slop, core_shape *core)
+{
+	float depth = core_depth(g, slop), from_radius = cni_min(depth, g->radius);
 	memcpy(core, g, (size_t)cni_geometry_bytes(g->type, g->count));
 	core->geometry.radius = g->radius - from_radius;
 	if (g->type == CN_SHAPE_POLYGON && depth > from_radius)
@@ -86,7 +98,7 @@ typedef struct clamp {
 	float fraction;      /* of the path that is free so far */
 	int32_t met;         /* awake index of the dynamic body at its end, else 0 */
 	cni_vec2 normal;     /* nothing is free at all: of what is met */
-	float into;          /* ... how far the path leads into it */
+	cni_vec2 arm;        /* ... from the body's centre to where it is met */
 } clamp;
 
 static cni_path body_path(const cni_body *b, cni_vec2 from, float dpx, float dpy, float theta)
@@ -107,7 +119,7 @@ static void core_begin(clamp *c, const cni_geometry *g)
 	const cni_path *p = &c->path;
 	cni_aabb way = { cni_min(p->start.x, p->end.x), cni_min(p->start.y, p->end.y), cni_max(p->start.x, p->end.x), cni_max(p->start.y, p->end.y) };
 	float rounding = CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
-	core_make(g, &c->core);
+	core_make(g, c->world->settings.slop, &c->core);
 	c->reach = cni_box_fatten(way, b->extent - (g->radius - c->core.geometry.radius) + rounding + c->world->settings.slop);
 }
 
@@ -133,11 +145,27 @@ static int32_t other_stops(const clamp *c, int32_t proxy)
 	return cni_contact_allowed(world, c->proxy, proxy);
 }
 
-/* How far b goes away from a along the normal. */
+/* How far the foremost point of a shape moves along the normal. */
+static float path_lifts_by(const cni_geometry *g, int32_t child, const cni_path *path, cni_vec2 normal)
+{
+	cni_vec2 storage[2], from = cni_unrotate(path->q, normal), to;
+	cni_proxy_points set = cni_geometry_proxy(g, child, storage);
+	cni_transform end = cni_path_at(path, 1.0f);
+	float low_from = FLT_MAX, low_to = FLT_MAX;
+	int32_t k;
+	to = cni_unrotate(end.q, normal);
+	for (k = 0; k < set.count; ++k) {
+		cni_vec2 arm = cni_sub(set.points[k], path->local_center);
+		low_from = cni_min(low_from, cni_dot(arm, from));
+		low_to = cni_min(low_to, cni_dot(arm, to));
+	}
+	return cni_dot(cni_sub(path->end, path->start), normal) + (low_to - low_from);
+}
+
+/* By how much more b is in front of a along the normal, which separates them now, when both paths have been gone. */
 static float path_leaves_by(const cni_toi_input *in, cni_vec2 normal)
 {
-	cni_vec2 a = cni_sub(in->path_a.end, in->path_a.start), b = cni_sub(in->path_b.end, in->path_b.start);
-	return cni_dot(cni_sub(b, a), normal);
+	return path_lifts_by(in->b, in->child_b, &in->path_b, normal) + path_lifts_by(in->a, in->child_a, &in->path_a, cni_neg(normal));
 }
 
 /*
@@ -145,7 +173,7 @@ static float path_leaves_by(const cni_toi_input *in, cni_vec2 normal)
  * that stopped it, may come half as near again, and no nearer than a hundredth of the tolerance: there it is held
  * until it leaves. One that starts overlapping is left to its contacts.
  */
-static float free_fraction(cni_toi_input *in, cni_vec2 *normal)
+static float free_fraction(cni_toi_input *in, cni_vec2 *normal, cni_vec2 *arm)
 {
 	float least = 0.01f * in->tolerance;
 	cni_toi_result hit = cni_toi(in);
@@ -158,8 +186,10 @@ static float free_fraction(cni_toi_input *in, cni_vec2 *normal)
 	}
 	if (hit.state == CNI_TOI_HIT && hit.fraction == 0.0f && (hit.distance <= 0.0f || path_leaves_by(in, hit.normal) > 0.0f))
 		return 1.0f;
-	if (hit.state == CNI_TOI_HIT)
+	if (hit.state == CNI_TOI_HIT) {
 		*normal = hit.normal;
+		*arm = cni_sub(hit.point, in->path_b.start);
+	}
 	return hit.state == CNI_TOI_HIT || hit.state == CNI_TOI_FAILED ? hit.fraction : 1.0f;
 }
 
@@ -172,7 +202,7 @@ static float visit(void *context, int32_t proxy, float limit)
 	const cni_body *other;
 	const cni_motion *motion;
 	cni_toi_input in;
-	cni_vec2 normal = { 0.0f, 0.0f };
+	cni_vec2 normal = { 0.0f, 0.0f }, arm = { 0.0f, 0.0f };
 	float free;
 	if (!other_stops(c, proxy) || ((p->flags & CNI_PROXY_STATIC) && !core_reaches(c, &p->fat))) /* nothing else of them is read */
 		return limit;
@@ -187,12 +217,12 @@ static float visit(void *context, int32_t proxy, float limit)
 	in.path_b = c->path;
 	in.target = 0.5f * world->settings.slop;
 	in.tolerance = 0.25f * world->settings.slop;
-	free = free_fraction(&in, &normal);
+	free = free_fraction(&in, &normal, &arm);
 	if (free < c->fraction) {
 		c->fraction = free;
 		c->met = other->type == CN_BODY_DYNAMIC ? other->awake : 0;
 		c->normal = normal;
-		c->into = -path_leaves_by(&in, normal);
+		c->arm = arm;
 	}
 	return limit;
 }
@@ -257,17 +287,28 @@ static void clamp_look(clamp *c, cn_world *world, int32_t body, int32_t what)
 	}
 }
 
-/* The path leads along the surface then, and out by what floats can tell. What is given up of it goes from the velocities too. */
+/*
+ * What is met takes the speed at which the body's point there comes nearer, as an impulse at that point: the body slides on,
+ * and turns about it. Its path follows, and leads out by what it bends inwards and by what floats can tell.
+ */
 static void motion_slide(cni_motion *m, const clamp *c)
 {
-	float out = c->into + 4.0f * FLT_EPSILON * (cni_abs(m->dpx) + cni_abs(m->dpy));
-	float speed = cni_min(m->vx * c->normal.x + m->vy * c->normal.y, 0.0f);
-	m->dpx += out * c->normal.x;
-	m->dpy += out * c->normal.y;
-	m->theta = 0.0f;
-	m->vx -= speed * c->normal.x;
-	m->vy -= speed * c->normal.y;
-	m->w = 0.0f;
+	cni_vec2 n = c->normal;
+	cni_path path;
+	float arm = cni_cross(c->arm, n), mass = cni_max(m->inv_mass + m->inv_inertia * arm * arm, FLT_MIN);
+	float speed = cni_max(-(m->vx * n.x + m->vy * n.y + m->w * arm), 0.0f) / mass;
+	float way = cni_max(-(m->dpx * n.x + m->dpy * n.y + m->theta * arm), 0.0f) / mass, out;
+	m->vx += speed * m->inv_mass * n.x;
+	m->vy += speed * m->inv_mass * n.y;
+	m->w += speed * m->inv_inertia * arm;
+	m->dpx += way * m->inv_mass * n.x;
+	m->dpy += way * m->inv_mass * n.y;
+	m->theta += way * m->inv_inertia * arm;
+	path = body_path(c->body, cni_v(c->body->cx, c->body->cy), m->dpx, m->dpy, m->theta);
+	out = cni_max(-path_lifts_by(&c->core.geometry, 0, &path, n), 0.0f);
+	out += 4.0f * FLT_EPSILON * (cni_abs(m->dpx) + cni_abs(m->dpy) + cni_abs(m->theta) * c->body->extent);
+	m->dpx += out * n.x;
+	m->dpy += out * n.y;
 }
 
 static int32_t may_slide(const clamp *c)

@@ -274,11 +274,11 @@ void cni_refuse_near(cni_call *call, const cn_vec2 *points, int32_t count, int32
 	if (call->result != CN_OK)
 		return;
 	refuse_float_begin(call, "distance of points_m", distance, &text);
-	cni_text_string(&text, "; must be above ");
+	cni_text_string(&text, "; must be from ");
 	cni_text_float(&text, call->world->settings.thickness_least);
 	if (!(distance > 0.0f))
 		return;
-	cni_text_string(&text, " (0.05% of the length unit) and at most 1e6; a world with cn_world_def.length_unit_m below ");
+	cni_text_string(&text, " (0.05% of the length unit) to 1e6; a world with cn_world_def.length_unit_m up to ");
 	cni_text_float(&text, distance / CNI_THICKNESS_LEAST);
 	cni_text_string(&text, " takes it");
 }
