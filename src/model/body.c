@@ -204,7 +204,7 @@ static uint8_t swing_pack(float swing, float extent)
 static void shape_measure(const cn_world *world, cni_body *b, const cni_geometry *g)
 {
 	b->extent = cni_max(b->extent, g->extent);
-	b->core = cni_min(b->core, cni_max(g->inner_radius, world->settings.slop));
+	b->core = cni_min(b->core, g->inner_radius > 0.0f ? g->inner_radius : world->settings.slop);
 }
 
 static void measure_shapes(const cn_world *world, cni_body *b)

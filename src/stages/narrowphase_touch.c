@@ -16,14 +16,20 @@ static int32_t record_is_of_motion(const cn_world *world, const cni_body *b)
 }
 #endif
 
+/* Inner radius of the thinner shape; edges and chains have none. */
+static float thinner_radius(const cni_manifold_input *in)
+{
+	float a = in->a->inner_radius, b = in->b->inner_radius;
+	return cni_min(a > 0.0f ? a : FLT_MAX, b > 0.0f ? b : FLT_MAX);
+}
+
 /*
  * In a pack of thin shapes four slops would reach over several of them, and each would touch many: half a thickness does not
  * reach over one. With something static a pair starts to fall within the step; where both move, gravity takes both along.
  */
 static float pair_margin(const cn_world *world, const cni_body *a, const cni_body *b, const cni_manifold_input *in, float dt)
 {
-	float inner_a = in->a->inner_radius > 0.0f ? in->a->inner_radius : FLT_MAX, inner_b = in->b->inner_radius > 0.0f ? in->b->inner_radius : FLT_MAX;
-	float thin = cni_min(inner_a, inner_b), most = world->settings.contact_margin;
+	float thin = thinner_radius(in), most = world->settings.contact_margin;
 	if (thin >= most)
 		return most;
 	if (a->awake == 0 || b->awake == 0)
@@ -91,7 +97,7 @@ static float depth_ahead(const cni_manifold *out, const cni_pair_motion *m, cons
  */
 static int32_t shadows_graze(const cni_manifold_input *in, const cni_pair_motion *m, const cni_body *a, const cni_body *b, float depth, float dt)
 {
-	float speed = cni_length(m->v), hair = 0.1f * in->slop;
+	float speed = cni_length(m->v), hair = 0.1f * in->slop, most;
 	float turn = dt * (cni_abs(m->wa) * (a->extent - in->a->radius) + cni_abs(m->wb) * (b->extent - in->b->radius));
 	cni_transform along, b_along;
 	cni_aabb box_a, box_b;
@@ -104,7 +110,8 @@ static int32_t shadows_graze(const cni_manifold_input *in, const cni_pair_motion
 	b_along.t = cni_rotate(along.q, in->b_in_a.t);
 	box_a = cni_geometry_aabb(in->a, in->child_a, along);
 	box_b = cni_geometry_aabb(in->b, in->child_b, b_along);
-	return cni_min(box_a.y1, box_b.y1) - cni_max(box_a.y0, box_b.y0) + turn <= (depth > hair ? in->slop : -hair);
+	most = depth > hair ? cni_min(in->slop, 0.5f * thinner_radius(in)) : -hair; /* a thin shape that comes on end is no graze */
+	return cni_min(box_a.y1, box_b.y1) - cni_max(box_a.y0, box_b.y0) + turn <= most;
 }
 
 static cni_path path_make(const cni_body *b, cni_vec2 from, const cni_motion *m, float dt)

@@ -52,7 +52,7 @@ ENTRY(cn_shape_create_polygon, cn_shape_create_polygon(W, (reset(), &sd), &polyg
 	INTEGER(x, 2, 17, cn_shape_create_polygon(W, &sd, PO(count, x), OUT(cn_shape))); NOT_NEGATIVE(x, cn_shape_create_polygon(W, &sd, PO(radius_m, x), OUT(cn_shape)));
 	VECTOR(v, cn_shape_create_polygon(W, &sd, PO(points_m[2], v), OUT(cn_shape)));
 	ARG(cn_shape_create_polygon(W, &sd, PO(points_m[2], v2(-0.4f, -0.4f)), OUT(cn_shape)));
-	ARG(cn_shape_create_polygon(W, &sd, PO(points_m[2], v2(0.5f, -0.499f)), OUT(cn_shape)));
+	ARG(cn_shape_create_polygon(W, &sd, PO(points_m[2], v2(0.5f, -0.4997f)), OUT(cn_shape)));
 	ARG(cn_shape_create_polygon(W, &sd, PO(points_m[2], v2(-0.5f, 0.501f)), OUT(cn_shape)));)
 ENTRY(cn_shape_create_box, cn_shape_create_box(W, (reset(), &sd), 1.0f, 2.0f, 0.1f, NULL),
 	bad_shape_defs(call_box, 1); NOW(cn_shape_create_box(NULL, &sd, 1.0f, 2.0f, 0.1f, OUT(cn_shape))); reset();
