@@ -37,7 +37,7 @@ static int32_t chain_neighbour(const cni_geometry *g, int32_t index)
 {
 	if (index >= 0 && index < g->count)
 		return index;
-	if (!g->loop)
+	if (!g->seams)
 		return CNI_NONE;
 	return index < 0 ? index + g->count : index - g->count;
 }

@@ -16,7 +16,7 @@ int32_t cni_geometry_children(const cni_geometry *g)
 {
 	if (g->type != CN_SHAPE_CHAIN)
 		return 1;
-	return g->loop ? g->count : g->count - 1;
+	return g->seams ? g->count : g->count - 1;
 }
 
 static cni_vec2 *points_write(cni_geometry *g)
@@ -29,7 +29,7 @@ static void header_write(cni_geometry *out, int32_t type, int32_t count, float r
 	out->type = type;
 	out->count = count;
 	out->radius = radius;
-	out->loop = 0;
+	out->seams = 0;
 	out->inner_radius = 0.0f;
 }
 
@@ -129,7 +129,7 @@ void cni_geometry_polygon(cni_geometry *out, const cn_polygon *polygon, cni_tran
 void cni_geometry_chain(cni_geometry *out, const cn_chain *chain, cni_transform offset)
 {
 	header_write(out, CN_SHAPE_CHAIN, chain->count, 0.0f);
-	out->loop = chain->loop != 0;
+	out->seams = chain->loop;
 	cni_vec2 *p = points_write(out);
 	for (int32_t i = 0; i < chain->count; ++i)
 		p[i] = cni_transform_point(offset, chain->points_m[i]);

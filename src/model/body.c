@@ -299,6 +299,10 @@ void cni_body_refresh_boxes(cn_world *world, int32_t body)
 			if (proxy == CNI_NONE)
 				break;
 			tight = cni_geometry_aabb(cni_shape_geometry(&world->blocks, s), child, x);
+			if (b->type == CN_BODY_STATIC) {
+				cni_seams_change(world, &cni_proxy_at(world, proxy)->fat);
+				cni_seams_change(world, &tight);
+			}
 			if (cni_aabb_contains(&cni_proxy_at(world, proxy)->fat, &tight))
 				continue;
 			fat = cni_box_fatten(tight, cni_box_margin(world, b->type, &tight));

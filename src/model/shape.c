@@ -60,6 +60,12 @@ cn_result cni_proxy_reserve(cn_world *world, int32_t extra)
 	return world->broadphase_ops->reserve(world->broadphase, extra) ? CN_OK : CN_ERROR_MEMORY;
 }
 
+void cni_seams_change(cn_world *world, const cni_aabb *box)
+{
+	world->seams_box = world->seams_changed ? cni_aabb_union(&world->seams_box, box) : *box;
+	world->seams_changed = 1;
+}
+
 static int32_t proxy_take(cn_world *world)
 {
 	int32_t id = world->proxy_free;
@@ -98,6 +104,8 @@ static int32_t proxy_create(cn_world *world, int32_t shape, int32_t child)
 	p->cell = CNI_NONE;
 	p->flags = (uint32_t)child << CNI_PROXY_CHILD_SHIFT | CNI_PROXY_ALIVE | CNI_PROXY_MOVED | (b->type == CN_BODY_STATIC ? (uint32_t)CNI_PROXY_STATIC : 0u);
 	world->broadphase_ops->add(world->broadphase, id);
+	if (b->type == CN_BODY_STATIC)
+		cni_seams_change(world, &p->fat);
 	return id;
 }
 
@@ -133,6 +141,8 @@ void cni_shape_unplace(cn_world *world, int32_t shape)
 	cni_contact_destroy_of_shape(world, shape);
 	for (child = 0; child < s->children; ++child) {
 		int32_t proxy = cni_shape_proxy(world, s, child);
+		if (cni_proxy_at(world, proxy)->flags & CNI_PROXY_STATIC)
+			cni_seams_change(world, &cni_proxy_at(world, proxy)->fat);
 		world->broadphase_ops->remove(world->broadphase, proxy);
 		proxy_release(world, proxy);
 	}
@@ -153,6 +163,8 @@ void cni_shape_look_again(cn_world *world, int32_t shape)
 	for (child = 0; child < s->children; ++child) {
 		cni_proxy *p = cni_proxy_at(world, cni_shape_proxy(world, s, child));
 		uint32_t is_static = cni_body_at(world, s->body)->type == CN_BODY_STATIC ? (uint32_t)CNI_PROXY_STATIC : 0u;
+		if ((p->flags & CNI_PROXY_STATIC) || is_static)
+			cni_seams_change(world, &p->fat);
 		p->flags = (p->flags & ~(uint32_t)CNI_PROXY_STATIC) | is_static;
 		world->broadphase_ops->touch(world->broadphase, cni_shape_proxy(world, s, child));
 	}

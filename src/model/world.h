@@ -98,6 +98,8 @@ struct cn_world {
 	cni_broadphase *broadphase;
 	cni_broadphase_pairs pairs;
 	int32_t pairs_may_repeat;    /* 0 or CNI_PAIRS_ */
+	int32_t seams_changed;       /* 1: fixed shapes came, went, moved or changed since the last step ... */
+	cni_aabb seams_box;          /* ... within this box: see stages/seams.c */
 
 	/* contacts */
 	int32_t contact_used;

@@ -6,6 +6,7 @@
  * point that their motion does not reach is dropped.
  */
 #include "stages/narrowphase_touch.h"
+#include "geometry/seam.h"
 #include "geometry/toi.h"
 
 #if defined(CNI_DEBUG)
@@ -125,6 +126,13 @@ static cni_path path_make(const cni_body *b, cni_vec2 from, const cni_motion *m,
 	return p;
 }
 
+/* A shape that reaches farther than a contact does behind a surface is not on it. */
+static void mend_seams(const cn_world *world, const cni_manifold_input *in, cni_manifold *m)
+{
+	if (m->count > 0 && (cni_seams_of(in->a) | cni_seams_of(in->b)) != 0)
+		cni_seams_mend(in, world->settings.contact_margin, m);
+}
+
 /*
  * A contact that is still ahead: the shapes are moved to where they will first meet, the manifold there is
  * taken, and its points are traced back to now. So a fast body meets the surface that it would really hit,
@@ -158,6 +166,7 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 	in.b_in_a.t = cni_untransform_point(xa, xb.t);
 	in.margin = world->settings.contact_margin;
 	cni_manifold_function(in.a->type, in.b->type)(&in, &cache, &out->manifold);
+	mend_seams(world, &in, &out->manifold);
 	if (out->manifold.count == 0)
 		return;
 	a_now = cni_path_at(&toi.path_a, 0.0f);
@@ -229,6 +238,8 @@ void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
 	const cni_pair_motion *m = &out->motion;
 	float margin = m->margin, nearest, least, sooner, later;
 	cni_vec2 b_center;
+	if (!(out->contact->flags & CNI_CONTACT_SENSOR))
+		mend_seams(world, &out->in, &out->manifold);
 	if (out->manifold.count == 0)
 		return;
 	b_center = cni_transform_point(out->in.b_in_a, b->local_center);

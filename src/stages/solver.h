@@ -98,6 +98,8 @@ cni_soft cni_soft_exact(float hertz, float damping_ratio, float h);
 
 /* Stage 2: new pairs become contacts. Writes contacts, proxies' lists, warnings. */
 void cni_stage_pairs(cn_world *world, float dt);
+/* After stage 2: hidden corners between fixed shapes, where such shapes changed. Writes their geometry. */
+void cni_stage_seams(cn_world *world);
 /* What of stage 3 needs no manifold: lanes whose bodies have hardly moved are brought up to date. The contacts of all
    others go to left, which has room for every lane; returns how many. dt 0: none is followed. */
 int32_t cni_contacts_follow(cn_world *world, float dt, int32_t *left);

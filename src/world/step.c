@@ -103,6 +103,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	cni_sparse direct;
 	int32_t rested;
 	cni_stage_pairs(world, dt);
+	cni_stage_seams(world);
 	profile_mark(world, &profile->broadphase_s, mark);
 	cni_stage_narrowphase(world, dt);
 	profile_mark(world, &profile->narrowphase_s, mark);
@@ -145,6 +146,7 @@ static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
 	}
 	profile_mark(world, &profile->prepare_s, mark);
 	cni_stage_pairs(world, dt);                                    /* 5 */
+	cni_stage_seams(world);
 	profile_mark(world, &profile->broadphase_s, mark);
 	cni_stage_narrowphase(world, 0.0f);                        /* 6 */
 	profile_mark(world, &profile->narrowphase_s, mark);

@@ -42,11 +42,11 @@ ENTRY(cn_shape_create_circle, cn_shape_create_circle(W, (reset(), &sd), &circle,
 ENTRY(cn_shape_create_capsule, cn_shape_create_capsule(W, (reset(), &sd), &capsule, NULL),
 	bad_shape_defs(call_capsule, 1); NOW(cn_shape_create_capsule(NULL, &sd, &capsule, OUT(cn_shape))); ARG(cn_shape_create_capsule(W, &sd, NULL, OUT(cn_shape)));
 	VECTOR(v, cn_shape_create_capsule(W, &sd, CA(a_m, v), OUT(cn_shape))); VECTOR(v, cn_shape_create_capsule(W, &sd, CA(b_m, v), OUT(cn_shape)));
-	POSITIVE(x, cn_shape_create_capsule(W, &sd, CA(radius_m, x), OUT(cn_shape))); ARG(cn_shape_create_capsule(W, &sd, CA(a_m, v2(0.499f, 0.0f)), OUT(cn_shape)));)
+	POSITIVE(x, cn_shape_create_capsule(W, &sd, CA(radius_m, x), OUT(cn_shape))); ARG(cn_shape_create_capsule(W, &sd, CA(a_m, v2(0.4997f, 0.0f)), OUT(cn_shape)));)
 ENTRY(cn_shape_create_edge, cn_shape_create_edge(W, (reset(), &sd), &edge, NULL),
 	bad_shape_defs(call_edge, 0); NOW(cn_shape_create_edge(NULL, &sd, &edge, OUT(cn_shape))); ARG(cn_shape_create_edge(W, &sd, NULL, OUT(cn_shape)));
 	VECTOR(v, cn_shape_create_edge(W, &sd, ED(a_m, v), OUT(cn_shape))); VECTOR(v, cn_shape_create_edge(W, &sd, ED(b_m, v), OUT(cn_shape)));
-	ARG(cn_shape_create_edge(W, &sd, ED(a_m, v2(0.499f, 0.0f)), OUT(cn_shape)));)
+	ARG(cn_shape_create_edge(W, &sd, ED(a_m, v2(0.4997f, 0.0f)), OUT(cn_shape)));)
 ENTRY(cn_shape_create_polygon, cn_shape_create_polygon(W, (reset(), &sd), &polygon, NULL),
 	bad_shape_defs(call_polygon, 1); NOW(cn_shape_create_polygon(NULL, &sd, &polygon, OUT(cn_shape))); ARG(cn_shape_create_polygon(W, &sd, NULL, OUT(cn_shape)));
 	INTEGER(x, 2, 17, cn_shape_create_polygon(W, &sd, PO(count, x), OUT(cn_shape))); NOT_NEGATIVE(x, cn_shape_create_polygon(W, &sd, PO(radius_m, x), OUT(cn_shape)));
