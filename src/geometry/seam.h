@@ -19,8 +19,9 @@ int32_t cni_seams_possible(const cni_geometry *g, float slop);
 uint32_t cni_seams_between(const cni_geometry *g, const cni_geometry *h, cni_transform h_in_g, float slop);
 
 /* in->a or in->b is fixed and has seams. A manifold of a hidden corner becomes one of the surface, or empty where the neighbour
-   has it. depth: how far behind the surface the other shape may reach, metres. */
-void cni_seams_mend(const cni_manifold_input *in, float depth, cni_manifold *m);
+   has it. way: by how much b will have moved relative to a, in a's frame; depth: how far behind the surface the other shape may
+   reach, metres. */
+void cni_seams_mend(const cni_manifold_input *in, cni_vec2 way, float depth, cni_manifold *m);
 
 static inline uint32_t cni_seams_of(const cni_geometry *g)
 {

@@ -127,10 +127,10 @@ static cni_path path_make(const cni_body *b, cni_vec2 from, const cni_motion *m,
 }
 
 /* A shape that reaches farther than a contact does behind a surface is not on it. */
-static void mend_seams(const cn_world *world, const cni_manifold_input *in, cni_manifold *m)
+static void mend_seams(const cn_world *world, const cni_manifold_input *in, cni_vec2 way, cni_manifold *m)
 {
 	if (m->count > 0 && (cni_seams_of(in->a) | cni_seams_of(in->b)) != 0)
-		cni_seams_mend(in, world->settings.contact_margin, m);
+		cni_seams_mend(in, way, world->settings.contact_margin, m);
 }
 
 /*
@@ -166,7 +166,7 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 	in.b_in_a.t = cni_untransform_point(xa, xb.t);
 	in.margin = world->settings.contact_margin;
 	cni_manifold_function(in.a->type, in.b->type)(&in, &cache, &out->manifold);
-	mend_seams(world, &in, &out->manifold);
+	mend_seams(world, &in, cni_mul((1.0f - hit.fraction) * dt, out->motion.v), &out->manifold);
 	if (out->manifold.count == 0)
 		return;
 	a_now = cni_path_at(&toi.path_a, 0.0f);
@@ -239,7 +239,7 @@ void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
 	float margin = m->margin, nearest, least, sooner, later;
 	cni_vec2 b_center;
 	if (!(out->contact->flags & CNI_CONTACT_SENSOR))
-		mend_seams(world, &out->in, &out->manifold);
+		mend_seams(world, &out->in, cni_mul(dt, m->v), &out->manifold);
 	if (out->manifold.count == 0)
 		return;
 	b_center = cni_transform_point(out->in.b_in_a, b->local_center);
