@@ -78,14 +78,18 @@ static float core_depth(const cni_geometry *g, float slop)
 	return cni_max(0.5f * g->inner_radius, cni_min(0.9f * g->inner_radius, SAG_PER_SLOP * slop));
 }
 
-static void core_make(const cni_geometry *g, float slop, core_shape *core)
+static void core_make(const cni_geometry *g, float depth, core_shape *core)
 {
-	float depth = core_depth(g, slop), from_radius = cni_min(depth, g->radius);
+	float from_radius = cni_min(depth, g->radius);
 	memcpy(core, g, (size_t)cni_geometry_bytes(g->type, g->count));
 	core->geometry.radius = g->radius - from_radius;
 	if (g->type == CN_SHAPE_POLYGON && depth > from_radius)
 		polygon_shrink(core, depth - from_radius);
 }
+
+/* A core is stopped within this part of its depth, half as much again with the tolerance: what slides, its contacts giving way by
+   SAG_PER_SLOP, stays clear of the edges of what is flush with its ground. */
+#define CLEAR_PART 0.2f
 
 typedef struct clamp {
 	cn_world *world;
@@ -94,6 +98,7 @@ typedef struct clamp {
 	int32_t proxy;       /* of the shape that moves */
 	cni_path path;
 	core_shape core;
+	float depth;         /* of the core in its shape */
 	cni_aabb reach;      /* contains the core all the way, and what is so near that it stops it; relative to the body's centre */
 	float fraction;      /* of the path that is free so far */
 	int32_t met;         /* awake index of the dynamic body at its end, else 0 */
@@ -119,7 +124,8 @@ static void core_begin(clamp *c, const cni_geometry *g)
 	const cni_path *p = &c->path;
 	cni_aabb way = { cni_min(p->start.x, p->end.x), cni_min(p->start.y, p->end.y), cni_max(p->start.x, p->end.x), cni_max(p->start.y, p->end.y) };
 	float rounding = CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
-	core_make(g, c->world->settings.slop, &c->core);
+	c->depth = core_depth(g, c->world->settings.slop);
+	core_make(g, c->depth, &c->core);
 	c->reach = cni_box_fatten(way, b->extent - (g->radius - c->core.geometry.radius) + rounding + c->world->settings.slop);
 }
 
@@ -215,8 +221,10 @@ static float visit(void *context, int32_t proxy, float limit)
 	motion = cni_motions(world) + other->awake; /* the dummy for static ones */
 	in.path_a = body_path(other, cni_v(c->body->cx, c->body->cy), motion->dpx, motion->dpy, motion->theta);
 	in.path_b = c->path;
-	in.target = 0.5f * world->settings.slop;
-	in.tolerance = 0.25f * world->settings.slop;
+	in.target = cni_min(0.5f * world->settings.slop, CLEAR_PART * c->depth);
+	if (!(c->depth > 0.0f))
+		in.target = 0.5f * world->settings.slop;
+	in.tolerance = 0.5f * in.target;
 	free = free_fraction(&in, &normal, &arm);
 	if (free < c->fraction) {
 		c->fraction = free;

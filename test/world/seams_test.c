@@ -304,6 +304,31 @@ static void falls_along_a_wall(void)
 	CHECK_LE("moved from the wall", aside, 5e-3, "m");
 }
 
+/* Cards of 0.5 to 10 mm over tiles of 0.5 m: their cores are near the ground. */
+static void thin_cards_slide_on(void)
+{
+	static const float thicknesses[] = { 0.0005f, 0.001f, 0.002f, 0.005f, 0.01f }, speeds[] = { 1.0f, 3.0f, 10.0f, 40.0f };
+	double worst = 0.0;
+	int32_t i, k;
+	for (i = 0; i < 20; ++i) {
+		float thickness = thicknesses[i / 4], speed = speeds[i % 4];
+		cn_world *world = fixture_world(-10.0f, 0);
+		cn_shape_def def = fixture_shape_def(fixture_body(world, CN_BODY_STATIC, 0.0f, 0.0f, 0.0f), 0.0f, 0.0f);
+		cn_body card;
+		def.offset_m.y = -0.25f;
+		for (k = -2; k < 90; ++k) {
+			def.offset_m.x = 0.5f * (float)k;
+			fixture_box_shape(world, &def, 0.25f, 0.25f);
+		}
+		card = fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 0.5f * thickness, 0.0f, 0.1f, 0.5f * thickness, 0.0f, 0.0f);
+		fixture_set_velocity(world, card, speed, 0.0f, 0.0f);
+		fixture_step(world, 60);
+		worst = fmax(worst, fabs((double)(fixture_pose(world, card).position_m.x / speed) - 1.0));
+		cn_world_destroy(world);
+	}
+	CHECK_LE("way of a second, relative error", worst, 1e-3, "");
+}
+
 /* How far a box gets that slides at 4 m/s from one tile to the next in a second. what: 0 nothing, 1 the first one is let down by
    15 mm before, 2 it is replaced by a lower one. */
 static double way_over_two_tiles(int32_t what)
@@ -345,6 +370,7 @@ int main(int argc, char **argv)
 	RUN(friction_is_that_of_one_floor);
 	RUN(steps_stop);
 	RUN(falls_along_a_wall);
+	RUN(thin_cards_slide_on);
 	RUN(what_is_moved_or_replaced_is_looked_at_anew);
 	return test_end();
 }
