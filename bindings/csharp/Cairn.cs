@@ -1583,7 +1583,7 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_shape_def_init(cn_shape_def* def);
 
-		/// <summary>out_shape may be NULL in all of these. Points closer than 0.5% of the length unit are degenerate.</summary>
+		/// <summary>out_shape may be NULL in all of these. Points closer than 0.05% of the length unit are degenerate.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_create_circle(cn_world* world, cn_shape_def* def, cn_circle* circle, cn_shape* out_shape);
 

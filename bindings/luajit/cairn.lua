@@ -968,7 +968,7 @@ cn_result cn_world_write_velocities(cn_world *world, const cn_body *bodies, int3
 // since. Built on the first call after a step: O(awake bodies) then.
 cn_result cn_world_moved(cn_world *world, const cn_body_moved **out_moved, int32_t *out_count);
 void cn_shape_def_init(cn_shape_def *def);
-// out_shape may be NULL in all of these. Points closer than 0.5% of the length unit are degenerate.
+// out_shape may be NULL in all of these. Points closer than 0.05% of the length unit are degenerate.
 cn_result cn_shape_create_circle(cn_world *world, const cn_shape_def *def, const cn_circle *circle, cn_shape *out_shape);
 cn_result cn_shape_create_capsule(cn_world *world, const cn_shape_def *def, const cn_capsule *capsule, cn_shape *out_shape);
 cn_result cn_shape_create_edge(cn_world *world, const cn_shape_def *def, const cn_edge *edge, cn_shape *out_shape);

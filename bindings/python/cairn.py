@@ -1047,7 +1047,7 @@ cn_world_write_velocities = _function("cn_world_write_velocities", cn_result, _c
 # since. Built on the first call after a step: O(awake bodies) then.
 cn_world_moved = _function("cn_world_moved", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.POINTER(cn_body_moved)), _c.POINTER(_c.c_int32))
 cn_shape_def_init = _function("cn_shape_def_init", None, _c.POINTER(cn_shape_def))
-# out_shape may be NULL in all of these. Points closer than 0.5% of the length unit are degenerate.
+# out_shape may be NULL in all of these. Points closer than 0.05% of the length unit are degenerate.
 cn_shape_create_circle = _function("cn_shape_create_circle", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape_def), _c.POINTER(cn_circle), _c.POINTER(cn_shape))
 cn_shape_create_capsule = _function("cn_shape_create_capsule", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape_def), _c.POINTER(cn_capsule), _c.POINTER(cn_shape))
 cn_shape_create_edge = _function("cn_shape_create_edge", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape_def), _c.POINTER(cn_edge), _c.POINTER(cn_shape))

@@ -1368,7 +1368,7 @@ pub extern fn cn_world_write_velocities(world: ?*cn_world, bodies: [*c]const cn_
 /// since. Built on the first call after a step: O(awake bodies) then.
 pub extern fn cn_world_moved(world: ?*cn_world, out_moved: [*c][*c]const cn_body_moved, out_count: [*c]i32) cn_result;
 pub extern fn cn_shape_def_init(def: [*c]cn_shape_def) void;
-/// out_shape may be NULL in all of these. Points closer than 0.5% of the length unit are degenerate.
+/// out_shape may be NULL in all of these. Points closer than 0.05% of the length unit are degenerate.
 pub extern fn cn_shape_create_circle(world: ?*cn_world, def: [*c]const cn_shape_def, circle: [*c]const cn_circle, out_shape: [*c]cn_shape) cn_result;
 pub extern fn cn_shape_create_capsule(world: ?*cn_world, def: [*c]const cn_shape_def, capsule: [*c]const cn_capsule, out_shape: [*c]cn_shape) cn_result;
 pub extern fn cn_shape_create_edge(world: ?*cn_world, def: [*c]const cn_shape_def, edge: [*c]const cn_edge, out_shape: [*c]cn_shape) cn_result;
