@@ -30,9 +30,10 @@ static float thinner_radius(const cni_manifold_input *in)
  */
 static float pair_margin(const cn_world *world, const cni_body *a, const cni_body *b, const cni_manifold_input *in, float dt)
 {
-	float thin = thinner_radius(in), most = world->settings.contact_margin;
-	if (thin >= most)
+	float most = world->settings.contact_margin, thin;
+	if (in->a->inner_radius >= most && in->b->inner_radius >= most)
 		return most;
+	thin = thinner_radius(in);
 	if (a->awake == 0 || b->awake == 0)
 		thin += cni_length(world->settings.gravity) * dt * dt;
 	return cni_min(thin, most);
@@ -124,6 +125,12 @@ static cni_path path_make(const cni_body *b, cni_vec2 from, const cni_motion *m,
 	p.turn = dt * m->w;
 	p.local_center = b->local_center;
 	return p;
+}
+
+/* Hidden corners, or a loop: most have none. */
+static inline int32_t may_have_seams(const cni_manifold_input *in)
+{
+	return (in->a->seams | in->b->seams) != 0;
 }
 
 /* A shape that reaches farther than a contact does behind a surface is not on it. */
@@ -238,7 +245,9 @@ void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
 	const cni_pair_motion *m = &out->motion;
 	float margin = m->margin, nearest, least, sooner, later;
 	cni_vec2 b_center;
-	if (!(out->contact->flags & CNI_CONTACT_SENSOR))
+	if (out->manifold.count == 0)
+		return; /* in may be empty */
+	if (may_have_seams(&out->in) && !(out->contact->flags & CNI_CONTACT_SENSOR))
 		mend_seams(world, &out->in, cni_mul(dt, m->v), &out->manifold);
 	if (out->manifold.count == 0)
 		return;
