@@ -78,9 +78,9 @@ static int32_t body_accelerates(const cni_body *b, const cni_motion *m, const cn
 }
 
 /* Without what damping takes away: that brings a body to rest and never turns it round. */
-static int32_t body_gains(const cn_world *world, cni_body *b, const cni_motion *m, float dt)
+static int32_t body_gains(const cn_world *world, cni_body *b, const cni_motion *m, uint32_t drive_flags, float dt)
 {
-	float linear = dt * b->linear_damping, angular = dt * b->angular_damping;
+	float damped = drive_flags & CNI_DRIVE_DAMPED ? dt : 0.0f, linear = damped * b->linear_damping, angular = damped * b->angular_damping;
 	cni_gain_limits limits = cni_gain_limits_make(world, dt);
 	return cni_body_gains(b, m->vx - b->vx + linear * m->vx, m->vy - b->vy + linear * m->vy, m->w - b->w + angular * m->w, &limits);
 }
@@ -94,7 +94,7 @@ static uint32_t body_rest(cn_world *world, cni_body *b, int32_t k, const cni_sol
 	float turn = m->w * b->extent;
 	if (m->vx * m->vx + m->vy * m->vy <= slow * slow && turn * turn <= slow * slow && (b->flags & CN_BODY_SLEEP) &&
 	    (b->type != CN_BODY_KINEMATIC || (m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f)) &&
-	    !body_accelerates(b, m, cni_starts(world) + k, d, s->h) && !body_gains(world, b, m, s->dt))
+	    !body_accelerates(b, m, cni_starts(world) + k, d, s->h) && !body_gains(world, b, m, d->flags, s->dt))
 		b->sleep_time += s->dt;
 	else
 		b->sleep_time = 0.0f;
