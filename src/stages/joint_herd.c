@@ -30,7 +30,7 @@ static int32_t motor_is_strong(const cn_world *world, const cni_solve *s, const 
 /* May it have to be locked in this step (cni_tension_lock), which herds cannot? */
 static int32_t turns_fast(const cn_world *world, const cni_solve *s, const cni_joint_work *w)
 {
-	float most = CNI_CLOSE_TURN_RAD * s->inv_h;
+	float most = CNI_SNAP_RAD * s->inv_h;
 	return cni_abs(cni_motions(world)[w->ia].w) > most || cni_abs(cni_motions(world)[w->ib].w) > most;
 }
 
