@@ -113,7 +113,7 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 	cni_sparse_clear(sparse, c);
 	cni_direct_turns(world, sparse, c);
 	cni_tension_find(world, sparse, c, s->h);
-	c->active = !c->presses && cni_active_begin(world, s, sparse, c);
+	c->active = !c->presses && c->kind == CNI_NONE && cni_active_begin(world, s, sparse, c);
 	if (c->active || cni_tension_needs_dampers(world, sparse, c, s->h))
 		c->width = CNI_NODE_ROWS;
 	cni_direct_system(world, s, sparse, c);
@@ -245,8 +245,10 @@ static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 			joints_release(world, out, c);
 		else if (c->swings)
 			cni_sparse_clear(out, c);
-		else if (!(c->herds = cni_component_joined(out, c) == NULL && cni_component_herds(world, s, out, c)))
+		else if (!(c->herds = cni_component_joined(out, c) == NULL && cni_component_herds(world, s, out, c))) {
+			c->kind = CNI_NONE;
 			cni_direct_begin(world, s, out, c);
+		}
 	}
 	cni_herds_make(world, s, out);
 	cni_presses_take(world, out);
@@ -463,6 +465,10 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 			component_release(world, s->direct, c);
 		if (!c->presses)
 			cni_direct_joints(world, s, c, bias);
+		if (bias && !c->presses && !c->done && !c->active && c->kind == CNI_NONE && cni_tension_lock(world, s->direct, c, s->h)) {
+			cni_sparse_factor(s->direct, c, cni_motions(world));
+			cni_direct_joints(world, s, c, bias);
+		}
 	}
 	for (k = 0; s->direct != NULL && k < s->direct->joined_count; ++k)
 		cni_joined_round(world, s, &s->direct->joined[k], bias);

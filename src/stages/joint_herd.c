@@ -19,6 +19,21 @@
 
 /* ---- which components ---- */
 
+/* Does its bound let a motor turn the two bodies at its joint out of the tangent in a substep, which is what it may do wrong when
+   it is solved in turn with the pins? Then it is one of their system: stages/joint_active.c. */
+static int32_t motor_is_strong(const cn_world *world, const cni_solve *s, const cni_joint_work *w)
+{
+	float free = cni_motions(world)[w->ia].inv_inertia + cni_motions(world)[w->ib].inv_inertia;
+	return (w->record->flags & CN_JOINT_MOTOR) && w->record->p[CNI_P_MOTOR_MAX] * s->h * s->h * free > CNI_CLOSE_TURN_RAD;
+}
+
+/* May it have to be locked in this step (cni_tension_lock), which herds cannot? */
+static int32_t turns_fast(const cn_world *world, const cni_solve *s, const cni_joint_work *w)
+{
+	float most = CNI_SNAP_RAD * s->inv_h;
+	return cni_abs(cni_motions(world)[w->ia].w) > most || cni_abs(cni_motions(world)[w->ib].w) > most;
+}
+
 int32_t cni_component_herds(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
@@ -26,7 +41,7 @@ int32_t cni_component_herds(const cn_world *world, const cni_solve *s, cni_spars
 		return 0;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_joint_work *w = &cni_joint_works(world)[sparse->nodes[k].owner];
-		if (!(w->flags & CNI_WORK_WIDE) || (w->record->flags & CN_JOINT_MOTOR) || !cni_joint_fits_lane(world, s, w))
+		if (!(w->flags & CNI_WORK_WIDE) || motor_is_strong(world, s, w) || turns_fast(world, s, w) || !cni_joint_fits_lane(world, s, w))
 			return 0;
 	}
 	cni_tension_find_pins(world, sparse, c, s->h);

@@ -197,7 +197,7 @@ static void solve_work(cni_joint_work *w, cni_motion *motions, const cni_solve *
 	int32_t k;
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		cni_row *r = &w->rows[k];
-		if (k == w->inner)
+		if (w->inner > 0 && k == w->inner)
 			continue;
 		if (r->kind == CNI_ROW_MOTOR)
 			solve_motor(r, w->numbers->single_mass[k], a, b, s);

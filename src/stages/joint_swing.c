@@ -40,6 +40,7 @@
 #define GAP_OLD 100.0f          /* times CLOSED: a gap that this step has not made */
 #define CLOSING_RATE 0.2f      /* part of an old gap that is closed in a substep */
 #define ENERGY_GAIN 0.01f      /* part of the kinetic energy that a step may take out: more is a step that failed */
+#define ROUNDING 1e-3f         /* part of the kinetic energy that some minutes of rounding may gain */
 #define SUBSTEPS_MOST 8.0f     /* to follow pins, which dampers help beyond that */
 #define SUBSTEPS_ROD_MOST 32.0f /* ... and rods, which nothing helps */
 #define SUBSTEPS_RETRY 64      /* most that a step is retried with */
@@ -624,7 +625,7 @@ static float energy_take(const swing *g, float surplus)
 	rigid_motion r = rigid_of(g);
 	float inner = inner_energy(g, &r), part, keep;
 	int32_t k;
-	if (!(inner > 0.0f))
+	if (!(inner > 0.0f && inner < FLT_MAX))
 		return 0.0f;
 	part = cni_min(surplus / inner, ENERGY_GAIN);
 	keep = cni_sqrt(1.0f - part);
@@ -695,9 +696,12 @@ static int32_t substeps_run(swing *g, const cni_solve *s, int32_t substeps, int3
 /* What a step gained goes to the account, and what is too much for it out of the motion. */
 static void account(const swing *g, cni_joint_trust *t, float gained)
 {
-	t->surplus = cni_max(t->surplus + gained, -g->speeding);
-	if (t->surplus > g->speeding)
-		t->surplus -= energy_take(g, t->surplus - g->speeding);
+	float most = g->speeding + ROUNDING * kinetic(g);
+	t->surplus = cni_max(t->surplus + gained, -most);
+	if (!(t->surplus < FLT_MAX)) /* no account can be kept of what floats cannot hold */
+		t->surplus = 0.0f;
+	if (t->surplus > most)
+		t->surplus -= energy_take(g, t->surplus - most);
 }
 
 /* A step by RATTLE with so many substeps. */

@@ -16,7 +16,6 @@
 #include "stages/joint_work.h"
 
 #define XI_MOST 1.0f
-#define SNAP_MOST_RAD 0.1f /* that a body may turn in a substep, with one that does not */
 
 static void pulls_clear(cni_sparse *sparse, const cni_component *c)
 {
@@ -134,7 +133,7 @@ void cni_tension_damp(const cn_world *world, cni_sparse *sparse, const cni_compo
 int32_t cni_tension_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float h)
 {
 	const cni_motion *motions = cni_motions(world);
-	float most = SNAP_MOST_RAD / h;
+	float most = CNI_SNAP_RAD / h;
 	int32_t k, found = 0;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];

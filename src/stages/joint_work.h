@@ -195,6 +195,8 @@ void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, in
    also for arms that turn by more than this angle in it and so leave the tangent. */
 #define CNI_CLOSE_PART CNI_BAD_PART
 #define CNI_CLOSE_TURN_RAD 0.02f
+/* A body that turns by more than this in a substep may have to be locked to its neighbours: cni_tension_lock. */
+#define CNI_SNAP_RAD 0.1f
 /* What contacts may part: stages/joint_close.c. */
 void cni_close_mark(const cn_world *world, cni_sparse *sparse);
 

@@ -438,6 +438,7 @@ void cni_sparse_clear(cni_sparse *s, const cni_component *c)
 		memset(n->x, 0, sizeof n->x);
 		memset(n->carried, 0, sizeof n->carried);
 		memset(n->total, 0, sizeof n->total);
+		n->wanted = 0.0f;
 	}
 }
 

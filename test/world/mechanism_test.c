@@ -1,0 +1,180 @@
+/*
+ * test/world/mechanism_test.c - joints that are solved directly never do worse than soft ones: whips, even and uneven
+ * steps, motors and limits behind heavy linkages, loops that say much twice.
+ *
+ * If a test here fails, run world/direct first. Then look in: stages/joint_swing.c (chains: energy, projection),
+ * stages/joint_active.c (motors, limits), stages/joint_direct.c (nets: the check of a solution).
+ */
+#include "direct.h"
+
+/* ---- chains with heavy ends, through whips ---- */
+
+static uint32_t next_random(uint32_t *state)
+{
+	*state = *state * 1664525u + 1013904223u;
+	return *state >> 8;
+}
+
+/* 0 to 1 */
+static double part(uint32_t *state)
+{
+	return (double)next_random(state) / 16777216.0;
+}
+
+static cn_body weighing(scene *s, cn_body body, float mass)
+{
+	weigh(s, body, mass / mass_of(s->world, body).mass_kg);
+	return keep(s, body);
+}
+
+/* Neither collides with anything. */
+static cn_body ball(scene *s, float x, float radius, float mass)
+{
+	cn_body body = fixture_body(s->world, CN_BODY_DYNAMIC, x, 0.0f, 0.0f);
+	cn_shape_def def = fixture_shape_def(body, 0.5f, 0.0f);
+	cn_circle circle = { { 0.0f, 0.0f }, 0.0f };
+	circle.radius_m = radius;
+	def.filter.group = -1;
+	must(cn_shape_create_circle(s->world, &def, &circle, NULL), s->world, "cn_shape_create_circle");
+	return weighing(s, body, mass);
+}
+
+static cn_body bar(scene *s, float x, float y, float half_x, float half_y, float mass)
+{
+	cn_body body = fixture_body(s->world, CN_BODY_DYNAMIC, x, y, 0.0f);
+	cn_shape_def def = fixture_shape_def(body, 0.5f, 0.0f);
+	def.filter.group = -1;
+	fixture_box_shape(s->world, &def, half_x, half_y);
+	return weighing(s, body, mass);
+}
+
+/* Of rods between balls, or of pinned boxes, each 0.5 m and 0.1 kg; level. */
+static void chain_make(scene *s, int32_t rods, int32_t links, float load)
+{
+	cn_body last = 0;
+	int32_t k;
+	for (k = 0; k < links; ++k) {
+		float x = 0.5f * (float)k;
+		cn_body body = rods ? ball(s, x + 0.5f, 0.1f, k == links - 1 ? load : 0.1f)
+		                    : bar(s, x + 0.25f, 0.0f, 0.25f, 0.05f, 0.1f);
+		if (rods) {
+			cn_distance_def def = distance_def(last, at(0.0f, 0.0f), body, at(0.0f, 0.0f), 0.5f);
+			s->joints[s->joint_count++] = make_distance(s->world, &def);
+		} else {
+			pin(s, last, at(last != 0 ? 0.25f : 0.0f, 0.0f), body, at(-0.25f, 0.0f));
+		}
+		last = body;
+	}
+	if (!rods)
+		pin(s, last, at(0.25f, 0.0f), ball(s, 0.5f * (float)links + 0.25f, 0.25f, load), at(-0.25f, 0.0f));
+}
+
+static void chain_run(int32_t rods, int32_t links, float load, int32_t uneven)
+{
+	scene s = scene_open(GRAVITY, 0, CN_SOLVER_AUTO);
+	double depth = GRAVITY * ((double)load + 0.05 * links) * 0.5 * links, start, apart = 0.0, gain = 0.0;
+	uint32_t state = 12345;
+	int32_t k;
+	chain_make(&s, rods, links, load);
+	start = energy_in(&s);
+	for (k = 0; k < 1200; ++k) {
+		float dt = uneven ? (float)((0.5 + part(&state)) * (double)FRAME_S) : FRAME_S;
+		must(cn_world_step(s.world, dt), s.world, "cn_world_step");
+		apart = greater(apart, anchors_apart(&s));
+		gain = greater(gain, (energy_in(&s) - start) / depth);
+	}
+	printf("  %d %s, load %g kg, %s steps\n", (int)links, rods ? "rods" : "pinned links", (double)load, uneven ? "uneven" : "even");
+	CHECK_LE("greatest distance between anchors", apart, 1e-3, "m");
+	CHECK_LE("energy gained / depth of the swing", gain, 0.03, "");
+	scene_close(&s);
+}
+
+static void chains_whip(void)
+{
+	chain_run(0, 3, 100.0f, 0);
+	chain_run(0, 5, 50.0f, 0);
+	chain_run(0, 3, 200.0f, 1);
+	chain_run(1, 3, 200.0f, 0);
+	chain_run(1, 5, 100.0f, 0);
+	chain_run(1, 8, 200.0f, 1);
+}
+
+/* ---- motors and limits behind linkages ---- */
+
+static void crank_run(float mass, double *out_low, double *out_high)
+{
+	scene s = scene_open(GRAVITY, 0, CN_SOLVER_AUTO);
+	cn_body crank = bar(&s, 0.5f, 0.0f, 0.5f, 0.05f, 1.0f);
+	cn_body rod = bar(&s, 2.5f, 0.0f, 1.5f, 0.05f, 3.0f);
+	cn_body slider = bar(&s, 4.0f, 0.0f, 0.3f, 0.3f, mass);
+	cn_revolute_def motor = revolute_def(0, at(0.0f, 0.0f), crank, at(-0.5f, 0.0f));
+	cn_prismatic_def slide;
+	int32_t k;
+	motor.base.flags |= CN_JOINT_MOTOR;
+	motor.motor_speed_radps = 5.0f;
+	motor.motor_torque_max_Nm = 400.0f * 35.0f * (mass + 4.0f);
+	make_revolute(s.world, &motor);
+	pin(&s, crank, at(0.5f, 0.0f), rod, at(-1.5f, 0.0f));
+	pin(&s, rod, at(1.5f, 0.0f), slider, at(0.0f, 0.0f));
+	cn_prismatic_def_init(&slide);
+	connect(&slide.base, 0, at(4.0f, 0.0f), slider, at(0.0f, 0.0f));
+	make_prismatic(s.world, &slide);
+	*out_low = 1e9;
+	*out_high = -1e9;
+	for (k = 0; k < 360; ++k) {
+		double w;
+		fixture_step(s.world, 1);
+		w = (double)fixture_velocity(s.world, crank).angular_radps;
+		if (k < 120)
+			continue;
+		*out_low = fmin(*out_low, w);
+		*out_high = greater(*out_high, w);
+	}
+	scene_close(&s);
+}
+
+static void motors_turn_cranks(void)
+{
+	const float masses[] = { 30.0f, 100.0f, 300.0f };
+	int32_t k;
+	for (k = 0; k < 3; ++k) {
+		double low, high;
+		crank_run(masses[k], &low, &high);
+		printf("  slider of %g kg\n", (double)masses[k]);
+		CHECK_GE("least speed of a crank driven at 5 rad/s", low, 4.9, "rad/s");
+		CHECK_LE("greatest speed of it", high, 5.1, "rad/s");
+	}
+}
+
+/* Sliders that hang from one another, each at the end of its way. */
+static void limits_hold_loads(void)
+{
+	scene s = scene_open(GRAVITY, 0, CN_SOLVER_AUTO);
+	cn_body last = 0;
+	double far;
+	int32_t k;
+	for (k = 0; k < 8; ++k) {
+		cn_body body = bar(&s, 0.0f, -(float)k - 0.5f, 0.2f, 0.4f, k == 7 ? 100.0f : 0.1f);
+		cn_prismatic_def def;
+		cn_prismatic_def_init(&def);
+		connect(&def.base, last, at(0.0f, last != 0 ? -0.5f : 0.0f), body, at(0.0f, 0.5f));
+		def.axis = at(0.0f, -1.0f);
+		def.base.flags |= CN_JOINT_LIMIT;
+		def.upper_m = 0.3f;
+		s.joints[s.joint_count++] = make_prismatic(s.world, &def);
+		last = body;
+	}
+	fixture_step(s.world, 300);
+	far = -(double)fixture_pose(s.world, last).position_m.y;
+	CHECK_LE("where 1:1000 hangs on 8 limits, off", fabs(far - 7.5 - 8.0 * 0.3), 1e-3, "m");
+	CHECK_LE("greatest distance between anchors", anchors_apart(&s), 1e-3, "m");
+	scene_close(&s);
+}
+
+int main(void)
+{
+	RUN(chains_whip);
+	RUN(motors_turn_cranks);
+	RUN(limits_hold_loads);
+	return test_end();
+}
