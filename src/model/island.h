@@ -41,7 +41,7 @@ typedef struct cni_island {
 	int32_t joined;        /* ... and its place among those */
 	uint32_t cone_step;    /* step + 1 in which its contacts were last solved by stages/contact_cone.c, or from there */
 	uint32_t gives_step;   /* step + 1 in which, solved directly, it last moved where it touches */
-	int32_t gives_steps;   /* ... and in how many before that one without a break */
+	int32_t falls_steps;   /* ... and in how many without a break so fast that it falls */
 	uint32_t net_rest_step; /* step + 1 in which it rested last and a net holds it: stages/joint_coarse.h */
 } cni_island;
 

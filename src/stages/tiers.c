@@ -42,7 +42,7 @@
 #define REFUSED_STEPS 8        /* until a refused island is looked at again; twice as long each time */
 #define REFUSED_MOST 1024
 #define FORGET_FACTOR 8         /* times as long as it was refused, or was to stay: then that begins anew */
-#define FALLS_STEPS 8          /* in which something of it moves where it touches */
+#define FALLS_STEPS 8          /* in which it comes down, until it is left to the soft solver */
 #define STRESS_MOST 15.0f      /* own weights: what bears more is crushed by the soft solver */
 #define BUCKLING 0.055f        /* ... and what bears s of them when s^2 g h^2 is more than this part of its size */
 #define BLOCKS_AT_ONCE 8       /* whose memory is asked for */
@@ -376,7 +376,7 @@ static void lanes_look(cn_world *world, float h)
 /* Has it moved for so long, whatever impulses it could have, that it will? To let it fall exactly is not worth the work. */
 static int32_t falls(const cn_world *world, const cni_island *i)
 {
-	return i->solver != CN_SOLVER_DIRECT && i->gives_step == world->step_count && world->step_count > 0 && i->gives_steps >= FALLS_STEPS;
+	return i->solver != CN_SOLVER_DIRECT && i->gives_step == world->step_count && world->step_count > 0 && i->falls_steps >= FALLS_STEPS;
 }
 
 /* What leans on each other is not given back before it sleeps or moves: soft contacts yield, and it does not come back. */
