@@ -111,6 +111,11 @@ int32_t cni_island_is_refused(const cni_island *i, uint32_t step)
 	return i->refused_steps > 0 && step - i->refused_step < (uint32_t)i->refused_steps;
 }
 
+int32_t cni_island_is_unsolved(const cni_island *i, uint32_t step)
+{
+	return i->tier == CNI_TIER_SOFT && i->reason == CN_TIER_REASON_NO_SET && cni_island_is_refused(i, step);
+}
+
 /* Counted for stages/pile_load.c. */
 static void new_contact_count(cn_world *world, int32_t index)
 {
