@@ -345,6 +345,7 @@ typedef struct cn_counters {
 	int32_t events_not_reported;
 	int32_t islands_direct;      /* of several bodies, solved directly in the last step, contacts and all */
 	int32_t direct_work;         /* planned for all that is solved directly in it, in the units of work_budget; at most 2^31 - 1 */
+	int32_t islands_unsolved;    /* of several bodies, left to soft constraints for a time because no solution was found: CN_TIER_REASON_NO_SET */
 } cn_counters;
 enum {
 	CN_WARNING_CONTACT_MEMORY = 1u << 0, /* new contacts were not added: pairs_not_added */
@@ -375,7 +376,7 @@ enum {
 	CN_TIER_REASON_CROWDED = 10,    /* soft: something is wrong, but it or the sum of such islands is too large */
 	CN_TIER_REASON_WORK = 11,       /* soft for a time: its system is beyond the limit of work or the work_budget */
 	CN_TIER_REASON_KIND = 12,       /* soft for a time: restitution, a conveyor, rolling resistance or a locked axis */
-	CN_TIER_REASON_NO_SET = 13,     /* soft for a time: no consistent set of bearing contacts was found */
+	CN_TIER_REASON_NO_SET = 13,     /* soft for a time: no solution was found for its contacts; it stays awake while it moves at all */
 	CN_TIER_REASON_MEMORY = 14,     /* soft: no scratch memory (CN_WARNING_FRAME_MEMORY) */
 	CN_TIER_REASON_JOINTED = 15     /* soft contacts: something is wrong, but it has joints (which are solved directly) */
 };

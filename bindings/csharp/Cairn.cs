@@ -280,6 +280,9 @@ namespace Cairn
 		public int islands_direct;
 		/// <summary>planned for all that is solved directly in it, in the units of work_budget; at most 2^31 - 1</summary>
 		public int direct_work;
+		/// <summary>of several bodies, left to soft constraints for a time because no solution was found:
+		/// CN_TIER_REASON_NO_SET</summary>
+		public int islands_unsolved;
 	}
 
 	[StructLayout(LayoutKind.Sequential)]
@@ -1151,7 +1154,7 @@ namespace Cairn
 		public const int CN_TIER_REASON_WORK = 11;
 		/// <summary>soft for a time: restitution, a conveyor, rolling resistance or a locked axis</summary>
 		public const int CN_TIER_REASON_KIND = 12;
-		/// <summary>soft for a time: no consistent set of bearing contacts was found</summary>
+		/// <summary>soft for a time: no solution was found for its contacts; it stays awake while it moves at all</summary>
 		public const int CN_TIER_REASON_NO_SET = 13;
 		/// <summary>soft: no scratch memory (CN_WARNING_FRAME_MEMORY)</summary>
 		public const int CN_TIER_REASON_MEMORY = 14;

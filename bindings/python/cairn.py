@@ -328,6 +328,7 @@ class cn_counters(_c.Structure):
         ("events_not_reported", _c.c_int32),
         ("islands_direct", _c.c_int32),  # of several bodies, solved directly in the last step, contacts and all
         ("direct_work", _c.c_int32),  # planned for all that is solved directly in it, in the units of work_budget; at most 2^31 - 1
+        ("islands_unsolved", _c.c_int32),  # of several bodies, left to soft constraints for a time because no solution was found: CN_TIER_REASON_NO_SET
     ]
 
 

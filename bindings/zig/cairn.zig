@@ -147,7 +147,7 @@ pub const CN_TIER_REASON_CROWDED = 10;
 pub const CN_TIER_REASON_WORK = 11;
 /// soft for a time: restitution, a conveyor, rolling resistance or a locked axis
 pub const CN_TIER_REASON_KIND = 12;
-/// soft for a time: no consistent set of bearing contacts was found
+/// soft for a time: no solution was found for its contacts; it stays awake while it moves at all
 pub const CN_TIER_REASON_NO_SET = 13;
 /// soft: no scratch memory (CN_WARNING_FRAME_MEMORY)
 pub const CN_TIER_REASON_MEMORY = 14;
@@ -454,9 +454,12 @@ pub const cn_counters = extern struct {
     islands_direct: i32,
     /// planned for all that is solved directly in it, in the units of work_budget; at most 2^31 - 1
     direct_work: i32,
+    /// of several bodies, left to soft constraints for a time because no solution was found:
+    /// CN_TIER_REASON_NO_SET
+    islands_unsolved: i32,
 
     comptime {
-        if (@sizeOf(usize) == 8 and @sizeOf(cn_counters) != 80) @compileError("cn_counters");
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_counters) != 84) @compileError("cn_counters");
     }
 };
 

@@ -61,6 +61,37 @@ static void island_append(cn_world *world, int32_t island, int32_t body)
 	++i->count;
 }
 
+/* Steps that it is still refused for: stages/tiers.c. */
+static int32_t refused_left(const cn_world *world, const cni_island *i)
+{
+	uint32_t passed = world->step_count - i->refused_step;
+	return passed < (uint32_t)i->refused_steps ? i->refused_steps - (int32_t)passed : 0;
+}
+
+static uint32_t later(const cn_world *world, uint32_t a, uint32_t b)
+{
+	return world->step_count - a < world->step_count - b ? a : b;
+}
+
+/* What is known of how it is to be solved: what could not be for a part of it cannot be for the whole. */
+static void tier_inherit(const cn_world *world, cni_island *to, const cni_island *from)
+{
+	if (refused_left(world, from) > refused_left(world, to)) {
+		to->refused_step = from->refused_step;
+		to->refused_steps = from->refused_steps;
+		if (to->tier == CNI_TIER_SOFT && from->tier == CNI_TIER_SOFT)
+			to->reason = from->reason;
+	}
+	if (from->stay_steps > to->stay_steps) {
+		to->stay_steps = from->stay_steps;
+		to->given_step = from->given_step;
+	}
+	if (from->unheld_step != 0)
+		to->unheld_step = to->unheld_step == 0 ? from->unheld_step : later(world, to->unheld_step, from->unheld_step);
+	if (from->cone_step != 0)
+		to->cone_step = to->cone_step == 0 ? from->cone_step : later(world, to->cone_step, from->cone_step);
+}
+
 /* Moves all bodies of one island to the end of another. */
 static void island_merge(cn_world *world, int32_t into, int32_t from)
 {
@@ -73,6 +104,7 @@ static void island_merge(cn_world *world, int32_t into, int32_t from)
 	target->last = source->last;
 	target->count += source->count;
 	target->losses += source->losses;
+	tier_inherit(world, target, source);
 	island_release(world, from);
 }
 
@@ -157,11 +189,12 @@ static int32_t push_neighbours(const cn_world *world, int32_t body, int32_t *sta
 	return top;
 }
 
-/* Collects one connected part from a seed; a part of one body gets no island. */
-static void part_collect(cn_world *world, int32_t seed, int32_t awake, int32_t *stack)
+/* Collects one connected part of what was an island from a seed; a part of one body gets no island. */
+static void part_collect(cn_world *world, int32_t seed, const cni_island *whole, int32_t *stack)
 {
 	int32_t island = island_take(world), top = 0;
-	cni_island_at(world, island)->awake = awake;
+	cni_island_at(world, island)->awake = whole->awake;
+	tier_inherit(world, cni_island_at(world, island), whole);
 	cni_body_at(world, seed)->island = island;
 	stack[top++] = seed;
 	while (top > 0) {
@@ -178,8 +211,8 @@ static void part_collect(cn_world *world, int32_t seed, int32_t awake, int32_t *
 
 int32_t cni_island_split(cn_world *world, int32_t island)
 {
-	cni_island *i = cni_island_at(world, island);
-	int32_t count = i->count, awake = i->awake, body, k = 0;
+	const cni_island *i = cni_island_at(world, island), whole = *i;
+	int32_t count = i->count, body, k = 0;
 	int32_t *bodies, *stack;
 	if (!cni_island_reserve(world, count / 2 + 1))
 		return 0;
@@ -195,7 +228,7 @@ int32_t cni_island_split(cn_world *world, int32_t island)
 	/* A single left alone by an earlier part has island CNI_NONE and links to nobody: harmless to visit. */
 	for (k = 0; k < count; ++k)
 		if (cni_body_at(world, bodies[k])->island == CNI_NONE)
-			part_collect(world, bodies[k], awake, stack);
+			part_collect(world, bodies[k], &whole, stack);
 	cni_arena_pop(&world->arena, bodies);
 	return 1;
 }

@@ -25,6 +25,8 @@ typedef struct cni_island {
 	int32_t tier;          /* CNI_TIER_; these are of stages/tiers.c */
 	int32_t good_steps;    /* directly solved ones since something was wrong */
 	int32_t stay_steps;    /* good ones until it is given back to the soft solver, 0: as few as can be */
+	uint32_t taken_step;   /* in which it began to be solved directly */
+	uint32_t given_step;   /* ... and was given back last */
 	uint32_t looked_step;  /* step + 1 in which something was wrong last */
 	uint32_t refused_step; /* in which it could not be solved directly */
 	int32_t refused_steps; /* how long that counts, 0: never refused */
@@ -38,6 +40,7 @@ typedef struct cni_island {
 	int32_t joined;        /* ... and its place among those */
 	uint32_t cone_step;    /* step + 1 in which its contacts were last solved by stages/contact_cone.c, or from there */
 	uint32_t gives_step;   /* step + 1 in which, solved directly, it last moved where it touches */
+	int32_t falls_steps;   /* ... and in how many without a break so fast that it falls */
 } cni_island;
 
 enum { CNI_TIER_SOFT = CN_TIER_SOFT, CNI_TIER_DIRECT = CN_TIER_DIRECT };

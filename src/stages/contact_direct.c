@@ -23,6 +23,7 @@
 #define ROUNDS 10              /* of the set, until stages/contact_cone.c is asked, which takes about twice as many factorizations */
 #define ROUNDS_ALL 6           /* ... in which all that does not fit is changed at once */
 #define ROUNDS_WARM 4          /* ... from impulses of the last pass */
+#define CONE_WORK 25000        /* blocks factored for that in a step, by substeps, until no other is begun: about 0.25 ms each */
 #define PARTING 10.0f          /* times speed_least: contacts that part or slide faster give way */
 #define ENERGY_CLOSE 1e-3f     /* part of energy that is rounding */
 #define STILL_SPEED 0.1f       /* length units a second: what is slower began this step at rest */
@@ -650,6 +651,18 @@ static int32_t gives_way(const pass *q)
 	return 0;
 }
 
+/* Does so much of it move that it comes down, and not a part of it from what stands? */
+static int32_t falls(const pass *q)
+{
+	float mass = 0.0f, speed = STILL_SPEED * q->world->settings.length_unit;
+	int32_t k;
+	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
+		const cni_motion *m = q->motions + q->sparse->bodies[k];
+		mass += m->inv_mass > 0.0f ? 1.0f / m->inv_mass : 0.0f;
+	}
+	return energy_of(q) > mass * speed * speed;
+}
+
 static int32_t is_recent(const pass *q, uint32_t step)
 {
 	return step != 0 && q->world->step_count + 1u - step < 2u;
@@ -732,6 +745,8 @@ static int32_t set_solve(pass *q)
 /* The passes to come go on from its impulses: to begin with none would find others that bear the same, and pull. */
 static int32_t cone_solve(pass *q)
 {
+	if (q->world->settings.solver == CN_SOLVER_AUTO && q->world->cone_work > CONE_WORK * q->s->substeps)
+		return 0;
 	q->warm = 0;
 	round_begin(q);
 	if (!cni_presses_cone(q->world, q->s, q->sparse, q->c, q->speed_least, q->bias) || !energy_fits(q))
@@ -745,8 +760,10 @@ static void found(const pass *q)
 	uint32_t step = q->world->step_count + 1u;
 	if (q->warm)
 		q->island->cone_step = step;
-	if (q->bias && gives_way(q))
+	if (q->bias && q->island->gives_step != step && gives_way(q)) {
+		q->island->falls_steps = falls(q) && is_recent(q, q->island->gives_step) ? q->island->falls_steps + 1 : 0;
 		q->island->gives_step = step;
+	}
 	commit(q);
 	q->c->calm = q->bias && is_calm(q);
 }

@@ -3,7 +3,7 @@
  *
  * Runs only when finalize saw a body that has. An island that lost links is split first, one
  * a step, so that what no longer holds together may sleep apart. What touches a moving kinematic body, or is
- * jointed to one, stays awake; so does what a motor moves.
+ * jointed to one, stays awake. So does what a motor moves, and what sags because the direct solver has found no solution for it.
  */
 #include "stages/solver.h"
 
@@ -91,6 +91,13 @@ static void rest_times_clear(const cn_world *world)
 	}
 }
 
+/* Slower than what would move by a part of the accuracy in a second? */
+static int32_t is_still(const cn_world *world, const cni_body *b)
+{
+	float most = CNI_BAD_PART * world->settings.accuracy, turn = b->w * b->extent;
+	return b->vx * b->vx + b->vy * b->vy <= most * most && turn * turn <= most * most;
+}
+
 /* Also each awake island's rest_time; of those that sleep it is FLT_MAX, if it is looked at. */
 static rests rests_find(cn_world *world)
 {
@@ -109,6 +116,8 @@ static rests rests_find(cn_world *world)
 		}
 		i = cni_island_at(world, b->island);
 		i->rest_time = cni_min(i->rest_time, b->sleep_time);
+		if (cni_island_is_unsolved(i, world->step_count) && !is_still(world, b))
+			i->rest_time = 0.0f; /* it sags, and would be asleep so before it was tried again */
 		if (i->losses == 0 || b->sleep_time < r.longest || b->sleep_time <= 0.0f || (r.split != CNI_NONE && b->sleep_time == r.longest))
 			continue;
 		r.split = b->island;

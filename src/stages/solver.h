@@ -153,6 +153,8 @@ int32_t cni_island_has_joints(const cn_world *world, int32_t island);
 void cni_island_refuse(cn_world *world, int32_t island, int32_t reason);
 /* Has it been refused so lately that it is left alone in the step of this count? */
 int32_t cni_island_is_refused(const cni_island *i, uint32_t step);
+/* Is it soft in that step because no solution was found for it? */
+int32_t cni_island_is_unsolved(const cni_island *i, uint32_t step);
 /* No island is solved directly any more: the solver changed. */
 void cni_tiers_forget(cn_world *world);
 /* Joints of it that the soft solver holds have come apart by more than the accuracy. */

@@ -10,7 +10,7 @@
  *   - when the sweep from the top down left something of it that falls.
  * It is so until it has been good for a while; the loads it then has are exact, and the soft solver
  * goes on from them. The stay grows fourfold each time it turns bad again. An island whose system has been refused, for its
- * work, for what it is made of, or because no consistent set was found, is left alone for a time.
+ * work, for what it is made of, or because no solution was found, is left alone for a time, each time for longer. So is one that falls.
  *
  * A scene in which nothing is wrong pays for one look at the separations of its lanes.
  *
@@ -39,7 +39,10 @@
 #define STAY_FIRST 15          /* good steps until an island is given back, the first time */
 #define STAY_FACTOR 4          /* ... and each time it turned bad again after that */
 #define STAY_MOST 100000
-#define REFUSED_STEPS 120      /* until a refused island is looked at again */
+#define REFUSED_STEPS 8        /* until a refused island is looked at again; twice as long each time */
+#define REFUSED_MOST 1024
+#define FORGET_FACTOR 8         /* times as long as it was refused, or was to stay: then that begins anew */
+#define FALLS_STEPS 8          /* in which it comes down, until it is left to the soft solver */
 #define STRESS_MOST 15.0f      /* own weights: what bears more is crushed by the soft solver */
 #define BUCKLING 0.055f        /* ... and what bears s of them when s^2 g h^2 is more than this part of its size */
 #define BLOCKS_AT_ONCE 8       /* whose memory is asked for */
@@ -81,6 +84,12 @@ int32_t cni_island_has_joints(const cn_world *world, int32_t island)
 	return 0;
 }
 
+/* So long that it does not count for what a thing of so many steps is now. */
+static int32_t is_long_ago(const cn_world *world, uint32_t step, int32_t steps)
+{
+	return world->step_count - step > (uint32_t)FORGET_FACTOR * (uint32_t)steps;
+}
+
 static void island_take(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
@@ -90,6 +99,9 @@ static void island_take(cn_world *world, int32_t island, int32_t reason)
 	}
 	i->tier = CNI_TIER_DIRECT;
 	i->reason = reason;
+	i->taken_step = world->step_count;
+	if (is_long_ago(world, i->given_step, i->stay_steps))
+		i->stay_steps = 0;
 	i->good_steps = 0;
 	listed(world)[world->direct_islands.count++] = island;
 }
@@ -97,6 +109,11 @@ static void island_take(cn_world *world, int32_t island, int32_t reason)
 int32_t cni_island_is_refused(const cni_island *i, uint32_t step)
 {
 	return i->refused_steps > 0 && step - i->refused_step < (uint32_t)i->refused_steps;
+}
+
+int32_t cni_island_is_unsolved(const cni_island *i, uint32_t step)
+{
+	return i->tier == CNI_TIER_SOFT && i->reason == CN_TIER_REASON_NO_SET && cni_island_is_refused(i, step);
 }
 
 /* Counted for stages/pile_load.c. */
@@ -137,13 +154,34 @@ static void island_is_bad(cn_world *world, int32_t island, int32_t reason)
 		island_take(world, island, reason);
 }
 
+/*
+ * What was solved directly has loads that held it in balance. Soft contacts yield around them: where it moves after all, the
+ * thrust of an arch would drive it apart. They are to find them anew.
+ */
+static void loads_forget(const cn_world *world, const cni_island *i)
+{
+	int32_t body, key;
+	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+			const cni_contact *c = cni_contact_of_key(world, key);
+			if (!(c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
+				continue;
+			cni_block_at(world, c->slot / CNI_LANES)->p[0].load[c->slot % CNI_LANES] = 0.0f;
+			cni_block_at(world, c->slot / CNI_LANES)->p[1].load[c->slot % CNI_LANES] = 0.0f;
+		}
+}
+
 void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
+	if (i->tier == CNI_TIER_DIRECT && i->taken_step != world->step_count)
+		loads_forget(world, i);
 	i->tier = CNI_TIER_SOFT;
 	i->reason = reason;
+	if (is_long_ago(world, i->refused_step, i->refused_steps))
+		i->refused_steps = 0;
 	i->refused_step = world->step_count;
-	i->refused_steps = cni_min_i(i->refused_steps > 0 ? 2 * i->refused_steps : REFUSED_STEPS, 16 * REFUSED_STEPS);
+	i->refused_steps = cni_min_i(cni_max_i(2 * i->refused_steps, REFUSED_STEPS), REFUSED_MOST);
 }
 
 /* Large nets, which are not solved directly from the start. */
@@ -330,6 +368,12 @@ static void lanes_look(cn_world *world, float h)
 	world->piles_unheld = 0;
 }
 
+/* Has it moved for so long, whatever impulses it could have, that it will? To let it fall exactly is not worth the work. */
+static int32_t falls(const cn_world *world, const cni_island *i)
+{
+	return i->solver != CN_SOLVER_DIRECT && i->gives_step == world->step_count && world->step_count > 0 && i->falls_steps >= FALLS_STEPS;
+}
+
 /* What leans on each other is not given back before it sleeps or moves: soft contacts yield, and it does not come back. */
 static void leaning_keep(cn_world *world, int32_t island, float h)
 {
@@ -352,6 +396,10 @@ static void list_update(cn_world *world, float h)
 			i->tier = CNI_TIER_SOFT;
 			continue;
 		}
+		if (falls(world, i)) {
+			cni_island_refuse(world, island, CN_TIER_REASON_MOVING);
+			continue;
+		}
 		leaning_keep(world, island, h);
 		if (i->solver != CN_SOLVER_SOFT && i->good_steps <= STAY_MOST &&
 		    (i->good_steps++ < cni_max_i(i->stay_steps, STAY_FIRST) || i->solver == CN_SOLVER_DIRECT)) {
@@ -363,6 +411,8 @@ static void list_update(cn_world *world, float h)
 		i->reason = i->good_steps > STAY_MOST ? CN_TIER_REASON_WORK : CN_TIER_REASON_NONE;
 		if (i->solver == CN_SOLVER_SOFT)
 			continue;
+		i->given_step = world->step_count;
+		i->refused_steps = 0; /* it could be solved */
 		i->stay_steps = cni_min_i(STAY_FACTOR * cni_max_i(i->stay_steps, STAY_FIRST), STAY_MOST);
 	}
 	world->direct_islands.count = kept;
@@ -443,7 +493,7 @@ static void list_awake(cn_world *world, int32_t every)
 
 void cni_stage_tiers(cn_world *world, float h)
 {
-	world->direct_work = world->direct_failed = world->piles_new = 0;
+	world->direct_work = world->direct_failed = world->piles_new = world->cone_work = 0;
 	if (world->overridden)
 		solvers_gather(world);
 	if (world->settings.solver == CN_SOLVER_DIRECT) {

@@ -200,6 +200,7 @@ static void count_islands(const cn_world *world, cn_counters *out)
 		const cni_island *island = cni_island_at(world, k);
 		out->islands_awake += island->first != CNI_NONE && island->awake;
 		out->islands_direct += island->first != CNI_NONE && island->awake && island->tier == CNI_TIER_DIRECT && !world->direct_failed;
+		out->islands_unsolved += island->first != CNI_NONE && island->awake && cni_island_is_unsolved(island, world->step_count - 1u);
 	}
 }
 
