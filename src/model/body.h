@@ -55,13 +55,12 @@ typedef struct cni_body {
 	float gravity_scale;
 	float sleep_speed;       /* 0: the world's */
 	float sleep_time;        /* seconds at rest */
-	float gain_x, gain_y, gain_turn; /* metres that changes of velocity have moved it by in this time: cni_body_gains; not read at time 0 */
+	float gain;              /* metres that changes of speed have moved it by in this time: cni_body_gains; not read at time 0 */
 	float core;              /* smallest inner radius of its shapes: how far it may jump without passing through things */
 	int32_t island;          /* CNI_NONE: alone */
 	int32_t island_next, island_prev;
 	int32_t shape_first;     /* shape index, linked by cni_shape.next */
 	int32_t joint_first;     /* key = joint << 1 | side */
-	int32_t joint_count;
 	int32_t contact_first;   /* key = contact << 1 | side */
 	int32_t contact_count;
 	uint32_t colors;         /* which colours its contacts use: bit of each colour */
@@ -69,6 +68,17 @@ typedef struct cni_body {
 	cni_ref name;            /* zero-terminated in the world's blocks; 0: none */
 	uint64_t user_data;
 } cni_body;
+
+/* Times in a row, while it was slow, that it gained too much speed to be at rest: the flags' highest bits. */
+#define CNI_BODY_GAINS_SHIFT 25
+#define CNI_BODY_GAINS_MOST 127u
+
+/* It is not slow, or was woken. */
+static inline void cni_body_restless(cni_body *b)
+{
+	b->sleep_time = 0.0f;
+	b->flags &= (1u << CNI_BODY_GAINS_SHIFT) - 1u;
+}
 
 /* Of coordinates and extents: more than rounding moves a box by in a step, and a rotation that is not quite of unit length. */
 #define CNI_BODY_ROUNDING 4e-6f

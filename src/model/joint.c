@@ -67,7 +67,6 @@ static void list_link(cn_world *world, int32_t joint, int32_t side)
 	if (b->joint_first != CNI_NONE)
 		cni_joint_at(world, b->joint_first >> 1)->prev[b->joint_first & 1] = key;
 	b->joint_first = key;
-	++b->joint_count;
 }
 
 static void list_unlink(cn_world *world, int32_t joint, int32_t side)
@@ -82,7 +81,6 @@ static void list_unlink(cn_world *world, int32_t joint, int32_t side)
 		cni_body_at(world, j->body[side])->joint_first = next;
 	if (next != CNI_NONE)
 		cni_joint_at(world, next >> 1)->prev[next & 1] = prev;
-	--cni_body_at(world, j->body[side])->joint_count;
 }
 
 static int32_t side_is_enabled(const cn_world *world, const cni_joint *j, int32_t side)
@@ -122,15 +120,25 @@ void cni_joint_leave_awake_list(cn_world *world, int32_t joint)
 	j->awake = CNI_NONE;
 }
 
+int32_t cni_joint_count(const cn_world *world, int32_t body)
+{
+	int32_t key, count = 0;
+	for (key = cni_body_at(world, body)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+		++count;
+	return count;
+}
+
+/* Both lists at once, so that the shorter one ends it. */
 int32_t cni_joint_forbids(const cn_world *world, int32_t body_a, int32_t body_b)
 {
-	int32_t lesser_is_a = cni_body_at(world, body_a)->joint_count <= cni_body_at(world, body_b)->joint_count;
-	int32_t other = lesser_is_a ? body_b : body_a;
-	int32_t key = cni_body_at(world, lesser_is_a ? body_a : body_b)->joint_first;
-	for (; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
-		const cni_joint *j = cni_joint_at(world, key >> 1);
-		if (j->body[1 - (key & 1)] == other && !(j->flags & CN_JOINT_COLLIDE))
+	int32_t key[2], other[2] = { body_b, body_a }, side = 0;
+	key[0] = cni_body_at(world, body_a)->joint_first;
+	key[1] = cni_body_at(world, body_b)->joint_first;
+	for (; key[side] != CNI_NONE; side = 1 - side) {
+		const cni_joint *j = cni_joint_at(world, key[side] >> 1);
+		if (j->body[1 - (key[side] & 1)] == other[side] && !(j->flags & CN_JOINT_COLLIDE))
 			return 1;
+		key[side] = j->next[key[side] & 1];
 	}
 	return 0;
 }

@@ -112,6 +112,8 @@ void cni_joint_link(cn_world *world, int32_t joint);
 void cni_joint_unlink(cn_world *world, int32_t joint);
 /* Unlinks and gives the slot back. */
 void cni_joint_destroy(cn_world *world, int32_t joint);
+/* Joints of a body. */
+int32_t cni_joint_count(const cn_world *world, int32_t body);
 /* Does some joint forbid contacts between these bodies? O(joints of the lesser body). */
 int32_t cni_joint_forbids(const cn_world *world, int32_t body_a, int32_t body_b);
 void cni_joint_enter_awake_list(cn_world *world, int32_t joint);

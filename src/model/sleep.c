@@ -62,7 +62,7 @@ static void wake_island(cn_world *world, int32_t body)
 		i->solver = i->joints_solver = CN_SOLVER_AUTO;
 	}
 	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next) {
-		cni_body_at(world, k)->sleep_time = 0.0f;
+		cni_body_restless(cni_body_at(world, k));
 		cni_body_at(world, k)->flags |= CNI_BODY_AGAIN;
 		cni_body_enter_awake(world, k);
 	}
@@ -92,7 +92,7 @@ void cni_body_wake(cn_world *world, int32_t body)
 	cni_body *b = cni_body_at(world, body);
 	if (b->type == CN_BODY_STATIC || !(b->flags & CN_BODY_ENABLED))
 		return;
-	b->sleep_time = 0.0f;
+	cni_body_restless(b);
 	if (b->awake == 0)
 		wake_island(world, body);
 	if (b->type == CN_BODY_KINEMATIC)
@@ -153,7 +153,7 @@ void cni_body_wake_met(cn_world *world, int32_t body)
 void cni_body_wake_grown(cn_world *world, int32_t body)
 {
 	const cni_body *b = cni_body_at(world, body);
-	if (b->contact_count > 0 || b->joint_count > 0)
+	if (b->contact_count > 0 || b->joint_first != CNI_NONE)
 		cni_body_wake(world, body);
 }
 

@@ -82,7 +82,7 @@ static int32_t body_gains(const cn_world *world, cni_body *b, const cni_motion *
 {
 	float damped = drive_flags & CNI_DRIVE_DAMPED ? dt : 0.0f, linear = damped * b->linear_damping, angular = damped * b->angular_damping;
 	cni_gain_limits limits = cni_gain_limits_make(world, dt);
-	return cni_body_gains(b, m->vx - b->vx + linear * m->vx, m->vy - b->vy + linear * m->vy, m->w - b->w + angular * m->w, &limits);
+	return cni_body_gains(b, m, m->vx - b->vx + linear * m->vx, m->vy - b->vy + linear * m->vy, m->w - b->w + angular * m->w, &limits);
 }
 
 /* Its velocity and rest timer, and clears the forces. Returns 1 when the body has rested for long enough. */
@@ -92,12 +92,13 @@ static uint32_t body_rest(cn_world *world, cni_body *b, int32_t k, const cni_sol
 	cni_drive *d = cni_drives(world) + k;
 	float slow = b->sleep_speed > 0.0f ? b->sleep_speed : world->settings.sleep_speed;
 	float turn = m->w * b->extent;
-	if (m->vx * m->vx + m->vy * m->vy <= slow * slow && turn * turn <= slow * slow && (b->flags & CN_BODY_SLEEP) &&
-	    (b->type != CN_BODY_KINEMATIC || (m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f)) &&
-	    !body_accelerates(b, m, cni_starts(world) + k, d, s->h) && !body_gains(world, b, m, d->flags, s->dt))
-		b->sleep_time += s->dt;
-	else
+	if (!(m->vx * m->vx + m->vy * m->vy <= slow * slow && turn * turn <= slow * slow && (b->flags & CN_BODY_SLEEP) &&
+	      (b->type != CN_BODY_KINEMATIC || (m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f))))
+		cni_body_restless(b);
+	else if (body_accelerates(b, m, cni_starts(world) + k, d, s->h) || body_gains(world, b, m, d->flags, s->dt))
 		b->sleep_time = 0.0f;
+	else
+		b->sleep_time += s->dt;
 	memcpy(&b->vx, &m->vx, 3 * sizeof(float));
 	d->ax = d->ay = d->alpha = 0.0f;
 	return b->sleep_time >= world->settings.sleep_delay && b->sleep_time > 0.0f;

@@ -124,12 +124,12 @@ typedef struct rest_look {
 CNI_INLINE void one_rests(rest_look *r, cni_body *b, const cni_motion *m, cni_drive *d, uint32_t lane)
 {
 	if (!(r->slow & lane) && !(b->sleep_speed > 0.0f)) {
-		b->sleep_time = 0.0f;
+		cni_body_restless(b);
 	} else if (b->sleep_speed > 0.0f || b->type != CN_BODY_DYNAMIC || !(b->flags & CN_BODY_SLEEP) || (d->flags & CNI_DRIVE_DAMPED)) {
 		r->left |= lane;
 		return;
 	} else {
-		int32_t rests = (r->still & lane) && !cni_body_gains(b, m->vx - b->vx, m->vy - b->vy, m->w - b->w, &r->gain);
+		int32_t rests = (r->still & lane) && !cni_body_gains(b, m, m->vx - b->vx, m->vy - b->vy, m->w - b->w, &r->gain);
 		b->sleep_time = rests ? b->sleep_time + r->dt : 0.0f;
 		r->rested |= b->sleep_time >= r->delay && b->sleep_time > 0.0f;
 	}

@@ -59,42 +59,47 @@ extern const cni_body_kernel cni_body_kernel_4; /* SSE2, NEON, WASM SIMD */
 extern const cni_body_kernel cni_body_kernel_8; /* AVX2, chosen at run time */
 
 /*
- * While a body is slow, its acceleration is summed up: a change of velocity dv at time t of the rest timer brings it t dv farther from
- * where its speed at the start of the timer would have brought it, so after the time T a steady acceleration a gives a T^2 / 2. Noise
- * and limit cycles of the solver stay at their speed times T, and a steady creep gives nothing. Beyond the sleep delay T is the delay:
- * the sum forgets at this rate. A body that rests gains no more than CNI_STEADY_SPEED times the delay. With the default of 0.5 s this
- * is an acceleration of 4 mm/s^2, 0.04% of gravity. A box on a slope that is 0.5% too steep for a friction of 0.5 has 22 mm/s^2. With
- * half of it heaps of 10 to 60 mixed bodies take 7.2 s to fall asleep, with all of it 5.4 s. Changes that a tenth of this acceleration
- * gives in a step are passed by: most bodies of a pile have no others.
+ * While a body is slow, changes of its speed are summed up: a change dv at time t of the rest timer brings it t dv farther than its
+ * speed at the start of the timer would have, so after the time T a steady acceleration a gives a T^2 / 2. Noise and limit cycles of
+ * the solver stay below their speed times T, and a steady creep gives nothing. Beyond the sleep delay T is the delay: the sum forgets
+ * at this rate. A body that rests gains no more than CNI_STEADY_SPEED times the delay. With the default of 0.5 s this is an acceleration
+ * of 4 mm/s^2, 0.04% of gravity; a box on a slope that is 0.5% too steep for a friction of 0.5 has 22 mm/s^2.
+ *
+ * A steady acceleration adds 2 CNI_STEADY_SPEED or more to the speed each time that it gains so much, and is no longer slow after
+ * sleep_speed / (2 CNI_STEADY_SPEED) times. What is slow still swings about a place, and counts as at rest.
+ *
+ * Changes that a tenth of this acceleration gives in a step are passed by: most bodies of a pile have no others.
  */
 #define CNI_STEADY_SPEED 1e-3f /* length units a second */
 
 typedef struct cni_gain_limits {
 	float delay, leak; /* leak: dt / delay */
-	float most_sq;
+	float most;
 	float little_sq;   /* changes of velocity below this are passed by */
+	uint32_t times;    /* in a row */
 } cni_gain_limits;
 
 static inline cni_gain_limits cni_gain_limits_make(const cn_world *world, float dt)
 {
-	float delay = world->settings.sleep_delay, most = CNI_STEADY_SPEED * world->settings.length_unit * delay;
-	float leak = dt / cni_max(delay, dt), little = 0.2f * CNI_STEADY_SPEED * world->settings.length_unit * leak;
-	cni_gain_limits limits = { delay, leak, most * most, little * little };
+	float delay = world->settings.sleep_delay, steady = CNI_STEADY_SPEED * world->settings.length_unit;
+	float leak = dt / cni_max(delay, dt), little = 0.2f * steady * leak, times = world->settings.sleep_speed / (2.0f * steady);
+	cni_gain_limits limits = { delay, leak, steady * delay, little * little, (uint32_t)cni_min(times, (float)CNI_BODY_GAINS_MOST) };
 	return limits;
 }
 
-/* Takes part of a change of velocity. Returns 1 when the body has gained more than that. */
-static inline int32_t cni_body_gains(cni_body *b, float dvx, float dvy, float dw, const cni_gain_limits *limits)
+/* Takes part of a change of velocity (dvx, dvy, dw) to v. Returns 1 when the body has gained more than one at rest does. */
+static inline int32_t cni_body_gains(cni_body *b, const cni_motion *v, float dvx, float dvy, float dw, const cni_gain_limits *limits)
 {
-	float turn = dw * b->extent, t, keep;
-	if (dvx * dvx + dvy * dvy + turn * turn <= limits->little_sq && b->sleep_time > 0.0f)
+	float turn = v->w * b->extent, dturn = dw * b->extent, x = v->vx - dvx, y = v->vy - dvy, was = turn - dturn, t, keep;
+	if (dvx * dvx + dvy * dvy + dturn * dturn <= limits->little_sq && b->sleep_time > 0.0f)
 		return 0;
 	t = cni_min(b->sleep_time, limits->delay);
 	keep = t <= 0.0f ? 0.0f : t < limits->delay ? 1.0f : 1.0f - limits->leak;
-	b->gain_x = keep * b->gain_x + t * dvx;
-	b->gain_y = keep * b->gain_y + t * dvy;
-	b->gain_turn = keep * b->gain_turn + t * turn;
-	return b->gain_x * b->gain_x + b->gain_y * b->gain_y + b->gain_turn * b->gain_turn > limits->most_sq;
+	b->gain = keep * b->gain + t * (cni_sqrt(v->vx * v->vx + v->vy * v->vy + turn * turn) - cni_sqrt(x * x + y * y + was * was));
+	if (cni_abs(b->gain) <= limits->most || b->flags >> CNI_BODY_GAINS_SHIFT >= limits->times)
+		return 0;
+	b->flags += 1u << CNI_BODY_GAINS_SHIFT;
+	return 1;
 }
 
 /* The widest that this build and this processor have. NULL: none. */

@@ -359,7 +359,7 @@ static int32_t island_is_due(const cn_world *world, int32_t island)
 
 static int32_t body_is_due(const cn_world *world, const cni_body *b)
 {
-	return b->island == CNI_NONE && (b->flags & CNI_BODY_SET_DOWN) && b->joint_count == 0 && cni_body_is_quiet(world, b);
+	return b->island == CNI_NONE && (b->flags & CNI_BODY_SET_DOWN) && b->joint_first == CNI_NONE && cni_body_is_quiet(world, b);
 }
 
 static void unheld(cn_world *world, int32_t island)

@@ -79,7 +79,7 @@ int32_t cni_island_has_joints(const cn_world *world, int32_t island)
 {
 	int32_t body;
 	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
-		if (cni_body_at(world, body)->joint_count > 0)
+		if (cni_body_at(world, body)->joint_first != CNI_NONE)
 			return 1;
 	return 0;
 }

@@ -229,7 +229,7 @@ cn_result cn_body_destroy(cn_world *world, cn_body body)
 	cni_call call = cni_enter(world, __func__);
 	const cni_body *b = cni_check_body(&call, "body", body);
 	if (call.result == CN_OK)
-		reserve_end(&call, world, b->contact_count, b->joint_count);
+		reserve_end(&call, world, b->contact_count, cni_joint_count(world, cni_index_of(body)));
 	if (call.result == CN_OK)
 		body_destroy(world, cni_index_of(body));
 	return call.result;
@@ -247,7 +247,7 @@ static int32_t mark_bodies(cni_call *call, const cn_body *bodies, int32_t count,
 			break;
 		b->flags |= CNI_BODY_MARK;
 		*out_contacts += b->contact_count;
-		*out_joints += b->joint_count;
+		*out_joints += cni_joint_count(call->world, cni_index_of(bodies[k]));
 	}
 	return k;
 }

@@ -14,11 +14,11 @@
 /* ------------------------------------------------------------------ out and back in */
 
 /* Room for the events of ending all contacts, and for islands that joints make when they are linked again. */
-static void reserve_relink(cni_call *call, cn_world *world, const cni_body *b)
+static void reserve_relink(cni_call *call, cn_world *world, int32_t body)
 {
 	if (call->result == CN_OK)
-		cni_check_reserved(call, cni_contact_reserve_end(world, b->contact_count), "events of its contacts");
-	if (call->result == CN_OK && !cni_island_reserve(world, b->joint_count))
+		cni_check_reserved(call, cni_contact_reserve_end(world, cni_body_at(world, body)->contact_count), "events of its contacts");
+	if (call->result == CN_OK && !cni_island_reserve(world, cni_joint_count(world, body)))
 		cni_refuse(call, CN_ERROR_MEMORY, "no memory for islands");
 }
 
@@ -72,7 +72,7 @@ static void store_type(cn_world *world, cni_body *b, int32_t type)
 {
 	world->movable_count += (type != CN_BODY_STATIC) - (b->type != CN_BODY_STATIC);
 	b->type = (uint8_t)type;
-	b->sleep_time = 0.0f;
+	cni_body_restless(b);
 	if (type == CN_BODY_STATIC)
 		b->vx = b->vy = b->w = 0.0f;
 	if (type != CN_BODY_DYNAMIC)
@@ -89,7 +89,7 @@ cn_result cn_body_set_type(cn_world *world, cn_body body, int32_t type)
 		return call.result;
 	if (type != CN_BODY_DYNAMIC && some_joint_needs_dynamic(world, b))
 		return cni_refuse(&call, CN_ERROR_STATE, "a joint or constraint would be left without a dynamic body");
-	reserve_relink(&call, world, b);
+	reserve_relink(&call, world, cni_index_of(body));
 	if (call.result == CN_OK && b->type == CN_BODY_STATIC)
 		cni_check_reserved(&call, cni_body_reserve(world, 1), "movable bodies");
 	if (call.result != CN_OK)
@@ -167,7 +167,7 @@ cn_result cn_body_set_flags(cn_world *world, cn_body body, uint32_t flags)
 	flags &= FLAGS_SETTABLE;
 	changed = (b->flags ^ flags) & FLAGS_SETTABLE;
 	if (changed & CN_BODY_ENABLED) {
-		reserve_relink(&call, world, b);
+		reserve_relink(&call, world, cni_index_of(body));
 		if (flags & CN_BODY_ENABLED)
 			place_all(&call, world, b);
 		if (call.result != CN_OK)

@@ -90,12 +90,9 @@ static void check_contacts_of(report *r, int32_t body)
 static void check_joints_of(report *r, int32_t body)
 {
 	const cn_world *world = r->world;
-	int32_t key, count = 0;
-	for (key = cni_body_at(world, body)->joint_first; key != CNI_NONE && r->what == NULL; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+	int32_t key;
+	for (key = cni_body_at(world, body)->joint_first; key != CNI_NONE && r->what == NULL; key = cni_joint_at(world, key >> 1)->next[key & 1])
 		expect(r, cni_handles_alive(&world->joint_handles, key >> 1) && cni_joint_at(world, key >> 1)->body[key & 1] == body, "joint list of body", body);
-		++count;
-	}
-	expect(r, count == cni_body_at(world, body)->joint_count, "joint count of body", body);
 }
 
 static void check_body(report *r, int32_t body)
