@@ -93,7 +93,7 @@ int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 		cni_joint_work_narrow(world, s, n->owner);
 		w->inner = row;
 		n->held = state_begin(&w->rows[row], s);
-		found = 1;
+		found = cni_max_i(found, w->rows[row].kind == CNI_ROW_MOTOR ? 2 : 1);
 	}
 	return found;
 }

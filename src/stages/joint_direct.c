@@ -18,6 +18,7 @@
 /* Loops, the two points of a contact, and piles with several ways to bear the same say much twice: their diagonal grows by
    this part. */
 #define REGULAR 1e-4f
+#define REGULAR_LOOPS 5e-5f /* ... of joints alone, whose solutions are checked */
 #define REGULAR_STEP 10.0f /* times: a system that is still as good as singular */
 #define REGULAR_MOST 0.05f /* ... until joints are about as soft as soft ones */
 #define LEAK 1e-5f         /* ... and their rows give way by this part of it to their whole impulses */
@@ -113,7 +114,7 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 	cni_sparse_clear(sparse, c);
 	cni_direct_turns(world, sparse, c);
 	cni_tension_find(world, sparse, c, s->h);
-	c->active = !c->presses && c->kind == CNI_NONE && cni_active_begin(world, s, sparse, c);
+	c->active = c->presses || c->kind != CNI_NONE ? 0 : cni_active_begin(world, s, sparse, c);
 	if (c->active || cni_tension_needs_dampers(world, sparse, c, s->h))
 		c->width = CNI_NODE_ROWS;
 	cni_direct_system(world, s, sparse, c);
@@ -239,7 +240,7 @@ static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		cni_component *c = &out->components[k];
 		if (far && k + 1 < out->component_count)
 			cni_component_prefetch(world, out, k + 1);
-		c->regular = c->presses || c->loops ? REGULAR : 0.0f;
+		c->regular = c->presses ? REGULAR : c->loops ? REGULAR_LOOPS : 0.0f;
 		c->swings = !c->presses && !(c->loops && cni_component_joined(out, c) != NULL) && cni_component_swings(world, s, out, c);
 		if (c->body_begin == c->body_end || loop_is_better_soft(world, out, c) || is_better_alone(c))
 			joints_release(world, out, c);
@@ -327,7 +328,7 @@ static void component_release(cn_world *world, cni_sparse *sparse, cni_component
 			sparse->nodes[k].x[i] = 0.0f;
 		}
 	c->presses = 0;
-	c->regular = c->loops ? REGULAR : 0.0f;
+	c->regular = c->loops ? REGULAR_LOOPS : 0.0f;
 	cni_sparse_factor(sparse, c, cni_motions(world));
 	if (world->settings.solver == CN_SOLVER_AUTO)
 		cni_island_refuse(world, cni_awake_island(world, sparse->bodies[c->body_begin]), CN_TIER_REASON_NO_SET);
@@ -375,11 +376,13 @@ static float inverse_or_zero(float x)
 
 /*
  * With A = K + C, b the right sides and A x = b, the change of velocity M^-1 J^T x has twice the kinetic energy x K x <= x A x =
- * x b: no solution gives more than its right sides ask for. One that does comes of pivots that were rounding.
+ * x b: no solution gives more than its right sides ask for. One that does comes of pivots that were rounding. Nor, but for
+ * motors, can joints give more than what stops all motion and has every body close gaps at the greatest speed: one that does
+ * closes gaps that say different things.
  */
 static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	float asked = 0.0f, given = 0.0f, all = 0.0f;
+	float asked = 0.0f, given = 0.0f, all = 0.0f, push = 0.0f;
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k)
 		for (i = 0; i < c->width; ++i)
@@ -390,7 +393,10 @@ static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const
 		float vx = m->vx - old->vx, vy = m->vy - old->vy, w = m->w - old->w;
 		given += mass * (vx * vx + vy * vy) + inertia * w * w;
 		all += mass * (old->vx * old->vx + old->vy * old->vy) + inertia * old->w * old->w;
+		push += mass * world->settings.push_speed_max * world->settings.push_speed_max;
 	}
+	if (c->active < 2 && !(given <= 2.0f * (all + push))) /* (a + b)^2 <= 2 (a^2 + b^2) */
+		return 0;
 	return given <= 1.1f * asked + 1e-6f * all; /* and what is not a number is not */
 }
 

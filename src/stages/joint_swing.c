@@ -693,10 +693,25 @@ static int32_t substeps_run(swing *g, const cni_solve *s, int32_t substeps, int3
 	return CLOSED_WELL;
 }
 
+/* Work of drives along what positions may be wrong by: joints count as closed within it, and floats round. */
+static float rounding_of_positions(const swing *g)
+{
+	float sum = 0.0f;
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		const cni_motion *m = g->motions + g->sparse->bodies[k];
+		const cni_drive *d = cni_drives(g->world) + g->sparse->bodies[k];
+		const cni_body *b = cni_body_at(g->world, cni_awake_ids(g->world)[g->sparse->bodies[k]]);
+		float way = 4.0f * g->closed + 4.0f * FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
+		sum += inverse_or_zero(m->inv_mass) * way * (cni_abs(d->ax) + cni_abs(d->ay));
+	}
+	return sum;
+}
+
 /* What a step gained goes to the account, and what is too much for it out of the motion. */
 static void account(const swing *g, cni_joint_trust *t, float gained)
 {
-	float most = g->speeding + ROUNDING * kinetic(g);
+	float most = g->speeding + ROUNDING * kinetic(g) + rounding_of_positions(g);
 	t->surplus = cni_max(t->surplus + gained, -most);
 	if (!(t->surplus < FLT_MAX)) /* no account can be kept of what floats cannot hold */
 		t->surplus = 0.0f;

@@ -202,7 +202,7 @@ void cni_close_mark(const cn_world *world, cni_sparse *sparse);
 
 /* ---- motors and limits in the system: stages/joint_active.c ---- */
 
-/* Chooses which; their works are solved by rows. Returns 1 when there are any. */
+/* Chooses which; their works are solved by rows. Returns 1 when there are any, 2: motors among them. */
 int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
 /* No third levers of nodes with a motor or limit, before dampers; then those of which it is in the set. */
 void cni_active_clear(const cn_world *world, cni_sparse *sparse, const cni_component *c);

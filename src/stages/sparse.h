@@ -77,7 +77,7 @@ typedef struct cni_component {
 	int32_t calm;                  /* ... nothing was pushed in this substep */
 	int32_t factored;              /* ... and its pivots are those of the levers */
 	int32_t joints;                /* of stages/joint_direct.c: how many of its nodes are joints */
-	int32_t active;                /* 1: some have motors or limits in it: stages/joint_active.c */
+	int32_t active;                /* 1: some have limits in it, 2: motors: stages/joint_active.c */
 	int32_t kind;                  /* those of one kind are alike: stages/sparse_kind.c; CNI_NONE */
 	int32_t herds;                 /* 1: solved beside others of its kind: stages/joint_herd.c */
 	int32_t herd, lane;            /* ... where */
