@@ -6,9 +6,11 @@
  * solving it, a held point that pulls opens, an open one that closes is held, friction beyond the static
  * coefficient slides, a slide that would go back is held; and again, until nothing changes. The sets of the pass
  * before are nearly always right, and arms do not turn within a step, so that a pile costs about one
- * factorization a step. A set that is still changing after ROUNDS, or has more wrong than the rounds that are left can
- * mend, is not used at all: impulses of an inconsistent set can put in energy without bound. The lanes are then given
- * back to the soft solver with the impulses and loads that they had, so that a pile is not disturbed by the attempt.
+ * factorization a step. Where no set is found in ROUNDS, or something that was at rest begins to move by it, an interior-point
+ * method is asked (stages/contact_cone.c). The passes after that go on from its impulses instead of from none: where many
+ * impulses bear the same, those of least energy may pull. A solution that has gained energy is not used at all: impulses of an
+ * inconsistent set can put it in without bound. The lanes are then given back to the soft solver with the impulses and loads
+ * that they had, so that a pile is not disturbed by the attempt.
  *
  * Points that overlap are pushed apart by PUSH_RATE of the overlap in a substep: slowly, since all of a pile is pushed
  * at once. The second pass of a substep takes that speed out again.

@@ -8,7 +8,7 @@
  *   - by more than a tenth of it, or when it is new, where it bears or may come to bear more than soft contacts can, or is
  *     between things that lean;
  *   - when the sweep from the top down left something of it that falls.
- * It is so until it has been good for a while; the loads it then has are exact, and the soft solver
+ * It is so until it has been good for a while, or, where things lean on each other, until it sleeps; the loads it then has are exact, and the soft solver
  * goes on from them. The stay grows fourfold each time it turns bad again. An island whose system has been refused, for its
  * work, for what it is made of, or because no solution was found, is left alone for a time, each time for longer. So is one that falls.
  *
