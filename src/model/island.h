@@ -25,8 +25,7 @@ typedef struct cni_island {
 	int32_t tier;          /* CNI_TIER_; these are of stages/tiers.c */
 	int32_t good_steps;    /* directly solved ones since something was wrong */
 	int32_t stay_steps;    /* good ones until it is given back to the soft solver, 0: as few as can be */
-	uint32_t taken_step;   /* in which it began to be solved directly */
-	uint32_t given_step;   /* ... and was given back last */
+	uint32_t given_step;   /* in which it was given back last */
 	uint32_t looked_step;  /* step + 1 in which something was wrong last */
 	uint32_t refused_step; /* in which it could not be solved directly */
 	int32_t refused_steps; /* how long that counts, 0: never refused */

@@ -404,7 +404,6 @@ static int32_t iterate(cone *q)
 		newton_set(q);
 		if (q->residual <= q->speed_least && q->misfit <= q->speed_least)
 			return 1;
-		q->world->cone_work += q->c->work + (q->c->end - q->c->begin);
 		cni_sparse_factor(q->sparse, q->c, q->motions);
 		if (!cni_sparse_solve(q->sparse, q->c))
 			return 0;

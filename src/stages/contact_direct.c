@@ -6,9 +6,11 @@
  * solving it, a held point that pulls opens, an open one that closes is held, friction beyond the static
  * coefficient slides, a slide that would go back is held; and again, until nothing changes. The sets of the pass
  * before are nearly always right, and arms do not turn within a step, so that a pile costs about one
- * factorization a step. A set that is still changing after ROUNDS, or has more wrong than the rounds that are left can
- * mend, is not used at all: impulses of an inconsistent set can put in energy without bound. The lanes are then given
- * back to the soft solver with the impulses and loads that they had, so that a pile is not disturbed by the attempt.
+ * factorization a step. Where no set is found in ROUNDS, or something that was at rest begins to move by it, an interior-point
+ * method is asked (stages/contact_cone.c). The passes after that go on from its impulses instead of from none: where many
+ * impulses bear the same, those of least energy may pull. A solution that has gained energy is not used at all: impulses of an
+ * inconsistent set can put it in without bound. The lanes are then given back to the soft solver with the impulses and loads
+ * that they had, so that a pile is not disturbed by the attempt.
  *
  * Points that overlap are pushed apart by PUSH_RATE of the overlap in a substep: slowly, since all of a pile is pushed
  * at once. The second pass of a substep takes that speed out again.
@@ -21,9 +23,12 @@
 #include <string.h>
 
 #define ROUNDS 10              /* of the set, until stages/contact_cone.c is asked, which takes about twice as many factorizations */
+#define ROUNDS_LARGE 32        /* ... of systems that are too large for that */
 #define ROUNDS_ALL 6           /* ... in which all that does not fit is changed at once */
 #define ROUNDS_WARM 4          /* ... from impulses of the last pass */
-#define CONE_WORK 25000        /* blocks factored for that in a step, by substeps, until no other is begun: about 0.25 ms each */
+#define CONE_WORK 50000        /* most work of that in a step, by substeps, in blocks factored of 10 ns */
+#define CONE_FACTORS 30        /* factorizations that it takes in a substep where it is hard */
+#define CONE_NODE 16           /* blocks: what a contact costs beside one */
 #define PARTING 10.0f          /* times speed_least: contacts that part or slide faster give way */
 #define ENERGY_CLOSE 1e-3f     /* part of energy that is rounding */
 #define STILL_SPEED 0.1f       /* length units a second: what is slower began this step at rest */
@@ -705,17 +710,29 @@ static int32_t set_follow(const pass *q)
 	return misfits == 0;
 }
 
-/* Is it time to give up? Misfits of the rounds to come are mended one each. */
-static int32_t rounds_are_over(int32_t round, int32_t misfits)
+/* What the cones may cost in a substep. */
+static int32_t cone_cost(const pass *q)
 {
-	return misfits == INT32_MAX || round >= ROUNDS || (round >= ROUNDS_ALL && misfits > ROUNDS - round);
+	return CONE_FACTORS * (q->c->work + CONE_NODE * (q->c->end - q->c->begin));
+}
+
+static int32_t is_large(const pass *q)
+{
+	return q->world->settings.solver == CN_SOLVER_AUTO && cone_cost(q) > CONE_WORK;
+}
+
+/* Is it time to give up? Misfits of the rounds to come are mended one each. */
+static int32_t rounds_are_over(const pass *q, int32_t round, int32_t misfits)
+{
+	int32_t most = is_large(q) && !moves(q) ? ROUNDS_LARGE : ROUNDS;
+	return misfits == INT32_MAX || round >= most || (round >= ROUNDS_ALL && misfits > most - round);
 }
 
 /* The set of the pass before; if it does not fit, from that and all that touches. */
 static int32_t set_find(const pass *q)
 {
 	int32_t round, misfits = set_try(q, 1);
-	for (round = 0; misfits != 0 && !rounds_are_over(round, misfits); ++round) {
+	for (round = 0; misfits != 0 && !rounds_are_over(q, round, misfits); ++round) {
 		if (round == 0) {
 			states_keep(q, 1);
 			round_begin(q);
@@ -742,10 +759,22 @@ static int32_t set_solve(pass *q)
 	return 1;
 }
 
+/* May it be asked? Who is asked once in a step may be in all of its substeps. */
+static int32_t cone_may_be_asked(const pass *q)
+{
+	if (q->c->coned)
+		return 1;
+	if (is_large(q) || (q->world->settings.solver == CN_SOLVER_AUTO && q->world->cone_work + cone_cost(q) > CONE_WORK))
+		return 0;
+	q->world->cone_work += cone_cost(q);
+	q->c->coned = 1;
+	return 1;
+}
+
 /* The passes to come go on from its impulses: to begin with none would find others that bear the same, and pull. */
 static int32_t cone_solve(pass *q)
 {
-	if (q->world->settings.solver == CN_SOLVER_AUTO && q->world->cone_work > CONE_WORK * q->s->substeps)
+	if (!cone_may_be_asked(q))
 		return 0;
 	q->warm = 0;
 	round_begin(q);

@@ -232,6 +232,7 @@ static void prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 	for (k = 0; k < out->component_count; ++k) {
 		out->components[k].presses = component_has_presses(out, &out->components[k]);
 		out->components[k].joined = CNI_NONE;
+		out->components[k].coned = 0;
 	}
 	loops_find(world, out);
 	if (!cni_joined_collect(world, out))

@@ -91,10 +91,10 @@ static void rest_times_clear(const cn_world *world)
 	}
 }
 
-/* Slower than what would move by a part of the accuracy in a second? */
+/* Slower than what would move by the accuracy in a second? */
 static int32_t is_still(const cn_world *world, const cni_body *b)
 {
-	float most = CNI_BAD_PART * world->settings.accuracy, turn = b->w * b->extent;
+	float most = world->settings.accuracy, turn = b->w * b->extent;
 	return b->vx * b->vx + b->vy * b->vy <= most * most && turn * turn <= most * most;
 }
 

@@ -74,6 +74,7 @@ typedef struct cni_component {
 	int32_t swings;                /* of stages/joint_swing.c */
 	int32_t done;                  /* 1: nothing more to do for it in this step */
 	int32_t presses;               /* 1: with contacts, of stages/contact_direct.c */
+	int32_t coned;                 /* ... in this step stages/contact_cone.c was asked */
 	int32_t calm;                  /* ... nothing was pushed in this substep */
 	int32_t factored;              /* ... and its pivots are those of the levers */
 	int32_t joints;                /* of stages/joint_direct.c: how many of its nodes are joints */

@@ -8,7 +8,7 @@
  *   - by more than a tenth of it, or when it is new, where it bears or may come to bear more than soft contacts can, or is
  *     between things that lean;
  *   - when the sweep from the top down left something of it that falls.
- * It is so until it has been good for a while; the loads it then has are exact, and the soft solver
+ * It is so until it has been good for a while, or, where things lean on each other, until it sleeps; the loads it then has are exact, and the soft solver
  * goes on from them. The stay grows fourfold each time it turns bad again. An island whose system has been refused, for its
  * work, for what it is made of, or because no solution was found, is left alone for a time, each time for longer. So is one that falls.
  *
@@ -39,8 +39,9 @@
 #define STAY_FIRST 15          /* good steps until an island is given back, the first time */
 #define STAY_FACTOR 4          /* ... and each time it turned bad again after that */
 #define STAY_MOST 100000
-#define REFUSED_STEPS 8        /* until a refused island is looked at again; twice as long each time */
-#define REFUSED_MOST 1024
+#define REFUSED_STEPS 120      /* until a refused island is looked at again, at first; twice as long each time */
+#define RETRY_STEPS 8          /* ... for what its contacts did, which they may not do again */
+#define REFUSED_MOST 1920
 #define FORGET_FACTOR 8         /* times as long as it was refused, or was to stay: then that begins anew */
 #define FALLS_STEPS 8          /* in which it comes down, until it is left to the soft solver */
 #define STRESS_MOST 15.0f      /* own weights: what bears more is crushed by the soft solver */
@@ -99,7 +100,6 @@ static void island_take(cn_world *world, int32_t island, int32_t reason)
 	}
 	i->tier = CNI_TIER_DIRECT;
 	i->reason = reason;
-	i->taken_step = world->step_count;
 	if (is_long_ago(world, i->given_step, i->stay_steps))
 		i->stay_steps = 0;
 	i->good_steps = 0;
@@ -174,14 +174,15 @@ static void loads_forget(const cn_world *world, const cni_island *i)
 void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
-	if (i->tier == CNI_TIER_DIRECT && i->taken_step != world->step_count)
+	int32_t first = reason == CN_TIER_REASON_NO_SET || reason == CN_TIER_REASON_MOVING ? RETRY_STEPS : REFUSED_STEPS;
+	if (i->tier == CNI_TIER_DIRECT && i->falls_steps > 0 && i->gives_step != 0 && world->step_count + 1u - i->gives_step < 3u)
 		loads_forget(world, i);
 	i->tier = CNI_TIER_SOFT;
 	i->reason = reason;
 	if (is_long_ago(world, i->refused_step, i->refused_steps))
 		i->refused_steps = 0;
 	i->refused_step = world->step_count;
-	i->refused_steps = cni_min_i(cni_max_i(2 * i->refused_steps, REFUSED_STEPS), REFUSED_MOST);
+	i->refused_steps = cni_min_i(cni_max_i(2 * i->refused_steps, first), REFUSED_MOST);
 }
 
 /* Large nets, which are not solved directly from the start. */
@@ -412,7 +413,8 @@ static void list_update(cn_world *world, float h)
 		if (i->solver == CN_SOLVER_SOFT)
 			continue;
 		i->given_step = world->step_count;
-		i->refused_steps = 0; /* it could be solved */
+		if (i->reason == CN_TIER_REASON_NONE)
+			i->refused_steps = 0; /* it could be solved */
 		i->stay_steps = cni_min_i(STAY_FACTOR * cni_max_i(i->stay_steps, STAY_FIRST), STAY_MOST);
 	}
 	world->direct_islands.count = kept;

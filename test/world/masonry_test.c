@@ -1,0 +1,205 @@
+/*
+ * masonry_test - promises: what can stand by friction and by its shape alone stands at every number of substeps, and more
+ * substeps are not worse; what comes down hardly gains energy.
+ *
+ * If a test here fails, run world/direct_contacts first. Then look in: stages/contact_direct.c, contact_cone.c, tiers.c,
+ * pile_load.c (what leans), sleep.c.
+ */
+#include "fixture.h"
+
+#define BODIES_MOST 64
+#define PI 3.14159265f
+
+typedef struct masonry {
+	cn_world *world;
+	cn_body bodies[BODIES_MOST];
+	cn_pose from[BODIES_MOST];
+	cn_mass_data mass[BODIES_MOST];
+	int32_t count;
+	uint32_t random;
+	float friction;
+} masonry;
+
+static void keep(masonry *m, cn_body body)
+{
+	CHECK(m->count < BODIES_MOST);
+	m->from[m->count] = fixture_pose(m->world, body);
+	must(cn_body_get_mass_data(m->world, body, &m->mass[m->count]), m->world, "cn_body_get_mass_data");
+	m->bodies[m->count++] = body;
+}
+
+static void begin(masonry *m, int32_t solver, int32_t substeps, uint32_t seed)
+{
+	cn_world_def def;
+	memset(m, 0, sizeof *m);
+	cn_world_def_init(&def);
+	def.solver = solver;
+	def.substep_count = substeps;
+	must(cn_world_create(&def, &m->world), NULL, "cn_world_create");
+	m->random = seed * 2654435761u + 12345u;
+	m->friction = fixture_random(&m->random, 0.6f, 0.9f);
+	fixture_floor(m->world, m->friction, 0.0f);
+}
+
+static void wedge(masonry *m, float inner, float outer, float from, float to)
+{
+	float x = 0.5f * (inner + outer) * cosf(0.5f * (from + to)), y = 0.5f * (inner + outer) * sinf(0.5f * (from + to));
+	cn_body body = fixture_body(m->world, CN_BODY_DYNAMIC, x, y, 0.0f);
+	cn_shape_def def = fixture_shape_def(body, m->friction, 0.0f);
+	cn_polygon p;
+	cn_shape shape;
+	int32_t k;
+	memset(&p, 0, sizeof p);
+	p.count = 4;
+	for (k = 0; k < 4; ++k) {
+		float angle = k < 2 ? from : to, radius = k == 0 || k == 3 ? inner : outer;
+		p.points_m[k].x = radius * cosf(angle) - x;
+		p.points_m[k].y = radius * sinf(angle) - y;
+	}
+	must(cn_shape_create_polygon(m->world, &def, &p, &shape), m->world, "cn_shape_create_polygon");
+	keep(m, body);
+}
+
+/* A half circle of wedges, even or not, its thickness 0.15 to 0.25 of its radius: 0.11 would just stand. */
+static void arch(masonry *m, int32_t uneven)
+{
+	int32_t count = (int32_t)fixture_random(&m->random, 9.0f, 41.0f), k;
+	float size = fixture_random(&m->random, 1.0f, 5.0f), outer = size * fixture_random(&m->random, 1.15f, 1.25f), parts[48], all = 0.0f, from = 0.0f;
+	for (k = 0; k < count; ++k)
+		all += parts[k] = uneven ? fixture_random(&m->random, 0.6f, 1.4f) : 1.0f;
+	for (k = 0; k < count; ++k) {
+		float to = k + 1 < count ? from + PI * parts[k] / all : PI;
+		wedge(m, size, outer, from, to);
+		from = to;
+	}
+}
+
+static void discs(masonry *m, int32_t base)
+{
+	float radius = fixture_random(&m->random, 0.2f, 0.6f);
+	int32_t row, k;
+	for (row = 0; row < base; ++row)
+		for (k = 0; k < base - row; ++k)
+			keep(m, fixture_circle(m->world, CN_BODY_DYNAMIC, radius * (float)(2 * k - (base - row - 1)), radius * (1.0f + (float)row * sqrtf(3.0f)), radius, m->friction, 0.0f));
+}
+
+/* How far some body is from where it was made. */
+static double moved(const masonry *m)
+{
+	double most = 0.0;
+	int32_t k;
+	for (k = 0; k < m->count; ++k) {
+		cn_pose p = fixture_pose(m->world, m->bodies[k]);
+		double way = hypot((double)(p.position_m.x - m->from[k].position_m.x), (double)(p.position_m.y - m->from[k].position_m.y));
+		most = way > most ? way : most;
+	}
+	return most;
+}
+
+static double energy(const masonry *m)
+{
+	double sum = 0.0;
+	int32_t k;
+	for (k = 0; k < m->count; ++k) {
+		cn_pose p = fixture_pose(m->world, m->bodies[k]);
+		cn_velocity v = fixture_velocity(m->world, m->bodies[k]);
+		double speed_sq = (double)(v.linear_mps.x * v.linear_mps.x + v.linear_mps.y * v.linear_mps.y), turn_sq = (double)(v.angular_radps * v.angular_radps);
+		sum += (double)m->mass[k].mass_kg * (0.5 * speed_sq + 10.0 * (double)p.position_m.y) + 0.5 * (double)m->mass[k].inertia_kgm2 * turn_sq;
+	}
+	return sum;
+}
+
+static const int32_t substeps_tried[] = { 2, 3, 4, 8, 16 };
+#define TRIED ((int32_t)(sizeof substeps_tried / sizeof *substeps_tried))
+
+/* kind: 0 and 1 arches, else pyramids of so many discs. */
+static double stand(int32_t kind, int32_t solver, int32_t substeps, uint32_t seed)
+{
+	masonry m;
+	double most = 0.0;
+	int32_t k;
+	begin(&m, solver, substeps, seed);
+	if (kind < 2)
+		arch(&m, kind);
+	else
+		discs(&m, kind);
+	for (k = 0; k < 120; ++k) {
+		fixture_step(m.world, 1);
+		most = moved(&m) > most ? moved(&m) : most;
+	}
+	CHECK(fixture_is_valid(m.world));
+	cn_world_destroy(m.world);
+	return most;
+}
+
+static void stands_at_all_substeps(const char *name, int32_t kind, uint32_t seeds, double bound)
+{
+	int32_t solver, k;
+	for (solver = 0; solver < 2; ++solver) {
+		double worst = 0.0;
+		for (k = 0; k < TRIED; ++k) {
+			uint32_t seed;
+			for (seed = 1; seed <= seeds; ++seed) {
+				double now = stand(kind, solver ? CN_SOLVER_DIRECT : CN_SOLVER_AUTO, substeps_tried[k], seed);
+				if (now > bound)
+					printf("  seed %u, %d substeps: %.6f m\n", (unsigned)seed, (int)substeps_tried[k], now);
+				worst = now > worst ? now : worst;
+			}
+		}
+		printf("  %s, %s, 2 to 16 substeps\n", name, solver ? "CN_SOLVER_DIRECT" : "CN_SOLVER_AUTO");
+		CHECK_LE("farthest that something moved in 2 s", worst, bound, "m");
+	}
+}
+
+static void t_arches_stand_at_any_substeps(void)
+{
+	stands_at_all_substeps("even arches", 0, 6, 1e-3);
+	stands_at_all_substeps("uneven arches", 1, 6, 1e-3);
+}
+
+static void t_pyramids_of_discs_stand_at_any_substeps(void)
+{
+	stands_at_all_substeps("6 discs", 3, 6, 1e-4);
+	stands_at_all_substeps("10 discs", 4, 6, 1e-3);
+}
+
+/* More on its key than it can bear: it comes down, and nothing is thrown up. */
+static void t_an_arch_that_falls_gains_no_energy(void)
+{
+	double worst = 0.0;
+	uint32_t seed;
+	for (seed = 1; seed <= 6; ++seed) {
+		masonry m;
+		double start, most = -1e9;
+		int32_t k;
+		begin(&m, CN_SOLVER_AUTO, 4, seed);
+		arch(&m, (int32_t)(seed & 1u));
+		for (k = 0; k < 2; ++k) {
+			float top = m.from[m.count / 2].position_m.y;
+			cn_body box = fixture_box(m.world, CN_BODY_DYNAMIC, 0.0f, 1.3f * top + 0.5f * (float)k, 0.0f, 0.25f, 0.25f, m.friction, 0.0f);
+			cn_mass_data heavy;
+			must(cn_body_get_mass_data(m.world, box, &heavy), m.world, "cn_body_get_mass_data");
+			heavy.mass_kg *= 20.0f;
+			heavy.inertia_kgm2 *= 20.0f;
+			must(cn_body_set_mass_data(m.world, box, &heavy), m.world, "cn_body_set_mass_data");
+			keep(&m, box);
+		}
+		start = energy(&m);
+		for (k = 0; k < 120; ++k) {
+			fixture_step(m.world, 1);
+			most = energy(&m) - start > most ? energy(&m) - start : most;
+		}
+		worst = most / start > worst ? most / start : worst;
+		cn_world_destroy(m.world);
+	}
+	CHECK_LE("energy gained / start", worst, 1e-3, "");
+}
+
+int main(int argc, char **argv)
+{
+	test_begin(argc, argv);
+	RUN(t_arches_stand_at_any_substeps);
+	RUN(t_pyramids_of_discs_stand_at_any_substeps);
+	RUN(t_an_arch_that_falls_gains_no_energy);
+	return test_end();
+}
