@@ -26,7 +26,6 @@
 #define ROUNDS_LARGE 32        /* ... of systems that are too large for that */
 #define ROUNDS_ALL 6           /* ... in which all that does not fit is changed at once */
 #define ROUNDS_WARM 4          /* ... from impulses of the last pass */
-#define CONE_WORK 50000        /* most work of that in a step, by substeps, in blocks factored of 10 ns */
 #define CONE_FACTORS 30        /* factorizations that it takes in a substep where it is hard */
 #define CONE_NODE 16           /* blocks: what a contact costs beside one */
 #define PARTING 10.0f          /* times speed_least: contacts that part or slide faster give way */
@@ -718,7 +717,7 @@ static int32_t cone_cost(const pass *q)
 
 static int32_t is_large(const pass *q)
 {
-	return q->world->settings.solver == CN_SOLVER_AUTO && cone_cost(q) > CONE_WORK;
+	return q->world->settings.solver == CN_SOLVER_AUTO && cone_cost(q) > CNI_CONE_WORK;
 }
 
 /* Is it time to give up? Misfits of the rounds to come are mended one each. */
@@ -764,9 +763,12 @@ static int32_t cone_may_be_asked(const pass *q)
 {
 	if (q->c->coned)
 		return 1;
-	if (is_large(q) || (q->world->settings.solver == CN_SOLVER_AUTO && q->world->cone_work + cone_cost(q) > CONE_WORK))
-		return 0;
-	q->world->cone_work += cone_cost(q);
+	if (q->world->settings.solver == CN_SOLVER_AUTO) {
+		if (q->world->cone_work + cone_cost(q) > CNI_CONE_WORK || q->world->cone_spent + cone_cost(q) > CNI_CONE_AT_ONCE)
+			return 0;
+		q->world->cone_work += cone_cost(q);
+		q->world->cone_spent += cone_cost(q);
+	}
 	q->c->coned = 1;
 	return 1;
 }

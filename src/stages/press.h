@@ -12,6 +12,12 @@
 #define CNI_PRESS_MOST 512
 #define CNI_PRESS_WORK 48
 
+/* Work of stages/contact_cone.c by substeps, in blocks factored of 10 ns: most in a step; most at once, of what comes back by so much a
+   step. What does not come to rest by it is left to the soft solver before it costs many times as much. */
+#define CNI_CONE_WORK 50000
+#define CNI_CONE_AT_ONCE (8 * CNI_CONE_WORK)
+#define CNI_CONE_REFILL (CNI_CONE_WORK / 100)
+
 enum { CNI_ROW_OPEN = 0, CNI_ROW_HELD = 1, CNI_ROW_SLIDES = 2 };
 
 /* A touching contact taken out of its lane for the step; letters as in model/contact.h. Rows: two points, friction. */
