@@ -126,6 +126,7 @@ typedef struct swing {
 	float warm;        /* 0.5, or 0: what of the last substep's impulse mu starts from */
 	float speeding;    /* h^2 m a^2 / 4 of the last substep: how far the method's energy may be off */
 	float base_work;   /* that moving bodies without mass have done at their joints in this step */
+	int32_t mends;     /* 1: the step began with gaps that it closes */
 } swing;
 
 static cni_joint_work *work_of(const swing *g, int32_t node)
@@ -708,11 +709,12 @@ static float rounding_of_positions(const swing *g)
 	return sum;
 }
 
-/* What a step gained goes to the account, and what is too much for it out of the motion. */
+/* What a step gained goes to the account, and what is too much for it out of the motion. Where it closed gaps that were there before,
+   bodies were moved by that, and what they gained is not of their motion. */
 static void account(const swing *g, cni_joint_trust *t, float gained)
 {
 	float most = g->speeding + ROUNDING * kinetic(g) + rounding_of_positions(g);
-	t->surplus = cni_max(t->surplus + gained, -most);
+	t->surplus = cni_max(t->surplus + (g->mends ? 0.0f : gained), -most);
 	if (!(t->surplus < FLT_MAX)) /* no account can be kept of what floats cannot hold */
 		t->surplus = 0.0f;
 	if (t->surplus > most)
@@ -735,6 +737,7 @@ static int32_t rattle_try(swing *g, const cni_solve *s, cni_component *c, int32_
 	cni_tension_damp(g->world, g->sparse, c, g->h);
 	cni_direct_refresh(g->world, g->sparse, c);
 	before = energy(g); /* as a step begins, no work has been done */
+	g->mends = gaps_are_closing(g);
 	allowed = energy_allowed(g, s->dt);
 	how = substeps_run(g, s, substeps, 0);
 	if (how != CLOSED_WELL)
@@ -759,6 +762,7 @@ static int32_t project_try(swing *g, const cni_solve *s, cni_component *c, cni_j
 		cni_sparse_clear(g->sparse, c); /* no dampers */
 	cni_direct_refresh(g->world, g->sparse, c);
 	before = energy(g);
+	g->mends = gaps_are_closing(g);
 	most = cni_sqrt(before) + cni_sqrt(energy_allowed(g, s->dt)); /* speeds that drives give, by the norm of kinetic energy */
 	most *= most;
 	how = substeps_run(g, s, cni_max_i(SUBSTEPS_FIRM, s->substeps), 1);
@@ -799,7 +803,7 @@ static int32_t rattle_run(swing *g, const cni_solve *s, cni_component *c, int32_
 
 static void swing_run(cn_world *world, const cni_solve *s, cni_component *c, float *left)
 {
-	swing g = { world, s->direct, c, cni_motions(world), s->h, CLOSED * world->settings.length_unit, 0.0f, left, 0.5f, 0.0f, 0.0f };
+	swing g = { world, s->direct, c, cni_motions(world), s->h, CLOSED * world->settings.length_unit, 0.0f, left, 0.5f, 0.0f, 0.0f, 0 };
 	float rods, last_h = s->warm_scale > 0.0f ? s->h / s->warm_scale : s->h; /* of which the records' impulses are */
 	cni_joint_trust trust = trust_read(&g);
 	int32_t projects;
