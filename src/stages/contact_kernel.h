@@ -87,6 +87,10 @@ CNI_INLINE cni_wide point_separation(const cni_contact_block *k, const cni_conta
 	return cni_wide_load(p->s0 + l) + nx * (b->x - a->x) + ny * (b->y - a->y) + (b->c1 * bn + b->s * bt) - (a->c1 * an + a->s * at);
 }
 
+/* Restitution of which impacts are left to the next substep. Less returns a quarter of the energy at most, and crowds that are pressed
+   together are held apart sooner. */
+#define BOUNCY 0.5f
+
 /* bias: the soft pass, else the rigid one. bounces: restitution of the block's lanes, NULL: they have none. */
 CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces)
 {
@@ -107,13 +111,13 @@ CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row
 		q.want += (1.0f - scale) * cni_wide_load(p->load + l);
 	if (!bias || bounces != NULL) {
 		/* Impacts are left to contact_impact.c: where its sweeps found that bodies do not meet in this substep they do so in the next,
-		   and braking would take the speed that the impact there should return. Of contacts without restitution only relax leaves
+		   and braking would take the speed that the impact there should return. Of contacts that return little of it only relax leaves
 		   them, and only for a surface that only the next substep can reach. */
 		cni_mask left = (vn < cni_wide_of(pass->impact_speed)) & (q.old <= zero), apart = s > zero;
 		if (bounces != NULL && bias)
-			left &= cni_wide_load_loose(bounces + l) > zero;
+			left &= cni_wide_load_loose(bounces + l) > cni_wide_of(BOUNCY);
 		else if (bounces != NULL)
-			left &= apart | (cni_wide_load_loose(bounces + l) > zero);
+			left &= apart | (cni_wide_load_loose(bounces + l) > cni_wide_of(BOUNCY));
 		else
 			left &= apart;
 		part = cni_wide_select(left, zero, one);
