@@ -17,18 +17,11 @@
  *
  * Reads bodies, shapes, the broadphase; writes the changes in motion of the bodies that meet, and the velocities of those that slide.
  */
-#include "base/bitset.h"
-#include "base/cpu.h"
 #include "geometry/distance.h"
 #include "geometry/toi.h"
 #include "stages/solver.h"
-#if CNI_HAS_WIDE_4
-#define CNI_WIDTH 4
-#include "base/wide.h"
-#endif
 
 #include <float.h>
-#include <stddef.h>
 #include <string.h>
 
 #define BODIES_A_RANGE 512 /* ten microseconds: records are read */
@@ -541,55 +534,6 @@ CNI_INLINE void record_ask(const cn_world *world, int32_t body)
 	CNI_PREFETCH(&b->core);
 }
 
-#if CNI_HAS_WIDE_4
-
-/* Which of four bodies are surely watched (path_is_watched), without a look at their boxes, and met nothing static? */
-static cni_mask four_watched(const cn_world *world, cni_body *const b[4], cni_wide dx, cni_wide dy, cni_wide turn, cni_wide extent, cni_wide swing)
-{
-	const float *const records[4] = { (const float *)(const void *)b[0], (const float *)(const void *)b[1], (const float *)(const void *)b[2], (const float *)(const void *)b[3] };
-	const cni_mask flags = { (int32_t)b[0]->flags, (int32_t)b[1]->flags, (int32_t)b[2]->flags, (int32_t)b[3]->flags };
-	const cni_wide room = { cni_body_room(b[0]), cni_body_room(b[1]), cni_body_room(b[2]), cni_body_room(b[3]) };
-	cni_wide x, y, x_low, y_low, vx, vy, w, mass, turned, strays, dt = cni_wide_of(world->step_dt), size = cni_wide_abs(turn);
-	cni_wide_gather4_from(records, (int32_t)(offsetof(cni_body, cx) / sizeof(float)), &x, &y, &x_low, &y_low);
-	cni_wide_gather4_from(records, (int32_t)(offsetof(cni_body, vx) / sizeof(float)), &vx, &vy, &w, &mass);
-	turned = cni_wide_of(0.125f) * swing * turn * turn + (size * swing + cni_wide_of(CNI_BODY_ROUNDING) * (cni_wide_abs(x) + cni_wide_abs(y) + extent));
-	strays = cni_wide_max(cni_wide_abs(dx - dt * vx), cni_wide_abs(dy - dt * vy));
-	return ((size <= cni_wide_of(WATCHED_TURN_MAX_RAD)) | (swing == cni_wide_of(0.0f))) & (strays + turned < room) &
-	       ((flags & ((int32_t)(CNI_BODY_AHEAD | CNI_BODY_AT_STATIC) - (cni_mask){ 0 })) == (int32_t)CNI_BODY_AHEAD - (cni_mask){ 0 });
-}
-
-/* Bodies k to k + 3: which must be looked at by themselves, as bits. The others are slow, or as body_guard would find need nothing. */
-static uint32_t four_look(const cn_world *world, int32_t k)
-{
-	const int32_t *ids = cni_awake_ids(world) + k, row[4] = { 0, 1, 2, 3 };
-	cni_body *const b[4] = { cni_body_at(world, ids[0]), cni_body_at(world, ids[1]), cni_body_at(world, ids[2]), cni_body_at(world, ids[3]) };
-	const cni_wide core = { b[0]->core, b[1]->core, b[2]->core, b[3]->core }, extent = { b[0]->extent, b[1]->extent, b[2]->extent, b[3]->extent };
-	const cni_mask swings = { b[0]->swing, b[1]->swing, b[2]->swing, b[3]->swing };
-	const cni_wide swing = extent * (__builtin_convertvector(swings, cni_wide) * cni_wide_of(CNI_SWING_UNIT));
-	cni_wide dx, dy, turn, unused, most = cni_wide_of(0.25f) * core, turned;
-	uint32_t fast;
-	cni_wide_gather4(&cni_motions(world)[k].dpx, (int32_t)(sizeof(cni_motion) / sizeof(float)), row, &dx, &dy, &turn, &unused);
-	turned = turn * swing;
-	fast = cni_mask_bits(dx * dx + dy * dy + turned * turned > most * most);
-	if (fast == 0 || world->pairs_may_repeat || ((b[0]->flags | b[1]->flags | b[2]->flags | b[3]->flags) & CN_BODY_BULLET))
-		return fast;
-	return fast & ~cni_mask_bits(four_watched(world, b, dx, dy, turn, extent, swing));
-}
-
-#endif
-
-#if defined(CNI_DEBUG) && CNI_HAS_WIDE_4
-/* Would body_guard find nothing to do for it? */
-static int32_t body_needs_nothing(const cn_world *world, const cni_body *b, const cni_motion *m)
-{
-	if (!body_is_fast(b, m))
-		return 1;
-	if (b->flags & CN_BODY_BULLET)
-		return 0;
-	return world->movable_count == world->body_handles.count || (!world->pairs_may_repeat && !(b->flags & CNI_BODY_AT_STATIC) && path_is_watched(world, b, m));
-}
-#endif
-
 /* Writes nothing but motions and drives of the range. */
 static void guard_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
@@ -597,25 +541,15 @@ static void guard_range(void *context, int32_t begin, int32_t end, int32_t worke
 	const cn_world *world = loop->world;
 	const int32_t *ids = cni_awake_ids(world);
 	const cni_motion *motions = cni_motions(world);
-	int32_t k, l, last = end + 1, many = world->awake_count > RECORDS_MANY;
+	int32_t k, many = world->awake_count > RECORDS_MANY;
 	walks all;
 	(void)worker;
 	all.count = 0;
-	for (k = begin + 1; k < last; k += 4) {
-		uint32_t left = 15u >> cni_max_i(k + 4 - last, 0);
-		for (l = k + RECORDS_AHEAD; many && l < cni_min_i(k + 4 + RECORDS_AHEAD, last); ++l)
-			record_ask(world, ids[l]);
-#if CNI_HAS_WIDE_4
-		if (left == 15u)
-			left = four_look(world, k);
-		for (l = 0; l < 4; ++l)
-			CNI_ASSERT((left >> l & 1u) || k + l >= last || body_needs_nothing(world, cni_body_at(world, ids[k + l]), &motions[k + l]));
-#endif
-		for (; left != 0; left &= left - 1u) {
-			l = k + cni_bit_lowest32(left);
-			if (body_is_fast(cni_body_at(world, ids[l]), &motions[l]))
-				body_guard(loop, &all, ids[l], &motions[l]);
-		}
+	for (k = begin + 1; k <= end; ++k) {
+		if (many && k + RECORDS_AHEAD <= end)
+			record_ask(world, ids[k + RECORDS_AHEAD]);
+		if (body_is_fast(cni_body_at(world, ids[k]), &motions[k]))
+			body_guard(loop, &all, ids[k], &motions[k]);
 	}
 	walks_run(&all, 0);
 }
