@@ -25,7 +25,6 @@
 #include <string.h>
 
 #define BODIES_A_RANGE 512 /* ten microseconds: records are read */
-#define WALKS 8             /* bodies whose contacts are gone through by turns */
 #define RECORDS_AHEAD 8     /* bodies whose records are asked for ... */
 #define RECORDS_MANY 1024   /* ... where there are so many that they are not near anyway */
 
@@ -337,109 +336,34 @@ static void clamp_body(cn_world *world, int32_t body, int32_t what)
 
 /* ---- bodies that can meet only static shapes that they have contacts with ---- */
 
-/*
- * One of them on its way through its contacts. Each record names the next one, so its memory would be waited for: several
- * bodies take turns, and meanwhile it comes. What one finds depends on no other; only a user's filter
- * sees that they take turns.
- */
-typedef struct walk {
+static void shape_look(clamp *c, const cni_shape *s)
+{
+	const cn_world *world = c->world;
+	int32_t key, next, has_core = 0;
+	for (key = c->body->contact_first; key != CNI_NONE; key = next) {
+		const cni_contact *contact = cni_contact_of_key(world, key);
+		int32_t side = key & 1, other = contact->proxy[1 - side];
+		next = contact->next[side];
+		if (contact->proxy[side] != c->proxy || !(cni_proxy_at(world, other)->flags & CNI_PROXY_STATIC))
+			continue;
+		if (!has_core)
+			core_begin(c, cni_shape_geometry(&world->blocks, s));
+		has_core = 1;
+		visit(c, other, 0.0f);
+	}
+}
+
+static void clamp_watched(cn_world *world, int32_t body)
+{
 	clamp c;
 	int32_t shape;
-	int32_t cored;  /* 1: the core is of this shape */
-	int32_t key;    /* of the contact to look at next, CNI_NONE: the shape is done */
-	int32_t other;  /* proxy that the last contact is with, CNI_NONE: none of the shape's */
-} walk;
-
-typedef struct walks {
-	walk of[WALKS];
-	int32_t count;
-} walks;
-
-/* Inlined by force, like record_ask: compilers take a function that only prefetches for one that does nothing. */
-CNI_INLINE void key_ask(const cn_world *world, int32_t key)
-{
-	const cni_contact *c;
-	if (key == CNI_NONE)
-		return;
-	c = cni_contact_of_key(world, key);
-	CNI_PREFETCH(c);
-	CNI_PREFETCH(c->next);
-}
-
-/* From this shape on the first that may pass through things. */
-static void walk_shape(walk *w, int32_t shape)
-{
-	const cn_world *world = w->c.world;
-	for (; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
-		const cni_shape *s = cni_shape_at(world, shape);
-		w->c.proxy = cni_shape_proxy(world, s, 0);
-		if (shape_may_pass(s, w->c.proxy))
-			break;
+	clamp_begin(&c, world, body, CLAMP_STATIC);
+	for (shape = c.body->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+		c.proxy = cni_shape_proxy(world, cni_shape_at(world, shape), 0);
+		if (shape_may_pass(cni_shape_at(world, shape), c.proxy))
+			shape_look(&c, cni_shape_at(world, shape));
 	}
-	w->shape = shape;
-	w->cored = 0;
-	w->key = shape != CNI_NONE ? w->c.body->contact_first : CNI_NONE;
-	w->other = CNI_NONE;
-	key_ask(world, w->key);
-}
-
-static void walk_visit(walk *w)
-{
-	const cn_world *world = w->c.world;
-	if (!(cni_proxy_at(world, w->other)->flags & CNI_PROXY_STATIC))
-		return;
-	if (!w->cored)
-		core_begin(&w->c, cni_shape_geometry(&world->blocks, cni_shape_at(world, w->shape)));
-	w->cored = 1;
-	visit(&w->c, w->other, 0.0f);
-}
-
-/* Looks at one contact. 0: all shapes are done. */
-static int32_t walk_on(walk *w)
-{
-	const cn_world *world = w->c.world;
-	int32_t side = w->key & 1;
-	const cni_contact *contact;
-	if (w->other != CNI_NONE)
-		walk_visit(w);
-	if (w->key == CNI_NONE) {
-		walk_shape(w, cni_shape_at(world, w->shape)->next);
-		return w->shape != CNI_NONE;
-	}
-	contact = cni_contact_of_key(world, w->key);
-	w->other = contact->proxy[side] == w->c.proxy ? contact->proxy[1 - side] : CNI_NONE;
-	w->key = contact->next[side];
-	key_ask(world, w->key);
-	if (w->other != CNI_NONE)
-		CNI_PREFETCH(&cni_proxy_at(world, w->other)->flags);
-	return 1;
-}
-
-/* Until at most so many are left. */
-static void walks_run(walks *all, int32_t left)
-{
-	int32_t k = 0;
-	while (all->count > left) {
-		if (k >= all->count)
-			k = 0;
-		if (walk_on(&all->of[k])) {
-			++k;
-			continue;
-		}
-		clamp_slide_or_end(&all->of[k].c);
-		if (k != --all->count)
-			all->of[k] = all->of[all->count];
-	}
-}
-
-static void walks_add(walks *all, cn_world *world, int32_t body)
-{
-	walk *w;
-	walks_run(all, WALKS - 1);
-	w = &all->of[all->count];
-	clamp_begin(&w->c, world, body, CLAMP_STATIC);
-	walk_shape(w, w->c.body->shape_first);
-	all->count += w->shape != CNI_NONE;
+	clamp_slide_or_end(&c);
 }
 
 /* Farther turns are looked at the long way. */
@@ -510,7 +434,7 @@ typedef struct guard_loop {
 } guard_loop;
 
 /* A fast body. What one finds depends on no other, but for bullets: they are looked at when all others have their ways. */
-static void body_guard(guard_loop *loop, walks *all, int32_t body, const cni_motion *m)
+static void body_guard(guard_loop *loop, int32_t body, const cni_motion *m)
 {
 	cn_world *world = loop->world;
 	const cni_body *b = cni_body_at(world, body);
@@ -524,7 +448,7 @@ static void body_guard(guard_loop *loop, walks *all, int32_t body, const cni_mot
 	if (world->pairs_may_repeat || !path_is_watched(world, b, m))
 		clamp_body(world, body, CLAMP_STATIC);
 	else if (b->flags & CNI_BODY_AT_STATIC)
-		walks_add(all, world, body);
+		clamp_watched(world, body);
 }
 
 CNI_INLINE void record_ask(const cn_world *world, int32_t body)
@@ -542,16 +466,13 @@ static void guard_range(void *context, int32_t begin, int32_t end, int32_t worke
 	const int32_t *ids = cni_awake_ids(world);
 	const cni_motion *motions = cni_motions(world);
 	int32_t k, many = world->awake_count > RECORDS_MANY;
-	walks all;
 	(void)worker;
-	all.count = 0;
 	for (k = begin + 1; k <= end; ++k) {
 		if (many && k + RECORDS_AHEAD <= end)
 			record_ask(world, ids[k + RECORDS_AHEAD]);
 		if (body_is_fast(cni_body_at(world, ids[k]), &motions[k]))
-			body_guard(loop, &all, ids[k], &motions[k]);
+			body_guard(loop, ids[k], &motions[k]);
 	}
-	walks_run(&all, 0);
 }
 
 /* In order: one may shorten the way of another. */
