@@ -102,7 +102,7 @@ typedef struct cni_block_info {
 	int32_t color;
 	uint32_t flags;
 	uint32_t fresh_step;             /* step + 1 in which a lane last began to touch */
-	uint16_t fresh;                  /* ... lanes that did then, as bits */
+	uint16_t fresh;                  /* ... lanes that did then, as bits; the solver takes out those that bear, substep by substep */
 	uint16_t anchored;               /* lanes that have an anchor, as bits */
 } cni_block_info;
 

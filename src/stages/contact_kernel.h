@@ -59,6 +59,14 @@ CNI_INLINE void sides_lock(const cni_block_extra *extra, int32_t l, side *a, sid
 	b->my = b->m * (1.0f - cni_wide_load(extra->lock_by + l));
 }
 
+/* Takes back what happened to lanes that are not live. */
+CNI_INLINE void side_keep(side *a, const side *old, cni_mask live)
+{
+	a->vx = cni_wide_select(live, a->vx, old->vx);
+	a->vy = cni_wide_select(live, a->vy, old->vy);
+	a->w = cni_wide_select(live, a->w, old->w);
+}
+
 /* A point of every lane, ready for the pair solve. */
 typedef struct point {
 	cni_wide at, bt;
@@ -230,6 +238,72 @@ CNI_INLINE void solve_rolling(const cni_contact_block *k, cni_block_extra *extra
 	b->w += b->i * dj;
 }
 
+/* Once through the rows of a group; lanes that are not live stay as they are. */
+CNI_INLINE void solve_live(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, cni_mask live)
+{
+	cni_wide p = cni_wide_load(k->p[0].jn + l), q = cni_wide_load(k->p[1].jn + l), t = cni_wide_load(k->jt + l), roll;
+	side a_old = *a, b_old = *b;
+	solve_normals(k, extra, l, a, b, pass, bias, bounces, 2);
+	solve_friction(k, extra, l, a, b);
+	if (extra != NULL) {
+		roll = cni_wide_load(extra->rolling_impulse + l);
+		solve_rolling(k, extra, l, a, b);
+		cni_wide_store(extra->rolling_impulse + l, cni_wide_select(live, cni_wide_load(extra->rolling_impulse + l), roll));
+	}
+	cni_wide_store(k->p[0].jn + l, cni_wide_select(live, cni_wide_load(k->p[0].jn + l), p));
+	cni_wide_store(k->p[1].jn + l, cni_wide_select(live, cni_wide_load(k->p[1].jn + l), q));
+	cni_wide_store(k->jt + l, cni_wide_select(live, cni_wide_load(k->jt + l), t));
+	side_keep(a, &a_old, live);
+	side_keep(b, &b_old, live);
+}
+
+/*
+ * Lanes whose contact began to touch this step iterate between normals and friction in the substep in which they begin to
+ * bear: with no impulse to start from, one round leaves friction bounded by a normal force that is not there yet, and a
+ * body set down on a slope would start with a false speed.
+ */
+#define FRESH_ROUNDS 4
+
+/* The rounds but the first. A function of its own, called with copies: groups without such lanes keep their registers. */
+static void solve_again(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, uint32_t live)
+{
+	int32_t round;
+	for (round = 1; round < FRESH_ROUNDS; ++round)
+		solve_live(k, extra, l, a, b, pass, bias, bounces, cni_mask_of_bits(live));
+}
+
+/* Lanes of a group that bear, as bits. */
+CNI_INLINE uint32_t group_bears(const cni_contact_block *k, int32_t l)
+{
+	return cni_mask_bits(cni_wide_load(k->p[0].jn + l) + cni_wide_load(k->p[1].jn + l) > cni_wide_of(0.0f));
+}
+
+/* Lanes of a group in which normals and friction change each other, as bits. They do not where there is one point, straight
+   ahead of both centres (or of that which turns), as of balls on the ground and on each other. */
+CNI_INLINE uint32_t group_couples(const cni_contact_block *k, int32_t l, const side *a, const side *b)
+{
+	cni_wide at = cni_wide_load(k->p[0].at + l), bt = at - cni_wide_load(k->dt + l);
+	cni_wide across = a->i * cni_wide_abs(at * cni_wide_load(k->fa + l)) + b->i * cni_wide_abs(bt * cni_wide_load(k->fb + l));
+	cni_mask two = cni_wide_load(k->p[1].nm + l) > cni_wide_of(0.0f);
+	return cni_mask_bits(two | (across > 1e-3f * (a->m + b->m)));
+}
+
+CNI_INLINE void solve_fresh(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, uint32_t fresh)
+{
+	side a_copy, b_copy;
+	uint32_t live = fresh >> l & ((1u << CNI_WIDTH) - 1u);
+	if (live == 0)
+		return;
+	live &= group_bears(k, l) & (extra != NULL ? live : group_couples(k, l, a, b));
+	if (live == 0)
+		return;
+	a_copy = *a;
+	b_copy = *b;
+	solve_again(k, extra, l, &a_copy, &b_copy, pass, bias, bounces, live);
+	*a = a_copy;
+	*b = b_copy;
+}
+
 CNI_INLINE void sides_scatter(cni_motion *motions, const cni_contact_block *k, int32_t l, const side *a, const side *b, const cni_contact_pass *pass)
 {
 	side_scatter(motions, k->ia + l, a);
@@ -237,7 +311,7 @@ CNI_INLINE void sides_scatter(cni_motion *motions, const cni_contact_block *k, i
 		side_scatter(motions, k->ib + l, b);
 }
 
-CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass, int32_t bias, const float *bounces)
+CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass, uint32_t fresh, int32_t bias, const float *bounces)
 {
 	side a, b;
 	side_gather(motions, k->ia + l, &a);
@@ -251,6 +325,7 @@ CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block
 	solve_friction(k, extra, l, &a, &b);
 	if (extra != NULL)
 		solve_rolling(k, extra, l, &a, &b);
+	solve_fresh(k, extra, l, &a, &b, pass, bias, bounces, fresh);
 	sides_scatter(motions, k, l, &a, &b, pass);
 }
 
@@ -258,7 +333,7 @@ CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block
  * Two groups of one colour without extra rows, by turns: each is a long chain of operations that wait for one
  * another, and processors do not look far enough ahead to begin the next group meanwhile.
  */
-CNI_INLINE void solve_pair(cni_motion *motions, cni_contact_block *k, int32_t l, const cni_contact_pass *pass, int32_t bias, const float *bounces, int32_t points)
+CNI_INLINE void solve_pair(cni_motion *motions, cni_contact_block *k, int32_t l, const cni_contact_pass *pass, uint32_t fresh, int32_t bias, const float *bounces, int32_t points)
 {
 	int32_t m = l + CNI_WIDTH;
 	side al, bl, am, bm;
@@ -275,52 +350,56 @@ CNI_INLINE void solve_pair(cni_motion *motions, cni_contact_block *k, int32_t l,
 	normals_apply(&cm, k, m, &am, &bm, points);
 	solve_friction(k, NULL, l, &al, &bl);
 	solve_friction(k, NULL, m, &am, &bm);
+	solve_fresh(k, NULL, l, &al, &bl, pass, bias, bounces, fresh);
+	solve_fresh(k, NULL, m, &am, &bm, pass, bias, bounces, fresh);
 	sides_scatter(motions, k, l, &al, &bl, pass);
 	sides_scatter(motions, k, m, &am, &bm, pass);
 }
 
+/* Lanes that began to touch in this step and did not bear in its substeps before, as bits. */
+CNI_INLINE uint32_t block_fresh(const cni_listed_block *b)
+{
+	return b->fresh != 0 ? b->fresh & b->info->fresh : 0;
+}
+
+/* At the end of a substep: those that bear are as others from now on. */
+static void block_age(const cni_listed_block *b, uint32_t fresh)
+{
+	int32_t l;
+	for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
+		b->info->fresh = (uint16_t)(b->info->fresh & ~(fresh & group_bears(b->rows, l) << l));
+}
+
 /* The groups of a block without extra rows. */
-CNI_INLINE void solve_plain(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, int32_t bias, const float *bounces)
+CNI_INLINE void solve_plain(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, uint32_t fresh, int32_t bias, const float *bounces)
 {
 	int32_t l = b->begin, end = b->lanes;
 #if CNI_WIDTH > 1
 	for (; l + CNI_WIDTH < end; l += 2 * CNI_WIDTH)
 		if (has_one_point(b->rows, l) && has_one_point(b->rows, l + CNI_WIDTH))
-			solve_pair(motions, b->rows, l, pass, bias, bounces, 1);
+			solve_pair(motions, b->rows, l, pass, fresh, bias, bounces, 1);
 		else
-			solve_pair(motions, b->rows, l, pass, bias, bounces, 2);
+			solve_pair(motions, b->rows, l, pass, fresh, bias, bounces, 2);
 #endif
 	for (; l < end; l += CNI_WIDTH)
-		solve_group(motions, b->rows, NULL, l, pass, bias, bounces);
-}
-
-/*
- * A contact that began to touch in this step has no impulse to start from. Where there is rolling resistance one round leaves
- * it bounded by a normal force that is not there yet, and a ball set down on a slope would start with a false speed. A whole
- * block iterates, so that results do not depend on the width.
- */
-#define FRESH_ROUNDS 4
-
-CNI_INLINE void solve_extra(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, int32_t bias, const float *bounces)
-{
-	int32_t round, l;
-	for (round = b->fresh != 0 ? FRESH_ROUNDS : 1; round > 0; --round)
-		for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
-			solve_group(motions, b->rows, b->extra, l, pass, bias, bounces);
+		solve_group(motions, b->rows, NULL, l, pass, fresh, bias, bounces);
 }
 
 /* Those of a block with extra rows or restitution. A function of its own for each of them: they are few. */
-static void solve_rare(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, int32_t bias)
+static void solve_rare(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, uint32_t fresh, int32_t bias)
 {
 	const float *bounces = b->info->restitution;
+	int32_t l;
 	if (b->extra != NULL && bias)
-		solve_extra(motions, b, pass, 1, bounces);
+		for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
+			solve_group(motions, b->rows, b->extra, l, pass, fresh, 1, bounces);
 	else if (b->extra != NULL)
-		solve_extra(motions, b, pass, 0, bounces);
+		for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
+			solve_group(motions, b->rows, b->extra, l, pass, fresh, 0, bounces);
 	else if (bias)
-		solve_plain(motions, b, pass, 1, bounces);
+		solve_plain(motions, b, pass, fresh, 1, bounces);
 	else
-		solve_plain(motions, b, pass, 0, bounces);
+		solve_plain(motions, b, pass, fresh, 0, bounces);
 }
 
 /* Few blocks have extra rows: the compiler knows that the others have none. */
@@ -330,12 +409,15 @@ CNI_INLINE void solve_blocks(const cni_color_pass *c, int32_t begin, int32_t end
 	for (k = begin; k < end; ++k) {
 		const cni_listed_block *b = &c->blocks[k];
 		const cni_contact_pass *pass = &c->kinds[b->kind];
+		uint32_t fresh = block_fresh(b);
 		if (c->prefetches)
 			cni_blocks_prefetch(c, k, end);
 		if (b->extra == NULL && !(b->info->flags & CNI_BLOCK_RESTITUTION))
-			solve_plain(c->motions, b, pass, bias, NULL);
+			solve_plain(c->motions, b, pass, fresh, bias, NULL);
 		else
-			solve_rare(c->motions, b, pass, bias);
+			solve_rare(c->motions, b, pass, fresh, bias);
+		if (fresh != 0 && !bias)
+			block_age(b, fresh);
 	}
 }
 

@@ -16,7 +16,8 @@ typedef struct cni_color_pass {
 	int32_t prefetches;        /* 1: they are not in the cache */
 } cni_color_pass;
 
-/* Works on the lanes of blocks begin to end - 1, and on those behind them up to a whole vector, which are empty. */
+/* Works on the lanes of blocks begin to end - 1, and on those behind them up to a whole vector, which are empty. Fresh lanes
+   go more than once between normals and friction. */
 typedef void cni_contact_kernel_fn(const cni_color_pass *c, int32_t begin, int32_t end);
 
 /* The passes of a kernel. */
