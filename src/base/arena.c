@@ -32,7 +32,7 @@ static void arena_pop_last(cni_arena *arena)
 		cni_memory_free(arena->memory, entry->pointer, entry->bytes);
 	else
 		arena->used -= entry->bytes;
-	arena->in_use -= entry->once ? 0 : entry->bytes;
+	arena->in_use -= entry->bytes;
 	arena->entry_count -= 1;
 }
 
@@ -69,7 +69,7 @@ int32_t cni_arena_reserve(cni_arena *arena, uint64_t bytes)
 	return 1;
 }
 
-static void *push(cni_arena *arena, uint64_t bytes, int32_t once)
+void *cni_arena_push(cni_arena *arena, uint64_t bytes)
 {
 	/* An empty entry still takes a line: its pointer must differ from the one below it. */
 	uint64_t taken = cni_memory_rounded(bytes > 0 ? bytes : 1);
@@ -86,25 +86,14 @@ static void *push(cni_arena *arena, uint64_t bytes, int32_t once)
 	entry->pointer = pointer;
 	entry->bytes = taken;
 	entry->fallback = fallback;
-	entry->once = once && fallback;
 	if (fallback)
 		arena->fallbacks += 1;
 	else
 		arena->used += taken;
-	arena->in_use += entry->once ? 0 : taken;
+	arena->in_use += taken;
 	if (arena->in_use > arena->high_water)
 		arena->high_water = arena->in_use;
 	return pointer;
-}
-
-void *cni_arena_push(cni_arena *arena, uint64_t bytes)
-{
-	return push(arena, bytes, 0);
-}
-
-void *cni_arena_push_once(cni_arena *arena, uint64_t bytes)
-{
-	return push(arena, bytes, 1);
 }
 
 int32_t cni_arena_pop(cni_arena *arena, void *pointer)

@@ -21,7 +21,6 @@ typedef struct cni_arena_entry {
 	void *pointer;
 	uint64_t bytes;
 	int32_t fallback;
-	int32_t once;
 } cni_arena_entry;
 
 typedef struct cni_arena {
@@ -29,7 +28,7 @@ typedef struct cni_arena {
 	uint8_t *block;
 	uint64_t capacity;
 	uint64_t used;       /* bytes of the block in use */
-	uint64_t in_use;     /* bytes of all entries, fallbacks too, but not those beyond the block that were pushed once */
+	uint64_t in_use;     /* bytes of all entries, fallbacks too */
 	uint64_t high_water; /* most in_use since creation */
 	uint64_t fallbacks;  /* entries served by the fallback since creation */
 	int32_t entry_count;
@@ -45,8 +44,6 @@ int32_t cni_arena_reserve(cni_arena *arena, uint64_t bytes);
 /* 64-byte aligned scratch, not cleared; bytes may be 0 (gives a valid non-NULL pointer). NULL when
    neither the block nor the fallback has room or all CNI_ARENA_ENTRIES are taken. */
 void *cni_arena_push(cni_arena *arena, uint64_t bytes);
-/* The same for what is not needed again soon: the block does not grow for it. */
-void *cni_arena_push_once(cni_arena *arena, uint64_t bytes);
 /* pointer must be the latest entry that is still pushed: 1, else 0 and nothing changes. NULL: 1. */
 int32_t cni_arena_pop(cni_arena *arena, void *pointer);
 /* Pops whatever is left and, if the high-water mark is above the capacity, grows the block to it

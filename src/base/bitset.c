@@ -12,24 +12,3 @@ int32_t cni_bit_count64(uint64_t x)
 	x = (x + (x >> 4)) & UINT64_C(0x0F0F0F0F0F0F0F0F);
 	return (int32_t)((x * UINT64_C(0x0101010101010101)) >> 56);
 }
-
-int32_t cni_bit_next(const uint64_t *words, int32_t bits, int32_t from)
-{
-	int32_t word_count = cni_bit_words(bits);
-	int32_t word = from >> 6;
-	uint64_t rest;
-	int32_t bit;
-
-	CNI_ASSERT(from >= 0);
-	if (from >= bits)
-		return CNI_NONE;
-	rest = words[word] & (~UINT64_C(0) << (from & 63));
-	while (rest == 0) {
-		if (++word == word_count)
-			return CNI_NONE;
-		rest = words[word];
-	}
-	bit = (word << 6) + cni_bit_lowest64(rest);
-	/* Bits of the last word beyond the end belong to nobody. */
-	return bit < bits ? bit : CNI_NONE;
-}

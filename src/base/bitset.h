@@ -36,7 +36,4 @@ static inline int32_t cni_bit_lowest32(uint32_t x)
 #endif
 }
 
-/* First set bit >= from among bits, or CNI_NONE. */
-int32_t cni_bit_next(const uint64_t *words, int32_t bits, int32_t from);
-
 #endif

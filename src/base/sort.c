@@ -1,5 +1,5 @@
 /*
- * base/sort.c - stable sorting of keys and of keys with values; touches only the caller's arrays.
+ * base/sort.c - stable sorting of keys; touches only the caller's arrays.
  *
  * Insertion sort first, until it has shifted more than a few items for each one sorted: input that is
  * short or nearly in order (the common case from one step to the next) ends there in one sweep. What
@@ -27,25 +27,6 @@ static int32_t keys_insert(uint64_t *keys, int32_t count, int64_t budget)
 		for (j = i; j > 0 && keys[j - 1] > key; --j)
 			keys[j] = keys[j - 1];
 		keys[j] = key;
-		budget -= i - j;
-	}
-	return i >= count;
-}
-
-static int32_t pairs_insert(uint64_t *keys, uint32_t *values, int32_t count, int64_t budget)
-{
-	int32_t i, j;
-
-	for (i = 1; i < count && budget >= 0; ++i) {
-		uint64_t key = keys[i];
-		uint32_t value = values[i];
-
-		for (j = i; j > 0 && keys[j - 1] > key; --j) {
-			keys[j] = keys[j - 1];
-			values[j] = values[j - 1];
-		}
-		keys[j] = key;
-		values[j] = value;
 		budget -= i - j;
 	}
 	return i >= count;
@@ -112,46 +93,6 @@ void cni_sort_keys(uint64_t *keys, uint64_t *scratch, int32_t count)
 	}
 	if (from != keys)
 		memcpy(keys, from, (size_t)count * sizeof *keys);
-}
-
-static void pairs_scatter(const uint64_t *keys, const uint32_t *values, uint64_t *to_keys, uint32_t *to_values,
-                          int32_t count, int32_t shift)
-{
-	int32_t first[256];
-	int32_t i;
-
-	digits_locate(keys, count, shift, first);
-	for (i = 0; i < count; ++i) {
-		int32_t place = first[key_digit(keys[i], shift)]++;
-
-		to_keys[place] = keys[i];
-		to_values[place] = values[i];
-	}
-}
-
-void cni_sort_pairs(uint64_t *keys, uint32_t *values, uint64_t *scratch_keys, uint32_t *scratch_values, int32_t count)
-{
-	int32_t has_scratch = scratch_keys != NULL && scratch_values != NULL;
-	int32_t in_scratch = 0;
-	uint64_t differing;
-	int32_t shift;
-
-	if (pairs_insert(keys, values, count, shift_budget(count, has_scratch)))
-		return;
-	differing = keys_differing(keys, count);
-	for (shift = 0; shift < 64; shift += 8) {
-		if (key_digit(differing, shift) == 0)
-			continue;
-		if (in_scratch)
-			pairs_scatter(scratch_keys, scratch_values, keys, values, count, shift);
-		else
-			pairs_scatter(keys, values, scratch_keys, scratch_values, count, shift);
-		in_scratch = !in_scratch;
-	}
-	if (in_scratch) {
-		memcpy(keys, scratch_keys, (size_t)count * sizeof *keys);
-		memcpy(values, scratch_values, (size_t)count * sizeof *values);
-	}
 }
 
 /* IEEE bits of positive floats already rise with the float; negative ones fall, so they are inverted. */

@@ -1,5 +1,5 @@
 /*
- * base/sort.h - stable sorting of 64-bit keys, optionally with a 32-bit payload carried along.
+ * base/sort.h - stable sorting of 64-bit keys.
  * Insertion for short or nearly sorted input (a budget of shifts), else least-significant-digit radix
  * by bytes, skipping digits that are equal everywhere. No allocation: the caller brings scratch of the
  * same length; without scratch (NULL) a stable in-place insertion sort is used, whatever it costs.
@@ -10,8 +10,6 @@
 #include "base/config.h"
 
 void cni_sort_keys(uint64_t *keys, uint64_t *scratch, int32_t count);
-/* values[i] follows keys[i]. */
-void cni_sort_pairs(uint64_t *keys, uint32_t *values, uint64_t *scratch_keys, uint32_t *scratch_values, int32_t count);
 /* Order-preserving map of a finite float to 32 bits: a < b exactly when key(a) < key(b); -0 and 0 are equal. */
 uint32_t cni_sort_float_key(float x);
 

@@ -224,8 +224,7 @@ static void measure_shapes(const cn_world *world, cni_body *b)
 	cni_body_forget_room(b);
 }
 
-/* Moves the centre of mass within the body: the origin stays, the material keeps its velocity. */
-static void body_set_center(cn_world *world, cni_body *b, cni_vec2 local_center)
+void cni_body_set_center(cn_world *world, cni_body *b, cni_vec2 local_center)
 {
 	cni_vec2 shift = cni_rotate(b->q, cni_sub(local_center, b->local_center));
 	cn_velocity v = cni_body_velocity(world, b);
@@ -243,12 +242,12 @@ void cni_body_update_mass(cn_world *world, int32_t body)
 	cni_body *b = cni_body_at(world, body);
 	if (b->type != CN_BODY_DYNAMIC) {
 		b->mass = b->inertia = 0.0f;
-		body_set_center(world, b, cni_v(0.0f, 0.0f));
+		cni_body_set_center(world, b, cni_v(0.0f, 0.0f));
 	} else if (!(b->flags & CNI_BODY_MASS_OVERRIDE)) {
 		cn_mass_data m = shapes_mass(world, b);
 		b->mass = m.mass_kg > 0.0f ? m.mass_kg : 1.0f;
 		b->inertia = m.mass_kg > 0.0f ? m.inertia_kgm2 : 0.0f;
-		body_set_center(world, b, m.center_m);
+		cni_body_set_center(world, b, m.center_m);
 	}
 	measure_shapes(world, b);
 	cni_body_refresh_motion(world, b);

@@ -235,6 +235,8 @@ void cni_body_update_mass(cn_world *world, int32_t body);
 /* The same after the shape `came` was linked, or (CNI_NONE) one unlinked, but in a time that does not grow with the shapes of a
    static body, which may be a level of thousands of tiles: its extent never shrinks until all of it is measured anew. */
 void cni_body_shapes_changed(cn_world *world, int32_t body, int32_t came);
+/* Moves the centre of mass within the body: the origin stays, the material keeps its velocity. */
+void cni_body_set_center(cn_world *world, cni_body *b, cni_vec2 local_center);
 /* Writes inv_mass, inv_inertia (locks, type) to the dense array if awake. */
 void cni_body_refresh_motion(cn_world *world, cni_body *b);
 /* Moves the origin and turns; refreshes the broadphase boxes of its shapes. */

@@ -196,15 +196,8 @@ static uint32_t kernel_follow(const cni_follow_pass *pass, cni_contact_block *k,
 	int32_t l;
 	for (l = 0; l < CNI_LANES; l += CNI_WIDTH) {
 		uint32_t lanes = anchored & ((1u << CNI_WIDTH) - 1u) << l;
-		if (lanes == 0)
-			continue;
-#if CNI_WIDTH == 8
-		if (lanes >> l < 16u) {
-			followed |= cni_contact_kernel_few.follow(pass, k, anchor, bodies, lanes);
-			continue;
-		}
-#endif
-		followed |= follow_group(pass, k, anchor, bodies, lanes, l);
+		if (lanes != 0)
+			followed |= follow_group(pass, k, anchor, bodies, lanes, l);
 	}
 	return followed;
 }

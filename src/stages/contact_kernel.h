@@ -18,10 +18,6 @@
 #include "base/wide.h"
 #include "stages/contact_pass.h"
 
-#if !defined(CNI_FEW)
-#define CNI_FEW 0 /* 1: this is the one for what the kernel of width 8 leaves */
-#endif
-
 #define MOTION_FLOATS ((int32_t)(sizeof(cni_motion) / sizeof(float)))
 
 /* The bodies on one side of CNI_WIDTH lanes. */
@@ -364,38 +360,6 @@ CNI_INLINE void solve_pair(cni_motion *motions, cni_contact_block *k, int32_t l,
 	sides_scatter(motions, k, m, &am, &bm, pass);
 }
 
-/*
- * Which lanes of a block this kernel does. That of width 8 leaves few lanes at a block's end to contact_kernel_few.c, which
- * goes on through the blocks behind it while they have no others.
- */
-CNI_INLINE int32_t lanes_begin(const cni_listed_block *b)
-{
-	return CNI_FEW ? cni_lanes_wide(b->lanes) : b->begin;
-}
-
-CNI_INLINE int32_t lanes_end(const cni_listed_block *b)
-{
-	return CNI_WIDTH == 8 ? cni_lanes_wide(b->lanes) : b->lanes;
-}
-
-/* The block after k that is to be done, by this kernel if block_is_mine. */
-CNI_INLINE int32_t block_next(const cni_color_pass *c, int32_t k, int32_t end, int32_t which)
-{
-#if CNI_WIDTH == 8
-	if (lanes_end(&c->blocks[k]) < c->blocks[k].lanes)
-		return cni_contact_kernel_few.pass[which](c, k, end);
-#endif
-	(void)c;
-	(void)end;
-	(void)which;
-	return k + 1;
-}
-
-CNI_INLINE int32_t block_is_mine(const cni_color_pass *c, int32_t k, int32_t end)
-{
-	return k < end && (!CNI_FEW || cni_lanes_wide(c->blocks[k].lanes) == 0);
-}
-
 /* Lanes that began to touch in this step and did not bear in its substeps before, as bits. */
 CNI_INLINE uint32_t block_fresh(const cni_listed_block *b)
 {
@@ -406,15 +370,15 @@ CNI_INLINE uint32_t block_fresh(const cni_listed_block *b)
 static void block_age(const cni_listed_block *b, uint32_t fresh)
 {
 	int32_t l;
-	for (l = lanes_begin(b); l < lanes_end(b); l += CNI_WIDTH)
+	for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
 		b->info->fresh = (uint16_t)(b->info->fresh & ~(fresh & group_bears(b->rows, l) << l));
 }
 
 /* The groups of a block without extra rows. */
 CNI_INLINE void solve_plain(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, uint32_t fresh, int32_t bias, const float *bounces)
 {
-	int32_t l = lanes_begin(b), end = lanes_end(b);
-#if CNI_WIDTH > 1 && !CNI_FEW
+	int32_t l = b->begin, end = b->lanes;
+#if CNI_WIDTH > 1
 	for (; l + CNI_WIDTH < end; l += 2 * CNI_WIDTH)
 		if (has_one_point(b->rows, l) && has_one_point(b->rows, l + CNI_WIDTH))
 			solve_pair(motions, b->rows, l, pass, fresh, bias, bounces, 1);
@@ -431,10 +395,10 @@ static void solve_rare(cni_motion *motions, const cni_listed_block *b, const cni
 	const float *bounces = b->info->restitution;
 	int32_t l;
 	if (b->extra != NULL && bias)
-		for (l = lanes_begin(b); l < lanes_end(b); l += CNI_WIDTH)
+		for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
 			solve_group(motions, b->rows, b->extra, l, pass, fresh, 1, bounces);
 	else if (b->extra != NULL)
-		for (l = lanes_begin(b); l < lanes_end(b); l += CNI_WIDTH)
+		for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
 			solve_group(motions, b->rows, b->extra, l, pass, fresh, 0, bounces);
 	else if (bias)
 		solve_plain(motions, b, pass, fresh, 1, bounces);
@@ -443,10 +407,10 @@ static void solve_rare(cni_motion *motions, const cni_listed_block *b, const cni
 }
 
 /* Few blocks have extra rows: the compiler knows that the others have none. */
-CNI_INLINE int32_t solve_blocks(const cni_color_pass *c, int32_t begin, int32_t end, int32_t bias)
+CNI_INLINE void solve_blocks(const cni_color_pass *c, int32_t begin, int32_t end, int32_t bias)
 {
-	int32_t k = begin;
-	do {
+	int32_t k;
+	for (k = begin; k < end; ++k) {
 		const cni_listed_block *b = &c->blocks[k];
 		const cni_contact_pass *pass = &c->kinds[b->kind];
 		uint32_t fresh = block_fresh(b);
@@ -458,19 +422,17 @@ CNI_INLINE int32_t solve_blocks(const cni_color_pass *c, int32_t begin, int32_t 
 			solve_rare(c->motions, b, pass, fresh, bias);
 		if (fresh != 0 && !bias)
 			block_age(b, fresh);
-		k = block_next(c, k, end, bias ? CNI_PASS_SOLVE : CNI_PASS_RELAX);
-	} while (block_is_mine(c, k, end));
-	return k;
+	}
 }
 
-static int32_t kernel_solve(const cni_color_pass *c, int32_t begin, int32_t end)
+static void kernel_solve(const cni_color_pass *c, int32_t begin, int32_t end)
 {
-	return solve_blocks(c, begin, end, 1);
+	solve_blocks(c, begin, end, 1);
 }
 
-static int32_t kernel_relax(const cni_color_pass *c, int32_t begin, int32_t end)
+static void kernel_relax(const cni_color_pass *c, int32_t begin, int32_t end)
 {
-	return solve_blocks(c, begin, end, 0);
+	solve_blocks(c, begin, end, 0);
 }
 
 /* Lanes whose bodies, but for what cannot move, have all settled. */
@@ -538,21 +500,17 @@ CNI_INLINE void warm_group(cni_motion *motions, const cni_drive *drives, cni_con
 		side_scatter(motions, k->ib + l, &b);
 }
 
-static int32_t kernel_warm(const cni_color_pass *c, int32_t begin, int32_t end)
+static void kernel_warm(const cni_color_pass *c, int32_t begin, int32_t end)
 {
-	int32_t k = begin, l;
-	do {
+	int32_t k, l;
+	for (k = begin; k < end; ++k) {
 		const cni_listed_block *b = &c->blocks[k];
 		if (c->prefetches)
 			cni_blocks_prefetch(c, k, end);
-		for (l = lanes_begin(b); l < lanes_end(b); l += CNI_WIDTH)
+		for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
 			warm_group(c->motions, c->drives, b->rows, b->extra, l, &c->kinds[b->kind]);
-		k = block_next(c, k, end, CNI_PASS_WARM);
-	} while (block_is_mine(c, k, end));
-	return k;
+	}
 }
-
-#if !CNI_FEW /* nobody asks that one for impacts */
 
 /* Does the point close faster than the speed, and than what it bears could answer (contact_impact.c)? a and b hold velocities only. */
 CNI_INLINE cni_mask point_closes(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b, float speed)
@@ -611,9 +569,6 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 }
 
 #include "stages/contact_impact.h"
-
-#endif
-
 #include "stages/contact_follow.h"
 #if CNI_WIDTH > 1 /* one by one cni_contact_write is quicker */
 #include "stages/contact_write.h"
@@ -621,8 +576,4 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 #define kernel_write NULL
 #endif
 
-#if CNI_FEW
-const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, NULL, NULL, kernel_follow, kernel_write };
-#else
 const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, kernel_closing, kernel_impact, kernel_follow, kernel_write };
-#endif

@@ -17,9 +17,8 @@ typedef struct cni_color_pass {
 } cni_color_pass;
 
 /* Works on the lanes of blocks begin to end - 1, and on those behind them up to a whole vector, which are empty. Fresh lanes
-   go more than once between normals and friction. begin < end; returns the first block that is left: end, but for
-   cni_contact_kernel_few, which stops where another has more lanes than it is for. */
-typedef int32_t cni_contact_kernel_fn(const cni_color_pass *c, int32_t begin, int32_t end);
+   go more than once between normals and friction. */
+typedef void cni_contact_kernel_fn(const cni_color_pass *c, int32_t begin, int32_t end);
 
 /* The passes of a kernel. */
 enum { CNI_PASS_WARM, CNI_PASS_SOLVE, CNI_PASS_RELAX, CNI_PASSES };
@@ -138,16 +137,9 @@ typedef struct cni_contact_kernel {
 	cni_contact_write_fn *write; /* NULL: none */
 } cni_contact_kernel;
 
-/* Of a block's lanes those that a kernel of width 8 does: whole vectors, and a last one if more than half of it is in use. */
-static inline int32_t cni_lanes_wide(int32_t lanes)
-{
-	return (lanes + 3) & ~7;
-}
-
 extern const cni_contact_kernel cni_contact_kernel_plain; /* width 1: any compiler */
 extern const cni_contact_kernel cni_contact_kernel_4;     /* SSE2, NEON, WASM SIMD */
 extern const cni_contact_kernel cni_contact_kernel_8;     /* AVX2, chosen at run time */
-extern const cni_contact_kernel cni_contact_kernel_few;   /* width 4 on AVX2: for those lanes of a block that are too few for cni_contact_kernel_8 */
 
 /* The widest that this build and this processor have. */
 const cni_contact_kernel *cni_contact_kernel_choose(void);

@@ -1,7 +1,6 @@
 /*
  * stages/contact_solve.c - warm start, soft solve and relax of all contacts: colours in order, blocks of a
- * colour through the widest kernel there is. In small worlds most blocks have few lanes: those go through narrow vectors,
- * and a pass is one call for all blocks.
+ * colour through the widest kernel there is. Without a team a pass is one call for all blocks.
  *
  * Within a colour no dynamic body appears twice, so its lanes are independent. In static colours lane body
  * b is read and not written. So a colour's blocks may be shared among workers; they meet before the next colour. Contacts

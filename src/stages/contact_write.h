@@ -134,14 +134,7 @@ static void kernel_write(const cni_motion *motions, cni_contact_block *k, cni_bl
 	int32_t l;
 	for (l = 0; l < CNI_LANES; l += CNI_WIDTH) {
 		uint32_t here = lanes & ((1u << CNI_WIDTH) - 1u) << l;
-		if (here == 0)
-			continue;
-#if CNI_WIDTH == 8
-		if (here >> l < 16u) {
-			cni_contact_kernel_few.write(motions, k, anchor, w, here);
-			continue;
-		}
-#endif
-		write_group(motions, k, anchor, w, here, l);
+		if (here != 0)
+			write_group(motions, k, anchor, w, here, l);
 	}
 }

@@ -17,22 +17,14 @@
  *
  * Reads bodies, shapes, the broadphase; writes the changes in motion of the bodies that meet, and the velocities of those that slide.
  */
-#include "base/bitset.h"
-#include "base/cpu.h"
 #include "geometry/distance.h"
 #include "geometry/toi.h"
 #include "stages/solver.h"
-#if CNI_HAS_WIDE_4
-#define CNI_WIDTH 4
-#include "base/wide.h"
-#endif
 
 #include <float.h>
-#include <stddef.h>
 #include <string.h>
 
 #define BODIES_A_RANGE 512 /* ten microseconds: records are read */
-#define WALKS 8             /* bodies whose contacts are gone through by turns */
 #define RECORDS_AHEAD 8     /* bodies whose records are asked for ... */
 #define RECORDS_MANY 1024   /* ... where there are so many that they are not near anyway */
 
@@ -344,109 +336,34 @@ static void clamp_body(cn_world *world, int32_t body, int32_t what)
 
 /* ---- bodies that can meet only static shapes that they have contacts with ---- */
 
-/*
- * One of them on its way through its contacts. Each record names the next one, so its memory would be waited for: several
- * bodies take turns, and meanwhile it comes. What one finds depends on no other; only a user's filter
- * sees that they take turns.
- */
-typedef struct walk {
+static void shape_look(clamp *c, const cni_shape *s)
+{
+	const cn_world *world = c->world;
+	int32_t key, next, has_core = 0;
+	for (key = c->body->contact_first; key != CNI_NONE; key = next) {
+		const cni_contact *contact = cni_contact_of_key(world, key);
+		int32_t side = key & 1, other = contact->proxy[1 - side];
+		next = contact->next[side];
+		if (contact->proxy[side] != c->proxy || !(cni_proxy_at(world, other)->flags & CNI_PROXY_STATIC))
+			continue;
+		if (!has_core)
+			core_begin(c, cni_shape_geometry(&world->blocks, s));
+		has_core = 1;
+		visit(c, other, 0.0f);
+	}
+}
+
+static void clamp_watched(cn_world *world, int32_t body)
+{
 	clamp c;
 	int32_t shape;
-	int32_t cored;  /* 1: the core is of this shape */
-	int32_t key;    /* of the contact to look at next, CNI_NONE: the shape is done */
-	int32_t other;  /* proxy that the last contact is with, CNI_NONE: none of the shape's */
-} walk;
-
-typedef struct walks {
-	walk of[WALKS];
-	int32_t count;
-} walks;
-
-/* Inlined by force, like record_ask: compilers take a function that only prefetches for one that does nothing. */
-CNI_INLINE void key_ask(const cn_world *world, int32_t key)
-{
-	const cni_contact *c;
-	if (key == CNI_NONE)
-		return;
-	c = cni_contact_of_key(world, key);
-	CNI_PREFETCH(c);
-	CNI_PREFETCH(c->next);
-}
-
-/* From this shape on the first that may pass through things. */
-static void walk_shape(walk *w, int32_t shape)
-{
-	const cn_world *world = w->c.world;
-	for (; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
-		const cni_shape *s = cni_shape_at(world, shape);
-		w->c.proxy = cni_shape_proxy(world, s, 0);
-		if (shape_may_pass(s, w->c.proxy))
-			break;
+	clamp_begin(&c, world, body, CLAMP_STATIC);
+	for (shape = c.body->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+		c.proxy = cni_shape_proxy(world, cni_shape_at(world, shape), 0);
+		if (shape_may_pass(cni_shape_at(world, shape), c.proxy))
+			shape_look(&c, cni_shape_at(world, shape));
 	}
-	w->shape = shape;
-	w->cored = 0;
-	w->key = shape != CNI_NONE ? w->c.body->contact_first : CNI_NONE;
-	w->other = CNI_NONE;
-	key_ask(world, w->key);
-}
-
-static void walk_visit(walk *w)
-{
-	const cn_world *world = w->c.world;
-	if (!(cni_proxy_at(world, w->other)->flags & CNI_PROXY_STATIC))
-		return;
-	if (!w->cored)
-		core_begin(&w->c, cni_shape_geometry(&world->blocks, cni_shape_at(world, w->shape)));
-	w->cored = 1;
-	visit(&w->c, w->other, 0.0f);
-}
-
-/* Looks at one contact. 0: all shapes are done. */
-static int32_t walk_on(walk *w)
-{
-	const cn_world *world = w->c.world;
-	int32_t side = w->key & 1;
-	const cni_contact *contact;
-	if (w->other != CNI_NONE)
-		walk_visit(w);
-	if (w->key == CNI_NONE) {
-		walk_shape(w, cni_shape_at(world, w->shape)->next);
-		return w->shape != CNI_NONE;
-	}
-	contact = cni_contact_of_key(world, w->key);
-	w->other = contact->proxy[side] == w->c.proxy ? contact->proxy[1 - side] : CNI_NONE;
-	w->key = contact->next[side];
-	key_ask(world, w->key);
-	if (w->other != CNI_NONE)
-		CNI_PREFETCH(&cni_proxy_at(world, w->other)->flags);
-	return 1;
-}
-
-/* Until at most so many are left. */
-static void walks_run(walks *all, int32_t left)
-{
-	int32_t k = 0;
-	while (all->count > left) {
-		if (k >= all->count)
-			k = 0;
-		if (walk_on(&all->of[k])) {
-			++k;
-			continue;
-		}
-		clamp_slide_or_end(&all->of[k].c);
-		if (k != --all->count)
-			all->of[k] = all->of[all->count];
-	}
-}
-
-static void walks_add(walks *all, cn_world *world, int32_t body)
-{
-	walk *w;
-	walks_run(all, WALKS - 1);
-	w = &all->of[all->count];
-	clamp_begin(&w->c, world, body, CLAMP_STATIC);
-	walk_shape(w, w->c.body->shape_first);
-	all->count += w->shape != CNI_NONE;
+	clamp_slide_or_end(&c);
 }
 
 /* Farther turns are looked at the long way. */
@@ -517,7 +434,7 @@ typedef struct guard_loop {
 } guard_loop;
 
 /* A fast body. What one finds depends on no other, but for bullets: they are looked at when all others have their ways. */
-static void body_guard(guard_loop *loop, walks *all, int32_t body, const cni_motion *m)
+static void body_guard(guard_loop *loop, int32_t body, const cni_motion *m)
 {
 	cn_world *world = loop->world;
 	const cni_body *b = cni_body_at(world, body);
@@ -531,7 +448,7 @@ static void body_guard(guard_loop *loop, walks *all, int32_t body, const cni_mot
 	if (world->pairs_may_repeat || !path_is_watched(world, b, m))
 		clamp_body(world, body, CLAMP_STATIC);
 	else if (b->flags & CNI_BODY_AT_STATIC)
-		walks_add(all, world, body);
+		clamp_watched(world, body);
 }
 
 CNI_INLINE void record_ask(const cn_world *world, int32_t body)
@@ -541,55 +458,6 @@ CNI_INLINE void record_ask(const cn_world *world, int32_t body)
 	CNI_PREFETCH(&b->core);
 }
 
-#if CNI_HAS_WIDE_4
-
-/* Which of four bodies are surely watched (path_is_watched), without a look at their boxes, and met nothing static? */
-static cni_mask four_watched(const cn_world *world, cni_body *const b[4], cni_wide dx, cni_wide dy, cni_wide turn, cni_wide extent, cni_wide swing)
-{
-	const float *const records[4] = { (const float *)(const void *)b[0], (const float *)(const void *)b[1], (const float *)(const void *)b[2], (const float *)(const void *)b[3] };
-	const cni_mask flags = { (int32_t)b[0]->flags, (int32_t)b[1]->flags, (int32_t)b[2]->flags, (int32_t)b[3]->flags };
-	const cni_wide room = { cni_body_room(b[0]), cni_body_room(b[1]), cni_body_room(b[2]), cni_body_room(b[3]) };
-	cni_wide x, y, x_low, y_low, vx, vy, w, mass, turned, strays, dt = cni_wide_of(world->step_dt), size = cni_wide_abs(turn);
-	cni_wide_gather4_from(records, (int32_t)(offsetof(cni_body, cx) / sizeof(float)), &x, &y, &x_low, &y_low);
-	cni_wide_gather4_from(records, (int32_t)(offsetof(cni_body, vx) / sizeof(float)), &vx, &vy, &w, &mass);
-	turned = cni_wide_of(0.125f) * swing * turn * turn + (size * swing + cni_wide_of(CNI_BODY_ROUNDING) * (cni_wide_abs(x) + cni_wide_abs(y) + extent));
-	strays = cni_wide_max(cni_wide_abs(dx - dt * vx), cni_wide_abs(dy - dt * vy));
-	return ((size <= cni_wide_of(WATCHED_TURN_MAX_RAD)) | (swing == cni_wide_of(0.0f))) & (strays + turned < room) &
-	       ((flags & ((int32_t)(CNI_BODY_AHEAD | CNI_BODY_AT_STATIC) - (cni_mask){ 0 })) == (int32_t)CNI_BODY_AHEAD - (cni_mask){ 0 });
-}
-
-/* Bodies k to k + 3: which must be looked at by themselves, as bits. The others are slow, or as body_guard would find need nothing. */
-static uint32_t four_look(const cn_world *world, int32_t k)
-{
-	const int32_t *ids = cni_awake_ids(world) + k, row[4] = { 0, 1, 2, 3 };
-	cni_body *const b[4] = { cni_body_at(world, ids[0]), cni_body_at(world, ids[1]), cni_body_at(world, ids[2]), cni_body_at(world, ids[3]) };
-	const cni_wide core = { b[0]->core, b[1]->core, b[2]->core, b[3]->core }, extent = { b[0]->extent, b[1]->extent, b[2]->extent, b[3]->extent };
-	const cni_mask swings = { b[0]->swing, b[1]->swing, b[2]->swing, b[3]->swing };
-	const cni_wide swing = extent * (__builtin_convertvector(swings, cni_wide) * cni_wide_of(CNI_SWING_UNIT));
-	cni_wide dx, dy, turn, unused, most = cni_wide_of(0.25f) * core, turned;
-	uint32_t fast;
-	cni_wide_gather4(&cni_motions(world)[k].dpx, (int32_t)(sizeof(cni_motion) / sizeof(float)), row, &dx, &dy, &turn, &unused);
-	turned = turn * swing;
-	fast = cni_mask_bits(dx * dx + dy * dy + turned * turned > most * most);
-	if (fast == 0 || world->pairs_may_repeat || ((b[0]->flags | b[1]->flags | b[2]->flags | b[3]->flags) & CN_BODY_BULLET))
-		return fast;
-	return fast & ~cni_mask_bits(four_watched(world, b, dx, dy, turn, extent, swing));
-}
-
-#endif
-
-#if defined(CNI_DEBUG) && CNI_HAS_WIDE_4
-/* Would body_guard find nothing to do for it? */
-static int32_t body_needs_nothing(const cn_world *world, const cni_body *b, const cni_motion *m)
-{
-	if (!body_is_fast(b, m))
-		return 1;
-	if (b->flags & CN_BODY_BULLET)
-		return 0;
-	return world->movable_count == world->body_handles.count || (!world->pairs_may_repeat && !(b->flags & CNI_BODY_AT_STATIC) && path_is_watched(world, b, m));
-}
-#endif
-
 /* Writes nothing but motions and drives of the range. */
 static void guard_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
@@ -597,27 +465,14 @@ static void guard_range(void *context, int32_t begin, int32_t end, int32_t worke
 	const cn_world *world = loop->world;
 	const int32_t *ids = cni_awake_ids(world);
 	const cni_motion *motions = cni_motions(world);
-	int32_t k, l, last = end + 1, many = world->awake_count > RECORDS_MANY;
-	walks all;
+	int32_t k, many = world->awake_count > RECORDS_MANY;
 	(void)worker;
-	all.count = 0;
-	for (k = begin + 1; k < last; k += 4) {
-		uint32_t left = 15u >> cni_max_i(k + 4 - last, 0);
-		for (l = k + RECORDS_AHEAD; many && l < cni_min_i(k + 4 + RECORDS_AHEAD, last); ++l)
-			record_ask(world, ids[l]);
-#if CNI_HAS_WIDE_4
-		if (left == 15u)
-			left = four_look(world, k);
-		for (l = 0; l < 4; ++l)
-			CNI_ASSERT((left >> l & 1u) || k + l >= last || body_needs_nothing(world, cni_body_at(world, ids[k + l]), &motions[k + l]));
-#endif
-		for (; left != 0; left &= left - 1u) {
-			l = k + cni_bit_lowest32(left);
-			if (body_is_fast(cni_body_at(world, ids[l]), &motions[l]))
-				body_guard(loop, &all, ids[l], &motions[l]);
-		}
+	for (k = begin + 1; k <= end; ++k) {
+		if (many && k + RECORDS_AHEAD <= end)
+			record_ask(world, ids[k + RECORDS_AHEAD]);
+		if (body_is_fast(cni_body_at(world, ids[k]), &motions[k]))
+			body_guard(loop, ids[k], &motions[k]);
 	}
-	walks_run(&all, 0);
 }
 
 /* In order: one may shorten the way of another. */

@@ -414,13 +414,11 @@ static int32_t lanes_gather(cn_world *world, const cni_solve *s)
 
 void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 {
-	int32_t left, k;
+	int32_t left;
 	if (lanes_hold(world, s)) {
 		lanes_alone(world, s);
 		world->joint_blocks.count = world->joint_lanes.blocks;
 		world->joint_plain_first = CNI_NONE;
-		for (k = 0; k < world->joint_blocks.count; ++k)
-			cni_joint_blocks(world)[k].rested = 0;
 		return;
 	}
 	world->joint_lanes.alone = 0;
@@ -513,8 +511,6 @@ static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t wo
 	(void)worker;
 	for (k = begin; k < end && k < c->blocks; ++k) {
 		cni_joint_block *block = cni_joint_blocks(world) + cni_joint_blocks(world)[c->first + k].listed;
-		if (block->rested)
-			continue;
 		if (block->direct != 0 && c->moving)
 			rows_pull(world, block);
 		else if (block->direct != 0 && c->released)
@@ -554,22 +550,6 @@ void cni_joint_blocks_solve(cn_world *world, const cni_solve *s)
 void cni_joint_blocks_relax(cn_world *world, const cni_solve *s)
 {
 	colors_run(world, s, s->joint_kernel->relax, s->joint_kernel->rows_relax, 1);
-}
-
-static int32_t block_rests(const cni_drive *drives, const cni_joint_block *block)
-{
-	int32_t l;
-	for (l = 0; l < CNI_LANES; ++l)
-		if ((block->ia[l] != 0 && !(drives[block->ia[l]].flags & CNI_DRIVE_SWUNG)) || (block->ib[l] != 0 && !(drives[block->ib[l]].flags & CNI_DRIVE_SWUNG)))
-			return 0;
-	return 1;
-}
-
-void cni_joint_blocks_rest(cn_world *world)
-{
-	int32_t k;
-	for (k = 0; k < world->joint_blocks.count; ++k)
-		cni_joint_blocks(world)[k].rested = block_rests(cni_drives(world), cni_joint_blocks(world) + k);
 }
 
 /* ---- storing ---- */

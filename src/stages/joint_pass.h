@@ -42,8 +42,7 @@ typedef struct cni_joint_block {
 	int32_t herd;                          /* 1: a herd's */
 	uint32_t moves_a, moves_b;             /* lanes, as bits, whose body can move and so is written */
 	int32_t listed;                        /* (of the n-th block) which block is the n-th of all colours in order */
-	int32_t rested;                        /* 1: all its lanes are done with for this step */
-	int32_t reserved[8];
+	int32_t reserved[9];
 } cni_joint_block;
 
 /* From a body's row of indices to that of its inverse inertias, on either side. */
@@ -106,8 +105,6 @@ void cni_joint_blocks_begin(cn_world *world);
 void cni_joint_blocks_warm(cn_world *world, const cni_solve *s);
 void cni_joint_blocks_solve(cn_world *world, const cni_solve *s);
 void cni_joint_blocks_relax(cn_world *world, const cni_solve *s);
-/* Some bodies are done with for this step (CNI_DRIVE_SWUNG): blocks that hold only theirs take no part in passes. */
-void cni_joint_blocks_rest(cn_world *world);
 /* A cleared block, of no colour yet, at the end of the array. Returns its index. */
 int32_t cni_joint_block_take(cn_world *world);
 /* The spring that was met last, and its coefficients: neighbours' are often the same. */

@@ -17,19 +17,6 @@ cn_result cn_body_get_mass_data(const cn_world *world, cn_body body, cn_mass_dat
 	return CN_OK;
 }
 
-/* Moves the centre of mass within the body: the origin stays, the material keeps its velocity. */
-static void move_center(cn_world *world, cni_body *b, cni_vec2 local_center)
-{
-	cni_vec2 shift = cni_rotate(b->q, cni_sub(local_center, b->local_center));
-	cn_velocity v = cni_body_velocity(world, b);
-	v.linear_mps = cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(shift));
-	b->cx += shift.x;
-	b->cy += shift.y;
-	b->local_center = local_center;
-	cni_contact_loosen_body(world, b);
-	cni_body_store_velocity(world, b, v);
-}
-
 cn_result cn_body_set_mass_data(cn_world *world, cn_body body, const cn_mass_data *mass)
 {
 	cni_call call = cni_enter(world, __func__);
@@ -48,7 +35,7 @@ cn_result cn_body_set_mass_data(cn_world *world, cn_body body, const cn_mass_dat
 	b->flags |= CNI_BODY_MASS_OVERRIDE;
 	b->mass = mass->mass_kg;
 	b->inertia = mass->inertia_kgm2;
-	move_center(world, b, mass->center_m);
+	cni_body_set_center(world, b, mass->center_m);
 	cni_body_update_mass(world, cni_index_of(body));
 	cni_body_wake(world, cni_index_of(body));
 	return CN_OK;

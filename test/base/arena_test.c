@@ -214,29 +214,6 @@ static void t_no_memory_changes_nothing(void)
 	CHECK(h.pieces == 0 && h.wrong_frees == 0);
 }
 
-/* What is beyond the block and pushed once does not make it grow; what fits is an entry like others. */
-static void t_once_does_not_grow_the_block(void)
-{
-	cni_memory memory;
-	cni_arena arena;
-	hooks h;
-	void *a, *b;
-
-	hooks_init(&h, &memory);
-	cni_arena_init(&arena, &memory);
-	REQUIRE(cni_arena_reserve(&arena, 4096));
-	a = cni_arena_push_once(&arena, 1000);
-	CHECK(a == arena.block && arena.high_water == 1024 && arena.fallbacks == 0);
-	b = cni_arena_push_once(&arena, 100000);
-	CHECK(b != NULL && arena.fallbacks == 1 && arena.in_use == 1024 && arena.high_water == 1024);
-	CHECK(cni_arena_pop(&arena, b) && arena.in_use == 1024 && h.pieces == 1);
-	CHECK(cni_arena_push_once(&arena, 100000) != NULL);
-	cni_arena_reset(&arena);
-	CHECK(arena.capacity == 4096 && arena.in_use == 0 && h.pieces == 1);
-	cni_arena_deinit(&arena);
-	CHECK(h.pieces == 0 && h.wrong_frees == 0);
-}
-
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -246,7 +223,6 @@ int main(int argc, char **argv)
 	RUN(t_full_block_falls_back);
 	RUN(t_steady_state_never_falls_back);
 	RUN(t_reset_pops_what_is_left);
-	RUN(t_once_does_not_grow_the_block);
 	RUN(t_entries_run_out);
 	RUN(t_no_memory_changes_nothing);
 	return test_end();

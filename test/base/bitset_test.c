@@ -36,17 +36,16 @@ static void t_words(void)
 	CHECK(cni_bit_words(0) == 0 && cni_bit_words(1) == 1 && cni_bit_words(64) == 1 && cni_bit_words(65) == 2);
 }
 
-static void t_next_visits_exactly_the_set_bits(void)
+static void t_single_bits(void)
 {
 	uint64_t words[6];
 	uint8_t plain[384];
 	uint32_t state = 8;
-	int32_t round, bits, i, bit, wrong = 0;
+	int32_t round, i, bit, wrong = 0;
 
 	for (round = 0; round < 2000; ++round) {
 		memset(words, 0, sizeof words);
 		memset(plain, 0, sizeof plain);
-		bits = (int32_t)(random_next(&state) % 385);
 		for (i = (int32_t)(random_next(&state) % 40); i > 0; --i) {
 			bit = (int32_t)(random_next(&state) % 384);
 			cni_bit_set(words, bit);
@@ -58,19 +57,8 @@ static void t_next_visits_exactly_the_set_bits(void)
 		}
 		for (i = 0; i < 384; ++i)
 			wrong += cni_bit_get(words, i) != plain[i];
-		/* Bits beyond the end may be set: they must not be seen. */
-		bit = cni_bit_next(words, bits, 0);
-		for (i = 0; i < bits; ++i) {
-			if (plain[i]) {
-				wrong += bit != i;
-				bit = cni_bit_next(words, bits, i + 1);
-			}
-		}
-		wrong += bit != CNI_NONE;
-		wrong += cni_bit_next(words, bits, bits) != CNI_NONE;
 	}
 	CHECK_LE("wrong bits", wrong, 0, "bits");
-	CHECK(cni_bit_next(NULL, 0, 0) == CNI_NONE);
 }
 
 int main(int argc, char **argv)
@@ -78,6 +66,6 @@ int main(int argc, char **argv)
 	test_begin(argc, argv);
 	RUN(t_count_and_lowest);
 	RUN(t_words);
-	RUN(t_next_visits_exactly_the_set_bits);
+	RUN(t_single_bits);
 	return test_end();
 }
