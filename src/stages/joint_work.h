@@ -128,8 +128,6 @@ void cni_joint_rows_end(const cn_world *world, const cni_joint_work *w, cni_join
 void cni_joint_rows_renew(cn_world *world, cni_joint_work *w);
 /* Inverse of the symmetric K of one to three rows, as numbers->inverse; a singular direction gives nothing. */
 void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv);
-/* A joint that is solved by itself: is its gap more than is good? */
-void cni_joint_gap_look(cn_world *world, const cni_joint_work *w, float gap);
 /* Builds all rows at the bodies' present positions, impulses left undefined. */
 void cni_joint_work_build(cni_joint_work *w, const cni_motion *a, const cni_motion *b);
 /* The rows as their type gives them, for joints whose rows are all rigid or limits that are far away; turns: rotations
