@@ -179,9 +179,18 @@ static int32_t is_loop_of_pins(const cn_world *world, const cni_sparse *sparse, 
 	return 1;
 }
 
+static int32_t is_touched(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		if (cni_drives(world)[sparse->bodies[k]].flags & CNI_DRIVE_TOUCHED)
+			return 1;
+	return 0;
+}
+
 static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	return is_loop_of_pins(world, sparse, c) && !is_asked_for(world, sparse, c);
+	return is_loop_of_pins(world, sparse, c) && !is_asked_for(world, sparse, c) && is_touched(world, sparse, c);
 }
 
 /* One joint to the world. */
@@ -215,7 +224,9 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 			cni_component_prefetch(world, out, k + 1);
 		c->regular = c->presses ? REGULAR : c->loops ? REGULAR_LOOPS : 0.0f;
 		c->swings = !c->presses && cni_component_swings(world, s, out, c);
-		if (c->body_begin == c->body_end || (!c->swings && loop_is_better_soft(world, out, c)) || is_better_alone(c))
+		if (loop_is_better_soft(world, out, c))
+			joints_fail(world, out, c);
+		else if (c->body_begin == c->body_end || is_better_alone(c))
 			joints_release(world, out, c);
 		else if (c->swings)
 			cni_sparse_clear(out, c);
