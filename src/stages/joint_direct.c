@@ -70,8 +70,8 @@ static void joints_release(cn_world *world, cni_sparse *sparse, cni_component *c
 	c->done = 1;
 }
 
-/* ... and for some time. */
-static void joints_fail(cn_world *world, cni_sparse *sparse, cni_component *c)
+/* ... and for some time: `span` steps, or, 0, longer each time it happens. */
+static void joints_leave(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span)
 {
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
@@ -79,7 +79,10 @@ static void joints_fail(cn_world *world, cni_sparse *sparse, cni_component *c)
 		if (sparse->nodes[k].owner < 0)
 			continue;
 		t = &cni_joint_at(world, cni_joint_works(world)[sparse->nodes[k].owner].joint)->trust;
-		cni_trust_fail(t, world->step_count, 1);
+		if (span == 0)
+			cni_trust_fail(t, world->step_count, 1);
+		else
+			cni_trust_leave(t, world->step_count, span, 1);
 		world->joints_soft_step = t->until > world->joints_soft_step ? t->until : world->joints_soft_step;
 	}
 	joints_release(world, sparse, c);
@@ -166,7 +169,9 @@ static int32_t is_asked_for(const cn_world *world, const cni_sparse *sparse, con
 
 /*
  * A loop of pins, such as a bridge between two walls, may be so straight that no force can hold it: what is rigid
- * explodes there when contacts load it. Trees have no such places, nor have loops by gears.
+ * explodes there when contacts load it. Trees have no such places, nor have loops by gears. Contacts come and go: a loop that
+ * closed its joints whenever what lies on it bounces would throw it. So it stays soft as long as joints remember anything: of
+ * 80 seeds of the family `bridge` 8 are worse than soft constraints with 32 steps, 3 with 128, 2 with 256.
  */
 static int32_t is_loop_of_pins(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
@@ -225,7 +230,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		c->regular = c->presses ? REGULAR : c->loops ? REGULAR_LOOPS : 0.0f;
 		c->swings = !c->presses && cni_component_swings(world, s, out, c);
 		if (loop_is_better_soft(world, out, c))
-			joints_fail(world, out, c);
+			joints_leave(world, out, c, CNI_TRUST_MOST);
 		else if (c->body_begin == c->body_end || is_better_alone(c))
 			joints_release(world, out, c);
 		else if (c->swings)
@@ -417,7 +422,7 @@ void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *
 void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c)
 {
 	if (!(c->active ? cni_active_answer(world, s, s->direct, c) : cni_direct_apply(world, s->direct, c)))
-		joints_fail(world, s->direct, c);
+		joints_leave(world, s->direct, c, 0);
 }
 
 void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)

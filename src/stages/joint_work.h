@@ -176,12 +176,16 @@ void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c);
 /* What failed is not tried again for a time that doubles when it fails again soon. Of a joint, or what joints have in common. */
 #define CNI_TRUST_LEAST 2      /* steps */
 #define CNI_TRUST_MOST 256
+static inline void cni_trust_leave(cni_joint_trust *t, uint32_t step, int32_t span, int32_t soft)
+{
+	t->span = (uint16_t)span;
+	t->until = step + t->span;
+	t->soft = (uint16_t)soft;
+}
 static inline void cni_trust_fail(cni_joint_trust *t, uint32_t step, int32_t soft)
 {
 	int32_t lately = t->span > 0 && (int32_t)(step - t->until) < CNI_TRUST_MOST;
-	t->span = (uint16_t)(lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST);
-	t->until = step + t->span;
-	t->soft = (uint16_t)soft;
+	cni_trust_leave(t, step, lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST, soft);
 }
 /* Right sides to impulses; a system that says much twice is checked. 0: there is no good solution, and nothing was done. */
 int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c);
