@@ -1135,8 +1135,7 @@ namespace Cairn
 		public const int CN_TIER_REASON_NEW_CONTACT = 2;
 		/// <summary>direct: an overlap that the accuracy does not allow</summary>
 		public const int CN_TIER_REASON_OVERLAP = 3;
-		/// <summary>direct: joints came apart by more than the accuracy allows, or would: a loop of pins that touches
-		/// something</summary>
+		/// <summary>no longer given</summary>
 		public const int CN_TIER_REASON_JOINT = 4;
 		/// <summary>direct: something bears so many times its weight that soft contacts would give way</summary>
 		public const int CN_TIER_REASON_STRESSED = 5;

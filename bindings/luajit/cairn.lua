@@ -122,7 +122,7 @@ enum {
 	CN_TIER_REASON_SETTLING = 1, // direct: nothing is wrong any more, but not yet for long enough
 	CN_TIER_REASON_NEW_CONTACT = 2, // direct: a contact began to bear where much is borne or things lean
 	CN_TIER_REASON_OVERLAP = 3, // direct: an overlap that the accuracy does not allow
-	CN_TIER_REASON_JOINT = 4, // direct: joints came apart by more than the accuracy allows, or would: a loop of pins that touches something
+	CN_TIER_REASON_JOINT = 4, // no longer given
 	CN_TIER_REASON_STRESSED = 5, // direct: something bears so many times its weight that soft contacts would give way
 	CN_TIER_REASON_SOLVER = 6, // the world's solver is not CN_SOLVER_AUTO
 	CN_TIER_REASON_OVERRIDE = 7, // a body's own solver: cn_body_set_solver

@@ -128,8 +128,7 @@ pub const CN_TIER_REASON_SETTLING = 1;
 pub const CN_TIER_REASON_NEW_CONTACT = 2;
 /// direct: an overlap that the accuracy does not allow
 pub const CN_TIER_REASON_OVERLAP = 3;
-/// direct: joints came apart by more than the accuracy allows, or would: a loop of pins that touches
-/// something
+/// no longer given
 pub const CN_TIER_REASON_JOINT = 4;
 /// direct: something bears so many times its weight that soft contacts would give way
 pub const CN_TIER_REASON_STRESSED = 5;

@@ -35,8 +35,6 @@ typedef struct cni_island {
 	uint32_t new_step;     /* step + 1 in which a contact began to bear last */
 	int32_t new_contacts;  /* how many did then */
 	uint32_t unheld_step;  /* step + 1 in which its loads were looked for from the top down, last, and not found */
-	uint32_t joined_step;  /* step + 1 in which it was solved with its contacts through its joints: stages/contact_joined.c */
-	int32_t joined;        /* ... and its place among those */
 	uint32_t cone_step;    /* step + 1 in which its contacts were last solved by stages/contact_cone.c, or from there */
 	uint32_t gives_step;   /* step + 1 in which, solved directly, it last moved where it touches */
 	int32_t falls_steps;   /* ... and in how many without a break so fast that it falls */

@@ -41,7 +41,6 @@ typedef struct cni_joint {
 	int32_t awake;             /* index in the awake list, CNI_NONE */
 	int32_t linked;            /* joins two dynamic bodies' islands */
 	int32_t solver;            /* its own: CN_SOLVER_AUTO, _SOFT or _DIRECT */
-	uint32_t held_step;        /* step + 1 in which stages/contact_joined.c had it last */
 	cni_vec2 anchor[2];        /* in the bodies' frames, or the world */
 	float impulse[CNI_JOINT_ROWS]; /* accumulated, by row meaning of the type */
 	float inv_h;               /* 1 / substep of the last step, to turn impulses into forces */

@@ -143,7 +143,6 @@ struct cn_world {
 	uint32_t split_step;         /* until which no island is split */
 
 	uint32_t joints_soft_step;   /* until which some joints are soft: stages/joint_swing.c */
-	uint32_t joined_step;        /* step + 1 in which there were islands of stages/contact_joined.c last */
 	int32_t settled;             /* 1: at the end of the last step some body had been slow for as long as it takes to fall asleep */
 	int32_t piles_new;           /* 1: in this step a contact began to bear */
 	int32_t piles_unheld;        /* 1: in the last one some island could not be loaded from the top down */

@@ -55,7 +55,7 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 	uint64_t joint = 1 + sizeof(float) * CNI_NODE_ROWS, link = sizeof(cni_link) + 2 * sizeof(cni_motion) + sizeof(cni_closer) + 1;
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
-	return cni_joined_bytes(joints, contacts) + joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_press) * (uint64_t)presses +
+	return joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_press) * (uint64_t)presses +
 	       2 * sizeof(int32_t) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 832 + cni_herd_bytes(joints) + cni_sparse_bytes(links, bodies + 1, work);
 }
 
@@ -121,12 +121,6 @@ static int32_t joint_links_collect(const cn_world *world, cni_link *links)
 
 /* ---- contacts ---- */
 
-/* A net, which is solved directly for its joints' sake. */
-static int32_t takes_joints_alone(const cn_world *world, int32_t island)
-{
-	return cni_island_at(world, island)->solver != CN_SOLVER_DIRECT && cni_island_has_joints(world, island);
-}
-
 /* Contacts of the islands that are solved directly; an island that has too many, or of the wrong kind, is refused. */
 static void presses_collect(cn_world *world, cni_press *presses, int32_t room, cni_sparse *out)
 {
@@ -134,10 +128,7 @@ static void presses_collect(cn_world *world, cni_press *presses, int32_t room, c
 	int32_t k;
 	out->presses = presses;
 	for (k = 0; k < world->direct_islands.count; ++k) {
-		int32_t count;
-		if (takes_joints_alone(world, islands[k]))
-			continue;
-		count = cni_presses_collect(world, islands[k], presses + out->press_count, room - out->press_count);
+		int32_t count = cni_presses_collect(world, islands[k], presses + out->press_count, room - out->press_count);
 		if (count < 0)
 			cni_island_refuse(world, islands[k], count == CNI_PRESSES_MANY ? CN_TIER_REASON_CROWDED : CN_TIER_REASON_KIND);
 		else

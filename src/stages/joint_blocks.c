@@ -554,13 +554,7 @@ void cni_joint_blocks_relax(cn_world *world, const cni_solve *s)
 
 /* ---- storing ---- */
 
-static float lane_gap(const cni_joint_block *block, int32_t l)
-{
-	return cni_max(cni_abs(block->ex[l]), cni_abs(block->ey[l]));
-}
-
-/* Returns 1 when the gap is to be looked at: cni_joint_gap_look. */
-static int32_t lane_store(cn_world *world, const cni_joint_work *w, const cni_solve *s)
+static void lane_store(cn_world *world, const cni_joint_work *w, const cni_solve *s)
 {
 	const cni_joint_block *block = cni_joint_block_of(world, w);
 	int32_t l = w->lane % CNI_LANES;
@@ -572,13 +566,11 @@ static int32_t lane_store(cn_world *world, const cni_joint_work *w, const cni_so
 	j->impulse[CNI_REVOLUTE_MOTOR] = block->motor_j[l];
 	j->impulse[CNI_REVOLUTE_LIMIT] = (j->flags & CN_JOINT_LIMIT) ? cni_max(limit_sign(j, block->angle[l]) * block->limit_j[l], 0.0f) : 0.0f;
 	j->inv_h = s->inv_h;
-	return !(block->direct >> l & 1u) && lane_gap(block, l) > CNI_BAD_PART * world->settings.accuracy;
 }
 
 typedef struct store_loop {
 	cn_world *world;
 	const cni_solve *s;
-	uint32_t gaps; /* 1: some lanes' are to be looked at */
 } store_loop;
 
 /* In the order of the works, which is nearly that of the records. */
@@ -587,7 +579,7 @@ static void store_range(void *context, int32_t begin, int32_t end, int32_t worke
 	store_loop *loop = (store_loop *)context;
 	cn_world *world = loop->world;
 	const cni_joint_work *works = cni_joint_works(world);
-	int32_t k, far = cni_joints_are_far(world), gaps = 0;
+	int32_t k, far = cni_joints_are_far(world);
 	(void)worker;
 	for (k = begin; k < end; ++k) {
 		if (far && k + STORES_AHEAD < end && works[k + STORES_AHEAD].lane != CNI_NONE) {
@@ -597,23 +589,12 @@ static void store_range(void *context, int32_t begin, int32_t end, int32_t worke
 			CNI_PREFETCH(next->jy);
 		}
 		if (works[k].lane != CNI_NONE)
-			gaps |= lane_store(world, &works[k], loop->s);
+			lane_store(world, &works[k], loop->s);
 	}
-	if (gaps)
-		cni_atomic_put(&loop->gaps, 1);
 }
 
-/* Islands are told by one worker. */
 void cni_joint_blocks_store(cn_world *world, const cni_solve *s)
 {
-	const cni_joint_work *works = cni_joint_works(world);
-	store_loop loop = { world, s, 0 };
-	int32_t k;
+	store_loop loop = { world, s };
 	cni_parallel_for(world, world->awake_joints.count, STORES_A_RANGE, store_range, &loop);
-	for (k = 0; k < world->awake_joints.count && loop.gaps; ++k) {
-		const cni_joint_block *block = works[k].lane == CNI_NONE ? NULL : cni_joint_block_of(world, &works[k]);
-		int32_t l = works[k].lane % CNI_LANES;
-		if (block != NULL && !(block->direct >> l & 1u))
-			cni_joint_gap_look(world, &works[k], lane_gap(block, l));
-	}
 }

@@ -1,15 +1,11 @@
 /*
- * stages/joint_close.c - joints and contacts by turns, until they agree.
+ * stages/joint_close.c - hard stops: joints and contacts by turns, until they agree.
  *
- * Hard stops: joints are solved first, then contacts. What contacts stopped would come apart from its neighbours as positions
+ * Joints are solved first, then contacts. What contacts stopped would come apart from its neighbours as positions
  * move, by 4 cm in a substep at 10 m/s. So where a joint would open by more than is good, also because arms that turn
  * fast leave the tangent, its system is solved once more, then the contacts of its bodies, and so on for a few rounds, joints
  * last. A scene without hard stops pays for one look at the joints of touched systems; in later rounds only those are
  * looked at whose bodies have changed.
- *
- * Laden loops (stages/contact_joined.c): contacts between two solutions of their joints. A light plank that is nearly in line
- * with its neighbours between heavy loads snaps straight within a substep, and beyond: it is held as it is in that
- * substep, and all is solved anew.
  *
  * Reads and writes what stages/joint_direct.c and contact_solve.c do, between their passes.
  */
@@ -17,15 +13,11 @@
 #include "stages/press.h"
 
 #define CLOSE_ROUNDS 4       /* of joints and the contacts that part them, in a substep, at most */
-#define LOCKS 3              /* rounds in a substep in which pins are made rigid */
-
-/* ---- hard stops ---- */
 
 static int32_t may_close(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	const cni_joined *joined = cni_component_joined(sparse, c);
 	int32_t n;
-	if (c->done || c->presses || (joined != NULL && !joined->in_lanes))
+	if (c->done || c->presses)
 		return 0;
 	for (n = c->body_begin; n < c->body_end; ++n)
 		if (cni_drives(world)[sparse->bodies[n]].flags & CNI_DRIVE_TOUCHED)
@@ -240,49 +232,4 @@ void cni_direct_close(cn_world *world, const cni_solve *s)
 		for (k = 0; k < s->direct->closer_count; ++k)
 			if (s->direct->closers[k].parting)
 				contacts_again(world, s, &s->direct->closers[k]);
-}
-
-/* ---- laden loops ---- */
-
-/* What snaps straight faster than substeps follow is held as it is. Returns 1 when there was any. */
-static int32_t joined_lock(cn_world *world, const cni_solve *s, const cni_joined *joined)
-{
-	int32_t k, locked = 0;
-	for (k = cni_joined_first(s->direct, joined); k != CNI_NONE; k = cni_joined_next(s->direct, k)) {
-		cni_component *c = &s->direct->components[k];
-		if (!cni_tension_lock(world, s->direct, c, s->h))
-			continue;
-		cni_sparse_factor(s->direct, c, cni_motions(world));
-		cni_direct_joints(world, s, c, 1);
-		locked = 1;
-	}
-	return locked;
-}
-
-/* Contacts between two passes over their joints. */
-static void round_run(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias)
-{
-	int32_t k;
-	if (!cni_joined_solve(world, s, joined, bias))
-		return;
-	for (k = cni_joined_first(s->direct, joined); k != CNI_NONE; k = cni_joined_next(s->direct, k))
-		cni_direct_joints(world, s, &s->direct->components[k], bias);
-}
-
-void cni_joined_round(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias)
-{
-	int32_t round;
-	if (joined->count == 0 && cni_joined_first(s->direct, joined) == CNI_NONE)
-		return;
-	round_run(world, s, joined, bias);
-	for (round = 0; bias && round < LOCKS && joined_lock(world, s, joined); ++round) {
-		joined->turned = FLT_MAX;
-		round_run(world, s, joined, bias);
-	}
-	if (round > 0)
-		joined->turned = FLT_MAX;
-	if (bias)
-		cni_joined_moved(world, s, joined);
-	else
-		cni_joined_hold(world, joined);
 }

@@ -248,17 +248,6 @@ void cni_row_lanes_gather(cn_world *world, const cni_solve *s)
 
 /* ---- storing ---- */
 
-/* The largest gap in metres: the angles of welds and slides, which come last, are none. */
-static float gap_of(const cni_row_block *block, int32_t l)
-{
-	int32_t rows = cni_form_rigid_rows(block->form), r;
-	float gap = 0.0f;
-	rows -= block->form == CNI_FORM_WELD || block->form == CNI_FORM_SLIDE;
-	for (r = 0; r < rows; ++r)
-		gap = cni_max(gap, cni_abs(block->error[r][l]));
-	return gap;
-}
-
 static void lane_store(cn_world *world, const cni_row_block *block, int32_t l, const cni_solve *s)
 {
 	const cni_joint_work *w = cni_joint_works(world) + block->work[l];
@@ -276,7 +265,6 @@ static void lane_store(cn_world *world, const cni_row_block *block, int32_t l, c
 	if (parts & CN_JOINT_LIMIT)
 		j->impulse[at.limit] = block->limit_j[l];
 	j->inv_h = s->inv_h;
-	cni_joint_gap_look(world, w, gap_of(block, l));
 }
 
 void cni_row_lanes_store(cn_world *world, const cni_solve *s)

@@ -258,28 +258,6 @@ void cni_joints_relax(cn_world *world, const cni_solve *s)
 
 /* ---- as it ends ---- */
 
-/* With its neighbours pulling at it. */
-void cni_joint_gap_look(cn_world *world, const cni_joint_work *w, float gap)
-{
-	int32_t island;
-	if (world->settings.solver != CN_SOLVER_AUTO || gap <= CNI_BAD_PART * world->settings.accuracy)
-		return;
-	island = cni_joint_island(world, w->ia, w->ib);
-	if (island != CNI_NONE)
-		cni_island_joints_part(world, island);
-}
-
-static void look_for_gap(cn_world *world, const cni_joint_work *w)
-{
-	float gap = 0.0f;
-	int32_t k;
-	if (w->flags & (CNI_WORK_DIRECT | CNI_WORK_SPRINGY | CNI_WORK_BOUNDED))
-		return;
-	for (k = 0; k < w->rigid_count; ++k)
-		gap = cni_max(gap, w->rows[k].angular ? 0.0f : cni_abs(w->rows[k].error));
-	cni_joint_gap_look(world, w, gap);
-}
-
 static int32_t is_beyond(const cni_joint_work *w, const cni_joint *j)
 {
 	return (j->break_force > 0.0f && w->numbers->force_stress > j->break_force) || (j->break_torque > 0.0f && w->numbers->torque_stress > j->break_torque);
@@ -297,7 +275,6 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 		j = cni_joint_at(world, w->joint);
 		cni_joint_rows_end(world, w, j);
 		j->inv_h = s->inv_h;
-		look_for_gap(world, w);
 		if (w->flags & CNI_WORK_TURNS)
 			cni_joint_turns_advance(world, j, cni_motions(world)[w->ia].theta, cni_motions(world)[w->ib].theta);
 		if (w->flags & CNI_WORK_BREAKABLE) {

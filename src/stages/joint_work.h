@@ -128,8 +128,6 @@ void cni_joint_rows_end(const cn_world *world, const cni_joint_work *w, cni_join
 void cni_joint_rows_renew(cn_world *world, cni_joint_work *w);
 /* Inverse of the symmetric K of one to three rows, as numbers->inverse; a singular direction gives nothing. */
 void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv);
-/* A joint that is solved by itself: is its gap more than is good? */
-void cni_joint_gap_look(cn_world *world, const cni_joint_work *w, float gap);
 /* Builds all rows at the bodies' present positions, impulses left undefined. */
 void cni_joint_work_build(cni_joint_work *w, const cni_motion *a, const cni_motion *b);
 /* The rows as their type gives them, for joints whose rows are all rigid or limits that are far away; turns: rotations
@@ -178,12 +176,16 @@ void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c);
 /* What failed is not tried again for a time that doubles when it fails again soon. Of a joint, or what joints have in common. */
 #define CNI_TRUST_LEAST 2      /* steps */
 #define CNI_TRUST_MOST 256
+static inline void cni_trust_leave(cni_joint_trust *t, uint32_t step, int32_t span, int32_t soft)
+{
+	t->span = (uint16_t)span;
+	t->until = step + t->span;
+	t->soft = (uint16_t)soft;
+}
 static inline void cni_trust_fail(cni_joint_trust *t, uint32_t step, int32_t soft)
 {
 	int32_t lately = t->span > 0 && (int32_t)(step - t->until) < CNI_TRUST_MOST;
-	t->span = (uint16_t)(lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST);
-	t->until = step + t->span;
-	t->soft = (uint16_t)soft;
+	cni_trust_leave(t, step, lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST, soft);
 }
 /* Right sides to impulses; a system that says much twice is checked. 0: there is no good solution, and nothing was done. */
 int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c);

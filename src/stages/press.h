@@ -24,7 +24,6 @@ enum { CNI_ROW_OPEN = 0, CNI_ROW_HELD = 1, CNI_ROW_SLIDES = 2 };
 typedef struct cni_press {
 	int32_t block, lane;
 	int32_t node;               /* in the sparse system, CNI_NONE: not taken */
-	int32_t ia, ib;             /* of stages/contact_joined.c: its bodies */
 	float nx, ny, dn, dt, fa, fb;
 	float static_friction, dynamic_friction;
 	float at[2], an[2], s0[2];
@@ -71,52 +70,5 @@ void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h);
 int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias);
 /* The same by another method, from presses' start and the impulses that nodes carry. 0: not solved; everything is left as it may be. */
 int32_t cni_presses_cone(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, float speed_least, int32_t bias);
-
-/* ---- contacts that are solved through their joints: stages/contact_joined.c ---- */
-
-#define CNI_JOINED_ISLANDS 64
-#define CNI_JOINED_FULL 16     /* of them with as many contacts as may be */
-#define CNI_JOINED_CONTACTS 24 /* of an island: its joints are half solved for each of their rows */
-
-typedef struct cni_joined {
-	int32_t island;
-	int32_t component;          /* its first, CNI_NONE */
-	int32_t loops;              /* 1: some component of it has loops */
-	int32_t count;
-	cni_press *presses;
-	float *reach;               /* [row][row]: speed of the first by an impulse on the second */
-	float *nodes;               /* scratch: what the rows do to the joints of a system */
-	int32_t columns;            /* three a contact, rounded up */
-	int32_t fresh;              /* 1: the impulses are those of the last step */
-	int32_t in_lanes;           /* 1: its contacts are light, too many, or of a kind that cannot be solved so: the soft solver's */
-	int32_t grounded;           /* touches or hangs on what cannot be moved */
-	int32_t driven;             /* something may give it energy */
-	float energy;               /* twice the most kinetic energy that the substep may end with */
-	float turned;               /* radians at most since reach was found */
-} cni_joined;
-
-/* The contacts of islands that are solved directly for their joints' sake. 0: no memory. */
-int32_t cni_joined_collect(cn_world *world, cni_sparse *out);
-/* NULL: none. */
-const cni_joined *cni_component_joined(const cni_sparse *sparse, const cni_component *c);
-/* Its components that are not given up; CNI_NONE: no more. */
-int32_t cni_joined_first(const cni_sparse *sparse, const cni_joined *joined);
-int32_t cni_joined_next(const cni_sparse *sparse, int32_t k);
-/* Takes them out of their lanes. */
-void cni_joined_take(cn_world *world, cni_sparse *sparse);
-/* Joints that were held and are not any more begin from nothing: what they bore, soft joints would give way to by metres. */
-void cni_joined_let_go(cn_world *world);
-/* Scratch that it may take. */
-uint64_t cni_joined_bytes(int32_t joints, int32_t contacts);
-/* Islands that the soft solver would let come apart again stay. */
-void cni_joined_look(cn_world *world, const cni_solve *s);
-void cni_joined_give_back(cn_world *world, cni_sparse *sparse);
-/* Around the move of positions: what energy there is, and the taking out of what is more. */
-void cni_joined_moved(cn_world *world, const cni_solve *s, cni_joined *j);
-void cni_joined_hold(cn_world *world, cni_joined *j);
-/* After a pass over its joints. Returns 1 when another must follow. stages/contact_reach.c */
-int32_t cni_joined_solve(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias);
-/* All of it, after a pass over the joints: stages/joint_close.c. */
-void cni_joined_round(cn_world *world, const cni_solve *s, cni_joined *joined, int32_t bias);
 
 #endif

@@ -157,10 +157,6 @@ int32_t cni_island_is_refused(const cni_island *i, uint32_t step);
 int32_t cni_island_is_unsolved(const cni_island *i, uint32_t step);
 /* No island is solved directly any more: the solver changed. */
 void cni_tiers_forget(cn_world *world);
-/* Joints of it that the soft solver holds have come apart by more than the accuracy. */
-void cni_island_joints_part(cn_world *world, int32_t island);
-/* ... or would come apart, if it held them: in this step as well. */
-void cni_island_joints_hold(cn_world *world, int32_t island);
 /* Scratch that lanes of joints which are not pins may take. */
 uint64_t cni_row_bytes(int32_t joints);
 /* Scratch that directly solving so many joints and contacts may take. */

@@ -70,7 +70,6 @@ typedef struct cni_component {
 	int32_t tree;                  /* 1: its nodes are one: no two ways from one to another */
 	int32_t width;                 /* 2 or 3: rows that its nodes are solved with */
 	float regular;                 /* added to the diagonal, as a part of it */
-	int32_t joined, joined_next;   /* of stages/contact_joined.c: whose it is, the next component of the same; CNI_NONE */
 	int32_t swings;                /* of stages/joint_swing.c */
 	int32_t done;                  /* 1: nothing more to do for it in this step */
 	int32_t presses;               /* 1: with contacts, of stages/contact_direct.c */
@@ -125,9 +124,6 @@ typedef struct cni_sparse {
 	int32_t herd_count;
 	struct cni_press *presses;    /* contacts: nodes whose owner is -1 - press */
 	int32_t press_count;
-	struct cni_joined *joined;    /* of stages/contact_joined.c */
-	struct cni_press *joined_presses;
-	int32_t joined_count;
 	cni_closer *closers;          /* of stages/joint_close.c, by component */
 	int32_t closer_count;
 	int32_t *closer_slots;        /* places in lanes of the contacts of each one's bodies */
@@ -165,12 +161,6 @@ void cni_sparse_factor(cni_sparse *sparse, const cni_component *c, const cni_mot
 /* The nodes' x from right hand sides to solutions. 0: some of it is not finite, for masses or arms that floats cannot
    hold together; nothing must be done with it. */
 int32_t cni_sparse_solve(cni_sparse *sparse, const cni_component *c);
-/* Half a solution: out -= x^T K^-1 x with the factored K of the component. x: [node of it][CNI_NODE_ROWS][columns], which is
-   destroyed; out: [columns][columns], of which what is left of the diagonal may be left out. columns: a multiple of 4; aligned
-   as the arena gives it. */
-#define CNI_REACH_MOST 72
-void cni_sparse_reach(const cni_sparse *sparse, const cni_component *c, float *x, int32_t columns, float *out);
-
 /* ---- kinds: stages/sparse_kind.c ---- */
 
 /* What the component is to those that are like it. 0: it is not of the sort that has a kind. */

@@ -16,8 +16,7 @@
  *
  * Islands with joints are not taken by themselves: their joints are solved directly as it is (stages/joint_direct.c), and
  * one system of taut joints and of contacts whose set is not found in one step out of hundreds does more harm by that
- * step than good by the others. A body's own solver takes them too. Those whose joints come apart are taken for the joints'
- * sake, with few contacts by another method: stages/contact_joined.c.
+ * step than good by the others. An island that gets joints is given back. A body's own solver takes them too.
  *
  * CN_SOLVER_DIRECT takes every island, quiet or not, and never gives it back. A body's own solver does the same for its
  * island, or keeps it soft.
@@ -83,6 +82,12 @@ int32_t cni_island_has_joints(const cn_world *world, int32_t island)
 		if (cni_body_at(world, body)->joint_first != CNI_NONE)
 			return 1;
 	return 0;
+}
+
+/* Contacts of an island with joints are solved directly only where a body asks for it. */
+static int32_t takes_contacts(const cn_world *world, int32_t island)
+{
+	return cni_island_at(world, island)->solver == CN_SOLVER_DIRECT || !cni_island_has_joints(world, island);
 }
 
 /* So long that it does not count for what a thing of so many steps is now. */
@@ -183,22 +188,6 @@ void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 		i->refused_steps = 0;
 	i->refused_step = world->step_count;
 	i->refused_steps = cni_min_i(cni_max_i(2 * i->refused_steps, first), REFUSED_MOST);
-}
-
-/* Large nets, which are not solved directly from the start. */
-void cni_island_joints_part(cn_world *world, int32_t island)
-{
-	cni_island *i = cni_island_at(world, island);
-	if (i->tier == CNI_TIER_DIRECT || cni_island_is_refused(i, world->step_count) || world->direct_islands.count >= ISLANDS_MOST)
-		return;
-	if (i->solver != CN_SOLVER_SOFT)
-		island_take(world, island, CN_TIER_REASON_JOINT);
-}
-
-void cni_island_joints_hold(cn_world *world, int32_t island)
-{
-	cni_island_joints_part(world, island);
-	cni_island_at(world, island)->good_steps = 0;
 }
 
 /* ---- looking for what is wrong ---- */
@@ -397,6 +386,11 @@ static void list_update(cn_world *world, float h)
 			i->tier = CNI_TIER_SOFT;
 			continue;
 		}
+		if (!takes_contacts(world, island)) { /* it met something with joints */
+			i->tier = CNI_TIER_SOFT;
+			i->reason = CN_TIER_REASON_JOINTED;
+			continue;
+		}
 		if (falls(world, i)) {
 			cni_island_refuse(world, island, CN_TIER_REASON_MOVING);
 			continue;
@@ -481,14 +475,20 @@ static void solvers_gather(cn_world *world)
 	}
 }
 
-/* Every island that is awake, or those with a body that asks for it; but none that a body keeps soft. */
+/* Every island that is awake and takes contacts, or those with a body that asks for it; but none that a body keeps soft. */
 static void list_awake(cn_world *world, int32_t every)
 {
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
-		const cni_island *i = awake_island(world, k);
-		if (i == NULL || i->tier == CNI_TIER_DIRECT || i->solver == CN_SOLVER_SOFT || (!every && i->solver != CN_SOLVER_DIRECT))
+		cni_island *i = awake_island(world, k);
+		if (i == NULL || i->tier == CNI_TIER_DIRECT || i->solver == CN_SOLVER_SOFT || (!every && i->solver != CN_SOLVER_DIRECT) ||
+		    i->looked_step == world->step_count + 1u)
 			continue;
+		i->looked_step = world->step_count + 1u;
+		if (!takes_contacts(world, cni_awake_island(world, k))) {
+			i->reason = CN_TIER_REASON_JOINTED;
+			continue;
+		}
 		island_take(world, cni_awake_island(world, k), every ? CN_TIER_REASON_SOLVER : CN_TIER_REASON_OVERRIDE);
 	}
 }

@@ -141,6 +141,8 @@ cn_result cn_joint_set_solver(cn_world *world, cn_joint joint, int32_t solver)
 	j->solver = solver;
 	if (solver != CN_SOLVER_AUTO)
 		world->overridden = 1;
+	if (solver == CN_SOLVER_DIRECT)
+		world->joints_soft_step = 0; /* what was left soft for a time is tried again */
 	return CN_OK;
 }
 

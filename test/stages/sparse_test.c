@@ -299,61 +299,6 @@ static void t_the_same_twice(void)
 	}
 }
 
-/* ---- half a solution for many sides ---- */
-
-#define SIDES 8
-
-/* x^T K^-1 x by whole solutions, one for each column, against cni_sparse_reach. */
-static double reach_error(problem *p)
-{
-	const cni_component *c = &p->sparse.components[0];
-	uint64_t floats = (uint64_t)(c->end - c->begin) * CNI_NODE_ROWS * SIDES;
-	float *x = (float *)cni_arena_push(&p->arena, sizeof(float) * floats), *out = (float *)cni_arena_push(&p->arena, sizeof(float) * SIDES * SIDES);
-	double found[SIDES][SIDES], off = 0.0, most = 0.0;
-	int32_t k, l, n, i;
-	memset(x, 0, sizeof(float) * (size_t)floats);
-	memset(out, 0, sizeof(float) * SIDES * SIDES);
-	for (k = 0; k < SIDES; ++k)
-		for (n = 0; n < 2; ++n) /* few nodes have a side, as few joints feel a contact */
-			for (i = 0; i < 2; ++i)
-				x[(pick_int(p, c->end - c->begin) * CNI_NODE_ROWS + i) * SIDES + k] = pick(p, -1.0f, 1.0f);
-	memset(found, 0, sizeof found);
-	for (k = 0; k < SIDES; ++k) {
-		for (n = c->begin; n < c->end; ++n)
-			for (i = 0; i < CNI_NODE_ROWS; ++i)
-				p->sparse.nodes[n].x[i] = x[((n - c->begin) * CNI_NODE_ROWS + i) * SIDES + k];
-		CHECK(cni_sparse_solve(&p->sparse, c));
-		for (l = 0; l < SIDES; ++l)
-			for (n = c->begin; n < c->end; ++n)
-				for (i = 0; i < CNI_NODE_ROWS; ++i)
-					found[k][l] += (double)p->sparse.nodes[n].x[i] * (double)x[((n - c->begin) * CNI_NODE_ROWS + i) * SIDES + l];
-	}
-	cni_sparse_reach(&p->sparse, c, x, SIDES, out);
-	for (k = 0; k < SIDES; ++k)
-		for (l = k; l < SIDES; ++l) {
-			off = fmax(off, fabs(found[k][l] + (double)out[k * SIDES + l]));
-			most = fmax(most, fabs(found[k][l]));
-		}
-	return off / most;
-}
-
-static void t_reach_is_what_solutions_give(void)
-{
-	int32_t seed, rows;
-	double worst = 0.0;
-	for (seed = 1; seed <= 40; ++seed)
-		for (rows = 2; rows <= 3; ++rows) {
-			problem *p = begin((uint32_t)seed, 1.0);
-			add_bridge(p, 20, rows);
-			CHECK(plan(p) && p->sparse.component_count == 1);
-			p->sparse.components[0].width = rows;
-			solve(p, 1e-4f);
-			worst = fmax(worst, reach_error(p));
-			end(p);
-		}
-	CHECK_LE("largest error of an entry, by the largest entry", worst, 1e-3, "");
-}
-
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -361,7 +306,6 @@ int main(int argc, char **argv)
 	RUN(t_unequal_masses_match_a_dense_solution);
 	RUN(t_regular_is_a_part_of_the_diagonal);
 	RUN(t_repeated_constraints_are_satisfied);
-	RUN(t_reach_is_what_solutions_give);
 	RUN(t_rows_that_act_on_nothing_get_nothing);
 	RUN(t_the_same_twice);
 	return test_end();
