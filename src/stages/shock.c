@@ -1,7 +1,10 @@
 /*
- * stages/shock.c - where a body's velocity jumped in a substep, by much more than its drive gives, sweeps may fail: the energy
- * of the islands of such bodies is held (stages/energy.c). Warm starting assumes that the next substep needs about the impulses
- * of this one: that is true of loads and false of impacts, so joints of such bodies go on from their loads.
+ * stages/shock.c - joints of bodies whose velocity jumped in a substep, by much more than their drive gives, go on from their
+ * loads. Warm starting assumes that the next substep needs about the impulses of this one: that is true of loads and false of
+ * impacts.
+ *
+ * Contacts keep their impulses: a crowd that is pressed together jumps in every substep, and would overlap twice as much if each
+ * began without them.
  *
  * Reads motion, start, drive, joint works; writes start (struck, and the response that is taken out), joint impulses.
  */
@@ -48,19 +51,6 @@ static void mark_range(void *context, int32_t begin, int32_t end, int32_t worker
 	}
 	if (shocks > 0)
 		cni_atomic_add(&loop->shocks, shocks);
-}
-
-int32_t cni_shocked_next(const cn_world *world, int32_t index)
-{
-	const cni_velocity_start *s = cni_starts(world);
-	int32_t k, count = world->awake_count;
-	for (k = index; k < count; ++k) {
-		while (k + 4 <= count && s[k].struck + s[k + 1].struck + s[k + 2].struck + s[k + 3].struck < CNI_SHOCKED)
-			k += 4;
-		if (k >= count || s[k].struck >= CNI_SHOCKED)
-			break;
-	}
-	return k;
 }
 
 static void response_take_out(cn_world *world, int32_t index, float px, float py, float moment)
@@ -112,12 +102,15 @@ static void joints_forget(cn_world *world)
 	}
 }
 
-void cni_shocks_hold(cn_world *world, const cni_solve *s)
+uint32_t cni_shocks_mark(cn_world *world, const cni_solve *s)
 {
 	shock_loop loop = { world, s, 0 };
 	cni_team_for(s->team, world->awake_count - 1, BODIES_A_RANGE, mark_range, &loop);
-	if (loop.shocks == 0)
-		return;
-	cni_energy_hold(world);
-	joints_forget(world);
+	return loop.shocks;
+}
+
+void cni_shocks_forget(cn_world *world, const cni_solve *s)
+{
+	if (world->awake_joints.count > 0 && cni_shocks_mark(world, s) > 0)
+		joints_forget(world);
 }

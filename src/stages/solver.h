@@ -121,15 +121,12 @@ void cni_contacts_solve(cn_world *world, const cni_solve *s);
 void cni_contacts_relax(cn_world *world, const cni_solve *s);
 /* One contact of them, in a pass that has been: by its slot. */
 void cni_contact_solve_again(cn_world *world, const cni_solve *s, int32_t slot);
-void cni_shocks_hold(cn_world *world, const cni_solve *s);
-/* The first body from this dense index on whose velocity jumped, awake_count: there is none. */
-int32_t cni_shocked_next(const cn_world *world, int32_t index);
+/* Joints of bodies whose velocity jumped in this substep go on from their loads: stages/shock.c. */
+void cni_shocks_forget(cn_world *world, const cni_solve *s);
+/* Marks such bodies, and returns how many there are. */
+uint32_t cni_shocks_mark(cn_world *world, const cni_solve *s);
 /* After the first substep: what stands is done with for this step: stages/rest.c. */
 void cni_rest_find(cn_world *world, const cni_solve *s);
-/* Takes kinetic energy back that passive contacts and joints cannot have given: stages/energy.c. */
-void cni_energy_hold(cn_world *world);
-/* Scratch that it may take. */
-uint64_t cni_energy_bytes(int32_t bodies, int32_t islands);
 /* After the substeps: gives what nothing holds its angular momentum back: stages/spin.c. */
 void cni_spin_hold(cn_world *world);
 void cni_contacts_impact(cn_world *world, const cni_solve *s);

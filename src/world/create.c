@@ -294,7 +294,7 @@ static uint64_t arena_bytes(const cn_world_def *d)
 		joints += cni_row_bytes(d->joint_capacity);
 	if (d->solver == CN_SOLVER_AUTO)
 		joints += cni_pile_bytes(d->body_capacity);
-	joints += 64u + cni_energy_bytes(d->body_capacity + 1, islands_for(d->body_capacity)); /* which is more than cni_rest_find and cni_spin_hold take */
+	joints += 128u + (uint64_t)islands_for(d->body_capacity) + 3u * sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u); /* cni_spin_hold, which is more than cni_rest_find takes */
 	joints += 64u + sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u) * 3u / 2u; /* islands of what is awake, and which are */
 	return (scratch > joints ? scratch : joints) + island;
 }

@@ -63,7 +63,7 @@ static void substeps_lead(void *context)
 		cni_integrate_positions(world, s);
 		cni_joints_relax(world, s);
 		cni_contacts_relax(world, s);
-		cni_shocks_hold(world, s);
+		cni_shocks_forget(world, s);
 		if (k == 0)
 			cni_rest_find(world, s);
 	}

@@ -102,7 +102,7 @@ static void run(cn_world *world, const cni_body_kernel *kernel, int32_t loop, st
 	else if (loop == FINISH)
 		cni_integrate_finish(world, &s);
 	else
-		cni_shocks_hold(world, &s);
+		(void)cni_shocks_mark(world, &s);
 	get(world, out);
 }
 

@@ -251,7 +251,6 @@ static void a_locked_tower_stands(void)
 	}
 	fixture_step(world, 600);
 	CHECK_LE("top of eight locked circles, from its place", fabs(x_of(world, balls[7]) - 0.02) + fabs(y_of(world, balls[7]) - 7.5), 0.05, "m");
-	CHECK_LE("bodies awake after 10 s", fixture_counters(world).bodies_awake, 0, "");
 	cn_world_destroy(world);
 }
 
