@@ -30,17 +30,14 @@
  *
  * Reads works, drives, motion; writes motion, start, works' rows and flags, drive flags.
  */
-#include "stages/joint_work.h"
+#include "stages/joint_swing.h"
 
 #define CLOSED 2e-6f           /* length units or radians: a joint that is closed */
 #define NEWTON_ROUNDS 5
 #define PROJECT_ROUNDS 12
 #define SLOWEST 0.9f           /* part of its gap that a round may leave to a loop: some cannot be closed */
 #define FAILED 50.0f            /* gaps above this many times CLOSED after all rounds: the substep is too long */
-#define GAP_OLD 100.0f          /* times CLOSED: a gap that this step has not made */
 #define CLOSING_RATE 0.2f      /* part of an old gap that is closed in a substep */
-#define ENERGY_GAIN 0.01f      /* part of the kinetic energy that a step may take out: more is a step that failed */
-#define ROUNDING 1e-3f         /* part of the kinetic energy that some minutes of rounding may gain */
 #define SUBSTEPS_MOST 8.0f     /* to follow pins, which dampers help beyond that */
 #define SUBSTEPS_ROD_MOST 32.0f /* ... and rods, which nothing helps */
 #define SUBSTEPS_RETRY 64      /* most that a step is retried with */
@@ -113,26 +110,6 @@ int32_t cni_component_swings(const cn_world *world, const cni_solve *s, const cn
 
 /* How a substep went: closed, still open after all rounds, or beyond what floats hold. */
 enum { CLOSED_WELL = 0, OPEN = 1, BROKEN = 2 };
-
-typedef struct swing {
-	cn_world *world;
-	cni_sparse *sparse;
-	const cni_component *c;
-	cni_motion *motions;
-	float h;
-	float closed;      /* errors below it do not matter */
-	float closing;     /* most that is closed of an old gap in a substep */
-	float *left;       /* by row: what of an old gap is to be left after the substep */
-	float warm;        /* 0.5, or 0: what of the last substep's impulse mu starts from */
-	float speeding;    /* h^2 m a^2 / 4 of the last substep: how far the method's energy may be off */
-	float base_work;   /* that moving bodies without mass have done at their joints in this step */
-	int32_t mends;     /* 1: the step began with gaps that it closes */
-} swing;
-
-static cni_joint_work *work_of(const swing *g, int32_t node)
-{
-	return &cni_joint_works(g->world)[g->sparse->nodes[node].owner];
-}
 
 /* Half of what the drive gives in a substep. */
 static void kick(const swing *g)
@@ -428,218 +405,6 @@ static void step_undo(const swing *g)
 		cni_joint_work_rows(work_of(g, k), g->motions, g->sparse->turn);
 }
 
-/* Are there old gaps, which are closed with some speed? */
-static int32_t gaps_are_closing(const swing *g)
-{
-	int32_t k, i;
-	for (k = g->c->begin; k < g->c->end; ++k)
-		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
-			if (cni_abs(work_of(g, k)->rows[i].error) > GAP_OLD * g->closed)
-				return 1;
-	return 0;
-}
-
-static float inverse_or_zero(float x)
-{
-	return x > 0.0f ? 1.0f / x : 0.0f;
-}
-
-static float kinetic(const swing *g)
-{
-	float sum = 0.0f;
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
-		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		sum += inverse_or_zero(m->inv_mass) * (m->vx * m->vx + m->vy * m->vy) + inverse_or_zero(m->inv_inertia) * m->w * m->w;
-	}
-	return 0.5f * sum;
-}
-
-/* Of motion, less the work that drives have done in this step. */
-static float energy(const swing *g)
-{
-	float sum = 0.0f;
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
-		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		const cni_drive *d = cni_drives(g->world) + g->sparse->bodies[k];
-		sum += inverse_or_zero(m->inv_mass) * (0.5f * (m->vx * m->vx + m->vy * m->vy) - (d->ax * m->dpx + d->ay * m->dpy)) +
-		       inverse_or_zero(m->inv_inertia) * (0.5f * m->w * m->w - d->alpha * m->theta);
-	}
-	return sum;
-}
-
-/* What a step of free fall, and of closing gaps, may give from rest. */
-static float energy_allowed(const swing *g, float dt)
-{
-	float sum = 0.0f, pull = gaps_are_closing(g) ? g->closing / g->h : 0.0f;
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
-		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		const cni_drive *d = cni_drives(g->world) + g->sparse->bodies[k];
-		sum += 0.5f * inverse_or_zero(m->inv_mass) * (dt * dt * (d->ax * d->ax + d->ay * d->ay) + pull * pull) +
-		       0.5f * inverse_or_zero(m->inv_inertia) * dt * dt * d->alpha * d->alpha;
-	}
-	return sum;
-}
-
-/* ---- energy ---- */
-
-/* Twice the kinetic energy of a change of velocity. */
-static float change_of(const cni_motion *m, float vx, float vy, float w)
-{
-	return inverse_or_zero(m->inv_mass) * (vx * vx + vy * vy) + inverse_or_zero(m->inv_inertia) * w * w;
-}
-
-/*
- * Velocities and positions of the method are those of a motion that keeps T + V + h^2 (sum m a.a / 24 - sum m g.a / 12), to
- * the fourth order of h (backward analysis of the Stoermer-Verlet scheme: Hairer, Lubich and Wanner, "Geometric Numerical
- * Integration", 2006, IX.3, with the joints' forces among the accelerations a): six times the first term.
- * start: velocities before the last substep, as last_substep_begins left them.
- */
-static float speeding_of(const swing *g, const cni_solve *s)
-{
-	float sum = 0.0f, last = cni_max(1.0f, s->warm_scale > 0.0f ? 1.0f / s->warm_scale : 1.0f); /* the account was filled at the last step's h */
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
-		int32_t index = g->sparse->bodies[k];
-		const cni_motion *m = g->motions + index;
-		const cni_drive *d = cni_drives(g->world) + index;
-		const cni_velocity_start *start = cni_starts(g->world) + index;
-		sum += change_of(m, m->vx - start->vx + s->h * d->ax, m->vy - start->vy + s->h * d->ay, m->w - start->w + s->h * d->alpha);
-	}
-	return sum * last * last / 4.0f;
-}
-
-/* Of a lever's ends, those that have no mass: how fast the row closes for their motion alone. */
-static float base_speed(const cni_lever *l, const cni_motion *a, const cni_motion *b)
-{
-	float speed = 0.0f;
-	if (a->inv_mass == 0.0f)
-		speed += l->ax * a->vx + l->ay * a->vy + l->aw * a->w;
-	if (b->inv_mass == 0.0f)
-		speed += l->bx * b->vx + l->by * b->vy + l->bw * b->w;
-	return speed;
-}
-
-/* In a substep: J v = 0, so that what acts on the bodies with mass is minus what the others close. */
-static float base_work_of(const swing *g)
-{
-	float work = 0.0f;
-	int32_t k, i;
-	for (k = g->c->begin; k < g->c->end; ++k) {
-		const cni_node *n = &g->sparse->nodes[k];
-		for (i = 0; i < n->rows; ++i)
-			work -= work_of(g, k)->rows[i].impulse * base_speed(&n->lever[i], g->motions + n->ia, g->motions + n->ib);
-	}
-	return work;
-}
-
-typedef struct rigid_motion {
-	float mass, inertia;
-	float x, y, vx, vy, w;
-	int32_t fixed;     /* some joint is to what has no mass: all that is free is the motion itself */
-} rigid_motion;
-
-static cni_vec2 place_of(const swing *g, int32_t index)
-{
-	const cni_body *b = cni_body_at(g->world, cni_awake_ids(g->world)[index]);
-	return cni_v(b->cx + g->motions[index].dpx, b->cy + g->motions[index].dpy);
-}
-
-/* Has the component joints to what cannot move? */
-static int32_t is_fixed(const swing *g)
-{
-	int32_t k;
-	for (k = g->c->begin; k < g->c->end; ++k)
-		if (g->motions[g->sparse->nodes[k].ia].inv_mass == 0.0f || g->motions[g->sparse->nodes[k].ib].inv_mass == 0.0f)
-			return 1;
-	return 0;
-}
-
-/* The motion of one rigid body with the component's momenta. */
-static rigid_motion rigid_of(const swing *g)
-{
-	rigid_motion r = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, is_fixed(g) };
-	float spin = 0.0f;
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end && !r.fixed; ++k) {
-		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		float mass = inverse_or_zero(m->inv_mass);
-		cni_vec2 p = place_of(g, g->sparse->bodies[k]);
-		r.mass += mass;
-		r.x += mass * p.x;
-		r.y += mass * p.y;
-		r.vx += mass * m->vx;
-		r.vy += mass * m->vy;
-	}
-	if (r.fixed || r.mass == 0.0f)
-		return r;
-	r.x /= r.mass;
-	r.y /= r.mass;
-	r.vx /= r.mass;
-	r.vy /= r.mass;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
-		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		float mass = inverse_or_zero(m->inv_mass), inertia = inverse_or_zero(m->inv_inertia);
-		cni_vec2 p = place_of(g, g->sparse->bodies[k]);
-		float x = p.x - r.x, y = p.y - r.y;
-		spin += mass * (x * (m->vy - r.vy) - y * (m->vx - r.vx)) + inertia * m->w;
-		r.inertia += mass * (x * x + y * y) + inertia;
-	}
-	r.w = r.inertia > 0.0f ? spin / r.inertia : 0.0f;
-	return r;
-}
-
-static cni_velocity_start velocity_in(const swing *g, const rigid_motion *r, int32_t index)
-{
-	cni_velocity_start v = { 0.0f, 0.0f, 0.0f, 0.0f };
-	cni_vec2 p;
-	if (r->fixed)
-		return v;
-	p = place_of(g, index);
-	v.vx = r->vx - r->w * (p.y - r->y);
-	v.vy = r->vy + r->w * (p.x - r->x);
-	v.w = r->w;
-	return v;
-}
-
-/* Twice the kinetic energy of the motion against the rigid one. */
-static float inner_energy(const swing *g, const rigid_motion *r)
-{
-	float sum = 0.0f;
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
-		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		cni_velocity_start v = velocity_in(g, r, g->sparse->bodies[k]);
-		sum += change_of(m, m->vx - v.vx, m->vy - v.vy, m->w - v.w);
-	}
-	return 0.5f * sum;
-}
-
-/*
- * Takes this much energy out of the component's motion, but no more than ENERGY_GAIN of it: all velocities against the rigid
- * motion that has its momenta by the same factor, which keeps them and J v = 0. Returns what it took.
- */
-static float energy_take(const swing *g, float surplus)
-{
-	rigid_motion r = rigid_of(g);
-	float inner = inner_energy(g, &r), part, keep;
-	int32_t k;
-	if (!(inner > 0.0f && inner < FLT_MAX))
-		return 0.0f;
-	part = cni_min(surplus / inner, ENERGY_GAIN);
-	keep = cni_sqrt(1.0f - part);
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
-		cni_motion *m = g->motions + g->sparse->bodies[k];
-		cni_velocity_start v = velocity_in(g, &r, g->sparse->bodies[k]);
-		m->vx = v.vx + keep * (m->vx - v.vx);
-		m->vy = v.vy + keep * (m->vy - v.vy);
-		m->w = v.w + keep * (m->w - v.w);
-	}
-	return part * inner;
-}
-
 /* ---- what joints remember ---- */
 
 static cni_joint_trust *trust_of(const swing *g, int32_t node)
@@ -677,7 +442,7 @@ static void trust_write(const swing *g, const cni_joint_trust *trust)
 /* All substeps, or as many as go well. */
 static int32_t substeps_run(swing *g, const cni_solve *s, int32_t substeps, int32_t projects)
 {
-	int32_t k, moving = is_fixed(g);
+	int32_t k, moving = cni_swing_is_fixed(g);
 	g->base_work = 0.0f;
 	for (k = 0; k < substeps; ++k) {
 		int32_t how;
@@ -688,37 +453,10 @@ static int32_t substeps_run(swing *g, const cni_solve *s, int32_t substeps, int3
 			return how;
 		works_stress(g);
 		if (moving)
-			g->base_work += base_work_of(g);
+			g->base_work += cni_swing_base_work(g);
 	}
-	g->speeding = speeding_of(g, s);
+	g->speeding = cni_swing_speeding(g, s);
 	return CLOSED_WELL;
-}
-
-/* Work of drives along what positions may be wrong by: joints count as closed within it, and floats round. */
-static float rounding_of_positions(const swing *g)
-{
-	float sum = 0.0f;
-	int32_t k;
-	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
-		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		const cni_drive *d = cni_drives(g->world) + g->sparse->bodies[k];
-		const cni_body *b = cni_body_at(g->world, cni_awake_ids(g->world)[g->sparse->bodies[k]]);
-		float way = 4.0f * g->closed + 4.0f * FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
-		sum += inverse_or_zero(m->inv_mass) * way * (cni_abs(d->ax) + cni_abs(d->ay));
-	}
-	return sum;
-}
-
-/* What a step gained goes to the account, and what is too much for it out of the motion. Where it closed gaps that were there before,
-   bodies were moved by that, and what they gained is not of their motion. */
-static void account(const swing *g, cni_joint_trust *t, float gained)
-{
-	float most = g->speeding + ROUNDING * kinetic(g) + rounding_of_positions(g);
-	t->surplus = cni_max(t->surplus + (g->mends ? 0.0f : gained), -most);
-	if (!(t->surplus < FLT_MAX)) /* no account can be kept of what floats cannot hold */
-		t->surplus = 0.0f;
-	if (t->surplus > most)
-		t->surplus -= energy_take(g, t->surplus - most);
 }
 
 /* A step by RATTLE with so many substeps. */
@@ -736,17 +474,17 @@ static int32_t rattle_try(swing *g, const cni_solve *s, cni_component *c, int32_
 	}
 	cni_tension_damp(g->world, g->sparse, c, g->h);
 	cni_direct_refresh(g->world, g->sparse, c);
-	before = energy(g); /* as a step begins, no work has been done */
-	g->mends = gaps_are_closing(g);
-	allowed = energy_allowed(g, s->dt);
+	before = cni_swing_energy(g); /* as a step begins, no work has been done */
+	g->mends = cni_swing_mends(g);
+	allowed = cni_swing_energy_allowed(g, s->dt);
 	how = substeps_run(g, s, substeps, 0);
 	if (how != CLOSED_WELL)
 		return how;
-	gained = energy(g) - before - g->base_work;
+	gained = cni_swing_energy(g) - before - g->base_work;
 	/* Written so that what is not a number fails too. */
 	if (!(gained <= ENERGY_GAIN * before + allowed + g->speeding))
 		return BROKEN;
-	account(g, t, gained);
+	cni_swing_account(g, t, gained);
 	return CLOSED_WELL;
 }
 
@@ -761,16 +499,16 @@ static int32_t project_try(swing *g, const cni_solve *s, cni_component *c, cni_j
 	if (c->width > 2)
 		cni_sparse_clear(g->sparse, c); /* no dampers */
 	cni_direct_refresh(g->world, g->sparse, c);
-	before = energy(g);
-	g->mends = gaps_are_closing(g);
-	most = cni_sqrt(before) + cni_sqrt(energy_allowed(g, s->dt)); /* speeds that drives give, by the norm of kinetic energy */
+	before = cni_swing_energy(g);
+	g->mends = cni_swing_mends(g);
+	most = cni_sqrt(before) + cni_sqrt(cni_swing_energy_allowed(g, s->dt)); /* speeds that drives give, by the norm of kinetic energy */
 	most *= most;
 	how = substeps_run(g, s, cni_max_i(SUBSTEPS_FIRM, s->substeps), 1);
 	if (how != CLOSED_WELL)
 		return how;
-	if (!(kinetic(g) <= (1.0f + ENERGY_GAIN) * most) && g->base_work == 0.0f)
+	if (!(cni_swing_kinetic(g) <= (1.0f + ENERGY_GAIN) * most) && g->base_work == 0.0f)
 		return BROKEN;
-	account(g, t, energy(g) - before - g->base_work);
+	cni_swing_account(g, t, cni_swing_energy(g) - before - g->base_work);
 	return CLOSED_WELL;
 }
 

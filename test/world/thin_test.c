@@ -260,7 +260,7 @@ static double share_crossed(float thickness, float speed_most)
 		passed += cards_crossed(fixture_pose(world, left), fixture_pose(world, right));
 		cn_world_destroy(world);
 	}
-	return (double)passed / PAIRS;
+	return (double)passed / (double)PAIRS;
 }
 
 /* Bodies that are no bullets may pass each other where they turn by radians in a step: at up to 40 m/s a fifth of boxes of 4 cm
