@@ -51,12 +51,6 @@ typedef struct cone {
 	float misfit;          /* m/s: the most of what is both slack and multiplier */
 } cone;
 
-static cni_press *press_of(const cone *q, int32_t k)
-{
-	int32_t owner = q->sparse->nodes[k].owner;
-	return owner < 0 ? &q->sparse->presses[-1 - owner] : NULL;
-}
-
 /* Of the two normals and the friction: is there such a row? */
 static int32_t row_is(const cni_press *p, int32_t row)
 {
@@ -123,7 +117,7 @@ static void warm(cone *q)
 {
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = press_of(q, k);
+		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
 		memset(q->sparse->nodes[k].total, 0, sizeof q->sparse->nodes[k].total);
 		if (p == NULL)
 			continue;
@@ -166,14 +160,14 @@ static void center(cone *q)
 	int32_t k;
 	cni_press *p;
 	for (k = q->c->begin; k < q->c->end; ++k)
-		if ((p = press_of(q, k)) != NULL)
+		if ((p = cni_press_of(q->sparse, &q->sparse->nodes[k])) != NULL)
 			speed = cni_max(speed, speed_lacking(q, p, &q->sparse->nodes[k]));
 	q->tau = speed * speed;
 	for (k = q->c->begin; k < q->c->end; ++k)
-		if ((p = press_of(q, k)) != NULL)
+		if ((p = cni_press_of(q->sparse, &q->sparse->nodes[k])) != NULL)
 			press_center(q, p, &q->sparse->nodes[k], speed);
 	for (k = q->c->begin; k < q->c->end; ++k)
-		if ((p = press_of(q, k)) != NULL)
+		if ((p = cni_press_of(q->sparse, &q->sparse->nodes[k])) != NULL)
 			rows_push(q, p, &q->sparse->nodes[k], p->start);
 }
 
@@ -261,7 +255,7 @@ static float step_length(const cone *q)
 	float most = FLT_MAX;
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		const cni_press *p = press_of(q, k);
+		const cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
 		cni_node *n = &q->sparse->nodes[k];
 		float slack[4], dual[4];
 		if (p == NULL)
@@ -281,7 +275,7 @@ static float step_take(const cone *q, float length)
 	float sum = 0.0f;
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = press_of(q, k);
+		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
 		cni_node *n = &q->sparse->nodes[k];
 		float slack[4], dual[4];
 		if (p != NULL)
@@ -314,7 +308,7 @@ static float predictor_keep(cone *q, float length)
 	float sum = 0.0f;
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = press_of(q, k);
+		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
 		float slack[4], dual[4];
 		if (p == NULL)
 			continue;
@@ -331,7 +325,7 @@ static void predictor_clear(cone *q)
 {
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = press_of(q, k);
+		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
 		if (p != NULL)
 			memset(p->cross, 0, sizeof p->cross);
 	}
@@ -342,7 +336,7 @@ static void newton_set(cone *q)
 	int32_t k;
 	q->residual = q->misfit = 0.0f;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = press_of(q, k);
+		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
 		if (p != NULL)
 			press_newton(q, p, &q->sparse->nodes[k]);
 		else
@@ -381,7 +375,7 @@ static void end(const cone *q)
 {
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = press_of(q, k);
+		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
 		if (p != NULL)
 			press_end(q, p, &q->sparse->nodes[k]);
 	}
@@ -427,7 +421,7 @@ static float slips_find(const cone *q)
 	float most = 0.0f;
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = press_of(q, k);
+		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
 		float slip, was;
 		if (p == NULL || p->coefficient == 0.0f)
 			continue;

@@ -38,156 +38,6 @@
 #define SPEED_LEAST 1e-4f      /* length units a second that are no motion */
 #define SLIDE_CLOSE 0.01f      /* part by which a sliding friction may be off its normal force */
 
-/* ---- lanes ---- */
-
-static int32_t lane_is_plain(const cn_world *world, const cni_contact *c)
-{
-	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
-	const cni_block_info *info = cni_block_info_at(world, block);
-	const cni_block_extra *x = info->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL;
-	if (info->restitution[l] > 0.0f)
-		return 0;
-	return x == NULL || (x->rolling[l] == 0.0f && x->tangent_speed[l] == 0.0f && x->lock_ax[l] + x->lock_ay[l] + x->lock_bx[l] + x->lock_by[l] == 0.0f);
-}
-
-static void press_read(const cn_world *world, const cni_contact *c, cni_press *p)
-{
-	const cni_contact_block *k = cni_block_at(world, c->slot / CNI_LANES);
-	int32_t l = c->slot % CNI_LANES, i;
-	memset(p, 0, sizeof *p);
-	p->block = c->slot / CNI_LANES;
-	p->lane = l;
-	p->node = CNI_NONE;
-	p->nx = k->nx[l];
-	p->ny = k->ny[l];
-	p->dn = k->dn[l];
-	p->dt = k->dt[l];
-	p->fa = k->fa[l];
-	p->fb = k->fb[l];
-	p->static_friction = k->static_friction[l];
-	p->dynamic_friction = k->dynamic_friction[l];
-	p->untouched = 1;
-	p->mass[2] = k->tm[l];
-	p->j[2] = k->jt[l];
-	for (i = 0; i < 2; ++i) {
-		p->at[i] = k->p[i].at[l];
-		p->an[i] = k->p[i].an[l];
-		p->s0[i] = k->p[i].s0[l];
-		p->mass[i] = k->p[i].nm[l];
-		p->j[i] = k->p[i].jn[l];
-		p->load[i] = k->p[i].load[l];
-		p->state[i] = p->mass[i] > 0.0f && p->j[i] > 0.0f ? CNI_ROW_HELD : CNI_ROW_OPEN;
-	}
-}
-
-int32_t cni_presses_collect(const cn_world *world, int32_t island, cni_press *presses, int32_t room)
-{
-	int32_t body, key, count = 0;
-	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
-		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
-			const cni_contact *c = cni_contact_of_key(world, key);
-			int32_t other = c->body[1 - (key & 1)];
-			if (!(c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
-				continue;
-			if (cni_body_at(world, other)->type == CN_BODY_DYNAMIC && (key & 1))
-				continue; /* seen from its other body */
-			if (!lane_is_plain(world, c))
-				return CNI_PRESSES_KIND;
-			if (count == room)
-				return CNI_PRESSES_MANY;
-			press_read(world, c, &presses[count++]);
-		}
-	return count;
-}
-
-void cni_press_take(cn_world *world, const cni_press *p)
-{
-	cni_contact_block *block = cni_block_at(world, p->block);
-	int32_t i;
-	block->tm[p->lane] = block->jt[p->lane] = 0.0f;
-	for (i = 0; i < 2; ++i)
-		block->p[i].nm[p->lane] = block->p[i].jn[p->lane] = block->p[i].load[p->lane] = 0.0f;
-}
-
-void cni_presses_take(cn_world *world, cni_sparse *sparse)
-{
-	int32_t k;
-	for (k = 0; k < sparse->press_count; ++k)
-		if (sparse->presses[k].node != CNI_NONE)
-			cni_press_take(world, &sparse->presses[k]);
-}
-
-/* Once it was solved, what it bears is known exactly: its load is its impulse. */
-void cni_press_give_back(cn_world *world, const cni_press *p)
-{
-	cni_contact_block *block = cni_block_at(world, p->block);
-	int32_t i;
-	block->tm[p->lane] = p->mass[2];
-	block->jt[p->lane] = p->j[2];
-	for (i = 0; i < 2; ++i) {
-		block->p[i].nm[p->lane] = p->mass[i];
-		block->p[i].jn[p->lane] = p->j[i];
-		block->p[i].load[p->lane] = p->untouched ? p->load[i] : p->j[i];
-	}
-}
-
-static void press_give_back(cn_world *world, cni_press *p)
-{
-	cni_press_give_back(world, p);
-	p->node = CNI_NONE;
-}
-
-static cni_press *press_of(const cni_sparse *sparse, const cni_node *n)
-{
-	return n->owner < 0 ? &sparse->presses[-1 - n->owner] : NULL;
-}
-
-void cni_presses_give_back(cn_world *world, cni_sparse *sparse, const cni_component *c)
-{
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
-		cni_press *p = press_of(sparse, &sparse->nodes[k]);
-		if (p != NULL)
-			press_give_back(world, p);
-	}
-}
-
-void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h)
-{
-	int32_t k;
-	for (k = 0; k < sparse->press_count; ++k) {
-		cni_press *p = &sparse->presses[k];
-		const cni_node *n = &sparse->nodes[cni_max_i(p->node, 0)];
-		if (p->node == CNI_NONE)
-			continue;
-		if (cni_is_stressed(world, n->ia, n->ib, p->j[0] + p->j[1], h, 1.0f))
-			cni_island_at(world, cni_awake_island(world, n->ia))->good_steps = 0;
-		press_give_back(world, p);
-	}
-}
-
-/* ---- rows ---- */
-
-cni_lever cni_press_lever(const cni_press *p, int32_t row)
-{
-	float bt = p->at[row & 1] - p->dt;
-	cni_lever normal = { -p->nx, -p->ny, -p->at[row & 1], p->nx, p->ny, bt };
-	cni_lever friction = { -p->ny, p->nx, p->fa, p->ny, -p->nx, -p->fb };
-	return row < 2 ? normal : friction;
-}
-
-/* Separation of a point now; see stages/contact_kernel.h. */
-CNI_INLINE float turned(float angle, float n, float t)
-{
-	float x = cni_clamp(angle, -1.25f, 1.25f), x2 = x * x;
-	return x * (1.0f - x2 * (1.0f / 6.0f - x2 * (1.0f / 120.0f))) * t - x2 * (0.5f - x2 * (1.0f / 24.0f)) * n;
-}
-
-float cni_press_separation(const cni_press *p, int32_t i, const cni_motion *a, const cni_motion *b)
-{
-	return p->s0[i] + p->nx * (b->dpx - a->dpx) + p->ny * (b->dpy - a->dpy) + turned(b->theta, p->an[i] - p->dn, p->at[i] - p->dt) - turned(a->theta, p->an[i], p->at[i]);
-}
-
 static float normal_sum(const cni_press *p)
 {
 	return p->j[0] + p->j[1];
@@ -275,7 +125,7 @@ static int32_t presses_set(const pass *q)
 	int32_t k, i, changed = 0;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
-		cni_press *p = press_of(q->sparse, n);
+		cni_press *p = cni_press_of(q->sparse, n);
 		float sum;
 		n->total[0] = n->total[1] = n->total[2] = 0.0f;
 		if (p == NULL)
@@ -306,7 +156,7 @@ static float right_sides(const pass *q)
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
-		const cni_press *p = press_of(q->sparse, n);
+		const cni_press *p = cni_press_of(q->sparse, n);
 		const cni_row *rows = p == NULL ? cni_joint_works(q->world)[n->owner].rows : NULL;
 		for (i = 0; i < CNI_NODE_ROWS; ++i) {
 			float more = p != NULL ? press_lacks(q, p, i) : i < n->rows ? cni_clamp(rate * rows[i].error, -q->s->push_speed, q->s->push_speed) : 0.0f;
@@ -322,7 +172,7 @@ static void velocities_push(const pass *q)
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
-		cni_press *p = press_of(q->sparse, n);
+		cni_press *p = cni_press_of(q->sparse, n);
 		for (i = 0; i < CNI_NODE_ROWS; ++i) {
 			n->total[i] += n->x[i];
 			cni_lever_push(&n->lever[i], n->x[i], q->motions + n->ia, q->motions + n->ib);
@@ -410,7 +260,7 @@ static int32_t set_mend(const pass *q, int32_t all)
 	worst.by = q->speed_least;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
-		cni_press *p = press_of(q->sparse, n);
+		cni_press *p = cni_press_of(q->sparse, n);
 		misfit m[3];
 		if (p == NULL)
 			continue;
@@ -438,7 +288,7 @@ static void commit(const pass *q)
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
-		cni_press *p = press_of(q->sparse, n);
+		cni_press *p = cni_press_of(q->sparse, n);
 		cni_row *rows = p == NULL ? cni_joint_works(q->world)[n->owner].rows : NULL;
 		for (i = 0; p == NULL && i < n->rows; ++i)
 			rows[i].impulse += n->total[i];
@@ -467,7 +317,7 @@ static void forget_impulses(const pass *q)
 	}
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
-		cni_press *p = press_of(q->sparse, n);
+		cni_press *p = cni_press_of(q->sparse, n);
 		for (i = 0; p == NULL && i < cni_joint_works(q->world)[n->owner].row_count; ++i) {
 			cni_row *r = &cni_joint_works(q->world)[n->owner].rows[i];
 			cni_lever l = cni_row_lever(r);
@@ -486,7 +336,7 @@ static void all_keep(const pass *q, int32_t back)
 	cni_direct_motions_keep(q->world, q->sparse, q->c, back);
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
-		cni_press *p = press_of(q->sparse, n);
+		cni_press *p = cni_press_of(q->sparse, n);
 		cni_row *rows = p == NULL ? cni_joint_works(q->world)[n->owner].rows : NULL;
 		for (i = 0; i < n->rows; ++i) {
 			float *impulse = p != NULL ? &p->j[i] : &rows[i].impulse;
@@ -505,7 +355,7 @@ static void round_begin(const pass *q)
 		cni_direct_motions_keep(q->world, q->sparse, q->c, 1);
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
-		cni_press *p = press_of(q->sparse, n);
+		cni_press *p = cni_press_of(q->sparse, n);
 		for (i = 0; p != NULL && i < 3; ++i) {
 			p->start[i] = q->bias && !q->warm ? 0.0f : n->carried[i];
 			if (q->bias)
@@ -521,7 +371,7 @@ static void all_put_back(const pass *q)
 	all_keep(q, 1);
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
-		cni_press *p = press_of(q->sparse, n);
+		cni_press *p = cni_press_of(q->sparse, n);
 		for (i = 0; p != NULL && p->untouched && i < 3; ++i) {
 			p->j[i] *= q->s->warm_scale;
 			if (i < 2)
@@ -536,7 +386,7 @@ static int32_t is_calm(const pass *q)
 {
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		const cni_press *p = press_of(q->sparse, &q->sparse->nodes[k]);
+		const cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
 		if (p == NULL || p->room[0] < -q->speed_least || p->room[1] < -q->speed_least)
 			return 0;
 	}
@@ -556,7 +406,7 @@ static void states_keep(const pass *q, int32_t back)
 {
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = press_of(q->sparse, &q->sparse->nodes[k]);
+		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
 		for (i = 0; p != NULL && i < 3; ++i)
 			*(back ? &p->state[i] : &p->state_kept[i]) = back ? p->state_kept[i] : p->state[i];
 	}
@@ -608,7 +458,7 @@ static float push_work(const pass *q)
 	float sum = 0.0f;
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		const cni_press *p = press_of(q->sparse, &q->sparse->nodes[k]);
+		const cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
 		for (i = 0; p != NULL && i < 2; ++i)
 			sum += 2.0f * p->j[i] * cni_max(-p->room[i], 0.0f);
 	}
@@ -648,7 +498,7 @@ static int32_t gives_way(const pass *q)
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
-		const cni_press *p = press_of(q->sparse, n);
+		const cni_press *p = cni_press_of(q->sparse, n);
 		if (p != NULL && press_gives_way(q, p, n))
 			return 1;
 	}
@@ -678,7 +528,7 @@ static void rooms_find(const pass *q)
 {
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = press_of(q->sparse, &q->sparse->nodes[k]);
+		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
 		if (p != NULL)
 			press_room(q, p, &q->sparse->nodes[k]);
 	}
@@ -688,7 +538,7 @@ static void touching_hold(const pass *q)
 {
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = press_of(q->sparse, &q->sparse->nodes[k]);
+		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
 		if (p != NULL)
 			press_hold(q, p, &q->sparse->nodes[k]);
 	}

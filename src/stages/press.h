@@ -49,6 +49,11 @@ static inline float cni_press_leak(const cni_press *p, int32_t row)
 {
 	return CNI_PRESS_LEAK * p->j[row] / p->mass[row];
 }
+/* NULL: the node is a joint. */
+static inline cni_press *cni_press_of(const cni_sparse *sparse, const cni_node *n)
+{
+	return n->owner < 0 ? &sparse->presses[-1 - n->owner] : NULL;
+}
 /* Row 0 and 1: the points; 2: friction. */
 cni_lever cni_press_lever(const cni_press *p, int32_t row);
 /* Separation of a point now. */
