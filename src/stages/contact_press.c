@@ -68,7 +68,8 @@ int32_t cni_presses_collect(const cn_world *world, int32_t island, cni_press *pr
 	return count;
 }
 
-void cni_press_take(cn_world *world, const cni_press *p)
+/* Makes its lane idle. */
+static void press_take(cn_world *world, const cni_press *p)
 {
 	cni_contact_block *block = cni_block_at(world, p->block);
 	int32_t i;
@@ -82,11 +83,11 @@ void cni_presses_take(cn_world *world, cni_sparse *sparse)
 	int32_t k;
 	for (k = 0; k < sparse->press_count; ++k)
 		if (sparse->presses[k].node != CNI_NONE)
-			cni_press_take(world, &sparse->presses[k]);
+			press_take(world, &sparse->presses[k]);
 }
 
 /* Once it was solved, what it bears is known exactly: its load is its impulse. */
-void cni_press_give_back(cn_world *world, const cni_press *p)
+static void press_give_back(cn_world *world, cni_press *p)
 {
 	cni_contact_block *block = cni_block_at(world, p->block);
 	int32_t i;
@@ -97,11 +98,6 @@ void cni_press_give_back(cn_world *world, const cni_press *p)
 		block->p[i].jn[p->lane] = p->j[i];
 		block->p[i].load[p->lane] = p->untouched ? p->load[i] : p->j[i];
 	}
-}
-
-static void press_give_back(cn_world *world, cni_press *p)
-{
-	cni_press_give_back(world, p);
 	p->node = CNI_NONE;
 }
 

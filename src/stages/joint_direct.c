@@ -88,7 +88,8 @@ static void joints_leave(cn_world *world, cni_sparse *sparse, cni_component *c, 
 	joints_release(world, sparse, c);
 }
 
-int32_t cni_direct_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c)
+/* Joints' levers from their rows. Returns how many joints there are. */
+static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k, i, joints = 0;
 	for (k = c->begin; k < c->end; ++k) {
@@ -106,7 +107,7 @@ int32_t cni_direct_levers(const cn_world *world, cni_sparse *sparse, const cni_c
 
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
-	(void)cni_direct_levers(world, sparse, c);
+	(void)levers_read(world, sparse, c);
 	cni_sparse_factor(sparse, c, cni_motions(world));
 }
 
@@ -127,7 +128,7 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 	if (c->active)
 		cni_active_clear(world, sparse, c);
 	cni_tension_damp(world, sparse, c, s->h);
-	c->joints = cni_direct_levers(world, sparse, c);
+	c->joints = levers_read(world, sparse, c);
 	if (c->active)
 		cni_active_levers(world, sparse, c);
 	if (c->presses)
@@ -425,7 +426,7 @@ void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c)
 		joints_leave(world, s->direct, c, 0);
 }
 
-void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)
+static void joints_solve(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)
 {
 	cni_direct_sides(world, s, c, bias);
 	cni_direct_answer(world, s, c);
@@ -452,10 +453,10 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 		if (c->presses && !cni_presses_solve(world, s, s->direct, c, bias))
 			component_release(world, s->direct, c);
 		if (!c->presses)
-			cni_direct_joints(world, s, c, bias);
+			joints_solve(world, s, c, bias);
 		if (bias && !c->presses && !c->done && !c->active && c->kind == CNI_NONE && cni_tension_lock(world, s->direct, c, s->h)) {
 			cni_sparse_factor(s->direct, c, cni_motions(world));
-			cni_direct_joints(world, s, c, bias);
+			joints_solve(world, s, c, bias);
 		}
 	}
 }

@@ -156,8 +156,6 @@ void cni_joint_work_stress(cni_joint_work *w, const cni_motion *b, float inv_h);
 
 /* What is solved directly in this step; the works that are know it. 0: no scratch memory. stages/direct_plan.c */
 int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out);
-/* Joints' levers from their rows. Returns how many joints there are. */
-int32_t cni_direct_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* The nodes' levers from their works' rows, and the factors of it. */
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* Is the component held by its rigid joints alone in this step? */
@@ -191,8 +189,6 @@ static inline void cni_trust_fail(cni_joint_trust *t, uint32_t step, int32_t sof
 int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c);
 /* Levers, dampers and factors, at the bodies' present turns. */
 void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
-/* Both. */
-void cni_direct_joints(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias);
 /* Joints that contacts would open by more than this part of the accuracy in a substep are closed before positions move,
    also for arms that turn by more than this angle in it and so leave the tangent. */
 #define CNI_CLOSE_PART CNI_BAD_PART

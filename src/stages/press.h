@@ -58,9 +58,6 @@ static inline cni_press *cni_press_of(const cni_sparse *sparse, const cni_node *
 cni_lever cni_press_lever(const cni_press *p, int32_t row);
 /* Separation of a point now. */
 float cni_press_separation(const cni_press *p, int32_t point, const cni_motion *a, const cni_motion *b);
-/* Makes its lane idle; gives it back with the impulses as they are. */
-void cni_press_take(cn_world *world, const cni_press *p);
-void cni_press_give_back(cn_world *world, const cni_press *p);
 
 /* The touching contacts of an island, appended to presses; or that there are more than `room`, or one that cannot be
    solved so. */
