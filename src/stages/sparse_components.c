@@ -166,7 +166,7 @@ static void component_plan(cni_planner *p)
 	s->block_count += tree ? p->pairs : columns_length(p);
 	c->work = (int32_t)p->work;
 	c->tree = tree;
-	c->loops = p->member_count > p->body_count;
+	c->loops = !tree || p->member_count > p->body_count;
 	c->width = component_width(p);
 	p->budget -= p->work;
 	for (k = 0; k < p->member_count; ++k)

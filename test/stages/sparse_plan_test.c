@@ -112,6 +112,37 @@ static void t_plans_are_well_formed(void)
 	end(p);
 }
 
+/* Whether a chain of 6 bodies that is linked in one of these ways is said to have loops. */
+static int32_t chain_has_loops(int32_t from_the_world, int32_t to_the_world, int32_t ring)
+{
+	problem *p = begin(11, 0.0);
+	int32_t first = add_body(p), loops;
+	add_chain(p, first, 5, 2);
+	if (from_the_world)
+		add_link(p, 0, first, 2);
+	if (to_the_world)
+		add_link(p, first + 5, 0, 2);
+	if (ring)
+		add_link(p, first + 5, first, 2);
+	if (!plan(p) || p->sparse.component_count != 1) {
+		end(p);
+		return CNI_NONE;
+	}
+	loops = p->sparse.components[0].loops;
+	end(p);
+	return loops;
+}
+
+/* A ring that nothing holds has as many links as bodies, like a chain that hangs from the world. */
+static void t_loops_are_told_from_trees(void)
+{
+	CHECK(chain_has_loops(0, 0, 0) == 0);
+	CHECK(chain_has_loops(1, 0, 0) == 0);
+	CHECK(chain_has_loops(1, 1, 0) == 1);
+	CHECK(chain_has_loops(0, 0, 1) == 1);
+	CHECK(chain_has_loops(1, 0, 1) == 1);
+}
+
 static int32_t planned_in(const problem *p, int32_t begin_at, int32_t end_at)
 {
 	int32_t k, count = 0;
@@ -336,6 +367,7 @@ int main(int argc, char **argv)
 	RUN(t_simple_trees_make_no_fill);
 	RUN(t_random_trees_make_little);
 	RUN(t_plans_are_well_formed);
+	RUN(t_loops_are_told_from_trees);
 	RUN(t_beyond_the_limit_is_refused_alone);
 	RUN(t_beyond_the_budget_is_refused);
 	RUN(t_hubs_are_refused);
