@@ -5,7 +5,7 @@
  * What is not in them, and springs, motors and limits, are solved row by row in stages/joint_solve.c,
  * before; contacts come after, so joints and contacts alternate, where they disagree more than once: stages/joint_close.c.
  *
- * Loops of pins that touch something are the soft solver's, unless one of their joints asks for CN_SOLVER_DIRECT.
+ * Loops of pins and rods that touch something are the soft solver's, unless one of their joints asks for CN_SOLVER_DIRECT.
  *
  * Reads works, motion and inverse masses; writes works' flags and their rigid rows' impulses, motion velocities.
  */
@@ -169,18 +169,18 @@ static int32_t is_asked_for(const cn_world *world, const cni_sparse *sparse, con
 }
 
 /*
- * A loop of pins, such as a bridge between two walls, may be so straight that no force can hold it: what is rigid
+ * A loop of pins or rods, such as a bridge between two walls, may be so straight that no force can hold it: what is rigid
  * explodes there when contacts load it. Trees have no such places, nor have loops by gears. Contacts come and go: a loop that
  * closed its joints whenever what lies on it bounces would throw it. So it stays soft as long as joints remember anything: of
  * 80 seeds of the family `bridge` 8 are worse than soft constraints with 32 steps, 3 with 128, 2 with 256.
  */
-static int32_t is_loop_of_pins(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+static int32_t is_loop_of_pins_and_rods(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
 	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->presses || c->body_begin == c->body_end)
 		return 0;
 	for (k = c->begin; k < c->end; ++k)
-		if (sparse->nodes[k].rows != 2)
+		if (sparse->nodes[k].rows != 2 && cni_joint_works(world)[sparse->nodes[k].owner].record->type != CN_JOINT_DISTANCE)
 			return 0;
 	return 1;
 }
@@ -196,7 +196,7 @@ static int32_t is_touched(const cn_world *world, const cni_sparse *sparse, const
 
 static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	return is_loop_of_pins(world, sparse, c) && !is_asked_for(world, sparse, c) && is_touched(world, sparse, c);
+	return is_loop_of_pins_and_rods(world, sparse, c) && !is_asked_for(world, sparse, c) && is_touched(world, sparse, c);
 }
 
 /* One joint to the world. */
