@@ -3,7 +3,8 @@
 #   make            static and shared library          make demo       run the demo, pictures in build/demo
 #   make test       every test, checked build          make bench      CSV of all benchmark scenes (SCENE=name: one)
 #   make test-all   tests under sanitizers and other   make check-deps layers by #include, longest files
-#                   compilers and options              make install    DESTDIR and PREFIX; make clean
+#                   compilers and options              make check-links links and make targets in the documentation
+#                                                      make install    DESTDIR and PREFIX; make clean
 #   make bindings   writes bindings/ from the header   make test-bindings  in every language that is installed
 #   make stability  scenes with bounds, and 10 seeds of each family: test/stability/README.md
 #   make families   random scenes, the default solver beside soft constraints: test/families/README.md
@@ -70,7 +71,7 @@ CHECKED_EXAMPLE_OBJ := $(EXAMPLE_SRC:%.c=$(BUILD)/checked/%.o)
 TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
 TESTS := $(TEST_SRC:%.c=$(BUILD)/%) bindings/test/current.sh
 
-.PHONY: all bindings demo test test-all stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello check-deps install clean FORCE
+.PHONY: all bindings demo test test-all stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello check-deps check-links install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -214,6 +215,9 @@ test-bindings: $(BUILD)/$(SHARED_LINK)
 
 check-deps:
 	@sh test/check_deps.sh
+
+check-links:
+	@sh test/check_links.sh
 
 # ---------------------------------------------------------------- install, clean
 
