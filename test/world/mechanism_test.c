@@ -6,6 +6,7 @@
  * stages/joint_active.c (motors, limits), stages/joint_direct.c (nets: the check of a solution).
  */
 #include "direct.h"
+#include "model/world.h"
 
 /* ---- chains with heavy ends, through whips ---- */
 
@@ -171,10 +172,64 @@ static void limits_hold_loads(void)
 	scene_close(&s);
 }
 
+/* ---- rings that nothing holds ---- */
+
+#define RING 12
+
+/* Discs of 0.2 m in a circle of 1 m, joined by pins or by rods. */
+static void ring_make(scene *s, float y, int32_t rods)
+{
+	cn_body discs[RING];
+	int32_t k;
+	for (k = 0; k < RING; ++k) {
+		float angle = 6.2831853f * (float)k / (float)RING;
+		discs[k] = fixture_circle(s->world, CN_BODY_DYNAMIC, cosf(angle), y + sinf(angle), 0.2f, 0.6f, 0.0f);
+	}
+	for (k = 0; k < RING; ++k) {
+		cn_body a = discs[k], b = discs[(k + 1) % RING];
+		cn_vec2 from = fixture_pose(s->world, a).position_m, to = fixture_pose(s->world, b).position_m, way = at(to.x - from.x, to.y - from.y);
+		if (rods) {
+			cn_distance_def def = distance_def(a, at(0.0f, 0.0f), b, at(0.0f, 0.0f), hypotf(way.x, way.y));
+			(void)make_distance(s->world, &def);
+		} else {
+			(void)hinge(s->world, a, at(0.5f * way.x, 0.5f * way.y), b, at(-0.5f * way.x, -0.5f * way.y));
+		}
+	}
+}
+
+/* Joints that are left to soft constraints for the steps to come. */
+static int32_t soft_joints(const cn_world *world)
+{
+	const int32_t *joints = (const int32_t *)world->awake_joints.data;
+	int32_t k, soft = 0;
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		const cni_joint_trust *trust = &cni_joint_at(world, joints[k])->trust;
+		soft += trust->soft && trust->until > world->step_count;
+	}
+	return soft;
+}
+
+/* A closed ring of pins or rods is exact while it falls, and soft once it touches something: exact, it would leave all error to contacts. */
+static void rings_are_soft_where_they_touch(void)
+{
+	int32_t rods;
+	for (rods = 0; rods < 2; ++rods) {
+		scene s = scene_open(GRAVITY, 0, CN_SOLVER_AUTO);
+		(void)fixture_floor(s.world, 0.6f, 0.0f);
+		ring_make(&s, 3.0f, rods);
+		fixture_step(s.world, 10);
+		CHECK(soft_joints(s.world) == 0);
+		fixture_step(s.world, 80);
+		CHECK(soft_joints(s.world) == RING);
+		scene_close(&s);
+	}
+}
+
 int main(void)
 {
 	RUN(chains_whip);
 	RUN(motors_turn_cranks);
 	RUN(limits_hold_loads);
+	RUN(rings_are_soft_where_they_touch);
 	return test_end();
 }
