@@ -412,19 +412,6 @@ static void states_keep(const pass *q, int32_t back)
 	}
 }
 
-/* The set that was kept, consistent or not: a projection, which takes energy out and puts none in. */
-static int32_t solve_with_kept_set(const pass *q)
-{
-	states_keep(q, 1);
-	round_begin(q);
-	if (!system_solve(q)) {
-		all_keep(q, 1);
-		return 0;
-	}
-	commit(q);
-	return 1;
-}
-
 /* Did some body move as the step began? */
 static int32_t moves(const pass *q)
 {
@@ -472,6 +459,33 @@ static float push_work(const pass *q)
 static int32_t energy_fits(const pass *q)
 {
 	return q->c->joints > 0 || energy_of(q) <= (1.0f + ENERGY_CLOSE) * q->before + push_work(q);
+}
+
+/* Sliding friction is of the impulses that a pass has, not of those of a set that was no solution. */
+static void impulses_put_back(const pass *q)
+{
+	int32_t k;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		const cni_node *n = &q->sparse->nodes[k];
+		cni_press *p = cni_press_of(q->sparse, n);
+		if (p != NULL)
+			memcpy(p->j, n->carried, sizeof p->j);
+	}
+}
+
+/* The set that was kept, consistent or not: a projection, which takes energy out and puts none in, unless friction that slides is
+   far from what its contact bears. */
+static int32_t solve_with_kept_set(const pass *q)
+{
+	states_keep(q, 1);
+	impulses_put_back(q);
+	round_begin(q);
+	if (!system_solve(q) || !energy_fits(q)) {
+		all_keep(q, 1);
+		return 0;
+	}
+	commit(q);
+	return 1;
 }
 
 /* ---- does it begin to move? ---- */
