@@ -391,7 +391,7 @@ static void all_put_back(const pass *q)
 {
 	int32_t k, i;
 	all_keep(q, 1);
-	if (q->bias && q->c->joints == 0 && is_struck(q)) {
+	if (q->c->joints == 0 && is_struck(q)) {
 		blows_forget(q);
 		return;
 	}
@@ -506,10 +506,8 @@ static int32_t solve_with_kept_set(const pass *q)
 	states_keep(q, 1);
 	impulses_put_back(q);
 	round_begin(q);
-	if (!system_solve(q) || !energy_fits(q)) {
-		all_keep(q, 1);
+	if (!system_solve(q) || !energy_fits(q))
 		return 0;
-	}
 	commit(q);
 	return 1;
 }
@@ -705,8 +703,8 @@ int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *spars
 		found(&q);
 		return 1;
 	}
-	if (q.kept)
-		return solve_with_kept_set(&q);
+	if (q.kept && solve_with_kept_set(&q))
+		return 1;
 	all_put_back(&q);
 	return 0;
 }
