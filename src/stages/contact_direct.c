@@ -62,7 +62,7 @@ typedef struct pass {
 	int32_t bias;
 	int32_t warm;          /* 1: from the impulses of the last pass, not from none */
 	int32_t kept;          /* 1: the kept set will do, if nothing better is found */
-	float before;          /* twice the kinetic energy before its impulses */
+	float before;          /* twice the kinetic energy before the substep's impulses */
 	cni_island *island;
 } pass;
 
@@ -453,6 +453,11 @@ static int32_t moves(const pass *q)
 
 /* ---- energy ---- */
 
+static float energy_at(const cni_motion *m, float vx, float vy, float w)
+{
+	return (m->inv_mass > 0.0f ? (vx * vx + vy * vy) / m->inv_mass : 0.0f) + (m->inv_inertia > 0.0f ? w * w / m->inv_inertia : 0.0f);
+}
+
 /* Twice the kinetic energy of its bodies. */
 static float energy_of(const pass *q)
 {
@@ -460,7 +465,19 @@ static float energy_of(const pass *q)
 	int32_t k;
 	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
 		const cni_motion *m = q->motions + q->sparse->bodies[k];
-		sum += (m->inv_mass > 0.0f ? (m->vx * m->vx + m->vy * m->vy) / m->inv_mass : 0.0f) + (m->inv_inertia > 0.0f ? m->w * m->w / m->inv_inertia : 0.0f);
+		sum += energy_at(m, m->vx, m->vy, m->w);
+	}
+	return sum;
+}
+
+/* ... as the substep began, after the drive and before any impulse. */
+static float energy_of_start(const pass *q)
+{
+	float sum = 0.0f;
+	int32_t k;
+	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
+		const cni_velocity_start *v = cni_starts(q->world) + q->sparse->bodies[k];
+		sum += energy_at(q->motions + q->sparse->bodies[k], v->vx, v->vy, v->w);
 	}
 	return sum;
 }
@@ -480,7 +497,8 @@ static float push_work(const pass *q)
 
 /*
  * With speeds w after and v before the impulses l, and room that speeds must be beyond -room, the energy grows by
- * l.(w + v) / 2 <= l.w <= -l.room: no more than by pushing apart. Joints and what is carried along may do more.
+ * l.(w + v) / 2 <= l.w <= -l.room: no more than by pushing apart. The relaxing pass takes the pushing out: with all impulses of
+ * the substep, what is left is no more than it began with. Joints and what is carried along may do more.
  */
 static int32_t energy_fits(const pass *q)
 {
@@ -695,7 +713,7 @@ int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *spars
 	q.island = cni_island_at(world, cni_awake_island(world, sparse->bodies[c->body_begin]));
 	all_keep(&q, 0);
 	round_begin(&q);
-	q.before = energy_of(&q);
+	q.before = energy_of_start(&q);
 	q.warm = is_recent(&q, q.island->cone_step);
 	rooms_find(&q);
 	states_keep(&q, 0);
