@@ -36,7 +36,7 @@ static void press_read(const cn_world *world, const cni_contact *c, cni_press *p
 	p->dynamic_friction = k->dynamic_friction[l];
 	p->untouched = 1;
 	p->mass[2] = k->tm[l];
-	p->j[2] = k->jt[l];
+	p->j[2] = p->first[2] = k->jt[l];
 	for (i = 0; i < 2; ++i) {
 		p->at[i] = k->p[i].at[l];
 		p->an[i] = k->p[i].an[l];
@@ -44,6 +44,7 @@ static void press_read(const cn_world *world, const cni_contact *c, cni_press *p
 		p->mass[i] = k->p[i].nm[l];
 		p->j[i] = k->p[i].jn[l];
 		p->load[i] = k->p[i].load[l];
+		p->first[i] = p->j[i];
 		p->state[i] = p->mass[i] > 0.0f && p->j[i] > 0.0f ? CNI_ROW_HELD : CNI_ROW_OPEN;
 	}
 }

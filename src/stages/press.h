@@ -30,7 +30,8 @@ typedef struct cni_press {
 	float mass[3];              /* nm of the points, tm */
 	float j[3];                 /* impulses */
 	float load[2];              /* of the points, as the lane had it */
-	float start[3];             /* impulses at the beginning of the pass */
+	float first[3];             /* impulses at the beginning of the step */
+	float start[3];             /* ... of the pass */
 	float room[3];              /* in this pass speeds must be at least -room */
 	uint8_t state[3];           /* CNI_ROW_ */
 	uint8_t state_kept[3];      /* ... as the pass began */
