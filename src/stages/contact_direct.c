@@ -31,6 +31,7 @@
 #define PARTING 10.0f          /* times speed_least: contacts that part or slide faster give way */
 #define ENERGY_CLOSE 1e-3f     /* part of energy that is rounding */
 #define STILL_SPEED 0.1f       /* length units a second: what is slower began this step at rest */
+#define SOFT_STRESS 100.0f     /* own weights */
 #define REFINEMENTS 3          /* solutions with one factorization */
 #define PUSH_RATE 0.1f
 #define TOUCHING 5e-6f         /* length units: a lesser gap or overlap is rounding of positions. Rows that say the same twice would
@@ -364,6 +365,15 @@ static void round_begin(const pass *q)
 	}
 }
 
+/* Of the impulses of a contact: what gives the lighter body as much speed as SOFT_STRESS of its weights. More is crushed by the soft
+   solver whatever it begins with, and throws what is light when the contacts on both sides of it do not cancel any more. */
+static float part_that_soft_bears(const pass *q, const cni_press *p, const cni_node *n)
+{
+	float speed = (p->first[0] + p->first[1]) * cni_max(q->motions[n->ia].inv_mass, q->motions[n->ib].inv_mass);
+	float most = SOFT_STRESS * cni_length(q->world->settings.gravity) * q->s->h;
+	return speed > most ? most / speed : 1.0f;
+}
+
 /*
  * No set was found: the soft solver goes on as if nothing had been, from the velocities that the substep began with and the impulses
  * that the step began with. An exact solution sends a blow, or what pushes apart, through whatever is in its way: a body of a kilogram
@@ -379,13 +389,15 @@ static void all_put_back(const pass *q)
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
 		cni_press *p = cni_press_of(q->sparse, n);
+		float part;
 		if (p == NULL || !(all || p->untouched))
 			continue;
 		p->untouched = 1;
+		part = q->s->warm_scale * part_that_soft_bears(q, p, n);
 		for (i = 0; i < 3; ++i) {
-			p->j[i] = q->s->warm_scale * p->first[i];
+			p->j[i] = part * p->first[i];
 			if (i < 2)
-				p->load[i] *= q->s->warm_scale;
+				p->load[i] *= part;
 			press_push(p, i, p->j[i], q->motions + n->ia, q->motions + n->ib);
 		}
 	}
