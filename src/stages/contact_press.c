@@ -112,16 +112,6 @@ void cni_presses_give_back(cn_world *world, cni_sparse *sparse, const cni_compon
 	}
 }
 
-/*
- * An exact solution sends a blow through whatever is in its way: a body of a kilogram between two of a ton has the impulses of both,
- * which cancel to a thousandth. A soft solver that began with them would throw it.
- */
-void cni_press_forget(cni_press *p)
-{
-	memset(p->j, 0, sizeof p->j);
-	memset(p->load, 0, sizeof p->load);
-}
-
 void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h)
 {
 	int32_t k;
@@ -132,8 +122,6 @@ void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h)
 			continue;
 		if (cni_is_stressed(world, n->ia, n->ib, p->j[0] + p->j[1], h, 1.0f))
 			cni_island_at(world, cni_awake_island(world, n->ia))->good_steps = 0;
-		if (cni_velocity_jumps(world, n->ia, h) || cni_velocity_jumps(world, n->ib, h))
-			cni_press_forget(p);
 		press_give_back(world, p);
 	}
 }

@@ -66,8 +66,6 @@ enum { CNI_PRESSES_MANY = -1, CNI_PRESSES_KIND = -2 };
 int32_t cni_presses_collect(const cn_world *world, int32_t island, cni_press *presses, int32_t room);
 /* Takes the planned ones' impulses out of their lanes, and makes the lanes idle. */
 void cni_presses_take(cn_world *world, cni_sparse *sparse);
-/* The impulses of a blow, which are not those that the next substep needs. */
-void cni_press_forget(cni_press *p);
 /* Gives lanes back with the impulses as they are: those of one component, or of all. */
 void cni_presses_give_back(cn_world *world, cni_sparse *sparse, const cni_component *c);
 void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h);

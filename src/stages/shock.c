@@ -53,12 +53,6 @@ static void mark_range(void *context, int32_t begin, int32_t end, int32_t worker
 		cni_atomic_add(&loop->shocks, shocks);
 }
 
-int32_t cni_velocity_jumps(const cn_world *world, int32_t index, float h)
-{
-	cni_velocity_start start = cni_starts(world)[index];
-	return mark(&cni_motions(world)[index], &start, &cni_drives(world)[index], h, cni_shock_speed(world) * cni_shock_speed(world)) != 0;
-}
-
 static void response_take_out(cn_world *world, int32_t index, float px, float py, float moment)
 {
 	const cni_motion *m = cni_motions(world) + index;

@@ -75,7 +75,7 @@ typedef struct cni_solve {
 	float warm_scale;          /* of stored impulses: this substep over the last one's */
 	float push_speed;
 	float restitution_threshold;
-	float shock_speed;         /* cni_shock_speed */
+	float shock_speed;         /* a jump of a body's velocity in one substep that is an impact */
 	cni_contact_pass contact[CNI_CONTACTS_KINDS];
 	cni_soft joint;
 	const struct cni_contact_kernel *kernel;
@@ -87,12 +87,6 @@ typedef struct cni_solve {
 	int32_t lanes;             /* contacts of all colours */
 	cni_team *team;            /* who share the loops of the substeps, NULL: not worth it */
 } cni_solve;
-
-/* A jump of a body's velocity in one substep by more is an impact. */
-static inline float cni_shock_speed(const cn_world *world)
-{
-	return world->settings.length_unit;
-}
 
 cni_solve cni_solve_make(const cn_world *world, float dt);
 /* One substep, nothing kept from the last step. */
@@ -131,8 +125,6 @@ void cni_contact_solve_again(cn_world *world, const cni_solve *s, int32_t slot);
 void cni_shocks_forget(cn_world *world, const cni_solve *s);
 /* Marks such bodies, and returns how many there are. */
 uint32_t cni_shocks_mark(cn_world *world, const cni_solve *s);
-/* Has such a jump, between its start and now, a body by its dense index? */
-int32_t cni_velocity_jumps(const cn_world *world, int32_t index, float h);
 /* After the first substep: what stands is done with for this step: stages/rest.c. */
 void cni_rest_find(cn_world *world, const cni_solve *s);
 /* After the substeps: gives what nothing holds its angular momentum back: stages/spin.c. */
