@@ -37,6 +37,7 @@ static void run_seed(const settings *set, const family *which, int32_t seed, see
 		r->judged[side] = to_judged(&r->measures[side]);
 	}
 	r->worse = confirm_seed(set, which, seed, r->judged);
+	confirm_time(set, which, r);
 	r->has_peer = find_peer(set, which->name, seed, r->measures[0].flags, &r->peer, &peer);
 	if (r->has_peer)
 		r->worse_than_peer = worse_mask(&r->judged[0], &r->peer);

@@ -126,3 +126,33 @@ uint32_t confirm_seed(const settings *set, const family *which, int32_t seed, ju
 	}
 	return worse;
 }
+
+double error_of(const judged *j)
+{
+	return fmax(fmax(j->value[M_JOINT], j->value[M_OVERLAP]), fmax(j->value[M_MOVED], ERROR_LEAST));
+}
+
+int is_dear(double time_ratio, double gain, double time_most)
+{
+	return time_ratio > time_most && time_ratio > gain;
+}
+
+/* Of a run that was given up or refused nothing is known. */
+static void ratios_find(seed_result *r)
+{
+	const scene_measures *m = r->measures;
+	int known = !m[0].refused && !m[1].refused && m[1].step_ms > 0.0;
+	r->time_ratio = known ? m[0].step_ms / m[1].step_ms : 1.0;
+	r->gain = error_of(&r->judged[1]) / error_of(&r->judged[0]);
+}
+
+void confirm_time(const settings *set, const family *which, seed_result *r)
+{
+	int32_t side, repeat;
+	ratios_find(r);
+	for (repeat = 0; repeat < DEAR_RUNS && set->confirm > 0 && is_dear(r->time_ratio, r->gain, DEAR_TIME); ++repeat) {
+		for (side = 0; side < 2; ++side)
+			r->measures[side].step_ms = fmin(r->measures[side].step_ms, run_side(set, which, r->seed, side, 0).step_ms);
+		ratios_find(r);
+	}
+}

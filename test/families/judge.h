@@ -12,6 +12,10 @@
 #define PEER_RUNS 3      /* of another engine for each seed: medians are compared */
 #define NOISE_OTHER 1000 /* perturbations of the first side when a solver is judged against itself */
 #define REFERENCE_SUBSTEPS 64
+#define DEAR_TIME 4.0        /* times the other's: a seed that takes longer is to have an error smaller in proportion */
+#define DEAR_TIME_MEDIAN 2.0 /* ... and a family, by medians */
+#define DEAR_RUNS 2          /* more runs on both sides of a seed that looks dear: the shortest times decide */
+#define ERROR_LEAST 1e-6     /* m: lesser errors are none */
 
 enum { M_JOINT, M_OVERLAP, M_ENERGY, M_SPEED, M_MOVED, M_BROKEN, M_COUNT };
 
@@ -43,6 +47,7 @@ typedef struct seed_result {
 	scene_measures measures[2];
 	judged judged[2];
 	uint32_t worse;
+	double time_ratio, gain; /* time of a step over the other's; the other's error over mine */
 	int32_t has_peer;
 	judged peer;
 	uint32_t worse_than_peer;
@@ -63,6 +68,13 @@ scene_measures run_side(const settings *set, const family *which, int32_t seed, 
 /* A seed that looks worse is run again with other perturbations of 1e-5 m, twice and then as often as is asked for, as
    long as the medians over all runs are worse. sides: the first run in, medians out. */
 uint32_t confirm_seed(const settings *set, const family *which, int32_t seed, judged sides[2]);
+
+/* The greatest of joint error, overlap and displacement, m, at least ERROR_LEAST. */
+double error_of(const judged *j);
+/* Takes so much longer that its error would have to be smaller, and is not? */
+int is_dear(double time_ratio, double gain, double time_most);
+/* Fills in time_ratio and gain from measures and judged. */
+void confirm_time(const settings *set, const family *which, seed_result *r);
 
 /* ---- table.c: rows of CSV ---- */
 

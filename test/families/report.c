@@ -32,22 +32,64 @@ static double median_of(const seed_result *results, int32_t count, int32_t side,
 	return result;
 }
 
-static void print_times(const seed_result *results, int32_t count)
+static double median_ratio(const seed_result *results, int32_t count, int gain)
 {
-	double *ratios = malloc((size_t)(count + 1) * sizeof *ratios), worst = 0.0, slow = 0.0;
-	int32_t k, at = 0, slow_at = 0;
+	double *ratios = malloc((size_t)(count + 1) * sizeof *ratios), result;
+	int32_t k;
 	if (ratios == NULL)
 		exit(2);
-	for (k = 0; k < count; ++k) {
-		const scene_measures *m = results[k].measures;
-		ratios[k] = m[0].step_ms / fmax(m[1].step_ms, 1e-6);
-		if (ratios[k] > worst)
-			worst = ratios[k], at = results[k].seed;
-		if (m[0].step_max_ms > slow)
-			slow = m[0].step_max_ms, slow_at = results[k].seed;
-	}
-	printf(" | time x%.2f, worst x%.1f (seed %d), slowest step %.1f ms (seed %d)\n", median(ratios, count), worst, (int)at, slow, (int)slow_at);
+	for (k = 0; k < count; ++k)
+		ratios[k] = gain ? results[k].gain : results[k].time_ratio;
+	result = median(ratios, count);
 	free(ratios);
+	return result;
+}
+
+static void print_times(const seed_result *results, int32_t count)
+{
+	double worst = 0.0, slow = 0.0;
+	int32_t k, at = 0, slow_at = 0;
+	for (k = 0; k < count; ++k) {
+		const seed_result *r = &results[k];
+		if (r->time_ratio > worst)
+			worst = r->time_ratio, at = r->seed;
+		if (r->measures[0].step_max_ms > slow)
+			slow = r->measures[0].step_max_ms, slow_at = r->seed;
+	}
+	printf(" | time x%.2f, worst x%.1f (seed %d), slowest step %.1f ms (seed %d)\n", median_ratio(results, count, 0), worst, (int)at, slow, (int)slow_at);
+}
+
+/* ---- cost that accuracy does not pay for ---- */
+
+static int more_for_less(const void *a, const void *b)
+{
+	const seed_result *x = a, *y = b;
+	double p = x->time_ratio / fmin(x->gain, x->time_ratio), q = y->time_ratio / fmin(y->gain, y->time_ratio);
+	return p > q ? -1 : p < q;
+}
+
+/* Seeds that are dear, the worst of them, and the family by its medians. */
+static void print_dear(const seed_result *results, int32_t count)
+{
+	double time = median_ratio(results, count, 0), gain = median_ratio(results, count, 1);
+	seed_result *dear = malloc((size_t)(count + 1) * sizeof *dear);
+	int32_t k, found = 0;
+	if (dear == NULL)
+		exit(2);
+	for (k = 0; k < count; ++k)
+		if (is_dear(results[k].time_ratio, results[k].gain, DEAR_TIME))
+			dear[found++] = results[k];
+	qsort(dear, (size_t)found, sizeof *dear, more_for_less);
+	if (is_dear(time, gain, DEAR_TIME_MEDIAN))
+		printf("    dear     medians: time x%.2f, error x1/%.2f\n", time, gain);
+	if (found > 0)
+		printf("    dear     %d of %d:", (int)found, (int)count);
+	for (k = 0; k < found && k < 6; ++k)
+		printf("%s seed %d: time x%.1f, error %.3g against %.3g mm", k > 0 ? ";" : "", (int)dear[k].seed, dear[k].time_ratio, 1e3 * error_of(&dear[k].judged[0]),
+			1e3 * error_of(&dear[k].judged[1]));
+	if (found > 0)
+		printf("\n");
+	free(dear);
 }
 
 static const judged *other_of(const seed_result *r, int peer) { return peer ? &r->peer : &r->judged[1]; }
@@ -122,6 +164,7 @@ int32_t report_family(const settings *set, const family *which, const seed_resul
 	for (k = 0; k < M_COUNT; ++k)
 		if (count_mask(results, count, 0, 1u << k) > 0)
 			print_worst(results, count, k, 0);
+	print_dear(results, count);
 	print_peer(set, results, count);
 	if (getenv("FAMILIES_TIMES") != NULL)
 		printf("    took %.1f s\n", cpu_s);
