@@ -398,6 +398,8 @@ static int32_t iterate(cone *q)
 		newton_set(q);
 		if (q->residual <= q->speed_least && q->misfit <= q->speed_least)
 			return 1;
+		if (q->world->settings.solver == CN_SOLVER_AUTO)
+			q->world->cone_spent += cni_cone_factor_work(q->c);
 		cni_sparse_factor(q->sparse, q->c, q->motions);
 		if (!cni_sparse_solve(q->sparse, q->c))
 			return 0;

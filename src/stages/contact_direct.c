@@ -26,8 +26,7 @@
 #define ROUNDS_LARGE 32        /* ... of systems that are too large for that */
 #define ROUNDS_ALL 6           /* ... in which all that does not fit is changed at once */
 #define ROUNDS_WARM 4          /* ... from impulses of the last pass */
-#define CONE_FACTORS 30        /* factorizations that it takes in a substep where it is hard */
-#define CONE_NODE 16           /* blocks: what a contact costs beside one */
+#define CONE_FACTORS 30        /* factorizations that it takes in a pass where it is hard */
 #define PARTING 10.0f          /* times speed_least: contacts that part or slide faster give way */
 #define ENERGY_CLOSE 1e-3f     /* part of energy that is rounding */
 #define STILL_SPEED 0.1f       /* length units a second: what is slower began this step at rest */
@@ -611,10 +610,10 @@ static int32_t set_follow(const pass *q)
 	return misfits == 0;
 }
 
-/* What the cones may cost in a substep. */
+/* What the cones may cost in a pass. */
 static int32_t cone_cost(const pass *q)
 {
-	return CONE_FACTORS * (q->c->work + CONE_NODE * (q->c->end - q->c->begin));
+	return CONE_FACTORS * cni_cone_factor_work(q->c);
 }
 
 static int32_t is_large(const pass *q)
@@ -669,7 +668,6 @@ static int32_t cone_may_be_asked(const pass *q)
 		if (q->world->cone_work + cone_cost(q) > CNI_CONE_WORK || q->world->cone_spent + cone_cost(q) > CNI_CONE_AT_ONCE)
 			return 0;
 		q->world->cone_work += cone_cost(q);
-		q->world->cone_spent += cone_cost(q);
 	}
 	q->c->coned = 1;
 	return 1;

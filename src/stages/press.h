@@ -12,11 +12,21 @@
 #define CNI_PRESS_MOST 512
 #define CNI_PRESS_WORK 48
 
-/* Work of stages/contact_cone.c by substeps, in blocks factored of 10 ns: most in a step; most at once, of what comes back by so much a
-   step. What does not come to rest by it is left to the soft solver before it costs many times as much. */
+/*
+ * Work of stages/contact_cone.c, in blocks factored of 10 ns. By passes: most in a step. Most that is spent, and what comes back of it
+ * in a step. Who is asked once in a step is asked in all of its passes, so that more may be spent, and must come back before the next
+ * is asked. Of what stands, most need less than this in all: its contacts are found once, and their sets hold from then on. A heap that
+ * goes on moving would take as much in every step, and is no better for it than soft constraints make it.
+ */
 #define CNI_CONE_WORK 50000
 #define CNI_CONE_AT_ONCE (8 * CNI_CONE_WORK)
 #define CNI_CONE_REFILL (CNI_CONE_WORK / 100)
+#define CNI_CONE_NODE 16 /* blocks: what a contact costs beside one */
+
+static inline int32_t cni_cone_factor_work(const cni_component *c)
+{
+	return c->work + CNI_CONE_NODE * (c->end - c->begin);
+}
 
 enum { CNI_ROW_OPEN = 0, CNI_ROW_HELD = 1, CNI_ROW_SLIDES = 2 };
 
