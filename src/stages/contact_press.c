@@ -128,14 +128,6 @@ void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h)
 
 /* ---- rows ---- */
 
-cni_lever cni_press_lever(const cni_press *p, int32_t row)
-{
-	float bt = p->at[row & 1] - p->dt;
-	cni_lever normal = { -p->nx, -p->ny, -p->at[row & 1], p->nx, p->ny, bt };
-	cni_lever friction = { -p->ny, p->nx, p->fa, p->ny, -p->nx, -p->fb };
-	return row < 2 ? normal : friction;
-}
-
 /* Separation of a point now; see stages/contact_kernel.h. */
 CNI_INLINE float turned(float angle, float n, float t)
 {

@@ -66,7 +66,13 @@ static inline cni_press *cni_press_of(const cni_sparse *sparse, const cni_node *
 	return n->owner < 0 ? &sparse->presses[-1 - n->owner] : NULL;
 }
 /* Row 0 and 1: the points; 2: friction. */
-cni_lever cni_press_lever(const cni_press *p, int32_t row);
+static inline cni_lever cni_press_lever(const cni_press *p, int32_t row)
+{
+	float bt = p->at[row & 1] - p->dt;
+	cni_lever normal = { -p->nx, -p->ny, -p->at[row & 1], p->nx, p->ny, bt };
+	cni_lever friction = { -p->ny, p->nx, p->fa, p->ny, -p->nx, -p->fb };
+	return row < 2 ? normal : friction;
+}
 /* Separation of a point now. */
 float cni_press_separation(const cni_press *p, int32_t point, const cni_motion *a, const cni_motion *b);
 
