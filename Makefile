@@ -107,9 +107,10 @@ $(BUILD)/$(SHARED_LINK): $(BUILD)/$(SHARED)
 $(BUILD)/bin/hello: $(BUILD)/release/examples/hello.o
 $(BUILD)/bin/demo: $(BUILD)/release/examples/demo/demo.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench: $(BUILD)/release/examples/bench/bench.o $(EXAMPLE_OBJ)
+$(BUILD)/bin/bench_once: $(BUILD)/release/examples/bench/once.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_scale: $(BUILD)/release/examples/bench/scale.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/feature_cost: $(BUILD)/release/examples/cost/cost.o $(EXAMPLE_OBJ)
-$(BUILD)/bin/hello $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
+$(BUILD)/bin/hello $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_once $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
 	@mkdir -p $(@D)
 	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STRIP_UNUSED) $(filter %.o,$^) $(BUILD)/libcairn.a $(LIBS) -o $@
 
