@@ -11,6 +11,7 @@
 #   make bench-peers  time and accuracy beside other engines: see examples/peers/README.md
 #   make bench-diff BASE=rev  time and accuracy beside another revision: see examples/README.md
 #   make bench-scale  how cost grows with the number of bodies: see examples/README.md
+#   make ablation   each mechanism switched off alone: bounds lost, seeds worse, time: test/ablation/README.md
 #   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
 #
 # CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
@@ -207,6 +208,11 @@ families: $(BUILD)/bin/families
 .PHONY: chart
 chart: $(BUILD)/bin/stability
 	@CC='$(CC)' ROUNDS='$(ROUNDS)' sh test/stability/chart/run.sh $(BUILD) $(if $(PEERS),--peers)
+
+# Each mechanism off alone: test/ablation/README.md. MECHANISM='SPIN REST': those; ROUNDS=4, SEEDS=20, JOBS=2.
+.PHONY: ablation
+ablation:
+	@CC='$(CC)' JOBS=$(JOBS) ROUNDS='$(ROUNDS)' SEEDS='$(SEEDS)' sh test/ablation/run.sh $(BUILD) $(MECHANISM)
 
 bindings:
 	@python3 bindings/generate.py

@@ -20,23 +20,27 @@ CC=${CC:-gcc}
 shift
 quick=
 [ "${1:-}" = --quick ] && { quick=1; shift; }
+switches=$out/off.o
 mkdir -p "$results" || exit 2
 
 # ---------------------------------------------------------------- build
 
 # shellcheck disable=SC2086
-"$CC" -std=c99 -pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Werror -O2 -DCNI_ABLATION -Isrc -c test/ablation/off.c -o "$out/off.o" || exit 2
+"$CC" -std=c99 -pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Werror -O2 -DCNI_ABLATION -Isrc -c test/ablation/off.c -o "$switches" || exit 2
 variant() { # targets
-	"${MAKE:-make}" -s -j"${JOBS:-2}" BUILD="$out" CC="$CC" CPPFLAGS=-DCNI_ABLATION LDFLAGS="$out/off.o" "$@" > "$out/build.log" 2>&1 ||
+	"${MAKE:-make}" -s -j"${JOBS:-2}" BUILD="$out" CC="$CC" CPPFLAGS=-DCNI_ABLATION LDFLAGS="$switches" "$@" > "$out/build.log" 2>&1 ||
 		{ cat "$out/build.log"; echo "ablation: does not build"; exit 2; }
 }
-variant "$out/bin/stability"
+[ -n "$quick" ] || variant "$out/bin/stability"
 stability() { # name file: without what the name says
 	CAIRN_OFF=$1 "$out/bin/stability" ${3:-} ${4:-} --csv "$2.csv" > "$2.txt" 2>&1
 	case $? in 0 | 1) ;; *) tail -n 5 "$2.txt"; echo "ablation: stability failed without $1" ; return 1 ;; esac
 }
 
 if [ -n "$quick" ]; then
+	out=$out/quick
+	mkdir -p "$out"
+	variant CFLAGS=-O1 "$out/bin/stability"
 	CAIRN_OFF= "$out/bin/stability" 9_cluster > "$out/quick_on.txt" || { tail -n 20 "$out/quick_on.txt"; exit 1; }
 	CAIRN_OFF=spin "$out/bin/stability" 9_cluster > "$out/quick_off.txt" && { echo "ablation: the switch of SPIN does nothing"; exit 1; }
 	tail -n 1 "$out/quick_off.txt"
