@@ -11,6 +11,7 @@
 #   make bench-peers  time and accuracy beside other engines: see examples/peers/README.md
 #   make bench-diff BASE=rev  time and accuracy beside another revision: see examples/README.md
 #   make bench-scale  how cost grows with the number of bodies: see examples/README.md
+#   make ablation   each mechanism switched off alone: bounds lost, seeds worse, time: test/ablation/README.md
 #   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
 #
 # CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
@@ -107,9 +108,10 @@ $(BUILD)/$(SHARED_LINK): $(BUILD)/$(SHARED)
 $(BUILD)/bin/hello: $(BUILD)/release/examples/hello.o
 $(BUILD)/bin/demo: $(BUILD)/release/examples/demo/demo.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench: $(BUILD)/release/examples/bench/bench.o $(EXAMPLE_OBJ)
+$(BUILD)/bin/bench_once: $(BUILD)/release/examples/bench/once.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_scale: $(BUILD)/release/examples/bench/scale.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/feature_cost: $(BUILD)/release/examples/cost/cost.o $(EXAMPLE_OBJ)
-$(BUILD)/bin/hello $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
+$(BUILD)/bin/hello $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_once $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
 	@mkdir -p $(@D)
 	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STRIP_UNUSED) $(filter %.o,$^) $(BUILD)/libcairn.a $(LIBS) -o $@
 
@@ -206,6 +208,11 @@ families: $(BUILD)/bin/families
 .PHONY: chart
 chart: $(BUILD)/bin/stability
 	@CC='$(CC)' ROUNDS='$(ROUNDS)' sh test/stability/chart/run.sh $(BUILD) $(if $(PEERS),--peers)
+
+# Each mechanism off alone: test/ablation/README.md. MECHANISM='SPIN REST': those; ROUNDS=4, SEEDS=20, JOBS=2.
+.PHONY: ablation
+ablation:
+	@CC='$(CC)' JOBS=$(JOBS) ROUNDS='$(ROUNDS)' SEEDS='$(SEEDS)' sh test/ablation/run.sh $(BUILD) $(MECHANISM)
 
 bindings:
 	@python3 bindings/generate.py

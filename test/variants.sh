@@ -149,6 +149,7 @@ suite clang-O2 clang-19 '-O2' -DCNI_DEBUG "$bits"
 suite clang-O3 clang-19 '-O3' '' "$bits"
 if command -v g++ >/dev/null 2>&1; then check header-cxx header_in_cxx; else add header-cxx 0 0 1; fi
 check header-padding header_without_padding
+check ablation env JOBS="$cores" sh test/ablation/run.sh "$build" --quick
 check exports exports
 bindings
 others

@@ -48,7 +48,7 @@ static int32_t shape_is_placed(const cni_shape *s)
 float cni_box_margin(const cn_world *world, int32_t body_type, const cni_aabb *tight)
 {
 	const cni_settings *set = &world->settings;
-	if (body_type == CN_BODY_STATIC)
+	if (body_type == CN_BODY_STATIC || !CNI_ON(WIDE_BOXES))
 		return set->contact_margin;
 	return cni_clamp(MARGIN_PART * cni_max(tight->x1 - tight->x0, tight->y1 - tight->y0), set->contact_margin, set->box_margin);
 }

@@ -5,6 +5,7 @@
 #ifndef CNI_MODEL_WORLD_H
 #define CNI_MODEL_WORLD_H
 
+#include "base/ablation.h"
 #include "base/arena.h"
 #include "base/blocks.h"
 #include "base/handles.h"
@@ -194,7 +195,7 @@ struct cn_world {
 /* Its square, of the difference of two normals; less than any: none may lag. */
 static inline float cni_normal_lag_sq(const cn_world *world)
 {
-	return world->settings.solver == CN_SOLVER_SOFT ? CNI_NORMAL_LAG * CNI_NORMAL_LAG : -1.0f;
+	return world->settings.solver == CN_SOLVER_SOFT && CNI_ON(NORMAL_LAG) ? CNI_NORMAL_LAG * CNI_NORMAL_LAG : -1.0f;
 }
 
 static inline cni_body *cni_body_at(const cn_world *world, int32_t body) { return (cni_body *)cni_table_at_sized(&world->bodies, body, sizeof(cni_body), CNI_PAGE_BODIES); }

@@ -676,7 +676,7 @@ static int32_t cone_may_be_asked(const pass *q)
 /* The passes to come go on from its impulses: to begin with none would find others that bear the same, and pull. */
 static int32_t cone_solve(pass *q)
 {
-	if (!cone_may_be_asked(q))
+	if (!CNI_ON(CONES) || !cone_may_be_asked(q))
 		return 0;
 	q->warm = 0;
 	round_begin(q);

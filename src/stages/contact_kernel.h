@@ -103,7 +103,7 @@ CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row
 	scale = bias ? cni_wide_select(s > zero, one, cni_wide_of(pass->soft.mass_scale)) : one;
 	q.m = scale * nm;
 	q.want = scale * q.old - nm * (scale * vn + push);
-	if (bias)
+	if (bias && CNI_ON(LOADS))
 		q.want += (1.0f - scale) * cni_wide_load(p->load + l);
 	if (!bias || bounces != NULL) {
 		/* Impacts are left to contact_impact.c: where its sweeps found that bodies do not meet in this substep they do so in the next,
@@ -296,7 +296,7 @@ CNI_INLINE void solve_fresh(cni_contact_block *k, cni_block_extra *extra, int32_
 {
 	side a_copy, b_copy;
 	uint32_t live = fresh >> l & ((1u << CNI_WIDTH) - 1u);
-	if (live == 0)
+	if (live == 0 || !CNI_ON(FRESH_ROUNDS))
 		return;
 	live &= group_bears(k, l) & (extra != NULL ? live : group_couples(k, l, a, b));
 	if (live == 0)

@@ -95,7 +95,7 @@ static int32_t is_left_soft(const cn_world *world, const cni_joint_work *w)
 
 static int32_t work_is_eligible(const cn_world *world, const cni_joint_work *w)
 {
-	if (joint_stays_soft(world, w))
+	if (!CNI_ON(DIRECT_JOINTS) || joint_stays_soft(world, w))
 		return 0;
 	return w->rigid_count > 0 && !is_left_soft(world, w) && !(w->flags & (CNI_WORK_SPRINGY | CNI_WORK_BOUNDED)) &&
 	       !(w->ia != 0 && body_is_locked(world, w->ia)) && !(w->ib != 0 && body_is_locked(world, w->ib));

@@ -45,7 +45,7 @@ CNI_INLINE uint32_t drive_flags(const cn_world *world, const cni_body *b)
 	uint32_t flags = b->lanes != 0 ? (uint32_t)CNI_DRIVE_TOUCHED : 0u;
 	if (b->joint_first != CNI_NONE && body_is_jointed(world, b))
 		flags |= CNI_DRIVE_JOINTED;
-	if (flags == 0)
+	if (flags == 0 && CNI_ON(FLIGHT))
 		flags = CNI_DRIVE_FREE;
 	if (b->linear_damping + b->angular_damping > 0.0f)
 		flags |= CNI_DRIVE_DAMPED;
@@ -211,7 +211,7 @@ static void correct_to_trapezoid(cni_motion *m, const cni_velocity_start *start,
 {
 	float ax = h * d->ax, ay = h * d->ay, alpha = h * d->alpha;
 	float dx = m->vx - start->vx + ax, dy = m->vy - start->vy + ay, dw = m->w - start->w + alpha;
-	if (start->struck != 0.0f || dx * dx + dy * dy > 4.0f * (ax * ax + ay * ay))
+	if (!CNI_ON(TRAPEZOID) || start->struck != 0.0f || dx * dx + dy * dy > 4.0f * (ax * ax + ay * ay))
 		return;
 	m->dpx -= 0.5f * h * dx;
 	m->dpy -= 0.5f * h * dy;
@@ -281,6 +281,8 @@ static void position_finish(const cn_world *world, int32_t k, float h)
 
 const cni_body_kernel *cni_body_kernel_choose(void)
 {
+	if (!CNI_ON(BODY_KERNELS))
+		return NULL;
 #if CNI_HAS_WIDE_8
 	if (cni_cpu_has_avx2())
 		return &cni_body_kernel_8;

@@ -94,6 +94,8 @@ CNI_INLINE int32_t all_have(const cni_drive *d, uint32_t flags)
 CNI_INLINE cni_wide trapezoid_correction(cni_wide start, cni_wide response, cni_wide change, float h)
 {
 	cni_wide jump = response + change;
+	if (!CNI_ON(TRAPEZOID))
+		return cni_wide_of(0.0f);
 	cni_mask calm = ~(length_sq_of_row(jump) > cni_wide_of(4.0f) * length_sq_of_row(change)) & (last_of_row(start) == cni_wide_of(0.0f));
 	return (cni_wide)((cni_mask)(cni_wide_of(0.5f * h) * jump) & calm);
 }

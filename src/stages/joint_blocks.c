@@ -43,7 +43,7 @@ const cni_joint_kernel *cni_joint_kernel_choose(void)
 /* Joints that nothing softens, bounds or breaks. */
 static int32_t may_be_wide(const cn_world *world, const cni_joint *j)
 {
-	return j->stiffness_hertz <= 0.0f && j->force_max <= 0.0f && j->torque_max <= 0.0f &&
+	return CNI_ON(JOINT_LANES) && j->stiffness_hertz <= 0.0f && j->force_max <= 0.0f && j->torque_max <= 0.0f &&
 	       j->break_force <= 0.0f && j->break_torque <= 0.0f && world->settings.solver != CN_SOLVER_SEQUENTIAL;
 }
 
@@ -318,7 +318,7 @@ static void lanes_empty(cn_world *world)
 static void lanes_keep(cn_world *world, const cni_solve *s, int32_t left)
 {
 	cni_lanes_kept *kept = &world->joint_lanes;
-	kept->lanes = left > 0 || (s->direct != NULL && s->direct->node_count > 0) ? 0 : world->awake_joints.count;
+	kept->lanes = !CNI_ON(KEPT_LANES) || left > 0 || (s->direct != NULL && s->direct->node_count > 0) ? 0 : world->awake_joints.count;
 	kept->blocks = world->joint_blocks.count;
 	kept->works = world->joint_work.capacity;
 }

@@ -117,7 +117,7 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 	cni_sparse_clear(sparse, c);
 	cni_direct_turns(world, sparse, c);
 	cni_tension_find(world, sparse, c, s->h);
-	c->active = c->presses || c->kind != CNI_NONE ? 0 : cni_active_begin(world, s, sparse, c);
+	c->active = c->presses || c->kind != CNI_NONE || !CNI_ON(ACTIVE) ? 0 : cni_active_begin(world, s, sparse, c);
 	if (c->active || cni_tension_needs_dampers(world, sparse, c, s->h))
 		c->width = CNI_NODE_ROWS;
 	cni_direct_system(world, s, sparse, c);
@@ -196,7 +196,7 @@ static int32_t is_touched(const cn_world *world, const cni_sparse *sparse, const
 
 static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	return is_loop_of_pins_and_rods(world, sparse, c) && !is_asked_for(world, sparse, c) && is_touched(world, sparse, c);
+	return CNI_ON(SOFT_LOOPS) && is_loop_of_pins_and_rods(world, sparse, c) && !is_asked_for(world, sparse, c) && is_touched(world, sparse, c);
 }
 
 /* One joint to the world. */
@@ -229,21 +229,22 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		if (far && k + 1 < out->component_count)
 			cni_component_prefetch(world, out, k + 1);
 		c->regular = c->presses ? REGULAR : c->loops ? REGULAR_LOOPS : 0.0f;
-		c->swings = !c->presses && cni_component_swings(world, s, out, c);
+		c->swings = CNI_ON(SWINGS) && !c->presses && cni_component_swings(world, s, out, c);
 		if (loop_is_better_soft(world, out, c))
 			joints_leave(world, out, c, CNI_TRUST_MOST);
 		else if (c->body_begin == c->body_end || is_better_alone(c))
 			joints_release(world, out, c);
 		else if (c->swings)
 			cni_sparse_clear(out, c);
-		else if (!(c->herds = cni_component_herds(world, s, out, c))) {
+		else if (!(c->herds = CNI_ON(HERDS) ? cni_component_herds(world, s, out, c) : 0)) {
 			c->kind = CNI_NONE;
 			cni_direct_begin(world, s, out, c);
 		}
 	}
 	cni_herds_make(world, s, out);
 	cni_presses_take(world, out);
-	cni_close_mark(world, out);
+	if (CNI_ON(CLOSE))
+		cni_close_mark(world, out);
 	world->direct_work = work_planned(world, out);
 }
 

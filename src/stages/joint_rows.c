@@ -218,7 +218,7 @@ static int32_t is_waiting(const cni_joint_work *w)
 /* Room for the blocks of so many joints; 0: there is none, or no use for it. */
 static int32_t blocks_reserve(cn_world *world, int32_t waiting)
 {
-	int32_t room = blocks_for(waiting);
+	int32_t room = CNI_ON(ROW_LANES) ? blocks_for(waiting) : 0;
 	if (room == 0)
 		return 0;
 	world->row_blocks = cni_arena_push(&world->arena, sizeof(cni_row_block) * (uint64_t)room);

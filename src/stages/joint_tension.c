@@ -95,7 +95,7 @@ float cni_tension_stiffness(const cn_world *world, const cni_sparse *sparse, con
 
 int32_t cni_tension_needs_dampers(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float h)
 {
-	return h * h * cni_tension_stiffness(world, sparse, c) > 0.5f * XI_MOST;
+	return CNI_ON(TENSION) && h * h * cni_tension_stiffness(world, sparse, c) > 0.5f * XI_MOST;
 }
 
 /* c of a body: what of h^2 sum(r.f) a substep does not follow. */
@@ -114,7 +114,7 @@ static int32_t is_fixed(const cn_world *world, int32_t index)
 void cni_tension_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
 {
 	int32_t k;
-	if (c->width < CNI_NODE_ROWS)
+	if (c->width < CNI_NODE_ROWS || !CNI_ON(TENSION))
 		return;
 	cni_tension_find(world, sparse, c, h);
 	for (k = c->begin; k < c->end; ++k) {
@@ -135,7 +135,7 @@ int32_t cni_tension_lock(const cn_world *world, const cni_sparse *sparse, cni_co
 	const cni_motion *motions = cni_motions(world);
 	float most = CNI_SNAP_RAD / h;
 	int32_t k, found = 0;
-	for (k = c->begin; k < c->end; ++k) {
+	for (k = c->begin; k < c->end && CNI_ON(TENSION); ++k) {
 		cni_node *n = &sparse->nodes[k];
 		if (n->rows != 2 || cni_joint_works(world)[n->owner].inner > 0 || is_fixed(world, n->ia) || is_fixed(world, n->ib) ||
 		    (cni_abs(motions[n->ia].w) <= most && cni_abs(motions[n->ib].w) <= most) || cni_abs(motions[n->ib].w - motions[n->ia].w) <= 0.5f * most)

@@ -183,7 +183,7 @@ static inline void cni_trust_leave(cni_joint_trust *t, uint32_t step, int32_t sp
 static inline void cni_trust_fail(cni_joint_trust *t, uint32_t step, int32_t soft)
 {
 	int32_t lately = t->span > 0 && (int32_t)(step - t->until) < CNI_TRUST_MOST;
-	cni_trust_leave(t, step, lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST, soft);
+	cni_trust_leave(t, step, !CNI_ON(TRUST) ? 1 : lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST, soft);
 }
 /* Right sides to impulses; a system that says much twice is checked. 0: there is no good solution, and nothing was done. */
 int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c);

@@ -201,7 +201,7 @@ enum {
 static void window_init(window *w, cn_world *world, int32_t alone)
 {
 	int32_t extra_rows = cni_table_capacity(&world->blocks_extra) >= cni_table_capacity(&world->blocks_hot);
-	w->kernel = cni_box_kernel_choose();
+	w->kernel = CNI_ON(BOX_BATCHES) ? cni_box_kernel_choose() : NULL;
 	cni_writer_begin(&w->writer, world);
 	w->count = w->prefetches = 0;
 	w->later_flags = alone ? 0 : CNI_CONTACT_REFRESH | CNI_CONTACT_PRE_SOLVE;
@@ -489,7 +489,7 @@ void cni_stage_narrowphase(cn_world *world, float dt)
 	look_loop loop;
 	if (contacts == NULL)
 		return; /* there has never been a contact */
-	count = apart + cni_contacts_follow(world, dt, contacts + apart); /* the list has room for every contact */
+	count = apart + cni_contacts_follow(world, CNI_ON(FOLLOW) ? dt : 0.0f, contacts + apart); /* the list has room for every contact */
 	parts = count / RANGE_LEAST + 1;
 	loop.parts = (look_part *)cni_arena_push(&world->arena, sizeof(look_part) * (uint64_t)parts + sizeof(uint32_t) * (uint64_t)count);
 	cni_sift_open(&loop.list, world, contacts, apart, count, dt);

@@ -390,7 +390,7 @@ void cni_sift_open(cni_sift_list *list, cn_world *world, const int32_t *contacts
 {
 	list->world = world;
 	list->contacts = contacts;
-	list->apart = apart;
+	list->apart = CNI_ON(SIFT) ? apart : 0;
 	list->count = count;
 	list->dt = dt;
 	list->margin = world->settings.contact_margin;

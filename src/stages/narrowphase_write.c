@@ -26,7 +26,7 @@ static const cni_manifold no_manifold;
 void cni_writer_begin(cni_writer *w, cn_world *world)
 {
 	w->world = world;
-	w->kernel = cni_contact_kernel_choose()->write;
+	w->kernel = CNI_ON(LANE_WRITER) ? cni_contact_kernel_choose()->write : NULL;
 	w->block = CNI_NONE;
 	w->lanes = 0;
 	w->opened = 0;

@@ -79,6 +79,8 @@ cni_soft cni_soft_exact(float hertz, float damping_ratio, float h)
 {
 	float wh = cni_min(2.0f * CNI_PI * hertz * h, 0.5f * CNI_PI), pull, decay, r;
 	cni_soft soft = { 0.0f, 0.0f, 1.0f };
+	if (!CNI_ON(EXACT_SPRINGS))
+		return cni_soft_implicit(hertz, damping_ratio, h);
 	if (wh < 1e-12f)
 		return soft;
 	decay = decay_of(2.0f * damping_ratio * wh);
@@ -104,7 +106,7 @@ static cni_contact_pass contact_pass_make(const cn_world *world, const cni_solve
 	cni_contact_pass pass;
 	pass.inv_h = s->inv_h;
 	pass.push_speed = s->push_speed;
-	pass.impact_speed = -s->restitution_threshold;
+	pass.impact_speed = CNI_ON(IMPACTS) ? -s->restitution_threshold : -FLT_MAX;
 	pass.warm_scale = s->warm_scale;
 	pass.load_part = cni_min(CNI_LOAD_RATE * s->dt, 1.0f);
 	pass.load_heavy = load_heavy(world, s);
@@ -125,7 +127,7 @@ static cni_contact_pass contact_pass_make(const cn_world *world, const cni_solve
 static float mean_step(const cn_world *world, float dt)
 {
 	float mean = world->mean_dt, part = cni_max(MEAN_PART, 1.0f / ((float)world->step_count + 1.0f));
-	return mean > 0.0f ? mean + part * (cni_min(dt, 2.0f * mean) - mean) : dt;
+	return mean > 0.0f && CNI_ON(MEAN_STEP) ? mean + part * (cni_min(dt, 2.0f * mean) - mean) : dt;
 }
 
 static cni_solve make(const cn_world *world, float dt, int32_t substeps)

@@ -406,7 +406,7 @@ int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *sys
 		work_most += system->links[k].work_most;
 	p.pool_most = pool_most(system->link_count, work_most);
 	out->arena_entries = arena->entry_count;
-	if (kept != NULL && kept->count > 0) {
+	if (kept != NULL && kept->count > 0 && CNI_ON(KEPT_PLANS)) {
 		plan = kept_cut((uint8_t *)kept->data);
 		there = kept_fits(&p, &plan);
 	}

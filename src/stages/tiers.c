@@ -99,6 +99,8 @@ static int32_t is_long_ago(const cn_world *world, uint32_t step, int32_t steps)
 static void island_take(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
+	if (!CNI_ON(DIRECT_CONTACTS))
+		return;
 	if (!cni_array_reserve(&world->direct_islands, &world->memory, world->direct_islands.count + 1)) {
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
 		return;
@@ -187,7 +189,7 @@ void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 	if (is_long_ago(world, i->refused_step, i->refused_steps))
 		i->refused_steps = 0;
 	i->refused_step = world->step_count;
-	i->refused_steps = cni_min_i(cni_max_i(2 * i->refused_steps, first), REFUSED_MOST);
+	i->refused_steps = CNI_ON(TRUST) ? cni_min_i(cni_max_i(2 * i->refused_steps, first), REFUSED_MOST) : 1;
 }
 
 /* ---- looking for what is wrong ---- */

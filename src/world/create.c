@@ -213,7 +213,7 @@ static cn_result dummy_create(cn_world *world)
 
 static const cni_broadphase_ops *broadphase_choice(int32_t broadphase)
 {
-	return broadphase == CN_BROADPHASE_TREE ? &cni_broadphase_tree : &cni_broadphase_sweep;
+	return broadphase == CN_BROADPHASE_TREE || !CNI_ON(SWEEP) ? &cni_broadphase_tree : &cni_broadphase_sweep;
 }
 
 static cn_result broadphase_create(cn_world *world, int32_t capacity)

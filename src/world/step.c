@@ -56,15 +56,17 @@ static void substeps_lead(void *context)
 			cni_joints_warm_start(world, s);
 			cni_contacts_warm_start(world, s);
 		}
-		cni_contacts_impact(world, s);
+		if (CNI_ON(IMPACTS))
+			cni_contacts_impact(world, s);
 		cni_joints_solve(world, s);
 		cni_contacts_solve(world, s);
 		cni_direct_close(world, s);
 		cni_integrate_positions(world, s);
 		cni_joints_relax(world, s);
 		cni_contacts_relax(world, s);
-		cni_shocks_forget(world, s);
-		if (k == 0)
+		if (CNI_ON(SHOCKS))
+			cni_shocks_forget(world, s);
+		if (k == 0 && CNI_ON(REST))
 			cni_rest_find(world, s);
 	}
 	cni_integrate_finish(world, s);
@@ -102,7 +104,8 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	cni_sparse direct;
 	int32_t rested;
 	cni_stage_pairs(world, dt);
-	cni_stage_seams(world);
+	if (CNI_ON(SEAMS))
+		cni_stage_seams(world);
 	profile_mark(world, &profile->broadphase_s, mark);
 	cni_stage_narrowphase(world, dt);
 	profile_mark(world, &profile->narrowphase_s, mark);
@@ -114,14 +117,16 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	cni_contacts_list(world, &s);
 	cni_stage_tiers(world, s.h);
 	cni_direct_prepare(world, &s, &direct);
-	cni_piles_load(world, &s);
+	if (CNI_ON(PILE_LOAD))
+		cni_piles_load(world, &s);
 	cni_swings_run(world, &s);
 	cni_joint_blocks_gather(world, &s);
 	profile_mark(world, &profile->prepare_s, mark);
 	substeps_run(world, &s);
 	cni_joints_store(world, &s);
 	cni_direct_store(world, &s);
-	cni_spin_hold(world);
+	if (CNI_ON(SPIN))
+		cni_spin_hold(world);
 	cni_drive_finish(world);
 	profile_mark(world, &profile->substeps_s, mark);
 	if (world->settings.flags & CN_WORLD_CONTINUOUS)
@@ -145,7 +150,8 @@ static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
 	}
 	profile_mark(world, &profile->prepare_s, mark);
 	cni_stage_pairs(world, dt);                                    /* 5 */
-	cni_stage_seams(world);
+	if (CNI_ON(SEAMS))
+		cni_stage_seams(world);
 	profile_mark(world, &profile->broadphase_s, mark);
 	cni_stage_narrowphase(world, 0.0f);                        /* 6 */
 	profile_mark(world, &profile->narrowphase_s, mark);

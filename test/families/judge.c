@@ -8,6 +8,12 @@
  * other solver is therefore also compared with that solver at 64 substeps.
  */
 #include "judge.h"
+#ifdef CNI_ABLATION
+#include "../ablation/off.h" /* the first side without a mechanism, the other with all: make ablation */
+#define SIDE_USE(side) cni_ablation_use((side) == 0)
+#else
+#define SIDE_USE(side) ((void)0)
+#endif
 
 #include <math.h>
 #include <stdlib.h>
@@ -70,6 +76,7 @@ static double reference_speed(const settings *set, const family *which, int32_t 
 	run.solver = set->solvers[1];
 	run.substeps = REFERENCE_SUBSTEPS;
 	run.noise = repeat;
+	SIDE_USE(1);
 	return run_scene(which, seed, &run).speed_max;
 }
 
@@ -79,6 +86,7 @@ scene_measures run_side(const settings *set, const family *which, int32_t seed, 
 	run.solver = set->solvers[side];
 	run.substeps = set->substeps;
 	run.noise = repeat + (set->noise && side == 0 ? NOISE_OTHER : 0);
+	SIDE_USE(side);
 	return run_scene(which, seed, &run);
 }
 
