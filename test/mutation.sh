@@ -122,6 +122,14 @@ copy_tree() { # copy
 	done
 }
 
+# Fails it every time? Bounds on time do not hold on a machine that is busy.
+fails() { # copy test limit
+	run_test "$1" "$2" "$3" && return 1
+	run_test "$1" "$2" "$3" && return 1
+	run_test "$1" "$2" "$3" && return 1
+	return 0
+}
+
 seconds() { date +%s.%N 2>/dev/null || date +%s; }
 
 # 0: passed, 1: failed, 124: out of time.
@@ -150,7 +158,7 @@ for test in $all; do targets="$targets build/test/${test}_test"; done
 build "$folder/1" -j"$jobs" $targets || { cat "$folder/1.log"; exit 2; }
 for test in $all; do
 	started=$(seconds)
-	if ! run_test "$folder/1" "$test" 600; then
+	if fails "$folder/1" "$test" 600; then
 		cat "$folder/1.out"
 		echo "$test fails without a mutation"
 		exit 2
@@ -192,7 +200,9 @@ judge() { # copy tests
 			124)
 				case " $named " in *' timeout '*) echo "caught by timeout of $test"; return ;; esac
 				verdict="OUT OF TIME in $test" ;;
-			*) echo "caught by $test$(grep -a -m 1 '^FAIL' "$copy.out" | sed 's/^FAIL/,/')"; return ;;
+			*)
+				fails "$copy" "$test" "$(limit_of "$test")" || continue
+				echo "caught by $test$(grep -a -m 1 '^FAIL' "$copy.out" | sed 's/^FAIL/,/')"; return ;;
 		esac
 	done
 	echo "$verdict"

@@ -189,19 +189,21 @@ static void t_reserve_takes_only_what_is_lacking(void)
 	cni_memory memory;
 	cni_blocks blocks;
 	hooks h;
-	int32_t i, class_64 = 3;
+	int32_t i, count, wrong = 0, class_64 = 3;
 	cni_ref refs[6];
 
-	hooks_init(&h, &memory);
-	cni_blocks_init(&blocks, &memory);
-	for (i = 0; i < 6; ++i)
-		refs[i] = cni_blocks_alloc(&blocks, 64);
-	for (i = 0; i < 6; ++i)
-		cni_blocks_free(&blocks, refs[i], 64);
-	REQUIRE(cni_blocks_reserve(&blocks, 64, 10));
-	CHECK(blocks.free_count[class_64] == 10);
-	CHECK(bytes_lost(&blocks) == 0);
-	cni_blocks_deinit(&blocks);
+	for (count = 6; count <= 80; ++count) {
+		hooks_init(&h, &memory);
+		cni_blocks_init(&blocks, &memory);
+		for (i = 0; i < 6; ++i)
+			refs[i] = cni_blocks_alloc(&blocks, 64);
+		for (i = 0; i < 6; ++i)
+			cni_blocks_free(&blocks, refs[i], 64);
+		REQUIRE(cni_blocks_reserve(&blocks, 64, count));
+		wrong += blocks.free_count[class_64] != count || bytes_lost(&blocks) != 0;
+		cni_blocks_deinit(&blocks);
+	}
+	CHECK_LE("reserves that took more or less", wrong, 0, "");
 }
 
 static void t_fixed_block_is_used_to_its_end(void)

@@ -262,6 +262,27 @@ static void teleport_keeps_velocity_and_finds_its_place(void)
 	cn_world_destroy(world);
 }
 
+/* A contact ends with the teleport, also when the body is put to sleep before the next step. */
+static void teleport_ends_contacts_at_once(void)
+{
+	cn_world *world = fixture_world(0.0f, 1);
+	cn_body body = box_at(world, CN_BODY_DYNAMIC, 0.0f, 0.0f);
+	cn_contact_event contact;
+	int32_t count = 0;
+	box_at(world, CN_BODY_STATIC, 0.0f, -0.999f);
+	fixture_step(world, 1);
+	must(cn_body_get_contacts(world, body, &contact, 1, &count), world, "cn_body_get_contacts");
+	CHECK(count == 1);
+	must(cn_body_set_pose(world, body, 0.0f, 50.0f, 0.0f), world, "pose");
+	must(cn_body_get_contacts(world, body, &contact, 1, &count), world, "cn_body_get_contacts");
+	CHECK(count == 0);
+	must(cn_body_set_awake(world, body, 0), world, "cn_body_set_awake");
+	fixture_step(world, 1);
+	CHECK(fixture_counters(world).contacts == 0 && fixture_counters(world).contacts_touching == 0);
+	CHECK(fixture_is_valid(world));
+	cn_world_destroy(world);
+}
+
 /* ---- names, data, lists ---- */
 
 static void names_and_data_are_kept(void)
@@ -448,6 +469,7 @@ int main(int argc, char **argv)
 	RUN(a_body_spins_about_its_centre_of_mass);
 	RUN(a_body_without_mass_weighs_a_kilogram);
 	RUN(teleport_keeps_velocity_and_finds_its_place);
+	RUN(teleport_ends_contacts_at_once);
 	RUN(names_and_data_are_kept);
 	RUN(bodies_can_be_gone_through);
 	RUN(bulk_reads_are_single_reads);

@@ -198,6 +198,24 @@ static void what_has_left_keeps_nobody_awake(void)
 	cn_world_destroy(world);
 }
 
+/* Each waits for its own time, also when something else falls asleep meanwhile. */
+static void everybody_waits_for_the_whole_delay(void)
+{
+	cn_world *world = fixture_world(0.0f, 1);
+	cn_body first = unit_box(world, 0.0f, 0.0f), later = unit_box(world, 10.0f, 0.0f);
+	int32_t k, at[2] = { 0, 0 };
+	must(cn_world_set_sleep(world, 0.05f, 0.5f), world, "cn_world_set_sleep");
+	for (k = 1; k <= 60; ++k) {
+		fixture_set_velocity(world, later, 0.0f, k <= 12 ? 1.0f : 0.0f, 0.0f);
+		fixture_step(world, 1);
+		at[0] += fixture_is_awake(world, first);
+		at[1] += fixture_is_awake(world, later);
+	}
+	CHECK_LE("one at rest fell asleep off its delay", abs(at[0] - 30), 1, "steps");
+	CHECK_LE("one that came to rest after 12 steps", abs(at[1] - 42), 1, "steps");
+	cn_world_destroy(world);
+}
+
 /* With no delay, islands that move do not sleep because some other body rests. */
 static void moving_islands_do_not_sleep_with_others(void)
 {
@@ -499,6 +517,7 @@ int main(int argc, char **argv)
 	RUN(nothing_sleeps_at_the_apex_of_a_throw);
 	RUN(nothing_sleeps_at_the_end_of_a_swing);
 	RUN(what_has_left_keeps_nobody_awake);
+	RUN(everybody_waits_for_the_whole_delay);
 	RUN(moving_islands_do_not_sleep_with_others);
 	RUN(damped_bodies_in_zero_gravity_sleep);
 	RUN(towers_without_their_bridge_sleep_apart);
