@@ -715,6 +715,25 @@ static void t_what_falls_forgets_its_loads(void)
 	cn_world_destroy(world);
 }
 
+/* Soft contacts give way by s g h^2 under s own weights: much for a small body, little for a large one. */
+static void t_small_bodies_are_crushed_sooner(void)
+{
+	static const float halves[3] = { 0.5f, 0.05f, 0.005f };
+	float h = 0.25f * FRAME_S;
+	cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, 0);
+	int32_t k, index[3];
+	for (k = 0; k < 3; ++k)
+		index[k] = cni_body_at(world, cni_handles_find(&world->body_handles, fixture_box(world, CN_BODY_DYNAMIC, 3.0f * (float)k, 0.0f, 0.0f, halves[k], halves[k], 0.6f, 0.0f)))->awake;
+	for (k = 0; k < 3; ++k) {
+		float weight = 10.0f * h / cni_motions(world)[index[k]].inv_mass; /* as an impulse */
+		CHECK(!cni_is_stressed(world, 0, index[k], 1.0f * weight, h, 1.0f));
+		CHECK(cni_is_stressed(world, 0, index[k], 10.0f * weight, h, 1.0f) == (k > 0)); /* 17 mm: of extents 0.7, 0.07, 0.007 m */
+		CHECK(cni_is_stressed(world, index[k], 0, 4.0f * weight, h, 1.0f) == (k > 1)); /* 3 mm */
+		CHECK(cni_is_stressed(world, index[k], 0, 16.0f * weight, h, 1.0f)); /* whatever its size */
+	}
+	cn_world_destroy(world);
+}
+
 /* Soft prevails, whichever of the two bodies is asked first. */
 static void t_soft_prevails_in_any_order(void)
 {
@@ -757,6 +776,7 @@ int main(int argc, char **argv)
 	RUN(t_what_turns_bad_again_stays_longer);
 	RUN(t_so_many_islands_at_a_time);
 	RUN(t_what_falls_forgets_its_loads);
+	RUN(t_small_bodies_are_crushed_sooner);
 	RUN(t_soft_prevails_in_any_order);
 	return test_end();
 }
