@@ -7,6 +7,7 @@
 #                                                      make install    DESTDIR and PREFIX; make clean
 #   make bindings   writes bindings/ from the header   make test-bindings  in every language that is installed
 #   make stability  scenes with bounds, and 10 seeds of each family: test/stability/README.md
+#   make mutation   small faults that tests must catch: test/README.md
 #   make families   random scenes, the default solver beside soft constraints: test/families/README.md
 #   make bench-peers  time and accuracy beside other engines: see examples/peers/README.md
 #   make bench-diff BASE=rev  time and accuracy beside another revision: see examples/README.md
@@ -72,7 +73,7 @@ CHECKED_EXAMPLE_OBJ := $(EXAMPLE_SRC:%.c=$(BUILD)/checked/%.o)
 TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
 TESTS := $(TEST_SRC:%.c=$(BUILD)/%) bindings/test/current.sh
 
-.PHONY: all bindings demo test test-all stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello check-deps check-links install clean FORCE
+.PHONY: all bindings demo test test-all mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello check-deps check-links install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -168,6 +169,10 @@ test: $(TESTS)
 
 test-all:
 	@sh test/variants.sh $(BUILD)
+
+# Small faults, one at a time: test/README.md. ONLY=pattern QUICK=1 JOBS=2 FOLDER=dir
+mutation:
+	@sh test/mutation.sh --jobs $(JOBS) $(if $(QUICK),--quick) $(if $(ONLY),--only '$(ONLY)') $(if $(FOLDER),--folder '$(FOLDER)')
 
 # ---------------------------------------------------------------- stability suite: release build, test/stability/README.md
 

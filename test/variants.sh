@@ -156,6 +156,7 @@ others
 if [ "$(uname -m)" = x86_64 ]; then check no-fused no_fused_operations; else add no-fused 0 0 1; fi
 check check-deps sh test/check_deps.sh
 check check-links sh test/check_links.sh
+check mutations-apply sh test/mutation.sh --check
 
 echo "---"
 printf '%s' "$report"

@@ -183,6 +183,29 @@ static void t_reserve_makes_allocs_certain(void)
 	CHECK(h.pieces == 0 && h.wrong_frees == 0);
 }
 
+/* Pieces that are free already count: only what is lacking is taken out of the tail, which all classes share. */
+static void t_reserve_takes_only_what_is_lacking(void)
+{
+	cni_memory memory;
+	cni_blocks blocks;
+	hooks h;
+	int32_t i, count, wrong = 0, class_64 = 3;
+	cni_ref refs[6];
+
+	for (count = 6; count <= 80; ++count) {
+		hooks_init(&h, &memory);
+		cni_blocks_init(&blocks, &memory);
+		for (i = 0; i < 6; ++i)
+			refs[i] = cni_blocks_alloc(&blocks, 64);
+		for (i = 0; i < 6; ++i)
+			cni_blocks_free(&blocks, refs[i], 64);
+		REQUIRE(cni_blocks_reserve(&blocks, 64, count));
+		wrong += blocks.free_count[class_64] != count || bytes_lost(&blocks) != 0;
+		cni_blocks_deinit(&blocks);
+	}
+	CHECK_LE("reserves that took more or less", wrong, 0, "");
+}
+
 static void t_fixed_block_is_used_to_its_end(void)
 {
 	enum { BYTES = 100000 };
@@ -303,6 +326,7 @@ int main(int argc, char **argv)
 	RUN(t_large_pieces);
 	RUN(t_tail_is_carved_not_lost);
 	RUN(t_reserve_makes_allocs_certain);
+	RUN(t_reserve_takes_only_what_is_lacking);
 	RUN(t_fixed_block_is_used_to_its_end);
 	RUN(t_random_life_with_failures);
 	RUN(t_out_of_memory_at_every_call);

@@ -181,12 +181,29 @@ static void t_known_answers(void)
 	CHECK(cni_cast_ray(&a.g, 0, cni_v(1.3f, 1.3f), cni_v(0.0f, 0.0f), &h));
 	CHECK(cni_cast_ray(&a.g, 0, cni_v(1.4f, 1.4f), cni_v(-1.0f, -1.0f), &h));
 	CHECK_LE("error at the rounded corner", fabs((double)h.fraction - (0.4 - 0.5 / sqrt(2.0))), 1e-6, "");
+	/* Along the axis of a capsule, where the ray's start is in the planes of both faces. */
+	record_capsule(&a, 1.0f, 0.5f);
+	CHECK(cni_cast_ray(&a.g, 0, cni_v(-3.5f, 0.0f), cni_v(4.0f, 0.0f), &h) && h.fraction == 0.5f && h.normal.x == -1.0f && h.point.x == -1.5f);
+	CHECK(!cni_cast_ray(&a.g, 0, cni_v(-3.5f, 0.0f), cni_v(-4.0f, 0.0f), &h));
 	/* An edge from both sides, its normal always against the ray; along itself never. */
 	cni_geometry_edge(&a.g, &edge, transform_none());
 	CHECK(cni_cast_ray(&a.g, 0, cni_v(0.0f, 1.0f), cni_v(0.0f, -2.0f), &h) && h.fraction == 0.5f && h.normal.y == 1.0f);
 	CHECK(cni_cast_ray(&a.g, 0, cni_v(0.0f, -1.0f), cni_v(0.0f, 2.0f), &h) && h.fraction == 0.5f && h.normal.y == -1.0f);
 	CHECK(!cni_cast_ray(&a.g, 0, cni_v(-2.0f, 0.0f), cni_v(4.0f, 0.0f), &h));
 	CHECK(!cni_cast_ray(&a.g, 0, cni_v(0.0f, 0.0f), cni_v(0.0f, 0.0f), &h));
+}
+
+/* Where faces meet flat, the point is the middle of what they share. */
+static void t_flat_faces_meet_in_their_middle(void)
+{
+	static record a, b;
+	cni_vec2 storage[2];
+	cni_cast_hit h;
+	record_box(&a, 1.0f, 1.0f, 0.0f, transform_none());
+	record_box(&b, 1.0f, 0.5f, 0.0f, transform_none());
+	CHECK(cni_cast_points(&a.g, 0, cni_geometry_proxy(&b.g, 0, storage), b.g.centroid, transform_make(1.5f, 3.5f, 0.0f), cni_v(0.0f, -4.0f), &h));
+	CHECK_LE("error of the point", fabs((double)h.point.x - 0.75) + fabs((double)h.point.y - 1.0), 1e-6, "m"); /* shared: 0.5 to 1 */
+	CHECK(h.fraction == 0.5f && h.normal.y == 1.0f);
 }
 
 /* A chain of ground, solid below: met from above only, by rays and by shapes. */
@@ -241,6 +258,7 @@ int main(int argc, char **argv)
 	RUN(t_rays);
 	RUN(t_moved_shapes);
 	RUN(t_parallel_boxes);
+	RUN(t_flat_faces_meet_in_their_middle);
 	RUN(t_chains_are_one_sided);
 	RUN(t_no_ray_slips_between_edges);
 	return test_end();

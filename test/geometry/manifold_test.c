@@ -385,6 +385,27 @@ static void t_cache_only_decides_ties(void)
 	CHECK_LE("other depth", worst, BIAS, "m");
 }
 
+/* A centre that goes to and fro where two faces are as near keeps the face that it had, for 0.1 slop. */
+static void t_a_deep_circle_keeps_its_face(void)
+{
+	record circle, box;
+	cni_manifold_cache cache = { 0, 0, { 0, 0 } };
+	int32_t k, changed = 0;
+	float last = 0.0f;
+	record_circle(&circle, 0.5f);
+	record_box(&box, 1.0f, 1.0f, 0.0f, transform_none());
+	for (k = 0; k < 20; ++k) {
+		float x = 0.5f + (k % 2 == 0 ? 0.02f : -0.02f) * SLOP; /* its depth in the right face; in the upper one 0.5 */
+		cni_manifold m = collide(&circle.g, &box.g, 0, transform_make(-x, -0.5f, 0.0f), MARGIN, &cache);
+		REQUIRE(m.count == 1);
+		changed += k > 0 && m.normal.x != last;
+		last = m.normal.x;
+	}
+	CHECK_LE("changes of the face", changed, 0, "");
+	last = collide(&circle.g, &box.g, 0, transform_make(-0.5f, -0.6f, 0.0f), MARGIN, &cache).normal.x;
+	CHECK(last == 0.0f); /* by more it is given up */
+}
+
 /* Shapes as small and as large as the checks allow, near and far, chains too: never anything but numbers. */
 static void t_extremes_stay_finite(void)
 {
@@ -526,6 +547,7 @@ int main(int argc, char **argv)
 	RUN(t_corner_to_corner_within_the_margin);
 	RUN(t_needles_tip_to_tip);
 	RUN(t_cache_only_decides_ties);
+	RUN(t_a_deep_circle_keeps_its_face);
 	RUN(t_extremes_stay_finite);
 	RUN(t_same_bits_everywhere);
 	RUN(t_table);

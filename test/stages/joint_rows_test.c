@@ -278,7 +278,7 @@ static void nets_have_golden_bits(void)
 			digest = (digest ^ fixture_hash(world)) * 0x100000001B3u;
 		}
 		printf("  %s: 0x%016llx, golden 0x%016llx\n", net_name(kind), (unsigned long long)digest, (unsigned long long)golden[kind]);
-		CHECK(digest == golden[kind]);
+		CHECK(test_golden_holds(digest, golden[kind]));
 		cn_world_destroy(world);
 	}
 }

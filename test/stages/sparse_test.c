@@ -204,7 +204,94 @@ static void t_regular_is_a_part_of_the_diagonal(void)
 	end(p);
 }
 
+/* The first two rows of a node may have an entry in common beside what masses give: friction that both points of a contact share. */
+static void t_cross_is_an_entry_of_the_first_two_rows(void)
+{
+	problem *p = begin(6, 1.0);
+	int32_t k, row = 0;
+	add_bridge(p, 30, 3);
+	for (k = 0; k < p->link_count; ++k)
+		soften(p, k, 0.5f);
+	REQUIRE(plan(p));
+	solve(p, 0.0f);
+	for (k = 0; k < p->sparse.node_count; ++k)
+		p->sparse.nodes[k].cross = 0.5f * p->compliance[p->sparse.nodes[k].owner - 1000][0];
+	for (k = 0; k < p->sparse.component_count; ++k) {
+		int32_t n;
+		for (n = p->sparse.components[k].begin; n < p->sparse.components[k].end; ++n)
+			memcpy(p->sparse.nodes[n].x, p->side[p->sparse.nodes[n].owner - 1000], sizeof p->sparse.nodes[n].x);
+		cni_sparse_factor(&p->sparse, &p->sparse.components[k], p->bodies);
+		CHECK(cni_sparse_solve(&p->sparse, &p->sparse.components[k]));
+	}
+	dense_form(p);
+	for (k = 0; k < p->link_count; row += p->links[k++].rows) {
+		full.matrix[row][row + 1] += (double)(0.5f * p->compliance[k][0]);
+		full.matrix[row + 1][row] += (double)(0.5f * p->compliance[k][0]);
+	}
+	dense_solve();
+	CHECK_LE("error of the solution", forward_error(), 1e-5, "");
+	end(p);
+}
+
+/* What is no number, or beyond what floats hold, is told. */
+static void t_solutions_that_are_no_numbers_are_told(void)
+{
+	static const float bad[] = { NAN, INFINITY, -INFINITY };
+	int32_t k, count;
+	for (k = 0; k < 3; ++k) {
+		problem *p = begin(7, 1.0);
+		add_chain(p, 0, 12, 2);
+		REQUIRE(plan(p));
+		solve(p, 0.0f);
+		CHECK(p->sparse.component_count == 1 && cni_sparse_solve(&p->sparse, &p->sparse.components[0]));
+		count = p->sparse.node_count;
+		p->sparse.nodes[count / 2].x[1] = bad[k];
+		CHECK(!cni_sparse_solve(&p->sparse, &p->sparse.components[0]));
+		end(p);
+	}
+}
+
 /* ---- constraints that say the same ---- */
+
+/* Largest impulse. */
+static double largest(const problem *p)
+{
+	double most = 0.0;
+	int32_t k, i;
+	for (k = 0; k < p->sparse.node_count; ++k)
+		for (i = 0; i < p->sparse.nodes[k].rows; ++i)
+			most = greater(most, fabs((double)p->sparse.nodes[k].x[i]));
+	return most;
+}
+
+/* Rows that say the same share their impulse, or one bears all of it: rounding makes no great ones that oppose each other. */
+static void t_repeated_constraints_bear_no_more_than_one(void)
+{
+	double worst = 0.0;
+	uint32_t seed;
+	for (seed = 1; seed <= 20; ++seed) {
+		problem *p = begin(seed, 0.0);
+		double once;
+		int32_t k, count = 12;
+		add_chain(p, 0, count, 2);
+		REQUIRE(plan(p));
+		solve(p, 0.0f);
+		once = largest(p);
+		end(p);
+		p = begin(seed, 0.0);
+		add_chain(p, 0, count, 2);
+		for (k = 0; k < count; ++k) {
+			int32_t copy = add_link(p, p->links[k].ia, p->links[k].ib, 2);
+			memcpy(p->lever[copy], p->lever[k], sizeof p->lever[k]);
+			memcpy(p->side[copy], p->side[k], sizeof p->side[k]);
+		}
+		REQUIRE(plan(p));
+		solve(p, 0.0f);
+		worst = greater(worst, largest(p) / once);
+		end(p);
+	}
+	CHECK_LE("largest impulse of doubled constraints / of single ones", worst, 1.01, "");
+}
 
 /* Speeds after the impulses, against what each row asked for. */
 static double unsatisfied(const problem *p)
@@ -305,6 +392,9 @@ int main(int argc, char **argv)
 	RUN(t_equal_masses_match_a_dense_solution);
 	RUN(t_unequal_masses_match_a_dense_solution);
 	RUN(t_regular_is_a_part_of_the_diagonal);
+	RUN(t_cross_is_an_entry_of_the_first_two_rows);
+	RUN(t_solutions_that_are_no_numbers_are_told);
+	RUN(t_repeated_constraints_bear_no_more_than_one);
 	RUN(t_repeated_constraints_are_satisfied);
 	RUN(t_rows_that_act_on_nothing_get_nothing);
 	RUN(t_the_same_twice);

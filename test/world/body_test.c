@@ -84,7 +84,8 @@ static void forces_follow_newton(void)
 	for (k = 0; k < 60; ++k) { /* 1 s of (3, -1) N at the centre and 0.5 N m: x = a t^2 / 2 */
 		must(cn_body_apply_force(world, body, 2.0f, -1.0f), world, "force");
 		must(cn_body_apply_force(world, body, 1.0f, 0.0f), world, "force");
-		must(cn_body_apply_torque(world, body, 0.5f), world, "torque");
+		must(cn_body_apply_torque(world, body, 0.2f), world, "torque");
+		must(cn_body_apply_torque(world, body, 0.3f), world, "torque");
 		fixture_step(world, 1);
 	}
 	v = fixture_velocity(world, body);
@@ -170,6 +171,28 @@ static void mass_may_be_overridden_and_reset(void)
 	cn_world_destroy(world);
 }
 
+/* Two boxes of 1 kg at 2 m to either side, one of 2 kg 3 m above: about the centre of all, by Steiner. */
+static void shapes_add_their_masses(void)
+{
+	static const float x[3] = { -2.0f, 2.0f, 0.0f }, y[3] = { 0.0f, 0.0f, 3.0f }, density[3] = { 1.0f, 1.0f, 2.0f };
+	cn_world *world = fixture_world(0.0f, 0);
+	cn_body body = fixture_body(world, CN_BODY_DYNAMIC, 5.0f, -1.0f, 0.0f);
+	cn_mass_data mass;
+	int32_t k;
+	for (k = 0; k < 3; ++k) {
+		cn_shape_def def = fixture_shape_def(body, 0.6f, 0.0f);
+		def.offset_m.x = x[k];
+		def.offset_m.y = y[k];
+		def.density_kgpm2 = density[k];
+		fixture_box_shape(world, &def, 0.5f, 0.5f);
+	}
+	mass = mass_of(world, body);
+	CHECK_LE("error of the mass", fabs((double)mass.mass_kg - 4.0), 1e-6, "kg");
+	CHECK_LE("error of the centre", hypot((double)mass.center_m.x, (double)mass.center_m.y - 1.5), 1e-6, "m");
+	CHECK_LE("error of the inertia", fabs((double)mass.inertia_kgm2 - (4.0 / 6.0 + 2.0 * (4.0 + 2.25) + 2.0 * 2.25)), 1e-5, "kg m^2");
+	cn_world_destroy(world);
+}
+
 /* Spinning freely, the centre of mass stays and the origin circles it. */
 static void a_body_spins_about_its_centre_of_mass(void)
 {
@@ -235,6 +258,27 @@ static void teleport_keeps_velocity_and_finds_its_place(void)
 	must(cn_body_set_pose(world, body, 99.0f, 0.0f, 0.0f), world, "pose"); /* into a wall: it is pushed out */
 	fixture_step(world, 120);
 	CHECK(fixture_penetration(world, &wall, 1) < 0.006f);
+	CHECK(fixture_is_valid(world));
+	cn_world_destroy(world);
+}
+
+/* A contact ends with the teleport, also when the body is put to sleep before the next step. */
+static void teleport_ends_contacts_at_once(void)
+{
+	cn_world *world = fixture_world(0.0f, 1);
+	cn_body body = box_at(world, CN_BODY_DYNAMIC, 0.0f, 0.0f);
+	cn_contact_event contact;
+	int32_t count = 0;
+	box_at(world, CN_BODY_STATIC, 0.0f, -0.999f);
+	fixture_step(world, 1);
+	must(cn_body_get_contacts(world, body, &contact, 1, &count), world, "cn_body_get_contacts");
+	CHECK(count == 1);
+	must(cn_body_set_pose(world, body, 0.0f, 50.0f, 0.0f), world, "pose");
+	must(cn_body_get_contacts(world, body, &contact, 1, &count), world, "cn_body_get_contacts");
+	CHECK(count == 0);
+	must(cn_body_set_awake(world, body, 0), world, "cn_body_set_awake");
+	fixture_step(world, 1);
+	CHECK(fixture_counters(world).contacts == 0 && fixture_counters(world).contacts_touching == 0);
 	CHECK(fixture_is_valid(world));
 	cn_world_destroy(world);
 }
@@ -421,9 +465,11 @@ int main(int argc, char **argv)
 	RUN(forces_follow_newton);
 	RUN(impulses_act_at_once);
 	RUN(mass_may_be_overridden_and_reset);
+	RUN(shapes_add_their_masses);
 	RUN(a_body_spins_about_its_centre_of_mass);
 	RUN(a_body_without_mass_weighs_a_kilogram);
 	RUN(teleport_keeps_velocity_and_finds_its_place);
+	RUN(teleport_ends_contacts_at_once);
 	RUN(names_and_data_are_kept);
 	RUN(bodies_can_be_gone_through);
 	RUN(bulk_reads_are_single_reads);

@@ -66,6 +66,32 @@ static void t_width_and_spin(void)
 	cn_world_destroy(w);
 }
 
+/* The lever of a push is about the centre of mass, wherever the body's origin is. */
+static void t_a_push_through_the_centre_of_mass_turns_nothing(void)
+{
+	cn_world *w = fixture_world(0.0f, 1);
+	cn_body body = fixture_body(w, CN_BODY_DYNAMIC, 3.0f, 2.0f, 0.0f);
+	cn_shape_def def = fixture_shape_def(body, 0.5f, 0.0f);
+	cn_velocity v;
+	def.offset_m.y = -2.0f;
+	fixture_box_shape(w, &def, 0.5f, 0.5f);
+	explode(w, blast(0.0f, 0.0f, 10.0f, 0.0f, 2.0f));
+	v = fixture_velocity(w, body);
+	CHECK_LE("error of the velocity", hypot((double)v.linear_mps.x - 2.0, (double)v.linear_mps.y), 1e-6, "m/s");
+	CHECK_LE("spin", fabs((double)v.angular_radps), 1e-6, "rad/s");
+	cn_world_destroy(w);
+}
+
+/* What is just at the radius gets all of it, also when nothing lies beyond. */
+static void t_the_radius_is_a_part_of_it(void)
+{
+	cn_world *w = fixture_world(0.0f, 1);
+	cn_body at = fixture_circle(w, CN_BODY_DYNAMIC, 5.5f, 0.0f, 0.5f, 0.5f, 0.0f);
+	explode(w, blast(0.0f, 0.0f, 5.0f, 0.0f, 3.0f));
+	CHECK_LE("error of the speed", fabs(speed_of(w, at) - 3.0 / (3.14159265 * 0.25)), 1e-5, "m/s");
+	cn_world_destroy(w);
+}
+
 static void t_centre_inside_and_pulling(void)
 {
 	cn_world *w = fixture_world(0.0f, 1);
@@ -157,6 +183,21 @@ static void t_failing_changes_nothing(void)
 	cn_world_destroy(w);
 }
 
+/* Nor may a spin become infinite. */
+static void t_a_spin_without_bound_is_refused(void)
+{
+	cn_world *w = fixture_world(0.0f, 1);
+	cn_mass_data light = { 1.0f, 1e-35f, { 0.0f, 0.0f } };
+	cn_explosion_def def = blast(0.0f, 0.4f, 5.0f, 0.0f, 1e6f);
+	cn_body box = fixture_box(w, CN_BODY_DYNAMIC, 2.0f, 0.0f, 0.0f, 0.5f, 0.5f, 0.5f, 0.0f);
+	uint64_t hash;
+	must(cn_body_set_mass_data(w, box, &light), w, "cn_body_set_mass_data");
+	hash = fixture_hash(w);
+	CHECK(cn_world_explode(w, &def) == CN_ERROR_ARGUMENT);
+	CHECK(fixture_hash(w) == hash);
+	cn_world_destroy(w);
+}
+
 /* ------------------------------------------------------------------ order of visits */
 
 static cn_world *visited;
@@ -217,10 +258,13 @@ int main(int argc, char **argv)
 	test_begin(argc, argv);
 	RUN(t_speed_follows_distance);
 	RUN(t_width_and_spin);
+	RUN(t_a_push_through_the_centre_of_mass_turns_nothing);
+	RUN(t_the_radius_is_a_part_of_it);
 	RUN(t_centre_inside_and_pulling);
 	RUN(t_a_ring_flies_apart_evenly);
 	RUN(t_only_what_may_be_pushed);
 	RUN(t_failing_changes_nothing);
+	RUN(t_a_spin_without_bound_is_refused);
 	RUN(t_does_not_depend_on_the_broadphase);
 	return test_end();
 }

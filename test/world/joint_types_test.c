@@ -460,6 +460,37 @@ static void pulley_is_an_atwood_machine(void)
 	}
 }
 
+/* Ropes fastened off the centres turn what they pull, and do no work: energy stays as it was. */
+static void pulley_turns_what_it_pulls_off_centre(void)
+{
+	cn_world *world = fixture_world(-(float)GRAVITY, 0);
+	cn_body boxes[2];
+	cn_pulley_def def;
+	cn_joint joint;
+	totals before, after;
+	double worst = 0.0, turn = 0.0;
+	int32_t k;
+	boxes[0] = unit_box(world, -2.0f, 5.0f, 0.0f);
+	boxes[1] = unit_box(world, 2.0f, 5.0f, 0.0f);
+	cn_pulley_def_init(&def);
+	connect(&def.base, boxes[0], at(0.3f, 0.5f), boxes[1], at(0.4f, 0.5f));
+	def.ground_a_m = at(-1.7f, 10.5f);
+	def.ground_b_m = at(2.4f, 10.5f);
+	def.length_m = 10.0f;
+	joint = make_pulley(world, &def);
+	before = totals_of(world, boxes, 2);
+	for (k = 0; k < 60; ++k) {
+		fixture_step(world, 1);
+		after = totals_of(world, boxes, 2);
+		worst = greater(worst, fabs(after.kinetic + after.potential - before.kinetic - before.potential));
+		turn = greater(turn, fabs(angle_of(world, boxes[1])));
+	}
+	CHECK_LE("energy gained or lost in 1 s", worst, 0.05, "J");
+	CHECK_LE("rope", fabs(joint_position(world, joint) - 10.0), 5e-3, "m");
+	CHECK_GE("turn of b", turn, 0.5, "rad");
+	cn_world_destroy(world);
+}
+
 static void pulley_never_pushes(void)
 {
 	cn_world *world = fixture_world(-(float)GRAVITY, 0);
@@ -509,6 +540,30 @@ static void ratchet_turns_one_way(void)
 		CHECK_LE("error read back", joint_error_rad(world, joint), 2e-3, "rad");
 		cn_world_destroy(world);
 	}
+}
+
+/* The latch is the last click below, also where angles are negative: the wheel is free to fall back to it, and held there. */
+static void ratchet_begins_at_the_click_below(void)
+{
+	static const float angles[] = { 0.8f, 0.2f, -0.2f, -0.8f, -1.3f };
+	double worst = 0.0;
+	int32_t k;
+	for (k = 0; k < 5; ++k) {
+		cn_world *world = fixture_world(0.0f, 0);
+		cn_body wheel = fixture_body(world, CN_BODY_DYNAMIC, 0.0f, 0.0f, angles[k]);
+		cn_shape_def shape = fixture_shape_def(wheel, 0.5f, 0.0f);
+		cn_ratchet_def def;
+		fixture_box_shape(world, &shape, 0.5f, 0.5f);
+		cn_ratchet_def_init(&def);
+		connect(&def.base, 0, at(0.0f, 0.0f), wheel, at(0.0f, 0.0f));
+		def.click_rad = 0.5f;
+		make_ratchet(world, &def);
+		fixture_set_velocity(world, wheel, 0.0f, 0.0f, -0.5f);
+		fixture_step(world, 120);
+		worst = greater(worst, fabs(angle_of(world, wheel) - 0.5 * floor((double)angles[k] / 0.5)));
+		cn_world_destroy(world);
+	}
+	CHECK_LE("off the click below", worst, 2e-3, "rad");
 }
 
 static void ratchet_holds_a_load(void)
@@ -576,8 +631,10 @@ int main(int argc, char **argv)
 	RUN(gear_ratio_is_exact);
 	RUN(gear_passes_torque_on);
 	RUN(pulley_is_an_atwood_machine);
+	RUN(pulley_turns_what_it_pulls_off_centre);
 	RUN(pulley_never_pushes);
 	RUN(ratchet_turns_one_way);
+	RUN(ratchet_begins_at_the_click_below);
 	RUN(ratchet_holds_a_load);
 	RUN(groove_holds_its_pin);
 	return test_end();

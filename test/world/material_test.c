@@ -208,6 +208,30 @@ static void callback_values_are_restrained(void)
 	CHECK_LE("relative error of dynamic friction above static", fabs(slide_with_callback(&m) / (25.0 / (0.5 * GRAVITY)) - 1.0), SOLVED, "");
 }
 
+/* A belt that the callback makes runs to either side. */
+static void callback_makes_a_belt(void)
+{
+	static const float speeds[2] = { 1.5f, -1.5f };
+	int32_t k;
+	for (k = 0; k < 2; ++k) {
+		cn_world *world = fixture_world(-10.0f, 0);
+		cn_material plain = material_of(0.5f, 0.0f);
+		cn_body box;
+		mixer m;
+		memset(&m, 0, sizeof m);
+		m.expected = 0.5f;
+		m.write = plain;
+		m.write.tangent_speed_mps = speeds[k];
+		must(cn_world_set_material_mix_callback(world, mix_as_told, &m), world, "cn_world_set_material_mix_callback");
+		slab(world, &plain);
+		box = slider(world, &plain, 0.0f, 0.1f, NULL);
+		fixture_step(world, 60);
+		CHECK_LE("belt speed missed", fabs(fabs((double)fixture_velocity(world, box).linear_mps.x) - 1.5), ROUNDING, "m/s");
+		CHECK(m.calls >= 1 && m.unlocked == 0 && m.wrong == 0);
+		cn_world_destroy(world);
+	}
+}
+
 static void callback_cannot_gain_energy(void)
 {
 	cn_world *world = fixture_world(-10.0f, 0);
@@ -339,6 +363,28 @@ static void rolling_ball_slows_and_stops(void)
 	CHECK_LE("speed at the end", worst_rest, ROUNDING, "m/s");
 }
 
+/* The greater of the two levers counts, whichever shape has it. */
+static void rolling_resistance_is_the_greater_one(void)
+{
+	static const float levers[3][2] = { { 0.05f, 0.0f }, { 0.0f, 0.05f }, { 0.05f, 0.02f } }; /* of the ground, of the ball */
+	double exact = GRAVITY * 0.1 * 2.0 / 3.0, worst = 0.0;
+	int32_t k;
+	for (k = 0; k < 3; ++k) {
+		cn_world *world = fixture_world(-10.0f, 0);
+		cn_material ground = material_of(0.8f, 0.0f), round = ground;
+		cn_body ball;
+		ground.rolling_resistance = levers[k][0];
+		round.rolling_resistance = levers[k][1];
+		slab(world, &ground);
+		ball = ball_on(world, &round, 0.0f, 0.5f, 0.5f, NULL);
+		fixture_set_velocity(world, ball, 3.0f, 0.0f, -6.0f);
+		fixture_step(world, 60);
+		worst = greater(worst, fabs((3.0 - (double)fixture_velocity(world, ball).linear_mps.x) / exact - 1.0));
+		cn_world_destroy(world);
+	}
+	CHECK_LE("relative error of the deceleration", worst, 10.0 * SOLVED, "");
+}
+
 /* Where along a slope of ratio times the critical one a ball is after 5 s, exact or measured. */
 static double ball_on_slope(double ratio, double *exact)
 {
@@ -458,12 +504,14 @@ int main(int argc, char **argv)
 	RUN(restitution_follows_its_rule);
 	RUN(callback_replaces_the_rules);
 	RUN(callback_values_are_restrained);
+	RUN(callback_makes_a_belt);
 	RUN(callback_cannot_gain_energy);
 	RUN(removed_callback_is_not_called);
 	RUN(resting_contact_takes_a_new_friction);
 	RUN(sleeping_box_is_carried_off_by_a_belt_switched_on);
 	RUN(rolling_ball_takes_a_new_resistance);
 	RUN(rolling_ball_slows_and_stops);
+	RUN(rolling_resistance_is_the_greater_one);
 	RUN(ball_stays_below_the_critical_slope);
 	RUN(box_reaches_the_speed_of_the_belt);
 	RUN(push_must_exceed_static_friction_and_then_meets_dynamic);

@@ -109,6 +109,23 @@ static void t_a_pyramid_may_be_built_late(void)
 	cn_world_destroy(tested.world);
 }
 
+/* Friction that bears a part of the weight is laid on with its levers: on a slope of 0.2 to either side. */
+static void t_a_pyramid_on_a_slope_does_not_sag(void)
+{
+	static const float along[2] = { 2.0f, -2.0f };
+	int32_t k;
+	for (k = 0; k < 2; ++k) {
+		pile_begin(&tested);
+		must(cn_world_set_gravity(tested.world, along[k], -10.0f), tested.world, "cn_world_set_gravity");
+		fixture_floor(tested.world, 0.6f, 0.0f);
+		pile_pyramid(&tested, 24, 0.0f, 1.0f);
+		fixture_step(tested.world, 1);
+		CHECK_LE("fastest after one step", fastest(&tested), 1e-4, "m/s");
+		CHECK_LE("displacement in 1 s", displacement_of(&tested, 60), 1e-4, "m");
+		cn_world_destroy(tested.world);
+	}
+}
+
 /* A pyramid on a board that reaches over the edge of a table and tips: nothing holds it, so nothing may be laid on it. */
 static void t_what_cannot_be_held_is_let_fall(void)
 {
@@ -140,13 +157,41 @@ static void t_a_body_set_down_on_a_slope_stays(void)
 	cn_world_destroy(tested.world);
 }
 
+/* A flat box that slides more easily than it sticks is set down, and pushed suddenly by a little less than sticks: it stays. */
+static void t_a_sudden_push_does_not_break_loose(void)
+{
+	static const float parts[] = { 0.4f, 0.45f, 0.48f };
+	double most = 0.0;
+	int32_t k, n;
+	for (n = 0; n < 3; ++n) {
+		cn_body body;
+		cn_shape_def def;
+		pile_begin(&tested);
+		fixture_floor(tested.world, 0.5f, 0.0f);
+		body = fixture_body(tested.world, CN_BODY_DYNAMIC, 0.0f, 0.2f, 0.0f);
+		def = fixture_shape_def(body, 0.5f, 0.0f);
+		def.material.dynamic_friction = 0.2f;
+		fixture_box_shape(tested.world, &def, 1.0f, 0.2f); /* 0.8 kg */
+		fixture_step(tested.world, 10);
+		for (k = 0; k < 60; ++k) {
+			must(cn_body_apply_force(tested.world, body, parts[n] * 8.0f, 0.0f), tested.world, "cn_body_apply_force");
+			fixture_step(tested.world, 1);
+		}
+		most = greater(most, fabs((double)fixture_pose(tested.world, body).position_m.x));
+		cn_world_destroy(tested.world);
+	}
+	CHECK_LE("moved in 1 s by up to 0.48 of its weight", most, SOLVED, "m");
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
 	RUN(t_a_large_pyramid_does_not_sag);
 	RUN(t_heavy_rows_on_light_ones_do_not_sag);
 	RUN(t_a_pyramid_may_be_built_late);
+	RUN(t_a_pyramid_on_a_slope_does_not_sag);
 	RUN(t_what_cannot_be_held_is_let_fall);
 	RUN(t_a_body_set_down_on_a_slope_stays);
+	RUN(t_a_sudden_push_does_not_break_loose);
 	return test_end();
 }

@@ -5,6 +5,8 @@
  * island of which one body moves is solved as ever. If something sticks or lags, look at the conditions of body_rests.
  */
 #include "heaps.h"
+#include "model/world.h"
+#include "stages/solver.h"
 
 static cn_body box_at(cn_world *world, float x, float y, float friction)
 {
@@ -59,6 +61,45 @@ static void a_gentle_force_moves_it(void)
 		fixture_step(world, 1);
 	}
 	CHECK_LE("way in 10 s against 0.5 m", fabs((double)fixture_pose(world, box).position_m.x - 0.5), 1e-5, "m");
+	cn_world_destroy(world);
+}
+
+/* A torque as small on a disc without friction: w = T t / I. */
+static void a_gentle_torque_turns_it(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body disc;
+	cn_mass_data mass;
+	int32_t k;
+	fixture_floor(world, 0.0f, 0.0f);
+	disc = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f, 0.0f, 0.0f);
+	must(cn_body_get_mass_data(world, disc, &mass), world, "cn_body_get_mass_data");
+	fixture_step(world, 60);
+	for (k = 0; k < 600; ++k) {
+		must(cn_body_apply_torque(world, disc, 1e-3f), world, "cn_body_apply_torque");
+		fixture_step(world, 1);
+	}
+	CHECK_LE("spin after 10 s against T t / I", fabs((double)fixture_velocity(world, disc).angular_radps / (1e-2 / (double)mass.inertia_kgm2) - 1.0), 1e-4, "");
+	CHECK_LE("turned against T t^2 / (2 I)", fabs(asin((double)fixture_pose(world, disc).sine) / (0.05 / (double)mass.inertia_kgm2) - 1.0), 1e-3, "");
+	cn_world_destroy(world);
+}
+
+/* A contact at rest has one of the step's substeps: its load follows by a part of what it does in all of them. */
+static void loads_of_what_rests_follow_slower(void)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	int32_t substeps[3] = { 2, 4, 9 }, k, kind;
+	for (k = 0; k < 3; ++k) {
+		cni_solve s;
+		must(cn_world_set_substep_count(world, substeps[k]), world, "cn_world_set_substep_count");
+		s = cni_solve_make(world, FRAME_S);
+		for (kind = 0; kind < CNI_CONTACTS_KINDS; ++kind)
+			if (kind & CNI_CONTACTS_RESTED) {
+				const cni_contact_pass *moves = &s.contact[kind & ~CNI_CONTACTS_RESTED], *rests = &s.contact[kind];
+				CHECK_LE("error of the ratio of parts", fabs((double)(rests->load_part / moves->load_part) * substeps[k] - 1.0), 1e-6, "");
+				CHECK_LE("... and of weights that are heavy", fabs((double)(rests->load_heavy / moves->load_heavy) * substeps[k] - 1.0), 1e-6, "");
+			}
+	}
 	cn_world_destroy(world);
 }
 
@@ -163,6 +204,8 @@ int main(void)
 {
 	RUN(a_pile_at_rest_takes_one_substep);
 	RUN(a_gentle_force_moves_it);
+	RUN(a_gentle_torque_turns_it);
+	RUN(loads_of_what_rests_follow_slower);
 	RUN(what_stands_on_something_slow_is_carried);
 	RUN(what_is_on_its_way_is_not_at_rest);
 	RUN(heaps_come_to_rest);

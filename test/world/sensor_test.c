@@ -147,6 +147,31 @@ static void sensor_sees_what_it_should(void)
 	cn_world_destroy(world);
 }
 
+/* Each event names the bodies of its sensor and of its visitor, whichever of the two has the lesser type. */
+static void events_name_their_bodies(void)
+{
+	int32_t k;
+	for (k = 0; k < 2; ++k) {
+		cn_world *world = fixture_world(0.0f, 0);
+		const cn_sensor_event *e = NULL;
+		cn_body round = fixture_body(world, CN_BODY_DYNAMIC, 0.0f, 0.0f, 0.0f), square = fixture_body(world, CN_BODY_DYNAMIC, 0.3f, 0.0f, 0.0f);
+		cn_shape_def circle_def = fixture_shape_def(round, 0.6f, 0.0f), box_def = fixture_shape_def(square, 0.6f, 0.0f);
+		cn_circle circle = { { 0.0f, 0.0f }, 0.5f };
+		cn_shape ball = 0, box;
+		int32_t count = 0;
+		circle_def.flags = k == 0 ? CN_SHAPE_SENSOR : 0u;
+		box_def.flags = k == 1 ? CN_SHAPE_SENSOR : 0u;
+		must(cn_shape_create_circle(world, &circle_def, &circle, &ball), world, "cn_shape_create_circle");
+		box = fixture_box_shape(world, &box_def, 0.5f, 0.5f);
+		fixture_step(world, 1);
+		must(cn_world_sensor_events(world, &e, &count), world, "cn_world_sensor_events");
+		REQUIRE(count == 1);
+		CHECK(e->sensor == (k == 0 ? ball : box) && e->sensor_body == (k == 0 ? round : square));
+		CHECK(e->visitor == (k == 0 ? box : ball) && e->visitor_body == (k == 0 ? square : round));
+		cn_world_destroy(world);
+	}
+}
+
 enum { END_DESTROY_BODY, END_DESTROY_SHAPE, END_DESTROY_SENSOR, END_TELEPORT, END_DISABLE, END_FLAGS, END_DETACH, END_FILTER, END_TYPE, ENDS };
 
 static void every_end_is_told_once(void)
@@ -501,6 +526,7 @@ int main(int argc, char **argv)
 	RUN(sensor_touches_nothing);
 	RUN(sensor_is_exact);
 	RUN(sensor_sees_what_it_should);
+	RUN(events_name_their_bodies);
 	RUN(every_end_is_told_once);
 	RUN(sleeping_is_not_leaving);
 	RUN(order_is_deterministic);

@@ -117,10 +117,10 @@ static void long_pendulums_do_not_sleep_at_their_apex(void)
 
 static void what_a_motor_moves_slowly_stays_awake(void)
 {
-	static const float speeds[] = { 0.002f, 0.01f, 0.04f };
+	static const float speeds[] = { 0.002f, 0.01f, 0.04f, -0.002f, -0.04f };
 	double worst = 0.0;
 	size_t n;
-	for (n = 0; n < 3; ++n) {
+	for (n = 0; n < sizeof speeds / sizeof *speeds; ++n) {
 		cn_world *world = slow_world(2, 0.0f);
 		cn_body box = unit_box(world, 0.0f, 0.0f);
 		cn_prismatic_def slide;

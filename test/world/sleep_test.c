@@ -176,6 +176,46 @@ static void nothing_sleeps_at_the_end_of_a_swing(void)
 	cn_world_destroy(world);
 }
 
+/* A ball leaves a box, which then comes to rest against others: what has met since does not wait for what has left. */
+static void what_has_left_keeps_nobody_awake(void)
+{
+	cn_world *world = fixture_world(0.0f, 1);
+	cn_body ball = fixture_circle(world, CN_BODY_DYNAMIC, -0.999f, 0.0f, 0.5f, 0.6f, 0.0f), box = unit_box(world, 0.0f, 0.0f), others[3];
+	int32_t k;
+	for (k = 0; k < 3; ++k)
+		others[k] = unit_box(world, 10.0f + 0.999f * (float)k, 0.0f);
+	fixture_step(world, 1);
+	CHECK(fixture_counters(world).islands_awake == 2);
+	must(cn_body_set_pose(world, box, 9.001f, 0.0f, 0.0f), world, "cn_body_set_pose");
+	fixture_set_velocity(world, ball, -1.0f, 0.0f, 0.0f);
+	fixture_step(world, 1);
+	CHECK(fixture_counters(world).islands_awake == 1);
+	fixture_step(world, 240);
+	CHECK(fixture_is_awake(world, ball) && !fixture_is_awake(world, box));
+	for (k = 0; k < 3; ++k)
+		CHECK(!fixture_is_awake(world, others[k]));
+	CHECK(fixture_is_valid(world));
+	cn_world_destroy(world);
+}
+
+/* Each waits for its own time, also when something else falls asleep meanwhile. */
+static void everybody_waits_for_the_whole_delay(void)
+{
+	cn_world *world = fixture_world(0.0f, 1);
+	cn_body first = unit_box(world, 0.0f, 0.0f), later = unit_box(world, 10.0f, 0.0f);
+	int32_t k, at[2] = { 0, 0 };
+	must(cn_world_set_sleep(world, 0.05f, 0.5f), world, "cn_world_set_sleep");
+	for (k = 1; k <= 60; ++k) {
+		fixture_set_velocity(world, later, 0.0f, k <= 12 ? 1.0f : 0.0f, 0.0f);
+		fixture_step(world, 1);
+		at[0] += fixture_is_awake(world, first);
+		at[1] += fixture_is_awake(world, later);
+	}
+	CHECK_LE("one at rest fell asleep off its delay", abs(at[0] - 30), 1, "steps");
+	CHECK_LE("one that came to rest after 12 steps", abs(at[1] - 42), 1, "steps");
+	cn_world_destroy(world);
+}
+
 /* With no delay, islands that move do not sleep because some other body rests. */
 static void moving_islands_do_not_sleep_with_others(void)
 {
@@ -476,6 +516,8 @@ int main(int argc, char **argv)
 	RUN(box_rests_and_sleeps_under_weak_gravity);
 	RUN(nothing_sleeps_at_the_apex_of_a_throw);
 	RUN(nothing_sleeps_at_the_end_of_a_swing);
+	RUN(what_has_left_keeps_nobody_awake);
+	RUN(everybody_waits_for_the_whole_delay);
 	RUN(moving_islands_do_not_sleep_with_others);
 	RUN(damped_bodies_in_zero_gravity_sleep);
 	RUN(towers_without_their_bridge_sleep_apart);

@@ -165,6 +165,36 @@ static void a_torque_turns_what_nothing_else_holds(void)
 	cn_world_destroy(world);
 }
 
+/*
+ * Gears bear on the world: two discs that touch, without friction, share a spin by their ratio, and do not keep its sum. I wa = I w - 2 j and
+ * I wb = j with wb = 2 wa give wa = w / 5.
+ */
+static void gears_may_change_the_spin(void)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	cn_body pair[2];
+	cn_gear_def def;
+	cn_joint joint;
+	int32_t k;
+	for (k = 0; k < 2; ++k)
+		pair[k] = fixture_circle(world, CN_BODY_DYNAMIC, (float)k, 0.0f, 0.5f, 0.0f, 0.0f);
+	cn_gear_def_init(&def);
+	def.base.flags |= CN_JOINT_COLLIDE;
+	def.base.body_a = pair[0];
+	def.base.body_b = pair[1];
+	def.ratio = 2.0f;
+	must(cn_joint_create_gear(world, &def, &joint), world, "cn_joint_create_gear");
+	fixture_set_velocity(world, pair[0], 0.0f, 0.0f, 5.0f);
+	fixture_step(world, 60);
+	CHECK(fixture_counters(world).contacts_touching == 1);
+	for (k = 0; k < 2; ++k) {
+		cn_velocity v = fixture_velocity(world, pair[k]);
+		CHECK_LE("error of the spin", fabs((double)v.angular_radps - (k == 0 ? 1.0 : 2.0)), 1e-3, "rad/s");
+		CHECK_LE("speed of the centre", hypot((double)v.linear_mps.x, (double)v.linear_mps.y), 1e-4, "m/s");
+	}
+	cn_world_destroy(world);
+}
+
 /* A damped pair slows down; it would not if the loss were given back. */
 static void damping_is_not_undone(void)
 {
@@ -192,6 +222,7 @@ int main(int argc, char **argv)
 	RUN(jointed_clusters_keep_their_spin);
 	RUN(what_flies_alone_is_left_alone);
 	RUN(a_torque_turns_what_nothing_else_holds);
+	RUN(gears_may_change_the_spin);
 	RUN(damping_is_not_undone);
 	return test_end();
 }

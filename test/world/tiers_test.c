@@ -5,6 +5,9 @@
  */
 #include "heaps.h"
 #include "joints.h"
+#include "model/world.h"
+#include "stages/press.h"
+#include "stages/solver.h"
 
 #define REPORTS 64
 
@@ -546,6 +549,208 @@ static void t_an_attempt_in_vain_changes_nothing(void)
 	cn_world_destroy(world);
 }
 
+/* ------------------------------------------------------------------ what is known of an island */
+
+static int32_t island_number(const cn_world *world, cn_body body)
+{
+	return cni_body_at(world, cni_handles_find(&world->body_handles, body))->island;
+}
+
+static cni_island *island_of(const cn_world *world, cn_body body)
+{
+	return cni_island_at(world, island_number(world, body));
+}
+
+/* What could not be solved directly, and how long it is to stay so, is known of what it becomes a part of, and of its parts. */
+static void t_islands_that_meet_or_part_keep_what_is_known(void)
+{
+	int32_t k;
+	for (k = 0; k < 2; ++k) { /* the one that has a past is the smaller, and the larger */
+		cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, 0);
+		cn_body old = stack(world, 0.0f, k == 0 ? 2 : 3, NULL), young = stack(world, 10.0f, 4 - k, NULL);
+		cni_island *i, *other;
+		uint32_t now;
+		fixture_step(world, 3);
+		now = world->step_count;
+		i = island_of(world, old);
+		other = island_of(world, young);
+		i->tier = other->tier = CNI_TIER_SOFT;
+		i->refused_step = now - 400u;
+		i->refused_steps = 500; /* 100 are left */
+		i->reason = CN_TIER_REASON_NO_SET;
+		i->stay_steps = 60;
+		i->given_step = now - 7u;
+		i->unheld_step = now - 1u;
+		i->cone_step = now - 3u;
+		other->refused_step = now - 1u;
+		other->refused_steps = 50;
+		other->reason = CN_TIER_REASON_MOVING;
+		other->stay_steps = 15;
+		other->given_step = now - 2u;
+		other->unheld_step = now - 2u;
+		other->cone_step = 0;
+		REQUIRE(cni_island_reserve(world, 1));
+		cni_island_link(world, cni_handles_find(&world->body_handles, old), cni_handles_find(&world->body_handles, young));
+		i = island_of(world, young);
+		CHECK(i == island_of(world, old) && i->count == 6);
+		CHECK(i->refused_step == now - 400u && i->refused_steps == 500 && i->reason == CN_TIER_REASON_NO_SET);
+		CHECK(i->stay_steps == 60 && i->given_step == now - 7u);
+		CHECK(i->unheld_step == now - 1u && i->cone_step == now - 3u);
+		REQUIRE(cni_island_split(world, island_number(world, old)));
+		CHECK(island_number(world, old) != island_number(world, young));
+		for (other = island_of(world, old); other != NULL; other = other == island_of(world, old) ? island_of(world, young) : NULL) {
+			CHECK(other->refused_step == now - 400u && other->refused_steps == 500);
+			CHECK(other->stay_steps == 60 && other->given_step == now - 7u);
+			CHECK(other->unheld_step == now - 1u && other->cone_step == now - 3u);
+		}
+		CHECK(fixture_is_valid(world));
+		cn_world_destroy(world);
+	}
+}
+
+/* Each time for twice as long, up to 32 s; and as the first time when that is long ago. */
+static void t_refusals_last_longer_each_time(void)
+{
+	cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, 0);
+	cn_body first;
+	cni_island *i;
+	int32_t k, wrong = 0, expected = 120;
+	fixture_floor(world, 0.6f, 0.0f);
+	first = stack(world, 0.0f, 3, NULL);
+	fixture_step(world, 2);
+	i = island_of(world, first);
+	for (k = 0; k < 8; ++k) {
+		cni_island_refuse(world, island_number(world, first), CN_TIER_REASON_WORK);
+		wrong += i->refused_steps != expected || !cni_island_is_refused(i, world->step_count + (uint32_t)expected - 1u) ||
+		         cni_island_is_refused(i, world->step_count + (uint32_t)expected);
+		expected = expected < 960 ? 2 * expected : 1920;
+	}
+	CHECK_LE("refusals of another length than twice the last", wrong, 0, "");
+	i->refused_step = world->step_count - 8u * 1920u - 1u;
+	cni_island_refuse(world, island_number(world, first), CN_TIER_REASON_WORK);
+	CHECK(i->refused_steps == 120);
+	cn_world_destroy(world);
+}
+
+/* Steps until an island is soft again. */
+static int32_t steps_direct(cn_world *world)
+{
+	int32_t k;
+	for (k = 0; k < 2000; ++k) {
+		fixture_step(world, 1);
+		if (report(world).tier == CN_TIER_SOFT)
+			break;
+	}
+	return k;
+}
+
+/* The stay grows fourfold each time that an island turns bad again soon. */
+static void t_what_turns_bad_again_stays_longer(void)
+{
+	cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, 0);
+	cn_body top;
+	int32_t k, steps[3];
+	fixture_floor(world, 0.6f, 0.0f);
+	stack(world, 0.0f, 3, &top);
+	for (k = 0; k < 3; ++k) {
+		steps[k] = steps_direct(world);
+		must(cn_body_set_pose(world, top, 0.0f, 2.49f, 0.0f), world, "cn_body_set_pose"); /* deeper than the accuracy */
+	}
+	printf("  steps: %d, %d, %d\n", (int)steps[0], (int)steps[1], (int)steps[2]);
+	CHECK_GE("second stay", steps[1], 60, "steps");
+	CHECK_LE("second stay", steps[1], 80, "steps");
+	CHECK_GE("third stay", steps[2], 240, "steps");
+	CHECK_LE("third stay", steps[2], 260, "steps");
+	cn_world_destroy(world);
+}
+
+/* No more than 64 at a time; the others wait for their turn, and are told to be crowded out. */
+static void t_so_many_islands_at_a_time(void)
+{
+	cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, 1000000);
+	cn_island_report list[100];
+	int32_t k, count = 0, direct = 0, crowded = 0;
+	fixture_floor(world, 0.6f, 0.0f);
+	for (k = 0; k < 90; ++k) {
+		fixture_box(world, CN_BODY_DYNAMIC, 2.0f * (float)k - 90.0f, 0.49f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+		fixture_box(world, CN_BODY_DYNAMIC, 2.0f * (float)k - 90.0f, 1.47f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+	}
+	fixture_step(world, 1);
+	must(cn_world_get_islands(world, list, 100, &count), world, "cn_world_get_islands");
+	REQUIRE(count == 90);
+	for (k = 0; k < count; ++k) {
+		direct += list[k].tier == CN_TIER_DIRECT;
+		crowded += list[k].tier == CN_TIER_SOFT && list[k].reason == CN_TIER_REASON_CROWDED;
+	}
+	CHECK(direct == 64 && crowded == 26 && fixture_counters(world).islands_direct == 64);
+	fixture_step(world, 600);
+	CHECK(fixture_counters(world).islands_direct == 0);
+	cn_world_destroy(world);
+}
+
+/* The loads of what falls after all are forgotten, those of both points of each contact. */
+static void t_what_falls_forgets_its_loads(void)
+{
+	cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, 0);
+	cn_body first;
+	cni_island *i;
+	int32_t block, l, p, loaded = 0, left = 0;
+	fixture_floor(world, 0.6f, 0.0f);
+	first = stack(world, 0.0f, 3, NULL);
+	fixture_step(world, 5);
+	i = island_of(world, first);
+	REQUIRE(i->tier == CNI_TIER_DIRECT);
+	for (block = 0; block < world->block_used; ++block)
+		for (l = 0; l < CNI_LANES; ++l)
+			for (p = 0; p < 2 && cni_block_info_at(world, block)->color != CNI_NONE; ++p)
+				loaded += cni_block_at(world, block)->p[p].load[l] != 0.0f;
+	i->gives_step = world->step_count;
+	i->falls_steps = 3;
+	cni_island_refuse(world, island_number(world, first), CN_TIER_REASON_MOVING);
+	for (block = 0; block < world->block_used; ++block)
+		for (l = 0; l < CNI_LANES; ++l)
+			for (p = 0; p < 2 && cni_block_info_at(world, block)->color != CNI_NONE; ++p)
+				left += cni_block_at(world, block)->p[p].load[l] != 0.0f;
+	CHECK(loaded == 6 && left == 0);
+	cn_world_destroy(world);
+}
+
+/* Soft contacts give way by s g h^2 under s own weights: much for a small body, little for a large one. */
+static void t_small_bodies_are_crushed_sooner(void)
+{
+	static const float halves[3] = { 0.5f, 0.05f, 0.005f };
+	float h = 0.25f * FRAME_S;
+	cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, 0);
+	int32_t k, index[3];
+	for (k = 0; k < 3; ++k)
+		index[k] = cni_body_at(world, cni_handles_find(&world->body_handles, fixture_box(world, CN_BODY_DYNAMIC, 3.0f * (float)k, 0.0f, 0.0f, halves[k], halves[k], 0.6f, 0.0f)))->awake;
+	for (k = 0; k < 3; ++k) {
+		float weight = 10.0f * h / cni_motions(world)[index[k]].inv_mass; /* as an impulse */
+		CHECK(!cni_is_stressed(world, 0, index[k], 1.0f * weight, h, 1.0f));
+		CHECK(cni_is_stressed(world, 0, index[k], 10.0f * weight, h, 1.0f) == (k > 0)); /* 17 mm: of extents 0.7, 0.07, 0.007 m */
+		CHECK(cni_is_stressed(world, index[k], 0, 4.0f * weight, h, 1.0f) == (k > 1)); /* 3 mm */
+		CHECK(cni_is_stressed(world, index[k], 0, 16.0f * weight, h, 1.0f)); /* whatever its size */
+	}
+	cn_world_destroy(world);
+}
+
+/* Soft prevails, whichever of the two bodies is asked first. */
+static void t_soft_prevails_in_any_order(void)
+{
+	int32_t k;
+	for (k = 0; k < 2; ++k) {
+		cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, 0);
+		cn_body first, top;
+		fixture_floor(world, 0.6f, 0.0f);
+		first = stack(world, 0.0f, 4, &top);
+		set_body(world, first, k == 0 ? CN_SOLVER_SOFT : CN_SOLVER_DIRECT);
+		set_body(world, top, k == 0 ? CN_SOLVER_DIRECT : CN_SOLVER_SOFT);
+		fixture_step(world, 2);
+		CHECK(is(world, CN_TIER_SOFT, CN_TIER_REASON_OVERRIDE));
+		cn_world_destroy(world);
+	}
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -566,5 +771,12 @@ int main(int argc, char **argv)
 	RUN(t_without_memory_it_is_soft);
 	RUN(t_reports_are_deterministic_and_change_nothing);
 	RUN(t_an_attempt_in_vain_changes_nothing);
+	RUN(t_islands_that_meet_or_part_keep_what_is_known);
+	RUN(t_refusals_last_longer_each_time);
+	RUN(t_what_turns_bad_again_stays_longer);
+	RUN(t_so_many_islands_at_a_time);
+	RUN(t_what_falls_forgets_its_loads);
+	RUN(t_small_bodies_are_crushed_sooner);
+	RUN(t_soft_prevails_in_any_order);
 	return test_end();
 }
