@@ -74,18 +74,21 @@ awk -F ' *[|] *' '!/^#/ { print $1 }' "$mechanisms" | sort | diff "$out/names" -
 # Bounds that held and do not: "count|scene metric on -> off (bound)", the one farthest beyond its bound.
 bounds_lost() { # on.csv off.csv
 	awk -F, '
-	NR == FNR { if ($7 == 1) { held[$1 "," $2 "," $3 "," $4] = 1; value[$1 "," $2 "," $3 "," $4] = $5 } next }
-	$7 == 0 && held[$1 "," $2 "," $3 "," $4] {
+	{
+		key = $1 "," $4 "," $6
+		key = key "," ++times[FILENAME "," key] # cases of one name differ in their parameters
+	}
+	NR == FNR { if ($7 == 1) { held[key] = 1; value[key] = $5 } next }
+	{ seen[key] = 1 }
+	$7 == 0 && held[key] {
 		++lost
 		most = substr($6, 3) + 0
 		beyond = $6 ~ /^</ ? (most > 0 ? $5 / most : 1e9) : ($5 > 0 ? most / $5 : 1e9)
-		if (!($5 == $5) || $5 ~ /nan|inf/) beyond = 1e12
-		if (beyond > farthest) { farthest = beyond; worst = sprintf("%s %s: %.3g -> %.3g, bound %s", $1, $4, value[$1 "," $2 "," $3 "," $4], $5, $6) }
+		if ($5 ~ /nan|inf/) beyond = 1e12
+		if (beyond > farthest) { farthest = beyond; worst = sprintf("`%s` %s: %.3g -> %.3g, bound %s", $1, $4, value[key], $5, $6) }
 	}
-	FNR == 1 && NR > 1 { next }
-	{ seen[$1 "," $2 "," $3 "," $4] = 1 }
 	END {
-		for (k in held) if (!(k in seen)) ++lost # refused, or given up
+		for (key in held) if (!(key in seen)) ++lost # refused, or given up
 		printf "%d|%s\n", lost, worst
 	}' "$1" "$2"
 }
@@ -101,17 +104,17 @@ tests_failed() { # mechanism
 	for test in $(row "$1" | awk -F ' *[|] *' '{ print $4 }'); do
 		CAIRN_OFF=$1 timeout "${TEST_TIMEOUT_S:-600}" "$out/test/${test}_test" > "$results/$1.test" 2>&1
 		[ $? -ge 124 ] && echo "$test crashed, or took too long"
-		awk -v test="$test" '/^FAIL / { print test " " $2 }' "$results/$1.test"
+		awk -v test="$test" '/^FAIL / { sub(/^t_/, "", $2); print test " " $2 }' "$results/$1.test"
 	done | awk '{ list = list (NR > 1 ? ", " : "") $0 } END { print list }'
 }
 
 measure_one() { # mechanism
-	on=$out/on.csv solver=
-	[ "$1" = NORMAL_LAG ] && { on=$out/on_soft.csv solver='--solver soft'; }
+	on=$out/on.csv solver= solvers=auto,auto
+	[ "$1" = NORMAL_LAG ] && { on=$out/on_soft.csv solver='--solver soft' solvers=soft,soft; }
 	# shellcheck disable=SC2086
 	stability "$1" "$results/$1" $solver || return 1
 	bounds_lost "$on" "$results/$1.csv" > "$results/$1.bounds"
-	CAIRN_OFF=$1 "$out/bin/families" --seeds "${SEEDS:-10}" --solvers auto,auto > "$results/$1.families.txt" 2>&1
+	CAIRN_OFF=$1 "$out/bin/families" --seeds "${SEEDS:-10}" --solvers $solvers > "$results/$1.families.txt" 2>&1
 	families_worse "$results/$1.families.txt" > "$results/$1.families"
 	tests_failed "$1" > "$results/$1.tests"
 	rm -f "$results/$1.time"
