@@ -3,7 +3,8 @@
 # Builds the library, stability, families and the benchmark's scenes with switches (src/base/ablation.h), checks that with all
 # mechanisms on they do what the ordinary build does, and measures each mechanism of mechanisms.txt, or those named, off alone:
 #   bounds   of make stability that held and do not, the one that is farthest beyond first
-#   families seeds of 10 a family that are worse than with the mechanism on; left out where no metric of stability differs
+#   families seeds of 10 a family that are worse than with the mechanism on
+#   tests    those that are about the mechanism, and what of them fails
 #   time     of scenes, off over on: least processor time of each step over runs in turn, in one program
 # Results are kept in build-folder/ablation/results: a run with names measures those anew. Writes build-folder/ablation/table.md, of all
 # that have results. --quick: builds, checks, and one mechanism must lose bounds (test/variants.sh).
@@ -49,9 +50,11 @@ fi
 
 # ---------------------------------------------------------------- all on: as the ordinary build
 
-variant "$out/bin/families" "$out/bin/bench_once" "$out/test/world/determinism_test"
+tests=$(awk -F ' *[|] *' '!/^#/ { print $4 }' "$mechanisms" | tr ' ' '\n' | sort -u | sed "s|.*|$out/test/&_test|")
+# shellcheck disable=SC2086
+variant "$out/bin/families" "$out/bin/bench_once" "$out/test/world/determinism_test" $tests
 "${MAKE:-make}" -s -j"${JOBS:-2}" BUILD="$build" CC="$CC" "$build/bin/stability" > "$out/build.log" 2>&1 || { cat "$out/build.log"; exit 2; }
-values() { cut -d, -f1-7 "$1"; } # of a CSV of stability, without times
+values() { cut -d, -f1-7 "$1"; } # of a CSV of stability: no times
 "$out/test/world/determinism_test" > "$out/golden.txt" || { cat "$out/golden.txt"; echo "ablation: with everything on, golden hashes differ"; exit 1; }
 "$build/bin/stability" --csv "$out/ordinary.csv" > "$out/ordinary.txt"
 stability "" "$out/on" || exit 1
@@ -71,18 +74,21 @@ awk -F ' *[|] *' '!/^#/ { print $1 }' "$mechanisms" | sort | diff "$out/names" -
 # Bounds that held and do not: "count|scene metric on -> off (bound)", the one farthest beyond its bound.
 bounds_lost() { # on.csv off.csv
 	awk -F, '
-	NR == FNR { if ($7 == 1) { held[$1 "," $2 "," $3 "," $4] = 1; value[$1 "," $2 "," $3 "," $4] = $5 } next }
-	$7 == 0 && held[$1 "," $2 "," $3 "," $4] {
+	{
+		key = $1 "," $4 "," $6
+		key = key "," ++times[FILENAME "," key] # cases of one name differ in their parameters
+	}
+	NR == FNR { if ($7 == 1) { held[key] = 1; value[key] = $5 } next }
+	{ seen[key] = 1 }
+	$7 == 0 && held[key] {
 		++lost
 		most = substr($6, 3) + 0
 		beyond = $6 ~ /^</ ? (most > 0 ? $5 / most : 1e9) : ($5 > 0 ? most / $5 : 1e9)
-		if (!($5 == $5) || $5 ~ /nan|inf/) beyond = 1e12
-		if (beyond > farthest) { farthest = beyond; worst = sprintf("%s %s: %.3g -> %.3g, bound %s", $1, $4, value[$1 "," $2 "," $3 "," $4], $5, $6) }
+		if ($5 ~ /nan|inf/) beyond = 1e12
+		if (beyond > farthest) { farthest = beyond; worst = sprintf("`%s` %s: %.3g -> %.3g, bound %s", $1, $4, value[key], $5, $6) }
 	}
-	FNR == 1 && NR > 1 { next }
-	{ seen[$1 "," $2 "," $3 "," $4] = 1 }
 	END {
-		for (k in held) if (!(k in seen)) ++lost # refused, or given up
+		for (key in held) if (!(key in seen)) ++lost # refused, or given up
 		printf "%d|%s\n", lost, worst
 	}' "$1" "$2"
 }
@@ -93,22 +99,26 @@ families_worse() { # output
 		awk '{ sum += $1; list = list (NR > 1 ? ", " : "") $2 " " $1 } END { printf "%d|%s\n", sum, list }'
 }
 
+# Cases of the tests that are about it which fail: "file case, file case".
+tests_failed() { # mechanism
+	for test in $(row "$1" | awk -F ' *[|] *' '{ print $4 }'); do
+		CAIRN_OFF=$1 timeout "${TEST_TIMEOUT_S:-600}" "$out/test/${test}_test" > "$results/$1.test" 2>&1
+		[ $? -ge 124 ] && echo "$test crashed, or took too long"
+		awk -v test="$test" '/^FAIL / { sub(/^t_/, "", $2); print test " " $2 }' "$results/$1.test"
+	done | awk '{ list = list (NR > 1 ? ", " : "") $0 } END { print list }'
+}
+
 measure_one() { # mechanism
-	on=$out/on.csv solver=
-	[ "$1" = NORMAL_LAG ] && { on=$out/on_soft.csv solver='--solver soft'; }
+	on=$out/on.csv solver= solvers=auto,auto
+	[ "$1" = NORMAL_LAG ] && { on=$out/on_soft.csv solver='--solver soft' solvers=soft,soft; }
 	# shellcheck disable=SC2086
 	stability "$1" "$results/$1" $solver || return 1
 	bounds_lost "$on" "$results/$1.csv" > "$results/$1.bounds"
-	values "$results/$1.csv" > "$results/$1.values"
-	values "$on" > "$results/$1.values_on"
-	if cmp -s "$results/$1.values_on" "$results/$1.values"; then
-		echo "same|" > "$results/$1.families"
-	else
-		CAIRN_OFF=$1 "$out/bin/families" --seeds "${SEEDS:-10}" --solvers auto,auto > "$results/$1.families.txt" 2>&1
-		families_worse "$results/$1.families.txt" > "$results/$1.families"
-	fi
-	rm -f "$results/$1.values" "$results/$1.values_on" "$results/$1.time"
-	echo "ablation: $1: $(cat "$results/$1.bounds"), families $(cat "$results/$1.families")" >&2
+	CAIRN_OFF=$1 "$out/bin/families" --seeds "${SEEDS:-10}" --solvers $solvers > "$results/$1.families.txt" 2>&1
+	families_worse "$results/$1.families.txt" > "$results/$1.families"
+	tests_failed "$1" > "$results/$1.tests"
+	rm -f "$results/$1.time"
+	echo "ablation: $1: $(cat "$results/$1.bounds"), families $(cat "$results/$1.families"), tests $(cat "$results/$1.tests")" >&2
 }
 
 # ---------------------------------------------------------------- times
@@ -154,33 +164,4 @@ done
 wait
 for name in $asked; do time_one "$name" || echo "ablation: no time of $name"; done
 
-# ---------------------------------------------------------------- table
-
-# Lines of whole files, and of functions: from the line with the name to the } in the first column.
-lines_of() { # files
-	for file in $1; do
-		case $file in
-		*'#'*) awk -v name="${file#*#}" '
-			$0 ~ "^[a-zA-Z].*[ *]" name "\\(" && !/;$/ { inside = 1 }
-			inside { ++lines }
-			/^\}/ { inside = 0 }
-			END { if (!lines) exit 1; print lines }' "src/${file%#*}" || { echo "ablation: no function $file" >&2; return 1; } ;;
-		*) wc -l < "src/$file" ;;
-		esac
-	done | awk '{ sum += $1 } END { print sum }'
-}
-
-{
-	echo "| mechanism | lines | bounds lost (the farthest) | seeds worse | time, off over on |"
-	echo "|---|---|---|---|---|"
-	awk -F ' *[|] *' '!/^#/' "$mechanisms" | while IFS= read -r line; do
-		name=${line%% *}
-		[ -f "$results/$name.bounds" ] || continue
-		title=$(echo "$line" | awk -F ' *[|] *' '{ print $2 }')
-		files=$(echo "$line" | awk -F ' *[|] *' '{ print $4 }')
-		bounds=$(awk -F'|' '{ print ($1 == 0 ? "none" : $1 ($2 != "" ? " (" $2 ")" : "")) }' "$results/$name.bounds")
-		seeds=$(awk -F'|' '{ print ($1 == "same" ? "same results" : $1 == 0 ? "none" : $1 " (" $2 ")") }' "$results/$name.families")
-		echo "| $title | $(lines_of "$files") | $bounds | $seeds | $(cat "$results/$name.time" 2>/dev/null || echo -) |"
-	done
-} > "$out/table.md"
-cat "$out/table.md"
+sh test/ablation/table.sh "$build"
