@@ -120,11 +120,31 @@ static void t_what_tilts_lets_go(void)
 	CHECK_GE("slower: late by", late_by(0.05f), 0.0, "rad");
 }
 
+/* A contact with what is fixed is a spring of 1 / (4 h) = 60 Hz: more load F presses a body of mass m in by F / (m w^2). */
+static void t_loads_sink_by_the_spring(void)
+{
+	double w = 2.0 * 3.14159265358979 * 60.0, exact = 10.0 / (w * w), depth = 0.0, before;
+	cn_body box;
+	int32_t k;
+	pile_begin(&tested);
+	box = fixture_box(tested.world, CN_BODY_DYNAMIC, 0.0f, 0.5f, 0.0f, 0.5f, 0.5f, FRICTION, 0.0f); /* 1 kg */
+	fixture_step(tested.world, 600);
+	before = (double)fixture_pose(tested.world, box).position_m.y;
+	for (k = 0; k < 60; ++k) {
+		must(cn_body_apply_force(tested.world, box, 0.0f, -10.0f), tested.world, "cn_body_apply_force");
+		fixture_step(tested.world, 1);
+		depth = greater(depth, before - (double)fixture_pose(tested.world, box).position_m.y);
+	}
+	CHECK_LE("depth against F / (m w^2)", fabs(depth / exact - 1.0), 0.1, "");
+	cn_world_destroy(tested.world);
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
 	RUN(t_stacks_stand);
 	RUN(t_a_heavy_box_stands_on_light_ones);
 	RUN(t_what_tilts_lets_go);
+	RUN(t_loads_sink_by_the_spring);
 	return test_end();
 }
