@@ -87,6 +87,10 @@ CNI_INLINE cni_wide point_separation(const cni_contact_block *k, const cni_conta
    together are held apart sooner. */
 #define BOUNCY 0.5f
 
+/* Substeps. A body of 0.1 kg, hinged to one of 0.5 kg that falls, bounced in each substep and was pulled back in the same: it went
+   through a floor. With 4 crowds of elastic discs lose 0.5% of their energy in the test, with 8 half of that. */
+#define MISSED 8.0f
+
 /* bias: the soft pass, else the rigid one. bounces: restitution of the block's lanes, NULL: they have none. */
 CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces)
 {
@@ -108,10 +112,11 @@ CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row
 	if (!bias || bounces != NULL) {
 		/* Impacts are left to contact_impact.c: where its sweeps found that bodies do not meet in this substep they do so in the next,
 		   and braking would take the speed that the impact there should return. Of contacts that return little of it only relax leaves
-		   them, and only for a surface that only the next substep can reach. */
+		   them, and only for a surface that only the next substep can reach. A contact that overlaps by more than it closes in MISSED
+		   substeps is braked: what else its bodies bear, a joint for one, undoes its impacts. */
 		cni_mask left = (vn < cni_wide_of(pass->impact_speed)) & (q.old <= zero), apart = s > zero;
 		if (bounces != NULL && bias)
-			left &= cni_wide_load_loose(bounces + l) > cni_wide_of(BOUNCY);
+			left &= (cni_wide_load_loose(bounces + l) > cni_wide_of(BOUNCY)) & (s * pass->inv_h > MISSED * vn);
 		else if (bounces != NULL)
 			left &= apart | (cni_wide_load_loose(bounces + l) > cni_wide_of(BOUNCY));
 		else
