@@ -8,7 +8,8 @@
  * up for this step, by a dynamic body that a bullet meets too.
  * Most bodies have nothing static about them, which the narrowphase saw; they are not looked at any further. Those that stay
  * within their boxes can meet only what they have contacts with.
- * A shape that merely rests on or slides along something keeps its core clear of it, so nothing catches. A body whose core is at
+ * A shape that merely rests on or slides along something keeps its core clear of it, so nothing catches. One that was pressed in
+ * so deep that its core overlaps something is stopped by a smaller core: an edge, which has no inside, would let it through. A body whose core is at
  * something static already, where an earlier step stopped it, gives up the speed of its point there, and slides and turns on: else a
  * contact that counts on the turn may do nothing, and the body would hang there while its speed grows.
  *
@@ -44,6 +45,7 @@ static int32_t body_is_fast(const cni_body *b, const cni_motion *m)
 typedef struct core_shape {
 	cni_geometry geometry;
 	cni_vec2 points[2 * CN_POLYGON_MAX_VERTICES];
+	float depth; /* in the shape */
 } core_shape;
 
 /* Moves each vertex inwards so that the edges move by depth; the tip of a wedge by no more than half of its way to the centroid. */
@@ -73,11 +75,15 @@ static float core_depth(const cni_geometry *g, float slop)
 static void core_make(const cni_geometry *g, float depth, core_shape *core)
 {
 	float from_radius = cni_min(depth, g->radius);
+	core->depth = depth;
 	memcpy(core, g, (size_t)cni_geometry_bytes(g->type, g->count));
 	core->geometry.radius = g->radius - from_radius;
 	if (g->type == CN_SHAPE_POLYGON && depth > from_radius)
 		polygon_shrink(core, depth - from_radius);
 }
+
+/* Of the inner radius: the depth of the core that stops what was pressed in by more than its outer core's depth. */
+#define INNER_DEPTH 0.95f
 
 /* A core is stopped within this part of its depth, half as much again with the tolerance: what slides, its contacts giving way by
    SAG_PER_SLOP, stays clear of the edges of what is flush with its ground. */
@@ -90,12 +96,12 @@ typedef struct clamp {
 	int32_t proxy;       /* of the shape that moves */
 	cni_path path;
 	core_shape core;
-	float depth;         /* of the core in its shape */
 	cni_aabb reach;      /* contains the core all the way, and what is so near that it stops it; relative to the body's centre */
 	float fraction;      /* of the path that is free so far */
 	int32_t met;         /* awake index of the dynamic body at its end, else 0 */
 	cni_vec2 normal;     /* nothing is free at all: of what is met */
 	cni_vec2 arm;        /* ... from the body's centre to where it is met */
+	core_shape stopped;  /* ... what meets it */
 } clamp;
 
 static cni_path body_path(const cni_body *b, cni_vec2 from, float dpx, float dpy, float theta)
@@ -116,8 +122,7 @@ static void core_begin(clamp *c, const cni_geometry *g)
 	const cni_path *p = &c->path;
 	cni_aabb way = { cni_min(p->start.x, p->end.x), cni_min(p->start.y, p->end.y), cni_max(p->start.x, p->end.x), cni_max(p->start.y, p->end.y) };
 	float rounding = CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
-	c->depth = core_depth(g, c->world->settings.slop);
-	core_make(g, c->depth, &c->core);
+	core_make(g, core_depth(g, c->world->settings.slop), &c->core);
 	c->reach = cni_box_fatten(way, b->extent - (g->radius - c->core.geometry.radius) + rounding + c->world->settings.slop);
 }
 
@@ -167,11 +172,10 @@ static float path_leaves_by(const cni_toi_input *in, cni_vec2 normal)
 }
 
 /*
- * How much of the paths is free. A core that starts nearer than the target, which is where the last step left it if
- * that stopped it, may come half as near again, and no nearer than a hundredth of the tolerance: there it is held
- * until it leaves. One that starts overlapping is left to its contacts.
+ * A core that starts nearer than the target, which is where the last step left it if that stopped it, may come half as near
+ * again, and no nearer than a hundredth of the tolerance: there it is held until it leaves.
  */
-static float free_fraction(cni_toi_input *in, cni_vec2 *normal, cni_vec2 *arm)
+static cni_toi_result core_meets(cni_toi_input *in)
 {
 	float least = 0.01f * in->tolerance;
 	cni_toi_result hit = cni_toi(in);
@@ -182,13 +186,51 @@ static float free_fraction(cni_toi_input *in, cni_vec2 *normal, cni_vec2 *arm)
 		if (!(hit.distance < 2.0f * in->target))
 			break;
 	}
-	if (hit.state == CNI_TOI_HIT && hit.fraction == 0.0f && (hit.distance <= 0.0f || path_leaves_by(in, hit.normal) > 0.0f))
-		return 1.0f;
-	if (hit.state == CNI_TOI_HIT) {
-		*normal = hit.normal;
-		*arm = cni_sub(hit.point, in->path_b.start);
-	}
-	return hit.state == CNI_TOI_HIT || hit.state == CNI_TOI_FAILED ? hit.fraction : 1.0f;
+	return hit;
+}
+
+static int32_t starts_inside(const cni_toi_result *hit)
+{
+	return hit->state == CNI_TOI_OVERLAPPED || (hit->state == CNI_TOI_HIT && hit->fraction == 0.0f && hit->distance <= 0.0f);
+}
+
+static cni_toi_result try_core(const clamp *c, const core_shape *core, cni_toi_input *in)
+{
+	float most = 0.5f * c->world->settings.slop;
+	in->b = &core->geometry;
+	in->target = core->depth > 0.0f ? cni_min(most, CLEAR_PART * core->depth) : most;
+	in->tolerance = 0.5f * in->target;
+	return core_meets(in);
+}
+
+/* Shortens the path to what is free for a core, and returns 0 if the core starts inside the other shape. */
+static int32_t core_clamp(clamp *c, const core_shape *core, cni_toi_input *in, const cni_body *other)
+{
+	cni_toi_result hit = try_core(c, core, in);
+	if (starts_inside(&hit))
+		return 0;
+	if ((hit.state != CNI_TOI_HIT && hit.state != CNI_TOI_FAILED) || !(hit.fraction < c->fraction))
+		return 1;
+	if (hit.state == CNI_TOI_HIT && hit.fraction == 0.0f && path_leaves_by(in, hit.normal) > 0.0f)
+		return 1;
+	c->fraction = hit.fraction;
+	c->met = other->type == CN_BODY_DYNAMIC ? other->awake : 0;
+	c->normal = hit.state == CNI_TOI_HIT ? hit.normal : cni_v(0.0f, 0.0f);
+	c->arm = hit.state == CNI_TOI_HIT ? cni_sub(hit.point, in->path_b.start) : cni_v(0.0f, 0.0f);
+	if (c->fraction == 0.0f)
+		c->stopped = *core;
+	return 1;
+}
+
+/* What is inside with its inner core too is left to its contacts. */
+static void inner_clamp(clamp *c, cni_toi_input *in, const cni_body *other)
+{
+	const cni_geometry *g = cni_shape_geometry(&c->world->blocks, cni_shape_at(c->world, cni_proxy_at(c->world, c->proxy)->shape));
+	core_shape inner;
+	if (c->core.depth >= INNER_DEPTH * g->inner_radius)
+		return;
+	core_make(g, INNER_DEPTH * g->inner_radius, &inner);
+	(void)core_clamp(c, &inner, in, other);
 }
 
 static float visit(void *context, int32_t proxy, float limit)
@@ -200,30 +242,18 @@ static float visit(void *context, int32_t proxy, float limit)
 	const cni_body *other;
 	const cni_motion *motion;
 	cni_toi_input in;
-	cni_vec2 normal = { 0.0f, 0.0f }, arm = { 0.0f, 0.0f };
-	float free;
 	if (!other_stops(c, proxy) || ((p->flags & CNI_PROXY_STATIC) && !core_reaches(c, &p->fat))) /* nothing else of them is read */
 		return limit;
 	s = cni_shape_at(world, p->shape);
 	other = cni_body_at(world, s->body);
 	in.a = cni_shape_geometry(&world->blocks, s);
-	in.b = &c->core.geometry;
 	in.child_a = cni_proxy_child(p);
 	in.child_b = 0;
 	motion = cni_motions(world) + other->awake; /* the dummy for static ones */
 	in.path_a = body_path(other, cni_v(c->body->cx, c->body->cy), motion->dpx, motion->dpy, motion->theta);
 	in.path_b = c->path;
-	in.target = cni_min(0.5f * world->settings.slop, CLEAR_PART * c->depth);
-	if (!(c->depth > 0.0f))
-		in.target = 0.5f * world->settings.slop;
-	in.tolerance = 0.5f * in.target;
-	free = free_fraction(&in, &normal, &arm);
-	if (free < c->fraction) {
-		c->fraction = free;
-		c->met = other->type == CN_BODY_DYNAMIC ? other->awake : 0;
-		c->normal = normal;
-		c->arm = arm;
-	}
+	if (!core_clamp(c, &c->core, &in, other))
+		inner_clamp(c, &in, other);
 	return limit;
 }
 
@@ -305,7 +335,7 @@ static void motion_slide(cni_motion *m, const clamp *c)
 	m->dpy += way * m->inv_mass * n.y;
 	m->theta += way * m->inv_inertia * arm;
 	path = body_path(c->body, cni_v(c->body->cx, c->body->cy), m->dpx, m->dpy, m->theta);
-	out = cni_max(-path_lifts_by(&c->core.geometry, 0, &path, n), 0.0f);
+	out = cni_max(-path_lifts_by(&c->stopped.geometry, 0, &path, n), 0.0f);
 	out += 4.0f * FLT_EPSILON * (cni_abs(m->dpx) + cni_abs(m->dpy) + cni_abs(m->theta) * c->body->extent);
 	m->dpx += out * n.x;
 	m->dpy += out * n.y;
