@@ -6,7 +6,8 @@
  * one contact after the other, so each one takes energy or keeps it (e <= 1) and momentum is kept; no
  * accumulated impulse is left behind that could push again (in place of the late restitution pass of Box2D, which lets the energy of
  * a cluster rise). The solve that follows does not brake a contact with restitution that still closes faster than the threshold and
- * bears nothing: it would take the speed that the impact is to return. The sweeps of the next substep see to it.
+ * bears nothing: it would take the speed that the impact is to return. The sweeps of the next substep see to it. Only a contact that
+ * overlaps by more than it closes in several substeps is braked: its impacts were undone, by a joint for one.
  *
  * The velocities that meet are those in start: what bodies really have. motion.v also holds the response to
  * the last substep's impulses, a guess that the solve has yet to correct; for a light body between heavy ones it is

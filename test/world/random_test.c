@@ -321,12 +321,17 @@ static outcome trial_run(uint32_t seed, int32_t judge)
 
 static const char *only_seed;
 
+/* Of 15,000, those that went farthest into the floor and gained most when they were found. */
+#define FOUND 2
+static const uint32_t found[FOUND] = { 6278, 5774 };
+
 /* A light body between heavy ones may bounce fast: speeds are printed, the room holds them all. */
 static void random_scenes_behave(void)
 {
 	outcome worst = { -1.0, -1e9, 0.0, 0, 1, 1 };
-	uint32_t seed = only_seed != NULL ? (uint32_t)strtoul(only_seed, NULL, 10) : 1, last = only_seed != NULL ? seed : SCENES;
-	for (; seed <= last; ++seed) {
+	int32_t k, count = only_seed != NULL ? 1 : SCENES + FOUND;
+	for (k = 1; k <= count; ++k) {
+		uint32_t seed = only_seed != NULL ? (uint32_t)strtoul(only_seed, NULL, 10) : k <= SCENES ? (uint32_t)k : found[k - SCENES - 1];
 		outcome o, again;
 		o = trial_run(seed, 1);
 		again = trial_run(seed, 0);
