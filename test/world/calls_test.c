@@ -276,7 +276,7 @@ static int fail_each_allocation(cn_result (*prepare)(void), cn_result (*call)(vo
 		result = call();
 		alloc_allow = -1;
 		after = state_of(W);
-		if (result != CN_OK && (result != CN_ERROR_MEMORY || memcmp(&s, &after, sizeof s) != 0)) {
+		if (result != CN_OK && (result != CN_ERROR_MEMORY || state_differs(&s, &after))) {
 			printf("  %s with allocation %d failing gives %d\n", what, allow, (int)result);
 			test_fail(__FILE__, __LINE__, "a call without memory must fail and change nothing");
 		}
@@ -519,7 +519,7 @@ static void random_life(uint32_t seed, int operations, uint32_t fail_mask, tally
 		alloc_fail_mask = 0;
 		if (result != CN_OK) {
 			after = state_of(W);
-			if (memcmp(&s, &after, sizeof s) != 0) {
+			if (state_differs(&s, &after)) {
 				printf("  operation %d (%08x): %s\n", k, r, cn_world_error_text(W));
 				test_fail(__FILE__, __LINE__, "a failed call changed the world");
 			}
