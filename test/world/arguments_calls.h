@@ -47,7 +47,7 @@ static void bad_end(int line, const char *what, cn_result expected, cn_result re
 		printf("  %s gives %d (%s), not %d\n", what, (int)result, cn_world_error_text(W), (int)expected);
 		test_fail(__FILE__, line, current);
 	}
-	if (memcmp(&before, &after, sizeof before) != 0) {
+	if (state_differs(&before, &after)) {
 		printf("  after %s\n", what);
 		test_fail(__FILE__, line, "a failed call changed the world");
 	}
