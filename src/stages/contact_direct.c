@@ -665,6 +665,8 @@ static int32_t cone_may_be_asked(const pass *q)
 	if (q->c->coned)
 		return 1;
 	if (q->world->settings.solver == CN_SOLVER_AUTO) {
+		if (moves(q))
+			return 0;
 		if (q->world->cone_work + cone_cost(q) > CNI_CONE_WORK || q->world->cone_spent + cone_cost(q) > CNI_CONE_AT_ONCE)
 			return 0;
 		q->world->cone_work += cone_cost(q);
