@@ -28,7 +28,7 @@
 
 #include <string.h>
 
-#define ITERATIONS 40
+#define FACTORS_DIRECT 120     /* most in a pass of CN_SOLVER_DIRECT */
 #define STEP_MOST 0.995f      /* part of the way to the boundary of the cones */
 #define INSIDE_PART 0.9f      /* of friction's bound: most to begin with */
 #define SLIP_ROUNDS 3         /* solutions, each with the slips of the one before */
@@ -46,6 +46,7 @@ typedef struct cone {
 	float speed_least;
 	int32_t bias;
 	int32_t count;         /* of slacks that there are */
+	int32_t factors;       /* that may still be made */
 	float tau;
 	float residual;        /* m/s: the most that a row lacks */
 	float misfit;          /* m/s: the most of what is both slack and multiplier */
@@ -390,14 +391,15 @@ static float square(float x)
 static int32_t iterate(cone *q)
 {
 	float mean = q->tau;
-	int32_t round;
-	for (round = 0; round < ITERATIONS; ++round) {
+	for (;;) {
 		float length, part, predicted;
 		q->tau = 0.0f;
 		predictor_clear(q);
 		newton_set(q);
 		if (q->residual <= q->speed_least && q->misfit <= q->speed_least)
 			return 1;
+		if (q->factors-- == 0)
+			return 0;
 		if (q->world->settings.solver == CN_SOLVER_AUTO)
 			q->world->cone_spent += cni_cone_factor_work(q->c);
 		cni_sparse_factor(q->sparse, q->c, q->motions);
@@ -413,7 +415,6 @@ static int32_t iterate(cone *q)
 		length = step_length(q);
 		mean = step_take(q, length);
 	}
-	return 0;
 }
 
 /* Slips of which the next round is to know: the speeds by which they lift, and that friction is dynamic. Returns by how much
@@ -441,9 +442,11 @@ static float slips_find(const cone *q)
 
 int32_t cni_presses_cone(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, float speed_least, int32_t bias)
 {
-	cone q = { world, s, sparse, c, cni_motions(world), speed_least, bias, 0, 0.0f, 0.0f, 0.0f };
+	cone q = { world, s, sparse, c, cni_motions(world), speed_least, bias, 0, CNI_CONE_FACTORS, 0.0f, 0.0f, 0.0f };
 	int32_t good = 1, round;
 	float change = FLT_MAX;
+	if (world->settings.solver == CN_SOLVER_DIRECT)
+		q.factors = FACTORS_DIRECT;
 	warm(&q);
 	for (round = 0; good && round < SLIP_ROUNDS && change > SLIP_CLOSE * speed_least; ++round) {
 		center(&q);

@@ -26,10 +26,9 @@
 #define ROUNDS_LARGE 32        /* ... of systems that are too large for that */
 #define ROUNDS_ALL 6           /* ... in which all that does not fit is changed at once */
 #define ROUNDS_WARM 4          /* ... from impulses of the last pass */
-#define CONE_FACTORS 30        /* factorizations that it takes in a pass where it is hard */
 #define PARTING 10.0f          /* times speed_least: contacts that part or slide faster give way */
 #define ENERGY_CLOSE 1e-3f     /* part of energy that is rounding */
-#define STILL_SPEED 0.1f       /* length units a second: what is slower began this step at rest */
+#define STILL_SPEED 0.1f       /* length units a second, root of the mean square by mass: what is slower rests */
 #define SOFT_STRESS 100.0f     /* own weights */
 #define REFINEMENTS 3          /* solutions with one factorization */
 #define PUSH_RATE 0.1f
@@ -433,19 +432,6 @@ static void states_keep(const pass *q, int32_t back)
 	}
 }
 
-/* Did some body move as the step began? */
-static int32_t moves(const pass *q)
-{
-	float most = STILL_SPEED * q->world->settings.length_unit;
-	int32_t k;
-	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
-		const cni_body *b = cni_body_at(q->world, cni_awake_ids(q->world)[q->sparse->bodies[k]]);
-		if (b->vx * b->vx + b->vy * b->vy > most * most)
-			return 1;
-	}
-	return 0;
-}
-
 /* ---- energy ---- */
 
 static float energy_at(const cni_motion *m, float vx, float vy, float w)
@@ -475,6 +461,30 @@ static float energy_of_start(const pass *q)
 		sum += energy_at(q->motions + q->sparse->bodies[k], v->vx, v->vy, v->w);
 	}
 	return sum;
+}
+
+/* Twice the energy beyond which it does not rest: that of all of it at STILL_SPEED. A part may move on what stands. */
+static float energy_of_rest(const pass *q)
+{
+	float mass = 0.0f, speed = STILL_SPEED * q->world->settings.length_unit;
+	int32_t k;
+	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
+		const cni_motion *m = q->motions + q->sparse->bodies[k];
+		mass += m->inv_mass > 0.0f ? 1.0f / m->inv_mass : 0.0f;
+	}
+	return mass * speed * speed;
+}
+
+/* Did it move as the step began? */
+static int32_t moved(const pass *q)
+{
+	float sum = 0.0f;
+	int32_t k;
+	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
+		const cni_body *b = cni_body_at(q->world, cni_awake_ids(q->world)[q->sparse->bodies[k]]);
+		sum += energy_at(q->motions + q->sparse->bodies[k], b->vx, b->vy, b->w);
+	}
+	return sum > energy_of_rest(q);
 }
 
 /* Twice the work of pushing apart what overlaps. */
@@ -556,18 +566,6 @@ static int32_t gives_way(const pass *q)
 	return 0;
 }
 
-/* Does so much of it move that it comes down, and not a part of it from what stands? */
-static int32_t falls(const pass *q)
-{
-	float mass = 0.0f, speed = STILL_SPEED * q->world->settings.length_unit;
-	int32_t k;
-	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
-		const cni_motion *m = q->motions + q->sparse->bodies[k];
-		mass += m->inv_mass > 0.0f ? 1.0f / m->inv_mass : 0.0f;
-	}
-	return energy_of(q) > mass * speed * speed;
-}
-
 static int32_t is_recent(const pass *q, uint32_t step)
 {
 	return step != 0 && q->world->step_count + 1u - step < 2u;
@@ -613,7 +611,7 @@ static int32_t set_follow(const pass *q)
 /* What the cones may cost in a pass. */
 static int32_t cone_cost(const pass *q)
 {
-	return CONE_FACTORS * cni_cone_factor_work(q->c);
+	return CNI_CONE_FACTORS * cni_cone_factor_work(q->c);
 }
 
 static int32_t is_large(const pass *q)
@@ -624,7 +622,7 @@ static int32_t is_large(const pass *q)
 /* Is it time to give up? Misfits of the rounds to come are mended one each. */
 static int32_t rounds_are_over(const pass *q, int32_t round, int32_t misfits)
 {
-	int32_t most = is_large(q) && !moves(q) ? ROUNDS_LARGE : ROUNDS;
+	int32_t most = is_large(q) && !moved(q) ? ROUNDS_LARGE : ROUNDS;
 	return misfits == INT32_MAX || round >= most || (round >= ROUNDS_ALL && misfits > most - round);
 }
 
@@ -651,7 +649,7 @@ static int32_t set_solve(pass *q)
 {
 	if (!(q->warm ? set_follow(q) : set_find(q)) || !energy_fits(q))
 		return 0;
-	if (q->bias && !is_recent(q, q->island->gives_step) && gives_way(q) && !moves(q)) {
+	if (q->bias && !is_recent(q, q->island->gives_step) && gives_way(q) && !moved(q)) {
 		states_keep(q, 0);
 		q->kept = 1;
 		return 0;
@@ -665,9 +663,7 @@ static int32_t cone_may_be_asked(const pass *q)
 	if (q->c->coned)
 		return 1;
 	if (q->world->settings.solver == CN_SOLVER_AUTO) {
-		if (moves(q))
-			return 0;
-		if (q->world->cone_work + cone_cost(q) > CNI_CONE_WORK || q->world->cone_spent + cone_cost(q) > CNI_CONE_AT_ONCE)
+		if (moved(q) || q->world->cone_work + cone_cost(q) > CNI_CONE_WORK || q->world->cone_spent + cone_cost(q) > CNI_CONE_AT_ONCE)
 			return 0;
 		q->world->cone_work += cone_cost(q);
 	}
@@ -694,7 +690,7 @@ static void found(const pass *q)
 	if (q->warm)
 		q->island->cone_step = step;
 	if (q->bias && q->island->gives_step != step && gives_way(q)) {
-		q->island->falls_steps = falls(q) && is_recent(q, q->island->gives_step) ? q->island->falls_steps + 1 : 0;
+		q->island->falls_steps = energy_of(q) > energy_of_rest(q) && is_recent(q, q->island->gives_step) ? q->island->falls_steps + 1 : 0;
 		q->island->gives_step = step;
 	}
 	commit(q);

@@ -21,6 +21,7 @@
 #define CNI_CONE_WORK 50000
 #define CNI_CONE_AT_ONCE (8 * CNI_CONE_WORK)
 #define CNI_CONE_REFILL (CNI_CONE_WORK / 100)
+#define CNI_CONE_FACTORS 30 /* in a pass: what stands takes 5 to 25, what slides or falls, and is no better for it, 30 to 90 */
 #define CNI_CONE_NODE 16 /* blocks: what a contact costs beside one */
 
 static inline int32_t cni_cone_factor_work(const cni_component *c)
