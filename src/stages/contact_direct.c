@@ -35,7 +35,6 @@
 #define TOUCHING 5e-6f         /* length units: a lesser gap or overlap is rounding of positions. Rows that say the same twice would
                                   answer to what they say of it differently with impulses beyond measure */
 #define SPEED_LEAST 1e-4f      /* length units a second that are no motion */
-#define SLIDE_CLOSE 0.01f      /* part by which a sliding friction may be off its normal force */
 
 static float normal_sum(const cni_press *p)
 {
@@ -247,7 +246,7 @@ static void mend(const misfit *m)
 static int32_t slide_is_off(const pass *q, const cni_press *p)
 {
 	float most = p->dynamic_friction * cni_max(normal_sum(p), 0.0f), off = cni_abs(cni_abs(p->j[2]) - most);
-	return p->state[2] == CNI_ROW_SLIDES && off > SLIDE_CLOSE * most + q->speed_least * p->mass[2];
+	return p->state[2] == CNI_ROW_SLIDES && off > CNI_SLIDE_CLOSE * most + q->speed_least * p->mass[2];
 }
 
 /* What is not consistent with the solution: rows that do not fit; -1: slides alone are off. The next set has all of them mended at

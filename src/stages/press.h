@@ -29,6 +29,8 @@ static inline int32_t cni_cone_factor_work(const cni_component *c)
 	return c->work + CNI_CONE_NODE * (c->end - c->begin);
 }
 
+#define CNI_SLIDE_CLOSE 0.01f /* part by which a sliding friction may be off its normal force */
+
 enum { CNI_ROW_OPEN = 0, CNI_ROW_HELD = 1, CNI_ROW_SLIDES = 2 };
 
 /* A touching contact taken out of its lane for the step; letters as in model/contact.h. Rows: two points, friction. */
