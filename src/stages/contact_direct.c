@@ -625,15 +625,16 @@ static int32_t rounds_are_over(const pass *q, int32_t round, int32_t misfits)
 	return misfits == INT32_MAX || round >= most || (round >= ROUNDS_ALL && misfits > most - round);
 }
 
-/* The set of the pass before; if it does not fit, from that and all that touches. */
+/* The set of the pass before; if it does not fit, from that and all that touches. Where slides alone are off it stays. */
 static int32_t set_find(const pass *q)
 {
-	int32_t round, misfits = set_try(q, 1);
+	int32_t round, misfits = set_try(q, 1), fits = 1;
 	for (round = 0; misfits != 0 && !rounds_are_over(q, round, misfits); ++round) {
-		if (round == 0) {
+		if (fits && misfits > 0) {
 			states_keep(q, 1);
 			round_begin(q);
 			touching_hold(q);
+			fits = 0;
 		}
 		misfits = set_try(q, round < ROUNDS_ALL);
 	}
