@@ -28,7 +28,8 @@
 
 #include <string.h>
 
-#define FACTORS_DIRECT 120     /* most in a pass of CN_SOLVER_DIRECT */
+#define FACTORS 60             /* most in a pass: what stands takes 5 to 25, what begins to slide or fall 30 to 90 */
+#define FACTORS_DIRECT 120     /* ... of CN_SOLVER_DIRECT */
 #define STEP_MOST 0.995f      /* part of the way to the boundary of the cones */
 #define INSIDE_PART 0.9f      /* of friction's bound: most to begin with */
 #define SLIP_ROUNDS 3         /* solutions, each with the slips of the one before */
@@ -46,7 +47,7 @@ typedef struct cone {
 	float speed_least;
 	int32_t bias;
 	int32_t count;         /* of slacks that there are */
-	int32_t factors;       /* that may still be made */
+	int32_t factors, factors_most;
 	float tau;
 	float residual;        /* m/s: the most that a row lacks */
 	float misfit;          /* m/s: the most of what is both slack and multiplier */
@@ -398,10 +399,9 @@ static int32_t iterate(cone *q)
 		newton_set(q);
 		if (q->residual <= q->speed_least && q->misfit <= q->speed_least)
 			return 1;
-		if (q->factors-- == 0)
+		if (q->factors == q->factors_most)
 			return 0;
-		if (q->world->settings.solver == CN_SOLVER_AUTO)
-			q->world->cone_spent += cni_cone_factor_work(q->c);
+		++q->factors;
 		cni_sparse_factor(q->sparse, q->c, q->motions);
 		if (!cni_sparse_solve(q->sparse, q->c))
 			return 0;
@@ -440,13 +440,13 @@ static float slips_find(const cone *q)
 	return most;
 }
 
-int32_t cni_presses_cone(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, float speed_least, int32_t bias)
+int32_t cni_presses_cone(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, float speed_least, int32_t bias, int32_t *out_factors)
 {
-	cone q = { world, s, sparse, c, cni_motions(world), speed_least, bias, 0, CNI_CONE_FACTORS, 0.0f, 0.0f, 0.0f };
+	cone q = { world, s, sparse, c, cni_motions(world), speed_least, bias, 0, 0, FACTORS, 0.0f, 0.0f, 0.0f };
 	int32_t good = 1, round;
 	float change = FLT_MAX;
 	if (world->settings.solver == CN_SOLVER_DIRECT)
-		q.factors = FACTORS_DIRECT;
+		q.factors_most = FACTORS_DIRECT;
 	warm(&q);
 	for (round = 0; good && round < SLIP_ROUNDS && change > SLIP_CLOSE * speed_least; ++round) {
 		center(&q);
@@ -454,5 +454,6 @@ int32_t cni_presses_cone(cn_world *world, const cni_solve *s, cni_sparse *sparse
 		change = slips_find(&q);
 	}
 	end(&q);
+	*out_factors = q.factors;
 	return good;
 }

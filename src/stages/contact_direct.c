@@ -28,7 +28,7 @@
 #define ROUNDS_WARM 4          /* ... from impulses of the last pass */
 #define PARTING 10.0f          /* times speed_least: contacts that part or slide faster give way */
 #define ENERGY_CLOSE 1e-3f     /* part of energy that is rounding */
-#define STILL_SPEED 0.1f       /* length units a second, root of the mean square by mass: what is slower rests */
+#define STILL_SPEED 0.3f       /* length units a second, root of the mean square by mass: what is slower is at rest, or begins to move */
 #define SOFT_STRESS 100.0f     /* own weights */
 #define REFINEMENTS 3          /* solutions with one factorization */
 #define PUSH_RATE 0.1f
@@ -657,28 +657,45 @@ static int32_t set_solve(pass *q)
 	return 1;
 }
 
-/* May it be asked? Who is asked once in a step may be in all of its substeps. */
+/* What the island has spent, a contact, less what has been paid back. */
+static int32_t cone_debt(const pass *q)
+{
+	uint32_t passed = q->world->step_count - q->island->cone_paid_step;
+	int32_t spent = q->island->cone_spent;
+	return passed <= (uint32_t)(spent / CNI_CONE_REFILL) ? spent - (int32_t)passed * CNI_CONE_REFILL : 0;
+}
+
+/* May it be asked? Who is asked once in a step may be in all of its substeps, as long as the island can pay. */
 static int32_t cone_may_be_asked(const pass *q)
 {
-	if (q->c->coned)
-		return 1;
 	if (q->world->settings.solver == CN_SOLVER_AUTO) {
-		if (moved(q) || q->world->cone_work + cone_cost(q) > CNI_CONE_WORK || q->world->cone_spent + cone_cost(q) > CNI_CONE_AT_ONCE)
+		if (moved(q) || cone_debt(q) > CNI_CONE_DEBT)
 			return 0;
-		q->world->cone_work += cone_cost(q);
+		if (!q->c->coned && q->world->cone_work + cone_cost(q) > CNI_CONE_WORK)
+			return 0;
+		q->world->cone_work += q->c->coned ? 0 : cone_cost(q);
 	}
 	q->c->coned = 1;
 	return 1;
 }
 
+static void cone_pay(const pass *q, int32_t factors)
+{
+	q->island->cone_spent = cone_debt(q) + factors * cni_cone_factor_work(q->c) / (q->c->end - q->c->begin);
+	q->island->cone_paid_step = q->world->step_count;
+}
+
 /* The passes to come go on from its impulses: to begin with none would find others that bear the same, and pull. */
 static int32_t cone_solve(pass *q)
 {
+	int32_t factors, good;
 	if (!CNI_ON(CONES) || !cone_may_be_asked(q))
 		return 0;
 	q->warm = 0;
 	round_begin(q);
-	if (!cni_presses_cone(q->world, q->s, q->sparse, q->c, q->speed_least, q->bias) || !energy_fits(q))
+	good = cni_presses_cone(q->world, q->s, q->sparse, q->c, q->speed_least, q->bias, &factors);
+	cone_pay(q, factors);
+	if (!good || !energy_fits(q))
 		return 0;
 	q->warm = 1;
 	return 1;

@@ -13,15 +13,15 @@
 #define CNI_PRESS_WORK 48
 
 /*
- * Work of stages/contact_cone.c, in blocks factored of 10 ns. By passes: most in a step. Most that is spent, and what comes back of it
- * in a step. Who is asked once in a step is asked in all of its passes, so that more may be spent, and must come back before the next
- * is asked. Of what stands, most need less than this in all: its contacts are found once, and their sets hold from then on. A heap that
- * goes on moving would take as much in every step, and is no better for it than soft constraints make it.
+ * Work of stages/contact_cone.c, in blocks factored of 10 ns. Most that is set aside for it in a step, a pass. An island, a contact: how
+ * much it may owe before it is asked again, and what it pays back in a step, which is about what soft constraints take. Of what stands,
+ * most need less than this in all: its contacts are found once, and their sets hold from then on. A heap that goes on moving would take
+ * as much in every step, and is no better for it than soft constraints make it.
  */
 #define CNI_CONE_WORK 50000
-#define CNI_CONE_AT_ONCE (8 * CNI_CONE_WORK)
-#define CNI_CONE_REFILL (CNI_CONE_WORK / 100)
-#define CNI_CONE_FACTORS 30 /* in a pass: what stands takes 5 to 25, what slides or falls, and is no better for it, 30 to 90 */
+#define CNI_CONE_DEBT 4000
+#define CNI_CONE_REFILL 24
+#define CNI_CONE_FACTORS 30 /* that are set aside for a pass */
 #define CNI_CONE_NODE 16 /* blocks: what a contact costs beside one */
 
 static inline int32_t cni_cone_factor_work(const cni_component *c)
@@ -91,6 +91,6 @@ void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h);
 /* One pass over a component with presses. 0: no consistent set was found; impulses and velocities are as if no pass had been. */
 int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias);
 /* The same by another method, from presses' start and the impulses that nodes carry. 0: not solved; everything is left as it may be. */
-int32_t cni_presses_cone(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, float speed_least, int32_t bias);
+int32_t cni_presses_cone(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, float speed_least, int32_t bias, int32_t *out_factors);
 
 #endif
