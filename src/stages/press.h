@@ -76,6 +76,12 @@ static inline cni_lever cni_press_lever(const cni_press *p, int32_t row)
 	cni_lever friction = { -p->ny, p->nx, p->fa, p->ny, -p->nx, -p->fb };
 	return row < 2 ? normal : friction;
 }
+static inline void cni_press_push(const cni_press *p, int32_t row, float impulse, cni_motion *a, cni_motion *b)
+{
+	cni_lever l = cni_press_lever(p, row);
+	if (impulse != 0.0f)
+		cni_lever_push(&l, impulse, a, b);
+}
 /* Separation of a point now. */
 float cni_press_separation(const cni_press *p, int32_t point, const cni_motion *a, const cni_motion *b);
 
@@ -90,7 +96,36 @@ void cni_presses_give_back(cn_world *world, cni_sparse *sparse, const cni_compon
 void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h);
 /* One pass over a component with presses. 0: no consistent set was found; impulses and velocities are as if no pass had been. */
 int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias);
-/* The same by another method, from presses' start and the impulses that nodes carry. 0: not solved; everything is left as it may be. */
-int32_t cni_presses_cone(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, float speed_least, int32_t bias, int32_t *out_factors);
+
+/* ---- a pass over a component ---- */
+
+typedef struct cni_press_pass {
+	cn_world *world;
+	const cni_solve *s;
+	cni_sparse *sparse;
+	cni_component *c;
+	cni_motion *motions;
+	cni_island *island;
+	float speed_least;
+	int32_t bias;
+	int32_t warm;          /* 1: from the impulses of the last pass, not from none */
+	int32_t rounds;        /* most, of the search for a set */
+	int32_t kept;          /* 1: the kept set will do, if nothing better is found */
+	float before;          /* twice the kinetic energy before the substep's impulses */
+} cni_press_pass;
+
+/* How fast the points must be at least, and friction that no point bears. */
+void cni_press_rooms_find(const cni_press_pass *q);
+void cni_press_impulses_forget(const cni_press_pass *q);
+void cni_press_round_begin(const cni_press_pass *q);
+/* States as they are, kept or put back. */
+void cni_press_states_keep(const cni_press_pass *q, int32_t back);
+/* The linear system of the set as it is. 0: no finite solution. */
+int32_t cni_press_system_solve(const cni_press_pass *q);
+/* By the active set, from that of the pass before; `follow` takes few rounds. 0: none was found. */
+int32_t cni_press_set_find(const cni_press_pass *q);
+int32_t cni_press_set_follow(const cni_press_pass *q);
+/* By interior points, from presses' start and the impulses that nodes carry. 0: not solved; everything is left as it may be. */
+int32_t cni_presses_cone(const cni_press_pass *pass, int32_t *out_factors);
 
 #endif
