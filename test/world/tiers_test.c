@@ -751,6 +751,47 @@ static void t_soft_prevails_in_any_order(void)
 	}
 }
 
+/* ---- what interior points may cost ---- */
+
+/* Planks that fall across each other into a pit. */
+static void planks(cn_world *world, uint32_t random)
+{
+	int32_t k;
+	fixture_floor(world, 0.8f, 0.0f);
+	fixture_box(world, CN_BODY_STATIC, -3.5f, 10.0f, 0.0f, 0.5f, 12.0f, 0.8f, 0.0f);
+	fixture_box(world, CN_BODY_STATIC, 3.5f, 10.0f, 0.0f, 0.5f, 12.0f, 0.8f, 0.0f);
+	for (k = 0; k < 24; ++k) {
+		float half = fixture_random(&random, 0.4f, 1.2f), angle = fixture_random(&random, -0.2f, 0.2f);
+		fixture_box(world, CN_BODY_DYNAMIC, k % 2 == 0 ? -1.5f : 1.5f, 0.6f + 0.25f * (float)(k / 2) * 2.0f, angle, half, 0.03f, 0.8f, 0.0f);
+	}
+}
+
+static int32_t most_spent(const cn_world *world, int32_t most)
+{
+	int32_t k;
+	for (k = 0; k < world->island_used; ++k)
+		most = cni_max_i(most, cni_island_at(world, k)->first != CNI_NONE ? cni_island_at(world, k)->cone_spent : 0);
+	return most;
+}
+
+/* A contact of a system takes at most CNI_PRESS_WORK and CNI_CONE_NODE blocks a factorization, of which a pass makes 60 at most. */
+static void t_an_island_pays_for_interior_points(void)
+{
+	int32_t most = 0, k;
+	uint32_t seed;
+	for (seed = 1; seed <= 12; ++seed) {
+		cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, 0);
+		planks(world, seed * 2654435761u);
+		for (k = 0; k < 180; ++k) {
+			fixture_step(world, 1);
+			most = most_spent(world, most);
+		}
+		cn_world_destroy(world);
+	}
+	CHECK_GE("most that an island spent a contact", (double)most, 0.5 * CNI_CONE_DEBT, "blocks"); /* else nothing was tested */
+	CHECK_LE("most that an island spent a contact", (double)most, CNI_CONE_DEBT + 60.0 * (CNI_PRESS_WORK + CNI_CONE_NODE), "blocks");
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -778,5 +819,6 @@ int main(int argc, char **argv)
 	RUN(t_what_falls_forgets_its_loads);
 	RUN(t_small_bodies_are_crushed_sooner);
 	RUN(t_soft_prevails_in_any_order);
+	RUN(t_an_island_pays_for_interior_points);
 	return test_end();
 }
