@@ -18,7 +18,7 @@
 #define ROUNDS_LARGE 32        /* ... of systems that are too large for that */
 #define PARTING 10.0f          /* times speed_least: contacts that part or slide faster give way */
 #define ENERGY_CLOSE 1e-3f     /* part of energy that is rounding */
-#define STILL_SPEED 0.3f       /* length units a second, root of the mean square by mass: what is slower is at rest, or begins to move */
+#define STILL_SPEED 0.4f       /* length units a second, root of the mean square by mass: what is slower is at rest, or begins to move */
 #define SOFT_STRESS 100.0f     /* own weights */
 #define SPEED_LEAST 1e-4f      /* length units a second that are no motion */
 
