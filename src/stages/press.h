@@ -19,7 +19,7 @@
  * as much in every step, and is no better for it than soft constraints make it.
  */
 #define CNI_CONE_WORK 50000
-#define CNI_CONE_DEBT 4000
+#define CNI_CONE_DEBT 12000
 #define CNI_CONE_REFILL 24
 #define CNI_CONE_FACTORS 30 /* that are set aside for a pass */
 #define CNI_CONE_NODE 16 /* blocks: what a contact costs beside one */
