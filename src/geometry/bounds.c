@@ -3,7 +3,7 @@
  */
 #include "base/cpu.h"
 #include "geometry/shape.h"
-#include "geometry/distance.h"
+#include "collision/distance.h"
 #if CNI_HAS_WIDE_4
 #define CNI_WIDTH 4
 #include "base/wide.h"

@@ -4,7 +4,7 @@
  * Invariant: for every dense index k >= 1, record awake_id[k] has awake == k; every lane of a touching
  * contact names its bodies by their present dense index, 0 for one that has none.
  */
-#include "geometry/distance.h"
+#include "collision/distance.h"
 #include "model/world.h"
 
 #include <string.h>

@@ -114,10 +114,10 @@ enum {
 	CNI_DRIVE_LOCK_Y = 1u << 3,
 	CNI_DRIVE_JOINTED = 1u << 4, /* has joints: positions follow end velocities */
 	CNI_DRIVE_TOUCHED = 1u << 5, /* has contacts that are solved */
-	CNI_DRIVE_SWUNG = 1u << 6,   /* moved for the whole step: by its joints alone (stages/joint_swing.c), or at rest (stages/rest.c) */
+	CNI_DRIVE_SWUNG = 1u << 6,   /* moved for the whole step: by its joints alone (direct/rattle.c), or at rest (step/early_rest.c) */
 	CNI_DRIVE_LATER = 1u << 7,   /* scratch of a stage, clear outside of it: found in a first loop, which may be shared, for a second in order */
 	CNI_DRIVE_SETTLED = 1u << 8, /* has been slow for as long as it takes to fall asleep */
-	CNI_DRIVE_COLOR_SHIFT = 9    /* bits 9 .. 31: which colours its joints use in this step: stages/joint_blocks.c */
+	CNI_DRIVE_COLOR_SHIFT = 9    /* bits 9 .. 31: which colours its joints use in this step: joints/joint_blocks.c */
 };
 typedef struct cni_drive {
 	float ax, ay, alpha; /* between steps: the user's force and torque for the next one; within a step:

@@ -30,13 +30,13 @@
  *   shapes' radii, so that a rolling circle does not seem to lift
  *
  * Beside each block lie the anchors of its lanes: where the bodies were when the manifold was last computed. While
- * they have hardly moved since, the lane is brought up to date from there (stages/contact_follow.c) and the narrowphase
+ * they have hardly moved since, the lane is brought up to date from there (narrowphase/manifold_reuse.c) and the narrowphase
  * has nothing to do for it.
  */
 #ifndef CNI_MODEL_CONTACT_H
 #define CNI_MODEL_CONTACT_H
 
-#include "geometry/manifold.h"
+#include "collision/manifold.h"
 #include "model/body.h"
 
 #define CNI_LANES 16
@@ -59,7 +59,7 @@ typedef struct cni_contact_block {
 
 enum {
 	CNI_BLOCK_RESTITUTION = 1u << 0, /* some lane may bounce */
-	CNI_BLOCK_RESTED = 1u << 2,      /* in the last step its lanes took one substep: stages/rest.c */
+	CNI_BLOCK_RESTED = 1u << 2,      /* in the last step its lanes took one substep: step/early_rest.c */
 	CNI_BLOCK_EXTRA = 1u << 1        /* some lane has rolling resistance, a conveyor or a locked axis: see cni_block_extra */
 };
 
@@ -120,7 +120,7 @@ typedef struct cni_listed_block {
 	cni_block_info *info;
 	uint32_t fresh;          /* lanes that began to touch in this step, as bits */
 	int32_t begin, lanes;    /* lanes begin .. lanes - 1 are worked on; as listed, the first of it, all that are in use */
-	int32_t kind;            /* CNI_CONTACTS_ of stages/solver.h */
+	int32_t kind;            /* CNI_CONTACTS_ of model/solve.h */
 } cni_listed_block;
 
 

@@ -61,7 +61,7 @@ static void island_append(cn_world *world, int32_t island, int32_t body)
 	++i->count;
 }
 
-/* Steps that it is still refused for: stages/tiers.c. */
+/* Steps that it is still refused for: direct/solver_selection.c. */
 static int32_t refused_left(const cn_world *world, const cni_island *i)
 {
 	uint32_t passed = world->step_count - i->refused_step;

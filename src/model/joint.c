@@ -5,7 +5,7 @@
  * and in the awake list when one of its bodies is in the dense arrays and none is disabled; a filter joint
  * has nothing to solve and is in no awake list and no island.
  */
-#include "model/joint_row.h"
+#include "joints/joint_row.h"
 #include "model/world.h"
 
 #include <string.h>

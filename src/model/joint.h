@@ -4,8 +4,8 @@
  * A type describes itself by rows: scalar constraints with a Jacobian, an error and bounds. Warm
  * starting, soft and rigid solving, reactions and error read-back work on rows and know no types, so a
  * new joint is one file with one function that writes rows and two that read it back. Most revolute joints, which
- * are most joints, are solved without their rows: stages/joint_blocks.c; some other types by rows in lanes, where the
- * types' formulas are written once more: stages/joint_rows_kernel.h.
+ * are most joints, are solved without their rows: joints/joint_blocks.c; some other types by rows in lanes, where the
+ * types' formulas are written once more: joints/joint_rows_kernel.h.
  */
 #ifndef CNI_MODEL_JOINT_H
 #define CNI_MODEL_JOINT_H
@@ -15,7 +15,7 @@
 #define CNI_JOINT_ROWS 5 /* most rows of a joint */
 #define CNI_JOINT_RIGID_ROWS 3 /* most of those that are solved together */
 #define CNI_JOINT_NUMBERS 10
-#define CNI_JOINT_COLORS 23 /* of stages/joint_blocks.c */
+#define CNI_JOINT_COLORS 23 /* of joints/joint_blocks.c */
 
 /* Types after the public joint types: constraints on one body, which are joints with the world as body a. */
 enum {
@@ -27,7 +27,7 @@ static inline int32_t cni_joint_is_constraint(int32_t type) { return type >= CNI
 
 /* What direct solving remembers of a component: its joints carry it, so that islands may merge and split. */
 typedef struct cni_joint_trust {
-	float surplus;             /* joules: this joint's part of the energy that steps have gained: stages/joint_swing.c */
+	float surplus;             /* joules: this joint's part of the energy that steps have gained: direct/rattle.c */
 	uint32_t until;            /* the step until which what failed is not tried again */
 	uint16_t span;             /* ... which was so many steps after the failure; 0: nothing has failed */
 	uint16_t soft;             /* 1: it is soft until then; 0: it may be solved directly, but not by RATTLE */
@@ -85,7 +85,7 @@ enum { CNI_P_LINE_TOLERANCE = 0 };
 /* State of types that count turns: side s has its angle in (-pi, pi] and its whole turns here and after. */
 enum { CNI_P_TURN = 6 };
 
-/* Lanes of the last step, when all joints were in them: stages/joint_blocks.c. */
+/* Lanes of the last step, when all joints were in them: joints/joint_blocks.c. */
 typedef struct cni_lanes_kept {
 	int32_t lanes;   /* 0: nothing is kept */
 	int32_t blocks;

@@ -5,8 +5,8 @@
  * lies at its beginning and the rest of the block serves everything else; all capacities are then
  * reserved at once, so that a world within its capacities never asks again.
  */
-#include "stages/joint_pass.h"
-#include "stages/sparse.h"
+#include "joints/joint_pass.h"
+#include "linear/sparse.h"
 #include "world/error.h"
 
 #include <string.h>

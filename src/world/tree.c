@@ -1,5 +1,5 @@
 /*
- * world/tree.c - cn_tree_*: a tree of boxes (geometry/tree.h) for the game's own use, apart from any world.
+ * world/tree.c - cn_tree_*: a tree of boxes (broadphase/tree.h) for the game's own use, apart from any world.
  *
  * Owns its memory, the handles of its items and their user data. Calls that fail change nothing. Searches only read, so
  * that several threads may search at once; a visitor that changes the tree nevertheless harms nothing but
@@ -7,7 +7,7 @@
  * bounded.
  */
 #include "base/handles.h"
-#include "geometry/tree.h"
+#include "broadphase/tree.h"
 #include "world/error.h"
 
 #include <string.h>

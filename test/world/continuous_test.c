@@ -4,8 +4,8 @@
  * Shares of bodies that passed are measured over random starts, directions and spins. Every kind of run has a
  * control in which passing is allowed: it shows that the measure sees what passes.
  *
- * If a test here fails, look first in: stages/narrowphase.c (contacts ahead), stages/continuous.c (the last
- * guard), geometry/toi.c.
+ * If a test here fails, look first in: narrowphase/narrowphase.c (contacts ahead), narrowphase/continuous.c (the last
+ * guard), collision/toi.c.
  */
 #include "fixture.h"
 

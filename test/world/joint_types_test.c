@@ -2,8 +2,8 @@
  * test/world/joint_types_test.c - every joint type but revolute, distance (joint_test.c) and fixed (joint_force_test.c)
  * against closed forms.
  *
- * If a test here fails, look first in: model/joint_<type>.c (its rows), model/joint_turns.c (gear, ratchet,
- * rotary spring), stages/joint_solve.c.
+ * If a test here fails, look first in: model/joint_<type>.c (its rows), joints/joint_turns.c (gear, ratchet,
+ * rotary spring), joints/joint_solve.c.
  */
 #include "joints.h"
 

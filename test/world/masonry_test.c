@@ -2,8 +2,8 @@
  * masonry_test - promises: what can stand by friction and by its shape alone stands at every number of substeps, and more
  * substeps are not worse; what comes down hardly gains energy.
  *
- * If a test here fails, run world/direct_contacts first. Then look in: stages/contact_direct.c, contact_set.c, contact_cone.c, tiers.c,
- * pile_load.c (what leans), sleep.c.
+ * If a test here fails, run world/direct_contacts first. Then look in: direct/direct_contacts.c, contact_active_set.c, friction_cones.c, solver_selection.c,
+ * gravity_preload.c (what leans), sleep.c.
  */
 #include "fixture.h"
 

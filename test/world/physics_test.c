@@ -1,8 +1,8 @@
 /*
  * test/world/physics_test.c - motion against closed forms.
  *
- * If a test here fails, look first in: stages/integrate.c (flight, spin), stages/contact_solve.c (inclines,
- * sliding, stacks), stages/contact_impact.c (drops, clusters), geometry/manifold*.c (stacks, pyramid).
+ * If a test here fails, look first in: step/integrate.c (flight, spin), contacts/contact_solve.c (inclines,
+ * sliding, stacks), contacts/restitution.c (drops, clusters), collision/manifold*.c (stacks, pyramid).
  */
 #include "fixture.h"
 

@@ -2,7 +2,7 @@
  * test/world/shape_test.c - what a shape is: mass, material, filter, attaching, and ground without bumps.
  *
  * If a test here fails, look first in: geometry/mass.c and model/body.c (mass), world/shape.c (changes),
- * geometry/manifold_chain.c and manifold_faces.c (ground), geometry/shape_build.c and hull.c (polygons).
+ * collision/manifold_chain.c and manifold_faces.c (ground), geometry/shape_build.c and hull.c (polygons).
  */
 #include "fixture.h"
 

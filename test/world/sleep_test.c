@@ -1,8 +1,8 @@
 /*
  * test/world/sleep_test.c - who falls asleep, when, with whom, and what sleep costs. What wakes them is in wake_test.c.
  *
- * If a test here fails, look first in: stages/finalize.c (what counts as rest), stages/sleep.c (decisions),
- * model/sleep.c (moving between awake and asleep), model/island.c (splitting), world/body_state.c.
+ * If a test here fails, look first in: step/finalize.c (what counts as rest), step/sleep.c (decisions),
+ * model/island_sleep.c (moving between awake and asleep), model/island.c (splitting), world/body_state.c.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "sleep.h"
@@ -149,7 +149,7 @@ static void nothing_sleeps_at_the_apex_of_a_throw(void)
 			}
 	CHECK_LE("steps asleep in flight", asleep, 0, "");
 	CHECK_LE("distance of the free ones from the parabola / (1 m + height)", fmax(worst[THROW_ONE], worst[THROW_TOUCHING]), 2.0 * ROUNDING, "");
-	/* What only joints hold moves along its parabola too (stages/joint_swing.c). */
+	/* What only joints hold moves along its parabola too (direct/rattle.c). */
 	CHECK_LE("distance of the jointed ones", fmax(worst[THROW_ROD], worst[THROW_HINGE]), 5.0 * ROUNDING, "");
 }
 

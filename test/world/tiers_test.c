@@ -6,8 +6,8 @@
 #include "heaps.h"
 #include "joints.h"
 #include "model/world.h"
-#include "stages/press.h"
-#include "stages/solver.h"
+#include "direct/direct_contact.h"
+#include "model/solve.h"
 
 #define REPORTS 64
 
