@@ -270,16 +270,3 @@ cni_segment_distance cni_segment_to_segment(cni_vec2 p1, cni_vec2 q1, cni_vec2 p
 	segments_try(&best, cni_lerp(p1, q1, f), q2, f, 1.0f);
 	return best;
 }
-
-cni_proxy_points cni_geometry_proxy(const cni_geometry *g, int32_t child, cni_vec2 edge_storage[2])
-{
-	const cni_vec2 *p = cni_geometry_points(g);
-	cni_proxy_points set = { p, g->count, g->radius };
-	if (g->type != CN_SHAPE_CHAIN)
-		return set;
-	edge_storage[0] = p[child];
-	edge_storage[1] = p[child + 1 < g->count ? child + 1 : 0];
-	set.points = edge_storage;
-	set.count = 2;
-	return set;
-}

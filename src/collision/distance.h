@@ -7,12 +7,6 @@
 
 #include "geometry/shape.h"
 
-typedef struct cni_proxy_points {
-	const cni_vec2 *points;
-	int32_t count;
-	float radius;
-} cni_proxy_points;
-
 typedef struct cni_distance_result {
 	cni_vec2 point_a;   /* on the surface of a (radius included), in a's frame */
 	cni_vec2 point_b;   /* on the surface of b, in a's frame */
@@ -44,8 +38,5 @@ typedef struct cni_segment_distance {
 	float distance_sq;
 } cni_segment_distance;
 cni_segment_distance cni_segment_to_segment(cni_vec2 p1, cni_vec2 q1, cni_vec2 p2, cni_vec2 q2);
-
-/* The point set of a child of a geometry (chain: its edge). */
-cni_proxy_points cni_geometry_proxy(const cni_geometry *g, int32_t child, cni_vec2 edge_storage[2]);
 
 #endif

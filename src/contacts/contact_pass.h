@@ -75,14 +75,6 @@ CNI_INLINE void cni_blocks_prefetch(const cni_color_pass *c, int32_t k, int32_t 
 	}
 }
 
-/* A record as kernels read it, and one in place of those of the world and of unused lanes. */
-extern const cni_body cni_body_nowhere;
-
-static inline const float *cni_record_floats(const cni_body *b)
-{
-	return (const float *)(const void *)b;
-}
-
 /* What following reads of a body, by its dense index. */
 typedef struct cni_follow_pose {
 	float x, y, x_low, y_low;

@@ -6,6 +6,7 @@
  * b is read and not written. So a colour's blocks may be shared among workers; they meet before the next colour. Contacts
  * in the overflow colour are solved one by one, in the blocks where they lie.
  */
+#include "contacts/contacts.h"
 #include "base/bitset.h"
 #include "base/cpu.h"
 #include "contacts/contact_pass.h"

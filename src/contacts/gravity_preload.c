@@ -16,6 +16,7 @@
  *
  * Reads lanes, drives, motion, islands as direct/solver_selection.c counted their new contacts; writes lanes' jn, jt, load.
  */
+#include "contacts/contacts.h"
 #include "base/sort.h"
 #include "model/solve.h"
 

@@ -26,6 +26,7 @@
  * Reads blocks, motion and start; writes motion velocities and start (so that the warm start of the next substep does
  * not contain the impact).
  */
+#include "contacts/contacts.h"
 #include "base/bitset.h"
 #include "contacts/contact_pass.h"
 

@@ -14,31 +14,10 @@
  *
  * Reads works, motion; writes works' rows and inner, nodes' third rows, motion velocities.
  */
-#include "joints/joint_work.h"
+#include "direct/direct_system.h"
 
 #include <string.h>
-
-#define ROUNDS 3               /* changes of the set in a pass */
 #define ROOM 0.05f             /* metres or radians: a limit that is nearer may be reached */
-
-/* bits of a node's held */
-enum { IN_SET = 1u, AT_UPPER = 2u };
-
-static cni_row *inner_row(const cn_world *world, const cni_node *n)
-{
-	cni_joint_work *w = n->owner >= 0 ? &cni_joint_works(world)[n->owner] : NULL;
-	return w != NULL && w->inner > 0 ? &w->rows[w->inner] : NULL;
-}
-
-static float impulse_least(const cni_row *r, const cni_solve *s)
-{
-	return r->kind == CNI_ROW_MOTOR ? -r->limit * s->h : 0.0f;
-}
-
-static float impulse_most(const cni_row *r, const cni_solve *s)
-{
-	return r->kind == CNI_ROW_MOTOR ? r->limit * s->h : FLT_MAX;
-}
 
 /* The speed that it asks for, at least if it is a limit. */
 static float speed_asked(const cni_row *r, const cni_solve *s, int32_t bias)
@@ -73,12 +52,12 @@ static int32_t row_choose(const cni_joint_work *w, const cni_motion *motions, fl
 /* Its impulse is still that of the last step. */
 static uint32_t state_begin(const cni_row *r, const cni_solve *s)
 {
-	float impulse = s->warm_scale * r->impulse, most = impulse_most(r, s);
+	float impulse = s->warm_scale * r->impulse, most = cni_active_impulse_most(r, s);
 	if (r->kind == CNI_ROW_LIMIT)
-		return impulse > 0.0f ? IN_SET : 0;
+		return impulse > 0.0f ? CNI_ROW_IN_SET : 0;
 	if (cni_abs(impulse) < 0.999f * most)
-		return IN_SET;
-	return impulse > 0.0f ? AT_UPPER : 0;
+		return CNI_ROW_IN_SET;
+	return impulse > 0.0f ? CNI_ROW_AT_UPPER : 0;
 }
 
 int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
@@ -104,7 +83,7 @@ void cni_active_clear(const cn_world *world, cni_sparse *sparse, const cni_compo
 {
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k)
-		if (inner_row(world, &sparse->nodes[k]) != NULL)
+		if (cni_active_row(world, &sparse->nodes[k]) != NULL)
 			memset(&sparse->nodes[k].lever[2], 0, sizeof sparse->nodes[k].lever[2]);
 }
 
@@ -113,8 +92,8 @@ void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_comp
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		const cni_row *r = inner_row(world, n);
-		if (r == NULL || !(n->held & IN_SET))
+		const cni_row *r = cni_active_row(world, n);
+		if (r == NULL || !(n->held & CNI_ROW_IN_SET))
 			continue;
 		n->lever[2] = cni_row_lever(r);
 		n->compliance[2] = 0.0f;
@@ -127,97 +106,11 @@ void cni_active_sides(const cn_world *world, const cni_solve *s, cni_sparse *spa
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		const cni_row *r = inner_row(world, n);
+		const cni_row *r = cni_active_row(world, n);
 		if (r == NULL)
 			continue;
 		n->wanted = speed_asked(r, s, bias);
-		if (n->held & IN_SET)
+		if (n->held & CNI_ROW_IN_SET)
 			n->x[2] = n->wanted - cni_lever_speed(&n->lever[2], motions + n->ia, motions + n->ib);
-	}
-}
-
-/* Puts a row to an impulse, along its lever as it is. */
-static void row_put(const cn_world *world, const cni_node *n, cni_row *r, float impulse)
-{
-	cni_row_push(r, impulse - r->impulse, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
-	r->impulse = impulse;
-}
-
-/* Rows that are beyond their bound leave, others come back. Returns 1 when the set has changed. */
-static int32_t set_change(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
-{
-	const cni_motion *motions = cni_motions(world);
-	int32_t k, changed = 0;
-	for (k = c->begin; k < c->end; ++k) {
-		cni_node *n = &sparse->nodes[k];
-		cni_row *r = inner_row(world, n);
-		float least, most;
-		if (r == NULL)
-			continue;
-		least = impulse_least(r, s);
-		most = impulse_most(r, s);
-		if (n->held & IN_SET) {
-			if (r->impulse >= least && r->impulse <= most)
-				continue;
-			n->held = r->impulse > most ? AT_UPPER : 0;
-			row_put(world, n, r, cni_clamp(r->impulse, least, most));
-		} else {
-			float lacks = n->wanted - cni_row_speed(r, motions + n->ia, motions + n->ib);
-			if (n->held & AT_UPPER ? lacks >= 0.0f : lacks <= 0.0f && r->kind == CNI_ROW_MOTOR)
-				continue;
-			if (r->kind == CNI_ROW_LIMIT && lacks <= 0.0f)
-				continue;
-			n->held = IN_SET;
-		}
-		changed = 1;
-	}
-	return changed;
-}
-
-static void impulses_add(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
-{
-	int32_t k;
-	for (k = c->begin; k < c->end; ++k) {
-		const cni_node *n = &sparse->nodes[k];
-		cni_row *r = inner_row(world, n);
-		if (r != NULL && (n->held & IN_SET))
-			r->impulse += n->x[2];
-	}
-}
-
-/* Right sides to speeds that are asked for, so that they can be found again once something has been pushed (-1), or back. */
-static void sides_turn(const cn_world *world, cni_sparse *sparse, const cni_component *c, int32_t back)
-{
-	const cni_motion *motions = cni_motions(world);
-	int32_t k, i;
-	for (k = c->begin; k < c->end; ++k) {
-		cni_node *n = &sparse->nodes[k];
-		const cni_row *r = inner_row(world, n);
-		for (i = 0; i < n->rows; ++i) {
-			float speed = cni_lever_speed(&n->lever[i], motions + n->ia, motions + n->ib);
-			if (back)
-				n->x[i] = n->total[i] - speed;
-			else
-				n->total[i] = n->x[i] + speed;
-		}
-		for (; back && i < CNI_NODE_ROWS; ++i)
-			n->x[i] = -cni_lever_speed(&n->lever[i], motions + n->ia, motions + n->ib);
-		if (back && r != NULL && (n->held & IN_SET))
-			n->x[2] += n->wanted;
-	}
-}
-
-int32_t cni_active_answer(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
-{
-	int32_t round;
-	sides_turn(world, sparse, c, 0);
-	for (round = 0;; ++round) {
-		if (!cni_direct_apply(world, sparse, c))
-			return 0;
-		impulses_add(world, sparse, c);
-		if (round == ROUNDS || !set_change(world, s, sparse, c))
-			return 1;
-		cni_direct_system(world, s, sparse, c);
-		sides_turn(world, sparse, c, 1);
 	}
 }

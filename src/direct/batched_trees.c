@@ -11,7 +11,8 @@
  *
  * Reads works, records, motion, the plan; writes herds, blocks of lanes, works' flags.
  */
-#include "joints/joint_pass.h"
+#include "base/cpu.h"
+#include "direct/batched_trees.h"
 
 #include <string.h>
 
@@ -214,6 +215,20 @@ static void component_place(maker *m, cni_component *c)
 
 /* ---- passes ---- */
 
+/* The widest that this build and this processor have. */
+static const cni_herd_kernel *kernel_choose(void)
+{
+#if CNI_HAS_WIDE_8
+	if (cni_cpu_has_avx2())
+		return &cni_herd_kernel_8;
+#endif
+#if CNI_HAS_WIDE_4
+	return &cni_herd_kernel_4;
+#else
+	return &cni_herd_kernel_plain;
+#endif
+}
+
 typedef struct herd_loop {
 	cn_world *world;
 	cni_herd *herds;
@@ -254,25 +269,25 @@ void cni_herds_make(cn_world *world, const cni_solve *s, cni_sparse *sparse)
 		if (sparse->components[k].herds)
 			component_place(&m, &sparse->components[k]);
 	}
-	herds_run(world, s, s->joint_kernel->herd_begin);
+	herds_run(world, s, kernel_choose()->begin);
 }
 
 void cni_herds_warm(cn_world *world, const cni_solve *s)
 {
-	herds_run(world, s, s->joint_kernel->herd_warm);
+	herds_run(world, s, kernel_choose()->warm);
 }
 
 void cni_herds_solve(cn_world *world, const cni_solve *s)
 {
-	herds_run(world, s, s->joint_kernel->herd_solve);
+	herds_run(world, s, kernel_choose()->solve);
 }
 
 void cni_herds_relax(cn_world *world, const cni_solve *s)
 {
-	herds_run(world, s, s->joint_kernel->herd_relax);
+	herds_run(world, s, kernel_choose()->relax);
 }
 
 void cni_herds_close(cn_world *world, const cni_solve *s)
 {
-	herds_run(world, s, s->joint_kernel->herd_close);
+	herds_run(world, s, kernel_choose()->close);
 }

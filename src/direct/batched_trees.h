@@ -15,9 +15,8 @@
 #ifndef CNI_DIRECT_BATCHED_TREES_H
 #define CNI_DIRECT_BATCHED_TREES_H
 
-#include "joints/joint_work.h"
-
-struct cni_joint_block; /* joints/joint_pass.h */
+#include "direct/direct_system.h"
+#include "joints/joint_pass.h"
 
 typedef struct cni_herd {
 	struct cni_joint_block *nodes;
@@ -33,5 +32,26 @@ typedef struct cni_herd {
 	uint32_t source[CNI_KIND_NODES + 2];   /* by body: bytes from the nodes on to the row with its index; its inertia is CNI_SIDE_BYTES behind */
 	int32_t bodies;                        /* with the one that cannot move, if there is one */
 } cni_herd;
+
+typedef struct cni_herd_pass {
+	cni_joint_pass joint;
+	float rate, push; /* part of a gap that is closed in a second, and the greatest speed of it */
+	float parting;    /* speed of a pin that hard stops may leave */
+	float turn_least; /* radians a second: arms that turn slower stay on the tangent */
+} cni_herd_pass;
+
+typedef void cni_herd_kernel_fn(cni_motion *motions, cni_velocity_start *starts, cni_herd *herd, const cni_herd_pass *pass);
+
+typedef struct cni_herd_kernel {
+	cni_herd_kernel_fn *begin; /* factors of the systems */
+	cni_herd_kernel_fn *warm;
+	cni_herd_kernel_fn *solve;
+	cni_herd_kernel_fn *relax;
+	cni_herd_kernel_fn *close; /* after contacts: those of herd->asked that came apart, which become herd->parting */
+} cni_herd_kernel;
+
+extern const cni_herd_kernel cni_herd_kernel_plain; /* width 1: any compiler */
+extern const cni_herd_kernel cni_herd_kernel_4;     /* SSE2, NEON, WASM SIMD */
+extern const cni_herd_kernel cni_herd_kernel_8;     /* AVX2, chosen at run time */
 
 #endif

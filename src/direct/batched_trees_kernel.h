@@ -1,11 +1,12 @@
 /*
- * direct/batched_trees_kernel.h - passes over herds of trees (direct/batched_trees.h) for one instruction set: a part of
- * joints/joint_kernel.h, which includes it.
+ * direct/batched_trees_kernel.h - passes over herds of trees (direct/batched_trees.h) for one instruction set, with the formulas of
+ * joints/joint_kernel.h.
  *
  * A pin's two rows are (-1, 0, ay | 1, 0, -by) and (0, -1, -ax | 0, 1, bx), so that what linear/sparse_solve.c multiplies
  * by one or zero is left out here; the rest, and its order, are the same.
  */
 #include "direct/batched_trees.h"
+#include "joints/joint_kernel.h"
 
 /* The bodies of a herd's lanes, in a pass. */
 typedef struct flock {
@@ -516,3 +517,5 @@ static void herd_relax(cni_motion *motions, cni_velocity_start *starts, cni_herd
 		flock_scatter(motions, herd, l, &f);
 	}
 }
+
+const cni_herd_kernel CNI_KERNEL = { herd_begin, herd_warm, herd_solve, herd_relax, herd_close };

@@ -14,7 +14,7 @@
  * Reads and writes presses, motion velocities, joint works' impulses.
  */
 #include "direct/direct_contact.h"
-#include "joints/joint_work.h"
+#include "direct/direct_system.h"
 
 #include <string.h>
 

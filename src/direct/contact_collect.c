@@ -4,6 +4,7 @@
  *
  * Reads contacts of islands; reads and writes lanes of contact blocks.
  */
+#include "contacts/contacts.h"
 #include "direct/direct_contact.h"
 
 #include <string.h>

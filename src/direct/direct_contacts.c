@@ -10,7 +10,7 @@
  * Reads and writes lanes of contact blocks, motion velocities, joint works' impulses.
  */
 #include "direct/direct_contact.h"
-#include "joints/joint_work.h"
+#include "direct/direct_system.h"
 
 #include <string.h>
 

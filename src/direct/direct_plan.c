@@ -10,8 +10,9 @@
  *
  * Reads works, motion and the tiers of islands; writes works' flags, refused islands, and the plans that the world keeps.
  */
+#include "direct/direct.h"
 #include "direct/direct_contact.h"
-#include "joints/joint_work.h"
+#include "direct/direct_system.h"
 
 /* ---- limits, memory ---- */
 
@@ -48,7 +49,7 @@ uint64_t cni_direct_kept_bytes(int32_t solver, int32_t joints, int32_t contacts)
 	return cni_sparse_kept_bytes(joints + presses, work_of(solver, joints, presses)) + CNI_KEPT_BYTES;
 }
 
-uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies)
+uint64_t cni_direct_plan_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies)
 {
 	int32_t presses = presses_of(solver, contacts), links = joints + presses;
 	int64_t work = work_of(solver, joints, presses);
@@ -56,7 +57,7 @@ uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int3
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
 	return joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_press) * (uint64_t)presses +
-	       2 * sizeof(int32_t) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 832 + cni_herd_bytes(joints) + cni_sparse_bytes(links, bodies + 1, work);
+	       2 * sizeof(int32_t) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 832 + cni_sparse_bytes(links, bodies + 1, work);
 }
 
 /* ---- joints ---- */

@@ -24,7 +24,7 @@
  * Reads presses and motion velocities; writes presses' impulses and states, nodes' total, motion velocities.
  */
 #include "direct/direct_contact.h"
-#include "joints/joint_work.h"
+#include "direct/direct_system.h"
 
 #include <string.h>
 

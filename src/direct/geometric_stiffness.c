@@ -13,7 +13,7 @@
  *
  * Reads works, motion, the sparse system's turn; writes its pull and the third rows of its nodes.
  */
-#include "joints/joint_work.h"
+#include "direct/direct_system.h"
 
 #define XI_MOST 1.0f
 

@@ -9,6 +9,8 @@
  *
  * Reads and writes what direct/direct_joints.c and contact_solve.c do, between their passes.
  */
+#include "direct/direct.h"
+#include "contacts/contacts.h"
 #include "direct/batched_trees.h"
 #include "direct/direct_contact.h"
 

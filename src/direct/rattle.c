@@ -30,6 +30,7 @@
  *
  * Reads works, drives, motion; writes motion, start, works' rows and flags, drive flags.
  */
+#include "direct/direct.h"
 #include "direct/rattle.h"
 
 #define CLOSED 2e-6f           /* length units or radians: a joint that is closed */

@@ -4,7 +4,7 @@
 #ifndef CNI_DIRECT_RATTLE_H
 #define CNI_DIRECT_RATTLE_H
 
-#include "joints/joint_work.h"
+#include "direct/direct_system.h"
 
 #define GAP_OLD 100.0f          /* times CLOSED: a gap that this step has not made */
 #define ENERGY_GAIN 0.01f      /* part of the kinetic energy that a step may take out: more is a step that failed */

@@ -25,6 +25,8 @@
  *
  * Reads lanes, islands, motion; writes islands' tier fields, world->direct_islands.
  */
+#include "direct/direct.h"
+#include "contacts/contacts.h"
 #include "base/cpu.h"
 #include "direct/direct_contact.h"
 #include "model/solve.h"
@@ -34,7 +36,6 @@
 #endif
 
 #define ISLANDS_MOST 64        /* solved directly at the same time, of CN_SOLVER_AUTO */
-#define QUIET_SPEED 0.5f       /* length units a second: what moves faster is no pile */
 #define STAY_FIRST 15          /* good steps until an island is given back, the first time */
 #define STAY_FACTOR 4          /* ... and each time it turned bad again after that */
 #define STAY_MOST 100000
@@ -43,8 +44,6 @@
 #define REFUSED_MOST 1920
 #define FORGET_FACTOR 8         /* times as long as it was refused, or was to stay: then that begins anew */
 #define FALLS_STEPS 8          /* in which it comes down, until it is left to the soft solver */
-#define STRESS_MOST 15.0f      /* own weights: what bears more is crushed by the soft solver */
-#define BUCKLING 0.055f        /* ... and what bears s of them when s^2 g h^2 is more than this part of its size */
 #define BLOCKS_AT_ONCE 8       /* whose memory is asked for */
 #define HEAVIER 5.0f           /* times: such a body on a lighter one may crush it */
 
@@ -57,31 +56,6 @@ typedef struct look {
 static int32_t *listed(const cn_world *world)
 {
 	return (int32_t *)world->direct_islands.data;
-}
-
-int32_t cni_body_is_quiet(const cn_world *world, const cni_body *b)
-{
-	const cni_motion *m = cni_motions(world) + b->awake;
-	float most = QUIET_SPEED * world->settings.length_unit, turn = m->w * b->extent;
-	return m->vx * m->vx + m->vy * m->vy <= most * most && turn * turn <= most * most;
-}
-
-int32_t cni_island_is_quiet(const cn_world *world, const cni_island *i)
-{
-	int32_t body;
-	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
-		if (!cni_body_is_quiet(world, cni_body_at(world, body)))
-			return 0;
-	return 1;
-}
-
-int32_t cni_island_has_joints(const cn_world *world, int32_t island)
-{
-	int32_t body;
-	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
-		if (cni_body_at(world, body)->joint_first != CNI_NONE)
-			return 1;
-	return 0;
 }
 
 /* Contacts of an island with joints are solved directly only where a body asks for it. */
@@ -202,18 +176,6 @@ static float overlap(const cni_contact_block *k, int32_t l)
 static int32_t lane_is_new(const cni_contact_block *k, int32_t l, float slop)
 {
 	return k->p[0].jn[l] + k->p[1].jn[l] == 0.0f && overlap(k, l) > -0.1f * slop;
-}
-
-/*
- * They give way by some g h^2 for each weight, so that a column of s bodies shortens by s^2 of that. When this is no longer
- * small beside its width, the column leans faster than it is righted: small bodies sooner than large ones.
- */
-int32_t cni_is_stressed(const cn_world *world, int32_t ia, int32_t ib, float impulse, float h, float part)
-{
-	float g = cni_length(world->settings.gravity), inv_a = cni_motions(world)[ia].inv_mass, inv_b = cni_motions(world)[ib].inv_mass;
-	float stress = g > 0.0f ? impulse * cni_max(inv_a, inv_b) / (part * h * g) : 0.0f;
-	float size = cni_body_at(world, cni_awake_ids(world)[inv_b > inv_a ? ib : ia])->extent;
-	return stress > STRESS_MOST || stress * stress * g * h * h > BUCKLING * size;
 }
 
 /* May it come to bear that much? What lies on it is much heavier, or it bears half as much already. */

@@ -89,4 +89,12 @@ cn_mass_data cni_geometry_mass(const cni_geometry *g, float density);
 /* local is in the body's frame. Edges and chains contain nothing. */
 int32_t cni_geometry_contains(const cni_geometry *g, cni_vec2 local);
 
+/* A child of a geometry as a rounded convex point set: all of its points, or the two of a chain's edge. */
+typedef struct cni_proxy_points {
+	const cni_vec2 *points;
+	int32_t count;
+	float radius;
+} cni_proxy_points;
+cni_proxy_points cni_geometry_proxy(const cni_geometry *g, int32_t child, cni_vec2 edge_storage[2]);
+
 #endif

@@ -1,9 +1,9 @@
 /*
- * joints/joint_kernel.h - the kernel of joints of one instruction set: included by joint_kernel_*.c, which
+ * joints/joint_kernel.h - the kernel of joints of one instruction set: included by the kernels that use it, which
  * define CNI_WIDTH and CNI_KERNEL (the name of the table they fill). Results do not depend on the width.
  *
- * Here are revolute joints; herds of them and lanes of other joints' rows are in batched_trees_kernel.h and
- * joint_rows_kernel.h, which this includes.
+ * Here are the formulas of revolute joints. joint_passes_kernel.h has their passes, joint_rows_kernel.h lanes of other joints' rows,
+ * direct/batched_trees_kernel.h batches of trees of them.
  *
  * With the letters of joints/joint_pass.h, the pin's velocity is
  *   v = (vb + wb x rb) - (va + wa x ra)         K = sum of m + I^-1 terms, det K without cancellation:
@@ -224,33 +224,6 @@ CNI_INLINE void impulse_add(float *impulse, cni_wide change)
 	cni_wide_store(impulse, cni_wide_load(impulse) + change);
 }
 
-CNI_INLINE void solve_lanes(cni_motion *motions, cni_joint_block *k, const cni_joint_pass *pass, int32_t lanes, int32_t angular)
-{
-	int32_t l;
-	for (l = 0; l < lanes; l += CNI_WIDTH) {
-		arms r = arms_load(k, l);
-		side a, b;
-		cni_wide dx, dy;
-		side_gather(motions, k->ia + l, k->ai + l, &a);
-		side_gather(motions, k->ib + l, k->bi + l, &b);
-		solve_group(k, l, &a, &b, &r, pass, 1, angular, 1, &dx, &dy);
-		impulse_add(k->jx + l, dx);
-		impulse_add(k->jy + l, dy);
-		side_scatter(motions, k->ia + l, k->moves_a >> l, &a);
-		side_scatter(motions, k->ib + l, k->moves_b >> l, &b);
-	}
-}
-
-/* Few springs and motors among plain pins: a loop of its own for these. */
-static void kernel_solve(cni_motion *motions, cni_velocity_start *starts, cni_joint_block *k, const cni_joint_pass *pass, int32_t lanes)
-{
-	(void)starts;
-	if (k->angular)
-		solve_lanes(motions, k, pass, lanes, 1);
-	else
-		solve_lanes(motions, k, pass, lanes, 0);
-}
-
 /* ---- new positions ---- */
 
 /* Where one side's bodies have gone since the step began. */
@@ -308,63 +281,9 @@ CNI_INLINE void start_turn(cni_velocity_start *starts, const int32_t *index, uin
 	moving_scatter((float *)(void *)starts, START_FLOATS, index, moves, vx, vy, w - spin, struck);
 }
 
-CNI_INLINE void relax_lanes(cni_motion *motions, cni_velocity_start *starts, cni_joint_block *k, const cni_joint_pass *pass, int32_t lanes, int32_t angular)
-{
-	int32_t l;
-	for (l = 0; l < lanes; l += CNI_WIDTH) {
-		cni_wide jx = cni_wide_load(k->jx + l), jy = cni_wide_load(k->jy + l);
-		place at_a = place_gather(motions, k->ia + l), at_b = place_gather(motions, k->ib + l);
-		arms old = arms_load(k, l), r = arms_renew(&at_a, &at_b, k, l, angular);
-		side a, b;
-		cni_wide dx, dy;
-		side_gather(motions, k->ia + l, k->ai + l, &a);
-		side_gather(motions, k->ib + l, k->bi + l, &b);
-		start_turn(starts, k->ia + l, k->moves_a >> l, -(a.i * ((r.ax - old.ax) * jy - (r.ay - old.ay) * jx)));
-		start_turn(starts, k->ib + l, k->moves_b >> l, b.i * ((r.bx - old.bx) * jy - (r.by - old.by) * jx));
-		solve_group(k, l, &a, &b, &r, pass, 0, angular, 1, &dx, &dy);
-		impulse_add(k->jx + l, dx);
-		impulse_add(k->jy + l, dy);
-		side_scatter(motions, k->ia + l, k->moves_a >> l, &a);
-		side_scatter(motions, k->ib + l, k->moves_b >> l, &b);
-	}
-}
-
-static void kernel_relax(cni_motion *motions, cni_velocity_start *starts, cni_joint_block *k, const cni_joint_pass *pass, int32_t lanes)
-{
-	if (k->angular)
-		relax_lanes(motions, starts, k, pass, lanes, 1);
-	else
-		relax_lanes(motions, starts, k, pass, lanes, 0);
-}
-
-/* ---- warm start ---- */
-
 CNI_INLINE cni_wide warmed(float *impulse, float scale)
 {
 	cni_wide j = cni_wide_load(impulse) * scale;
 	cni_wide_store(impulse, j);
 	return j;
 }
-
-static void kernel_warm(cni_motion *motions, cni_velocity_start *starts, cni_joint_block *k, const cni_joint_pass *pass, int32_t lanes)
-{
-	int32_t l;
-	(void)starts;
-	for (l = 0; l < lanes; l += CNI_WIDTH) {
-		arms r = arms_load(k, l);
-		cni_wide jx = warmed(k->jx + l, pass->warm_scale), jy = warmed(k->jy + l, pass->warm_scale), t;
-		side a, b;
-		t = warmed(k->spring_j + l, pass->warm_scale) + warmed(k->motor_j + l, pass->warm_scale) + warmed(k->limit_j + l, pass->warm_scale);
-		side_gather(motions, k->ia + l, k->ai + l, &a);
-		side_gather(motions, k->ib + l, k->bi + l, &b);
-		push(&a, &b, &r, jx, jy, t);
-		side_scatter(motions, k->ia + l, k->moves_a >> l, &a);
-		side_scatter(motions, k->ib + l, k->moves_b >> l, &b);
-	}
-}
-
-#include "direct/batched_trees_kernel.h"
-#include "joints/joint_rows_kernel.h"
-
-const cni_joint_kernel CNI_KERNEL = { kernel_warm, kernel_solve, kernel_relax, herd_begin, herd_warm, herd_solve, herd_relax, herd_close,
-	row_lanes_begin, row_lanes_warm, row_lanes_solve, row_lanes_relax, row_lanes_finish };

@@ -11,7 +11,7 @@
 #include "base/avx2_begin.h"
 #define CNI_WIDTH 8
 #define CNI_KERNEL cni_joint_kernel_8
-#include "joints/joint_kernel.h"
+#include "joints/joint_passes_kernel.h"
 #include "base/avx2_end.h"
 #else
 typedef int cni_no_joint_kernel_8;

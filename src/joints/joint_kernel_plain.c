@@ -3,4 +3,4 @@
  */
 #define CNI_WIDTH 1
 #define CNI_KERNEL cni_joint_kernel_plain
-#include "joints/joint_kernel.h"
+#include "joints/joint_passes_kernel.h"

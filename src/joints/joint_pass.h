@@ -19,7 +19,6 @@
 #ifndef CNI_JOINTS_JOINT_PASS_H
 #define CNI_JOINTS_JOINT_PASS_H
 
-#include "direct/batched_trees.h"
 #include "joints/joint_rows.h"
 
 typedef struct cni_joint_block {
@@ -54,27 +53,13 @@ typedef struct cni_joint_pass {
 	cni_soft soft;
 } cni_joint_pass;
 
-typedef struct cni_herd_pass {
-	cni_joint_pass joint;
-	float rate, push; /* part of a gap that is closed in a second, and the greatest speed of it */
-	float parting;    /* speed of a pin that hard stops may leave */
-	float turn_least; /* radians a second: arms that turn slower stay on the tangent */
-} cni_herd_pass;
-
 /* Works on the first lanes of the block, and on those behind them up to a whole vector, which are empty. */
 typedef void cni_joint_kernel_fn(cni_motion *motions, cni_velocity_start *starts, cni_joint_block *block, const cni_joint_pass *pass, int32_t lanes);
-
-typedef void cni_herd_kernel_fn(cni_motion *motions, cni_velocity_start *starts, struct cni_herd *herd, const cni_herd_pass *pass);
 
 typedef struct cni_joint_kernel {
 	cni_joint_kernel_fn *warm;
 	cni_joint_kernel_fn *solve;
 	cni_joint_kernel_fn *relax;
-	cni_herd_kernel_fn *herd_begin; /* factors of the systems */
-	cni_herd_kernel_fn *herd_warm;
-	cni_herd_kernel_fn *herd_solve;
-	cni_herd_kernel_fn *herd_relax;
-	cni_herd_kernel_fn *herd_close; /* after contacts: those of herd->asked that came apart, which become herd->parting */
 	cni_row_kernel_fn *rows_begin;  /* first rows, and impulses of records to those of lanes */
 	cni_row_kernel_fn *rows_warm;
 	cni_row_kernel_fn *rows_solve;

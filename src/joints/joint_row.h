@@ -4,7 +4,7 @@
 #ifndef CNI_JOINTS_JOINT_ROW_H
 #define CNI_JOINTS_JOINT_ROW_H
 
-#include "model/joint.h"
+#include "joints/joint_type.h"
 
 #include <string.h>
 

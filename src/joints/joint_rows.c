@@ -8,6 +8,7 @@
  *
  * Reads works, records, motion; writes blocks, and after the substeps records' impulses.
  */
+#include "joints/joints.h"
 #include "joints/joint_pass.h"
 
 #include <string.h>

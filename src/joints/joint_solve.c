@@ -9,6 +9,7 @@
  * Reads records and motion, writes motion velocities, the records' turns; breaks joints
  * whose largest reaction within the step was beyond their threshold.
  */
+#include "joints/joints.h"
 #include "joints/joint_pass.h"
 
 #define PREFETCH_AHEAD 8 /* joints */
@@ -65,7 +66,6 @@ void cni_joints_warm_start(cn_world *world, const cni_solve *s)
 		}
 	}
 	cni_joint_blocks_warm(world, s);
-	cni_herds_warm(world, s);
 }
 
 /* ---- impulses ---- */
@@ -220,8 +220,6 @@ void cni_joints_solve(cn_world *world, const cni_solve *s)
 	for (k = world->joint_plain_first; k != CNI_NONE; k = cni_joint_works(world)[k].next_plain)
 		solve_work(cni_joint_works(world) + k, cni_motions(world), s, 1);
 	cni_joint_blocks_solve(world, s);
-	cni_herds_solve(world, s);
-	cni_direct_solve(world, s, 1);
 }
 
 void cni_joints_solve_fresh(cn_world *world, const cni_solve *s, int32_t constraints)
@@ -247,8 +245,12 @@ void cni_joints_relax(cn_world *world, const cni_solve *s)
 		solve_work(w, cni_motions(world), s, 0);
 	}
 	cni_joint_blocks_relax(world, s);
-	cni_herds_relax(world, s);
-	cni_direct_solve(world, s, 0);
+}
+
+void cni_joints_stress(cn_world *world, const cni_solve *s)
+{
+	int32_t k;
+	cni_joint_work *w;
 	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
 		w = cni_joint_works(world) + k;
 		if (w->flags & CNI_WORK_BREAKABLE)

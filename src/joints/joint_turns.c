@@ -10,7 +10,7 @@
  * part is computed with the rounding error of the product (Dekker, 1971) and so stays exact to a few
  * 1e-7 of the ratio.
  */
-#include "model/world.h"
+#include "joints/joint_type.h"
 
 #define TURN_RAD 6.28318530717958f
 

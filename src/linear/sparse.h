@@ -19,7 +19,10 @@
 #ifndef CNI_LINEAR_SPARSE_H
 #define CNI_LINEAR_SPARSE_H
 
-#include "model/world.h"
+#include "base/ablation.h"
+#include "base/arena.h"
+#include "base/table.h"
+#include "linear/motion.h"
 
 #define CNI_NODE_ROWS 3
 #define CNI_PIVOT_LEAST 2e-6f /* a pivot below this part of the diagonal it came from is rounding */

@@ -4,10 +4,11 @@
  * Invariant: for every dense index k >= 1, record awake_id[k] has awake == k; every lane of a touching
  * contact names its bodies by their present dense index, 0 for one that has none.
  */
-#include "collision/distance.h"
 #include "model/world.h"
 
 #include <string.h>
+
+const cni_body cni_body_nowhere;
 
 cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b)
 {

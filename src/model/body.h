@@ -21,6 +21,7 @@
 
 #include "base/blocks.h"
 #include "base/maths.h"
+#include "linear/motion.h"
 #include "base/threads.h"
 
 #include <string.h>
@@ -84,12 +85,6 @@ static inline void cni_body_restless(cni_body *b)
 #define CNI_BODY_ROUNDING 4e-6f
 
 #define CNI_SWING_UNIT (1.0f / 255.0f)
-
-/* 32 bytes, aligned: the solver gathers and scatters these. */
-typedef struct cni_motion {
-	float vx, vy, w, inv_mass;
-	float dpx, dpy, theta, inv_inertia; /* change of centre and angle since the step began */
-} cni_motion;
 
 /* What floats could not hold, among absurd speeds, does not become a pose: the body stays where it is, and stands. */
 static inline void cni_motion_keep_finite(cni_motion *m)
@@ -251,5 +246,13 @@ void cni_body_refresh_motion(cn_world *world, cni_body *b);
 void cni_body_set_transform(cn_world *world, int32_t body, cni_vec2 origin, cni_rot q);
 /* Brings fat boxes up to date after a change of pose: those that were left are moved. */
 void cni_body_refresh_boxes(cn_world *world, int32_t body);
+
+/* A record as kernels read it, and one in place of those of the world and of unused lanes. */
+extern const cni_body cni_body_nowhere;
+
+static inline const float *cni_record_floats(const cni_body *b)
+{
+	return (const float *)(const void *)b;
+}
 
 #endif

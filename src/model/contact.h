@@ -217,6 +217,8 @@ void cni_contact_loosen(cn_world *world, int32_t contact);
 void cni_contact_loosen_body(cn_world *world, const cni_body *b);
 /* Dense index of a body changed: fixes its lanes. */
 void cni_contact_fix_body(cn_world *world, int32_t body);
+/* Gives the place of a sleeping contact in the sleep store back. */
+void cni_contact_sleep_lane_free(cn_world *world, cni_contact *c);
 /* Moves a touching contact between its lane and the sleep store. */
 void cni_contact_lane_to_sleep(cn_world *world, int32_t contact);
 void cni_contact_sleep_to_lane(cn_world *world, int32_t contact);

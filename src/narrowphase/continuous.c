@@ -18,6 +18,7 @@
  *
  * Reads bodies, shapes, the broadphase; writes the changes in motion of the bodies that meet, and the velocities of those that slide.
  */
+#include "narrowphase/narrowphase.h"
 #include "collision/distance.h"
 #include "collision/toi.h"
 #include "model/solve.h"

@@ -12,6 +12,7 @@
  */
 #include "base/bitset.h"
 #include "contacts/contact_pass.h"
+#include "narrowphase/touch.h"
 
 #include <stddef.h>
 #include <string.h>
@@ -19,8 +20,6 @@
 /* What kernels read of a record. */
 typedef char cni_body_begins_with_pose[offsetof(cni_body, cx) == 0 && offsetof(cni_body, q) == 16 && offsetof(cni_body, extent) == 32 ? 1 : -1];
 typedef char cni_follow_pose_begins_alike[offsetof(cni_follow_pose, c) == offsetof(cni_body, q) && offsetof(cni_follow_pose, extent) == 24 ? 1 : -1];
-
-const cni_body cni_body_nowhere;
 
 /* 10 us of work where all is followed. */
 #define BLOCKS_A_RANGE 32

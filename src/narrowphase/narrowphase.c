@@ -16,6 +16,7 @@
  * Reads bodies, geometry, proxies; writes contacts, lanes, and through them islands and events; marks
  * bodies that have static ones about them.
  */
+#include "narrowphase/narrowphase.h"
 #include "collision/manifold_boxes.h"
 #include "narrowphase/cull.h"
 

@@ -5,6 +5,7 @@
  * in the same order whatever broadphase found them. A pair that finds no memory is asked for again at
  * the next step (its proxy is touched) and counted.
  */
+#include "narrowphase/narrowphase.h"
 #include "model/solve.h"
 
 static void pair_lose(cn_world *world, const cni_pair *pair)

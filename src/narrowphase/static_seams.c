@@ -4,6 +4,7 @@
  *
  * Reads proxies, shapes, bodies, the broadphase; writes the seams in geometry records.
  */
+#include "narrowphase/narrowphase.h"
 #include "collision/seam.h"
 #include "model/solve.h"
 

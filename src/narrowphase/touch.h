@@ -60,4 +60,8 @@ int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt
 void cni_touch_collide(cni_touch *out);
 void cni_touch_finish(const cn_world *world, float dt, cni_touch *out);
 
+/* What of stage 3 needs no manifold: lanes whose bodies have hardly moved are brought up to date. The contacts of all
+   others go to left, which has room for every lane; returns how many. dt 0: none is followed. */
+int32_t cni_contacts_follow(cn_world *world, float dt, int32_t *left);
+
 #endif

@@ -19,6 +19,7 @@
  *
  * Reads bodies (pose and velocity as the step began), islands, drives, joints, lanes; writes motion.
  */
+#include "step/stages.h"
 #include "joints/joint_work.h"
 
 #include <string.h>

@@ -16,6 +16,7 @@
  * Reads motion, bodies (velocity as the step began), drives, islands; writes drives' flag SWUNG, the block list, and
  * which directly solved systems are done.
  */
+#include "step/stages.h"
 #include "model/solve.h"
 #include "linear/sparse.h"
 

@@ -2,6 +2,7 @@
  * step/event_callbacks.c - stage 9: calls the user's contact callbacks in the order of the event arrays.
  * The world is locked meanwhile. Reads logs and contacts; costs nothing without callbacks.
  */
+#include "step/stages.h"
 #include "model/solve.h"
 
 void cni_stage_events(cn_world *world)

@@ -11,6 +11,7 @@
  * Workers may share all of it but for what the broadphase is told: they give proxies their new boxes, and one tells it in
  * the order of the bodies which those are.
  */
+#include "step/stages.h"
 #include "base/bitset.h"
 #include "step/integrate_pass.h"
 

@@ -12,6 +12,7 @@
  * to all impulses, so adding it again is the next substep's warm start (exact, because contact anchors
  * are fixed within the step; joints correct for their turning anchors in joint_solve.c).
  */
+#include "step/stages.h"
 #include "base/cpu.h"
 #include "step/integrate_pass.h"
 #if CNI_HAS_WIDE_4

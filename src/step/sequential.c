@@ -15,6 +15,8 @@
  *
  * Reads and writes what the stages of the soft step do: motion, bodies, lanes (through the narrowphase).
  */
+#include "step/stages.h"
+#include "joints/joints.h"
 #include "step/sequential.h"
 
 /* ---- 1, 2: motion ---- */

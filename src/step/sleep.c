@@ -5,6 +5,9 @@
  * a step, so that what no longer holds together may sleep apart. What touches a moving kinematic body, or is
  * jointed to one, stays awake. So does what a motor moves, and what sags because the direct solver has found no solution for it.
  */
+#include "step/stages.h"
+#include "joints/joint_type.h"
+#include "direct/direct.h"
 #include "model/solve.h"
 
 static void keep_touching_awake(cn_world *world, int32_t body)

@@ -1,11 +1,16 @@
 /*
- * step/step.c - one step, from beginning to end. Each line of world_step is a stage; what a stage reads
+ * step/step.c - one step, from beginning to end. Each line of cni_step is a stage; what a stage reads
  * and writes is in its file.
  */
+#include "step/stages.h"
+#include "narrowphase/narrowphase.h"
+#include "joints/joints.h"
+#include "direct/direct.h"
+#include "contacts/contacts.h"
 #include "base/clock.h"
 #include "step/sequential.h"
 #include "linear/sparse.h"
-#include "world/error.h"
+#include "step/step.h"
 
 #include <string.h>
 
@@ -45,6 +50,30 @@ typedef struct substeps {
 	const cni_solve *s;
 } substeps;
 
+static void joints_warm_start(cn_world *world, const cni_solve *s)
+{
+	if (world->awake_joints.count == 0)
+		return;
+	cni_joints_warm_start(world, s);
+	cni_direct_warm_start(world, s);
+}
+
+static void joints_solve(cn_world *world, const cni_solve *s)
+{
+	if (world->awake_joints.count > 0)
+		cni_joints_solve(world, s);
+	cni_direct_solve(world, s, 1);
+}
+
+static void joints_relax(cn_world *world, const cni_solve *s)
+{
+	if (world->awake_joints.count > 0)
+		cni_joints_relax(world, s);
+	cni_direct_solve(world, s, 0);
+	if (world->awake_joints.count > 0)
+		cni_joints_stress(world, s);
+}
+
 static void substeps_lead(void *context)
 {
 	cn_world *world = ((const substeps *)context)->world;
@@ -53,16 +82,16 @@ static void substeps_lead(void *context)
 	for (k = 0; k < s->substeps; ++k) {
 		cni_integrate_velocities(world, s, k);
 		if (k == 0) {
-			cni_joints_warm_start(world, s);
+			joints_warm_start(world, s);
 			cni_contacts_warm_start(world, s);
 		}
 		if (CNI_ON(IMPACTS))
 			cni_contacts_impact(world, s);
-		cni_joints_solve(world, s);
+		joints_solve(world, s);
 		cni_contacts_solve(world, s);
 		cni_direct_close(world, s);
 		cni_integrate_positions(world, s);
-		cni_joints_relax(world, s);
+		joints_relax(world, s);
 		cni_contacts_relax(world, s);
 		if (CNI_ON(SHOCKS))
 			cni_shocks_forget(world, s);
@@ -137,7 +166,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	return rested;
 }
 
-/* The paper's twelve steps, numbered as in step/sequential.c; 12 is in world_step. */
+/* The paper's twelve steps, numbered as in step/sequential.c; 12 is in cni_step. */
 static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
 {
 	cn_profile *profile = &world->profile;
@@ -167,7 +196,7 @@ static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
 	return rested;
 }
 
-static void world_step(cn_world *world, float dt)
+void cni_step(cn_world *world, float dt)
 {
 	cn_profile *profile = &world->profile;
 	int32_t rested;
@@ -184,13 +213,4 @@ static void world_step(cn_world *world, float dt)
 	profile_mark(world, &profile->events_s, &mark);
 	step_end(world, dt, rested);
 	profile_mark(world, &profile->step_s, &begin);
-}
-
-cn_result cn_world_step(cn_world *world, float dt_s)
-{
-	cni_call call = cni_enter(world, "cn_world_step");
-	cni_check_range(&call, "dt_s", dt_s, 0.0f, 1.0f);
-	if (call.result == CN_OK)
-		world_step(world, dt_s);
-	return call.result;
 }

@@ -8,6 +8,7 @@
  *
  * Reads motion, start, drive, joint works; writes start (struck, and the response that is taken out), joint impulses.
  */
+#include "step/stages.h"
 #include "step/integrate_pass.h"
 #include "joints/joint_work.h"
 

@@ -5,6 +5,9 @@
  * lies at its beginning and the rest of the block serves everything else; all capacities are then
  * reserved at once, so that a world within its capacities never asks again.
  */
+#include "joints/joints.h"
+#include "direct/direct.h"
+#include "contacts/contacts.h"
 #include "joints/joint_pass.h"
 #include "linear/sparse.h"
 #include "world/error.h"

@@ -5,6 +5,8 @@
  * Everything is computed when it is asked for: the step only leaves behind, in each island's record, why it chose its tier
  * (direct/solver_selection.c). Contacts collide once more, at the poses that bodies have now. Writes nothing.
  */
+#include "joints/joint_type.h"
+#include "direct/direct.h"
 #include "narrowphase/touch.h"
 #include "model/solve.h"
 #include "world/error.h"

@@ -2,6 +2,7 @@
  * world/settings.c - the world's own numbers: settings that may change while it lives, and what it counts
  * and measures. Writes world->settings and user_data; wakes bodies where a setting asks for it.
  */
+#include "direct/direct.h"
 #include "model/solve.h"
 #include "world/error.h"
 

@@ -5,6 +5,7 @@
  *
  * If a width differs look in step/integrate_kernel.h, for poses in step/finalize_kernel.h; if a flag does, at its masks there.
  */
+#include "step/stages.h"
 #include "base/cpu.h"
 #include "step/integrate_pass.h"
 #include "world/fixture.h"

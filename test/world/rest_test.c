@@ -4,6 +4,7 @@
  * What is about to move moves as it should, however gently it is asked to; what stands on something slow is carried; an
  * island of which one body moves is solved as ever. If something sticks or lags, look at the conditions of body_rests.
  */
+#include "step/stages.h"
 #include "heaps.h"
 #include "model/world.h"
 #include "model/solve.h"

@@ -3,6 +3,8 @@
  * report says so and why; the work of that stays within the budget; bodies' and joints' own solvers are followed; what
  * cannot be solved directly is not, and nothing breaks; the report is deterministic and changes nothing.
  */
+#include "direct/direct.h"
+#include "contacts/contacts.h"
 #include "heaps.h"
 #include "joints.h"
 #include "model/world.h"
