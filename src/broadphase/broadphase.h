@@ -39,7 +39,7 @@ typedef struct cni_broadphase_pairs {
 } cni_broadphase_pairs;
 
 /* Leaves out what the caller does not want, where it was not asked yet; from then on nothing else is listed. */
-void cni_pairs_sift(cni_broadphase_pairs *pairs);
+void cni_pairs_cull(cni_broadphase_pairs *pairs);
 
 typedef struct cni_broadphase_context {
 	cni_memory *memory;    /* for what lives across steps */

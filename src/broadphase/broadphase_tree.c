@@ -194,7 +194,7 @@ static int32_t tree_cells(const cni_broadphase *broadphase)
 static uint64_t tree_bytes_needed(int32_t capacity)
 {
 	uint64_t proxies = (uint64_t)whole_pages(capacity);
-	return cni_memory_rounded(sizeof(tree_broadphase)) + cni_memory_rounded(proxies * sizeof(cni_tree_fork)) +
+	return cni_memory_rounded(sizeof(tree_broadphase)) + cni_memory_rounded(proxies * sizeof(cni_tree_node)) +
 	       cni_memory_rounded(proxies * sizeof(int32_t));
 }
 

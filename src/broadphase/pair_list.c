@@ -14,7 +14,7 @@ void cni_pairs_begin(cni_broadphase_pairs *pairs)
 	pairs->asked = 0;
 }
 
-void cni_pairs_sift(cni_broadphase_pairs *pairs)
+void cni_pairs_cull(cni_broadphase_pairs *pairs)
 {
 	cni_pair *list = (cni_pair *)pairs->list.data;
 	int32_t k, count = pairs->list.count;
@@ -30,12 +30,12 @@ void cni_pairs_sift(cni_broadphase_pairs *pairs)
 static int32_t list_is_full(const cni_broadphase_pairs *pairs) { return pairs->list.count == pairs->list.capacity; }
 static int32_t list_grow(cni_broadphase_pairs *pairs, cni_memory *memory) { return cni_array_reserve(&pairs->list, memory, pairs->list.count + 1); }
 
-/* A fixed block has room for pairs that become contacts and should not spend more on others: there the list is sifted before it grows. */
+/* A fixed block has room for pairs that become contacts and should not spend more on others: there the list is culled before it grows. */
 void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, int32_t b, cni_proxy *looks)
 {
 	cni_pair *pair;
 	if (list_is_full(pairs) && pairs->wanted != NULL && !pairs->asked && (memory->fixed || !list_grow(pairs, memory)))
-		cni_pairs_sift(pairs);
+		cni_pairs_cull(pairs);
 	if (pairs->asked && !pairs->wanted(pairs->wanted_context, cni_min_i(a, b), cni_max_i(a, b)))
 		return;
 	/* Once refused, memory is not asked for again. */

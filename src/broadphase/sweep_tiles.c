@@ -294,7 +294,7 @@ static void tile_cover(cni_sweep *sweep, cni_sweep_tile *tile, const cni_aabb *b
 }
 
 /* Bounds only grow until as much has changed as recomputing them costs. */
-static void tile_loosen(cni_sweep *sweep, cni_sweep_tile *tile)
+static void tile_unsort(cni_sweep *sweep, cni_sweep_tile *tile)
 {
 	if (++tile->slack > tile->count)
 		level_cover(&sweep->levels[tile->level], cni_sweep_tile_measure(sweep, tile));
@@ -393,7 +393,7 @@ void cni_sweep_entry_remove(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entr
 	--tile->count;
 	--sweep->levels[tile->level].entries;
 	cni_sweep_tile_pad(sweep, tile);
-	tile_loosen(sweep, tile);
+	tile_unsort(sweep, tile);
 }
 
 void cni_sweep_entry_shift(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry, const cni_aabb *box)
@@ -411,7 +411,7 @@ void cni_sweep_entry_shift(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry
 		entries_move(&rows, entry, entry + 1, k - entry);
 	entry_set(&rows, k, id, box);
 	tile_cover(sweep, tile, box);
-	tile_loosen(sweep, tile);
+	tile_unsort(sweep, tile);
 }
 
 /* ---- the walk over tiles near a box ---- */

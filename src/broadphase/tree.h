@@ -4,23 +4,23 @@
  * Pure structure without physics: items are small integers that the owner chooses, boxes are whatever the
  * owner pads them to. Two owners: the tree broadphase (broadphase/broadphase_tree.c) and cn_tree_* (world/tree.c).
  *
- * A fork has two sides, and on each side hangs an item or another fork; the fork keeps the boxes of both,
+ * A node has two sides, and on each side hangs an item or another node; the node keeps the boxes of both,
  * so that a search tests two children with one piece of memory. Where something hangs is a place:
  *
- *   place = 2 * fork + side           fork 0 is the stem: side 0 of it is place 0, the root
+ *   place = 2 * node + side           node 0 is the stem: side 0 of it is place 0, the root
  *
- *   fork 0  [ box of everything | 2 ]-+       child >= 0: a fork, < 0: ~item
+ *   node 0  [ box of everything | 2 ]-+       child >= 0: a node, < 0: ~item
  *                                     |
- *   fork 2  [ box | ~7 ][ box | 5 ]---+--+    places[item] says where an item hangs
+ *   node 2  [ box | ~7 ][ box | 5 ]---+--+    places[item] says where an item hangs
  *                                        |
- *   fork 5  [ box | ~3 ][ box | ~0 ]-----+    n items need n forks: n - 1 and the stem
+ *   node 5  [ box | ~3 ][ box | ~0 ]-----+    n items need n nodes: n - 1 and the stem
  *
  * A place has a mark when anything below it has. Every item is either MOVED or RESTS, as its owner says: pairs are
  * searched for what MOVED. STALE: the item's box was set, and its place not reconsidered yet. FAR, with STALE:
  * it will be inserted anew.
  *
  * Invariants: a place's box contains everything below (and is its union where nothing is STALE); of the
- * heights of a fork's two sides neither exceeds the other by more than CNI_TREE_LEAN, so that the height of
+ * heights of a node's two sides neither exceeds the other by more than CNI_TREE_LEAN, so that the height of
  * n items is below 2.5 log2(n) + 2 and searches need only small fixed stacks.
  *
  * Methods: see tree.c. Nothing here allocates but reserve.
@@ -43,18 +43,18 @@ enum {
 	CNI_TREE_FAR = 1u << 3
 };
 
-typedef struct cni_tree_fork {
+typedef struct cni_tree_node {
 	cni_aabb box[2];
 	int32_t child[2];
-	int32_t parent;    /* the place this fork hangs at; of a free fork the next free one */
+	int32_t parent;    /* the place this node hangs at; of a free node the next free one */
 	uint8_t height[2]; /* of what hangs there: 0 for an item */
 	uint8_t marks[2];
-} cni_tree_fork;
+} cni_tree_node;
 
 typedef struct cni_tree {
-	cni_array forks;    /* cni_tree_fork; count: ever used */
+	cni_array nodes;    /* cni_tree_node; count: ever used */
 	cni_array places;   /* int32_t by item, CNI_NONE when the item is not in the tree */
-	int32_t fork_free;  /* first of the free forks, or CNI_NONE */
+	int32_t node_free;  /* first of the free nodes, or CNI_NONE */
 	int32_t count;      /* items */
 	int32_t stale;      /* items with STALE */
 	uint32_t dice;
@@ -64,13 +64,13 @@ typedef struct cni_tree {
 	float cost;         /* after it, see cni_tree_cost */
 } cni_tree;
 
-static inline cni_tree_fork *cni_tree_fork_at(const cni_tree *tree, int32_t fork) { return (cni_tree_fork *)tree->forks.data + fork; }
-static inline cni_tree_fork *cni_tree_fork_of(const cni_tree *tree, int32_t place) { return cni_tree_fork_at(tree, place >> 1); }
-static inline const cni_aabb *cni_tree_box(const cni_tree *tree, int32_t place) { return &cni_tree_fork_of(tree, place)->box[place & 1]; }
-static inline int32_t cni_tree_child(const cni_tree *tree, int32_t place) { return cni_tree_fork_of(tree, place)->child[place & 1]; }
-static inline uint32_t cni_tree_marks(const cni_tree *tree, int32_t place) { return cni_tree_fork_of(tree, place)->marks[place & 1]; }
+static inline cni_tree_node *cni_tree_node_at(const cni_tree *tree, int32_t node) { return (cni_tree_node *)tree->nodes.data + node; }
+static inline cni_tree_node *cni_tree_node_of(const cni_tree *tree, int32_t place) { return cni_tree_node_at(tree, place >> 1); }
+static inline const cni_aabb *cni_tree_box(const cni_tree *tree, int32_t place) { return &cni_tree_node_of(tree, place)->box[place & 1]; }
+static inline int32_t cni_tree_child(const cni_tree *tree, int32_t place) { return cni_tree_node_of(tree, place)->child[place & 1]; }
+static inline uint32_t cni_tree_marks(const cni_tree *tree, int32_t place) { return cni_tree_node_of(tree, place)->marks[place & 1]; }
 static inline int32_t cni_tree_place(const cni_tree *tree, int32_t item) { return ((const int32_t *)tree->places.data)[item]; }
-static inline int32_t cni_tree_height(const cni_tree *tree) { return tree->count > 0 ? cni_tree_fork_at(tree, 0)->height[0] : 0; }
+static inline int32_t cni_tree_height(const cni_tree *tree) { return tree->count > 0 ? cni_tree_node_at(tree, 0)->height[0] : 0; }
 
 void cni_tree_init(cni_tree *tree);
 void cni_tree_deinit(cni_tree *tree, cni_memory *memory);

@@ -4,7 +4,7 @@
  *
  * Pairs are searched for every moved item, from where it hangs up to the root: its neighbours hang near, and
  * what is left and right of the way up says which of two moved items is to find the pair, so that each pair is
- * found once and whole forks of moved items need not be looked at twice.
+ * found once and whole nodes of moved items need not be looked at twice.
  */
 #include "broadphase/tree_parts.h"
 
@@ -23,8 +23,8 @@ void cni_tree_query(const cni_tree *tree, const cni_aabb *box, cni_tree_visit_fn
 		stack[top++] = cni_tree_child(tree, CNI_TREE_ROOT);
 	while (top > 0) {
 		int32_t child = stack[--top];
-		if (cni_tree_is_fork(child)) {
-			const cni_tree_fork *f = cni_tree_fork_at(tree, child);
+		if (cni_tree_is_node(child)) {
+			const cni_tree_node *f = cni_tree_node_at(tree, child);
 			if (top + 2 > CNI_TREE_STACK)
 				return;
 			stack[top] = f->child[1];
@@ -73,14 +73,14 @@ static inline float ray_order(const tree_ray *ray, const cni_aabb *b)
 	return ray->d.x * (b->x0 + b->x1) + ray->d.y * (b->y0 + b->y1);
 }
 
-/* The sides of a fork that the ray crosses, the nearer one on top. */
-static int32_t ray_push(const cni_tree *tree, const tree_ray *ray, int32_t fork, int32_t *stack, int32_t top)
+/* The sides of a node that the ray crosses, the nearer one on top. */
+static int32_t ray_push(const cni_tree *tree, const tree_ray *ray, int32_t node, int32_t *stack, int32_t top)
 {
-	const cni_tree_fork *f = cni_tree_fork_at(tree, fork);
+	const cni_tree_node *f = cni_tree_node_at(tree, node);
 	int32_t near = ray_order(ray, &f->box[1]) < ray_order(ray, &f->box[0]);
-	stack[top] = 2 * fork + 1 - near;
+	stack[top] = 2 * node + 1 - near;
 	top += ray_crosses(ray, &f->box[1 - near]);
-	stack[top] = 2 * fork + near;
+	stack[top] = 2 * node + near;
 	return top + ray_crosses(ray, &f->box[near]);
 }
 
@@ -101,7 +101,7 @@ void cni_tree_ray(const cni_tree *tree, cni_vec2 origin, cni_vec2 translation, c
 		/* The ray may be shorter than when this was put here. */
 		if (limit < 1.0f && !ray_crosses(&ray, cni_tree_box(tree, place)))
 			continue;
-		if (cni_tree_is_fork(child))
+		if (cni_tree_is_node(child))
 			top = ray_push(tree, &ray, child, stack, top);
 		else if (child != CNI_TREE_EMPTY)
 			limit = visit(context, ~child, limit);
@@ -123,7 +123,7 @@ typedef struct pair_search {
 	uint32_t marks; /* of what is looked at */
 } pair_search;
 
-static inline int32_t pair_may_be(const pair_search *s, const cni_tree_fork *f, int32_t side)
+static inline int32_t pair_may_be(const pair_search *s, const cni_tree_node *f, int32_t side)
 {
 	return (f->marks[side] & s->marks) != 0 && overlap(&f->box[side], &s->box);
 }
@@ -132,16 +132,16 @@ static inline int32_t pair_may_be(const pair_search *s, const cni_tree_fork *f, 
 static void pairs_below(const pair_search *s, int32_t place)
 {
 	int32_t stack[CNI_TREE_STACK], top = 0, k;
-	const cni_tree_fork *f = cni_tree_fork_of(s->tree, place);
+	const cni_tree_node *f = cni_tree_node_of(s->tree, place);
 	if (pair_may_be(s, f, place & 1))
 		stack[top++] = f->child[place & 1];
 	while (top > 0) {
 		int32_t child = stack[--top];
-		if (!cni_tree_is_fork(child)) {
+		if (!cni_tree_is_node(child)) {
 			s->found(s->context, s->item, ~child);
 			continue;
 		}
-		f = cni_tree_fork_at(s->tree, child);
+		f = cni_tree_node_at(s->tree, child);
 		for (k = 1; k >= 0; --k) {
 			stack[top] = f->child[k];
 			top += pair_may_be(s, f, k);
@@ -149,13 +149,13 @@ static void pairs_below(const pair_search *s, int32_t place)
 	}
 }
 
-/* From the item up: what hangs beside it, beside the fork it hangs at, and so on. Of two moved items the left
+/* From the item up: what hangs beside it, beside the node it hangs at, and so on. Of two moved items the left
    one finds the pair, so that to its left an item only looks at what rests. */
 static void pairs_of(pair_search *s, int32_t place)
 {
 	s->box = *cni_tree_box(s->tree, place);
 	s->item = ~cni_tree_child(s->tree, place);
-	for (; place != CNI_TREE_ROOT; place = cni_tree_fork_of(s->tree, place)->parent) {
+	for (; place != CNI_TREE_ROOT; place = cni_tree_node_of(s->tree, place)->parent) {
 		s->marks = place & 1 ? CNI_TREE_RESTS : CNI_TREE_MOVED | CNI_TREE_RESTS;
 		pairs_below(s, place ^ 1);
 	}
@@ -174,7 +174,7 @@ void cni_tree_pairs(const cni_tree *tree, cni_tree_pair_fn *found, void *context
 		int32_t place = stack[--top], child = cni_tree_child(tree, place);
 		if (!(cni_tree_marks(tree, place) & CNI_TREE_MOVED))
 			continue;
-		if (cni_tree_is_fork(child)) {
+		if (cni_tree_is_node(child)) {
 			stack[top++] = 2 * child + 1;
 			stack[top++] = 2 * child;
 		} else {
@@ -190,11 +190,11 @@ void cni_tree_unmark_moved(cni_tree *tree, cni_tree_item_fn *visit, void *contex
 		stack[top++] = CNI_TREE_ROOT;
 	while (top > 0) {
 		int32_t place = stack[--top], child = cni_tree_child(tree, place);
-		cni_tree_fork *f = cni_tree_fork_of(tree, place);
+		cni_tree_node *f = cni_tree_node_of(tree, place);
 		if (!(f->marks[place & 1] & CNI_TREE_MOVED))
 			continue;
 		f->marks[place & 1] = (uint8_t)((f->marks[place & 1] & ~(uint32_t)CNI_TREE_MOVED) | CNI_TREE_RESTS);
-		if (cni_tree_is_fork(child)) {
+		if (cni_tree_is_node(child)) {
 			stack[top++] = 2 * child + 1;
 			stack[top++] = 2 * child;
 		} else {

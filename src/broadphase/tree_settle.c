@@ -2,7 +2,7 @@
  * broadphase/tree_settle.c - many boxes of a tree changed: find them places again (see broadphase/tree.h).
  *
  * Most items stay where they hang: one pass from the bottom up fits the boxes above them and turns each
- * fork, which follows small motion at a fraction of the price of insertion (Kopta et al., "Fast, effective BVH
+ * node, which follows small motion at a fraction of the price of insertion (Kopta et al., "Fast, effective BVH
  * updates for animated scenes", 2012). Turns alone let a tree go bad over many steps. While few items
  * move, those marked FAR are inserted anew: that keeps the cost level, and no step is longer than others.
  * When many move, it is cheaper to build the tree anew once its cost has grown (or it has itself): top down, items halved
@@ -111,20 +111,20 @@ static int32_t collect(const cni_tree *tree, tree_leaf *leaves)
 	return count;
 }
 
-static void hang_leaf(cni_tree *tree, int32_t place, const tree_leaf *leaf)
+static void attach_leaf(cni_tree *tree, int32_t place, const tree_leaf *leaf)
 {
-	cni_tree_fork *f = cni_tree_fork_of(tree, place);
+	cni_tree_node *f = cni_tree_node_of(tree, place);
 	f->box[place & 1] = leaf->box;
 	f->height[place & 1] = 0;
 	f->marks[place & 1] = (uint8_t)leaf->marks;
-	cni_tree_hang(tree, place, ~leaf->item);
+	cni_tree_attach(tree, place, ~leaf->item);
 }
 
 /* Forks in the order of a walk, so that a search runs through memory; those above have lower numbers. */
 static void build(cni_tree *tree, tree_leaf *leaves, int32_t count)
 {
 	tree_span stack[64];
-	int32_t top = 0, fork;
+	int32_t top = 0, node;
 	stack[top].place = CNI_TREE_ROOT;
 	stack[top].first = 0;
 	stack[top++].count = count;
@@ -132,21 +132,21 @@ static void build(cni_tree *tree, tree_leaf *leaves, int32_t count)
 		tree_span span = stack[--top];
 		int32_t half = span.count / 2;
 		if (span.count == 1) {
-			hang_leaf(tree, span.place, &leaves[span.first]);
+			attach_leaf(tree, span.place, &leaves[span.first]);
 			continue;
 		}
 		halve(leaves + span.first, span.count, half, longer_axis(leaves + span.first, span.count));
-		fork = cni_tree_fork_take(tree);
-		cni_tree_hang(tree, span.place, fork);
-		stack[top].place = 2 * fork + 1;
+		node = cni_tree_node_take(tree);
+		cni_tree_attach(tree, span.place, node);
+		stack[top].place = 2 * node + 1;
 		stack[top].first = span.first + half;
 		stack[top++].count = span.count - half;
-		stack[top].place = 2 * fork;
+		stack[top].place = 2 * node;
 		stack[top].first = span.first;
 		stack[top++].count = half;
 	}
-	for (fork = tree->forks.count - 1; fork > 0; --fork)
-		(void)cni_tree_refresh(tree, fork);
+	for (node = tree->nodes.count - 1; node > 0; --node)
+		(void)cni_tree_refresh(tree, node);
 }
 
 uint64_t cni_tree_scratch_bytes(const cni_tree *tree) { return (uint64_t)tree->count * sizeof(tree_leaf); }
@@ -160,52 +160,52 @@ void cni_tree_rebuild(cni_tree *tree, void *scratch)
 	tree->built = count;
 	if (count == 0)
 		return;
-	tree->forks.count = 1;
-	tree->fork_free = CNI_NONE;
+	tree->nodes.count = 1;
+	tree->node_free = CNI_NONE;
 	build(tree, leaves, count);
 }
 
 /* ---- in place ---- */
 
-static void unmark_stale_items(cni_tree *tree, int32_t fork)
+static void unmark_stale_items(cni_tree *tree, int32_t node)
 {
-	cni_tree_fork *f = cni_tree_fork_at(tree, fork);
+	cni_tree_node *f = cni_tree_node_at(tree, node);
 	int32_t k;
 	for (k = 0; k < 2; ++k)
-		if (!cni_tree_is_fork(f->child[k]) && (f->marks[k] & CNI_TREE_STALE)) {
+		if (!cni_tree_is_node(f->child[k]) && (f->marks[k] & CNI_TREE_STALE)) {
 			f->marks[k] = (uint8_t)(f->marks[k] & OWN_MARKS);
 			--tree->stale;
 		}
 }
 
-/* A fork whose sides are settled. Balance is restored at once, so that it is never off by more than a turn
+/* A node whose sides are settled. Balance is restored at once, so that it is never off by more than a turn
    repairs. */
-static void fork_settle(cni_tree *tree, int32_t fork)
+static void node_settle(cni_tree *tree, int32_t node)
 {
-	int32_t place = cni_tree_fork_at(tree, fork)->parent;
-	int32_t height = cni_tree_fork_of(tree, place)->height[place & 1];
-	unmark_stale_items(tree, fork);
-	cni_tree_turn(tree, fork);
-	(void)cni_tree_refresh(tree, fork);
-	if (cni_tree_fork_of(tree, place)->height[place & 1] != height)
+	int32_t place = cni_tree_node_at(tree, node)->parent;
+	int32_t height = cni_tree_node_of(tree, place)->height[place & 1];
+	unmark_stale_items(tree, node);
+	cni_tree_turn(tree, node);
+	(void)cni_tree_refresh(tree, node);
+	if (cni_tree_node_of(tree, place)->height[place & 1] != height)
 		cni_tree_repair(tree, place >> 1);
 }
 
 /* Down to what is stale, then up, led by the marks alone: turns may change what is above. */
 static void settle_in_place(cni_tree *tree)
 {
-	int32_t fork = 0;
+	int32_t node = 0;
 	while (cni_tree_marks(tree, CNI_TREE_ROOT) & CNI_TREE_STALE) {
-		const cni_tree_fork *f = cni_tree_fork_at(tree, fork);
-		if (cni_tree_is_fork(f->child[0]) && (f->marks[0] & CNI_TREE_STALE))
-			fork = f->child[0];
-		else if (cni_tree_is_fork(f->child[1]) && (f->marks[1] & CNI_TREE_STALE))
-			fork = f->child[1];
-		else if (fork == 0)
+		const cni_tree_node *f = cni_tree_node_at(tree, node);
+		if (cni_tree_is_node(f->child[0]) && (f->marks[0] & CNI_TREE_STALE))
+			node = f->child[0];
+		else if (cni_tree_is_node(f->child[1]) && (f->marks[1] & CNI_TREE_STALE))
+			node = f->child[1];
+		else if (node == 0)
 			unmark_stale_items(tree, 0);
 		else {
-			fork_settle(tree, fork);
-			fork = cni_tree_fork_at(tree, fork)->parent >> 1;
+			node_settle(tree, node);
+			node = cni_tree_node_at(tree, node)->parent >> 1;
 		}
 	}
 }
@@ -215,23 +215,23 @@ static void settle_in_place(cni_tree *tree)
 static int32_t first_far(const cni_tree *tree)
 {
 	int32_t child = cni_tree_child(tree, CNI_TREE_ROOT);
-	while (cni_tree_is_fork(child)) {
-		const cni_tree_fork *f = cni_tree_fork_at(tree, child);
+	while (cni_tree_is_node(child)) {
+		const cni_tree_node *f = cni_tree_node_at(tree, child);
 		child = f->child[f->marks[0] & CNI_TREE_FAR ? 0 : 1];
 	}
 	return ~child;
 }
 
 /* Takes FAR items out, all before any goes in again, because those above them have grown by their flight and would
-   draw others in. Each leaves a free fork behind, which keeps it until it is inserted. */
+   draw others in. Each leaves a free node behind, which keeps it until it is inserted. */
 static int32_t take_far_out(cni_tree *tree)
 {
 	int32_t count = 0;
 	while ((cni_tree_marks(tree, CNI_TREE_ROOT) & CNI_TREE_FAR) && tree->count > 1) {
 		int32_t item = first_far(tree), place = cni_tree_place(tree, item);
-		cni_tree_fork leaf = *cni_tree_fork_of(tree, place), *keeps;
+		cni_tree_node leaf = *cni_tree_node_of(tree, place), *keeps;
 		cni_tree_remove(tree, item);
-		keeps = cni_tree_fork_at(tree, tree->fork_free);
+		keeps = cni_tree_node_at(tree, tree->node_free);
 		keeps->box[0] = leaf.box[place & 1];
 		keeps->child[0] = ~item;
 		keeps->marks[0] = (uint8_t)(leaf.marks[place & 1] & OWN_MARKS);
@@ -243,9 +243,9 @@ static int32_t take_far_out(cni_tree *tree)
 static void put_far_in(cni_tree *tree, int32_t count)
 {
 	while (count-- > 0) {
-		int32_t fork = tree->fork_free;
-		cni_tree_fork kept = *cni_tree_fork_at(tree, fork);
-		cni_tree_fork_clear(tree, fork);
+		int32_t node = tree->node_free;
+		cni_tree_node kept = *cni_tree_node_at(tree, node);
+		cni_tree_node_clear(tree, node);
 		cni_tree_insert_marked(tree, ~kept.child[0], &kept.box[0], kept.marks[0]);
 	}
 }
@@ -254,16 +254,16 @@ static void put_far_in(cni_tree *tree, int32_t count)
 
 float cni_tree_cost(const cni_tree *tree)
 {
-	float forks = 0.0f, items = 0.0f;
+	float nodes = 0.0f, items = 0.0f;
 	int32_t place;
-	for (place = CNI_TREE_ROOT; place < 2 * tree->forks.count; ++place) {
+	for (place = CNI_TREE_ROOT; place < 2 * tree->nodes.count; ++place) {
 		int32_t child = cni_tree_child(tree, place);
-		if (cni_tree_is_fork(child))
-			forks += cni_tree_size(cni_tree_box(tree, place));
+		if (cni_tree_is_node(child))
+			nodes += cni_tree_size(cni_tree_box(tree, place));
 		else if (child != CNI_TREE_EMPTY)
 			items += cni_tree_size(cni_tree_box(tree, place));
 	}
-	return items > 0.0f ? forks / items : 0.0f;
+	return items > 0.0f ? nodes / items : 0.0f;
 }
 
 static int32_t many_stale(const cni_tree *tree) { return tree->stale > tree->count / MANY_SHARE; }

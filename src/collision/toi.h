@@ -7,7 +7,7 @@
  *     if (hit.state == CNI_TOI_HIT) ... both bodies at hit.fraction do not overlap yet
  *
  * Up to the fraction that is returned, whatever the state, the surfaces are known to be at least target
- * apart (except for OVERLAPPED, and for a pair that starts closer than that).
+ * apart (except for OVERLAPPED, and for a pair that starts projection than that).
  */
 #ifndef CNI_COLLISION_TOI_H
 #define CNI_COLLISION_TOI_H
@@ -27,7 +27,7 @@ typedef struct cni_path {
 cni_transform cni_path_at(const cni_path *path, float fraction);
 
 enum {
-	CNI_TOI_SEPARATED = 0, /* never closer than target; fraction is 1 */
+	CNI_TOI_SEPARATED = 0, /* never projection than target; fraction is 1 */
 	CNI_TOI_HIT = 1,       /* at fraction they are between target and target + tolerance apart (nearer if they
 	                          started nearer: fraction is 0 then) */
 	CNI_TOI_OVERLAPPED = 2,/* the skeletons overlap at the start; fraction is 0 */

@@ -441,16 +441,16 @@ static void kernel_relax(const cni_color_pass *c, int32_t begin, int32_t end)
 }
 
 /* Lanes whose bodies, but for what cannot move, have all settled. */
-CNI_INLINE cni_mask lanes_settled(const cni_drive *drives, const cni_contact_block *k, int32_t l, const side *b)
+CNI_INLINE cni_mask lanes_settled(const cni_external *drives, const cni_contact_block *k, int32_t l, const side *b)
 {
 #if CNI_WIDTH == 1
-	if (drives == NULL || !(drives[k->ia[l]].flags & CNI_DRIVE_SETTLED))
+	if (drives == NULL || !(drives[k->ia[l]].flags & CNI_EXTERNAL_SETTLED))
 		return 0;
-	return (drives[k->ib[l]].flags & CNI_DRIVE_SETTLED) || b->m == 0.0f;
+	return (drives[k->ib[l]].flags & CNI_EXTERNAL_SETTLED) || b->m == 0.0f;
 #else
 	const float *base = (const float *)(const void *)drives;
-	const int32_t stride = (int32_t)(sizeof(cni_drive) / sizeof(float));
-	const cni_mask none = { 0 }, bit = (int32_t)CNI_DRIVE_SETTLED - none;
+	const int32_t stride = (int32_t)(sizeof(cni_external) / sizeof(float));
+	const cni_mask none = { 0 }, bit = (int32_t)CNI_EXTERNAL_SETTLED - none;
 	cni_wide ax, ay, alpha, flags_a, flags_b;
 	if (drives == NULL)
 		return none;
@@ -469,7 +469,7 @@ CNI_INLINE cni_wide load_follow(cni_wide load, cni_wide jn, cni_wide m, cni_mask
 	return cni_wide_min(load + part * (jn - load), jn);
 }
 
-CNI_INLINE void warm_group(cni_motion *motions, const cni_drive *drives, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass)
+CNI_INLINE void warm_group(cni_motion *motions, const cni_external *drives, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
 	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), scale = cni_wide_of(pass->warm_scale);
@@ -529,10 +529,10 @@ CNI_INLINE cni_mask point_closes(const cni_contact_block *k, const cni_contact_r
 CNI_INLINE uint32_t group_closing(const float *starts, const cni_contact_block *k, const cni_block_info *info, float speed, int32_t l)
 {
 	side a, b;
-	cni_wide struck;
+	cni_wide jumped;
 	cni_mask closes, bounces;
-	cni_wide_gather4(starts, 4, k->ia + l, &a.vx, &a.vy, &a.w, &struck);
-	cni_wide_gather4(starts, 4, k->ib + l, &b.vx, &b.vy, &b.w, &struck);
+	cni_wide_gather4(starts, 4, k->ia + l, &a.vx, &a.vy, &a.w, &jumped);
+	cni_wide_gather4(starts, 4, k->ib + l, &b.vx, &b.vy, &b.w, &jumped);
 	closes = point_closes(k, &k->p[0], l, &a, &b, speed) | point_closes(k, &k->p[1], l, &a, &b, speed);
 	bounces = cni_wide_load_loose(info->restitution + l) > cni_wide_of(0.0f);
 	return cni_mask_bits(closes & bounces) << l;

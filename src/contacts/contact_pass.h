@@ -11,7 +11,7 @@
 typedef struct cni_color_pass {
 	const cni_contact_pass *kinds; /* by CNI_CONTACTS_ */
 	cni_motion *motions;
-	const cni_drive *drives;   /* NULL: nothing has settled */
+	const cni_external *drives;   /* NULL: nothing has settled */
 	const cni_listed_block *blocks;
 	int32_t prefetches;        /* 1: they are not in the cache */
 } cni_color_pass;
@@ -40,7 +40,7 @@ typedef struct cni_impact_lanes {
 typedef struct cni_impact_pass {
 	cni_motion *motions;
 	cni_velocity_start *starts;
-	const cni_drive *drives;
+	const cni_external *drives;
 	float h;
 	float speed;       /* > 0: what closes no faster does not bounce */
 	int32_t one_sided; /* lane bodies b are not written */
@@ -76,41 +76,41 @@ CNI_INLINE void cni_blocks_prefetch(const cni_color_pass *c, int32_t k, int32_t 
 }
 
 /* What following reads of a body, by its dense index. */
-typedef struct cni_follow_pose {
+typedef struct cni_reuse_pose {
 	float x, y, x_low, y_low;
 	float c, s;
 	float extent;      /* < 0: some axis is locked, its lanes are not followed */
 	float inv_inertia;
-} cni_follow_pose;
+} cni_reuse_pose;
 
 /* Numbers of following: see contacts/manifold_reuse_kernel.h. */
-typedef struct cni_follow_pass {
+typedef struct cni_reuse_pass {
 	const cni_motion *motions;
-	const cni_follow_pose *poses; /* NULL: records are read instead */
+	const cni_reuse_pose *poses; /* NULL: records are read instead */
 	float dt;          /* of the step */
 	float drift_most;  /* metres that surfaces may slide along each other */
 	float hair;        /* ... that a pair which is apart may move in the step */
 	float apart_most;  /* separation that is followed */
 	float depth_most;  /* ... and overlap */
 	float lag_sq;      /* cni_normal_lag_sq */
-} cni_follow_pass;
+} cni_reuse_pass;
 
 /* ... and what part of the smaller body's extent. */
-#define CNI_FOLLOW_PART (1.0f / 256.0f)
+#define CNI_REUSE_PART (1.0f / 256.0f)
 
 /* Records of the lanes' bodies, as floats, where poses do not tell. */
-typedef struct cni_follow_bodies {
+typedef struct cni_reuse_bodies {
 	const float *a[CNI_LANES], *b[CNI_LANES];
-} cni_follow_bodies;
+} cni_reuse_bodies;
 
 /* Brings lanes with an anchor up to date; returns those, as bits, for which that holds good. bodies NULL: by the pass's poses. */
-typedef uint32_t cni_contact_follow_fn(const cni_follow_pass *pass, cni_contact_block *block, const cni_block_anchor *anchor, const cni_follow_bodies *bodies, uint32_t anchored);
+typedef uint32_t cni_manifold_reuse_fn(const cni_reuse_pass *pass, cni_contact_block *block, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored);
 
 typedef struct cni_contact_kernel {
 	cni_contact_kernel_fn *pass[CNI_PASSES];
 	cni_contact_closing_fn *closing;
 	cni_contact_impact_fn *impact;
-	cni_contact_follow_fn *follow;
+	cni_manifold_reuse_fn *follow;
 } cni_contact_kernel;
 
 extern const cni_contact_kernel cni_contact_kernel_plain; /* width 1: any compiler */

@@ -28,7 +28,7 @@ const cni_contact_kernel *cni_contact_kernel_choose(void)
 
 static cni_color_pass color_pass_make(cn_world *world, const cni_solve *s, const cni_listed_block *blocks)
 {
-	cni_color_pass c = { s->contact, cni_motions(world), world->settled ? cni_drives(world) : NULL, blocks, world->awake_count >= CNI_PREFETCH_BODIES };
+	cni_color_pass c = { s->contact, cni_motions(world), world->settled ? cni_externals(world) : NULL, blocks, world->awake_count >= CNI_PREFETCH_BODIES };
 	return c;
 }
 

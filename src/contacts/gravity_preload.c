@@ -4,7 +4,7 @@
  * Soft contacts give way around their load (contacts/contact_kernel.h), and a sweep brings a weight down by a few
  * bodies: a pile that was just put together would sag by its softness until loads are known. Small piles are solved
  * directly (direct/solver_selection.c). In one that is too large for that, bodies are taken from the highest to the lowest (the
- * method of shock propagation, Guendelman, Bridson and Fedkiw, 2003). Each has its own weight and what was laid on it, and
+ * method of jump propagation, Guendelman, Bridson and Fedkiw, 2003). Each has its own weight and what was laid on it, and
  * lays that on what is below, taken as fixed: by the impulses of least squares, none of which pulls, that take all of
  * its momentum in a substep. So every body is in balance, and a pile whose contacts are given these impulses and loads
  * does not move at all.
@@ -70,7 +70,7 @@ typedef struct pile {
 	float warm_scale;        /* of the step's warm start */
 } pile;
 
-uint64_t cni_pile_bytes(int32_t bodies)
+uint64_t cni_gravity_preload_bytes(int32_t bodies)
 {
 	return (sizeof(weight) + sizeof(uint64_t)) * (uint64_t)(bodies + 1) + 128u;
 }
@@ -319,7 +319,7 @@ static void weights_begin(const pile *q)
 	for (k = 0; k < q->count; ++k) {
 		int32_t index = (int32_t)(q->order[k] & 0xFFFFFFFFu);
 		const cni_motion *m = cni_motions(q->world) + index;
-		const cni_drive *d = cni_drives(q->world) + index;
+		const cni_external *d = cni_externals(q->world) + index;
 		weight *w = &q->weights[index];
 		w->x = q->h * d->ax * inverse_or_zero(m->inv_mass);
 		w->y = q->h * d->ay * inverse_or_zero(m->inv_mass);
@@ -411,7 +411,7 @@ static void pile_end(pile *q)
 	(void)cni_arena_pop(&q->world->arena, q->order);
 }
 
-int32_t cni_pile_stands(cn_world *world, int32_t island, float h)
+int32_t cni_pile_is_supported(cn_world *world, int32_t island, float h)
 {
 	pile q;
 	int32_t stands = 1;
@@ -424,7 +424,7 @@ int32_t cni_pile_stands(cn_world *world, int32_t island, float h)
 	return stands;
 }
 
-void cni_piles_load(cn_world *world, const cni_solve *s)
+void cni_gravity_preload(cn_world *world, const cni_solve *s)
 {
 	pile q;
 	if (!world->piles_new || s->warm_scale == 0.0f)

@@ -33,9 +33,9 @@ typedef struct follow_pose {
 	cni_wide x, y, x_low, y_low, c, s, extent, inv_inertia;
 } follow_pose;
 
-#define POSE_FLOATS ((int32_t)(sizeof(cni_follow_pose) / sizeof(float)))
+#define POSE_FLOATS ((int32_t)(sizeof(cni_reuse_pose) / sizeof(float)))
 
-CNI_INLINE void pose_gather(const cni_follow_pose *poses, const int32_t *index, follow_pose *out)
+CNI_INLINE void pose_gather(const cni_reuse_pose *poses, const int32_t *index, follow_pose *out)
 {
 	const float *base = (const float *)(const void *)poses;
 	cni_wide_gather4(base, POSE_FLOATS, index, &out->x, &out->y, &out->x_low, &out->y_low);
@@ -51,7 +51,7 @@ CNI_INLINE void pose_gather_from(const cni_motion *motions, const int32_t *index
 	cni_wide_gather4((const float *)(const void *)motions + 4, MOTION_FLOATS, index, &u, &v, &w, &out->inv_inertia);
 }
 
-CNI_INLINE follow_pair follow_gather(const cni_follow_pass *pass, const cni_contact_block *k, const cni_follow_bodies *bodies, int32_t l)
+CNI_INLINE follow_pair follow_gather(const cni_reuse_pass *pass, const cni_contact_block *k, const cni_reuse_bodies *bodies, int32_t l)
 {
 	const float *base = (const float *)(const void *)pass->motions;
 	follow_pair p;
@@ -132,11 +132,11 @@ CNI_INLINE follow_point follow_point_make(const follow_change *g, const cni_cont
 }
 
 /* Lanes in which the two are still the same features at the same place, and will be after the step. */
-CNI_INLINE cni_mask follow_holds(const cni_follow_pass *pass, const follow_pair *f, const follow_change *g, const follow_point *p, const follow_point *q,
+CNI_INLINE cni_mask follow_holds(const cni_reuse_pass *pass, const follow_pair *f, const follow_change *g, const follow_point *p, const follow_point *q,
                                  cni_wide fa, cni_wide fb)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
-	cni_wide reach = cni_wide_min(f->extent * CNI_FOLLOW_PART, cni_wide_of(pass->drift_most));
+	cni_wide reach = cni_wide_min(f->extent * CNI_REUSE_PART, cni_wide_of(pass->drift_most));
 	cni_wide second = cni_wide_select(q->used, cni_wide_abs(q->drift), zero), nearest = cni_wide_min(p->s, cni_wide_select(q->used, q->s, p->s));
 	cni_wide un = g->nx * f->vx + g->ny * f->vy + f->wb * (p->at - g->dt) - f->wa * p->at;
 	cni_wide ut = g->ny * f->vx - g->nx * f->vy - f->wb * fb + f->wa * fa;
@@ -169,7 +169,7 @@ CNI_INLINE cni_mask normal_lags(const cni_contact_block *k, int32_t l, cni_mask 
 }
 
 /* Lanes of a vector that were followed, as bits. */
-CNI_INLINE uint32_t follow_group(const cni_follow_pass *pass, cni_contact_block *k, const cni_block_anchor *anchor, const cni_follow_bodies *bodies, uint32_t anchored, int32_t l)
+CNI_INLINE uint32_t follow_group(const cni_reuse_pass *pass, cni_contact_block *k, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored, int32_t l)
 {
 	follow_pair f = follow_gather(pass, k, bodies, l);
 	follow_change g = follow_change_make(&f, k, anchor, l);
@@ -190,7 +190,7 @@ CNI_INLINE uint32_t follow_group(const cni_follow_pass *pass, cni_contact_block 
 	return cni_mask_bits(good) << l;
 }
 
-static uint32_t kernel_follow(const cni_follow_pass *pass, cni_contact_block *k, const cni_block_anchor *anchor, const cni_follow_bodies *bodies, uint32_t anchored)
+static uint32_t kernel_follow(const cni_reuse_pass *pass, cni_contact_block *k, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored)
 {
 	uint32_t followed = 0;
 	int32_t l;

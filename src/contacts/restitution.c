@@ -13,7 +13,7 @@
  * the last substep's impulses, a guess that the solve has yet to correct; for a light body between heavy ones it is
  * far off, and returning such a speed would make energy of it.
  *
- * A contact that bears already is struck only when that takes more than it bore in the last substep, m v > j: in a crowd that is
+ * A contact that bears already is jumped only when that takes more than it bore in the last substep, m v > j: in a crowd that is
  * pressed together by more than the solver brings into balance, bodies close all the time, and none of it is an impact.
  *
  * Meeting early costs no energy: with closing acceleration a from the bodies' drives, the law is applied to the
@@ -77,7 +77,7 @@ static void lane_add(const cn_world *world, const cni_listed_block *b, int32_t f
 	if (ib != 0) {
 		lanes->b[l] = record_of(world, ib);
 	} else {
-		lanes->b[l] = cni_record_floats(&cni_body_nowhere);
+		lanes->b[l] = cni_record_floats(&cni_body_none);
 		lanes->at_world |= 1u << l;
 	}
 }
@@ -90,7 +90,7 @@ static void lanes_end(cni_impact_lanes *lanes, int32_t count)
 		lanes->ia[l] = lanes->ib[l] = 0;
 		lanes->restitution[l] = 0.0f;
 		lanes->rows[l] = lane_floats(&no_rows, 0);
-		lanes->a[l] = lanes->b[l] = cni_record_floats(&cni_body_nowhere);
+		lanes->a[l] = lanes->b[l] = cni_record_floats(&cni_body_none);
 	}
 }
 
@@ -187,7 +187,7 @@ static uint32_t sweep(cn_world *world, const cni_solve *s)
 	c.kernel = s->kernel;
 	c.pass.motions = cni_motions(world);
 	c.pass.starts = cni_starts(world);
-	c.pass.drives = cni_drives(world);
+	c.pass.drives = cni_externals(world);
 	c.pass.h = s->h;
 	c.pass.speed = s->restitution_threshold;
 	c.hits = 0;

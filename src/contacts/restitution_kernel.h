@@ -9,11 +9,11 @@
 #include "base/bitset.h"
 #include "contacts/contact_pass.h"
 
-enum { START_FLOATS = sizeof(cni_velocity_start) / sizeof(float), DRIVE_FLOATS = sizeof(cni_drive) / sizeof(float) };
+enum { START_FLOATS = sizeof(cni_velocity_start) / sizeof(float), DRIVE_FLOATS = sizeof(cni_external) / sizeof(float) };
 
 /* The bodies on one side of CNI_WIDTH lanes. */
 typedef struct impact_side {
-	cni_wide vx, vy, w, struck;   /* the velocities that meet */
+	cni_wide vx, vy, w, jumped;   /* the velocities that meet */
 	cni_wide mvx, mvy, mw, m;     /* those of motion */
 	cni_wide dpx, dpy, theta, i;
 	cni_wide mx, my;              /* inverse mass along x and y: 0 for a locked axis */
@@ -24,7 +24,7 @@ CNI_INLINE void impact_gather(const cni_impact_pass *pass, const int32_t *index,
 {
 	const float *motions = (const float *)(const void *)pass->motions, *drives = (const float *)(const void *)pass->drives;
 	cni_wide alpha, flags;
-	cni_wide_gather4((const float *)(const void *)pass->starts, START_FLOATS, index, &out->vx, &out->vy, &out->w, &out->struck);
+	cni_wide_gather4((const float *)(const void *)pass->starts, START_FLOATS, index, &out->vx, &out->vy, &out->w, &out->jumped);
 	cni_wide_gather4(motions, MOTION_FLOATS, index, &out->mvx, &out->mvy, &out->mw, &out->m);
 	cni_wide_gather4(motions + 4, MOTION_FLOATS, index, &out->dpx, &out->dpy, &out->theta, &out->i);
 	cni_wide_gather4(drives, DRIVE_FLOATS, index, &out->ax, &out->ay, &alpha, &flags);
@@ -41,12 +41,12 @@ CNI_INLINE void impact_strike(const cni_impact_pass *pass, const int32_t *index,
 	float *starts = (float *)(void *)pass->starts, *motions = (float *)(void *)pass->motions;
 	cni_wide vx = cni_wide_select(hit, c->vx + dvx, c->vx), vy = cni_wide_select(hit, c->vy + dvy, c->vy), w = cni_wide_select(hit, c->w + dw, c->w);
 	cni_wide mvx = cni_wide_select(hit, c->mvx + dvx, c->mvx), mvy = cni_wide_select(hit, c->mvy + dvy, c->mvy), mw = cni_wide_select(hit, c->mw + dw, c->mw);
-	cni_wide struck = cni_wide_select(hit, cni_wide_of(1.0f), c->struck);
+	cni_wide jumped = cni_wide_select(hit, cni_wide_of(1.0f), c->jumped);
 	if (whole) {
-		cni_wide_scatter4(starts, START_FLOATS, index, vx, vy, w, struck);
+		cni_wide_scatter4(starts, START_FLOATS, index, vx, vy, w, jumped);
 		cni_wide_scatter4(motions, MOTION_FLOATS, index, mvx, mvy, mw, c->m);
 	} else {
-		cni_wide_scatter4_where(starts, START_FLOATS, index, cni_mask_bits(hit), vx, vy, w, struck);
+		cni_wide_scatter4_where(starts, START_FLOATS, index, cni_mask_bits(hit), vx, vy, w, jumped);
 		cni_wide_scatter4_where(motions, MOTION_FLOATS, index, cni_mask_bits(hit), mvx, mvy, mw, c->m);
 	}
 }
@@ -141,7 +141,7 @@ CNI_INLINE impact_point impact_point_make(const impact_lanes *c, const cni_impac
 	separation = impact_separation(c, POINT_ROW(k, l, from, s0), POINT_ROW(k, l, from, an), c->step_dn, q.at, q.at - c->step_dt);
 	q.hits = (nm * -q.vn > bears) & (q.vn < least) & (separation + pass->h * q.vn < zero);
 	/* Never more than the law gives at this instant plus what the drive adds: two fast bodies that were
-	   just struck by others must not gain. */
+	   just jumped by others must not gain. */
 	q.out = cni_wide_min(impact_outgoing(q.vn + pass->h * c->closing, separation, c->closing, c->restitution, pass->h),
 	                     c->restitution * -q.vn + cni_wide_abs(c->closing) * pass->h);
 	return q;

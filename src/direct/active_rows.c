@@ -37,7 +37,7 @@ static int32_t limit_is_near(const cni_row *r, const cni_motion *a, const cni_mo
 }
 
 /* Place of the row among the work's, 0: none. */
-static int32_t row_choose(const cni_joint_work *w, const cni_motion *motions, float dt)
+static int32_t row_choose(const cni_joint_constraint *w, const cni_motion *motions, float dt)
 {
 	int32_t k, chosen = 0;
 	for (k = w->rigid_count; k < w->row_count; ++k) {
@@ -65,11 +65,11 @@ int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 	int32_t k, found = 0;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		cni_joint_work *w = n->owner >= 0 ? &cni_joint_works(world)[n->owner] : NULL;
+		cni_joint_constraint *w = n->owner >= 0 ? &cni_joint_constraints(world)[n->owner] : NULL;
 		int32_t row = w == NULL || n->rows == CNI_NODE_ROWS ? 0 : row_choose(w, cni_motions(world), s->dt);
 		if (row == 0)
 			continue;
-		cni_joint_work_narrow(world, s, n->owner);
+		cni_joint_constraint_narrow(world, s, n->owner);
 		w->inner = row;
 		n->held = state_begin(&w->rows[row], s);
 		found = cni_max_i(found, w->rows[row].kind == CNI_ROW_MOTOR ? 2 : 1);

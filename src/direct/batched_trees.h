@@ -1,8 +1,8 @@
 /*
  * direct/batched_trees.h - trees of pins that are alike, solved side by side: what batched_trees.c hands to a kernel.
  *
- * A herd has a tree in each of its lanes, all of one kind (linear/topology_class.c). Node k of all of them is one block of
- * lanes (joints/joint_pass.h), the herd's k-th, so a pass is one over blocks: springs, motors and limits colour by
+ * A batch has a tree in each of its lanes, all of one kind (linear/topology_class.c). Node k of all of them is one block of
+ * lanes (joints/joint_pass.h), the batch's k-th, so a pass is one over blocks: springs, motors and limits colour by
  * colour, then the pins of every tree as one system (linear/sparse.h), all with the bits of one by one.
  *
  *   nodes     [ block of node 0 | block of node 1 | ... ]      in the order of elimination
@@ -18,7 +18,7 @@
 #include "direct/direct_system.h"
 #include "joints/joint_pass.h"
 
-typedef struct cni_herd {
+typedef struct cni_tree_batch {
 	struct cni_joint_block *nodes;
 	float *pivots, *blocks;
 	const cni_coupling *couplings;         /* of the tree in the first lane; nodes and blocks are counted from these: */
@@ -26,32 +26,32 @@ typedef struct cni_herd {
 	int32_t node_first, block_first;
 	int32_t coupling_count;
 	int32_t lanes, moving;                 /* moving: bodies that do, of each tree */
-	uint32_t asked, parting;               /* lanes, as bits, of trees that are: see cni_closer */
-	cni_kind kind;
-	uint8_t order[CNI_KIND_NODES];         /* nodes by colour */
-	uint32_t source[CNI_KIND_NODES + 2];   /* by body: bytes from the nodes on to the row with its index; its inertia is CNI_SIDE_BYTES behind */
+	uint32_t asked, parting;               /* lanes, as bits, of trees that are: see cni_projection */
+	cni_topology kind;
+	uint8_t order[CNI_TOPOLOGY_NODES];         /* nodes by colour */
+	uint32_t source[CNI_TOPOLOGY_NODES + 2];   /* by body: bytes from the nodes on to the row with its index; its inertia is CNI_SIDE_BYTES behind */
 	int32_t bodies;                        /* with the one that cannot move, if there is one */
-} cni_herd;
+} cni_tree_batch;
 
-typedef struct cni_herd_pass {
+typedef struct cni_tree_batch_pass {
 	cni_joint_pass joint;
 	float rate, push; /* part of a gap that is closed in a second, and the greatest speed of it */
 	float parting;    /* speed of a pin that hard stops may leave */
 	float turn_least; /* radians a second: arms that turn slower stay on the tangent */
-} cni_herd_pass;
+} cni_tree_batch_pass;
 
-typedef void cni_herd_kernel_fn(cni_motion *motions, cni_velocity_start *starts, cni_herd *herd, const cni_herd_pass *pass);
+typedef void cni_tree_batch_kernel_fn(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass);
 
-typedef struct cni_herd_kernel {
-	cni_herd_kernel_fn *begin; /* factors of the systems */
-	cni_herd_kernel_fn *warm;
-	cni_herd_kernel_fn *solve;
-	cni_herd_kernel_fn *relax;
-	cni_herd_kernel_fn *close; /* after contacts: those of herd->asked that came apart, which become herd->parting */
-} cni_herd_kernel;
+typedef struct cni_tree_batch_kernel {
+	cni_tree_batch_kernel_fn *begin; /* factors of the systems */
+	cni_tree_batch_kernel_fn *warm;
+	cni_tree_batch_kernel_fn *solve;
+	cni_tree_batch_kernel_fn *relax;
+	cni_tree_batch_kernel_fn *close; /* after contacts: those of batch->asked that came apart, which become batch->parting */
+} cni_tree_batch_kernel;
 
-extern const cni_herd_kernel cni_herd_kernel_plain; /* width 1: any compiler */
-extern const cni_herd_kernel cni_herd_kernel_4;     /* SSE2, NEON, WASM SIMD */
-extern const cni_herd_kernel cni_herd_kernel_8;     /* AVX2, chosen at run time */
+extern const cni_tree_batch_kernel cni_tree_batch_kernel_plain; /* width 1: any compiler */
+extern const cni_tree_batch_kernel cni_tree_batch_kernel_4;     /* SSE2, NEON, WASM SIMD */
+extern const cni_tree_batch_kernel cni_tree_batch_kernel_8;     /* AVX2, chosen at run time */
 
 #endif

@@ -5,7 +5,7 @@
 
 #if CNI_HAS_WIDE_4
 #define CNI_WIDTH 4
-#define CNI_KERNEL cni_herd_kernel_4
+#define CNI_KERNEL cni_tree_batch_kernel_4
 #include "direct/batched_trees_kernel.h"
 #else
 typedef int cni_no_herd_kernel_4;

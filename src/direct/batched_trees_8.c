@@ -10,7 +10,7 @@
 #include <immintrin.h>
 #include "base/avx2_begin.h"
 #define CNI_WIDTH 8
-#define CNI_KERNEL cni_herd_kernel_8
+#define CNI_KERNEL cni_tree_batch_kernel_8
 #include "direct/batched_trees_kernel.h"
 #include "base/avx2_end.h"
 #else

@@ -40,8 +40,8 @@ void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c
 	++sparse->released;
 	for (k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].owner >= 0) {
-			cni_joint_works(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_WORK_DIRECT;
-			cni_joint_works(world)[sparse->nodes[k].owner].inner = 0;
+			cni_joint_constraints(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_CONSTRAINT_DIRECT;
+			cni_joint_constraints(world)[sparse->nodes[k].owner].inner = 0;
 		}
 	c->swings = 0;
 	c->done = 1;
@@ -55,7 +55,7 @@ void cni_component_leave(cn_world *world, cni_sparse *sparse, cni_component *c, 
 		cni_joint_trust *t;
 		if (sparse->nodes[k].owner < 0)
 			continue;
-		t = &cni_joint_at(world, cni_joint_works(world)[sparse->nodes[k].owner].joint)->trust;
+		t = &cni_joint_at(world, cni_joint_constraints(world)[sparse->nodes[k].owner].joint)->trust;
 		if (span == 0)
 			cni_trust_fail(t, world->step_count, 1);
 		else
@@ -75,7 +75,7 @@ static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_
 		if (n->owner < 0)
 			continue;
 		++joints;
-		rows = cni_joint_works(world)[n->owner].rows;
+		rows = cni_joint_constraints(world)[n->owner].rows;
 		for (i = 0; i < n->rows; ++i)
 			n->lever[i] = cni_row_lever(&rows[i]);
 	}
@@ -90,12 +90,12 @@ void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component
 
 void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
-	cni_joint_works_complete(world, sparse, c);
+	cni_joint_constraints_complete(world, sparse, c);
 	cni_sparse_clear(sparse, c);
 	cni_direct_turns(world, sparse, c);
-	cni_tension_find(world, sparse, c, s->h);
+	cni_geometric_stiffness_find(world, sparse, c, s->h);
 	c->active = c->presses || c->kind != CNI_NONE || !CNI_ON(ACTIVE) ? 0 : cni_active_begin(world, s, sparse, c);
-	if (c->active || cni_tension_needs_dampers(world, sparse, c, s->h))
+	if (c->active || cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h))
 		c->width = CNI_NODE_ROWS;
 	cni_direct_system(world, s, sparse, c);
 }
@@ -104,7 +104,7 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 {
 	if (c->active)
 		cni_active_clear(world, sparse, c);
-	cni_tension_damp(world, sparse, c, s->h);
+	cni_geometric_stiffness_damp(world, sparse, c, s->h);
 	c->joints = levers_read(world, sparse, c);
 	if (c->active)
 		cni_active_levers(world, sparse, c);
@@ -118,7 +118,7 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t width)
 {
 	cni_motion *motions = cni_motions(world);
-	cni_joint_work *works = cni_joint_works(world);
+	cni_joint_constraint *works = cni_joint_constraints(world);
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
@@ -145,7 +145,7 @@ void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_compon
 CNI_INLINE void speeds_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push, int32_t width)
 {
 	const cni_motion *motions = cni_motions(world);
-	const cni_joint_work *works = cni_joint_works(world);
+	const cni_joint_constraint *works = cni_joint_constraints(world);
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
@@ -172,7 +172,7 @@ static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_com
 static void leaks_add(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	const cni_motion *motions = cni_motions(world);
-	const cni_joint_work *works = cni_joint_works(world);
+	const cni_joint_constraint *works = cni_joint_constraints(world);
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
@@ -186,7 +186,7 @@ static void impulses_take_back(cn_world *world, const cni_sparse *sparse, const 
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k)
 		for (i = 0; i < sparse->nodes[k].rows && sparse->nodes[k].owner >= 0; ++i)
-			cni_joint_works(world)[sparse->nodes[k].owner].rows[i].impulse -= sparse->nodes[k].x[i];
+			cni_joint_constraints(world)[sparse->nodes[k].owner].rows[i].impulse -= sparse->nodes[k].x[i];
 }
 
 static void sides_keep(cni_sparse *sparse, const cni_component *c, int32_t back)

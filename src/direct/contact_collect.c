@@ -23,7 +23,7 @@ static int32_t lane_is_plain(const cn_world *world, const cni_contact *c)
  * Friction at its bound slides, or bears as much as it can of what says the same twice: in a standing house of cards a tenth of all do. Were
  * they held first, every step would look for the set anew. Where friction that holds may be greater it cannot be told.
  */
-static void friction_guess(cni_press *p)
+static void friction_guess(cni_direct_contact *p)
 {
 	float sum = p->j[0] + p->j[1];
 	if (sum <= 0.0f || p->static_friction > p->dynamic_friction || cni_abs(p->j[2]) < (1.0f - CNI_SLIDE_CLOSE) * p->dynamic_friction * sum)
@@ -32,7 +32,7 @@ static void friction_guess(cni_press *p)
 	p->way = p->j[2] > 0.0f ? 1.0f : -1.0f;
 }
 
-static void press_read(const cn_world *world, const cni_contact *c, cni_press *p)
+static void press_read(const cn_world *world, const cni_contact *c, cni_direct_contact *p)
 {
 	const cni_contact_block *k = cni_block_at(world, c->slot / CNI_LANES);
 	int32_t l = c->slot % CNI_LANES, i;
@@ -64,7 +64,7 @@ static void press_read(const cn_world *world, const cni_contact *c, cni_press *p
 	friction_guess(p);
 }
 
-int32_t cni_presses_collect(const cn_world *world, int32_t island, cni_press *presses, int32_t room)
+int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, cni_direct_contact *presses, int32_t room)
 {
 	int32_t body, key, count = 0;
 	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
@@ -76,16 +76,16 @@ int32_t cni_presses_collect(const cn_world *world, int32_t island, cni_press *pr
 			if (cni_body_at(world, other)->type == CN_BODY_DYNAMIC && (key & 1))
 				continue; /* seen from its other body */
 			if (!lane_is_plain(world, c))
-				return CNI_PRESSES_KIND;
+				return CNI_DIRECT_CONTACTS_KIND;
 			if (count == room)
-				return CNI_PRESSES_MANY;
+				return CNI_DIRECT_CONTACTS_MANY;
 			press_read(world, c, &presses[count++]);
 		}
 	return count;
 }
 
 /* Makes its lane idle. */
-static void press_take(cn_world *world, const cni_press *p)
+static void press_take(cn_world *world, const cni_direct_contact *p)
 {
 	cni_contact_block *block = cni_block_at(world, p->block);
 	int32_t i;
@@ -94,7 +94,7 @@ static void press_take(cn_world *world, const cni_press *p)
 		block->p[i].nm[p->lane] = block->p[i].jn[p->lane] = block->p[i].load[p->lane] = 0.0f;
 }
 
-void cni_presses_take(cn_world *world, cni_sparse *sparse)
+void cni_direct_contacts_take(cn_world *world, cni_sparse *sparse)
 {
 	int32_t k;
 	for (k = 0; k < sparse->press_count; ++k)
@@ -103,7 +103,7 @@ void cni_presses_take(cn_world *world, cni_sparse *sparse)
 }
 
 /* Once it was solved, what it bears is known exactly: its load is its impulse. */
-static void press_give_back(cn_world *world, cni_press *p)
+static void press_give_back(cn_world *world, cni_direct_contact *p)
 {
 	cni_contact_block *block = cni_block_at(world, p->block);
 	int32_t i;
@@ -117,21 +117,21 @@ static void press_give_back(cn_world *world, cni_press *p)
 	p->node = CNI_NONE;
 }
 
-void cni_presses_give_back(cn_world *world, cni_sparse *sparse, const cni_component *c)
+void cni_direct_contacts_give_back(cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
-		cni_press *p = cni_press_of(sparse, &sparse->nodes[k]);
+		cni_direct_contact *p = cni_direct_contact_of(sparse, &sparse->nodes[k]);
 		if (p != NULL)
 			press_give_back(world, p);
 	}
 }
 
-void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h)
+void cni_direct_contacts_give_back_all(cn_world *world, cni_sparse *sparse, float h)
 {
 	int32_t k;
 	for (k = 0; k < sparse->press_count; ++k) {
-		cni_press *p = &sparse->presses[k];
+		cni_direct_contact *p = &sparse->presses[k];
 		const cni_node *n = &sparse->nodes[cni_max_i(p->node, 0)];
 		if (p->node == CNI_NONE)
 			continue;
@@ -150,7 +150,7 @@ CNI_INLINE float turned(float angle, float n, float t)
 	return x * (1.0f - x2 * (1.0f / 6.0f - x2 * (1.0f / 120.0f))) * t - x2 * (0.5f - x2 * (1.0f / 24.0f)) * n;
 }
 
-float cni_press_separation(const cni_press *p, int32_t i, const cni_motion *a, const cni_motion *b)
+float cni_direct_contact_separation(const cni_direct_contact *p, int32_t i, const cni_motion *a, const cni_motion *b)
 {
 	return p->s0[i] + p->nx * (b->dpx - a->dpx) + p->ny * (b->dpy - a->dpy) + turned(b->theta, p->an[i] - p->dn, p->at[i] - p->dt) - turned(a->theta, p->an[i], p->at[i]);
 }

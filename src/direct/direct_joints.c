@@ -27,7 +27,7 @@ static void works_release(cn_world *world)
 {
 	int32_t k;
 	for (k = 0; k < world->awake_joints.count; ++k)
-		cni_joint_works(world)[k].flags &= ~(uint32_t)CNI_WORK_DIRECT;
+		cni_joint_constraints(world)[k].flags &= ~(uint32_t)CNI_CONSTRAINT_DIRECT;
 }
 
 /* ---- the step ---- */
@@ -73,7 +73,7 @@ static int32_t is_loop_of_pins_and_rods(const cn_world *world, const cni_sparse 
 	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->presses || c->body_begin == c->body_end)
 		return 0;
 	for (k = c->begin; k < c->end; ++k)
-		if (sparse->nodes[k].rows != 2 && cni_joint_works(world)[sparse->nodes[k].owner].record->type != CN_JOINT_DISTANCE)
+		if (sparse->nodes[k].rows != 2 && cni_joint_constraints(world)[sparse->nodes[k].owner].record->type != CN_JOINT_DISTANCE)
 			return 0;
 	return 1;
 }
@@ -82,7 +82,7 @@ static int32_t is_touched(const cn_world *world, const cni_sparse *sparse, const
 {
 	int32_t k;
 	for (k = c->body_begin; k < c->body_end; ++k)
-		if (cni_drives(world)[sparse->bodies[k]].flags & CNI_DRIVE_TOUCHED)
+		if (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED)
 			return 1;
 	return 0;
 }
@@ -122,22 +122,22 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		if (far && k + 1 < out->component_count)
 			cni_component_prefetch(world, out, k + 1);
 		c->regular = c->presses ? REGULAR : c->loops ? REGULAR_LOOPS : 0.0f;
-		c->swings = CNI_ON(SWINGS) && !c->presses && cni_component_swings(world, s, out, c);
+		c->swings = CNI_ON(SWINGS) && !c->presses && cni_component_uses_rattle(world, s, out, c);
 		if (loop_is_better_soft(world, out, c))
 			cni_component_leave(world, out, c, CNI_TRUST_MOST);
 		else if (c->body_begin == c->body_end || is_better_alone(c))
 			cni_component_release(world, out, c);
 		else if (c->swings)
 			cni_sparse_clear(out, c);
-		else if (!(c->herds = CNI_ON(HERDS) ? cni_component_herds(world, s, out, c) : 0)) {
+		else if (!(c->batches = CNI_ON(HERDS) ? cni_component_is_batched(world, s, out, c) : 0)) {
 			c->kind = CNI_NONE;
 			cni_direct_begin(world, s, out, c);
 		}
 	}
-	cni_herds_make(world, s, out);
-	cni_presses_take(world, out);
+	cni_tree_batches_make(world, s, out);
+	cni_direct_contacts_take(world, out);
 	if (CNI_ON(CLOSE))
-		cni_close_mark(world, out);
+		cni_projection_mark(world, out);
 	world->direct_work = work_planned(world, out);
 }
 
@@ -147,7 +147,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 static void component_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
 	int32_t k, i;
-	cni_presses_give_back(world, sparse, c);
+	cni_direct_contacts_give_back(world, sparse, c);
 	for (k = c->begin; k < c->end; ++k)
 		for (i = 0; sparse->nodes[k].owner < 0 && i < CNI_NODE_ROWS; ++i) {
 			memset(&sparse->nodes[k].lever[i], 0, sizeof sparse->nodes[k].lever[i]);
@@ -179,7 +179,7 @@ static void component_turn(cn_world *world, const cni_solve *s, cni_component *c
 
 void cni_direct_warm_start(cn_world *world, const cni_solve *s)
 {
-	cni_herds_warm(world, s);
+	cni_tree_batches_warm(world, s);
 }
 
 void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
@@ -188,20 +188,20 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 	if (s->direct == NULL)
 		return;
 	if (bias)
-		cni_herds_solve(world, s);
+		cni_tree_batches_solve(world, s);
 	else
-		cni_herds_relax(world, s);
+		cni_tree_batches_relax(world, s);
 	for (k = 0; k < s->direct->component_count; ++k) {
 		cni_component *c = &s->direct->components[k];
-		if (c->done || c->herds)
+		if (c->done || c->batches)
 			continue;
 		if (!bias && c->joints > 0)
 			component_turn(world, s, c);
-		if (c->presses && !cni_presses_solve(world, s, s->direct, c, bias))
+		if (c->presses && !cni_direct_contacts_solve(world, s, s->direct, c, bias))
 			component_release(world, s->direct, c);
 		if (!c->presses)
 			joints_solve(world, s, c, bias);
-		if (bias && !c->presses && !c->done && !c->active && c->kind == CNI_NONE && cni_tension_lock(world, s->direct, c, s->h)) {
+		if (bias && !c->presses && !c->done && !c->active && c->kind == CNI_NONE && cni_geometric_stiffness_lock(world, s->direct, c, s->h)) {
 			cni_sparse_factor(s->direct, c, cni_motions(world));
 			joints_solve(world, s, c, bias);
 		}
@@ -211,11 +211,11 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 void cni_direct_store(cn_world *world, const cni_solve *s)
 {
 	if (s->direct != NULL)
-		cni_presses_give_back_all(world, s->direct, s->h);
+		cni_direct_contacts_give_back_all(world, s->direct, s->h);
 }
 
 uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies)
 {
 	uint64_t plan = cni_direct_plan_bytes(solver, joints, contacts, bodies);
-	return plan > 0 ? plan + cni_herd_bytes(joints) : 0;
+	return plan > 0 ? plan + cni_tree_batch_bytes(joints) : 0;
 }

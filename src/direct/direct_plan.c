@@ -19,7 +19,7 @@
 /* Most work of a system for each contact of it. */
 static int32_t press_work(int32_t solver)
 {
-	return solver == CN_SOLVER_DIRECT ? 2000 : CNI_PRESS_WORK;
+	return solver == CN_SOLVER_DIRECT ? 2000 : CNI_DIRECT_CONTACT_WORK;
 }
 
 /* Most work of a system, a joint of it: trees take 3 to 6. */
@@ -33,7 +33,7 @@ static int32_t joint_work(int32_t solver)
 
 static int32_t presses_of(int32_t solver, int32_t contacts)
 {
-	return solver == CN_SOLVER_DIRECT ? contacts : cni_min_i(contacts, CNI_PRESS_MOST);
+	return solver == CN_SOLVER_DIRECT ? contacts : cni_min_i(contacts, CNI_DIRECT_CONTACT_MOST);
 }
 
 static int64_t work_of(int32_t solver, int32_t joints, int32_t presses)
@@ -53,10 +53,10 @@ uint64_t cni_direct_plan_bytes(int32_t solver, int32_t joints, int32_t contacts,
 {
 	int32_t presses = presses_of(solver, contacts), links = joints + presses;
 	int64_t work = work_of(solver, joints, presses);
-	uint64_t joint = 1 + sizeof(float) * CNI_NODE_ROWS, link = sizeof(cni_link) + 2 * sizeof(cni_motion) + sizeof(cni_closer) + 1;
+	uint64_t joint = 1 + sizeof(float) * CNI_NODE_ROWS, link = sizeof(cni_link) + 2 * sizeof(cni_motion) + sizeof(cni_projection) + 1;
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
-	return joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_press) * (uint64_t)presses +
+	return joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_direct_contact) * (uint64_t)presses +
 	       2 * sizeof(int32_t) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 832 + cni_sparse_bytes(links, bodies + 1, work);
 }
 
@@ -64,7 +64,7 @@ uint64_t cni_direct_plan_bytes(int32_t solver, int32_t joints, int32_t contacts,
 
 static int32_t body_is_locked(const cn_world *world, int32_t index)
 {
-	return (cni_drives(world)[index].flags & (CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y)) != 0;
+	return (cni_externals(world)[index].flags & (CNI_EXTERNAL_LOCK_X | CNI_EXTERNAL_LOCK_Y)) != 0;
 }
 
 /* May what asks for it take as much as CN_SOLVER_DIRECT? A world in a caller's block has scratch memory for its own solver only. */
@@ -74,13 +74,13 @@ static int32_t may_take_most(const cn_world *world)
 }
 
 /* Worlds in which no joint ever had a solver of its own do not look. */
-static int32_t joint_stays_soft(const cn_world *world, const cni_joint_work *w)
+static int32_t joint_stays_soft(const cn_world *world, const cni_joint_constraint *w)
 {
 	return world->overridden && w->record->solver == CN_SOLVER_SOFT;
 }
 
 /* Does some joint of its island ask for all that CN_SOLVER_DIRECT allows? */
-static int32_t joint_may_take_most(const cn_world *world, const cni_joint_work *w)
+static int32_t joint_may_take_most(const cn_world *world, const cni_joint_constraint *w)
 {
 	int32_t island;
 	if (!world->overridden || !may_take_most(world))
@@ -89,16 +89,16 @@ static int32_t joint_may_take_most(const cn_world *world, const cni_joint_work *
 	return island == CNI_NONE ? w->record->solver == CN_SOLVER_DIRECT : cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
 }
 
-static int32_t is_left_soft(const cn_world *world, const cni_joint_work *w)
+static int32_t is_left_soft(const cn_world *world, const cni_joint_constraint *w)
 {
 	return world->joints_soft_step > world->step_count && w->record->trust.soft && w->record->trust.until > world->step_count;
 }
 
-static int32_t work_is_eligible(const cn_world *world, const cni_joint_work *w)
+static int32_t work_is_eligible(const cn_world *world, const cni_joint_constraint *w)
 {
 	if (!CNI_ON(DIRECT_JOINTS) || joint_stays_soft(world, w))
 		return 0;
-	return w->rigid_count > 0 && !is_left_soft(world, w) && !(w->flags & (CNI_WORK_SPRINGY | CNI_WORK_BOUNDED)) &&
+	return w->rigid_count > 0 && !is_left_soft(world, w) && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED)) &&
 	       !(w->ia != 0 && body_is_locked(world, w->ia)) && !(w->ib != 0 && body_is_locked(world, w->ib));
 }
 
@@ -106,7 +106,7 @@ static int32_t joint_links_collect(const cn_world *world, cni_link *links)
 {
 	int32_t k, count = 0;
 	for (k = 0; k < world->awake_joints.count; ++k) {
-		const cni_joint_work *w = cni_joint_works(world) + k;
+		const cni_joint_constraint *w = cni_joint_constraints(world) + k;
 		cni_link *link = &links[count];
 		if (!work_is_eligible(world, w))
 			continue;
@@ -123,15 +123,15 @@ static int32_t joint_links_collect(const cn_world *world, cni_link *links)
 /* ---- contacts ---- */
 
 /* Contacts of the islands that are solved directly; an island that has too many, or of the wrong kind, is refused. */
-static void presses_collect(cn_world *world, cni_press *presses, int32_t room, cni_sparse *out)
+static void presses_collect(cn_world *world, cni_direct_contact *presses, int32_t room, cni_sparse *out)
 {
 	const int32_t *islands = (const int32_t *)world->direct_islands.data;
 	int32_t k;
 	out->presses = presses;
 	for (k = 0; k < world->direct_islands.count; ++k) {
-		int32_t count = cni_presses_collect(world, islands[k], presses + out->press_count, room - out->press_count);
+		int32_t count = cni_direct_contacts_collect(world, islands[k], presses + out->press_count, room - out->press_count);
 		if (count < 0)
-			cni_island_refuse(world, islands[k], count == CNI_PRESSES_MANY ? CN_TIER_REASON_CROWDED : CN_TIER_REASON_KIND);
+			cni_island_refuse(world, islands[k], count == CNI_DIRECT_CONTACTS_MANY ? CN_TIER_REASON_CROWDED : CN_TIER_REASON_KIND);
 		else
 			out->press_count += count;
 	}
@@ -152,7 +152,7 @@ static int32_t press_links_collect(const cn_world *world, const cni_sparse *spar
 {
 	int32_t k;
 	for (k = 0; k < sparse->press_count; ++k) {
-		const cni_press *p = &sparse->presses[k];
+		const cni_direct_contact *p = &sparse->presses[k];
 		cni_link *link = &links[k];
 		link->ia = cni_block_at(world, p->block)->ia[p->lane];
 		link->ib = cni_block_at(world, p->block)->ib[p->lane];
@@ -194,8 +194,8 @@ static void owners_tell(cn_world *world, const cni_solve *s, const cni_link *lin
 	int32_t k;
 	for (k = 0; k < count; ++k)
 		if (planned[k] && links[k].owner >= 0) {
-			cni_joint_work *w = cni_joint_works(world) + links[k].owner;
-			w->flags |= CNI_WORK_DIRECT;
+			cni_joint_constraint *w = cni_joint_constraints(world) + links[k].owner;
+			w->flags |= CNI_CONSTRAINT_DIRECT;
 			if (w->form != 0)
 				cni_joint_rows_begin(world, s, w);
 		}
@@ -217,7 +217,7 @@ static int32_t presses_most(const cn_world *world)
 	int32_t all = world->settings.solver == CN_SOLVER_DIRECT || (world->overridden && may_take_most(world));
 	if (world->direct_islands.count == 0)
 		return 0;
-	return all ? world->touching_count : cni_min_i(world->touching_count, CNI_PRESS_MOST);
+	return all ? world->touching_count : cni_min_i(world->touching_count, CNI_DIRECT_CONTACT_MOST);
 }
 
 /* again: without what was refused. A world in a caller's block has set aside room for one kept plan. */
@@ -238,17 +238,17 @@ static int32_t lists_take(cn_world *world, cni_sparse *out)
 	out->saved = (cni_motion *)cni_arena_push(arena, sizeof(cni_motion) * (uint64_t)out->body_count);
 	out->pull = (float *)cni_arena_push(arena, sizeof(float) * bodies);
 	out->turn = (cni_rot *)cni_arena_push(arena, sizeof(cni_rot) * bodies);
-	out->closers = (cni_closer *)cni_arena_push(arena, sizeof(cni_closer) * (uint64_t)out->component_count);
-	out->closer_slots = (int32_t *)cni_arena_push(arena, 2 * sizeof(int32_t) * (uint64_t)world->touching_count); /* each at two bodies */
-	out->closer_of = (int32_t *)cni_arena_push(arena, sizeof(int32_t) * bodies);
-	return out->saved != NULL && out->pull != NULL && out->turn != NULL && out->closers != NULL && out->closer_slots != NULL && out->closer_of != NULL;
+	out->projections = (cni_projection *)cni_arena_push(arena, sizeof(cni_projection) * (uint64_t)out->component_count);
+	out->projection_slots = (int32_t *)cni_arena_push(arena, 2 * sizeof(int32_t) * (uint64_t)world->touching_count); /* each at two bodies */
+	out->projection_of = (int32_t *)cni_arena_push(arena, sizeof(int32_t) * bodies);
+	return out->saved != NULL && out->pull != NULL && out->turn != NULL && out->projections != NULL && out->projection_slots != NULL && out->projection_of != NULL;
 }
 
 int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out)
 {
 	int32_t room = presses_most(world);
 	int32_t joints = world->awake_joints.count, count;
-	cni_press *presses = (cni_press *)cni_arena_push(&world->arena, sizeof(cni_press) * (uint64_t)room);
+	cni_direct_contact *presses = (cni_direct_contact *)cni_arena_push(&world->arena, sizeof(cni_direct_contact) * (uint64_t)room);
 	cni_link *links;
 	uint8_t *planned;
 	if (presses == NULL)

@@ -39,7 +39,7 @@
 #define FRICTION_LEAST 1e-4f  /* a lesser coefficient is none */
 
 typedef struct cone {
-	const cni_press_pass *pass;
+	const cni_direct_contact_pass *pass;
 	cni_sparse *sparse;
 	cni_component *c;
 	int32_t count;         /* of slacks that there are */
@@ -50,17 +50,17 @@ typedef struct cone {
 } cone;
 
 /* Of the two normals and the friction: is there such a row? */
-static int32_t row_is(const cni_press *p, int32_t row)
+static int32_t row_is(const cni_direct_contact *p, int32_t row)
 {
 	return p->mass[row] > 0.0f && (row < 2 || p->coefficient > 0.0f);
 }
 
-static int32_t slack_is(const cni_press *p, int32_t i)
+static int32_t slack_is(const cni_direct_contact *p, int32_t i)
 {
 	return row_is(p, i < 2 ? i : 2);
 }
 
-static void slacks_of(const cni_press *p, const float l[3], float out[4])
+static void slacks_of(const cni_direct_contact *p, const float l[3], float out[4])
 {
 	float sum = p->coefficient * (l[0] + l[1]);
 	out[0] = l[0];
@@ -69,32 +69,32 @@ static void slacks_of(const cni_press *p, const float l[3], float out[4])
 	out[3] = sum + l[2];
 }
 
-static float slack_mass(const cni_press *p, int32_t i)
+static float slack_mass(const cni_direct_contact *p, int32_t i)
 {
 	return p->mass[i < 2 ? i : 2];
 }
 
 /* ---- the beginning ---- */
 
-static void rows_push(const cone *q, const cni_press *p, const cni_node *n, const float change[3])
+static void rows_push(const cone *q, const cni_direct_contact *p, const cni_node *n, const float change[3])
 {
 	int32_t i;
 	for (i = 0; i < 3; ++i)
-		cni_press_push(p, i, change[i], q->pass->motions + n->ia, q->pass->motions + n->ib);
+		cni_direct_contact_push(p, i, change[i], q->pass->motions + n->ia, q->pass->motions + n->ib);
 }
 
 /* Speeds of the rows, and what they may be short of. */
-static void speeds_of(const cone *q, const cni_press *p, const cni_node *n, float out[3])
+static void speeds_of(const cone *q, const cni_direct_contact *p, const cni_node *n, float out[3])
 {
 	int32_t i;
 	for (i = 0; i < 3; ++i) {
-		cni_lever l = cni_press_lever(p, i);
-		out[i] = row_is(p, i) ? cni_lever_speed(&l, q->pass->motions + n->ia, q->pass->motions + n->ib) + (i < 2 ? p->room[i] + p->lift : 0.0f) + cni_press_leak(p, i) : 0.0f;
+		cni_lever l = cni_direct_contact_lever(p, i);
+		out[i] = row_is(p, i) ? cni_lever_speed(&l, q->pass->motions + n->ia, q->pass->motions + n->ib) + (i < 2 ? p->room[i] + p->lift : 0.0f) + cni_direct_contact_leak(p, i) : 0.0f;
 	}
 }
 
 /* The impulses of the last pass to begin with. */
-static void press_warm(const cone *q, cni_press *p, const cni_node *n)
+static void press_warm(const cone *q, cni_direct_contact *p, const cni_node *n)
 {
 	float change[3];
 	int32_t i;
@@ -112,7 +112,7 @@ static void warm(cone *q)
 {
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
+		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
 		memset(q->sparse->nodes[k].total, 0, sizeof q->sparse->nodes[k].total);
 		if (p == NULL)
 			continue;
@@ -124,7 +124,7 @@ static void warm(cone *q)
 
 /* From the impulses that it has to some inside of the cones, all slacks times their multipliers the same; the changes go
    into start. A point that is apart has three multipliers that must add up to its speed. */
-static void press_center(const cone *q, cni_press *p, const cni_node *n, float speed)
+static void press_center(const cone *q, cni_direct_contact *p, const cni_node *n, float speed)
 {
 	float speeds[3], most;
 	int32_t i;
@@ -142,7 +142,7 @@ static void press_center(const cone *q, cni_press *p, const cni_node *n, float s
 		p->dual[i] = slack_is(p, i) ? q->tau * slack_mass(p, i) / p->slack[i] : 0.0f;
 }
 
-static float speed_lacking(const cone *q, const cni_press *p, const cni_node *n)
+static float speed_lacking(const cone *q, const cni_direct_contact *p, const cni_node *n)
 {
 	float speeds[3];
 	speeds_of(q, p, n, speeds);
@@ -153,28 +153,28 @@ static void center(cone *q)
 {
 	float speed = q->pass->speed_least;
 	int32_t k;
-	cni_press *p;
+	cni_direct_contact *p;
 	for (k = q->c->begin; k < q->c->end; ++k)
-		if ((p = cni_press_of(q->sparse, &q->sparse->nodes[k])) != NULL)
+		if ((p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k])) != NULL)
 			speed = cni_max(speed, speed_lacking(q, p, &q->sparse->nodes[k]));
 	q->tau = speed * speed;
 	for (k = q->c->begin; k < q->c->end; ++k)
-		if ((p = cni_press_of(q->sparse, &q->sparse->nodes[k])) != NULL)
+		if ((p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k])) != NULL)
 			press_center(q, p, &q->sparse->nodes[k], speed);
 	for (k = q->c->begin; k < q->c->end; ++k)
-		if ((p = cni_press_of(q->sparse, &q->sparse->nodes[k])) != NULL)
+		if ((p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k])) != NULL)
 			rows_push(q, p, &q->sparse->nodes[k], p->start);
 }
 
 /* ---- a step ---- */
 
-static float stiffness_of(const cni_press *p, int32_t i)
+static float stiffness_of(const cni_direct_contact *p, int32_t i)
 {
 	return slack_is(p, i) ? cni_min(p->dual[i] / p->slack[i], STIFF_MOST / slack_mass(p, i)) : 0.0f;
 }
 
 /* What is left of the rows' speeds when the multipliers are taken from them; and how far complementarity is off. */
-static void press_look(cone *q, const cni_press *p, const float speeds[3])
+static void press_look(cone *q, const cni_direct_contact *p, const float speeds[3])
 {
 	int32_t i;
 	for (i = 0; i < 2; ++i)
@@ -186,10 +186,10 @@ static void press_look(cone *q, const cni_press *p, const float speeds[3])
 }
 
 /* Levers, diagonal and right side of a contact's Newton step. */
-static void press_newton(cone *q, cni_press *p, cni_node *n)
+static void press_newton(cone *q, cni_direct_contact *p, cni_node *n)
 {
 	float d2 = stiffness_of(p, 2), d3 = stiffness_of(p, 3), speeds[3], push[4], both, lift;
-	cni_lever friction = cni_press_lever(p, 2);
+	cni_lever friction = cni_direct_contact_lever(p, 2);
 	int32_t i;
 	speeds_of(q, p, n, speeds);
 	press_look(q, p, speeds);
@@ -205,7 +205,7 @@ static void press_newton(cone *q, cni_press *p, cni_node *n)
 		n->x[i] = row_is(p, i) ? push[i] + lift - speeds[i] + p->slope * n->x[2] : 0.0f;
 		n->compliance[i] = row_is(p, i) ? stiffness_of(p, i) + both : 0.0f;
 		if (row_is(p, i))
-			n->lever[i] = cni_press_lever(p, i);
+			n->lever[i] = cni_direct_contact_lever(p, i);
 		if (row_is(p, i) && row_is(p, 2)) {
 			n->lever[i].ax += p->slope * friction.ax;
 			n->lever[i].ay += p->slope * friction.ay;
@@ -222,7 +222,7 @@ static void press_newton(cone *q, cni_press *p, cni_node *n)
 
 static void joint_newton(const cone *q, cni_node *n)
 {
-	const cni_row *rows = cni_joint_works(q->pass->world)[n->owner].rows;
+	const cni_row *rows = cni_joint_constraints(q->pass->world)[n->owner].rows;
 	float rate = q->pass->bias ? CNI_JOINT_ERROR_RATE * q->pass->s->inv_h : 0.0f;
 	int32_t i;
 	for (i = 0; i < CNI_NODE_ROWS; ++i)
@@ -231,7 +231,7 @@ static void joint_newton(const cone *q, cni_node *n)
 }
 
 /* Changes of slack and multiplier by a whole step. */
-static void changes_of(const cone *q, const cni_press *p, const cni_node *n, float slack[4], float dual[4])
+static void changes_of(const cone *q, const cni_direct_contact *p, const cni_node *n, float slack[4], float dual[4])
 {
 	int32_t i;
 	slacks_of(p, n->x, slack);
@@ -250,7 +250,7 @@ static float step_length(const cone *q)
 	float most = FLT_MAX;
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		const cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
+		const cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
 		cni_node *n = &q->sparse->nodes[k];
 		float slack[4], dual[4];
 		if (p == NULL)
@@ -270,7 +270,7 @@ static float step_take(const cone *q, float length)
 	float sum = 0.0f;
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
+		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
 		cni_node *n = &q->sparse->nodes[k];
 		float slack[4], dual[4];
 		if (p != NULL)
@@ -303,7 +303,7 @@ static float predictor_keep(cone *q, float length)
 	float sum = 0.0f;
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
+		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
 		float slack[4], dual[4];
 		if (p == NULL)
 			continue;
@@ -320,7 +320,7 @@ static void predictor_clear(cone *q)
 {
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
+		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
 		if (p != NULL)
 			memset(p->cross, 0, sizeof p->cross);
 	}
@@ -331,7 +331,7 @@ static void newton_set(cone *q)
 	int32_t k;
 	q->residual = q->misfit = 0.0f;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
+		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
 		if (p != NULL)
 			press_newton(q, p, &q->sparse->nodes[k]);
 		else
@@ -342,7 +342,7 @@ static void newton_set(cone *q)
 /* ---- the end ---- */
 
 /* Which rows bear, for the set that the next pass begins with. What does not bear has no impulse. */
-static void press_end(const cone *q, cni_press *p, cni_node *n)
+static void press_end(const cone *q, cni_direct_contact *p, cni_node *n)
 {
 	float change[3] = { 0.0f, 0.0f, 0.0f };
 	int32_t i;
@@ -370,7 +370,7 @@ static void end(const cone *q)
 {
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
+		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
 		if (p != NULL)
 			press_end(q, p, &q->sparse->nodes[k]);
 	}
@@ -417,7 +417,7 @@ static float slips_find(const cone *q)
 	float most = 0.0f;
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
-		cni_press *p = cni_press_of(q->sparse, &q->sparse->nodes[k]);
+		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
 		float slip, was;
 		if (p == NULL || p->coefficient == 0.0f)
 			continue;
@@ -433,7 +433,7 @@ static float slips_find(const cone *q)
 	return most;
 }
 
-int32_t cni_presses_cone(const cni_press_pass *pass, int32_t *out_factors)
+int32_t cni_direct_contacts_cone(const cni_direct_contact_pass *pass, int32_t *out_factors)
 {
 	cone q = { pass, pass->sparse, pass->c, 0, 0, FACTORS, 0.0f, 0.0f, 0.0f };
 	int32_t good = 1, round;

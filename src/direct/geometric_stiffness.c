@@ -25,36 +25,36 @@ static void pulls_clear(cni_sparse *sparse, const cni_component *c)
 }
 
 /* Forces of a joint on its bodies, at the ends of these arms. */
-static void pull_add(cni_sparse *sparse, const cni_joint_work *w, cni_vec2 ra, cni_vec2 rb, cni_vec2 fa, cni_vec2 fb)
+static void pull_add(cni_sparse *sparse, const cni_joint_constraint *w, cni_vec2 ra, cni_vec2 rb, cni_vec2 fa, cni_vec2 fb)
 {
 	sparse->pull[w->ia] += cni_dot(ra, fa);
 	sparse->pull[w->ib] += cni_dot(rb, fb);
 }
 
-void cni_tension_find_pins(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
+void cni_geometric_stiffness_find_pins(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
 {
 	float inv_h = 1.0f / h;
 	int32_t k;
 	pulls_clear(sparse, c);
 	for (k = c->begin; k < c->end; ++k) {
-		const cni_joint_work *w = &cni_joint_works(world)[sparse->nodes[k].owner];
+		const cni_joint_constraint *w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
 		cni_vec2 f = cni_mul(inv_h, cni_v(w->record->impulse[0], w->record->impulse[1]));
 		pull_add(sparse, w, w->start.ra, w->start.rb, cni_neg(f), f);
 	}
 }
 
 /* From the rows' impulses, which are those of a substep of length h. */
-void cni_tension_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
+void cni_geometric_stiffness_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
 {
 	float inv_h = 1.0f / h;
 	int32_t k, i;
 	pulls_clear(sparse, c);
 	for (k = c->begin; k < c->end; ++k) {
-		const cni_joint_work *w;
+		const cni_joint_constraint *w;
 		cni_vec2 fa = cni_v(0.0f, 0.0f), fb = fa;
 		if (sparse->nodes[k].owner < 0)
 			continue; /* a contact */
-		w = &cni_joint_works(world)[sparse->nodes[k].owner];
+		w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
 		for (i = 0; i < w->rigid_count; ++i) {
 			const cni_row *r = &w->rows[i];
 			fa = cni_madd(fa, r->impulse * inv_h, cni_v(r->ax, r->ay));
@@ -65,13 +65,13 @@ void cni_tension_find(const cn_world *world, cni_sparse *sparse, const cni_compo
 }
 
 /* Of rods between bodies: f / l against a body's mass. A chain of them swings at up to the square root of twice the sum at a body. */
-float cni_tension_rods(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
+float cni_geometric_stiffness_rods(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
 {
 	float inv_h = 1.0f / h, most = 0.0f;
 	int32_t k;
 	pulls_clear(sparse, c);
 	for (k = c->begin; k < c->end; ++k) {
-		const cni_joint_work *w = &cni_joint_works(world)[sparse->nodes[k].owner];
+		const cni_joint_constraint *w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
 		float stiffness;
 		if (w->record->type != CN_JOINT_DISTANCE || w->record->p[CNI_P_LENGTH] <= 0.0f)
 			continue;
@@ -84,7 +84,7 @@ float cni_tension_rods(const cn_world *world, cni_sparse *sparse, const cni_comp
 	return 2.0f * most;
 }
 
-float cni_tension_stiffness(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+float cni_geometric_stiffness_stiffness(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	float most = 0.0f;
 	int32_t k;
@@ -93,9 +93,9 @@ float cni_tension_stiffness(const cn_world *world, const cni_sparse *sparse, con
 	return most;
 }
 
-int32_t cni_tension_needs_dampers(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float h)
+int32_t cni_geometric_stiffness_needs_dampers(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float h)
 {
-	return CNI_ON(TENSION) && h * h * cni_tension_stiffness(world, sparse, c) > 0.5f * XI_MOST;
+	return CNI_ON(TENSION) && h * h * cni_geometric_stiffness_stiffness(world, sparse, c) > 0.5f * XI_MOST;
 }
 
 /* c of a body: what of h^2 sum(r.f) a substep does not follow. */
@@ -111,12 +111,12 @@ static int32_t is_fixed(const cn_world *world, int32_t index)
 	return m->inv_mass == 0.0f && m->inv_inertia == 0.0f;
 }
 
-void cni_tension_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
+void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
 {
 	int32_t k;
 	if (c->width < CNI_NODE_ROWS || !CNI_ON(TENSION))
 		return;
-	cni_tension_find(world, sparse, c, h);
+	cni_geometric_stiffness_find(world, sparse, c, h);
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		cni_lever *l = &n->lever[2];
@@ -130,14 +130,14 @@ void cni_tension_damp(const cn_world *world, cni_sparse *sparse, const cni_compo
 	}
 }
 
-int32_t cni_tension_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float h)
+int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float h)
 {
 	const cni_motion *motions = cni_motions(world);
 	float most = CNI_SNAP_RAD / h;
 	int32_t k, found = 0;
 	for (k = c->begin; k < c->end && CNI_ON(TENSION); ++k) {
 		cni_node *n = &sparse->nodes[k];
-		if (n->rows != 2 || cni_joint_works(world)[n->owner].inner > 0 || is_fixed(world, n->ia) || is_fixed(world, n->ib) ||
+		if (n->rows != 2 || cni_joint_constraints(world)[n->owner].inner > 0 || is_fixed(world, n->ia) || is_fixed(world, n->ib) ||
 		    (cni_abs(motions[n->ia].w) <= most && cni_abs(motions[n->ib].w) <= most) || cni_abs(motions[n->ib].w - motions[n->ia].w) <= 0.5f * most)
 			continue;
 		c->width = CNI_NODE_ROWS;

@@ -22,7 +22,7 @@ static int32_t may_close(const cn_world *world, const cni_sparse *sparse, const 
 	if (c->done || c->presses)
 		return 0;
 	for (n = c->body_begin; n < c->body_end; ++n)
-		if (cni_drives(world)[sparse->bodies[n]].flags & CNI_DRIVE_TOUCHED)
+		if (cni_externals(world)[sparse->bodies[n]].flags & CNI_EXTERNAL_TOUCHED)
 			return 1;
 	return 0;
 }
@@ -33,37 +33,37 @@ static int32_t rounds_of(const cni_component *c)
 	return cni_max_i(1, cni_min_i(c->end - c->begin - 1, CLOSE_ROUNDS));
 }
 
-static void closer_add(cni_sparse *sparse, int32_t component)
+static void projection_add(cni_sparse *sparse, int32_t component)
 {
 	const cni_component *c = &sparse->components[component];
-	cni_closer *closer = &sparse->closers[sparse->closer_count];
+	cni_projection *projection = &sparse->projections[sparse->projection_count];
 	int32_t k;
-	closer->component = component;
-	closer->herd = c->herds ? c->herd : CNI_NONE;
-	closer->lane = c->lane;
-	closer->rounds = rounds_of(c);
-	closer->asked = closer->parting = closer->changed = 0;
-	closer->slot_begin = CNI_NONE;
+	projection->component = component;
+	projection->batch = c->batches ? c->batch : CNI_NONE;
+	projection->lane = c->lane;
+	projection->rounds = rounds_of(c);
+	projection->asked = projection->parting = projection->changed = 0;
+	projection->slot_begin = CNI_NONE;
 	for (k = c->body_begin; k < c->body_end; ++k)
-		sparse->closer_of[sparse->bodies[k]] = sparse->closer_count;
-	++sparse->closer_count;
+		sparse->projection_of[sparse->bodies[k]] = sparse->projection_count;
+	++sparse->projection_count;
 }
 
 /* What contacts may part. */
-void cni_close_mark(const cn_world *world, cni_sparse *sparse)
+void cni_projection_mark(const cn_world *world, cni_sparse *sparse)
 {
 	int32_t k;
 	for (k = 0; k < world->awake_count; ++k)
-		sparse->closer_of[k] = CNI_NONE;
+		sparse->projection_of[k] = CNI_NONE;
 	for (k = 0; k < sparse->component_count; ++k)
 		if (may_close(world, sparse, &sparse->components[k]))
-			closer_add(sparse, k);
+			projection_add(sparse, k);
 }
 
 /* Do contacts, which came after, part joints by more in this substep than is good? Reads the right sides. */
 static int32_t is_parting(const cn_world *world, const cni_solve *s, const cni_component *c)
 {
-	float most = CNI_CLOSE_PART * world->settings.accuracy * s->inv_h;
+	float most = CNI_PROJECTION_PART * world->settings.accuracy * s->inv_h;
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k)
 		for (i = 0; i < s->direct->nodes[k].rows; ++i)
@@ -72,9 +72,9 @@ static int32_t is_parting(const cn_world *world, const cni_solve *s, const cni_c
 	return 0;
 }
 
-/* How a point at r leaves the tangent when its body turns by this angle, with the bits of herds: turn_series in
+/* How a point at r leaves the tangent when its body turns by this angle, with the bits of batches: turn_series in
    joints/joint_kernel.h. */
-static cni_vec2 swerve(cni_vec2 r, float turn)
+static cni_vec2 drift(cni_vec2 r, float turn)
 {
 	float half = cni_clamp(0.5f * turn, -1.5f, 1.5f), u = half * half, s, c1, c2;
 	s = half * (1.0f - u * (1.0f / 6.0f - u * (1.0f / 120.0f - u * (1.0f / 5040.0f))));
@@ -86,25 +86,25 @@ static cni_vec2 swerve(cni_vec2 r, float turn)
 
 static int32_t joint_is(const cn_world *world, const cni_node *n, int32_t type)
 {
-	return cni_joint_works(world)[n->owner].record->type == type;
+	return cni_joint_constraints(world)[n->owner].record->type == type;
 }
 
-static void pin_swerve(const cni_solve *s, cni_node *n, float wa, float wb)
+static void pin_drift(const cni_solve *s, cni_node *n, float wa, float wb)
 {
 	const cni_lever *x = &n->lever[0], *y = &n->lever[1];
-	cni_vec2 a = swerve(cni_v(-y->aw, x->aw), s->h * wa), b = swerve(cni_v(y->bw, -x->bw), s->h * wb);
+	cni_vec2 a = drift(cni_v(-y->aw, x->aw), s->h * wa), b = drift(cni_v(y->bw, -x->bw), s->h * wb);
 	n->x[0] -= cni_clamp((b.x - a.x) * s->inv_h, -s->push_speed, s->push_speed);
 	n->x[1] -= cni_clamp((b.y - a.y) * s->inv_h, -s->push_speed, s->push_speed);
 }
 
 /* Any other joint: what its errors will be, less what their speeds tell. */
-static void joint_swerve(const cn_world *world, const cni_solve *s, cni_node *n)
+static void joint_drift(const cn_world *world, const cni_solve *s, cni_node *n)
 {
 	const cni_motion *motions = cni_motions(world);
-	const cni_joint_work *w = cni_joint_works(world) + n->owner;
+	const cni_joint_constraint *w = cni_joint_constraints(world) + n->owner;
 	float ahead[CNI_NODE_ROWS];
 	int32_t i;
-	cni_joint_work_ahead(w, motions, s->h, ahead);
+	cni_joint_constraint_ahead(w, motions, s->h, ahead);
 	for (i = 0; i < n->rows; ++i) {
 		float speed = (ahead[i] - w->rows[i].error) * s->inv_h - cni_lever_speed(&n->lever[i], motions + n->ia, motions + n->ib);
 		n->x[i] -= cni_clamp(speed, -s->push_speed, s->push_speed);
@@ -113,27 +113,27 @@ static void joint_swerve(const cn_world *world, const cni_solve *s, cni_node *n)
 
 /* Arms that turn fast, and rods, whose bodies need not, carry joints apart at the second order of the substep: their speeds
    shall make up for it. */
-static void swerves_add(const cn_world *world, const cni_solve *s, const cni_component *c)
+static void drifts_add(const cn_world *world, const cni_solve *s, const cni_component *c)
 {
 	const cni_motion *motions = cni_motions(world);
-	float least = CNI_CLOSE_TURN_RAD * s->inv_h;
+	float least = CNI_PROJECTION_TURN_RAD * s->inv_h;
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &s->direct->nodes[k];
 		float wa = motions[n->ia].w, wb = motions[n->ib].w;
 		int32_t turns = cni_abs(wa) > least || cni_abs(wb) > least;
 		if (n->owner >= 0 && turns && joint_is(world, n, CN_JOINT_REVOLUTE))
-			pin_swerve(s, n, wa, wb);
+			pin_drift(s, n, wa, wb);
 		else if (n->owner >= 0 && (turns || n->rows == 1) && !joint_is(world, n, CN_JOINT_REVOLUTE))
-			joint_swerve(world, s, n);
+			joint_drift(world, s, n);
 	}
 }
 
 /* Whose bodies have changed since it was looked at; index: dense. */
 static void change_tell(cni_sparse *sparse, int32_t index)
 {
-	if (sparse->closer_of[index] != CNI_NONE)
-		sparse->closers[sparse->closer_of[index]].changed = 1;
+	if (sparse->projection_of[index] != CNI_NONE)
+		sparse->projections[sparse->projection_of[index]].changed = 1;
 }
 
 static void body_slots_find(const cn_world *world, cni_sparse *sparse, const cni_body *b)
@@ -144,29 +144,29 @@ static void body_slots_find(const cn_world *world, cni_sparse *sparse, const cni
 		if (!(contact->flags & CNI_CONTACT_TOUCHING) || contact->slot == CNI_NONE)
 			continue;
 		--left;
-		sparse->closer_slots[sparse->closer_slot_count++] = contact->slot;
+		sparse->projection_slots[sparse->projection_slot_count++] = contact->slot;
 	}
 }
 
 /* Where the contacts of its bodies are in lanes: the same all through the substeps. */
-static void slots_find(const cn_world *world, cni_sparse *sparse, cni_closer *closer)
+static void slots_find(const cn_world *world, cni_sparse *sparse, cni_projection *projection)
 {
-	const cni_component *c = &sparse->components[closer->component];
+	const cni_component *c = &sparse->components[projection->component];
 	int32_t k;
-	closer->slot_begin = sparse->closer_slot_count;
+	projection->slot_begin = sparse->projection_slot_count;
 	for (k = c->body_begin; k < c->body_end; ++k)
 		body_slots_find(world, sparse, cni_body_at(world, cni_awake_ids(world)[sparse->bodies[k]]));
-	closer->slot_end = sparse->closer_slot_count;
+	projection->slot_end = sparse->projection_slot_count;
 }
 
 /* What is in lanes of the contacts of its bodies, once more. */
-static void contacts_again(cn_world *world, const cni_solve *s, cni_closer *closer)
+static void contacts_again(cn_world *world, const cni_solve *s, cni_projection *projection)
 {
 	int32_t k;
-	if (closer->slot_begin == CNI_NONE)
-		slots_find(world, s->direct, closer);
-	for (k = closer->slot_begin; k < closer->slot_end; ++k) {
-		int32_t slot = s->direct->closer_slots[k];
+	if (projection->slot_begin == CNI_NONE)
+		slots_find(world, s->direct, projection);
+	for (k = projection->slot_begin; k < projection->slot_end; ++k) {
+		int32_t slot = s->direct->projection_slots[k];
 		const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
 		cni_contact_solve_again(world, s, slot);
 		change_tell(s->direct, block->ia[slot % CNI_LANES]);
@@ -175,17 +175,17 @@ static void contacts_again(cn_world *world, const cni_solve *s, cni_closer *clos
 }
 
 /* Which are to be looked at: all, or those that parted in the last round, and whose bodies its contacts changed. */
-static void closers_ask(cni_sparse *sparse, int32_t round)
+static void projections_ask(cni_sparse *sparse, int32_t round)
 {
 	int32_t k;
-	for (k = 0; k < sparse->herd_count; ++k)
-		sparse->herds[k].asked = 0;
-	for (k = 0; k < sparse->closer_count; ++k) {
-		cni_closer *c = &sparse->closers[k];
+	for (k = 0; k < sparse->batch_count; ++k)
+		sparse->batches[k].asked = 0;
+	for (k = 0; k < sparse->projection_count; ++k) {
+		cni_projection *c = &sparse->projections[k];
 		c->asked = round == 0 || c->parting || c->changed;
 		c->changed = 0;
-		if (c->asked && c->herd != CNI_NONE)
-			sparse->herds[c->herd].asked |= 1u << c->lane;
+		if (c->asked && c->batch != CNI_NONE)
+			sparse->batches[c->batch].asked |= 1u << c->lane;
 	}
 }
 
@@ -195,43 +195,43 @@ static int32_t component_close(cn_world *world, const cni_solve *s, cni_componen
 	if (c->done)
 		return 0;
 	cni_direct_sides(world, s, c, 1);
-	swerves_add(world, s, c);
+	drifts_add(world, s, c);
 	if (!is_parting(world, s, c))
 		return 0;
 	cni_direct_answer(world, s, c);
 	return 1;
 }
 
-static int32_t closer_close(cn_world *world, const cni_solve *s, const cni_closer *c)
+static int32_t projection_run(cn_world *world, const cni_solve *s, const cni_projection *c)
 {
 	if (!c->asked)
 		return 0;
-	if (c->herd != CNI_NONE)
-		return (int32_t)(s->direct->herds[c->herd].parting >> c->lane & 1u);
+	if (c->batch != CNI_NONE)
+		return (int32_t)(s->direct->batches[c->batch].parting >> c->lane & 1u);
 	return component_close(world, s, &s->direct->components[c->component]);
 }
 
 /* Returns 1 when contacts of some are to come once more: they are parting. */
-static int32_t closers_close(cn_world *world, const cni_solve *s, int32_t round)
+static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t round)
 {
 	int32_t k, closed = 0;
-	closers_ask(s->direct, round);
-	cni_herds_close(world, s);
-	for (k = 0; k < s->direct->closer_count; ++k) {
-		cni_closer *c = &s->direct->closers[k];
-		c->parting = closer_close(world, s, c) && round < c->rounds;
+	projections_ask(s->direct, round);
+	cni_tree_batches_close(world, s);
+	for (k = 0; k < s->direct->projection_count; ++k) {
+		cni_projection *c = &s->direct->projections[k];
+		c->parting = projection_run(world, s, c) && round < c->rounds;
 		closed |= c->parting;
 	}
 	return closed;
 }
 
-void cni_direct_close(cn_world *world, const cni_solve *s)
+void cni_direct_project(cn_world *world, const cni_solve *s)
 {
 	int32_t k, round;
-	if (s->direct == NULL || s->direct->closer_count == 0)
+	if (s->direct == NULL || s->direct->projection_count == 0)
 		return;
-	for (round = 0; closers_close(world, s, round); ++round)
-		for (k = 0; k < s->direct->closer_count; ++k)
-			if (s->direct->closers[k].parting)
-				contacts_again(world, s, &s->direct->closers[k]);
+	for (round = 0; projections_run(world, s, round); ++round)
+		for (k = 0; k < s->direct->projection_count; ++k)
+			if (s->direct->projections[k].parting)
+				contacts_again(world, s, &s->direct->projections[k]);
 }

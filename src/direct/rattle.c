@@ -47,7 +47,7 @@
 /* ---- which components ---- */
 
 /* Can no row but the rigid ones have anything to do in this step? */
-static int32_t work_is_rigid(const cni_joint_work *w, const cni_motion *motions, float dt)
+static int32_t work_is_rigid(const cni_joint_constraint *w, const cni_motion *motions, float dt)
 {
 	const cni_motion *a = motions + w->ia, *b = motions + w->ib;
 	int32_t k;
@@ -68,40 +68,40 @@ static int32_t end_swings(const cn_world *world, int32_t index)
 }
 
 /* Only joints of the component hold it, and nothing touches it. */
-static int32_t body_swings(const cn_world *world, int32_t index)
+static int32_t body_turn_reaches(const cn_world *world, int32_t index)
 {
 	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
 	int32_t key;
-	if (cni_drives(world)[index].flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y))
+	if (cni_externals(world)[index].flags & (CNI_EXTERNAL_TOUCHED | CNI_EXTERNAL_LOCK_X | CNI_EXTERNAL_LOCK_Y))
 		return 0;
 	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
 		int32_t at = cni_joint_at(world, key >> 1)->awake;
-		if (at != CNI_NONE && !(cni_joint_works(world)[at].flags & CNI_WORK_DIRECT))
+		if (at != CNI_NONE && !(cni_joint_constraints(world)[at].flags & CNI_CONSTRAINT_DIRECT))
 			return 0;
 	}
 	return 1;
 }
 
 /* A pin with a spring or a motor, of which it need not be known what it would do. */
-static int32_t work_is_driven(const cni_joint_work *w)
+static int32_t work_is_driven(const cni_joint_constraint *w)
 {
-	return (w->flags & CNI_WORK_WIDE) && (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR));
+	return (w->flags & CNI_CONSTRAINT_WIDE) && (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR));
 }
 
-int32_t cni_component_swings(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+int32_t cni_component_uses_rattle(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k)
-		if (work_is_driven(&cni_joint_works(world)[sparse->nodes[k].owner]))
+		if (work_is_driven(&cni_joint_constraints(world)[sparse->nodes[k].owner]))
 			return 0;
 	for (k = c->body_begin; k < c->body_end; ++k)
-		if (!body_swings(world, sparse->bodies[k]))
+		if (!body_turn_reaches(world, sparse->bodies[k]))
 			return 0;
-	cni_joint_works_complete(world, sparse, c);
+	cni_joint_constraints_complete(world, sparse, c);
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
 		if (!end_swings(world, n->ia) || !end_swings(world, n->ib) ||
-		    !work_is_rigid(&cni_joint_works(world)[n->owner], cni_motions(world), s->dt))
+		    !work_is_rigid(&cni_joint_constraints(world)[n->owner], cni_motions(world), s->dt))
 			return 0;
 	}
 	return 1;
@@ -118,13 +118,13 @@ static void kick(const swing *g)
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		int32_t index = g->sparse->bodies[k];
-		const cni_drive *d = cni_drives(g->world) + index;
+		const cni_external *d = cni_externals(g->world) + index;
 		cni_motion *m = g->motions + index;
 		float half = 0.5f * g->h;
 		m->vx += half * d->ax;
 		m->vy += half * d->ay;
 		m->w += half * d->alpha;
-		if (d->flags & CNI_DRIVE_DAMPED) {
+		if (d->flags & CNI_EXTERNAL_DAMPED) {
 			const cni_body *b = cni_body_at(g->world, cni_awake_ids(g->world)[index]);
 			float linear = cni_damping_factor(b->linear_damping, half);
 			m->vx *= linear;
@@ -197,11 +197,11 @@ static float gaps_find(const swing *g)
 	cni_direct_turns(g->world, g->sparse, g->c);
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_node *n = &g->sparse->nodes[k];
-		cni_joint_work *w = work_of(g, k);
+		cni_joint_constraint *w = work_of(g, k);
 		float impulse[CNI_NODE_ROWS] = { 0.0f, 0.0f, 0.0f };
 		for (i = 0; i < n->rows; ++i)
 			impulse[i] = w->rows[i].impulse;
-		cni_joint_work_rows(w, g->motions, g->sparse->turn);
+		cni_joint_constraint_rows(w, g->motions, g->sparse->turn);
 		for (i = 0; i < n->rows; ++i) {
 			float gap = w->rows[i].error - g->left[(k - g->c->begin) * CNI_NODE_ROWS + i];
 			w->rows[i].impulse = impulse[i];
@@ -272,7 +272,7 @@ static int32_t substeps_of(const swing *g, const cni_solve *s, float rods)
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k)
 		fastest = cni_max(fastest, cni_abs(g->motions[g->sparse->bodies[k]].w));
-	needed = cni_max(1.5f * s->dt * cni_sqrt(cni_tension_stiffness(g->world, g->sparse, g->c)), 2.0f * s->dt * fastest);
+	needed = cni_max(1.5f * s->dt * cni_sqrt(cni_geometric_stiffness_stiffness(g->world, g->sparse, g->c)), 2.0f * s->dt * fastest);
 	needed = cni_max(cni_min(SUBSTEPS_MOST, needed), cni_min(SUBSTEPS_ROD_MOST, 1.5f * s->dt * cni_sqrt(rods)));
 	return cni_max_i(s->substeps, (int32_t)needed);
 }
@@ -286,7 +286,7 @@ static int32_t substep(const swing *g)
 	drift(g);
 	closed = positions_close(g);
 	kick(g);
-	cni_tension_damp(g->world, g->sparse, g->c, g->h);
+	cni_geometric_stiffness_damp(g->world, g->sparse, g->c, g->h);
 	cni_direct_refresh(g->world, g->sparse, g->c);
 	impulses_push(g, 2.0f * g->warm, 1.0f + 2.0f * g->warm);
 	return velocities_close(g) ? closed : BROKEN;
@@ -341,12 +341,12 @@ static void last_substep_begins(const swing *g, const cni_solve *s)
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		int32_t index = g->sparse->bodies[k];
 		const cni_motion *m = g->motions + index;
-		const cni_drive *d = cni_drives(g->world) + index;
+		const cni_external *d = cni_externals(g->world) + index;
 		cni_velocity_start *start = cni_starts(g->world) + index;
 		start->vx = m->vx + s->h * d->ax;
 		start->vy = m->vy + s->h * d->ay;
 		start->w = m->w + s->h * d->alpha;
-		start->struck = 0.0f;
+		start->jumped = 0.0f;
 	}
 }
 
@@ -354,7 +354,7 @@ static void bodies_end(const swing *g)
 {
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k)
-		cni_drives(g->world)[g->sparse->bodies[k]].flags |= CNI_DRIVE_SWUNG;
+		cni_externals(g->world)[g->sparse->bodies[k]].flags |= CNI_EXTERNAL_FINISHED;
 }
 
 /* Reactions are read as impulses of the world's substep. */
@@ -363,12 +363,12 @@ static void works_end(const swing *g, const cni_solve *s)
 	float scale = s->h / g->h;
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k) {
-		cni_joint_work *w = work_of(g, k);
+		cni_joint_constraint *w = work_of(g, k);
 		for (i = 0; i < w->rigid_count; ++i)
 			w->rows[i].impulse *= scale;
 		for (; i < w->row_count; ++i)
 			w->rows[i].impulse = 0.0f;
-		w->flags |= CNI_WORK_SWUNG;
+		w->flags |= CNI_CONSTRAINT_FINISHED;
 	}
 }
 
@@ -376,9 +376,9 @@ static void works_stress(const swing *g)
 {
 	int32_t k;
 	for (k = g->c->begin; k < g->c->end; ++k) {
-		cni_joint_work *w = work_of(g, k);
-		if (w->flags & CNI_WORK_BREAKABLE)
-			cni_joint_work_stress(w, g->motions + w->ib, 1.0f / g->h);
+		cni_joint_constraint *w = work_of(g, k);
+		if (w->flags & CNI_CONSTRAINT_BREAKABLE)
+			cni_joint_constraint_stress(w, g->motions + w->ib, 1.0f / g->h);
 	}
 }
 
@@ -387,10 +387,10 @@ static void works_begin(const swing *g, float scale)
 {
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k) {
-		cni_joint_work *w = work_of(g, k);
+		cni_joint_constraint *w = work_of(g, k);
 		for (i = 0; i < w->rigid_count; ++i)
 			w->rows[i].impulse = scale * w->record->impulse[w->rows[i].slot];
-		if (w->flags & CNI_WORK_BREAKABLE)
+		if (w->flags & CNI_CONSTRAINT_BREAKABLE)
 			w->numbers->force_stress = w->numbers->torque_stress = 0.0f;
 	}
 }
@@ -403,7 +403,7 @@ static void step_undo(const swing *g)
 	cni_direct_motions_keep(g->world, g->sparse, g->c, 1);
 	cni_direct_turns(g->world, g->sparse, g->c);
 	for (k = g->c->begin; k < g->c->end; ++k)
-		cni_joint_work_rows(work_of(g, k), g->motions, g->sparse->turn);
+		cni_joint_constraint_rows(work_of(g, k), g->motions, g->sparse->turn);
 }
 
 /* ---- what joints remember ---- */
@@ -443,7 +443,7 @@ static void trust_write(const swing *g, const cni_joint_trust *trust)
 /* All substeps, or as many as go well. */
 static int32_t substeps_run(swing *g, const cni_solve *s, int32_t substeps, int32_t projects)
 {
-	int32_t k, moving = cni_swing_is_fixed(g);
+	int32_t k, moving = cni_rattle_is_fixed(g);
 	g->base_work = 0.0f;
 	for (k = 0; k < substeps; ++k) {
 		int32_t how;
@@ -454,9 +454,9 @@ static int32_t substeps_run(swing *g, const cni_solve *s, int32_t substeps, int3
 			return how;
 		works_stress(g);
 		if (moving)
-			g->base_work += cni_swing_base_work(g);
+			g->base_work += cni_rattle_base_work(g);
 	}
-	g->speeding = cni_swing_speeding(g, s);
+	g->speeding = cni_rattle_speeding(g, s);
 	return CLOSED_WELL;
 }
 
@@ -469,23 +469,23 @@ static int32_t rattle_try(swing *g, const cni_solve *s, cni_component *c, int32_
 	g->closing = g->h * s->push_speed;
 	works_begin(g, s->warm_scale * g->h / s->h);
 	g->warm = 0.5f;
-	if (cni_tension_needs_dampers(g->world, g->sparse, c, g->h)) {
+	if (cni_geometric_stiffness_needs_dampers(g->world, g->sparse, c, g->h)) {
 		g->warm = 0.0f;
 		c->width = CNI_NODE_ROWS;
 	}
-	cni_tension_damp(g->world, g->sparse, c, g->h);
+	cni_geometric_stiffness_damp(g->world, g->sparse, c, g->h);
 	cni_direct_refresh(g->world, g->sparse, c);
-	before = cni_swing_energy(g); /* as a step begins, no work has been done */
-	g->mends = cni_swing_mends(g);
-	allowed = cni_swing_energy_allowed(g, s->dt);
+	before = cni_rattle_energy(g); /* as a step begins, no work has been done */
+	g->mends = cni_rattle_mends(g);
+	allowed = cni_rattle_energy_allowed(g, s->dt);
 	how = substeps_run(g, s, substeps, 0);
 	if (how != CLOSED_WELL)
 		return how;
-	gained = cni_swing_energy(g) - before - g->base_work;
+	gained = cni_rattle_energy(g) - before - g->base_work;
 	/* Written so that what is not a number fails too. */
 	if (!(gained <= ENERGY_GAIN * before + allowed + g->speeding))
 		return BROKEN;
-	cni_swing_account(g, t, gained);
+	cni_rattle_account(g, t, gained);
 	return CLOSED_WELL;
 }
 
@@ -500,16 +500,16 @@ static int32_t project_try(swing *g, const cni_solve *s, cni_component *c, cni_j
 	if (c->width > 2)
 		cni_sparse_clear(g->sparse, c); /* no dampers */
 	cni_direct_refresh(g->world, g->sparse, c);
-	before = cni_swing_energy(g);
-	g->mends = cni_swing_mends(g);
-	most = cni_sqrt(before) + cni_sqrt(cni_swing_energy_allowed(g, s->dt)); /* speeds that drives give, by the norm of kinetic energy */
+	before = cni_rattle_energy(g);
+	g->mends = cni_rattle_mends(g);
+	most = cni_sqrt(before) + cni_sqrt(cni_rattle_energy_allowed(g, s->dt)); /* speeds that drives give, by the norm of kinetic energy */
 	most *= most;
 	how = substeps_run(g, s, cni_max_i(SUBSTEPS_FIRM, s->substeps), 1);
 	if (how != CLOSED_WELL)
 		return how;
-	if (!(cni_swing_kinetic(g) <= (1.0f + ENERGY_GAIN) * most) && g->base_work == 0.0f)
+	if (!(cni_rattle_kinetic(g) <= (1.0f + ENERGY_GAIN) * most) && g->base_work == 0.0f)
 		return BROKEN;
-	cni_swing_account(g, t, cni_swing_energy(g) - before - g->base_work);
+	cni_rattle_account(g, t, cni_rattle_energy(g) - before - g->base_work);
 	return CLOSED_WELL;
 }
 
@@ -520,7 +520,7 @@ static void swing_release(const swing *g, const cni_solve *s, cni_joint_trust *t
 	cni_trust_fail(t, g->world->step_count, 1);
 	t->surplus = 0.0f;
 	for (k = g->c->begin; k < g->c->end; ++k) {
-		cni_joint_work_prepare(g->world, s, g->sparse->nodes[k].owner);
+		cni_joint_constraint_prepare(g->world, s, g->sparse->nodes[k].owner);
 		for (i = 0; i < work_of(g, k)->row_count; ++i)
 			work_of(g, k)->rows[i].impulse = 0.0f; /* what could not be held has grown beyond all measure */
 	}
@@ -547,8 +547,8 @@ static void swing_run(cn_world *world, const cni_solve *s, cni_component *c, flo
 	cni_joint_trust trust = trust_read(&g);
 	int32_t projects;
 	cni_direct_turns(world, g.sparse, c);
-	rods = cni_tension_rods(world, g.sparse, c, last_h);
-	cni_tension_find(world, g.sparse, c, last_h);
+	rods = cni_geometric_stiffness_rods(world, g.sparse, c, last_h);
+	cni_geometric_stiffness_find(world, g.sparse, c, last_h);
 	cni_direct_motions_keep(world, g.sparse, c, 0);
 	c->done = 1;
 	projects = trust.span > 0 && trust.until > world->step_count;
@@ -576,7 +576,7 @@ static int32_t largest_component(const cni_sparse *sparse)
 	return largest;
 }
 
-void cni_swings_run(cn_world *world, const cni_solve *s)
+void cni_rattle_run(cn_world *world, const cni_solve *s)
 {
 	float *left;
 	int32_t k, largest = s->direct == NULL ? 0 : largest_component(s->direct);

@@ -24,25 +24,25 @@ typedef struct swing {
 	int32_t mends;     /* 1: the step began with gaps that it closes */
 } swing;
 
-static inline cni_joint_work *work_of(const swing *g, int32_t node)
+static inline cni_joint_constraint *work_of(const swing *g, int32_t node)
 {
-	return &cni_joint_works(g->world)[g->sparse->nodes[node].owner];
+	return &cni_joint_constraints(g->world)[g->sparse->nodes[node].owner];
 }
 
 /* Are there old gaps, which are closed with some speed? */
-int32_t cni_swing_mends(const swing *g);
+int32_t cni_rattle_mends(const swing *g);
 /* Has the component joints to what cannot move? */
-int32_t cni_swing_is_fixed(const swing *g);
-float cni_swing_kinetic(const swing *g);
+int32_t cni_rattle_is_fixed(const swing *g);
+float cni_rattle_kinetic(const swing *g);
 /* Of motion, less the work that drives have done in this step. */
-float cni_swing_energy(const swing *g);
+float cni_rattle_energy(const swing *g);
 /* What a step of free fall, and of closing gaps, may give from rest. */
-float cni_swing_energy_allowed(const swing *g, float dt);
+float cni_rattle_energy_allowed(const swing *g, float dt);
 /* h^2 m a^2 / 4 of the last substep: how far the method's energy may be off. */
-float cni_swing_speeding(const swing *g, const cni_solve *s);
+float cni_rattle_speeding(const swing *g, const cni_solve *s);
 /* What moving bodies without mass did at the component's joints in a substep. */
-float cni_swing_base_work(const swing *g);
+float cni_rattle_base_work(const swing *g);
 /* What a step gained goes to the account, and what is too much for it out of the motion. */
-void cni_swing_account(const swing *g, cni_joint_trust *t, float gained);
+void cni_rattle_account(const swing *g, cni_joint_trust *t, float gained);
 
 #endif

@@ -9,7 +9,7 @@
 #define ROUNDING 1e-3f         /* part of the kinetic energy that some minutes of rounding may gain */
 
 /* Are there old gaps, which are closed with some speed? */
-int32_t cni_swing_mends(const swing *g)
+int32_t cni_rattle_mends(const swing *g)
 {
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k)
@@ -24,7 +24,7 @@ static float inverse_or_zero(float x)
 	return x > 0.0f ? 1.0f / x : 0.0f;
 }
 
-float cni_swing_kinetic(const swing *g)
+float cni_rattle_kinetic(const swing *g)
 {
 	float sum = 0.0f;
 	int32_t k;
@@ -36,13 +36,13 @@ float cni_swing_kinetic(const swing *g)
 }
 
 /* Of motion, less the work that drives have done in this step. */
-float cni_swing_energy(const swing *g)
+float cni_rattle_energy(const swing *g)
 {
 	float sum = 0.0f;
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		const cni_drive *d = cni_drives(g->world) + g->sparse->bodies[k];
+		const cni_external *d = cni_externals(g->world) + g->sparse->bodies[k];
 		sum += inverse_or_zero(m->inv_mass) * (0.5f * (m->vx * m->vx + m->vy * m->vy) - (d->ax * m->dpx + d->ay * m->dpy)) +
 		       inverse_or_zero(m->inv_inertia) * (0.5f * m->w * m->w - d->alpha * m->theta);
 	}
@@ -50,13 +50,13 @@ float cni_swing_energy(const swing *g)
 }
 
 /* What a step of free fall, and of closing gaps, may give from rest. */
-float cni_swing_energy_allowed(const swing *g, float dt)
+float cni_rattle_energy_allowed(const swing *g, float dt)
 {
-	float sum = 0.0f, pull = cni_swing_mends(g) ? g->closing / g->h : 0.0f;
+	float sum = 0.0f, pull = cni_rattle_mends(g) ? g->closing / g->h : 0.0f;
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		const cni_drive *d = cni_drives(g->world) + g->sparse->bodies[k];
+		const cni_external *d = cni_externals(g->world) + g->sparse->bodies[k];
 		sum += 0.5f * inverse_or_zero(m->inv_mass) * (dt * dt * (d->ax * d->ax + d->ay * d->ay) + pull * pull) +
 		       0.5f * inverse_or_zero(m->inv_inertia) * dt * dt * d->alpha * d->alpha;
 	}
@@ -77,14 +77,14 @@ static float change_of(const cni_motion *m, float vx, float vy, float w)
  * Integration", 2006, IX.3, with the joints' forces among the accelerations a): six times the first term.
  * start: velocities before the last substep, as last_substep_begins left them.
  */
-float cni_swing_speeding(const swing *g, const cni_solve *s)
+float cni_rattle_speeding(const swing *g, const cni_solve *s)
 {
 	float sum = 0.0f, last = cni_max(1.0f, s->warm_scale > 0.0f ? 1.0f / s->warm_scale : 1.0f); /* the account was filled at the last step's h */
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		int32_t index = g->sparse->bodies[k];
 		const cni_motion *m = g->motions + index;
-		const cni_drive *d = cni_drives(g->world) + index;
+		const cni_external *d = cni_externals(g->world) + index;
 		const cni_velocity_start *start = cni_starts(g->world) + index;
 		sum += change_of(m, m->vx - start->vx + s->h * d->ax, m->vy - start->vy + s->h * d->ay, m->w - start->w + s->h * d->alpha);
 	}
@@ -103,7 +103,7 @@ static float base_speed(const cni_lever *l, const cni_motion *a, const cni_motio
 }
 
 /* In a substep: J v = 0, so that what acts on the bodies with mass is minus what the others close. */
-float cni_swing_base_work(const swing *g)
+float cni_rattle_base_work(const swing *g)
 {
 	float work = 0.0f;
 	int32_t k, i;
@@ -128,7 +128,7 @@ static cni_vec2 place_of(const swing *g, int32_t index)
 }
 
 /* Has the component joints to what cannot move? */
-int32_t cni_swing_is_fixed(const swing *g)
+int32_t cni_rattle_is_fixed(const swing *g)
 {
 	int32_t k;
 	for (k = g->c->begin; k < g->c->end; ++k)
@@ -140,7 +140,7 @@ int32_t cni_swing_is_fixed(const swing *g)
 /* The motion of one rigid body with the component's momenta. */
 static rigid_motion rigid_of(const swing *g)
 {
-	rigid_motion r = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, cni_swing_is_fixed(g) };
+	rigid_motion r = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, cni_rattle_is_fixed(g) };
 	float spin = 0.0f;
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end && !r.fixed; ++k) {
@@ -227,7 +227,7 @@ static float rounding_of_positions(const swing *g)
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
-		const cni_drive *d = cni_drives(g->world) + g->sparse->bodies[k];
+		const cni_external *d = cni_externals(g->world) + g->sparse->bodies[k];
 		const cni_body *b = cni_body_at(g->world, cni_awake_ids(g->world)[g->sparse->bodies[k]]);
 		float way = 4.0f * g->closed + 4.0f * FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
 		sum += inverse_or_zero(m->inv_mass) * way * (cni_abs(d->ax) + cni_abs(d->ay));
@@ -237,9 +237,9 @@ static float rounding_of_positions(const swing *g)
 
 /* What a step gained goes to the account, and what is too much for it out of the motion. Where it closed gaps that were there before,
    bodies were moved by that, and what they gained is not of their motion. */
-void cni_swing_account(const swing *g, cni_joint_trust *t, float gained)
+void cni_rattle_account(const swing *g, cni_joint_trust *t, float gained)
 {
-	float most = g->speeding + ROUNDING * cni_swing_kinetic(g) + rounding_of_positions(g);
+	float most = g->speeding + ROUNDING * cni_rattle_kinetic(g) + rounding_of_positions(g);
 	t->surplus = cni_max(t->surplus + (g->mends ? 0.0f : gained), -most);
 	if (!(t->surplus < FLT_MAX)) /* no account can be kept of what floats cannot hold */
 		t->surplus = 0.0f;

@@ -125,7 +125,7 @@ static void island_is_bad(cn_world *world, int32_t island, int32_t reason)
 	i->looked_step = world->step_count + 1u;
 	if (cni_island_is_refused(i, world->step_count) || i->solver == CN_SOLVER_SOFT)
 		return;
-	if (world->direct_islands.count >= ISLANDS_MOST || 2 * i->count > CNI_PRESS_MOST)
+	if (world->direct_islands.count >= ISLANDS_MOST || 2 * i->count > CNI_DIRECT_CONTACT_MOST)
 		i->reason = CN_TIER_REASON_CROWDED;
 	else if (!cni_island_is_quiet(world, i))
 		i->reason = CN_TIER_REASON_MOVING;
@@ -333,7 +333,7 @@ static void leaning_keep(cn_world *world, int32_t island, float h)
 {
 	cni_island *i = cni_island_at(world, island);
 	if (i->good_steps >= cni_max_i(i->stay_steps, STAY_FIRST) && i->good_steps <= STAY_MOST && i->solver != CN_SOLVER_SOFT &&
-	    !cni_island_has_joints(world, island) && cni_island_is_quiet(world, i) && !cni_pile_stands(world, island, h))
+	    !cni_island_has_joints(world, island) && cni_island_is_quiet(world, i) && !cni_pile_is_supported(world, island, h))
 		i->good_steps = 0;
 }
 
@@ -378,7 +378,7 @@ static void list_update(cn_world *world, float h)
 	world->direct_islands.count = kept;
 }
 
-void cni_tiers_forget(cn_world *world)
+void cni_solver_selection_reset(cn_world *world)
 {
 	int32_t k;
 	for (k = 0; k < world->direct_islands.count; ++k)
@@ -457,13 +457,13 @@ static void list_awake(cn_world *world, int32_t every)
 	}
 }
 
-void cni_stage_tiers(cn_world *world, float h)
+void cni_stage_select_solvers(cn_world *world, float h)
 {
 	world->direct_work = world->direct_failed = world->piles_new = world->cone_work = 0;
 	if (world->overridden)
 		solvers_gather(world);
 	if (world->settings.solver == CN_SOLVER_DIRECT) {
-		cni_tiers_forget(world);
+		cni_solver_selection_reset(world);
 		list_awake(world, 1);
 	} else if (world->settings.solver == CN_SOLVER_AUTO) {
 		list_update(world, h);

@@ -50,7 +50,7 @@ void cni_geometry_chain(cni_geometry *out, const cn_chain *chain, cni_transform 
 #define CNI_COORDINATE_MAX 1.0e6f
 
 /* Checks: NULL when good, else a static English fragment that says what must hold, such as
-   "points must be convex" (the caller adds the function name and values). tolerance: points closer than
+   "points must be convex" (the caller adds the function name and values). tolerance: points projection than
    this coincide; a vertex that rises less than a tenth of it (or less than floats can tell at its
    coordinates) above the line through its neighbours is collinear with them. All finite-ness checks are
    included. A capsule's ends may not coincide; a chain refuses coinciding consecutive points (also last

@@ -2,7 +2,7 @@
  * joints/joint_blocks.c - joints in the soft step, many at once: colours and passes of all, lanes of revolute joints.
  *
  * Nearly all joints of most scenes are pins with or without an angle's spring, motor and limit. Those that have nothing else
- * (work flag CNI_WORK_WIDE) leave the rows of joints/joint_solve.c for the lanes drawn in joints/joint_pass.h. What
+ * (work flag CNI_CONSTRAINT_WIDE) leave the rows of joints/joint_solve.c for the lanes drawn in joints/joint_pass.h. What
  * does not change within the step is written into the lane once; kernels do the rest.
  *
  * Greedy colouring, first of what is solved directly, then in the order of the awake list: a joint takes the lowest colour
@@ -51,10 +51,10 @@ static int32_t may_be_wide(const cn_world *world, const cni_joint *j)
 /* To be in a lane of rows, if it is not solved directly. */
 static int32_t work_form(cn_world *world, int32_t k, const cni_joint *j, int32_t form)
 {
-	cni_joint_work *w = cni_joint_works(world) + k;
+	cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	if (form == CNI_FORM_NONE)
 		return 0;
-	cni_joint_work_begin(world, k, j);
+	cni_joint_constraint_begin(world, k, j);
 	w->start.angle = cni_joint_frame_angle(world, w->record);
 	w->form = form;
 	w->row_count = 0;
@@ -62,12 +62,12 @@ static int32_t work_form(cn_world *world, int32_t k, const cni_joint *j, int32_t
 	return 1;
 }
 
-void cni_joint_works_complete(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+void cni_joint_constraints_complete(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k, r;
 	for (k = c->begin; k < c->end; ++k) {
-		cni_joint_work *w = sparse->nodes[k].owner >= 0 ? cni_joint_works(world) + sparse->nodes[k].owner : NULL;
-		if (w == NULL || !(w->flags & CNI_WORK_WIDE))
+		cni_joint_constraint *w = sparse->nodes[k].owner >= 0 ? cni_joint_constraints(world) + sparse->nodes[k].owner : NULL;
+		if (w == NULL || !(w->flags & CNI_CONSTRAINT_WIDE))
 			continue;
 		w->row_count = w->make_rows(w->record, &w->start, w->rows);
 		for (r = 0; r < w->row_count; ++r)
@@ -75,12 +75,12 @@ void cni_joint_works_complete(const cn_world *world, const cni_sparse *sparse, c
 	}
 }
 
-void cni_joint_work_narrow(cn_world *world, const cni_solve *s, int32_t k)
+void cni_joint_constraint_narrow(cn_world *world, const cni_solve *s, int32_t k)
 {
-	cni_joint_work *w = cni_joint_works(world) + k;
-	if (!(w->flags & CNI_WORK_WIDE))
+	cni_joint_constraint *w = cni_joint_constraints(world) + k;
+	if (!(w->flags & CNI_CONSTRAINT_WIDE))
 		return;
-	w->flags &= ~(uint32_t)CNI_WORK_WIDE;
+	w->flags &= ~(uint32_t)CNI_CONSTRAINT_WIDE;
 	cni_joint_rows_begin(world, s, w);
 }
 
@@ -132,7 +132,7 @@ static uint32_t pin_has(const cni_joint *j)
 	return j->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR | CN_JOINT_LIMIT);
 }
 
-static void angle_fill(cni_lane_spring *spring, float h, const cni_joint_work *w, cni_joint_block *block, int32_t l)
+static void angle_fill(cni_lane_spring *spring, float h, const cni_joint_constraint *w, cni_joint_block *block, int32_t l)
 {
 	const cni_joint *j = w->record;
 	if ((pin_has(j) & ~block->angular) != 0) /* not when a lane is filled again, side by side with others of its block */
@@ -154,7 +154,7 @@ static void angle_fill(cni_lane_spring *spring, float h, const cni_joint_work *w
 	}
 }
 
-static void pin_fill(const cn_world *world, cni_joint_work *w, cni_joint_block *block, int32_t l)
+static void pin_fill(const cn_world *world, cni_joint_constraint *w, cni_joint_block *block, int32_t l)
 {
 	const cni_joint *j = w->record;
 	block->ia[l] = w->ia;
@@ -167,10 +167,10 @@ static void pin_fill(const cn_world *world, cni_joint_work *w, cni_joint_block *
 	block->by0[l] = block->by[l] = w->start.rb.y;
 	block->dx0[l] = block->ex[l] = w->start.d.x;
 	block->dy0[l] = block->ey[l] = w->start.d.y;
-	if (w->flags & CNI_WORK_DIRECT) {
+	if (w->flags & CNI_CONSTRAINT_DIRECT) {
 		block->direct |= 1u << l;
-		w->row_count = block->herd ? 0 : w->rigid_count; /* the angle's rows are the lane's */
-		if (!block->herd)
+		w->row_count = block->batch ? 0 : w->rigid_count; /* the angle's rows are the lane's */
+		if (!block->batch)
 			return;
 	}
 	block->jx[l] = j->impulse[0];
@@ -179,14 +179,14 @@ static void pin_fill(const cn_world *world, cni_joint_work *w, cni_joint_block *
 
 void cni_joint_lane_fill(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k, cni_joint_block *block, int32_t l)
 {
-	cni_joint_work *w = cni_joint_works(world) + k;
+	cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	block->work[l] = k;
 	w->lane = (int32_t)(block - cni_joint_blocks(world)) * CNI_LANES + l;
 	pin_fill(world, w, block, l);
 	angle_fill(spring, s->h, w, block, l);
 }
 
-int32_t cni_joint_fits_lane(const cn_world *world, const cni_solve *s, const cni_joint_work *w)
+int32_t cni_joint_fits_lane(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
 {
 	float most = TURN_MOST_RAD / s->dt;
 	return cni_abs(cni_motions(world)[w->ia].w) <= most && cni_abs(cni_motions(world)[w->ib].w) <= most;
@@ -195,7 +195,7 @@ int32_t cni_joint_fits_lane(const cn_world *world, const cni_solve *s, const cni
 /* 0: it has no place in a lane. */
 static int32_t lane_take(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k)
 {
-	const cni_joint_work *w = cni_joint_works(world) + k;
+	const cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	int32_t color = cni_joint_fits_lane(world, s, w) ? cni_joint_color_take(world, w->ia, w->ib) : CNI_NONE, l;
 	cni_joint_block *block;
 	if (color == CNI_NONE)
@@ -205,8 +205,8 @@ static int32_t lane_take(cn_world *world, const cni_solve *s, cni_lane_spring *s
 	block->moves_a |= (uint32_t)cni_motion_can_move(cni_motions(world) + w->ia) << l;
 	block->moves_b |= (uint32_t)cni_motion_can_move(cni_motions(world) + w->ib) << l;
 	cni_joint_lane_fill(world, s, spring, k, block, l);
-	cni_joint_works(world)[k].kept_lane = w->lane;
-	cni_joint_works(world)[k].kept_has = pin_has(w->record);
+	cni_joint_constraints(world)[k].kept_lane = w->lane;
+	cni_joint_constraints(world)[k].kept_has = pin_has(w->record);
 	return 1;
 }
 
@@ -224,7 +224,7 @@ static int32_t is_locked(const cn_world *world, int32_t body)
 /* Work k where it was. 0: it would not come there. Nothing is written but its lane. */
 static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_lanes_look *look, int32_t k)
 {
-	const cni_joint_work *w = cni_joint_works(world) + k;
+	const cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	int32_t l = w->kept_lane % CNI_LANES;
 	cni_joint_block *block = cni_joint_blocks(world) + w->kept_lane / CNI_LANES;
 	if (block->ia[l] != w->ia || block->ib[l] != w->ib || w->kept_has != pin_has(w->record) || !cni_joint_fits_lane(world, s, w) ||
@@ -234,7 +234,7 @@ static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_l
 	if (block->angular)
 		block->spring_j[l] = block->motor_j[l] = block->limit_j[l] = 0.0f;
 	cni_joint_lane_fill(world, s, &look->spring, k, block, l);
-	look->special |= is_locked(world, w->record->body[0]) || is_locked(world, w->record->body[1]) || (w->flags & CNI_WORK_FRESH) != 0;
+	look->special |= is_locked(world, w->record->body[0]) || is_locked(world, w->record->body[1]) || (w->flags & CNI_CONSTRAINT_FRESH) != 0;
 	++look->filled;
 	return 1;
 }
@@ -280,8 +280,8 @@ static void lanes_empty(cn_world *world)
 {
 	int32_t k;
 	for (k = 0; k < world->awake_joints.count && world->joint_lanes.filled > 0; ++k)
-		if (!(cni_joint_works(world)[k].flags & CNI_WORK_HERD))
-			cni_joint_works(world)[k].lane = CNI_NONE;
+		if (!(cni_joint_constraints(world)[k].flags & CNI_CONSTRAINT_BATCHED))
+			cni_joint_constraints(world)[k].lane = CNI_NONE;
 	for (k = 0; k < CNI_JOINT_COLORS; ++k) {
 		world->joint_colors[k].first = world->joint_colors[k].last = CNI_NONE;
 		world->joint_colors[k].lanes = 0;
@@ -298,16 +298,16 @@ static void lanes_keep(cn_world *world, const cni_solve *s, int32_t left)
 }
 
 /* Only a spring or a limit asks for the angle. */
-int32_t cni_joint_work_widen(cn_world *world, const cni_solve *s, struct cni_lanes_look *look, int32_t k)
+int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct cni_lanes_look *look, int32_t k)
 {
-	cni_joint_work *w = cni_joint_works(world) + k;
+	cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
 	if (!may_be_wide(world, j))
 		return 0;
 	if (j->type != CN_JOINT_REVOLUTE)
 		return work_form(world, k, j, cni_joint_form(j));
-	cni_joint_work_begin(world, k, j);
-	w->flags |= CNI_WORK_WIDE;
+	cni_joint_constraint_begin(world, k, j);
+	w->flags |= CNI_CONSTRAINT_WIDE;
 	w->row_count = 0;
 	w->rigid_count = 2;
 	if (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT))
@@ -324,22 +324,22 @@ static void pressed_works_leave(cn_world *world, const cni_solve *s)
 		const cni_component *c = &s->direct->components[k];
 		for (n = c->begin; c->presses && n < c->end; ++n)
 			if (s->direct->nodes[n].owner >= 0)
-				cni_joint_work_narrow(world, s, s->direct->nodes[n].owner);
+				cni_joint_constraint_narrow(world, s, s->direct->nodes[n].owner);
 	}
 }
 
 /* Directly solved components take their lanes first and in the order of their nodes: so colours, and with them the order
-   of passes, are the same in all that are alike, and in herds. */
+   of passes, are the same in all that are alike, and in batches. */
 static void components_gather(cn_world *world, const cni_solve *s, cni_lane_spring *spring)
 {
 	int32_t k;
 	for (k = 0; s->direct != NULL && k < s->direct->node_count; ++k) {
-		const uint32_t which = CNI_WORK_WIDE | CNI_WORK_DIRECT | CNI_WORK_SWUNG | CNI_WORK_HERD;
+		const uint32_t which = CNI_CONSTRAINT_WIDE | CNI_CONSTRAINT_DIRECT | CNI_CONSTRAINT_FINISHED | CNI_CONSTRAINT_BATCHED;
 		int32_t owner = s->direct->nodes[k].owner;
-		if (owner < 0 || (cni_joint_works(world)[owner].flags & which) != (CNI_WORK_WIDE | CNI_WORK_DIRECT))
+		if (owner < 0 || (cni_joint_constraints(world)[owner].flags & which) != (CNI_CONSTRAINT_WIDE | CNI_CONSTRAINT_DIRECT))
 			continue; /* a contact, a row, or done with */
 		if (!lane_take(world, s, spring, owner))
-			cni_joint_work_narrow(world, s, owner);
+			cni_joint_constraint_narrow(world, s, owner);
 	}
 }
 
@@ -348,8 +348,8 @@ static void plain_link(cn_world *world, int32_t left)
 {
 	int32_t k, *plain = &world->joint_plain_first;
 	for (k = 0; left > 0 && k < world->awake_joints.count; ++k) {
-		cni_joint_work *w = cni_joint_works(world) + k;
-		if ((w->flags & CNI_WORK_SWUNG) || w->lane != CNI_NONE || w->row_lane != CNI_NONE)
+		cni_joint_constraint *w = cni_joint_constraints(world) + k;
+		if ((w->flags & CNI_CONSTRAINT_FINISHED) || w->lane != CNI_NONE || w->row_lane != CNI_NONE)
 			continue;
 		*plain = k;
 		plain = &w->next_plain;
@@ -374,13 +374,13 @@ static int32_t lanes_gather(cn_world *world, const cni_solve *s)
 	int32_t k, left = 0;
 	components_gather(world, s, &spring);
 	for (k = 0; k < world->awake_joints.count; ++k) {
-		cni_joint_work *w = cni_joint_works(world) + k;
-		if ((w->flags & CNI_WORK_SWUNG) || w->lane != CNI_NONE)
+		cni_joint_constraint *w = cni_joint_constraints(world) + k;
+		if ((w->flags & CNI_CONSTRAINT_FINISHED) || w->lane != CNI_NONE)
 			continue;
-		if ((w->flags & CNI_WORK_WIDE) && lane_take(world, s, &spring, k))
+		if ((w->flags & CNI_CONSTRAINT_WIDE) && lane_take(world, s, &spring, k))
 			continue;
-		if (w->flags & CNI_WORK_WIDE)
-			cni_joint_work_narrow(world, s, k);
+		if (w->flags & CNI_CONSTRAINT_WIDE)
+			cni_joint_constraint_narrow(world, s, k);
 		++left;
 	}
 	return left;
@@ -411,7 +411,7 @@ void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 /* ---- pins that are solved directly ---- */
 
 /* Its system has given it up within the step: the lane has its pin from now on. */
-static void lane_release(cni_joint_block *block, int32_t l, cni_joint_work *w)
+static void lane_release(cni_joint_block *block, int32_t l, cni_joint_constraint *w)
 {
 	block->jx[l] += w->rows[0].impulse;
 	block->jy[l] += w->rows[1].impulse;
@@ -424,8 +424,8 @@ static void released_look(cn_world *world, cni_joint_block *block)
 	uint32_t bits;
 	for (bits = block->direct; bits != 0; bits &= bits - 1u) {
 		int32_t l = cni_bit_lowest32(bits);
-		cni_joint_work *w = cni_joint_works(world) + block->work[l];
-		if (!(w->flags & CNI_WORK_DIRECT))
+		cni_joint_constraint *w = cni_joint_constraints(world) + block->work[l];
+		if (!(w->flags & CNI_CONSTRAINT_DIRECT))
 			lane_release(block, l, w);
 	}
 }
@@ -437,7 +437,7 @@ static void rows_pull(cn_world *world, cni_joint_block *block)
 	released_look(world, block);
 	for (bits = block->direct; bits != 0; bits &= bits - 1u) {
 		int32_t l = cni_bit_lowest32(bits);
-		const cni_row *rows = cni_joint_works(world)[block->work[l]].rows;
+		const cni_row *rows = cni_joint_constraints(world)[block->work[l]].rows;
 		block->jx[l] += rows[0].impulse;
 		block->jy[l] += rows[1].impulse;
 	}
@@ -449,7 +449,7 @@ static void rows_give(cn_world *world, cni_joint_block *block)
 	uint32_t bits;
 	for (bits = block->direct; bits != 0; bits &= bits - 1u) {
 		int32_t l = cni_bit_lowest32(bits);
-		cni_row *rows = cni_joint_works(world)[block->work[l]].rows;
+		cni_row *rows = cni_joint_constraints(world)[block->work[l]].rows;
 		rows[0].impulse = block->jx[l];
 		rows[1].impulse = block->jy[l];
 		block->jx[l] = block->jy[l] = 0.0f;
@@ -528,12 +528,12 @@ void cni_joint_blocks_relax(cn_world *world, const cni_solve *s)
 
 /* ---- storing ---- */
 
-static void lane_store(cn_world *world, const cni_joint_work *w, const cni_solve *s)
+static void lane_store(cn_world *world, const cni_joint_constraint *w, const cni_solve *s)
 {
 	const cni_joint_block *block = cni_joint_block_of(world, w);
 	int32_t l = w->lane % CNI_LANES;
 	cni_joint *j = cni_joint_at(world, w->joint);
-	int32_t has_rows = (block->direct >> l & 1u) && !block->herd;
+	int32_t has_rows = (block->direct >> l & 1u) && !block->batch;
 	j->impulse[0] = block->jx[l] + (has_rows ? w->rows[0].impulse : 0.0f);
 	j->impulse[1] = block->jy[l] + (has_rows ? w->rows[1].impulse : 0.0f);
 	j->impulse[CNI_REVOLUTE_SPRING] = block->spring_j[l];
@@ -552,7 +552,7 @@ static void store_range(void *context, int32_t begin, int32_t end, int32_t worke
 {
 	store_loop *loop = (store_loop *)context;
 	cn_world *world = loop->world;
-	const cni_joint_work *works = cni_joint_works(world);
+	const cni_joint_constraint *works = cni_joint_constraints(world);
 	int32_t k, far = cni_joints_are_far(world);
 	(void)worker;
 	for (k = begin; k < end; ++k) {

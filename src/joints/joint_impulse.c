@@ -5,7 +5,7 @@
  * Reads and writes joint works, their lanes.
  */
 #include "joints/joint_pass.h"
-#include "joints/joint_work.h"
+#include "joints/joint_constraint.h"
 
 #include <string.h>
 
@@ -31,7 +31,7 @@ static float limit_side(const cni_joint_block *k, int32_t l)
 	return k->limit_j[l] < 0.0f ? -1.0f : 1.0f;
 }
 
-void cni_joint_impulses_read(const cn_world *world, const cni_joint_work *w, cni_joint_impulses *out)
+void cni_joint_impulses_read(const cn_world *world, const cni_joint_constraint *w, cni_joint_impulses *out)
 {
 	cni_row *r = out->rows;
 	int32_t k;
@@ -40,7 +40,7 @@ void cni_joint_impulses_read(const cn_world *world, const cni_joint_work *w, cni
 	else
 		for (k = 0; k < w->row_count; ++k)
 			*r++ = w->rows[k];
-	if (w->flags & CNI_WORK_SPRINGY)
+	if (w->flags & CNI_CONSTRAINT_SPRINGY)
 		for (k = 0; k < (int32_t)(r - out->rows); ++k)
 			out->rows[k].kind = CNI_ROW_SOFT;
 	if (w->lane != CNI_NONE) {
@@ -55,7 +55,7 @@ void cni_joint_impulses_read(const cn_world *world, const cni_joint_work *w, cni
 	out->count = (int32_t)(r - out->rows);
 }
 
-void cni_joint_impulses_write(cn_world *world, cni_joint_work *w, const cni_joint_impulses *impulses)
+void cni_joint_impulses_write(cn_world *world, cni_joint_constraint *w, const cni_joint_impulses *impulses)
 {
 	const cni_row *r = impulses->rows;
 	int32_t k;

@@ -276,9 +276,9 @@ CNI_INLINE arms arms_renew(const place *at_a, const place *at_b, cni_joint_block
 
 CNI_INLINE void start_turn(cni_velocity_start *starts, const int32_t *index, uint32_t moves, cni_wide spin)
 {
-	cni_wide vx, vy, w, struck;
-	cni_wide_gather4((const float *)(const void *)starts, START_FLOATS, index, &vx, &vy, &w, &struck);
-	moving_scatter((float *)(void *)starts, START_FLOATS, index, moves, vx, vy, w - spin, struck);
+	cni_wide vx, vy, w, jumped;
+	cni_wide_gather4((const float *)(const void *)starts, START_FLOATS, index, &vx, &vy, &w, &jumped);
+	moving_scatter((float *)(void *)starts, START_FLOATS, index, moves, vx, vy, w - spin, jumped);
 }
 
 CNI_INLINE cni_wide warmed(float *impulse, float scale)

@@ -8,12 +8,12 @@
  *
  *   pin       ra0 rb0 d0   arms and gap as the step begins          ra rb e   as of the last relaxing pass
  *             j            impulse on body b, all of it: what springs, motors and limits ask of the pin too
- *             dealt        (herds) what springs, motors and limits gave the pin in the pushing pass
+ *             dealt        (batches) what springs, motors and limits gave the pin in the pushing pass
  *   angle     angle0 angle as above; bounds and coefficients; impulses of spring, motor and limit, all
  *             as torques on body b (limit: > 0 the lower one's, < 0 the upper one's)
  *
  * A lane whose work is solved directly (bit in `direct`) has its pin solved by direct/direct_joints.c; the work's
- * two rows are kept up to date for it, and the pin's impulse is the lane's plus the rows'. Blocks of a herd
+ * two rows are kept up to date for it, and the pin's impulse is the lane's plus the rows'. Blocks of a batch
  * (direct/batched_trees.h) are in no colour and have no rows: their pins' impulses are in the lanes.
  */
 #ifndef CNI_JOINTS_JOINT_PASS_H
@@ -38,7 +38,7 @@ typedef struct cni_joint_block {
 	uint32_t direct;                       /* lanes, as bits */
 	uint32_t angular;                      /* which of CN_JOINT_SPRING, _MOTOR, _LIMIT some lane has */
 	int32_t next;                          /* block of the colour */
-	int32_t herd;                          /* 1: a herd's */
+	int32_t batch;                          /* 1: a batch's */
 	uint32_t moves_a, moves_b;             /* lanes, as bits, whose body can move and so is written */
 	int32_t listed;                        /* (of the n-th block) which block is the n-th of all colours in order */
 	int32_t reserved[9];
@@ -77,7 +77,7 @@ static inline cni_joint_block *cni_joint_blocks(const cn_world *world)
 }
 
 /* The block of a work that is in a lane. */
-static inline cni_joint_block *cni_joint_block_of(const cn_world *world, const cni_joint_work *w)
+static inline cni_joint_block *cni_joint_block_of(const cn_world *world, const cni_joint_constraint *w)
 {
 	return cni_joint_blocks(world) + w->lane / CNI_LANES;
 }
@@ -110,7 +110,7 @@ int32_t cni_joint_color_take(cn_world *world, int32_t ia, int32_t ib);
 /* Work k into a lane that is empty. */
 void cni_joint_lane_fill(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k, cni_joint_block *block, int32_t l);
 /* Is no body of it so fast that its arms turn further in a step than lanes can follow? */
-int32_t cni_joint_fits_lane(const cn_world *world, const cni_solve *s, const cni_joint_work *w);
+int32_t cni_joint_fits_lane(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w);
 /* Impulses back to the records. */
 void cni_joint_blocks_store(cn_world *world, const cni_solve *s);
 

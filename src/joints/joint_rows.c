@@ -178,7 +178,7 @@ static float rest_of(const cni_joint *j, int32_t form)
 	return form == CNI_FORM_SLIDE ? j->p[CNI_P_TARGET] : 0.0f;
 }
 
-static void lane_fill(taker *t, cni_joint_work *w, int32_t k, cni_row_block *block)
+static void lane_fill(taker *t, cni_joint_constraint *w, int32_t k, cni_row_block *block)
 {
 	const cni_joint *j = w->record;
 	const cni_motion *a = cni_motions(t->world) + w->ia, *b = cni_motions(t->world) + w->ib;
@@ -201,7 +201,7 @@ static void lane_fill(taker *t, cni_joint_work *w, int32_t k, cni_row_block *blo
 		block->j[r][l] = j->impulse[r];
 }
 
-static int32_t lane_take(taker *t, cni_joint_work *w, int32_t k)
+static int32_t lane_take(taker *t, cni_joint_constraint *w, int32_t k)
 {
 	int32_t color = cni_joint_color_take(t->world, w->ia, w->ib);
 	cni_row_block *block = color == CNI_NONE ? NULL : block_open(t, color, w->form);
@@ -211,9 +211,9 @@ static int32_t lane_take(taker *t, cni_joint_work *w, int32_t k)
 	return 1;
 }
 
-static int32_t is_waiting(const cni_joint_work *w)
+static int32_t is_waiting(const cni_joint_constraint *w)
 {
-	return w->form != CNI_FORM_NONE && !(w->flags & (CNI_WORK_DIRECT | CNI_WORK_SWUNG));
+	return w->form != CNI_FORM_NONE && !(w->flags & (CNI_CONSTRAINT_DIRECT | CNI_CONSTRAINT_FINISHED));
 }
 
 /* Room for the blocks of so many joints; 0: there is none, or no use for it. */
@@ -233,13 +233,13 @@ void cni_row_lanes_gather(cn_world *world, const cni_solve *s)
 	taker t = { world, s, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { { 0 } }, 0 };
 	int32_t k, waiting = 0;
 	for (k = 0; k < world->awake_joints.count; ++k)
-		waiting += is_waiting(cni_joint_works(world) + k);
+		waiting += is_waiting(cni_joint_constraints(world) + k);
 	if (waiting == 0)
 		return;
 	memset(t.open, -1, sizeof t.open); /* CNI_NONE */
 	t.room = blocks_reserve(world, waiting);
 	for (k = 0; k < world->awake_joints.count; ++k) {
-		cni_joint_work *w = cni_joint_works(world) + k;
+		cni_joint_constraint *w = cni_joint_constraints(world) + k;
 		if (is_waiting(w) && !(t.room > 0 && lane_take(&t, w, k)) && w->row_count == 0)
 			cni_joint_rows_begin(world, s, w);
 	}
@@ -251,7 +251,7 @@ void cni_row_lanes_gather(cn_world *world, const cni_solve *s)
 
 static void lane_store(cn_world *world, const cni_row_block *block, int32_t l, const cni_solve *s)
 {
-	const cni_joint_work *w = cni_joint_works(world) + block->work[l];
+	const cni_joint_constraint *w = cni_joint_constraints(world) + block->work[l];
 	cni_joint *j = cni_joint_at(world, w->joint);
 	slots at = slots_of(block->form);
 	uint32_t parts = parts_of(j, block->form);
@@ -295,7 +295,7 @@ static cni_row row_read(const cni_lane_row *r, int32_t l, float sign, uint8_t ki
 	return row;
 }
 
-int32_t cni_row_lane_read(const cn_world *world, const cni_joint_work *w, cni_row *rows)
+int32_t cni_row_lane_read(const cn_world *world, const cni_joint_constraint *w, cni_row *rows)
 {
 	const cni_row_block *block = cni_row_blocks(world) + w->row_lane / CNI_LANES;
 	int32_t l = w->row_lane % CNI_LANES, count = 0;
@@ -312,7 +312,7 @@ int32_t cni_row_lane_read(const cn_world *world, const cni_joint_work *w, cni_ro
 	return count;
 }
 
-void cni_row_lane_write(cn_world *world, const cni_joint_work *w, const cni_row *rows)
+void cni_row_lane_write(cn_world *world, const cni_joint_constraint *w, const cni_row *rows)
 {
 	cni_row_block *block = cni_row_blocks(world) + w->row_lane / CNI_LANES;
 	int32_t l = w->row_lane % CNI_LANES, count = 0;

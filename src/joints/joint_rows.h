@@ -19,7 +19,7 @@
 #ifndef CNI_JOINTS_JOINT_ROWS_H
 #define CNI_JOINTS_JOINT_ROWS_H
 
-#include "joints/joint_work.h"
+#include "joints/joint_constraint.h"
 
 struct cni_joint_pass; /* joints/joint_pass.h */
 
@@ -91,7 +91,7 @@ void cni_row_blocks_run(cn_world *world, cni_row_kernel_fn *run, const struct cn
 /* Impulses back to the records. */
 void cni_row_lanes_store(cn_world *world, const cni_solve *s);
 /* The rows of a work that is in such a lane, as joints/joint_solve.c would have them, and their impulses back into it. */
-int32_t cni_row_lane_read(const cn_world *world, const cni_joint_work *w, cni_row *rows);
-void cni_row_lane_write(cn_world *world, const cni_joint_work *w, const cni_row *rows);
+int32_t cni_row_lane_read(const cn_world *world, const cni_joint_constraint *w, cni_row *rows);
+void cni_row_lane_write(cn_world *world, const cni_joint_constraint *w, const cni_row *rows);
 
 #endif

@@ -465,9 +465,9 @@ CNI_INLINE void impulses_turn(cni_row_block *k, int32_t l, int32_t form, const w
 
 CNI_INLINE void start_change(cni_velocity_start *starts, const int32_t *index, uint32_t moves, const side *change)
 {
-	cni_wide vx, vy, w, struck;
-	cni_wide_gather4((const float *)(const void *)starts, START_FLOATS, index, &vx, &vy, &w, &struck);
-	moving_scatter((float *)(void *)starts, START_FLOATS, index, moves, vx - change->vx, vy - change->vy, w - change->w, struck);
+	cni_wide vx, vy, w, jumped;
+	cni_wide_gather4((const float *)(const void *)starts, START_FLOATS, index, &vx, &vy, &w, &jumped);
+	moving_scatter((float *)(void *)starts, START_FLOATS, index, moves, vx - change->vx, vy - change->vy, w - change->w, jumped);
 }
 
 CNI_INLINE void relax_form(cni_motion *motions, cni_velocity_start *starts, cni_row_block *k, const cni_joint_pass *pass, int32_t form)

@@ -1,5 +1,5 @@
 /*
- * joints/joint_solve.c - joints in the soft step: rows (joints/joint_work.c) to impulses, for every type alike. Those that are
+ * joints/joint_solve.c - joints in the soft step: rows (joints/joint_constraint.c) to impulses, for every type alike. Those that are
  * solved many at once are in lanes: joints/joint_blocks.c, joint_rows.c, whose sums are the same as here.
  *
  * Bounds on force and torque clamp the total impulse of the first rows: the vector of the linear ones and the
@@ -33,8 +33,8 @@ static void prepare_range(void *context, int32_t begin, int32_t end, int32_t wor
 	for (k = begin; k < end; ++k) {
 		if (k + ahead < end)
 			cni_joint_prefetch(cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k + ahead]));
-		if (!cni_joint_work_widen(world, loop->s, &look, k))
-			cni_joint_work_prepare(world, loop->s, k);
+		if (!cni_joint_constraint_widen(world, loop->s, &look, k))
+			cni_joint_constraint_prepare(world, loop->s, k);
 	}
 	cni_atomic_add(&loop->filled, (uint32_t)look.filled);
 	if (!look.kept)
@@ -57,9 +57,9 @@ void cni_joints_prepare(cn_world *world, const cni_solve *s)
 void cni_joints_warm_start(cn_world *world, const cni_solve *s)
 {
 	int32_t k, r;
-	cni_joint_work *w;
+	cni_joint_constraint *w;
 	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
-		w = cni_joint_works(world) + k;
+		w = cni_joint_constraints(world) + k;
 		for (r = 0; r < w->row_count; ++r) {
 			w->rows[r].impulse *= s->warm_scale;
 			cni_row_push(&w->rows[r], w->rows[r].impulse, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
@@ -118,7 +118,7 @@ static void solve_part(cni_row *rows, int32_t count, float most, cni_motion *a, 
 	block_push(rows, count, dj, a, b);
 }
 
-static void solve_bounded(cni_joint_work *w, cni_motion *a, cni_motion *b, const cni_soft *soft, float h)
+static void solve_bounded(cni_joint_constraint *w, cni_motion *a, cni_motion *b, const cni_soft *soft, float h)
 {
 	float most_linear = w->numbers->force_max * h, most_angular = w->numbers->torque_max * h, dj[CNI_JOINT_RIGID_ROWS];
 	int32_t linear = 0, angular, over_linear, over_angular;
@@ -139,10 +139,10 @@ static void solve_bounded(cni_joint_work *w, cni_motion *a, cni_motion *b, const
 	}
 }
 
-static void solve_rigid(cni_joint_work *w, cni_motion *a, cni_motion *b, const cni_soft *soft, float h)
+static void solve_rigid(cni_joint_constraint *w, cni_motion *a, cni_motion *b, const cni_soft *soft, float h)
 {
 	float dj[CNI_JOINT_RIGID_ROWS];
-	if (w->flags & CNI_WORK_BOUNDED) {
+	if (w->flags & CNI_CONSTRAINT_BOUNDED) {
 		solve_bounded(w, a, b, soft, h);
 	} else if (w->rigid_count == 2) { /* the same with a count known to the compiler */
 		block_solve(w->rows, 2, w->numbers->inverse, a, b, soft, dj);
@@ -171,11 +171,11 @@ static void solve_motor(cni_row *r, float mass, cni_motion *a, cni_motion *b, co
 }
 
 /* Room that is left bounds the speed (speculative); beyond the limit it is soft. */
-static void solve_limit(const cni_joint_work *w, cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_solve *s, int32_t bias)
+static void solve_limit(const cni_joint_constraint *w, cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_solve *s, int32_t bias)
 {
-	const cni_soft *soft = (w->flags & CNI_WORK_SPRINGY) ? &w->numbers->soft : &s->joint;
+	const cni_soft *soft = (w->flags & CNI_CONSTRAINT_SPRINGY) ? &w->numbers->soft : &s->joint;
 	float speed, old = r->impulse, impulse;
-	if (!bias && r->error <= 0.0f && (w->flags & CNI_WORK_SPRINGY))
+	if (!bias && r->error <= 0.0f && (w->flags & CNI_CONSTRAINT_SPRINGY))
 		return;
 	speed = cni_row_speed(r, a, b);
 	if (r->error > 0.0f)
@@ -185,12 +185,12 @@ static void solve_limit(const cni_joint_work *w, cni_row *r, float mass, cni_mot
 	else
 		impulse = old - mass * speed;
 	r->impulse = cni_max(impulse, 0.0f);
-	if (w->flags & CNI_WORK_BOUNDED)
+	if (w->flags & CNI_CONSTRAINT_BOUNDED)
 		r->impulse = cni_min(r->impulse, (r->angular ? w->numbers->torque_max : w->numbers->force_max) * s->h);
 	cni_row_push(r, r->impulse - old, a, b);
 }
 
-static void solve_work(cni_joint_work *w, cni_motion *motions, const cni_solve *s, int32_t bias)
+static void solve_work(cni_joint_constraint *w, cni_motion *motions, const cni_solve *s, int32_t bias)
 {
 	static const cni_soft rigid = { 1.0f, 0.0f, 0.0f };
 	cni_motion *a = motions + w->ia, *b = motions + w->ib;
@@ -206,9 +206,9 @@ static void solve_work(cni_joint_work *w, cni_motion *motions, const cni_solve *
 		else if (bias)
 			solve_spring(r, w->numbers->single_mass[k], a, b, &w->numbers->spring, s->h);
 	}
-	if (w->flags & CNI_WORK_DIRECT)
+	if (w->flags & CNI_CONSTRAINT_DIRECT)
 		return;
-	if (!(w->flags & CNI_WORK_SPRINGY))
+	if (!(w->flags & CNI_CONSTRAINT_SPRINGY))
 		solve_rigid(w, a, b, bias ? &s->joint : &rigid, s->h);
 	else if (bias)
 		solve_rigid(w, a, b, &w->numbers->soft, s->h);
@@ -217,8 +217,8 @@ static void solve_work(cni_joint_work *w, cni_motion *motions, const cni_solve *
 void cni_joints_solve(cn_world *world, const cni_solve *s)
 {
 	int32_t k;
-	for (k = world->joint_plain_first; k != CNI_NONE; k = cni_joint_works(world)[k].next_plain)
-		solve_work(cni_joint_works(world) + k, cni_motions(world), s, 1);
+	for (k = world->joint_plain_first; k != CNI_NONE; k = cni_joint_constraints(world)[k].next_plain)
+		solve_work(cni_joint_constraints(world) + k, cni_motions(world), s, 1);
 	cni_joint_blocks_solve(world, s);
 }
 
@@ -226,7 +226,7 @@ void cni_joints_solve_fresh(cn_world *world, const cni_solve *s, int32_t constra
 {
 	int32_t k, r;
 	for (k = 0; k < world->awake_joints.count; ++k) {
-		cni_joint_work *w = cni_joint_works(world) + k;
+		cni_joint_constraint *w = cni_joint_constraints(world) + k;
 		if (cni_joint_is_constraint(cni_joint_at(world, w->joint)->type) != constraints)
 			continue;
 		for (r = 0; r < w->row_count; ++r)
@@ -238,9 +238,9 @@ void cni_joints_solve_fresh(cn_world *world, const cni_solve *s, int32_t constra
 void cni_joints_relax(cn_world *world, const cni_solve *s)
 {
 	int32_t k;
-	cni_joint_work *w;
+	cni_joint_constraint *w;
 	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
-		w = cni_joint_works(world) + k;
+		w = cni_joint_constraints(world) + k;
 		cni_joint_rows_renew(world, w);
 		solve_work(w, cni_motions(world), s, 0);
 	}
@@ -250,17 +250,17 @@ void cni_joints_relax(cn_world *world, const cni_solve *s)
 void cni_joints_stress(cn_world *world, const cni_solve *s)
 {
 	int32_t k;
-	cni_joint_work *w;
+	cni_joint_constraint *w;
 	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
-		w = cni_joint_works(world) + k;
-		if (w->flags & CNI_WORK_BREAKABLE)
-			cni_joint_work_stress(w, cni_motions(world) + w->ib, s->inv_h);
+		w = cni_joint_constraints(world) + k;
+		if (w->flags & CNI_CONSTRAINT_BREAKABLE)
+			cni_joint_constraint_stress(w, cni_motions(world) + w->ib, s->inv_h);
 	}
 }
 
 /* ---- as it ends ---- */
 
-static int32_t is_beyond(const cni_joint_work *w, const cni_joint *j)
+static int32_t is_beyond(const cni_joint_constraint *w, const cni_joint *j)
 {
 	return (j->break_force > 0.0f && w->numbers->force_stress > j->break_force) || (j->break_torque > 0.0f && w->numbers->torque_stress > j->break_torque);
 }
@@ -270,18 +270,18 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 	int32_t k;
 	world->stressed_joints = 0;
 	for (k = 0; k < world->awake_joints.count; ++k) {
-		cni_joint_work *w = cni_joint_works(world) + k;
+		cni_joint_constraint *w = cni_joint_constraints(world) + k;
 		cni_joint *j;
-		if ((w->flags & (CNI_WORK_WIDE | CNI_WORK_SWUNG)) == CNI_WORK_WIDE || w->row_lane != CNI_NONE)
+		if ((w->flags & (CNI_CONSTRAINT_WIDE | CNI_CONSTRAINT_FINISHED)) == CNI_CONSTRAINT_WIDE || w->row_lane != CNI_NONE)
 			continue;
 		j = cni_joint_at(world, w->joint);
 		cni_joint_rows_end(world, w, j);
 		j->inv_h = s->inv_h;
-		if (w->flags & CNI_WORK_TURNS)
+		if (w->flags & CNI_CONSTRAINT_TURNS)
 			cni_joint_turns_advance(world, j, cni_motions(world)[w->ia].theta, cni_motions(world)[w->ib].theta);
-		if (w->flags & CNI_WORK_BREAKABLE) {
-			if (!(w->flags & CNI_WORK_SWUNG))
-				cni_joint_work_stress(w, cni_motions(world) + w->ib, s->inv_h);
+		if (w->flags & CNI_CONSTRAINT_BREAKABLE) {
+			if (!(w->flags & CNI_CONSTRAINT_FINISHED))
+				cni_joint_constraint_stress(w, cni_motions(world) + w->ib, s->inv_h);
 			world->stressed_joints += is_beyond(w, j);
 		}
 	}
@@ -291,7 +291,7 @@ void cni_joints_store(cn_world *world, const cni_solve *s)
 
 /* ---- breaking ---- */
 
-static void joint_break(cn_world *world, const cni_joint_work *w)
+static void joint_break(cn_world *world, const cni_joint_constraint *w)
 {
 	uint32_t breaks = (cni_joint_at(world, w->joint)->flags & CN_JOINT_BREAKS) != 0;
 	if (!cni_joint_event_log(world, w->joint, w->numbers->force_stress, w->numbers->torque_stress, breaks)) {
@@ -310,8 +310,8 @@ void cni_joints_break(cn_world *world)
 		return;
 	world->stressed_joints = 0;
 	for (k = world->awake_joints.count - 1; k >= 0; --k) {
-		const cni_joint_work *w = cni_joint_works(world) + k;
-		if ((w->flags & CNI_WORK_BREAKABLE) && is_beyond(w, cni_joint_at(world, w->joint)))
+		const cni_joint_constraint *w = cni_joint_constraints(world) + k;
+		if ((w->flags & CNI_CONSTRAINT_BREAKABLE) && is_beyond(w, cni_joint_at(world, w->joint)))
 			joint_break(world, w);
 	}
 }

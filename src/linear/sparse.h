@@ -82,30 +82,30 @@ typedef struct cni_component {
 	int32_t joints;                /* of direct/direct_joints.c: how many of its nodes are joints */
 	int32_t active;                /* 1: some have limits in it, 2: motors: direct/active_rows.c */
 	int32_t kind;                  /* those of one kind are alike: linear/topology_class.c; CNI_NONE */
-	int32_t herds;                 /* 1: solved beside others of its kind: direct/batched_trees.c */
-	int32_t herd, lane;            /* ... where */
+	int32_t batches;                 /* 1: solved beside others of its kind: direct/batched_trees.c */
+	int32_t batch, lane;            /* ... where */
 } cni_component;
 
 /* A component that contacts may part: direct/joint_projection.c. */
-typedef struct cni_closer {
+typedef struct cni_projection {
 	int32_t component;
-	int32_t herd, lane;            /* herd CNI_NONE: it is in none */
+	int32_t batch, lane;            /* batch CNI_NONE: it is in none */
 	int32_t rounds;                /* of contacts, in a substep, at most */
 	int32_t asked;                 /* 1: its bodies may have changed since it was looked at */
 	int32_t parting;               /* 1: contacts would open some of its joints in this substep */
 	int32_t changed;               /* 1: contacts have changed its bodies since then */
-	int32_t slot_begin, slot_end;  /* in closer_slots; CNI_NONE: not looked up in this step */
-} cni_closer;
+	int32_t slot_begin, slot_end;  /* in projection_slots; CNI_NONE: not looked up in this step */
+} cni_projection;
 
 /* A tree of nodes of two rows, as what is alike sees it. */
-#define CNI_KIND_NODES 32
-#define CNI_KIND_COUPLINGS 3 /* for each node */
+#define CNI_TOPOLOGY_NODES 32
+#define CNI_TOPOLOGY_COUPLINGS 3 /* for each node */
 
-typedef struct cni_kind {
+typedef struct cni_topology {
 	int32_t nodes, bodies;            /* bodies: that move */
-	uint8_t end[CNI_KIND_NODES][2];   /* by node and side: place of the body among the component's; `bodies`: it cannot move */
-	uint8_t color[CNI_KIND_NODES];    /* by node: no body has one twice, as of joints/joint_blocks.c */
-} cni_kind;
+	uint8_t end[CNI_TOPOLOGY_NODES][2];   /* by node and side: place of the body among the component's; `bodies`: it cannot move */
+	uint8_t color[CNI_TOPOLOGY_NODES];    /* by node: no body has one twice, as of joints/joint_blocks.c */
+} cni_topology;
 
 typedef struct cni_sparse {
 	cni_node *nodes;
@@ -123,15 +123,15 @@ typedef struct cni_sparse {
 	int32_t body_count;
 	int32_t arena_entries;        /* before it was planned */
 	int32_t released;             /* of direct/direct_joints.c: components given up since lanes were filled */
-	struct cni_herd *herds;       /* of direct/batched_trees.c */
-	int32_t herd_count;
-	struct cni_press *presses;    /* contacts: nodes whose owner is -1 - press */
+	struct cni_tree_batch *batches;       /* of direct/batched_trees.c */
+	int32_t batch_count;
+	struct cni_direct_contact *presses;    /* contacts: nodes whose owner is -1 - press */
 	int32_t press_count;
-	cni_closer *closers;          /* of direct/joint_projection.c, by component */
-	int32_t closer_count;
-	int32_t *closer_slots;        /* places in lanes of the contacts of each one's bodies */
-	int32_t closer_slot_count;
-	int32_t *closer_of;           /* by dense body: its closer, CNI_NONE */
+	cni_projection *projections;          /* of direct/joint_projection.c, by component */
+	int32_t projection_count;
+	int32_t *projection_slots;        /* places in lanes of the contacts of each one's bodies */
+	int32_t projection_slot_count;
+	int32_t *projection_of;           /* by dense body: its projection, CNI_NONE */
 	cni_motion *saved;            /* by place in bodies */
 	float *pull;                  /* by dense body: sum(r.f) of its joints; direct/geometric_stiffness.c */
 	cni_rot *turn;                /* by dense body: rotation since the step began */
@@ -167,10 +167,10 @@ int32_t cni_sparse_solve(cni_sparse *sparse, const cni_component *c);
 /* ---- kinds: linear/topology_class.c ---- */
 
 /* What the component is to those that are like it. 0: it is not of the sort that has a kind. */
-int32_t cni_kind_describe(const cni_sparse *sparse, const cni_component *c, const cni_motion *motions, cni_kind *out);
-/* Sets every component's kind: a number less than CNI_KINDS, or CNI_NONE. */
-#define CNI_KINDS 64
-void cni_kinds_find(cni_sparse *sparse, const cni_motion *motions);
+int32_t cni_topology_describe(const cni_sparse *sparse, const cni_component *c, const cni_motion *motions, cni_topology *out);
+/* Sets every component's kind: a number less than CNI_TOPOLOGY_CLASSES, or CNI_NONE. */
+#define CNI_TOPOLOGY_CLASSES 64
+void cni_topology_classes_find(cni_sparse *sparse, const cni_motion *motions);
 
 static inline float cni_lever_speed(const cni_lever *l, const cni_motion *a, const cni_motion *b)
 {

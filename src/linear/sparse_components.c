@@ -104,7 +104,7 @@ static int32_t tree_order(cni_planner *p, int64_t most)
 	if (p->tree_work > most)
 		return 0;
 	p->work = p->tree_work;
-	if (p->hub > 2 && p->member_count <= CNI_KIND_NODES) {
+	if (p->hub > 2 && p->member_count <= CNI_TOPOLOGY_NODES) {
 		cni_planner_order_tree(p);
 		return 1;
 	}

@@ -385,7 +385,7 @@ static void counts_forget(cni_sparse *s)
 static void kinds_keep(cni_sparse *s, const cni_motion *motions, kept_plan *kept)
 {
 	int32_t k;
-	cni_kinds_find(s, motions);
+	cni_topology_classes_find(s, motions);
 	for (k = 0; k < s->component_count; ++k)
 		kept->components[k].kind = s->components[k].kind;
 }

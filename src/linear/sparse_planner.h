@@ -77,7 +77,7 @@ void cni_planner_components(cni_planner *p);
 /* Order of the present component's nodes after those that are there, and their columns in `list`, with no more work than
    `most`. 0: more, or no memory. */
 int32_t cni_planner_order(cni_planner *p, int64_t most);
-/* The same of a tree of up to CNI_KIND_NODES nodes: an order in which no block fills in. Of trees that are alike it is the
+/* The same of a tree of up to CNI_TOPOLOGY_NODES nodes: an order in which no block fills in. Of trees that are alike it is the
    same. linear/topology_class.c. */
 void cni_planner_order_tree(cni_planner *p);
 

@@ -11,7 +11,7 @@
  * the same colours: then couplings, columns and blocks are the same from the component's begin on. Bodies are numbered
  * as the nodes come to them, so kinds are compared as they are written down.
  *
- * Most worlds have a few kinds of creatures and many of each. No more than CNI_KINDS are known at once: where more come,
+ * Most worlds have a few kinds of creatures and many of each. No more than CNI_TOPOLOGY_CLASSES are known at once: where more come,
  * one that was met a single time is forgotten.
  *
  * Reads nodes, bodies and inverse masses; writes components' kinds.
@@ -26,12 +26,12 @@
 /* A tree of bodies, hung up by one: each with the node by which it hangs, breadth first. */
 typedef struct hanging {
 	int32_t count;
-	int32_t body[CNI_KIND_NODES + 1];     /* 0: what cannot move */
-	int32_t node[CNI_KIND_NODES + 1];
-	int32_t side[CNI_KIND_NODES + 1];     /* of the node, which is above */
-	int32_t above[CNI_KIND_NODES + 1];
-	int32_t first[CNI_KIND_NODES + 2];    /* of those that hang from it */
-	uint32_t sum[CNI_KIND_NODES + 1];     /* over all that hangs from it */
+	int32_t body[CNI_TOPOLOGY_NODES + 1];     /* 0: what cannot move */
+	int32_t node[CNI_TOPOLOGY_NODES + 1];
+	int32_t side[CNI_TOPOLOGY_NODES + 1];     /* of the node, which is above */
+	int32_t above[CNI_TOPOLOGY_NODES + 1];
+	int32_t first[CNI_TOPOLOGY_NODES + 2];    /* of those that hang from it */
+	uint32_t sum[CNI_TOPOLOGY_NODES + 1];     /* over all that hangs from it */
 } hanging;
 
 static uint32_t mixed(uint32_t x)
@@ -79,7 +79,7 @@ static int32_t nodes_at(const cni_planner *p, int32_t body)
 }
 
 /* By the body with most nodes; of several, by that of the least sum. */
-static void hang_best(const cni_planner *p, hanging *out)
+static void attach_best(const cni_planner *p, hanging *out)
 {
 	hanging t;
 	int32_t k, side;
@@ -98,8 +98,8 @@ static void hang_best(const cni_planner *p, hanging *out)
 void cni_planner_order_tree(cni_planner *p)
 {
 	hanging t;
-	int32_t queue[CNI_KIND_NODES + 1], count = 1, at, k, base = p->out->node_count;
-	hang_best(p, &t);
+	int32_t queue[CNI_TOPOLOGY_NODES + 1], count = 1, at, k, base = p->out->node_count;
+	attach_best(p, &t);
 	queue[0] = 0;
 	for (at = 0; at < count; ++at) {
 		int32_t begin = count, v = queue[at];
@@ -127,7 +127,7 @@ static int32_t can_move(const cni_motion *m)
 static int32_t has_kind(const cni_sparse *s, const cni_component *c)
 {
 	int32_t k, nodes = c->end - c->begin;
-	if (!c->tree || c->loops || c->width != 2 || nodes > CNI_KIND_NODES || c->coupling_end - c->coupling_begin > CNI_KIND_COUPLINGS * nodes)
+	if (!c->tree || c->loops || c->width != 2 || nodes > CNI_TOPOLOGY_NODES || c->coupling_end - c->coupling_begin > CNI_TOPOLOGY_COUPLINGS * nodes)
 		return 0;
 	for (k = c->begin; k < c->end; ++k)
 		if (s->nodes[k].rows != 2 || s->nodes[k].owner < 0)
@@ -146,9 +146,9 @@ static uint8_t place_of(const cni_sparse *s, const cni_component *c, const cni_m
 }
 
 /* As lanes do: the lowest colour that is open. */
-static int32_t colors_take(cni_kind *kind)
+static int32_t colors_take(cni_topology *kind)
 {
-	uint32_t used[CNI_KIND_NODES + 2] = { 0 };
+	uint32_t used[CNI_TOPOLOGY_NODES + 2] = { 0 };
 	int32_t k, color;
 	for (k = 0; k < kind->nodes; ++k) {
 		uint32_t open;
@@ -165,7 +165,7 @@ static int32_t colors_take(cni_kind *kind)
 	return 1;
 }
 
-int32_t cni_kind_describe(const cni_sparse *s, const cni_component *c, const cni_motion *motions, cni_kind *out)
+int32_t cni_topology_describe(const cni_sparse *s, const cni_component *c, const cni_motion *motions, cni_topology *out)
 {
 	int32_t k;
 	memset(out, 0, sizeof *out);
@@ -181,9 +181,9 @@ int32_t cni_kind_describe(const cni_sparse *s, const cni_component *c, const cni
 }
 
 typedef struct known {
-	cni_kind kind[CNI_KINDS];
-	int32_t first[CNI_KINDS];    /* component */
-	int32_t members[CNI_KINDS];
+	cni_topology kind[CNI_TOPOLOGY_CLASSES];
+	int32_t first[CNI_TOPOLOGY_CLASSES];    /* component */
+	int32_t members[CNI_TOPOLOGY_CLASSES];
 	int32_t count, next;
 } known;
 
@@ -191,10 +191,10 @@ typedef struct known {
 static int32_t place_take(known *n, cni_component *components)
 {
 	int32_t tries;
-	if (n->count < CNI_KINDS)
+	if (n->count < CNI_TOPOLOGY_CLASSES)
 		return n->count++;
-	for (tries = 0; tries < CNI_KINDS; ++tries) {
-		int32_t k = n->next++ % CNI_KINDS;
+	for (tries = 0; tries < CNI_TOPOLOGY_CLASSES; ++tries) {
+		int32_t k = n->next++ % CNI_TOPOLOGY_CLASSES;
 		if (n->members[k] > 1)
 			continue;
 		components[n->first[k]].kind = CNI_NONE;
@@ -203,7 +203,7 @@ static int32_t place_take(known *n, cni_component *components)
 	return CNI_NONE;
 }
 
-static int32_t kind_of(known *n, const cni_kind *kind, cni_component *components, int32_t component)
+static int32_t kind_of(known *n, const cni_topology *kind, cni_component *components, int32_t component)
 {
 	int32_t k;
 	for (k = 0; k < n->count; ++k)
@@ -220,15 +220,15 @@ static int32_t kind_of(known *n, const cni_kind *kind, cni_component *components
 	return k;
 }
 
-void cni_kinds_find(cni_sparse *s, const cni_motion *motions)
+void cni_topology_classes_find(cni_sparse *s, const cni_motion *motions)
 {
 	known n;
 	int32_t k;
 	n.count = n.next = 0;
 	for (k = 0; k < s->component_count; ++k) {
-		cni_kind kind;
+		cni_topology kind;
 		s->components[k].kind = CNI_NONE;
-		if (cni_kind_describe(s, &s->components[k], motions, &kind))
+		if (cni_topology_describe(s, &s->components[k], motions, &kind))
 			s->components[k].kind = kind_of(&n, &kind, s->components, k);
 	}
 }

@@ -206,7 +206,7 @@ int32_t cni_contact_destroy(cn_world *world, int32_t contact)
 	cni_contact *c = cni_contact_at(world, contact);
 	if ((c->flags & CNI_CONTACT_TOUCHING) && !cni_contact_end(world, contact))
 		return 0;
-	if ((c->flags & CNI_CONTACT_SENSING) && !cni_contact_sense(world, contact, 0))
+	if ((c->flags & CNI_CONTACT_SENSING) && !cni_contact_update_sensor(world, contact, 0))
 		return 0;
 	if (!(c->flags & CNI_CONTACT_CREATED_OWED) && !cni_event_log(world, contact, CN_EVENT_DESTROYED))
 		return 0;
@@ -263,7 +263,7 @@ static void span_change(cn_world *world, int32_t contact, uint32_t mask, int32_t
 		return;
 	if (after) {
 		c->flags |= owed;
-		cni_contact_loosen(world, contact);
+		cni_contact_invalidate(world, contact);
 		return;
 	}
 	if (!(c->flags & owed))
@@ -366,7 +366,7 @@ int32_t cni_contact_end(cn_world *world, int32_t contact)
 	return 1;
 }
 
-int32_t cni_contact_sense(cn_world *world, int32_t contact, int32_t overlaps)
+int32_t cni_contact_update_sensor(cn_world *world, int32_t contact, int32_t overlaps)
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	int32_t was = (c->flags & CNI_CONTACT_SENSING) != 0;

@@ -201,9 +201,9 @@ int32_t cni_blocks_are_few(const cn_world *world);
 /* Gives every block its extra rows; 0: no memory. */
 int32_t cni_lane_reserve_extra(cn_world *world);
 /* Logs an event that a contact still owes, if it now can be logged. In a step. */
-void cni_contact_pay_owed(cn_world *world, int32_t contact, uint32_t owed, int32_t kind);
+void cni_contact_send_deferred_events(cn_world *world, int32_t contact, uint32_t owed, int32_t kind);
 /* A sensor pair overlaps or no longer does: logs the change. 0: no memory for the log; nothing changes. */
-int32_t cni_contact_sense(cn_world *world, int32_t contact, int32_t overlaps);
+int32_t cni_contact_update_sensor(cn_world *world, int32_t contact, int32_t overlaps);
 /* Writes a manifold to the contact's lane, keeping the impulses of points with equal ids. gap: where b's contact
    point is from a's at the beginning of the step, in a's frame; (0, 0) but for contacts that are still ahead. a, b, radius: of the
    contact's bodies and shapes. */
@@ -212,9 +212,9 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 void cni_contact_write_empty(cn_world *world, int32_t contact);
 
 /* The contact's next step computes its manifold, however little moves. */
-void cni_contact_loosen(cn_world *world, int32_t contact);
+void cni_contact_invalidate(cn_world *world, int32_t contact);
 /* ... all contacts of a body: its centre is another. */
-void cni_contact_loosen_body(cn_world *world, const cni_body *b);
+void cni_contacts_invalidate_body(cn_world *world, const cni_body *b);
 /* Dense index of a body changed: fixes its lanes. */
 void cni_contact_fix_body(cn_world *world, int32_t body);
 /* Gives the place of a sleeping contact in the sleep store back. */

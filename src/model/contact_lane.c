@@ -183,7 +183,7 @@ CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, const cni_co
 	cni_vec2 n;
 	float centers;
 	if (gap != 0.0f || !may_be_followed(world, c, info, f)) {
-		cni_lane_loosen(world, c->slot);
+		cni_lane_invalidate(world, c->slot);
 		anchor->of.fresh.gap[l] = gap;
 		return;
 	}
@@ -283,7 +283,7 @@ void cni_contact_write_empty(cn_world *world, int32_t contact)
 	lane_clear_point(&block->p[1], lane);
 	block->tm[lane] = block->jt[lane] = 0.0f;
 	c->id[0] = c->id[1] = 0;
-	cni_lane_loosen(world, c->slot);
+	cni_lane_invalidate(world, c->slot);
 }
 
 /* One lane's rows without the body indices, wherever it lives. */

@@ -61,18 +61,18 @@ static int32_t has_lane(const cni_contact *c)
 	return (c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING;
 }
 
-void cni_contact_loosen(cn_world *world, int32_t contact)
+void cni_contact_invalidate(cn_world *world, int32_t contact)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
 	if (has_lane(c))
-		cni_lane_loosen(world, c->slot);
+		cni_lane_invalidate(world, c->slot);
 }
 
-void cni_contact_loosen_body(cn_world *world, const cni_body *b)
+void cni_contacts_invalidate_body(cn_world *world, const cni_body *b)
 {
 	int32_t key;
 	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
-		cni_contact_loosen(world, key >> 1);
+		cni_contact_invalidate(world, key >> 1);
 }
 
 void cni_contact_fix_body(cn_world *world, int32_t body)

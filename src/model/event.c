@@ -193,7 +193,7 @@ cn_result cni_events_build(cn_world *world, int32_t kind)
 	return CN_OK;
 }
 
-void cni_contact_pay_owed(cn_world *world, int32_t contact, uint32_t owed, int32_t kind)
+void cni_contact_send_deferred_events(cn_world *world, int32_t contact, uint32_t owed, int32_t kind)
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	if (!(c->flags & owed) || !cni_event_log(world, contact, kind))

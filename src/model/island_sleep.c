@@ -30,8 +30,8 @@ static int32_t contact_may_solve(const cn_world *world, const cni_contact *c)
 /* A pair that slept through a change of its event mask begins to report when it wakes. */
 static void pay_what_is_owed(cn_world *world, int32_t contact)
 {
-	cni_contact_pay_owed(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
-	cni_contact_pay_owed(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
+	cni_contact_send_deferred_events(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
+	cni_contact_send_deferred_events(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
 }
 
 static void wake_links_of(cn_world *world, int32_t body)

@@ -108,7 +108,7 @@ void cni_shape_unplace(cn_world *world, int32_t shape)
 	}
 }
 
-void cni_shape_look_again(cn_world *world, int32_t shape)
+void cni_shape_refilter(cn_world *world, int32_t shape)
 {
 	cni_shape *s = cni_shape_at(world, shape);
 	int32_t child;

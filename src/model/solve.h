@@ -75,7 +75,7 @@ typedef struct cni_solve {
 	float warm_scale;          /* of stored impulses: this substep over the last one's */
 	float push_speed;
 	float restitution_threshold;
-	float shock_speed;         /* a jump of a body's velocity in one substep that is an impact */
+	float jump_speed;         /* a jump of a body's velocity in one substep that is an impact */
 	cni_contact_pass contact[CNI_CONTACTS_KINDS];
 	cni_soft joint;
 	const struct cni_contact_kernel *kernel;

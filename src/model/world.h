@@ -74,7 +74,7 @@ struct cn_world {
 	int32_t awake_count;         /* of the dense arrays, the dummy included: >= 1 */
 	cni_array motion;            /* cni_motion */
 	cni_array start;             /* cni_velocity_start */
-	cni_array drive;             /* cni_drive */
+	cni_array drive;             /* cni_external */
 	cni_array awake_id;          /* int32_t */
 	int32_t *awake_islands;      /* the islands' numbers by dense index, within a step: scratch of the arena. NULL outside, without islands, without memory */
 	int32_t *step_islands;       /* records of the numbered islands, scratch of the arena; NULL: each is its own number */
@@ -126,7 +126,7 @@ struct cn_world {
 	int32_t stressed_joints;     /* beyond a break threshold in this step, not yet dealt with */
 	cni_table joints;            /* cni_joint */
 	cni_array awake_joints;      /* int32_t */
-	cni_array joint_work;        /* cni_joint_work of joints/joint_work.h, one an awake joint */
+	cni_array joint_work;        /* cni_joint_constraint of joints/joint_constraint.h, one an awake joint */
 	cni_array joint_blocks;      /* cni_joint_block of joints/joint_pass.h; room for every joint in any colours */
 	cni_color joint_colors[CNI_JOINT_COLORS];
 	cni_lanes_kept joint_lanes;  /* what of these may be there still in the next step */
@@ -221,7 +221,7 @@ static inline void cni_dummy_stand(const cn_world *world)
 	cni_motions(world)[0] = still;
 }
 static inline cni_velocity_start *cni_starts(const cn_world *world) { return (cni_velocity_start *)world->start.data; }
-static inline cni_drive *cni_drives(const cn_world *world) { return (cni_drive *)world->drive.data; }
+static inline cni_external *cni_externals(const cn_world *world) { return (cni_external *)world->drive.data; }
 static inline int32_t *cni_awake_ids(const cn_world *world) { return (int32_t *)world->awake_id.data; }
 /* Items that do not depend on each other, shared among the world's workers: cni_team_for. A loop outside of
    cni_team_run may have to wake them, some microseconds; so min_range is to be 10 us of work there, and 1 us within. */

@@ -38,7 +38,7 @@ enum {
 /* Does the step's change carry the body so far that something could be left behind it unseen? */
 static int32_t body_is_fast(const cni_body *b, const cni_motion *m)
 {
-	float most = 0.25f * b->core, turn = m->theta * cni_body_swing(b);
+	float most = 0.25f * b->core, turn = m->theta * cni_body_turn_reach(b);
 	return b->type == CN_BODY_DYNAMIC && m->dpx * m->dpx + m->dpy * m->dpy + turn * turn > most * most;
 }
 
@@ -429,7 +429,7 @@ static float strays_from_ahead(const cn_world *world, const cni_body *b, const c
  */
 static int32_t path_is_watched(const cn_world *world, const cni_body *b, const cni_motion *m)
 {
-	float swing = cni_body_swing(b), stray = 0.125f * swing * m->theta * m->theta, turned = stray + cni_body_reach(b, 0.0f, 0.0f, m->theta);
+	float swing = cni_body_turn_reach(b), stray = 0.125f * swing * m->theta * m->theta, turned = stray + cni_body_reach(b, 0.0f, 0.0f, m->theta);
 	cni_transform start;
 	int32_t shape;
 	if (cni_abs(m->theta) > WATCHED_TURN_MAX_RAD && swing > 0.0f)
@@ -470,7 +470,7 @@ static void body_guard(guard_loop *loop, int32_t body, const cni_motion *m)
 	cn_world *world = loop->world;
 	const cni_body *b = cni_body_at(world, body);
 	if (b->flags & CN_BODY_BULLET) {
-		cni_drives(world)[b->awake].flags |= CNI_DRIVE_LATER;
+		cni_externals(world)[b->awake].flags |= CNI_EXTERNAL_DEFERRED;
 		(void)cni_atomic_add(&loop->bullets, 1);
 		return;
 	}
@@ -509,13 +509,13 @@ static void guard_range(void *context, int32_t begin, int32_t end, int32_t worke
 /* In order: one may shorten the way of another. */
 static void bullets_guard(cn_world *world)
 {
-	cni_drive *drives = cni_drives(world);
+	cni_external *drives = cni_externals(world);
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
 		int32_t body = cni_awake_ids(world)[k];
-		if (!(drives[k].flags & CNI_DRIVE_LATER))
+		if (!(drives[k].flags & CNI_EXTERNAL_DEFERRED))
 			continue;
-		drives[k].flags &= ~(uint32_t)CNI_DRIVE_LATER;
+		drives[k].flags &= ~(uint32_t)CNI_EXTERNAL_DEFERRED;
 		if (body_is_fast(cni_body_at(world, body), cni_motions(world) + k)) /* no longer, perhaps */
 			clamp_body(world, body, CLAMP_ALL);
 	}

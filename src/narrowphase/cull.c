@@ -35,14 +35,14 @@
 /* ---- bodies ---- */
 
 /* The high part of a centre is within half a unit of its last place. */
-static cni_sift_body sift_body_make(const cni_body *b, float dt)
+static cni_cull_body cull_body_make(const cni_body *b, float dt)
 {
-	cni_sift_body s;
+	cni_cull_body s;
 	s.x = b->cx;
 	s.y = b->cy;
 	s.ahead_x = dt * b->vx;
 	s.ahead_y = dt * b->vy;
-	s.radius = CNI_CIRCLES_APART * (b->extent + dt * cni_abs(b->w) * cni_body_swing(b)) + FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy));
+	s.radius = CNI_CIRCLES_APART * (b->extent + dt * cni_abs(b->w) * cni_body_turn_reach(b)) + FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy));
 	if (b->awake == 0)
 		s.radius = -s.radius;
 	return s;
@@ -50,13 +50,13 @@ static cni_sift_body sift_body_make(const cni_body *b, float dt)
 
 #if CNI_HAS_WIDE_4
 
-/* sift_body_make of four in a row, with its bits. */
-static void four_make(const cni_body *b, float dt, cni_sift_body *out)
+/* cull_body_make of four in a row, with its bits. */
+static void four_make(const cni_body *b, float dt, cni_cull_body *out)
 {
 	const cni_mask awake = { b[0].awake, b[1].awake, b[2].awake, b[3].awake };
 	const cni_wide extent = { b[0].extent, b[1].extent, b[2].extent, b[3].extent };
 	const cni_mask swings = { b[0].swing, b[1].swing, b[2].swing, b[3].swing };
-	const cni_wide swing = extent * (__builtin_convertvector(swings, cni_wide) * cni_wide_of(CNI_SWING_UNIT));
+	const cni_wide swing = extent * (__builtin_convertvector(swings, cni_wide) * cni_wide_of(CNI_TURN_REACH_UNIT));
 	cni_wide at[4], ahead[4], low, high, x, y, turn, radius;
 	int32_t l;
 	for (l = 0; l < 4; ++l) {
@@ -80,20 +80,20 @@ typedef char cni_four_bodies_are_read[offsetof(cni_body, w) == offsetof(cni_body
 
 #else
 
-static void four_make(const cni_body *b, float dt, cni_sift_body *out)
+static void four_make(const cni_body *b, float dt, cni_cull_body *out)
 {
 	int32_t l;
 	for (l = 0; l < 4; ++l)
-		out[l] = sift_body_make(&b[l], dt);
+		out[l] = cull_body_make(&b[l], dt);
 }
 
 #endif
 
 static void bodies_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
-	const cni_sift_list *list = (const cni_sift_list *)context;
+	const cni_cull_list *list = (const cni_cull_list *)context;
 	const cn_world *world = list->world;
-	cni_sift_body *bodies = list->bodies;
+	cni_cull_body *bodies = list->bodies;
 	float dt = list->dt;
 	int32_t k = begin;
 	(void)worker;
@@ -103,19 +103,19 @@ static void bodies_range(void *context, int32_t begin, int32_t end, int32_t work
 			four_make(b, dt, &bodies[k]);
 			k += 4;
 		} else {
-			bodies[k++] = sift_body_make(b, dt);
+			bodies[k++] = cull_body_make(b, dt);
 		}
 	}
 }
 
 /* Worth a pass over all bodies where each is in a contact that is apart: two are in one. */
-static void bodies_make(cni_sift_list *list)
+static void bodies_make(cni_cull_list *list)
 {
 	cn_world *world = list->world;
 	int32_t count = world->body_handles.slots.count;
 	if (list->apart < count / 2)
 		return;
-	list->bodies = (cni_sift_body *)cni_arena_push(&world->arena, sizeof(cni_sift_body) * (uint64_t)count);
+	list->bodies = (cni_cull_body *)cni_arena_push(&world->arena, sizeof(cni_cull_body) * (uint64_t)count);
 	if (list->bodies != NULL)
 		cni_parallel_for(world, count, BODIES_A_RANGE, bodies_range, list);
 }
@@ -141,7 +141,7 @@ CNI_INLINE void pair_prefetch(const cn_world *world, const cni_contact *c)
 	}
 }
 
-CNI_INLINE void members_prefetch(const cni_sift_list *list, const cni_contact *c)
+CNI_INLINE void members_prefetch(const cni_cull_list *list, const cni_contact *c)
 {
 	int32_t side;
 	for (side = 0; side < 2; ++side) {
@@ -154,7 +154,7 @@ CNI_INLINE void members_prefetch(const cni_sift_list *list, const cni_contact *c
 }
 
 /* Asks for the members of a contact, whose record was asked for, unless they are beyond the end. */
-CNI_INLINE void ask_for_members(const cni_sift *s, int32_t k)
+CNI_INLINE void ask_for_members(const cni_cull *s, int32_t k)
 {
 	const cni_contact *c;
 	if (k >= s->end)
@@ -167,7 +167,7 @@ CNI_INLINE void ask_for_members(const cni_sift *s, int32_t k)
 }
 
 /* Records reach from one line into the next: both ends are asked for. */
-CNI_INLINE void ask_for_record(const cni_sift *s, int32_t k)
+CNI_INLINE void ask_for_record(const cni_cull *s, int32_t k)
 {
 	const cni_contact *c;
 	if (k >= s->end)
@@ -177,8 +177,8 @@ CNI_INLINE void ask_for_record(const cni_sift *s, int32_t k)
 	CNI_PREFETCH(&c->flags);
 }
 
-/* While contacts `at` to at + count - 1 are sifted. */
-CNI_INLINE void ask_ahead(const cni_sift *s, int32_t at, int32_t count)
+/* While contacts `at` to at + count - 1 are culled. */
+CNI_INLINE void ask_ahead(const cni_cull *s, int32_t at, int32_t count)
 {
 	int32_t k;
 	for (k = at; k < at + count; ++k) {
@@ -196,7 +196,7 @@ static int32_t boxes_overlap(const cni_aabb *a, const cni_aabb *b)
 }
 
 /* The reach is that of a cni_pair_motion at most, whose sum is taken along other axes. */
-static int32_t circles_apart(const cni_sift_body *a, const cni_sift_body *b, float margin)
+static int32_t circles_apart(const cni_cull_body *a, const cni_cull_body *b, float margin)
 {
 	float dx = b->x - a->x, dy = b->y - a->y, reach;
 	reach = cni_max(margin, 1.4143f * (cni_abs(b->ahead_x - a->ahead_x) + cni_abs(b->ahead_y - a->ahead_y)));
@@ -222,16 +222,16 @@ static int32_t boxes_of_contact_overlap(const cn_world *world, const cni_contact
 }
 
 /* Returns 1 when it is certain to stay apart. */
-static uint32_t one_sift(const cni_sift *s, cni_contact *c)
+static uint32_t one_cull(const cni_cull *s, cni_contact *c)
 {
-	const cni_sift_body *a, *b;
-	cni_sift_body made_a, made_b;
+	const cni_cull_body *a, *b;
+	cni_cull_body made_a, made_b;
 	if (s->of.bodies != NULL) {
 		a = &s->of.bodies[c->body[0]];
 		b = &s->of.bodies[c->body[1]];
 	} else {
-		made_a = sift_body_make(cni_body_at(s->of.world, c->body[0]), s->of.dt);
-		made_b = sift_body_make(cni_body_at(s->of.world, c->body[1]), s->of.dt);
+		made_a = cull_body_make(cni_body_at(s->of.world, c->body[0]), s->of.dt);
+		made_b = cull_body_make(cni_body_at(s->of.world, c->body[1]), s->of.dt);
 		a = &made_a;
 		b = &made_b;
 	}
@@ -246,13 +246,13 @@ static uint32_t one_sift(const cni_sift *s, cni_contact *c)
 #if CNI_HAS_WIDE_4
 
 /* What is read of four contacts, row by row. */
-typedef struct sift_rows {
+typedef struct cull_rows {
 	cni_wide between[4];     /* way from one body to the other, now and of the step */
 	cni_mask over[4];        /* boxes, each way along each axis */
 	uint32_t flags;          /* of any */
-} sift_rows;
+} cull_rows;
 
-CNI_INLINE void rows_take(sift_rows *r, int32_t l, const cn_world *world, const cni_sift_body *a, const cni_sift_body *b, const cni_contact *c)
+CNI_INLINE void rows_take(cull_rows *r, int32_t l, const cn_world *world, const cni_cull_body *a, const cni_cull_body *b, const cni_contact *c)
 {
 	cni_wide box_a = cni_wide_load_loose(&cni_proxy_at(world, c->proxy[0])->fat.x0), box_b = cni_wide_load_loose(&cni_proxy_at(world, c->proxy[1])->fat.x0);
 	r->between[l] = cni_wide_load_loose(&b->x) - cni_wide_load_loose(&a->x);
@@ -280,14 +280,14 @@ static uint32_t four_by_flags(cni_contact *const *c, uint32_t apart)
 	return apart;
 }
 
-/* one_sift of four, as bits: lane by lane the same operations. */
-static uint32_t four_sift(const cni_sift *s, cni_contact *const *c)
+/* one_cull of four, as bits: lane by lane the same operations. */
+static uint32_t four_cull(const cni_cull *s, cni_contact *const *c)
 {
 	const cn_world *world = s->of.world;
-	const cni_sift_body *a[4], *b[4];
+	const cni_cull_body *a[4], *b[4];
 	cni_wide radius_a, radius_b, dx, dy, ahead_x, ahead_y, reach;
 	uint32_t apart, marks;
-	sift_rows r;
+	cull_rows r;
 	int32_t l;
 	r.flags = 0;
 	for (l = 0; l < 4; ++l) {
@@ -308,9 +308,9 @@ static uint32_t four_sift(const cni_sift *s, cni_contact *const *c)
 
 #else
 
-static uint32_t four_sift(const cni_sift *s, cni_contact *const *c)
+static uint32_t four_cull(const cni_cull *s, cni_contact *const *c)
 {
-	return one_sift(s, c[0]) | one_sift(s, c[1]) << 1 | one_sift(s, c[2]) << 2 | one_sift(s, c[3]) << 3;
+	return one_cull(s, c[0]) | one_cull(s, c[1]) << 1 | one_cull(s, c[2]) << 2 | one_cull(s, c[3]) << 3;
 }
 
 #endif
@@ -318,7 +318,7 @@ static uint32_t four_sift(const cni_sift *s, cni_contact *const *c)
 /* ---- batches ---- */
 
 /* Those of a batch that stay apart, as bits. */
-static uint32_t apart_of_batch(const cni_sift *s, int32_t from, int32_t size)
+static uint32_t apart_of_batch(const cni_cull *s, int32_t from, int32_t size)
 {
 	const cn_world *world = s->of.world;
 	const int32_t *contacts = s->of.contacts + from;
@@ -329,26 +329,26 @@ static uint32_t apart_of_batch(const cni_sift *s, int32_t from, int32_t size)
 		                      cni_contact_at(world, contacts[k + 3]) };
 		if (s->of.prefetches)
 			ask_ahead(s, from + k, 4);
-		apart |= four_sift(s, c) << k;
+		apart |= four_cull(s, c) << k;
 	}
 	for (; k < size; ++k) {
 		if (s->of.prefetches)
 			ask_ahead(s, from + k, 1);
-		apart |= one_sift(s, cni_contact_at(world, contacts[k])) << k;
+		apart |= one_cull(s, cni_contact_at(world, contacts[k])) << k;
 	}
 	return apart;
 }
 
-static void batch_sift(cni_sift *s)
+static void batch_cull(cni_cull *s)
 {
-	int32_t size = cni_min_i(CNI_SIFT_BATCH, cni_min_i(s->end, s->of.apart) - s->at);
+	int32_t size = cni_min_i(CNI_CULL_BATCH, cni_min_i(s->end, s->of.apart) - s->at);
 	s->batch = s->at;
 	s->at += size;
-	s->left = ~apart_of_batch(s, s->batch, size) & (~0u >> (CNI_SIFT_BATCH - size));
+	s->left = ~apart_of_batch(s, s->batch, size) & (~0u >> (CNI_CULL_BATCH - size));
 }
 
 /* What is left of the batch. */
-static int32_t take_left(cni_sift *s, cni_touch_pair *out, int32_t most)
+static int32_t take_left(cni_cull *s, cni_touch_pair *out, int32_t most)
 {
 	const cn_world *world = s->of.world;
 	const int32_t *contacts = s->of.contacts + s->batch;
@@ -366,7 +366,7 @@ static int32_t take_left(cni_sift *s, cni_touch_pair *out, int32_t most)
 }
 
 /* What touches is looked at always. */
-static int32_t take_touching(cni_sift *s, cni_touch_pair *out, int32_t most)
+static int32_t take_touching(cni_cull *s, cni_touch_pair *out, int32_t most)
 {
 	const cn_world *world = s->of.world;
 	int32_t k, at = s->at, count = cni_min_i(most, s->end - at), prefetches = s->of.prefetches;
@@ -386,7 +386,7 @@ static int32_t take_touching(cni_sift *s, cni_touch_pair *out, int32_t most)
 
 /* ---- */
 
-void cni_sift_open(cni_sift_list *list, cn_world *world, const int32_t *contacts, int32_t apart, int32_t count, float dt)
+void cni_cull_open(cni_cull_list *list, cn_world *world, const int32_t *contacts, int32_t apart, int32_t count, float dt)
 {
 	list->world = world;
 	list->contacts = contacts;
@@ -399,12 +399,12 @@ void cni_sift_open(cni_sift_list *list, cn_world *world, const int32_t *contacts
 	bodies_make(list);
 }
 
-void cni_sift_close(cni_sift_list *list)
+void cni_cull_close(cni_cull_list *list)
 {
 	cni_arena_pop(&list->world->arena, list->bodies);
 }
 
-void cni_sift_begin(cni_sift *s, const cni_sift_list *list, int32_t begin, int32_t end)
+void cni_cull_begin(cni_cull *s, const cni_cull_list *list, int32_t begin, int32_t end)
 {
 	int32_t k;
 	s->of = *list;
@@ -419,14 +419,14 @@ void cni_sift_begin(cni_sift *s, const cni_sift_list *list, int32_t begin, int32
 		ask_for_members(s, begin + k);
 }
 
-int32_t cni_sift_next(cni_sift *s, cni_touch_pair *out, int32_t most)
+int32_t cni_cull_next(cni_cull *s, cni_touch_pair *out, int32_t most)
 {
 	int32_t count = 0;
 	while (count < most && (s->left != 0 || s->at < s->end)) {
 		if (s->left != 0)
 			count += take_left(s, out + count, most - count);
 		else if (s->at < s->of.apart)
-			batch_sift(s);
+			batch_cull(s);
 		else
 			count += take_touching(s, out + count, most - count);
 	}

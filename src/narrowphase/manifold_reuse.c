@@ -19,7 +19,7 @@
 
 /* What kernels read of a record. */
 typedef char cni_body_begins_with_pose[offsetof(cni_body, cx) == 0 && offsetof(cni_body, q) == 16 && offsetof(cni_body, extent) == 32 ? 1 : -1];
-typedef char cni_follow_pose_begins_alike[offsetof(cni_follow_pose, c) == offsetof(cni_body, q) && offsetof(cni_follow_pose, extent) == 24 ? 1 : -1];
+typedef char cni_reuse_pose_begins_alike[offsetof(cni_reuse_pose, c) == offsetof(cni_body, q) && offsetof(cni_reuse_pose, extent) == 24 ? 1 : -1];
 
 /* 10 us of work where all is followed. */
 #define BLOCKS_A_RANGE 32
@@ -27,13 +27,13 @@ typedef char cni_follow_pose_begins_alike[offsetof(cni_follow_pose, c) == offset
 
 /* Fills the table, of whose halves only those with anchored lanes are read; returns the anchored lanes whose axes are
    free: locked ones have other masses. */
-static uint32_t bodies_find(const cn_world *world, const cni_contact_block *k, const cni_block_anchor *anchor, uint32_t anchored, cni_follow_bodies *out)
+static uint32_t bodies_find(const cn_world *world, const cni_contact_block *k, const cni_block_anchor *anchor, uint32_t anchored, cni_reuse_bodies *out)
 {
 	const int32_t *ids = cni_awake_ids(world);
 	int32_t l, end = anchored >> CNI_LANES / 2 != 0 ? CNI_LANES : CNI_LANES / 2;
 	for (l = 0; l < end; ++l) {
 		cni_body *a, *b;
-		out->a[l] = out->b[l] = cni_record_floats(&cni_body_nowhere);
+		out->a[l] = out->b[l] = cni_record_floats(&cni_body_none);
 		if (!(anchored >> l & 1u))
 			continue;
 		a = cni_body_at(world, ids[k->ia[l]]);
@@ -50,9 +50,9 @@ static uint32_t bodies_find(const cn_world *world, const cni_contact_block *k, c
 	return anchored;
 }
 
-static cni_follow_pass pass_make(const cn_world *world, float dt)
+static cni_reuse_pass pass_make(const cn_world *world, float dt)
 {
-	cni_follow_pass pass;
+	cni_reuse_pass pass;
 	pass.motions = cni_motions(world);
 	pass.poses = NULL;
 	pass.dt = dt;
@@ -78,7 +78,7 @@ static int32_t followed_overlap(const cn_world *world, const int32_t *contacts, 
 
 typedef struct pose_loop {
 	const cn_world *world;
-	cni_follow_pose *poses;
+	cni_reuse_pose *poses;
 } pose_loop;
 
 /* A body has several lanes: where most have an anchored one, what is read of the records comes side by side first. */
@@ -90,19 +90,19 @@ static void poses_range(void *context, int32_t begin, int32_t end, int32_t worke
 	(void)worker;
 	for (k = begin + 1; k <= end; ++k) {
 		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
-		cni_follow_pose *p = &loop->poses[k];
-		memcpy(p, b, offsetof(cni_follow_pose, extent));
+		cni_reuse_pose *p = &loop->poses[k];
+		memcpy(p, b, offsetof(cni_reuse_pose, extent));
 		p->extent = b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y) ? -1.0f : b->extent;
 		p->inv_inertia = cni_motions(world)[k].inv_inertia;
 	}
 }
 
 /* NULL: not worth it, or no memory. anchored: lanes between bodies that are awake. */
-static cni_follow_pose *poses_make(cn_world *world, int32_t anchored)
+static cni_reuse_pose *poses_make(cn_world *world, int32_t anchored)
 {
 	pose_loop loop;
 	loop.world = world;
-	loop.poses = anchored < world->awake_count / 2 ? NULL : (cni_follow_pose *)cni_arena_push(&world->arena, sizeof(cni_follow_pose) * (uint64_t)world->awake_count);
+	loop.poses = anchored < world->awake_count / 2 ? NULL : (cni_reuse_pose *)cni_arena_push(&world->arena, sizeof(cni_reuse_pose) * (uint64_t)world->awake_count);
 	if (loop.poses == NULL)
 		return NULL;
 	memset(loop.poses, 0, sizeof *loop.poses);
@@ -124,7 +124,7 @@ typedef struct follow_loop {
 	const cni_contact_kernel *kernel;
 	followed_block *blocks; /* colours in order, a colour's blocks in order */
 	int32_t count;
-	cni_follow_pass pass;
+	cni_reuse_pass pass;
 } follow_loop;
 
 /* Returns how many anchored lanes there are between bodies that are awake. */
@@ -185,7 +185,7 @@ static uint32_t block_follow(const follow_loop *loop, int32_t block)
 	const cn_world *world = loop->world;
 	const cni_block_info *info = cni_block_info_at(world, block);
 	uint32_t anchored = loop->pass.dt == 0.0f ? 0 : info->anchored;
-	cni_follow_bodies bodies;
+	cni_reuse_bodies bodies;
 	if (anchored != 0 && loop->pass.poses != NULL && info->color < CNI_COLOR_STATIC)
 		return loop->kernel->follow(&loop->pass, cni_block_at(world, block), cni_block_anchor_at(world, block), NULL, anchored);
 	if (anchored != 0)
@@ -222,10 +222,10 @@ static int32_t left_collect(const follow_loop *loop, int32_t *left)
 	return count;
 }
 
-int32_t cni_contacts_follow(cn_world *world, float dt, int32_t *left)
+int32_t cni_manifolds_reuse(cn_world *world, float dt, int32_t *left)
 {
 	follow_loop loop;
-	cni_follow_pose *poses = NULL;
+	cni_reuse_pose *poses = NULL;
 	int32_t anchored;
 	loop.world = world;
 	loop.kernel = cni_contact_kernel_choose();

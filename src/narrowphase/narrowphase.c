@@ -146,7 +146,7 @@ static void pair_end(cn_world *world, int32_t contact)
 /* Sensor pairs end and begin by themselves: nothing is solved. */
 static void sensor_change(cn_world *world, int32_t contact, int32_t change)
 {
-	if (!cni_contact_sense(world, contact, change == CHANGE_BEGIN))
+	if (!cni_contact_update_sensor(world, contact, change == CHANGE_BEGIN))
 		world->pairs_may_repeat = CNI_PAIRS_ALL;
 	else if (change == CHANGE_END)
 		pair_end(world, contact);
@@ -160,9 +160,9 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, float
 		return;
 	}
 	if (change != CHANGE_END || boxes_overlap(world, c)) /* else it goes before it was told of */
-		cni_contact_pay_owed(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
+		cni_contact_send_deferred_events(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
 	if (change == CHANGE_OWED)
-		cni_contact_pay_owed(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
+		cni_contact_send_deferred_events(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
 	if (change == CHANGE_BEGIN)
 		change_begin(world, contact, dt);
 	if (change != CHANGE_END)
@@ -355,11 +355,11 @@ static void changes_apply(cn_world *world, const change_list *list, float dt)
 
 /* ---- looking ---- */
 
-static void contacts_look_at(cn_world *world, window *w, cni_sift *sift, change_list *changes, float dt)
+static void contacts_look_at(cn_world *world, window *w, cni_cull *cull, change_list *changes, float dt)
 {
 	int32_t k, count;
-	w->prefetches = sift->of.prefetches;
-	while ((count = cni_sift_next(sift, w->pair, WINDOW)) > 0) {
+	w->prefetches = cull->of.prefetches;
+	while ((count = cni_cull_next(cull, w->pair, WINDOW)) > 0) {
 		window_look(world, w, count, dt);
 		for (k = 0; k < count; ++k)
 			if (w->change[k] != CHANGE_NONE)
@@ -373,13 +373,13 @@ typedef struct look_part {
 } look_part;
 
 typedef struct look_loop {
-	cni_sift_list list;
+	cni_cull_list list;
 	uint32_t *items;    /* one a contact */
 	look_part *parts;   /* one for each RANGE_LEAST contacts, most of them empty */
 } look_loop;
 
 /* Where a range that would begin at k begins: lanes of a block share words, so a block's contacts stay together. */
-static int32_t range_begin(const cni_sift_list *list, int32_t k)
+static int32_t range_begin(const cni_cull_list *list, int32_t k)
 {
 	if (k <= list->apart)
 		return k;
@@ -396,15 +396,15 @@ static void look_range(void *context, int32_t begin, int32_t end, int32_t worker
 	look_part *part = &loop->parts[begin / RANGE_LEAST];
 	int32_t from = range_begin(&loop->list, begin), to = range_begin(&loop->list, end);
 	change_list changes;
-	cni_sift sift;
+	cni_cull cull;
 	window w;
 	(void)worker;
 	changes.items = loop->items + from;
 	changes.room = to - from;
 	changes.count = 0;
 	window_init(&w, loop->list.world, 0);
-	cni_sift_begin(&sift, &loop->list, from, to);
-	contacts_look_at(loop->list.world, &w, &sift, &changes, loop->list.dt);
+	cni_cull_begin(&cull, &loop->list, from, to);
+	contacts_look_at(loop->list.world, &w, &cull, &changes, loop->list.dt);
 	part->begin = from;
 	part->count = changes.count;
 }
@@ -467,14 +467,14 @@ static change_list look_shared(cn_world *world, look_loop *loop, int32_t parts)
 static change_list look_alone(cn_world *world, const look_loop *loop, uint32_t *few)
 {
 	change_list changes;
-	cni_sift sift;
+	cni_cull cull;
 	window w;
 	changes.items = few;
 	changes.count = 0;
 	changes.room = CHANGES_LEAST;
 	window_init(&w, world, 1);
-	cni_sift_begin(&sift, &loop->list, 0, loop->list.count);
-	contacts_look_at(world, &w, &sift, &changes, loop->list.dt);
+	cni_cull_begin(&cull, &loop->list, 0, loop->list.count);
+	contacts_look_at(world, &w, &cull, &changes, loop->list.dt);
 	return changes;
 }
 
@@ -486,12 +486,12 @@ void cni_stage_narrowphase(cn_world *world, float dt)
 	look_loop loop;
 	if (contacts == NULL)
 		return; /* there has never been a contact */
-	count = apart + cni_contacts_follow(world, CNI_ON(FOLLOW) ? dt : 0.0f, contacts + apart); /* the list has room for every contact */
+	count = apart + cni_manifolds_reuse(world, CNI_ON(FOLLOW) ? dt : 0.0f, contacts + apart); /* the list has room for every contact */
 	parts = count / RANGE_LEAST + 1;
 	loop.parts = (look_part *)cni_arena_push(&world->arena, sizeof(look_part) * (uint64_t)parts + sizeof(uint32_t) * (uint64_t)count);
-	cni_sift_open(&loop.list, world, contacts, apart, count, dt);
+	cni_cull_open(&loop.list, world, contacts, apart, count, dt);
 	changes = loop.parts != NULL ? look_shared(world, &loop, parts) : look_alone(world, &loop, few);
-	cni_sift_close(&loop.list);
+	cni_cull_close(&loop.list);
 	changes_apply(world, &changes, dt);
 	cni_arena_pop(&world->arena, loop.parts);
 }

@@ -114,7 +114,7 @@ void cni_stage_pairs(cn_world *world, float dt)
 	}
 	/* Workers may have found the pairs; the user is asked here, in order, but where the list had no room for all and the
 	   broadphase asked. */
-	cni_pairs_sift(pairs);
+	cni_pairs_cull(pairs);
 	list = (const cni_pair *)pairs->list.data;
 	for (k = 0; k < pairs->list.count; ++k) {
 		pairs_prefetch(world, list, pairs->list.count, k);

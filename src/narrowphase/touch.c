@@ -1,8 +1,8 @@
 /*
  * narrowphase/touch.c - from poses and velocities to how two shapes touch.
  *
- * Contact margin: slow pairs touch when closer than four slops (speculative contact), thin ones when closer than half of
- * the thinner one's thickness. Fast pairs look as far ahead as they come closer in the step, so that they meet the surface instead of each other's inside; a
+ * Contact margin: slow pairs touch when projection than four slops (speculative contact), thin ones when projection than half of
+ * the thinner one's thickness. Fast pairs look as far ahead as they come projection in the step, so that they meet the surface instead of each other's inside; a
  * point that their motion does not reach is dropped.
  */
 #include "narrowphase/touch.h"
@@ -46,11 +46,11 @@ static cni_pair_motion motion_make(const cni_body *a, const cni_body *b, float d
 	m.v = cni_unrotate(a->q, cni_v(b->vx - a->vx, b->vy - a->vy));
 	m.wa = a->w;
 	m.wb = b->w;
-	m.reach = dt * (cni_abs(m.v.x) + cni_abs(m.v.y) + cni_abs(m.wa) * cni_body_swing(a) + cni_abs(m.wb) * cni_body_swing(b));
+	m.reach = dt * (cni_abs(m.v.x) + cni_abs(m.v.y) + cni_abs(m.wa) * cni_body_turn_reach(a) + cni_abs(m.wb) * cni_body_turn_reach(b));
 	return m;
 }
 
-/* Speed at which the surfaces come closer at a point. */
+/* Speed at which the surfaces come projection at a point. */
 static float closing_at(const cni_manifold *out, int32_t k, const cni_pair_motion *m, const cni_body *a, cni_vec2 b_center)
 {
 	cni_vec2 p = out->points[k].point, ra = cni_sub(p, a->local_center), rb = cni_sub(p, b_center);

@@ -19,7 +19,7 @@
 typedef struct cni_pair_motion {
 	cni_vec2 v;       /* velocity of b's centre relative to a's, in a's frame */
 	float wa, wb;
-	float reach;      /* most that surface points can come closer in the step */
+	float reach;      /* most that surface points can come projection in the step */
 	float margin;     /* within which the pair touches, however slow it is */
 } cni_pair_motion;
 
@@ -62,6 +62,6 @@ void cni_touch_finish(const cn_world *world, float dt, cni_touch *out);
 
 /* What of stage 3 needs no manifold: lanes whose bodies have hardly moved are brought up to date. The contacts of all
    others go to left, which has room for every lane; returns how many. dt 0: none is followed. */
-int32_t cni_contacts_follow(cn_world *world, float dt, int32_t *left);
+int32_t cni_manifolds_reuse(cn_world *world, float dt, int32_t *left);
 
 #endif

@@ -20,7 +20,7 @@
  * Reads bodies (pose and velocity as the step began), islands, drives, joints, lanes; writes motion.
  */
 #include "step/stages.h"
-#include "joints/joint_work.h"
+#include "joints/joint_constraint.h"
 
 #include <string.h>
 
@@ -85,9 +85,9 @@ static void held_by_contacts(const parts *p)
 }
 
 /* The record is far away, and asked for only if the work cannot tell. */
-static int32_t turns_against_world(const cni_joint_work *w)
+static int32_t turns_against_world(const cni_joint_constraint *w)
 {
-	return !(w->flags & CNI_WORK_WIDE) && (w->record->type == CN_JOINT_GEAR || w->record->type == CN_JOINT_PULLEY);
+	return !(w->flags & CNI_CONSTRAINT_WIDE) && (w->record->type == CN_JOINT_GEAR || w->record->type == CN_JOINT_PULLEY);
 }
 
 static void held_by_joints(const parts *p)
@@ -95,7 +95,7 @@ static void held_by_joints(const parts *p)
 	const cni_motion *motions = cni_motions(p->world);
 	int32_t k;
 	for (k = 0; k < p->world->awake_joints.count; ++k) {
-		const cni_joint_work *w = cni_joint_works(p->world) + k;
+		const cni_joint_constraint *w = cni_joint_constraints(p->world) + k;
 		if (motions[w->ia].inv_mass > 0.0f && motions[w->ib].inv_mass > 0.0f && !turns_against_world(w))
 			continue;
 		hold(p, w->ia);
@@ -108,13 +108,13 @@ static void held_by_joints(const parts *p)
 /* Those that are not held are their own roots. 0: none of them touches anything, or swings. */
 static int32_t roots_begin(const parts *p)
 {
-	const cni_drive *drives = cni_drives(p->world);
+	const cni_external *drives = cni_externals(p->world);
 	int32_t k, count = 0;
 	p->root[0] = 0;
 	for (k = 1; k < p->world->awake_count; ++k) {
 		int32_t island = cni_awake_island_number(p->world, k);
 		p->root[k] = island != CNI_NONE && !p->held[island] ? k : 0;
-		count += p->root[k] != 0 && (drives[k].flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_SWUNG));
+		count += p->root[k] != 0 && (drives[k].flags & (CNI_EXTERNAL_TOUCHED | CNI_EXTERNAL_FINISHED));
 	}
 	return count;
 }
@@ -163,7 +163,7 @@ static void roots_find(const parts *p)
 	int32_t k;
 	roots_of_contacts(p);
 	for (k = 0; k < world->awake_joints.count; ++k) {
-		const cni_joint_work *w = cni_joint_works(world) + k;
+		const cni_joint_constraint *w = cni_joint_constraints(world) + k;
 		if (p->root[w->ia] != 0 && p->root[w->ib] != 0 && w->record->linked)
 			roots_join(p->root, w->ia, w->ib);
 	}
@@ -191,16 +191,16 @@ static void bodies_find(const parts *p)
 /* Nothing but an acceleration that all have in common, and each other: some touch, or swing. */
 static int32_t is_alone(const cn_world *world, const part *p)
 {
-	const cni_drive *drives = cni_drives(world), *of_first = &drives[p->bodies[0]];
+	const cni_external *drives = cni_externals(world), *of_first = &drives[p->bodies[0]];
 	uint32_t flags = 0;
 	int32_t k;
 	for (k = 0; k < p->count; ++k) {
-		const cni_drive *d = &drives[p->bodies[k]];
+		const cni_external *d = &drives[p->bodies[k]];
 		if (d->ax != of_first->ax || d->ay != of_first->ay || d->alpha != 0.0f || cni_motions(world)[p->bodies[k]].inv_inertia == 0.0f)
 			return 0;
 		flags |= d->flags;
 	}
-	return !(flags & (CNI_DRIVE_DAMPED | CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y)) && (flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_SWUNG));
+	return !(flags & (CNI_EXTERNAL_DAMPED | CNI_EXTERNAL_LOCK_X | CNI_EXTERNAL_LOCK_Y)) && (flags & (CNI_EXTERNAL_TOUCHED | CNI_EXTERNAL_FINISHED));
 }
 
 static const cni_body *body_at(const cn_world *world, int32_t index)
@@ -311,7 +311,7 @@ static void look_at_all(const parts *p)
 	parts_hold(p);
 }
 
-void cni_spin_hold(cn_world *world)
+void cni_angular_momentum_restore(cn_world *world)
 {
 	uint64_t count = (uint64_t)world->awake_count;
 	parts p = { world, NULL, NULL, NULL, NULL };

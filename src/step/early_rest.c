@@ -3,7 +3,7 @@
  *
  * A body that stands has after a substep the velocity that it had before the step: what gravity gave it the contacts took.
  * The next substeps would be the same again. So after the first one, islands of which every body is so, and hardly moves,
- * are done with: integration leaves their bodies alone, and blocks that hold only their lanes are struck off the list of
+ * are done with: integration leaves their bodies alone, and blocks that hold only their lanes are jumped off the list of
  * the passes. Where such a lane shares a block with one that goes on it is solved with it, which finds nothing to do.
  *
  * For such an island time passes more slowly, and that is all: its substeps are those of any other, and its loads follow as
@@ -51,8 +51,8 @@ static int32_t is_within(float x, float y, float turn, float most_sq)
 /* Only what touches something is solved by passes; neither jointed nor carried bodies may rest. */
 static int32_t may_rest(const rest *r, int32_t k)
 {
-	uint32_t flags = cni_drives(r->world)[k].flags;
-	return (flags & (CNI_DRIVE_TOUCHED | CNI_DRIVE_FREE | CNI_DRIVE_SWUNG | CNI_DRIVE_JOINTED | CNI_DRIVE_LATER)) == CNI_DRIVE_TOUCHED;
+	uint32_t flags = cni_externals(r->world)[k].flags;
+	return (flags & (CNI_EXTERNAL_TOUCHED | CNI_EXTERNAL_FREE | CNI_EXTERNAL_FINISHED | CNI_EXTERNAL_JOINTED | CNI_EXTERNAL_DEFERRED)) == CNI_EXTERNAL_TOUCHED;
 }
 
 static int32_t stands_still(const cni_motion *m)
@@ -60,20 +60,20 @@ static int32_t stands_still(const cni_motion *m)
 	return m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f;
 }
 
-/* Slow now, and not struck: what can be told without the body's record. */
+/* Slow now, and not jumped: what can be told without the body's record. */
 static int32_t body_is_slow(const rest *r, const cni_motion *m, int32_t k)
 {
 	if (!may_rest(r, k))
 		return 0;
 	if (m->inv_mass == 0.0f)
 		return stands_still(m);
-	return is_within(m->vx, m->vy, 0.0f, r->speed_sq) && cni_starts(r->world)[k].struck == 0.0f;
+	return is_within(m->vx, m->vy, 0.0f, r->speed_sq) && cni_starts(r->world)[k].jumped == 0.0f;
 }
 
 /* What a body that is held may keep of the speed that a substep gives it. */
 static float most_left(const rest *r, int32_t k, float extent)
 {
-	const cni_drive *d = cni_drives(r->world) + k;
+	const cni_external *d = cni_externals(r->world) + k;
 	int32_t island = cni_awake_island(r->world, k), solved = island != CNI_NONE && cni_island_at(r->world, island)->tier == CNI_TIER_DIRECT;
 	float given = r->h * (cni_sqrt(d->ax * d->ax + d->ay * d->ay) + cni_abs(d->alpha) * extent);
 	return HELD_PART * given + (solved ? r->solved : r->little);
@@ -83,11 +83,11 @@ static float most_left(const rest *r, int32_t k, float extent)
 static int32_t body_rests(const rest *r, int32_t k)
 {
 	const cni_motion *m = cni_motions(r->world) + k;
-	const cni_drive *d = cni_drives(r->world) + k;
+	const cni_external *d = cni_externals(r->world) + k;
 	const cni_body *b;
 	float most, vx, vy, turn;
-	if (m->inv_mass == 0.0f || (d->flags & CNI_DRIVE_LATER))
-		return !(d->flags & CNI_DRIVE_LATER);
+	if (m->inv_mass == 0.0f || (d->flags & CNI_EXTERNAL_DEFERRED))
+		return !(d->flags & CNI_EXTERNAL_DEFERRED);
 	b = cni_body_at(r->world, cni_awake_ids(r->world)[k]);
 	if (!is_within(0.0f, 0.0f, m->w * b->extent, r->speed_sq) || !is_within(m->dpx, m->dpy, m->theta * b->extent, r->way_sq))
 		return 0;
@@ -106,7 +106,7 @@ static int32_t carried_mark(const rest *r, int32_t index)
 	int32_t body = cni_awake_ids(r->world)[index], key, count = 0;
 	for (key = cni_body_at(r->world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(r->world, key)->next[key & 1]) {
 		int32_t other = cni_body_at(r->world, cni_contact_of_key(r->world, key)->body[1 - (key & 1)])->awake;
-		cni_drives(r->world)[other].flags |= CNI_DRIVE_LATER;
+		cni_externals(r->world)[other].flags |= CNI_EXTERNAL_DEFERRED;
 		++count;
 	}
 	return count;
@@ -171,7 +171,7 @@ static int32_t slow_rests(const rest *r, int32_t n)
 /* The slow ones of islands that may be at rest closely. Returns how many rest. Those without an island are done. */
 static int32_t moving_find(rest *r)
 {
-	cni_drive *drives = cni_drives(r->world);
+	cni_external *drives = cni_externals(r->world);
 	int32_t n, count = 0;
 	if (r->team != NULL)
 		cni_team_for(r->team, r->slow_count, BODIES_A_RANGE, rests_range, r);
@@ -183,7 +183,7 @@ static int32_t moving_find(rest *r)
 			++count;
 			if (island != CNI_NONE)
 				continue;
-			drives[k].flags |= CNI_DRIVE_SWUNG;
+			drives[k].flags |= CNI_EXTERNAL_FINISHED;
 			++r->done;
 		} else if (island != CNI_NONE) {
 			r->moving[island] = 1;
@@ -195,18 +195,18 @@ static int32_t moving_find(rest *r)
 /* After moving_find: those of islands in which nothing moves. */
 static void islands_done(rest *r)
 {
-	cni_drive *drives = cni_drives(r->world);
+	cni_external *drives = cni_externals(r->world);
 	int32_t k;
 	for (k = 1; k < r->world->awake_count; ++k) {
 		int32_t island;
-		if (drives[k].flags & (CNI_DRIVE_FREE | CNI_DRIVE_SWUNG))
+		if (drives[k].flags & (CNI_EXTERNAL_FREE | CNI_EXTERNAL_FINISHED))
 			continue;
 		island = may_rest(r, k) ? cni_awake_island_number(r->world, k) : CNI_NONE;
 		if (island == CNI_NONE || r->moving[island]) {
 			r->going = 1;
 			continue;
 		}
-		drives[k].flags |= CNI_DRIVE_SWUNG;
+		drives[k].flags |= CNI_EXTERNAL_FINISHED;
 		++r->done;
 	}
 }
@@ -215,15 +215,15 @@ static void carried_clear(const rest *r)
 {
 	int32_t k;
 	for (k = 0; k < r->world->awake_count && r->carried > 0; ++k)
-		cni_drives(r->world)[k].flags &= ~(uint32_t)CNI_DRIVE_LATER;
+		cni_externals(r->world)[k].flags &= ~(uint32_t)CNI_EXTERNAL_DEFERRED;
 }
 
-static int32_t goes_on(const cni_drive *drives, int32_t k)
+static int32_t goes_on(const cni_external *drives, int32_t k)
 {
-	return k != 0 && !(drives[k].flags & CNI_DRIVE_SWUNG);
+	return k != 0 && !(drives[k].flags & CNI_EXTERNAL_FINISHED);
 }
 
-static int32_t block_goes_on(const cni_drive *drives, const cni_listed_block *b)
+static int32_t block_goes_on(const cni_external *drives, const cni_listed_block *b)
 {
 	int32_t l;
 	for (l = 0; l < b->lanes; ++l)
@@ -243,7 +243,7 @@ static void block_prefetch(const cni_listed_block *b, int32_t going)
 
 static void blocks_strike(cn_world *world, int32_t going)
 {
-	const cni_drive *drives = cni_drives(world);
+	const cni_external *drives = cni_externals(world);
 	cni_listed_block *list = (cni_listed_block *)world->block_list.data;
 	int32_t color, k;
 	for (color = 0; color < CNI_COLORS; ++color) {
@@ -267,7 +267,7 @@ static void systems_done(const cn_world *world, cni_sparse *direct)
 	int32_t k;
 	for (k = 0; direct != NULL && k < direct->component_count; ++k) {
 		cni_component *c = &direct->components[k];
-		if (c->presses && c->joints == 0 && !goes_on(cni_drives(world), direct->bodies[c->body_begin]))
+		if (c->presses && c->joints == 0 && !goes_on(cni_externals(world), direct->bodies[c->body_begin]))
 			c->done = 1;
 	}
 }

@@ -68,10 +68,10 @@ static void take_pose(cni_body *b, cni_motion *m)
 	m->dpx = m->dpy = m->theta = 0.0f;
 }
 
-static int32_t body_accelerates(const cni_body *b, const cni_motion *m, const cni_velocity_start *start, const cni_drive *d, float h)
+static int32_t body_accelerates(const cni_body *b, const cni_motion *m, const cni_velocity_start *start, const cni_external *d, float h)
 {
-	float change = d->flags & CNI_DRIVE_DAMPED ? h * cni_damping_factor(b->linear_damping, h) : h, ax = change * d->ax, ay = change * d->ay, dx, dy;
-	if (d->flags & CNI_DRIVE_FREE)
+	float change = d->flags & CNI_EXTERNAL_DAMPED ? h * cni_damping_factor(b->linear_damping, h) : h, ax = change * d->ax, ay = change * d->ay, dx, dy;
+	if (d->flags & CNI_EXTERNAL_FREE)
 		return ax != 0.0f || ay != 0.0f;
 	dx = m->vx - start->vx + ax;
 	dy = m->vy - start->vy + ay;
@@ -81,7 +81,7 @@ static int32_t body_accelerates(const cni_body *b, const cni_motion *m, const cn
 /* Without what damping takes away: that brings a body to rest and never turns it round. */
 static int32_t body_gains(const cn_world *world, cni_body *b, const cni_motion *m, uint32_t drive_flags, float dt)
 {
-	float damped = drive_flags & CNI_DRIVE_DAMPED ? dt : 0.0f, linear = damped * b->linear_damping, angular = damped * b->angular_damping;
+	float damped = drive_flags & CNI_EXTERNAL_DAMPED ? dt : 0.0f, linear = damped * b->linear_damping, angular = damped * b->angular_damping;
 	cni_gain_limits limits = cni_gain_limits_make(world, dt);
 	return cni_body_gains(b, m, m->vx - b->vx + linear * m->vx, m->vy - b->vy + linear * m->vy, m->w - b->w + angular * m->w, &limits);
 }
@@ -90,7 +90,7 @@ static int32_t body_gains(const cn_world *world, cni_body *b, const cni_motion *
 static uint32_t body_rest(cn_world *world, cni_body *b, int32_t k, const cni_solve *s)
 {
 	const cni_motion *m = cni_motions(world) + k;
-	cni_drive *d = cni_drives(world) + k;
+	cni_external *d = cni_externals(world) + k;
 	float slow = b->sleep_speed > 0.0f ? b->sleep_speed : world->settings.sleep_speed;
 	float turn = m->w * b->extent;
 	if (!(m->vx * m->vx + m->vy * m->vy <= slow * slow && turn * turn <= slow * slow && (b->flags & CN_BODY_SLEEP) &&

@@ -33,7 +33,7 @@ CNI_INLINE int32_t some_load(const cn_world *world, int32_t k, some *f)
 	for (l = 0; l < CNI_WIDTH; ++l) {
 		f->b[l] = cni_body_at(world, ids[l]);
 		records[l] = (float *)(void *)f->b[l];
-		swing[l] = cni_body_swing(f->b[l]);
+		swing[l] = cni_body_turn_reach(f->b[l]);
 	}
 	f->swing = cni_wide_load_loose(swing);
 	f->extent = cni_wide_gather_from((const float *const *)records, offsetof(cni_body, extent) / sizeof(float));
@@ -100,11 +100,11 @@ CNI_INLINE uint32_t some_rooms(const some *f, cni_wide taken, cni_mask moved, fl
 CNI_INLINE cni_mask some_accelerate(const cn_world *world, int32_t k, const some *f, float h)
 {
 	const int32_t row[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
-	cni_wide start_x, start_y, ax, ay, dx, dy, flags, w, struck, alpha, step = cni_wide_of(h), zero = cni_wide_of(0.0f);
+	cni_wide start_x, start_y, ax, ay, dx, dy, flags, w, jumped, alpha, step = cni_wide_of(h), zero = cni_wide_of(0.0f);
 	cni_mask is_free;
-	cni_wide_gather4(&cni_starts(world)[k].vx, (int32_t)(sizeof(cni_velocity_start) / sizeof(float)), row, &start_x, &start_y, &w, &struck);
-	cni_wide_gather4(&cni_drives(world)[k].ax, (int32_t)(sizeof(cni_drive) / sizeof(float)), row, &ax, &ay, &alpha, &flags);
-	is_free = ((cni_mask)flags & ((int32_t)CNI_DRIVE_FREE - (cni_mask){ 0 })) != (cni_mask){ 0 };
+	cni_wide_gather4(&cni_starts(world)[k].vx, (int32_t)(sizeof(cni_velocity_start) / sizeof(float)), row, &start_x, &start_y, &w, &jumped);
+	cni_wide_gather4(&cni_externals(world)[k].ax, (int32_t)(sizeof(cni_external) / sizeof(float)), row, &ax, &ay, &alpha, &flags);
+	is_free = ((cni_mask)flags & ((int32_t)CNI_EXTERNAL_FREE - (cni_mask){ 0 })) != (cni_mask){ 0 };
 	ax = step * ax;
 	ay = step * ay;
 	dx = f->vx - start_x + ax;
@@ -121,11 +121,11 @@ typedef struct rest_look {
 
 /* Velocity, rest timer and drive of one of them. What has ways of its own to rest is left. Not a loop over lanes: compilers do not
    unroll it. */
-CNI_INLINE void one_rests(rest_look *r, cni_body *b, const cni_motion *m, cni_drive *d, uint32_t lane)
+CNI_INLINE void one_rests(rest_look *r, cni_body *b, const cni_motion *m, cni_external *d, uint32_t lane)
 {
 	if (!(r->slow & lane) && !(b->sleep_speed > 0.0f)) {
 		cni_body_restless(b);
-	} else if (b->sleep_speed > 0.0f || b->type != CN_BODY_DYNAMIC || !(b->flags & CN_BODY_SLEEP) || (d->flags & CNI_DRIVE_DAMPED)) {
+	} else if (b->sleep_speed > 0.0f || b->type != CN_BODY_DYNAMIC || !(b->flags & CN_BODY_SLEEP) || (d->flags & CNI_EXTERNAL_DAMPED)) {
 		r->left |= lane;
 		return;
 	} else {
@@ -141,7 +141,7 @@ CNI_INLINE rest_look some_rest(const cn_world *world, const cni_solve *s, int32_
 {
 	cni_wide slow_sq = cni_wide_of(world->settings.sleep_speed * world->settings.sleep_speed), turn = f->w * f->extent;
 	rest_look r = { 0, 0, s->dt, world->settings.sleep_delay, cni_gain_limits_make(world, s->dt), 0, 0 };
-	cni_drive *d = cni_drives(world) + k;
+	cni_external *d = cni_externals(world) + k;
 	r.slow = cni_mask_bits((f->v_sq <= slow_sq) & (turn * turn <= slow_sq));
 	if (r.slow != 0)
 		r.still = cni_mask_bits(~some_accelerate(world, k, f, s->h));

@@ -38,27 +38,27 @@ static int32_t body_is_jointed(const cn_world *world, const cni_body *b)
 
 static uint32_t lock_flags(uint32_t body_flags)
 {
-	return (body_flags & CN_BODY_LOCK_X ? (uint32_t)CNI_DRIVE_LOCK_X : 0u) | (body_flags & CN_BODY_LOCK_Y ? (uint32_t)CNI_DRIVE_LOCK_Y : 0u);
+	return (body_flags & CN_BODY_LOCK_X ? (uint32_t)CNI_EXTERNAL_LOCK_X : 0u) | (body_flags & CN_BODY_LOCK_Y ? (uint32_t)CNI_EXTERNAL_LOCK_Y : 0u);
 }
 
 CNI_INLINE uint32_t drive_flags(const cn_world *world, const cni_body *b)
 {
-	uint32_t flags = b->lanes != 0 ? (uint32_t)CNI_DRIVE_TOUCHED : 0u;
+	uint32_t flags = b->lanes != 0 ? (uint32_t)CNI_EXTERNAL_TOUCHED : 0u;
 	if (b->joint_first != CNI_NONE && body_is_jointed(world, b))
-		flags |= CNI_DRIVE_JOINTED;
+		flags |= CNI_EXTERNAL_JOINTED;
 	if (flags == 0 && CNI_ON(FLIGHT))
-		flags = CNI_DRIVE_FREE;
+		flags = CNI_EXTERNAL_FREE;
 	if (b->linear_damping + b->angular_damping > 0.0f)
-		flags |= CNI_DRIVE_DAMPED;
+		flags |= CNI_EXTERNAL_DAMPED;
 	if (b->sleep_time > 0.0f && b->sleep_time >= world->settings.sleep_delay)
-		flags |= CNI_DRIVE_SETTLED;
+		flags |= CNI_EXTERNAL_SETTLED;
 	if (b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y))
 		flags |= lock_flags(b->flags);
 	return flags;
 }
 
 /* d: the user's force, as it is held between steps, becomes the step's drive. */
-CNI_INLINE void drive_make(const cn_world *world, const cni_body *b, const cni_motion *m, cni_drive *d)
+CNI_INLINE void drive_make(const cn_world *world, const cni_body *b, const cni_motion *m, cni_external *d)
 {
 	uint32_t flags = drive_flags(world, b);
 	d->flags = flags;
@@ -69,16 +69,16 @@ CNI_INLINE void drive_make(const cn_world *world, const cni_body *b, const cni_m
 	d->ax = b->gravity_scale * world->settings.gravity.x + m->inv_mass * d->ax;
 	d->ay = b->gravity_scale * world->settings.gravity.y + m->inv_mass * d->ay;
 	d->alpha = m->inv_inertia * d->alpha;
-	if (m->inv_mass != 0.0f && !(flags & (CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y)))
+	if (m->inv_mass != 0.0f && !(flags & (CNI_EXTERNAL_LOCK_X | CNI_EXTERNAL_LOCK_Y)))
 		return;
-	if (m->inv_mass == 0.0f || (flags & CNI_DRIVE_LOCK_X))
+	if (m->inv_mass == 0.0f || (flags & CNI_EXTERNAL_LOCK_X))
 		d->ax = 0.0f;
-	if (m->inv_mass == 0.0f || (flags & CNI_DRIVE_LOCK_Y))
+	if (m->inv_mass == 0.0f || (flags & CNI_EXTERNAL_LOCK_Y))
 		d->ay = 0.0f;
 }
 
 /* Exact flight over time h. By rows, as in integrate_kernel.h, where there are vectors. */
-CNI_INLINE void fly(cni_motion *m, const cni_drive *d, float h)
+CNI_INLINE void fly(cni_motion *m, const cni_external *d, float h)
 {
 	float half = 0.5f * h * h;
 #if CNI_HAS_WIDE_4
@@ -96,7 +96,7 @@ CNI_INLINE void fly(cni_motion *m, const cni_drive *d, float h)
 #endif
 }
 
-static void fly_damped(cni_motion *m, const cni_drive *d, const cni_body *b, const cni_solve *s)
+static void fly_damped(cni_motion *m, const cni_external *d, const cni_body *b, const cni_solve *s)
 {
 	float linear = cni_damping_factor(b->linear_damping, s->h), angular = cni_damping_factor(b->angular_damping, s->h);
 	float half = 0.5f * s->h;
@@ -134,7 +134,7 @@ static void drive_range(void *context, int32_t begin, int32_t end, int32_t worke
 	const body_loop *loop = (const body_loop *)context;
 	const cn_world *world = loop->world;
 	cni_motion *motions = cni_motions(world);
-	cni_drive *drives = cni_drives(world);
+	cni_external *drives = cni_externals(world);
 	const int32_t *ids = cni_awake_ids(world);
 	int32_t *islands = world->awake_islands, k;
 	(void)worker;
@@ -144,9 +144,9 @@ static void drive_range(void *context, int32_t begin, int32_t end, int32_t worke
 		if (islands != NULL)
 			islands[k] = b->island;
 		drive_make(world, b, &motions[k], &drives[k]);
-		if (!(drives[k].flags & CNI_DRIVE_FREE))
+		if (!(drives[k].flags & CNI_EXTERNAL_FREE))
 			continue;
-		if (drives[k].flags & CNI_DRIVE_DAMPED)
+		if (drives[k].flags & CNI_EXTERNAL_DAMPED)
 			fly_damped(&motions[k], &drives[k], b, loop->s);
 		else
 			fly(&motions[k], &drives[k], loop->s->dt);
@@ -172,7 +172,7 @@ static void islands_number(cn_world *world)
 	}
 }
 
-void cni_drive_prepare(cn_world *world, const cni_solve *s)
+void cni_external_prepare(cn_world *world, const cni_solve *s)
 {
 	int32_t some = world->island_count > 0 && world->awake_count > 1;
 	if (some)
@@ -188,31 +188,31 @@ void cni_drive_prepare(cn_world *world, const cni_solve *s)
 }
 
 /* The arena has it until the end of the step, as what else is pushed between. */
-void cni_drive_finish(cn_world *world)
+void cni_external_finish(cn_world *world)
 {
 	world->awake_islands = world->step_islands = NULL;
 	world->step_island_count = 0;
 }
 
-void cni_drive_prepare_bound(cn_world *world)
+void cni_external_prepare_bound(cn_world *world)
 {
-	cni_drive *drives = cni_drives(world);
+	cni_external *drives = cni_externals(world);
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
 		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
 		drive_make(world, b, cni_motions(world) + k, &drives[k]);
-		drives[k].flags &= ~(uint32_t)CNI_DRIVE_FREE;
+		drives[k].flags &= ~(uint32_t)CNI_EXTERNAL_FREE;
 	}
 }
 
 /* The last substep's x += h v' becomes x += h (v + v')/2 when v' - v is no more than a few times what
    the drive gives: v' - v = motion.v - start + h a. */
-static void correct_to_trapezoid(cni_motion *m, const cni_velocity_start *start, const cni_drive *d, float h)
+static void correct_to_trapezoid(cni_motion *m, const cni_velocity_start *start, const cni_external *d, float h)
 {
 	float ax = h * d->ax, ay = h * d->ay, alpha = h * d->alpha;
 	float dx = m->vx - start->vx + ax, dy = m->vy - start->vy + ay, dw = m->w - start->w + alpha;
-	if (!CNI_ON(TRAPEZOID) || start->struck != 0.0f || dx * dx + dy * dy > 4.0f * (ax * ax + ay * ay))
+	if (!CNI_ON(TRAPEZOID) || start->jumped != 0.0f || dx * dx + dy * dy > 4.0f * (ax * ax + ay * ay))
 		return;
 	m->dpx -= 0.5f * h * dx;
 	m->dpy -= 0.5f * h * dy;
@@ -224,12 +224,12 @@ static void velocity_take(const cn_world *world, int32_t k, float h, int32_t fir
 {
 	cni_motion *m = cni_motions(world) + k;
 	cni_velocity_start *start = cni_starts(world) + k;
-	const cni_drive *d = cni_drives(world) + k;
+	const cni_external *d = cni_externals(world) + k;
 	float rx = 0.0f, ry = 0.0f, rw = 0.0f;
-	if (d->flags & CNI_DRIVE_DONE)
+	if (d->flags & CNI_EXTERNAL_DONE)
 		return;
 	if (!first) {
-		if (!(d->flags & CNI_DRIVE_AS_IT_IS))
+		if (!(d->flags & CNI_EXTERNAL_AS_IT_IS))
 			correct_to_trapezoid(m, start, d, h);
 		rx = m->vx - start->vx;
 		ry = m->vy - start->vy;
@@ -238,14 +238,14 @@ static void velocity_take(const cn_world *world, int32_t k, float h, int32_t fir
 	start->vx = m->vx + h * d->ax;
 	start->vy = m->vy + h * d->ay;
 	start->w = m->w + h * d->alpha;
-	if (d->flags & CNI_DRIVE_DAMPED) {
+	if (d->flags & CNI_EXTERNAL_DAMPED) {
 		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		float linear = cni_damping_factor(b->linear_damping, h);
 		start->vx *= linear;
 		start->vy *= linear;
 		start->w *= cni_damping_factor(b->angular_damping, h);
 	}
-	start->struck = 0.0f;
+	start->jumped = 0.0f;
 	m->vx = start->vx + rx;
 	m->vy = start->vy + ry;
 	m->w = start->w + rw;
@@ -253,17 +253,17 @@ static void velocity_take(const cn_world *world, int32_t k, float h, int32_t fir
 
 static void axes_lock(cni_motion *m, uint32_t flags)
 {
-	if (flags & CNI_DRIVE_LOCK_X)
+	if (flags & CNI_EXTERNAL_LOCK_X)
 		m->vx = 0.0f;
-	if (flags & CNI_DRIVE_LOCK_Y)
+	if (flags & CNI_EXTERNAL_LOCK_Y)
 		m->vy = 0.0f;
 }
 
 static void position_take(const cn_world *world, int32_t k, float h)
 {
 	cni_motion *m = cni_motions(world) + k;
-	uint32_t flags = cni_drives(world)[k].flags;
-	if (flags & CNI_DRIVE_DONE)
+	uint32_t flags = cni_externals(world)[k].flags;
+	if (flags & CNI_EXTERNAL_DONE)
 		return;
 	axes_lock(m, flags);
 	m->dpx += h * m->vx;
@@ -274,8 +274,8 @@ static void position_take(const cn_world *world, int32_t k, float h)
 static void position_finish(const cn_world *world, int32_t k, float h)
 {
 	cni_motion *m = cni_motions(world) + k;
-	const cni_drive *d = cni_drives(world) + k;
-	if (!(d->flags & (CNI_DRIVE_FREE | CNI_DRIVE_AS_IT_IS)))
+	const cni_external *d = cni_externals(world) + k;
+	if (!(d->flags & (CNI_EXTERNAL_FREE | CNI_EXTERNAL_AS_IT_IS)))
 		correct_to_trapezoid(m, cni_starts(world) + k, d, h);
 	axes_lock(m, d->flags);
 }
@@ -297,7 +297,7 @@ const cni_body_kernel *cni_body_kernel_choose(void)
 
 static cni_body_pass body_pass_make(const body_loop *loop)
 {
-	cni_body_pass pass = { loop->world, cni_motions(loop->world), cni_starts(loop->world), cni_drives(loop->world), loop->s->h, loop->substep == 0 };
+	cni_body_pass pass = { loop->world, cni_motions(loop->world), cni_starts(loop->world), cni_externals(loop->world), loop->s->h, loop->substep == 0 };
 	return pass;
 }
 

@@ -79,12 +79,12 @@ CNI_INLINE cni_mask rows_without(cni_wide drive, uint32_t flags)
 }
 
 /* Has one of the rows' bodies one of the flags? */
-CNI_INLINE int32_t some_have(const cni_drive *d, uint32_t flags)
+CNI_INLINE int32_t some_have(const cni_external *d, uint32_t flags)
 {
 	return ((d[0].flags | d[ROWS - 1].flags) & flags) != 0;
 }
 
-CNI_INLINE int32_t all_have(const cni_drive *d, uint32_t flags)
+CNI_INLINE int32_t all_have(const cni_external *d, uint32_t flags)
 {
 	return (d[0].flags & flags) != 0 && (d[ROWS - 1].flags & flags) != 0;
 }
@@ -106,7 +106,7 @@ CNI_INLINE cni_wide rows_damping(const cni_body_pass *pass, int32_t k)
 	cni_wide factors = cni_wide_of(1.0f);
 	int32_t r;
 	for (r = 0; r < ROWS; ++r)
-		if (pass->drives[k + r].flags & CNI_DRIVE_DAMPED) {
+		if (pass->drives[k + r].flags & CNI_EXTERNAL_DAMPED) {
 			const cni_body *b = cni_body_at(pass->world, cni_awake_ids(pass->world)[k + r]);
 			factors[4 * r] = factors[4 * r + 1] = cni_damping_factor(b->linear_damping, pass->h);
 			factors[4 * r + 2] = cni_damping_factor(b->angular_damping, pass->h);
@@ -118,9 +118,9 @@ CNI_INLINE cni_wide rows_damping(const cni_body_pass *pass, int32_t k)
 CNI_INLINE cni_mask rows_unlocked(cni_wide drive)
 {
 #if CNI_WIDTH == 8
-	const cni_mask locks = { CNI_DRIVE_LOCK_X, CNI_DRIVE_LOCK_Y, 0, 0, CNI_DRIVE_LOCK_X, CNI_DRIVE_LOCK_Y, 0, 0 };
+	const cni_mask locks = { CNI_EXTERNAL_LOCK_X, CNI_EXTERNAL_LOCK_Y, 0, 0, CNI_EXTERNAL_LOCK_X, CNI_EXTERNAL_LOCK_Y, 0, 0 };
 #else
-	const cni_mask locks = { CNI_DRIVE_LOCK_X, CNI_DRIVE_LOCK_Y, 0, 0 };
+	const cni_mask locks = { CNI_EXTERNAL_LOCK_X, CNI_EXTERNAL_LOCK_Y, 0, 0 };
 #endif
 	return ((cni_mask)last_of_row(drive) & locks) == (cni_mask){ 0 };
 }
@@ -136,15 +136,15 @@ CNI_INLINE void rows_velocities(const cni_body_pass *pass, int32_t k, float h, i
 		response = only_three(v - start);
 		correction = trapezoid_correction(start, response, change, h);
 		if (!all)
-			correction = (cni_wide)((cni_mask)correction & rows_without(drive, CNI_DRIVE_DONE | CNI_DRIVE_AS_IT_IS));
+			correction = (cni_wide)((cni_mask)correction & rows_without(drive, CNI_EXTERNAL_DONE | CNI_EXTERNAL_AS_IT_IS));
 		rows_store(&m->dpx, sizeof *m, rows_load(&m->dpx, sizeof *m) - correction);
 	}
-	if (!all && some_have(&pass->drives[k], CNI_DRIVE_DAMPED))
+	if (!all && some_have(&pass->drives[k], CNI_EXTERNAL_DAMPED))
 		from = from * rows_damping(pass, k);
 	v_end = from + response;
 	from = only_three(from);
 	if (!all) {
-		cni_mask goes_on = rows_without(drive, CNI_DRIVE_DONE);
+		cni_mask goes_on = rows_without(drive, CNI_EXTERNAL_DONE);
 		from = cni_wide_select(goes_on, from, start);
 		v_end = cni_wide_select(goes_on, v_end, v);
 	}
@@ -154,13 +154,13 @@ CNI_INLINE void rows_velocities(const cni_body_pass *pass, int32_t k, float h, i
 
 CNI_INLINE int32_t velocities(const cni_body_pass *pass, int32_t begin, int32_t end, int32_t first)
 {
-	const cni_drive *drives = pass->drives;
+	const cni_external *drives = pass->drives;
 	const float h = pass->h;
 	int32_t k;
 	for (k = begin; k + ROWS <= end; k += ROWS)
-		if (!some_have(&drives[k], CNI_DRIVE_DONE | CNI_DRIVE_AS_IT_IS))
+		if (!some_have(&drives[k], CNI_EXTERNAL_DONE | CNI_EXTERNAL_AS_IT_IS))
 			rows_velocities(pass, k, h, first, 1);
-		else if (!all_have(&drives[k], CNI_DRIVE_DONE))
+		else if (!all_have(&drives[k], CNI_EXTERNAL_DONE))
 			rows_velocities(pass, k, h, first, 0);
 	return k;
 }
@@ -170,7 +170,7 @@ static int32_t kernel_velocities(const cni_body_pass *pass, int32_t begin, int32
 	return pass->first ? velocities(pass, begin, end, 1) : velocities(pass, begin, end, 0);
 }
 
-CNI_INLINE void rows_positions(cni_motion *m, const cni_drive *d, float h, int32_t all)
+CNI_INLINE void rows_positions(cni_motion *m, const cni_external *d, float h, int32_t all)
 {
 	cni_wide before = rows_load(&m->dpx, sizeof *m), v = rows_load(&m->vx, sizeof *m), drive, p;
 	cni_mask goes_on;
@@ -178,7 +178,7 @@ CNI_INLINE void rows_positions(cni_motion *m, const cni_drive *d, float h, int32
 		p = before + cni_wide_of(h) * only_three(v);
 	} else {
 		drive = cni_wide_load_loose(&d->ax);
-		goes_on = rows_without(drive, CNI_DRIVE_DONE);
+		goes_on = rows_without(drive, CNI_EXTERNAL_DONE);
 		v = (cni_wide)((cni_mask)v & (rows_unlocked(drive) | ~goes_on));
 		p = cni_wide_select(goes_on, before + cni_wide_of(h) * only_three(v), before);
 		rows_store(&m->vx, sizeof *m, v);
@@ -189,23 +189,23 @@ CNI_INLINE void rows_positions(cni_motion *m, const cni_drive *d, float h, int32
 static int32_t kernel_positions(const cni_body_pass *pass, int32_t begin, int32_t end)
 {
 	cni_motion *motions = pass->motions;
-	const cni_drive *drives = pass->drives;
+	const cni_external *drives = pass->drives;
 	const float h = pass->h;
 	int32_t k;
 	for (k = begin; k + ROWS <= end; k += ROWS)
-		if (!some_have(&drives[k], CNI_DRIVE_DONE | CNI_DRIVE_LOCKED))
+		if (!some_have(&drives[k], CNI_EXTERNAL_DONE | CNI_EXTERNAL_LOCKED))
 			rows_positions(&motions[k], &drives[k], h, 1);
-		else if (!all_have(&drives[k], CNI_DRIVE_DONE))
+		else if (!all_have(&drives[k], CNI_EXTERNAL_DONE))
 			rows_positions(&motions[k], &drives[k], h, 0);
 	return k;
 }
 
-CNI_INLINE void rows_finish(cni_motion *m, const cni_velocity_start *s, const cni_drive *d, float h, int32_t all)
+CNI_INLINE void rows_finish(cni_motion *m, const cni_velocity_start *s, const cni_external *d, float h, int32_t all)
 {
 	cni_wide v = rows_load(&m->vx, sizeof *m), start = cni_wide_load_loose(&s->vx), drive = cni_wide_load_loose(&d->ax);
 	cni_wide correction = trapezoid_correction(start, only_three(v - start), cni_wide_of(h) * only_three(drive), h);
 	if (!all) {
-		correction = (cni_wide)((cni_mask)correction & rows_without(drive, CNI_DRIVE_FREE | CNI_DRIVE_AS_IT_IS));
+		correction = (cni_wide)((cni_mask)correction & rows_without(drive, CNI_EXTERNAL_FREE | CNI_EXTERNAL_AS_IT_IS));
 		rows_store(&m->vx, sizeof *m, (cni_wide)((cni_mask)v & rows_unlocked(drive)));
 	}
 	rows_store(&m->dpx, sizeof *m, rows_load(&m->dpx, sizeof *m) - correction);
@@ -215,13 +215,13 @@ static int32_t kernel_finish(const cni_body_pass *pass, int32_t begin, int32_t e
 {
 	cni_motion *motions = pass->motions;
 	const cni_velocity_start *starts = pass->starts;
-	const cni_drive *drives = pass->drives;
+	const cni_external *drives = pass->drives;
 	const float h = pass->h;
 	int32_t k;
 	for (k = begin; k + ROWS <= end; k += ROWS)
-		if (!some_have(&drives[k], CNI_DRIVE_FREE | CNI_DRIVE_AS_IT_IS | CNI_DRIVE_LOCKED))
+		if (!some_have(&drives[k], CNI_EXTERNAL_FREE | CNI_EXTERNAL_AS_IT_IS | CNI_EXTERNAL_LOCKED))
 			rows_finish(&motions[k], &starts[k], &drives[k], h, 1);
-		else if (some_have(&drives[k], CNI_DRIVE_LOCKED) || !all_have(&drives[k], CNI_DRIVE_FREE | CNI_DRIVE_AS_IT_IS))
+		else if (some_have(&drives[k], CNI_EXTERNAL_LOCKED) || !all_have(&drives[k], CNI_EXTERNAL_FREE | CNI_EXTERNAL_AS_IT_IS))
 			rows_finish(&motions[k], &starts[k], &drives[k], h, 0);
 	return k;
 }
@@ -265,12 +265,12 @@ CNI_INLINE cni_mask rows_jumped(const cni_motion *m, const cni_velocity_start *s
 	return ~(x * x + y * y <= cni_wide_of(most_sq));
 }
 
-CNI_INLINE cni_mask rows_touched(const cni_drive *d)
+CNI_INLINE cni_mask rows_touched(const cni_external *d)
 {
 	const cni_wide drives[4] = { cni_wide_load_loose(&d[0].ax), cni_wide_load_loose(&d[ROWS].ax), cni_wide_load_loose(&d[2 * ROWS].ax), cni_wide_load_loose(&d[3 * ROWS].ax) };
 	cni_wide alpha, flags;
 	last_columns(drives, &alpha, &flags);
-	return ((cni_mask)flags & ((int32_t)CNI_DRIVE_TOUCHED - (cni_mask){ 0 })) != (cni_mask){ 0 };
+	return ((cni_mask)flags & ((int32_t)CNI_EXTERNAL_TOUCHED - (cni_mask){ 0 })) != (cni_mask){ 0 };
 }
 
 static int32_t kernel_calm(const cni_body_pass *pass, int32_t begin, int32_t end, float most_sq)

@@ -11,7 +11,7 @@ typedef struct cni_body_pass {
 	const cn_world *world;
 	cni_motion *motions;
 	cni_velocity_start *starts;
-	const cni_drive *drives;
+	const cni_external *drives;
 	float h;
 	int32_t first; /* of the step's substeps */
 } cni_body_pass;
@@ -46,11 +46,11 @@ typedef struct cni_body_kernel {
 } cni_body_kernel;
 
 /* Moved for the whole step already. */
-#define CNI_DRIVE_DONE ((uint32_t)CNI_DRIVE_FREE | (uint32_t)CNI_DRIVE_SWUNG)
+#define CNI_EXTERNAL_DONE ((uint32_t)CNI_EXTERNAL_FREE | (uint32_t)CNI_EXTERNAL_FINISHED)
 /* Some axis is locked. */
-#define CNI_DRIVE_LOCKED ((uint32_t)CNI_DRIVE_LOCK_X | (uint32_t)CNI_DRIVE_LOCK_Y)
+#define CNI_EXTERNAL_LOCKED ((uint32_t)CNI_EXTERNAL_LOCK_X | (uint32_t)CNI_EXTERNAL_LOCK_Y)
 /* Their way is not corrected to the trapezoid rule. */
-#define CNI_DRIVE_AS_IT_IS ((uint32_t)CNI_DRIVE_JOINTED | (uint32_t)CNI_DRIVE_DAMPED)
+#define CNI_EXTERNAL_AS_IT_IS ((uint32_t)CNI_EXTERNAL_JOINTED | (uint32_t)CNI_EXTERNAL_DAMPED)
 
 /* Flags of a body that tell of the way that is taken. */
 #define CNI_BODY_OF_THE_WAY ((uint32_t)CNI_BODY_AHEAD | (uint32_t)CNI_BODY_AT_STATIC)

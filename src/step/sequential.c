@@ -25,10 +25,10 @@ void cni_sequential_velocities(cn_world *world, const cni_solve *s)
 {
 	cni_motion *motions = cni_motions(world);
 	int32_t k;
-	cni_drive_prepare_bound(world);
+	cni_external_prepare_bound(world);
 	for (k = 1; k < world->awake_count; ++k) {
 		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
-		const cni_drive *d = cni_drives(world) + k;
+		const cni_external *d = cni_externals(world) + k;
 		cni_velocity_start *start = cni_starts(world) + k;
 		cni_motion *m = &motions[k];
 		float linear = cni_damping_factor(b->linear_damping, s->dt), angular = cni_damping_factor(b->angular_damping, s->dt);
@@ -38,7 +38,7 @@ void cni_sequential_velocities(cn_world *world, const cni_solve *s)
 		start->vx = m->vx;
 		start->vy = m->vy;
 		start->w = m->w;
-		start->struck = 0.0f;
+		start->jumped = 0.0f;
 	}
 }
 

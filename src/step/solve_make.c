@@ -68,7 +68,7 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	s.warm_scale = (set->flags & CN_WORLD_WARM_START) == 0 ? 0.0f : last > 0.0f ? cni_min(dt / last, WARM_MOST) : 1.0f;
 	s.push_speed = set->push_speed_max;
 	s.restitution_threshold = set->restitution_threshold;
-	s.shock_speed = set->length_unit;
+	s.jump_speed = set->length_unit;
 	for (kind = 0; kind < CNI_CONTACTS_KINDS; ++kind)
 		s.contact[kind] = contact_pass_make(world, &s, kind);
 	s.joint = cni_soft_implicit(0.25f * s.inv_h, 2.0f, s.h);

@@ -89,12 +89,12 @@ static void substeps_lead(void *context)
 			cni_contacts_impact(world, s);
 		joints_solve(world, s);
 		cni_contacts_solve(world, s);
-		cni_direct_close(world, s);
+		cni_direct_project(world, s);
 		cni_integrate_positions(world, s);
 		joints_relax(world, s);
 		cni_contacts_relax(world, s);
 		if (CNI_ON(SHOCKS))
-			cni_shocks_forget(world, s);
+			cni_velocity_jumps_reset(world, s);
 		if (k == 0 && CNI_ON(REST))
 			cni_rest_find(world, s);
 	}
@@ -141,22 +141,22 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	if (dt == 0.0f)
 		return 0;
 	world->mean_dt = s.mean_dt;
-	cni_drive_prepare(world, &s);
+	cni_external_prepare(world, &s);
 	cni_joints_prepare(world, &s);
 	cni_contacts_list(world, &s);
-	cni_stage_tiers(world, s.h);
+	cni_stage_select_solvers(world, s.h);
 	cni_direct_prepare(world, &s, &direct);
 	if (CNI_ON(PILE_LOAD))
-		cni_piles_load(world, &s);
-	cni_swings_run(world, &s);
+		cni_gravity_preload(world, &s);
+	cni_rattle_run(world, &s);
 	cni_joint_blocks_gather(world, &s);
 	profile_mark(world, &profile->prepare_s, mark);
 	substeps_run(world, &s);
 	cni_joints_store(world, &s);
 	cni_direct_store(world, &s);
 	if (CNI_ON(SPIN))
-		cni_spin_hold(world);
-	cni_drive_finish(world);
+		cni_angular_momentum_restore(world);
+	cni_external_finish(world);
 	profile_mark(world, &profile->substeps_s, mark);
 	if (world->settings.flags & CN_WORLD_CONTINUOUS)
 		cni_stage_continuous(world);

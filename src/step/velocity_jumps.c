@@ -6,62 +6,62 @@
  * Contacts keep their impulses: a crowd that is pressed together jumps in every substep, and would overlap twice as much if each
  * began without them.
  *
- * Reads motion, start, drive, joint works; writes start (struck, and the response that is taken out), joint impulses.
+ * Reads motion, start, drive, joint works; writes start (jumped, and the response that is taken out), joint impulses.
  */
 #include "step/stages.h"
 #include "step/integrate_pass.h"
-#include "joints/joint_work.h"
+#include "joints/joint_constraint.h"
 
 #define BODIES_A_RANGE 256 /* about a microsecond each */
 
-typedef struct shock_loop {
+typedef struct jump_loop {
 	cn_world *world;
 	const cni_solve *s;
-	uint32_t shocks;
-} shock_loop;
+	uint32_t jumps;
+} jump_loop;
 
 /* Marks a body whose velocity jumped. start holds v + h a, so the jump is motion.v - start + h a. Returns 1 when it did. */
-CNI_INLINE uint32_t mark(const cni_motion *m, cni_velocity_start *start, const cni_drive *d, float h, float most_sq)
+CNI_INLINE uint32_t mark(const cni_motion *m, cni_velocity_start *start, const cni_external *d, float h, float most_sq)
 {
 	float dx = m->vx - start->vx, dy = m->vy - start->vy, ax, ay, jump_sq = dx * dx + dy * dy;
-	if (jump_sq <= most_sq || !(d->flags & CNI_DRIVE_TOUCHED)) /* nearly all are slower, whatever their drive */
+	if (jump_sq <= most_sq || !(d->flags & CNI_EXTERNAL_TOUCHED)) /* nearly all are slower, whatever their drive */
 		return 0;
 	ax = h * d->ax;
 	ay = h * d->ay;
 	if (jump_sq <= most_sq + 64.0f * (ax * ax + ay * ay))
 		return 0;
-	start->struck = CNI_SHOCKED;
+	start->jumped = CNI_SHOCKED;
 	return 1;
 }
 
 /* Marks and counts them. A kernel passes by those that are slow. */
 static void mark_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
-	shock_loop *loop = (shock_loop *)context;
+	jump_loop *loop = (jump_loop *)context;
 	const cni_body_kernel *kernel = loop->s->body_kernel;
-	cni_body_pass pass = { loop->world, cni_motions(loop->world), cni_starts(loop->world), cni_drives(loop->world), loop->s->h, 0 };
-	float most_sq = loop->s->shock_speed * loop->s->shock_speed;
-	uint32_t shocks = 0;
+	cni_body_pass pass = { loop->world, cni_motions(loop->world), cni_starts(loop->world), cni_externals(loop->world), loop->s->h, 0 };
+	float most_sq = loop->s->jump_speed * loop->s->jump_speed;
+	uint32_t jumps = 0;
 	int32_t k = begin + 1, last;
 	(void)worker;
 	while (k <= end) {
 		if (kernel != NULL)
 			k = kernel->calm(&pass, k, end + 1, most_sq);
 		for (last = cni_min_i(k + CNI_CALM_MOST - 1, end); k <= last; ++k)
-			shocks += mark(&pass.motions[k], &pass.starts[k], &pass.drives[k], pass.h, most_sq);
+			jumps += mark(&pass.motions[k], &pass.starts[k], &pass.drives[k], pass.h, most_sq);
 	}
-	if (shocks > 0)
-		cni_atomic_add(&loop->shocks, shocks);
+	if (jumps > 0)
+		cni_atomic_add(&loop->jumps, jumps);
 }
 
 static void response_take_out(cn_world *world, int32_t index, float px, float py, float moment)
 {
 	const cni_motion *m = cni_motions(world) + index;
 	cni_velocity_start *start = cni_starts(world) + index;
-	uint32_t flags = cni_drives(world)[index].flags;
-	if (!(flags & CNI_DRIVE_LOCK_X))
+	uint32_t flags = cni_externals(world)[index].flags;
+	if (!(flags & CNI_EXTERNAL_LOCK_X))
 		start->vx += m->inv_mass * px;
-	if (!(flags & CNI_DRIVE_LOCK_Y))
+	if (!(flags & CNI_EXTERNAL_LOCK_Y))
 		start->vy += m->inv_mass * py;
 	start->w += m->inv_inertia * moment;
 }
@@ -76,7 +76,7 @@ static float load_part(float impulse, float load)
  * The next substep is to start from the loads of a joint, not from the impulses of a blow: from what a row bore as the step
  * began. (From nothing, a bridge that is hit would lose the tension it stands by.) Springs and motors are meant.
  */
-static void joint_forget(cn_world *world, cni_joint_work *w)
+static void joint_forget(cn_world *world, cni_joint_constraint *w)
 {
 	cni_joint_impulses all;
 	int32_t r;
@@ -97,21 +97,21 @@ static void joints_forget(cn_world *world)
 {
 	int32_t k;
 	for (k = 0; k < world->awake_joints.count; ++k) {
-		cni_joint_work *w = cni_joint_works(world) + k;
-		if (cni_starts(world)[w->ia].struck >= CNI_SHOCKED || cni_starts(world)[w->ib].struck >= CNI_SHOCKED)
+		cni_joint_constraint *w = cni_joint_constraints(world) + k;
+		if (cni_starts(world)[w->ia].jumped >= CNI_SHOCKED || cni_starts(world)[w->ib].jumped >= CNI_SHOCKED)
 			joint_forget(world, w);
 	}
 }
 
-uint32_t cni_shocks_mark(cn_world *world, const cni_solve *s)
+uint32_t cni_velocity_jumps_mark(cn_world *world, const cni_solve *s)
 {
-	shock_loop loop = { world, s, 0 };
+	jump_loop loop = { world, s, 0 };
 	cni_team_for(s->team, world->awake_count - 1, BODIES_A_RANGE, mark_range, &loop);
-	return loop.shocks;
+	return loop.jumps;
 }
 
-void cni_shocks_forget(cn_world *world, const cni_solve *s)
+void cni_velocity_jumps_reset(cn_world *world, const cni_solve *s)
 {
-	if (world->awake_joints.count > 0 && cni_shocks_mark(world, s) > 0)
+	if (world->awake_joints.count > 0 && cni_velocity_jumps_mark(world, s) > 0)
 		joints_forget(world);
 }

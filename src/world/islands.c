@@ -84,8 +84,8 @@ static void body_add(const cn_world *world, int32_t body, cn_island_report *out)
 /* See step/early_rest.c; body: any of the island. Jointed bodies with this flag swing. */
 static int32_t has_rested(const cn_world *world, const cni_body *b)
 {
-	const uint32_t rests = CNI_DRIVE_SWUNG | CNI_DRIVE_TOUCHED;
-	return (cni_drives(world)[b->awake].flags & (rests | CNI_DRIVE_JOINTED)) == rests;
+	const uint32_t rests = CNI_EXTERNAL_FINISHED | CNI_EXTERNAL_TOUCHED;
+	return (cni_externals(world)[b->awake].flags & (rests | CNI_EXTERNAL_JOINTED)) == rests;
 }
 
 static int32_t substeps_of(const cn_world *world, const cni_body *b)

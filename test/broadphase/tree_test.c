@@ -230,7 +230,7 @@ static void t_searches_find_what_brute_force_finds(void)
 	plain_close();
 }
 
-/* Room for n items is n forks: nothing is kept back or lost by churn. */
+/* Room for n items is n nodes: nothing is kept back or lost by churn. */
 static void t_forks_are_reused(void)
 {
 	int32_t k;
@@ -241,7 +241,7 @@ static void t_forks_are_reused(void)
 		plain_remove(k * 7 % ITEMS);
 		plain_insert(k * 7 % ITEMS, random_box(50.0f, 2.0f));
 	}
-	CHECK_LE("forks", p.tree.forks.count, ITEMS, "");
+	CHECK_LE("nodes", p.tree.nodes.count, ITEMS, "");
 	CHECK(cni_tree_validate(&p.tree));
 	plain_close();
 }

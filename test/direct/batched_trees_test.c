@@ -1,8 +1,8 @@
 /*
  * test/direct/batched_trees_test.c - trees that are alike, solved side by side (direct/batched_trees.c, linear/topology_class.c).
  *
- * A herd is held to what its trees do alone: a world with one of them and nothing else, in which it is in no herd, must
- * give the same bits. If it does not, look in direct/batched_trees_kernel.h; if trees are not in herds, in
+ * A batch is held to what its trees do alone: a world with one of them and nothing else, in which it is in no batch, must
+ * give the same bits. If it does not, look in direct/batched_trees_kernel.h; if trees are not in batches, in
  * linear/topology_class.c.
  */
 #include "joints/joint_pass.h"
@@ -113,17 +113,17 @@ static int32_t works_in_herds(const cn_world *world)
 {
 	int32_t k, count = 0;
 	for (k = 0; k < world->awake_joints.count; ++k)
-		count += (cni_joint_works(world)[k].flags & CNI_WORK_HERD) != 0;
+		count += (cni_joint_constraints(world)[k].flags & CNI_CONSTRAINT_BATCHED) != 0;
 	return count;
 }
 
-/* Joints in herds whose pins are no longer solved directly. */
+/* Joints in batches whose pins are no longer solved directly. */
 static int32_t works_single(const cn_world *world)
 {
 	int32_t k, count = 0;
 	for (k = 0; k < world->awake_joints.count; ++k) {
-		const cni_joint_work *w = cni_joint_works(world) + k;
-		count += (w->flags & CNI_WORK_HERD) && !(cni_joint_block_of(world, w)->direct >> w->lane % CNI_LANES & 1u);
+		const cni_joint_constraint *w = cni_joint_constraints(world) + k;
+		count += (w->flags & CNI_CONSTRAINT_BATCHED) && !(cni_joint_block_of(world, w)->direct >> w->lane % CNI_LANES & 1u);
 	}
 	return count;
 }
@@ -149,11 +149,11 @@ static int32_t differs(const cn_world *a, const creature *ca, const cn_world *b,
 /* Falling, landing and lying; hanging and swinging: all with the bits of one that is alone. */
 static void herds_have_the_bits_of_one(void)
 {
-	static creature herd[CREATURES];
+	static creature batch[CREATURES];
 	cn_world *world = empty_world();
 	int32_t k, step, different = 0, least = CREATURES * (JOINTS + 1), alone_in_herds = 0;
 	for (k = 0; k < CREATURES; ++k)
-		add_creature(world, &herd[k], k);
+		add_creature(world, &batch[k], k);
 	for (step = 0; step < 180; ++step) {
 		fixture_step(world, 1);
 		if (step < 20)
@@ -165,11 +165,11 @@ static void herds_have_the_bits_of_one(void)
 		add_creature(lone, &c, k);
 		fixture_step(lone, 180);
 		alone_in_herds += works_in_herds(lone);
-		different += differs(world, &herd[k], lone, &c);
+		different += differs(world, &batch[k], lone, &c);
 		cn_world_destroy(lone);
 	}
-	CHECK_GE("joints in herds, least of the first 20 steps", least, HANGING * JOINTS + (CREATURES - HANGING) * (JOINTS + 1), "");
-	CHECK_LE("joints in herds of those that are alone", alone_in_herds, 0, "");
+	CHECK_GE("joints in batches, least of the first 20 steps", least, HANGING * JOINTS + (CREATURES - HANGING) * (JOINTS + 1), "");
+	CHECK_LE("joints in batches of those that are alone", alone_in_herds, 0, "");
 	CHECK_LE("creatures that move otherwise than alone", different, 0, "of 20");
 	cn_world_destroy(world);
 }
@@ -187,11 +187,11 @@ static void add_pair(cn_world *world, creature *c, int32_t number)
 /* The least tree: one pin between two bodies. */
 static void pairs_have_the_bits_of_one(void)
 {
-	static creature herd[CREATURES];
+	static creature batch[CREATURES];
 	cn_world *world = empty_world();
 	int32_t k, different = 0, alone_in_herds = 0;
 	for (k = 0; k < CREATURES; ++k)
-		add_pair(world, &herd[k], k);
+		add_pair(world, &batch[k], k);
 	fixture_step(world, 1);
 	CHECK(works_in_herds(world) == CREATURES);
 	fixture_step(world, 179);
@@ -201,10 +201,10 @@ static void pairs_have_the_bits_of_one(void)
 		add_pair(lone, &c, k);
 		fixture_step(lone, 180);
 		alone_in_herds += works_in_herds(lone);
-		different += bodies_differ(world, &herd[k], lone, &c, 2);
+		different += bodies_differ(world, &batch[k], lone, &c, 2);
 		cn_world_destroy(lone);
 	}
-	CHECK_LE("joints in herds of those that are alone", alone_in_herds, 0, "");
+	CHECK_LE("joints in batches of those that are alone", alone_in_herds, 0, "");
 	CHECK_LE("pairs that move otherwise than alone", different, 0, "of 20");
 	cn_world_destroy(world);
 }
@@ -212,16 +212,16 @@ static void pairs_have_the_bits_of_one(void)
 /* Joints that come and go shuffle the lists, and do not make strangers of those that are alike. */
 static void shuffled_joints_stay_of_a_kind(void)
 {
-	static creature herd[HANGING];
+	static creature batch[HANGING];
 	cn_world *world = empty_world();
 	uint32_t random = 5;
 	int32_t k, round;
 	for (k = 0; k < HANGING; ++k)
-		add_creature(world, &herd[k], k);
+		add_creature(world, &batch[k], k);
 	for (round = 0; round < 50; ++round) {
 		int32_t number = (int32_t)(next(&random) % HANGING), joint = (int32_t)(next(&random) % JOINTS);
-		must(cn_joint_destroy(world, herd[number].joint[joint]), world, "cn_joint_destroy");
-		add_joint(world, &herd[number], joint, number);
+		must(cn_joint_destroy(world, batch[number].joint[joint]), world, "cn_joint_destroy");
+		add_joint(world, &batch[number], joint, number);
 	}
 	fixture_step(world, 1);
 	CHECK(works_in_herds(world) == HANGING * JOINTS);
@@ -233,18 +233,18 @@ static cni_motion *motion_of(const cn_world *world, cn_body body)
 	return cni_motions(world) + cni_body_at(world, cni_handles_find(&world->body_handles, body))->awake;
 }
 
-/* One whose system floats cannot hold leaves its herd, and nobody else knows. */
+/* One whose system floats cannot hold leaves its batch, and nobody else knows. */
 static void broken_systems_leave(void)
 {
-	static creature herd[4];
+	static creature batch[4];
 	cn_world *world = empty_world();
 	creature c;
 	cn_world *lone = empty_world();
 	int32_t k, different = 0;
 	for (k = 0; k < 4; ++k)
-		add_creature(world, &herd[k], k);
-	motion_of(world, herd[1].body[0])->vy = 3e38f;
-	motion_of(world, herd[1].body[1])->vy = -3e38f;
+		add_creature(world, &batch[k], k);
+	motion_of(world, batch[1].body[0])->vy = 3e38f;
+	motion_of(world, batch[1].body[1])->vy = -3e38f;
 	fixture_step(world, 1);
 	CHECK(works_in_herds(world) == 4 * JOINTS);
 	CHECK(works_single(world) == JOINTS);
@@ -255,7 +255,7 @@ static void broken_systems_leave(void)
 		lone = empty_world();
 		add_creature(lone, &c, k);
 		fixture_step(lone, 1);
-		different += differs(world, &herd[k], lone, &c);
+		different += differs(world, &batch[k], lone, &c);
 	}
 	CHECK_LE("creatures that move otherwise than alone", different, 0, "of 3");
 	cn_world_destroy(lone);

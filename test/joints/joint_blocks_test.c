@@ -235,7 +235,7 @@ static void no_body_is_twice_in_a_colour(void)
 				++held;
 			}
 	}
-	for (k = world->joint_plain_first; k != CNI_NONE; k = cni_joint_works(world)[k].next_plain)
+	for (k = world->joint_plain_first; k != CNI_NONE; k = cni_joint_constraints(world)[k].next_plain)
 		++plain_works;
 	CHECK_LE("bodies that are twice in a colour", twice, 0, "");
 	CHECK(held == CNI_JOINT_COLORS);

@@ -148,7 +148,7 @@ static cn_world *soft_world(void)
 static int32_t joints_by_rows(const cn_world *world)
 {
 	int32_t k, count = 0;
-	for (k = world->joint_plain_first; k != CNI_NONE; k = cni_joint_works(world)[k].next_plain)
+	for (k = world->joint_plain_first; k != CNI_NONE; k = cni_joint_constraints(world)[k].next_plain)
 		++count;
 	return count;
 }

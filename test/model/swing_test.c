@@ -1,5 +1,5 @@
 /*
- * test/model/swing_test.c - cni_body_swing bounds how far turning moves the shapes of a body. It is what the boxes ahead, the
+ * test/model/swing_test.c - cni_body_turn_reach bounds how far turning moves the shapes of a body. It is what the boxes ahead, the
  * narrowphase and continuous collision ask.
  *
  * If a test here fails, look first in: model/body.c (measure_shapes).
@@ -60,7 +60,7 @@ static cn_aabb turned_bounds(cn_world *world, cn_body body, float angle)
 	return all;
 }
 
-/* cni_body_swing: what is asked of how far turning moves a body, wherever a step looks ahead. */
+/* cni_body_turn_reach: what is asked of how far turning moves a body, wherever a step looks ahead. */
 static void turning_moves_shapes_by_their_swing(void)
 {
 	cn_world *world = fixture_world(0.0f, 0);
@@ -69,7 +69,7 @@ static void turning_moves_shapes_by_their_swing(void)
 	int32_t kind, k;
 	for (kind = 0; kind < KINDS; ++kind) {
 		cn_body body = turning_body(world, kind);
-		float swing = cni_body_swing(cni_body_at(world, cni_handles_find(&world->body_handles, body))), most = 0.0f;
+		float swing = cni_body_turn_reach(cni_body_at(world, cni_handles_find(&world->body_handles, body))), most = 0.0f;
 		for (k = 0; k < 300; ++k) {
 			float from = fixture_random(&random, -3.0f, 3.0f), turn = fixture_random(&random, -1.0f, 1.0f), moved;
 			cn_aabb a = turned_bounds(world, body, from), b = turned_bounds(world, body, from + turn);

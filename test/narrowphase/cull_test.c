@@ -1,7 +1,7 @@
 /*
  * test/narrowphase/cull_test.c - what the narrowphase passes by (narrowphase/cull.c) against what it would find.
  *
- * A crowd of boxes and circles flies about, at the origin or far from it. After each step its contacts are sifted in three
+ * A crowd of boxes and circles flies about, at the origin or far from it. After each step its contacts are culled in three
  * ways: all at once (from the copy of the bodies, four side by side where there are vectors), in ranges of three (from the
  * copy, one by one), and as lists of a few (from the bodies' records, one by one). All must tell the same: what is passed by
  * must have no manifold and overlapping boxes, all else must come out in order, and the same bodies must be marked as having
@@ -16,7 +16,7 @@
 #define CONTACTS_MOST 65536
 #define A_FEW 1000
 
-/* One way to sift. */
+/* One way to cull. */
 typedef struct way {
 	int32_t list, range, at_a_time;  /* contacts of a list, of a range of it, that are asked for */
 	int32_t found[CONTACTS_MOST];    /* indices of what came out, in order */
@@ -49,31 +49,31 @@ static cn_world *crowd(float x)
 }
 
 /* Sifts part of the apart list. */
-static void sift_part(cn_world *world, int32_t first, int32_t count, way *w)
+static void cull_part(cn_world *world, int32_t first, int32_t count, way *w)
 {
-	cni_touch_pair pairs[CNI_SIFT_BATCH];
+	cni_touch_pair pairs[CNI_CULL_BATCH];
 	int32_t more, k, begin;
-	cni_sift_list list;
-	cni_sift s;
-	cni_sift_open(&list, world, (const int32_t *)world->apart.data + first, count, count, FRAME_S);
+	cni_cull_list list;
+	cni_cull s;
+	cni_cull_open(&list, world, (const int32_t *)world->apart.data + first, count, count, FRAME_S);
 	w->copies += list.bodies != NULL;
 	for (begin = 0; begin < count; begin += w->range) {
-		cni_sift_begin(&s, &list, begin, cni_min_i(count, begin + w->range));
-		while ((more = cni_sift_next(&s, pairs, w->at_a_time)) > 0)
+		cni_cull_begin(&s, &list, begin, cni_min_i(count, begin + w->range));
+		while ((more = cni_cull_next(&s, pairs, w->at_a_time)) > 0)
 			for (k = 0; k < more; ++k)
 				w->found[w->count++] = pairs[k].index;
 	}
-	cni_sift_close(&list);
+	cni_cull_close(&list);
 }
 
-static void sift(cn_world *world, way *w)
+static void cull(cn_world *world, way *w)
 {
 	int32_t k;
 	w->count = 0;
 	for (k = 0; k < world->body_handles.slots.count; ++k)
 		cni_body_at(world, k)->flags &= ~(uint32_t)CNI_BODY_AT_STATIC;
 	for (k = 0; k < world->apart.count; k += w->list)
-		sift_part(world, k, cni_min_i(w->list, world->apart.count - k), w);
+		cull_part(world, k, cni_min_i(w->list, world->apart.count - k), w);
 	for (k = 0; k < world->body_handles.slots.count; ++k)
 		w->marked[k] = (cni_body_at(world, k)->flags & CNI_BODY_AT_STATIC) != 0;
 }
@@ -124,7 +124,7 @@ static int32_t flags_wrong(cn_world *world)
 		flags_before[k] = cni_contact_at(world, apart[k])->flags;
 	for (k = 0; k < 3; ++k) {
 		flags_set(world);
-		sift(world, ways[k]);
+		cull(world, ways[k]);
 		wrong += flags_ignored(world, ways[k]) + ways_differ(ways[k], ways[0]);
 	}
 	for (k = 0; k < world->apart.count; ++k)
@@ -168,15 +168,15 @@ static void crowd_is_sifted(float x)
 {
 	cn_world *world = crowd(x);
 	int32_t step, k, wrong = 0, passed = 0, total = 0, differ = 0, ignored = 0, marked = 0;
-	way_init(&all_at_once, CONTACTS_MOST, CONTACTS_MOST, CNI_SIFT_BATCH);
+	way_init(&all_at_once, CONTACTS_MOST, CONTACTS_MOST, CNI_CULL_BATCH);
 	way_init(&by_threes, CONTACTS_MOST, 3, 2);
 	way_init(&few_at_a_time, A_FEW, A_FEW, 5);
 	for (step = 0; step < 40; ++step) {
 		fixture_step(world, 1);
 		REQUIRE(world->apart.count < CONTACTS_MOST && world->body_handles.slots.count <= SIDE * SIDE + 4);
-		sift(world, &all_at_once);
-		sift(world, &by_threes);
-		sift(world, &few_at_a_time);
+		cull(world, &all_at_once);
+		cull(world, &by_threes);
+		cull(world, &few_at_a_time);
 		differ += ways_differ(&all_at_once, &by_threes) || ways_differ(&all_at_once, &few_at_a_time);
 		total += world->apart.count;
 		wrong += wrongly_passed(world, all_at_once.found, all_at_once.count, &passed);
@@ -188,7 +188,7 @@ static void crowd_is_sifted(float x)
 	CHECK_LE("contacts passed by that would have changed", wrong, 0, "");
 	CHECK_LE("steps in which two ways tell otherwise", differ, 0, "");
 	CHECK_LE("contacts whose flags are not heeded", ignored, 0, "");
-	CHECK_GE("lists sifted from a copy", all_at_once.copies, 40, "");
+	CHECK_GE("lists culled from a copy", all_at_once.copies, 40, "");
 	CHECK_LE("... of a few", few_at_a_time.copies, 0, "");
 	CHECK_GE("part of those apart that are passed by", (double)passed / (double)total, 0.3, "");
 	CHECK_GE("bodies near static ones", (double)marked / 40.0, 10.0, "");

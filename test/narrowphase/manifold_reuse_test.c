@@ -60,7 +60,7 @@ static int32_t has_lane(const cni_contact *c)
 /* Follows, copies what was followed, and loosens all. Returns the number of copies; total: lanes. */
 static int32_t follow_all(cn_world *world, int32_t *total)
 {
-	int32_t missed = cni_contacts_follow(world, FRAME_S, left), count = 0, k;
+	int32_t missed = cni_manifolds_reuse(world, FRAME_S, left), count = 0, k;
 	*total = 0;
 	for (k = 0; k < world->contact_used; ++k) {
 		if (!has_lane(cni_contact_at(world, k)))
@@ -68,7 +68,7 @@ static int32_t follow_all(cn_world *world, int32_t *total)
 		++*total;
 		if (!contains(left, missed, k) && count < LANES_MOST)
 			copies[count++] = lane_read(world, k);
-		cni_contact_loosen(world, k);
+		cni_contact_invalidate(world, k);
 	}
 	return count;
 }
@@ -262,7 +262,7 @@ static int32_t lanes_followed(cn_world *world)
 	int32_t total, k, lanes = 0;
 	for (k = 0; k < CNI_COLORS; ++k)
 		lanes += world->colors[k].lanes;
-	total = cni_contacts_follow(world, FRAME_S, left);
+	total = cni_manifolds_reuse(world, FRAME_S, left);
 	return lanes - total;
 }
 

@@ -40,7 +40,7 @@ static float pick_some(float most)
 typedef struct state {
 	cni_motion motions[BODIES + 1];
 	cni_velocity_start starts[BODIES + 1];
-	cni_drive drives[BODIES + 1];
+	cni_external drives[BODIES + 1];
 } state;
 
 static state drawn, plain, wide;
@@ -53,7 +53,7 @@ static void draw(uint32_t flags)
 	for (k = 1; k <= BODIES; ++k) {
 		cni_motion *m = &drawn.motions[k];
 		cni_velocity_start *s = &drawn.starts[k];
-		cni_drive *d = &drawn.drives[k];
+		cni_external *d = &drawn.drives[k];
 		m->vx = pick_some(2.0f);
 		m->vy = pick_some(2.0f);
 		m->w = pick_some(5.0f);
@@ -65,7 +65,7 @@ static void draw(uint32_t flags)
 		s->vx = m->vx + pick_some(random_bits() % 32u == 0 ? 8.0f : 0.2f);
 		s->vy = m->vy + pick_some(random_bits() % 32u == 0 ? 8.0f : 0.2f);
 		s->w = m->w + pick_some(0.2f);
-		s->struck = random_bits() % 4u == 0 ? 1.0f : 0.0f;
+		s->jumped = random_bits() % 4u == 0 ? 1.0f : 0.0f;
 		d->ax = pick_some(20.0f);
 		d->ay = pick_some(20.0f);
 		d->alpha = pick_some(20.0f);
@@ -77,14 +77,14 @@ static void put(cn_world *world, const state *s)
 {
 	memcpy(cni_motions(world), s->motions, sizeof s->motions);
 	memcpy(cni_starts(world), s->starts, sizeof s->starts);
-	memcpy(cni_drives(world), s->drives, sizeof s->drives);
+	memcpy(cni_externals(world), s->drives, sizeof s->drives);
 }
 
 static void get(const cn_world *world, state *s)
 {
 	memcpy(s->motions, cni_motions(world), sizeof s->motions);
 	memcpy(s->starts, cni_starts(world), sizeof s->starts);
-	memcpy(s->drives, cni_drives(world), sizeof s->drives);
+	memcpy(s->drives, cni_externals(world), sizeof s->drives);
 }
 
 enum { VELOCITIES_FIRST, VELOCITIES, POSITIONS, FINISH, SHOCKS, LOOPS };
@@ -103,7 +103,7 @@ static void run(cn_world *world, const cni_body_kernel *kernel, int32_t loop, st
 	else if (loop == FINISH)
 		cni_integrate_finish(world, &s);
 	else
-		(void)cni_shocks_mark(world, &s);
+		(void)cni_velocity_jumps_mark(world, &s);
 	get(world, out);
 }
 
@@ -122,7 +122,7 @@ static cn_world *world_of_bodies(void)
 
 static void same_bits(cn_world *world, const cni_body_kernel *kernel, const char *name)
 {
-	static const uint32_t flags[] = { 0, CNI_DRIVE_FREE | CNI_DRIVE_SWUNG, CNI_DRIVE_DAMPED, CNI_DRIVE_LOCK_X | CNI_DRIVE_LOCK_Y, CNI_DRIVE_JOINTED | CNI_DRIVE_TOUCHED, 127u };
+	static const uint32_t flags[] = { 0, CNI_EXTERNAL_FREE | CNI_EXTERNAL_FINISHED, CNI_EXTERNAL_DAMPED, CNI_EXTERNAL_LOCK_X | CNI_EXTERNAL_LOCK_Y, CNI_EXTERNAL_JOINTED | CNI_EXTERNAL_TOUCHED, 127u };
 	int32_t round, loop, kind, differ = 0, moved = 0;
 	for (round = 0; round < ROUNDS; ++round)
 		for (kind = 0; kind < (int32_t)(sizeof flags / sizeof flags[0]); ++kind) {

@@ -128,7 +128,7 @@ static void anchors_stay_together_60_s(void)
 
 /* ---- revolute limits ---- */
 
-/* A bar hinged at its end to the world, limits on both sides, struck against each at speed and held there by load. */
+/* A bar hinged at its end to the world, limits on both sides, jumped against each at speed and held there by load. */
 static void limit_run(double torque, double lower_deg, double upper_deg, double reference_deg, float spin)
 {
 	cn_world *world = fixture_world(-10.0f, 0);

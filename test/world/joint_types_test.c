@@ -393,7 +393,7 @@ static void gear_ratio_is_exact(void)
 		gear_run(ratios[k], k == 1 ? 0.7f : 0.0f, &error, &worst, &steady);
 		CHECK_LE("relative error of the ratio after 60 s", error, ROUNDING / 100.0, "");
 		CHECK_LE("error of the angle under a load of 1 Nm", steady, 2.0 * ROUNDING, "rad");
-		CHECK_LE("worst error of the angle in 60 s, shocks included", worst, 2.0 * ROUNDING, "rad");
+		CHECK_LE("worst error of the angle in 60 s, jumps included", worst, 2.0 * ROUNDING, "rad");
 	}
 }
 

@@ -7,7 +7,7 @@
 #include "base/hooks.h"
 #include "joints.h"
 #include "model/world.h"
-#include "joints/joint_work.h"
+#include "joints/joint_constraint.h"
 
 #define STEPS 420
 #define PARTS 9

@@ -188,7 +188,7 @@ static void restitution_change_acts_at_once(void)
 	must(cn_shape_set_material(world, fixture_first_shape(world, ball), &bouncy), world, "material");
 	must(cn_shape_get_material(world, fixture_first_shape(world, ball), &read), world, "material");
 	CHECK(read.restitution == 0.9f);
-	must(cn_body_set_velocity(world, ball, 0.0f, -5.0f, 0.0f), world, "velocity"); /* struck down while it rests */
+	must(cn_body_set_velocity(world, ball, 0.0f, -5.0f, 0.0f), world, "velocity"); /* jumped down while it rests */
 	for (k = 0; k < 60; ++k) {
 		fixture_step(world, 1);
 		apex = greater(apex, (double)fixture_pose(world, ball).position_m.y - 0.5);

@@ -1,24 +1,24 @@
 /*
- * joints/joint_work.h - what the solver keeps for an awake joint during a step: its rows are made in joints/joint_work.c.
+ * joints/joint_constraint.h - what the solver keeps for an awake joint during a step: its rows are made in joints/joint_constraint.c.
  */
-#ifndef CNI_JOINTS_JOINT_WORK_H
-#define CNI_JOINTS_JOINT_WORK_H
+#ifndef CNI_JOINTS_JOINT_CONSTRAINT_H
+#define CNI_JOINTS_JOINT_CONSTRAINT_H
 
 #include "joints/joint_type.h"
 #include "linear/sparse.h"
 #include "model/solve.h"
 
 enum {
-	CNI_WORK_SPRINGY = 1u << 0,   /* the first rows and violated limits act in the soft pass only */
-	CNI_WORK_BOUNDED = 1u << 1,   /* force_max or torque_max is set */
-	CNI_WORK_BREAKABLE = 1u << 2, /* a break threshold is set */
-	CNI_WORK_GROUNDS = 1u << 3,   /* d and e are seen from points of the world */
-	CNI_WORK_TURNS = 1u << 4,     /* counts whole turns */
-	CNI_WORK_DIRECT = 1u << 5,    /* its rigid rows are solved with its neighbours': direct/direct_joints.c */
-	CNI_WORK_SWUNG = 1u << 6,     /* done with for this step: direct/rattle.c */
-	CNI_WORK_WIDE = 1u << 7,      /* unless swung it is in a lane: joints/joint_blocks.c; rows are written only if direct, and their impulses are all of the record's */
-	CNI_WORK_FRESH = 1u << 8,     /* this is its first step */
-	CNI_WORK_HERD = 1u << 9       /* in a lane of a herd, pin and all: direct/batched_trees.c */
+	CNI_CONSTRAINT_SPRINGY = 1u << 0,   /* the first rows and violated limits act in the soft pass only */
+	CNI_CONSTRAINT_BOUNDED = 1u << 1,   /* force_max or torque_max is set */
+	CNI_CONSTRAINT_BREAKABLE = 1u << 2, /* a break threshold is set */
+	CNI_CONSTRAINT_GROUNDS = 1u << 3,   /* d and e are seen from points of the world */
+	CNI_CONSTRAINT_TURNS = 1u << 4,     /* counts whole turns */
+	CNI_CONSTRAINT_DIRECT = 1u << 5,    /* its rigid rows are solved with its neighbours': direct/direct_joints.c */
+	CNI_CONSTRAINT_FINISHED = 1u << 6,     /* done with for this step: direct/rattle.c */
+	CNI_CONSTRAINT_WIDE = 1u << 7,      /* unless swung it is in a lane: joints/joint_blocks.c; rows are written only if direct, and their impulses are all of the record's */
+	CNI_CONSTRAINT_FRESH = 1u << 8,     /* this is its first step */
+	CNI_CONSTRAINT_BATCHED = 1u << 9       /* in a lane of a batch, pin and all: direct/batched_trees.c */
 };
 
 #define CNI_JOINT_ERROR_RATE 0.3f /* part of its gap that a directly solved joint takes out in a substep */
@@ -35,7 +35,7 @@ typedef struct cni_joint_numbers {
 } cni_joint_numbers;
 
 /* Works come one after the other, their numbers behind the last that there is room for. */
-typedef struct cni_joint_work {
+typedef struct cni_joint_constraint {
 	const cni_joint *record;   /* within a step records do not move */
 	cni_joint_rows_fn *make_rows; /* of its type */
 	cni_row *rows;             /* its numbers' */
@@ -53,18 +53,18 @@ typedef struct cni_joint_work {
 	cni_joint_frame start;     /* at the beginning of the step */
 	int32_t kept_lane;         /* the lane that it was given last */
 	uint32_t kept_has;         /* which of CN_JOINT_SPRING, _MOTOR, _LIMIT it had there */
-} cni_joint_work;
+} cni_joint_constraint;
 
-#define CNI_JOINT_WORK_BYTES ((int32_t)(sizeof(cni_joint_work) + sizeof(cni_joint_numbers)))
+#define CNI_JOINT_CONSTRAINT_BYTES ((int32_t)(sizeof(cni_joint_constraint) + sizeof(cni_joint_numbers)))
 
-static inline cni_joint_work *cni_joint_works(const cn_world *world)
+static inline cni_joint_constraint *cni_joint_constraints(const cn_world *world)
 {
-	return (cni_joint_work *)world->joint_work.data;
+	return (cni_joint_constraint *)world->joint_work.data;
 }
 /* Those of the work of place k. */
 static inline cni_joint_numbers *cni_joint_numbers_of(const cn_world *world, int32_t k)
 {
-	return (cni_joint_numbers *)(void *)(cni_joint_works(world) + world->joint_work.capacity) + k;
+	return (cni_joint_numbers *)(void *)(cni_joint_constraints(world) + world->joint_work.capacity) + k;
 }
 /* Are there so many that records leave the caches between one loop over all and the next? Then it pays to ask for them early. */
 static inline int32_t cni_joints_are_far(const cn_world *world)
@@ -84,7 +84,7 @@ CNI_INLINE void cni_component_prefetch(const cn_world *world, const cni_sparse *
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].owner >= 0)
-			cni_joint_prefetch(cni_joint_works(world)[sparse->nodes[k].owner].record);
+			cni_joint_prefetch(cni_joint_constraints(world)[sparse->nodes[k].owner].record);
 }
 static inline cni_lever cni_row_lever(const cni_row *r)
 {
@@ -118,24 +118,24 @@ static inline int32_t cni_joint_island(const cn_world *world, int32_t ia, int32_
 	return cni_awake_island(world, ia != 0 ? ia : ib);
 }
 /* The work of place k in the awake list, as a step begins, to be solved by rows. */
-void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k);
+void cni_joint_constraint_prepare(cn_world *world, const cni_solve *s, int32_t k);
 /* What of it does not depend on how it is solved, the frame's angle left out. */
-void cni_joint_work_begin(cn_world *world, int32_t k, const cni_joint *j);
+void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j);
 /* ... then its rows, decoupled, with their impulses. */
-void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work *w);
+void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_constraint *w);
 /* As a step ends: the rows' impulses to the record, by the type's rows. */
-void cni_joint_rows_end(const cn_world *world, const cni_joint_work *w, cni_joint *j);
+void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cni_joint *j);
 /* The same rows at the bodies' new positions, with the impulses they had; what that changes in the impulses' response goes into start. */
-void cni_joint_rows_renew(cn_world *world, cni_joint_work *w);
+void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w);
 /* Inverse of the symmetric K of one to three rows, as numbers->inverse; a singular direction gives nothing. */
 void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv);
 /* Builds all rows at the bodies' present positions, impulses left undefined. */
-void cni_joint_work_build(cni_joint_work *w, const cni_motion *a, const cni_motion *b);
+void cni_joint_constraint_build(cni_joint_constraint *w, const cni_motion *a, const cni_motion *b);
 /* The rows as their type gives them, for joints whose rows are all rigid or limits that are far away; turns: rotations
    by the motions' theta. Impulses are left undefined. */
-void cni_joint_work_rows(cni_joint_work *w, const cni_motion *motions, const cni_rot *turns);
+void cni_joint_constraint_rows(cni_joint_constraint *w, const cni_motion *motions, const cni_rot *turns);
 /* Errors of the rigid rows after a time at the bodies' present velocities. */
-void cni_joint_work_ahead(const cni_joint_work *w, const cni_motion *motions, float h, float *errors);
+void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion *motions, float h, float *errors);
 /* All rows of a joint with the impulses that they have in this substep, whatever solves it; springy joints' rows are soft.
    row.slot: of the record's impulse, which is that of the step's beginning. joints/joint_impulse.c */
 #define CNI_PIN_LANE_ROWS 5
@@ -143,28 +143,28 @@ typedef struct cni_joint_impulses {
 	cni_row rows[CNI_JOINT_ROWS + CNI_PIN_LANE_ROWS];
 	int32_t count;
 } cni_joint_impulses;
-void cni_joint_impulses_read(const cn_world *world, const cni_joint_work *w, cni_joint_impulses *out);
-void cni_joint_impulses_write(cn_world *world, cni_joint_work *w, const cni_joint_impulses *impulses);
+void cni_joint_impulses_read(const cn_world *world, const cni_joint_constraint *w, cni_joint_impulses *out);
+void cni_joint_impulses_write(cn_world *world, cni_joint_constraint *w, const cni_joint_impulses *impulses);
 /* Does a row of this kind give energy of its own? */
 static inline int32_t cni_row_kind_drives(uint8_t kind)
 {
 	return kind != CNI_ROW_RIGID && kind != CNI_ROW_LIMIT;
 }
 /* Keeps the largest reaction of the step. */
-void cni_joint_work_stress(cni_joint_work *w, const cni_motion *b, float inv_h);
+void cni_joint_constraint_stress(cni_joint_constraint *w, const cni_motion *b, float inv_h);
 
 /* ---- wide works: joints/joint_blocks.c ---- */
 
 /* A wide work is solved by rows after all; a plain one stays as it is. */
-void cni_joint_work_narrow(cn_world *world, const cni_solve *s, int32_t k);
+void cni_joint_constraint_narrow(cn_world *world, const cni_solve *s, int32_t k);
 
 struct cni_lanes_look; /* joints/joint_pass.h */
 /* The work of place k, as a step begins, if it can be solved in a lane; 0: it cannot. A lane that is kept is filled. Workers may
    look at different works at once. */
-int32_t cni_joint_work_widen(cn_world *world, const cni_solve *s, struct cni_lanes_look *look, int32_t k);
+int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct cni_lanes_look *look, int32_t k);
 /* All works have lanes, where they had them in the last step, and then there was nothing to be solved directly; nor is there now. */
 int32_t cni_joint_lanes_tell(const cn_world *world);
 /* The rows of a component's wide works, with the impulses of their records. */
-void cni_joint_works_complete(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
+void cni_joint_constraints_complete(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 
 #endif

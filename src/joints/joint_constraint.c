@@ -1,5 +1,5 @@
 /*
- * joints/joint_work.c - the work item of an awake joint: body indices, anchors turned with the bodies, rows, for every type alike.
+ * joints/joint_constraint.c - the work item of an awake joint: body indices, anchors turned with the bodies, rows, for every type alike.
  *
  * A joint's rigid rows are solved together by the inverse of their K = J M^-1 J^T. Every other row is combined
  * with as much of the rigid ones as keeps their speeds out of it (a Schur complement): the rigid rows and
@@ -14,7 +14,7 @@
  * Reads records and motion; writes works, start, the records' impulses.
  */
 #include "joints/joint_rows.h"
-#include "joints/joint_work.h"
+#include "joints/joint_constraint.h"
 
 /* ---- masses ---- */
 
@@ -54,7 +54,7 @@ void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const
 /* ---- frames ---- */
 
 /* The frame now: anchors turned, gap moved by the bodies' changes since the step began. */
-CNI_INLINE cni_joint_frame work_frame_turned(const cni_joint_work *w, const cni_motion *a, const cni_motion *b, cni_rot turn_a, cni_rot turn_b)
+CNI_INLINE cni_joint_frame work_frame_turned(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b, cni_rot turn_a, cni_rot turn_b)
 {
 	cni_joint_frame f;
 	f.ra = cni_rotate(turn_a, w->start.ra);
@@ -62,7 +62,7 @@ CNI_INLINE cni_joint_frame work_frame_turned(const cni_joint_work *w, const cni_
 	f.d.x = w->start.d.x + (b->dpx - a->dpx) + (f.rb.x - w->start.rb.x) - (f.ra.x - w->start.ra.x);
 	f.d.y = w->start.d.y + (b->dpy - a->dpy) + (f.rb.y - w->start.rb.y) - (f.ra.y - w->start.ra.y);
 	f.e = cni_v(0.0f, 0.0f);
-	if (w->flags & CNI_WORK_GROUNDS) {
+	if (w->flags & CNI_CONSTRAINT_GROUNDS) {
 		f.d = cni_add(w->start.d, cni_add(cni_v(a->dpx, a->dpy), cni_sub(f.ra, w->start.ra)));
 		f.e = cni_add(w->start.e, cni_add(cni_v(b->dpx, b->dpy), cni_sub(f.rb, w->start.rb)));
 	}
@@ -72,7 +72,7 @@ CNI_INLINE cni_joint_frame work_frame_turned(const cni_joint_work *w, const cni_
 	return f;
 }
 
-CNI_INLINE cni_joint_frame work_frame(const cni_joint_work *w, const cni_motion *a, const cni_motion *b)
+CNI_INLINE cni_joint_frame work_frame(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
 {
 	return work_frame_turned(w, a, b, cni_rot_small(a->theta), cni_rot_small(b->theta));
 }
@@ -80,7 +80,7 @@ CNI_INLINE cni_joint_frame work_frame(const cni_joint_work *w, const cni_motion 
 /* ---- rows ---- */
 
 /* out[i] = how much of rigid row i a row contains: -K_pp^-1 K_pr. */
-static void row_shares(const cni_joint_work *w, const cni_row *r, const cni_motion *a, const cni_motion *b, float *out)
+static void row_shares(const cni_joint_constraint *w, const cni_row *r, const cni_motion *a, const cni_motion *b, float *out)
 {
 	float k[CNI_JOINT_RIGID_ROWS];
 	int32_t i, l;
@@ -104,13 +104,13 @@ static void row_add(cni_row *r, float share, const cni_row *rigid)
 }
 
 /* Rigid rows that may give way, by their own stiffness or a bound on their force, must feel the other rows. */
-static int32_t work_is_decoupled(const cni_joint_work *w)
+static int32_t work_is_decoupled(const cni_joint_constraint *w)
 {
-	return w->rigid_count > 0 && w->rigid_count < w->row_count && !(w->flags & (CNI_WORK_SPRINGY | CNI_WORK_BOUNDED));
+	return w->rigid_count > 0 && w->rigid_count < w->row_count && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED));
 }
 
 /* Takes the rigid rows out of row k; its error is that of the type's row: joints are nearly closed. */
-static void row_decouple(cni_joint_work *w, int32_t k, const cni_motion *a, const cni_motion *b)
+static void row_decouple(cni_joint_constraint *w, int32_t k, const cni_motion *a, const cni_motion *b)
 {
 	cni_row *r = &w->rows[k];
 	float share[CNI_JOINT_RIGID_ROWS];
@@ -129,7 +129,7 @@ static int32_t rows_together(const cni_row *rows, int32_t count)
 }
 
 /* The same rows in the same order all through a step: rigid_count is found with the first ones. */
-void cni_joint_work_build(cni_joint_work *w, const cni_motion *a, const cni_motion *b)
+void cni_joint_constraint_build(cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
 {
 	cni_joint_frame f = work_frame(w, a, b);
 	int32_t k;
@@ -146,13 +146,13 @@ void cni_joint_work_build(cni_joint_work *w, const cni_motion *a, const cni_moti
 	}
 }
 
-void cni_joint_work_rows(cni_joint_work *w, const cni_motion *motions, const cni_rot *turns)
+void cni_joint_constraint_rows(cni_joint_constraint *w, const cni_motion *motions, const cni_rot *turns)
 {
 	cni_joint_frame f = work_frame_turned(w, motions + w->ia, motions + w->ib, turns[w->ia], turns[w->ib]);
 	(void)w->make_rows(w->record, &f, w->rows);
 }
 
-void cni_joint_work_ahead(const cni_joint_work *w, const cni_motion *motions, float h, float *errors)
+void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion *motions, float h, float *errors)
 {
 	cni_motion end[2] = { motions[w->ia], motions[w->ib] };
 	cni_row rows[CNI_JOINT_ROWS];
@@ -172,14 +172,14 @@ void cni_joint_work_ahead(const cni_joint_work *w, const cni_motion *motions, fl
 /* ---- from the record and back ---- */
 
 /* Impulses between the record, by the type's rows, and the work, by decoupled rows: sign +1 stores, -1 loads. */
-static void impulses_recouple(const cn_world *world, const cni_joint_work *w, float sign, float *impulse)
+static void impulses_recouple(const cn_world *world, const cni_joint_constraint *w, float sign, float *impulse)
 {
 	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
 	cni_joint_frame f;
 	cni_row rows[CNI_JOINT_ROWS];
 	float share[CNI_JOINT_RIGID_ROWS];
 	int32_t i, k;
-	if ((w->flags & CNI_WORK_WIDE) || !work_is_decoupled(w))
+	if ((w->flags & CNI_CONSTRAINT_WIDE) || !work_is_decoupled(w))
 		return;
 	f = work_frame(w, a, b);
 	w->make_rows(w->record, &f, rows);
@@ -194,22 +194,22 @@ static uint32_t work_flags(const cni_joint *j)
 {
 	uint32_t uses = cni_joint_type_of(j->type)->uses, flags = 0;
 	if (j->force_max > 0.0f || j->torque_max > 0.0f)
-		flags |= CNI_WORK_BOUNDED;
+		flags |= CNI_CONSTRAINT_BOUNDED;
 	if (j->break_force > 0.0f || j->break_torque > 0.0f)
-		flags |= CNI_WORK_BREAKABLE;
+		flags |= CNI_CONSTRAINT_BREAKABLE;
 	if (uses & CNI_USES_GROUNDS)
-		flags |= CNI_WORK_GROUNDS;
+		flags |= CNI_CONSTRAINT_GROUNDS;
 	if (uses & CNI_USES_TURNS)
-		flags |= CNI_WORK_TURNS;
+		flags |= CNI_CONSTRAINT_TURNS;
 	if (j->stiffness_hertz > 0.0f || (uses & CNI_USES_DRIVE))
-		flags |= CNI_WORK_SPRINGY;
+		flags |= CNI_CONSTRAINT_SPRINGY;
 	if (j->inv_h == 0.0f)
-		flags |= CNI_WORK_FRESH;
+		flags |= CNI_CONSTRAINT_FRESH;
 	return flags;
 }
 
 /* Softness of the first rows and limits, and of the spring. */
-static void work_soften(cni_joint_work *w, const cni_joint *j, const cni_solve *s)
+static void work_soften(cni_joint_constraint *w, const cni_joint *j, const cni_solve *s)
 {
 	int32_t r;
 	if (cni_joint_type_of(j->type)->uses & CNI_USES_DRIVE)
@@ -224,9 +224,9 @@ static void work_soften(cni_joint_work *w, const cni_joint *j, const cni_solve *
 	}
 }
 
-void cni_joint_work_begin(cn_world *world, int32_t k, const cni_joint *j)
+void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j)
 {
-	cni_joint_work *w = cni_joint_works(world) + k;
+	cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	w->record = j;
 	w->make_rows = cni_joint_type_of(j->type)->rows;
 	w->numbers = cni_joint_numbers_of(world, k);
@@ -241,19 +241,19 @@ void cni_joint_work_begin(cn_world *world, int32_t k, const cni_joint *j)
 	w->start = cni_joint_frame_place(world, j);
 }
 
-void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work *w)
+void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_constraint *w)
 {
 	const cni_joint *j = w->record;
 	float impulse[CNI_JOINT_ROWS];
 	int32_t r;
 	w->rigid_count = -1;
-	cni_joint_work_build(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
+	cni_joint_constraint_build(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
 	work_soften(w, j, s);
-	if (w->flags & CNI_WORK_BOUNDED) {
+	if (w->flags & CNI_CONSTRAINT_BOUNDED) {
 		w->numbers->force_max = j->force_max > 0.0f ? j->force_max : FLT_MAX;
 		w->numbers->torque_max = j->torque_max > 0.0f ? j->torque_max : FLT_MAX;
 	}
-	if (w->flags & CNI_WORK_BREAKABLE)
+	if (w->flags & CNI_CONSTRAINT_BREAKABLE)
 		w->numbers->force_stress = w->numbers->torque_stress = 0.0f;
 	for (r = 0; r < w->row_count; ++r)
 		impulse[r] = j->impulse[w->rows[r].slot];
@@ -262,15 +262,15 @@ void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_work *w
 		w->rows[r].impulse = impulse[r];
 }
 
-void cni_joint_work_prepare(cn_world *world, const cni_solve *s, int32_t k)
+void cni_joint_constraint_prepare(cn_world *world, const cni_solve *s, int32_t k)
 {
-	cni_joint_work *w = cni_joint_works(world) + k;
-	cni_joint_work_begin(world, k, cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]));
+	cni_joint_constraint *w = cni_joint_constraints(world) + k;
+	cni_joint_constraint_begin(world, k, cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]));
 	w->start.angle = cni_joint_frame_angle(world, w->record);
 	cni_joint_rows_begin(world, s, w);
 }
 
-void cni_joint_rows_end(const cn_world *world, const cni_joint_work *w, cni_joint *j)
+void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cni_joint *j)
 {
 	float impulse[CNI_JOINT_ROWS];
 	int32_t r;
@@ -290,7 +290,7 @@ static int32_t row_turned_back(const cni_row *r, const cni_row *old)
 	return r->bx * old->bx + r->by * old->by + r->bw * old->bw + r->ax * old->ax + r->ay * old->ay + r->aw * old->aw < 0.0f;
 }
 
-void cni_joint_rows_renew(cn_world *world, cni_joint_work *w)
+void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w)
 {
 	cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
 	cni_motion change_a = *a, change_b = *b;
@@ -299,7 +299,7 @@ void cni_joint_rows_renew(cn_world *world, cni_joint_work *w)
 	int32_t k;
 	for (k = 0; k < w->row_count; ++k)
 		old[k] = w->rows[k];
-	cni_joint_work_build(w, a, b);
+	cni_joint_constraint_build(w, a, b);
 	change_a.vx = change_a.vy = change_a.w = 0.0f;
 	change_b.vx = change_b.vy = change_b.w = 0.0f;
 	for (k = 0; k < w->row_count; ++k) {
@@ -318,7 +318,7 @@ void cni_joint_rows_renew(cn_world *world, cni_joint_work *w)
 	sb->w -= change_b.w;
 }
 
-void cni_joint_work_stress(cni_joint_work *w, const cni_motion *b, float inv_h)
+void cni_joint_constraint_stress(cni_joint_constraint *w, const cni_motion *b, float inv_h)
 {
 	cni_vec2 rb = cni_rotate(cni_rot_small(b->theta), w->start.rb), linear;
 	float angular;
