@@ -17,7 +17,7 @@ at_a_time=2
 results=$build/parts
 # The longest first, so that the last two end together.
 parts='clang-address cross plain clang-memory helgrind clang-thread release native ablation no-fused gcc-O0 no-threads
-	clang-O2 clang-O3 header-cxx header-padding check-links mutations-apply'
+	clang-O2 clang-O3 work header-cxx header-padding check-links mutations-apply'
 
 # ---------------------------------------------------------------- of one part
 
@@ -79,6 +79,12 @@ helgrind() {
 	fi
 	export RUNNER='valgrind -q --tool=helgrind --history-level=none --fair-sched=try --error-exitcode=9'
 	suite helgrind gcc '-O1 -g' '-DTEST_SLOW -DCNI_HELGRIND' 'base/threads world/threads_contacts'
+}
+
+# Work that is bounded, as instructions that valgrind counts: no other program disturbs them.
+work() {
+	${MAKE:-make} -s -j"$cores" BUILD="$build" "$build/test/world/growth_time_test" > "$build/work.log" 2>&1 && sh test/work.sh "$build" >> "$build/work.log" 2>&1
+	read_log work $?
 }
 
 # The library as users build it: layers of its objects, what the shared one exports, and the bindings with it.
@@ -159,6 +165,7 @@ run_part() {
 		header-padding) check header-padding header_without_padding ;;
 		ablation) check ablation env JOBS="$cores" sh test/ablation/run.sh "$build" --quick ;;
 		release) release ;;
+		work) work ;;
 		cross) cross ;;
 		no-fused) if [ "$(uname -m)" = x86_64 ]; then check no-fused no_fused_operations; else add no-fused 0 0 1; fi ;;
 		check-links) check check-links sh test/check_links.sh ;;
