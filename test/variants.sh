@@ -139,8 +139,8 @@ no_fused_operations() {
 	' sh
 }
 
-sanitize='-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all'
-slow='-DCNI_DEBUG -DTEST_SLOW' # a build that is slow: fewer scenes of a kind, and no bounds on time
+sanitize='-O1 -gline-tables-only -fno-omit-frame-pointer -fno-sanitize-recover=all'
+slow='-DCNI_DEBUG -DTEST_SLOW' # a build that is slow: fewer scenes of a kind
 threads='base/threads stages/broadphase_threads world/threads world/threads_contacts world/threads_pairs'
 bits='world/determinism world/random geometry/manifold_boxes stages/integrate stages/joint_blocks stages/joint_rows
 	stages/narrowphase_sift stages/narrowphase_write'
@@ -154,7 +154,7 @@ run_part() {
 		plain) plain ;;
 		clang-address) suite clang-address clang-19 "$sanitize -fsanitize=address,undefined" "$slow" ;;
 		clang-memory) suite clang-memory clang-19 "$sanitize -fsanitize=memory" "$slow" "$bits $calls" ;;
-		clang-thread) suite clang-thread clang-19 "-O1 -g -fno-omit-frame-pointer -fsanitize=thread" "$slow" "$threads" ;;
+		clang-thread) suite clang-thread clang-19 "-O1 -gline-tables-only -fno-omit-frame-pointer -fsanitize=thread" "$slow" "$threads" ;;
 		helgrind) helgrind ;;
 		no-threads) suite no-threads gcc '-O1' '-DCNI_DEBUG -DCN_NO_THREADS' "$threads $bits world/memory world/memory_block" ;;
 		gcc-O0) suite gcc-O0 gcc '-O0' "$slow -DTEST_EMULATED" "$bits" ;;
