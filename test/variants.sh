@@ -153,7 +153,7 @@ run_part() {
 	case $part in
 		plain) plain ;;
 		clang-address) suite clang-address clang-19 "$sanitize -fsanitize=address,undefined" "$slow" ;;
-		clang-memory) suite clang-memory clang-19 "$sanitize -fsanitize=memory" "$slow" "$bits $calls" ;;
+		clang-memory) suite clang-memory clang-19 "$sanitize -fsanitize=memory" "$slow -DTEST_EMULATED" "$bits $calls" ;;
 		clang-thread) suite clang-thread clang-19 "-O1 -gline-tables-only -fno-omit-frame-pointer -fsanitize=thread" "$slow" "$threads" ;;
 		helgrind) helgrind ;;
 		no-threads) suite no-threads gcc '-O1' '-DCNI_DEBUG -DCN_NO_THREADS' "$threads $bits world/memory world/memory_block" ;;
