@@ -143,7 +143,7 @@ sanitize='-O1 -gline-tables-only -fno-omit-frame-pointer -fno-sanitize-recover=a
 slow='-DCNI_DEBUG -DTEST_SLOW' # a build that is slow: fewer scenes of a kind
 threads='base/threads stages/broadphase_threads world/threads world/threads_contacts world/threads_pairs'
 bits='world/determinism world/random geometry/manifold_boxes stages/integrate stages/joint_blocks stages/joint_rows
-	stages/narrowphase_sift stages/narrowphase_write'
+	stages/narrowphase_sift'
 # What reads and writes each struct of the library at least once.
 calls='base/memory base/arena base/blocks base/table base/handles geometry/manifold geometry/tree geometry/cast stages/broadphase
 	stages/sparse world/memory world/memory_block world/calls world/arguments world/joint_all world/joint_life world/body_state world/shape

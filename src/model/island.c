@@ -88,6 +88,10 @@ static void tier_inherit(const cn_world *world, cni_island *to, const cni_island
 	}
 	if (from->unheld_step != 0)
 		to->unheld_step = to->unheld_step == 0 ? from->unheld_step : later(world, to->unheld_step, from->unheld_step);
+	if (from->cone_spent > to->cone_spent) {
+		to->cone_spent = from->cone_spent;
+		to->cone_paid_step = from->cone_paid_step;
+	}
 	if (from->cone_step != 0)
 		to->cone_step = to->cone_step == 0 ? from->cone_step : later(world, to->cone_step, from->cone_step);
 }

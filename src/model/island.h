@@ -36,6 +36,8 @@ typedef struct cni_island {
 	int32_t new_contacts;  /* how many did then */
 	uint32_t unheld_step;  /* step + 1 in which its loads were looked for from the top down, last, and not found */
 	uint32_t cone_step;    /* step + 1 in which its contacts were last solved by stages/contact_cone.c, or from there */
+	int32_t cone_spent;    /* a contact, by that; what is left of it is less by every step since: CNI_CONE_REFILL */
+	uint32_t cone_paid_step; /* the step in which that was so */
 	uint32_t gives_step;   /* step + 1 in which, solved directly, it last moved where it touches */
 	int32_t falls_steps;   /* ... and in how many without a break so fast that it falls */
 } cni_island;

@@ -152,7 +152,6 @@ struct cn_world {
 	int32_t direct_work;         /* planned in the last step, substeps included; 0: nothing was solved directly */
 	int32_t direct_failed;       /* 1: for want of memory */
 	int32_t cone_work;           /* what of it is set aside in this step for stages/contact_cone.c, by passes */
-	int32_t cone_spent;          /* ... and what was spent, less what came back: CNI_CONE_AT_ONCE */
 	cni_array direct_plans[2];   /* of stages/sparse_plan.c, kept while nothing changes: the first of a step, and that without what was refused */
 
 

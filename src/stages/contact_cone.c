@@ -28,7 +28,8 @@
 
 #include <string.h>
 
-#define ITERATIONS 40
+#define FACTORS 60             /* most in a pass: what stands takes 5 to 25, what begins to slide or fall 30 to 90 */
+#define FACTORS_DIRECT 120     /* ... of CN_SOLVER_DIRECT */
 #define STEP_MOST 0.995f      /* part of the way to the boundary of the cones */
 #define INSIDE_PART 0.9f      /* of friction's bound: most to begin with */
 #define SLIP_ROUNDS 3         /* solutions, each with the slips of the one before */
@@ -38,14 +39,11 @@
 #define FRICTION_LEAST 1e-4f  /* a lesser coefficient is none */
 
 typedef struct cone {
-	cn_world *world;
-	const cni_solve *s;
+	const cni_press_pass *pass;
 	cni_sparse *sparse;
 	cni_component *c;
-	cni_motion *motions;
-	float speed_least;
-	int32_t bias;
 	int32_t count;         /* of slacks that there are */
+	int32_t factors, factors_most;
 	float tau;
 	float residual;        /* m/s: the most that a row lacks */
 	float misfit;          /* m/s: the most of what is both slack and multiplier */
@@ -81,11 +79,8 @@ static float slack_mass(const cni_press *p, int32_t i)
 static void rows_push(const cone *q, const cni_press *p, const cni_node *n, const float change[3])
 {
 	int32_t i;
-	for (i = 0; i < 3; ++i) {
-		cni_lever l = cni_press_lever(p, i);
-		if (change[i] != 0.0f)
-			cni_lever_push(&l, change[i], q->motions + n->ia, q->motions + n->ib);
-	}
+	for (i = 0; i < 3; ++i)
+		cni_press_push(p, i, change[i], q->pass->motions + n->ia, q->pass->motions + n->ib);
 }
 
 /* Speeds of the rows, and what they may be short of. */
@@ -94,7 +89,7 @@ static void speeds_of(const cone *q, const cni_press *p, const cni_node *n, floa
 	int32_t i;
 	for (i = 0; i < 3; ++i) {
 		cni_lever l = cni_press_lever(p, i);
-		out[i] = row_is(p, i) ? cni_lever_speed(&l, q->motions + n->ia, q->motions + n->ib) + (i < 2 ? p->room[i] + p->lift : 0.0f) + cni_press_leak(p, i) : 0.0f;
+		out[i] = row_is(p, i) ? cni_lever_speed(&l, q->pass->motions + n->ia, q->pass->motions + n->ib) + (i < 2 ? p->room[i] + p->lift : 0.0f) + cni_press_leak(p, i) : 0.0f;
 	}
 }
 
@@ -156,7 +151,7 @@ static float speed_lacking(const cone *q, const cni_press *p, const cni_node *n)
 
 static void center(cone *q)
 {
-	float speed = q->speed_least;
+	float speed = q->pass->speed_least;
 	int32_t k;
 	cni_press *p;
 	for (k = q->c->begin; k < q->c->end; ++k)
@@ -227,12 +222,12 @@ static void press_newton(cone *q, cni_press *p, cni_node *n)
 
 static void joint_newton(const cone *q, cni_node *n)
 {
-	const cni_row *rows = cni_joint_works(q->world)[n->owner].rows;
-	float rate = q->bias ? CNI_JOINT_ERROR_RATE * q->s->inv_h : 0.0f;
+	const cni_row *rows = cni_joint_works(q->pass->world)[n->owner].rows;
+	float rate = q->pass->bias ? CNI_JOINT_ERROR_RATE * q->pass->s->inv_h : 0.0f;
 	int32_t i;
 	for (i = 0; i < CNI_NODE_ROWS; ++i)
-		n->x[i] = -cni_lever_speed(&n->lever[i], q->motions + n->ia, q->motions + n->ib) -
-		          (i < n->rows ? cni_clamp(rate * rows[i].error, -q->s->push_speed, q->s->push_speed) : 0.0f);
+		n->x[i] = -cni_lever_speed(&n->lever[i], q->pass->motions + n->ia, q->pass->motions + n->ib) -
+		          (i < n->rows ? cni_clamp(rate * rows[i].error, -q->pass->s->push_speed, q->pass->s->push_speed) : 0.0f);
 }
 
 /* Changes of slack and multiplier by a whole step. */
@@ -285,7 +280,7 @@ static float step_take(const cone *q, float length)
 		if (p == NULL) {
 			for (i = 0; i < CNI_NODE_ROWS; ++i) {
 				n->total[i] += n->x[i];
-				cni_lever_push(&n->lever[i], n->x[i], q->motions + n->ia, q->motions + n->ib);
+				cni_lever_push(&n->lever[i], n->x[i], q->pass->motions + n->ia, q->pass->motions + n->ib);
 			}
 			continue;
 		}
@@ -357,7 +352,7 @@ static void press_end(const cone *q, cni_press *p, cni_node *n)
 	}
 	p->way = p->slack[2] < p->slack[3] ? 1.0f : -1.0f;
 	i = p->way > 0.0f ? 2 : 3;
-	p->state[2] = row_is(p, 2) && p->dual[i] > q->speed_least && p->slack[i] < p->dual[i] * p->mass[2] ? CNI_ROW_SLIDES : CNI_ROW_HELD;
+	p->state[2] = row_is(p, 2) && p->dual[i] > q->pass->speed_least && p->slack[i] < p->dual[i] * p->mass[2] ? CNI_ROW_SLIDES : CNI_ROW_HELD;
 	if (p->state[0] != CNI_ROW_HELD && p->state[1] != CNI_ROW_HELD) {
 		p->state[2] = CNI_ROW_OPEN;
 		change[2] = -p->j[2];
@@ -390,30 +385,29 @@ static float square(float x)
 static int32_t iterate(cone *q)
 {
 	float mean = q->tau;
-	int32_t round;
-	for (round = 0; round < ITERATIONS; ++round) {
+	for (;;) {
 		float length, part, predicted;
 		q->tau = 0.0f;
 		predictor_clear(q);
 		newton_set(q);
-		if (q->residual <= q->speed_least && q->misfit <= q->speed_least)
+		if (q->residual <= q->pass->speed_least && q->misfit <= q->pass->speed_least)
 			return 1;
-		if (q->world->settings.solver == CN_SOLVER_AUTO)
-			q->world->cone_spent += cni_cone_factor_work(q->c);
-		cni_sparse_factor(q->sparse, q->c, q->motions);
+		if (q->factors == q->factors_most)
+			return 0;
+		++q->factors;
+		cni_sparse_factor(q->sparse, q->c, q->pass->motions);
 		if (!cni_sparse_solve(q->sparse, q->c))
 			return 0;
 		length = step_length(q);
 		predicted = predictor_keep(q, length);
 		part = predicted / mean;
-		q->tau = cni_max(mean * part * part * part, square(PATH_SPEED * cni_max(q->residual, q->speed_least)));
+		q->tau = cni_max(mean * part * part * part, square(PATH_SPEED * cni_max(q->residual, q->pass->speed_least)));
 		newton_set(q);
 		if (!cni_sparse_solve(q->sparse, q->c))
 			return 0;
 		length = step_length(q);
 		mean = step_take(q, length);
 	}
-	return 0;
 }
 
 /* Slips of which the next round is to know: the speeds by which they lift, and that friction is dynamic. Returns by how much
@@ -429,7 +423,7 @@ static float slips_find(const cone *q)
 			continue;
 		slip = cni_abs(p->dual[2] - p->dual[3]);
 		was = p->lift;
-		if (slip > q->speed_least && p->dynamic_friction < p->coefficient) {
+		if (slip > q->pass->speed_least && p->dynamic_friction < p->coefficient) {
 			p->coefficient = cni_max(p->dynamic_friction, FRICTION_LEAST);
 			most = FLT_MAX;
 		}
@@ -439,17 +433,20 @@ static float slips_find(const cone *q)
 	return most;
 }
 
-int32_t cni_presses_cone(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, float speed_least, int32_t bias)
+int32_t cni_presses_cone(const cni_press_pass *pass, int32_t *out_factors)
 {
-	cone q = { world, s, sparse, c, cni_motions(world), speed_least, bias, 0, 0.0f, 0.0f, 0.0f };
+	cone q = { pass, pass->sparse, pass->c, 0, 0, FACTORS, 0.0f, 0.0f, 0.0f };
 	int32_t good = 1, round;
 	float change = FLT_MAX;
+	if (pass->world->settings.solver == CN_SOLVER_DIRECT)
+		q.factors_most = FACTORS_DIRECT;
 	warm(&q);
-	for (round = 0; good && round < SLIP_ROUNDS && change > SLIP_CLOSE * speed_least; ++round) {
+	for (round = 0; good && round < SLIP_ROUNDS && change > SLIP_CLOSE * pass->speed_least; ++round) {
 		center(&q);
 		good = iterate(&q);
 		change = slips_find(&q);
 	}
 	end(&q);
+	*out_factors = q.factors;
 	return good;
 }

@@ -13,20 +13,23 @@
 #define CNI_PRESS_WORK 48
 
 /*
- * Work of stages/contact_cone.c, in blocks factored of 10 ns. By passes: most in a step. Most that is spent, and what comes back of it
- * in a step. Who is asked once in a step is asked in all of its passes, so that more may be spent, and must come back before the next
- * is asked. Of what stands, most need less than this in all: its contacts are found once, and their sets hold from then on. A heap that
- * goes on moving would take as much in every step, and is no better for it than soft constraints make it.
+ * Work of stages/contact_cone.c, in blocks factored of 10 ns. Most that is set aside for it in a step, a pass. An island, a contact: how
+ * much it may owe before it is asked again, and what it pays back in a step, which is about what soft constraints take. Of what stands,
+ * most need less than this in all: its contacts are found once, and their sets hold from then on. A heap that goes on moving would take
+ * as much in every step, and is no better for it than soft constraints make it.
  */
 #define CNI_CONE_WORK 50000
-#define CNI_CONE_AT_ONCE (8 * CNI_CONE_WORK)
-#define CNI_CONE_REFILL (CNI_CONE_WORK / 100)
+#define CNI_CONE_DEBT 12000
+#define CNI_CONE_REFILL 24
+#define CNI_CONE_FACTORS 30 /* that are set aside for a pass */
 #define CNI_CONE_NODE 16 /* blocks: what a contact costs beside one */
 
 static inline int32_t cni_cone_factor_work(const cni_component *c)
 {
 	return c->work + CNI_CONE_NODE * (c->end - c->begin);
 }
+
+#define CNI_SLIDE_CLOSE 0.01f /* part by which a sliding friction may be off its normal force */
 
 enum { CNI_ROW_OPEN = 0, CNI_ROW_HELD = 1, CNI_ROW_SLIDES = 2 };
 
@@ -73,6 +76,12 @@ static inline cni_lever cni_press_lever(const cni_press *p, int32_t row)
 	cni_lever friction = { -p->ny, p->nx, p->fa, p->ny, -p->nx, -p->fb };
 	return row < 2 ? normal : friction;
 }
+static inline void cni_press_push(const cni_press *p, int32_t row, float impulse, cni_motion *a, cni_motion *b)
+{
+	cni_lever l = cni_press_lever(p, row);
+	if (impulse != 0.0f)
+		cni_lever_push(&l, impulse, a, b);
+}
 /* Separation of a point now. */
 float cni_press_separation(const cni_press *p, int32_t point, const cni_motion *a, const cni_motion *b);
 
@@ -87,7 +96,36 @@ void cni_presses_give_back(cn_world *world, cni_sparse *sparse, const cni_compon
 void cni_presses_give_back_all(cn_world *world, cni_sparse *sparse, float h);
 /* One pass over a component with presses. 0: no consistent set was found; impulses and velocities are as if no pass had been. */
 int32_t cni_presses_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias);
-/* The same by another method, from presses' start and the impulses that nodes carry. 0: not solved; everything is left as it may be. */
-int32_t cni_presses_cone(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, float speed_least, int32_t bias);
+
+/* ---- a pass over a component ---- */
+
+typedef struct cni_press_pass {
+	cn_world *world;
+	const cni_solve *s;
+	cni_sparse *sparse;
+	cni_component *c;
+	cni_motion *motions;
+	cni_island *island;
+	float speed_least;
+	int32_t bias;
+	int32_t warm;          /* 1: from the impulses of the last pass, not from none */
+	int32_t rounds;        /* most, of the search for a set */
+	int32_t kept;          /* 1: the kept set will do, if nothing better is found */
+	float before;          /* twice the kinetic energy before the substep's impulses */
+} cni_press_pass;
+
+/* How fast the points must be at least, and friction that no point bears. */
+void cni_press_rooms_find(const cni_press_pass *q);
+void cni_press_impulses_forget(const cni_press_pass *q);
+void cni_press_round_begin(const cni_press_pass *q);
+/* States as they are, kept or put back. */
+void cni_press_states_keep(const cni_press_pass *q, int32_t back);
+/* The linear system of the set as it is. 0: no finite solution. */
+int32_t cni_press_system_solve(const cni_press_pass *q);
+/* By the active set, from that of the pass before; `follow` takes few rounds. 0: none was found. */
+int32_t cni_press_set_find(const cni_press_pass *q);
+int32_t cni_press_set_follow(const cni_press_pass *q);
+/* By interior points, from presses' start and the impulses that nodes carry. 0: not solved; everything is left as it may be. */
+int32_t cni_presses_cone(const cni_press_pass *pass, int32_t *out_factors);
 
 #endif

@@ -23,6 +23,7 @@
 
 #define REST_SPEED 1e-4f /* length units a second: a thousandth of what gravity gives in a step */
 #define HELD_PART 3e-4f  /* of what forces give in a substep that a body which is held may keep */
+#define SOLVED_PART 0.2f /* of REST_SPEED that is left by a direct solution, whose iterations end there */
 #define RECORDS_AHEAD 8  /* bodies whose records are asked for */
 #define BLOCKS_AHEAD 8
 #define BODIES_A_RANGE 128
@@ -35,7 +36,7 @@ typedef struct rest {
 	int32_t slow_count;
 	float h;
 	float speed_sq, way_sq, little_sq; /* most that a body which rests has, and moves in a substep; what may be left, whatever was given */
-	float little;
+	float little, solved;
 	int32_t carried;    /* 1 and more: bodies have the flag LATER */
 	int32_t done;       /* bodies that are */
 	int32_t going;      /* 1: some body goes on */
@@ -68,6 +69,15 @@ static int32_t body_is_slow(const rest *r, const cni_motion *m, int32_t k)
 	return is_within(m->vx, m->vy, 0.0f, r->speed_sq) && cni_starts(r->world)[k].struck == 0.0f;
 }
 
+/* What a body that is held may keep of the speed that a substep gives it. */
+static float most_left(const rest *r, int32_t k, float extent)
+{
+	const cni_drive *d = cni_drives(r->world) + k;
+	int32_t island = cni_awake_island(r->world, k), solved = island != CNI_NONE && cni_island_at(r->world, island)->tier == CNI_TIER_DIRECT;
+	float given = r->h * (cni_sqrt(d->ax * d->ax + d->ay * d->ay) + cni_abs(d->alpha) * extent);
+	return HELD_PART * given + (solved ? r->solved : r->little);
+}
+
 /* Of a slow one: not pushed out of an overlap, and held: what forces gave it in the substep is gone. */
 static int32_t body_rests(const rest *r, int32_t k)
 {
@@ -85,7 +95,7 @@ static int32_t body_rests(const rest *r, int32_t k)
 	turn = (m->w - b->w) * b->extent;
 	if (is_within(vx, vy, turn, r->little_sq))
 		return 1;
-	most = HELD_PART * (r->h * cni_sqrt(d->ax * d->ax + d->ay * d->ay) + r->h * cni_abs(d->alpha) * b->extent) + r->little;
+	most = most_left(r, k, b->extent);
 	return is_within(vx, vy, turn, most * most);
 }
 
@@ -271,6 +281,7 @@ static void look_at_all(rest *r, const cni_solve *s)
 	float speed = REST_SPEED * r->world->settings.length_unit;
 	r->h = s->h;
 	r->little = 0.001f * speed;
+	r->solved = SOLVED_PART * speed;
 	r->speed_sq = square(speed);
 	r->way_sq = square(s->h * speed);
 	r->little_sq = square(r->little);
@@ -287,7 +298,7 @@ static void look_at_all(rest *r, const cni_solve *s)
 
 void cni_rest_find(cn_world *world, const cni_solve *s)
 {
-	rest r = { world, s->team, NULL, NULL, 0, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0, 0, 0 };
+	rest r = { world, s->team, NULL, NULL, 0, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0, 0, 0 };
 	if (s->substeps < 2)
 		return;
 	r.moving = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)cni_max_i(world->step_island_count, 1));

@@ -498,7 +498,6 @@ static void list_awake(cn_world *world, int32_t every)
 void cni_stage_tiers(cn_world *world, float h)
 {
 	world->direct_work = world->direct_failed = world->piles_new = world->cone_work = 0;
-	world->cone_spent -= cni_min_i(world->cone_spent, CNI_CONE_REFILL);
 	if (world->overridden)
 		solvers_gather(world);
 	if (world->settings.solver == CN_SOLVER_DIRECT) {
