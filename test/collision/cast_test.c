@@ -6,7 +6,7 @@
  */
 #include "collision/cast.h"
 #include "sets.h"
-#include "shapes.h"
+#include "geometry/shapes.h"
 #include "test.h"
 
 #include <string.h>

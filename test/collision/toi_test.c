@@ -6,7 +6,7 @@
  * Checked against dense sampling of the motion in double precision.
  */
 #include "collision/toi.h"
-#include "shapes.h"
+#include "geometry/shapes.h"
 #include "test.h"
 
 #include <string.h>
