@@ -72,6 +72,8 @@ extern "C" {
 #define CN_POLYGON_MAX_VERTICES 16
 /* Longest body name in bytes, without the terminating zero. */
 #define CN_NAME_MAX_BYTES 63
+/* Most planes of cn_mover_solve and cn_mover_clip. */
+#define CN_PLANES_MAX 64
 /* Most workers of a world. */
 #define CN_WORKERS_MAX 64
 /* Most bodies, shapes or joints alive at once in one world (20 bits of index). */
@@ -187,7 +189,10 @@ enum {
 	CN_TYPE_DISTANCE = 48,
 	CN_TYPE_SWEEP = 49,
 	CN_TYPE_IMPACT = 50,
-	CN_TYPE_COUNT = 51
+	CN_TYPE_PLANE = 51,
+	CN_TYPE_MOVER_DEF = 52,
+	CN_TYPE_MOVER = 53,
+	CN_TYPE_COUNT = 54
 };
 /* sizeof the struct named by a CN_TYPE_ constant, 0 for an unknown one: bindings check themselves. */
 CN_API int32_t cn_sizeof(int32_t type);
@@ -1322,6 +1327,95 @@ typedef struct cn_impact {
    nearer. Conservative advancement (Mirtich 1996) along fixed axes (Catto, GDC 2013) that never passes by a hit. */
 CN_API cn_result cn_polygon_time_of_impact(const cn_polygon *a, const cn_sweep *sweep_a, const cn_polygon *b, const cn_sweep *sweep_b,
 	float distance_m, cn_impact *out);
+
+/* ------------------------------------------------------------------ character mover */
+
+/* A surface that bounds where a shape may move: after a translation t of the shape, separation_m + normal . t is >= 0, unless that takes
+   more than push_max_m. */
+typedef struct cn_plane {
+	cn_vec2 normal;        /* unit, from the surface to the shape */
+	cn_vec2 point_m;       /* where they are nearest, in the world */
+	float separation_m;    /* of the surfaces along the normal; negative: they overlap */
+	float push_max_m;      /* >= 0: the farthest that this plane pushes; FLT_MAX: rigid */
+	float push_m;          /* of the last cn_mover_solve: how far it pushed */
+	cn_shape shape;
+	cn_body body;
+	int32_t child;         /* edge of a chain */
+} cn_plane;
+/* The planes of all shapes within margin_m (0 to 1e6) of a polygon (as in cn_world_cast_shape) moved by position: how they
+   touch it, as in a step, rigid. At most capacity, those of least separation first; *out_count is how many there are. Sensors
+   are no surfaces. With CN_QUERY_ONE_WAY a one-way shape is one only from its upper side, and only for what is no deeper in it than
+   0.5% of the length unit and what it rose by in the last step. A shape wholly behind another one's plane is left out: it
+   cannot be met while that plane holds, so that the seams of tiles do not catch (not done when capacity is too small for all).
+   O(shapes near, squared). */
+CN_API cn_result cn_mover_collide(const cn_world *world, const cn_polygon *shape, float position_x_m, float position_y_m, float margin_m,
+	const cn_query_filter *filter, cn_plane *out, int32_t capacity, int32_t *out_count);
+/* The translation nearest to a wanted one that the planes allow: projection on their intersection (Hildreth 1957), each push clamped to
+   [0, push_max_m]. Sets push_m. Between surfaces that leave no room the translation is in their middle, and *out_overlap_m, else
+   0 up to rounding, says by how much it still overlaps what did not push its most. count 0 to CN_PLANES_MAX. No world. O(count), up to
+   64 sweeps. */
+CN_API cn_result cn_mover_solve(cn_plane *planes, int32_t count, float translation_x_m, float translation_y_m, cn_vec2 *out_translation_m, float *out_overlap_m);
+/* The velocity nearest to a given one that leads into none of the planes that pushed in the last cn_mover_solve. No world. */
+CN_API cn_result cn_mover_clip(const cn_plane *planes, int32_t count, float velocity_x_mps, float velocity_y_mps, cn_vec2 *out_mps);
+
+enum {
+	CN_MOVER_DROP = 1u << 0        /* one-way shapes are not there: set it while the character is to drop through one */
+};
+/* How a character moves. The same for every move, or changed from move to move: crouching is another shape. */
+typedef struct cn_mover_def {
+	uint32_t struct_size;
+	uint32_t flags;                /* CN_MOVER_DROP; default 0 */
+	cn_polygon shape;              /* around its position, never turned; 1 or 2 points with radius > 0: circle, capsule. Default: a capsule
+	                                  of radius 0.3 from -0.5 to 0.5 along y: 1.6 high. Round shapes move more smoothly */
+	cn_query_filter filter;        /* what it collides with; sensors never, one-way shapes from above */
+	cn_vec2 up;                    /* any length > 0; default (0, 1) */
+	float slope_limit_rad;         /* steeper ground cannot be stood on or walked up, 0 to pi / 2; default 0.87 (50 degrees) */
+	float step_height_m;           /* climbs steps up to this high while it walks, >= 0; default 0.3 */
+	float snap_m;                  /* walking, keeps to ground that falls away by up to this in a move, >= 0; default 0.3 */
+	float gravity_scale;           /* of the world's gravity in the air; default 1 */
+	float push_force_N;            /* the most it pushes a dynamic body with, >= 0; default 200 */
+	int32_t iterations_max;        /* of sliding, 1 to 64; default 8 */
+} cn_mover_def;
+CN_API void cn_mover_def_init(cn_mover_def *def);
+
+enum {
+	CN_MOVER_ON_GROUND = 1u << 0,
+	CN_MOVER_ON_WALL = 1u << 1,    /* touches what is too steep to walk on */
+	CN_MOVER_ON_CEILING = 1u << 2
+};
+/* A character between two moves. It belongs to the caller, who may copy it, keep it and go back to it: the world knows nothing
+   of it, and other bodies do not collide with it. Begin with all 0 but the position. */
+typedef struct cn_mover {
+	cn_vec2 position_m;
+	cn_vec2 velocity_mps;          /* in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as
+	                                  its component across up; the one along up is 0, and a jump when the caller makes it > 0 */
+	cn_vec2 ground_normal;         /* of what it stands on, with CN_MOVER_ON_GROUND; else (0, 0) */
+	cn_vec2 ground_point_m;        /* in the world, after the move */
+	cn_vec2 ground_local_m;        /* ... in the frame of ground_body */
+	cn_vec2 ground_velocity_mps;   /* of the ground there */
+	cn_body ground_body;           /* 0: none; may become stale, which is as none */
+	cn_shape ground_shape;
+	uint32_t flags;                /* CN_MOVER_ON_*, after the last move */
+	float squeezed_m;              /* by how much it overlaps what left it no room; 0 but for rounding */
+} cn_mover;
+/*
+ * Moves a character by dt_s (0 < dt_s <= 1). Call it after each cn_world_step, or it is a step behind what carries it.
+ *
+ *  1. carried   by what its ground did since the last move: the change of the place in ground_body where it stood, conveyors too
+ *  2. walking   on the ground: velocity_mps across up, along the ground, as fast uphill as downhill; no gravity, so that it does
+ *               not creep. Where something too steep is in the way, a step up: up by step_height_m, forward, down on what can
+ *               be walked on
+ *     flying    in the air: velocity_mps and gravity (exact for constant gravity). Jumping and walking off take ground_velocity_mps along
+ *  3. sliding   both by collision planes, cn_mover_solve and casts, up to iterations_max times: no speed passes through a wall
+ *  4. pushing   dynamic bodies in the way get a force for the next step that brings them to the character's velocity, of at most
+ *               push_force_N each
+ *  5. ground    what it touches and can stand on, or finds within snap_m below when it walked; velocity_mps loses what is blocked
+ *
+ * Depends on the world, def and mover alone: the same calls give the same bits. The loop of planes, solver and cast is that of
+ * Box2D 3's sample of a character mover (Catto 2025). Bodies pushed wake up; nothing else of the world changes. O(shapes near
+ * x iterations_max).
+ */
+CN_API cn_result cn_mover_move(cn_world *world, const cn_mover_def *def, float dt_s, cn_mover *mover);
 
 /* ------------------------------------------------------------------ explosions */
 

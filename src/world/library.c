@@ -84,6 +84,9 @@ int32_t cn_sizeof(int32_t type)
 	case CN_TYPE_DISTANCE: return (int32_t)sizeof(cn_distance);
 	case CN_TYPE_SWEEP: return (int32_t)sizeof(cn_sweep);
 	case CN_TYPE_IMPACT: return (int32_t)sizeof(cn_impact);
+	case CN_TYPE_PLANE: return (int32_t)sizeof(cn_plane);
+	case CN_TYPE_MOVER_DEF: return (int32_t)sizeof(cn_mover_def);
+	case CN_TYPE_MOVER: return (int32_t)sizeof(cn_mover);
 	default: return 0;
 	}
 }

@@ -21,6 +21,7 @@ cni_sight cni_check_filter(cni_call *call, const cn_query_filter *filter)
 	cni_sight s;
 	s.world = call->world;
 	s.ignored = CNI_NONE;
+	s.without = 0;
 	s.touch = 0.0f;
 	cn_query_filter_init(&s.filter);
 	if (call->result != CN_OK)
@@ -47,6 +48,8 @@ int32_t cni_sight_sees(const cni_sight *sight, const cni_shape *shape)
 {
 	const cn_query_filter *filter = &sight->filter;
 	if ((shape->flags & (CN_SHAPE_SENSOR | CN_SHAPE_SENSOR_SEEN)) == CN_SHAPE_SENSOR)
+		return 0;
+	if ((sight->without & CNI_SIGHT_WITHOUT_SENSORS && shape->flags & CN_SHAPE_SENSOR) || (sight->without & CNI_SIGHT_WITHOUT_ONE_WAY && shape->flags & CN_SHAPE_ONE_WAY))
 		return 0;
 	if ((shape->category & filter->mask) == 0 || (shape->mask & filter->category) == 0)
 		return 0;

@@ -20,11 +20,13 @@ typedef struct cni_query_target {
 	int32_t child;
 } cni_query_target;
 
+enum { CNI_SIGHT_WITHOUT_SENSORS = 1u << 0, CNI_SIGHT_WITHOUT_ONE_WAY = 1u << 1 };
 /* A filter as a query works with it. */
 typedef struct cni_sight {
 	const cn_world *world;
 	cn_query_filter filter;
 	int32_t ignored;       /* body index, CNI_NONE */
+	uint32_t without;      /* CNI_SIGHT_WITHOUT_*: what is not seen whatever the filter says; 0 */
 	float touch;           /* casts: what the start is in up to this depth is met only by going farther in */
 } cni_sight;
 
@@ -50,6 +52,14 @@ cni_vec2 cni_query_to_world(const cni_body *body, cni_vec2 local);
 cni_vec2 cni_query_turn_to_local(const cni_body *body, cni_vec2 vector);
 cni_vec2 cni_query_turn_to_world(const cni_body *body, cni_vec2 local);
 
+/* ---- a convex shape as geometry, in the frame of its points; 1, 2 or more of them */
+
+typedef struct cni_solid {
+	cni_geometry g;
+	cni_vec2 rest[2 * CN_POLYGON_MAX_VERTICES];
+} cni_solid;
+void cni_solid_make(const cn_polygon *p, cni_solid *out);
+
 /* ---- a convex region: points relative to one of them, so that checks and distances keep their digits */
 
 typedef struct cni_region {
@@ -64,7 +74,8 @@ typedef struct cni_region {
 void cni_check_region(cni_call *call, const cn_polygon *polygon, cni_region *out);
 /* May a way so long be moved? */
 void cni_check_translation(cni_call *call, cn_vec2 translation);
-/* The nearest hit of a region that moves. */
+/* The nearest hit of a ray, and of a region that moves. */
+cn_ray_hit cni_ray_cast(const cni_sight *sight, cni_vec2 origin, cni_vec2 translation);
 cn_ray_hit cni_region_cast(const cni_sight *sight, const cni_region *region, cni_vec2 translation);
 /* In the world, moved by offset. */
 cni_aabb cni_region_box(const cni_region *region, cni_vec2 offset);

@@ -160,18 +160,24 @@ static void ray_run_all(ray_query *q, cn_ray_hit *out, int32_t capacity)
 	cni_first_end(&q->all);
 }
 
+cn_ray_hit cni_ray_cast(const cni_sight *sight, cni_vec2 origin, cni_vec2 translation)
+{
+	cn_ray ray = { origin, translation };
+	ray_query q;
+	ray_begin(&q, sight, &ray);
+	ray_run(&q, ray_visit_nearest);
+	return q.best;
+}
+
 cn_result cn_world_cast_ray(const cn_world *world, const cn_ray *ray, const cn_query_filter *filter, cn_ray_hit *out)
 {
 	cni_call call = cni_enter_const(world);
-	ray_query q;
 	cni_sight sight = cni_check_filter(&call, filter);
 	check_ray(&call, ray);
 	cni_check_pointer(&call, "out", out);
 	if (call.result != CN_OK)
 		return call.result;
-	ray_begin(&q, &sight, ray);
-	ray_run(&q, ray_visit_nearest);
-	*out = q.best;
+	*out = cni_ray_cast(&sight, ray->origin_m, ray->translation_m);
 	return CN_OK;
 }
 
@@ -215,12 +221,8 @@ cn_result cn_world_cast_rays(const cn_world *world, const cn_ray *rays, int32_t 
 	cni_check_array(&call, "out", out, count);
 	for (k = 0; k < count && call.result == CN_OK; ++k)
 		check_ray(&call, rays + k);
-	for (k = 0; k < count && call.result == CN_OK; ++k) {
-		ray_query q;
-		ray_begin(&q, &sight, rays + k);
-		ray_run(&q, ray_visit_nearest);
-		out[k] = q.best;
-	}
+	for (k = 0; k < count && call.result == CN_OK; ++k)
+		out[k] = cni_ray_cast(&sight, rays[k].origin_m, rays[k].translation_m);
 	return call.result;
 }
 

@@ -15,12 +15,6 @@
 #define SLOP_M 0.005f
 #define IMPACT_TOLERANCE_M 1e-4f
 
-/* A shape as geometry, in its own frame. */
-typedef struct solid {
-	cni_geometry g;
-	cni_vec2 rest[2 * CN_POLYGON_MAX_VERTICES];
-} solid;
-
 /* ------------------------------------------------------------------ arguments */
 
 static void check_points(cni_call *call, const cn_polygon *p)
@@ -43,7 +37,7 @@ static void check_points(cni_call *call, const cn_polygon *p)
 		cni_refuse(call, CN_ERROR_ARGUMENT, wrong);
 }
 
-static void solid_make(const cn_polygon *p, solid *out)
+void cni_solid_make(const cn_polygon *p, cni_solid *out)
 {
 	const cni_transform none = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
 	cn_circle circle = { p->points_m[0], p->radius_m };
@@ -59,13 +53,13 @@ static void solid_make(const cn_polygon *p, solid *out)
 		cni_geometry_polygon(&out->g, p, none);
 }
 
-static void check_solid(cni_call *call, const char *field, const cn_polygon *p, solid *out)
+static void check_solid(cni_call *call, const char *field, const cn_polygon *p, cni_solid *out)
 {
 	cni_check_pointer(call, field, p);
 	if (call->result == CN_OK)
 		check_points(call, p);
 	if (call->result == CN_OK)
-		solid_make(p, out);
+		cni_solid_make(p, out);
 }
 
 static void check_far(cni_call *call, const char *field, cn_vec2 v, float most)
@@ -93,7 +87,7 @@ static void check_pose(cni_call *call, const char *field, const cn_pose *pose, c
 }
 
 typedef struct pair {
-	solid a, b;
+	cni_solid a, b;
 	cni_transform pose_a, pose_b;
 	cni_transform b_in_a;
 } pair;
@@ -110,7 +104,7 @@ static void check_pair(cni_call *call, const cn_polygon *a, const cn_pose *pose_
 	out->b_in_a.t = cni_untransform_point(out->pose_a, out->pose_b.t);
 }
 
-static cni_proxy_points points_of(const solid *s)
+static cni_proxy_points points_of(const cni_solid *s)
 {
 	cni_proxy_points set = { cni_geometry_points(&s->g), s->g.count, s->g.radius };
 	return set;
@@ -265,7 +259,7 @@ cn_result cn_polygon_time_of_impact(const cn_polygon *a, const cn_sweep *sweep_a
 	cni_toi_input in;
 	cni_toi_result hit;
 	cni_vec2 origin;
-	solid sa, sb;
+	cni_solid sa, sb;
 	check_solid(&call, "a", a, &sa);
 	check_sweep(&call, "sweep_a", sweep_a, &in.path_a);
 	check_solid(&call, "b", b, &sb);
