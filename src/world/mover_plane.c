@@ -303,6 +303,8 @@ cn_result cn_mover_clip(const cn_plane *planes, int32_t count, float velocity_x_
 	cn_plane pushed[CN_PLANES_MAX];
 	int32_t i, n = 0;
 	check_planes(&call, planes, count);
+	for (i = 0; i < count && call.result == CN_OK; ++i)
+		cni_check_finite(&call, "push_m", planes[i].push_m);
 	cni_check_range(&call, "velocity_x_mps", velocity_x_mps, -1e9f, 1e9f);
 	cni_check_range(&call, "velocity_y_mps", velocity_y_mps, -1e9f, 1e9f);
 	cni_check_pointer(&call, "out_mps", out_mps);
