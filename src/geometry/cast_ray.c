@@ -95,11 +95,13 @@ static int32_t inside_outline(const cni_cast_hull *hull, cni_vec2 origin, cni_ca
 {
 	outline near = outline_nearest(hull, origin);
 	float distance = cni_sqrt(near.distance_sq);
-	cni_vec2 normal = cni_normalize(cni_sub(origin, near.point));
+	cni_vec2 offset = cni_sub(origin, near.point), normal = cni_normalize(offset);
 	if (near.distance_sq > hull->radius * hull->radius)
 		return 0;
-	if (!(distance > 0.0f)) /* on the skeleton itself: every way out of a point is as good, of a face its normal is */
-		normal = hull->count > 1 ? face_normal(hull, near.feature < hull->count ? near.feature : near.feature - hull->count) : cni_v(0.0f, 1.0f);
+	if (near.feature >= hull->count || !(distance > 0.0f)) { /* of a face its own, which has more digits than a short offset */
+		normal = hull->count > 1 ? face_normal(hull, near.feature % hull->count) : cni_v(0.0f, 1.0f);
+		normal = cni_dot(normal, offset) < 0.0f ? cni_neg(normal) : normal;
+	}
 	*out_feature = near.feature;
 	return inside_make(near.point, normal, hull->radius, hull->radius - distance, out);
 }

@@ -123,7 +123,7 @@ static float ray_visit_nearest(void *context, int32_t proxy, float limit)
 {
 	ray_query *q = (ray_query *)context;
 	cn_ray_hit hit;
-	if (!ray_visit(q, proxy, &hit))
+	if (ray_visit(q, proxy, &hit) == CN_QUERY_SKIP)
 		return limit;
 	best_keep(&q->best, &hit);
 	return cni_min(q->best.fraction * 1.000001f + FLT_MIN, limit);
@@ -132,7 +132,11 @@ static float ray_visit_nearest(void *context, int32_t proxy, float limit)
 static float ray_visit_any(void *context, int32_t proxy, float limit)
 {
 	ray_query *q = (ray_query *)context;
-	return ray_visit(q, proxy, &q->best) ? 0.0f : limit;
+	cn_ray_hit hit;
+	if (ray_visit(q, proxy, &hit) == CN_QUERY_SKIP)
+		return limit;
+	q->best = hit;
+	return 0.0f;
 }
 
 static float ray_visit_all(void *context, int32_t proxy, float limit)
