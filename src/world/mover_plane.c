@@ -4,19 +4,30 @@
  * A plane is how the mover's shape touches another one, by the pair functions of the narrowphase: so inner vertices of chains
  * and hidden corners of tiles act as they do in a step.
  *
- * The solver looks for the nearest point to the wanted one in an intersection of half planes: Hildreth's method (1957),
- * coordinate ascent in the dual. Each plane in turn moves the point out of itself, less what it had pushed too much before;
- * the pushes stay in [0, push_max]. For one plane or perpendicular ones it is exact in one sweep, for two at an angle the
- * error shrinks by the squared cosine between their normals in each.
+ * The solver looks for the nearest point to the wanted one in an intersection of half planes. In the plane that is the wanted
+ * point itself, its projection on one line, or the crossing of two (the active sets of a quadratic program in two
+ * variables): the nearest of these that all planes allow is exact, however small the angles. A plane that would have to push
+ * by more than it may pushes its most, and the others find the nearest point to what that makes of the wanted one.
+ *
+ * Planes that leave no room have no such point. Then all planes pull at once, by an equal share
+ * of their overlaps (Cimmino 1938), which leads to the least sum of squared overlaps.
  */
 #include "world/mover.h"
 #include "geometry/manifold.h"
 
 #include <string.h>
 
+/* Of the lengths involved: what counts as allowed beyond a plane. */
+#define ROUNDING 1e-6f
+/* Sine of the angle between two planes below which they do not cross. */
+#define PARALLEL_SINE 1e-6f
+/* Sweeps that tell which bounded planes push their most. */
 #define SWEEPS_MAX 64
-/* Of the lengths involved: a sweep that changes less ends it. */
-#define SWEEP_TOLERANCE 1e-7f
+/* Corrections of that. */
+#define CHANGES_MAX 32
+/* Rounds of pulling where there is no room. */
+#define SHARES_MAX 64
+
 /* Least cosine between the upper side of a one-way shape and the normal. */
 #define ONE_WAY_COSINE 0.7f
 
@@ -176,45 +187,172 @@ void cni_planes_find(const cni_sight *sight, const cni_region *region, const cni
 
 /* ------------------------------------------------------------------ solving */
 
-/* One sweep; returns the greatest change of a push. *sum: of the point after each push, *pushes: how many. */
-static float sweep(cn_plane *planes, int32_t count, cni_vec2 *x, cni_vec2 *sum, int32_t *pushes)
+static float height_at(const cn_plane *p, cni_vec2 x)
 {
-	float most = 0.0f;
+	return p->separation_m + cni_dot(p->normal, x);
+}
+
+/* The point wanted, moved by all pushes. */
+static cni_vec2 pushed(const cn_plane *planes, int32_t count, cni_vec2 wanted)
+{
 	int32_t i;
-	*sum = cni_v(0.0f, 0.0f);
-	*pushes = 0;
-	for (i = 0; i < count; ++i) {
-		cn_plane *p = planes + i;
-		float push = cni_clamp(p->push_m - (p->separation_m + cni_dot(p->normal, *x)), 0.0f, p->push_max_m);
-		*x = cni_madd(*x, push - p->push_m, p->normal);
-		most = cni_max(most, cni_abs(push - p->push_m));
-		p->push_m = push;
-		if (push > 0.0f) {
-			*sum = cni_add(*sum, *x);
-			++*pushes;
-		}
+	for (i = 0; i < count; ++i)
+		wanted = cni_madd(wanted, planes[i].push_m, planes[i].normal);
+	return wanted;
+}
+
+/* How deep a point is in planes that could push more. */
+static float overlap_at(const cn_plane *planes, int32_t count, cni_vec2 x)
+{
+	float overlap = 0.0f;
+	int32_t i;
+	for (i = 0; i < count; ++i)
+		if (planes[i].push_m < planes[i].push_max_m)
+			overlap = cni_max(overlap, -height_at(planes + i, x));
+	return overlap;
+}
+
+/* No room: every plane pulls by its share of what is left of its overlap. */
+static cni_vec2 compromise(cn_plane *planes, int32_t count, cni_vec2 wanted)
+{
+	float share = 1.0f / (float)count;
+	cni_vec2 x = wanted;
+	int32_t i, k;
+	for (i = 0; i < count; ++i)
+		planes[i].push_m = 0.0f;
+	for (k = 0; k < SHARES_MAX; ++k) {
+		cni_vec2 from = x;
+		for (i = 0; i < count; ++i)
+			planes[i].push_m = cni_clamp(planes[i].push_m + share * cni_max(-height_at(planes + i, from), 0.0f), 0.0f, planes[i].push_max_m);
+		x = pushed(planes, count, wanted);
 	}
-	return most;
+	return x;
+}
+
+/* The nearest point found so far, and which planes hold it. */
+typedef struct held {
+	cni_vec2 x;
+	int32_t i, j;           /* CNI_NONE: none, one */
+	float push_i, push_j;
+	float distance_sq;      /* from the wanted point; FLT_MAX: no point is allowed */
+} held;
+
+/* A point is the better one if it is nearer and no plane that does not push its most forbids it. */
+static void held_try(held *best, const cn_plane *planes, int32_t count, cni_vec2 wanted, float size, held candidate)
+{
+	float tolerance;
+	int32_t k;
+	candidate.distance_sq = cni_distance_sq(candidate.x, wanted);
+	if (!(candidate.push_i >= 0.0f && candidate.push_j >= 0.0f && candidate.distance_sq < best->distance_sq))
+		return;
+	tolerance = ROUNDING * (size + cni_sqrt(candidate.distance_sq));
+	for (k = 0; k < count; ++k)
+		if (!(planes[k].push_m > 0.0f) && height_at(planes + k, candidate.x) < -tolerance)
+			return;
+	*best = candidate;
+}
+
+/* The crossing of two planes, found along the first one, so that it is on both to the last digits however flat they cross. */
+static void held_try_pair(held *best, const cn_plane *planes, int32_t count, cni_vec2 wanted, float size, int32_t i, int32_t j)
+{
+	const cn_plane *p = planes + i, *q = planes + j;
+	cni_vec2 along = cni_left_perp(p->normal);
+	float sine = cni_dot(q->normal, along);
+	cni_vec2 on_p = cni_madd(wanted, -height_at(p, wanted), p->normal), on_q = cni_madd(wanted, -height_at(q, wanted), q->normal);
+	held candidate = { { 0.0f, 0.0f }, i, j, 0.0f, 0.0f, 0.0f };
+	if (q->push_m > 0.0f || !(cni_abs(sine) > PARALLEL_SINE))
+		return;
+	candidate.x = cni_madd(on_p, -height_at(q, on_p) / sine, along);
+	candidate.push_i = -height_at(p, on_q) / (sine * sine);
+	candidate.push_j = -height_at(q, on_p) / (sine * sine);
+	held_try(best, planes, count, wanted, size, candidate);
+}
+
+/* Planes whose push is not 0 yet push their most and are no bounds; wanted is what that makes of the wanted point. */
+static held held_find(const cn_plane *planes, int32_t count, cni_vec2 wanted, float size)
+{
+	held best = { wanted, CNI_NONE, CNI_NONE, 0.0f, 0.0f, FLT_MAX };
+	held candidate = { wanted, CNI_NONE, CNI_NONE, 0.0f, 0.0f, 0.0f };
+	int32_t i, j;
+	held_try(&best, planes, count, wanted, size, candidate);
+	for (i = 0; i < count && best.distance_sq > 0.0f; ++i) {
+		if (planes[i].push_m > 0.0f)
+			continue;
+		candidate.i = i;
+		candidate.push_i = -height_at(planes + i, wanted);
+		candidate.x = cni_madd(wanted, candidate.push_i, planes[i].normal);
+		held_try(&best, planes, count, wanted, size, candidate);
+		for (j = 0; j < i; ++j)
+			held_try_pair(&best, planes, count, wanted, size, i, j);
+	}
+	return best;
+}
+
+/* Which planes push their most: those that do so after some sweeps of coordinate ascent in the dual (Hildreth 1957), in which
+   each plane in turn moves the point out of itself, less what it pushed too far before. The others' pushes are 0 again. */
+static void saturate(cn_plane *planes, int32_t count, cni_vec2 x)
+{
+	int32_t i, k, bounded = 0;
+	for (i = 0; i < count; ++i)
+		bounded |= planes[i].push_max_m < FLT_MAX;
+	for (k = 0; k < SWEEPS_MAX && bounded; ++k)
+		for (i = 0; i < count; ++i) {
+			float push = cni_clamp(planes[i].push_m - height_at(planes + i, x), 0.0f, planes[i].push_max_m);
+			x = cni_madd(x, push - planes[i].push_m, planes[i].normal);
+			planes[i].push_m = push;
+		}
+	for (i = 0; i < count; ++i)
+		planes[i].push_m = bounded && planes[i].push_m >= planes[i].push_max_m ? cni_max(planes[i].push_max_m, FLT_MIN) : 0.0f;
+}
+
+/* A plane that would have to push farther pushes its most too. */
+static int32_t saturate_held(cn_plane *planes, int32_t i, float push)
+{
+	if (i == CNI_NONE || push <= planes[i].push_max_m)
+		return 0;
+	planes[i].push_m = cni_max(planes[i].push_max_m, FLT_MIN);
+	return 1;
+}
+
+/* One that pushes its most with the point in front of it need not push so far: that which has it farthest in front is let go. */
+static int32_t release(cn_plane *planes, int32_t count, cni_vec2 x, float tolerance)
+{
+	cn_plane *most = NULL;
+	int32_t i;
+	for (i = 0; i < count; ++i)
+		if (planes[i].push_m > 0.0f && height_at(planes + i, x) > (most == NULL ? tolerance : height_at(most, x)))
+			most = planes + i;
+	if (most != NULL)
+		most->push_m = 0.0f;
+	return most != NULL;
 }
 
 cni_vec2 cni_planes_solve(cn_plane *planes, int32_t count, cni_vec2 wanted, float *out_overlap)
 {
-	cni_vec2 x = wanted, sum = { 0.0f, 0.0f };
-	float size = cni_length(wanted), change = FLT_MAX;
-	int32_t i, k, pushes = 0;
+	float size = cni_length(wanted);
+	cni_vec2 x = wanted;
+	held found;
+	int32_t i, changes = 0;
 	for (i = 0; i < count; ++i) {
 		planes[i].push_m = 0.0f;
 		size = cni_max(size, cni_abs(planes[i].separation_m));
 	}
-	for (k = 0; k < SWEEPS_MAX && change > SWEEP_TOLERANCE * size; ++k)
-		change = sweep(planes, count, &x, &sum, &pushes);
-	/* No room for all of them: each has it its way once a sweep. */
-	if (change > SWEEP_TOLERANCE * size && pushes > 0)
-		x = cni_mul(1.0f / (float)pushes, sum);
-	*out_overlap = 0.0f;
-	for (i = 0; i < count; ++i)
-		if (planes[i].push_m < planes[i].push_max_m)
-			*out_overlap = cni_max(*out_overlap, -(planes[i].separation_m + cni_dot(planes[i].normal, x)));
+	saturate(planes, count, wanted);
+	do {
+		x = pushed(planes, count, wanted);
+		found = held_find(planes, count, x, size);
+	} while (++changes < CHANGES_MAX && (saturate_held(planes, found.i, found.push_i) || saturate_held(planes, found.j, found.push_j) ||
+		(found.distance_sq < FLT_MAX && release(planes, count, found.x, ROUNDING * size))));
+	if (found.distance_sq == FLT_MAX) {
+		x = compromise(planes, count, wanted);
+	} else {
+		if (found.i != CNI_NONE)
+			planes[found.i].push_m = found.push_i;
+		if (found.j != CNI_NONE)
+			planes[found.j].push_m = found.push_j;
+		x = found.x;
+	}
+	*out_overlap = overlap_at(planes, count, x);
 	return x;
 }
 
