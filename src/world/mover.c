@@ -113,9 +113,11 @@ void cni_move_slide(cni_move *m, cni_vec2 translation)
 	cni_vec2 target = cni_add(m->mover->position_m, translation);
 	float least = MOVED_PER_SLOP * m->world->settings.slop;
 	int32_t k;
-	for (k = 0; k < m->def->iterations_max; ++k) {
-		cni_vec2 wanted = cni_sub(target, m->mover->position_m);
+	for (k = 0; k <= m->def->iterations_max; ++k) {
 		cn_ray_hit hit;
+		cni_vec2 wanted = cni_sub(target, m->mover->position_m);
+		if (k == m->def->iterations_max) /* no farther, but out of what the last round met */
+			wanted = cni_v(0.0f, 0.0f);
 		cni_move_touch(m);
 		wanted = cni_planes_solve(m->planes.at, m->planes.count, cni_move_block_steep(m, wanted), &m->mover->squeezed_m);
 		if (cni_length(wanted) <= least) {
