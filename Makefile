@@ -2,6 +2,7 @@
 #
 #   make            static and shared library          make demo       run the demo, pictures in build/demo
 #   make test       every test, checked build          make bench      CSV of all benchmark scenes (SCENE=name: one)
+#   make hello      the program of the README          make platformer a character in a level: build/platformer.png
 #   make test-all   tests under sanitizers and other   make check-deps layers by #include, longest files
 #                   compilers and options              make check-links links and make targets in the documentation
 #                                                      make install    DESTDIR and PREFIX; make clean

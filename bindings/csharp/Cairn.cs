@@ -2328,10 +2328,12 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_mover_collide(cn_world* world, cn_polygon* shape, float position_x_m, float position_y_m, float margin_m, cn_query_filter* filter, cn_plane* @out, int capacity, int* out_count);
 
-		/// <summary>The translation nearest to a wanted one that the planes allow: projection on their intersection
-		/// (Hildreth 1957), each push clamped to [0, push_max_m]. Sets push_m. Between surfaces that leave no room
-		/// the translation is in their middle, and *out_overlap_m, else 0 up to rounding, says by how much it still
-		/// overlaps what did not push its most. count 0 to CN_PLANES_MAX. No world. O(count), up to 64 sweeps.</summary>
+		/// <summary>The translation nearest to a wanted one that the planes allow: exactly, for in two dimensions it lies on
+		/// at most two of them. A plane pushes by no more than push_max_m: which ones push their most, Hildreth's
+		/// method (1957) tells. Sets push_m. Between surfaces that leave no room it is that of the least sum of
+		/// squared overlaps (Cimmino 1938), and *out_overlap_m, else 0 up to rounding, says how deep the deepest of
+		/// them remains that did not push its most. count 0 to CN_PLANES_MAX. No world. O(count^2), O(count^3)
+		/// where two planes hold it.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_mover_solve(cn_plane* planes, int count, float translation_x_m, float translation_y_m, cn_vec2* out_translation_m, float* out_overlap_m);
 

@@ -1349,10 +1349,12 @@ cn_result cn_polygon_time_of_impact(const cn_polygon *a, const cn_sweep *sweep_a
 // that plane holds, so that the seams of tiles do not catch (not done when capacity is too small for all).
 // O(shapes near, squared).
 cn_result cn_mover_collide(const cn_world *world, const cn_polygon *shape, float position_x_m, float position_y_m, float margin_m, const cn_query_filter *filter, cn_plane *out, int32_t capacity, int32_t *out_count);
-// The translation nearest to a wanted one that the planes allow: projection on their intersection (Hildreth
-// 1957), each push clamped to [0, push_max_m]. Sets push_m. Between surfaces that leave no room the
-// translation is in their middle, and *out_overlap_m, else 0 up to rounding, says by how much it still
-// overlaps what did not push its most. count 0 to CN_PLANES_MAX. No world. O(count), up to 64 sweeps.
+// The translation nearest to a wanted one that the planes allow: exactly, for in two dimensions it lies on at
+// most two of them. A plane pushes by no more than push_max_m: which ones push their most, Hildreth's method
+// (1957) tells. Sets push_m. Between surfaces that leave no room it is that of the least sum of squared
+// overlaps (Cimmino 1938), and *out_overlap_m, else 0 up to rounding, says how deep the deepest of them
+// remains that did not push its most. count 0 to CN_PLANES_MAX. No world. O(count^2), O(count^3) where two
+// planes hold it.
 cn_result cn_mover_solve(cn_plane *planes, int32_t count, float translation_x_m, float translation_y_m, cn_vec2 *out_translation_m, float *out_overlap_m);
 // The velocity nearest to a given one that leads into none of the planes that pushed in the last
 // cn_mover_solve. No world.

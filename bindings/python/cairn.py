@@ -1426,10 +1426,12 @@ cn_polygon_time_of_impact = _function("cn_polygon_time_of_impact", cn_result, _c
 # holds, so that the seams of tiles do not catch (not done when capacity is too small for all). O(shapes near,
 # squared).
 cn_mover_collide = _function("cn_mover_collide", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_polygon), _c.c_float, _c.c_float, _c.c_float, _c.POINTER(cn_query_filter), _c.POINTER(cn_plane), _c.c_int32, _c.POINTER(_c.c_int32))
-# The translation nearest to a wanted one that the planes allow: projection on their intersection (Hildreth
-# 1957), each push clamped to [0, push_max_m]. Sets push_m. Between surfaces that leave no room the
-# translation is in their middle, and *out_overlap_m, else 0 up to rounding, says by how much it still
-# overlaps what did not push its most. count 0 to CN_PLANES_MAX. No world. O(count), up to 64 sweeps.
+# The translation nearest to a wanted one that the planes allow: exactly, for in two dimensions it lies on at
+# most two of them. A plane pushes by no more than push_max_m: which ones push their most, Hildreth's method
+# (1957) tells. Sets push_m. Between surfaces that leave no room it is that of the least sum of squared
+# overlaps (Cimmino 1938), and *out_overlap_m, else 0 up to rounding, says how deep the deepest of them
+# remains that did not push its most. count 0 to CN_PLANES_MAX. No world. O(count^2), O(count^3) where two
+# planes hold it.
 cn_mover_solve = _function("cn_mover_solve", cn_result, _c.POINTER(cn_plane), _c.c_int32, _c.c_float, _c.c_float, _c.POINTER(cn_vec2), _c.POINTER(_c.c_float))
 # The velocity nearest to a given one that leads into none of the planes that pushed in the last
 # cn_mover_solve. No world.

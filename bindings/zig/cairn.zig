@@ -1815,10 +1815,12 @@ pub extern fn cn_polygon_time_of_impact(a: [*c]const cn_polygon, sweep_a: [*c]co
 /// that plane holds, so that the seams of tiles do not catch (not done when capacity is too small for all).
 /// O(shapes near, squared).
 pub extern fn cn_mover_collide(world: ?*const cn_world, shape: [*c]const cn_polygon, position_x_m: f32, position_y_m: f32, margin_m: f32, filter: [*c]const cn_query_filter, out: [*c]cn_plane, capacity: i32, out_count: [*c]i32) cn_result;
-/// The translation nearest to a wanted one that the planes allow: projection on their intersection (Hildreth
-/// 1957), each push clamped to [0, push_max_m]. Sets push_m. Between surfaces that leave no room the
-/// translation is in their middle, and *out_overlap_m, else 0 up to rounding, says by how much it still
-/// overlaps what did not push its most. count 0 to CN_PLANES_MAX. No world. O(count), up to 64 sweeps.
+/// The translation nearest to a wanted one that the planes allow: exactly, for in two dimensions it lies on
+/// at most two of them. A plane pushes by no more than push_max_m: which ones push their most, Hildreth's
+/// method (1957) tells. Sets push_m. Between surfaces that leave no room it is that of the least sum of
+/// squared overlaps (Cimmino 1938), and *out_overlap_m, else 0 up to rounding, says how deep the deepest of
+/// them remains that did not push its most. count 0 to CN_PLANES_MAX. No world. O(count^2), O(count^3) where
+/// two planes hold it.
 pub extern fn cn_mover_solve(planes: [*c]cn_plane, count: i32, translation_x_m: f32, translation_y_m: f32, out_translation_m: [*c]cn_vec2, out_overlap_m: [*c]f32) cn_result;
 /// The velocity nearest to a given one that leads into none of the planes that pushed in the last
 /// cn_mover_solve. No world.

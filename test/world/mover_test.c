@@ -266,6 +266,61 @@ static void t_keeps_to_the_ground_downhill(void)
 	cn_world_destroy(w);
 }
 
+/* Hills of a chain or of a row of hulls, up to 40 degrees: from one end to the other and back at 4 m/s along the ground. */
+static void t_hills_are_walked_at_its_speed(void)
+{
+	int32_t kind, k, i;
+	for (kind = 0; kind < 2; ++kind) {
+		cn_vec2 points[101];
+		cn_chain chain = { points, 101, 0 };
+		cn_shape_def sd;
+		uint32_t state = 9u;
+		double length = 0.0, frames;
+		int32_t off = 0, out = 0, back = 0;
+		begin(0.0f, 3.0f);
+		points[100].x = -5.0f;
+		points[100].y = 0.0f;
+		for (k = 99; k >= 0; --k) { /* from right to left */
+			float step = fixture_random(&state, 0.4f, 1.5f), angle = k > 95 || k < 3 ? 0.0f : fixture_random(&state, -0.7f, 0.7f);
+			points[k].x = points[k + 1].x + step * cosf(angle);
+			points[k].y = points[k + 1].y + step * sinf(angle);
+		}
+		sd = fixture_shape_def(fixture_body(w, CN_BODY_STATIC, 0.0f, 0.0f, 0.0f), 0.6f, 0.0f);
+		if (kind == 0)
+			must(cn_shape_create_chain(w, &sd, &chain, NULL), w, "chain");
+		for (k = 0; k < 100 && kind == 1; ++k) {
+			cn_vec2 corners[4];
+			cn_polygon hull;
+			corners[0] = corners[2] = points[k];
+			corners[1] = corners[3] = points[k + 1];
+			corners[2].y -= 2.0f;
+			corners[3].y -= 2.0f;
+			must(cn_polygon_make_hull(corners, 4, 0.0f, &hull), NULL, "hull");
+			must(cn_shape_create_polygon(w, &sd, &hull, NULL), w, "polygon");
+		}
+		mover.position_m.x = points[97].x;
+		walk(0.0f, 60);
+		CHECK(on_ground());
+		for (k = 0; k < 97; ++k)
+			length += k >= 2 ? hypot((double)(points[k].x - points[k + 1].x), (double)(points[k].y - points[k + 1].y)) : 0.0;
+		frames = length / 4.0 * 60.0;
+		for (i = 0; mover.position_m.x < points[2].x && i < 4000; ++i, ++out) {
+			walk(4.0f, 1);
+			off += !on_ground();
+		}
+		for (i = 0; mover.position_m.x > points[97].x && i < 4000; ++i, ++back) {
+			walk(-4.0f, 1);
+			off += !on_ground();
+		}
+		printf("  %g m of %s: %d frames there, %d back, %g at that speed\n", length, kind ? "hulls" : "a chain", (int)out, (int)back, frames);
+		CHECK_LE("frames off the ground", off, 0, "");
+		/* The foot of a capsule goes round corners on an arc, and loses a little where the ground turns up. */
+		CHECK_LE("time there off the ground's length over 4 m/s", fabs(out / frames - 1.0), 0.01, "of it");
+		CHECK_LE("time back", fabs(back / frames - 1.0), 0.01, "of it");
+		cn_world_destroy(w);
+	}
+}
+
 /* ------------------------------------------------------------------ air */
 
 static void t_jumps_as_high_as_physics_says(void)
@@ -625,7 +680,6 @@ static void t_never_in_anything(void)
 				continue;
 			}
 			double depth = depth_of_mover();
-			if (depth > 1e-4) printf("r %d k %d depth %g v %g %g flags %x\n", round, k, depth, (double)mover.velocity_mps.x, (double)mover.velocity_mps.y, mover.flags);
 			deep += depth > 1e-4;
 			worst = greater(worst, depth);
 		}
@@ -633,7 +687,7 @@ static void t_never_in_anything(void)
 	}
 	printf("  %d frames, %d on the ground, %d squeezed, %d deeper than 0.1 mm\n", (int)frames, (int)stood, (int)squeezed, (int)deep);
 	CHECK_LE("frames outside of the room", outside, 0, "");
-	CHECK_LE("deepest overlap", worst, 5e-3, "m");
+	CHECK_LE("deepest overlap", worst, 2e-4, "m");
 	CHECK_GE("frames on the ground", stood, frames / 10, "");
 	CHECK_LE("frames squeezed", squeezed, frames / 50, "");
 }
@@ -695,7 +749,7 @@ static uint64_t session(int32_t broadphase, int32_t crates)
 }
 
 /* Of the run without crates, which depends on the mover alone. */
-#define GOLDEN 0x0ull
+#define GOLDEN 0x3241aee3f38ca5c1ull
 
 static void t_same_bits(void)
 {
@@ -714,6 +768,7 @@ int main(int argc, char **argv)
 	RUN(t_round_feet_do_not_roll_over_steps);
 	RUN(t_slope_limit_holds_on_both_sides);
 	RUN(t_slopes_are_walked_at_its_speed);
+	RUN(t_hills_are_walked_at_its_speed);
 	RUN(t_stands_still_on_slopes);
 	RUN(t_keeps_to_the_ground_downhill);
 	RUN(t_jumps_as_high_as_physics_says);
