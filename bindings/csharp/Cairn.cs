@@ -1646,6 +1646,13 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_velocity(cn_world* world, cn_body body, cn_velocity* @out);
 
+		/// <summary>Sets the velocity of a kinematic body (others: CN_ERROR_STATE) so that a step of dt_s (1e-6 to 1) takes
+		/// it to this pose, the shorter way round, up to rounding and the world's speed limits: what stands on it
+		/// or is in its way moves along, as nothing does with cn_body_set_pose. It goes on with that velocity: call
+		/// it before every step, or stop it after.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_body_set_target_pose(cn_world* world, cn_body body, float position_x_m, float position_y_m, float angle_rad, float dt_s);
+
 		/// <summary>Velocity of the body's material at a world point.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_velocity_at(cn_world* world, cn_body body, float point_x_m, float point_y_m, cn_vec2* out_mps);

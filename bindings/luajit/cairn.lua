@@ -1036,6 +1036,11 @@ cn_result cn_body_get_center(const cn_world *world, cn_body body, cn_vec2 *out_m
 // Static bodies refuse this with CN_ERROR_STATE. Wakes when not zero.
 cn_result cn_body_set_velocity(cn_world *world, cn_body body, float linear_x_mps, float linear_y_mps, float angular_radps);
 cn_result cn_body_get_velocity(const cn_world *world, cn_body body, cn_velocity *out);
+// Sets the velocity of a kinematic body (others: CN_ERROR_STATE) so that a step of dt_s (1e-6 to 1) takes it
+// to this pose, the shorter way round, up to rounding and the world's speed limits: what stands on it or is
+// in its way moves along, as nothing does with cn_body_set_pose. It goes on with that velocity: call it
+// before every step, or stop it after.
+cn_result cn_body_set_target_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad, float dt_s);
 // Velocity of the body's material at a world point.
 cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float point_x_m, float point_y_m, cn_vec2 *out_mps);
 cn_result cn_body_get_world_point(const cn_world *world, cn_body body, float local_x_m, float local_y_m, cn_vec2 *out_m);

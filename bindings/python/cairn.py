@@ -1114,6 +1114,11 @@ cn_body_get_center = _function("cn_body_get_center", cn_result, _c.POINTER(cn_wo
 # Static bodies refuse this with CN_ERROR_STATE. Wakes when not zero.
 cn_body_set_velocity = _function("cn_body_set_velocity", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.c_float)
 cn_body_get_velocity = _function("cn_body_get_velocity", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_velocity))
+# Sets the velocity of a kinematic body (others: CN_ERROR_STATE) so that a step of dt_s (1e-6 to 1) takes it
+# to this pose, the shorter way round, up to rounding and the world's speed limits: what stands on it or is in
+# its way moves along, as nothing does with cn_body_set_pose. It goes on with that velocity: call it before
+# every step, or stop it after.
+cn_body_set_target_pose = _function("cn_body_set_target_pose", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.c_float, _c.c_float)
 # Velocity of the body's material at a world point.
 cn_body_get_velocity_at = _function("cn_body_get_velocity_at", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.POINTER(cn_vec2))
 cn_body_get_world_point = _function("cn_body_get_world_point", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.POINTER(cn_vec2))

@@ -1501,6 +1501,11 @@ pub extern fn cn_body_get_center(world: ?*const cn_world, body: cn_body, out_m: 
 /// Static bodies refuse this with CN_ERROR_STATE. Wakes when not zero.
 pub extern fn cn_body_set_velocity(world: ?*cn_world, body: cn_body, linear_x_mps: f32, linear_y_mps: f32, angular_radps: f32) cn_result;
 pub extern fn cn_body_get_velocity(world: ?*const cn_world, body: cn_body, out: [*c]cn_velocity) cn_result;
+/// Sets the velocity of a kinematic body (others: CN_ERROR_STATE) so that a step of dt_s (1e-6 to 1) takes it
+/// to this pose, the shorter way round, up to rounding and the world's speed limits: what stands on it or is
+/// in its way moves along, as nothing does with cn_body_set_pose. It goes on with that velocity: call it
+/// before every step, or stop it after.
+pub extern fn cn_body_set_target_pose(world: ?*cn_world, body: cn_body, position_x_m: f32, position_y_m: f32, angle_rad: f32, dt_s: f32) cn_result;
 /// Velocity of the body's material at a world point.
 pub extern fn cn_body_get_velocity_at(world: ?*const cn_world, body: cn_body, point_x_m: f32, point_y_m: f32, out_mps: [*c]cn_vec2) cn_result;
 pub extern fn cn_body_get_world_point(world: ?*const cn_world, body: cn_body, local_x_m: f32, local_y_m: f32, out_m: [*c]cn_vec2) cn_result;

@@ -38,7 +38,7 @@ static const entry table[] = {
 	E(cn_world_get_counters), E(cn_world_get_profile), E(cn_world_get_memory_stats), E(cn_world_hash), E(cn_world_validate),
 	E(cn_body_def_init), E(cn_body_create), E(cn_body_create_many), E(cn_body_destroy), E(cn_body_destroy_many), E(cn_body_is_valid),
 	E(cn_body_set_type), E(cn_body_get_type), E(cn_body_set_flags), E(cn_body_get_flags), E(cn_body_set_awake), E(cn_body_set_pose),
-	E(cn_body_get_pose), E(cn_body_get_angle), E(cn_body_get_center), E(cn_body_set_velocity), E(cn_body_get_velocity),
+	E(cn_body_get_pose), E(cn_body_get_angle), E(cn_body_get_center), E(cn_body_set_velocity), E(cn_body_set_target_pose), E(cn_body_get_velocity),
 	E(cn_body_get_velocity_at), E(cn_body_get_world_point), E(cn_body_get_local_point), E(cn_body_get_aabb), E(cn_body_apply_force),
 	E(cn_body_apply_force_at), E(cn_body_apply_torque), E(cn_body_apply_impulse), E(cn_body_apply_impulse_at),
 	E(cn_body_apply_angular_impulse), E(cn_body_get_mass_data), E(cn_body_set_mass_data), E(cn_body_reset_mass_data),
