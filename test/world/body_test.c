@@ -487,7 +487,8 @@ static void kinematic_bodies_reach_their_targets(void)
 		fixture_step(world, 1);
 		slip = greater(slip, fabs((double)(fixture_pose(world, box).position_m.x - fixture_pose(world, lift).position_m.x) - 1.0));
 	}
-	CHECK_LE("slip of a box on it", slip, 2e-3, "m");
+	/* The box follows each jump of 0.024 m/s within the first substep, and lags by as much as half of it. */
+	CHECK_LE("slip of a box on it", slip, 200 * 0.024 * (double)FRAME_S / 4.0 / 2.0 + SOLVED, "m");
 	cn_world_destroy(world);
 }
 
