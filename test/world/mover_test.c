@@ -581,6 +581,82 @@ static void t_pushes_crates_with_bounded_force(void)
 	}
 }
 
+/* ------------------------------------------------------------------ other worlds */
+
+/* Gravity and up along any direction, kilometres from the origin, with and without a step. */
+static void t_up_may_be_anywhere(void)
+{
+	static const float angles[4] = { 0.0f, 1.5707963f, 2.5f, -0.7f };
+	int32_t a, k;
+	for (a = 0; a < 8; ++a) {
+		float angle = angles[a % 4], far_x = a >= 4 ? 2000.0f : 0.0f, step = 0.2f;
+		double c = cos((double)angle), s = sin((double)angle), x, y, epsilon = a >= 4 ? 0.02 : 1e-3;
+		begin(far_x - 0.8f * (float)s, 0.8f * (float)c);
+		must(cn_world_set_gravity(w, 10.0f * (float)s, -10.0f * (float)c), w, "gravity");
+		md.up.x = -3.0f * (float)s;
+		md.up.y = 3.0f * (float)c;
+		md.shape.points_m[0].x = 0.5f * (float)s;
+		md.shape.points_m[0].y = -0.5f * (float)c;
+		md.shape.points_m[1].x = -0.5f * (float)s;
+		md.shape.points_m[1].y = 0.5f * (float)c;
+		box(far_x + (float)s, -(float)c, 50.0f, 1.0f, angle);
+		box(far_x + (float)(3.0 * c - 0.5 * (double)step * s), (float)(3.0 * s + 0.5 * (double)step * c), 1.0f, 0.5f * step, angle);
+		for (k = 0; k < 120; ++k) {
+			fixture_step(w, 1);
+			mover.velocity_mps.x = 1.5f * (float)c;
+			mover.velocity_mps.y = 1.5f * (float)s;
+			move();
+		}
+		x = ((double)mover.position_m.x - (double)far_x) * c + (double)mover.position_m.y * s;
+		y = ((double)mover.position_m.y) * c - ((double)mover.position_m.x - (double)far_x) * s;
+		CHECK(on_ground());
+		CHECK_LE("way along the ground off 3 m", fabs(x - 3.0), epsilon, "m");
+		CHECK_LE("height off the step's", fabs(y - 0.8 - (double)step), epsilon, "m");
+		cn_world_destroy(w);
+	}
+}
+
+static void t_ignores_what_its_filter_does(void)
+{
+	cn_body own;
+	begin(0.0f, 0.8f);
+	ground();
+	own = fixture_box(w, CN_BODY_KINEMATIC, 0.0f, 0.8f, 0.0f, 0.3f, 0.8f, 0.6f, 0.0f);
+	md.filter.ignored_body = own;
+	walk(0.0f, 2);
+	walk(3.0f, 60);
+	CHECK_LE("off the way of 3 m, with a body of its own around it", fabs((double)mover.position_m.x - 3.0), 1e-4, "m");
+	cn_world_destroy(w);
+}
+
+/* On a crate that rests on the ground, and on one that falls over: what is dynamic carries as well as what is not. */
+static void t_stands_on_dynamic_bodies(void)
+{
+	cn_body crate;
+	double worst = 0.0;
+	int32_t k, off = 0;
+	begin(0.0f, 1.9f);
+	ground();
+	crate = fixture_box(w, CN_BODY_DYNAMIC, 0.0f, 0.5f, 0.0f, 1.0f, 0.5f, 0.6f, 0.0f);
+	walk(0.0f, 60);
+	CHECK(mover.ground_body == crate);
+	fixture_set_velocity(w, crate, 3.0f, 0.0f, 0.0f);
+	for (k = 0; k < 60; ++k) {
+		cn_vec2 under;
+		walk(0.0f, 1);
+		must(cn_body_get_world_point(w, crate, mover.ground_local_m.x, mover.ground_local_m.y, &under), w, "world_point");
+		worst = greater(worst, fabs((double)(under.x - mover.position_m.x)));
+		off += mover.ground_body != crate;
+	}
+	CHECK_LE("off its place on a sliding crate", worst, 1e-3, "m");
+	CHECK_LE("frames off it", off, 0, "");
+	CHECK_GE("way of the crate", (double)fixture_pose(w, crate).position_m.x, 0.5, "m");
+	must(cn_body_destroy(w, crate), w, "destroy");
+	walk(0.0f, 60);
+	CHECK_LE("height after the crate went away", fabs(feet()), 1e-5, "m");
+	cn_world_destroy(w);
+}
+
 /* ------------------------------------------------------------------ anything */
 
 static float random_in(uint32_t *state, float lower, float upper) { return fixture_random(state, lower, upper); }
@@ -781,6 +857,9 @@ int main(int argc, char **argv)
 	RUN(t_is_carried_by_turning_platforms_and_conveyors);
 	RUN(t_moving_walls_push_and_squeeze);
 	RUN(t_pushes_crates_with_bounded_force);
+	RUN(t_up_may_be_anywhere);
+	RUN(t_ignores_what_its_filter_does);
+	RUN(t_stands_on_dynamic_bodies);
 	RUN(t_never_in_anything);
 	RUN(t_same_bits);
 	return test_end();
