@@ -309,5 +309,5 @@ static int32_t sweep_validate(const cni_broadphase *broadphase)
 
 const cni_broadphase_ops cni_broadphase_sweep = {
 	sweep_create, sweep_destroy, sweep_reserve, sweep_add,   sweep_remove, sweep_move,     sweep_touch,       sweep_update,
-	sweep_settle, sweep_query,   sweep_ray,     sweep_bytes, sweep_cells,  sweep_validate, sweep_bytes_needed,
+	sweep_settle, sweep_query,   sweep_ray,     sweep_bytes, sweep_cells,  sweep_validate, sweep_bytes_needed, cni_sweep_snapshot,
 };
