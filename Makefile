@@ -14,6 +14,7 @@
 #   make bench-scale  how cost grows with the number of bodies: see examples/README.md
 #   make ablation   each mechanism switched off alone: bounds lost, seeds worse, time: test/ablation/README.md
 #   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
+#   make rollback   inputs that arrive late: examples/rollback.c
 #
 # CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
 # commands.
@@ -60,7 +61,7 @@ LIBS := -lm $(if $(filter Windows_NT,$(OS)),,-lpthread)
 
 # New files are found by themselves.
 LIB_SRC := $(sort $(wildcard src/*/*.c))
-MAIN_SRC := examples/hello.c examples/demo/demo.c examples/bench/bench.c examples/bench/once.c \
+MAIN_SRC := examples/hello.c examples/rollback.c examples/demo/demo.c examples/bench/bench.c examples/bench/once.c \
 	examples/bench/scale.c examples/cost/cost.c
 EXAMPLE_SRC := $(filter-out $(MAIN_SRC) examples/peers/%,$(sort $(wildcard examples/*/*.c)))
 TEST_SRC := $(sort $(wildcard test/*/*_test.c))
@@ -73,7 +74,7 @@ CHECKED_EXAMPLE_OBJ := $(EXAMPLE_SRC:%.c=$(BUILD)/checked/%.o)
 TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
 TESTS := $(TEST_SRC:%.c=$(BUILD)/%) bindings/test/current.sh
 
-.PHONY: all bindings demo test test-all mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello check-deps check-links install clean FORCE
+.PHONY: all bindings demo test test-all mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello rollback check-deps check-links install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -107,17 +108,21 @@ $(BUILD)/$(SHARED_LINK): $(BUILD)/$(SHARED)
 # ---------------------------------------------------------------- examples
 
 $(BUILD)/bin/hello: $(BUILD)/release/examples/hello.o
+$(BUILD)/bin/rollback: $(BUILD)/release/examples/rollback.o
 $(BUILD)/bin/demo: $(BUILD)/release/examples/demo/demo.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench: $(BUILD)/release/examples/bench/bench.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_once: $(BUILD)/release/examples/bench/once.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_scale: $(BUILD)/release/examples/bench/scale.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/feature_cost: $(BUILD)/release/examples/cost/cost.o $(EXAMPLE_OBJ)
-$(BUILD)/bin/hello $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_once $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
+$(BUILD)/bin/hello $(BUILD)/bin/rollback $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_once $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
 	@mkdir -p $(@D)
 	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STRIP_UNUSED) $(filter %.o,$^) $(BUILD)/libcairn.a $(LIBS) -o $@
 
 hello: $(BUILD)/bin/hello
 	@$(BUILD)/bin/hello
+
+rollback: $(BUILD)/bin/rollback
+	@$(BUILD)/bin/rollback
 
 demo: $(BUILD)/bin/demo
 	@mkdir -p $(BUILD)/demo
