@@ -21,27 +21,29 @@ typedef struct header {
 	uint64_t checksum;     /* of what follows */
 } header;
 
-/* Sums of words and sums of these sums, modulo 2^64 (Fletcher, 1982), in four lanes: as fast as memory is read. */
+static inline uint64_t mixed(uint64_t sum, uint64_t word)
+{
+	return (sum << 23 | sum >> 41) + word;
+}
+
+/* Sums that are turned before each word is added, in four lanes that the processor adds at once. A single change always shows: each
+   step can be undone. */
 static uint64_t checksum(const uint8_t *bytes, uint64_t count)
 {
-	uint64_t sum[4] = { 1, 2, 3, 4 }, sums[4] = { 0, 0, 0, 0 }, word[4], k;
+	uint64_t sum[4] = { 1, 2, 3, 4 }, word[4], k;
 	int32_t l;
 	for (k = 0; k + sizeof word <= count; k += sizeof word) {
 		memcpy(word, bytes + k, sizeof word);
-		for (l = 0; l < 4; ++l) {
-			sum[l] += word[l];
-			sums[l] += sum[l];
-		}
+		sum[0] = mixed(sum[0], word[0]);
+		sum[1] = mixed(sum[1], word[1]);
+		sum[2] = mixed(sum[2], word[2]);
+		sum[3] = mixed(sum[3], word[3]);
 	}
-	for (; k < count; ++k) {
-		sum[0] += bytes[k];
-		sums[0] += sum[0];
-	}
-	for (l = 1; l < 4; ++l) {
-		sum[0] = sum[0] * 0x9E3779B97F4A7C15u + sum[l];
-		sums[0] = sums[0] * 0x9E3779B97F4A7C15u + sums[l];
-	}
-	return sum[0] ^ (sums[0] * 0xC2B2AE3D27D4EB4Fu);
+	for (; k < count; ++k)
+		sum[0] = mixed(sum[0], bytes[k]);
+	for (l = 1; l < 4; ++l)
+		sum[0] = mixed(sum[0] * 0x9E3779B97F4A7C15u, sum[l]);
+	return sum[0];
 }
 
 static header header_of(const cn_world *world, uint64_t state_bytes)
