@@ -19,7 +19,10 @@
  *             in their unit where it is not the obvious one.
  *  Handles    32 bits: index, kind, generation. 0 is never valid. A handle that is stale, of another
  *             kind or out of range gives CN_ERROR_HANDLE in every build, never undefined behaviour.
- *             A handle belongs to the world that made it; another world may or may not notice.
+ *             A handle belongs to the world that made it; another world may or may not notice. A
+ *             stale handle stays refused until, of its kind in its world, (2^20 - n) * 1023 more things
+ *             have been made, n being the most that ever were alive at once: a billion in most worlds. Joints and
+ *             constraints count together. The memory that this takes does not grow with what is made.
  *  Errors     a call that can fail returns cn_result. When it is not CN_OK nothing has changed, and
  *             cn_world_error_text gives one sentence with the value and the allowed range, if the
  *             function takes a non-const world (others may run on several threads: code only).

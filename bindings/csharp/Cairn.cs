@@ -1041,7 +1041,9 @@ namespace Cairn
 		public const int CN_ERROR_CAPACITY = -5;
 		/// <summary>the object is in a state in which this makes no sense</summary>
 		public const int CN_ERROR_STATE = -6;
+		/// <summary>cn_world_validate found a broken invariant: a bug in Cairn</summary>
 		public const int CN_ERROR_INTERNAL = -7;
+		public const int CN_ERROR_FORMAT = -8;
 
 		public const int CN_TYPE_VEC2 = 0;
 		public const int CN_TYPE_POSE = 1;
@@ -1395,6 +1397,27 @@ namespace Cairn
 		/// text_bytes bytes with the zero; may be NULL when text_bytes is 0). O(everything).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_validate(cn_world* world, byte* text, int text_bytes);
+
+		/// <summary>Bytes that cn_world_save needs now. From callbacks CN_ERROR_LOCKED. O(slots).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_save_size(cn_world* world, ulong* out_bytes);
+
+		/// <summary>Writes the state to out, which may have any alignment, and how many bytes that took to out_bytes (may be
+		/// NULL). capacity: bytes that out has; too few are CN_ERROR_CAPACITY. From callbacks CN_ERROR_LOCKED.
+		/// O(memory of the world), about 1 KB a body.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_save(cn_world* world, void* @out, ulong capacity, ulong* out_bytes);
+
+		/// <summary>Puts a state back: into the world that was saved, or one that was made by the same definition
+		/// (broadphase, length unit, whether it lives in a caller's block; else CN_ERROR_STATE). bytes: as many as
+		/// cn_world_save wrote. CN_ERROR_FORMAT: not a save of this version and machine, or damaged.
+		/// CN_ERROR_MEMORY: no room for what was alive then; a growing world takes what it needs, a world in a
+		/// caller's block has room for what it had. Arrays handed out before are void. O(memory of the world).
+		/// Handles of what was alive when the world was saved are valid again, also of what was destroyed since.
+		/// Those made since are refused, until the same handle is given to something new: with the same calls to
+		/// the same thing. A game rolls its own state back with the world, and so keeps none of them.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_restore(cn_world* world, void* save, ulong bytes);
 
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_body_def_init(cn_body_def* def);

@@ -109,7 +109,7 @@ static void check_create(cni_call *call, cn_world *world, cn_body body, const cn
 /* After check_create: a record that has its definition's numbers still to come. */
 static int32_t constraint_take(cn_world *world, int32_t type, uint32_t flags, cn_body body)
 {
-	return cni_joint_take(world, type, joint_flags(flags) | CN_JOINT_COLLIDE, CNI_NONE, cni_index_of(body));
+	return cni_joint_take(world, type, joint_flags(flags) | CN_JOINT_COLLIDE, CNI_NONE, cni_body_index(world, body));
 }
 
 static void constraint_finish(cn_world *world, int32_t joint, cn_constraint *out_constraint)
@@ -158,7 +158,7 @@ cn_result cn_constraint_destroy(cn_world *world, cn_constraint constraint)
 	cni_call call = cni_enter(world, __func__);
 	cni_check_constraint(&call, "constraint", constraint);
 	if (call.result == CN_OK)
-		cni_joint_destroy(world, cni_index_of(constraint));
+		cni_joint_destroy(world, cni_joint_index(world, constraint));
 	return call.result;
 }
 
@@ -236,7 +236,7 @@ cn_result cn_constraint_set_angle(cn_world *world, cn_constraint constraint, con
 	if (call.result != CN_OK)
 		return call.result;
 	store_angle(j, def);
-	constraint_changed(world, cni_index_of(constraint), def->flags);
+	constraint_changed(world, cni_joint_index(world, constraint), def->flags);
 	return CN_OK;
 }
 
@@ -250,7 +250,7 @@ cn_result cn_constraint_set_line(cn_world *world, cn_constraint constraint, cons
 	if (call.result != CN_OK)
 		return call.result;
 	store_line(j, def);
-	constraint_changed(world, cni_index_of(constraint), def->flags);
+	constraint_changed(world, cni_joint_index(world, constraint), def->flags);
 	return CN_OK;
 }
 

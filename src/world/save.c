@@ -111,9 +111,10 @@ cn_result cn_world_save(const cn_world *world, void *out, uint64_t capacity, uin
 /* Is this a whole save, of such a world? */
 static void check_save(cni_call *call, const cn_world *world, const uint8_t *bytes, uint64_t count)
 {
-	header own = header_of(world, 0), h;
+	header own, h;
 	if (call->result != CN_OK)
 		return;
+	own = header_of(world, 0);
 	memset(&h, 0, sizeof h);
 	if (count >= sizeof h)
 		memcpy(&h, bytes, sizeof h);

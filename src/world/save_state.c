@@ -109,10 +109,13 @@ static void tables_pass(cn_world *world, cni_snapshot *s)
 static void handles_pass(cni_snapshot *s, cni_handles *handles)
 {
 	cni_snapshot_array(s, &handles->slots);
+	cni_snapshot_array(s, &handles->aliases);
+	cni_snapshot_array(s, &handles->alias_of);
 	cni_snapshot_state(s, &handles->count, sizeof handles->count);
 	cni_snapshot_state(s, &handles->free_first, sizeof handles->free_first);
 	cni_snapshot_state(s, &handles->free_last, sizeof handles->free_last);
-	cni_snapshot_state(s, &handles->retired, sizeof handles->retired);
+	cni_snapshot_state(s, &handles->worn, sizeof handles->worn);
+	cni_snapshot_state(s, &handles->alias_next, sizeof handles->alias_next);
 }
 
 static void arrays_pass(cn_world *world, cni_snapshot *s)

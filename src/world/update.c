@@ -133,7 +133,7 @@ cn_result cn_world_read_poses_interpolated(const cn_world *world, const cn_body 
 		return call.result;
 	for (k = 0; k < count; ++k) {
 		if (bodies != NULL) {
-			slot = cni_index_of(bodies[k]);
+			slot = cni_body_index(world, bodies[k]);
 		} else {
 			while (!cni_handles_alive(&world->body_handles, slot))
 				++slot;
