@@ -1,10 +1,11 @@
 /*
  * base/handles.c - owns the slots: which is alive, with which generation and under which index, and the queue of free ones.
  *
- *   slot = generation (10 bits) << 22 | alive (1 bit) << 21 | next free slot + 1 (21 bits)
+ *   alive   generation (10 bits) << 22 | 1 (1 bit) << 21 | alias (21 bits), 0: it goes by its own index
+ *   free    generation (10 bits) << 22 | 0 (1 bit) << 21 | next free slot + 1 (21 bits)
  *
- * A free slot already has the generation it will be taken with, so that handing it out is one bit; but one that has worn out its
- * index has 0, and gets an alias when it is taken. That happens once in 1023 lives of a slot, so a sorted list of aliases will do.
+ * A free slot already has the generation it will be taken with; but one that has worn out its index has 0, and gets
+ * an alias when it is taken. That happens once in 1023 lives of a slot, so two sorted lists of aliases will do.
  *
  * Invariants: slots = alive + queued. No slot's own index is an alias: a new slot whose index has been given as one gets an
  * alias at once.
@@ -22,15 +23,13 @@
 #define NEXT_MASK 0x1FFFFFu
 
 static uint32_t *slots_of(const cni_handles *handles) { return handles->slots.data; }
-static cni_alias *aliases_of(const cni_handles *handles) { return handles->aliases.data; }
-static int32_t *alias_of(const cni_handles *handles) { return handles->alias_of.data; }
 
 void cni_handles_init(cni_handles *handles, int32_t kind)
 {
 	CNI_ASSERT(kind >= 0 && kind <= 3);
 	cni_array_init(&handles->slots, (int32_t)sizeof(uint32_t));
 	cni_array_init(&handles->aliases, (int32_t)sizeof(cni_alias));
-	cni_array_init(&handles->alias_of, (int32_t)sizeof(int32_t));
+	cni_array_init(&handles->by_slot, (int32_t)sizeof(cni_alias));
 	handles->kind = kind;
 	handles->count = 0;
 	handles->free_first = CNI_NONE;
@@ -43,21 +42,23 @@ void cni_handles_deinit(cni_handles *handles, cni_memory *memory)
 {
 	cni_array_deinit(&handles->slots, memory);
 	cni_array_deinit(&handles->aliases, memory);
-	cni_array_deinit(&handles->alias_of, memory);
+	cni_array_deinit(&handles->by_slot, memory);
 	cni_handles_init(handles, handles->kind);
 }
 
 /* ---- aliases ---- */
 
-/* The first alias at or behind an index. */
-static int32_t alias_from(const cni_handles *handles, int32_t index)
+static int32_t key_of(const cni_alias *alias, int32_t by_slot) { return by_slot ? alias->slot : alias->index; }
+
+/* The first of a list at or behind an index or a slot. */
+static int32_t list_from(const cni_array *list, int32_t by_slot, int32_t key)
 {
-	int32_t low = 0, high = handles->aliases.count;
+	int32_t low = 0, high = list->count;
 
 	while (low < high) {
 		int32_t middle = low + (high - low) / 2;
 
-		if (aliases_of(handles)[middle].index < index)
+		if (key_of((const cni_alias *)list->data + middle, by_slot) < key)
 			low = middle + 1;
 		else
 			high = middle;
@@ -65,30 +66,51 @@ static int32_t alias_from(const cni_handles *handles, int32_t index)
 	return low;
 }
 
-static int32_t alias_is_given(const cni_handles *handles, int32_t index)
+static void list_insert(cni_array *list, int32_t by_slot, const cni_alias *alias)
 {
-	int32_t k = alias_from(handles, index);
+	int32_t k = list_from(list, by_slot, key_of(alias, by_slot));
+	cni_alias *at = (cni_alias *)list->data + k;
 
-	return k < handles->aliases.count && aliases_of(handles)[k].index == index;
+	CNI_ASSERT(list->count < list->capacity);
+	memmove(at + 1, at, (size_t)(list->count - k) * sizeof *at);
+	*at = *alias;
+	list->count += 1;
+}
+
+static void list_remove(cni_array *list, int32_t by_slot, int32_t key)
+{
+	int32_t k = list_from(list, by_slot, key);
+	cni_alias *at = (cni_alias *)list->data + k;
+
+	list->count -= 1;
+	memmove(at, at + 1, (size_t)(list->count - k) * sizeof *at);
+}
+
+/* Who goes by an index, if it is an alias, or the alias of a slot; NULL: none. */
+static const cni_alias *alias_find(const cni_array *list, int32_t by_slot, int32_t key)
+{
+	int32_t k = list_from(list, by_slot, key);
+	const cni_alias *at = list->data;
+
+	return k < list->count && key_of(at + k, by_slot) == key ? at + k : NULL;
+}
+
+static int32_t alias_is_given(const cni_handles *handles, int32_t index) { return alias_find(&handles->aliases, 0, index) != NULL; }
+
+/* The alias of a slot, alive or free; 0: none. */
+static int32_t alias_of(const cni_handles *handles, int32_t slot)
+{
+	const cni_alias *alias = alias_find(&handles->by_slot, 1, slot);
+
+	return alias != NULL ? alias->index : 0;
 }
 
 /* The index that a live slot goes by. */
 static int32_t index_of(const cni_handles *handles, int32_t slot)
 {
-	int32_t alias = handles->alias_of.count > 0 ? alias_of(handles)[slot] : 0;
+	int32_t alias = (int32_t)(slots_of(handles)[slot] & NEXT_MASK);
 
 	return alias != 0 ? alias : slot;
-}
-
-static void alias_remove(cni_handles *handles, int32_t slot)
-{
-	int32_t k = alias_of(handles)[slot] == 0 ? CNI_NONE : alias_from(handles, alias_of(handles)[slot]);
-
-	if (k == CNI_NONE)
-		return;
-	handles->aliases.count -= 1;
-	memmove(aliases_of(handles) + k, aliases_of(handles) + k + 1, (size_t)(handles->aliases.count - k) * sizeof(cni_alias));
-	alias_of(handles)[slot] = 0;
 }
 
 /* Behind all slots, downwards, from the end again when they are used up; CNI_NONE: there are none. */
@@ -117,7 +139,7 @@ static int32_t alias_choose(cni_handles *handles, int32_t slot)
 	if (index != CNI_NONE || !alias_is_given(handles, slot))
 		return index;
 	for (index = INDEX_COUNT - 1; index > 0; --index)
-		if (!alias_is_given(handles, index) && (index >= handles->slots.count || alias_of(handles)[index] != 0))
+		if (!alias_is_given(handles, index) && (index >= handles->slots.count || alias_of(handles, index) != 0))
 			break;
 	return index;
 }
@@ -125,34 +147,34 @@ static int32_t alias_choose(cni_handles *handles, int32_t slot)
 /* Another index for a slot that has worn out the one it had. */
 static void alias_give(cni_handles *handles, int32_t slot)
 {
+	int32_t old = alias_of(handles, slot);
 	cni_alias alias;
-	int32_t k;
 
-	while (handles->alias_of.count < handles->slots.count)
-		alias_of(handles)[handles->alias_of.count++] = 0;
-	alias_remove(handles, slot);
+	if (old != 0) {
+		list_remove(&handles->aliases, 0, old);
+		list_remove(&handles->by_slot, 1, slot);
+	}
 	alias.index = alias_choose(handles, slot);
 	alias.slot = slot;
 	if (alias.index == CNI_NONE)
 		return;
-	k = alias_from(handles, alias.index);
-	memmove(aliases_of(handles) + k + 1, aliases_of(handles) + k, (size_t)(handles->aliases.count - k) * sizeof(cni_alias));
-	aliases_of(handles)[k] = alias;
-	handles->aliases.count += 1;
-	alias_of(handles)[slot] = alias.index;
+	list_insert(&handles->aliases, 0, &alias);
+	list_insert(&handles->by_slot, 1, &alias);
 }
 
 /* ---- room ---- */
 
 int32_t cni_handles_reserve_aliases(cni_handles *handles, cni_memory *memory, int32_t slots)
 {
-	return cni_array_reserve(&handles->aliases, memory, slots) && cni_array_reserve(&handles->alias_of, memory, slots);
+	return cni_array_reserve(&handles->aliases, memory, slots) && cni_array_reserve(&handles->by_slot, memory, slots);
 }
 
-/* Once there are aliases, every slot has room for one. */
+/* Of the slots that there are and those that wait for one; new slots need one where their index may have been given. */
 static int32_t aliases_wanted(const cni_handles *handles, int32_t slots)
 {
-	return handles->worn > 0 || handles->alias_of.count > 0 || slots > handles->alias_next;
+	int32_t there = handles->aliases.count + handles->worn;
+
+	return there > 0 || slots > handles->alias_next ? there + slots - handles->slots.count : 0;
 }
 
 cn_result cni_handles_reserve(cni_handles *handles, cni_memory *memory, int32_t extra)
@@ -167,7 +189,7 @@ cn_result cni_handles_reserve(cni_handles *handles, cni_memory *memory, int32_t 
 		slots += extra - queued;
 	if (!cni_array_reserve(&handles->slots, memory, slots))
 		return CN_ERROR_MEMORY;
-	return !aliases_wanted(handles, slots) || cni_handles_reserve_aliases(handles, memory, slots) ? CN_OK : CN_ERROR_MEMORY;
+	return cni_handles_reserve_aliases(handles, memory, aliases_wanted(handles, slots)) ? CN_OK : CN_ERROR_MEMORY;
 }
 
 /* ---- slots ---- */
@@ -197,8 +219,6 @@ static void queue_append(cni_handles *handles, int32_t slot)
 static uint32_t slot_new(cni_handles *handles, int32_t slot)
 {
 	handles->slots.count += 1;
-	if (handles->alias_of.count > 0)
-		alias_of(handles)[handles->alias_of.count++] = 0;
 	if (slot < handles->alias_next && !alias_is_given(handles, slot))
 		return (uint32_t)1 << GENERATION_SHIFT;
 	handles->worn += 1;
@@ -220,7 +240,7 @@ int32_t cni_handles_take(cni_handles *handles)
 		alias_give(handles, slot);
 		*word = (uint32_t)1 << GENERATION_SHIFT;
 	}
-	*word = (*word & ~NEXT_MASK) | ALIVE_BIT;
+	*word = (*word & ~NEXT_MASK) | ALIVE_BIT | (uint32_t)alias_of(handles, slot);
 	handles->count += 1;
 	return slot;
 }
@@ -245,13 +265,15 @@ int32_t cni_handles_find(const cni_handles *handles, uint32_t handle)
 
 	if (kind != (uint32_t)handles->kind)
 		return CNI_NONE;
-	if (slot >= handles->slots.count || index_of(handles, slot) != slot) {
-		int32_t k = alias_from(handles, slot);
+	if (handles->aliases.count > 0) {
+		const cni_alias *alias = alias_find(&handles->aliases, 0, slot);
 
-		if (k == handles->aliases.count || aliases_of(handles)[k].index != slot)
+		if (alias == NULL && slot < handles->slots.count && cni_handles_alive(handles, slot) && index_of(handles, slot) != slot)
 			return CNI_NONE;
-		slot = aliases_of(handles)[k].slot;
+		slot = alias != NULL ? alias->slot : slot;
 	}
+	if (slot >= handles->slots.count)
+		return CNI_NONE;
 	word = slots_of(handles)[slot];
 	return (word & ALIVE_BIT) && word >> GENERATION_SHIFT == handle >> GENERATION_SHIFT ? slot : CNI_NONE;
 }

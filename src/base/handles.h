@@ -28,9 +28,9 @@ typedef struct cni_alias {
 } cni_alias;
 
 typedef struct cni_handles {
-	cni_array slots;     /* uint32: generation << 22 | alive << 21 | next free index + 1; generation 0: the slot needs an alias */
+	cni_array slots;     /* uint32: generation << 22 | alive << 21 | alias, or of a free slot next + 1; generation 0: it needs an alias */
 	cni_array aliases;   /* cni_alias of the slots that have one, by rising index */
-	cni_array alias_of;  /* int32 by slot, 0: none; as long as slots once there is any alias */
+	cni_array by_slot;   /* the same by rising slot */
 	int32_t kind;
 	int32_t count;       /* alive */
 	int32_t free_first;  /* index or CNI_NONE */
@@ -50,7 +50,7 @@ int32_t cni_handles_reserve_aliases(cni_handles *handles, cni_memory *memory, in
 int32_t cni_handles_peek(const cni_handles *handles);
 int32_t cni_handles_take(cni_handles *handles);
 void cni_handles_release(cni_handles *handles, int32_t slot);
-/* Slot of a live handle of this kind, or CNI_NONE. Any 32 bits may come in. O(log of aliases) for an alias. */
+/* Slot of a live handle of this kind, or CNI_NONE. Any 32 bits may come in. O(log of the number of aliases). */
 int32_t cni_handles_find(const cni_handles *handles, uint32_t handle);
 /* Handle of a live slot. */
 uint32_t cni_handles_of(const cni_handles *handles, int32_t slot);

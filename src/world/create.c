@@ -375,7 +375,7 @@ static uint64_t records_bytes(const cn_world_def *d)
 
 static uint64_t handles_bytes(int32_t n)
 {
-	return array_bytes(n, sizeof(uint32_t)) + array_bytes(n, sizeof(cni_alias)) + array_bytes(n, sizeof(int32_t));
+	return array_bytes(n, sizeof(uint32_t)) + 2u * array_bytes(n, sizeof(cni_alias));
 }
 
 static uint64_t body_arrays_bytes(int32_t n)

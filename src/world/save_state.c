@@ -110,7 +110,7 @@ static void handles_pass(cni_snapshot *s, cni_handles *handles)
 {
 	cni_snapshot_array(s, &handles->slots);
 	cni_snapshot_array(s, &handles->aliases);
-	cni_snapshot_array(s, &handles->alias_of);
+	cni_snapshot_array(s, &handles->by_slot);
 	cni_snapshot_state(s, &handles->count, sizeof handles->count);
 	cni_snapshot_state(s, &handles->free_first, sizeof handles->free_first);
 	cni_snapshot_state(s, &handles->free_last, sizeof handles->free_last);
