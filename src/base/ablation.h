@@ -46,7 +46,6 @@
 	X(KEPT_LANES)       /* ... in the lanes of the last step */ \
 	X(BODY_KERNELS)     /* bodies side by side in integration and finalize */ \
 	X(BOX_BATCHES)      /* manifolds of boxes side by side */ \
-	X(LANE_WRITER)      /* manifolds into lanes side by side */ \
 	X(KEPT_PLANS)       /* plans of systems are kept from step to step */ \
 	X(SWEEP)            /* the sweep over tiles; without it the tree */
 

@@ -73,6 +73,17 @@ void cni_geometry_box(const cni_geometry *g, int32_t child, const cni_transform 
 	}
 }
 
+cni_aabb cni_geometry_bounds(const cni_geometry *g, cni_transform x)
+{
+	cni_aabb box = cni_geometry_aabb(g, 0, x);
+	int32_t child;
+	for (child = 1; child < cni_geometry_children(g); ++child) {
+		cni_aabb one = cni_geometry_aabb(g, child, x);
+		box = cni_aabb_union(&box, &one);
+	}
+	return box;
+}
+
 static float point_to_segment_sq(cni_vec2 point, cni_vec2 a, cni_vec2 b)
 {
 	cni_vec2 edge = cni_sub(b, a);

@@ -209,8 +209,9 @@ static void shape_axis(const cni_chain_edge *e, cni_vec2 normal, cni_vec2 origin
 	best->edge = edge;
 }
 
-static void collide_faces_chain(const cni_faces *a, const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
+void cni_collide_faces_chain(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
+	cni_faces a = cni_faces_of(in->a);
 	float touch = CNI_TOUCH_PER_SLOP * in->slop;
 	cni_chain_edge e;
 	chain_axis best;
@@ -219,30 +220,18 @@ static void collide_faces_chain(const cni_faces *a, const cni_manifold_input *in
 	chain_surface(&e, in);
 	if (cni_dot(e.normal, cni_sub(in->a->centroid, e.points[0])) < 0.0f)
 		return;
-	float height = points_height(a, e.normal, e.points[0]);
-	if (height > in->margin + a->radius)
+	float height = points_height(&a, e.normal, e.points[0]);
+	if (height > in->margin + a.radius)
 		return;
 	chain_corner(&e, in, 0);
 	chain_corner(&e, in, 1);
-	surface_axes(&e, a, height, touch, &best);
-	for (int32_t i = 0; i < a->count && best.apart <= in->margin + a->radius; ++i)
-		shape_axis(&e, a->normals[i], a->points[i], i, touch, &best);
-	if (best.apart > in->margin + a->radius || best.kind == AXIS_NEIGHBOUR)
+	surface_axes(&e, &a, height, touch, &best);
+	for (int32_t i = 0; i < a.count && best.apart <= in->margin + a.radius; ++i)
+		shape_axis(&e, a.normals[i], a.points[i], i, touch, &best);
+	if (best.apart > in->margin + a.radius || best.kind == AXIS_NEIGHBOUR)
 		return;
 	cni_vec2 normals[2] = { e.normal, cni_neg(e.normal) };
 	cni_faces b = { e.points, normals, 2, 0.0f };
 	cni_axis axis = { best.separation, best.kind == AXIS_SHAPE ? best.edge : 0, best.kind != AXIS_SHAPE };
-	cni_faces_manifold(a, &b, axis, &e, in, out);
-}
-
-void cni_collide_capsule_chain(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
-{
-	cni_faces a = cni_faces_of(in->a);
-	collide_faces_chain(&a, in, cache, out);
-}
-
-void cni_collide_polygon_chain(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
-{
-	cni_faces a = cni_faces_of(in->a);
-	collide_faces_chain(&a, in, cache, out);
+	cni_faces_manifold(&a, &b, axis, &e, in, out);
 }

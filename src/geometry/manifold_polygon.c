@@ -1,44 +1,14 @@
 /*
- * geometry/manifold_polygon.c - pairs of polygons, capsules and edges: each names its skeletons and
+ * geometry/manifold_polygon.c - pairs of polygons, capsules and edges: names their skeletons and
  * leaves the rest to the kernel in manifold_faces.c. Two crossing segments' Minkowski difference is a
  * parallelogram whose sides are their faces, so the kernel is exact for segments as well.
  */
 #include "geometry/manifold_faces.h"
 #include "geometry/manifold_table.h"
 
-static void collide(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
+void cni_collide_polygons(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
 	cni_faces a = cni_faces_of(in->a);
 	cni_faces b = cni_faces_of(in->b);
 	cni_faces_collide(&a, &b, in, cache, out);
-}
-
-void cni_collide_polygons(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
-{
-	collide(in, cache, out);
-}
-
-void cni_collide_capsules(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
-{
-	collide(in, cache, out);
-}
-
-void cni_collide_capsule_polygon(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
-{
-	collide(in, cache, out);
-}
-
-void cni_collide_capsule_edge(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
-{
-	collide(in, cache, out);
-}
-
-void cni_collide_polygon_edge(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
-{
-	collide(in, cache, out);
-}
-
-void cni_collide_edges(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
-{
-	collide(in, cache, out);
 }

@@ -67,23 +67,12 @@ static nearest nearest_on_segment(cni_vec2 center, const cni_geometry *segment)
 	return near;
 }
 
-static void collide_circle_segment(const cni_manifold_input *in, cni_manifold *out)
+void cni_collide_circle_segment(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
+	(void)cache;
 	cni_vec2 center = cni_untransform_point(in->b_in_a, cni_geometry_points(in->a)[0]);
 	nearest near = nearest_on_segment(center, in->b);
 	nearest_emit(&near, in, out);
-}
-
-void cni_collide_circle_capsule(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
-{
-	(void)cache;
-	collide_circle_segment(in, out);
-}
-
-void cni_collide_circle_edge(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
-{
-	(void)cache;
-	collide_circle_segment(in, out);
 }
 
 static float face_height(const cni_geometry *g, int32_t edge, cni_vec2 point)

@@ -7,10 +7,10 @@
 
 static cni_manifold_fn *const functions[TYPES][TYPES] = {
 	/* b:  circle               capsule                     polygon                      edge                      chain */
-	{ cni_collide_circles, cni_collide_circle_capsule, cni_collide_circle_polygon, cni_collide_circle_edge, cni_collide_circle_chain },
-	{ NULL, cni_collide_capsules, cni_collide_capsule_polygon, cni_collide_capsule_edge, cni_collide_capsule_chain },
-	{ NULL, NULL, cni_collide_polygons, cni_collide_polygon_edge, cni_collide_polygon_chain },
-	{ NULL, NULL, NULL, cni_collide_edges, NULL },
+	{ cni_collide_circles, cni_collide_circle_segment, cni_collide_circle_polygon, cni_collide_circle_segment, cni_collide_circle_chain },
+	{ NULL, cni_collide_polygons, cni_collide_polygons, cni_collide_polygons, cni_collide_faces_chain },
+	{ NULL, NULL, cni_collide_polygons, cni_collide_polygons, cni_collide_faces_chain },
+	{ NULL, NULL, NULL, cni_collide_polygons, NULL },
 	{ NULL, NULL, NULL, NULL, NULL },
 };
 

@@ -8,19 +8,12 @@
 
 /* manifold_round.c */
 cni_manifold_fn cni_collide_circles;
-cni_manifold_fn cni_collide_circle_capsule;
+cni_manifold_fn cni_collide_circle_segment; /* capsules, edges */
 cni_manifold_fn cni_collide_circle_polygon;
-cni_manifold_fn cni_collide_circle_edge;
-/* manifold_polygon.c */
-cni_manifold_fn cni_collide_capsules;
-cni_manifold_fn cni_collide_capsule_polygon;
-cni_manifold_fn cni_collide_capsule_edge;
+/* manifold_polygon.c: polygons, capsules, edges */
 cni_manifold_fn cni_collide_polygons;
-cni_manifold_fn cni_collide_polygon_edge;
-cni_manifold_fn cni_collide_edges;
 /* manifold_chain.c */
 cni_manifold_fn cni_collide_circle_chain;
-cni_manifold_fn cni_collide_capsule_chain;
-cni_manifold_fn cni_collide_polygon_chain;
+cni_manifold_fn cni_collide_faces_chain; /* capsules, polygons */
 
 #endif

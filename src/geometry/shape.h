@@ -78,6 +78,8 @@ static inline cni_aabb cni_geometry_aabb(const cni_geometry *g, int32_t child, c
 	cni_geometry_box(g, child, &transform, &box);
 	return box;
 }
+/* Of all its children. */
+cni_aabb cni_geometry_bounds(const cni_geometry *g, cni_transform transform);
 /* Height of a vertex above the line through its neighbours below which it counts as collinear. */
 float cni_collinear_height(const cni_vec2 *points, int32_t count, float tolerance);
 

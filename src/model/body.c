@@ -382,56 +382,47 @@ static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_sh
 
 static int32_t reaches_ahead(int32_t what) { return what == BOX_LEAVES_AHEAD || what == BOX_STAYS_AHEAD; }
 
-int32_t cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead)
+/* Looks at all boxes of a body. Those that the way ahead leaves get new bounds where there is a mover, else the first of them is told.
+   Returns how many there are. */
+static int32_t boxes_look(const cn_world *world, cni_body *b, cni_vec2 ahead, cn_world *mover, cni_box_move *out)
 {
-	cni_transform x;
+	cni_transform x = cni_body_transform(b);
 	float room = FLT_MAX, one;
-	int32_t shape, child, all = 1;
+	int32_t shape, child, count = 0;
 	cni_aabb fat;
-	if (cni_body_has_room(b, ahead))
-		return 0;
-	b->flags &= ~(uint32_t)CNI_BODY_AHEAD;
-	x = cni_body_transform(b);
+	out->reaches = 1;
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		for (child = 0; child < s->children; ++child) {
 			int32_t what = box_leaves(world, b, s, child, &x, ahead, &fat, &one);
-			if (what >= BOX_LEAVES) {
-				int32_t proxy = cni_shape_proxy(world, s, child);
-				cni_proxy_set_fat(cni_proxy_at(world, proxy), &fat);
-				world->broadphase_ops->move(world->broadphase, proxy);
-			}
-			all &= reaches_ahead(what);
 			room = cni_min(room, one);
+			out->reaches &= reaches_ahead(what);
+			if (what < BOX_LEAVES || (count++ > 0 && mover == NULL))
+				continue;
+			out->fat = fat;
+			out->proxy = cni_shape_proxy(world, s, child);
+			if (mover == NULL)
+				continue;
+			cni_proxy_set_fat(cni_proxy_at(world, out->proxy), &fat);
+			mover->broadphase_ops->move(mover->broadphase, out->proxy);
 		}
 	}
-	cni_body_set_room(b, room);
-	return all;
+	cni_body_set_room(b, count > 1 && mover == NULL ? 0.0f : room); /* with several to move it looks again */
+	return count;
+}
+
+int32_t cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead)
+{
+	cni_box_move moved;
+	if (cni_body_has_room(b, ahead))
+		return 0;
+	b->flags &= ~(uint32_t)CNI_BODY_AHEAD;
+	(void)boxes_look(world, b, ahead, world, &moved);
+	return moved.reaches;
 }
 
 int32_t cni_body_boxes_left(const cn_world *world, cni_body *b, cni_vec2 ahead, cni_box_move *out)
 {
-	cni_transform x;
-	float room = FLT_MAX, one;
-	int32_t shape, child, count = 0, all = 1;
-	cni_aabb fat;
 	out->reaches = 0;
-	if (cni_body_has_room(b, ahead))
-		return 0;
-	x = cni_body_transform(b);
-	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
-		const cni_shape *s = cni_shape_at(world, shape);
-		for (child = 0; child < s->children; ++child) {
-			int32_t what = box_leaves(world, b, s, child, &x, ahead, &fat, &one);
-			room = cni_min(room, one);
-			all &= reaches_ahead(what);
-			if (what < BOX_LEAVES || count++ > 0)
-				continue;
-			out->fat = fat;
-			out->proxy = cni_shape_proxy(world, s, child);
-		}
-	}
-	cni_body_set_room(b, count > 1 ? 0.0f : room); /* with several to move it looks again */
-	out->reaches = all;
-	return count;
+	return cni_body_has_room(b, ahead) ? 0 : boxes_look(world, b, ahead, NULL, out);
 }

@@ -164,6 +164,14 @@ static inline cni_transform cni_body_transform(const cni_body *b)
 	x.t = cni_body_origin(b);
 	return x;
 }
+static inline cn_pose cni_body_pose(const cni_body *b)
+{
+	cn_pose pose;
+	pose.position_m = cni_body_origin(b);
+	pose.cosine = b->q.c;
+	pose.sine = b->q.s;
+	return pose;
+}
 /* From centre a to centre b, without losing digits far from the origin. */
 static inline cni_vec2 cni_body_a_to_b(const cni_body *a, const cni_body *b)
 {

@@ -39,17 +39,11 @@ static void lane_clear_point(cni_contact_row *p, uint32_t lane)
 	p->at[lane] = p->an[lane] = p->s0[lane] = p->nm[lane] = p->jn[lane] = p->load[lane] = 0.0f;
 }
 
-/* What a lane keeps of the points that it had. */
-typedef struct old_points {
-	uint16_t id[2];
-	float jn[3], load[3]; /* the last of a new point */
-} old_points;
-
-/* Which of them has this id; 2: none, for those that there were not have the id 0. */
-CNI_INLINE int32_t old_point_of(const old_points *old, uint32_t id)
-{
-	return old->id[0] == id ? 0 : old->id[1] == id ? 1 : 2;
-}
+/* What a lane keeps of a point that it had. */
+typedef struct old_point {
+	uint32_t id; /* 0: it was not there, as no point has this id */
+	float jn, load;
+} old_point;
 
 static void lane_write_material(cn_world *world, const cni_contact *c, cni_contact_block *block, int32_t lane)
 {
@@ -208,17 +202,10 @@ CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, const cni_co
 	anchor->of.less[1][l] = block->p[1].s0[l] - centers;
 }
 
-CNI_INLINE old_points old_points_take(cni_contact *c, const cni_contact_block *block, uint32_t lane)
+CNI_INLINE old_point old_point_take(cni_contact *c, const cni_contact_block *block, int32_t k, uint32_t lane)
 {
-	old_points old;
-	int32_t k;
-	for (k = 0; k < 2; ++k) {
-		old.jn[k] = block->p[k].jn[lane];
-		old.load[k] = block->p[k].load[lane];
-		old.id[k] = c->id[k];
-		c->id[k] = 0;
-	}
-	old.jn[2] = old.load[2] = 0.0f;
+	old_point old = { c->id[k], block->p[k].jn[lane], block->p[k].load[lane] };
+	c->id[k] = 0;
 	return old;
 }
 
@@ -226,9 +213,10 @@ CNI_INLINE old_points old_points_take(cni_contact *c, const cni_contact_block *b
 static int32_t normal_lags(const cn_world *world, const cni_contact_block *block, uint32_t lane, cni_vec2 n)
 {
 	const cni_motion *motions = cni_motions(world);
-	float x = n.x - block->nx[lane], y = n.y - block->ny[lane];
-	float spin = cni_max(cni_abs(motions[block->ia[lane]].w), cni_abs(motions[block->ib[lane]].w));
-	return block->ib[lane] != 0 && x * x + y * y <= cni_normal_lag_sq(world) && spin <= CNI_NORMAL_LAG_SPIN;
+	float x = n.x - block->nx[lane], y = n.y - block->ny[lane], most_sq = cni_normal_lag_sq(world);
+	if (most_sq < 0.0f || block->ib[lane] == 0 || !(x * x + y * y <= most_sq))
+		return 0;
+	return cni_max(cni_abs(motions[block->ia[lane]].w), cni_abs(motions[block->ib[lane]].w)) <= CNI_NORMAL_LAG_SPIN;
 }
 
 void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const cni_body *b, const cni_manifold *manifold, cni_vec2 gap, const float radius[2])
@@ -241,7 +229,7 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 	lane_frame f = frame_make(a, b, flipped, normal);
 	lane_mass m = lane_mass_of(world, &f);
 	float radius_a = radius[flipped], fa = 0.0f, ahead, dn, dt;
-	old_points old = old_points_take(c, block, lane);
+	const old_point first = old_point_take(c, block, 0, lane), second = old_point_take(c, block, 1, lane), none = { 0, 0.0f, 0.0f };
 	gap = cni_rotate(a->q, gap);
 	ahead = cni_dot(gap, normal);
 	f.d = flipped ? cni_add(f.d, gap) : cni_sub(f.d, gap);
@@ -257,7 +245,7 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 		const cni_manifold_point *point = &manifold->points[k];
 		cni_contact_row *p = &block->p[k];
 		cni_vec2 r = cni_rotate(a->q, cni_sub(point->point, a->local_center));
-		int32_t was = old_point_of(&old, point->id);
+		old_point was = point->id == first.id ? first : point->id == second.id ? second : none;
 		float at, bt, an;
 		if (flipped)
 			r = cni_add(r, f.d); /* from lane b's centre to lane a's */
@@ -268,9 +256,9 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 		p->an[lane] = an;
 		p->s0[lane] = point->separation;
 		p->nm[lane] = inverse_or_zero(m.n + m.ia * at * at + m.ib * bt * bt);
-		p->jn[lane] = p->nm[lane] > 0.0f ? old.jn[was] : 0.0f; /* all of its row is zero to the kernels, where nothing can move */
-		p->load[lane] = p->nm[lane] > 0.0f ? old.load[was] : 0.0f;
-		kept |= was < 2;
+		p->jn[lane] = p->nm[lane] > 0.0f ? was.jn : 0.0f; /* all of its row is zero to the kernels, where nothing can move */
+		p->load[lane] = p->nm[lane] > 0.0f ? was.load : 0.0f;
+		kept |= was.id != 0;
 		c->id[k] = (uint16_t)point->id;
 		fa += an + radius_a;
 	}
@@ -298,20 +286,30 @@ void cni_contact_write_empty(cn_world *world, int32_t contact)
 	cni_lane_loosen(world, c->slot);
 }
 
-/* One lane in the order of the sleep store's rows, wherever it lives. */
-static void lane_read_rows(const cn_world *world, const cni_contact *c, float rows[CNI_SLEEP_ROWS])
+/* One lane's rows without the body indices, wherever it lives. */
+typedef struct lane_rows {
+	const float *first;
+	int32_t stride;
+} lane_rows;
+
+static lane_rows lane_rows_of(const cn_world *world, const cni_contact *c)
 {
-	int32_t row;
+	lane_rows rows = { NULL, 1 };
 	if (c->flags & CNI_CONTACT_ASLEEP) {
-		memcpy(rows, ((const cni_sleep_lane *)world->sleep_lanes.data)[c->slot].rows, sizeof(float) * CNI_SLEEP_ROWS);
-	} else {
-		const float *block = (const float *)(const void *)cni_block_at(world, c->slot / CNI_LANES);
-		for (row = 0; row < CNI_SLEEP_ROWS; ++row)
-			rows[row] = block[(row + 2) * CNI_LANES + c->slot % CNI_LANES];
+		rows.first = ((const cni_sleep_lane *)world->sleep_lanes.data)[c->slot].rows;
+		return rows;
 	}
+	rows.first = (const float *)(const void *)cni_block_at(world, c->slot / CNI_LANES) + 2 * CNI_LANES + c->slot % CNI_LANES;
+	rows.stride = CNI_LANES;
+	return rows;
 }
 
-/* Rows of a lane without the body indices; see cni_contact_block. */
+static float row_read(lane_rows rows, int32_t row)
+{
+	return rows.first[row * rows.stride];
+}
+
+/* Which they are: see cni_contact_block. */
 enum { ROW_NX = 0, ROW_NY = 1, ROW_DT = 5, ROW_FA = 6, ROW_FB = 7, ROW_JT = 9, ROW_POINT = 10, ROW_POINT_COUNT = 6 };
 
 /* A lane is of the beginning of the step. How far its anchors on the two bodies have come apart since they were
@@ -321,26 +319,26 @@ static void describe_manifold(const cn_world *world, const cni_contact *c, cn_ma
 {
 	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, k;
 	lane_frame f;
-	float rows[CNI_SLEEP_ROWS], radius = lane_radius(world, c, 0), moved_n, moved_t;
+	lane_rows rows = lane_rows_of(world, c);
+	float radius = lane_radius(world, c, 0), gap = cni_contact_gap(world, c), moved_n, moved_t;
 	cni_vec2 n, t, middle;
-	lane_read_rows(world, c, rows);
-	n = cni_v(rows[ROW_NX], rows[ROW_NY]);
+	n = cni_v(row_read(rows, ROW_NX), row_read(rows, ROW_NY));
 	t = cni_right_perp(n);
 	f = frame_make(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]), flipped, flipped ? cni_neg(n) : n);
-	moved_n = cni_dot(f.d, n) - (rows[ROW_FA] - rows[ROW_FB]);
-	moved_t = cni_dot(f.d, t) - rows[ROW_DT];
+	moved_n = cni_dot(f.d, n) - (row_read(rows, ROW_FA) - row_read(rows, ROW_FB));
+	moved_t = cni_dot(f.d, t) - row_read(rows, ROW_DT);
 	middle = cni_madd(cni_madd(cni_v(f.a->cx, f.a->cy), 0.5f * moved_n, n), 0.5f * moved_t, t);
 	out->normal = flipped ? cni_neg(n) : n;
-	out->friction_impulse_Ns = rows[ROW_JT]; /* n and t both flip, and so do the bodies: the sign stays */
+	out->friction_impulse_Ns = row_read(rows, ROW_JT); /* n and t both flip, and so do the bodies: the sign stays */
 	for (k = 0; k < 2; ++k) {
-		const float *p = rows + ROW_POINT + k * ROW_POINT_COUNT; /* at an s0 nm jn load */
+		int32_t p = ROW_POINT + k * ROW_POINT_COUNT; /* at an s0 nm jn load */
 		cn_manifold_point *point = &out->points[out->point_count];
-		cni_vec2 r = cni_add(cni_mul(p[0], t), cni_mul(p[1] + radius, n));
+		cni_vec2 r = cni_add(cni_mul(row_read(rows, p), t), cni_mul(row_read(rows, p + 1) + radius, n));
 		if (c->id[k] == 0)
 			continue;
 		point->point_m = cni_add(middle, r);
-		point->separation_m = p[2] - cni_contact_gap(world, c) + moved_n;
-		point->normal_impulse_Ns = p[4];
+		point->separation_m = row_read(rows, p + 2) - gap + moved_n;
+		point->normal_impulse_Ns = row_read(rows, p + 4);
 		point->feature_id = c->id[k];
 		++out->point_count;
 	}

@@ -5,6 +5,7 @@
  * and in the awake list when one of its bodies is in the dense arrays and none is disabled; a filter joint
  * has nothing to solve and is in no awake list and no island.
  */
+#include "model/joint_row.h"
 #include "model/world.h"
 
 #include <string.h>
@@ -325,6 +326,34 @@ void cni_joint_error(const cn_world *world, const cni_joint *j, float *out_m, fl
 	}
 	*out_m = cni_sqrt(linear_sq);
 	*out_rad = angular;
+}
+
+float cni_joint_position_angle(const cni_joint *j, const cni_joint_frame *f)
+{
+	(void)j;
+	return f->angle;
+}
+
+cni_row cni_joint_speed_angle(const cni_joint *j, const cni_joint_frame *f)
+{
+	(void)j;
+	return cni_row_angular(CNI_ROW_MOTOR, 0, 1.0f, f->ratio);
+}
+
+float cni_joint_position_axis(const cni_joint *j, const cni_joint_frame *f)
+{
+	return cni_dot(cni_joint_axis(j, f), f->d);
+}
+
+cni_row cni_joint_speed_axis(const cni_joint *j, const cni_joint_frame *f)
+{
+	return cni_row_fixed_direction(f, cni_joint_axis(j, f), CNI_ROW_MOTOR, 0, 1.0f);
+}
+
+float cni_joint_position_distance(const cni_joint *j, const cni_joint_frame *f)
+{
+	(void)j;
+	return cni_length(f->d);
 }
 
 float cni_joint_position(const cn_world *world, const cni_joint *j)

@@ -157,6 +157,10 @@ typedef struct cni_row {
 /* Writes the joint's rows for this frame, rigid or drive ones first; impulses are not touched. Returns how many. */
 typedef int32_t cni_joint_rows_fn(const cni_joint *j, const cni_joint_frame *f, cni_row *rows);
 
+/* What users read back as the joint's position, and a row along which its speed is measured (kind and slot mean nothing). */
+typedef float cni_joint_position_fn(const cni_joint *j, const cni_joint_frame *f);
+typedef cni_row cni_joint_speed_fn(const cni_joint *j, const cni_joint_frame *f);
+
 /* What a type wants to be in its frame, where nothing else is computed. */
 enum {
 	CNI_USES_ANGLE = 1u << 0,     /* angle, wrapped at the beginning of the step */
@@ -171,8 +175,8 @@ enum {
    side by the sign of the error and keep their slot). */
 typedef struct cni_joint_type {
 	cni_joint_rows_fn *rows;
-	float (*position)(const cni_joint *j, const cni_joint_frame *f);
-	cni_row (*speed_row)(const cni_joint *j, const cni_joint_frame *f);
+	cni_joint_position_fn *position;
+	cni_joint_speed_fn *speed_row;
 	uint32_t uses;
 } cni_joint_type;
 extern const cni_joint_type cni_joint_revolute, cni_joint_distance, cni_joint_fixed, cni_joint_prismatic, cni_joint_wheel,

@@ -25,28 +25,17 @@ static int32_t distance_rows(const cni_joint *j, const cni_joint_frame *f, cni_r
 		return 1;
 	}
 	if (j->flags & CN_JOINT_SPRING) {
-		rows[count] = axis_row(f, CNI_ROW_SPRING, 1, 1.0f, &length);
-		rows[count].error = length - j->p[CNI_P_LENGTH];
-		rows[count].hertz = j->p[CNI_P_DISTANCE_HERTZ];
-		rows[count++].damping_ratio = j->p[CNI_P_DISTANCE_DAMPING];
+		cni_row r = axis_row(f, CNI_ROW_SPRING, 1, 1.0f, &length);
+		rows[count++] = cni_row_spring(r, length - j->p[CNI_P_LENGTH], j->p[CNI_P_DISTANCE_HERTZ], j->p[CNI_P_DISTANCE_DAMPING]);
 	}
-	if (j->flags & CN_JOINT_MOTOR) {
-		rows[count] = axis_row(f, CNI_ROW_MOTOR, 2, 1.0f, &length);
-		rows[count].target = j->p[CNI_P_MOTOR_SPEED];
-		rows[count++].limit = j->p[CNI_P_MOTOR_MAX];
-	}
+	if (j->flags & CN_JOINT_MOTOR)
+		rows[count++] = cni_row_motor(axis_row(f, CNI_ROW_MOTOR, 2, 1.0f, &length), j);
 	if (j->flags & CN_JOINT_LIMIT) {
 		float room, sign = cni_limit_side(cni_length(f->d), j->p[CNI_P_LOWER], j->p[CNI_P_UPPER], &room);
 		rows[count] = axis_row(f, CNI_ROW_LIMIT, 3, sign, &length);
 		rows[count++].error = room;
 	}
 	return count;
-}
-
-static float distance_position(const cni_joint *j, const cni_joint_frame *f)
-{
-	(void)j;
-	return cni_length(f->d);
 }
 
 static cni_row distance_speed_row(const cni_joint *j, const cni_joint_frame *f)
@@ -56,4 +45,4 @@ static cni_row distance_speed_row(const cni_joint *j, const cni_joint_frame *f)
 	return axis_row(f, CNI_ROW_MOTOR, 2, 1.0f, &length);
 }
 
-const cni_joint_type cni_joint_distance = { distance_rows, distance_position, distance_speed_row, 0 };
+const cni_joint_type cni_joint_distance = { distance_rows, cni_joint_position_distance, distance_speed_row, 0 };

@@ -18,17 +18,4 @@ static int32_t fixed_rows(const cni_joint *j, const cni_joint_frame *f, cni_row 
 	return 3;
 }
 
-static float fixed_position(const cni_joint *j, const cni_joint_frame *f)
-{
-	(void)j;
-	return f->angle;
-}
-
-static cni_row fixed_speed_row(const cni_joint *j, const cni_joint_frame *f)
-{
-	(void)j;
-	(void)f;
-	return cni_row_angular(CNI_ROW_RIGID, 2, 1.0f, 1.0f);
-}
-
-const cni_joint_type cni_joint_fixed = { fixed_rows, fixed_position, fixed_speed_row, CNI_USES_ANGLE | CNI_USES_REFERENCE };
+const cni_joint_type cni_joint_fixed = { fixed_rows, cni_joint_position_angle, cni_joint_speed_angle, CNI_USES_ANGLE | CNI_USES_REFERENCE };

@@ -12,16 +12,4 @@ static int32_t gear_rows(const cni_joint *j, const cni_joint_frame *f, cni_row *
 	return 1;
 }
 
-static float gear_position(const cni_joint *j, const cni_joint_frame *f)
-{
-	(void)j;
-	return f->angle;
-}
-
-static cni_row gear_speed_row(const cni_joint *j, const cni_joint_frame *f)
-{
-	(void)j;
-	return cni_row_angular(CNI_ROW_RIGID, 0, 1.0f, f->ratio);
-}
-
-const cni_joint_type cni_joint_gear = { gear_rows, gear_position, gear_speed_row, CNI_USES_TURNS | CNI_USES_RATIO };
+const cni_joint_type cni_joint_gear = { gear_rows, cni_joint_position_angle, cni_joint_speed_angle, CNI_USES_TURNS | CNI_USES_RATIO };

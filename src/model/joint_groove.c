@@ -6,25 +6,13 @@
  */
 #include "model/joint_row.h"
 
-static float groove_position(const cni_joint *j, const cni_joint_frame *f)
-{
-	return cni_dot(cni_joint_axis(j, f), f->d);
-}
-
 static int32_t groove_rows(const cni_joint *j, const cni_joint_frame *f, cni_row *rows)
 {
 	cni_vec2 axis = cni_joint_axis(j, f), across = cni_left_perp(axis);
-	float room, sign = cni_limit_side(cni_dot(axis, f->d), j->p[CNI_P_LOWER], j->p[CNI_P_UPPER], &room);
 	rows[0] = cni_row_fixed_direction(f, across, CNI_ROW_RIGID, 0, 1.0f);
 	rows[0].error = cni_dot(across, f->d);
-	rows[1] = cni_row_fixed_direction(f, axis, CNI_ROW_LIMIT, 1, sign);
-	rows[1].error = room;
+	rows[1] = cni_row_limit_axis(j, f, axis, 1);
 	return 2;
 }
 
-static cni_row groove_speed_row(const cni_joint *j, const cni_joint_frame *f)
-{
-	return cni_row_fixed_direction(f, cni_joint_axis(j, f), CNI_ROW_MOTOR, 1, 1.0f);
-}
-
-const cni_joint_type cni_joint_groove = { groove_rows, groove_position, groove_speed_row, 0 };
+const cni_joint_type cni_joint_groove = { groove_rows, cni_joint_position_axis, cni_joint_speed_axis, 0 };

@@ -6,11 +6,6 @@
  */
 #include "model/joint_row.h"
 
-static float line_position(const cni_joint *j, const cni_joint_frame *f)
-{
-	return cni_dot(cni_joint_axis(j, f), f->d);
-}
-
 static cni_row across_row(const cni_joint *j, const cni_joint_frame *f, cni_vec2 across)
 {
 	float x = cni_dot(across, f->d), tolerance = j->p[CNI_P_LINE_TOLERANCE], room, sign;
@@ -29,19 +24,11 @@ static cni_row across_row(const cni_joint *j, const cni_joint_frame *f, cni_vec2
 static int32_t line_rows(const cni_joint *j, const cni_joint_frame *f, cni_row *rows)
 {
 	cni_vec2 axis = cni_joint_axis(j, f);
-	float room, sign;
 	rows[0] = across_row(j, f, cni_left_perp(axis));
 	if (!(j->flags & CN_JOINT_LIMIT))
 		return 1;
-	sign = cni_limit_side(cni_dot(axis, f->d), j->p[CNI_P_LOWER], j->p[CNI_P_UPPER], &room);
-	rows[1] = cni_row_fixed_direction(f, axis, CNI_ROW_LIMIT, 1, sign);
-	rows[1].error = room;
+	rows[1] = cni_row_limit_axis(j, f, axis, 1);
 	return 2;
 }
 
-static cni_row line_speed_row(const cni_joint *j, const cni_joint_frame *f)
-{
-	return cni_row_fixed_direction(f, cni_joint_axis(j, f), CNI_ROW_MOTOR, 1, 1.0f);
-}
-
-const cni_joint_type cni_joint_line = { line_rows, line_position, line_speed_row, 0 };
+const cni_joint_type cni_joint_line = { line_rows, cni_joint_position_axis, cni_joint_speed_axis, 0 };

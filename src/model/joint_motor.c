@@ -25,11 +25,4 @@ static float motor_position(const cni_joint *j, const cni_joint_frame *f)
 	return f->angle + j->p[CNI_P_MOTOR_ANGLE];
 }
 
-static cni_row motor_speed_row(const cni_joint *j, const cni_joint_frame *f)
-{
-	(void)j;
-	(void)f;
-	return cni_row_angular(CNI_ROW_DRIVE, 2, 1.0f, 1.0f);
-}
-
-const cni_joint_type cni_joint_motor = { motor_rows, motor_position, motor_speed_row, CNI_USES_ANGLE | CNI_USES_REFERENCE | CNI_USES_DRIVE };
+const cni_joint_type cni_joint_motor = { motor_rows, motor_position, cni_joint_speed_angle, CNI_USES_ANGLE | CNI_USES_REFERENCE | CNI_USES_DRIVE };

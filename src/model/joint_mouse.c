@@ -13,12 +13,6 @@ static int32_t mouse_rows(const cni_joint *j, const cni_joint_frame *f, cni_row 
 	return 2;
 }
 
-static float mouse_position(const cni_joint *j, const cni_joint_frame *f)
-{
-	(void)j;
-	return cni_length(f->d);
-}
-
 static cni_row mouse_speed_row(const cni_joint *j, const cni_joint_frame *f)
 {
 	float length = cni_length(f->d);
@@ -26,4 +20,4 @@ static cni_row mouse_speed_row(const cni_joint *j, const cni_joint_frame *f)
 	return cni_row_along(f, length > 0.0f ? cni_mul(1.0f / length, f->d) : cni_v(0.0f, 0.0f), f->ra, CNI_ROW_DRIVE, 0, 1.0f);
 }
 
-const cni_joint_type cni_joint_mouse = { mouse_rows, mouse_position, mouse_speed_row, CNI_USES_DRIVE };
+const cni_joint_type cni_joint_mouse = { mouse_rows, cni_joint_position_distance, mouse_speed_row, CNI_USES_DRIVE };

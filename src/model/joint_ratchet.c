@@ -16,17 +16,4 @@ static int32_t ratchet_rows(const cni_joint *j, const cni_joint_frame *f, cni_ro
 	return 1;
 }
 
-static float ratchet_position(const cni_joint *j, const cni_joint_frame *f)
-{
-	(void)j;
-	return f->angle;
-}
-
-static cni_row ratchet_speed_row(const cni_joint *j, const cni_joint_frame *f)
-{
-	(void)j;
-	(void)f;
-	return cni_row_angular(CNI_ROW_LIMIT, 0, 1.0f, 1.0f);
-}
-
-const cni_joint_type cni_joint_ratchet = { ratchet_rows, ratchet_position, ratchet_speed_row, CNI_USES_TURNS };
+const cni_joint_type cni_joint_ratchet = { ratchet_rows, cni_joint_position_angle, cni_joint_speed_angle, CNI_USES_TURNS };

@@ -76,4 +76,41 @@ static inline cni_vec2 cni_joint_axis(const cni_joint *j, const cni_joint_frame 
 	return cni_rotate(f->qa, cni_v(j->p[CNI_P_AXIS_X], j->p[CNI_P_AXIS_Y]));
 }
 
+/* A spring or a motor along a row, which is complete but for these. */
+static inline cni_row cni_row_spring(cni_row r, float error, float hertz, float damping_ratio)
+{
+	r.error = error;
+	r.hertz = hertz;
+	r.damping_ratio = damping_ratio;
+	return r;
+}
+
+static inline cni_row cni_row_motor(cni_row r, const cni_joint *j)
+{
+	r.target = j->p[CNI_P_MOTOR_SPEED];
+	r.limit = j->p[CNI_P_MOTOR_MAX];
+	return r;
+}
+
+/* A limit of the angle, and of the way x along an axis fixed in body a; at the nearer end. */
+static inline cni_row cni_row_limit_angle(const cni_joint *j, float angle, uint8_t slot)
+{
+	float room, sign = cni_limit_side(angle, j->p[CNI_P_LOWER], j->p[CNI_P_UPPER], &room);
+	cni_row r = cni_row_angular(CNI_ROW_LIMIT, slot, sign, 1.0f);
+	r.error = room;
+	return r;
+}
+
+static inline cni_row cni_row_limit_axis(const cni_joint *j, const cni_joint_frame *f, cni_vec2 axis, uint8_t slot)
+{
+	float room, sign = cni_limit_side(cni_dot(axis, f->d), j->p[CNI_P_LOWER], j->p[CNI_P_UPPER], &room);
+	cni_row r = cni_row_fixed_direction(f, axis, CNI_ROW_LIMIT, slot, sign);
+	r.error = room;
+	return r;
+}
+
+/* What read-back measures: the angle, the way along the axis, the distance of the anchors; and how fast that changes. */
+cni_joint_position_fn cni_joint_position_angle, cni_joint_position_axis, cni_joint_position_distance;
+cni_joint_speed_fn cni_joint_speed_angle, cni_joint_speed_axis;
+
 #endif

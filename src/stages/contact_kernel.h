@@ -575,10 +575,5 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 
 #include "stages/contact_impact.h"
 #include "stages/contact_follow.h"
-#if CNI_WIDTH > 1 /* one by one cni_contact_write is quicker */
-#include "stages/contact_write.h"
-#else
-#define kernel_write NULL
-#endif
 
-const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, kernel_closing, kernel_impact, kernel_follow, kernel_write };
+const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, kernel_closing, kernel_impact, kernel_follow };

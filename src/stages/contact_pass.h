@@ -1,5 +1,5 @@
 /*
- * stages/contact_pass.h - what contact_solve.c, contact_impact.c, contact_follow.c and narrowphase_write.c hand to a kernel:
+ * stages/contact_pass.h - what contact_solve.c, contact_impact.c and contact_follow.c hand to a kernel:
  * blocks or lanes, and the numbers of the pass.
  */
 #ifndef CNI_STAGES_CONTACT_PASS_H
@@ -114,27 +114,11 @@ typedef struct cni_follow_bodies {
 /* Brings lanes with an anchor up to date; returns those, as bits, for which that holds good. bodies NULL: by the pass's poses. */
 typedef uint32_t cni_contact_follow_fn(const cni_follow_pass *pass, cni_contact_block *block, const cni_block_anchor *anchor, const cni_follow_bodies *bodies, uint32_t anchored);
 
-/* Manifolds for lanes of one block, by lane. What is not written has records and manifolds all the same. */
-typedef struct cni_write_lanes {
-	const float *a[CNI_LANES], *b[CNI_LANES]; /* records of the lane's bodies */
-	const float *manifold[CNI_LANES];         /* cni_manifold, in the frame of the contact's first body: a, or b where flipped */
-	CNI_ALIGNED(32) float radius_a[CNI_LANES];
-	float radius_b[CNI_LANES];
-	float lag_sq;                             /* cni_normal_lag_sq */
-	uint32_t flipped;                         /* lanes, as bits */
-	uint32_t two;                             /* ... of two points */
-	uint32_t from[2][2];                      /* ... in which point k is what point j was */
-} cni_write_lanes;
-
-/* Writes the given lanes and anchors, as bits, but for anchors' body indices. */
-typedef void cni_contact_write_fn(const cni_motion *motions, cni_contact_block *block, cni_block_anchor *anchor, const cni_write_lanes *w, uint32_t lanes);
-
 typedef struct cni_contact_kernel {
 	cni_contact_kernel_fn *pass[CNI_PASSES];
 	cni_contact_closing_fn *closing;
 	cni_contact_impact_fn *impact;
 	cni_contact_follow_fn *follow;
-	cni_contact_write_fn *write; /* NULL: none */
 } cni_contact_kernel;
 
 extern const cni_contact_kernel cni_contact_kernel_plain; /* width 1: any compiler */

@@ -172,7 +172,7 @@ enum { MOVED_NONE = -1, MOVED_SEVERAL = -2 };
 typedef struct pose_loop {
 	cn_world *world;
 	const cni_solve *s;
-	int32_t *moved; /* of each body: the proxy that has a new box, MOVED_NONE or MOVED_SEVERAL */
+	int32_t *moved; /* of each body: the proxy that has a new box, MOVED_NONE or MOVED_SEVERAL. NULL: one worker, who tells at once */
 	uint32_t rested;
 } pose_loop;
 
@@ -197,21 +197,29 @@ static int32_t body_boxes_set(cn_world *world, const cni_solve *s, cni_body *b, 
 	return move.proxy;
 }
 
+/* Of a body whose boxes have no room ahead, or have: what is to move. Alone, it moves at once. */
+static void body_boxes_follow(const pose_loop *loop, int32_t k, int32_t no_room)
+{
+	cni_body *b = cni_body_at(loop->world, cni_awake_ids(loop->world)[k]);
+	int32_t leaves = no_room && (b->flags & CNI_BODY_MOVED);
+	if (loop->moved != NULL)
+		loop->moved[k] = leaves ? body_boxes_set(loop->world, loop->s, b, k) : MOVED_NONE;
+	else if (leaves)
+		boxes_look_ahead(loop->world, loop->s, b, k);
+}
+
 static void pose_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	pose_loop *loop = (pose_loop *)context;
-	cn_world *world = loop->world;
 	uint32_t rested = 0;
 	int32_t first, last, k;
 	(void)worker;
 	for (first = begin + 1; first <= end; first = last) {
 		uint64_t no_room;
 		last = cni_min_i(first + BODIES_NEAR, end + 1);
-		no_room = bodies_take(world, loop->s, first, last, &rested);
-		for (k = first; k < last; ++k, no_room >>= 1) {
-			cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
-			loop->moved[k] = (no_room & 1u) && (b->flags & CNI_BODY_MOVED) ? body_boxes_set(world, loop->s, b, k) : MOVED_NONE;
-		}
+		no_room = bodies_take(loop->world, loop->s, first, last, &rested);
+		for (k = first; k < last && (no_room != 0 || loop->moved != NULL); ++k, no_room >>= 1)
+			body_boxes_follow(loop, k, (int32_t)(no_room & 1u));
 	}
 	if (rested)
 		cni_atomic_add(&loop->rested, 1u);
@@ -229,44 +237,19 @@ static void boxes_tell(cn_world *world, const cni_solve *s, const int32_t *moved
 	}
 }
 
-static uint32_t finalize_shared(cn_world *world, const cni_solve *s, int32_t *moved)
-{
-	pose_loop loop;
-	loop.world = world;
-	loop.s = s;
-	loop.moved = moved;
-	loop.rested = 0;
-	cni_parallel_for(world, world->awake_count - 1, BODIES_A_RANGE, pose_range, &loop);
-	boxes_tell(world, s, moved);
-	return loop.rested;
-}
-
-static uint32_t finalize_alone(cn_world *world, const cni_solve *s)
-{
-	uint32_t rested = 0;
-	int32_t begin, k, end;
-	for (begin = 1; begin < world->awake_count; begin = end) {
-		uint64_t no_room;
-		end = cni_min_i(begin + BODIES_NEAR, world->awake_count);
-		no_room = bodies_take(world, s, begin, end, &rested);
-		for (k = begin; no_room != 0; ++k, no_room >>= 1) {
-			cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
-			if ((no_room & 1u) && (b->flags & CNI_BODY_MOVED))
-				boxes_look_ahead(world, s, b, k);
-		}
-	}
-	return rested;
-}
-
 int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
 {
-	int32_t *moved = NULL;
-	uint32_t rested;
+	pose_loop loop = { world, s, NULL, 0 };
 	cni_dummy_stand(world);
 	if (world->team != NULL && world->awake_count > 2 * BODIES_A_RANGE)
-		moved = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
-	rested = moved != NULL ? finalize_shared(world, s, moved) : finalize_alone(world, s);
-	cni_arena_pop(&world->arena, moved);
+		loop.moved = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
+	if (loop.moved != NULL) {
+		cni_parallel_for(world, world->awake_count - 1, BODIES_A_RANGE, pose_range, &loop);
+		boxes_tell(world, s, loop.moved);
+	} else {
+		pose_range(&loop, 0, world->awake_count - 1, 0);
+	}
+	cni_arena_pop(&world->arena, loop.moved);
 	world->broadphase_ops->settle(world->broadphase);
-	return rested != 0;
+	return loop.rested != 0;
 }

@@ -18,7 +18,6 @@
  */
 #include "geometry/manifold_boxes.h"
 #include "stages/narrowphase_sift.h"
-#include "stages/narrowphase_write.h"
 
 #include <string.h>
 
@@ -84,15 +83,15 @@ static void ask_user(cn_world *world, int32_t contact)
 		cni_contact_write_empty(world, contact);
 }
 
-static void write_and_ask(cn_world *world, cni_writer *writer, int32_t contact, const cni_touch *t)
+static void write_and_ask(cn_world *world, int32_t contact, const cni_touch *t)
 {
-	cni_writer_add(writer, t);
+	cni_contact_write(world, t->contact, t->a, t->b, &t->manifold, t->gap, t->radius);
 	if (t->contact->flags & CNI_CONTACT_PRE_SOLVE)
 		ask_user(world, contact);
 }
 
 /* What becomes of a contact whose manifold is known: rewrites its lane if it goes on touching. */
-static int32_t contact_update(cn_world *world, cni_writer *writer, int32_t contact, cni_touch *t)
+static int32_t contact_update(cn_world *world, int32_t contact, cni_touch *t)
 {
 	cni_contact *c = t->contact;
 	int32_t touching = (c->flags & CNI_CONTACT_TOUCHING) != 0;
@@ -103,7 +102,7 @@ static int32_t contact_update(cn_world *world, cni_writer *writer, int32_t conta
 	if (t->manifold.count > 0 && !touching)
 		return CHANGE_BEGIN;
 	if (t->manifold.count > 0)
-		write_and_ask(world, writer, contact, t);
+		write_and_ask(world, contact, t);
 	else if (touching || !t->boxes_overlap)
 		return CHANGE_END;
 	return c->flags & (CNI_CONTACT_CREATED_OWED | CNI_CONTACT_ENTER_OWED) ? CHANGE_OWED : CHANGE_NONE;
@@ -187,7 +186,6 @@ typedef struct window {
 	cni_box_batch boxes;
 	cni_box_kernel_fn *kernel;
 	int32_t prefetches;
-	cni_writer writer;
 	uint32_t later_flags, later_locks; /* of contacts that touch, of bodies: such ones are left for later */
 } window;
 
@@ -202,7 +200,6 @@ static void window_init(window *w, cn_world *world, int32_t alone)
 {
 	int32_t extra_rows = cni_table_capacity(&world->blocks_extra) >= cni_table_capacity(&world->blocks_hot);
 	w->kernel = CNI_ON(BOX_BATCHES) ? cni_box_kernel_choose() : NULL;
-	cni_writer_begin(&w->writer, world);
 	w->count = w->prefetches = 0;
 	w->later_flags = alone ? 0 : CNI_CONTACT_REFRESH | CNI_CONTACT_PRE_SOLVE;
 	w->later_locks = alone || extra_rows ? 0 : CN_BODY_LOCK_X | CN_BODY_LOCK_Y;
@@ -278,7 +275,7 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 	else if (w->column[k] >= 0)
 		cni_boxes_read(&w->boxes, w->column[k], &t->in, &t->contact->cache, &t->manifold);
 	cni_touch_finish(world, look_ahead(t->contact, dt), t);
-	return contact_update(world, &w->writer, w->pair[k].index, t);
+	return contact_update(world, w->pair[k].index, t);
 }
 
 /* Looks at the contacts of the window. */
@@ -289,7 +286,6 @@ static void window_look(cn_world *world, window *w, int32_t count, float dt)
 	cni_boxes_run(&w->boxes, w->kernel);
 	for (k = 0; k < count; ++k)
 		w->change[k] = window_finish(world, w, k, dt);
-	cni_writer_flush(&w->writer);
 }
 
 /* ---- what is to change ---- */

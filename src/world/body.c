@@ -4,6 +4,7 @@
  * Creation reserves everything first (handles, records, dense arrays, names) and then commits, so that
  * a failure leaves nothing behind; destruction reserves room for the events of the contacts it ends.
  */
+#include "world/define.h"
 #include "world/joint_change.h"
 
 #include <string.h>
@@ -274,24 +275,7 @@ int32_t cn_body_is_valid(const cn_world *world, cn_body body)
 
 /* ------------------------------------------------------------------ user data and lists */
 
-cn_result cn_body_set_user_data(cn_world *world, cn_body body, uint64_t user_data)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_body *b = cni_check_body(&call, "body", body);
-	if (call.result == CN_OK)
-		b->user_data = user_data;
-	return call.result;
-}
-
-cn_result cn_body_get_user_data(const cn_world *world, cn_body body, uint64_t *out_user_data)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_pointer(&call, "out_user_data", out_user_data);
-	if (call.result == CN_OK)
-		*out_user_data = b->user_data;
-	return call.result;
-}
+CNI_DEFINE_USER_DATA(body)
 
 cn_result cn_body_get_shapes(const cn_world *world, cn_body body, cn_shape *out, int32_t capacity, int32_t *out_count)
 {

@@ -2,7 +2,7 @@
  * world/body_mass.c - public functions on what resists and drives a body: mass data, damping, gravity
  * scale, sleep speed. Mass follows the shapes unless CNI_BODY_MASS_OVERRIDE is set.
  */
-#include "world/error.h"
+#include "world/define.h"
 
 cn_result cn_body_get_mass_data(const cn_world *world, cn_body body, cn_mass_data *out)
 {
@@ -66,18 +66,7 @@ cn_result cn_body_set_damping(cn_world *world, cn_body body, float linear_per_s,
 	return CN_OK;
 }
 
-cn_result cn_body_get_damping(const cn_world *world, cn_body body, float *out_linear_per_s, float *out_angular_per_s)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_pointer(&call, "out_linear_per_s", out_linear_per_s);
-	cni_check_pointer(&call, "out_angular_per_s", out_angular_per_s);
-	if (call.result != CN_OK)
-		return call.result;
-	*out_linear_per_s = b->linear_damping;
-	*out_angular_per_s = b->angular_damping;
-	return CN_OK;
-}
+CNI_DEFINE_GET2(body, damping, float, float, (*out_a = record->linear_damping, *out_b = record->angular_damping))
 
 cn_result cn_body_set_gravity_scale(cn_world *world, cn_body body, float scale)
 {
@@ -92,15 +81,7 @@ cn_result cn_body_set_gravity_scale(cn_world *world, cn_body body, float scale)
 	return CN_OK;
 }
 
-cn_result cn_body_get_gravity_scale(const cn_world *world, cn_body body, float *out_scale)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_pointer(&call, "out_scale", out_scale);
-	if (call.result == CN_OK)
-		*out_scale = b->gravity_scale;
-	return call.result;
-}
+CNI_DEFINE_GET(body, gravity_scale, float, record->gravity_scale)
 
 cn_result cn_body_set_sleep_speed(cn_world *world, cn_body body, float speed_mps)
 {

@@ -3,7 +3,7 @@
  * forces and impulses. World points are turned into the body's frame by differences from its centre of
  * mass (high part first, then low), so that no digits are lost far from the origin.
  */
-#include "world/error.h"
+#include "world/define.h"
 
 /* ------------------------------------------------------------------ pose and points */
 
@@ -62,38 +62,9 @@ cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, fl
 	return CN_OK;
 }
 
-cn_result cn_body_get_pose(const cn_world *world, cn_body body, cn_pose *out)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_pointer(&call, "out", out);
-	if (call.result != CN_OK)
-		return call.result;
-	out->position_m = cni_body_origin(b);
-	out->cosine = b->q.c;
-	out->sine = b->q.s;
-	return CN_OK;
-}
-
-cn_result cn_body_get_angle(const cn_world *world, cn_body body, float *out_rad)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_pointer(&call, "out_rad", out_rad);
-	if (call.result == CN_OK)
-		*out_rad = cni_atan2(b->q.s, b->q.c);
-	return call.result;
-}
-
-cn_result cn_body_get_center(const cn_world *world, cn_body body, cn_vec2 *out_m)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_pointer(&call, "out_m", out_m);
-	if (call.result == CN_OK)
-		*out_m = cni_v(b->cx + b->cx_low, b->cy + b->cy_low);
-	return call.result;
-}
+CNI_DEFINE_GET(body, pose, cn_pose, cni_body_pose(record))
+CNI_DEFINE_GET(body, angle, float, cni_atan2(record->q.s, record->q.c))
+CNI_DEFINE_GET(body, center, cn_vec2, cni_v(record->cx + record->cx_low, record->cy + record->cy_low))
 
 cn_result cn_body_get_world_point(const cn_world *world, cn_body body, float local_x_m, float local_y_m, cn_vec2 *out_m)
 {
@@ -145,15 +116,7 @@ cn_result cn_body_set_velocity(cn_world *world, cn_body body, float linear_x_mps
 	return CN_OK;
 }
 
-cn_result cn_body_get_velocity(const cn_world *world, cn_body body, cn_velocity *out)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_pointer(&call, "out", out);
-	if (call.result == CN_OK)
-		*out = cni_body_velocity(world, b);
-	return call.result;
-}
+CNI_DEFINE_GET(body, velocity, cn_velocity, cni_body_velocity(world, record))
 
 cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float point_x_m, float point_y_m, cn_vec2 *out_mps)
 {

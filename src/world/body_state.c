@@ -6,7 +6,7 @@
  * contacts, island, dense arrays), changes the record, and puts it back in. The joints' records stay;
  * only their links are undone and redone, in an order that keeps the body's list as it was.
  */
-#include "world/error.h"
+#include "world/define.h"
 
 #define FLAGS_SETTABLE (CN_BODY_LOCK_X | CN_BODY_LOCK_Y | CN_BODY_LOCK_ROTATION | CN_BODY_BULLET | CN_BODY_ENABLED | CN_BODY_SLEEP)
 #define FLAGS_LOCKS (CN_BODY_LOCK_X | CN_BODY_LOCK_Y | CN_BODY_LOCK_ROTATION)
@@ -108,15 +108,7 @@ cn_result cn_body_set_type(cn_world *world, cn_body body, int32_t type)
 	return CN_OK;
 }
 
-cn_result cn_body_get_type(const cn_world *world, cn_body body, int32_t *out_type)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_pointer(&call, "out_type", out_type);
-	if (call.result == CN_OK)
-		*out_type = b->type;
-	return call.result;
-}
+CNI_DEFINE_GET(body, type, int32_t, record->type)
 
 /* ------------------------------------------------------------------ flags */
 
@@ -185,15 +177,7 @@ cn_result cn_body_set_flags(cn_world *world, cn_body body, uint32_t flags)
 	return CN_OK;
 }
 
-cn_result cn_body_get_flags(const cn_world *world, cn_body body, uint32_t *out_flags)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_pointer(&call, "out_flags", out_flags);
-	if (call.result == CN_OK)
-		*out_flags = (b->flags & FLAGS_SETTABLE) | (b->awake != 0 ? (uint32_t)CN_BODY_AWAKE : 0u);
-	return call.result;
-}
+CNI_DEFINE_GET(body, flags, uint32_t, (record->flags & FLAGS_SETTABLE) | (record->awake != 0 ? (uint32_t)CN_BODY_AWAKE : 0u))
 
 /* ------------------------------------------------------------------ awake */
 
@@ -233,12 +217,4 @@ cn_result cn_body_set_solver(cn_world *world, cn_body body, int32_t solver)
 	return call.result;
 }
 
-cn_result cn_body_get_solver(const cn_world *world, cn_body body, int32_t *out_solver)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_pointer(&call, "out_solver", out_solver);
-	if (call.result == CN_OK)
-		*out_solver = cni_body_solver(b);
-	return call.result;
-}
+CNI_DEFINE_GET(body, solver, int32_t, cni_body_solver(record))

@@ -2,7 +2,7 @@
  * world/contacts.c - public functions on contacts: the event arrays of the last step, callbacks, a body's
  * contacts, the bodies that fell asleep. Event arrays are built from the logs on the first request.
  */
-#include "world/error.h"
+#include "world/define.h"
 
 cn_result cn_world_contact_events(cn_world *world, int32_t kind, const cn_contact_event **out_events, int32_t *out_count)
 {
@@ -47,58 +47,22 @@ cn_result cn_body_get_contacts(const cn_world *world, cn_body body, cn_contact_e
 	return CN_OK;
 }
 
-cn_result cn_world_fell_asleep(const cn_world *world, const cn_body **out_bodies, int32_t *out_count)
-{
-	cni_call call = cni_enter_const(world);
-	cni_check_pointer(&call, "out_bodies", out_bodies);
-	cni_check_pointer(&call, "out_count", out_count);
-	if (call.result != CN_OK)
-		return call.result;
-	*out_bodies = (const cn_body *)world->events.asleep.data;
-	*out_count = world->events.asleep.count;
-	return CN_OK;
-}
+CNI_DEFINE_EVENTS(fell_asleep, cn_body, asleep)
 
 /* ------------------------------------------------------------------ callbacks and sensors */
 
-cn_result cn_world_set_filter_callback(cn_world *world, cn_filter_fn *function, void *user)
-{
-	cni_call call = cni_enter(world, __func__);
-	if (call.result != CN_OK)
-		return call.result;
-	world->filter = function;
-	world->filter_user = user;
-	return CN_OK;
-}
+#define DEFINE_SET_CALLBACK(name, type) \
+	cn_result cn_world_set_##name##_callback(cn_world *world, type *function, void *user) \
+	{ \
+		cni_call call = cni_enter(world, __func__); \
+		if (call.result != CN_OK) \
+			return call.result; \
+		world->name = function; \
+		world->name##_user = user; \
+		return CN_OK; \
+	}
 
-cn_result cn_world_set_pre_solve_callback(cn_world *world, cn_pre_solve_fn *function, void *user)
-{
-	cni_call call = cni_enter(world, __func__);
-	if (call.result != CN_OK)
-		return call.result;
-	world->pre_solve = function;
-	world->pre_solve_user = user;
-	return CN_OK;
-}
-
-cn_result cn_world_set_material_mix_callback(cn_world *world, cn_material_mix_fn *function, void *user)
-{
-	cni_call call = cni_enter(world, __func__);
-	if (call.result != CN_OK)
-		return call.result;
-	world->material_mix = function;
-	world->material_mix_user = user;
-	return CN_OK;
-}
-
-cn_result cn_world_sensor_events(const cn_world *world, const cn_sensor_event **out_events, int32_t *out_count)
-{
-	cni_call call = cni_enter_const(world);
-	cni_check_pointer(&call, "out_events", out_events);
-	cni_check_pointer(&call, "out_count", out_count);
-	if (call.result != CN_OK)
-		return call.result;
-	*out_events = (const cn_sensor_event *)world->events.sensor_log.data;
-	*out_count = world->events.sensor_log.count;
-	return CN_OK;
-}
+DEFINE_SET_CALLBACK(filter, cn_filter_fn)
+DEFINE_SET_CALLBACK(pre_solve, cn_pre_solve_fn)
+DEFINE_SET_CALLBACK(material_mix, cn_material_mix_fn)
+CNI_DEFINE_EVENTS(sensor_events, cn_sensor_event, sensor_log)

@@ -129,22 +129,11 @@ static void draw_box(const cn_debug_draw *d, const cni_aabb *box)
 		segment(d, c[k], c[(k + 1) & 3], COLOR_BOX);
 }
 
-static cni_aabb shape_box(const cni_geometry *g, cni_transform x)
-{
-	cni_aabb box = cni_geometry_aabb(g, 0, x);
-	int32_t child;
-	for (child = 1; child < cni_geometry_children(g); ++child) {
-		cni_aabb one = cni_geometry_aabb(g, child, x);
-		box = cni_aabb_union(&box, &one);
-	}
-	return box;
-}
-
 static void draw_shape(const cn_world *world, const cn_debug_draw *d, const cni_body *b, const cni_shape *s)
 {
 	const cni_geometry *g = cni_shape_geometry(&world->blocks, s);
 	cni_transform x = cni_body_transform(b);
-	cni_aabb box = shape_box(g, x);
+	cni_aabb box = cni_geometry_bounds(g, x);
 	uint32_t color = body_color(world, d, b, s);
 	if (!in_view(d, &box))
 		return;

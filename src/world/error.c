@@ -8,6 +8,7 @@
  */
 #include "world/error.h"
 
+#include <stdarg.h>
 #include <string.h>
 
 /* ------------------------------------------------------------------ text */
@@ -210,102 +211,84 @@ cni_call cni_enter_free(void)
 
 /* ------------------------------------------------------------------ refusing */
 
-/* 1 for the first failure of a call; text is then ready to be filled ("function: "). */
-static int32_t refuse_begin(cni_call *call, cn_result result, cni_text *text)
+/* Records the first failure of a call: "function: " and the format, in which %s is a string, %f a float, %i an int64_t and %x a
+   uint32_t. */
+static void refuse(cni_call *call, cn_result result, const char *format, ...)
 {
-	*text = cni_text_begin(NULL, 0);
+	cni_text text;
+	va_list values;
 	if (call->result != CN_OK)
-		return 0;
+		return;
 	call->result = result;
-	*text = cni_text_begin(call->sentence, call->sentence != NULL ? CNI_ERROR_TEXT_BYTES : 0);
-	cni_text_string(text, call->function);
-	cni_text_string(text, ": ");
-	return 1;
-}
-
-static void refuse_field(cni_text *text, const char *field)
-{
-	cni_text_string(text, field);
-	cni_text_string(text, " ");
+	text = cni_text_begin(call->sentence, call->sentence != NULL ? CNI_ERROR_TEXT_BYTES : 0);
+	cni_text_string(&text, call->function);
+	cni_text_string(&text, ": ");
+	va_start(values, format);
+	for (; *format != '\0'; ++format) {
+		if (*format != '%') {
+			text_char(&text, *format);
+			continue;
+		}
+		switch (*++format) {
+		case 's': cni_text_string(&text, va_arg(values, const char *)); break;
+		case 'f': cni_text_float(&text, (float)va_arg(values, double)); break;
+		case 'i': cni_text_int(&text, va_arg(values, int64_t)); break;
+		case 'x': cni_text_hex(&text, va_arg(values, uint32_t)); break;
+		default: text_char(&text, *format); break;
+		}
+	}
+	va_end(values);
 }
 
 cn_result cni_refuse(cni_call *call, cn_result result, const char *what)
 {
-	cni_text text;
-	if (refuse_begin(call, result, &text))
-		cni_text_string(&text, what);
+	refuse(call, result, "%s", what);
 	return call->result;
-}
-
-static void refuse_float_begin(cni_call *call, const char *field, float value, cni_text *text)
-{
-	refuse_begin(call, CN_ERROR_ARGUMENT, text);
-	refuse_field(text, field);
-	cni_text_float(text, value);
 }
 
 cn_result cni_refuse_float(cni_call *call, const char *field, float value, const char *must)
 {
-	cni_text text;
-	if (call->result != CN_OK)
-		return call->result;
-	refuse_float_begin(call, field, value, &text);
-	cni_text_string(&text, "; ");
-	cni_text_string(&text, must);
+	refuse(call, CN_ERROR_ARGUMENT, "%s %f; %s", field, (double)value, must);
 	return call->result;
 }
 
 cn_result cni_refuse_int(cni_call *call, const char *field, int64_t value, const char *must)
 {
-	cni_text text;
-	if (!refuse_begin(call, CN_ERROR_ARGUMENT, &text))
-		return call->result;
-	refuse_field(&text, field);
-	cni_text_int(&text, value);
-	cni_text_string(&text, "; ");
-	cni_text_string(&text, must);
+	refuse(call, CN_ERROR_ARGUMENT, "%s %i; %s", field, value, must);
 	return call->result;
 }
 
 void cni_refuse_near(cni_call *call, const cn_vec2 *points, int32_t count, int32_t closed)
 {
-	float distance = cni_least_distance(points, count, closed);
-	cni_text text;
+	double distance, least;
 	if (call->result != CN_OK)
 		return;
-	refuse_float_begin(call, "distance of points_m", distance, &text);
-	cni_text_string(&text, "; must be from ");
-	cni_text_float(&text, call->world->settings.thickness_least);
-	if (!(distance > 0.0f))
-		return;
-	cni_text_string(&text, " (0.05% of the length unit) to 1e6; a world with cn_world_def.length_unit_m up to ");
-	cni_text_float(&text, distance / CNI_THICKNESS_LEAST);
-	cni_text_string(&text, " takes it");
+	distance = (double)cni_least_distance(points, count, closed);
+	least = (double)call->world->settings.thickness_least;
+	if (distance > 0.0)
+		refuse(call, CN_ERROR_ARGUMENT, "distance of points_m %f; must be from %f (0.05%% of the length unit) to 1e6; a world with cn_world_def.length_unit_m up to %f takes it",
+		       distance, least, (double)((float)distance / CNI_THICKNESS_LEAST));
+	else
+		refuse(call, CN_ERROR_ARGUMENT, "distance of points_m %f; must be from %f", distance, least);
 }
 
 void cni_check_reserved(cni_call *call, cn_result result, const char *things)
 {
-	cni_text text;
-	if (result == CN_OK || !refuse_begin(call, result, &text))
-		return;
-	cni_text_string(&text, result == CN_ERROR_CAPACITY ? "too many " : "no memory for ");
-	cni_text_string(&text, things);
+	if (result != CN_OK)
+		refuse(call, result, "%s%s", result == CN_ERROR_CAPACITY ? "too many " : "no memory for ", things);
 }
 
 /* ------------------------------------------------------------------ checks of pointers and sizes */
 
 void cni_check_pointer(cni_call *call, const char *field, const void *pointer)
 {
-	cni_text text;
-	if (pointer != NULL || !refuse_begin(call, CN_ERROR_ARGUMENT, &text))
-		return;
-	refuse_field(&text, field);
-	cni_text_string(&text, "is NULL");
+	if (pointer == NULL)
+		refuse(call, CN_ERROR_ARGUMENT, "%s is NULL", field);
 }
 
 void cni_check_array(cni_call *call, const char *field, const void *array, int32_t count)
 {
-	if (call->result == CN_OK && count < 0)
+	if (count < 0)
 		cni_refuse_int(call, "count", count, "must be >= 0");
 	if (count > 0)
 		cni_check_pointer(call, field, array);
@@ -313,16 +296,8 @@ void cni_check_array(cni_call *call, const char *field, const void *array, int32
 
 void cni_check_struct_size(cni_call *call, uint32_t given, size_t expected, const char *init)
 {
-	cni_text text;
-	if (given == (uint32_t)expected || !refuse_begin(call, CN_ERROR_ARGUMENT, &text))
-		return;
-	cni_text_string(&text, "struct_size ");
-	cni_text_int(&text, given);
-	cni_text_string(&text, "; must be ");
-	cni_text_int(&text, (int64_t)expected);
-	cni_text_string(&text, ": call ");
-	cni_text_string(&text, init);
-	cni_text_string(&text, " first");
+	if (given != (uint32_t)expected)
+		refuse(call, CN_ERROR_ARGUMENT, "struct_size %i; must be %i: call %s first", (int64_t)given, (int64_t)expected, init);
 }
 
 /* ------------------------------------------------------------------ checks of numbers */
@@ -333,35 +308,16 @@ void cni_check_finite(cni_call *call, const char *field, float value)
 		cni_refuse_float(call, field, value, "must be finite");
 }
 
-static void refuse_vec2(cni_call *call, const char *field, cn_vec2 value, const char *must, float limit)
-{
-	cni_text text;
-	if (!refuse_begin(call, CN_ERROR_ARGUMENT, &text))
-		return;
-	refuse_field(&text, field);
-	cni_text_string(&text, "(");
-	cni_text_float(&text, value.x);
-	cni_text_string(&text, ", ");
-	cni_text_float(&text, value.y);
-	cni_text_string(&text, must);
-	if (limit > 0.0f)
-		cni_text_float(&text, limit);
-}
-
 void cni_check_finite2(cni_call *call, const char *field, cn_vec2 value)
 {
 	if (!cni_is_finite2(value))
-		refuse_vec2(call, field, value, "); both must be finite", 0.0f);
+		refuse(call, CN_ERROR_ARGUMENT, "%s (%f, %f); both must be finite", field, (double)value.x, (double)value.y);
 }
 
 void cni_check_at_least(cni_call *call, const char *field, float value, float lower)
 {
-	cni_text text;
-	if ((cni_is_finite(value) && value >= lower) || call->result != CN_OK)
-		return;
-	refuse_float_begin(call, field, value, &text);
-	cni_text_string(&text, "; must be finite and >= ");
-	cni_text_float(&text, lower);
+	if (!(cni_is_finite(value) && value >= lower))
+		refuse(call, CN_ERROR_ARGUMENT, "%s %f; must be finite and >= %f", field, (double)value, (double)lower);
 }
 
 void cni_check_positive(cni_call *call, const char *field, float value)
@@ -372,39 +328,20 @@ void cni_check_positive(cni_call *call, const char *field, float value)
 
 void cni_check_range(cni_call *call, const char *field, float value, float lower, float upper)
 {
-	cni_text text;
-	if ((value >= lower && value <= upper) || call->result != CN_OK)
-		return;
-	refuse_float_begin(call, field, value, &text);
-	cni_text_string(&text, "; must be from ");
-	cni_text_float(&text, lower);
-	cni_text_string(&text, " to ");
-	cni_text_float(&text, upper);
+	if (!(value >= lower && value <= upper))
+		refuse(call, CN_ERROR_ARGUMENT, "%s %f; must be from %f to %f", field, (double)value, (double)lower, (double)upper);
 }
 
 void cni_check_range_int(cni_call *call, const char *field, int32_t value, int32_t lower, int32_t upper)
 {
-	cni_text text;
-	if ((value >= lower && value <= upper) || !refuse_begin(call, CN_ERROR_ARGUMENT, &text))
-		return;
-	refuse_field(&text, field);
-	cni_text_int(&text, value);
-	cni_text_string(&text, "; must be from ");
-	cni_text_int(&text, lower);
-	cni_text_string(&text, " to ");
-	cni_text_int(&text, upper);
+	if (!(value >= lower && value <= upper))
+		refuse(call, CN_ERROR_ARGUMENT, "%s %i; must be from %i to %i", field, (int64_t)value, (int64_t)lower, (int64_t)upper);
 }
 
 void cni_check_flags(cni_call *call, const char *field, uint32_t value, uint32_t allowed)
 {
-	cni_text text;
-	if ((value & ~allowed) == 0 || !refuse_begin(call, CN_ERROR_ARGUMENT, &text))
-		return;
-	refuse_field(&text, field);
-	cni_text_hex(&text, value);
-	cni_text_string(&text, "; only the bits of ");
-	cni_text_hex(&text, allowed);
-	cni_text_string(&text, " mean something");
+	if ((value & ~allowed) != 0)
+		refuse(call, CN_ERROR_ARGUMENT, "%s %x; only the bits of %x mean something", field, value, allowed);
 }
 
 void cni_check_position(cni_call *call, const char *field, cn_vec2 value)
@@ -414,7 +351,7 @@ void cni_check_position(cni_call *call, const char *field, cn_vec2 value)
 		return;
 	limit = CNI_POSITION_MAX_UNITS * call->world->settings.length_unit;
 	if (!(cni_abs(value.x) <= limit && cni_abs(value.y) <= limit))
-		refuse_vec2(call, field, value, "); both must be finite and within +-", limit);
+		refuse(call, CN_ERROR_ARGUMENT, "%s (%f, %f); both must be finite and within +-%f", field, (double)value.x, (double)value.y, (double)limit);
 }
 
 void cni_check_angle(cni_call *call, const char *field, float value)
@@ -448,14 +385,9 @@ void cni_check_material(cni_call *call, const cn_material *material)
 /* Passes the index on; CNI_NONE is refused. */
 static int32_t found(cni_call *call, int32_t index, const char *field, uint32_t handle, const char *kind)
 {
-	cni_text text;
-	if (index != CNI_NONE || !refuse_begin(call, CN_ERROR_HANDLE, &text))
-		return index;
-	refuse_field(&text, field);
-	cni_text_hex(&text, handle);
-	cni_text_string(&text, "; must be the handle of a live ");
-	cni_text_string(&text, kind);
-	return CNI_NONE;
+	if (index == CNI_NONE)
+		refuse(call, CN_ERROR_HANDLE, "%s %x; must be the handle of a live %s", field, handle, kind);
+	return index;
 }
 
 static int32_t find(cni_call *call, const cni_handles *handles, const char *field, uint32_t handle, const char *kind)

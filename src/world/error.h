@@ -137,6 +137,9 @@ static inline uint32_t cni_handle_or_zero(const cni_handles *handles, int32_t in
 	return index == CNI_NONE ? 0u : cni_handles_of(handles, index);
 }
 
+/* A body's pose between the last two steps: update.c. */
+cn_pose cni_pose_between(const cn_world *world, int32_t body, float factor);
+
 /* Makes extra slots certain in a handle table and the records behind it. */
 cn_result cni_slots_reserve(cn_world *world, cni_handles *handles, cni_table *records, int32_t extra);
 

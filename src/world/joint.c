@@ -2,25 +2,10 @@
  * world/joint.c - public functions on any joint: what it connects and does, flags, motor, limits.
  * Definitions are in joint_create.c, what is particular to a type in joint_kinds.c.
  */
+#include "world/define.h"
 #include "world/joint_change.h"
 
 /* ------------------------------------------------------------------ changing */
-
-void cni_check_joint_limits(cni_call *call, int32_t type, float lower, float upper)
-{
-	if (type == CN_JOINT_REVOLUTE) {
-		cni_check_range(call, "lower angle", lower, -CNI_PI, CNI_PI);
-		cni_check_range(call, "upper angle", upper, -CNI_PI, CNI_PI);
-	} else if (type == CN_JOINT_DISTANCE) {
-		cni_check_at_least(call, "least length", lower, 0.0f);
-		cni_check_at_least(call, "greatest length", upper, 0.0f);
-	} else {
-		cni_check_finite(call, "lower limit", lower);
-		cni_check_finite(call, "upper limit", upper);
-	}
-	if (lower > upper)
-		cni_refuse_float(call, "lower limit", lower, "must not be above the upper one");
-}
 
 void cni_joint_change_reserve(cni_call *call, cn_world *world, const cni_joint *j)
 {
@@ -146,15 +131,6 @@ cn_result cn_joint_set_solver(cn_world *world, cn_joint joint, int32_t solver)
 	return CN_OK;
 }
 
-cn_result cn_joint_set_user_data(cn_world *world, cn_joint joint, uint64_t user_data)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_joint *j = cni_check_joint(&call, "joint", joint);
-	if (call.result == CN_OK)
-		j->user_data = user_data;
-	return call.result;
-}
-
 /* ------------------------------------------------------------------ reading */
 
 int32_t cn_joint_is_valid(const cn_world *world, cn_joint joint)
@@ -162,111 +138,16 @@ int32_t cn_joint_is_valid(const cn_world *world, cn_joint joint)
 	return world != NULL && cni_joint_find(world, joint, 0) != CNI_NONE;
 }
 
-cn_result cn_joint_get_type(const cn_world *world, cn_joint joint, int32_t *out_type)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_joint *j = cni_check_joint(&call, "joint", joint);
-	cni_check_pointer(&call, "out_type", out_type);
-	if (call.result == CN_OK)
-		*out_type = j->type;
-	return call.result;
-}
-
-cn_result cn_joint_get_bodies(const cn_world *world, cn_joint joint, cn_body *out_a, cn_body *out_b)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_joint *j = cni_check_joint(&call, "joint", joint);
-	cni_check_pointer(&call, "out_a", out_a);
-	cni_check_pointer(&call, "out_b", out_b);
-	if (call.result != CN_OK)
-		return call.result;
-	*out_a = cni_handle_or_zero(&world->body_handles, j->body[0]);
-	*out_b = cni_handle_or_zero(&world->body_handles, j->body[1]);
-	return CN_OK;
-}
-
-cn_result cn_joint_get_anchors(const cn_world *world, cn_joint joint, cn_vec2 *out_world_a_m, cn_vec2 *out_world_b_m)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_joint *j = cni_check_joint(&call, "joint", joint);
-	cni_check_pointer(&call, "out_world_a_m", out_world_a_m);
-	cni_check_pointer(&call, "out_world_b_m", out_world_b_m);
-	if (call.result == CN_OK)
-		cni_joint_anchors(world, j, out_world_a_m, out_world_b_m);
-	return call.result;
-}
-
-cn_result cn_joint_get_reaction(const cn_world *world, cn_joint joint, cn_vec2 *out_force_N, float *out_torque_Nm)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_joint *j = cni_check_joint(&call, "joint", joint);
-	cni_check_pointer(&call, "out_force_N", out_force_N);
-	cni_check_pointer(&call, "out_torque_Nm", out_torque_Nm);
-	if (call.result == CN_OK)
-		cni_joint_reaction(world, j, out_force_N, out_torque_Nm);
-	return call.result;
-}
-
-cn_result cn_joint_get_error(const cn_world *world, cn_joint joint, float *out_m, float *out_rad)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_joint *j = cni_check_joint(&call, "joint", joint);
-	cni_check_pointer(&call, "out_m", out_m);
-	cni_check_pointer(&call, "out_rad", out_rad);
-	if (call.result == CN_OK)
-		cni_joint_error(world, j, out_m, out_rad);
-	return call.result;
-}
-
-cn_result cn_joint_get_solver(const cn_world *world, cn_joint joint, int32_t *out_solver)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_joint *j = cni_check_joint(&call, "joint", joint);
-	cni_check_pointer(&call, "out_solver", out_solver);
-	if (call.result == CN_OK)
-		*out_solver = j->solver;
-	return call.result;
-}
-
-cn_result cn_joint_get_user_data(const cn_world *world, cn_joint joint, uint64_t *out_user_data)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_joint *j = cni_check_joint(&call, "joint", joint);
-	cni_check_pointer(&call, "out_user_data", out_user_data);
-	if (call.result == CN_OK)
-		*out_user_data = j->user_data;
-	return call.result;
-}
-
-cn_result cn_joint_get_flags(const cn_world *world, cn_joint joint, uint32_t *out_flags)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_joint *j = cni_check_joint(&call, "joint", joint);
-	cni_check_pointer(&call, "out_flags", out_flags);
-	if (call.result == CN_OK)
-		*out_flags = j->flags;
-	return call.result;
-}
-
-cn_result cn_joint_get_position(const cn_world *world, cn_joint joint, float *out_position)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_joint *j = cni_check_joint(&call, "joint", joint);
-	cni_check_pointer(&call, "out_position", out_position);
-	if (call.result == CN_OK)
-		*out_position = cni_joint_position(world, j);
-	return call.result;
-}
-
-cn_result cn_joint_get_speed(const cn_world *world, cn_joint joint, float *out_speed)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_joint *j = cni_check_joint(&call, "joint", joint);
-	cni_check_pointer(&call, "out_speed", out_speed);
-	if (call.result == CN_OK)
-		*out_speed = cni_joint_speed(world, j);
-	return call.result;
-}
+CNI_DEFINE_GET(joint, type, int32_t, record->type)
+CNI_DEFINE_GET2(joint, bodies, cn_body, cn_body, (*out_a = cni_handle_or_zero(&world->body_handles, record->body[0]), *out_b = cni_handle_or_zero(&world->body_handles, record->body[1])))
+CNI_DEFINE_GET2(joint, anchors, cn_vec2, cn_vec2, cni_joint_anchors(world, record, out_a, out_b))
+CNI_DEFINE_GET2(joint, reaction, cn_vec2, float, cni_joint_reaction(world, record, out_a, out_b))
+CNI_DEFINE_GET2(joint, error, float, float, cni_joint_error(world, record, out_a, out_b))
+CNI_DEFINE_GET(joint, solver, int32_t, record->solver)
+CNI_DEFINE_USER_DATA(joint)
+CNI_DEFINE_GET(joint, flags, uint32_t, record->flags)
+CNI_DEFINE_GET(joint, position, float, cni_joint_position(world, record))
+CNI_DEFINE_GET(joint, speed, float, cni_joint_speed(world, record))
 
 /* ------------------------------------------------------------------ lists and events */
 
@@ -293,14 +174,4 @@ cn_result cni_list_joints(const cn_world *world, int32_t constraint, uint32_t *o
 	return CN_OK;
 }
 
-cn_result cn_world_joint_events(const cn_world *world, const cn_joint_event **out_events, int32_t *out_count)
-{
-	cni_call call = cni_enter_const(world);
-	cni_check_pointer(&call, "out_events", out_events);
-	cni_check_pointer(&call, "out_count", out_count);
-	if (call.result != CN_OK)
-		return call.result;
-	*out_events = (const cn_joint_event *)world->events.joint_log.data;
-	*out_count = world->events.joint_log.count;
-	return CN_OK;
-}
+CNI_DEFINE_EVENTS(joint_events, cn_joint_event, joint_log)

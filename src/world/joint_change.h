@@ -11,15 +11,14 @@
 #define CNI_HERTZ_MAX 1e6f
 #define CNI_DAMPING_RATIO_MAX 1e6f
 
-/* What a joint type needs beyond its base. Definitions begin with a cn_joint_base. */
+/* What a type has beyond its base (joints begin with a cn_joint_base; constraints with size, flags and body). */
+typedef struct cni_joint_field cni_joint_field; /* one number or vector of a definition: joint_kinds.c */
 typedef struct cni_joint_kind {
-	size_t bytes;                                       /* of the definition */
-	const char *init;                                   /* name of its init function */
-	/* Numbers, and what this type wants of its bodies and anchors, which are base's: a set ignores the def's. */
-	void (*check)(cni_call *call, const cn_joint_base *base, const void *def);
-	void (*store)(cni_joint *j, const void *def);       /* all but what base has, into p[] */
-	void (*read)(const cni_joint *j, void *def);        /* opposite */
-	uint32_t has;                                       /* CNI_KIND_HAS_* */
+	size_t bytes;                  /* of the definition */
+	const char *init;              /* name of its init function */
+	const cni_joint_field *fields; /* all but what base has */
+	int32_t field_count;
+	uint32_t has;                  /* CNI_KIND_HAS_* */
 } cni_joint_kind;
 enum {
 	CNI_KIND_HAS_MOTOR = 1u << 0,  /* cn_joint_set_motor */
@@ -28,11 +27,13 @@ enum {
 };
 const cni_joint_kind *cni_joint_kind_of(int32_t type);
 
+/* The fields of a definition: defaults (NULL: nothing), checks, into the record, and out of it. */
+void cni_joint_def_init(int32_t type, void *def);
+void cni_joint_def_check(cni_call *call, int32_t type, const void *def);
+void cni_joint_def_store(cni_joint *j, const void *def);
+void cni_joint_def_read(const cni_joint *j, void *def);
 /* Revolute: -pi <= lower <= upper <= pi. Distance: 0 <= lower <= upper. Others: lower <= upper. */
 void cni_check_joint_limits(cni_call *call, int32_t type, float lower, float upper);
-void cni_check_softness(cni_call *call, const char *hertz_field, float hertz, const char *damping_field, float damping_ratio);
-void cni_check_axis(cni_call *call, cn_vec2 axis);
-void cni_joint_store_axis(cni_joint *j, cn_vec2 axis);
 /* Stiffness, most force and break thresholds, for this type. */
 void cni_check_joint_strength(cni_call *call, int32_t type, const cn_joint_base *base);
 void cni_joint_store_strength(cni_joint *j, const cn_joint_base *base);

@@ -29,15 +29,10 @@ static void check_bodies(cni_call *call, const cn_joint_base *base)
 	cni_check_position(call, "anchor_b_m", base->anchor_b_m);
 }
 
-void cni_check_softness(cni_call *call, const char *hertz_field, float hertz, const char *damping_field, float damping_ratio)
-{
-	cni_check_range(call, hertz_field, hertz, 0.0f, CNI_HERTZ_MAX);
-	cni_check_range(call, damping_field, damping_ratio, 0.0f, CNI_DAMPING_RATIO_MAX);
-}
-
 void cni_check_joint_strength(cni_call *call, int32_t type, const cn_joint_base *base)
 {
-	cni_check_softness(call, "stiffness_hertz", base->stiffness_hertz, "stiffness_damping_ratio", base->stiffness_damping_ratio);
+	cni_check_range(call, "stiffness_hertz", base->stiffness_hertz, 0.0f, CNI_HERTZ_MAX);
+	cni_check_range(call, "stiffness_damping_ratio", base->stiffness_damping_ratio, 0.0f, CNI_DAMPING_RATIO_MAX);
 	cni_check_at_least(call, "force_max_N", base->force_max_N, 0.0f);
 	cni_check_at_least(call, "torque_max_Nm", base->torque_max_Nm, 0.0f);
 	cni_check_at_least(call, "break_force_N", base->break_force_N, 0.0f);
@@ -107,13 +102,17 @@ static int32_t side_index(const cn_world *world, cn_body body)
 	return body != 0 ? cni_body_index(world, body) : CNI_NONE;
 }
 
-/* base: whose bodies and anchors the joint has. */
+/* base: whose bodies and anchors the joint has; a set ignores the def's. */
 static void check_def(cni_call *call, int32_t type, const cn_joint_base *base, const void *def)
 {
 	const cn_joint_base *given = (const cn_joint_base *)def;
 	cni_check_flags(call, "flags", given->flags, CNI_JOINT_FLAGS);
 	cni_check_joint_strength(call, type, given);
-	cni_joint_kind_of(type)->check(call, base, def);
+	cni_joint_def_check(call, type, def);
+	if (type == CN_JOINT_MOUSE && base->body_a != 0)
+		cni_refuse(call, CN_ERROR_ARGUMENT, "body_a; must be 0 (the world) in this type");
+	if (type == CN_JOINT_GROOVE && call->result == CN_OK && cni_distance_sq(base->anchor_a_m, ((const cn_groove_def *)def)->end_m) <= 0.0f)
+		cni_refuse(call, CN_ERROR_ARGUMENT, "end_m is anchor_a_m; the slot must have a length > 0");
 }
 
 static cn_result joint_create(cn_world *world, const char *function, int32_t type, const void *def, cn_joint *out_joint)
@@ -141,7 +140,7 @@ static cn_result joint_create(cn_world *world, const char *function, int32_t typ
 	j->anchor[1] = base->anchor_b_m;
 	j->user_data = base->user_data;
 	cni_joint_store_strength(j, base);
-	kind->store(j, def);
+	cni_joint_def_store(j, def);
 	cni_joint_turns_begin(world, j);
 	cni_joint_link(world, joint);
 	*out_joint = cni_joint_handle(world, joint);
@@ -176,7 +175,7 @@ static cn_result joint_get(const cn_world *world, int32_t type, cn_joint joint, 
 		return call.result;
 	memset(out, 0, cni_joint_kind_of(type)->bytes);
 	base_read(world, j, (cn_joint_base *)out);
-	cni_joint_kind_of(type)->read(j, out);
+	cni_joint_def_read(j, out);
 	return CN_OK;
 }
 
@@ -197,7 +196,7 @@ static cn_result joint_set(cn_world *world, const char *function, int32_t type, 
 		return call.result;
 	ratio = j->p[CNI_P_GEAR_RATIO];
 	cni_joint_store_strength(j, base);
-	cni_joint_kind_of(type)->store(j, def);
+	cni_joint_def_store(j, def);
 	if (type == CN_JOINT_GEAR && j->p[CNI_P_GEAR_RATIO] != ratio)
 		cni_joint_turns_begin(world, j); /* turns made at another ratio mean nothing */
 	if (type == CN_JOINT_RATCHET)
@@ -233,187 +232,31 @@ cn_result cn_joint_set_base(cn_world *world, cn_joint joint, const cn_joint_base
 
 /* ------------------------------------------------------------------ by type */
 
-cn_result cn_joint_create_revolute(cn_world *world, const cn_revolute_def *def, cn_joint *out_joint)
-{
-	return joint_create(world, __func__, CN_JOINT_REVOLUTE, def, out_joint);
-}
+#define DEFINE_CREATE(type, name, definition) \
+	void definition##_init(definition *def) { cni_joint_def_init(type, def); } \
+	cn_result cn_joint_create_##name(cn_world *world, const definition *def, cn_joint *out_joint) \
+	{ \
+		return joint_create(world, __func__, type, def, out_joint); \
+	}
+#define DEFINE_GET_AND_SET(type, name, definition) \
+	cn_result cn_joint_get_##name(const cn_world *world, cn_joint joint, definition *out) { return joint_get(world, type, joint, out); } \
+	cn_result cn_joint_set_##name(cn_world *world, cn_joint joint, const definition *def) \
+	{ \
+		return joint_set(world, __func__, type, joint, def); \
+	}
+#define DEFINE_ALL(type, name, definition) DEFINE_CREATE(type, name, definition) DEFINE_GET_AND_SET(type, name, definition)
 
-cn_result cn_joint_create_distance(cn_world *world, const cn_distance_def *def, cn_joint *out_joint)
-{
-	return joint_create(world, __func__, CN_JOINT_DISTANCE, def, out_joint);
-}
-
-cn_result cn_joint_create_fixed(cn_world *world, const cn_fixed_def *def, cn_joint *out_joint)
-{
-	return joint_create(world, __func__, CN_JOINT_FIXED, def, out_joint);
-}
-
-cn_result cn_joint_create_prismatic(cn_world *world, const cn_prismatic_def *def, cn_joint *out_joint)
-{
-	return joint_create(world, __func__, CN_JOINT_PRISMATIC, def, out_joint);
-}
-
-cn_result cn_joint_create_wheel(cn_world *world, const cn_wheel_def *def, cn_joint *out_joint)
-{
-	return joint_create(world, __func__, CN_JOINT_WHEEL, def, out_joint);
-}
-
-cn_result cn_joint_create_motor(cn_world *world, const cn_motor_def *def, cn_joint *out_joint)
-{
-	return joint_create(world, __func__, CN_JOINT_MOTOR_TO, def, out_joint);
-}
-
-cn_result cn_joint_create_mouse(cn_world *world, const cn_mouse_def *def, cn_joint *out_joint)
-{
-	return joint_create(world, __func__, CN_JOINT_MOUSE, def, out_joint);
-}
-
-cn_result cn_joint_create_gear(cn_world *world, const cn_gear_def *def, cn_joint *out_joint)
-{
-	return joint_create(world, __func__, CN_JOINT_GEAR, def, out_joint);
-}
-
-cn_result cn_joint_create_pulley(cn_world *world, const cn_pulley_def *def, cn_joint *out_joint)
-{
-	return joint_create(world, __func__, CN_JOINT_PULLEY, def, out_joint);
-}
-
-cn_result cn_joint_create_ratchet(cn_world *world, const cn_ratchet_def *def, cn_joint *out_joint)
-{
-	return joint_create(world, __func__, CN_JOINT_RATCHET, def, out_joint);
-}
-
-cn_result cn_joint_create_rotary_spring(cn_world *world, const cn_rotary_spring_def *def, cn_joint *out_joint)
-{
-	return joint_create(world, __func__, CN_JOINT_ROTARY_SPRING, def, out_joint);
-}
-
-cn_result cn_joint_create_groove(cn_world *world, const cn_groove_def *def, cn_joint *out_joint)
-{
-	return joint_create(world, __func__, CN_JOINT_GROOVE, def, out_joint);
-}
-
-cn_result cn_joint_create_filter(cn_world *world, const cn_filter_joint_def *def, cn_joint *out_joint)
-{
-	return joint_create(world, __func__, CN_JOINT_FILTER, def, out_joint);
-}
-
-cn_result cn_joint_get_revolute(const cn_world *world, cn_joint joint, cn_revolute_def *out)
-{
-	return joint_get(world, CN_JOINT_REVOLUTE, joint, out);
-}
-
-cn_result cn_joint_set_revolute(cn_world *world, cn_joint joint, const cn_revolute_def *def)
-{
-	return joint_set(world, __func__, CN_JOINT_REVOLUTE, joint, def);
-}
-
-cn_result cn_joint_get_distance(const cn_world *world, cn_joint joint, cn_distance_def *out)
-{
-	return joint_get(world, CN_JOINT_DISTANCE, joint, out);
-}
-
-cn_result cn_joint_set_distance(cn_world *world, cn_joint joint, const cn_distance_def *def)
-{
-	return joint_set(world, __func__, CN_JOINT_DISTANCE, joint, def);
-}
-
-cn_result cn_joint_get_fixed(const cn_world *world, cn_joint joint, cn_fixed_def *out)
-{
-	return joint_get(world, CN_JOINT_FIXED, joint, out);
-}
-
-cn_result cn_joint_set_fixed(cn_world *world, cn_joint joint, const cn_fixed_def *def)
-{
-	return joint_set(world, __func__, CN_JOINT_FIXED, joint, def);
-}
-
-cn_result cn_joint_get_prismatic(const cn_world *world, cn_joint joint, cn_prismatic_def *out)
-{
-	return joint_get(world, CN_JOINT_PRISMATIC, joint, out);
-}
-
-cn_result cn_joint_set_prismatic(cn_world *world, cn_joint joint, const cn_prismatic_def *def)
-{
-	return joint_set(world, __func__, CN_JOINT_PRISMATIC, joint, def);
-}
-
-cn_result cn_joint_get_wheel(const cn_world *world, cn_joint joint, cn_wheel_def *out)
-{
-	return joint_get(world, CN_JOINT_WHEEL, joint, out);
-}
-
-cn_result cn_joint_set_wheel(cn_world *world, cn_joint joint, const cn_wheel_def *def)
-{
-	return joint_set(world, __func__, CN_JOINT_WHEEL, joint, def);
-}
-
-cn_result cn_joint_get_motor_to(const cn_world *world, cn_joint joint, cn_motor_def *out)
-{
-	return joint_get(world, CN_JOINT_MOTOR_TO, joint, out);
-}
-
-cn_result cn_joint_set_motor_to(cn_world *world, cn_joint joint, const cn_motor_def *def)
-{
-	return joint_set(world, __func__, CN_JOINT_MOTOR_TO, joint, def);
-}
-
-cn_result cn_joint_get_mouse(const cn_world *world, cn_joint joint, cn_mouse_def *out)
-{
-	return joint_get(world, CN_JOINT_MOUSE, joint, out);
-}
-
-cn_result cn_joint_set_mouse(cn_world *world, cn_joint joint, const cn_mouse_def *def)
-{
-	return joint_set(world, __func__, CN_JOINT_MOUSE, joint, def);
-}
-
-cn_result cn_joint_get_gear(const cn_world *world, cn_joint joint, cn_gear_def *out)
-{
-	return joint_get(world, CN_JOINT_GEAR, joint, out);
-}
-
-cn_result cn_joint_set_gear(cn_world *world, cn_joint joint, const cn_gear_def *def)
-{
-	return joint_set(world, __func__, CN_JOINT_GEAR, joint, def);
-}
-
-cn_result cn_joint_get_pulley(const cn_world *world, cn_joint joint, cn_pulley_def *out)
-{
-	return joint_get(world, CN_JOINT_PULLEY, joint, out);
-}
-
-cn_result cn_joint_set_pulley(cn_world *world, cn_joint joint, const cn_pulley_def *def)
-{
-	return joint_set(world, __func__, CN_JOINT_PULLEY, joint, def);
-}
-
-cn_result cn_joint_get_ratchet(const cn_world *world, cn_joint joint, cn_ratchet_def *out)
-{
-	return joint_get(world, CN_JOINT_RATCHET, joint, out);
-}
-
-cn_result cn_joint_set_ratchet(cn_world *world, cn_joint joint, const cn_ratchet_def *def)
-{
-	return joint_set(world, __func__, CN_JOINT_RATCHET, joint, def);
-}
-
-cn_result cn_joint_get_rotary_spring(const cn_world *world, cn_joint joint, cn_rotary_spring_def *out)
-{
-	return joint_get(world, CN_JOINT_ROTARY_SPRING, joint, out);
-}
-
-cn_result cn_joint_set_rotary_spring(cn_world *world, cn_joint joint, const cn_rotary_spring_def *def)
-{
-	return joint_set(world, __func__, CN_JOINT_ROTARY_SPRING, joint, def);
-}
-
-cn_result cn_joint_get_groove(const cn_world *world, cn_joint joint, cn_groove_def *out)
-{
-	return joint_get(world, CN_JOINT_GROOVE, joint, out);
-}
-
-cn_result cn_joint_set_groove(cn_world *world, cn_joint joint, const cn_groove_def *def)
-{
-	return joint_set(world, __func__, CN_JOINT_GROOVE, joint, def);
-}
+DEFINE_ALL(CN_JOINT_REVOLUTE, revolute, cn_revolute_def)
+DEFINE_ALL(CN_JOINT_DISTANCE, distance, cn_distance_def)
+DEFINE_ALL(CN_JOINT_FIXED, fixed, cn_fixed_def)
+DEFINE_ALL(CN_JOINT_PRISMATIC, prismatic, cn_prismatic_def)
+DEFINE_ALL(CN_JOINT_WHEEL, wheel, cn_wheel_def)
+DEFINE_CREATE(CN_JOINT_MOTOR_TO, motor, cn_motor_def)
+DEFINE_GET_AND_SET(CN_JOINT_MOTOR_TO, motor_to, cn_motor_def)
+DEFINE_ALL(CN_JOINT_MOUSE, mouse, cn_mouse_def)
+DEFINE_ALL(CN_JOINT_GEAR, gear, cn_gear_def)
+DEFINE_ALL(CN_JOINT_PULLEY, pulley, cn_pulley_def)
+DEFINE_ALL(CN_JOINT_RATCHET, ratchet, cn_ratchet_def)
+DEFINE_ALL(CN_JOINT_ROTARY_SPRING, rotary_spring, cn_rotary_spring_def)
+DEFINE_ALL(CN_JOINT_GROOVE, groove, cn_groove_def)
+DEFINE_CREATE(CN_JOINT_FILTER, filter, cn_filter_joint_def)

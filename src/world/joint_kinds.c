@@ -1,34 +1,174 @@
 /*
- * world/joint_kinds.c - what is particular to each joint type in its public definition: defaults, checks, and
- * the way into the record's numbers p[] (table in joint.h) and back.
+ * world/joint_kinds.c - what is particular to each type of joint and constraint in its public definition: for each number its
+ * place in the definition and in the record (p[]: table in joint.h), the values that it may have, and its default.
  *
  * All numbers are checked whatever the flags say, so that turning a flag on later finds good ones.
  */
 #include "world/joint_change.h"
 
+#include <stddef.h>
 #include <string.h>
 
 #define RATIO_MIN 1e-4f
 #define RATIO_MAX 1e4f
 
-/* ------------------------------------------------------------------ parts */
+/* Values that a field may have. From VECTORS on fields are of two numbers. */
+enum {
+	FINITE,
+	AT_LEAST_0,
+	ABOVE_0,
+	ANGLE,
+	LOWER,    /* checked with UPPER, which follows */
+	UPPER,
+	HERTZ,
+	DRIVE,    /* hertz of types that are nothing without their spring */
+	DAMPING,
+	RATIO,    /* of either sign */
+	RATIO_ABOVE_0,
+	USER_DATA,
+	VECTORS,
+	POSITION = VECTORS,
+	AXIS      /* kept with length 1 */
+};
 
-static void init_base(void *def, size_t bytes)
+struct cni_joint_field {
+	const char *name;
+	size_t in_def, in_joint; /* bytes before it */
+	int32_t values;
+	cn_vec2 initial;         /* a number is x */
+};
+
+#define P(number) (offsetof(cni_joint, p) + sizeof(float) * (size_t)(number))
+#define FIELD(def, name, in_joint, values, initial) { #name, offsetof(def, name), in_joint, values, { initial, 0.0f } }
+#define VECTOR(def, name, in_joint, values, x, y) { #name, offsetof(def, name), in_joint, values, { x, y } }
+
+static const cni_joint_field revolute_fields[] = {
+	FIELD(cn_revolute_def, reference_angle_rad, P(CNI_P_REFERENCE), ANGLE, 0.0f),
+	FIELD(cn_revolute_def, lower_angle_rad, P(CNI_P_LOWER), LOWER, 0.0f),
+	FIELD(cn_revolute_def, upper_angle_rad, P(CNI_P_UPPER), UPPER, 0.0f),
+	FIELD(cn_revolute_def, motor_speed_radps, P(CNI_P_MOTOR_SPEED), FINITE, 0.0f),
+	FIELD(cn_revolute_def, motor_torque_max_Nm, P(CNI_P_MOTOR_MAX), AT_LEAST_0, 0.0f),
+	FIELD(cn_revolute_def, spring_target_rad, P(CNI_P_REVOLUTE_TARGET), ANGLE, 0.0f),
+	FIELD(cn_revolute_def, spring_hertz, P(CNI_P_REVOLUTE_HERTZ), HERTZ, 0.0f),
+	FIELD(cn_revolute_def, spring_damping_ratio, P(CNI_P_REVOLUTE_DAMPING), DAMPING, 0.0f)
+};
+static const cni_joint_field distance_fields[] = {
+	FIELD(cn_distance_def, length_m, P(CNI_P_LENGTH), ABOVE_0, 1.0f),
+	FIELD(cn_distance_def, length_min_m, P(CNI_P_LOWER), LOWER, 0.0f),
+	FIELD(cn_distance_def, length_max_m, P(CNI_P_UPPER), UPPER, 1.0f),
+	FIELD(cn_distance_def, motor_speed_mps, P(CNI_P_MOTOR_SPEED), FINITE, 0.0f),
+	FIELD(cn_distance_def, motor_force_max_N, P(CNI_P_MOTOR_MAX), AT_LEAST_0, 0.0f),
+	FIELD(cn_distance_def, spring_hertz, P(CNI_P_DISTANCE_HERTZ), HERTZ, 0.0f),
+	FIELD(cn_distance_def, spring_damping_ratio, P(CNI_P_DISTANCE_DAMPING), DAMPING, 0.0f)
+};
+static const cni_joint_field fixed_fields[] = {
+	FIELD(cn_fixed_def, reference_angle_rad, P(CNI_P_REFERENCE), ANGLE, 0.0f),
+	FIELD(cn_fixed_def, angular_hertz, P(CNI_P_HERTZ), HERTZ, 0.0f),
+	FIELD(cn_fixed_def, angular_damping_ratio, P(CNI_P_DAMPING), DAMPING, 0.0f)
+};
+static const cni_joint_field prismatic_fields[] = {
+	VECTOR(cn_prismatic_def, axis, P(CNI_P_AXIS_X), AXIS, 1.0f, 0.0f),
+	FIELD(cn_prismatic_def, reference_angle_rad, P(CNI_P_REFERENCE), ANGLE, 0.0f),
+	FIELD(cn_prismatic_def, lower_m, P(CNI_P_LOWER), LOWER, 0.0f),
+	FIELD(cn_prismatic_def, upper_m, P(CNI_P_UPPER), UPPER, 0.0f),
+	FIELD(cn_prismatic_def, motor_speed_mps, P(CNI_P_MOTOR_SPEED), FINITE, 0.0f),
+	FIELD(cn_prismatic_def, motor_force_max_N, P(CNI_P_MOTOR_MAX), AT_LEAST_0, 0.0f),
+	FIELD(cn_prismatic_def, spring_target_m, P(CNI_P_TARGET), FINITE, 0.0f),
+	FIELD(cn_prismatic_def, spring_hertz, P(CNI_P_HERTZ), HERTZ, 0.0f),
+	FIELD(cn_prismatic_def, spring_damping_ratio, P(CNI_P_DAMPING), DAMPING, 0.0f)
+};
+static const cni_joint_field wheel_fields[] = {
+	VECTOR(cn_wheel_def, axis, P(CNI_P_AXIS_X), AXIS, 0.0f, 1.0f),
+	FIELD(cn_wheel_def, lower_m, P(CNI_P_LOWER), LOWER, 0.0f),
+	FIELD(cn_wheel_def, upper_m, P(CNI_P_UPPER), UPPER, 0.0f),
+	FIELD(cn_wheel_def, motor_speed_radps, P(CNI_P_MOTOR_SPEED), FINITE, 0.0f),
+	FIELD(cn_wheel_def, motor_torque_max_Nm, P(CNI_P_MOTOR_MAX), AT_LEAST_0, 0.0f),
+	FIELD(cn_wheel_def, spring_hertz, P(CNI_P_HERTZ), HERTZ, 1.0f),
+	FIELD(cn_wheel_def, spring_damping_ratio, P(CNI_P_DAMPING), DAMPING, 0.7f)
+};
+static const cni_joint_field motor_fields[] = {
+	VECTOR(cn_motor_def, offset_m, P(CNI_P_MOTOR_OFFSET_X), POSITION, 0.0f, 0.0f),
+	FIELD(cn_motor_def, angle_rad, P(CNI_P_MOTOR_ANGLE), ANGLE, 0.0f),
+	FIELD(cn_motor_def, hertz, P(CNI_P_HERTZ), DRIVE, 5.0f),
+	FIELD(cn_motor_def, damping_ratio, P(CNI_P_DAMPING), DAMPING, 1.0f)
+};
+static const cni_joint_field mouse_fields[] = {
+	VECTOR(cn_mouse_def, target_m, offsetof(cni_joint, anchor), POSITION, 0.0f, 0.0f),
+	FIELD(cn_mouse_def, hertz, P(CNI_P_HERTZ), DRIVE, 5.0f),
+	FIELD(cn_mouse_def, damping_ratio, P(CNI_P_DAMPING), DAMPING, 0.7f)
+};
+static const cni_joint_field gear_fields[] = {
+	FIELD(cn_gear_def, ratio, P(CNI_P_GEAR_RATIO), RATIO, 1.0f),
+	FIELD(cn_gear_def, phase_rad, P(CNI_P_GEAR_PHASE), ANGLE, 0.0f)
+};
+static const cni_joint_field pulley_fields[] = {
+	VECTOR(cn_pulley_def, ground_a_m, P(CNI_P_PULLEY_GROUND_A), POSITION, 0.0f, 0.0f),
+	VECTOR(cn_pulley_def, ground_b_m, P(CNI_P_PULLEY_GROUND_B), POSITION, 0.0f, 0.0f),
+	FIELD(cn_pulley_def, ratio, P(CNI_P_PULLEY_RATIO), RATIO_ABOVE_0, 1.0f),
+	FIELD(cn_pulley_def, length_m, P(CNI_P_LENGTH), ABOVE_0, 0.0f)
+};
+static const cni_joint_field ratchet_fields[] = {
+	FIELD(cn_ratchet_def, phase_rad, P(CNI_P_RATCHET_PHASE), ANGLE, 0.0f),
+	FIELD(cn_ratchet_def, click_rad, P(CNI_P_RATCHET_CLICK), RATIO, 0.0f)
+};
+static const cni_joint_field rotary_spring_fields[] = {
+	FIELD(cn_rotary_spring_def, rest_angle_rad, P(CNI_P_REST), ANGLE, 0.0f),
+	FIELD(cn_rotary_spring_def, hertz, P(CNI_P_REST_HERTZ), DRIVE, 1.0f),
+	FIELD(cn_rotary_spring_def, damping_ratio, P(CNI_P_REST_DAMPING), DAMPING, 0.0f)
+};
+static const cni_joint_field groove_fields[] = {
+	VECTOR(cn_groove_def, end_m, P(CNI_P_GROOVE_END_X), POSITION, 1.0f, 0.0f)
+};
+static const cni_joint_field angle_fields[] = {
+	FIELD(cn_angle_constraint_def, lower_rad, P(CNI_P_LOWER), LOWER, 0.0f),
+	FIELD(cn_angle_constraint_def, upper_rad, P(CNI_P_UPPER), UPPER, 0.0f),
+	FIELD(cn_angle_constraint_def, hertz, offsetof(cni_joint, stiffness_hertz), HERTZ, 0.0f),
+	FIELD(cn_angle_constraint_def, damping_ratio, offsetof(cni_joint, stiffness_damping), DAMPING, 0.0f),
+	FIELD(cn_angle_constraint_def, break_torque_Nm, offsetof(cni_joint, break_torque), AT_LEAST_0, 0.0f),
+	FIELD(cn_angle_constraint_def, user_data, offsetof(cni_joint, user_data), USER_DATA, 0.0f)
+};
+static const cni_joint_field line_fields[] = {
+	VECTOR(cn_line_constraint_def, anchor_m, offsetof(cni_joint, anchor) + sizeof(cni_vec2), POSITION, 0.0f, 0.0f),
+	VECTOR(cn_line_constraint_def, origin_m, offsetof(cni_joint, anchor), POSITION, 0.0f, 0.0f),
+	VECTOR(cn_line_constraint_def, axis, P(CNI_P_AXIS_X), AXIS, 1.0f, 0.0f),
+	FIELD(cn_line_constraint_def, tolerance_m, P(CNI_P_LINE_TOLERANCE), AT_LEAST_0, 0.0f),
+	FIELD(cn_line_constraint_def, lower_m, P(CNI_P_LOWER), LOWER, 0.0f),
+	FIELD(cn_line_constraint_def, upper_m, P(CNI_P_UPPER), UPPER, 0.0f),
+	FIELD(cn_line_constraint_def, hertz, offsetof(cni_joint, stiffness_hertz), HERTZ, 0.0f),
+	FIELD(cn_line_constraint_def, damping_ratio, offsetof(cni_joint, stiffness_damping), DAMPING, 0.0f),
+	FIELD(cn_line_constraint_def, break_force_N, offsetof(cni_joint, break_force), AT_LEAST_0, 0.0f),
+	FIELD(cn_line_constraint_def, user_data, offsetof(cni_joint, user_data), USER_DATA, 0.0f)
+};
+
+#define KIND(def, fields, has) { sizeof(def), #def "_init", fields, (int32_t)(sizeof fields / sizeof fields[0]), has }
+
+const cni_joint_kind *cni_joint_kind_of(int32_t type)
 {
-	memset(def, 0, bytes);
-	((cn_joint_base *)def)->struct_size = (uint32_t)bytes;
+	static const cni_joint_kind kinds[CNI_JOINT_TYPES] = {
+		KIND(cn_revolute_def, revolute_fields, CNI_KIND_HAS_MOTOR | CNI_KIND_HAS_LIMITS),
+		KIND(cn_distance_def, distance_fields, CNI_KIND_HAS_MOTOR | CNI_KIND_HAS_LIMITS),
+		KIND(cn_fixed_def, fixed_fields, 0),
+		KIND(cn_prismatic_def, prismatic_fields, CNI_KIND_HAS_MOTOR | CNI_KIND_HAS_LIMITS),
+		KIND(cn_wheel_def, wheel_fields, CNI_KIND_HAS_MOTOR | CNI_KIND_HAS_LIMITS),
+		KIND(cn_motor_def, motor_fields, CNI_KIND_HAS_DRIVE),
+		KIND(cn_mouse_def, mouse_fields, CNI_KIND_HAS_DRIVE),
+		KIND(cn_gear_def, gear_fields, 0),
+		KIND(cn_pulley_def, pulley_fields, 0),
+		KIND(cn_ratchet_def, ratchet_fields, 0),
+		KIND(cn_rotary_spring_def, rotary_spring_fields, 0),
+		KIND(cn_groove_def, groove_fields, 0),
+		{ sizeof(cn_filter_joint_def), "cn_filter_joint_def_init", NULL, 0, 0 },
+		KIND(cn_angle_constraint_def, angle_fields, 0),
+		KIND(cn_line_constraint_def, line_fields, 0)
+	};
+	return kinds + type;
 }
 
-static void check_spring(cni_call *call, float hertz, float damping_ratio)
-{
-	cni_check_softness(call, "spring_hertz", hertz, "spring_damping_ratio", damping_ratio);
-}
+/* ------------------------------------------------------------------ checks */
 
-/* For types that are nothing without their spring. */
-static void check_drive(cni_call *call, float hertz, float damping_ratio)
+static size_t field_bytes(const cni_joint_field *field)
 {
-	cni_check_positive(call, "hertz", hertz);
-	cni_check_softness(call, "hertz", hertz, "damping_ratio", damping_ratio);
+	return field->values >= VECTORS ? sizeof(cn_vec2) : field->values == USER_DATA ? sizeof(uint64_t) : sizeof(float);
 }
 
 static void check_ratio(cni_call *call, const char *field, float ratio)
@@ -37,11 +177,84 @@ static void check_ratio(cni_call *call, const char *field, float ratio)
 		cni_refuse_float(call, field, ratio, "must have a size from 1e-4 to 1e4");
 }
 
-void cni_check_axis(cni_call *call, cn_vec2 axis)
+static void check_axis(cni_call *call, cn_vec2 axis)
 {
 	cni_check_finite2(call, "axis", axis);
 	if (axis.x == 0.0f && axis.y == 0.0f)
 		cni_refuse(call, CN_ERROR_ARGUMENT, "axis (0, 0); must have a length > 0");
+}
+
+void cni_check_joint_limits(cni_call *call, int32_t type, float lower, float upper)
+{
+	if (type == CN_JOINT_REVOLUTE) {
+		cni_check_range(call, "lower angle", lower, -CNI_PI, CNI_PI);
+		cni_check_range(call, "upper angle", upper, -CNI_PI, CNI_PI);
+	} else if (type == CN_JOINT_DISTANCE) {
+		cni_check_at_least(call, "least length", lower, 0.0f);
+		cni_check_at_least(call, "greatest length", upper, 0.0f);
+	} else if (type == CNI_JOINT_ANGLE) {
+		cni_check_angle(call, "lower_rad", lower);
+		cni_check_angle(call, "upper_rad", upper);
+	} else {
+		cni_check_finite(call, "lower limit", lower);
+		cni_check_finite(call, "upper limit", upper);
+	}
+	if (lower > upper)
+		cni_refuse_float(call, "lower limit", lower, "must not be above the upper one");
+}
+
+static void check_number(cni_call *call, int32_t type, const cni_joint_field *field, float value, float before)
+{
+	switch (field->values) {
+	case FINITE: cni_check_finite(call, field->name, value); break;
+	case AT_LEAST_0: cni_check_at_least(call, field->name, value, 0.0f); break;
+	case ABOVE_0: cni_check_positive(call, field->name, value); break;
+	case ANGLE: cni_check_angle(call, field->name, value); break;
+	case UPPER: cni_check_joint_limits(call, type, before, value); break;
+	case DRIVE: cni_check_positive(call, field->name, value); /* fall through */
+	case HERTZ: cni_check_range(call, field->name, value, 0.0f, CNI_HERTZ_MAX); break;
+	case DAMPING: cni_check_range(call, field->name, value, 0.0f, CNI_DAMPING_RATIO_MAX); break;
+	case RATIO: check_ratio(call, field->name, value); break;
+	case RATIO_ABOVE_0: cni_check_range(call, field->name, value, RATIO_MIN, RATIO_MAX); break;
+	default: break;
+	}
+}
+
+void cni_joint_def_check(cni_call *call, int32_t type, const void *def)
+{
+	const cni_joint_kind *kind = cni_joint_kind_of(type);
+	float before = 0.0f;
+	int32_t k;
+	for (k = 0; k < kind->field_count; ++k) {
+		const cni_joint_field *field = kind->fields + k;
+		cn_vec2 value = { 0.0f, 0.0f };
+		if (field->values == USER_DATA)
+			continue;
+		memcpy(&value, (const char *)def + field->in_def, field_bytes(field));
+		if (field->values == POSITION)
+			cni_check_position(call, field->name, value);
+		else if (field->values == AXIS)
+			check_axis(call, value);
+		else
+			check_number(call, type, field, value.x, before);
+		before = value.x;
+	}
+}
+
+/* ------------------------------------------------------------------ definition and record */
+
+void cni_joint_def_init(int32_t type, void *def)
+{
+	const cni_joint_kind *kind = cni_joint_kind_of(type);
+	uint32_t bytes = (uint32_t)kind->bytes;
+	int32_t k;
+	if (def == NULL)
+		return;
+	memset(def, 0, kind->bytes);
+	memcpy(def, &bytes, sizeof bytes); /* struct_size comes first */
+	for (k = 0; k < kind->field_count; ++k)
+		if (kind->fields[k].values != USER_DATA)
+			memcpy((char *)def + kind->fields[k].in_def, &kind->fields[k].initial, field_bytes(kind->fields + k));
 }
 
 void cni_joint_store_axis(cni_joint *j, cn_vec2 axis)
@@ -53,523 +266,27 @@ void cni_joint_store_axis(cni_joint *j, cn_vec2 axis)
 	j->p[CNI_P_AXIS_Y] = unit.y;
 }
 
-static cn_vec2 read_axis(const cni_joint *j)
+void cni_joint_def_store(cni_joint *j, const void *def)
 {
-	return cni_v(j->p[CNI_P_AXIS_X], j->p[CNI_P_AXIS_Y]);
+	const cni_joint_kind *kind = cni_joint_kind_of(j->type);
+	int32_t k;
+	for (k = 0; k < kind->field_count; ++k) {
+		const cni_joint_field *field = kind->fields + k;
+		memcpy((char *)j + field->in_joint, (const char *)def + field->in_def, field_bytes(field));
+		if (field->values == AXIS)
+			cni_joint_store_axis(j, cni_v(j->p[CNI_P_AXIS_X], j->p[CNI_P_AXIS_Y]));
+	}
+	if (j->type == CN_JOINT_GROOVE) {
+		cni_vec2 slot = cni_sub(cni_v(j->p[CNI_P_GROOVE_END_X], j->p[CNI_P_GROOVE_END_Y]), j->anchor[0]);
+		cni_joint_store_axis(j, slot);
+		j->p[CNI_P_UPPER] = cni_length(slot);
+	}
 }
 
-/* ------------------------------------------------------------------ revolute */
-
-void cn_revolute_def_init(cn_revolute_def *def)
+void cni_joint_def_read(const cni_joint *j, void *def)
 {
-	if (def != NULL)
-		init_base(def, sizeof *def);
-}
-
-static void check_revolute(cni_call *call, const cn_joint_base *base, const void *from)
-{
-	const cn_revolute_def *def = (const cn_revolute_def *)from;
-	(void)base;
-	cni_check_angle(call, "reference_angle_rad", def->reference_angle_rad);
-	cni_check_joint_limits(call, CN_JOINT_REVOLUTE, def->lower_angle_rad, def->upper_angle_rad);
-	cni_check_finite(call, "motor_speed_radps", def->motor_speed_radps);
-	cni_check_at_least(call, "motor_torque_max_Nm", def->motor_torque_max_Nm, 0.0f);
-	cni_check_angle(call, "spring_target_rad", def->spring_target_rad);
-	check_spring(call, def->spring_hertz, def->spring_damping_ratio);
-}
-
-static void store_revolute(cni_joint *j, const void *from)
-{
-	const cn_revolute_def *def = (const cn_revolute_def *)from;
-	j->p[CNI_P_REFERENCE] = def->reference_angle_rad;
-	j->p[CNI_P_LOWER] = def->lower_angle_rad;
-	j->p[CNI_P_UPPER] = def->upper_angle_rad;
-	j->p[CNI_P_MOTOR_SPEED] = def->motor_speed_radps;
-	j->p[CNI_P_MOTOR_MAX] = def->motor_torque_max_Nm;
-	j->p[CNI_P_REVOLUTE_TARGET] = def->spring_target_rad;
-	j->p[CNI_P_REVOLUTE_HERTZ] = def->spring_hertz;
-	j->p[CNI_P_REVOLUTE_DAMPING] = def->spring_damping_ratio;
-}
-
-static void read_revolute(const cni_joint *j, void *to)
-{
-	cn_revolute_def *def = (cn_revolute_def *)to;
-	def->reference_angle_rad = j->p[CNI_P_REFERENCE];
-	def->lower_angle_rad = j->p[CNI_P_LOWER];
-	def->upper_angle_rad = j->p[CNI_P_UPPER];
-	def->motor_speed_radps = j->p[CNI_P_MOTOR_SPEED];
-	def->motor_torque_max_Nm = j->p[CNI_P_MOTOR_MAX];
-	def->spring_target_rad = j->p[CNI_P_REVOLUTE_TARGET];
-	def->spring_hertz = j->p[CNI_P_REVOLUTE_HERTZ];
-	def->spring_damping_ratio = j->p[CNI_P_REVOLUTE_DAMPING];
-}
-
-/* ------------------------------------------------------------------ distance */
-
-void cn_distance_def_init(cn_distance_def *def)
-{
-	if (def == NULL)
-		return;
-	init_base(def, sizeof *def);
-	def->length_m = 1.0f;
-	def->length_max_m = 1.0f;
-}
-
-static void check_distance(cni_call *call, const cn_joint_base *base, const void *from)
-{
-	const cn_distance_def *def = (const cn_distance_def *)from;
-	(void)base;
-	cni_check_positive(call, "length_m", def->length_m);
-	cni_check_joint_limits(call, CN_JOINT_DISTANCE, def->length_min_m, def->length_max_m);
-	cni_check_finite(call, "motor_speed_mps", def->motor_speed_mps);
-	cni_check_at_least(call, "motor_force_max_N", def->motor_force_max_N, 0.0f);
-	check_spring(call, def->spring_hertz, def->spring_damping_ratio);
-}
-
-static void store_distance(cni_joint *j, const void *from)
-{
-	const cn_distance_def *def = (const cn_distance_def *)from;
-	j->p[CNI_P_LENGTH] = def->length_m;
-	j->p[CNI_P_LOWER] = def->length_min_m;
-	j->p[CNI_P_UPPER] = def->length_max_m;
-	j->p[CNI_P_MOTOR_SPEED] = def->motor_speed_mps;
-	j->p[CNI_P_MOTOR_MAX] = def->motor_force_max_N;
-	j->p[CNI_P_DISTANCE_HERTZ] = def->spring_hertz;
-	j->p[CNI_P_DISTANCE_DAMPING] = def->spring_damping_ratio;
-}
-
-static void read_distance(const cni_joint *j, void *to)
-{
-	cn_distance_def *def = (cn_distance_def *)to;
-	def->length_m = j->p[CNI_P_LENGTH];
-	def->length_min_m = j->p[CNI_P_LOWER];
-	def->length_max_m = j->p[CNI_P_UPPER];
-	def->motor_speed_mps = j->p[CNI_P_MOTOR_SPEED];
-	def->motor_force_max_N = j->p[CNI_P_MOTOR_MAX];
-	def->spring_hertz = j->p[CNI_P_DISTANCE_HERTZ];
-	def->spring_damping_ratio = j->p[CNI_P_DISTANCE_DAMPING];
-}
-
-/* ------------------------------------------------------------------ fixed */
-
-void cn_fixed_def_init(cn_fixed_def *def)
-{
-	if (def != NULL)
-		init_base(def, sizeof *def);
-}
-
-static void check_fixed(cni_call *call, const cn_joint_base *base, const void *from)
-{
-	const cn_fixed_def *def = (const cn_fixed_def *)from;
-	(void)base;
-	cni_check_angle(call, "reference_angle_rad", def->reference_angle_rad);
-	cni_check_softness(call, "angular_hertz", def->angular_hertz, "angular_damping_ratio", def->angular_damping_ratio);
-}
-
-static void store_fixed(cni_joint *j, const void *from)
-{
-	const cn_fixed_def *def = (const cn_fixed_def *)from;
-	j->p[CNI_P_REFERENCE] = def->reference_angle_rad;
-	j->p[CNI_P_HERTZ] = def->angular_hertz;
-	j->p[CNI_P_DAMPING] = def->angular_damping_ratio;
-}
-
-static void read_fixed(const cni_joint *j, void *to)
-{
-	cn_fixed_def *def = (cn_fixed_def *)to;
-	def->reference_angle_rad = j->p[CNI_P_REFERENCE];
-	def->angular_hertz = j->p[CNI_P_HERTZ];
-	def->angular_damping_ratio = j->p[CNI_P_DAMPING];
-}
-
-/* ------------------------------------------------------------------ prismatic */
-
-void cn_prismatic_def_init(cn_prismatic_def *def)
-{
-	if (def == NULL)
-		return;
-	init_base(def, sizeof *def);
-	def->axis.x = 1.0f;
-}
-
-static void check_prismatic(cni_call *call, const cn_joint_base *base, const void *from)
-{
-	const cn_prismatic_def *def = (const cn_prismatic_def *)from;
-	(void)base;
-	cni_check_axis(call, def->axis);
-	cni_check_angle(call, "reference_angle_rad", def->reference_angle_rad);
-	cni_check_joint_limits(call, CN_JOINT_PRISMATIC, def->lower_m, def->upper_m);
-	cni_check_finite(call, "motor_speed_mps", def->motor_speed_mps);
-	cni_check_at_least(call, "motor_force_max_N", def->motor_force_max_N, 0.0f);
-	cni_check_finite(call, "spring_target_m", def->spring_target_m);
-	check_spring(call, def->spring_hertz, def->spring_damping_ratio);
-}
-
-static void store_prismatic(cni_joint *j, const void *from)
-{
-	const cn_prismatic_def *def = (const cn_prismatic_def *)from;
-	cni_joint_store_axis(j, def->axis);
-	j->p[CNI_P_REFERENCE] = def->reference_angle_rad;
-	j->p[CNI_P_LOWER] = def->lower_m;
-	j->p[CNI_P_UPPER] = def->upper_m;
-	j->p[CNI_P_MOTOR_SPEED] = def->motor_speed_mps;
-	j->p[CNI_P_MOTOR_MAX] = def->motor_force_max_N;
-	j->p[CNI_P_TARGET] = def->spring_target_m;
-	j->p[CNI_P_HERTZ] = def->spring_hertz;
-	j->p[CNI_P_DAMPING] = def->spring_damping_ratio;
-}
-
-static void read_prismatic(const cni_joint *j, void *to)
-{
-	cn_prismatic_def *def = (cn_prismatic_def *)to;
-	def->axis = read_axis(j);
-	def->reference_angle_rad = j->p[CNI_P_REFERENCE];
-	def->lower_m = j->p[CNI_P_LOWER];
-	def->upper_m = j->p[CNI_P_UPPER];
-	def->motor_speed_mps = j->p[CNI_P_MOTOR_SPEED];
-	def->motor_force_max_N = j->p[CNI_P_MOTOR_MAX];
-	def->spring_target_m = j->p[CNI_P_TARGET];
-	def->spring_hertz = j->p[CNI_P_HERTZ];
-	def->spring_damping_ratio = j->p[CNI_P_DAMPING];
-}
-
-/* ------------------------------------------------------------------ wheel */
-
-void cn_wheel_def_init(cn_wheel_def *def)
-{
-	if (def == NULL)
-		return;
-	init_base(def, sizeof *def);
-	def->axis.y = 1.0f;
-	def->spring_hertz = 1.0f;
-	def->spring_damping_ratio = 0.7f;
-}
-
-static void check_wheel(cni_call *call, const cn_joint_base *base, const void *from)
-{
-	const cn_wheel_def *def = (const cn_wheel_def *)from;
-	(void)base;
-	cni_check_axis(call, def->axis);
-	cni_check_joint_limits(call, CN_JOINT_WHEEL, def->lower_m, def->upper_m);
-	cni_check_finite(call, "motor_speed_radps", def->motor_speed_radps);
-	cni_check_at_least(call, "motor_torque_max_Nm", def->motor_torque_max_Nm, 0.0f);
-	check_spring(call, def->spring_hertz, def->spring_damping_ratio);
-}
-
-static void store_wheel(cni_joint *j, const void *from)
-{
-	const cn_wheel_def *def = (const cn_wheel_def *)from;
-	cni_joint_store_axis(j, def->axis);
-	j->p[CNI_P_LOWER] = def->lower_m;
-	j->p[CNI_P_UPPER] = def->upper_m;
-	j->p[CNI_P_MOTOR_SPEED] = def->motor_speed_radps;
-	j->p[CNI_P_MOTOR_MAX] = def->motor_torque_max_Nm;
-	j->p[CNI_P_HERTZ] = def->spring_hertz;
-	j->p[CNI_P_DAMPING] = def->spring_damping_ratio;
-}
-
-static void read_wheel(const cni_joint *j, void *to)
-{
-	cn_wheel_def *def = (cn_wheel_def *)to;
-	def->axis = read_axis(j);
-	def->lower_m = j->p[CNI_P_LOWER];
-	def->upper_m = j->p[CNI_P_UPPER];
-	def->motor_speed_radps = j->p[CNI_P_MOTOR_SPEED];
-	def->motor_torque_max_Nm = j->p[CNI_P_MOTOR_MAX];
-	def->spring_hertz = j->p[CNI_P_HERTZ];
-	def->spring_damping_ratio = j->p[CNI_P_DAMPING];
-}
-
-/* ------------------------------------------------------------------ motor */
-
-void cn_motor_def_init(cn_motor_def *def)
-{
-	if (def == NULL)
-		return;
-	init_base(def, sizeof *def);
-	def->hertz = 5.0f;
-	def->damping_ratio = 1.0f;
-}
-
-static void check_motor(cni_call *call, const cn_joint_base *base, const void *from)
-{
-	const cn_motor_def *def = (const cn_motor_def *)from;
-	(void)base;
-	cni_check_position(call, "offset_m", def->offset_m);
-	cni_check_angle(call, "angle_rad", def->angle_rad);
-	check_drive(call, def->hertz, def->damping_ratio);
-}
-
-static void store_motor(cni_joint *j, const void *from)
-{
-	const cn_motor_def *def = (const cn_motor_def *)from;
-	j->p[CNI_P_MOTOR_ANGLE] = def->angle_rad;
-	j->p[CNI_P_MOTOR_OFFSET_X] = def->offset_m.x;
-	j->p[CNI_P_MOTOR_OFFSET_Y] = def->offset_m.y;
-	j->p[CNI_P_HERTZ] = def->hertz;
-	j->p[CNI_P_DAMPING] = def->damping_ratio;
-}
-
-static void read_motor(const cni_joint *j, void *to)
-{
-	cn_motor_def *def = (cn_motor_def *)to;
-	def->angle_rad = j->p[CNI_P_MOTOR_ANGLE];
-	def->offset_m = cni_v(j->p[CNI_P_MOTOR_OFFSET_X], j->p[CNI_P_MOTOR_OFFSET_Y]);
-	def->hertz = j->p[CNI_P_HERTZ];
-	def->damping_ratio = j->p[CNI_P_DAMPING];
-}
-
-/* ------------------------------------------------------------------ mouse */
-
-void cn_mouse_def_init(cn_mouse_def *def)
-{
-	if (def == NULL)
-		return;
-	init_base(def, sizeof *def);
-	def->hertz = 5.0f;
-	def->damping_ratio = 0.7f;
-}
-
-static void check_mouse(cni_call *call, const cn_joint_base *base, const void *from)
-{
-	const cn_mouse_def *def = (const cn_mouse_def *)from;
-	if (base->body_a != 0)
-		cni_refuse(call, CN_ERROR_ARGUMENT, "body_a; must be 0 (the world) in this type");
-	cni_check_position(call, "target_m", def->target_m);
-	check_drive(call, def->hertz, def->damping_ratio);
-}
-
-static void store_mouse(cni_joint *j, const void *from)
-{
-	const cn_mouse_def *def = (const cn_mouse_def *)from;
-	j->anchor[0] = def->target_m;
-	j->p[CNI_P_HERTZ] = def->hertz;
-	j->p[CNI_P_DAMPING] = def->damping_ratio;
-}
-
-static void read_mouse(const cni_joint *j, void *to)
-{
-	cn_mouse_def *def = (cn_mouse_def *)to;
-	def->target_m = j->anchor[0];
-	def->hertz = j->p[CNI_P_HERTZ];
-	def->damping_ratio = j->p[CNI_P_DAMPING];
-}
-
-/* ------------------------------------------------------------------ gear */
-
-void cn_gear_def_init(cn_gear_def *def)
-{
-	if (def == NULL)
-		return;
-	init_base(def, sizeof *def);
-	def->ratio = 1.0f;
-}
-
-static void check_gear(cni_call *call, const cn_joint_base *base, const void *from)
-{
-	const cn_gear_def *def = (const cn_gear_def *)from;
-	(void)base;
-	check_ratio(call, "ratio", def->ratio);
-	cni_check_angle(call, "phase_rad", def->phase_rad);
-}
-
-static void store_gear(cni_joint *j, const void *from)
-{
-	const cn_gear_def *def = (const cn_gear_def *)from;
-	j->p[CNI_P_GEAR_RATIO] = def->ratio;
-	j->p[CNI_P_GEAR_PHASE] = def->phase_rad;
-}
-
-static void read_gear(const cni_joint *j, void *to)
-{
-	cn_gear_def *def = (cn_gear_def *)to;
-	def->ratio = j->p[CNI_P_GEAR_RATIO];
-	def->phase_rad = j->p[CNI_P_GEAR_PHASE];
-}
-
-/* ------------------------------------------------------------------ pulley */
-
-void cn_pulley_def_init(cn_pulley_def *def)
-{
-	if (def == NULL)
-		return;
-	init_base(def, sizeof *def);
-	def->ratio = 1.0f;
-}
-
-static void check_pulley(cni_call *call, const cn_joint_base *base, const void *from)
-{
-	const cn_pulley_def *def = (const cn_pulley_def *)from;
-	(void)base;
-	cni_check_position(call, "ground_a_m", def->ground_a_m);
-	cni_check_position(call, "ground_b_m", def->ground_b_m);
-	cni_check_range(call, "ratio", def->ratio, RATIO_MIN, RATIO_MAX);
-	cni_check_positive(call, "length_m", def->length_m);
-}
-
-static void store_pulley(cni_joint *j, const void *from)
-{
-	const cn_pulley_def *def = (const cn_pulley_def *)from;
-	j->p[CNI_P_LENGTH] = def->length_m;
-	j->p[CNI_P_PULLEY_GROUND_A] = def->ground_a_m.x;
-	j->p[CNI_P_PULLEY_GROUND_A + 1] = def->ground_a_m.y;
-	j->p[CNI_P_PULLEY_GROUND_B] = def->ground_b_m.x;
-	j->p[CNI_P_PULLEY_GROUND_B + 1] = def->ground_b_m.y;
-	j->p[CNI_P_PULLEY_RATIO] = def->ratio;
-}
-
-static void read_pulley(const cni_joint *j, void *to)
-{
-	cn_pulley_def *def = (cn_pulley_def *)to;
-	def->length_m = j->p[CNI_P_LENGTH];
-	def->ground_a_m = cni_v(j->p[CNI_P_PULLEY_GROUND_A], j->p[CNI_P_PULLEY_GROUND_A + 1]);
-	def->ground_b_m = cni_v(j->p[CNI_P_PULLEY_GROUND_B], j->p[CNI_P_PULLEY_GROUND_B + 1]);
-	def->ratio = j->p[CNI_P_PULLEY_RATIO];
-}
-
-/* ------------------------------------------------------------------ ratchet */
-
-void cn_ratchet_def_init(cn_ratchet_def *def)
-{
-	if (def != NULL)
-		init_base(def, sizeof *def);
-}
-
-static void check_ratchet(cni_call *call, const cn_joint_base *base, const void *from)
-{
-	const cn_ratchet_def *def = (const cn_ratchet_def *)from;
-	(void)base;
-	cni_check_angle(call, "phase_rad", def->phase_rad);
-	check_ratio(call, "click_rad", def->click_rad);
-}
-
-static void store_ratchet(cni_joint *j, const void *from)
-{
-	const cn_ratchet_def *def = (const cn_ratchet_def *)from;
-	j->p[CNI_P_RATCHET_PHASE] = def->phase_rad;
-	j->p[CNI_P_RATCHET_CLICK] = def->click_rad;
-}
-
-static void read_ratchet(const cni_joint *j, void *to)
-{
-	cn_ratchet_def *def = (cn_ratchet_def *)to;
-	def->phase_rad = j->p[CNI_P_RATCHET_PHASE];
-	def->click_rad = j->p[CNI_P_RATCHET_CLICK];
-}
-
-/* ------------------------------------------------------------------ rotary spring */
-
-void cn_rotary_spring_def_init(cn_rotary_spring_def *def)
-{
-	if (def == NULL)
-		return;
-	init_base(def, sizeof *def);
-	def->hertz = 1.0f;
-}
-
-static void check_rotary_spring(cni_call *call, const cn_joint_base *base, const void *from)
-{
-	const cn_rotary_spring_def *def = (const cn_rotary_spring_def *)from;
-	(void)base;
-	cni_check_angle(call, "rest_angle_rad", def->rest_angle_rad);
-	check_drive(call, def->hertz, def->damping_ratio);
-}
-
-static void store_rotary_spring(cni_joint *j, const void *from)
-{
-	const cn_rotary_spring_def *def = (const cn_rotary_spring_def *)from;
-	j->p[CNI_P_REST] = def->rest_angle_rad;
-	j->p[CNI_P_REST_HERTZ] = def->hertz;
-	j->p[CNI_P_REST_DAMPING] = def->damping_ratio;
-}
-
-static void read_rotary_spring(const cni_joint *j, void *to)
-{
-	cn_rotary_spring_def *def = (cn_rotary_spring_def *)to;
-	def->rest_angle_rad = j->p[CNI_P_REST];
-	def->hertz = j->p[CNI_P_REST_HERTZ];
-	def->damping_ratio = j->p[CNI_P_REST_DAMPING];
-}
-
-/* ------------------------------------------------------------------ groove */
-
-void cn_groove_def_init(cn_groove_def *def)
-{
-	if (def == NULL)
-		return;
-	init_base(def, sizeof *def);
-	def->end_m.x = 1.0f;
-}
-
-static void check_groove(cni_call *call, const cn_joint_base *base, const void *from)
-{
-	const cn_groove_def *def = (const cn_groove_def *)from;
-	cni_check_position(call, "end_m", def->end_m);
-	if (call->result == CN_OK && cni_distance_sq(base->anchor_a_m, def->end_m) <= 0.0f)
-		cni_refuse(call, CN_ERROR_ARGUMENT, "end_m is anchor_a_m; the slot must have a length > 0");
-}
-
-static void store_groove(cni_joint *j, const void *from)
-{
-	const cn_groove_def *def = (const cn_groove_def *)from;
-	cni_vec2 slot = cni_sub(def->end_m, j->anchor[0]);
-	cni_joint_store_axis(j, slot);
-	j->p[CNI_P_UPPER] = cni_length(slot);
-	j->p[CNI_P_GROOVE_END_X] = def->end_m.x;
-	j->p[CNI_P_GROOVE_END_Y] = def->end_m.y;
-}
-
-static void read_groove(const cni_joint *j, void *to)
-{
-	cn_groove_def *def = (cn_groove_def *)to;
-	def->end_m = cni_v(j->p[CNI_P_GROOVE_END_X], j->p[CNI_P_GROOVE_END_Y]);
-}
-
-/* ------------------------------------------------------------------ filter */
-
-void cn_filter_joint_def_init(cn_filter_joint_def *def)
-{
-	if (def != NULL)
-		init_base(def, sizeof *def);
-}
-
-static void check_filter(cni_call *call, const cn_joint_base *base, const void *from)
-{
-	(void)call;
-	(void)base;
-	(void)from;
-}
-
-static void store_filter(cni_joint *j, const void *from)
-{
-	(void)j;
-	(void)from;
-}
-
-static void read_filter(const cni_joint *j, void *to)
-{
-	(void)j;
-	(void)to;
-}
-
-/* ------------------------------------------------------------------ the table */
-
-const cni_joint_kind *cni_joint_kind_of(int32_t type)
-{
-	static const cni_joint_kind kinds[] = {
-		{ sizeof(cn_revolute_def), "cn_revolute_def_init", check_revolute, store_revolute, read_revolute, CNI_KIND_HAS_MOTOR | CNI_KIND_HAS_LIMITS },
-		{ sizeof(cn_distance_def), "cn_distance_def_init", check_distance, store_distance, read_distance, CNI_KIND_HAS_MOTOR | CNI_KIND_HAS_LIMITS },
-		{ sizeof(cn_fixed_def), "cn_fixed_def_init", check_fixed, store_fixed, read_fixed, 0 },
-		{ sizeof(cn_prismatic_def), "cn_prismatic_def_init", check_prismatic, store_prismatic, read_prismatic, CNI_KIND_HAS_MOTOR | CNI_KIND_HAS_LIMITS },
-		{ sizeof(cn_wheel_def), "cn_wheel_def_init", check_wheel, store_wheel, read_wheel, CNI_KIND_HAS_MOTOR | CNI_KIND_HAS_LIMITS },
-		{ sizeof(cn_motor_def), "cn_motor_def_init", check_motor, store_motor, read_motor, CNI_KIND_HAS_DRIVE },
-		{ sizeof(cn_mouse_def), "cn_mouse_def_init", check_mouse, store_mouse, read_mouse, CNI_KIND_HAS_DRIVE },
-		{ sizeof(cn_gear_def), "cn_gear_def_init", check_gear, store_gear, read_gear, 0 },
-		{ sizeof(cn_pulley_def), "cn_pulley_def_init", check_pulley, store_pulley, read_pulley, 0 },
-		{ sizeof(cn_ratchet_def), "cn_ratchet_def_init", check_ratchet, store_ratchet, read_ratchet, 0 },
-		{ sizeof(cn_rotary_spring_def), "cn_rotary_spring_def_init", check_rotary_spring, store_rotary_spring, read_rotary_spring, 0 },
-		{ sizeof(cn_groove_def), "cn_groove_def_init", check_groove, store_groove, read_groove, 0 },
-		{ sizeof(cn_filter_joint_def), "cn_filter_joint_def_init", check_filter, store_filter, read_filter, 0 }
-	};
-	return kinds + type;
+	const cni_joint_kind *kind = cni_joint_kind_of(j->type);
+	int32_t k;
+	for (k = 0; k < kind->field_count; ++k)
+		memcpy((char *)def + kind->fields[k].in_def, (const char *)j + kind->fields[k].in_joint, field_bytes(kind->fields + k));
 }

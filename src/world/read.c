@@ -84,11 +84,7 @@ static cn_result read_poses(const cn_world *world, const cn_body *bodies, int32_
 	cni_check_array(&call, "out", out, count);
 	check_bodies(&call, bodies, count);
 	for (k = 0; k < count && call.result == CN_OK; ++k) {
-		const cni_body *b = cni_body_at(world, walk_next(&w));
-		cn_pose pose;
-		pose.position_m = cni_body_origin(b);
-		pose.cosine = b->q.c;
-		pose.sine = b->q.s;
+		cn_pose pose = cni_body_pose(cni_body_at(world, walk_next(&w)));
 		memcpy((uint8_t *)out + (size_t)k * (size_t)stride, &pose, sizeof pose);
 	}
 	return call.result;
@@ -104,6 +100,19 @@ cn_result cn_world_read_poses_strided(const cn_world *world, const cn_body *bodi
 	if (stride_bytes != 0 && stride_bytes < (int32_t)sizeof(cn_pose))
 		return CN_ERROR_ARGUMENT;
 	return read_poses(world, bodies, count, out, stride_bytes != 0 ? stride_bytes : (int32_t)sizeof(cn_pose));
+}
+
+cn_result cn_world_read_poses_interpolated(const cn_world *world, const cn_body *bodies, int32_t count, float factor, cn_pose *out)
+{
+	cni_call call = cni_enter_const(world);
+	walk w = walk_begin(world, bodies);
+	int32_t k;
+	cni_check_array(&call, "out", out, count);
+	cni_check_range(&call, "factor", factor, 0.0f, 1.0f);
+	check_bodies(&call, bodies, count);
+	for (k = 0; k < count && call.result == CN_OK; ++k)
+		out[k] = cni_pose_between(world, walk_next(&w), factor);
+	return call.result;
 }
 
 cn_result cn_world_read_velocities(const cn_world *world, const cn_body *bodies, int32_t count, cn_velocity *out)
@@ -156,9 +165,7 @@ static void moved_add(cn_world *world, int32_t body, uint32_t fell_asleep)
 	cni_array *moved = &world->events.moved;
 	cn_body_moved *m = (cn_body_moved *)moved->data + moved->count++;
 	cni_body *b = cni_body_at(world, body);
-	m->pose.position_m = cni_body_origin(b);
-	m->pose.cosine = b->q.c;
-	m->pose.sine = b->q.s;
+	m->pose = cni_body_pose(b);
 	m->user_data = b->user_data;
 	m->body = cni_handles_of(&world->body_handles, body);
 	m->fell_asleep = fell_asleep;

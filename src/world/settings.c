@@ -15,6 +15,17 @@ static void wake_all(cn_world *world)
 			cni_body_wake(world, body);
 }
 
+/* Defines cn_world_get_<what>, which reads one value of the world. */
+#define WORLD_GET(what, type, value) \
+	cn_result cn_world_get_##what(const cn_world *world, type *out) \
+	{ \
+		cni_call call = cni_enter_const(world); \
+		cni_check_pointer(&call, "out", out); \
+		if (call.result == CN_OK) \
+			*out = value; \
+		return call.result; \
+	}
+
 cn_result cn_world_set_gravity(cn_world *world, float gravity_x_mps2, float gravity_y_mps2)
 {
 	cn_vec2 gravity_mps2 = { gravity_x_mps2, gravity_y_mps2 };
@@ -28,14 +39,7 @@ cn_result cn_world_set_gravity(cn_world *world, float gravity_x_mps2, float grav
 	return CN_OK;
 }
 
-cn_result cn_world_get_gravity(const cn_world *world, cn_vec2 *out_mps2)
-{
-	cni_call call = cni_enter_const(world);
-	cni_check_pointer(&call, "out_mps2", out_mps2);
-	if (call.result == CN_OK)
-		*out_mps2 = world->settings.gravity;
-	return call.result;
-}
+WORLD_GET(gravity, cn_vec2, world->settings.gravity)
 
 cn_result cn_world_set_substep_count(cn_world *world, int32_t count)
 {
@@ -46,14 +50,7 @@ cn_result cn_world_set_substep_count(cn_world *world, int32_t count)
 	return call.result;
 }
 
-cn_result cn_world_get_substep_count(const cn_world *world, int32_t *out_count)
-{
-	cni_call call = cni_enter_const(world);
-	cni_check_pointer(&call, "out_count", out_count);
-	if (call.result == CN_OK)
-		*out_count = world->settings.substeps;
-	return call.result;
-}
+WORLD_GET(substep_count, int32_t, world->settings.substeps)
 
 cn_result cn_world_set_solver(cn_world *world, int32_t solver)
 {
@@ -66,14 +63,7 @@ cn_result cn_world_set_solver(cn_world *world, int32_t solver)
 	return CN_OK;
 }
 
-cn_result cn_world_get_solver(const cn_world *world, int32_t *out_solver)
-{
-	cni_call call = cni_enter_const(world);
-	cni_check_pointer(&call, "out_solver", out_solver);
-	if (call.result == CN_OK)
-		*out_solver = world->settings.solver;
-	return call.result;
-}
+WORLD_GET(solver, int32_t, world->settings.solver)
 
 cn_result cn_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_budget)
 {
@@ -111,23 +101,8 @@ cn_result cn_world_set_flags(cn_world *world, uint32_t flags)
 	return CN_OK;
 }
 
-cn_result cn_world_get_worker_count(const cn_world *world, int32_t *out_count)
-{
-	cni_call call = cni_enter_const(world);
-	cni_check_pointer(&call, "out_count", out_count);
-	if (call.result == CN_OK)
-		*out_count = cni_team_workers(world->team);
-	return call.result;
-}
-
-cn_result cn_world_get_flags(const cn_world *world, uint32_t *out_flags)
-{
-	cni_call call = cni_enter_const(world);
-	cni_check_pointer(&call, "out_flags", out_flags);
-	if (call.result == CN_OK)
-		*out_flags = world->settings.flags;
-	return call.result;
-}
+WORLD_GET(worker_count, int32_t, cni_team_workers(world->team))
+WORLD_GET(flags, uint32_t, world->settings.flags)
 
 cn_result cn_world_set_restitution_threshold(cn_world *world, float speed_mps)
 {
@@ -170,14 +145,7 @@ cn_result cn_world_set_user_data(cn_world *world, uint64_t user_data)
 	return call.result;
 }
 
-cn_result cn_world_get_user_data(const cn_world *world, uint64_t *out_user_data)
-{
-	cni_call call = cni_enter_const(world);
-	cni_check_pointer(&call, "out_user_data", out_user_data);
-	if (call.result == CN_OK)
-		*out_user_data = world->user_data;
-	return call.result;
-}
+WORLD_GET(user_data, uint64_t, world->user_data)
 
 /* ------------------------------------------------------------------ counters */
 
@@ -241,14 +209,7 @@ cn_result cn_world_get_counters(const cn_world *world, cn_counters *out)
 	return CN_OK;
 }
 
-cn_result cn_world_get_profile(const cn_world *world, cn_profile *out)
-{
-	cni_call call = cni_enter_const(world);
-	cni_check_pointer(&call, "out", out);
-	if (call.result == CN_OK)
-		*out = world->profile;
-	return call.result;
-}
+WORLD_GET(profile, cn_profile, world->profile)
 
 cn_result cn_world_get_memory_stats(const cn_world *world, cn_memory_stats *out)
 {

@@ -4,7 +4,7 @@
  *
  * Whatever takes a shape's boxes away ends its contacts, so room for their events is reserved first.
  */
-#include "world/error.h"
+#include "world/define.h"
 
 #define EVENT_MASK ((1u << CN_EVENT_KINDS) - 1u)
 
@@ -78,25 +78,8 @@ int32_t cn_shape_is_valid(const cn_world *world, cn_shape shape)
 	return world != NULL && cni_handles_find(&world->shape_handles, shape) != CNI_NONE;
 }
 
-cn_result cn_shape_get_type(const cn_world *world, cn_shape shape, int32_t *out_type)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_shape *s = cni_check_shape(&call, "shape", shape);
-	cni_check_pointer(&call, "out_type", out_type);
-	if (call.result == CN_OK)
-		*out_type = s->type;
-	return call.result;
-}
-
-cn_result cn_shape_get_body(const cn_world *world, cn_shape shape, cn_body *out_body)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_shape *s = cni_check_shape(&call, "shape", shape);
-	cni_check_pointer(&call, "out_body", out_body);
-	if (call.result == CN_OK)
-		*out_body = cni_handle_or_zero(&world->body_handles, s->body);
-	return call.result;
-}
+CNI_DEFINE_GET(shape, type, int32_t, record->type)
+CNI_DEFINE_GET(shape, body, cn_body, cni_handle_or_zero(&world->body_handles, record->body))
 
 /* ------------------------------------------------------------------ its contacts */
 
@@ -165,16 +148,7 @@ cn_result cn_shape_set_material(cn_world *world, cn_shape shape, const cn_materi
 	return CN_OK;
 }
 
-cn_result cn_shape_get_material(const cn_world *world, cn_shape shape, cn_material *out)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_shape *s = cni_check_shape(&call, "shape", shape);
-	cni_check_pointer(&call, "out", out);
-	if (call.result != CN_OK)
-		return call.result;
-	*out = cni_shape_material(s);
-	return CN_OK;
-}
+CNI_DEFINE_GET(shape, material, cn_material, cni_shape_material(record))
 
 cn_result cn_shape_set_density(cn_world *world, cn_shape shape, float density_kgpm2)
 {
@@ -193,15 +167,7 @@ cn_result cn_shape_set_density(cn_world *world, cn_shape shape, float density_kg
 	return CN_OK;
 }
 
-cn_result cn_shape_get_density(const cn_world *world, cn_shape shape, float *out_kgpm2)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_shape *s = cni_check_shape(&call, "shape", shape);
-	cni_check_pointer(&call, "out_kgpm2", out_kgpm2);
-	if (call.result == CN_OK)
-		*out_kgpm2 = s->density;
-	return call.result;
-}
+CNI_DEFINE_GET(shape, density, float, record->density)
 
 /* ------------------------------------------------------------------ filter and events */
 
@@ -274,15 +240,7 @@ cn_result cn_shape_set_event_mask(cn_world *world, cn_shape shape, uint32_t even
 	return CN_OK;
 }
 
-cn_result cn_shape_get_event_mask(const cn_world *world, cn_shape shape, uint32_t *out_event_mask)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_shape *s = cni_check_shape(&call, "shape", shape);
-	cni_check_pointer(&call, "out_event_mask", out_event_mask);
-	if (call.result == CN_OK)
-		*out_event_mask = s->event_mask;
-	return call.result;
-}
+CNI_DEFINE_GET(shape, event_mask, uint32_t, record->event_mask)
 
 cn_result cn_shape_set_flags(cn_world *world, cn_shape shape, uint32_t flags)
 {
@@ -302,31 +260,6 @@ cn_result cn_shape_set_flags(cn_world *world, cn_shape shape, uint32_t flags)
 	return CN_OK;
 }
 
-cn_result cn_shape_get_flags(const cn_world *world, cn_shape shape, uint32_t *out_flags)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_shape *s = cni_check_shape(&call, "shape", shape);
-	cni_check_pointer(&call, "out_flags", out_flags);
-	if (call.result == CN_OK)
-		*out_flags = s->flags;
-	return call.result;
-}
+CNI_DEFINE_GET(shape, flags, uint32_t, record->flags)
 
-cn_result cn_shape_set_user_data(cn_world *world, cn_shape shape, uint64_t user_data)
-{
-	cni_call call = cni_enter(world, __func__);
-	cni_shape *s = cni_check_shape(&call, "shape", shape);
-	if (call.result == CN_OK)
-		s->user_data = user_data;
-	return call.result;
-}
-
-cn_result cn_shape_get_user_data(const cn_world *world, cn_shape shape, uint64_t *out_user_data)
-{
-	cni_call call = cni_enter_const(world);
-	const cni_shape *s = cni_check_shape(&call, "shape", shape);
-	cni_check_pointer(&call, "out_user_data", out_user_data);
-	if (call.result == CN_OK)
-		*out_user_data = s->user_data;
-	return call.result;
-}
+CNI_DEFINE_USER_DATA(shape)

@@ -24,18 +24,6 @@ static cni_transform transform_of(const cn_world *world, cn_shape shape)
 	return body == CNI_NONE ? identity : cni_body_transform(cni_body_at(world, body));
 }
 
-/* Union of the boxes of a shape's children. */
-static cni_aabb shape_box(const cni_geometry *g, cni_transform x)
-{
-	cni_aabb box = cni_geometry_aabb(g, 0, x);
-	int32_t child, children = cni_geometry_children(g);
-	for (child = 1; child < children; ++child) {
-		cni_aabb next = cni_geometry_aabb(g, child, x);
-		box = cni_aabb_union(&box, &next);
-	}
-	return box;
-}
-
 static void box_store(cni_aabb box, cn_aabb *out)
 {
 	out->lower_m = cni_v(box.x0, box.y0);
@@ -47,7 +35,7 @@ cn_result cn_shape_get_aabb(const cn_world *world, cn_shape shape, cn_aabb *out)
 	cni_call call = cni_enter_const(world);
 	const cni_geometry *g = geometry_of(&call, shape, CNI_NONE, out);
 	if (g != NULL)
-		box_store(shape_box(g, transform_of(world, shape)), out);
+		box_store(cni_geometry_bounds(g, transform_of(world, shape)), out);
 	return call.result;
 }
 
@@ -65,7 +53,7 @@ cn_result cn_body_get_aabb(const cn_world *world, cn_body body, cn_aabb *out)
 	box.x0 = box.x1 = x.t.x;
 	box.y0 = box.y1 = x.t.y;
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
-		cni_aabb next = shape_box(cni_shape_geometry(&world->blocks, cni_shape_at(world, shape)), x);
+		cni_aabb next = cni_geometry_bounds(cni_shape_geometry(&world->blocks, cni_shape_at(world, shape)), x);
 		box = shape == b->shape_first ? next : cni_aabb_union(&box, &next);
 	}
 	box_store(box, out);

@@ -97,7 +97,7 @@ cn_result cn_world_update(cn_world *world, float elapsed_s, cn_update_report *ou
 	return CN_OK;
 }
 
-static cn_pose pose_between(const cn_world *world, int32_t body, float factor)
+cn_pose cni_pose_between(const cn_world *world, int32_t body, float factor)
 {
 	const cni_body *b = cni_body_at(world, body);
 	cni_vec2 origin = cni_body_origin(b);
@@ -117,29 +117,4 @@ static cn_pose pose_between(const cn_world *world, int32_t body, float factor)
 	pose.cosine = q.c;
 	pose.sine = q.s;
 	return pose;
-}
-
-cn_result cn_world_read_poses_interpolated(const cn_world *world, const cn_body *bodies, int32_t count, float factor, cn_pose *out)
-{
-	cni_call call = cni_enter_const(world);
-	int32_t k, slot = 0;
-	cni_check_array(&call, "out", out, count);
-	cni_check_range(&call, "factor", factor, 0.0f, 1.0f);
-	if (call.result == CN_OK && bodies == NULL && count != world->body_handles.count)
-		return CN_ERROR_ARGUMENT;
-	for (k = 0; k < count && bodies != NULL && call.result == CN_OK; ++k)
-		cni_check_body(&call, "bodies", bodies[k]);
-	if (call.result != CN_OK)
-		return call.result;
-	for (k = 0; k < count; ++k) {
-		if (bodies != NULL) {
-			slot = cni_body_index(world, bodies[k]);
-		} else {
-			while (!cni_handles_alive(&world->body_handles, slot))
-				++slot;
-		}
-		out[k] = pose_between(world, slot, factor);
-		slot += bodies == NULL;
-	}
-	return CN_OK;
 }

@@ -1,0 +1,69 @@
+/*
+ * world/define.h - public functions that many nouns have, each defined by one line: reading a value of a live record, user data,
+ * arrays of events. They have nothing to check but what all calls check: see world/error.h.
+ *
+ *     CNI_DEFINE_GET(body, gravity_scale, float, record->gravity_scale)
+ */
+#ifndef CNI_WORLD_DEFINE_H
+#define CNI_WORLD_DEFINE_H
+
+#include "world/error.h"
+
+/* Constraints are joint records. */
+typedef cni_joint cni_constraint;
+
+/*
+ * Defines the public function cn_<noun>_get_<what>, which reads one value of a live record and has nothing else to check:
+ * value is an expression of `record` and `world`.
+ */
+#define CNI_DEFINE_GET(noun, what, type, value) \
+	cn_result cn_##noun##_get_##what(const cn_world *world, cn_##noun noun, type *out) \
+	{ \
+		cni_call call = cni_enter_const(world); \
+		const cni_##noun *record = cni_check_##noun(&call, #noun, noun); \
+		cni_check_pointer(&call, "out", out); \
+		if (call.result == CN_OK) \
+			*out = value; \
+		return call.result; \
+	}
+
+/* The same with two values: store is an expression that writes *out_a and *out_b. */
+#define CNI_DEFINE_GET2(noun, what, type_a, type_b, store) \
+	cn_result cn_##noun##_get_##what(const cn_world *world, cn_##noun noun, type_a *out_a, type_b *out_b) \
+	{ \
+		cni_call call = cni_enter_const(world); \
+		const cni_##noun *record = cni_check_##noun(&call, #noun, noun); \
+		cni_check_pointer(&call, "out_a", out_a); \
+		cni_check_pointer(&call, "out_b", out_b); \
+		if (call.result == CN_OK) \
+			store; \
+		return call.result; \
+	}
+
+/* The functions cn_<noun>_set_user_data and _get_user_data. */
+#define CNI_DEFINE_USER_DATA(noun) \
+	CNI_DEFINE_GET(noun, user_data, uint64_t, record->user_data) \
+	cn_result cn_##noun##_set_user_data(cn_world *world, cn_##noun noun, uint64_t user_data) \
+	{ \
+		cni_call call = cni_enter(world, __func__); \
+		cni_##noun *record = cni_check_##noun(&call, #noun, noun); \
+		if (call.result == CN_OK) \
+			record->user_data = user_data; \
+		return call.result; \
+	}
+
+/* The function cn_world_<name>, which gives an array of the last step's events. */
+#define CNI_DEFINE_EVENTS(name, type, array) \
+	cn_result cn_world_##name(const cn_world *world, const type **out, int32_t *out_count) \
+	{ \
+		cni_call call = cni_enter_const(world); \
+		cni_check_pointer(&call, "out", out); \
+		cni_check_pointer(&call, "out_count", out_count); \
+		if (call.result != CN_OK) \
+			return call.result; \
+		*out = (const type *)world->events.array.data; \
+		*out_count = world->events.array.count; \
+		return CN_OK; \
+	}
+
+#endif
