@@ -566,6 +566,7 @@ static void lane_store(cn_world *world, const cni_joint_work *w, const cni_solve
 	j->impulse[CNI_REVOLUTE_MOTOR] = block->motor_j[l];
 	j->impulse[CNI_REVOLUTE_LIMIT] = (j->flags & CN_JOINT_LIMIT) ? cni_max(limit_sign(j, block->angle[l]) * block->limit_j[l], 0.0f) : 0.0f;
 	j->inv_h = s->inv_h;
+	cni_joint_keep_finite(j);
 }
 
 typedef struct store_loop {

@@ -130,6 +130,7 @@ cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float poi
 		return call.result;
 	v = cni_body_velocity(world, b);
 	*out_mps = cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(arm_to(b, point_m)));
+	*out_mps = cni_v(cni_saturate(out_mps->x), cni_saturate(out_mps->y));
 	return CN_OK;
 }
 

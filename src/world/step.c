@@ -9,6 +9,7 @@
 
 #include <string.h>
 
+#define STEP_LEAST 1e-9f /* seconds: shorter ones move nothing, and floats do not hold the squares of their inverses */
 #define SHARED_WORK 1024 /* awake bodies, contacts and joints: fewer are done with before a worker is awake */
 
 /* Adds the time since the last mark to a field of the profile. */
@@ -191,6 +192,6 @@ cn_result cn_world_step(cn_world *world, float dt_s)
 	cni_call call = cni_enter(world, "cn_world_step");
 	cni_check_range(&call, "dt_s", dt_s, 0.0f, 1.0f);
 	if (call.result == CN_OK)
-		world_step(world, dt_s);
+		world_step(world, dt_s < STEP_LEAST ? 0.0f : dt_s);
 	return call.result;
 }
