@@ -355,7 +355,7 @@ namespace Cairn
 		public cn_vec2 position_m;
 		/// <summary>|angle| &lt;= 1e4</summary>
 		public float angle_rad;
-		/// <summary>of the centre of mass</summary>
+		/// <summary>of the centre of mass; both velocities count only with CN_BODY_AWAKE: what sleeps does not move</summary>
 		public cn_vec2 linear_velocity_mps;
 		public float angular_velocity_radps;
 		/// <summary>v' = -damping v; &gt;= 0, default 0</summary>
@@ -1293,8 +1293,8 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_world_destroy(cn_world* world);
 
-		/// <summary>One fixed step of dt_s seconds, 0 &lt;= dt_s &lt;= 1; 0 updates contacts and events without motion. Cost
-		/// grows with the number of awake bodies and their contacts.</summary>
+		/// <summary>One fixed step of dt_s seconds, 0 &lt;= dt_s &lt;= 1; 0 updates contacts and events without motion, and
+		/// so does less than 1e-9. Cost grows with the number of awake bodies and their contacts.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_step(cn_world* world, float dt_s);
 

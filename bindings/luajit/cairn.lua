@@ -392,7 +392,7 @@ typedef struct cn_body_def {
 	int32_t type; // CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic
 	cn_vec2 position_m; // of the origin; |x|, |y| <= 1e6 x length unit
 	float angle_rad; // |angle| <= 1e4
-	cn_vec2 linear_velocity_mps; // of the centre of mass
+	cn_vec2 linear_velocity_mps; // of the centre of mass; both velocities count only with CN_BODY_AWAKE: what sleeps does not move
 	float angular_velocity_radps;
 	float linear_damping_per_s; // v' = -damping v; >= 0, default 0
 	float angular_damping_per_s;
@@ -828,8 +828,8 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world);
 // NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have
 // ended when this returns. Not from callbacks.
 void cn_world_destroy(cn_world *world);
-// One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion. Cost grows
-// with the number of awake bodies and their contacts.
+// One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion, and so does
+// less than 1e-9. Cost grows with the number of awake bodies and their contacts.
 cn_result cn_world_step(cn_world *world, float dt_s);
 // One sentence on the last call that failed on this world; "" if none did. world may be NULL.
 const char *cn_world_error_text(const cn_world *world);

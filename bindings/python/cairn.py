@@ -384,7 +384,7 @@ class cn_body_def(_c.Structure):
         ("type", _c.c_int32),  # CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic
         ("position_m", cn_vec2),  # of the origin; |x|, |y| <= 1e6 x length unit
         ("angle_rad", _c.c_float),  # |angle| <= 1e4
-        ("linear_velocity_mps", cn_vec2),  # of the centre of mass
+        ("linear_velocity_mps", cn_vec2),  # of the centre of mass; both velocities count only with CN_BODY_AWAKE: what sleeps does not move
         ("angular_velocity_radps", _c.c_float),
         ("linear_damping_per_s", _c.c_float),  # v' = -damping v; >= 0, default 0
         ("angular_damping_per_s", _c.c_float),
@@ -907,8 +907,8 @@ cn_world_create = _function("cn_world_create", cn_result, _c.POINTER(cn_world_de
 # NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have
 # ended when this returns. Not from callbacks.
 cn_world_destroy = _function("cn_world_destroy", None, _c.POINTER(cn_world))
-# One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion. Cost grows
-# with the number of awake bodies and their contacts.
+# One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion, and so does
+# less than 1e-9. Cost grows with the number of awake bodies and their contacts.
 cn_world_step = _function("cn_world_step", cn_result, _c.POINTER(cn_world), _c.c_float)
 # One sentence on the last call that failed on this world; "" if none did. world may be NULL.
 cn_world_error_text = _function("cn_world_error_text", _c.c_char_p, _c.POINTER(cn_world))

@@ -538,7 +538,7 @@ pub const cn_body_def = extern struct {
     position_m: cn_vec2,
     /// |angle| <= 1e4
     angle_rad: f32,
-    /// of the centre of mass
+    /// of the centre of mass; both velocities count only with CN_BODY_AWAKE: what sleeps does not move
     linear_velocity_mps: cn_vec2,
     angular_velocity_radps: f32,
     /// v' = -damping v; >= 0, default 0
@@ -1230,8 +1230,8 @@ pub extern fn cn_world_create(def: [*c]const cn_world_def, out_world: [*c]?*cn_w
 /// NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have
 /// ended when this returns. Not from callbacks.
 pub extern fn cn_world_destroy(world: ?*cn_world) void;
-/// One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion. Cost grows
-/// with the number of awake bodies and their contacts.
+/// One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion, and so does
+/// less than 1e-9. Cost grows with the number of awake bodies and their contacts.
 pub extern fn cn_world_step(world: ?*cn_world, dt_s: f32) cn_result;
 /// One sentence on the last call that failed on this world; "" if none did. world may be NULL.
 pub extern fn cn_world_error_text(world: ?*const cn_world) [*c]const u8;
