@@ -289,17 +289,20 @@ static int32_t plans_none(const cn_world *world)
 	       world->joints_soft_step <= world->step_count;
 }
 
+/* That of one factorization, as in stages/direct_plan.c. */
+static int32_t budget_of(const cn_world *world) { return world->settings.work_budget / world->settings.substeps; }
+
 int32_t cni_joint_lanes_tell(const cn_world *world)
 {
 	const cni_lanes_kept *kept = &world->joint_lanes;
-	return kept->alone && kept->lanes > 0 && kept->filled == kept->lanes && kept->budget == world->settings.work_budget && plans_none(world);
+	return kept->alone && kept->lanes > 0 && kept->filled == kept->lanes && kept->budget == budget_of(world) && plans_none(world);
 }
 
 /* Of lanes that hold, for what is locked is not known of others. */
 static void lanes_alone(cn_world *world, const cni_solve *s)
 {
 	world->joint_lanes.alone = s->direct == NULL && !world->direct_failed && plans_none(world);
-	world->joint_lanes.budget = world->settings.work_budget;
+	world->joint_lanes.budget = budget_of(world);
 }
 
 static void lanes_empty(cn_world *world)

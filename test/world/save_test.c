@@ -4,6 +4,7 @@
  */
 #include "saves.h"
 
+#include "joints.h"
 #include "memory_session.h"
 #include "world/save.h"
 
@@ -205,6 +206,72 @@ static void t_rolling_back_in_every_step_changes_nothing(void)
 	session_end(&straight_life);
 	CHECK(rolled_life.problem == NULL && straight_life.problem == NULL);
 	printf("  %d steps, %d events in each life, problem %s\n", (int)straight_life.step, (int)straight_life.events, rolled_life.problem != NULL ? rolled_life.problem : "none");
+}
+
+/* ---- uneven steps, solvers of single bodies and joints, ground that changes ---- */
+
+static cn_world *mixed_world(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body chain[8];
+	cn_joint joints[8];
+	int32_t k;
+	for (k = 0; k < 12; ++k)
+		fixture_box(world, CN_BODY_STATIC, (float)k - 6.0f, -0.5f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+	for (k = 0; k < 30; ++k)
+		must(cn_body_set_solver(world, fixture_box(world, CN_BODY_DYNAMIC, (float)(k % 6) - 3.0f, 0.5f + (float)(k / 6), 0.0f, 0.5f, 0.5f, 0.6f, 0.1f), k == 3 ? CN_SOLVER_DIRECT : CN_SOLVER_AUTO), world,
+			"cn_body_set_solver");
+	make_chain(world, 8, 1.0f, 0.0f, chain, joints);
+	must(cn_joint_set_solver(world, joints[2], CN_SOLVER_SOFT), world, "cn_joint_set_solver");
+	must(cn_body_set_velocity(world, chain[7], 0.0f, 9.0f, 0.0f), world, "cn_body_set_velocity");
+	must(cn_world_set_user_data(world, 1234), world, "cn_world_set_user_data");
+	must(cn_world_set_fixed_step(world, 0.011f, 3), world, "cn_world_set_fixed_step");
+	return world;
+}
+
+static void mixed_step(cn_world *world, int32_t step)
+{
+	static const float lengths[] = { 0.016f, 0.01f, 0.03f, 0.0f, 0.005f };
+	if (step % 20 == 9)
+		fixture_circle(world, CN_BODY_DYNAMIC, -5.0f + 0.1f * (float)step, 9.0f, 0.3f, 0.6f, 0.5f);
+	if (step % 7 == 6)
+		must(cn_world_update(world, 0.025f, NULL), world, "cn_world_update");
+	else
+		must(cn_world_step(world, lengths[step % 5]), world, "cn_world_step");
+}
+
+static void mixed_watch(cn_world *world, uint64_t digests[LOCKSTEP])
+{
+	int32_t k;
+	for (k = 0; k < LOCKSTEP; ++k) {
+		mixed_step(world, 50 + k);
+		digests[k] = digest_step(0, world);
+	}
+}
+
+static void t_uneven_and_mixed_worlds_go_on(void)
+{
+	cn_world *world = mixed_world(), *other = fixture_world(-10.0f, 1);
+	uint64_t straight[LOCKSTEP], back[LOCKSTEP], elsewhere[LOCKSTEP], data = 0;
+	saved s;
+	int32_t k;
+	for (k = 0; k < 50; ++k)
+		mixed_step(world, k);
+	for (k = 0; k < 4; ++k) /* tiles that are flush with the others, not yet seen by any step */
+		fixture_box(world, CN_BODY_STATIC, (float)k + 6.0f, -0.5f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+	s = save_world(world);
+	mixed_watch(world, straight);
+	restore_world(world, &s);
+	mixed_watch(world, back);
+	restore_world(other, &s);
+	must(cn_world_get_user_data(other, &data), other, "cn_world_get_user_data");
+	CHECK(data == 1234 && saves_the_same(other, &s));
+	mixed_watch(other, elsewhere);
+	printf("  steps alike: %d, elsewhere %d\n", (int)same_steps(straight, back), (int)same_steps(straight, elsewhere));
+	CHECK(same_steps(straight, back) == LOCKSTEP && same_steps(straight, elsewhere) == LOCKSTEP);
+	saved_free(&s);
+	cn_world_destroy(world);
+	cn_world_destroy(other);
 }
 
 /* ---- between the steps ---- */
@@ -470,6 +537,7 @@ int main(int argc, char **argv)
 	test_begin(argc, argv);
 	RUN(t_a_restored_world_goes_on_bit_for_bit);
 	RUN(t_rolling_back_in_every_step_changes_nothing);
+	RUN(t_uneven_and_mixed_worlds_go_on);
 	RUN(t_what_calls_have_left_is_saved);
 	RUN(t_handles_of_then_are_valid_and_newer_ones_are_not);
 	RUN(t_what_is_no_save_is_refused);
