@@ -111,7 +111,7 @@ typedef struct cni_contact_kernel {
 	cni_contact_kernel_fn *pass[CNI_PASSES];
 	cni_contact_closing_fn *closing;
 	cni_contact_impact_fn *impact;
-	cni_manifold_reuse_fn *follow;
+	cni_manifold_reuse_fn *reuse;
 } cni_contact_kernel;
 
 extern const cni_contact_kernel cni_contact_kernel_plain; /* width 1: any compiler */

@@ -82,7 +82,7 @@ cn_result cni_body_reserve(cn_world *world, int32_t extra)
 	int32_t count = world->movable_count + extra + 1;
 	int32_t good = cni_array_reserve(&world->motion, &world->memory, count) &&
 	               cni_array_reserve(&world->start, &world->memory, count) &&
-	               cni_array_reserve(&world->drive, &world->memory, count) &&
+	               cni_array_reserve(&world->external, &world->memory, count) &&
 	               cni_array_reserve(&world->awake_id, &world->memory, count);
 	return good ? CN_OK : CN_ERROR_MEMORY;
 }
@@ -109,7 +109,7 @@ static void arrays_set_count(cn_world *world, int32_t count)
 	world->awake_count = count;
 	world->motion.count = count;
 	world->start.count = count;
-	world->drive.count = count;
+	world->external.count = count;
 	world->awake_id.count = count;
 }
 
@@ -196,9 +196,9 @@ static float shape_turn_reach(const cni_body *b, const cni_geometry *g)
 }
 
 /* Rounds up, after subtracting the rounding error of a centre of mass; CNI_BODY_ROUNDING is larger. */
-static uint8_t turn_reach_pack(float swing, float extent)
+static uint8_t turn_reach_pack(float turn_reach, float extent)
 {
-	float part = extent > 0.0f ? (swing / extent - 1e-6f) / CNI_TURN_REACH_UNIT : 0.0f, up = part > 0.0f ? part + 1.0f : 0.0f;
+	float part = extent > 0.0f ? (turn_reach / extent - 1e-6f) / CNI_TURN_REACH_UNIT : 0.0f, up = part > 0.0f ? part + 1.0f : 0.0f;
 	return (uint8_t)cni_min(up, 255.0f);
 }
 
@@ -210,7 +210,7 @@ static void shape_measure(const cn_world *world, cni_body *b, const cni_geometry
 
 static void measure_shapes(const cn_world *world, cni_body *b)
 {
-	float swing = 0.0f;
+	float turn_reach = 0.0f;
 	int32_t index;
 	b->extent = 0.0f;
 	b->core = b->shape_first == CNI_NONE ? 0.0f : FLT_MAX;
@@ -218,10 +218,10 @@ static void measure_shapes(const cn_world *world, cni_body *b)
 		const cni_geometry *g = cni_shape_geometry(&world->blocks, cni_shape_at(world, index));
 		shape_measure(world, b, g);
 		if (b->type != CN_BODY_STATIC)
-			swing = cni_max(swing, shape_turn_reach(b, g));
+			turn_reach = cni_max(turn_reach, shape_turn_reach(b, g));
 	}
 	b->extent += cni_length(b->local_center);
-	b->swing = turn_reach_pack(swing, b->extent);
+	b->turn_reach = turn_reach_pack(turn_reach, b->extent);
 	cni_body_forget_room(b);
 }
 

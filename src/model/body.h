@@ -7,7 +7,7 @@
  *   records  [b0][b1][b2][b3]...                 stable, paged; pose always, velocity between steps
  *   motion   [dummy][b3][b0]...                  cni_motion: velocity, inverse mass, change of pose this step
  *   start    [dummy][b3][b0]...                  cni_velocity_start: velocity right after integration
- *   drive    [dummy][b3][b0]...                  cni_external: force for this step, then acceleration
+ *   external [dummy][b3][b0]...                  cni_external: force for this step, then acceleration
  *   awake_id [ -1  ][ 3][ 0]...                  back to the record
  *
  * Dense index 0 is a dummy of infinite mass that never moves: it stands for every static body, for the world in joints, and for
@@ -49,7 +49,7 @@ typedef struct cni_body {
 	uint32_t flags;          /* CN_BODY_ (AWAKE bit unused) and CNI_BODY_ */
 	int32_t awake;           /* dense index, 0: not awake; the fields up to here are read for every contact */
 	uint8_t type;            /* CN_BODY_STATIC ... */
-	uint8_t swing;           /* how far turning moves its shapes, as a part of extent in CNI_TURN_REACH_UNIT: cni_body_turn_reach */
+	uint8_t turn_reach;      /* how far turning moves its shapes, as a part of extent in CNI_TURN_REACH_UNIT: cni_body_turn_reach */
 	uint16_t room;           /* distance by which its boxes enclose its shapes on all sides, at least: cni_body_room */
 	float vx, vy, w;         /* between steps; read through cni_body_velocity. The fields up to here are read for pairs that are apart */
 	float mass, inertia;     /* of a dynamic body (mass > 0, inertia >= 0, 0 = never rotates); 0 for others */
@@ -99,9 +99,9 @@ static inline int32_t cni_motion_can_move(const cni_motion *m) { return m->inv_m
 
 typedef struct cni_velocity_start {
 	float vx, vy, w;
-	float jumped; /* 1: an impact changed the velocity in this substep; CNI_SHOCKED or more: it jumped */
+	float jumped; /* 1: an impact changed the velocity in this substep; CNI_JUMPED or more: it jumped */
 } cni_velocity_start;
-#define CNI_SHOCKED 2.0f
+#define CNI_JUMPED 2.0f
 
 enum {
 	CNI_EXTERNAL_FREE = 1u << 0,    /* no contacts, no joints: integrated once, exactly, for the whole step */
@@ -201,7 +201,7 @@ static inline void cni_body_forget_room(cni_body *b)
 }
 /* Turning by a small angle moves the shapes by at most this times the angle: the rounding radius around their points turns in place. 0
    for a wheel. */
-static inline float cni_body_turn_reach(const cni_body *b) { return b->extent * ((float)b->swing * CNI_TURN_REACH_UNIT); }
+static inline float cni_body_turn_reach(const cni_body *b) { return b->extent * ((float)b->turn_reach * CNI_TURN_REACH_UNIT); }
 /* What a step's displacement takes from the room: the shapes move by at most this, rounding errors included. */
 static inline float cni_body_reach(const cni_body *b, float dpx, float dpy, float theta)
 {

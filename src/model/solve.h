@@ -4,7 +4,7 @@
  *
  * Data flow of the substeps, over dense arrays and blocks only:
  *
- *   drive --integrate_velocities--> start, motion.v          v = start + response of the last impulses
+ *   external --integrate_velocities--> start, motion.v       v = start + response of the last impulses
  *   block.jn, joint.impulse --warm start (first substep)--> motion.v
  *   motion --impacts--> motion.v, start                      contacts that bounce
  *   motion, block --solve--> motion.v, block.jn jt           soft, pushes overlap apart

@@ -74,7 +74,7 @@ struct cn_world {
 	int32_t awake_count;         /* entries of the dense arrays, the dummy included: >= 1 */
 	cni_array motion;            /* cni_motion */
 	cni_array start;             /* cni_velocity_start */
-	cni_array drive;             /* cni_external */
+	cni_array external;          /* cni_external */
 	cni_array awake_id;          /* int32_t */
 	int32_t *awake_islands;      /* island numbers by dense index, within a step: scratch of the arena. NULL outside, without islands,
 	                                without memory */
@@ -223,7 +223,7 @@ static inline void cni_dummy_stand(const cn_world *world)
 	cni_motions(world)[0] = still;
 }
 static inline cni_velocity_start *cni_starts(const cn_world *world) { return (cni_velocity_start *)world->start.data; }
-static inline cni_external *cni_externals(const cn_world *world) { return (cni_external *)world->drive.data; }
+static inline cni_external *cni_externals(const cn_world *world) { return (cni_external *)world->external.data; }
 static inline int32_t *cni_awake_ids(const cn_world *world) { return (int32_t *)world->awake_id.data; }
 /* Runs independent items on the world's workers: cni_team_for. Outside of cni_team_run it may have to wake them, some microseconds, so
    min_range should be 10 us of work there, and 1 us within. */

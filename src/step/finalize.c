@@ -1,7 +1,7 @@
 /*
  * step/finalize.c - stage 8: the step's displacements become poses.
  *
- * For each awake body: speed limits, new pose, rest timer, cleared forces, boxes. Reads and writes bodies, motion, drive,
+ * For each awake body: speed limits, new pose, rest timer, cleared forces, boxes. Reads and writes bodies, motion, external,
  * proxies (through the broadphase's move).
  *
  * A body rests while it is slow and does not accelerate: at the apex of a throw the last substep's change of velocity is all of

@@ -1,7 +1,7 @@
 /*
  * step/integrate.c - motion between constraints: external accelerations, velocities, positions.
  *
- * Reads body records (damping, gravity scale) and the user's forces in drive; writes drive, start and motion.
+ * Reads body records (damping, gravity scale) and the user's forces in external; writes external, start and motion.
  *
  * Bodies without contacts and joints are free: their whole step is integrated at once and exactly (x += h v + h^2 a/2). Others
  * integrate by substep as x += h v'. One substep later, when v' no longer contains the push of the soft solve, this is corrected

@@ -31,7 +31,7 @@ CNI_INLINE uint32_t mark(const cni_motion *m, cni_velocity_start *start, const c
 	ay = h * d->ay;
 	if (jump_sq <= most_sq + 64.0f * (ax * ax + ay * ay))
 		return 0;
-	start->jumped = CNI_SHOCKED;
+	start->jumped = CNI_JUMPED;
 	return 1;
 }
 
@@ -100,7 +100,7 @@ static void joints_reset(cn_world *world)
 	int32_t k;
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		cni_joint_constraint *w = cni_joint_constraints(world) + k;
-		if (cni_starts(world)[w->ia].jumped >= CNI_SHOCKED || cni_starts(world)[w->ib].jumped >= CNI_SHOCKED)
+		if (cni_starts(world)[w->ia].jumped >= CNI_JUMPED || cni_starts(world)[w->ib].jumped >= CNI_JUMPED)
 			joint_reset(world, w);
 	}
 }
