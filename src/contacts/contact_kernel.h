@@ -287,8 +287,8 @@ CNI_INLINE uint32_t group_loaded(const cni_contact_block *k, int32_t l)
 	return cni_mask_bits(cni_wide_load(k->p[0].jn + l) + cni_wide_load(k->p[1].jn + l) > cni_wide_of(0.0f));
 }
 
-/* Bits of a group's lanes in which normal and friction impulses affect each other. They do not with a single point straight ahead of
-   the centres of all bodies that turn, such as balls on the ground and on each other. */
+/* Bits of a group's lanes with coupled normal and friction impulses. A single point straight ahead of the centres of all bodies that
+   turn does not couple them, as between balls and the ground. */
 CNI_INLINE uint32_t group_couples(const cni_contact_block *k, int32_t l, const side *a, const side *b)
 {
 	cni_wide at = cni_wide_load(k->p[0].at + l), bt = at - cni_wide_load(k->dt + l);

@@ -51,12 +51,12 @@ typedef struct support {
 } support;
 
 /* One body on its supports. */
-typedef struct stand {
+typedef struct balance {
 	support supports[SUPPORTS_MOST];
 	int32_t count;
 	float wanted[3], left[3]; /* momentum to cancel, and its residual */
 	float down_x, down_y;
-} stand;
+} balance;
 
 typedef struct pile {
 	cn_world *world;
@@ -114,7 +114,7 @@ static int32_t is_above(const pile *q, int32_t other, int32_t body)
 }
 
 /* 0: too many supports, or a contact that is not preloaded. */
-static int32_t supports_collect(const pile *q, int32_t index, float scale, stand *out)
+static int32_t supports_collect(const pile *q, int32_t index, float scale, balance *out)
 {
 	const cni_body *b = cni_body_at(q->world, cni_awake_ids(q->world)[index]);
 	int32_t key;
@@ -134,7 +134,7 @@ static int32_t supports_collect(const pile *q, int32_t index, float scale, stand
 }
 
 /* Selects the rows. Stage 0: points of contacts steep enough to support by themselves; 1: also their friction; 2: all contacts. */
-static void shares_set(stand *b, int32_t stage)
+static void shares_set(balance *b, int32_t stage)
 {
 	int32_t k, i;
 	for (k = 0; k < b->count; ++k) {
@@ -146,7 +146,7 @@ static void shares_set(stand *b, int32_t stage)
 	}
 }
 
-static void row_push(stand *b, row *r, float impulse)
+static void row_push(balance *b, row *r, float impulse)
 {
 	r->impulse += impulse;
 	b->left[0] -= r->x * impulse;
@@ -155,7 +155,7 @@ static void row_push(stand *b, row *r, float impulse)
 }
 
 /* The impulses j = share (row . m) that cancel the momentum: (sum of share row row') m = left. 0: no row is selected. */
-static int32_t impulses_find(stand *b)
+static int32_t impulses_find(balance *b)
 {
 	float a00 = 0.0f, a10 = 0.0f, a11 = 0.0f, a20 = 0.0f, a21 = 0.0f, a22 = 0.0f, more, l10, l20, l21, d1, d2;
 	int32_t k, i, pass;
@@ -193,7 +193,7 @@ static int32_t impulses_find(stand *b)
 }
 
 /* Drops points that pull; clamps friction that slides and lowers its share. 1: something changed. */
-static int32_t impulses_bound(stand *b)
+static int32_t impulses_bound(balance *b)
 {
 	int32_t k, i, changed = 0;
 	for (k = 0; k < b->count; ++k) {
@@ -217,13 +217,13 @@ static int32_t impulses_bound(stand *b)
 	return changed;
 }
 
-static int32_t residual_is_below(const stand *b, float most)
+static int32_t residual_is_below(const balance *b, float most)
 {
 	return b->left[0] * b->left[0] + b->left[1] * b->left[1] + b->left[2] * b->left[2] <= most * most;
 }
 
 /* 0: the supports cannot hold the body. own: its weight. */
-static int32_t stand_solve(stand *b, float own)
+static int32_t balance_solve(balance *b, float own)
 {
 	int32_t stage, round;
 	for (stage = 0; stage < 3; ++stage) {
@@ -239,7 +239,7 @@ static int32_t stand_solve(stand *b, float own)
 
 /* ---- a pile ---- */
 
-static void supports_load(const pile *q, const stand *b)
+static void supports_load(const pile *q, const balance *b)
 {
 	int32_t k, i;
 	for (k = 0; k < b->count; ++k) {
@@ -260,7 +260,7 @@ static void supports_load(const pile *q, const stand *b)
  * below static friction gets no load: on a full load a sudden push rocks it, the friction limit is exceeded for a substep, and
  * it would not stop again.
  */
-static void lanes_write(pile *q, const stand *b)
+static void lanes_write(pile *q, const balance *b)
 {
 	float scale = 1.0f / q->warm_scale;
 	int32_t k, i;
@@ -279,7 +279,7 @@ static void lanes_write(pile *q, const stand *b)
 /* 0: some body has no sufficient support. */
 static int32_t pile_solve(pile *q, int32_t write)
 {
-	stand b;
+	balance b;
 	float g = q->weight_speed / q->h;
 	int32_t k;
 	b.down_x = q->world->settings.gravity.x / g;
@@ -292,7 +292,7 @@ static int32_t pile_solve(pile *q, int32_t write)
 		b.wanted[0] = w->x;
 		b.wanted[1] = w->y;
 		b.wanted[2] = scale * w->turn;
-		if (m->inv_mass == 0.0f || !supports_collect(q, index, scale, &b) || !stand_solve(&b, q->weight_speed / m->inv_mass))
+		if (m->inv_mass == 0.0f || !supports_collect(q, index, scale, &b) || !balance_solve(&b, q->weight_speed / m->inv_mass))
 			return 0;
 		supports_load(q, &b);
 		if (write)

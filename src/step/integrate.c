@@ -207,8 +207,8 @@ void cni_external_prepare_bound(cn_world *world)
 	}
 }
 
-/* Corrects the last substep's x += h v' to x += h (v + v')/2 if v' - v is at most twice what the external acceleration gives: v' - v =
-   motion.v - start + h a. */
+/* v' - v = motion.v - start + h a. If it is at most twice what the external acceleration gives, corrects the last substep's x += h v'
+   to x += h (v + v')/2. */
 static void correct_to_trapezoid(cni_motion *m, const cni_velocity_start *start, const cni_external *d, float h)
 {
 	float ax = h * d->ax, ay = h * d->ay, alpha = h * d->alpha;

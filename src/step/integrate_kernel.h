@@ -80,7 +80,7 @@ CNI_INLINE cni_mask rows_without(cni_wide external, uint32_t flags)
 }
 
 /* Has any body of the rows one of the flags? */
-CNI_INLINE int32_t some_have(const cni_external *d, uint32_t flags)
+CNI_INLINE int32_t any_has(const cni_external *d, uint32_t flags)
 {
 	return ((d[0].flags | d[ROWS - 1].flags) & flags) != 0;
 }
@@ -140,7 +140,7 @@ CNI_INLINE void rows_velocities(const cni_body_pass *pass, int32_t k, float h, i
 			correction = (cni_wide)((cni_mask)correction & rows_without(external, CNI_EXTERNAL_DONE | CNI_EXTERNAL_AS_IT_IS));
 		rows_store(&m->dpx, sizeof *m, rows_load(&m->dpx, sizeof *m) - correction);
 	}
-	if (!all && some_have(&pass->externals[k], CNI_EXTERNAL_DAMPED))
+	if (!all && any_has(&pass->externals[k], CNI_EXTERNAL_DAMPED))
 		from = from * rows_damping(pass, k);
 	v_end = from + response;
 	from = only_three(from);
@@ -159,7 +159,7 @@ CNI_INLINE int32_t velocities(const cni_body_pass *pass, int32_t begin, int32_t 
 	const float h = pass->h;
 	int32_t k;
 	for (k = begin; k + ROWS <= end; k += ROWS)
-		if (!some_have(&externals[k], CNI_EXTERNAL_DONE | CNI_EXTERNAL_AS_IT_IS))
+		if (!any_has(&externals[k], CNI_EXTERNAL_DONE | CNI_EXTERNAL_AS_IT_IS))
 			rows_velocities(pass, k, h, first, 1);
 		else if (!all_have(&externals[k], CNI_EXTERNAL_DONE))
 			rows_velocities(pass, k, h, first, 0);
@@ -194,7 +194,7 @@ static int32_t kernel_positions(const cni_body_pass *pass, int32_t begin, int32_
 	const float h = pass->h;
 	int32_t k;
 	for (k = begin; k + ROWS <= end; k += ROWS)
-		if (!some_have(&externals[k], CNI_EXTERNAL_DONE | CNI_EXTERNAL_LOCKED))
+		if (!any_has(&externals[k], CNI_EXTERNAL_DONE | CNI_EXTERNAL_LOCKED))
 			rows_positions(&motions[k], &externals[k], h, 1);
 		else if (!all_have(&externals[k], CNI_EXTERNAL_DONE))
 			rows_positions(&motions[k], &externals[k], h, 0);
@@ -220,9 +220,9 @@ static int32_t kernel_finish(const cni_body_pass *pass, int32_t begin, int32_t e
 	const float h = pass->h;
 	int32_t k;
 	for (k = begin; k + ROWS <= end; k += ROWS)
-		if (!some_have(&externals[k], CNI_EXTERNAL_FREE | CNI_EXTERNAL_AS_IT_IS | CNI_EXTERNAL_LOCKED))
+		if (!any_has(&externals[k], CNI_EXTERNAL_FREE | CNI_EXTERNAL_AS_IT_IS | CNI_EXTERNAL_LOCKED))
 			rows_finish(&motions[k], &starts[k], &externals[k], h, 1);
-		else if (some_have(&externals[k], CNI_EXTERNAL_LOCKED) || !all_have(&externals[k], CNI_EXTERNAL_FREE | CNI_EXTERNAL_AS_IT_IS))
+		else if (any_has(&externals[k], CNI_EXTERNAL_LOCKED) || !all_have(&externals[k], CNI_EXTERNAL_FREE | CNI_EXTERNAL_AS_IT_IS))
 			rows_finish(&motions[k], &starts[k], &externals[k], h, 0);
 	return k;
 }
