@@ -141,7 +141,7 @@ static void tables_init(cn_world *world)
 	cni_table_init(&world->islands, (int32_t)sizeof(cni_island), CNI_PAGE_ISLANDS);
 	cni_array_init(&world->motion, (int32_t)sizeof(cni_motion));
 	cni_array_init(&world->start, (int32_t)sizeof(cni_velocity_start));
-	cni_array_init(&world->drive, (int32_t)sizeof(cni_external));
+	cni_array_init(&world->external, (int32_t)sizeof(cni_external));
 	cni_array_init(&world->awake_id, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->kicked, (int32_t)sizeof(cn_body));
 	cni_array_init(&world->previous, (int32_t)sizeof(cni_previous));
@@ -183,7 +183,7 @@ static void tables_deinit(cn_world *world)
 	cni_table_deinit(&world->islands, memory);
 	cni_array_deinit(&world->motion, memory);
 	cni_array_deinit(&world->start, memory);
-	cni_array_deinit(&world->drive, memory);
+	cni_array_deinit(&world->external, memory);
 	cni_array_deinit(&world->awake_id, memory);
 	cni_array_deinit(&world->kicked, memory);
 	cni_array_deinit(&world->previous, memory);
@@ -206,7 +206,7 @@ static cn_result dummy_create(cn_world *world)
 	if (cni_body_reserve(world, 0) != CN_OK)
 		return CN_ERROR_MEMORY;
 	world->awake_count = 1;
-	world->motion.count = world->start.count = world->drive.count = world->awake_id.count = 1;
+	world->motion.count = world->start.count = world->external.count = world->awake_id.count = 1;
 	memset(cni_motions(world), 0, sizeof(cni_motion));
 	memset(cni_starts(world), 0, sizeof(cni_velocity_start));
 	memset(cni_externals(world), 0, sizeof(cni_external));

@@ -33,7 +33,7 @@ static const member state_members[] = {
 
 /* Passed below. */
 static const member passed_members[] = {
-	MEMBER(blocks), MEMBER(body_handles), MEMBER(bodies), MEMBER(motion), MEMBER(start), MEMBER(drive), MEMBER(awake_id), MEMBER(kicked),
+	MEMBER(blocks), MEMBER(body_handles), MEMBER(bodies), MEMBER(motion), MEMBER(start), MEMBER(external), MEMBER(awake_id), MEMBER(kicked),
 	MEMBER(previous), MEMBER(shape_handles), MEMBER(shapes), MEMBER(proxies), MEMBER(broadphase), MEMBER(contacts), MEMBER(apart),
 	MEMBER(blocks_hot), MEMBER(blocks_info), MEMBER(blocks_anchor), MEMBER(blocks_extra), MEMBER(sleep_lanes), MEMBER(joint_handles),
 	MEMBER(joints), MEMBER(awake_joints), MEMBER(islands), MEMBER(direct_islands), MEMBER(events)
@@ -122,7 +122,7 @@ static void arrays_pass(cn_world *world, cni_snapshot *s)
 {
 	cni_snapshot_array(s, &world->motion);
 	cni_snapshot_array(s, &world->start);
-	cni_snapshot_array(s, &world->drive);
+	cni_snapshot_array(s, &world->external);
 	cni_snapshot_array(s, &world->awake_id);
 	cni_snapshot_array(s, &world->kicked);
 	cni_snapshot_array(s, &world->previous);
