@@ -10,14 +10,14 @@ static float impulse_least(const cni_row *r, const cni_solve *s)
 	return r->kind == CNI_ROW_MOTOR ? -r->limit * s->h : 0.0f;
 }
 
-/* Puts a row to an impulse, along its lever as it is. */
+/* Sets the impulse of a row and applies the difference along its present lever. */
 static void row_put(const cn_world *world, const cni_node *n, cni_row *r, float impulse)
 {
 	cni_row_push(r, impulse - r->impulse, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
 	r->impulse = impulse;
 }
 
-/* Rows that are beyond their bound leave, others come back. Returns 1 when the set has changed. */
+/* Rows beyond their bound leave the set, others return. Returns 1 when the set has changed. */
 static int32_t set_change(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
 {
 	const cni_motion *motions = cni_motions(world);
@@ -59,7 +59,7 @@ static void impulses_add(const cn_world *world, const cni_sparse *sparse, const 
 	}
 }
 
-/* Right sides to speeds that are asked for, so that they can be found again once something has been pushed (-1), or back. */
+/* Stores right sides as target speeds (back 0), or computes right sides from the target speeds and the present velocities (back 1). */
 static void sides_turn(const cn_world *world, cni_sparse *sparse, const cni_component *c, int32_t back)
 {
 	const cni_motion *motions = cni_motions(world);

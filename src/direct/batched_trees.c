@@ -1,15 +1,15 @@
 /*
- * direct/batched_trees.c - trees of pins that are alike, solved side by side: which, their lanes, their passes.
+ * direct/batched_trees.c - trees of pins of equal topology, solved side by side: their selection, lanes and passes.
  *
- * Many scenes have hundreds of small mechanisms of a few kinds: ragdolls, bits of chain. Solving one is a long row of
- * small dependent sums through lists of indices. Sixteen of a kind share the lists (linear/topology_class.c), and each sum is
- * one of vectors. What a tree of a batch does has the bits of what it does alone, where the rows of its joints are those of
- * direct/direct_joints.c and its lanes lie among others' in joints/joint_blocks.c.
+ * Many scenes have hundreds of small mechanisms of a few kinds: ragdolls, pieces of chain. Solving one is a long sequence of small
+ * dependent sums through lists of indices. Sixteen trees of a class share the lists (linear/topology_class.c), and each sum becomes a
+ * vector sum. A tree of a batch has the bits of a tree solved alone, whose rows are those of direct/direct_joints.c and whose lanes are
+ * among others' in joints/joint_blocks.c.
  *
- * A batch takes all of a tree's joints, which are wide works in two rows: no dampers, no loops, no contacts in the system, and
- * not the whole step at once. Those of a kind that are left when batches are full make one more.
+ * A batch takes all of a tree's joints, which are lane joints with two rows: no dampers, no loops, no contacts in the system, and no
+ * RATTLE. Trees of a class that remain after full batches form one more batch.
  *
- * Reads works, records, motion, the plan; writes batches, blocks of lanes, works' flags.
+ * Reads joint constraints, records, motion, the plan; writes batches, blocks of lanes, flags of joint constraints.
  */
 #include "base/cpu.h"
 #include "direct/batched_trees.h"
@@ -20,15 +20,15 @@
 
 /* ---- which components ---- */
 
-/* Does its bound let a motor turn the two bodies at its joint out of the tangent in a substep, which is what it may do wrong when
-   it is solved in turn with the pins? Then it is one of their system: direct/active_rows.c. */
+/* 1: the motor may turn the two bodies at its joint out of the tangent in a substep: solved after the pins it would open them. It then
+   becomes a row of their system: direct/active_rows.c. */
 static int32_t motor_is_strong(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
 {
 	float free = cni_motions(world)[w->ia].inv_inertia + cni_motions(world)[w->ib].inv_inertia;
 	return (w->record->flags & CN_JOINT_MOTOR) && w->record->p[CNI_P_MOTOR_MAX] * s->h * s->h * free > CNI_PROJECTION_TURN_RAD;
 }
 
-/* May it have to be locked in this step (cni_geometric_stiffness_lock), which batches cannot? */
+/* 1: the joint may have to be locked in this step (cni_geometric_stiffness_lock), which batches cannot do. */
 static int32_t turns_fast(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
 {
 	float most = CNI_SNAP_RAD * s->inv_h;
@@ -49,17 +49,17 @@ int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_
 	return !cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h);
 }
 
-/* ---- making them ---- */
+/* ---- building batches ---- */
 
 typedef struct maker {
 	cn_world *world;
 	const cni_solve *s;
 	cni_sparse *sparse;
 	cni_lane_spring spring;
-	int32_t waiting[CNI_TOPOLOGY_CLASSES];    /* components of the kind that are to be in batches */
+	int32_t waiting[CNI_TOPOLOGY_CLASSES];    /* components of the class that are to be in batches */
 	int32_t example[CNI_TOPOLOGY_CLASSES];    /* one of them */
-	cni_tree_batch *open[CNI_TOPOLOGY_CLASSES];     /* the kind's batch that is being filled */
-	float *numbers;                /* for the factors of batches to come */
+	cni_tree_batch *open[CNI_TOPOLOGY_CLASSES];     /* the class's batch that is being filled */
+	float *numbers;                /* memory for the factors of batches to come */
 } maker;
 
 static int32_t nodes_of(const cni_component *c)
@@ -72,7 +72,7 @@ static int32_t numbers_of(const cni_component *c)
 	return (3 * nodes_of(c) + 4 * (c->coupling_end - c->coupling_begin)) * CNI_LANES;
 }
 
-/* However many there are, they take no more blocks than all joints in lanes would. */
+/* Batches take no more blocks than all joints in lanes would. */
 uint64_t cni_tree_batch_bytes(int32_t joints)
 {
 	uint64_t block = sizeof(float) * CNI_LANES * (3 + 4 * CNI_TOPOLOGY_COUPLINGS) + sizeof(cni_tree_batch) / 2;
@@ -90,7 +90,7 @@ static void waiting_count(maker *m)
 		}
 }
 
-/* Is there room for so many blocks? A world in a caller's block has what all its joints would take in lanes. */
+/* 1: there is room for so many blocks. A world in a caller's block has as many as all its joints would take in lanes. */
 static int32_t blocks_fit(cn_world *world, int32_t blocks)
 {
 	if (world->memory.fixed)
@@ -98,8 +98,8 @@ static int32_t blocks_fit(cn_world *world, int32_t blocks)
 	return cni_array_reserve(&world->joint_blocks, &world->memory, blocks);
 }
 
-/* How many batches a kind makes. What does not fill one makes another if it is worth it, and if its blocks leave room for the
-   joints that are in none. */
+/* Number of batches of a class. Trees beyond full batches make one more if there are enough of them, and if its blocks leave room for the
+   joints outside of batches. */
 static int32_t batches_count(maker *m, int32_t kind, int32_t *blocks, int32_t *joints)
 {
 	int32_t nodes = nodes_of(&m->sparse->components[m->example[kind]]);
@@ -115,7 +115,7 @@ static int32_t batches_count(maker *m, int32_t kind, int32_t *blocks, int32_t *j
 	return full + 1;
 }
 
-/* Memory of all batches, and which components will be in one. 0: none will. */
+/* Reserves the memory of all batches and selects their components. 0: there are none. */
 static int32_t batches_reserve(maker *m)
 {
 	int32_t kind, batches = 0, numbers = 0, blocks = 0, joints = m->world->awake_joints.count;
@@ -162,7 +162,7 @@ static void blocks_take(cn_world *world, cni_tree_batch *batch)
 	batch->nodes = cni_joint_blocks(world) + first;
 }
 
-/* Empty, of the component's kind. */
+/* An empty batch of the component's class. */
 static cni_tree_batch *batch_open(maker *m, const cni_component *c)
 {
 	cni_sparse *sparse = m->sparse;
@@ -236,7 +236,7 @@ typedef struct batch_loop {
 	cni_tree_batch_pass pass;
 } batch_loop;
 
-/* Herds have no body in common that moves. */
+/* Batches share no movable body. */
 static void batch_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	batch_loop *loop = (batch_loop *)context;

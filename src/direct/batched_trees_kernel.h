@@ -2,8 +2,8 @@
  * direct/batched_trees_kernel.h - passes over batches of trees (direct/batched_trees.h) for one instruction set, with the formulas of
  * joints/joint_kernel.h.
  *
- * A pin's two rows are (-1, 0, ay | 1, 0, -by) and (0, -1, -ax | 0, 1, bx), so that what linear/sparse_solve.c multiplies
- * by one or zero is left out here; the rest, and its order, are the same.
+ * A pin's two rows are (-1, 0, ay | 1, 0, -by) and (0, -1, -ax | 0, 1, bx), so multiplications by one or zero of linear/sparse_solve.c are
+ * left out here; the rest, and its order, are the same.
  */
 #include "direct/batched_trees.h"
 #include "joints/joint_kernel.h"
@@ -23,7 +23,7 @@ CNI_INLINE const float *body_inertia(const cni_tree_batch *batch, int32_t body, 
 	return (const float *)(const void *)((const char *)batch->nodes + batch->source[body] + CNI_SIDE_BYTES) + l;
 }
 
-/* Those that have a tree, as bits from l on. */
+/* Bits of the lanes from l on that have a tree. */
 CNI_INLINE uint32_t lanes_from(const cni_tree_batch *batch, int32_t l)
 {
 	return (1u << cni_min_i(batch->lanes - l, CNI_WIDTH)) - 1u;
@@ -109,7 +109,7 @@ CNI_INLINE void diagonal_form(const cni_tree_batch *batch, int32_t node, int32_t
 	pivot_store(pivot_row(batch, node, l), &d);
 }
 
-/* Impulses of the low node to speeds of the high one, through the body that they share. */
+/* Maps impulses of the low node to speeds of the high one, through the body that they share. */
 CNI_INLINE void coupling_form(const cni_tree_batch *batch, const cni_coupling *c, int32_t l, const tree_bodies *f)
 {
 	int32_t high = c->high - batch->node_first, low = c->low - batch->node_first;
@@ -169,7 +169,7 @@ CNI_INLINE void matrix_take(matrix *t, const matrix *a, const matrix *b)
 	t->m11 -= a->m10 * b->m10 + a->m11 * b->m11;
 }
 
-/* Takes a node out of all that comes after it. */
+/* Eliminates a node from all later ones. */
 CNI_INLINE void node_eliminate(const cni_tree_batch *batch, int32_t node, int32_t l, const matrix *pivot)
 {
 	int32_t e, f, end = batch->first[node + 1];
@@ -218,7 +218,7 @@ CNI_INLINE pair pivot_apply(const matrix *m, const pair *x)
 	return z;
 }
 
-/* What the pins' speeds, and gaps at this rate, ask for. */
+/* Right side of a pin: minus its speed, and minus its gap at this rate. */
 CNI_INLINE pair right_side(const cni_joint_block *k, int32_t l, const side *a, const side *b, float rate, float most)
 {
 	arms r = arms_load(k, l);
@@ -232,10 +232,10 @@ CNI_INLINE pair right_side(const cni_joint_block *k, int32_t l, const side *a, c
 	return x;
 }
 
-/* From right hand sides to impulses. Returns zero in lanes where all is finite. */
+/* Solves right sides for impulses. Returns zero in lanes where all is finite. */
 CNI_INLINE cni_wide system_solve(const cni_tree_batch *batch, int32_t l, pair *x)
 {
-	cni_wide finite = cni_wide_of(0.0f); /* stays so: 0 times what is finite */
+	cni_wide finite = cni_wide_of(0.0f); /* 0 times a finite number stays 0 */
 	int32_t k, e;
 	for (k = 0; k < batch->kind.nodes; ++k) {
 		matrix pivot = pivot_load(pivot_row(batch, k, l));
@@ -282,8 +282,8 @@ CNI_INLINE void right_sides(const cni_tree_batch *batch, int32_t l, const tree_b
 		x[k] = right_side(&batch->nodes[k], l, &f->body[batch->kind.end[k][0]], &f->body[batch->kind.end[k][1]], rate, most);
 }
 
-/* From right hand sides x to impulses, in the lanes that are asked for, as bits from l on; those whose impulses are not finite
-   get none, and are single from the next pass on. */
+/* Solves right sides x and applies the impulses, in the lanes of `asked`, as bits from l on. Lanes whose impulses are not finite get none,
+   and their pins are solved one by one from the next pass on. */
 CNI_INLINE void pins_solve(cni_tree_batch *batch, int32_t l, tree_bodies *f, pair *x, uint32_t asked)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
@@ -338,14 +338,14 @@ static void batch_warm(cni_motion *motions, cni_velocity_start *starts, cni_tree
 	}
 }
 
-/* Are there lanes among these whose pins are single? */
+/* 1: some of these lanes have pins that are solved one by one. */
 CNI_INLINE int32_t has_single(const cni_tree_batch *batch, int32_t l)
 {
 	uint32_t lanes = lanes_from(batch, l);
 	return (batch->nodes[0].direct >> l & lanes) != lanes;
 }
 
-/* What solve_group does where motors are all there is. */
+/* The part of solve_group for joints with motors only. */
 CNI_INLINE void solve_motors(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, float h, pair *dealt)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
@@ -357,7 +357,7 @@ CNI_INLINE void solve_motors(cni_joint_block *k, int32_t l, side *a, side *b, co
 	push(a, b, r, dealt->x, dealt->y, g.t);
 }
 
-/* Springs, motors, limits, and single pins. */
+/* Springs, motors, limits, and pins that are solved one by one. */
 CNI_INLINE void node_solve(cni_tree_batch *batch, int32_t node, int32_t l, tree_bodies *f, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t single, pair *dealt)
 {
 	cni_joint_block *k = &batch->nodes[node];
@@ -372,7 +372,7 @@ CNI_INLINE void node_solve(cni_tree_batch *batch, int32_t node, int32_t l, tree_
 		dealt->x = dealt->y = cni_wide_of(0.0f);
 }
 
-/* What springs, motors and limits give the pins is kept in `dealt` until positions have moved. */
+/* The pin impulses of springs, motors and limits are kept in `dealt` until positions have moved. */
 static void batch_solve(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 {
 	int32_t l, n;
@@ -395,7 +395,7 @@ static void batch_solve(cni_motion *motions, cni_velocity_start *starts, cni_tre
 	}
 }
 
-/* ---- hard stops: direct/joint_projection.c, whose words these are ---- */
+/* ---- hard stops: see direct/joint_projection.c ---- */
 
 CNI_INLINE pair drift(cni_wide rx, cni_wide ry, cni_wide turn)
 {
@@ -426,7 +426,7 @@ CNI_INLINE void drift_add(const cni_joint_block *k, int32_t l, const side *a, co
 	x->y -= cni_wide_select(turns, clamped((of_b.y - of_a.y) * pass->joint.inv_h, pass->push), zero);
 }
 
-/* Lanes whose pins lack more than the pass' parting speed, of those that may, are solved once more. */
+/* Solves those lanes of batch->asked again whose pins open faster than the pass allows. */
 static void batch_close(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 {
 	const cni_wide most = cni_wide_of(pass->parting);
@@ -455,7 +455,7 @@ static void batch_close(cni_motion *motions, cni_velocity_start *starts, cni_tre
 	}
 }
 
-/* Where the bodies have gone, and their spin as the substep began. */
+/* Places of the bodies, and their velocities at the beginning of the substep. */
 typedef struct journey {
 	place at[CNI_TOPOLOGY_NODES + 2];
 	cni_wide vx[CNI_TOPOLOGY_NODES + 2], vy[CNI_TOPOLOGY_NODES + 2], w[CNI_TOPOLOGY_NODES + 2], jumped[CNI_TOPOLOGY_NODES + 2];
@@ -479,7 +479,7 @@ CNI_INLINE void journey_scatter(cni_velocity_start *starts, const cni_tree_batch
 		moving_scatter((float *)(void *)starts, START_FLOATS, body_index(batch, k, l), lanes, j->vx[k], j->vy[k], j->w[k], j->jumped[k]);
 }
 
-/* To the pin's impulse, with the order of sums of joints/joint_blocks.c. */
+/* Adds `dealt` to the pin's impulse, with the order of sums of joints/joint_blocks.c. */
 CNI_INLINE cni_wide dealt_take(float *impulse, float *dealt)
 {
 	cni_wide sum = cni_wide_load(impulse) + cni_wide_load(dealt);

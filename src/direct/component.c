@@ -22,7 +22,7 @@ void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_compo
 {
 	int32_t k;
 	sparse->turn[0] = cni_rot_small(0.0f);
-	for (k = c->begin; k < c->end; ++k) { /* kinematic ones too, which are no bodies of the component */
+	for (k = c->begin; k < c->end; ++k) { /* kinematic bodies too, which are not in the component's body list */
 		const cni_node *n = &sparse->nodes[k];
 		if (cni_motions(world)[n->ia].inv_mass == 0.0f)
 			sparse->turn[n->ia] = cni_rot_small(cni_motions(world)[n->ia].theta);
@@ -33,7 +33,6 @@ void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_compo
 		sparse->turn[sparse->bodies[k]] = cni_rot_small(cni_motions(world)[sparse->bodies[k]].theta);
 }
 
-/* Each joint by itself after all, in this step. */
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
 	int32_t k;
@@ -47,7 +46,6 @@ void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c
 	c->done = 1;
 }
 
-/* ... and for some time: `span` steps, or, 0, longer each time it happens. */
 void cni_component_leave(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span)
 {
 	int32_t k;
@@ -65,7 +63,7 @@ void cni_component_leave(cn_world *world, cni_sparse *sparse, cni_component *c, 
 	cni_component_release(world, sparse, c);
 }
 
-/* Joints' levers from their rows. Returns how many joints there are. */
+/* Reads the joints' levers from their rows. Returns the number of joints. */
 static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k, i, joints = 0;
@@ -114,7 +112,7 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 		cni_sparse_factor(sparse, c, cni_motions(world));
 }
 
-/* Both bodies are read once and written once: a node's two bodies are never the same. */
+/* Reads and writes each body once: a node's two bodies differ. */
 CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t width)
 {
 	cni_motion *motions = cni_motions(world);
@@ -166,8 +164,9 @@ static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_com
 }
 
 /*
- * Loops give way a little to what they bear. The tension of a bridge between two walls says nothing of its bodies where it
- * is straight: nothing but this keeps it from growing, until whatever turns a joint a little throws all that is near.
+ * Rows of loops yield a little in proportion to their impulse. The internal tension of a straight bridge between two walls has no effect on
+ * its bodies, so the system does not see it. Without this leak the tension would grow until a small rotation of a joint turned it into
+ * motion of everything near.
  */
 static void leaks_add(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
@@ -204,10 +203,10 @@ static float inverse_or_zero(float x)
 }
 
 /*
- * With A = K + C, b the right sides and A x = b, the change of velocity M^-1 J^T x has twice the kinetic energy x K x <= x A x =
- * x b: no solution gives more than its right sides ask for. One that does comes of pivots that were rounding. Nor, but for
- * motors, can joints give more than what stops all motion and has every body close gaps at the greatest speed: one that does
- * closes gaps that say different things.
+ * With A = K + C, right sides b and A x = b, the velocity change M^-1 J^T x has twice the kinetic energy x K x <= x A x = x b: no solution
+ * exceeds the work of its right sides. A solution that exceeds it was made by pivots that are rounding. Without motors, joints also cannot
+ * exceed the impulse that stops all motion and gives every body the greatest closing speed: a solution beyond that closes gaps of
+ * contradictory rows.
  */
 static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
@@ -226,11 +225,11 @@ static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const
 	}
 	if (c->active < 2 && !(given <= 2.0f * (all + push))) /* (a + b)^2 <= 2 (a^2 + b^2) */
 		return 0;
-	return given <= 1.1f * asked + 1e-6f * all; /* and what is not a number is not */
+	return given <= 1.1f * asked + 1e-6f * all; /* false for NaN */
 }
 
-/* Loops say much twice, so that their systems may be as good as singular. One whose solution is beyond its bound is solved again
-   with a larger diagonal, which it keeps for this step. */
+/* Rows of loops may be redundant, so their system may be nearly singular. When a solution exceeds its bound, it is solved again with a
+   larger diagonal, which the component keeps for this step. */
 int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
 	if (!c->loops) {

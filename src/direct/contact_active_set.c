@@ -1,17 +1,16 @@
 /*
- * direct/contact_active_set.c - directly solved contacts: the linear system of a set of rows, and the active-set method that finds which hold.
+ * direct/contact_active_set.c - directly solved contacts: the linear system of a set of rows, and the active-set method that finds the set.
  *
- * Every row is open (no impulse), held (its speed is what it must be) or, for friction, sliding (its impulse is the
- * coefficient times the normal impulses). Held rows and the island's joints are one linear system (sparse.h). After
- * solving it, a held point that pulls opens, an open one that closes is held, friction beyond the static
- * coefficient slides, a slide that would go back is held; and again, until nothing changes. The sets of the pass
- * before are nearly always right, and arms do not turn within a step, so that a pile costs about one
- * factorization a step.
+ * Every row is open (no impulse), held (its speed is prescribed) or, for friction, sliding (its impulse is the coefficient times the normal
+ * impulses). Held rows and the island's joints are one linear system (sparse.h). After a solution a held point with a negative impulse
+ * opens, an open point that closes becomes held, friction beyond the static coefficient slides, and a slide against its direction becomes
+ * held. This repeats until nothing changes. The sets of the last pass are nearly always right, and lever arms are fixed during a step, so a
+ * pile costs about one factorization a step.
  *
- * Points that overlap are pushed apart by PUSH_RATE of the overlap in a substep: slowly, since all of a pile is pushed
- * at once. The second pass of a substep takes that speed out again.
+ * Overlapping points are pushed apart by PUSH_RATE of the overlap in a substep: slowly, since all of a pile is pushed at once. The second
+ * pass of a substep removes that speed.
  *
- * Reads and writes presses, motion velocities, joint works' impulses.
+ * Reads and writes direct contacts, motion velocities, impulses of joint constraints.
  */
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
@@ -25,14 +24,14 @@
 #define TOUCHING 5e-6f         /* length units: a lesser gap or overlap is rounding of positions. Rows that say the same twice would
                                   answer to what they say of it differently with impulses beyond measure */
 
-/* ---- what a round begins with ---- */
+/* ---- the beginning of a round ---- */
 
 static float normal_sum(const cni_direct_contact *p)
 {
 	return p->j[0] + p->j[1];
 }
 
-/* Friction is there while a point is held. */
+/* Friction acts only while a point is held. */
 static void friction_follow(cni_direct_contact *p)
 {
 	int32_t held = p->state[0] == CNI_ROW_HELD || p->state[1] == CNI_ROW_HELD;
@@ -67,10 +66,9 @@ void cni_direct_contact_rooms_find(const cni_direct_contact_pass *q)
 }
 
 /*
- * Before a pushing pass: velocities as the drive makes them, without the response to the last substep's impulses, and no
- * impulses but those of rows that are not part of the system. What is known from the last substep is the set.
- * Carrying impulses over would leave what a system that says things twice does not see to grow from substep to
- * substep.
+ * Before a pass with bias: resets velocities to those after external accelerations, without the response to the last substep's impulses,
+ * and clears all impulses but those of rows outside the system. Only the set is known from the last substep. Impulses carried over would
+ * let components that a redundant system does not see grow from substep to substep.
  */
 void cni_direct_contact_impulses_forget(const cni_direct_contact_pass *q)
 {
@@ -96,7 +94,7 @@ void cni_direct_contact_impulses_forget(const cni_direct_contact_pass *q)
 	}
 }
 
-/* What every round of a pass begins with: no impulses, or those of the last pass. */
+/* Initial state of every round of a pass: no impulses, or those of the last pass. */
 void cni_direct_contact_round_begin(const cni_direct_contact_pass *q)
 {
 	int32_t k, i;
@@ -125,7 +123,7 @@ void cni_direct_contact_states_keep(const cni_direct_contact_pass *q, int32_t ba
 	}
 }
 
-/* What touches and does not part is held: in a new pile all of it must bear at once. */
+/* Holds touching points that do not separate: in a new pile all of them must carry at once. */
 static void press_hold(const cni_direct_contact_pass *q, cni_direct_contact *p, const cni_node *n)
 {
 	int32_t i;
@@ -149,7 +147,7 @@ static void touching_hold(const cni_direct_contact_pass *q)
 
 /* ---- the system of a set ---- */
 
-/* Levers of what is held; 1 when they are not those of the last factorization. */
+/* Sets the levers of held rows. Returns 1 when they differ from those of the last factorization. */
 static int32_t press_levers(const cni_direct_contact *p, cni_node *n)
 {
 	int32_t i, changed = 0;
@@ -166,7 +164,7 @@ static int32_t press_levers(const cni_direct_contact *p, cni_node *n)
 	return changed;
 }
 
-/* Known impulses of what is not held, as changes of velocity. */
+/* Applies the known impulses of rows that are not held. */
 static int32_t presses_set(const cni_direct_contact_pass *q)
 {
 	int32_t k, i, changed = 0;
@@ -187,7 +185,7 @@ static int32_t presses_set(const cni_direct_contact_pass *q)
 	return changed;
 }
 
-/* Speed that a row is to have beside what it has. */
+/* Prescribed part of the row's right side. */
 static float press_lacks(const cni_direct_contact_pass *q, const cni_direct_contact *p, int32_t row)
 {
 	if (p->state[row] != CNI_ROW_HELD || p->mass[row] == 0.0f)
@@ -195,7 +193,7 @@ static float press_lacks(const cni_direct_contact_pass *q, const cni_direct_cont
 	return (row < 2 ? p->room[row] : 0.0f) + (q->warm ? cni_direct_contact_leak(p, row) : 0.0f);
 }
 
-/* What the held rows' speeds lack; returns the largest. */
+/* Missing speeds of the held rows; returns the largest. */
 static float right_sides(const cni_direct_contact_pass *q)
 {
 	float largest = 0.0f;
@@ -229,7 +227,7 @@ static void velocities_push(const cni_direct_contact_pass *q)
 	}
 }
 
-/* Again with what is left, because the diagonal is not quite the true one. 0: no finite solution. */
+/* Iterative refinement, because the diagonal is larger than the true one. 0: no finite solution. */
 static int32_t held_rows_solve(const cni_direct_contact_pass *q)
 {
 	int32_t k;
@@ -252,7 +250,7 @@ int32_t cni_direct_contact_system_solve(const cni_direct_contact_pass *q)
 
 /* ---- the set ---- */
 
-/* A row whose state does not fit the solution, what it should be, and by how much speed it is wrong. */
+/* A row whose state contradicts the solution, the state it should have, and the speed by which it is violated. */
 typedef struct misfit {
 	cni_direct_contact *press;
 	int32_t row;
@@ -300,15 +298,15 @@ static void mend(const misfit *m)
 	friction_follow(p);
 }
 
-/* Sliding friction that its normal force has moved away from. */
+/* 1: the impulse of sliding friction no longer matches its normal impulse. */
 static int32_t slide_is_off(const cni_direct_contact_pass *q, const cni_direct_contact *p)
 {
 	float most = p->dynamic_friction * cni_max(normal_sum(p), 0.0f), off = cni_abs(cni_abs(p->j[2]) - most);
 	return p->state[2] == CNI_ROW_SLIDES && off > CNI_SLIDE_CLOSE * most + q->speed_least * p->mass[2];
 }
 
-/* What is not consistent with the solution: rows that do not fit; -1: slides alone are off. The next set has all of them mended at
-   once, or the worst alone, which is slow and sure (Murty, 1974). */
+/* Updates the set: all violated rows at once, or the worst alone, which is slow and sure (Murty, 1974). Returns the number of violated
+   rows; -1: only sliding impulses do not match. */
 static int32_t set_mend(const cni_direct_contact_pass *q, int32_t all)
 {
 	misfit worst = { NULL, 0, 0, 0.0f };
@@ -339,7 +337,7 @@ static int32_t set_mend(const cni_direct_contact_pass *q, int32_t all)
 	return misfits == 0 && off ? -1 : misfits;
 }
 
-/* Is this set the solution? Returns what does not fit in it, which is mended; INT32_MAX: it has none. */
+/* Solves with the present set and updates it. Returns the number of violated rows; INT32_MAX: no solution. */
 static int32_t set_try(const cni_direct_contact_pass *q, int32_t all)
 {
 	cni_direct_contact_round_begin(q);
@@ -354,13 +352,14 @@ int32_t cni_direct_contact_set_follow(const cni_direct_contact_pass *q)
 	return misfits == 0;
 }
 
-/* Is it time to give up? Misfits of the rounds to come are mended one each. */
+/* 1: the search gives up. In later rounds one violated row is fixed a round. */
 static int32_t rounds_are_over(const cni_direct_contact_pass *q, int32_t round, int32_t misfits)
 {
 	return misfits == INT32_MAX || round >= q->rounds || (round >= ROUNDS_ALL && misfits > q->rounds - round);
 }
 
-/* The set of the pass before; if it does not fit, from that and all that touches. Where slides alone are off it stays. */
+/* Starts from the set of the last pass; if that is violated, from it and all touching points. Where only sliding impulses do not match, the
+   set stays. */
 int32_t cni_direct_contact_set_find(const cni_direct_contact_pass *q)
 {
 	int32_t round, misfits = set_try(q, 1), fits = 1;

@@ -1,6 +1,5 @@
 /*
- * direct/contact_collect.c - contacts that are taken out of their lanes for a step, to be solved directly (direct_contacts.c), and
- * given back.
+ * direct/contact_collect.c - takes contacts out of their lanes for a step, to be solved directly (direct_contacts.c), and returns them.
  *
  * Reads contacts of islands; reads and writes lanes of contact blocks.
  */
@@ -20,8 +19,8 @@ static int32_t lane_is_plain(const cn_world *world, const cni_contact *c)
 }
 
 /*
- * Friction at its bound slides, or bears as much as it can of what says the same twice: in a standing house of cards a tenth of all do. Were
- * they held first, every step would look for the set anew. Where friction that holds may be greater it cannot be told.
+ * Friction at its bound slides, or is at the limit of a redundant system: in a standing house of cards a tenth of all are. If they began
+ * held, every step would search for the set anew. Where the static coefficient is greater the two cannot be distinguished.
  */
 static void friction_guess(cni_direct_contact *p)
 {
@@ -74,7 +73,7 @@ int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, cni_d
 			if (!(c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
 				continue;
 			if (cni_body_at(world, other)->type == CN_BODY_DYNAMIC && (key & 1))
-				continue; /* seen from its other body */
+				continue; /* collected at its other body */
 			if (!lane_is_plain(world, c))
 				return CNI_DIRECT_CONTACTS_KIND;
 			if (count == room)
@@ -102,7 +101,7 @@ void cni_direct_contacts_take(cn_world *world, cni_sparse *sparse)
 			press_take(world, &sparse->presses[k]);
 }
 
-/* Once it was solved, what it bears is known exactly: its load is its impulse. */
+/* A solved contact's impulse is exact, so it becomes the load. */
 static void press_give_back(cn_world *world, cni_direct_contact *p)
 {
 	cni_contact_block *block = cni_block_at(world, p->block);

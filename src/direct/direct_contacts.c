@@ -1,13 +1,13 @@
 /*
- * direct/direct_contacts.c - directly solved contacts: a pass over an island, how it is solved and what is done with a solution.
+ * direct/direct_contacts.c - directly solved contacts: one pass over an island, the choice of method and the checks of its solution.
  *
- * Which rows hold is found by an active set (direct/contact_active_set.c). Where no set is found in ROUNDS, or something that was at
- * rest begins to move by it, an interior-point method is asked (direct/friction_cones.c). The passes after that go on from its
- * impulses instead of from none: where many impulses bear the same, those of least energy may pull. A solution that has gained
- * energy is not used at all: impulses of an inconsistent set can put it in without bound. The lanes are then given back to the
- * soft solver with the impulses and loads that they had, so that a pile is not disturbed by the attempt.
+ * An active set finds the held rows (direct/contact_active_set.c). Where it finds no set in ROUNDS, or where an island at rest begins to
+ * move by its solution, an interior-point method takes over (direct/friction_cones.c). The passes after that start from its impulses
+ * instead of from none: of several redundant sets of impulses, the one of least energy may have negative ones. A solution that gains energy
+ * is discarded: impulses of an inconsistent set can add it without bound. The contacts then return to the soft solver with the impulses and
+ * loads that they had, so that the attempt does not disturb a pile.
  *
- * Reads and writes lanes of contact blocks, motion velocities, joint works' impulses.
+ * Reads and writes lanes of contact blocks, motion velocities, impulses of joint constraints.
  */
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
@@ -22,7 +22,7 @@
 #define SOFT_STRESS 100.0f     /* own weights */
 #define SPEED_LEAST 1e-4f      /* length units a second that are no motion */
 
-/* ---- impulses and velocities: taken, kept, put back ---- */
+/* ---- impulses and velocities: committed, saved, restored ---- */
 
 static void commit(const cni_direct_contact_pass *q)
 {
@@ -40,7 +40,7 @@ static void commit(const cni_direct_contact_pass *q)
 	}
 }
 
-/* Impulses and velocities as a pass found them, kept or put back. */
+/* Saves impulses and velocities at the beginning of a pass, or restores them (back 1). */
 static void all_keep(const cni_direct_contact_pass *q, int32_t back)
 {
 	int32_t k, i;
@@ -56,8 +56,8 @@ static void all_keep(const cni_direct_contact_pass *q, int32_t back)
 	}
 }
 
-/* Of the impulses of a contact: what gives the lighter body as much speed as SOFT_STRESS of its weights. More is crushed by the soft
-   solver whatever it begins with, and throws what is light when the contacts on both sides of it do not cancel any more. */
+/* Part of a contact's impulses that gives the lighter body at most the speed of SOFT_STRESS of its weights. The soft solver crushes such a
+   body from any start, and throws a light body when the contacts on both sides of it do not cancel any more. */
 static float part_that_soft_bears(const cni_direct_contact_pass *q, const cni_direct_contact *p, const cni_node *n)
 {
 	float speed = (p->first[0] + p->first[1]) * cni_max(q->motions[n->ia].inv_mass, q->motions[n->ib].inv_mass);
@@ -66,9 +66,9 @@ static float part_that_soft_bears(const cni_direct_contact_pass *q, const cni_di
 }
 
 /*
- * No set was found: the soft solver goes on as if nothing had been, from the velocities that the substep began with and the impulses
- * that the step began with. An exact solution sends a blow, or what pushes apart, through whatever is in its way: a body of a kilogram
- * between two of a ton has the impulses of both, which cancel to a thousandth. A soft solver that began with them would throw it.
+ * No set was found: the soft solver continues from the velocities at the beginning of the substep and the impulses at the beginning of the
+ * step. An exact solution sends an impact or a push through everything in its way: a body of a kilogram between two of a ton has the
+ * impulses of both, which cancel to a thousandth. A soft solver that started from them would throw it.
  */
 static void all_put_back(const cni_direct_contact_pass *q)
 {
@@ -94,7 +94,7 @@ static void all_put_back(const cni_direct_contact_pass *q)
 	}
 }
 
-/* Was nothing pushed? The speeds are then closed already, and arms that turn are those of joints alone. */
+/* 1: no contact was pushed. The speeds are then closed already, and only the lever arms of joints turn. */
 static int32_t is_calm(const cni_direct_contact_pass *q)
 {
 	int32_t k;
@@ -113,7 +113,7 @@ static float energy_at(const cni_motion *m, float vx, float vy, float w)
 	return (m->inv_mass > 0.0f ? (vx * vx + vy * vy) / m->inv_mass : 0.0f) + (m->inv_inertia > 0.0f ? w * w / m->inv_inertia : 0.0f);
 }
 
-/* Twice the kinetic energy of its bodies. */
+/* Twice the kinetic energy of the component's bodies. */
 static float energy_of(const cni_direct_contact_pass *q)
 {
 	float sum = 0.0f;
@@ -125,7 +125,7 @@ static float energy_of(const cni_direct_contact_pass *q)
 	return sum;
 }
 
-/* ... as the substep began, after the drive and before any impulse. */
+/* ... at the beginning of the substep, after external accelerations and before any impulse. */
 static float energy_of_start(const cni_direct_contact_pass *q)
 {
 	float sum = 0.0f;
@@ -137,7 +137,7 @@ static float energy_of_start(const cni_direct_contact_pass *q)
 	return sum;
 }
 
-/* Twice the energy beyond which it does not rest: that of all of it at STILL_SPEED. A part may move on what stands. */
+/* Twice the kinetic energy of all of it at STILL_SPEED: with less it is at rest. A part may move on a standing island. */
 static float energy_of_rest(const cni_direct_contact_pass *q)
 {
 	float mass = 0.0f, speed = STILL_SPEED * q->world->settings.length_unit;
@@ -149,7 +149,7 @@ static float energy_of_rest(const cni_direct_contact_pass *q)
 	return mass * speed * speed;
 }
 
-/* Did it move as the step began? */
+/* 1: it moved at the beginning of the step. */
 static int32_t moved(const cni_direct_contact_pass *q)
 {
 	float sum = 0.0f;
@@ -161,7 +161,7 @@ static int32_t moved(const cni_direct_contact_pass *q)
 	return sum > energy_of_rest(q);
 }
 
-/* Twice the work of pushing apart what overlaps. */
+/* Twice the work of pushing overlaps apart. */
 static float push_work(const cni_direct_contact_pass *q)
 {
 	float sum = 0.0f;
@@ -175,16 +175,16 @@ static float push_work(const cni_direct_contact_pass *q)
 }
 
 /*
- * With speeds w after and v before the impulses l, and room that speeds must be beyond -room, the energy grows by
- * l.(w + v) / 2 <= l.w <= -l.room: no more than by pushing apart. The relaxing pass takes the pushing out: with all impulses of
- * the substep, what is left is no more than it began with. Joints and what is carried along may do more.
+ * With speeds w after and v before the impulses l, and speeds bounded below by -room, the energy grows by l.(w + v) / 2 <= l.w <= -l.room:
+ * no more than the work of pushing apart. The relax pass removes the push: with all impulses of the substep, the energy is then no more
+ * than at its beginning. Joints and bodies carried along may add more.
  */
 static int32_t energy_fits(const cni_direct_contact_pass *q)
 {
 	return q->c->joints > 0 || energy_of(q) <= (1.0f + ENERGY_CLOSE) * q->before + push_work(q);
 }
 
-/* Sliding friction is of the impulses that a pass has, not of those of a set that was no solution. */
+/* Restores the impulses of the pass, for sliding friction: those of a set that was no solution do not count. */
 static void impulses_put_back(const cni_direct_contact_pass *q)
 {
 	int32_t k;
@@ -196,8 +196,8 @@ static void impulses_put_back(const cni_direct_contact_pass *q)
 	}
 }
 
-/* The set that was kept, consistent or not: a projection, which takes energy out and puts none in, unless friction that slides is
-   far from what its contact bears. */
+/* Solves with the kept set, consistent or not. That is a projection, which removes energy and adds none, unless sliding friction is far
+   from its normal impulse. */
 static int32_t solve_with_kept_set(const cni_direct_contact_pass *q)
 {
 	cni_direct_contact_states_keep(q, 1);
@@ -209,9 +209,9 @@ static int32_t solve_with_kept_set(const cni_direct_contact_pass *q)
 	return 1;
 }
 
-/* ---- does it begin to move? ---- */
+/* ---- onset of motion ---- */
 
-/* Does it open where it touches, or slide? */
+/* 1: the contact opens where it touches, or slides. */
 static int32_t press_gives_way(const cni_direct_contact_pass *q, const cni_direct_contact *p, const cni_node *n)
 {
 	const cni_motion *a = q->motions + n->ia, *b = q->motions + n->ib;
@@ -245,9 +245,9 @@ static int32_t is_recent(const cni_direct_contact_pass *q, uint32_t step)
 	return step != 0 && q->world->step_count + 1u - step < 2u;
 }
 
-/* ---- how it is solved ---- */
+/* ---- choice of method ---- */
 
-/* What the cones may cost in a pass. */
+/* Most work of the interior-point method in a pass. */
 static int32_t cone_cost(const cni_direct_contact_pass *q)
 {
 	return CNI_CONE_FACTORS * cni_cone_factor_work(q->c);
@@ -259,8 +259,8 @@ static int32_t is_large(const cni_direct_contact_pass *q)
 }
 
 /*
- * Friction may both hold a thing and let it go, as it may a heap of balls: whoever follows the set of the pass before may find
- * either. What was at rest and begins to move is asked once more, for the motion of least energy.
+ * Friction may both hold a body and let it go, for example in a heap of balls: following the set of the last pass may find either. When a
+ * body at rest begins to move, the interior-point method decides: it finds the motion of least energy.
  */
 static int32_t set_solve(cni_direct_contact_pass *q)
 {
@@ -274,7 +274,7 @@ static int32_t set_solve(cni_direct_contact_pass *q)
 	return 1;
 }
 
-/* What the island has spent, a contact, less what has been paid back. */
+/* Interior-point work that the island has spent, a contact, less its refill since. */
 static int32_t cone_debt(const cni_direct_contact_pass *q)
 {
 	uint32_t passed = q->world->step_count - q->island->cone_paid_step;
@@ -282,7 +282,7 @@ static int32_t cone_debt(const cni_direct_contact_pass *q)
 	return passed <= (uint32_t)(spent / CNI_CONE_REFILL) ? spent - (int32_t)passed * CNI_CONE_REFILL : 0;
 }
 
-/* May it be asked? Who is asked once in a step may be in all of its substeps, as long as the island can pay. */
+/* 1: the interior-point method may run. Once admitted in a step it may run in all substeps, as long as the island's debt allows. */
 static int32_t cone_may_be_asked(const cni_direct_contact_pass *q)
 {
 	if (q->world->settings.solver == CN_SOLVER_AUTO) {
@@ -302,7 +302,7 @@ static void cone_pay(const cni_direct_contact_pass *q, int32_t factors)
 	q->island->cone_paid_step = q->world->step_count;
 }
 
-/* The passes to come go on from its impulses: to begin with none would find others that bear the same, and pull. */
+/* The next passes start from its impulses: starting from none would find redundant ones, some of them negative. */
 static int32_t cone_solve(cni_direct_contact_pass *q)
 {
 	int32_t factors, good;

@@ -1,13 +1,13 @@
 /*
- * direct/direct_joints.c - rigid rows of connected joints solved together, exactly (linear/sparse.h): the components that
- * direct/direct_plan.c found, from their levers to impulses.
+ * direct/direct_joints.c - solves the rigid rows of connected joints together, exactly (linear/sparse.h): the components of
+ * direct/direct_plan.c, from their levers to impulses.
  *
- * What is not in them, and springs, motors and limits, are solved row by row in joints/joint_solve.c,
- * before; contacts come after, so joints and contacts alternate, where they disagree more than once: direct/joint_projection.c.
+ * Joints outside of the components, and springs, motors and limits, are solved row by row in joints/joint_solve.c before. Contacts come
+ * after. Where joints and contacts disagree, they alternate more than once: direct/joint_projection.c.
  *
- * Loops of pins and rods that touch something are the soft solver's, unless one of their joints asks for CN_SOLVER_DIRECT.
+ * Loops of pins and rods that touch something are left to the soft solver, unless one of their joints asks for CN_SOLVER_DIRECT.
  *
- * Reads works, motion and inverse masses; writes works' flags and their rigid rows' impulses, motion velocities.
+ * Reads joint constraints, motion and inverse masses; writes flags and rigid rows' impulses of joint constraints, motion velocities.
  */
 #include "direct/direct.h"
 #include "direct/direct_contact.h"
@@ -22,7 +22,7 @@
 
 /* ---- components ---- */
 
-/* Nothing is solved directly after all. */
+/* Returns all joints to the soft solver. */
 static void works_release(cn_world *world)
 {
 	int32_t k;
@@ -41,7 +41,7 @@ static int32_t component_has_presses(const cni_sparse *sparse, const cni_compone
 	return 0;
 }
 
-/* In a step, in the units of work_budget. */
+/* Work of a step, in the units of work_budget. */
 static int32_t work_planned(const cn_world *world, const cni_sparse *sparse)
 {
 	int64_t work = 0;
@@ -54,7 +54,7 @@ static int32_t work_planned(const cn_world *world, const cni_sparse *sparse)
 	return work < INT32_MAX ? (int32_t)work : INT32_MAX;
 }
 
-/* Does some joint of it ask to be solved directly? Of components with several bodies. */
+/* 1: a joint of the component's island asks for the direct solver. For components with several bodies. */
 static int32_t is_asked_for(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t island = cni_awake_island(world, sparse->bodies[c->body_begin]);
@@ -62,10 +62,10 @@ static int32_t is_asked_for(const cn_world *world, const cni_sparse *sparse, con
 }
 
 /*
- * A loop of pins or rods, such as a bridge between two walls, may be so straight that no force can hold it: what is rigid
- * explodes there when contacts load it. Trees have no such places, nor have loops by gears. Contacts come and go: a loop that
- * closed its joints whenever what lies on it bounces would throw it. So it stays soft as long as joints remember anything: of
- * 80 seeds of the family `bridge` 8 are worse than soft constraints with 32 steps, 3 with 128, 2 with 256.
+ * A loop of pins or rods, such as a bridge between two walls, may be so straight that no force can hold it: rigid joints explode there when
+ * contacts load it. Trees have no such configurations, nor have loops with gears. Contacts come and go: a loop that closed its joints
+ * whenever a body on it bounces would throw the body. So the loop stays soft for the longest span of a trust: of 80 seeds of the family
+ * `bridge` 8 are worse than soft constraints with 32 steps, 3 with 128, 2 with 256.
  */
 static int32_t is_loop_of_pins_and_rods(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
@@ -143,7 +143,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 
 /* ---- impulses ---- */
 
-/* No consistent set of contacts: they are the soft solver's until the step ends, the joints go on alone. */
+/* No consistent set of contacts was found: contacts are soft until the step ends, and the joints are solved directly without them. */
 static void component_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
 	int32_t k, i;
@@ -160,7 +160,7 @@ static void component_release(cn_world *world, cni_sparse *sparse, cni_component
 		cni_island_refuse(world, cni_awake_island(world, sparse->bodies[c->body_begin]), CN_TIER_REASON_NO_SET);
 }
 
-/* ---- solutions that are checked ---- */
+/* ---- one pass ---- */
 
 static void joints_solve(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)
 {
@@ -168,7 +168,7 @@ static void joints_solve(cn_world *world, const cni_solve *s, cni_component *c, 
 	cni_direct_answer(world, s, c);
 }
 
-/* The same levers at the new positions. */
+/* The system at the new rotations. */
 static void component_turn(cn_world *world, const cni_solve *s, cni_component *c)
 {
 	cni_direct_turns(world, s->direct, c);

@@ -1,14 +1,15 @@
 /*
- * direct/direct_plan.c - what is solved directly in a step, as links of linear/sparse.h, and the scratch that takes.
+ * direct/direct_plan.c - plans the direct solver's components of a step as links of linear/sparse.h, and bounds its scratch memory.
  *
- * Joints with rigid rows that nothing bounds or softens are nodes; those that share bodies make components.
- * CN_SOLVER_AUTO takes trees and components with few loops, whose factorization costs about what a pass over their joints
- * does; large nets stay soft. CN_SOLVER_DIRECT takes all. Contacts are those of the islands that direct/solver_selection.c chose.
+ * Joints with rigid rows that nothing bounds or softens are nodes; those that share bodies form components. CN_SOLVER_AUTO takes trees and
+ * components with few loops, whose factorization costs about as much as a pass over their joints; large nets stay soft. CN_SOLVER_DIRECT
+ * takes all. Contacts are those of the islands that direct/solver_selection.c chose.
  *
- * What is beyond the limits of work is not planned: joints are then the soft solver's, and an island whose contacts are
- * not in the plan is refused; what is left is planned once more without them.
+ * Links beyond the limits of work are not planned: such joints are soft, and an island with unplanned contacts is refused; the rest is
+ * planned once more without it.
  *
- * Reads works, motion and the tiers of islands; writes works' flags, refused islands, and the plans that the world keeps.
+ * Reads joint constraints, motion and the tiers of islands; writes flags of joint constraints, refused islands, and the plans that the
+ * world keeps.
  */
 #include "direct/direct.h"
 #include "direct/direct_contact.h"
@@ -16,7 +17,7 @@
 
 /* ---- limits, memory ---- */
 
-/* Most work of a system for each contact of it. */
+/* Most work of a system, for each of its contacts. */
 static int32_t press_work(int32_t solver)
 {
 	return solver == CN_SOLVER_DIRECT ? 2000 : CNI_DIRECT_CONTACT_WORK;
@@ -67,19 +68,19 @@ static int32_t body_is_locked(const cn_world *world, int32_t index)
 	return (cni_externals(world)[index].flags & (CNI_EXTERNAL_LOCK_X | CNI_EXTERNAL_LOCK_Y)) != 0;
 }
 
-/* May what asks for it take as much as CN_SOLVER_DIRECT? A world in a caller's block has scratch memory for its own solver only. */
+/* 1: single islands may take as much work as CN_SOLVER_DIRECT. A world in a caller's block has scratch memory for its own solver only. */
 static int32_t may_take_most(const cn_world *world)
 {
 	return world->settings.solver == CN_SOLVER_DIRECT || !world->memory.fixed;
 }
 
-/* Worlds in which no joint ever had a solver of its own do not look. */
+/* The flag `overridden` skips this test in worlds in which no joint ever had a solver of its own. */
 static int32_t joint_stays_soft(const cn_world *world, const cni_joint_constraint *w)
 {
 	return world->overridden && w->record->solver == CN_SOLVER_SOFT;
 }
 
-/* Does some joint of its island ask for all that CN_SOLVER_DIRECT allows? */
+/* 1: a joint of its island asks for the limits of CN_SOLVER_DIRECT. */
 static int32_t joint_may_take_most(const cn_world *world, const cni_joint_constraint *w)
 {
 	int32_t island;
@@ -122,7 +123,7 @@ static int32_t joint_links_collect(const cn_world *world, cni_link *links)
 
 /* ---- contacts ---- */
 
-/* Contacts of the islands that are solved directly; an island that has too many, or of the wrong kind, is refused. */
+/* Collects the contacts of directly solved islands; refuses islands with too many contacts or with an unsupported kind. */
 static void presses_collect(cn_world *world, cni_direct_contact *presses, int32_t room, cni_sparse *out)
 {
 	const int32_t *islands = (const int32_t *)world->direct_islands.data;
@@ -163,9 +164,9 @@ static int32_t press_links_collect(const cn_world *world, const cni_sparse *spar
 	return sparse->press_count;
 }
 
-/* ---- what is planned, and what is not ---- */
+/* ---- planned and unplanned links ---- */
 
-/* Refuses the islands whose contacts are not in the plan. Returns how many links of them there are. */
+/* Refuses islands with unplanned contacts. Returns the number of unplanned contact links. */
 static int32_t islands_refuse(cn_world *world, const cni_link *links, int32_t count, const uint8_t *planned)
 {
 	int32_t k, refused = 0;
@@ -178,7 +179,7 @@ static int32_t islands_refuse(cn_world *world, const cni_link *links, int32_t co
 	return refused;
 }
 
-/* Takes out the contacts of refused islands, so that their joints can be planned without them. */
+/* Removes the contacts of refused islands, so that their joints can be planned without them. */
 static int32_t links_keep(const cn_world *world, cni_link *links, int32_t count)
 {
 	int32_t k, kept = 0;
@@ -188,7 +189,7 @@ static int32_t links_keep(const cn_world *world, cni_link *links, int32_t count)
 	return kept;
 }
 
-/* Who is in the plan knows it. */
+/* Flags the joint constraints in the plan and stores the nodes of the contacts. */
 static void owners_tell(cn_world *world, const cni_solve *s, const cni_link *links, int32_t count, const uint8_t *planned, cni_sparse *out)
 {
 	int32_t k;
@@ -204,14 +205,14 @@ static void owners_tell(cn_world *world, const cni_solve *s, const cni_link *lin
 			out->presses[-1 - out->nodes[k].owner].node = k;
 }
 
-/* One factorization a substep. */
+/* Most work of a substep, for one factorization. */
 static int64_t budget_of(const cn_world *world)
 {
 	int32_t budget = world->settings.work_budget;
 	return budget == 0 || world->settings.solver == CN_SOLVER_DIRECT ? INT64_MAX : budget / world->settings.substeps;
 }
 
-/* Most contacts that are looked at. */
+/* Most contacts that are collected. */
 static int32_t presses_most(const cn_world *world)
 {
 	int32_t all = world->settings.solver == CN_SOLVER_DIRECT || (world->overridden && may_take_most(world));
@@ -220,7 +221,7 @@ static int32_t presses_most(const cn_world *world)
 	return all ? world->touching_count : cni_min_i(world->touching_count, CNI_DIRECT_CONTACT_MOST);
 }
 
-/* again: without what was refused. A world in a caller's block has set aside room for one kept plan. */
+/* again 1: without the refused links. A world in a caller's block has room for one kept plan. */
 static int32_t links_plan(cn_world *world, const cni_link *links, int32_t count, int32_t again, cni_sparse *out, uint8_t *planned)
 {
 	cni_array *kept = &world->direct_plans[again && !world->memory.fixed];
@@ -230,7 +231,7 @@ static int32_t links_plan(cn_world *world, const cni_link *links, int32_t count,
 
 /* ---- the plan ---- */
 
-/* What is of the step beside the plan. 0: no scratch memory. */
+/* Scratch arrays of the step beside the plan. 0: no scratch memory. */
 static int32_t lists_take(cn_world *world, cni_sparse *out)
 {
 	cni_arena *arena = &world->arena;
@@ -271,7 +272,7 @@ int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out)
 			return 1;
 		if (!links_plan(world, links, count, 1, out, planned))
 			return 0;
-		(void)islands_refuse(world, links, count, planned); /* joints that are alone now may have spent the budget before them */
+		(void)islands_refuse(world, links, count, planned); /* joints without their contacts may have taken the budget of others */
 	}
 	owners_tell(world, s, links, count, planned, out);
 	return lists_take(world, out);

@@ -1,27 +1,29 @@
 /*
- * direct/friction_cones.c - contacts of a directly solved island by an interior-point method: what the active set of
+ * direct/friction_cones.c - contacts of a directly solved island by an interior-point method, for problems that the active set of
  * direct/direct_contacts.c cannot solve.
  *
- * The impulses l of a contact, two normals p and one friction t, lie in the cone A l >= 0: p0 >= 0, p1 >= 0,
- * m (p0 + p1) - t >= 0, m (p0 + p1) + t >= 0. The impulses of least energy in these cones are a convex problem (Anitescu,
- * "Optimization-based simulation of nonsmooth rigid multibody dynamics", 2006): if any impulses hold the island still, its
- * solution does. What slides would be lifted by m times its slip; that speed is subtracted from the normal rows with the
- * slip of the iteration before, so that the fixed point is Coulomb's law (De Saxce; Acary and Cadoux, "Applications of an
- * existence result for the Coulomb friction problem", 2013).
+ * The impulses l of a contact, two normals p and one friction t, lie in the cone A l >= 0:
  *
- * With slacks s = A l and their multipliers z, each iteration is a Newton step towards s z = tau, with a tau that falls
- * (Wright, "Primal-dual interior-point methods", 1997, chapter 5):
+ *   p0 >= 0, p1 >= 0, m (p0 + p1) - t >= 0, m (p0 + p1) + t >= 0
+ *
+ * The impulses of least energy in these cones are a convex problem (Anitescu, "Optimization-based simulation of nonsmooth rigid multibody
+ * dynamics", 2006): if any impulses hold the island still, its solution does. It would lift a sliding contact by m times its slip; that
+ * speed is subtracted from the normal rows with the slip of the iteration before, so that the fixed point is Coulomb's law (De Saxce; Acary
+ * and Cadoux, "Applications of an existence result for the Coulomb friction problem", 2013).
+ *
+ * With slacks s = A l and their multipliers z, each iteration is a Newton step towards s z = tau, with a decreasing tau (Wright,
+ * "Primal-dual interior-point methods", 1997, chapter 5):
  *
  *   (K + A' (Z/S) A) dl = A' tau/s - w,  dz = tau/s - z - (Z/S) A dl
  *
- * K + A' (Z/S) A has the pattern of K, so the plan of the island's system serves. For a contact that slides one of the four
- * entries of Z/S is very great; with u = t - g m (p0 + p1), g = (d2 - d3) / (d2 + d3), A' (Z/S) A has no large terms that
- * cancel in floats: d0, d1 and 4 d2 d3 / (d2 + d3) m^2 on the normals, d2 + d3 on u.
+ * K + A' (Z/S) A has the pattern of K, so the plan of the island's system serves. For a contact that slides one of the four entries of Z/S
+ * is very great. The substitution u = t - g m (p0 + p1), g = (d2 - d3) / (d2 + d3), leaves no large terms in A' (Z/S) A that cancel in
+ * floats: d0, d1 and 4 d2 d3 / (d2 + d3) m^2 on the normals, d2 + d3 on u.
  *
- * Where several sets of impulses bear the same, the solution lies in the middle of them (the analytic centre): it changes little
- * as the island does, and there is no set to be found.
+ * Among redundant sets of impulses, the solution is the analytic centre: it changes little when the island does, and needs no search for a
+ * set.
  *
- * Reads presses and motion velocities; writes presses' impulses and states, nodes' total, motion velocities.
+ * Reads direct contacts and motion velocities; writes impulses and states of direct contacts, nodes' total, motion velocities.
  */
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
@@ -42,14 +44,14 @@ typedef struct cone {
 	const cni_direct_contact_pass *pass;
 	cni_sparse *sparse;
 	cni_component *c;
-	int32_t count;         /* of slacks that there are */
+	int32_t count;         /* existing slacks */
 	int32_t factors, factors_most;
 	float tau;
-	float residual;        /* m/s: the most that a row lacks */
-	float misfit;          /* m/s: the most of what is both slack and multiplier */
+	float residual;        /* m/s: the largest residual of a row */
+	float misfit;          /* m/s: the largest complementarity violation */
 } cone;
 
-/* Of the two normals and the friction: is there such a row? */
+/* 1: the row exists: of the two normals and the friction. */
 static int32_t row_is(const cni_direct_contact *p, int32_t row)
 {
 	return p->mass[row] > 0.0f && (row < 2 || p->coefficient > 0.0f);
@@ -83,7 +85,7 @@ static void rows_push(const cone *q, const cni_direct_contact *p, const cni_node
 		cni_direct_contact_push(p, i, change[i], q->pass->motions + n->ia, q->pass->motions + n->ib);
 }
 
-/* Speeds of the rows, and what they may be short of. */
+/* Residual speeds of the rows. */
 static void speeds_of(const cone *q, const cni_direct_contact *p, const cni_node *n, float out[3])
 {
 	int32_t i;
@@ -93,7 +95,7 @@ static void speeds_of(const cone *q, const cni_direct_contact *p, const cni_node
 	}
 }
 
-/* The impulses of the last pass to begin with. */
+/* Starts from the impulses of the last pass. */
 static void press_warm(const cone *q, cni_direct_contact *p, const cni_node *n)
 {
 	float change[3];
@@ -122,8 +124,8 @@ static void warm(cone *q)
 	}
 }
 
-/* From the impulses that it has to some inside of the cones, all slacks times their multipliers the same; the changes go
-   into start. A point that is apart has three multipliers that must add up to its speed. */
+/* Moves the impulses inside of the cones, with equal products of slacks and multipliers; the changes go into start. A separated point has
+   three multipliers that must add up to its speed. */
 static void press_center(const cone *q, cni_direct_contact *p, const cni_node *n, float speed)
 {
 	float speeds[3], most;
@@ -173,7 +175,7 @@ static float stiffness_of(const cni_direct_contact *p, int32_t i)
 	return slack_is(p, i) ? cni_min(p->dual[i] / p->slack[i], STIFF_MOST / slack_mass(p, i)) : 0.0f;
 }
 
-/* What is left of the rows' speeds when the multipliers are taken from them; and how far complementarity is off. */
+/* Updates the residual: the rows' speeds less their multipliers; and the complementarity violation. */
 static void press_look(cone *q, const cni_direct_contact *p, const float speeds[3])
 {
 	int32_t i;
@@ -244,7 +246,7 @@ static float way_to(float from, float change)
 	return change < 0.0f ? -from / change : FLT_MAX;
 }
 
-/* How much of the step is taken. */
+/* Step length. */
 static float step_length(const cone *q)
 {
 	float most = FLT_MAX;
@@ -264,7 +266,7 @@ static float step_length(const cone *q)
 	return cni_min(1.0f, STEP_MOST * most);
 }
 
-/* Returns the mean of slack times multiplier after it. */
+/* Applies the step. Returns the mean of slack times multiplier after it. */
 static float step_take(const cone *q, float length)
 {
 	float sum = 0.0f;
@@ -296,8 +298,8 @@ static float step_take(const cone *q, float length)
 	return sum / (float)cni_max_i(q->count, 1);
 }
 
-/* Before the right sides that follow: none; or what the predictor of a whole step leaves of second order. Returns the mean of
-   slack times multiplier that it would reach. */
+/* Stores the second-order terms of the predictor step in `cross`, for the right sides that follow. Returns the mean of slack times
+   multiplier that the predictor would reach. */
 static float predictor_keep(cone *q, float length)
 {
 	float sum = 0.0f;
@@ -341,7 +343,7 @@ static void newton_set(cone *q)
 
 /* ---- the end ---- */
 
-/* Which rows bear, for the set that the next pass begins with. What does not bear has no impulse. */
+/* Sets the states for the set that the next pass begins with. Open rows get no impulse. */
 static void press_end(const cone *q, cni_direct_contact *p, cni_node *n)
 {
 	float change[3] = { 0.0f, 0.0f, 0.0f };
@@ -410,8 +412,7 @@ static int32_t iterate(cone *q)
 	}
 }
 
-/* Slips of which the next round is to know: the speeds by which they lift, and that friction is dynamic. Returns by how much
-   those changed, at most. */
+/* Updates lift speeds and dynamic friction from the slips, for the next round. Returns the largest change of lift. */
 static float slips_find(const cone *q)
 {
 	float most = 0.0f;

@@ -1,6 +1,5 @@
 /*
- * direct/rattle.c - bodies that nothing but rigid joints holds: their whole step at once, second order
- * and without losing energy.
+ * direct/rattle.c - bodies that only rigid joints constrain: integrates their whole step with second order and without energy loss.
  *
  * RATTLE (Andersen, 1983; Leimkuhler and Skeel, 1994) with the direct solver, per substep:
  *
@@ -9,26 +8,25 @@
  *   v += M^-1 J' mu + h/2 a       the other half
  *   v += M^-1 J' nu               J at the new x; nu such that J v = 0
  *
- * Both start from half of the last substep's impulse, so that Newton rarely needs a second round, but not where
- * dampers are at work, which must see all of the tension;
- * with one factorization a substep: of K at the old x for mu, which is that of the last substep's nu.
- * Gaps that are there already are closed by a part in each substep; nu takes out the speed that this needs.
+ * Both start from half of the last substep's impulse, so Newton rarely needs a second round. With dampers they start from zero: dampers
+ * need the whole tension. A substep has one factorization: K at the old x, for mu, is that of the last substep's nu. A substep closes a
+ * part of old gaps; nu removes the closing speed.
  *
- * Joints alone bring in no energy. What a step gained beyond the work of its drives is kept in an account, which its joints
- * carry (cni_joint_trust): the method swings about the true energy by the square of the substep, so the account may be
- * that large and no larger; the rest is taken out of the velocities. So energy cannot creep, step by step.
+ * Joints alone add no energy. An account holds the energy gain of a step beyond the work of external accelerations; the joints carry it
+ * (cni_joint_trust). The method's energy oscillates about the true one by the square of the substep, so the account may be that large and
+ * no larger; the excess is taken out of the velocities. So energy cannot creep, step by step.
  *
- * Three methods, each for what the one before it cannot do. The joints remember failures, so that a component that fails
- * again and again does not try everything in every step:
- *   RATTLE       a step that does not close its joints, or gains much energy, is taken again with twice the substeps;
+ * Three methods, each for failures of the one before. The joints remember failures, so that a component that fails again and again does not
+ * try everything in every step:
+ *   RATTLE       a step that does not close its joints, or gains much energy, is repeated with twice the substeps;
  *   projection   x += h (v + h a), x to the nearest point where the joints are closed, v projected to J v = 0 there: such a
- *                projection cannot raise kinetic energy, so it stands whips that no substep resolves, and loses energy
+ *                projection cannot raise kinetic energy, so it survives whips that no substep resolves, and loses energy
  *                (about (h w)^2 of it a substep);
- *   soft         each joint by itself, as CN_SOLVER_SOFT does, where a system is beyond what floats can hold.
+ *   soft         each joint by itself, as CN_SOLVER_SOFT does, where a system is beyond the range of floats.
  *
- * Substeps follow the tension's springs as far as they go, dampers do the rest: direct/geometric_stiffness.c.
+ * The number of substeps follows the geometric stiffness up to a limit; dampers do the rest: direct/geometric_stiffness.c.
  *
- * Reads works, drives, motion; writes motion, start, works' rows and flags, drive flags.
+ * Reads joint constraints, externals, motion; writes motion, start, rows and flags of joint constraints, flags of externals.
  */
 #include "direct/direct.h"
 #include "direct/rattle.h"
@@ -46,7 +44,7 @@
 
 /* ---- which components ---- */
 
-/* Can no row but the rigid ones have anything to do in this step? */
+/* 1: no row but the rigid ones can act in this step. */
 static int32_t work_is_rigid(const cni_joint_constraint *w, const cni_motion *motions, float dt)
 {
 	const cni_motion *a = motions + w->ia, *b = motions + w->ib;
@@ -67,7 +65,7 @@ static int32_t end_swings(const cn_world *world, int32_t index)
 	return index == 0 || m->inv_mass > 0.0f || m->inv_inertia > 0.0f;
 }
 
-/* Only joints of the component hold it, and nothing touches it. */
+/* 1: nothing touches the body and only joints of the component constrain it. */
 static int32_t body_turn_reaches(const cn_world *world, int32_t index)
 {
 	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
@@ -82,7 +80,7 @@ static int32_t body_turn_reaches(const cn_world *world, int32_t index)
 	return 1;
 }
 
-/* A pin with a spring or a motor, of which it need not be known what it would do. */
+/* A pin with a spring or motor in a lane: excluded without building its rows. */
 static int32_t work_is_driven(const cni_joint_constraint *w)
 {
 	return (w->flags & CNI_CONSTRAINT_WIDE) && (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR));
@@ -109,10 +107,10 @@ int32_t cni_component_uses_rattle(const cn_world *world, const cni_solve *s, con
 
 /* ---- one substep ---- */
 
-/* How a substep went: closed, still open after all rounds, or beyond what floats hold. */
+/* Outcome of a substep: closed, still open after all rounds, or not finite. */
 enum { CLOSED_WELL = 0, OPEN = 1, BROKEN = 2 };
 
-/* Half of what the drive gives in a substep. */
+/* Applies half of a substep's external acceleration and damping. */
 static void kick(const swing *g)
 {
 	int32_t k;
@@ -145,7 +143,7 @@ static void drift(const swing *g)
 	}
 }
 
-/* What of an old gap is to be left after the substep. */
+/* Remainder of an old gap after the substep. */
 static float gap_left(const swing *g, float error)
 {
 	if (cni_abs(error) <= GAP_OLD * g->closed)
@@ -163,7 +161,7 @@ static void move(cni_motion *m, float h, float part, float vx, float vy, float w
 	m->theta += h * w;
 }
 
-/* x of every node to positions, and a part of it (1 or 0) to velocities. */
+/* Applies x of every node to positions, and a part of it (1 or 0) to velocities. */
 static void push_and_move(const swing *g, float part)
 {
 	int32_t k, i;
@@ -189,7 +187,8 @@ static void impulses_add(const swing *g)
 	}
 }
 
-/* Rows at the present positions into the works, impulses kept; x: what closes them. Returns the largest gap. */
+/* Builds the rows at the present positions, keeps their impulses, and sets x to the right sides that close the gaps. Returns the largest
+   gap. */
 static float gaps_find(const swing *g)
 {
 	float largest = 0.0f, inv_h = 1.0f / g->h;
@@ -222,7 +221,7 @@ static void gaps_left_find(const swing *g)
 			g->left[(k - g->c->begin) * CNI_NODE_ROWS + i] = gap_left(g, work_of(g, k)->rows[i].error);
 }
 
-/* A part of the rows' impulses once more, along the levers as they are; `kept` of them stays in the rows. */
+/* Applies a part of the rows' impulses along the present levers and multiplies the rows' impulses by `kept`. */
 static void impulses_push(const swing *g, float part, float kept)
 {
 	int32_t k, i;
@@ -236,7 +235,7 @@ static void impulses_push(const swing *g, float part, float kept)
 	}
 }
 
-/* One round at least: what mu starts from may look good enough, and be wrong to the same side again and again. */
+/* At least one round: the first guess of mu may look good enough and have the same sign of error each time. */
 static int32_t positions_close(const swing *g)
 {
 	float gap = gaps_find(g);
@@ -265,7 +264,7 @@ static int32_t velocities_close(const swing *g)
 	return 1;
 }
 
-/* Substeps that follow the fastest of the tension's springs, as far as they go. */
+/* Number of substeps that follows the fastest spring of the geometric stiffness, up to a limit. */
 static int32_t substeps_of(const swing *g, const cni_solve *s, float rods)
 {
 	float fastest = 0.0f, needed;
@@ -302,7 +301,7 @@ static void impulses_clear(const swing *g)
 			work_of(g, k)->rows[i].impulse = 0.0f;
 }
 
-/* Newton's method, for rotations of any size: the levers follow in each round. */
+/* Newton's method for rotations of any size: the levers are computed anew in each round. */
 static int32_t positions_project(const swing *g)
 {
 	float gap = gaps_find(g), last = FLT_MAX;
@@ -334,7 +333,7 @@ static int32_t substep_project(const swing *g)
 
 /* ---- the step ---- */
 
-/* start is what it would be had the last substep been one of the world's: what tells bodies at rest needs it. */
+/* Sets `start` as if the last substep had the world's length: the test for bodies at rest reads it. */
 static void last_substep_begins(const swing *g, const cni_solve *s)
 {
 	int32_t k;
@@ -357,7 +356,7 @@ static void bodies_end(const swing *g)
 		cni_externals(g->world)[g->sparse->bodies[k]].flags |= CNI_EXTERNAL_FINISHED;
 }
 
-/* Reactions are read as impulses of the world's substep. */
+/* Scales impulses to the world's substep, for which reactions are read. */
 static void works_end(const swing *g, const cni_solve *s)
 {
 	float scale = s->h / g->h;
@@ -382,7 +381,7 @@ static void works_stress(const swing *g)
 	}
 }
 
-/* Impulses as the step found them. */
+/* Resets impulses to those of the joint records. */
 static void works_begin(const swing *g, float scale)
 {
 	int32_t k, i;
@@ -395,7 +394,7 @@ static void works_begin(const swing *g, float scale)
 	}
 }
 
-/* All as the step found it. */
+/* Restores the state at the beginning of the step. */
 static void step_undo(const swing *g)
 {
 	int32_t k;
@@ -406,14 +405,14 @@ static void step_undo(const swing *g)
 		cni_joint_constraint_rows(work_of(g, k), g->motions, g->sparse->turn);
 }
 
-/* ---- what joints remember ---- */
+/* ---- trust of joints ---- */
 
 static cni_joint_trust *trust_of(const swing *g, int32_t node)
 {
 	return &cni_joint_at(g->world, work_of(g, node)->joint)->trust;
 }
 
-/* Of a component: the sum of their accounts, the longest of their spans, the latest of their ends. */
+/* Of a component: the sum of its joints' accounts, the longest span, the latest end. */
 static cni_joint_trust trust_read(const swing *g)
 {
 	cni_joint_trust sum = { 0.0f, 0, 0, 0 };
@@ -440,7 +439,7 @@ static void trust_write(const swing *g, const cni_joint_trust *trust)
 	}
 }
 
-/* All substeps, or as many as go well. */
+/* Runs all substeps, or stops at the first that fails. */
 static int32_t substeps_run(swing *g, const cni_solve *s, int32_t substeps, int32_t projects)
 {
 	int32_t k, moving = cni_rattle_is_fixed(g);
@@ -460,7 +459,7 @@ static int32_t substeps_run(swing *g, const cni_solve *s, int32_t substeps, int3
 	return CLOSED_WELL;
 }
 
-/* A step by RATTLE with so many substeps. */
+/* Tries a step by RATTLE with so many substeps. */
 static int32_t rattle_try(swing *g, const cni_solve *s, cni_component *c, int32_t substeps, cni_joint_trust *t)
 {
 	float before, allowed, gained;
@@ -475,21 +474,21 @@ static int32_t rattle_try(swing *g, const cni_solve *s, cni_component *c, int32_
 	}
 	cni_geometric_stiffness_damp(g->world, g->sparse, c, g->h);
 	cni_direct_refresh(g->world, g->sparse, c);
-	before = cni_rattle_energy(g); /* as a step begins, no work has been done */
+	before = cni_rattle_energy(g); /* no work has been done at the beginning of a step */
 	g->mends = cni_rattle_mends(g);
 	allowed = cni_rattle_energy_allowed(g, s->dt);
 	how = substeps_run(g, s, substeps, 0);
 	if (how != CLOSED_WELL)
 		return how;
 	gained = cni_rattle_energy(g) - before - g->base_work;
-	/* Written so that what is not a number fails too. */
+	/* Written so that NaN fails too. */
 	if (!(gained <= ENERGY_GAIN * before + allowed + g->speeding))
 		return BROKEN;
 	cni_rattle_account(g, t, gained);
 	return CLOSED_WELL;
 }
 
-/* Projections cannot raise kinetic energy: what gives more of it in spite of that is rounding. */
+/* Projections cannot raise kinetic energy: any gain is rounding. */
 static int32_t project_try(swing *g, const cni_solve *s, cni_component *c, cni_joint_trust *t)
 {
 	float before, most;
@@ -502,7 +501,7 @@ static int32_t project_try(swing *g, const cni_solve *s, cni_component *c, cni_j
 	cni_direct_refresh(g->world, g->sparse, c);
 	before = cni_rattle_energy(g);
 	g->mends = cni_rattle_mends(g);
-	most = cni_sqrt(before) + cni_sqrt(cni_rattle_energy_allowed(g, s->dt)); /* speeds that drives give, by the norm of kinetic energy */
+	most = cni_sqrt(before) + cni_sqrt(cni_rattle_energy_allowed(g, s->dt)); /* in the norm of kinetic energy */
 	most *= most;
 	how = substeps_run(g, s, cni_max_i(SUBSTEPS_FIRM, s->substeps), 1);
 	if (how != CLOSED_WELL)
@@ -513,7 +512,7 @@ static int32_t project_try(swing *g, const cni_solve *s, cni_component *c, cni_j
 	return CLOSED_WELL;
 }
 
-/* Each joint by itself after all, in this step and for some time. */
+/* Returns the joints to the soft solver for this step and for some time. */
 static void swing_release(const swing *g, const cni_solve *s, cni_joint_trust *t)
 {
 	int32_t k, i;
@@ -522,12 +521,12 @@ static void swing_release(const swing *g, const cni_solve *s, cni_joint_trust *t
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_constraint_prepare(g->world, s, g->sparse->nodes[k].owner);
 		for (i = 0; i < work_of(g, k)->row_count; ++i)
-			work_of(g, k)->rows[i].impulse = 0.0f; /* what could not be held has grown beyond all measure */
+			work_of(g, k)->rows[i].impulse = 0.0f; /* impulses of a failed solution may be huge */
 	}
 	g->world->joints_soft_step = t->until > g->world->joints_soft_step ? t->until : g->world->joints_soft_step;
 }
 
-/* Returns 1 when a step by RATTLE went well, with as many substeps as it needs. */
+/* Runs RATTLE with twice the substeps after each failure. Returns 1 when a step succeeded. */
 static int32_t rattle_run(swing *g, const cni_solve *s, cni_component *c, int32_t substeps, cni_joint_trust *t)
 {
 	cni_joint_trust before = *t;
@@ -543,7 +542,7 @@ static int32_t rattle_run(swing *g, const cni_solve *s, cni_component *c, int32_
 static void swing_run(cn_world *world, const cni_solve *s, cni_component *c, float *left)
 {
 	swing g = { world, s->direct, c, cni_motions(world), s->h, CLOSED * world->settings.length_unit, 0.0f, left, 0.5f, 0.0f, 0.0f, 0 };
-	float rods, last_h = s->warm_scale > 0.0f ? s->h / s->warm_scale : s->h; /* of which the records' impulses are */
+	float rods, last_h = s->warm_scale > 0.0f ? s->h / s->warm_scale : s->h; /* substep of the records' impulses */
 	cni_joint_trust trust = trust_read(&g);
 	int32_t projects;
 	cni_direct_turns(world, g.sparse, c);

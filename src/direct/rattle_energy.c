@@ -1,14 +1,13 @@
 /*
- * direct/rattle_energy.c - the energy of bodies that only joints hold: what a step gained beyond the work of drives and of
- * moving bases, and taking out what is more than the scheme's own error (direct/rattle.c).
+ * direct/rattle_energy.c - the energy of bodies that only joints constrain: the gain of a step beyond the work of external accelerations
+ * and moving bases, and the removal of the part beyond the scheme's own error (direct/rattle.c).
  *
- * Reads motion, start, drives, works; writes motion velocities and the account.
+ * Reads motion, start, externals, joint constraints; writes motion velocities and the account.
  */
 #include "direct/rattle.h"
 
 #define ROUNDING 1e-3f         /* part of the kinetic energy that some minutes of rounding may gain */
 
-/* Are there old gaps, which are closed with some speed? */
 int32_t cni_rattle_mends(const swing *g)
 {
 	int32_t k, i;
@@ -35,7 +34,6 @@ float cni_rattle_kinetic(const swing *g)
 	return 0.5f * sum;
 }
 
-/* Of motion, less the work that drives have done in this step. */
 float cni_rattle_energy(const swing *g)
 {
 	float sum = 0.0f;
@@ -49,7 +47,6 @@ float cni_rattle_energy(const swing *g)
 	return sum;
 }
 
-/* What a step of free fall, and of closing gaps, may give from rest. */
 float cni_rattle_energy_allowed(const swing *g, float dt)
 {
 	float sum = 0.0f, pull = cni_rattle_mends(g) ? g->closing / g->h : 0.0f;
@@ -72,10 +69,10 @@ static float change_of(const cni_motion *m, float vx, float vy, float w)
 }
 
 /*
- * Velocities and positions of the method are those of a motion that keeps T + V + h^2 (sum m a.a / 24 - sum m g.a / 12), to
- * the fourth order of h (backward analysis of the Stoermer-Verlet scheme: Hairer, Lubich and Wanner, "Geometric Numerical
- * Integration", 2006, IX.3, with the joints' forces among the accelerations a): six times the first term.
- * start: velocities before the last substep, as last_substep_begins left them.
+ * Velocities and positions of the method are those of a motion that conserves T + V + h^2 (sum m a.a / 24 - sum m g.a / 12), to the fourth
+ * order of h (backward analysis of the Stoermer-Verlet scheme: Hairer, Lubich and Wanner, "Geometric Numerical Integration", 2006, IX.3,
+ * with the joints' forces among the accelerations a). The bound is six times the first term. start: velocities before the last substep, set
+ * by last_substep_begins.
  */
 float cni_rattle_speeding(const swing *g, const cni_solve *s)
 {
@@ -91,7 +88,7 @@ float cni_rattle_speeding(const swing *g, const cni_solve *s)
 	return sum * last * last / 4.0f;
 }
 
-/* Of a lever's ends, those that have no mass: how fast the row closes for their motion alone. */
+/* Closing speed of the row from the motion of its massless bodies alone. */
 static float base_speed(const cni_lever *l, const cni_motion *a, const cni_motion *b)
 {
 	float speed = 0.0f;
@@ -102,7 +99,7 @@ static float base_speed(const cni_lever *l, const cni_motion *a, const cni_motio
 	return speed;
 }
 
-/* In a substep: J v = 0, so that what acts on the bodies with mass is minus what the others close. */
+/* In a substep J v = 0, so the row's power on bodies with mass is minus that of the massless ones. */
 float cni_rattle_base_work(const swing *g)
 {
 	float work = 0.0f;
@@ -118,7 +115,7 @@ float cni_rattle_base_work(const swing *g)
 typedef struct rigid_motion {
 	float mass, inertia;
 	float x, y, vx, vy, w;
-	int32_t fixed;     /* some joint is to what has no mass: all that is free is the motion itself */
+	int32_t fixed;     /* 1: a joint ends at a body without mass: no rigid motion is subtracted */
 } rigid_motion;
 
 static cni_vec2 place_of(const swing *g, int32_t index)
@@ -127,7 +124,6 @@ static cni_vec2 place_of(const swing *g, int32_t index)
 	return cni_v(b->cx + g->motions[index].dpx, b->cy + g->motions[index].dpy);
 }
 
-/* Has the component joints to what cannot move? */
 int32_t cni_rattle_is_fixed(const swing *g)
 {
 	int32_t k;
@@ -184,7 +180,7 @@ static cni_velocity_start velocity_in(const swing *g, const rigid_motion *r, int
 	return v;
 }
 
-/* Twice the kinetic energy of the motion against the rigid one. */
+/* Kinetic energy relative to the rigid motion. */
 static float inner_energy(const swing *g, const rigid_motion *r)
 {
 	float sum = 0.0f;
@@ -198,8 +194,8 @@ static float inner_energy(const swing *g, const rigid_motion *r)
 }
 
 /*
- * Takes this much energy out of the component's motion, but no more than ENERGY_GAIN of it: all velocities against the rigid
- * motion that has its momenta by the same factor, which keeps them and J v = 0. Returns what it took.
+ * Takes this energy out of the component's motion, but at most ENERGY_GAIN of it. All velocities relative to the rigid motion of equal
+ * momenta are scaled by one factor, which preserves the momenta and J v = 0. Returns the energy removed.
  */
 static float energy_take(const swing *g, float surplus)
 {
@@ -220,7 +216,7 @@ static float energy_take(const swing *g, float surplus)
 	return part * inner;
 }
 
-/* Work of drives along what positions may be wrong by: joints count as closed within it, and floats round. */
+/* Work of external accelerations along the position error: the tolerance of closed joints and the rounding of floats. */
 static float rounding_of_positions(const swing *g)
 {
 	float sum = 0.0f;
@@ -235,13 +231,13 @@ static float rounding_of_positions(const swing *g)
 	return sum;
 }
 
-/* What a step gained goes to the account, and what is too much for it out of the motion. Where it closed gaps that were there before,
-   bodies were moved by that, and what they gained is not of their motion. */
+/* Adds the energy gain of a step to the account and takes the excess out of the motion. A step that closed old gaps adds nothing: closing
+   moved the bodies, so the gain is not of their motion. */
 void cni_rattle_account(const swing *g, cni_joint_trust *t, float gained)
 {
 	float most = g->speeding + ROUNDING * cni_rattle_kinetic(g) + rounding_of_positions(g);
 	t->surplus = cni_max(t->surplus + (g->mends ? 0.0f : gained), -most);
-	if (!(t->surplus < FLT_MAX)) /* no account can be kept of what floats cannot hold */
+	if (!(t->surplus < FLT_MAX)) /* an account that is not finite begins anew */
 		t->surplus = 0.0f;
 	if (t->surplus > most)
 		t->surplus -= energy_take(g, t->surplus - most);

@@ -1,27 +1,27 @@
 /*
- * direct/solver_selection.c - which islands are solved directly in this step, contacts and all.
+ * direct/solver_selection.c - selects the islands whose joints and contacts are solved directly in this step.
  *
- * Soft contacts settle from impulse to impulse: exact at rest once their loads are, which a new pile is given from the top
- * down (contacts/gravity_preload.c). That fails where things lean on each other, and much weight on little mass crushes what bears
- * it. A quiet island is solved directly (direct/direct_contacts.c)
+ * Soft contacts converge from step to step: they are exact at rest once their loads are, and new piles get their loads top-down
+ * (contacts/gravity_preload.c). That fails where bodies lean on each other, and where a heavy body crushes a light one below it. A quiet
+ * island is solved directly (direct/direct_contacts.c)
  *   - when a contact overlaps by more than the accuracy;
- *   - by more than a tenth of it, or when it is new, where it bears or may come to bear more than soft contacts can, or is
- *     between things that lean;
- *   - when the sweep from the top down left something of it that falls.
- * It is so until it has been good for a while, or, where things lean on each other, until it sleeps; the loads it then has are exact, and the soft solver
- * goes on from them. The stay grows fourfold each time it turns bad again. An island whose system has been refused, for its
- * work, for what it is made of, or because no solution was found, is left alone for a time, each time for longer. So is one that falls.
+ *   - when a contact overlaps by more than a tenth of it, or is new, and carries or may carry more than soft contacts can, or is
+ *     between bodies that lean;
+ *   - when the top-down sweep left some body unsupported.
+ * It stays direct until it has been good for a while or, where bodies lean on each other, until it sleeps; its loads are then exact, and
+ * the soft solver starts from them. The stay grows fourfold each time the island turns bad again. An island is barred for a time, longer
+ * each time, when its system was refused for its work or its kind, when no solution was found, or when it falls.
  *
- * A scene in which nothing is wrong pays for one look at the separations of its lanes.
+ * A scene without bad contacts costs one scan of the separations of its lanes.
  *
- * Islands with joints are not taken by themselves: their joints are solved directly as it is (direct/direct_joints.c), and
- * one system of taut joints and of contacts whose set is not found in one step out of hundreds does more harm by that
- * step than good by the others. An island that gets joints is given back. A body's own solver takes them too.
+ * The automatic selection skips islands with joints: their joints are solved directly anyway (direct/direct_joints.c). In a system of taut
+ * joints and contacts, one step in hundreds finds no active set, and that step does more harm than the others do good. An island that gets
+ * joints becomes soft again. A body's own solver setting takes such islands too.
  *
- * CN_SOLVER_DIRECT takes every island, quiet or not, and never gives it back. A body's own solver does the same for its
- * island, or keeps it soft.
+ * CN_SOLVER_DIRECT takes every island, quiet or not, and keeps it. A body's own solver setting does the same for its island, or keeps it
+ * soft.
  *
- * Why an island is in its tier is written down where that is decided: world/islands.c tells it.
+ * Each decision stores the reason of the island's tier: world/islands.c reports it.
  *
  * Reads lanes, islands, motion; writes islands' tier fields, world->direct_islands.
  */
@@ -48,9 +48,9 @@
 #define HEAVIER 5.0f           /* times: such a body on a lighter one may crush it */
 
 typedef struct look {
-	float most;    /* metres: overlap that is bad where much is borne */
-	float h;       /* of a substep */
-	int32_t done;  /* the island of the last lane that could not change anything more, CNI_NONE */
+	float most;    /* metres: bad overlap of a contact with much load */
+	float h;       /* substep length */
+	int32_t done;  /* an island whose further lanes change nothing, CNI_NONE */
 } look;
 
 static int32_t *listed(const cn_world *world)
@@ -64,7 +64,7 @@ static int32_t takes_contacts(const cn_world *world, int32_t island)
 	return cni_island_at(world, island)->solver == CN_SOLVER_DIRECT || !cni_island_has_joints(world, island);
 }
 
-/* So long that it does not count for what a thing of so many steps is now. */
+/* 1: so long ago that the next span of this kind begins anew. */
 static int32_t is_long_ago(const cn_world *world, uint32_t step, int32_t steps)
 {
 	return world->step_count - step > (uint32_t)FORGET_FACTOR * (uint32_t)steps;
@@ -113,7 +113,7 @@ static void new_contact_count(cn_world *world, int32_t index)
 	++i->new_contacts;
 }
 
-/* Something is wrong in it. Of several reasons the latest of the list is told. */
+/* Records a bad contact of the island. Of several reasons the highest is reported. */
 static void island_is_bad(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
@@ -136,8 +136,8 @@ static void island_is_bad(cn_world *world, int32_t island, int32_t reason)
 }
 
 /*
- * What was solved directly has loads that held it in balance. Soft contacts yield around them: where it moves after all, the
- * thrust of an arch would drive it apart. They are to find them anew.
+ * The loads of a directly solved island held it in balance. Soft contacts yield around these loads: in an island that moves after all, the
+ * thrust of an arch would drive it apart. Clearing them lets the soft solver find new ones.
  */
 static void loads_forget(const cn_world *world, const cni_island *i)
 {
@@ -166,7 +166,7 @@ void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 	i->refused_steps = CNI_ON(TRUST) ? cni_min_i(cni_max_i(2 * i->refused_steps, first), REFUSED_MOST) : 1;
 }
 
-/* ---- looking for what is wrong ---- */
+/* ---- the search for bad contacts ---- */
 
 static float overlap(const cni_contact_block *k, int32_t l)
 {
@@ -178,7 +178,7 @@ static int32_t lane_is_new(const cni_contact_block *k, int32_t l, float slop)
 	return k->p[0].jn[l] + k->p[1].jn[l] == 0.0f && overlap(k, l) > -0.1f * slop;
 }
 
-/* May it come to bear that much? What lies on it is much heavier, or it bears half as much already. */
+/* 1: the contact may come to carry that much: a much heavier body lies on it, or it carries half as much already. */
 static int32_t may_be_stressed(const cn_world *world, const cni_contact_block *k, int32_t l, float h)
 {
 	float inv_a = cni_motions(world)[k->ia[l]].inv_mass, inv_b = cni_motions(world)[k->ib[l]].inv_mass;
@@ -193,14 +193,14 @@ static int32_t creeps(const cn_world *world, int32_t index)
 	return m->vx * m->vx + m->vy * m->vy <= world->settings.sleep_speed * world->settings.sleep_speed;
 }
 
-/* Things that lean on each other: a sweep could not load them from the top down, or they sink while nothing moves. */
+/* Leaning bodies: the top-down sweep could not load them, or they sink while nothing moves. */
 static int32_t leans(const cn_world *world, const cni_contact_block *k, int32_t l)
 {
 	int32_t island = cni_awake_island(world, k->ia[l]);
 	return island != CNI_NONE && (cni_island_at(world, island)->unheld_step != 0 || (creeps(world, k->ia[l]) && creeps(world, k->ib[l])));
 }
 
-/* What is wrong with a lane, 0: nothing. */
+/* Reason why a lane is bad, 0: it is good. */
 static int32_t lane_reason(const cn_world *world, const look *q, const cni_contact_block *k, int32_t l, int32_t is_new)
 {
 	float deep = overlap(k, l);
@@ -211,7 +211,7 @@ static int32_t lane_reason(const cn_world *world, const look *q, const cni_conta
 	return deep > q->most ? CN_TIER_REASON_OVERLAP : CN_TIER_REASON_NEW_CONTACT;
 }
 
-/* Bit l: a point of lane l overlaps by more than most. Asked of every block. Lanes without a contact are zeros. */
+/* Bit l: a point of lane l overlaps by more than most. Runs for every block. Lanes without a contact are zeros. */
 static uint32_t deep_lanes(const cni_contact_block *k, float most)
 {
 	uint32_t deep = 0;
@@ -226,7 +226,7 @@ static uint32_t deep_lanes(const cni_contact_block *k, float most)
 	return deep;
 }
 
-/* Has it been found bad in this step, and left to the soft solver? Then more that is bad changes nothing. */
+/* 1: the island was found bad in this step and stays soft; more bad contacts change nothing. */
 static int32_t island_is_settled(const cn_world *world, int32_t island)
 {
 	const cni_island *i = cni_island_at(world, island);
@@ -256,7 +256,7 @@ static void lane_look_new(cn_world *world, look *q, const cni_contact_block *k, 
 		lane_look(world, q, k, l, is_new);
 }
 
-/* lanes: those that are deep or new, as bits. In a heap that moves nearly all are deep, and of the island that is done. */
+/* lanes: bits of the deep or new ones. In a moving heap nearly all are deep, and belong to the island q->done. */
 static void block_look(cn_world *world, look *q, const cni_listed_block *b, uint32_t lanes)
 {
 	const cni_contact_block *k = b->rows;
@@ -271,7 +271,7 @@ static void block_look(cn_world *world, look *q, const cni_listed_block *b, uint
 	}
 }
 
-/* What could not be loaded from the top down in the last step. */
+/* Islands in which the top-down sweep of the last step left a body unsupported. */
 static void unheld_look(cn_world *world)
 {
 	int32_t k;
@@ -296,7 +296,7 @@ static void impulses_prefetch(const cni_contact_block *k)
 	CNI_PREFETCH(k->p[1].jn);
 }
 
-/* Some blocks at once: what is asked of few comes while the others are looked at. */
+/* Several blocks at once: rarely needed data is prefetched while other blocks are checked. */
 static void lanes_look(cn_world *world, float h)
 {
 	look q = { CNI_BAD_PART * world->settings.accuracy, h, CNI_NONE };
@@ -322,13 +322,13 @@ static void lanes_look(cn_world *world, float h)
 	world->piles_unheld = 0;
 }
 
-/* Has it moved for so long, whatever impulses it could have, that it will? To let it fall exactly is not worth the work. */
+/* 1: the island has moved for so long that no impulses hold it. An exact solution of its fall is not worth its work. */
 static int32_t falls(const cn_world *world, const cni_island *i)
 {
 	return i->solver != CN_SOLVER_DIRECT && i->gives_step == world->step_count && world->step_count > 0 && i->falls_steps >= FALLS_STEPS;
 }
 
-/* What leans on each other is not given back before it sleeps or moves: soft contacts yield, and it does not come back. */
+/* An island of leaning bodies stays direct until it sleeps or moves: soft contacts yield, and the yield is not recovered. */
 static void leaning_keep(cn_world *world, int32_t island, float h)
 {
 	cni_island *i = cni_island_at(world, island);
@@ -337,7 +337,7 @@ static void leaning_keep(cn_world *world, int32_t island, float h)
 		i->good_steps = 0;
 }
 
-/* Islands that have been good for long enough, have fallen asleep, or are no more. */
+/* Drops islands that have been good for long enough, sleep, or no longer exist. */
 static void list_update(cn_world *world, float h)
 {
 	int32_t k, kept = 0;
@@ -350,7 +350,7 @@ static void list_update(cn_world *world, float h)
 			i->tier = CNI_TIER_SOFT;
 			continue;
 		}
-		if (!takes_contacts(world, island)) { /* it met something with joints */
+		if (!takes_contacts(world, island)) { /* it merged with an island with joints */
 			i->tier = CNI_TIER_SOFT;
 			i->reason = CN_TIER_REASON_JOINTED;
 			continue;
@@ -372,7 +372,7 @@ static void list_update(cn_world *world, float h)
 			continue;
 		i->given_step = world->step_count;
 		if (i->reason == CN_TIER_REASON_NONE)
-			i->refused_steps = 0; /* it could be solved */
+			i->refused_steps = 0; /* it was solved */
 		i->stay_steps = cni_min_i(STAY_FACTOR * cni_max_i(i->stay_steps, STAY_FIRST), STAY_MOST);
 	}
 	world->direct_islands.count = kept;
@@ -416,7 +416,7 @@ static void solvers_reset(const cn_world *world)
 	}
 }
 
-/* What bodies and joints ask for, into their islands. Those that wake, and new ones, are asked for nothing yet. */
+/* Writes the solver settings of bodies and joints to their islands. Islands that wake, and new ones, have none yet. */
 static void solvers_gather(cn_world *world)
 {
 	int32_t k;
@@ -439,7 +439,8 @@ static void solvers_gather(cn_world *world)
 	}
 }
 
-/* Every island that is awake and takes contacts, or those with a body that asks for it; but none that a body keeps soft. */
+/* Every awake island whose contacts may be solved directly (every 1), or those with a body that asks for it; islands that a body keeps soft
+   are skipped. */
 static void list_awake(cn_world *world, int32_t every)
 {
 	int32_t k;
