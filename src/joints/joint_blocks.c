@@ -1,17 +1,16 @@
 /*
- * joints/joint_blocks.c - joints in the soft step, many at once: colours and passes of all, lanes of revolute joints.
+ * joints/joint_blocks.c - many joints of the soft step at once: colours and passes of all lanes, and lanes of revolute joints.
  *
- * Nearly all joints of most scenes are pins with or without an angle's spring, motor and limit. Those that have nothing else
- * (work flag CNI_CONSTRAINT_WIDE) leave the rows of joints/joint_solve.c for the lanes drawn in joints/joint_pass.h. What
- * does not change within the step is written into the lane once; kernels do the rest.
+ * Nearly all joints of most scenes are pins with or without an angular spring, motor and limit. Pins without other features (flag
+ * CNI_CONSTRAINT_WIDE) are solved in the lanes of joints/joint_pass.h instead of by the rows of joints/joint_solve.c. Values that do not
+ * change within the step are written into the lane once; kernels do the rest.
  *
- * Greedy colouring, first of what is solved directly, then in the order of the awake list: a joint takes the lowest colour
- * that neither of its bodies uses. The colours of a body are bits of its drive's flags, which every step writes anew. Other
- * types take theirs after that (joints/joint_rows.c). The blocks of a colour may be shared among workers, who meet before
- * the next.
+ * Greedy colouring, first of directly solved joints, then in the order of the awake list: a joint takes the lowest colour that neither of
+ * its bodies uses. The colours of a body are bits of the flags of its cni_external, which every step writes anew. Other types take theirs
+ * after that (joints/joint_rows.c). Workers may share the blocks of a colour; they synchronize before the next colour.
  *
- * Reads works, records, motion, drive; writes blocks, colours, the list of works that are solved by rows, and after the
- * substeps records' impulses.
+ * Reads joint constraints, records, motion, externals; writes blocks, colours, the list of joint constraints that are solved by rows, and
+ * after the substeps the records' impulses.
  */
 #include "joints/joints.h"
 #include "base/bitset.h"
@@ -39,16 +38,16 @@ const cni_joint_kernel *cni_joint_kernel_choose(void)
 #endif
 }
 
-/* ---- works ---- */
+/* ---- joint constraints ---- */
 
-/* Joints that nothing softens, bounds or breaks. */
+/* 1: nothing softens, bounds or breaks the joint. */
 static int32_t may_be_wide(const cn_world *world, const cni_joint *j)
 {
 	return CNI_ON(JOINT_LANES) && j->stiffness_hertz <= 0.0f && j->force_max <= 0.0f && j->torque_max <= 0.0f &&
 	       j->break_force <= 0.0f && j->break_torque <= 0.0f && world->settings.solver != CN_SOLVER_SEQUENTIAL;
 }
 
-/* To be in a lane of rows, if it is not solved directly. */
+/* Sets up a joint for a lane of rows, which it gets if it is not solved directly. */
 static int32_t work_form(cn_world *world, int32_t k, const cni_joint *j, int32_t form)
 {
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
@@ -96,7 +95,7 @@ int32_t cni_joint_block_take(cn_world *world)
 	return index;
 }
 
-/* An empty block at the end of the colour. */
+/* Appends an empty block to the colour. */
 static cni_joint_block *block_take(cn_world *world, int32_t color)
 {
 	cni_color *group = &world->joint_colors[color];
@@ -135,7 +134,7 @@ static uint32_t pin_has(const cni_joint *j)
 static void angle_fill(cni_lane_spring *spring, float h, const cni_joint_constraint *w, cni_joint_block *block, int32_t l)
 {
 	const cni_joint *j = w->record;
-	if ((pin_has(j) & ~block->angular) != 0) /* not when a lane is filled again, side by side with others of its block */
+	if ((pin_has(j) & ~block->angular) != 0) /* false when a lane is filled again, which other workers may do in the same block */
 		block->angular |= pin_has(j);
 	block->angle0[l] = block->angle[l] = w->start.angle;
 	if (j->flags & CN_JOINT_SPRING)
@@ -169,7 +168,7 @@ static void pin_fill(const cn_world *world, cni_joint_constraint *w, cni_joint_b
 	block->dy0[l] = block->ey[l] = w->start.d.y;
 	if (w->flags & CNI_CONSTRAINT_DIRECT) {
 		block->direct |= 1u << l;
-		w->row_count = block->batch ? 0 : w->rigid_count; /* the angle's rows are the lane's */
+		w->row_count = block->batch ? 0 : w->rigid_count; /* the lane has the angle's rows */
 		if (!block->batch)
 			return;
 	}
@@ -192,7 +191,7 @@ int32_t cni_joint_fits_lane(const cn_world *world, const cni_solve *s, const cni
 	return cni_abs(cni_motions(world)[w->ia].w) <= most && cni_abs(cni_motions(world)[w->ib].w) <= most;
 }
 
-/* 0: it has no place in a lane. */
+/* 0: there is no lane for it. */
 static int32_t lane_take(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k)
 {
 	const cni_joint_constraint *w = cni_joint_constraints(world) + k;
@@ -210,18 +209,18 @@ static int32_t lane_take(cn_world *world, const cni_solve *s, cni_lane_spring *s
 	return 1;
 }
 
-/* ---- lanes that are kept ---- */
+/* ---- kept lanes ---- */
 
-/* Which joints are in which lanes follows from their order, their bodies, and which of those can move. While all of that is as it
-   was, and all joints are in lanes of colours, the blocks of the last step are filled anew where they are, while the records are at
-   hand, and nothing is looked for. Anything else: lanes are taken as if nothing had been there. */
+/* The assignment of joints to lanes follows from their order, their bodies, and which bodies can move. While none of that changes and all
+   joints are in lanes of colours, the blocks of the last step are filled again in place, while the records are in the cache, without a new
+   colouring. Otherwise lanes are assigned from scratch. */
 
 static int32_t is_locked(const cn_world *world, int32_t body)
 {
 	return body != CNI_NONE && (cni_body_at(world, body)->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) != 0;
 }
 
-/* Work k where it was. 0: it would not come there. Nothing is written but its lane. */
+/* Fills the lane of the last step with joint constraint k. 0: the joint does not belong there any more. Writes only its own lane. */
 static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_lanes_look *look, int32_t k)
 {
 	const cni_joint_constraint *w = cni_joint_constraints(world) + k;
@@ -239,8 +238,7 @@ static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_l
 	return 1;
 }
 
-/* The blocks must be those that the last step filled: with a solver that has no blocks there are none in between, and arrays that
-   grow then move nothing. */
+/* The blocks must be those that the last step filled: a step with a solver without blocks leaves none, and a grown array has moved. */
 void cni_joint_blocks_begin(cn_world *world)
 {
 	cni_lanes_kept *kept = &world->joint_lanes;
@@ -250,13 +248,13 @@ void cni_joint_blocks_begin(cn_world *world)
 	cni_row_blocks_empty(world);
 }
 
-/* Is every joint where it was? What is solved directly takes its lanes first, if it takes any. */
+/* 1: every joint is in its lane of the last step. Directly solved joints would take their lanes first. */
 static int32_t lanes_hold(const cn_world *world, const cni_solve *s)
 {
 	return world->joint_lanes.lanes > 0 && world->joint_lanes.filled == world->joint_lanes.lanes && (s->direct == NULL || s->direct->node_count == 0);
 }
 
-/* What else a plan depends on that may change while lanes do not. */
+/* 1: the other inputs of planning, which may change while lanes do not, also allow to skip it. */
 static int32_t plans_none(const cn_world *world)
 {
 	return world->settings.solver == CN_SOLVER_AUTO && !world->overridden && !world->joint_lanes.special && world->direct_islands.count == 0 &&
@@ -269,7 +267,7 @@ int32_t cni_joint_lanes_tell(const cn_world *world)
 	return kept->alone && kept->lanes > 0 && kept->filled == kept->lanes && kept->budget == world->settings.work_budget && plans_none(world);
 }
 
-/* Of lanes that hold, for what is locked is not known of others. */
+/* Only called for kept lanes: locked bodies are not known for others. */
 static void lanes_alone(cn_world *world, const cni_solve *s)
 {
 	world->joint_lanes.alone = s->direct == NULL && !world->direct_failed && plans_none(world);
@@ -288,7 +286,7 @@ static void lanes_empty(cn_world *world)
 	}
 }
 
-/* left: joints that are in no lane of a pin. */
+/* left: number of joints without a pin's lane. */
 static void lanes_keep(cn_world *world, const cni_solve *s, int32_t left)
 {
 	cni_lanes_kept *kept = &world->joint_lanes;
@@ -297,7 +295,7 @@ static void lanes_keep(cn_world *world, const cni_solve *s, int32_t left)
 	kept->works = world->joint_work.capacity;
 }
 
-/* Only a spring or a limit asks for the angle. */
+/* The angle is only computed for a spring or limit. */
 int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct cni_lanes_look *look, int32_t k)
 {
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
@@ -316,7 +314,7 @@ int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct c
 	return 1;
 }
 
-/* Joints in one system with contacts stay rows: it begins every pass by taking back what impulses have done. */
+/* Joints in one system with contacts are solved by rows: each of its passes begins by removing the effect of the impulses. */
 static void pressed_works_leave(cn_world *world, const cni_solve *s)
 {
 	int32_t k, n;
@@ -328,8 +326,8 @@ static void pressed_works_leave(cn_world *world, const cni_solve *s)
 	}
 }
 
-/* Directly solved components take their lanes first and in the order of their nodes: so colours, and with them the order
-   of passes, are the same in all that are alike, and in batches. */
+/* Directly solved components take their lanes first and in the order of their nodes. So the colours, and with them the order of passes, are
+   equal in components of one topology class, and in batches. */
 static void components_gather(cn_world *world, const cni_solve *s, cni_lane_spring *spring)
 {
 	int32_t k;
@@ -337,13 +335,13 @@ static void components_gather(cn_world *world, const cni_solve *s, cni_lane_spri
 		const uint32_t which = CNI_CONSTRAINT_WIDE | CNI_CONSTRAINT_DIRECT | CNI_CONSTRAINT_FINISHED | CNI_CONSTRAINT_BATCHED;
 		int32_t owner = s->direct->nodes[k].owner;
 		if (owner < 0 || (cni_joint_constraints(world)[owner].flags & which) != (CNI_CONSTRAINT_WIDE | CNI_CONSTRAINT_DIRECT))
-			continue; /* a contact, a row, or done with */
+			continue; /* a contact, a joint solved by rows, or a finished one */
 		if (!lane_take(world, s, spring, owner))
 			cni_joint_constraint_narrow(world, s, owner);
 	}
 }
 
-/* What is in no lane, in order; left 0: all are. */
+/* Links joint constraints without a lane in order; left 0: all have one. */
 static void plain_link(cn_world *world, int32_t left)
 {
 	int32_t k, *plain = &world->joint_plain_first;
@@ -357,7 +355,7 @@ static void plain_link(cn_world *world, int32_t left)
 	*plain = CNI_NONE;
 }
 
-/* A colour's blocks one after the other, so that they can be shared among workers. */
+/* Lists each colour's blocks one after the other, so that workers can share them. */
 static void blocks_list(cn_world *world)
 {
 	cni_joint_block *blocks = cni_joint_blocks(world);
@@ -367,7 +365,7 @@ static void blocks_list(cn_world *world)
 			blocks[count++].listed = index;
 }
 
-/* Returns how many joints are in no lane of a pin. */
+/* Returns the number of joints without a pin's lane. */
 static int32_t lanes_gather(cn_world *world, const cni_solve *s)
 {
 	cni_lane_spring spring = { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } };
@@ -408,9 +406,9 @@ void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 		s->direct->released = 0;
 }
 
-/* ---- pins that are solved directly ---- */
+/* ---- directly solved pins ---- */
 
-/* Its system has given it up within the step: the lane has its pin from now on. */
+/* The direct solver has released the joint within the step: the lane solves its pin from now on. */
 static void lane_release(cni_joint_block *block, int32_t l, cni_joint_constraint *w)
 {
 	block->jx[l] += w->rows[0].impulse;
@@ -430,7 +428,7 @@ static void released_look(cn_world *world, cni_joint_block *block)
 	}
 }
 
-/* The rows' impulses are the lanes' while arms turn. */
+/* Moves the rows' impulses to the lanes while arms turn. */
 static void rows_pull(cn_world *world, cni_joint_block *block)
 {
 	uint32_t bits;
@@ -443,7 +441,7 @@ static void rows_pull(cn_world *world, cni_joint_block *block)
 	}
 }
 
-/* Gives them back, with the rows as they are at the new positions. */
+/* Moves them back, and updates the rows at the new positions. */
 static void rows_give(cn_world *world, cni_joint_block *block)
 {
 	uint32_t bits;
@@ -464,17 +462,17 @@ static void rows_give(cn_world *world, cni_joint_block *block)
 
 /* ---- passes ---- */
 
-/* A pass over the blocks of one colour: they share no body that they write, and no work. Pins come first. */
+/* A pass over the blocks of one colour, which share no written body and no joint constraint. Pins come first. */
 typedef struct color_pass {
 	cn_world *world;
 	cni_joint_pass pass;
 	cni_joint_kernel_fn *run;
 	cni_row_kernel_fn *run_rows;
-	int32_t moving;   /* bodies have new positions, or warm impulses are given */
-	int32_t released; /* some lane that is solved directly may not be any more */
+	int32_t moving;   /* 1: in passes at new positions and in the warm start */
+	int32_t released; /* 1: some directly solved lane may have been released */
 	int32_t lanes;
-	int32_t first, blocks;         /* of the colour, in the list */
-	int32_t first_rows;            /* the same of blocks of rows */
+	int32_t first, blocks;         /* first block of the colour in the list, and number of its blocks */
+	int32_t first_rows;            /* first block of rows */
 } color_pass;
 
 static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t worker)
@@ -547,7 +545,7 @@ typedef struct store_loop {
 	const cni_solve *s;
 } store_loop;
 
-/* In the order of the works, which is nearly that of the records. */
+/* In the order of the joint constraints, which is nearly that of the records. */
 static void store_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	store_loop *loop = (store_loop *)context;

@@ -1,24 +1,23 @@
 /*
- * joints/joint_constraint.c - the work item of an awake joint: body indices, anchors turned with the bodies, rows, for every type alike.
+ * joints/joint_constraint.c - joint constraints of awake joints: body indices, rotated anchors, rows, for every type alike.
  *
- * A joint's rigid rows are solved together by the inverse of their K = J M^-1 J^T. Every other row is combined
- * with as much of the rigid ones as keeps their speeds out of it (a Schur complement): the rigid rows and
- * it then do not disturb each other, it meets the mass that really moves, a pinned bar's about its pin, and
- * one pass solves both. Springs use exact discrete coefficients and act in the soft pass only; so do rigid
- * rows and violated limits that have a stiffness of their own, by implicit coefficients.
+ * A joint's rigid rows are solved together by the inverse of their K = J M^-1 J^T. Every other row is decoupled: a combination of the rigid
+ * rows is added so that their speeds do not enter it (a Schur complement). The rigid rows and the decoupled one then do not disturb each
+ * other, the latter has the true effective mass (of a pinned bar: about its pin), and one pass solves both. Springs use exact discrete
+ * coefficients and act in the soft pass only; so do rigid rows and violated limits with a stiffness of their own, by implicit coefficients.
  *
- * Anchors turn within the step, so rows are built anew once a substep (before relax; the next substep's solve
- * starts from the same positions). Impulses already given acted along the old rows; the difference
- * M^-1 (Jnew - Jold)^T impulse goes into start, which puts it into the next warm start.
+ * Anchors turn within the step, so rows are built anew once a substep (before relax; the next substep's solve starts from the same
+ * positions). Impulses already applied acted along the old rows; the difference M^-1 (Jnew - Jold)^T impulse goes into start, which adds it
+ * to the next warm start.
  *
- * Reads records and motion; writes works, start, the records' impulses.
+ * Reads records and motion; writes joint constraints, start, the records' impulses.
  */
 #include "joints/joint_rows.h"
 #include "joints/joint_constraint.h"
 
 /* ---- masses ---- */
 
-/* Inverse of the symmetric K of one to three rows; a singular direction gives nothing. */
+/* Inverse of the symmetric K of one to three rows; a singular K has the inverse 0. */
 CNI_INLINE void block_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv)
 {
 	if (count == 1) {
@@ -53,7 +52,7 @@ void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const
 
 /* ---- frames ---- */
 
-/* The frame now: anchors turned, gap moved by the bodies' changes since the step began. */
+/* The present frame: rotated anchors, and the gap moved by the bodies' displacements since the step began. */
 CNI_INLINE cni_joint_frame work_frame_turned(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b, cni_rot turn_a, cni_rot turn_b)
 {
 	cni_joint_frame f;
@@ -79,7 +78,7 @@ CNI_INLINE cni_joint_frame work_frame(const cni_joint_constraint *w, const cni_m
 
 /* ---- rows ---- */
 
-/* out[i] = how much of rigid row i a row contains: -K_pp^-1 K_pr. */
+/* out[i]: share of rigid row i in a decoupled row: -K_pp^-1 K_pr. */
 static void row_shares(const cni_joint_constraint *w, const cni_row *r, const cni_motion *a, const cni_motion *b, float *out)
 {
 	float k[CNI_JOINT_RIGID_ROWS];
@@ -103,13 +102,13 @@ static void row_add(cni_row *r, float share, const cni_row *rigid)
 	r->bw += share * rigid->bw;
 }
 
-/* Rigid rows that may give way, by their own stiffness or a bound on their force, must feel the other rows. */
+/* Rigid rows that may yield, by their own stiffness or a bound on their force, must stay coupled to the other rows. */
 static int32_t work_is_decoupled(const cni_joint_constraint *w)
 {
 	return w->rigid_count > 0 && w->rigid_count < w->row_count && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED));
 }
 
-/* Takes the rigid rows out of row k; its error is that of the type's row: joints are nearly closed. */
+/* Decouples row k from the rigid rows. Its error stays that of the type's row: joints are nearly closed. */
 static void row_decouple(cni_joint_constraint *w, int32_t k, const cni_motion *a, const cni_motion *b)
 {
 	cni_row *r = &w->rows[k];
@@ -128,7 +127,7 @@ static int32_t rows_together(const cni_row *rows, int32_t count)
 	return k;
 }
 
-/* The same rows in the same order all through a step: rigid_count is found with the first ones. */
+/* The rows stay the same in the same order during a step: the first build sets rigid_count. */
 void cni_joint_constraint_build(cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
 {
 	cni_joint_frame f = work_frame(w, a, b);
@@ -171,7 +170,7 @@ void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion 
 
 /* ---- from the record and back ---- */
 
-/* Impulses between the record, by the type's rows, and the work, by decoupled rows: sign +1 stores, -1 loads. */
+/* Converts impulses between the record, for the type's rows, and decoupled rows: sign +1 stores, -1 loads. */
 static void impulses_recouple(const cn_world *world, const cni_joint_constraint *w, float sign, float *impulse)
 {
 	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;

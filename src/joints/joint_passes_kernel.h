@@ -21,7 +21,7 @@ CNI_INLINE void solve_lanes(cni_motion *motions, cni_joint_block *k, const cni_j
 	}
 }
 
-/* Few springs and motors among plain pins: a loop of its own for these. */
+/* Few blocks have springs or motors: the others have a loop of their own. */
 static void kernel_solve(cni_motion *motions, cni_velocity_start *starts, cni_joint_block *k, const cni_joint_pass *pass, int32_t lanes)
 {
 	(void)starts;

@@ -1,12 +1,12 @@
 /*
- * joints/joint_rows.c - lanes of rows (joints/joint_rows.h): which joints, filling, storing.
+ * joints/joint_rows.c - lanes of rows (joints/joint_rows.h): selection of joints, filling, storing.
  *
- * Rods, ties, welds, slides and wheels that nothing else softens, bounds or breaks, and that are not solved directly. They
- * take colours after pins, in the order of the awake list (joints/joint_blocks.c), and a pass over a colour runs these
- * blocks beside those of pins. Lanes of one colour and form fill a block; there are no more blocks than a few for all
- * such joints, so that what is left over, and joints that are few, stay rows one by one.
+ * These lanes take rods, ties, welds, slides and wheels that nothing else softens, bounds or breaks, and that are not solved directly. They
+ * take colours after pins, in the order of the awake list (joints/joint_blocks.c), and a pass over a colour runs these blocks beside those
+ * of pins. Lanes of one colour and form fill a block. The number of partly filled blocks is limited, so leftover joints, and joints of
+ * scenes with few of them, are solved one by one.
  *
- * Reads works, records, motion; writes blocks, and after the substeps records' impulses.
+ * Reads joint constraints, records, motion; writes blocks, and after the substeps the records' impulses.
  */
 #include "joints/joints.h"
 #include "joints/joint_pass.h"
@@ -16,7 +16,7 @@
 #define LANES_LEAST 4 /* in the mean, of blocks that are not full */
 #define FAR 1e9f      /* a limit that is nowhere */
 
-/* ---- which ---- */
+/* ---- selection ---- */
 
 int32_t cni_joint_form(const cni_joint *j)
 {
@@ -29,7 +29,7 @@ int32_t cni_joint_form(const cni_joint *j)
 	}
 }
 
-/* Which of a spring, a motor and a limit a joint of this form has. */
+/* Flags of the spring, motor and limit that a joint of this form has. */
 static uint32_t parts_of(const cni_joint *j, int32_t form)
 {
 	if (form == CNI_FORM_SOFT_WELD)
@@ -37,9 +37,9 @@ static uint32_t parts_of(const cni_joint *j, int32_t form)
 	return form == CNI_FORM_ROD || form == CNI_FORM_WELD ? 0 : j->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR | CN_JOINT_LIMIT);
 }
 
-/* Places of impulses in a record. */
+/* Indices of impulses in a record. */
 typedef struct slots {
-	uint8_t spring, motor, limit; /* the rigid rows' are the first */
+	uint8_t spring, motor, limit; /* the rigid rows' come first */
 } slots;
 
 static slots slots_of(int32_t form)
@@ -67,16 +67,16 @@ void cni_row_blocks_empty(cn_world *world)
 	memset(world->row_blocks_of, 0, sizeof world->row_blocks_of);
 }
 
-/* While lanes are taken. */
+/* State while lanes are assigned. */
 typedef struct taker {
 	cn_world *world;
 	const cni_solve *s;
 	cni_lane_spring spring;
-	int32_t open[CNI_JOINT_COLORS][CNI_FORMS]; /* the block of this colour and form that was begun last */
-	int32_t room;                              /* blocks */
+	int32_t open[CNI_JOINT_COLORS][CNI_FORMS]; /* the last block begun for this colour and form */
+	int32_t room;                              /* number of blocks */
 } taker;
 
-/* One with an empty lane; NULL: there is no more room. */
+/* A block with an empty lane; NULL: no block is left. */
 static cni_row_block *block_open(taker *t, int32_t color, int32_t form)
 {
 	cn_world *world = t->world;
@@ -95,7 +95,7 @@ static cni_row_block *block_open(taker *t, int32_t color, int32_t form)
 	return block;
 }
 
-/* A colour's blocks one after the other, so that they can be shared among workers. */
+/* Lists each colour's blocks one after the other, so that workers can share them. */
 static void blocks_list(cn_world *world)
 {
 	cni_row_block *blocks = cni_row_blocks(world);
@@ -170,7 +170,7 @@ static void frame_fill(const cni_joint_frame *f, cni_row_block *block, int32_t l
 	block->angle0[l] = f->angle;
 }
 
-/* Where the type's own number is that its gap or its spring is measured from. */
+/* The number from which the type measures its gap or its spring. */
 static float rest_of(const cni_joint *j, int32_t form)
 {
 	if (form == CNI_FORM_ROD || form == CNI_FORM_TIE)
@@ -216,7 +216,7 @@ static int32_t is_waiting(const cni_joint_constraint *w)
 	return w->form != CNI_FORM_NONE && !(w->flags & (CNI_CONSTRAINT_DIRECT | CNI_CONSTRAINT_FINISHED));
 }
 
-/* Room for the blocks of so many joints; 0: there is none, or no use for it. */
+/* Reserves blocks for so many joints. Returns their number; 0: no memory, or too few joints. */
 static int32_t blocks_reserve(cn_world *world, int32_t waiting)
 {
 	int32_t room = CNI_ON(ROW_LANES) ? blocks_for(waiting) : 0;
@@ -277,7 +277,7 @@ void cni_row_lanes_store(cn_world *world, const cni_solve *s)
 			lane_store(world, &cni_row_blocks(world)[k], l, s);
 }
 
-/* ---- rows of one joint, for who looks at it within the step ---- */
+/* ---- the rows of one joint in a lane, for readers within the step ---- */
 
 static cni_row row_read(const cni_lane_row *r, int32_t l, float sign, uint8_t kind, uint8_t slot, float impulse)
 {
