@@ -13,7 +13,7 @@
  * A joint has one such row: its limit when the limit is near, otherwise its motor. The other row is solved by joints/joint_solve.c, like
  * springs.
  *
- * Reads joint constraints, motion; writes their rows and `inner`, nodes' third rows, motion velocities.
+ * Reads joint constraints, motion; writes their rows and `active_row`, nodes' third rows, motion velocities.
  */
 #include "direct/direct_system.h"
 
@@ -21,7 +21,7 @@
 #define ROOM 0.05f             /* metres or radians: a limit that is nearer may be reached */
 
 /* Target speed of the row; for a limit, the least speed. */
-static float speed_asked(const cni_row *r, const cni_solve *s, int32_t bias)
+static float target_speed(const cni_row *r, const cni_solve *s, int32_t bias)
 {
 	if (r->kind == CNI_ROW_MOTOR)
 		return r->target;
@@ -71,7 +71,7 @@ int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 		if (row == 0)
 			continue;
 		cni_joint_constraint_narrow(world, s, n->owner);
-		w->inner = row;
+		w->active_row = row;
 		n->held = state_begin(&w->rows[row], s);
 		found = cni_max_i(found, w->rows[row].kind == CNI_ROW_MOTOR ? 2 : 1);
 	}
@@ -101,7 +101,7 @@ void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_comp
 	}
 }
 
-void cni_active_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias)
+void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias)
 {
 	const cni_motion *motions = cni_motions(world);
 	int32_t k;
@@ -110,7 +110,7 @@ void cni_active_sides(const cn_world *world, const cni_solve *s, cni_sparse *spa
 		const cni_row *r = cni_active_row(world, n);
 		if (r == NULL)
 			continue;
-		n->wanted = speed_asked(r, s, bias);
+		n->wanted = target_speed(r, s, bias);
 		if (n->held & CNI_ROW_IN_SET)
 			n->x[2] = n->wanted - cni_lever_speed(&n->lever[2], motions + n->ia, motions + n->ib);
 	}

@@ -51,7 +51,7 @@ int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_
 
 /* ---- building batches ---- */
 
-typedef struct maker {
+typedef struct batch_builder {
 	cn_world *world;
 	const cni_solve *s;
 	cni_sparse *sparse;
@@ -60,7 +60,7 @@ typedef struct maker {
 	int32_t example[CNI_TOPOLOGY_CLASSES];    /* one of them */
 	cni_tree_batch *open[CNI_TOPOLOGY_CLASSES];     /* the class's batch that is being filled */
 	float *numbers;                /* memory for the factors of batches to come */
-} maker;
+} batch_builder;
 
 static int32_t nodes_of(const cni_component *c)
 {
@@ -79,7 +79,7 @@ uint64_t cni_tree_batch_bytes(int32_t joints)
 	return block * (uint64_t)cni_joint_blocks_for(joints) + 64;
 }
 
-static void waiting_count(maker *m)
+static void waiting_count(batch_builder *m)
 {
 	int32_t k;
 	memset(m->waiting, 0, sizeof m->waiting);
@@ -100,7 +100,7 @@ static int32_t blocks_fit(cn_world *world, int32_t blocks)
 
 /* Number of batches of a class. Trees beyond full batches make one more if there are enough of them, and if its blocks leave room for the
    joints outside of batches. */
-static int32_t batches_count(maker *m, int32_t kind, int32_t *blocks, int32_t *joints)
+static int32_t batches_count(batch_builder *m, int32_t kind, int32_t *blocks, int32_t *joints)
 {
 	int32_t nodes = nodes_of(&m->sparse->components[m->example[kind]]);
 	int32_t full = m->waiting[kind] / CNI_LANES, rest = m->waiting[kind] % CNI_LANES;
@@ -116,7 +116,7 @@ static int32_t batches_count(maker *m, int32_t kind, int32_t *blocks, int32_t *j
 }
 
 /* Reserves the memory of all batches and selects their components. 0: there are none. */
-static int32_t batches_reserve(maker *m)
+static int32_t batches_reserve(batch_builder *m)
 {
 	int32_t kind, batches = 0, numbers = 0, blocks = 0, joints = m->world->awake_joints.count;
 	for (kind = 0; kind < CNI_TOPOLOGY_CLASSES; ++kind)
@@ -163,7 +163,7 @@ static void blocks_take(cn_world *world, cni_tree_batch *batch)
 }
 
 /* An empty batch of the component's class. */
-static cni_tree_batch *batch_open(maker *m, const cni_component *c)
+static cni_tree_batch *batch_open(batch_builder *m, const cni_component *c)
 {
 	cni_sparse *sparse = m->sparse;
 	cni_tree_batch *batch = &sparse->batches[sparse->batch_count++];
@@ -172,7 +172,7 @@ static cni_tree_batch *batch_open(maker *m, const cni_component *c)
 	sources_find(batch);
 	blocks_take(m->world, batch);
 	batch->lanes = 0;
-	batch->asked = batch->parting = 0;
+	batch->selected = batch->opening = 0;
 	batch->couplings = sparse->couplings + c->coupling_begin;
 	batch->coupling_count = c->coupling_end - c->coupling_begin;
 	batch->first = sparse->first + c->begin;
@@ -185,7 +185,7 @@ static cni_tree_batch *batch_open(maker *m, const cni_component *c)
 	return batch;
 }
 
-static void lane_fill(maker *m, const cni_component *c, cni_tree_batch *batch)
+static void lane_fill(batch_builder *m, const cni_component *c, cni_tree_batch *batch)
 {
 	int32_t k, l = batch->lanes++;
 	for (k = 0; k < batch->kind.nodes; ++k) {
@@ -195,7 +195,7 @@ static void lane_fill(maker *m, const cni_component *c, cni_tree_batch *batch)
 	}
 }
 
-static void component_place(maker *m, cni_component *c)
+static void component_place(batch_builder *m, cni_component *c)
 {
 	cni_tree_batch **open = &m->open[c->kind];
 	if (m->waiting[c->kind] == 0) {
@@ -258,7 +258,7 @@ static void batches_run(cn_world *world, const cni_solve *s, cni_tree_batch_kern
 
 void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse)
 {
-	maker m = { world, s, sparse, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { 0 }, { 0 }, { NULL }, NULL };
+	batch_builder m = { world, s, sparse, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { 0 }, { 0 }, { NULL }, NULL };
 	int32_t k, far = cni_joints_are_far(world);
 	waiting_count(&m);
 	if (!batches_reserve(&m))
@@ -287,7 +287,7 @@ void cni_tree_batches_relax(cn_world *world, const cni_solve *s)
 	batches_run(world, s, kernel_choose()->relax);
 }
 
-void cni_tree_batches_close(cn_world *world, const cni_solve *s)
+void cni_tree_batches_project(cn_world *world, const cni_solve *s)
 {
-	batches_run(world, s, kernel_choose()->close);
+	batches_run(world, s, kernel_choose()->project);
 }

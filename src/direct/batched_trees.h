@@ -26,7 +26,7 @@ typedef struct cni_tree_batch {
 	int32_t node_first, block_first;
 	int32_t coupling_count;
 	int32_t lanes, moving;                 /* moving: number of movable bodies of each tree */
-	uint32_t asked, parting;               /* lanes, as bits, of trees to check and of trees that open: see cni_projection */
+	uint32_t selected, opening;            /* lanes, as bits, of trees to check and of trees that open: see cni_projection */
 	cni_topology kind;
 	uint8_t order[CNI_TOPOLOGY_NODES];         /* nodes by colour */
 	uint32_t source[CNI_TOPOLOGY_NODES + 2];   /* by body: byte offset of its index in `nodes`; its inertia: + CNI_SIDE_BYTES */
@@ -36,7 +36,7 @@ typedef struct cni_tree_batch {
 typedef struct cni_tree_batch_pass {
 	cni_joint_pass joint;
 	float rate, push; /* part of a gap that is closed in a second, and the greatest closing speed */
-	float parting;    /* largest speed of an opening pin after contacts */
+	float opening_speed; /* largest speed of an opening pin after contacts */
 	float turn_least; /* radians a second: slower arms stay on the tangent */
 } cni_tree_batch_pass;
 
@@ -47,7 +47,7 @@ typedef struct cni_tree_batch_kernel {
 	cni_tree_batch_kernel_fn *warm;
 	cni_tree_batch_kernel_fn *solve;
 	cni_tree_batch_kernel_fn *relax;
-	cni_tree_batch_kernel_fn *close; /* after contacts: solves the lanes of batch->asked that open, and sets batch->opening */
+	cni_tree_batch_kernel_fn *project; /* after contacts: solves the lanes of batch->selected that open, and sets batch->opening */
 } cni_tree_batch_kernel;
 
 extern const cni_tree_batch_kernel cni_tree_batch_kernel_plain; /* width 1: any compiler */

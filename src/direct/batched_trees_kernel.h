@@ -282,12 +282,12 @@ CNI_INLINE void right_sides(const cni_tree_batch *batch, int32_t l, const tree_b
 		x[k] = right_side(&batch->nodes[k], l, &f->body[batch->kind.end[k][0]], &f->body[batch->kind.end[k][1]], rate, most);
 }
 
-/* Solves right sides x and applies the impulses, in the lanes of `asked`, as bits from l on. Lanes whose impulses are not finite get none,
+/* Solves right sides x and applies the impulses, in the lanes of `selected`, as bits from l on. Lanes whose impulses are not finite get none,
    and their pins are solved one by one from the next pass on. */
-CNI_INLINE void pins_solve(cni_tree_batch *batch, int32_t l, tree_bodies *f, pair *x, uint32_t asked)
+CNI_INLINE void pins_solve(cni_tree_batch *batch, int32_t l, tree_bodies *f, pair *x, uint32_t selected)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
-	uint32_t direct = batch->nodes[0].direct >> l & ((1u << CNI_WIDTH) - 1u) & asked, broken;
+	uint32_t direct = batch->nodes[0].direct >> l & ((1u << CNI_WIDTH) - 1u) & selected, broken;
 	cni_mask good = system_solve(batch, l, x) == zero;
 	int32_t k;
 	broken = direct & ~cni_mask_bits(good);
@@ -346,48 +346,48 @@ CNI_INLINE int32_t has_single(const cni_tree_batch *batch, int32_t l)
 }
 
 /* The part of solve_group for joints with motors only. */
-CNI_INLINE void solve_motors(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, float h, pair *dealt)
+CNI_INLINE void solve_motors(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, float h, pair *induced)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
 	pin p = pin_make(a, b, r);
 	hinge g = hinge_make(a, b, r, &p);
 	solve_motor(k, l, &g, h);
-	dealt->x = zero + g.sx * g.t;
-	dealt->y = zero + g.sy * g.t;
-	push(a, b, r, dealt->x, dealt->y, g.t);
+	induced->x = zero + g.sx * g.t;
+	induced->y = zero + g.sy * g.t;
+	push(a, b, r, induced->x, induced->y, g.t);
 }
 
 /* Springs, motors, limits, and pins that are solved one by one. */
-CNI_INLINE void node_solve(cni_tree_batch *batch, int32_t node, int32_t l, tree_bodies *f, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t single, pair *dealt)
+CNI_INLINE void node_solve(cni_tree_batch *batch, int32_t node, int32_t l, tree_bodies *f, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t single, pair *induced)
 {
 	cni_joint_block *k = &batch->nodes[node];
 	side *a = &f->body[batch->kind.end[node][0]], *b = &f->body[batch->kind.end[node][1]];
 	if (single)
-		solve_group(k, l, a, b, r, pass, bias, 1, 1, &dealt->x, &dealt->y);
+		solve_group(k, l, a, b, r, pass, bias, 1, 1, &induced->x, &induced->y);
 	else if (k->angular == CN_JOINT_MOTOR)
-		solve_motors(k, l, a, b, r, pass->h, dealt);
+		solve_motors(k, l, a, b, r, pass->h, induced);
 	else if (k->angular)
-		solve_group(k, l, a, b, r, pass, bias, 1, 0, &dealt->x, &dealt->y);
+		solve_group(k, l, a, b, r, pass, bias, 1, 0, &induced->x, &induced->y);
 	else
-		dealt->x = dealt->y = cni_wide_of(0.0f);
+		induced->x = induced->y = cni_wide_of(0.0f);
 }
 
-/* The pin impulses of springs, motors and limits are kept in `dealt` until positions have moved. */
+/* The pin impulses of springs, motors and limits are kept in `induced` until positions have moved. */
 static void batch_solve(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 {
 	int32_t l, n;
 	(void)starts;
 	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
 		tree_bodies f;
-		pair dealt, x[CNI_TOPOLOGY_NODES];
+		pair induced, x[CNI_TOPOLOGY_NODES];
 		int32_t single = has_single(batch, l);
 		tree_bodies_gather(motions, batch, l, &f);
 		for (n = 0; n < batch->kind.nodes; ++n) {
 			int32_t node = batch->order[n];
 			arms r = arms_load(&batch->nodes[node], l);
-			node_solve(batch, node, l, &f, &r, &pass->joint, 1, single, &dealt);
-			cni_wide_store(batch->nodes[node].dealt_x + l, dealt.x);
-			cni_wide_store(batch->nodes[node].dealt_y + l, dealt.y);
+			node_solve(batch, node, l, &f, &r, &pass->joint, 1, single, &induced);
+			cni_wide_store(batch->nodes[node].induced_x + l, induced.x);
+			cni_wide_store(batch->nodes[node].induced_y + l, induced.y);
 		}
 		right_sides(batch, l, &f, pass->rate, pass->push, x);
 		pins_solve(batch, l, &f, x, ~0u);
@@ -426,42 +426,42 @@ CNI_INLINE void drift_add(const cni_joint_block *k, int32_t l, const side *a, co
 	x->y -= cni_wide_select(turns, clamped((of_b.y - of_a.y) * pass->joint.inv_h, pass->push), zero);
 }
 
-/* Solves those lanes of batch->asked again whose pins open faster than the pass allows. */
-static void batch_close(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
+/* Solves those lanes of batch->selected again whose pins open faster than the pass allows. */
+static void batch_project(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 {
-	const cni_wide most = cni_wide_of(pass->parting);
+	const cni_wide most = cni_wide_of(pass->opening_speed);
 	int32_t l, k;
 	(void)starts;
-	batch->parting = 0;
+	batch->opening = 0;
 	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
-		uint32_t asked = batch->asked & batch->nodes[0].direct, parting = 0;
+		uint32_t selected = batch->selected & batch->nodes[0].direct, opening = 0;
 		pair x[CNI_TOPOLOGY_NODES];
 		tree_bodies f;
-		asked = asked >> l & ((1u << CNI_WIDTH) - 1u);
-		if (asked == 0)
+		selected = selected >> l & ((1u << CNI_WIDTH) - 1u);
+		if (selected == 0)
 			continue;
 		tree_bodies_gather(motions, batch, l, &f);
 		right_sides(batch, l, &f, pass->rate, pass->push, x);
 		for (k = 0; k < batch->kind.nodes; ++k) {
 			drift_add(&batch->nodes[k], l, &f.body[batch->kind.end[k][0]], &f.body[batch->kind.end[k][1]], pass, &x[k]);
-			parting |= cni_mask_bits(cni_wide_max(cni_wide_abs(x[k].x), cni_wide_abs(x[k].y)) > most);
+			opening |= cni_mask_bits(cni_wide_max(cni_wide_abs(x[k].x), cni_wide_abs(x[k].y)) > most);
 		}
-		parting &= asked;
-		if (parting == 0)
+		opening &= selected;
+		if (opening == 0)
 			continue;
-		batch->parting |= parting << l;
-		pins_solve(batch, l, &f, x, parting);
+		batch->opening |= opening << l;
+		pins_solve(batch, l, &f, x, opening);
 		tree_bodies_scatter(motions, batch, l, &f);
 	}
 }
 
 /* Places of the bodies, and their velocities at the beginning of the substep. */
-typedef struct journey {
+typedef struct tree_motion {
 	place at[CNI_TOPOLOGY_NODES + 2];
 	cni_wide vx[CNI_TOPOLOGY_NODES + 2], vy[CNI_TOPOLOGY_NODES + 2], w[CNI_TOPOLOGY_NODES + 2], jumped[CNI_TOPOLOGY_NODES + 2];
-} journey;
+} tree_motion;
 
-CNI_INLINE void journey_gather(const cni_motion *motions, const cni_velocity_start *starts, const cni_tree_batch *batch, int32_t l, journey *j)
+CNI_INLINE void tree_motion_gather(const cni_motion *motions, const cni_velocity_start *starts, const cni_tree_batch *batch, int32_t l, tree_motion *j)
 {
 	int32_t k;
 	for (k = 0; k < batch->bodies; ++k) {
@@ -471,7 +471,7 @@ CNI_INLINE void journey_gather(const cni_motion *motions, const cni_velocity_sta
 	}
 }
 
-CNI_INLINE void journey_scatter(cni_velocity_start *starts, const cni_tree_batch *batch, int32_t l, const journey *j)
+CNI_INLINE void tree_motion_scatter(cni_velocity_start *starts, const cni_tree_batch *batch, int32_t l, const tree_motion *j)
 {
 	uint32_t lanes = lanes_from(batch, l);
 	int32_t k;
@@ -479,12 +479,12 @@ CNI_INLINE void journey_scatter(cni_velocity_start *starts, const cni_tree_batch
 		moving_scatter((float *)(void *)starts, START_FLOATS, body_index(batch, k, l), lanes, j->vx[k], j->vy[k], j->w[k], j->jumped[k]);
 }
 
-/* Adds `dealt` to the pin's impulse, with the order of sums of joints/joint_blocks.c. */
-CNI_INLINE cni_wide dealt_take(float *impulse, float *dealt)
+/* Adds `induced` to the pin's impulse, with the order of sums of joints/joint_blocks.c. */
+CNI_INLINE cni_wide induced_add(float *impulse, float *induced)
 {
-	cni_wide sum = cni_wide_load(impulse) + cni_wide_load(dealt);
+	cni_wide sum = cni_wide_load(impulse) + cni_wide_load(induced);
 	cni_wide_store(impulse, sum);
-	cni_wide_store(dealt, cni_wide_of(0.0f));
+	cni_wide_store(induced, cni_wide_of(0.0f));
 	return sum;
 }
 
@@ -493,24 +493,24 @@ static void batch_relax(cni_motion *motions, cni_velocity_start *starts, cni_tre
 	int32_t l, n;
 	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
 		tree_bodies f;
-		journey j;
+		tree_motion j;
 		pair x[CNI_TOPOLOGY_NODES];
 		int32_t single = has_single(batch, l);
 		tree_bodies_gather(motions, batch, l, &f);
-		journey_gather(motions, starts, batch, l, &j);
+		tree_motion_gather(motions, starts, batch, l, &j);
 		for (n = 0; n < batch->kind.nodes; ++n) {
 			int32_t node = batch->order[n], a = batch->kind.end[node][0], b = batch->kind.end[node][1];
 			cni_joint_block *k = &batch->nodes[node];
-			cni_wide jx = dealt_take(k->jx + l, k->dealt_x + l), jy = dealt_take(k->jy + l, k->dealt_y + l);
+			cni_wide jx = induced_add(k->jx + l, k->induced_x + l), jy = induced_add(k->jy + l, k->induced_y + l);
 			arms old = arms_load(k, l), r = arms_renew(&j.at[a], &j.at[b], k, l, k->angular != 0);
-			pair dealt;
+			pair induced;
 			j.w[a] -= -(f.body[a].i * ((r.ax - old.ax) * jy - (r.ay - old.ay) * jx));
 			j.w[b] -= f.body[b].i * ((r.bx - old.bx) * jy - (r.by - old.by) * jx);
-			node_solve(batch, node, l, &f, &r, &pass->joint, 0, single, &dealt);
-			impulse_add(k->jx + l, dealt.x);
-			impulse_add(k->jy + l, dealt.y);
+			node_solve(batch, node, l, &f, &r, &pass->joint, 0, single, &induced);
+			impulse_add(k->jx + l, induced.x);
+			impulse_add(k->jy + l, induced.y);
 		}
-		journey_scatter(starts, batch, l, &j);
+		tree_motion_scatter(starts, batch, l, &j);
 		system_factor(batch, l, &f);
 		right_sides(batch, l, &f, 0.0f, 0.0f, x);
 		pins_solve(batch, l, &f, x, ~0u);
@@ -518,4 +518,4 @@ static void batch_relax(cni_motion *motions, cni_velocity_start *starts, cni_tre
 	}
 }
 
-const cni_tree_batch_kernel CNI_KERNEL = { batch_begin, batch_warm, batch_solve, batch_relax, batch_close };
+const cni_tree_batch_kernel CNI_KERNEL = { batch_begin, batch_warm, batch_solve, batch_relax, batch_project };

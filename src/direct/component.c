@@ -18,7 +18,7 @@ void cni_direct_motions_keep(const cn_world *world, const cni_sparse *sparse, co
 	}
 }
 
-void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_component *c)
+void cni_direct_rotations(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
 	sparse->turn[0] = cni_rot_small(0.0f);
@@ -40,13 +40,13 @@ void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c
 	for (k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].owner >= 0) {
 			cni_joint_constraints(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_CONSTRAINT_DIRECT;
-			cni_joint_constraints(world)[sparse->nodes[k].owner].inner = 0;
+			cni_joint_constraints(world)[sparse->nodes[k].owner].active_row = 0;
 		}
 	c->swings = 0;
 	c->done = 1;
 }
 
-void cni_component_leave(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span)
+void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span)
 {
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
@@ -57,7 +57,7 @@ void cni_component_leave(cn_world *world, cni_sparse *sparse, cni_component *c, 
 		if (span == 0)
 			cni_trust_fail(t, world->step_count, 1);
 		else
-			cni_trust_leave(t, world->step_count, span, 1);
+			cni_trust_suspend(t, world->step_count, span, 1);
 		world->joints_soft_step = t->until > world->joints_soft_step ? t->until : world->joints_soft_step;
 	}
 	cni_component_release(world, sparse, c);
@@ -90,7 +90,7 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 {
 	cni_joint_constraints_complete(world, sparse, c);
 	cni_sparse_clear(sparse, c);
-	cni_direct_turns(world, sparse, c);
+	cni_direct_rotations(world, sparse, c);
 	cni_geometric_stiffness_find(world, sparse, c, s->h);
 	c->active = c->presses || c->kind != CNI_NONE || !CNI_ON(ACTIVE) ? 0 : cni_active_begin(world, s, sparse, c);
 	if (c->active || cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h))
@@ -116,7 +116,7 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t width)
 {
 	cni_motion *motions = cni_motions(world);
-	cni_joint_constraint *works = cni_joint_constraints(world);
+	cni_joint_constraint *constraints = cni_joint_constraints(world);
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
@@ -124,7 +124,7 @@ CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_
 		if (n->owner < 0)
 			continue;
 		for (i = 0; i < n->rows; ++i)
-			works[n->owner].rows[i].impulse += n->x[i];
+			constraints[n->owner].rows[i].impulse += n->x[i];
 		for (i = 0; i < width; ++i)
 			cni_lever_push(&n->lever[i], n->x[i], &a, &b);
 		motions[n->ia] = a;
@@ -143,7 +143,7 @@ void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_compon
 CNI_INLINE void speeds_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push, int32_t width)
 {
 	const cni_motion *motions = cni_motions(world);
-	const cni_joint_constraint *works = cni_joint_constraints(world);
+	const cni_joint_constraint *constraints = cni_joint_constraints(world);
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
@@ -151,7 +151,7 @@ CNI_INLINE void speeds_read(const cn_world *world, cni_sparse *sparse, const cni
 		if (n->owner < 0)
 			continue;
 		for (i = 0; i < width; ++i)
-			n->x[i] = -cni_lever_speed(&n->lever[i], a, b) - (i < n->rows ? cni_clamp(rate * works[n->owner].rows[i].error, -push, push) : 0.0f);
+			n->x[i] = -cni_lever_speed(&n->lever[i], a, b) - (i < n->rows ? cni_clamp(rate * constraints[n->owner].rows[i].error, -push, push) : 0.0f);
 	}
 }
 
@@ -171,16 +171,17 @@ static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_com
 static void leaks_add(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	const cni_motion *motions = cni_motions(world);
-	const cni_joint_constraint *works = cni_joint_constraints(world);
+	const cni_joint_constraint *constraints = cni_joint_constraints(world);
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		for (i = 0; i < n->rows && n->owner >= 0; ++i)
-			n->x[i] -= LEAK * cni_lever_inverse_mass(&n->lever[i], motions + n->ia, motions + n->ib) * works[n->owner].rows[i].impulse;
+			n->x[i] -= LEAK * cni_lever_inverse_mass(&n->lever[i], motions + n->ia, motions + n->ib) *
+			           constraints[n->owner].rows[i].impulse;
 	}
 }
 
-static void impulses_take_back(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+static void impulses_undo(cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k)
@@ -210,22 +211,22 @@ static float inverse_or_zero(float x)
  */
 static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	float asked = 0.0f, given = 0.0f, all = 0.0f, push = 0.0f;
+	float bound = 0.0f, gain = 0.0f, all = 0.0f, push = 0.0f;
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k)
 		for (i = 0; i < c->width; ++i)
-			asked += sparse->nodes[k].carried[i] * sparse->nodes[k].x[i];
+			bound += sparse->nodes[k].carried[i] * sparse->nodes[k].x[i];
 	for (k = c->body_begin; k < c->body_end; ++k) {
 		const cni_motion *m = cni_motions(world) + sparse->bodies[k], *old = sparse->saved + k;
 		float mass = inverse_or_zero(m->inv_mass), inertia = inverse_or_zero(m->inv_inertia);
 		float vx = m->vx - old->vx, vy = m->vy - old->vy, w = m->w - old->w;
-		given += mass * (vx * vx + vy * vy) + inertia * w * w;
+		gain += mass * (vx * vx + vy * vy) + inertia * w * w;
 		all += mass * (old->vx * old->vx + old->vy * old->vy) + inertia * old->w * old->w;
 		push += mass * world->settings.push_speed_max * world->settings.push_speed_max;
 	}
-	if (c->active < 2 && !(given <= 2.0f * (all + push))) /* (a + b)^2 <= 2 (a^2 + b^2) */
+	if (c->active < 2 && !(gain <= 2.0f * (all + push))) /* (a + b)^2 <= 2 (a^2 + b^2) */
 		return 0;
-	return given <= 1.1f * asked + 1e-6f * all; /* false for NaN */
+	return gain <= 1.1f * bound + 1e-6f * all; /* false for NaN */
 }
 
 /* Rows of loops may be redundant, so their system may be nearly singular. When a solution exceeds its bound, it is solved again with a
@@ -246,7 +247,7 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 			if (is_bounded(world, sparse, c))
 				return 1;
 			cni_direct_motions_keep(world, sparse, c, 1);
-			impulses_take_back(world, sparse, c);
+			impulses_undo(world, sparse, c);
 		}
 		if (c->regular > REGULAR_MOST)
 			return 0;
@@ -256,11 +257,11 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 	}
 }
 
-void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
+void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
 {
 	right_sides(world, s->direct, c, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f, s->push_speed);
 	if (bias && c->loops && !c->presses)
 		leaks_add(world, s->direct, c);
 	if (c->active)
-		cni_active_sides(world, s, s->direct, c, bias);
+		cni_active_right_sides(world, s, s->direct, c, bias);
 }

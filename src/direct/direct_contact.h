@@ -31,7 +31,7 @@ static inline int32_t cni_cone_factor_work(const cni_component *c)
 
 #define CNI_SLIDE_CLOSE 0.01f /* part by which a sliding friction may be off its normal force */
 
-enum { CNI_ROW_OPEN = 0, CNI_ROW_HELD = 1, CNI_ROW_SLIDES = 2 };
+enum { CNI_ROW_OPEN = 0, CNI_ROW_ACTIVE = 1, CNI_ROW_SLIDES = 2 };
 
 /* A touching contact taken out of its lane for the step; letters as in model/contact.h. Rows: two points, friction. */
 typedef struct cni_direct_contact {
@@ -45,12 +45,12 @@ typedef struct cni_direct_contact {
 	float load[2];              /* of the points, as read from the lane */
 	float first[3];             /* impulses at the beginning of the step */
 	float start[3];             /* ... of the pass */
-	float room[3];              /* in this pass the speed must be at least -room */
+	float gap_speed[3];         /* in this pass the speed must be at least -gap_speed */
 	uint8_t state[3];           /* CNI_ROW_ */
 	uint8_t state_kept[3];      /* ... at the beginning of the pass */
 	uint8_t untouched;          /* 1: j is the soft solver's impulse of the last step */
 	uint8_t reserved;
-	float way;                  /* 1 or -1: direction of the friction of a sliding contact */
+	float slide_sign;           /* 1 or -1: direction of the friction of a sliding contact */
 	float coefficient, slope;   /* this and below: direct/friction_cones.c. Of friction; of the sliding lever */
 	float lift;                 /* m/s: coefficient times the slip of the last round */
 	float cross[4];             /* of the predictor: change of slack times change of multiplier */
@@ -88,12 +88,12 @@ float cni_direct_contact_separation(const cni_direct_contact *p, int32_t point, 
 /* Appends the touching contacts of an island. Returns their number, or that there are more than `room`, or that one is of an unsupported
    kind. */
 enum { CNI_DIRECT_CONTACTS_MANY = -1, CNI_DIRECT_CONTACTS_KIND = -2 };
-int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, cni_direct_contact *presses, int32_t room);
+int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, cni_direct_contact *contacts, int32_t room);
 /* Takes the impulses of planned contacts out of their lanes and makes the lanes idle. */
-void cni_direct_contacts_take(cn_world *world, cni_sparse *sparse);
+void cni_direct_contacts_extract(cn_world *world, cni_sparse *sparse);
 /* Writes contacts back to their lanes with the present impulses: those of one component, or all. */
-void cni_direct_contacts_give_back(cn_world *world, cni_sparse *sparse, const cni_component *c);
-void cni_direct_contacts_give_back_all(cn_world *world, cni_sparse *sparse, float h);
+void cni_direct_contacts_restore(cn_world *world, cni_sparse *sparse, const cni_component *c);
+void cni_direct_contacts_restore_all(cn_world *world, cni_sparse *sparse, float h);
 /* One pass over a component with contacts. 0: no consistent set was found; impulses and velocities are as before the pass. */
 int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias);
 
@@ -114,9 +114,9 @@ typedef struct cni_direct_contact_pass {
 	float before;          /* twice the kinetic energy before the substep's impulses */
 } cni_direct_contact_pass;
 
-/* Sets the least speeds of the points, and opens friction where no point is held. */
-void cni_direct_contact_rooms_find(const cni_direct_contact_pass *q);
-void cni_direct_contact_impulses_forget(const cni_direct_contact_pass *q);
+/* Sets the least speeds of the points, and opens friction where no point is active. */
+void cni_direct_contact_gap_speeds_find(const cni_direct_contact_pass *q);
+void cni_direct_contact_impulses_clear(const cni_direct_contact_pass *q);
 void cni_direct_contact_round_begin(const cni_direct_contact_pass *q);
 /* Saves the states, or restores them (back 1). */
 void cni_direct_contact_states_keep(const cni_direct_contact_pass *q, int32_t back);

@@ -1,7 +1,7 @@
 /*
  * direct/direct_contacts.c - directly solved contacts: one pass over an island, the choice of method and the checks of its solution.
  *
- * An active set finds the held rows (direct/contact_active_set.c). Where it finds no set in ROUNDS, or where an island at rest begins to
+ * An active set finds the active rows (direct/contact_active_set.c). Where it finds no set in ROUNDS, or where an island at rest begins to
  * move by its solution, an interior-point method takes over (direct/friction_cones.c). The passes after that start from its impulses
  * instead of from none: of several redundant sets of impulses, the one of least energy may have negative ones. A solution that gains energy
  * is discarded: impulses of an inconsistent set can add it without bound. The contacts then return to the soft solver with the impulses and
@@ -41,7 +41,7 @@ static void commit(const cni_direct_contact_pass *q)
 }
 
 /* Saves impulses and velocities at the beginning of a pass, or restores them (back 1). */
-static void all_keep(const cni_direct_contact_pass *q, int32_t back)
+static void state_keep(const cni_direct_contact_pass *q, int32_t back)
 {
 	int32_t k, i;
 	cni_direct_motions_keep(q->world, q->sparse, q->c, back);
@@ -58,7 +58,7 @@ static void all_keep(const cni_direct_contact_pass *q, int32_t back)
 
 /* Part of a contact's impulses that gives the lighter body at most the speed of SOFT_STRESS of its weights. The soft solver crushes such a
    body from any start, and throws a light body when the contacts on both sides of it do not cancel any more. */
-static float part_that_soft_bears(const cni_direct_contact_pass *q, const cni_direct_contact *p, const cni_node *n)
+static float soft_part(const cni_direct_contact_pass *q, const cni_direct_contact *p, const cni_node *n)
 {
 	float speed = (p->first[0] + p->first[1]) * cni_max(q->motions[n->ia].inv_mass, q->motions[n->ib].inv_mass);
 	float most = SOFT_STRESS * cni_length(q->world->settings.gravity) * q->s->h;
@@ -70,13 +70,13 @@ static float part_that_soft_bears(const cni_direct_contact_pass *q, const cni_di
  * step. An exact solution sends an impact or a push through everything in its way: a body of a kilogram between two of a ton has the
  * impulses of both, which cancel to a thousandth. A soft solver that started from them would throw it.
  */
-static void all_put_back(const cni_direct_contact_pass *q)
+static void soft_state_restore(const cni_direct_contact_pass *q)
 {
 	int32_t k, i, all = q->c->joints == 0;
 	if (all)
-		cni_direct_contact_impulses_forget(q);
+		cni_direct_contact_impulses_clear(q);
 	else
-		all_keep(q, 1);
+		state_keep(q, 1);
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
 		cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
@@ -84,7 +84,7 @@ static void all_put_back(const cni_direct_contact_pass *q)
 		if (p == NULL || !(all || p->untouched))
 			continue;
 		p->untouched = 1;
-		part = q->s->warm_scale * part_that_soft_bears(q, p, n);
+		part = q->s->warm_scale * soft_part(q, p, n);
 		for (i = 0; i < 3; ++i) {
 			p->j[i] = part * p->first[i];
 			if (i < 2)
@@ -95,12 +95,12 @@ static void all_put_back(const cni_direct_contact_pass *q)
 }
 
 /* 1: no contact was pushed. The speeds are then closed already, and only the lever arms of joints turn. */
-static int32_t is_calm(const cni_direct_contact_pass *q)
+static int32_t nothing_was_pushed(const cni_direct_contact_pass *q)
 {
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
-		if (p == NULL || p->room[0] < -q->speed_least || p->room[1] < -q->speed_least)
+		if (p == NULL || p->gap_speed[0] < -q->speed_least || p->gap_speed[1] < -q->speed_least)
 			return 0;
 	}
 	return 1;
@@ -150,7 +150,7 @@ static float energy_of_rest(const cni_direct_contact_pass *q)
 }
 
 /* 1: it moved at the beginning of the step. */
-static int32_t moved(const cni_direct_contact_pass *q)
+static int32_t was_moving(const cni_direct_contact_pass *q)
 {
 	float sum = 0.0f;
 	int32_t k;
@@ -169,7 +169,7 @@ static float push_work(const cni_direct_contact_pass *q)
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
 		for (i = 0; p != NULL && i < 2; ++i)
-			sum += 2.0f * p->j[i] * cni_max(-p->room[i], 0.0f);
+			sum += 2.0f * p->j[i] * cni_max(-p->gap_speed[i], 0.0f);
 	}
 	return sum;
 }
@@ -185,7 +185,7 @@ static int32_t energy_fits(const cni_direct_contact_pass *q)
 }
 
 /* Restores the impulses of the pass, for sliding friction: those of a set that was no solution do not count. */
-static void impulses_put_back(const cni_direct_contact_pass *q)
+static void impulses_restore(const cni_direct_contact_pass *q)
 {
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
@@ -201,7 +201,7 @@ static void impulses_put_back(const cni_direct_contact_pass *q)
 static int32_t solve_with_kept_set(const cni_direct_contact_pass *q)
 {
 	cni_direct_contact_states_keep(q, 1);
-	impulses_put_back(q);
+	impulses_restore(q);
 	cni_direct_contact_round_begin(q);
 	if (!cni_direct_contact_system_solve(q) || !energy_fits(q))
 		return 0;
@@ -212,7 +212,7 @@ static int32_t solve_with_kept_set(const cni_direct_contact_pass *q)
 /* ---- onset of motion ---- */
 
 /* 1: the contact opens where it touches, or slides. */
-static int32_t press_gives_way(const cni_direct_contact_pass *q, const cni_direct_contact *p, const cni_node *n)
+static int32_t contact_starts_moving(const cni_direct_contact_pass *q, const cni_direct_contact *p, const cni_node *n)
 {
 	const cni_motion *a = q->motions + n->ia, *b = q->motions + n->ib;
 	float most = PARTING * q->speed_least;
@@ -222,19 +222,19 @@ static int32_t press_gives_way(const cni_direct_contact_pass *q, const cni_direc
 		return 1;
 	for (i = 0; i < 2; ++i) {
 		l = cni_direct_contact_lever(p, i);
-		if (p->state[i] == CNI_ROW_OPEN && p->mass[i] > 0.0f && p->room[i] < most && cni_lever_speed(&l, a, b) > most)
+		if (p->state[i] == CNI_ROW_OPEN && p->mass[i] > 0.0f && p->gap_speed[i] < most && cni_lever_speed(&l, a, b) > most)
 			return 1;
 	}
 	return 0;
 }
 
-static int32_t gives_way(const cni_direct_contact_pass *q)
+static int32_t starts_moving(const cni_direct_contact_pass *q)
 {
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
 		const cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
-		if (p != NULL && press_gives_way(q, p, n))
+		if (p != NULL && contact_starts_moving(q, p, n))
 			return 1;
 	}
 	return 0;
@@ -266,7 +266,7 @@ static int32_t set_solve(cni_direct_contact_pass *q)
 {
 	if (!(q->warm ? cni_direct_contact_set_follow(q) : cni_direct_contact_set_find(q)) || !energy_fits(q))
 		return 0;
-	if (q->bias && !is_recent(q, q->island->gives_step) && gives_way(q) && !moved(q)) {
+	if (q->bias && !is_recent(q, q->island->gives_step) && starts_moving(q) && !was_moving(q)) {
 		cni_direct_contact_states_keep(q, 0);
 		q->kept = 1;
 		return 0;
@@ -283,10 +283,10 @@ static int32_t cone_debt(const cni_direct_contact_pass *q)
 }
 
 /* 1: the interior-point method may run. Once admitted in a step it may run in all substeps, as long as the island's debt allows. */
-static int32_t cone_may_be_asked(const cni_direct_contact_pass *q)
+static int32_t cone_is_admitted(const cni_direct_contact_pass *q)
 {
 	if (q->world->settings.solver == CN_SOLVER_AUTO) {
-		if (moved(q) || cone_debt(q) > CNI_CONE_DEBT)
+		if (was_moving(q) || cone_debt(q) > CNI_CONE_DEBT)
 			return 0;
 		if (!q->c->coned && q->world->cone_work + cone_cost(q) > CNI_CONE_WORK)
 			return 0;
@@ -306,7 +306,7 @@ static void cone_pay(const cni_direct_contact_pass *q, int32_t factors)
 static int32_t cone_solve(cni_direct_contact_pass *q)
 {
 	int32_t factors, good;
-	if (!CNI_ON(CONES) || !cone_may_be_asked(q))
+	if (!CNI_ON(CONES) || !cone_is_admitted(q))
 		return 0;
 	q->warm = 0;
 	cni_direct_contact_round_begin(q);
@@ -318,17 +318,17 @@ static int32_t cone_solve(cni_direct_contact_pass *q)
 	return 1;
 }
 
-static void found(const cni_direct_contact_pass *q)
+static void solution_accept(const cni_direct_contact_pass *q)
 {
 	uint32_t step = q->world->step_count + 1u;
 	if (q->warm)
 		q->island->cone_step = step;
-	if (q->bias && q->island->gives_step != step && gives_way(q)) {
+	if (q->bias && q->island->gives_step != step && starts_moving(q)) {
 		q->island->falls_steps = energy_of(q) > energy_of_rest(q) && is_recent(q, q->island->gives_step) ? q->island->falls_steps + 1 : 0;
 		q->island->gives_step = step;
 	}
 	commit(q);
-	q->c->calm = q->bias && is_calm(q);
+	q->c->calm = q->bias && nothing_was_pushed(q);
 }
 
 int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
@@ -337,20 +337,20 @@ int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_spars
 	if (!bias && c->calm)
 		return 1;
 	q.island = cni_island_at(world, cni_awake_island(world, sparse->bodies[c->body_begin]));
-	all_keep(&q, 0);
+	state_keep(&q, 0);
 	cni_direct_contact_round_begin(&q);
 	q.before = energy_of_start(&q);
 	q.warm = is_recent(&q, q.island->cone_step);
-	if (is_large(&q) && !moved(&q))
+	if (is_large(&q) && !was_moving(&q))
 		q.rounds = ROUNDS_LARGE;
-	cni_direct_contact_rooms_find(&q);
+	cni_direct_contact_gap_speeds_find(&q);
 	cni_direct_contact_states_keep(&q, 0);
 	if (set_solve(&q) || cone_solve(&q)) {
-		found(&q);
+		solution_accept(&q);
 		return 1;
 	}
 	if (q.kept && solve_with_kept_set(&q))
 		return 1;
-	all_put_back(&q);
+	soft_state_restore(&q);
 	return 0;
 }

@@ -18,7 +18,7 @@
 /* ---- limits, memory ---- */
 
 /* Most work of a system, for each of its contacts. */
-static int32_t press_work(int32_t solver)
+static int32_t contact_work(int32_t solver)
 {
 	return solver == CN_SOLVER_DIRECT ? 2000 : CNI_DIRECT_CONTACT_WORK;
 }
@@ -32,32 +32,32 @@ static int32_t joint_work(int32_t solver)
 	return solver == CN_SOLVER_DIRECT ? JOINT_WORK_DIRECT : JOINT_WORK;
 }
 
-static int32_t presses_of(int32_t solver, int32_t contacts)
+static int32_t contacts_taken(int32_t solver, int32_t contacts)
 {
 	return solver == CN_SOLVER_DIRECT ? contacts : cni_min_i(contacts, CNI_DIRECT_CONTACT_MOST);
 }
 
-static int64_t work_of(int32_t solver, int32_t joints, int32_t presses)
+static int64_t work_of(int32_t solver, int32_t joints, int32_t contacts)
 {
-	return (int64_t)joints * joint_work(solver) + (int64_t)presses * press_work(solver);
+	return (int64_t)joints * joint_work(solver) + (int64_t)contacts * contact_work(solver);
 }
 
 uint64_t cni_direct_kept_bytes(int32_t solver, int32_t joints, int32_t contacts)
 {
-	int32_t presses = presses_of(solver, contacts);
-	if (joints + presses == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
+	int32_t taken = contacts_taken(solver, contacts);
+	if (joints + taken == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
-	return cni_sparse_kept_bytes(joints + presses, work_of(solver, joints, presses)) + CNI_KEPT_BYTES;
+	return cni_sparse_kept_bytes(joints + taken, work_of(solver, joints, taken)) + CNI_KEPT_BYTES;
 }
 
 uint64_t cni_direct_plan_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies)
 {
-	int32_t presses = presses_of(solver, contacts), links = joints + presses;
-	int64_t work = work_of(solver, joints, presses);
+	int32_t taken = contacts_taken(solver, contacts), links = joints + taken;
+	int64_t work = work_of(solver, joints, taken);
 	uint64_t joint = 1 + sizeof(float) * CNI_NODE_ROWS, link = sizeof(cni_link) + 2 * sizeof(cni_motion) + sizeof(cni_projection) + 1;
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
-	return joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_direct_contact) * (uint64_t)presses +
+	return joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_direct_contact) * (uint64_t)taken +
 	       2 * sizeof(int32_t) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 832 + cni_sparse_bytes(links, bodies + 1, work);
 }
 
@@ -95,7 +95,7 @@ static int32_t is_left_soft(const cn_world *world, const cni_joint_constraint *w
 	return world->joints_soft_step > world->step_count && w->record->trust.soft && w->record->trust.until > world->step_count;
 }
 
-static int32_t work_is_eligible(const cn_world *world, const cni_joint_constraint *w)
+static int32_t constraint_is_eligible(const cn_world *world, const cni_joint_constraint *w)
 {
 	if (!CNI_ON(DIRECT_JOINTS) || joint_stays_soft(world, w))
 		return 0;
@@ -109,7 +109,7 @@ static int32_t joint_links_collect(const cn_world *world, cni_link *links)
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		const cni_joint_constraint *w = cni_joint_constraints(world) + k;
 		cni_link *link = &links[count];
-		if (!work_is_eligible(world, w))
+		if (!constraint_is_eligible(world, w))
 			continue;
 		link->ia = w->ia;
 		link->ib = w->ib;
@@ -124,13 +124,13 @@ static int32_t joint_links_collect(const cn_world *world, cni_link *links)
 /* ---- contacts ---- */
 
 /* Collects the contacts of directly solved islands; refuses islands with too many contacts or with an unsupported kind. */
-static void presses_collect(cn_world *world, cni_direct_contact *presses, int32_t room, cni_sparse *out)
+static void contacts_collect(cn_world *world, cni_direct_contact *contacts, int32_t room, cni_sparse *out)
 {
 	const int32_t *islands = (const int32_t *)world->direct_islands.data;
 	int32_t k;
-	out->presses = presses;
+	out->presses = contacts;
 	for (k = 0; k < world->direct_islands.count; ++k) {
-		int32_t count = cni_direct_contacts_collect(world, islands[k], presses + out->press_count, room - out->press_count);
+		int32_t count = cni_direct_contacts_collect(world, islands[k], contacts + out->press_count, room - out->press_count);
 		if (count < 0)
 			cni_island_refuse(world, islands[k], count == CNI_DIRECT_CONTACTS_MANY ? CN_TIER_REASON_CROWDED : CN_TIER_REASON_KIND);
 		else
@@ -143,13 +143,13 @@ static int32_t island_of(const cn_world *world, const cni_link *link)
 	return cni_joint_island(world, link->ia, link->ib);
 }
 
-static int32_t press_link_work(const cn_world *world, const cni_link *link)
+static int32_t contact_link_work(const cn_world *world, const cni_link *link)
 {
 	int32_t most = world->overridden && may_take_most(world) && cni_island_at(world, island_of(world, link))->solver == CN_SOLVER_DIRECT;
-	return press_work(most ? CN_SOLVER_DIRECT : world->settings.solver);
+	return contact_work(most ? CN_SOLVER_DIRECT : world->settings.solver);
 }
 
-static int32_t press_links_collect(const cn_world *world, const cni_sparse *sparse, cni_link *links)
+static int32_t contact_links_collect(const cn_world *world, const cni_sparse *sparse, cni_link *links)
 {
 	int32_t k;
 	for (k = 0; k < sparse->press_count; ++k) {
@@ -159,7 +159,7 @@ static int32_t press_links_collect(const cn_world *world, const cni_sparse *spar
 		link->ib = cni_block_at(world, p->block)->ib[p->lane];
 		link->owner = -1 - k;
 		link->rows = 3;
-		link->work_most = press_link_work(world, link);
+		link->work_most = contact_link_work(world, link);
 	}
 	return sparse->press_count;
 }
@@ -190,7 +190,7 @@ static int32_t links_keep(const cn_world *world, cni_link *links, int32_t count)
 }
 
 /* Flags the joint constraints in the plan and stores the nodes of the contacts. */
-static void owners_tell(cn_world *world, const cni_solve *s, const cni_link *links, int32_t count, const uint8_t *planned, cni_sparse *out)
+static void owners_mark(cn_world *world, const cni_solve *s, const cni_link *links, int32_t count, const uint8_t *planned, cni_sparse *out)
 {
 	int32_t k;
 	for (k = 0; k < count; ++k)
@@ -213,7 +213,7 @@ static int64_t budget_of(const cn_world *world)
 }
 
 /* Most contacts that are collected. */
-static int32_t presses_most(const cn_world *world)
+static int32_t contacts_most(const cn_world *world)
 {
 	int32_t all = world->settings.solver == CN_SOLVER_DIRECT || (world->overridden && may_take_most(world));
 	if (world->direct_islands.count == 0)
@@ -232,7 +232,7 @@ static int32_t links_plan(cn_world *world, const cni_link *links, int32_t count,
 /* ---- the plan ---- */
 
 /* Scratch arrays of the step beside the plan. 0: no scratch memory. */
-static int32_t lists_take(cn_world *world, cni_sparse *out)
+static int32_t scratch_take(cn_world *world, cni_sparse *out)
 {
 	cni_arena *arena = &world->arena;
 	uint64_t bodies = (uint64_t)world->awake_count;
@@ -247,20 +247,20 @@ static int32_t lists_take(cn_world *world, cni_sparse *out)
 
 int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out)
 {
-	int32_t room = presses_most(world);
+	int32_t room = contacts_most(world);
 	int32_t joints = world->awake_joints.count, count;
-	cni_direct_contact *presses = (cni_direct_contact *)cni_arena_push(&world->arena, sizeof(cni_direct_contact) * (uint64_t)room);
+	cni_direct_contact *contacts = (cni_direct_contact *)cni_arena_push(&world->arena, sizeof(cni_direct_contact) * (uint64_t)room);
 	cni_link *links;
 	uint8_t *planned;
-	if (presses == NULL)
+	if (contacts == NULL)
 		return 0;
-	presses_collect(world, presses, room, out);
+	contacts_collect(world, contacts, room, out);
 	links = (cni_link *)cni_arena_push(&world->arena, sizeof(cni_link) * (uint64_t)(joints + out->press_count));
 	planned = links == NULL ? NULL : (uint8_t *)cni_arena_push(&world->arena, (uint64_t)(joints + out->press_count));
 	if (planned == NULL)
 		return 0;
 	count = joint_links_collect(world, links);
-	count += press_links_collect(world, out, links + count);
+	count += contact_links_collect(world, out, links + count);
 	if (count == 0)
 		return 1;
 	if (!links_plan(world, links, count, 0, out, planned))
@@ -274,6 +274,6 @@ int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out)
 			return 0;
 		(void)islands_refuse(world, links, count, planned); /* joints without their contacts may have taken the budget of others */
 	}
-	owners_tell(world, s, links, count, planned, out);
-	return lists_take(world, out);
+	owners_mark(world, s, links, count, planned, out);
+	return scratch_take(world, out);
 }

@@ -19,7 +19,7 @@ uint64_t cni_direct_plan_bytes(int32_t solver, int32_t joints, int32_t contacts,
 /* Returns the joints of the component to the soft solver for this step. */
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c);
 /* ... and for `span` steps; 0: for a span that doubles with each failure. */
-void cni_component_leave(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span);
+void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span);
 /* 1: only the component's rigid joints constrain its bodies in this step. */
 int32_t cni_component_uses_rattle(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
 /* Levers, dampers and factors of a component for the world's substeps. */
@@ -27,16 +27,16 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 /* Copies velocities and positions of the component's bodies into sparse->saved, or back (back 1). */
 void cni_direct_motions_keep(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t back);
 /* Computes the rotations of the component's bodies since the step began. */
-void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_component *c);
+void cni_direct_rotations(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 
 /* Right sides: the missing speeds of the component's rows, with error correction (bias 1) or without, into its nodes' x. */
-void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias);
+void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias);
 /* Solves for the impulses and applies them; on failure the joints become soft. direct/active_set.c */
-void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c);
+void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c);
 /* What failed is not tried again for a time that doubles when it fails again soon. Of a joint, or what joints have in common. */
 #define CNI_TRUST_LEAST 2      /* steps */
 #define CNI_TRUST_MOST 256
-static inline void cni_trust_leave(cni_joint_trust *t, uint32_t step, int32_t span, int32_t soft)
+static inline void cni_trust_suspend(cni_joint_trust *t, uint32_t step, int32_t span, int32_t soft)
 {
 	t->span = (uint16_t)span;
 	t->until = step + t->span;
@@ -45,7 +45,7 @@ static inline void cni_trust_leave(cni_joint_trust *t, uint32_t step, int32_t sp
 static inline void cni_trust_fail(cni_joint_trust *t, uint32_t step, int32_t soft)
 {
 	int32_t lately = t->span > 0 && (int32_t)(step - t->until) < CNI_TRUST_MOST;
-	cni_trust_leave(t, step, !CNI_ON(TRUST) ? 1 : lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST, soft);
+	cni_trust_suspend(t, step, !CNI_ON(TRUST) ? 1 : lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST, soft);
 }
 /* Solves the right sides and applies the impulses; solutions of systems with loops are checked. 0: no acceptable solution; nothing is
    changed. */
@@ -70,7 +70,7 @@ enum { CNI_ROW_IN_SET = 1u, CNI_ROW_AT_UPPER = 2u };
 static inline cni_row *cni_active_row(const cn_world *world, const cni_node *n)
 {
 	cni_joint_constraint *w = n->owner >= 0 ? &cni_joint_constraints(world)[n->owner] : NULL;
-	return w != NULL && w->inner > 0 ? &w->rows[w->inner] : NULL;
+	return w != NULL && w->active_row > 0 ? &w->rows[w->active_row] : NULL;
 }
 static inline float cni_active_impulse_most(const cni_row *r, const cni_solve *s)
 {
@@ -82,9 +82,9 @@ int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 void cni_active_clear(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 /* Their right sides, after those of the rigid rows. */
-void cni_active_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);
+void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);
 /* Solves the right sides for impulses with the active set. 0: the solution is not finite. */
-int32_t cni_active_answer(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
+int32_t cni_active_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 
 /* ---- batched trees: direct/batched_trees.c ---- */
 
@@ -96,20 +96,20 @@ void cni_tree_batches_warm(cn_world *world, const cni_solve *s);
 void cni_tree_batches_solve(cn_world *world, const cni_solve *s);
 void cni_tree_batches_relax(cn_world *world, const cni_solve *s);
 /* After contacts: solves lanes again that contacts would open. direct/joint_projection.c */
-void cni_tree_batches_close(cn_world *world, const cni_solve *s);
+void cni_tree_batches_project(cn_world *world, const cni_solve *s);
 /* Bound on the scratch memory of batches for so many joints. */
 uint64_t cni_tree_batch_bytes(int32_t joints);
 
 /* ---- geometric stiffness: direct/geometric_stiffness.c ---- */
 
-/* sum(r.f) of every body from the impulses of substeps of length h, after cni_direct_turns. */
+/* sum(r.f) of every body from the impulses of substeps of length h, after cni_direct_rotations. */
 void cni_geometric_stiffness_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 /* The same from the joint records, at the beginning of a step, for pins whose rows are not built yet. */
 void cni_geometric_stiffness_find_pins(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 /* Geometric stiffness of rods, in squared radians a second. Overwrites the result of cni_geometric_stiffness_find. */
 float cni_geometric_stiffness_rods(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 /* The largest sum(r.f) / I after cni_geometric_stiffness_find, in squared radians a second. */
-float cni_geometric_stiffness_stiffness(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
+float cni_geometric_stiffness_largest(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 /* 1: the stiffness is near or beyond the limit of substeps of length h. */
 int32_t cni_geometric_stiffness_needs_dampers(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float h);
 /* Sets the damping rows (third rows) of pins in a component of width 3, before its factorization. */

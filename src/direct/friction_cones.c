@@ -48,7 +48,7 @@ typedef struct cone {
 	int32_t factors, factors_most;
 	float tau;
 	float residual;        /* m/s: the largest residual of a row */
-	float misfit;          /* m/s: the largest complementarity violation */
+	float violation;       /* m/s: the largest complementarity violation */
 } cone;
 
 /* 1: the row exists: of the two normals and the friction. */
@@ -91,12 +91,12 @@ static void speeds_of(const cone *q, const cni_direct_contact *p, const cni_node
 	int32_t i;
 	for (i = 0; i < 3; ++i) {
 		cni_lever l = cni_direct_contact_lever(p, i);
-		out[i] = row_is(p, i) ? cni_lever_speed(&l, q->pass->motions + n->ia, q->pass->motions + n->ib) + (i < 2 ? p->room[i] + p->lift : 0.0f) + cni_direct_contact_leak(p, i) : 0.0f;
+		out[i] = row_is(p, i) ? cni_lever_speed(&l, q->pass->motions + n->ia, q->pass->motions + n->ib) + (i < 2 ? p->gap_speed[i] + p->lift : 0.0f) + cni_direct_contact_leak(p, i) : 0.0f;
 	}
 }
 
 /* Starts from the impulses of the last pass. */
-static void press_warm(const cone *q, cni_direct_contact *p, const cni_node *n)
+static void contact_warm_start(const cone *q, cni_direct_contact *p, const cni_node *n)
 {
 	float change[3];
 	int32_t i;
@@ -110,7 +110,7 @@ static void press_warm(const cone *q, cni_direct_contact *p, const cni_node *n)
 	p->lift = 0.0f;
 }
 
-static void warm(cone *q)
+static void warm_start(cone *q)
 {
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
@@ -118,7 +118,7 @@ static void warm(cone *q)
 		memset(q->sparse->nodes[k].total, 0, sizeof q->sparse->nodes[k].total);
 		if (p == NULL)
 			continue;
-		press_warm(q, p, &q->sparse->nodes[k]);
+		contact_warm_start(q, p, &q->sparse->nodes[k]);
 		for (i = 0; i < 4; ++i)
 			q->count += slack_is(p, i);
 	}
@@ -126,7 +126,7 @@ static void warm(cone *q)
 
 /* Moves the impulses inside of the cones, with equal products of slacks and multipliers; the changes go into start. A separated point has
    three multipliers that must add up to its speed. */
-static void press_center(const cone *q, cni_direct_contact *p, const cni_node *n, float speed)
+static void contact_center(const cone *q, cni_direct_contact *p, const cni_node *n, float speed)
 {
 	float speeds[3], most;
 	int32_t i;
@@ -144,7 +144,7 @@ static void press_center(const cone *q, cni_direct_contact *p, const cni_node *n
 		p->dual[i] = slack_is(p, i) ? q->tau * slack_mass(p, i) / p->slack[i] : 0.0f;
 }
 
-static float speed_lacking(const cone *q, const cni_direct_contact *p, const cni_node *n)
+static float speed_missing(const cone *q, const cni_direct_contact *p, const cni_node *n)
 {
 	float speeds[3];
 	speeds_of(q, p, n, speeds);
@@ -158,11 +158,11 @@ static void center(cone *q)
 	cni_direct_contact *p;
 	for (k = q->c->begin; k < q->c->end; ++k)
 		if ((p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k])) != NULL)
-			speed = cni_max(speed, speed_lacking(q, p, &q->sparse->nodes[k]));
+			speed = cni_max(speed, speed_missing(q, p, &q->sparse->nodes[k]));
 	q->tau = speed * speed;
 	for (k = q->c->begin; k < q->c->end; ++k)
 		if ((p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k])) != NULL)
-			press_center(q, p, &q->sparse->nodes[k], speed);
+			contact_center(q, p, &q->sparse->nodes[k], speed);
 	for (k = q->c->begin; k < q->c->end; ++k)
 		if ((p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k])) != NULL)
 			rows_push(q, p, &q->sparse->nodes[k], p->start);
@@ -176,7 +176,7 @@ static float stiffness_of(const cni_direct_contact *p, int32_t i)
 }
 
 /* Updates the residual: the rows' speeds less their multipliers; and the complementarity violation. */
-static void press_look(cone *q, const cni_direct_contact *p, const float speeds[3])
+static void contact_residuals(cone *q, const cni_direct_contact *p, const float speeds[3])
 {
 	int32_t i;
 	for (i = 0; i < 2; ++i)
@@ -184,17 +184,17 @@ static void press_look(cone *q, const cni_direct_contact *p, const float speeds[
 	q->residual = cni_max(q->residual, row_is(p, 2) ? cni_abs(speeds[2] + p->dual[2] - p->dual[3]) : 0.0f);
 	for (i = 0; i < 4; ++i)
 		if (slack_is(p, i))
-			q->misfit = cni_max(q->misfit, cni_min(p->dual[i], p->slack[i] / slack_mass(p, i)));
+			q->violation = cni_max(q->violation, cni_min(p->dual[i], p->slack[i] / slack_mass(p, i)));
 }
 
 /* Levers, diagonal and right side of a contact's Newton step. */
-static void press_newton(cone *q, cni_direct_contact *p, cni_node *n)
+static void contact_newton(cone *q, cni_direct_contact *p, cni_node *n)
 {
 	float d2 = stiffness_of(p, 2), d3 = stiffness_of(p, 3), speeds[3], push[4], both, lift;
 	cni_lever friction = cni_direct_contact_lever(p, 2);
 	int32_t i;
 	speeds_of(q, p, n, speeds);
-	press_look(q, p, speeds);
+	contact_residuals(q, p, speeds);
 	for (i = 0; i < 4; ++i)
 		push[i] = slack_is(p, i) ? (q->tau * slack_mass(p, i) - p->cross[i]) / p->slack[i] : 0.0f;
 	lift = p->coefficient * (push[2] + push[3]);
@@ -241,7 +241,7 @@ static void changes_of(const cone *q, const cni_direct_contact *p, const cni_nod
 		dual[i] = slack_is(p, i) ? (q->tau * slack_mass(p, i) - p->cross[i]) / p->slack[i] - stiffness_of(p, i) * slack[i] - p->dual[i] : 0.0f;
 }
 
-static float way_to(float from, float change)
+static float distance_to(float from, float change)
 {
 	return change < 0.0f ? -from / change : FLT_MAX;
 }
@@ -261,13 +261,13 @@ static float step_length(const cone *q)
 		changes_of(q, p, n, slack, dual);
 		for (i = 0; i < 4; ++i)
 			if (slack_is(p, i))
-				most = cni_min(most, cni_min(way_to(p->slack[i], slack[i]), way_to(p->dual[i], dual[i])));
+				most = cni_min(most, cni_min(distance_to(p->slack[i], slack[i]), distance_to(p->dual[i], dual[i])));
 	}
 	return cni_min(1.0f, STEP_MOST * most);
 }
 
 /* Applies the step. Returns the mean of slack times multiplier after it. */
-static float step_take(const cone *q, float length)
+static float step_apply(const cone *q, float length)
 {
 	float sum = 0.0f;
 	int32_t k, i;
@@ -300,7 +300,7 @@ static float step_take(const cone *q, float length)
 
 /* Stores the second-order terms of the predictor step in `cross`, for the right sides that follow. Returns the mean of slack times
    multiplier that the predictor would reach. */
-static float predictor_keep(cone *q, float length)
+static float predictor_store(cone *q, float length)
 {
 	float sum = 0.0f;
 	int32_t k, i;
@@ -331,11 +331,11 @@ static void predictor_clear(cone *q)
 static void newton_set(cone *q)
 {
 	int32_t k;
-	q->residual = q->misfit = 0.0f;
+	q->residual = q->violation = 0.0f;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
 		if (p != NULL)
-			press_newton(q, p, &q->sparse->nodes[k]);
+			contact_newton(q, p, &q->sparse->nodes[k]);
 		else
 			joint_newton(q, &q->sparse->nodes[k]);
 	}
@@ -344,18 +344,18 @@ static void newton_set(cone *q)
 /* ---- the end ---- */
 
 /* Sets the states for the set that the next pass begins with. Open rows get no impulse. */
-static void press_end(const cone *q, cni_direct_contact *p, cni_node *n)
+static void contact_finish(const cone *q, cni_direct_contact *p, cni_node *n)
 {
 	float change[3] = { 0.0f, 0.0f, 0.0f };
 	int32_t i;
 	for (i = 0; i < 2; ++i) {
-		p->state[i] = row_is(p, i) && p->slack[i] > p->dual[i] * p->mass[i] ? CNI_ROW_HELD : CNI_ROW_OPEN;
+		p->state[i] = row_is(p, i) && p->slack[i] > p->dual[i] * p->mass[i] ? CNI_ROW_ACTIVE : CNI_ROW_OPEN;
 		change[i] = p->state[i] == CNI_ROW_OPEN ? -p->j[i] : 0.0f;
 	}
-	p->way = p->slack[2] < p->slack[3] ? 1.0f : -1.0f;
-	i = p->way > 0.0f ? 2 : 3;
-	p->state[2] = row_is(p, 2) && p->dual[i] > q->pass->speed_least && p->slack[i] < p->dual[i] * p->mass[2] ? CNI_ROW_SLIDES : CNI_ROW_HELD;
-	if (p->state[0] != CNI_ROW_HELD && p->state[1] != CNI_ROW_HELD) {
+	p->slide_sign = p->slack[2] < p->slack[3] ? 1.0f : -1.0f;
+	i = p->slide_sign > 0.0f ? 2 : 3;
+	p->state[2] = row_is(p, 2) && p->dual[i] > q->pass->speed_least && p->slack[i] < p->dual[i] * p->mass[2] ? CNI_ROW_SLIDES : CNI_ROW_ACTIVE;
+	if (p->state[0] != CNI_ROW_ACTIVE && p->state[1] != CNI_ROW_ACTIVE) {
 		p->state[2] = CNI_ROW_OPEN;
 		change[2] = -p->j[2];
 	}
@@ -368,13 +368,13 @@ static void press_end(const cone *q, cni_direct_contact *p, cni_node *n)
 	n->held = 0;
 }
 
-static void end(const cone *q)
+static void contacts_finish(const cone *q)
 {
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
 		if (p != NULL)
-			press_end(q, p, &q->sparse->nodes[k]);
+			contact_finish(q, p, &q->sparse->nodes[k]);
 	}
 	q->c->factored = 0;
 }
@@ -392,7 +392,7 @@ static int32_t iterate(cone *q)
 		q->tau = 0.0f;
 		predictor_clear(q);
 		newton_set(q);
-		if (q->residual <= q->pass->speed_least && q->misfit <= q->pass->speed_least)
+		if (q->residual <= q->pass->speed_least && q->violation <= q->pass->speed_least)
 			return 1;
 		if (q->factors == q->factors_most)
 			return 0;
@@ -401,14 +401,14 @@ static int32_t iterate(cone *q)
 		if (!cni_sparse_solve(q->sparse, q->c))
 			return 0;
 		length = step_length(q);
-		predicted = predictor_keep(q, length);
+		predicted = predictor_store(q, length);
 		part = predicted / mean;
 		q->tau = cni_max(mean * part * part * part, square(PATH_SPEED * cni_max(q->residual, q->pass->speed_least)));
 		newton_set(q);
 		if (!cni_sparse_solve(q->sparse, q->c))
 			return 0;
 		length = step_length(q);
-		mean = step_take(q, length);
+		mean = step_apply(q, length);
 	}
 }
 
@@ -441,13 +441,13 @@ int32_t cni_direct_contacts_cone(const cni_direct_contact_pass *pass, int32_t *o
 	float change = FLT_MAX;
 	if (pass->world->settings.solver == CN_SOLVER_DIRECT)
 		q.factors_most = FACTORS_DIRECT;
-	warm(&q);
+	warm_start(&q);
 	for (round = 0; good && round < SLIP_ROUNDS && change > SLIP_CLOSE * pass->speed_least; ++round) {
 		center(&q);
 		good = iterate(&q);
 		change = slips_find(&q);
 	}
-	end(&q);
+	contacts_finish(&q);
 	*out_factors = q.factors;
 	return good;
 }

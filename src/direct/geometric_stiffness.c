@@ -83,7 +83,7 @@ float cni_geometric_stiffness_rods(const cn_world *world, cni_sparse *sparse, co
 	return 2.0f * most;
 }
 
-float cni_geometric_stiffness_stiffness(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+float cni_geometric_stiffness_largest(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	float most = 0.0f;
 	int32_t k;
@@ -94,7 +94,7 @@ float cni_geometric_stiffness_stiffness(const cn_world *world, const cni_sparse 
 
 int32_t cni_geometric_stiffness_needs_dampers(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float h)
 {
-	return CNI_ON(TENSION) && h * h * cni_geometric_stiffness_stiffness(world, sparse, c) > 0.5f * XI_MOST;
+	return CNI_ON(TENSION) && h * h * cni_geometric_stiffness_largest(world, sparse, c) > 0.5f * XI_MOST;
 }
 
 /* c of a body: the part of h^2 sum(r.f) that a substep does not resolve. */
@@ -136,7 +136,7 @@ int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sp
 	int32_t k, found = 0;
 	for (k = c->begin; k < c->end && CNI_ON(TENSION); ++k) {
 		cni_node *n = &sparse->nodes[k];
-		if (n->rows != 2 || cni_joint_constraints(world)[n->owner].inner > 0 || is_fixed(world, n->ia) || is_fixed(world, n->ib) ||
+		if (n->rows != 2 || cni_joint_constraints(world)[n->owner].active_row > 0 || is_fixed(world, n->ia) || is_fixed(world, n->ib) ||
 		    (cni_abs(motions[n->ia].w) <= most && cni_abs(motions[n->ib].w) <= most) || cni_abs(motions[n->ib].w - motions[n->ia].w) <= 0.5f * most)
 			continue;
 		c->width = CNI_NODE_ROWS;

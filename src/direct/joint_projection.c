@@ -15,7 +15,7 @@
 
 #define CLOSE_ROUNDS 4       /* of joints and the contacts that part them, in a substep, at most */
 
-static int32_t may_close(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+static int32_t may_open(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t n;
 	if (c->done || c->presses)
@@ -54,12 +54,12 @@ void cni_projection_mark(const cn_world *world, cni_sparse *sparse)
 	for (k = 0; k < world->awake_count; ++k)
 		sparse->projection_of[k] = CNI_NONE;
 	for (k = 0; k < sparse->component_count; ++k)
-		if (may_close(world, sparse, &sparse->components[k]))
+		if (may_open(world, sparse, &sparse->components[k]))
 			projection_add(sparse, k);
 }
 
 /* 1: contacts would open a joint by more than is good in this substep. Reads the right sides. */
-static int32_t is_parting(const cn_world *world, const cni_solve *s, const cni_component *c)
+static int32_t is_opening(const cn_world *world, const cni_solve *s, const cni_component *c)
 {
 	float most = CNI_PROJECTION_PART * world->settings.accuracy * s->inv_h;
 	int32_t k, i;
@@ -127,7 +127,7 @@ static void drifts_add(const cn_world *world, const cni_solve *s, const cni_comp
 }
 
 /* Marks the projection of a body as changed; index: dense. */
-static void change_tell(cni_sparse *sparse, int32_t index)
+static void change_mark(cni_sparse *sparse, int32_t index)
 {
 	if (sparse->projection_of[index] != CNI_NONE)
 		sparse->projections[sparse->projection_of[index]].changed = 1;
@@ -157,7 +157,7 @@ static void slots_find(const cn_world *world, cni_sparse *sparse, cni_projection
 }
 
 /* Solves the contacts of its bodies that are in lanes once more. */
-static void contacts_again(cn_world *world, const cni_solve *s, cni_projection *projection)
+static void contacts_solve_again(cn_world *world, const cni_solve *s, cni_projection *projection)
 {
 	int32_t k;
 	if (projection->slot_begin == CNI_NONE)
@@ -166,36 +166,36 @@ static void contacts_again(cn_world *world, const cni_solve *s, cni_projection *
 		int32_t slot = s->direct->projection_slots[k];
 		const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
 		cni_contact_solve_again(world, s, slot);
-		change_tell(s->direct, block->ia[slot % CNI_LANES]);
-		change_tell(s->direct, block->ib[slot % CNI_LANES]);
+		change_mark(s->direct, block->ia[slot % CNI_LANES]);
+		change_mark(s->direct, block->ib[slot % CNI_LANES]);
 	}
 }
 
 /* Selects projections to check: all in the first round, then those that opened in the last round or whose bodies contacts changed. */
-static void projections_ask(cni_sparse *sparse, int32_t round)
+static void projections_select(cni_sparse *sparse, int32_t round)
 {
 	int32_t k;
 	for (k = 0; k < sparse->batch_count; ++k)
-		sparse->batches[k].asked = 0;
+		sparse->batches[k].selected = 0;
 	for (k = 0; k < sparse->projection_count; ++k) {
 		cni_projection *c = &sparse->projections[k];
 		c->asked = round == 0 || c->parting || c->changed;
 		c->changed = 0;
 		if (c->asked && c->batch != CNI_NONE)
-			sparse->batches[c->batch].asked |= 1u << c->lane;
+			sparse->batches[c->batch].selected |= 1u << c->lane;
 	}
 }
 
 /* Returns 1 when it was solved. */
-static int32_t component_close(cn_world *world, const cni_solve *s, cni_component *c)
+static int32_t component_project(cn_world *world, const cni_solve *s, cni_component *c)
 {
 	if (c->done)
 		return 0;
-	cni_direct_sides(world, s, c, 1);
+	cni_direct_right_sides(world, s, c, 1);
 	drifts_add(world, s, c);
-	if (!is_parting(world, s, c))
+	if (!is_opening(world, s, c))
 		return 0;
-	cni_direct_answer(world, s, c);
+	cni_component_solve(world, s, c);
 	return 1;
 }
 
@@ -204,22 +204,22 @@ static int32_t projection_run(cn_world *world, const cni_solve *s, const cni_pro
 	if (!c->asked)
 		return 0;
 	if (c->batch != CNI_NONE)
-		return (int32_t)(s->direct->batches[c->batch].parting >> c->lane & 1u);
-	return component_close(world, s, &s->direct->components[c->component]);
+		return (int32_t)(s->direct->batches[c->batch].opening >> c->lane & 1u);
+	return component_project(world, s, &s->direct->components[c->component]);
 }
 
 /* Returns 1 when some joints were opening, so that their contacts must be solved once more. */
 static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t round)
 {
-	int32_t k, closed = 0;
-	projections_ask(s->direct, round);
-	cni_tree_batches_close(world, s);
+	int32_t k, opening = 0;
+	projections_select(s->direct, round);
+	cni_tree_batches_project(world, s);
 	for (k = 0; k < s->direct->projection_count; ++k) {
 		cni_projection *c = &s->direct->projections[k];
 		c->parting = projection_run(world, s, c) && round < c->rounds;
-		closed |= c->parting;
+		opening |= c->parting;
 	}
-	return closed;
+	return opening;
 }
 
 void cni_direct_project(cn_world *world, const cni_solve *s)
@@ -230,5 +230,5 @@ void cni_direct_project(cn_world *world, const cni_solve *s)
 	for (round = 0; projections_run(world, s, round); ++round)
 		for (k = 0; k < s->direct->projection_count; ++k)
 			if (s->direct->projections[k].parting)
-				contacts_again(world, s, &s->direct->projections[k]);
+				contacts_solve_again(world, s, &s->direct->projections[k]);
 }

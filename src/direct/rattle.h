@@ -9,7 +9,7 @@
 #define GAP_OLD 100.0f          /* times CLOSED: a gap that this step has not made */
 #define ENERGY_GAIN 0.01f      /* part of the kinetic energy that a step may take out: more is a step that failed */
 
-typedef struct swing {
+typedef struct rattle_step {
 	cn_world *world;
 	cni_sparse *sparse;
 	const cni_component *c;
@@ -19,30 +19,30 @@ typedef struct swing {
 	float closing;     /* largest reduction of an old gap in a substep */
 	float *left;       /* by row: remainder of an old gap after the substep */
 	float warm;        /* 0.5, or 0: part of the last substep's impulse that is the first guess of mu */
-	float speeding;    /* h^2 m a^2 / 4 of the last substep: bound on the method's energy error */
+	float energy_error; /* h^2 m a^2 / 4 of the last substep: bound on the method's energy error */
 	float base_work;   /* work of moving bodies without mass at their joints in this step */
-	int32_t mends;     /* 1: the step began with old gaps and closes them */
-} swing;
+	int32_t closes_gaps; /* 1: the step began with old gaps and closes them */
+} rattle_step;
 
-static inline cni_joint_constraint *work_of(const swing *g, int32_t node)
+static inline cni_joint_constraint *constraint_of(const rattle_step *g, int32_t node)
 {
 	return &cni_joint_constraints(g->world)[g->sparse->nodes[node].owner];
 }
 
 /* 1: some joint has an old gap, which closes at a limited speed. */
-int32_t cni_rattle_mends(const swing *g);
+int32_t cni_rattle_closes_gaps(const rattle_step *g);
 /* 1: a joint of the component ends at a body that cannot move. */
-int32_t cni_rattle_is_fixed(const swing *g);
-float cni_rattle_kinetic(const swing *g);
+int32_t cni_rattle_is_fixed(const rattle_step *g);
+float cni_rattle_kinetic(const rattle_step *g);
 /* Energy of motion less the work of external accelerations in this step. */
-float cni_rattle_energy(const swing *g);
+float cni_rattle_energy(const rattle_step *g);
 /* Energy that a step of free fall and of gap closing may add from rest. */
-float cni_rattle_energy_allowed(const swing *g, float dt);
+float cni_rattle_energy_allowed(const rattle_step *g, float dt);
 /* h^2 m a^2 / 4 of the last substep: bound on the method's energy error. */
-float cni_rattle_speeding(const swing *g, const cni_solve *s);
+float cni_rattle_energy_error(const rattle_step *g, const cni_solve *s);
 /* Work of moving bodies without mass at the component's joints in a substep. */
-float cni_rattle_base_work(const swing *g);
+float cni_rattle_base_work(const rattle_step *g);
 /* Adds the energy gain of a step to the account and takes the excess out of the motion. */
-void cni_rattle_account(const swing *g, cni_joint_trust *t, float gained);
+void cni_rattle_account(const rattle_step *g, cni_joint_trust *t, float gained);
 
 #endif

@@ -8,12 +8,12 @@
 
 #define ROUNDING 1e-3f         /* part of the kinetic energy that some minutes of rounding may gain */
 
-int32_t cni_rattle_mends(const swing *g)
+int32_t cni_rattle_closes_gaps(const rattle_step *g)
 {
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k)
 		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
-			if (cni_abs(work_of(g, k)->rows[i].error) > GAP_OLD * g->closed)
+			if (cni_abs(constraint_of(g, k)->rows[i].error) > GAP_OLD * g->closed)
 				return 1;
 	return 0;
 }
@@ -23,7 +23,7 @@ static float inverse_or_zero(float x)
 	return x > 0.0f ? 1.0f / x : 0.0f;
 }
 
-float cni_rattle_kinetic(const swing *g)
+float cni_rattle_kinetic(const rattle_step *g)
 {
 	float sum = 0.0f;
 	int32_t k;
@@ -34,7 +34,7 @@ float cni_rattle_kinetic(const swing *g)
 	return 0.5f * sum;
 }
 
-float cni_rattle_energy(const swing *g)
+float cni_rattle_energy(const rattle_step *g)
 {
 	float sum = 0.0f;
 	int32_t k;
@@ -47,9 +47,9 @@ float cni_rattle_energy(const swing *g)
 	return sum;
 }
 
-float cni_rattle_energy_allowed(const swing *g, float dt)
+float cni_rattle_energy_allowed(const rattle_step *g, float dt)
 {
-	float sum = 0.0f, pull = cni_rattle_mends(g) ? g->closing / g->h : 0.0f;
+	float sum = 0.0f, pull = cni_rattle_closes_gaps(g) ? g->closing / g->h : 0.0f;
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
@@ -74,7 +74,7 @@ static float change_of(const cni_motion *m, float vx, float vy, float w)
  * with the joints' forces among the accelerations a). The bound is six times the first term. start: velocities before the last substep, set
  * by last_substep_begins.
  */
-float cni_rattle_speeding(const swing *g, const cni_solve *s)
+float cni_rattle_energy_error(const rattle_step *g, const cni_solve *s)
 {
 	float sum = 0.0f, last = cni_max(1.0f, s->warm_scale > 0.0f ? 1.0f / s->warm_scale : 1.0f); /* the account was filled at the last step's h */
 	int32_t k;
@@ -100,14 +100,14 @@ static float base_speed(const cni_lever *l, const cni_motion *a, const cni_motio
 }
 
 /* In a substep J v = 0, so the row's power on bodies with mass is minus that of the massless ones. */
-float cni_rattle_base_work(const swing *g)
+float cni_rattle_base_work(const rattle_step *g)
 {
 	float work = 0.0f;
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		const cni_node *n = &g->sparse->nodes[k];
 		for (i = 0; i < n->rows; ++i)
-			work -= work_of(g, k)->rows[i].impulse * base_speed(&n->lever[i], g->motions + n->ia, g->motions + n->ib);
+			work -= constraint_of(g, k)->rows[i].impulse * base_speed(&n->lever[i], g->motions + n->ia, g->motions + n->ib);
 	}
 	return work;
 }
@@ -118,13 +118,13 @@ typedef struct rigid_motion {
 	int32_t fixed;     /* 1: a joint ends at a body without mass: no rigid motion is subtracted */
 } rigid_motion;
 
-static cni_vec2 place_of(const swing *g, int32_t index)
+static cni_vec2 place_of(const rattle_step *g, int32_t index)
 {
 	const cni_body *b = cni_body_at(g->world, cni_awake_ids(g->world)[index]);
 	return cni_v(b->cx + g->motions[index].dpx, b->cy + g->motions[index].dpy);
 }
 
-int32_t cni_rattle_is_fixed(const swing *g)
+int32_t cni_rattle_is_fixed(const rattle_step *g)
 {
 	int32_t k;
 	for (k = g->c->begin; k < g->c->end; ++k)
@@ -134,7 +134,7 @@ int32_t cni_rattle_is_fixed(const swing *g)
 }
 
 /* The motion of one rigid body with the component's momenta. */
-static rigid_motion rigid_of(const swing *g)
+static rigid_motion rigid_of(const rattle_step *g)
 {
 	rigid_motion r = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, cni_rattle_is_fixed(g) };
 	float spin = 0.0f;
@@ -167,7 +167,7 @@ static rigid_motion rigid_of(const swing *g)
 	return r;
 }
 
-static cni_velocity_start velocity_in(const swing *g, const rigid_motion *r, int32_t index)
+static cni_velocity_start velocity_in(const rattle_step *g, const rigid_motion *r, int32_t index)
 {
 	cni_velocity_start v = { 0.0f, 0.0f, 0.0f, 0.0f };
 	cni_vec2 p;
@@ -181,7 +181,7 @@ static cni_velocity_start velocity_in(const swing *g, const rigid_motion *r, int
 }
 
 /* Kinetic energy relative to the rigid motion. */
-static float inner_energy(const swing *g, const rigid_motion *r)
+static float inner_energy(const rattle_step *g, const rigid_motion *r)
 {
 	float sum = 0.0f;
 	int32_t k;
@@ -197,7 +197,7 @@ static float inner_energy(const swing *g, const rigid_motion *r)
  * Takes this energy out of the component's motion, but at most ENERGY_GAIN of it. All velocities relative to the rigid motion of equal
  * momenta are scaled by one factor, which preserves the momenta and J v = 0. Returns the energy removed.
  */
-static float energy_take(const swing *g, float surplus)
+static float energy_take(const rattle_step *g, float surplus)
 {
 	rigid_motion r = rigid_of(g);
 	float inner = inner_energy(g, &r), part, keep;
@@ -217,7 +217,7 @@ static float energy_take(const swing *g, float surplus)
 }
 
 /* Work of external accelerations along the position error: the tolerance of closed joints and the rounding of floats. */
-static float rounding_of_positions(const swing *g)
+static float rounding_of_positions(const rattle_step *g)
 {
 	float sum = 0.0f;
 	int32_t k;
@@ -233,10 +233,10 @@ static float rounding_of_positions(const swing *g)
 
 /* Adds the energy gain of a step to the account and takes the excess out of the motion. A step that closed old gaps adds nothing: closing
    moved the bodies, so the gain is not of their motion. */
-void cni_rattle_account(const swing *g, cni_joint_trust *t, float gained)
+void cni_rattle_account(const rattle_step *g, cni_joint_trust *t, float gained)
 {
-	float most = g->speeding + ROUNDING * cni_rattle_kinetic(g) + rounding_of_positions(g);
-	t->surplus = cni_max(t->surplus + (g->mends ? 0.0f : gained), -most);
+	float most = g->energy_error + ROUNDING * cni_rattle_kinetic(g) + rounding_of_positions(g);
+	t->surplus = cni_max(t->surplus + (g->closes_gaps ? 0.0f : gained), -most);
 	if (!(t->surplus < FLT_MAX)) /* an account that is not finite begins anew */
 		t->surplus = 0.0f;
 	if (t->surplus > most)

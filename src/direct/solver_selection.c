@@ -47,13 +47,13 @@
 #define BLOCKS_AT_ONCE 8       /* whose memory is asked for */
 #define HEAVIER 5.0f           /* times: such a body on a lighter one may crush it */
 
-typedef struct look {
+typedef struct lane_scan {
 	float most;    /* metres: bad overlap of a contact with much load */
 	float h;       /* substep length */
 	int32_t done;  /* an island whose further lanes change nothing, CNI_NONE */
-} look;
+} lane_scan;
 
-static int32_t *listed(const cn_world *world)
+static int32_t *direct_list(const cn_world *world)
 {
 	return (int32_t *)world->direct_islands.data;
 }
@@ -84,7 +84,7 @@ static void island_take(cn_world *world, int32_t island, int32_t reason)
 	if (is_long_ago(world, i->given_step, i->stay_steps))
 		i->stay_steps = 0;
 	i->good_steps = 0;
-	listed(world)[world->direct_islands.count++] = island;
+	direct_list(world)[world->direct_islands.count++] = island;
 }
 
 int32_t cni_island_is_refused(const cni_island *i, uint32_t step)
@@ -114,7 +114,7 @@ static void new_contact_count(cn_world *world, int32_t index)
 }
 
 /* Records a bad contact of the island. Of several reasons the highest is reported. */
-static void island_is_bad(cn_world *world, int32_t island, int32_t reason)
+static void island_mark_bad(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
 	i->good_steps = 0;
@@ -139,7 +139,7 @@ static void island_is_bad(cn_world *world, int32_t island, int32_t reason)
  * The loads of a directly solved island held it in balance. Soft contacts yield around these loads: in an island that moves after all, the
  * thrust of an arch would drive it apart. Clearing them lets the soft solver find new ones.
  */
-static void loads_forget(const cn_world *world, const cni_island *i)
+static void loads_clear(const cn_world *world, const cni_island *i)
 {
 	int32_t body, key;
 	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
@@ -157,7 +157,7 @@ void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 	cni_island *i = cni_island_at(world, island);
 	int32_t first = reason == CN_TIER_REASON_NO_SET || reason == CN_TIER_REASON_MOVING ? RETRY_STEPS : REFUSED_STEPS;
 	if (i->tier == CNI_TIER_DIRECT && i->falls_steps > 0 && i->gives_step != 0 && world->step_count + 1u - i->gives_step < 3u)
-		loads_forget(world, i);
+		loads_clear(world, i);
 	i->tier = CNI_TIER_SOFT;
 	i->reason = reason;
 	if (is_long_ago(world, i->refused_step, i->refused_steps))
@@ -187,26 +187,26 @@ static int32_t may_be_stressed(const cn_world *world, const cni_contact_block *k
 	return cni_is_stressed(world, k->ia[l], k->ib[l], k->p[0].jn[l] + k->p[1].jn[l], h, 0.5f);
 }
 
-static int32_t creeps(const cn_world *world, int32_t index)
+static int32_t is_slow(const cn_world *world, int32_t index)
 {
 	const cni_motion *m = cni_motions(world) + index;
 	return m->vx * m->vx + m->vy * m->vy <= world->settings.sleep_speed * world->settings.sleep_speed;
 }
 
 /* Leaning bodies: the top-down sweep could not load them, or they sink while nothing moves. */
-static int32_t leans(const cn_world *world, const cni_contact_block *k, int32_t l)
+static int32_t is_leaning(const cn_world *world, const cni_contact_block *k, int32_t l)
 {
 	int32_t island = cni_awake_island(world, k->ia[l]);
-	return island != CNI_NONE && (cni_island_at(world, island)->unheld_step != 0 || (creeps(world, k->ia[l]) && creeps(world, k->ib[l])));
+	return island != CNI_NONE && (cni_island_at(world, island)->unheld_step != 0 || (is_slow(world, k->ia[l]) && is_slow(world, k->ib[l])));
 }
 
 /* Reason why a lane is bad, 0: it is good. */
-static int32_t lane_reason(const cn_world *world, const look *q, const cni_contact_block *k, int32_t l, int32_t is_new)
+static int32_t lane_reason(const cn_world *world, const lane_scan *q, const cni_contact_block *k, int32_t l, int32_t is_new)
 {
 	float deep = overlap(k, l);
 	if (deep > world->settings.accuracy)
 		return CN_TIER_REASON_OVERLAP;
-	if ((deep <= q->most && !is_new) || (!leans(world, k, l) && !may_be_stressed(world, k, l, q->h)))
+	if ((deep <= q->most && !is_new) || (!is_leaning(world, k, l) && !may_be_stressed(world, k, l, q->h)))
 		return 0;
 	return deep > q->most ? CN_TIER_REASON_OVERLAP : CN_TIER_REASON_NEW_CONTACT;
 }
@@ -233,7 +233,7 @@ static int32_t island_is_settled(const cn_world *world, int32_t island)
 	return i->tier != CNI_TIER_DIRECT && i->looked_step == world->step_count + 1u;
 }
 
-static void lane_look(cn_world *world, look *q, const cni_contact_block *k, int32_t l, int32_t is_new)
+static void lane_check(cn_world *world, lane_scan *q, const cni_contact_block *k, int32_t l, int32_t is_new)
 {
 	int32_t island = cni_awake_island(world, k->ia[l]), reason;
 	if (island == CNI_NONE)
@@ -244,20 +244,20 @@ static void lane_look(cn_world *world, look *q, const cni_contact_block *k, int3
 	}
 	reason = lane_reason(world, q, k, l, is_new);
 	if (reason != 0)
-		island_is_bad(world, island, reason);
+		island_mark_bad(world, island, reason);
 }
 
-static void lane_look_new(cn_world *world, look *q, const cni_contact_block *k, int32_t l)
+static void new_lane_check(cn_world *world, lane_scan *q, const cni_contact_block *k, int32_t l)
 {
 	int32_t is_new = lane_is_new(k, l, world->settings.slop);
 	if (is_new)
 		new_contact_count(world, k->ia[l]);
 	if (cni_awake_island(world, k->ia[l]) != q->done)
-		lane_look(world, q, k, l, is_new);
+		lane_check(world, q, k, l, is_new);
 }
 
 /* lanes: bits of the deep or new ones. In a moving heap nearly all are deep, and belong to the island q->done. */
-static void block_look(cn_world *world, look *q, const cni_listed_block *b, uint32_t lanes)
+static void block_check(cn_world *world, lane_scan *q, const cni_listed_block *b, uint32_t lanes)
 {
 	const cni_contact_block *k = b->rows;
 	int32_t l;
@@ -265,20 +265,20 @@ static void block_look(cn_world *world, look *q, const cni_listed_block *b, uint
 		if (!(lanes >> l & 1u))
 			continue;
 		if (b->fresh >> l & 1u)
-			lane_look_new(world, q, k, l);
+			new_lane_check(world, q, k, l);
 		else if (cni_awake_island(world, k->ia[l]) != q->done)
-			lane_look(world, q, k, l, 0);
+			lane_check(world, q, k, l, 0);
 	}
 }
 
 /* Islands in which the top-down sweep of the last step left a body unsupported. */
-static void unheld_look(cn_world *world)
+static void unheld_check(cn_world *world)
 {
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
 		int32_t island = cni_awake_island(world, k);
 		if (island != CNI_NONE && cni_island_at(world, island)->unheld_step == world->step_count && world->step_count > 0)
-			island_is_bad(world, island, CN_TIER_REASON_NEW_CONTACT);
+			island_mark_bad(world, island, CN_TIER_REASON_NEW_CONTACT);
 	}
 }
 
@@ -297,9 +297,9 @@ static void impulses_prefetch(const cni_contact_block *k)
 }
 
 /* Several blocks at once: rarely needed data is prefetched while other blocks are checked. */
-static void lanes_look(cn_world *world, float h)
+static void lanes_check(cn_world *world, float h)
 {
-	look q = { CNI_BAD_PART * world->settings.accuracy, h, CNI_NONE };
+	lane_scan q = { CNI_BAD_PART * world->settings.accuracy, h, CNI_NONE };
 	const cni_listed_block *list = (const cni_listed_block *)world->block_list.data;
 	uint32_t lanes[BLOCKS_AT_ONCE];
 	int32_t first, last, k, count = world->colors[CNI_COLORS - 1].listed + world->colors[CNI_COLORS - 1].listed_count;
@@ -315,15 +315,15 @@ static void lanes_look(cn_world *world, float h)
 				impulses_prefetch(list[k].rows);
 		}
 		for (k = first; k < last; ++k)
-			block_look(world, &q, &list[k], lanes[k - first]);
+			block_check(world, &q, &list[k], lanes[k - first]);
 	}
 	if (world->piles_unheld)
-		unheld_look(world);
+		unheld_check(world);
 	world->piles_unheld = 0;
 }
 
 /* 1: the island has moved for so long that no impulses hold it. An exact solution of its fall is not worth its work. */
-static int32_t falls(const cn_world *world, const cni_island *i)
+static int32_t is_falling(const cn_world *world, const cni_island *i)
 {
 	return i->solver != CN_SOLVER_DIRECT && i->gives_step == world->step_count && world->step_count > 0 && i->falls_steps >= FALLS_STEPS;
 }
@@ -342,7 +342,7 @@ static void list_update(cn_world *world, float h)
 {
 	int32_t k, kept = 0;
 	for (k = 0; k < world->direct_islands.count; ++k) {
-		int32_t island = listed(world)[k];
+		int32_t island = direct_list(world)[k];
 		cni_island *i = cni_island_at(world, island);
 		if (i->first == CNI_NONE || i->tier != CNI_TIER_DIRECT)
 			continue;
@@ -355,7 +355,7 @@ static void list_update(cn_world *world, float h)
 			i->reason = CN_TIER_REASON_JOINTED;
 			continue;
 		}
-		if (falls(world, i)) {
+		if (is_falling(world, i)) {
 			cni_island_refuse(world, island, CN_TIER_REASON_MOVING);
 			continue;
 		}
@@ -363,7 +363,7 @@ static void list_update(cn_world *world, float h)
 		if (i->solver != CN_SOLVER_SOFT && i->good_steps <= STAY_MOST &&
 		    (i->good_steps++ < cni_max_i(i->stay_steps, STAY_FIRST) || i->solver == CN_SOLVER_DIRECT)) {
 			i->reason = CN_TIER_REASON_SETTLING;
-			listed(world)[kept++] = island;
+			direct_list(world)[kept++] = island;
 			continue;
 		}
 		i->tier = CNI_TIER_SOFT;
@@ -382,7 +382,7 @@ void cni_solver_selection_reset(cn_world *world)
 {
 	int32_t k;
 	for (k = 0; k < world->direct_islands.count; ++k)
-		cni_island_at(world, listed(world)[k])->tier = CNI_TIER_SOFT;
+		cni_island_at(world, direct_list(world)[k])->tier = CNI_TIER_SOFT;
 	world->direct_islands.count = 0;
 	world->direct_work = world->direct_failed = 0;
 }
@@ -441,7 +441,7 @@ static void solvers_gather(cn_world *world)
 
 /* Every awake island whose contacts may be solved directly (every 1), or those with a body that asks for it; islands that a body keeps soft
    are skipped. */
-static void list_awake(cn_world *world, int32_t every)
+static void awake_islands_take(cn_world *world, int32_t every)
 {
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
@@ -465,11 +465,11 @@ void cni_stage_select_solvers(cn_world *world, float h)
 		solvers_gather(world);
 	if (world->settings.solver == CN_SOLVER_DIRECT) {
 		cni_solver_selection_reset(world);
-		list_awake(world, 1);
+		awake_islands_take(world, 1);
 	} else if (world->settings.solver == CN_SOLVER_AUTO) {
 		list_update(world, h);
 		if (world->solvers_asked)
-			list_awake(world, 0);
-		lanes_look(world, h);
+			awake_islands_take(world, 0);
+		lanes_check(world, h);
 	}
 }

@@ -48,7 +48,7 @@ static int32_t may_be_wide(const cn_world *world, const cni_joint *j)
 }
 
 /* Sets up a joint for a lane of rows, which it gets if it is not solved directly. */
-static int32_t work_form(cn_world *world, int32_t k, const cni_joint *j, int32_t form)
+static int32_t form_begin(cn_world *world, int32_t k, const cni_joint *j, int32_t form)
 {
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	if (form == CNI_FORM_NONE)
@@ -116,7 +116,7 @@ static void spring_fill(cni_lane_spring *g, float h, const cni_joint *j, cni_joi
 	block->rest[l] = j->p[CNI_P_REVOLUTE_TARGET];
 	block->spring_mass[l] = soft.mass_scale;
 	block->spring_bias[l] = soft.bias_scale;
-	block->spring_give[l] = soft.impulse_scale;
+	block->spring_impulse_scale[l] = soft.impulse_scale;
 	block->spring_j[l] = j->impulse[CNI_REVOLUTE_SPRING];
 }
 
@@ -179,7 +179,7 @@ static void pin_fill(const cn_world *world, cni_joint_constraint *w, cni_joint_b
 void cni_joint_lane_fill(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k, cni_joint_block *block, int32_t l)
 {
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
-	block->work[l] = k;
+	block->constraint[l] = k;
 	w->lane = (int32_t)(block - cni_joint_blocks(world)) * CNI_LANES + l;
 	pin_fill(world, w, block, l);
 	angle_fill(spring, s->h, w, block, l);
@@ -221,7 +221,7 @@ static int32_t is_locked(const cn_world *world, int32_t body)
 }
 
 /* Fills the lane of the last step with joint constraint k. 0: the joint does not belong there any more. Writes only its own lane. */
-static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_lanes_look *look, int32_t k)
+static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_lane_setup *setup, int32_t k)
 {
 	const cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	int32_t l = w->kept_lane % CNI_LANES;
@@ -232,9 +232,10 @@ static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_l
 		return 0;
 	if (block->angular)
 		block->spring_j[l] = block->motor_j[l] = block->limit_j[l] = 0.0f;
-	cni_joint_lane_fill(world, s, &look->spring, k, block, l);
-	look->special |= is_locked(world, w->record->body[0]) || is_locked(world, w->record->body[1]) || (w->flags & CNI_CONSTRAINT_FRESH) != 0;
-	++look->filled;
+	cni_joint_lane_fill(world, s, &setup->spring, k, block, l);
+	setup->special |= is_locked(world, w->record->body[0]) || is_locked(world, w->record->body[1]) ||
+	                  (w->flags & CNI_CONSTRAINT_FRESH) != 0;
+	++setup->filled;
 	return 1;
 }
 
@@ -249,28 +250,28 @@ void cni_joint_blocks_begin(cn_world *world)
 }
 
 /* 1: every joint is in its lane of the last step. Directly solved joints would take their lanes first. */
-static int32_t lanes_hold(const cn_world *world, const cni_solve *s)
+static int32_t lanes_are_kept(const cn_world *world, const cni_solve *s)
 {
 	return world->joint_lanes.lanes > 0 && world->joint_lanes.filled == world->joint_lanes.lanes && (s->direct == NULL || s->direct->node_count == 0);
 }
 
 /* 1: the other inputs of planning, which may change while lanes do not, also allow to skip it. */
-static int32_t plans_none(const cn_world *world)
+static int32_t planning_is_needless(const cn_world *world)
 {
 	return world->settings.solver == CN_SOLVER_AUTO && !world->overridden && !world->joint_lanes.special && world->direct_islands.count == 0 &&
 	       world->joints_soft_step <= world->step_count;
 }
 
-int32_t cni_joint_lanes_tell(const cn_world *world)
+int32_t cni_joint_lanes_need_no_plan(const cn_world *world)
 {
 	const cni_lanes_kept *kept = &world->joint_lanes;
-	return kept->alone && kept->lanes > 0 && kept->filled == kept->lanes && kept->budget == world->settings.work_budget && plans_none(world);
+	return kept->alone && kept->lanes > 0 && kept->filled == kept->lanes && kept->budget == world->settings.work_budget && planning_is_needless(world);
 }
 
 /* Only called for kept lanes: locked bodies are not known for others. */
 static void lanes_alone(cn_world *world, const cni_solve *s)
 {
-	world->joint_lanes.alone = s->direct == NULL && !world->direct_failed && plans_none(world);
+	world->joint_lanes.alone = s->direct == NULL && !world->direct_failed && planning_is_needless(world);
 	world->joint_lanes.budget = world->settings.work_budget;
 }
 
@@ -296,26 +297,26 @@ static void lanes_keep(cn_world *world, const cni_solve *s, int32_t left)
 }
 
 /* The angle is only computed for a spring or limit. */
-int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct cni_lanes_look *look, int32_t k)
+int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct cni_lane_setup *setup, int32_t k)
 {
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
 	if (!may_be_wide(world, j))
 		return 0;
 	if (j->type != CN_JOINT_REVOLUTE)
-		return work_form(world, k, j, cni_joint_form(j));
+		return form_begin(world, k, j, cni_joint_form(j));
 	cni_joint_constraint_begin(world, k, j);
 	w->flags |= CNI_CONSTRAINT_WIDE;
 	w->row_count = 0;
 	w->rigid_count = 2;
 	if (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT))
 		w->start.angle = cni_joint_frame_angle(world, w->record);
-	look->kept = look->kept && lane_fill_again(world, s, look, k);
+	setup->kept = setup->kept && lane_fill_again(world, s, setup, k);
 	return 1;
 }
 
 /* Joints in one system with contacts are solved by rows: each of its passes begins by removing the effect of the impulses. */
-static void pressed_works_leave(cn_world *world, const cni_solve *s)
+static void contact_joints_narrow(cn_world *world, const cni_solve *s)
 {
 	int32_t k, n;
 	for (k = 0; s->direct != NULL && k < s->direct->component_count; ++k) {
@@ -387,14 +388,14 @@ static int32_t lanes_gather(cn_world *world, const cni_solve *s)
 void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 {
 	int32_t left;
-	if (lanes_hold(world, s)) {
+	if (lanes_are_kept(world, s)) {
 		lanes_alone(world, s);
 		world->joint_blocks.count = world->joint_lanes.blocks;
 		world->joint_plain_first = CNI_NONE;
 		return;
 	}
 	world->joint_lanes.alone = 0;
-	pressed_works_leave(world, s);
+	contact_joints_narrow(world, s);
 	lanes_empty(world);
 	left = lanes_gather(world, s);
 	blocks_list(world);
@@ -417,37 +418,37 @@ static void lane_release(cni_joint_block *block, int32_t l, cni_joint_constraint
 	block->direct &= ~(1u << l);
 }
 
-static void released_look(cn_world *world, cni_joint_block *block)
+static void released_check(cn_world *world, cni_joint_block *block)
 {
 	uint32_t bits;
 	for (bits = block->direct; bits != 0; bits &= bits - 1u) {
 		int32_t l = cni_bit_lowest32(bits);
-		cni_joint_constraint *w = cni_joint_constraints(world) + block->work[l];
+		cni_joint_constraint *w = cni_joint_constraints(world) + block->constraint[l];
 		if (!(w->flags & CNI_CONSTRAINT_DIRECT))
 			lane_release(block, l, w);
 	}
 }
 
 /* Moves the rows' impulses to the lanes while arms turn. */
-static void rows_pull(cn_world *world, cni_joint_block *block)
+static void rows_to_lanes(cn_world *world, cni_joint_block *block)
 {
 	uint32_t bits;
-	released_look(world, block);
+	released_check(world, block);
 	for (bits = block->direct; bits != 0; bits &= bits - 1u) {
 		int32_t l = cni_bit_lowest32(bits);
-		const cni_row *rows = cni_joint_constraints(world)[block->work[l]].rows;
+		const cni_row *rows = cni_joint_constraints(world)[block->constraint[l]].rows;
 		block->jx[l] += rows[0].impulse;
 		block->jy[l] += rows[1].impulse;
 	}
 }
 
 /* Moves them back, and updates the rows at the new positions. */
-static void rows_give(cn_world *world, cni_joint_block *block)
+static void lanes_to_rows(cn_world *world, cni_joint_block *block)
 {
 	uint32_t bits;
 	for (bits = block->direct; bits != 0; bits &= bits - 1u) {
 		int32_t l = cni_bit_lowest32(bits);
-		cni_row *rows = cni_joint_constraints(world)[block->work[l]].rows;
+		cni_row *rows = cni_joint_constraints(world)[block->constraint[l]].rows;
 		rows[0].impulse = block->jx[l];
 		rows[1].impulse = block->jy[l];
 		block->jx[l] = block->jy[l] = 0.0f;
@@ -484,12 +485,12 @@ static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t wo
 	for (k = begin; k < end && k < c->blocks; ++k) {
 		cni_joint_block *block = cni_joint_blocks(world) + cni_joint_blocks(world)[c->first + k].listed;
 		if (block->direct != 0 && c->moving)
-			rows_pull(world, block);
+			rows_to_lanes(world, block);
 		else if (block->direct != 0 && c->released)
-			released_look(world, block);
+			released_check(world, block);
 		c->run(cni_motions(world), cni_starts(world), block, &c->pass, cni_min_i(c->lanes - k * CNI_LANES, CNI_LANES));
 		if (block->direct != 0 && c->moving)
-			rows_give(world, block);
+			lanes_to_rows(world, block);
 	}
 	if (k < end)
 		cni_row_blocks_run(world, c->run_rows, &c->pass, c->first_rows + k - c->blocks, c->first_rows + end - c->blocks);
@@ -550,18 +551,18 @@ static void store_range(void *context, int32_t begin, int32_t end, int32_t worke
 {
 	store_loop *loop = (store_loop *)context;
 	cn_world *world = loop->world;
-	const cni_joint_constraint *works = cni_joint_constraints(world);
+	const cni_joint_constraint *constraints = cni_joint_constraints(world);
 	int32_t k, far = cni_joints_are_far(world);
 	(void)worker;
 	for (k = begin; k < end; ++k) {
-		if (far && k + STORES_AHEAD < end && works[k + STORES_AHEAD].lane != CNI_NONE) {
-			const cni_joint_block *next = cni_joint_block_of(world, &works[k + STORES_AHEAD]);
-			cni_joint_prefetch(works[k + STORES_AHEAD].record);
+		if (far && k + STORES_AHEAD < end && constraints[k + STORES_AHEAD].lane != CNI_NONE) {
+			const cni_joint_block *next = cni_joint_block_of(world, &constraints[k + STORES_AHEAD]);
+			cni_joint_prefetch(constraints[k + STORES_AHEAD].record);
 			CNI_PREFETCH(next->jx);
 			CNI_PREFETCH(next->jy);
 		}
-		if (works[k].lane != CNI_NONE)
-			lane_store(world, &works[k], loop->s);
+		if (constraints[k].lane != CNI_NONE)
+			lane_store(world, &constraints[k], loop->s);
 	}
 }
 

@@ -47,7 +47,7 @@ typedef struct cni_joint_constraint {
 	int32_t row_count;
 	int32_t rigid_count;       /* the first rows: rigid or drive */
 	int32_t next_plain;        /* the next joint constraint that is solved by rows */
-	int32_t inner;             /* index of the motor or limit row that is solved with the rigid rows: direct/active_rows.c; 0: none */
+	int32_t active_row;        /* index of the motor or limit row that is solved with the rigid rows: direct/active_rows.c; 0: none */
 	int32_t lane;              /* block * CNI_LANES + lane of a pin, CNI_NONE: solved by rows alone */
 	int32_t form;              /* CNI_FORM_*, 0: none. Rows are built only if it is solved directly or gets no lane: joints/joint_rows.h */
 	int32_t row_lane;          /* ... block * CNI_LANES + lane of the block of rows, CNI_NONE */
@@ -159,12 +159,12 @@ void cni_joint_constraint_stress(cni_joint_constraint *w, const cni_motion *b, f
 /* Takes a joint constraint off the lane path and builds its rows; one that is already solved by rows is unchanged. */
 void cni_joint_constraint_narrow(cn_world *world, const cni_solve *s, int32_t k);
 
-struct cni_lanes_look; /* joints/joint_pass.h */
+struct cni_lane_setup; /* joints/joint_pass.h */
 /* Sets up joint constraint k at the beginning of a step if it can be solved in a lane, and fills its lane of the last step if that is kept;
    0: it cannot. Workers may call this for different k at once. */
-int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct cni_lanes_look *look, int32_t k);
+int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct cni_lane_setup *setup, int32_t k);
 /* 1: all joints are in their lanes of the last step, in which nothing was solved directly; so planning can be skipped. */
-int32_t cni_joint_lanes_tell(const cn_world *world);
+int32_t cni_joint_lanes_need_no_plan(const cn_world *world);
 /* Builds the rows of a component's lane joints, with the impulses of their records. */
 void cni_joint_constraints_complete(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
 

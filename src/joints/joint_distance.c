@@ -1,7 +1,8 @@
 /*
  * joints/joint_distance.c - keeps the distance of two points: rigid rod, spring, or rope with limits.
  *
- * p: length, min, max, motor speed, motor force max, hertz, damping ratio. Impulse slots: 0 rod; 1 spring; 2 motor; 3 limit.
+ * p: length, min, max, motor speed, motor force max, hertz, damping ratio.
+ * Impulse slots: 0 rod; 1 spring; 2 motor; 3 limit.
  */
 #include "joints/joint_row.h"
 

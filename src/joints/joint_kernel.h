@@ -132,7 +132,7 @@ CNI_INLINE void solve_spring(cni_joint_block *k, int32_t l, hinge *g)
 {
 	cni_wide old = cni_wide_load(k->spring_j + l), error = cni_wide_load(k->angle + l) - cni_wide_load(k->rest + l);
 	cni_wide want = cni_wide_load(k->spring_mass + l) * g->w + cni_wide_load(k->spring_bias + l) * error;
-	cni_wide dj = -(g->mass * want) - cni_wide_load(k->spring_give + l) * old;
+	cni_wide dj = -(g->mass * want) - cni_wide_load(k->spring_impulse_scale + l) * old;
 	cni_wide_store(k->spring_j + l, old + dj);
 	hinge_turn(g, dj);
 }

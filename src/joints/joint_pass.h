@@ -7,7 +7,7 @@
  *
  *   pin       ra0 rb0 d0   arms and gap at the beginning of the step       ra rb e   as of the last relax pass
  *             j            impulse on body b, all of it: including the pin impulses of springs, motors and limits
- *             dealt        (batches) pin impulses of springs, motors and limits in the soft pass
+ *             induced      (batches) pin impulses of springs, motors and limits in the soft pass
  *   angle     angle0 angle as above; bounds and coefficients; impulses of spring, motor and limit, all
  *             as torques on body b (limit: > 0 the lower one's, < 0 the upper one's)
  *
@@ -28,12 +28,12 @@ typedef struct cni_joint_block {
 	float ax[CNI_LANES], ay[CNI_LANES], bx[CNI_LANES], by[CNI_LANES];
 	float ex[CNI_LANES], ey[CNI_LANES];
 	float jx[CNI_LANES], jy[CNI_LANES];
-	float dealt_x[CNI_LANES], dealt_y[CNI_LANES];
+	float induced_x[CNI_LANES], induced_y[CNI_LANES];
 	float angle0[CNI_LANES], angle[CNI_LANES];
-	float rest[CNI_LANES], spring_mass[CNI_LANES], spring_bias[CNI_LANES], spring_give[CNI_LANES], spring_j[CNI_LANES];
+	float rest[CNI_LANES], spring_mass[CNI_LANES], spring_bias[CNI_LANES], spring_impulse_scale[CNI_LANES], spring_j[CNI_LANES];
 	float speed[CNI_LANES], torque[CNI_LANES], motor_j[CNI_LANES];
 	float lower[CNI_LANES], upper[CNI_LANES], limit_j[CNI_LANES];
-	int32_t work[CNI_LANES];               /* index of the joint constraint */
+	int32_t constraint[CNI_LANES];         /* index of the joint constraint */
 	uint32_t direct;                       /* lanes, as bits */
 	uint32_t angular;                      /* CN_JOINT_SPRING, _MOTOR, _LIMIT: some lane has one */
 	int32_t next;                          /* next block of the colour */
@@ -98,7 +98,7 @@ typedef struct cni_lane_spring {
 } cni_lane_spring;
 cni_soft cni_lane_spring_soft(cni_lane_spring *spring, float hertz, float damping_ratio, float h);
 /* State of a loop that sets up joint constraints: joints/joint_blocks.c. */
-struct cni_lanes_look {
+struct cni_lane_setup {
 	cni_lane_spring spring;
 	int32_t kept;    /* 1: lanes of the last step may be filled again */
 	int32_t filled;  /* number of lanes filled again */

@@ -68,16 +68,16 @@ void cni_row_blocks_empty(cn_world *world)
 }
 
 /* State while lanes are assigned. */
-typedef struct taker {
+typedef struct lane_builder {
 	cn_world *world;
 	const cni_solve *s;
 	cni_lane_spring spring;
 	int32_t open[CNI_JOINT_COLORS][CNI_FORMS]; /* the last block begun for this colour and form */
 	int32_t room;                              /* number of blocks */
-} taker;
+} lane_builder;
 
 /* A block with an empty lane; NULL: no block is left. */
-static cni_row_block *block_open(taker *t, int32_t color, int32_t form)
+static cni_row_block *block_open(lane_builder *t, int32_t color, int32_t form)
 {
 	cn_world *world = t->world;
 	int32_t *open = &t->open[color][form];
@@ -126,18 +126,18 @@ static void all_run(cn_world *world, const cni_solve *s, cni_row_kernel_fn *run)
 
 /* ---- lanes ---- */
 
-static void spring_fill(taker *t, const cni_joint *j, cni_row_block *block, int32_t l)
+static void spring_fill(lane_builder *t, const cni_joint *j, cni_row_block *block, int32_t l)
 {
 	int32_t distance = j->type == CN_JOINT_DISTANCE;
 	float hertz = j->p[distance ? CNI_P_DISTANCE_HERTZ : CNI_P_HERTZ], damping_ratio = j->p[distance ? CNI_P_DISTANCE_DAMPING : CNI_P_DAMPING];
 	cni_soft soft = j->type == CN_JOINT_FIXED ? cni_soft_implicit(hertz, damping_ratio, t->s->h) : cni_lane_spring_soft(&t->spring, hertz, damping_ratio, t->s->h);
 	block->spring_mass[l] = soft.mass_scale;
 	block->spring_bias[l] = soft.bias_scale;
-	block->spring_give[l] = soft.impulse_scale;
+	block->spring_impulse_scale[l] = soft.impulse_scale;
 	block->spring_j[l] = j->impulse[slots_of(block->form).spring];
 }
 
-static void parts_fill(taker *t, const cni_joint *j, cni_row_block *block, int32_t l)
+static void parts_fill(lane_builder *t, const cni_joint *j, cni_row_block *block, int32_t l)
 {
 	uint32_t parts = parts_of(j, block->form);
 	block->has |= parts;
@@ -178,14 +178,14 @@ static float rest_of(const cni_joint *j, int32_t form)
 	return form == CNI_FORM_SLIDE ? j->p[CNI_P_TARGET] : 0.0f;
 }
 
-static void lane_fill(taker *t, cni_joint_constraint *w, int32_t k, cni_row_block *block)
+static void lane_fill(lane_builder *t, cni_joint_constraint *w, int32_t k, cni_row_block *block)
 {
 	const cni_joint *j = w->record;
 	const cni_motion *a = cni_motions(t->world) + w->ia, *b = cni_motions(t->world) + w->ib;
 	int32_t l = block->lanes++, r;
 	w->row_lane = (int32_t)(block - cni_row_blocks(t->world)) * CNI_LANES + l;
 	w->row_count = 0;
-	block->work[l] = k;
+	block->constraint[l] = k;
 	block->ia[l] = w->ia;
 	block->ib[l] = w->ib;
 	block->ai[l] = a->inv_inertia;
@@ -201,7 +201,7 @@ static void lane_fill(taker *t, cni_joint_constraint *w, int32_t k, cni_row_bloc
 		block->j[r][l] = j->impulse[r];
 }
 
-static int32_t lane_take(taker *t, cni_joint_constraint *w, int32_t k)
+static int32_t lane_take(lane_builder *t, cni_joint_constraint *w, int32_t k)
 {
 	int32_t color = cni_joint_color_take(t->world, w->ia, w->ib);
 	cni_row_block *block = color == CNI_NONE ? NULL : block_open(t, color, w->form);
@@ -230,7 +230,7 @@ static int32_t blocks_reserve(cn_world *world, int32_t waiting)
 
 void cni_row_lanes_gather(cn_world *world, const cni_solve *s)
 {
-	taker t = { world, s, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { { 0 } }, 0 };
+	lane_builder t = { world, s, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { { 0 } }, 0 };
 	int32_t k, waiting = 0;
 	for (k = 0; k < world->awake_joints.count; ++k)
 		waiting += is_waiting(cni_joint_constraints(world) + k);
@@ -251,7 +251,7 @@ void cni_row_lanes_gather(cn_world *world, const cni_solve *s)
 
 static void lane_store(cn_world *world, const cni_row_block *block, int32_t l, const cni_solve *s)
 {
-	const cni_joint_constraint *w = cni_joint_constraints(world) + block->work[l];
+	const cni_joint_constraint *w = cni_joint_constraints(world) + block->constraint[l];
 	cni_joint *j = cni_joint_at(world, w->joint);
 	slots at = slots_of(block->form);
 	uint32_t parts = parts_of(j, block->form);

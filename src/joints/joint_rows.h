@@ -6,8 +6,7 @@
  *
  *   form        of                         rigid rows            free rows       spring, limit    motor
  *   rod         rigid distance             along
- *   tie         distance with spring,
- *               motor or limit                                   along           free[0]          free[0]
+ *   tie         with spring or limit                             along           free[0]          free[0]
  *   weld        fixed                      point x, y, angle
  *   soft weld   fixed with angular spring  point x, y            angle           free[0] (spring)
  *   slide       prismatic                  across, angle         along           free[0]          free[0]
@@ -39,7 +38,7 @@ typedef struct cni_row_block {
 	float qc0[CNI_LANES], qs0[CNI_LANES], angle0[CNI_LANES];
 	/* the joint's parameters */
 	float axis_x[CNI_LANES], axis_y[CNI_LANES]; /* in body a's frame */
-	float rest[CNI_LANES], spring_mass[CNI_LANES], spring_bias[CNI_LANES], spring_give[CNI_LANES];
+	float rest[CNI_LANES], spring_mass[CNI_LANES], spring_bias[CNI_LANES], spring_impulse_scale[CNI_LANES];
 	float speed[CNI_LANES], most[CNI_LANES];
 	float lower[CNI_LANES], upper[CNI_LANES];
 	/* as of the last relax pass */
@@ -51,7 +50,7 @@ typedef struct cni_row_block {
 	/* impulses: of the rigid rows for decoupled free rows; whole: for the type's rows, at the end of the step */
 	float j[CNI_JOINT_RIGID_ROWS][CNI_LANES], spring_j[CNI_LANES], motor_j[CNI_LANES], limit_j[CNI_LANES];
 	float whole[CNI_JOINT_RIGID_ROWS][CNI_LANES];
-	int32_t work[CNI_LANES];               /* index of the joint constraint */
+	int32_t constraint[CNI_LANES];         /* index of the joint constraint */
 	int32_t form, lanes, color;
 	uint32_t has;                          /* CN_JOINT_SPRING, _MOTOR, _LIMIT: some lane has one */
 	uint32_t moves_a, moves_b;             /* lanes, as bits, whose body can move and is written */

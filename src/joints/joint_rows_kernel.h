@@ -342,7 +342,7 @@ CNI_INLINE void spring_solve(cni_row_block *k, int32_t l, side *a, side *b)
 	wide_row r = row_load(&k->free[0], l);
 	cni_wide old = cni_wide_load(k->spring_j + l), mass = cni_wide_load(k->free_mass[0] + l);
 	cni_wide want = cni_wide_load(k->spring_mass + l) * row_speed(&r, a, b) + cni_wide_load(k->spring_bias + l) * cni_wide_load(k->stretch + l);
-	cni_wide dj = -(mass * want) - cni_wide_load(k->spring_give + l) * old;
+	cni_wide dj = -(mass * want) - cni_wide_load(k->spring_impulse_scale + l) * old;
 	cni_wide_store(k->spring_j + l, old + dj);
 	row_push(&r, dj, a, b);
 }

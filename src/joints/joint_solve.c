@@ -20,26 +20,26 @@
 typedef struct prepare_loop {
 	cn_world *world;
 	const cni_solve *s;
-	uint32_t filled, missed, special; /* lanes filled again; 1: some were not; 1: some are special, struct cni_lanes_look */
+	uint32_t filled, missed, special; /* lanes filled again; 1: some were not; 1: some are special, struct cni_lane_setup */
 } prepare_loop;
 
 static void prepare_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	prepare_loop *loop = (prepare_loop *)context;
 	cn_world *world = loop->world;
-	struct cni_lanes_look look = { { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, world->joint_lanes.lanes > 0, 0, 0 };
+	struct cni_lane_setup setup = { { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, world->joint_lanes.lanes > 0, 0, 0 };
 	int32_t k, ahead = cni_joints_are_far(world) ? PREFETCH_AHEAD : world->awake_joints.count;
 	(void)worker;
 	for (k = begin; k < end; ++k) {
 		if (k + ahead < end)
 			cni_joint_prefetch(cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k + ahead]));
-		if (!cni_joint_constraint_widen(world, loop->s, &look, k))
+		if (!cni_joint_constraint_widen(world, loop->s, &setup, k))
 			cni_joint_constraint_prepare(world, loop->s, k);
 	}
-	cni_atomic_add(&loop->filled, (uint32_t)look.filled);
-	if (!look.kept)
+	cni_atomic_add(&loop->filled, (uint32_t)setup.filled);
+	if (!setup.kept)
 		cni_atomic_put(&loop->missed, 1);
-	if (look.special)
+	if (setup.special)
 		cni_atomic_put(&loop->special, 1);
 }
 
@@ -190,14 +190,14 @@ static void solve_limit(const cni_joint_constraint *w, cni_row *r, float mass, c
 	cni_row_push(r, r->impulse - old, a, b);
 }
 
-static void solve_work(cni_joint_constraint *w, cni_motion *motions, const cni_solve *s, int32_t bias)
+static void solve_constraint(cni_joint_constraint *w, cni_motion *motions, const cni_solve *s, int32_t bias)
 {
 	static const cni_soft rigid = { 1.0f, 0.0f, 0.0f };
 	cni_motion *a = motions + w->ia, *b = motions + w->ib;
 	int32_t k;
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		cni_row *r = &w->rows[k];
-		if (w->inner > 0 && k == w->inner)
+		if (w->active_row > 0 && k == w->active_row)
 			continue;
 		if (r->kind == CNI_ROW_MOTOR)
 			solve_motor(r, w->numbers->single_mass[k], a, b, s);
@@ -218,7 +218,7 @@ void cni_joints_solve(cn_world *world, const cni_solve *s)
 {
 	int32_t k;
 	for (k = world->joint_plain_first; k != CNI_NONE; k = cni_joint_constraints(world)[k].next_plain)
-		solve_work(cni_joint_constraints(world) + k, cni_motions(world), s, 1);
+		solve_constraint(cni_joint_constraints(world) + k, cni_motions(world), s, 1);
 	cni_joint_blocks_solve(world, s);
 }
 
@@ -231,7 +231,7 @@ void cni_joints_solve_fresh(cn_world *world, const cni_solve *s, int32_t constra
 			continue;
 		for (r = 0; r < w->row_count; ++r)
 			w->rows[r].impulse = 0.0f;
-		solve_work(w, cni_motions(world), s, 1);
+		solve_constraint(w, cni_motions(world), s, 1);
 	}
 }
 
@@ -242,7 +242,7 @@ void cni_joints_relax(cn_world *world, const cni_solve *s)
 	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
 		w = cni_joint_constraints(world) + k;
 		cni_joint_rows_renew(world, w);
-		solve_work(w, cni_motions(world), s, 0);
+		solve_constraint(w, cni_motions(world), s, 0);
 	}
 	cni_joint_blocks_relax(world, s);
 }

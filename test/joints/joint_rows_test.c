@@ -54,7 +54,7 @@ static void numbers_draw(uint32_t *random)
 	draw_row(k->dx0, random, -0.3f, 0.3f), draw_row(k->dy0, random, -0.3f, 0.3f), draw_row(k->angle0, random, -1.0f, 1.0f);
 	draw_row(k->qc0, random, 0.6f, 0.8f), draw_row(k->qs0, random, 0.6f, 0.8f), draw_row(k->axis_x, random, 0.6f, 0.8f), draw_row(k->axis_y, random, 0.6f, 0.8f);
 	draw_row(k->rest, random, 0.1f, 0.5f), draw_row(k->lower, random, -0.2f, 0.1f), draw_row(k->upper, random, 0.1f, 0.3f);
-	draw_row(k->spring_mass, random, 0.0f, 1.0f), draw_row(k->spring_bias, random, 0.0f, 20.0f), draw_row(k->spring_give, random, 0.0f, 0.5f);
+	draw_row(k->spring_mass, random, 0.0f, 1.0f), draw_row(k->spring_bias, random, 0.0f, 20.0f), draw_row(k->spring_impulse_scale, random, 0.0f, 0.5f);
 	draw_row(k->speed, random, -5.0f, 5.0f), draw_row(k->most, random, 0.0f, 50.0f);
 	draw_row(k->spring_j, random, -1.0f, 1.0f), draw_row(k->motor_j, random, -0.2f, 0.2f), draw_row(k->limit_j, random, 0.0f, 1.0f);
 	for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r)
