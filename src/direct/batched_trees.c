@@ -20,7 +20,7 @@
 
 /* ---- which components ---- */
 
-/* 1: the motor may turn the two bodies at its joint out of the tangent in a substep: solved after the pins it would open them. It then
+/* 1: the motor may turn the two bodies at its joint out of the tangent in a substep; alternated with the pins it would open them. It then
    becomes a row of their system: direct/active_rows.c. */
 static int32_t motor_is_strong(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
 {
@@ -90,7 +90,7 @@ static void waiting_count(batch_builder *m)
 		}
 }
 
-/* 1: there is room for so many blocks. A world in a caller's block has as many as all its joints would take in lanes. */
+/* 1: there is room for this number of blocks. A world in a caller's block has as many as all its joints would take in lanes. */
 static int32_t blocks_fit(cn_world *world, int32_t blocks)
 {
 	if (world->memory.fixed)
@@ -100,14 +100,14 @@ static int32_t blocks_fit(cn_world *world, int32_t blocks)
 
 /* Number of batches of a class. Trees beyond full batches make one more if there are enough of them, and if its blocks leave room for the
    joints outside of batches. */
-static int32_t batches_count(batch_builder *m, int32_t kind, int32_t *blocks, int32_t *joints)
+static int32_t batches_count(batch_builder *m, int32_t class_index, int32_t *blocks, int32_t *joints)
 {
-	int32_t nodes = nodes_of(&m->sparse->components[m->example[kind]]);
-	int32_t full = m->waiting[kind] / CNI_LANES, rest = m->waiting[kind] % CNI_LANES;
+	int32_t nodes = nodes_of(&m->sparse->components[m->example[class_index]]);
+	int32_t full = m->waiting[class_index] / CNI_LANES, rest = m->waiting[class_index] % CNI_LANES;
 	*blocks += full * nodes;
 	*joints -= full * nodes * CNI_LANES;
 	if (rest < LANES_LEAST || !blocks_fit(m->world, *blocks + nodes + cni_joint_blocks_for(*joints - rest * nodes))) {
-		m->waiting[kind] -= rest;
+		m->waiting[class_index] -= rest;
 		return full;
 	}
 	*blocks += nodes;
@@ -118,12 +118,12 @@ static int32_t batches_count(batch_builder *m, int32_t kind, int32_t *blocks, in
 /* Reserves the memory of all batches and selects their components. 0: there are none. */
 static int32_t batches_reserve(batch_builder *m)
 {
-	int32_t kind, batches = 0, numbers = 0, blocks = 0, joints = m->world->awake_joints.count;
-	for (kind = 0; kind < CNI_TOPOLOGY_CLASSES; ++kind)
-		if (m->waiting[kind] > 0) {
-			int32_t count = batches_count(m, kind, &blocks, &joints);
+	int32_t class_index, batches = 0, numbers = 0, blocks = 0, joints = m->world->awake_joints.count;
+	for (class_index = 0; class_index < CNI_TOPOLOGY_CLASSES; ++class_index)
+		if (m->waiting[class_index] > 0) {
+			int32_t count = batches_count(m, class_index, &blocks, &joints);
 			batches += count;
-			numbers += count * numbers_of(&m->sparse->components[m->example[kind]]);
+			numbers += count * numbers_of(&m->sparse->components[m->example[class_index]]);
 		}
 	if (batches == 0)
 		return 0;
@@ -137,18 +137,18 @@ static int32_t batches_reserve(batch_builder *m)
 static void order_by_color(cni_tree_batch *batch)
 {
 	int32_t color, k, count = 0;
-	for (color = 0; count < batch->kind.nodes; ++color)
-		for (k = 0; k < batch->kind.nodes; ++k)
-			if (batch->kind.color[k] == color)
+	for (color = 0; count < batch->tree.nodes; ++color)
+		for (k = 0; k < batch->tree.nodes; ++k)
+			if (batch->tree.color[k] == color)
 				batch->order[count++] = (uint8_t)k;
 }
 
 static void sources_find(cni_tree_batch *batch)
 {
 	int32_t k;
-	batch->moving = batch->bodies = batch->kind.bodies;
-	for (k = 2 * batch->kind.nodes - 1; k >= 0; --k) {
-		int32_t body = batch->kind.end[k >> 1][k & 1];
+	batch->moving = batch->bodies = batch->tree.bodies;
+	for (k = 2 * batch->tree.nodes - 1; k >= 0; --k) {
+		int32_t body = batch->tree.end[k >> 1][k & 1];
 		batch->source[body] = (uint32_t)((size_t)(k >> 1) * sizeof(cni_joint_block) + (k & 1 ? offsetof(cni_joint_block, ib) : offsetof(cni_joint_block, ia)));
 		batch->bodies = cni_max_i(batch->bodies, body + 1);
 	}
@@ -157,7 +157,7 @@ static void sources_find(cni_tree_batch *batch)
 static void blocks_take(cn_world *world, cni_tree_batch *batch)
 {
 	int32_t k, first = world->joint_blocks.count;
-	for (k = 0; k < batch->kind.nodes; ++k)
+	for (k = 0; k < batch->tree.nodes; ++k)
 		cni_joint_blocks(world)[cni_joint_block_take(world)].batch = 1;
 	batch->nodes = cni_joint_blocks(world) + first;
 }
@@ -167,7 +167,7 @@ static cni_tree_batch *batch_open(batch_builder *m, const cni_component *c)
 {
 	cni_sparse *sparse = m->sparse;
 	cni_tree_batch *batch = &sparse->batches[sparse->batch_count++];
-	(void)cni_topology_describe(sparse, c, cni_motions(m->world), &batch->kind);
+	(void)cni_topology_describe(sparse, c, cni_motions(m->world), &batch->tree);
 	order_by_color(batch);
 	sources_find(batch);
 	blocks_take(m->world, batch);
@@ -180,7 +180,7 @@ static cni_tree_batch *batch_open(batch_builder *m, const cni_component *c)
 	batch->node_first = c->begin;
 	batch->block_first = sparse->first[c->begin];
 	batch->pivots = m->numbers;
-	batch->blocks = m->numbers + 3 * CNI_LANES * batch->kind.nodes;
+	batch->blocks = m->numbers + 3 * CNI_LANES * batch->tree.nodes;
 	m->numbers += numbers_of(c);
 	return batch;
 }
@@ -188,7 +188,7 @@ static cni_tree_batch *batch_open(batch_builder *m, const cni_component *c)
 static void lane_fill(batch_builder *m, const cni_component *c, cni_tree_batch *batch)
 {
 	int32_t k, l = batch->lanes++;
-	for (k = 0; k < batch->kind.nodes; ++k) {
+	for (k = 0; k < batch->tree.nodes; ++k) {
 		int32_t owner = m->sparse->nodes[c->begin + k].owner;
 		cni_joint_constraints(m->world)[owner].flags |= CNI_CONSTRAINT_BATCHED;
 		cni_joint_lane_fill(m->world, m->s, &m->spring, owner, &batch->nodes[k], l);

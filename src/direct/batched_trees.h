@@ -2,7 +2,7 @@
  * direct/batched_trees.h - trees of pins of equal topology, solved side by side: the data that batched_trees.c passes to a kernel.
  *
  * A batch has a tree in each of its lanes, all of one topology class (linear/topology_class.c). Node k of all of them is one block of lanes
- * (joints/joint_pass.h), the batch's k-th, so a pass is one over blocks: springs, motors and limits colour by colour, then the pins of
+ * (joints/joint_pass.h), the batch's k-th, so a pass runs over blocks: springs, motors and limits colour by colour, then the pins of
  * every tree as one system (linear/sparse.h), with the bits of solving trees one by one.
  *
  *   nodes     [ block of node 0 | block of node 1 | ... ]      in the order of elimination
@@ -27,7 +27,7 @@ typedef struct cni_tree_batch {
 	int32_t coupling_count;
 	int32_t lanes, moving;                 /* moving: number of movable bodies of each tree */
 	uint32_t selected, opening;            /* lanes, as bits, of trees to check and of trees that open: see cni_projection */
-	cni_topology kind;
+	cni_topology tree;
 	uint8_t order[CNI_TOPOLOGY_NODES];         /* nodes by colour */
 	uint32_t source[CNI_TOPOLOGY_NODES + 2];   /* by body: byte offset of its index in `nodes`; its inertia: + CNI_SIDE_BYTES */
 	int32_t bodies;                        /* including the immovable one, if there is one */

@@ -97,7 +97,7 @@ CNI_INLINE void pivot_store(float *p, const matrix *m)
 
 CNI_INLINE void diagonal_form(const cni_tree_batch *batch, int32_t node, int32_t l, const tree_bodies *f, matrix *least)
 {
-	const side *a = &f->body[batch->kind.end[node][0]], *b = &f->body[batch->kind.end[node][1]];
+	const side *a = &f->body[batch->tree.end[node][0]], *b = &f->body[batch->tree.end[node][1]];
 	arms r = arms_load(&batch->nodes[node], l);
 	cni_wide ax = a->i * r.ax, ay = a->i * r.ay, bx = b->i * r.bx, by = b->i * r.by;
 	matrix d;
@@ -114,7 +114,7 @@ CNI_INLINE void coupling_form(const cni_tree_batch *batch, const cni_coupling *c
 {
 	int32_t high = c->high - batch->node_first, low = c->low - batch->node_first;
 	const cni_joint_block *p = &batch->nodes[high], *q = &batch->nodes[low];
-	const side *s = &f->body[batch->kind.end[low][c->low_side]];
+	const side *s = &f->body[batch->tree.end[low][c->low_side]];
 	cni_wide px = cni_wide_load((c->high_side ? p->bx : p->ax) + l), py = cni_wide_load((c->high_side ? p->by : p->ay) + l);
 	cni_wide qx = cni_wide_load((c->low_side ? q->bx : q->ax) + l), qy = cni_wide_load((c->low_side ? q->by : q->ay) + l);
 	cni_wide ix = s->i * px, iy = s->i * py;
@@ -194,11 +194,11 @@ CNI_INLINE void system_factor(const cni_tree_batch *batch, int32_t l, const tree
 {
 	matrix least[CNI_TOPOLOGY_NODES];
 	int32_t k;
-	for (k = 0; k < batch->kind.nodes; ++k)
+	for (k = 0; k < batch->tree.nodes; ++k)
 		diagonal_form(batch, k, l, f, &least[k]);
 	for (k = 0; k < batch->coupling_count; ++k)
 		coupling_form(batch, &batch->couplings[k], l, f);
-	for (k = 0; k < batch->kind.nodes; ++k) {
+	for (k = 0; k < batch->tree.nodes; ++k) {
 		matrix pivot = pivot_invert(pivot_row(batch, k, l), &least[k]);
 		node_eliminate(batch, k, l, &pivot);
 	}
@@ -237,7 +237,7 @@ CNI_INLINE cni_wide system_solve(const cni_tree_batch *batch, int32_t l, pair *x
 {
 	cni_wide finite = cni_wide_of(0.0f); /* 0 times a finite number stays 0 */
 	int32_t k, e;
-	for (k = 0; k < batch->kind.nodes; ++k) {
+	for (k = 0; k < batch->tree.nodes; ++k) {
 		matrix pivot = pivot_load(pivot_row(batch, k, l));
 		pair z = pivot_apply(&pivot, &x[k]);
 		for (e = batch->first[k]; e < batch->first[k + 1]; ++e) {
@@ -247,7 +247,7 @@ CNI_INLINE cni_wide system_solve(const cni_tree_batch *batch, int32_t l, pair *x
 			y->y -= m.m10 * z.x + m.m11 * z.y;
 		}
 	}
-	for (k = batch->kind.nodes - 1; k >= 0; --k) {
+	for (k = batch->tree.nodes - 1; k >= 0; --k) {
 		matrix pivot = pivot_load(pivot_row(batch, k, l));
 		for (e = batch->first[k]; e < batch->first[k + 1]; ++e) {
 			matrix m = block_load(block_row(batch, e - batch->block_first, l));
@@ -278,8 +278,8 @@ CNI_INLINE void pin_push(const arms *r, const pair *x, side *a, side *b)
 CNI_INLINE void right_sides(const cni_tree_batch *batch, int32_t l, const tree_bodies *f, float rate, float most, pair *x)
 {
 	int32_t k;
-	for (k = 0; k < batch->kind.nodes; ++k)
-		x[k] = right_side(&batch->nodes[k], l, &f->body[batch->kind.end[k][0]], &f->body[batch->kind.end[k][1]], rate, most);
+	for (k = 0; k < batch->tree.nodes; ++k)
+		x[k] = right_side(&batch->nodes[k], l, &f->body[batch->tree.end[k][0]], &f->body[batch->tree.end[k][1]], rate, most);
 }
 
 /* Solves right sides x and applies the impulses, in the lanes of `selected`, as bits from l on. Lanes whose impulses are not finite get none,
@@ -292,12 +292,12 @@ CNI_INLINE void pins_solve(cni_tree_batch *batch, int32_t l, tree_bodies *f, pai
 	int32_t k;
 	broken = direct & ~cni_mask_bits(good);
 	good = cni_mask_of_bits(direct & ~broken);
-	for (k = 0; k < batch->kind.nodes; ++k) {
+	for (k = 0; k < batch->tree.nodes; ++k) {
 		cni_joint_block *node = &batch->nodes[k];
 		arms r = arms_load(node, l);
 		x[k].x = cni_wide_select(good, x[k].x, zero);
 		x[k].y = cni_wide_select(good, x[k].y, zero);
-		pin_push(&r, &x[k], &f->body[batch->kind.end[k][0]], &f->body[batch->kind.end[k][1]]);
+		pin_push(&r, &x[k], &f->body[batch->tree.end[k][0]], &f->body[batch->tree.end[k][1]]);
 		impulse_add(node->jx + l, x[k].x);
 		impulse_add(node->jy + l, x[k].y);
 		node->direct &= ~(broken << l);
@@ -326,13 +326,13 @@ static void batch_warm(cni_motion *motions, cni_velocity_start *starts, cni_tree
 	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
 		tree_bodies f;
 		tree_bodies_gather(motions, batch, l, &f);
-		for (n = 0; n < batch->kind.nodes; ++n) {
+		for (n = 0; n < batch->tree.nodes; ++n) {
 			int32_t node = batch->order[n];
 			cni_joint_block *k = &batch->nodes[node];
 			arms r = arms_load(k, l);
 			cni_wide jx = warmed(k->jx + l, scale), jy = warmed(k->jy + l, scale), t;
 			t = warmed(k->spring_j + l, scale) + warmed(k->motor_j + l, scale) + warmed(k->limit_j + l, scale);
-			push(&f.body[batch->kind.end[node][0]], &f.body[batch->kind.end[node][1]], &r, jx, jy, t);
+			push(&f.body[batch->tree.end[node][0]], &f.body[batch->tree.end[node][1]], &r, jx, jy, t);
 		}
 		tree_bodies_scatter(motions, batch, l, &f);
 	}
@@ -361,7 +361,7 @@ CNI_INLINE void solve_motors(cni_joint_block *k, int32_t l, side *a, side *b, co
 CNI_INLINE void node_solve(cni_tree_batch *batch, int32_t node, int32_t l, tree_bodies *f, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t single, pair *induced)
 {
 	cni_joint_block *k = &batch->nodes[node];
-	side *a = &f->body[batch->kind.end[node][0]], *b = &f->body[batch->kind.end[node][1]];
+	side *a = &f->body[batch->tree.end[node][0]], *b = &f->body[batch->tree.end[node][1]];
 	if (single)
 		solve_group(k, l, a, b, r, pass, bias, 1, 1, &induced->x, &induced->y);
 	else if (k->angular == CN_JOINT_MOTOR)
@@ -382,7 +382,7 @@ static void batch_solve(cni_motion *motions, cni_velocity_start *starts, cni_tre
 		pair induced, x[CNI_TOPOLOGY_NODES];
 		int32_t single = has_single(batch, l);
 		tree_bodies_gather(motions, batch, l, &f);
-		for (n = 0; n < batch->kind.nodes; ++n) {
+		for (n = 0; n < batch->tree.nodes; ++n) {
 			int32_t node = batch->order[n];
 			arms r = arms_load(&batch->nodes[node], l);
 			node_solve(batch, node, l, &f, &r, &pass->joint, 1, single, &induced);
@@ -442,8 +442,8 @@ static void batch_project(cni_motion *motions, cni_velocity_start *starts, cni_t
 			continue;
 		tree_bodies_gather(motions, batch, l, &f);
 		right_sides(batch, l, &f, pass->rate, pass->push, x);
-		for (k = 0; k < batch->kind.nodes; ++k) {
-			drift_add(&batch->nodes[k], l, &f.body[batch->kind.end[k][0]], &f.body[batch->kind.end[k][1]], pass, &x[k]);
+		for (k = 0; k < batch->tree.nodes; ++k) {
+			drift_add(&batch->nodes[k], l, &f.body[batch->tree.end[k][0]], &f.body[batch->tree.end[k][1]], pass, &x[k]);
 			opening |= cni_mask_bits(cni_wide_max(cni_wide_abs(x[k].x), cni_wide_abs(x[k].y)) > most);
 		}
 		opening &= selected;
@@ -498,8 +498,8 @@ static void batch_relax(cni_motion *motions, cni_velocity_start *starts, cni_tre
 		int32_t single = has_single(batch, l);
 		tree_bodies_gather(motions, batch, l, &f);
 		tree_motion_gather(motions, starts, batch, l, &j);
-		for (n = 0; n < batch->kind.nodes; ++n) {
-			int32_t node = batch->order[n], a = batch->kind.end[node][0], b = batch->kind.end[node][1];
+		for (n = 0; n < batch->tree.nodes; ++n) {
+			int32_t node = batch->order[n], a = batch->tree.end[node][0], b = batch->tree.end[node][1];
 			cni_joint_block *k = &batch->nodes[node];
 			cni_wide jx = induced_add(k->jx + l, k->induced_x + l), jy = induced_add(k->jy + l, k->induced_y + l);
 			arms old = arms_load(k, l), r = arms_renew(&j.at[a], &j.at[b], k, l, k->angular != 0);

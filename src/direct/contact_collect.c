@@ -19,7 +19,7 @@ static int32_t lane_is_plain(const cn_world *world, const cni_contact *c)
 }
 
 /*
- * Friction at its bound slides, or is at the limit of a redundant system: in a standing house of cards a tenth of all are. If they began
+ * Friction at its bound slides, or is at the limit of a redundant system: in a standing house of cards a tenth of all contacts are. If they began
  * active, every step would search for the set anew. Where the static coefficient is greater the two cannot be distinguished.
  */
 static void friction_guess(cni_direct_contact *p)

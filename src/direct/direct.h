@@ -16,7 +16,7 @@ int32_t cni_island_is_refused(const cni_island *i, uint32_t step);
 int32_t cni_island_is_unsolved(const cni_island *i, uint32_t step);
 /* Returns all islands to soft contacts: the world's solver changed. */
 void cni_solver_selection_reset(cn_world *world);
-/* Bound on the scratch memory of direct solving, for so many joints and contacts. */
+/* Bound on the scratch memory of direct solving, for this number of joints, contacts and bodies. */
 uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies);
 /* ... and on its memory that persists between steps. */
 uint64_t cni_direct_kept_bytes(int32_t solver, int32_t joints, int32_t contacts);

@@ -1,7 +1,7 @@
 /*
  * direct/direct_contacts.c - directly solved contacts: one pass over an island, the choice of method and the checks of its solution.
  *
- * An active set finds the active rows (direct/contact_active_set.c). Where it finds no set in ROUNDS, or where an island at rest begins to
+ * An active-set method finds the active rows (direct/contact_active_set.c). Where it finds no set in ROUNDS, or where an island at rest begins to
  * move by its solution, an interior-point method takes over (direct/friction_cones.c). The passes after that start from its impulses
  * instead of from none: of several redundant sets of impulses, the one of least energy may have negative ones. A solution that gains energy
  * is discarded: impulses of an inconsistent set can add it without bound. The contacts then return to the soft solver with the impulses and
@@ -175,9 +175,9 @@ static float push_work(const cni_direct_contact_pass *q)
 }
 
 /*
- * With speeds w after and v before the impulses l, and speeds bounded below by -room, the energy grows by l.(w + v) / 2 <= l.w <= -l.room:
- * no more than the work of pushing apart. The relax pass removes the push: with all impulses of the substep, the energy is then no more
- * than at its beginning. Joints and bodies carried along may add more.
+ * With speeds w after and v before the impulses l, and speeds bounded below by -g (gap_speed), the energy grows by
+ * l.(w + v) / 2 <= l.w <= -l.g: no more than the work of pushing apart. The relax pass removes the push: with all impulses of the
+ * substep, the energy is then no more than at its beginning. Joints and bodies carried along may add more.
  */
 static int32_t energy_fits(const cni_direct_contact_pass *q)
 {

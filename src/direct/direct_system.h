@@ -97,7 +97,7 @@ void cni_tree_batches_solve(cn_world *world, const cni_solve *s);
 void cni_tree_batches_relax(cn_world *world, const cni_solve *s);
 /* After contacts: solves lanes again that contacts would open. direct/joint_projection.c */
 void cni_tree_batches_project(cn_world *world, const cni_solve *s);
-/* Bound on the scratch memory of batches for so many joints. */
+/* Bound on the scratch memory of batches for this number of joints. */
 uint64_t cni_tree_batch_bytes(int32_t joints);
 
 /* ---- geometric stiffness: direct/geometric_stiffness.c ---- */

@@ -44,7 +44,7 @@ typedef struct cone {
 	const cni_direct_contact_pass *pass;
 	cni_sparse *sparse;
 	cni_component *c;
-	int32_t count;         /* existing slacks */
+	int32_t count;         /* number of existing slacks */
 	int32_t factors, factors_most;
 	float tau;
 	float residual;        /* m/s: the largest residual of a row */

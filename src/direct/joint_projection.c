@@ -58,7 +58,7 @@ void cni_projection_mark(const cn_world *world, cni_sparse *sparse)
 			projection_add(sparse, k);
 }
 
-/* 1: contacts would open a joint by more than is good in this substep. Reads the right sides. */
+/* 1: contacts would open a joint by more than CNI_PROJECTION_PART of the accuracy in this substep. Reads the right sides. */
 static int32_t is_opening(const cn_world *world, const cni_solve *s, const cni_component *c)
 {
 	float most = CNI_PROJECTION_PART * world->settings.accuracy * s->inv_h;

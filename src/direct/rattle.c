@@ -459,7 +459,7 @@ static int32_t substeps_run(rattle_step *g, const cni_solve *s, int32_t substeps
 	return CLOSED_WELL;
 }
 
-/* Tries a step by RATTLE with so many substeps. */
+/* Tries a step by RATTLE with this number of substeps. */
 static int32_t rattle_try(rattle_step *g, const cni_solve *s, cni_component *c, int32_t substeps, cni_joint_trust *t)
 {
 	float before, allowed, gained;

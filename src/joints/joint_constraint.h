@@ -113,7 +113,7 @@ static inline int32_t cni_inverse_at(int32_t i, int32_t k)
 	static const uint8_t at[CNI_JOINT_RIGID_ROWS][CNI_JOINT_RIGID_ROWS] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
 	return at[i][k];
 }
-/* The island of the joint's first body that is not fixed. */
+/* The island of body a, or of body b if a is static or the world. */
 static inline int32_t cni_joint_island(const cn_world *world, int32_t ia, int32_t ib)
 {
 	return cni_awake_island(world, ia != 0 ? ia : ib);

@@ -216,7 +216,7 @@ static int32_t is_waiting(const cni_joint_constraint *w)
 	return w->form != CNI_FORM_NONE && !(w->flags & (CNI_CONSTRAINT_DIRECT | CNI_CONSTRAINT_FINISHED));
 }
 
-/* Reserves blocks for so many joints. Returns their number; 0: no memory, or too few joints. */
+/* Reserves blocks for the waiting joints. Returns the number of blocks; 0: no memory, or too few joints. */
 static int32_t blocks_reserve(cn_world *world, int32_t waiting)
 {
 	int32_t room = CNI_ON(ROW_LANES) ? blocks_for(waiting) : 0;
