@@ -161,7 +161,7 @@ CNI_INLINE matrix matrix_times(const matrix *a, const matrix *b)
 }
 
 /* target -= left * right^T */
-CNI_INLINE void matrix_take(matrix *t, const matrix *a, const matrix *b)
+CNI_INLINE void matrix_subtract(matrix *t, const matrix *a, const matrix *b)
 {
 	t->m00 -= a->m00 * b->m00 + a->m01 * b->m01;
 	t->m01 -= a->m00 * b->m10 + a->m01 * b->m11;
@@ -177,14 +177,14 @@ CNI_INLINE void node_eliminate(const cni_tree_batch *batch, int32_t node, int32_
 		int32_t to = batch->below[e] - batch->node_first, at = batch->first[to];
 		matrix block = block_load(block_row(batch, e - batch->block_first, l)), scaled = matrix_times(&block, pivot);
 		matrix d = pivot_load(pivot_row(batch, to, l));
-		matrix_take(&d, &scaled, &block);
+		matrix_subtract(&d, &scaled, &block);
 		pivot_store(pivot_row(batch, to, l), &d);
 		for (f = e + 1; f < end; ++f) {
 			matrix left = block_load(block_row(batch, f - batch->block_first, l)), t;
 			while (batch->below[at] != batch->below[f])
 				++at;
 			t = block_load(block_row(batch, at - batch->block_first, l));
-			matrix_take(&t, &left, &scaled);
+			matrix_subtract(&t, &left, &scaled);
 			block_store(block_row(batch, at - batch->block_first, l), &t);
 		}
 	}
@@ -330,8 +330,8 @@ static void batch_warm(cni_motion *motions, cni_velocity_start *starts, cni_tree
 			int32_t node = batch->order[n];
 			cni_joint_block *k = &batch->nodes[node];
 			arms r = arms_load(k, l);
-			cni_wide jx = warmed(k->jx + l, scale), jy = warmed(k->jy + l, scale), t;
-			t = warmed(k->spring_j + l, scale) + warmed(k->motor_j + l, scale) + warmed(k->limit_j + l, scale);
+			cni_wide jx = impulse_warm(k->jx + l, scale), jy = impulse_warm(k->jy + l, scale), t;
+			t = impulse_warm(k->spring_j + l, scale) + impulse_warm(k->motor_j + l, scale) + impulse_warm(k->limit_j + l, scale);
 			push(&f.body[batch->tree.end[node][0]], &f.body[batch->tree.end[node][1]], &r, jx, jy, t);
 		}
 		tree_bodies_scatter(motions, batch, l, &f);

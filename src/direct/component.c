@@ -9,12 +9,12 @@
 #define REGULAR_MOST 0.05f /* ... until joints are about as soft as soft ones */
 #define LEAK 1e-5f         /* ... and their rows give way by this part of it to their whole impulses */
 
-void cni_direct_motions_keep(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t back)
+void cni_direct_motions_save(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t restore)
 {
 	int32_t k;
 	for (k = c->body_begin; k < c->body_end; ++k) {
 		cni_motion *m = cni_motions(world) + sparse->bodies[k], *saved = sparse->saved + k;
-		*(back ? m : saved) = *(back ? saved : m);
+		*(restore ? m : saved) = *(restore ? saved : m);
 	}
 }
 
@@ -189,12 +189,12 @@ static void impulses_undo(cn_world *world, const cni_sparse *sparse, const cni_c
 			cni_joint_constraints(world)[sparse->nodes[k].owner].rows[i].impulse -= sparse->nodes[k].x[i];
 }
 
-static void sides_keep(cni_sparse *sparse, const cni_component *c, int32_t back)
+static void sides_save(cni_sparse *sparse, const cni_component *c, int32_t restore)
 {
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		memcpy(back ? n->x : n->carried, back ? n->carried : n->x, sizeof n->x);
+		memcpy(restore ? n->x : n->carried, restore ? n->carried : n->x, sizeof n->x);
 	}
 }
 
@@ -239,21 +239,21 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 		cni_direct_push(world, sparse, c);
 		return 1;
 	}
-	sides_keep(sparse, c, 0);
+	sides_save(sparse, c, 0);
 	for (;;) {
-		cni_direct_motions_keep(world, sparse, c, 0);
+		cni_direct_motions_save(world, sparse, c, 0);
 		if (cni_sparse_solve(sparse, c)) {
 			cni_direct_push(world, sparse, c);
 			if (is_bounded(world, sparse, c))
 				return 1;
-			cni_direct_motions_keep(world, sparse, c, 1);
+			cni_direct_motions_save(world, sparse, c, 1);
 			impulses_undo(world, sparse, c);
 		}
 		if (c->regular > REGULAR_MOST)
 			return 0;
 		c->regular *= REGULAR_STEP;
 		cni_sparse_factor(sparse, c, cni_motions(world));
-		sides_keep(sparse, c, 1);
+		sides_save(sparse, c, 1);
 	}
 }
 

@@ -101,7 +101,7 @@ void cni_direct_contact_round_begin(const cni_direct_contact_pass *q)
 	if (q->bias)
 		cni_direct_contact_impulses_clear(q);
 	else
-		cni_direct_motions_keep(q->world, q->sparse, q->c, 1);
+		cni_direct_motions_save(q->world, q->sparse, q->c, 1);
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
 		cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
@@ -113,13 +113,13 @@ void cni_direct_contact_round_begin(const cni_direct_contact_pass *q)
 	}
 }
 
-void cni_direct_contact_states_keep(const cni_direct_contact_pass *q, int32_t back)
+void cni_direct_contact_states_save(const cni_direct_contact_pass *q, int32_t restore)
 {
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
 		for (i = 0; p != NULL && i < 3; ++i)
-			*(back ? &p->state[i] : &p->state_kept[i]) = back ? p->state_kept[i] : p->state[i];
+			*(restore ? &p->state[i] : &p->state_kept[i]) = restore ? p->state_kept[i] : p->state[i];
 	}
 }
 
@@ -365,7 +365,7 @@ int32_t cni_direct_contact_set_find(const cni_direct_contact_pass *q)
 	int32_t round, violations = set_try(q, 1), fits = 1;
 	for (round = 0; violations != 0 && !rounds_are_over(q, round, violations); ++round) {
 		if (fits && violations > 0) {
-			cni_direct_contact_states_keep(q, 1);
+			cni_direct_contact_states_save(q, 1);
 			cni_direct_contact_round_begin(q);
 			touching_activate(q);
 			fits = 0;

@@ -118,8 +118,8 @@ typedef struct cni_direct_contact_pass {
 void cni_direct_contact_gap_speeds_find(const cni_direct_contact_pass *q);
 void cni_direct_contact_impulses_clear(const cni_direct_contact_pass *q);
 void cni_direct_contact_round_begin(const cni_direct_contact_pass *q);
-/* Saves the states, or restores them (back 1). */
-void cni_direct_contact_states_keep(const cni_direct_contact_pass *q, int32_t back);
+/* Saves the states (restore 0) or restores them (1). */
+void cni_direct_contact_states_save(const cni_direct_contact_pass *q, int32_t restore);
 /* Solves the linear system of the present set. 0: no finite solution. */
 int32_t cni_direct_contact_system_solve(const cni_direct_contact_pass *q);
 /* Searches for the active set from that of the last pass; set_follow takes few rounds. 0: none was found. */

@@ -40,18 +40,18 @@ static void commit(const cni_direct_contact_pass *q)
 	}
 }
 
-/* Saves impulses and velocities at the beginning of a pass, or restores them (back 1). */
-static void state_keep(const cni_direct_contact_pass *q, int32_t back)
+/* Saves impulses and velocities at the beginning of a pass (restore 0), or restores them (1). */
+static void state_save(const cni_direct_contact_pass *q, int32_t restore)
 {
 	int32_t k, i;
-	cni_direct_motions_keep(q->world, q->sparse, q->c, back);
+	cni_direct_motions_save(q->world, q->sparse, q->c, restore);
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
 		cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
 		cni_row *rows = p == NULL ? cni_joint_constraints(q->world)[n->owner].rows : NULL;
 		for (i = 0; i < n->rows; ++i) {
 			float *impulse = p != NULL ? &p->j[i] : &rows[i].impulse;
-			*(back ? impulse : &n->carried[i]) = back ? n->carried[i] : *impulse;
+			*(restore ? impulse : &n->carried[i]) = restore ? n->carried[i] : *impulse;
 		}
 	}
 }
@@ -76,7 +76,7 @@ static void soft_state_restore(const cni_direct_contact_pass *q)
 	if (all)
 		cni_direct_contact_impulses_clear(q);
 	else
-		state_keep(q, 1);
+		state_save(q, 1);
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
 		cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
@@ -200,7 +200,7 @@ static void impulses_restore(const cni_direct_contact_pass *q)
    from its normal impulse. */
 static int32_t solve_with_kept_set(const cni_direct_contact_pass *q)
 {
-	cni_direct_contact_states_keep(q, 1);
+	cni_direct_contact_states_save(q, 1);
 	impulses_restore(q);
 	cni_direct_contact_round_begin(q);
 	if (!cni_direct_contact_system_solve(q) || !energy_fits(q))
@@ -267,7 +267,7 @@ static int32_t set_solve(cni_direct_contact_pass *q)
 	if (!(q->warm ? cni_direct_contact_set_follow(q) : cni_direct_contact_set_find(q)) || !energy_fits(q))
 		return 0;
 	if (q->bias && !is_recent(q, q->island->gives_step) && starts_moving(q) && !was_moving(q)) {
-		cni_direct_contact_states_keep(q, 0);
+		cni_direct_contact_states_save(q, 0);
 		q->kept = 1;
 		return 0;
 	}
@@ -337,14 +337,14 @@ int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_spars
 	if (!bias && c->calm)
 		return 1;
 	q.island = cni_island_at(world, cni_awake_island(world, sparse->bodies[c->body_begin]));
-	state_keep(&q, 0);
+	state_save(&q, 0);
 	cni_direct_contact_round_begin(&q);
 	q.before = energy_of_start(&q);
 	q.warm = is_recent(&q, q.island->cone_step);
 	if (is_large(&q) && !was_moving(&q))
 		q.rounds = ROUNDS_LARGE;
 	cni_direct_contact_gap_speeds_find(&q);
-	cni_direct_contact_states_keep(&q, 0);
+	cni_direct_contact_states_save(&q, 0);
 	if (set_solve(&q) || cone_solve(&q)) {
 		solution_accept(&q);
 		return 1;

@@ -69,7 +69,7 @@ static int32_t body_is_locked(const cn_world *world, int32_t index)
 }
 
 /* 1: single islands may take as much work as CN_SOLVER_DIRECT. A world in a caller's block has scratch memory for its own solver only. */
-static int32_t may_take_most(const cn_world *world)
+static int32_t full_work_is_allowed(const cn_world *world)
 {
 	return world->settings.solver == CN_SOLVER_DIRECT || !world->memory.fixed;
 }
@@ -81,10 +81,10 @@ static int32_t joint_stays_soft(const cn_world *world, const cni_joint_constrain
 }
 
 /* 1: a joint of its island asks for the limits of CN_SOLVER_DIRECT. */
-static int32_t joint_may_take_most(const cn_world *world, const cni_joint_constraint *w)
+static int32_t joint_has_full_work(const cn_world *world, const cni_joint_constraint *w)
 {
 	int32_t island;
-	if (!world->overridden || !may_take_most(world))
+	if (!world->overridden || !full_work_is_allowed(world))
 		return 0;
 	island = cni_joint_island(world, w->ia, w->ib);
 	return island == CNI_NONE ? w->record->solver == CN_SOLVER_DIRECT : cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
@@ -115,7 +115,7 @@ static int32_t joint_links_collect(const cn_world *world, cni_link *links)
 		link->ib = w->ib;
 		link->owner = k;
 		link->rows = w->rigid_count;
-		link->work_most = joint_may_take_most(world, w) ? JOINT_WORK_DIRECT : joint_work(world->settings.solver);
+		link->work_most = joint_has_full_work(world, w) ? JOINT_WORK_DIRECT : joint_work(world->settings.solver);
 		++count;
 	}
 	return count;
@@ -145,7 +145,7 @@ static int32_t island_of(const cn_world *world, const cni_link *link)
 
 static int32_t contact_link_work(const cn_world *world, const cni_link *link)
 {
-	int32_t most = world->overridden && may_take_most(world) && cni_island_at(world, island_of(world, link))->solver == CN_SOLVER_DIRECT;
+	int32_t most = world->overridden && full_work_is_allowed(world) && cni_island_at(world, island_of(world, link))->solver == CN_SOLVER_DIRECT;
 	return contact_work(most ? CN_SOLVER_DIRECT : world->settings.solver);
 }
 
@@ -180,7 +180,7 @@ static int32_t islands_refuse(cn_world *world, const cni_link *links, int32_t co
 }
 
 /* Removes the contacts of refused islands, so that their joints can be planned without them. */
-static int32_t links_keep(const cn_world *world, cni_link *links, int32_t count)
+static int32_t links_filter(const cn_world *world, cni_link *links, int32_t count)
 {
 	int32_t k, kept = 0;
 	for (k = 0; k < count; ++k)
@@ -215,7 +215,7 @@ static int64_t budget_of(const cn_world *world)
 /* Most contacts that are collected. */
 static int32_t contacts_most(const cn_world *world)
 {
-	int32_t all = world->settings.solver == CN_SOLVER_DIRECT || (world->overridden && may_take_most(world));
+	int32_t all = world->settings.solver == CN_SOLVER_DIRECT || (world->overridden && full_work_is_allowed(world));
 	if (world->direct_islands.count == 0)
 		return 0;
 	return all ? world->touching_count : cni_min_i(world->touching_count, CNI_DIRECT_CONTACT_MOST);
@@ -267,7 +267,7 @@ int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out)
 		return 0;
 	if (islands_refuse(world, links, count, planned) > 0) {
 		cni_sparse_discard(&world->arena, out);
-		count = links_keep(world, links, count);
+		count = links_filter(world, links, count);
 		if (count == 0)
 			return 1;
 		if (!links_plan(world, links, count, 1, out, planned))

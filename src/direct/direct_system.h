@@ -24,8 +24,8 @@ void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c
 int32_t cni_component_uses_rattle(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
 /* Levers, dampers and factors of a component for the world's substeps. */
 void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
-/* Copies velocities and positions of the component's bodies into sparse->saved, or back (back 1). */
-void cni_direct_motions_keep(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t back);
+/* Copies velocities and positions of the component's bodies into sparse->saved (restore 0), or back (1). */
+void cni_direct_motions_save(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t restore);
 /* Computes the rotations of the component's bodies since the step began. */
 void cni_direct_rotations(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 

@@ -52,14 +52,14 @@ typedef struct cone {
 } cone;
 
 /* 1: the row exists: of the two normals and the friction. */
-static int32_t row_is(const cni_direct_contact *p, int32_t row)
+static int32_t row_exists(const cni_direct_contact *p, int32_t row)
 {
 	return p->mass[row] > 0.0f && (row < 2 || p->coefficient > 0.0f);
 }
 
-static int32_t slack_is(const cni_direct_contact *p, int32_t i)
+static int32_t slack_exists(const cni_direct_contact *p, int32_t i)
 {
-	return row_is(p, i < 2 ? i : 2);
+	return row_exists(p, i < 2 ? i : 2);
 }
 
 static void slacks_of(const cni_direct_contact *p, const float l[3], float out[4])
@@ -91,7 +91,7 @@ static void speeds_of(const cone *q, const cni_direct_contact *p, const cni_node
 	int32_t i;
 	for (i = 0; i < 3; ++i) {
 		cni_lever l = cni_direct_contact_lever(p, i);
-		out[i] = row_is(p, i) ? cni_lever_speed(&l, q->pass->motions + n->ia, q->pass->motions + n->ib) + (i < 2 ? p->gap_speed[i] + p->lift : 0.0f) + cni_direct_contact_leak(p, i) : 0.0f;
+		out[i] = row_exists(p, i) ? cni_lever_speed(&l, q->pass->motions + n->ia, q->pass->motions + n->ib) + (i < 2 ? p->gap_speed[i] + p->lift : 0.0f) + cni_direct_contact_leak(p, i) : 0.0f;
 	}
 }
 
@@ -120,7 +120,7 @@ static void warm_start(cone *q)
 			continue;
 		contact_warm_start(q, p, &q->sparse->nodes[k]);
 		for (i = 0; i < 4; ++i)
-			q->count += slack_is(p, i);
+			q->count += slack_exists(p, i);
 	}
 }
 
@@ -134,14 +134,14 @@ static void contact_center(const cone *q, cni_direct_contact *p, const cni_node 
 	for (i = 0; i < 3; ++i)
 		p->start[i] = -p->j[i];
 	for (i = 0; i < 2; ++i)
-		p->j[i] = row_is(p, i) ? cni_max(p->j[i], 3.0f * q->tau * p->mass[i] / cni_max(speed, speeds[i])) : 0.0f;
+		p->j[i] = row_exists(p, i) ? cni_max(p->j[i], 3.0f * q->tau * p->mass[i] / cni_max(speed, speeds[i])) : 0.0f;
 	most = INSIDE_PART * p->coefficient * (p->j[0] + p->j[1]);
-	p->j[2] = row_is(p, 2) ? cni_clamp(p->j[2], -most, most) : 0.0f;
+	p->j[2] = row_exists(p, 2) ? cni_clamp(p->j[2], -most, most) : 0.0f;
 	for (i = 0; i < 3; ++i)
 		p->start[i] += p->j[i];
 	slacks_of(p, p->j, p->slack);
 	for (i = 0; i < 4; ++i)
-		p->dual[i] = slack_is(p, i) ? q->tau * slack_mass(p, i) / p->slack[i] : 0.0f;
+		p->dual[i] = slack_exists(p, i) ? q->tau * slack_mass(p, i) / p->slack[i] : 0.0f;
 }
 
 static float speed_missing(const cone *q, const cni_direct_contact *p, const cni_node *n)
@@ -172,7 +172,7 @@ static void center(cone *q)
 
 static float stiffness_of(const cni_direct_contact *p, int32_t i)
 {
-	return slack_is(p, i) ? cni_min(p->dual[i] / p->slack[i], STIFF_MOST / slack_mass(p, i)) : 0.0f;
+	return slack_exists(p, i) ? cni_min(p->dual[i] / p->slack[i], STIFF_MOST / slack_mass(p, i)) : 0.0f;
 }
 
 /* Updates the residual: the rows' speeds less their multipliers; and the complementarity violation. */
@@ -180,10 +180,10 @@ static void contact_residuals(cone *q, const cni_direct_contact *p, const float 
 {
 	int32_t i;
 	for (i = 0; i < 2; ++i)
-		q->residual = cni_max(q->residual, row_is(p, i) ? cni_abs(speeds[i] - p->dual[i] - p->coefficient * (p->dual[2] + p->dual[3])) : 0.0f);
-	q->residual = cni_max(q->residual, row_is(p, 2) ? cni_abs(speeds[2] + p->dual[2] - p->dual[3]) : 0.0f);
+		q->residual = cni_max(q->residual, row_exists(p, i) ? cni_abs(speeds[i] - p->dual[i] - p->coefficient * (p->dual[2] + p->dual[3])) : 0.0f);
+	q->residual = cni_max(q->residual, row_exists(p, 2) ? cni_abs(speeds[2] + p->dual[2] - p->dual[3]) : 0.0f);
 	for (i = 0; i < 4; ++i)
-		if (slack_is(p, i))
+		if (slack_exists(p, i))
 			q->violation = cni_max(q->violation, cni_min(p->dual[i], p->slack[i] / slack_mass(p, i)));
 }
 
@@ -196,19 +196,19 @@ static void contact_newton(cone *q, cni_direct_contact *p, cni_node *n)
 	speeds_of(q, p, n, speeds);
 	contact_residuals(q, p, speeds);
 	for (i = 0; i < 4; ++i)
-		push[i] = slack_is(p, i) ? (q->tau * slack_mass(p, i) - p->cross[i]) / p->slack[i] : 0.0f;
+		push[i] = slack_exists(p, i) ? (q->tau * slack_mass(p, i) - p->cross[i]) / p->slack[i] : 0.0f;
 	lift = p->coefficient * (push[2] + push[3]);
 	p->slope = d2 + d3 > 0.0f ? p->coefficient * (d2 - d3) / (d2 + d3) : 0.0f;
 	both = d2 + d3 > 0.0f ? p->coefficient * p->coefficient * 4.0f * d2 * (d3 / (d2 + d3)) : 0.0f;
 	memset(n->lever, 0, sizeof n->lever);
-	n->x[2] = row_is(p, 2) ? push[3] - push[2] - speeds[2] : 0.0f;
+	n->x[2] = row_exists(p, 2) ? push[3] - push[2] - speeds[2] : 0.0f;
 	n->compliance[2] = d2 + d3;
 	for (i = 0; i < 2; ++i) {
-		n->x[i] = row_is(p, i) ? push[i] + lift - speeds[i] + p->slope * n->x[2] : 0.0f;
-		n->compliance[i] = row_is(p, i) ? stiffness_of(p, i) + both : 0.0f;
-		if (row_is(p, i))
+		n->x[i] = row_exists(p, i) ? push[i] + lift - speeds[i] + p->slope * n->x[2] : 0.0f;
+		n->compliance[i] = row_exists(p, i) ? stiffness_of(p, i) + both : 0.0f;
+		if (row_exists(p, i))
 			n->lever[i] = cni_direct_contact_lever(p, i);
-		if (row_is(p, i) && row_is(p, 2)) {
+		if (row_exists(p, i) && row_exists(p, 2)) {
 			n->lever[i].ax += p->slope * friction.ax;
 			n->lever[i].ay += p->slope * friction.ay;
 			n->lever[i].aw += p->slope * friction.aw;
@@ -217,8 +217,8 @@ static void contact_newton(cone *q, cni_direct_contact *p, cni_node *n)
 			n->lever[i].bw += p->slope * friction.bw;
 		}
 	}
-	n->cross = row_is(p, 1) ? both : 0.0f;
-	if (row_is(p, 2))
+	n->cross = row_exists(p, 1) ? both : 0.0f;
+	if (row_exists(p, 2))
 		n->lever[2] = friction;
 }
 
@@ -238,7 +238,7 @@ static void changes_of(const cone *q, const cni_direct_contact *p, const cni_nod
 	int32_t i;
 	slacks_of(p, n->x, slack);
 	for (i = 0; i < 4; ++i)
-		dual[i] = slack_is(p, i) ? (q->tau * slack_mass(p, i) - p->cross[i]) / p->slack[i] - stiffness_of(p, i) * slack[i] - p->dual[i] : 0.0f;
+		dual[i] = slack_exists(p, i) ? (q->tau * slack_mass(p, i) - p->cross[i]) / p->slack[i] - stiffness_of(p, i) * slack[i] - p->dual[i] : 0.0f;
 }
 
 static float distance_to(float from, float change)
@@ -260,7 +260,7 @@ static float step_length(const cone *q)
 		n->x[2] += p->slope * (n->x[0] + n->x[1]);
 		changes_of(q, p, n, slack, dual);
 		for (i = 0; i < 4; ++i)
-			if (slack_is(p, i))
+			if (slack_exists(p, i))
 				most = cni_min(most, cni_min(distance_to(p->slack[i], slack[i]), distance_to(p->dual[i], dual[i])));
 	}
 	return cni_min(1.0f, STEP_MOST * most);
@@ -292,7 +292,7 @@ static float step_apply(const cone *q, float length)
 		for (i = 0; i < 4; ++i) {
 			p->slack[i] += length * slack[i];
 			p->dual[i] += length * dual[i];
-			sum += slack_is(p, i) ? p->slack[i] * p->dual[i] / slack_mass(p, i) : 0.0f;
+			sum += slack_exists(p, i) ? p->slack[i] * p->dual[i] / slack_mass(p, i) : 0.0f;
 		}
 	}
 	return sum / (float)cni_max_i(q->count, 1);
@@ -312,7 +312,7 @@ static float predictor_store(cone *q, float length)
 		changes_of(q, p, &q->sparse->nodes[k], slack, dual);
 		for (i = 0; i < 4; ++i) {
 			p->cross[i] = slack[i] * dual[i];
-			sum += slack_is(p, i) ? (p->slack[i] + length * slack[i]) * (p->dual[i] + length * dual[i]) / slack_mass(p, i) : 0.0f;
+			sum += slack_exists(p, i) ? (p->slack[i] + length * slack[i]) * (p->dual[i] + length * dual[i]) / slack_mass(p, i) : 0.0f;
 		}
 	}
 	return sum / (float)cni_max_i(q->count, 1);
@@ -349,12 +349,12 @@ static void contact_finish(const cone *q, cni_direct_contact *p, cni_node *n)
 	float change[3] = { 0.0f, 0.0f, 0.0f };
 	int32_t i;
 	for (i = 0; i < 2; ++i) {
-		p->state[i] = row_is(p, i) && p->slack[i] > p->dual[i] * p->mass[i] ? CNI_ROW_ACTIVE : CNI_ROW_OPEN;
+		p->state[i] = row_exists(p, i) && p->slack[i] > p->dual[i] * p->mass[i] ? CNI_ROW_ACTIVE : CNI_ROW_OPEN;
 		change[i] = p->state[i] == CNI_ROW_OPEN ? -p->j[i] : 0.0f;
 	}
 	p->slide_sign = p->slack[2] < p->slack[3] ? 1.0f : -1.0f;
 	i = p->slide_sign > 0.0f ? 2 : 3;
-	p->state[2] = row_is(p, 2) && p->dual[i] > q->pass->speed_least && p->slack[i] < p->dual[i] * p->mass[2] ? CNI_ROW_SLIDES : CNI_ROW_ACTIVE;
+	p->state[2] = row_exists(p, 2) && p->dual[i] > q->pass->speed_least && p->slack[i] < p->dual[i] * p->mass[2] ? CNI_ROW_SLIDES : CNI_ROW_ACTIVE;
 	if (p->state[0] != CNI_ROW_ACTIVE && p->state[1] != CNI_ROW_ACTIVE) {
 		p->state[2] = CNI_ROW_OPEN;
 		change[2] = -p->j[2];

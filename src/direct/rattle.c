@@ -399,7 +399,7 @@ static void step_undo(const rattle_step *g)
 {
 	int32_t k;
 	cni_dummy_stand(g->world);
-	cni_direct_motions_keep(g->world, g->sparse, g->c, 1);
+	cni_direct_motions_save(g->world, g->sparse, g->c, 1);
 	cni_direct_rotations(g->world, g->sparse, g->c);
 	for (k = g->c->begin; k < g->c->end; ++k)
 		cni_joint_constraint_rows(constraint_of(g, k), g->motions, g->sparse->turn);
@@ -549,7 +549,7 @@ static void component_run(cn_world *world, const cni_solve *s, cni_component *c,
 	cni_direct_rotations(world, g.sparse, c);
 	rods = cni_geometric_stiffness_rods(world, g.sparse, c, last_h);
 	cni_geometric_stiffness_find(world, g.sparse, c, last_h);
-	cni_direct_motions_keep(world, g.sparse, c, 0);
+	cni_direct_motions_save(world, g.sparse, c, 0);
 	c->done = 1;
 	projects = trust.span > 0 && trust.until > world->step_count;
 	if (projects || !rattle_run(&g, s, c, substeps_of(&g, s, rods), &trust)) {

@@ -63,7 +63,7 @@ float cni_rattle_energy_allowed(const rattle_step *g, float dt)
 /* ---- energy ---- */
 
 /* Twice the kinetic energy of a change of velocity. */
-static float change_of(const cni_motion *m, float vx, float vy, float w)
+static float kinetic_of_change(const cni_motion *m, float vx, float vy, float w)
 {
 	return inverse_or_zero(m->inv_mass) * (vx * vx + vy * vy) + inverse_or_zero(m->inv_inertia) * w * w;
 }
@@ -83,7 +83,7 @@ float cni_rattle_energy_error(const rattle_step *g, const cni_solve *s)
 		const cni_motion *m = g->motions + index;
 		const cni_external *d = cni_externals(g->world) + index;
 		const cni_velocity_start *start = cni_starts(g->world) + index;
-		sum += change_of(m, m->vx - start->vx + s->h * d->ax, m->vy - start->vy + s->h * d->ay, m->w - start->w + s->h * d->alpha);
+		sum += kinetic_of_change(m, m->vx - start->vx + s->h * d->ax, m->vy - start->vy + s->h * d->ay, m->w - start->w + s->h * d->alpha);
 	}
 	return sum * last * last / 4.0f;
 }
@@ -188,7 +188,7 @@ static float inner_energy(const rattle_step *g, const rigid_motion *r)
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
 		cni_velocity_start v = velocity_in(g, r, g->sparse->bodies[k]);
-		sum += change_of(m, m->vx - v.vx, m->vy - v.vy, m->w - v.w);
+		sum += kinetic_of_change(m, m->vx - v.vx, m->vy - v.vy, m->w - v.w);
 	}
 	return 0.5f * sum;
 }
@@ -197,7 +197,7 @@ static float inner_energy(const rattle_step *g, const rigid_motion *r)
  * Takes this energy out of the component's motion, but at most ENERGY_GAIN of it. All velocities relative to the rigid motion of equal
  * momenta are scaled by one factor, which preserves the momenta and J v = 0. Returns the energy removed.
  */
-static float energy_take(const rattle_step *g, float surplus)
+static float energy_remove(const rattle_step *g, float surplus)
 {
 	rigid_motion r = rigid_of(g);
 	float inner = inner_energy(g, &r), part, keep;
@@ -240,5 +240,5 @@ void cni_rattle_account(const rattle_step *g, cni_joint_trust *t, float gained)
 	if (!(t->surplus < FLT_MAX)) /* an account that is not finite begins anew */
 		t->surplus = 0.0f;
 	if (t->surplus > most)
-		t->surplus -= energy_take(g, t->surplus - most);
+		t->surplus -= energy_remove(g, t->surplus - most);
 }

@@ -329,7 +329,7 @@ static int32_t is_falling(const cn_world *world, const cni_island *i)
 }
 
 /* An island of leaning bodies stays direct until it sleeps or moves: soft contacts yield, and the yield is not recovered. */
-static void leaning_keep(cn_world *world, int32_t island, float h)
+static void leaning_island_keep(cn_world *world, int32_t island, float h)
 {
 	cni_island *i = cni_island_at(world, island);
 	if (i->good_steps >= cni_max_i(i->stay_steps, STAY_FIRST) && i->good_steps <= STAY_MOST && i->solver != CN_SOLVER_SOFT &&
@@ -359,7 +359,7 @@ static void list_update(cn_world *world, float h)
 			cni_island_refuse(world, island, CN_TIER_REASON_MOVING);
 			continue;
 		}
-		leaning_keep(world, island, h);
+		leaning_island_keep(world, island, h);
 		if (i->solver != CN_SOLVER_SOFT && i->good_steps <= STAY_MOST &&
 		    (i->good_steps++ < cni_max_i(i->stay_steps, STAY_FIRST) || i->solver == CN_SOLVER_DIRECT)) {
 			i->reason = CN_TIER_REASON_SETTLING;

@@ -41,7 +41,7 @@ const cni_joint_kernel *cni_joint_kernel_choose(void)
 /* ---- joint constraints ---- */
 
 /* 1: nothing softens, bounds or breaks the joint. */
-static int32_t may_be_wide(const cn_world *world, const cni_joint *j)
+static int32_t may_use_lane(const cn_world *world, const cni_joint *j)
 {
 	return CNI_ON(JOINT_LANES) && j->stiffness_hertz <= 0.0f && j->force_max <= 0.0f && j->torque_max <= 0.0f &&
 	       j->break_force <= 0.0f && j->break_torque <= 0.0f && world->settings.solver != CN_SOLVER_SEQUENTIAL;
@@ -269,7 +269,7 @@ int32_t cni_joint_lanes_need_no_plan(const cn_world *world)
 }
 
 /* Only called for kept lanes: locked bodies are not known for others. */
-static void lanes_alone(cn_world *world, const cni_solve *s)
+static void no_plan_record(cn_world *world, const cni_solve *s)
 {
 	world->joint_lanes.alone = s->direct == NULL && !world->direct_failed && planning_is_needless(world);
 	world->joint_lanes.budget = world->settings.work_budget;
@@ -301,7 +301,7 @@ int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct c
 {
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
-	if (!may_be_wide(world, j))
+	if (!may_use_lane(world, j))
 		return 0;
 	if (j->type != CN_JOINT_REVOLUTE)
 		return form_begin(world, k, j, cni_joint_form(j));
@@ -389,7 +389,7 @@ void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 {
 	int32_t left;
 	if (lanes_are_kept(world, s)) {
-		lanes_alone(world, s);
+		no_plan_record(world, s);
 		world->joint_blocks.count = world->joint_lanes.blocks;
 		world->joint_plain_first = CNI_NONE;
 		return;

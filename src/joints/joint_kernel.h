@@ -281,7 +281,7 @@ CNI_INLINE void start_turn(cni_velocity_start *starts, const int32_t *index, uin
 	moving_scatter((float *)(void *)starts, START_FLOATS, index, moves, vx, vy, w - spin, jumped);
 }
 
-CNI_INLINE cni_wide warmed(float *impulse, float scale)
+CNI_INLINE cni_wide impulse_warm(float *impulse, float scale)
 {
 	cni_wide j = cni_wide_load(impulse) * scale;
 	cni_wide_store(impulse, j);

@@ -61,7 +61,7 @@ CNI_INLINE cni_wide row_mass(const wide_row *r, const wide_row *q, const side *a
 	return a->m * dot + a->i * r->aw * q->aw + b->m * dot + b->i * r->bw * q->bw;
 }
 
-CNI_INLINE cni_wide row_turn(const wide_row *r, const wide_row *old)
+CNI_INLINE cni_wide row_dot(const wide_row *r, const wide_row *old)
 {
 	cni_wide x = r->nx * old->nx, y = r->ny * old->ny;
 	return x + y + r->bw * old->bw + x + y + r->aw * old->aw;
@@ -434,7 +434,7 @@ CNI_INLINE cni_wide impulse_turn(const wide_row *r, cni_wide sign, const wide_ro
 {
 	const cni_wide zero = cni_wide_of(0.0f);
 	row_push(old, old_sign * -impulse, a, b);
-	impulse = cni_wide_select(sign * old_sign * row_turn(r, old) < zero, zero, impulse);
+	impulse = cni_wide_select(sign * old_sign * row_dot(r, old) < zero, zero, impulse);
 	row_push(r, sign * impulse, a, b);
 	return impulse;
 }
@@ -555,14 +555,14 @@ static void row_lanes_warm(cni_motion *motions, cni_velocity_start *starts, cni_
 		sides_gather(motions, k, l, &a, &b);
 		for (i = 0; i < rigid; ++i) {
 			wide_row r = row_load(&k->rigid[i], l);
-			row_push(&r, warmed(k->j[i] + l, pass->warm_scale), &a, &b);
+			row_push(&r, impulse_warm(k->j[i] + l, pass->warm_scale), &a, &b);
 		}
 		if (k->has & CN_JOINT_SPRING)
-			row_push(&free, warmed(k->spring_j + l, pass->warm_scale), &a, &b);
+			row_push(&free, impulse_warm(k->spring_j + l, pass->warm_scale), &a, &b);
 		if (k->has & CN_JOINT_MOTOR)
-			row_push(&turned, warmed(k->motor_j + l, pass->warm_scale), &a, &b);
+			row_push(&turned, impulse_warm(k->motor_j + l, pass->warm_scale), &a, &b);
 		if (k->has & CN_JOINT_LIMIT)
-			row_push(&free, cni_wide_load(k->side + l) * warmed(k->limit_j + l, pass->warm_scale), &a, &b);
+			row_push(&free, cni_wide_load(k->side + l) * impulse_warm(k->limit_j + l, pass->warm_scale), &a, &b);
 		sides_scatter(motions, k, l, &a, &b);
 	}
 }
