@@ -57,7 +57,7 @@ typedef struct cni_direct_contact {
 	float slack[4], dual[4];    /* normals, m sum - t, m sum + t; their multipliers, m/s */
 } cni_direct_contact;
 
-/* Compliance of a row, in m/s at its impulse: among redundant impulses it selects those of least energy. */
+/* Where many impulses bear the same those of least energy are told by what rows give way to them: m/s. */
 #define CNI_DIRECT_CONTACT_LEAK 1e-5f
 static inline float cni_direct_contact_leak(const cni_direct_contact *p, int32_t row)
 {
