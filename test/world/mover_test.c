@@ -431,7 +431,7 @@ static void t_one_way_from_below_and_above(void)
 static void t_one_way_platforms_catch_while_they_rise(void)
 {
 	int32_t start;
-	for (start = 0; start < 8; ++start) {
+	for (start = 0; start < 24; ++start) { /* over more than both go in a step */
 		cn_body rising;
 		begin(0.0f, 6.0f + 0.013f * (float)start);
 		mover.velocity_mps.y = -5.0f;
