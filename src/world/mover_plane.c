@@ -13,7 +13,7 @@
  * of their overlaps (Cimmino 1938), which leads to the least sum of squared overlaps.
  */
 #include "world/mover.h"
-#include "geometry/manifold.h"
+#include "collision/manifold.h"
 
 #include <string.h>
 

@@ -5,9 +5,9 @@
  * world at the end. Reads its arguments only.
  */
 #include "world/query.h"
-#include "geometry/cast.h"
-#include "geometry/manifold.h"
-#include "geometry/toi.h"
+#include "collision/cast.h"
+#include "collision/manifold.h"
+#include "collision/toi.h"
 
 #include <string.h>
 

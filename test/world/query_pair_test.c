@@ -5,7 +5,7 @@
  * Checked against distances in double precision, and against cn_world_cast_shape and cn_body_get_contacts.
  */
 #include "fixture.h"
-#include "geometry/sets.h"
+#include "collision/sets.h"
 
 #define PAIRS 3000
 
