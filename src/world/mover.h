@@ -1,5 +1,5 @@
 /*
- * world/mover.h - what the planes of a mover (mover_plane.c) give to the mover itself (mover.c, mover_ground.c).
+ * world/mover.h - what the planes of a mover (mover_plane.c) give to the mover itself (mover.c, mover_slide.c, mover_ground.c).
  */
 #ifndef CNI_WORLD_MOVER_H
 #define CNI_WORLD_MOVER_H
@@ -42,7 +42,7 @@ typedef struct cni_move {
 	cni_planes planes;       /* of the last cni_move_touch */
 } cni_move;
 
-/* Puts the mover there. */
+/* mover_slide.c. Puts the mover there. */
 void cni_move_place(cni_move *m, cni_vec2 position);
 /* Finds the planes that it touches. */
 void cni_move_touch(cni_move *m);
