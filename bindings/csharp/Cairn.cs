@@ -1026,7 +1026,8 @@ namespace Cairn
 	}
 
 	/// <summary>A character between two moves. It belongs to the caller, who may copy it, keep it and go back to it: the
-	/// world knows nothing of it, and other bodies do not collide with it. Begin with all 0 but the position.</summary>
+	/// world knows nothing of it, and other bodies do not collide with it: for that give it a kinematic body
+	/// that is filter.ignored_body and follows by cn_body_set_target_pose. Begin with all 0 but the position.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_mover
 	{
@@ -2364,7 +2365,8 @@ namespace Cairn
 		/// what it touches and can stand on, or finds within snap_m below when it walked; velocity_mps loses what
 		/// is blocked Depends on the world, def and mover alone: the same calls give the same bits. The loop of
 		/// planes, solver and cast is that of Box2D 3's sample of a character mover (Catto 2025). Bodies pushed
-		/// wake up; nothing else of the world changes. O(shapes near x iterations_max).</summary>
+		/// wake up; nothing else of the world changes. O(shapes near x iterations_max): some 1 us standing, 3 us
+		/// walking, 10 us against a wall.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_mover_move(cn_world* world, cn_mover_def* def, float dt_s, cn_mover* mover);
 

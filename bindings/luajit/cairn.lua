@@ -854,7 +854,8 @@ typedef struct cn_mover_def {
 } cn_mover_def;
 
 // A character between two moves. It belongs to the caller, who may copy it, keep it and go back to it: the
-// world knows nothing of it, and other bodies do not collide with it. Begin with all 0 but the position.
+// world knows nothing of it, and other bodies do not collide with it: for that give it a kinematic body that
+// is filter.ignored_body and follows by cn_body_set_target_pose. Begin with all 0 but the position.
 typedef struct cn_mover {
 	cn_vec2 position_m;
 	cn_vec2 velocity_mps; // in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as its component across up; the one along up is 0, and a jump when the caller makes it > 0
@@ -1377,7 +1378,7 @@ void cn_mover_def_init(cn_mover_def *def);
 // within snap_m below when it walked; velocity_mps loses what is blocked Depends on the world, def and mover
 // alone: the same calls give the same bits. The loop of planes, solver and cast is that of Box2D 3's sample
 // of a character mover (Catto 2025). Bodies pushed wake up; nothing else of the world changes. O(shapes near
-// x iterations_max).
+// x iterations_max): some 1 us standing, 3 us walking, 10 us against a wall.
 cn_result cn_mover_move(cn_world *world, const cn_mover_def *def, float dt_s, cn_mover *mover);
 void cn_explosion_def_init(cn_explosion_def *def);
 // Pushes dynamic bodies away from the centre, each shape at its point nearest to it, and wakes them.

@@ -915,7 +915,8 @@ class cn_mover_def(_c.Structure):
 
 class cn_mover(_c.Structure):
     # A character between two moves. It belongs to the caller, who may copy it, keep it and go back to it: the
-    # world knows nothing of it, and other bodies do not collide with it. Begin with all 0 but the position.
+    # world knows nothing of it, and other bodies do not collide with it: for that give it a kinematic body
+    # that is filter.ignored_body and follows by cn_body_set_target_pose. Begin with all 0 but the position.
     _fields_ = [
         ("position_m", cn_vec2),
         ("velocity_mps", cn_vec2),  # in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as its component across up; the one along up is 0, and a jump when the caller makes it > 0
@@ -1454,7 +1455,7 @@ cn_mover_def_init = _function("cn_mover_def_init", None, _c.POINTER(cn_mover_def
 # within snap_m below when it walked; velocity_mps loses what is blocked Depends on the world, def and mover
 # alone: the same calls give the same bits. The loop of planes, solver and cast is that of Box2D 3's sample of
 # a character mover (Catto 2025). Bodies pushed wake up; nothing else of the world changes. O(shapes near x
-# iterations_max).
+# iterations_max): some 1 us standing, 3 us walking, 10 us against a wall.
 cn_mover_move = _function("cn_mover_move", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_mover_def), _c.c_float, _c.POINTER(cn_mover))
 cn_explosion_def_init = _function("cn_explosion_def_init", None, _c.POINTER(cn_explosion_def))
 # Pushes dynamic bodies away from the centre, each shape at its point nearest to it, and wakes them.

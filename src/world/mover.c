@@ -2,6 +2,10 @@
  * world/mover.c - the character mover: one move of a caller's cn_mover through the world (see cn_mover_move in cairn.h).
  *
  * Reads the world; writes the mover, and forces on dynamic bodies that it pushes. Nothing is kept in the world.
+ *
+ * Surfaces are touched exactly, by planes at separation 0. The casts that keep it from passing through things move a core
+ * that is smaller by a skin of half a slop: so what it stands on or slides along never stops a cast, and what does is
+ * touched by the whole shape, which the next round of planes puts in order.
  */
 #include "world/mover.h"
 
@@ -70,8 +74,6 @@ static void check_mover(cni_call *call, const cn_mover *mover)
 	cni_check_finite2(call, "ground_velocity_mps", mover->ground_velocity_mps);
 	cni_check_flags(call, "flags", mover->flags, CN_MOVER_ON_GROUND | CN_MOVER_ON_WALL | CN_MOVER_ON_CEILING);
 }
-
-/* ------------------------------------------------------------------ one move */
 
 /* The core: rounding, or else the points, drawn in by the skin. */
 static cni_region core_of(const cni_region *full, const cni_geometry *g, float skin)

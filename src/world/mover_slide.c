@@ -1,9 +1,5 @@
 /*
- * world/mover_slide.c - how a mover gets from one place to another: what it touches there, and sliding along it.
- *
- * Surfaces are touched exactly, by planes at separation 0. The casts that keep it from passing through things move a core
- * that is smaller by a skin of half a slop: so what it stands on or slides along never stops a cast, and what does is
- * touched by the whole shape, which the next round of planes puts in order.
+ * world/mover_slide.c - a mover along a translation: casts, touched planes, sliding along them.
  */
 #include "world/mover.h"
 

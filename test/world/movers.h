@@ -38,7 +38,10 @@ static inline void walk(float speed, int32_t frames)
 static inline int on_ground(void) { return (mover.flags & CN_MOVER_ON_GROUND) != 0; }
 static inline double feet(void) { return (double)mover.position_m.y - FEET; }
 
-static inline cn_body box(float x, float y, float hx, float hy, float angle) { return fixture_box(w, CN_BODY_STATIC, x, y, angle, hx, hy, 0.6f, 0.0f); }
+static inline cn_body box(float x, float y, float hx, float hy, float angle)
+{
+	return fixture_box(w, CN_BODY_STATIC, x, y, angle, hx, hy, 0.6f, 0.0f);
+}
 
 static inline void ground(void) { box(0.0f, -1.0f, 100.0f, 1.0f, 0.0f); }
 
