@@ -16,7 +16,8 @@ typedef struct cni_planes {
 } cni_planes;
 
 /* A shape to collide: region for where it is, solid with the same points from the region's origin. */
-void cni_planes_find(const cni_sight *sight, const cni_region *region, const cni_solid *solid, float margin, cn_plane *out, int32_t capacity, int32_t *out_count);
+void cni_planes_find(const cni_sight *sight, const cni_region *region, const cni_solid *solid, float margin, cn_plane *out, int32_t capacity,
+	int32_t *out_count);
 /* As cn_mover_solve. */
 cni_vec2 cni_planes_solve(cn_plane *planes, int32_t count, cni_vec2 wanted, float *out_overlap);
 /* The velocity nearest to v that leads into none of the surfaces, which themselves move at speeds[i] along their normals. */
