@@ -65,7 +65,8 @@ static cn_body block(cn_world *world, int type, uint32_t flags, cn_vec2 at, floa
 }
 
 /* Ground from right to left: level, a pit, level, a slope, level, a wall. */
-static const cn_vec2 ground[10] = { { 52, 8 }, { 52, 2 }, { 36, 2 }, { 36, -2 }, { 24, -2 }, { 24, 2 }, { 18, 2 }, { 12, 0 }, { -3, 0 }, { -3, 6 } };
+static const cn_vec2 ground[10] = { { 52, 8 }, { 52, 2 }, { 36, 2 }, { 36, -2 }, { 24, -2 },
+	{ 24, 2 }, { 18, 2 }, { 12, 0 }, { -3, 0 }, { -3, 6 } };
 
 static void level_make(cn_world *world, cn_body *lift, cn_body *crate)
 {
@@ -139,8 +140,8 @@ int main(int argc, char **argv)
 		if (h.mover.ground_body == ground_was && step % 60 != 0)
 			continue;
 		ground_was = h.mover.ground_body;
-		printf("%5.2f s: at (%5.2f, %5.2f) %s; crate at %5.2f, platform at %5.2f\n", step / 60.0, (double)trail[step].x, (double)trail[step].y,
-			ground_was == lift ? "on the platform" : ground_was ? "on the ground" : "in the air", (double)crate_at.position_m.x, (double)lift_at.position_m.x);
+		printf("%5.2f s: at (%5.2f, %5.2f) %s; crate at %5.2f\n", step / 60.0, (double)trail[step].x, (double)trail[step].y,
+			ground_was == lift ? "on the platform" : ground_was ? "on the ground" : "in the air", (double)crate_at.position_m.x);
 	}
 	const int drawn = argc < 2 || picture(argv[1], world, trail, step);
 	cn_world_destroy(world);

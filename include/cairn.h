@@ -549,7 +549,8 @@ CN_API cn_result cn_body_get_velocity(const cn_world *world, cn_body body, cn_ve
 /* Sets the velocity of a kinematic body (others: CN_ERROR_STATE) so that a step of dt_s (1e-6 to 1) takes it to this pose, the shorter way
    round, up to rounding and the world's speed limits: what stands on it or is in its way moves along, as nothing does with
    cn_body_set_pose. It goes on with that velocity: call it before every step, or stop it after. */
-CN_API cn_result cn_body_set_target_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad, float dt_s);
+CN_API cn_result cn_body_set_target_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad,
+	float dt_s);
 /* Velocity of the body's material at a world point. */
 CN_API cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float point_x_m, float point_y_m, cn_vec2 *out_mps);
 CN_API cn_result cn_body_get_world_point(const cn_world *world, cn_body body, float local_x_m, float local_y_m, cn_vec2 *out_m);
@@ -1258,7 +1259,8 @@ typedef int32_t cn_query_fn(const cn_world *world, const cn_ray_hit *hit, void *
 enum {
 	CN_QUERY_IGNORE_JOINED = 1u << 0, /* bodies that a joint connects to ignored_body are not seen either */
 	CN_QUERY_ONE_WAY = 1u << 1,       /* casts meet one-way shapes from their upper side (45 degrees) only, and not those that they
-	                                     start in by more than 0.5% of the length unit; all other queries do not see one-way shapes. Default: they are like others */
+	                                     start in by more than 0.5% of the length unit; all other queries do not see one-way shapes.
+	                                     Default: they are like others */
 	CN_QUERY_LEAVING = 1u << 2        /* casts do not meet what they start in, however deep, when they do not lead farther in */
 };
 
@@ -1326,14 +1328,16 @@ typedef struct cn_distance {
 	uint32_t reserved;
 } cn_distance;
 /* By GJK (Gilbert, Johnson, Keerthi 1988) when the shapes without their radii are apart, else by their Minkowski difference. */
-CN_API cn_result cn_polygon_distance(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b, cn_distance *out);
+CN_API cn_result cn_polygon_distance(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b,
+	cn_distance *out);
 /* b is moved by translation (at most 2e6 m each way) without turning: where it meets a, as cn_ray_hit says, without shape, body
    and child; 1 in *out_hit, or 0. */
-CN_API cn_result cn_polygon_cast(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b, float translation_x_m,
-	float translation_y_m, cn_ray_hit *out, int32_t *out_hit);
+CN_API cn_result cn_polygon_cast(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b,
+	float translation_x_m, float translation_y_m, cn_ray_hit *out, int32_t *out_hit);
 /* The contact of a step: no points when they are farther apart than margin_m (0 to 1e6). Impulses are 0. Not for a single
    point of radius 0. */
-CN_API cn_result cn_polygon_collide(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b, float margin_m, cn_manifold *out);
+CN_API cn_result cn_polygon_collide(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b,
+	float margin_m, cn_manifold *out);
 
 /* A motion from fraction 0 to 1: a point of the shape goes in a straight line, and the shape turns evenly about it. */
 typedef struct cn_sweep {
@@ -1385,10 +1389,11 @@ typedef struct cn_plane {
 CN_API cn_result cn_mover_collide(const cn_world *world, const cn_polygon *shape, float position_x_m, float position_y_m, float margin_m,
 	const cn_query_filter *filter, cn_plane *out, int32_t capacity, int32_t *out_count);
 /* The translation nearest to a wanted one that the planes allow: exactly, for in two dimensions it lies on at most two of them. A
-   plane pushes by no more than push_max_m: which ones push their most, Hildreth's method (1957) tells. Sets push_m. Between surfaces that leave no room it is that of the least sum of
-   squared overlaps (Cimmino 1938), and *out_overlap_m, else 0 up to rounding, says how deep the deepest of them remains that did
-   not push its most. count 0 to CN_PLANES_MAX. No world. O(count^2), O(count^3) where two planes hold it. */
-CN_API cn_result cn_mover_solve(cn_plane *planes, int32_t count, float translation_x_m, float translation_y_m, cn_vec2 *out_translation_m, float *out_overlap_m);
+   plane pushes by no more than push_max_m: which ones push their most, Hildreth's method (1957) tells. Sets push_m. Between
+   surfaces that leave no room it is that of the least sum of squared overlaps (Cimmino 1938), and *out_overlap_m, else 0 up to
+   rounding, says how deep the deepest of them remains that did not push its most. count 0 to CN_PLANES_MAX. No world. O(count^2), O(count^3) where two planes hold it. */
+CN_API cn_result cn_mover_solve(cn_plane *planes, int32_t count, float translation_x_m, float translation_y_m, cn_vec2 *out_translation_m,
+	float *out_overlap_m);
 /* The velocity nearest to a given one that leads into none of the planes that pushed in the last cn_mover_solve. No world. */
 CN_API cn_result cn_mover_clip(const cn_plane *planes, int32_t count, float velocity_x_mps, float velocity_y_mps, cn_vec2 *out_mps);
 

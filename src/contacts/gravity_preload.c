@@ -3,7 +3,7 @@
  *
  * Soft contacts yield around their load (contacts/contact_kernel.h), and a sweep carries a weight down by only a few bodies. A
  * new pile would sag by its softness until its loads are known. Small piles are solved directly (direct/solver_selection.c). In
- * a pile that is too large for that, this pass visits bodies from the highest to the lowest (the method of shock propagation,
+ * a pile that is too large for that, this pass visits bodies from the highest to the lowest (the method of jump propagation,
  * Guendelman, Bridson and Fedkiw, 2003). Each body has its own weight and the momentum of the bodies on it. Its supports, taken
  * as fixed, cancel all of its momentum of a substep by least-squares impulses, none of which pulls. The supports pass these
  * impulses on to the bodies below. So every body is in balance, and a pile with these impulses and loads does not move at all.

@@ -113,7 +113,7 @@ static void move_begin(cni_move *m, cn_world *world, const cn_mover_def *def, co
 	m->offset = region->origin;
 	m->sight.filter.flags |= CN_QUERY_ONE_WAY;
 	m->sight.touch = FLT_MAX;
-	m->sight.without = CNI_SIGHT_WITHOUT_SENSORS | (def->flags & CN_MOVER_DROP ? (uint32_t)CNI_SIGHT_WITHOUT_ONE_WAY : 0u);
+	m->sight.without = CN_SHAPE_SENSOR | (def->flags & CN_MOVER_DROP ? (uint32_t)CN_SHAPE_ONE_WAY : 0u);
 	mover->squeezed_m = 0.0f;
 	cni_move_place(m, mover->position_m);
 }

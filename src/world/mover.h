@@ -1,5 +1,5 @@
 /*
- * world/mover.h - what the planes of a mover (mover_plane.c) give to the mover itself (mover.c, mover_ground.c).
+ * world/mover.h - what the planes of a mover (mover_plane.c) give to the mover itself (mover.c, mover_slide.c, mover_ground.c).
  */
 #ifndef CNI_WORLD_MOVER_H
 #define CNI_WORLD_MOVER_H
@@ -16,7 +16,8 @@ typedef struct cni_planes {
 } cni_planes;
 
 /* A shape to collide: region for where it is, solid with the same points from the region's origin. */
-void cni_planes_find(const cni_sight *sight, const cni_region *region, const cni_solid *solid, float margin, cn_plane *out, int32_t capacity, int32_t *out_count);
+void cni_planes_find(const cni_sight *sight, const cni_region *region, const cni_solid *solid, float margin, cn_plane *out, int32_t capacity,
+	int32_t *out_count);
 /* As cn_mover_solve. */
 cni_vec2 cni_planes_solve(cn_plane *planes, int32_t count, cni_vec2 wanted, float *out_overlap);
 /* The velocity nearest to v that leads into none of the surfaces, which themselves move at speeds[i] along their normals. */
@@ -42,7 +43,7 @@ typedef struct cni_move {
 	cni_planes planes;       /* of the last cni_move_touch */
 } cni_move;
 
-/* Puts the mover there. */
+/* mover_slide.c. Puts the mover there. */
 void cni_move_place(cni_move *m, cni_vec2 position);
 /* Finds the planes that it touches. */
 void cni_move_touch(cni_move *m);

@@ -10,6 +10,8 @@
 #define BESIDE_PER_SLOP 1.0f
 /* Sine of a slope below which a surface is level. */
 #define LEVEL_SINE 1e-4f
+/* Away from the ground, in length units a second, beyond which it is left: more than rounding. */
+#define LEAVING_SPEED 1e-3f
 /* Of the slop: nearer to the ground it does not hover. */
 #define HOVER_PER_SLOP 0.002f
 
@@ -80,7 +82,9 @@ int32_t cni_ground_of_planes(cni_move *m, cni_vec2 v)
 		const cn_plane *p = &m->planes.at[k];
 		float height = cni_dot(p->normal, m->up);
 		float leaving = cni_dot(p->normal, cni_sub(v, cni_mover_velocity_at(m->world, p->body, p->point_m)));
-		if (height >= m->walkable && !(leaving > 1e-3f * m->world->settings.length_unit) && (best == NULL || height > cni_dot(best->normal, m->up)))
+		if (height < m->walkable || leaving > LEAVING_SPEED * m->world->settings.length_unit)
+			continue;
+		if (best == NULL || height > cni_dot(best->normal, m->up))
 			best = p;
 	}
 	if (best != NULL)

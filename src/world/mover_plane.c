@@ -134,6 +134,7 @@ static float height_over(const cn_world *world, const cni_region *region, const 
 	cni_vec2 storage[2];
 	cni_proxy_points set;
 	cni_transform x;
+	cni_vec2 origin = cni_sub(over->point_m, region->origin);
 	float height = -FLT_MAX;
 	int32_t k;
 	t.shape = cni_shape_at(world, cni_shape_index(world, of->shape));
@@ -141,7 +142,7 @@ static float height_over(const cn_world *world, const cni_region *region, const 
 	x = target_in_region(&t, region);
 	set = cni_geometry_proxy(cni_shape_geometry(&world->blocks, t.shape), of->child, storage);
 	for (k = 0; k < set.count; ++k)
-		height = cni_max(height, cni_dot(over->normal, cni_sub(cni_transform_point(x, set.points[k]), cni_sub(over->point_m, region->origin))));
+		height = cni_max(height, cni_dot(over->normal, cni_sub(cni_transform_point(x, set.points[k]), origin)));
 	/* The point lies midway between the surfaces. */
 	return height + set.radius + 0.5f * over->separation_m;
 }
@@ -167,7 +168,8 @@ static int32_t drop_hidden(const cni_sight *sight, const cni_region *region, cn_
 	return kept;
 }
 
-void cni_planes_find(const cni_sight *sight, const cni_region *region, const cni_solid *solid, float margin, cn_plane *out, int32_t capacity, int32_t *out_count)
+void cni_planes_find(const cni_sight *sight, const cni_region *region, const cni_solid *solid, float margin, cn_plane *out, int32_t capacity,
+	int32_t *out_count)
 {
 	plane_query q;
 	cni_aabb box = cni_region_box(region, cni_v(0.0f, 0.0f));
@@ -223,7 +225,7 @@ static cni_vec2 compromise(cn_plane *planes, int32_t count, cni_vec2 wanted)
 	for (k = 0; k < SHARES_MAX; ++k) {
 		cni_vec2 from = x;
 		for (i = 0; i < count; ++i)
-			planes[i].push_m = cni_clamp(planes[i].push_m + share * cni_max(-height_at(planes + i, from), 0.0f), 0.0f, planes[i].push_max_m);
+			planes[i].push_m = cni_min(planes[i].push_m + share * cni_max(-height_at(planes + i, from), 0.0f), planes[i].push_max_m);
 		x = pushed(planes, count, wanted);
 	}
 	return x;
@@ -401,7 +403,7 @@ cn_result cn_mover_collide(const cn_world *world, const cn_polygon *shape, float
 	memcpy(from_origin.points_m, region.points, sizeof from_origin.points_m);
 	cni_solid_make(&from_origin, &solid);
 	region.origin = cni_add(region.origin, cni_v(position_x_m, position_y_m));
-	sight.without = CNI_SIGHT_WITHOUT_SENSORS;
+	sight.without = CN_SHAPE_SENSOR;
 	cni_planes_find(&sight, &region, &solid, margin_m, out, capacity, out_count);
 	return CN_OK;
 }
@@ -420,7 +422,8 @@ static void check_planes(cni_call *call, const cn_plane *planes, int32_t count)
 	}
 }
 
-cn_result cn_mover_solve(cn_plane *planes, int32_t count, float translation_x_m, float translation_y_m, cn_vec2 *out_translation_m, float *out_overlap_m)
+cn_result cn_mover_solve(cn_plane *planes, int32_t count, float translation_x_m, float translation_y_m, cn_vec2 *out_translation_m,
+	float *out_overlap_m)
 {
 	cni_call call = cni_enter_free();
 	check_planes(&call, planes, count);

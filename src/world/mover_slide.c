@@ -6,7 +6,6 @@
 /* A round of sliding that moves by less, in slops, is the last one. */
 #define MOVED_PER_SLOP 0.002f
 
-
 void cni_move_place(cni_move *m, cni_vec2 position)
 {
 	m->mover->position_m = position;

@@ -20,13 +20,12 @@ typedef struct cni_query_target {
 	int32_t child;
 } cni_query_target;
 
-enum { CNI_SIGHT_WITHOUT_SENSORS = 1u << 0, CNI_SIGHT_WITHOUT_ONE_WAY = 1u << 1 };
 /* A filter as a query works with it. */
 typedef struct cni_sight {
 	const cn_world *world;
 	cn_query_filter filter;
 	int32_t ignored;       /* body index, CNI_NONE */
-	uint32_t without;      /* CNI_SIGHT_WITHOUT_*: what is not seen whatever the filter says; 0 */
+	uint32_t without;      /* CN_SHAPE_ flags: shapes with one of them are not seen, whatever the filter says; 0 */
 	float touch;           /* casts: what the start is in up to this depth is met only by going farther in */
 } cni_sight;
 

@@ -97,7 +97,9 @@ static int32_t ray_cast(const ray_query *q, const cni_query_target *t, cn_ray_hi
 {
 	cni_vec2 translation = cni_query_turn_to_local(t->body, q->translation);
 	cni_cast_hit hit;
-	if (!cni_cast_ray(t->geometry, t->child, cni_query_to_local(t->body, q->origin), translation, &hit) || !is_met(q->sight, t, &hit, translation))
+	if (!cni_cast_ray(t->geometry, t->child, cni_query_to_local(t->body, q->origin), translation, &hit))
+		return 0;
+	if (!is_met(q->sight, t, &hit, translation))
 		return 0;
 	hit_make(q->sight->world, t, &hit, out);
 	return 1;

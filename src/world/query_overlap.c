@@ -92,9 +92,9 @@ static float overlap_visit(void *context, int32_t proxy, float limit)
 	cni_query_target t;
 	cn_shape handle;
 	int32_t said;
-	if (!cni_query_target_of(q->sight, proxy, &t) || cni_sight_hides_one_way(q->sight, t.shape) || (q->stop != CNI_NONE && t.index > q->stop))
+	if (!cni_query_target_of(q->sight, proxy, &t) || cni_sight_hides_one_way(q->sight, t.shape))
 		return limit;
-	if (!overlap_finds(q, &t))
+	if ((q->stop != CNI_NONE && t.index > q->stop) || !overlap_finds(q, &t))
 		return limit;
 	t.child = 0; /* a chain as a whole */
 	said = cni_sight_ask_target(q->sight, &t);

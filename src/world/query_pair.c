@@ -120,8 +120,8 @@ static int32_t pair_cast(const pair *p, cni_vec2 translation, cni_cast_hit *out)
 /* The surfaces touch or overlap: the shortest way out. What rounding leaves just outside is met on the way from centre to centre. */
 static int32_t inside_find(const pair *p, cni_cast_hit *hit)
 {
-	return pair_cast(p, cni_v(0.0f, 0.0f), hit) ||
-	       cni_cast_points(&p->a.g, 0, points_of(&p->b), p->b.g.centroid, p->b_in_a, cni_sub(p->a.g.centroid, cni_transform_point(p->b_in_a, p->b.g.centroid)), hit);
+	cni_vec2 way = cni_sub(p->a.g.centroid, cni_transform_point(p->b_in_a, p->b.g.centroid));
+	return pair_cast(p, cni_v(0.0f, 0.0f), hit) || cni_cast_points(&p->a.g, 0, points_of(&p->b), p->b.g.centroid, p->b_in_a, way, hit);
 }
 
 static void distance_inside(const pair *p, const cni_cast_hit *hit, cn_distance *out)
@@ -196,7 +196,8 @@ static void pair_manifold(const pair *p, float margin, cni_manifold *out)
 	cni_manifold_function(in.a->type, in.b->type)(&in, &cache, out);
 }
 
-cn_result cn_polygon_collide(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b, float margin_m, cn_manifold *out)
+cn_result cn_polygon_collide(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b,
+	float margin_m, cn_manifold *out)
 {
 	cni_call call = cni_enter_free();
 	cni_manifold m;

@@ -117,7 +117,7 @@ static void t_casts_are_those_of_a_world(void)
 /* Either way round: the same points, the opposite normal. */
 static void t_manifolds(void)
 {
-	int32_t k, touching = 0, swapped_wrong = 0;
+	int32_t k, i, touching = 0, swapped_wrong = 0;
 	double worst = 0.0;
 	for (k = 0; k < PAIRS; ++k) {
 		cn_polygon a = random_solid(1 + below(3)), b = random_solid(1 + below(3));
@@ -131,6 +131,11 @@ static void t_manifolds(void)
 		if (m.point_count == 0) {
 			swapped_wrong += distance < 0.049;
 			continue;
+		}
+		for (i = 0; i < m.point_count && m.point_count == n.point_count && distance > 1e-3; ++i) {
+			/* Features change sides with the shapes, whichever comes first. */
+			uint32_t id = m.points[i].feature_id, turned = (id & 255u) << 8 | id >> 8;
+			swapped_wrong += turned != n.points[0].feature_id && (n.point_count < 2 || turned != n.points[1].feature_id);
 		}
 		++touching;
 		swapped_wrong += distance > 0.051;
