@@ -2,16 +2,15 @@
  * collision/cast_ray.c - rays against every type of shape.
  *
  * Convex skeletons are clipped face by face (Cyrus, Beck 1978) against the planes moved out by the radius.
- * That finds the face through which the ray enters; if it does so beyond the face's ends, only the disc
- * around that end can be met, because the corner between the two planes and the disc is all that is
- * left of the ray's way through:
+ * That finds the face through which the ray enters. If the ray enters beyond the face's ends, it can only hit the disc
+ * around that end, because the clipped ray is then in the corner between the two planes and the disc:
  *
  *        plane of the next face \   . ray enters beyond the end
  *                                \ /
  *              ---------------- (v)      disc around v
  *
- * The same holds for a start in such a corner. Discs are met by the point of the line that is nearest to
- * the centre, so that far origins lose no digits to differences of squares.
+ * The same holds for a start in such a corner. The disc test begins at the point of the line that is nearest to the
+ * centre, so that distant origins lose no digits to differences of squares.
  */
 #include "collision/cast.h"
 
@@ -83,9 +82,9 @@ static cni_vec2 face_normal(const cni_cast_hull *hull, int32_t i)
 /* The ray clipped against the planes moved out by the radius. */
 typedef struct clip {
 	float enter, leave;
-	cni_vec2 normal;      /* of the face entered through */
-	int32_t face;         /* CNI_NONE: the origin is inside of all planes */
-	float height_most;    /* of the origin over any plane of the skeleton itself */
+	cni_vec2 normal;      /* of the face through which the ray enters */
+	int32_t face;         /* CNI_NONE: the origin is behind all moved planes */
+	float height_most;    /* greatest height of the origin over the skeleton's own planes */
 } clip;
 
 /* 0 when the ray misses. */
@@ -157,8 +156,8 @@ int32_t cni_cast_hull_ray(const cni_cast_hull *hull, cni_vec2 origin, cni_vec2 t
 
 /* ------------------------------------------------------------------ edge */
 
-/* Which side of the ray's line the ends are on is computed from each end alone, so that no ray slips
-   between two edges that share one. */
+/* The side of the ray's line on which an end lies is computed from that end alone, so that no ray passes between two edges
+   that share an end. */
 static int32_t edge_enter(cni_vec2 a, cni_vec2 b, int32_t one_sided, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out)
 {
 	cni_vec2 edge = cni_sub(b, a), normal = cni_normalize(cni_right_perp(edge));

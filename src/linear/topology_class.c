@@ -3,7 +3,7 @@
  * orders small trees independently of the numbering of their nodes.
  *
  * Joints are added and removed, and their places in the awake list change: two ragdolls list their joints in different
- * orders. So a tree is rooted at the body with the most nodes, branches are ordered by a hash of their subtree (a hash over
+ * orders. So a tree is rooted at the body with the most nodes, branches are ordered by a hash of their subtree (a sum over
  * children of mixed sums, after Zobrist, 1970), and nodes are eliminated from the leaves to the root. Branches of equal
  * hash may swap places. Chains keep their order from one end, which is the same for all chains.
  *
