@@ -2,7 +2,7 @@
  * base/sort.h - stable sorting of 64-bit keys.
  * Insertion sort for short or nearly sorted input (within a budget of shifts), else least-significant-digit radix sort by
  * bytes, which skips bytes that are equal in all keys. No allocation: the caller passes scratch of the same length; without
- * scratch (NULL) the insertion sort runs to its end, whatever it costs.
+ * scratch (NULL) the insertion sort runs to its end, without a budget.
  */
 #ifndef CNI_BASE_SORT_H
 #define CNI_BASE_SORT_H

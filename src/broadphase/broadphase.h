@@ -29,7 +29,7 @@ typedef float cni_query_fn(void *context, int32_t proxy, float limit);
 typedef struct cni_broadphase_pairs {
 	cni_array list;        /* cni_pair, sorted by (a, b), each once */
 	int32_t pairs_lost;
-	int32_t culled;         /* 1: the list has been culled by `wanted`, and only wanted pairs are added */
+	int32_t culled;        /* 1: the list has been culled by `wanted`, and only wanted pairs are added */
 	/* The caller's filter; NULL wants all pairs. update calls it only when the list is full, so that no memory goes to pairs
 	   that the caller would drop; otherwise the caller culls. Called only in the thread that called update. */
 	cni_pair_filter_fn *wanted;

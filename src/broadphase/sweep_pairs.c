@@ -33,7 +33,7 @@
 #define SINGLE_ENTRIES 8   /* what one that searches for itself counts for */
 #define PAIRS_AN_ENTRY 4   /* room; a crowd in its first step has fewer */
 
-/* ---- what moved ---- */
+/* ---- moved proxies ---- */
 
 static void count_moved(cni_sweep_pass *pass)
 {

@@ -4,7 +4,7 @@
  * Most items keep their place: one pass from the bottom up refits the boxes above them and rotates each node, which
  * follows small motion at a fraction of the cost of insertion (Kopta et al., "Fast, effective BVH updates for animated
  * scenes", 2012). A tree degrades over many steps under rotations alone. While few items move, the pass removes and
- * reinserts those marked FAR: that freed the cost level, and no step is longer than others. When many items move, a
+ * reinserts those marked FAR: that keeps the cost level, and no step is longer than others. When many items move, a
  * rebuild is cheaper once the cost or the size of the tree has grown: top down, splitting the items at the median of
  * their centres along the longer side (Kay and Kajiya, "Ray tracing complex scenes", 1986).
  */

@@ -47,7 +47,7 @@ CNI_INLINE void mask_store(int32_t *p, cni_mask m) { *(cni_mask *)(void *)p = m;
 
 CNI_INLINE int32_t mask_any(cni_mask m) { return cni_mask_bits(m) != 0; }
 
-/* Two vectors at offset (in floats) of CNI_WIDTH records. */
+/* Loads two vectors at an offset (in floats) from each of CNI_WIDTH records. */
 CNI_INLINE void load_two(const float *const *records, int32_t offset, wide2 *first, wide2 *second)
 {
 	cni_wide_gather4_from(records, offset, &first->x, &first->y, &second->x, &second->y);

@@ -40,12 +40,12 @@ typedef struct mover {
 } mover;
 
 /* r.n of each point along an axis now, and its bound after x more: along + x rate + x^2 bend. */
-typedef struct fan {
+typedef struct support_bound {
 	float along[CN_POLYGON_MAX_VERTICES];
 	float rate[CN_POLYGON_MAX_VERTICES];
 	float bend[CN_POLYGON_MAX_VERTICES];
 	int32_t count;
-} fan;
+} support_bound;
 
 typedef struct advance {
 	mover a, b;
@@ -56,7 +56,7 @@ typedef struct advance {
 
 /* The gap along one axis. */
 typedef struct gap {
-	fan a, b;
+	support_bound a, b;
 	float distance; /* of the centres along the axis, minus the target */
 	float speed;
 } gap;
@@ -161,7 +161,7 @@ static cni_closest closest_now(const advance *v, float t)
 
 /* During a rotation by at most angle <= 1 rad, r.n = along cos + side sin >= along (1 - angle^2 / 2) - |side| angle
    where along > 0 and side < 0. This bounds the second derivative. */
-static void fan_make(fan *f, const mover *m, cni_vec2 axis, float angle)
+static void support_bound_make(support_bound *f, const mover *m, cni_vec2 axis, float angle)
 {
 	cni_vec2 n = cni_unrotate(m->q, axis);
 	float cosine_min = 1.0f - 0.5f * angle * angle;
@@ -178,7 +178,7 @@ static void fan_make(fan *f, const mover *m, cni_vec2 axis, float angle)
 	}
 }
 
-static float fan_reach(const fan *f, float x)
+static float support_bound_at(const support_bound *f, float x)
 {
 	float most = f->along[0] + x * (f->rate[0] + x * f->bend[0]);
 	for (int32_t i = 1; i < f->count; ++i)
@@ -188,7 +188,7 @@ static float fan_reach(const fan *f, float x)
 
 static float gap_at(const gap *g, float x)
 {
-	return g->distance + x * g->speed - fan_reach(&g->a, x) - fan_reach(&g->b, x);
+	return g->distance + x * g->speed - support_bound_at(&g->a, x) - support_bound_at(&g->b, x);
 }
 
 /* The largest x found in [0, hi] up to which the gap is proven open. */
@@ -228,8 +228,8 @@ static float axis_free(const advance *v, cni_vec2 n, float t)
 	by_discs = by_discs > 0.0f ? by_discs / -g.speed : 0.0f;
 	if (fastest * x > TURN_MAX_RAD)
 		x = TURN_MAX_RAD / fastest;
-	fan_make(&g.a, &v->a, n, cni_abs(v->a.turn) * x);
-	fan_make(&g.b, &v->b, cni_neg(n), cni_abs(v->b.turn) * x);
+	support_bound_make(&g.a, &v->a, n, cni_abs(v->a.turn) * x);
+	support_bound_make(&g.b, &v->b, cni_neg(n), cni_abs(v->b.turn) * x);
 	return cni_min(rest, cni_max(by_discs, gap_root(&g, x, v->tolerance)));
 }
 

@@ -9,7 +9,7 @@
  *
  *   kept   [ head | links | ends that move | planned | order | first | bodies | below | couplings | components ]
  *
- * Scratch: one entry of the arena, alloc into arrays, and the pool of the order.
+ * Scratch: one entry of the arena, split into arrays, and the pool of the order.
  */
 #include "linear/sparse_planner.h"
 

@@ -11,7 +11,7 @@
  * same colours. Then their couplings, columns and blocks are equal relative to the component's begin. Bodies are numbered
  * in the order in which the nodes reach them, so topologies are compared bytewise.
  *
- * Most worlds have a few classes of creatures and many creatures of each. At most CNI_TOPOLOGY_CLASSES classes are known at
+ * Most worlds have a few classes of creatures and many creatures of each. At most CNI_TOPOLOGY_CLASSES classes are stored at
  * once: a new class beyond that replaces one with a single member.
  *
  * Reads nodes, bodies and inverse masses; writes components' `kind`.
@@ -34,7 +34,7 @@ typedef struct rooted_tree {
 	uint32_t hash[CNI_TOPOLOGY_NODES + 1];     /* hash of the subtree */
 } rooted_tree;
 
-static uint32_t mixed(uint32_t x)
+static uint32_t hash_mix(uint32_t x)
 {
 	x = (x ^ x >> 16) * 0x7feb352du;
 	x = (x ^ x >> 15) * 0x846ca68bu;
@@ -64,9 +64,9 @@ static void root_at(const cni_planner *p, int32_t root, rooted_tree *t)
 	}
 	t->first[t->count] = t->count;
 	for (k = t->count - 1; k >= 0; --k) {
-		t->hash[k] = mixed(t->hash[k] + (uint32_t)t->side[k]);
+		t->hash[k] = hash_mix(t->hash[k] + (uint32_t)t->side[k]);
 		if (k > 0)
-			t->hash[t->parent[k]] += mixed(t->hash[k]);
+			t->hash[t->parent[k]] += hash_mix(t->hash[k]);
 	}
 }
 
@@ -180,15 +180,15 @@ int32_t cni_topology_describe(const cni_sparse *s, const cni_component *c, const
 	return colors_take(out);
 }
 
-typedef struct known {
+typedef struct class_table {
 	cni_topology kind[CNI_TOPOLOGY_CLASSES];
 	int32_t first[CNI_TOPOLOGY_CLASSES];    /* component */
 	int32_t members[CNI_TOPOLOGY_CLASSES];
 	int32_t count, next;
-} known;
+} class_table;
 
 /* An entry for a new class; if all are taken, it replaces a class with a single member. CNI_NONE: there is none. */
-static int32_t entry_take(known *n, cni_component *components)
+static int32_t entry_take(class_table *n, cni_component *components)
 {
 	int32_t tries;
 	if (n->count < CNI_TOPOLOGY_CLASSES)
@@ -203,7 +203,7 @@ static int32_t entry_take(known *n, cni_component *components)
 	return CNI_NONE;
 }
 
-static int32_t class_of(known *n, const cni_topology *kind, cni_component *components, int32_t component)
+static int32_t class_of(class_table *n, const cni_topology *kind, cni_component *components, int32_t component)
 {
 	int32_t k;
 	for (k = 0; k < n->count; ++k)
@@ -222,7 +222,7 @@ static int32_t class_of(known *n, const cni_topology *kind, cni_component *compo
 
 void cni_topology_classes_find(cni_sparse *s, const cni_motion *motions)
 {
-	known n;
+	class_table n;
 	int32_t k;
 	n.count = n.next = 0;
 	for (k = 0; k < s->component_count; ++k) {
