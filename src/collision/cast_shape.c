@@ -18,17 +18,17 @@ typedef struct difference {
 
 /* Iterates counter-clockwise over a convex set's edges from its lowest point (of several, the leftmost): the edges are in
    order of their angle from 0 to 2 pi. sign -1 iterates over the mirror image. */
-typedef struct outline {
+typedef struct contour {
 	const cni_vec2 *points;
 	int32_t count;
 	int32_t first;
 	int32_t done;   /* edges visited */
 	float sign;
-} outline;
+} contour;
 
-static outline outline_make(const cni_vec2 *points, int32_t count, float sign)
+static contour contour_make(const cni_vec2 *points, int32_t count, float sign)
 {
-	outline r = { points, count, 0, 0, sign };
+	contour r = { points, count, 0, 0, sign };
 	for (int32_t i = 1; i < count; ++i) {
 		float dy = sign * (points[i].y - points[r.first].y), dx = sign * (points[i].x - points[r.first].x);
 		if (dy < 0.0f || (dy == 0.0f && dx < 0.0f))
@@ -37,19 +37,19 @@ static outline outline_make(const cni_vec2 *points, int32_t count, float sign)
 	return r;
 }
 
-static int32_t outline_index(const outline *r, int32_t step)
+static int32_t contour_index(const contour *r, int32_t step)
 {
 	return (r->first + step) % r->count;
 }
 
-static int32_t outline_is_done(const outline *r)
+static int32_t contour_is_done(const contour *r)
 {
 	return r->count < 2 || r->done == r->count;
 }
 
-static cni_vec2 outline_edge(const outline *r)
+static cni_vec2 contour_edge(const contour *r)
 {
-	return cni_mul(r->sign, cni_sub(r->points[outline_index(r, r->done + 1)], r->points[outline_index(r, r->done)]));
+	return cni_mul(r->sign, cni_sub(r->points[contour_index(r, r->done + 1)], r->points[contour_index(r, r->done)]));
 }
 
 /* -1: u has the smaller angle in [0, 2 pi), 1: v has, 0: they are parallel. */
@@ -65,22 +65,22 @@ static int32_t angle_order(cni_vec2 u, cni_vec2 v)
 
 static void difference_make(difference *out, const cni_vec2 *a, int32_t count_a, const cni_vec2 *m, int32_t count_m)
 {
-	outline ra = outline_make(a, count_a, 1.0f), rm = outline_make(m, count_m, -1.0f);
+	contour ra = contour_make(a, count_a, 1.0f), rm = contour_make(m, count_m, -1.0f);
 	out->count = 0;
 	do {
-		int32_t ia = outline_index(&ra, ra.done), im = outline_index(&rm, rm.done);
-		cni_vec2 edge_a = outline_edge(&ra), edge_m = outline_edge(&rm);
-		int32_t order = outline_is_done(&ra) ? 1 : outline_is_done(&rm) ? -1 : angle_order(edge_a, edge_m);
+		int32_t ia = contour_index(&ra, ra.done), im = contour_index(&rm, rm.done);
+		cni_vec2 edge_a = contour_edge(&ra), edge_m = contour_edge(&rm);
+		int32_t order = contour_is_done(&ra) ? 1 : contour_is_done(&rm) ? -1 : angle_order(edge_a, edge_m);
 		out->normals[out->count] = cni_normalize(cni_right_perp(order > 0 ? edge_m : edge_a));
 		out->points[out->count] = cni_sub(a[ia], m[im]);
 		out->of_a[out->count] = ia;
 		out->of_m[out->count] = im;
 		++out->count;
-		if (order <= 0 && !outline_is_done(&ra))
+		if (order <= 0 && !contour_is_done(&ra))
 			++ra.done;
-		if (order >= 0 && !outline_is_done(&rm))
+		if (order >= 0 && !contour_is_done(&rm))
 			++rm.done;
-	} while (!outline_is_done(&ra) || !outline_is_done(&rm));
+	} while (!contour_is_done(&ra) || !contour_is_done(&rm));
 }
 
 /* Contact position of two faces along the tangent: the middle of their overlap. A vertex is a face without length. */
@@ -104,6 +104,25 @@ static cni_vec2 touch_point(const difference *d, int32_t feature, const cni_vec2
 	return cni_madd(cni_madd(a0, middle, along), radius_a, normal);
 }
 
+/* Normal and depth of an overlap with a chain's edge at the start. Beyond an end of the edge the shortest way out may lead to
+   the front; otherwise the whole moving set must be lifted to the front. */
+static void chain_lift(const difference *d, cni_vec2 front, float radius, cni_cast_hit *out, int32_t *out_feature)
+{
+	cni_vec2 up = cni_normalize(front);
+	float most = -FLT_MAX;
+	if (out->depth < radius && cni_dot(up, out->normal) > 0.0f)
+		return;
+	for (int32_t i = 0; i < d->count; ++i) {
+		float height = cni_dot(up, d->points[i]);
+		if (height > most) {
+			most = height;
+			*out_feature = i;
+		}
+	}
+	out->normal = up;
+	out->depth = most + radius;
+}
+
 int32_t cni_cast_points(const cni_geometry *g, int32_t child, cni_proxy_points moving, cni_vec2 centroid, cni_transform moving_in_g,
 	cni_vec2 translation, cni_cast_hit *out)
 {
@@ -124,11 +143,9 @@ int32_t cni_cast_points(const cni_geometry *g, int32_t child, cni_proxy_points m
 	cni_cast_hull hull = { d.points, d.normals, d.count, a.radius + moving.radius };
 	if (!cni_cast_hull_ray(&hull, cni_v(0.0f, 0.0f), translation, out, &feature))
 		return 0;
-	if (feature == CNI_NONE) {
-		out->point = center;
-		return 1;
-	}
-	if (g->type == CN_SHAPE_CHAIN && !(cni_dot(front, translation) < 0.0f && cni_dot(front, out->normal) >= 0.0f))
+	if (g->type == CN_SHAPE_CHAIN && out->inside)
+		chain_lift(&d, front, hull.radius, out, &feature);
+	else if (g->type == CN_SHAPE_CHAIN && !(cni_dot(front, translation) < 0.0f && cni_dot(front, out->normal) >= 0.0f))
 		return 0;
 	out->point = touch_point(&d, feature, a.points, m, cni_mul(out->fraction, translation), out->normal, a.radius);
 	return 1;

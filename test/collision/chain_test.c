@@ -1,7 +1,7 @@
 /*
  * test/collision/chain_test.c - chains are one-sided, and shapes never catch on inner vertices.
  */
-#include "shapes.h"
+#include "geometry/shapes.h"
 #include "test.h"
 
 #define MARGIN 0.02f

@@ -2,7 +2,7 @@
  * test/collision/manifold_test.c - every manifold function except those of chains (chain_test.c), over thousands of random
  * pairs of all sizes, and the special poses of stacks and piles.
  */
-#include "shapes.h"
+#include "geometry/shapes.h"
 #include "test.h"
 
 #define MARGIN 0.02f

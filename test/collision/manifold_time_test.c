@@ -2,7 +2,7 @@
  * test/collision/manifold_time_test.c - prints the time of a manifold. Times have no bounds: it fails only when the pairs do
  * not touch as expected.
  */
-#include "shapes.h"
+#include "geometry/shapes.h"
 #include "test.h"
 #include <time.h>
 

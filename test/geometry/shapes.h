@@ -1,5 +1,5 @@
 /*
- * test/collision/shapes.h - shared by the geometry and collision tests: a local random generator, random records of every
+ * test/geometry/shapes.h - shared by the geometry and collision tests: a local random generator, random records of every
  * type, and slow references in double precision.
  */
 #ifndef CAIRN_TEST_SHAPES_H
