@@ -16,6 +16,7 @@
 #   make bench-scale  how cost grows with the number of bodies: see examples/README.md
 #   make ablation   each mechanism switched off alone: bounds lost, seeds worse, time: test/ablation/README.md
 #   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
+#   make rollback   inputs that arrive late: examples/rollback.c
 #
 # CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
 # commands.
@@ -62,7 +63,7 @@ LIBS := -lm $(if $(filter Windows_NT,$(OS)),,-lpthread)
 
 # New files are found by themselves.
 LIB_SRC := $(sort $(wildcard src/*/*.c))
-MAIN_SRC := examples/hello.c examples/platformer.c examples/demo/demo.c examples/bench/bench.c examples/bench/once.c \
+MAIN_SRC := examples/hello.c examples/platformer.c examples/rollback.c examples/demo/demo.c examples/bench/bench.c examples/bench/once.c \
 	examples/bench/scale.c examples/cost/cost.c
 EXAMPLE_SRC := $(filter-out $(MAIN_SRC) examples/peers/%,$(sort $(wildcard examples/*/*.c)))
 TEST_SRC := $(sort $(wildcard test/*/*_test.c))
@@ -77,7 +78,7 @@ TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
 TIMES_SRC := $(sort $(wildcard test/*/*_time_test.c))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh
 
-.PHONY: all bindings demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer check-deps check-links install clean FORCE
+.PHONY: all bindings demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback check-deps check-links install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -112,12 +113,13 @@ $(BUILD)/$(SHARED_LINK): $(BUILD)/$(SHARED)
 
 $(BUILD)/bin/hello: $(BUILD)/release/examples/hello.o
 $(BUILD)/bin/platformer: $(BUILD)/release/examples/platformer.o $(EXAMPLE_OBJ)
+$(BUILD)/bin/rollback: $(BUILD)/release/examples/rollback.o
 $(BUILD)/bin/demo: $(BUILD)/release/examples/demo/demo.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench: $(BUILD)/release/examples/bench/bench.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_once: $(BUILD)/release/examples/bench/once.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_scale: $(BUILD)/release/examples/bench/scale.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/feature_cost: $(BUILD)/release/examples/cost/cost.o $(EXAMPLE_OBJ)
-$(BUILD)/bin/hello $(BUILD)/bin/platformer $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_once $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
+$(BUILD)/bin/hello $(BUILD)/bin/platformer $(BUILD)/bin/rollback $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_once $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
 	@mkdir -p $(@D)
 	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STRIP_UNUSED) $(filter %.o,$^) $(BUILD)/libcairn.a $(LIBS) -o $@
 
@@ -127,6 +129,9 @@ hello: $(BUILD)/bin/hello
 # Plays a level by a script, prints what happens and draws it.
 platformer: $(BUILD)/bin/platformer
 	@$(BUILD)/bin/platformer $(BUILD)/platformer.png
+
+rollback: $(BUILD)/bin/rollback
+	@$(BUILD)/bin/rollback
 
 demo: $(BUILD)/bin/demo
 	@mkdir -p $(BUILD)/demo

@@ -19,7 +19,10 @@
  *             in their unit where it is not the obvious one.
  *  Handles    32 bits: index, kind, generation. 0 is never valid. A handle that is stale, of another
  *             kind or out of range gives CN_ERROR_HANDLE in every build, never undefined behaviour.
- *             A handle belongs to the world that made it; another world may or may not notice.
+ *             A handle belongs to the world that made it; another world may or may not notice. A
+ *             stale handle stays refused until, of its kind in its world, (2^20 - n) * 1023 more things
+ *             have been made, n being the most that ever were alive at once: a billion in most worlds. Joints and
+ *             constraints count together. The memory that this takes does not grow with what is made.
  *  Errors     a call that can fail returns cn_result. When it is not CN_OK nothing has changed, and
  *             cn_world_error_text gives one sentence with the value and the allowed range, if the
  *             function takes a non-const world (others may run on several threads: code only).
@@ -90,7 +93,8 @@ enum {
 	CN_ERROR_LOCKED = -4,   /* called from inside a callback */
 	CN_ERROR_CAPACITY = -5, /* more than CN_MAX_HANDLES things, or an output array too small */
 	CN_ERROR_STATE = -6,    /* the object is in a state in which this makes no sense */
-	CN_ERROR_INTERNAL = -7  /* cn_world_validate found a broken invariant: a bug in Cairn */
+	CN_ERROR_INTERNAL = -7, /* cn_world_validate found a broken invariant: a bug in Cairn */
+	CN_ERROR_FORMAT = -8    /* bytes that should be a saved world are not, or are damaged */
 };
 
 typedef uint32_t cn_body;
@@ -292,7 +296,7 @@ CN_API cn_result cn_world_create(const cn_world_def *def, cn_world **out_world);
 /* NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have ended when
    this returns. Not from callbacks. */
 CN_API void cn_world_destroy(cn_world *world);
-/* One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion.
+/* One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion, and so does less than 1e-9.
    Cost grows with the number of awake bodies and their contacts. */
 CN_API cn_result cn_world_step(cn_world *world, float dt_s);
 /* One sentence on the last call that failed on this world; "" if none did. world may be NULL. */
@@ -443,6 +447,32 @@ CN_API cn_result cn_world_hash(const cn_world *world, uint64_t *out_hash);
    (at most text_bytes bytes with the zero; may be NULL when text_bytes is 0). O(everything). */
 CN_API cn_result cn_world_validate(const cn_world *world, char *text, int32_t text_bytes);
 
+/* ------------------------------------------------------------------ saving and restoring */
+
+/* Rollback: a world's whole state between two steps, in the caller's memory. A world that is restored goes on bit for bit as
+   it went on after it was saved, given the same calls: bodies, shapes, joints, contacts with their impulses, what sleeps, forces set
+   for the next step, settings, the events of the last step and those that are pending, time that cn_world_update owes,
+   names, user data. The same calls also give the same handles again. What a world was made of stays its own:
+   memory, workers, callbacks. So does the sentence of cn_world_error_text.
+
+   A save is of one version of the library on one kind of machine, for the time that a program runs: it is neither a file
+   format nor safe against bytes that were made up. Damage is noticed by a checksum. */
+
+/* Bytes that cn_world_save needs now. From callbacks CN_ERROR_LOCKED. O(slots). */
+CN_API cn_result cn_world_save_size(const cn_world *world, uint64_t *out_bytes);
+/* Writes the state to out, which may have any alignment, and how many bytes that took to out_bytes (may be NULL). capacity: bytes
+   that out has; too few are CN_ERROR_CAPACITY. From callbacks CN_ERROR_LOCKED. O(memory of the world), about 1 KB a body. */
+CN_API cn_result cn_world_save(const cn_world *world, void *out, uint64_t capacity, uint64_t *out_bytes);
+/* Puts a state back: into the world that was saved, or one that was made by the same definition (broadphase, length unit, whether it
+   lives in a caller's block; else CN_ERROR_STATE). bytes: as many as cn_world_save wrote. CN_ERROR_FORMAT: not a save of this
+   version and machine, or damaged. CN_ERROR_MEMORY: no room for what was alive then; a growing world takes what it needs, a
+   world in a caller's block has room for what it had. Arrays handed out before are void. O(memory of the world).
+
+   Handles of what was alive when the world was saved are valid again, also of what was destroyed since. Those made since are refused, until
+   the same handle is given to something new: with the same calls to the same thing. A game rolls its own state back
+   with the world, and so keeps none of them. */
+CN_API cn_result cn_world_restore(cn_world *world, const void *save, uint64_t bytes);
+
 /* ------------------------------------------------------------------ bodies */
 
 enum {
@@ -466,7 +496,7 @@ typedef struct cn_body_def {
 	int32_t type;                  /* CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic */
 	cn_vec2 position_m;            /* of the origin; |x|, |y| <= 1e6 x length unit */
 	float angle_rad;               /* |angle| <= 1e4 */
-	cn_vec2 linear_velocity_mps;   /* of the centre of mass */
+	cn_vec2 linear_velocity_mps;   /* of the centre of mass; both velocities count only with CN_BODY_AWAKE: what sleeps does not move */
 	float angular_velocity_radps;
 	float linear_damping_per_s;    /* v' = -damping v; >= 0, default 0 */
 	float angular_damping_per_s;

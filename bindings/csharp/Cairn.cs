@@ -362,7 +362,7 @@ namespace Cairn
 		public cn_vec2 position_m;
 		/// <summary>|angle| &lt;= 1e4</summary>
 		public float angle_rad;
-		/// <summary>of the centre of mass</summary>
+		/// <summary>of the centre of mass; both velocities count only with CN_BODY_AWAKE: what sleeps does not move</summary>
 		public cn_vec2 linear_velocity_mps;
 		public float angular_velocity_radps;
 		/// <summary>v' = -damping v; &gt;= 0, default 0</summary>
@@ -1189,7 +1189,9 @@ namespace Cairn
 		public const int CN_ERROR_CAPACITY = -5;
 		/// <summary>the object is in a state in which this makes no sense</summary>
 		public const int CN_ERROR_STATE = -6;
+		/// <summary>cn_world_validate found a broken invariant: a bug in Cairn</summary>
 		public const int CN_ERROR_INTERNAL = -7;
+		public const int CN_ERROR_FORMAT = -8;
 
 		public const int CN_TYPE_VEC2 = 0;
 		public const int CN_TYPE_POSE = 1;
@@ -1472,8 +1474,8 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_world_destroy(cn_world* world);
 
-		/// <summary>One fixed step of dt_s seconds, 0 &lt;= dt_s &lt;= 1; 0 updates contacts and events without motion. Cost
-		/// grows with the number of awake bodies and their contacts.</summary>
+		/// <summary>One fixed step of dt_s seconds, 0 &lt;= dt_s &lt;= 1; 0 updates contacts and events without motion, and
+		/// so does less than 1e-9. Cost grows with the number of awake bodies and their contacts.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_step(cn_world* world, float dt_s);
 
@@ -1576,6 +1578,27 @@ namespace Cairn
 		/// text_bytes bytes with the zero; may be NULL when text_bytes is 0). O(everything).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_validate(cn_world* world, byte* text, int text_bytes);
+
+		/// <summary>Bytes that cn_world_save needs now. From callbacks CN_ERROR_LOCKED. O(slots).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_save_size(cn_world* world, ulong* out_bytes);
+
+		/// <summary>Writes the state to out, which may have any alignment, and how many bytes that took to out_bytes (may be
+		/// NULL). capacity: bytes that out has; too few are CN_ERROR_CAPACITY. From callbacks CN_ERROR_LOCKED.
+		/// O(memory of the world), about 1 KB a body.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_save(cn_world* world, void* @out, ulong capacity, ulong* out_bytes);
+
+		/// <summary>Puts a state back: into the world that was saved, or one that was made by the same definition
+		/// (broadphase, length unit, whether it lives in a caller's block; else CN_ERROR_STATE). bytes: as many as
+		/// cn_world_save wrote. CN_ERROR_FORMAT: not a save of this version and machine, or damaged.
+		/// CN_ERROR_MEMORY: no room for what was alive then; a growing world takes what it needs, a world in a
+		/// caller's block has room for what it had. Arrays handed out before are void. O(memory of the world).
+		/// Handles of what was alive when the world was saved are valid again, also of what was destroyed since.
+		/// Those made since are refused, until the same handle is given to something new: with the same calls to
+		/// the same thing. A game rolls its own state back with the world, and so keeps none of them.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_restore(cn_world* world, void* save, ulong bytes);
 
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_body_def_init(cn_body_def* def);

@@ -30,7 +30,8 @@ enum {
 	CN_ERROR_LOCKED = -4, // called from inside a callback
 	CN_ERROR_CAPACITY = -5, // more than CN_MAX_HANDLES things, or an output array too small
 	CN_ERROR_STATE = -6, // the object is in a state in which this makes no sense
-	CN_ERROR_INTERNAL = -7,
+	CN_ERROR_INTERNAL = -7, // cn_world_validate found a broken invariant: a bug in Cairn
+	CN_ERROR_FORMAT = -8,
 };
 
 enum {
@@ -427,7 +428,7 @@ typedef struct cn_body_def {
 	int32_t type; // CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic
 	cn_vec2 position_m; // of the origin; |x|, |y| <= 1e6 x length unit
 	float angle_rad; // |angle| <= 1e4
-	cn_vec2 linear_velocity_mps; // of the centre of mass
+	cn_vec2 linear_velocity_mps; // of the centre of mass; both velocities count only with CN_BODY_AWAKE: what sleeps does not move
 	float angular_velocity_radps;
 	float linear_damping_per_s; // v' = -damping v; >= 0, default 0
 	float angular_damping_per_s;
@@ -950,8 +951,8 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world);
 // NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have
 // ended when this returns. Not from callbacks.
 void cn_world_destroy(cn_world *world);
-// One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion. Cost grows
-// with the number of awake bodies and their contacts.
+// One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion, and so does
+// less than 1e-9. Cost grows with the number of awake bodies and their contacts.
 cn_result cn_world_step(cn_world *world, float dt_s);
 // One sentence on the last call that failed on this world; "" if none did. world may be NULL.
 const char *cn_world_error_text(const cn_world *world);
@@ -1001,6 +1002,21 @@ cn_result cn_world_hash(const cn_world *world, uint64_t *out_hash);
 // Checks every invariant between the tables. CN_OK, or CN_ERROR_INTERNAL with a sentence in text (at most
 // text_bytes bytes with the zero; may be NULL when text_bytes is 0). O(everything).
 cn_result cn_world_validate(const cn_world *world, char *text, int32_t text_bytes);
+// Bytes that cn_world_save needs now. From callbacks CN_ERROR_LOCKED. O(slots).
+cn_result cn_world_save_size(const cn_world *world, uint64_t *out_bytes);
+// Writes the state to out, which may have any alignment, and how many bytes that took to out_bytes (may be
+// NULL). capacity: bytes that out has; too few are CN_ERROR_CAPACITY. From callbacks CN_ERROR_LOCKED.
+// O(memory of the world), about 1 KB a body.
+cn_result cn_world_save(const cn_world *world, void *out, uint64_t capacity, uint64_t *out_bytes);
+// Puts a state back: into the world that was saved, or one that was made by the same definition (broadphase,
+// length unit, whether it lives in a caller's block; else CN_ERROR_STATE). bytes: as many as cn_world_save
+// wrote. CN_ERROR_FORMAT: not a save of this version and machine, or damaged. CN_ERROR_MEMORY: no room for
+// what was alive then; a growing world takes what it needs, a world in a caller's block has room for what it
+// had. Arrays handed out before are void. O(memory of the world). Handles of what was alive when the world
+// was saved are valid again, also of what was destroyed since. Those made since are refused, until the same
+// handle is given to something new: with the same calls to the same thing. A game rolls its own state back
+// with the world, and so keeps none of them.
+cn_result cn_world_restore(cn_world *world, const void *save, uint64_t bytes);
 void cn_body_def_init(cn_body_def *def);
 cn_result cn_body_create(cn_world *world, const cn_body_def *def, cn_body *out_body);
 // count bodies from an array of definitions; all of them or none. O(count).

@@ -49,6 +49,7 @@ CN_ERROR_LOCKED = -4
 CN_ERROR_CAPACITY = -5
 CN_ERROR_STATE = -6
 CN_ERROR_INTERNAL = -7
+CN_ERROR_FORMAT = -8
 CN_TYPE_VEC2 = 0
 CN_TYPE_POSE = 1
 CN_TYPE_VELOCITY = 2
@@ -404,7 +405,7 @@ class cn_body_def(_c.Structure):
         ("type", _c.c_int32),  # CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic
         ("position_m", cn_vec2),  # of the origin; |x|, |y| <= 1e6 x length unit
         ("angle_rad", _c.c_float),  # |angle| <= 1e4
-        ("linear_velocity_mps", cn_vec2),  # of the centre of mass
+        ("linear_velocity_mps", cn_vec2),  # of the centre of mass; both velocities count only with CN_BODY_AWAKE: what sleeps does not move
         ("angular_velocity_radps", _c.c_float),
         ("linear_damping_per_s", _c.c_float),  # v' = -damping v; >= 0, default 0
         ("angular_damping_per_s", _c.c_float),
@@ -1028,8 +1029,8 @@ cn_world_create = _function("cn_world_create", cn_result, _c.POINTER(cn_world_de
 # NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have
 # ended when this returns. Not from callbacks.
 cn_world_destroy = _function("cn_world_destroy", None, _c.POINTER(cn_world))
-# One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion. Cost grows
-# with the number of awake bodies and their contacts.
+# One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion, and so does
+# less than 1e-9. Cost grows with the number of awake bodies and their contacts.
 cn_world_step = _function("cn_world_step", cn_result, _c.POINTER(cn_world), _c.c_float)
 # One sentence on the last call that failed on this world; "" if none did. world may be NULL.
 cn_world_error_text = _function("cn_world_error_text", _c.c_char_p, _c.POINTER(cn_world))
@@ -1079,6 +1080,21 @@ cn_world_hash = _function("cn_world_hash", cn_result, _c.POINTER(cn_world), _c.P
 # Checks every invariant between the tables. CN_OK, or CN_ERROR_INTERNAL with a sentence in text (at most
 # text_bytes bytes with the zero; may be NULL when text_bytes is 0). O(everything).
 cn_world_validate = _function("cn_world_validate", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_char), _c.c_int32)
+# Bytes that cn_world_save needs now. From callbacks CN_ERROR_LOCKED. O(slots).
+cn_world_save_size = _function("cn_world_save_size", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_uint64))
+# Writes the state to out, which may have any alignment, and how many bytes that took to out_bytes (may be
+# NULL). capacity: bytes that out has; too few are CN_ERROR_CAPACITY. From callbacks CN_ERROR_LOCKED. O(memory
+# of the world), about 1 KB a body.
+cn_world_save = _function("cn_world_save", cn_result, _c.POINTER(cn_world), _c.c_void_p, _c.c_uint64, _c.POINTER(_c.c_uint64))
+# Puts a state back: into the world that was saved, or one that was made by the same definition (broadphase,
+# length unit, whether it lives in a caller's block; else CN_ERROR_STATE). bytes: as many as cn_world_save
+# wrote. CN_ERROR_FORMAT: not a save of this version and machine, or damaged. CN_ERROR_MEMORY: no room for
+# what was alive then; a growing world takes what it needs, a world in a caller's block has room for what it
+# had. Arrays handed out before are void. O(memory of the world). Handles of what was alive when the world was
+# saved are valid again, also of what was destroyed since. Those made since are refused, until the same handle
+# is given to something new: with the same calls to the same thing. A game rolls its own state back with the
+# world, and so keeps none of them.
+cn_world_restore = _function("cn_world_restore", cn_result, _c.POINTER(cn_world), _c.c_void_p, _c.c_uint64)
 cn_body_def_init = _function("cn_body_def_init", None, _c.POINTER(cn_body_def))
 cn_body_create = _function("cn_body_create", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body_def), _c.POINTER(cn_body))
 # count bodies from an array of definitions; all of them or none. O(count).

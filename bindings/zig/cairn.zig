@@ -36,7 +36,9 @@ pub const CN_ERROR_LOCKED = -4;
 pub const CN_ERROR_CAPACITY = -5;
 /// the object is in a state in which this makes no sense
 pub const CN_ERROR_STATE = -6;
+/// cn_world_validate found a broken invariant: a bug in Cairn
 pub const CN_ERROR_INTERNAL = -7;
+pub const CN_ERROR_FORMAT = -8;
 
 pub const CN_TYPE_VEC2 = 0;
 pub const CN_TYPE_POSE = 1;
@@ -577,7 +579,7 @@ pub const cn_body_def = extern struct {
     position_m: cn_vec2,
     /// |angle| <= 1e4
     angle_rad: f32,
-    /// of the centre of mass
+    /// of the centre of mass; both velocities count only with CN_BODY_AWAKE: what sleeps does not move
     linear_velocity_mps: cn_vec2,
     angular_velocity_radps: f32,
     /// v' = -damping v; >= 0, default 0
@@ -1415,8 +1417,8 @@ pub extern fn cn_world_create(def: [*c]const cn_world_def, out_world: [*c]?*cn_w
 /// NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have
 /// ended when this returns. Not from callbacks.
 pub extern fn cn_world_destroy(world: ?*cn_world) void;
-/// One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion. Cost grows
-/// with the number of awake bodies and their contacts.
+/// One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion, and so does
+/// less than 1e-9. Cost grows with the number of awake bodies and their contacts.
 pub extern fn cn_world_step(world: ?*cn_world, dt_s: f32) cn_result;
 /// One sentence on the last call that failed on this world; "" if none did. world may be NULL.
 pub extern fn cn_world_error_text(world: ?*const cn_world) [*c]const u8;
@@ -1466,6 +1468,21 @@ pub extern fn cn_world_hash(world: ?*const cn_world, out_hash: [*c]u64) cn_resul
 /// Checks every invariant between the tables. CN_OK, or CN_ERROR_INTERNAL with a sentence in text (at most
 /// text_bytes bytes with the zero; may be NULL when text_bytes is 0). O(everything).
 pub extern fn cn_world_validate(world: ?*const cn_world, text: [*c]u8, text_bytes: i32) cn_result;
+/// Bytes that cn_world_save needs now. From callbacks CN_ERROR_LOCKED. O(slots).
+pub extern fn cn_world_save_size(world: ?*const cn_world, out_bytes: [*c]u64) cn_result;
+/// Writes the state to out, which may have any alignment, and how many bytes that took to out_bytes (may be
+/// NULL). capacity: bytes that out has; too few are CN_ERROR_CAPACITY. From callbacks CN_ERROR_LOCKED.
+/// O(memory of the world), about 1 KB a body.
+pub extern fn cn_world_save(world: ?*const cn_world, out: ?*anyopaque, capacity: u64, out_bytes: [*c]u64) cn_result;
+/// Puts a state back: into the world that was saved, or one that was made by the same definition (broadphase,
+/// length unit, whether it lives in a caller's block; else CN_ERROR_STATE). bytes: as many as cn_world_save
+/// wrote. CN_ERROR_FORMAT: not a save of this version and machine, or damaged. CN_ERROR_MEMORY: no room for
+/// what was alive then; a growing world takes what it needs, a world in a caller's block has room for what it
+/// had. Arrays handed out before are void. O(memory of the world). Handles of what was alive when the world
+/// was saved are valid again, also of what was destroyed since. Those made since are refused, until the same
+/// handle is given to something new: with the same calls to the same thing. A game rolls its own state back
+/// with the world, and so keeps none of them.
+pub extern fn cn_world_restore(world: ?*cn_world, save: ?*const anyopaque, bytes: u64) cn_result;
 pub extern fn cn_body_def_init(def: [*c]cn_body_def) void;
 pub extern fn cn_body_create(world: ?*cn_world, def: [*c]const cn_body_def, out_body: [*c]cn_body) cn_result;
 /// count bodies from an array of definitions; all of them or none. O(count).

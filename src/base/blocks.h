@@ -37,6 +37,13 @@ typedef struct cni_blocks {
 	uint64_t bytes_in_chunks; /* class chunks */
 	uint64_t bytes_in_use;    /* pieces, rounded up to their class */
 	uint64_t bytes_large;
+	/* The table of chunks of a state that is about to be loaded: base/snapshot.c. */
+	uint64_t *next_bytes;
+	uint8_t **next_chunks;
+	int32_t next_count;
+	int32_t next_capacity;    /* 0: there is no such table, or next_count is 0 */
+	int32_t next_waits;       /* 1: there is such a table */
+	int32_t next_reserved;
 } cni_blocks;
 
 void cni_blocks_init(cni_blocks *blocks, cni_memory *memory);
@@ -50,6 +57,16 @@ void cni_blocks_free(cni_blocks *blocks, cni_ref ref, uint64_t bytes);
 int32_t cni_blocks_reserve(cni_blocks *blocks, uint64_t bytes, int32_t count);
 /* The bytes that a piece of this size takes. */
 uint64_t cni_blocks_rounded(uint64_t bytes);
+
+/* Makes a second, empty table of count chunks, the next table; 0: no memory. */
+int32_t cni_blocks_next_begin(cni_blocks *blocks, int32_t count);
+/* Sets a chunk of the next table: the present chunk of that index if it has this size, else a new one; 0 bytes: no chunk.
+   Returns 0: no memory. */
+int32_t cni_blocks_next_set(cni_blocks *blocks, int32_t slot, uint64_t bytes);
+/* take: the next table, if there is one, replaces the present one, and chunks that are not in it are freed. drop: frees the
+   next table. */
+void cni_blocks_next_take(cni_blocks *blocks);
+void cni_blocks_next_drop(cni_blocks *blocks);
 
 static inline void *cni_blocks_at(const cni_blocks *blocks, cni_ref ref)
 {

@@ -8,6 +8,7 @@
  *   sweep_search.c  ... a single search (tile with itself, with another, one entry with all); sweep_pass.h
  *   sweep_lanes.h   ... its inner loop, for each vector width
  *   sweep_query.c   region and ray queries through the same tiles
+ *   sweep_save.c    saves and loads the state through a snapshot
  *
  * Boxes are sorted by size into levels (S_l = S0 * 4^l: a box goes to the lowest level whose S_l exceeds its larger
  * side), and within a level by their lower corner into tiles 8 S_l wide and 2 S_l high:
@@ -219,6 +220,10 @@ int32_t cni_sweep_tile_find(const cni_sweep *sweep, int32_t level, int32_t tx, i
 /* Same, but makes a missing tile; CNI_NONE when there is no memory. May move the tile array. */
 int32_t cni_sweep_tile_make(cni_sweep *sweep, int32_t level, int32_t tx, int32_t ty);
 void cni_sweep_tile_destroy(cni_sweep *sweep, int32_t tile);
+/* Makes room for count tiles in the table from cells to tiles; 0 when there is no memory. */
+int32_t cni_sweep_slots_reserve(cni_sweep *sweep, int32_t count);
+/* Rebuilds that table from the tiles. */
+void cni_sweep_slots_fill(cni_sweep *sweep);
 /* Room for count entries; 0 when there is no memory. */
 int32_t cni_sweep_tile_reserve(cni_sweep *sweep, cni_sweep_tile *tile, int32_t count);
 /* Reduces the capacity of a tile that holds far fewer entries. */
@@ -300,5 +305,9 @@ cni_sweep_find_new_fn cni_sweep_find_new_8; /* AVX2, chosen at run time */
 
 void cni_sweep_query(const cni_sweep *sweep, const cni_aabb *box, cni_query_fn *visit, void *context);
 void cni_sweep_ray(const cni_sweep *sweep, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context);
+
+/* ---- snapshots ---- */
+
+void cni_sweep_snapshot(cni_broadphase *broadphase, cni_snapshot *s);
 
 #endif

@@ -263,17 +263,20 @@ static int32_t plans_none(const cn_world *world)
 	       world->joints_soft_step <= world->step_count;
 }
 
+/* That of one factorization, as in direct/direct_plan.c. */
+static int32_t budget_of(const cn_world *world) { return world->settings.work_budget / world->settings.substeps; }
+
 int32_t cni_joint_lanes_tell(const cn_world *world)
 {
 	const cni_lanes_kept *kept = &world->joint_lanes;
-	return kept->alone && kept->lanes > 0 && kept->filled == kept->lanes && kept->budget == world->settings.work_budget && plans_none(world);
+	return kept->alone && kept->lanes > 0 && kept->filled == kept->lanes && kept->budget == budget_of(world) && plans_none(world);
 }
 
 /* Of lanes that hold, for what is locked is not known of others. */
 static void lanes_alone(cn_world *world, const cni_solve *s)
 {
 	world->joint_lanes.alone = s->direct == NULL && !world->direct_failed && plans_none(world);
-	world->joint_lanes.budget = world->settings.work_budget;
+	world->joint_lanes.budget = budget_of(world);
 }
 
 static void lanes_empty(cn_world *world)
@@ -540,6 +543,7 @@ static void lane_store(cn_world *world, const cni_joint_constraint *w, const cni
 	j->impulse[CNI_REVOLUTE_MOTOR] = block->motor_j[l];
 	j->impulse[CNI_REVOLUTE_LIMIT] = (j->flags & CN_JOINT_LIMIT) ? cni_max(limit_sign(j, block->angle[l]) * block->limit_j[l], 0.0f) : 0.0f;
 	j->inv_h = s->inv_h;
+	cni_joint_keep_finite(j);
 }
 
 typedef struct store_loop {

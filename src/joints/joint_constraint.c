@@ -281,6 +281,7 @@ void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cn
 		j->impulse[r] = 0.0f;
 	for (r = 0; r < w->row_count; ++r)
 		j->impulse[w->rows[r].slot] = impulse[r];
+	cni_joint_keep_finite(j);
 }
 
 /* ---- within the step ---- */

@@ -266,6 +266,7 @@ static void lane_store(cn_world *world, const cni_row_block *block, int32_t l, c
 	if (parts & CN_JOINT_LIMIT)
 		j->impulse[at.limit] = block->limit_j[l];
 	j->inv_h = s->inv_h;
+	cni_joint_keep_finite(j);
 }
 
 void cni_row_lanes_store(cn_world *world, const cni_solve *s)

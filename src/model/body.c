@@ -65,7 +65,7 @@ void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def)
 	b->user_data = def->user_data;
 	v.linear_mps = def->linear_velocity_mps;
 	v.angular_radps = def->angular_velocity_radps;
-	if (def->type != CN_BODY_STATIC)
+	if (def->type != CN_BODY_STATIC && (def->flags & CN_BODY_AWAKE)) /* what sleeps does not move */
 		cni_body_store_velocity(world, b, v);
 }
 
@@ -357,7 +357,7 @@ enum { BOX_STAYS, BOX_STAYS_AHEAD, BOX_LEAVES, BOX_LEAVES_AHEAD };
 static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_shape *s, int32_t child, const cni_transform *x, cni_vec2 ahead, cni_aabb *fat, float *room)
 {
 	const cni_aabb *now = &cni_proxy_at(world, cni_shape_proxy(world, s, child))->fat;
-	float margin, rounding = CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
+	float margin, rounding = CNI_BODY_ROUNDING * cni_max(cni_abs(b->cx) + cni_abs(b->cy) + b->extent, cni_abs(ahead.x) + cni_abs(ahead.y));
 	int32_t reaches;
 	cni_aabb box;
 	cni_geometry_box(cni_shape_geometry(&world->blocks, s), child, x, &box);

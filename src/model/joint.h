@@ -45,6 +45,17 @@ typedef struct cni_joint {
 	uint64_t user_data;
 } cni_joint;
 
+/* Impulses that floats could not hold, among absurd forces, are forgotten: else every step would go on from them. */
+static inline void cni_joint_keep_finite(cni_joint *j)
+{
+	float zero = 0.0f;
+	int32_t k;
+	for (k = 0; k < CNI_JOINT_ROWS; ++k)
+		zero += 0.0f * j->impulse[k];
+	for (k = 0; k < CNI_JOINT_ROWS && zero != 0.0f; ++k)
+		j->impulse[k] = 0.0f;
+}
+
 /* Meaning of p[], 0 where a type does not use it.
 
      type            0          1        2        3      4    5         6        7        8       9

@@ -79,6 +79,7 @@ struct cn_world {
 	int32_t *awake_islands;      /* the islands' numbers by dense index, within a step: scratch of the arena. NULL outside, without islands, without memory */
 	int32_t *step_islands;       /* records of the numbered islands, scratch of the arena; NULL: each is its own number */
 	int32_t step_island_count;   /* numbers that there are, within a step */
+	int32_t reserved_bodies;
 	cni_array kicked;            /* cn_body whose velocity was set since the last step */
 
 	/* variable time: empty until cn_world_update is used */
@@ -148,10 +149,12 @@ struct cn_world {
 	int32_t piles_new;           /* 1: in this step a contact began to bear */
 	int32_t piles_unheld;        /* 1: in the last one some island could not be loaded from the top down */
 	int32_t solvers_asked;       /* 1: in the last step some awake island had a body or joint with a solver of its own */
+	int32_t reserved_islands;
 	cni_array direct_islands;    /* int32_t: those that are solved directly, see direct/solver_selection.c */
 	int32_t direct_work;         /* planned in the last step, substeps included; 0: nothing was solved directly */
 	int32_t direct_failed;       /* 1: for want of memory */
 	int32_t cone_work;           /* what of it is set aside in this step for direct/friction_cones.c, by passes */
+	int32_t reserved_direct;
 	cni_array direct_plans[2];   /* of linear/sparse_plan.c, kept while nothing changes: the first of a step, and that without what was refused */
 
 
@@ -167,6 +170,7 @@ struct cn_world {
 	int32_t pairs_not_added;
 	int32_t events_not_reported;
 	cn_profile profile;
+	int32_t reserved_end;
 
 	char error[CNI_ERROR_TEXT_BYTES];
 };

@@ -6,7 +6,8 @@
  *
  * A body rests while it is slow and does not accelerate: at the apex of a throw the last substep's change of
  * velocity is all of what gravity gives, on the ground it is nearly none of it. Slow acceleration, as on a slope that is a little too
- * steep, cannot be told from the noise of one substep, but adds up over the sleep delay: see cni_body_gains.
+ * steep, cannot be told from the noise of one substep, but adds up over the sleep delay: see cni_body_gains. Nor does a body rest while
+ * an overlap or a joint's error is being corrected, which is motion without velocity: see CNI_PUSHED_SPEED.
  *
  * Workers may share all of it but for what the broadphase is told: they give proxies their new boxes, and one tells it in
  * the order of the bodies which those are.
@@ -86,14 +87,20 @@ static int32_t body_gains(const cn_world *world, cni_body *b, const cni_motion *
 	return cni_body_gains(b, m, m->vx - b->vx + linear * m->vx, m->vy - b->vy + linear * m->vy, m->w - b->w + angular * m->w, &limits);
 }
 
+/* By more than its velocity? */
+static int32_t body_is_pushed(const cn_world *world, const cni_body *b, const cni_motion *m, float dt)
+{
+	return cni_is_pushed(m->dpx - dt * m->vx, m->dpy - dt * m->vy, (m->theta - dt * m->w) * b->extent, cni_pushed_most(world, dt));
+}
+
 /* Its velocity and rest timer, and clears the forces. Returns 1 when the body has rested for long enough. */
-static uint32_t body_rest(cn_world *world, cni_body *b, int32_t k, const cni_solve *s)
+static uint32_t body_rest(cn_world *world, cni_body *b, int32_t k, const cni_solve *s, int32_t pushed)
 {
 	const cni_motion *m = cni_motions(world) + k;
 	cni_external *d = cni_externals(world) + k;
 	float slow = b->sleep_speed > 0.0f ? b->sleep_speed : world->settings.sleep_speed;
 	float turn = m->w * b->extent;
-	if (!(m->vx * m->vx + m->vy * m->vy <= slow * slow && turn * turn <= slow * slow && (b->flags & CN_BODY_SLEEP) &&
+	if (pushed || !(m->vx * m->vx + m->vy * m->vy <= slow * slow && turn * turn <= slow * slow && (b->flags & CN_BODY_SLEEP) &&
 	      (b->type != CN_BODY_KINEMATIC || (m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f))))
 		cni_body_restless(b);
 	else if (body_accelerates(b, m, cni_starts(world) + k, d, s->h) || body_gains(world, b, m, d->flags, s->dt))
@@ -127,9 +134,11 @@ static uint32_t body_take(cn_world *world, const cni_solve *s, int32_t k, uint32
 {
 	cni_motion *m = cni_motions(world) + k;
 	cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+	int32_t pushed;
 	limit_speed(m, &world->settings);
+	pushed = body_is_pushed(world, b, m, s->dt);
 	take_pose(b, m);
-	*rested |= body_rest(world, b, k, s);
+	*rested |= body_rest(world, b, k, s, pushed);
 	return !cni_body_has_room(b, way_ahead(world, s, k));
 }
 
@@ -143,14 +152,14 @@ static int32_t bit_take(uint64_t *bits)
 /* Everything of BODIES_NEAR bodies or less but their boxes. Bit k: those of body begin + k have no room for its way ahead. */
 static uint64_t bodies_take(cn_world *world, const cni_solve *s, int32_t begin, int32_t end, uint32_t *rested)
 {
-	cni_poses_taken taken = { ~(uint64_t)0 >> (BODIES_NEAR - (end - begin)), 0, 0, 0 };
+	cni_poses_taken taken = { ~(uint64_t)0 >> (BODIES_NEAR - (end - begin)), 0, 0, 0, 0 };
 	int32_t k;
 	if (s->body_kernel != NULL)
 		taken = s->body_kernel->poses(world, s, begin, end);
 	*rested |= taken.rested;
 	while (taken.rest != 0) {
 		k = begin + bit_take(&taken.rest);
-		*rested |= body_rest(world, cni_body_at(world, cni_awake_ids(world)[k]), k, s);
+		*rested |= body_rest(world, cni_body_at(world, cni_awake_ids(world)[k]), k, s, (int32_t)(taken.pushed >> (k - begin) & 1u));
 	}
 	while (taken.left != 0) {
 		k = begin + bit_take(&taken.left);

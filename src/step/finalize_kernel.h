@@ -116,7 +116,7 @@ typedef struct rest_look {
 	uint32_t slow, still; /* lanes, as bits; still: they do not accelerate */
 	float dt, delay;
 	cni_gain_limits gain;
-	uint32_t left, rested;
+	uint32_t pushed, left, rested;
 } rest_look;
 
 /* Velocity, rest timer and drive of one of them. What has ways of its own to rest is left. Not a loop over lanes: compilers do not
@@ -137,12 +137,22 @@ CNI_INLINE void one_rests(rest_look *r, cni_body *b, const cni_motion *m, cni_ex
 	d->ax = d->ay = d->alpha = 0.0f;
 }
 
+/* cni_is_pushed. */
+CNI_INLINE uint32_t some_pushed(const cn_world *world, const some *f, float dt)
+{
+	float most = cni_pushed_most(world, dt);
+	cni_wide step = cni_wide_of(dt), most_sq = cni_wide_of(most * most), x = f->dx - step * f->vx, y = f->dy - step * f->vy;
+	cni_wide turn = (f->turn - step * f->w) * f->extent;
+	return cni_mask_bits((x * x + y * y > most_sq) | (turn * turn > most_sq));
+}
+
 CNI_INLINE rest_look some_rest(const cn_world *world, const cni_solve *s, int32_t k, const some *f)
 {
 	cni_wide slow_sq = cni_wide_of(world->settings.sleep_speed * world->settings.sleep_speed), turn = f->w * f->extent;
-	rest_look r = { 0, 0, s->dt, world->settings.sleep_delay, cni_gain_limits_make(world, s->dt), 0, 0 };
+	rest_look r = { 0, 0, s->dt, world->settings.sleep_delay, cni_gain_limits_make(world, s->dt), 0, 0, 0 };
 	cni_external *d = cni_externals(world) + k;
-	r.slow = cni_mask_bits((f->v_sq <= slow_sq) & (turn * turn <= slow_sq));
+	r.pushed = some_pushed(world, f, s->dt);
+	r.slow = cni_mask_bits((f->v_sq <= slow_sq) & (turn * turn <= slow_sq)) & ~r.pushed;
 	if (r.slow != 0)
 		r.still = cni_mask_bits(~some_accelerate(world, k, f, s->h));
 	one_rests(&r, f->b[0], &f->m[0], &d[0], 1u);
@@ -160,7 +170,7 @@ CNI_INLINE rest_look some_rest(const cn_world *world, const cni_solve *s, int32_
 
 static cni_poses_taken kernel_poses(cn_world *world, const cni_solve *s, int32_t begin, int32_t end)
 {
-	cni_poses_taken out = { 0, 0, 0, 0 };
+	cni_poses_taken out = { 0, 0, 0, 0, 0 };
 	int32_t k;
 	for (k = begin; k + CNI_WIDTH <= end; k += CNI_WIDTH) {
 		cni_mask moved;
@@ -175,6 +185,7 @@ static cni_poses_taken kernel_poses(cn_world *world, const cni_solve *s, int32_t
 		out.no_room |= (uint64_t)some_rooms(&f, taken, moved, s->dt) << (k - begin);
 		r = some_rest(world, s, k, &f);
 		out.rest |= (uint64_t)r.left << (k - begin);
+		out.pushed |= (uint64_t)r.pushed << (k - begin);
 		out.rested |= r.rested;
 	}
 	for (; k < end; ++k)

@@ -33,6 +33,7 @@ typedef struct cni_poses_taken {
 	uint64_t left;    /* nothing was done with them */
 	uint64_t no_room; /* in their boxes, for the way ahead */
 	uint64_t rest;    /* may rest: their timer and their drive are left */
+	uint64_t pushed;  /* ... of those, by errors that are still being corrected: cni_is_pushed */
 	uint32_t rested; /* 1: some have rested for long enough */
 } cni_poses_taken;
 /* What finalize.c does with each of 64 bodies or less. */
@@ -100,6 +101,25 @@ static inline int32_t cni_body_gains(cni_body *b, const cni_motion *v, float dvx
 		return 0;
 	b->flags += 1u << CNI_BODY_GAINS_SHIFT;
 	return 1;
+}
+
+/*
+ * Overlaps and open joints are corrected by motion that ends with the step and is in no velocity. While that moves a body faster than
+ * this, in length units a second, it does not rest, however slow it is: it would fall asleep on the way. What is left of an error at less is
+ * corrected during the sleep delay, many times over.
+ */
+#define CNI_PUSHED_SPEED 0.05f
+
+/* x, y: by how much more than its velocity moves it in dt the step has moved it, metres; turn: the same, times its extent. */
+static inline int32_t cni_is_pushed(float x, float y, float turn, float most)
+{
+	return x * x + y * y > most * most || turn * turn > most * most;
+}
+
+/* The sequential solver moves bodies before it corrects them: there the two are not told apart. */
+static inline float cni_pushed_most(const cn_world *world, float dt)
+{
+	return world->settings.solver == CN_SOLVER_SEQUENTIAL ? FLT_MAX : CNI_PUSHED_SPEED * world->settings.length_unit * dt;
 }
 
 /* The widest that this build and this processor have. NULL: none. */

@@ -44,7 +44,7 @@ cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, fl
 	cn_vec2 position_m = { position_x_m, position_y_m };
 	cni_call call = cni_enter(world, __func__);
 	const cni_body *b = cni_check_body(&call, "body", body);
-	int32_t index = cni_index_of(body);
+	int32_t index = cni_body_index(world, body);
 	cni_check_position(&call, "position_m", position_m);
 	cni_check_angle(&call, "angle_rad", angle_rad);
 	if (call.result == CN_OK)
@@ -110,9 +110,9 @@ cn_result cn_body_set_velocity(cn_world *world, cn_body body, float linear_x_mps
 	v.linear_mps = linear_mps;
 	v.angular_radps = angular_radps;
 	if (linear_mps.x != 0.0f || linear_mps.y != 0.0f || angular_radps != 0.0f)
-		cni_body_wake(world, cni_index_of(body));
+		cni_body_wake(world, cni_body_index(world, body));
 	cni_body_store_velocity(world, b, v);
-	cni_body_kick(world, cni_index_of(body));
+	cni_body_kick(world, cni_body_index(world, body));
 	return CN_OK;
 }
 
@@ -158,6 +158,7 @@ cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float poi
 		return call.result;
 	v = cni_body_velocity(world, b);
 	*out_mps = cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(arm_to(b, point_m)));
+	*out_mps = cni_v(cni_saturate(out_mps->x), cni_saturate(out_mps->y));
 	return CN_OK;
 }
 
@@ -178,7 +179,7 @@ static cn_result add_force(cni_call *call, cn_world *world, cn_body body, cni_ve
 	float total_torque;
 	if (call->result != CN_OK)
 		return call->result;
-	b = cni_body_at(world, cni_index_of(body));
+	b = cni_body_at(world, cni_body_index(world, body));
 	if (!can_be_pushed(b))
 		return CN_OK;
 	d = cni_externals(world) + b->awake; /* the dummy has none */
@@ -186,7 +187,7 @@ static cn_result add_force(cni_call *call, cn_world *world, cn_body body, cni_ve
 	total_torque = d->alpha + torque;
 	if (!cni_is_finite2(total) || !cni_is_finite(total_torque))
 		return cni_refuse(call, CN_ERROR_ARGUMENT, "the sum of forces and torques of this step must stay finite");
-	cni_body_wake(world, cni_index_of(body));
+	cni_body_wake(world, cni_body_index(world, body));
 	d = cni_externals(world) + b->awake;
 	d->ax = total.x;
 	d->ay = total.y;
@@ -229,7 +230,7 @@ static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, cni_
 	cn_velocity v;
 	if (call->result != CN_OK)
 		return call->result;
-	b = cni_body_at(world, cni_index_of(body));
+	b = cni_body_at(world, cni_body_index(world, body));
 	if (!can_be_pushed(b))
 		return CN_OK;
 	v = cni_body_velocity(world, b);
@@ -238,9 +239,9 @@ static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, cni_
 		v.angular_radps += angular / b->inertia;
 	if (!cni_is_finite2(v.linear_mps) || !cni_is_finite(v.angular_radps))
 		return cni_refuse(call, CN_ERROR_ARGUMENT, "the velocity after the impulse must stay finite");
-	cni_body_wake(world, cni_index_of(body));
+	cni_body_wake(world, cni_body_index(world, body));
 	cni_body_store_velocity(world, b, v);
-	cni_body_kick(world, cni_index_of(body));
+	cni_body_kick(world, cni_body_index(world, body));
 	return CN_OK;
 }
 

@@ -26,6 +26,7 @@ const char *cn_result_text(cn_result result)
 	case CN_ERROR_CAPACITY: return "too many things alive at once, or an output array is too small";
 	case CN_ERROR_STATE: return "the object is in a state in which this makes no sense";
 	case CN_ERROR_INTERNAL: return "an internal invariant is broken";
+	case CN_ERROR_FORMAT: return "the bytes are not a saved world, or damaged";
 	default: return "unknown result code";
 	}
 }

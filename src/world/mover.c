@@ -141,7 +141,7 @@ static void carry(cni_move *m)
    force and not an impulse: what is too weak to overcome friction then moves the body by nothing at all. */
 static void push(const cni_move *m, const cn_plane *p, cni_vec2 velocity)
 {
-	const cni_body *b = cni_body_at(m->world, cni_index_of(p->body));
+	const cni_body *b = cni_body_at(m->world, cni_body_index(m->world, p->body));
 	cni_vec2 arm = cni_sub(cni_sub(p->point_m, cni_v(b->cx, b->cy)), cni_v(b->cx_low, b->cy_low)), force;
 	float closing = cni_dot(cni_sub(cni_mover_velocity_at(m->world, p->body, p->point_m), velocity), p->normal);
 	float lever = cni_cross(arm, p->normal), yields;

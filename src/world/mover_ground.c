@@ -26,8 +26,8 @@ void cni_ground_none(cni_move *m)
 static void ground_set(cni_move *m, cn_body body, cn_shape shape, cni_vec2 point, cni_vec2 normal)
 {
 	cn_mover *mover = m->mover;
-	const cni_body *b = cni_body_at(m->world, cni_index_of(body));
-	const cni_shape *s = cni_shape_at(m->world, cni_index_of(shape));
+	const cni_body *b = cni_body_at(m->world, cni_body_index(m->world, body));
+	const cni_shape *s = cni_shape_at(m->world, cni_shape_index(m->world, shape));
 	mover->flags |= CN_MOVER_ON_GROUND;
 	mover->ground_body = body;
 	mover->ground_shape = shape;

@@ -47,7 +47,7 @@ static int32_t plane_before(const void *a, const void *b)
 	if (x->separation_m != y->separation_m)
 		return x->separation_m < y->separation_m;
 	if (x->shape != y->shape)
-		return cni_index_of(x->shape) < cni_index_of(y->shape);
+		return cni_order_of(x->shape) < cni_order_of(y->shape);
 	return x->child < y->child;
 }
 
@@ -136,7 +136,7 @@ static float height_over(const cn_world *world, const cni_region *region, const 
 	cni_transform x;
 	float height = -FLT_MAX;
 	int32_t k;
-	t.shape = cni_shape_at(world, cni_index_of(of->shape));
+	t.shape = cni_shape_at(world, cni_shape_index(world, of->shape));
 	t.body = cni_body_at(world, t.shape->body);
 	x = target_in_region(&t, region);
 	set = cni_geometry_proxy(cni_shape_geometry(&world->blocks, t.shape), of->child, storage);
@@ -371,7 +371,7 @@ cni_vec2 cni_planes_clip(const cn_plane *planes, const float *speeds, int32_t co
 
 cni_vec2 cni_mover_velocity_at(const cn_world *world, cn_body body, cni_vec2 point)
 {
-	const cni_body *b = cni_body_at(world, cni_index_of(body));
+	const cni_body *b = cni_body_at(world, cni_body_index(world, body));
 	cn_velocity v = cni_body_velocity(world, b);
 	cni_vec2 arm = cni_sub(cni_sub(point, cni_v(b->cx, b->cy)), cni_v(b->cx_low, b->cy_low));
 	return cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(arm));

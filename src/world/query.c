@@ -30,7 +30,7 @@ cni_sight cni_check_filter(cni_call *call, const cn_query_filter *filter)
 		s.filter = *filter;
 	cni_check_flags(call, "flags", s.filter.flags, CN_QUERY_IGNORE_JOINED | CN_QUERY_ONE_WAY | CN_QUERY_LEAVING);
 	if (s.filter.ignored_body != 0 && cni_check_body(call, "ignored_body", s.filter.ignored_body) != NULL)
-		s.ignored = cni_index_of(s.filter.ignored_body);
+		s.ignored = cni_body_index(call->world, s.filter.ignored_body);
 	s.touch = s.filter.flags & CN_QUERY_LEAVING ? FLT_MAX : call->world->settings.slop;
 	return s;
 }

@@ -30,7 +30,7 @@ static int32_t hit_before(const void *a, const void *b)
 	if (x->fraction != y->fraction)
 		return x->fraction < y->fraction;
 	if (x->shape != y->shape)
-		return cni_index_of(x->shape) < cni_index_of(y->shape);
+		return cni_order_of(x->shape) < cni_order_of(y->shape);
 	return x->child < y->child;
 }
 
@@ -246,7 +246,7 @@ cn_result cn_shape_cast_ray(const cn_world *world, cn_shape shape, const cn_ray 
 	t.shape = s;
 	t.body = s->body != CNI_NONE ? cni_body_at(world, s->body) : NULL;
 	t.geometry = cni_shape_geometry(&world->blocks, s);
-	t.index = cni_index_of(shape);
+	t.index = cni_shape_index(world, shape);
 	for (t.child = 0; t.child < s->children; ++t.child)
 		if (ray_cast(&q, &t, &hit))
 			best_keep(&q.best, &hit);

@@ -28,7 +28,7 @@ static float box_distance(const cni_aabb *box, cni_vec2 p)
 
 static int32_t is_closer(const closest_query *q, const cni_query_target *t, float distance)
 {
-	int32_t best = cni_index_of(q->best.shape);
+	int32_t best = q->best.shape != 0 ? cni_shape_index(q->sight->world, q->best.shape) : CNI_NONE;
 	if (q->best.shape == 0 || distance != q->best.distance_m)
 		return q->best.shape == 0 || distance < q->best.distance_m;
 	return t->index < best || (t->index == best && t->child < q->best.child);

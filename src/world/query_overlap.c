@@ -49,7 +49,7 @@ static int32_t test_point(const overlap_query *q, const cni_query_target *t)
 
 static int32_t index_before(const void *a, const void *b)
 {
-	return cni_index_of(*(const cn_shape *)a) < cni_index_of(*(const cn_shape *)b);
+	return cni_order_of(*(const cn_shape *)a) < cni_order_of(*(const cn_shape *)b);
 }
 
 static int32_t chain_is_known(const overlap_query *q, int32_t shape)

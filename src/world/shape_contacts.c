@@ -26,7 +26,7 @@ cn_result cn_shape_get_contacts(const cn_world *world, cn_shape shape, cn_contac
 		return call.result;
 	for (key = contact_first(world, s); key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
-		if (contact_side(world, c, cni_index_of(shape)) == CNI_NONE)
+		if (contact_side(world, c, cni_shape_index(world, shape)) == CNI_NONE)
 			continue;
 		if (count < capacity)
 			cni_contact_describe(world, key >> 1, c->flags & CNI_CONTACT_TOUCHING ? CN_EVENT_STAY : CN_EVENT_CREATED, out + count);
@@ -59,7 +59,7 @@ cn_result cn_shape_get_visitors(const cn_world *world, cn_shape sensor, cn_shape
 	cni_call call = cni_enter_const(world);
 	const cni_shape *s = cni_check_shape(&call, "sensor", sensor);
 	cni_list list = cni_list_begin(&call, out, capacity, out_count);
-	int32_t key, first, visitor, index = cni_index_of(sensor);
+	int32_t key, first, visitor, index = cni_shape_index(world, sensor);
 	if (call.result == CN_OK && !(s->flags & CN_SHAPE_SENSOR))
 		cni_refuse(&call, CN_ERROR_STATE, "the shape is no sensor");
 	if (call.result != CN_OK)
