@@ -1,11 +1,11 @@
 /*
  * base/arena.c - owns one block and the entries pushed on it: the stack allocator of the frame.
  *
- * Every entry takes a multiple of 64 bytes, so that entries stay aligned and the high-water mark is
- * exactly what a block must have for the same pushes to fit without a fallback.
+ * Every entry takes a multiple of 64 bytes, so that entries stay aligned and a block of the high-water mark's size fits the
+ * same pushes without a fallback.
  *
- * Invariant: used is the sum of the entries in the block, in_use the sum of all entries; entries in
- * the block lie there in push order without gaps.
+ * Invariant: used is the sum of the entries in the block, in_use the sum of all entries; entries lie in the block in push
+ * order without gaps.
  */
 #include "base/arena.h"
 
@@ -71,7 +71,7 @@ int32_t cni_arena_reserve(cni_arena *arena, uint64_t bytes)
 
 void *cni_arena_push(cni_arena *arena, uint64_t bytes)
 {
-	/* An empty entry still takes a line: its pointer must differ from the one below it. */
+	/* An empty entry takes 64 bytes too: its pointer must differ from the entry below. */
 	uint64_t taken = cni_memory_rounded(bytes > 0 ? bytes : 1);
 	int32_t fallback = taken > arena->capacity - arena->used;
 	cni_arena_entry *entry;

@@ -1,8 +1,8 @@
 /*
- * base/avx2_begin.h - from here to base/avx2_end.h functions may use AVX2, whatever the file is compiled for. Included by
- * the kernels of width 8, after every header that defines functions of its own: only theirs is called where the
- * processor has it (base/cpu.h). No include guard: what it opens, the other closes. Fused multiply-add stays
- * off: it would change the bits.
+ * base/avx2_begin.h - compiles the functions between here and base/avx2_end.h for AVX2, whatever the target of the file. The
+ * kernels of width 8 include it after every header that defines functions: AVX2 code may run only where the processor
+ * supports it (base/cpu.h). No include guard: each file includes the pair once. Fused multiply-add stays off: it would
+ * change the bits.
  */
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)

@@ -1,5 +1,5 @@
 /*
- * base/avx2_end.h - closes base/avx2_begin.h.
+ * base/avx2_end.h - ends the effect of base/avx2_begin.h.
  */
 #if defined(__clang__)
 #pragma clang attribute pop

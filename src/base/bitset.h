@@ -1,6 +1,6 @@
 /*
- * base/bitset.h - bits over caller-owned 64-bit words, with the scan that the stages use to visit set
- * bits in index order (which keeps results independent of who set them when).
+ * base/bitset.h - bits in caller-owned 64-bit words, and the scan with which stages visit set bits in index order (so that
+ * results do not depend on the order in which they were set).
  */
 #ifndef CNI_BASE_BITSET_H
 #define CNI_BASE_BITSET_H
@@ -14,8 +14,8 @@ static inline int32_t cni_bit_get(const uint64_t *words, int32_t bit) { return (
 
 int32_t cni_bit_count64(uint64_t x);
 
-/* Number of trailing zeros; x != 0. One instruction where the compiler has it, else: the bits below the lowest set one are
-   exactly those that x - 1 sets anew. */
+/* Number of trailing zeros; x != 0. A builtin where the compiler has it, else the count of the bits below the lowest set bit,
+   which are (x - 1) & ~x. */
 static inline int32_t cni_bit_lowest64(uint64_t x)
 {
 	CNI_ASSERT(x != 0);

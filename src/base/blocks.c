@@ -1,25 +1,22 @@
 /*
  * base/blocks.c - owns the chunks, their table and the free lists of the size classes.
  *
- * A piece comes from its class's free list, else from the tail (the part of the newest chunk that was
- * never carved, shared by all classes), else from a new chunk. A tail that is too short for a request
- * is carved into the largest classes that fit before the new chunk becomes the tail, so that every unit
- * of every chunk is always in use, on a free list, or in the tail:
+ * A piece comes from its class's free list, else from the tail (the part of the newest chunk that is not carved yet, shared
+ * by all classes), else from a new chunk. Before the new chunk becomes the tail, the old tail is carved into the largest
+ * classes that fit, so that every unit of every chunk is in use, on a free list, or in the tail:
  *
  *   bytes_in_chunks = bytes_in_use + sum over classes of free_count * class + tail_units * 16
  *
- * A new chunk has a sixteenth of the bytes that the chunks already have, at least 4 KiB and at most
- * 64 KiB, or what a reserve still lacks if that is more; it is then trimmed to a whole number of the
- * pieces that asked for it (rounded up to 64 bytes). When there is no memory for it, half of it is
- * tried, down to a single piece. So unused room stays below a sixteenth, and a fixed block is used up to
- * its end.
+ * A new chunk has a sixteenth of the bytes of all chunks, at least 4 KiB, or the bytes that a reserve still lacks if that is
+ * more, and at most 64 KiB. It is trimmed to a whole number of pieces of the requested class (rounded up to 64 bytes). When
+ * there is no memory for it, half of it is tried, down to a single piece. So unused room stays below a sixteenth, and a
+ * fixed block is used up to its end.
  *
- * Free pieces are never split for a smaller class: what cni_blocks_reserve has set aside for one class
- * stays there whatever is asked of another.
+ * Free pieces are never split for a smaller class: pieces that cni_blocks_reserve set aside for a class stay in that class.
  *
- * Chunk 0 does not exist, so ref 0 names nothing. The table is one piece of memory (chunk_bytes first,
- * then chunks), so that growing it is one allocation that succeeds or changes nothing. The index of a
- * freed large piece is reused; until then chunk_bytes links it to the next such index.
+ * Chunk 0 does not exist, so ref 0 names nothing. The table is one piece of memory (chunk_bytes first, then chunks), so that
+ * its growth is one allocation that succeeds or changes nothing. The index of a freed large piece is reused; until then
+ * chunk_bytes links it to the next such index.
  */
 #include "base/blocks.h"
 
@@ -95,7 +92,7 @@ static int32_t table_grow(cni_blocks *blocks)
 	return 1;
 }
 
-/* Makes sure that slot_take can give an index. */
+/* Guarantees that slot_take succeeds; 0 when there is no memory or no index. */
 static int32_t slot_reserve(cni_blocks *blocks)
 {
 	if (blocks->empty_slot != 0)
@@ -118,7 +115,7 @@ static int32_t slot_take(cni_blocks *blocks, uint8_t *chunk, uint64_t bytes)
 	return slot;
 }
 
-/* Cleared, so that chunks may be copied whole. */
+/* Cleared, so that a snapshot may copy whole chunks. */
 static uint8_t *chunk_alloc(cni_blocks *blocks, uint64_t bytes)
 {
 	uint8_t *chunk = cni_memory_alloc(blocks->memory, bytes);
@@ -127,7 +124,7 @@ static uint8_t *chunk_alloc(cni_blocks *blocks, uint64_t bytes)
 	return chunk;
 }
 
-/* ------------------------------------------------------------------ another table */
+/* ------------------------------------------------------------------ the next table */
 
 int32_t cni_blocks_next_begin(cni_blocks *blocks, int32_t count)
 {
@@ -147,7 +144,7 @@ int32_t cni_blocks_next_begin(cni_blocks *blocks, int32_t count)
 	return 1;
 }
 
-static void next_forget(cni_blocks *blocks)
+static void next_clear(cni_blocks *blocks)
 {
 	blocks->next_bytes = NULL;
 	blocks->next_chunks = NULL;
@@ -187,7 +184,7 @@ void cni_blocks_next_take(cni_blocks *blocks)
 	blocks->chunks = blocks->next_chunks;
 	blocks->chunk_count = blocks->next_count;
 	blocks->chunk_capacity = blocks->next_capacity;
-	next_forget(blocks);
+	next_clear(blocks);
 }
 
 void cni_blocks_next_drop(cni_blocks *blocks)
@@ -200,7 +197,7 @@ void cni_blocks_next_drop(cni_blocks *blocks)
 		if (blocks->next_chunks[k] != NULL && !chunk_is_shared(blocks, k))
 			cni_memory_free(blocks->memory, blocks->next_chunks[k], blocks->next_bytes[k]);
 	cni_memory_free(blocks->memory, blocks->next_bytes, (uint64_t)blocks->next_capacity * CHUNK_SLOT_BYTES);
-	next_forget(blocks);
+	next_clear(blocks);
 }
 
 /* ------------------------------------------------------------------ large pieces */
@@ -250,7 +247,7 @@ static cni_ref free_pop(cni_blocks *blocks, int32_t class_index)
 	return ref;
 }
 
-/* Carves what is left of the tail into the largest classes that fit. */
+/* Carves the rest of the tail into the largest classes that fit. */
 static void tail_retire(cni_blocks *blocks)
 {
 	int32_t class_index;
@@ -263,7 +260,7 @@ static void tail_retire(cni_blocks *blocks)
 	}
 }
 
-/* Bytes of the next chunk if count pieces of this class are still to come from it. */
+/* Bytes of the next chunk if count pieces of this class are still needed from it. */
 static uint64_t chunk_wanted(const cni_blocks *blocks, int32_t class_index, int32_t count)
 {
 	uint64_t wanted = blocks->bytes_in_chunks / 16;
@@ -358,7 +355,7 @@ int32_t cni_blocks_reserve(cni_blocks *blocks, uint64_t bytes, int32_t count)
 		}
 		if (pieces > (uint32_t)lacking)
 			pieces = (uint32_t)lacking;
-		/* Last piece first: they are then handed out in address order. */
+		/* Last piece first, so that they are allocated in address order. */
 		for (i = pieces; i-- > 0;)
 			free_push(blocks, class_index, blocks->tail + i * units);
 		blocks->tail += pieces * units;

@@ -1,7 +1,7 @@
 /*
- * base/blocks.h - small pieces of variable size that live across steps: the paper's block allocator.
- * An array of size classes, each a free list carved from chunks; the best fitting class serves a
- * request; above the largest class a piece gets a chunk of its own from the memory below.
+ * base/blocks.h - small pieces of variable size that live across steps: the block allocator of the paper (see
+ * step/sequential.c). An array of size classes, each with a free list of pieces carved from chunks; the best fitting class
+ * serves a request. A piece above the largest class gets its own chunk from cni_memory.
  *
  * Pieces are named by 32-bit references, never by pointers, so that persistent state can be copied:
  *
@@ -9,7 +9,7 @@
  *                                 most (the first chunks are smaller, see blocks.c)
  *   classes (bytes): 16 32 48 64 96 128 192 256 384 512 768 1024 1536 2048 4096
  *
- * ref 0 is never handed out. A piece's address is fixed while it lives. 16-byte aligned.
+ * ref 0 is never returned for a piece. A piece's address is fixed while it lives. 16-byte aligned.
  */
 #ifndef CNI_BASE_BLOCKS_H
 #define CNI_BASE_BLOCKS_H
@@ -30,19 +30,19 @@ typedef struct cni_blocks {
 	int32_t chunk_capacity;
 	cni_ref free_head[CNI_BLOCK_CLASSES]; /* next ref is stored in the first 4 bytes of a free piece */
 	int32_t free_count[CNI_BLOCK_CLASSES];
-	int32_t empty_slot;       /* first chunk index that a freed large piece left behind, 0 for none */
-	cni_ref tail;             /* the part of the newest class chunk that was never carved */
+	int32_t empty_slot;       /* first chunk index of a freed large piece, 0 for none */
+	cni_ref tail;             /* begin of the part of the newest class chunk that is not carved yet */
 	uint32_t tail_units;
 	uint32_t reserved;
 	uint64_t bytes_in_chunks; /* class chunks */
-	uint64_t bytes_in_use;    /* rounded to the class */
+	uint64_t bytes_in_use;    /* pieces, rounded up to their class */
 	uint64_t bytes_large;
-	/* The chunks of a state that is about to be loaded: base/snapshot.c. */
+	/* The table of chunks of a state that is about to be loaded: base/snapshot.c. */
 	uint64_t *next_bytes;
 	uint8_t **next_chunks;
 	int32_t next_count;
-	int32_t next_capacity;    /* 0: there is none, or next_count is 0 too */
-	int32_t next_waits;       /* 1: there is one */
+	int32_t next_capacity;    /* 0: there is no such table, or next_count is 0 */
+	int32_t next_waits;       /* 1: there is such a table */
 	int32_t next_reserved;
 } cni_blocks;
 
@@ -50,19 +50,21 @@ void cni_blocks_init(cni_blocks *blocks, cni_memory *memory);
 void cni_blocks_deinit(cni_blocks *blocks);
 /* Not cleared. 0 when there is no memory. bytes > 0. */
 cni_ref cni_blocks_alloc(cni_blocks *blocks, uint64_t bytes);
-/* ref 0 is allowed. bytes must be what was asked for. */
+/* ref 0 is allowed. bytes must equal the bytes of the allocation. */
 void cni_blocks_free(cni_blocks *blocks, cni_ref ref, uint64_t bytes);
 /* Carves free pieces until at least count pieces of this size are free; 0 if there is no memory.
    bytes <= CNI_BLOCK_LARGEST. */
 int32_t cni_blocks_reserve(cni_blocks *blocks, uint64_t bytes, int32_t count);
-/* What a piece of this size really takes. */
+/* The bytes that a piece of this size takes. */
 uint64_t cni_blocks_rounded(uint64_t bytes);
 
-/* A table of count chunks beside the present one, empty at first; 0: no memory. */
+/* Makes a second, empty table of count chunks, the next table; 0: no memory. */
 int32_t cni_blocks_next_begin(cni_blocks *blocks, int32_t count);
-/* Its chunk of an index: the present one if that has the size, else a new one; 0 bytes: none. Returns 0: no memory. */
+/* Sets a chunk of the next table: the present chunk of that index if it has this size, else a new one; 0 bytes: no chunk.
+   Returns 0: no memory. */
 int32_t cni_blocks_next_set(cni_blocks *blocks, int32_t slot, uint64_t bytes);
-/* It becomes the table, if there is one: chunks that are not in it are given back. Or it is given up. */
+/* take: the next table, if there is one, replaces the present one, and chunks that are not in it are freed. drop: frees the
+   next table. */
 void cni_blocks_next_take(cni_blocks *blocks);
 void cni_blocks_next_drop(cni_blocks *blocks);
 

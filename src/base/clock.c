@@ -1,5 +1,5 @@
 /*
- * base/clock.c - the monotonic clock of each platform.
+ * base/clock.c - the monotonic clock for each platform.
  */
 #if !defined(_WIN32) && !defined(CN_NO_CLOCK)
 #define _POSIX_C_SOURCE 199309L

@@ -1,5 +1,5 @@
 /*
- * base/clock.h - a monotonic clock for the profile, nothing else: no result depends on it.
+ * base/clock.h - a monotonic clock for the profile only: no result depends on it.
  */
 #ifndef CNI_BASE_CLOCK_H
 #define CNI_BASE_CLOCK_H

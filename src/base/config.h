@@ -1,9 +1,8 @@
 /*
- * base/config.h - what every source file needs before anything else: strict float semantics,
- * invariant checks, and a few words for the compiler. Included first by all of src/.
+ * base/config.h - included first by all of src/: strict float semantics, invariant checks, compiler attributes.
  *
- * Same input, same bits: contraction into fused multiply-add is off, and targets that compute
- * float expressions in a wider type are refused.
+ * The same input gives the same bits: contraction into fused multiply-add is off, and the build fails on targets that
+ * compute float expressions in a wider type.
  */
 #ifndef CNI_BASE_CONFIG_H
 #define CNI_BASE_CONFIG_H
@@ -15,7 +14,7 @@
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)
-/* gcc 12 makes fused multiply-add/subtract of pairs of products when it vectorises by itself, contraction or not. */
+/* gcc 12 fuses pairs of products into multiply-add/subtract when it auto-vectorises, even with contraction off. */
 #pragma GCC optimize("fp-contract=off", "no-tree-slp-vectorize", "no-tree-loop-vectorize")
 #endif
 
@@ -26,7 +25,7 @@
 #error "Cairn must not be compiled with -ffast-math: results would depend on the compiler"
 #endif
 
-/* Guards our own invariants, never user input. On in debug and test builds only. */
+/* Checks the library's own invariants, never user input. Active in debug and test builds only. */
 #ifdef CNI_DEBUG
 #include <stdio.h>
 #include <stdlib.h>
@@ -36,7 +35,7 @@
 #define CNI_ASSERT(condition) ((void)0)
 #endif
 
-/* For kernels that are written once and specialised by constant arguments. */
+/* For kernels that are written once and specialised by inlining with constant arguments. */
 #if defined(__GNUC__)
 #define CNI_INLINE static inline __attribute__((always_inline))
 #elif defined(_MSC_VER)
@@ -45,21 +44,21 @@
 #define CNI_INLINE static inline
 #endif
 
-/* Before a member or variable: where vectors are loaded from. Without vectors it says nothing. */
+/* Before a member or variable from which vectors are loaded: its alignment. Empty where there are no vectors. */
 #if defined(__GNUC__)
 #define CNI_ALIGNED(bytes) __attribute__((aligned(bytes)))
 #else
 #define CNI_ALIGNED(bytes)
 #endif
 
-/* Memory that is read soon: a hint, which changes no result. */
+/* Hint that memory is read soon; changes no result. */
 #if defined(__GNUC__)
 #define CNI_PREFETCH(address) __builtin_prefetch(address)
 #else
 #define CNI_PREFETCH(address) ((void)(address))
 #endif
 
-/* Index that names nothing. */
+/* The index of no item. */
 #define CNI_NONE (-1)
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * base/cpu.c - asks the processor what it can do.
+ * base/cpu.c - detects the processor's instruction sets at run time.
  */
 #include "base/cpu.h"
 

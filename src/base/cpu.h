@@ -1,12 +1,12 @@
 /*
- * base/cpu.h - which instruction sets kernels may use. Compile-time words, and one run-time question on x86.
+ * base/cpu.h - the instruction sets that kernels may use: compile-time macros, and one run-time test on x86.
  */
 #ifndef CNI_BASE_CPU_H
 #define CNI_BASE_CPU_H
 
 #include "base/config.h"
 
-/* Vectors of four floats are worth having. Old gcc has no __builtin_shufflevector. */
+/* 1 when kernels use vectors of four floats. gcc before 12 has no __builtin_shufflevector. */
 #if !defined(CN_NO_SIMD) && defined(__GNUC__) && (defined(__clang__) || __GNUC__ >= 12) && \
     (defined(__SSE2__) || defined(__ARM_NEON) || defined(__wasm_simd128__))
 #define CNI_HAS_WIDE_4 1
@@ -14,7 +14,7 @@
 #define CNI_HAS_WIDE_4 0
 #endif
 
-/* Files of wider kernels may be compiled for them on this architecture. */
+/* 1 when kernels for vectors of eight floats can be compiled on this architecture. */
 #if CNI_HAS_WIDE_4 && defined(__x86_64__)
 #define CNI_HAS_WIDE_8 1
 #else

@@ -1,17 +1,17 @@
 /*
- * base/maths.c - sine, cosine and arctangent from IEEE-exact operations only, so that every platform
- * computes the same bits. Pure functions.
+ * base/maths.c - sine, cosine and arctangent from IEEE-exact operations only, so that every platform computes the same bits.
+ * Pure functions.
  *
  * Reduction to a quarter turn. Up to 1e4 rad after Cody and Waite (Software Manual for the Elementary
  * Functions, 1980): r = ((x - k A) - k B) - k C with pi/2 = A + B + C. A has 8 significant bits and B
  * has 11; k stays below 2^13, so k A and k B are exact, and so are the first two subtractions (operands
  * within a factor of two, or on a common grid that the result fits). Beyond 1e4, after Payne and Hanek
- * (Radian Reduction for Trigonometric Functions, 1983): the integer significand of x times the 96 bits
- * of 2/pi that matter, the multiples of whole turns left away, which is exact to 2^-60 for every float.
+ * (Radian Reduction for Trigonometric Functions, 1983): the integer significand of x times the 96 relevant
+ * bits of 2/pi, without the bits that give multiples of whole turns; exact to 2^-60 for every float.
  *
  * Polynomials are minimax fits (Remez exchange) on slightly more than their interval, leading terms
  * fixed: sine to degree 7 (1.8e-9) and cosine to degree 8 (1e-10) on a quarter turn about 0, arctangent
- * to degree 17 on [0, 1] (7.4e-9). The rest of the errors stated in maths.h is float rounding.
+ * to degree 17 on [0, 1] (7.4e-9). The remaining part of the errors stated in maths.h is float rounding.
  */
 #include "base/maths.h"
 
@@ -54,8 +54,8 @@ static uint64_t two_over_pi_bits(int32_t start)
 	return both << (start & 31) >> 32;
 }
 
-/* |x| = m 2^e. Bits of 2/pi that make whole turns of m 2^e 2/pi are skipped; the product's two bits
-   before the point are then the quarter, those after it the rest. Safe for any bits of x. */
+/* |x| = m 2^e. Skips the bits of 2/pi that contribute whole turns to m 2^e 2/pi. The product's two bits before the point are
+   then the quarter, the bits after it the rest. Defined for any bits of x. */
 static uint32_t reduce_large(float x, float *rest_rad)
 {
 	const uint64_t quarter = UINT64_C(1) << 62;
@@ -152,14 +152,14 @@ float cni_atan2(float y, float x)
 		angle = x < 0.0f ? CNI_PI - (r + PI_EXCESS) : r;
 	if (!(y < 0.0f))
 		return angle;
-	/* Just above -pi must not round onto it: -pi is not in the range. */
+	/* An angle just above -pi must not round to -pi, which is not in the range. */
 	return angle < CNI_PI ? -angle : -PI_BELOW;
 }
 
-/* Sine and cosine polynomials are fitted together with the normalisation: the length is right after it,
-   so the fit may trade radial error (the cosine's quadratic term is not 1/2) for angular error, and is
-   weighted to be tight below 0.25 rad, where substeps live. Errors: 6.1e-7 up to 0.25, 1.7e-4 at 1;
-   length within 6e-8 before rounding. Normalising to first order: 1/sqrt(n) = (3 - n)/2 about n = 1. */
+/* Sine and cosine polynomials are fitted together with the normalisation. The normalisation corrects the length, so the fit
+   may trade radial error (the cosine's quadratic term is not 1/2) for angular error. It is weighted to be tight below
+   0.25 rad, the range of substeps. Errors: 6.1e-7 up to 0.25, 1.7e-4 at 1; length within 6e-8 before rounding. Normalisation
+   to first order: 1/sqrt(n) = (3 - n)/2 about n = 1. */
 cni_rot cni_rot_small(float angle_rad)
 {
 	float u, s, c, k;
@@ -176,8 +176,8 @@ cni_rot cni_rot_small(float angle_rad)
 	return q;
 }
 
-/* Near the nearest multiple of a turn: |result| <= pi + 0.02. Same splitting as for a quarter turn;
-   k < 2^14, and both leading parts have 8 bits. */
+/* The difference to the nearest multiple of a turn: |result| <= pi + 0.02. Same splitting as for a quarter turn; k < 2^14,
+   and both leading parts have 8 bits. */
 static float wrap_near(float a)
 {
 	uint32_t quarter;

@@ -1,7 +1,6 @@
 /*
- * base/maths.h - vectors, rotations and boxes; own sine, cosine and arctangent with the same bits on
- * every platform (only IEEE-exact operations: + - * / sqrt). min and max have a fixed operand order:
- * cni_min(a, b) is a < b ? a : b.
+ * base/maths.h - vectors, rotations and boxes; sine, cosine and arctangent with the same bits on every platform (only
+ * IEEE-exact operations: + - * / sqrt). min and max have a fixed operand order: cni_min(a, b) is a < b ? a : b.
  */
 #ifndef CNI_BASE_MATHS_H
 #define CNI_BASE_MATHS_H
@@ -49,7 +48,7 @@ static inline cni_vec2 cni_rotate(cni_rot q, cni_vec2 v) { return cni_v(q.c * v.
 static inline cni_vec2 cni_unrotate(cni_rot q, cni_vec2 v) { return cni_v(q.c * v.x + q.s * v.y, q.c * v.y - q.s * v.x); }
 /* Rotation by b after a. */
 static inline cni_rot cni_rot_mul(cni_rot a, cni_rot b) { cni_rot q; q.c = a.c * b.c - a.s * b.s; q.s = a.s * b.c + a.c * b.s; return q; }
-/* b as seen from a: inverse(a) * b. */
+/* b relative to a: inverse(a) * b. */
 static inline cni_rot cni_rot_between(cni_rot a, cni_rot b) { cni_rot q; q.c = a.c * b.c + a.s * b.s; q.s = a.c * b.s - a.s * b.c; return q; }
 static inline cni_rot cni_rot_normalize(cni_rot q)
 {
@@ -87,7 +86,7 @@ static inline cni_aabb cni_aabb_union(const cni_aabb *a, const cni_aabb *b)
 /* 1 when neither NaN nor infinite. */
 static inline int32_t cni_is_finite(float x) { return x - x == 0.0f; }
 static inline int32_t cni_is_finite2(cni_vec2 v) { return cni_is_finite(v.x) && cni_is_finite(v.y); }
-/* For answers that floats may not hold: the largest float that there is, and 0 for what is no number. */
+/* Clamps a result to the finite floats; NaN becomes 0. */
 static inline float cni_saturate(float x) { return x > FLT_MAX ? FLT_MAX : x < -FLT_MAX ? -FLT_MAX : x == x ? x : 0.0f; }
 
 /* Polynomials of sine and cosine on a quarter turn about 0, and where they are not taken: maths.c. */
@@ -101,14 +100,14 @@ static inline float cni_saturate(float x) { return x > FLT_MAX ? FLT_MAX : x < -
 #define CNI_NEAR_RAD 0.75f          /* to here an angle is its own rest */
 
 /* Any finite angle; absolute error of each component <= 1.5e-7 (argument reduction in three parts after
-   Cody and Waite up to 1e4, in integers after Payne and Hanek beyond; minimax polynomials). Result is
-   within 1e-6 of unit length, also for what is not finite. */
+   Cody and Waite up to 1e4, in integers after Payne and Hanek beyond; minimax polynomials). The result is
+   within 1e-6 of unit length, also for angles that are not finite. */
 cni_rot cni_sincos(float angle_rad);
 /* In (-pi, pi]; error <= 3e-7 rad; (0, 0) gives 0. */
 float cni_atan2(float y, float x);
 /* Rotation by a small angle without range reduction: sin to degree 5, cos to degree 4, then normalised
-   to first order. |angle| <= 1: error < 2e-4; |angle| <= 0.25: < 1e-6; unit length within 3e-7. Beyond
-   1 it is cni_sincos. See maths.c. */
+   to first order. |angle| <= 1: error < 2e-4; |angle| <= 0.25: < 1e-6; unit length within 3e-7. Larger angles
+   use cni_sincos. See maths.c. */
 cni_rot cni_rot_small(float angle_rad);
 /* The angle in (-pi, pi] equal to a modulo 2 pi; error <= 3e-7 rad for any finite a. */
 float cni_wrap_angle(float a);

@@ -1,9 +1,9 @@
 /*
  * base/memory.c - owns the hooks and the holes of a fixed block; reads and writes nothing else.
  *
- * Fixed block: first fit over an address-ordered list of holes, neighbours coalesced on free (Knuth,
- * The Art of Computer Programming 1, 1968, section 2.5, algorithms A and B). Every size is a multiple
- * of 64, so that a hole always has room for its own node and every piece starts on a cache line.
+ * Fixed block: first fit over an address-ordered list of holes, neighbours coalesced on free (Knuth, The Art of Computer
+ * Programming 1, 1968, section 2.5, algorithms A and B). Every size is a multiple of 64, so that a hole always has room for
+ * its node and every piece starts on a cache line.
  *
  * Invariant: holes are in rising address order and no two of them touch.
  */
@@ -27,7 +27,7 @@ uint64_t cni_memory_rounded(uint64_t bytes)
 
 #ifndef CN_NO_MALLOC
 
-/* C99 has no aligned allocation: take more, and remember malloc's own pointer just below the piece. */
+/* C99 has no aligned allocation: takes more and stores malloc's pointer just below the aligned piece. */
 static void *heap_alloc(uint64_t bytes, uint32_t align, void *user)
 {
 	uint64_t spare = align - 1 + sizeof(void *);
@@ -128,7 +128,7 @@ static void *block_alloc(cni_memory *memory, uint64_t bytes)
 	return hole;
 }
 
-/* Joins a hole with the one after it if they touch. */
+/* Merges a hole with the next one if they touch. */
 static void hole_merge_next(cni_hole *hole)
 {
 	cni_hole *next = hole->next;
@@ -161,7 +161,7 @@ static void block_free(cni_memory *memory, void *pointer, uint64_t bytes)
 	}
 }
 
-/* A hook that ignores the alignment would break us far away from here: its piece goes straight back. */
+/* A hook that ignores the alignment would cause faults elsewhere: its piece is freed at once, and the allocation fails. */
 static void *hook_alloc(cni_memory *memory, uint64_t bytes)
 {
 	void *pointer = memory->alloc(bytes, CNI_MEMORY_ALIGN, memory->user);

@@ -1,13 +1,13 @@
 /*
- * base/memory.h - the one place a world's memory comes from: the user's hooks (malloc by default)
- * or one fixed block. Everything else in base/ asks here, and a failure here is a NULL, never more.
+ * base/memory.h - the source of all memory of a world: the user's hooks (malloc by default) or one fixed block. Everything
+ * else in base/ allocates here. A failed allocation returns NULL and has no other effect.
  *
- * A fixed block is managed by an address-ordered first-fit free list with coalescing, so that what a
- * world gives back can be used again; nothing outside of the block is ever touched.
+ * A fixed block is managed by an address-ordered first-fit free list with coalescing, so that freed memory can be reused.
+ * It never reads or writes outside the block.
  *
  *   block:  [ free node | free bytes ... ][ allocation ... ][ free node | ... ]
- *           the free list threads the holes in address order; allocations carry no header because
- *           every free names its size
+ *           the free list links the holes in address order; allocations have no header because every free
+ *           states its size
  */
 #ifndef CNI_BASE_MEMORY_H
 #define CNI_BASE_MEMORY_H
@@ -28,7 +28,7 @@ typedef struct cni_memory {
 	int32_t reserved;
 	uint64_t bytes_in_use;
 	uint64_t bytes_peak;
-	uint64_t calls;     /* successful or failed attempts to allocate */
+	uint64_t calls;     /* allocations, successful or not */
 } cni_memory;
 
 /* alloc and free NULL: aligned malloc. */
@@ -36,11 +36,12 @@ void cni_memory_init_hooks(cni_memory *memory, cn_alloc_fn *alloc, cn_free_fn *f
 /* block aligned to CNI_MEMORY_ALIGN. */
 void cni_memory_init_block(cni_memory *memory, void *block, uint64_t bytes);
 
-/* 64-byte aligned, not cleared, NULL when there is none. bytes > 0. In a fixed block every
-   allocation is rounded up to 64 bytes; cni_memory_rounded says to how much. */
+/* 64-byte aligned, not cleared, NULL when there is no memory. bytes > 0. In a fixed block every allocation takes
+   cni_memory_rounded bytes. */
 void *cni_memory_alloc(cni_memory *memory, uint64_t bytes);
-/* NULL is allowed. bytes must be what was asked for. */
+/* NULL is allowed. bytes must equal the bytes of the allocation. */
 void cni_memory_free(cni_memory *memory, void *pointer, uint64_t bytes);
+/* Rounds up to a multiple of 64. */
 uint64_t cni_memory_rounded(uint64_t bytes);
 
 #endif

@@ -1,9 +1,9 @@
 /*
- * base/snapshot.c - the walk's cursor, and how arrays, tables and pieces of the block allocator pass through it.
+ * base/snapshot.c - the cursor of a snapshot, and the passage of arrays, tables and the block allocator through it.
  *
- * Pieces of the block allocator are named by chunk and place in it, so a state that is loaded needs chunks of the same sizes
- * at the same indices. RESERVE builds that table of chunks beside the present one, with the chunks of the present one where they
- * fit, and LOAD puts it in its place. Mostly they all fit, and nothing is built.
+ * Pieces of the block allocator are named by chunk and unit, so a loaded state needs chunks of the same sizes at the same
+ * indices. RESERVE builds a second table of chunks that reuses the present chunks of equal size, and LOAD replaces the
+ * present table by it. Mostly all chunks match, and no table is built.
  */
 #include "base/snapshot.h"
 
@@ -20,7 +20,7 @@ cni_snapshot cni_snapshot_begin(int32_t mode, void *bytes, cni_memory *memory)
 	return s;
 }
 
-/* Bytes that the mode only counts. */
+/* Advances the cursor. */
 static void pass(cni_snapshot *s, uint64_t bytes)
 {
 	if (s->mode != CNI_SNAPSHOT_MEASURE)
@@ -62,7 +62,6 @@ void cni_snapshot_array(cni_snapshot *s, cni_array *array)
 		array->count = count;
 }
 
-/* Page by page. */
 static void items_clear(cni_table *table, int32_t begin, int32_t end)
 {
 	for (; begin < end; ++begin)
@@ -89,7 +88,7 @@ void cni_snapshot_table(cni_snapshot *s, cni_table *table, int32_t used)
 
 /* ---- pieces ---- */
 
-/* Bytes of a chunk that have been carved: behind the tail's begin there is nothing. */
+/* Carved bytes of a chunk: the part before the tail, or all. */
 static uint64_t chunk_used(const cni_blocks *blocks, int32_t slot)
 {
 	if (blocks->chunks[slot] == NULL)
@@ -99,13 +98,13 @@ static uint64_t chunk_used(const cni_blocks *blocks, int32_t slot)
 	return blocks->chunk_bytes[slot];
 }
 
-/* A chunk's size, 0: none. */
+/* Bytes of a chunk, 0: there is none. */
 static uint64_t chunk_size(const cni_blocks *blocks, int32_t slot)
 {
 	return slot < blocks->chunk_count && blocks->chunks[slot] != NULL ? blocks->chunk_bytes[slot] : 0;
 }
 
-/* Room for the chunks whose sizes follow in the bytes. */
+/* Reserves chunks of the sizes that follow in the bytes. */
 static void chunks_reserve(cni_snapshot *s, cni_blocks *blocks, int32_t count)
 {
 	int32_t k, same = count == blocks->chunk_count;
@@ -126,7 +125,7 @@ static void chunks_reserve(cni_snapshot *s, cni_blocks *blocks, int32_t count)
 	}
 }
 
-/* What lists of free pieces and chunks need beside the chunks themselves. */
+/* The state of the block allocator except its chunks. */
 static void blocks_state(cni_snapshot *s, cni_blocks *blocks)
 {
 	cni_snapshot_state(s, blocks->free_head, sizeof blocks->free_head);
@@ -139,7 +138,7 @@ static void blocks_state(cni_snapshot *s, cni_blocks *blocks)
 	cni_snapshot_state(s, &blocks->bytes_large, sizeof blocks->bytes_large);
 }
 
-/* Each chunk's size and how much of it follows; of a free index 0 and the next such index. */
+/* Passes a chunk's size and the number of its bytes that follow; for a free index 0 and the next free index. */
 static void chunk_pass(cni_snapshot *s, cni_blocks *blocks, int32_t slot, uint64_t *used)
 {
 	uint64_t entry[2] = { 0, 0 };

@@ -1,15 +1,14 @@
 /*
- * base/snapshot.h - persistent state into one piece of memory and back. One walk over the state does all of it: owners pass
- * what they own to the functions below, in a fixed order, and the mode says what becomes of it.
+ * base/snapshot.h - copies persistent state into one piece of memory and back. One traversal serves all modes: owners pass
+ * their state to the functions below in a fixed order, and the mode selects the operation.
  *
  *   MEASURE  counts bytes
  *   SAVE     state -> bytes
- *   RESERVE  makes the room that the state in the bytes needs; the state stays as it is. May fail
+ *   RESERVE  reserves the memory for the state in the bytes and does not change the present state. May fail
  *   LOAD     bytes -> state; cannot fail after RESERVE
- *   ABANDON  gives back what a RESERVE that failed has set aside; room in tables and arrays stays
+ *   ABANDON  frees the memory of a failed RESERVE; capacities of tables and arrays stay
  *
- * What is copied depends on the state alone, never on capacities: a state that is loaded and saved again gives the same
- * bytes.
+ * The bytes depend only on the state, never on capacities: loading and saving again gives the same bytes.
  */
 #ifndef CNI_BASE_SNAPSHOT_H
 #define CNI_BASE_SNAPSHOT_H
@@ -21,27 +20,27 @@ enum { CNI_SNAPSHOT_MEASURE, CNI_SNAPSHOT_SAVE, CNI_SNAPSHOT_RESERVE, CNI_SNAPSH
 
 typedef struct cni_snapshot {
 	uint8_t *at;         /* the next byte, NULL in MEASURE; only SAVE writes there */
-	uint64_t bytes;      /* passed so far */
+	uint64_t bytes;      /* number passed so far */
 	cni_memory *memory;
 	int32_t mode;
-	int32_t failed;      /* 1: RESERVE found no memory, and does nothing from then on */
+	int32_t failed;      /* 1: RESERVE found no memory and reserves nothing further */
 } cni_snapshot;
 
 cni_snapshot cni_snapshot_begin(int32_t mode, void *bytes, cni_memory *memory);
 /* Copies state of a fixed size. */
 void cni_snapshot_state(cni_snapshot *s, void *state, uint64_t bytes);
-/* A number of the walk itself: the given one is saved; the one to go on with is returned. */
+/* A number that controls the traversal: SAVE writes it; the other modes except MEASURE return the number in the bytes. */
 int32_t cni_snapshot_number(cni_snapshot *s, int32_t number);
-/* The items that count. */
+/* The items below count. */
 void cni_snapshot_array(cni_snapshot *s, cni_array *array);
-/* Items 0 .. used - 1; used is that of the state that is there now. Items behind those that are loaded are zero. */
+/* Items 0 .. used - 1, where used belongs to the present state. LOAD zeroes the items behind the loaded ones. */
 void cni_snapshot_table(cni_snapshot *s, cni_table *table, int32_t used);
-/* Everything about the pieces. */
+/* The whole block allocator with its pieces. */
 void cni_snapshot_blocks(cni_snapshot *s, cni_blocks *blocks);
 
-/* RESERVE notes that something had no memory. */
+/* Records the result of a reservation; 0: no memory. */
 static inline void cni_snapshot_need(cni_snapshot *s, int32_t good) { s->failed |= !good; }
-/* Is there room to be made? */
+/* 1 when the caller should reserve memory. */
 static inline int32_t cni_snapshot_reserves(const cni_snapshot *s) { return s->mode == CNI_SNAPSHOT_RESERVE && !s->failed; }
 
 #endif

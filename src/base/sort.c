@@ -1,9 +1,9 @@
 /*
  * base/sort.c - stable sorting of keys; touches only the caller's arrays.
  *
- * Insertion sort first, until it has shifted more than a few items for each one sorted: input that is
- * short or nearly in order (the common case from one step to the next) ends there in one sweep. What
- * insertion has done until then is a stable rearrangement, so the radix sort simply goes on from it.
+ * Insertion sort runs first, until it has shifted more than a few items for each item sorted: it sorts short or nearly
+ * sorted input (the common case from one step to the next) in one pass. An interrupted insertion sort is a stable
+ * rearrangement, so the radix sort can continue from it.
  *
  * Radix: least significant digit first, one byte at a time (Knuth, The Art of Computer Programming 3,
  * 1973, section 5.2.5). Bytes in which no two keys differ are skipped, so that ids and indices cost
@@ -16,7 +16,7 @@
 #define SHORT_COUNT 32
 #define SHIFTS_PER_ITEM 4
 
-/* 1 when sorted, 0 when more shifts than the budget were needed. */
+/* 1 when sorted, 0 when the budget of shifts was exceeded. */
 static int32_t keys_insert(uint64_t *keys, int32_t count, int64_t budget)
 {
 	int32_t i, j;
@@ -53,7 +53,7 @@ static int32_t key_digit(uint64_t key, int32_t shift)
 	return (int32_t)(key >> shift & 255u);
 }
 
-/* first[d] = where the first key with digit d goes. */
+/* first[d] = destination of the first key with digit d. */
 static void digits_locate(const uint64_t *keys, int32_t count, int32_t shift, int32_t first[256])
 {
 	int32_t sum = 0;
@@ -95,7 +95,7 @@ void cni_sort_keys(uint64_t *keys, uint64_t *scratch, int32_t count)
 		memcpy(keys, from, (size_t)count * sizeof *keys);
 }
 
-/* IEEE bits of positive floats already rise with the float; negative ones fall, so they are inverted. */
+/* The IEEE bits of positive floats increase with the float; those of negative floats decrease, so they are inverted. */
 uint32_t cni_sort_float_key(float x)
 {
 	float positive_zero = x == 0.0f ? 0.0f : x;

@@ -1,8 +1,8 @@
 /*
  * base/sort.h - stable sorting of 64-bit keys.
- * Insertion for short or nearly sorted input (a budget of shifts), else least-significant-digit radix
- * by bytes, skipping digits that are equal everywhere. No allocation: the caller brings scratch of the
- * same length; without scratch (NULL) a stable in-place insertion sort is used, whatever it costs.
+ * Insertion sort for short or nearly sorted input (within a budget of shifts), else least-significant-digit radix sort by
+ * bytes, which skips bytes that are equal in all keys. No allocation: the caller passes scratch of the same length; without
+ * scratch (NULL) the insertion sort runs to its end, without a budget.
  */
 #ifndef CNI_BASE_SORT_H
 #define CNI_BASE_SORT_H

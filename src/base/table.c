@@ -1,6 +1,6 @@
 /*
- * base/table.c - owns the growth of cni_table (pages that never move) and cni_array (one piece that
- * moves when it grows). Their memory is passed in by the caller, so that neither holds a pointer to it.
+ * base/table.c - owns the growth of cni_table (pages that never move) and cni_array (one piece that moves when it grows).
+ * The caller passes the cni_memory, so that neither stores a pointer to it.
  *
  * Invariant of both: capacity only grows, and a failed reserve leaves every item where it was.
  */
@@ -46,7 +46,7 @@ static int64_t table_pages_for(const cni_table *table, int32_t count)
 	return count > 0 ? ((int64_t)count + page_items - 1) >> table->page_shift : 0;
 }
 
-/* Page pointers come in whole cache lines: memory is given out in those. */
+/* Page pointers fill whole cache lines, the unit of cni_memory. */
 static int64_t table_pointers_rounded(int64_t count)
 {
 	int64_t line = (int64_t)(CNI_MEMORY_ALIGN / sizeof(uint8_t *));
@@ -124,7 +124,7 @@ void cni_array_deinit(cni_array *array, cni_memory *memory)
 	cni_array_init(array, array->item_bytes);
 }
 
-/* By half while small, by an eighth when large, filled up to a whole cache line. */
+/* Grows by half while small, by an eighth when large, rounded up to a whole cache line. */
 static int32_t array_grown_capacity(const cni_array *array, int32_t count)
 {
 	uint64_t item_bytes = (uint64_t)array->item_bytes;
@@ -160,7 +160,7 @@ int32_t cni_array_reserve(cni_array *array, cni_memory *memory, int32_t count)
 	if (count <= array->capacity)
 		return 1;
 	grown = array_grown_capacity(array, count);
-	/* Near the end of memory the room to grow into is given up first. */
+	/* When memory is short, tries again without spare capacity. */
 	return array_move(array, memory, grown) || (grown > count && array_move(array, memory, count));
 }
 

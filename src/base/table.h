@@ -1,13 +1,13 @@
 /*
- * base/table.h - two ways to hold many equal items by index.
+ * base/table.h - two containers of equal items by index.
  *
- * cni_table  pages of a fixed number of items: items never move, growing copies nothing and wastes at
- *            most a page. For records with stable slots.
- * cni_array  one contiguous piece, moved when it grows (by half while small, by an eighth above 2 KiB).
- *            For dense arrays that loops sweep.
+ * cni_table  pages of a fixed number of items: items never move, growth copies no item and wastes at most a page.
+ *            For records with stable slots.
+ * cni_array  one contiguous piece that moves when it grows (by half while small, by an eighth above 2 KiB).
+ *            For dense arrays that loops run over.
  *
- * Both only ever grow; "reserve, then commit" is how callers stay atomic: reserve everything a call
- * needs first, and only then change state.
+ * Both only grow. Callers stay atomic by "reserve, then commit": they first reserve everything a call needs, and only then
+ * change state.
  */
 #ifndef CNI_BASE_TABLE_H
 #define CNI_BASE_TABLE_H
@@ -24,8 +24,7 @@ typedef struct cni_table {
 
 void cni_table_init(cni_table *table, int32_t item_bytes, int32_t page_shift);
 void cni_table_deinit(cni_table *table, cni_memory *memory);
-/* Room for items 0 .. count-1; 0 if there is no memory (what was reserved before stays). New items are
-   zeroed. */
+/* Makes room for items 0 .. count-1; 0 if there is no memory (items reserved before stay). New items are zeroed. */
 int32_t cni_table_reserve(cni_table *table, cni_memory *memory, int32_t count);
 int32_t cni_table_capacity(const cni_table *table);
 uint64_t cni_table_bytes_for(const cni_table *table, int32_t count);
@@ -36,8 +35,8 @@ static inline void *cni_table_at(const cni_table *table, int32_t index)
 	       (size_t)(index & ((1 << table->page_shift) - 1)) * (size_t)table->item_bytes;
 }
 
-/* The same where the sizes of an item and of a page are known when compiling. No index is negative: as unsigned numbers
-   they need no sign extended. */
+/* The same for item and page sizes that are constants. Indices are not negative: as unsigned numbers they need no sign
+   extension. */
 static inline void *cni_table_at_sized(const cni_table *table, int32_t index, size_t item_bytes, int32_t page_shift)
 {
 	CNI_ASSERT(table->page_shift == page_shift);
@@ -46,7 +45,7 @@ static inline void *cni_table_at_sized(const cni_table *table, int32_t index, si
 
 typedef struct cni_array {
 	void *data;        /* 64-byte aligned */
-	int32_t count;     /* the owner's: reserve only preserves items below count */
+	int32_t count;     /* set by the owner: reserve preserves only items below count */
 	int32_t capacity;
 	int32_t item_bytes;
 	int32_t reserved;
@@ -54,9 +53,9 @@ typedef struct cni_array {
 
 void cni_array_init(cni_array *array, int32_t item_bytes);
 void cni_array_deinit(cni_array *array, cni_memory *memory);
-/* Room for count items in all; 0 if there is no memory, nothing changes then. New room is not cleared. */
+/* Makes room for count items in total; 0 if there is no memory, and nothing changes. New items are not cleared. */
 int32_t cni_array_reserve(cni_array *array, cni_memory *memory, int32_t count);
-/* Exactly count, for capacities that are known beforehand. */
+/* The same without spare capacity, for counts that are known beforehand. */
 int32_t cni_array_reserve_exact(cni_array *array, cni_memory *memory, int32_t count);
 
 #endif

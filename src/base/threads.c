@@ -1,24 +1,23 @@
 /*
- * base/threads.c - teams: how a loop's chunks are given out, how workers wait, threads of POSIX and Win32.
+ * base/threads.c - teams: distribution of a loop's chunks, waiting of workers, threads of POSIX and Win32.
  *
- * Every worker has a seat, in cache lines of its own, with one word that says how many chunks of the seat's run are
- * left to take, and what they are. Whoever leads writes the seats, the words last; a worker that sees its word rise
- * takes chunks from it, one by one, then from the other seats, adds how many it did to `done`, and watches its word
- * again. The leader does the same, then waits until `done` and its own are all. So what stands in a seat is read only by
- * one who has taken a chunk of it, and does not change before that chunk is done:
+ * Every worker has a seat in its own cache lines: the loop, the worker's run, and a word with the number of chunks of the run
+ * that are left. The leader writes the seats, the words last. A worker that sees a nonzero word takes chunks from its seat
+ * one by one, then from the other seats, adds their number to `done`, and watches its word again. The leader takes chunks in
+ * the same way, then waits until `done` plus its own chunks are all. So a worker reads a seat only after it has taken a
+ * chunk of it, and the seat does not change before that chunk is done:
  *
  *   leader   seats, words --release-->        take, run ...  wait for done ... next loop
  *   worker                --acquire--> take, run ...  done --release-->
  *
- * Nobody is waited for who has not taken a chunk: workers that are asleep, late, or never come cost nothing.
+ * The leader waits only for workers that have taken a chunk: workers that sleep, are late, or never come cost nothing.
  *
- * A worker that has watched its word for some microseconds in vain marks it ASLEEP and waits on a condition variable. The mark
- * is in the word itself, so that who next writes the word cannot miss it. While the team is held it watches on, and offers its
- * core to others now and then.
+ * A worker that has watched its word for some microseconds without work marks it ASLEEP and waits on a condition variable.
+ * The mark is in the word itself, so that the next writer of the word cannot miss it. In a held team the worker keeps
+ * watching and yields its core now and then.
  *
- * With the user's task system the first who arrives leads, whether that is the caller or one of the tasks, and the
- * rest help until the seats are CLOSED. So it does not matter whether tasks run at once within enqueue, in any order,
- * one after the other in finish, or side by side.
+ * With the user's task system the first thread to arrive leads, be it the caller or a task, and the others help until the
+ * seats are CLOSED. So tasks may run at once within enqueue, in any order, one after the other in finish, or in parallel.
  */
 #if !defined(_WIN32)
 #define _POSIX_C_SOURCE 200809L
@@ -51,7 +50,7 @@
 #define HELD_ROUNDS 200        /* ... of a team that is held, each after as many rounds: some milliseconds */
 #define LINE_BYTES 128         /* processors fetch cache lines of 64 bytes in pairs */
 
-/* ---- threads of the system ---- */
+/* ---- system threads ---- */
 
 #if CNI_HAS_THREADS && defined(_WIN32)
 typedef struct thread_gate {
@@ -106,7 +105,7 @@ static void gate_deinit(thread_gate *gate) { (void)gate; }
 static void thread_yield(void) {}
 #endif
 
-/* A core that spins leaves its pipeline to its twin. */
+/* Leaves the core's execution units to its other hardware thread while spinning. */
 static void thread_pause(void)
 {
 #if defined(__GNUC__) && (defined(__x86_64__) || defined(__i386__))
@@ -129,13 +128,13 @@ typedef struct loop {
 } loop;
 
 typedef struct seat {
-	loop of;            /* a copy beside the word: one cache line to fetch */
-	int32_t chunk_end;  /* of its run */
-	uint32_t word;      /* chunks left of its run, or flags */
+	loop of;            /* a copy beside the word, so that one cache line holds both */
+	int32_t chunk_end;  /* of the worker's run */
+	uint32_t word;      /* chunks left of the run, or flags */
 	uint8_t rest[LINE_BYTES - sizeof(loop) - 8];
 } seat;
 
-/* A thread of one's own and what it is told. */
+/* One of the team's own threads and its argument. */
 typedef struct thread {
 	cni_team *team;
 	thread_id id;
@@ -143,22 +142,22 @@ typedef struct thread {
 } thread;
 
 struct cni_team {
-	int32_t open;       /* somebody leads: loops are shared. Threads of one's own: always */
+	int32_t open;       /* 1: a leader is active and loops are shared; with own threads always 1 */
 	int32_t worker_count;
-	cn_enqueue_fn *enqueue; /* NULL: threads of its own */
+	cn_enqueue_fn *enqueue; /* NULL: own threads */
 	cn_finish_fn *finish;
 	void *user;
 	cni_lead_fn *lead;
 	void *lead_context;
 	uint32_t held;      /* 1: cni_team_hold */
-	uint8_t apart[LINE_BYTES];
-	uint32_t done;      /* chunks that others than the leader have run */
-	uint8_t done_rest[LINE_BYTES - 4];
-	uint32_t arrived;   /* workers that have come since the user's tasks were enqueued */
-	uint8_t arrived_rest[LINE_BYTES - 4];
+	uint8_t padding[LINE_BYTES];
+	uint32_t done;      /* chunks that workers other than the leader have run */
+	uint8_t done_padding[LINE_BYTES - 4];
+	uint32_t arrived;   /* workers that have arrived since the user's tasks were enqueued */
+	uint8_t arrived_padding[LINE_BYTES - 4];
 	thread_gate gate;
-	seat *seats;        /* one a worker */
-	thread *threads;    /* of its own, those of workers 1 and up */
+	seat *seats;        /* one per worker */
+	thread *threads;    /* own threads, of workers 1 and up */
 	int32_t thread_count;
 	int32_t reserved;
 };
@@ -170,7 +169,7 @@ static int32_t chunk_begin(const loop *of, int32_t chunk)
 	return (int32_t)((int64_t)of->item_count * chunk / of->chunk_count);
 }
 
-/* Runs what is left of a seat's run; returns how many chunks that was. */
+/* Takes and runs chunks of a seat until none is left; returns their number. */
 static uint32_t run_take(seat *s, int32_t worker)
 {
 	uint32_t left = cni_atomic_load(&s->word), count = 0;
@@ -185,7 +184,7 @@ static uint32_t run_take(seat *s, int32_t worker)
 	return count;
 }
 
-/* The same with the other seats, nearest first. */
+/* The same for the other seats, in ascending order from the worker's own. */
 static uint32_t others_take(cni_team *team, int32_t worker)
 {
 	uint32_t count = 0;
@@ -221,7 +220,7 @@ static void seat_sleep(cni_team *team, seat *s) { (void)team, (void)s; }
 static void wake_all(cni_team *team) { (void)team; }
 #endif
 
-/* For some microseconds. Returns the seat's word. */
+/* Spins for some microseconds while the seat's word is 0. Returns the word. */
 static uint32_t seat_spin(const seat *s)
 {
 	int32_t round;
@@ -234,7 +233,7 @@ static uint32_t seat_spin(const seat *s)
 	return 0;
 }
 
-/* What the seat's word rises to. */
+/* Waits until the seat's word is not 0; returns it. */
 static uint32_t seat_watch(cni_team *team, seat *s)
 {
 	int32_t round;
@@ -257,7 +256,8 @@ static void done_add(cni_team *team, uint32_t count)
 		cni_atomic_add(&team->done, count);
 }
 
-/* Says that its own run is done before it looks at others': the leader may be waiting for just that. */
+/* A worker's main loop. It reports its own run as done before it takes chunks of others, because the leader may be waiting
+   for that run. */
 static void help(cni_team *team, int32_t worker)
 {
 	while (!(seat_watch(team, &team->seats[worker]) & CLOSED)) {
@@ -266,7 +266,7 @@ static void help(cni_team *team, int32_t worker)
 	}
 }
 
-/* Gives all seats a word and wakes who sleeps. */
+/* Writes a word to all seats and wakes sleeping workers. */
 static void seats_set(cni_team *team, uint32_t word)
 {
 	uint32_t was = 0;
@@ -279,7 +279,7 @@ static void seats_set(cni_team *team, uint32_t word)
 
 /* ---- loops ---- */
 
-/* The workers' runs of the loop. Those of others first: they may begin. */
+/* Writes the workers' runs of the loop. The leader's seat is last, so that the others can begin. */
 static void seats_fill(cni_team *team, const loop *of, int32_t runs)
 {
 	uint32_t was = 0;
@@ -294,7 +294,7 @@ static void seats_fill(cni_team *team, const loop *of, int32_t runs)
 		wake_all(team);
 }
 
-/* The leader's part of a loop. Who has done all in time is not disturbed. */
+/* The leader's part of a loop. It reads other seats only if `done` shows that chunks are left. */
 static void chunks_finish(cni_team *team, uint32_t count)
 {
 	int32_t round;
@@ -391,7 +391,7 @@ static void team_join(cni_team *team)
 
 static void join_task(int32_t begin, int32_t end, void *context)
 {
-	(void)begin, (void)end; /* one worker, however many places are offered to it */
+	(void)begin, (void)end; /* one worker, whatever the range */
 	team_join((cni_team *)context);
 }
 
@@ -417,7 +417,7 @@ void cni_team_run(cni_team *team, cni_lead_fn *lead, void *context)
 		team->finish(task, team->user);
 }
 
-/* ---- threads of its own ---- */
+/* ---- own threads ---- */
 
 #if CNI_HAS_THREADS && defined(_WIN32)
 static DWORD WINAPI thread_main(void *told)
@@ -446,7 +446,7 @@ static void *thread_main(void *told)
 	return NULL;
 }
 
-/* Signals are the user's threads' business: this one takes none. */
+/* Starts the thread with all signals blocked, so that the user's threads handle them. */
 static int32_t thread_start(thread *t)
 {
 	sigset_t all, before;
@@ -483,7 +483,7 @@ static void threads_end(cni_team *team)
 		thread_end(&team->threads[--team->thread_count]);
 }
 
-/* ---- life ---- */
+/* ---- creation and destruction ---- */
 
 static uint64_t seats_offset(void) { return (sizeof(cni_team) + LINE_BYTES - 1u) / LINE_BYTES * LINE_BYTES; }
 

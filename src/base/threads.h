@@ -1,28 +1,28 @@
 /*
- * base/threads.h - a team of workers that share loops, and the few atomic words this takes.
+ * base/threads.h - a team of workers that share loops, and the atomic words that it needs.
  *
- * A loop over items that do not depend on each other is cut into contiguous chunks, and every worker has a run of
- * them that is its own, the same one in every loop of so many items: what it touched last time is in its cache. Who
- * has finished takes what is left of the others' runs, so a worker whose core is busy elsewhere delays nobody but for
- * the chunk it is in. Which worker runs which chunk is left to chance; a loop's results must not depend on it.
+ * A loop over independent items is split into contiguous chunks. Every worker owns a run of consecutive chunks, the same run
+ * in every loop of as many items, so that its items are in its cache. A worker that has finished its run takes chunks from
+ * other runs, so a worker whose core is busy elsewhere delays the loop only by its present chunk. The assignment of chunks
+ * to workers depends on timing; a loop's results must not depend on it.
  *
- * A team has threads of its own, or borrows some of the user's task system for as long as cni_team_run or a single
- * loop lasts. Workers are numbered 0 (who leads) to cni_team_workers - 1, never two at once with one number.
- * A team of NULL is one worker, the calling thread; with CN_NO_THREADS there is no other.
+ * A team has its own threads, or borrows threads of the user's task system for the duration of cni_team_run or a single
+ * loop. Workers are numbered 0 (the leader) to cni_team_workers - 1; no two have the same number at once.
+ * A team of NULL is one worker, the calling thread; with CN_NO_THREADS all teams are NULL.
  */
 #ifndef CNI_BASE_THREADS_H
 #define CNI_BASE_THREADS_H
 
 #include "base/memory.h"
 
-/* Are there teams at all? */
+/* 1 when this build has teams. */
 #if defined(CN_NO_THREADS) || !(defined(__GNUC__) || defined(_MSC_VER))
 #define CNI_HAS_TEAMS 0
 #else
 #define CNI_HAS_TEAMS 1
 #endif
 
-/* Threads that the library starts itself, and that sleep when there is nothing to do. */
+/* 1 when the library can start its own threads; these sleep when there is no work. */
 #if CNI_HAS_TEAMS && (defined(_WIN32) || defined(__unix__) || defined(__APPLE__)) && (!defined(__EMSCRIPTEN__) || defined(__EMSCRIPTEN_PTHREADS__))
 #define CNI_HAS_THREADS 1
 #else
@@ -31,39 +31,40 @@
 
 typedef struct cni_team cni_team;
 
-/* Items begin to end - 1 of a loop, by the worker of that number. */
+/* Runs items begin to end - 1 of a loop as the given worker. */
 typedef void cni_range_fn(void *context, int32_t begin, int32_t end, int32_t worker);
 typedef void cni_lead_fn(void *context);
 
-/* 2 to CN_WORKERS_MAX workers, the calling thread one of them. enqueue and finish NULL: threads of its own. NULL: no
-   memory, or no threads; nothing is left then. */
+/* 2 to CN_WORKERS_MAX workers including the calling thread. enqueue and finish NULL: the team starts its own threads.
+   Returns NULL, with everything released, when there is no memory or no thread. */
 cni_team *cni_team_create(cni_memory *memory, int32_t workers, cn_enqueue_fn *enqueue, cn_finish_fn *finish, void *user);
-/* Ends its threads. NULL is allowed. No loop may run. */
+/* Ends the team's threads. NULL is allowed. No loop may run. */
 void cni_team_destroy(cni_team *team, cni_memory *memory);
 int32_t cni_team_workers(const cni_team *team);
-/* Can this library give a world so many workers? */
+/* 1 when this build can give a world this number of workers. */
 static inline int32_t cni_team_possible(int32_t workers, cn_enqueue_fn *enqueue)
 {
 	return workers > 1 && CNI_HAS_TEAMS && (CNI_HAS_THREADS || enqueue != NULL);
 }
-/* How much memory a team takes; its threads' stacks are the system's. */
+/* Bytes of a team, without its threads' stacks, which the system allocates. */
 uint64_t cni_team_bytes(int32_t workers);
 
-/* Calls fn for ranges that cover 0 to item_count - 1, each item once, none shorter than min_range but where item_count
-   is. Returns when all are done. A loop of less than two such ranges is one call in this thread. Not from within fn. */
+/* Calls fn for ranges that cover 0 to item_count - 1, each item once, none shorter than min_range unless item_count is.
+   Returns when all are done. A loop of less than two such ranges is one call in this thread. Must not be called by fn. */
 void cni_team_for(cni_team *team, int32_t item_count, int32_t min_range, cni_range_fn *fn, void *context);
-/* Calls lead once, with the team awake and waiting for the loops in it. With the user's task system lead may run in
-   one of its threads. */
+/* Calls lead once, with the team awake and waiting for lead's loops. With the user's task system, lead may run in one of the
+   system's threads. */
 void cni_team_run(cni_team *team, cni_lead_fn *lead, void *context);
 
-/* on 1: the team's own threads wake, and watch for loops without sleeping until it is 0 again, or nothing has come for some
-   milliseconds: for when a thread does other things between loops that take less time than to wake somebody. A team of the user's
-   task system is not held. */
+/* on 1: wakes the team's own threads, which then wait for loops without sleeping, until on 0 or some milliseconds without a
+   loop. For serial work between loops that takes less time than waking a thread. No effect on a team of the user's task
+   system. */
 void cni_team_hold(cni_team *team, int32_t on);
 
-/* ---- atomic words: loads acquire, stores release, the rest does both ---- */
+/* ---- atomic words: loads acquire, stores release, the others do both ---- */
 
-/* For a build that helgrind looks at, which takes atomic words for races and does not see what they order. Elsewhere nothing. */
+/* Annotations for helgrind, which reports atomic words as races and does not see the order they establish. Empty in other
+   builds. */
 #if defined(CNI_HELGRIND)
 #include <valgrind/helgrind.h>
 #define CNI_WORD_IS_SHARED(word) VALGRIND_HG_DISABLE_CHECKING(word, sizeof *(word))
@@ -97,7 +98,7 @@ static inline uint32_t cni_atomic_exchange(uint32_t *word, uint32_t value)
 	CNI_WORD_RECEIVES(word);
 	return was;
 }
-/* Returns what it was before. */
+/* Returns the previous value. */
 static inline uint32_t cni_atomic_add(uint32_t *word, uint32_t value)
 {
 	uint32_t was;
@@ -106,7 +107,8 @@ static inline uint32_t cni_atomic_add(uint32_t *word, uint32_t value)
 	CNI_WORD_RECEIVES(word);
 	return was;
 }
-/* If it is *expected it becomes value: 1. Else *expected becomes what it is: 0. */
+/* Compare and exchange: if the word equals *expected, writes value and returns 1, else writes the word to *expected and
+   returns 0. */
 static inline int32_t cni_atomic_replace(uint32_t *word, uint32_t *expected, uint32_t value)
 {
 	int32_t done;
@@ -115,7 +117,8 @@ static inline int32_t cni_atomic_replace(uint32_t *word, uint32_t *expected, uin
 	CNI_WORD_RECEIVES(word);
 	return done;
 }
-/* Of a word that several workers may set to the same value: cost what plain ones do, and say nothing of other memory. */
+/* Relaxed load and store, for a word that several workers may set to the same value: as cheap as plain ones, without any
+   order with other memory. */
 static inline uint32_t cni_atomic_peek(const uint32_t *word)
 {
 	CNI_WORD_IS_SHARED(word);

@@ -46,7 +46,7 @@ typedef float cni_wide4 __attribute__((vector_size(16)));
 typedef float cni_wide4_loose __attribute__((vector_size(16), aligned(4), may_alias));
 
 CNI_INLINE cni_wide cni_wide_load(const float *p) { return *(const cni_wide *)(const void *)p; }
-/* From anywhere: not aligned to a vector. */
+/* Unaligned load. */
 CNI_INLINE cni_wide cni_wide_load_loose(const float *p) { return *(const cni_wide_loose *)(const void *)p; }
 CNI_INLINE void cni_wide_store(float *p, cni_wide a) { *(cni_wide *)(void *)p = a; }
 CNI_INLINE cni_wide cni_wide_of(float x) { return x - (cni_wide){ 0 }; }
@@ -54,7 +54,7 @@ CNI_INLINE cni_wide cni_wide_select(cni_mask mask, cni_wide a, cni_wide b)
 {
 	return (cni_wide)((mask & (cni_mask)a) | (~mask & (cni_mask)b));
 }
-/* The second operand where the first is not greater (less): the instruction's own rule on x86. */
+/* Returns the second operand where the first is not greater (less), as the x86 instruction does. */
 CNI_INLINE cni_wide cni_wide_max(cni_wide a, cni_wide b)
 {
 #if CNI_WIDTH == 4 && defined(__SSE2__)
@@ -121,7 +121,7 @@ CNI_INLINE cni_mask cni_mask_of_zero(const int32_t *p) { return *(const cni_mask
 /* Clears the sign bit. */
 CNI_INLINE cni_wide cni_wide_abs(cni_wide a) { return cni_wide_max(a, -a); }
 
-/* With the bits of cni_sincos, for angles of up to CNI_NEAR_RAD. */
+/* Same bits as cni_sincos, for |angle| <= CNI_NEAR_RAD. */
 CNI_INLINE void cni_wide_sincos_near(cni_wide angle, cni_wide *c, cni_wide *s)
 {
 	cni_mask tiny = cni_wide_abs(angle) <= cni_wide_of(CNI_TINY_RAD);
@@ -208,7 +208,8 @@ CNI_INLINE cni_wide4 cni_wide4_at(const float *base, int32_t stride, int32_t ind
 
 #if CNI_WIDTH == 8
 
-/* Two rows of four side by side: of lanes l and l + 4. The second one straight from memory, which gcc does not do by itself. */
+/* Joins two rows of four: those of lanes l and l + 4. The instruction can take the second one from memory; gcc does not
+   choose it by itself. */
 CNI_INLINE cni_wide cni_wide_pair(cni_wide4 low, cni_wide4 high)
 {
 #if defined(__AVX__)
@@ -218,7 +219,7 @@ CNI_INLINE cni_wide cni_wide_pair(cni_wide4 low, cni_wide4 high)
 #endif
 }
 
-/* Lanes 4 to 7, straight to memory. */
+/* Lanes 4 to 7. The instruction can write them to memory. */
 CNI_INLINE cni_wide4 cni_wide_high(cni_wide a)
 {
 #if defined(__AVX__)
@@ -268,7 +269,7 @@ CNI_INLINE void cni_wide_gather4(const float *base, int32_t stride, const int32_
 	cni_wide_columns(r, a, b, c, d);
 }
 
-/* The same from records anywhere: floats offset .. offset + 3 of each. */
+/* The same from records at any address: floats offset .. offset + 3 of each. */
 CNI_INLINE void cni_wide_gather4_from(const float *const *records, int32_t offset, cni_wide *a, cni_wide *b, cni_wide *c, cni_wide *d)
 {
 	cni_wide4 r[CNI_WIDTH];
@@ -309,7 +310,7 @@ CNI_INLINE void cni_wide_scatter4(float *base, int32_t stride, const int32_t *in
 		*(cni_wide4 *)(void *)(base + (size_t)index[l] * (size_t)stride) = r[l];
 }
 
-/* The same to records anywhere: floats offset .. offset + 3 of each. */
+/* The same to records at any address: floats offset .. offset + 3 of each. */
 CNI_INLINE void cni_wide_scatter4_to(float *const *records, int32_t offset, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {
 	cni_wide4 r[CNI_WIDTH];
@@ -319,7 +320,7 @@ CNI_INLINE void cni_wide_scatter4_to(float *const *records, int32_t offset, cni_
 		*(cni_wide4_loose *)(void *)(records[l] + offset) = r[l];
 }
 
-/* Two floats to two records. */
+/* Writes floats 0 and 1 of a to the first record, floats 2 and 3 to the second. */
 CNI_INLINE void cni_wide_pair_to(float *first, float *second, cni_wide4 a)
 {
 #if defined(__SSE2__)
@@ -333,7 +334,7 @@ CNI_INLINE void cni_wide_pair_to(float *first, float *second, cni_wide4 a)
 #endif
 }
 
-/* Floats offset and offset + 1 of each. */
+/* Writes floats offset and offset + 1 of each record. */
 CNI_INLINE void cni_wide_scatter2_to(float *const *records, int32_t offset, cni_wide a, cni_wide b)
 {
 #if CNI_WIDTH == 4
@@ -348,7 +349,7 @@ CNI_INLINE void cni_wide_scatter2_to(float *const *records, int32_t offset, cni_
 #endif
 }
 
-/* The same in the given lanes, as bits: the other records are not written. */
+/* As cni_wide_scatter4, only for the lanes whose bits are set; the other records are not written. */
 CNI_INLINE void cni_wide_scatter4_where(float *base, int32_t stride, const int32_t *index, uint32_t lanes, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {
 	cni_wide4 r[CNI_WIDTH];

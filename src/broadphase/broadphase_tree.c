@@ -1,14 +1,12 @@
 /*
- * broadphase/broadphase_tree.c - the tree broadphase behind broadphase/broadphase.h: one dynamic tree (broadphase/tree.h)
- * of the proxies' fat boxes.
+ * broadphase/broadphase_tree.c - the tree broadphase behind broadphase/broadphase.h: one dynamic AABB tree
+ * (broadphase/tree.h) of the proxies' fat boxes.
  *
- * Stage 2 of the step. Reads proxies; writes their fat and old boxes and flags, and its tree. Invariants:
- * what hangs in the tree is the proxy's fat box; a proxy that is not moved has old = fat and no MOVED
- * mark in the tree.
+ * Stage 2 of the step. Reads proxies; writes their old boxes and flags, and its tree. Invariants: the tree holds the fat
+ * box of every proxy; a proxy that is not moved has old = fat and no MOVED mark in the tree.
  *
- * Static and dynamic proxies share the tree: its marks keep what did not move out of the search for pairs,
- * which is all that a tree of their own would save. All room is taken by reserve, so that no proxy ever
- * waits for memory.
+ * Static and dynamic proxies share the tree: its marks keep unmoved proxies out of the pair search, which is all that a
+ * separate static tree would save. reserve takes all memory, so that no proxy ever waits for it.
  */
 #include "broadphase/tree.h"
 #include "broadphase/pair_list.h"
@@ -24,9 +22,9 @@ static inline tree_broadphase *tree_of(cni_broadphase *broadphase) { return (tre
 static inline const tree_broadphase *const_tree_of(const cni_broadphase *broadphase) { return (const tree_broadphase *)(const void *)broadphase; }
 static inline cni_proxy *proxy_at(const tree_broadphase *b, int32_t id) { return (cni_proxy *)cni_table_at(b->context.proxies, id); }
 
-/* ---- life ---- */
+/* ---- memory ---- */
 
-/* The proxy table grows by pages: what is reserved for a number of proxies is so for whole pages. */
+/* The proxy table grows by pages of 64, so reservations are rounded up to whole pages. */
 static int32_t whole_pages(int32_t proxies) { return proxies < INT32_MAX - 63 ? (proxies + 63) & ~63 : proxies; }
 
 static int32_t tree_reserve(cni_broadphase *broadphase, int32_t extra)
@@ -128,7 +126,7 @@ static void pair_found(void *context, int32_t id_a, int32_t id_b)
 	cni_pairs_add(pass->out, pass->broadphase->context.memory, id_a, id_b, a->flags & CNI_PROXY_MOVED ? a : b);
 }
 
-/* What is now becomes what was. */
+/* The present box becomes the old box. */
 static void proxy_finish(void *context, int32_t id)
 {
 	cni_proxy *proxy = proxy_at((const tree_broadphase *)context, id);
@@ -136,8 +134,8 @@ static void proxy_finish(void *context, int32_t id)
 	proxy->flags &= ~(uint32_t)CNI_PROXY_MOVED;
 }
 
-/* Proxies that lost a pair look again; rare enough to search them all. */
-static void look_again(tree_broadphase *b)
+/* Marks proxies that lost a pair as moved, with an empty old box. Rare, so a scan over all proxies is acceptable. */
+static void retry_lost(tree_broadphase *b)
 {
 	int32_t id;
 	for (id = 0; id < b->tree.places.count; ++id) {
@@ -162,7 +160,7 @@ static void tree_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter, 
 	cni_tree_pairs(&b->tree, pair_found, &pass);
 	cni_tree_unmark_moved(&b->tree, proxy_finish, b);
 	if (out->pairs_lost > 0)
-		look_again(b);
+		retry_lost(b);
 	cni_pairs_sort(out, b->context.arena);
 }
 

@@ -1,6 +1,6 @@
 /*
- * broadphase/pair_list.c - owns how new pairs are listed: appended in any order, sorted at the end, and what
- * happens when there is no room for one (see broadphase/broadphase.h).
+ * broadphase/pair_list.c - owns the list of new pairs: appends in any order, sorts at the end, and counts pairs that
+ * found no memory (see broadphase/broadphase.h).
  */
 #include "broadphase/pair_list.h"
 #include "base/sort.h"
@@ -11,36 +11,36 @@ void cni_pairs_begin(cni_broadphase_pairs *pairs)
 {
 	pairs->list.count = 0;
 	pairs->pairs_lost = 0;
-	pairs->asked = 0;
+	pairs->culled = 0;
 }
 
 void cni_pairs_cull(cni_broadphase_pairs *pairs)
 {
 	cni_pair *list = (cni_pair *)pairs->list.data;
 	int32_t k, count = pairs->list.count;
-	if (pairs->wanted == NULL || pairs->asked)
+	if (pairs->wanted == NULL || pairs->culled)
 		return;
 	pairs->list.count = 0;
 	for (k = 0; k < count; ++k)
 		if (pairs->wanted(pairs->wanted_context, list[k].a, list[k].b))
 			list[pairs->list.count++] = list[k];
-	pairs->asked = 1;
+	pairs->culled = 1;
 }
 
 static int32_t list_is_full(const cni_broadphase_pairs *pairs) { return pairs->list.count == pairs->list.capacity; }
 static int32_t list_grow(cni_broadphase_pairs *pairs, cni_memory *memory) { return cni_array_reserve(&pairs->list, memory, pairs->list.count + 1); }
 
-/* A fixed block has room for pairs that become contacts and should not spend more on others: there the list is culled before it grows. */
-void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, int32_t b, cni_proxy *looks)
+/* A fixed memory block is sized for pairs that become contacts, so there the list is culled before it grows. */
+void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, int32_t b, cni_proxy *moved)
 {
 	cni_pair *pair;
-	if (list_is_full(pairs) && pairs->wanted != NULL && !pairs->asked && (memory->fixed || !list_grow(pairs, memory)))
+	if (list_is_full(pairs) && pairs->wanted != NULL && !pairs->culled && (memory->fixed || !list_grow(pairs, memory)))
 		cni_pairs_cull(pairs);
-	if (pairs->asked && !pairs->wanted(pairs->wanted_context, cni_min_i(a, b), cni_max_i(a, b)))
+	if (pairs->culled && !pairs->wanted(pairs->wanted_context, cni_min_i(a, b), cni_max_i(a, b)))
 		return;
-	/* Once refused, memory is not asked for again. */
+	/* After one failed allocation the update does not try again. */
 	if (list_is_full(pairs) && (pairs->pairs_lost > 0 || !list_grow(pairs, memory))) {
-		looks->flags |= CNI_PROXY_AGAIN;
+		moved->flags |= CNI_PROXY_AGAIN;
 		++pairs->pairs_lost;
 		return;
 	}
@@ -49,7 +49,7 @@ void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, i
 	pair->b = cni_max_i(a, b);
 }
 
-/* By way of 64-bit keys in the same place: a pair is as large as its key. */
+/* Converts pairs to 64-bit keys in place (a pair has the size of its key), sorts the keys, converts back. */
 void cni_pairs_sort(cni_broadphase_pairs *pairs, cni_arena *arena)
 {
 	cni_array *list = &pairs->list;

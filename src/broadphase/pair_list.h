@@ -1,19 +1,20 @@
 /*
- * broadphase/pair_list.h - the list of new pairs that every broadphase fills: room, losses, order.
+ * broadphase/pair_list.h - the list of new pairs that every broadphase fills: growth, lost pairs, sorting.
  */
 #ifndef CNI_BROADPHASE_PAIR_LIST_H
 #define CNI_BROADPHASE_PAIR_LIST_H
 
 #include "broadphase/broadphase.h"
 
-/* An empty list, of which nothing was asked. */
+/* Empties the list and clears its counters. */
 void cni_pairs_begin(cni_broadphase_pairs *pairs);
-/* Appends the pair. Without memory it is counted as lost, and looks (a moved proxy of it) is flagged to look again. */
-void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, int32_t b, cni_proxy *looks);
-/* By (a, b). */
+/* Appends the pair. Without memory the pair is counted as lost, and `moved` (a moved proxy of the pair) is flagged
+   CNI_PROXY_AGAIN. */
+void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, int32_t b, cni_proxy *moved);
+/* Sorts by (a, b). */
 void cni_pairs_sort(cni_broadphase_pairs *pairs, cni_arena *arena);
 
-/* A box that overlaps nothing, whatever the order of its tests. */
+/* A box that overlaps nothing, also not itself. */
 static inline cni_aabb cni_no_box(void)
 {
 	cni_aabb box;

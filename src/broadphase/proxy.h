@@ -1,8 +1,8 @@
 /*
- * broadphase/proxy.h - the boxes that the broadphase works on: one a shape, one an edge of a chain.
+ * broadphase/proxy.h - proxies, the boxes that the broadphase works on: one per shape, or one per edge of a chain.
  *
- * The table is shared by all broadphases; what each keeps beside it is its own. A proxy's fat box
- * contains its shape's tight box with a margin and changes only when the shape leaves it.
+ * All broadphases share this table. A proxy's fat box contains its shape's tight box plus a margin and changes only
+ * when the shape leaves it.
  */
 #ifndef CNI_BROADPHASE_PROXY_H
 #define CNI_BROADPHASE_PROXY_H
@@ -13,22 +13,22 @@
 
 enum {
 	CNI_PROXY_MOVED = 1u << 0,  /* the fat box changed (or the proxy was made) since the last update */
-	CNI_PROXY_STATIC = 1u << 1, /* never pairs with another static one */
+	CNI_PROXY_STATIC = 1u << 1, /* never pairs with another static proxy */
 	CNI_PROXY_ALIVE = 1u << 2,
-	CNI_PROXY_AGAIN = 1u << 3,  /* within update only: a pair of it was lost, it looks again */
+	CNI_PROXY_AGAIN = 1u << 3,  /* within update only: a pair of this proxy was lost, its pairs are searched again */
 	CNI_PROXY_CHILD_SHIFT = 4   /* bits 4..31: edge of a chain, else 0 */
 };
 
 typedef struct cni_proxy {
 	cni_aabb fat;     /* now */
-	cni_aabb old;     /* at the last update; empty (x0 > x1) for a new one */
+	cni_aabb old;     /* at the last update; empty (x0 > x1) for a new proxy */
 	int32_t shape;    /* index of the shape */
-	cni_ref geometry; /* the shape's, so that who collides two proxies need not look at shapes */
-	int32_t cell;     /* owned by the broadphase: where it keeps the proxy */
-	uint32_t flags;   /* CNI_PROXY_, and the child */
+	cni_ref geometry; /* of the shape, so that colliding two proxies reads no shape */
+	int32_t cell;     /* owned by the broadphase: the tile that holds the proxy */
+	uint32_t flags;   /* CNI_PROXY_ bits and the child index */
 } cni_proxy;
 
-/* Another fat box; whoever sets one tells the broadphase: see move in broadphase/broadphase.h. */
+/* Sets the fat box. The caller must then call the broadphase's move. */
 static inline void cni_proxy_set_fat(cni_proxy *p, const cni_aabb *fat)
 {
 	p->fat = *fat;

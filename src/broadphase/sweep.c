@@ -3,11 +3,11 @@
  * operations, their bookkeeping and its checks. The picture is in broadphase/sweep.h.
  *
  * Stage 2 of the step. Reads proxies; writes their cell, old box and flags, and its own tiles.
- * Invariants: a proxy that is not moved has old = fat; one that is not loose has its present box in
- * the tile its cell names; one that is in no tile is loose.
+ * Invariants: a proxy that is not moved has old = fat; the tile `cell` of a proxy that is not loose holds its present
+ * box; a proxy in no tile is loose.
  *
- * add, move and touch only set bits, so a step may call them freely; the work is done in bulk by settle,
- * in update or before queries.
+ * add, move and touch only set bits, so they are cheap to call; settle does the work in bulk, in update or before
+ * queries.
  */
 #include "broadphase/sweep.h"
 
@@ -18,7 +18,7 @@
 static inline cni_sweep *sweep_of(cni_broadphase *broadphase) { return (cni_sweep *)(void *)broadphase; }
 static inline const cni_sweep *const_sweep_of(const cni_broadphase *broadphase) { return (const cni_sweep *)(const void *)broadphase; }
 
-/* ---- life ---- */
+/* ---- memory ---- */
 
 static int32_t bits_reserve(cni_sweep *sweep, cni_array *bits, int32_t words)
 {
@@ -105,9 +105,9 @@ static void sweep_add(cni_broadphase *broadphase, int32_t id)
 	sweep->id_end = cni_max_i(sweep->id_end, id + 1);
 	mark_moved(sweep, id);
 	mark(cni_sweep_loose(sweep), id, &sweep->loose_count);
-	/* Queries test loose proxies one by one, so not too many of them may pile up between steps. */
+	/* Queries test loose proxies one by one, so their number between steps is bounded. */
 	if (sweep->loose_count > SETTLE_PENDING + sweep->count / 8)
-		cni_sweep_settle(sweep, NULL); /* not a step: the user's task system is left alone */
+		cni_sweep_settle(sweep, NULL); /* outside a step the user's task system is not used */
 }
 
 static void sweep_remove(cni_broadphase *broadphase, int32_t id)
@@ -143,7 +143,7 @@ static void sweep_touch(cni_broadphase *broadphase, int32_t id)
 
 /* ---- update ---- */
 
-/* Those of which a pair was lost stay moved; their flag is still set. */
+/* Clears the moved set, except for the `lost` proxies that still have their MOVED flag because a pair was lost. */
 static void unmark_moved(cni_sweep *sweep, int32_t lost)
 {
 	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->moved);
@@ -156,7 +156,7 @@ static void unmark_moved(cni_sweep *sweep, int32_t lost)
 	sweep->moved_count = lost;
 }
 
-/* What is now becomes what was, except where a pair was lost. */
+/* The present box becomes the old box, except for proxies that lost a pair: their old box becomes empty. */
 static void finish_moved(cni_sweep *sweep)
 {
 	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->moved);
@@ -216,9 +216,9 @@ static uint64_t sweep_bytes(const cni_broadphase *broadphase)
 
 static int32_t sweep_cells(const cni_broadphase *broadphase) { return const_sweep_of(broadphase)->tile_count; }
 
-/* Each proxy alone in its tile is the worst case: a tile, up to four table slots, the smallest piece of
-   rows and two bits; half as much again for the array of tiles and the table, which are copied when
-   they grow. With less memory proxies stay loose and updates become slow, but nothing is lost. */
+/* Worst case: each proxy is alone in its tile. It takes a tile, up to four table slots, the smallest piece of rows and two
+   bits. The array of tiles and the table are copied when they grow, which takes half as much again. With less memory
+   proxies stay loose and updates become slow, but no proxy is lost. */
 static uint64_t sweep_bytes_needed(int32_t capacity)
 {
 	uint64_t growing = sizeof(cni_sweep_tile) + 4 * sizeof(int32_t);
@@ -287,7 +287,7 @@ static int32_t tiles_hold(const cni_sweep *sweep, int32_t *entries)
 	return tiles == sweep->tile_count && level_entries == *entries;
 }
 
-/* Marks: moved ones have their flag, loose ones may be in no tile. */
+/* Moved proxies have their flag; only loose proxies may be in no tile. */
 static int32_t marks_hold(const cni_sweep *sweep, int32_t entries)
 {
 	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->moved);

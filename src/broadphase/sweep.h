@@ -1,24 +1,24 @@
 /*
- * broadphase/sweep.h - inside of the tiled sweep-and-prune broadphase, shared by its files:
+ * broadphase/sweep.h - private to the files of the tiled sweep-and-prune broadphase:
  *
  *   sweep.c         the operations of broadphase/broadphase.h, validation, memory figures
  *   sweep_tiles.c   levels, the tile table, entries in a tile
  *   sweep_settle.c  brings tiles up to date with the boxes (migrate, sort) and chooses sizes
- *   sweep_pairs.c   finds the pairs that began to overlap: which searches there are, alone or among workers
- *   sweep_search.c  ... one of those (tile with itself, with another, one entry with all); sweep_pass.h
+ *   sweep_pairs.c   finds the pairs that began to overlap: plans the searches, for one thread or several workers
+ *   sweep_search.c  ... a single search (tile with itself, with another, one entry with all); sweep_pass.h
  *   sweep_lanes.h   ... its inner loop, for each vector width
  *   sweep_query.c   region and ray queries through the same tiles
- *   sweep_save.c    all of it into bytes and back
+ *   sweep_save.c    saves and loads the state through a snapshot
  *
- * Boxes are kept by size in levels (S_l = S0 * 4^l: a box goes to the lowest level whose S_l is above
- * its larger side), and within a level in tiles 8 S_l wide and 2 S_l high by their lower corner:
+ * Boxes are sorted by size into levels (S_l = S0 * 4^l: a box goes to the lowest level whose S_l exceeds its larger
+ * side), and within a level by their lower corner into tiles 8 S_l wide and 2 S_l high:
  *
  *        +--------------- 8 S ---------------+ . . .
  *    2 S |   [a]      [b  ]            [ c ] |  ]  .   an entry is in exactly one tile and reaches
  *        |       [ d ]                     [ | e ] .   less than S beyond it
  *        +-----------------------------------+     .
  *
- *   a tile's rows (one piece of a pool of their own), sorted by x0, ties by id:
+ *   a tile's rows (one piece of the pool `rows`), sorted by x0, ties by id:
  *
  *     x0 [ . . . . . inf inf inf ]     capacity is a multiple of 8 (or 2 or 4); x0 is padded with +inf
  *     x1 [ . . . . .             ]     up to a multiple of 8, so that wide loops need no tail
@@ -26,14 +26,13 @@
  *     y1 [ . . . . .             ]
  *     id [ . . . . .             ]
  *
- * The boxes of the last update are not kept in tiles: an unmoved proxy's equal its present one, and
- * for tiles in which many moved update gathers them into scratch rows that die with it. That saves 16
- * bytes a proxy and the copying back.
+ * Tiles do not store the boxes of the last update: an unmoved proxy's old box equals its present box, and for tiles with
+ * many moved entries update gathers the old boxes into scratch rows. That saves 16 bytes per proxy and the copying back.
  *
- * Two sets of proxies, each a bitset by id: `moved` (since the last update: these may have new pairs)
- * and `loose` (since the last settle: the entry in the tile is missing or out of date). Queries skip
- * loose entries in tiles and test the loose ones singly. A proxy for which there is no memory just stays
- * loose and is tried again at every settle: that is the slow list of broadphase/broadphase.h.
+ * Two sets of proxies, each a bitset by id. `moved`: the box changed since the last update, so there may be new pairs.
+ * `loose`: the box changed since the last settle, so the entry in the tile is missing or out of date. Queries skip the
+ * entries of loose proxies in tiles and test the loose proxies one by one. A proxy for which there is no memory stays
+ * loose and is retried at every settle: the loose set is the slow list of broadphase/broadphase.h.
  *
  * Method: sweep and prune after Baraff (1992) and Cohen et al. (I-COLLIDE, 1995), per cell of a
  * hierarchical grid (Mirtich 1996) rather than over the whole world, so that no list is long.
@@ -49,18 +48,18 @@
 #define CNI_SWEEP_FREE 255      /* level of a free tile slot */
 
 typedef struct cni_sweep_tile {
-	int32_t tx, ty;        /* of a free slot: tx is the next free one */
+	int32_t tx, ty;        /* the cell; in a free slot tx is the next free slot */
 	uint8_t level;
-	uint8_t dense;         /* the running pass handles it as a whole */
+	uint8_t dense;         /* 1: the running pass handles the tile as a whole */
 	uint16_t reserved;
 	cni_ref rows;
 	int32_t count;
 	int32_t capacity;
-	float reach;           /* no entry is wider */
+	float reach;           /* upper bound of the width of entries */
 	cni_aabb bounds;       /* contains every entry; tight after a rebuild */
 	int32_t slack;         /* changes since bounds were tight */
-	int32_t touched;       /* proxies in the running pass that change here, else 0 */
-	int32_t previous;      /* dense in update: first float of its scratch rows, CNI_NONE if all entries are new */
+	int32_t touched;       /* in a running pass: number of proxies that change here; else 0 */
+	int32_t previous;      /* of a dense tile in update: first float of its scratch rows, CNI_NONE if all entries are new */
 } cni_sweep_tile;
 
 typedef struct cni_sweep_rows {
@@ -69,12 +68,12 @@ typedef struct cni_sweep_rows {
 } cni_sweep_rows;
 
 typedef struct cni_sweep_level {
-	float size;                     /* S: boxes are smaller */
+	float size;                     /* S, an upper bound of the boxes' larger sides */
 	float per_width, per_height;    /* 1 / (8 S), 1 / (2 S); 0 in the last level */
-	float reach;                    /* no entry has been larger since S was set: about S at most, but for the last level */
+	float reach;                    /* largest entry since S was set: about S at most, except in the last level */
 	int32_t tiles;
 	int32_t entries;
-	int32_t tx0, tx1, ty0, ty1;     /* tiles lie within, while there are any */
+	int32_t tx0, tx1, ty0, ty1;     /* range of the cells of tiles; valid while there are tiles */
 } cni_sweep_level;
 
 typedef struct cni_sweep {
@@ -84,23 +83,23 @@ typedef struct cni_sweep {
 	int32_t tile_count;
 	int32_t *slots;        /* open addressing, (level, tx, ty) -> tile + 1; 0 is empty */
 	int32_t slot_capacity; /* 0 or a power of two */
-	int32_t id_end;        /* ids in use are below */
-	cni_array moved;       /* uint64_t, a bit an id */
-	cni_array loose;       /* uint64_t, a bit an id */
+	int32_t id_end;        /* all ids in use are below */
+	cni_array moved;       /* uint64_t, one bit per id */
+	cni_array loose;       /* uint64_t, one bit per id */
 	int32_t count;         /* proxies */
 	int32_t moved_count;
 	int32_t loose_count;
 	uint32_t level_mask;   /* levels that have tiles */
 	cni_sweep_level levels[CNI_SWEEP_LEVELS];
-	cni_blocks rows;       /* pieces of all tiles: a pool of their own, emptied when sizes change */
-	uint64_t rows_bytes;   /* ... taken from it */
+	cni_blocks rows;       /* pool of the rows of all tiles, emptied when sizes change */
+	uint64_t rows_bytes;   /* ... in use */
 
 	int32_t exponent;      /* S0 = 2^exponent */
-	int32_t boost;         /* powers of two in S0 beyond the size of the boxes, for tiles well filled */
+	int32_t boost;         /* powers of two by which S0 exceeds the size of the boxes, so that tiles are well filled */
 	int32_t tuned_count;   /* proxies when sizes were last chosen, 0 for never */
-	int32_t adds;          /* since then */
-	int32_t settles;       /* since then */
-	int32_t patience;      /* settles to wait before badly filled tiles change S0 */
+	int32_t adds;          /* since sizes were last chosen */
+	int32_t settles;       /* since sizes were last chosen */
+	int32_t patience;      /* settles that must pass before badly filled tiles change S0 */
 } cni_sweep;
 
 /* Cells of a level that a search visits. */
@@ -108,16 +107,16 @@ typedef struct cni_sweep_cells {
 	int32_t tx0, tx1, ty0, ty1;
 } cni_sweep_cells;
 
-/* Walks over all tiles whose entries may overlap a box, by level, row and column. */
+/* Iterates over all tiles whose entries may overlap a box, by level, row and column. */
 typedef struct cni_sweep_cursor {
 	cni_aabb box;
 	cni_sweep_cells cells;
 	int32_t level;
 	int32_t tx, ty;
-	int32_t slot;          /* >= 0: goes through all tile slots, because there are more cells than tiles */
+	int32_t slot;          /* >= 0: iterates over all tile slots instead, because there are more cells than tiles */
 } cni_sweep_cursor;
 
-/* Set bits in order; bits may be cleared behind it. */
+/* Iterates over set bits in ascending order; bits already visited may be cleared meanwhile. */
 typedef struct cni_sweep_walk {
 	const uint64_t *words;
 	uint64_t rest;
@@ -139,7 +138,7 @@ static inline uint64_t *cni_sweep_loose(const cni_sweep *sweep) { return (uint64
 
 static inline cni_team *cni_sweep_team(const cni_sweep *sweep) { return sweep->context.team == NULL ? NULL : *sweep->context.team; }
 
-/* Of things that take so many entries, one after the other, the first that begins at or behind an entry. */
+/* begins: ascending first entries of consecutive jobs. Returns the first job that begins at or after an entry. */
 static inline int32_t cni_sweep_first_at(const int32_t *begins, int32_t count, int32_t entry)
 {
 	int32_t low = 0;
@@ -188,13 +187,13 @@ static inline int32_t cni_sweep_walk_next(cni_sweep_walk *walk)
 	return walk->word * 64 + bit;
 }
 
-/* An old box as the overlap tests want it. */
+/* The old box in the form of the overlap tests: cni_no_box for an empty box. */
 static inline cni_aabb cni_sweep_old(const cni_proxy *proxy)
 {
 	return proxy->old.x0 <= proxy->old.x1 ? proxy->old : cni_no_box();
 }
 
-/* Floor, limited so that cells further out than 2^30 are one; NaN goes to one end. */
+/* Floor, clamped: all cells beyond 2^30 are one cell; NaN goes to one end. */
 static inline int32_t cni_sweep_floor(float x)
 {
 	float limited = x > -1073741824.0f ? (x < 1073741824.0f ? x : 1073741824.0f) : -1073741824.0f;
@@ -202,7 +201,7 @@ static inline int32_t cni_sweep_floor(float x)
 	return whole - ((float)whole > limited);
 }
 
-/* The cell that a lower corner belongs to. Monotone in x and y. */
+/* The cell of a lower corner. Monotone in x and y. */
 static inline int32_t cni_sweep_cell_x(const cni_sweep_level *level, float x) { return cni_sweep_floor(x * level->per_width); }
 static inline int32_t cni_sweep_cell_y(const cni_sweep_level *level, float y) { return cni_sweep_floor(y * level->per_height); }
 
@@ -212,30 +211,32 @@ static inline float cni_sweep_extent(const cni_aabb *box) { return cni_max(box->
 
 /* Sets S0 = 2^exponent; there must be no tiles. */
 void cni_sweep_set_levels(cni_sweep *sweep, int32_t exponent);
-/* The level for a box of this extent; one that is at level now only falls when it is much smaller. */
+/* The level for a box of this extent; a box at level `now` moves to a lower level only when it is much smaller. */
 int32_t cni_sweep_level_for(const cni_sweep *sweep, float extent, int32_t now);
 /* Cells whose entries may overlap the box; 0 when there are none. */
 int32_t cni_sweep_cells_of(const cni_sweep_level *level, const cni_aabb *box, cni_sweep_cells *out);
 /* Tile of a cell, or CNI_NONE. */
 int32_t cni_sweep_tile_find(const cni_sweep *sweep, int32_t level, int32_t tx, int32_t ty);
-/* Same, made if need be; CNI_NONE when there is no memory. Moves the tile array. */
+/* Same, but makes a missing tile; CNI_NONE when there is no memory. May move the tile array. */
 int32_t cni_sweep_tile_make(cni_sweep *sweep, int32_t level, int32_t tx, int32_t ty);
 void cni_sweep_tile_destroy(cni_sweep *sweep, int32_t tile);
-/* Room in the table that finds tiles; 0 when there is no memory. */
+/* Makes room for count tiles in the table from cells to tiles; 0 when there is no memory. */
 int32_t cni_sweep_slots_reserve(cni_sweep *sweep, int32_t count);
-/* Makes that table anew from the tiles. */
+/* Rebuilds that table from the tiles. */
 void cni_sweep_slots_fill(cni_sweep *sweep);
 /* Room for count entries; 0 when there is no memory. */
 int32_t cni_sweep_tile_reserve(cni_sweep *sweep, cni_sweep_tile *tile, int32_t count);
-/* Gives back room that a tile has grown out of. */
+/* Reduces the capacity of a tile that holds far fewer entries. */
 void cni_sweep_tile_shrink(cni_sweep *sweep, cni_sweep_tile *tile);
 /* Recomputes bounds and reach. Returns the largest extent of its entries, which the level must cover. */
 float cni_sweep_tile_measure(const cni_sweep *sweep, cni_sweep_tile *tile);
+/* Raises the level's reach to an entry of this extent. */
 void cni_sweep_level_cover(cni_sweep *sweep, int32_t level, float extent);
+/* Writes +inf to the x0 row behind the last entry, up to a multiple of CNI_SWEEP_LANES. */
 void cni_sweep_tile_pad(const cni_sweep *sweep, cni_sweep_tile *tile);
-/* First entry at or behind (x0, id). */
+/* First entry at or after (x0, id). */
 int32_t cni_sweep_entry_bound(const cni_sweep_rows *rows, int32_t count, float x0, int32_t id);
-/* First entry that begins at x0 or behind. By halves without branches, which would be predicted wrong half of the time. */
+/* First entry that begins at or after x0. Branchless binary search: branches would be mispredicted half of the time. */
 static inline int32_t cni_sweep_entry_from(const float *x0s, int32_t count, float x0)
 {
 	int32_t low = 0, left = count;
@@ -246,14 +247,14 @@ static inline int32_t cni_sweep_entry_from(const float *x0s, int32_t count, floa
 	}
 	return low;
 }
-/* Where a tile keeps a proxy; the proxy must be there. */
+/* Index of a proxy's entry in its tile; the entry must exist. */
 int32_t cni_sweep_entry_find(const cni_sweep *sweep, const cni_sweep_tile *tile, int32_t id);
-/* Sorted in; 0 when there is no memory. */
+/* Inserts in sorted order; 0 when there is no memory. */
 int32_t cni_sweep_entry_insert(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id, const cni_aabb *box);
-/* Behind the last, unsorted and without padding, for a rebuild that follows; 0 when there is no memory. */
+/* Appends the id alone, unsorted and without padding, for a rebuild that follows; 0 when there is no memory. */
 int32_t cni_sweep_entry_append(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id);
 void cni_sweep_entry_remove(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry);
-/* Gives an entry another box, which shifts it to its place. */
+/* Gives an entry a new box and moves it to its sorted place. */
 void cni_sweep_entry_shift(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry, const cni_aabb *box);
 
 void cni_sweep_cursor_start(const cni_sweep *sweep, cni_sweep_cursor *cursor, const cni_aabb *box);
@@ -262,13 +263,14 @@ int32_t cni_sweep_cursor_next(const cni_sweep *sweep, cni_sweep_cursor *cursor);
 
 /* ---- settle ---- */
 
-/* Tiles agree with the boxes afterwards, but for proxies that stay loose for want of memory. team: who share it, or NULL. */
+/* Afterwards tiles agree with the boxes, except for proxies that stay loose because memory is short. team: the workers
+   that share the work, or NULL. */
 void cni_sweep_settle(cni_sweep *sweep, cni_team *team);
 
 /* ---- pairs ---- */
 
-/* Appends the new pairs in no particular order; see broadphase/broadphase.h. Nothing may be loose but
-   for want of memory. Pairs that found no room flag one of their moved proxies CNI_PROXY_AGAIN. */
+/* Appends the new pairs in no particular order; see broadphase/broadphase.h. Proxies may be loose only because memory is
+   short. For a pair without room in the list, one of its moved proxies is flagged CNI_PROXY_AGAIN. */
 void cni_sweep_find_pairs(cni_sweep *sweep, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out);
 
 /* Rows of a tile with the boxes of the last update. */
@@ -277,9 +279,9 @@ typedef struct cni_sweep_view {
 	const float *px0, *px1, *py0, *py1;
 	const int32_t *id;
 	int32_t count;
-	int32_t wide;      /* rows are padded to whole groups of lanes */
+	int32_t wide;      /* 1: rows are padded to whole groups of lanes */
 	float reach;
-	int32_t skip_moved;/* its moved entries find their pairs themselves */
+	int32_t skip_moved;/* 1: moved entries are skipped, because their own searches find their pairs */
 } cni_sweep_view;
 
 /* The box that is tested against a tile's entries. */
@@ -291,11 +293,12 @@ typedef struct cni_sweep_probe {
 } cni_sweep_probe;
 
 /*
- * The first group of CNI_SWEEP_LANES entries from *k on with some that overlap the probe now and did not before: those,
- * as bits, and where it is in *k; 0: there are none until entries begin beyond the probe. wanted: bits of the first group.
+ * Finds the first group of CNI_SWEEP_LANES entries from *k on that contains new overlaps with the probe (now, but not at
+ * the last update). Returns them as bits and the group's begin in *k; 0 when entries begin beyond the probe first.
+ * wanted: mask for the first group.
  */
 typedef uint32_t cni_sweep_find_new_fn(const cni_sweep_probe *q, const cni_sweep_view *v, int32_t *k, uint32_t wanted);
-cni_sweep_find_new_fn cni_sweep_find_new;   /* vectors of four, or one by one */
+cni_sweep_find_new_fn cni_sweep_find_new;   /* vectors of four floats, or scalar */
 cni_sweep_find_new_fn cni_sweep_find_new_8; /* AVX2, chosen at run time */
 
 /* ---- queries ---- */
@@ -303,7 +306,7 @@ cni_sweep_find_new_fn cni_sweep_find_new_8; /* AVX2, chosen at run time */
 void cni_sweep_query(const cni_sweep *sweep, const cni_aabb *box, cni_query_fn *visit, void *context);
 void cni_sweep_ray(const cni_sweep *sweep, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context);
 
-/* ---- bytes ---- */
+/* ---- snapshots ---- */
 
 void cni_sweep_snapshot(cni_broadphase *broadphase, cni_snapshot *s);
 

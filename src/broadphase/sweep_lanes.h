@@ -1,7 +1,7 @@
 /*
- * broadphase/sweep_lanes.h - tests of a box against CNI_WIDTH entries at a time, and where CNI_KERNEL is defined the
- * inner loop of finding pairs under that name: sweep_search.c and sweep_lanes_8.c have one each.
- * Comparisons only, so all widths find the same.
+ * broadphase/sweep_lanes.h - tests a box against CNI_WIDTH entries at a time. Where CNI_KERNEL is defined, it also defines
+ * the inner loop of the pair search under that name: once in sweep_search.c, once in sweep_lanes_8.c.
+ * The code only compares, so all widths find the same pairs.
  */
 #include "base/wide.h"
 #include "broadphase/sweep.h"
@@ -15,7 +15,7 @@ CNI_INLINE cni_mask lanes_overlap(const float *x0, const float *x1, const float 
 
 #ifdef CNI_KERNEL
 
-/* New overlaps in the group of entries that begins at k, as bits. What is behind the last entry begins beyond any probe. */
+/* New overlaps in the group of entries that begins at k, as bits. The padding behind the last entry overlaps no probe. */
 CNI_INLINE uint32_t lanes_new(const cni_sweep_probe *q, const cni_sweep_view *v, int32_t k)
 {
 	uint32_t bits = 0;

@@ -1,11 +1,11 @@
 /*
- * broadphase/sweep_lanes_8.c - the inner loop of finding pairs on vectors of eight floats: AVX2, used only where the
- * processor has it.
+ * broadphase/sweep_lanes_8.c - the inner loop of the pair search for vectors of eight floats (AVX2), chosen at run time
+ * where the processor supports it.
  */
 #include "base/cpu.h"
 
 #if CNI_HAS_WIDE_8
-/* Headers with functions of their own come first, so that only this file's code needs AVX2. */
+/* Headers with inline functions come first, so that only this file's code is compiled for AVX2. */
 #include "broadphase/sweep.h"
 #include <immintrin.h>
 #include "base/avx2_begin.h"

@@ -3,24 +3,24 @@
  * update.
  *
  * Reads proxies and settled tiles; writes the pair list and, for the running pass only, the marks
- * `touched`, `dense` and `previous` of tiles. No set of pairs is kept: that a pair existed follows from
- * the boxes of the last update.
+ * `touched`, `dense` and `previous` of tiles. No set of pairs is stored: the boxes of the last update tell whether a pair
+ * existed.
  *
  * A tile is dense when a sixth or more of its entries moved: its old boxes are gathered into scratch
- * rows beside the present ones. Other tiles need none: an unmoved entry's old box is its present one.
+ * rows beside the present ones. Other tiles need none: an unmoved entry's old box equals its present one.
  * Each pair is found exactly once:
  *
- *   both in dense tiles      by a sweep of the tile with itself, or of the two: the finer tile's, or the
- *                            lower numbered of one level
- *   dense tile, unmoved      by a sweep of the dense tile with the other, moved ones there left out
- *   moved in a tile that     by a search of that one entry among all tiles; of two such entries the one
- *   is not dense             with the lower id
- *   loose (no memory)        by a slow search of the loose one
+ *   both in dense tiles      by a sweep of the tile with itself, or of the two tiles; the tile of the finer level sweeps,
+ *                            or of one level the tile with the lower number
+ *   dense tile, unmoved      by a sweep of the dense tile with the other tile, whose moved entries are skipped
+ *   moved in a tile that     by a search of that single entry in all tiles; of two such entries, the search of the
+ *   is not dense             one with the lower id
+ *   loose (no memory)        by a slow search of the loose proxy
  *
- * Of these the first three may be shared among workers, job by job: a dense tile, or an entry that searches for itself. A
- * job has room for its pairs in scratch; they are listed afterwards in the order of the jobs, so that one who works alone
- * lists the same ones in the same order, and where the list finds no memory the same ones are lost. A job that finds more
- * than it has room for is done once more, alone.
+ * Workers may share the first three kinds, job by job: a job is a dense tile or a single entry. Each job writes its pairs
+ * to its own range of scratch; they are added to the list afterwards in the order of the jobs, so that the list and its
+ * order, and the pairs lost when memory runs out, are the same as with one thread. A job that finds more pairs than its
+ * range holds is run again by one thread, into the list.
  */
 #include "broadphase/sweep_pass.h"
 
@@ -33,7 +33,7 @@
 #define SINGLE_ENTRIES 8   /* what one that searches for itself counts for */
 #define PAIRS_AN_ENTRY 4   /* room; a crowd in its first step has fewer */
 
-/* ---- what moved ---- */
+/* ---- moved proxies ---- */
 
 static void count_moved(cni_sweep_pass *pass)
 {
@@ -49,7 +49,7 @@ static void count_moved(cni_sweep_pass *pass)
 	}
 }
 
-/* As in the first step: old boxes that are all empty need not be written out. */
+/* 1 when all old boxes are empty, as in the first step: they need not be gathered. */
 static int32_t all_are_new(const cni_sweep *sweep, const cni_sweep_tile *tile)
 {
 	const int32_t *ids = cni_sweep_rows_of(sweep, tile).id;
@@ -59,7 +59,7 @@ static int32_t all_are_new(const cni_sweep *sweep, const cni_sweep_tile *tile)
 	return k == tile->count;
 }
 
-/* Marks dense tiles and brings them to the front of the list. */
+/* Marks dense tiles and moves them to the front of `touched`. */
 static void choose_dense(cni_sweep_pass *pass)
 {
 	int32_t i;
@@ -93,7 +93,7 @@ static void forget_dense(cni_sweep_pass *pass)
 	pass->dense_count = 0;
 }
 
-/* The old boxes of a dense tile: as they are now, but for those that moved. */
+/* Gathers the old boxes of a dense tile into scratch. */
 static void gather_previous(const cni_sweep_pass *pass, int32_t dense)
 {
 	const cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[dense]);
@@ -125,7 +125,7 @@ static void open_dense(cni_sweep_pass *pass)
 	}
 }
 
-/* The next moved entry that is not in a dense tile. There must be more. */
+/* The next moved entry that is not in a dense tile. There must be one. */
 static int32_t next_single(const cni_sweep_pass *pass, cni_sweep_walk *walk)
 {
 	for (;;) {
@@ -155,17 +155,17 @@ static void find_alone(cni_sweep_pass *pass)
 
 /* ---- the same with workers ---- */
 
-/* Jobs: the dense tiles, then the entries that search for themselves. */
+/* Jobs: the dense tiles, then the single entries. */
 typedef struct pair_loop {
 	const cni_sweep_pass *pass;
 	int32_t job_count;
-	int32_t *begins;  /* of each job: the entries of those before it, where its room for pairs begins; and of one behind the last */
-	int32_t *found;   /* by each job */
-	int32_t *singles; /* those entries */
-	cni_pair *slots;  /* PAIRS_AN_ENTRY each */
+	int32_t *begins;  /* job_count + 1 prefix sums of the jobs' entries: job k writes to slots from PAIRS_AN_ENTRY * begins[k] on */
+	int32_t *found;   /* pairs found by each job */
+	int32_t *singles; /* ids of the single entries */
+	cni_pair *slots;  /* PAIRS_AN_ENTRY per entry */
 } pair_loop;
 
-/* Where the room of a job is; returns how much. */
+/* The job's range of slots; returns its capacity. */
 static int32_t job_room(const pair_loop *loop, int32_t job, cni_pair **slots)
 {
 	*slots = loop->slots + (int64_t)PAIRS_AN_ENTRY * loop->begins[job];
@@ -212,7 +212,7 @@ static void find_lead(void *context)
 	cni_team_for(team, entries, RANGE_LEAST, find_range, loop);
 }
 
-/* Lists what the jobs found, in their order. */
+/* Adds the jobs' pairs to the list, in the order of the jobs. */
 static void jobs_list(const pair_loop *loop, cni_sweep_pass *pass)
 {
 	int32_t job, k;
@@ -248,7 +248,7 @@ static int32_t entries_to_do(const cni_sweep_pass *pass)
 	return entries;
 }
 
-/* Takes scratch for the jobs of so many entries; 0 when there is no memory. */
+/* Takes scratch for jobs with this total of entries; 0 when there is no memory. */
 static int32_t jobs_open(pair_loop *loop, cni_sweep_pass *pass, int32_t entries)
 {
 	uint64_t jobs = (uint64_t)pass->dense_count + (uint64_t)pass->single_count;
@@ -265,7 +265,7 @@ static int32_t jobs_open(pair_loop *loop, cni_sweep_pass *pass, int32_t entries)
 	return 1;
 }
 
-/* 0 where it does not pay, or for want of memory: nothing was done. */
+/* Searches with the team. Returns 0, having done nothing, when there is too little work or no memory. */
 static int32_t find_shared(cni_sweep_pass *pass)
 {
 	cni_team *team = cni_sweep_team(pass->sweep);
@@ -285,7 +285,7 @@ static void tile_clear_marks(cni_sweep *sweep, int32_t tile)
 	cni_sweep_tile_at(sweep, tile)->dense = 0;
 }
 
-/* Clears the marks of the pass; tiles were settled before and did not change since. */
+/* Clears the marks of the pass; no tile has moved in the array since they were set. */
 static void clear_marks(cni_sweep_pass *pass)
 {
 	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->moved);

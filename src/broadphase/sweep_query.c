@@ -1,13 +1,13 @@
 /*
  * broadphase/sweep_query.c - region and ray queries through the tiles of the sweep.
  *
- * Reads only. Everything that the sweep holds is found, whether it is settled or not: entries that are
- * out of date are skipped in their tiles and tested singly, by id, at the end.
+ * Reads only. Queries find every proxy, settled or not: entries that are out of date are skipped in their tiles, and loose
+ * proxies are tested one by one, by id, at the end.
  *
- * A ray visits the coarse levels first (their few large boxes shorten it early), then in each level
- * row after row of tiles and in each row tile after tile, in the direction of the ray, and skips what
- * lies beyond the fraction that the visitor has settled for: grid traversal after Amanatides and Woo
- * (1987), by rows instead of cells because tiles overlap their neighbours.
+ * A ray visits the coarse levels first (their few large boxes shorten it early), in each level row after row of tiles, and
+ * in each row tile after tile, in the direction of the ray. It skips entries beyond the fraction that the visitor
+ * returned. Grid traversal after Amanatides and Woo (1987), by rows instead of cells because tiles overlap their
+ * neighbours.
  */
 #include "base/cpu.h"
 #if CNI_HAS_WIDE_4
@@ -31,7 +31,7 @@ typedef struct region {
 	void *context;
 } region;
 
-/* Entries of the group that begins at k which overlap the region, as bits. */
+/* Bits of the entries that overlap the region, in the group that begins at k. */
 static uint32_t group_overlaps(const region *r, const cni_sweep_rows *rows, int32_t k)
 {
 	uint32_t bits = 0;
@@ -41,7 +41,7 @@ static uint32_t group_overlaps(const region *r, const cni_sweep_rows *rows, int3
 	return bits;
 }
 
-/* 0 when the visitor has had enough. */
+/* 0 when the visitor stops the query. */
 static int32_t query_entry(const region *r, int32_t id)
 {
 	return is_loose(r->sweep, id) || r->visit(r->context, id, 1.0f) != 0.0f;
@@ -109,7 +109,7 @@ typedef struct ray_pass {
 	const cni_sweep *sweep;
 	cni_vec2 o, d;     /* the ray is o + t d */
 	float limit;       /* for t in [0, limit] */
-	cni_aabb box;      /* of what is left of it */
+	cni_aabb box;      /* of the ray up to limit */
 	cni_query_fn *visit;
 	void *context;
 } ray_pass;
@@ -124,9 +124,8 @@ static void ray_limit(ray_pass *ray, float limit)
 	ray->box.y1 = cni_max(ray->o.y, end.y);
 }
 
-/* Separating axes: x, y and the normal of d. With n the normal and c a corner seen from o, n.c =
-   d.x c.y - d.y c.x is least and greatest at corners that only the signs of d choose. Rounding errs
-   towards a hit. */
+/* Separating axes: x, y and the normal n of d. With c a corner relative to o, n.c = d.x c.y - d.y c.x is least and greatest
+   at corners that depend only on the signs of d. Rounding errs towards a hit. */
 static inline int32_t line_crosses(float dx, float dy, float least_x, float least_y, float most_x, float most_y)
 {
 	float a = dx * least_y, b = dy * least_x, c = dx * most_y, d = dy * most_x;
@@ -143,7 +142,7 @@ static int32_t ray_crosses(const ray_pass *ray, const cni_aabb *b)
 	       line_crosses(ray->d.x, ray->d.y, up ? x1 : x0, right ? y0 : y1, up ? x0 : x1, right ? y1 : y0);
 }
 
-/* Visits a proxy that the ray crosses; 0 when the ray is over. */
+/* Visits a proxy that the ray crosses; 0 when the visitor stops the ray. */
 static int32_t ray_visit(ray_pass *ray, int32_t id)
 {
 	float limit = ray->visit(ray->context, id, ray->limit);
@@ -152,7 +151,7 @@ static int32_t ray_visit(ray_pass *ray, int32_t id)
 	return limit > 0.0f;
 }
 
-/* A tile's rows, and among them those of the corners least and greatest along the normal. */
+/* A tile's rows, and the rows of the corners that are least and greatest along the normal. */
 typedef struct ray_lanes {
 	const float *x0, *x1, *y0, *y1;
 	const float *least_x, *least_y, *most_x, *most_y;
@@ -181,7 +180,7 @@ static inline int32_t ray_crosses_entry(const ray_pass *ray, const ray_lanes *la
 	                    lanes->most_y[k] - ray->o.y);
 }
 
-/* The entries that the stretch x0..x1 of the ray may cross, in its direction. */
+/* Visits the entries that the ray crosses between x0 and x1, in its direction. */
 static int32_t ray_tile(ray_pass *ray, const cni_sweep_tile *tile, float x0, float x1)
 {
 	cni_sweep_rows rows = cni_sweep_rows_of(ray->sweep, tile);
@@ -196,13 +195,13 @@ static int32_t ray_tile(ray_pass *ray, const cni_sweep_tile *tile, float x0, flo
 	return 1;
 }
 
-/* Part of the ray between two heights, a little more for rounding; 0 when there is none. */
+/* The x range of the ray between two heights, widened for rounding; 0 when it is empty. */
 static int32_t ray_stretch(const ray_pass *ray, float y0, float y1, float *x0, float *x1)
 {
 	float t0 = 0.0f, t1 = ray->limit;
 	cni_vec2 o = ray->o, d = ray->d;
 	float error = 4e-7f * (1.0f + (cni_abs(y0) + cni_abs(y1) + cni_abs(o.y)) / cni_abs(d.y));
-	if (error < 1.0f) { /* else the ray is level, or too far away for its height to be known */
+	if (error < 1.0f) { /* else the ray is horizontal, or rounding hides its height */
 		float s0 = (y0 - o.y) / d.y, s1 = (y1 - o.y) / d.y;
 		t0 = cni_max(t0, cni_min(s0, s1) - error);
 		t1 = cni_min(t1, cni_max(s0, s1) + error);
@@ -215,7 +214,7 @@ static int32_t ray_stretch(const ray_pass *ray, float y0, float y1, float *x0, f
 	return 1;
 }
 
-/* A row of tiles; entries of cells at the limit may be anywhere, so rows there are not cut. */
+/* Visits a row of tiles. Entries of the clamped outermost cells may be anywhere, so the ray is not cut for those rows. */
 static int32_t ray_row(ray_pass *ray, int32_t l, int32_t ty, const cni_sweep_cells *cells)
 {
 	const cni_sweep_level *level = &ray->sweep->levels[l];
@@ -236,7 +235,7 @@ static int32_t ray_row(ray_pass *ray, int32_t l, int32_t ty, const cni_sweep_cel
 	return 1;
 }
 
-/* Where the ray would look up more cells than there are tiles. */
+/* Visits all tiles of a level: for rays that would look up more cells than there are tiles. */
 static int32_t ray_all_tiles(ray_pass *ray, int32_t l)
 {
 	int32_t i;

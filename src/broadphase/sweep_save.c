@@ -1,13 +1,13 @@
 /*
- * broadphase/sweep_save.c - the sweep's state through a snapshot (base/snapshot.h): tiles with their rows, levels, marks and
- * what the choice of sizes remembers. The table that finds tiles is made anew from them.
+ * broadphase/sweep_save.c - saves and loads the sweep through a snapshot (base/snapshot.h): tiles with their rows, levels,
+ * marks and the state of the choice of sizes. Loading rebuilds the table from cells to tiles.
  */
 #include "base/snapshot.h"
 #include "broadphase/sweep.h"
 
 #include <string.h>
 
-/* Sets of ids: their words depend on room, so those of the ids that were ever used are passed. */
+/* Sets of ids: only the words of ids up to id_end are copied, because the number of words depends on the capacity. */
 static void bits_pass(cni_snapshot *s, cni_array *bits, int32_t words)
 {
 	if (s->mode == CNI_SNAPSHOT_LOAD)
@@ -37,7 +37,7 @@ static void counts_pass(cni_snapshot *s, cni_sweep *sweep)
 	cni_snapshot_state(s, &sweep->rows_bytes, sizeof sweep->rows_bytes);
 }
 
-/* The caller has reserved the words of the bit sets, after the table of proxies has its size. */
+/* The caller has reserved the bit sets, after the proxy table has its size. */
 void cni_sweep_snapshot(cni_broadphase *broadphase, cni_snapshot *s)
 {
 	cni_sweep *sweep = (cni_sweep *)(void *)broadphase;

@@ -1,9 +1,9 @@
 /*
  * broadphase/sweep_search.c - searches for new pairs: in a dense tile, around one moved entry, around loose proxies.
  *
- * Reads proxies, settled tiles and the marks and scratch of the pass (sweep_pairs.c, where it says which search
- * finds which pair); writes nothing but the pass's slots or the pair list. So several workers may search at once, each with
- * slots of its own; loose proxies are searched by one.
+ * Reads proxies, settled tiles and the marks and scratch of the pass; writes only the pass's slots or the pair list.
+ * So several workers may search at once, each with its own slots; one thread searches the loose proxies.
+ * sweep_pairs.c says which search finds which pair.
  *
  * The inner loop tests CNI_SWEEP_LANES entries at a time: broadphase/sweep_lanes.h.
  */
@@ -26,14 +26,14 @@ cni_sweep_find_new_fn *cni_sweep_find_new_choose(void)
 	return cni_sweep_find_new;
 }
 
-/* ---- what was found ---- */
+/* ---- reporting pairs ---- */
 
 void cni_sweep_pair_list(const cni_sweep_pass *pass, int32_t a, int32_t b)
 {
 	cni_pairs_add(pass->out, pass->sweep->context.memory, a, b, cni_sweep_proxy(pass->sweep, cni_sweep_is_moved(pass, a) ? a : b));
 }
 
-/* A pair of boxes that is new. */
+/* Reports a pair of boxes that is new. */
 static void pair_found(cni_sweep_pass *pass, int32_t a, int32_t b)
 {
 	const cni_proxy *pa = cni_sweep_proxy(pass->sweep, a), *pb = cni_sweep_proxy(pass->sweep, b);
@@ -60,7 +60,7 @@ static void entry_found(cni_sweep_pass *pass, const cni_sweep_probe *q, const cn
 
 /* ---- the inner loop ---- */
 
-/* Does entry k overlap now and did not before? The entry begins left of the probe's right side. */
+/* 1 when entry k overlaps now and did not before. Its left side must lie left of the probe's right side. */
 static inline int32_t entry_is_new(const cni_sweep_probe *q, const cni_sweep_view *v, int32_t k)
 {
 	int32_t now = (v->x1[k] >= q->now.x0) & (v->y0[k] <= q->now.y1) & (v->y1[k] >= q->now.y0);
@@ -82,7 +82,7 @@ static void scan_lanes(cni_sweep_pass *pass, const cni_sweep_probe *q, const cni
 	}
 }
 
-/* Tests the entries from an index on, until they begin beyond the probe. */
+/* Tests entries from an index on, until one begins beyond the probe. */
 static inline void scan(cni_sweep_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *v, int32_t from)
 {
 	int32_t k = from;
@@ -140,7 +140,7 @@ static inline cni_sweep_probe probe_of(const cni_sweep_view *v, int32_t i)
 	return q;
 }
 
-/* First entry that may reach x0. */
+/* First entry that may extend to x0. */
 static int32_t scan_begin(const cni_sweep_view *v, float x0) { return cni_sweep_entry_from(v->x0, v->count, x0 - v->reach); }
 
 /* ---- dense tiles ---- */
@@ -157,7 +157,7 @@ static void sweep_self(cni_sweep_pass *pass, const cni_sweep_view *v)
 	}
 }
 
-/* Each entry of one tile against those of the other that begin where they may reach it. */
+/* Tests each entry of the outer tile against the entries of the inner tile whose x range may overlap it. */
 static void sweep_two(cni_sweep_pass *pass, const cni_sweep_view *outer, const cni_sweep_view *inner, const cni_aabb *inner_bounds)
 {
 	int32_t i, low = 0;
@@ -177,7 +177,7 @@ static void sweep_two(cni_sweep_pass *pass, const cni_sweep_view *outer, const c
 	}
 }
 
-/* Is a dense tile the one to sweep itself with the other? */
+/* 1 when the sweep of the dense tile `tile` with `other` belongs to `tile`. */
 static int32_t owns(const cni_sweep *sweep, int32_t tile, int32_t other)
 {
 	const cni_sweep_tile *a = cni_sweep_tile_at(sweep, tile);
@@ -211,13 +211,13 @@ void cni_sweep_search_tile(cni_sweep_pass *pass, int32_t tile)
 
 /* ---- single entries ---- */
 
-/* Whether two boxes overlapped at the last update, from the proxies. */
+/* 1 when the boxes of two proxies overlapped at the last update. */
 static int32_t overlapped(const cni_proxy *a, const cni_proxy *b)
 {
 	return a->old.x0 <= a->old.x1 && b->old.x0 <= b->old.x1 && cni_aabb_overlap(&a->old, &b->old);
 }
 
-/* A moved entry against a tile with others that search for themselves. */
+/* Tests a moved entry against a tile that holds other single moved entries. */
 static void search_touched(cni_sweep_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *v)
 {
 	const cni_proxy *proxy = cni_sweep_proxy(pass->sweep, q->id);
@@ -253,7 +253,7 @@ void cni_sweep_search_entry(cni_sweep_pass *pass, int32_t id)
 	}
 }
 
-/* ---- loose proxies, for which there was no memory ---- */
+/* ---- loose proxies, left without memory ---- */
 
 static void loose_candidate(cni_sweep_pass *pass, int32_t id, int32_t other)
 {

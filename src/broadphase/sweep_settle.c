@@ -4,19 +4,18 @@
  * Reads the fat boxes of loose proxies; writes tiles and proxies' cells. Invariant afterwards: every
  * proxy that is not loose has its present box as an entry of the tile that its cell names.
  *
- * Two ways, by how much changes in a tile. Where a sixth or more of the entries change, migrants are
- * appended to the new tile and the tile is rebuilt once: entries whose proxy is elsewhere by now drop
- * out, keys (x0, id) are sorted, nearly sorted as they mostly are, and the rows are gathered from
- * the proxies. Elsewhere each entry is shifted, inserted or removed in place. Without scratch memory
- * everything goes the second way, one proxy after the other.
+ * A tile is updated in one of two ways. Where a sixth or more of the entries change, migrants are appended to the new tile
+ * and the tile is rebuilt once: entries whose proxy has left are dropped, the keys (x0, id), mostly nearly sorted, are
+ * sorted, and the rows are gathered from the proxies. Elsewhere each entry is shifted, inserted or removed in place.
+ * Without scratch memory all tiles are updated in place, one proxy after the other.
  *
- * Workers may share looking for homes, where nothing is made, and rebuilding, where nothing but the tile is written: what
- * changes the table, the levels or memory is done in between and after, in order, by one.
+ * Workers may share the lookup of homes, which makes no tile, and the rebuilds, which write only their tile. One thread
+ * changes the table, the levels and memory, in between and after, in order.
  *
- * Sizes: S0 is twice the power of two above the 90th percentile of the larger sides of non-static boxes,
- * raised while tiles hold too few entries. It is chosen at the first settle, when as many proxies
- * were added as there were, when half of them are gone, and, ever more patiently, while tiles are badly
- * filled. All of that depends only on the history of calls, and pairs do not depend on S0 at all.
+ * Sizes: S0 is twice the power of two above the 90th percentile of the larger sides of non-static boxes, raised while
+ * tiles hold too few entries. It is chosen at the first settle, when the number of added proxies reaches the number at the
+ * last choice, when half of the proxies are gone, and, at growing intervals, while tiles are badly filled. The choice
+ * depends only on the history of calls, and the pairs do not depend on S0.
  */
 #include "broadphase/sweep.h"
 #include "base/sort.h"
@@ -65,7 +64,7 @@ static void drop_tiles(cni_sweep *sweep)
 	}
 	sweep->tiles.count = 0;
 	sweep->tile_free = CNI_NONE;
-	cni_blocks_deinit(&sweep->rows); /* pieces of the old sizes would lie idle */
+	cni_blocks_deinit(&sweep->rows); /* pieces of the old sizes would stay unused */
 }
 
 /* The power of two above x, as an exponent in [-20, 30]. */
@@ -93,7 +92,7 @@ static void extent_count(extent_counts *counts, const cni_proxy *proxy)
 	++counts->dynamic_sum;
 }
 
-/* Exponent of the power of two above nine in ten of the boxes. */
+/* Exponent of the power of two above the extents of 90% of the boxes. */
 static int32_t extent_percentile(const extent_counts *counts)
 {
 	const int32_t *histogram = counts->dynamic_sum > 0 ? counts->dynamic : counts->any;
@@ -127,7 +126,7 @@ static int32_t measure_exponent(const cni_sweep *sweep)
 	return extent_percentile(&counts);
 }
 
-/* How S0 should change for the fill of the tiles: 1, 0 or -1 powers of two. */
+/* Change of S0 in powers of two (1, 0 or -1) that improves the fill of the tiles. */
 static int32_t fill_advice(const cni_sweep *sweep, int32_t fill_high)
 {
 	int64_t entries = sweep->levels[0].entries;
@@ -173,7 +172,8 @@ typedef struct cell {
 	int32_t level, tx, ty;
 } cell;
 
-/* The cell where a proxy's box belongs, and its tile: with HOME_STAYS if that is where it is now, CNI_NONE if there is none. */
+/* The home of a proxy: the cell of its box, and the cell's tile. The tile has HOME_STAYS set if the proxy is there now, and
+   is CNI_NONE if the cell has no tile. */
 static int32_t home_look(const cni_sweep *sweep, const cni_proxy *proxy, cell *out)
 {
 	const cni_sweep_tile *now = proxy->cell == CNI_NONE ? NULL : cni_sweep_tile_at(sweep, proxy->cell);
@@ -186,7 +186,7 @@ static int32_t home_look(const cni_sweep *sweep, const cni_proxy *proxy, cell *o
 	return cni_sweep_tile_find(sweep, l, out->tx, out->ty);
 }
 
-/* The same, made if need be; CNI_NONE when there is no memory. */
+/* The same, but makes a missing tile; CNI_NONE when there is no memory. */
 static int32_t home_find(cni_sweep *sweep, const cni_proxy *proxy)
 {
 	cell at;
@@ -220,7 +220,7 @@ static void enter(cni_sweep *sweep, cni_proxy *proxy, int32_t id, int32_t home)
 	mark_settled(sweep, id);
 }
 
-/* Moves an entry to its home; in dense tiles only marks what the rebuild is to do. */
+/* Moves an entry to its home; in dense tiles it only prepares the rebuild. */
 static void settle_proxy(cni_sweep *sweep, int32_t id, int32_t home)
 {
 	cni_proxy *proxy = cni_sweep_proxy(sweep, id);
@@ -257,22 +257,22 @@ static void settle_singly(cni_sweep *sweep)
 
 /* ---- many at once ---- */
 
-/* What a rebuild changes beside the tile. */
+/* Results of a rebuild that one thread adds to the level afterwards. */
 typedef struct rebuilt {
-	int32_t gone;      /* entries */
-	float extent;      /* of the largest */
+	int32_t gone;      /* entries dropped */
+	float extent;      /* of the largest entry */
 } rebuilt;
 
 typedef struct settle_pass {
 	cni_sweep *sweep;
-	cni_team *team;    /* NULL: alone */
-	int32_t *homes;    /* of each loose proxy, HOME_STAYS beside it */
+	cni_team *team;    /* NULL: one thread */
+	int32_t *homes;    /* of each loose proxy, with HOME_STAYS */
 	int32_t *touched;  /* tiles that change */
 	int32_t touched_count;
 	int32_t key_count; /* of the largest tile */
-	uint64_t *keys;    /* room for those twice, for each worker */
-	int32_t *begins;   /* of each touched tile: the entries of those before it that are rebuilt */
-	rebuilt *rebuilt;  /* of each touched tile */
+	uint64_t *keys;    /* 2 key_count per worker */
+	int32_t *begins;   /* per touched tile: prefix sum of the entries to rebuild */
+	rebuilt *rebuilt;  /* per touched tile */
 } settle_pass;
 
 static void touch(settle_pass *pass, int32_t tile)
@@ -281,7 +281,7 @@ static void touch(settle_pass *pass, int32_t tile)
 		pass->touched[pass->touched_count++] = tile;
 }
 
-/* A range of words of the loose set. Nothing is made: those of new tiles are left. */
+/* Looks up the homes of a range of words of the loose set. It makes no tile: a missing one yields CNI_NONE. */
 static void homes_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const settle_pass *pass = (const settle_pass *)context;
@@ -297,7 +297,7 @@ static void homes_range(void *context, int32_t begin, int32_t end, int32_t worke
 		pass->homes[i++] = home_look(pass->sweep, cni_sweep_proxy(pass->sweep, id), &at);
 }
 
-/* In order of the proxies, so that tiles are made in that order. */
+/* Finds all homes in the order of the proxies, so that tiles are made in that order. */
 static void find_homes(settle_pass *pass)
 {
 	cni_sweep *sweep = pass->sweep;
@@ -316,7 +316,7 @@ static void find_homes(settle_pass *pass)
 	}
 }
 
-/* Room to rebuild tiles of so many keys, for each worker or at least for one. */
+/* Takes scratch to rebuild tiles of up to `count` keys, for each worker or at least for one. */
 static void take_keys(settle_pass *pass, int32_t count)
 {
 	cni_arena *arena = pass->sweep->context.arena;
@@ -333,7 +333,7 @@ static void take_keys(settle_pass *pass, int32_t count)
 	pass->begins = (int32_t *)(void *)(pass->rebuilt + pass->touched_count);
 }
 
-/* Decides which tiles are rebuilt, and takes the keys for the largest. */
+/* Decides which tiles are rebuilt, and takes scratch for the keys of the largest. */
 static void choose_dense(settle_pass *pass)
 {
 	int32_t largest = 0;
@@ -349,7 +349,7 @@ static void choose_dense(settle_pass *pass)
 	}
 }
 
-/* Of what stays in a tile that is rebuilt nothing is read here. */
+/* Settles all loose proxies. A proxy that stays in a dense tile needs only its bit cleared, so its proxy is not read. */
 static void migrate(const settle_pass *pass)
 {
 	cni_sweep *sweep = pass->sweep;
@@ -411,7 +411,7 @@ static void rebuild(const settle_pass *pass, int32_t tile, uint64_t *keys, rebui
 	cni_sweep_tile_pad(pass->sweep, t);
 }
 
-/* Those of the touched tiles that begin among a range of entries. Writes nothing but the tiles and what is noted of them. */
+/* Rebuilds the dense tiles that begin in a range of entries. Writes only the tiles and their `rebuilt`. */
 static void rebuild_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const settle_pass *pass = (const settle_pass *)context;
@@ -457,7 +457,7 @@ static void finish_tiles(settle_pass *pass)
 static int32_t settle_together(cni_sweep *sweep, cni_team *team)
 {
 	settle_pass pass;
-	/* Tiles that change: a loose proxy's home and where it is now, or all tiles that there are and a new one each. */
+	/* Bound of the tiles that change: a home for each loose proxy, plus each proxy's present tile, at most all tiles. */
 	uint64_t touched = (uint64_t)sweep->loose_count + (uint64_t)cni_min_i(sweep->loose_count, sweep->tile_count);
 	void *scratch = cni_arena_push(sweep->context.arena, sizeof(int32_t) * ((uint64_t)sweep->loose_count + touched));
 	if (scratch == NULL)

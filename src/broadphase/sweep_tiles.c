@@ -1,11 +1,11 @@
 /*
- * broadphase/sweep_tiles.c - owns where boxes are kept: the levels, the table that finds a tile
- * by its cell, and the sorted rows of entries inside of a tile.
+ * broadphase/sweep_tiles.c - owns the storage of boxes: the levels, the table from cells to tiles, and the sorted rows of
+ * entries in a tile.
  *
- * Invariants: a tile in the table has rows sorted by (x0, id) except between an append and the rebuild
- * that settle ends with; its bounds contain its entries; every entry's box lies less than S to the
- * right of and above its cell. All maps from coordinates to cells are monotone, also after rounding and
- * where far away cells are merged, so that a search by ranges of cells misses nothing.
+ * Invariants: a tile's rows are sorted by (x0, id), except between an append and the rebuild at the end of settle; its
+ * bounds contain its entries; every entry's box extends less than S to the right of and above its cell. All maps from
+ * coordinates to cells are monotone, also after rounding and where distant cells are merged, so that a search by ranges
+ * of cells misses no entry.
  *
  * Table: open addressing, linear probing, deletion by shifting back (Knuth, vol. 3, section 6.4).
  */
@@ -44,7 +44,7 @@ int32_t cni_sweep_level_for(const cni_sweep *sweep, float extent, int32_t now)
 	return level;
 }
 
-/* An entry that overlaps the box begins above x0 - reach, in floats too: rounding is monotone. */
+/* An entry that overlaps the box begins above x0 - reach; this holds in floats because rounding is monotone. */
 int32_t cni_sweep_cells_of(const cni_sweep_level *level, const cni_aabb *box, cni_sweep_cells *out)
 {
 	float reach = level->per_width > 0.0f ? level->reach : 0.0f;
@@ -108,7 +108,7 @@ static void slot_take(cni_sweep *sweep, int32_t tile)
 	sweep->slots[hole] = 0;
 }
 
-/* Half full at most; fuller, up to seven eighths, where memory is short. */
+/* Keeps the table at most half full; up to seven eighths where memory is short. */
 int32_t cni_sweep_slots_reserve(cni_sweep *sweep, int32_t count)
 {
 	int32_t capacity = cni_max_i(sweep->slot_capacity, 8);
@@ -215,7 +215,7 @@ void cni_sweep_tile_destroy(cni_sweep *sweep, int32_t tile)
 	--sweep->tile_count;
 }
 
-/* Capacities that fit the size classes of the blocks well; whole groups of lanes from 8 on. */
+/* Capacities that fit the size classes of base/blocks.h; multiples of CNI_SWEEP_LANES from 8 on. */
 static int32_t capacity_for(int32_t count)
 {
 	static const int32_t steps[] = { 2, 4, 8, 16, 24, 32, 48, 72, 96, 200 };
@@ -265,7 +265,7 @@ void cni_sweep_tile_shrink(cni_sweep *sweep, cni_sweep_tile *tile)
 		(void)tile_resize(sweep, tile, capacity);
 }
 
-/* A little more than the width: the true one may have been rounded down. */
+/* Slightly more than the width, which may have been rounded down. */
 static inline float entry_reach(float width) { return width * 1.000002f; }
 
 static inline void level_cover(cni_sweep_level *level, float extent)
@@ -303,8 +303,8 @@ static void tile_cover(cni_sweep *sweep, cni_sweep_tile *tile, const cni_aabb *b
 	tile->reach = cni_max(tile->reach, entry_reach(box->x1 - box->x0));
 }
 
-/* Bounds only grow until as much has changed as recomputing them costs. */
-static void tile_unsort(cni_sweep *sweep, cni_sweep_tile *tile)
+/* Counts a change; recomputes the bounds when the changes since the last time exceed the entries. */
+static void tile_changed(cni_sweep *sweep, cni_sweep_tile *tile)
 {
 	if (++tile->slack > tile->count)
 		level_cover(&sweep->levels[tile->level], cni_sweep_tile_measure(sweep, tile));
@@ -334,7 +334,7 @@ int32_t cni_sweep_entry_bound(const cni_sweep_rows *rows, int32_t count, float x
 	return low;
 }
 
-/* An entry that is out of date still has the x0 of the last settle: nearly always that of the old box. */
+/* An entry that is out of date still has the x0 of the last settle, which is nearly always that of the old box. */
 int32_t cni_sweep_entry_find(const cni_sweep *sweep, const cni_sweep_tile *tile, int32_t id)
 {
 	cni_sweep_rows rows = cni_sweep_rows_of(sweep, tile);
@@ -403,7 +403,7 @@ void cni_sweep_entry_remove(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entr
 	--tile->count;
 	--sweep->levels[tile->level].entries;
 	cni_sweep_tile_pad(sweep, tile);
-	tile_unsort(sweep, tile);
+	tile_changed(sweep, tile);
 }
 
 void cni_sweep_entry_shift(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry, const cni_aabb *box)
@@ -421,10 +421,10 @@ void cni_sweep_entry_shift(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry
 		entries_move(&rows, entry, entry + 1, k - entry);
 	entry_set(&rows, k, id, box);
 	tile_cover(sweep, tile, box);
-	tile_unsort(sweep, tile);
+	tile_changed(sweep, tile);
 }
 
-/* ---- the walk over tiles near a box ---- */
+/* ---- iteration over tiles near a box ---- */
 
 /* Sets up the next level in use after cursor->level; 0 when there is none. */
 static int32_t cursor_level(const cni_sweep *sweep, cni_sweep_cursor *cursor)

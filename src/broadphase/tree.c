@@ -1,16 +1,15 @@
 /*
- * broadphase/tree.c - owns the nodes and places of a tree of boxes: life, insertion, removal, balance, checks.
+ * broadphase/tree.c - owns the nodes and places of an AABB tree: memory, insertion, removal, balance, checks.
  * The picture and the invariants are in broadphase/tree.h.
  *
- * Insertion looks for the sibling that adds the least perimeter to the tree by branch and bound (Bittner,
- * Hapala and Havran, "Fast insertion-based optimization of bounding volume hierarchies", 2013; as an
- * incremental tree: Catto, "Dynamic bounding volume hierarchies", GDC 2019): the cost of a sibling is the
- * perimeter of the new node and the growth of all nodes above. Removal hands the place of the node to the
- * sibling. On the way up every node may be turned: one side changes places with a grandchild of the other
- * side where that shrinks the node between (Kopta et al., "Fast, effective BVH updates for animated
- * scenes", 2012). Turns also keep the balance: items have no order, so that the taller grandchild can always
- * go up and one turn repairs what one insertion or removal upsets (heights after Adelson-Velsky and
- * Landis, 1962, with a wider tolerance).
+ * Insertion searches for the sibling that adds the least perimeter to the tree, by branch and bound (Bittner, Hapala and
+ * Havran, "Fast insertion-based optimization of bounding volume hierarchies", 2013; as an incremental tree: Catto,
+ * "Dynamic bounding volume hierarchies", GDC 2019). The cost of a sibling is the perimeter of the new node plus the
+ * growth of all nodes above. Removal moves the sibling to the place of their node. On the way up every node may be
+ * rotated: one side swaps with a grandchild of the other side where that shrinks the node between (Kopta et al., "Fast,
+ * effective BVH updates for animated scenes", 2012). Rotations also keep the balance: items have no order, so the taller
+ * grandchild can always move up, and one rotation repairs the imbalance of one insertion or removal (heights after
+ * Adelson-Velsky and Landis, 1962, with a wider tolerance).
  */
 #include "broadphase/tree_parts.h"
 
@@ -23,7 +22,7 @@
 /* Others are with a chance of one in so many. */
 #define FAR_PERIOD 8
 
-/* ---- life ---- */
+/* ---- memory ---- */
 
 static int32_t *places_of(const cni_tree *tree) { return (int32_t *)tree->places.data; }
 
@@ -55,13 +54,12 @@ static cni_aabb no_box(void)
 	return box;
 }
 
-/* What is not a box, such as NaN from a body that is lost, overlaps nothing, and must not spoil those above. */
+/* An invalid box, such as NaN from a body that diverged, overlaps nothing and must not spoil the boxes above it. */
 static cni_aabb box_or_none(const cni_aabb *box)
 {
 	return box->x0 <= box->x1 && box->y0 <= box->y1 ? *box : no_box();
 }
 
-/* What hangs nowhere overlaps nothing and leads nowhere. */
 static void place_clear(cni_tree_node *node, int32_t side)
 {
 	node->box[side] = no_box();
@@ -145,7 +143,7 @@ static void place_swap(cni_tree *tree, int32_t a, int32_t b)
 	cni_tree_attach(tree, b, child);
 }
 
-/* As numbers: a union may have either zero. */
+/* Compares as numbers, not bits: a union may yield either zero. */
 static int32_t box_equals(const cni_aabb *a, const cni_aabb *b)
 {
 	return a->x0 == b->x0 && a->y0 == b->y0 && a->x1 == b->x1 && a->y1 == b->y1;
@@ -165,26 +163,27 @@ int32_t cni_tree_refresh(cni_tree *tree, int32_t node)
 	return changed;
 }
 
-/* ---- turns ---- */
+/* ---- rotations ---- */
 
-typedef struct tree_turn {
-	int32_t down, up; /* places that change; down is CNI_NONE when nothing does */
+typedef struct tree_rotation {
+	int32_t down, up; /* places to swap; down is CNI_NONE when there is no rotation */
 	float gain;
-	int32_t needed;   /* for balance: the first one is taken whatever it gains */
-} tree_turn;
+	int32_t needed;   /* for balance: the first candidate is taken whatever it gains */
+} tree_rotation;
 
-static int32_t apart(int32_t a, int32_t b) { return a > b ? a - b : b - a; }
+static int32_t height_difference(int32_t a, int32_t b) { return a > b ? a - b : b - a; }
 
-/* What keeps the balance: at the node and at the one below, and so that a node above is off by one at most. */
-static int32_t turn_balances(int32_t down, int32_t beside, int32_t up, int32_t height)
+/* 1 when the rotation leaves the node and the node below balanced and changes the height by at most one. */
+static int32_t rotation_balances(int32_t down, int32_t beside, int32_t up, int32_t height)
 {
 	int32_t low = 1 + cni_max_i(down, beside);
-	return apart(down, beside) <= CNI_TREE_LEAN && apart(low, up) <= CNI_TREE_LEAN && apart(1 + cni_max_i(low, up), height) <= 1;
+	return height_difference(down, beside) <= CNI_TREE_LEAN && height_difference(low, up) <= CNI_TREE_LEAN &&
+	       height_difference(1 + cni_max_i(low, up), height) <= 1;
 }
 
-/* A side of the node goes down beside one grandchild, the other one comes up. Takes the turn if it is the
-   best so far and keeps the balance; height is what those above reckon with. */
-static void turn_consider(const cni_tree *tree, int32_t node, int32_t side, int32_t height, tree_turn *best)
+/* One side of the node moves down beside one grandchild; the other grandchild moves up. Keeps the rotation if it is the
+   best so far and keeps the balance. height: the node's height as stored at its place. */
+static void rotation_consider(const cni_tree *tree, int32_t node, int32_t side, int32_t height, tree_rotation *best)
 {
 	const cni_tree_node *f = cni_tree_node_at(tree, node), *g;
 	int32_t k;
@@ -194,7 +193,7 @@ static void turn_consider(const cni_tree *tree, int32_t node, int32_t side, int3
 	for (k = 0; k < 2; ++k) {
 		float gain = cni_tree_size(&f->box[1 - side]) - cni_tree_size_with(&f->box[side], &g->box[1 - k]);
 		int32_t wanted = gain > best->gain || (best->needed && best->down == CNI_NONE);
-		if (!wanted || !turn_balances(f->height[side], g->height[1 - k], g->height[k], height))
+		if (!wanted || !rotation_balances(f->height[side], g->height[1 - k], g->height[k], height))
 			continue;
 		best->gain = gain;
 		best->down = 2 * node + side;
@@ -202,18 +201,18 @@ static void turn_consider(const cni_tree *tree, int32_t node, int32_t side, int3
 	}
 }
 
-void cni_tree_turn(cni_tree *tree, int32_t node)
+void cni_tree_rotate(cni_tree *tree, int32_t node)
 {
 	const cni_tree_node *f = cni_tree_node_at(tree, node);
 	int32_t height = cni_tree_node_of(tree, f->parent)->height[f->parent & 1];
-	tree_turn best;
+	tree_rotation best;
 	best.down = best.up = CNI_NONE;
 	best.gain = 0.0f;
-	best.needed = apart(f->height[0], f->height[1]) > CNI_TREE_LEAN;
+	best.needed = height_difference(f->height[0], f->height[1]) > CNI_TREE_LEAN;
 	if (!best.needed || f->height[0] < f->height[1])
-		turn_consider(tree, node, 0, height, &best);
+		rotation_consider(tree, node, 0, height, &best);
 	if (!best.needed || f->height[1] < f->height[0])
-		turn_consider(tree, node, 1, height, &best);
+		rotation_consider(tree, node, 1, height, &best);
 	CNI_ASSERT(!best.needed || best.down != CNI_NONE);
 	if (best.down == CNI_NONE)
 		return;
@@ -224,7 +223,7 @@ void cni_tree_turn(cni_tree *tree, int32_t node)
 void cni_tree_repair(cni_tree *tree, int32_t node)
 {
 	while (node != 0) {
-		cni_tree_turn(tree, node);
+		cni_tree_rotate(tree, node);
 		if (!cni_tree_refresh(tree, node))
 			return;
 		node = cni_tree_node_at(tree, node)->parent >> 1;
@@ -235,8 +234,8 @@ void cni_tree_repair(cni_tree *tree, int32_t node)
 
 typedef struct tree_sibling {
 	int32_t place;
-	float above;   /* growth of the nodes above, were the box put below the place */
-	float with;    /* size of the place's box and the new one */
+	float above;   /* growth of the nodes above if the box is inserted below the place */
+	float with;    /* size of the union of the place's box and the new box */
 } tree_sibling;
 
 typedef struct tree_choice {
@@ -272,14 +271,13 @@ static void siblings_push(tree_choice *choice, const cni_tree *tree, int32_t nod
 		s[k].with = cni_tree_size_with(&f->box[k], choice->box);
 		growth[k] = s[k].with - cni_tree_size(&f->box[k]);
 	}
-	/* The one that is looked at first lies on top. */
+	/* The side to visit first goes on top. */
 	first = growth[1] < growth[0] || (growth[1] == growth[0] && f->height[1] < f->height[0]);
 	choice->stack[choice->top++] = s[1 - first];
 	choice->stack[choice->top++] = s[first];
 }
 
-/* Depth first, the lesser growth first. Below a place no cost is less than what is above it and the
-   box itself. */
+/* Depth first, smaller growth first. The growth above a place plus the size of the new box bounds every cost below it. */
 static int32_t sibling_find(const cni_tree *tree, const cni_aabb *box)
 {
 	tree_choice choice;
@@ -314,7 +312,7 @@ void cni_tree_insert_marked(cni_tree *tree, int32_t item, const cni_aabb *box, u
 		place = sibling_find(tree, &clean);
 		node = cni_tree_node_take(tree);
 		place_copy(tree, 2 * node, place);
-		/* The place keeps its old height until repair: those above reckon with it. */
+		/* The place keeps its old height until repair, which compares with it. */
 		cni_tree_attach(tree, place, node);
 		place = 2 * node + 1;
 	}
@@ -357,7 +355,7 @@ void cni_tree_move(cni_tree *tree, int32_t item, const cni_aabb *box)
 
 /* ---- boxes and marks in place ---- */
 
-/* Of an item, and then of all above it for which that makes a difference. */
+/* Sets the marks of an item and updates its ancestors up to the first that does not change. */
 static void change_marks(cni_tree *tree, int32_t place, uint32_t marks)
 {
 	while (place != CNI_NONE && cni_tree_marks(tree, place) != marks) {
@@ -374,13 +372,13 @@ void cni_tree_mark_moved(cni_tree *tree, int32_t item)
 	change_marks(tree, place, (cni_tree_marks(tree, place) & ~(uint32_t)CNI_TREE_RESTS) | CNI_TREE_MOVED);
 }
 
-/* Does an item with a new box need a new place? When its way is long against the box of the node it hangs at;
-   now and then also when not, because turns alone let a tree go bad slowly. Drawn by lot (a linear
-   congruential generator), so that no regular motion evades it. */
+/* STALE, and FAR if the item needs a new place: when its motion is large against the box of its node, and at random
+   otherwise, because a tree degrades slowly under rotations alone. Random (a linear congruential generator), so that no
+   regular motion evades it. */
 static uint32_t marks_for_move(cni_tree *tree, float room, float way)
 {
-	tree->dice = tree->dice * 1664525u + 1013904223u;
-	return way > FAR_WAY * room || (tree->dice >> 16) % FAR_PERIOD == 0 ? CNI_TREE_STALE | CNI_TREE_FAR : CNI_TREE_STALE;
+	tree->random = tree->random * 1664525u + 1013904223u;
+	return way > FAR_WAY * room || (tree->random >> 16) % FAR_PERIOD == 0 ? CNI_TREE_STALE | CNI_TREE_FAR : CNI_TREE_STALE;
 }
 
 void cni_tree_set_box(cni_tree *tree, int32_t item, const cni_aabb *box)
@@ -410,7 +408,7 @@ static int32_t box_is_union(const cni_aabb *box, const cni_tree_node *f, int32_t
 	return stale ? cni_aabb_contains(box, &u) : box_equals(&u, box);
 }
 
-/* What is below a place, against the place. */
+/* Checks the content of a place against the place and counts it in sum. */
 static int32_t place_holds(const cni_tree *tree, int32_t place, tree_census *sum)
 {
 	const cni_tree_node *above = cni_tree_node_of(tree, place), *f;
@@ -429,7 +427,7 @@ static int32_t place_holds(const cni_tree *tree, int32_t place, tree_census *sum
 		return 0;
 	f = cni_tree_node_at(tree, child);
 	return f->parent == place && above->height[side] == cni_tree_node_height(f) && (uint32_t)(f->marks[0] | f->marks[1]) == marks &&
-	       box_is_union(&above->box[side], f, (marks & CNI_TREE_STALE) != 0) && apart(f->height[0], f->height[1]) <= CNI_TREE_LEAN;
+	       box_is_union(&above->box[side], f, (marks & CNI_TREE_STALE) != 0) && height_difference(f->height[0], f->height[1]) <= CNI_TREE_LEAN;
 }
 
 static int32_t free_nodes(const cni_tree *tree)

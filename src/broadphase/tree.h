@@ -1,29 +1,29 @@
 /*
- * broadphase/tree.h - a dynamic tree of boxes: which boxes overlap a box, a ray, or each other.
+ * broadphase/tree.h - a dynamic AABB tree: finds the boxes that overlap a box, a ray, or each other.
  *
- * Pure structure without physics: items are small integers that the owner chooses, boxes are whatever the
- * owner pads them to. Two owners: the tree broadphase (broadphase/broadphase_tree.c) and cn_tree_* (world/tree.c).
+ * A pure data structure without physics. Items are small integers chosen by the owner; the owner pads the boxes.
+ * Two owners: the tree broadphase (broadphase/broadphase_tree.c) and cn_tree_* (world/tree.c).
  *
- * A node has two sides, and on each side hangs an item or another node; the node keeps the boxes of both,
- * so that a search tests two children with one piece of memory. Where something hangs is a place:
+ * A node has two sides; each side holds an item or another node. The node stores the boxes of both sides, so that a
+ * search tests two children with one memory access. A place is one side of one node:
  *
- *   place = 2 * node + side           node 0 is the stem: side 0 of it is place 0, the root
+ *   place = 2 * node + side           node 0 is the stem: its side 0 is place 0, the root
  *
  *   node 0  [ box of everything | 2 ]-+       child >= 0: a node, < 0: ~item
  *                                     |
- *   node 2  [ box | ~7 ][ box | 5 ]---+--+    places[item] says where an item hangs
+ *   node 2  [ box | ~7 ][ box | 5 ]---+--+    places[item] is the place that holds the item
  *                                        |
  *   node 5  [ box | ~3 ][ box | ~0 ]-----+    n items need n nodes: n - 1 and the stem
  *
- * A place has a mark when anything below it has. Every item is either MOVED or RESTS, as its owner says: pairs are
- * searched for what MOVED. STALE: the item's box was set, and its place not reconsidered yet. FAR, with STALE:
- * it will be inserted anew.
+ * A place carries the union of the marks of all items below it. The owner marks every item either MOVED or RESTS; pairs
+ * are searched for MOVED items. STALE: the item has a new box, and its place has not been reconsidered yet. FAR (with
+ * STALE): the item will be removed and inserted again.
  *
- * Invariants: a place's box contains everything below (and is its union where nothing is STALE); of the
- * heights of a node's two sides neither exceeds the other by more than CNI_TREE_LEAN, so that the height of
- * n items is below 2.5 log2(n) + 2 and searches need only small fixed stacks.
+ * Invariants: a place's box contains all boxes below it, and is their union where none is STALE. The heights of a node's
+ * two sides differ by at most CNI_TREE_LEAN, so that the height for n items is below 2.5 log2(n) + 2 and searches need
+ * only small fixed stacks.
  *
- * Methods: see tree.c. Nothing here allocates but reserve.
+ * Methods: see tree.c. Only reserve allocates.
  */
 #ifndef CNI_BROADPHASE_TREE_H
 #define CNI_BROADPHASE_TREE_H
@@ -46,8 +46,8 @@ enum {
 typedef struct cni_tree_node {
 	cni_aabb box[2];
 	int32_t child[2];
-	int32_t parent;    /* the place this node hangs at; of a free node the next free one */
-	uint8_t height[2]; /* of what hangs there: 0 for an item */
+	int32_t parent;    /* the place that holds this node; in a free node the next free node */
+	uint8_t height[2]; /* of each child: 0 for an item */
 	uint8_t marks[2];
 } cni_tree_node;
 
@@ -57,11 +57,11 @@ typedef struct cni_tree {
 	int32_t node_free;  /* first of the free nodes, or CNI_NONE */
 	int32_t count;      /* items */
 	int32_t stale;      /* items with STALE */
-	uint32_t dice;
+	uint32_t random;    /* state of a linear congruential generator */
 	int32_t waited;     /* settles of many items since the last rebuild */
-	int32_t patience;   /* ... to wait before the next one */
+	int32_t patience;   /* ... that must pass before the next rebuild */
 	int32_t built;      /* items at the last rebuild */
-	float cost;         /* after it, see cni_tree_cost */
+	float cost;         /* cni_tree_cost after the last rebuild */
 } cni_tree;
 
 static inline cni_tree_node *cni_tree_node_at(const cni_tree *tree, int32_t node) { return (cni_tree_node *)tree->nodes.data + node; }
@@ -74,50 +74,50 @@ static inline int32_t cni_tree_height(const cni_tree *tree) { return tree->count
 
 void cni_tree_init(cni_tree *tree);
 void cni_tree_deinit(cni_tree *tree, cni_memory *memory);
-/* Makes any item below items insertable; 0 when there is no memory. exact: no room to grow into. */
+/* Guarantees that any item below `items` can be inserted; 0 when there is no memory. exact: reserves no spare capacity. */
 int32_t cni_tree_reserve(cni_tree *tree, cni_memory *memory, int32_t items, int32_t exact);
 uint64_t cni_tree_bytes(const cni_tree *tree);
 
-/* ---- changes: O(log n), cannot fail. A box that is not one (NaN, corners swapped) overlaps nothing. */
+/* ---- changes: O(log n), cannot fail. An invalid box (NaN, swapped corners) overlaps nothing. */
 
 void cni_tree_insert(cni_tree *tree, int32_t item, const cni_aabb *box);
 void cni_tree_remove(cni_tree *tree, int32_t item);
-/* A new box at once: removed and inserted. */
+/* Removes the item and inserts it with the new box. */
 void cni_tree_move(cni_tree *tree, int32_t item, const cni_aabb *box);
-/* A new box where the item hangs: searches are right at once and become fast again with cni_tree_settle. */
+/* Sets the box at the item's present place: searches are correct at once and fast again after cni_tree_settle. */
 void cni_tree_set_box(cni_tree *tree, int32_t item, const cni_aabb *box);
 /* Marks the item MOVED. */
 void cni_tree_mark_moved(cni_tree *tree, int32_t item);
 
-/* Reconsiders the places of all STALE items. scratch of cni_tree_scratch_bytes lets it build a tree anew that has
-   doubled, or in which many moved and which has become bad; NULL does without. */
+/* Reconsiders the places of all STALE items. With scratch of cni_tree_scratch_bytes it rebuilds a tree that has doubled in
+   size, or whose cost has grown while many items moved; with NULL it never rebuilds. */
 void cni_tree_settle(cni_tree *tree, void *scratch);
 uint64_t cni_tree_scratch_bytes(const cni_tree *tree);
 /* 1 when cni_tree_settle could use scratch. */
 int32_t cni_tree_wants_scratch(const cni_tree *tree);
-/* From nothing but the items and their boxes. */
+/* Builds the tree from the items and their boxes alone. */
 void cni_tree_rebuild(cni_tree *tree, void *scratch);
-/* Half the perimeters of everything but the items themselves, by those of the items: what searches pay. O(n). */
+/* Sum of the nodes' perimeters over the sum of the items' perimeters, a measure of the cost of searches. O(n). */
 float cni_tree_cost(const cni_tree *tree);
 
-/* All of it through a snapshot. */
+/* Passes the whole tree through a snapshot. */
 void cni_tree_snapshot(cni_tree *tree, cni_snapshot *s);
 
 /* ---- searches */
 
-/* Returns the limit to go on with: for rays a fraction, the given one or less; 0 stops both. */
+/* Returns the new limit: for rays a fraction, at most the given one. 0 stops queries and rays. */
 typedef float cni_tree_visit_fn(void *context, int32_t item, float limit);
 typedef void cni_tree_item_fn(void *context, int32_t item);
 typedef void cni_tree_pair_fn(void *context, int32_t item_a, int32_t item_b);
 
 /* Items whose boxes overlap the box, each once. */
 void cni_tree_query(const cni_tree *tree, const cni_aabb *box, cni_tree_visit_fn *visit, void *context);
-/* Items whose boxes the segment from origin by translation * limit crosses, about nearest first; limit is 1
-   at first. Rounding errs towards a hit. */
+/* Items whose boxes the segment from origin by translation * limit crosses, roughly nearest first; limit starts at 1.
+   Rounding errs towards a hit. */
 void cni_tree_ray(const cni_tree *tree, cni_vec2 origin, cni_vec2 translation, cni_tree_visit_fn *visit, void *context);
-/* Pairs of items whose boxes overlap and one of which at least is MOVED, each once. */
+/* Pairs of items with overlapping boxes and at least one MOVED item, each once. */
 void cni_tree_pairs(const cni_tree *tree, cni_tree_pair_fn *found, void *context);
-/* Every MOVED item RESTS now and is visited; the visit may not change the tree. */
+/* Marks every MOVED item RESTS and visits it; the visitor may not change the tree. */
 void cni_tree_unmark_moved(cni_tree *tree, cni_tree_item_fn *visit, void *context);
 
 /* 1 when every invariant holds. O(n). */

@@ -1,8 +1,8 @@
 /*
- * broadphase/tree_parts.h - what the files of the tree share, and nobody else: cost, unions, repair.
+ * broadphase/tree_parts.h - private to the files of the tree: cost, unions, rotations, repair.
  *
- *   tree.c          life, insertion by least cost, removal by sibling, rotations, checks
- *   tree_settle.c   many boxes at once: turning, rebuilding
+ *   tree.c          memory, insertion by least cost, removal by sibling, rotations, checks
+ *   tree_settle.c   many changed boxes at once: refit with rotations, rebuild
  *   tree_search.c   regions, rays, pairs
  */
 #ifndef CNI_BROADPHASE_TREE_PARTS_H
@@ -10,9 +10,8 @@
 
 #include "broadphase/tree.h"
 
-/* An eighth of the perimeter: in two dimensions the chance that a random line crosses a convex shape is as
-   its perimeter (Crofton, 1868), as it is the surface in three. An eighth, so that finite boxes have a
-   finite cost. */
+/* An eighth of the perimeter. In two dimensions the chance that a random line crosses a convex shape is proportional to
+   its perimeter (Crofton, 1868), as it is to the surface in three. The factor 1/8 keeps the cost of finite boxes finite. */
 static inline float cni_tree_size(const cni_aabb *box)
 {
 	return (0.25f * box->x1 - 0.25f * box->x0) + (0.25f * box->y1 - 0.25f * box->y0);
@@ -30,21 +29,22 @@ static inline int32_t cni_tree_node_height(const cni_tree_node *node)
 	return 1 + (node->height[0] > node->height[1] ? node->height[0] : node->height[1]);
 }
 
-/* Hangs a child at a place and tells it; box, height and marks are the caller's. */
+/* Stores a child at a place and the place with the child; the caller sets box, height and marks. */
 void cni_tree_attach(cni_tree *tree, int32_t place, int32_t child);
-/* reserve made sure that there is one. */
+/* Takes a node from the free list or the reserved capacity; cannot fail after reserve. */
 int32_t cni_tree_node_take(cni_tree *tree);
-/* Nothing hangs on either side. */
+/* Empties both sides. */
 void cni_tree_node_clear(cni_tree *tree, int32_t node);
+/* Returns a node to the free list. */
 void cni_tree_node_give(cni_tree *tree, int32_t node);
-/* Writes box, height and marks of the place that a node hangs at; 1 when any of them changed. */
+/* Recomputes box, height and marks of the place that holds the node; 1 when any of them changed. */
 int32_t cni_tree_refresh(cni_tree *tree, int32_t node);
 /* As cni_tree_insert, with MOVED or RESTS. */
 void cni_tree_insert_marked(cni_tree *tree, int32_t item, const cni_aabb *box, uint32_t marks);
-/* Turns the children of a node if that makes boxes smaller or is needed for balance; its own box does not
-   change, its height by one at most from what its place says. */
-void cni_tree_turn(cni_tree *tree, int32_t node);
-/* Turns and refreshes from a node up to where nothing changes any more. */
+/* Rotates the children of a node where that shrinks boxes or restores the balance. The node's box does not change; its
+   height differs afterwards by at most one from the height stored at its place. */
+void cni_tree_rotate(cni_tree *tree, int32_t node);
+/* Rotates and refreshes from a node upwards until a refresh changes nothing. */
 void cni_tree_repair(cni_tree *tree, int32_t node);
 
 #endif

@@ -1,11 +1,11 @@
 /*
- * broadphase/tree_save.c - a tree through a snapshot (base/snapshot.h): its nodes as they are, and where items hang.
+ * broadphase/tree_save.c - saves and loads a tree through a snapshot (base/snapshot.h): its nodes, places and counters.
  */
 #include "broadphase/tree.h"
 
 static int32_t *places_of(const cni_tree *tree) { return (int32_t *)tree->places.data; }
 
-/* Places there is room for are many; those behind the last item that hangs somewhere say nothing. */
+/* Number of places up to the last item in the tree; the capacity behind it is not saved. */
 static int32_t places_used(const cni_tree *tree)
 {
 	int32_t count = tree->places.count;
@@ -19,7 +19,7 @@ static void counts_pass(cni_tree *tree, cni_snapshot *s)
 	cni_snapshot_state(s, &tree->node_free, sizeof tree->node_free);
 	cni_snapshot_state(s, &tree->count, sizeof tree->count);
 	cni_snapshot_state(s, &tree->stale, sizeof tree->stale);
-	cni_snapshot_state(s, &tree->dice, sizeof tree->dice);
+	cni_snapshot_state(s, &tree->random, sizeof tree->random);
 	cni_snapshot_state(s, &tree->waited, sizeof tree->waited);
 	cni_snapshot_state(s, &tree->patience, sizeof tree->patience);
 	cni_snapshot_state(s, &tree->built, sizeof tree->built);

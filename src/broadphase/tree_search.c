@@ -1,14 +1,14 @@
 /*
- * broadphase/tree_search.c - searches through a tree of boxes: regions, rays, and pairs of what moved (see
- * broadphase/tree.h). Reads only, but for taking off marks at the end.
+ * broadphase/tree_search.c - searches an AABB tree for regions, rays and pairs of moved items (see broadphase/tree.h).
+ * Reads only, except that cni_tree_unmark_moved clears marks.
  *
- * Pairs are searched for every moved item, from where it hangs up to the root: its neighbours hang near, and
- * what is left and right of the way up says which of two moved items is to find the pair, so that each pair is
- * found once and whole nodes of moved items need not be looked at twice.
+ * The pair search walks from every moved item's place up to the root and searches each sibling subtree: neighbours are
+ * near in the tree. Of two moved items the one in the left subtree finds the pair, so that each pair is found once and no
+ * subtree of moved items is searched twice for it.
  */
 #include "broadphase/tree_parts.h"
 
-/* Without branches: in a search the answers are hard to foretell. */
+/* Without branches: searches make the results unpredictable. */
 static inline int32_t overlap(const cni_aabb *a, const cni_aabb *b)
 {
 	return (a->x0 <= b->x1) & (b->x0 <= a->x1) & (a->y0 <= b->y1) & (b->y0 <= a->y1);
@@ -43,7 +43,7 @@ typedef struct tree_ray {
 	cni_vec2 o, d;     /* o + t d */
 	float ax, ay;      /* |d.x|, |d.y| */
 	float limit;       /* t in [0, limit] */
-	cni_aabb box;      /* of what is left of it */
+	cni_aabb box;      /* of the ray up to limit */
 } tree_ray;
 
 static void ray_limit(tree_ray *ray, float limit)
@@ -56,9 +56,9 @@ static void ray_limit(tree_ray *ray, float limit)
 	ray->box.y1 = cni_max(ray->o.y, end.y);
 }
 
-/* Separating axes: x, y and the normal n = (-d.y, d.x) of the ray: a box with centre c seen from o and half
-   sides e touches the line when |n . c| <= |n| . e. All twice as large here. Rounding errs towards a hit, and
-   what overflows is one. */
+/* Separating axes: x, y and the normal n = (-d.y, d.x) of the ray. A box with centre c relative to o and half sides e
+   touches the line when |n . c| <= |n| . e. The code uses twice both sides. Rounding errs towards a hit; an overflow is a
+   hit. */
 static inline int32_t ray_crosses(const tree_ray *ray, const cni_aabb *b)
 {
 	float cx = (b->x0 - ray->o.x) + (b->x1 - ray->o.x), cy = (b->y0 - ray->o.y) + (b->y1 - ray->o.y);
@@ -67,13 +67,13 @@ static inline int32_t ray_crosses(const tree_ray *ray, const cni_aabb *b)
 	return overlap(&ray->box, b) & !(cni_abs(p - q) > reach + error);
 }
 
-/* How far along the ray a box lies, twice. */
+/* Twice the projection of the box's centre on the ray's direction. */
 static inline float ray_order(const tree_ray *ray, const cni_aabb *b)
 {
 	return ray->d.x * (b->x0 + b->x1) + ray->d.y * (b->y0 + b->y1);
 }
 
-/* The sides of a node that the ray crosses, the nearer one on top. */
+/* Pushes the sides of a node that the ray crosses, the nearer one on top; returns the new top. */
 static int32_t ray_push(const cni_tree *tree, const tree_ray *ray, int32_t node, int32_t *stack, int32_t top)
 {
 	const cni_tree_node *f = cni_tree_node_at(tree, node);
@@ -98,7 +98,7 @@ void cni_tree_ray(const cni_tree *tree, cni_vec2 origin, cni_vec2 translation, c
 	while (top > 0 && top + 2 <= CNI_TREE_STACK) {
 		int32_t place = stack[--top], child = cni_tree_child(tree, place);
 		float limit = ray.limit;
-		/* The ray may be shorter than when this was put here. */
+		/* The ray may have become shorter since the push. */
 		if (limit < 1.0f && !ray_crosses(&ray, cni_tree_box(tree, place)))
 			continue;
 		if (cni_tree_is_node(child))
@@ -120,7 +120,7 @@ typedef struct pair_search {
 	void *context;
 	cni_aabb box;
 	int32_t item;
-	uint32_t marks; /* of what is looked at */
+	uint32_t marks; /* places without any of these are skipped */
 } pair_search;
 
 static inline int32_t pair_may_be(const pair_search *s, const cni_tree_node *f, int32_t side)
@@ -128,7 +128,7 @@ static inline int32_t pair_may_be(const pair_search *s, const cni_tree_node *f, 
 	return (f->marks[side] & s->marks) != 0 && overlap(&f->box[side], &s->box);
 }
 
-/* What hangs at or below a place and overlaps the item. */
+/* Reports the items at or below a place that overlap the item. */
 static void pairs_below(const pair_search *s, int32_t place)
 {
 	int32_t stack[CNI_TREE_STACK], top = 0, k;
@@ -149,8 +149,8 @@ static void pairs_below(const pair_search *s, int32_t place)
 	}
 }
 
-/* From the item up: what hangs beside it, beside the node it hangs at, and so on. Of two moved items the left
-   one finds the pair, so that to its left an item only looks at what rests. */
+/* Searches the sibling of the item, of its node, and so on up to the root. Of two moved items the left one finds the
+   pair, so an item skips moved items in subtrees to its left. */
 static void pairs_of(pair_search *s, int32_t place)
 {
 	s->box = *cni_tree_box(s->tree, place);

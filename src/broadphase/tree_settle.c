@@ -1,13 +1,12 @@
 /*
- * broadphase/tree_settle.c - many boxes of a tree changed: find them places again (see broadphase/tree.h).
+ * broadphase/tree_settle.c - updates the places of many changed boxes at once (see broadphase/tree.h).
  *
- * Most items stay where they hang: one pass from the bottom up fits the boxes above them and turns each
- * node, which follows small motion at a fraction of the price of insertion (Kopta et al., "Fast, effective BVH
- * updates for animated scenes", 2012). Turns alone let a tree go bad over many steps. While few items
- * move, those marked FAR are inserted anew: that keeps the cost level, and no step is longer than others.
- * When many move, it is cheaper to build the tree anew once its cost has grown (or it has itself): top down, items halved
- * again and again at the median of their centres along the longer side (Kay and Kajiya, "Ray tracing
- * complex scenes", 1986).
+ * Most items keep their place: one pass from the bottom up refits the boxes above them and rotates each node, which
+ * follows small motion at a fraction of the cost of insertion (Kopta et al., "Fast, effective BVH updates for animated
+ * scenes", 2012). A tree degrades over many steps under rotations alone. While few items move, the pass removes and
+ * reinserts those marked FAR: that keeps the cost level, and no step is longer than others. When many items move, a
+ * rebuild is cheaper once the cost or the size of the tree has grown: top down, splitting the items at the median of
+ * their centres along the longer side (Kay and Kajiya, "Ray tracing complex scenes", 1986).
  */
 #include "broadphase/tree_parts.h"
 
@@ -20,7 +19,7 @@
 /* Settles of many to wait after a rebuild that gained nothing. */
 #define PATIENCE_MOST 64
 
-/* What the owner says about an item. */
+/* Marks that the owner sets. */
 #define OWN_MARKS (CNI_TREE_MOVED | CNI_TREE_RESTS)
 
 typedef struct tree_leaf {
@@ -29,7 +28,7 @@ typedef struct tree_leaf {
 	uint32_t marks;
 } tree_leaf;
 
-/* Items from first, which are to hang below place. */
+/* count leaves from first on, to be attached below place. */
 typedef struct tree_span {
 	int32_t place;
 	int32_t first;
@@ -65,15 +64,15 @@ static void leaf_swap(tree_leaf *a, tree_leaf *b)
 	*b = t;
 }
 
-/* The middle one of three, as pivot. */
+/* The median of the first, middle and last key, as pivot. */
 static float middle_key(const tree_leaf *leaves, int32_t count, int32_t along_y)
 {
 	float a = leaf_key(leaves, along_y), b = leaf_key(&leaves[count / 2], along_y), c = leaf_key(&leaves[count - 1], along_y);
 	return cni_max(cni_min(a, b), cni_min(cni_max(a, b), c));
 }
 
-/* Puts the leaves with the least keys first (Hoare, "Find", 1961). */
-static void halve(tree_leaf *leaves, int32_t count, int32_t half, int32_t along_y)
+/* Moves the `half` leaves with the least keys to the front (quickselect: Hoare, "Find", 1961). */
+static void split_at(tree_leaf *leaves, int32_t count, int32_t half, int32_t along_y)
 {
 	int32_t low = 0, high = count - 1;
 	while (low < high) {
@@ -120,7 +119,7 @@ static void attach_leaf(cni_tree *tree, int32_t place, const tree_leaf *leaf)
 	cni_tree_attach(tree, place, ~leaf->item);
 }
 
-/* Forks in the order of a walk, so that a search runs through memory; those above have lower numbers. */
+/* Takes nodes in depth-first order, so that a search reads memory forwards; ancestors have lower numbers. */
 static void build(cni_tree *tree, tree_leaf *leaves, int32_t count)
 {
 	tree_span stack[64];
@@ -135,7 +134,7 @@ static void build(cni_tree *tree, tree_leaf *leaves, int32_t count)
 			attach_leaf(tree, span.place, &leaves[span.first]);
 			continue;
 		}
-		halve(leaves + span.first, span.count, half, longer_axis(leaves + span.first, span.count));
+		split_at(leaves + span.first, span.count, half, longer_axis(leaves + span.first, span.count));
 		node = cni_tree_node_take(tree);
 		cni_tree_attach(tree, span.place, node);
 		stack[top].place = 2 * node + 1;
@@ -178,20 +177,19 @@ static void unmark_stale_items(cni_tree *tree, int32_t node)
 		}
 }
 
-/* A node whose sides are settled. Balance is restored at once, so that it is never off by more than a turn
-   repairs. */
+/* Settles a node whose sides are settled. Restores the balance at once, so that one rotation always suffices. */
 static void node_settle(cni_tree *tree, int32_t node)
 {
 	int32_t place = cni_tree_node_at(tree, node)->parent;
 	int32_t height = cni_tree_node_of(tree, place)->height[place & 1];
 	unmark_stale_items(tree, node);
-	cni_tree_turn(tree, node);
+	cni_tree_rotate(tree, node);
 	(void)cni_tree_refresh(tree, node);
 	if (cni_tree_node_of(tree, place)->height[place & 1] != height)
 		cni_tree_repair(tree, place >> 1);
 }
 
-/* Down to what is stale, then up, led by the marks alone: turns may change what is above. */
+/* Descends to stale items and climbs again, guided by the marks alone because rotations may change the ancestors. */
 static void settle_in_place(cni_tree *tree)
 {
 	int32_t node = 0;
@@ -210,7 +208,7 @@ static void settle_in_place(cni_tree *tree)
 	}
 }
 
-/* ---- anew, one by one ---- */
+/* ---- reinsertion ---- */
 
 static int32_t first_far(const cni_tree *tree)
 {
@@ -222,25 +220,25 @@ static int32_t first_far(const cni_tree *tree)
 	return ~child;
 }
 
-/* Takes FAR items out, all before any goes in again, because those above them have grown by their flight and would
-   draw others in. Each leaves a free node behind, which keeps it until it is inserted. */
-static int32_t take_far_out(cni_tree *tree)
+/* Removes all FAR items before any is inserted again, because their ancestors' boxes have grown with them and would
+   attract other items. The node that a removal frees stores the item until its insertion. */
+static int32_t remove_far(cni_tree *tree)
 {
 	int32_t count = 0;
 	while ((cni_tree_marks(tree, CNI_TREE_ROOT) & CNI_TREE_FAR) && tree->count > 1) {
 		int32_t item = first_far(tree), place = cni_tree_place(tree, item);
-		cni_tree_node leaf = *cni_tree_node_of(tree, place), *keeps;
+		cni_tree_node leaf = *cni_tree_node_of(tree, place), *freed;
 		cni_tree_remove(tree, item);
-		keeps = cni_tree_node_at(tree, tree->node_free);
-		keeps->box[0] = leaf.box[place & 1];
-		keeps->child[0] = ~item;
-		keeps->marks[0] = (uint8_t)(leaf.marks[place & 1] & OWN_MARKS);
+		freed = cni_tree_node_at(tree, tree->node_free);
+		freed->box[0] = leaf.box[place & 1];
+		freed->child[0] = ~item;
+		freed->marks[0] = (uint8_t)(leaf.marks[place & 1] & OWN_MARKS);
 		++count;
 	}
 	return count;
 }
 
-static void put_far_in(cni_tree *tree, int32_t count)
+static void insert_removed(cni_tree *tree, int32_t count)
 {
 	while (count-- > 0) {
 		int32_t node = tree->node_free;
@@ -250,7 +248,7 @@ static void put_far_in(cni_tree *tree, int32_t count)
 	}
 }
 
-/* ---- the choice ---- */
+/* ---- refit or rebuild ---- */
 
 float cni_tree_cost(const cni_tree *tree)
 {
@@ -268,8 +266,7 @@ float cni_tree_cost(const cni_tree *tree)
 
 static int32_t many_stale(const cni_tree *tree) { return tree->stale > tree->count / MANY_SHARE; }
 
-/* A tree that was filled item by item is good, but scattered over memory: searches are twice as fast in one
-   that was built at once. */
+/* Insertion one by one gives a good tree scattered over memory: searches are twice as fast after a rebuild. */
 static int32_t has_doubled(const cni_tree *tree) { return tree->count > 2 * tree->built; }
 
 int32_t cni_tree_wants_scratch(const cni_tree *tree) { return many_stale(tree) || has_doubled(tree); }
@@ -281,7 +278,7 @@ static void rebuild_measured(cni_tree *tree, void *scratch)
 	tree->waited = 0;
 }
 
-/* After many moved: is the tree worth building anew? */
+/* Called after many items moved: rebuilds if the cost has grown enough. */
 static void rebuild_if_worse(cni_tree *tree, void *scratch)
 {
 	float cost;
@@ -296,14 +293,14 @@ static void rebuild_if_worse(cni_tree *tree, void *scratch)
 
 void cni_tree_settle(cni_tree *tree, void *scratch)
 {
-	int32_t many = scratch != NULL && many_stale(tree), out;
+	int32_t many = scratch != NULL && many_stale(tree), removed;
 	if (scratch != NULL && has_doubled(tree)) {
 		rebuild_measured(tree, scratch);
 		return;
 	}
-	out = many ? 0 : take_far_out(tree);
+	removed = many ? 0 : remove_far(tree);
 	settle_in_place(tree);
-	put_far_in(tree, out);
+	insert_removed(tree, removed);
 	if (many)
 		rebuild_if_worse(tree, scratch);
 }

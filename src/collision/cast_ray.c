@@ -2,16 +2,15 @@
  * collision/cast_ray.c - rays against every type of shape.
  *
  * Convex skeletons are clipped face by face (Cyrus, Beck 1978) against the planes moved out by the radius.
- * That finds the face through which the ray enters; if it does so beyond the face's ends, only the disc
- * around that end can be met, because the corner between the two planes and the disc is all that is
- * left of the ray's way through:
+ * That finds the face through which the ray enters. If the ray enters beyond the face's ends, it can only hit the disc
+ * around that end, because the clipped ray is then in the corner between the two planes and the disc:
  *
  *        plane of the next face \   . ray enters beyond the end
  *                                \ /
  *              ---------------- (v)      disc around v
  *
- * The same holds for a start in such a corner. Discs are met by the point of the line that is nearest to
- * the centre, so that far origins lose no digits to differences of squares.
+ * The same holds for a start in such a corner. The disc test begins at the point of the line that is nearest to the
+ * centre, so that distant origins lose no digits to differences of squares.
  */
 #include "collision/cast.h"
 
@@ -90,7 +89,7 @@ static int32_t inside_make(cni_vec2 on_skeleton, cni_vec2 normal, float radius, 
 	return 1;
 }
 
-/* Started within the radius of the outline, or 0. */
+/* An origin within the radius of the outline: the hit at the start; 0 when the origin is not. */
 static int32_t inside_outline(const cni_cast_hull *hull, cni_vec2 origin, cni_cast_hit *out, int32_t *out_feature)
 {
 	outline near = outline_nearest(hull, origin);
@@ -98,7 +97,7 @@ static int32_t inside_outline(const cni_cast_hull *hull, cni_vec2 origin, cni_ca
 	cni_vec2 offset = cni_sub(origin, near.point), normal = cni_normalize(offset);
 	if (near.distance_sq > hull->radius * hull->radius)
 		return 0;
-	if (near.feature >= hull->count || !(distance > 0.0f)) { /* of a face its own, which has more digits than a short offset */
+	if (near.feature >= hull->count || !(distance > 0.0f)) { /* a face's own normal has more digits than a short offset */
 		normal = hull->count > 1 ? face_normal(hull, near.feature % hull->count) : cni_v(0.0f, 1.0f);
 		normal = cni_dot(normal, offset) < 0.0f ? cni_neg(normal) : normal;
 	}
@@ -118,10 +117,10 @@ static int32_t nearest_vertex(const cni_cast_hull *hull, cni_vec2 point)
 /* The ray clipped against the planes moved out by the radius. */
 typedef struct clip {
 	float enter, leave;
-	cni_vec2 normal;      /* of the face entered through */
-	int32_t face;         /* CNI_NONE: the origin is inside of all planes */
-	float height_most;    /* of the origin over any plane of the skeleton itself */
-	int32_t face_most;    /* ... that plane's face */
+	cni_vec2 normal;      /* of the face through which the ray enters */
+	int32_t face;         /* CNI_NONE: the origin is behind all moved planes */
+	float height_most;    /* greatest height of the origin over the skeleton's own planes */
+	int32_t face_most;    /* ... the face of that plane */
 } clip;
 
 /* 0 when the ray misses. */
@@ -179,7 +178,7 @@ static int32_t face_enter(const cni_cast_hull *hull, const clip *c, cni_vec2 ori
 	return 1;
 }
 
-/* Started within the skeleton: out through the face that is nearest. */
+/* An origin inside the skeleton: the way out is through the nearest face. */
 static int32_t inside_skeleton(const cni_cast_hull *hull, const clip *c, cni_vec2 origin, cni_cast_hit *out, int32_t *out_feature)
 {
 	cni_vec2 normal = face_normal(hull, c->face_most);
@@ -206,8 +205,8 @@ int32_t cni_cast_hull_ray(const cni_cast_hull *hull, cni_vec2 origin, cni_vec2 t
 
 /* ------------------------------------------------------------------ edge */
 
-/* Which side of the ray's line the ends are on is computed from each end alone, so that no ray slips
-   between two edges that share one. */
+/* The side of the ray's line on which an end lies is computed from that end alone, so that no ray passes between two edges
+   that share an end. */
 static int32_t edge_enter(cni_vec2 a, cni_vec2 b, int32_t one_sided, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out)
 {
 	cni_vec2 edge = cni_sub(b, a), normal = cni_normalize(cni_right_perp(edge));

@@ -1,10 +1,10 @@
 /*
- * collision/cast_shape.c - a convex shape that is moved without turning against every type of shape.
+ * collision/cast_shape.c - casts a translating convex shape against every type of shape.
  *
- * The moved set M overlaps the shape A after the translation d t exactly when d t lies in A - M, the
- * Minkowski difference: so the answer is that of a ray from 0 along d against A - M, whose skeleton is
- * the polygon of all edges of A and -M sorted by angle (at most 32) and whose radius is the sum of both.
- * Each of its vertices is a vertex of A minus one of M; these tell where the two touch.
+ * The moving set M overlaps the shape A after the translation d t exactly when d t lies in A - M, the Minkowski difference.
+ * So the result is that of a ray from 0 along d against A - M. Its skeleton is the polygon of all edges of A and -M sorted
+ * by angle (at most 32), and its radius is the sum of both radii. Each vertex of A - M is a vertex of A minus a vertex of
+ * M; these give the contact point.
  */
 #include "collision/cast.h"
 
@@ -16,19 +16,19 @@ typedef struct difference {
 	int32_t count;
 } difference;
 
-/* A convex set walked from its lowest point (the leftmost of equals) around counter-clockwise: its edges
-   come in order of their angle from 0 to a full turn. sign -1 walks its mirror image. */
-typedef struct rim {
+/* Iterates counter-clockwise over a convex set's edges from its lowest point (of several, the leftmost): the edges are in
+   order of their angle from 0 to 2 pi. sign -1 iterates over the mirror image. */
+typedef struct contour {
 	const cni_vec2 *points;
 	int32_t count;
 	int32_t first;
-	int32_t done;   /* edges walked */
+	int32_t done;   /* edges visited */
 	float sign;
-} rim;
+} contour;
 
-static rim rim_make(const cni_vec2 *points, int32_t count, float sign)
+static contour contour_make(const cni_vec2 *points, int32_t count, float sign)
 {
-	rim r = { points, count, 0, 0, sign };
+	contour r = { points, count, 0, 0, sign };
 	for (int32_t i = 1; i < count; ++i) {
 		float dy = sign * (points[i].y - points[r.first].y), dx = sign * (points[i].x - points[r.first].x);
 		if (dy < 0.0f || (dy == 0.0f && dx < 0.0f))
@@ -37,22 +37,22 @@ static rim rim_make(const cni_vec2 *points, int32_t count, float sign)
 	return r;
 }
 
-static int32_t rim_index(const rim *r, int32_t step)
+static int32_t contour_index(const contour *r, int32_t step)
 {
 	return (r->first + step) % r->count;
 }
 
-static int32_t rim_is_done(const rim *r)
+static int32_t contour_is_done(const contour *r)
 {
 	return r->count < 2 || r->done == r->count;
 }
 
-static cni_vec2 rim_edge(const rim *r)
+static cni_vec2 contour_edge(const contour *r)
 {
-	return cni_mul(r->sign, cni_sub(r->points[rim_index(r, r->done + 1)], r->points[rim_index(r, r->done)]));
+	return cni_mul(r->sign, cni_sub(r->points[contour_index(r, r->done + 1)], r->points[contour_index(r, r->done)]));
 }
 
-/* -1: u comes first by angle in [0, 2 pi), 1: v does, 0: they are parallel. */
+/* -1: u has the smaller angle in [0, 2 pi), 1: v has, 0: they are parallel. */
 static int32_t angle_order(cni_vec2 u, cni_vec2 v)
 {
 	int32_t half_u = u.y < 0.0f || (u.y == 0.0f && u.x < 0.0f);
@@ -65,25 +65,25 @@ static int32_t angle_order(cni_vec2 u, cni_vec2 v)
 
 static void difference_make(difference *out, const cni_vec2 *a, int32_t count_a, const cni_vec2 *m, int32_t count_m)
 {
-	rim ra = rim_make(a, count_a, 1.0f), rm = rim_make(m, count_m, -1.0f);
+	contour ra = contour_make(a, count_a, 1.0f), rm = contour_make(m, count_m, -1.0f);
 	out->count = 0;
 	do {
-		int32_t ia = rim_index(&ra, ra.done), im = rim_index(&rm, rm.done);
-		cni_vec2 edge_a = rim_edge(&ra), edge_m = rim_edge(&rm);
-		int32_t order = rim_is_done(&ra) ? 1 : rim_is_done(&rm) ? -1 : angle_order(edge_a, edge_m);
+		int32_t ia = contour_index(&ra, ra.done), im = contour_index(&rm, rm.done);
+		cni_vec2 edge_a = contour_edge(&ra), edge_m = contour_edge(&rm);
+		int32_t order = contour_is_done(&ra) ? 1 : contour_is_done(&rm) ? -1 : angle_order(edge_a, edge_m);
 		out->normals[out->count] = cni_normalize(cni_right_perp(order > 0 ? edge_m : edge_a));
 		out->points[out->count] = cni_sub(a[ia], m[im]);
 		out->of_a[out->count] = ia;
 		out->of_m[out->count] = im;
 		++out->count;
-		if (order <= 0 && !rim_is_done(&ra))
+		if (order <= 0 && !contour_is_done(&ra))
 			++ra.done;
-		if (order >= 0 && !rim_is_done(&rm))
+		if (order >= 0 && !contour_is_done(&rm))
 			++rm.done;
-	} while (!rim_is_done(&ra) || !rim_is_done(&rm));
+	} while (!contour_is_done(&ra) || !contour_is_done(&rm));
 }
 
-/* Where two faces touch along the tangent: the middle of what they share; a vertex is a face without length. */
+/* Contact position of two faces along the tangent: the middle of their overlap. A vertex is a face without length. */
 static float shared_middle(float a0, float a1, float m0, float m1)
 {
 	float lower = cni_max(cni_min(a0, a1), cni_min(m0, m1));
@@ -104,8 +104,8 @@ static cni_vec2 touch_point(const difference *d, int32_t feature, const cni_vec2
 	return cni_madd(cni_madd(a0, middle, along), radius_a, normal);
 }
 
-/* Overlaps a chain's edge at the start: unless it is met beyond an end, where the outline has a way out to the front, it
-   has to be lifted to where all of it is in front. */
+/* Normal and depth of an overlap with a chain's edge at the start. Beyond an end of the edge the shortest way out may lead to
+   the front; otherwise the whole moving set must be lifted to the front. */
 static void chain_lift(const difference *d, cni_vec2 front, float radius, cni_cast_hit *out, int32_t *out_feature)
 {
 	cni_vec2 up = cni_normalize(front);

@@ -2,9 +2,9 @@
  * collision/distance.c - closest points of convex point sets and of segments.
  *
  * Point sets: GJK (Gilbert, Johnson, Keerthi 1988) on the Minkowski difference b - a with barycentric
- * simplex reduction (Catto, GDC 2010). The point of b - a nearest to the origin is approached by adding
- * support points; a step that does not bring it strictly nearer is undone and ends the search, so
- * rounding cannot make it cycle.
+ * simplex reduction (Catto, GDC 2010). Each iteration adds a support point and so approaches the point of
+ * b - a nearest to the origin. An iteration that does not come strictly nearer is undone and ends the
+ * search, so rounding cannot make it cycle.
  *
  * Segments: in the plane, two segments either cross or are closest at an end of one of them, so the
  * least of four point-to-segment distances is exact, for parallel segments too.
@@ -119,8 +119,8 @@ static void reduce3(simplex *s)
 	}
 }
 
-/* From the origin to the simplex; for an edge along its perpendicular, which keeps its direction however
-   close the origin is. Not normalised. */
+/* A vector from the origin towards the simplex, not normalised. For an edge it is the perpendicular, whose direction stays
+   exact however close the origin is. */
 static cni_vec2 simplex_offset(const simplex *s)
 {
 	if (s->count == 1)
@@ -144,7 +144,7 @@ static int32_t simplex_has(const simplex *s, int32_t ia, int32_t ib)
 	return 0;
 }
 
-/* The nearest simplex; three vertices or distance 0: the sets overlap. */
+/* Finds the simplex nearest to the origin; returns the iterations. Three vertices or distance 0: the sets overlap. */
 static int32_t simplex_search(const query *q, simplex *s)
 {
 	s->v[0] = vertex_make(q, 0, 0);

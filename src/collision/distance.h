@@ -11,20 +11,20 @@ typedef struct cni_distance_result {
 	cni_vec2 point_a;   /* on the surface of a (radius included), in a's frame */
 	cni_vec2 point_b;   /* on the surface of b, in a's frame */
 	cni_vec2 normal;    /* unit, from a to b; (0, 0) when the skeletons overlap */
-	float distance;     /* of the surfaces; negative when only the radii overlap; 0 when the skeletons do */
+	float distance;     /* between the surfaces; negative when only the radii overlap; 0 when the skeletons overlap */
 	int32_t iterations;
 } cni_distance_result;
 
 /* b_in_a maps b's frame into a's. */
 cni_distance_result cni_distance(cni_proxy_points a, cni_proxy_points b, cni_transform b_in_a);
 
-/* As cni_distance, of the skeletons, with the features that are closest. */
+/* Distance of the skeletons, with the closest features. */
 typedef struct cni_closest {
 	cni_vec2 point_a;
 	cni_vec2 point_b;
 	cni_vec2 normal;     /* unit, from a to b; (0, 0) when they overlap */
 	float distance;      /* 0 when they overlap */
-	int32_t index_a[2];  /* point numbers: the same one twice for a vertex, two for an edge */
+	int32_t index_a[2];  /* point numbers: two of an edge, or the same twice for a vertex */
 	int32_t index_b[2];
 	int32_t iterations;
 } cni_closest;

@@ -1,5 +1,5 @@
 /*
- * collision/manifold_boxes.c - filling a batch of pairs of boxes, and reading the manifolds back.
+ * collision/manifold_boxes.c - fills a batch of pairs of boxes and reads the manifolds back.
  */
 #include "collision/manifold_boxes.h"
 #include "base/cpu.h"
@@ -56,7 +56,7 @@ int32_t cni_boxes_add(cni_box_batch *batch, const cni_manifold_input *in, const 
 	return k;
 }
 
-/* The last column stands in where the kernel is wider than what is left. */
+/* Copies the last column to fill the kernel's width. */
 static void pad(cni_box_batch *batch)
 {
 	int32_t last = batch->count - 1, k;
@@ -84,7 +84,7 @@ void cni_boxes_run(cni_box_batch *batch, cni_box_kernel_fn *kernel)
 {
 	if (batch->count == 0)
 		return;
-	if (batch->count == 1) { /* costs less alone */
+	if (batch->count == 1) { /* a single pair is cheaper without the kernel */
 		batch->state[0] = CNI_BOXES_LEFT;
 		return;
 	}

@@ -1,5 +1,5 @@
 /*
- * collision/manifold_boxes_4.c - pairs of boxes on vectors of four floats: SSE2, NEON, WASM SIMD.
+ * collision/manifold_boxes_4.c - collides pairs of boxes with vectors of four floats: SSE2, NEON, WASM SIMD.
  */
 #include "base/cpu.h"
 

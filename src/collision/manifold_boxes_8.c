@@ -1,11 +1,11 @@
 /*
- * collision/manifold_boxes_8.c - pairs of boxes on vectors of eight floats: AVX2, used only where the
- * processor has it. Fused multiply-add stays off: it would change the bits.
+ * collision/manifold_boxes_8.c - collides pairs of boxes with vectors of eight floats (AVX2), chosen at run time where the
+ * processor supports it. Fused multiply-add stays off: it would change the bits.
  */
 #include "base/cpu.h"
 
 #if CNI_HAS_WIDE_8
-/* Headers with functions of their own come first, so that only this file's code needs AVX2. */
+/* Headers with inline functions come first, so that only this file's code is compiled for AVX2. */
 #include "collision/manifold_boxes.h"
 #include "collision/manifold_faces.h"
 #include <immintrin.h>

@@ -1,18 +1,18 @@
 /*
- * collision/manifold_boxes_kernel.h - CNI_WIDTH pairs of boxes side by side: included by manifold_boxes_4.c
+ * collision/manifold_boxes_kernel.h - collides CNI_WIDTH pairs of boxes side by side: included by manifold_boxes_4.c
  * and manifold_boxes_8.c, which define CNI_WIDTH and CNI_KERNEL (the function's name).
  *
- * The method, its names and the order of every operation are those of manifold_faces.c and distance.c, so that
- * the bits are the same. What is a branch there is a mask here.
+ * The method, the names and the order of every operation are those of manifold_faces.c and distance.c, so that the bits
+ * are the same. Branches there are masks here.
  *
- * Shapes of fewer corners fill the four places of a box with some of them twice:
+ * Shapes with fewer corners fill the four places of a box by repeating corners:
  *
  *   place      0   1   2   3
  *   box       p0  p1  p2  p3
  *   triangle  p0  p1  p1  p2
  *   segment   p0  p1  p0  p1
  *
- * Of equal ones the first is always chosen, so only a triangle's last corner has a place that is not its number.
+ * Of equal corners the code always chooses the first, so only a triangle's last corner has a place other than its number.
  */
 #include "base/wide.h"
 #include "collision/manifold_boxes.h"
@@ -27,7 +27,7 @@ typedef struct box {
 	cni_mask count;
 } box;
 
-/* A face of one of the two boxes in every lane, and how far the other box is in front of it. */
+/* In every lane, a face of one of the two boxes and its separation from the other box. */
 typedef struct face {
 	cni_wide separation;
 	cni_mask edge;
@@ -47,13 +47,13 @@ CNI_INLINE void mask_store(int32_t *p, cni_mask m) { *(cni_mask *)(void *)p = m;
 
 CNI_INLINE int32_t mask_any(cni_mask m) { return cni_mask_bits(m) != 0; }
 
-/* Two vectors at offset (in floats) of CNI_WIDTH records. */
+/* Loads two vectors at an offset (in floats) from each of CNI_WIDTH records. */
 CNI_INLINE void load_two(const float *const *records, int32_t offset, wide2 *first, wide2 *second)
 {
 	cni_wide_gather4_from(records, offset, &first->x, &first->y, &second->x, &second->y);
 }
 
-/* Any shapes: the last two places begin at corner count - 2. */
+/* Loads shapes of two to four corners: the last two places begin at corner count - 2. */
 CNI_INLINE void corners_load(const float *const *records, const int32_t *count, box *out)
 {
 	const float *normals[CNI_WIDTH], *last_points[CNI_WIDTH], *last_normals[CNI_WIDTH];
@@ -145,7 +145,7 @@ CNI_INLINE face face_select(cni_mask m, face a, face b)
 	return f;
 }
 
-/* The axis of greatest separation; a's before b's and the cached one before all when nearly equal. */
+/* The axis of greatest separation. Among nearly equal axes it prefers a's to b's, and the cached one to all. */
 CNI_INLINE face axis_choose(const box *a, const box *b, cni_mask cached, cni_wide cached_at, cni_wide touch)
 {
 	face best = best_face(a, b, mask_of(0)), of_b = best_face(b, a, mask_of(-1)), old;
@@ -326,7 +326,7 @@ typedef struct corners {
 	wide2 normal;
 	cni_wide distance;
 	cni_mask a, b;  /* the corners */
-	cni_mask known; /* they are */
+	cni_mask known; /* lanes in which the closest features are these corners */
 } corners;
 
 CNI_INLINE corners corners_find(const box *a, const box *b, const clip *c, cni_mask of_b, cni_wide touch, cni_wide error)
@@ -352,7 +352,7 @@ CNI_INLINE corners corners_find(const box *a, const box *b, const clip *c, cni_m
 
 CNI_INLINE void store_where(cni_mask m, float *p, cni_wide x) { cni_wide_store(p, cni_wide_select(m, x, cni_wide_load(p))); }
 
-/* Their point over what was stored. */
+/* Overwrites the stored point with the corners' point in some lanes. */
 CNI_INLINE void corners_store(cni_box_batch *k, int32_t l, const corners *f, cni_mask where)
 {
 	cni_wide ra = cni_wide_load(k->radius_a + l), separation = f->distance - ra - cni_wide_load(k->radius_b + l);

@@ -1,18 +1,17 @@
 /*
- * collision/manifold_chain.c - circles, capsules and polygons (shape a) on one edge of a chain (shape b).
+ * collision/manifold_chain.c - manifolds of circles, capsules and polygons (shape a) with one edge of a chain (shape b).
  *
  * An edge is one-sided: a shape whose centroid is behind it does not collide. Its neighbours decide
  * which normals may act (after Catto, "Ghost Collisions", 2020):
  *
- *   open end        nothing beyond: round the end, but not from behind
+ *   open end        no neighbour: all directions around the end, except from behind
  *   flat, concave   only the edge's own normal: the neighbour's surface covers the corner
- *   convex          between the two edges' normals
+ *   convex          directions between the two edges' normals
  *
- * For shapes with faces the separating axes are those of the local surface, not of the edge alone: the
- * far points of convex neighbours (ghosts) take part as support points and the neighbours' normals as
- * axes. When such a ghost or neighbour gives the best axis, the contact is the neighbour's and this edge
- * stays out of it. At flat and concave corners the shape's own faces are no axes at all; they only tell
- * that shapes are apart. So an inner corner cannot push along the surface.
+ * For shapes with faces the separating axes are those of the local surface, not of the edge alone: the far points of convex
+ * neighbours (ghosts) are support points and the neighbours' normals are axes. When a ghost or a neighbour gives the best
+ * axis, the contact belongs to the neighbour and this edge makes no manifold. At flat and concave corners the shape's own
+ * faces only prove separation and never become the normal, so an inner corner cannot push along the surface.
  */
 #include "collision/manifold_faces.h"
 #include "collision/manifold_table.h"
@@ -29,7 +28,7 @@ static int32_t corner_kind(cni_vec2 before, cni_vec2 after)
 	float limit = FLAT_SINE_MAX * FLAT_SINE_MAX * cni_length_sq(before) * cni_length_sq(after);
 	if (turn > 0.0f && turn * turn > limit)
 		return CNI_CORNER_CONVEX;
-	/* A hairpin turns by half a circle: its tip is as convex as can be. */
+	/* A hairpin turns by half a circle: its tip is convex. */
 	return turn >= 0.0f && cni_dot(before, after) < 0.0f ? CNI_CORNER_CONVEX : CNI_CORNER_FLAT;
 }
 
@@ -47,8 +46,8 @@ static cni_vec2 normal_moved(const cni_manifold_input *in, cni_vec2 along)
 	return cni_rotate(in->b_in_a.q, cni_normalize(cni_right_perp(along)));
 }
 
-/* The edge itself, which is all that is asked of most: of what is behind it or too far in front. Directions come from
-   the chain's own points, which keep more digits than the moved ones. */
+/* The edge without its neighbours, which is enough to reject most shapes (behind the edge or too far in front). Directions
+   come from the chain's own points, which keep more digits than the transformed ones. */
 static void chain_surface(cni_chain_edge *e, const cni_manifold_input *in)
 {
 	const cni_vec2 *p = cni_geometry_points(in->b);
@@ -58,7 +57,7 @@ static void chain_surface(cni_chain_edge *e, const cni_manifold_input *in)
 	e->points[1] = cni_transform_point(in->b_in_a, end);
 }
 
-/* What lies beyond one of its ends. */
+/* The corner at one of the edge's ends. */
 static void chain_corner(cni_chain_edge *e, const cni_manifold_input *in, int32_t end)
 {
 	const cni_geometry *g = in->b;
@@ -80,7 +79,7 @@ static void chain_corner(cni_chain_edge *e, const cni_manifold_input *in, int32_
 
 /* ------------------------------------------------------------------ circle */
 
-/* A circle beyond an end: may this edge push it away from the corner along outward? */
+/* For a circle beyond an end: 1 when this edge may push it away from the corner along outward. */
 static int32_t corner_owns(const cni_chain_edge *e, int32_t end, cni_vec2 outward, cni_vec2 offset)
 {
 	if (e->corner[end] == CNI_CORNER_OPEN)
@@ -149,7 +148,7 @@ typedef struct chain_axis {
 	float separation;
 	int32_t kind;
 	int32_t edge;   /* AXIS_SHAPE: the face of a */
-	float apart;    /* greatest separation along any axis, also those that may not push */
+	float apart;    /* greatest separation along any axis, including axes that may not push */
 } chain_axis;
 
 static float points_height(const cni_faces *f, cni_vec2 normal, cni_vec2 origin)
@@ -160,7 +159,7 @@ static float points_height(const cni_faces *f, cni_vec2 normal, cni_vec2 origin)
 	return low;
 }
 
-/* The edge's own normal, over which a is at a height, and those of convex neighbours. */
+/* Axes of the surface: the edge's own normal (separation `height`) and those of convex neighbours. */
 static void surface_axes(const cni_chain_edge *e, const cni_faces *a, float height, float touch, chain_axis *best)
 {
 	best->separation = height;
@@ -180,7 +179,7 @@ static void surface_axes(const cni_chain_edge *e, const cni_faces *a, float heig
 	best->apart = best->separation;
 }
 
-/* A face of the shape against the edge's ends and the ghosts of convex corners. */
+/* Considers a face of the shape as axis, against the edge's ends and the ghosts of convex corners. */
 static void shape_axis(const cni_chain_edge *e, cni_vec2 normal, cni_vec2 origin, int32_t edge, float touch, chain_axis *best)
 {
 	float height[2] = { cni_dot(normal, cni_sub(e->points[0], origin)), cni_dot(normal, cni_sub(e->points[1], origin)) };
@@ -198,7 +197,7 @@ static void shape_axis(const cni_chain_edge *e, cni_vec2 normal, cni_vec2 origin
 			kind = AXIS_NEIGHBOUR;
 		low = cni_min(ghost, low);
 	}
-	/* An open end does not push from behind. At a convex one the ghosts keep to the corner's normals. */
+	/* An open end does not push towards the back. At a convex end the ghosts limit the axis to the corner's normals. */
 	if (e->corner[end] == CNI_CORNER_OPEN && -cni_dot(normal, e->normal) < -OPEN_BACK_MAX)
 		kind = AXIS_NEIGHBOUR;
 	float bar = best->kind == AXIS_SURFACE ? best->separation + touch : best->separation;

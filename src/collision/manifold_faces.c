@@ -1,14 +1,13 @@
 /*
  * collision/manifold_faces.c - the kernel of all pairs whose skeletons have faces.
  *
- *  1. Separating axes: the face of either shape that the other one is farthest in front of, the last
- *     one first, so that pairs that stay apart cost one face. The last axis is kept while no other one
- *     is better by more than the touch distance.
- *  2. The reference face's neighbour on the other shape, the incident edge, is clipped to the slab
- *     between the reference face's ends (Sutherland, Hodgman 1974; for boxes Catto, GDC 2006).
- *  3. Where the axis does not tell the distance (the deepest vertex is beyond the face's end and
- *     the skeletons are apart), the closest features decide: one point along their true direction.
- *     Two segments are a quick guess that is verified by support points; GJK decides the rest.
+ *  1. Separating axes: find the face of either shape with the greatest separation. The cached axis is tested first, so that
+ *     pairs that stay apart cost one face, and it is kept while no other axis is better by more than the touch distance.
+ *  2. Clip the incident edge, the edge of the other shape opposite the reference face, to the slab between the reference
+ *     face's ends (Sutherland, Hodgman 1974; for boxes Catto, GDC 2006).
+ *  3. Where the axis does not give the distance (the deepest vertex is beyond the face's end and the skeletons are apart),
+ *     the closest features give one point along their true direction. The two clipped edges give a guess that support
+ *     points verify; GJK decides otherwise.
  *
  *        incident edge      1 ------------ 0        position along t
  *                     ------|--------------|------
@@ -40,7 +39,7 @@ static inline float points_lowest(const cni_vec2 *points, int32_t count, cni_vec
 	return low;
 }
 
-/* Boxes on boxes: the four faces side by side, which compilers turn into vector code. */
+/* Two boxes: computes the four faces side by side, which compilers vectorize. */
 static float boxes_best(const cni_faces *reference, const cni_faces *other, int32_t *out_edge)
 {
 	const cni_vec2 *n = reference->normals;
@@ -87,20 +86,19 @@ float cni_faces_best(const cni_faces *reference, const cni_faces *other, int32_t
 
 typedef struct clip {
 	cni_vec2 normal;       /* of the reference face */
-	float length;          /* of the reference edge, which spans positions 0 to length */
+	float length;          /* of the reference edge: positions 0 to length */
 	int32_t reference[2];  /* its vertices, by position */
 	int32_t reference_edge;
 	int32_t incident[2];   /* vertices of the incident edge, by position */
 	int32_t incident_edge;
 	cni_vec2 point[2];     /* of the incident vertices */
-	float at[2];           /* their positions */
-	float height[2];       /* and heights over the reference face */
-	int32_t lowest;        /* 0 or 1 */
+	float at[2];           /* positions of the incident vertices */
+	float height[2];       /* ... and their heights over the reference face */
+	int32_t lowest;        /* 0 or 1: the lower incident vertex */
 } clip;
 
-/* The edge that faces the reference face most squarely. It ends at the lowest vertex, because that
-   vertex's two normals enclose the direction down, and unlike that vertex it does not change with the least
-   tilt of a box that lies flat. */
+/* The edge whose normal is most opposed to the reference normal. It ends at the lowest vertex, because that vertex's two
+   normals enclose the direction down. Unlike that vertex it does not change with a slight tilt of a box that lies flat. */
 static int32_t incident_find(const cni_faces *f, cni_vec2 normal)
 {
 	int32_t edge = 0;
@@ -140,13 +138,13 @@ static void clip_make(clip *c, const cni_faces *reference, int32_t edge, const c
 	c->lowest = c->height[1] < c->height[0];
 }
 
-/* Length that the two edges share along the reference face; negative: how far apart they are. */
+/* Overlap of the two edges along the reference face; negative: minus their distance. */
 static float clip_overlap(const clip *c)
 {
 	return cni_min(c->length, c->at[1]) - cni_max(0.0f, c->at[0]);
 }
 
-/* The lowest vertex is in front of the reference edge itself: the axis tells the true distance. */
+/* 1 when the lowest vertex is in front of the reference edge itself: the separation is then the true distance. */
 static int32_t clip_is_exact(const clip *c)
 {
 	float at = c->at[c->lowest];
@@ -165,7 +163,7 @@ static uint32_t clip_id(const clip *c, int32_t side, int32_t of_b, float aligned
 typedef struct contact_end {
 	cni_vec2 point;  /* on the incident skeleton */
 	float height;
-	int32_t vertex;  /* of the reference edge or its clipping side that it is counted to, for the id */
+	int32_t vertex;  /* side (0 or 1) that names its features in the id */
 } contact_end;
 
 static contact_end clip_end(const clip *c, int32_t side)
@@ -180,7 +178,7 @@ static contact_end clip_end(const clip *c, int32_t side)
 	return e;
 }
 
-/* Both ends, or the one that counts when they are the same place. */
+/* Both ends of the overlap, or one if they are closer than the touch distance. Returns their number. */
 static int32_t clip_ends(const clip *c, float touch, contact_end ends[2])
 {
 	float overlap = clip_overlap(c);
@@ -190,7 +188,7 @@ static int32_t clip_ends(const clip *c, float touch, contact_end ends[2])
 		return 2;
 	}
 	if (overlap < 0.0f) {
-		/* The edges miss each other by less than the touch distance: the incident end that is nearer. */
+		/* The edges miss each other: the nearer end of the incident edge. */
 		int32_t side = c->at[0] > c->length ? 0 : 1;
 		ends[0].point = c->point[side];
 		ends[0].height = c->height[side];
@@ -215,7 +213,7 @@ static void clip_emit(const clip *c, const cni_faces *a, const cni_faces *b, int
 		const contact_end *e = &ends[of_b ? count - 1 - i : i];
 		if (e->height - radii > in->margin)
 			continue;
-		/* From the incident skeleton point to halfway between the surfaces along the normal. */
+		/* Moves the incident skeleton point along the normal to the middle between the surfaces. */
 		float shift = of_b ? 0.5f * (e->height + a->radius - b->radius) : 0.5f * (a->radius - b->radius - e->height);
 		cni_manifold_point *p = &out->points[out->count++];
 		p->point = cni_madd(e->point, shift, n);
@@ -235,7 +233,7 @@ static int32_t feature_of(const int32_t index[2], int32_t count)
 	return CNI_FEATURE_EDGE + (high == low + 1 ? low : count - 1);
 }
 
-/* No point of either skeleton reaches into the gap between the two closest points by more than error. */
+/* 1 when no point of either skeleton reaches into the gap between the two closest points by more than error. */
 static int32_t closest_holds(const cni_faces *a, const cni_faces *b, const cni_closest *c, float error)
 {
 	float reach_a = -points_lowest(a->points, a->count, cni_neg(c->normal));
@@ -249,7 +247,7 @@ static void ends_set(int32_t index[2], float fraction, int32_t first, int32_t se
 	index[1] = fraction > 0.0f ? second : first;
 }
 
-/* Closest features, guessed from the clipped edges and verified, else by GJK. */
+/* Closest features: guessed from the clipped edges and verified, otherwise found by GJK. */
 static cni_closest closest_features(const cni_faces *a, const cni_faces *b, const clip *c, int32_t of_b, float slop)
 {
 	const int32_t *va = of_b ? c->incident : c->reference;
@@ -290,8 +288,9 @@ enum { GATE_OPEN, GATE_FACE, GATE_REFUSE };
 /* Largest cosine towards the back at which an open end still pushes. */
 #define OPEN_BACK_MAX 0.02f
 
-/* May the closest features of a chain edge (shape b) push along their own direction? of_surface: the
-   axis is the chain edge's own normal, which may always push what is in front of the edge. */
+/* Decides whether the closest features of a chain edge (shape b) may push along their own direction (GATE_OPEN), only along
+   the axis (GATE_FACE), or not at all. of_surface: the axis is the chain edge's own normal, which may always push shapes in
+   front of the edge. */
 static int32_t chain_gate(const cni_chain_edge *chain, const cni_closest *c, int32_t of_surface, float overlap, float touch)
 {
 	cni_vec2 outward = cni_neg(c->normal);
@@ -302,7 +301,7 @@ static int32_t chain_gate(const cni_chain_edge *chain, const cni_closest *c, int
 	case CNI_CORNER_FLAT:
 		return of_surface && overlap > -touch ? GATE_FACE : GATE_REFUSE;
 	case CNI_CORNER_CONVEX:
-		/* Beyond the neighbour's normal the neighbour's far end, not this corner, is in the way. */
+		/* Beyond the neighbour's normal the contact belongs to the neighbour's far end, not to this corner. */
 		return cni_dot(outward, cni_sub(chain->ghost[end], chain->points[end])) <= touch ? GATE_OPEN : GATE_REFUSE;
 	default:
 		return cni_dot(outward, chain->normal) >= -OPEN_BACK_MAX ? GATE_OPEN : GATE_REFUSE;
@@ -319,7 +318,7 @@ static void clip_axis(clip *c, const cni_faces *a, const cni_faces *b, cni_axis 
 		clip_make(c, a, axis.edge, b);
 }
 
-/* What the clipped edges would report, against the true distance of the skeletons. */
+/* Difference between the separation of the clipped edges and the true distance of the skeletons. */
 static float clip_error(const clip *c, float touch, float distance)
 {
 	contact_end ends[2];
@@ -328,15 +327,15 @@ static float clip_error(const clip *c, float touch, float distance)
 	return cni_abs(low - distance);
 }
 
-/* The clipped edges tell the true distance up to the touch distance, without asking for it: it is at least
-   the lowest vertex's height, and at most that of the lowest clipped end, which is in front of the
-   reference edge. Faces at rest on each other end here. */
+/* 1 when the clipped edges give the true distance up to the touch distance. The true distance is at least the lowest
+   vertex's height and at most the height of the lowest clipped end, which is in front of the reference edge. Faces that
+   rest on each other pass this test and need no closest features. */
 static int32_t clip_is_near(const clip *c, float overlap, float touch)
 {
 	return overlap >= 0.0f && clip_error(c, touch, c->height[c->lowest]) <= touch;
 }
 
-/* The face that is the closest feature of f, looking along direction out of it; CNI_NONE for a vertex. */
+/* The face that is the closest feature of f, direction pointing out of f; CNI_NONE for a vertex. */
 static int32_t closest_face(const cni_faces *f, const int32_t index[2], cni_vec2 direction)
 {
 	int32_t feature = feature_of(index, f->count);
@@ -347,7 +346,8 @@ static int32_t closest_face(const cni_faces *f, const int32_t index[2], cni_vec2
 	return feature - CNI_FEATURE_EDGE;
 }
 
-/* Apart and closest at known features: the face if one of them is, else one point. */
+/* Manifold of separated skeletons with known closest features: clips along a face if one of them is a face and the clipped
+   distance is right, else gives one point. */
 static void closest_emit(const cni_faces *a, const cni_faces *b, const cni_closest *closest, const cni_manifold_input *in, cni_manifold *out)
 {
 	cni_axis axis;
@@ -407,7 +407,7 @@ static float cached_separation(const cni_faces *a, const cni_faces *b, cni_trans
 	return -FLT_MAX;
 }
 
-/* The axis of greatest separation; a's before b's and the cached one before all when nearly equal. */
+/* The axis of greatest separation. Among nearly equal axes it prefers a's to b's, and the cached one to all. */
 static cni_axis axis_choose(const cni_faces *a, const cni_faces *b, int32_t cached, float cached_at, float touch)
 {
 	cni_axis best, of_b;

@@ -2,7 +2,7 @@
  * collision/manifold_faces.h - the kernel shared by all pairs whose skeletons have faces: polygons, and
  * segments (capsules, edges, chain edges) as polygons of two vertices and two opposite normals.
  *
- * Internal to geometry/. See manifold_faces.c for the method.
+ * Private to collision/. See manifold_faces.c for the method.
  */
 #ifndef CNI_COLLISION_MANIFOLD_FACES_H
 #define CNI_COLLISION_MANIFOLD_FACES_H
@@ -33,18 +33,18 @@ typedef struct cni_faces_storage {
 	cni_vec2 normals[CN_POLYGON_MAX_VERTICES];
 } cni_faces_storage;
 
-/* One face of one of the two shapes, and how far the other one's skeleton is in front of it. */
+/* One face of one of the two shapes, and the separation of the other shape's skeleton from it. */
 typedef struct cni_axis {
 	float separation;
 	int32_t edge;
 	int32_t of_b;
 } cni_axis;
 
-/* What lies beyond an end of a chain's edge, and which normals may act at that end. */
+/* Kinds of corner at an end of a chain's edge, and the normals that may act there. */
 enum {
-	CNI_CORNER_OPEN = 0,  /* nothing: any normal that does not come from behind */
-	CNI_CORNER_FLAT = 1,  /* straight on or rising (concave): the edge's own normal only */
-	CNI_CORNER_CONVEX = 2 /* falling away: normals between the two edges' */
+	CNI_CORNER_OPEN = 0,  /* no neighbour: any normal that does not point to the back */
+	CNI_CORNER_FLAT = 1,  /* straight or concave: the edge's own normal only */
+	CNI_CORNER_CONVEX = 2 /* convex: normals between those of the two edges */
 };
 typedef struct cni_chain_edge {
 	cni_vec2 points[2];
@@ -67,15 +67,14 @@ static inline cni_faces cni_faces_of(const cni_geometry *g)
 }
 cni_faces cni_faces_moved(cni_faces f, cni_transform transform, cni_faces_storage *storage);
 
-/* The face of reference that other is farthest in front of (greatest separation). */
+/* The face of reference with the greatest separation from other; returns the separation. */
 float cni_faces_best(const cni_faces *reference, const cni_faces *other, int32_t *out_edge);
 
-/* The manifold along an axis, both skeletons in a's frame. chain: NULL, or the chain edge that b is
-   (its face 0 is the solid one's surface). */
+/* The manifold along an axis, both skeletons in a's frame. chain: NULL, or b's chain edge (face 0 of b is its front). */
 void cni_faces_manifold(const cni_faces *a, const cni_faces *b, cni_axis axis, const cni_chain_edge *chain,
 	const cni_manifold_input *in, cni_manifold *out);
 
-/* Any two skeletons with faces, with the cached axis. */
+/* The manifold of any two skeletons with faces, using and updating the cached axis. */
 void cni_faces_collide(const cni_faces *a, const cni_faces *b_local, const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out);
 
 #endif

@@ -1,7 +1,7 @@
 /*
- * collision/manifold_polygon.c - pairs of polygons, capsules and edges: names their skeletons and
- * leaves the rest to the kernel in manifold_faces.c. Two crossing segments' Minkowski difference is a
- * parallelogram whose sides are their faces, so the kernel is exact for segments as well.
+ * collision/manifold_polygon.c - manifolds of pairs of polygons, capsules and edges: passes their skeletons to the kernel in
+ * manifold_faces.c. The Minkowski difference of two crossing segments is a parallelogram whose sides are their faces, so the
+ * kernel is exact for segments as well.
  */
 #include "collision/manifold_faces.h"
 #include "collision/manifold_table.h"

@@ -1,7 +1,7 @@
 /*
- * collision/manifold_round.c - a circle (shape a) against a circle, a segment or a polygon: the closest
- * point of b's skeleton to the centre, in b's frame. One point, one normal; where the centre lies on the
- * skeleton itself a face normal (or, circle on circle, +y) stands in, so the normal is always unit.
+ * collision/manifold_round.c - manifolds of a circle (shape a) with a circle, a segment or a polygon: finds the closest
+ * point of b's skeleton to the centre, in b's frame. One point, one normal. Where the centre lies on the skeleton, a face
+ * normal (or, for two circles, +y) replaces the undefined direction, so the normal is always unit.
  */
 #include "collision/manifold_faces.h"
 #include "collision/manifold_table.h"
@@ -9,7 +9,7 @@
 /* Below this length in metres a direction is not taken from a difference of points. */
 #define LENGTH_MIN 1.0e-12f
 
-/* Where the centre is as seen from b's skeleton, in b's frame. */
+/* The centre's position relative to b's skeleton, in b's frame. */
 typedef struct nearest {
 	cni_vec2 normal;  /* unit, from b's skeleton to the centre */
 	float distance;   /* negative inside */
@@ -80,7 +80,7 @@ static float face_height(const cni_geometry *g, int32_t edge, cni_vec2 point)
 	return cni_dot(cni_geometry_normals(g)[edge], cni_sub(point, cni_geometry_points(g)[edge]));
 }
 
-/* Of a box: the four faces side by side. */
+/* Best face of a box: computes the four faces side by side. */
 static int32_t box_face(const cni_geometry *g, cni_vec2 center, float *out_height)
 {
 	float h[4];
@@ -92,8 +92,8 @@ static int32_t box_face(const cni_geometry *g, cni_vec2 center, float *out_heigh
 	return best23 > best01 ? 2 + (h[3] > h[2]) : h[1] > h[0];
 }
 
-/* The face the centre is farthest in front of, with a bias towards the last one when inside, so that
-   a centre deep in the middle does not jump between faces. */
+/* The face of greatest height under the centre. Inside, the cached face is preferred, so that a centre deep in the middle
+   does not jump between faces. */
 static int32_t face_find(const cni_geometry *g, cni_vec2 center, int32_t cached, float touch, float *out_height)
 {
 	int32_t best = 0;
@@ -119,7 +119,7 @@ static int32_t face_find(const cni_geometry *g, cni_vec2 center, int32_t cached,
 	return best;
 }
 
-/* Outside of a convex polygon the nearest feature is the best face or one of its two ends. */
+/* Outside a convex polygon the nearest feature is the best face or one of its two ends. */
 static nearest nearest_on_face(const cni_geometry *g, int32_t edge, float height, cni_vec2 center)
 {
 	const cni_vec2 *p = cni_geometry_points(g);

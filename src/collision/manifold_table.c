@@ -1,5 +1,5 @@
 /*
- * collision/manifold_table.c - which function makes the manifold of a pair of shape types.
+ * collision/manifold_table.c - the table of manifold functions by pair of shape types.
  */
 #include "collision/manifold_table.h"
 

@@ -1,5 +1,5 @@
 /*
- * collision/manifold_table.h - the pair functions that the table in manifold_table.c lists.
+ * collision/manifold_table.h - declares the manifold functions of the table in manifold_table.c.
  */
 #ifndef CNI_COLLISION_MANIFOLD_TABLE_H
 #define CNI_COLLISION_MANIFOLD_TABLE_H

@@ -1,6 +1,6 @@
 /*
- * collision/nearest.c - closest surface point: outside of the skeleton that of its nearest edge, moved out by
- * the radius; inside of a polygon that of the face that is least deep.
+ * collision/nearest.c - the closest surface point. Outside the skeleton: the closest point of the nearest edge, moved out by
+ * the radius. Inside a polygon: the closest point of the face of least depth.
  */
 #include "collision/nearest.h"
 #include "collision/distance.h"

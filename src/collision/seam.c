@@ -1,5 +1,5 @@
 /*
- * collision/seam.c - finding hidden corners between flush faces, and taking their normals out of manifolds.
+ * collision/seam.c - finds hidden corners between flush faces and removes their normals from manifolds. See seam.h.
  */
 #include "collision/seam.h"
 #include "collision/distance.h"
@@ -12,7 +12,7 @@
 #define FLAT_SINE_MAX 0.02f
 
 typedef struct face {
-	cni_vec2 start, normal, along; /* unit; the face reaches from 0 to length along it */
+	cni_vec2 start, normal, along; /* along: unit; the face spans 0 to length along it */
 	float length;
 } face;
 
@@ -40,7 +40,7 @@ int32_t cni_seams_possible(const cni_geometry *g, float slop)
 	return (g->type == CN_SHAPE_POLYGON || g->type == CN_SHAPE_EDGE) && g->radius <= slop;
 }
 
-/* Does the other face go on where this one ends? */
+/* 1 when the other face continues f at this end. */
 static int32_t face_continues(const face *f, const face *other, int32_t end, float slop)
 {
 	float at = end ? f->length : 0.0f, from, to;
@@ -68,12 +68,12 @@ uint32_t cni_seams_between(const cni_geometry *g, const cni_geometry *h, cni_tra
 	return seams;
 }
 
-/* The other shape, seen from the fixed one. */
+/* The moving shape, in the frame of the static one. */
 typedef struct mover {
 	cni_proxy_points set;
 	cni_vec2 storage[2];
 	cni_transform at;
-	int32_t inverse;     /* the transform is that of the fixed shape seen from this one */
+	int32_t inverse;     /* 1: `at` maps the static shape's frame into this one's */
 } mover;
 
 static cni_vec2 mover_point(const mover *o, int32_t k)
@@ -81,10 +81,10 @@ static cni_vec2 mover_point(const mover *o, int32_t k)
 	return o->inverse ? cni_untransform_point(o->at, o->set.points[k]) : cni_transform_point(o->at, o->set.points[k]);
 }
 
-/* What of it is lowest over a face, within the slop: from where to where along the face, and how high. */
+/* The points of the moving shape that are lowest over a face, up to the slop: the first and the last along the face. */
 typedef struct underside {
 	float at[2], height[2];
-	float low;           /* of the shape, rounding included */
+	float low;           /* lowest height of the shape, radius included */
 } underside;
 
 static underside underside_find(const mover *o, const face *f, float slop)
@@ -119,14 +119,14 @@ static float height_at(const underside *u, float at)
 	return width > 0.0f ? u->height[0] + (at - u->at[0]) / width * (u->height[1] - u->height[0]) : cni_min(u->height[0], u->height[1]);
 }
 
-/* One more point of the manifold, at a place along the face. */
-static void surface_point(const cni_manifold_input *in, const face *f, float at, float height, uint32_t id, int32_t fixed_is_b, cni_manifold *m)
+/* Appends a point at position `at` along the face to the manifold, if it is within the margin. */
+static void surface_point(const cni_manifold_input *in, const face *f, float at, float height, uint32_t id, int32_t static_is_b, cni_manifold *m)
 {
 	cni_vec2 p = cni_madd(cni_madd(f->start, at, f->along), 0.5f * height, f->normal);
 	cni_manifold_point *to = &m->points[m->count];
 	if (height > in->margin)
 		return;
-	to->point = fixed_is_b ? cni_transform_point(in->b_in_a, p) : p;
+	to->point = static_is_b ? cni_transform_point(in->b_in_a, p) : p;
 	to->separation = height;
 	to->id = id;
 	++m->count;
@@ -135,46 +135,47 @@ static void surface_point(const cni_manifold_input *in, const face *f, float at,
 /* The second point's id differs from all that name features. */
 #define SECOND_ID 0x40u
 
-/* What is above the part of the surface that is this face when it comes down to it on its way. */
-static void surface_take(const face *f, const underside *u, cni_vec2 way, const cni_manifold_input *in, int32_t fixed_is_b, cni_manifold *m)
+/* Writes the manifold of the face and the part of the underside that is above it when the shape reaches its plane. */
+static void surface_take(const face *f, const underside *u, cni_vec2 motion, const cni_manifold_input *in, int32_t static_is_b, cni_manifold *m)
 {
-	float down = -cni_dot(way, f->normal), part = u->low > 0.0f ? (down > u->low ? u->low / down : 1.0f) : 0.0f, shift = part * cni_dot(way, f->along);
+	float down = -cni_dot(motion, f->normal), part = u->low > 0.0f ? (down > u->low ? u->low / down : 1.0f) : 0.0f;
+	float shift = part * cni_dot(motion, f->along);
 	float from = cni_max(u->at[0], -in->slop - shift), to = cni_min(u->at[1], f->length + in->slop - shift);
 	uint32_t id = m->points[0].id;
 	m->count = 0;
-	m->normal = fixed_is_b ? cni_neg(cni_rotate(in->b_in_a.q, f->normal)) : f->normal;
+	m->normal = static_is_b ? cni_neg(cni_rotate(in->b_in_a.q, f->normal)) : f->normal;
 	if (from > to)
 		return;
-	surface_point(in, f, from, height_at(u, from), id, fixed_is_b, m);
+	surface_point(in, f, from, height_at(u, from), id, static_is_b, m);
 	if (to - from > in->slop)
-		surface_point(in, f, to, height_at(u, to), id | SECOND_ID, fixed_is_b, m);
+		surface_point(in, f, to, height_at(u, to), id | SECOND_ID, static_is_b, m);
 }
 
-/* Two points that are the surface's but for a little tilt: they stay where they are. */
+/* 1 when the manifold has two points and its normal is the surface's up to a small tilt: its points are kept. */
 static int32_t is_flat(const face *f, cni_vec2 normal, const cni_manifold *m)
 {
 	return m->count == 2 && cni_dot(normal, f->normal) > 0.0f && cni_abs(cni_dot(normal, f->along)) <= FLAT_SINE_MAX;
 }
 
-void cni_seams_mend(const cni_manifold_input *in, cni_vec2 way, float depth, cni_manifold *m)
+void cni_seams_mend(const cni_manifold_input *in, cni_vec2 motion, float depth, cni_manifold *m)
 {
-	int32_t fixed_is_b = cni_seams_of(in->a) == 0, i;
-	const cni_geometry *fixed = fixed_is_b ? in->b : in->a, *other = fixed_is_b ? in->a : in->b;
-	cni_vec2 normal = fixed_is_b ? cni_unrotate(in->b_in_a.q, cni_neg(m->normal)) : m->normal;
+	int32_t static_is_b = cni_seams_of(in->a) == 0, i;
+	const cni_geometry *owner = static_is_b ? in->b : in->a, *other = static_is_b ? in->a : in->b;
+	cni_vec2 normal = static_is_b ? cni_unrotate(in->b_in_a.q, cni_neg(m->normal)) : m->normal;
 	mover o;
-	o.set = cni_geometry_proxy(other, fixed_is_b ? in->child_a : in->child_b, o.storage);
+	o.set = cni_geometry_proxy(other, static_is_b ? in->child_a : in->child_b, o.storage);
 	o.at = in->b_in_a;
-	o.inverse = fixed_is_b;
-	if (fixed_is_b)
-		way = cni_unrotate(in->b_in_a.q, cni_neg(way));
-	for (i = 0; i < fixed->count; ++i) {
-		uint32_t ends = fixed->seams >> 2 * i & 3u;
+	o.inverse = static_is_b;
+	if (static_is_b)
+		motion = cni_unrotate(in->b_in_a.q, cni_neg(motion));
+	for (i = 0; i < owner->count; ++i) {
+		uint32_t ends = owner->seams >> 2 * i & 3u;
 		underside u;
 		float across;
 		face f;
 		if (ends == 0)
 			continue;
-		f = face_of(fixed, i);
+		f = face_of(owner, i);
 		across = cni_dot(normal, f.along);
 		if (cni_abs(across) <= OWN_SINE_MAX || !(ends >> (across > 0.0f) & 1u))
 			continue;
@@ -182,9 +183,9 @@ void cni_seams_mend(const cni_manifold_input *in, cni_vec2 way, float depth, cni
 		if (u.low < -depth)
 			continue;
 		if (is_flat(&f, normal, m))
-			m->normal = fixed_is_b ? cni_neg(cni_rotate(in->b_in_a.q, f.normal)) : f.normal;
+			m->normal = static_is_b ? cni_neg(cni_rotate(in->b_in_a.q, f.normal)) : f.normal;
 		else
-			surface_take(&f, &u, way, in, fixed_is_b, m);
+			surface_take(&f, &u, motion, in, static_is_b, m);
 		return;
 	}
 }

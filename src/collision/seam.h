@@ -1,10 +1,10 @@
 /*
- * collision/seam.h - where faces of two fixed shapes lie flush end to end, they are one surface: the corners between them are
- * hidden, and what slides along must not be caught there.
+ * collision/seam.h - seams, flush joints of faces of two static shapes: the faces form one surface, the corners between them
+ * are hidden, and sliding shapes must not catch on them.
  *
- * Which ends of its faces are hidden is kept in the record of a polygon or an edge (cni_geometry.seams), found once
- * when fixed shapes are made, moved or destroyed (narrowphase/static_seams.c). A contact whose normal belongs to a hidden corner,
- * or to the side face below it, is of the surface instead (as internal edge removal in Jolt and Bullet; for chains see
+ * A polygon or an edge stores which ends of its faces are hidden (cni_geometry.seams). narrowphase/static_seams.c finds
+ * them when static shapes are made, moved or destroyed. A manifold whose normal belongs to a hidden corner, or to the side
+ * face below it, is replaced by a manifold of the surface (as internal edge removal in Jolt and Bullet; for chains see
  * manifold_chain.c).
  */
 #ifndef CNI_COLLISION_SEAM_H
@@ -12,16 +12,16 @@
 
 #include "collision/manifold.h"
 
-/* Polygons and edges whose rounding is below the slop. */
+/* 1 for polygons and edges with a radius up to the slop: only these can have seams. */
 int32_t cni_seams_possible(const cni_geometry *g, float slop);
 
-/* Which ends of faces of g are continued by a face of h: bit 2 face + end. Both are possible. */
+/* Bits 2 * face + end of the face ends of g that a face of h continues. Seams must be possible for both shapes. */
 uint32_t cni_seams_between(const cni_geometry *g, const cni_geometry *h, cni_transform h_in_g, float slop);
 
-/* in->a or in->b is fixed and has seams. A manifold of a hidden corner becomes one of the surface, or empty where the neighbour
-   has it. way: by how much b will have moved relative to a, in a's frame; depth: how far behind the surface the other shape may
-   reach, metres. */
-void cni_seams_mend(const cni_manifold_input *in, cni_vec2 way, float depth, cni_manifold *m);
+/* Replaces a manifold of a hidden corner by one of the surface, or empties it where the neighbour has the contact. in->a or
+   in->b is static and has seams. motion: displacement of b relative to a in this step, in a's frame. depth: metres that the
+   other shape may reach behind the surface. */
+void cni_seams_mend(const cni_manifold_input *in, cni_vec2 motion, float depth, cni_manifold *m);
 
 static inline uint32_t cni_seams_of(const cni_geometry *g)
 {

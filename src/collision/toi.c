@@ -7,15 +7,15 @@
  *   g(x) = (c + x v).n - target - reach_a(x) - reach_b(x)
  *   reach(x) = max over points of  r.n + x rate + x^2 bend     upper bound on how far points reach along n
  *
- * with c the offset of the centres, v its change, rate the derivative of r.n by turning, and bend half
- * the greatest second derivative on the interval looked at: -turn^2 r.n, small or 0 for the points in
- * front. While g > 0 nothing can touch. Where a concave function is above 0 at lo and below at hi, its
- * secant crosses 0 before it does, so every secant step is safe, and t moves to where g is nearly 0; a
- * new axis follows. Whole turns at a distance are covered by the discs that the points sweep.
+ * with c the offset of the centres, v its change, rate the derivative of r.n by rotation, and bend half the greatest second
+ * derivative on the interval: -turn^2 r.n, small or 0 for the points in front. While g > 0 the shapes cannot touch. Where a
+ * concave function is positive at lo and negative at hi, its secant crosses 0 before the function does, so every secant
+ * step is safe. t advances to where g is nearly 0, and a new axis follows. Full rotations at a distance are covered by the
+ * discs that the points sweep.
  *
- * Conservative advancement: Mirtich, "Impulse-based Dynamic Simulation" (1996); fixed axes and roots
- * along them: Catto, "Continuous Collision" (GDC 2013). There the root is searched between the ends of the
- * interval, which misses hits in between when bodies turn far; the concave bound does not.
+ * Conservative advancement: Mirtich, "Impulse-based Dynamic Simulation" (1996); fixed axes and roots along them: Catto,
+ * "Continuous Collision" (GDC 2013). Catto searches the root between the ends of the interval, which misses hits in between
+ * when bodies rotate far; the concave bound does not.
  */
 #include "collision/toi.h"
 #include "collision/distance.h"
@@ -28,7 +28,7 @@
 /* Float error of a distance relative to the lengths that it is computed from. */
 #define DISTANCE_ERROR 5.0e-7f
 
-/* One shape: its points seen from its centre of mass. */
+/* One shape: its points relative to its centre of mass. */
 typedef struct mover {
 	cni_vec2 arms[CN_POLYGON_MAX_VERTICES];
 	float lengths[CN_POLYGON_MAX_VERTICES];
@@ -39,24 +39,24 @@ typedef struct mover {
 	cni_rot q0, q;    /* rotation at the start and now */
 } mover;
 
-/* r.n of each point along an axis now, and its bound after x: along + x rate + x^2 bend. */
-typedef struct fan {
+/* r.n of each point along an axis now, and its bound after x more: along + x rate + x^2 bend. */
+typedef struct support_bound {
 	float along[CN_POLYGON_MAX_VERTICES];
 	float rate[CN_POLYGON_MAX_VERTICES];
 	float bend[CN_POLYGON_MAX_VERTICES];
 	int32_t count;
-} fan;
+} support_bound;
 
 typedef struct advance {
 	mover a, b;
-	cni_vec2 center, velocity; /* of b's centre seen from a's, at the start; its change until the end */
-	float target;              /* of the skeletons */
+	cni_vec2 center, velocity; /* b's centre minus a's at the start; its change until the end */
+	float target;              /* distance of the skeletons */
 	float tolerance;
 } advance;
 
 /* The gap along one axis. */
 typedef struct gap {
-	fan a, b;
+	support_bound a, b;
 	float distance; /* of the centres along the axis, minus the target */
 	float speed;
 } gap;
@@ -85,7 +85,7 @@ static void mover_make(mover *m, const cni_geometry *g, int32_t child, const cni
 		m->lengths[i] = cni_length(m->arms[i]);
 		m->reach = cni_max(m->reach, m->lengths[i]);
 	}
-	/* A disc that turns about its own centre does not move. */
+	/* Rotation about its own centre does not move a disc. */
 	if (m->count == 1 && !(m->reach > 0.0f))
 		m->turn = 0.0f;
 }
@@ -98,12 +98,12 @@ static void advance_make(advance *v, const cni_toi_input *in)
 	v->velocity = cni_sub(cni_sub(in->path_b.end, in->path_a.end), v->center);
 	float size = v->a.reach + v->b.reach + v->a.radius + v->b.radius;
 	float travel = cni_length(v->velocity) + cni_abs(v->a.turn) * v->a.reach + cni_abs(v->b.turn) * v->b.reach;
-	/* Distances between things far apart may err more: only those about the size of the shapes decide. */
+	/* Larger distances have larger errors, but only distances about the size of the shapes decide. */
 	v->tolerance = cni_max(in->tolerance, DISTANCE_ERROR * (size + travel));
 	v->target = cni_max(in->target + v->a.radius + v->b.radius, v->tolerance);
 }
 
-/* The discs around the centres stay apart on the whole way. */
+/* 1 when the discs around the centres never touch. */
 static int32_t discs_miss(const advance *v)
 {
 	float reach = v->a.reach + v->b.reach + v->target + v->tolerance;
@@ -112,15 +112,16 @@ static int32_t discs_miss(const advance *v)
 	return cni_length_sq(cni_madd(v->center, at, v->velocity)) > reach * reach;
 }
 
-/* Does a disc whose centre goes straight from one place to another stay beyond its reach of a line, on one side? The
-   line goes through the point with a normal of that length. */
+/* 1 when a disc whose centre moves straight from `from` to `to` stays on one side of a line without touching it. The line
+   goes through `point`; reach is the disc's radius times the length of `normal`. */
 static int32_t disc_stays_off(cni_vec2 from, cni_vec2 to, cni_vec2 point, cni_vec2 normal, float reach)
 {
 	float start = cni_dot(cni_sub(from, point), normal), end = cni_dot(cni_sub(to, point), normal);
 	return cni_min(start, end) > reach || cni_max(start, end) < -reach;
 }
 
-/* The disc around b's centre stays in front of a face of a, which does not turn. What falls on a floor is mostly told so. */
+/* 1 when the disc around b's centre stays in front of a face of a, and a does not rotate. This decides most shapes that fall
+   towards a floor. */
 static int32_t disc_stays_in_front(const advance *v, const cni_toi_input *in)
 {
 	const mover *a = &v->a;
@@ -147,7 +148,7 @@ static void advance_to(advance *v, float t)
 	v->b.q = cni_rot_normalize(cni_rot_mul(v->b.q0, cni_sincos(v->b.turn * t)));
 }
 
-/* Closest points in a frame at a's centre that turns with a. */
+/* Closest points in a frame at a's centre that rotates with a. */
 static cni_closest closest_now(const advance *v, float t)
 {
 	cni_transform b_in_a;
@@ -158,9 +159,9 @@ static cni_closest closest_now(const advance *v, float t)
 
 /* ------------------------------------------------------------------ the gap along an axis */
 
-/* While turning by at most angle <= 1 rad, r.n = along cos + side sin >= along (1 - angle^2 / 2) - |side| angle
-   where along > 0 and side < 0, which bounds the second derivative. */
-static void fan_make(fan *f, const mover *m, cni_vec2 axis, float angle)
+/* During a rotation by at most angle <= 1 rad, r.n = along cos + side sin >= along (1 - angle^2 / 2) - |side| angle
+   where along > 0 and side < 0. This bounds the second derivative. */
+static void support_bound_make(support_bound *f, const mover *m, cni_vec2 axis, float angle)
 {
 	cni_vec2 n = cni_unrotate(m->q, axis);
 	float cosine_min = 1.0f - 0.5f * angle * angle;
@@ -177,7 +178,7 @@ static void fan_make(fan *f, const mover *m, cni_vec2 axis, float angle)
 	}
 }
 
-static float fan_reach(const fan *f, float x)
+static float support_bound_at(const support_bound *f, float x)
 {
 	float most = f->along[0] + x * (f->rate[0] + x * f->bend[0]);
 	for (int32_t i = 1; i < f->count; ++i)
@@ -187,10 +188,10 @@ static float fan_reach(const fan *f, float x)
 
 static float gap_at(const gap *g, float x)
 {
-	return g->distance + x * g->speed - fan_reach(&g->a, x) - fan_reach(&g->b, x);
+	return g->distance + x * g->speed - support_bound_at(&g->a, x) - support_bound_at(&g->b, x);
 }
 
-/* Largest x found in [0, hi] up to which the gap surely stays open. */
+/* The largest x found in [0, hi] up to which the gap is proven open. */
 static float gap_root(const gap *g, float hi, float tolerance)
 {
 	float lo = 0.0f, gap_lo = gap_at(g, 0.0f), gap_hi = gap_at(g, hi);
@@ -213,7 +214,7 @@ static float gap_root(const gap *g, float hi, float tolerance)
 	return lo;
 }
 
-/* How far from t the axis n shows that nothing touches. */
+/* The interval from t on in which the axis n proves that the shapes do not touch. */
 static float axis_free(const advance *v, cni_vec2 n, float t)
 {
 	float rest = 1.0f - t, x = rest, by_discs;
@@ -227,14 +228,14 @@ static float axis_free(const advance *v, cni_vec2 n, float t)
 	by_discs = by_discs > 0.0f ? by_discs / -g.speed : 0.0f;
 	if (fastest * x > TURN_MAX_RAD)
 		x = TURN_MAX_RAD / fastest;
-	fan_make(&g.a, &v->a, n, cni_abs(v->a.turn) * x);
-	fan_make(&g.b, &v->b, cni_neg(n), cni_abs(v->b.turn) * x);
+	support_bound_make(&g.a, &v->a, n, cni_abs(v->a.turn) * x);
+	support_bound_make(&g.b, &v->b, cni_neg(n), cni_abs(v->b.turn) * x);
 	return cni_min(rest, cni_max(by_discs, gap_root(&g, x, v->tolerance)));
 }
 
 /* ------------------------------------------------------------------ one-sided edges */
 
-/* The centroid of the shape is behind the chain edge at this fraction. */
+/* 1 when the centroid of the shape is behind the chain edge at this fraction. */
 static int32_t is_behind(const cni_geometry *chain, int32_t child, const cni_path *chain_path, const cni_geometry *shape, const cni_path *path, float t)
 {
 	cni_vec2 edge[2];
@@ -270,7 +271,7 @@ static void result_hit(cni_toi_result *out, const advance *v, const cni_toi_inpu
 		out->state = CNI_TOI_SEPARATED;
 }
 
-/* Moves on until hit, out of reach, or out of iterations. */
+/* Advances until a hit, the end of the step, or the iteration limit. */
 static void search(cni_toi_result *out, advance *v, const cni_toi_input *in)
 {
 	out->fraction = 0.0f;

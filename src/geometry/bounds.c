@@ -1,5 +1,5 @@
 /*
- * geometry/bounds.c - where a shape is: its tight box, and whether a point is inside of it.
+ * geometry/bounds.c - tight boxes of shapes, the point test, and a child's convex point set.
  */
 #include "base/cpu.h"
 #include "geometry/shape.h"
@@ -27,7 +27,7 @@ static void points_box(const cni_vec2 *points, int32_t count, float radius, cons
 
 #if CNI_HAS_WIDE_4
 
-/* Two points at once, with the bits of points_box. The last of an odd number comes with the one before it again. */
+/* Two points at once, with the bits of points_box. If count is odd, the last pair repeats a point. */
 static void pairs_box(const cni_vec2 *points, int32_t count, float radius, const cni_transform *x, cni_aabb *out)
 {
 	const cni_wide c = cni_wide_of(x->q.c), s = { -x->q.s, x->q.s, -x->q.s, x->q.s }, t = { x->t.x, x->t.y, x->t.x, x->t.y };

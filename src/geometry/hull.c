@@ -1,17 +1,17 @@
 /*
  * geometry/hull.c - convex hull of a point cloud with a bounded number of vertices and no memory.
  *
- * Farthest-point insertion (the idea of Quickhull: Eddy 1977; Barber, Dobkin, Huhdanpaa 1996): start
- * with two extreme points; while there is room, find for every edge the point farthest outside of it and
- * insert the one whose triangle with its edge has the largest area. A farthest point is a hull vertex and
- * belongs between the edge's ends, so the polygon stays convex. What is within the collinear height
- * of an edge counts as on it. At the end, vertices that coincide or are collinear are taken out.
+ * Farthest-point insertion (the idea of Quickhull: Eddy 1977; Barber, Dobkin, Huhdanpaa 1996): start with two extreme
+ * points; while vertices are left, find for every edge the point farthest outside it and insert the one whose triangle with
+ * its edge has the largest area. A farthest point is a hull vertex and belongs between the edge's ends, so the polygon stays
+ * convex. Points within the collinear height of an edge count as on it. At the end, coinciding and collinear vertices are
+ * removed.
  * O(count * hull size^2).
  */
 #include "geometry/shape.h"
 
 typedef struct outsider {
-	int32_t point; /* CNI_NONE: none outside of this edge */
+	int32_t point; /* CNI_NONE: no point is outside this edge */
 	float height;
 	float area_twice;
 } outsider;
@@ -34,7 +34,7 @@ static int32_t point_farthest(const cni_vec2 *points, int32_t count, cni_vec2 fr
 	return best;
 }
 
-/* The point farthest to the right of a -> b by more than height_min; among equals the one nearest b. */
+/* The point farthest to the right of a -> b, if farther than height_min; of equally far points the one nearest b. */
 static outsider outsider_find(const cni_vec2 *points, int32_t count, cni_vec2 a, cni_vec2 b, float height_min)
 {
 	outsider found = { CNI_NONE, height_min, 0.0f };
@@ -90,8 +90,7 @@ static void hull_grow(const cni_vec2 *points, int32_t count, float height_min, c
 	}
 }
 
-/* Takes out the vertex that rises least above its neighbours' line, or stands too close to the next
-   one, until none does. */
+/* Repeatedly removes the lowest vertex that is collinear with its neighbours or too close to one of them. */
 static void hull_clean(cn_polygon *out, float tolerance, float height_min)
 {
 	while (out->count >= 3) {

@@ -1,14 +1,14 @@
 /*
  * geometry/mass.c - mass, centre and inertia in closed form.
  *
- * A shape is cut into pieces whose area, first moment and polar second moment about one reference point
- * are known; the sums give everything. A rounded polygon is the polygon, one rectangle length x radius
- * on every edge, and one circular sector at every vertex, from the normal before it to the one after it:
+ * A shape is the sum of pieces with known area, first moment and polar second moment about one reference point. A rounded
+ * polygon consists of the polygon, one rectangle length x radius on every edge, and one circular sector at every vertex,
+ * from the normal before it to the normal after it:
  *
  *   sector of angle w at v:  area r^2 w / 2,  integral of rho dA = r^3 / 3 * right_perp(n2 - n1),
  *                            integral of |rho|^2 dA = r^4 w / 4      (rho measured from v)
  *
- * The reference point is the mean of the points, so that far away shapes do not lose digits.
+ * The reference point is the mean of the points, so that shapes far from the origin do not lose digits.
  */
 #include "geometry/shape.h"
 
@@ -18,7 +18,7 @@ typedef struct moments {
 	float second;    /* integral of |position|^2 */
 } moments;
 
-/* A piece of given area whose own centroid is at center and whose polar moment about that is second. */
+/* Adds a piece by its area, its centroid, and its polar moment about the centroid. */
 static void moments_add(moments *sum, float area, cni_vec2 center, float second)
 {
 	sum->area += area;

@@ -1,12 +1,12 @@
 /*
- * geometry/shape.h - the stored form of every shape's geometry and the pure functions on it: bounds,
- * mass, point test, and the making and checking of hulls.
+ * geometry/shape.h - the stored form of every shape's geometry and the pure functions on it: builders, checks, hull, mass,
+ * bounds, point test.
  *
- * One variable-size record serves all types. Points are in the body's local frame (the shape's offset
- * is already applied), polygons are counter-clockwise and carry outward unit normals behind the points, and so do
- * segments (capsules, edges), which are polygons of two corners:
+ * One variable-size record serves all types. Points are in the body's local frame (the shape's offset is already applied).
+ * Polygons are counter-clockwise and store outward unit normals behind the points; so do segments (capsules, edges), which
+ * are polygons of two corners:
  *
- *   | header 32 bytes | points[count] | normals[count] (not of circles and chains) |
+ *   | header 32 bytes | points[count] | normals[count] (not for circles and chains) |
  *
  *   circle   count 1, radius > 0          capsule  count 2, radius > 0
  *   edge     count 2, radius 0            polygon  count 3..16, radius >= 0, normals
@@ -34,11 +34,11 @@ static inline const cni_vec2 *cni_geometry_normals(const cni_geometry *g) { retu
 
 /* Bytes of a record. */
 int32_t cni_geometry_bytes(int32_t type, int32_t count);
-/* How many broadphase boxes (children) a shape has: 1, or the chain's edge count. */
+/* Number of broadphase boxes (children) of a shape: 1, or the chain's edge count. */
 int32_t cni_geometry_children(const cni_geometry *g);
 
-/* Builders: write a whole record into memory of cni_geometry_bytes. Input must have passed the matching
-   check. offset turns and moves the points into the body's frame. */
+/* Builders: write a whole record into memory of cni_geometry_bytes. The input must have passed the matching check. offset
+   transforms the points into the body's frame. */
 void cni_geometry_circle(cni_geometry *out, const cn_circle *circle, cni_transform offset);
 void cni_geometry_capsule(cni_geometry *out, const cn_capsule *capsule, cni_transform offset);
 void cni_geometry_edge(cni_geometry *out, const cn_edge *edge, cni_transform offset);
@@ -49,25 +49,24 @@ void cni_geometry_chain(cni_geometry *out, const cn_chain *chain, cni_transform 
 /* Coordinates and radii above this are refused. */
 #define CNI_COORDINATE_MAX 1.0e6f
 
-/* Checks: NULL when good, else a static English fragment that says what must hold, such as
-   "points must be convex" (the caller adds the function name and values). tolerance: points projection than
-   this coincide; a vertex that rises less than a tenth of it (or less than floats can tell at its
-   coordinates) above the line through its neighbours is collinear with them. All finite-ness checks are
-   included. A capsule's ends may not coincide; a chain refuses coinciding consecutive points (also last
-   and first of a loop). */
+/* Checks: NULL when valid, else a static English fragment that states the requirement, such as "points must be convex" (the
+   caller adds the function name and values). tolerance: points closer than this coincide; a vertex that rises less than a
+   tenth of it (or less than the float resolution of its coordinates) above the line through its neighbours is collinear
+   with them. The checks include finiteness. A capsule's ends may not coincide; a chain refuses coinciding consecutive
+   points (also last and first of a loop). */
 extern const char cni_points_near[]; /* returned by a check when points coincide: the caller knows the tolerance's name */
-/* Between consecutive points; closed: also between the last and the first. */
+/* Least distance between consecutive points; closed: also between the last and the first. */
 float cni_least_distance(const cni_vec2 *points, int32_t count, int32_t closed);
 const char *cni_check_circle(const cn_circle *circle, float tolerance);
 const char *cni_check_capsule(const cn_capsule *capsule, float tolerance);
 const char *cni_check_edge(const cn_edge *edge, float tolerance);
-/* Convex in either winding, once around, each vertex strictly convex in the sense above. */
+/* Requires a convex polygon of either winding, once around, with each vertex strictly convex in the sense above. */
 const char *cni_check_polygon(const cn_polygon *polygon, float tolerance);
 const char *cni_check_chain(const cn_chain *chain, float tolerance);
 
-/* Hull of points, at most CN_POLYGON_MAX_VERTICES vertices (keeping those that add the most area),
-   counter-clockwise, such that cni_check_polygon accepts it. radius_m of the result is 0. NULL when good,
-   else what is wrong. count <= 65536. No allocation: repeated farthest-point insertion, see hull.c. */
+/* Counter-clockwise hull of the points that cni_check_polygon accepts, with at most CN_POLYGON_MAX_VERTICES vertices (it
+   keeps those that add the most area) and radius_m 0. Returns NULL, or an error text as the checks. count <= 65536. No
+   allocation: repeated farthest-point insertion, see hull.c. */
 const char *cni_hull_make(const cni_vec2 *points, int32_t count, float tolerance, cn_polygon *out);
 
 /* Tight box of child (0 for all but chains) with the body's origin at transform->t. */
@@ -78,13 +77,13 @@ static inline cni_aabb cni_geometry_aabb(const cni_geometry *g, int32_t child, c
 	cni_geometry_box(g, child, &transform, &box);
 	return box;
 }
-/* Of all its children. */
+/* Box of all children. */
 cni_aabb cni_geometry_bounds(const cni_geometry *g, cni_transform transform);
 /* Height of a vertex above the line through its neighbours below which it counts as collinear. */
 float cni_collinear_height(const cni_vec2 *points, int32_t count, float tolerance);
 
-/* About the local origin's frame: mass, centre, and inertia about that centre. Edges and chains: 0.
-   Polygons with a radius count as the exact Minkowski sum with a disc. Closed forms, tested. */
+/* Mass, centre in the body's frame, and inertia about that centre. Edges and chains: 0. A polygon with a radius is the exact
+   Minkowski sum with a disc. Closed forms. */
 cn_mass_data cni_geometry_mass(const cni_geometry *g, float density);
 /* local is in the body's frame. Edges and chains contain nothing. */
 int32_t cni_geometry_contains(const cni_geometry *g, cni_vec2 local);

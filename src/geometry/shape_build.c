@@ -1,7 +1,6 @@
 /*
- * geometry/shape_build.c - writes geometry records: points moved into the body's frame, polygons wound
- * counter-clockwise with their outward normals, and what later stages read from the header (centroid,
- * extent, inner radius).
+ * geometry/shape_build.c - writes geometry records: points in the body's frame, counter-clockwise polygons with their outward
+ * normals, and the header's centroid, extent and inner radius.
  */
 #include "geometry/shape.h"
 
@@ -33,7 +32,7 @@ static void header_write(cni_geometry *out, int32_t type, int32_t count, float r
 	out->inner_radius = 0.0f;
 }
 
-/* Mean of the points and distance of the farthest surface point from the local origin. */
+/* Writes centroid (mean of the points) and extent. */
 static void header_measure(cni_geometry *out)
 {
 	const cni_vec2 *p = cni_geometry_points(out);
@@ -48,7 +47,7 @@ static void header_measure(cni_geometry *out)
 	out->extent = cni_sqrt(extent_sq) + out->radius;
 }
 
-/* A segment is a polygon of two corners that it looks away from on both sides. */
+/* A segment is a polygon of two corners with two opposite normals. */
 static void segment_normals_write(cni_geometry *out)
 {
 	cni_vec2 *p = points_write(out);
@@ -83,7 +82,7 @@ void cni_geometry_edge(cni_geometry *out, const cn_edge *edge, cni_transform off
 	header_measure(out);
 }
 
-/* Twice the signed area, about the first point so that far away polygons keep their digits. */
+/* Twice the signed area, about the first point so that polygons far from the origin keep their digits. */
 static float winding(const cni_vec2 *p, int32_t count)
 {
 	float sum = 0.0f;

@@ -1,21 +1,21 @@
 /*
- * geometry/shape_check.c - says what is wrong with a shape that a user hands in. A check that returns
- * NULL promises what the builders and the manifolds rely on: finite, bounded coordinates, edges longer
- * than the tolerance, polygons that are strictly convex and wind around once.
+ * geometry/shape_check.c - checks shapes that a user passes in. A check that returns NULL guarantees the preconditions of the
+ * builders and the manifolds: finite, bounded coordinates, edges longer than the tolerance, polygons that are strictly
+ * convex and wind around once.
  */
 #include "geometry/shape.h"
 
 /* Coordinates are stored with a relative error of 2^-24; heights a few times that are noise. */
 #define HEIGHT_RELATIVE_MIN 5.0e-7f
 
-static int32_t coordinate_good(float x)
+static int32_t coordinate_is_valid(float x)
 {
 	return x >= -CNI_COORDINATE_MAX && x <= CNI_COORDINATE_MAX;
 }
 
-static int32_t point_good(cni_vec2 p)
+static int32_t point_is_valid(cni_vec2 p)
 {
-	return coordinate_good(p.x) && coordinate_good(p.y);
+	return coordinate_is_valid(p.x) && coordinate_is_valid(p.y);
 }
 
 const char cni_points_near[] = "points must be farther apart";
@@ -31,7 +31,7 @@ float cni_least_distance(const cni_vec2 *points, int32_t count, int32_t closed)
 static int32_t points_apart(const cni_vec2 *points, int32_t count, int32_t closed, float tolerance)
 {
 	float distance = cni_least_distance(points, count, closed);
-	return distance > 0.0f && distance >= tolerance * (1.0f - 1.0e-4f); /* what rounds to the tolerance is taken */
+	return distance > 0.0f && distance >= tolerance * (1.0f - 1.0e-4f); /* accepts distances that round to the tolerance */
 }
 
 static const char *const text_points = "coordinates must be finite and within 1e6 m";
@@ -40,7 +40,7 @@ static const char *const text_radius = "radius must be finite, > 0 and at most 1
 const char *cni_check_circle(const cn_circle *circle, float tolerance)
 {
 	(void)tolerance;
-	if (!point_good(circle->center_m))
+	if (!point_is_valid(circle->center_m))
 		return text_points;
 	if (!(circle->radius_m > 0.0f && circle->radius_m <= CNI_COORDINATE_MAX))
 		return text_radius;
@@ -50,7 +50,7 @@ const char *cni_check_circle(const cn_circle *circle, float tolerance)
 const char *cni_check_capsule(const cn_capsule *capsule, float tolerance)
 {
 	const cni_vec2 ends[2] = { capsule->a_m, capsule->b_m };
-	if (!point_good(capsule->a_m) || !point_good(capsule->b_m))
+	if (!point_is_valid(capsule->a_m) || !point_is_valid(capsule->b_m))
 		return text_points;
 	if (!(capsule->radius_m > 0.0f && capsule->radius_m <= CNI_COORDINATE_MAX))
 		return text_radius;
@@ -60,7 +60,7 @@ const char *cni_check_capsule(const cn_capsule *capsule, float tolerance)
 const char *cni_check_edge(const cn_edge *edge, float tolerance)
 {
 	const cni_vec2 ends[2] = { edge->a_m, edge->b_m };
-	if (!point_good(edge->a_m) || !point_good(edge->b_m))
+	if (!point_is_valid(edge->a_m) || !point_is_valid(edge->b_m))
 		return text_points;
 	return points_apart(ends, 2, 0, tolerance) ? NULL : cni_points_near;
 }
@@ -80,7 +80,8 @@ static float height_right_of(cni_vec2 a, cni_vec2 b, cni_vec2 point)
 	return cni_cross(cni_sub(point, a), along);
 }
 
-/* All vertices lie left of every edge (times sign): convex and once around. */
+/* 1 when all other vertices lie on the inner side of the edge. If this holds for every edge, the polygon is convex and winds
+   around once. */
 static int32_t edge_is_outer(const cn_polygon *polygon, int32_t edge, float sign)
 {
 	const cni_vec2 *p = polygon->points_m;
@@ -115,7 +116,7 @@ const char *cni_check_polygon(const cn_polygon *polygon, float tolerance)
 	if (!(polygon->radius_m >= 0.0f && polygon->radius_m <= CNI_COORDINATE_MAX))
 		return "radius must be finite, >= 0 and at most 1e6 m";
 	for (int32_t i = 0; i < polygon->count; ++i)
-		if (!point_good(polygon->points_m[i]))
+		if (!point_is_valid(polygon->points_m[i]))
 			return text_points;
 	if (!points_apart(polygon->points_m, polygon->count, 1, tolerance))
 		return cni_points_near;
@@ -131,7 +132,7 @@ const char *cni_check_chain(const cn_chain *chain, float tolerance)
 	if (chain->count < (chain->loop ? 3 : 2) || chain->count > 65535)
 		return chain->loop ? "count of a loop must be 3 to 65535" : "count must be 2 to 65535";
 	for (int32_t i = 0; i < chain->count; ++i)
-		if (!point_good(chain->points_m[i]))
+		if (!point_is_valid(chain->points_m[i]))
 			return text_points;
 	return points_apart(chain->points_m, chain->count, (int32_t)chain->loop, tolerance) ? NULL : cni_points_near;
 }

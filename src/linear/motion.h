@@ -1,5 +1,6 @@
 /*
- * linear/motion.h - a body as the rows of a constraint see it: velocity, inverse mass, and change of pose within the step.
+ * linear/motion.h - the state of a body that constraint rows read and write: velocity, inverse mass, and change of pose
+ * within the step.
  */
 #ifndef CNI_LINEAR_MOTION_H
 #define CNI_LINEAR_MOTION_H

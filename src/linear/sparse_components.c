@@ -1,10 +1,11 @@
 /*
- * linear/sparse_components.c - which nodes of a sparse system belong together, and whether they may be planned.
+ * linear/sparse_components.c - finds the connected components of a sparse system and decides which ones are planned.
  *
- * One component at a time, breadth first from its first node. A tree needs no search: its nodes are eliminated in the
- * opposite order, in which what is left at a node's body is a clique already, so that nothing fills in (a chain as well
- * from its first node on; a small one with branches as in linear/topology_class.c). Others are ordered by
- * linear/sparse_order.c. What is more work than its links or the budget allow is left out.
+ * It collects one component at a time, breadth first from its first node. The order of a tree needs no search: its nodes
+ * are eliminated in reverse breadth-first order, in which the remaining nodes of a body already form a clique, so there is
+ * no fill. A chain that begins at its end may also be eliminated forwards; linear/topology_class.c orders small trees with
+ * branches. linear/sparse_order.c orders the other components. Components that exceed the limit of their links or the
+ * budget are not planned.
  *
  * Reads the system; writes the planner's lists and order, the planned components and sizes.
  */
@@ -14,7 +15,7 @@
 
 /* ---- collecting ---- */
 
-/* Lists of the nodes at each body. */
+/* Lists the nodes of each body. */
 static void bodies_collect(cni_planner *p)
 {
 	int32_t i, side;
@@ -31,8 +32,8 @@ static void bodies_collect(cni_planner *p)
 		}
 }
 
-/* All nodes at a body that was not reached before. In a tree the k-th of them has k neighbours that are eliminated after
-   it: 1 + k + k (k + 1) / 2 blocks of work. */
+/* Adds all nodes of a body that is reached for the first time. In a tree the k-th of them has k neighbours that are
+   eliminated after it: 1 + k + k (k + 1) / 2 blocks of work. */
 static void body_reach(cni_planner *p, int32_t body)
 {
 	int32_t key, count = 0;
@@ -48,7 +49,7 @@ static void body_reach(cni_planner *p, int32_t body)
 	p->tree_work += (int64_t)count * (count - 1) / 2 + (int64_t)(count - 1) * count * (count + 1) / 6;
 }
 
-/* The nodes that hang together with `start`, breadth first. */
+/* Collects the nodes connected with `start`, breadth first. */
 static void component_collect(cni_planner *p, int32_t start)
 {
 	int32_t at, side;
@@ -78,7 +79,7 @@ static int64_t component_limit(const cni_planner *p)
 	return most < INT32_MAX ? most : INT32_MAX; /* cni_component.work */
 }
 
-/* As many ends that move as nodes and bodies that a tree has: no two ways from one body to another. */
+/* The bipartite graph of nodes and moving bodies is connected, so it is a tree when it has one edge fewer than vertices. */
 static int32_t component_is_tree(const cni_planner *p)
 {
 	int32_t k, ends = 0;
@@ -87,7 +88,7 @@ static int32_t component_is_tree(const cni_planner *p)
 	return ends == p->member_count + p->body_count - 1;
 }
 
-/* Of a tree: no more than two nodes at a body, and the first node is an end of the row. */
+/* For a tree: 1 when no body has more than two nodes and the first node is an end of the chain. */
 static int32_t is_chain_from_its_end(const cni_planner *p)
 {
 	int32_t side, meets = 0;
@@ -116,7 +117,7 @@ static int32_t tree_order(cni_planner *p, int64_t most)
 	return 1;
 }
 
-/* A failed order gives its scratch memory back. */
+/* Frees the scratch of an order that fails. */
 static int32_t loops_order(cni_planner *p, int64_t most)
 {
 	cni_planner before = *p;
@@ -148,7 +149,7 @@ static int32_t columns_length(const cni_planner *p)
 	return sum;
 }
 
-/* Finds the component's order, and adds it to what is planned if it may be. */
+/* Orders the component and adds it to the plan if it is within its limits. */
 static void component_plan(cni_planner *p)
 {
 	cni_sparse *s = p->out;

@@ -1,16 +1,17 @@
 /*
- * linear/sparse_order.c - the order of elimination of a component with loops: least degree first.
+ * linear/sparse_order.c - orders the elimination of a component with loops by minimum degree.
  *
- * Nodes that share a body are neighbours of one another: a body is a clique of its nodes, and a node lies in two cliques
- * at most. To eliminate a node makes neighbours of all its neighbours (George and Liu, "Computer Solution of Large Sparse
- * Positive Definite Systems", 1981): its two cliques become one, without it. So there are never more cliques than there were
- * bodies, a node's degree follows from the sizes of two of them and from how many nodes lie in both, and the list of the
- * clique that an eliminated node leaves is its column of L. All of it takes no longer than writing these columns down.
+ * Nodes that share a body are neighbours of each other: a body is a clique of its nodes, and a node lies in at most two
+ * cliques. Eliminating a node makes all its neighbours neighbours of each other (George and Liu, "Computer Solution of
+ * Large Sparse Positive Definite Systems", 1981): its two cliques merge into one, without it. So the number of cliques
+ * never exceeds the number of bodies, a node's degree follows from the sizes of its two cliques and the number of nodes in
+ * both, and the clique that remains after an elimination is the eliminated node's column of L. The total time is
+ * proportional to the size of these columns.
  *
- * A component whose work passes the limit is given up as soon as that shows. Ties go to the node that reached its degree
- * last, so the order depends on the nodes and their order alone.
+ * The ordering of a component stops as soon as its work exceeds the limit. Ties go to the node that reached its degree
+ * last, so the order depends only on the nodes and their order.
  *
- * Lists are cut from pieces of scratch memory, each as large as all before it, and stay where they are until the plan is
+ * Lists are allocated from pieces of scratch memory, each as large as all before it, and do not move until the plan is
  * written.
  */
 #include "linear/sparse_planner.h"
@@ -21,7 +22,7 @@
 
 /* ---- lists ---- */
 
-/* Another piece that holds `count` entries at least. 0: all that may be taken is, or there is no memory. */
+/* Takes another piece of at least `count` entries. 0: the limit pool_most is reached, or there is no memory. */
 static int32_t pool_grow(cni_planner *p, int32_t count)
 {
 	int64_t piece = p->pool_taken > POOL_PIECE ? p->pool_taken : POOL_PIECE;
@@ -41,7 +42,7 @@ static int32_t pool_grow(cni_planner *p, int32_t count)
 }
 
 /* An empty list for `count` nodes. NULL: no room. */
-static int32_t *list_cut(cni_planner *p, int32_t count)
+static int32_t *list_alloc(cni_planner *p, int32_t count)
 {
 	int32_t *list;
 	if (count > p->pool_left && !pool_grow(p, count))
@@ -57,14 +58,14 @@ static int32_t *list_cut(cni_planner *p, int32_t count)
 /* Body 0 cannot move: its clique is empty. */
 static cni_clique *clique_at(const cni_planner *p, int32_t body) { return &p->clique[body]; }
 
-/* Of a body's nodes. 0: no room. */
+/* Makes the clique of a body's nodes. 0: no room. */
 static int32_t clique_collect(cni_planner *p, int32_t body)
 {
 	cni_clique *c = clique_at(p, body);
 	int32_t key, count = 0;
 	for (key = p->body_head[body]; key != CNI_NONE; key = cni_planner_next(p, key))
 		++count;
-	c->nodes = list_cut(p, count);
+	c->nodes = list_alloc(p, count);
 	c->count = c->met = 0;
 	if (c->nodes == NULL)
 		return 0;
@@ -73,7 +74,7 @@ static int32_t clique_collect(cni_planner *p, int32_t body)
 	return 1;
 }
 
-/* Of all bodies of the component. 0: no room. */
+/* Makes the cliques of all bodies of the component. 0: no room. */
 static int32_t cliques_collect(cni_planner *p)
 {
 	int32_t k, side;
@@ -95,13 +96,13 @@ static int32_t cliques_collect(cni_planner *p)
 	return 1;
 }
 
-/* The clique that a node of `body` lies in beside it; 0: none. */
-static int32_t clique_beside(const cni_planner *p, int32_t node, int32_t body)
+/* The other clique of a node in the clique of `body`; 0: none. */
+static int32_t clique_other(const cni_planner *p, int32_t node, int32_t body)
 {
 	return p->in[0][node] == body ? p->in[1][node] : p->in[0][node];
 }
 
-/* The nodes of a clique but v, and but those that v has marked, at the end of its column. */
+/* Appends the nodes of a clique to v's column, except v and nodes that are already there. */
 static void column_add(cni_planner *p, int32_t v, const cni_clique *c)
 {
 	int32_t k;
@@ -114,8 +115,8 @@ static void column_add(cni_planner *p, int32_t v, const cni_clique *c)
 	}
 }
 
-/* Nodes of a clique that has become part of another; those that were in both are in that alone. */
-static void nodes_rename(cni_planner *p, int32_t part, int32_t body)
+/* Moves the nodes of clique `part` to clique `body`; a node that was in both is then in `body` alone. */
+static void nodes_move(cni_planner *p, int32_t part, int32_t body)
 {
 	const cni_clique *c = clique_at(p, part);
 	int32_t k;
@@ -149,35 +150,35 @@ static void degree_unlink(cni_planner *p, int32_t node)
 		p->degree_prev[next] = prev;
 }
 
-/* Neighbours of a node in a clique: those in it and those in the one beside it, less those that are in both. */
-static int32_t degree_beside(const cni_planner *p, const cni_clique *c, int32_t beside)
+/* Degree of a node of clique c: the other nodes of c plus the nodes of its other clique, minus the nodes in both. */
+static int32_t degree_in(const cni_planner *p, const cni_clique *c, int32_t other)
 {
-	return c->count - 1 + (beside == 0 ? 0 : clique_at(p, beside)->count - clique_at(p, beside)->met);
+	return c->count - 1 + (other == 0 ? 0 : clique_at(p, other)->count - clique_at(p, other)->met);
 }
 
-/* How many of its nodes are in each of the cliques beside it as well: add 1; it is forgotten: -1. */
-static void beside_count(cni_planner *p, int32_t body, int32_t add)
+/* Adds to `met` of every other clique, `add` for each node that it shares with the clique of `body`. add -1 undoes 1. */
+static void shared_count(cni_planner *p, int32_t body, int32_t add)
 {
 	const cni_clique *c = clique_at(p, body);
 	int32_t k;
 	for (k = 0; k < c->count; ++k)
-		clique_at(p, clique_beside(p, c->nodes[k], body))->met += add;
+		clique_at(p, clique_other(p, c->nodes[k], body))->met += add;
 }
 
-static void degrees_renew(cni_planner *p, int32_t body)
+static void degrees_update(cni_planner *p, int32_t body)
 {
 	const cni_clique *c = clique_at(p, body);
 	int32_t k;
-	beside_count(p, body, 1);
+	shared_count(p, body, 1);
 	for (k = 0; k < c->count; ++k) {
-		int32_t node = c->nodes[k], degree = degree_beside(p, c, clique_beside(p, node, body));
+		int32_t node = c->nodes[k], degree = degree_in(p, c, clique_other(p, node, body));
 		degree_unlink(p, node);
 		degree_link(p, node, degree);
 	}
-	beside_count(p, body, -1);
+	shared_count(p, body, -1);
 }
 
-/* For the first time. */
+/* Initial degrees. */
 static void degrees_begin(cni_planner *p)
 {
 	int32_t k, side;
@@ -188,30 +189,30 @@ static void degrees_begin(cni_planner *p)
 			int32_t node = p->member[k], body = p->in[side][node];
 			if (body == 0 || p->degree[node] != 0)
 				continue;
-			beside_count(p, body, 1);
-			p->degree[node] = degree_beside(p, clique_at(p, body), p->in[1 - side][node]);
-			beside_count(p, body, -1);
+			shared_count(p, body, 1);
+			p->degree[node] = degree_in(p, clique_at(p, body), p->in[1 - side][node]);
+			shared_count(p, body, -1);
 		}
 }
 
 /* ---- order ---- */
 
-/* Takes v out: what is left of its two cliques is one, and v's column. 0: no room. */
+/* Eliminates v: its two cliques without v merge into one, which is v's column. 0: no room. */
 static int32_t node_eliminate(cni_planner *p, int32_t v)
 {
 	int32_t into = p->in[0][v] != 0 ? 0 : 1, body = p->in[into][v], part = p->in[1 - into][v], count = p->degree[v];
 	cni_clique *c = clique_at(p, body);
-	p->list[v] = list_cut(p, count);
+	p->list[v] = list_alloc(p, count);
 	p->list_count[v] = 0;
 	if (p->list[v] == NULL)
 		return 0;
 	column_add(p, v, c);
 	column_add(p, v, clique_at(p, part));
 	CNI_ASSERT(p->list_count[v] == count);
-	nodes_rename(p, part, body);
+	nodes_move(p, part, body);
 	c->nodes = p->list[v];
 	c->count = count;
-	degrees_renew(p, body);
+	degrees_update(p, body);
 	p->work += 1 + count + (int64_t)count * (count + 1) / 2;
 	return 1;
 }
@@ -225,7 +226,7 @@ int32_t cni_planner_order(cni_planner *p, int64_t most)
 	degrees_begin(p);
 	memset(p->degree_head, 0xff, sizeof(int32_t) * (size_t)p->member_count);
 	for (k = p->member_count - 1; k >= 0; --k)
-		degree_link(p, p->member[k], p->degree[p->member[k]]); /* the first node is the first of its degree */
+		degree_link(p, p->member[k], p->degree[p->member[k]]); /* backwards, so that lists begin with the first node */
 	for (k = 0; k < p->member_count; ++k) {
 		int32_t v;
 		while (p->degree_head[degree] == CNI_NONE)

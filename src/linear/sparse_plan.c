@@ -1,15 +1,15 @@
 /*
- * linear/sparse_plan.c - plans of sparse systems: which blocks the orders make, how a plan lies in memory, and when it is used
- * again.
+ * linear/sparse_plan.c - plans of sparse systems: writes the blocks of an order, owns a plan's layout in memory, and
+ * decides when a plan is reused.
  *
- * When the orders of all components are known (linear/sparse_components.c) so are all sizes, and the plan is written.
+ * The plan is written when the orders of all components, and so all sizes, are known (linear/sparse_components.c).
  *
- * A plan depends on the links, on which bodies can move and on the budget, and on nothing else. It is kept with these;
- * while they are the same it is used again as it is.
+ * A plan depends only on the links, on which bodies can move, and on the budget. It is kept together with these and
+ * reused while they are the same.
  *
  *   kept   [ head | links | ends that move | planned | order | first | bodies | below | couplings | components ]
  *
- * Scratch: one entry of the arena, cut into arrays, and the pool of the order.
+ * Scratch: one entry of the arena, split into arrays, and the pool of the order.
  */
 #include "linear/sparse_planner.h"
 
@@ -20,7 +20,7 @@
 enum { POOL_EACH = 2, COUPLINGS_EACH = 32, NODE_INTS = 14 };
 #define KEPT_SPARE 4 /* times what is needed: more is given back */
 
-/* A limit on the work is one on the blocks as well; beyond a thousand a node it bounds work alone. */
+/* A limit on the work also limits the blocks; memory is reserved for at most 1024 units of work per node. */
 static int64_t work_held(int32_t count, int64_t work_most)
 {
 	int64_t held = (int64_t)count * 1024;
@@ -64,7 +64,7 @@ static uint64_t node_bytes(int32_t nodes, int32_t components)
 	return rounded((uint64_t)nodes * sizeof(cni_node)) + (uint64_t)components * sizeof(cni_component);
 }
 
-/* What a plan was made of and how large it is. */
+/* Sizes of a plan and its budget. */
 typedef struct kept_head {
 	int64_t budget;
 	int32_t link_count, node_count, block_count, coupling_count, component_count, body_count;
@@ -74,7 +74,7 @@ typedef struct kept_head {
 typedef struct kept_plan {
 	kept_head *head;
 	cni_link *links;
-	uint8_t *moving;             /* bits: which of a link's bodies can move */
+	uint8_t *moving;             /* bits: the sides of a link whose bodies can move */
 	uint8_t *planned;
 	int32_t *order;
 	int32_t *first;
@@ -108,59 +108,59 @@ uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most)
 	       node_bytes(count, count) + block_bytes(count + below_most(count, work_most)) + 1024;
 }
 
-/* Takes bytes from the front of a piece of memory. */
-static void *cut(uint8_t **at, uint64_t bytes)
+/* Allocates bytes from the front of a piece of memory. */
+static void *alloc(uint8_t **at, uint64_t bytes)
 {
 	void *p = *at;
 	*at += rounded(bytes);
 	return p;
 }
 
-static int32_t *cut_ints(uint8_t **at, int32_t count)
+static int32_t *alloc_ints(uint8_t **at, int32_t count)
 {
-	return (int32_t *)cut(at, 4u * (uint64_t)count);
+	return (int32_t *)alloc(at, 4u * (uint64_t)count);
 }
 
-/* The head is there already. */
+/* The arrays of a kept plan whose head is already written. */
 static kept_plan kept_cut(uint8_t *at)
 {
 	kept_plan k;
-	kept_head *h = (kept_head *)cut(&at, sizeof *h);
+	kept_head *h = (kept_head *)alloc(&at, sizeof *h);
 	k.head = h;
-	k.links = (cni_link *)cut(&at, sizeof(cni_link) * (uint64_t)h->link_count);
-	k.moving = (uint8_t *)cut(&at, (uint64_t)h->link_count);
-	k.planned = (uint8_t *)cut(&at, (uint64_t)h->link_count);
-	k.order = cut_ints(&at, h->node_count);
-	k.first = cut_ints(&at, h->node_count + 1);
-	k.bodies = cut_ints(&at, h->body_count);
-	k.below = cut_ints(&at, h->block_count);
-	k.couplings = (cni_coupling *)cut(&at, sizeof(cni_coupling) * (uint64_t)h->coupling_count);
-	k.components = (cni_component *)cut(&at, sizeof(cni_component) * (uint64_t)h->component_count);
+	k.links = (cni_link *)alloc(&at, sizeof(cni_link) * (uint64_t)h->link_count);
+	k.moving = (uint8_t *)alloc(&at, (uint64_t)h->link_count);
+	k.planned = (uint8_t *)alloc(&at, (uint64_t)h->link_count);
+	k.order = alloc_ints(&at, h->node_count);
+	k.first = alloc_ints(&at, h->node_count + 1);
+	k.bodies = alloc_ints(&at, h->body_count);
+	k.below = alloc_ints(&at, h->block_count);
+	k.couplings = (cni_coupling *)alloc(&at, sizeof(cni_coupling) * (uint64_t)h->coupling_count);
+	k.components = (cni_component *)alloc(&at, sizeof(cni_component) * (uint64_t)h->component_count);
 	return k;
 }
 
 static void planner_cut(cni_planner *p, uint8_t *at)
 {
 	int32_t n = p->system->link_count;
-	p->list = (int32_t **)cut(&at, sizeof(int32_t *) * (uint64_t)n);
-	p->out->components = (cni_component *)cut(&at, sizeof(cni_component) * (uint64_t)n);
-	p->clique = (cni_clique *)cut(&at, sizeof(cni_clique) * (uint64_t)p->system->motion_count);
-	p->body_head = cut_ints(&at, p->system->motion_count);
-	p->node_next[0] = cut_ints(&at, n);
-	p->node_next[1] = cut_ints(&at, n);
-	p->member = cut_ints(&at, n);
-	p->list_count = cut_ints(&at, n);
-	p->in[0] = cut_ints(&at, n);
-	p->in[1] = cut_ints(&at, n);
-	p->mark = cut_ints(&at, n);
-	p->degree = cut_ints(&at, n);
-	p->degree_head = cut_ints(&at, n);
-	p->degree_next = cut_ints(&at, n);
-	p->degree_prev = cut_ints(&at, n);
-	p->order = cut_ints(&at, n);
-	p->position = cut_ints(&at, n);
-	p->seen = (uint8_t *)cut(&at, (uint64_t)n);
-	p->body_reached = (uint8_t *)cut(&at, (uint64_t)p->system->motion_count);
+	p->list = (int32_t **)alloc(&at, sizeof(int32_t *) * (uint64_t)n);
+	p->out->components = (cni_component *)alloc(&at, sizeof(cni_component) * (uint64_t)n);
+	p->clique = (cni_clique *)alloc(&at, sizeof(cni_clique) * (uint64_t)p->system->motion_count);
+	p->body_head = alloc_ints(&at, p->system->motion_count);
+	p->node_next[0] = alloc_ints(&at, n);
+	p->node_next[1] = alloc_ints(&at, n);
+	p->member = alloc_ints(&at, n);
+	p->list_count = alloc_ints(&at, n);
+	p->in[0] = alloc_ints(&at, n);
+	p->in[1] = alloc_ints(&at, n);
+	p->mark = alloc_ints(&at, n);
+	p->degree = alloc_ints(&at, n);
+	p->degree_head = alloc_ints(&at, n);
+	p->degree_next = alloc_ints(&at, n);
+	p->degree_prev = alloc_ints(&at, n);
+	p->order = alloc_ints(&at, n);
+	p->position = alloc_ints(&at, n);
+	p->seen = (uint8_t *)alloc(&at, (uint64_t)n);
+	p->body_reached = (uint8_t *)alloc(&at, (uint64_t)p->system->motion_count);
 }
 
 /* ---- writing the plan ---- */
@@ -177,7 +177,7 @@ static void sort_ascending(int32_t *list, int32_t count)
 		}
 }
 
-/* Terms of node k's blocks: every two nodes at one body, ascending. Returns where they end. */
+/* Writes node k's couplings with later nodes that share a body, ascending. Returns their end. */
 static cni_coupling *couplings_write(const cni_planner *p, int32_t k, cni_coupling *begin)
 {
 	int32_t side, key, v = p->order[k];
@@ -200,7 +200,7 @@ static cni_coupling *couplings_write(const cni_planner *p, int32_t k, cni_coupli
 	return end;
 }
 
-/* Node k's column, ascending: of a tree what it is coupled with, else its list. Returns where it ends. */
+/* Writes node k's column, ascending: its couplings in a tree, else its list. Returns its end. */
 static int32_t column_write(const cni_planner *p, const cni_component *c, int32_t k, const cni_coupling *begin, const cni_coupling *end, int32_t *below, int32_t at)
 {
 	int32_t e, count = c->tree ? (int32_t)(end - begin) : p->list_count[p->order[k]];
@@ -228,7 +228,7 @@ static void component_write(const cni_planner *p, const cni_component *c, kept_p
 	CNI_ASSERT(begin == kept->couplings + c->coupling_end);
 }
 
-/* Every body of the component once, in the order of its nodes. */
+/* Writes every body of the component once, in the order of its nodes. */
 static void bodies_write(const cni_planner *p, const cni_component *c, int32_t *bodies)
 {
 	int32_t k, side, at = c->body_begin;
@@ -268,8 +268,8 @@ static void plan_write(const cni_planner *p, kept_plan *kept)
 
 /* ---- keeping it ---- */
 
-/* Memory for a plan of this size: what is kept, given back where it has become much too large, or else scratch. A world
-   in a caller's block keeps what it set aside at the beginning. */
+/* Memory for a plan of this size: the kept array, which is freed first if it is much too large, or else scratch. A world in
+   a caller's block keeps the array that it reserved at creation. */
 static uint8_t *kept_reserve(cni_arena *arena, cni_array *kept, uint64_t bytes)
 {
 	int64_t items = (int64_t)(bytes / CNI_KEPT_BYTES) + 1;
@@ -287,7 +287,7 @@ static uint8_t *kept_reserve(cni_arena *arena, cni_array *kept, uint64_t bytes)
 	return (uint8_t *)kept->data;
 }
 
-/* Is what is kept the plan of this very system? */
+/* 1 when the kept plan is the plan of this system. */
 static int32_t kept_fits(const cni_planner *p, const kept_plan *kept)
 {
 	const cni_system *system = p->system;
@@ -301,7 +301,7 @@ static int32_t kept_fits(const cni_planner *p, const kept_plan *kept)
 	return 1;
 }
 
-/* Plans anew, into what is kept or into scratch. 0: no memory. */
+/* Makes a new plan in the kept array or in scratch. 0: no memory. */
 static int32_t plan_make(cni_planner *p, cni_array *array, kept_plan *kept)
 {
 	const cni_system *system = p->system;
@@ -341,7 +341,7 @@ static void node_make(cni_node *n, const cni_link *link)
 	n->rows = link->rows;
 }
 
-/* The step's own copy: nodes, components, room for the numbers. */
+/* Makes the step's working copy: nodes, components, memory for the numbers. */
 static int32_t plan_take(const cni_planner *p, const kept_plan *kept)
 {
 	const kept_head *h = kept->head;
@@ -376,13 +376,13 @@ static int32_t plan_take(const cni_planner *p, const kept_plan *kept)
 	return 1;
 }
 
-static void counts_forget(cni_sparse *s)
+static void counts_clear(cni_sparse *s)
 {
 	s->node_count = s->block_count = s->coupling_count = s->component_count = s->body_count = 0;
 }
 
-/* Kinds are found with the plan, and kept with it. */
-static void kinds_keep(cni_sparse *s, const cni_motion *motions, kept_plan *kept)
+/* Finds the topology classes of a new plan and keeps them with it. */
+static void classes_keep(cni_sparse *s, const cni_motion *motions, kept_plan *kept)
 {
 	int32_t k;
 	cni_topology_classes_find(s, motions);
@@ -395,7 +395,7 @@ int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *sys
 	cni_planner p;
 	kept_plan plan;
 	int64_t work_most = 0;
-	int32_t k, there = 0;
+	int32_t k, reusable = 0;
 	memset(&p, 0, sizeof p);
 	p.arena = arena;
 	p.system = system;
@@ -408,20 +408,20 @@ int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *sys
 	out->arena_entries = arena->entry_count;
 	if (kept != NULL && kept->count > 0 && CNI_ON(KEPT_PLANS)) {
 		plan = kept_cut((uint8_t *)kept->data);
-		there = kept_fits(&p, &plan);
+		reusable = kept_fits(&p, &plan);
 	}
 	if (system->link_count > 0)
 		memset(out_planned, 0, (size_t)system->link_count);
-	if ((there || plan_make(&p, kept, &plan)) && plan_take(&p, &plan)) {
-		if (!there)
-			kinds_keep(out, system->motions, &plan);
+	if ((reusable || plan_make(&p, kept, &plan)) && plan_take(&p, &plan)) {
+		if (!reusable)
+			classes_keep(out, system->motions, &plan);
 		return 1;
 	}
-	if (kept != NULL && !there)
-		kept->count = 0; /* its kinds were not found */
+	if (kept != NULL && !reusable)
+		kept->count = 0; /* its topology classes are missing */
 	cni_planner_pop_to(arena, out->arena_entries);
 	memset(out_planned, 0, (uint32_t)system->link_count);
-	counts_forget(out);
+	counts_clear(out);
 	return 0;
 }
 
@@ -445,5 +445,5 @@ void cni_sparse_clear(cni_sparse *s, const cni_component *c)
 void cni_sparse_discard(cni_arena *arena, cni_sparse *sparse)
 {
 	cni_planner_pop_to(arena, sparse->arena_entries);
-	counts_forget(sparse);
+	counts_clear(sparse);
 }

@@ -2,8 +2,8 @@
  * linear/sparse_solve.c - factorization and solution in the order of a plan (method in sparse.h).
  *
  * Reads nodes and inverse masses, writes blocks, pivots and the nodes' x. Blocks have the component's width, two or
- * three; each function is written once with the width as its last argument and inlined with it known. Rows that a node
- * lacks are zero and get no impulse.
+ * three; each function is written once with the width as its last argument and inlined with a constant width. Unused rows
+ * of a node are zero and get no impulse.
  */
 #include "base/cpu.h"
 #include "linear/sparse.h"
@@ -20,13 +20,13 @@
 #define STRIDE (CNI_NODE_ROWS * CNI_NODE_ROWS)
 #define PIVOT_LEAST_REGULAR 0.2f /* so is one below this part of what was added to it: see CNI_PIVOT_LEAST */
 
-/* Where a component's blocks and pivots are: they lie close, in room for the greatest width. */
+/* A component's blocks and pivots: packed at the component's width into memory for the largest width. */
 typedef struct region {
 	float *blocks, *pivots;
 	int32_t block_first, node_first;
 } region;
 
-/* Blocks of two rows are one vector each; their room is that of three. */
+/* A block of two rows is one vector of four floats, so it is aligned; memory for three rows leaves room for that. */
 static float *aligned(float *blocks, int32_t width)
 {
 	return width == 2 ? (float *)(((uintptr_t)blocks + 15u) & ~(uintptr_t)15u) : blocks;
@@ -54,7 +54,7 @@ CNI_INLINE float *pivot_at(const region *r, int32_t node, int32_t w)
 
 /* ---- the matrix ---- */
 
-/* The lower half of a node's own block. */
+/* Computes the lower triangle of a node's own block. */
 CNI_INLINE void diagonal_form(const cni_node *n, float *d, const cni_motion *motions, float regular, int32_t w)
 {
 	const cni_motion *a = motions + n->ia, *b = motions + n->ib;
@@ -70,7 +70,7 @@ CNI_INLINE void diagonal_form(const cni_node *n, float *d, const cni_motion *mot
 	d[w] += n->cross;
 }
 
-/* A row's end at one of its bodies. */
+/* The part of a row that acts on one of its bodies. */
 CNI_INLINE void lever_end(const cni_lever *l, int32_t side, float *x, float *y, float *w)
 {
 	*x = side ? l->bx : l->ax;
@@ -78,7 +78,7 @@ CNI_INLINE void lever_end(const cni_lever *l, int32_t side, float *x, float *y, 
 	*w = side ? l->bw : l->aw;
 }
 
-/* `first`: what was in the block does not count. */
+/* Adds a term to a block. first: the block's present content is ignored. */
 CNI_INLINE void coupling_add(const cni_sparse *s, const cni_coupling *c, const cni_motion *motions, float *block, int32_t first, int32_t w)
 {
 	const cni_node *high = &s->nodes[c->high], *low = &s->nodes[c->low];
@@ -106,8 +106,8 @@ CNI_INLINE float pivot_inverse(float pivot, float least)
 }
 
 /*
- * The inverse of a symmetric block whose lower half is given, in place, by LDL^T; a row whose pivot has cancelled
- * to below `least` is left out: zero in the inverse, so that it gets no impulse.
+ * Inverts a symmetric block, given by its lower triangle, in place by LDL^T. A row whose pivot has cancelled to below
+ * `least` is zero in the inverse, so that it gets no impulse.
  */
 CNI_INLINE void pivot_invert(float *d, const float *least, int32_t w)
 {
@@ -142,7 +142,7 @@ CNI_INLINE void block_times(const float *block, const float *pivot, float *out, 
 		}
 }
 
-/* target -= left * right^T, the lower half alone or all of it */
+/* target -= left * right^T, the lower triangle or the whole block */
 CNI_INLINE void block_update(float *target, const float *left, const float *right, int32_t lower, int32_t w)
 {
 	int32_t i, l, k;
@@ -155,7 +155,7 @@ CNI_INLINE void block_update(float *target, const float *left, const float *righ
 		}
 }
 
-/* The same with blocks that follow each other, all of each. */
+/* The same for `count` consecutive whole blocks. */
 CNI_INLINE void blocks_update(float *target, const float *left, const float *right, int32_t count, int32_t w)
 {
 	int32_t n;
@@ -175,8 +175,8 @@ CNI_INLINE void blocks_update(float *target, const float *left, const float *rig
 		block_update(target + n * w * w, left + n * w * w, right, 0, w);
 }
 
-/* How many of the blocks from e to `end` follow each other from `at` on, as those of one column do in another that holds them
-   all. The first is there. */
+/* Number of blocks from e on (before `end`) that are consecutive in another column from `at` on. That column contains all
+   of them, and block `at` is the first. */
 CNI_INLINE int32_t run_length(const cni_sparse *s, int32_t e, int32_t end, int32_t at, int32_t at_end)
 {
 	int32_t most = cni_min_i(end - e, at_end - at), count = 1;
@@ -187,7 +187,7 @@ CNI_INLINE int32_t run_length(const cni_sparse *s, int32_t e, int32_t end, int32
 	return count;
 }
 
-/* Takes node k out of all that comes after it. */
+/* Eliminates node k from all later nodes. */
 CNI_INLINE void node_eliminate(const cni_sparse *s, const region *r, int32_t k, int32_t w)
 {
 	int32_t e, f, run, end = s->first[k + 1];
@@ -219,7 +219,7 @@ CNI_INLINE void factor(cni_sparse *s, const cni_component *c, const cni_motion *
 		for (i = 0; i < w; ++i)
 			s->nodes[k].least[i] = least * d[i * w + i];
 	}
-	for (k = c->coupling_begin; k < c->coupling_end && c->tree; ++k) /* each of a tree is a block by itself */
+	for (k = c->coupling_begin; k < c->coupling_end && c->tree; ++k) /* in a tree each coupling has its own block */
 		coupling_add(s, &s->couplings[k], motions, block_at(&r, s->couplings[k].block, w), 1, w);
 	for (k = c->coupling_begin; k < c->coupling_end && !c->tree; ++k)
 		coupling_add(s, &s->couplings[k], motions, block_at(&r, s->couplings[k].block, w), 0, w);
@@ -263,7 +263,7 @@ CNI_INLINE void pivot_apply(const float *pivot, const float *x, float *out, int3
 	}
 }
 
-/* The numbers of the component's nodes lie `stride` bytes apart. */
+/* The x of a node; those of consecutive nodes are `stride` bytes apart. */
 CNI_INLINE float *numbers_at(uint8_t *x, const cni_component *c, int32_t node, size_t stride)
 {
 	return (float *)(void *)(x + (size_t)(node - c->begin) * stride);
@@ -273,7 +273,7 @@ CNI_INLINE int32_t solve(cni_sparse *s, const cni_component *c, uint8_t *x, size
 {
 	region r = region_of(s, c);
 	int32_t k, e, i;
-	float finite = 0.0f; /* stays so: 0 times what is finite */
+	float finite = 0.0f; /* sum of 0 * x: stays 0 while all x are finite */
 	for (k = c->begin; k < c->end; ++k) {
 		float z[CNI_NODE_ROWS];
 		pivot_apply(pivot_at(&r, k, w), numbers_at(x, c, k, stride), z, w);

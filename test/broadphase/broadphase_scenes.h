@@ -1,13 +1,13 @@
 /*
- * test/broadphase/broadphase_scenes.h - promises of broadphase/broadphase.h that every implementation is held to, in
- * the worlds of boxes of broadphase_world.h:
+ * test/broadphase/broadphase_scenes.h - tests of broadphase/broadphase.h that every implementation must pass, in the worlds
+ * of boxes of broadphase_world.h:
  *
  *   - update reports exactly the pairs that brute force finds, sorted, each once, in every kind of
  *     world, whatever was added, removed, moved or touched;
  *   - queries and rays visit exactly what brute force finds, settled or not;
  *   - no pair is lost when any allocation fails.
  *
- * A test fills in `tested`, calls run_shared_tests and adds what is particular to its implementation.
+ * A test program fills in `tested`, calls run_shared_tests and adds the tests of its own implementation.
  * `make test-times` also prints times of the worst cases (broadphase_times.h).
  */
 #ifndef CAIRN_TEST_BROADPHASE_SCENES_H
@@ -75,9 +75,9 @@ typedef struct scene {
 	int32_t boxes;
 	int32_t steps;
 	float moving;      /* share of boxes that move in a step */
-	float teleporting; /* share of those that go anywhere */
-	float speed;       /* of the others, a step */
-	float churn;       /* share that is removed or added in a step */
+	float teleporting; /* share of the moving boxes that jump to a random place */
+	float speed;       /* of the other moving boxes, per step */
+	float churn;       /* share of boxes that are removed or added in a step */
 	float statics;
 } scene;
 
@@ -158,7 +158,7 @@ static void scene_step(box_world *w, const scene *s)
 	}
 }
 
-/* Everything about a scene against brute force. */
+/* Compares pairs, queries and rays of a scene with brute force. */
 static void scene_run(const char *name, const scene *s)
 {
 	static box_world w;
@@ -295,7 +295,7 @@ static void t_without_scratch_memory(void)
 	without_scratch = 0;
 }
 
-/* Boxes whose sizes, number and spread change: the structure is built anew many times. */
+/* Boxes with changing sizes, number and spread: the structure is rebuilt many times. */
 static void t_rebuilding_changes_nothing(void)
 {
 	static box_world w;
@@ -367,7 +367,7 @@ static void t_queries_stop_when_told(void)
 	world_close(&w);
 }
 
-/* A ray that stops at its first hit looks at few boxes. */
+/* A ray that stops at its first hit visits few boxes. */
 static void t_ray_visits_near_boxes_first(void)
 {
 	static box_world w;
@@ -419,8 +419,8 @@ static double bytes_a_box(int32_t boxes, float spread)
 
 static uint8_t pair_known[FAIL_BOXES][FAIL_BOXES];
 
-/* What the world knows of pairs: those reported and still overlapping. Returns how many that overlap
-   are unknown, which may only be what this update says it lost. */
+/* Updates the world's set of known pairs (reported and still overlapping). Returns the number of overlapping pairs that are
+   unknown, which may only be the pairs that this update counts as lost. */
 static int32_t known_after_update(box_world *w)
 {
 	const cni_pair *found = (const cni_pair *)w->pairs.list.data;
@@ -453,8 +453,8 @@ typedef struct fail_sums {
 	int32_t lost, missing, invalid, refused, wrong_queries;
 } fail_sums;
 
-/* Adds, moves, removes and queries while calls fail_first..fail_last of the allocator fail, or one in so
-   many by chance; returns how many did. */
+/* Adds, moves, removes and queries while the allocator's calls fail_first..fail_last fail, or each call with chance
+   1 / one_in; returns the number of failed calls. */
 static int64_t fail_run(int64_t fail_first, int64_t fail_last, uint32_t one_in, fail_sums *sums)
 {
 	static box_world w;
@@ -500,7 +500,7 @@ static int64_t fail_run(int64_t fail_first, int64_t fail_last, uint32_t one_in, 
 	return failed;
 }
 
-/* Windows of failures that begin at every call, until one begins behind the last. */
+/* Windows of failures that begin at every call, up to the last call. */
 static void fail_windows(int64_t length)
 {
 	fail_sums sums;

@@ -1,8 +1,8 @@
 /*
- * test/broadphase/broadphase_threads_test.c - a broadphase shared among workers: every update reports the pairs, and loses
- * those, that it does with one worker, whatever moves and whichever memory fails.
+ * test/broadphase/broadphase_threads_test.c - a broadphase shared among workers: every update reports and loses the same
+ * pairs as with one worker, whatever moves and whichever memory fails.
  *
- * That one worker finds the right ones is shown by broadphase_scenes.h. Worlds here are large enough to be shared.
+ * broadphase_scenes.h shows that one worker finds the right pairs. Worlds here are large enough to be shared.
  */
 #include "base/hooks.h"
 #include "broadphase/broadphase.h"
@@ -39,7 +39,7 @@ static float between(crowd *c, float low, float high)
 	return low + (high - low) * (float)(random_next(&c->random) >> 8) / 16777216.0f;
 }
 
-/* A square of about a metre; now and then a long one, which lies in a level of its own. */
+/* A square of about a metre; now and then a long box, which lies in another level. */
 static cni_aabb box_in(crowd *c, float side)
 {
 	float x = between(c, -side, side), y = between(c, -side, side);
@@ -52,7 +52,7 @@ static cni_aabb box_in(crowd *c, float side)
 	return box;
 }
 
-/* Only reads, as several ask at once. */
+/* Only reads, because several workers call it at once. */
 static int32_t filter(const void *context, int32_t a, int32_t b)
 {
 	(void)context;
@@ -137,8 +137,8 @@ static void crowd_churn(crowd *c, int32_t id)
 	c->alive[id] = 0;
 }
 
-/* By turns all move a little; a third goes elsewhere; few move, so that most search on their own; many gather in one spot, with
-   far more pairs than there is room for; some are made and go. */
+/* In cyclic order: all boxes move a little; a third jumps elsewhere; few move, so that most search as single entries; many
+   gather in one spot, with far more pairs than a job's range holds; some are made and removed. */
 static void crowd_change(crowd *c, int32_t step)
 {
 	int32_t id;
@@ -160,7 +160,7 @@ static void crowd_change(crowd *c, int32_t step)
 }
 
 typedef struct outcome {
-	uint64_t digest;  /* of the pairs of each step, and of what was lost */
+	uint64_t digest;  /* of the pairs of each step and the number of lost pairs */
 	int64_t pairs, lost;
 	int32_t invalid;
 } outcome;
@@ -177,22 +177,22 @@ static void crowd_update(crowd *c, outcome *o)
 	for (k = 0; k < c->pairs.list.count; ++k)
 		digest_add(o, (uint64_t)(uint32_t)list[k].a << 32 | (uint32_t)list[k].b);
 	for (id = 0; id < BOXES; ++id)
-		if (c->alive[id] && (proxy_at(c, id)->flags & CNI_PROXY_MOVED)) /* looks again */
+		if (c->alive[id] && (proxy_at(c, id)->flags & CNI_PROXY_MOVED)) /* its pairs are searched again */
 			digest_add(o, (uint64_t)id);
 	digest_add(o, (uint64_t)c->pairs.pairs_lost);
 	o->pairs += c->pairs.list.count;
 	o->lost += c->pairs.pairs_lost;
 	o->invalid += !c->ops->validate(c->broadphase);
-	c->scratch.fail_at = 0; /* a step's end grows the arena */
+	c->scratch.fail_at = 0; /* the end of a step grows the arena */
 	cni_arena_reset(&c->arena);
 }
 
-/* What fails: every so many steps the persistent memory, every so many scratch. 0: never. */
+/* Periods in steps with which persistent memory and scratch fail. 0: never. */
 typedef struct failing {
 	int32_t persistent_every, scratch_every;
 } failing;
 
-/* The list has room for a few pairs and gets no more. */
+/* The list has room for a few pairs and cannot grow. */
 static void list_fails(crowd *c)
 {
 	cni_array_deinit(&c->pairs.list, &c->memory);
@@ -203,7 +203,7 @@ static void list_fails(crowd *c)
 	c->persistent.fail_at = c->persistent.calls + 1;
 }
 
-/* One of the first takings of scratch fails, and by turns all after it. */
+/* One of the first allocations of scratch fails; in some steps all later ones fail as well. */
 static void scratch_fails(crowd *c, int32_t step)
 {
 	cni_arena_deinit(&c->arena);

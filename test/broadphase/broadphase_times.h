@@ -1,5 +1,5 @@
 /*
- * test/broadphase/broadphase_times.h - times of a broadphase's worst cases; they have no bounds. Included by
+ * test/broadphase/broadphase_times.h - prints times of a broadphase's worst cases, without bounds. Included by
  * broadphase_scenes.h.
  */
 #ifndef CAIRN_TEST_BROADPHASE_TIMES_H
@@ -19,7 +19,7 @@ typedef struct bench {
 	const char *name;
 	int32_t boxes;
 	float width, height, spread_x, spread_y;
-	float moving;   /* share that moves in a step */
+	float moving;   /* share of boxes that move in a step */
 	int32_t teleport;
 } bench;
 
@@ -49,7 +49,7 @@ static float visit_count(void *context, int32_t id, float limit)
 	return limit;
 }
 
-/* Small regions, and rays of a tenth of the world, over what the steps have left. */
+/* Small regions, and rays of a tenth of the world's size, in the state after the steps. */
 static void bench_queries(const box_world *w, const bench *b)
 {
 	int32_t i, count = 20000;

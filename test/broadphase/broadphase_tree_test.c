@@ -1,6 +1,6 @@
 /*
- * test/broadphase/broadphase_tree_test.c - the tree: the promises of every broadphase (broadphase_scenes.h) and its
- * own figures of memory.
+ * test/broadphase/broadphase_tree_test.c - the tree broadphase: the shared tests (broadphase_scenes.h) and its memory
+ * figures.
  */
 #include "broadphase_scenes.h"
 

@@ -1,6 +1,6 @@
 /*
- * test/broadphase/broadphase_world.h - a world of boxes with brute force beside the broadphase under test: pairs, queries and
- * rays that either finds, and memory that fails on demand. Included by broadphase_scenes.h.
+ * test/broadphase/broadphase_world.h - a world of boxes that compares pairs, queries and rays of the broadphase under test
+ * with brute force, and memory that fails on demand. Included by broadphase_scenes.h.
  */
 #ifndef CAIRN_TEST_BROADPHASE_WORLD_H
 #define CAIRN_TEST_BROADPHASE_WORLD_H
@@ -13,8 +13,8 @@
 
 static struct {
 	const cni_broadphase_ops *ops;
-	uint32_t hash;        /* of t_same_results_everywhere */
-	int32_t allocations;  /* more than these are made to fail one by one */
+	uint32_t hash;        /* expected by t_same_results_everywhere */
+	int32_t allocations;  /* least number of allocations that must fail one by one */
 } tested;
 
 /* ---- random numbers ---- */
@@ -71,7 +71,7 @@ static void flaky_free(void *pointer, uint64_t bytes, void *user)
 	free(piece);
 }
 
-/* ---- a world of boxes, with brute force beside the broadphase ---- */
+/* ---- a world of boxes, with a brute force reference ---- */
 
 #define BOXES_MOST 1000
 
@@ -86,7 +86,7 @@ typedef struct box_world {
 	cni_broadphase *broadphase;
 	cni_broadphase_pairs pairs;
 	int32_t capacity;
-	/* the reference's own record of what is and what was */
+	/* the reference's record of present and old boxes */
 	uint8_t alive[BOXES_MOST], known[BOXES_MOST];
 	cni_aabb old[BOXES_MOST];
 	int32_t filter_calls, filter_faults;
@@ -94,7 +94,7 @@ typedef struct box_world {
 
 static cni_proxy *proxy_at(const box_world *w, int32_t id) { return (cni_proxy *)cni_table_at(&w->proxies, id); }
 
-/* Boxes of one body never collide: so many ids in a row, where not 0. */
+/* Consecutive ids that form one body, whose boxes never collide; 0: none do. */
 static int32_t body_size;
 
 static int32_t same_body(int32_t a, int32_t b) { return body_size > 0 && a / body_size == b / body_size; }
@@ -195,7 +195,7 @@ static int32_t pair_allowed(const box_world *w, int32_t a, int32_t b)
 	return !same_body(a, b);
 }
 
-/* Brute force, in the promised order; moves the record on to now. */
+/* Pairs by brute force, in the specified order; then makes the present boxes the old ones. */
 static int32_t reference_pairs(box_world *w, cni_pair *out, int32_t room)
 {
 	int32_t a, b, count = 0;
@@ -278,7 +278,7 @@ static int32_t query_differs(const box_world *w, cni_aabb box)
 	return wrong;
 }
 
-/* Signed clearance of the segment from a box grown by margin, in doubles: does it surely cross? */
+/* 1 when the segment crosses the box grown by margin, in doubles: certain for a margin below 0. */
 static int32_t segment_crosses(cni_vec2 o, cni_vec2 d, double limit, const cni_aabb *b, double margin)
 {
 	double low[2], high[2], start[2], along[2], t0 = 0.0, t1 = limit;
@@ -325,7 +325,7 @@ static int32_t ray_differs(const box_world *w, cni_vec2 o, cni_vec2 d)
 	return wrong;
 }
 
-/* A closest-hit cast: the visitor shortens the ray to where it enters the box. */
+/* A closest-hit cast: the visitor shortens the ray to its entry into the box. */
 typedef struct nearest {
 	const box_world *world;
 	cni_vec2 o, d;
@@ -359,7 +359,7 @@ static float visit_nearest(void *context, int32_t id, float limit)
 	return (float)n->best < limit ? (float)n->best : limit;
 }
 
-/* How much later than the true one the hit found is. */
+/* The fraction by which the hit found is later than the true first hit. */
 static double nearest_error(const box_world *w, cni_vec2 o, cni_vec2 d)
 {
 	nearest n;
@@ -400,8 +400,8 @@ static float random_size(float low, float high)
 	return size < high ? size * random_between(1.0f, 1.9f) : high;
 }
 
-/* A box of this size whose lower corner lies in a range; draws x before y, which compilers are free not
-   to do with arguments. */
+/* A box of this size with its lower corner in a range. Draws x before y explicitly: the order of evaluation of arguments is
+   unspecified. */
 static cni_aabb box_within(float x_low, float x_high, float y_low, float y_high, cni_vec2 size)
 {
 	float x = random_between(x_low, x_high);

@@ -1,6 +1,5 @@
 /*
- * test/broadphase/sweep_test.c - the tiled sweep: the promises of every broadphase (broadphase_scenes.h) and its
- * own figures of memory.
+ * test/broadphase/sweep_test.c - the tiled sweep: the shared tests (broadphase_scenes.h) and its memory figures.
  */
 #include "broadphase_scenes.h"
 
@@ -30,7 +29,7 @@ int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
 	tested.ops = &cni_broadphase_sweep;
-	tested.hash = 0x7a6b19d5u; /* depends on how S0 is chosen */
+	tested.hash = 0x7a6b19d5u; /* depends on the choice of S0 */
 	tested.allocations = 20;
 	RUN(t_empty_is_small);
 	RUN(t_memory_a_box);

@@ -1,8 +1,8 @@
 /*
- * test/broadphase/tree_test.c - the dynamic tree of boxes: invariants after every kind of change, searches against
- * brute force, balance whatever is inserted, and trees that stay good while everything moves.
+ * test/broadphase/tree_test.c - the dynamic AABB tree: invariants after every kind of change, searches against brute force,
+ * balance for any order of insertion, and quality while all items move.
  *
- * If a test here fails, look in broadphase/tree.c (invariants, balance), tree_settle.c (what moved, rebuilding),
+ * If a test here fails, look in broadphase/tree.c (invariants, balance), tree_settle.c (moved items, rebuilding),
  * tree_search.c (searches).
  */
 #include "../test.h"
@@ -40,7 +40,7 @@ static cni_aabb random_box(float world, float size)
 	return box_at(x, y, width, random_between(0.0f, size));
 }
 
-/* ---- a tree beside a plain list ---- */
+/* ---- a tree and a plain list as reference ---- */
 
 typedef struct plain {
 	cni_memory memory;
@@ -106,7 +106,7 @@ static int32_t query_differs(cni_aabb box)
 	return wrong;
 }
 
-/* Slabs, in doubles: does the segment cross the box grown by margin? */
+/* 1 when the segment crosses the box grown by margin: slab test in doubles. */
 static int32_t crosses(cni_vec2 o, cni_vec2 d, const cni_aabb *b, double margin)
 {
 	double start[2], along[2], low[2], high[2], t0 = 0.0, t1 = 1.0;
@@ -230,8 +230,8 @@ static void t_searches_find_what_brute_force_finds(void)
 	plain_close();
 }
 
-/* Room for n items is n nodes: nothing is kept back or lost by churn. */
-static void t_forks_are_reused(void)
+/* n items need n nodes: insertions and removals lose no node. */
+static void t_nodes_are_reused(void)
 {
 	int32_t k;
 	plain_open();
@@ -255,8 +255,8 @@ static cni_aabb ordered_box(int32_t order, int32_t k)
 	float x = (float)k;
 	switch (order) {
 	case 0: return box_at(x, 0, 1, 1);                                             /* a row */
-	case 1: return box_at(0, 0, 1, 1);                                             /* all the same */
-	case 2: return box_at(-x, -x, 2 * x, 2 * x);                                   /* each around the last */
+	case 1: return box_at(0, 0, 1, 1);                                             /* all equal */
+	case 2: return box_at(-x, -x, 2 * x, 2 * x);                                   /* each contains the last */
 	case 3: return box_at(-1e30f, -1e30f, 1e30f * (1.0f + x * 1e-3f), 1e30f);      /* huge */
 	case 4: spread *= 1.04f; return box_at(spread, 0, 0.1f * spread, 1);           /* each farther away */
 	case 5: return box_at(x * x, x, 0, 0);                                         /* points */
@@ -291,7 +291,7 @@ static void t_any_order_stays_balanced(void)
 	CHECK_LE("states that are not valid", invalid, 0, "");
 }
 
-/* Sizes of searches must not lead to infinite or undefined numbers. */
+/* Costs in searches must stay finite. */
 static void t_huge_boxes(void)
 {
 	int32_t k, invalid = 0;
@@ -308,7 +308,7 @@ static void t_huge_boxes(void)
 	plain_close();
 }
 
-/* Infinite and undefined boxes among good ones: the good ones are found as ever. */
+/* Infinite and invalid boxes among valid ones: searches still find the valid ones. */
 static void t_bad_boxes_spoil_nothing(void)
 {
 	int32_t k, wrong = 0;
@@ -353,7 +353,7 @@ static void t_rebuilt_tree_is_as_low_as_can_be(void)
 	plain_close();
 }
 
-/* Everything wanders through everything else; share: one item in so many moves in a step. */
+/* Items move through each other; one item in `share` moves in a step. */
 static double worst_cost(int32_t share, void *scratch)
 {
 	double worst = 0.0;
@@ -411,7 +411,7 @@ static float visit_nearest(void *context, int32_t item, float limit)
 	return cni_min(limit, t);
 }
 
-/* A row of boxes along the ray: the nearest one is all that has to be looked at. */
+/* A row of boxes along the ray: only the nearest one has to be visited. */
 static void t_rays_go_from_near_to_far(void)
 {
 	nearest n;
@@ -441,7 +441,7 @@ static void give_back(void *memory, uint64_t bytes, void *user)
 	free(memory);
 }
 
-/* A reserve that fails changes nothing that matters. */
+/* A failed reserve leaves a working tree. */
 static void t_reserve_fails_cleanly(void)
 {
 	int32_t calls, k, refused = 0;
@@ -470,7 +470,7 @@ int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
 	RUN(t_searches_find_what_brute_force_finds);
-	RUN(t_forks_are_reused);
+	RUN(t_nodes_are_reused);
 	RUN(t_any_order_stays_balanced);
 	RUN(t_huge_boxes);
 	RUN(t_bad_boxes_spoil_nothing);

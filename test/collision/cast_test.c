@@ -1,8 +1,8 @@
 /*
- * cast_test - promise: a ray or a moved shape meets a shape exactly where it first touches it, reports the
- * outward normal and a point on both surfaces there, and misses only what it does not touch.
+ * test/collision/cast_test.c - a ray or a moving shape hits a shape exactly at the first contact, reports the outward normal
+ * and a point on both surfaces there, and misses only shapes that it does not touch.
  *
- * Checked against sphere tracing in double precision: steps of the distance that is left.
+ * Checked against sphere tracing in double precision: steps of the remaining distance.
  */
 #include "collision/cast.h"
 #include "sets.h"
@@ -20,7 +20,7 @@ static struct {
 	double distance, point_a, point_m, normal, early, missed, way_out, depth;
 } seen;
 
-/* Everything is measured in units of epsilon, float rounding at the sizes involved. */
+/* Errors are in units of epsilon, the float rounding at the sizes involved. */
 static void check_cast(const double_set *a, const double_set *m, cni_vec2 d, int32_t hit, const cni_cast_hit *h, double epsilon)
 {
 	double dx = (double)d.x, dy = (double)d.y;
@@ -48,7 +48,7 @@ static void check_cast(const double_set *a, const double_set *m, cni_vec2 d, int
 	seen.point_m = greater(seen.point_m, fabs(set_distance_to_point(m, (double)h->point.x, (double)h->point.y, t * dx, t * dy)) / epsilon);
 	CHECK(h->fraction >= 0.0f && h->fraction <= 1.0f);
 	CHECK((double)h->normal.x * dx + (double)h->normal.y * dy <= 0.0);
-	/* A step outward along the normal leaves. */
+	/* A step outward along the normal separates the shapes. */
 	CHECK(distance_of(a, m, t * dx + 100.0 * epsilon * (double)h->normal.x, t * dy + 100.0 * epsilon * (double)h->normal.y) > 50.0 * epsilon);
 }
 
@@ -65,7 +65,7 @@ static void seen_report(void)
 	CHECK_LE("depth off the shortest way out", seen.depth, 1.0, "epsilon");
 }
 
-/* Crosses an edge well between its ends, which no distance below 0 tells. */
+/* 1 when the ray crosses an edge well between its ends: an edge has no inside, so no distance is negative. */
 static int crosses_edge(const double_set *a, const double_set *o, cni_vec2 d, double epsilon)
 {
 	double ex = a->x[1] - a->x[0], ey = a->y[1] - a->y[0], dx = (double)d.x, dy = (double)d.y;
@@ -159,7 +159,7 @@ static void t_parallel_boxes(void)
 		cni_proxy_points moving = cni_geometry_proxy(&b.g, 0, storage);
 		double_set sa = set_of(cni_geometry_proxy(&a.g, 0, storage), transform_none()), sm = set_of(moving, at);
 		if (fabs(distance_of(&sa, &sm, 0.0, 0.0)) < 1e-9)
-			continue; /* touching at the start may count either way */
+			continue; /* touching at the start may be a hit or not */
 		int32_t hit = cni_cast_points(&a.g, 0, moving, b.g.centroid, at, d, &h);
 		if (d.x != 0.0f || d.y != 0.0f)
 			check_cast(&sa, &sm, d, hit, &h, 2e-5);
@@ -179,19 +179,19 @@ static void t_known_answers(void)
 	CHECK(!cni_cast_ray(&a.g, 0, cni_v(-3.0f, 0.0f), cni_v(1.9f, 0.0f), &h));
 	CHECK(!cni_cast_ray(&a.g, 0, cni_v(3.0f, 0.0f), cni_v(4.0f, 0.0f), &h));
 	CHECK(cni_cast_ray(&a.g, 0, cni_v(0.5f, 0.0f), cni_v(4.0f, 0.0f), &h) && h.fraction == 0.0f && h.inside && h.normal.x == 1.0f && h.depth == 0.5f);
-	/* A translation of 0 meets what is around the origin only. */
+	/* A translation of 0 hits only shapes that contain the origin. */
 	CHECK(cni_cast_ray(&a.g, 0, cni_v(0.5f, 0.0f), cni_v(0.0f, 0.0f), &h) && h.fraction == 0.0f);
 	CHECK(!cni_cast_ray(&a.g, 0, cni_v(1.5f, 0.0f), cni_v(0.0f, 0.0f), &h));
 	record_box(&a, 1.0f, 1.0f, 0.5f, transform_none());
-	CHECK(!cni_cast_ray(&a.g, 0, cni_v(1.4f, 1.4f), cni_v(0.0f, 0.0f), &h)); /* in the corner, outside of the rounding */
+	CHECK(!cni_cast_ray(&a.g, 0, cni_v(1.4f, 1.4f), cni_v(0.0f, 0.0f), &h)); /* in the corner, outside the rounding */
 	CHECK(cni_cast_ray(&a.g, 0, cni_v(1.3f, 1.3f), cni_v(0.0f, 0.0f), &h));
 	CHECK(cni_cast_ray(&a.g, 0, cni_v(1.4f, 1.4f), cni_v(-1.0f, -1.0f), &h));
 	CHECK_LE("error at the rounded corner", fabs((double)h.fraction - (0.4 - 0.5 / sqrt(2.0))), 1e-6, "");
-	/* Along the axis of a capsule, where the ray's start is in the planes of both faces. */
+	/* Along the axis of a capsule: the ray's start is in the planes of both faces. */
 	record_capsule(&a, 1.0f, 0.5f);
 	CHECK(cni_cast_ray(&a.g, 0, cni_v(-3.5f, 0.0f), cni_v(4.0f, 0.0f), &h) && h.fraction == 0.5f && h.normal.x == -1.0f && h.point.x == -1.5f);
 	CHECK(!cni_cast_ray(&a.g, 0, cni_v(-3.5f, 0.0f), cni_v(-4.0f, 0.0f), &h));
-	/* An edge from both sides, its normal always against the ray; along itself never. */
+	/* An edge is hit from both sides, with its normal against the ray, and never along itself. */
 	cni_geometry_edge(&a.g, &edge, transform_none());
 	CHECK(cni_cast_ray(&a.g, 0, cni_v(0.0f, 1.0f), cni_v(0.0f, -2.0f), &h) && h.fraction == 0.5f && h.normal.y == 1.0f);
 	CHECK(cni_cast_ray(&a.g, 0, cni_v(0.0f, -1.0f), cni_v(0.0f, 2.0f), &h) && h.fraction == 0.5f && h.normal.y == -1.0f);
@@ -199,7 +199,7 @@ static void t_known_answers(void)
 	CHECK(!cni_cast_ray(&a.g, 0, cni_v(0.0f, 0.0f), cni_v(0.0f, 0.0f), &h));
 }
 
-/* Where faces meet flat, the point is the middle of what they share. */
+/* The contact point of two parallel faces is the middle of their overlap. */
 static void t_flat_faces_meet_in_their_middle(void)
 {
 	static record a, b;
@@ -212,7 +212,7 @@ static void t_flat_faces_meet_in_their_middle(void)
 	CHECK(h.fraction == 0.5f && h.normal.y == 1.0f);
 }
 
-/* A chain of ground, solid below: met from above only, by rays and by shapes. */
+/* A chain as ground, solid below: rays and shapes hit it from above only. */
 static void t_chains_are_one_sided(void)
 {
 	static record a;
@@ -235,7 +235,7 @@ static void t_chains_are_one_sided(void)
 	CHECK(!cni_cast_points(&a.g, 0, ball, center, transform_make(1.0f, -0.2f, 0.0f), cni_v(0.0f, 1.0f), &h));
 }
 
-/* Rays aimed exactly at the vertices between the edges of a chain, and everywhere else, never slip through. */
+/* Rays aimed exactly at the vertices between the edges of a chain, and anywhere else, never pass. */
 static void t_no_ray_slips_between_edges(void)
 {
 	static record a;

@@ -1,5 +1,5 @@
 /*
- * chain_test.c - promises about chains: one-sided, and no catches at inner vertices.
+ * test/collision/chain_test.c - chains are one-sided, and shapes never catch on inner vertices.
  */
 #include "geometry/shapes.h"
 #include "test.h"
@@ -61,9 +61,8 @@ static placed place(cni_transform chain, float x, float y, float angle)
 	return p;
 }
 
-/* Any shape at any pose over a chain of collinear edges, up to 10 slop deep: every normal is the
-   ground's, and the deepest contact has the depth of a plane (but for a needle's tip deep under the next
-   edge, which that edge does not reach). */
+/* Any shape at any pose over a chain of collinear edges, up to 10 slop deep: every normal is the ground's, and the deepest
+   contact has the depth of a plane (except a needle's tip deep under the next edge, which that edge does not reach). */
 static void t_flat_chain_never_catches(void)
 {
 	double worst_normal = 0.0, worst_depth = 0.0;
@@ -77,7 +76,7 @@ static void t_flat_chain_never_catches(void)
 		float depth = random_in(-1.0f, 10.0f) * SLOP, bottom = shape_bottom(&shape, angle);
 		if (-bottom - depth <= 0.0f)
 			continue;
-		/* Vertices exactly under a joint are wanted too. */
+		/* Includes vertices exactly under a joint. */
 		float x = random_below(2) ? random_in(-4, 4) : 12.0f * (float)random_below(10) / 40.0f;
 		cni_transform chain = transform_make(random_in(-5, 5), random_in(-5, 5), random_in(-3.1f, 3.1f));
 		placed p = place(chain, x, -bottom - depth, angle);
@@ -107,7 +106,7 @@ static void t_flat_chain_never_catches(void)
 	CHECK_LE("depth error", worst_depth, 0.5 * (double)SLOP, "m");
 }
 
-/* Behind the ground nothing collides. */
+/* A shape behind the ground does not collide. */
 static void t_one_sided(void)
 {
 	int32_t wrong = 0;
@@ -128,7 +127,7 @@ static void t_one_sided(void)
 	CHECK_LE("contacts from behind", wrong, 0, "");
 }
 
-/* A shape in a valley of two slopes is pushed by the slopes' own normals only. */
+/* In a valley only the slopes' own normals push a shape. */
 static void t_concave_corner(void)
 {
 	int32_t wrong = 0, contacts = 0;
@@ -164,7 +163,7 @@ static void t_concave_corner_holds(void)
 		cni_vec2 c = cni_transform_point(p.pose, shape.g.centroid), storage[2];
 		if (c.y < 0.01f + fabsf(c.x) * (c.x > 0.0f ? (float)tan((double)right) : (float)tan((double)left)))
 			continue;
-		/* In touch with one of the two edges by the exact distance. */
+		/* The exact distance says that the shape touches one of the two edges. */
 		float least = 1.0f;
 		for (int32_t child = 0; child < 2; ++child) {
 			cni_proxy_points a = cni_geometry_proxy(&shape.g, 0, storage), b = { &points[child], 2, 0.0f };
@@ -182,8 +181,8 @@ static void t_concave_corner_holds(void)
 	CHECK_LE("placements without a contact", bare, 0, "");
 }
 
-/* Around a convex loop, what touches it gets a contact, normals point outwards, and the deepest contact is
-   about the least translation. */
+/* Around a convex loop every touching shape gets a contact, normals point outwards, and the deepest contact is about the
+   least translation. */
 static void t_convex_loop_is_closed(void)
 {
 	int32_t bare = 0, count = 0, inward = 0;
@@ -229,7 +228,7 @@ static void t_convex_loop_is_closed(void)
 	CHECK_LE("depth against the solid polygon's", worst, 0.3 * (double)SLOP, "m");
 }
 
-/* A box at rest that hangs over a ledge, tilted a little either way: the wall below it does not push. */
+/* A box at rest that overhangs a ledge, tilted slightly either way: the wall below it does not push. */
 static void t_ledge_does_not_push(void)
 {
 	double worst = 0.0;
@@ -269,14 +268,14 @@ static void t_open_ends(void)
 	m = collide(&box.g, &ground.g, 0, p.ground, MARGIN, NULL);
 	REQUIRE(m.count == 2);
 	CHECK(m.normal.y < -0.999f);
-	/* Beside the end. */
+	/* Next to the end. */
 	p = place(transform_none(), 1.499f, 0.1f, 0);
 	m = collide(&box.g, &ground.g, 0, p.ground, MARGIN, NULL);
 	REQUIRE(m.count >= 1);
 	CHECK(m.normal.x < -0.999f && cni_abs(manifold_depth(&m) + 0.001f) < 1e-5f);
 }
 
-/* Sliding a box along flat ground of short edges: the solver's view of it. Depth never jumps. */
+/* A box slides along flat ground of short edges: the depth never jumps. */
 static void t_sliding_is_smooth(void)
 {
 	float radii[2] = { 0.0f, 0.1f };

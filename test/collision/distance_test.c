@@ -1,5 +1,5 @@
 /*
- * distance_test.c - closest points against slow references in double precision.
+ * test/collision/distance_test.c - closest points against slow references in double precision.
  */
 #include "geometry/shapes.h"
 #include "test.h"

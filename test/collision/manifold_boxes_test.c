@@ -1,6 +1,6 @@
 /*
- * manifold_boxes_test.c - pairs of boxes and of what else a batch takes have the manifolds of one by one, to the last
- * bit, whatever the width, the cached axis and the company in the batch.
+ * test/collision/manifold_boxes_test.c - pairs in a batch (boxes and other shapes of two to four corners) have the same bits
+ * as pairs one by one, for any width, any cached axis and any other pairs in the batch.
  */
 #include "base/cpu.h"
 #include "collision/manifold_boxes.h"
@@ -25,7 +25,7 @@ static void box_random(record *out, float size)
 	record_box(out, half_x, half_y, radius, transform_make(shift, 0.0f, turn));
 }
 
-/* Random, but of few sizes: many pairs are parallel, of one length, or have corners in one place. */
+/* Random, but of few sizes: many pairs are parallel, of equal length, or have coinciding corners. */
 static void segment_random(record *out, int32_t type, float size)
 {
 	float half = random_below(3) ? size : size * random_in(0.001f, 1.0f), turn = random_below(2) ? 0.0f : random_in(-3.0f, 3.0f);

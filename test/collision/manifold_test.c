@@ -1,6 +1,6 @@
 /*
- * manifold_test.c - promises of every pair function but the chains' (chain_test.c), over thousands of
- * random pairs of all sizes, and the special poses that stacks and piles are made of.
+ * test/collision/manifold_test.c - every manifold function except those of chains (chain_test.c), over thousands of random
+ * pairs of all sizes, and the special poses of stacks and piles.
  */
 #include "geometry/shapes.h"
 #include "test.h"
@@ -29,7 +29,7 @@ static void pair_random(pair *p, int32_t kind, int32_t k)
 	float reach = p->a.g.extent + p->b.g.extent;
 	float direction = random_in(-3.2f, 3.2f), way = random_in(0.0f, 0.9f) * reach;
 	p->b_in_a = transform_make(way * (float)cos((double)direction), way * (float)sin((double)direction), angle);
-	/* Half of the pairs are brought to within a few margins of touching along their centroids. */
+	/* Half of the pairs are moved along their centroids to within a few margins of contact. */
 	if (k & 16) {
 		double s = reference_separation(&p->a.g, &p->b.g, p->b_in_a);
 		cni_vec2 apart = cni_sub(cni_transform_point(p->b_in_a, p->b.g.centroid), p->a.g.centroid);
@@ -131,8 +131,8 @@ static void t_normal_resolves(void)
 	}
 }
 
-/* Each point is halfway between the surfaces: within half the separation of both, up to what a second,
-   tilted point of a rounded shape may differ. */
+/* Each point is halfway between the surfaces: within half the separation of both, up to the error of a second, tilted point
+   of a rounded shape. */
 static void t_points_are_between_the_surfaces(void)
 {
 	double worst = 0.0;
@@ -158,7 +158,7 @@ static void t_moving_both_changes_nothing(void)
 	double worst = 0.0;
 	int32_t different = 0, count = 0;
 	for (int32_t k = 0; k < 20000; ++k) {
-		/* The same shape built at another place of its body, with the transform that undoes it. */
+		/* The same shape built at another offset in its body, with the inverse transform. */
 		cn_polygon pa = random_polygon(1.0f), pb = random_polygon(1.0f);
 		cni_transform x = transform_make(random_in(-2, 2), random_in(-2, 2), random_in(-3, 3));
 		cni_transform y = transform_make(random_in(-1.5f, 1.5f), random_in(-1.5f, 1.5f), random_in(-3, 3));
@@ -182,7 +182,7 @@ static void t_moving_both_changes_nothing(void)
 	}
 	CHECK_GE("touching", count, 5000, "pairs");
 	CHECK_LE("other features chosen", different, 0.001 * (double)count, "pairs");
-	CHECK_LE("difference", worst, 2e-5, "m"); /* rounding of places up to 4 m away */
+	CHECK_LE("difference", worst, 2e-5, "m"); /* rounding of positions up to 4 m away */
 }
 
 static uint32_t id_flipped(uint32_t id) { return (id & 255u) << 8 | id >> 8; }
@@ -327,7 +327,7 @@ static void t_capsules(void)
 		m = collide(&c.g, &c.g, 0, transform_make(3.0f, 0, 3.14159265f * (float)i), MARGIN, NULL);
 		CHECK(m.count == 0);
 	}
-	/* In one line and overlapping, and crossing in the middle. */
+	/* Collinear and overlapping, and crossing in the middle. */
 	m = collide(&c.g, &c.g, 0, transform_make(1.0f, 0, 0), MARGIN, NULL);
 	CHECK(m.count == 2 && cni_abs(manifold_depth(&m) + 0.5f) < 1e-6f);
 	m = collide(&c.g, &c.g, 0, transform_make(0, 0, 1.57079633f), MARGIN, NULL);
@@ -345,7 +345,7 @@ static void t_corner_to_corner_within_the_margin(void)
 	CHECK(m.points[0].id == (3u << 8 | 1u));
 	m = collide(&box.g, &box.g, 0, transform_make(1.015f, 1.015f, 0), MARGIN, NULL);
 	CHECK(m.count == 0);
-	/* Touching corners of a brick wall: a face normal, one point, and nothing pushed. */
+	/* Touching corners of a brick wall: a face normal, one point, no depth. */
 	m = collide(&box.g, &box.g, 0, transform_make(1.0f, 1.0f, 0), MARGIN, NULL);
 	CHECK(m.count == 1 && cni_abs(m.points[0].separation) < 1e-6f);
 }
@@ -385,7 +385,7 @@ static void t_cache_only_decides_ties(void)
 	CHECK_LE("other depth", worst, BIAS, "m");
 }
 
-/* A centre that goes to and fro where two faces are as near keeps the face that it had, for 0.1 slop. */
+/* A centre that moves to and fro at equal depth under two faces keeps its cached face, within 0.1 slop. */
 static void t_a_deep_circle_keeps_its_face(void)
 {
 	record circle, box;
@@ -403,10 +403,10 @@ static void t_a_deep_circle_keeps_its_face(void)
 	}
 	CHECK_LE("changes of the face", changed, 0, "");
 	last = collide(&circle.g, &box.g, 0, transform_make(-0.5f, -0.6f, 0.0f), MARGIN, &cache).normal.x;
-	CHECK(last == 0.0f); /* by more it is given up */
+	CHECK(last == 0.0f); /* beyond 0.1 slop the face changes */
 }
 
-/* Shapes as small and as large as the checks allow, near and far, chains too: never anything but numbers. */
+/* Shapes as small and as large as the checks allow, near and far, also chains: results are always finite. */
 static void t_extremes_stay_finite(void)
 {
 	static const float sizes[5] = { 0.006f, 0.1f, 10.0f, 1.0e4f, 9.0e5f };
@@ -439,7 +439,7 @@ static void t_extremes_stay_finite(void)
 	CHECK_LE("normal length error", worst, 1e-6, "");
 }
 
-/* FNV-1a over words of 32 bits, least significant byte first wherever they lie. */
+/* FNV-1a over words of 32 bits, least significant byte first on every machine. */
 static uint64_t hash_add(uint64_t hash, const void *data, size_t bytes)
 {
 	const unsigned char *p = data;
@@ -452,7 +452,7 @@ static uint64_t hash_add(uint64_t hash, const void *data, size_t bytes)
 	return hash;
 }
 
-/* A rotation from its half-angle tangent: only operations that are the same everywhere, in a fixed order. */
+/* A rotation from its half-angle tangent: only operations with the same bits everywhere, in a fixed order. */
 static cni_transform transform_exact(float reach)
 {
 	cni_transform x;

@@ -1,6 +1,6 @@
 /*
- * manifold_time_test.c - prints what a manifold costs. Not a bound on time: it fails only when the pairs do
- * not touch as they should.
+ * test/collision/manifold_time_test.c - prints the time of a manifold. Times have no bounds: it fails only when the pairs do
+ * not touch as expected.
  */
 #include "geometry/shapes.h"
 #include "test.h"

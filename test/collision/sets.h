@@ -1,7 +1,6 @@
 /*
- * test/collision/sets.h - slow reference answers in double precision on convex point sets with a radius:
- * distance, and where one that moves first comes near another one by sphere tracing (steps of the
- * distance that is left).
+ * test/collision/sets.h - slow references in double precision for convex point sets with a radius: distance, and the first
+ * approach of a moving set by sphere tracing (steps of the remaining distance).
  */
 #ifndef CAIRN_TEST_SETS_H
 #define CAIRN_TEST_SETS_H

@@ -1,7 +1,7 @@
 /*
- * toi_test - promise: up to the fraction that cni_toi returns no two shapes come nearer than the target,
- * whatever they are and however fast they turn; a hit is within the tolerance of the target; and what
- * never comes near is said to be separated.
+ * test/collision/toi_test.c - up to the fraction that cni_toi returns no two shapes come closer than the target, for any
+ * shapes and any speed of rotation; a hit is within the tolerance of the target; shapes that never come close are reported as
+ * separated.
  *
  * Checked against dense sampling of the motion in double precision.
  */
@@ -64,7 +64,7 @@ static double turn_of(const double_points *a, int32_t i, int32_t j, double x, do
 	return (a->x[j] - a->x[i]) * (y - a->y[i]) - (a->y[j] - a->y[i]) * (x - a->x[i]);
 }
 
-/* Proper crossing of any two edges, or one inside of the other. */
+/* 1 when any two edges cross properly or one set is inside the other. */
 static int points_overlap(const double_points *a, const double_points *b)
 {
 	int inside = a->count > 2;
@@ -104,9 +104,9 @@ static struct {
 	int pairs, hits, separated, overlapped, failed, started_near;
 	int iterations_most;
 	double iterations_sum;
-	double breach;   /* how far below the target anything came before the fraction, in tolerances */
-	double early;    /* how far above target + tolerance a hit was, in tolerances */
-	double below;    /* how far below the target a hit was, in tolerances */
+	double breach;   /* largest amount below the target before the fraction, in tolerances */
+	double early;    /* largest amount of a hit above target + tolerance, in tolerances */
+	double below;    /* largest amount of a hit below the target, in tolerances */
 } seen;
 
 static void seen_begin(void) { memset(&seen, 0, sizeof seen); }
@@ -116,7 +116,7 @@ static float size_of(const cni_geometry *g, const cni_path *p)
 	return g->extent + cni_length(p->local_center);
 }
 
-/* What the header allows the tolerance to be raised to. */
+/* The value to which the header allows the tolerance to be raised. */
 static double tolerance_of(const cni_toi_input *in)
 {
 	double size = (double)(size_of(in->a, &in->path_a) + size_of(in->b, &in->path_b));
@@ -266,7 +266,7 @@ static void t_long_thin_shapes(void)
 	seen_report();
 }
 
-/* 400 m/s at 60 Hz through walls 1 cm thick: none gets through, spinning or not. */
+/* 400 m/s at 60 Hz against walls 1 cm thick: no bullet passes, spinning or not. */
 static void t_bullets_never_pass_walls(void)
 {
 	static record wall, bullet;
@@ -325,7 +325,7 @@ static void t_known_answers(void)
 	CHECK_LE("error of the normal", fabs((double)r.normal.x) + fabs((double)r.normal.y - 1.0), 1e-6, "");
 	CHECK_LE("error of the point", fabs((double)r.point.x) + fabs((double)r.point.y - 1.0), 2e-4, "m");
 	CHECK_LE("iterations", r.iterations, 3, "");
-	/* A rod of half length 2 turns by a quarter into a post at 45 degrees. */
+	/* A rod of half length 2 turns by 90 degrees and hits a post at 45 degrees. */
 	record_box(&a, 2.0f, 1e-2f, 0.0f, transform_none());
 	record_circle(&b, 0.1f);
 	memset(&in.path_b, 0, sizeof in.path_b);
@@ -336,7 +336,7 @@ static void t_known_answers(void)
 	CHECK(r.state == CNI_TOI_HIT);
 	CHECK_LE("error of the angle", fabs((double)r.fraction * 1.5707963 - (0.78539816 - asin(0.11 / 1.41421356))), 2e-4, "rad");
 	printf("  %d iterations\n", (int)r.iterations);
-	/* Five turns above a floor it cannot reach, and one that it reaches. */
+	/* Five rotations, above a floor out of reach and above a floor within reach. */
 	in.path_a.turn = 31.4159f;
 	in.path_b.start = in.path_b.end = cni_v(0.0f, 2.11f);
 	r = cni_toi(&in);
@@ -350,7 +350,7 @@ static void t_known_answers(void)
 	CHECK(cni_toi(&in).state == CNI_TOI_OVERLAPPED);
 }
 
-/* Ground of a chain, solid below, its edge from x = +5 to -5. */
+/* A chain as ground, solid below, its edge from x = +5 to -5. */
 static void t_chains_stop_from_the_front_only(void)
 {
 	static record a, b;

@@ -1,6 +1,6 @@
 /*
- * test/geometry/shapes.h - what the geometry tests share: a local random generator, records made of
- * every type, and slow reference answers in double precision.
+ * test/geometry/shapes.h - shared by the geometry and collision tests: a local random generator, random records of every
+ * type, and slow references in double precision.
  */
 #ifndef CAIRN_TEST_SHAPES_H
 #define CAIRN_TEST_SHAPES_H
@@ -107,7 +107,7 @@ static inline cn_polygon random_polygon(float size)
 	return p;
 }
 
-/* Any of the first four types, about size large, anywhere in its body. */
+/* A record of one of the first four types, of about this size, anywhere in its body. */
 static inline void record_random(record *r, int32_t type, float size)
 {
 	cni_transform offset = transform_make(random_in(-0.5f, 0.5f) * size, random_in(-0.5f, 0.5f) * size, random_in(-3.0f, 3.0f));
@@ -195,7 +195,7 @@ static inline double reference_separation(const cni_geometry *a, const cni_geome
 	double radii = (double)a->radius + (double)b->radius;
 	double faces = fmax(faces_separation(pa, a->count, pb, b->count), faces_separation(pb, b->count, pa, a->count));
 	if (faces < 0.0 && faces > -1e29) {
-		/* Segments end to end in a line, whose faces overlap by rounding only. */
+		/* Collinear segments end to end: their faces overlap by rounding only. */
 		if (a->count == 2 && b->count == 2 && !segments_cross_double(pa, pb))
 			return points_distance(pa, 2, pb, 2) - radii;
 		return faces - radii;

@@ -1,6 +1,6 @@
 /*
- * test/linear/sparse_plan_test.c - plans of the direct solver of coupled constraints: little fill, form, limits and budget,
- * plans that are kept, memory.
+ * test/linear/sparse_plan_test.c - plans of the direct solver of coupled constraints: fill, form, limits and budget, kept
+ * plans, memory.
  *
  * If a test here fails, look in linear/sparse_components.c, sparse_order.c, sparse_plan.c.
  */
@@ -62,7 +62,7 @@ static void t_simple_trees_make_no_fill(void)
 	CHECK(fill_of("hub with arms of five", p) == 0);
 }
 
-/* The order of least degree may begin between two hubs: some blocks then come in. */
+/* Minimum degree may begin between two hubs, which creates some fill. */
 static void t_random_trees_make_little(void)
 {
 	int32_t pairs = 0, fill = 0, filled = 0;
@@ -81,7 +81,7 @@ static void t_random_trees_make_little(void)
 	CHECK_LE("blocks that are fill / pairs", (double)fill / (double)pairs, 0.01, "");
 }
 
-/* Positions belong to one component each, blocks lead upwards, every body is listed once. */
+/* Each position belongs to one component, blocks lead to later nodes, every body is listed once. */
 static void t_plans_are_well_formed(void)
 {
 	problem *p = begin(9, 0.0);
@@ -112,7 +112,7 @@ static void t_plans_are_well_formed(void)
 	end(p);
 }
 
-/* Whether a chain of 6 bodies that is linked in one of these ways is said to have loops. */
+/* `loops` of the plan of a chain of 6 bodies with these additional links. */
 static int32_t chain_has_loops(int32_t from_the_world, int32_t to_the_world, int32_t ring)
 {
 	problem *p = begin(11, 0.0);
@@ -133,7 +133,7 @@ static int32_t chain_has_loops(int32_t from_the_world, int32_t to_the_world, int
 	return loops;
 }
 
-/* A ring that nothing holds has as many links as bodies, like a chain that hangs from the world. */
+/* A free ring has as many links as bodies, like a chain that is attached to the world. */
 static void t_loops_are_told_from_trees(void)
 {
 	CHECK(chain_has_loops(0, 0, 0) == 0);
@@ -151,7 +151,7 @@ static int32_t planned_in(const problem *p, int32_t begin_at, int32_t end_at)
 	return count;
 }
 
-/* A grid whose own limit is too low, between two chains that are within theirs. */
+/* A grid that exceeds its limit, between two chains that do not. */
 static void t_beyond_the_limit_is_refused_alone(void)
 {
 	problem *p = begin(2, 0.0);
@@ -170,7 +170,7 @@ static void t_beyond_the_limit_is_refused_alone(void)
 	for (k = 0; k < p->sparse.node_count; ++k)
 		CHECK(isfinite(p->sparse.nodes[k].x[0]) && (p->sparse.nodes[k].owner < 1000 + from || p->sparse.nodes[k].owner >= 1000 + to));
 	end(p);
-	/* One link that may cost more speaks for its component. */
+	/* One link with a higher limit raises the limit of its component. */
 	p = begin(2, 0.0);
 	add_grid(p, 7, 1);
 	for (k = 0; k < p->link_count; ++k)
@@ -209,7 +209,7 @@ static void t_beyond_the_budget_is_refused(void)
 	end(p);
 }
 
-/* A body with too many joints: its neighbours would all be one another's. */
+/* A body with too many joints: all of them would be neighbours of each other. */
 static void t_hubs_are_refused(void)
 {
 	problem *p = begin(4, 0.0);
@@ -227,7 +227,7 @@ static void t_hubs_are_refused(void)
 
 /* ---- kept plans ---- */
 
-/* A plan by what is kept, and one that is made anew, over several components with and without loops. */
+/* Compares a reused plan with a new one, over several components with and without loops. */
 static int32_t kept_differs(problem *p)
 {
 	static problem anew;
@@ -273,10 +273,10 @@ static void t_a_kept_plan_is_used_again(void)
 	first = p->sparse.first;
 	memset(&p->sparse, 0, sizeof p->sparse);
 	REQUIRE(plan(p));
-	p->sparse.components[0].work = 0; /* the step's own */
+	p->sparse.components[0].work = 0; /* the step's working copy */
 	cni_arena_reset(&p->arena);
 	CHECK(!kept_differs(p) && p->sparse.first == first);
-	/* Whatever a plan depends on. */
+	/* Everything a plan depends on. */
 	p->bodies[p->links[30].ia].inv_mass = p->bodies[p->links[30].ia].inv_inertia = 0.0f;
 	CHECK(!kept_differs(p));
 	p->links[12].ib = p->links[70].ib;
@@ -305,7 +305,7 @@ static void *aligned_block(void)
 	return room + (64 - (uintptr_t)room % 64) % 64;
 }
 
-/* Every size of a block that nothing can be added to, from too small to enough. */
+/* Every size of a fixed block, from too small to sufficient. */
 static void t_too_little_memory_is_survived(void)
 {
 	static problem at;
@@ -336,7 +336,7 @@ static void t_too_little_memory_is_survived(void)
 	CHECK(refused > 100 && done > 0);
 }
 
-/* In an arena of just as many bytes as promised nothing falls back. */
+/* An arena of exactly cni_sparse_bytes never falls back. */
 static void t_scratch_is_what_was_promised(void)
 {
 	static void (*const make[])(problem *) = { make_tree, make_chain, make_bridge, make_star, make_grid, make_soft_grid, make_parallel, make_hindered };

@@ -1,7 +1,7 @@
 /*
- * test/linear/sparse_systems.h - systems of coupled constraints for the tests of the direct solver: drawn at random,
- * planned and solved. Trees, bridges, stars, grids with loops, several joints between the same two bodies, one to three
- * rows, masses of very different sizes.
+ * test/linear/sparse_systems.h - makes, plans and solves random systems of coupled constraints for the tests of the direct
+ * solver: trees, bridges, stars, grids with loops, several joints between the same two bodies, one to three rows, masses of
+ * very different sizes.
  */
 #ifndef CAIRN_TEST_SPARSE_SYSTEMS_H
 #define CAIRN_TEST_SPARSE_SYSTEMS_H
@@ -16,7 +16,7 @@
 #define BODIES_MOST 210
 #define ROWS_MOST (LINKS_MOST * CNI_NODE_ROWS)
 
-/* A system as a caller knows it; bodies[0] is the world. */
+/* A system in the form of a caller; bodies[0] is the world. */
 typedef struct problem {
 	cni_link links[LINKS_MOST];
 	cni_motion bodies[BODIES_MOST];
@@ -29,7 +29,7 @@ typedef struct problem {
 	double decades; /* masses from 1 to 10^decades */
 	cni_memory memory;
 	cni_arena arena;
-	cni_array *kept; /* NULL: every plan is made anew */
+	cni_array *kept; /* NULL: no plan is reused */
 	cni_sparse sparse;
 } problem;
 
@@ -83,7 +83,7 @@ static inline int32_t add_body(problem *p)
 	return p->body_count++;
 }
 
-/* The rows of a rod (1), a hinge (2) or a weld (3), in a frame of its own, with levers of its own. */
+/* Adds the rows of a rod (1), a hinge (2) or a weld (3), with a random frame and random levers. */
 static inline int32_t add_link(problem *p, int32_t a, int32_t b, int32_t rows)
 {
 	int32_t k = p->link_count++, i;
@@ -104,7 +104,7 @@ static inline int32_t add_link(problem *p, int32_t a, int32_t b, int32_t rows)
 	return k;
 }
 
-/* Compliance as a part of the row's own diagonal, 1 where that is zero. */
+/* Sets the compliance to a part of the row's own diagonal, or to 1 where the diagonal is zero. */
 static inline void soften(problem *p, int32_t k, float part)
 {
 	const cni_motion *a = &p->bodies[p->links[k].ia], *b = &p->bodies[p->links[k].ib];
@@ -117,7 +117,7 @@ static inline void soften(problem *p, int32_t k, float part)
 	}
 }
 
-/* Bodies in a row, each linked to the one before; the first to `from`. rows 0: one to three, at random. */
+/* Adds a chain of bodies, each linked to the previous one, the first to `from`. rows 0: one to three, at random. */
 static inline void add_chain(problem *p, int32_t from, int32_t count, int32_t rows)
 {
 	int32_t k;
@@ -265,7 +265,7 @@ static inline void make_parallel(problem *p)
 	}
 }
 
-/* Static bodies join nothing; bodies that can only turn, or only move, do. */
+/* Static bodies connect no nodes; bodies that can only rotate or only translate do. */
 static inline void make_hindered(problem *p)
 {
 	int32_t k, count;
@@ -280,7 +280,7 @@ static inline void make_hindered(problem *p)
 			add_link(p, k, add_fixed(p), 1);
 	}
 	for (k = 0; k < p->link_count; ++k)
-		soften(p, k, 0.01f); /* a row may act on nothing else */
+		soften(p, k, 0.01f); /* without compliance a row may act on no body */
 }
 
 #endif

@@ -1,8 +1,8 @@
 /*
- * test/linear/sparse_test.c - what the direct solver of coupled constraints (linear/sparse.h) finds, against a dense one.
+ * test/linear/sparse_test.c - solutions of the direct solver of coupled constraints (linear/sparse.h) against a dense solver.
  *
- * The dense matrix is made from levers and masses in double precision, without looking at the plan's blocks. If
- * sparse_plan_test.c fails as well look in linear/sparse_plan.c; if only the numbers are wrong, in linear/sparse_solve.c.
+ * The dense matrix is made from levers and masses in double precision, independently of the plan's blocks. If
+ * sparse_plan_test.c fails as well, look in linear/sparse_plan.c; if only the numbers are wrong, in linear/sparse_solve.c.
  */
 #include "sparse_systems.h"
 
@@ -16,7 +16,7 @@ typedef struct dense {
 
 static dense full;
 
-/* What an impulse of 1 along one lever does to the speed along another, through one body. */
+/* Change of speed along lever q by a unit impulse along lever p, through one body. */
 static double through(const cni_motion *m, const cni_lever *p, int32_t p_side, const cni_lever *q, int32_t q_side)
 {
 	double px = (double)(p_side ? p->bx : p->ax), py = (double)(p_side ? p->by : p->ay), pw = (double)(p_side ? p->bw : p->aw);
@@ -83,7 +83,7 @@ static void dense_solve(void)
 	}
 }
 
-/* |b - A x| over |A| |x| + |b|, the largest of the rows: small whatever the condition of A. */
+/* |b - A x| over |A| |x| + |b|, the largest over the rows: small for any condition of A. */
 static double backward_error(void)
 {
 	double worst = 0.0;
@@ -188,7 +188,7 @@ static void t_unequal_masses_match_a_dense_solution(void)
 	compare("turning or moving only", make_hindered, 4.0, 5e-5, 1e-2);
 }
 
-/* Diagonals grow by a part of themselves. */
+/* `regular` increases the diagonal by a fraction of itself. */
 static void t_regular_is_a_part_of_the_diagonal(void)
 {
 	problem *p = begin(5, 1.0);
@@ -204,7 +204,7 @@ static void t_regular_is_a_part_of_the_diagonal(void)
 	end(p);
 }
 
-/* The first two rows of a node may have an entry in common beside what masses give: friction that both points of a contact share. */
+/* `cross` adds to the element between the first two rows of a node: friction that both points of a contact share. */
 static void t_cross_is_an_entry_of_the_first_two_rows(void)
 {
 	problem *p = begin(6, 1.0);
@@ -233,7 +233,7 @@ static void t_cross_is_an_entry_of_the_first_two_rows(void)
 	end(p);
 }
 
-/* What is no number, or beyond what floats hold, is told. */
+/* cni_sparse_solve reports NaN and overflow. */
 static void t_solutions_that_are_no_numbers_are_told(void)
 {
 	static const float bad[] = { NAN, INFINITY, -INFINITY };
@@ -251,7 +251,7 @@ static void t_solutions_that_are_no_numbers_are_told(void)
 	}
 }
 
-/* ---- constraints that say the same ---- */
+/* ---- redundant constraints ---- */
 
 /* Largest impulse. */
 static double largest(const problem *p)
@@ -264,7 +264,7 @@ static double largest(const problem *p)
 	return most;
 }
 
-/* Rows that say the same share their impulse, or one bears all of it: rounding makes no great ones that oppose each other. */
+/* Redundant rows share their impulse, or one takes all of it: rounding makes no large impulses that oppose each other. */
 static void t_repeated_constraints_bear_no_more_than_one(void)
 {
 	double worst = 0.0;
@@ -293,7 +293,7 @@ static void t_repeated_constraints_bear_no_more_than_one(void)
 	CHECK_LE("largest impulse of doubled constraints / of single ones", worst, 1.01, "");
 }
 
-/* Speeds after the impulses, against what each row asked for. */
+/* Largest difference between a row's speed after the impulses and its right hand side. */
 static double unsatisfied(const problem *p)
 {
 	dense_form(p);
@@ -329,7 +329,7 @@ static void t_repeated_constraints_are_satisfied(void)
 	}
 }
 
-/* A row between bodies that cannot move, or without levers, is left alone. */
+/* A row between bodies that cannot move, or without levers, gets no impulse. */
 static void t_rows_that_act_on_nothing_get_nothing(void)
 {
 	problem *p = begin(3, 0.0);
