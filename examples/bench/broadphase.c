@@ -1,6 +1,6 @@
 /*
  * examples/bench/broadphase.c - times the two broadphases alone, behind the interface that worlds use
- * (model/broadphase.h), on boxes that move without physics. The only example that looks inside of the library.
+ * (broadphase/broadphase.h), on boxes that move without physics. The only example that looks inside of the library.
  *
  *     bench broadphase     a step: boxes that left their margin are moved, what is new is inserted, what is
  *                          gone removed, then new pairs are found. us_* are microseconds a step, bytes_per_proxy
@@ -13,7 +13,7 @@
  */
 #include "bench/broadphase.h"
 #include "measure/measure.h"
-#include "model/broadphase.h"
+#include "broadphase/broadphase.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

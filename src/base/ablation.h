@@ -5,7 +5,7 @@
  * constant 1, but in a build with -DCNI_ABLATION, where test/ablation/off.c keeps what the environment variable CAIRN_OFF names.
  *
  *     if (CNI_ON(SPIN))
- *             cni_spin_hold(world);
+ *             cni_angular_momentum_restore(world);
  */
 #ifndef CNI_BASE_ABLATION_H
 #define CNI_BASE_ABLATION_H

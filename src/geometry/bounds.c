@@ -3,7 +3,6 @@
  */
 #include "base/cpu.h"
 #include "geometry/shape.h"
-#include "geometry/distance.h"
 #if CNI_HAS_WIDE_4
 #define CNI_WIDTH 4
 #include "base/wide.h"
@@ -117,4 +116,17 @@ int32_t cni_geometry_contains(const cni_geometry *g, cni_vec2 local)
 	default:
 		return 0;
 	}
+}
+
+cni_proxy_points cni_geometry_proxy(const cni_geometry *g, int32_t child, cni_vec2 edge_storage[2])
+{
+	const cni_vec2 *p = cni_geometry_points(g);
+	cni_proxy_points set = { p, g->count, g->radius };
+	if (g->type != CN_SHAPE_CHAIN)
+		return set;
+	edge_storage[0] = p[child];
+	edge_storage[1] = p[child + 1 < g->count ? child + 1 : 0];
+	set.points = edge_storage;
+	set.count = 2;
+	return set;
 }

@@ -22,7 +22,7 @@ typedef struct cni_geometry {
 	int32_t type;       /* CN_SHAPE_* */
 	int32_t count;
 	float radius;
-	uint32_t seams;     /* chain: 1 if it is a loop; others: hidden ends of faces, see geometry/seam.h */
+	uint32_t seams;     /* chain: 1 if it is a loop; others: hidden ends of faces, see collision/seam.h */
 	cni_vec2 centroid;  /* of the area (polygon, capsule, circle), else the mean of the points */
 	float extent;       /* farthest surface point from the local origin */
 	float inner_radius; /* radius of a circle inside the shape around its centroid, 0 for edges and chains */
@@ -50,7 +50,7 @@ void cni_geometry_chain(cni_geometry *out, const cn_chain *chain, cni_transform 
 #define CNI_COORDINATE_MAX 1.0e6f
 
 /* Checks: NULL when good, else a static English fragment that says what must hold, such as
-   "points must be convex" (the caller adds the function name and values). tolerance: points closer than
+   "points must be convex" (the caller adds the function name and values). tolerance: points projection than
    this coincide; a vertex that rises less than a tenth of it (or less than floats can tell at its
    coordinates) above the line through its neighbours is collinear with them. All finite-ness checks are
    included. A capsule's ends may not coincide; a chain refuses coinciding consecutive points (also last
@@ -88,5 +88,13 @@ float cni_collinear_height(const cni_vec2 *points, int32_t count, float toleranc
 cn_mass_data cni_geometry_mass(const cni_geometry *g, float density);
 /* local is in the body's frame. Edges and chains contain nothing. */
 int32_t cni_geometry_contains(const cni_geometry *g, cni_vec2 local);
+
+/* A child of a geometry as a rounded convex point set: all of its points, or the two of a chain's edge. */
+typedef struct cni_proxy_points {
+	const cni_vec2 *points;
+	int32_t count;
+	float radius;
+} cni_proxy_points;
+cni_proxy_points cni_geometry_proxy(const cni_geometry *g, int32_t child, cni_vec2 edge_storage[2]);
 
 #endif

@@ -4,10 +4,11 @@
  * Invariant: for every dense index k >= 1, record awake_id[k] has awake == k; every lane of a touching
  * contact names its bodies by their present dense index, 0 for one that has none.
  */
-#include "geometry/distance.h"
 #include "model/world.h"
 
 #include <string.h>
+
+const cni_body cni_body_none;
 
 cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b)
 {
@@ -123,7 +124,7 @@ void cni_body_enter_awake(cn_world *world, int32_t body)
 	m = cni_motions(world) + k;
 	memset(m, 0, sizeof *m);
 	memset(cni_starts(world) + k, 0, sizeof(cni_velocity_start));
-	memset(cni_drives(world) + k, 0, sizeof(cni_drive));
+	memset(cni_externals(world) + k, 0, sizeof(cni_external));
 	m->vx = b->vx;
 	m->vy = b->vy;
 	m->w = b->w;
@@ -149,7 +150,7 @@ void cni_body_leave_awake(cn_world *world, int32_t body)
 		int32_t moved = cni_awake_ids(world)[last];
 		m[k] = m[last];
 		cni_starts(world)[k] = cni_starts(world)[last];
-		cni_drives(world)[k] = cni_drives(world)[last];
+		cni_externals(world)[k] = cni_externals(world)[last];
 		cni_awake_ids(world)[k] = moved;
 		cni_body_at(world, moved)->awake = k;
 		cni_contact_fix_body(world, moved);
@@ -180,7 +181,7 @@ static cn_mass_data shapes_mass(const cn_world *world, const cni_body *b)
 }
 
 /* Farthest point of a shape from the centre of mass, without the rounding around it. */
-static float shape_swing(const cni_body *b, const cni_geometry *g)
+static float shape_turn_reach(const cni_body *b, const cni_geometry *g)
 {
 	cni_vec2 storage[2];
 	cni_proxy_points set;
@@ -195,9 +196,9 @@ static float shape_swing(const cni_body *b, const cni_geometry *g)
 }
 
 /* Rounded up, but for what a centre of mass is off by rounding; CNI_BODY_ROUNDING is more. */
-static uint8_t swing_pack(float swing, float extent)
+static uint8_t turn_reach_pack(float swing, float extent)
 {
-	float part = extent > 0.0f ? (swing / extent - 1e-6f) / CNI_SWING_UNIT : 0.0f, up = part > 0.0f ? part + 1.0f : 0.0f;
+	float part = extent > 0.0f ? (swing / extent - 1e-6f) / CNI_TURN_REACH_UNIT : 0.0f, up = part > 0.0f ? part + 1.0f : 0.0f;
 	return (uint8_t)cni_min(up, 255.0f);
 }
 
@@ -217,10 +218,10 @@ static void measure_shapes(const cn_world *world, cni_body *b)
 		const cni_geometry *g = cni_shape_geometry(&world->blocks, cni_shape_at(world, index));
 		shape_measure(world, b, g);
 		if (b->type != CN_BODY_STATIC)
-			swing = cni_max(swing, shape_swing(b, g));
+			swing = cni_max(swing, shape_turn_reach(b, g));
 	}
 	b->extent += cni_length(b->local_center);
-	b->swing = swing_pack(swing, b->extent);
+	b->swing = turn_reach_pack(swing, b->extent);
 	cni_body_forget_room(b);
 }
 
@@ -232,7 +233,7 @@ void cni_body_set_center(cn_world *world, cni_body *b, cni_vec2 local_center)
 	b->cx += shift.x;
 	b->cy += shift.y;
 	b->local_center = local_center;
-	cni_contact_loosen_body(world, b);
+	cni_contacts_invalidate_body(world, b);
 	if (b->type != CN_BODY_STATIC)
 		cni_body_store_velocity(world, b, v);
 }
@@ -267,7 +268,7 @@ void cni_body_shapes_changed(cn_world *world, int32_t body, int32_t came)
 	}
 	if (came != CNI_NONE)
 		shape_measure(world, b, cni_shape_geometry(&world->blocks, cni_shape_at(world, came)));
-	cni_contact_loosen_body(world, b);
+	cni_contacts_invalidate_body(world, b);
 	cni_body_forget_room(b);
 }
 

@@ -7,7 +7,7 @@
  *   records  [b0][b1][b2][b3]...                 stable, paged; pose always, velocity between steps
  *   motion   [dummy][b3][b0]...                  cni_motion: velocity, inverse mass, change of pose this step
  *   start    [dummy][b3][b0]...                  cni_velocity_start: velocity right after integration
- *   drive    [dummy][b3][b0]...                  cni_drive: force for this step, then acceleration
+ *   drive    [dummy][b3][b0]...                  cni_external: force for this step, then acceleration
  *   awake_id [ -1  ][ 3][ 0]...                  back to the record
  *
  * Dense index 0 is a dummy of infinite mass that never moves: it stands for every static body, for the
@@ -21,6 +21,7 @@
 
 #include "base/blocks.h"
 #include "base/maths.h"
+#include "linear/motion.h"
 #include "base/threads.h"
 
 #include <string.h>
@@ -47,7 +48,7 @@ typedef struct cni_body {
 	uint32_t flags;          /* CN_BODY_ (AWAKE bit unused) and CNI_BODY_ */
 	int32_t awake;           /* dense index, 0: not awake; up to here is what every contact asks for */
 	uint8_t type;            /* CN_BODY_STATIC ... */
-	uint8_t swing;           /* how far turning moves its shapes, as a part of extent in CNI_SWING_UNIT: cni_body_swing */
+	uint8_t swing;           /* how far turning moves its shapes, as a part of extent in CNI_TURN_REACH_UNIT: cni_body_turn_reach */
 	uint16_t room;           /* by so much its boxes are known to reach beyond its shapes, all around: cni_body_room */
 	float vx, vy, w;         /* between steps; read through cni_body_velocity. Up to here is what pairs that are apart ask for */
 	float mass, inertia;     /* of a dynamic body (mass > 0, inertia >= 0, 0 = never rotates); 0 for others */
@@ -83,13 +84,7 @@ static inline void cni_body_restless(cni_body *b)
 /* Of coordinates and extents: more than rounding moves a box by in a step, and a rotation that is not quite of unit length. */
 #define CNI_BODY_ROUNDING 4e-6f
 
-#define CNI_SWING_UNIT (1.0f / 255.0f)
-
-/* 32 bytes, aligned: the solver gathers and scatters these. */
-typedef struct cni_motion {
-	float vx, vy, w, inv_mass;
-	float dpx, dpy, theta, inv_inertia; /* change of centre and angle since the step began */
-} cni_motion;
+#define CNI_TURN_REACH_UNIT (1.0f / 255.0f)
 
 /* What floats could not hold, among absurd speeds, does not become a pose: the body stays where it is, and stands. */
 static inline void cni_motion_keep_finite(cni_motion *m)
@@ -103,27 +98,27 @@ static inline int32_t cni_motion_can_move(const cni_motion *m) { return m->inv_m
 
 typedef struct cni_velocity_start {
 	float vx, vy, w;
-	float struck; /* 1 when an impact changed the velocity in this substep, CNI_SHOCKED or more when it jumped */
+	float jumped; /* 1 when an impact changed the velocity in this substep, CNI_SHOCKED or more when it jumped */
 } cni_velocity_start;
 #define CNI_SHOCKED 2.0f
 
 enum {
-	CNI_DRIVE_FREE = 1u << 0,    /* nothing touches it: integrated once, exactly, for the whole step */
-	CNI_DRIVE_DAMPED = 1u << 1,  /* has damping: factors are in the record */
-	CNI_DRIVE_LOCK_X = 1u << 2,  /* velocity along x is cleared in every substep */
-	CNI_DRIVE_LOCK_Y = 1u << 3,
-	CNI_DRIVE_JOINTED = 1u << 4, /* has joints: positions follow end velocities */
-	CNI_DRIVE_TOUCHED = 1u << 5, /* has contacts that are solved */
-	CNI_DRIVE_SWUNG = 1u << 6,   /* moved for the whole step: by its joints alone (stages/joint_swing.c), or at rest (stages/rest.c) */
-	CNI_DRIVE_LATER = 1u << 7,   /* scratch of a stage, clear outside of it: found in a first loop, which may be shared, for a second in order */
-	CNI_DRIVE_SETTLED = 1u << 8, /* has been slow for as long as it takes to fall asleep */
-	CNI_DRIVE_COLOR_SHIFT = 9    /* bits 9 .. 31: which colours its joints use in this step: stages/joint_blocks.c */
+	CNI_EXTERNAL_FREE = 1u << 0,    /* nothing touches it: integrated once, exactly, for the whole step */
+	CNI_EXTERNAL_DAMPED = 1u << 1,  /* has damping: factors are in the record */
+	CNI_EXTERNAL_LOCK_X = 1u << 2,  /* velocity along x is cleared in every substep */
+	CNI_EXTERNAL_LOCK_Y = 1u << 3,
+	CNI_EXTERNAL_JOINTED = 1u << 4, /* has joints: positions follow end velocities */
+	CNI_EXTERNAL_TOUCHED = 1u << 5, /* has contacts that are solved */
+	CNI_EXTERNAL_FINISHED = 1u << 6,   /* moved for the whole step: by its joints alone (direct/rattle.c), or at rest (step/early_rest.c) */
+	CNI_EXTERNAL_DEFERRED = 1u << 7,   /* scratch of a stage, clear outside of it: found in a first loop, which may be shared, for a second in order */
+	CNI_EXTERNAL_SETTLED = 1u << 8, /* has been slow for as long as it takes to fall asleep */
+	CNI_EXTERNAL_COLOR_SHIFT = 9    /* bits 9 .. 31: which colours its joints use in this step: joints/joint_blocks.c */
 };
-typedef struct cni_drive {
+typedef struct cni_external {
 	float ax, ay, alpha; /* between steps: the user's force and torque for the next one; within a step:
 	                        acceleration by gravity, force and torque, locked axes are 0 */
 	uint32_t flags;
-} cni_drive;
+} cni_external;
 
 /* Pose before the last step of cn_world_update, for interpolation. */
 typedef struct cni_previous {
@@ -203,11 +198,11 @@ static inline void cni_body_forget_room(cni_body *b)
 }
 /* Turning by a small angle moves the shapes by no more than this times the angle: the rounding around their points turns on
    the spot. 0 for a wheel. */
-static inline float cni_body_swing(const cni_body *b) { return b->extent * ((float)b->swing * CNI_SWING_UNIT); }
+static inline float cni_body_turn_reach(const cni_body *b) { return b->extent * ((float)b->swing * CNI_TURN_REACH_UNIT); }
 /* What a step's change takes of it: the shapes reach no farther than this, whatever is rounded on the way. */
 static inline float cni_body_reach(const cni_body *b, float dpx, float dpy, float theta)
 {
-	return cni_max(cni_abs(dpx), cni_abs(dpy)) + cni_abs(theta) * cni_body_swing(b) + CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
+	return cni_max(cni_abs(dpx), cni_abs(dpy)) + cni_abs(theta) * cni_body_turn_reach(b) + CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
 }
 /* Do the boxes contain the shapes now and after ahead for certain? Most do, and shapes and boxes need not be read. */
 static inline int32_t cni_body_has_room(const cni_body *b, cni_vec2 ahead)
@@ -251,5 +246,13 @@ void cni_body_refresh_motion(cn_world *world, cni_body *b);
 void cni_body_set_transform(cn_world *world, int32_t body, cni_vec2 origin, cni_rot q);
 /* Brings fat boxes up to date after a change of pose: those that were left are moved. */
 void cni_body_refresh_boxes(cn_world *world, int32_t body);
+
+/* A record as kernels read it, and one in place of those of the world and of unused lanes. */
+extern const cni_body cni_body_none;
+
+static inline const float *cni_record_floats(const cni_body *b)
+{
+	return (const float *)(const void *)b;
+}
 
 #endif

@@ -44,42 +44,6 @@ static int32_t contact_is_awake(const cn_world *world, const cni_contact *c)
 	return cni_body_at(world, c->body[0])->awake != 0 || cni_body_at(world, c->body[1])->awake != 0;
 }
 
-void cni_contact_enter_apart_list(cn_world *world, int32_t contact)
-{
-	cni_contact *c = cni_contact_at(world, contact);
-	if ((c->flags & CNI_CONTACT_TOUCHING) || c->slot != CNI_NONE)
-		return;
-	c->slot = world->apart.count;
-	((int32_t *)world->apart.data)[world->apart.count++] = contact;
-}
-
-void cni_contact_leave_apart_list(cn_world *world, int32_t contact)
-{
-	cni_contact *c = cni_contact_at(world, contact);
-	int32_t *list = (int32_t *)world->apart.data;
-	int32_t last;
-	if ((c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
-		return;
-	last = list[--world->apart.count];
-	list[c->slot] = last;
-	cni_contact_at(world, last)->slot = c->slot;
-	c->slot = CNI_NONE;
-}
-
-int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b)
-{
-	const cni_body *a = cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy_a)->shape)->body);
-	const cni_body *b = cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy_b)->shape)->body);
-	int32_t key = a->contact_count <= b->contact_count ? a->contact_first : b->contact_first;
-	while (key != CNI_NONE) {
-		const cni_contact *c = cni_contact_of_key(world, key);
-		if ((c->proxy[0] == proxy_a && c->proxy[1] == proxy_b) || (c->proxy[0] == proxy_b && c->proxy[1] == proxy_a))
-			return key >> 1;
-		key = c->next[key & 1];
-	}
-	return CNI_NONE;
-}
-
 static int32_t one_is_dynamic(const cn_world *world, const cni_shape *a, const cni_shape *b)
 {
 	return cni_body_at(world, a->body)->type == CN_BODY_DYNAMIC || cni_body_at(world, b->body)->type == CN_BODY_DYNAMIC;
@@ -242,7 +206,7 @@ int32_t cni_contact_destroy(cn_world *world, int32_t contact)
 	cni_contact *c = cni_contact_at(world, contact);
 	if ((c->flags & CNI_CONTACT_TOUCHING) && !cni_contact_end(world, contact))
 		return 0;
-	if ((c->flags & CNI_CONTACT_SENSING) && !cni_contact_sense(world, contact, 0))
+	if ((c->flags & CNI_CONTACT_SENSING) && !cni_contact_update_sensor(world, contact, 0))
 		return 0;
 	if (!(c->flags & CNI_CONTACT_CREATED_OWED) && !cni_event_log(world, contact, CN_EVENT_DESTROYED))
 		return 0;
@@ -299,7 +263,7 @@ static void span_change(cn_world *world, int32_t contact, uint32_t mask, int32_t
 		return;
 	if (after) {
 		c->flags |= owed;
-		cni_contact_loosen(world, contact);
+		cni_contact_invalidate(world, contact);
 		return;
 	}
 	if (!(c->flags & owed))
@@ -347,22 +311,6 @@ static float approach_now(const cn_world *world, const cni_contact *c, const cni
 	return cni_max(-cni_dot(n, cni_sub(at_b, at_a)), 0.0f);
 }
 
-float cni_contact_gap(const cn_world *world, const cni_contact *c)
-{
-	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
-	if ((c->flags & CNI_CONTACT_ASLEEP) || (cni_block_info_at(world, block)->anchored >> l & 1u))
-		return 0.0f;
-	return cni_block_anchor_at(world, block)->of.fresh.gap[l];
-}
-
-float cni_contact_approach(const cn_world *world, const cni_contact *c)
-{
-	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
-	if ((c->flags & CNI_CONTACT_ASLEEP) || (cni_block_info_at(world, block)->anchored >> l & 1u))
-		return 0.0f;
-	return cni_block_anchor_at(world, block)->of.fresh.approach[l];
-}
-
 /* Shapes that roll stiffly or convey need extra rows. */
 static int32_t contact_reserve_extra(cn_world *world, const cni_contact *c)
 {
@@ -397,18 +345,6 @@ int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *
 	return 1;
 }
 
-static void sleep_lane_free(cn_world *world, cni_contact *c)
-{
-	cni_sleep_lane *lanes = (cni_sleep_lane *)world->sleep_lanes.data;
-	int32_t last = --world->sleep_lanes.count;
-	if (c->slot != last) {
-		lanes[c->slot] = lanes[last];
-		cni_contact_at(world, lanes[last].contact)->slot = c->slot;
-	}
-	c->flags &= ~(uint32_t)CNI_CONTACT_ASLEEP;
-	c->slot = CNI_NONE;
-}
-
 int32_t cni_contact_end(cn_world *world, int32_t contact)
 {
 	cni_contact *c = cni_contact_at(world, contact);
@@ -418,7 +354,7 @@ int32_t cni_contact_end(cn_world *world, int32_t contact)
 		return 0;
 	}
 	if (c->flags & CNI_CONTACT_ASLEEP)
-		sleep_lane_free(world, c);
+		cni_contact_sleep_lane_free(world, c);
 	else
 		cni_lane_free(world, contact);
 	if (c->flags & CNI_CONTACT_LINKED)
@@ -430,7 +366,7 @@ int32_t cni_contact_end(cn_world *world, int32_t contact)
 	return 1;
 }
 
-int32_t cni_contact_sense(cn_world *world, int32_t contact, int32_t overlaps)
+int32_t cni_contact_update_sensor(cn_world *world, int32_t contact, int32_t overlaps)
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	int32_t was = (c->flags & CNI_CONTACT_SENSING) != 0;
@@ -440,112 +376,4 @@ int32_t cni_contact_sense(cn_world *world, int32_t contact, int32_t overlaps)
 		return 0;
 	c->flags ^= (uint32_t)CNI_CONTACT_SENSING;
 	return 1;
-}
-
-static int32_t has_lane(const cni_contact *c)
-{
-	return (c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING;
-}
-
-void cni_contact_loosen(cn_world *world, int32_t contact)
-{
-	const cni_contact *c = cni_contact_at(world, contact);
-	if (has_lane(c))
-		cni_lane_loosen(world, c->slot);
-}
-
-void cni_contact_loosen_body(cn_world *world, const cni_body *b)
-{
-	int32_t key;
-	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
-		cni_contact_loosen(world, key >> 1);
-}
-
-void cni_contact_fix_body(cn_world *world, int32_t body)
-{
-	int32_t key = cni_body_at(world, body)->contact_first;
-	while (key != CNI_NONE) {
-		const cni_contact *c = cni_contact_of_key(world, key);
-		if (has_lane(c))
-			cni_lane_set_bodies(world, c);
-		key = c->next[key & 1];
-	}
-}
-
-/* ---- sleep store ---- */
-
-static void extra_to_sleep(const cn_world *world, const cni_contact *c, cni_sleep_lane *s)
-{
-	const cni_block_extra *extra = cni_block_extra_at(world, c->slot / CNI_LANES);
-	int32_t l = c->slot % CNI_LANES;
-	s->tangent_speed = extra != NULL ? extra->tangent_speed[l] : 0.0f;
-	s->rolling = extra != NULL ? extra->rolling[l] : 0.0f;
-	s->rolling_mass = extra != NULL ? extra->rolling_mass[l] : 0.0f;
-	s->rolling_impulse = extra != NULL ? extra->rolling_impulse[l] : 0.0f;
-}
-
-static void sleep_to_extra(const cn_world *world, const cni_contact *c, const cni_sleep_lane *s)
-{
-	cni_block_extra *extra = cni_block_extra_at(world, c->slot / CNI_LANES);
-	int32_t l = c->slot % CNI_LANES;
-	if (extra == NULL)
-		return;
-	extra->tangent_speed[l] = s->tangent_speed;
-	extra->rolling[l] = s->rolling;
-	extra->rolling_mass[l] = s->rolling_mass;
-	extra->rolling_impulse[l] = s->rolling_impulse;
-	if (s->rolling > 0.0f || s->tangent_speed != 0.0f)
-		cni_block_info_at(world, c->slot / CNI_LANES)->flags |= CNI_BLOCK_EXTRA;
-}
-
-void cni_contact_lane_to_sleep(cn_world *world, int32_t contact)
-{
-	cni_contact *c = cni_contact_at(world, contact);
-	const float *rows = (const float *)(const void *)cni_block_at(world, c->slot / CNI_LANES) + c->slot % CNI_LANES;
-	cni_sleep_lane *s = (cni_sleep_lane *)world->sleep_lanes.data + world->sleep_lanes.count;
-	cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
-	float gap = cni_contact_gap(world, c);
-	int32_t row, k;
-	CNI_ASSERT(world->sleep_lanes.count < world->sleep_lanes.capacity);
-	for (k = 0; k < 2; ++k)
-		block->p[k].s0[c->slot % CNI_LANES] -= gap;
-	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
-		s->rows[row] = rows[(row + 2) * CNI_LANES];
-	s->restitution = cni_block_info_at(world, c->slot / CNI_LANES)->restitution[c->slot % CNI_LANES];
-	extra_to_sleep(world, c, s);
-	s->contact = contact;
-	cni_lane_free(world, contact);
-	c->slot = world->sleep_lanes.count++;
-	c->flags |= CNI_CONTACT_ASLEEP;
-}
-
-void cni_contact_sleep_to_lane(cn_world *world, int32_t contact)
-{
-	cni_contact *c = cni_contact_at(world, contact);
-	cni_sleep_lane s = ((cni_sleep_lane *)world->sleep_lanes.data)[c->slot];
-	cni_block_info *info;
-	float *rows;
-	int32_t row;
-	sleep_lane_free(world, c);
-	cni_lane_take(world, contact);
-	rows = (float *)(void *)cni_block_at(world, c->slot / CNI_LANES) + c->slot % CNI_LANES;
-	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
-		rows[(row + 2) * CNI_LANES] = s.rows[row];
-	info = cni_block_info_at(world, c->slot / CNI_LANES);
-	info->restitution[c->slot % CNI_LANES] = s.restitution;
-	if (!world->events.in_step)
-		c->flags |= CNI_CONTACT_ENTERED; /* it did not stay in the last step: it slept */
-	sleep_to_extra(world, c, &s);
-	if (s.restitution > 0.0f)
-		info->flags |= CNI_BLOCK_RESTITUTION;
-}
-
-void cni_contact_pay_owed(cn_world *world, int32_t contact, uint32_t owed, int32_t kind)
-{
-	cni_contact *c = cni_contact_at(world, contact);
-	if (!(c->flags & owed) || !cni_event_log(world, contact, kind))
-		return;
-	c->flags &= ~owed;
-	if (kind == CN_EVENT_ENTER)
-		c->flags |= CNI_CONTACT_ENTERED;
 }

@@ -30,13 +30,13 @@
  *   shapes' radii, so that a rolling circle does not seem to lift
  *
  * Beside each block lie the anchors of its lanes: where the bodies were when the manifold was last computed. While
- * they have hardly moved since, the lane is brought up to date from there (stages/contact_follow.c) and the narrowphase
+ * they have hardly moved since, the lane is brought up to date from there (narrowphase/manifold_reuse.c) and the narrowphase
  * has nothing to do for it.
  */
 #ifndef CNI_MODEL_CONTACT_H
 #define CNI_MODEL_CONTACT_H
 
-#include "geometry/manifold.h"
+#include "collision/manifold.h"
 #include "model/body.h"
 
 #define CNI_LANES 16
@@ -59,7 +59,7 @@ typedef struct cni_contact_block {
 
 enum {
 	CNI_BLOCK_RESTITUTION = 1u << 0, /* some lane may bounce */
-	CNI_BLOCK_RESTED = 1u << 2,      /* in the last step its lanes took one substep: stages/rest.c */
+	CNI_BLOCK_RESTED = 1u << 2,      /* in the last step its lanes took one substep: step/early_rest.c */
 	CNI_BLOCK_EXTRA = 1u << 1        /* some lane has rolling resistance, a conveyor or a locked axis: see cni_block_extra */
 };
 
@@ -120,7 +120,7 @@ typedef struct cni_listed_block {
 	cni_block_info *info;
 	uint32_t fresh;          /* lanes that began to touch in this step, as bits */
 	int32_t begin, lanes;    /* lanes begin .. lanes - 1 are worked on; as listed, the first of it, all that are in use */
-	int32_t kind;            /* CNI_CONTACTS_ of stages/solver.h */
+	int32_t kind;            /* CNI_CONTACTS_ of model/solve.h */
 } cni_listed_block;
 
 
@@ -201,9 +201,9 @@ int32_t cni_blocks_are_few(const cn_world *world);
 /* Gives every block its extra rows; 0: no memory. */
 int32_t cni_lane_reserve_extra(cn_world *world);
 /* Logs an event that a contact still owes, if it now can be logged. In a step. */
-void cni_contact_pay_owed(cn_world *world, int32_t contact, uint32_t owed, int32_t kind);
+void cni_contact_send_deferred_events(cn_world *world, int32_t contact, uint32_t owed, int32_t kind);
 /* A sensor pair overlaps or no longer does: logs the change. 0: no memory for the log; nothing changes. */
-int32_t cni_contact_sense(cn_world *world, int32_t contact, int32_t overlaps);
+int32_t cni_contact_update_sensor(cn_world *world, int32_t contact, int32_t overlaps);
 /* Writes a manifold to the contact's lane, keeping the impulses of points with equal ids. gap: where b's contact
    point is from a's at the beginning of the step, in a's frame; (0, 0) but for contacts that are still ahead. a, b, radius: of the
    contact's bodies and shapes. */
@@ -212,11 +212,13 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 void cni_contact_write_empty(cn_world *world, int32_t contact);
 
 /* The contact's next step computes its manifold, however little moves. */
-void cni_contact_loosen(cn_world *world, int32_t contact);
+void cni_contact_invalidate(cn_world *world, int32_t contact);
 /* ... all contacts of a body: its centre is another. */
-void cni_contact_loosen_body(cn_world *world, const cni_body *b);
+void cni_contacts_invalidate_body(cn_world *world, const cni_body *b);
 /* Dense index of a body changed: fixes its lanes. */
 void cni_contact_fix_body(cn_world *world, int32_t body);
+/* Gives the place of a sleeping contact in the sleep store back. */
+void cni_contact_sleep_lane_free(cn_world *world, cni_contact *c);
 /* Moves a touching contact between its lane and the sleep store. */
 void cni_contact_lane_to_sleep(cn_world *world, int32_t contact);
 void cni_contact_sleep_to_lane(cn_world *world, int32_t contact);

@@ -183,7 +183,7 @@ CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, const cni_co
 	cni_vec2 n;
 	float centers;
 	if (gap != 0.0f || !may_be_followed(world, c, info, f)) {
-		cni_lane_loosen(world, c->slot);
+		cni_lane_invalidate(world, c->slot);
 		anchor->of.fresh.gap[l] = gap;
 		return;
 	}
@@ -283,7 +283,7 @@ void cni_contact_write_empty(cn_world *world, int32_t contact)
 	lane_clear_point(&block->p[1], lane);
 	block->tm[lane] = block->jt[lane] = 0.0f;
 	c->id[0] = c->id[1] = 0;
-	cni_lane_loosen(world, c->slot);
+	cni_lane_invalidate(world, c->slot);
 }
 
 /* One lane's rows without the body indices, wherever it lives. */
@@ -359,4 +359,82 @@ void cni_contact_describe(const cn_world *world, int32_t contact, int32_t kind, 
 	out->kind = kind;
 	if (c->flags & CNI_CONTACT_TOUCHING)
 		describe_manifold(world, c, &out->manifold);
+}
+
+void cni_contact_sleep_lane_free(cn_world *world, cni_contact *c)
+{
+	cni_sleep_lane *lanes = (cni_sleep_lane *)world->sleep_lanes.data;
+	int32_t last = --world->sleep_lanes.count;
+	if (c->slot != last) {
+		lanes[c->slot] = lanes[last];
+		cni_contact_at(world, lanes[last].contact)->slot = c->slot;
+	}
+	c->flags &= ~(uint32_t)CNI_CONTACT_ASLEEP;
+	c->slot = CNI_NONE;
+}
+
+static void extra_to_sleep(const cn_world *world, const cni_contact *c, cni_sleep_lane *s)
+{
+	const cni_block_extra *extra = cni_block_extra_at(world, c->slot / CNI_LANES);
+	int32_t l = c->slot % CNI_LANES;
+	s->tangent_speed = extra != NULL ? extra->tangent_speed[l] : 0.0f;
+	s->rolling = extra != NULL ? extra->rolling[l] : 0.0f;
+	s->rolling_mass = extra != NULL ? extra->rolling_mass[l] : 0.0f;
+	s->rolling_impulse = extra != NULL ? extra->rolling_impulse[l] : 0.0f;
+}
+
+static void sleep_to_extra(const cn_world *world, const cni_contact *c, const cni_sleep_lane *s)
+{
+	cni_block_extra *extra = cni_block_extra_at(world, c->slot / CNI_LANES);
+	int32_t l = c->slot % CNI_LANES;
+	if (extra == NULL)
+		return;
+	extra->tangent_speed[l] = s->tangent_speed;
+	extra->rolling[l] = s->rolling;
+	extra->rolling_mass[l] = s->rolling_mass;
+	extra->rolling_impulse[l] = s->rolling_impulse;
+	if (s->rolling > 0.0f || s->tangent_speed != 0.0f)
+		cni_block_info_at(world, c->slot / CNI_LANES)->flags |= CNI_BLOCK_EXTRA;
+}
+
+void cni_contact_lane_to_sleep(cn_world *world, int32_t contact)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	const float *rows = (const float *)(const void *)cni_block_at(world, c->slot / CNI_LANES) + c->slot % CNI_LANES;
+	cni_sleep_lane *s = (cni_sleep_lane *)world->sleep_lanes.data + world->sleep_lanes.count;
+	cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
+	float gap = cni_contact_gap(world, c);
+	int32_t row, k;
+	CNI_ASSERT(world->sleep_lanes.count < world->sleep_lanes.capacity);
+	for (k = 0; k < 2; ++k)
+		block->p[k].s0[c->slot % CNI_LANES] -= gap;
+	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
+		s->rows[row] = rows[(row + 2) * CNI_LANES];
+	s->restitution = cni_block_info_at(world, c->slot / CNI_LANES)->restitution[c->slot % CNI_LANES];
+	extra_to_sleep(world, c, s);
+	s->contact = contact;
+	cni_lane_free(world, contact);
+	c->slot = world->sleep_lanes.count++;
+	c->flags |= CNI_CONTACT_ASLEEP;
+}
+
+void cni_contact_sleep_to_lane(cn_world *world, int32_t contact)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	cni_sleep_lane s = ((cni_sleep_lane *)world->sleep_lanes.data)[c->slot];
+	cni_block_info *info;
+	float *rows;
+	int32_t row;
+	cni_contact_sleep_lane_free(world, c);
+	cni_lane_take(world, contact);
+	rows = (float *)(void *)cni_block_at(world, c->slot / CNI_LANES) + c->slot % CNI_LANES;
+	for (row = 0; row < CNI_SLEEP_ROWS; ++row)
+		rows[(row + 2) * CNI_LANES] = s.rows[row];
+	info = cni_block_info_at(world, c->slot / CNI_LANES);
+	info->restitution[c->slot % CNI_LANES] = s.restitution;
+	if (!world->events.in_step)
+		c->flags |= CNI_CONTACT_ENTERED; /* it did not stay in the last step: it slept */
+	sleep_to_extra(world, c, &s);
+	if (s.restitution > 0.0f)
+		info->flags |= CNI_BLOCK_RESTITUTION;
 }

@@ -192,3 +192,13 @@ cn_result cni_events_build(cn_world *world, int32_t kind)
 	events->built[kind] = 1;
 	return CN_OK;
 }
+
+void cni_contact_send_deferred_events(cn_world *world, int32_t contact, uint32_t owed, int32_t kind)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	if (!(c->flags & owed) || !cni_event_log(world, contact, kind))
+		return;
+	c->flags &= ~owed;
+	if (kind == CN_EVENT_ENTER)
+		c->flags |= CNI_CONTACT_ENTERED;
+}

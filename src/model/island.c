@@ -9,16 +9,6 @@
 
 #include <string.h>
 
-cni_island *cni_island_at(const cn_world *world, int32_t island)
-{
-	return (cni_island *)cni_table_at_sized(&world->islands, island, sizeof(cni_island), CNI_PAGE_ISLANDS);
-}
-
-int32_t cni_island_reserve(cn_world *world, int32_t extra)
-{
-	return cni_table_reserve(&world->islands, &world->memory, cni_max_i(world->island_used, world->island_count + extra));
-}
-
 static int32_t island_take(cn_world *world)
 {
 	int32_t island = world->island_free;
@@ -61,7 +51,7 @@ static void island_append(cn_world *world, int32_t island, int32_t body)
 	++i->count;
 }
 
-/* Steps that it is still refused for: stages/tiers.c. */
+/* Steps that it is still refused for: direct/solver_selection.c. */
 static int32_t refused_left(const cn_world *world, const cni_island *i)
 {
 	uint32_t passed = world->step_count - i->refused_step;
@@ -88,6 +78,10 @@ static void tier_inherit(const cn_world *world, cni_island *to, const cni_island
 	}
 	if (from->unheld_step != 0)
 		to->unheld_step = to->unheld_step == 0 ? from->unheld_step : later(world, to->unheld_step, from->unheld_step);
+	if (from->cone_spent > to->cone_spent) {
+		to->cone_spent = from->cone_spent;
+		to->cone_paid_step = from->cone_paid_step;
+	}
 	if (from->cone_step != 0)
 		to->cone_step = to->cone_step == 0 ? from->cone_step : later(world, to->cone_step, from->cone_step);
 }

@@ -22,7 +22,7 @@ typedef struct cni_island {
 	float rest_time;       /* scratch of the sleep stage: least sleep_time of its bodies */
 	int32_t number;        /* scratch of a step that numbers its islands */
 	uint32_t numbered_step; /* step + 1 in which it was numbered last */
-	int32_t tier;          /* CNI_TIER_; these are of stages/tiers.c */
+	int32_t tier;          /* CNI_TIER_; these are of direct/solver_selection.c */
 	int32_t good_steps;    /* directly solved ones since something was wrong */
 	int32_t stay_steps;    /* good ones until it is given back to the soft solver, 0: as few as can be */
 	uint32_t given_step;   /* in which it was given back last */
@@ -35,7 +35,9 @@ typedef struct cni_island {
 	uint32_t new_step;     /* step + 1 in which a contact began to bear last */
 	int32_t new_contacts;  /* how many did then */
 	uint32_t unheld_step;  /* step + 1 in which its loads were looked for from the top down, last, and not found */
-	uint32_t cone_step;    /* step + 1 in which its contacts were last solved by stages/contact_cone.c, or from there */
+	uint32_t cone_step;    /* step + 1 in which its contacts were last solved by direct/friction_cones.c, or from there */
+	int32_t cone_spent;    /* a contact, by that; what is left of it is less by every step since: CNI_CONE_REFILL */
+	uint32_t cone_paid_step; /* the step in which that was so */
 	uint32_t gives_step;   /* step + 1 in which, solved directly, it last moved where it touches */
 	int32_t falls_steps;   /* ... and in how many without a break so fast that it falls */
 } cni_island;

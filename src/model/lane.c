@@ -124,7 +124,7 @@ int32_t cni_blocks_are_few(const cn_world *world)
 	return count < world->block_used / 4;
 }
 
-void cni_lane_loosen(cn_world *world, int32_t slot)
+void cni_lane_invalidate(cn_world *world, int32_t slot)
 {
 	if (cni_block_info_at(world, slot / CNI_LANES)->anchored >> slot % CNI_LANES & 1u)
 		anchor_clear(world, slot);
@@ -136,7 +136,7 @@ void cni_lane_set_bodies(cn_world *world, const cni_contact *c)
 	int32_t lane = c->slot % CNI_LANES;
 	int32_t ib = lane_body(world, c, 1)->awake;
 	if ((block->ib[lane] == 0) != (ib == 0))
-		cni_lane_loosen(world, c->slot); /* the anchor of a static one is another */
+		cni_lane_invalidate(world, c->slot); /* the anchor of a static one is another */
 	block->ia[lane] = lane_body(world, c, 0)->awake;
 	block->ib[lane] = ib;
 }

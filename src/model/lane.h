@@ -21,7 +21,7 @@ void cni_lane_free(cn_world *world, int32_t contact);
 /* The slot's contact began to touch in this step. */
 void cni_lane_set_fresh(cn_world *world, int32_t slot);
 /* The slot's lane has no anchor any more. */
-void cni_lane_loosen(cn_world *world, int32_t slot);
+void cni_lane_invalidate(cn_world *world, int32_t slot);
 /* Sets the lane's body indices from the bodies. */
 void cni_lane_set_bodies(cn_world *world, const cni_contact *c);
 

@@ -5,20 +5,6 @@
  */
 #include "model/world.h"
 
-uint64_t cni_shape_piece_bytes(const cn_world *world, int32_t type, int32_t count)
-{
-	int32_t bytes = cni_geometry_bytes(type, count);
-	if (world->memory.fixed)
-		bytes = cni_max_i(bytes, cni_geometry_bytes(CN_SHAPE_POLYGON, CN_POLYGON_MAX_VERTICES));
-	return (uint64_t)bytes;
-}
-
-void cni_shape_free_geometry(cn_world *world, int32_t shape)
-{
-	const cni_shape *s = cni_shape_at(world, shape);
-	cni_blocks_free(&world->blocks, s->geometry, cni_shape_piece_bytes(world, s->type, cni_shape_geometry(&world->blocks, s)->count));
-}
-
 static uint64_t ids_bytes(const cn_world *world, const cni_shape *s)
 {
 	uint64_t bytes = (uint64_t)s->children * sizeof(int32_t);
@@ -29,41 +15,9 @@ static uint64_t ids_bytes(const cn_world *world, const cni_shape *s)
 	return cni_shape_piece_bytes(world, CN_SHAPE_CHAIN, 0) > bytes ? cni_shape_piece_bytes(world, CN_SHAPE_CHAIN, 0) : bytes;
 }
 
-int32_t cni_shape_edge_proxy(const cn_world *world, const cni_shape *s, int32_t child)
-{
-	if (s->box.proxies == 0)
-		return CNI_NONE;
-	return ((const int32_t *)cni_blocks_at(&world->blocks, s->box.proxies))[child];
-}
-
 static int32_t shape_is_placed(const cni_shape *s)
 {
 	return s->type == CN_SHAPE_CHAIN ? s->box.proxies != 0 : s->box.proxy != CNI_NONE;
-}
-
-/* Part of a box's larger side that its margin is. Wider margins are left less often, but small things in a heap
-   would have more neighbours that they do not touch than such that they do. */
-#define MARGIN_PART 0.1f
-
-float cni_box_margin(const cn_world *world, int32_t body_type, const cni_aabb *tight)
-{
-	const cni_settings *set = &world->settings;
-	if (body_type == CN_BODY_STATIC || !CNI_ON(WIDE_BOXES))
-		return set->contact_margin;
-	return cni_clamp(MARGIN_PART * cni_max(tight->x1 - tight->x0, tight->y1 - tight->y0), set->contact_margin, set->box_margin);
-}
-
-cn_result cni_proxy_reserve(cn_world *world, int32_t extra)
-{
-	if (!cni_table_reserve(&world->proxies, &world->memory, world->proxy_used + cni_max_i(extra - world->proxy_free_count, 0)))
-		return CN_ERROR_MEMORY;
-	return world->broadphase_ops->reserve(world->broadphase, extra) ? CN_OK : CN_ERROR_MEMORY;
-}
-
-void cni_seams_change(cn_world *world, const cni_aabb *box)
-{
-	world->seams_box = world->seams_changed ? cni_aabb_union(&world->seams_box, box) : *box;
-	world->seams_changed = 1;
 }
 
 static int32_t proxy_take(cn_world *world)
@@ -154,7 +108,7 @@ void cni_shape_unplace(cn_world *world, int32_t shape)
 	}
 }
 
-void cni_shape_look_again(cn_world *world, int32_t shape)
+void cni_shape_refilter(cn_world *world, int32_t shape)
 {
 	cni_shape *s = cni_shape_at(world, shape);
 	int32_t child;
@@ -202,11 +156,4 @@ void cni_shape_unlink(cn_world *world, int32_t shape)
 	else if (b->shape_first != CNI_NONE)
 		cni_shape_at(world, b->shape_first)->prev = s->prev;
 	s->body = s->next = s->prev = CNI_NONE;
-}
-
-int32_t cni_filter_allows(const cni_shape *a, const cni_shape *b)
-{
-	if (a->group == b->group && a->group != 0)
-		return a->group > 0;
-	return (a->category & b->mask) != 0 && (b->category & a->mask) != 0;
 }

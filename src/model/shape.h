@@ -10,7 +10,7 @@
 
 #include "base/blocks.h"
 #include "geometry/shape.h"
-#include "model/proxy.h"
+#include "broadphase/proxy.h"
 
 typedef struct cni_shape {
 	int32_t body;          /* CNI_NONE: unattached */
@@ -77,10 +77,10 @@ static inline cni_aabb cni_box_fatten(cni_aabb box, float margin)
 	box.y1 += margin;
 	return box;
 }
-/* Fixed shapes came, went, moved or changed there: hidden corners (geometry/seam.h) are found anew in the next step. */
+/* Fixed shapes came, went, moved or changed there: hidden corners (collision/seam.h) are found anew in the next step. */
 void cni_seams_change(cn_world *world, const cni_aabb *box);
 /* All pairs of the shape's boxes count as new at the next step (filter, type or joint changed). */
-void cni_shape_look_again(cn_world *world, int32_t shape);
+void cni_shape_refilter(cn_world *world, int32_t shape);
 
 /* Between the record and the public struct. */
 void cni_shape_store_material(cni_shape *s, const cn_material *material);

@@ -15,9 +15,9 @@
 #include "model/event.h"
 #include "model/island.h"
 #include "model/joint.h"
-#include "model/proxy.h"
+#include "broadphase/proxy.h"
 #include "model/shape.h"
-#include "model/broadphase.h"
+#include "broadphase/broadphase.h"
 
 #define CNI_ERROR_TEXT_BYTES 192
 
@@ -74,7 +74,7 @@ struct cn_world {
 	int32_t awake_count;         /* of the dense arrays, the dummy included: >= 1 */
 	cni_array motion;            /* cni_motion */
 	cni_array start;             /* cni_velocity_start */
-	cni_array drive;             /* cni_drive */
+	cni_array drive;             /* cni_external */
 	cni_array awake_id;          /* int32_t */
 	int32_t *awake_islands;      /* the islands' numbers by dense index, within a step: scratch of the arena. NULL outside, without islands, without memory */
 	int32_t *step_islands;       /* records of the numbered islands, scratch of the arena; NULL: each is its own number */
@@ -102,7 +102,7 @@ struct cn_world {
 	cni_broadphase_pairs pairs;
 	int32_t pairs_may_repeat;    /* 0 or CNI_PAIRS_ */
 	int32_t seams_changed;       /* 1: fixed shapes came, went, moved or changed since the last step ... */
-	cni_aabb seams_box;          /* ... within this box: see stages/seams.c */
+	cni_aabb seams_box;          /* ... within this box: see narrowphase/static_seams.c */
 
 	/* contacts */
 	int32_t contact_used;
@@ -127,11 +127,11 @@ struct cn_world {
 	int32_t stressed_joints;     /* beyond a break threshold in this step, not yet dealt with */
 	cni_table joints;            /* cni_joint */
 	cni_array awake_joints;      /* int32_t */
-	cni_array joint_work;        /* cni_joint_work of stages/joint_work.h, one an awake joint */
-	cni_array joint_blocks;      /* cni_joint_block of stages/joint_pass.h; room for every joint in any colours */
+	cni_array joint_work;        /* cni_joint_constraint of joints/joint_constraint.h, one an awake joint */
+	cni_array joint_blocks;      /* cni_joint_block of joints/joint_pass.h; room for every joint in any colours */
 	cni_color joint_colors[CNI_JOINT_COLORS];
 	cni_lanes_kept joint_lanes;  /* what of these may be there still in the next step */
-	void *row_blocks;            /* cni_row_block of stages/joint_rows.h, within a step: other joints' lanes, scratch of the arena */
+	void *row_blocks;            /* cni_row_block of joints/joint_rows.h, within a step: other joints' lanes, scratch of the arena */
 	int32_t row_block_count;
 	int32_t row_blocks_of[CNI_JOINT_COLORS]; /* each colour */
 	int32_t joint_plain_first;   /* works that are solved by rows, linked by next_plain; CNI_NONE */
@@ -144,18 +144,18 @@ struct cn_world {
 	int32_t island_count;
 	uint32_t split_step;         /* until which no island is split */
 
-	uint32_t joints_soft_step;   /* until which some joints are soft: stages/joint_swing.c */
+	uint32_t joints_soft_step;   /* until which some joints are soft: direct/rattle.c */
 	int32_t settled;             /* 1: at the end of the last step some body had been slow for as long as it takes to fall asleep */
 	int32_t piles_new;           /* 1: in this step a contact began to bear */
 	int32_t piles_unheld;        /* 1: in the last one some island could not be loaded from the top down */
 	int32_t solvers_asked;       /* 1: in the last step some awake island had a body or joint with a solver of its own */
 	int32_t reserved_islands;
-	cni_array direct_islands;    /* int32_t: those that are solved directly, see stages/tiers.c */
+	cni_array direct_islands;    /* int32_t: those that are solved directly, see direct/solver_selection.c */
 	int32_t direct_work;         /* planned in the last step, substeps included; 0: nothing was solved directly */
 	int32_t direct_failed;       /* 1: for want of memory */
-	int32_t cone_work;           /* what of it is set aside in this step for stages/contact_cone.c, by passes */
-	int32_t cone_spent;          /* ... and what was spent, less what came back: CNI_CONE_AT_ONCE */
-	cni_array direct_plans[2];   /* of stages/sparse_plan.c, kept while nothing changes: the first of a step, and that without what was refused */
+	int32_t cone_work;           /* what of it is set aside in this step for direct/friction_cones.c, by passes */
+	int32_t reserved_plans;
+	cni_array direct_plans[2];   /* of linear/sparse_plan.c, kept while nothing changes: the first of a step, and that without what was refused */
 
 
 	cn_filter_fn *filter;        /* the user's callbacks, NULL: none */
@@ -225,7 +225,7 @@ static inline void cni_dummy_stand(const cn_world *world)
 	cni_motions(world)[0] = still;
 }
 static inline cni_velocity_start *cni_starts(const cn_world *world) { return (cni_velocity_start *)world->start.data; }
-static inline cni_drive *cni_drives(const cn_world *world) { return (cni_drive *)world->drive.data; }
+static inline cni_external *cni_externals(const cn_world *world) { return (cni_external *)world->drive.data; }
 static inline int32_t *cni_awake_ids(const cn_world *world) { return (int32_t *)world->awake_id.data; }
 /* Items that do not depend on each other, shared among the world's workers: cni_team_for. A loop outside of
    cni_team_run may have to wake them, some microseconds; so min_range is to be 10 us of work there, and 1 us within. */

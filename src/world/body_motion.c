@@ -146,7 +146,7 @@ static int32_t can_be_pushed(const cni_body *b)
 static cn_result add_force(cni_call *call, cn_world *world, cn_body body, cni_vec2 force, float torque)
 {
 	cni_body *b;
-	cni_drive *d;
+	cni_external *d;
 	cni_vec2 total;
 	float total_torque;
 	if (call->result != CN_OK)
@@ -154,13 +154,13 @@ static cn_result add_force(cni_call *call, cn_world *world, cn_body body, cni_ve
 	b = cni_body_at(world, cni_body_index(world, body));
 	if (!can_be_pushed(b))
 		return CN_OK;
-	d = cni_drives(world) + b->awake; /* the dummy has none */
+	d = cni_externals(world) + b->awake; /* the dummy has none */
 	total = cni_add(cni_v(d->ax, d->ay), force);
 	total_torque = d->alpha + torque;
 	if (!cni_is_finite2(total) || !cni_is_finite(total_torque))
 		return cni_refuse(call, CN_ERROR_ARGUMENT, "the sum of forces and torques of this step must stay finite");
 	cni_body_wake(world, cni_body_index(world, body));
-	d = cni_drives(world) + b->awake;
+	d = cni_externals(world) + b->awake;
 	d->ax = total.x;
 	d->ay = total.y;
 	d->alpha = total_torque;

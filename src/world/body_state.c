@@ -103,7 +103,7 @@ cn_result cn_body_set_type(cn_world *world, cn_body body, int32_t type)
 	if (type != CN_BODY_STATIC && (b->flags & CN_BODY_ENABLED))
 		cni_body_enter_awake(world, index);
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
-		cni_shape_look_again(world, shape);
+		cni_shape_refilter(world, shape);
 	joints_link(world, chain);
 	return CN_OK;
 }

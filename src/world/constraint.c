@@ -4,6 +4,7 @@
  * A constraint is a joint record whose body a is the world (CNI_JOINT_ANGLE, CNI_JOINT_LINE), solved with
  * the joints, before contacts. Only its handle, which is of another kind, and its definitions differ.
  */
+#include "joints/joint_type.h"
 #include "world/define.h"
 #include "world/joint_change.h"
 

@@ -5,8 +5,11 @@
  * lies at its beginning and the rest of the block serves everything else; all capacities are then
  * reserved at once, so that a world within its capacities never asks again.
  */
-#include "stages/joint_pass.h"
-#include "stages/sparse.h"
+#include "joints/joints.h"
+#include "direct/direct.h"
+#include "contacts/contacts.h"
+#include "joints/joint_pass.h"
+#include "linear/sparse.h"
 #include "world/error.h"
 
 #include <string.h>
@@ -35,7 +38,7 @@ static void def_check_numbers(cni_call *call, const cn_world_def *d)
 	cni_check_range_int(call, "broadphase", d->broadphase, CN_BROADPHASE_SWEEP, CN_BROADPHASE_TREE);
 	cni_check_range_int(call, "substep_count", d->substep_count, 1, 64);
 	cni_check_at_least(call, "accuracy_m", d->accuracy_m, 0.0f);
-	cni_check_range_int(call, "work_budget", d->work_budget, 0, CNI_WORK_BUDGET_MAX);
+	cni_check_range_int(call, "work_budget", d->work_budget, 0, CNI_CONSTRAINT_BUDGET_MAX);
 	cni_check_at_least(call, "restitution_threshold_mps", d->restitution_threshold_mps, 0.0f);
 	cni_check_at_least(call, "push_speed_max_mps", d->push_speed_max_mps, 0.0f);
 	cni_check_at_least(call, "linear_speed_max_mps", d->linear_speed_max_mps, 0.0f);
@@ -138,7 +141,7 @@ static void tables_init(cn_world *world)
 	cni_table_init(&world->islands, (int32_t)sizeof(cni_island), CNI_PAGE_ISLANDS);
 	cni_array_init(&world->motion, (int32_t)sizeof(cni_motion));
 	cni_array_init(&world->start, (int32_t)sizeof(cni_velocity_start));
-	cni_array_init(&world->drive, (int32_t)sizeof(cni_drive));
+	cni_array_init(&world->drive, (int32_t)sizeof(cni_external));
 	cni_array_init(&world->awake_id, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->kicked, (int32_t)sizeof(cn_body));
 	cni_array_init(&world->previous, (int32_t)sizeof(cni_previous));
@@ -147,7 +150,7 @@ static void tables_init(cn_world *world)
 	cni_array_init(&world->direct_islands, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->direct_plans[0], CNI_KEPT_BYTES);
 	cni_array_init(&world->direct_plans[1], CNI_KEPT_BYTES);
-	cni_array_init(&world->joint_work, CNI_JOINT_WORK_BYTES);
+	cni_array_init(&world->joint_work, CNI_JOINT_CONSTRAINT_BYTES);
 	cni_array_init(&world->block_list, (int32_t)sizeof(cni_listed_block));
 	cni_array_init(&world->joint_blocks, (int32_t)sizeof(cni_joint_block));
 	cni_array_init(&world->sleep_lanes, (int32_t)sizeof(cni_sleep_lane));
@@ -206,7 +209,7 @@ static cn_result dummy_create(cn_world *world)
 	world->motion.count = world->start.count = world->drive.count = world->awake_id.count = 1;
 	memset(cni_motions(world), 0, sizeof(cni_motion));
 	memset(cni_starts(world), 0, sizeof(cni_velocity_start));
-	memset(cni_drives(world), 0, sizeof(cni_drive));
+	memset(cni_externals(world), 0, sizeof(cni_external));
 	cni_awake_ids(world)[0] = CNI_NONE;
 	return CN_OK;
 }
@@ -294,8 +297,8 @@ static uint64_t arena_bytes(const cn_world_def *d)
 	if (d->solver != CN_SOLVER_SEQUENTIAL)
 		joints += cni_row_bytes(d->joint_capacity);
 	if (d->solver == CN_SOLVER_AUTO)
-		joints += cni_pile_bytes(d->body_capacity);
-	joints += 128u + (uint64_t)islands_for(d->body_capacity) + 3u * sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u); /* cni_spin_hold, which is more than cni_rest_find takes */
+		joints += cni_gravity_preload_bytes(d->body_capacity);
+	joints += 128u + (uint64_t)islands_for(d->body_capacity) + 3u * sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u); /* cni_angular_momentum_restore, which is more than cni_rest_find takes */
 	joints += 64u + sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u) * 3u / 2u; /* islands of what is awake, and which are */
 	return (scratch > joints ? scratch : joints) + island;
 }
@@ -380,7 +383,7 @@ static uint64_t handles_bytes(int32_t n)
 
 static uint64_t body_arrays_bytes(int32_t n)
 {
-	return array_bytes(n + 1, sizeof(cni_motion)) + array_bytes(n + 1, sizeof(cni_velocity_start)) + array_bytes(n + 1, sizeof(cni_drive)) +
+	return array_bytes(n + 1, sizeof(cni_motion)) + array_bytes(n + 1, sizeof(cni_velocity_start)) + array_bytes(n + 1, sizeof(cni_external)) +
 	       array_bytes(n + 1, sizeof(int32_t)) + 2u * array_bytes(2 * n, sizeof(cn_body)) + array_bytes(2 * n + 1, sizeof(cn_body_moved)) +
 	       array_bytes(n, sizeof(cni_previous)) + handles_bytes(n);
 }
@@ -399,7 +402,7 @@ static uint64_t arrays_bytes(const cn_world_def *d)
 	int32_t joints = d->joint_capacity;
 	return body_arrays_bytes(d->body_capacity) + array_bytes(d->body_capacity / 2, sizeof(int32_t)) + contact_arrays_bytes(d->contact_capacity) + handles_bytes(d->shape_capacity) +
 	       2u * array_bytes(joints, sizeof(cn_joint_event)) +
-	       handles_bytes(joints) + array_bytes(joints, CNI_JOINT_WORK_BYTES) + array_bytes(joints, sizeof(int32_t)) +
+	       handles_bytes(joints) + array_bytes(joints, CNI_JOINT_CONSTRAINT_BYTES) + array_bytes(joints, sizeof(int32_t)) +
 	       array_bytes(cni_joint_blocks_for(joints), sizeof(cni_joint_block)) +
 	       array_bytes(1, (size_t)arena_bytes(d)) + array_bytes(plan_items(d), CNI_KEPT_BYTES);
 }

@@ -1,6 +1,7 @@
 /*
  * world/draw.c - debug draw: shapes, joints, contacts, boxes and centres through the user's functions. Reads only.
  */
+#include "joints/joint_type.h"
 #include "world/error.h"
 
 #include <string.h>

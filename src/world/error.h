@@ -30,7 +30,7 @@
  * of a length unit are off by 6e-8 and differences of rotated ones by some 3e-7, a 1,600th of that.
  */
 #define CNI_THICKNESS_LEAST 0.0005f
-#define CNI_WORK_BUDGET_MAX 1000000000
+#define CNI_CONSTRAINT_BUDGET_MAX 1000000000
 /* Angles up to this many radians are accepted. */
 #define CNI_ANGLE_MAX_RAD 1e4f
 

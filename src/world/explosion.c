@@ -11,7 +11,7 @@
  */
 #include "world/query.h"
 #include "base/sort.h"
-#include "geometry/nearest.h"
+#include "collision/nearest.h"
 
 #include <string.h>
 

@@ -3,10 +3,12 @@
  * are from where contacts and joints want them.
  *
  * Everything is computed when it is asked for: the step only leaves behind, in each island's record, why it chose its tier
- * (stages/tiers.c). Contacts collide once more, at the poses that bodies have now. Writes nothing.
+ * (direct/solver_selection.c). Contacts collide once more, at the poses that bodies have now. Writes nothing.
  */
-#include "stages/narrowphase_touch.h"
-#include "stages/solver.h"
+#include "joints/joint_type.h"
+#include "direct/direct.h"
+#include "narrowphase/touch.h"
+#include "model/solve.h"
 #include "world/error.h"
 
 #include <string.h>
@@ -79,11 +81,11 @@ static void body_add(const cn_world *world, int32_t body, cn_island_report *out)
 	}
 }
 
-/* See stages/rest.c; body: any of the island. Jointed bodies with this flag swing. */
+/* See step/early_rest.c; body: any of the island. Jointed bodies with this flag swing. */
 static int32_t has_rested(const cn_world *world, const cni_body *b)
 {
-	const uint32_t rests = CNI_DRIVE_SWUNG | CNI_DRIVE_TOUCHED;
-	return (cni_drives(world)[b->awake].flags & (rests | CNI_DRIVE_JOINTED)) == rests;
+	const uint32_t rests = CNI_EXTERNAL_FINISHED | CNI_EXTERNAL_TOUCHED;
+	return (cni_externals(world)[b->awake].flags & (rests | CNI_EXTERNAL_JOINTED)) == rests;
 }
 
 static int32_t substeps_of(const cn_world *world, const cni_body *b)

@@ -2,6 +2,7 @@
  * world/joint.c - public functions on any joint: what it connects and does, flags, motor, limits.
  * Definitions are in joint_create.c, what is particular to a type in joint_kinds.c.
  */
+#include "joints/joint_type.h"
 #include "world/define.h"
 #include "world/joint_change.h"
 

@@ -5,6 +5,7 @@
  * All types go one way: the base is checked and stored here, what is particular to a type through its
  * cni_joint_kind (joint_kinds.c).
  */
+#include "joints/joint_type.h"
 #include "world/joint_change.h"
 
 #include <string.h>

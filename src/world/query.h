@@ -9,7 +9,7 @@
 #define CNI_WORLD_QUERY_H
 
 #include "world/error.h"
-#include "geometry/distance.h"
+#include "collision/distance.h"
 
 /* One broadphase box that a query looks at. */
 typedef struct cni_query_target {

@@ -6,7 +6,7 @@
  * so that an equal one is still seen whatever the order of visits.
  */
 #include "world/query.h"
-#include "geometry/cast.h"
+#include "collision/cast.h"
 
 #include <string.h>
 

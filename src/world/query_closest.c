@@ -5,7 +5,7 @@
  * that of the neighbourhood, not of the distance allowed. Equals are told apart by shape and child.
  */
 #include "world/query.h"
-#include "geometry/nearest.h"
+#include "collision/nearest.h"
 
 #include <string.h>
 

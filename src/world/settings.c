@@ -2,7 +2,8 @@
  * world/settings.c - the world's own numbers: settings that may change while it lives, and what it counts
  * and measures. Writes world->settings and user_data; wakes bodies where a setting asks for it.
  */
-#include "stages/solver.h"
+#include "direct/direct.h"
+#include "model/solve.h"
 #include "world/error.h"
 
 #include <string.h>
@@ -59,7 +60,7 @@ cn_result cn_world_set_solver(cn_world *world, int32_t solver)
 	if (call.result != CN_OK || solver == world->settings.solver)
 		return call.result;
 	world->settings.solver = solver;
-	cni_tiers_forget(world);
+	cni_solver_selection_reset(world);
 	return CN_OK;
 }
 
@@ -69,7 +70,7 @@ cn_result cn_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_
 {
 	cni_call call = cni_enter(world, __func__);
 	cni_check_at_least(&call, "accuracy_m", accuracy_m, 0.0f);
-	cni_check_range_int(&call, "work_budget", work_budget, 0, CNI_WORK_BUDGET_MAX);
+	cni_check_range_int(&call, "work_budget", work_budget, 0, CNI_CONSTRAINT_BUDGET_MAX);
 	if (call.result != CN_OK)
 		return call.result;
 	world->settings.accuracy = accuracy_m > 0.0f ? accuracy_m : world->settings.slop;

@@ -142,7 +142,7 @@ cn_result cn_shape_set_material(cn_world *world, cn_shape shape, const cn_materi
 	cni_shape_store_material(s, material);
 	for (key = first_contact(world, index); key != CNI_NONE; key = next_contact(world, key, index)) {
 		cni_contact_of_key(world, key)->flags |= CNI_CONTACT_REFRESH;
-		cni_contact_loosen(world, key >> 1);
+		cni_contact_invalidate(world, key >> 1);
 		wake_touching(world, cni_contact_of_key(world, key));
 	}
 	return CN_OK;
@@ -197,7 +197,7 @@ cn_result cn_shape_set_filter(cn_world *world, cn_shape shape, const cn_filter *
 	s->mask = filter->mask;
 	s->group = filter->group;
 	end_forbidden_contacts(world, cni_shape_index(world, shape));
-	cni_shape_look_again(world, cni_shape_index(world, shape));
+	cni_shape_refilter(world, cni_shape_index(world, shape));
 	wake_met(world, cni_shape_index(world, shape));
 	return CN_OK;
 }
@@ -255,7 +255,7 @@ cn_result cn_shape_set_flags(cn_world *world, cn_shape shape, uint32_t flags)
 	if (s->body != CNI_NONE)
 		cni_contact_destroy_of_shape(world, index);
 	s->flags = (uint8_t)flags;
-	cni_shape_look_again(world, index);
+	cni_shape_refilter(world, index);
 	wake_met(world, index);
 	return CN_OK;
 }

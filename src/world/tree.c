@@ -1,13 +1,13 @@
 /*
- * world/tree.c - cn_tree_*: a tree of boxes (geometry/tree.h) for the game's own use, apart from any world.
+ * world/tree.c - cn_tree_*: a tree of boxes (broadphase/tree.h) for the game's own use, apart from any world.
  *
  * Owns its memory, the handles of its items and their user data. Calls that fail change nothing. Searches only read, so
  * that several threads may search at once; a visitor that changes the tree nevertheless harms nothing but
- * its own search, which then may visit items twice or not at all: free forks lead nowhere and the stack is
+ * its own search, which then may visit items twice or not at all: free nodes lead nowhere and the stack is
  * bounded.
  */
 #include "base/handles.h"
-#include "geometry/tree.h"
+#include "broadphase/tree.h"
 #include "world/error.h"
 
 #include <string.h>

@@ -5,6 +5,7 @@
  * slow frame does not make the next one slower ("Fix Your Timestep", Fiedler, 2004). Before the last step of
  * an update the poses of awake bodies are kept by slot; nothing is kept until the first update.
  */
+#include "step/step.h"
 #include "world/error.h"
 
 #include <string.h>
@@ -117,4 +118,16 @@ cn_pose cni_pose_between(const cn_world *world, int32_t body, float factor)
 	pose.cosine = q.c;
 	pose.sine = q.s;
 	return pose;
+}
+
+/* Shorter steps move nothing, and floats do not hold the squares of their inverses. */
+#define STEP_LEAST_S 1e-9f
+
+cn_result cn_world_step(cn_world *world, float dt_s)
+{
+	cni_call call = cni_enter(world, "cn_world_step");
+	cni_check_range(&call, "dt_s", dt_s, 0.0f, 1.0f);
+	if (call.result == CN_OK)
+		cni_step(world, dt_s < STEP_LEAST_S ? 0.0f : dt_s);
+	return call.result;
 }

@@ -1,5 +1,5 @@
 /*
- * test/families/cloths.c - cloths and nets of rods, pins and springs: hung, draped, struck, falling.
+ * test/families/cloths.c - cloths and nets of rods, pins and springs: hung, draped, jumped, falling.
  */
 #include "families.h"
 
@@ -148,7 +148,7 @@ static void drape(scene *s)
 	add_disc(s, CN_BODY_STATIC, pick(s, -1.0, 1.0), radius, radius);
 }
 
-/* A hung sheet is struck by a disc of 1 to 1000 times a node's mass at 2 to 20 m/s. */
+/* A hung sheet is jumped by a disc of 1 to 1000 times a node's mass at 2 to 20 m/s. */
 static void strike(scene *s)
 {
 	sheet_link link = { LINK_ROD, 0.0, 0.0, 0.0 };
@@ -185,7 +185,7 @@ static void fall(scene *s)
 	s->group = 0;
 }
 
-/* A cloth of rods draped over a fixed disc, struck by a heavy one, or falling onto the floor; friction 0 to 1. */
+/* A cloth of rods draped over a fixed disc, jumped by a heavy one, or falling onto the floor; friction 0 to 1. */
 static void build_cloth_hit(scene *s)
 {
 	int32_t kind = pick_int(s, 0, 2);

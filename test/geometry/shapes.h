@@ -5,8 +5,8 @@
 #ifndef CAIRN_TEST_SHAPES_H
 #define CAIRN_TEST_SHAPES_H
 
-#include "geometry/distance.h"
-#include "geometry/manifold.h"
+#include "collision/distance.h"
+#include "collision/manifold.h"
 #include <math.h>
 #include <string.h>
 #include <stdint.h>

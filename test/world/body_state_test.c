@@ -1,8 +1,8 @@
 /*
  * test/world/body_state_test.c - types and locks of bodies, and what is disabled.
  *
- * If a test here fails, look first in: world/body_state.c, model/body.c (records), stages/integrate.c (locks),
- * model/contact_lane.c and stages/contact_solve.c (locked bodies in contact).
+ * If a test here fails, look first in: world/body_state.c, model/body.c (records), step/integrate.c (locks),
+ * model/contact_lane.c and contacts/contact_solve.c (locked bodies in contact).
  */
 #include "bodies.h"
 

@@ -3,7 +3,7 @@
  * body_state_test.c.
  *
  * If a test here fails, look first in: world/body*.c (the calls), model/body.c (mass, records),
- * stages/integrate.c (drives, damping).
+ * step/integrate.c (drives, damping).
  */
 #include "bodies.h"
 

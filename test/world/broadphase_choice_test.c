@@ -2,8 +2,8 @@
  * test/world/broadphase_choice_test.c - promise: def.broadphase changes nothing but time and memory: both
  * broadphases give the same contacts and the same bits after every step.
  *
- * If a test here fails, a pair was found a step early or late or not at all: look in stages/broadphase_*.c for
- * the structure that differs from brute force (stages/broadphase_test.c and broadphase_tree_test.c).
+ * If a test here fails, a pair was found a step early or late or not at all: look in broadphase/ for
+ * the structure that differs from brute force (broadphase/sweep_test.c and broadphase_tree_test.c).
  */
 #include "fixture.h"
 #include "scenes/scenes.h"

@@ -4,8 +4,8 @@
  * Shares of bodies that passed are measured over random starts, directions and spins. Every kind of run has a
  * control in which passing is allowed: it shows that the measure sees what passes.
  *
- * If a test here fails, look first in: stages/narrowphase.c (contacts ahead), stages/continuous.c (the last
- * guard), geometry/toi.c.
+ * If a test here fails, look first in: narrowphase/narrowphase.c (contacts ahead), narrowphase/continuous.c (the last
+ * guard), collision/toi.c.
  */
 #include "fixture.h"
 
@@ -213,10 +213,10 @@ static void bullets_do_not_pass_dynamic_walls(void)
 
 /* ---- hit within the step ---- */
 
-/* A light ball next to a wall is struck by a heavy fast one: neither may pass. */
+/* A light ball next to a wall is jumped by a heavy fast one: neither may pass. */
 static void struck_body_does_not_pass_the_wall(void)
 {
-	int32_t wall, k, step, passed[2] = { 0, 0 }, struck = 0, runs = 0;
+	int32_t wall, k, step, passed[2] = { 0, 0 }, jumped = 0, runs = 0;
 	uint32_t random = 521288629u;
 	size_t s;
 	for (wall = WALL_EDGE; wall <= WALL_BOX; ++wall)
@@ -239,13 +239,13 @@ static void struck_body_does_not_pass_the_wall(void)
 					through[0] |= fixture_pose(world, light).position_m.x > 0.0f;
 					through[1] |= fixture_pose(world, heavy).position_m.x > 0.0f;
 				}
-				struck += fabsf(fixture_velocity(world, light).linear_mps.y) > 0.0f || fixture_pose(world, light).position_m.x > -0.15f;
+				jumped += fabsf(fixture_velocity(world, light).linear_mps.y) > 0.0f || fixture_pose(world, light).position_m.x > -0.15f;
 				passed[0] += through[0];
 				passed[1] += through[1];
 				++runs;
 				cn_world_destroy(world);
 			}
-	CHECK_GE("share of light balls that were struck", (double)struck / runs, 0.9, "");
+	CHECK_GE("share of light balls that were jumped", (double)jumped / runs, 0.9, "");
 	CHECK_LE("share of light balls that passed", (double)passed[0] / runs, 0.0, "");
 	CHECK_LE("share of heavy balls that passed", (double)passed[1] / runs, 0.0, "");
 }

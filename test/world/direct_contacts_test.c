@@ -2,8 +2,8 @@
  * test/world/direct_contacts_test.c - what is promised of contacts that are solved directly, alone and among joints:
  * stacks, walls, random scenes, the same bits in a fixed block; and of contacts that would part joints.
  *
- * If a test here fails, run stages/sparse and world/direct first. Then look in: stages/tiers.c and contact_direct.c,
- * joint_close.c (hard stops), joint_direct.c (loaded bridges).
+ * If a test here fails, run linear/sparse and world/direct first. Then look in: direct/solver_selection.c and direct_contacts.c,
+ * joint_projection.c (hard stops), direct_joints.c (loaded bridges).
  */
 #include "direct.h"
 

@@ -2,8 +2,8 @@
  * test/world/direct_test.c - what is promised of joints that are solved directly: CN_SOLVER_AUTO where nothing else is
  * said, and CN_SOLVER_DIRECT. Contacts are in direct_contacts_test.c.
  *
- * If a test here fails, run stages/sparse first. Then look in: stages/joint_swing.c (energy, anchors, momentum of what
- * nothing but joints holds), stages/joint_tension.c (heavy ends), stages/joint_direct.c (joints among contacts, motors and
+ * If a test here fails, run linear/sparse first. Then look in: direct/rattle.c (energy, anchors, momentum of what
+ * nothing but joints holds), direct/geometric_stiffness.c (heavy ends), direct/direct_joints.c (joints among contacts, motors and
  * limits).
  */
 #include "direct.h"
@@ -448,7 +448,7 @@ static void chain_on_a_shaken_cart_holds(void)
 
 /* ---- chains that touch ---- */
 
-/* A blow comes after the joints of its substep, which are then solved once more: stages/joint_close.c. */
+/* A blow comes after the joints of its substep, which are then solved once more: direct/joint_projection.c. */
 static void wall_hit_run(const char *name, int32_t solver, double bound)
 {
 	scene s = scene_open(GRAVITY, 0, solver);

@@ -1,7 +1,7 @@
 /*
  * test/world/elastic_test.c - impacts with restitution 1 keep kinetic energy, however many bodies and whatever their shapes.
  *
- * Look at stages/contact_impact.c, and at point_prepare in stages/contact_kernel.h: what brakes bodies before they bounce.
+ * Look at contacts/restitution.c, and at point_prepare in contacts/contact_kernel.h: what brakes bodies before they bounce.
  */
 #include "fixture.h"
 

@@ -3,7 +3,7 @@
  * that tell the truth. Whole worlds are in events_test.c.
  *
  * If a test here fails, look first in: world/shape.c (masks, filters), model/contact.c (begin, end, destroy),
- * model/event.c (logs), stages/narrowphase.c (changes), model/contact_lane.c (manifolds).
+ * model/event.c (logs), narrowphase/narrowphase.c (changes), model/contact_lane.c (manifolds).
  */
 #include "events.h"
 

@@ -6,7 +6,7 @@
  * of what the events say; after every step the ledger must equal what the world holds.
  *
  * If a test here fails, run world/events_pair first, then look in: model/contact.c (begin, end, destroy), model/event.c
- * (logs), stages/narrowphase.c (changes), stages/events.c (callbacks).
+ * (logs), narrowphase/narrowphase.c (changes), step/event_callbacks.c (callbacks).
  */
 #include "events.h"
 

@@ -2,7 +2,7 @@
  * test/world/joint_assembly_test.c - many bodies on revolute joints and rods: chains, a grid, a bridge, ragdolls, and
  * what flies freely. Anchors stay together, reactions carry what hangs below, momentum is kept, no energy comes in.
  *
- * If a test here fails, look first in: stages/joint_solve.c, joint_blocks.c, then joint_swing.c and joint_direct.c (which
+ * If a test here fails, look first in: joints/joint_solve.c, joint_blocks.c, then rattle.c and direct_joints.c (which
  * of them are solved together).
  */
 #include "joints.h"

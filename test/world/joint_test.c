@@ -2,8 +2,8 @@
  * test/world/joint_test.c - revolute and distance joints against closed forms: pendulums, limits, motors, ropes,
  * reactions, and what either side may be attached to. Springs are in joint_spring_test.c.
  *
- * If a test here fails, look first in: stages/joint_solve.c (reactions), stages/joint_swing.c (periods),
- * model/joint_revolute.c and joint_distance.c (limits, motors).
+ * If a test here fails, look first in: joints/joint_solve.c (reactions), direct/rattle.c (periods),
+ * joints/joint_revolute.c and joint_distance.c (limits, motors).
  */
 #include "joints.h"
 
@@ -55,7 +55,7 @@ static double pendulum_time(cn_world *world, cn_body bob, int32_t swings, double
 }
 
 /*
- * Bodies that only joints hold move along their constraints (stages/joint_swing.c), so a wide swing keeps its energy and
+ * Bodies that only joints hold move along their constraints (direct/rattle.c), so a wide swing keeps its energy and
  * its period: what is left is of second order in h.
  */
 static void pendulum_run(double amplitude, int32_t rod, double period_bound)
@@ -128,7 +128,7 @@ static void anchors_stay_together_60_s(void)
 
 /* ---- revolute limits ---- */
 
-/* A bar hinged at its end to the world, limits on both sides, struck against each at speed and held there by load. */
+/* A bar hinged at its end to the world, limits on both sides, jumped against each at speed and held there by load. */
 static void limit_run(double torque, double lower_deg, double upper_deg, double reference_deg, float spin)
 {
 	cn_world *world = fixture_world(-10.0f, 0);

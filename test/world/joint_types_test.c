@@ -2,8 +2,8 @@
  * test/world/joint_types_test.c - every joint type but revolute, distance (joint_test.c) and fixed (joint_force_test.c)
  * against closed forms.
  *
- * If a test here fails, look first in: model/joint_<type>.c (its rows), model/joint_turns.c (gear, ratchet,
- * rotary spring), stages/joint_solve.c.
+ * If a test here fails, look first in: model/joint_<type>.c (its rows), joints/joint_turns.c (gear, ratchet,
+ * rotary spring), joints/joint_solve.c.
  */
 #include "joints.h"
 
@@ -393,7 +393,7 @@ static void gear_ratio_is_exact(void)
 		gear_run(ratios[k], k == 1 ? 0.7f : 0.0f, &error, &worst, &steady);
 		CHECK_LE("relative error of the ratio after 60 s", error, ROUNDING / 100.0, "");
 		CHECK_LE("error of the angle under a load of 1 Nm", steady, 2.0 * ROUNDING, "rad");
-		CHECK_LE("worst error of the angle in 60 s, shocks included", worst, 2.0 * ROUNDING, "rad");
+		CHECK_LE("worst error of the angle in 60 s, jumps included", worst, 2.0 * ROUNDING, "rad");
 	}
 }
 

@@ -1,7 +1,7 @@
 /*
  * test/world/material_test.c - materials against closed forms: mixing, rolling resistance, conveyors.
  *
- * If a test here fails, look first in: model/material.c (rules, callback), stages/contact_kernel.h (rolling,
+ * If a test here fails, look first in: model/material.c (rules, callback), contacts/contact_kernel.h (rolling,
  * conveyors, friction), model/contact.c (extra rows of contacts that rest or sleep).
  */
 #include "fixture.h"

@@ -3,11 +3,11 @@
  * budgets. Fixed blocks are in memory_block_test.c.
  *
  * If a test here fails, look first in: the function that the message names (what it reserves before it changes anything),
- * stages/pairs.c and stages/narrowphase.c (steps), model/event.c (bookends), base/blocks.c and base/table.c (growth).
+ * narrowphase/pairs.c and narrowphase/narrowphase.c (steps), model/event.c (bookends), base/blocks.c and base/table.c (growth).
  */
 #include "memory_session.h"
 
-#include "stages/broadphase_sweep.h"
+#include "broadphase/sweep.h"
 
 /* Slow builds visit fewer numbers. */
 #ifdef TEST_SLOW

@@ -1,8 +1,8 @@
 /*
  * test/world/physics_test.c - motion against closed forms.
  *
- * If a test here fails, look first in: stages/integrate.c (flight, spin), stages/contact_solve.c (inclines,
- * sliding, stacks), stages/contact_impact.c (drops, clusters), geometry/manifold*.c (stacks, pyramid).
+ * If a test here fails, look first in: step/integrate.c (flight, spin), contacts/contact_solve.c (inclines,
+ * sliding, stacks), contacts/restitution.c (drops, clusters), collision/manifold*.c (stacks, pyramid).
  */
 #include "fixture.h"
 
@@ -135,7 +135,7 @@ static void static_and_dynamic_friction_differ(void)
 
 /* ---- restitution ---- */
 
-/* Contacts that bear already bounce too, when they are struck by more than they bear: a ball and a box that lie on the
+/* Contacts that bear already bounce too, when they are jumped by more than they bear: a ball and a box that lie on the
    floor, and a ball with two more on top, of which the uppermost takes the blow: (1 + e)/2 of the speed goes from each to the next. */
 static void what_lies_bounces_when_struck(void)
 {
@@ -156,7 +156,7 @@ static void what_lies_bounces_when_struck(void)
 		fixture_set_velocity(world, box, 0.0f, speeds[i], 0.0f);
 		fixture_set_velocity(world, loaded, 0.0f, speeds[i], 0.0f);
 		fixture_step(world, 1);
-		printf("  struck at %.1f m/s\n", speed);
+		printf("  jumped at %.1f m/s\n", speed);
 		CHECK_LE("error of the ball's speed", fabs((double)fixture_velocity(world, ball).linear_mps.y - 0.8 * speed), 2.0 * GRAVITY * (double)FRAME_S, "m/s");
 		CHECK_LE("error of the box's speed", fabs((double)fixture_velocity(world, box).linear_mps.y - 0.8 * speed), 2.0 * GRAVITY * (double)FRAME_S, "m/s");
 		CHECK_LE("error of the speed of the uppermost of three", fabs((double)fixture_velocity(world, top).linear_mps.y - 0.9 * 0.9 * 0.8 * speed), 2.0 * GRAVITY * (double)FRAME_S, "m/s");

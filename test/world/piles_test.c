@@ -2,8 +2,8 @@
  * test/world/piles_test.c - what a large pile bears is known at once: it does not sag, and it does not fly apart
  * where that cannot be known.
  *
- * If a test here fails, look first in: stages/pile_load.c, then stages/tiers.c (which contacts are new) and the load in
- * stages/contact_kernel.h.
+ * If a test here fails, look first in: contacts/gravity_preload.c, then direct/solver_selection.c (which contacts are new) and the load in
+ * contacts/contact_kernel.h.
  */
 #include "fixture.h"
 

@@ -1,13 +1,13 @@
 /*
- * test/world/plans_test.c - plans of directly solved systems are kept from step to step (stages/sparse_plan.c), and that
+ * test/world/plans_test.c - plans of directly solved systems are kept from step to step (linear/sparse_plan.c), and that
  * changes nothing: the same life in a world that keeps them, in one that forgets them before every step, and in one
  * that gets no memory for them, with the same hash after every step. If it differs, something that a plan depends on
- * is not compared. So it is with nets whose lanes tell that there is nothing to plan (stages/joint_blocks.c).
+ * is not compared. So it is with nets whose lanes tell that there is nothing to plan (joints/joint_blocks.c).
  */
 #include "base/hooks.h"
 #include "joints.h"
 #include "model/world.h"
-#include "stages/joint_work.h"
+#include "joints/joint_constraint.h"
 
 #define STEPS 420
 #define PARTS 9

@@ -7,7 +7,7 @@
 #define CAIRN_TEST_QUERIES_H
 
 #include "fixture.h"
-#include "geometry/sets.h"
+#include "collision/sets.h"
 #include "model/world.h"
 
 #define BODIES 220

@@ -4,8 +4,8 @@
  *
  * A scene is mixed shapes, chains of ground, joints of both types, materials, masses from 1:1 to 1:1000 and a
  * time step that is fixed or changes at random. All of the first thousand seeds hold, with every solver. The test prints
- * the seed of a scene that fails: `random_test seed 17` runs that one alone. If it fails, look first in: geometry/manifold*.c (NaN,
- * escapes), stages/joint_solve.c, joint_direct.c, joint_swing.c, contact_impact.c and contact_direct.c (energy), model/island.c and
+ * the seed of a scene that fails: `random_test seed 17` runs that one alone. If it fails, look first in: collision/manifold*.c (NaN,
+ * escapes), joints/joint_solve.c, direct_joints.c, rattle.c, restitution.c and direct_contacts.c (energy), model/island.c and
  * model/contact*.c (validation).
  */
 #include "fixture.h"

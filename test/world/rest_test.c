@@ -1,12 +1,13 @@
 /*
- * test/world/rest_test.c - islands at rest take one substep (stages/rest.c): that changes nothing that anybody sees.
+ * test/world/rest_test.c - islands at rest take one substep (step/early_rest.c): that changes nothing that anybody sees.
  *
  * What is about to move moves as it should, however gently it is asked to; what stands on something slow is carried; an
  * island of which one body moves is solved as ever. If something sticks or lags, look at the conditions of body_rests.
  */
+#include "step/stages.h"
 #include "heaps.h"
 #include "model/world.h"
-#include "stages/solver.h"
+#include "model/solve.h"
 
 static cn_body box_at(cn_world *world, float x, float y, float friction)
 {

@@ -5,8 +5,8 @@
  * A generator draws the body (kind, size), the tiles (kind, length, one body or many), the angle of the floor, speed and step
  * from a seed.
  *
- * If a test here fails, look first in: geometry/seam.c (what is flush, what is mended), stages/seams.c (when it is found),
- * stages/narrowphase_touch.c, stages/continuous.c.
+ * If a test here fails, look first in: collision/seam.c (what is flush, what is mended), narrowphase/static_seams.c (when it is found),
+ * narrowphase/touch.c, narrowphase/continuous.c.
  */
 #include "fixture.h"
 

@@ -1,7 +1,7 @@
 /*
  * test/world/sensor_test.c - sensors, one-way platforms, and the callbacks that let pairs pass.
  *
- * If a test here fails, look first in: stages/narrowphase.c (sensors, one-way, pre-solve), model/contact.c
+ * If a test here fails, look first in: narrowphase/narrowphase.c (sensors, one-way, pre-solve), model/contact.c
  * (bookends, filter callback), world/shape.c (flags).
  */
 #include "fixture.h"

@@ -1,11 +1,11 @@
 /*
  * test/world/sequential_test.c - the sequential solver: the paper's twelve steps, measured against closed forms.
  *
- * Its weaknesses are documented and kept (stages/sequential.c): where a bound below is called a weakness, it is about
+ * Its weaknesses are documented and kept (step/sequential.c): where a bound below is called a weakness, it is about
  * 1.2 times the value that was measured, so that the baseline of the charts cannot drift unnoticed.
  *
- * If a test here fails, look first in: stages/sequential.c, then world/step.c (order), stages/joint_solve.c (joints
- * and constraints), stages/finalize.c (velocity limit, rest).
+ * If a test here fails, look first in: step/sequential.c, then step/step.c (order), joints/joint_solve.c (joints
+ * and constraints), step/finalize.c (velocity limit, rest).
  */
 #include "joints.h"
 

@@ -2,11 +2,10 @@
  * test/world/shape_test.c - what a shape is: mass, material, filter, attaching, and ground without bumps.
  *
  * If a test here fails, look first in: geometry/mass.c and model/body.c (mass), world/shape.c (changes),
- * geometry/manifold_chain.c and manifold_faces.c (ground), geometry/shape_build.c and hull.c (polygons).
+ * collision/manifold_chain.c and manifold_faces.c (ground), geometry/shape_build.c and hull.c (polygons).
  */
 #include "fixture.h"
 
-#include <time.h>
 
 #define PI 3.14159265358979323846
 
@@ -188,7 +187,7 @@ static void restitution_change_acts_at_once(void)
 	must(cn_shape_set_material(world, fixture_first_shape(world, ball), &bouncy), world, "material");
 	must(cn_shape_get_material(world, fixture_first_shape(world, ball), &read), world, "material");
 	CHECK(read.restitution == 0.9f);
-	must(cn_body_set_velocity(world, ball, 0.0f, -5.0f, 0.0f), world, "velocity"); /* struck down while it rests */
+	must(cn_body_set_velocity(world, ball, 0.0f, -5.0f, 0.0f), world, "velocity"); /* jumped down while it rests */
 	for (k = 0; k < 60; ++k) {
 		fixture_step(world, 1);
 		apex = greater(apex, (double)fixture_pose(world, ball).position_m.y - 0.5);
@@ -564,38 +563,6 @@ static cn_shape tile(cn_world *world, cn_body body, int32_t k)
 	return fixture_box_shape(world, &def, 0.5f, 0.5f);
 }
 
-#define TILES 8000
-
-/* Processor time; every second tile is taken away again. */
-static double level_seconds(int32_t tiles)
-{
-	static cn_shape shapes[TILES];
-	cn_world *world = fixture_world(-10.0f, 0);
-	cn_body level = fixture_body(world, CN_BODY_STATIC, 0.0f, 0.0f, 0.0f);
-	clock_t start = clock();
-	double seconds;
-	int32_t k;
-	for (k = 0; k < tiles; ++k)
-		shapes[k] = tile(world, level, k);
-	for (k = 0; k < tiles; k += 2)
-		must(cn_shape_destroy(world, shapes[k]), world, "cn_shape_destroy");
-	seconds = (double)(clock() - start) / (double)CLOCKS_PER_SEC;
-	cn_world_destroy(world);
-	return seconds;
-}
-
-/* Least times, of rounds in turn: others may use the machine, too. */
-static void levels_of_tiles_take_their_time_once(void)
-{
-	double few = HUGE_VAL, many = HUGE_VAL;
-	int32_t round;
-	for (round = 0; round < 8; ++round) {
-		few = fmin(few, level_seconds(TILES / 8));
-		many = fmin(many, level_seconds(TILES));
-	}
-	CHECK_LE("eight times the tiles, times the time", many / few, 24.0, "");
-}
-
 /* Tiles that came last, beyond all others, hold as the first; others do when some have gone; and they weigh what they should when
    their body becomes dynamic. */
 static void tiles_hold_wherever_they_are(void)
@@ -642,7 +609,6 @@ int main(int argc, char **argv)
 	RUN(rounded_polygons_are_as_large_as_they_say);
 	RUN(hulls_hold_their_points);
 	RUN(shapes_sit_where_their_offset_says);
-	RUN(levels_of_tiles_take_their_time_once);
 	RUN(tiles_hold_wherever_they_are);
 	return test_end();
 }

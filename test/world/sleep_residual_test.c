@@ -1,6 +1,6 @@
 /*
  * test/world/sleep_residual_test.c - nothing falls asleep while an overlap or an open joint is still being corrected, and what cannot be
- * corrected keeps nobody awake. (src/stages/integrate_pass.h: CNI_PUSHED_SPEED)
+ * corrected keeps nobody awake. (src/step/integrate_pass.h: CNI_PUSHED_SPEED)
  */
 #include "joints.h"
 

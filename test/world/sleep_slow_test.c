@@ -2,7 +2,7 @@
  * test/world/sleep_slow_test.c - slow is not at rest: what gathers speed slowly, or is moved slowly by a motor, does not fall asleep.
  *
  * Each case is a family over a few speeds and delays of sleep. If one of them sleeps, look at cni_body_gains in
- * stages/integrate_pass.h and at keep_driven_awake in stages/sleep.c.
+ * step/integrate_pass.h and at keep_driven_awake in step/sleep.c.
  */
 #include "sleep.h"
 

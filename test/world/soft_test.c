@@ -2,7 +2,7 @@
  * test/world/soft_test.c - CN_SOLVER_SOFT, which knows no loads and solves nothing directly: what stands by its own weight stands
  * for a minute, and what tilts lets go.
  *
- * If a test here fails, look first at CNI_NORMAL_LAG in model/world.h, then at stages/contact_follow.h and model/contact_lane.c, which
+ * If a test here fails, look first at CNI_NORMAL_LAG in model/world.h, then at contacts/manifold_reuse_kernel.h and model/contact_lane.c, which
  * keep to it.
  */
 #include "fixture.h"

@@ -1,5 +1,5 @@
 /*
- * test/world/spin_test.c - what nothing holds keeps its angular momentum (stages/spin.c), and nothing else is turned.
+ * test/world/spin_test.c - what nothing holds keeps its angular momentum (step/angular_momentum.c), and nothing else is turned.
  *
  * Momentum is summed in double precision around the centre of mass, from poses and velocities as a game reads them.
  */

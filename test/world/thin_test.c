@@ -4,8 +4,8 @@
  *
  * Shapes are drawn from a generator: kind, thickness, length, place, angle and speed from a seed.
  *
- * If a test here fails, look first in: geometry/manifold_faces.c (touch distances), stages/narrowphase_touch.c (what grazes),
- * stages/continuous.c (cores of shapes), geometry/mass.c.
+ * If a test here fails, look first in: collision/manifold_faces.c (touch distances), narrowphase/touch.c (what grazes),
+ * narrowphase/continuous.c (cores of shapes), geometry/mass.c.
  */
 #include "fixture.h"
 

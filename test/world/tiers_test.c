@@ -3,11 +3,13 @@
  * report says so and why; the work of that stays within the budget; bodies' and joints' own solvers are followed; what
  * cannot be solved directly is not, and nothing breaks; the report is deterministic and changes nothing.
  */
+#include "direct/direct.h"
+#include "contacts/contacts.h"
 #include "heaps.h"
 #include "joints.h"
 #include "model/world.h"
-#include "stages/press.h"
-#include "stages/solver.h"
+#include "direct/direct_contact.h"
+#include "model/solve.h"
 
 #define REPORTS 64
 
@@ -751,6 +753,53 @@ static void t_soft_prevails_in_any_order(void)
 	}
 }
 
+/* ---- what interior points may cost ---- */
+
+/* Planks that fall across each other into a pit. */
+static void planks(cn_world *world, uint32_t random)
+{
+	int32_t k;
+	fixture_floor(world, 0.8f, 0.0f);
+	fixture_box(world, CN_BODY_STATIC, -3.5f, 10.0f, 0.0f, 0.5f, 12.0f, 0.8f, 0.0f);
+	fixture_box(world, CN_BODY_STATIC, 3.5f, 10.0f, 0.0f, 0.5f, 12.0f, 0.8f, 0.0f);
+	for (k = 0; k < 24; ++k) {
+		float half = fixture_random(&random, 0.4f, 1.2f), angle = fixture_random(&random, -0.2f, 0.2f);
+		fixture_box(world, CN_BODY_DYNAMIC, k % 2 == 0 ? -1.5f : 1.5f, 0.6f + 0.25f * (float)(k / 2) * 2.0f, angle, half, 0.03f, 0.8f, 0.0f);
+	}
+}
+
+/* owes: of each island as every step begins; 0: what it does. Returns the most that one spent in the steps. */
+static int32_t most_spent(cn_world *world, int32_t owes)
+{
+	int32_t most = 0, step, k;
+	for (step = 0; step < 180; ++step) {
+		for (k = 0; owes > 0 && k < world->island_used; ++k) {
+			cni_island_at(world, k)->cone_spent = owes;
+			cni_island_at(world, k)->cone_paid_step = world->step_count;
+		}
+		fixture_step(world, 1);
+		for (k = 0; k < world->island_used; ++k)
+			if (cni_island_at(world, k)->first != CNI_NONE)
+				most = cni_max_i(most, cni_island_at(world, k)->cone_spent - owes);
+	}
+	return most;
+}
+
+static void t_an_island_that_owes_too_much_has_no_interior_points(void)
+{
+	int32_t most[2] = { 0, 0 }, k;
+	uint32_t seed;
+	for (k = 0; k < 2; ++k)
+		for (seed = 1; seed <= 4; ++seed) {
+			cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, 0);
+			planks(world, seed * 2654435761u);
+			most[k] = cni_max_i(most[k], most_spent(world, k * (CNI_CONE_DEBT + 1)));
+			cn_world_destroy(world);
+		}
+	CHECK_GE("most that an island spent a contact", most[0], 500, "blocks");
+	CHECK_LE("... that owes too much", most[1], 0, "blocks");
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -778,5 +827,6 @@ int main(int argc, char **argv)
 	RUN(t_what_falls_forgets_its_loads);
 	RUN(t_small_bodies_are_crushed_sooner);
 	RUN(t_soft_prevails_in_any_order);
+	RUN(t_an_island_that_owes_too_much_has_no_interior_points);
 	return test_end();
 }

@@ -1,7 +1,7 @@
 /*
  * test/world/tree_api_test.c - cn_tree_*: a tree of boxes for the game's own use.
  *
- * If a test here fails, look in world/tree.c (handles, errors, margins), then at geometry/tree_test.c.
+ * If a test here fails, look in world/tree.c (handles, errors, margins), then at broadphase/tree_test.c.
  */
 #include "cairn.h"
 #include "test.h"

@@ -1,7 +1,7 @@
 /*
  * test/world/uneven_step_test.c - what stands goes on standing when no step is as long as the last, and falls asleep.
  *
- * Look at stages/solve_make.c: impulses are scaled by the ratio of the steps, and softness is tied to the mean step.
+ * Look at step/solve_make.c: impulses are scaled by the ratio of the steps, and softness is tied to the mean step.
  */
 #include "fixture.h"
 

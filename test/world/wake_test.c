@@ -1,8 +1,8 @@
 /*
  * test/world/wake_test.c - what wakes sleepers and what does not, and sleep by call.
  *
- * If a test here fails, look first in: model/sleep.c (moving between awake and asleep), the function that was to wake,
- * world/body_state.c (cn_body_set_awake), stages/narrowphase.c (what moves into sleepers).
+ * If a test here fails, look first in: model/island_sleep.c (moving between awake and asleep), the function that was to wake,
+ * world/body_state.c (cn_body_set_awake), narrowphase/narrowphase.c (what moves into sleepers).
  */
 #include "sleep.h"
 

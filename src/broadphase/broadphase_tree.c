@@ -1,0 +1,229 @@
+/*
+ * broadphase/broadphase_tree.c - the tree broadphase behind broadphase/broadphase.h: one dynamic tree (broadphase/tree.h)
+ * of the proxies' fat boxes.
+ *
+ * Stage 2 of the step. Reads proxies; writes their fat and old boxes and flags, and its tree. Invariants:
+ * what hangs in the tree is the proxy's fat box; a proxy that is not moved has old = fat and no MOVED
+ * mark in the tree.
+ *
+ * Static and dynamic proxies share the tree: its marks keep what did not move out of the search for pairs,
+ * which is all that a tree of their own would save. All room is taken by reserve, so that no proxy ever
+ * waits for memory.
+ */
+#include "broadphase/tree.h"
+#include "broadphase/pair_list.h"
+
+#include <string.h>
+
+typedef struct tree_broadphase {
+	cni_broadphase_context context;
+	cni_tree tree;
+} tree_broadphase;
+
+static inline tree_broadphase *tree_of(cni_broadphase *broadphase) { return (tree_broadphase *)(void *)broadphase; }
+static inline const tree_broadphase *const_tree_of(const cni_broadphase *broadphase) { return (const tree_broadphase *)(const void *)broadphase; }
+static inline cni_proxy *proxy_at(const tree_broadphase *b, int32_t id) { return (cni_proxy *)cni_table_at(b->context.proxies, id); }
+
+/* ---- life ---- */
+
+/* The proxy table grows by pages: what is reserved for a number of proxies is so for whole pages. */
+static int32_t whole_pages(int32_t proxies) { return proxies < INT32_MAX - 63 ? (proxies + 63) & ~63 : proxies; }
+
+static int32_t tree_reserve(cni_broadphase *broadphase, int32_t extra)
+{
+	tree_broadphase *b = tree_of(broadphase);
+	int32_t ids = cni_max_i(cni_table_capacity(b->context.proxies), b->tree.count + extra);
+	return cni_tree_reserve(&b->tree, b->context.memory, ids, 0);
+}
+
+static void tree_destroy(cni_broadphase *broadphase)
+{
+	tree_broadphase *b = tree_of(broadphase);
+	cni_memory *memory = b->context.memory;
+	cni_tree_deinit(&b->tree, memory);
+	cni_memory_free(memory, b, sizeof *b);
+}
+
+static cni_broadphase *tree_create(const cni_broadphase_context *context, int32_t capacity)
+{
+	tree_broadphase *b = (tree_broadphase *)cni_memory_alloc(context->memory, sizeof *b);
+	if (b == NULL)
+		return NULL;
+	b->context = *context;
+	cni_tree_init(&b->tree);
+	if (!cni_tree_reserve(&b->tree, context->memory, whole_pages(capacity), 1)) {
+		tree_destroy((cni_broadphase *)(void *)b);
+		return NULL;
+	}
+	return (cni_broadphase *)(void *)b;
+}
+
+/* ---- proxies ---- */
+
+static void mark_moved(tree_broadphase *b, int32_t id)
+{
+	proxy_at(b, id)->flags |= CNI_PROXY_MOVED;
+	cni_tree_mark_moved(&b->tree, id);
+}
+
+static void tree_add(cni_broadphase *broadphase, int32_t id)
+{
+	tree_broadphase *b = tree_of(broadphase);
+	cni_proxy *proxy = proxy_at(b, id);
+	proxy->cell = CNI_NONE;
+	proxy->old = cni_no_box();
+	cni_tree_insert(&b->tree, id, &proxy->fat);
+	mark_moved(b, id);
+}
+
+static void tree_remove(cni_broadphase *broadphase, int32_t id)
+{
+	tree_broadphase *b = tree_of(broadphase);
+	cni_tree_remove(&b->tree, id);
+	proxy_at(b, id)->flags &= ~(uint32_t)CNI_PROXY_MOVED;
+}
+
+static void tree_move(cni_broadphase *broadphase, int32_t id)
+{
+	tree_broadphase *b = tree_of(broadphase);
+	cni_tree_set_box(&b->tree, id, &proxy_at(b, id)->fat);
+	cni_tree_mark_moved(&b->tree, id);
+}
+
+static void tree_touch(cni_broadphase *broadphase, int32_t id)
+{
+	tree_broadphase *b = tree_of(broadphase);
+	mark_moved(b, id);
+	proxy_at(b, id)->old = cni_no_box();
+}
+
+/* ---- update ---- */
+
+static void tree_settle(cni_broadphase *broadphase)
+{
+	tree_broadphase *b = tree_of(broadphase);
+	void *scratch = NULL;
+	int32_t wants_scratch = cni_tree_wants_scratch(&b->tree);
+	if (b->tree.stale == 0 && !wants_scratch)
+		return;
+	if (wants_scratch)
+		scratch = cni_arena_push(b->context.arena, cni_tree_scratch_bytes(&b->tree));
+	cni_tree_settle(&b->tree, scratch);
+	(void)cni_arena_pop(b->context.arena, scratch);
+}
+
+typedef struct pair_pass {
+	const tree_broadphase *broadphase;
+	cni_pair_filter_fn *filter;
+	const void *filter_context;
+	cni_broadphase_pairs *out;
+} pair_pass;
+
+static void pair_found(void *context, int32_t id_a, int32_t id_b)
+{
+	const pair_pass *pass = (const pair_pass *)context;
+	cni_proxy *a = proxy_at(pass->broadphase, id_a), *b = proxy_at(pass->broadphase, id_b);
+	if (cni_aabb_overlap(&a->old, &b->old) || (a->flags & b->flags & CNI_PROXY_STATIC) || !pass->filter(pass->filter_context, id_a, id_b))
+		return;
+	cni_pairs_add(pass->out, pass->broadphase->context.memory, id_a, id_b, a->flags & CNI_PROXY_MOVED ? a : b);
+}
+
+/* What is now becomes what was. */
+static void proxy_finish(void *context, int32_t id)
+{
+	cni_proxy *proxy = proxy_at((const tree_broadphase *)context, id);
+	proxy->old = proxy->fat;
+	proxy->flags &= ~(uint32_t)CNI_PROXY_MOVED;
+}
+
+/* Proxies that lost a pair look again; rare enough to search them all. */
+static void look_again(tree_broadphase *b)
+{
+	int32_t id;
+	for (id = 0; id < b->tree.places.count; ++id) {
+		if (cni_tree_place(&b->tree, id) == CNI_NONE || !(proxy_at(b, id)->flags & CNI_PROXY_AGAIN))
+			continue;
+		proxy_at(b, id)->flags &= ~(uint32_t)CNI_PROXY_AGAIN;
+		proxy_at(b, id)->old = cni_no_box();
+		mark_moved(b, id);
+	}
+}
+
+static void tree_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out)
+{
+	tree_broadphase *b = tree_of(broadphase);
+	pair_pass pass;
+	cni_pairs_begin(out);
+	tree_settle(broadphase);
+	pass.broadphase = b;
+	pass.filter = filter;
+	pass.filter_context = filter_context;
+	pass.out = out;
+	cni_tree_pairs(&b->tree, pair_found, &pass);
+	cni_tree_unmark_moved(&b->tree, proxy_finish, b);
+	if (out->pairs_lost > 0)
+		look_again(b);
+	cni_pairs_sort(out, b->context.arena);
+}
+
+/* ---- queries ---- */
+
+static void tree_query(const cni_broadphase *broadphase, const cni_aabb *box, cni_query_fn *visit, void *context)
+{
+	cni_tree_query(&const_tree_of(broadphase)->tree, box, visit, context);
+}
+
+static void tree_ray(const cni_broadphase *broadphase, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context)
+{
+	cni_tree_ray(&const_tree_of(broadphase)->tree, origin, translation, visit, context);
+}
+
+/* ---- figures and checks ---- */
+
+static uint64_t tree_bytes(const cni_broadphase *broadphase)
+{
+	return sizeof(tree_broadphase) + cni_tree_bytes(&const_tree_of(broadphase)->tree);
+}
+
+static int32_t tree_cells(const cni_broadphase *broadphase)
+{
+	int32_t count = const_tree_of(broadphase)->tree.count;
+	return count > 0 ? 2 * count - 1 : 0;
+}
+
+static uint64_t tree_bytes_needed(int32_t capacity)
+{
+	uint64_t proxies = (uint64_t)whole_pages(capacity);
+	return cni_memory_rounded(sizeof(tree_broadphase)) + cni_memory_rounded(proxies * sizeof(cni_tree_node)) +
+	       cni_memory_rounded(proxies * sizeof(int32_t));
+}
+
+static int32_t tree_validate(const cni_broadphase *broadphase)
+{
+	const tree_broadphase *b = const_tree_of(broadphase);
+	int32_t id;
+	for (id = 0; id < b->tree.places.count; ++id) {
+		int32_t place = cni_tree_place(&b->tree, id);
+		const cni_proxy *proxy;
+		int32_t moved;
+		if (place == CNI_NONE)
+			continue;
+		proxy = proxy_at(b, id);
+		moved = (proxy->flags & CNI_PROXY_MOVED) != 0;
+		if ((proxy->fat.x0 <= proxy->fat.x1 && memcmp(cni_tree_box(&b->tree, place), &proxy->fat, sizeof(cni_aabb)) != 0) || (proxy->flags & CNI_PROXY_AGAIN) ||
+		    moved != ((cni_tree_marks(&b->tree, place) & CNI_TREE_MOVED) != 0) ||
+		    (!moved && memcmp(&proxy->old, &proxy->fat, sizeof(cni_aabb)) != 0))
+			return 0;
+	}
+	return cni_tree_validate(&b->tree);
+}
+
+static void tree_snapshot(cni_broadphase *broadphase, cni_snapshot *s)
+{
+	cni_tree_snapshot(&tree_of(broadphase)->tree, s);
+}
+
+const cni_broadphase_ops cni_broadphase_tree = {
+	tree_create, tree_destroy, tree_reserve, tree_add, tree_remove, tree_move, tree_touch, tree_update,
+	tree_settle, tree_query, tree_ray, tree_bytes, tree_cells, tree_validate, tree_bytes_needed, tree_snapshot,
+};

@@ -1,0 +1,310 @@
+/*
+ * broadphase/sweep.h - inside of the tiled sweep-and-prune broadphase, shared by its files:
+ *
+ *   sweep.c         the operations of broadphase/broadphase.h, validation, memory figures
+ *   sweep_tiles.c   levels, the tile table, entries in a tile
+ *   sweep_settle.c  brings tiles up to date with the boxes (migrate, sort) and chooses sizes
+ *   sweep_pairs.c   finds the pairs that began to overlap: which searches there are, alone or among workers
+ *   sweep_search.c  ... one of those (tile with itself, with another, one entry with all); sweep_pass.h
+ *   sweep_lanes.h   ... its inner loop, for each vector width
+ *   sweep_query.c   region and ray queries through the same tiles
+ *   sweep_save.c    all of it into bytes and back
+ *
+ * Boxes are kept by size in levels (S_l = S0 * 4^l: a box goes to the lowest level whose S_l is above
+ * its larger side), and within a level in tiles 8 S_l wide and 2 S_l high by their lower corner:
+ *
+ *        +--------------- 8 S ---------------+ . . .
+ *    2 S |   [a]      [b  ]            [ c ] |  ]  .   an entry is in exactly one tile and reaches
+ *        |       [ d ]                     [ | e ] .   less than S beyond it
+ *        +-----------------------------------+     .
+ *
+ *   a tile's rows (one piece of a pool of their own), sorted by x0, ties by id:
+ *
+ *     x0 [ . . . . . inf inf inf ]     capacity is a multiple of 8 (or 2 or 4); x0 is padded with +inf
+ *     x1 [ . . . . .             ]     up to a multiple of 8, so that wide loops need no tail
+ *     y0 [ . . . . .             ]
+ *     y1 [ . . . . .             ]
+ *     id [ . . . . .             ]
+ *
+ * The boxes of the last update are not kept in tiles: an unmoved proxy's equal its present one, and
+ * for tiles in which many moved update gathers them into scratch rows that die with it. That saves 16
+ * bytes a proxy and the copying back.
+ *
+ * Two sets of proxies, each a bitset by id: `moved` (since the last update: these may have new pairs)
+ * and `loose` (since the last settle: the entry in the tile is missing or out of date). Queries skip
+ * loose entries in tiles and test the loose ones singly. A proxy for which there is no memory just stays
+ * loose and is tried again at every settle: that is the slow list of broadphase/broadphase.h.
+ *
+ * Method: sweep and prune after Baraff (1992) and Cohen et al. (I-COLLIDE, 1995), per cell of a
+ * hierarchical grid (Mirtich 1996) rather than over the whole world, so that no list is long.
+ */
+#ifndef CNI_BROADPHASE_SWEEP_H
+#define CNI_BROADPHASE_SWEEP_H
+
+#include "base/bitset.h"
+#include "broadphase/pair_list.h"
+
+#define CNI_SWEEP_LEVELS 12     /* the last one is a single list for whatever is larger */
+#define CNI_SWEEP_LANES 8       /* entries tested together */
+#define CNI_SWEEP_FREE 255      /* level of a free tile slot */
+
+typedef struct cni_sweep_tile {
+	int32_t tx, ty;        /* of a free slot: tx is the next free one */
+	uint8_t level;
+	uint8_t dense;         /* the running pass handles it as a whole */
+	uint16_t reserved;
+	cni_ref rows;
+	int32_t count;
+	int32_t capacity;
+	float reach;           /* no entry is wider */
+	cni_aabb bounds;       /* contains every entry; tight after a rebuild */
+	int32_t slack;         /* changes since bounds were tight */
+	int32_t touched;       /* proxies in the running pass that change here, else 0 */
+	int32_t previous;      /* dense in update: first float of its scratch rows, CNI_NONE if all entries are new */
+} cni_sweep_tile;
+
+typedef struct cni_sweep_rows {
+	float *x0, *x1, *y0, *y1;
+	int32_t *id;
+} cni_sweep_rows;
+
+typedef struct cni_sweep_level {
+	float size;                     /* S: boxes are smaller */
+	float per_width, per_height;    /* 1 / (8 S), 1 / (2 S); 0 in the last level */
+	float reach;                    /* no entry has been larger since S was set: about S at most, but for the last level */
+	int32_t tiles;
+	int32_t entries;
+	int32_t tx0, tx1, ty0, ty1;     /* tiles lie within, while there are any */
+} cni_sweep_level;
+
+typedef struct cni_sweep {
+	cni_broadphase_context context;
+	cni_array tiles;       /* cni_sweep_tile */
+	int32_t tile_free;     /* first free slot or CNI_NONE */
+	int32_t tile_count;
+	int32_t *slots;        /* open addressing, (level, tx, ty) -> tile + 1; 0 is empty */
+	int32_t slot_capacity; /* 0 or a power of two */
+	int32_t id_end;        /* ids in use are below */
+	cni_array moved;       /* uint64_t, a bit an id */
+	cni_array loose;       /* uint64_t, a bit an id */
+	int32_t count;         /* proxies */
+	int32_t moved_count;
+	int32_t loose_count;
+	uint32_t level_mask;   /* levels that have tiles */
+	cni_sweep_level levels[CNI_SWEEP_LEVELS];
+	cni_blocks rows;       /* pieces of all tiles: a pool of their own, emptied when sizes change */
+	uint64_t rows_bytes;   /* ... taken from it */
+
+	int32_t exponent;      /* S0 = 2^exponent */
+	int32_t boost;         /* powers of two in S0 beyond the size of the boxes, for tiles well filled */
+	int32_t tuned_count;   /* proxies when sizes were last chosen, 0 for never */
+	int32_t adds;          /* since then */
+	int32_t settles;       /* since then */
+	int32_t patience;      /* settles to wait before badly filled tiles change S0 */
+} cni_sweep;
+
+/* Cells of a level that a search visits. */
+typedef struct cni_sweep_cells {
+	int32_t tx0, tx1, ty0, ty1;
+} cni_sweep_cells;
+
+/* Walks over all tiles whose entries may overlap a box, by level, row and column. */
+typedef struct cni_sweep_cursor {
+	cni_aabb box;
+	cni_sweep_cells cells;
+	int32_t level;
+	int32_t tx, ty;
+	int32_t slot;          /* >= 0: goes through all tile slots, because there are more cells than tiles */
+} cni_sweep_cursor;
+
+/* Set bits in order; bits may be cleared behind it. */
+typedef struct cni_sweep_walk {
+	const uint64_t *words;
+	uint64_t rest;
+	int32_t word, end;
+} cni_sweep_walk;
+
+static inline cni_proxy *cni_sweep_proxy(const cni_sweep *sweep, int32_t id)
+{
+	return (cni_proxy *)cni_table_at(sweep->context.proxies, id);
+}
+
+static inline cni_sweep_tile *cni_sweep_tile_at(const cni_sweep *sweep, int32_t tile)
+{
+	return (cni_sweep_tile *)sweep->tiles.data + tile;
+}
+
+static inline uint64_t *cni_sweep_moved(const cni_sweep *sweep) { return (uint64_t *)sweep->moved.data; }
+static inline uint64_t *cni_sweep_loose(const cni_sweep *sweep) { return (uint64_t *)sweep->loose.data; }
+
+static inline cni_team *cni_sweep_team(const cni_sweep *sweep) { return sweep->context.team == NULL ? NULL : *sweep->context.team; }
+
+/* Of things that take so many entries, one after the other, the first that begins at or behind an entry. */
+static inline int32_t cni_sweep_first_at(const int32_t *begins, int32_t count, int32_t entry)
+{
+	int32_t low = 0;
+	while (low < count) {
+		int32_t middle = (low + count) / 2;
+		if (begins[middle] < entry)
+			low = middle + 1;
+		else
+			count = middle;
+	}
+	return low;
+}
+
+static inline cni_sweep_rows cni_sweep_rows_of(const cni_sweep *sweep, const cni_sweep_tile *tile)
+{
+	cni_sweep_rows rows;
+	rows.x0 = (float *)cni_blocks_at(&sweep->rows, tile->rows);
+	rows.x1 = rows.x0 + tile->capacity;
+	rows.y0 = rows.x1 + tile->capacity;
+	rows.y1 = rows.y0 + tile->capacity;
+	rows.id = (int32_t *)(rows.y1 + tile->capacity);
+	return rows;
+}
+
+static inline cni_sweep_walk cni_sweep_walk_bits(const cni_sweep *sweep, const cni_array *bits)
+{
+	cni_sweep_walk walk;
+	walk.words = (const uint64_t *)bits->data;
+	walk.rest = 0;
+	walk.word = -1;
+	walk.end = cni_bit_words(sweep->id_end);
+	return walk;
+}
+
+/* The next id, or CNI_NONE. */
+static inline int32_t cni_sweep_walk_next(cni_sweep_walk *walk)
+{
+	int32_t bit;
+	while (walk->rest == 0) {
+		if (++walk->word >= walk->end)
+			return CNI_NONE;
+		walk->rest = walk->words[walk->word];
+	}
+	bit = cni_bit_lowest64(walk->rest);
+	walk->rest &= walk->rest - 1;
+	return walk->word * 64 + bit;
+}
+
+/* An old box as the overlap tests want it. */
+static inline cni_aabb cni_sweep_old(const cni_proxy *proxy)
+{
+	return proxy->old.x0 <= proxy->old.x1 ? proxy->old : cni_no_box();
+}
+
+/* Floor, limited so that cells further out than 2^30 are one; NaN goes to one end. */
+static inline int32_t cni_sweep_floor(float x)
+{
+	float limited = x > -1073741824.0f ? (x < 1073741824.0f ? x : 1073741824.0f) : -1073741824.0f;
+	int32_t whole = (int32_t)limited;
+	return whole - ((float)whole > limited);
+}
+
+/* The cell that a lower corner belongs to. Monotone in x and y. */
+static inline int32_t cni_sweep_cell_x(const cni_sweep_level *level, float x) { return cni_sweep_floor(x * level->per_width); }
+static inline int32_t cni_sweep_cell_y(const cni_sweep_level *level, float y) { return cni_sweep_floor(y * level->per_height); }
+
+static inline float cni_sweep_extent(const cni_aabb *box) { return cni_max(box->x1 - box->x0, box->y1 - box->y0); }
+
+/* ---- tiles ---- */
+
+/* Sets S0 = 2^exponent; there must be no tiles. */
+void cni_sweep_set_levels(cni_sweep *sweep, int32_t exponent);
+/* The level for a box of this extent; one that is at level now only falls when it is much smaller. */
+int32_t cni_sweep_level_for(const cni_sweep *sweep, float extent, int32_t now);
+/* Cells whose entries may overlap the box; 0 when there are none. */
+int32_t cni_sweep_cells_of(const cni_sweep_level *level, const cni_aabb *box, cni_sweep_cells *out);
+/* Tile of a cell, or CNI_NONE. */
+int32_t cni_sweep_tile_find(const cni_sweep *sweep, int32_t level, int32_t tx, int32_t ty);
+/* Same, made if need be; CNI_NONE when there is no memory. Moves the tile array. */
+int32_t cni_sweep_tile_make(cni_sweep *sweep, int32_t level, int32_t tx, int32_t ty);
+void cni_sweep_tile_destroy(cni_sweep *sweep, int32_t tile);
+/* Room in the table that finds tiles; 0 when there is no memory. */
+int32_t cni_sweep_slots_reserve(cni_sweep *sweep, int32_t count);
+/* Makes that table anew from the tiles. */
+void cni_sweep_slots_fill(cni_sweep *sweep);
+/* Room for count entries; 0 when there is no memory. */
+int32_t cni_sweep_tile_reserve(cni_sweep *sweep, cni_sweep_tile *tile, int32_t count);
+/* Gives back room that a tile has grown out of. */
+void cni_sweep_tile_shrink(cni_sweep *sweep, cni_sweep_tile *tile);
+/* Recomputes bounds and reach. Returns the largest extent of its entries, which the level must cover. */
+float cni_sweep_tile_measure(const cni_sweep *sweep, cni_sweep_tile *tile);
+void cni_sweep_level_cover(cni_sweep *sweep, int32_t level, float extent);
+void cni_sweep_tile_pad(const cni_sweep *sweep, cni_sweep_tile *tile);
+/* First entry at or behind (x0, id). */
+int32_t cni_sweep_entry_bound(const cni_sweep_rows *rows, int32_t count, float x0, int32_t id);
+/* First entry that begins at x0 or behind. By halves without branches, which would be predicted wrong half of the time. */
+static inline int32_t cni_sweep_entry_from(const float *x0s, int32_t count, float x0)
+{
+	int32_t low = 0, left = count;
+	while (left > 0) {
+		int32_t half = (left + 1) / 2;
+		low += half & -(x0s[low + half - 1] < x0);
+		left -= half;
+	}
+	return low;
+}
+/* Where a tile keeps a proxy; the proxy must be there. */
+int32_t cni_sweep_entry_find(const cni_sweep *sweep, const cni_sweep_tile *tile, int32_t id);
+/* Sorted in; 0 when there is no memory. */
+int32_t cni_sweep_entry_insert(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id, const cni_aabb *box);
+/* Behind the last, unsorted and without padding, for a rebuild that follows; 0 when there is no memory. */
+int32_t cni_sweep_entry_append(cni_sweep *sweep, cni_sweep_tile *tile, int32_t id);
+void cni_sweep_entry_remove(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry);
+/* Gives an entry another box, which shifts it to its place. */
+void cni_sweep_entry_shift(cni_sweep *sweep, cni_sweep_tile *tile, int32_t entry, const cni_aabb *box);
+
+void cni_sweep_cursor_start(const cni_sweep *sweep, cni_sweep_cursor *cursor, const cni_aabb *box);
+/* The next tile whose bounds overlap the box, or CNI_NONE. */
+int32_t cni_sweep_cursor_next(const cni_sweep *sweep, cni_sweep_cursor *cursor);
+
+/* ---- settle ---- */
+
+/* Tiles agree with the boxes afterwards, but for proxies that stay loose for want of memory. team: who share it, or NULL. */
+void cni_sweep_settle(cni_sweep *sweep, cni_team *team);
+
+/* ---- pairs ---- */
+
+/* Appends the new pairs in no particular order; see broadphase/broadphase.h. Nothing may be loose but
+   for want of memory. Pairs that found no room flag one of their moved proxies CNI_PROXY_AGAIN. */
+void cni_sweep_find_pairs(cni_sweep *sweep, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out);
+
+/* Rows of a tile with the boxes of the last update. */
+typedef struct cni_sweep_view {
+	const float *x0, *x1, *y0, *y1;
+	const float *px0, *px1, *py0, *py1;
+	const int32_t *id;
+	int32_t count;
+	int32_t wide;      /* rows are padded to whole groups of lanes */
+	float reach;
+	int32_t skip_moved;/* its moved entries find their pairs themselves */
+} cni_sweep_view;
+
+/* The box that is tested against a tile's entries. */
+typedef struct cni_sweep_probe {
+	cni_aabb now;
+	cni_aabb old;
+	int32_t id;
+	int32_t skip_moved;
+} cni_sweep_probe;
+
+/*
+ * The first group of CNI_SWEEP_LANES entries from *k on with some that overlap the probe now and did not before: those,
+ * as bits, and where it is in *k; 0: there are none until entries begin beyond the probe. wanted: bits of the first group.
+ */
+typedef uint32_t cni_sweep_find_new_fn(const cni_sweep_probe *q, const cni_sweep_view *v, int32_t *k, uint32_t wanted);
+cni_sweep_find_new_fn cni_sweep_find_new;   /* vectors of four, or one by one */
+cni_sweep_find_new_fn cni_sweep_find_new_8; /* AVX2, chosen at run time */
+
+/* ---- queries ---- */
+
+void cni_sweep_query(const cni_sweep *sweep, const cni_aabb *box, cni_query_fn *visit, void *context);
+void cni_sweep_ray(const cni_sweep *sweep, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context);
+
+/* ---- bytes ---- */
+
+void cni_sweep_snapshot(cni_broadphase *broadphase, cni_snapshot *s);
+
+#endif

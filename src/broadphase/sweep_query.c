@@ -1,0 +1,291 @@
+/*
+ * broadphase/sweep_query.c - region and ray queries through the tiles of the sweep.
+ *
+ * Reads only. Everything that the sweep holds is found, whether it is settled or not: entries that are
+ * out of date are skipped in their tiles and tested singly, by id, at the end.
+ *
+ * A ray visits the coarse levels first (their few large boxes shorten it early), then in each level
+ * row after row of tiles and in each row tile after tile, in the direction of the ray, and skips what
+ * lies beyond the fraction that the visitor has settled for: grid traversal after Amanatides and Woo
+ * (1987), by rows instead of cells because tiles overlap their neighbours.
+ */
+#include "base/cpu.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#else
+#define CNI_WIDTH 1
+#endif
+#include "broadphase/sweep_lanes.h"
+
+/* ---- regions ---- */
+
+static int32_t is_loose(const cni_sweep *sweep, int32_t id)
+{
+	return sweep->loose_count > 0 && cni_bit_get(cni_sweep_loose(sweep), id);
+}
+
+typedef struct region {
+	const cni_sweep *sweep;
+	cni_aabb box;
+	cni_query_fn *visit;
+	void *context;
+} region;
+
+/* Entries of the group that begins at k which overlap the region, as bits. */
+static uint32_t group_overlaps(const region *r, const cni_sweep_rows *rows, int32_t k)
+{
+	uint32_t bits = 0;
+	int32_t l;
+	for (l = 0; l < CNI_SWEEP_LANES; l += CNI_WIDTH)
+		bits |= cni_mask_bits(lanes_overlap(rows->x0 + k + l, rows->x1 + k + l, rows->y0 + k + l, rows->y1 + k + l, &r->box)) << l;
+	return bits;
+}
+
+/* 0 when the visitor has had enough. */
+static int32_t query_entry(const region *r, int32_t id)
+{
+	return is_loose(r->sweep, id) || r->visit(r->context, id, 1.0f) != 0.0f;
+}
+
+/* A tile whose rows are padded to whole groups. */
+static int32_t query_groups(const region *r, const cni_sweep_tile *tile, const cni_sweep_rows *rows, int32_t from)
+{
+	int32_t k = from & ~(CNI_SWEEP_LANES - 1);
+	uint32_t bits, wanted = ~0u << (from - k);
+	for (; k < tile->count && rows->x0[k] <= r->box.x1; k += CNI_SWEEP_LANES) {
+		for (bits = group_overlaps(r, rows, k) & wanted; bits != 0; bits &= bits - 1) {
+			int32_t i = k + cni_bit_lowest32(bits);
+			if (i < tile->count && !query_entry(r, rows->id[i]))
+				return 0;
+		}
+		wanted = ~0u;
+	}
+	return 1;
+}
+
+static int32_t query_tile(const region *r, const cni_sweep_tile *tile)
+{
+	cni_sweep_rows rows = cni_sweep_rows_of(r->sweep, tile);
+	const cni_aabb *box = &r->box;
+	int32_t k = cni_sweep_entry_from(rows.x0, tile->count, box->x0 - tile->reach);
+	if (tile->capacity >= CNI_SWEEP_LANES)
+		return query_groups(r, tile, &rows, k);
+	for (; k < tile->count && rows.x0[k] <= box->x1; ++k)
+		if ((rows.x1[k] >= box->x0) & (rows.y0[k] <= box->y1) & (rows.y1[k] >= box->y0) && !query_entry(r, rows.id[k]))
+			return 0;
+	return 1;
+}
+
+static void query_loose(const region *r)
+{
+	cni_sweep_walk walk = cni_sweep_walk_bits(r->sweep, &r->sweep->loose);
+	int32_t id;
+	if (r->sweep->loose_count == 0)
+		return;
+	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE)
+		if (cni_aabb_overlap(&cni_sweep_proxy(r->sweep, id)->fat, &r->box) && r->visit(r->context, id, 1.0f) == 0.0f)
+			return;
+}
+
+void cni_sweep_query(const cni_sweep *sweep, const cni_aabb *box, cni_query_fn *visit, void *context)
+{
+	cni_sweep_cursor cursor;
+	int32_t tile;
+	region r;
+	r.sweep = sweep;
+	r.box = *box;
+	r.visit = visit;
+	r.context = context;
+	cni_sweep_cursor_start(sweep, &cursor, box);
+	while ((tile = cni_sweep_cursor_next(sweep, &cursor)) != CNI_NONE)
+		if (!query_tile(&r, cni_sweep_tile_at(sweep, tile)))
+			return;
+	query_loose(&r);
+}
+
+/* ---- rays ---- */
+
+typedef struct ray_pass {
+	const cni_sweep *sweep;
+	cni_vec2 o, d;     /* the ray is o + t d */
+	float limit;       /* for t in [0, limit] */
+	cni_aabb box;      /* of what is left of it */
+	cni_query_fn *visit;
+	void *context;
+} ray_pass;
+
+static void ray_limit(ray_pass *ray, float limit)
+{
+	cni_vec2 end = cni_madd(ray->o, limit, ray->d);
+	ray->limit = limit;
+	ray->box.x0 = cni_min(ray->o.x, end.x);
+	ray->box.x1 = cni_max(ray->o.x, end.x);
+	ray->box.y0 = cni_min(ray->o.y, end.y);
+	ray->box.y1 = cni_max(ray->o.y, end.y);
+}
+
+/* Separating axes: x, y and the normal of d. With n the normal and c a corner seen from o, n.c =
+   d.x c.y - d.y c.x is least and greatest at corners that only the signs of d choose. Rounding errs
+   towards a hit. */
+static inline int32_t line_crosses(float dx, float dy, float least_x, float least_y, float most_x, float most_y)
+{
+	float a = dx * least_y, b = dy * least_x, c = dx * most_y, d = dy * most_x;
+	float error = 1e-6f * (cni_abs(a) + cni_abs(b) + cni_abs(c) + cni_abs(d));
+	return (a - b <= error) & (c - d >= -error);
+}
+
+static int32_t ray_crosses(const ray_pass *ray, const cni_aabb *b)
+{
+	float y0 = b->y0 - ray->o.y, y1 = b->y1 - ray->o.y;
+	float x0 = b->x0 - ray->o.x, x1 = b->x1 - ray->o.x;
+	int32_t right = ray->d.x >= 0.0f, up = ray->d.y >= 0.0f;
+	return cni_aabb_overlap(&ray->box, b) &&
+	       line_crosses(ray->d.x, ray->d.y, up ? x1 : x0, right ? y0 : y1, up ? x0 : x1, right ? y1 : y0);
+}
+
+/* Visits a proxy that the ray crosses; 0 when the ray is over. */
+static int32_t ray_visit(ray_pass *ray, int32_t id)
+{
+	float limit = ray->visit(ray->context, id, ray->limit);
+	if (limit < ray->limit)
+		ray_limit(ray, limit);
+	return limit > 0.0f;
+}
+
+/* A tile's rows, and among them those of the corners least and greatest along the normal. */
+typedef struct ray_lanes {
+	const float *x0, *x1, *y0, *y1;
+	const float *least_x, *least_y, *most_x, *most_y;
+} ray_lanes;
+
+static ray_lanes ray_lanes_of(const ray_pass *ray, const cni_sweep_rows *rows)
+{
+	int32_t right = ray->d.x >= 0.0f, up = ray->d.y >= 0.0f;
+	ray_lanes lanes;
+	lanes.x0 = rows->x0;
+	lanes.x1 = rows->x1;
+	lanes.y0 = rows->y0;
+	lanes.y1 = rows->y1;
+	lanes.least_x = up ? rows->x1 : rows->x0;
+	lanes.most_x = up ? rows->x0 : rows->x1;
+	lanes.least_y = right ? rows->y0 : rows->y1;
+	lanes.most_y = right ? rows->y1 : rows->y0;
+	return lanes;
+}
+
+static inline int32_t ray_crosses_entry(const ray_pass *ray, const ray_lanes *lanes, int32_t k)
+{
+	if (!((lanes->x1[k] >= ray->box.x0) & (lanes->x0[k] <= ray->box.x1) & (lanes->y0[k] <= ray->box.y1) & (lanes->y1[k] >= ray->box.y0)))
+		return 0;
+	return line_crosses(ray->d.x, ray->d.y, lanes->least_x[k] - ray->o.x, lanes->least_y[k] - ray->o.y, lanes->most_x[k] - ray->o.x,
+	                    lanes->most_y[k] - ray->o.y);
+}
+
+/* The entries that the stretch x0..x1 of the ray may cross, in its direction. */
+static int32_t ray_tile(ray_pass *ray, const cni_sweep_tile *tile, float x0, float x1)
+{
+	cni_sweep_rows rows = cni_sweep_rows_of(ray->sweep, tile);
+	ray_lanes lanes = ray_lanes_of(ray, &rows);
+	int32_t step = ray->d.x < 0.0f ? -1 : 1;
+	float from = x0 - tile->reach;
+	int32_t k = step > 0 ? cni_sweep_entry_from(rows.x0, tile->count, from)
+	                     : cni_sweep_entry_bound(&rows, tile->count, x1, INT32_MAX) - 1;
+	for (; k >= 0 && k < tile->count && rows.x0[k] >= from && rows.x0[k] <= x1; k += step)
+		if (ray_crosses_entry(ray, &lanes, k) && !is_loose(ray->sweep, rows.id[k]) && !ray_visit(ray, rows.id[k]))
+			return 0;
+	return 1;
+}
+
+/* Part of the ray between two heights, a little more for rounding; 0 when there is none. */
+static int32_t ray_stretch(const ray_pass *ray, float y0, float y1, float *x0, float *x1)
+{
+	float t0 = 0.0f, t1 = ray->limit;
+	cni_vec2 o = ray->o, d = ray->d;
+	float error = 4e-7f * (1.0f + (cni_abs(y0) + cni_abs(y1) + cni_abs(o.y)) / cni_abs(d.y));
+	if (error < 1.0f) { /* else the ray is level, or too far away for its height to be known */
+		float s0 = (y0 - o.y) / d.y, s1 = (y1 - o.y) / d.y;
+		t0 = cni_max(t0, cni_min(s0, s1) - error);
+		t1 = cni_min(t1, cni_max(s0, s1) + error);
+		if (t0 > t1)
+			return 0;
+	}
+	error = 4e-7f * (cni_abs(o.x) + cni_abs(d.x));
+	*x0 = cni_min(o.x + t0 * d.x, o.x + t1 * d.x) - error;
+	*x1 = cni_max(o.x + t0 * d.x, o.x + t1 * d.x) + error;
+	return 1;
+}
+
+/* A row of tiles; entries of cells at the limit may be anywhere, so rows there are not cut. */
+static int32_t ray_row(ray_pass *ray, int32_t l, int32_t ty, const cni_sweep_cells *cells)
+{
+	const cni_sweep_level *level = &ray->sweep->levels[l];
+	float height = 2.0f * level->size;
+	float x0 = ray->box.x0, x1 = ray->box.x1;
+	int32_t i, tx0, tx1;
+	if (level->per_height > 0.0f && ty > -1000000000 && ty < 1000000000 &&
+	    !ray_stretch(ray, (float)ty * height, (float)(ty + 1) * height + level->reach, &x0, &x1))
+		return 1;
+	tx0 = cni_max_i(cells->tx0, cni_sweep_cell_x(level, level->per_width > 0.0f ? x0 - level->reach : x0));
+	tx1 = cni_min_i(cells->tx1, cni_sweep_cell_x(level, x1));
+	for (i = 0; i <= tx1 - tx0; ++i) {
+		int32_t tile = cni_sweep_tile_find(ray->sweep, l, ray->d.x < 0.0f ? tx1 - i : tx0 + i, ty);
+		if (tile != CNI_NONE && ray_crosses(ray, &cni_sweep_tile_at(ray->sweep, tile)->bounds) &&
+		    !ray_tile(ray, cni_sweep_tile_at(ray->sweep, tile), x0, x1))
+			return 0;
+	}
+	return 1;
+}
+
+/* Where the ray would look up more cells than there are tiles. */
+static int32_t ray_all_tiles(ray_pass *ray, int32_t l)
+{
+	int32_t i;
+	for (i = 0; i < ray->sweep->tiles.count; ++i) {
+		const cni_sweep_tile *tile = cni_sweep_tile_at(ray->sweep, i);
+		if (tile->level == l && ray_crosses(ray, &tile->bounds) && !ray_tile(ray, tile, ray->box.x0, ray->box.x1))
+			return 0;
+	}
+	return 1;
+}
+
+static int32_t ray_level(ray_pass *ray, int32_t l)
+{
+	cni_sweep_cells cells;
+	int32_t i, rows;
+	if (!(ray->sweep->level_mask >> l & 1u) || !cni_sweep_cells_of(&ray->sweep->levels[l], &ray->box, &cells))
+		return 1;
+	if ((int64_t)cells.tx1 - cells.tx0 + 3 * ((int64_t)cells.ty1 - cells.ty0 + 1) > (int64_t)ray->sweep->tiles.count + 8)
+		return ray_all_tiles(ray, l);
+	rows = cells.ty1 - cells.ty0 + 1;
+	for (i = 0; i < rows; ++i)
+		if (!ray_row(ray, l, ray->d.y < 0.0f ? cells.ty1 - i : cells.ty0 + i, &cells))
+			return 0;
+	return 1;
+}
+
+static void ray_loose(ray_pass *ray)
+{
+	cni_sweep_walk walk = cni_sweep_walk_bits(ray->sweep, &ray->sweep->loose);
+	int32_t id;
+	if (ray->sweep->loose_count == 0)
+		return;
+	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE)
+		if (ray_crosses(ray, &cni_sweep_proxy(ray->sweep, id)->fat) && !ray_visit(ray, id))
+			return;
+}
+
+void cni_sweep_ray(const cni_sweep *sweep, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context)
+{
+	ray_pass ray;
+	int32_t l;
+	ray.sweep = sweep;
+	ray.o = origin;
+	ray.d = translation;
+	ray.visit = visit;
+	ray.context = context;
+	ray_limit(&ray, 1.0f);
+	for (l = CNI_SWEEP_LEVELS - 1; l >= 0; --l)
+		if (!ray_level(&ray, l))
+			return;
+	ray_loose(&ray);
+}

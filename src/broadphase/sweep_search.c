@@ -1,0 +1,292 @@
+/*
+ * broadphase/sweep_search.c - searches for new pairs: in a dense tile, around one moved entry, around loose proxies.
+ *
+ * Reads proxies, settled tiles and the marks and scratch of the pass (sweep_pairs.c, where it says which search
+ * finds which pair); writes nothing but the pass's slots or the pair list. So several workers may search at once, each with
+ * slots of its own; loose proxies are searched by one.
+ *
+ * The inner loop tests CNI_SWEEP_LANES entries at a time: broadphase/sweep_lanes.h.
+ */
+#include "base/cpu.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#else
+#define CNI_WIDTH 1
+#endif
+#define CNI_KERNEL cni_sweep_find_new
+#include "broadphase/sweep_lanes.h"
+#include "broadphase/sweep_pass.h"
+
+cni_sweep_find_new_fn *cni_sweep_find_new_choose(void)
+{
+#if CNI_HAS_WIDE_8
+	if (cni_cpu_has_avx2())
+		return cni_sweep_find_new_8;
+#endif
+	return cni_sweep_find_new;
+}
+
+/* ---- what was found ---- */
+
+void cni_sweep_pair_list(const cni_sweep_pass *pass, int32_t a, int32_t b)
+{
+	cni_pairs_add(pass->out, pass->sweep->context.memory, a, b, cni_sweep_proxy(pass->sweep, cni_sweep_is_moved(pass, a) ? a : b));
+}
+
+/* A pair of boxes that is new. */
+static void pair_found(cni_sweep_pass *pass, int32_t a, int32_t b)
+{
+	const cni_proxy *pa = cni_sweep_proxy(pass->sweep, a), *pb = cni_sweep_proxy(pass->sweep, b);
+	if ((pa->flags & pb->flags & CNI_PROXY_STATIC) || !pass->filter(pass->filter_context, a, b))
+		return;
+	if (pass->slots == NULL) {
+		cni_sweep_pair_list(pass, a, b);
+		return;
+	}
+	if (pass->slot_count < pass->slot_room) {
+		pass->slots[pass->slot_count].a = a;
+		pass->slots[pass->slot_count].b = b;
+	}
+	++pass->slot_count;
+}
+
+static void entry_found(cni_sweep_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *view, int32_t k)
+{
+	int32_t id = view->id[k];
+	if (id == q->id || (view->skip_moved && cni_sweep_is_moved(pass, id)) || (q->skip_moved && cni_sweep_is_moved(pass, q->id)))
+		return;
+	pair_found(pass, q->id, id);
+}
+
+/* ---- the inner loop ---- */
+
+/* Does entry k overlap now and did not before? The entry begins left of the probe's right side. */
+static inline int32_t entry_is_new(const cni_sweep_probe *q, const cni_sweep_view *v, int32_t k)
+{
+	int32_t now = (v->x1[k] >= q->now.x0) & (v->y0[k] <= q->now.y1) & (v->y1[k] >= q->now.y0);
+	int32_t old = (v->px0[k] <= q->old.x1) & (v->px1[k] >= q->old.x0) & (v->py0[k] <= q->old.y1) & (v->py1[k] >= q->old.y0);
+	return now & (old ^ 1);
+}
+
+static void scan_lanes(cni_sweep_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *v, int32_t from)
+{
+	int32_t k = from & ~(CNI_SWEEP_LANES - 1);
+	uint32_t bits, wanted = ~0u << (from - k);
+	for (; (bits = pass->find_new(q, v, &k, wanted)) != 0; k += CNI_SWEEP_LANES) {
+		wanted = ~0u;
+		for (; bits != 0; bits &= bits - 1) {
+			int32_t i = k + cni_bit_lowest32(bits);
+			if (i < v->count)
+				entry_found(pass, q, v, i);
+		}
+	}
+}
+
+/* Tests the entries from an index on, until they begin beyond the probe. */
+static inline void scan(cni_sweep_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *v, int32_t from)
+{
+	int32_t k = from;
+	if (k >= v->count || !(v->x0[k] <= q->now.x1))
+		return;
+	if (v->wide) {
+		scan_lanes(pass, q, v, k);
+		return;
+	}
+	for (; k < v->count && v->x0[k] <= q->now.x1; ++k)
+		if (entry_is_new(q, v, k))
+			entry_found(pass, q, v, k);
+}
+
+/* ---- views and probes ---- */
+
+static cni_sweep_view view_of(const cni_sweep_pass *pass, const cni_sweep_tile *tile)
+{
+	cni_sweep_rows rows = cni_sweep_rows_of(pass->sweep, tile);
+	cni_sweep_view v;
+	v.x0 = v.px0 = rows.x0;
+	v.x1 = v.px1 = rows.x1;
+	v.y0 = v.py0 = rows.y0;
+	v.y1 = v.py1 = rows.y1;
+	v.id = rows.id;
+	v.count = tile->count;
+	v.wide = tile->capacity >= CNI_SWEEP_LANES;
+	v.reach = tile->reach;
+	v.skip_moved = tile->touched > 0 && !tile->dense;
+	if (tile->dense && tile->previous == CNI_NONE) {
+		v.px0 = v.py0 = pass->scratch;
+		v.px1 = v.py1 = pass->scratch + pass->new_entries;
+	} else if (tile->dense) {
+		v.px0 = cni_sweep_old_boxes(pass, tile);
+		v.px1 = v.px0 + tile->capacity;
+		v.py0 = v.px1 + tile->capacity;
+		v.py1 = v.py0 + tile->capacity;
+	}
+	return v;
+}
+
+static inline cni_sweep_probe probe_of(const cni_sweep_view *v, int32_t i)
+{
+	cni_sweep_probe q;
+	q.now.x0 = v->x0[i];
+	q.now.x1 = v->x1[i];
+	q.now.y0 = v->y0[i];
+	q.now.y1 = v->y1[i];
+	q.old.x0 = v->px0[i];
+	q.old.x1 = v->px1[i];
+	q.old.y0 = v->py0[i];
+	q.old.y1 = v->py1[i];
+	q.id = v->id[i];
+	q.skip_moved = v->skip_moved;
+	return q;
+}
+
+/* First entry that may reach x0. */
+static int32_t scan_begin(const cni_sweep_view *v, float x0) { return cni_sweep_entry_from(v->x0, v->count, x0 - v->reach); }
+
+/* ---- dense tiles ---- */
+
+static void sweep_self(cni_sweep_pass *pass, const cni_sweep_view *v)
+{
+	int32_t i;
+	for (i = 0; i + 1 < v->count; ++i) {
+		cni_sweep_probe q;
+		if (v->x0[i + 1] > v->x1[i])
+			continue;
+		q = probe_of(v, i);
+		scan(pass, &q, v, i + 1);
+	}
+}
+
+/* Each entry of one tile against those of the other that begin where they may reach it. */
+static void sweep_two(cni_sweep_pass *pass, const cni_sweep_view *outer, const cni_sweep_view *inner, const cni_aabb *inner_bounds)
+{
+	int32_t i, low = 0;
+	for (i = 0; i < outer->count && outer->x0[i] <= inner_bounds->x1; ++i) {
+		float from = outer->x0[i] - inner->reach;
+		cni_sweep_probe q;
+		if ((outer->x1[i] < inner_bounds->x0) | (outer->y1[i] < inner_bounds->y0) | (outer->y0[i] > inner_bounds->y1))
+			continue;
+		while (low < inner->count && inner->x0[low] < from)
+			++low;
+		if (low == inner->count)
+			return;
+		if (inner->x0[low] > outer->x1[i])
+			continue;
+		q = probe_of(outer, i);
+		scan(pass, &q, inner, low);
+	}
+}
+
+/* Is a dense tile the one to sweep itself with the other? */
+static int32_t owns(const cni_sweep *sweep, int32_t tile, int32_t other)
+{
+	const cni_sweep_tile *a = cni_sweep_tile_at(sweep, tile);
+	const cni_sweep_tile *b = cni_sweep_tile_at(sweep, other);
+	if (!b->dense)
+		return 1;
+	return a->level != b->level ? a->level < b->level : tile < other;
+}
+
+void cni_sweep_search_tile(cni_sweep_pass *pass, int32_t tile)
+{
+	const cni_sweep *sweep = pass->sweep;
+	const cni_sweep_tile *a = cni_sweep_tile_at(sweep, tile);
+	cni_sweep_view view = view_of(pass, a);
+	cni_sweep_cursor cursor;
+	int32_t other;
+	sweep_self(pass, &view);
+	cni_sweep_cursor_start(sweep, &cursor, &a->bounds);
+	while ((other = cni_sweep_cursor_next(sweep, &cursor)) != CNI_NONE) {
+		const cni_sweep_tile *b = cni_sweep_tile_at(sweep, other);
+		cni_sweep_view other_view;
+		if (other == tile || !owns(sweep, tile, other))
+			continue;
+		other_view = view_of(pass, b);
+		if (b->count < a->count)
+			sweep_two(pass, &other_view, &view, &a->bounds);
+		else
+			sweep_two(pass, &view, &other_view, &b->bounds);
+	}
+}
+
+/* ---- single entries ---- */
+
+/* Whether two boxes overlapped at the last update, from the proxies. */
+static int32_t overlapped(const cni_proxy *a, const cni_proxy *b)
+{
+	return a->old.x0 <= a->old.x1 && b->old.x0 <= b->old.x1 && cni_aabb_overlap(&a->old, &b->old);
+}
+
+/* A moved entry against a tile with others that search for themselves. */
+static void search_touched(cni_sweep_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *v)
+{
+	const cni_proxy *proxy = cni_sweep_proxy(pass->sweep, q->id);
+	int32_t k;
+	for (k = scan_begin(v, q->now.x0); k < v->count && v->x0[k] <= q->now.x1; ++k) {
+		int32_t id = v->id[k];
+		if (!((v->x1[k] >= q->now.x0) & (v->y0[k] <= q->now.y1) & (v->y1[k] >= q->now.y0)) || id == q->id)
+			continue;
+		if (cni_sweep_is_moved(pass, id) ? id > q->id && !overlapped(proxy, cni_sweep_proxy(pass->sweep, id)) : entry_is_new(q, v, k))
+			pair_found(pass, q->id, id);
+	}
+}
+
+void cni_sweep_search_entry(cni_sweep_pass *pass, int32_t id)
+{
+	const cni_sweep *sweep = pass->sweep;
+	const cni_proxy *proxy = cni_sweep_proxy(sweep, id);
+	cni_sweep_cursor cursor;
+	int32_t tile;
+	cni_sweep_probe q;
+	q.now = proxy->fat;
+	q.old = cni_sweep_old(proxy);
+	q.id = id;
+	q.skip_moved = 0;
+	cni_sweep_cursor_start(sweep, &cursor, &q.now);
+	while ((tile = cni_sweep_cursor_next(sweep, &cursor)) != CNI_NONE) {
+		const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
+		cni_sweep_view v = view_of(pass, t);
+		if (v.skip_moved)
+			search_touched(pass, &q, &v);
+		else
+			scan(pass, &q, &v, scan_begin(&v, q.now.x0));
+	}
+}
+
+/* ---- loose proxies, for which there was no memory ---- */
+
+static void loose_candidate(cni_sweep_pass *pass, int32_t id, int32_t other)
+{
+	const cni_proxy *a = cni_sweep_proxy(pass->sweep, id);
+	const cni_proxy *b = cni_sweep_proxy(pass->sweep, other);
+	if (!cni_sweep_is_moved(pass, id) && !cni_sweep_is_moved(pass, other))
+		return;
+	if (cni_aabb_overlap(&a->fat, &b->fat) && !overlapped(a, b))
+		pair_found(pass, id, other);
+}
+
+static void search_one_loose(cni_sweep_pass *pass, int32_t id, cni_sweep_walk others)
+{
+	const cni_sweep *sweep = pass->sweep;
+	cni_sweep_cursor cursor;
+	int32_t tile, other, k;
+	cni_sweep_cursor_start(sweep, &cursor, &cni_sweep_proxy(sweep, id)->fat);
+	while ((tile = cni_sweep_cursor_next(sweep, &cursor)) != CNI_NONE) {
+		const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
+		cni_sweep_rows rows = cni_sweep_rows_of(sweep, t);
+		for (k = 0; k < t->count; ++k)
+			loose_candidate(pass, id, rows.id[k]);
+	}
+	while ((other = cni_sweep_walk_next(&others)) != CNI_NONE)
+		loose_candidate(pass, id, other);
+}
+
+void cni_sweep_search_loose(cni_sweep_pass *pass)
+{
+	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->loose);
+	int32_t id;
+	if (pass->sweep->loose_count == 0)
+		return;
+	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE)
+		search_one_loose(pass, id, walk);
+}

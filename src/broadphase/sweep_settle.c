@@ -1,0 +1,484 @@
+/*
+ * broadphase/sweep_settle.c - brings the tiles up to date with the proxies' boxes, and chooses S0.
+ *
+ * Reads the fat boxes of loose proxies; writes tiles and proxies' cells. Invariant afterwards: every
+ * proxy that is not loose has its present box as an entry of the tile that its cell names.
+ *
+ * Two ways, by how much changes in a tile. Where a sixth or more of the entries change, migrants are
+ * appended to the new tile and the tile is rebuilt once: entries whose proxy is elsewhere by now drop
+ * out, keys (x0, id) are sorted, nearly sorted as they mostly are, and the rows are gathered from
+ * the proxies. Elsewhere each entry is shifted, inserted or removed in place. Without scratch memory
+ * everything goes the second way, one proxy after the other.
+ *
+ * Workers may share looking for homes, where nothing is made, and rebuilding, where nothing but the tile is written: what
+ * changes the table, the levels or memory is done in between and after, in order, by one.
+ *
+ * Sizes: S0 is twice the power of two above the 90th percentile of the larger sides of non-static boxes,
+ * raised while tiles hold too few entries. It is chosen at the first settle, when as many proxies
+ * were added as there were, when half of them are gone, and, ever more patiently, while tiles are badly
+ * filled. All of that depends only on the history of calls, and pairs do not depend on S0 at all.
+ */
+#include "broadphase/sweep.h"
+#include "base/sort.h"
+
+#include <string.h>
+
+#define DENSE_SHARE 6          /* one in so many entries changed: rebuild */
+#define DENSE_CHANGES 3        /* but not for fewer changes */
+#define BOOST_MOST 3
+#define BOOST_LEAST (-1)
+#define FILL_LOW 12            /* entries a tile of level 0, on average */
+#define FILL_HIGH 192
+#define FILL_HIGH_ANEW 64      /* when sizes are chosen anyway */
+#define TUNE_FEWEST 64         /* proxies: below, sizes hardly matter */
+#define PATIENCE_MOST 256      /* settles */
+#define SHARED_LEAST 1024      /* loose proxies for which it pays to wake other workers */
+#define RANGE_WORDS 16         /* of the loose set, some ten microseconds of looking for homes */
+#define RANGE_ENTRIES 512      /* ... of rebuilding */
+#define HOME_STAYS 0x40000000  /* beside a tile: the proxy is there now */
+
+/* ---- choosing sizes ---- */
+
+static void drop_entries(cni_sweep *sweep, const cni_sweep_tile *tile)
+{
+	cni_sweep_rows rows = cni_sweep_rows_of(sweep, tile);
+	int32_t k;
+	for (k = 0; k < tile->count; ++k) {
+		cni_sweep_proxy(sweep, rows.id[k])->cell = CNI_NONE;
+		if (!cni_bit_get(cni_sweep_loose(sweep), rows.id[k]))
+			++sweep->loose_count;
+		cni_bit_set(cni_sweep_loose(sweep), rows.id[k]);
+	}
+}
+
+/* Every proxy is loose afterwards, and there are no tiles. */
+static void drop_tiles(cni_sweep *sweep)
+{
+	int32_t tile;
+	for (tile = 0; tile < sweep->tiles.count; ++tile) {
+		cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
+		if (t->level == CNI_SWEEP_FREE)
+			continue;
+		if (t->count > 0)
+			drop_entries(sweep, t);
+		cni_sweep_tile_destroy(sweep, tile);
+	}
+	sweep->tiles.count = 0;
+	sweep->tile_free = CNI_NONE;
+	cni_blocks_deinit(&sweep->rows); /* pieces of the old sizes would lie idle */
+}
+
+/* The power of two above x, as an exponent in [-20, 30]. */
+static int32_t exponent_above(float x)
+{
+	uint32_t bits;
+	memcpy(&bits, &x, sizeof(bits));
+	return cni_min_i(cni_max_i((int32_t)(bits >> 23 & 255u) - 126, -20), 30);
+}
+
+typedef struct extent_counts {
+	int32_t dynamic[51];
+	int32_t any[51];
+	int32_t dynamic_sum, any_sum;
+} extent_counts;
+
+static void extent_count(extent_counts *counts, const cni_proxy *proxy)
+{
+	int32_t e = exponent_above(cni_sweep_extent(&proxy->fat)) + 20;
+	++counts->any[e];
+	++counts->any_sum;
+	if (proxy->flags & CNI_PROXY_STATIC)
+		return;
+	++counts->dynamic[e];
+	++counts->dynamic_sum;
+}
+
+/* Exponent of the power of two above nine in ten of the boxes. */
+static int32_t extent_percentile(const extent_counts *counts)
+{
+	const int32_t *histogram = counts->dynamic_sum > 0 ? counts->dynamic : counts->any;
+	int64_t sum = counts->dynamic_sum > 0 ? counts->dynamic_sum : counts->any_sum;
+	int64_t below = 0;
+	int32_t e;
+	for (e = 0; e < 50; ++e) {
+		below += histogram[e];
+		if (10 * below >= 9 * sum)
+			break;
+	}
+	return e - 20;
+}
+
+static int32_t measure_exponent(const cni_sweep *sweep)
+{
+	extent_counts counts;
+	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->loose);
+	int32_t tile, id, k;
+	memset(&counts, 0, sizeof(counts));
+	for (tile = 0; tile < sweep->tiles.count; ++tile) {
+		const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
+		if (t->level == CNI_SWEEP_FREE)
+			continue;
+		for (k = 0; k < t->count; ++k)
+			extent_count(&counts, cni_sweep_proxy(sweep, cni_sweep_rows_of(sweep, t).id[k]));
+	}
+	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE)
+		if (cni_sweep_proxy(sweep, id)->cell == CNI_NONE)
+			extent_count(&counts, cni_sweep_proxy(sweep, id));
+	return extent_percentile(&counts);
+}
+
+/* How S0 should change for the fill of the tiles: 1, 0 or -1 powers of two. */
+static int32_t fill_advice(const cni_sweep *sweep, int32_t fill_high)
+{
+	int64_t entries = sweep->levels[0].entries;
+	int64_t tiles = sweep->levels[0].tiles;
+	if (entries < TUNE_FEWEST)
+		return 0;
+	if (entries < FILL_LOW * tiles && sweep->boost < BOOST_MOST)
+		return 1;
+	return entries > fill_high * tiles && sweep->boost > BOOST_LEAST ? -1 : 0;
+}
+
+static int32_t population_changed(const cni_sweep *sweep)
+{
+	return sweep->tuned_count == 0 || sweep->adds >= cni_max_i(sweep->tuned_count, TUNE_FEWEST) ||
+	       (sweep->tuned_count > TUNE_FEWEST && 2 * sweep->count < sweep->tuned_count);
+}
+
+static void tune(cni_sweep *sweep)
+{
+	int32_t changed = population_changed(sweep);
+	int32_t advice = 0;
+	int32_t exponent;
+	if (changed || sweep->settles >= sweep->patience)
+		advice = fill_advice(sweep, changed ? FILL_HIGH_ANEW : FILL_HIGH);
+	++sweep->settles;
+	if (sweep->count == 0 || (!changed && advice == 0))
+		return;
+	sweep->boost += advice;
+	sweep->patience = changed ? 1 : cni_min_i(4 * sweep->patience, PATIENCE_MOST);
+	sweep->tuned_count = sweep->count;
+	sweep->adds = 0;
+	sweep->settles = 0;
+	exponent = measure_exponent(sweep) + 1 + sweep->boost;
+	if (exponent == sweep->exponent)
+		return;
+	drop_tiles(sweep);
+	cni_sweep_set_levels(sweep, exponent);
+}
+
+/* ---- one proxy ---- */
+
+typedef struct cell {
+	int32_t level, tx, ty;
+} cell;
+
+/* The cell where a proxy's box belongs, and its tile: with HOME_STAYS if that is where it is now, CNI_NONE if there is none. */
+static int32_t home_look(const cni_sweep *sweep, const cni_proxy *proxy, cell *out)
+{
+	const cni_sweep_tile *now = proxy->cell == CNI_NONE ? NULL : cni_sweep_tile_at(sweep, proxy->cell);
+	int32_t l = cni_sweep_level_for(sweep, cni_sweep_extent(&proxy->fat), now != NULL ? now->level : 0);
+	out->level = l;
+	out->tx = cni_sweep_cell_x(&sweep->levels[l], proxy->fat.x0);
+	out->ty = cni_sweep_cell_y(&sweep->levels[l], proxy->fat.y0);
+	if (now != NULL && now->tx == out->tx && now->ty == out->ty && now->level == l)
+		return proxy->cell | HOME_STAYS;
+	return cni_sweep_tile_find(sweep, l, out->tx, out->ty);
+}
+
+/* The same, made if need be; CNI_NONE when there is no memory. */
+static int32_t home_find(cni_sweep *sweep, const cni_proxy *proxy)
+{
+	cell at;
+	int32_t home = home_look(sweep, proxy, &at);
+	return home != CNI_NONE ? home : cni_sweep_tile_make(sweep, at.level, at.tx, at.ty);
+}
+
+static inline int32_t home_tile(int32_t home) { return home == CNI_NONE ? CNI_NONE : home & ~HOME_STAYS; }
+
+static void mark_settled(cni_sweep *sweep, int32_t id)
+{
+	cni_bit_clear(cni_sweep_loose(sweep), id);
+	--sweep->loose_count;
+}
+
+static void leave(cni_sweep *sweep, cni_proxy *proxy, int32_t id)
+{
+	cni_sweep_tile *tile = cni_sweep_tile_at(sweep, proxy->cell);
+	cni_sweep_entry_remove(sweep, tile, cni_sweep_entry_find(sweep, tile, id));
+	proxy->cell = CNI_NONE;
+}
+
+static void enter(cni_sweep *sweep, cni_proxy *proxy, int32_t id, int32_t home)
+{
+	cni_sweep_tile *tile = cni_sweep_tile_at(sweep, home);
+	int32_t done = tile->dense ? cni_sweep_entry_append(sweep, tile, id)
+	                           : cni_sweep_entry_insert(sweep, tile, id, &proxy->fat);
+	if (!done)
+		return;
+	proxy->cell = home;
+	mark_settled(sweep, id);
+}
+
+/* Moves an entry to its home; in dense tiles only marks what the rebuild is to do. */
+static void settle_proxy(cni_sweep *sweep, int32_t id, int32_t home)
+{
+	cni_proxy *proxy = cni_sweep_proxy(sweep, id);
+	if (proxy->cell == home && home != CNI_NONE) {
+		cni_sweep_tile *tile = cni_sweep_tile_at(sweep, home);
+		if (!tile->dense)
+			cni_sweep_entry_shift(sweep, tile, cni_sweep_entry_find(sweep, tile, id), &proxy->fat);
+		mark_settled(sweep, id);
+		return;
+	}
+	if (proxy->cell != CNI_NONE && !cni_sweep_tile_at(sweep, proxy->cell)->dense)
+		leave(sweep, proxy, id);
+	proxy->cell = CNI_NONE;
+	if (home != CNI_NONE)
+		enter(sweep, proxy, id, home);
+}
+
+/* ---- one by one, without scratch ---- */
+
+static void settle_singly(cni_sweep *sweep)
+{
+	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->loose);
+	int32_t id;
+	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
+		int32_t before = cni_sweep_proxy(sweep, id)->cell;
+		int32_t home = home_tile(home_find(sweep, cni_sweep_proxy(sweep, id)));
+		settle_proxy(sweep, id, home);
+		if (before != CNI_NONE && before != home && cni_sweep_tile_at(sweep, before)->count == 0)
+			cni_sweep_tile_destroy(sweep, before);
+		if (home != CNI_NONE && cni_sweep_tile_at(sweep, home)->count == 0)
+			cni_sweep_tile_destroy(sweep, home);
+	}
+}
+
+/* ---- many at once ---- */
+
+/* What a rebuild changes beside the tile. */
+typedef struct rebuilt {
+	int32_t gone;      /* entries */
+	float extent;      /* of the largest */
+} rebuilt;
+
+typedef struct settle_pass {
+	cni_sweep *sweep;
+	cni_team *team;    /* NULL: alone */
+	int32_t *homes;    /* of each loose proxy, HOME_STAYS beside it */
+	int32_t *touched;  /* tiles that change */
+	int32_t touched_count;
+	int32_t key_count; /* of the largest tile */
+	uint64_t *keys;    /* room for those twice, for each worker */
+	int32_t *begins;   /* of each touched tile: the entries of those before it that are rebuilt */
+	rebuilt *rebuilt;  /* of each touched tile */
+} settle_pass;
+
+static void touch(settle_pass *pass, int32_t tile)
+{
+	if (tile != CNI_NONE && cni_sweep_tile_at(pass->sweep, tile)->touched++ == 0)
+		pass->touched[pass->touched_count++] = tile;
+}
+
+/* A range of words of the loose set. Nothing is made: those of new tiles are left. */
+static void homes_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const settle_pass *pass = (const settle_pass *)context;
+	cni_sweep_walk walk = cni_sweep_walk_bits(pass->sweep, &pass->sweep->loose);
+	int32_t id, w, i = 0;
+	cell at;
+	(void)worker;
+	for (w = 0; w < begin; ++w)
+		i += cni_bit_count64(walk.words[w]);
+	walk.word = begin - 1;
+	walk.end = end;
+	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE)
+		pass->homes[i++] = home_look(pass->sweep, cni_sweep_proxy(pass->sweep, id), &at);
+}
+
+/* In order of the proxies, so that tiles are made in that order. */
+static void find_homes(settle_pass *pass)
+{
+	cni_sweep *sweep = pass->sweep;
+	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->loose);
+	int32_t id, i = 0;
+	if (pass->team != NULL)
+		cni_team_for(pass->team, walk.end, RANGE_WORDS, homes_range, pass);
+	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
+		int32_t home = pass->team != NULL ? pass->homes[i] : CNI_NONE;
+		if (home == CNI_NONE)
+			home = home_find(sweep, cni_sweep_proxy(sweep, id));
+		pass->homes[i++] = home;
+		touch(pass, home_tile(home));
+		if (home == CNI_NONE || !(home & HOME_STAYS))
+			touch(pass, cni_sweep_proxy(sweep, id)->cell);
+	}
+}
+
+/* Room to rebuild tiles of so many keys, for each worker or at least for one. */
+static void take_keys(settle_pass *pass, int32_t count)
+{
+	cni_arena *arena = pass->sweep->context.arena;
+	uint64_t one = 2u * sizeof(uint64_t) * (uint64_t)count, tiles = (sizeof(rebuilt) + sizeof(int32_t)) * (uint64_t)pass->touched_count;
+	pass->key_count = count;
+	pass->keys = (uint64_t *)cni_arena_push(arena, one * (uint64_t)cni_team_workers(pass->team) + tiles);
+	if (pass->keys == NULL && pass->team != NULL) {
+		pass->team = NULL;
+		pass->keys = (uint64_t *)cni_arena_push(arena, one + tiles);
+	}
+	if (pass->keys == NULL)
+		return;
+	pass->rebuilt = (rebuilt *)(void *)(pass->keys + 2 * (int64_t)count * cni_team_workers(pass->team));
+	pass->begins = (int32_t *)(void *)(pass->rebuilt + pass->touched_count);
+}
+
+/* Decides which tiles are rebuilt, and takes the keys for the largest. */
+static void choose_dense(settle_pass *pass)
+{
+	int32_t largest = 0;
+	int32_t i;
+	for (i = 0; i < pass->touched_count; ++i) {
+		const cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[i]);
+		largest = cni_max_i(largest, tile->count + tile->touched);
+	}
+	take_keys(pass, largest);
+	for (i = 0; i < pass->touched_count; ++i) {
+		cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[i]);
+		tile->dense = pass->keys != NULL && tile->touched >= DENSE_CHANGES && DENSE_SHARE * tile->touched >= tile->count;
+	}
+}
+
+/* Of what stays in a tile that is rebuilt nothing is read here. */
+static void migrate(const settle_pass *pass)
+{
+	cni_sweep *sweep = pass->sweep;
+	cni_sweep_walk walk = cni_sweep_walk_bits(sweep, &sweep->loose);
+	int32_t id, i = 0;
+	while ((id = cni_sweep_walk_next(&walk)) != CNI_NONE) {
+		int32_t home = pass->homes[i++], tile = home_tile(home);
+		if (tile != home && cni_sweep_tile_at(sweep, tile)->dense)
+			mark_settled(sweep, id);
+		else
+			settle_proxy(sweep, id, tile);
+	}
+}
+
+/* Keys of the entries that still belong here; returns their number. */
+static int32_t collect_keys(const cni_sweep *sweep, int32_t tile, uint64_t *keys)
+{
+	const cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
+	const int32_t *ids = cni_sweep_rows_of(sweep, t).id;
+	int32_t count = 0;
+	int32_t k;
+	for (k = 0; k < t->count; ++k) {
+		const cni_proxy *proxy = cni_sweep_proxy(sweep, ids[k]);
+		keys[count] = (uint64_t)cni_sort_float_key(proxy->fat.x0) << 32 | (uint32_t)ids[k];
+		count += proxy->cell == tile;
+	}
+	return count;
+}
+
+static void gather_rows(const cni_sweep *sweep, const cni_sweep_tile *tile, const uint64_t *keys)
+{
+	cni_sweep_rows rows = cni_sweep_rows_of(sweep, tile);
+	int32_t k;
+	for (k = 0; k < tile->count; ++k) {
+		int32_t id = (int32_t)(uint32_t)keys[k];
+		const cni_aabb *fat = &cni_sweep_proxy(sweep, id)->fat;
+		rows.x0[k] = fat->x0;
+		rows.x1[k] = fat->x1;
+		rows.y0[k] = fat->y0;
+		rows.y1[k] = fat->y1;
+		rows.id[k] = id;
+	}
+}
+
+static void rebuild(const settle_pass *pass, int32_t tile, uint64_t *keys, rebuilt *out)
+{
+	cni_sweep_tile *t = cni_sweep_tile_at(pass->sweep, tile);
+	int32_t count;
+	CNI_ASSERT(t->count <= pass->key_count);
+	count = t->count > 0 ? collect_keys(pass->sweep, tile, keys) : 0;
+	out->gone = t->count - count;
+	out->extent = 0.0f;
+	t->count = count;
+	if (count == 0)
+		return;
+	cni_sort_keys(keys, keys + pass->key_count, count);
+	gather_rows(pass->sweep, t, keys);
+	out->extent = cni_sweep_tile_measure(pass->sweep, t);
+	cni_sweep_tile_pad(pass->sweep, t);
+}
+
+/* Those of the touched tiles that begin among a range of entries. Writes nothing but the tiles and what is noted of them. */
+static void rebuild_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const settle_pass *pass = (const settle_pass *)context;
+	int32_t i = cni_sweep_first_at(pass->begins, pass->touched_count, begin);
+	for (; i < pass->touched_count && pass->begins[i] < end; ++i)
+		if (cni_sweep_tile_at(pass->sweep, pass->touched[i])->dense)
+			rebuild(pass, pass->touched[i], pass->keys + 2 * (int64_t)pass->key_count * worker, &pass->rebuilt[i]);
+}
+
+static int32_t count_begins(const settle_pass *pass)
+{
+	int32_t i, entries = 0;
+	for (i = 0; i < pass->touched_count; ++i) {
+		const cni_sweep_tile *tile = cni_sweep_tile_at(pass->sweep, pass->touched[i]);
+		pass->begins[i] = entries;
+		entries += tile->dense ? cni_max_i(tile->count, 1) : 0;
+	}
+	return entries;
+}
+
+static void finish_tiles(settle_pass *pass)
+{
+	cni_sweep *sweep = pass->sweep;
+	int32_t i;
+	if (pass->keys != NULL)
+		cni_team_for(pass->team, count_begins(pass), RANGE_ENTRIES, rebuild_range, pass);
+	for (i = 0; i < pass->touched_count; ++i) {
+		int32_t tile = pass->touched[i];
+		cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
+		if (t->dense) {
+			sweep->levels[t->level].entries -= pass->rebuilt[i].gone;
+			cni_sweep_level_cover(sweep, t->level, pass->rebuilt[i].extent);
+			if (t->count > 0)
+				cni_sweep_tile_shrink(sweep, t);
+		}
+		t->dense = 0;
+		t->touched = 0;
+		if (t->count == 0)
+			cni_sweep_tile_destroy(sweep, tile);
+	}
+}
+
+static int32_t settle_together(cni_sweep *sweep, cni_team *team)
+{
+	settle_pass pass;
+	/* Tiles that change: a loose proxy's home and where it is now, or all tiles that there are and a new one each. */
+	uint64_t touched = (uint64_t)sweep->loose_count + (uint64_t)cni_min_i(sweep->loose_count, sweep->tile_count);
+	void *scratch = cni_arena_push(sweep->context.arena, sizeof(int32_t) * ((uint64_t)sweep->loose_count + touched));
+	if (scratch == NULL)
+		return 0;
+	memset(&pass, 0, sizeof(pass));
+	pass.sweep = sweep;
+	pass.team = sweep->loose_count < SHARED_LEAST ? NULL : team;
+	pass.homes = (int32_t *)scratch;
+	pass.touched = pass.homes + sweep->loose_count;
+	find_homes(&pass);
+	choose_dense(&pass);
+	migrate(&pass);
+	finish_tiles(&pass);
+	(void)cni_arena_pop(sweep->context.arena, pass.keys);
+	(void)cni_arena_pop(sweep->context.arena, scratch);
+	return 1;
+}
+
+void cni_sweep_settle(cni_sweep *sweep, cni_team *team)
+{
+	tune(sweep);
+	if (sweep->loose_count > 0 && !settle_together(sweep, team))
+		settle_singly(sweep);
+}

@@ -1,0 +1,204 @@
+/*
+ * broadphase/tree_search.c - searches through a tree of boxes: regions, rays, and pairs of what moved (see
+ * broadphase/tree.h). Reads only, but for taking off marks at the end.
+ *
+ * Pairs are searched for every moved item, from where it hangs up to the root: its neighbours hang near, and
+ * what is left and right of the way up says which of two moved items is to find the pair, so that each pair is
+ * found once and whole nodes of moved items need not be looked at twice.
+ */
+#include "broadphase/tree_parts.h"
+
+/* Without branches: in a search the answers are hard to foretell. */
+static inline int32_t overlap(const cni_aabb *a, const cni_aabb *b)
+{
+	return (a->x0 <= b->x1) & (b->x0 <= a->x1) & (a->y0 <= b->y1) & (b->y0 <= a->y1);
+}
+
+/* ---- regions ---- */
+
+void cni_tree_query(const cni_tree *tree, const cni_aabb *box, cni_tree_visit_fn *visit, void *context)
+{
+	int32_t stack[CNI_TREE_STACK], top = 0;
+	if (tree->count > 0 && cni_aabb_overlap(cni_tree_box(tree, CNI_TREE_ROOT), box))
+		stack[top++] = cni_tree_child(tree, CNI_TREE_ROOT);
+	while (top > 0) {
+		int32_t child = stack[--top];
+		if (cni_tree_is_node(child)) {
+			const cni_tree_node *f = cni_tree_node_at(tree, child);
+			if (top + 2 > CNI_TREE_STACK)
+				return;
+			stack[top] = f->child[1];
+			top += overlap(&f->box[1], box);
+			stack[top] = f->child[0];
+			top += overlap(&f->box[0], box);
+		} else if (visit(context, ~child, 1.0f) == 0.0f) {
+			return;
+		}
+	}
+}
+
+/* ---- rays ---- */
+
+typedef struct tree_ray {
+	cni_vec2 o, d;     /* o + t d */
+	float ax, ay;      /* |d.x|, |d.y| */
+	float limit;       /* t in [0, limit] */
+	cni_aabb box;      /* of what is left of it */
+} tree_ray;
+
+static void ray_limit(tree_ray *ray, float limit)
+{
+	cni_vec2 end = cni_madd(ray->o, limit, ray->d);
+	ray->limit = limit;
+	ray->box.x0 = cni_min(ray->o.x, end.x);
+	ray->box.x1 = cni_max(ray->o.x, end.x);
+	ray->box.y0 = cni_min(ray->o.y, end.y);
+	ray->box.y1 = cni_max(ray->o.y, end.y);
+}
+
+/* Separating axes: x, y and the normal n = (-d.y, d.x) of the ray: a box with centre c seen from o and half
+   sides e touches the line when |n . c| <= |n| . e. All twice as large here. Rounding errs towards a hit, and
+   what overflows is one. */
+static inline int32_t ray_crosses(const tree_ray *ray, const cni_aabb *b)
+{
+	float cx = (b->x0 - ray->o.x) + (b->x1 - ray->o.x), cy = (b->y0 - ray->o.y) + (b->y1 - ray->o.y);
+	float p = ray->d.x * cy, q = ray->d.y * cx, reach = ray->ax * (b->y1 - b->y0) + ray->ay * (b->x1 - b->x0);
+	float error = 1e-6f * (cni_abs(p) + cni_abs(q) + reach);
+	return overlap(&ray->box, b) & !(cni_abs(p - q) > reach + error);
+}
+
+/* How far along the ray a box lies, twice. */
+static inline float ray_order(const tree_ray *ray, const cni_aabb *b)
+{
+	return ray->d.x * (b->x0 + b->x1) + ray->d.y * (b->y0 + b->y1);
+}
+
+/* The sides of a node that the ray crosses, the nearer one on top. */
+static int32_t ray_push(const cni_tree *tree, const tree_ray *ray, int32_t node, int32_t *stack, int32_t top)
+{
+	const cni_tree_node *f = cni_tree_node_at(tree, node);
+	int32_t near = ray_order(ray, &f->box[1]) < ray_order(ray, &f->box[0]);
+	stack[top] = 2 * node + 1 - near;
+	top += ray_crosses(ray, &f->box[1 - near]);
+	stack[top] = 2 * node + near;
+	return top + ray_crosses(ray, &f->box[near]);
+}
+
+void cni_tree_ray(const cni_tree *tree, cni_vec2 origin, cni_vec2 translation, cni_tree_visit_fn *visit, void *context)
+{
+	int32_t stack[CNI_TREE_STACK], top = 0;
+	tree_ray ray;
+	ray.o = origin;
+	ray.d = translation;
+	ray.ax = cni_abs(translation.x);
+	ray.ay = cni_abs(translation.y);
+	ray_limit(&ray, 1.0f);
+	if (tree->count > 0 && ray_crosses(&ray, cni_tree_box(tree, CNI_TREE_ROOT)))
+		stack[top++] = CNI_TREE_ROOT;
+	while (top > 0 && top + 2 <= CNI_TREE_STACK) {
+		int32_t place = stack[--top], child = cni_tree_child(tree, place);
+		float limit = ray.limit;
+		/* The ray may be shorter than when this was put here. */
+		if (limit < 1.0f && !ray_crosses(&ray, cni_tree_box(tree, place)))
+			continue;
+		if (cni_tree_is_node(child))
+			top = ray_push(tree, &ray, child, stack, top);
+		else if (child != CNI_TREE_EMPTY)
+			limit = visit(context, ~child, limit);
+		if (!(limit > 0.0f))
+			return;
+		if (limit < ray.limit)
+			ray_limit(&ray, limit);
+	}
+}
+
+/* ---- pairs ---- */
+
+typedef struct pair_search {
+	const cni_tree *tree;
+	cni_tree_pair_fn *found;
+	void *context;
+	cni_aabb box;
+	int32_t item;
+	uint32_t marks; /* of what is looked at */
+} pair_search;
+
+static inline int32_t pair_may_be(const pair_search *s, const cni_tree_node *f, int32_t side)
+{
+	return (f->marks[side] & s->marks) != 0 && overlap(&f->box[side], &s->box);
+}
+
+/* What hangs at or below a place and overlaps the item. */
+static void pairs_below(const pair_search *s, int32_t place)
+{
+	int32_t stack[CNI_TREE_STACK], top = 0, k;
+	const cni_tree_node *f = cni_tree_node_of(s->tree, place);
+	if (pair_may_be(s, f, place & 1))
+		stack[top++] = f->child[place & 1];
+	while (top > 0) {
+		int32_t child = stack[--top];
+		if (!cni_tree_is_node(child)) {
+			s->found(s->context, s->item, ~child);
+			continue;
+		}
+		f = cni_tree_node_at(s->tree, child);
+		for (k = 1; k >= 0; --k) {
+			stack[top] = f->child[k];
+			top += pair_may_be(s, f, k);
+		}
+	}
+}
+
+/* From the item up: what hangs beside it, beside the node it hangs at, and so on. Of two moved items the left
+   one finds the pair, so that to its left an item only looks at what rests. */
+static void pairs_of(pair_search *s, int32_t place)
+{
+	s->box = *cni_tree_box(s->tree, place);
+	s->item = ~cni_tree_child(s->tree, place);
+	for (; place != CNI_TREE_ROOT; place = cni_tree_node_of(s->tree, place)->parent) {
+		s->marks = place & 1 ? CNI_TREE_RESTS : CNI_TREE_MOVED | CNI_TREE_RESTS;
+		pairs_below(s, place ^ 1);
+	}
+}
+
+void cni_tree_pairs(const cni_tree *tree, cni_tree_pair_fn *found, void *context)
+{
+	int32_t stack[CNI_TREE_STACK], top = 0;
+	pair_search search;
+	search.tree = tree;
+	search.found = found;
+	search.context = context;
+	if (tree->count > 1)
+		stack[top++] = CNI_TREE_ROOT;
+	while (top > 0) {
+		int32_t place = stack[--top], child = cni_tree_child(tree, place);
+		if (!(cni_tree_marks(tree, place) & CNI_TREE_MOVED))
+			continue;
+		if (cni_tree_is_node(child)) {
+			stack[top++] = 2 * child + 1;
+			stack[top++] = 2 * child;
+		} else {
+			pairs_of(&search, place);
+		}
+	}
+}
+
+void cni_tree_unmark_moved(cni_tree *tree, cni_tree_item_fn *visit, void *context)
+{
+	int32_t stack[CNI_TREE_STACK], top = 0;
+	if (tree->count > 0)
+		stack[top++] = CNI_TREE_ROOT;
+	while (top > 0) {
+		int32_t place = stack[--top], child = cni_tree_child(tree, place);
+		cni_tree_node *f = cni_tree_node_of(tree, place);
+		if (!(f->marks[place & 1] & CNI_TREE_MOVED))
+			continue;
+		f->marks[place & 1] = (uint8_t)((f->marks[place & 1] & ~(uint32_t)CNI_TREE_MOVED) | CNI_TREE_RESTS);
+		if (cni_tree_is_node(child)) {
+			stack[top++] = 2 * child + 1;
+			stack[top++] = 2 * child;
+		} else {
+			visit(context, ~child);
+		}
+	}
+}

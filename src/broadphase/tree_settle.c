@@ -1,0 +1,309 @@
+/*
+ * broadphase/tree_settle.c - many boxes of a tree changed: find them places again (see broadphase/tree.h).
+ *
+ * Most items stay where they hang: one pass from the bottom up fits the boxes above them and turns each
+ * node, which follows small motion at a fraction of the price of insertion (Kopta et al., "Fast, effective BVH
+ * updates for animated scenes", 2012). Turns alone let a tree go bad over many steps. While few items
+ * move, those marked FAR are inserted anew: that keeps the cost level, and no step is longer than others.
+ * When many move, it is cheaper to build the tree anew once its cost has grown (or it has itself): top down, items halved
+ * again and again at the median of their centres along the longer side (Kay and Kajiya, "Ray tracing
+ * complex scenes", 1986).
+ */
+#include "broadphase/tree_parts.h"
+
+#include <string.h>
+
+/* More than one item in so many is many. */
+#define MANY_SHARE 4
+/* Built anew when cost is so much above what it was after the last time. */
+#define COST_WORSE 1.25f
+/* Settles of many to wait after a rebuild that gained nothing. */
+#define PATIENCE_MOST 64
+
+/* What the owner says about an item. */
+#define OWN_MARKS (CNI_TREE_MOVED | CNI_TREE_RESTS)
+
+typedef struct tree_leaf {
+	cni_aabb box;
+	int32_t item;
+	uint32_t marks;
+} tree_leaf;
+
+/* Items from first, which are to hang below place. */
+typedef struct tree_span {
+	int32_t place;
+	int32_t first;
+	int32_t count;
+} tree_span;
+
+/* ---- building ---- */
+
+/* The centre along x or y, finite for finite boxes. */
+static inline float leaf_key(const tree_leaf *leaf, int32_t along_y)
+{
+	return along_y ? 0.5f * leaf->box.y0 + 0.5f * leaf->box.y1 : 0.5f * leaf->box.x0 + 0.5f * leaf->box.x1;
+}
+
+static int32_t longer_axis(const tree_leaf *leaves, int32_t count)
+{
+	float x0 = leaf_key(leaves, 0), y0 = leaf_key(leaves, 1), x1 = x0, y1 = y0;
+	int32_t k;
+	for (k = 1; k < count; ++k) {
+		float x = leaf_key(&leaves[k], 0), y = leaf_key(&leaves[k], 1);
+		x0 = cni_min(x0, x);
+		x1 = cni_max(x1, x);
+		y0 = cni_min(y0, y);
+		y1 = cni_max(y1, y);
+	}
+	return 0.5f * y1 - 0.5f * y0 > 0.5f * x1 - 0.5f * x0;
+}
+
+static void leaf_swap(tree_leaf *a, tree_leaf *b)
+{
+	tree_leaf t = *a;
+	*a = *b;
+	*b = t;
+}
+
+/* The middle one of three, as pivot. */
+static float middle_key(const tree_leaf *leaves, int32_t count, int32_t along_y)
+{
+	float a = leaf_key(leaves, along_y), b = leaf_key(&leaves[count / 2], along_y), c = leaf_key(&leaves[count - 1], along_y);
+	return cni_max(cni_min(a, b), cni_min(cni_max(a, b), c));
+}
+
+/* Puts the leaves with the least keys first (Hoare, "Find", 1961). */
+static void halve(tree_leaf *leaves, int32_t count, int32_t half, int32_t along_y)
+{
+	int32_t low = 0, high = count - 1;
+	while (low < high) {
+		float pivot = middle_key(leaves + low, high - low + 1, along_y);
+		int32_t i = low, j = high;
+		while (i <= j) {
+			while (leaf_key(&leaves[i], along_y) < pivot)
+				++i;
+			while (leaf_key(&leaves[j], along_y) > pivot)
+				--j;
+			if (i <= j)
+				leaf_swap(&leaves[i++], &leaves[j--]);
+		}
+		if (half <= j)
+			high = j;
+		else if (half >= i)
+			low = i;
+		else
+			return;
+	}
+}
+
+static int32_t collect(const cni_tree *tree, tree_leaf *leaves)
+{
+	const int32_t *places = (const int32_t *)tree->places.data;
+	int32_t item, count = 0;
+	for (item = 0; item < tree->places.count && count < tree->count; ++item) {
+		if (places[item] == CNI_NONE)
+			continue;
+		leaves[count].box = *cni_tree_box(tree, places[item]);
+		leaves[count].item = item;
+		leaves[count].marks = cni_tree_marks(tree, places[item]) & OWN_MARKS;
+		++count;
+	}
+	return count;
+}
+
+static void attach_leaf(cni_tree *tree, int32_t place, const tree_leaf *leaf)
+{
+	cni_tree_node *f = cni_tree_node_of(tree, place);
+	f->box[place & 1] = leaf->box;
+	f->height[place & 1] = 0;
+	f->marks[place & 1] = (uint8_t)leaf->marks;
+	cni_tree_attach(tree, place, ~leaf->item);
+}
+
+/* Forks in the order of a walk, so that a search runs through memory; those above have lower numbers. */
+static void build(cni_tree *tree, tree_leaf *leaves, int32_t count)
+{
+	tree_span stack[64];
+	int32_t top = 0, node;
+	stack[top].place = CNI_TREE_ROOT;
+	stack[top].first = 0;
+	stack[top++].count = count;
+	while (top > 0) {
+		tree_span span = stack[--top];
+		int32_t half = span.count / 2;
+		if (span.count == 1) {
+			attach_leaf(tree, span.place, &leaves[span.first]);
+			continue;
+		}
+		halve(leaves + span.first, span.count, half, longer_axis(leaves + span.first, span.count));
+		node = cni_tree_node_take(tree);
+		cni_tree_attach(tree, span.place, node);
+		stack[top].place = 2 * node + 1;
+		stack[top].first = span.first + half;
+		stack[top++].count = span.count - half;
+		stack[top].place = 2 * node;
+		stack[top].first = span.first;
+		stack[top++].count = half;
+	}
+	for (node = tree->nodes.count - 1; node > 0; --node)
+		(void)cni_tree_refresh(tree, node);
+}
+
+uint64_t cni_tree_scratch_bytes(const cni_tree *tree) { return (uint64_t)tree->count * sizeof(tree_leaf); }
+
+void cni_tree_rebuild(cni_tree *tree, void *scratch)
+{
+	tree_leaf *leaves = (tree_leaf *)scratch;
+	int32_t count = collect(tree, leaves);
+	CNI_ASSERT(count == tree->count);
+	tree->stale = 0;
+	tree->built = count;
+	if (count == 0)
+		return;
+	tree->nodes.count = 1;
+	tree->node_free = CNI_NONE;
+	build(tree, leaves, count);
+}
+
+/* ---- in place ---- */
+
+static void unmark_stale_items(cni_tree *tree, int32_t node)
+{
+	cni_tree_node *f = cni_tree_node_at(tree, node);
+	int32_t k;
+	for (k = 0; k < 2; ++k)
+		if (!cni_tree_is_node(f->child[k]) && (f->marks[k] & CNI_TREE_STALE)) {
+			f->marks[k] = (uint8_t)(f->marks[k] & OWN_MARKS);
+			--tree->stale;
+		}
+}
+
+/* A node whose sides are settled. Balance is restored at once, so that it is never off by more than a turn
+   repairs. */
+static void node_settle(cni_tree *tree, int32_t node)
+{
+	int32_t place = cni_tree_node_at(tree, node)->parent;
+	int32_t height = cni_tree_node_of(tree, place)->height[place & 1];
+	unmark_stale_items(tree, node);
+	cni_tree_turn(tree, node);
+	(void)cni_tree_refresh(tree, node);
+	if (cni_tree_node_of(tree, place)->height[place & 1] != height)
+		cni_tree_repair(tree, place >> 1);
+}
+
+/* Down to what is stale, then up, led by the marks alone: turns may change what is above. */
+static void settle_in_place(cni_tree *tree)
+{
+	int32_t node = 0;
+	while (cni_tree_marks(tree, CNI_TREE_ROOT) & CNI_TREE_STALE) {
+		const cni_tree_node *f = cni_tree_node_at(tree, node);
+		if (cni_tree_is_node(f->child[0]) && (f->marks[0] & CNI_TREE_STALE))
+			node = f->child[0];
+		else if (cni_tree_is_node(f->child[1]) && (f->marks[1] & CNI_TREE_STALE))
+			node = f->child[1];
+		else if (node == 0)
+			unmark_stale_items(tree, 0);
+		else {
+			node_settle(tree, node);
+			node = cni_tree_node_at(tree, node)->parent >> 1;
+		}
+	}
+}
+
+/* ---- anew, one by one ---- */
+
+static int32_t first_far(const cni_tree *tree)
+{
+	int32_t child = cni_tree_child(tree, CNI_TREE_ROOT);
+	while (cni_tree_is_node(child)) {
+		const cni_tree_node *f = cni_tree_node_at(tree, child);
+		child = f->child[f->marks[0] & CNI_TREE_FAR ? 0 : 1];
+	}
+	return ~child;
+}
+
+/* Takes FAR items out, all before any goes in again, because those above them have grown by their flight and would
+   draw others in. Each leaves a free node behind, which keeps it until it is inserted. */
+static int32_t take_far_out(cni_tree *tree)
+{
+	int32_t count = 0;
+	while ((cni_tree_marks(tree, CNI_TREE_ROOT) & CNI_TREE_FAR) && tree->count > 1) {
+		int32_t item = first_far(tree), place = cni_tree_place(tree, item);
+		cni_tree_node leaf = *cni_tree_node_of(tree, place), *keeps;
+		cni_tree_remove(tree, item);
+		keeps = cni_tree_node_at(tree, tree->node_free);
+		keeps->box[0] = leaf.box[place & 1];
+		keeps->child[0] = ~item;
+		keeps->marks[0] = (uint8_t)(leaf.marks[place & 1] & OWN_MARKS);
+		++count;
+	}
+	return count;
+}
+
+static void put_far_in(cni_tree *tree, int32_t count)
+{
+	while (count-- > 0) {
+		int32_t node = tree->node_free;
+		cni_tree_node kept = *cni_tree_node_at(tree, node);
+		cni_tree_node_clear(tree, node);
+		cni_tree_insert_marked(tree, ~kept.child[0], &kept.box[0], kept.marks[0]);
+	}
+}
+
+/* ---- the choice ---- */
+
+float cni_tree_cost(const cni_tree *tree)
+{
+	float nodes = 0.0f, items = 0.0f;
+	int32_t place;
+	for (place = CNI_TREE_ROOT; place < 2 * tree->nodes.count; ++place) {
+		int32_t child = cni_tree_child(tree, place);
+		if (cni_tree_is_node(child))
+			nodes += cni_tree_size(cni_tree_box(tree, place));
+		else if (child != CNI_TREE_EMPTY)
+			items += cni_tree_size(cni_tree_box(tree, place));
+	}
+	return items > 0.0f ? nodes / items : 0.0f;
+}
+
+static int32_t many_stale(const cni_tree *tree) { return tree->stale > tree->count / MANY_SHARE; }
+
+/* A tree that was filled item by item is good, but scattered over memory: searches are twice as fast in one
+   that was built at once. */
+static int32_t has_doubled(const cni_tree *tree) { return tree->count > 2 * tree->built; }
+
+int32_t cni_tree_wants_scratch(const cni_tree *tree) { return many_stale(tree) || has_doubled(tree); }
+
+static void rebuild_measured(cni_tree *tree, void *scratch)
+{
+	cni_tree_rebuild(tree, scratch);
+	tree->cost = cni_tree_cost(tree);
+	tree->waited = 0;
+}
+
+/* After many moved: is the tree worth building anew? */
+static void rebuild_if_worse(cni_tree *tree, void *scratch)
+{
+	float cost;
+	if (++tree->waited <= tree->patience)
+		return;
+	cost = cni_tree_cost(tree);
+	if (cost <= COST_WORSE * tree->cost)
+		return;
+	rebuild_measured(tree, scratch);
+	tree->patience = tree->cost < 0.9f * cost ? 0 : cni_min_i(PATIENCE_MOST, 2 * tree->patience + 1);
+}
+
+void cni_tree_settle(cni_tree *tree, void *scratch)
+{
+	int32_t many = scratch != NULL && many_stale(tree), out;
+	if (scratch != NULL && has_doubled(tree)) {
+		rebuild_measured(tree, scratch);
+		return;
+	}
+	out = many ? 0 : take_far_out(tree);
+	settle_in_place(tree);
+	put_far_in(tree, out);
+	if (many)
+		rebuild_if_worse(tree, scratch);
+}

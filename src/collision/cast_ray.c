@@ -1,0 +1,195 @@
+/*
+ * collision/cast_ray.c - rays against every type of shape.
+ *
+ * Convex skeletons are clipped face by face (Cyrus, Beck 1978) against the planes moved out by the radius.
+ * That finds the face through which the ray enters; if it does so beyond the face's ends, only the disc
+ * around that end can be met, because the corner between the two planes and the disc is all that is
+ * left of the ray's way through:
+ *
+ *        plane of the next face \   . ray enters beyond the end
+ *                                \ /
+ *              ---------------- (v)      disc around v
+ *
+ * The same holds for a start in such a corner. Discs are met by the point of the line that is nearest to
+ * the centre, so that far origins lose no digits to differences of squares.
+ */
+#include "collision/cast.h"
+
+/* ------------------------------------------------------------------ disc */
+
+/* The origin is outside. */
+static int32_t disc_enter(cni_vec2 center, float radius, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out)
+{
+	float length = cni_length(translation);
+	cni_vec2 direction = cni_normalize(translation);
+	cni_vec2 from = cni_sub(origin, center);
+	float nearest = -cni_dot(from, direction);
+	float off_sq = cni_length_sq(cni_madd(from, nearest, direction));
+	float at;
+	if (!(length > 0.0f) || !(off_sq <= radius * radius))
+		return 0;
+	at = nearest - cni_sqrt(radius * radius - off_sq);
+	if (nearest < 0.0f || at > length)
+		return 0;
+	at = cni_max(at, 0.0f);
+	out->fraction = cni_min(at / length, 1.0f);
+	out->normal = cni_normalize(cni_madd(from, at, direction));
+	out->point = cni_madd(center, radius, out->normal);
+	return 1;
+}
+
+/* ------------------------------------------------------------------ convex skeleton */
+
+static int32_t inside_at(cni_vec2 origin, cni_cast_hit *out)
+{
+	out->fraction = 0.0f;
+	out->point = origin;
+	out->normal = cni_v(0.0f, 0.0f);
+	return 1;
+}
+
+static float segment_distance_sq(cni_vec2 point, cni_vec2 a, cni_vec2 b)
+{
+	cni_vec2 edge = cni_sub(b, a);
+	float length_sq = cni_length_sq(edge);
+	float t = length_sq > 0.0f ? cni_clamp(cni_dot(cni_sub(point, a), edge) / length_sq, 0.0f, 1.0f) : 0.0f;
+	return cni_distance_sq(point, cni_madd(a, t, edge));
+}
+
+static int32_t outline_is_near(const cni_cast_hull *hull, cni_vec2 point)
+{
+	for (int32_t i = 0; i < hull->count; ++i)
+		if (segment_distance_sq(point, hull->points[i], hull->points[i + 1 < hull->count ? i + 1 : 0]) <= hull->radius * hull->radius)
+			return 1;
+	return 0;
+}
+
+static int32_t nearest_vertex(const cni_cast_hull *hull, cni_vec2 point)
+{
+	int32_t best = 0;
+	for (int32_t i = 1; i < hull->count; ++i)
+		if (cni_distance_sq(point, hull->points[i]) < cni_distance_sq(point, hull->points[best]))
+			best = i;
+	return best;
+}
+
+static cni_vec2 face_normal(const cni_cast_hull *hull, int32_t i)
+{
+	if (hull->normals != NULL)
+		return hull->normals[i];
+	return cni_normalize(cni_right_perp(cni_sub(hull->points[i + 1 < hull->count ? i + 1 : 0], hull->points[i])));
+}
+
+/* The ray clipped against the planes moved out by the radius. */
+typedef struct clip {
+	float enter, leave;
+	cni_vec2 normal;      /* of the face entered through */
+	int32_t face;         /* CNI_NONE: the origin is inside of all planes */
+	float height_most;    /* of the origin over any plane of the skeleton itself */
+} clip;
+
+/* 0 when the ray misses. */
+static int32_t hull_clip(const cni_cast_hull *hull, cni_vec2 origin, cni_vec2 translation, clip *c)
+{
+	c->enter = -1.0f;
+	c->leave = 1.0f;
+	c->face = CNI_NONE;
+	c->height_most = -FLT_MAX;
+	for (int32_t i = 0; i < hull->count; ++i) {
+		cni_vec2 n = face_normal(hull, i);
+		float height = cni_dot(n, cni_sub(origin, hull->points[i]));
+		float speed = cni_dot(n, translation);
+		c->height_most = cni_max(c->height_most, height);
+		height -= hull->radius;
+		if (height > 0.0f && speed >= 0.0f)
+			return 0;
+		if (height > 0.0f && height / -speed > c->enter) {
+			c->enter = height / -speed;
+			c->normal = n;
+			c->face = i;
+		} else if (speed > 0.0f) {
+			c->leave = cni_min(c->leave, -height / speed);
+		}
+	}
+	return c->enter <= c->leave;
+}
+
+static int32_t vertex_enter(const cni_cast_hull *hull, int32_t vertex, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out, int32_t *out_feature)
+{
+	*out_feature = vertex;
+	return hull->radius > 0.0f && disc_enter(hull->points[vertex], hull->radius, origin, translation, out);
+}
+
+static int32_t face_enter(const cni_cast_hull *hull, const clip *c, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out, int32_t *out_feature)
+{
+	int32_t next = c->face + 1 < hull->count ? c->face + 1 : 0;
+	cni_vec2 a = hull->points[c->face], edge = cni_sub(hull->points[next], a);
+	float at = cni_dot(cni_sub(cni_madd(origin, c->enter, translation), a), edge);
+	float length_sq = cni_length_sq(edge);
+	if (hull->radius > 0.0f && at < 0.0f)
+		return vertex_enter(hull, c->face, origin, translation, out, out_feature);
+	if (hull->radius > 0.0f && at > length_sq)
+		return vertex_enter(hull, next, origin, translation, out, out_feature);
+	*out_feature = hull->count + c->face;
+	out->fraction = c->enter;
+	out->normal = c->normal;
+	out->point = cni_madd(cni_madd(a, cni_clamp(at / length_sq, 0.0f, 1.0f), edge), hull->radius, c->normal);
+	return 1;
+}
+
+int32_t cni_cast_hull_ray(const cni_cast_hull *hull, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out, int32_t *out_feature)
+{
+	clip c;
+	*out_feature = CNI_NONE;
+	if (hull->count == 1) {
+		if (cni_distance_sq(origin, hull->points[0]) <= hull->radius * hull->radius)
+			return inside_at(origin, out);
+		return vertex_enter(hull, 0, origin, translation, out, out_feature);
+	}
+	if (!hull_clip(hull, origin, translation, &c))
+		return 0;
+	if (c.face != CNI_NONE)
+		return face_enter(hull, &c, origin, translation, out, out_feature);
+	if ((hull->count > 2 && c.height_most <= 0.0f) || outline_is_near(hull, origin))
+		return inside_at(origin, out);
+	return vertex_enter(hull, nearest_vertex(hull, origin), origin, translation, out, out_feature);
+}
+
+/* ------------------------------------------------------------------ edge */
+
+/* Which side of the ray's line the ends are on is computed from each end alone, so that no ray slips
+   between two edges that share one. */
+static int32_t edge_enter(cni_vec2 a, cni_vec2 b, int32_t one_sided, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out)
+{
+	cni_vec2 edge = cni_sub(b, a), normal = cni_normalize(cni_right_perp(edge));
+	float speed = cni_dot(normal, translation);
+	float height = cni_dot(normal, cni_sub(origin, a));
+	float side_a = cni_cross(translation, cni_sub(a, origin));
+	float side_b = cni_cross(translation, cni_sub(b, origin));
+	if ((side_a < 0.0f && side_b < 0.0f) || (side_a > 0.0f && side_b > 0.0f) || side_a == side_b)
+		return 0;
+	if (speed > 0.0f && !one_sided) {
+		normal = cni_neg(normal);
+		speed = -speed;
+		height = -height;
+	}
+	if (!(speed < 0.0f && height >= 0.0f && height <= -speed))
+		return 0;
+	out->fraction = height / -speed;
+	out->normal = normal;
+	out->point = cni_madd(a, side_a / (side_a - side_b), edge);
+	return 1;
+}
+
+/* ------------------------------------------------------------------ any shape */
+
+int32_t cni_cast_ray(const cni_geometry *g, int32_t child, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out)
+{
+	cni_vec2 storage[2];
+	cni_proxy_points set = cni_geometry_proxy(g, child, storage);
+	cni_cast_hull hull = { set.points, g->type == CN_SHAPE_POLYGON ? cni_geometry_normals(g) : NULL, set.count, set.radius };
+	int32_t feature;
+	if (g->type == CN_SHAPE_EDGE || g->type == CN_SHAPE_CHAIN)
+		return edge_enter(set.points[0], set.points[1], g->type == CN_SHAPE_CHAIN, origin, translation, out);
+	return cni_cast_hull_ray(&hull, origin, translation, out, &feature);
+}

@@ -1,0 +1,42 @@
+/*
+ * collision/distance.h - closest points between two convex point sets (GJK: Gilbert, Johnson, Keerthi
+ * 1988, in the barycentric form of Catto, GDC 2010) and between two segments in closed form.
+ */
+#ifndef CNI_COLLISION_DISTANCE_H
+#define CNI_COLLISION_DISTANCE_H
+
+#include "geometry/shape.h"
+
+typedef struct cni_distance_result {
+	cni_vec2 point_a;   /* on the surface of a (radius included), in a's frame */
+	cni_vec2 point_b;   /* on the surface of b, in a's frame */
+	cni_vec2 normal;    /* unit, from a to b; (0, 0) when the skeletons overlap */
+	float distance;     /* of the surfaces; negative when only the radii overlap; 0 when the skeletons do */
+	int32_t iterations;
+} cni_distance_result;
+
+/* b_in_a maps b's frame into a's. */
+cni_distance_result cni_distance(cni_proxy_points a, cni_proxy_points b, cni_transform b_in_a);
+
+/* As cni_distance, of the skeletons, with the features that are closest. */
+typedef struct cni_closest {
+	cni_vec2 point_a;
+	cni_vec2 point_b;
+	cni_vec2 normal;     /* unit, from a to b; (0, 0) when they overlap */
+	float distance;      /* 0 when they overlap */
+	int32_t index_a[2];  /* point numbers: the same one twice for a vertex, two for an edge */
+	int32_t index_b[2];
+	int32_t iterations;
+} cni_closest;
+cni_closest cni_closest_find(const cni_vec2 *points_a, int32_t count_a, const cni_vec2 *points_b, int32_t count_b, cni_transform b_in_a);
+
+typedef struct cni_segment_distance {
+	cni_vec2 point_a;   /* closest points on p1-q1 and p2-q2 */
+	cni_vec2 point_b;
+	float fraction_a;   /* 0 at p1, 1 at q1 */
+	float fraction_b;
+	float distance_sq;
+} cni_segment_distance;
+cni_segment_distance cni_segment_to_segment(cni_vec2 p1, cni_vec2 q1, cni_vec2 p2, cni_vec2 q2);
+
+#endif

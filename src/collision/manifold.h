@@ -1,0 +1,64 @@
+/*
+ * collision/manifold.h - how two shapes touch: one pure function per pair of shape types.
+ *
+ * Everything happens in shape a's body frame: b comes with its transform relative to it, so results do
+ * not lose digits far from the world's origin. The normal points from a to b. A manifold has one or two
+ * points; each lies midway between the two surfaces. Points farther apart than margin are dropped;
+ * margin >= 0 is the speculative distance. When two points are returned they are ordered and share the
+ * normal; their ids name the features (vertex/edge numbers of both shapes), are nonzero, and stay the same
+ * while the same features touch, so that impulses can be matched across steps.
+ *
+ *   id = (feature of a + 1) << 8 | (feature of b + 1), each feature 0..31: vertex k = k, edge k = 16 + k
+ *
+ * Rules that keep motion smooth:
+ *  - parallel faces give two points; reference face choice has a bias (hysteresis) towards the cached one
+ *    so that it does not flip between nearly equal axes;
+ *  - exact distance (GJK-like closest features) whenever the skeletons (shapes without radius) are apart
+ *    and radius or margin matter: vertex-vertex contact has one point with the true direction;
+ *  - rounded shapes: skeleton distance minus radii; deep overlap falls back to the separating-axis result;
+ *  - chain edges are one-sided: nothing behind the edge (by the other shape's centroid) collides, and a
+ *    normal outside the edge's own Voronoi range as given by its neighbours (ghost points) is refused or
+ *    turned to the edge normal, so that inner vertices never catch (Catto, "Ghost Collisions", 2020);
+ *  - an edge against an edge works as two capsules of radius 0; chains do not collide with chains or edges.
+ */
+#ifndef CNI_COLLISION_MANIFOLD_H
+#define CNI_COLLISION_MANIFOLD_H
+
+#include "geometry/shape.h"
+
+typedef struct cni_manifold_point {
+	cni_vec2 point;     /* in a's body frame */
+	float separation;   /* along the normal, radii included */
+	uint32_t id;
+} cni_manifold_point;
+
+typedef struct cni_manifold {
+	cni_vec2 normal;    /* unit, in a's body frame, from a to b */
+	int32_t count;      /* 0: not touching within margin */
+	int32_t reserved;
+	cni_manifold_point points[2];
+} cni_manifold;
+
+/* Kept by the caller from step to step, zero at first; only speeds things up and adds hysteresis. */
+typedef struct cni_manifold_cache {
+	uint8_t axis;       /* 0: none; 1..16: edge of a; 17..32: edge of b, the last reference/separating axis */
+	uint8_t flags;
+	uint8_t reserved[2];
+} cni_manifold_cache;
+
+typedef struct cni_manifold_input {
+	const cni_geometry *a;
+	const cni_geometry *b;
+	int32_t child_a;
+	int32_t child_b;
+	cni_transform b_in_a;  /* maps b's body frame into a's */
+	float margin;          /* metres */
+	float slop;            /* metres: the length below which lengths do not matter (0.5% of a length unit) */
+} cni_manifold_input;
+
+typedef void cni_manifold_fn(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out);
+
+/* The function for a pair of CN_SHAPE_ types with type_a <= type_b, NULL when the pair never collides. */
+cni_manifold_fn *cni_manifold_function(int32_t type_a, int32_t type_b);
+
+#endif

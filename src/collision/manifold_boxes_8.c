@@ -1,0 +1,19 @@
+/*
+ * collision/manifold_boxes_8.c - pairs of boxes on vectors of eight floats: AVX2, used only where the
+ * processor has it. Fused multiply-add stays off: it would change the bits.
+ */
+#include "base/cpu.h"
+
+#if CNI_HAS_WIDE_8
+/* Headers with functions of their own come first, so that only this file's code needs AVX2. */
+#include "collision/manifold_boxes.h"
+#include "collision/manifold_faces.h"
+#include <immintrin.h>
+#include "base/avx2_begin.h"
+#define CNI_WIDTH 8
+#define CNI_KERNEL cni_box_kernel_8
+#include "collision/manifold_boxes_kernel.h"
+#include "base/avx2_end.h"
+#else
+typedef int cni_no_box_kernel_8;
+#endif

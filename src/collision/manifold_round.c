@@ -1,0 +1,149 @@
+/*
+ * collision/manifold_round.c - a circle (shape a) against a circle, a segment or a polygon: the closest
+ * point of b's skeleton to the centre, in b's frame. One point, one normal; where the centre lies on the
+ * skeleton itself a face normal (or, circle on circle, +y) stands in, so the normal is always unit.
+ */
+#include "collision/manifold_faces.h"
+#include "collision/manifold_table.h"
+
+/* Below this length in metres a direction is not taken from a difference of points. */
+#define LENGTH_MIN 1.0e-12f
+
+/* Where the centre is as seen from b's skeleton, in b's frame. */
+typedef struct nearest {
+	cni_vec2 normal;  /* unit, from b's skeleton to the centre */
+	float distance;   /* negative inside */
+	int32_t feature;
+} nearest;
+
+static void nearest_emit(const nearest *near, const cni_manifold_input *in, cni_manifold *out)
+{
+	float radius = in->a->radius;
+	float separation = near->distance - radius - in->b->radius;
+	out->count = 0;
+	if (separation > in->margin)
+		return;
+	out->count = 1;
+	out->normal = cni_neg(cni_rotate(in->b_in_a.q, near->normal));
+	out->points[0].point = cni_madd(cni_geometry_points(in->a)[0], radius + 0.5f * separation, out->normal);
+	out->points[0].separation = separation;
+	out->points[0].id = cni_manifold_id(0, near->feature);
+}
+
+static nearest nearest_to_point(cni_vec2 center, cni_vec2 point, cni_vec2 fallback, int32_t feature)
+{
+	nearest near;
+	cni_vec2 d = cni_sub(center, point);
+	near.distance = cni_length(d);
+	near.normal = near.distance > LENGTH_MIN ? cni_mul(1.0f / near.distance, d) : fallback;
+	near.feature = feature;
+	return near;
+}
+
+void cni_collide_circles(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
+{
+	(void)cache;
+	cni_vec2 center = cni_untransform_point(in->b_in_a, cni_geometry_points(in->a)[0]);
+	nearest near = nearest_to_point(center, cni_geometry_points(in->b)[0], cni_v(0.0f, 1.0f), 0);
+	nearest_emit(&near, in, out);
+}
+
+static nearest nearest_on_segment(cni_vec2 center, const cni_geometry *segment)
+{
+	nearest near;
+	const cni_vec2 *p = cni_geometry_points(segment);
+	cni_vec2 edge = cni_sub(p[1], p[0]);
+	float length_sq = cni_length_sq(edge);
+	float at = cni_dot(cni_sub(center, p[0]), edge);
+	cni_vec2 side = cni_geometry_normals(segment)[1]; /* left of the edge */
+	if (at <= 0.0f)
+		return nearest_to_point(center, p[0], side, 0);
+	if (at >= length_sq)
+		return nearest_to_point(center, p[1], side, 1);
+	float height = cni_dot(side, cni_sub(center, p[0]));
+	near.normal = height < 0.0f ? cni_neg(side) : side;
+	near.distance = cni_abs(height);
+	near.feature = CNI_FEATURE_EDGE;
+	return near;
+}
+
+void cni_collide_circle_segment(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
+{
+	(void)cache;
+	cni_vec2 center = cni_untransform_point(in->b_in_a, cni_geometry_points(in->a)[0]);
+	nearest near = nearest_on_segment(center, in->b);
+	nearest_emit(&near, in, out);
+}
+
+static float face_height(const cni_geometry *g, int32_t edge, cni_vec2 point)
+{
+	return cni_dot(cni_geometry_normals(g)[edge], cni_sub(point, cni_geometry_points(g)[edge]));
+}
+
+/* Of a box: the four faces side by side. */
+static int32_t box_face(const cni_geometry *g, cni_vec2 center, float *out_height)
+{
+	float h[4];
+	for (int32_t i = 0; i < 4; ++i)
+		h[i] = face_height(g, i, center);
+	float best01 = cni_max(h[1], h[0]);
+	float best23 = cni_max(h[3], h[2]);
+	*out_height = cni_max(best23, best01);
+	return best23 > best01 ? 2 + (h[3] > h[2]) : h[1] > h[0];
+}
+
+/* The face the centre is farthest in front of, with a bias towards the last one when inside, so that
+   a centre deep in the middle does not jump between faces. */
+static int32_t face_find(const cni_geometry *g, cni_vec2 center, int32_t cached, float touch, float *out_height)
+{
+	int32_t best = 0;
+	float height = face_height(g, 0, center);
+	if (g->count == 4) {
+		best = box_face(g, center, &height);
+	} else {
+		for (int32_t i = 1; i < g->count; ++i) {
+			float h = face_height(g, i, center);
+			best = h > height ? i : best;
+			height = cni_max(h, height);
+		}
+	}
+	if (height < 0.0f && cached > CN_POLYGON_MAX_VERTICES && cached <= CN_POLYGON_MAX_VERTICES + g->count) {
+		int32_t edge = cached - CN_POLYGON_MAX_VERTICES - 1;
+		float h = face_height(g, edge, center);
+		if (h >= height - touch) {
+			best = edge;
+			height = h;
+		}
+	}
+	*out_height = height;
+	return best;
+}
+
+/* Outside of a convex polygon the nearest feature is the best face or one of its two ends. */
+static nearest nearest_on_face(const cni_geometry *g, int32_t edge, float height, cni_vec2 center)
+{
+	const cni_vec2 *p = cni_geometry_points(g);
+	int32_t next = edge + 1 < g->count ? edge + 1 : 0;
+	nearest near = { cni_geometry_normals(g)[edge], height, CNI_FEATURE_EDGE + edge };
+	if (height <= 0.0f)
+		return near;
+	cni_vec2 along = cni_sub(p[next], p[edge]);
+	if (cni_dot(along, cni_sub(center, p[edge])) < 0.0f)
+		return nearest_to_point(center, p[edge], near.normal, edge);
+	if (cni_dot(along, cni_sub(center, p[next])) > 0.0f)
+		return nearest_to_point(center, p[next], near.normal, next);
+	return near;
+}
+
+void cni_collide_circle_polygon(const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
+{
+	float height;
+	cni_vec2 center = cni_untransform_point(in->b_in_a, cni_geometry_points(in->a)[0]);
+	int32_t edge = face_find(in->b, center, cache->axis, CNI_TOUCH_PER_SLOP * in->slop, &height);
+	cache->axis = (uint8_t)(CN_POLYGON_MAX_VERTICES + 1 + edge);
+	out->count = 0;
+	if (height - in->a->radius - in->b->radius > in->margin)
+		return;
+	nearest near = nearest_on_face(in->b, edge, height, center);
+	nearest_emit(&near, in, out);
+}

@@ -1,0 +1,19 @@
+/*
+ * collision/manifold_table.h - the pair functions that the table in manifold_table.c lists.
+ */
+#ifndef CNI_COLLISION_MANIFOLD_TABLE_H
+#define CNI_COLLISION_MANIFOLD_TABLE_H
+
+#include "collision/manifold.h"
+
+/* manifold_round.c */
+cni_manifold_fn cni_collide_circles;
+cni_manifold_fn cni_collide_circle_segment; /* capsules, edges */
+cni_manifold_fn cni_collide_circle_polygon;
+/* manifold_polygon.c: polygons, capsules, edges */
+cni_manifold_fn cni_collide_polygons;
+/* manifold_chain.c */
+cni_manifold_fn cni_collide_circle_chain;
+cni_manifold_fn cni_collide_faces_chain; /* capsules, polygons */
+
+#endif

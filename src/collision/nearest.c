@@ -1,0 +1,65 @@
+/*
+ * collision/nearest.c - closest surface point: outside of the skeleton that of its nearest edge, moved out by
+ * the radius; inside of a polygon that of the face that is least deep.
+ */
+#include "collision/nearest.h"
+#include "collision/distance.h"
+
+static cni_vec2 on_segment(cni_vec2 point, cni_vec2 a, cni_vec2 b)
+{
+	cni_vec2 edge = cni_sub(b, a);
+	float length_sq = cni_length_sq(edge);
+	float t = length_sq > 0.0f ? cni_clamp(cni_dot(cni_sub(point, a), edge) / length_sq, 0.0f, 1.0f) : 0.0f;
+	return cni_madd(a, t, edge);
+}
+
+static cni_nearest nearest_make(cni_vec2 on_skeleton, cni_vec2 normal, float height, float radius)
+{
+	cni_nearest n;
+	n.distance = height - radius;
+	n.point = cni_madd(on_skeleton, radius, normal);
+	n.normal = normal;
+	return n;
+}
+
+/* 1 when the point is in the polygon's skeleton. */
+static int32_t nearest_inside(const cni_geometry *g, cni_vec2 local, cni_nearest *out)
+{
+	const cni_vec2 *p = cni_geometry_points(g), *normals = cni_geometry_normals(g);
+	int32_t best = 0;
+	float most = -FLT_MAX;
+	for (int32_t i = 0; i < g->count; ++i) {
+		float height = cni_dot(normals[i], cni_sub(local, p[i]));
+		if (height > 0.0f)
+			return 0;
+		if (height > most) {
+			most = height;
+			best = i;
+		}
+	}
+	*out = nearest_make(cni_madd(local, -most, normals[best]), normals[best], most, g->radius);
+	return 1;
+}
+
+cni_nearest cni_geometry_nearest(const cni_geometry *g, int32_t child, cni_vec2 local)
+{
+	cni_vec2 storage[2];
+	cni_proxy_points set = cni_geometry_proxy(g, child, storage);
+	cni_vec2 best = set.points[0], normal = { 1.0f, 0.0f };
+	int32_t edges = set.count > 2 ? set.count : set.count - 1;
+	cni_nearest inside;
+	float distance;
+	if (g->type == CN_SHAPE_POLYGON && nearest_inside(g, local, &inside))
+		return inside;
+	if (set.count == 2)
+		normal = cni_normalize(cni_right_perp(cni_sub(set.points[1], set.points[0])));
+	for (int32_t i = 0; i < edges; ++i) {
+		cni_vec2 on = on_segment(local, set.points[i], set.points[i + 1 < set.count ? i + 1 : 0]);
+		if (i == 0 || cni_distance_sq(local, on) < cni_distance_sq(local, best))
+			best = on;
+	}
+	distance = cni_length(cni_sub(local, best));
+	if (distance > 0.0f)
+		normal = cni_normalize(cni_sub(local, best));
+	return nearest_make(best, normal, distance, set.radius);
+}

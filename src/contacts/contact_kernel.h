@@ -1,0 +1,579 @@
+/*
+ * contacts/contact_kernel.h - the contact kernel of one instruction set: included by contact_kernel_*.c, which
+ * define CNI_WIDTH and CNI_KERNEL (the name of the table they fill). Results do not depend on the width. What sets up a pass
+ * is done once a call, so a call goes through as many blocks as it can.
+ *
+ * With the letters of model/contact.h and body changes dp, th since the step began, a point's separation is
+ *   s = s0 + n.(dpb - dpa) + [(cos thb - 1) bn + sin thb bt] - [(cos tha - 1) an + sin tha at]
+ * its speed vn = n.(vb - va) + wb bt - wa at, and the friction speed vt = t.(vb - va) - wb fb + wa fa.
+ *
+ * The soft pass gives way by a part of the impulse: that is what damps it, but also what lets a stack sink into
+ * itself by its weight. So it gives way around the load, the slow mean of what the contact bears, and not around
+ * zero: a thing at rest stands without overlap whatever lies on it, and what is sudden is as soft as ever. The mean
+ * must be slower than impulses need to travel through the largest pile; see CNI_LOAD_RATE in model/solve.h. Between bodies that have
+ * settled it does not rise any more: what is wedged would be pressed ever harder, until something slips.
+ *
+ * Reads motion, start and block rows; writes motion velocities and block.jn, jt, load.
+ */
+#include "base/wide.h"
+#include "contacts/contact_pass.h"
+
+#define MOTION_FLOATS ((int32_t)(sizeof(cni_motion) / sizeof(float)))
+
+/* The bodies on one side of CNI_WIDTH lanes. */
+typedef struct side {
+	cni_wide vx, vy, w, m, i;
+	cni_wide mx, my;      /* inverse mass along x and y: m but for locked axes */
+	cni_wide x, y, s, c1; /* change of centre; sin and cos - 1 of the change of angle */
+} side;
+
+/* Turns beyond what the series holds for are cut: a contact's geometry does not last that far. A speed of -0 becomes 0, which
+   an impulse of nothing leaves as it is. */
+CNI_INLINE void side_gather(const cni_motion *motions, const int32_t *index, side *out)
+{
+	const float *base = (const float *)(const void *)motions;
+	const cni_wide zero = cni_wide_of(0.0f);
+	cni_wide t, t2;
+	cni_wide_gather4(base, MOTION_FLOATS, index, &out->vx, &out->vy, &out->w, &out->m);
+	out->vx += zero;
+	out->vy += zero;
+	out->w += zero;
+	cni_wide_gather4(base + 4, MOTION_FLOATS, index, &out->x, &out->y, &t, &out->i);
+	t = cni_wide_min(cni_wide_max(t, cni_wide_of(-1.25f)), cni_wide_of(1.25f));
+	t2 = t * t;
+	out->s = t * (1.0f - t2 * (1.0f / 6.0f - t2 * (1.0f / 120.0f)));
+	out->c1 = -t2 * (0.5f - t2 * (1.0f / 24.0f));
+	out->mx = out->my = out->m;
+}
+
+CNI_INLINE void side_scatter(cni_motion *motions, const int32_t *index, const side *a)
+{
+	cni_wide_scatter4((float *)(void *)motions, MOTION_FLOATS, index, a->vx, a->vy, a->w, a->m);
+}
+
+CNI_INLINE void sides_lock(const cni_block_extra *extra, int32_t l, side *a, side *b)
+{
+	a->mx = a->m * (1.0f - cni_wide_load(extra->lock_ax + l));
+	a->my = a->m * (1.0f - cni_wide_load(extra->lock_ay + l));
+	b->mx = b->m * (1.0f - cni_wide_load(extra->lock_bx + l));
+	b->my = b->m * (1.0f - cni_wide_load(extra->lock_by + l));
+}
+
+/* Takes back what happened to lanes that are not live. */
+CNI_INLINE void side_keep(side *a, const side *old, cni_mask live)
+{
+	a->vx = cni_wide_select(live, a->vx, old->vx);
+	a->vy = cni_wide_select(live, a->vy, old->vy);
+	a->w = cni_wide_select(live, a->w, old->w);
+}
+
+/* A point of every lane, ready for the pair solve. */
+typedef struct point {
+	cni_wide at, bt;
+	cni_wide m;    /* mass_scale / (n K n); 0: takes no part */
+	cni_wide want; /* the impulse it would have if the other point kept its own */
+	cni_wide old;
+} point;
+
+/* Of a point, where the bodies are now. */
+CNI_INLINE cni_wide point_separation(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b)
+{
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
+	cni_wide an = cni_wide_load(p->an + l), bn = an - cni_wide_load(k->dn + l), at = cni_wide_load(p->at + l), bt = at - cni_wide_load(k->dt + l);
+	return cni_wide_load(p->s0 + l) + nx * (b->x - a->x) + ny * (b->y - a->y) + (b->c1 * bn + b->s * bt) - (a->c1 * an + a->s * at);
+}
+
+/* Restitution of which impacts are left to the next substep. Less returns a quarter of the energy at most, and crowds that are pressed
+   together are held apart sooner. */
+#define BOUNCY 0.5f
+
+/* Substeps. A body of 0.1 kg, hinged to one of 0.5 kg that falls, bounced in each substep and was pulled back in the same: it went
+   through a floor. With 4 crowds of elastic discs lose 0.5% of their energy in the test, with 8 half of that. */
+#define MISSED 8.0f
+
+/* bias: the soft pass, else the rigid one. bounces: restitution of the block's lanes, NULL: they have none. */
+CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces)
+{
+	point q;
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), nm = cni_wide_load(p->nm + l), s = point_separation(k, p, l, a, b);
+	cni_wide vn, soft_push, push, scale, part;
+	const cni_wide zero = cni_wide_of(0.0f), one = cni_wide_of(1.0f);
+	q.at = cni_wide_load(p->at + l);
+	q.bt = q.at - cni_wide_load(k->dt + l);
+	q.old = cni_wide_load(p->jn + l);
+	vn = nx * (b->vx - a->vx) + ny * (b->vy - a->vy) + b->w * q.bt - a->w * q.at;
+	soft_push = bias ? cni_wide_max(pass->soft.bias_scale * s, cni_wide_of(-pass->push_speed * pass->soft.mass_scale)) : zero;
+	push = cni_wide_select(s > zero, s * pass->inv_h, soft_push);
+	scale = bias ? cni_wide_select(s > zero, one, cni_wide_of(pass->soft.mass_scale)) : one;
+	q.m = scale * nm;
+	q.want = scale * q.old - nm * (scale * vn + push);
+	if (bias && CNI_ON(LOADS))
+		q.want += (1.0f - scale) * cni_wide_load(p->load + l);
+	if (!bias || bounces != NULL) {
+		/* Impacts are left to restitution.c: where its sweeps found that bodies do not meet in this substep they do so in the next,
+		   and braking would take the speed that the impact there should return. Of contacts that return little of it only relax leaves
+		   them, and only for a surface that only the next substep can reach. A contact that overlaps by more than it closes in MISSED
+		   substeps is braked: what else its bodies bear, a joint for one, undoes its impacts. */
+		cni_mask left = (vn < cni_wide_of(pass->impact_speed)) & (q.old <= zero), apart = s > zero;
+		if (bounces != NULL && bias)
+			left &= (cni_wide_load_loose(bounces + l) > cni_wide_of(BOUNCY)) & (s * pass->inv_h > MISSED * vn);
+		else if (bounces != NULL)
+			left &= apart | (cni_wide_load_loose(bounces + l) > cni_wide_of(BOUNCY));
+		else
+			left &= apart;
+		part = cni_wide_select(left, zero, one);
+		q.m = part * q.m;
+		q.want = part * q.want + zero; /* not -0 */
+	}
+	return q;
+}
+
+CNI_INLINE void apply_normal(side *a, side *b, cni_wide nx, cni_wide ny, const point *q, cni_wide impulse)
+{
+	cni_wide dj = impulse - q->old;
+	a->vx -= a->mx * dj * nx;
+	a->vy -= a->my * dj * ny;
+	a->w -= a->i * q->at * dj;
+	b->vx += b->mx * dj * nx;
+	b->vy += b->my * dj * ny;
+	b->w += b->i * q->bt * dj;
+}
+
+/* Has no lane of the group a second point? Then all of its row is zero, and so is what it would do. */
+CNI_INLINE int32_t has_one_point(const cni_contact_block *k, int32_t l)
+{
+	return cni_mask_bits(cni_wide_load(k->p[1].nm + l) != cni_wide_of(0.0f)) == 0;
+}
+
+/* The points of every lane: both, or the first where no lane has a second. */
+typedef struct normals {
+	point p, q;
+	cni_wide jp, jq;
+} normals;
+
+CNI_INLINE void normals_prepare(normals *out, const cni_contact_block *k, int32_t l, const side *a, const side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, int32_t points)
+{
+	out->p = point_prepare(k, &k->p[0], l, a, b, pass, bias, bounces);
+	if (points == 2)
+		out->q = point_prepare(k, &k->p[1], l, a, b, pass, bias, bounces);
+}
+
+/*
+ * The normal impulses of both points at once: the 2 x 2 complementarity problem A j >= r, j >= 0, in which
+ * A has 1/m on its diagonal and k12 beside it, by trying both, the first alone, the second alone
+ * (total enumeration after Catto, "Iterative Dynamics", 2005). k12 is held a little below its true
+ * size, which keeps A well conditioned when the points nearly coincide and does not move the fixed point.
+ */
+CNI_INLINE void normals_solve_both(normals *c, const cni_contact_block *k, const cni_block_extra *extra, int32_t l, const side *a, const side *b)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	const point *p = &c->p, *q = &c->q;
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
+	cni_wide mass = extra != NULL ? nx * nx * (a->mx + b->mx) + ny * ny * (a->my + b->my) : a->m + b->m;
+	cni_wide k12 = 0.99f * (mass + a->i * p->at * q->at + b->i * p->bt * q->bt);
+	cni_wide kp = k12 * p->m, kq = k12 * q->m, rp = p->want + kp * q->old, rq = q->want + kq * p->old;
+	cni_wide inv_det = 1.0f / (1.0f - kp * kq);
+	cni_wide both_p = (rp - kp * rq) * inv_det, both_q = (rq - kq * rp) * inv_det;
+	cni_wide one_p = cni_wide_max(rp, zero), one_q = cni_wide_max(rq, zero);
+	cni_mask only_p = kq * one_p >= rq, both = (both_p >= zero) & (both_q >= zero);
+	c->jp = cni_wide_select(both, both_p, cni_wide_select(only_p, one_p, zero));
+	c->jq = cni_wide_select(both, both_q, cni_wide_select(only_p, zero, one_q));
+}
+
+CNI_INLINE void normals_solve(normals *c, const cni_contact_block *k, const cni_block_extra *extra, int32_t l, const side *a, const side *b, int32_t points)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	if (points == 2)
+		normals_solve_both(c, k, extra, l, a, b);
+	else
+		c->jp = cni_wide_select(c->p.want >= zero, c->p.want, zero); /* what the above makes of a second point whose row is zero */
+}
+
+CNI_INLINE void normals_apply(const normals *c, cni_contact_block *k, int32_t l, side *a, side *b, int32_t points)
+{
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
+	cni_wide_store(k->p[0].jn + l, c->jp);
+	apply_normal(a, b, nx, ny, &c->p, c->jp);
+	if (points == 2) {
+		cni_wide_store(k->p[1].jn + l, c->jq);
+		apply_normal(a, b, nx, ny, &c->q, c->jq);
+	}
+}
+
+CNI_INLINE void solve_normals(cni_contact_block *k, const cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, int32_t points)
+{
+	normals c;
+	normals_prepare(&c, k, l, a, b, pass, bias, bounces, points);
+	normals_solve(&c, k, extra, l, a, b, points);
+	normals_apply(&c, k, l, a, b, points);
+}
+
+/* Impulse along t = (ny, -nx) on body b. */
+CNI_INLINE void apply_friction(side *a, side *b, cni_wide nx, cni_wide ny, cni_wide fa, cni_wide fb, cni_wide dj)
+{
+	a->vx -= a->mx * dj * ny;
+	a->vy += a->my * dj * nx;
+	a->w += a->i * fa * dj;
+	b->vx += b->mx * dj * ny;
+	b->vy -= b->my * dj * nx;
+	b->w -= b->i * fb * dj;
+}
+
+/* Sticks within static friction, slides at dynamic friction. */
+CNI_INLINE void solve_friction(cni_contact_block *k, const cni_block_extra *extra, int32_t l, side *a, side *b)
+{
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
+	cni_wide fa = cni_wide_load(k->fa + l), fb = cni_wide_load(k->fb + l);
+	cni_wide vt = ny * (b->vx - a->vx) - nx * (b->vy - a->vy) - b->w * fb + a->w * fa;
+	cni_wide slip = extra != NULL ? vt - cni_wide_load(extra->tangent_speed + l) : vt;
+	cni_wide old = cni_wide_load(k->jt + l), want = old - cni_wide_load(k->tm + l) * slip;
+	cni_wide normal = cni_wide_load(k->p[0].jn + l) + cni_wide_load(k->p[1].jn + l);
+	cni_wide stick = cni_wide_load(k->static_friction + l) * normal, slide = cni_wide_load(k->dynamic_friction + l) * normal;
+	cni_wide sliding = cni_wide_max(cni_wide_min(want, slide), -slide);
+	cni_wide impulse = cni_wide_select(cni_wide_abs(want) <= stick, want, sliding);
+	cni_wide_store(k->jt + l, impulse);
+	apply_friction(a, b, nx, ny, fa, fb, impulse - old);
+}
+
+/* A torque against relative turning, bounded by the normal impulse times a lever arm. */
+CNI_INLINE void solve_rolling(const cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b)
+{
+	cni_wide most = cni_wide_load(extra->rolling + l) * (cni_wide_load(k->p[0].jn + l) + cni_wide_load(k->p[1].jn + l));
+	cni_wide old = cni_wide_load(extra->rolling_impulse + l);
+	cni_wide want = old - cni_wide_load(extra->rolling_mass + l) * (b->w - a->w);
+	cni_wide impulse = cni_wide_max(cni_wide_min(want, most), -most), dj = impulse - old;
+	cni_wide_store(extra->rolling_impulse + l, impulse);
+	a->w -= a->i * dj;
+	b->w += b->i * dj;
+}
+
+/* Once through the rows of a group; lanes that are not live stay as they are. */
+CNI_INLINE void solve_live(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, cni_mask live)
+{
+	cni_wide p = cni_wide_load(k->p[0].jn + l), q = cni_wide_load(k->p[1].jn + l), t = cni_wide_load(k->jt + l), roll;
+	side a_old = *a, b_old = *b;
+	solve_normals(k, extra, l, a, b, pass, bias, bounces, 2);
+	solve_friction(k, extra, l, a, b);
+	if (extra != NULL) {
+		roll = cni_wide_load(extra->rolling_impulse + l);
+		solve_rolling(k, extra, l, a, b);
+		cni_wide_store(extra->rolling_impulse + l, cni_wide_select(live, cni_wide_load(extra->rolling_impulse + l), roll));
+	}
+	cni_wide_store(k->p[0].jn + l, cni_wide_select(live, cni_wide_load(k->p[0].jn + l), p));
+	cni_wide_store(k->p[1].jn + l, cni_wide_select(live, cni_wide_load(k->p[1].jn + l), q));
+	cni_wide_store(k->jt + l, cni_wide_select(live, cni_wide_load(k->jt + l), t));
+	side_keep(a, &a_old, live);
+	side_keep(b, &b_old, live);
+}
+
+/*
+ * Lanes whose contact began to touch this step iterate between normals and friction in the substep in which they begin to
+ * bear: with no impulse to start from, one round leaves friction bounded by a normal force that is not there yet, and a
+ * body set down on a slope would start with a false speed.
+ */
+#define FRESH_ROUNDS 4
+
+/* The rounds but the first. A function of its own, called with copies: groups without such lanes keep their registers. */
+static void solve_again(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, uint32_t live)
+{
+	int32_t round;
+	for (round = 1; round < FRESH_ROUNDS; ++round)
+		solve_live(k, extra, l, a, b, pass, bias, bounces, cni_mask_of_bits(live));
+}
+
+/* Lanes of a group that bear, as bits. */
+CNI_INLINE uint32_t group_bears(const cni_contact_block *k, int32_t l)
+{
+	return cni_mask_bits(cni_wide_load(k->p[0].jn + l) + cni_wide_load(k->p[1].jn + l) > cni_wide_of(0.0f));
+}
+
+/* Lanes of a group in which normals and friction change each other, as bits. They do not where there is one point, straight
+   ahead of both centres (or of that which turns), as of balls on the ground and on each other. */
+CNI_INLINE uint32_t group_couples(const cni_contact_block *k, int32_t l, const side *a, const side *b)
+{
+	cni_wide at = cni_wide_load(k->p[0].at + l), bt = at - cni_wide_load(k->dt + l);
+	cni_wide across = a->i * cni_wide_abs(at * cni_wide_load(k->fa + l)) + b->i * cni_wide_abs(bt * cni_wide_load(k->fb + l));
+	cni_mask two = cni_wide_load(k->p[1].nm + l) > cni_wide_of(0.0f);
+	return cni_mask_bits(two | (across > 1e-3f * (a->m + b->m)));
+}
+
+CNI_INLINE void solve_fresh(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, uint32_t fresh)
+{
+	side a_copy, b_copy;
+	uint32_t live = fresh >> l & ((1u << CNI_WIDTH) - 1u);
+	if (live == 0 || !CNI_ON(FRESH_ROUNDS))
+		return;
+	live &= group_bears(k, l) & (extra != NULL ? live : group_couples(k, l, a, b));
+	if (live == 0)
+		return;
+	a_copy = *a;
+	b_copy = *b;
+	solve_again(k, extra, l, &a_copy, &b_copy, pass, bias, bounces, live);
+	*a = a_copy;
+	*b = b_copy;
+}
+
+CNI_INLINE void sides_scatter(cni_motion *motions, const cni_contact_block *k, int32_t l, const side *a, const side *b, const cni_contact_pass *pass)
+{
+	side_scatter(motions, k->ia + l, a);
+	if (!pass->one_sided)
+		side_scatter(motions, k->ib + l, b);
+}
+
+CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass, uint32_t fresh, int32_t bias, const float *bounces)
+{
+	side a, b;
+	side_gather(motions, k->ia + l, &a);
+	side_gather(motions, k->ib + l, &b);
+	if (extra != NULL)
+		sides_lock(extra, l, &a, &b);
+	if (has_one_point(k, l))
+		solve_normals(k, extra, l, &a, &b, pass, bias, bounces, 1);
+	else
+		solve_normals(k, extra, l, &a, &b, pass, bias, bounces, 2);
+	solve_friction(k, extra, l, &a, &b);
+	if (extra != NULL)
+		solve_rolling(k, extra, l, &a, &b);
+	solve_fresh(k, extra, l, &a, &b, pass, bias, bounces, fresh);
+	sides_scatter(motions, k, l, &a, &b, pass);
+}
+
+/*
+ * Two groups of one colour without extra rows, by turns: each is a long chain of operations that wait for one
+ * another, and processors do not look far enough ahead to begin the next group meanwhile.
+ */
+CNI_INLINE void solve_pair(cni_motion *motions, cni_contact_block *k, int32_t l, const cni_contact_pass *pass, uint32_t fresh, int32_t bias, const float *bounces, int32_t points)
+{
+	int32_t m = l + CNI_WIDTH;
+	side al, bl, am, bm;
+	normals cl, cm;
+	side_gather(motions, k->ia + l, &al);
+	side_gather(motions, k->ib + l, &bl);
+	side_gather(motions, k->ia + m, &am);
+	side_gather(motions, k->ib + m, &bm);
+	normals_prepare(&cl, k, l, &al, &bl, pass, bias, bounces, points);
+	normals_prepare(&cm, k, m, &am, &bm, pass, bias, bounces, points);
+	normals_solve(&cl, k, NULL, l, &al, &bl, points);
+	normals_solve(&cm, k, NULL, m, &am, &bm, points);
+	normals_apply(&cl, k, l, &al, &bl, points);
+	normals_apply(&cm, k, m, &am, &bm, points);
+	solve_friction(k, NULL, l, &al, &bl);
+	solve_friction(k, NULL, m, &am, &bm);
+	solve_fresh(k, NULL, l, &al, &bl, pass, bias, bounces, fresh);
+	solve_fresh(k, NULL, m, &am, &bm, pass, bias, bounces, fresh);
+	sides_scatter(motions, k, l, &al, &bl, pass);
+	sides_scatter(motions, k, m, &am, &bm, pass);
+}
+
+/* Lanes that began to touch in this step and did not bear in its substeps before, as bits. */
+CNI_INLINE uint32_t block_fresh(const cni_listed_block *b)
+{
+	return b->fresh != 0 ? b->fresh & b->info->fresh : 0;
+}
+
+/* At the end of a substep: those that bear are as others from now on. */
+static void block_age(const cni_listed_block *b, uint32_t fresh)
+{
+	int32_t l;
+	for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
+		b->info->fresh = (uint16_t)(b->info->fresh & ~(fresh & group_bears(b->rows, l) << l));
+}
+
+/* The groups of a block without extra rows. */
+CNI_INLINE void solve_plain(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, uint32_t fresh, int32_t bias, const float *bounces)
+{
+	int32_t l = b->begin, end = b->lanes;
+#if CNI_WIDTH > 1
+	for (; l + CNI_WIDTH < end; l += 2 * CNI_WIDTH)
+		if (has_one_point(b->rows, l) && has_one_point(b->rows, l + CNI_WIDTH))
+			solve_pair(motions, b->rows, l, pass, fresh, bias, bounces, 1);
+		else
+			solve_pair(motions, b->rows, l, pass, fresh, bias, bounces, 2);
+#endif
+	for (; l < end; l += CNI_WIDTH)
+		solve_group(motions, b->rows, NULL, l, pass, fresh, bias, bounces);
+}
+
+/* Those of a block with extra rows or restitution. A function of its own for each of them: they are few. */
+static void solve_rare(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, uint32_t fresh, int32_t bias)
+{
+	const float *bounces = b->info->restitution;
+	int32_t l;
+	if (b->extra != NULL && bias)
+		for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
+			solve_group(motions, b->rows, b->extra, l, pass, fresh, 1, bounces);
+	else if (b->extra != NULL)
+		for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
+			solve_group(motions, b->rows, b->extra, l, pass, fresh, 0, bounces);
+	else if (bias)
+		solve_plain(motions, b, pass, fresh, 1, bounces);
+	else
+		solve_plain(motions, b, pass, fresh, 0, bounces);
+}
+
+/* Few blocks have extra rows: the compiler knows that the others have none. */
+CNI_INLINE void solve_blocks(const cni_color_pass *c, int32_t begin, int32_t end, int32_t bias)
+{
+	int32_t k;
+	for (k = begin; k < end; ++k) {
+		const cni_listed_block *b = &c->blocks[k];
+		const cni_contact_pass *pass = &c->kinds[b->kind];
+		uint32_t fresh = block_fresh(b);
+		if (c->prefetches)
+			cni_blocks_prefetch(c, k, end);
+		if (b->extra == NULL && !(b->info->flags & CNI_BLOCK_RESTITUTION))
+			solve_plain(c->motions, b, pass, fresh, bias, NULL);
+		else
+			solve_rare(c->motions, b, pass, fresh, bias);
+		if (fresh != 0 && !bias)
+			block_age(b, fresh);
+	}
+}
+
+static void kernel_solve(const cni_color_pass *c, int32_t begin, int32_t end)
+{
+	solve_blocks(c, begin, end, 1);
+}
+
+static void kernel_relax(const cni_color_pass *c, int32_t begin, int32_t end)
+{
+	solve_blocks(c, begin, end, 0);
+}
+
+/* Lanes whose bodies, but for what cannot move, have all settled. */
+CNI_INLINE cni_mask lanes_settled(const cni_external *drives, const cni_contact_block *k, int32_t l, const side *b)
+{
+#if CNI_WIDTH == 1
+	if (drives == NULL || !(drives[k->ia[l]].flags & CNI_EXTERNAL_SETTLED))
+		return 0;
+	return (drives[k->ib[l]].flags & CNI_EXTERNAL_SETTLED) || b->m == 0.0f;
+#else
+	const float *base = (const float *)(const void *)drives;
+	const int32_t stride = (int32_t)(sizeof(cni_external) / sizeof(float));
+	const cni_mask none = { 0 }, bit = (int32_t)CNI_EXTERNAL_SETTLED - none;
+	cni_wide ax, ay, alpha, flags_a, flags_b;
+	if (drives == NULL)
+		return none;
+	cni_wide_gather4(base, stride, k->ia + l, &ax, &ay, &alpha, &flags_a);
+	cni_wide_gather4(base, stride, k->ib + l, &ax, &ay, &alpha, &flags_b);
+	return (((cni_mask)flags_a & bit) != none) & ((((cni_mask)flags_b & bit) != none) | (b->m == cni_wide_of(0.0f)));
+#endif
+}
+
+/* A load follows slowly, where much is borne more slowly still, and never exceeds the impulse that is there; nor does it rise where
+   all has settled. m: the larger inverse mass. */
+CNI_INLINE cni_wide load_follow(cni_wide load, cni_wide jn, cni_wide m, cni_mask settled, const cni_contact_pass *pass)
+{
+	cni_wide speed = jn * m, part = cni_wide_min(cni_wide_of(pass->load_part), pass->load_heavy / (speed * speed + FLT_MIN));
+	part = cni_wide_select(settled, cni_wide_of(0.0f), part);
+	return cni_wide_min(load + part * (jn - load), jn);
+}
+
+CNI_INLINE void warm_group(cni_motion *motions, const cni_external *drives, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), scale = cni_wide_of(pass->warm_scale);
+	cni_wide jt = cni_wide_load(k->jt + l) * scale;
+	cni_mask settled;
+	side a, b;
+	int32_t p, points = has_one_point(k, l) ? 1 : 2;
+	side_gather(motions, k->ia + l, &a);
+	side_gather(motions, k->ib + l, &b);
+	settled = lanes_settled(drives, k, l, &b);
+	if (extra != NULL)
+		sides_lock(extra, l, &a, &b);
+	for (p = 0; p < points; ++p) {
+		point q;
+		cni_wide jn = cni_wide_load(k->p[p].jn + l) * scale;
+		q.at = cni_wide_load(k->p[p].at + l);
+		q.bt = q.at - cni_wide_load(k->dt + l);
+		q.old = zero;
+		cni_wide_store(k->p[p].jn + l, jn);
+		cni_wide_store(k->p[p].load + l, load_follow(cni_wide_load(k->p[p].load + l) * scale, jn, cni_wide_max(a.m, b.m), settled, pass));
+		apply_normal(&a, &b, nx, ny, &q, jn);
+	}
+	cni_wide_store(k->jt + l, jt);
+	apply_friction(&a, &b, nx, ny, cni_wide_load(k->fa + l), cni_wide_load(k->fb + l), jt);
+	if (extra != NULL) {
+		cni_wide roll = cni_wide_load(extra->rolling_impulse + l) * scale;
+		cni_wide_store(extra->rolling_impulse + l, roll);
+		a.w -= a.i * roll;
+		b.w += b.i * roll;
+	}
+	side_scatter(motions, k->ia + l, &a);
+	if (!pass->one_sided)
+		side_scatter(motions, k->ib + l, &b);
+}
+
+static void kernel_warm(const cni_color_pass *c, int32_t begin, int32_t end)
+{
+	int32_t k, l;
+	for (k = begin; k < end; ++k) {
+		const cni_listed_block *b = &c->blocks[k];
+		if (c->prefetches)
+			cni_blocks_prefetch(c, k, end);
+		for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
+			warm_group(c->motions, c->drives, b->rows, b->extra, l, &c->kinds[b->kind]);
+	}
+}
+
+/* Does the point close faster than the speed, and than what it bears could answer (restitution.c)? a and b hold velocities only. */
+CNI_INLINE cni_mask point_closes(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b, float speed)
+{
+	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), at = cni_wide_load(p->at + l), bt = at - cni_wide_load(k->dt + l);
+	cni_wide vn = nx * (b->vx - a->vx) + ny * (b->vy - a->vy) + b->w * bt - a->w * at;
+	cni_wide takes = cni_wide_load(p->nm + l) * -vn, bears = cni_wide_load(p->jn + l), least = cni_wide_of(-speed);
+	return (vn < least) & (takes > bears);
+}
+
+CNI_INLINE uint32_t group_closing(const float *starts, const cni_contact_block *k, const cni_block_info *info, float speed, int32_t l)
+{
+	side a, b;
+	cni_wide jumped;
+	cni_mask closes, bounces;
+	cni_wide_gather4(starts, 4, k->ia + l, &a.vx, &a.vy, &a.w, &jumped);
+	cni_wide_gather4(starts, 4, k->ib + l, &b.vx, &b.vy, &b.w, &jumped);
+	closes = point_closes(k, &k->p[0], l, &a, &b, speed) | point_closes(k, &k->p[1], l, &a, &b, speed);
+	bounces = cni_wide_load_loose(info->restitution + l) > cni_wide_of(0.0f);
+	return cni_mask_bits(closes & bounces) << l;
+}
+
+/* Asks for what is read of a block. */
+CNI_INLINE void closing_prefetch(const cni_listed_block *b)
+{
+	const cni_contact_block *k = b->rows;
+	CNI_PREFETCH(&b->info->flags);
+	CNI_PREFETCH(b->info->restitution);
+	CNI_PREFETCH(k->ia);
+	CNI_PREFETCH(k->ib);
+	CNI_PREFETCH(k->nx);
+	CNI_PREFETCH(k->ny);
+	CNI_PREFETCH(k->dt);
+	CNI_PREFETCH(k->p[0].at);
+	CNI_PREFETCH(k->p[0].nm);
+	CNI_PREFETCH(k->p[0].jn);
+	CNI_PREFETCH(k->p[1].at);
+	CNI_PREFETCH(k->p[1].nm);
+	CNI_PREFETCH(k->p[1].jn);
+}
+
+#define CLOSING_AHEAD 2 /* blocks whose memory is asked for */
+
+static void kernel_closing(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, uint32_t *closing)
+{
+	int32_t k, l;
+	for (k = 0; k < count; ++k) {
+		const cni_listed_block *b = &blocks[k];
+		closing[k] = 0;
+		if (k + CLOSING_AHEAD < count)
+			closing_prefetch(&blocks[k + CLOSING_AHEAD]);
+		if (b->info->flags & CNI_BLOCK_RESTITUTION)
+			for (l = 0; l < b->lanes; l += CNI_WIDTH)
+				closing[k] |= group_closing((const float *)(const void *)starts, b->rows, b->info, speed, l);
+	}
+}
+
+#include "contacts/restitution_kernel.h"
+#include "contacts/manifold_reuse_kernel.h"
+
+const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, kernel_closing, kernel_impact, kernel_follow };

@@ -1,0 +1,12 @@
+/*
+ * contacts/contact_kernel_4.c - the contact kernel on vectors of four floats: SSE2, NEON, WASM SIMD.
+ */
+#include "base/cpu.h"
+
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#define CNI_KERNEL cni_contact_kernel_4
+#include "contacts/contact_kernel.h"
+#else
+typedef int cni_no_kernel_4;
+#endif

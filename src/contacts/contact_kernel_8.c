@@ -1,0 +1,19 @@
+/*
+ * contacts/contact_kernel_8.c - the contact kernel on vectors of eight floats: AVX2, used only where the
+ * processor has it. Fused multiply-add stays off: it would change the bits.
+ */
+#include "base/cpu.h"
+
+#if CNI_HAS_WIDE_8
+/* Headers with functions of their own come first, so that only this file's code needs AVX2. */
+#include "base/bitset.h"
+#include "contacts/contact_pass.h"
+#include <immintrin.h>
+#include "base/avx2_begin.h"
+#define CNI_WIDTH 8
+#define CNI_KERNEL cni_contact_kernel_8
+#include "contacts/contact_kernel.h"
+#include "base/avx2_end.h"
+#else
+typedef int cni_no_kernel_8;
+#endif

@@ -1,0 +1,155 @@
+/*
+ * contacts/contact_solve.c - warm start, soft solve and relax of all contacts: colours in order, blocks of a
+ * colour through the widest kernel there is. Without a team a pass is one call for all blocks.
+ *
+ * Within a colour no dynamic body appears twice, so its lanes are independent. In static colours lane body
+ * b is read and not written. So a colour's blocks may be shared among workers; they meet before the next colour. Contacts
+ * in the overflow colour are solved one by one, in the blocks where they lie.
+ */
+#include "contacts/contacts.h"
+#include "base/bitset.h"
+#include "base/cpu.h"
+#include "contacts/contact_pass.h"
+
+#define BLOCKS_A_RANGE 8 /* about a microsecond, more than the workers of a team take to meet */
+
+const cni_contact_kernel *cni_contact_kernel_choose(void)
+{
+#if CNI_HAS_WIDE_8
+	if (cni_cpu_has_avx2())
+		return &cni_contact_kernel_8;
+#endif
+#if CNI_HAS_WIDE_4
+	return &cni_contact_kernel_4;
+#else
+	return &cni_contact_kernel_plain;
+#endif
+}
+
+static cni_color_pass color_pass_make(cn_world *world, const cni_solve *s, const cni_listed_block *blocks)
+{
+	cni_color_pass c = { s->contact, cni_motions(world), world->settled ? cni_externals(world) : NULL, blocks, world->awake_count >= CNI_PREFETCH_BODIES };
+	return c;
+}
+
+/* A lane by itself, through the plain kernel. */
+static void lane_run(cn_world *world, const cni_solve *s, int32_t which, const cni_listed_block *b, int32_t l)
+{
+	cni_listed_block one = *b;
+	cni_color_pass c = color_pass_make(world, s, &one);
+	one.begin = l;
+	one.lanes = l + 1;
+	one.kind = c.motions[b->rows->ib[l]].inv_mass == 0.0f ? CNI_CONTACTS_ONE_SIDED : 0;
+	cni_contact_kernel_plain.pass[which](&c, 0, 1);
+}
+
+static void overflow_run(cn_world *world, const cni_solve *s, int32_t which)
+{
+	const cni_listed_block *blocks = cni_listed_blocks(world, CNI_COLOR_OVERFLOW);
+	int32_t count = world->colors[CNI_COLOR_OVERFLOW].listed_count, k, l;
+	for (k = 0; k < count; ++k)
+		for (l = 0; l < blocks[k].lanes; ++l)
+			lane_run(world, s, which, &blocks[k], l);
+}
+
+typedef struct color_loop {
+	cni_color_pass c;
+	cni_contact_kernel_fn *run;
+} color_loop;
+
+static void color_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const color_loop *loop = (const color_loop *)context;
+	(void)worker;
+	loop->run(&loop->c, begin, end);
+}
+
+/* One worker goes through all blocks that follow each other in the list, whatever their colours. */
+static void colors_run(cn_world *world, const cni_solve *s, int32_t which)
+{
+	const cni_listed_block *list = (const cni_listed_block *)world->block_list.data;
+	color_loop loop = { color_pass_make(world, s, list), s->kernel->pass[which] };
+	uint32_t left = s->contact_colors & ~(1u << CNI_COLOR_OVERFLOW);
+	int32_t count = 0;
+	for (; left != 0; left &= left - 1u) {
+		const cni_color *group = &world->colors[cni_bit_lowest32(left)];
+		if (group->listed_count == 0)
+			continue;
+		if (s->team != NULL || loop.c.blocks + count != list + group->listed) {
+			cni_team_for(s->team, count, BLOCKS_A_RANGE, color_range, &loop);
+			loop.c.blocks = list + group->listed;
+			count = 0;
+		}
+		count += group->listed_count;
+	}
+	cni_team_for(s->team, count, BLOCKS_A_RANGE, color_range, &loop);
+}
+
+static cni_listed_block listed_of(const cn_world *world, int32_t block, int32_t lanes)
+{
+	cni_block_info *info = cni_block_info_at(world, block);
+	cni_listed_block listed;
+	listed.rows = cni_block_at(world, block);
+	listed.extra = info->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL;
+	listed.info = info;
+	listed.fresh = info->fresh_step == world->step_count + 1u ? info->fresh : 0;
+	listed.begin = 0;
+	listed.lanes = cni_min_i(lanes, CNI_LANES);
+	listed.kind = (info->flags & CNI_BLOCK_RESTED ? CNI_CONTACTS_RESTED : 0) | (info->color >= CNI_COLOR_STATIC ? CNI_CONTACTS_ONE_SIDED : 0);
+	return listed;
+}
+
+/* A colour's blocks are linked, and a link that is not in the cache is waited for: all are asked for beforehand, unless they are few
+   of those that there have been. Inlined by force: compilers take a function that only prefetches for one that does nothing. */
+CNI_INLINE void infos_prefetch(const cn_world *world)
+{
+	int32_t block;
+	for (block = 0; block < world->block_used; ++block)
+		CNI_PREFETCH(&cni_block_info_at(world, block)->next);
+}
+
+void cni_contacts_list(cn_world *world, cni_solve *s)
+{
+	cni_listed_block *list = (cni_listed_block *)world->block_list.data;
+	int32_t color, block, count = 0, k;
+	if (!cni_blocks_are_few(world))
+		infos_prefetch(world);
+	for (color = 0; color < CNI_COLORS; ++color) {
+		world->colors[color].listed = count;
+		s->lanes += world->colors[color].lanes;
+		for (k = world->colors[color].lanes, block = world->colors[color].first; k > 0; k -= CNI_LANES) {
+			cni_block_info *info = cni_block_info_at(world, block);
+			list[count++] = listed_of(world, block, k);
+			s->bounces |= (info->flags & CNI_BLOCK_RESTITUTION) != 0;
+			info->flags &= ~(uint32_t)CNI_BLOCK_RESTED;
+			block = info->next;
+		}
+		world->colors[color].listed_count = count - world->colors[color].listed;
+		s->contact_colors |= (uint32_t)(world->colors[color].lanes > 0) << color;
+	}
+	CNI_ASSERT(count <= world->block_list.capacity);
+}
+
+void cni_contacts_warm_start(cn_world *world, const cni_solve *s)
+{
+	colors_run(world, s, CNI_PASS_WARM);
+	overflow_run(world, s, CNI_PASS_WARM);
+}
+
+void cni_contacts_solve(cn_world *world, const cni_solve *s)
+{
+	overflow_run(world, s, CNI_PASS_SOLVE);
+	colors_run(world, s, CNI_PASS_SOLVE);
+}
+
+void cni_contact_solve_again(cn_world *world, const cni_solve *s, int32_t slot)
+{
+	cni_listed_block b = listed_of(world, slot / CNI_LANES, CNI_LANES);
+	lane_run(world, s, CNI_PASS_SOLVE, &b, slot % CNI_LANES);
+}
+
+void cni_contacts_relax(cn_world *world, const cni_solve *s)
+{
+	overflow_run(world, s, CNI_PASS_RELAX);
+	colors_run(world, s, CNI_PASS_RELAX);
+}

@@ -1,0 +1,435 @@
+/*
+ * contacts/gravity_preload.c - what the contacts of a large pile bear, found at once.
+ *
+ * Soft contacts give way around their load (contacts/contact_kernel.h), and a sweep brings a weight down by a few
+ * bodies: a pile that was just put together would sag by its softness until loads are known. Small piles are solved
+ * directly (direct/solver_selection.c). In one that is too large for that, bodies are taken from the highest to the lowest (the
+ * method of jump propagation, Guendelman, Bridson and Fedkiw, 2003). Each has its own weight and what was laid on it, and
+ * lays that on what is below, taken as fixed: by the impulses of least squares, none of which pulls, that take all of
+ * its momentum in a substep. So every body is in balance, and a pile whose contacts are given these impulses and loads
+ * does not move at all.
+ *
+ * That is done once, when most of a quiet island's contacts are new. Loads that were led to what is found again and again
+ * would drive a pile that swings. A body alone that is set down is a pile of one: it stands, or begins to slide, without
+ * a false step. An island in which some body cannot be held by what is below it (an arch, a bridge) is left to the direct
+ * solver (direct/solver_selection.c).
+ *
+ * Reads lanes, drives, motion, islands as direct/solver_selection.c counted their new contacts; writes lanes' jn, jt, load.
+ */
+#include "contacts/contacts.h"
+#include "base/sort.h"
+#include "model/solve.h"
+
+#include <string.h>
+
+#define SUPPORTS_MOST 24       /* contacts of one body with what is below it */
+#define SUPPORTING 0.5f        /* cosine between gravity and the normal of a contact that bears by itself */
+#define FRICTION_SHARE 0.1f    /* friction beside normals, where normals do not do */
+#define FRICTION_LESS 0.3f     /* ... and what is left of its share when it slides */
+#define ROUNDS 12
+#define REFINEMENTS 3
+#define REGULAR 1e-5f          /* of the trace, on the diagonal: directions that no support has */
+#define CLOSE 1e-3f            /* own weights that may be left before more contacts are asked */
+#define LEFT_MOST 0.05f        /* ... that may be left at all */
+
+/* By dense index: momentum that a substep's forces and what lies on the body give it; how high it is. */
+typedef struct weight {
+	float x, y, turn, height;
+} weight;
+
+typedef struct row {
+	float x, y, turn;      /* momentum that a unit impulse takes from the body; turn by its radius of gyration */
+	float turn_below;      /* ... and gives to the one below */
+	float share, impulse;
+} row;
+
+/* A contact with something below, or beside and later in the order. Rows: two points, friction. */
+typedef struct support {
+	cni_contact_block *lanes;
+	int32_t lane, below;
+	float sticks, slides;    /* coefficients of friction */
+	row rows[3];
+} support;
+
+/* One body on its supports. */
+typedef struct stand {
+	support supports[SUPPORTS_MOST];
+	int32_t count;
+	float need[3], left[3];  /* momentum to be taken, and what is not */
+	float down_x, down_y;
+} stand;
+
+typedef struct pile {
+	cn_world *world;
+	weight *weights;
+	uint64_t *order;         /* highest first */
+	int32_t count;
+	int32_t stressed;        /* some contact bears more than soft ones can */
+	float h;                 /* of a substep */
+	float weight_speed;      /* what gravity gives in it */
+	float warm_scale;        /* of the step's warm start */
+} pile;
+
+uint64_t cni_gravity_preload_bytes(int32_t bodies)
+{
+	return (sizeof(weight) + sizeof(uint64_t)) * (uint64_t)(bodies + 1) + 128u;
+}
+
+/* ---- one body ---- */
+
+static row row_make(float x, float y, float turn, float turn_below)
+{
+	row r = { x, y, turn, turn_below, 0.0f, 0.0f };
+	return r;
+}
+
+/* The lane seen from the body, which is its a or its b; scale: 1 / radius of gyration. */
+static void support_read(support *p, cni_contact_block *k, int32_t l, int32_t is_b, float scale)
+{
+	float way = is_b ? -1.0f : 1.0f, nx = way * k->nx[l], ny = way * k->ny[l];
+	int32_t i;
+	p->lanes = k;
+	p->lane = l;
+	p->below = is_b ? k->ia[l] : k->ib[l];
+	p->sticks = k->static_friction[l];
+	p->slides = k->dynamic_friction[l];
+	for (i = 0; i < 2; ++i) {
+		float at = k->p[i].at[l], bt = at - k->dt[l];
+		p->rows[i] = is_b ? row_make(nx, ny, -scale * bt, -at) : row_make(nx, ny, scale * at, bt);
+	}
+	p->rows[2] = is_b ? row_make(ny, -nx, scale * k->fb[l], k->fa[l]) : row_make(ny, -nx, -scale * k->fa[l], -k->fb[l]);
+}
+
+/* Contacts with locked axes, conveyors or rolling resistance are not laid on. */
+static int32_t lane_is_plain(const cn_world *world, int32_t block, int32_t l)
+{
+	const cni_block_extra *x = cni_block_info_at(world, block)->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL;
+	return x == NULL || (x->rolling[l] == 0.0f && x->tangent_speed[l] == 0.0f &&
+	                     x->lock_ax[l] + x->lock_ay[l] + x->lock_bx[l] + x->lock_by[l] == 0.0f);
+}
+
+static int32_t is_above(const pile *q, int32_t other, int32_t body)
+{
+	float a = q->weights[other].height, b = q->weights[body].height;
+	return a > b || (a == b && other < body);
+}
+
+/* 0: too many, or of a kind that is not laid on. */
+static int32_t supports_collect(const pile *q, int32_t index, float scale, stand *out)
+{
+	const cni_body *b = cni_body_at(q->world, cni_awake_ids(q->world)[index]);
+	int32_t key;
+	out->count = 0;
+	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(q->world, key)->next[key & 1]) {
+		const cni_contact *c = cni_contact_of_key(q->world, key);
+		int32_t other = c->body[1 - (key & 1)], block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
+		if (!(c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
+			continue;
+		if (cni_body_at(q->world, other)->type == CN_BODY_DYNAMIC && is_above(q, cni_body_at(q->world, other)->awake, index))
+			continue;
+		if (out->count == SUPPORTS_MOST || !lane_is_plain(q->world, block, l))
+			return 0;
+		support_read(&out->supports[out->count++], cni_block_at(q->world, block), l, cni_block_at(q->world, block)->ia[l] != index, scale);
+	}
+	return 1;
+}
+
+/* Which rows are asked. 0: points of contacts that bear by themselves; 1: their friction too; 2: all contacts. */
+static void shares_give(stand *b, int32_t stage)
+{
+	int32_t k, i;
+	for (k = 0; k < b->count; ++k) {
+		support *p = &b->supports[k];
+		int32_t bears = p->rows[0].x * b->down_x + p->rows[0].y * b->down_y >= SUPPORTING;
+		for (i = 0; i < 2; ++i)
+			p->rows[i].share = p->lanes->p[i].nm[p->lane] > 0.0f && (bears || stage == 2) ? 1.0f : 0.0f;
+		p->rows[2].share = stage > 0 && p->rows[0].share + p->rows[1].share > 0.0f ? FRICTION_SHARE : 0.0f;
+	}
+}
+
+static void row_push(stand *b, row *r, float impulse)
+{
+	r->impulse += impulse;
+	b->left[0] -= r->x * impulse;
+	b->left[1] -= r->y * impulse;
+	b->left[2] -= r->turn * impulse;
+}
+
+/* The impulses j = share (row . m) that take all: (sum of share row row') m = left. 0: nothing is asked. */
+static int32_t impulses_find(stand *b)
+{
+	float a00 = 0.0f, a10 = 0.0f, a11 = 0.0f, a20 = 0.0f, a21 = 0.0f, a22 = 0.0f, more, l10, l20, l21, d1, d2;
+	int32_t k, i, pass;
+	memcpy(b->left, b->need, sizeof b->left);
+	for (k = 0; k < b->count; ++k)
+		for (i = 0; i < 3; ++i) {
+			row *r = &b->supports[k].rows[i];
+			r->impulse = 0.0f;
+			a00 += r->share * r->x * r->x;
+			a10 += r->share * r->y * r->x;
+			a11 += r->share * r->y * r->y;
+			a20 += r->share * r->turn * r->x;
+			a21 += r->share * r->turn * r->y;
+			a22 += r->share * r->turn * r->turn;
+		}
+	more = REGULAR * (a00 + a11 + a22);
+	if (!(more > 0.0f))
+		return 0;
+	a00 += more;
+	l10 = a10 / a00;
+	l20 = a20 / a00;
+	d1 = a11 + more - l10 * a10;
+	l21 = (a21 - l20 * a10) / d1;
+	d2 = a22 + more - l20 * a20 - l21 * l21 * d1;
+	for (pass = 0; pass < REFINEMENTS; ++pass) {
+		float y1 = b->left[1] - l10 * b->left[0], y2 = b->left[2] - l20 * b->left[0] - l21 * y1;
+		float m2 = y2 / d2, m1 = y1 / d1 - l21 * m2, m0 = b->left[0] / a00 - l10 * m1 - l20 * m2;
+		for (k = 0; k < b->count; ++k)
+			for (i = 0; i < 3; ++i) {
+				row *r = &b->supports[k].rows[i];
+				row_push(b, r, r->share * (r->x * m0 + r->y * m1 + r->turn * m2));
+			}
+	}
+	return 1;
+}
+
+/* Points that pull leave, friction that slides is asked for less. 1: something changed. */
+static int32_t impulses_bound(stand *b)
+{
+	int32_t k, i, changed = 0;
+	for (k = 0; k < b->count; ++k) {
+		support *p = &b->supports[k];
+		row *f = &p->rows[2];
+		float normal, most;
+		for (i = 0; i < 2; ++i)
+			if (p->rows[i].impulse < 0.0f) {
+				row_push(b, &p->rows[i], -p->rows[i].impulse);
+				p->rows[i].share = 0.0f;
+				changed = 1;
+			}
+		normal = p->rows[0].impulse + p->rows[1].impulse;
+		most = p->slides * normal;
+		if (cni_abs(f->impulse) > p->sticks * normal) {
+			row_push(b, f, cni_clamp(f->impulse, -most, most) - f->impulse);
+			f->share *= FRICTION_LESS;
+			changed = 1;
+		}
+	}
+	return changed;
+}
+
+static int32_t left_is_below(const stand *b, float most)
+{
+	return b->left[0] * b->left[0] + b->left[1] * b->left[1] + b->left[2] * b->left[2] <= most * most;
+}
+
+/* 0: what is below cannot hold it. own: its weight. */
+static int32_t stand_solve(stand *b, float own)
+{
+	int32_t stage, round;
+	for (stage = 0; stage < 3; ++stage) {
+		shares_give(b, stage);
+		for (round = 0; round < ROUNDS; ++round)
+			if (!impulses_find(b) || !impulses_bound(b))
+				break;
+		if (left_is_below(b, CLOSE * own))
+			return 1;
+	}
+	return left_is_below(b, LEFT_MOST * own);
+}
+
+/* ---- a pile ---- */
+
+static void lay_on(const pile *q, const stand *b)
+{
+	int32_t k, i;
+	for (k = 0; k < b->count; ++k) {
+		const support *p = &b->supports[k];
+		weight *w = &q->weights[p->below];
+		if (cni_motions(q->world)[p->below].inv_mass == 0.0f)
+			continue;
+		for (i = 0; i < 3; ++i) {
+			w->x += p->rows[i].x * p->rows[i].impulse;
+			w->y += p->rows[i].y * p->rows[i].impulse;
+			w->turn += p->rows[i].turn_below * p->rows[i].impulse;
+		}
+	}
+}
+
+/*
+ * Impulses are kept as those of the last step's substeps: the warm start scales them to this one's. A body alone that
+ * slides more easily than it sticks is given no load: a sudden push rocks it on a full one, friction is
+ * exceeded for a substep, and it would not stop again.
+ */
+static void lanes_write(pile *q, const stand *b)
+{
+	float scale = 1.0f / q->warm_scale;
+	int32_t k, i;
+	for (k = 0; k < b->count; ++k) {
+		const support *p = &b->supports[k];
+		for (i = 0; i < 2; ++i) {
+			cni_contact_row *r = &p->lanes->p[i];
+			r->jn[p->lane] = scale * p->rows[i].impulse;
+			r->load[p->lane] = q->count > 1 || p->sticks == p->slides ? r->jn[p->lane] : 0.0f;
+		}
+		p->lanes->jt[p->lane] = scale * p->rows[2].impulse;
+		q->stressed |= cni_is_stressed(q->world, p->lanes->ia[p->lane], p->lanes->ib[p->lane], p->rows[0].impulse + p->rows[1].impulse, q->h, 1.0f);
+	}
+}
+
+/* 0: some body cannot be held. */
+static int32_t pile_lay(pile *q, int32_t write)
+{
+	stand b;
+	float g = q->weight_speed / q->h;
+	int32_t k;
+	b.down_x = q->world->settings.gravity.x / g;
+	b.down_y = q->world->settings.gravity.y / g;
+	for (k = 0; k < q->count; ++k) {
+		int32_t index = (int32_t)(q->order[k] & 0xFFFFFFFFu);
+		const cni_motion *m = cni_motions(q->world) + index;
+		const weight *w = &q->weights[index];
+		float scale = m->inv_mass > 0.0f ? cni_sqrt(m->inv_inertia / m->inv_mass) : 0.0f;
+		b.need[0] = w->x;
+		b.need[1] = w->y;
+		b.need[2] = scale * w->turn;
+		if (m->inv_mass == 0.0f || !supports_collect(q, index, scale, &b) || !stand_solve(&b, q->weight_speed / m->inv_mass))
+			return 0;
+		lay_on(q, &b);
+		if (write)
+			lanes_write(q, &b);
+	}
+	return 1;
+}
+
+static float inverse_or_zero(float x)
+{
+	return x > 0.0f ? 1.0f / x : 0.0f;
+}
+
+static float height_of(const cn_world *world, const cni_body *b)
+{
+	return -(b->cx * world->settings.gravity.x + b->cy * world->settings.gravity.y);
+}
+
+/* What the forces of a substep give each body: its own weight. */
+static void weights_begin(const pile *q)
+{
+	int32_t k;
+	for (k = 0; k < q->count; ++k) {
+		int32_t index = (int32_t)(q->order[k] & 0xFFFFFFFFu);
+		const cni_motion *m = cni_motions(q->world) + index;
+		const cni_external *d = cni_externals(q->world) + index;
+		weight *w = &q->weights[index];
+		w->x = q->h * d->ax * inverse_or_zero(m->inv_mass);
+		w->y = q->h * d->ay * inverse_or_zero(m->inv_mass);
+		w->turn = q->h * d->alpha * inverse_or_zero(m->inv_inertia);
+		w->height = height_of(q->world, cni_body_at(q->world, cni_awake_ids(q->world)[index]));
+	}
+}
+
+/* The weights are not there yet: their place is scratch. */
+static void order_find(pile *q, int32_t island)
+{
+	int32_t body;
+	for (body = cni_island_at(q->world, island)->first; body != CNI_NONE; body = cni_body_at(q->world, body)->island_next) {
+		const cni_body *b = cni_body_at(q->world, body);
+		q->order[q->count++] = (uint64_t)~cni_sort_float_key(height_of(q->world, b)) << 32 | (uint32_t)b->awake;
+	}
+	cni_sort_keys(q->order, (uint64_t *)(void *)q->weights, q->count);
+}
+
+/* All of it is tried before any of it is written. 0: the direct solver should have it. */
+static int32_t pile_load(pile *q)
+{
+	weights_begin(q);
+	if (!pile_lay(q, 0))
+		return 0;
+	weights_begin(q);
+	q->stressed = 0;
+	return pile_lay(q, 1) && !q->stressed;
+}
+
+/* Most of what it stands by is new, and nothing else holds it. */
+static int32_t island_is_due(const cn_world *world, int32_t island)
+{
+	const cni_island *i = cni_island_at(world, island);
+	return i->new_step == world->step_count + 1u && 2 * i->new_contacts >= i->count && i->tier != CNI_TIER_DIRECT &&
+	       i->solver != CN_SOLVER_SOFT && cni_island_is_quiet(world, i) && !cni_island_has_joints(world, island);
+}
+
+static int32_t body_is_due(const cn_world *world, const cni_body *b)
+{
+	return b->island == CNI_NONE && (b->flags & CNI_BODY_SET_DOWN) && b->joint_first == CNI_NONE && cni_body_is_quiet(world, b);
+}
+
+static void unheld(cn_world *world, int32_t island)
+{
+	cni_island_at(world, island)->unheld_step = world->step_count + 1u;
+	world->piles_unheld = 1;
+}
+
+/* An island is met at its first body. */
+static void piles_find(pile *q)
+{
+	int32_t k;
+	for (k = 1; k < q->world->awake_count; ++k) {
+		int32_t body = cni_awake_ids(q->world)[k];
+		cni_body *b = cni_body_at(q->world, body);
+		q->count = 0;
+		if (body_is_due(q->world, b))
+			q->order[q->count++] = (uint32_t)k;
+		else if (b->island != CNI_NONE && cni_island_at(q->world, b->island)->first == body && island_is_due(q->world, b->island))
+			order_find(q, b->island);
+		if (q->count > 0 && !pile_load(q) && b->island != CNI_NONE)
+			unheld(q->world, b->island);
+		b->flags &= ~(uint32_t)CNI_BODY_SET_DOWN;
+	}
+}
+
+/* 0: no scratch memory, or no weight. */
+static int32_t pile_begin(pile *q, cn_world *world, float h, float warm_scale)
+{
+	uint64_t room = (uint64_t)world->awake_count;
+	memset(q, 0, sizeof *q);
+	q->world = world;
+	q->h = h;
+	q->weight_speed = h * cni_length(world->settings.gravity);
+	q->warm_scale = warm_scale;
+	if (q->weight_speed == 0.0f)
+		return 0;
+	q->order = (uint64_t *)cni_arena_push(&world->arena, sizeof(uint64_t) * room);
+	q->weights = q->order == NULL ? NULL : (weight *)cni_arena_push(&world->arena, sizeof(weight) * room);
+	if (q->weights == NULL)
+		world->warnings |= CN_WARNING_FRAME_MEMORY;
+	return q->weights != NULL;
+}
+
+static void pile_end(pile *q)
+{
+	(void)cni_arena_pop(&q->world->arena, q->weights);
+	(void)cni_arena_pop(&q->world->arena, q->order);
+}
+
+int32_t cni_pile_is_supported(cn_world *world, int32_t island, float h)
+{
+	pile q;
+	int32_t stands = 1;
+	if (pile_begin(&q, world, h, 1.0f)) {
+		order_find(&q, island);
+		weights_begin(&q);
+		stands = pile_lay(&q, 0);
+	}
+	pile_end(&q);
+	return stands;
+}
+
+void cni_gravity_preload(cn_world *world, const cni_solve *s)
+{
+	pile q;
+	if (!world->piles_new || s->warm_scale == 0.0f)
+		return;
+	if (pile_begin(&q, world, s->h, s->warm_scale))
+		piles_find(&q);
+	pile_end(&q);
+}

@@ -1,0 +1,203 @@
+/*
+ * contacts/manifold_reuse_kernel.h - the kernel that brings lanes up to date from their anchors, included by each width's
+ * contact kernel.
+ *
+ * In the frame of lane body a, a's points and the normal are at rest, and body b has moved by the change of its centre and
+ * turned by a small angle. With the letters of model/contact.h, rb = (bn, bt) the arms on b, and turned(r) the change of
+ * an arm by that angle,
+ *   s = less + dn' + turned(rb).n                    separation now
+ *   drift = dt' - dt + turned(rb).t                  what one shape has slid along the other
+ * Where b is static the frame is the world's: b's arms are at rest and a turns the other way. The lane's normal may lag behind
+ * that which turns with a: CNI_NORMAL_LAG.
+ *
+ * What is not followed: a pair that slid or turned farther than a small part of its size or a quarter of the slop (its
+ * features may be others), that is apart by more than the contact margin or deep in each other, or that moves so fast that
+ * it may be elsewhere after the step. Such lanes stay as they are.
+ */
+#include "contacts/contact_pass.h"
+
+/* Floats of a body record: see cni_body. Flags, which come next, are not read: another worker may be setting one. */
+enum { BODY_POSE = 0 /* centre, its low part */, BODY_TURN = 4 /* rotation, local centre */, BODY_TO_EXTENT = 5 /* extent is the fourth */ };
+
+/* The two bodies of each lane, and what b is in a's frame. */
+typedef struct follow_pair {
+	cni_wide vx, vy, wa, wb;     /* velocity of b's centre less a's; spins */
+	cni_wide ma, ia, mb, ib;     /* inverse masses */
+	cni_wide dx, dy;             /* centre b - centre a */
+	cni_wide ac, as, turn_c, turn_s;
+	cni_wide extent;             /* of the smaller */
+} follow_pair;
+
+/* The pose of one side's bodies. */
+typedef struct follow_pose {
+	cni_wide x, y, x_low, y_low, c, s, extent, inv_inertia;
+} follow_pose;
+
+#define POSE_FLOATS ((int32_t)(sizeof(cni_reuse_pose) / sizeof(float)))
+
+CNI_INLINE void pose_gather(const cni_reuse_pose *poses, const int32_t *index, follow_pose *out)
+{
+	const float *base = (const float *)(const void *)poses;
+	cni_wide_gather4(base, POSE_FLOATS, index, &out->x, &out->y, &out->x_low, &out->y_low);
+	cni_wide_gather4(base + 4, POSE_FLOATS, index, &out->c, &out->s, &out->extent, &out->inv_inertia);
+}
+
+CNI_INLINE void pose_gather_from(const cni_motion *motions, const int32_t *index, const float *const *records, follow_pose *out)
+{
+	cni_wide u, v, w;
+	cni_wide_gather4_from(records, BODY_POSE, &out->x, &out->y, &out->x_low, &out->y_low);
+	cni_wide_gather4_from(records, BODY_TURN, &out->c, &out->s, &u, &v);
+	cni_wide_gather4_from(records, BODY_TO_EXTENT, &u, &v, &w, &out->extent);
+	cni_wide_gather4((const float *)(const void *)motions + 4, MOTION_FLOATS, index, &u, &v, &w, &out->inv_inertia);
+}
+
+CNI_INLINE follow_pair follow_gather(const cni_reuse_pass *pass, const cni_contact_block *k, const cni_reuse_bodies *bodies, int32_t l)
+{
+	const float *base = (const float *)(const void *)pass->motions;
+	follow_pair p;
+	follow_pose a, b;
+	cni_wide avx, avy;
+	cni_wide_gather4(base, MOTION_FLOATS, k->ia + l, &avx, &avy, &p.wa, &p.ma);
+	cni_wide_gather4(base, MOTION_FLOATS, k->ib + l, &p.vx, &p.vy, &p.wb, &p.mb);
+	p.vx -= avx;
+	p.vy -= avy;
+	if (bodies == NULL) {
+		pose_gather(pass->poses, k->ia + l, &a);
+		pose_gather(pass->poses, k->ib + l, &b);
+	} else {
+		pose_gather_from(pass->motions, k->ia + l, bodies->a + l, &a);
+		pose_gather_from(pass->motions, k->ib + l, bodies->b + l, &b);
+	}
+	p.ia = a.inv_inertia;
+	p.ib = b.inv_inertia;
+	p.dx = (b.x - a.x) + (b.x_low - a.x_low);
+	p.dy = (b.y - a.y) + (b.y_low - a.y_low);
+	p.ac = a.c;
+	p.as = a.s;
+	p.turn_c = a.c * b.c + a.s * b.s;
+	p.turn_s = a.c * b.s - a.s * b.c;
+	p.extent = cni_wide_min(a.extent, b.extent);
+	return p;
+}
+
+/* How bodies have moved since the anchor was taken, in the lane's frame. */
+typedef struct follow_change {
+	cni_mask fixed;       /* b is static: a's arms turn and not b's */
+	cni_wide nx, ny, dn, dt;
+	cni_wide dn_change;   /* since the lane was last brought up to date */
+	cni_wide sin, cos1;   /* of the turn: sin, cos - 1 */
+	cni_wide radius;      /* of lane a's shape */
+} follow_change;
+
+CNI_INLINE follow_change follow_change_make(const follow_pair *f, const cni_contact_block *k, const cni_block_anchor *anchor, int32_t l)
+{
+	cni_wide x = cni_wide_load(anchor->x.nx + l), y = cni_wide_load(anchor->ny + l);
+	cni_wide an = cni_wide_load(k->p[0].an + l), fa = cni_wide_load(k->fa + l), sin;
+	cni_mask two = cni_wide_load(k->p[1].nm + l) > cni_wide_of(0.0f);
+	follow_change g;
+	g.fixed = cni_mask_of_zero(k->ib + l);
+	g.nx = cni_wide_select(g.fixed, cni_wide_load(k->nx + l), f->ac * x - f->as * y);
+	g.ny = cni_wide_select(g.fixed, cni_wide_load(k->ny + l), f->as * x + f->ac * y);
+	g.dn = f->dx * g.nx + f->dy * g.ny;
+	g.dt = f->dx * g.ny - f->dy * g.nx;
+	g.dn_change = g.dn - (fa - cni_wide_load(k->fb + l));
+	sin = cni_wide_load(anchor->c + l) * f->turn_s - cni_wide_load(anchor->s + l) * f->turn_c;
+	g.sin = cni_wide_select(g.fixed, -sin, sin);
+	g.cos1 = -0.5f * sin * sin;
+	g.radius = fa - cni_wide_select(two, 0.5f * (an + cni_wide_load(k->p[1].an + l)), an);
+	return g;
+}
+
+typedef struct follow_point {
+	cni_wide at, an, s, drift; /* arms and separation now; how far the surfaces slid along each other */
+	cni_wide shift;            /* of the arm on a along n */
+	cni_mask used;
+} follow_point;
+
+CNI_INLINE follow_point follow_point_make(const follow_change *g, const cni_contact_block *k, const cni_block_anchor *anchor, int32_t which, int32_t l)
+{
+	const cni_contact_row *p = &k->p[which];
+	cni_wide at = cni_wide_load(p->at + l), an = cni_wide_load(p->an + l);
+	cni_wide arm_n = cni_wide_select(g->fixed, an + g->radius, an + g->radius - g->dn), arm_t = cni_wide_select(g->fixed, at, at - g->dt);
+	cni_wide along_n = g->cos1 * arm_n + g->sin * arm_t, along_t = g->cos1 * arm_t - g->sin * arm_n;
+	follow_point q;
+	q.s = cni_wide_load(anchor->of.less[which] + l) + g->dn + cni_wide_select(g->fixed, -along_n, along_n);
+	q.drift = g->dt - cni_wide_load(anchor->dt + l) + cni_wide_select(g->fixed, -along_t, along_t);
+	q.at = cni_wide_select(g->fixed, at - cni_wide_load(k->dt + l) + g->dt, at);
+	q.shift = 0.5f * (q.s - cni_wide_load(p->s0 + l)); /* the point stays midway between the surfaces */
+	q.shift = cni_wide_select(g->fixed, g->dn_change - q.shift, q.shift);
+	q.an = an + q.shift;
+	q.used = cni_wide_load(p->nm + l) > cni_wide_of(0.0f);
+	return q;
+}
+
+/* Lanes in which the two are still the same features at the same place, and will be after the step. */
+CNI_INLINE cni_mask follow_holds(const cni_reuse_pass *pass, const follow_pair *f, const follow_change *g, const follow_point *p, const follow_point *q,
+                                 cni_wide fa, cni_wide fb)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	cni_wide reach = cni_wide_min(f->extent * CNI_REUSE_PART, cni_wide_of(pass->drift_most));
+	cni_wide second = cni_wide_select(q->used, cni_wide_abs(q->drift), zero), nearest = cni_wide_min(p->s, cni_wide_select(q->used, q->s, p->s));
+	cni_wide un = g->nx * f->vx + g->ny * f->vy + f->wb * (p->at - g->dt) - f->wa * p->at;
+	cni_wide ut = g->ny * f->vx - g->nx * f->vy - f->wb * fb + f->wa * fa;
+	cni_wide far = cni_wide_select(nearest > zero, cni_wide_of(pass->hair), reach), turn = cni_wide_abs(f->wb - f->wa) * pass->dt;
+	cni_wide most = cni_wide_max(cni_wide_abs(un), cni_wide_abs(ut)) * pass->dt;
+	return p->used & (cni_wide_max(cni_wide_abs(p->drift), second) <= reach) & (2.0f * f->extent * cni_wide_abs(g->sin) <= reach) &
+	       (nearest <= cni_wide_of(pass->apart_most)) & (nearest >= -cni_wide_min(0.25f * f->extent, cni_wide_of(pass->depth_most))) & (most <= far) & (2.0f * f->extent * turn <= far);
+}
+
+CNI_INLINE void store_where(float *row, cni_mask where, cni_wide value)
+{
+	cni_wide_store(row, cni_wide_select(where, value, cni_wide_load(row)));
+}
+
+CNI_INLINE void follow_point_store(const follow_pair *f, cni_contact_row *row, int32_t l, cni_mask where, const follow_point *p, cni_wide dt)
+{
+	cni_wide bt = p->at - dt;
+	where = where & p->used;
+	store_where(row->at + l, where, p->at);
+	store_where(row->an + l, where, p->an);
+	store_where(row->s0 + l, where, p->s);
+	store_where(row->nm + l, where, 1.0f / (f->ma + f->mb + f->ia * p->at * p->at + f->ib * bt * bt));
+}
+
+/* Lanes whose normal stays as it is though the true one has turned to (nx, ny). two: both points are there; wa, wb: spins. */
+CNI_INLINE cni_mask normal_lags(const cni_contact_block *k, int32_t l, cni_mask two, cni_wide nx, cni_wide ny, cni_wide wa, cni_wide wb, float lag_sq)
+{
+	cni_wide x = nx - cni_wide_load(k->nx + l), y = ny - cni_wide_load(k->ny + l), spin = cni_wide_max(cni_wide_abs(wa), cni_wide_abs(wb));
+	return two & ~cni_mask_of_zero(k->ib + l) & (x * x + y * y <= cni_wide_of(lag_sq)) & (spin <= cni_wide_of(CNI_NORMAL_LAG_SPIN));
+}
+
+/* Lanes of a vector that were followed, as bits. */
+CNI_INLINE uint32_t follow_group(const cni_reuse_pass *pass, cni_contact_block *k, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored, int32_t l)
+{
+	follow_pair f = follow_gather(pass, k, bodies, l);
+	follow_change g = follow_change_make(&f, k, anchor, l);
+	follow_point p = follow_point_make(&g, k, anchor, 0, l), q = follow_point_make(&g, k, anchor, 1, l);
+	cni_wide fa = cni_wide_load(k->fa + l) + cni_wide_select(q.used, 0.5f * (p.shift + q.shift), p.shift), fb = fa - g.dn;
+	cni_mask turned, good = cni_mask_of_bits(anchored >> l) & (cni_wide_load(anchor->c + l) * f.turn_c + cni_wide_load(anchor->s + l) * f.turn_s > cni_wide_of(0.0f));
+	good = good & follow_holds(pass, &f, &g, &p, &q, fa, fb);
+	follow_point_store(&f, &k->p[0], l, good, &p, g.dt);
+	follow_point_store(&f, &k->p[1], l, good, &q, g.dt);
+	turned = good & ~normal_lags(k, l, q.used, g.nx, g.ny, f.wa, f.wb, pass->lag_sq);
+	store_where(k->nx + l, turned, g.nx);
+	store_where(k->ny + l, turned, g.ny);
+	store_where(k->dn + l, good, cni_wide_load(k->dn + l) + g.dn_change);
+	store_where(k->dt + l, good, g.dt);
+	store_where(k->fa + l, good, fa);
+	store_where(k->fb + l, good, fb);
+	store_where(k->tm + l, good, 1.0f / (f.ma + f.mb + f.ia * fa * fa + f.ib * fb * fb));
+	return cni_mask_bits(good) << l;
+}
+
+static uint32_t kernel_follow(const cni_reuse_pass *pass, cni_contact_block *k, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored)
+{
+	uint32_t followed = 0;
+	int32_t l;
+	for (l = 0; l < CNI_LANES; l += CNI_WIDTH) {
+		uint32_t lanes = anchored & ((1u << CNI_WIDTH) - 1u) << l;
+		if (lanes != 0)
+			followed |= follow_group(pass, k, anchor, bodies, lanes, l);
+	}
+	return followed;
+}

@@ -1,0 +1,45 @@
+/*
+ * contacts/pile_state.c - is a body or an island quiet, and does a contact bear more than soft constraints can?
+ */
+#include "contacts/contacts.h"
+
+#define QUIET_SPEED 0.5f       /* length units a second: what moves faster is no pile */
+#define STRESS_MOST 15.0f      /* own weights: what bears more is crushed by the soft solver */
+#define BUCKLING 0.055f        /* ... and what bears s of them when s^2 g h^2 is more than this part of its size */
+
+int32_t cni_body_is_quiet(const cn_world *world, const cni_body *b)
+{
+	const cni_motion *m = cni_motions(world) + b->awake;
+	float most = QUIET_SPEED * world->settings.length_unit, turn = m->w * b->extent;
+	return m->vx * m->vx + m->vy * m->vy <= most * most && turn * turn <= most * most;
+}
+
+int32_t cni_island_is_quiet(const cn_world *world, const cni_island *i)
+{
+	int32_t body;
+	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		if (!cni_body_is_quiet(world, cni_body_at(world, body)))
+			return 0;
+	return 1;
+}
+
+int32_t cni_island_has_joints(const cn_world *world, int32_t island)
+{
+	int32_t body;
+	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		if (cni_body_at(world, body)->joint_first != CNI_NONE)
+			return 1;
+	return 0;
+}
+
+/*
+ * They give way by some g h^2 for each weight, so that a column of s bodies shortens by s^2 of that. When this is no longer
+ * small beside its width, the column leans faster than it is righted: small bodies sooner than large ones.
+ */
+int32_t cni_is_stressed(const cn_world *world, int32_t ia, int32_t ib, float impulse, float h, float part)
+{
+	float g = cni_length(world->settings.gravity), inv_a = cni_motions(world)[ia].inv_mass, inv_b = cni_motions(world)[ib].inv_mass;
+	float stress = g > 0.0f ? impulse * cni_max(inv_a, inv_b) / (part * h * g) : 0.0f;
+	float size = cni_body_at(world, cni_awake_ids(world)[inv_b > inv_a ? ib : ia])->extent;
+	return stress > STRESS_MOST || stress * stress * g * h * h > BUCKLING * size;
+}

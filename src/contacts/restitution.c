@@ -1,0 +1,210 @@
+/*
+ * contacts/restitution.c - contacts that bounce.
+ *
+ * Before each substep's solve, every lane with restitution that is closing faster than the threshold and
+ * would meet within the substep gets Newton's impact law by a direct impulse: n.v' = e |n.v|. Impulses act
+ * one contact after the other, so each one takes energy or keeps it (e <= 1) and momentum is kept; no
+ * accumulated impulse is left behind that could push again (in place of the late restitution pass of Box2D, which lets the energy of
+ * a cluster rise). The solve that follows does not brake a contact with restitution that still closes faster than the threshold and
+ * bears nothing: it would take the speed that the impact is to return. The sweeps of the next substep see to it. Only a contact that
+ * overlaps by more than it closes in several substeps is braked: its impacts were undone, by a joint for one.
+ *
+ * The velocities that meet are those in start: what bodies really have. motion.v also holds the response to
+ * the last substep's impulses, a guess that the solve has yet to correct; for a light body between heavy ones it is
+ * far off, and returning such a speed would make energy of it.
+ *
+ * A contact that bears already is jumped only when that takes more than it bore in the last substep, m v > j: in a crowd that is
+ * pressed together by more than the solver brings into balance, bodies close all the time, and none of it is an impact.
+ *
+ * Meeting early costs no energy: with closing acceleration a from the bodies' drives, the law is applied to the
+ * speed at the true moment of contact, v^2 + 2 a s, and the outgoing speed is the one that a body has
+ * at the end of the substep, s + h v' above the surface: v'^2 = e^2 (v^2 + 2 a s) - 2 a (s + h v').
+ *
+ * Few lanes of a sweep close that fast: the kernel finds them side by side, and they alone are gathered from the blocks of
+ * a colour and solved, by the kernel of restitution_kernel.h.
+ *
+ * Reads blocks, motion and start; writes motion velocities and start (so that the warm start of the next substep does
+ * not contain the impact).
+ */
+#include "contacts/contacts.h"
+#include "base/bitset.h"
+#include "contacts/contact_pass.h"
+
+#define BLOCKS_A_RANGE 16 /* of one colour: most of them do not bounce */
+#define BLOCKS_AT_ONCE 16 /* that are searched before what was found is solved: they stay in the cache */
+#define SWEEPS 4 /* a wave through touching balls may need several; the solve after takes the rest */
+
+static const cni_contact_block no_rows;
+static const cni_block_extra no_extra;
+
+/* A lane of a block, as a kernel finds its rows. */
+static const float *lane_floats(const void *block, int32_t lane)
+{
+	return (const float *)block + lane;
+}
+
+static const float *record_of(const cn_world *world, int32_t index)
+{
+	return cni_record_floats(cni_body_at(world, cni_awake_ids(world)[index]));
+}
+
+static void lanes_begin(cni_impact_lanes *lanes)
+{
+	lanes->at_world = 0;
+	lanes->has_extra = 0;
+}
+
+/* The lane's extra rows; rows of lanes that have none are there when one has. */
+static void extra_add(cni_impact_lanes *lanes, const cni_block_extra *extra, int32_t from, int32_t l)
+{
+	int32_t k;
+	for (k = 0; k < CNI_LANES && !lanes->has_extra; ++k)
+		lanes->extra[k] = lane_floats(&no_extra, 0);
+	lanes->has_extra = 1;
+	lanes->extra[l] = lane_floats(extra, from);
+}
+
+static void lane_add(const cn_world *world, const cni_listed_block *b, int32_t from, cni_impact_lanes *lanes, int32_t l)
+{
+	int32_t ia = b->rows->ia[from], ib = b->rows->ib[from];
+	lanes->ia[l] = ia;
+	lanes->ib[l] = ib;
+	lanes->restitution[l] = b->info->restitution[from];
+	lanes->rows[l] = lane_floats(b->rows, from);
+	if (b->extra != NULL)
+		extra_add(lanes, b->extra, from, l);
+	lanes->a[l] = record_of(world, ia);
+	if (ib != 0) {
+		lanes->b[l] = record_of(world, ib);
+	} else {
+		lanes->b[l] = cni_record_floats(&cni_body_none);
+		lanes->at_world |= 1u << l;
+	}
+}
+
+/* Lanes from count on are unused. */
+static void lanes_end(cni_impact_lanes *lanes, int32_t count)
+{
+	int32_t l;
+	for (l = count; l < CNI_LANES; ++l) {
+		lanes->ia[l] = lanes->ib[l] = 0;
+		lanes->restitution[l] = 0.0f;
+		lanes->rows[l] = lane_floats(&no_rows, 0);
+		lanes->a[l] = lanes->b[l] = cni_record_floats(&cni_body_none);
+	}
+}
+
+/* A sweep over the blocks of one colour: they share no body that they write. */
+typedef struct color_sweep {
+	cn_world *world;
+	const cni_contact_kernel *kernel;
+	cni_impact_pass pass;
+	const cni_listed_block *blocks;
+	uint32_t hits;
+} color_sweep;
+
+/* Asks for the bodies of a lane that was found. */
+CNI_INLINE void bodies_prefetch(const cni_impact_pass *pass, const cni_impact_lanes *lanes, int32_t l)
+{
+	CNI_PREFETCH(lanes->a[l]);
+	CNI_PREFETCH(lanes->b[l]);
+	CNI_PREFETCH(pass->motions + lanes->ia[l]);
+	CNI_PREFETCH(pass->motions + lanes->ib[l]);
+	CNI_PREFETCH(pass->drives + lanes->ia[l]);
+	CNI_PREFETCH(pass->drives + lanes->ib[l]);
+}
+
+/* Lanes that may meet are few in each block: they are brought together, and solved side by side. */
+typedef struct found_lanes {
+	cni_impact_lanes lanes;
+	int32_t count, hits;
+} found_lanes;
+
+static void found_solve(const color_sweep *c, found_lanes *found)
+{
+	found->hits += c->kernel->impact(&c->pass, &found->lanes, found->count);
+	found->count = 0;
+	lanes_begin(&found->lanes);
+}
+
+static void found_add(const color_sweep *c, found_lanes *found, const cni_listed_block *b, uint32_t closing)
+{
+	for (; closing != 0; closing &= closing - 1) {
+		int32_t l = found->count++;
+		lane_add(c->world, b, cni_bit_lowest32(closing), &found->lanes, l);
+		bodies_prefetch(&c->pass, &found->lanes, l);
+		if (l == CNI_LANES - 1)
+			found_solve(c, found);
+	}
+}
+
+static void color_sweep_run(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	color_sweep *c = (color_sweep *)context;
+	found_lanes found;
+	int32_t from, k;
+	(void)worker;
+	found.count = found.hits = 0;
+	lanes_begin(&found.lanes);
+	for (from = begin; from < end; from += BLOCKS_AT_ONCE) {
+		uint32_t closing[BLOCKS_AT_ONCE];
+		int32_t count = cni_min_i(end - from, BLOCKS_AT_ONCE);
+		c->kernel->closing(c->pass.starts, c->blocks + from, count, c->pass.speed, closing);
+		for (k = 0; k < count; ++k)
+			found_add(c, &found, &c->blocks[from + k], closing[k]);
+	}
+	if (found.count > 0) {
+		lanes_end(&found.lanes, found.count);
+		found_solve(c, &found);
+	}
+	if (found.hits > 0)
+		cni_atomic_add(&c->hits, (uint32_t)found.hits);
+}
+
+/* In the overflow colour a body is in several lanes, and one may make another meet. */
+static void overflow_sweep(color_sweep *c, int32_t count)
+{
+	cni_impact_lanes one;
+	int32_t k, l;
+	for (k = 0; k < count; ++k) {
+		const cni_listed_block *b = &c->blocks[k];
+		for (l = 0; l < b->lanes; ++l) {
+			if (b->info->restitution[l] == 0.0f)
+				continue;
+			lanes_begin(&one);
+			lane_add(c->world, b, l, &one, 0);
+			c->pass.one_sided = b->rows->ib[l] == 0;
+			c->hits += (uint32_t)cni_contact_kernel_plain.impact(&c->pass, &one, 1);
+		}
+	}
+}
+
+static uint32_t sweep(cn_world *world, const cni_solve *s)
+{
+	color_sweep c;
+	int32_t color;
+	c.world = world;
+	c.kernel = s->kernel;
+	c.pass.motions = cni_motions(world);
+	c.pass.starts = cni_starts(world);
+	c.pass.drives = cni_externals(world);
+	c.pass.h = s->h;
+	c.pass.speed = s->restitution_threshold;
+	c.hits = 0;
+	for (color = 0; color < CNI_COLOR_OVERFLOW; ++color) {
+		c.pass.one_sided = color >= CNI_COLOR_STATIC;
+		c.blocks = cni_listed_blocks(world, color);
+		cni_team_for(s->team, world->colors[color].listed_count, BLOCKS_A_RANGE, color_sweep_run, &c);
+	}
+	c.blocks = cni_listed_blocks(world, CNI_COLOR_OVERFLOW);
+	overflow_sweep(&c, world->colors[CNI_COLOR_OVERFLOW].listed_count);
+	return c.hits;
+}
+
+void cni_contacts_impact(cn_world *world, const cni_solve *s)
+{
+	int32_t k;
+	for (k = 0; k < SWEEPS && s->bounces; ++k)
+		if (sweep(world, s) == 0)
+			return;
+}

@@ -1,0 +1,103 @@
+/*
+ * direct/active_set.c - solves a component with motors and limits among its rows by an active set (method in direct/active_rows.c).
+ */
+#include "direct/direct_system.h"
+
+#define ROUNDS 3               /* changes of the set in a pass */
+
+static float impulse_least(const cni_row *r, const cni_solve *s)
+{
+	return r->kind == CNI_ROW_MOTOR ? -r->limit * s->h : 0.0f;
+}
+
+/* Puts a row to an impulse, along its lever as it is. */
+static void row_put(const cn_world *world, const cni_node *n, cni_row *r, float impulse)
+{
+	cni_row_push(r, impulse - r->impulse, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
+	r->impulse = impulse;
+}
+
+/* Rows that are beyond their bound leave, others come back. Returns 1 when the set has changed. */
+static int32_t set_change(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
+{
+	const cni_motion *motions = cni_motions(world);
+	int32_t k, changed = 0;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		cni_row *r = cni_active_row(world, n);
+		float least, most;
+		if (r == NULL)
+			continue;
+		least = impulse_least(r, s);
+		most = cni_active_impulse_most(r, s);
+		if (n->held & CNI_ROW_IN_SET) {
+			if (r->impulse >= least && r->impulse <= most)
+				continue;
+			n->held = r->impulse > most ? CNI_ROW_AT_UPPER : 0;
+			row_put(world, n, r, cni_clamp(r->impulse, least, most));
+		} else {
+			float lacks = n->wanted - cni_row_speed(r, motions + n->ia, motions + n->ib);
+			if (n->held & CNI_ROW_AT_UPPER ? lacks >= 0.0f : lacks <= 0.0f && r->kind == CNI_ROW_MOTOR)
+				continue;
+			if (r->kind == CNI_ROW_LIMIT && lacks <= 0.0f)
+				continue;
+			n->held = CNI_ROW_IN_SET;
+		}
+		changed = 1;
+	}
+	return changed;
+}
+
+static void impulses_add(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_node *n = &sparse->nodes[k];
+		cni_row *r = cni_active_row(world, n);
+		if (r != NULL && (n->held & CNI_ROW_IN_SET))
+			r->impulse += n->x[2];
+	}
+}
+
+/* Right sides to speeds that are asked for, so that they can be found again once something has been pushed (-1), or back. */
+static void sides_turn(const cn_world *world, cni_sparse *sparse, const cni_component *c, int32_t back)
+{
+	const cni_motion *motions = cni_motions(world);
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		const cni_row *r = cni_active_row(world, n);
+		for (i = 0; i < n->rows; ++i) {
+			float speed = cni_lever_speed(&n->lever[i], motions + n->ia, motions + n->ib);
+			if (back)
+				n->x[i] = n->total[i] - speed;
+			else
+				n->total[i] = n->x[i] + speed;
+		}
+		for (; back && i < CNI_NODE_ROWS; ++i)
+			n->x[i] = -cni_lever_speed(&n->lever[i], motions + n->ia, motions + n->ib);
+		if (back && r != NULL && (n->held & CNI_ROW_IN_SET))
+			n->x[2] += n->wanted;
+	}
+}
+
+int32_t cni_active_answer(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
+{
+	int32_t round;
+	sides_turn(world, sparse, c, 0);
+	for (round = 0;; ++round) {
+		if (!cni_direct_apply(world, sparse, c))
+			return 0;
+		impulses_add(world, sparse, c);
+		if (round == ROUNDS || !set_change(world, s, sparse, c))
+			return 1;
+		cni_direct_system(world, s, sparse, c);
+		sides_turn(world, sparse, c, 1);
+	}
+}
+
+void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c)
+{
+	if (!(c->active ? cni_active_answer(world, s, s->direct, c) : cni_direct_apply(world, s->direct, c)))
+		cni_component_leave(world, s->direct, c, 0);
+}

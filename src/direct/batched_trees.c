@@ -1,0 +1,293 @@
+/*
+ * direct/batched_trees.c - trees of pins that are alike, solved side by side: which, their lanes, their passes.
+ *
+ * Many scenes have hundreds of small mechanisms of a few kinds: ragdolls, bits of chain. Solving one is a long row of
+ * small dependent sums through lists of indices. Sixteen of a kind share the lists (linear/topology_class.c), and each sum is
+ * one of vectors. What a tree of a batch does has the bits of what it does alone, where the rows of its joints are those of
+ * direct/direct_joints.c and its lanes lie among others' in joints/joint_blocks.c.
+ *
+ * A batch takes all of a tree's joints, which are wide works in two rows: no dampers, no loops, no contacts in the system, and
+ * not the whole step at once. Those of a kind that are left when batches are full make one more.
+ *
+ * Reads works, records, motion, the plan; writes batches, blocks of lanes, works' flags.
+ */
+#include "base/cpu.h"
+#include "direct/batched_trees.h"
+
+#include <string.h>
+
+#define LANES_LEAST 2 /* fewer are left alone */
+
+/* ---- which components ---- */
+
+/* Does its bound let a motor turn the two bodies at its joint out of the tangent in a substep, which is what it may do wrong when
+   it is solved in turn with the pins? Then it is one of their system: direct/active_rows.c. */
+static int32_t motor_is_strong(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
+{
+	float free = cni_motions(world)[w->ia].inv_inertia + cni_motions(world)[w->ib].inv_inertia;
+	return (w->record->flags & CN_JOINT_MOTOR) && w->record->p[CNI_P_MOTOR_MAX] * s->h * s->h * free > CNI_PROJECTION_TURN_RAD;
+}
+
+/* May it have to be locked in this step (cni_geometric_stiffness_lock), which batches cannot? */
+static int32_t turns_fast(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
+{
+	float most = CNI_SNAP_RAD * s->inv_h;
+	return cni_abs(cni_motions(world)[w->ia].w) > most || cni_abs(cni_motions(world)[w->ib].w) > most;
+}
+
+int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	if (c->kind == CNI_NONE || c->presses)
+		return 0;
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_joint_constraint *w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
+		if (!(w->flags & CNI_CONSTRAINT_WIDE) || motor_is_strong(world, s, w) || turns_fast(world, s, w) || !cni_joint_fits_lane(world, s, w))
+			return 0;
+	}
+	cni_geometric_stiffness_find_pins(world, sparse, c, s->h);
+	return !cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h);
+}
+
+/* ---- making them ---- */
+
+typedef struct maker {
+	cn_world *world;
+	const cni_solve *s;
+	cni_sparse *sparse;
+	cni_lane_spring spring;
+	int32_t waiting[CNI_TOPOLOGY_CLASSES];    /* components of the kind that are to be in batches */
+	int32_t example[CNI_TOPOLOGY_CLASSES];    /* one of them */
+	cni_tree_batch *open[CNI_TOPOLOGY_CLASSES];     /* the kind's batch that is being filled */
+	float *numbers;                /* for the factors of batches to come */
+} maker;
+
+static int32_t nodes_of(const cni_component *c)
+{
+	return c->end - c->begin;
+}
+
+static int32_t numbers_of(const cni_component *c)
+{
+	return (3 * nodes_of(c) + 4 * (c->coupling_end - c->coupling_begin)) * CNI_LANES;
+}
+
+/* However many there are, they take no more blocks than all joints in lanes would. */
+uint64_t cni_tree_batch_bytes(int32_t joints)
+{
+	uint64_t block = sizeof(float) * CNI_LANES * (3 + 4 * CNI_TOPOLOGY_COUPLINGS) + sizeof(cni_tree_batch) / 2;
+	return block * (uint64_t)cni_joint_blocks_for(joints) + 64;
+}
+
+static void waiting_count(maker *m)
+{
+	int32_t k;
+	memset(m->waiting, 0, sizeof m->waiting);
+	for (k = 0; k < m->sparse->component_count; ++k)
+		if (m->sparse->components[k].batches) {
+			++m->waiting[m->sparse->components[k].kind];
+			m->example[m->sparse->components[k].kind] = k;
+		}
+}
+
+/* Is there room for so many blocks? A world in a caller's block has what all its joints would take in lanes. */
+static int32_t blocks_fit(cn_world *world, int32_t blocks)
+{
+	if (world->memory.fixed)
+		return blocks <= cni_joint_blocks_for(world->awake_joints.count);
+	return cni_array_reserve(&world->joint_blocks, &world->memory, blocks);
+}
+
+/* How many batches a kind makes. What does not fill one makes another if it is worth it, and if its blocks leave room for the
+   joints that are in none. */
+static int32_t batches_count(maker *m, int32_t kind, int32_t *blocks, int32_t *joints)
+{
+	int32_t nodes = nodes_of(&m->sparse->components[m->example[kind]]);
+	int32_t full = m->waiting[kind] / CNI_LANES, rest = m->waiting[kind] % CNI_LANES;
+	*blocks += full * nodes;
+	*joints -= full * nodes * CNI_LANES;
+	if (rest < LANES_LEAST || !blocks_fit(m->world, *blocks + nodes + cni_joint_blocks_for(*joints - rest * nodes))) {
+		m->waiting[kind] -= rest;
+		return full;
+	}
+	*blocks += nodes;
+	*joints -= rest * nodes;
+	return full + 1;
+}
+
+/* Memory of all batches, and which components will be in one. 0: none will. */
+static int32_t batches_reserve(maker *m)
+{
+	int32_t kind, batches = 0, numbers = 0, blocks = 0, joints = m->world->awake_joints.count;
+	for (kind = 0; kind < CNI_TOPOLOGY_CLASSES; ++kind)
+		if (m->waiting[kind] > 0) {
+			int32_t count = batches_count(m, kind, &blocks, &joints);
+			batches += count;
+			numbers += count * numbers_of(&m->sparse->components[m->example[kind]]);
+		}
+	if (batches == 0)
+		return 0;
+	m->numbers = (float *)cni_arena_push(&m->world->arena, sizeof(float) * (uint64_t)numbers + sizeof(cni_tree_batch) * (uint64_t)batches);
+	if (m->numbers == NULL)
+		return 0;
+	m->sparse->batches = (cni_tree_batch *)(void *)(m->numbers + numbers);
+	return 1;
+}
+
+static void order_by_color(cni_tree_batch *batch)
+{
+	int32_t color, k, count = 0;
+	for (color = 0; count < batch->kind.nodes; ++color)
+		for (k = 0; k < batch->kind.nodes; ++k)
+			if (batch->kind.color[k] == color)
+				batch->order[count++] = (uint8_t)k;
+}
+
+static void sources_find(cni_tree_batch *batch)
+{
+	int32_t k;
+	batch->moving = batch->bodies = batch->kind.bodies;
+	for (k = 2 * batch->kind.nodes - 1; k >= 0; --k) {
+		int32_t body = batch->kind.end[k >> 1][k & 1];
+		batch->source[body] = (uint32_t)((size_t)(k >> 1) * sizeof(cni_joint_block) + (k & 1 ? offsetof(cni_joint_block, ib) : offsetof(cni_joint_block, ia)));
+		batch->bodies = cni_max_i(batch->bodies, body + 1);
+	}
+}
+
+static void blocks_take(cn_world *world, cni_tree_batch *batch)
+{
+	int32_t k, first = world->joint_blocks.count;
+	for (k = 0; k < batch->kind.nodes; ++k)
+		cni_joint_blocks(world)[cni_joint_block_take(world)].batch = 1;
+	batch->nodes = cni_joint_blocks(world) + first;
+}
+
+/* Empty, of the component's kind. */
+static cni_tree_batch *batch_open(maker *m, const cni_component *c)
+{
+	cni_sparse *sparse = m->sparse;
+	cni_tree_batch *batch = &sparse->batches[sparse->batch_count++];
+	(void)cni_topology_describe(sparse, c, cni_motions(m->world), &batch->kind);
+	order_by_color(batch);
+	sources_find(batch);
+	blocks_take(m->world, batch);
+	batch->lanes = 0;
+	batch->asked = batch->parting = 0;
+	batch->couplings = sparse->couplings + c->coupling_begin;
+	batch->coupling_count = c->coupling_end - c->coupling_begin;
+	batch->first = sparse->first + c->begin;
+	batch->below = sparse->below;
+	batch->node_first = c->begin;
+	batch->block_first = sparse->first[c->begin];
+	batch->pivots = m->numbers;
+	batch->blocks = m->numbers + 3 * CNI_LANES * batch->kind.nodes;
+	m->numbers += numbers_of(c);
+	return batch;
+}
+
+static void lane_fill(maker *m, const cni_component *c, cni_tree_batch *batch)
+{
+	int32_t k, l = batch->lanes++;
+	for (k = 0; k < batch->kind.nodes; ++k) {
+		int32_t owner = m->sparse->nodes[c->begin + k].owner;
+		cni_joint_constraints(m->world)[owner].flags |= CNI_CONSTRAINT_BATCHED;
+		cni_joint_lane_fill(m->world, m->s, &m->spring, owner, &batch->nodes[k], l);
+	}
+}
+
+static void component_place(maker *m, cni_component *c)
+{
+	cni_tree_batch **open = &m->open[c->kind];
+	if (m->waiting[c->kind] == 0) {
+		c->batches = 0;
+		cni_direct_begin(m->world, m->s, m->sparse, c);
+		return;
+	}
+	--m->waiting[c->kind];
+	if (*open == NULL)
+		*open = batch_open(m, c);
+	c->batch = (int32_t)(*open - m->sparse->batches);
+	c->lane = (*open)->lanes;
+	lane_fill(m, c, *open);
+	if ((*open)->lanes == CNI_LANES)
+		*open = NULL;
+}
+
+/* ---- passes ---- */
+
+/* The widest that this build and this processor have. */
+static const cni_tree_batch_kernel *kernel_choose(void)
+{
+#if CNI_HAS_WIDE_8
+	if (cni_cpu_has_avx2())
+		return &cni_tree_batch_kernel_8;
+#endif
+#if CNI_HAS_WIDE_4
+	return &cni_tree_batch_kernel_4;
+#else
+	return &cni_tree_batch_kernel_plain;
+#endif
+}
+
+typedef struct batch_loop {
+	cn_world *world;
+	cni_tree_batch *batches;
+	cni_tree_batch_kernel_fn *run;
+	cni_tree_batch_pass pass;
+} batch_loop;
+
+/* Herds have no body in common that moves. */
+static void batch_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	batch_loop *loop = (batch_loop *)context;
+	int32_t k;
+	(void)worker;
+	for (k = begin; k < end; ++k)
+		loop->run(cni_motions(loop->world), cni_starts(loop->world), &loop->batches[k], &loop->pass);
+}
+
+static void batches_run(cn_world *world, const cni_solve *s, cni_tree_batch_kernel_fn *run)
+{
+	batch_loop loop = { world, NULL, run, { { s->h, s->inv_h, s->warm_scale, s->joint }, CNI_JOINT_ERROR_RATE * s->inv_h, s->push_speed,
+		CNI_PROJECTION_PART * world->settings.accuracy * s->inv_h, CNI_PROJECTION_TURN_RAD * s->inv_h } };
+	if (s->direct == NULL || s->direct->batch_count == 0)
+		return;
+	loop.batches = s->direct->batches;
+	cni_team_for(s->team, s->direct->batch_count, 1, batch_range, &loop);
+}
+
+void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse)
+{
+	maker m = { world, s, sparse, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { 0 }, { 0 }, { NULL }, NULL };
+	int32_t k, far = cni_joints_are_far(world);
+	waiting_count(&m);
+	if (!batches_reserve(&m))
+		memset(m.waiting, 0, sizeof m.waiting);
+	for (k = 0; k < sparse->component_count; ++k) {
+		if (far && k + 1 < sparse->component_count)
+			cni_component_prefetch(world, sparse, k + 1);
+		if (sparse->components[k].batches)
+			component_place(&m, &sparse->components[k]);
+	}
+	batches_run(world, s, kernel_choose()->begin);
+}
+
+void cni_tree_batches_warm(cn_world *world, const cni_solve *s)
+{
+	batches_run(world, s, kernel_choose()->warm);
+}
+
+void cni_tree_batches_solve(cn_world *world, const cni_solve *s)
+{
+	batches_run(world, s, kernel_choose()->solve);
+}
+
+void cni_tree_batches_relax(cn_world *world, const cni_solve *s)
+{
+	batches_run(world, s, kernel_choose()->relax);
+}
+
+void cni_tree_batches_close(cn_world *world, const cni_solve *s)
+{
+	batches_run(world, s, kernel_choose()->close);
+}

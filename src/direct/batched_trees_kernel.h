@@ -1,0 +1,521 @@
+/*
+ * direct/batched_trees_kernel.h - passes over batches of trees (direct/batched_trees.h) for one instruction set, with the formulas of
+ * joints/joint_kernel.h.
+ *
+ * A pin's two rows are (-1, 0, ay | 1, 0, -by) and (0, -1, -ax | 0, 1, bx), so that what linear/sparse_solve.c multiplies
+ * by one or zero is left out here; the rest, and its order, are the same.
+ */
+#include "direct/batched_trees.h"
+#include "joints/joint_kernel.h"
+
+/* The bodies of a batch's lanes, in a pass. */
+typedef struct tree_bodies {
+	side body[CNI_TOPOLOGY_NODES + 2];
+} tree_bodies;
+
+CNI_INLINE const int32_t *body_index(const cni_tree_batch *batch, int32_t body, int32_t l)
+{
+	return (const int32_t *)(const void *)((const char *)batch->nodes + batch->source[body]) + l;
+}
+
+CNI_INLINE const float *body_inertia(const cni_tree_batch *batch, int32_t body, int32_t l)
+{
+	return (const float *)(const void *)((const char *)batch->nodes + batch->source[body] + CNI_SIDE_BYTES) + l;
+}
+
+/* Those that have a tree, as bits from l on. */
+CNI_INLINE uint32_t lanes_from(const cni_tree_batch *batch, int32_t l)
+{
+	return (1u << cni_min_i(batch->lanes - l, CNI_WIDTH)) - 1u;
+}
+
+CNI_INLINE void tree_bodies_gather(const cni_motion *motions, const cni_tree_batch *batch, int32_t l, tree_bodies *f)
+{
+	int32_t k;
+	for (k = 0; k < batch->bodies; ++k)
+		side_gather(motions, body_index(batch, k, l), body_inertia(batch, k, l), &f->body[k]);
+}
+
+CNI_INLINE void tree_bodies_scatter(cni_motion *motions, const cni_tree_batch *batch, int32_t l, const tree_bodies *f)
+{
+	uint32_t lanes = lanes_from(batch, l);
+	int32_t k;
+	for (k = 0; k < batch->moving; ++k)
+		side_scatter(motions, body_index(batch, k, l), lanes, &f->body[k]);
+}
+
+/* ---- the matrix ---- */
+
+CNI_INLINE float *pivot_row(const cni_tree_batch *batch, int32_t node, int32_t l)
+{
+	return batch->pivots + (size_t)node * (3 * CNI_LANES) + l;
+}
+
+CNI_INLINE float *block_row(const cni_tree_batch *batch, int32_t block, int32_t l)
+{
+	return batch->blocks + (size_t)block * (4 * CNI_LANES) + l;
+}
+
+/* 2 x 2, row major; a symmetric one has m01 twice. */
+typedef struct matrix {
+	cni_wide m00, m01, m10, m11;
+} matrix;
+
+CNI_INLINE matrix block_load(const float *p)
+{
+	matrix m;
+	m.m00 = cni_wide_load(p);
+	m.m01 = cni_wide_load(p + CNI_LANES);
+	m.m10 = cni_wide_load(p + 2 * CNI_LANES);
+	m.m11 = cni_wide_load(p + 3 * CNI_LANES);
+	return m;
+}
+
+CNI_INLINE void block_store(float *p, const matrix *m)
+{
+	cni_wide_store(p, m->m00);
+	cni_wide_store(p + CNI_LANES, m->m01);
+	cni_wide_store(p + 2 * CNI_LANES, m->m10);
+	cni_wide_store(p + 3 * CNI_LANES, m->m11);
+}
+
+CNI_INLINE matrix pivot_load(const float *p)
+{
+	matrix m;
+	m.m00 = cni_wide_load(p);
+	m.m01 = m.m10 = cni_wide_load(p + CNI_LANES);
+	m.m11 = cni_wide_load(p + 2 * CNI_LANES);
+	return m;
+}
+
+CNI_INLINE void pivot_store(float *p, const matrix *m)
+{
+	cni_wide_store(p, m->m00);
+	cni_wide_store(p + CNI_LANES, m->m10);
+	cni_wide_store(p + 2 * CNI_LANES, m->m11);
+}
+
+CNI_INLINE void diagonal_form(const cni_tree_batch *batch, int32_t node, int32_t l, const tree_bodies *f, matrix *least)
+{
+	const side *a = &f->body[batch->kind.end[node][0]], *b = &f->body[batch->kind.end[node][1]];
+	arms r = arms_load(&batch->nodes[node], l);
+	cni_wide ax = a->i * r.ax, ay = a->i * r.ay, bx = b->i * r.bx, by = b->i * r.by;
+	matrix d;
+	d.m00 = a->m + ay * r.ay + b->m + by * r.by;
+	d.m10 = d.m01 = -(ax * r.ay) - bx * r.by;
+	d.m11 = a->m + ax * r.ax + b->m + bx * r.bx;
+	least->m00 = CNI_PIVOT_LEAST * d.m00;
+	least->m11 = CNI_PIVOT_LEAST * d.m11;
+	pivot_store(pivot_row(batch, node, l), &d);
+}
+
+/* Impulses of the low node to speeds of the high one, through the body that they share. */
+CNI_INLINE void coupling_form(const cni_tree_batch *batch, const cni_coupling *c, int32_t l, const tree_bodies *f)
+{
+	int32_t high = c->high - batch->node_first, low = c->low - batch->node_first;
+	const cni_joint_block *p = &batch->nodes[high], *q = &batch->nodes[low];
+	const side *s = &f->body[batch->kind.end[low][c->low_side]];
+	cni_wide px = cni_wide_load((c->high_side ? p->bx : p->ax) + l), py = cni_wide_load((c->high_side ? p->by : p->ay) + l);
+	cni_wide qx = cni_wide_load((c->low_side ? q->bx : q->ax) + l), qy = cni_wide_load((c->low_side ? q->by : q->ay) + l);
+	cni_wide ix = s->i * px, iy = s->i * py;
+	matrix m;
+	if (c->high_side == c->low_side) {
+		m.m00 = s->m + iy * qy;
+		m.m01 = -(iy * qx);
+		m.m10 = -(ix * qy);
+		m.m11 = s->m + ix * qx;
+	} else {
+		m.m00 = -s->m - iy * qy;
+		m.m01 = iy * qx;
+		m.m10 = ix * qy;
+		m.m11 = -s->m - ix * qx;
+	}
+	block_store(block_row(batch, c->block - batch->block_first, l), &m);
+}
+
+CNI_INLINE cni_wide pivot_inverse(cni_wide pivot, cni_wide least)
+{
+	return cni_wide_select(pivot > least, 1.0f / pivot, cni_wide_of(0.0f));
+}
+
+CNI_INLINE matrix pivot_invert(float *p, const matrix *least)
+{
+	matrix d = pivot_load(p), v;
+	cni_wide i0 = pivot_inverse(d.m00, least->m00), l10 = d.m10 * i0, i1 = pivot_inverse(d.m11 - l10 * d.m10, least->m11);
+	v.m00 = i0 + l10 * l10 * i1;
+	v.m01 = v.m10 = -l10 * i1;
+	v.m11 = i1;
+	pivot_store(p, &v);
+	return v;
+}
+
+/* left * right */
+CNI_INLINE matrix matrix_times(const matrix *a, const matrix *b)
+{
+	matrix m;
+	m.m00 = a->m00 * b->m00 + a->m01 * b->m10;
+	m.m01 = a->m00 * b->m01 + a->m01 * b->m11;
+	m.m10 = a->m10 * b->m00 + a->m11 * b->m10;
+	m.m11 = a->m10 * b->m01 + a->m11 * b->m11;
+	return m;
+}
+
+/* target -= left * right^T */
+CNI_INLINE void matrix_take(matrix *t, const matrix *a, const matrix *b)
+{
+	t->m00 -= a->m00 * b->m00 + a->m01 * b->m01;
+	t->m01 -= a->m00 * b->m10 + a->m01 * b->m11;
+	t->m10 -= a->m10 * b->m00 + a->m11 * b->m01;
+	t->m11 -= a->m10 * b->m10 + a->m11 * b->m11;
+}
+
+/* Takes a node out of all that comes after it. */
+CNI_INLINE void node_eliminate(const cni_tree_batch *batch, int32_t node, int32_t l, const matrix *pivot)
+{
+	int32_t e, f, end = batch->first[node + 1];
+	for (e = batch->first[node]; e < end; ++e) {
+		int32_t to = batch->below[e] - batch->node_first, at = batch->first[to];
+		matrix block = block_load(block_row(batch, e - batch->block_first, l)), scaled = matrix_times(&block, pivot);
+		matrix d = pivot_load(pivot_row(batch, to, l));
+		matrix_take(&d, &scaled, &block);
+		pivot_store(pivot_row(batch, to, l), &d);
+		for (f = e + 1; f < end; ++f) {
+			matrix left = block_load(block_row(batch, f - batch->block_first, l)), t;
+			while (batch->below[at] != batch->below[f])
+				++at;
+			t = block_load(block_row(batch, at - batch->block_first, l));
+			matrix_take(&t, &left, &scaled);
+			block_store(block_row(batch, at - batch->block_first, l), &t);
+		}
+	}
+}
+
+CNI_INLINE void system_factor(const cni_tree_batch *batch, int32_t l, const tree_bodies *f)
+{
+	matrix least[CNI_TOPOLOGY_NODES];
+	int32_t k;
+	for (k = 0; k < batch->kind.nodes; ++k)
+		diagonal_form(batch, k, l, f, &least[k]);
+	for (k = 0; k < batch->coupling_count; ++k)
+		coupling_form(batch, &batch->couplings[k], l, f);
+	for (k = 0; k < batch->kind.nodes; ++k) {
+		matrix pivot = pivot_invert(pivot_row(batch, k, l), &least[k]);
+		node_eliminate(batch, k, l, &pivot);
+	}
+}
+
+/* ---- solution ---- */
+
+typedef struct pair {
+	cni_wide x, y;
+} pair;
+
+CNI_INLINE pair pivot_apply(const matrix *m, const pair *x)
+{
+	pair z;
+	z.x = m->m00 * x->x + m->m01 * x->y;
+	z.y = m->m10 * x->x + m->m11 * x->y;
+	return z;
+}
+
+/* What the pins' speeds, and gaps at this rate, ask for. */
+CNI_INLINE pair right_side(const cni_joint_block *k, int32_t l, const side *a, const side *b, float rate, float most)
+{
+	arms r = arms_load(k, l);
+	pair x;
+	x.x = -(-a->vx + r.ay * a->w + b->vx - r.by * b->w);
+	x.y = -(-a->vy - r.ax * a->w + b->vy + r.bx * b->w);
+	if (rate > 0.0f) {
+		x.x -= cni_wide_min(cni_wide_max(rate * cni_wide_load(k->ex + l), cni_wide_of(-most)), cni_wide_of(most));
+		x.y -= cni_wide_min(cni_wide_max(rate * cni_wide_load(k->ey + l), cni_wide_of(-most)), cni_wide_of(most));
+	}
+	return x;
+}
+
+/* From right hand sides to impulses. Returns zero in lanes where all is finite. */
+CNI_INLINE cni_wide system_solve(const cni_tree_batch *batch, int32_t l, pair *x)
+{
+	cni_wide finite = cni_wide_of(0.0f); /* stays so: 0 times what is finite */
+	int32_t k, e;
+	for (k = 0; k < batch->kind.nodes; ++k) {
+		matrix pivot = pivot_load(pivot_row(batch, k, l));
+		pair z = pivot_apply(&pivot, &x[k]);
+		for (e = batch->first[k]; e < batch->first[k + 1]; ++e) {
+			matrix m = block_load(block_row(batch, e - batch->block_first, l));
+			pair *y = &x[batch->below[e] - batch->node_first];
+			y->x -= m.m00 * z.x + m.m01 * z.y;
+			y->y -= m.m10 * z.x + m.m11 * z.y;
+		}
+	}
+	for (k = batch->kind.nodes - 1; k >= 0; --k) {
+		matrix pivot = pivot_load(pivot_row(batch, k, l));
+		for (e = batch->first[k]; e < batch->first[k + 1]; ++e) {
+			matrix m = block_load(block_row(batch, e - batch->block_first, l));
+			const pair *z = &x[batch->below[e] - batch->node_first];
+			x[k].x -= m.m00 * z->x + m.m10 * z->y;
+			x[k].y -= m.m01 * z->x + m.m11 * z->y;
+		}
+		x[k] = pivot_apply(&pivot, &x[k]);
+		finite += 0.0f * x[k].x;
+		finite += 0.0f * x[k].y;
+	}
+	return finite;
+}
+
+CNI_INLINE void pin_push(const arms *r, const pair *x, side *a, side *b)
+{
+	cni_wide ax = a->i * x->x, ay = a->i * x->y, bx = b->i * x->x, by = b->i * x->y;
+	a->vx -= a->m * x->x;
+	a->vy -= a->m * x->y;
+	a->w += ax * r->ay;
+	a->w -= ay * r->ax;
+	b->vx += b->m * x->x;
+	b->vy += b->m * x->y;
+	b->w -= bx * r->by;
+	b->w += by * r->bx;
+}
+
+CNI_INLINE void right_sides(const cni_tree_batch *batch, int32_t l, const tree_bodies *f, float rate, float most, pair *x)
+{
+	int32_t k;
+	for (k = 0; k < batch->kind.nodes; ++k)
+		x[k] = right_side(&batch->nodes[k], l, &f->body[batch->kind.end[k][0]], &f->body[batch->kind.end[k][1]], rate, most);
+}
+
+/* From right hand sides x to impulses, in the lanes that are asked for, as bits from l on; those whose impulses are not finite
+   get none, and are single from the next pass on. */
+CNI_INLINE void pins_solve(cni_tree_batch *batch, int32_t l, tree_bodies *f, pair *x, uint32_t asked)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	uint32_t direct = batch->nodes[0].direct >> l & ((1u << CNI_WIDTH) - 1u) & asked, broken;
+	cni_mask good = system_solve(batch, l, x) == zero;
+	int32_t k;
+	broken = direct & ~cni_mask_bits(good);
+	good = cni_mask_of_bits(direct & ~broken);
+	for (k = 0; k < batch->kind.nodes; ++k) {
+		cni_joint_block *node = &batch->nodes[k];
+		arms r = arms_load(node, l);
+		x[k].x = cni_wide_select(good, x[k].x, zero);
+		x[k].y = cni_wide_select(good, x[k].y, zero);
+		pin_push(&r, &x[k], &f->body[batch->kind.end[k][0]], &f->body[batch->kind.end[k][1]]);
+		impulse_add(node->jx + l, x[k].x);
+		impulse_add(node->jy + l, x[k].y);
+		node->direct &= ~(broken << l);
+	}
+}
+
+/* ---- passes ---- */
+
+static void batch_begin(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
+{
+	int32_t l;
+	(void)starts;
+	(void)pass;
+	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
+		tree_bodies f;
+		tree_bodies_gather(motions, batch, l, &f);
+		system_factor(batch, l, &f);
+	}
+}
+
+static void batch_warm(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
+{
+	float scale = pass->joint.warm_scale;
+	int32_t l, n;
+	(void)starts;
+	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
+		tree_bodies f;
+		tree_bodies_gather(motions, batch, l, &f);
+		for (n = 0; n < batch->kind.nodes; ++n) {
+			int32_t node = batch->order[n];
+			cni_joint_block *k = &batch->nodes[node];
+			arms r = arms_load(k, l);
+			cni_wide jx = warmed(k->jx + l, scale), jy = warmed(k->jy + l, scale), t;
+			t = warmed(k->spring_j + l, scale) + warmed(k->motor_j + l, scale) + warmed(k->limit_j + l, scale);
+			push(&f.body[batch->kind.end[node][0]], &f.body[batch->kind.end[node][1]], &r, jx, jy, t);
+		}
+		tree_bodies_scatter(motions, batch, l, &f);
+	}
+}
+
+/* Are there lanes among these whose pins are single? */
+CNI_INLINE int32_t has_single(const cni_tree_batch *batch, int32_t l)
+{
+	uint32_t lanes = lanes_from(batch, l);
+	return (batch->nodes[0].direct >> l & lanes) != lanes;
+}
+
+/* What solve_group does where motors are all there is. */
+CNI_INLINE void solve_motors(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, float h, pair *dealt)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	pin p = pin_make(a, b, r);
+	hinge g = hinge_make(a, b, r, &p);
+	solve_motor(k, l, &g, h);
+	dealt->x = zero + g.sx * g.t;
+	dealt->y = zero + g.sy * g.t;
+	push(a, b, r, dealt->x, dealt->y, g.t);
+}
+
+/* Springs, motors, limits, and single pins. */
+CNI_INLINE void node_solve(cni_tree_batch *batch, int32_t node, int32_t l, tree_bodies *f, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t single, pair *dealt)
+{
+	cni_joint_block *k = &batch->nodes[node];
+	side *a = &f->body[batch->kind.end[node][0]], *b = &f->body[batch->kind.end[node][1]];
+	if (single)
+		solve_group(k, l, a, b, r, pass, bias, 1, 1, &dealt->x, &dealt->y);
+	else if (k->angular == CN_JOINT_MOTOR)
+		solve_motors(k, l, a, b, r, pass->h, dealt);
+	else if (k->angular)
+		solve_group(k, l, a, b, r, pass, bias, 1, 0, &dealt->x, &dealt->y);
+	else
+		dealt->x = dealt->y = cni_wide_of(0.0f);
+}
+
+/* What springs, motors and limits give the pins is kept in `dealt` until positions have moved. */
+static void batch_solve(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
+{
+	int32_t l, n;
+	(void)starts;
+	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
+		tree_bodies f;
+		pair dealt, x[CNI_TOPOLOGY_NODES];
+		int32_t single = has_single(batch, l);
+		tree_bodies_gather(motions, batch, l, &f);
+		for (n = 0; n < batch->kind.nodes; ++n) {
+			int32_t node = batch->order[n];
+			arms r = arms_load(&batch->nodes[node], l);
+			node_solve(batch, node, l, &f, &r, &pass->joint, 1, single, &dealt);
+			cni_wide_store(batch->nodes[node].dealt_x + l, dealt.x);
+			cni_wide_store(batch->nodes[node].dealt_y + l, dealt.y);
+		}
+		right_sides(batch, l, &f, pass->rate, pass->push, x);
+		pins_solve(batch, l, &f, x, ~0u);
+		tree_bodies_scatter(motions, batch, l, &f);
+	}
+}
+
+/* ---- hard stops: direct/joint_projection.c, whose words these are ---- */
+
+CNI_INLINE pair drift(cni_wide rx, cni_wide ry, cni_wide turn)
+{
+	cni_wide s, c1;
+	pair p;
+	turn_series(turn, &s, &c1);
+	p.x = c1 * rx - (s - turn) * ry;
+	p.y = c1 * ry + (s - turn) * rx;
+	return p;
+}
+
+CNI_INLINE cni_wide clamped(cni_wide x, float most)
+{
+	return cni_wide_min(cni_wide_max(x, cni_wide_of(-most)), cni_wide_of(most));
+}
+
+CNI_INLINE void drift_add(const cni_joint_block *k, int32_t l, const side *a, const side *b, const cni_tree_batch_pass *pass, pair *x)
+{
+	const cni_wide zero = cni_wide_of(0.0f), least = cni_wide_of(pass->turn_least);
+	cni_mask turns = cni_wide_max(cni_wide_abs(a->w), cni_wide_abs(b->w)) > least;
+	arms r = arms_load(k, l);
+	pair of_a, of_b;
+	if (cni_mask_bits(turns) == 0)
+		return;
+	of_a = drift(r.ax, r.ay, pass->joint.h * a->w);
+	of_b = drift(r.bx, r.by, pass->joint.h * b->w);
+	x->x -= cni_wide_select(turns, clamped((of_b.x - of_a.x) * pass->joint.inv_h, pass->push), zero);
+	x->y -= cni_wide_select(turns, clamped((of_b.y - of_a.y) * pass->joint.inv_h, pass->push), zero);
+}
+
+/* Lanes whose pins lack more than the pass' parting speed, of those that may, are solved once more. */
+static void batch_close(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
+{
+	const cni_wide most = cni_wide_of(pass->parting);
+	int32_t l, k;
+	(void)starts;
+	batch->parting = 0;
+	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
+		uint32_t asked = batch->asked & batch->nodes[0].direct, parting = 0;
+		pair x[CNI_TOPOLOGY_NODES];
+		tree_bodies f;
+		asked = asked >> l & ((1u << CNI_WIDTH) - 1u);
+		if (asked == 0)
+			continue;
+		tree_bodies_gather(motions, batch, l, &f);
+		right_sides(batch, l, &f, pass->rate, pass->push, x);
+		for (k = 0; k < batch->kind.nodes; ++k) {
+			drift_add(&batch->nodes[k], l, &f.body[batch->kind.end[k][0]], &f.body[batch->kind.end[k][1]], pass, &x[k]);
+			parting |= cni_mask_bits(cni_wide_max(cni_wide_abs(x[k].x), cni_wide_abs(x[k].y)) > most);
+		}
+		parting &= asked;
+		if (parting == 0)
+			continue;
+		batch->parting |= parting << l;
+		pins_solve(batch, l, &f, x, parting);
+		tree_bodies_scatter(motions, batch, l, &f);
+	}
+}
+
+/* Where the bodies have gone, and their spin as the substep began. */
+typedef struct journey {
+	place at[CNI_TOPOLOGY_NODES + 2];
+	cni_wide vx[CNI_TOPOLOGY_NODES + 2], vy[CNI_TOPOLOGY_NODES + 2], w[CNI_TOPOLOGY_NODES + 2], jumped[CNI_TOPOLOGY_NODES + 2];
+} journey;
+
+CNI_INLINE void journey_gather(const cni_motion *motions, const cni_velocity_start *starts, const cni_tree_batch *batch, int32_t l, journey *j)
+{
+	int32_t k;
+	for (k = 0; k < batch->bodies; ++k) {
+		const int32_t *index = body_index(batch, k, l);
+		j->at[k] = place_gather(motions, index);
+		cni_wide_gather4((const float *)(const void *)starts, START_FLOATS, index, &j->vx[k], &j->vy[k], &j->w[k], &j->jumped[k]);
+	}
+}
+
+CNI_INLINE void journey_scatter(cni_velocity_start *starts, const cni_tree_batch *batch, int32_t l, const journey *j)
+{
+	uint32_t lanes = lanes_from(batch, l);
+	int32_t k;
+	for (k = 0; k < batch->moving; ++k)
+		moving_scatter((float *)(void *)starts, START_FLOATS, body_index(batch, k, l), lanes, j->vx[k], j->vy[k], j->w[k], j->jumped[k]);
+}
+
+/* To the pin's impulse, with the order of sums of joints/joint_blocks.c. */
+CNI_INLINE cni_wide dealt_take(float *impulse, float *dealt)
+{
+	cni_wide sum = cni_wide_load(impulse) + cni_wide_load(dealt);
+	cni_wide_store(impulse, sum);
+	cni_wide_store(dealt, cni_wide_of(0.0f));
+	return sum;
+}
+
+static void batch_relax(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
+{
+	int32_t l, n;
+	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
+		tree_bodies f;
+		journey j;
+		pair x[CNI_TOPOLOGY_NODES];
+		int32_t single = has_single(batch, l);
+		tree_bodies_gather(motions, batch, l, &f);
+		journey_gather(motions, starts, batch, l, &j);
+		for (n = 0; n < batch->kind.nodes; ++n) {
+			int32_t node = batch->order[n], a = batch->kind.end[node][0], b = batch->kind.end[node][1];
+			cni_joint_block *k = &batch->nodes[node];
+			cni_wide jx = dealt_take(k->jx + l, k->dealt_x + l), jy = dealt_take(k->jy + l, k->dealt_y + l);
+			arms old = arms_load(k, l), r = arms_renew(&j.at[a], &j.at[b], k, l, k->angular != 0);
+			pair dealt;
+			j.w[a] -= -(f.body[a].i * ((r.ax - old.ax) * jy - (r.ay - old.ay) * jx));
+			j.w[b] -= f.body[b].i * ((r.bx - old.bx) * jy - (r.by - old.by) * jx);
+			node_solve(batch, node, l, &f, &r, &pass->joint, 0, single, &dealt);
+			impulse_add(k->jx + l, dealt.x);
+			impulse_add(k->jy + l, dealt.y);
+		}
+		journey_scatter(starts, batch, l, &j);
+		system_factor(batch, l, &f);
+		right_sides(batch, l, &f, 0.0f, 0.0f, x);
+		pins_solve(batch, l, &f, x, ~0u);
+		tree_bodies_scatter(motions, batch, l, &f);
+	}
+}
+
+const cni_tree_batch_kernel CNI_KERNEL = { batch_begin, batch_warm, batch_solve, batch_relax, batch_close };

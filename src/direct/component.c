@@ -1,0 +1,267 @@
+/*
+ * direct/component.c - a component of directly solved joints: levers, system, right sides, checked solutions, impulses.
+ *
+ * Reads joint constraints, motion and inverse masses; writes nodes, their rigid rows' impulses, motion velocities.
+ */
+#include "direct/direct_system.h"
+
+#define REGULAR_STEP 10.0f /* times: a system that is still as good as singular */
+#define REGULAR_MOST 0.05f /* ... until joints are about as soft as soft ones */
+#define LEAK 1e-5f         /* ... and their rows give way by this part of it to their whole impulses */
+
+void cni_direct_motions_keep(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t back)
+{
+	int32_t k;
+	for (k = c->body_begin; k < c->body_end; ++k) {
+		cni_motion *m = cni_motions(world) + sparse->bodies[k], *saved = sparse->saved + k;
+		*(back ? m : saved) = *(back ? saved : m);
+	}
+}
+
+void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	sparse->turn[0] = cni_rot_small(0.0f);
+	for (k = c->begin; k < c->end; ++k) { /* kinematic ones too, which are no bodies of the component */
+		const cni_node *n = &sparse->nodes[k];
+		if (cni_motions(world)[n->ia].inv_mass == 0.0f)
+			sparse->turn[n->ia] = cni_rot_small(cni_motions(world)[n->ia].theta);
+		if (cni_motions(world)[n->ib].inv_mass == 0.0f)
+			sparse->turn[n->ib] = cni_rot_small(cni_motions(world)[n->ib].theta);
+	}
+	for (k = c->body_begin; k < c->body_end; ++k)
+		sparse->turn[sparse->bodies[k]] = cni_rot_small(cni_motions(world)[sparse->bodies[k]].theta);
+}
+
+/* Each joint by itself after all, in this step. */
+void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c)
+{
+	int32_t k;
+	++sparse->released;
+	for (k = c->begin; k < c->end; ++k)
+		if (sparse->nodes[k].owner >= 0) {
+			cni_joint_constraints(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_CONSTRAINT_DIRECT;
+			cni_joint_constraints(world)[sparse->nodes[k].owner].inner = 0;
+		}
+	c->swings = 0;
+	c->done = 1;
+}
+
+/* ... and for some time: `span` steps, or, 0, longer each time it happens. */
+void cni_component_leave(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_joint_trust *t;
+		if (sparse->nodes[k].owner < 0)
+			continue;
+		t = &cni_joint_at(world, cni_joint_constraints(world)[sparse->nodes[k].owner].joint)->trust;
+		if (span == 0)
+			cni_trust_fail(t, world->step_count, 1);
+		else
+			cni_trust_leave(t, world->step_count, span, 1);
+		world->joints_soft_step = t->until > world->joints_soft_step ? t->until : world->joints_soft_step;
+	}
+	cni_component_release(world, sparse, c);
+}
+
+/* Joints' levers from their rows. Returns how many joints there are. */
+static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k, i, joints = 0;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		const cni_row *rows;
+		if (n->owner < 0)
+			continue;
+		++joints;
+		rows = cni_joint_constraints(world)[n->owner].rows;
+		for (i = 0; i < n->rows; ++i)
+			n->lever[i] = cni_row_lever(&rows[i]);
+	}
+	return joints;
+}
+
+void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c)
+{
+	(void)levers_read(world, sparse, c);
+	cni_sparse_factor(sparse, c, cni_motions(world));
+}
+
+void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
+{
+	cni_joint_constraints_complete(world, sparse, c);
+	cni_sparse_clear(sparse, c);
+	cni_direct_turns(world, sparse, c);
+	cni_geometric_stiffness_find(world, sparse, c, s->h);
+	c->active = c->presses || c->kind != CNI_NONE || !CNI_ON(ACTIVE) ? 0 : cni_active_begin(world, s, sparse, c);
+	if (c->active || cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h))
+		c->width = CNI_NODE_ROWS;
+	cni_direct_system(world, s, sparse, c);
+}
+
+void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
+{
+	if (c->active)
+		cni_active_clear(world, sparse, c);
+	cni_geometric_stiffness_damp(world, sparse, c, s->h);
+	c->joints = levers_read(world, sparse, c);
+	if (c->active)
+		cni_active_levers(world, sparse, c);
+	if (c->presses)
+		c->factored = 0;
+	else
+		cni_sparse_factor(sparse, c, cni_motions(world));
+}
+
+/* Both bodies are read once and written once: a node's two bodies are never the same. */
+CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t width)
+{
+	cni_motion *motions = cni_motions(world);
+	cni_joint_constraint *works = cni_joint_constraints(world);
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_node *n = &sparse->nodes[k];
+		cni_motion a = motions[n->ia], b = motions[n->ib];
+		if (n->owner < 0)
+			continue;
+		for (i = 0; i < n->rows; ++i)
+			works[n->owner].rows[i].impulse += n->x[i];
+		for (i = 0; i < width; ++i)
+			cni_lever_push(&n->lever[i], n->x[i], &a, &b);
+		motions[n->ia] = a;
+		motions[n->ib] = b;
+	}
+}
+
+void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	if (c->width == 2)
+		nodes_push(world, sparse, c, 2);
+	else
+		nodes_push(world, sparse, c, CNI_NODE_ROWS);
+}
+
+CNI_INLINE void speeds_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push, int32_t width)
+{
+	const cni_motion *motions = cni_motions(world);
+	const cni_joint_constraint *works = cni_joint_constraints(world);
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		const cni_motion *a = motions + n->ia, *b = motions + n->ib;
+		if (n->owner < 0)
+			continue;
+		for (i = 0; i < width; ++i)
+			n->x[i] = -cni_lever_speed(&n->lever[i], a, b) - (i < n->rows ? cni_clamp(rate * works[n->owner].rows[i].error, -push, push) : 0.0f);
+	}
+}
+
+static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push)
+{
+	if (c->width == 2)
+		speeds_read(world, sparse, c, rate, push, 2);
+	else
+		speeds_read(world, sparse, c, rate, push, CNI_NODE_ROWS);
+}
+
+/*
+ * Loops give way a little to what they bear. The tension of a bridge between two walls says nothing of its bodies where it
+ * is straight: nothing but this keeps it from growing, until whatever turns a joint a little throws all that is near.
+ */
+static void leaks_add(const cn_world *world, cni_sparse *sparse, const cni_component *c)
+{
+	const cni_motion *motions = cni_motions(world);
+	const cni_joint_constraint *works = cni_joint_constraints(world);
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		for (i = 0; i < n->rows && n->owner >= 0; ++i)
+			n->x[i] -= LEAK * cni_lever_inverse_mass(&n->lever[i], motions + n->ia, motions + n->ib) * works[n->owner].rows[i].impulse;
+	}
+}
+
+static void impulses_take_back(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k)
+		for (i = 0; i < sparse->nodes[k].rows && sparse->nodes[k].owner >= 0; ++i)
+			cni_joint_constraints(world)[sparse->nodes[k].owner].rows[i].impulse -= sparse->nodes[k].x[i];
+}
+
+static void sides_keep(cni_sparse *sparse, const cni_component *c, int32_t back)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		memcpy(back ? n->x : n->carried, back ? n->carried : n->x, sizeof n->x);
+	}
+}
+
+static float inverse_or_zero(float x)
+{
+	return x > 0.0f ? 1.0f / x : 0.0f;
+}
+
+/*
+ * With A = K + C, b the right sides and A x = b, the change of velocity M^-1 J^T x has twice the kinetic energy x K x <= x A x =
+ * x b: no solution gives more than its right sides ask for. One that does comes of pivots that were rounding. Nor, but for
+ * motors, can joints give more than what stops all motion and has every body close gaps at the greatest speed: one that does
+ * closes gaps that say different things.
+ */
+static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	float asked = 0.0f, given = 0.0f, all = 0.0f, push = 0.0f;
+	int32_t k, i;
+	for (k = c->begin; k < c->end; ++k)
+		for (i = 0; i < c->width; ++i)
+			asked += sparse->nodes[k].carried[i] * sparse->nodes[k].x[i];
+	for (k = c->body_begin; k < c->body_end; ++k) {
+		const cni_motion *m = cni_motions(world) + sparse->bodies[k], *old = sparse->saved + k;
+		float mass = inverse_or_zero(m->inv_mass), inertia = inverse_or_zero(m->inv_inertia);
+		float vx = m->vx - old->vx, vy = m->vy - old->vy, w = m->w - old->w;
+		given += mass * (vx * vx + vy * vy) + inertia * w * w;
+		all += mass * (old->vx * old->vx + old->vy * old->vy) + inertia * old->w * old->w;
+		push += mass * world->settings.push_speed_max * world->settings.push_speed_max;
+	}
+	if (c->active < 2 && !(given <= 2.0f * (all + push))) /* (a + b)^2 <= 2 (a^2 + b^2) */
+		return 0;
+	return given <= 1.1f * asked + 1e-6f * all; /* and what is not a number is not */
+}
+
+/* Loops say much twice, so that their systems may be as good as singular. One whose solution is beyond its bound is solved again
+   with a larger diagonal, which it keeps for this step. */
+int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
+{
+	if (!c->loops) {
+		if (!cni_sparse_solve(sparse, c))
+			return 0;
+		cni_direct_push(world, sparse, c);
+		return 1;
+	}
+	sides_keep(sparse, c, 0);
+	for (;;) {
+		cni_direct_motions_keep(world, sparse, c, 0);
+		if (cni_sparse_solve(sparse, c)) {
+			cni_direct_push(world, sparse, c);
+			if (is_bounded(world, sparse, c))
+				return 1;
+			cni_direct_motions_keep(world, sparse, c, 1);
+			impulses_take_back(world, sparse, c);
+		}
+		if (c->regular > REGULAR_MOST)
+			return 0;
+		c->regular *= REGULAR_STEP;
+		cni_sparse_factor(sparse, c, cni_motions(world));
+		sides_keep(sparse, c, 1);
+	}
+}
+
+void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
+{
+	right_sides(world, s->direct, c, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f, s->push_speed);
+	if (bias && c->loops && !c->presses)
+		leaks_add(world, s->direct, c);
+	if (c->active)
+		cni_active_sides(world, s, s->direct, c, bias);
+}

@@ -1,0 +1,156 @@
+/*
+ * direct/contact_collect.c - contacts that are taken out of their lanes for a step, to be solved directly (direct_contacts.c), and
+ * given back.
+ *
+ * Reads contacts of islands; reads and writes lanes of contact blocks.
+ */
+#include "contacts/contacts.h"
+#include "direct/direct_contact.h"
+
+#include <string.h>
+
+static int32_t lane_is_plain(const cn_world *world, const cni_contact *c)
+{
+	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
+	const cni_block_info *info = cni_block_info_at(world, block);
+	const cni_block_extra *x = info->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL;
+	if (info->restitution[l] > 0.0f)
+		return 0;
+	return x == NULL || (x->rolling[l] == 0.0f && x->tangent_speed[l] == 0.0f && x->lock_ax[l] + x->lock_ay[l] + x->lock_bx[l] + x->lock_by[l] == 0.0f);
+}
+
+/*
+ * Friction at its bound slides, or bears as much as it can of what says the same twice: in a standing house of cards a tenth of all do. Were
+ * they held first, every step would look for the set anew. Where friction that holds may be greater it cannot be told.
+ */
+static void friction_guess(cni_direct_contact *p)
+{
+	float sum = p->j[0] + p->j[1];
+	if (sum <= 0.0f || p->static_friction > p->dynamic_friction || cni_abs(p->j[2]) < (1.0f - CNI_SLIDE_CLOSE) * p->dynamic_friction * sum)
+		return;
+	p->state[2] = CNI_ROW_SLIDES;
+	p->way = p->j[2] > 0.0f ? 1.0f : -1.0f;
+}
+
+static void press_read(const cn_world *world, const cni_contact *c, cni_direct_contact *p)
+{
+	const cni_contact_block *k = cni_block_at(world, c->slot / CNI_LANES);
+	int32_t l = c->slot % CNI_LANES, i;
+	memset(p, 0, sizeof *p);
+	p->block = c->slot / CNI_LANES;
+	p->lane = l;
+	p->node = CNI_NONE;
+	p->nx = k->nx[l];
+	p->ny = k->ny[l];
+	p->dn = k->dn[l];
+	p->dt = k->dt[l];
+	p->fa = k->fa[l];
+	p->fb = k->fb[l];
+	p->static_friction = k->static_friction[l];
+	p->dynamic_friction = k->dynamic_friction[l];
+	p->untouched = 1;
+	p->mass[2] = k->tm[l];
+	p->j[2] = p->first[2] = k->jt[l];
+	for (i = 0; i < 2; ++i) {
+		p->at[i] = k->p[i].at[l];
+		p->an[i] = k->p[i].an[l];
+		p->s0[i] = k->p[i].s0[l];
+		p->mass[i] = k->p[i].nm[l];
+		p->j[i] = k->p[i].jn[l];
+		p->load[i] = k->p[i].load[l];
+		p->first[i] = p->j[i];
+		p->state[i] = p->mass[i] > 0.0f && p->j[i] > 0.0f ? CNI_ROW_HELD : CNI_ROW_OPEN;
+	}
+	friction_guess(p);
+}
+
+int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, cni_direct_contact *presses, int32_t room)
+{
+	int32_t body, key, count = 0;
+	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+			const cni_contact *c = cni_contact_of_key(world, key);
+			int32_t other = c->body[1 - (key & 1)];
+			if (!(c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
+				continue;
+			if (cni_body_at(world, other)->type == CN_BODY_DYNAMIC && (key & 1))
+				continue; /* seen from its other body */
+			if (!lane_is_plain(world, c))
+				return CNI_DIRECT_CONTACTS_KIND;
+			if (count == room)
+				return CNI_DIRECT_CONTACTS_MANY;
+			press_read(world, c, &presses[count++]);
+		}
+	return count;
+}
+
+/* Makes its lane idle. */
+static void press_take(cn_world *world, const cni_direct_contact *p)
+{
+	cni_contact_block *block = cni_block_at(world, p->block);
+	int32_t i;
+	block->tm[p->lane] = block->jt[p->lane] = 0.0f;
+	for (i = 0; i < 2; ++i)
+		block->p[i].nm[p->lane] = block->p[i].jn[p->lane] = block->p[i].load[p->lane] = 0.0f;
+}
+
+void cni_direct_contacts_take(cn_world *world, cni_sparse *sparse)
+{
+	int32_t k;
+	for (k = 0; k < sparse->press_count; ++k)
+		if (sparse->presses[k].node != CNI_NONE)
+			press_take(world, &sparse->presses[k]);
+}
+
+/* Once it was solved, what it bears is known exactly: its load is its impulse. */
+static void press_give_back(cn_world *world, cni_direct_contact *p)
+{
+	cni_contact_block *block = cni_block_at(world, p->block);
+	int32_t i;
+	block->tm[p->lane] = p->mass[2];
+	block->jt[p->lane] = p->j[2];
+	for (i = 0; i < 2; ++i) {
+		block->p[i].nm[p->lane] = p->mass[i];
+		block->p[i].jn[p->lane] = p->j[i];
+		block->p[i].load[p->lane] = p->untouched ? p->load[i] : p->j[i];
+	}
+	p->node = CNI_NONE;
+}
+
+void cni_direct_contacts_give_back(cn_world *world, cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_direct_contact *p = cni_direct_contact_of(sparse, &sparse->nodes[k]);
+		if (p != NULL)
+			press_give_back(world, p);
+	}
+}
+
+void cni_direct_contacts_give_back_all(cn_world *world, cni_sparse *sparse, float h)
+{
+	int32_t k;
+	for (k = 0; k < sparse->press_count; ++k) {
+		cni_direct_contact *p = &sparse->presses[k];
+		const cni_node *n = &sparse->nodes[cni_max_i(p->node, 0)];
+		if (p->node == CNI_NONE)
+			continue;
+		if (cni_is_stressed(world, n->ia, n->ib, p->j[0] + p->j[1], h, 1.0f))
+			cni_island_at(world, cni_awake_island(world, n->ia))->good_steps = 0;
+		press_give_back(world, p);
+	}
+}
+
+/* ---- rows ---- */
+
+/* Separation of a point now; see contacts/contact_kernel.h. */
+CNI_INLINE float turned(float angle, float n, float t)
+{
+	float x = cni_clamp(angle, -1.25f, 1.25f), x2 = x * x;
+	return x * (1.0f - x2 * (1.0f / 6.0f - x2 * (1.0f / 120.0f))) * t - x2 * (0.5f - x2 * (1.0f / 24.0f)) * n;
+}
+
+float cni_direct_contact_separation(const cni_direct_contact *p, int32_t i, const cni_motion *a, const cni_motion *b)
+{
+	return p->s0[i] + p->nx * (b->dpx - a->dpx) + p->ny * (b->dpy - a->dpy) + turned(b->theta, p->an[i] - p->dn, p->at[i] - p->dt) - turned(a->theta, p->an[i], p->at[i]);
+}

@@ -1,0 +1,221 @@
+/*
+ * direct/direct_joints.c - rigid rows of connected joints solved together, exactly (linear/sparse.h): the components that
+ * direct/direct_plan.c found, from their levers to impulses.
+ *
+ * What is not in them, and springs, motors and limits, are solved row by row in joints/joint_solve.c,
+ * before; contacts come after, so joints and contacts alternate, where they disagree more than once: direct/joint_projection.c.
+ *
+ * Loops of pins and rods that touch something are the soft solver's, unless one of their joints asks for CN_SOLVER_DIRECT.
+ *
+ * Reads works, motion and inverse masses; writes works' flags and their rigid rows' impulses, motion velocities.
+ */
+#include "direct/direct.h"
+#include "direct/direct_contact.h"
+#include "direct/direct_system.h"
+
+#include <string.h>
+
+/* Loops, the two points of a contact, and piles with several ways to bear the same say much twice: their diagonal grows by
+   this part. */
+#define REGULAR 1e-4f
+#define REGULAR_LOOPS 5e-5f /* ... of joints alone, whose solutions are checked */
+
+/* ---- components ---- */
+
+/* Nothing is solved directly after all. */
+static void works_release(cn_world *world)
+{
+	int32_t k;
+	for (k = 0; k < world->awake_joints.count; ++k)
+		cni_joint_constraints(world)[k].flags &= ~(uint32_t)CNI_CONSTRAINT_DIRECT;
+}
+
+/* ---- the step ---- */
+
+static int32_t component_has_presses(const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k)
+		if (sparse->nodes[k].owner < 0)
+			return 1;
+	return 0;
+}
+
+/* In a step, in the units of work_budget. */
+static int32_t work_planned(const cn_world *world, const cni_sparse *sparse)
+{
+	int64_t work = 0;
+	int32_t k;
+	for (k = 0; k < sparse->component_count; ++k) {
+		const cni_component *c = &sparse->components[k];
+		if (!c->done)
+			work += (int64_t)c->work * world->settings.substeps;
+	}
+	return work < INT32_MAX ? (int32_t)work : INT32_MAX;
+}
+
+/* Does some joint of it ask to be solved directly? Of components with several bodies. */
+static int32_t is_asked_for(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t island = cni_awake_island(world, sparse->bodies[c->body_begin]);
+	return island != CNI_NONE && cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
+}
+
+/*
+ * A loop of pins or rods, such as a bridge between two walls, may be so straight that no force can hold it: what is rigid
+ * explodes there when contacts load it. Trees have no such places, nor have loops by gears. Contacts come and go: a loop that
+ * closed its joints whenever what lies on it bounces would throw it. So it stays soft as long as joints remember anything: of
+ * 80 seeds of the family `bridge` 8 are worse than soft constraints with 32 steps, 3 with 128, 2 with 256.
+ */
+static int32_t is_loop_of_pins_and_rods(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->presses || c->body_begin == c->body_end)
+		return 0;
+	for (k = c->begin; k < c->end; ++k)
+		if (sparse->nodes[k].rows != 2 && cni_joint_constraints(world)[sparse->nodes[k].owner].record->type != CN_JOINT_DISTANCE)
+			return 0;
+	return 1;
+}
+
+static int32_t is_touched(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		if (cni_externals(world)[sparse->bodies[k]].flags & CNI_EXTERNAL_TOUCHED)
+			return 1;
+	return 0;
+}
+
+static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	return CNI_ON(SOFT_LOOPS) && is_loop_of_pins_and_rods(world, sparse, c) && !is_asked_for(world, sparse, c) && is_touched(world, sparse, c);
+}
+
+/* One joint to the world. */
+static int32_t is_better_alone(const cni_component *c)
+{
+	return !c->swings && !c->presses && c->end - c->begin == 1 && c->body_end - c->body_begin == 1;
+}
+
+void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
+{
+	int32_t k, far = cni_joints_are_far(world);
+	memset(out, 0, sizeof *out);
+	if ((world->awake_joints.count == 0 && world->direct_islands.count == 0) || world->settings.solver == CN_SOLVER_SOFT || cni_joint_lanes_tell(world))
+		return;
+	if (!cni_direct_plan(world, s, out)) {
+		works_release(world);
+		world->direct_failed = 1;
+		world->warnings |= CN_WARNING_FRAME_MEMORY;
+		return;
+	}
+	if (out->component_count == 0)
+		return;
+	s->direct = out;
+	for (k = 0; k < out->component_count; ++k) {
+		out->components[k].presses = component_has_presses(out, &out->components[k]);
+		out->components[k].coned = 0;
+	}
+	for (k = 0; k < out->component_count; ++k) {
+		cni_component *c = &out->components[k];
+		if (far && k + 1 < out->component_count)
+			cni_component_prefetch(world, out, k + 1);
+		c->regular = c->presses ? REGULAR : c->loops ? REGULAR_LOOPS : 0.0f;
+		c->swings = CNI_ON(SWINGS) && !c->presses && cni_component_uses_rattle(world, s, out, c);
+		if (loop_is_better_soft(world, out, c))
+			cni_component_leave(world, out, c, CNI_TRUST_MOST);
+		else if (c->body_begin == c->body_end || is_better_alone(c))
+			cni_component_release(world, out, c);
+		else if (c->swings)
+			cni_sparse_clear(out, c);
+		else if (!(c->batches = CNI_ON(HERDS) ? cni_component_is_batched(world, s, out, c) : 0)) {
+			c->kind = CNI_NONE;
+			cni_direct_begin(world, s, out, c);
+		}
+	}
+	cni_tree_batches_make(world, s, out);
+	cni_direct_contacts_take(world, out);
+	if (CNI_ON(CLOSE))
+		cni_projection_mark(world, out);
+	world->direct_work = work_planned(world, out);
+}
+
+/* ---- impulses ---- */
+
+/* No consistent set of contacts: they are the soft solver's until the step ends, the joints go on alone. */
+static void component_release(cn_world *world, cni_sparse *sparse, cni_component *c)
+{
+	int32_t k, i;
+	cni_direct_contacts_give_back(world, sparse, c);
+	for (k = c->begin; k < c->end; ++k)
+		for (i = 0; sparse->nodes[k].owner < 0 && i < CNI_NODE_ROWS; ++i) {
+			memset(&sparse->nodes[k].lever[i], 0, sizeof sparse->nodes[k].lever[i]);
+			sparse->nodes[k].x[i] = 0.0f;
+		}
+	c->presses = 0;
+	c->regular = c->loops ? REGULAR_LOOPS : 0.0f;
+	cni_sparse_factor(sparse, c, cni_motions(world));
+	if (world->settings.solver == CN_SOLVER_AUTO)
+		cni_island_refuse(world, cni_awake_island(world, sparse->bodies[c->body_begin]), CN_TIER_REASON_NO_SET);
+}
+
+/* ---- solutions that are checked ---- */
+
+static void joints_solve(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)
+{
+	cni_direct_sides(world, s, c, bias);
+	cni_direct_answer(world, s, c);
+}
+
+/* The same levers at the new positions. */
+static void component_turn(cn_world *world, const cni_solve *s, cni_component *c)
+{
+	cni_direct_turns(world, s->direct, c);
+	cni_direct_system(world, s, s->direct, c);
+}
+
+/* ---- a substep ---- */
+
+void cni_direct_warm_start(cn_world *world, const cni_solve *s)
+{
+	cni_tree_batches_warm(world, s);
+}
+
+void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
+{
+	int32_t k;
+	if (s->direct == NULL)
+		return;
+	if (bias)
+		cni_tree_batches_solve(world, s);
+	else
+		cni_tree_batches_relax(world, s);
+	for (k = 0; k < s->direct->component_count; ++k) {
+		cni_component *c = &s->direct->components[k];
+		if (c->done || c->batches)
+			continue;
+		if (!bias && c->joints > 0)
+			component_turn(world, s, c);
+		if (c->presses && !cni_direct_contacts_solve(world, s, s->direct, c, bias))
+			component_release(world, s->direct, c);
+		if (!c->presses)
+			joints_solve(world, s, c, bias);
+		if (bias && !c->presses && !c->done && !c->active && c->kind == CNI_NONE && cni_geometric_stiffness_lock(world, s->direct, c, s->h)) {
+			cni_sparse_factor(s->direct, c, cni_motions(world));
+			joints_solve(world, s, c, bias);
+		}
+	}
+}
+
+void cni_direct_store(cn_world *world, const cni_solve *s)
+{
+	if (s->direct != NULL)
+		cni_direct_contacts_give_back_all(world, s->direct, s->h);
+}
+
+uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies)
+{
+	uint64_t plan = cni_direct_plan_bytes(solver, joints, contacts, bodies);
+	return plan > 0 ? plan + cni_tree_batch_bytes(joints) : 0;
+}

@@ -1,0 +1,278 @@
+/*
+ * direct/direct_plan.c - what is solved directly in a step, as links of linear/sparse.h, and the scratch that takes.
+ *
+ * Joints with rigid rows that nothing bounds or softens are nodes; those that share bodies make components.
+ * CN_SOLVER_AUTO takes trees and components with few loops, whose factorization costs about what a pass over their joints
+ * does; large nets stay soft. CN_SOLVER_DIRECT takes all. Contacts are those of the islands that direct/solver_selection.c chose.
+ *
+ * What is beyond the limits of work is not planned: joints are then the soft solver's, and an island whose contacts are
+ * not in the plan is refused; what is left is planned once more without them.
+ *
+ * Reads works, motion and the tiers of islands; writes works' flags, refused islands, and the plans that the world keeps.
+ */
+#include "direct/direct.h"
+#include "direct/direct_contact.h"
+#include "direct/direct_system.h"
+
+/* ---- limits, memory ---- */
+
+/* Most work of a system for each contact of it. */
+static int32_t press_work(int32_t solver)
+{
+	return solver == CN_SOLVER_DIRECT ? 2000 : CNI_DIRECT_CONTACT_WORK;
+}
+
+/* Most work of a system, a joint of it: trees take 3 to 6. */
+#define JOINT_WORK 16
+#define JOINT_WORK_DIRECT 4000
+
+static int32_t joint_work(int32_t solver)
+{
+	return solver == CN_SOLVER_DIRECT ? JOINT_WORK_DIRECT : JOINT_WORK;
+}
+
+static int32_t presses_of(int32_t solver, int32_t contacts)
+{
+	return solver == CN_SOLVER_DIRECT ? contacts : cni_min_i(contacts, CNI_DIRECT_CONTACT_MOST);
+}
+
+static int64_t work_of(int32_t solver, int32_t joints, int32_t presses)
+{
+	return (int64_t)joints * joint_work(solver) + (int64_t)presses * press_work(solver);
+}
+
+uint64_t cni_direct_kept_bytes(int32_t solver, int32_t joints, int32_t contacts)
+{
+	int32_t presses = presses_of(solver, contacts);
+	if (joints + presses == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
+		return 0;
+	return cni_sparse_kept_bytes(joints + presses, work_of(solver, joints, presses)) + CNI_KEPT_BYTES;
+}
+
+uint64_t cni_direct_plan_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies)
+{
+	int32_t presses = presses_of(solver, contacts), links = joints + presses;
+	int64_t work = work_of(solver, joints, presses);
+	uint64_t joint = 1 + sizeof(float) * CNI_NODE_ROWS, link = sizeof(cni_link) + 2 * sizeof(cni_motion) + sizeof(cni_projection) + 1;
+	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
+		return 0;
+	return joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_direct_contact) * (uint64_t)presses +
+	       2 * sizeof(int32_t) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 832 + cni_sparse_bytes(links, bodies + 1, work);
+}
+
+/* ---- joints ---- */
+
+static int32_t body_is_locked(const cn_world *world, int32_t index)
+{
+	return (cni_externals(world)[index].flags & (CNI_EXTERNAL_LOCK_X | CNI_EXTERNAL_LOCK_Y)) != 0;
+}
+
+/* May what asks for it take as much as CN_SOLVER_DIRECT? A world in a caller's block has scratch memory for its own solver only. */
+static int32_t may_take_most(const cn_world *world)
+{
+	return world->settings.solver == CN_SOLVER_DIRECT || !world->memory.fixed;
+}
+
+/* Worlds in which no joint ever had a solver of its own do not look. */
+static int32_t joint_stays_soft(const cn_world *world, const cni_joint_constraint *w)
+{
+	return world->overridden && w->record->solver == CN_SOLVER_SOFT;
+}
+
+/* Does some joint of its island ask for all that CN_SOLVER_DIRECT allows? */
+static int32_t joint_may_take_most(const cn_world *world, const cni_joint_constraint *w)
+{
+	int32_t island;
+	if (!world->overridden || !may_take_most(world))
+		return 0;
+	island = cni_joint_island(world, w->ia, w->ib);
+	return island == CNI_NONE ? w->record->solver == CN_SOLVER_DIRECT : cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
+}
+
+static int32_t is_left_soft(const cn_world *world, const cni_joint_constraint *w)
+{
+	return world->joints_soft_step > world->step_count && w->record->trust.soft && w->record->trust.until > world->step_count;
+}
+
+static int32_t work_is_eligible(const cn_world *world, const cni_joint_constraint *w)
+{
+	if (!CNI_ON(DIRECT_JOINTS) || joint_stays_soft(world, w))
+		return 0;
+	return w->rigid_count > 0 && !is_left_soft(world, w) && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED)) &&
+	       !(w->ia != 0 && body_is_locked(world, w->ia)) && !(w->ib != 0 && body_is_locked(world, w->ib));
+}
+
+static int32_t joint_links_collect(const cn_world *world, cni_link *links)
+{
+	int32_t k, count = 0;
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		const cni_joint_constraint *w = cni_joint_constraints(world) + k;
+		cni_link *link = &links[count];
+		if (!work_is_eligible(world, w))
+			continue;
+		link->ia = w->ia;
+		link->ib = w->ib;
+		link->owner = k;
+		link->rows = w->rigid_count;
+		link->work_most = joint_may_take_most(world, w) ? JOINT_WORK_DIRECT : joint_work(world->settings.solver);
+		++count;
+	}
+	return count;
+}
+
+/* ---- contacts ---- */
+
+/* Contacts of the islands that are solved directly; an island that has too many, or of the wrong kind, is refused. */
+static void presses_collect(cn_world *world, cni_direct_contact *presses, int32_t room, cni_sparse *out)
+{
+	const int32_t *islands = (const int32_t *)world->direct_islands.data;
+	int32_t k;
+	out->presses = presses;
+	for (k = 0; k < world->direct_islands.count; ++k) {
+		int32_t count = cni_direct_contacts_collect(world, islands[k], presses + out->press_count, room - out->press_count);
+		if (count < 0)
+			cni_island_refuse(world, islands[k], count == CNI_DIRECT_CONTACTS_MANY ? CN_TIER_REASON_CROWDED : CN_TIER_REASON_KIND);
+		else
+			out->press_count += count;
+	}
+}
+
+static int32_t island_of(const cn_world *world, const cni_link *link)
+{
+	return cni_joint_island(world, link->ia, link->ib);
+}
+
+static int32_t press_link_work(const cn_world *world, const cni_link *link)
+{
+	int32_t most = world->overridden && may_take_most(world) && cni_island_at(world, island_of(world, link))->solver == CN_SOLVER_DIRECT;
+	return press_work(most ? CN_SOLVER_DIRECT : world->settings.solver);
+}
+
+static int32_t press_links_collect(const cn_world *world, const cni_sparse *sparse, cni_link *links)
+{
+	int32_t k;
+	for (k = 0; k < sparse->press_count; ++k) {
+		const cni_direct_contact *p = &sparse->presses[k];
+		cni_link *link = &links[k];
+		link->ia = cni_block_at(world, p->block)->ia[p->lane];
+		link->ib = cni_block_at(world, p->block)->ib[p->lane];
+		link->owner = -1 - k;
+		link->rows = 3;
+		link->work_most = press_link_work(world, link);
+	}
+	return sparse->press_count;
+}
+
+/* ---- what is planned, and what is not ---- */
+
+/* Refuses the islands whose contacts are not in the plan. Returns how many links of them there are. */
+static int32_t islands_refuse(cn_world *world, const cni_link *links, int32_t count, const uint8_t *planned)
+{
+	int32_t k, refused = 0;
+	for (k = 0; k < count; ++k) {
+		int32_t island = planned[k] || links[k].ia + links[k].ib == 0 ? CNI_NONE : island_of(world, &links[k]);
+		if (island != CNI_NONE && cni_island_at(world, island)->tier == CNI_TIER_DIRECT)
+			cni_island_refuse(world, island, CN_TIER_REASON_WORK);
+		refused += !planned[k] && links[k].owner < 0;
+	}
+	return refused;
+}
+
+/* Takes out the contacts of refused islands, so that their joints can be planned without them. */
+static int32_t links_keep(const cn_world *world, cni_link *links, int32_t count)
+{
+	int32_t k, kept = 0;
+	for (k = 0; k < count; ++k)
+		if (links[k].owner >= 0 || cni_island_at(world, island_of(world, &links[k]))->tier == CNI_TIER_DIRECT)
+			links[kept++] = links[k];
+	return kept;
+}
+
+/* Who is in the plan knows it. */
+static void owners_tell(cn_world *world, const cni_solve *s, const cni_link *links, int32_t count, const uint8_t *planned, cni_sparse *out)
+{
+	int32_t k;
+	for (k = 0; k < count; ++k)
+		if (planned[k] && links[k].owner >= 0) {
+			cni_joint_constraint *w = cni_joint_constraints(world) + links[k].owner;
+			w->flags |= CNI_CONSTRAINT_DIRECT;
+			if (w->form != 0)
+				cni_joint_rows_begin(world, s, w);
+		}
+	for (k = 0; k < out->node_count; ++k)
+		if (out->nodes[k].owner < 0)
+			out->presses[-1 - out->nodes[k].owner].node = k;
+}
+
+/* One factorization a substep. */
+static int64_t budget_of(const cn_world *world)
+{
+	int32_t budget = world->settings.work_budget;
+	return budget == 0 || world->settings.solver == CN_SOLVER_DIRECT ? INT64_MAX : budget / world->settings.substeps;
+}
+
+/* Most contacts that are looked at. */
+static int32_t presses_most(const cn_world *world)
+{
+	int32_t all = world->settings.solver == CN_SOLVER_DIRECT || (world->overridden && may_take_most(world));
+	if (world->direct_islands.count == 0)
+		return 0;
+	return all ? world->touching_count : cni_min_i(world->touching_count, CNI_DIRECT_CONTACT_MOST);
+}
+
+/* again: without what was refused. A world in a caller's block has set aside room for one kept plan. */
+static int32_t links_plan(cn_world *world, const cni_link *links, int32_t count, int32_t again, cni_sparse *out, uint8_t *planned)
+{
+	cni_array *kept = &world->direct_plans[again && !world->memory.fixed];
+	cni_system system = { links, count, world->awake_count, cni_motions(world), budget_of(world) };
+	return cni_sparse_plan(&world->arena, kept, &system, out, planned);
+}
+
+/* ---- the plan ---- */
+
+/* What is of the step beside the plan. 0: no scratch memory. */
+static int32_t lists_take(cn_world *world, cni_sparse *out)
+{
+	cni_arena *arena = &world->arena;
+	uint64_t bodies = (uint64_t)world->awake_count;
+	out->saved = (cni_motion *)cni_arena_push(arena, sizeof(cni_motion) * (uint64_t)out->body_count);
+	out->pull = (float *)cni_arena_push(arena, sizeof(float) * bodies);
+	out->turn = (cni_rot *)cni_arena_push(arena, sizeof(cni_rot) * bodies);
+	out->projections = (cni_projection *)cni_arena_push(arena, sizeof(cni_projection) * (uint64_t)out->component_count);
+	out->projection_slots = (int32_t *)cni_arena_push(arena, 2 * sizeof(int32_t) * (uint64_t)world->touching_count); /* each at two bodies */
+	out->projection_of = (int32_t *)cni_arena_push(arena, sizeof(int32_t) * bodies);
+	return out->saved != NULL && out->pull != NULL && out->turn != NULL && out->projections != NULL && out->projection_slots != NULL && out->projection_of != NULL;
+}
+
+int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out)
+{
+	int32_t room = presses_most(world);
+	int32_t joints = world->awake_joints.count, count;
+	cni_direct_contact *presses = (cni_direct_contact *)cni_arena_push(&world->arena, sizeof(cni_direct_contact) * (uint64_t)room);
+	cni_link *links;
+	uint8_t *planned;
+	if (presses == NULL)
+		return 0;
+	presses_collect(world, presses, room, out);
+	links = (cni_link *)cni_arena_push(&world->arena, sizeof(cni_link) * (uint64_t)(joints + out->press_count));
+	planned = links == NULL ? NULL : (uint8_t *)cni_arena_push(&world->arena, (uint64_t)(joints + out->press_count));
+	if (planned == NULL)
+		return 0;
+	count = joint_links_collect(world, links);
+	count += press_links_collect(world, out, links + count);
+	if (count == 0)
+		return 1;
+	if (!links_plan(world, links, count, 0, out, planned))
+		return 0;
+	if (islands_refuse(world, links, count, planned) > 0) {
+		cni_sparse_discard(&world->arena, out);
+		count = links_keep(world, links, count);
+		if (count == 0)
+			return 1;
+		if (!links_plan(world, links, count, 1, out, planned))
+			return 0;
+		(void)islands_refuse(world, links, count, planned); /* joints that are alone now may have spent the budget before them */
+	}
+	owners_tell(world, s, links, count, planned, out);
+	return lists_take(world, out);
+}

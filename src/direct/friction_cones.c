@@ -1,0 +1,452 @@
+/*
+ * direct/friction_cones.c - contacts of a directly solved island by an interior-point method: what the active set of
+ * direct/direct_contacts.c cannot solve.
+ *
+ * The impulses l of a contact, two normals p and one friction t, lie in the cone A l >= 0: p0 >= 0, p1 >= 0,
+ * m (p0 + p1) - t >= 0, m (p0 + p1) + t >= 0. The impulses of least energy in these cones are a convex problem (Anitescu,
+ * "Optimization-based simulation of nonsmooth rigid multibody dynamics", 2006): if any impulses hold the island still, its
+ * solution does. What slides would be lifted by m times its slip; that speed is subtracted from the normal rows with the
+ * slip of the iteration before, so that the fixed point is Coulomb's law (De Saxce; Acary and Cadoux, "Applications of an
+ * existence result for the Coulomb friction problem", 2013).
+ *
+ * With slacks s = A l and their multipliers z, each iteration is a Newton step towards s z = tau, with a tau that falls
+ * (Wright, "Primal-dual interior-point methods", 1997, chapter 5):
+ *
+ *   (K + A' (Z/S) A) dl = A' tau/s - w,  dz = tau/s - z - (Z/S) A dl
+ *
+ * K + A' (Z/S) A has the pattern of K, so the plan of the island's system serves. For a contact that slides one of the four
+ * entries of Z/S is very great; with u = t - g m (p0 + p1), g = (d2 - d3) / (d2 + d3), A' (Z/S) A has no large terms that
+ * cancel in floats: d0, d1 and 4 d2 d3 / (d2 + d3) m^2 on the normals, d2 + d3 on u.
+ *
+ * Where several sets of impulses bear the same, the solution lies in the middle of them (the analytic centre): it changes little
+ * as the island does, and there is no set to be found.
+ *
+ * Reads presses and motion velocities; writes presses' impulses and states, nodes' total, motion velocities.
+ */
+#include "direct/direct_contact.h"
+#include "direct/direct_system.h"
+
+#include <string.h>
+
+#define FACTORS 60             /* most in a pass: what stands takes 5 to 25, what begins to slide or fall 30 to 90 */
+#define FACTORS_DIRECT 120     /* ... of CN_SOLVER_DIRECT */
+#define STEP_MOST 0.995f      /* part of the way to the boundary of the cones */
+#define INSIDE_PART 0.9f      /* of friction's bound: most to begin with */
+#define SLIP_ROUNDS 3         /* solutions, each with the slips of the one before */
+#define SLIP_CLOSE 10.0f      /* times speed_least: a speed that lifts may be off by that */
+#define PATH_SPEED 0.3f       /* of what rows lack: speed whose square is the least tau */
+#define STIFF_MOST 1e12f      /* times a row's own: an entry of Z/S is not more */
+#define FRICTION_LEAST 1e-4f  /* a lesser coefficient is none */
+
+typedef struct cone {
+	const cni_direct_contact_pass *pass;
+	cni_sparse *sparse;
+	cni_component *c;
+	int32_t count;         /* of slacks that there are */
+	int32_t factors, factors_most;
+	float tau;
+	float residual;        /* m/s: the most that a row lacks */
+	float misfit;          /* m/s: the most of what is both slack and multiplier */
+} cone;
+
+/* Of the two normals and the friction: is there such a row? */
+static int32_t row_is(const cni_direct_contact *p, int32_t row)
+{
+	return p->mass[row] > 0.0f && (row < 2 || p->coefficient > 0.0f);
+}
+
+static int32_t slack_is(const cni_direct_contact *p, int32_t i)
+{
+	return row_is(p, i < 2 ? i : 2);
+}
+
+static void slacks_of(const cni_direct_contact *p, const float l[3], float out[4])
+{
+	float sum = p->coefficient * (l[0] + l[1]);
+	out[0] = l[0];
+	out[1] = l[1];
+	out[2] = sum - l[2];
+	out[3] = sum + l[2];
+}
+
+static float slack_mass(const cni_direct_contact *p, int32_t i)
+{
+	return p->mass[i < 2 ? i : 2];
+}
+
+/* ---- the beginning ---- */
+
+static void rows_push(const cone *q, const cni_direct_contact *p, const cni_node *n, const float change[3])
+{
+	int32_t i;
+	for (i = 0; i < 3; ++i)
+		cni_direct_contact_push(p, i, change[i], q->pass->motions + n->ia, q->pass->motions + n->ib);
+}
+
+/* Speeds of the rows, and what they may be short of. */
+static void speeds_of(const cone *q, const cni_direct_contact *p, const cni_node *n, float out[3])
+{
+	int32_t i;
+	for (i = 0; i < 3; ++i) {
+		cni_lever l = cni_direct_contact_lever(p, i);
+		out[i] = row_is(p, i) ? cni_lever_speed(&l, q->pass->motions + n->ia, q->pass->motions + n->ib) + (i < 2 ? p->room[i] + p->lift : 0.0f) + cni_direct_contact_leak(p, i) : 0.0f;
+	}
+}
+
+/* The impulses of the last pass to begin with. */
+static void press_warm(const cone *q, cni_direct_contact *p, const cni_node *n)
+{
+	float change[3];
+	int32_t i;
+	for (i = 0; i < 3; ++i) {
+		p->j[i] = n->carried[i];
+		change[i] = p->j[i] - p->start[i];
+	}
+	rows_push(q, p, n, change);
+	p->coefficient = p->state[2] == CNI_ROW_SLIDES ? p->dynamic_friction : p->static_friction;
+	p->coefficient = p->coefficient > FRICTION_LEAST ? p->coefficient : 0.0f;
+	p->lift = 0.0f;
+}
+
+static void warm(cone *q)
+{
+	int32_t k, i;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
+		memset(q->sparse->nodes[k].total, 0, sizeof q->sparse->nodes[k].total);
+		if (p == NULL)
+			continue;
+		press_warm(q, p, &q->sparse->nodes[k]);
+		for (i = 0; i < 4; ++i)
+			q->count += slack_is(p, i);
+	}
+}
+
+/* From the impulses that it has to some inside of the cones, all slacks times their multipliers the same; the changes go
+   into start. A point that is apart has three multipliers that must add up to its speed. */
+static void press_center(const cone *q, cni_direct_contact *p, const cni_node *n, float speed)
+{
+	float speeds[3], most;
+	int32_t i;
+	speeds_of(q, p, n, speeds);
+	for (i = 0; i < 3; ++i)
+		p->start[i] = -p->j[i];
+	for (i = 0; i < 2; ++i)
+		p->j[i] = row_is(p, i) ? cni_max(p->j[i], 3.0f * q->tau * p->mass[i] / cni_max(speed, speeds[i])) : 0.0f;
+	most = INSIDE_PART * p->coefficient * (p->j[0] + p->j[1]);
+	p->j[2] = row_is(p, 2) ? cni_clamp(p->j[2], -most, most) : 0.0f;
+	for (i = 0; i < 3; ++i)
+		p->start[i] += p->j[i];
+	slacks_of(p, p->j, p->slack);
+	for (i = 0; i < 4; ++i)
+		p->dual[i] = slack_is(p, i) ? q->tau * slack_mass(p, i) / p->slack[i] : 0.0f;
+}
+
+static float speed_lacking(const cone *q, const cni_direct_contact *p, const cni_node *n)
+{
+	float speeds[3];
+	speeds_of(q, p, n, speeds);
+	return cni_max(cni_max(-speeds[0], -speeds[1]), cni_abs(speeds[2]));
+}
+
+static void center(cone *q)
+{
+	float speed = q->pass->speed_least;
+	int32_t k;
+	cni_direct_contact *p;
+	for (k = q->c->begin; k < q->c->end; ++k)
+		if ((p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k])) != NULL)
+			speed = cni_max(speed, speed_lacking(q, p, &q->sparse->nodes[k]));
+	q->tau = speed * speed;
+	for (k = q->c->begin; k < q->c->end; ++k)
+		if ((p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k])) != NULL)
+			press_center(q, p, &q->sparse->nodes[k], speed);
+	for (k = q->c->begin; k < q->c->end; ++k)
+		if ((p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k])) != NULL)
+			rows_push(q, p, &q->sparse->nodes[k], p->start);
+}
+
+/* ---- a step ---- */
+
+static float stiffness_of(const cni_direct_contact *p, int32_t i)
+{
+	return slack_is(p, i) ? cni_min(p->dual[i] / p->slack[i], STIFF_MOST / slack_mass(p, i)) : 0.0f;
+}
+
+/* What is left of the rows' speeds when the multipliers are taken from them; and how far complementarity is off. */
+static void press_look(cone *q, const cni_direct_contact *p, const float speeds[3])
+{
+	int32_t i;
+	for (i = 0; i < 2; ++i)
+		q->residual = cni_max(q->residual, row_is(p, i) ? cni_abs(speeds[i] - p->dual[i] - p->coefficient * (p->dual[2] + p->dual[3])) : 0.0f);
+	q->residual = cni_max(q->residual, row_is(p, 2) ? cni_abs(speeds[2] + p->dual[2] - p->dual[3]) : 0.0f);
+	for (i = 0; i < 4; ++i)
+		if (slack_is(p, i))
+			q->misfit = cni_max(q->misfit, cni_min(p->dual[i], p->slack[i] / slack_mass(p, i)));
+}
+
+/* Levers, diagonal and right side of a contact's Newton step. */
+static void press_newton(cone *q, cni_direct_contact *p, cni_node *n)
+{
+	float d2 = stiffness_of(p, 2), d3 = stiffness_of(p, 3), speeds[3], push[4], both, lift;
+	cni_lever friction = cni_direct_contact_lever(p, 2);
+	int32_t i;
+	speeds_of(q, p, n, speeds);
+	press_look(q, p, speeds);
+	for (i = 0; i < 4; ++i)
+		push[i] = slack_is(p, i) ? (q->tau * slack_mass(p, i) - p->cross[i]) / p->slack[i] : 0.0f;
+	lift = p->coefficient * (push[2] + push[3]);
+	p->slope = d2 + d3 > 0.0f ? p->coefficient * (d2 - d3) / (d2 + d3) : 0.0f;
+	both = d2 + d3 > 0.0f ? p->coefficient * p->coefficient * 4.0f * d2 * (d3 / (d2 + d3)) : 0.0f;
+	memset(n->lever, 0, sizeof n->lever);
+	n->x[2] = row_is(p, 2) ? push[3] - push[2] - speeds[2] : 0.0f;
+	n->compliance[2] = d2 + d3;
+	for (i = 0; i < 2; ++i) {
+		n->x[i] = row_is(p, i) ? push[i] + lift - speeds[i] + p->slope * n->x[2] : 0.0f;
+		n->compliance[i] = row_is(p, i) ? stiffness_of(p, i) + both : 0.0f;
+		if (row_is(p, i))
+			n->lever[i] = cni_direct_contact_lever(p, i);
+		if (row_is(p, i) && row_is(p, 2)) {
+			n->lever[i].ax += p->slope * friction.ax;
+			n->lever[i].ay += p->slope * friction.ay;
+			n->lever[i].aw += p->slope * friction.aw;
+			n->lever[i].bx += p->slope * friction.bx;
+			n->lever[i].by += p->slope * friction.by;
+			n->lever[i].bw += p->slope * friction.bw;
+		}
+	}
+	n->cross = row_is(p, 1) ? both : 0.0f;
+	if (row_is(p, 2))
+		n->lever[2] = friction;
+}
+
+static void joint_newton(const cone *q, cni_node *n)
+{
+	const cni_row *rows = cni_joint_constraints(q->pass->world)[n->owner].rows;
+	float rate = q->pass->bias ? CNI_JOINT_ERROR_RATE * q->pass->s->inv_h : 0.0f;
+	int32_t i;
+	for (i = 0; i < CNI_NODE_ROWS; ++i)
+		n->x[i] = -cni_lever_speed(&n->lever[i], q->pass->motions + n->ia, q->pass->motions + n->ib) -
+		          (i < n->rows ? cni_clamp(rate * rows[i].error, -q->pass->s->push_speed, q->pass->s->push_speed) : 0.0f);
+}
+
+/* Changes of slack and multiplier by a whole step. */
+static void changes_of(const cone *q, const cni_direct_contact *p, const cni_node *n, float slack[4], float dual[4])
+{
+	int32_t i;
+	slacks_of(p, n->x, slack);
+	for (i = 0; i < 4; ++i)
+		dual[i] = slack_is(p, i) ? (q->tau * slack_mass(p, i) - p->cross[i]) / p->slack[i] - stiffness_of(p, i) * slack[i] - p->dual[i] : 0.0f;
+}
+
+static float way_to(float from, float change)
+{
+	return change < 0.0f ? -from / change : FLT_MAX;
+}
+
+/* How much of the step is taken. */
+static float step_length(const cone *q)
+{
+	float most = FLT_MAX;
+	int32_t k, i;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		const cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
+		cni_node *n = &q->sparse->nodes[k];
+		float slack[4], dual[4];
+		if (p == NULL)
+			continue;
+		n->x[2] += p->slope * (n->x[0] + n->x[1]);
+		changes_of(q, p, n, slack, dual);
+		for (i = 0; i < 4; ++i)
+			if (slack_is(p, i))
+				most = cni_min(most, cni_min(way_to(p->slack[i], slack[i]), way_to(p->dual[i], dual[i])));
+	}
+	return cni_min(1.0f, STEP_MOST * most);
+}
+
+/* Returns the mean of slack times multiplier after it. */
+static float step_take(const cone *q, float length)
+{
+	float sum = 0.0f;
+	int32_t k, i;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
+		cni_node *n = &q->sparse->nodes[k];
+		float slack[4], dual[4];
+		if (p != NULL)
+			changes_of(q, p, n, slack, dual);
+		for (i = 0; i < CNI_NODE_ROWS; ++i)
+			n->x[i] *= length;
+		if (p == NULL) {
+			for (i = 0; i < CNI_NODE_ROWS; ++i) {
+				n->total[i] += n->x[i];
+				cni_lever_push(&n->lever[i], n->x[i], q->pass->motions + n->ia, q->pass->motions + n->ib);
+			}
+			continue;
+		}
+		rows_push(q, p, n, n->x);
+		for (i = 0; i < 3; ++i)
+			p->j[i] += n->x[i];
+		for (i = 0; i < 4; ++i) {
+			p->slack[i] += length * slack[i];
+			p->dual[i] += length * dual[i];
+			sum += slack_is(p, i) ? p->slack[i] * p->dual[i] / slack_mass(p, i) : 0.0f;
+		}
+	}
+	return sum / (float)cni_max_i(q->count, 1);
+}
+
+/* Before the right sides that follow: none; or what the predictor of a whole step leaves of second order. Returns the mean of
+   slack times multiplier that it would reach. */
+static float predictor_keep(cone *q, float length)
+{
+	float sum = 0.0f;
+	int32_t k, i;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
+		float slack[4], dual[4];
+		if (p == NULL)
+			continue;
+		changes_of(q, p, &q->sparse->nodes[k], slack, dual);
+		for (i = 0; i < 4; ++i) {
+			p->cross[i] = slack[i] * dual[i];
+			sum += slack_is(p, i) ? (p->slack[i] + length * slack[i]) * (p->dual[i] + length * dual[i]) / slack_mass(p, i) : 0.0f;
+		}
+	}
+	return sum / (float)cni_max_i(q->count, 1);
+}
+
+static void predictor_clear(cone *q)
+{
+	int32_t k;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
+		if (p != NULL)
+			memset(p->cross, 0, sizeof p->cross);
+	}
+}
+
+static void newton_set(cone *q)
+{
+	int32_t k;
+	q->residual = q->misfit = 0.0f;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
+		if (p != NULL)
+			press_newton(q, p, &q->sparse->nodes[k]);
+		else
+			joint_newton(q, &q->sparse->nodes[k]);
+	}
+}
+
+/* ---- the end ---- */
+
+/* Which rows bear, for the set that the next pass begins with. What does not bear has no impulse. */
+static void press_end(const cone *q, cni_direct_contact *p, cni_node *n)
+{
+	float change[3] = { 0.0f, 0.0f, 0.0f };
+	int32_t i;
+	for (i = 0; i < 2; ++i) {
+		p->state[i] = row_is(p, i) && p->slack[i] > p->dual[i] * p->mass[i] ? CNI_ROW_HELD : CNI_ROW_OPEN;
+		change[i] = p->state[i] == CNI_ROW_OPEN ? -p->j[i] : 0.0f;
+	}
+	p->way = p->slack[2] < p->slack[3] ? 1.0f : -1.0f;
+	i = p->way > 0.0f ? 2 : 3;
+	p->state[2] = row_is(p, 2) && p->dual[i] > q->pass->speed_least && p->slack[i] < p->dual[i] * p->mass[2] ? CNI_ROW_SLIDES : CNI_ROW_HELD;
+	if (p->state[0] != CNI_ROW_HELD && p->state[1] != CNI_ROW_HELD) {
+		p->state[2] = CNI_ROW_OPEN;
+		change[2] = -p->j[2];
+	}
+	rows_push(q, p, n, change);
+	for (i = 0; i < 3; ++i)
+		p->j[i] += change[i];
+	memset(n->lever, 0, sizeof n->lever);
+	memset(n->compliance, 0, sizeof n->compliance);
+	n->cross = 0.0f;
+	n->held = 0;
+}
+
+static void end(const cone *q)
+{
+	int32_t k;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
+		if (p != NULL)
+			press_end(q, p, &q->sparse->nodes[k]);
+	}
+	q->c->factored = 0;
+}
+
+static float square(float x)
+{
+	return x * x;
+}
+
+static int32_t iterate(cone *q)
+{
+	float mean = q->tau;
+	for (;;) {
+		float length, part, predicted;
+		q->tau = 0.0f;
+		predictor_clear(q);
+		newton_set(q);
+		if (q->residual <= q->pass->speed_least && q->misfit <= q->pass->speed_least)
+			return 1;
+		if (q->factors == q->factors_most)
+			return 0;
+		++q->factors;
+		cni_sparse_factor(q->sparse, q->c, q->pass->motions);
+		if (!cni_sparse_solve(q->sparse, q->c))
+			return 0;
+		length = step_length(q);
+		predicted = predictor_keep(q, length);
+		part = predicted / mean;
+		q->tau = cni_max(mean * part * part * part, square(PATH_SPEED * cni_max(q->residual, q->pass->speed_least)));
+		newton_set(q);
+		if (!cni_sparse_solve(q->sparse, q->c))
+			return 0;
+		length = step_length(q);
+		mean = step_take(q, length);
+	}
+}
+
+/* Slips of which the next round is to know: the speeds by which they lift, and that friction is dynamic. Returns by how much
+   those changed, at most. */
+static float slips_find(const cone *q)
+{
+	float most = 0.0f;
+	int32_t k;
+	for (k = q->c->begin; k < q->c->end; ++k) {
+		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
+		float slip, was;
+		if (p == NULL || p->coefficient == 0.0f)
+			continue;
+		slip = cni_abs(p->dual[2] - p->dual[3]);
+		was = p->lift;
+		if (slip > q->pass->speed_least && p->dynamic_friction < p->coefficient) {
+			p->coefficient = cni_max(p->dynamic_friction, FRICTION_LEAST);
+			most = FLT_MAX;
+		}
+		p->lift = p->coefficient * slip;
+		most = cni_max(most, cni_abs(p->lift - was));
+	}
+	return most;
+}
+
+int32_t cni_direct_contacts_cone(const cni_direct_contact_pass *pass, int32_t *out_factors)
+{
+	cone q = { pass, pass->sparse, pass->c, 0, 0, FACTORS, 0.0f, 0.0f, 0.0f };
+	int32_t good = 1, round;
+	float change = FLT_MAX;
+	if (pass->world->settings.solver == CN_SOLVER_DIRECT)
+		q.factors_most = FACTORS_DIRECT;
+	warm(&q);
+	for (round = 0; good && round < SLIP_ROUNDS && change > SLIP_CLOSE * pass->speed_least; ++round) {
+		center(&q);
+		good = iterate(&q);
+		change = slips_find(&q);
+	}
+	end(&q);
+	*out_factors = q.factors;
+	return good;
+}

@@ -1,0 +1,150 @@
+/*
+ * direct/geometric_stiffness.c - what tension in joints does to the bodies between them, and damping it where the
+ * substeps are too long for it.
+ *
+ * A joint that pulls a body outwards by f at the end of an arm r turns it back as a spring would, with a frequency of
+ * sqrt(sum(r.f) / I): chains of light links with heavy loads, taut bridges. No solver of velocities sees that spring,
+ * it acts from one substep to the next, and when Xi = h^2 sum(r.f) / I is much above one it gains energy and
+ * everything explodes. Beyond XI_MOST the relative rotation of bodies that are pinned to each other is damped by a
+ * third row, (w_b - w_a) + lambda / c = 0 with c = h^2 sum(r.f) - XI_MOST I: between bodies, so that it keeps
+ * momentum, and not at all where the substeps are short enough.
+ *
+ * What turns too far in a substep for positions to follow is held rigid in it (direct/joint_projection.c).
+ *
+ * Reads works, motion, the sparse system's turn; writes its pull and the third rows of its nodes.
+ */
+#include "direct/direct_system.h"
+
+#define XI_MOST 1.0f
+
+static void pulls_clear(cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k)
+		sparse->pull[sparse->nodes[k].ia] = sparse->pull[sparse->nodes[k].ib] = 0.0f;
+}
+
+/* Forces of a joint on its bodies, at the ends of these arms. */
+static void pull_add(cni_sparse *sparse, const cni_joint_constraint *w, cni_vec2 ra, cni_vec2 rb, cni_vec2 fa, cni_vec2 fb)
+{
+	sparse->pull[w->ia] += cni_dot(ra, fa);
+	sparse->pull[w->ib] += cni_dot(rb, fb);
+}
+
+void cni_geometric_stiffness_find_pins(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
+{
+	float inv_h = 1.0f / h;
+	int32_t k;
+	pulls_clear(sparse, c);
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_joint_constraint *w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
+		cni_vec2 f = cni_mul(inv_h, cni_v(w->record->impulse[0], w->record->impulse[1]));
+		pull_add(sparse, w, w->start.ra, w->start.rb, cni_neg(f), f);
+	}
+}
+
+/* From the rows' impulses, which are those of a substep of length h. */
+void cni_geometric_stiffness_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
+{
+	float inv_h = 1.0f / h;
+	int32_t k, i;
+	pulls_clear(sparse, c);
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_joint_constraint *w;
+		cni_vec2 fa = cni_v(0.0f, 0.0f), fb = fa;
+		if (sparse->nodes[k].owner < 0)
+			continue; /* a contact */
+		w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
+		for (i = 0; i < w->rigid_count; ++i) {
+			const cni_row *r = &w->rows[i];
+			fa = cni_madd(fa, r->impulse * inv_h, cni_v(r->ax, r->ay));
+			fb = cni_madd(fb, r->impulse * inv_h, cni_v(r->bx, r->by));
+		}
+		pull_add(sparse, w, cni_rotate(sparse->turn[w->ia], w->start.ra), cni_rotate(sparse->turn[w->ib], w->start.rb), fa, fb);
+	}
+}
+
+/* Of rods between bodies: f / l against a body's mass. A chain of them swings at up to the square root of twice the sum at a body. */
+float cni_geometric_stiffness_rods(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
+{
+	float inv_h = 1.0f / h, most = 0.0f;
+	int32_t k;
+	pulls_clear(sparse, c);
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_joint_constraint *w = &cni_joint_constraints(world)[sparse->nodes[k].owner];
+		float stiffness;
+		if (w->record->type != CN_JOINT_DISTANCE || w->record->p[CNI_P_LENGTH] <= 0.0f)
+			continue;
+		stiffness = cni_abs(w->rows[0].impulse) * inv_h / w->record->p[CNI_P_LENGTH];
+		sparse->pull[w->ia] += stiffness;
+		sparse->pull[w->ib] += stiffness;
+	}
+	for (k = c->body_begin; k < c->body_end; ++k)
+		most = cni_max(most, sparse->pull[sparse->bodies[k]] * cni_motions(world)[sparse->bodies[k]].inv_mass);
+	return 2.0f * most;
+}
+
+float cni_geometric_stiffness_stiffness(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+{
+	float most = 0.0f;
+	int32_t k;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		most = cni_max(most, sparse->pull[sparse->bodies[k]] * cni_motions(world)[sparse->bodies[k]].inv_inertia);
+	return most;
+}
+
+int32_t cni_geometric_stiffness_needs_dampers(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float h)
+{
+	return CNI_ON(TENSION) && h * h * cni_geometric_stiffness_stiffness(world, sparse, c) > 0.5f * XI_MOST;
+}
+
+/* c of a body: what of h^2 sum(r.f) a substep does not follow. */
+static float excess(const cn_world *world, const cni_sparse *sparse, int32_t index, float h)
+{
+	float inv_inertia = cni_motions(world)[index].inv_inertia;
+	return inv_inertia > 0.0f ? h * h * sparse->pull[index] - XI_MOST / inv_inertia : 0.0f;
+}
+
+static int32_t is_fixed(const cn_world *world, int32_t index)
+{
+	const cni_motion *m = cni_motions(world) + index;
+	return m->inv_mass == 0.0f && m->inv_inertia == 0.0f;
+}
+
+void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
+{
+	int32_t k;
+	if (c->width < CNI_NODE_ROWS || !CNI_ON(TENSION))
+		return;
+	cni_geometric_stiffness_find(world, sparse, c, h);
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &sparse->nodes[k];
+		cni_lever *l = &n->lever[2];
+		float most;
+		if (n->rows != 2 || is_fixed(world, n->ia) || is_fixed(world, n->ib))
+			continue;
+		most = cni_max(excess(world, sparse, n->ia, h), excess(world, sparse, n->ib, h));
+		l->aw = most > 0.0f ? -1.0f : 0.0f;
+		l->bw = most > 0.0f ? 1.0f : 0.0f;
+		n->compliance[2] = most > 0.0f ? 1.0f / most : 0.0f;
+	}
+}
+
+int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float h)
+{
+	const cni_motion *motions = cni_motions(world);
+	float most = CNI_SNAP_RAD / h;
+	int32_t k, found = 0;
+	for (k = c->begin; k < c->end && CNI_ON(TENSION); ++k) {
+		cni_node *n = &sparse->nodes[k];
+		if (n->rows != 2 || cni_joint_constraints(world)[n->owner].inner > 0 || is_fixed(world, n->ia) || is_fixed(world, n->ib) ||
+		    (cni_abs(motions[n->ia].w) <= most && cni_abs(motions[n->ib].w) <= most) || cni_abs(motions[n->ib].w - motions[n->ia].w) <= 0.5f * most)
+			continue;
+		c->width = CNI_NODE_ROWS;
+		n->lever[2].aw = -1.0f;
+		n->lever[2].bw = 1.0f;
+		n->compliance[2] = 0.0f;
+		found = 1;
+	}
+	return found;
+}

@@ -1,0 +1,598 @@
+/*
+ * direct/rattle.c - bodies that nothing but rigid joints holds: their whole step at once, second order
+ * and without losing energy.
+ *
+ * RATTLE (Andersen, 1983; Leimkuhler and Skeel, 1994) with the direct solver, per substep:
+ *
+ *   v += h/2 a                    half a kick
+ *   x += h (v + M^-1 J' mu)       mu such that the joints are closed at the new x (Newton: K mu = -C/h)
+ *   v += M^-1 J' mu + h/2 a       the other half
+ *   v += M^-1 J' nu               J at the new x; nu such that J v = 0
+ *
+ * Both start from half of the last substep's impulse, so that Newton rarely needs a second round, but not where
+ * dampers are at work, which must see all of the tension;
+ * with one factorization a substep: of K at the old x for mu, which is that of the last substep's nu.
+ * Gaps that are there already are closed by a part in each substep; nu takes out the speed that this needs.
+ *
+ * Joints alone bring in no energy. What a step gained beyond the work of its drives is kept in an account, which its joints
+ * carry (cni_joint_trust): the method swings about the true energy by the square of the substep, so the account may be
+ * that large and no larger; the rest is taken out of the velocities. So energy cannot creep, step by step.
+ *
+ * Three methods, each for what the one before it cannot do. The joints remember failures, so that a component that fails
+ * again and again does not try everything in every step:
+ *   RATTLE       a step that does not close its joints, or gains much energy, is taken again with twice the substeps;
+ *   projection   x += h (v + h a), x to the nearest point where the joints are closed, v projected to J v = 0 there: such a
+ *                projection cannot raise kinetic energy, so it stands whips that no substep resolves, and loses energy
+ *                (about (h w)^2 of it a substep);
+ *   soft         each joint by itself, as CN_SOLVER_SOFT does, where a system is beyond what floats can hold.
+ *
+ * Substeps follow the tension's springs as far as they go, dampers do the rest: direct/geometric_stiffness.c.
+ *
+ * Reads works, drives, motion; writes motion, start, works' rows and flags, drive flags.
+ */
+#include "direct/direct.h"
+#include "direct/rattle.h"
+
+#define CLOSED 2e-6f           /* length units or radians: a joint that is closed */
+#define NEWTON_ROUNDS 5
+#define PROJECT_ROUNDS 12
+#define SLOWEST 0.9f           /* part of its gap that a round may leave to a loop: some cannot be closed */
+#define FAILED 50.0f            /* gaps above this many times CLOSED after all rounds: the substep is too long */
+#define CLOSING_RATE 0.2f      /* part of an old gap that is closed in a substep */
+#define SUBSTEPS_MOST 8.0f     /* to follow pins, which dampers help beyond that */
+#define SUBSTEPS_ROD_MOST 32.0f /* ... and rods, which nothing helps */
+#define SUBSTEPS_RETRY 64      /* most that a step is retried with */
+#define SUBSTEPS_FIRM 16       /* of the projection */
+
+/* ---- which components ---- */
+
+/* Can no row but the rigid ones have anything to do in this step? */
+static int32_t work_is_rigid(const cni_joint_constraint *w, const cni_motion *motions, float dt)
+{
+	const cni_motion *a = motions + w->ia, *b = motions + w->ib;
+	int32_t k;
+	for (k = w->rigid_count; k < w->row_count; ++k) {
+		const cni_row *r = &w->rows[k];
+		cni_lever l = cni_row_lever(r);
+		float speed = cni_lever_speed(&l, a, b);
+		if (r->kind != CNI_ROW_LIMIT || r->error < 0.05f + 2.0f * dt * cni_abs(speed))
+			return 0;
+	}
+	return 1;
+}
+
+static int32_t end_swings(const cn_world *world, int32_t index)
+{
+	const cni_motion *m = cni_motions(world) + index;
+	return index == 0 || m->inv_mass > 0.0f || m->inv_inertia > 0.0f;
+}
+
+/* Only joints of the component hold it, and nothing touches it. */
+static int32_t body_turn_reaches(const cn_world *world, int32_t index)
+{
+	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
+	int32_t key;
+	if (cni_externals(world)[index].flags & (CNI_EXTERNAL_TOUCHED | CNI_EXTERNAL_LOCK_X | CNI_EXTERNAL_LOCK_Y))
+		return 0;
+	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+		int32_t at = cni_joint_at(world, key >> 1)->awake;
+		if (at != CNI_NONE && !(cni_joint_constraints(world)[at].flags & CNI_CONSTRAINT_DIRECT))
+			return 0;
+	}
+	return 1;
+}
+
+/* A pin with a spring or a motor, of which it need not be known what it would do. */
+static int32_t work_is_driven(const cni_joint_constraint *w)
+{
+	return (w->flags & CNI_CONSTRAINT_WIDE) && (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR));
+}
+
+int32_t cni_component_uses_rattle(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k)
+		if (work_is_driven(&cni_joint_constraints(world)[sparse->nodes[k].owner]))
+			return 0;
+	for (k = c->body_begin; k < c->body_end; ++k)
+		if (!body_turn_reaches(world, sparse->bodies[k]))
+			return 0;
+	cni_joint_constraints_complete(world, sparse, c);
+	for (k = c->begin; k < c->end; ++k) {
+		const cni_node *n = &sparse->nodes[k];
+		if (!end_swings(world, n->ia) || !end_swings(world, n->ib) ||
+		    !work_is_rigid(&cni_joint_constraints(world)[n->owner], cni_motions(world), s->dt))
+			return 0;
+	}
+	return 1;
+}
+
+/* ---- one substep ---- */
+
+/* How a substep went: closed, still open after all rounds, or beyond what floats hold. */
+enum { CLOSED_WELL = 0, OPEN = 1, BROKEN = 2 };
+
+/* Half of what the drive gives in a substep. */
+static void kick(const swing *g)
+{
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		int32_t index = g->sparse->bodies[k];
+		const cni_external *d = cni_externals(g->world) + index;
+		cni_motion *m = g->motions + index;
+		float half = 0.5f * g->h;
+		m->vx += half * d->ax;
+		m->vy += half * d->ay;
+		m->w += half * d->alpha;
+		if (d->flags & CNI_EXTERNAL_DAMPED) {
+			const cni_body *b = cni_body_at(g->world, cni_awake_ids(g->world)[index]);
+			float linear = cni_damping_factor(b->linear_damping, half);
+			m->vx *= linear;
+			m->vy *= linear;
+			m->w *= cni_damping_factor(b->angular_damping, half);
+		}
+	}
+}
+
+static void drift(const swing *g)
+{
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		cni_motion *m = g->motions + g->sparse->bodies[k];
+		m->dpx += g->h * m->vx;
+		m->dpy += g->h * m->vy;
+		m->theta += g->h * m->w;
+	}
+}
+
+/* What of an old gap is to be left after the substep. */
+static float gap_left(const swing *g, float error)
+{
+	if (cni_abs(error) <= GAP_OLD * g->closed)
+		return 0.0f;
+	return error - cni_clamp(CLOSING_RATE * error, -g->closing, g->closing);
+}
+
+static void move(cni_motion *m, float h, float part, float vx, float vy, float w)
+{
+	m->vx += part * vx;
+	m->vy += part * vy;
+	m->w += part * w;
+	m->dpx += h * vx;
+	m->dpy += h * vy;
+	m->theta += h * w;
+}
+
+/* x of every node to positions, and a part of it (1 or 0) to velocities. */
+static void push_and_move(const swing *g, float part)
+{
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		const cni_node *n = &g->sparse->nodes[k];
+		cni_motion *a = g->motions + n->ia, *b = g->motions + n->ib;
+		for (i = 0; i < CNI_NODE_ROWS; ++i) {
+			const cni_lever *l = &n->lever[i];
+			float x = n->x[i], pa = a->inv_mass * x, pb = b->inv_mass * x;
+			move(a, g->h, part, pa * l->ax, pa * l->ay, a->inv_inertia * x * l->aw);
+			move(b, g->h, part, pb * l->bx, pb * l->by, b->inv_inertia * x * l->bw);
+		}
+	}
+}
+
+static void impulses_add(const swing *g)
+{
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		const cni_node *n = &g->sparse->nodes[k];
+		for (i = 0; i < n->rows; ++i)
+			work_of(g, k)->rows[i].impulse += n->x[i];
+	}
+}
+
+/* Rows at the present positions into the works, impulses kept; x: what closes them. Returns the largest gap. */
+static float gaps_find(const swing *g)
+{
+	float largest = 0.0f, inv_h = 1.0f / g->h;
+	int32_t k, i;
+	cni_direct_turns(g->world, g->sparse, g->c);
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		cni_node *n = &g->sparse->nodes[k];
+		cni_joint_constraint *w = work_of(g, k);
+		float impulse[CNI_NODE_ROWS] = { 0.0f, 0.0f, 0.0f };
+		for (i = 0; i < n->rows; ++i)
+			impulse[i] = w->rows[i].impulse;
+		cni_joint_constraint_rows(w, g->motions, g->sparse->turn);
+		for (i = 0; i < n->rows; ++i) {
+			float gap = w->rows[i].error - g->left[(k - g->c->begin) * CNI_NODE_ROWS + i];
+			w->rows[i].impulse = impulse[i];
+			n->x[i] = -gap * inv_h;
+			largest = cni_max(largest, cni_abs(gap));
+		}
+		for (; i < CNI_NODE_ROWS; ++i)
+			n->x[i] = 0.0f;
+	}
+	return largest;
+}
+
+static void gaps_left_find(const swing *g)
+{
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k)
+		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
+			g->left[(k - g->c->begin) * CNI_NODE_ROWS + i] = gap_left(g, work_of(g, k)->rows[i].error);
+}
+
+/* A part of the rows' impulses once more, along the levers as they are; `kept` of them stays in the rows. */
+static void impulses_push(const swing *g, float part, float kept)
+{
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		const cni_node *n = &g->sparse->nodes[k];
+		for (i = 0; i < n->rows; ++i) {
+			cni_row *r = &work_of(g, k)->rows[i];
+			cni_lever_push(&n->lever[i], part * r->impulse, g->motions + n->ia, g->motions + n->ib);
+			r->impulse *= kept;
+		}
+	}
+}
+
+/* One round at least: what mu starts from may look good enough, and be wrong to the same side again and again. */
+static int32_t positions_close(const swing *g)
+{
+	float gap = gaps_find(g);
+	int32_t round;
+	for (round = 0; round < NEWTON_ROUNDS && (round == 0 || gap > g->closed); ++round) {
+		if (!cni_sparse_solve(g->sparse, g->c))
+			return BROKEN;
+		impulses_add(g);
+		push_and_move(g, 1.0f);
+		gap = gaps_find(g);
+	}
+	return gap <= FAILED * g->closed ? CLOSED_WELL : OPEN;
+}
+
+static int32_t velocities_close(const swing *g)
+{
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		cni_node *n = &g->sparse->nodes[k];
+		for (i = 0; i < CNI_NODE_ROWS; ++i)
+			n->x[i] = -cni_lever_speed(&n->lever[i], g->motions + n->ia, g->motions + n->ib);
+	}
+	if (!cni_sparse_solve(g->sparse, g->c))
+		return 0;
+	cni_direct_push(g->world, g->sparse, g->c);
+	return 1;
+}
+
+/* Substeps that follow the fastest of the tension's springs, as far as they go. */
+static int32_t substeps_of(const swing *g, const cni_solve *s, float rods)
+{
+	float fastest = 0.0f, needed;
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k)
+		fastest = cni_max(fastest, cni_abs(g->motions[g->sparse->bodies[k]].w));
+	needed = cni_max(1.5f * s->dt * cni_sqrt(cni_geometric_stiffness_stiffness(g->world, g->sparse, g->c)), 2.0f * s->dt * fastest);
+	needed = cni_max(cni_min(SUBSTEPS_MOST, needed), cni_min(SUBSTEPS_ROD_MOST, 1.5f * s->dt * cni_sqrt(rods)));
+	return cni_max_i(s->substeps, (int32_t)needed);
+}
+
+static int32_t substep(const swing *g)
+{
+	int32_t closed;
+	gaps_left_find(g);
+	impulses_push(g, g->warm, g->warm);
+	kick(g);
+	drift(g);
+	closed = positions_close(g);
+	kick(g);
+	cni_geometric_stiffness_damp(g->world, g->sparse, g->c, g->h);
+	cni_direct_refresh(g->world, g->sparse, g->c);
+	impulses_push(g, 2.0f * g->warm, 1.0f + 2.0f * g->warm);
+	return velocities_close(g) ? closed : BROKEN;
+}
+
+/* ---- one substep of the projection ---- */
+
+static void impulses_clear(const swing *g)
+{
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k)
+		for (i = 0; i < work_of(g, k)->row_count; ++i)
+			work_of(g, k)->rows[i].impulse = 0.0f;
+}
+
+/* Newton's method, for rotations of any size: the levers follow in each round. */
+static int32_t positions_project(const swing *g)
+{
+	float gap = gaps_find(g), last = FLT_MAX;
+	int32_t round;
+	for (round = 0; round < PROJECT_ROUNDS && gap > g->closed && (!g->c->loops || gap < SLOWEST * last); ++round) {
+		last = gap;
+		cni_direct_refresh(g->world, g->sparse, g->c);
+		(void)gaps_find(g);
+		if (!cni_sparse_solve(g->sparse, g->c))
+			return BROKEN;
+		push_and_move(g, 0.0f);
+		gap = gaps_find(g);
+	}
+	return gap <= 2.0f * g->world->settings.accuracy ? CLOSED_WELL : OPEN;
+}
+
+static int32_t substep_project(const swing *g)
+{
+	int32_t closed;
+	gaps_left_find(g);
+	impulses_clear(g);
+	kick(g);
+	kick(g);
+	drift(g);
+	closed = positions_project(g);
+	cni_direct_refresh(g->world, g->sparse, g->c);
+	return velocities_close(g) ? closed : BROKEN;
+}
+
+/* ---- the step ---- */
+
+/* start is what it would be had the last substep been one of the world's: what tells bodies at rest needs it. */
+static void last_substep_begins(const swing *g, const cni_solve *s)
+{
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		int32_t index = g->sparse->bodies[k];
+		const cni_motion *m = g->motions + index;
+		const cni_external *d = cni_externals(g->world) + index;
+		cni_velocity_start *start = cni_starts(g->world) + index;
+		start->vx = m->vx + s->h * d->ax;
+		start->vy = m->vy + s->h * d->ay;
+		start->w = m->w + s->h * d->alpha;
+		start->jumped = 0.0f;
+	}
+}
+
+static void bodies_end(const swing *g)
+{
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k)
+		cni_externals(g->world)[g->sparse->bodies[k]].flags |= CNI_EXTERNAL_FINISHED;
+}
+
+/* Reactions are read as impulses of the world's substep. */
+static void works_end(const swing *g, const cni_solve *s)
+{
+	float scale = s->h / g->h;
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		cni_joint_constraint *w = work_of(g, k);
+		for (i = 0; i < w->rigid_count; ++i)
+			w->rows[i].impulse *= scale;
+		for (; i < w->row_count; ++i)
+			w->rows[i].impulse = 0.0f;
+		w->flags |= CNI_CONSTRAINT_FINISHED;
+	}
+}
+
+static void works_stress(const swing *g)
+{
+	int32_t k;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		cni_joint_constraint *w = work_of(g, k);
+		if (w->flags & CNI_CONSTRAINT_BREAKABLE)
+			cni_joint_constraint_stress(w, g->motions + w->ib, 1.0f / g->h);
+	}
+}
+
+/* Impulses as the step found them. */
+static void works_begin(const swing *g, float scale)
+{
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		cni_joint_constraint *w = work_of(g, k);
+		for (i = 0; i < w->rigid_count; ++i)
+			w->rows[i].impulse = scale * w->record->impulse[w->rows[i].slot];
+		if (w->flags & CNI_CONSTRAINT_BREAKABLE)
+			w->numbers->force_stress = w->numbers->torque_stress = 0.0f;
+	}
+}
+
+/* All as the step found it. */
+static void step_undo(const swing *g)
+{
+	int32_t k;
+	cni_dummy_stand(g->world);
+	cni_direct_motions_keep(g->world, g->sparse, g->c, 1);
+	cni_direct_turns(g->world, g->sparse, g->c);
+	for (k = g->c->begin; k < g->c->end; ++k)
+		cni_joint_constraint_rows(work_of(g, k), g->motions, g->sparse->turn);
+}
+
+/* ---- what joints remember ---- */
+
+static cni_joint_trust *trust_of(const swing *g, int32_t node)
+{
+	return &cni_joint_at(g->world, work_of(g, node)->joint)->trust;
+}
+
+/* Of a component: the sum of their accounts, the longest of their spans, the latest of their ends. */
+static cni_joint_trust trust_read(const swing *g)
+{
+	cni_joint_trust sum = { 0.0f, 0, 0, 0 };
+	uint32_t step = g->world->step_count;
+	int32_t k;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		const cni_joint_trust *t = trust_of(g, k);
+		sum.surplus += t->surplus;
+		if (t->span > 0 && (sum.span == 0 || (int32_t)(t->until - step) > (int32_t)(sum.until - step)))
+			sum.until = t->until;
+		sum.span = (uint16_t)cni_max_i(sum.span, t->span);
+	}
+	return sum;
+}
+
+static void trust_write(const swing *g, const cni_joint_trust *trust)
+{
+	float surplus = trust->surplus / (float)(g->c->end - g->c->begin);
+	int32_t k;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		cni_joint_trust *t = trust_of(g, k);
+		*t = *trust;
+		t->surplus = surplus;
+	}
+}
+
+/* All substeps, or as many as go well. */
+static int32_t substeps_run(swing *g, const cni_solve *s, int32_t substeps, int32_t projects)
+{
+	int32_t k, moving = cni_rattle_is_fixed(g);
+	g->base_work = 0.0f;
+	for (k = 0; k < substeps; ++k) {
+		int32_t how;
+		if (k == substeps - 1)
+			last_substep_begins(g, s);
+		how = projects ? substep_project(g) : substep(g);
+		if (how == BROKEN || (how == OPEN && !(projects && g->c->loops)))
+			return how;
+		works_stress(g);
+		if (moving)
+			g->base_work += cni_rattle_base_work(g);
+	}
+	g->speeding = cni_rattle_speeding(g, s);
+	return CLOSED_WELL;
+}
+
+/* A step by RATTLE with so many substeps. */
+static int32_t rattle_try(swing *g, const cni_solve *s, cni_component *c, int32_t substeps, cni_joint_trust *t)
+{
+	float before, allowed, gained;
+	int32_t how;
+	g->h = s->dt / (float)substeps;
+	g->closing = g->h * s->push_speed;
+	works_begin(g, s->warm_scale * g->h / s->h);
+	g->warm = 0.5f;
+	if (cni_geometric_stiffness_needs_dampers(g->world, g->sparse, c, g->h)) {
+		g->warm = 0.0f;
+		c->width = CNI_NODE_ROWS;
+	}
+	cni_geometric_stiffness_damp(g->world, g->sparse, c, g->h);
+	cni_direct_refresh(g->world, g->sparse, c);
+	before = cni_rattle_energy(g); /* as a step begins, no work has been done */
+	g->mends = cni_rattle_mends(g);
+	allowed = cni_rattle_energy_allowed(g, s->dt);
+	how = substeps_run(g, s, substeps, 0);
+	if (how != CLOSED_WELL)
+		return how;
+	gained = cni_rattle_energy(g) - before - g->base_work;
+	/* Written so that what is not a number fails too. */
+	if (!(gained <= ENERGY_GAIN * before + allowed + g->speeding))
+		return BROKEN;
+	cni_rattle_account(g, t, gained);
+	return CLOSED_WELL;
+}
+
+/* Projections cannot raise kinetic energy: what gives more of it in spite of that is rounding. */
+static int32_t project_try(swing *g, const cni_solve *s, cni_component *c, cni_joint_trust *t)
+{
+	float before, most;
+	int32_t how;
+	g->h = s->dt / (float)cni_max_i(SUBSTEPS_FIRM, s->substeps);
+	g->closing = g->h * s->push_speed;
+	works_begin(g, 0.0f);
+	if (c->width > 2)
+		cni_sparse_clear(g->sparse, c); /* no dampers */
+	cni_direct_refresh(g->world, g->sparse, c);
+	before = cni_rattle_energy(g);
+	g->mends = cni_rattle_mends(g);
+	most = cni_sqrt(before) + cni_sqrt(cni_rattle_energy_allowed(g, s->dt)); /* speeds that drives give, by the norm of kinetic energy */
+	most *= most;
+	how = substeps_run(g, s, cni_max_i(SUBSTEPS_FIRM, s->substeps), 1);
+	if (how != CLOSED_WELL)
+		return how;
+	if (!(cni_rattle_kinetic(g) <= (1.0f + ENERGY_GAIN) * most) && g->base_work == 0.0f)
+		return BROKEN;
+	cni_rattle_account(g, t, cni_rattle_energy(g) - before - g->base_work);
+	return CLOSED_WELL;
+}
+
+/* Each joint by itself after all, in this step and for some time. */
+static void swing_release(const swing *g, const cni_solve *s, cni_joint_trust *t)
+{
+	int32_t k, i;
+	cni_trust_fail(t, g->world->step_count, 1);
+	t->surplus = 0.0f;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		cni_joint_constraint_prepare(g->world, s, g->sparse->nodes[k].owner);
+		for (i = 0; i < work_of(g, k)->row_count; ++i)
+			work_of(g, k)->rows[i].impulse = 0.0f; /* what could not be held has grown beyond all measure */
+	}
+	g->world->joints_soft_step = t->until > g->world->joints_soft_step ? t->until : g->world->joints_soft_step;
+}
+
+/* Returns 1 when a step by RATTLE went well, with as many substeps as it needs. */
+static int32_t rattle_run(swing *g, const cni_solve *s, cni_component *c, int32_t substeps, cni_joint_trust *t)
+{
+	cni_joint_trust before = *t;
+	for (; substeps <= SUBSTEPS_RETRY; substeps *= 2) {
+		if (rattle_try(g, s, c, substeps, t) == CLOSED_WELL)
+			return 1;
+		*t = before;
+		step_undo(g);
+	}
+	return 0;
+}
+
+static void swing_run(cn_world *world, const cni_solve *s, cni_component *c, float *left)
+{
+	swing g = { world, s->direct, c, cni_motions(world), s->h, CLOSED * world->settings.length_unit, 0.0f, left, 0.5f, 0.0f, 0.0f, 0 };
+	float rods, last_h = s->warm_scale > 0.0f ? s->h / s->warm_scale : s->h; /* of which the records' impulses are */
+	cni_joint_trust trust = trust_read(&g);
+	int32_t projects;
+	cni_direct_turns(world, g.sparse, c);
+	rods = cni_geometric_stiffness_rods(world, g.sparse, c, last_h);
+	cni_geometric_stiffness_find(world, g.sparse, c, last_h);
+	cni_direct_motions_keep(world, g.sparse, c, 0);
+	c->done = 1;
+	projects = trust.span > 0 && trust.until > world->step_count;
+	if (projects || !rattle_run(&g, s, c, substeps_of(&g, s, rods), &trust)) {
+		if (!projects)
+			cni_trust_fail(&trust, world->step_count, 0);
+		if (project_try(&g, s, c, &trust) != CLOSED_WELL) {
+			step_undo(&g);
+			swing_release(&g, s, &trust);
+			trust_write(&g, &trust);
+			return;
+		}
+	}
+	trust_write(&g, &trust);
+	bodies_end(&g);
+	works_end(&g, s);
+}
+
+static int32_t largest_component(const cni_sparse *sparse)
+{
+	int32_t k, largest = 0;
+	for (k = 0; k < sparse->component_count; ++k)
+		if (sparse->components[k].swings)
+			largest = cni_max_i(largest, sparse->components[k].end - sparse->components[k].begin);
+	return largest;
+}
+
+void cni_rattle_run(cn_world *world, const cni_solve *s)
+{
+	float *left;
+	int32_t k, largest = s->direct == NULL ? 0 : largest_component(s->direct);
+	if (largest == 0)
+		return;
+	left = (float *)cni_arena_push(&world->arena, sizeof(float) * CNI_NODE_ROWS * (uint64_t)largest);
+	if (left == NULL)
+		world->warnings |= CN_WARNING_FRAME_MEMORY;
+	for (k = 0; k < s->direct->component_count; ++k) {
+		cni_component *c = &s->direct->components[k];
+		if (!c->swings)
+			continue;
+		if (left != NULL)
+			swing_run(world, s, c, left);
+		else
+			cni_direct_begin(world, s, s->direct, c);
+	}
+	(void)cni_arena_pop(&world->arena, left);
+}

@@ -1,0 +1,248 @@
+/*
+ * direct/rattle_energy.c - the energy of bodies that only joints hold: what a step gained beyond the work of drives and of
+ * moving bases, and taking out what is more than the scheme's own error (direct/rattle.c).
+ *
+ * Reads motion, start, drives, works; writes motion velocities and the account.
+ */
+#include "direct/rattle.h"
+
+#define ROUNDING 1e-3f         /* part of the kinetic energy that some minutes of rounding may gain */
+
+/* Are there old gaps, which are closed with some speed? */
+int32_t cni_rattle_mends(const swing *g)
+{
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k)
+		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
+			if (cni_abs(work_of(g, k)->rows[i].error) > GAP_OLD * g->closed)
+				return 1;
+	return 0;
+}
+
+static float inverse_or_zero(float x)
+{
+	return x > 0.0f ? 1.0f / x : 0.0f;
+}
+
+float cni_rattle_kinetic(const swing *g)
+{
+	float sum = 0.0f;
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		const cni_motion *m = g->motions + g->sparse->bodies[k];
+		sum += inverse_or_zero(m->inv_mass) * (m->vx * m->vx + m->vy * m->vy) + inverse_or_zero(m->inv_inertia) * m->w * m->w;
+	}
+	return 0.5f * sum;
+}
+
+/* Of motion, less the work that drives have done in this step. */
+float cni_rattle_energy(const swing *g)
+{
+	float sum = 0.0f;
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		const cni_motion *m = g->motions + g->sparse->bodies[k];
+		const cni_external *d = cni_externals(g->world) + g->sparse->bodies[k];
+		sum += inverse_or_zero(m->inv_mass) * (0.5f * (m->vx * m->vx + m->vy * m->vy) - (d->ax * m->dpx + d->ay * m->dpy)) +
+		       inverse_or_zero(m->inv_inertia) * (0.5f * m->w * m->w - d->alpha * m->theta);
+	}
+	return sum;
+}
+
+/* What a step of free fall, and of closing gaps, may give from rest. */
+float cni_rattle_energy_allowed(const swing *g, float dt)
+{
+	float sum = 0.0f, pull = cni_rattle_mends(g) ? g->closing / g->h : 0.0f;
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		const cni_motion *m = g->motions + g->sparse->bodies[k];
+		const cni_external *d = cni_externals(g->world) + g->sparse->bodies[k];
+		sum += 0.5f * inverse_or_zero(m->inv_mass) * (dt * dt * (d->ax * d->ax + d->ay * d->ay) + pull * pull) +
+		       0.5f * inverse_or_zero(m->inv_inertia) * dt * dt * d->alpha * d->alpha;
+	}
+	return sum;
+}
+
+/* ---- energy ---- */
+
+/* Twice the kinetic energy of a change of velocity. */
+static float change_of(const cni_motion *m, float vx, float vy, float w)
+{
+	return inverse_or_zero(m->inv_mass) * (vx * vx + vy * vy) + inverse_or_zero(m->inv_inertia) * w * w;
+}
+
+/*
+ * Velocities and positions of the method are those of a motion that keeps T + V + h^2 (sum m a.a / 24 - sum m g.a / 12), to
+ * the fourth order of h (backward analysis of the Stoermer-Verlet scheme: Hairer, Lubich and Wanner, "Geometric Numerical
+ * Integration", 2006, IX.3, with the joints' forces among the accelerations a): six times the first term.
+ * start: velocities before the last substep, as last_substep_begins left them.
+ */
+float cni_rattle_speeding(const swing *g, const cni_solve *s)
+{
+	float sum = 0.0f, last = cni_max(1.0f, s->warm_scale > 0.0f ? 1.0f / s->warm_scale : 1.0f); /* the account was filled at the last step's h */
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		int32_t index = g->sparse->bodies[k];
+		const cni_motion *m = g->motions + index;
+		const cni_external *d = cni_externals(g->world) + index;
+		const cni_velocity_start *start = cni_starts(g->world) + index;
+		sum += change_of(m, m->vx - start->vx + s->h * d->ax, m->vy - start->vy + s->h * d->ay, m->w - start->w + s->h * d->alpha);
+	}
+	return sum * last * last / 4.0f;
+}
+
+/* Of a lever's ends, those that have no mass: how fast the row closes for their motion alone. */
+static float base_speed(const cni_lever *l, const cni_motion *a, const cni_motion *b)
+{
+	float speed = 0.0f;
+	if (a->inv_mass == 0.0f)
+		speed += l->ax * a->vx + l->ay * a->vy + l->aw * a->w;
+	if (b->inv_mass == 0.0f)
+		speed += l->bx * b->vx + l->by * b->vy + l->bw * b->w;
+	return speed;
+}
+
+/* In a substep: J v = 0, so that what acts on the bodies with mass is minus what the others close. */
+float cni_rattle_base_work(const swing *g)
+{
+	float work = 0.0f;
+	int32_t k, i;
+	for (k = g->c->begin; k < g->c->end; ++k) {
+		const cni_node *n = &g->sparse->nodes[k];
+		for (i = 0; i < n->rows; ++i)
+			work -= work_of(g, k)->rows[i].impulse * base_speed(&n->lever[i], g->motions + n->ia, g->motions + n->ib);
+	}
+	return work;
+}
+
+typedef struct rigid_motion {
+	float mass, inertia;
+	float x, y, vx, vy, w;
+	int32_t fixed;     /* some joint is to what has no mass: all that is free is the motion itself */
+} rigid_motion;
+
+static cni_vec2 place_of(const swing *g, int32_t index)
+{
+	const cni_body *b = cni_body_at(g->world, cni_awake_ids(g->world)[index]);
+	return cni_v(b->cx + g->motions[index].dpx, b->cy + g->motions[index].dpy);
+}
+
+/* Has the component joints to what cannot move? */
+int32_t cni_rattle_is_fixed(const swing *g)
+{
+	int32_t k;
+	for (k = g->c->begin; k < g->c->end; ++k)
+		if (g->motions[g->sparse->nodes[k].ia].inv_mass == 0.0f || g->motions[g->sparse->nodes[k].ib].inv_mass == 0.0f)
+			return 1;
+	return 0;
+}
+
+/* The motion of one rigid body with the component's momenta. */
+static rigid_motion rigid_of(const swing *g)
+{
+	rigid_motion r = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, cni_rattle_is_fixed(g) };
+	float spin = 0.0f;
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end && !r.fixed; ++k) {
+		const cni_motion *m = g->motions + g->sparse->bodies[k];
+		float mass = inverse_or_zero(m->inv_mass);
+		cni_vec2 p = place_of(g, g->sparse->bodies[k]);
+		r.mass += mass;
+		r.x += mass * p.x;
+		r.y += mass * p.y;
+		r.vx += mass * m->vx;
+		r.vy += mass * m->vy;
+	}
+	if (r.fixed || r.mass == 0.0f)
+		return r;
+	r.x /= r.mass;
+	r.y /= r.mass;
+	r.vx /= r.mass;
+	r.vy /= r.mass;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		const cni_motion *m = g->motions + g->sparse->bodies[k];
+		float mass = inverse_or_zero(m->inv_mass), inertia = inverse_or_zero(m->inv_inertia);
+		cni_vec2 p = place_of(g, g->sparse->bodies[k]);
+		float x = p.x - r.x, y = p.y - r.y;
+		spin += mass * (x * (m->vy - r.vy) - y * (m->vx - r.vx)) + inertia * m->w;
+		r.inertia += mass * (x * x + y * y) + inertia;
+	}
+	r.w = r.inertia > 0.0f ? spin / r.inertia : 0.0f;
+	return r;
+}
+
+static cni_velocity_start velocity_in(const swing *g, const rigid_motion *r, int32_t index)
+{
+	cni_velocity_start v = { 0.0f, 0.0f, 0.0f, 0.0f };
+	cni_vec2 p;
+	if (r->fixed)
+		return v;
+	p = place_of(g, index);
+	v.vx = r->vx - r->w * (p.y - r->y);
+	v.vy = r->vy + r->w * (p.x - r->x);
+	v.w = r->w;
+	return v;
+}
+
+/* Twice the kinetic energy of the motion against the rigid one. */
+static float inner_energy(const swing *g, const rigid_motion *r)
+{
+	float sum = 0.0f;
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		const cni_motion *m = g->motions + g->sparse->bodies[k];
+		cni_velocity_start v = velocity_in(g, r, g->sparse->bodies[k]);
+		sum += change_of(m, m->vx - v.vx, m->vy - v.vy, m->w - v.w);
+	}
+	return 0.5f * sum;
+}
+
+/*
+ * Takes this much energy out of the component's motion, but no more than ENERGY_GAIN of it: all velocities against the rigid
+ * motion that has its momenta by the same factor, which keeps them and J v = 0. Returns what it took.
+ */
+static float energy_take(const swing *g, float surplus)
+{
+	rigid_motion r = rigid_of(g);
+	float inner = inner_energy(g, &r), part, keep;
+	int32_t k;
+	if (!(inner > 0.0f && inner < FLT_MAX))
+		return 0.0f;
+	part = cni_min(surplus / inner, ENERGY_GAIN);
+	keep = cni_sqrt(1.0f - part);
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		cni_motion *m = g->motions + g->sparse->bodies[k];
+		cni_velocity_start v = velocity_in(g, &r, g->sparse->bodies[k]);
+		m->vx = v.vx + keep * (m->vx - v.vx);
+		m->vy = v.vy + keep * (m->vy - v.vy);
+		m->w = v.w + keep * (m->w - v.w);
+	}
+	return part * inner;
+}
+
+/* Work of drives along what positions may be wrong by: joints count as closed within it, and floats round. */
+static float rounding_of_positions(const swing *g)
+{
+	float sum = 0.0f;
+	int32_t k;
+	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
+		const cni_motion *m = g->motions + g->sparse->bodies[k];
+		const cni_external *d = cni_externals(g->world) + g->sparse->bodies[k];
+		const cni_body *b = cni_body_at(g->world, cni_awake_ids(g->world)[g->sparse->bodies[k]]);
+		float way = 4.0f * g->closed + 4.0f * FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
+		sum += inverse_or_zero(m->inv_mass) * way * (cni_abs(d->ax) + cni_abs(d->ay));
+	}
+	return sum;
+}
+
+/* What a step gained goes to the account, and what is too much for it out of the motion. Where it closed gaps that were there before,
+   bodies were moved by that, and what they gained is not of their motion. */
+void cni_rattle_account(const swing *g, cni_joint_trust *t, float gained)
+{
+	float most = g->speeding + ROUNDING * cni_rattle_kinetic(g) + rounding_of_positions(g);
+	t->surplus = cni_max(t->surplus + (g->mends ? 0.0f : gained), -most);
+	if (!(t->surplus < FLT_MAX)) /* no account can be kept of what floats cannot hold */
+		t->surplus = 0.0f;
+	if (t->surplus > most)
+		t->surplus -= energy_take(g, t->surplus - most);
+}

@@ -1,0 +1,474 @@
+/*
+ * direct/solver_selection.c - which islands are solved directly in this step, contacts and all.
+ *
+ * Soft contacts settle from impulse to impulse: exact at rest once their loads are, which a new pile is given from the top
+ * down (contacts/gravity_preload.c). That fails where things lean on each other, and much weight on little mass crushes what bears
+ * it. A quiet island is solved directly (direct/direct_contacts.c)
+ *   - when a contact overlaps by more than the accuracy;
+ *   - by more than a tenth of it, or when it is new, where it bears or may come to bear more than soft contacts can, or is
+ *     between things that lean;
+ *   - when the sweep from the top down left something of it that falls.
+ * It is so until it has been good for a while, or, where things lean on each other, until it sleeps; the loads it then has are exact, and the soft solver
+ * goes on from them. The stay grows fourfold each time it turns bad again. An island whose system has been refused, for its
+ * work, for what it is made of, or because no solution was found, is left alone for a time, each time for longer. So is one that falls.
+ *
+ * A scene in which nothing is wrong pays for one look at the separations of its lanes.
+ *
+ * Islands with joints are not taken by themselves: their joints are solved directly as it is (direct/direct_joints.c), and
+ * one system of taut joints and of contacts whose set is not found in one step out of hundreds does more harm by that
+ * step than good by the others. An island that gets joints is given back. A body's own solver takes them too.
+ *
+ * CN_SOLVER_DIRECT takes every island, quiet or not, and never gives it back. A body's own solver does the same for its
+ * island, or keeps it soft.
+ *
+ * Why an island is in its tier is written down where that is decided: world/islands.c tells it.
+ *
+ * Reads lanes, islands, motion; writes islands' tier fields, world->direct_islands.
+ */
+#include "direct/direct.h"
+#include "contacts/contacts.h"
+#include "base/cpu.h"
+#include "direct/direct_contact.h"
+#include "model/solve.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#include "base/wide.h"
+#endif
+
+#define ISLANDS_MOST 64        /* solved directly at the same time, of CN_SOLVER_AUTO */
+#define STAY_FIRST 15          /* good steps until an island is given back, the first time */
+#define STAY_FACTOR 4          /* ... and each time it turned bad again after that */
+#define STAY_MOST 100000
+#define REFUSED_STEPS 120      /* until a refused island is looked at again, at first; twice as long each time */
+#define RETRY_STEPS 8          /* ... for what its contacts did, which they may not do again */
+#define REFUSED_MOST 1920
+#define FORGET_FACTOR 8         /* times as long as it was refused, or was to stay: then that begins anew */
+#define FALLS_STEPS 8          /* in which it comes down, until it is left to the soft solver */
+#define BLOCKS_AT_ONCE 8       /* whose memory is asked for */
+#define HEAVIER 5.0f           /* times: such a body on a lighter one may crush it */
+
+typedef struct look {
+	float most;    /* metres: overlap that is bad where much is borne */
+	float h;       /* of a substep */
+	int32_t done;  /* the island of the last lane that could not change anything more, CNI_NONE */
+} look;
+
+static int32_t *listed(const cn_world *world)
+{
+	return (int32_t *)world->direct_islands.data;
+}
+
+/* Contacts of an island with joints are solved directly only where a body asks for it. */
+static int32_t takes_contacts(const cn_world *world, int32_t island)
+{
+	return cni_island_at(world, island)->solver == CN_SOLVER_DIRECT || !cni_island_has_joints(world, island);
+}
+
+/* So long that it does not count for what a thing of so many steps is now. */
+static int32_t is_long_ago(const cn_world *world, uint32_t step, int32_t steps)
+{
+	return world->step_count - step > (uint32_t)FORGET_FACTOR * (uint32_t)steps;
+}
+
+static void island_take(cn_world *world, int32_t island, int32_t reason)
+{
+	cni_island *i = cni_island_at(world, island);
+	if (!CNI_ON(DIRECT_CONTACTS))
+		return;
+	if (!cni_array_reserve(&world->direct_islands, &world->memory, world->direct_islands.count + 1)) {
+		world->warnings |= CN_WARNING_FRAME_MEMORY;
+		return;
+	}
+	i->tier = CNI_TIER_DIRECT;
+	i->reason = reason;
+	if (is_long_ago(world, i->given_step, i->stay_steps))
+		i->stay_steps = 0;
+	i->good_steps = 0;
+	listed(world)[world->direct_islands.count++] = island;
+}
+
+int32_t cni_island_is_refused(const cni_island *i, uint32_t step)
+{
+	return i->refused_steps > 0 && step - i->refused_step < (uint32_t)i->refused_steps;
+}
+
+int32_t cni_island_is_unsolved(const cni_island *i, uint32_t step)
+{
+	return i->tier == CNI_TIER_SOFT && i->reason == CN_TIER_REASON_NO_SET && cni_island_is_refused(i, step);
+}
+
+/* Counted for contacts/gravity_preload.c. */
+static void new_contact_count(cn_world *world, int32_t index)
+{
+	int32_t island = cni_awake_island(world, index);
+	cni_island *i = island != CNI_NONE ? cni_island_at(world, island) : NULL;
+	world->piles_new = 1;
+	if (i == NULL) {
+		cni_body_at(world, cni_awake_ids(world)[index])->flags |= CNI_BODY_SET_DOWN;
+		return;
+	}
+	if (i->new_step != world->step_count + 1u)
+		i->new_contacts = 0;
+	i->new_step = world->step_count + 1u;
+	++i->new_contacts;
+}
+
+/* Something is wrong in it. Of several reasons the latest of the list is told. */
+static void island_is_bad(cn_world *world, int32_t island, int32_t reason)
+{
+	cni_island *i = cni_island_at(world, island);
+	i->good_steps = 0;
+	if (i->tier == CNI_TIER_DIRECT && i->reason < reason)
+		i->reason = reason;
+	if (i->tier == CNI_TIER_DIRECT || i->looked_step == world->step_count + 1u)
+		return;
+	i->looked_step = world->step_count + 1u;
+	if (cni_island_is_refused(i, world->step_count) || i->solver == CN_SOLVER_SOFT)
+		return;
+	if (world->direct_islands.count >= ISLANDS_MOST || 2 * i->count > CNI_DIRECT_CONTACT_MOST)
+		i->reason = CN_TIER_REASON_CROWDED;
+	else if (!cni_island_is_quiet(world, i))
+		i->reason = CN_TIER_REASON_MOVING;
+	else if (cni_island_has_joints(world, island))
+		i->reason = CN_TIER_REASON_JOINTED;
+	else
+		island_take(world, island, reason);
+}
+
+/*
+ * What was solved directly has loads that held it in balance. Soft contacts yield around them: where it moves after all, the
+ * thrust of an arch would drive it apart. They are to find them anew.
+ */
+static void loads_forget(const cn_world *world, const cni_island *i)
+{
+	int32_t body, key;
+	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+			const cni_contact *c = cni_contact_of_key(world, key);
+			if (!(c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
+				continue;
+			cni_block_at(world, c->slot / CNI_LANES)->p[0].load[c->slot % CNI_LANES] = 0.0f;
+			cni_block_at(world, c->slot / CNI_LANES)->p[1].load[c->slot % CNI_LANES] = 0.0f;
+		}
+}
+
+void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
+{
+	cni_island *i = cni_island_at(world, island);
+	int32_t first = reason == CN_TIER_REASON_NO_SET || reason == CN_TIER_REASON_MOVING ? RETRY_STEPS : REFUSED_STEPS;
+	if (i->tier == CNI_TIER_DIRECT && i->falls_steps > 0 && i->gives_step != 0 && world->step_count + 1u - i->gives_step < 3u)
+		loads_forget(world, i);
+	i->tier = CNI_TIER_SOFT;
+	i->reason = reason;
+	if (is_long_ago(world, i->refused_step, i->refused_steps))
+		i->refused_steps = 0;
+	i->refused_step = world->step_count;
+	i->refused_steps = CNI_ON(TRUST) ? cni_min_i(cni_max_i(2 * i->refused_steps, first), REFUSED_MOST) : 1;
+}
+
+/* ---- looking for what is wrong ---- */
+
+static float overlap(const cni_contact_block *k, int32_t l)
+{
+	return cni_max(k->p[0].nm[l] > 0.0f ? -k->p[0].s0[l] : -FLT_MAX, k->p[1].nm[l] > 0.0f ? -k->p[1].s0[l] : -FLT_MAX);
+}
+
+static int32_t lane_is_new(const cni_contact_block *k, int32_t l, float slop)
+{
+	return k->p[0].jn[l] + k->p[1].jn[l] == 0.0f && overlap(k, l) > -0.1f * slop;
+}
+
+/* May it come to bear that much? What lies on it is much heavier, or it bears half as much already. */
+static int32_t may_be_stressed(const cn_world *world, const cni_contact_block *k, int32_t l, float h)
+{
+	float inv_a = cni_motions(world)[k->ia[l]].inv_mass, inv_b = cni_motions(world)[k->ib[l]].inv_mass;
+	if (inv_b > 0.0f && cni_max(inv_a, inv_b) > HEAVIER * cni_min(inv_a, inv_b))
+		return 1;
+	return cni_is_stressed(world, k->ia[l], k->ib[l], k->p[0].jn[l] + k->p[1].jn[l], h, 0.5f);
+}
+
+static int32_t creeps(const cn_world *world, int32_t index)
+{
+	const cni_motion *m = cni_motions(world) + index;
+	return m->vx * m->vx + m->vy * m->vy <= world->settings.sleep_speed * world->settings.sleep_speed;
+}
+
+/* Things that lean on each other: a sweep could not load them from the top down, or they sink while nothing moves. */
+static int32_t leans(const cn_world *world, const cni_contact_block *k, int32_t l)
+{
+	int32_t island = cni_awake_island(world, k->ia[l]);
+	return island != CNI_NONE && (cni_island_at(world, island)->unheld_step != 0 || (creeps(world, k->ia[l]) && creeps(world, k->ib[l])));
+}
+
+/* What is wrong with a lane, 0: nothing. */
+static int32_t lane_reason(const cn_world *world, const look *q, const cni_contact_block *k, int32_t l, int32_t is_new)
+{
+	float deep = overlap(k, l);
+	if (deep > world->settings.accuracy)
+		return CN_TIER_REASON_OVERLAP;
+	if ((deep <= q->most && !is_new) || (!leans(world, k, l) && !may_be_stressed(world, k, l, q->h)))
+		return 0;
+	return deep > q->most ? CN_TIER_REASON_OVERLAP : CN_TIER_REASON_NEW_CONTACT;
+}
+
+/* Bit l: a point of lane l overlaps by more than most. Asked of every block. Lanes without a contact are zeros. */
+static uint32_t deep_lanes(const cni_contact_block *k, float most)
+{
+	uint32_t deep = 0;
+	int32_t l;
+#if CNI_HAS_WIDE_4
+	for (l = 0; l < CNI_LANES; l += 4)
+		deep |= cni_mask_bits(cni_wide_min(cni_wide_load(&k->p[0].s0[l]), cni_wide_load(&k->p[1].s0[l])) < cni_wide_of(-most)) << l;
+#else
+	for (l = 0; l < CNI_LANES; ++l)
+		deep |= (uint32_t)(cni_min(k->p[0].s0[l], k->p[1].s0[l]) < -most) << l;
+#endif
+	return deep;
+}
+
+/* Has it been found bad in this step, and left to the soft solver? Then more that is bad changes nothing. */
+static int32_t island_is_settled(const cn_world *world, int32_t island)
+{
+	const cni_island *i = cni_island_at(world, island);
+	return i->tier != CNI_TIER_DIRECT && i->looked_step == world->step_count + 1u;
+}
+
+static void lane_look(cn_world *world, look *q, const cni_contact_block *k, int32_t l, int32_t is_new)
+{
+	int32_t island = cni_awake_island(world, k->ia[l]), reason;
+	if (island == CNI_NONE)
+		return;
+	if (island_is_settled(world, island)) {
+		q->done = island;
+		return;
+	}
+	reason = lane_reason(world, q, k, l, is_new);
+	if (reason != 0)
+		island_is_bad(world, island, reason);
+}
+
+static void lane_look_new(cn_world *world, look *q, const cni_contact_block *k, int32_t l)
+{
+	int32_t is_new = lane_is_new(k, l, world->settings.slop);
+	if (is_new)
+		new_contact_count(world, k->ia[l]);
+	if (cni_awake_island(world, k->ia[l]) != q->done)
+		lane_look(world, q, k, l, is_new);
+}
+
+/* lanes: those that are deep or new, as bits. In a heap that moves nearly all are deep, and of the island that is done. */
+static void block_look(cn_world *world, look *q, const cni_listed_block *b, uint32_t lanes)
+{
+	const cni_contact_block *k = b->rows;
+	int32_t l;
+	for (l = 0; lanes >> l != 0; ++l) {
+		if (!(lanes >> l & 1u))
+			continue;
+		if (b->fresh >> l & 1u)
+			lane_look_new(world, q, k, l);
+		else if (cni_awake_island(world, k->ia[l]) != q->done)
+			lane_look(world, q, k, l, 0);
+	}
+}
+
+/* What could not be loaded from the top down in the last step. */
+static void unheld_look(cn_world *world)
+{
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		int32_t island = cni_awake_island(world, k);
+		if (island != CNI_NONE && cni_island_at(world, island)->unheld_step == world->step_count && world->step_count > 0)
+			island_is_bad(world, island, CN_TIER_REASON_NEW_CONTACT);
+	}
+}
+
+static void separations_prefetch(const cni_contact_block *k)
+{
+	CNI_PREFETCH(k->p[0].s0);
+	CNI_PREFETCH(k->p[1].s0);
+}
+
+static void impulses_prefetch(const cni_contact_block *k)
+{
+	CNI_PREFETCH(k->p[0].nm);
+	CNI_PREFETCH(k->p[1].nm);
+	CNI_PREFETCH(k->p[0].jn);
+	CNI_PREFETCH(k->p[1].jn);
+}
+
+/* Some blocks at once: what is asked of few comes while the others are looked at. */
+static void lanes_look(cn_world *world, float h)
+{
+	look q = { CNI_BAD_PART * world->settings.accuracy, h, CNI_NONE };
+	const cni_listed_block *list = (const cni_listed_block *)world->block_list.data;
+	uint32_t lanes[BLOCKS_AT_ONCE];
+	int32_t first, last, k, count = world->colors[CNI_COLORS - 1].listed + world->colors[CNI_COLORS - 1].listed_count;
+	for (first = 0; first < count; first = last) {
+		last = cni_min_i(first + BLOCKS_AT_ONCE, count);
+		for (k = first; k < last; ++k) {
+			if (k + BLOCKS_AT_ONCE < count)
+				separations_prefetch(list[k + BLOCKS_AT_ONCE].rows);
+			lanes[k - first] = list[k].fresh | deep_lanes(list[k].rows, q.most);
+			if (lanes[k - first] != 0)
+				CNI_PREFETCH(list[k].rows->ia);
+			if (list[k].fresh != 0)
+				impulses_prefetch(list[k].rows);
+		}
+		for (k = first; k < last; ++k)
+			block_look(world, &q, &list[k], lanes[k - first]);
+	}
+	if (world->piles_unheld)
+		unheld_look(world);
+	world->piles_unheld = 0;
+}
+
+/* Has it moved for so long, whatever impulses it could have, that it will? To let it fall exactly is not worth the work. */
+static int32_t falls(const cn_world *world, const cni_island *i)
+{
+	return i->solver != CN_SOLVER_DIRECT && i->gives_step == world->step_count && world->step_count > 0 && i->falls_steps >= FALLS_STEPS;
+}
+
+/* What leans on each other is not given back before it sleeps or moves: soft contacts yield, and it does not come back. */
+static void leaning_keep(cn_world *world, int32_t island, float h)
+{
+	cni_island *i = cni_island_at(world, island);
+	if (i->good_steps >= cni_max_i(i->stay_steps, STAY_FIRST) && i->good_steps <= STAY_MOST && i->solver != CN_SOLVER_SOFT &&
+	    !cni_island_has_joints(world, island) && cni_island_is_quiet(world, i) && !cni_pile_is_supported(world, island, h))
+		i->good_steps = 0;
+}
+
+/* Islands that have been good for long enough, have fallen asleep, or are no more. */
+static void list_update(cn_world *world, float h)
+{
+	int32_t k, kept = 0;
+	for (k = 0; k < world->direct_islands.count; ++k) {
+		int32_t island = listed(world)[k];
+		cni_island *i = cni_island_at(world, island);
+		if (i->first == CNI_NONE || i->tier != CNI_TIER_DIRECT)
+			continue;
+		if (!i->awake) {
+			i->tier = CNI_TIER_SOFT;
+			continue;
+		}
+		if (!takes_contacts(world, island)) { /* it met something with joints */
+			i->tier = CNI_TIER_SOFT;
+			i->reason = CN_TIER_REASON_JOINTED;
+			continue;
+		}
+		if (falls(world, i)) {
+			cni_island_refuse(world, island, CN_TIER_REASON_MOVING);
+			continue;
+		}
+		leaning_keep(world, island, h);
+		if (i->solver != CN_SOLVER_SOFT && i->good_steps <= STAY_MOST &&
+		    (i->good_steps++ < cni_max_i(i->stay_steps, STAY_FIRST) || i->solver == CN_SOLVER_DIRECT)) {
+			i->reason = CN_TIER_REASON_SETTLING;
+			listed(world)[kept++] = island;
+			continue;
+		}
+		i->tier = CNI_TIER_SOFT;
+		i->reason = i->good_steps > STAY_MOST ? CN_TIER_REASON_WORK : CN_TIER_REASON_NONE;
+		if (i->solver == CN_SOLVER_SOFT)
+			continue;
+		i->given_step = world->step_count;
+		if (i->reason == CN_TIER_REASON_NONE)
+			i->refused_steps = 0; /* it could be solved */
+		i->stay_steps = cni_min_i(STAY_FACTOR * cni_max_i(i->stay_steps, STAY_FIRST), STAY_MOST);
+	}
+	world->direct_islands.count = kept;
+}
+
+void cni_solver_selection_reset(cn_world *world)
+{
+	int32_t k;
+	for (k = 0; k < world->direct_islands.count; ++k)
+		cni_island_at(world, listed(world)[k])->tier = CNI_TIER_SOFT;
+	world->direct_islands.count = 0;
+	world->direct_work = world->direct_failed = 0;
+}
+
+static cni_island *awake_island(const cn_world *world, int32_t index)
+{
+	int32_t island = cni_awake_island(world, index);
+	return island != CNI_NONE ? cni_island_at(world, island) : NULL;
+}
+
+static void joint_solver_gather(cn_world *world, const cni_joint *j)
+{
+	int32_t side;
+	for (side = 0; side < 2; ++side) {
+		int32_t index = j->body[side] != CNI_NONE ? cni_body_at(world, j->body[side])->awake : 0;
+		cni_island *i = index != 0 ? awake_island(world, index) : NULL;
+		if (i == NULL)
+			continue;
+		i->joints_solver = CN_SOLVER_DIRECT;
+		world->solvers_asked = 1;
+	}
+}
+
+static void solvers_reset(const cn_world *world)
+{
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		cni_island *i = awake_island(world, k);
+		if (i != NULL)
+			i->solver = i->joints_solver = CN_SOLVER_AUTO;
+	}
+}
+
+/* What bodies and joints ask for, into their islands. Those that wake, and new ones, are asked for nothing yet. */
+static void solvers_gather(cn_world *world)
+{
+	int32_t k;
+	if (world->solvers_asked)
+		solvers_reset(world);
+	world->solvers_asked = 0;
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
+		if (j->solver == CN_SOLVER_DIRECT)
+			joint_solver_gather(world, j);
+	}
+	for (k = 1; k < world->awake_count; ++k) {
+		int32_t solver = cni_body_solver(cni_body_at(world, cni_awake_ids(world)[k]));
+		cni_island *i = solver != CN_SOLVER_AUTO ? awake_island(world, k) : NULL;
+		if (i == NULL)
+			continue;
+		world->solvers_asked = 1;
+		if (i->solver != CN_SOLVER_SOFT)
+			i->solver = solver;
+	}
+}
+
+/* Every island that is awake and takes contacts, or those with a body that asks for it; but none that a body keeps soft. */
+static void list_awake(cn_world *world, int32_t every)
+{
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		cni_island *i = awake_island(world, k);
+		if (i == NULL || i->tier == CNI_TIER_DIRECT || i->solver == CN_SOLVER_SOFT || (!every && i->solver != CN_SOLVER_DIRECT) ||
+		    i->looked_step == world->step_count + 1u)
+			continue;
+		i->looked_step = world->step_count + 1u;
+		if (!takes_contacts(world, cni_awake_island(world, k))) {
+			i->reason = CN_TIER_REASON_JOINTED;
+			continue;
+		}
+		island_take(world, cni_awake_island(world, k), every ? CN_TIER_REASON_SOLVER : CN_TIER_REASON_OVERRIDE);
+	}
+}
+
+void cni_stage_select_solvers(cn_world *world, float h)
+{
+	world->direct_work = world->direct_failed = world->piles_new = world->cone_work = 0;
+	if (world->overridden)
+		solvers_gather(world);
+	if (world->settings.solver == CN_SOLVER_DIRECT) {
+		cni_solver_selection_reset(world);
+		list_awake(world, 1);
+	} else if (world->settings.solver == CN_SOLVER_AUTO) {
+		list_update(world, h);
+		if (world->solvers_asked)
+			list_awake(world, 0);
+		lanes_look(world, h);
+	}
+}

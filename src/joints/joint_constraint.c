@@ -1,0 +1,329 @@
+/*
+ * joints/joint_constraint.c - the work item of an awake joint: body indices, anchors turned with the bodies, rows, for every type alike.
+ *
+ * A joint's rigid rows are solved together by the inverse of their K = J M^-1 J^T. Every other row is combined
+ * with as much of the rigid ones as keeps their speeds out of it (a Schur complement): the rigid rows and
+ * it then do not disturb each other, it meets the mass that really moves, a pinned bar's about its pin, and
+ * one pass solves both. Springs use exact discrete coefficients and act in the soft pass only; so do rigid
+ * rows and violated limits that have a stiffness of their own, by implicit coefficients.
+ *
+ * Anchors turn within the step, so rows are built anew once a substep (before relax; the next substep's solve
+ * starts from the same positions). Impulses already given acted along the old rows; the difference
+ * M^-1 (Jnew - Jold)^T impulse goes into start, which puts it into the next warm start.
+ *
+ * Reads records and motion; writes works, start, the records' impulses.
+ */
+#include "joints/joint_rows.h"
+#include "joints/joint_constraint.h"
+
+/* ---- masses ---- */
+
+/* Inverse of the symmetric K of one to three rows; a singular direction gives nothing. */
+CNI_INLINE void block_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv)
+{
+	if (count == 1) {
+		float k = cni_row_mass(r, r, a, b);
+		inv[0] = k > 0.0f ? 1.0f / k : 0.0f;
+	} else if (count == 2) {
+		float k00 = cni_row_mass(r, r, a, b), k01 = cni_row_mass(r, r + 1, a, b), k11 = cni_row_mass(r + 1, r + 1, a, b);
+		float det = k00 * k11 - k01 * k01;
+		float d = det > 0.0f ? 1.0f / det : 0.0f;
+		inv[0] = k11 * d;
+		inv[1] = -k01 * d;
+		inv[3] = k00 * d;
+	} else if (count == 3) {
+		float k00 = cni_row_mass(r, r, a, b), k01 = cni_row_mass(r, r + 1, a, b), k02 = cni_row_mass(r, r + 2, a, b);
+		float k11 = cni_row_mass(r + 1, r + 1, a, b), k12 = cni_row_mass(r + 1, r + 2, a, b), k22 = cni_row_mass(r + 2, r + 2, a, b);
+		float c00 = k11 * k22 - k12 * k12, c01 = k02 * k12 - k01 * k22, c02 = k01 * k12 - k02 * k11;
+		float det = k00 * c00 + k01 * c01 + k02 * c02;
+		float d = det > 0.0f ? 1.0f / det : 0.0f;
+		inv[0] = c00 * d;
+		inv[1] = c01 * d;
+		inv[2] = c02 * d;
+		inv[3] = (k00 * k22 - k02 * k02) * d;
+		inv[4] = (k01 * k02 - k00 * k12) * d;
+		inv[5] = (k00 * k11 - k01 * k01) * d;
+	}
+}
+
+void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv)
+{
+	block_invert(r, count, a, b, inv);
+}
+
+/* ---- frames ---- */
+
+/* The frame now: anchors turned, gap moved by the bodies' changes since the step began. */
+CNI_INLINE cni_joint_frame work_frame_turned(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b, cni_rot turn_a, cni_rot turn_b)
+{
+	cni_joint_frame f;
+	f.ra = cni_rotate(turn_a, w->start.ra);
+	f.rb = cni_rotate(turn_b, w->start.rb);
+	f.d.x = w->start.d.x + (b->dpx - a->dpx) + (f.rb.x - w->start.rb.x) - (f.ra.x - w->start.ra.x);
+	f.d.y = w->start.d.y + (b->dpy - a->dpy) + (f.rb.y - w->start.rb.y) - (f.ra.y - w->start.ra.y);
+	f.e = cni_v(0.0f, 0.0f);
+	if (w->flags & CNI_CONSTRAINT_GROUNDS) {
+		f.d = cni_add(w->start.d, cni_add(cni_v(a->dpx, a->dpy), cni_sub(f.ra, w->start.ra)));
+		f.e = cni_add(w->start.e, cni_add(cni_v(b->dpx, b->dpy), cni_sub(f.rb, w->start.rb)));
+	}
+	f.qa = cni_rot_mul(w->start.qa, turn_a);
+	f.angle = w->start.angle + (b->theta - w->start.ratio * a->theta);
+	f.ratio = w->start.ratio;
+	return f;
+}
+
+CNI_INLINE cni_joint_frame work_frame(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
+{
+	return work_frame_turned(w, a, b, cni_rot_small(a->theta), cni_rot_small(b->theta));
+}
+
+/* ---- rows ---- */
+
+/* out[i] = how much of rigid row i a row contains: -K_pp^-1 K_pr. */
+static void row_shares(const cni_joint_constraint *w, const cni_row *r, const cni_motion *a, const cni_motion *b, float *out)
+{
+	float k[CNI_JOINT_RIGID_ROWS];
+	int32_t i, l;
+	for (i = 0; i < w->rigid_count; ++i)
+		k[i] = cni_row_mass(&w->rows[i], r, a, b);
+	for (i = 0; i < w->rigid_count; ++i) {
+		out[i] = 0.0f;
+		for (l = 0; l < w->rigid_count; ++l)
+			out[i] -= w->numbers->inverse[cni_inverse_at(i, l)] * k[l];
+	}
+}
+
+static void row_add(cni_row *r, float share, const cni_row *rigid)
+{
+	r->ax += share * rigid->ax;
+	r->ay += share * rigid->ay;
+	r->aw += share * rigid->aw;
+	r->bx += share * rigid->bx;
+	r->by += share * rigid->by;
+	r->bw += share * rigid->bw;
+}
+
+/* Rigid rows that may give way, by their own stiffness or a bound on their force, must feel the other rows. */
+static int32_t work_is_decoupled(const cni_joint_constraint *w)
+{
+	return w->rigid_count > 0 && w->rigid_count < w->row_count && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED));
+}
+
+/* Takes the rigid rows out of row k; its error is that of the type's row: joints are nearly closed. */
+static void row_decouple(cni_joint_constraint *w, int32_t k, const cni_motion *a, const cni_motion *b)
+{
+	cni_row *r = &w->rows[k];
+	float share[CNI_JOINT_RIGID_ROWS];
+	int32_t i;
+	row_shares(w, r, a, b, share);
+	for (i = 0; i < w->rigid_count; ++i)
+		row_add(r, share[i], &w->rows[i]);
+}
+
+static int32_t rows_together(const cni_row *rows, int32_t count)
+{
+	int32_t k = 0;
+	while (k < count && (rows[k].kind == CNI_ROW_RIGID || rows[k].kind == CNI_ROW_DRIVE))
+		++k;
+	return k;
+}
+
+/* The same rows in the same order all through a step: rigid_count is found with the first ones. */
+void cni_joint_constraint_build(cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
+{
+	cni_joint_frame f = work_frame(w, a, b);
+	int32_t k;
+	w->row_count = w->make_rows(w->record, &f, w->rows);
+	if (w->rigid_count < 0)
+		w->rigid_count = rows_together(w->rows, w->row_count);
+	block_invert(w->rows, w->rigid_count, a, b, w->numbers->inverse);
+	for (k = w->rigid_count; k < w->row_count; ++k) {
+		float mass;
+		if (work_is_decoupled(w))
+			row_decouple(w, k, a, b);
+		mass = cni_row_mass(&w->rows[k], &w->rows[k], a, b);
+		w->numbers->single_mass[k] = mass > 0.0f ? 1.0f / mass : 0.0f;
+	}
+}
+
+void cni_joint_constraint_rows(cni_joint_constraint *w, const cni_motion *motions, const cni_rot *turns)
+{
+	cni_joint_frame f = work_frame_turned(w, motions + w->ia, motions + w->ib, turns[w->ia], turns[w->ib]);
+	(void)w->make_rows(w->record, &f, w->rows);
+}
+
+void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion *motions, float h, float *errors)
+{
+	cni_motion end[2] = { motions[w->ia], motions[w->ib] };
+	cni_row rows[CNI_JOINT_ROWS];
+	cni_joint_frame f;
+	int32_t k;
+	for (k = 0; k < 2; ++k) {
+		end[k].dpx += h * end[k].vx;
+		end[k].dpy += h * end[k].vy;
+		end[k].theta += h * end[k].w;
+	}
+	f = work_frame(w, &end[0], &end[1]);
+	(void)w->make_rows(w->record, &f, rows);
+	for (k = 0; k < w->rigid_count; ++k)
+		errors[k] = rows[k].error;
+}
+
+/* ---- from the record and back ---- */
+
+/* Impulses between the record, by the type's rows, and the work, by decoupled rows: sign +1 stores, -1 loads. */
+static void impulses_recouple(const cn_world *world, const cni_joint_constraint *w, float sign, float *impulse)
+{
+	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
+	cni_joint_frame f;
+	cni_row rows[CNI_JOINT_ROWS];
+	float share[CNI_JOINT_RIGID_ROWS];
+	int32_t i, k;
+	if ((w->flags & CNI_CONSTRAINT_WIDE) || !work_is_decoupled(w))
+		return;
+	f = work_frame(w, a, b);
+	w->make_rows(w->record, &f, rows);
+	for (k = w->rigid_count; k < w->row_count; ++k) {
+		row_shares(w, &rows[k], a, b, share);
+		for (i = 0; i < w->rigid_count; ++i)
+			impulse[i] += sign * share[i] * impulse[k];
+	}
+}
+
+static uint32_t work_flags(const cni_joint *j)
+{
+	uint32_t uses = cni_joint_type_of(j->type)->uses, flags = 0;
+	if (j->force_max > 0.0f || j->torque_max > 0.0f)
+		flags |= CNI_CONSTRAINT_BOUNDED;
+	if (j->break_force > 0.0f || j->break_torque > 0.0f)
+		flags |= CNI_CONSTRAINT_BREAKABLE;
+	if (uses & CNI_USES_GROUNDS)
+		flags |= CNI_CONSTRAINT_GROUNDS;
+	if (uses & CNI_USES_TURNS)
+		flags |= CNI_CONSTRAINT_TURNS;
+	if (j->stiffness_hertz > 0.0f || (uses & CNI_USES_DRIVE))
+		flags |= CNI_CONSTRAINT_SPRINGY;
+	if (j->inv_h == 0.0f)
+		flags |= CNI_CONSTRAINT_FRESH;
+	return flags;
+}
+
+/* Softness of the first rows and limits, and of the spring. */
+static void work_soften(cni_joint_constraint *w, const cni_joint *j, const cni_solve *s)
+{
+	int32_t r;
+	if (cni_joint_type_of(j->type)->uses & CNI_USES_DRIVE)
+		w->numbers->soft = cni_soft_exact(w->rows[0].hertz, w->rows[0].damping_ratio, s->h);
+	else if (j->stiffness_hertz > 0.0f)
+		w->numbers->soft = cni_soft_implicit(j->stiffness_hertz, j->stiffness_damping, s->h);
+	for (r = w->rigid_count; r < w->row_count; ++r) {
+		if (w->rows[r].kind == CNI_ROW_SPRING)
+			w->numbers->spring = cni_soft_exact(w->rows[r].hertz, w->rows[r].damping_ratio, s->h);
+		else if (w->rows[r].kind == CNI_ROW_SOFT)
+			w->numbers->spring = cni_soft_implicit(w->rows[r].hertz, w->rows[r].damping_ratio, s->h);
+	}
+}
+
+void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j)
+{
+	cni_joint_constraint *w = cni_joint_constraints(world) + k;
+	w->record = j;
+	w->make_rows = cni_joint_type_of(j->type)->rows;
+	w->numbers = cni_joint_numbers_of(world, k);
+	w->rows = w->numbers->rows;
+	w->joint = ((const int32_t *)world->awake_joints.data)[k];
+	w->lane = w->row_lane = CNI_NONE;
+	w->form = CNI_FORM_NONE;
+	w->inner = 0;
+	w->ia = j->body[0] == CNI_NONE ? 0 : cni_body_at(world, j->body[0])->awake;
+	w->ib = j->body[1] == CNI_NONE ? 0 : cni_body_at(world, j->body[1])->awake;
+	w->flags = work_flags(j);
+	w->start = cni_joint_frame_place(world, j);
+}
+
+void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_constraint *w)
+{
+	const cni_joint *j = w->record;
+	float impulse[CNI_JOINT_ROWS];
+	int32_t r;
+	w->rigid_count = -1;
+	cni_joint_constraint_build(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
+	work_soften(w, j, s);
+	if (w->flags & CNI_CONSTRAINT_BOUNDED) {
+		w->numbers->force_max = j->force_max > 0.0f ? j->force_max : FLT_MAX;
+		w->numbers->torque_max = j->torque_max > 0.0f ? j->torque_max : FLT_MAX;
+	}
+	if (w->flags & CNI_CONSTRAINT_BREAKABLE)
+		w->numbers->force_stress = w->numbers->torque_stress = 0.0f;
+	for (r = 0; r < w->row_count; ++r)
+		impulse[r] = j->impulse[w->rows[r].slot];
+	impulses_recouple(world, w, -1.0f, impulse);
+	for (r = 0; r < w->row_count; ++r)
+		w->rows[r].impulse = impulse[r];
+}
+
+void cni_joint_constraint_prepare(cn_world *world, const cni_solve *s, int32_t k)
+{
+	cni_joint_constraint *w = cni_joint_constraints(world) + k;
+	cni_joint_constraint_begin(world, k, cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]));
+	w->start.angle = cni_joint_frame_angle(world, w->record);
+	cni_joint_rows_begin(world, s, w);
+}
+
+void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cni_joint *j)
+{
+	float impulse[CNI_JOINT_ROWS];
+	int32_t r;
+	for (r = 0; r < w->row_count; ++r)
+		impulse[r] = w->rows[r].impulse;
+	impulses_recouple(world, w, 1.0f, impulse);
+	for (r = 0; r < CNI_JOINT_ROWS; ++r)
+		j->impulse[r] = 0.0f;
+	for (r = 0; r < w->row_count; ++r)
+		j->impulse[w->rows[r].slot] = impulse[r];
+	cni_joint_keep_finite(j);
+}
+
+/* ---- within the step ---- */
+
+static int32_t row_turned_back(const cni_row *r, const cni_row *old)
+{
+	return r->bx * old->bx + r->by * old->by + r->bw * old->bw + r->ax * old->ax + r->ay * old->ay + r->aw * old->aw < 0.0f;
+}
+
+void cni_joint_rows_renew(cn_world *world, cni_joint_constraint *w)
+{
+	cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
+	cni_motion change_a = *a, change_b = *b;
+	cni_velocity_start *sa = cni_starts(world) + w->ia, *sb = cni_starts(world) + w->ib;
+	cni_row old[CNI_JOINT_ROWS];
+	int32_t k;
+	for (k = 0; k < w->row_count; ++k)
+		old[k] = w->rows[k];
+	cni_joint_constraint_build(w, a, b);
+	change_a.vx = change_a.vy = change_a.w = 0.0f;
+	change_b.vx = change_b.vy = change_b.w = 0.0f;
+	for (k = 0; k < w->row_count; ++k) {
+		float impulse = old[k].impulse;
+		cni_row_push(&old[k], -impulse, &change_a, &change_b);
+		if (row_turned_back(&w->rows[k], &old[k]))
+			impulse = 0.0f; /* the limit changed sides */
+		w->rows[k].impulse = impulse;
+		cni_row_push(&w->rows[k], impulse, &change_a, &change_b);
+	}
+	sa->vx -= change_a.vx;
+	sa->vy -= change_a.vy;
+	sa->w -= change_a.w;
+	sb->vx -= change_b.vx;
+	sb->vy -= change_b.vy;
+	sb->w -= change_b.w;
+}
+
+void cni_joint_constraint_stress(cni_joint_constraint *w, const cni_motion *b, float inv_h)
+{
+	cni_vec2 rb = cni_rotate(cni_rot_small(b->theta), w->start.rb), linear;
+	float angular;
+	cni_rows_impulse(w->rows, w->row_count, rb, &linear, &angular);
+	w->numbers->force_stress = cni_max(w->numbers->force_stress, cni_length(linear) * inv_h);
+	w->numbers->torque_stress = cni_max(w->numbers->torque_stress, cni_abs(angular) * inv_h);
+}

@@ -1,0 +1,48 @@
+/*
+ * joints/joint_distance.c - two points keep a distance: rigid rod, spring, or rope with limits.
+ *
+ * p: length, min, max, motor speed, motor force max, hertz, damping ratio.
+ * Impulse slots: 0 rod; 1 spring; 2 motor; 3 limit.
+ */
+#include "joints/joint_row.h"
+
+/* d/dt |d| = axis . (vb + wb x rb - va - wa x ra); coinciding points take an arbitrary fixed axis. */
+static cni_row axis_row(const cni_joint_frame *f, uint8_t kind, uint8_t slot, float sign, float *out_length)
+{
+	float length = cni_length(f->d);
+	cni_vec2 axis = length > 1e-9f ? cni_mul(1.0f / length, f->d) : cni_v(1.0f, 0.0f);
+	*out_length = length;
+	return cni_row_along(f, axis, f->ra, kind, slot, sign);
+}
+
+static int32_t distance_rows(const cni_joint *j, const cni_joint_frame *f, cni_row *rows)
+{
+	int32_t count = 0;
+	float length;
+	if (!(j->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT))) {
+		rows[0] = axis_row(f, CNI_ROW_RIGID, 0, 1.0f, &length);
+		rows[0].error = length - j->p[CNI_P_LENGTH];
+		return 1;
+	}
+	if (j->flags & CN_JOINT_SPRING) {
+		cni_row r = axis_row(f, CNI_ROW_SPRING, 1, 1.0f, &length);
+		rows[count++] = cni_row_spring(r, length - j->p[CNI_P_LENGTH], j->p[CNI_P_DISTANCE_HERTZ], j->p[CNI_P_DISTANCE_DAMPING]);
+	}
+	if (j->flags & CN_JOINT_MOTOR)
+		rows[count++] = cni_row_motor(axis_row(f, CNI_ROW_MOTOR, 2, 1.0f, &length), j);
+	if (j->flags & CN_JOINT_LIMIT) {
+		float room, sign = cni_limit_side(cni_length(f->d), j->p[CNI_P_LOWER], j->p[CNI_P_UPPER], &room);
+		rows[count] = axis_row(f, CNI_ROW_LIMIT, 3, sign, &length);
+		rows[count++].error = room;
+	}
+	return count;
+}
+
+static cni_row distance_speed_row(const cni_joint *j, const cni_joint_frame *f)
+{
+	float length;
+	(void)j;
+	return axis_row(f, CNI_ROW_MOTOR, 2, 1.0f, &length);
+}
+
+const cni_joint_type cni_joint_distance = { distance_rows, cni_joint_position_distance, distance_speed_row, 0 };

@@ -1,0 +1,289 @@
+/*
+ * joints/joint_kernel.h - the kernel of joints of one instruction set: included by the kernels that use it, which
+ * define CNI_WIDTH and CNI_KERNEL (the name of the table they fill). Results do not depend on the width.
+ *
+ * Here are the formulas of revolute joints. joint_passes_kernel.h has their passes, joint_rows_kernel.h lanes of other joints' rows,
+ * direct/batched_trees_kernel.h batches of trees of them.
+ *
+ * With the letters of joints/joint_pass.h, the pin's velocity is
+ *   v = (vb + wb x rb) - (va + wa x ra)         K = sum of m + I^-1 terms, det K without cancellation:
+ *   det = M (M + ia ra^2 + ib rb^2) + ia ib (ra x rb)^2,   M = ma + mb
+ * A torque t between the bodies comes with the impulse s t at the pin, s = -K^-1 k, that keeps it from disturbing v: it
+ * meets the mass 1 / k_s that really moves, and the pin is solved at the same time.
+ *
+ * Arms turn once a substep, in the relaxing pass. Impulses already given acted along the old arms: what the difference
+ * gives the bodies' spin goes into start, which puts it into the next warm start.
+ *
+ * Reads motion and block rows; writes motion velocities, start, and arms, errors and impulses of the block.
+ */
+#include "base/wide.h"
+#include "joints/joint_pass.h"
+
+#define MOTION_FLOATS ((int32_t)(sizeof(cni_motion) / sizeof(float)))
+#define START_FLOATS ((int32_t)(sizeof(cni_velocity_start) / sizeof(float)))
+
+/* The bodies on one side of CNI_WIDTH lanes. */
+typedef struct side {
+	cni_wide vx, vy, w, m, i;
+} side;
+
+CNI_INLINE void side_gather(const cni_motion *motions, const int32_t *index, const float *inertia, side *out)
+{
+	cni_wide_gather4((const float *)(const void *)motions, MOTION_FLOATS, index, &out->vx, &out->vy, &out->w, &out->m);
+	out->i = cni_wide_load(inertia);
+}
+
+/* Records of four floats in the lanes that move, as bits. What cannot move may be in many lanes of a colour at once: who
+   writes it, even as it was, would be in the way of other workers. */
+CNI_INLINE void moving_scatter(float *base, int32_t stride, const int32_t *index, uint32_t moves, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
+{
+	const uint32_t all = (1u << CNI_WIDTH) - 1u;
+	if ((moves & all) == all)
+		cni_wide_scatter4(base, stride, index, a, b, c, d);
+	else
+		cni_wide_scatter4_where(base, stride, index, moves, a, b, c, d);
+}
+
+CNI_INLINE void side_scatter(cni_motion *motions, const int32_t *index, uint32_t moves, const side *a)
+{
+	moving_scatter((float *)(void *)motions, MOTION_FLOATS, index, moves, a->vx, a->vy, a->w, a->m);
+}
+
+typedef struct arms {
+	cni_wide ax, ay, bx, by;
+} arms;
+
+CNI_INLINE arms arms_load(const cni_joint_block *k, int32_t l)
+{
+	arms r;
+	r.ax = cni_wide_load(k->ax + l);
+	r.ay = cni_wide_load(k->ay + l);
+	r.bx = cni_wide_load(k->bx + l);
+	r.by = cni_wide_load(k->by + l);
+	return r;
+}
+
+/* Impulse q at the pin and torque t between the bodies, both as body b feels them. */
+CNI_INLINE void push(side *a, side *b, const arms *r, cni_wide qx, cni_wide qy, cni_wide t)
+{
+	a->vx -= a->m * qx;
+	a->vy -= a->m * qy;
+	a->w -= a->i * (r->ax * qy - r->ay * qx + t);
+	b->vx += b->m * qx;
+	b->vy += b->m * qy;
+	b->w += b->i * (r->bx * qy - r->by * qx + t);
+}
+
+/* What the lanes' bodies and arms make of a pin. */
+typedef struct pin {
+	cni_wide m;             /* M */
+	cni_wide vx, vy;
+	cni_wide i00, i01, i11; /* K^-1; 0 where nothing moves */
+} pin;
+
+CNI_INLINE pin pin_make(const side *a, const side *b, const arms *r)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	cni_wide across = r->ax * r->by - r->ay * r->bx, aa = r->ax * r->ax + r->ay * r->ay, bb = r->bx * r->bx + r->by * r->by, det, d;
+	pin p;
+	p.m = a->m + b->m;
+	p.vx = (b->vx - b->w * r->by) - (a->vx - a->w * r->ay);
+	p.vy = (b->vy + b->w * r->bx) - (a->vy + a->w * r->ax);
+	det = p.m * (p.m + a->i * aa + b->i * bb) + a->i * b->i * (across * across);
+	d = cni_wide_select(det > zero, 1.0f / det, zero);
+	p.i00 = (p.m + a->i * (r->ax * r->ax) + b->i * (r->bx * r->bx)) * d;
+	p.i01 = (a->i * (r->ax * r->ay) + b->i * (r->bx * r->by)) * d;
+	p.i11 = (p.m + a->i * (r->ay * r->ay) + b->i * (r->by * r->by)) * d;
+	return p;
+}
+
+/* The turning of b against a, with the pin kept out of it. */
+typedef struct hinge {
+	cni_wide sx, sy; /* s */
+	cni_wide k;      /* k_s */
+	cni_wide mass;
+	cni_wide w;      /* speed, brought up to date with every impulse */
+	cni_wide t;      /* torque impulses given so far in this pass */
+} hinge;
+
+CNI_INLINE hinge hinge_make(const side *a, const side *b, const arms *r, const pin *p)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	cni_wide kx = a->i * r->ay + b->i * r->by, ky = a->i * r->ax + b->i * r->bx, aw, bw;
+	hinge g;
+	g.sx = p->i00 * kx - p->i01 * ky;
+	g.sy = p->i01 * kx - p->i11 * ky;
+	aw = 1.0f + r->ax * g.sy - r->ay * g.sx;
+	bw = 1.0f + r->bx * g.sy - r->by * g.sx;
+	g.k = p->m * (g.sx * g.sx + g.sy * g.sy) + a->i * (aw * aw) + b->i * (bw * bw);
+	g.mass = cni_wide_select(g.k > zero, 1.0f / g.k, zero);
+	g.w = (b->w - a->w) + g.sx * p->vx + g.sy * p->vy;
+	g.t = zero;
+	return g;
+}
+
+CNI_INLINE void hinge_turn(hinge *g, cni_wide dj)
+{
+	g->w += g->k * dj;
+	g->t += dj;
+}
+
+CNI_INLINE void solve_spring(cni_joint_block *k, int32_t l, hinge *g)
+{
+	cni_wide old = cni_wide_load(k->spring_j + l), error = cni_wide_load(k->angle + l) - cni_wide_load(k->rest + l);
+	cni_wide want = cni_wide_load(k->spring_mass + l) * g->w + cni_wide_load(k->spring_bias + l) * error;
+	cni_wide dj = -(g->mass * want) - cni_wide_load(k->spring_give + l) * old;
+	cni_wide_store(k->spring_j + l, old + dj);
+	hinge_turn(g, dj);
+}
+
+CNI_INLINE void solve_motor(cni_joint_block *k, int32_t l, hinge *g, float h)
+{
+	cni_wide old = cni_wide_load(k->motor_j + l), most = cni_wide_load(k->torque + l) * h;
+	cni_wide impulse = cni_wide_min(cni_wide_max(old - g->mass * (g->w - cni_wide_load(k->speed + l)), -most), most);
+	cni_wide_store(k->motor_j + l, impulse);
+	hinge_turn(g, impulse - old);
+}
+
+/* One end of the limits, whose impulse is >= 0. Room that is left bounds the speed (speculative); beyond it is soft. */
+CNI_INLINE cni_wide limit_impulse(cni_wide old, cni_wide room, cni_wide speed, cni_wide mass, const cni_joint_pass *pass, int32_t bias)
+{
+	const cni_wide zero = cni_wide_of(0.0f), one = cni_wide_of(1.0f);
+	cni_mask open = room > zero;
+	cni_wide scale = bias ? cni_wide_select(open, one, cni_wide_of(pass->soft.mass_scale)) : one;
+	cni_wide keep = bias ? cni_wide_select(open, one, cni_wide_of(1.0f - pass->soft.impulse_scale)) : one;
+	cni_wide rest = cni_wide_select(open, room * pass->inv_h, bias ? room * pass->soft.bias_scale : zero);
+	return cni_wide_max(keep * old - mass * (scale * speed + rest), zero);
+}
+
+CNI_INLINE void solve_limits(cni_joint_block *k, int32_t l, hinge *g, const cni_joint_pass *pass, int32_t bias)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	cni_wide old = cni_wide_load(k->limit_j + l), angle = cni_wide_load(k->angle + l);
+	cni_wide old_lower = cni_wide_max(old, zero), old_upper = cni_wide_max(-old, zero), lower, upper;
+	lower = limit_impulse(old_lower, angle - cni_wide_load(k->lower + l), g->w, g->mass, pass, bias);
+	hinge_turn(g, lower - old_lower);
+	upper = limit_impulse(old_upper, cni_wide_load(k->upper + l) - angle, -g->w, g->mass, pass, bias);
+	hinge_turn(g, old_upper - upper);
+	cni_wide_store(k->limit_j + l, lower - upper);
+}
+
+/* All that acts on the angle now. */
+CNI_INLINE cni_wide torque_of(const cni_joint_block *k, int32_t l)
+{
+	return cni_wide_load(k->spring_j + l) + cni_wide_load(k->motor_j + l) + cni_wide_load(k->limit_j + l);
+}
+
+/* Velocities and angular impulses of a group, its arms and errors being what they are; what the pins' impulses change by
+   goes to *dx and *dy. pins 0: all of them are solved directly. */
+CNI_INLINE void solve_group(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t angular, int32_t pins, cni_wide *dx, cni_wide *dy)
+{
+	const cni_wide zero = cni_wide_of(0.0f);
+	cni_wide around_x = zero, around_y = zero, x, y, qx = zero, qy = zero, t = zero;
+	pin p = pin_make(a, b, r);
+	hinge g;
+	if (angular) {
+		g = hinge_make(a, b, r, &p);
+		if (bias) {
+			if (pins) {
+				cni_wide torque = torque_of(k, l);
+				around_x = g.sx * torque;
+				around_y = g.sy * torque;
+			}
+			solve_spring(k, l, &g);
+		}
+		solve_motor(k, l, &g, pass->h);
+		solve_limits(k, l, &g, pass, bias);
+		t = g.t;
+	}
+	if (pins) {
+		cni_mask direct = cni_mask_of_bits(k->direct >> l);
+		if (bias) {
+			x = pass->soft.mass_scale * p.vx + pass->soft.bias_scale * cni_wide_load(k->ex + l);
+			y = pass->soft.mass_scale * p.vy + pass->soft.bias_scale * cni_wide_load(k->ey + l);
+			qx = -(p.i00 * x + p.i01 * y) - pass->soft.impulse_scale * (cni_wide_load(k->jx + l) - around_x);
+			qy = -(p.i01 * x + p.i11 * y) - pass->soft.impulse_scale * (cni_wide_load(k->jy + l) - around_y);
+		} else {
+			qx = -(p.i00 * p.vx + p.i01 * p.vy);
+			qy = -(p.i01 * p.vx + p.i11 * p.vy);
+		}
+		qx = cni_wide_select(direct, zero, qx);
+		qy = cni_wide_select(direct, zero, qy);
+	}
+	if (angular) {
+		qx += g.sx * t;
+		qy += g.sy * t;
+	}
+	push(a, b, r, qx, qy, t);
+	*dx = qx;
+	*dy = qy;
+}
+
+CNI_INLINE void impulse_add(float *impulse, cni_wide change)
+{
+	cni_wide_store(impulse, cni_wide_load(impulse) + change);
+}
+
+/* ---- new positions ---- */
+
+/* Where one side's bodies have gone since the step began. */
+typedef struct place {
+	cni_wide x, y, theta;
+	cni_wide s, c1; /* sin and cos - 1 of theta */
+} place;
+
+/* Half of the angle by series (to degrees 7 and 6), then doubled: right to 1e-7 up to a radian, to 1e-4 up to two.
+   Joints of bodies that are faster than that are not in lanes. */
+CNI_INLINE void turn_series(cni_wide theta, cni_wide *out_s, cni_wide *out_c1)
+{
+	cni_wide half = cni_wide_min(cni_wide_max(theta * 0.5f, cni_wide_of(-1.5f)), cni_wide_of(1.5f)), u = half * half, s, c1;
+	s = half * (1.0f - u * (1.0f / 6.0f - u * (1.0f / 120.0f - u * (1.0f / 5040.0f))));
+	c1 = -u * (0.5f - u * (1.0f / 24.0f - u * (1.0f / 720.0f)));
+	*out_s = 2.0f * (s + s * c1);
+	*out_c1 = -2.0f * (s * s);
+}
+
+CNI_INLINE place place_gather(const cni_motion *motions, const int32_t *index)
+{
+	cni_wide inertia;
+	place p;
+	cni_wide_gather4((const float *)(const void *)motions + 4, MOTION_FLOATS, index, &p.x, &p.y, &p.theta, &inertia);
+	turn_series(p.theta, &p.s, &p.c1);
+	return p;
+}
+
+/* The pins' error and angle at the new positions, and the new arms. */
+CNI_INLINE arms arms_renew(const place *at_a, const place *at_b, cni_joint_block *k, int32_t l, int32_t angular)
+{
+	const place a = *at_a, b = *at_b;
+	cni_wide ax0 = cni_wide_load(k->ax0 + l), ay0 = cni_wide_load(k->ay0 + l), bx0 = cni_wide_load(k->bx0 + l), by0 = cni_wide_load(k->by0 + l);
+	cni_wide ax = a.c1 * ax0 - a.s * ay0, ay = a.c1 * ay0 + a.s * ax0, bx = b.c1 * bx0 - b.s * by0, by = b.c1 * by0 + b.s * bx0;
+	arms r;
+	cni_wide_store(k->ex + l, cni_wide_load(k->dx0 + l) + ((b.x - a.x) + (bx - ax)));
+	cni_wide_store(k->ey + l, cni_wide_load(k->dy0 + l) + ((b.y - a.y) + (by - ay)));
+	if (angular)
+		cni_wide_store(k->angle + l, cni_wide_load(k->angle0 + l) + (b.theta - a.theta));
+	r.ax = ax0 + ax;
+	r.ay = ay0 + ay;
+	r.bx = bx0 + bx;
+	r.by = by0 + by;
+	cni_wide_store(k->ax + l, r.ax);
+	cni_wide_store(k->ay + l, r.ay);
+	cni_wide_store(k->bx + l, r.bx);
+	cni_wide_store(k->by + l, r.by);
+	return r;
+}
+
+CNI_INLINE void start_turn(cni_velocity_start *starts, const int32_t *index, uint32_t moves, cni_wide spin)
+{
+	cni_wide vx, vy, w, jumped;
+	cni_wide_gather4((const float *)(const void *)starts, START_FLOATS, index, &vx, &vy, &w, &jumped);
+	moving_scatter((float *)(void *)starts, START_FLOATS, index, moves, vx, vy, w - spin, jumped);
+}
+
+CNI_INLINE cni_wide warmed(float *impulse, float scale)
+{
+	cni_wide j = cni_wide_load(impulse) * scale;
+	cni_wide_store(impulse, j);
+	return j;
+}

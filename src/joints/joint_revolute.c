@@ -1,0 +1,24 @@
+/*
+ * joints/joint_revolute.c - two bodies share a point; spring, motor and limit act on the angle.
+ *
+ * p: reference, lower, upper, motor speed, motor torque max, spring target, hertz, damping ratio.
+ * Impulse slots: 0, 1 point (x, y); 2 spring; 3 motor; 4 limit. joints/joint_kernel.h solves the same without rows.
+ */
+#include "joints/joint_row.h"
+
+static int32_t revolute_rows(const cni_joint *j, const cni_joint_frame *f, cni_row *rows)
+{
+	int32_t count = 2;
+	cni_rows_point(f, f->ra, f->d, CNI_ROW_RIGID, rows);
+	if (j->flags & CN_JOINT_SPRING) {
+		cni_row r = cni_row_angular(CNI_ROW_SPRING, CNI_REVOLUTE_SPRING, 1.0f, 1.0f);
+		rows[count++] = cni_row_spring(r, f->angle - j->p[CNI_P_REVOLUTE_TARGET], j->p[CNI_P_REVOLUTE_HERTZ], j->p[CNI_P_REVOLUTE_DAMPING]);
+	}
+	if (j->flags & CN_JOINT_MOTOR)
+		rows[count++] = cni_row_motor(cni_row_angular(CNI_ROW_MOTOR, CNI_REVOLUTE_MOTOR, 1.0f, 1.0f), j);
+	if (j->flags & CN_JOINT_LIMIT)
+		rows[count++] = cni_row_limit_angle(j, f->angle, CNI_REVOLUTE_LIMIT);
+	return count;
+}
+
+const cni_joint_type cni_joint_revolute = { revolute_rows, cni_joint_position_angle, cni_joint_speed_angle, CNI_USES_ANGLE | CNI_USES_REFERENCE };

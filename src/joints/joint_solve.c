@@ -1,0 +1,317 @@
+/*
+ * joints/joint_solve.c - joints in the soft step: rows (joints/joint_constraint.c) to impulses, for every type alike. Those that are
+ * solved many at once are in lanes: joints/joint_blocks.c, joint_rows.c, whose sums are the same as here.
+ *
+ * Bounds on force and torque clamp the total impulse of the first rows: the vector of the linear ones and the
+ * angular one. When only one of the two is clamped the other is solved again with that known (projected
+ * block Gauss-Seidel), so that a weld at its force limit still holds its angle.
+ *
+ * Reads records and motion, writes motion velocities, the records' turns; breaks joints
+ * whose largest reaction within the step was beyond their threshold.
+ */
+#include "joints/joints.h"
+#include "joints/joint_pass.h"
+
+#define PREFETCH_AHEAD 8 /* joints */
+#define JOINTS_A_RANGE 256
+
+/* ---- as a step begins ---- */
+
+typedef struct prepare_loop {
+	cn_world *world;
+	const cni_solve *s;
+	uint32_t filled, missed, special; /* lanes filled again; 1: some were not; 1: some are special, struct cni_lanes_look */
+} prepare_loop;
+
+static void prepare_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	prepare_loop *loop = (prepare_loop *)context;
+	cn_world *world = loop->world;
+	struct cni_lanes_look look = { { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, world->joint_lanes.lanes > 0, 0, 0 };
+	int32_t k, ahead = cni_joints_are_far(world) ? PREFETCH_AHEAD : world->awake_joints.count;
+	(void)worker;
+	for (k = begin; k < end; ++k) {
+		if (k + ahead < end)
+			cni_joint_prefetch(cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k + ahead]));
+		if (!cni_joint_constraint_widen(world, loop->s, &look, k))
+			cni_joint_constraint_prepare(world, loop->s, k);
+	}
+	cni_atomic_add(&loop->filled, (uint32_t)look.filled);
+	if (!look.kept)
+		cni_atomic_put(&loop->missed, 1);
+	if (look.special)
+		cni_atomic_put(&loop->special, 1);
+}
+
+void cni_joints_prepare(cn_world *world, const cni_solve *s)
+{
+	prepare_loop loop = { world, s, 0, 0, 0 };
+	cni_joint_blocks_begin(world);
+	cni_parallel_for(world, world->awake_joints.count, JOINTS_A_RANGE, prepare_range, &loop);
+	world->joint_lanes.filled = (int32_t)loop.filled;
+	world->joint_lanes.special = (int32_t)loop.special;
+	if (loop.missed)
+		world->joint_lanes.lanes = 0;
+}
+
+void cni_joints_warm_start(cn_world *world, const cni_solve *s)
+{
+	int32_t k, r;
+	cni_joint_constraint *w;
+	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
+		w = cni_joint_constraints(world) + k;
+		for (r = 0; r < w->row_count; ++r) {
+			w->rows[r].impulse *= s->warm_scale;
+			cni_row_push(&w->rows[r], w->rows[r].impulse, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
+		}
+	}
+	cni_joint_blocks_warm(world, s);
+}
+
+/* ---- impulses ---- */
+
+/* What count rows that are solved together ask for. */
+CNI_INLINE void block_solve(const cni_row *rows, int32_t count, const float *inverse, const cni_motion *a, const cni_motion *b, const cni_soft *soft, float *dj)
+{
+	float rhs[CNI_JOINT_RIGID_ROWS];
+	int32_t i, k;
+	for (i = 0; i < count; ++i)
+		rhs[i] = soft->mass_scale * cni_row_speed(&rows[i], a, b) + soft->bias_scale * rows[i].error;
+	for (i = 0; i < count; ++i) {
+		dj[i] = -soft->impulse_scale * rows[i].impulse;
+		for (k = 0; k < count; ++k)
+			dj[i] -= inverse[cni_inverse_at(i, k)] * rhs[k];
+	}
+}
+
+CNI_INLINE void block_push(cni_row *rows, int32_t count, const float *dj, cni_motion *a, cni_motion *b)
+{
+	int32_t i;
+	for (i = 0; i < count; ++i) {
+		rows[i].impulse += dj[i];
+		cni_row_push(&rows[i], dj[i], a, b);
+	}
+}
+
+/* Keeps the length of the rows' total impulse within most. Returns 1 when it had to. */
+static int32_t block_clamp(const cni_row *rows, int32_t count, float most, float *dj)
+{
+	float sum_sq = 0.0f, scale;
+	int32_t i;
+	for (i = 0; i < count; ++i)
+		sum_sq += (rows[i].impulse + dj[i]) * (rows[i].impulse + dj[i]);
+	if (sum_sq <= most * most)
+		return 0;
+	scale = most / cni_sqrt(sum_sq);
+	for (i = 0; i < count; ++i)
+		dj[i] = scale * (rows[i].impulse + dj[i]) - rows[i].impulse;
+	return 1;
+}
+
+/* Solves some of the first rows alone, the others being given. */
+static void solve_part(cni_row *rows, int32_t count, float most, cni_motion *a, cni_motion *b, const cni_soft *soft)
+{
+	float inverse[6], dj[CNI_JOINT_RIGID_ROWS];
+	cni_rows_invert(rows, count, a, b, inverse);
+	block_solve(rows, count, inverse, a, b, soft, dj);
+	block_clamp(rows, count, most, dj);
+	block_push(rows, count, dj, a, b);
+}
+
+static void solve_bounded(cni_joint_constraint *w, cni_motion *a, cni_motion *b, const cni_soft *soft, float h)
+{
+	float most_linear = w->numbers->force_max * h, most_angular = w->numbers->torque_max * h, dj[CNI_JOINT_RIGID_ROWS];
+	int32_t linear = 0, angular, over_linear, over_angular;
+	while (linear < w->rigid_count && !w->rows[linear].angular)
+		++linear;
+	angular = w->rigid_count - linear;
+	block_solve(w->rows, w->rigid_count, w->numbers->inverse, a, b, soft, dj);
+	over_linear = block_clamp(w->rows, linear, most_linear, dj);
+	over_angular = block_clamp(w->rows + linear, angular, most_angular, dj + linear);
+	if (over_linear && !over_angular && angular > 0) {
+		block_push(w->rows, linear, dj, a, b);
+		solve_part(w->rows + linear, angular, most_angular, a, b, soft);
+	} else if (over_angular && !over_linear && linear > 0) {
+		block_push(w->rows + linear, angular, dj + linear, a, b);
+		solve_part(w->rows, linear, most_linear, a, b, soft);
+	} else {
+		block_push(w->rows, w->rigid_count, dj, a, b);
+	}
+}
+
+static void solve_rigid(cni_joint_constraint *w, cni_motion *a, cni_motion *b, const cni_soft *soft, float h)
+{
+	float dj[CNI_JOINT_RIGID_ROWS];
+	if (w->flags & CNI_CONSTRAINT_BOUNDED) {
+		solve_bounded(w, a, b, soft, h);
+	} else if (w->rigid_count == 2) { /* the same with a count known to the compiler */
+		block_solve(w->rows, 2, w->numbers->inverse, a, b, soft, dj);
+		block_push(w->rows, 2, dj, a, b);
+	} else {
+		block_solve(w->rows, w->rigid_count, w->numbers->inverse, a, b, soft, dj);
+		block_push(w->rows, w->rigid_count, dj, a, b);
+	}
+}
+
+/* A soft row keeps within its limit; a spring has none. */
+static void solve_spring(cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_soft *soft, float h)
+{
+	float dj = -mass * (soft->mass_scale * cni_row_speed(r, a, b) + soft->bias_scale * r->error) - soft->impulse_scale * r->impulse;
+	if (r->limit > 0.0f)
+		dj = cni_clamp(r->impulse + dj, -r->limit * h, r->limit * h) - r->impulse;
+	r->impulse += dj;
+	cni_row_push(r, dj, a, b);
+}
+
+static void solve_motor(cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_solve *s)
+{
+	float most = r->limit * s->h, old = r->impulse;
+	r->impulse = cni_clamp(old - mass * (cni_row_speed(r, a, b) - r->target), -most, most);
+	cni_row_push(r, r->impulse - old, a, b);
+}
+
+/* Room that is left bounds the speed (speculative); beyond the limit it is soft. */
+static void solve_limit(const cni_joint_constraint *w, cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_solve *s, int32_t bias)
+{
+	const cni_soft *soft = (w->flags & CNI_CONSTRAINT_SPRINGY) ? &w->numbers->soft : &s->joint;
+	float speed, old = r->impulse, impulse;
+	if (!bias && r->error <= 0.0f && (w->flags & CNI_CONSTRAINT_SPRINGY))
+		return;
+	speed = cni_row_speed(r, a, b);
+	if (r->error > 0.0f)
+		impulse = old - mass * (speed + r->error * s->inv_h);
+	else if (bias)
+		impulse = (1.0f - soft->impulse_scale) * old - mass * (soft->mass_scale * speed + soft->bias_scale * r->error);
+	else
+		impulse = old - mass * speed;
+	r->impulse = cni_max(impulse, 0.0f);
+	if (w->flags & CNI_CONSTRAINT_BOUNDED)
+		r->impulse = cni_min(r->impulse, (r->angular ? w->numbers->torque_max : w->numbers->force_max) * s->h);
+	cni_row_push(r, r->impulse - old, a, b);
+}
+
+static void solve_work(cni_joint_constraint *w, cni_motion *motions, const cni_solve *s, int32_t bias)
+{
+	static const cni_soft rigid = { 1.0f, 0.0f, 0.0f };
+	cni_motion *a = motions + w->ia, *b = motions + w->ib;
+	int32_t k;
+	for (k = w->rigid_count; k < w->row_count; ++k) {
+		cni_row *r = &w->rows[k];
+		if (w->inner > 0 && k == w->inner)
+			continue;
+		if (r->kind == CNI_ROW_MOTOR)
+			solve_motor(r, w->numbers->single_mass[k], a, b, s);
+		else if (r->kind == CNI_ROW_LIMIT)
+			solve_limit(w, r, w->numbers->single_mass[k], a, b, s, bias);
+		else if (bias)
+			solve_spring(r, w->numbers->single_mass[k], a, b, &w->numbers->spring, s->h);
+	}
+	if (w->flags & CNI_CONSTRAINT_DIRECT)
+		return;
+	if (!(w->flags & CNI_CONSTRAINT_SPRINGY))
+		solve_rigid(w, a, b, bias ? &s->joint : &rigid, s->h);
+	else if (bias)
+		solve_rigid(w, a, b, &w->numbers->soft, s->h);
+}
+
+void cni_joints_solve(cn_world *world, const cni_solve *s)
+{
+	int32_t k;
+	for (k = world->joint_plain_first; k != CNI_NONE; k = cni_joint_constraints(world)[k].next_plain)
+		solve_work(cni_joint_constraints(world) + k, cni_motions(world), s, 1);
+	cni_joint_blocks_solve(world, s);
+}
+
+void cni_joints_solve_fresh(cn_world *world, const cni_solve *s, int32_t constraints)
+{
+	int32_t k, r;
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		cni_joint_constraint *w = cni_joint_constraints(world) + k;
+		if (cni_joint_is_constraint(cni_joint_at(world, w->joint)->type) != constraints)
+			continue;
+		for (r = 0; r < w->row_count; ++r)
+			w->rows[r].impulse = 0.0f;
+		solve_work(w, cni_motions(world), s, 1);
+	}
+}
+
+void cni_joints_relax(cn_world *world, const cni_solve *s)
+{
+	int32_t k;
+	cni_joint_constraint *w;
+	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
+		w = cni_joint_constraints(world) + k;
+		cni_joint_rows_renew(world, w);
+		solve_work(w, cni_motions(world), s, 0);
+	}
+	cni_joint_blocks_relax(world, s);
+}
+
+void cni_joints_stress(cn_world *world, const cni_solve *s)
+{
+	int32_t k;
+	cni_joint_constraint *w;
+	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
+		w = cni_joint_constraints(world) + k;
+		if (w->flags & CNI_CONSTRAINT_BREAKABLE)
+			cni_joint_constraint_stress(w, cni_motions(world) + w->ib, s->inv_h);
+	}
+}
+
+/* ---- as it ends ---- */
+
+static int32_t is_beyond(const cni_joint_constraint *w, const cni_joint *j)
+{
+	return (j->break_force > 0.0f && w->numbers->force_stress > j->break_force) || (j->break_torque > 0.0f && w->numbers->torque_stress > j->break_torque);
+}
+
+void cni_joints_store(cn_world *world, const cni_solve *s)
+{
+	int32_t k;
+	world->stressed_joints = 0;
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		cni_joint_constraint *w = cni_joint_constraints(world) + k;
+		cni_joint *j;
+		if ((w->flags & (CNI_CONSTRAINT_WIDE | CNI_CONSTRAINT_FINISHED)) == CNI_CONSTRAINT_WIDE || w->row_lane != CNI_NONE)
+			continue;
+		j = cni_joint_at(world, w->joint);
+		cni_joint_rows_end(world, w, j);
+		j->inv_h = s->inv_h;
+		if (w->flags & CNI_CONSTRAINT_TURNS)
+			cni_joint_turns_advance(world, j, cni_motions(world)[w->ia].theta, cni_motions(world)[w->ib].theta);
+		if (w->flags & CNI_CONSTRAINT_BREAKABLE) {
+			if (!(w->flags & CNI_CONSTRAINT_FINISHED))
+				cni_joint_constraint_stress(w, cni_motions(world) + w->ib, s->inv_h);
+			world->stressed_joints += is_beyond(w, j);
+		}
+	}
+	cni_joint_blocks_store(world, s);
+	cni_row_lanes_store(world, s);
+}
+
+/* ---- breaking ---- */
+
+static void joint_break(cn_world *world, const cni_joint_constraint *w)
+{
+	uint32_t breaks = (cni_joint_at(world, w->joint)->flags & CN_JOINT_BREAKS) != 0;
+	if (!cni_joint_event_log(world, w->joint, w->numbers->force_stress, w->numbers->torque_stress, breaks)) {
+		world->warnings |= CN_WARNING_EVENT_MEMORY;
+		++world->events_not_reported;
+	}
+	if (breaks)
+		cni_joint_destroy(world, w->joint);
+}
+
+/* Backwards, because a joint that goes away gives its place in the awake list to the last one. */
+void cni_joints_break(cn_world *world)
+{
+	int32_t k;
+	if (world->stressed_joints == 0)
+		return;
+	world->stressed_joints = 0;
+	for (k = world->awake_joints.count - 1; k >= 0; --k) {
+		const cni_joint_constraint *w = cni_joint_constraints(world) + k;
+		if ((w->flags & CNI_CONSTRAINT_BREAKABLE) && is_beyond(w, cni_joint_at(world, w->joint)))
+			joint_break(world, w);
+	}
+}

@@ -1,0 +1,110 @@
+/*
+ * joints/joint_type.h - what a joint type must provide, and what is read back from it.
+ *
+ * A type describes itself by rows: scalar constraints with a Jacobian, an error and bounds. Warm starting, soft and rigid
+ * solving, reactions and error read-back work on rows and know no types, so a new joint is one file with one function that
+ * writes rows and two that read it back. Most revolute joints, which are most joints, are solved without their rows:
+ * joints/joint_blocks.c. Some other types are solved by rows in lanes: joints/joint_rows_kernel.h repeats their formulas.
+ */
+#ifndef CNI_JOINTS_JOINT_TYPE_H
+#define CNI_JOINTS_JOINT_TYPE_H
+
+#include "model/world.h"
+
+/* ---- rows ---- */
+
+/* Where a joint's bodies are, in world directions. */
+typedef struct cni_joint_frame {
+	cni_vec2 ra, rb;   /* from the centres of mass to the anchors */
+	cni_vec2 d;        /* anchor b - anchor a; pulley: anchor a - ground a */
+	cni_vec2 e;        /* pulley only: anchor b - ground b */
+	cni_rot qa;        /* rotation of body a */
+	float angle;       /* of b - ratio * of a - reference; (-pi, pi] at the beginning of the step unless turns count */
+	float ratio;       /* 1, or a gear's */
+} cni_joint_frame;
+
+enum {
+	CNI_ROW_RIGID = 0, /* equality; a joint's rigid and drive rows are solved together and come first */
+	CNI_ROW_SPRING = 1, /* true period and decay */
+	CNI_ROW_MOTOR = 2,
+	CNI_ROW_LIMIT = 3, /* impulse >= 0; error > 0 is room that is left */
+	CNI_ROW_SOFT = 4,  /* true deflection, stable at any stiffness; bounded by limit if that is > 0 */
+	CNI_ROW_DRIVE = 5  /* a spring among the first rows; a joint has either rigid or drive rows */
+};
+
+/* speed = a . (va, wa) + b . (vb, wb), the rate of change of error. */
+typedef struct cni_row {
+	float ax, ay, aw;
+	float bx, by, bw;
+	float error;      /* metres or radians */
+	float target;     /* motor: wanted speed */
+	float limit;      /* motor: most force or torque; soft: the same, 0: no bound */
+	float hertz, damping_ratio; /* spring, soft, drive */
+	float impulse;    /* accumulated */
+	uint8_t kind;     /* CNI_ROW_* */
+	uint8_t angular;  /* 1: radians */
+	uint8_t slot;     /* which of the record's impulses */
+	uint8_t reserved;
+} cni_row;
+
+/* Writes the joint's rows for this frame, rigid or drive ones first; impulses are not touched. Returns how many. */
+typedef int32_t cni_joint_rows_fn(const cni_joint *j, const cni_joint_frame *f, cni_row *rows);
+
+/* What users read back as the joint's position, and a row along which its speed is measured (kind and slot mean nothing). */
+typedef float cni_joint_position_fn(const cni_joint *j, const cni_joint_frame *f);
+typedef cni_row cni_joint_speed_fn(const cni_joint *j, const cni_joint_frame *f);
+
+/* What a type wants to be in its frame, where nothing else is computed. */
+enum {
+	CNI_USES_ANGLE = 1u << 0,     /* angle, wrapped at the beginning of the step */
+	CNI_USES_REFERENCE = 1u << 1, /* angle has p[CNI_P_REFERENCE] taken off */
+	CNI_USES_TURNS = 1u << 2,     /* angle counts whole turns: CNI_P_TURN */
+	CNI_USES_RATIO = 1u << 3,     /* ratio is p[CNI_P_GEAR_RATIO] */
+	CNI_USES_GROUNDS = 1u << 4,   /* d and e are seen from two points of the world */
+	CNI_USES_DRIVE = 1u << 5      /* (of the solver) its first rows are drive rows */
+};
+
+/* The same set of rows in the same order for a record whose numbers do not change (limits choose their
+   side by the sign of the error and keep their slot). */
+typedef struct cni_joint_type {
+	cni_joint_rows_fn *rows;
+	cni_joint_position_fn *position;
+	cni_joint_speed_fn *speed_row;
+	uint32_t uses;
+} cni_joint_type;
+extern const cni_joint_type cni_joint_revolute, cni_joint_distance, cni_joint_fixed, cni_joint_prismatic, cni_joint_wheel,
+	cni_joint_motor, cni_joint_mouse, cni_joint_gear, cni_joint_pulley, cni_joint_ratchet, cni_joint_rotary_spring,
+	cni_joint_groove, cni_joint_filter, cni_joint_angle, cni_joint_line;
+const cni_joint_type *cni_joint_type_of(int32_t type);
+
+/* The frame at the bodies' present poses, the angle left at 0. */
+cni_joint_frame cni_joint_frame_place(const cn_world *world, const cni_joint *j);
+/* The angle at the bodies' present poses. */
+float cni_joint_frame_angle(const cn_world *world, const cni_joint *j);
+/* Both. */
+cni_joint_frame cni_joint_frame_make(const cn_world *world, const cni_joint *j);
+
+/* ---- turns ---- */
+
+/* Starts counting at the bodies' present angles in (-pi, pi]; a ratchet takes its latch there. */
+void cni_joint_turns_begin(const cn_world *world, cni_joint *j);
+/* A ratchet takes its latch at the present angle. */
+void cni_joint_ratchet_begin(const cn_world *world, cni_joint *j);
+/* At the end of a step, poses still those of its beginning: counts what the bodies turn in it, and moves a
+   ratchet's latch. */
+void cni_joint_turns_advance(const cn_world *world, cni_joint *j, float theta_a, float theta_b);
+/* angle b - ratio * angle a over whole turns, at these rotations. */
+float cni_joint_turned(const cni_joint *j, cni_rot qa, cni_rot qb, float ratio);
+
+/* ---- read-back ---- */
+
+/* World positions of the two anchors. */
+void cni_joint_anchors(const cn_world *world, const cni_joint *j, cni_vec2 *out_a, cni_vec2 *out_b);
+void cni_joint_error(const cn_world *world, const cni_joint *j, float *out_m, float *out_rad);
+float cni_joint_position(const cn_world *world, const cni_joint *j);
+float cni_joint_speed(const cn_world *world, const cni_joint *j);
+void cni_joint_reaction(const cn_world *world, const cni_joint *j, cn_vec2 *out_force, float *out_torque);
+/* Sum of the rows' impulses on body b: along x and y, and about its anchor. */
+void cni_rows_impulse(const cni_row *rows, int32_t count, cni_vec2 rb, cni_vec2 *out_linear, float *out_angular);
+
+#endif

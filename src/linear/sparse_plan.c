@@ -1,0 +1,449 @@
+/*
+ * linear/sparse_plan.c - plans of sparse systems: which blocks the orders make, how a plan lies in memory, and when it is used
+ * again.
+ *
+ * When the orders of all components are known (linear/sparse_components.c) so are all sizes, and the plan is written.
+ *
+ * A plan depends on the links, on which bodies can move and on the budget, and on nothing else. It is kept with these;
+ * while they are the same it is used again as it is.
+ *
+ *   kept   [ head | links | ends that move | planned | order | first | bodies | below | couplings | components ]
+ *
+ * Scratch: one entry of the arena, cut into arrays, and the pool of the order.
+ */
+#include "linear/sparse_planner.h"
+
+#include <string.h>
+
+/* ---- memory ---- */
+
+enum { POOL_EACH = 2, COUPLINGS_EACH = 32, NODE_INTS = 14 };
+#define KEPT_SPARE 4 /* times what is needed: more is given back */
+
+/* A limit on the work is one on the blocks as well; beyond a thousand a node it bounds work alone. */
+static int64_t work_held(int32_t count, int64_t work_most)
+{
+	int64_t held = (int64_t)count * 1024;
+	return work_most < held ? work_most : held;
+}
+
+static int64_t pool_most(int32_t count, int64_t work_most)
+{
+	return (int64_t)count * POOL_EACH + work_held(count, work_most) + 4096;
+}
+
+static int32_t below_most(int32_t count, int64_t work_most)
+{
+	return count * 2 + (int32_t)(work_held(count, work_most) / 3) + 16;
+}
+
+static int32_t couplings_most(int32_t count, int64_t work_most)
+{
+	return cni_min_i(below_most(count, work_most), count * COUPLINGS_EACH);
+}
+
+static uint64_t rounded(uint64_t bytes)
+{
+	return (bytes + 15) & ~(uint64_t)15;
+}
+
+static uint64_t scratch_bytes(int32_t count, int32_t body_count)
+{
+	uint64_t n = (uint64_t)count, bodies = (uint64_t)body_count;
+	return rounded(4u * n) * NODE_INTS + rounded(sizeof(int32_t *) * n) + rounded(n) + rounded(n * sizeof(cni_component)) +
+	       rounded(sizeof(cni_clique) * bodies) + rounded(4u * bodies) + rounded(bodies);
+}
+
+static uint64_t block_bytes(int32_t count)
+{
+	return sizeof(float) * CNI_NODE_ROWS * CNI_NODE_ROWS * (uint64_t)count;
+}
+
+static uint64_t node_bytes(int32_t nodes, int32_t components)
+{
+	return rounded((uint64_t)nodes * sizeof(cni_node)) + (uint64_t)components * sizeof(cni_component);
+}
+
+/* What a plan was made of and how large it is. */
+typedef struct kept_head {
+	int64_t budget;
+	int32_t link_count, node_count, block_count, coupling_count, component_count, body_count;
+} kept_head;
+
+/* The arrays of a kept plan. */
+typedef struct kept_plan {
+	kept_head *head;
+	cni_link *links;
+	uint8_t *moving;             /* bits: which of a link's bodies can move */
+	uint8_t *planned;
+	int32_t *order;
+	int32_t *first;
+	int32_t *bodies;
+	int32_t *below;
+	cni_coupling *couplings;
+	cni_component *components;
+} kept_plan;
+
+static uint64_t kept_bytes(const kept_head *h)
+{
+	uint64_t n = (uint64_t)h->link_count;
+	return rounded(sizeof *h) + rounded(n * sizeof(cni_link)) + 2 * rounded(n) + rounded(4u * (uint64_t)h->node_count) +
+	       rounded(4u * ((uint64_t)h->node_count + 1)) + rounded(4u * (uint64_t)h->body_count) + rounded(4u * (uint64_t)h->block_count) +
+	       rounded(sizeof(cni_coupling) * (uint64_t)h->coupling_count) + rounded(sizeof(cni_component) * (uint64_t)h->component_count);
+}
+
+uint64_t cni_sparse_kept_bytes(int32_t count, int64_t work_most)
+{
+	kept_head h = { 0, 0, 0, 0, 0, 0, 0 };
+	h.link_count = h.node_count = h.component_count = count;
+	h.body_count = 2 * count;
+	h.block_count = below_most(count, work_most);
+	h.coupling_count = couplings_most(count, work_most);
+	return kept_bytes(&h);
+}
+
+uint64_t cni_sparse_bytes(int32_t count, int32_t body_count, int64_t work_most)
+{
+	return scratch_bytes(count, body_count) + 4u * (uint64_t)pool_most(count, work_most) +
+	       node_bytes(count, count) + block_bytes(count + below_most(count, work_most)) + 1024;
+}
+
+/* Takes bytes from the front of a piece of memory. */
+static void *cut(uint8_t **at, uint64_t bytes)
+{
+	void *p = *at;
+	*at += rounded(bytes);
+	return p;
+}
+
+static int32_t *cut_ints(uint8_t **at, int32_t count)
+{
+	return (int32_t *)cut(at, 4u * (uint64_t)count);
+}
+
+/* The head is there already. */
+static kept_plan kept_cut(uint8_t *at)
+{
+	kept_plan k;
+	kept_head *h = (kept_head *)cut(&at, sizeof *h);
+	k.head = h;
+	k.links = (cni_link *)cut(&at, sizeof(cni_link) * (uint64_t)h->link_count);
+	k.moving = (uint8_t *)cut(&at, (uint64_t)h->link_count);
+	k.planned = (uint8_t *)cut(&at, (uint64_t)h->link_count);
+	k.order = cut_ints(&at, h->node_count);
+	k.first = cut_ints(&at, h->node_count + 1);
+	k.bodies = cut_ints(&at, h->body_count);
+	k.below = cut_ints(&at, h->block_count);
+	k.couplings = (cni_coupling *)cut(&at, sizeof(cni_coupling) * (uint64_t)h->coupling_count);
+	k.components = (cni_component *)cut(&at, sizeof(cni_component) * (uint64_t)h->component_count);
+	return k;
+}
+
+static void planner_cut(cni_planner *p, uint8_t *at)
+{
+	int32_t n = p->system->link_count;
+	p->list = (int32_t **)cut(&at, sizeof(int32_t *) * (uint64_t)n);
+	p->out->components = (cni_component *)cut(&at, sizeof(cni_component) * (uint64_t)n);
+	p->clique = (cni_clique *)cut(&at, sizeof(cni_clique) * (uint64_t)p->system->motion_count);
+	p->body_head = cut_ints(&at, p->system->motion_count);
+	p->node_next[0] = cut_ints(&at, n);
+	p->node_next[1] = cut_ints(&at, n);
+	p->member = cut_ints(&at, n);
+	p->list_count = cut_ints(&at, n);
+	p->in[0] = cut_ints(&at, n);
+	p->in[1] = cut_ints(&at, n);
+	p->mark = cut_ints(&at, n);
+	p->degree = cut_ints(&at, n);
+	p->degree_head = cut_ints(&at, n);
+	p->degree_next = cut_ints(&at, n);
+	p->degree_prev = cut_ints(&at, n);
+	p->order = cut_ints(&at, n);
+	p->position = cut_ints(&at, n);
+	p->seen = (uint8_t *)cut(&at, (uint64_t)n);
+	p->body_reached = (uint8_t *)cut(&at, (uint64_t)p->system->motion_count);
+}
+
+/* ---- writing the plan ---- */
+
+static void sort_ascending(int32_t *list, int32_t count)
+{
+	int32_t gap, i, k;
+	for (gap = count / 2; gap > 0; gap = gap == 2 ? 1 : gap * 5 / 11)
+		for (i = gap; i < count; ++i) {
+			int32_t value = list[i];
+			for (k = i; k >= gap && list[k - gap] > value; k -= gap)
+				list[k] = list[k - gap];
+			list[k] = value;
+		}
+}
+
+/* Terms of node k's blocks: every two nodes at one body, ascending. Returns where they end. */
+static cni_coupling *couplings_write(const cni_planner *p, int32_t k, cni_coupling *begin)
+{
+	int32_t side, key, v = p->order[k];
+	cni_coupling *end = begin, *at;
+	for (side = 0; side < 2; ++side) {
+		int32_t body = cni_planner_body(p, v, side);
+		for (key = body == 0 ? CNI_NONE : p->body_head[body]; key != CNI_NONE; key = cni_planner_next(p, key)) {
+			int32_t high = p->position[key >> 1];
+			if (high <= k)
+				continue;
+			for (at = end++; at > begin && at[-1].high > high; --at)
+				*at = at[-1];
+			memset(at, 0, sizeof *at);
+			at->low = k;
+			at->high = high;
+			at->low_side = (uint8_t)side;
+			at->high_side = (uint8_t)(key & 1);
+		}
+	}
+	return end;
+}
+
+/* Node k's column, ascending: of a tree what it is coupled with, else its list. Returns where it ends. */
+static int32_t column_write(const cni_planner *p, const cni_component *c, int32_t k, const cni_coupling *begin, const cni_coupling *end, int32_t *below, int32_t at)
+{
+	int32_t e, count = c->tree ? (int32_t)(end - begin) : p->list_count[p->order[k]];
+	for (e = 0; e < count; ++e)
+		below[at + e] = c->tree ? begin[e].high : p->position[p->list[p->order[k]][e]];
+	if (!c->tree)
+		sort_ascending(below + at, count);
+	return at + count;
+}
+
+static void component_write(const cni_planner *p, const cni_component *c, kept_plan *kept)
+{
+	cni_coupling *begin = kept->couplings + c->coupling_begin, *end;
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k, begin = end) {
+		int32_t e = kept->first[k];
+		end = couplings_write(p, k, begin);
+		kept->first[k + 1] = column_write(p, c, k, begin, end, kept->below, e);
+		for (; begin < end; ++begin) {
+			while (kept->below[e] != begin->high)
+				++e;
+			begin->block = e;
+		}
+	}
+	CNI_ASSERT(begin == kept->couplings + c->coupling_end);
+}
+
+/* Every body of the component once, in the order of its nodes. */
+static void bodies_write(const cni_planner *p, const cni_component *c, int32_t *bodies)
+{
+	int32_t k, side, at = c->body_begin;
+	for (k = c->begin; k < c->end; ++k)
+		for (side = 0; side < 2; ++side) {
+			int32_t body = cni_planner_body(p, p->order[k], side);
+			if (body == 0 || !p->body_reached[body])
+				continue;
+			p->body_reached[body] = 0;
+			bodies[at++] = body;
+		}
+	CNI_ASSERT(at == c->body_end);
+}
+
+static uint8_t link_moving(const cni_planner *p, int32_t node)
+{
+	return (uint8_t)((cni_planner_body(p, node, 0) != 0) | (cni_planner_body(p, node, 1) != 0) << 1);
+}
+
+static void plan_write(const cni_planner *p, kept_plan *kept)
+{
+	const cni_system *system = p->system;
+	int32_t k;
+	memcpy(kept->links, system->links, sizeof(cni_link) * (size_t)system->link_count);
+	memcpy(kept->planned, p->planned, (size_t)system->link_count);
+	memcpy(kept->order, p->order, sizeof(int32_t) * (size_t)p->out->node_count);
+	memcpy(kept->components, p->out->components, sizeof(cni_component) * (size_t)p->out->component_count);
+	for (k = 0; k < system->link_count; ++k)
+		kept->moving[k] = link_moving(p, k);
+	kept->first[0] = 0;
+	for (k = 0; k < p->out->component_count; ++k) {
+		component_write(p, &kept->components[k], kept);
+		bodies_write(p, &kept->components[k], kept->bodies);
+	}
+	CNI_ASSERT(kept->first[p->out->node_count] == p->out->block_count);
+}
+
+/* ---- keeping it ---- */
+
+/* Memory for a plan of this size: what is kept, given back where it has become much too large, or else scratch. A world
+   in a caller's block keeps what it set aside at the beginning. */
+static uint8_t *kept_reserve(cni_arena *arena, cni_array *kept, uint64_t bytes)
+{
+	int64_t items = (int64_t)(bytes / CNI_KEPT_BYTES) + 1;
+	if (kept == NULL || items > INT32_MAX / CNI_KEPT_BYTES)
+		return (uint8_t *)cni_arena_push(arena, bytes);
+	kept->count = 0;
+	if (!arena->memory->fixed) {
+		if (kept->capacity / KEPT_SPARE > items)
+			cni_array_deinit(kept, arena->memory);
+		(void)cni_array_reserve(kept, arena->memory, (int32_t)items);
+	}
+	if (kept->capacity < items)
+		return (uint8_t *)cni_arena_push(arena, bytes);
+	kept->count = (int32_t)items;
+	return (uint8_t *)kept->data;
+}
+
+/* Is what is kept the plan of this very system? */
+static int32_t kept_fits(const cni_planner *p, const kept_plan *kept)
+{
+	const cni_system *system = p->system;
+	int32_t k;
+	if (kept->head->link_count != system->link_count || kept->head->budget != system->budget ||
+	    memcmp(kept->links, system->links, sizeof(cni_link) * (size_t)system->link_count) != 0)
+		return 0;
+	for (k = 0; k < system->link_count; ++k)
+		if (kept->moving[k] != link_moving(p, k))
+			return 0;
+	return 1;
+}
+
+/* Plans anew, into what is kept or into scratch. 0: no memory. */
+static int32_t plan_make(cni_planner *p, cni_array *array, kept_plan *kept)
+{
+	const cni_system *system = p->system;
+	int32_t before = p->arena->entry_count, after;
+	uint8_t *at = (uint8_t *)cni_arena_push(p->arena, scratch_bytes(system->link_count, system->motion_count));
+	kept_head head = { 0, 0, 0, 0, 0, 0, 0 };
+	if (at == NULL)
+		return 0;
+	planner_cut(p, at);
+	cni_planner_components(p);
+	head.budget = system->budget;
+	head.link_count = system->link_count;
+	head.node_count = p->out->node_count;
+	head.block_count = p->out->block_count;
+	head.coupling_count = p->out->coupling_count;
+	head.component_count = p->out->component_count;
+	head.body_count = p->out->body_count;
+	after = p->arena->entry_count;
+	at = p->no_memory ? NULL : kept_reserve(p->arena, array, kept_bytes(&head));
+	if (at == NULL)
+		return 0;
+	memcpy(at, &head, sizeof head);
+	*kept = kept_cut(at);
+	plan_write(p, kept);
+	if (p->arena->entry_count == after)
+		cni_planner_pop_to(p->arena, before);
+	return 1;
+}
+
+/* ---- using it ---- */
+
+static void node_make(cni_node *n, const cni_link *link)
+{
+	n->ia = link->ia;
+	n->ib = link->ib;
+	n->owner = link->owner;
+	n->rows = link->rows;
+}
+
+/* The step's own copy: nodes, components, room for the numbers. */
+static int32_t plan_take(const cni_planner *p, const kept_plan *kept)
+{
+	const kept_head *h = kept->head;
+	cni_sparse *s = p->out;
+	int32_t k;
+	uint64_t bytes[2];
+	uint8_t *at[2];
+	bytes[0] = node_bytes(h->node_count, h->component_count);
+	bytes[1] = block_bytes(h->node_count + h->block_count);
+	for (k = 0; k < 2; ++k) {
+		at[k] = (uint8_t *)cni_arena_push(p->arena, bytes[k]);
+		if (at[k] == NULL)
+			return 0;
+	}
+	s->nodes = (cni_node *)(void *)at[0];
+	s->components = (cni_component *)(void *)(at[0] + rounded((uint64_t)h->node_count * sizeof(cni_node)));
+	s->pivots = (float *)(void *)at[1];
+	s->blocks = s->pivots + (size_t)h->node_count * (CNI_NODE_ROWS * CNI_NODE_ROWS);
+	for (k = 0; k < h->node_count; ++k)
+		node_make(&s->nodes[k], &kept->links[kept->order[k]]);
+	memcpy(s->components, kept->components, sizeof(cni_component) * (size_t)h->component_count);
+	memcpy(p->planned, kept->planned, (size_t)h->link_count);
+	s->first = kept->first;
+	s->below = kept->below;
+	s->couplings = kept->couplings;
+	s->bodies = kept->bodies;
+	s->node_count = h->node_count;
+	s->block_count = h->block_count;
+	s->coupling_count = h->coupling_count;
+	s->component_count = h->component_count;
+	s->body_count = h->body_count;
+	return 1;
+}
+
+static void counts_forget(cni_sparse *s)
+{
+	s->node_count = s->block_count = s->coupling_count = s->component_count = s->body_count = 0;
+}
+
+/* Kinds are found with the plan, and kept with it. */
+static void kinds_keep(cni_sparse *s, const cni_motion *motions, kept_plan *kept)
+{
+	int32_t k;
+	cni_topology_classes_find(s, motions);
+	for (k = 0; k < s->component_count; ++k)
+		kept->components[k].kind = s->components[k].kind;
+}
+
+int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *system, cni_sparse *out, uint8_t *out_planned)
+{
+	cni_planner p;
+	kept_plan plan;
+	int64_t work_most = 0;
+	int32_t k, there = 0;
+	memset(&p, 0, sizeof p);
+	p.arena = arena;
+	p.system = system;
+	p.out = out;
+	p.planned = out_planned;
+	p.budget = system->budget;
+	for (k = 0; k < system->link_count; ++k)
+		work_most += system->links[k].work_most;
+	p.pool_most = pool_most(system->link_count, work_most);
+	out->arena_entries = arena->entry_count;
+	if (kept != NULL && kept->count > 0 && CNI_ON(KEPT_PLANS)) {
+		plan = kept_cut((uint8_t *)kept->data);
+		there = kept_fits(&p, &plan);
+	}
+	if (system->link_count > 0)
+		memset(out_planned, 0, (size_t)system->link_count);
+	if ((there || plan_make(&p, kept, &plan)) && plan_take(&p, &plan)) {
+		if (!there)
+			kinds_keep(out, system->motions, &plan);
+		return 1;
+	}
+	if (kept != NULL && !there)
+		kept->count = 0; /* its kinds were not found */
+	cni_planner_pop_to(arena, out->arena_entries);
+	memset(out_planned, 0, (uint32_t)system->link_count);
+	counts_forget(out);
+	return 0;
+}
+
+void cni_sparse_clear(cni_sparse *s, const cni_component *c)
+{
+	int32_t k;
+	for (k = c->begin; k < c->end; ++k) {
+		cni_node *n = &s->nodes[k];
+		n->held = 0;
+		memset(n->lever, 0, sizeof n->lever);
+		memset(n->compliance, 0, sizeof n->compliance);
+		n->cross = 0.0f;
+		memset(n->least, 0, sizeof n->least);
+		memset(n->x, 0, sizeof n->x);
+		memset(n->carried, 0, sizeof n->carried);
+		memset(n->total, 0, sizeof n->total);
+		n->wanted = 0.0f;
+	}
+}
+
+void cni_sparse_discard(cni_arena *arena, cni_sparse *sparse)
+{
+	cni_planner_pop_to(arena, sparse->arena_entries);
+	counts_forget(sparse);
+}

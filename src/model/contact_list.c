@@ -1,0 +1,87 @@
+/*
+ * model/contact_list.c - contact records: the list of those apart, lookup, gap, invalidation.
+ */
+#include "model/world.h"
+#include "model/lane.h"
+
+void cni_contact_enter_apart_list(cn_world *world, int32_t contact)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	if ((c->flags & CNI_CONTACT_TOUCHING) || c->slot != CNI_NONE)
+		return;
+	c->slot = world->apart.count;
+	((int32_t *)world->apart.data)[world->apart.count++] = contact;
+}
+
+void cni_contact_leave_apart_list(cn_world *world, int32_t contact)
+{
+	cni_contact *c = cni_contact_at(world, contact);
+	int32_t *list = (int32_t *)world->apart.data;
+	int32_t last;
+	if ((c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
+		return;
+	last = list[--world->apart.count];
+	list[c->slot] = last;
+	cni_contact_at(world, last)->slot = c->slot;
+	c->slot = CNI_NONE;
+}
+
+int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b)
+{
+	const cni_body *a = cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy_a)->shape)->body);
+	const cni_body *b = cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy_b)->shape)->body);
+	int32_t key = a->contact_count <= b->contact_count ? a->contact_first : b->contact_first;
+	while (key != CNI_NONE) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		if ((c->proxy[0] == proxy_a && c->proxy[1] == proxy_b) || (c->proxy[0] == proxy_b && c->proxy[1] == proxy_a))
+			return key >> 1;
+		key = c->next[key & 1];
+	}
+	return CNI_NONE;
+}
+
+float cni_contact_gap(const cn_world *world, const cni_contact *c)
+{
+	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
+	if ((c->flags & CNI_CONTACT_ASLEEP) || (cni_block_info_at(world, block)->anchored >> l & 1u))
+		return 0.0f;
+	return cni_block_anchor_at(world, block)->of.fresh.gap[l];
+}
+
+float cni_contact_approach(const cn_world *world, const cni_contact *c)
+{
+	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
+	if ((c->flags & CNI_CONTACT_ASLEEP) || (cni_block_info_at(world, block)->anchored >> l & 1u))
+		return 0.0f;
+	return cni_block_anchor_at(world, block)->of.fresh.approach[l];
+}
+
+static int32_t has_lane(const cni_contact *c)
+{
+	return (c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING;
+}
+
+void cni_contact_invalidate(cn_world *world, int32_t contact)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	if (has_lane(c))
+		cni_lane_invalidate(world, c->slot);
+}
+
+void cni_contacts_invalidate_body(cn_world *world, const cni_body *b)
+{
+	int32_t key;
+	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
+		cni_contact_invalidate(world, key >> 1);
+}
+
+void cni_contact_fix_body(cn_world *world, int32_t body)
+{
+	int32_t key = cni_body_at(world, body)->contact_first;
+	while (key != CNI_NONE) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		if (has_lane(c))
+			cni_lane_set_bodies(world, c);
+		key = c->next[key & 1];
+	}
+}

@@ -1,0 +1,234 @@
+/*
+ * model/island_sleep.c - moving a body with its island, contacts and joints between awake and asleep.
+ *
+ * Invariants kept here: a contact is in the awake list when one of its bodies is in the dense arrays; a
+ * touching contact is in the sleep store when its dynamic bodies are asleep, else in a lane; a joint is
+ * in the awake list when one of its bodies is in the dense arrays.
+ */
+#include "model/world.h"
+
+/* Visits the bodies of a body's island, or the body alone. */
+static int32_t first_of(const cn_world *world, int32_t body)
+{
+	int32_t island = cni_body_at(world, body)->island;
+	return island == CNI_NONE ? body : cni_island_at(world, island)->first;
+}
+
+/* ---- waking ---- */
+
+static int32_t contact_may_solve(const cn_world *world, const cni_contact *c)
+{
+	int32_t side;
+	for (side = 0; side < 2; ++side) {
+		const cni_body *b = cni_body_at(world, c->body[side]);
+		if (b->type == CN_BODY_DYNAMIC && b->awake == 0)
+			return 0;
+	}
+	return 1;
+}
+
+/* A pair that slept through a change of its event mask begins to report when it wakes. */
+static void pay_what_is_owed(cn_world *world, int32_t contact)
+{
+	cni_contact_send_deferred_events(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
+	cni_contact_send_deferred_events(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
+}
+
+static void wake_links_of(cn_world *world, int32_t body)
+{
+	const cni_body *b = cni_body_at(world, body);
+	int32_t key;
+	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
+		cni_contact_enter_apart_list(world, key >> 1);
+		if (world->events.in_step)
+			pay_what_is_owed(world, key >> 1);
+		if ((c->flags & CNI_CONTACT_ASLEEP) && contact_may_solve(world, c))
+			cni_contact_sleep_to_lane(world, key >> 1);
+	}
+	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+		cni_joint_enter_awake_list(world, key >> 1);
+}
+
+static void wake_island(cn_world *world, int32_t body)
+{
+	int32_t k, first = first_of(world, body);
+	/* A body that left its fat box in the step that put it to sleep may still have contacts whose boxes are apart. */
+	world->pairs_may_repeat |= CNI_PAIRS_MARKED;
+	if (cni_body_at(world, body)->island != CNI_NONE) {
+		cni_island *i = cni_island_at(world, cni_body_at(world, body)->island);
+		i->awake = 1;
+		i->solver = i->joints_solver = CN_SOLVER_AUTO;
+	}
+	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next) {
+		cni_body_restless(cni_body_at(world, k));
+		cni_body_at(world, k)->flags |= CNI_BODY_AGAIN;
+		cni_body_enter_awake(world, k);
+	}
+	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next)
+		wake_links_of(world, k);
+}
+
+/* A kinematic body that starts to move carries along what touches it. */
+static void wake_touching(cn_world *world, int32_t body)
+{
+	int32_t key = cni_body_at(world, body)->contact_first;
+	for (; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		int32_t other = c->body[1 - (key & 1)];
+		if ((c->flags & CNI_CONTACT_TOUCHING) && cni_body_at(world, other)->type == CN_BODY_DYNAMIC)
+			cni_body_wake(world, other);
+	}
+	for (key = cni_body_at(world, body)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+		int32_t other = cni_joint_at(world, key >> 1)->body[1 - (key & 1)];
+		if (other != CNI_NONE && cni_body_at(world, other)->type == CN_BODY_DYNAMIC)
+			cni_body_wake(world, other);
+	}
+}
+
+void cni_body_wake(cn_world *world, int32_t body)
+{
+	cni_body *b = cni_body_at(world, body);
+	if (b->type == CN_BODY_STATIC || !(b->flags & CN_BODY_ENABLED))
+		return;
+	cni_body_restless(b);
+	if (b->awake == 0)
+		wake_island(world, body);
+	if (b->type == CN_BODY_KINEMATIC)
+		wake_touching(world, body);
+}
+
+void cni_body_wake_neighbours(cn_world *world, int32_t body)
+{
+	wake_touching(world, body);
+}
+
+typedef struct meeting {
+	cn_world *world;
+	int32_t shape;
+	int32_t reserved;
+} meeting;
+
+static float wake_if_collides(void *context, int32_t proxy, float limit)
+{
+	const meeting *m = (const meeting *)context;
+	const cni_shape *s = cni_shape_at(m->world, m->shape), *other = cni_shape_at(m->world, cni_proxy_at(m->world, proxy)->shape);
+	const cni_body *b = cni_body_at(m->world, other->body);
+	if (other->body != s->body && b->type == CN_BODY_DYNAMIC && b->awake == 0 && cni_filter_allows(s, other))
+		cni_body_wake(m->world, other->body);
+	(void)limit;
+	return 1.0f; /* go on */
+}
+
+void cni_shape_wake_met(cn_world *world, int32_t shape)
+{
+	const cni_shape *s = cni_shape_at(world, shape);
+	meeting m;
+	int32_t child;
+	m.world = world;
+	m.shape = shape;
+	m.reserved = 0;
+	for (child = 0; child < s->children; ++child) {
+		int32_t proxy = cni_shape_proxy(world, s, child);
+		cni_aabb box;
+		if (proxy == CNI_NONE)
+			return;
+		box = cni_proxy_at(world, proxy)->fat;
+		world->broadphase_ops->query(world->broadphase, &box, wake_if_collides, &m);
+	}
+}
+
+void cni_body_wake_met(cn_world *world, int32_t body)
+{
+	const cni_body *b = cni_body_at(world, body);
+	int32_t shape;
+	cni_body_wake(world, body);
+	if (b->type != CN_BODY_STATIC)
+		return;
+	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
+		cni_shape_wake_met(world, shape);
+}
+
+void cni_body_wake_grown(cn_world *world, int32_t body)
+{
+	const cni_body *b = cni_body_at(world, body);
+	if (b->contact_count > 0 || b->joint_first != CNI_NONE)
+		cni_body_wake(world, body);
+}
+
+/* ---- sleeping ---- */
+
+/* Is this a lane that goes to sleep with the body? Pairs within an island count on their side 0. */
+static int32_t lane_is_counted(const cni_contact *c, int32_t key)
+{
+	if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING)
+		return 0;
+	return (key & 1) == 0 || !(c->flags & CNI_CONTACT_LINKED);
+}
+
+static int32_t lanes_of_island(const cn_world *world, int32_t first)
+{
+	int32_t lanes = 0, k, key;
+	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next)
+		for (key = cni_body_at(world, k)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
+			lanes += lane_is_counted(cni_contact_of_key(world, key), key);
+	return lanes;
+}
+
+static void sleep_lanes_of(cn_world *world, int32_t body)
+{
+	int32_t key = cni_body_at(world, body)->contact_first;
+	if (cni_body_at(world, body)->type != CN_BODY_DYNAMIC)
+		return; /* the dynamic bodies that touch a resting kinematic one go on */
+	for (; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING)
+			cni_contact_lane_to_sleep(world, key >> 1);
+	}
+}
+
+static void leave_lists_of(cn_world *world, int32_t body)
+{
+	const cni_body *b = cni_body_at(world, body);
+	int32_t key, side;
+	for (key = b->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1])
+		if (cni_body_at(world, cni_contact_of_key(world, key)->body[1 - (key & 1)])->awake == 0)
+			cni_contact_leave_apart_list(world, key >> 1);
+	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+		int32_t other;
+		side = key & 1;
+		other = cni_joint_at(world, key >> 1)->body[1 - side];
+		if (other == CNI_NONE || cni_body_at(world, other)->awake == 0)
+			cni_joint_leave_awake_list(world, key >> 1);
+	}
+}
+
+int32_t cni_body_reserve_sleep(cn_world *world, int32_t body)
+{
+	int32_t island = cni_body_at(world, body)->island, count = island == CNI_NONE ? 1 : cni_island_at(world, island)->count;
+	cni_array *log = &world->events.asleep;
+	return cni_array_reserve(log, &world->memory, log->count + count) &&
+	       cni_array_reserve(&world->sleep_lanes, &world->memory, world->sleep_lanes.count + lanes_of_island(world, first_of(world, body)));
+}
+
+int32_t cni_body_put_to_sleep(cn_world *world, int32_t body)
+{
+	int32_t first = first_of(world, body), island = cni_body_at(world, body)->island, k;
+	cni_array *log = &world->events.asleep;
+	if (!cni_body_reserve_sleep(world, body))
+		return 0;
+	if (island != CNI_NONE)
+		cni_island_at(world, island)->awake = 0;
+	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next)
+		sleep_lanes_of(world, k);
+	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next) {
+		cni_body *b = cni_body_at(world, k);
+		cni_body_leave_awake(world, k);
+		b->vx = b->vy = b->w = 0.0f;
+		((cn_body *)log->data)[log->count++] = cni_handles_of(&world->body_handles, k);
+	}
+	for (k = first; k != CNI_NONE; k = cni_body_at(world, k)->island_next)
+		leave_lists_of(world, k);
+	return 1;
+}

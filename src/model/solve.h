@@ -1,0 +1,98 @@
+/*
+ * model/solve.h - what the stages of the soft step share: the numbers of one step and one function a
+ * stage. The method is TGS soft (Catto, "Solver2D", 2024; Macklin et al., "Small Steps", 2019) with
+ * stiffness tied to the substep rate: contacts 1/(8h), joints 1/(4h).
+ *
+ * Data flow of the substeps, over dense arrays and blocks only:
+ *
+ *   drive --integrate_velocities--> start, motion.v          v = start + response of the last impulses
+ *   block.jn, joint.impulse --warm start (first substep)--> motion.v
+ *   motion --impacts--> motion.v, start                      contacts that bounce
+ *   motion, block --solve--> motion.v, block.jn jt           soft, pushes overlap apart
+ *   motion --direct_close--> motion.v, impulses              joints that contacts would part, and those contacts
+ *   motion.v --integrate_positions--> motion.dp theta
+ *   motion, block --relax--> motion.v, block.jn jt           rigid, takes the pushing out again
+ */
+#ifndef CNI_MODEL_SOLVE_H
+#define CNI_MODEL_SOLVE_H
+
+#include "model/world.h"
+
+/* impulse' = clamp(impulse - m (mass_scale speed + bias_scale error) - impulse_scale impulse). Rigid: 1, 1/h-ish, 0. */
+typedef struct cni_soft {
+	float mass_scale;
+	float bias_scale;    /* mass_scale times the rate (1/s) at which error is removed */
+	float impulse_scale;
+} cni_soft;
+
+/* The numbers of the passes over contacts of one kind. */
+typedef struct cni_contact_pass {
+	float inv_h;
+	float push_speed;
+	float impact_speed;  /* < 0: faster approaches are impacts */
+	float warm_scale;
+	float load_part;     /* of its way to the impulse that a load goes in this step */
+	float load_heavy;    /* ... at most this over the square of the speed that the impulse gives: see CNI_LOAD_HEAVY */
+	cni_soft soft;
+	int32_t one_sided;   /* lane bodies b are not written */
+} cni_contact_pass;
+
+/* Kinds of blocks, as bits. */
+enum {
+	CNI_CONTACTS_RESTED = 1,    /* time passes more slowly for them: loads follow in its measure */
+	CNI_CONTACTS_ONE_SIDED = 2, /* lane body b cannot move */
+	CNI_CONTACTS_KINDS = 4
+};
+
+/*
+ * How fast loads follow the impulses that are there, per second; see contacts/contact_kernel.h. A load that follows drives
+ * slow swings of a pile, and softness damps them: by a rate of about 0.24 s w^2 at h = 1/240 s, with w^2 falling as
+ * the square of the height. So a load must be slower where more is borne: at most
+ * CNI_LOAD_HEAVY / (h stress^2), where stress is what a point bears over the lighter body's weight. A pyramid of base 100
+ * (stress 25) comes to rest at 0.1, sways on at 0.3, and falls when all its loads follow at 0.6 per second.
+ *
+ * Between settled bodies they do not rise: in a heap of mixed shapes not every overlap can be taken away, loads that went on rising
+ * would press what is wedged until it slips, and 50 bodies crept at 0.7 mm/s for ever, at any of these rates.
+ */
+#define CNI_LOAD_RATE 0.6f
+#define CNI_LOAD_HEAVY 0.1f
+
+struct cni_contact_kernel; /* contacts/contact_pass.h */
+struct cni_joint_kernel;   /* joints/joint_pass.h */
+struct cni_body_kernel;    /* step/integrate_pass.h */
+
+/* v' = (v + h a) times this: v' = a - damping v taken implicitly, so that the speed that a fall tends to is exact. */
+static inline float cni_damping_factor(float damping, float h)
+{
+	return 1.0f / (1.0f + damping * h);
+}
+
+typedef struct cni_solve {
+	float dt, h, inv_h;
+	float mean_dt;             /* of the steps so far, this one included */
+	float soft_rate;           /* 1/s: that softness is tied to; 1 / h where all steps are equal */
+	int32_t substeps;
+	float warm_scale;          /* of stored impulses: this substep over the last one's */
+	float push_speed;
+	float restitution_threshold;
+	float jump_speed;         /* a jump of a body's velocity in one substep that is an impact */
+	cni_contact_pass contact[CNI_CONTACTS_KINDS];
+	cni_soft joint;
+	const struct cni_contact_kernel *kernel;
+	const struct cni_joint_kernel *joint_kernel;
+	const struct cni_body_kernel *body_kernel; /* NULL: bodies one by one */
+	struct cni_sparse *direct; /* joints that are solved directly, NULL: none */
+	int32_t bounces;           /* some contact has restitution */
+	uint32_t contact_colors;   /* those that have contacts, as bits */
+	int32_t lanes;             /* contacts of all colours */
+	cni_team *team;            /* who share the loops of the substeps, NULL: not worth it */
+} cni_solve;
+
+/* Implicit-Euler soft constraint (Catto, "Soft Constraints", GDC 2011). */
+cni_soft cni_soft_implicit(float hertz, float damping_ratio, float h);
+/* Exact discrete spring: a single body on it keeps the true period and decay at any stiffness. */
+cni_soft cni_soft_exact(float hertz, float damping_ratio, float h);
+/* An overlap or gap of more than this part of the accuracy is bad. */
+#define CNI_BAD_PART 0.1f
+
+#endif

@@ -1,0 +1,531 @@
+/*
+ * narrowphase/continuous.c - the last guard against passing through things (part of stage 8).
+ *
+ * Most fast bodies are stopped by contacts that the narrowphase finds ahead of them. What is left are bodies
+ * that were made fast within the step. Before a body takes a pose that is farther away than a quarter of its inner
+ * radius, the core of each of its shapes, shrunk by twice that, is moved along its path against the static
+ * shapes there (for bullets: against all, each on its own path); at the first meeting the rest of the path is given
+ * up for this step, by a dynamic body that a bullet meets too.
+ * Most bodies have nothing static about them, which the narrowphase saw; they are not looked at any further. Those that stay
+ * within their boxes can meet only what they have contacts with.
+ * A shape that merely rests on or slides along something keeps its core clear of it, so nothing catches. One that was pressed in
+ * so deep that its core overlaps something is stopped by a smaller core: an edge, which has no inside, would let it through. A body whose core is at
+ * something static already, where an earlier step stopped it, gives up the speed of its point there, and slides and turns on: else a
+ * contact that counts on the turn may do nothing, and the body would hang there while its speed grows.
+ *
+ * Bodies are shared among the workers. What stops one that is no bullet depends on no other body; bullets come after them, in
+ * order.
+ *
+ * Reads bodies, shapes, the broadphase; writes the changes in motion of the bodies that meet, and the velocities of those that slide.
+ */
+#include "narrowphase/narrowphase.h"
+#include "collision/distance.h"
+#include "collision/toi.h"
+#include "model/solve.h"
+
+#include <float.h>
+#include <string.h>
+
+#define BODIES_A_RANGE 512 /* ten microseconds: records are read */
+#define RECORDS_AHEAD 8     /* bodies whose records are asked for ... */
+#define RECORDS_MANY 1024   /* ... where there are so many that they are not near anyway */
+
+enum {
+	CLAMP_STATIC, /* stops at static shapes */
+	CLAMP_ALL     /* a bullet: at every shape */
+};
+
+/* Does the step's change carry the body so far that something could be left behind it unseen? */
+static int32_t body_is_fast(const cni_body *b, const cni_motion *m)
+{
+	float most = 0.25f * b->core, turn = m->theta * cni_body_turn_reach(b);
+	return b->type == CN_BODY_DYNAMIC && m->dpx * m->dpx + m->dpy * m->dpy + turn * turn > most * most;
+}
+
+/* Room for any shape but a chain. */
+typedef struct core_shape {
+	cni_geometry geometry;
+	cni_vec2 points[2 * CN_POLYGON_MAX_VERTICES];
+	float depth; /* in the shape */
+} core_shape;
+
+/* Moves each vertex inwards so that the edges move by depth; the tip of a wedge by no more than half of its way to the centroid. */
+static void polygon_shrink(core_shape *core, float depth)
+{
+	const int32_t n = core->geometry.count;
+	const cni_vec2 *normals = core->points + n;
+	int32_t k;
+	for (k = 0; k < n; ++k) {
+		cni_vec2 sum = cni_add(normals[(k + n - 1) % n], normals[k]);
+		float length_sq = cni_length_sq(sum); /* twice 1 + cosine of the angle between the normals */
+		float most = 0.5f * cni_sqrt(cni_distance_sq(core->points[k], core->geometry.centroid) / cni_max(length_sq, FLT_MIN));
+		core->points[k] = cni_sub(core->points[k], cni_mul(cni_min(2.0f * depth / cni_max(length_sq, FLT_MIN), most), sum));
+	}
+}
+
+/*
+ * By how much the core of a shape is smaller: half of its inner radius. A shape rests on a contact that gives way by up to
+ * SAG_PER_SLOP; the core of a thin one, which would come down to what it rests on and hang there, is smaller by that, too.
+ */
+#define SAG_PER_SLOP 0.04f /* 0.2 mm: g / (2 pi 30 Hz)^2 is 0.28 mm for a body as light as its contact, 0.07 mm for most */
+static float core_depth(const cni_geometry *g, float slop)
+{
+	return cni_max(0.5f * g->inner_radius, cni_min(0.9f * g->inner_radius, SAG_PER_SLOP * slop));
+}
+
+static void core_make(const cni_geometry *g, float depth, core_shape *core)
+{
+	float from_radius = cni_min(depth, g->radius);
+	core->depth = depth;
+	memcpy(core, g, (size_t)cni_geometry_bytes(g->type, g->count));
+	core->geometry.radius = g->radius - from_radius;
+	if (g->type == CN_SHAPE_POLYGON && depth > from_radius)
+		polygon_shrink(core, depth - from_radius);
+}
+
+/* Of the inner radius: the depth of the core that stops what was pressed in by more than its outer core's depth. */
+#define INNER_DEPTH 0.95f
+
+/* A core is stopped within this part of its depth, half as much again with the tolerance: what slides, its contacts giving way by
+   SAG_PER_SLOP, stays clear of the edges of what is flush with its ground. */
+#define CLEAR_PART 0.2f
+
+typedef struct clamp {
+	cn_world *world;
+	const cni_body *body;
+	int32_t what;
+	int32_t proxy;       /* of the shape that moves */
+	cni_path path;
+	core_shape core;
+	cni_aabb reach;      /* contains the core all the way, and what is so near that it stops it; relative to the body's centre */
+	float fraction;      /* of the path that is free so far */
+	int32_t met;         /* awake index of the dynamic body at its end, else 0 */
+	cni_vec2 normal;     /* nothing is free at all: of what is met */
+	cni_vec2 arm;        /* ... from the body's centre to where it is met */
+	core_shape stopped;  /* ... what meets it */
+} clamp;
+
+static cni_path body_path(const cni_body *b, cni_vec2 from, float dpx, float dpy, float theta)
+{
+	cni_path p;
+	p.start = cni_v((b->cx - from.x) + b->cx_low, (b->cy - from.y) + b->cy_low);
+	p.end = cni_v(p.start.x + dpx, p.start.y + dpy);
+	p.q = b->q;
+	p.turn = theta;
+	p.local_center = b->local_center;
+	return p;
+}
+
+/* Rounding that the core gave up reaches less far from the centre, however the body turns. */
+static void core_begin(clamp *c, const cni_geometry *g)
+{
+	const cni_body *b = c->body;
+	const cni_path *p = &c->path;
+	cni_aabb way = { cni_min(p->start.x, p->end.x), cni_min(p->start.y, p->end.y), cni_max(p->start.x, p->end.x), cni_max(p->start.y, p->end.y) };
+	float rounding = CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
+	core_make(g, core_depth(g, c->world->settings.slop), &c->core);
+	c->reach = cni_box_fatten(way, b->extent - (g->radius - c->core.geometry.radius) + rounding + c->world->settings.slop);
+}
+
+/* Most static shapes about a body are beside its way, or end before the core begins. */
+static int32_t core_reaches(const clamp *c, const cni_aabb *box)
+{
+	cni_aabb near = *box;
+	near.x0 -= c->body->cx;
+	near.x1 -= c->body->cx;
+	near.y0 -= c->body->cy;
+	near.y1 -= c->body->cy;
+	return cni_aabb_overlap(&c->reach, &near);
+}
+
+static int32_t other_stops(const clamp *c, int32_t proxy)
+{
+	const cn_world *world = c->world;
+	const cni_proxy *p = cni_proxy_at(world, proxy);
+	if (c->what == CLAMP_STATIC && !(p->flags & CNI_PROXY_STATIC))
+		return 0;
+	if (cni_shape_at(world, p->shape)->flags & (CN_SHAPE_SENSOR | CN_SHAPE_ONE_WAY))
+		return 0;
+	return cni_contact_allowed(world, c->proxy, proxy);
+}
+
+/* How far the foremost point of a shape moves along the normal. */
+static float path_lifts_by(const cni_geometry *g, int32_t child, const cni_path *path, cni_vec2 normal)
+{
+	cni_vec2 storage[2], from = cni_unrotate(path->q, normal), to;
+	cni_proxy_points set = cni_geometry_proxy(g, child, storage);
+	cni_transform end = cni_path_at(path, 1.0f);
+	float low_from = FLT_MAX, low_to = FLT_MAX;
+	int32_t k;
+	to = cni_unrotate(end.q, normal);
+	for (k = 0; k < set.count; ++k) {
+		cni_vec2 arm = cni_sub(set.points[k], path->local_center);
+		low_from = cni_min(low_from, cni_dot(arm, from));
+		low_to = cni_min(low_to, cni_dot(arm, to));
+	}
+	return cni_dot(cni_sub(path->end, path->start), normal) + (low_to - low_from);
+}
+
+/* By how much more b is in front of a along the normal, which separates them now, when both paths have been gone. */
+static float path_leaves_by(const cni_toi_input *in, cni_vec2 normal)
+{
+	return path_lifts_by(in->b, in->child_b, &in->path_b, normal) + path_lifts_by(in->a, in->child_a, &in->path_a, cni_neg(normal));
+}
+
+/*
+ * A core that starts nearer than the target, which is where the last step left it if that stopped it, may come half as near
+ * again, and no nearer than a hundredth of the tolerance: there it is held until it leaves.
+ */
+static cni_toi_result core_meets(cni_toi_input *in)
+{
+	float least = 0.01f * in->tolerance;
+	cni_toi_result hit = cni_toi(in);
+	while (hit.state == CNI_TOI_HIT && !(hit.fraction > 0.0f) && hit.distance > 2.0f * least) {
+		in->target = 0.5f * hit.distance;
+		in->tolerance = 0.25f * hit.distance;
+		hit = cni_toi(in);
+		if (!(hit.distance < 2.0f * in->target))
+			break;
+	}
+	return hit;
+}
+
+static int32_t starts_inside(const cni_toi_result *hit)
+{
+	return hit->state == CNI_TOI_OVERLAPPED || (hit->state == CNI_TOI_HIT && hit->fraction == 0.0f && hit->distance <= 0.0f);
+}
+
+static cni_toi_result try_core(const clamp *c, const core_shape *core, cni_toi_input *in)
+{
+	float most = 0.5f * c->world->settings.slop;
+	in->b = &core->geometry;
+	in->target = core->depth > 0.0f ? cni_min(most, CLEAR_PART * core->depth) : most;
+	in->tolerance = 0.5f * in->target;
+	return core_meets(in);
+}
+
+/* Shortens the path to what is free for a core, and returns 0 if the core starts inside the other shape. */
+static int32_t core_clamp(clamp *c, const core_shape *core, cni_toi_input *in, const cni_body *other)
+{
+	cni_toi_result hit = try_core(c, core, in);
+	if (starts_inside(&hit))
+		return 0;
+	if ((hit.state != CNI_TOI_HIT && hit.state != CNI_TOI_FAILED) || !(hit.fraction < c->fraction))
+		return 1;
+	if (hit.state == CNI_TOI_HIT && hit.fraction == 0.0f && path_leaves_by(in, hit.normal) > 0.0f)
+		return 1;
+	c->fraction = hit.fraction;
+	c->met = other->type == CN_BODY_DYNAMIC ? other->awake : 0;
+	c->normal = hit.state == CNI_TOI_HIT ? hit.normal : cni_v(0.0f, 0.0f);
+	c->arm = hit.state == CNI_TOI_HIT ? cni_sub(hit.point, in->path_b.start) : cni_v(0.0f, 0.0f);
+	if (c->fraction == 0.0f)
+		c->stopped = *core;
+	return 1;
+}
+
+/* What is inside with its inner core too is left to its contacts. */
+static void inner_clamp(clamp *c, cni_toi_input *in, const cni_body *other)
+{
+	const cni_geometry *g = cni_shape_geometry(&c->world->blocks, cni_shape_at(c->world, cni_proxy_at(c->world, c->proxy)->shape));
+	core_shape inner;
+	if (c->core.depth >= INNER_DEPTH * g->inner_radius)
+		return;
+	core_make(g, INNER_DEPTH * g->inner_radius, &inner);
+	(void)core_clamp(c, &inner, in, other);
+}
+
+static float visit(void *context, int32_t proxy, float limit)
+{
+	clamp *c = (clamp *)context;
+	const cn_world *world = c->world;
+	const cni_proxy *p = cni_proxy_at(world, proxy);
+	const cni_shape *s;
+	const cni_body *other;
+	const cni_motion *motion;
+	cni_toi_input in;
+	if (!other_stops(c, proxy) || ((p->flags & CNI_PROXY_STATIC) && !core_reaches(c, &p->fat))) /* nothing else of them is read */
+		return limit;
+	s = cni_shape_at(world, p->shape);
+	other = cni_body_at(world, s->body);
+	in.a = cni_shape_geometry(&world->blocks, s);
+	in.child_a = cni_proxy_child(p);
+	in.child_b = 0;
+	motion = cni_motions(world) + other->awake; /* the dummy for static ones */
+	in.path_a = body_path(other, cni_v(c->body->cx, c->body->cy), motion->dpx, motion->dpy, motion->theta);
+	in.path_b = c->path;
+	if (!core_clamp(c, &c->core, &in, other))
+		inner_clamp(c, &in, other);
+	return limit;
+}
+
+/* The box that a shape covers on the way, at whatever angle. */
+static cni_aabb swept_box(const cni_body *b, const cni_motion *m)
+{
+	cni_aabb box;
+	box.x0 = b->cx + cni_min(m->dpx, 0.0f) - b->extent;
+	box.x1 = b->cx + cni_max(m->dpx, 0.0f) + b->extent;
+	box.y0 = b->cy + cni_min(m->dpy, 0.0f) - b->extent;
+	box.y1 = b->cy + cni_max(m->dpy, 0.0f) + b->extent;
+	return box;
+}
+
+static void motion_shorten(cni_motion *m, float fraction)
+{
+	m->dpx *= fraction;
+	m->dpy *= fraction;
+	m->theta *= fraction;
+}
+
+static int32_t shape_may_pass(const cni_shape *s, int32_t proxy)
+{
+	return s->type != CN_SHAPE_CHAIN && !(s->flags & CN_SHAPE_SENSOR) && proxy != CNI_NONE;
+}
+
+static void clamp_begin(clamp *c, cn_world *world, int32_t body, int32_t what)
+{
+	const cni_body *b = cni_body_at(world, body);
+	const cni_motion *m = cni_motions(world) + b->awake;
+	c->world = world;
+	c->body = b;
+	c->what = what;
+	c->fraction = 1.0f;
+	c->met = 0;
+	c->path = body_path(b, cni_v(b->cx, b->cy), m->dpx, m->dpy, m->theta);
+}
+
+static void clamp_end(const clamp *c)
+{
+	cni_motion *motions = cni_motions(c->world);
+	motion_shorten(&motions[c->body->awake], c->fraction);
+	if (c->met != 0) /* it was not found to be free beyond that either: it would sweep over the bullet */
+		motion_shorten(&motions[c->met], c->fraction);
+}
+
+/* Finds what is free against whatever the body's way leads past. */
+static void clamp_look(clamp *c, cn_world *world, int32_t body, int32_t what)
+{
+	const cni_body *b = cni_body_at(world, body);
+	cni_aabb box = swept_box(b, cni_motions(world) + b->awake);
+	int32_t shape;
+	clamp_begin(c, world, body, what);
+	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+		const cni_shape *s = cni_shape_at(world, shape);
+		c->proxy = cni_shape_proxy(world, s, 0);
+		if (!shape_may_pass(s, c->proxy))
+			continue;
+		core_begin(c, cni_shape_geometry(&world->blocks, s));
+		world->broadphase_ops->query(world->broadphase, &box, visit, c);
+	}
+}
+
+/*
+ * What is met takes the speed at which the body's point there comes nearer, as an impulse at that point: the body slides on,
+ * and turns about it. Its path follows, and leads out by what it bends inwards and by what floats can tell.
+ */
+static void motion_slide(cni_motion *m, const clamp *c)
+{
+	cni_vec2 n = c->normal;
+	cni_path path;
+	float arm = cni_cross(c->arm, n), mass = cni_max(m->inv_mass + m->inv_inertia * arm * arm, FLT_MIN);
+	float speed = cni_max(-(m->vx * n.x + m->vy * n.y + m->w * arm), 0.0f) / mass;
+	float way = cni_max(-(m->dpx * n.x + m->dpy * n.y + m->theta * arm), 0.0f) / mass, out;
+	m->vx += speed * m->inv_mass * n.x;
+	m->vy += speed * m->inv_mass * n.y;
+	m->w += speed * m->inv_inertia * arm;
+	m->dpx += way * m->inv_mass * n.x;
+	m->dpy += way * m->inv_mass * n.y;
+	m->theta += way * m->inv_inertia * arm;
+	path = body_path(c->body, cni_v(c->body->cx, c->body->cy), m->dpx, m->dpy, m->theta);
+	out = cni_max(-path_lifts_by(&c->stopped.geometry, 0, &path, n), 0.0f);
+	out += 4.0f * FLT_EPSILON * (cni_abs(m->dpx) + cni_abs(m->dpy) + cni_abs(m->theta) * c->body->extent);
+	m->dpx += out * n.x;
+	m->dpy += out * n.y;
+}
+
+static int32_t may_slide(const clamp *c)
+{
+	return c->fraction == 0.0f && c->met == 0 && cni_length_sq(c->normal) > 0.0f && !(c->body->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y));
+}
+
+/* Of a body's way nothing may be free for something static: it slides, once. In a corner, or with a locked axis, it stays. */
+static void clamp_slide_or_end(clamp *c)
+{
+	cni_motion *m = cni_motions(c->world) + c->body->awake;
+	if (may_slide(c)) {
+		motion_slide(m, c);
+		clamp_look(c, c->world, cni_awake_ids(c->world)[c->body->awake], c->what);
+	}
+	clamp_end(c);
+}
+
+static void clamp_body(cn_world *world, int32_t body, int32_t what)
+{
+	clamp c;
+	clamp_look(&c, world, body, what);
+	clamp_slide_or_end(&c);
+}
+
+/* ---- bodies that can meet only static shapes that they have contacts with ---- */
+
+static void shape_look(clamp *c, const cni_shape *s)
+{
+	const cn_world *world = c->world;
+	int32_t key, next, has_core = 0;
+	for (key = c->body->contact_first; key != CNI_NONE; key = next) {
+		const cni_contact *contact = cni_contact_of_key(world, key);
+		int32_t side = key & 1, other = contact->proxy[1 - side];
+		next = contact->next[side];
+		if (contact->proxy[side] != c->proxy || !(cni_proxy_at(world, other)->flags & CNI_PROXY_STATIC))
+			continue;
+		if (!has_core)
+			core_begin(c, cni_shape_geometry(&world->blocks, s));
+		has_core = 1;
+		visit(c, other, 0.0f);
+	}
+}
+
+static void clamp_watched(cn_world *world, int32_t body)
+{
+	clamp c;
+	int32_t shape;
+	clamp_begin(&c, world, body, CLAMP_STATIC);
+	for (shape = c.body->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+		c.proxy = cni_shape_proxy(world, cni_shape_at(world, shape), 0);
+		if (shape_may_pass(cni_shape_at(world, shape), c.proxy))
+			shape_look(&c, cni_shape_at(world, shape));
+	}
+	clamp_slide_or_end(&c);
+}
+
+/* Farther turns are looked at the long way. */
+#define WATCHED_TURN_MAX_RAD 1.0f
+
+static cni_aabb box_moved(cni_aabb box, const cni_motion *m)
+{
+	box.x0 += m->dpx;
+	box.y0 += m->dpy;
+	box.x1 += m->dpx;
+	box.y1 += m->dpy;
+	return box;
+}
+
+static cni_aabb box_at_end(const cni_body *b, const cni_motion *m, const cni_geometry *g)
+{
+	cni_path path = body_path(b, cni_v(0.0f, 0.0f), m->dpx, m->dpy, m->theta);
+	return cni_geometry_aabb(g, 0, cni_path_at(&path, 1.0f));
+}
+
+/* How far the way leads from the one for which boxes were made. */
+static float strays_from_ahead(const cn_world *world, const cni_body *b, const cni_motion *m)
+{
+	return cni_max(cni_abs(m->dpx - world->step_dt * b->vx), cni_abs(m->dpy - world->step_dt * b->vy));
+}
+
+/*
+ * Does the body stay within the fat boxes of its shapes all the way? Whatever static shape it could meet there
+ * already has a contact with it. A shape strays from the line between its two ends by no more than
+ * swing turn^2 / 8, and turning moves it by no more than swing turn: most boxes have room for that too, and where
+ * the shape will be at the end need not be found; where it is now neither, if its boxes were made for this way.
+ */
+static int32_t path_is_watched(const cn_world *world, const cni_body *b, const cni_motion *m)
+{
+	float swing = cni_body_turn_reach(b), stray = 0.125f * swing * m->theta * m->theta, turned = stray + cni_body_reach(b, 0.0f, 0.0f, m->theta);
+	cni_transform start;
+	int32_t shape;
+	if (cni_abs(m->theta) > WATCHED_TURN_MAX_RAD && swing > 0.0f)
+		return 0;
+	if ((b->flags & CNI_BODY_AHEAD) && strays_from_ahead(world, b, m) + turned < cni_body_room(b))
+		return 1;
+	start = cni_body_transform(b);
+	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
+		const cni_shape *s = cni_shape_at(world, shape);
+		const cni_geometry *g = cni_shape_geometry(&world->blocks, s);
+		int32_t proxy = cni_shape_proxy(world, s, 0);
+		const cni_aabb *fat;
+		cni_aabb from, to, box;
+		if (!shape_may_pass(s, proxy))
+			continue;
+		fat = &cni_proxy_at(world, proxy)->fat;
+		cni_geometry_box(g, 0, &start, &from);
+		to = box_moved(from, m);
+		box = cni_box_fatten(cni_aabb_union(&from, &to), turned);
+		if (cni_aabb_contains(fat, &box))
+			continue;
+		to = box_at_end(b, m, g);
+		box = cni_box_fatten(cni_aabb_union(&from, &to), stray);
+		if (!cni_aabb_contains(fat, &box))
+			return 0;
+	}
+	return 1;
+}
+
+typedef struct guard_loop {
+	cn_world *world;
+	uint32_t bullets; /* fast ones, left for later */
+} guard_loop;
+
+/* A fast body. What one finds depends on no other, but for bullets: they are looked at when all others have their ways. */
+static void body_guard(guard_loop *loop, int32_t body, const cni_motion *m)
+{
+	cn_world *world = loop->world;
+	const cni_body *b = cni_body_at(world, body);
+	if (b->flags & CN_BODY_BULLET) {
+		cni_externals(world)[b->awake].flags |= CNI_EXTERNAL_DEFERRED;
+		(void)cni_atomic_add(&loop->bullets, 1);
+		return;
+	}
+	if (world->movable_count == world->body_handles.count)
+		return; /* nothing is static anywhere */
+	if (world->pairs_may_repeat || !path_is_watched(world, b, m))
+		clamp_body(world, body, CLAMP_STATIC);
+	else if (b->flags & CNI_BODY_AT_STATIC)
+		clamp_watched(world, body);
+}
+
+CNI_INLINE void record_ask(const cn_world *world, int32_t body)
+{
+	const cni_body *b = cni_body_at(world, body);
+	CNI_PREFETCH(&b->cx);
+	CNI_PREFETCH(&b->core);
+}
+
+/* Writes nothing but motions and drives of the range. */
+static void guard_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	guard_loop *loop = (guard_loop *)context;
+	const cn_world *world = loop->world;
+	const int32_t *ids = cni_awake_ids(world);
+	const cni_motion *motions = cni_motions(world);
+	int32_t k, many = world->awake_count > RECORDS_MANY;
+	(void)worker;
+	for (k = begin + 1; k <= end; ++k) {
+		if (many && k + RECORDS_AHEAD <= end)
+			record_ask(world, ids[k + RECORDS_AHEAD]);
+		if (body_is_fast(cni_body_at(world, ids[k]), &motions[k]))
+			body_guard(loop, ids[k], &motions[k]);
+	}
+}
+
+/* In order: one may shorten the way of another. */
+static void bullets_guard(cn_world *world)
+{
+	cni_external *drives = cni_externals(world);
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		int32_t body = cni_awake_ids(world)[k];
+		if (!(drives[k].flags & CNI_EXTERNAL_DEFERRED))
+			continue;
+		drives[k].flags &= ~(uint32_t)CNI_EXTERNAL_DEFERRED;
+		if (body_is_fast(cni_body_at(world, body), cni_motions(world) + k)) /* no longer, perhaps */
+			clamp_body(world, body, CLAMP_ALL);
+	}
+}
+
+/* A user's filter is asked by the calling thread. */
+void cni_stage_continuous(cn_world *world)
+{
+	guard_loop loop = { world, 0 };
+	cni_team_for(world->filter != NULL ? NULL : world->team, world->awake_count - 1, BODIES_A_RANGE, guard_range, &loop);
+	if (loop.bullets > 0)
+		bullets_guard(world);
+}

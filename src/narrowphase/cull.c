@@ -1,0 +1,434 @@
+/*
+ * narrowphase/cull.c - passes by what stays apart.
+ *
+ * Most pairs of a heap in motion are only neighbours: their boxes overlap, for boxes look ahead, and circles around the two
+ * bodies are apart. Such a contact costs what it takes to fetch its memory. So what is needed of bodies is copied to where it
+ * takes a part of the lines, once for all contacts of a body; four contacts are tested side by side; where there are many, memory
+ * is asked for early and evenly, a few lines at a time; and nothing branches on what nobody can guess.
+ *
+ * Passing by is an early out only: what it passes by would come out apart, and as its boxes overlap it stays a contact.
+ *
+ * Reads contacts, bodies, boxes; marks bodies that have static ones about them. Writes flags of its own contacts.
+ */
+#include "base/bitset.h"
+#include "base/cpu.h"
+#include "narrowphase/cull.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#include "base/wide.h"
+#endif
+
+/* Contacts of fewer are in the cache anyway. */
+#define PREFETCH_FROM 2048
+
+/* So many contacts ahead records are asked for, and when these have come what they name. */
+#define RECORDS_AHEAD 24
+#define MEMBERS_AHEAD 12
+
+/* Bodies that one worker copies, at least: 10 us of work. */
+#define BODIES_A_RANGE 512
+
+/* Contacts of which there is something to tell, or that may have, are looked at. */
+#define LOOKED_AT ((uint32_t)CNI_CONTACT_SENSING | (uint32_t)CNI_CONTACT_PASSING | (uint32_t)CNI_CONTACT_CREATED_OWED)
+#define ENTERED ((uint32_t)CNI_CONTACT_ENTERED)
+
+/* ---- bodies ---- */
+
+/* The high part of a centre is within half a unit of its last place. */
+static cni_cull_body cull_body_make(const cni_body *b, float dt)
+{
+	cni_cull_body s;
+	s.x = b->cx;
+	s.y = b->cy;
+	s.ahead_x = dt * b->vx;
+	s.ahead_y = dt * b->vy;
+	s.radius = CNI_CIRCLES_APART * (b->extent + dt * cni_abs(b->w) * cni_body_turn_reach(b)) + FLT_EPSILON * (cni_abs(b->cx) + cni_abs(b->cy));
+	if (b->awake == 0)
+		s.radius = -s.radius;
+	return s;
+}
+
+#if CNI_HAS_WIDE_4
+
+/* cull_body_make of four in a row, with its bits. */
+static void four_make(const cni_body *b, float dt, cni_cull_body *out)
+{
+	const cni_mask awake = { b[0].awake, b[1].awake, b[2].awake, b[3].awake };
+	const cni_wide extent = { b[0].extent, b[1].extent, b[2].extent, b[3].extent };
+	const cni_mask swings = { b[0].swing, b[1].swing, b[2].swing, b[3].swing };
+	const cni_wide swing = extent * (__builtin_convertvector(swings, cni_wide) * cni_wide_of(CNI_TURN_REACH_UNIT));
+	cni_wide at[4], ahead[4], low, high, x, y, turn, radius;
+	int32_t l;
+	for (l = 0; l < 4; ++l) {
+		at[l] = cni_wide_load_loose(&b[l].cx);
+		ahead[l] = cni_wide_of(dt) * cni_wide_load_loose(&b[l].vx);
+		*(cni_wide_loose *)(void *)&out[l].x = __builtin_shufflevector(at[l], ahead[l], 0, 1, 4, 5);
+	}
+	low = __builtin_shufflevector(at[0], at[1], 0, 1, 4, 5);
+	high = __builtin_shufflevector(at[2], at[3], 0, 1, 4, 5);
+	x = __builtin_shufflevector(low, high, 0, 2, 4, 6);
+	y = __builtin_shufflevector(low, high, 1, 3, 5, 7);
+	turn = __builtin_shufflevector(__builtin_shufflevector(ahead[0], ahead[1], 2, 2, 6, 6), __builtin_shufflevector(ahead[2], ahead[3], 2, 2, 6, 6), 0, 2, 4, 6);
+	radius = cni_wide_of(CNI_CIRCLES_APART) * (extent + cni_wide_abs(turn) * swing) + cni_wide_of(FLT_EPSILON) * (cni_wide_abs(x) + cni_wide_abs(y));
+	radius = cni_wide_select(awake == (cni_mask){ 0 }, -radius, radius);
+	for (l = 0; l < 4; ++l)
+		out[l].radius = radius[l];
+}
+
+/* What it reads of a record; and four from a multiple of four lie in one page. */
+typedef char cni_four_bodies_are_read[offsetof(cni_body, w) == offsetof(cni_body, vx) + 8 && CNI_PAGE_BODIES >= 2 ? 1 : -1];
+
+#else
+
+static void four_make(const cni_body *b, float dt, cni_cull_body *out)
+{
+	int32_t l;
+	for (l = 0; l < 4; ++l)
+		out[l] = cull_body_make(&b[l], dt);
+}
+
+#endif
+
+static void bodies_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const cni_cull_list *list = (const cni_cull_list *)context;
+	const cn_world *world = list->world;
+	cni_cull_body *bodies = list->bodies;
+	float dt = list->dt;
+	int32_t k = begin;
+	(void)worker;
+	while (k < end) {
+		const cni_body *b = cni_body_at(world, k);
+		if (k % 4 == 0 && k + 4 <= end) {
+			four_make(b, dt, &bodies[k]);
+			k += 4;
+		} else {
+			bodies[k++] = cull_body_make(b, dt);
+		}
+	}
+}
+
+/* Worth a pass over all bodies where each is in a contact that is apart: two are in one. */
+static void bodies_make(cni_cull_list *list)
+{
+	cn_world *world = list->world;
+	int32_t count = world->body_handles.slots.count;
+	if (list->apart < count / 2)
+		return;
+	list->bodies = (cni_cull_body *)cni_arena_push(&world->arena, sizeof(cni_cull_body) * (uint64_t)count);
+	if (list->bodies != NULL)
+		cni_parallel_for(world, count, BODIES_A_RANGE, bodies_range, list);
+}
+
+/* ---- asking for memory: inlined by force, as compilers take a function that only prefetches for one that does nothing ---- */
+
+CNI_INLINE void body_prefetch(const cni_body *b)
+{
+	CNI_PREFETCH(b);
+	CNI_PREFETCH(&b->vx);
+}
+
+/* Of a contact that is looked at. */
+CNI_INLINE void pair_prefetch(const cn_world *world, const cni_contact *c)
+{
+	int32_t side;
+	CNI_PREFETCH(&c->cache);
+	for (side = 0; side < 2; ++side) {
+		const cni_proxy *proxy = cni_proxy_at(world, c->proxy[side]);
+		CNI_PREFETCH(&proxy->fat);
+		CNI_PREFETCH(&proxy->geometry);
+		body_prefetch(cni_body_at(world, c->body[side]));
+	}
+}
+
+CNI_INLINE void members_prefetch(const cni_cull_list *list, const cni_contact *c)
+{
+	int32_t side;
+	for (side = 0; side < 2; ++side) {
+		CNI_PREFETCH(&cni_proxy_at(list->world, c->proxy[side])->fat);
+		if (list->bodies != NULL)
+			CNI_PREFETCH(&list->bodies[c->body[side]]);
+		else
+			body_prefetch(cni_body_at(list->world, c->body[side]));
+	}
+}
+
+/* Asks for the members of a contact, whose record was asked for, unless they are beyond the end. */
+CNI_INLINE void ask_for_members(const cni_cull *s, int32_t k)
+{
+	const cni_contact *c;
+	if (k >= s->end)
+		return;
+	c = cni_contact_at(s->of.world, s->of.contacts[k]);
+	if (k < s->of.apart)
+		members_prefetch(&s->of, c);
+	else
+		pair_prefetch(s->of.world, c);
+}
+
+/* Records reach from one line into the next: both ends are asked for. */
+CNI_INLINE void ask_for_record(const cni_cull *s, int32_t k)
+{
+	const cni_contact *c;
+	if (k >= s->end)
+		return;
+	c = cni_contact_at(s->of.world, s->of.contacts[k]);
+	CNI_PREFETCH(c);
+	CNI_PREFETCH(&c->flags);
+}
+
+/* While contacts `at` to at + count - 1 are culled. */
+CNI_INLINE void ask_ahead(const cni_cull *s, int32_t at, int32_t count)
+{
+	int32_t k;
+	for (k = at; k < at + count; ++k) {
+		ask_for_record(s, k + RECORDS_AHEAD);
+		ask_for_members(s, k + MEMBERS_AHEAD);
+	}
+}
+
+/* ---- one contact ---- */
+
+/* Every comparison is made, whatever the others say. */
+static int32_t boxes_overlap(const cni_aabb *a, const cni_aabb *b)
+{
+	return (a->x0 <= b->x1) & (b->x0 <= a->x1) & (a->y0 <= b->y1) & (b->y0 <= a->y1);
+}
+
+/* The reach is that of a cni_pair_motion at most, whose sum is taken along other axes. */
+static int32_t circles_apart(const cni_cull_body *a, const cni_cull_body *b, float margin)
+{
+	float dx = b->x - a->x, dy = b->y - a->y, reach;
+	reach = cni_max(margin, 1.4143f * (cni_abs(b->ahead_x - a->ahead_x) + cni_abs(b->ahead_y - a->ahead_y)));
+	reach = cni_abs(a->radius) + cni_abs(b->radius) + CNI_CIRCLES_APART * reach;
+	return dx * dx + dy * dy > reach * reach;
+}
+
+static void contact_mark_static(const cn_world *world, const cni_contact *c)
+{
+	cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
+}
+
+/* No longer what began in the last step. */
+static void contact_enters_no_more(cni_contact *c)
+{
+	if (c->flags & ENTERED)
+		c->flags &= ~ENTERED;
+}
+
+static int32_t boxes_of_contact_overlap(const cn_world *world, const cni_contact *c)
+{
+	return boxes_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat);
+}
+
+/* Returns 1 when it is certain to stay apart. */
+static uint32_t one_cull(const cni_cull *s, cni_contact *c)
+{
+	const cni_cull_body *a, *b;
+	cni_cull_body made_a, made_b;
+	if (s->of.bodies != NULL) {
+		a = &s->of.bodies[c->body[0]];
+		b = &s->of.bodies[c->body[1]];
+	} else {
+		made_a = cull_body_make(cni_body_at(s->of.world, c->body[0]), s->of.dt);
+		made_b = cull_body_make(cni_body_at(s->of.world, c->body[1]), s->of.dt);
+		a = &made_a;
+		b = &made_b;
+	}
+	if (a->radius <= 0.0f || b->radius <= 0.0f)
+		contact_mark_static(s->of.world, c);
+	contact_enters_no_more(c);
+	return (uint32_t)(circles_apart(a, b, s->of.margin) & ((c->flags & LOOKED_AT) == 0) & boxes_of_contact_overlap(s->of.world, c));
+}
+
+/* ---- four side by side ---- */
+
+#if CNI_HAS_WIDE_4
+
+/* What is read of four contacts, row by row. */
+typedef struct cull_rows {
+	cni_wide between[4];     /* way from one body to the other, now and of the step */
+	cni_mask over[4];        /* boxes, each way along each axis */
+	uint32_t flags;          /* of any */
+} cull_rows;
+
+CNI_INLINE void rows_take(cull_rows *r, int32_t l, const cn_world *world, const cni_cull_body *a, const cni_cull_body *b, const cni_contact *c)
+{
+	cni_wide box_a = cni_wide_load_loose(&cni_proxy_at(world, c->proxy[0])->fat.x0), box_b = cni_wide_load_loose(&cni_proxy_at(world, c->proxy[1])->fat.x0);
+	r->between[l] = cni_wide_load_loose(&b->x) - cni_wide_load_loose(&a->x);
+	r->over[l] = __builtin_shufflevector(box_a, box_b, 0, 1, 4, 5) <= __builtin_shufflevector(box_b, box_a, 2, 3, 6, 7);
+	r->flags |= c->flags;
+}
+
+/* Lane l: all of mask l. */
+CNI_INLINE cni_mask all_of_each(const cni_mask *m)
+{
+	cni_mask low = __builtin_shufflevector(m[0], m[1], 0, 4, 1, 5) & __builtin_shufflevector(m[0], m[1], 2, 6, 3, 7);
+	cni_mask high = __builtin_shufflevector(m[2], m[3], 0, 4, 1, 5) & __builtin_shufflevector(m[2], m[3], 2, 6, 3, 7);
+	return __builtin_shufflevector(low, high, 0, 1, 4, 5) & __builtin_shufflevector(low, high, 2, 3, 6, 7);
+}
+
+/* What few contacts need. */
+static uint32_t four_by_flags(cni_contact *const *c, uint32_t apart)
+{
+	int32_t l;
+	for (l = 0; l < 4; ++l) {
+		contact_enters_no_more(c[l]);
+		if (c[l]->flags & LOOKED_AT)
+			apart &= ~(1u << l);
+	}
+	return apart;
+}
+
+/* one_cull of four, as bits: lane by lane the same operations. */
+static uint32_t four_cull(const cni_cull *s, cni_contact *const *c)
+{
+	const cn_world *world = s->of.world;
+	const cni_cull_body *a[4], *b[4];
+	cni_wide radius_a, radius_b, dx, dy, ahead_x, ahead_y, reach;
+	uint32_t apart, marks;
+	cull_rows r;
+	int32_t l;
+	r.flags = 0;
+	for (l = 0; l < 4; ++l) {
+		a[l] = &s->of.bodies[c[l]->body[0]];
+		b[l] = &s->of.bodies[c[l]->body[1]];
+		rows_take(&r, l, world, a[l], b[l], c[l]);
+	}
+	radius_a = (cni_wide){ a[0]->radius, a[1]->radius, a[2]->radius, a[3]->radius };
+	radius_b = (cni_wide){ b[0]->radius, b[1]->radius, b[2]->radius, b[3]->radius };
+	cni_wide_columns(r.between, &dx, &dy, &ahead_x, &ahead_y);
+	reach = cni_wide_max(cni_wide_of(s->of.margin), cni_wide_of(1.4143f) * (cni_wide_abs(ahead_x) + cni_wide_abs(ahead_y)));
+	reach = cni_wide_abs(radius_a) + cni_wide_abs(radius_b) + cni_wide_of(CNI_CIRCLES_APART) * reach;
+	apart = cni_mask_bits((dx * dx + dy * dy > reach * reach) & all_of_each(r.over));
+	for (marks = cni_mask_bits((radius_a <= cni_wide_of(0.0f)) | (radius_b <= cni_wide_of(0.0f))); marks != 0; marks &= marks - 1)
+		contact_mark_static(world, c[cni_bit_lowest32(marks)]);
+	return r.flags & (LOOKED_AT | ENTERED) ? four_by_flags(c, apart) : apart;
+}
+
+#else
+
+static uint32_t four_cull(const cni_cull *s, cni_contact *const *c)
+{
+	return one_cull(s, c[0]) | one_cull(s, c[1]) << 1 | one_cull(s, c[2]) << 2 | one_cull(s, c[3]) << 3;
+}
+
+#endif
+
+/* ---- batches ---- */
+
+/* Those of a batch that stay apart, as bits. */
+static uint32_t apart_of_batch(const cni_cull *s, int32_t from, int32_t size)
+{
+	const cn_world *world = s->of.world;
+	const int32_t *contacts = s->of.contacts + from;
+	uint32_t apart = 0;
+	int32_t k = 0;
+	for (; s->of.bodies != NULL && k + 4 <= size; k += 4) {
+		cni_contact *c[4] = { cni_contact_at(world, contacts[k]), cni_contact_at(world, contacts[k + 1]), cni_contact_at(world, contacts[k + 2]),
+		                      cni_contact_at(world, contacts[k + 3]) };
+		if (s->of.prefetches)
+			ask_ahead(s, from + k, 4);
+		apart |= four_cull(s, c) << k;
+	}
+	for (; k < size; ++k) {
+		if (s->of.prefetches)
+			ask_ahead(s, from + k, 1);
+		apart |= one_cull(s, cni_contact_at(world, contacts[k])) << k;
+	}
+	return apart;
+}
+
+static void batch_cull(cni_cull *s)
+{
+	int32_t size = cni_min_i(CNI_CULL_BATCH, cni_min_i(s->end, s->of.apart) - s->at);
+	s->batch = s->at;
+	s->at += size;
+	s->left = ~apart_of_batch(s, s->batch, size) & (~0u >> (CNI_CULL_BATCH - size));
+}
+
+/* What is left of the batch. */
+static int32_t take_left(cni_cull *s, cni_touch_pair *out, int32_t most)
+{
+	const cn_world *world = s->of.world;
+	const int32_t *contacts = s->of.contacts + s->batch;
+	int32_t count = 0, prefetches = s->of.prefetches;
+	uint32_t left = s->left;
+	for (; left != 0 && count < most; left &= left - 1) {
+		int32_t contact = contacts[cni_bit_lowest32(left)];
+		cni_contact *c = cni_contact_at(world, contact);
+		if (prefetches)
+			pair_prefetch(world, c);
+		out[count++] = cni_touch_pair_of(world, c, contact);
+	}
+	s->left = left;
+	return count;
+}
+
+/* What touches is looked at always. */
+static int32_t take_touching(cni_cull *s, cni_touch_pair *out, int32_t most)
+{
+	const cn_world *world = s->of.world;
+	int32_t k, at = s->at, count = cni_min_i(most, s->end - at), prefetches = s->of.prefetches;
+	const int32_t *contacts = s->of.contacts + at;
+	for (k = 0; k < count; ++k) {
+		int32_t contact = contacts[k];
+		cni_contact *c = cni_contact_at(world, contact);
+		if (prefetches)
+			ask_ahead(s, at + k, 1);
+		out[k] = cni_touch_pair_of(world, c, contact);
+		cni_contact_mark_static(out[k].body[0], out[k].body[1]);
+		contact_enters_no_more(c);
+	}
+	s->at = at + count;
+	return count;
+}
+
+/* ---- */
+
+void cni_cull_open(cni_cull_list *list, cn_world *world, const int32_t *contacts, int32_t apart, int32_t count, float dt)
+{
+	list->world = world;
+	list->contacts = contacts;
+	list->apart = CNI_ON(SIFT) ? apart : 0;
+	list->count = count;
+	list->dt = dt;
+	list->margin = world->settings.contact_margin;
+	list->bodies = NULL;
+	list->prefetches = count >= PREFETCH_FROM;
+	bodies_make(list);
+}
+
+void cni_cull_close(cni_cull_list *list)
+{
+	cni_arena_pop(&list->world->arena, list->bodies);
+}
+
+void cni_cull_begin(cni_cull *s, const cni_cull_list *list, int32_t begin, int32_t end)
+{
+	int32_t k;
+	s->of = *list;
+	s->at = s->batch = begin;
+	s->end = end;
+	s->left = 0;
+	if (!list->prefetches)
+		return;
+	for (k = 0; k < RECORDS_AHEAD; ++k)
+		ask_for_record(s, begin + k);
+	for (k = 0; k < MEMBERS_AHEAD; ++k)
+		ask_for_members(s, begin + k);
+}
+
+int32_t cni_cull_next(cni_cull *s, cni_touch_pair *out, int32_t most)
+{
+	int32_t count = 0;
+	while (count < most && (s->left != 0 || s->at < s->end)) {
+		if (s->left != 0)
+			count += take_left(s, out + count, most - count);
+		else if (s->at < s->of.apart)
+			batch_cull(s);
+		else
+			count += take_touching(s, out + count, most - count);
+	}
+	return count;
+}

@@ -1,0 +1,239 @@
+/*
+ * narrowphase/manifold_reuse.c - the first part of the narrowphase: contacts that go on as they were.
+ *
+ * Most contacts of a pile are between things at rest. Their lanes are brought up to date side by side from their anchors
+ * and the bodies' poses, in the blocks where they lie, by the kernel of contacts/manifold_reuse_kernel.h; records, shapes and boxes
+ * are not looked at. What cannot be followed so is handed to the narrowphase. Blocks are shared among the world's workers.
+ *
+ * Boxes need no test: a pair nearer than the least margin of a fat box goes on overlapping with it, whichever box
+ * was made anew.
+ *
+ * Reads bodies, motion, anchors; writes lanes; marks bodies that have static ones about them.
+ */
+#include "base/bitset.h"
+#include "contacts/contact_pass.h"
+#include "narrowphase/touch.h"
+
+#include <stddef.h>
+#include <string.h>
+
+/* What kernels read of a record. */
+typedef char cni_body_begins_with_pose[offsetof(cni_body, cx) == 0 && offsetof(cni_body, q) == 16 && offsetof(cni_body, extent) == 32 ? 1 : -1];
+typedef char cni_reuse_pose_begins_alike[offsetof(cni_reuse_pose, c) == offsetof(cni_body, q) && offsetof(cni_reuse_pose, extent) == 24 ? 1 : -1];
+
+/* 10 us of work where all is followed. */
+#define BLOCKS_A_RANGE 32
+#define BODIES_A_RANGE 1024 /* likewise: records are read */
+
+/* Fills the table, of whose halves only those with anchored lanes are read; returns the anchored lanes whose axes are
+   free: locked ones have other masses. */
+static uint32_t bodies_find(const cn_world *world, const cni_contact_block *k, const cni_block_anchor *anchor, uint32_t anchored, cni_reuse_bodies *out)
+{
+	const int32_t *ids = cni_awake_ids(world);
+	int32_t l, end = anchored >> CNI_LANES / 2 != 0 ? CNI_LANES : CNI_LANES / 2;
+	for (l = 0; l < end; ++l) {
+		cni_body *a, *b;
+		out->a[l] = out->b[l] = cni_record_floats(&cni_body_none);
+		if (!(anchored >> l & 1u))
+			continue;
+		a = cni_body_at(world, ids[k->ia[l]]);
+		b = cni_body_at(world, k->ib[l] == 0 ? anchor->x.body[l] : ids[k->ib[l]]);
+		if ((cni_body_flags(a) | cni_body_flags(b)) & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) {
+			anchored &= ~(1u << l);
+			continue;
+		}
+		if (k->ib[l] == 0)
+			cni_contact_mark_static(a, b);
+		out->a[l] = cni_record_floats(a);
+		out->b[l] = cni_record_floats(b);
+	}
+	return anchored;
+}
+
+static cni_reuse_pass pass_make(const cn_world *world, float dt)
+{
+	cni_reuse_pass pass;
+	pass.motions = cni_motions(world);
+	pass.poses = NULL;
+	pass.dt = dt;
+	pass.drift_most = 0.25f * world->settings.slop;
+	pass.hair = 0.1f * world->settings.slop;
+	pass.depth_most = world->settings.contact_margin;
+	pass.lag_sq = cni_normal_lag_sq(world);
+	pass.apart_most = world->settings.contact_margin - pass.hair;
+	return pass;
+}
+
+#if defined(CNI_DEBUG)
+static int32_t followed_overlap(const cn_world *world, const int32_t *contacts, uint32_t left)
+{
+	int32_t l, overlap = 1;
+	for (l = 0; l < CNI_LANES && contacts[l] != CNI_NONE; ++l) {
+		const cni_contact *c = cni_contact_at(world, contacts[l]);
+		overlap &= (left >> l & 1u) || cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat);
+	}
+	return overlap;
+}
+#endif
+
+typedef struct pose_loop {
+	const cn_world *world;
+	cni_reuse_pose *poses;
+} pose_loop;
+
+/* A body has several lanes: where most have an anchored one, what is read of the records comes side by side first. */
+static void poses_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const pose_loop *loop = (const pose_loop *)context;
+	const cn_world *world = loop->world;
+	int32_t k;
+	(void)worker;
+	for (k = begin + 1; k <= end; ++k) {
+		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+		cni_reuse_pose *p = &loop->poses[k];
+		memcpy(p, b, offsetof(cni_reuse_pose, extent));
+		p->extent = b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y) ? -1.0f : b->extent;
+		p->inv_inertia = cni_motions(world)[k].inv_inertia;
+	}
+}
+
+/* NULL: not worth it, or no memory. anchored: lanes between bodies that are awake. */
+static cni_reuse_pose *poses_make(cn_world *world, int32_t anchored)
+{
+	pose_loop loop;
+	loop.world = world;
+	loop.poses = anchored < world->awake_count / 2 ? NULL : (cni_reuse_pose *)cni_arena_push(&world->arena, sizeof(cni_reuse_pose) * (uint64_t)world->awake_count);
+	if (loop.poses == NULL)
+		return NULL;
+	memset(loop.poses, 0, sizeof *loop.poses);
+	cni_parallel_for(world, world->awake_count - 1, BODIES_A_RANGE, poses_range, &loop);
+	return loop.poses;
+}
+
+/* A block and, as bits, its lanes in use; after following those that were not followed. */
+typedef struct followed_block {
+	int32_t block;
+	uint32_t left;
+} followed_block;
+
+/* They lie where the passes will have their list: there is room for every block. */
+typedef char followed_blocks_fit[sizeof(followed_block) <= sizeof(cni_listed_block) ? 1 : -1];
+
+typedef struct follow_loop {
+	const cn_world *world;
+	const cni_contact_kernel *kernel;
+	followed_block *blocks; /* colours in order, a colour's blocks in order */
+	int32_t count;
+	cni_reuse_pass pass;
+} follow_loop;
+
+/* Returns how many anchored lanes there are between bodies that are awake. */
+static int32_t blocks_list(const cn_world *world, follow_loop *loop)
+{
+	int32_t color, block, lanes, anchored = 0;
+	loop->blocks = (followed_block *)world->block_list.data;
+	loop->count = 0;
+	for (color = 0; color < CNI_COLORS; ++color)
+		for (lanes = world->colors[color].lanes, block = world->colors[color].first; lanes > 0; lanes -= CNI_LANES) {
+			const cni_block_info *info = cni_block_info_at(world, block);
+			followed_block *b = &loop->blocks[loop->count++];
+			b->block = block;
+			b->left = (1u << cni_min_i(lanes, CNI_LANES)) - 1u;
+			if (color < CNI_COLOR_STATIC)
+				anchored += cni_bit_count64(info->anchored);
+			block = info->next;
+		}
+	return anchored;
+}
+
+CNI_INLINE void record_prefetch(const cn_world *world, int32_t index)
+{
+	const cni_body *b = cni_body_at(world, cni_max_i(cni_awake_ids(world)[index], 0));
+	CNI_PREFETCH(b);
+	CNI_PREFETCH(&b->flags);
+}
+
+/* Asks for the bodies of the next block, and for the rows of that after it. Inlined by force: compilers take a function
+   that only prefetches for one that does nothing. */
+CNI_INLINE void blocks_prefetch(const follow_loop *loop, int32_t next)
+{
+	const cn_world *world = loop->world;
+	const cni_contact_block *k;
+	int32_t l, after;
+	if (next >= loop->count)
+		return;
+	k = cni_block_at(world, loop->blocks[next].block);
+	for (l = 0; l < CNI_LANES; ++l) {
+		if (loop->pass.poses != NULL) {
+			CNI_PREFETCH(&loop->pass.poses[k->ia[l]]);
+			CNI_PREFETCH(&loop->pass.poses[k->ib[l]]);
+		} else {
+			record_prefetch(world, k->ia[l]);
+			record_prefetch(world, k->ib[l]);
+		}
+	}
+	if (next + 1 >= loop->count)
+		return;
+	after = loop->blocks[next + 1].block;
+	cni_lines_prefetch(cni_block_at(world, after), (int32_t)sizeof(cni_contact_block));
+	cni_lines_prefetch(cni_block_anchor_at(world, after), (int32_t)sizeof(cni_block_anchor));
+	CNI_PREFETCH(cni_block_info_at(world, after));
+}
+
+static uint32_t block_follow(const follow_loop *loop, int32_t block)
+{
+	const cn_world *world = loop->world;
+	const cni_block_info *info = cni_block_info_at(world, block);
+	uint32_t anchored = loop->pass.dt == 0.0f ? 0 : info->anchored;
+	cni_reuse_bodies bodies;
+	if (anchored != 0 && loop->pass.poses != NULL && info->color < CNI_COLOR_STATIC)
+		return loop->kernel->follow(&loop->pass, cni_block_at(world, block), cni_block_anchor_at(world, block), NULL, anchored);
+	if (anchored != 0)
+		anchored = bodies_find(world, cni_block_at(world, block), cni_block_anchor_at(world, block), anchored, &bodies);
+	if (anchored == 0)
+		return 0;
+	return loop->kernel->follow(&loop->pass, cni_block_at(world, block), cni_block_anchor_at(world, block), &bodies, anchored);
+}
+
+/* Blocks share bodies, of which only CNI_BODY_AT_STATIC is written. */
+static void follow_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const follow_loop *loop = (const follow_loop *)context;
+	int32_t k;
+	(void)worker;
+	for (k = begin; k < end; ++k) {
+		if (loop->world->awake_count >= CNI_PREFETCH_BODIES)
+			blocks_prefetch(loop, k + 1);
+		loop->blocks[k].left &= ~block_follow(loop, loop->blocks[k].block);
+	}
+}
+
+/* The contacts of lanes that were not followed, in the order of blocks and lanes. */
+static int32_t left_collect(const follow_loop *loop, int32_t *left)
+{
+	int32_t k, count = 0;
+	for (k = 0; k < loop->count; ++k) {
+		const int32_t *contact = cni_block_info_at(loop->world, loop->blocks[k].block)->contact;
+		uint32_t lanes;
+		CNI_ASSERT(followed_overlap(loop->world, contact, loop->blocks[k].left));
+		for (lanes = loop->blocks[k].left; lanes != 0; lanes &= lanes - 1u)
+			left[count++] = contact[cni_bit_lowest32(lanes)];
+	}
+	return count;
+}
+
+int32_t cni_manifolds_reuse(cn_world *world, float dt, int32_t *left)
+{
+	follow_loop loop;
+	cni_reuse_pose *poses = NULL;
+	int32_t anchored;
+	loop.world = world;
+	loop.kernel = cni_contact_kernel_choose();
+	loop.pass = pass_make(world, dt);
+	anchored = blocks_list(world, &loop);
+	if (dt > 0.0f)
+		loop.pass.poses = poses = poses_make(world, anchored);
+	cni_parallel_for(world, loop.count, BLOCKS_A_RANGE, follow_range, &loop);
+	cni_arena_pop(&world->arena, poses);
+	return left_collect(&loop, left);
+}

@@ -1,0 +1,497 @@
+/*
+ * narrowphase/narrowphase.c - stages 3 and 4: how the shapes of awake contacts touch.
+ *
+ * Contacts whose bodies have hardly moved are followed (manifold_reuse.c), those that are certain to stay apart are passed by
+ * (cull.c). Every other awake one is looked at on its own: one that goes on touching has its lane rewritten in
+ * place; one whose state changes is put on a list. Then the list is worked through in contact order: lanes are taken and
+ * freed, islands linked, events logged, ended pairs removed. Only the second part changes shared tables.
+ *
+ * So the first is shared among the world's workers: a range of contacts writes its own records, lanes and changes. What would
+ * take memory or ask the user is left for later, and looked at in order between the two parts.
+ *
+ * Contacts are looked at in windows of a few: all of a window are begun, then the manifolds of its pairs
+ * of boxes and the like are made side by side, then each is finished in order. So memory is asked for early, and the
+ * results are those of one by one.
+ *
+ * Reads bodies, geometry, proxies; writes contacts, lanes, and through them islands and events; marks
+ * bodies that have static ones about them.
+ */
+#include "narrowphase/narrowphase.h"
+#include "collision/manifold_boxes.h"
+#include "narrowphase/cull.h"
+
+#include <string.h>
+
+/* What the second part has to do for a contact. */
+enum { CHANGE_NONE = 0, CHANGE_BEGIN = 1, CHANGE_END = 2, CHANGE_OWED = 3, CHANGE_LATER = 4 };
+
+static int32_t boxes_overlap(const cn_world *world, const cni_contact *c)
+{
+	return cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat);
+}
+
+/* ---- one-way platforms ---- */
+
+/* Does the other shape come down on the side that the platform's local +y points to? */
+static int32_t lands_on_platform(const cn_world *world, const cni_contact *c, const cni_manifold *m)
+{
+	int32_t side = cni_shape_at(world, cni_proxy_at(world, c->proxy[0])->shape)->flags & CN_SHAPE_ONE_WAY ? 0 : 1;
+	const cni_body *a = cni_body_at(world, c->body[0]), *platform = cni_body_at(world, c->body[side]);
+	cni_vec2 up = cni_rotate(platform->q, cni_v(0.0f, 1.0f)), n = cni_rotate(a->q, m->normal);
+	float deepest = m->points[0].separation;
+	if (side == 1)
+		n = cni_neg(n);
+	if (m->count == 2)
+		deepest = cni_min(deepest, m->points[1].separation);
+	return cni_dot(n, up) > 0.7f && deepest > -world->settings.contact_margin;
+}
+
+/* A shape that first touches from below or from the side passes until it is out again. */
+static void let_pass(const cn_world *world, cni_contact *c, cni_manifold *m)
+{
+	if (m->count == 0)
+		c->flags &= ~(uint32_t)CNI_CONTACT_PASSING;
+	else if (!(c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_PASSING)) && !lands_on_platform(world, c, m))
+		c->flags |= CNI_CONTACT_PASSING;
+	if (c->flags & CNI_CONTACT_PASSING)
+		m->count = 0;
+}
+
+/* ---- sensors ---- */
+
+static int32_t sensor_update(const cni_touch *t)
+{
+	int32_t k, overlaps = 0, sensing = (t->contact->flags & CNI_CONTACT_SENSING) != 0;
+	for (k = 0; k < t->manifold.count; ++k)
+		overlaps |= t->manifold.points[k].separation <= 0.0f;
+	if (overlaps)
+		return sensing ? CHANGE_NONE : CHANGE_BEGIN;
+	return sensing || !t->boxes_overlap ? CHANGE_END : CHANGE_NONE;
+}
+
+/* The user may make a touching pair pass through each other for this step. */
+static void ask_user(cn_world *world, int32_t contact)
+{
+	cn_contact_event event;
+	int32_t solve;
+	if (world->pre_solve == NULL)
+		return;
+	cni_contact_describe(world, contact, cni_contact_at(world, contact)->flags & CNI_CONTACT_ENTERED ? CN_EVENT_ENTER : CN_EVENT_STAY, &event);
+	++world->locked;
+	solve = world->pre_solve(world, &event, world->pre_solve_user);
+	--world->locked;
+	if (!solve)
+		cni_contact_write_empty(world, contact);
+}
+
+static void write_and_ask(cn_world *world, int32_t contact, const cni_touch *t)
+{
+	cni_contact_write(world, t->contact, t->a, t->b, &t->manifold, t->gap, t->radius);
+	if (t->contact->flags & CNI_CONTACT_PRE_SOLVE)
+		ask_user(world, contact);
+}
+
+/* What becomes of a contact whose manifold is known: rewrites its lane if it goes on touching. */
+static int32_t contact_update(cn_world *world, int32_t contact, cni_touch *t)
+{
+	cni_contact *c = t->contact;
+	int32_t touching = (c->flags & CNI_CONTACT_TOUCHING) != 0;
+	if (c->flags & CNI_CONTACT_SENSOR)
+		return sensor_update(t);
+	if (c->flags & CNI_CONTACT_ONE_WAY)
+		let_pass(world, c, &t->manifold);
+	if (t->manifold.count > 0 && !touching)
+		return CHANGE_BEGIN;
+	if (t->manifold.count > 0)
+		write_and_ask(world, contact, t);
+	else if (touching || !t->boxes_overlap)
+		return CHANGE_END;
+	return c->flags & (CNI_CONTACT_CREATED_OWED | CNI_CONTACT_ENTER_OWED) ? CHANGE_OWED : CHANGE_NONE;
+}
+
+/* Sensors see what overlaps now. */
+static float look_ahead(const cni_contact *c, float dt)
+{
+	return c->flags & CNI_CONTACT_SENSOR ? 0.0f : dt;
+}
+
+/* The manifold is computed once more: few contacts begin in a step, and keeping it for all that might
+   takes more memory than the contacts themselves. */
+static void change_begin(cn_world *world, int32_t contact, float dt)
+{
+	cni_touch_pair pair = cni_touch_pair_of(world, cni_contact_at(world, contact), contact);
+	cni_touch t;
+	if (!cni_touch_begin(world, &pair, dt, &t))
+		return;
+	cni_touch_collide(&t);
+	cni_touch_finish(world, dt, &t);
+	if (t.manifold.count == 0)
+		return;
+	if (cni_contact_begin(world, contact, &t.manifold, t.gap, t.radius)) {
+		if (cni_contact_at(world, contact)->flags & CNI_CONTACT_PRE_SOLVE)
+			ask_user(world, contact);
+		return;
+	}
+	world->warnings |= CN_WARNING_CONTACT_MEMORY;
+	++world->pairs_not_added;
+}
+
+/* A pair whose boxes are apart ends for good. Without memory for that it stays, and may be found once more. */
+static void pair_end(cn_world *world, int32_t contact)
+{
+	if (!boxes_overlap(world, cni_contact_at(world, contact)) && !cni_contact_destroy(world, contact))
+		world->pairs_may_repeat = CNI_PAIRS_ALL;
+}
+
+/* Sensor pairs end and begin by themselves: nothing is solved. */
+static void sensor_change(cn_world *world, int32_t contact, int32_t change)
+{
+	if (!cni_contact_update_sensor(world, contact, change == CHANGE_BEGIN))
+		world->pairs_may_repeat = CNI_PAIRS_ALL;
+	else if (change == CHANGE_END)
+		pair_end(world, contact);
+}
+
+static void change_apply(cn_world *world, int32_t contact, int32_t change, float dt)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	if (c->flags & CNI_CONTACT_SENSOR) {
+		sensor_change(world, contact, change);
+		return;
+	}
+	if (change != CHANGE_END || boxes_overlap(world, c)) /* else it goes before it was told of */
+		cni_contact_send_deferred_events(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
+	if (change == CHANGE_OWED)
+		cni_contact_send_deferred_events(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
+	if (change == CHANGE_BEGIN)
+		change_begin(world, contact, dt);
+	if (change != CHANGE_END)
+		return;
+	if ((c->flags & CNI_CONTACT_TOUCHING) && !cni_contact_end(world, contact))
+		world->pairs_may_repeat = CNI_PAIRS_ALL;
+	else
+		pair_end(world, contact);
+}
+
+/* ---- windows ---- */
+
+/* Contacts that are looked at together. */
+#define WINDOW CNI_BOX_PAIRS
+
+typedef struct window {
+	cni_touch_pair pair[WINDOW]; /* to be looked at */
+	int32_t count;
+	cni_touch touch[WINDOW];
+	int32_t column[WINDOW];  /* in boxes, or one of the below */
+	int32_t change[WINDOW];  /* what came of it */
+	cni_box_batch boxes;
+	cni_box_kernel_fn *kernel;
+	int32_t prefetches;
+	uint32_t later_flags, later_locks; /* of contacts that touch, of bodies: such ones are left for later */
+} window;
+
+enum {
+	COLUMN_NONE = -1,   /* not a pair for the batch */
+	COLUMN_APART = -2,  /* no manifold */
+	COLUMN_LATER = -3
+};
+
+/* Alone: all is done as it comes. Else what takes memory or asks the user is left for later. */
+static void window_init(window *w, cn_world *world, int32_t alone)
+{
+	int32_t extra_rows = cni_table_capacity(&world->blocks_extra) >= cni_table_capacity(&world->blocks_hot);
+	w->kernel = CNI_ON(BOX_BATCHES) ? cni_box_kernel_choose() : NULL;
+	w->count = w->prefetches = 0;
+	w->later_flags = alone ? 0 : CNI_CONTACT_REFRESH | CNI_CONTACT_PRE_SOLVE;
+	w->later_locks = alone || extra_rows ? 0 : CN_BODY_LOCK_X | CN_BODY_LOCK_Y;
+}
+
+static int32_t is_later(const window *w, const cni_touch_pair *p)
+{
+	if (!(p->contact->flags & CNI_CONTACT_TOUCHING))
+		return 0;
+	return (p->contact->flags & w->later_flags) || ((cni_body_flags(p->body[0]) | cni_body_flags(p->body[1])) & w->later_locks);
+}
+
+/* Asks for what a lane is written from. Inlined by force: compilers take a function that only prefetches for one that
+   does nothing. */
+CNI_INLINE void lane_prefetch(const cn_world *world, const cni_touch_pair *p)
+{
+	const cni_contact_block *block;
+	int32_t l = p->contact->slot % CNI_LANES;
+	if (!(p->contact->flags & CNI_CONTACT_TOUCHING))
+		return;
+	block = cni_block_at(world, p->contact->slot / CNI_LANES);
+	CNI_PREFETCH(cni_motions(world) + p->body[0]->awake);
+	CNI_PREFETCH(cni_motions(world) + p->body[1]->awake);
+	CNI_PREFETCH(&block->p[0].jn[l]);
+	CNI_PREFETCH(&block->p[1].jn[l]);
+}
+
+/* A box takes more than a line. */
+CNI_INLINE void geometry_prefetch(const cn_world *world, const cni_proxy *p)
+{
+	const cni_geometry *g = cni_proxy_geometry(&world->blocks, p);
+	CNI_PREFETCH(g);
+	CNI_PREFETCH(g + 2);
+}
+
+static void window_prefetch(const cn_world *world, const window *w, int32_t count)
+{
+	int32_t k;
+	for (k = 0; k < count; ++k) {
+		geometry_prefetch(world, w->pair[k].proxy[0]);
+		geometry_prefetch(world, w->pair[k].proxy[1]);
+		lane_prefetch(world, &w->pair[k]);
+	}
+}
+
+static void window_begin(const cn_world *world, window *w, int32_t count, float dt)
+{
+	int32_t k;
+	w->boxes.count = 0;
+	if (w->prefetches)
+		window_prefetch(world, w, count);
+	for (k = 0; k < count; ++k) {
+		cni_contact *c = w->pair[k].contact;
+		cni_touch *t = &w->touch[k];
+		w->column[k] = is_later(w, &w->pair[k]) ? COLUMN_LATER : COLUMN_APART;
+		if (w->column[k] == COLUMN_LATER)
+			continue;
+		if (!cni_touch_begin(world, &w->pair[k], look_ahead(c, dt), t))
+			continue;
+		w->column[k] = COLUMN_NONE;
+		if (w->kernel != NULL && cni_boxes_take(&t->in))
+			w->column[k] = cni_boxes_add(&w->boxes, &t->in, &c->cache);
+	}
+}
+
+static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
+{
+	cni_touch *t = &w->touch[k];
+	if (w->column[k] == COLUMN_LATER)
+		return CHANGE_LATER;
+	if (w->column[k] == COLUMN_NONE)
+		cni_touch_collide(t);
+	else if (w->column[k] >= 0)
+		cni_boxes_read(&w->boxes, w->column[k], &t->in, &t->contact->cache, &t->manifold);
+	cni_touch_finish(world, look_ahead(t->contact, dt), t);
+	return contact_update(world, w->pair[k].index, t);
+}
+
+/* Looks at the contacts of the window. */
+static void window_look(cn_world *world, window *w, int32_t count, float dt)
+{
+	int32_t k;
+	window_begin(world, w, count, dt);
+	cni_boxes_run(&w->boxes, w->kernel);
+	for (k = 0; k < count; ++k)
+		w->change[k] = window_finish(world, w, k, dt);
+}
+
+/* ---- what is to change ---- */
+
+/* Without memory for the list a few changes are made in each step, and the rest is found again in the next. */
+#define CHANGES_LEAST 64
+
+/* So many changes ahead records are asked for, and when these have come their neighbours. */
+#define RECORDS_AHEAD 16
+#define NEIGHBOURS_AHEAD 8
+
+/* Contacts that are looked at together by one worker, at least; and how many there must be for it to be worth sharing. */
+#define RANGE_LEAST 64
+#define SHARED_CONTACTS 1024
+
+typedef struct change_list {
+	uint32_t *items;  /* contact << 3 | what */
+	int32_t count, room;
+} change_list;
+
+static void change_add(cn_world *world, change_list *list, int32_t contact, int32_t change)
+{
+	if (list->count < list->room) {
+		list->items[list->count++] = (uint32_t)contact << 3 | (uint32_t)change;
+		return;
+	}
+	world->warnings |= CN_WARNING_CONTACT_MEMORY;
+	world->pairs_may_repeat = CNI_PAIRS_ALL;
+	if (cni_contact_at(world, contact)->flags & CNI_CONTACT_TOUCHING)
+		cni_contact_write_empty(world, contact);
+}
+
+/* Asks for what linking and unlinking that contact, whose record was asked for, writes: its neighbours in the lists of its bodies. */
+CNI_INLINE void neighbours_prefetch(const cn_world *world, const cni_contact *c)
+{
+	int32_t side;
+	for (side = 0; side < 2; ++side) {
+		CNI_PREFETCH(&cni_body_at(world, c->body[side])->contact_first);
+		if (c->next[side] != CNI_NONE)
+			CNI_PREFETCH(cni_contact_of_key(world, c->next[side])->prev);
+		if (c->prev[side] != CNI_NONE)
+			CNI_PREFETCH(cni_contact_of_key(world, c->prev[side])->next);
+	}
+}
+
+CNI_INLINE void changes_prefetch(const cn_world *world, const change_list *list, int32_t k)
+{
+	if (k + RECORDS_AHEAD < list->count) {
+		const cni_contact *c = cni_contact_at(world, (int32_t)(list->items[k + RECORDS_AHEAD] >> 3));
+		CNI_PREFETCH(c);
+		CNI_PREFETCH(&c->cache);
+	}
+	if (k + NEIGHBOURS_AHEAD < list->count)
+		neighbours_prefetch(world, cni_contact_at(world, (int32_t)(list->items[k + NEIGHBOURS_AHEAD] >> 3)));
+}
+
+static void changes_apply(cn_world *world, const change_list *list, float dt)
+{
+	int32_t k;
+	for (k = 0; k < list->count; ++k) {
+		changes_prefetch(world, list, k);
+		if ((list->items[k] & 7u) != CHANGE_NONE)
+			change_apply(world, (int32_t)(list->items[k] >> 3), (int32_t)(list->items[k] & 7u), dt);
+	}
+}
+
+/* ---- looking ---- */
+
+static void contacts_look_at(cn_world *world, window *w, cni_cull *cull, change_list *changes, float dt)
+{
+	int32_t k, count;
+	w->prefetches = cull->of.prefetches;
+	while ((count = cni_cull_next(cull, w->pair, WINDOW)) > 0) {
+		window_look(world, w, count, dt);
+		for (k = 0; k < count; ++k)
+			if (w->change[k] != CHANGE_NONE)
+				change_add(world, changes, w->pair[k].index, w->change[k]);
+	}
+}
+
+/* What the range of the list that begins about there is to change: its part of the items begins with its contacts. */
+typedef struct look_part {
+	int32_t begin, count;
+} look_part;
+
+typedef struct look_loop {
+	cni_cull_list list;
+	uint32_t *items;    /* one a contact */
+	look_part *parts;   /* one for each RANGE_LEAST contacts, most of them empty */
+} look_loop;
+
+/* Where a range that would begin at k begins: lanes of a block share words, so a block's contacts stay together. */
+static int32_t range_begin(const cni_cull_list *list, int32_t k)
+{
+	if (k <= list->apart)
+		return k;
+	while (k < list->count && cni_contact_at(list->world, list->contacts[k])->slot / CNI_LANES ==
+	                              cni_contact_at(list->world, list->contacts[k - 1])->slot / CNI_LANES)
+		++k;
+	return k;
+}
+
+/* Writes nothing but contacts and lanes of the range, marks at bodies, and the range's changes. */
+static void look_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const look_loop *loop = (const look_loop *)context;
+	look_part *part = &loop->parts[begin / RANGE_LEAST];
+	int32_t from = range_begin(&loop->list, begin), to = range_begin(&loop->list, end);
+	change_list changes;
+	cni_cull cull;
+	window w;
+	(void)worker;
+	changes.items = loop->items + from;
+	changes.room = to - from;
+	changes.count = 0;
+	window_init(&w, loop->list.world, 0);
+	cni_cull_begin(&cull, &loop->list, from, to);
+	contacts_look_at(loop->list.world, &w, &cull, &changes, loop->list.dt);
+	part->begin = from;
+	part->count = changes.count;
+}
+
+static change_list parts_join(const look_loop *loop, int32_t parts)
+{
+	change_list changes;
+	int32_t k;
+	changes.items = loop->items;
+	changes.room = loop->list.count;
+	changes.count = 0;
+	for (k = 0; k < parts; ++k) {
+		if (loop->parts[k].count > 0)
+			memmove(changes.items + changes.count, loop->items + loop->parts[k].begin, sizeof(uint32_t) * (size_t)loop->parts[k].count);
+		changes.count += loop->parts[k].count;
+	}
+	return changes;
+}
+
+/* Looks at the window, whose contacts are those of the given items of the list, and says there what came of it. */
+static void items_look_at(cn_world *world, window *w, const int32_t *items, const change_list *changes, float dt)
+{
+	int32_t k;
+	window_look(world, w, w->count, dt);
+	for (k = 0; k < w->count; ++k)
+		changes->items[items[k]] = (uint32_t)w->pair[k].index << 3 | (uint32_t)w->change[k];
+	w->count = 0;
+}
+
+/* What was left, in order. */
+static void later_look_at(cn_world *world, const change_list *changes, float dt)
+{
+	window w;
+	int32_t items[WINDOW], k;
+	window_init(&w, world, 1);
+	for (k = 0; k < changes->count; ++k) {
+		int32_t contact = (int32_t)(changes->items[k] >> 3);
+		if ((changes->items[k] & 7u) != CHANGE_LATER)
+			continue;
+		items[w.count] = k;
+		w.pair[w.count++] = cni_touch_pair_of(world, cni_contact_at(world, contact), contact);
+		if (w.count == WINDOW)
+			items_look_at(world, &w, items, changes, dt);
+	}
+	items_look_at(world, &w, items, changes, dt);
+}
+
+static change_list look_shared(cn_world *world, look_loop *loop, int32_t parts)
+{
+	change_list changes;
+	memset(loop->parts, 0, sizeof(look_part) * (size_t)parts);
+	loop->items = (uint32_t *)(void *)(loop->parts + parts);
+	cni_team_for(loop->list.count < SHARED_CONTACTS ? NULL : world->team, loop->list.count, RANGE_LEAST, look_range, loop);
+	changes = parts_join(loop, parts);
+	later_look_at(world, &changes, loop->list.dt);
+	return changes;
+}
+
+/* Where there is no memory to look otherwise: few has room for CHANGES_LEAST. */
+static change_list look_alone(cn_world *world, const look_loop *loop, uint32_t *few)
+{
+	change_list changes;
+	cni_cull cull;
+	window w;
+	changes.items = few;
+	changes.count = 0;
+	changes.room = CHANGES_LEAST;
+	window_init(&w, world, 1);
+	cni_cull_begin(&cull, &loop->list, 0, loop->list.count);
+	contacts_look_at(world, &w, &cull, &changes, loop->list.dt);
+	return changes;
+}
+
+void cni_stage_narrowphase(cn_world *world, float dt)
+{
+	int32_t *contacts = (int32_t *)world->apart.data, apart = world->apart.count, count, parts;
+	uint32_t few[CHANGES_LEAST];
+	change_list changes;
+	look_loop loop;
+	if (contacts == NULL)
+		return; /* there has never been a contact */
+	count = apart + cni_manifolds_reuse(world, CNI_ON(FOLLOW) ? dt : 0.0f, contacts + apart); /* the list has room for every contact */
+	parts = count / RANGE_LEAST + 1;
+	loop.parts = (look_part *)cni_arena_push(&world->arena, sizeof(look_part) * (uint64_t)parts + sizeof(uint32_t) * (uint64_t)count);
+	cni_cull_open(&loop.list, world, contacts, apart, count, dt);
+	changes = loop.parts != NULL ? look_shared(world, &loop, parts) : look_alone(world, &loop, few);
+	cni_cull_close(&loop.list);
+	changes_apply(world, &changes, dt);
+	cni_arena_pop(&world->arena, loop.parts);
+}

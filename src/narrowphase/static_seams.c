@@ -1,0 +1,71 @@
+/*
+ * narrowphase/static_seams.c - which corners of fixed shapes are hidden between flush faces (collision/seam.h), found anew about the boxes of
+ * fixed shapes that were made, moved, changed or destroyed since the last step. Where nothing changed this costs nothing.
+ *
+ * Reads proxies, shapes, bodies, the broadphase; writes the seams in geometry records.
+ */
+#include "narrowphase/narrowphase.h"
+#include "collision/seam.h"
+#include "model/solve.h"
+
+typedef struct seam_search {
+	cn_world *world;
+	int32_t proxy;
+	cni_geometry *geometry;
+} seam_search;
+
+/* Both stop whatever either stops, so nothing falls into the seam. */
+static int32_t stop_the_same(const cni_shape *a, const cni_shape *b)
+{
+	return a->category == b->category && a->mask == b->mask && a->group == b->group &&
+	       ((a->flags | b->flags) & (CN_SHAPE_SENSOR | CN_SHAPE_ONE_WAY | CN_SHAPE_PRE_SOLVE)) == 0;
+}
+
+static float neighbour_visit(void *context, int32_t proxy, float limit)
+{
+	const seam_search *s = (const seam_search *)context;
+	const cn_world *world = s->world;
+	const cni_proxy *p = cni_proxy_at(world, proxy), *own = cni_proxy_at(world, s->proxy);
+	const cni_shape *shape, *own_shape;
+	const cni_body *a, *b;
+	const cni_geometry *g;
+	cni_transform x;
+	float slop = world->settings.slop;
+	if (proxy == s->proxy || !(p->flags & CNI_PROXY_STATIC))
+		return limit;
+	shape = cni_shape_at(world, p->shape);
+	own_shape = cni_shape_at(world, own->shape);
+	g = cni_proxy_geometry(&world->blocks, p);
+	if (!cni_seams_possible(g, slop) || !stop_the_same(shape, own_shape))
+		return limit;
+	a = cni_body_at(world, own_shape->body);
+	b = cni_body_at(world, shape->body);
+	x.q = cni_rot_between(a->q, b->q);
+	x.t = cni_add(cni_unrotate(a->q, cni_sub(cni_body_a_to_b(a, b), cni_rotate(b->q, b->local_center))), a->local_center);
+	s->geometry->seams |= cni_seams_between(s->geometry, g, x, slop);
+	return limit;
+}
+
+static float changed_visit(void *context, int32_t proxy, float limit)
+{
+	cn_world *world = (cn_world *)context;
+	const cni_proxy *p = cni_proxy_at(world, proxy);
+	seam_search s;
+	s.world = world;
+	s.proxy = proxy;
+	s.geometry = (cni_geometry *)cni_blocks_at(&world->blocks, p->geometry);
+	if (s.geometry->type == CN_SHAPE_CHAIN)
+		return limit;
+	s.geometry->seams = 0;
+	if ((p->flags & CNI_PROXY_STATIC) && cni_seams_possible(s.geometry, world->settings.slop))
+		world->broadphase_ops->query(world->broadphase, &p->fat, neighbour_visit, &s);
+	return limit;
+}
+
+void cni_stage_seams(cn_world *world)
+{
+	if (!world->seams_changed)
+		return;
+	world->seams_changed = 0;
+	world->broadphase_ops->query(world->broadphase, &world->seams_box, changed_visit, world);
+}

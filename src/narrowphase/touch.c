@@ -1,0 +1,267 @@
+/*
+ * narrowphase/touch.c - from poses and velocities to how two shapes touch.
+ *
+ * Contact margin: slow pairs touch when projection than four slops (speculative contact), thin ones when projection than half of
+ * the thinner one's thickness. Fast pairs look as far ahead as they come projection in the step, so that they meet the surface instead of each other's inside; a
+ * point that their motion does not reach is dropped.
+ */
+#include "narrowphase/touch.h"
+#include "collision/seam.h"
+#include "collision/toi.h"
+
+#if defined(CNI_DEBUG)
+static int32_t record_is_of_motion(const cn_world *world, const cni_body *b)
+{
+	const cni_motion *m = cni_motions(world) + b->awake;
+	return b->vx == m->vx && b->vy == m->vy && b->w == m->w;
+}
+#endif
+
+/* Inner radius of the thinner shape; edges and chains have none. */
+static float thinner_radius(const cni_manifold_input *in)
+{
+	float a = in->a->inner_radius, b = in->b->inner_radius;
+	return cni_min(a > 0.0f ? a : FLT_MAX, b > 0.0f ? b : FLT_MAX);
+}
+
+/*
+ * In a pack of thin shapes four slops would reach over several of them, and each would touch many: half a thickness does not
+ * reach over one. With something static a pair starts to fall within the step; where both move, gravity takes both along.
+ */
+static float pair_margin(const cn_world *world, const cni_body *a, const cni_body *b, const cni_manifold_input *in, float dt)
+{
+	float most = world->settings.contact_margin, thin;
+	if (in->a->inner_radius >= most && in->b->inner_radius >= most)
+		return most;
+	thin = thinner_radius(in);
+	if (a->awake == 0 || b->awake == 0)
+		thin += cni_length(world->settings.gravity) * dt * dt;
+	return cni_min(thin, most);
+}
+
+/* Velocities are those of the records, which at the beginning of a step are the same as in motion. */
+static cni_pair_motion motion_make(const cni_body *a, const cni_body *b, float dt)
+{
+	cni_pair_motion m;
+	m.v = cni_unrotate(a->q, cni_v(b->vx - a->vx, b->vy - a->vy));
+	m.wa = a->w;
+	m.wb = b->w;
+	m.reach = dt * (cni_abs(m.v.x) + cni_abs(m.v.y) + cni_abs(m.wa) * cni_body_turn_reach(a) + cni_abs(m.wb) * cni_body_turn_reach(b));
+	return m;
+}
+
+/* Speed at which the surfaces come projection at a point. */
+static float closing_at(const cni_manifold *out, int32_t k, const cni_pair_motion *m, const cni_body *a, cni_vec2 b_center)
+{
+	cni_vec2 p = out->points[k].point, ra = cni_sub(p, a->local_center), rb = cni_sub(p, b_center);
+	cni_vec2 v = cni_add(m->v, cni_sub(cni_mul(m->wb, cni_left_perp(rb)), cni_mul(m->wa, cni_left_perp(ra))));
+	return -cni_dot(out->normal, v);
+}
+
+/* Keeps the points that are within the plain margin or are reached within the step: the normal of one that is not
+   stays a separating axis. Returns the largest separation kept. */
+static float drop_unreached(cni_manifold *out, const cni_pair_motion *m, const cni_body *a, cni_vec2 b_center, float margin, float dt)
+{
+	int32_t k, kept = 0;
+	float nearest = FLT_MAX;
+	for (k = 0; k < out->count; ++k) {
+		float separation = out->points[k].separation;
+		if (separation > margin && separation > margin + cni_max(closing_at(out, k, m, a, b_center), 0.0f) * dt)
+			continue;
+		nearest = cni_min(nearest, separation);
+		if (kept < k)
+			out->points[kept] = out->points[k];
+		++kept;
+	}
+	out->count = kept;
+	return nearest;
+}
+
+/* How deep the planes of points that are all ahead would be passed in the step; 0 when some point is nearer than least. */
+static float depth_ahead(const cni_manifold *out, const cni_pair_motion *m, const cni_body *a, cni_vec2 b_center, float least, float dt)
+{
+	float depth = 0.0f;
+	int32_t k;
+	for (k = 0; k < out->count; ++k) {
+		if (out->points[k].separation <= least)
+			return 0.0f;
+		depth = cni_max(depth, closing_at(out, k, m, a, b_center) * dt - cni_max(out->points[k].separation, 0.0f));
+	}
+	return depth;
+}
+
+/*
+ * Do the shapes graze each other at most? While they move along a line, the shadows that they throw along it stay:
+ * shadows that overlap by no more than the slop are of shapes that never meet deeper. So the corner of the next
+ * piece of flat ground, which is ahead of what slides over it, does not hold it up. A plane that is reached by a
+ * hair only, which is how things slide, or in the substep after, for which the solver brakes too, is given up only
+ * for shadows that are clear of each other.
+ */
+static int32_t shadows_graze(const cni_manifold_input *in, const cni_pair_motion *m, const cni_body *a, const cni_body *b, float depth, float dt)
+{
+	float speed = cni_length(m->v), hair = 0.1f * in->slop, most;
+	float turn = dt * (cni_abs(m->wa) * (a->extent - in->a->radius) + cni_abs(m->wb) * (b->extent - in->b->radius));
+	cni_transform along, b_along;
+	cni_aabb box_a, box_b;
+	if (speed * dt <= hair || turn > in->slop)
+		return 0;
+	along.q.c = m->v.x / speed; /* turns the motion to +x: shadows are what is left in y */
+	along.q.s = -m->v.y / speed;
+	along.t = cni_v(0.0f, 0.0f);
+	b_along.q = cni_rot_mul(along.q, in->b_in_a.q);
+	b_along.t = cni_rotate(along.q, in->b_in_a.t);
+	box_a = cni_geometry_aabb(in->a, in->child_a, along);
+	box_b = cni_geometry_aabb(in->b, in->child_b, b_along);
+	most = depth > hair ? cni_min(in->slop, 0.5f * thinner_radius(in)) : -hair; /* a thin shape that comes on end is no graze */
+	return cni_min(box_a.y1, box_b.y1) - cni_max(box_a.y0, box_b.y0) + turn <= most;
+}
+
+static cni_path path_make(const cni_body *b, cni_vec2 from, const cni_motion *m, float dt)
+{
+	cni_path p;
+	p.start = cni_v((b->cx - from.x) + b->cx_low, (b->cy - from.y) + b->cy_low);
+	p.end = cni_v(p.start.x + dt * m->vx, p.start.y + dt * m->vy);
+	p.q = b->q;
+	p.turn = dt * m->w;
+	p.local_center = b->local_center;
+	return p;
+}
+
+/* Hidden corners, or a loop: most have none. */
+static inline int32_t may_have_seams(const cni_manifold_input *in)
+{
+	return (in->a->seams | in->b->seams) != 0;
+}
+
+/* A shape that reaches farther than a contact does behind a surface is not on it. */
+static void mend_seams(const cn_world *world, const cni_manifold_input *in, cni_vec2 way, cni_manifold *m)
+{
+	if (m->count > 0 && (cni_seams_of(in->a) | cni_seams_of(in->b)) != 0)
+		cni_seams_mend(in, way, world->settings.contact_margin, m);
+}
+
+/*
+ * A contact that is still ahead: the shapes are moved to where they will first meet, the manifold there is
+ * taken, and its points are traced back to now. So a fast body meets the surface that it would really hit,
+ * and is not held by the plane of what merely happens to be nearest.
+ */
+static void meet(const cn_world *world, const cni_body *a, const cni_body *b, const cni_manifold_input *near, float dt, cni_touch *out)
+{
+	cni_manifold_input in = *near;
+	cni_manifold_cache cache = { 0, 0, { 0, 0 } };
+	cni_vec2 from = cni_v(a->cx, a->cy);
+	cni_transform xa, xb, a_now, b_now;
+	cni_toi_input toi;
+	cni_toi_result hit;
+	int32_t k;
+	toi.a = in.a;
+	toi.b = in.b;
+	toi.child_a = in.child_a;
+	toi.child_b = in.child_b;
+	toi.path_a = path_make(a, from, cni_motions(world) + a->awake, dt);
+	toi.path_b = path_make(b, from, cni_motions(world) + b->awake, dt);
+	toi.target = 0.5f * world->settings.slop;
+	toi.tolerance = 0.25f * world->settings.slop;
+	hit = cni_toi(&toi);
+	if (hit.state == CNI_TOI_SEPARATED)
+		out->manifold.count = 0;
+	if (hit.state != CNI_TOI_HIT)
+		return;
+	xa = cni_path_at(&toi.path_a, hit.fraction);
+	xb = cni_path_at(&toi.path_b, hit.fraction);
+	in.b_in_a.q = cni_rot_between(xa.q, xb.q);
+	in.b_in_a.t = cni_untransform_point(xa, xb.t);
+	in.margin = world->settings.contact_margin;
+	cni_manifold_function(in.a->type, in.b->type)(&in, &cache, &out->manifold);
+	mend_seams(world, &in, cni_mul((1.0f - hit.fraction) * dt, out->motion.v), &out->manifold);
+	if (out->manifold.count == 0)
+		return;
+	a_now = cni_path_at(&toi.path_a, 0.0f);
+	b_now = cni_path_at(&toi.path_b, 0.0f);
+	out->manifold.normal = cni_unrotate(a_now.q, cni_rotate(xa.q, out->manifold.normal));
+	for (k = out->manifold.count - 1; k >= 0; --k) { /* the gap of the first point stays */
+		cni_manifold_point *p = &out->manifold.points[k];
+		cni_vec2 on_b = cni_untransform_point(in.b_in_a, p->point);
+		cni_vec2 apart = cni_sub(cni_transform_point(b_now, on_b), cni_transform_point(a_now, p->point));
+		out->gap = cni_unrotate(a_now.q, apart);
+		p->separation += cni_dot(out->manifold.normal, out->gap);
+	}
+}
+
+/* Are even the circles around the two bodies farther apart than the pair looks? Boxes with their margins are much
+   larger than small bodies, so most pairs that do not touch end here, before shapes are looked at. */
+static int32_t circles_apart(const cni_body *a, const cni_body *b, cni_vec2 centers, float margin)
+{
+	float reach = CNI_CIRCLES_APART * (a->extent + b->extent + margin);
+	return cni_length_sq(centers) > reach * reach;
+}
+
+/* Maps frame b into frame a without losing digits far from the origin, by the way between the two centres. */
+static cni_transform b_in_a(const cni_body *a, const cni_body *b, cni_vec2 centers)
+{
+	cni_transform x;
+	x.q = cni_rot_between(a->q, b->q);
+	x.t = cni_add(cni_unrotate(a->q, cni_sub(centers, cni_rotate(b->q, b->local_center))), a->local_center);
+	return x;
+}
+
+int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out)
+{
+	const cni_body *a = p->body[0], *b = p->body[1];
+	cni_vec2 centers;
+	out->contact = p->contact;
+	out->a = a;
+	out->b = b;
+	CNI_ASSERT(dt == 0.0f || (record_is_of_motion(world, a) && record_is_of_motion(world, b)));
+	out->boxes_overlap = cni_aabb_overlap(&p->proxy[0]->fat, &p->proxy[1]->fat);
+	out->motion = motion_make(a, b, dt);
+	out->manifold.count = 0;
+	out->in.margin = cni_max(world->settings.contact_margin, out->motion.reach);
+	centers = cni_body_a_to_b(a, b);
+	if (!out->boxes_overlap || circles_apart(a, b, centers, out->in.margin))
+		return 0;
+	out->in.a = cni_proxy_geometry(&world->blocks, p->proxy[0]);
+	out->in.b = cni_proxy_geometry(&world->blocks, p->proxy[1]);
+	out->radius[0] = out->in.a->radius;
+	out->radius[1] = out->in.b->radius;
+	out->in.child_a = cni_proxy_child(p->proxy[0]);
+	out->in.child_b = cni_proxy_child(p->proxy[1]);
+	out->in.b_in_a = b_in_a(a, b, centers);
+	out->in.slop = world->settings.slop;
+	out->motion.margin = pair_margin(world, a, b, &out->in, dt);
+	out->in.margin = cni_max(out->motion.margin, out->motion.reach);
+	out->gap = cni_v(0.0f, 0.0f);
+	return 1;
+}
+
+void cni_touch_collide(cni_touch *out)
+{
+	cni_manifold_function(out->in.a->type, out->in.b->type)(&out->in, &out->contact->cache, &out->manifold);
+}
+
+void cni_touch_finish(const cn_world *world, float dt, cni_touch *out)
+{
+	const cni_body *a = out->a, *b = out->b;
+	const cni_pair_motion *m = &out->motion;
+	float margin = m->margin, nearest, least, sooner, later;
+	cni_vec2 b_center;
+	if (out->manifold.count == 0)
+		return; /* in may be empty */
+	if (may_have_seams(&out->in) && !(out->contact->flags & CNI_CONTACT_SENSOR))
+		mend_seams(world, &out->in, cni_mul(dt, m->v), &out->manifold);
+	if (out->manifold.count == 0)
+		return;
+	b_center = cni_transform_point(out->in.b_in_a, b->local_center);
+	least = out->contact->flags & CNI_CONTACT_TOUCHING ? 0.0f : -out->in.slop;
+	later = depth_ahead(&out->manifold, m, a, b_center, least, dt + dt / (float)world->settings.substeps);
+	if (later > 0.0f && CNI_ON(GRAZES)) {
+		sooner = depth_ahead(&out->manifold, m, a, b_center, least, dt);
+		if (shadows_graze(&out->in, m, a, b, sooner, dt))
+			out->manifold.count = 0;
+	}
+	if (m->reach <= margin || out->manifold.count == 0)
+		return;
+	nearest = drop_unreached(&out->manifold, m, a, b_center, margin, dt);
+	if (CNI_ON(MEETINGS) && out->manifold.count > 0 && nearest > 2.0f * world->settings.contact_margin)
+		meet(world, a, b, &out->in, dt, out);
+}

@@ -1,6 +1,0 @@
-/*
- * stages/joint_kernel_plain.c - the kernel of joints in plain C, one lane at a time.
- */
-#define CNI_WIDTH 1
-#define CNI_KERNEL cni_joint_kernel_plain
-#include "stages/joint_kernel.h"

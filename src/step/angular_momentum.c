@@ -1,0 +1,330 @@
+/*
+ * step/angular_momentum.c - what nothing holds keeps its angular momentum.
+ *
+ * Impulses act at arms of the step's beginning while bodies move on, and the velocity that moves a body differs from the one
+ * that it keeps by what pushes overlaps apart. Both change the angular momentum of bodies that hang together a little in
+ * each step, and a cluster in free space turns slower or faster. So at the end of the substeps what touches or is joined, and
+ * has nothing acting on it but one uniform acceleration, is turned as a whole by what has been lost: with
+ * L = sum m r x u + I w, r and u relative to the centre of mass, and I' the inertia of all around it,
+ *   dL = sum m (r x du + dr x u') + I dw     w' -= dL / I'     v' -= dL / I' x r'
+ * A rigid turn changes no relative velocity of touching points. Sums are of differences, so that rounding is one of changes.
+ *
+ * Islands keep bodies that have come apart until they sleep: their connected parts are found anew, and what flies alone
+ * is left alone. Not for islands that touch or hang on what does not move, with gears and pulleys (which turn against
+ * the world), nor for parts with locked axes, damping, or forces of the user's, nor for what soft joints alone hold: at
+ * 100 rad/s they tear sooner when their spin is kept.
+ *
+ * Parts are found from lanes and joints over dense indices: of two roots the lower one becomes the root of both
+ * (union-find, Galler and Fisher, 1964), so a part's root is its first body whatever comes first.
+ *
+ * Reads bodies (pose and velocity as the step began), islands, drives, joints, lanes; writes motion.
+ */
+#include "step/stages.h"
+#include "joints/joint_constraint.h"
+
+#include <string.h>
+
+#define RECORDS_AHEAD 8 /* bodies whose records are asked for */
+
+/* Bodies that hang together, by dense index, ascending. */
+typedef struct part {
+	const int32_t *bodies;
+	int32_t count;
+} part;
+
+/* All of them: by dense index, and then the bodies part by part. */
+typedef struct parts {
+	cn_world *world;
+	uint8_t *held;    /* by island */
+	int32_t *root;    /* an earlier body of the part, or itself; 0: it is held, or in no island */
+	int32_t *end;     /* of a root: where its part ends in bodies */
+	int32_t *bodies;
+} parts;
+
+/* What it takes to turn them. */
+typedef struct turning {
+	float mass;
+	cni_vec2 center, moved, speed, change; /* centre of mass as the step began, its way; its velocity then, and the change of that */
+	float lost;    /* dL */
+	float inertia; /* I' */
+} turning;
+
+static cni_vec2 center_of(const cni_body *b, const cni_body *first)
+{
+	return cni_v((b->cx - first->cx) + (b->cx_low - first->cx_low), (b->cy - first->cy) + (b->cy_low - first->cy_low));
+}
+
+/* Joints, or contacts between two bodies that move? */
+static int32_t has_pairs(const cn_world *world)
+{
+	int32_t color, pairs = world->awake_joints.count + world->colors[CNI_COLOR_OVERFLOW].lanes;
+	for (color = 0; color < CNI_COLOR_STATIC && pairs == 0; ++color)
+		pairs += world->colors[color].lanes;
+	return pairs > 0;
+}
+
+static void hold(const parts *p, int32_t index)
+{
+	int32_t island = cni_awake_island_number(p->world, index);
+	if (island != CNI_NONE)
+		p->held[island] = 1;
+}
+
+static void held_by_contacts(const parts *p)
+{
+	const cn_world *world = p->world;
+	const cni_motion *motions = cni_motions(world);
+	int32_t color, block, l;
+	for (color = CNI_COLOR_STATIC; color < CNI_COLORS; ++color)
+		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
+			const cni_contact_block *k = cni_block_at(world, block);
+			for (l = 0; l < CNI_LANES; ++l)
+				if (k->ia[l] != 0 && motions[k->ib[l]].inv_mass == 0.0f)
+					hold(p, k->ia[l]);
+		}
+}
+
+/* The record is far away, and asked for only if the work cannot tell. */
+static int32_t turns_against_world(const cni_joint_constraint *w)
+{
+	return !(w->flags & CNI_CONSTRAINT_WIDE) && (w->record->type == CN_JOINT_GEAR || w->record->type == CN_JOINT_PULLEY);
+}
+
+static void held_by_joints(const parts *p)
+{
+	const cni_motion *motions = cni_motions(p->world);
+	int32_t k;
+	for (k = 0; k < p->world->awake_joints.count; ++k) {
+		const cni_joint_constraint *w = cni_joint_constraints(p->world) + k;
+		if (motions[w->ia].inv_mass > 0.0f && motions[w->ib].inv_mass > 0.0f && !turns_against_world(w))
+			continue;
+		hold(p, w->ia);
+		hold(p, w->ib);
+	}
+}
+
+/* ---- parts ---- */
+
+/* Those that are not held are their own roots. 0: none of them touches anything, or swings. */
+static int32_t roots_begin(const parts *p)
+{
+	const cni_external *drives = cni_externals(p->world);
+	int32_t k, count = 0;
+	p->root[0] = 0;
+	for (k = 1; k < p->world->awake_count; ++k) {
+		int32_t island = cni_awake_island_number(p->world, k);
+		p->root[k] = island != CNI_NONE && !p->held[island] ? k : 0;
+		count += p->root[k] != 0 && (drives[k].flags & (CNI_EXTERNAL_TOUCHED | CNI_EXTERNAL_FINISHED));
+	}
+	return count;
+}
+
+/* The way to it becomes half as long. */
+static int32_t root_of(int32_t *root, int32_t k)
+{
+	while (root[k] != k) {
+		root[k] = root[root[k]];
+		k = root[k];
+	}
+	return k;
+}
+
+static void roots_join(int32_t *root, int32_t a, int32_t b)
+{
+	int32_t ra = root_of(root, a), rb = root_of(root, b), low = cni_min_i(ra, rb);
+	root[ra] = root[rb] = low;
+}
+
+static void lanes_join(const parts *p, const cni_contact_block *k)
+{
+	int32_t l;
+	for (l = 0; l < CNI_LANES; ++l)
+		if (p->root[k->ia[l]] != 0 && p->root[k->ib[l]] != 0)
+			roots_join(p->root, k->ia[l], k->ib[l]);
+}
+
+/* In the order of memory, where that is no detour: blocks of the free list have no lanes. */
+static void roots_of_contacts(const parts *p)
+{
+	const cn_world *world = p->world;
+	int32_t block, color, all = !cni_blocks_are_few(world);
+	for (block = 0; block < world->block_used && all; ++block)
+		if (cni_block_info_at(world, block)->color != CNI_NONE)
+			lanes_join(p, cni_block_at(world, block));
+	for (color = 0; color < CNI_COLORS && !all; ++color)
+		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
+			lanes_join(p, cni_block_at(world, block));
+}
+
+/* What touches, and what joints hold together. A lane's bodies are in one island, or one of them is in none. */
+static void roots_find(const parts *p)
+{
+	const cn_world *world = p->world;
+	int32_t k;
+	roots_of_contacts(p);
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		const cni_joint_constraint *w = cni_joint_constraints(world) + k;
+		if (p->root[w->ia] != 0 && p->root[w->ib] != 0 && w->record->linked)
+			roots_join(p->root, w->ia, w->ib);
+	}
+}
+
+/* From roots to parts. A body's root is lower, and so has its own already. */
+static void bodies_find(const parts *p)
+{
+	int32_t k, count = p->world->awake_count, begin = 0;
+	memset(p->end, 0, sizeof(int32_t) * (size_t)count);
+	for (k = 1; k < count; ++k) {
+		p->root[k] = p->root[p->root[k]];
+		++p->end[p->root[k]];
+	}
+	for (k = 1; k < count; ++k) {
+		int32_t members = p->end[k];
+		p->end[k] = begin;
+		begin += p->root[k] == k ? members : 0;
+	}
+	for (k = 1; k < count; ++k)
+		if (p->root[k] != 0)
+			p->bodies[p->end[p->root[k]]++] = k;
+}
+
+/* Nothing but an acceleration that all have in common, and each other: some touch, or swing. */
+static int32_t is_alone(const cn_world *world, const part *p)
+{
+	const cni_external *drives = cni_externals(world), *of_first = &drives[p->bodies[0]];
+	uint32_t flags = 0;
+	int32_t k;
+	for (k = 0; k < p->count; ++k) {
+		const cni_external *d = &drives[p->bodies[k]];
+		if (d->ax != of_first->ax || d->ay != of_first->ay || d->alpha != 0.0f || cni_motions(world)[p->bodies[k]].inv_inertia == 0.0f)
+			return 0;
+		flags |= d->flags;
+	}
+	return !(flags & (CNI_EXTERNAL_DAMPED | CNI_EXTERNAL_LOCK_X | CNI_EXTERNAL_LOCK_Y)) && (flags & (CNI_EXTERNAL_TOUCHED | CNI_EXTERNAL_FINISHED));
+}
+
+static const cni_body *body_at(const cn_world *world, int32_t index)
+{
+	return cni_body_at(world, cni_awake_ids(world)[index]);
+}
+
+static void record_prefetch(const cn_world *world, int32_t index)
+{
+	CNI_PREFETCH(&body_at(world, index)->cx);
+	CNI_PREFETCH(&body_at(world, index)->w);
+}
+
+static void means_find(const cn_world *world, const part *p, turning *t)
+{
+	const cni_body *first = body_at(world, p->bodies[0]);
+	int32_t k;
+	for (k = 0; k < p->count; ++k) {
+		const cni_body *b = body_at(world, p->bodies[k]);
+		const cni_motion *m = cni_motions(world) + p->bodies[k];
+		float mass = 1.0f / m->inv_mass;
+		if (k + RECORDS_AHEAD < p->count)
+			record_prefetch(world, p->bodies[k + RECORDS_AHEAD]);
+		t->mass += mass;
+		t->center = cni_madd(t->center, mass, center_of(b, first));
+		t->moved = cni_madd(t->moved, mass, cni_v(m->dpx, m->dpy));
+		t->speed = cni_madd(t->speed, mass, cni_v(b->vx, b->vy));
+		t->change = cni_madd(t->change, mass, cni_v(m->vx - b->vx, m->vy - b->vy));
+	}
+	t->center = cni_mul(1.0f / t->mass, t->center);
+	t->moved = cni_mul(1.0f / t->mass, t->moved);
+	t->speed = cni_mul(1.0f / t->mass, t->speed);
+	t->change = cni_mul(1.0f / t->mass, t->change);
+}
+
+/* Where a body is relative to the centre of mass, then and since; dr is the difference. */
+static cni_vec2 arm_change(const turning *t, const cni_motion *m)
+{
+	return cni_sub(cni_v(m->dpx, m->dpy), t->moved);
+}
+
+static void lost_find(const cn_world *world, const part *p, turning *t)
+{
+	const cni_body *first = body_at(world, p->bodies[0]);
+	int32_t k;
+	for (k = 0; k < p->count; ++k) {
+		const cni_body *b = body_at(world, p->bodies[k]);
+		const cni_motion *m = cni_motions(world) + p->bodies[k];
+		float mass = 1.0f / m->inv_mass, inertia = 1.0f / m->inv_inertia;
+		cni_vec2 r = cni_sub(center_of(b, first), t->center), dr = arm_change(t, m);
+		cni_vec2 du = cni_sub(cni_v(m->vx - b->vx, m->vy - b->vy), t->change);
+		cni_vec2 u = cni_add(cni_sub(cni_v(b->vx, b->vy), t->speed), du);
+		t->lost += mass * (cni_cross(r, du) + cni_cross(dr, u)) + inertia * (m->w - b->w);
+		t->inertia += mass * cni_length_sq(cni_add(r, dr)) + inertia;
+	}
+}
+
+static void turn(const cn_world *world, const part *p, const turning *t)
+{
+	const cni_body *first = body_at(world, p->bodies[0]);
+	float w = -t->lost / t->inertia;
+	int32_t k;
+	for (k = 0; k < p->count; ++k) {
+		const cni_body *b = body_at(world, p->bodies[k]);
+		cni_motion *m = cni_motions(world) + p->bodies[k];
+		cni_vec2 r = cni_add(cni_sub(center_of(b, first), t->center), arm_change(t, m));
+		m->vx -= w * r.y;
+		m->vy += w * r.x;
+		m->w += w;
+	}
+}
+
+static void part_hold(const cn_world *world, const part *p)
+{
+	turning t;
+	if (p->count < 2 || !is_alone(world, p))
+		return;
+	memset(&t, 0, sizeof t);
+	means_find(world, p, &t);
+	lost_find(world, p, &t);
+	turn(world, p, &t);
+}
+
+/* Parts lie in the order of their roots. */
+static void parts_hold(const parts *p)
+{
+	int32_t k, begin = 0;
+	for (k = 1; k < p->world->awake_count; ++k) {
+		part one;
+		if (p->root[k] != k)
+			continue;
+		one.bodies = p->bodies + begin;
+		one.count = p->end[k] - begin;
+		begin = p->end[k];
+		part_hold(p->world, &one);
+	}
+}
+
+static void look_at_all(const parts *p)
+{
+	memset(p->held, 0, (size_t)p->world->step_island_count);
+	held_by_contacts(p);
+	held_by_joints(p);
+	if (roots_begin(p) == 0)
+		return;
+	roots_find(p);
+	bodies_find(p);
+	parts_hold(p);
+}
+
+void cni_angular_momentum_restore(cn_world *world)
+{
+	uint64_t count = (uint64_t)world->awake_count;
+	parts p = { world, NULL, NULL, NULL, NULL };
+	if (world->step_island_count == 0 || !has_pairs(world))
+		return;
+	p.held = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->step_island_count);
+	if (p.held != NULL)
+		p.root = (int32_t *)cni_arena_push(&world->arena, 3 * sizeof(int32_t) * count);
+	if (p.root != NULL) { /* else there is no memory to look: the step goes on as it is */
+		p.end = p.root + count;
+		p.bodies = p.end + count;
+		look_at_all(&p);
+	}
+	(void)cni_arena_pop(&world->arena, p.root);
+	(void)cni_arena_pop(&world->arena, p.held);
+}

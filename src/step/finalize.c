@@ -1,0 +1,256 @@
+/*
+ * step/finalize.c - stage 8: the step's changes become poses.
+ *
+ * For each awake body: speed limits, new pose, rest timer, cleared forces, boxes. Reads and writes bodies,
+ * motion, drive, proxies (through the broadphase's move).
+ *
+ * A body rests while it is slow and does not accelerate: at the apex of a throw the last substep's change of
+ * velocity is all of what gravity gives, on the ground it is nearly none of it. Slow acceleration, as on a slope that is a little too
+ * steep, cannot be told from the noise of one substep, but adds up over the sleep delay: see cni_body_gains. Nor does a body rest while
+ * an overlap or a joint's error is being corrected, which is motion without velocity: see CNI_PUSHED_SPEED.
+ *
+ * Workers may share all of it but for what the broadphase is told: they give proxies their new boxes, and one tells it in
+ * the order of the bodies which those are.
+ */
+#include "step/stages.h"
+#include "base/bitset.h"
+#include "step/integrate_pass.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#define BODIES_A_RANGE 256 /* some ten microseconds: records and shapes are read */
+#define BODIES_NEAR 64     /* whose records are still near after a loop over them; bits of a word */
+
+/* Written so that what is not a number is looked at too. */
+static void limit_speed(cni_motion *m, const cni_settings *set)
+{
+	float v_sq = m->vx * m->vx + m->vy * m->vy, most = set->linear_speed_max;
+	if (!(v_sq <= most * most)) {
+		float scale = most / cni_sqrt(v_sq);
+		m->vx *= scale;
+		m->vy *= scale;
+		cni_motion_keep_finite(m);
+	}
+	if (!(cni_abs(m->w) <= set->angular_speed_max)) {
+		m->w = cni_clamp(m->w, -set->angular_speed_max, set->angular_speed_max);
+		cni_motion_keep_finite(m);
+	}
+}
+
+/* high + low += change, keeping what high cannot hold (Dekker, 1971). */
+static void sum_exactly(float *high, float *low, float change)
+{
+	float rest = *low + change, sum = *high + rest;
+	*low = rest - (sum - *high);
+	*high = sum;
+}
+
+/* Rotation by any angle a body can turn in a step. */
+static cni_rot rotate_by(cni_rot q, float theta)
+{
+	return cni_rot_normalize(cni_rot_mul(q, cni_sincos(theta)));
+}
+
+/* A change too small to show in the pose only goes into the low part: the body did not move for anyone to see. */
+static void take_pose(cni_body *b, cni_motion *m)
+{
+	cni_vec2 before = cni_body_origin(b), after;
+	cni_rot q = b->q;
+	b->flags &= ~CNI_BODY_OF_THE_WAY;
+	sum_exactly(&b->cx, &b->cx_low, m->dpx);
+	sum_exactly(&b->cy, &b->cy_low, m->dpy);
+	if (m->theta != 0.0f)
+		b->q = rotate_by(b->q, m->theta);
+	after = cni_body_origin(b);
+	cni_body_set_room(b, cni_body_room(b) - cni_body_reach(b, m->dpx, m->dpy, m->theta));
+	if (before.x != after.x || before.y != after.y || q.c != b->q.c || q.s != b->q.s)
+		b->flags |= CNI_BODY_MOVED;
+	m->dpx = m->dpy = m->theta = 0.0f;
+}
+
+static int32_t body_accelerates(const cni_body *b, const cni_motion *m, const cni_velocity_start *start, const cni_external *d, float h)
+{
+	float change = d->flags & CNI_EXTERNAL_DAMPED ? h * cni_damping_factor(b->linear_damping, h) : h, ax = change * d->ax, ay = change * d->ay, dx, dy;
+	if (d->flags & CNI_EXTERNAL_FREE)
+		return ax != 0.0f || ay != 0.0f;
+	dx = m->vx - start->vx + ax;
+	dy = m->vy - start->vy + ay;
+	return dx * dx + dy * dy > 0.01f * (ax * ax + ay * ay);
+}
+
+/* Without what damping takes away: that brings a body to rest and never turns it round. */
+static int32_t body_gains(const cn_world *world, cni_body *b, const cni_motion *m, uint32_t drive_flags, float dt)
+{
+	float damped = drive_flags & CNI_EXTERNAL_DAMPED ? dt : 0.0f, linear = damped * b->linear_damping, angular = damped * b->angular_damping;
+	cni_gain_limits limits = cni_gain_limits_make(world, dt);
+	return cni_body_gains(b, m, m->vx - b->vx + linear * m->vx, m->vy - b->vy + linear * m->vy, m->w - b->w + angular * m->w, &limits);
+}
+
+/* By more than its velocity? */
+static int32_t body_is_pushed(const cn_world *world, const cni_body *b, const cni_motion *m, float dt)
+{
+	return cni_is_pushed(m->dpx - dt * m->vx, m->dpy - dt * m->vy, (m->theta - dt * m->w) * b->extent, cni_pushed_most(world, dt));
+}
+
+/* Its velocity and rest timer, and clears the forces. Returns 1 when the body has rested for long enough. */
+static uint32_t body_rest(cn_world *world, cni_body *b, int32_t k, const cni_solve *s, int32_t pushed)
+{
+	const cni_motion *m = cni_motions(world) + k;
+	cni_external *d = cni_externals(world) + k;
+	float slow = b->sleep_speed > 0.0f ? b->sleep_speed : world->settings.sleep_speed;
+	float turn = m->w * b->extent;
+	if (pushed || !(m->vx * m->vx + m->vy * m->vy <= slow * slow && turn * turn <= slow * slow && (b->flags & CN_BODY_SLEEP) &&
+	      (b->type != CN_BODY_KINEMATIC || (m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f))))
+		cni_body_restless(b);
+	else if (body_accelerates(b, m, cni_starts(world) + k, d, s->h) || body_gains(world, b, m, d->flags, s->dt))
+		b->sleep_time = 0.0f;
+	else
+		b->sleep_time += s->dt;
+	memcpy(&b->vx, &m->vx, 3 * sizeof(float));
+	d->ax = d->ay = d->alpha = 0.0f;
+	return b->sleep_time >= world->settings.sleep_delay && b->sleep_time > 0.0f;
+}
+
+void cni_poses_take(cn_world *world)
+{
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+		cni_motion *m = cni_motions(world) + k;
+		take_pose(b, m);
+		cni_body_look_ahead(world, b, cni_v(0.0f, 0.0f));
+	}
+}
+
+static cni_vec2 way_ahead(const cn_world *world, const cni_solve *s, int32_t k)
+{
+	const cni_motion *m = cni_motions(world) + k;
+	return cni_v(s->dt * m->vx, s->dt * m->vy);
+}
+
+/* Everything of a body but its boxes. Returns 1 when these have no room for the way ahead. */
+static uint32_t body_take(cn_world *world, const cni_solve *s, int32_t k, uint32_t *rested)
+{
+	cni_motion *m = cni_motions(world) + k;
+	cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+	int32_t pushed;
+	limit_speed(m, &world->settings);
+	pushed = body_is_pushed(world, b, m, s->dt);
+	take_pose(b, m);
+	*rested |= body_rest(world, b, k, s, pushed);
+	return !cni_body_has_room(b, way_ahead(world, s, k));
+}
+
+static int32_t bit_take(uint64_t *bits)
+{
+	int32_t bit = cni_bit_lowest64(*bits);
+	*bits &= *bits - 1u;
+	return bit;
+}
+
+/* Everything of BODIES_NEAR bodies or less but their boxes. Bit k: those of body begin + k have no room for its way ahead. */
+static uint64_t bodies_take(cn_world *world, const cni_solve *s, int32_t begin, int32_t end, uint32_t *rested)
+{
+	cni_poses_taken taken = { ~(uint64_t)0 >> (BODIES_NEAR - (end - begin)), 0, 0, 0, 0 };
+	int32_t k;
+	if (s->body_kernel != NULL)
+		taken = s->body_kernel->poses(world, s, begin, end);
+	*rested |= taken.rested;
+	while (taken.rest != 0) {
+		k = begin + bit_take(&taken.rest);
+		*rested |= body_rest(world, cni_body_at(world, cni_awake_ids(world)[k]), k, s, (int32_t)(taken.pushed >> (k - begin) & 1u));
+	}
+	while (taken.left != 0) {
+		k = begin + bit_take(&taken.left);
+		taken.no_room |= (uint64_t)body_take(world, s, k, rested) << (k - begin);
+	}
+	return taken.no_room;
+}
+
+enum { MOVED_NONE = -1, MOVED_SEVERAL = -2 };
+
+typedef struct pose_loop {
+	cn_world *world;
+	const cni_solve *s;
+	int32_t *moved; /* of each body: the proxy that has a new box, MOVED_NONE or MOVED_SEVERAL. NULL: one worker, who tells at once */
+	uint32_t rested;
+} pose_loop;
+
+static void boxes_look_ahead(cn_world *world, const cni_solve *s, cni_body *b, int32_t k)
+{
+	if (cni_body_look_ahead(world, b, way_ahead(world, s, k)))
+		b->flags |= CNI_BODY_AHEAD;
+}
+
+/* Gives a body's box its new bounds; where there are several, one looks again. */
+static int32_t body_boxes_set(cn_world *world, const cni_solve *s, cni_body *b, int32_t k)
+{
+	cni_box_move move;
+	int32_t left = cni_body_boxes_left(world, b, way_ahead(world, s, k), &move);
+	if (left > 1)
+		return MOVED_SEVERAL;
+	if (move.reaches)
+		b->flags |= CNI_BODY_AHEAD;
+	if (left == 0)
+		return MOVED_NONE;
+	cni_proxy_set_fat(cni_proxy_at(world, move.proxy), &move.fat);
+	return move.proxy;
+}
+
+/* Of a body whose boxes have no room ahead, or have: what is to move. Alone, it moves at once. */
+static void body_boxes_follow(const pose_loop *loop, int32_t k, int32_t no_room)
+{
+	cni_body *b = cni_body_at(loop->world, cni_awake_ids(loop->world)[k]);
+	int32_t leaves = no_room && (b->flags & CNI_BODY_MOVED);
+	if (loop->moved != NULL)
+		loop->moved[k] = leaves ? body_boxes_set(loop->world, loop->s, b, k) : MOVED_NONE;
+	else if (leaves)
+		boxes_look_ahead(loop->world, loop->s, b, k);
+}
+
+static void pose_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	pose_loop *loop = (pose_loop *)context;
+	uint32_t rested = 0;
+	int32_t first, last, k;
+	(void)worker;
+	for (first = begin + 1; first <= end; first = last) {
+		uint64_t no_room;
+		last = cni_min_i(first + BODIES_NEAR, end + 1);
+		no_room = bodies_take(loop->world, loop->s, first, last, &rested);
+		for (k = first; k < last && (no_room != 0 || loop->moved != NULL); ++k, no_room >>= 1)
+			body_boxes_follow(loop, k, (int32_t)(no_room & 1u));
+	}
+	if (rested)
+		cni_atomic_add(&loop->rested, 1u);
+}
+
+/* Tells the broadphase of one box at a time, in the order of the bodies. Bodies with several look again. */
+static void boxes_tell(cn_world *world, const cni_solve *s, const int32_t *moved)
+{
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		if (moved[k] >= 0)
+			world->broadphase_ops->move(world->broadphase, moved[k]);
+		else if (moved[k] == MOVED_SEVERAL)
+			boxes_look_ahead(world, s, cni_body_at(world, cni_awake_ids(world)[k]), k);
+	}
+}
+
+int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
+{
+	pose_loop loop = { world, s, NULL, 0 };
+	cni_dummy_stand(world);
+	if (world->team != NULL && world->awake_count > 2 * BODIES_A_RANGE)
+		loop.moved = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
+	if (loop.moved != NULL) {
+		cni_parallel_for(world, world->awake_count - 1, BODIES_A_RANGE, pose_range, &loop);
+		boxes_tell(world, s, loop.moved);
+	} else {
+		pose_range(&loop, 0, world->awake_count - 1, 0);
+	}
+	cni_arena_pop(&world->arena, loop.moved);
+	world->broadphase_ops->settle(world->broadphase);
+	return loop.rested != 0;
+}

@@ -1,0 +1,394 @@
+/*
+ * step/integrate.c - motion between constraints: drives, velocities, positions.
+ *
+ * Reads body records (damping, gravity scale) and the forces in drive, writes drive, start and motion.
+ *
+ * Bodies that nothing touches are free: their whole step is taken at once and exactly (x += h v + h^2 a/2).
+ * Others integrate by substep as x += h v', which is then corrected to the trapezoid rule
+ * x += h (v + v')/2 one substep later, when v' is free of the pushing that the soft solve adds; not after
+ * an impact, where the velocity jumps, and not for jointed bodies, whose joints hold at v'.
+ *
+ * start is the velocity right after integration: motion.v - start at the end of a substep is the response
+ * to all impulses, so adding it again is the next substep's warm start (exact, because contact anchors
+ * are fixed within the step; joints correct for their turning anchors in joint_solve.c).
+ */
+#include "step/stages.h"
+#include "base/cpu.h"
+#include "step/integrate_pass.h"
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#include "base/wide.h"
+#endif
+
+#define BODIES_A_RANGE 256 /* about a microsecond */
+#define DRIVES_A_RANGE 512 /* about ten: their records are read */
+
+/* More islands than this part of the awake bodies: what is kept for each island of a step is kept for those that are awake. */
+#define FEW_ISLANDS_PART 4
+
+/* Has it a joint that is solved? Filters and joints with a disabled body are not. */
+static int32_t body_is_jointed(const cn_world *world, const cni_body *b)
+{
+	int32_t key;
+	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+		if (cni_joint_at(world, key >> 1)->awake != CNI_NONE)
+			return 1;
+	return 0;
+}
+
+static uint32_t lock_flags(uint32_t body_flags)
+{
+	return (body_flags & CN_BODY_LOCK_X ? (uint32_t)CNI_EXTERNAL_LOCK_X : 0u) | (body_flags & CN_BODY_LOCK_Y ? (uint32_t)CNI_EXTERNAL_LOCK_Y : 0u);
+}
+
+CNI_INLINE uint32_t drive_flags(const cn_world *world, const cni_body *b)
+{
+	uint32_t flags = b->lanes != 0 ? (uint32_t)CNI_EXTERNAL_TOUCHED : 0u;
+	if (b->joint_first != CNI_NONE && body_is_jointed(world, b))
+		flags |= CNI_EXTERNAL_JOINTED;
+	if (flags == 0 && CNI_ON(FLIGHT))
+		flags = CNI_EXTERNAL_FREE;
+	if (b->linear_damping + b->angular_damping > 0.0f)
+		flags |= CNI_EXTERNAL_DAMPED;
+	if (b->sleep_time > 0.0f && b->sleep_time >= world->settings.sleep_delay)
+		flags |= CNI_EXTERNAL_SETTLED;
+	if (b->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y))
+		flags |= lock_flags(b->flags);
+	return flags;
+}
+
+/* d: the user's force, as it is held between steps, becomes the step's drive. */
+CNI_INLINE void drive_make(const cn_world *world, const cni_body *b, const cni_motion *m, cni_external *d)
+{
+	uint32_t flags = drive_flags(world, b);
+	d->flags = flags;
+	if (b->type != CN_BODY_DYNAMIC) {
+		d->ax = d->ay = d->alpha = 0.0f;
+		return;
+	}
+	d->ax = b->gravity_scale * world->settings.gravity.x + m->inv_mass * d->ax;
+	d->ay = b->gravity_scale * world->settings.gravity.y + m->inv_mass * d->ay;
+	d->alpha = m->inv_inertia * d->alpha;
+	if (m->inv_mass != 0.0f && !(flags & (CNI_EXTERNAL_LOCK_X | CNI_EXTERNAL_LOCK_Y)))
+		return;
+	if (m->inv_mass == 0.0f || (flags & CNI_EXTERNAL_LOCK_X))
+		d->ax = 0.0f;
+	if (m->inv_mass == 0.0f || (flags & CNI_EXTERNAL_LOCK_Y))
+		d->ay = 0.0f;
+}
+
+/* Exact flight over time h. By rows, as in integrate_kernel.h, where there are vectors. */
+CNI_INLINE void fly(cni_motion *m, const cni_external *d, float h)
+{
+	float half = 0.5f * h * h;
+#if CNI_HAS_WIDE_4
+	const cni_mask three = { -1, -1, -1, 0 };
+	cni_wide v = cni_wide_load(&m->vx), a = { d->ax, d->ay, d->alpha, 0.0f }, way = cni_wide_of(h) * v + cni_wide_of(half) * a;
+	cni_wide_store(&m->dpx, cni_wide_load(&m->dpx) + (cni_wide)((cni_mask)way & three));
+	cni_wide_store(&m->vx, v + cni_wide_of(h) * a);
+#else
+	m->dpx += h * m->vx + half * d->ax;
+	m->dpy += h * m->vy + half * d->ay;
+	m->theta += h * m->w + half * d->alpha;
+	m->vx += h * d->ax;
+	m->vy += h * d->ay;
+	m->w += h * d->alpha;
+#endif
+}
+
+static void fly_damped(cni_motion *m, const cni_external *d, const cni_body *b, const cni_solve *s)
+{
+	float linear = cni_damping_factor(b->linear_damping, s->h), angular = cni_damping_factor(b->angular_damping, s->h);
+	float half = 0.5f * s->h;
+	int32_t k;
+	for (k = 0; k < s->substeps; ++k) {
+		float vx = linear * (m->vx + s->h * d->ax), vy = linear * (m->vy + s->h * d->ay), w = angular * (m->w + s->h * d->alpha);
+		m->dpx += half * (m->vx + vx);
+		m->dpy += half * (m->vy + vy);
+		m->theta += half * (m->w + w);
+		m->vx = vx;
+		m->vy = vy;
+		m->w = w;
+	}
+}
+
+/* A loop over the awake bodies, each of which is read and written by itself. */
+typedef struct body_loop {
+	cn_world *world;
+	const cni_solve *s;
+	int32_t substep;
+} body_loop;
+
+/* run gets the bodies' dense indices. */
+static void bodies_run(cni_team *team, int32_t min_range, cni_range_fn *run, cn_world *world, const cni_solve *s, int32_t substep)
+{
+	body_loop loop;
+	loop.world = world;
+	loop.s = s;
+	loop.substep = substep;
+	cni_team_for(team, world->awake_count - 1, min_range, run, &loop);
+}
+
+static void drive_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const body_loop *loop = (const body_loop *)context;
+	const cn_world *world = loop->world;
+	cni_motion *motions = cni_motions(world);
+	cni_external *drives = cni_externals(world);
+	const int32_t *ids = cni_awake_ids(world);
+	int32_t *islands = world->awake_islands, k;
+	(void)worker;
+	for (k = begin + 1; k <= end; ++k) {
+		cni_body *b = cni_body_at(world, ids[k]);
+		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
+		if (islands != NULL)
+			islands[k] = b->island;
+		drive_make(world, b, &motions[k], &drives[k]);
+		if (!(drives[k].flags & CNI_EXTERNAL_FREE))
+			continue;
+		if (drives[k].flags & CNI_EXTERNAL_DAMPED)
+			fly_damped(&motions[k], &drives[k], b, loop->s);
+		else
+			fly(&motions[k], &drives[k], loop->s->dt);
+	}
+}
+
+/* Few islands are awake: those get the numbers, in the order of their first bodies. */
+static void islands_number(cn_world *world)
+{
+	int32_t *islands = world->awake_islands, k;
+	world->step_island_count = 0;
+	for (k = 1; k < world->awake_count; ++k) {
+		cni_island *i;
+		if (islands[k] == CNI_NONE)
+			continue;
+		i = cni_island_at(world, islands[k]);
+		if (i->numbered_step != world->step_count + 1u) {
+			i->numbered_step = world->step_count + 1u;
+			i->number = world->step_island_count++;
+			world->step_islands[i->number] = islands[k];
+		}
+		islands[k] = i->number;
+	}
+}
+
+void cni_external_prepare(cn_world *world, const cni_solve *s)
+{
+	int32_t some = world->island_count > 0 && world->awake_count > 1;
+	if (some)
+		world->awake_islands = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
+	if (world->awake_islands != NULL)
+		world->awake_islands[0] = CNI_NONE;
+	bodies_run(world->team, DRIVES_A_RANGE, drive_range, world, s, 0);
+	if (world->awake_islands != NULL && world->island_used > world->awake_count / FEW_ISLANDS_PART) /* awake are at most half as many as bodies */
+		world->step_islands = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count / 2);
+	world->step_island_count = some ? world->island_used : 0;
+	if (world->step_islands != NULL)
+		islands_number(world);
+}
+
+/* The arena has it until the end of the step, as what else is pushed between. */
+void cni_external_finish(cn_world *world)
+{
+	world->awake_islands = world->step_islands = NULL;
+	world->step_island_count = 0;
+}
+
+void cni_external_prepare_bound(cn_world *world)
+{
+	cni_external *drives = cni_externals(world);
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
+		drive_make(world, b, cni_motions(world) + k, &drives[k]);
+		drives[k].flags &= ~(uint32_t)CNI_EXTERNAL_FREE;
+	}
+}
+
+/* The last substep's x += h v' becomes x += h (v + v')/2 when v' - v is no more than a few times what
+   the drive gives: v' - v = motion.v - start + h a. */
+static void correct_to_trapezoid(cni_motion *m, const cni_velocity_start *start, const cni_external *d, float h)
+{
+	float ax = h * d->ax, ay = h * d->ay, alpha = h * d->alpha;
+	float dx = m->vx - start->vx + ax, dy = m->vy - start->vy + ay, dw = m->w - start->w + alpha;
+	if (!CNI_ON(TRAPEZOID) || start->jumped != 0.0f || dx * dx + dy * dy > 4.0f * (ax * ax + ay * ay))
+		return;
+	m->dpx -= 0.5f * h * dx;
+	m->dpy -= 0.5f * h * dy;
+	m->theta -= 0.5f * h * dw;
+}
+
+/* Bodies that a kernel leaves, and all where there is none. */
+static void velocity_take(const cn_world *world, int32_t k, float h, int32_t first)
+{
+	cni_motion *m = cni_motions(world) + k;
+	cni_velocity_start *start = cni_starts(world) + k;
+	const cni_external *d = cni_externals(world) + k;
+	float rx = 0.0f, ry = 0.0f, rw = 0.0f;
+	if (d->flags & CNI_EXTERNAL_DONE)
+		return;
+	if (!first) {
+		if (!(d->flags & CNI_EXTERNAL_AS_IT_IS))
+			correct_to_trapezoid(m, start, d, h);
+		rx = m->vx - start->vx;
+		ry = m->vy - start->vy;
+		rw = m->w - start->w;
+	}
+	start->vx = m->vx + h * d->ax;
+	start->vy = m->vy + h * d->ay;
+	start->w = m->w + h * d->alpha;
+	if (d->flags & CNI_EXTERNAL_DAMPED) {
+		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+		float linear = cni_damping_factor(b->linear_damping, h);
+		start->vx *= linear;
+		start->vy *= linear;
+		start->w *= cni_damping_factor(b->angular_damping, h);
+	}
+	start->jumped = 0.0f;
+	m->vx = start->vx + rx;
+	m->vy = start->vy + ry;
+	m->w = start->w + rw;
+}
+
+static void axes_lock(cni_motion *m, uint32_t flags)
+{
+	if (flags & CNI_EXTERNAL_LOCK_X)
+		m->vx = 0.0f;
+	if (flags & CNI_EXTERNAL_LOCK_Y)
+		m->vy = 0.0f;
+}
+
+static void position_take(const cn_world *world, int32_t k, float h)
+{
+	cni_motion *m = cni_motions(world) + k;
+	uint32_t flags = cni_externals(world)[k].flags;
+	if (flags & CNI_EXTERNAL_DONE)
+		return;
+	axes_lock(m, flags);
+	m->dpx += h * m->vx;
+	m->dpy += h * m->vy;
+	m->theta += h * m->w;
+}
+
+static void position_finish(const cn_world *world, int32_t k, float h)
+{
+	cni_motion *m = cni_motions(world) + k;
+	const cni_external *d = cni_externals(world) + k;
+	if (!(d->flags & (CNI_EXTERNAL_FREE | CNI_EXTERNAL_AS_IT_IS)))
+		correct_to_trapezoid(m, cni_starts(world) + k, d, h);
+	axes_lock(m, d->flags);
+}
+
+const cni_body_kernel *cni_body_kernel_choose(void)
+{
+	if (!CNI_ON(BODY_KERNELS))
+		return NULL;
+#if CNI_HAS_WIDE_8
+	if (cni_cpu_has_avx2())
+		return &cni_body_kernel_8;
+#endif
+#if CNI_HAS_WIDE_4
+	return &cni_body_kernel_4;
+#else
+	return NULL;
+#endif
+}
+
+static cni_body_pass body_pass_make(const body_loop *loop)
+{
+	cni_body_pass pass = { loop->world, cni_motions(loop->world), cni_starts(loop->world), cni_externals(loop->world), loop->s->h, loop->substep == 0 };
+	return pass;
+}
+
+static void velocity_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const body_loop *loop = (const body_loop *)context;
+	const cni_body_kernel *kernel = loop->s->body_kernel;
+	cni_body_pass pass = body_pass_make(loop);
+	int32_t k = kernel == NULL ? begin + 1 : kernel->velocities(&pass, begin + 1, end + 1);
+	(void)worker;
+	for (; k <= end; ++k)
+		velocity_take(loop->world, k, pass.h, pass.first);
+}
+
+void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t substep)
+{
+	bodies_run(s->team, BODIES_A_RANGE, velocity_range, world, s, substep);
+}
+
+static void position_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const body_loop *loop = (const body_loop *)context;
+	const cni_body_kernel *kernel = loop->s->body_kernel;
+	cni_body_pass pass = body_pass_make(loop);
+	int32_t k = kernel == NULL ? begin + 1 : kernel->positions(&pass, begin + 1, end + 1);
+	(void)worker;
+	for (; k <= end; ++k)
+		position_take(loop->world, k, pass.h);
+}
+
+void cni_integrate_positions(cn_world *world, const cni_solve *s)
+{
+	bodies_run(s->team, BODIES_A_RANGE, position_range, world, s, 0);
+}
+
+/* The most that a body may go and turn in a step: finite, its square too. */
+typedef struct way_limit {
+	float way, turn;
+} way_limit;
+
+static way_limit way_limit_make(const cn_world *world, float dt)
+{
+	const float finite = 1e18f, rounding = 1.0001f;
+	way_limit limit;
+	limit.way = cni_min(rounding * dt * world->settings.linear_speed_max, finite);
+	limit.turn = cni_min(rounding * dt * world->settings.angular_speed_max, finite);
+	return limit;
+}
+
+/* Velocities may have been absurd between substeps, among joints that are torn far apart. Written so that what is not a number is looked
+   at too; bodies within the limit are left, whoever is beside them. */
+static void way_hold(cni_motion *m, const way_limit *limit)
+{
+	float way_sq = m->dpx * m->dpx + m->dpy * m->dpy;
+	if (way_sq <= limit->way * limit->way && cni_abs(m->theta) <= limit->turn)
+		return;
+	cni_motion_keep_finite(m);
+	if (way_sq > limit->way * limit->way) {
+		float scale = limit->way / cni_sqrt(way_sq);
+		m->dpx *= scale;
+		m->dpy *= scale;
+	}
+	m->theta = cni_clamp(m->theta, -limit->turn, limit->turn);
+}
+
+/* Speed limits hold for ways, too, before anybody looks at them. Nearly all bodies are far below: a kernel passes by them. */
+static void ways_hold(const cni_body_pass *pass, const cni_body_kernel *kernel, float dt, int32_t begin, int32_t end)
+{
+	way_limit limit = way_limit_make(pass->world, dt);
+	int32_t k = begin, last;
+	while (k < end) {
+		if (kernel != NULL)
+			k = kernel->near(pass, k, end, limit.way * limit.way, limit.turn);
+		for (last = cni_min_i(k + CNI_CALM_MOST, end); k < last; ++k)
+			way_hold(&pass->motions[k], &limit);
+	}
+}
+
+static void finish_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const body_loop *loop = (const body_loop *)context;
+	const cni_body_kernel *kernel = loop->s->body_kernel;
+	cni_body_pass pass = body_pass_make(loop);
+	int32_t k = kernel == NULL ? begin + 1 : kernel->finish(&pass, begin + 1, end + 1);
+	(void)worker;
+	for (; k <= end; ++k)
+		position_finish(loop->world, k, pass.h);
+	ways_hold(&pass, kernel, loop->s->dt, begin + 1, end + 1);
+}
+
+void cni_integrate_finish(cn_world *world, const cni_solve *s)
+{
+	bodies_run(s->team, BODIES_A_RANGE, finish_range, world, s, 0);
+}

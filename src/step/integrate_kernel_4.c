@@ -1,0 +1,12 @@
+/*
+ * step/integrate_kernel_4.c - the loops over bodies of a substep on vectors of four floats: SSE2, NEON, WASM SIMD.
+ */
+#include "base/cpu.h"
+
+#if CNI_HAS_WIDE_4
+#define CNI_WIDTH 4
+#define CNI_KERNEL cni_body_kernel_4
+#include "step/integrate_kernel.h"
+#else
+typedef int cni_no_body_kernel_4;
+#endif

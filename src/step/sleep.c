@@ -1,0 +1,186 @@
+/*
+ * step/sleep.c - stage 10: islands in which every body has rested long enough leave the awake arrays.
+ *
+ * Runs only when finalize saw a body that has. An island that lost links is split first, one
+ * a step, so that what no longer holds together may sleep apart. What touches a moving kinematic body, or is
+ * jointed to one, stays awake. So does what a motor moves, and what sags because the direct solver has found no solution for it.
+ */
+#include "step/stages.h"
+#include "joints/joint_type.h"
+#include "direct/direct.h"
+#include "model/solve.h"
+
+static void keep_touching_awake(cn_world *world, int32_t body)
+{
+	int32_t key;
+	for (key = cni_body_at(world, body)->contact_first; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		if (c->flags & CNI_CONTACT_TOUCHING)
+			cni_body_at(world, c->body[1 - (key & 1)])->sleep_time = 0.0f;
+	}
+	for (key = cni_body_at(world, body)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
+		const cni_joint *j = cni_joint_at(world, key >> 1);
+		int32_t other = j->body[1 - (key & 1)];
+		if (other != CNI_NONE && j->awake != CNI_NONE)
+			cni_body_at(world, other)->sleep_time = 0.0f;
+	}
+}
+
+static void keep_near_kinematic_awake(cn_world *world)
+{
+	const int32_t *ids = cni_awake_ids(world);
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k) {
+		const cni_motion *m = cni_motions(world) + k;
+		if (m->inv_mass == 0.0f && (m->vx != 0.0f || m->vy != 0.0f || m->w != 0.0f) && cni_body_at(world, ids[k])->type == CN_BODY_KINEMATIC)
+			keep_touching_awake(world, ids[k]);
+	}
+}
+
+/* Does its motor move it? One that is held up goes nowhere and may sleep. */
+static int32_t motor_turns(const cn_world *world, const cni_joint *j)
+{
+	float target;
+	if (!(j->flags & CN_JOINT_MOTOR) || j->type < CN_JOINT_REVOLUTE || j->type > CN_JOINT_WHEEL)
+		return 0;
+	target = j->p[CNI_P_MOTOR_SPEED];
+	return target != 0.0f && 2.0f * target * cni_joint_speed(world, j) > target * target;
+}
+
+/* However slow a motor's speed is, what it moves is not at rest. */
+static void keep_driven_awake(cn_world *world)
+{
+	int32_t k, side;
+	for (k = 0; k < world->awake_joints.count; ++k) {
+		const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
+		if (!motor_turns(world, j))
+			continue;
+		for (side = 0; side < 2; ++side)
+			if (j->body[side] != CNI_NONE)
+				cni_body_at(world, j->body[side])->sleep_time = 0.0f;
+	}
+}
+
+/* Bodies whose records are asked for: one pass reads them all. */
+#define RECORDS_AHEAD 8
+
+/* What came of looking at all awake bodies. */
+typedef struct rests {
+	int32_t split;    /* awake island that lost links and has the body that has rested longest, for long enough; CNI_NONE: none */
+	float longest;    /* how long that has */
+	int32_t alone;    /* 1: a body without an island may sleep */
+} rests;
+
+static int32_t rested(const cn_world *world, float time)
+{
+	return time >= world->settings.sleep_delay && time > 0.0f;
+}
+
+/* Are there so many more islands than awake bodies that the table is not gone through? */
+static int32_t islands_are_many(const cn_world *world)
+{
+	return world->island_used > world->awake_count;
+}
+
+static void rest_times_clear(const cn_world *world)
+{
+	int32_t k, many = islands_are_many(world);
+	for (k = 0; k < world->island_used && !many; ++k)
+		cni_island_at(world, k)->rest_time = FLT_MAX;
+	for (k = 1; k < world->awake_count && many; ++k) {
+		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+		if (b->island != CNI_NONE)
+			cni_island_at(world, b->island)->rest_time = FLT_MAX;
+	}
+}
+
+/* Slower than what would move by the accuracy in a second? */
+static int32_t is_still(const cn_world *world, const cni_body *b)
+{
+	float most = world->settings.accuracy, turn = b->w * b->extent;
+	return b->vx * b->vx + b->vy * b->vy <= most * most && turn * turn <= most * most;
+}
+
+/* Also each awake island's rest_time; of those that sleep it is FLT_MAX, if it is looked at. */
+static rests rests_find(cn_world *world)
+{
+	const int32_t *ids = cni_awake_ids(world);
+	rests r = { CNI_NONE, world->settings.sleep_delay, 0 };
+	int32_t k;
+	rest_times_clear(world);
+	for (k = 1; k < world->awake_count; ++k) {
+		const cni_body *b = cni_body_at(world, ids[k]);
+		cni_island *i;
+		if (k + RECORDS_AHEAD < world->awake_count)
+			CNI_PREFETCH(&cni_body_at(world, ids[k + RECORDS_AHEAD])->sleep_time);
+		if (b->island == CNI_NONE) {
+			r.alone |= rested(world, b->sleep_time);
+			continue;
+		}
+		i = cni_island_at(world, b->island);
+		i->rest_time = cni_min(i->rest_time, b->sleep_time);
+		if (cni_island_is_unsolved(i, world->step_count) && !is_still(world, b))
+			i->rest_time = 0.0f; /* it sags, and would be asleep so before it was tried again */
+		if (i->losses == 0 || b->sleep_time < r.longest || b->sleep_time <= 0.0f || (r.split != CNI_NONE && b->sleep_time == r.longest))
+			continue;
+		r.split = b->island;
+		r.longest = b->sleep_time;
+	}
+	return r;
+}
+
+/* Bodies that may be looked at a step on the average to split islands: hardly a part of what the step costs with as many. */
+#define SPLIT_BODIES_A_STEP 1024
+
+/*
+ * At most one island a step is split. While a large one comes apart it loses links in every step, and what rests in it
+ * hangs on what moves: the next split waits until this one has been paid for. Returns 1 when one was.
+ */
+static int32_t split_one(cn_world *world, int32_t island)
+{
+	if (island == CNI_NONE || (int32_t)(world->step_count - world->split_step) < 0)
+		return 0;
+	world->split_step = world->step_count + 1u + (uint32_t)(cni_island_at(world, island)->count / SPLIT_BODIES_A_STEP);
+	if (!cni_island_split(world, island))
+		world->warnings |= CN_WARNING_FRAME_MEMORY;
+	return 1;
+}
+
+static int32_t island_may_sleep(const cn_world *world, const cni_island *i)
+{
+	return i->losses == 0 && rested(world, i->rest_time);
+}
+
+static int32_t may_sleep(const cn_world *world, const cni_body *b)
+{
+	return b->island == CNI_NONE ? rested(world, b->sleep_time) : island_may_sleep(world, cni_island_at(world, b->island));
+}
+
+static int32_t some_island_may_sleep(const cn_world *world)
+{
+	int32_t k;
+	for (k = 0; k < world->island_used; ++k) {
+		const cni_island *i = cni_island_at(world, k);
+		if (i->rest_time < FLT_MAX && island_may_sleep(world, i))
+			return 1;
+	}
+	return 0;
+}
+
+void cni_stage_sleep(cn_world *world)
+{
+	rests r;
+	int32_t k;
+	keep_near_kinematic_awake(world);
+	keep_driven_awake(world);
+	r = rests_find(world);
+	if (split_one(world, r.split))
+		r = rests_find(world);
+	if (!r.alone && !islands_are_many(world) && !some_island_may_sleep(world))
+		return;
+	for (k = world->awake_count - 1; k >= 1; k = cni_min_i(k, world->awake_count) - 1) {
+		int32_t body = cni_awake_ids(world)[k];
+		if (may_sleep(world, cni_body_at(world, body)) && !cni_body_put_to_sleep(world, body))
+			world->warnings |= CN_WARNING_FRAME_MEMORY;
+	}
+}

@@ -1,0 +1,91 @@
+/*
+ * step/solve_make.c - the numbers of one step: substep length and soft-constraint coefficients.
+ */
+#include "step/stages.h"
+#include "contacts/contact_pass.h"
+#include "step/integrate_pass.h"
+#include "joints/joint_pass.h"
+
+/*
+ * What is borne is a force: a longer step needs larger impulses, a shorter one smaller ones. Where the product of these factors does
+ * not remain the ratio of the steps, a pile sags or jumps: walls fell at once with a limit of 4 when a step was 0.2 to 1.8 times the
+ * mean (a ratio of 9). After a pause nothing is known.
+ */
+#define WARM_MOST 20.0f
+#define MEAN_PART (1.0f / 64.0f) /* of a step in the mean: about a second's steps count */
+
+/* CNI_LOAD_HEAVY / (h stress^2) of a step, times the square of the speed that the impulse gives. Without gravity there is
+   no weight to compare with. */
+static float load_heavy(const cn_world *world, const cni_solve *s)
+{
+	float g_sq = cni_length_sq(world->settings.gravity);
+	return g_sq > 0.0f ? CNI_LOAD_HEAVY * s->dt * s->h * g_sq : FLT_MAX;
+}
+
+static cni_contact_pass contact_pass_make(const cn_world *world, const cni_solve *s, int32_t kind)
+{
+	float rate = s->soft_rate;
+	cni_contact_pass pass;
+	pass.inv_h = s->inv_h;
+	pass.push_speed = s->push_speed;
+	pass.impact_speed = CNI_ON(IMPACTS) ? -s->restitution_threshold : -FLT_MAX;
+	pass.warm_scale = s->warm_scale;
+	pass.load_part = cni_min(CNI_LOAD_RATE * s->dt, 1.0f);
+	pass.load_heavy = load_heavy(world, s);
+	pass.one_sided = (kind & CNI_CONTACTS_ONE_SIDED) != 0;
+	pass.soft = cni_soft_implicit(pass.one_sided ? 0.25f * rate : 0.125f * rate, 10.0f, s->h);
+	if (kind & CNI_CONTACTS_RESTED) {
+		pass.load_part /= (float)s->substeps;
+		pass.load_heavy /= (float)s->substeps;
+	}
+	return pass;
+}
+
+/*
+ * A mean of the steps. Stiffness is tied to it and not to the step that is taken: a spring of k = m / h^2 that is another in every step
+ * drives the sway of a pile (parametric excitation), by more than softness damps it when steps vary by more than half. Where all steps
+ * are equal the mean is equal to them, to the bit.
+ */
+static float mean_step(const cn_world *world, float dt)
+{
+	float mean = world->mean_dt, part = cni_max(MEAN_PART, 1.0f / ((float)world->step_count + 1.0f));
+	return mean > 0.0f && CNI_ON(MEAN_STEP) ? mean + part * (cni_min(dt, 2.0f * mean) - mean) : dt;
+}
+
+static cni_solve make(const cn_world *world, float dt, int32_t substeps)
+{
+	const cni_settings *set = &world->settings;
+	cni_solve s;
+	float last = world->step_dt;
+	int32_t kind;
+	memset(&s, 0, sizeof s);
+	s.dt = dt;
+	s.substeps = substeps;
+	s.h = dt / (float)substeps;
+	s.inv_h = s.h > 0.0f ? 1.0f / s.h : 0.0f;
+	s.mean_dt = mean_step(world, dt);
+	s.soft_rate = s.mean_dt > 0.0f ? 1.0f / (s.mean_dt / (float)substeps) : 0.0f;
+	s.warm_scale = (set->flags & CN_WORLD_WARM_START) == 0 ? 0.0f : last > 0.0f ? cni_min(dt / last, WARM_MOST) : 1.0f;
+	s.push_speed = set->push_speed_max;
+	s.restitution_threshold = set->restitution_threshold;
+	s.jump_speed = set->length_unit;
+	for (kind = 0; kind < CNI_CONTACTS_KINDS; ++kind)
+		s.contact[kind] = contact_pass_make(world, &s, kind);
+	s.joint = cni_soft_implicit(0.25f * s.inv_h, 2.0f, s.h);
+	s.kernel = cni_contact_kernel_choose();
+	s.joint_kernel = cni_joint_kernel_choose();
+	s.body_kernel = cni_body_kernel_choose();
+	return s;
+}
+
+cni_solve cni_solve_make(const cn_world *world, float dt)
+{
+	return make(world, dt, world->settings.substeps);
+}
+
+cni_solve cni_solve_make_sequential(const cn_world *world, float dt)
+{
+	cni_solve s = make(world, dt, 1);
+	s.warm_scale = 0.0f;
+	return s;
+}

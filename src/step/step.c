@@ -1,0 +1,216 @@
+/*
+ * step/step.c - one step, from beginning to end. Each line of cni_step is a stage; what a stage reads
+ * and writes is in its file.
+ */
+#include "step/stages.h"
+#include "narrowphase/narrowphase.h"
+#include "joints/joints.h"
+#include "direct/direct.h"
+#include "contacts/contacts.h"
+#include "base/clock.h"
+#include "step/sequential.h"
+#include "linear/sparse.h"
+#include "step/step.h"
+
+#include <string.h>
+
+#define SHARED_WORK 1024 /* awake bodies, contacts and joints: fewer are done with before a worker is awake */
+
+/* Adds the time since the last mark to a field of the profile. */
+static void profile_mark(cn_world *world, float *field, uint64_t *mark)
+{
+	uint64_t now;
+	if (!(world->settings.flags & CN_WORLD_PROFILE))
+		return;
+	now = cni_clock_ns();
+	*field += (float)(now - *mark) * 1e-9f;
+	*mark = now;
+}
+
+static void step_begin(cn_world *world)
+{
+	world->warnings = 0;
+	world->pairs_not_added = world->events_not_reported = 0;
+	memset(&world->profile, 0, sizeof world->profile);
+	cni_events_begin_step(&world->events);
+	world->events.in_step = 1;
+}
+
+/* Is a step so long that the workers are to stay for all of it? */
+static int32_t team_is_held(const cn_world *world)
+{
+	int32_t k, work = world->awake_count + world->awake_joints.count;
+	for (k = 0; world->team != NULL && k < CNI_COLORS; ++k)
+		work += world->colors[k].lanes;
+	return work >= SHARED_WORK;
+}
+
+typedef struct substeps {
+	cn_world *world;
+	const cni_solve *s;
+} substeps;
+
+static void joints_warm_start(cn_world *world, const cni_solve *s)
+{
+	if (world->awake_joints.count == 0)
+		return;
+	cni_joints_warm_start(world, s);
+	cni_direct_warm_start(world, s);
+}
+
+static void joints_solve(cn_world *world, const cni_solve *s)
+{
+	if (world->awake_joints.count > 0)
+		cni_joints_solve(world, s);
+	cni_direct_solve(world, s, 1);
+}
+
+static void joints_relax(cn_world *world, const cni_solve *s)
+{
+	if (world->awake_joints.count > 0)
+		cni_joints_relax(world, s);
+	cni_direct_solve(world, s, 0);
+	if (world->awake_joints.count > 0)
+		cni_joints_stress(world, s);
+}
+
+static void substeps_lead(void *context)
+{
+	cn_world *world = ((const substeps *)context)->world;
+	const cni_solve *s = ((const substeps *)context)->s;
+	int32_t k;
+	for (k = 0; k < s->substeps; ++k) {
+		cni_integrate_velocities(world, s, k);
+		if (k == 0) {
+			joints_warm_start(world, s);
+			cni_contacts_warm_start(world, s);
+		}
+		if (CNI_ON(IMPACTS))
+			cni_contacts_impact(world, s);
+		joints_solve(world, s);
+		cni_contacts_solve(world, s);
+		cni_direct_project(world, s);
+		cni_integrate_positions(world, s);
+		joints_relax(world, s);
+		cni_contacts_relax(world, s);
+		if (CNI_ON(SHOCKS))
+			cni_velocity_jumps_reset(world, s);
+		if (k == 0 && CNI_ON(REST))
+			cni_rest_find(world, s);
+	}
+	cni_integrate_finish(world, s);
+}
+
+/* The substeps are a loop in a loop in a loop: the workers stay for all of them. */
+static void substeps_run(cn_world *world, cni_solve *s)
+{
+	substeps all;
+	if (world->awake_count == 1)
+		return; /* nothing but the dummy */
+	if (s->lanes + world->awake_joints.count + world->awake_count >= SHARED_WORK)
+		s->team = world->team;
+	all.world = world;
+	all.s = s;
+	cni_team_run(s->team, substeps_lead, &all);
+}
+
+static void step_end(cn_world *world, float dt, int32_t rested)
+{
+	world->events.in_step = 0;
+	++world->step_count;
+	if (dt > 0.0f) {
+		world->step_dt = dt;
+		world->settled = rested != 0;
+	}
+	cni_arena_reset(&world->arena);
+}
+
+/* The soft step; returns 1 when some body has rested long enough to sleep. */
+static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
+{
+	cn_profile *profile = &world->profile;
+	cni_solve s = cni_solve_make(world, dt);
+	cni_sparse direct;
+	int32_t rested;
+	cni_stage_pairs(world, dt);
+	if (CNI_ON(SEAMS))
+		cni_stage_seams(world);
+	profile_mark(world, &profile->broadphase_s, mark);
+	cni_stage_narrowphase(world, dt);
+	profile_mark(world, &profile->narrowphase_s, mark);
+	if (dt == 0.0f)
+		return 0;
+	world->mean_dt = s.mean_dt;
+	cni_external_prepare(world, &s);
+	cni_joints_prepare(world, &s);
+	cni_contacts_list(world, &s);
+	cni_stage_select_solvers(world, s.h);
+	cni_direct_prepare(world, &s, &direct);
+	if (CNI_ON(PILE_LOAD))
+		cni_gravity_preload(world, &s);
+	cni_rattle_run(world, &s);
+	cni_joint_blocks_gather(world, &s);
+	profile_mark(world, &profile->prepare_s, mark);
+	substeps_run(world, &s);
+	cni_joints_store(world, &s);
+	cni_direct_store(world, &s);
+	if (CNI_ON(SPIN))
+		cni_angular_momentum_restore(world);
+	cni_external_finish(world);
+	profile_mark(world, &profile->substeps_s, mark);
+	if (world->settings.flags & CN_WORLD_CONTINUOUS)
+		cni_stage_continuous(world);
+	rested = cni_stage_finalize(world, &s);
+	cni_joints_break(world);
+	profile_mark(world, &profile->finalize_s, mark);
+	return rested;
+}
+
+/* The paper's twelve steps, numbered as in step/sequential.c; 12 is in cni_step. */
+static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
+{
+	cn_profile *profile = &world->profile;
+	cni_solve s = cni_solve_make_sequential(world, dt);
+	int32_t rested;
+	if (dt > 0.0f) {
+		cni_sequential_velocities(world, &s);                  /* 1 */
+		cni_sequential_positions(world, &s);                   /* 2 and 4 */
+		cni_sequential_constraints(world, &s);                 /* 3 */
+	}
+	profile_mark(world, &profile->prepare_s, mark);
+	cni_stage_pairs(world, dt);                                    /* 5 */
+	if (CNI_ON(SEAMS))
+		cni_stage_seams(world);
+	profile_mark(world, &profile->broadphase_s, mark);
+	cni_stage_narrowphase(world, 0.0f);                        /* 6 */
+	profile_mark(world, &profile->narrowphase_s, mark);
+	if (dt == 0.0f)
+		return 0;
+	cni_sequential_velocity_response(world, &s);               /* 7 */
+	cni_sequential_position_response(world);                   /* 8 */
+	cni_sequential_joints(world, &s);                          /* 9 */
+	profile_mark(world, &profile->substeps_s, mark);
+	rested = cni_stage_finalize(world, &s);                    /* 10 and 11 */
+	cni_joints_break(world);
+	profile_mark(world, &profile->finalize_s, mark);
+	return rested;
+}
+
+void cni_step(cn_world *world, float dt)
+{
+	cn_profile *profile = &world->profile;
+	int32_t rested;
+	uint64_t begin, mark;
+	step_begin(world);
+	cni_team_hold(world->team, team_is_held(world));
+	begin = mark = (world->settings.flags & CN_WORLD_PROFILE) ? cni_clock_ns() : 0;
+	rested = world->settings.solver == CN_SOLVER_SEQUENTIAL ? step_sequential(world, dt, &mark) : step_soft(world, dt, &mark);
+	if (rested && (world->settings.flags & CN_WORLD_SLEEP))
+		cni_stage_sleep(world);
+	profile_mark(world, &profile->sleep_s, &mark);
+	cni_team_hold(world->team, 0);
+	cni_stage_events(world); /* last, so that callbacks and arrays that are read later tell the same */
+	profile_mark(world, &profile->events_s, &mark);
+	step_end(world, dt, rested);
+	profile_mark(world, &profile->step_s, &begin);
+}

@@ -1,0 +1,12 @@
+/*
+ * step/step.h - one step of a world: what world/ calls.
+ */
+#ifndef CNI_STEP_STEP_H
+#define CNI_STEP_STEP_H
+
+#include "model/world.h"
+
+/* dt in seconds, 0 to 1; 0 updates contacts and events and moves nothing. */
+void cni_step(cn_world *world, float dt);
+
+#endif
