@@ -2,6 +2,7 @@
 #
 #   make            static and shared library          make demo       run the demo, pictures in build/demo
 #   make test       every test, checked build          make bench      CSV of all benchmark scenes (SCENE=name: one)
+#   make hello      the program of the README          make platformer a character in a level: build/platformer.png
 #   make test-all   tests under sanitizers and other   make check-deps layers, circles, longest files
 #                   compilers and options              make check-links links and make targets in the documentation
 #   make test-times times of parts, printed
@@ -62,7 +63,7 @@ LIBS := -lm $(if $(filter Windows_NT,$(OS)),,-lpthread)
 
 # New files are found by themselves.
 LIB_SRC := $(sort $(wildcard src/*/*.c))
-MAIN_SRC := examples/hello.c examples/rollback.c examples/demo/demo.c examples/bench/bench.c examples/bench/once.c \
+MAIN_SRC := examples/hello.c examples/platformer.c examples/rollback.c examples/demo/demo.c examples/bench/bench.c examples/bench/once.c \
 	examples/bench/scale.c examples/cost/cost.c
 EXAMPLE_SRC := $(filter-out $(MAIN_SRC) examples/peers/%,$(sort $(wildcard examples/*/*.c)))
 TEST_SRC := $(sort $(wildcard test/*/*_test.c))
@@ -77,7 +78,7 @@ TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
 TIMES_SRC := $(sort $(wildcard test/*/*_time_test.c))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh
 
-.PHONY: all bindings demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello rollback check-deps check-links install clean FORCE
+.PHONY: all bindings demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback check-deps check-links install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -112,12 +113,13 @@ $(BUILD)/$(SHARED_LINK): $(BUILD)/$(SHARED)
 
 $(BUILD)/bin/hello: $(BUILD)/release/examples/hello.o
 $(BUILD)/bin/rollback: $(BUILD)/release/examples/rollback.o
+$(BUILD)/bin/platformer: $(BUILD)/release/examples/platformer.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/demo: $(BUILD)/release/examples/demo/demo.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench: $(BUILD)/release/examples/bench/bench.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_once: $(BUILD)/release/examples/bench/once.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_scale: $(BUILD)/release/examples/bench/scale.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/feature_cost: $(BUILD)/release/examples/cost/cost.o $(EXAMPLE_OBJ)
-$(BUILD)/bin/hello $(BUILD)/bin/rollback $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_once $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
+$(BUILD)/bin/hello $(BUILD)/bin/rollback $(BUILD)/bin/platformer $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_once $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
 	@mkdir -p $(@D)
 	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STRIP_UNUSED) $(filter %.o,$^) $(BUILD)/libcairn.a $(LIBS) -o $@
 
@@ -126,6 +128,10 @@ hello: $(BUILD)/bin/hello
 
 rollback: $(BUILD)/bin/rollback
 	@$(BUILD)/bin/rollback
+
+# Plays a level by a script, prints what happens and draws it.
+platformer: $(BUILD)/bin/platformer
+	@$(BUILD)/bin/platformer $(BUILD)/platformer.png
 
 demo: $(BUILD)/bin/demo
 	@mkdir -p $(BUILD)/demo

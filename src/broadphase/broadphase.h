@@ -83,7 +83,7 @@ typedef struct cni_broadphase_ops {
 	int32_t (*validate)(const cni_broadphase *broadphase);
 	/* Bytes that capacity proxies may take, for fixed-memory worlds. */
 	uint64_t (*bytes_needed)(int32_t capacity);
-	/* Its state through a snapshot, after that of the proxies' table. */
+	/* Its state through a snapshot, after that of the proxies' table, and after a reserve for that. */
 	void (*snapshot)(cni_broadphase *broadphase, cni_snapshot *s);
 } cni_broadphase_ops;
 

@@ -37,13 +37,13 @@ static void counts_pass(cni_snapshot *s, cni_sweep *sweep)
 	cni_snapshot_state(s, &sweep->rows_bytes, sizeof sweep->rows_bytes);
 }
 
-/* After the proxies' table has room, so that there are enough words. */
+/* After there is room for the proxies, so that there are enough words. */
 void cni_sweep_snapshot(cni_broadphase *broadphase, cni_snapshot *s)
 {
 	cni_sweep *sweep = (cni_sweep *)(void *)broadphase;
 	int32_t words = cni_snapshot_number(s, cni_bit_words(sweep->id_end)), tiles = cni_snapshot_number(s, sweep->tile_count);
 	if (cni_snapshot_reserves(s))
-		cni_snapshot_need(s, cni_broadphase_sweep.reserve(broadphase, 0) && words <= sweep->moved.count && words <= sweep->loose.count &&
+		cni_snapshot_need(s, words <= sweep->moved.count && words <= sweep->loose.count &&
 		                             cni_sweep_slots_reserve(sweep, tiles));
 	bits_pass(s, &sweep->moved, words);
 	bits_pass(s, &sweep->loose, words);

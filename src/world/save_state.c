@@ -162,6 +162,8 @@ void cni_world_snapshot(cn_world *world, cni_snapshot *s)
 	arrays_pass(world, s);
 	events_pass(&world->events, s);
 	cni_snapshot_blocks(s, &world->blocks);
+	if (cni_snapshot_reserves(s)) /* as much as the proxies' table has by now */
+		cni_snapshot_need(s, world->broadphase_ops->reserve(world->broadphase, 0));
 	world->broadphase_ops->snapshot(world->broadphase, s);
 	for (k = 0; k < COUNT_OF(state_members); ++k)
 		cni_snapshot_state(s, (uint8_t *)world + state_members[k].offset, state_members[k].bytes);
