@@ -12,7 +12,8 @@
 void cni_world_snapshot(cn_world *world, cni_snapshot *s);
 /* A number that changes with what the bytes mean: sizes and places of records, version, order of bytes. */
 uint64_t cni_world_layout(void);
-/* 1 when every byte of cn_world is known to be state that is saved, or something else. For tests. */
-int32_t cni_world_members_are_known(void);
+/* Where in cn_world the first byte is that is neither known to be state nor to be something else; -1: all are known. Padding is not,
+   so cn_world has none. For tests. */
+int32_t cni_world_unknown_offset(void);
 
 #endif

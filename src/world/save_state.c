@@ -4,7 +4,7 @@
  *
  * Scratch of a step is not state, nor is what would be found again as it is: the lists of events that users see are built from
  * the logs; lanes of joints and plans of direct solving that are kept from the last step give the bits of new ones
- * (joints/joint_blocks.c, sparse_plan.c), each compared with what it depends on before it is used. Memory, workers, callbacks, and the sentence of the
+ * (joints/joint_blocks.c, linear/sparse_plan.c), each compared with what it depends on before it is used. Memory, workers, callbacks, and the sentence of the
  * last error stay the world's own.
  */
 #include "world/save.h"
@@ -191,18 +191,25 @@ uint64_t cni_world_layout(void)
 	return hash;
 }
 
-static uint32_t bytes_of(const member *list, int32_t count)
+/* The end of the member of a list that begins at or spans an offset; 0: there is none. */
+static uint32_t member_end(const member *list, int32_t count, uint32_t offset)
 {
-	uint32_t bytes = 0;
 	int32_t k;
 	for (k = 0; k < count; ++k)
-		bytes += list[k].bytes;
-	return bytes;
+		if (list[k].offset <= offset && offset < list[k].offset + list[k].bytes)
+			return list[k].offset + list[k].bytes;
+	return 0;
 }
 
-/* Members do not overlap, and cn_world has no padding, so a member that is in no list is missing in the sum. */
-int32_t cni_world_members_are_known(void)
+int32_t cni_world_unknown_offset(void)
 {
-	return bytes_of(state_members, COUNT_OF(state_members)) + bytes_of(passed_members, COUNT_OF(passed_members)) +
-	               bytes_of(other_members, COUNT_OF(other_members)) == sizeof(cn_world);
+	uint32_t offset = 0;
+	while (offset < sizeof(cn_world)) {
+		uint32_t end = member_end(state_members, COUNT_OF(state_members), offset) + member_end(passed_members, COUNT_OF(passed_members), offset) +
+		               member_end(other_members, COUNT_OF(other_members), offset);
+		if (end == 0)
+			return (int32_t)offset;
+		offset = end;
+	}
+	return -1;
 }

@@ -529,7 +529,8 @@ static void t_every_member_is_known(void)
 {
 	if (sizeof(void *) != 8)
 		SKIP("pointers of 8 bytes only");
-	CHECK(cni_world_members_are_known());
+	printf("  first unknown offset %d of %d\n", (int)cni_world_unknown_offset(), (int)sizeof(cn_world));
+	CHECK(cni_world_unknown_offset() == -1);
 }
 
 int main(int argc, char **argv)
