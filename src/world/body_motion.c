@@ -1,20 +1,20 @@
 /*
- * world/body_motion.c - public functions on where a body is and how it moves: pose, points, velocity,
- * forces and impulses. World points are turned into the body's frame by differences from its centre of
- * mass (high part first, then low), so that no digits are lost far from the origin.
+ * world/body_motion.c - public functions on pose, points, velocity, forces and impulses of a body. World points
+ * enter the body's frame as differences from its centre of mass (high part first, then low), which keeps all
+ * digits far from the origin.
  */
 #include "world/define.h"
 
 /* ------------------------------------------------------------------ pose and points */
 
-/* From the centre of mass to a world point. */
+/* Lever arm from the centre of mass to a world point. */
 static cni_vec2 arm_to(const cni_body *b, cni_vec2 point)
 {
 	return cni_sub(cni_sub(point, cni_v(b->cx, b->cy)), cni_v(b->cx_low, b->cy_low));
 }
 
-/* Every contact of a teleported body must be looked at in the next step, also ones of a static body with
-   sleeping ones that it does not touch yet: contacts of sleeping bodies are not. */
+/* Wakes the other bodies of all contacts of a teleported body, touching or not: the next step must check these contacts, and it skips
+   contacts of sleeping bodies. */
 static void wake_contacts(cn_world *world, int32_t body)
 {
 	int32_t key;
@@ -22,8 +22,8 @@ static void wake_contacts(cn_world *world, int32_t body)
 		cni_body_wake(world, cni_contact_of_key(world, key)->body[1 - (key & 1)]);
 }
 
-/* Contacts whose boxes a teleport has moved apart end at once, so that putting the body to sleep before
-   the next step cannot keep them. After cni_contact_reserve_end. */
+/* Ends contacts whose boxes a teleport has moved apart, as the next step would not if the body were put to sleep before it. Requires
+   cni_contact_reserve_end. */
 static void end_contacts_apart(cn_world *world, int32_t body)
 {
 	int32_t key = cni_body_at(world, body)->contact_first;
@@ -34,7 +34,7 @@ static void end_contacts_apart(cn_world *world, int32_t body)
 		if (cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat))
 			continue;
 		cni_contact_destroy(world, contact);
-		/* Were they together at the last step and again at the next, the pair would not be new. */
+		/* Otherwise boxes that overlap at the last and at the next step would not be a new pair. */
 		world->broadphase_ops->touch(world->broadphase, proxy);
 	}
 }
@@ -58,7 +58,7 @@ cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, fl
 	end_contacts_apart(world, index);
 	cni_body_wake_met(world, index);
 	cni_body_at(world, index)->flags |= CNI_BODY_AGAIN;
-	world->pairs_may_repeat |= CNI_PAIRS_MARKED; /* the boxes may have been apart and be together again */
+	world->pairs_may_repeat |= CNI_PAIRS_MARKED; /* the boxes may have separated and overlap again */
 	return CN_OK;
 }
 
@@ -135,13 +135,13 @@ cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float poi
 
 /* ------------------------------------------------------------------ forces and impulses */
 
-/* Forces and impulses act on these only. */
+/* Forces and impulses act on enabled dynamic bodies only. */
 static int32_t can_be_pushed(const cni_body *b)
 {
 	return b->type == CN_BODY_DYNAMIC && (b->flags & CN_BODY_ENABLED);
 }
 
-/* Adds to what the next step will apply; sums of finite numbers may still overflow. */
+/* Adds to the force and torque of the next step; sums of finite numbers may overflow. */
 static cn_result add_force(cni_call *call, cn_world *world, cn_body body, cni_vec2 force, float torque)
 {
 	cni_body *b;
@@ -153,7 +153,7 @@ static cn_result add_force(cni_call *call, cn_world *world, cn_body body, cni_ve
 	b = cni_body_at(world, cni_index_of(body));
 	if (!can_be_pushed(b))
 		return CN_OK;
-	d = cni_externals(world) + b->awake; /* the dummy has none */
+	d = cni_externals(world) + b->awake; /* the dummy has no force */
 	total = cni_add(cni_v(d->ax, d->ay), force);
 	total_torque = d->alpha + torque;
 	if (!cni_is_finite2(total) || !cni_is_finite(total_torque))
@@ -194,7 +194,7 @@ cn_result cn_body_apply_torque(cn_world *world, cn_body body, float torque_Nm)
 	return add_force(&call, world, body, cni_v(0.0f, 0.0f), torque_Nm);
 }
 
-/* Changes velocity at once: by impulse / mass and angular impulse / inertia, unless locked. */
+/* Changes the velocity at once by impulse / mass and angular impulse / inertia, except along locked axes. */
 static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, cni_vec2 impulse, float angular)
 {
 	cni_body *b;

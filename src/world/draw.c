@@ -1,5 +1,5 @@
 /*
- * world/draw.c - debug draw: shapes, joints, contacts, boxes and centres through the user's functions. Reads only.
+ * world/draw.c - debug draw: calls the user's functions for shapes, joints, contacts, boxes and centres. Reads only.
  */
 #include "joints/joint_type.h"
 #include "world/error.h"
@@ -164,7 +164,7 @@ static void draw_body(const cn_world *world, const cn_debug_draw *d, int32_t bod
 
 /* ---- joints and contacts ---- */
 
-/* From each body's centre to its anchor, and between the anchors; the rows tell axes and limits. */
+/* Draws lines from each body's centre to its anchor and between the anchors; the rows give axes and limits. */
 static void draw_joint(const cn_world *world, const cn_debug_draw *d, int32_t joint)
 {
 	const cni_joint *j = cni_joint_at(world, joint);

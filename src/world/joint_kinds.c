@@ -1,8 +1,8 @@
 /*
- * world/joint_kinds.c - what is particular to each type of joint and constraint in its public definition: for each number its
- * place in the definition and in the record (p[]: table in joint.h), the values that it may have, and its default.
+ * world/joint_kinds.c - tables of the fields of each type of joint and constraint: the place in the public definition and in the
+ * record (p[]: table in joint.h), the permitted values, and the default.
  *
- * All numbers are checked whatever the flags say, so that turning a flag on later finds good ones.
+ * All fields are checked, whatever the flags are, so that they are valid when a flag is set later.
  */
 #include "world/joint_change.h"
 
@@ -12,30 +12,30 @@
 #define RATIO_MIN 1e-4f
 #define RATIO_MAX 1e4f
 
-/* Values that a field may have. From VECTORS on fields are of two numbers. */
+/* Permitted values of a field. Fields from VECTORS on have two numbers. */
 enum {
 	FINITE,
 	AT_LEAST_0,
 	ABOVE_0,
 	ANGLE,
-	LOWER,    /* checked with UPPER, which follows */
+	LOWER,    /* checked with UPPER, the next field */
 	UPPER,
 	HERTZ,
-	DRIVE,    /* hertz of types that are nothing without their spring */
+	DRIVE,    /* hertz > 0, of types that are only a spring */
 	DAMPING,
 	RATIO,    /* of either sign */
 	RATIO_ABOVE_0,
 	USER_DATA,
 	VECTORS,
 	POSITION = VECTORS,
-	AXIS      /* kept with length 1 */
+	AXIS      /* stored with length 1 */
 };
 
 struct cni_joint_field {
 	const char *name;
-	size_t in_def, in_joint; /* bytes before it */
+	size_t in_def, in_joint; /* offsets in bytes */
 	int32_t values;
-	cn_vec2 initial;         /* a number is x */
+	cn_vec2 initial;         /* x alone for a number */
 };
 
 #define P(number) (offsetof(cni_joint, p) + sizeof(float) * (size_t)(number))
@@ -259,7 +259,7 @@ void cni_joint_def_init(int32_t type, void *def)
 
 void cni_joint_store_axis(cni_joint *j, cn_vec2 axis)
 {
-	/* The larger part first: squares of very long and very short axes would leave the range of floats. */
+	/* Scale by the larger component first: the squares of very long and very short axes would overflow or underflow. */
 	float size = cni_max(cni_abs(axis.x), cni_abs(axis.y));
 	cni_vec2 unit = cni_normalize(cni_v(axis.x / size, axis.y / size));
 	j->p[CNI_P_AXIS_X] = unit.x;

@@ -1,5 +1,5 @@
 /*
- * world/query.c - what all queries share (see query.h).
+ * world/query.c - shared by all queries: see query.h.
  */
 #include "world/query.h"
 
@@ -83,7 +83,7 @@ static void points_reverse(cni_vec2 *points, int32_t count)
 	}
 }
 
-/* Relative to the first point. */
+/* Checks the points, which are relative to the first one, and makes them counter-clockwise. */
 static void check_region_points(cni_call *call, cni_region *region)
 {
 	float tolerance = call->world->settings.thickness_least;
@@ -164,7 +164,7 @@ cni_transform cni_region_in(const cni_region *region, const cni_body *body)
 	return x;
 }
 
-/* ------------------------------------------------------------------ the first of a stream */
+/* ------------------------------------------------------------------ the first items of a stream: a heap */
 
 static uint8_t *first_at(const cni_first *first, int32_t i)
 {

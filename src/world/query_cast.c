@@ -1,9 +1,9 @@
 /*
  * world/query_cast.c - public functions that cast rays and shapes.
  *
- * The broadphase finds fat boxes along the way, the geometry finds the hit in the shape's own frame. Hits
- * are ordered by fraction, then by shape and child; a ray is shortened to a little beyond its best hit,
- * so that an equal one is still seen whatever the order of visits.
+ * The broadphase finds fat boxes along the way; collision/cast.h finds the hit in the shape's own frame. Hits
+ * are ordered by fraction, then by shape and child. A ray is shortened to slightly beyond its best hit, so
+ * that it still finds equal hits in any order of visits.
  */
 #include "world/query.h"
 #include "collision/cast.h"
@@ -15,7 +15,7 @@
 
 /* ------------------------------------------------------------------ hits */
 
-/* Rays may be as long as the world is wide. */
+/* A ray may be as long as the world is wide. */
 static void check_translation(cni_call *call, cn_vec2 translation)
 {
 	cni_check_position(call, "half the translation", cni_mul(0.5f, translation));
@@ -65,7 +65,7 @@ typedef struct ray_query {
 	cni_vec2 origin, translation;
 	cn_query_filter filter;
 	cn_ray_hit best;
-	cni_first all;      /* cn_world_cast_ray_all only */
+	cni_first all;      /* for cn_world_cast_ray_all */
 } ray_query;
 
 static void ray_begin(ray_query *q, const cn_world *world, const cn_ray *ray, const cn_query_filter *filter)
@@ -82,7 +82,7 @@ static void ray_run(ray_query *q, cni_query_fn *visit)
 	q->world->broadphase_ops->ray(q->world->broadphase, q->origin, q->translation, visit, q);
 }
 
-/* The cast against one box's shape; 0 when it is missed. */
+/* Casts against the shape of one box; 0 for a miss. */
 static int32_t ray_cast(const ray_query *q, const cni_query_target *t, cn_ray_hit *out)
 {
 	cni_cast_hit hit;
@@ -104,7 +104,7 @@ static int32_t ray_visit(ray_query *q, int32_t proxy, cn_ray_hit *out)
 	return cni_query_target_of(q->world, proxy, &q->filter, &t) && ray_cast(q, &t, out);
 }
 
-/* Never 0: shapes around the origin must all be seen. */
+/* The limit is never 0: all shapes around the origin must be visited. */
 static float ray_visit_nearest(void *context, int32_t proxy, float limit)
 {
 	ray_query *q = (ray_query *)context;
@@ -221,12 +221,12 @@ typedef struct shape_query {
 	const cn_world *world;
 	const cni_region *region;
 	cni_vec2 translation;
-	cni_aabb box;           /* of the region before it moves */
+	cni_aabb box;           /* of the region at its start */
 	cn_query_filter filter;
 	cn_ray_hit best;
 } shape_query;
 
-/* May the box be met before the best hit? By the axes x and y and the normal of the translation. */
+/* Whether the moving region's box may meet a fat box before the best hit: separating axes x, y and the normal of the translation. */
 static int32_t way_crosses(const shape_query *q, const cni_aabb *fat)
 {
 	cni_vec2 d = q->translation;

@@ -1,8 +1,8 @@
 /*
  * world/query_closest.c - the public function that finds the shape nearest to a point.
  *
- * Boxes around the point grow until the best shape found is no farther than the box reaches: the cost is
- * that of the neighbourhood, not of the distance allowed. Equals are told apart by shape and child.
+ * The search box around the point grows until the best shape is within the box, so the cost depends on the
+ * neighbourhood, not on the allowed distance. Shape and child order equal distances.
  */
 #include "world/query.h"
 #include "collision/nearest.h"
@@ -19,7 +19,7 @@ typedef struct closest_query {
 	cn_closest best;
 } closest_query;
 
-/* 0 or the distance of the point from the box: no less for what is in it. */
+/* Lower bound of the distance from the point to anything in the box: 0 inside. */
 static float box_distance(const cni_aabb *box, cni_vec2 p)
 {
 	float dx = cni_max(cni_max(box->x0 - p.x, p.x - box->x1), 0.0f);

@@ -2,8 +2,8 @@
  * world/query_overlap.c - public functions that list the shapes in a region, in the order of
  * cn_world_get_shapes.
  *
- * A chain has many boxes but is listed once: the first chains that are found are remembered; beyond them
- * a chain is listed for the first of its edges that overlaps, which needs no memory but looks at the others.
+ * A chain has many boxes but is listed once. The query remembers the first CHAINS_MAX chains it finds; it lists
+ * any other chain for its first overlapping edge, which needs no memory but tests the edges before.
  */
 #include "world/query.h"
 
@@ -62,7 +62,7 @@ static int32_t chain_is_known(const overlap_query *q, int32_t shape)
 	return 0;
 }
 
-/* No edge before this one overlaps. */
+/* Whether no earlier edge of the chain overlaps. */
 static int32_t chain_begins_with(const overlap_query *q, cni_query_target t)
 {
 	int32_t child = t.child;
@@ -94,7 +94,7 @@ static float overlap_visit(void *context, int32_t proxy, float limit)
 	return limit;
 }
 
-/* q has its test, region and box. */
+/* Runs a query whose test, region and box are set. */
 static cn_result overlap_run(overlap_query *q, const cn_world *world, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count)
 {
 	q->world = world;
@@ -107,7 +107,7 @@ static cn_result overlap_run(overlap_query *q, const cn_world *world, const cn_q
 	return CN_OK;
 }
 
-/* ------------------------------------------------------------------ public */
+/* ------------------------------------------------------------------ public functions */
 
 static void check_output(cni_call *call, const cn_shape *out, int32_t capacity, const int32_t *out_count)
 {
