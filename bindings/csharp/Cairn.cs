@@ -455,7 +455,7 @@ namespace Cairn
 		public float restitution;
 		/// <summary>metres, [0, 1e3]: lever arm that resists rolling; the pair takes the greater; default 0</summary>
 		public float rolling_resistance;
-		/// <summary>conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; default 0</summary>
+		/// <summary>conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; [-1e4, 1e4], default 0</summary>
 		public float tangent_speed_mps;
 		/// <summary>CN_MIX_*; default CN_MIX_GEOMETRIC</summary>
 		public int friction_mix;

@@ -450,7 +450,7 @@ typedef struct cn_material {
 	float dynamic_friction; // coefficient while sliding, [0, static_friction], default 0.6
 	float restitution; // [0, 1], default 0
 	float rolling_resistance; // metres, [0, 1e3]: lever arm that resists rolling; the pair takes the greater; default 0
-	float tangent_speed_mps; // conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; default 0
+	float tangent_speed_mps; // conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; [-1e4, 1e4], default 0
 	int32_t friction_mix; // CN_MIX_*; default CN_MIX_GEOMETRIC
 	int32_t restitution_mix; // CN_MIX_*; default CN_MIX_MAXIMUM
 	uint32_t reserved;

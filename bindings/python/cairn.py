@@ -432,7 +432,7 @@ class cn_material(_c.Structure):
         ("dynamic_friction", _c.c_float),  # coefficient while sliding, [0, static_friction], default 0.6
         ("restitution", _c.c_float),  # [0, 1], default 0
         ("rolling_resistance", _c.c_float),  # metres, [0, 1e3]: lever arm that resists rolling; the pair takes the greater; default 0
-        ("tangent_speed_mps", _c.c_float),  # conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; default 0
+        ("tangent_speed_mps", _c.c_float),  # conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; [-1e4, 1e4], default 0
         ("friction_mix", _c.c_int32),  # CN_MIX_*; default CN_MIX_GEOMETRIC
         ("restitution_mix", _c.c_int32),  # CN_MIX_*; default CN_MIX_MAXIMUM
         ("reserved", _c.c_uint32),

@@ -692,7 +692,7 @@ pub const cn_material = extern struct {
     restitution: f32,
     /// metres, [0, 1e3]: lever arm that resists rolling; the pair takes the greater; default 0
     rolling_resistance: f32,
-    /// conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; default 0
+    /// conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; [-1e4, 1e4], default 0
     tangent_speed_mps: f32,
     /// CN_MIX_*; default CN_MIX_GEOMETRIC
     friction_mix: i32,

@@ -8,7 +8,7 @@
 /* ------------------------------------------------------------------ pose and points */
 
 /* Lever arm from the centre of mass to a world point. */
-static cni_vec2 arm_to(const cni_body *b, cni_vec2 point)
+static cni_vec2 lever_arm(const cni_body *b, cni_vec2 point)
 {
 	return cni_sub(cni_sub(point, cni_v(b->cx, b->cy)), cni_v(b->cx_low, b->cy_low));
 }
@@ -89,7 +89,7 @@ cn_result cn_body_get_local_point(const cn_world *world, cn_body body, float wor
 	cni_check_finite2(&call, "world_m", world_m);
 	cni_check_pointer(&call, "out_m", out_m);
 	if (call.result == CN_OK)
-		*out_m = cni_add(cni_unrotate(b->q, arm_to(b, world_m)), b->local_center);
+		*out_m = cni_add(cni_unrotate(b->q, lever_arm(b, world_m)), b->local_center);
 	return call.result;
 }
 
@@ -129,14 +129,14 @@ cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float poi
 	if (call.result != CN_OK)
 		return call.result;
 	v = cni_body_velocity(world, b);
-	*out_mps = cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(arm_to(b, point_m)));
+	*out_mps = cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(lever_arm(b, point_m)));
 	return CN_OK;
 }
 
 /* ------------------------------------------------------------------ forces and impulses */
 
 /* Forces and impulses act on enabled dynamic bodies only. */
-static int32_t can_be_pushed(const cni_body *b)
+static int32_t takes_forces(const cni_body *b)
 {
 	return b->type == CN_BODY_DYNAMIC && (b->flags & CN_BODY_ENABLED);
 }
@@ -151,7 +151,7 @@ static cn_result add_force(cni_call *call, cn_world *world, cn_body body, cni_ve
 	if (call->result != CN_OK)
 		return call->result;
 	b = cni_body_at(world, cni_index_of(body));
-	if (!can_be_pushed(b))
+	if (!takes_forces(b))
 		return CN_OK;
 	d = cni_externals(world) + b->awake; /* the dummy has no force */
 	total = cni_add(cni_v(d->ax, d->ay), force);
@@ -183,7 +183,7 @@ cn_result cn_body_apply_force_at(cn_world *world, cn_body body, float force_x_N,
 	const cni_body *b = cni_check_body(&call, "body", body);
 	cni_check_finite2(&call, "force_N", force_N);
 	cni_check_finite2(&call, "point_m", point_m);
-	return add_force(&call, world, body, force_N, b != NULL ? cni_cross(arm_to(b, point_m), force_N) : 0.0f);
+	return add_force(&call, world, body, force_N, b != NULL ? cni_cross(lever_arm(b, point_m), force_N) : 0.0f);
 }
 
 cn_result cn_body_apply_torque(cn_world *world, cn_body body, float torque_Nm)
@@ -202,7 +202,7 @@ static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, cni_
 	if (call->result != CN_OK)
 		return call->result;
 	b = cni_body_at(world, cni_index_of(body));
-	if (!can_be_pushed(b))
+	if (!takes_forces(b))
 		return CN_OK;
 	v = cni_body_velocity(world, b);
 	v.linear_mps = cni_add(v.linear_mps, cni_v(impulse.x / b->mass, impulse.y / b->mass));
@@ -233,7 +233,7 @@ cn_result cn_body_apply_impulse_at(cn_world *world, cn_body body, float impulse_
 	const cni_body *b = cni_check_body(&call, "body", body);
 	cni_check_finite2(&call, "impulse_Ns", impulse_Ns);
 	cni_check_finite2(&call, "point_m", point_m);
-	return add_impulse(&call, world, body, impulse_Ns, b != NULL ? cni_cross(arm_to(b, point_m), impulse_Ns) : 0.0f);
+	return add_impulse(&call, world, body, impulse_Ns, b != NULL ? cni_cross(lever_arm(b, point_m), impulse_Ns) : 0.0f);
 }
 
 cn_result cn_body_apply_angular_impulse(cn_world *world, cn_body body, float impulse_Nms)

@@ -56,7 +56,7 @@ static void leave_simulation(cn_world *world, int32_t body)
 /* ------------------------------------------------------------------ type */
 
 /* Whether the body is the only dynamic body of a joint. */
-static int32_t some_joint_needs_dynamic(const cn_world *world, const cni_body *b)
+static int32_t is_only_dynamic_of_a_joint(const cn_world *world, const cni_body *b)
 {
 	int32_t key;
 	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
@@ -86,7 +86,7 @@ cn_result cn_body_set_type(cn_world *world, cn_body body, int32_t type)
 	cni_check_range_int(&call, "type", type, CN_BODY_STATIC, CN_BODY_DYNAMIC);
 	if (call.result != CN_OK || b->type == type)
 		return call.result;
-	if (type != CN_BODY_DYNAMIC && some_joint_needs_dynamic(world, b))
+	if (type != CN_BODY_DYNAMIC && is_only_dynamic_of_a_joint(world, b))
 		return cni_refuse(&call, CN_ERROR_STATE, "a joint or constraint would be left without a dynamic body");
 	reserve_relink(&call, world, cni_index_of(body));
 	if (call.result == CN_OK && b->type == CN_BODY_STATIC)
@@ -181,7 +181,7 @@ CNI_DEFINE_GET(body, flags, uint32_t, (record->flags & FLAGS_SETTABLE) | (record
 /* ------------------------------------------------------------------ awake */
 
 /* Splits an island that lost links: bodies that are no longer connected must not sleep together. 0 without memory. */
-static int32_t island_tighten(cn_world *world, const cni_body *b)
+static int32_t island_split_unconnected(cn_world *world, const cni_body *b)
 {
 	return b->island == CNI_NONE || cni_island_at(world, b->island)->losses == 0 || cni_island_split(world, b->island);
 }
@@ -198,7 +198,7 @@ cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake)
 	}
 	if (b->awake == 0)
 		return CN_OK;
-	if (!cni_body_reserve_sleep(world, cni_index_of(body)) || !island_tighten(world, b) || !cni_body_put_to_sleep(world, cni_index_of(body)))
+	if (!cni_body_reserve_sleep(world, cni_index_of(body)) || !island_split_unconnected(world, b) || !cni_body_put_to_sleep(world, cni_index_of(body)))
 		return cni_refuse(&call, CN_ERROR_MEMORY, "no memory for contacts at rest");
 	world->events.moved_built = 0;
 	return CN_OK;

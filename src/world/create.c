@@ -436,7 +436,7 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world)
 	cni_call call = cni_enter_free();
 	cni_memory memory;
 	cn_world *world;
-	int32_t good;
+	int32_t created;
 	def_check(&call, def);
 	cni_check_pointer(&call, "out_world", out_world);
 	if (call.result != CN_OK)
@@ -452,10 +452,10 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world)
 	world->steps_max = 8;
 	settings_resolve(&world->settings, def);
 	tables_init(world);
-	good = dummy_create(world) == CN_OK && broadphase_create(world, def->shape_capacity) == CN_OK &&
+	created = dummy_create(world) == CN_OK && broadphase_create(world, def->shape_capacity) == CN_OK &&
 	       reserve_records(world, def) && reserve_contacts(world, def) &&
 	       (def->memory == NULL || reserve_rest(world, def)) && team_create(world, def) == CN_OK;
-	if (!good) {
+	if (!created) {
 		cn_world_destroy(world);
 		return CN_ERROR_MEMORY;
 	}

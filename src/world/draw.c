@@ -41,7 +41,7 @@ static int32_t in_view(const cn_debug_draw *d, const cni_aabb *box)
 	return cni_aabb_overlap(&view, box);
 }
 
-static int32_t sees(const cn_debug_draw *d, cni_vec2 a, cni_vec2 b)
+static int32_t span_in_view(const cn_debug_draw *d, cni_vec2 a, cni_vec2 b)
 {
 	cni_aabb box;
 	box.x0 = cni_min(a.x, b.x);
@@ -53,19 +53,19 @@ static int32_t sees(const cn_debug_draw *d, cni_vec2 a, cni_vec2 b)
 
 static void segment(const cn_debug_draw *d, cni_vec2 a, cni_vec2 b, uint32_t color)
 {
-	if (d->segment != NULL && sees(d, a, b))
+	if (d->segment != NULL && span_in_view(d, a, b))
 		d->segment(&a, &b, color, d->user);
 }
 
 static void point(const cn_debug_draw *d, cni_vec2 p, float size, uint32_t color)
 {
-	if (d->point != NULL && sees(d, p, p))
+	if (d->point != NULL && span_in_view(d, p, p))
 		d->point(&p, size, color, d->user);
 }
 
 static void text(const cn_debug_draw *d, cni_vec2 p, const char *words, uint32_t color)
 {
-	if (d->text != NULL && sees(d, p, p))
+	if (d->text != NULL && span_in_view(d, p, p))
 		d->text(&p, words, color, d->user);
 }
 

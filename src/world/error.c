@@ -85,7 +85,7 @@ static scaled scaled_times_ten(scaled s)
 	return scaled_normalize(s);
 }
 
-static scaled scaled_by_ten(scaled s)
+static scaled scaled_over_ten(scaled s)
 {
 	uint64_t rest = s.m % 10u;
 	s.m = ((s.m / 10u) << 3) + (rest << 3) / 10u; /* the quotient has three or four leading zeros */
@@ -109,7 +109,7 @@ static uint32_t float_digits(uint32_t bits, int32_t *out_exponent)
 	s.e = (biased != 0 ? biased : 1) - 150;
 	s = scaled_normalize(s);
 	while (s.e > -44 || scaled_integer(s) >= 1000000u) {
-		s = scaled_by_ten(s);
+		s = scaled_over_ten(s);
 		++x;
 	}
 	while (scaled_integer(s) < 100000u) {

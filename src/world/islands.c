@@ -16,7 +16,7 @@
 /* ---- parts and errors ---- */
 
 /* Whether the pre-solve callback let the pair pass through each other: both effective masses are then 0. */
-static int32_t contact_is_let_through(const cn_world *world, const cni_contact *c)
+static int32_t contact_passes_through(const cn_world *world, const cni_contact *c)
 {
 	const cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
 	int32_t l = c->slot % CNI_LANES;
@@ -32,7 +32,7 @@ static float overlap_of(const cn_world *world, int32_t contact)
 	float deepest = 0.0f;
 	int32_t k;
 	pair.contact = &c;
-	if (contact_is_let_through(world, &c) || !cni_touch_begin(world, &pair, 0.0f, &touch))
+	if (contact_passes_through(world, &c) || !cni_touch_begin(world, &pair, 0.0f, &touch))
 		return 0.0f;
 	cni_touch_collide(&touch);
 	for (k = 0; k < touch.manifold.count; ++k)
@@ -60,7 +60,7 @@ static float gap_of(const cn_world *world, const cni_joint *j)
 }
 
 /* Adds a body. A contact or joint of two dynamic bodies is in both lists and counts with its first body. */
-static void body_add(const cn_world *world, int32_t body, cn_island_report *out)
+static void report_add_body(const cn_world *world, int32_t body, cn_island_report *out)
 {
 	const cni_body *b = cni_body_at(world, body);
 	int32_t key;
@@ -125,7 +125,7 @@ static int32_t direct_reason(const cn_world *world, const cni_island *i)
 	return i->reason == CN_TIER_REASON_SETTLING && i->good_steps == 0 ? CN_TIER_REASON_STRESSED : i->reason;
 }
 
-static void tier_tell(const cn_world *world, const cni_island *i, cn_island_report *out)
+static void report_tier(const cn_world *world, const cni_island *i, cn_island_report *out)
 {
 	if (out->contacts == 0 && out->joints == 0) {
 		out->tier = CN_TIER_FREE;
@@ -148,18 +148,18 @@ static void report_island(const cn_world *world, int32_t island, cn_island_repor
 	*out = report_begin(world, i->first);
 	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
 		first = cni_min_i(first, body);
-		body_add(world, body, out);
+		report_add_body(world, body, out);
 	}
 	out->body = cni_handles_of(&world->body_handles, first);
-	tier_tell(world, i, out);
+	report_tier(world, i, out);
 }
 
 static void report_alone(const cn_world *world, int32_t body, cn_island_report *out)
 {
 	*out = report_begin(world, body);
-	body_add(world, body, out);
+	report_add_body(world, body, out);
 	out->body = cni_handles_of(&world->body_handles, body);
-	tier_tell(world, NULL, out);
+	report_tier(world, NULL, out);
 }
 
 /* ---- all of them ---- */

@@ -21,9 +21,9 @@ typedef struct cni_joint_kind {
 	uint32_t has;                  /* CNI_KIND_HAS_* */
 } cni_joint_kind;
 enum {
-	CNI_KIND_HAS_MOTOR = 1u << 0,  /* cn_joint_set_motor */
-	CNI_KIND_HAS_LIMITS = 1u << 1, /* cn_joint_set_limits */
-	CNI_KIND_HAS_DRIVE = 1u << 2   /* force_max_N must be > 0 */
+	CNI_KIND_HAS_MOTOR = 1u << 0,      /* cn_joint_set_motor */
+	CNI_KIND_HAS_LIMITS = 1u << 1,     /* cn_joint_set_limits */
+	CNI_KIND_NEEDS_FORCE_MAX = 1u << 2 /* force_max_N must be > 0 */
 };
 const cni_joint_kind *cni_joint_kind_of(int32_t type);
 

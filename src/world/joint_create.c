@@ -37,7 +37,7 @@ void cni_check_joint_strength(cni_call *call, int32_t type, const cn_joint_base 
 	cni_check_at_least(call, "torque_max_Nm", base->torque_max_Nm, 0.0f);
 	cni_check_at_least(call, "break_force_N", base->break_force_N, 0.0f);
 	cni_check_at_least(call, "break_torque_Nm", base->break_torque_Nm, 0.0f);
-	if (cni_joint_kind_of(type)->has & CNI_KIND_HAS_DRIVE)
+	if (cni_joint_kind_of(type)->has & CNI_KIND_NEEDS_FORCE_MAX)
 		cni_check_positive(call, "force_max_N of this type", base->force_max_N);
 	if (type == CN_JOINT_MOTOR_TO)
 		cni_check_positive(call, "torque_max_Nm of this type", base->torque_max_Nm);

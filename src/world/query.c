@@ -179,7 +179,7 @@ static void first_swap(const cni_first *first, int32_t i, int32_t j)
 	memcpy(first_at(first, j), kept, (size_t)first->item_bytes);
 }
 
-static void first_rise(const cni_first *first, int32_t i)
+static void first_sift_up(const cni_first *first, int32_t i)
 {
 	while (i > 0 && first->before(first_at(first, (i - 1) / 2), first_at(first, i))) {
 		first_swap(first, i, (i - 1) / 2);
@@ -187,7 +187,7 @@ static void first_rise(const cni_first *first, int32_t i)
 	}
 }
 
-static void first_sink(const cni_first *first, int32_t i, int32_t count)
+static void first_sift_down(const cni_first *first, int32_t i, int32_t count)
 {
 	for (;;) {
 		int32_t last = i, child;
@@ -217,10 +217,10 @@ void cni_first_add(cni_first *first, const void *item)
 	++first->total;
 	if (first->held < first->capacity) {
 		memcpy(first_at(first, first->held), item, (size_t)first->item_bytes);
-		first_rise(first, first->held++);
+		first_sift_up(first, first->held++);
 	} else if (first->held > 0 && first->before(item, first_at(first, 0))) {
 		memcpy(first_at(first, 0), item, (size_t)first->item_bytes);
-		first_sink(first, 0, first->held);
+		first_sift_down(first, 0, first->held);
 	}
 }
 
@@ -229,6 +229,6 @@ void cni_first_end(cni_first *first)
 	int32_t count;
 	for (count = first->held - 1; count > 0; --count) {
 		first_swap(first, 0, count);
-		first_sink(first, 0, count);
+		first_sift_down(first, 0, count);
 	}
 }

@@ -227,7 +227,7 @@ typedef struct shape_query {
 } shape_query;
 
 /* Whether the moving region's box may meet a fat box before the best hit: separating axes x, y and the normal of the translation. */
-static int32_t way_crosses(const shape_query *q, const cni_aabb *fat)
+static int32_t sweep_may_meet(const shape_query *q, const cni_aabb *fat)
 {
 	cni_vec2 d = q->translation;
 	cni_vec2 end = cni_mul(q->best.shape != 0 ? q->best.fraction * 1.000001f : 1.0f, d);
@@ -244,7 +244,7 @@ static float shape_visit(void *context, int32_t proxy, float limit)
 	cni_query_target t;
 	cni_cast_hit hit;
 	cn_ray_hit made;
-	if (!way_crosses(q, &cni_proxy_at(q->world, proxy)->fat) || !cni_query_target_of(q->world, proxy, &q->filter, &t))
+	if (!sweep_may_meet(q, &cni_proxy_at(q->world, proxy)->fat) || !cni_query_target_of(q->world, proxy, &q->filter, &t))
 		return limit;
 	if (cni_cast_points(t.geometry, t.child, cni_region_points(q->region), q->region->center, cni_region_in(q->region, t.body),
 	                    cni_query_turn_to_local(t.body, q->translation), &hit)) {
@@ -254,7 +254,7 @@ static float shape_visit(void *context, int32_t proxy, float limit)
 	return limit;
 }
 
-static int32_t pieces_of(const shape_query *q)
+static int32_t piece_count(const shape_query *q)
 {
 	float size = (q->box.x1 - q->box.x0) + (q->box.y1 - q->box.y0) + q->world->settings.length_unit;
 	float pieces = cni_length(q->translation) / (2.0f * size);
@@ -279,7 +279,7 @@ cn_result cn_world_cast_shape(const cn_world *world, const cn_polygon *shape, fl
 	q.box = cni_region_box(&region, cni_v(0.0f, 0.0f));
 	q.filter = cni_query_filter_or_default(filter);
 	q.best = hit_none();
-	pieces = pieces_of(&q);
+	pieces = piece_count(&q);
 	for (k = 0; k < pieces; ++k) {
 		float from = (float)k / (float)pieces, to = (float)(k + 1) / (float)pieces;
 		cni_aabb box = cni_region_box(&region, cni_mul(from, q.translation)), end = cni_region_box(&region, cni_mul(to, q.translation));

@@ -56,7 +56,7 @@ static float closest_visit(void *context, int32_t proxy, float limit)
 	return limit;
 }
 
-static void look_within(closest_query *q, float reach)
+static void search_within(closest_query *q, float reach)
 {
 	cni_aabb box;
 	box.x0 = q->point.x - reach;
@@ -83,10 +83,10 @@ cn_result cn_world_closest_point(const cn_world *world, float x_m, float y_m, fl
 	q.distance_max = distance_max_m;
 	q.filter = cni_query_filter_or_default(filter);
 	reach = cni_min(distance_max_m, world->settings.length_unit);
-	look_within(&q, reach);
+	search_within(&q, reach);
 	while (reach < distance_max_m && (q.best.shape == 0 || q.best.distance_m > reach)) {
 		reach = cni_min(distance_max_m, GROWTH * reach);
-		look_within(&q, reach);
+		search_within(&q, reach);
 	}
 	*out = q.best;
 	return CN_OK;
