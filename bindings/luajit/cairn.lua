@@ -15,9 +15,10 @@ ffi.cdef [[
 static const int32_t CN_VERSION_MAJOR = 0;
 static const int32_t CN_VERSION_MINOR = 1;
 static const int32_t CN_VERSION_PATCH = 0;
-static const int32_t CN_ABI_VERSION = 1;
+static const int32_t CN_ABI_VERSION = 2;
 static const int32_t CN_POLYGON_MAX_VERTICES = 16;
 static const int32_t CN_NAME_MAX_BYTES = 63;
+static const int32_t CN_PLANES_MAX = 64;
 static const int32_t CN_WORKERS_MAX = 64;
 static const int32_t CN_MAX_HANDLES = 1048575;
 
@@ -83,7 +84,13 @@ enum {
 	CN_TYPE_ANGLE_CONSTRAINT_DEF = 45,
 	CN_TYPE_LINE_CONSTRAINT_DEF = 46,
 	CN_TYPE_ISLAND_REPORT = 47,
-	CN_TYPE_COUNT = 48,
+	CN_TYPE_DISTANCE = 48,
+	CN_TYPE_SWEEP = 49,
+	CN_TYPE_IMPACT = 50,
+	CN_TYPE_PLANE = 51,
+	CN_TYPE_MOVER_DEF = 52,
+	CN_TYPE_MOVER = 53,
+	CN_TYPE_COUNT = 54,
 };
 
 // Flags of a world.
@@ -233,6 +240,40 @@ enum {
 enum {
 	CN_CONSTRAINT_LIMIT = 1, // line: the limits along the axis hold
 	CN_CONSTRAINT_BREAKS = 2, // destroyed beyond its break force or torque, not only reported
+};
+
+// Results of a cn_query_fn.
+enum {
+	CN_QUERY_SKIP = 0, // ignore the shape
+	CN_QUERY_TAKE = 1, // take it
+	CN_QUERY_STOP = 2, // take it, and nothing after it in the order of results
+};
+
+// Flags of a query.
+enum {
+	CN_QUERY_IGNORE_JOINED = 1, // also ignore bodies that a joint connects to ignored_body
+	CN_QUERY_ONE_WAY = 2, // casts hit one-way shapes from their upper side (45 degrees) only, and none that they start in by more than 0.5% of the length unit; other queries ignore one-way shapes. Default: one-way shapes are like others
+	CN_QUERY_LEAVING = 4, // casts do not hit shapes that they start in, at any depth, unless they lead farther in
+};
+
+// States of a time of impact.
+enum {
+	CN_IMPACT_NONE = 0, // the shapes never come that close; fraction is 1
+	CN_IMPACT_HIT = 1, // they do, at fraction
+	CN_IMPACT_OVERLAP = 2, // the shapes without their radii overlap at the start: fraction 0, no normal
+	CN_IMPACT_FAILED = 3, // no hit before fraction, perhaps one after it: the search ended early
+};
+
+// Flags of a mover's definition.
+enum {
+	CN_MOVER_DROP = 1, // ignore one-way shapes: set it while the character drops through one
+};
+
+// State flags of a mover.
+enum {
+	CN_MOVER_ON_GROUND = 1, // stands on walkable ground
+	CN_MOVER_ON_WALL = 2, // touches a surface too steep to walk on
+	CN_MOVER_ON_CEILING = 4, // touches a surface above it
 };
 
 // What cn_world_draw draws.
@@ -748,28 +789,41 @@ typedef struct cn_update_report {
 	float interpolation; // leftover_s / fixed step, [0, 1): factor for cn_world_read_poses_interpolated
 } cn_update_report;
 
-// Which shapes a query sees: those of enabled bodies whose category has a bit in mask and whose mask has a
-// bit in category; sensors only with CN_SHAPE_SENSOR_SEEN. Queries use the present poses, also between steps.
-typedef struct cn_query_filter {
-	uint64_t category; // default 1
-	uint64_t mask; // default all ones
-} cn_query_filter;
-
 // A ray with an end.
 typedef struct cn_ray {
 	cn_vec2 origin_m; // world
 	cn_vec2 translation_m; // at most 2e6 length units each way; 0 hits only shapes around the origin
 } cn_ray;
 
-// What a ray or a moved shape hit.
+// What a ray or a moved shape hit. If it starts in contact (overlapping or just touching), it hits that shape
+// at fraction 0, with the shortest way out: depth_m along the normal. A shape that it touches up to a depth
+// of 0.5% of the length unit is no hit if the translation leads along the surface or away from it.
 typedef struct cn_ray_hit {
 	cn_shape shape; // 0: nothing was hit
 	cn_body body;
 	int32_t child; // edge of a chain
 	float fraction; // of the translation, [0, 1]; 1 when nothing was hit
-	cn_vec2 point_m;
-	cn_vec2 normal; // (0, 0) when the origin is inside the shape; fraction is 0 then
+	cn_vec2 point_m; // on the surface of the shape that was hit
+	cn_vec2 normal; // unit, out of the shape that was hit
+	float depth_m; // depth of the start inside it, 0 outside
+	uint32_t reserved;
 } cn_ray_hit;
+
+// Called by a query for each shape (edge of a chain) found, in no particular order and perhaps more than
+// once: the result, CN_QUERY_*, must depend on the shape alone. hit is complete in casts; other queries set
+// shape, body and child. May call only functions that take a const world, also of the same world.
+typedef int32_t cn_query_fn(const cn_world *world, const cn_ray_hit *hit, void *user);
+
+// Which shapes a query sees: those of enabled bodies whose category has a bit in mask and whose mask has a
+// bit in category; sensors only with CN_SHAPE_SENSOR_SEEN. Queries use the present poses, also between steps.
+typedef struct cn_query_filter {
+	uint64_t category; // default 1
+	uint64_t mask; // default all ones
+	cn_body ignored_body; // its shapes are ignored; 0 (default): none. A stale handle is an error
+	uint32_t flags; // CN_QUERY_IGNORE_JOINED ...; default 0
+	cn_query_fn *visit; // NULL (default): take all shapes
+	void *user;
+} cn_query_filter;
 
 // The shape nearest to a point.
 typedef struct cn_closest {
@@ -780,6 +834,79 @@ typedef struct cn_closest {
 	cn_vec2 point_m; // on the surface
 	cn_vec2 normal; // outward there; of edges and chains towards the point
 } cn_closest;
+
+// Distance of two shapes.
+typedef struct cn_distance {
+	cn_vec2 point_a_m; // on the surface of a, in the world
+	cn_vec2 point_b_m; // on the surface of b
+	cn_vec2 normal; // unit, from a to b
+	float distance_m; // of the surfaces; negative: the depth, the shortest translation of b out of a
+	uint32_t reserved;
+} cn_distance;
+
+// A motion from fraction 0 to 1: a point of the shape moves in a straight line, and the shape turns about it
+// at a constant rate.
+typedef struct cn_sweep {
+	cn_pose start;
+	cn_vec2 center_m; // that point, in the shape's frame: the centre of mass of a body
+	cn_vec2 translation_m; // of it; at most 2e6 m each way
+	float turn_rad; // counter-clockwise, |turn| <= 1e4
+	uint32_t reserved;
+} cn_sweep;
+
+// Result of cn_polygon_time_of_impact.
+typedef struct cn_impact {
+	int32_t state; // CN_IMPACT_*
+	float fraction;
+	cn_vec2 point_m; // HIT only, as are the next two: between the surfaces
+	cn_vec2 normal; // unit, from a to b
+	float distance_m; // of the surfaces at fraction: distance_m to 0.1 mm (or the resolution of floats) above it
+	uint32_t reserved;
+} cn_impact;
+
+// A surface that limits the motion of a shape: a translation t keeps separation_m + normal . t >= 0, unless
+// that needs a push of more than push_max_m.
+typedef struct cn_plane {
+	cn_vec2 normal; // unit, from the surface to the shape
+	cn_vec2 point_m; // world point of least distance
+	float separation_m; // of the surfaces along the normal; negative: they overlap
+	float push_max_m; // greatest push of this plane, >= 0; FLT_MAX: rigid
+	float push_m; // its push in the last cn_mover_solve
+	cn_shape shape;
+	cn_body body;
+	int32_t child; // edge of a chain
+} cn_plane;
+
+// How a character moves. It may change between moves: crouching is another shape.
+typedef struct cn_mover_def {
+	uint32_t struct_size;
+	uint32_t flags; // CN_MOVER_DROP; default 0
+	cn_polygon shape; // around its position, never turned; 1 or 2 points with radius > 0: circle, capsule. Default: a capsule of radius 0.3 from -0.5 to 0.5 along y: 1.6 high. Round shapes move more smoothly
+	cn_query_filter filter; // shapes that it collides with; sensors never, one-way shapes from above
+	cn_vec2 up; // any length > 0; default (0, 1)
+	float slope_limit_rad; // greatest slope of walkable ground, 0 to pi / 2; default 0.87 (50 degrees)
+	float step_height_m; // greatest height of steps that it climbs, >= 0; default 0.3
+	float snap_m; // a walking character follows ground that falls by up to this in a move, >= 0; default 0.3
+	float gravity_scale; // of the world's gravity in the air; default 1
+	float push_force_N; // greatest push on a dynamic body, >= 0; default 200
+	int32_t iterations_max; // of sliding, 1 to 64; default 8
+} cn_mover_def;
+
+// State of a character between two moves. It belongs to the caller, who may copy, store and restore it. The
+// world does not know it, and bodies do not collide with it: for that give it a kinematic body that is
+// filter.ignored_body and follows by cn_body_set_target_pose. Initially all fields are 0 except the position.
+typedef struct cn_mover {
+	cn_vec2 position_m;
+	cn_vec2 velocity_mps; // in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as its component across up; the one along up is 0, and a jump when the caller makes it > 0
+	cn_vec2 ground_normal; // of the ground with CN_MOVER_ON_GROUND, else (0, 0)
+	cn_vec2 ground_point_m; // in the world, after the move
+	cn_vec2 ground_local_m; // ... in the frame of ground_body
+	cn_vec2 ground_velocity_mps; // of the ground there
+	cn_body ground_body; // 0: none; a stale handle counts as none
+	cn_shape ground_shape;
+	uint32_t flags; // CN_MOVER_ON_*, after the last move
+	float squeezed_m; // overlap with surfaces that leave it no room; else 0 up to rounding
+} cn_mover;
 
 // Definition of an explosion.
 typedef struct cn_explosion_def {
@@ -985,6 +1112,11 @@ cn_result cn_body_get_center(const cn_world *world, cn_body body, cn_vec2 *out_m
 cn_result cn_body_set_velocity(cn_world *world, cn_body body, float linear_x_mps, float linear_y_mps, float angular_radps);
 // Reads the velocity of the centre of mass (m/s) and the angular velocity (rad/s).
 cn_result cn_body_get_velocity(const cn_world *world, cn_body body, cn_velocity *out);
+// Sets the velocity of a kinematic body (others: CN_ERROR_STATE) so that a step of dt_s (1e-6 to 1) takes it
+// to a pose (metres, radians) by the shorter turn, up to rounding and the world's speed limits. Unlike after
+// cn_body_set_pose, bodies on it or in its way move along. The velocity stays: call this before every step,
+// or stop the body after it.
+cn_result cn_body_set_target_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad, float dt_s);
 // Velocity in m/s of the body's material at a world point in metres.
 cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float point_x_m, float point_y_m, cn_vec2 *out_mps);
 // World position of a point given in the body's frame, both in metres.
@@ -1173,6 +1305,13 @@ cn_result cn_world_sensor_events(const cn_world *world, const cn_sensor_event **
 // The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at most capacity
 // (>= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts).
 cn_result cn_body_get_contacts(const cn_world *world, cn_body body, cn_contact_event *out, int32_t capacity, int32_t *out_count);
+// The shape's contacts, a chain with all its edges; out, capacity, *out_count and kinds as in
+// cn_body_get_contacts. O(contacts of its body).
+cn_result cn_shape_get_contacts(const cn_world *world, cn_shape shape, cn_contact_event *out, int32_t capacity, int32_t *out_count);
+// The shapes in a sensor, each once: those with an ENTER and no LEAVE up to the last step. out, capacity and
+// *out_count as in cn_world_get_bodies. CN_ERROR_STATE for a shape that is no sensor. O(contacts of its
+// body), squared for chains.
+cn_result cn_shape_get_visitors(const cn_world *world, cn_shape sensor, cn_shape *out, int32_t capacity, int32_t *out_count);
 // Bodies that fell asleep in the last step, or since then through cn_body_set_awake. Handles of bodies
 // destroyed since are stale.
 cn_result cn_world_fell_asleep(const cn_world *world, const cn_body **out_bodies, int32_t *out_count);
@@ -1431,9 +1570,8 @@ cn_result cn_world_cast_rays(const cn_world *world, const cn_ray *rays, int32_t 
 cn_result cn_shape_cast_ray(const cn_world *world, cn_shape shape, const cn_ray *ray, cn_ray_hit *out);
 // First shape that a convex shape meets when moved by translation (metres, at most 2e6 length units each way)
 // without turning. shape is a polygon in world coordinates; with radius_m > 0 its count may be 1 or 2:
-// circle, capsule. out->point_m is the point of contact; out->normal points from the shape met to the moving
-// one, (0, 0) when they overlap at the start. A chain is met if the mean of the moving points is in front of
-// it. filter may be NULL. O(shapes along the way).
+// circle, capsule. A shape in contact at the start: see cn_ray_hit. A chain is met if the mean of the moving
+// points is in front of it. filter may be NULL. O(shapes along the way).
 cn_result cn_world_cast_shape(const cn_world *world, const cn_polygon *shape, float translation_x_m, float translation_y_m, const cn_query_filter *filter, cn_ray_hit *out);
 // Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a chain once. The
 // first capacity (>= 0) are written; *out_count is the number found. filter may be NULL. O(log shapes) to
@@ -1451,6 +1589,51 @@ cn_result cn_world_overlap_point(const cn_world *world, float x_m, float y_m, co
 // Shape nearest to a world point within distance_max_m (0 to 4e6 length units); the deepest if several
 // contain the point. filter may be NULL. Cost grows with the shapes nearby, not with distance_max_m.
 cn_result cn_world_closest_point(const cn_world *world, float x_m, float y_m, float distance_max_m, const cn_query_filter *filter, cn_closest *out);
+// Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their
+// radii are apart, else by their Minkowski difference. Needs no world; runs in any thread. O(points).
+cn_result cn_polygon_distance(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b, cn_distance *out);
+// Moves b by translation (at most 2e6 m each way) without turning: *out_hit is 1 if it hits a, else 0; *out
+// as cn_ray_hit, without shape, body and child. Needs no world; runs in any thread. O(points).
+cn_result cn_polygon_cast(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b, float translation_x_m, float translation_y_m, cn_ray_hit *out, int32_t *out_hit);
+// Contact of two shapes as in a step, with impulses 0: no points if they are farther apart than margin_m (0
+// to 1e6). A single point of radius 0 gives CN_ERROR_ARGUMENT. Needs no world; runs in any thread. O(points).
+cn_result cn_polygon_collide(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b, float margin_m, cn_manifold *out);
+// First time at which two moving and turning shapes come within distance_m (0 to 1e6); fraction 0 if they
+// start closer. Conservative advancement (Mirtich, 1996) along fixed axes (Catto, GDC 2013) never misses a
+// hit. Needs no world; runs in any thread.
+cn_result cn_polygon_time_of_impact(const cn_polygon *a, const cn_sweep *sweep_a, const cn_polygon *b, const cn_sweep *sweep_b, float distance_m, cn_impact *out);
+// Collision planes of all shapes within margin_m (0 to 1e6) of a polygon (as in cn_world_cast_shape) moved by
+// position, from the same manifolds as in a step, rigid. Writes at most capacity, those of least separation
+// first; *out_count is their number. Sensors have no planes. With CN_QUERY_ONE_WAY a one-way shape has a
+// plane only on its upper side, and only for an overlap of at most 0.5% of the length unit plus its rise in
+// the last step. Shapes wholly behind the plane of another shape are left out, so that seams of tiles do not
+// catch (not if capacity is too small for all). O(shapes nearby, squared).
+cn_result cn_mover_collide(const cn_world *world, const cn_polygon *shape, float position_x_m, float position_y_m, float margin_m, const cn_query_filter *filter, cn_plane *out, int32_t capacity, int32_t *out_count);
+// The translation nearest to a wanted one that count (0 to CN_PLANES_MAX) planes permit; exact, as in two
+// dimensions at most two planes hold it. A plane pushes by at most push_max_m; Hildreth's method (1957) finds
+// the planes at their limit. Sets push_m. If the surfaces leave no room, the result has the least sum of
+// squared overlaps (Cimmino, 1938); *out_overlap_m is the deepest remaining overlap of planes below their
+// limit, else 0 up to rounding. Needs no world. O(count^2), O(count^3) where two planes hold it.
+cn_result cn_mover_solve(cn_plane *planes, int32_t count, float translation_x_m, float translation_y_m, cn_vec2 *out_translation_m, float *out_overlap_m);
+// The velocity nearest to a given one (m/s) that leads into none of the planes that pushed in the last
+// cn_mover_solve. Needs no world. O(count^2).
+cn_result cn_mover_clip(const cn_plane *planes, int32_t count, float velocity_x_mps, float velocity_y_mps, cn_vec2 *out_mps);
+// Sets struct_size and the defaults given beside the fields. NULL does nothing.
+void cn_mover_def_init(cn_mover_def *def);
+// Moves a character by dt_s (0 < dt_s <= 1). Call it after each cn_world_step, else it lags one step behind
+// the ground that carries it. 1. carried   by the motion of its ground since the last move: of the point of
+// ground_body under it, and of conveyors 2. walking   on the ground: velocity_mps across up, along the
+// ground, at the same speed uphill and downhill; no gravity, so that it does not creep. A step up where a too
+// steep surface blocks it: up by step_height_m, forward, down on walkable ground flying    in the air:
+// velocity_mps and gravity (exact for constant gravity). Jumping and walking off keep ground_velocity_mps 3.
+// sliding   both by collision planes, cn_mover_solve and casts, up to iterations_max times: no speed passes
+// through a wall 4. pushing   dynamic bodies in the way get a force for the next step that brings them to the
+// character's velocity, of at most push_force_N each 5. ground    ground that it touches, or that lies within
+// snap_m below a walking character; velocity_mps loses blocked components The result depends on the world,
+// def and mover alone: equal calls give equal bits. The loop of planes, solver and cast is that of Box2D 3's
+// sample of a character mover (Catto, 2025). Pushed bodies wake; nothing else in the world changes. O(shapes
+// nearby x iterations_max): about 1 us standing, 3 us walking, 10 us against a wall.
+cn_result cn_mover_move(cn_world *world, const cn_mover_def *def, float dt_s, cn_mover *mover);
 // Sets struct_size and the defaults given beside the fields. NULL does nothing.
 void cn_explosion_def_init(cn_explosion_def *def);
 // Pushes dynamic bodies away from the centre, each shape at its point nearest to the centre, and wakes them.
@@ -1534,10 +1717,16 @@ for name, number in pairs {
 	cn_angle_constraint_def = cairn.CN_TYPE_ANGLE_CONSTRAINT_DEF,
 	cn_line_constraint_def = cairn.CN_TYPE_LINE_CONSTRAINT_DEF,
 	cn_update_report = cairn.CN_TYPE_UPDATE_REPORT,
-	cn_query_filter = cairn.CN_TYPE_QUERY_FILTER,
 	cn_ray = cairn.CN_TYPE_RAY,
 	cn_ray_hit = cairn.CN_TYPE_RAY_HIT,
+	cn_query_filter = cairn.CN_TYPE_QUERY_FILTER,
 	cn_closest = cairn.CN_TYPE_CLOSEST,
+	cn_distance = cairn.CN_TYPE_DISTANCE,
+	cn_sweep = cairn.CN_TYPE_SWEEP,
+	cn_impact = cairn.CN_TYPE_IMPACT,
+	cn_plane = cairn.CN_TYPE_PLANE,
+	cn_mover_def = cairn.CN_TYPE_MOVER_DEF,
+	cn_mover = cairn.CN_TYPE_MOVER,
 	cn_explosion_def = cairn.CN_TYPE_EXPLOSION_DEF,
 	cn_debug_draw = cairn.CN_TYPE_DEBUG_DRAW,
 } do

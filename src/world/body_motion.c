@@ -116,6 +116,34 @@ cn_result cn_body_set_velocity(cn_world *world, cn_body body, float linear_x_mps
 	return CN_OK;
 }
 
+/* The velocity that takes a body to a pose in dt. */
+static cn_velocity velocity_to(const cni_body *b, cn_vec2 position, float angle, float dt)
+{
+	cni_rot q = cni_sincos(angle), turn = cni_rot_between(b->q, q);
+	cni_vec2 center = cni_add(position, cni_rotate(q, b->local_center));
+	cn_velocity v;
+	v.linear_mps = cni_mul(1.0f / dt, lever_arm(b, center));
+	v.angular_radps = cni_atan2(turn.s, turn.c) / dt;
+	return v;
+}
+
+cn_result cn_body_set_target_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad, float dt_s)
+{
+	cn_vec2 position_m = { position_x_m, position_y_m };
+	cni_call call = cni_enter(world, __func__);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cn_velocity v;
+	cni_check_position(&call, "position_m", position_m);
+	cni_check_angle(&call, "angle_rad", angle_rad);
+	cni_check_range(&call, "dt_s", dt_s, 1e-6f, 1.0f);
+	if (call.result == CN_OK && b->type != CN_BODY_KINEMATIC)
+		cni_refuse(&call, CN_ERROR_STATE, "the body is not kinematic");
+	if (call.result != CN_OK)
+		return call.result;
+	v = velocity_to(b, position_m, angle_rad, dt_s);
+	return cn_body_set_velocity(world, body, v.linear_mps.x, v.linear_mps.y, v.angular_radps);
+}
+
 CNI_DEFINE_GET(body, velocity, cn_velocity, cni_body_velocity(world, record))
 
 cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float point_x_m, float point_y_m, cn_vec2 *out_mps)

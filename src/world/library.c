@@ -80,6 +80,12 @@ int32_t cn_sizeof(int32_t type)
 	case CN_TYPE_ANGLE_CONSTRAINT_DEF: return (int32_t)sizeof(cn_angle_constraint_def);
 	case CN_TYPE_LINE_CONSTRAINT_DEF: return (int32_t)sizeof(cn_line_constraint_def);
 	case CN_TYPE_ISLAND_REPORT: return (int32_t)sizeof(cn_island_report);
+	case CN_TYPE_DISTANCE: return (int32_t)sizeof(cn_distance);
+	case CN_TYPE_SWEEP: return (int32_t)sizeof(cn_sweep);
+	case CN_TYPE_IMPACT: return (int32_t)sizeof(cn_impact);
+	case CN_TYPE_PLANE: return (int32_t)sizeof(cn_plane);
+	case CN_TYPE_MOVER_DEF: return (int32_t)sizeof(cn_mover_def);
+	case CN_TYPE_MOVER: return (int32_t)sizeof(cn_mover);
 	default: return 0;
 	}
 }

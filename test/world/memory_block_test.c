@@ -11,7 +11,7 @@
 #ifdef TEST_SLOW
 #define CHURN_BODIES 2000
 #else
-#define CHURN_BODIES 20000
+#define CHURN_BODIES 6000
 #endif
 
 #define GUARD_BYTES 4096
