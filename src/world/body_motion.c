@@ -116,7 +116,7 @@ cn_result cn_body_set_velocity(cn_world *world, cn_body body, float linear_x_mps
 	return CN_OK;
 }
 
-/* The velocity that takes a body to a pose in dt. */
+/* Velocity that takes a body to a pose in dt. */
 static cn_velocity velocity_to(const cni_body *b, cn_vec2 position, float angle, float dt)
 {
 	cni_rot q = cni_sincos(angle), turn = cni_rot_between(b->q, q);

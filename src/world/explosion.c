@@ -33,7 +33,7 @@ typedef struct explosion {
 	const cni_sight *sight;
 	uint64_t *keys;   /* body << 36 | shape << 16 | child; NULL: count only */
 	int32_t count;
-	int32_t capacity; /* of keys: the user's filter may answer otherwise the second time */
+	int32_t capacity; /* of keys: the second call of the user's filter may have another result */
 } explosion;
 
 static float explosion_visit(void *context, int32_t proxy, float limit)
@@ -62,7 +62,7 @@ static void find_pieces(explosion *e, uint64_t *keys)
 	e->keys = keys;
 	e->capacity = e->count;
 	e->count = 0;
-	++e->world->locked; /* the filter may ask the user */
+	++e->world->locked; /* the filter may call the user's callback */
 	e->world->broadphase_ops->query(e->world->broadphase, &box, explosion_visit, e);
 	--e->world->locked;
 }

@@ -152,7 +152,6 @@ static void check_region_points(cni_call *call, cni_region *region)
 		points_reverse(region->points, region->count);
 }
 
-/* A way may be as long as the world is wide. */
 void cni_check_translation(cni_call *call, cn_vec2 translation)
 {
 	cni_check_position(call, "half the translation", cni_mul(0.5f, translation));

@@ -21,29 +21,29 @@ typedef struct cni_query_target {
 } cni_query_target;
 
 enum { CNI_SIGHT_WITHOUT_SENSORS = 1u << 0, CNI_SIGHT_WITHOUT_ONE_WAY = 1u << 1 };
-/* A filter as a query works with it. */
+/* A checked filter, as queries use it. */
 typedef struct cni_sight {
 	const cn_world *world;
 	cn_query_filter filter;
 	int32_t ignored;       /* body index, CNI_NONE */
-	uint32_t without;      /* CNI_SIGHT_WITHOUT_*: what is not seen whatever the filter says; 0 */
-	float touch;           /* casts: what the start is in up to this depth is met only by going farther in */
+	uint32_t without;      /* CNI_SIGHT_WITHOUT_*: shapes ignored whatever the filter is; default 0 */
+	float touch;           /* casts: a shape that contains the start up to this depth is hit only by moving farther in */
 } cni_sight;
 
-/* NULL means the defaults. Checks flags and the ignored body. */
+/* The defaults for NULL. Checks flags and the ignored body. */
 cni_sight cni_check_filter(cni_call *call, const cn_query_filter *filter);
 /* Whether a query sees a shape; all queries decide it here. */
 int32_t cni_sight_sees(const cni_sight *sight, const cni_shape *shape);
 /* Returns 0 if the filter excludes the shape of the proxy. */
 int32_t cni_query_target_of(const cni_sight *sight, int32_t proxy, cni_query_target *out);
-/* Queries without a direction do not see one-way shapes, if these are asked for. */
+/* Whether a query without a direction ignores a one-way shape: with CN_QUERY_ONE_WAY. */
 static inline int32_t cni_sight_hides_one_way(const cni_sight *sight, const cni_shape *shape)
 {
 	return (sight->filter.flags & CN_QUERY_ONE_WAY) && (shape->flags & CN_SHAPE_ONE_WAY);
 }
-/* What the user says of it: CN_QUERY_*. */
+/* Result of the user's filter callback for a hit: CN_QUERY_*. */
 int32_t cni_sight_ask(const cni_sight *sight, const cn_ray_hit *hit);
-/* ... of a shape of which no more is known. */
+/* The same for a shape without a hit. */
 int32_t cni_sight_ask_target(const cni_sight *sight, const cni_query_target *t);
 
 /* Transforms between the world and a body's frame, by differences from its centre of mass; body may be NULL: identity. */
@@ -52,7 +52,7 @@ cni_vec2 cni_query_to_world(const cni_body *body, cni_vec2 local);
 cni_vec2 cni_query_turn_to_local(const cni_body *body, cni_vec2 vector);
 cni_vec2 cni_query_turn_to_world(const cni_body *body, cni_vec2 local);
 
-/* ---- a convex shape as geometry, in the frame of its points; 1, 2 or more of them */
+/* ---- a convex shape of 1 or more points as geometry, in the frame of its points */
 
 typedef struct cni_solid {
 	cni_geometry g;
@@ -72,9 +72,9 @@ typedef struct cni_region {
 
 /* Checks a polygon and stores it as a region; 1 or 2 points need a radius > 0. */
 void cni_check_region(cni_call *call, const cn_polygon *polygon, cni_region *out);
-/* May a way so long be moved? */
+/* A translation may be as long as the world is wide. */
 void cni_check_translation(cni_call *call, cn_vec2 translation);
-/* The nearest hit of a ray, and of a region that moves. */
+/* Nearest hit of a ray and of a moving region. */
 cn_ray_hit cni_ray_cast(const cni_sight *sight, cni_vec2 origin, cni_vec2 translation);
 cn_ray_hit cni_region_cast(const cni_sight *sight, const cni_region *region, cni_vec2 translation);
 /* AABB in the world after a move by offset. */

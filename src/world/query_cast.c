@@ -54,12 +54,12 @@ static cn_ray_hit hit_none(void)
 	return none;
 }
 
-/* ------------------------------------------------------------------ what counts as met */
+/* ------------------------------------------------------------------ which hits count */
 
 /* Least cosine between a one-way shape's upper side and the normal at which it is met. */
 #define ONE_WAY_COSINE 0.7f
 
-/* translation: in the frame of the shape that was met. */
+/* Whether a hit counts under CN_QUERY_ONE_WAY and for starts in contact. translation is in the frame of the shape hit. */
 static int32_t is_met(const cni_sight *sight, const cni_query_target *t, const cni_cast_hit *hit, cni_vec2 translation)
 {
 	if ((sight->filter.flags & CN_QUERY_ONE_WAY) && (t->shape->flags & CN_SHAPE_ONE_WAY) &&
@@ -74,8 +74,8 @@ typedef struct ray_query {
 	const cni_sight *sight;
 	cni_vec2 origin, translation;
 	cn_ray_hit best;
-	cn_ray_hit stop;    /* cn_world_cast_ray_all only: the first hit of CN_QUERY_STOP, shape 0: none */
-	cni_first all;      /* ... */
+	cn_ray_hit stop;    /* for cn_world_cast_ray_all: the first hit of CN_QUERY_STOP; shape 0: none */
+	cni_first all;      /* for cn_world_cast_ray_all */
 } ray_query;
 
 static void ray_begin(ray_query *q, const cni_sight *sight, const cn_ray *ray)
@@ -109,7 +109,7 @@ static void best_keep(cn_ray_hit *best, const cn_ray_hit *hit)
 		*best = *hit;
 }
 
-/* CN_QUERY_*: SKIP too when it is missed. */
+/* CN_QUERY_* of a proxy; CN_QUERY_SKIP for a miss. */
 static int32_t ray_visit(ray_query *q, int32_t proxy, cn_ray_hit *out)
 {
 	cni_query_target t;
@@ -152,7 +152,7 @@ static float ray_visit_all(void *context, int32_t proxy, float limit)
 	return limit;
 }
 
-/* Once more when a hit stopped it: some that come after it may have been counted before. */
+/* After a hit with CN_QUERY_STOP the query runs again, as hits beyond it may have been counted before. */
 static void ray_run_all(ray_query *q, cn_ray_hit *out, int32_t capacity)
 {
 	cni_first_begin(&q->all, out, (int32_t)sizeof *out, capacity, hit_before);

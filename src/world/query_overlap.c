@@ -19,7 +19,7 @@ struct overlap_query {
 	cni_aabb box;
 	cni_vec2 point;
 	cni_first found;
-	int32_t stop;               /* no shape after this one; CNI_NONE */
+	int32_t stop;               /* last shape to list, CNI_NONE without a stop */
 	int32_t chains[CHAINS_MAX];
 	int32_t chain_count;
 };
@@ -71,7 +71,7 @@ static int32_t chain_begins_with(const overlap_query *q, cni_query_target t)
 	return 1;
 }
 
-/* 1 the first time that a shape is found to overlap. */
+/* Whether a shape overlaps and is not in the list. */
 static int32_t overlap_finds(overlap_query *q, const cni_query_target *t)
 {
 	if (t->shape->type == CN_SHAPE_CHAIN && chain_is_known(q, t->index))
@@ -121,7 +121,7 @@ static cn_result overlap_run(overlap_query *q, const cni_sight *sight, cn_shape 
 	q->sight = sight;
 	q->stop = CNI_NONE;
 	overlap_search(q, out, capacity);
-	if (q->stop != CNI_NONE) /* some that come after it may have been counted before */
+	if (q->stop != CNI_NONE) /* shapes after it may have been counted before */
 		overlap_search(q, out, capacity);
 	*out_count = q->found.total;
 	return CN_OK;
