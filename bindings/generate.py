@@ -41,6 +41,11 @@ def read_api(path):
     return api
 
 
+def undocumented(api):
+    """Names of functions, structs and callbacks without a comment of their own."""
+    return [entry["name"] for kind in ("functions", "structs", "callbacks") for entry in api[kind] if not entry["doc"]]
+
+
 def write_all(api, folder):
     for name, writer in WRITERS:
         with open(os.path.join(folder, name), "w", encoding="utf-8", newline="\n") as file:
@@ -82,6 +87,8 @@ def main():
         api = read_api(options.header)
         if options.probe:
             run_probe(api, os.path.dirname(options.header))
+        elif undocumented(api):
+            sys.exit("no comment right above: " + ", ".join(undocumented(api)))
         elif options.check:
             stale = check_all(api, options.output)
             if stale:

@@ -21,32 +21,32 @@ namespace Cairn
 	public struct cn_world { }
 	public struct cn_tree { }
 
-	/// <summary>Memory hooks. Return NULL when there is none; align is a power of two, at most 64. Called only from
-	/// inside functions that take a non-const world.</summary>
+	/// <summary>Memory hook: allocates bytes aligned to align, a power of two of at most 64; returns NULL when there is
+	/// no memory. Called only from inside functions that take a non-const world.</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void* cn_alloc_fn(ulong bytes, uint align, void* user);
 
+	/// <summary>Memory hook: frees memory of cn_alloc_fn; bytes is the size it was allocated with.</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void cn_free_fn(void* memory, ulong bytes, void* user);
 
-	/// <summary>A user's own task system, for worlds with worker_count of 2 or more; without one they start threads of
-	/// their own. Within cn_world_step a world that has enough to do asks for help with enqueue, works itself,
-	/// and then calls finish; some 3 to 10 times a step. It does not matter where tasks run, in which order, or
-	/// whether side by side. cn_task_fn     the library's: call it for ranges [begin, end) that cover 0 to
-	/// item_count - 1, each item once, on any threads. A call may last as long as the step, and may wait for
-	/// others that have already begun, never for one that has not. Its thread must have the floating-point mode
-	/// of the one that steps. cn_enqueue_fn  the user's: makes a task of item_count items (one less than
-	/// worker_count) in ranges of at least min_range, and returns what finish knows it by. It may also run all
-	/// of it at once, and must do so if it cannot keep it; NULL then says that there is nothing to finish.
-	/// cn_finish_fn   the user's: returns when every item of the task has run. Called once for each enqueue that
-	/// did not return NULL, in the thread that enqueued. It may run items itself. enqueue and finish are called
-	/// in the thread that steps, while no callback runs, and must not call the library.</summary>
+	/// <summary>The library's part of a user's task system (cn_world_def.enqueue and finish, for worlds with worker_count
+	/// of 2 or more; without them the world starts its own threads). Call it for ranges [begin, end) that
+	/// together cover 0 to item_count - 1, each item once, on any threads, in any order. A call may last as long
+	/// as the step and may wait for calls that have begun, never for one that has not. Its thread must have the
+	/// floating-point mode of the stepping thread.</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void cn_task_fn(int begin, int end, void* context);
 
+	/// <summary>Starts a task of item_count items (worker_count - 1) in ranges of at least min_range and returns a handle
+	/// for finish. It may run the whole task at once, and must do so if it cannot store the task; it then
+	/// returns NULL, and finish is not called. A step with enough work enqueues 3 to 10 tasks; enqueue and
+	/// finish run in the stepping thread, never during a callback, and must not call the library.</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void* cn_enqueue_fn(IntPtr task, void* context, int item_count, int min_range, void* user);
 
+	/// <summary>Returns when every item of the task has run; it may run items itself. Called once for each enqueue that
+	/// did not return NULL, in the thread that enqueued.</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void cn_finish_fn(void* task, void* user);
 
@@ -54,51 +54,56 @@ namespace Cairn
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void cn_contact_event_fn(cn_world* world, cn_contact_event* @event, void* user);
 
-	/// <summary>Decides whether two shapes that pass their filters may touch: 1 yes, 0 no. Asked when their boxes begin
-	/// to overlap. The world is locked.</summary>
+	/// <summary>Returns 1 if two shapes that pass their filters may touch, else 0. Called when their boxes begin to
+	/// overlap; the world is locked.</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate int cn_filter_fn(cn_world* world, cn_shape shape_a, cn_shape shape_b, void* user);
 
-	/// <summary>Asked in every step for each touching pair in which a shape has CN_SHAPE_PRE_SOLVE, before solving: 0
-	/// makes the pair pass through each other in this step. Event kind is STAY or ENTER.</summary>
+	/// <summary>Called in every step, before solving, for each touching pair in which a shape has CN_SHAPE_PRE_SOLVE; the
+	/// event's kind is STAY or ENTER. Returns 0 to let the pair pass through each other in this step, else 1.</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate int cn_pre_solve_fn(cn_world* world, cn_contact_event* contact, void* user);
 
-	/// <summary>Mixes two materials in place of the CN_MIX_ rules: fills *mixed, which holds what the rules gave. Asked
-	/// when a pair begins to touch and when a material changes.</summary>
+	/// <summary>Mixes two materials instead of the CN_MIX_ rules: *mixed holds the rules' result and takes the new one.
+	/// Called when a pair begins to touch and when a material changes.</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void cn_material_mix_fn(cn_world* world, cn_shape shape_a, cn_shape shape_b, cn_material* mixed, void* user);
 
-	/// <summary>Asked by a query for each shape (edge of a chain) that it would find, in no particular order and perhaps
-	/// more than once: the answer must depend on the shape alone. hit is what is known of it: all of it in
-	/// casts, else shape, body and child. Returns CN_QUERY_*. May call functions that take a const world, of the
-	/// same world too, and no others.</summary>
+	/// <summary>Called by a query for each shape (edge of a chain) found, in no particular order and perhaps more than
+	/// once: the result, CN_QUERY_*, must depend on the shape alone. hit is complete in casts; other queries set
+	/// shape, body and child. May call only functions that take a const world, also of the same world.</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate int cn_query_fn(cn_world* world, cn_ray_hit* hit, void* user);
 
+	/// <summary>count points, counter-clockwise</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void cn_debug_draw_polygon_fn(cn_vec2* points_m, int count, float radius_m, uint color, void* user);
 
+	/// <summary>rim_m: a point on the rim that turns with the body</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void cn_debug_draw_circle_fn(cn_vec2* center_m, float radius_m, cn_vec2* rim_m, uint color, void* user);
 
+	/// <summary>a disc swept from a to b</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void cn_debug_draw_capsule_fn(cn_vec2* a_m, cn_vec2* b_m, float radius_m, uint color, void* user);
 
+	/// <summary>a line from a to b</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void cn_debug_draw_segment_fn(cn_vec2* a_m, cn_vec2* b_m, uint color, void* user);
 
+	/// <summary>size in pixels</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void cn_debug_draw_point_fn(cn_vec2* point_m, float size_px, uint color, void* user);
 
+	/// <summary>zero-terminated, valid during the call</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void cn_debug_draw_text_fn(cn_vec2* point_m, byte* text, uint color, void* user);
 
-	/// <summary>Return 0 to stop, anything else to go on.</summary>
+	/// <summary>Returns 0 to stop the search, any other value to continue.</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate int cn_tree_query_fn(uint item, ulong user_data, void* user);
 
-	/// <summary>Return the fraction to go on with: the given one to ignore the item, 0 to stop.</summary>
+	/// <summary>Returns the fraction at which the ray now ends: the given one to ignore the item, 0 to stop.</summary>
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate float cn_tree_ray_fn(uint item, ulong user_data, float fraction, void* user);
 
@@ -150,6 +155,7 @@ namespace Cairn
 		}
 	}
 
+	/// <summary>A point, vector or pair of numbers.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_vec2
 	{
@@ -157,8 +163,8 @@ namespace Cairn
 		public float y;
 	}
 
-	/// <summary>Position of a body's origin and its rotation as (cosine, sine). 16 bytes: an array of these can be
-	/// uploaded to a GPU as it is.</summary>
+	/// <summary>Position of a body's origin and its rotation as (cosine, sine). 16 bytes: an array of poses can be
+	/// uploaded to a GPU directly.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_pose
 	{
@@ -167,14 +173,17 @@ namespace Cairn
 		public float sine;
 	}
 
+	/// <summary>Velocity of a body.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_velocity
 	{
 		/// <summary>of the centre of mass</summary>
 		public cn_vec2 linear_mps;
+		/// <summary>counter-clockwise is positive</summary>
 		public float angular_radps;
 	}
 
+	/// <summary>Axis-aligned bounding box, lower_m &lt;= upper_m.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_aabb
 	{
@@ -182,6 +191,7 @@ namespace Cairn
 		public cn_vec2 upper_m;
 	}
 
+	/// <summary>Mass, inertia and centre of mass.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_mass_data
 	{
@@ -192,6 +202,7 @@ namespace Cairn
 		public cn_vec2 center_m;
 	}
 
+	/// <summary>Definition of a world.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_world_def
 	{
@@ -208,95 +219,109 @@ namespace Cairn
 		public int broadphase;
 		/// <summary>1 to 64; default 4</summary>
 		public int substep_count;
-		/// <summary>CN_SOLVER_AUTO works towards errors below this, &gt;= 0; default 0.005 x length unit</summary>
+		/// <summary>CN_SOLVER_AUTO aims at errors below this, &gt;= 0; default 0.005 x length unit</summary>
 		public float accuracy_m;
-		/// <summary>... but spends no more than this on direct solving in a step, in blocks (joints, contacts and the fill
-		/// between them) factored, substeps included: some 10 ns each; 0 to 1e9; default 0: no bound but those of
-		/// single islands</summary>
+		/// <summary>limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
+		/// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only</summary>
 		public int work_budget;
 		/// <summary>slower impacts do not bounce, &gt;= 0; default 1 x length unit</summary>
 		public float restitution_threshold_mps;
-		/// <summary>fastest speed at which overlap is pushed apart, &gt; 0; default 3 x length unit</summary>
+		/// <summary>greatest speed at which overlaps are pushed apart, &gt; 0; default 3 x length unit</summary>
 		public float push_speed_max_mps;
-		/// <summary>&gt; 0; default 400 x length unit</summary>
+		/// <summary>faster bodies are slowed to it, &gt; 0; default 400 x length unit</summary>
 		public float linear_speed_max_mps;
-		/// <summary>&gt; 0; default 400</summary>
+		/// <summary>faster bodies are slowed to it, &gt; 0; default 400</summary>
 		public float angular_speed_max_radps;
 		/// <summary>bodies slower than this may sleep, &gt;= 0; default 0.05 x length unit</summary>
 		public float sleep_speed_mps;
-		/// <summary>... after this long, &gt;= 0; default 0.5</summary>
+		/// <summary>... after this time, &gt;= 0; default 0.5</summary>
 		public float sleep_delay_s;
 		/// <summary>hints for a growing world, exact for a fixed one; &gt;= 0; default 0</summary>
 		public int body_capacity;
 		/// <summary>counts every edge of a chain</summary>
 		public int shape_capacity;
+		/// <summary>pairs whose fat AABBs overlap</summary>
 		public int contact_capacity;
 		/// <summary>counts constraints too</summary>
 		public int joint_capacity;
 		public ulong user_data;
 		/// <summary>size of memory; 0: use alloc and free</summary>
 		public ulong memory_bytes;
-		/// <summary>NULL, or one block aligned to 64 bytes that the world lives in, whole</summary>
+		/// <summary>NULL, or one block aligned to 64 bytes that holds the whole world</summary>
 		public void* memory;
 		/// <summary>NULL: malloc; set both or none</summary>
 		public IntPtr alloc;
+		/// <summary>NULL: free</summary>
 		public IntPtr free;
+		/// <summary>last argument of alloc and free</summary>
 		public void* allocator_user;
-		/// <summary>NULL: threads of the world's own; set both or none</summary>
+		/// <summary>NULL: the world's own threads; set both or none</summary>
 		public IntPtr enqueue;
+		/// <summary>see cn_finish_fn</summary>
 		public IntPtr finish;
+		/// <summary>last argument of enqueue and finish</summary>
 		public void* task_user;
-		/// <summary>how many may work on a step at once, the calling thread one of them; 0 to CN_WORKERS_MAX; default 0: as
-		/// 1, which starts no threads and enqueues no tasks</summary>
+		/// <summary>threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no
+		/// threads, no tasks</summary>
 		public int worker_count;
 		public uint reserved;
 	}
 
+	/// <summary>Counts of objects, and problems of the last step.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_counters
 	{
+		/// <summary>alive</summary>
 		public int bodies;
 		/// <summary>dynamic and kinematic bodies that are simulated</summary>
 		public int bodies_awake;
+		/// <summary>alive</summary>
 		public int shapes;
-		/// <summary>boxes in the broadphase: one a shape, one an edge of a chain</summary>
+		/// <summary>boxes in the broadphase: one per shape, one per edge of a chain</summary>
 		public int proxies;
 		/// <summary>pairs whose fat boxes overlap</summary>
 		public int contacts;
+		/// <summary>with an awake body</summary>
 		public int contacts_awake;
-		/// <summary>pairs that share a manifold, asleep or awake</summary>
+		/// <summary>pairs with a manifold, asleep or awake</summary>
 		public int contacts_touching;
 		/// <summary>and constraints</summary>
 		public int joints;
+		/// <summary>and constraints, with an awake body</summary>
 		public int joints_awake;
-		/// <summary>awake and asleep, of two or more bodies or one</summary>
+		/// <summary>awake and asleep; a single dynamic body counts</summary>
 		public int islands;
+		/// <summary>of them</summary>
 		public int islands_awake;
-		/// <summary>groups of contacts that are solved without sharing a body</summary>
+		/// <summary>groups of contacts that share no dynamic body</summary>
 		public int colors_used;
-		/// <summary>contacts that fit no colour and are solved one by one</summary>
+		/// <summary>contacts that fit no colour: solved one by one</summary>
 		public int overflow_contacts;
+		/// <summary>cells of the broadphase</summary>
 		public int broadphase_tiles;
 		/// <summary>steps taken since creation, modulo 2^32</summary>
 		public uint steps;
-		/// <summary>What the last step could not do for want of memory; 0 when all is well. It tries again. CN_WARNING_*</summary>
+		/// <summary>Work that the last step skipped for lack of memory, 0 for none. The next step tries again. CN_WARNING_*</summary>
 		public uint warnings;
+		/// <summary>new pairs without a contact</summary>
 		public int pairs_not_added;
+		/// <summary>events without a place in a log</summary>
 		public int events_not_reported;
-		/// <summary>of several bodies, solved directly in the last step, contacts and all</summary>
+		/// <summary>of several bodies, solved directly in the last step, contacts included</summary>
 		public int islands_direct;
-		/// <summary>planned for all that is solved directly in it, in the units of work_budget; at most 2^31 - 1</summary>
+		/// <summary>planned direct solving of the last step, in the units of work_budget; at most 2^31 - 1</summary>
 		public int direct_work;
-		/// <summary>of several bodies, left to soft constraints for a time because no solution was found:
-		/// CN_TIER_REASON_NO_SET</summary>
+		/// <summary>of several bodies, soft for a time as no solution was found: CN_TIER_REASON_NO_SET</summary>
 		public int islands_unsolved;
 	}
 
+	/// <summary>Report on one island.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_island_report
 	{
-		/// <summary>one of it: of least slot</summary>
+		/// <summary>its body of least slot</summary>
 		public cn_body body;
+		/// <summary>dynamic</summary>
 		public int bodies;
 		/// <summary>touching</summary>
 		public int contacts;
@@ -306,11 +331,10 @@ namespace Cairn
 		public int tier;
 		/// <summary>CN_TIER_REASON_*</summary>
 		public int reason;
-		/// <summary>of the world, 1 while it rests, as after the last step that took time; joints that swing freely may take
-		/// more</summary>
+		/// <summary>of the last step with dt &gt; 0: the world's, or 1 at rest; freely swinging joints may take more</summary>
 		public int substeps;
-		/// <summary>where bodies are now: largest overlap, or gap of a rigid joint (angles times its bodies' extent); joints
-		/// that may give way (stiffness_hertz, force_max_N, torque_max_Nm) do not count</summary>
+		/// <summary>at the present poses: largest overlap, or gap of a rigid joint (angles times its bodies' extent); joints
+		/// that may yield (stiffness_hertz, force_max_N, torque_max_Nm) do not count</summary>
 		public float residual_m;
 	}
 
@@ -318,40 +342,54 @@ namespace Cairn
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_profile
 	{
+		/// <summary>the whole step</summary>
 		public float step_s;
+		/// <summary>waking</summary>
 		public float wake_s;
+		/// <summary>pairs</summary>
 		public float broadphase_s;
+		/// <summary>manifolds</summary>
 		public float narrowphase_s;
+		/// <summary>islands</summary>
 		public float islands_s;
+		/// <summary>constraints, plans</summary>
 		public float prepare_s;
+		/// <summary>all substeps</summary>
 		public float substeps_s;
+		/// <summary>poses and boxes</summary>
 		public float finalize_s;
+		/// <summary>callbacks</summary>
 		public float events_s;
+		/// <summary>falling asleep</summary>
 		public float sleep_s;
 	}
 
-	/// <summary>Memory, in bytes. The frame arena is the stack allocator whose entries live within one step; the block
+	/// <summary>Memory, in bytes. The frame arena is a stack allocator whose entries live within one step; the block
 	/// allocator serves small variable-size pieces from free lists of size classes.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_memory_stats
 	{
 		/// <summary>taken from the user's allocator or carved from the fixed block</summary>
 		public ulong bytes_in_use;
+		/// <summary>most bytes_in_use since creation</summary>
 		public ulong bytes_peak;
 		/// <summary>calls of the user's alloc (or of the fixed block's) since creation</summary>
 		public ulong allocator_calls;
+		/// <summary>of the frame arena</summary>
 		public ulong arena_capacity;
 		/// <summary>most bytes in use at once since creation</summary>
 		public ulong arena_peak;
-		/// <summary>entries that did not fit and came from the allocator, since creation</summary>
+		/// <summary>entries that did not fit: the allocator served them; since creation</summary>
 		public ulong arena_fallbacks;
 		/// <summary>bytes in chunks</summary>
 		public ulong blocks_capacity;
+		/// <summary>bytes handed out of them</summary>
 		public ulong blocks_in_use;
 		/// <summary>blocks above the largest class, served by the allocator</summary>
 		public ulong blocks_large;
 	}
 
+	/// <summary>Definition of a body.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_body_def
 	{
@@ -362,11 +400,13 @@ namespace Cairn
 		public cn_vec2 position_m;
 		/// <summary>|angle| &lt;= 1e4</summary>
 		public float angle_rad;
-		/// <summary>of the centre of mass; both velocities count only with CN_BODY_AWAKE: what sleeps does not move</summary>
+		/// <summary>of the centre of mass; both velocities are ignored without CN_BODY_AWAKE</summary>
 		public cn_vec2 linear_velocity_mps;
+		/// <summary>default 0</summary>
 		public float angular_velocity_radps;
 		/// <summary>v' = -damping v; &gt;= 0, default 0</summary>
 		public float linear_damping_per_s;
+		/// <summary>&gt;= 0, default 0</summary>
 		public float angular_damping_per_s;
 		/// <summary>default 1</summary>
 		public float gravity_scale;
@@ -381,18 +421,22 @@ namespace Cairn
 		public byte* name;
 	}
 
+	/// <summary>A body that moved or fell asleep in the last step.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_body_moved
 	{
+		/// <summary>after the step</summary>
 		public cn_pose pose;
+		/// <summary>the body's</summary>
 		public ulong user_data;
+		/// <summary>that moved</summary>
 		public cn_body body;
 		/// <summary>1 in the step in which it fell asleep</summary>
 		public uint fell_asleep;
 	}
 
-	/// <summary>Two shapes collide when group is equal and not 0: positive yes, negative no; otherwise when each one's
-	/// category has a bit in the other's mask.</summary>
+	/// <summary>Two shapes of one group other than 0 collide if it is positive and do not if it is negative. Others
+	/// collide if the category of each has a bit in the mask of the other.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_filter
 	{
@@ -405,6 +449,7 @@ namespace Cairn
 		public uint reserved;
 	}
 
+	/// <summary>Surface of a shape.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_material
 	{
@@ -416,15 +461,16 @@ namespace Cairn
 		public float restitution;
 		/// <summary>metres, [0, 1e3]: lever arm that resists rolling; the pair takes the greater; default 0</summary>
 		public float rolling_resistance;
-		/// <summary>conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; default 0</summary>
+		/// <summary>conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; [-1e4, 1e4], default 0</summary>
 		public float tangent_speed_mps;
-		/// <summary>CN_MIX_*</summary>
+		/// <summary>CN_MIX_*; default CN_MIX_GEOMETRIC</summary>
 		public int friction_mix;
-		/// <summary>CN_MIX_*</summary>
+		/// <summary>CN_MIX_*; default CN_MIX_MAXIMUM</summary>
 		public int restitution_mix;
 		public uint reserved;
 	}
 
+	/// <summary>Definition of a shape.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_shape_def
 	{
@@ -433,18 +479,22 @@ namespace Cairn
 		public cn_body body;
 		/// <summary>of the shape in the body's local frame</summary>
 		public cn_vec2 offset_m;
+		/// <summary>of the shape in the body's local frame</summary>
 		public float angle_rad;
 		/// <summary>&gt;= 0, giving 0 or 1e-20 to 1e20 kg; default 1</summary>
 		public float density_kgpm2;
+		/// <summary>defaults: see cn_material</summary>
 		public cn_material material;
+		/// <summary>defaults: see cn_filter</summary>
 		public cn_filter filter;
-		/// <summary>bit 1 &lt;&lt; CN_EVENT_*; a pair reports what either shape asks for; default ENTER and LEAVE</summary>
+		/// <summary>bits 1 &lt;&lt; CN_EVENT_*; a pair reports the events of either shape; default ENTER and LEAVE</summary>
 		public uint event_mask;
 		/// <summary>CN_SHAPE_SENSOR ...; default 0</summary>
 		public uint flags;
 		public ulong user_data;
 	}
 
+	/// <summary>A disc.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_circle
 	{
@@ -469,20 +519,20 @@ namespace Cairn
 		public cn_vec2 b_m;
 	}
 
-	/// <summary>Convex; counter-clockwise or clockwise in, always stored counter-clockwise.</summary>
+	/// <summary>Convex polygon. Either winding is accepted; points are stored counter-clockwise.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_polygon
 	{
 		/// <summary>3 to CN_POLYGON_MAX_VERTICES</summary>
 		public int count;
-		/// <summary>rounding added outside of the points, &gt;= 0</summary>
+		/// <summary>rounding added outside the points, &gt;= 0</summary>
 		public float radius_m;
 		public cn_vec2_array16 points_m;
 	}
 
-	/// <summary>One-sided, massless ground without catches at its inner vertices. The solid side is on the left of the
-	/// direction of travel: surface normals point to the right of it, so ground whose points run from +x to -x
-	/// collides from above and a counter-clockwise loop collides from outside.</summary>
+	/// <summary>One-sided ground without mass; bodies slide over its inner vertices without catching. The solid side is
+	/// on the left of the order of points and surface normals point to the right: points that run from +x to -x
+	/// collide from above, a counter-clockwise loop collides from outside.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_chain
 	{
@@ -494,6 +544,7 @@ namespace Cairn
 		public uint loop;
 	}
 
+	/// <summary>One point of a contact.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_manifold_point
 	{
@@ -507,6 +558,7 @@ namespace Cairn
 		public uint feature_id;
 	}
 
+	/// <summary>How two shapes touch.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_manifold
 	{
@@ -516,9 +568,11 @@ namespace Cairn
 		public float friction_impulse_Ns;
 		/// <summary>0, 1 or 2</summary>
 		public int point_count;
+		/// <summary>the first point_count of them</summary>
 		public cn_manifold_point_array2 points;
 	}
 
+	/// <summary>A contact event, or the present state of a contact.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_contact_event
 	{
@@ -528,6 +582,7 @@ namespace Cairn
 		public cn_body body_b;
 		/// <summary>edge number within a chain, else 0</summary>
 		public int child_a;
+		/// <summary>the same of shape b</summary>
 		public int child_b;
 		/// <summary>the same from CREATED to DESTROYED, then reused</summary>
 		public uint contact_id;
@@ -535,7 +590,7 @@ namespace Cairn
 		public int kind;
 		/// <summary>ENTER: closing speed along the normal before the impact; else 0</summary>
 		public float approach_speed_mps;
-		/// <summary>geometry as the step found it, impulses as it left them; points only for ENTER and STAY</summary>
+		/// <summary>geometry at the step's beginning, impulses at its end; points only for ENTER and STAY</summary>
 		public cn_manifold manifold;
 	}
 
@@ -552,14 +607,14 @@ namespace Cairn
 		public uint reserved;
 	}
 
-	/// <summary>First field of every joint definition. A joint's rigid parts are what holds anchors, axes, angles,
-	/// lengths and limits in place; springs and motors are not.</summary>
+	/// <summary>First field of every joint definition. The rigid parts of a joint hold anchors, axes, angles, lengths and
+	/// limits in place; springs and motors are not rigid parts.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_joint_base
 	{
 		/// <summary>of the whole definition</summary>
 		public uint struct_size;
-		/// <summary>CN_JOINT_*; default 0; a type ignores those it has no use for</summary>
+		/// <summary>CN_JOINT_*; default 0; a type ignores flags that it does not use</summary>
 		public uint flags;
 		/// <summary>0: the world</summary>
 		public cn_body body_a;
@@ -567,17 +622,19 @@ namespace Cairn
 		public cn_body body_b;
 		/// <summary>in body a's local frame, or in world coordinates</summary>
 		public cn_vec2 anchor_a_m;
+		/// <summary>the same for body b</summary>
 		public cn_vec2 anchor_b_m;
-		/// <summary>of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps allow</summary>
+		/// <summary>of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit</summary>
 		public float stiffness_hertz;
 		/// <summary>used when stiffness_hertz &gt; 0; 0 to 1e6</summary>
 		public float stiffness_damping_ratio;
-		/// <summary>anchors and axes never pull harder, nor does a limit; 0 (default): no bound</summary>
+		/// <summary>greatest force of anchors, axes and limits, &gt;= 0; 0 (default): unbounded</summary>
 		public float force_max_N;
-		/// <summary>the same for angles</summary>
+		/// <summary>greatest torque of angles, &gt;= 0; 0 (default): unbounded</summary>
 		public float torque_max_Nm;
 		/// <summary>a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never</summary>
 		public float break_force_N;
+		/// <summary>the same for the torque</summary>
 		public float break_torque_Nm;
 		public ulong user_data;
 	}
@@ -603,9 +660,9 @@ namespace Cairn
 		public float spring_damping_ratio;
 	}
 
-	/// <summary>Two points keep a distance. Without CN_JOINT_SPRING and without CN_JOINT_LIMIT it is a rigid rod of
-	/// length_m. With a spring, length_m is its rest length and the distance stays within [min, max] when limits
-	/// are on; limits alone make a rope (min 0).</summary>
+	/// <summary>Two points keep a distance. Without CN_JOINT_SPRING and CN_JOINT_LIMIT the joint is a rigid rod of
+	/// length_m. With a spring, length_m is its rest length, and limits keep the distance within [min, max];
+	/// limits alone make a rope (min 0).</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_distance_def
 	{
@@ -626,14 +683,14 @@ namespace Cairn
 		public float reserved;
 	}
 
-	/// <summary>Welded: no relative motion. base.stiffness_hertz makes it springy.</summary>
+	/// <summary>Two welded bodies: no relative motion. base.stiffness_hertz makes the weld springy.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_fixed_def
 	{
 		public cn_joint_base @base;
 		/// <summary>angle b - angle a</summary>
 		public float reference_angle_rad;
-		/// <summary>stiffness of the angle alone, 0 to 1e6; 0: as the base's</summary>
+		/// <summary>stiffness of the angle alone, 0 to 1e6; 0: the base's</summary>
 		public float angular_hertz;
 		/// <summary>0 to 1e6</summary>
 		public float angular_damping_ratio;
@@ -664,8 +721,8 @@ namespace Cairn
 		public float spring_damping_ratio;
 	}
 
-	/// <summary>A wheel b on suspension: slides along an axis fixed in a (springy, with limits), turns freely; the motor
-	/// turns it.</summary>
+	/// <summary>A wheel b on a suspension: b slides along an axis fixed in a, with spring and limits, and turns freely or
+	/// by the motor.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_wheel_def
 	{
@@ -696,7 +753,7 @@ namespace Cairn
 		public cn_vec2 offset_m;
 		/// <summary>angle b - angle a</summary>
 		public float angle_rad;
-		/// <summary>how briskly, &gt; 0, to 1e6; default 5</summary>
+		/// <summary>frequency of the spring, &gt; 0, to 1e6; default 5</summary>
 		public float hertz;
 		/// <summary>0 to 1e6, default 1</summary>
 		public float damping_ratio;
@@ -724,40 +781,45 @@ namespace Cairn
 		public cn_joint_base @base;
 		/// <summary>size 1e-4 to 1e4, negative: they turn against each other; default 1</summary>
 		public float ratio;
+		/// <summary>default 0</summary>
 		public float phase_rad;
 	}
 
-	/// <summary>|anchor a - ground a| + ratio |anchor b - ground b| &lt;= length: a rope over two pulleys (never pushes).</summary>
+	/// <summary>A rope over two pulleys: |anchor a - ground a| + ratio |anchor b - ground b| &lt;= length. It pulls and
+	/// never pushes.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_pulley_def
 	{
 		public cn_joint_base @base;
 		/// <summary>world</summary>
 		public cn_vec2 ground_a_m;
+		/// <summary>world</summary>
 		public cn_vec2 ground_b_m;
 		/// <summary>1e-4 to 1e4; default 1</summary>
 		public float ratio;
-		/// <summary>&gt; 0</summary>
+		/// <summary>&gt; 0: must be set</summary>
 		public float length_m;
 	}
 
-	/// <summary>b may turn against a in one direction only, and back no farther than to the last click that it passed.
-	/// Clicks are at phase + any whole number of click_rad, over whole turns.</summary>
+	/// <summary>b may turn against a in one direction, and back only to the last click that it passed. Clicks lie at
+	/// phase + n * click_rad for every whole number n, over whole turns.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_ratchet_def
 	{
 		public cn_joint_base @base;
+		/// <summary>default 0</summary>
 		public float phase_rad;
-		/// <summary>size 1e-4 to 1e4; positive: b may turn counter-clockwise</summary>
+		/// <summary>size 1e-4 to 1e4: must be set; positive: b may turn counter-clockwise</summary>
 		public float click_rad;
 	}
 
-	/// <summary>A torque that pulls angle b - angle a to rest, over whole turns. hertz is that of the two bodies' own
-	/// inertia.</summary>
+	/// <summary>A torque that pulls angle b - angle a to the rest angle, over whole turns. hertz refers to the inertia of
+	/// the two bodies.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_rotary_spring_def
 	{
 		public cn_joint_base @base;
+		/// <summary>default 0</summary>
 		public float rest_angle_rad;
 		/// <summary>&gt; 0, to 1e6; default 1</summary>
 		public float hertz;
@@ -766,7 +828,7 @@ namespace Cairn
 		public float reserved;
 	}
 
-	/// <summary>anchor b slides in a slot of body a from anchor a to end.</summary>
+	/// <summary>Anchor b slides in a slot of body a from anchor a to end_m.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_groove_def
 	{
@@ -775,14 +837,14 @@ namespace Cairn
 		public cn_vec2 end_m;
 	}
 
-	/// <summary>Nothing but: the two bodies do not collide.</summary>
+	/// <summary>The two bodies do not collide; no other effect.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_filter_joint_def
 	{
 		public cn_joint_base @base;
 	}
 
-	/// <summary>Something happened to a joint or to a constraint on one body.</summary>
+	/// <summary>A joint or constraint exceeded a break threshold or was destroyed with a body.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_joint_event
 	{
@@ -792,11 +854,13 @@ namespace Cairn
 		public cn_constraint constraint;
 		/// <summary>0: the world</summary>
 		public cn_body body_a;
+		/// <summary>0: the world</summary>
 		public cn_body body_b;
 		/// <summary>largest reaction of the step; 0 when a body was destroyed</summary>
 		public float force_N;
+		/// <summary>the same for the torque</summary>
 		public float torque_Nm;
-		/// <summary>1: it is gone (it breaks, or a body of it was destroyed)</summary>
+		/// <summary>1: it broke, or one of its bodies was destroyed</summary>
 		public uint destroyed;
 		public uint reserved;
 		public ulong user_data;
@@ -824,8 +888,8 @@ namespace Cairn
 		public ulong user_data;
 	}
 
-	/// <summary>Keeps a point of a body on a line in the world, within a tolerance to either side, and between limits
-	/// along it.</summary>
+	/// <summary>Keeps a point of a body on a line in the world, within a tolerance on both sides, and between limits
+	/// along the line.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_line_constraint_def
 	{
@@ -855,6 +919,7 @@ namespace Cairn
 		public ulong user_data;
 	}
 
+	/// <summary>Result of cn_world_update.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_update_report
 	{
@@ -862,24 +927,25 @@ namespace Cairn
 		public int steps;
 		/// <summary>time kept for the next update</summary>
 		public float leftover_s;
-		/// <summary>time given up because of the step cap</summary>
+		/// <summary>time discarded because of steps_max</summary>
 		public float dropped_s;
-		/// <summary>leftover / fixed step, [0, 1): between the last two poses</summary>
+		/// <summary>leftover_s / fixed step, [0, 1): factor for cn_world_read_poses_interpolated</summary>
 		public float interpolation;
 	}
 
+	/// <summary>A ray with an end.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_ray
 	{
+		/// <summary>world</summary>
 		public cn_vec2 origin_m;
-		/// <summary>may be 0: then only shapes around the origin are hit; at most 2e6 length units each way</summary>
+		/// <summary>at most 2e6 length units each way; 0 hits only shapes around the origin</summary>
 		public cn_vec2 translation_m;
 	}
 
-	/// <summary>What a ray or a moved shape meets. One that starts in contact, overlapping or just touching, meets that
-	/// shape at fraction 0, with the shortest way out: depth_m along the normal. It does not meet what it
-	/// touches, up to a depth of 0.5% of the length unit, when its translation does not lead in: along the
-	/// surface or away from it.</summary>
+	/// <summary>What a ray or a moved shape hit. If it starts in contact (overlapping or just touching), it hits that
+	/// shape at fraction 0, with the shortest way out: depth_m along the normal. A shape that it touches up to a
+	/// depth of 0.5% of the length unit is no hit if the translation leads along the surface or away from it.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_ray_hit
 	{
@@ -894,14 +960,14 @@ namespace Cairn
 		public cn_vec2 point_m;
 		/// <summary>unit, out of the shape that was hit</summary>
 		public cn_vec2 normal;
-		/// <summary>how deep the start is in it, 0 when it is outside</summary>
+		/// <summary>depth of the start inside it, 0 outside</summary>
 		public float depth_m;
 		public uint reserved;
 	}
 
-	/// <summary>A query sees shapes of enabled bodies whose category has a bit in mask and whose mask has one in
-	/// category, and of sensors only those with CN_SHAPE_SENSOR_SEEN. Bodies are seen where they are now, also
-	/// between steps.</summary>
+	/// <summary>Which shapes a query sees: those of enabled bodies whose category has a bit in mask and whose mask has a
+	/// bit in category; sensors only with CN_SHAPE_SENSOR_SEEN. Queries use the present poses, also between
+	/// steps.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_query_filter
 	{
@@ -909,15 +975,16 @@ namespace Cairn
 		public ulong category;
 		/// <summary>default all ones</summary>
 		public ulong mask;
-		/// <summary>its shapes are not seen; 0 (default): none. A stale handle is an error</summary>
+		/// <summary>its shapes are ignored; 0 (default): none. A stale handle is an error</summary>
 		public cn_body ignored_body;
 		/// <summary>CN_QUERY_IGNORE_JOINED ...; default 0</summary>
 		public uint flags;
-		/// <summary>NULL (default): all are taken</summary>
+		/// <summary>NULL (default): take all shapes</summary>
 		public IntPtr visit;
 		public void* user;
 	}
 
+	/// <summary>The shape nearest to a point.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_closest
 	{
@@ -933,21 +1000,23 @@ namespace Cairn
 		public cn_vec2 normal;
 	}
 
+	/// <summary>Distance of two shapes.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_distance
 	{
 		/// <summary>on the surface of a, in the world</summary>
 		public cn_vec2 point_a_m;
+		/// <summary>on the surface of b</summary>
 		public cn_vec2 point_b_m;
 		/// <summary>unit, from a to b</summary>
 		public cn_vec2 normal;
-		/// <summary>of the surfaces; negative: the depth, the shortest way that moves b out of a</summary>
+		/// <summary>of the surfaces; negative: the depth, the shortest translation of b out of a</summary>
 		public float distance_m;
 		public uint reserved;
 	}
 
-	/// <summary>A motion from fraction 0 to 1: a point of the shape goes in a straight line, and the shape turns evenly
-	/// about it.</summary>
+	/// <summary>A motion from fraction 0 to 1: a point of the shape moves in a straight line, and the shape turns about
+	/// it at a constant rate.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_sweep
 	{
@@ -961,6 +1030,7 @@ namespace Cairn
 		public uint reserved;
 	}
 
+	/// <summary>Result of cn_polygon_time_of_impact.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_impact
 	{
@@ -971,25 +1041,25 @@ namespace Cairn
 		public cn_vec2 point_m;
 		/// <summary>unit, from a to b</summary>
 		public cn_vec2 normal;
-		/// <summary>of the surfaces at fraction, from distance_m to 0.1 mm (or what floats can tell) above</summary>
+		/// <summary>of the surfaces at fraction: distance_m to 0.1 mm (or the resolution of floats) above it</summary>
 		public float distance_m;
 		public uint reserved;
 	}
 
-	/// <summary>A surface that bounds where a shape may move: after a translation t of the shape, separation_m + normal .
-	/// t is &gt;= 0, unless that takes more than push_max_m.</summary>
+	/// <summary>A surface that limits the motion of a shape: a translation t keeps separation_m + normal . t &gt;= 0,
+	/// unless that needs a push of more than push_max_m.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_plane
 	{
 		/// <summary>unit, from the surface to the shape</summary>
 		public cn_vec2 normal;
-		/// <summary>where they are nearest, in the world</summary>
+		/// <summary>world point of least distance</summary>
 		public cn_vec2 point_m;
 		/// <summary>of the surfaces along the normal; negative: they overlap</summary>
 		public float separation_m;
-		/// <summary>&gt;= 0: the farthest that this plane pushes; FLT_MAX: rigid</summary>
+		/// <summary>greatest push of this plane, &gt;= 0; FLT_MAX: rigid</summary>
 		public float push_max_m;
-		/// <summary>of the last cn_mover_solve: how far it pushed</summary>
+		/// <summary>its push in the last cn_mover_solve</summary>
 		public float push_m;
 		public cn_shape shape;
 		public cn_body body;
@@ -997,7 +1067,7 @@ namespace Cairn
 		public int child;
 	}
 
-	/// <summary>How a character moves. The same for every move, or changed from move to move: crouching is another shape.</summary>
+	/// <summary>How a character moves. It may change between moves: crouching is another shape.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_mover_def
 	{
@@ -1007,27 +1077,28 @@ namespace Cairn
 		/// <summary>around its position, never turned; 1 or 2 points with radius &gt; 0: circle, capsule. Default: a capsule
 		/// of radius 0.3 from -0.5 to 0.5 along y: 1.6 high. Round shapes move more smoothly</summary>
 		public cn_polygon shape;
-		/// <summary>what it collides with; sensors never, one-way shapes from above</summary>
+		/// <summary>shapes that it collides with; sensors never, one-way shapes from above</summary>
 		public cn_query_filter filter;
 		/// <summary>any length &gt; 0; default (0, 1)</summary>
 		public cn_vec2 up;
-		/// <summary>steeper ground cannot be stood on or walked up, 0 to pi / 2; default 0.87 (50 degrees)</summary>
+		/// <summary>greatest slope of walkable ground, 0 to pi / 2; default 0.87 (50 degrees)</summary>
 		public float slope_limit_rad;
-		/// <summary>climbs steps up to this high while it walks, &gt;= 0; default 0.3</summary>
+		/// <summary>greatest height of steps that it climbs, &gt;= 0; default 0.3</summary>
 		public float step_height_m;
-		/// <summary>walking, keeps to ground that falls away by up to this in a move, &gt;= 0; default 0.3</summary>
+		/// <summary>a walking character follows ground that falls by up to this in a move, &gt;= 0; default 0.3</summary>
 		public float snap_m;
 		/// <summary>of the world's gravity in the air; default 1</summary>
 		public float gravity_scale;
-		/// <summary>the most it pushes a dynamic body with, &gt;= 0; default 200</summary>
+		/// <summary>greatest push on a dynamic body, &gt;= 0; default 200</summary>
 		public float push_force_N;
 		/// <summary>of sliding, 1 to 64; default 8</summary>
 		public int iterations_max;
 	}
 
-	/// <summary>A character between two moves. It belongs to the caller, who may copy it, keep it and go back to it: the
-	/// world knows nothing of it, and other bodies do not collide with it: for that give it a kinematic body
-	/// that is filter.ignored_body and follows by cn_body_set_target_pose. Begin with all 0 but the position.</summary>
+	/// <summary>State of a character between two moves. It belongs to the caller, who may copy, store and restore it. The
+	/// world does not know it, and bodies do not collide with it: for that give it a kinematic body that is
+	/// filter.ignored_body and follows by cn_body_set_target_pose. Initially all fields are 0 except the
+	/// position.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_mover
 	{
@@ -1035,7 +1106,7 @@ namespace Cairn
 		/// <summary>in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as its
 		/// component across up; the one along up is 0, and a jump when the caller makes it &gt; 0</summary>
 		public cn_vec2 velocity_mps;
-		/// <summary>of what it stands on, with CN_MOVER_ON_GROUND; else (0, 0)</summary>
+		/// <summary>of the ground with CN_MOVER_ON_GROUND, else (0, 0)</summary>
 		public cn_vec2 ground_normal;
 		/// <summary>in the world, after the move</summary>
 		public cn_vec2 ground_point_m;
@@ -1043,45 +1114,55 @@ namespace Cairn
 		public cn_vec2 ground_local_m;
 		/// <summary>of the ground there</summary>
 		public cn_vec2 ground_velocity_mps;
-		/// <summary>0: none; may become stale, which is as none</summary>
+		/// <summary>0: none; a stale handle counts as none</summary>
 		public cn_body ground_body;
 		public cn_shape ground_shape;
 		/// <summary>CN_MOVER_ON_*, after the last move</summary>
 		public uint flags;
-		/// <summary>by how much it overlaps what left it no room; 0 but for rounding</summary>
+		/// <summary>overlap with surfaces that leave it no room; else 0 up to rounding</summary>
 		public float squeezed_m;
 	}
 
+	/// <summary>Definition of an explosion.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_explosion_def
 	{
 		public uint struct_size;
-		/// <summary>full strength within, to the nearest point of a shape; &gt;= 0, default 1</summary>
+		/// <summary>full strength up to this distance of a shape's nearest point, 0 to 1e6 length units; default 1</summary>
 		public float radius_m;
-		/// <summary>then linearly to none over this distance; &gt;= 0</summary>
+		/// <summary>then linearly to 0 over this distance, 0 to 1e6 length units; default 0</summary>
 		public float falloff_m;
-		/// <summary>per metre of the shape's width seen from the centre; negative pulls</summary>
+		/// <summary>per metre of the shape's width seen from the centre; negative pulls; default 0</summary>
 		public float impulse_Nspm;
+		/// <summary>world</summary>
 		public cn_vec2 center_m;
+		/// <summary>which shapes; defaults: see cn_query_filter</summary>
 		public cn_query_filter filter;
 	}
 
-	/// <summary>Functions that are NULL are not called. Colours are 0xRRGGBB. Points are in world coordinates.</summary>
+	/// <summary>The user's drawing functions; NULL ones are not called. Colours are 0xRRGGBB. Points are in world
+	/// coordinates.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_debug_draw
 	{
 		public uint struct_size;
 		/// <summary>CN_DRAW_*; default SHAPES | JOINTS | CONTACTS</summary>
 		public uint flags;
-		/// <summary>only what overlaps it is drawn; default everything</summary>
+		/// <summary>things outside are not drawn; default everything</summary>
 		public cn_aabb view;
+		/// <summary>count points, counter-clockwise</summary>
 		public IntPtr polygon;
-		/// <summary>axis: a point on the rim that turns with the body</summary>
+		/// <summary>rim_m: a point on the rim that turns with the body</summary>
 		public IntPtr circle;
+		/// <summary>a disc swept from a to b</summary>
 		public IntPtr capsule;
+		/// <summary>a line from a to b</summary>
 		public IntPtr segment;
+		/// <summary>size in pixels</summary>
 		public IntPtr point;
+		/// <summary>zero-terminated, valid during the call</summary>
 		public IntPtr text;
+		/// <summary>last argument of the functions</summary>
 		public void* user;
 		public void* reserved;
 	}
@@ -1176,6 +1257,8 @@ namespace Cairn
 		public const int CN_WORKERS_MAX = 64;
 		public const int CN_MAX_HANDLES = 1048575;
 
+		// Result codes.
+		/// <summary>success</summary>
 		public const int CN_OK = 0;
 		/// <summary>a value is NaN, infinite, out of range, NULL or degenerate</summary>
 		public const int CN_ERROR_ARGUMENT = -1;
@@ -1187,12 +1270,14 @@ namespace Cairn
 		public const int CN_ERROR_LOCKED = -4;
 		/// <summary>more than CN_MAX_HANDLES things, or an output array too small</summary>
 		public const int CN_ERROR_CAPACITY = -5;
-		/// <summary>the object is in a state in which this makes no sense</summary>
+		/// <summary>the object is in a state that does not permit the call</summary>
 		public const int CN_ERROR_STATE = -6;
 		/// <summary>cn_world_validate found a broken invariant: a bug in Cairn</summary>
 		public const int CN_ERROR_INTERNAL = -7;
+		/// <summary>the bytes are no saved world, or are damaged</summary>
 		public const int CN_ERROR_FORMAT = -8;
 
+		// Structs, for cn_sizeof.
 		public const int CN_TYPE_VEC2 = 0;
 		public const int CN_TYPE_POSE = 1;
 		public const int CN_TYPE_VELOCITY = 2;
@@ -1249,51 +1334,60 @@ namespace Cairn
 		public const int CN_TYPE_MOVER = 53;
 		public const int CN_TYPE_COUNT = 54;
 
+		// Flags of a world.
 		/// <summary>islands at rest fall asleep (default on)</summary>
 		public const uint CN_WORLD_SLEEP = 1;
 		/// <summary>start solving from the last step's impulses (default on)</summary>
 		public const uint CN_WORLD_WARM_START = 2;
 		/// <summary>measure cn_profile (default off: reading a clock costs time)</summary>
 		public const uint CN_WORLD_PROFILE = 4;
+		/// <summary>fast bodies stop at surfaces instead of passing through (default on)</summary>
 		public const uint CN_WORLD_CONTINUOUS = 8;
 
-		/// <summary>soft constraints with substeps; directly solved where that is worth its cost</summary>
+		// Solvers: see examples/docs/solvers.md.
+		/// <summary>soft constraints with substeps, and direct solving of joints, leaning piles and heavily loaded piles</summary>
 		public const int CN_SOLVER_AUTO = 0;
-		/// <summary>soft contact and joint constraints with substeps alone (Catto, Solver2D, 2024)</summary>
+		/// <summary>soft contact and joint constraints with substeps only (Catto, Solver2D, 2024)</summary>
 		public const int CN_SOLVER_SOFT = 1;
-		/// <summary>directly solved wherever it can be, whatever it costs: all joints, all piles without joints</summary>
+		/// <summary>direct solving of all joints, and of all piles without joints, at any cost</summary>
 		public const int CN_SOLVER_DIRECT = 2;
+		/// <summary>the paper's twelve steps, once a step: a baseline (limits: examples/docs/limits.md)</summary>
 		public const int CN_SOLVER_SEQUENTIAL = 3;
 
+		// Broadphases.
 		/// <summary>tiled sweep-and-prune</summary>
 		public const int CN_BROADPHASE_SWEEP = 0;
+		/// <summary>dynamic AABB tree: for worlds of very mixed sizes with many region queries</summary>
 		public const int CN_BROADPHASE_TREE = 1;
 
+		// Warnings of a step that lacked memory.
 		/// <summary>new contacts were not added: pairs_not_added</summary>
 		public const uint CN_WARNING_CONTACT_MEMORY = 1;
 		/// <summary>the step worked around missing scratch memory</summary>
 		public const uint CN_WARNING_FRAME_MEMORY = 2;
+		/// <summary>events_not_reported</summary>
 		public const uint CN_WARNING_EVENT_MEMORY = 4;
 
-		// How an island is solved. Joints of either may be solved together with their neighbours.
+		// How an island is solved. In each tier joints may be solved together with their neighbours.
 		/// <summary>contacts by soft constraints</summary>
 		public const int CN_TIER_SOFT = 0;
 		/// <summary>contacts and joints in one system, exactly</summary>
 		public const int CN_TIER_DIRECT = 1;
+		/// <summary>no contacts and no joints: nothing to solve</summary>
 		public const int CN_TIER_FREE = 2;
 
-		// Why.
-		/// <summary>nothing is wrong</summary>
+		// Why an island has its tier. "A problem" is one of CN_TIER_REASON_NEW_CONTACT, _OVERLAP and _STRESSED.
+		/// <summary>no problem</summary>
 		public const int CN_TIER_REASON_NONE = 0;
-		/// <summary>direct: nothing is wrong any more, but not yet for long enough</summary>
+		/// <summary>direct: the problem has ended, but not for long enough</summary>
 		public const int CN_TIER_REASON_SETTLING = 1;
-		/// <summary>direct: a contact began to bear where much is borne or things lean</summary>
+		/// <summary>direct: a contact began to carry load in a leaning or heavily loaded island</summary>
 		public const int CN_TIER_REASON_NEW_CONTACT = 2;
-		/// <summary>direct: an overlap that the accuracy does not allow</summary>
+		/// <summary>direct: an overlap exceeds the accuracy</summary>
 		public const int CN_TIER_REASON_OVERLAP = 3;
-		/// <summary>no longer given</summary>
+		/// <summary>no longer used</summary>
 		public const int CN_TIER_REASON_JOINT = 4;
-		/// <summary>direct: something bears so many times its weight that soft contacts would give way</summary>
+		/// <summary>direct: a body carries so many times its weight that soft contacts would yield</summary>
 		public const int CN_TIER_REASON_STRESSED = 5;
 		/// <summary>the world's solver is not CN_SOLVER_AUTO</summary>
 		public const int CN_TIER_REASON_SOLVER = 6;
@@ -1301,11 +1395,11 @@ namespace Cairn
 		public const int CN_TIER_REASON_OVERRIDE = 7;
 		/// <summary>soft: a single body</summary>
 		public const int CN_TIER_REASON_ALONE = 8;
-		/// <summary>soft: something is wrong, but it moves too fast</summary>
+		/// <summary>soft: a problem, but the island moves too fast</summary>
 		public const int CN_TIER_REASON_MOVING = 9;
-		/// <summary>soft: something is wrong, but it or the sum of such islands is too large</summary>
+		/// <summary>soft: a problem, but the island or the sum of such islands is too large</summary>
 		public const int CN_TIER_REASON_CROWDED = 10;
-		/// <summary>soft for a time: its system is beyond the limit of work or the work_budget</summary>
+		/// <summary>soft for a time: the system exceeds the work limit or the work_budget</summary>
 		public const int CN_TIER_REASON_WORK = 11;
 		/// <summary>soft for a time: restitution, a conveyor, rolling resistance or a locked axis</summary>
 		public const int CN_TIER_REASON_KIND = 12;
@@ -1313,61 +1407,78 @@ namespace Cairn
 		public const int CN_TIER_REASON_NO_SET = 13;
 		/// <summary>soft: no scratch memory (CN_WARNING_FRAME_MEMORY)</summary>
 		public const int CN_TIER_REASON_MEMORY = 14;
+		/// <summary>soft contacts: a problem, but the island has joints (which are solved directly)</summary>
 		public const int CN_TIER_REASON_JOINTED = 15;
 
+		// Types of bodies.
 		/// <summary>never moves, infinite mass</summary>
 		public const int CN_BODY_STATIC = 0;
 		/// <summary>moves by its velocity alone, infinite mass</summary>
 		public const int CN_BODY_KINEMATIC = 1;
+		/// <summary>moves by forces, contacts and joints</summary>
 		public const int CN_BODY_DYNAMIC = 2;
 
+		// Flags of a body.
 		/// <summary>the centre of mass keeps its world x</summary>
 		public const uint CN_BODY_LOCK_X = 1;
+		/// <summary>... its world y</summary>
 		public const uint CN_BODY_LOCK_Y = 2;
+		/// <summary>the body keeps its angle</summary>
 		public const uint CN_BODY_LOCK_ROTATION = 4;
-		/// <summary>continuous collision against dynamic bodies too (stored)</summary>
+		/// <summary>continuous collision against dynamic bodies too</summary>
 		public const uint CN_BODY_BULLET = 8;
 		/// <summary>takes part in the simulation (default on)</summary>
 		public const uint CN_BODY_ENABLED = 16;
 		/// <summary>may fall asleep (default on)</summary>
 		public const uint CN_BODY_SLEEP = 32;
+		/// <summary>starts awake (default on)</summary>
 		public const uint CN_BODY_AWAKE = 64;
 
+		// Types of shapes.
 		public const int CN_SHAPE_CIRCLE = 0;
 		public const int CN_SHAPE_CAPSULE = 1;
 		public const int CN_SHAPE_POLYGON = 2;
 		public const int CN_SHAPE_EDGE = 3;
 		public const int CN_SHAPE_CHAIN = 4;
 
-		// How two materials' numbers become a pair's. When the two ask for different rules, the later one of this
-		// list is taken.
+		// How the values of two materials are mixed. If the materials have different rules, the later one of this
+		// list applies.
+		/// <summary>half the sum</summary>
 		public const int CN_MIX_AVERAGE = 0;
 		/// <summary>square root of the product; default for friction</summary>
 		public const int CN_MIX_GEOMETRIC = 1;
+		/// <summary>the smaller one</summary>
 		public const int CN_MIX_MINIMUM = 2;
+		/// <summary>the product</summary>
 		public const int CN_MIX_MULTIPLY = 3;
+		/// <summary>the greater one; default for restitution</summary>
 		public const int CN_MIX_MAXIMUM = 4;
 
-		/// <summary>reports who enters and leaves and touches nothing; see cn_world_sensor_events</summary>
+		// Flags of a shape.
+		/// <summary>detects shapes that enter and leave, collides with nothing: cn_world_sensor_events</summary>
 		public const uint CN_SHAPE_SENSOR = 1;
 		/// <summary>queries see this sensor (default: they do not)</summary>
 		public const uint CN_SHAPE_SENSOR_SEEN = 2;
-		/// <summary>collides only with what comes from the side its local +y axis points to</summary>
+		/// <summary>collides only with shapes that come from the side of its local +y axis</summary>
 		public const uint CN_SHAPE_ONE_WAY = 4;
+		/// <summary>the pre-solve callback is called for its contacts</summary>
 		public const uint CN_SHAPE_PRE_SOLVE = 8;
 
+		// Kinds of contact events.
 		/// <summary>the fat boxes of two shapes began to overlap</summary>
 		public const int CN_EVENT_CREATED = 0;
 		/// <summary>they began to touch</summary>
 		public const int CN_EVENT_ENTER = 1;
 		/// <summary>they still touch</summary>
 		public const int CN_EVENT_STAY = 2;
-		/// <summary>they stopped touching, or one went away</summary>
+		/// <summary>they stopped touching, or one is gone</summary>
 		public const int CN_EVENT_LEAVE = 3;
-		/// <summary>the fat boxes no longer overlap, or one went away</summary>
+		/// <summary>the fat boxes no longer overlap, or one is gone</summary>
 		public const int CN_EVENT_DESTROYED = 4;
+		/// <summary>number of kinds</summary>
 		public const int CN_EVENT_KINDS = 5;
 
+		// Types of joints: see their definitions.
 		public const int CN_JOINT_REVOLUTE = 0;
 		public const int CN_JOINT_DISTANCE = 1;
 		public const int CN_JOINT_FIXED = 2;
@@ -1382,56 +1493,85 @@ namespace Cairn
 		public const int CN_JOINT_GROOVE = 11;
 		public const int CN_JOINT_FILTER = 12;
 
+		// Flags of a joint.
 		/// <summary>the connected bodies' shapes collide with each other (default off)</summary>
 		public const uint CN_JOINT_COLLIDE = 1;
+		/// <summary>the limits hold</summary>
 		public const uint CN_JOINT_LIMIT = 2;
+		/// <summary>the motor runs</summary>
 		public const uint CN_JOINT_MOTOR = 4;
+		/// <summary>the spring pulls</summary>
 		public const uint CN_JOINT_SPRING = 8;
+		/// <summary>destroyed beyond its break force or torque, not only reported</summary>
 		public const uint CN_JOINT_BREAKS = 16;
 
+		// Types of constraints.
+		/// <summary>cn_angle_constraint_def</summary>
 		public const int CN_CONSTRAINT_ANGLE = 0;
+		/// <summary>cn_line_constraint_def</summary>
 		public const int CN_CONSTRAINT_LINE = 1;
 
+		// Flags of a constraint.
 		/// <summary>line: the limits along the axis hold</summary>
 		public const uint CN_CONSTRAINT_LIMIT = 1;
+		/// <summary>destroyed beyond its break force or torque, not only reported</summary>
 		public const uint CN_CONSTRAINT_BREAKS = 2;
 
-		/// <summary>the shape is not there</summary>
+		// Results of a cn_query_fn.
+		/// <summary>ignore the shape</summary>
 		public const int CN_QUERY_SKIP = 0;
+		/// <summary>take it</summary>
 		public const int CN_QUERY_TAKE = 1;
+		/// <summary>take it, and nothing after it in the order of results</summary>
 		public const int CN_QUERY_STOP = 2;
 
-		/// <summary>bodies that a joint connects to ignored_body are not seen either</summary>
+		// Flags of a query.
+		/// <summary>also ignore bodies that a joint connects to ignored_body</summary>
 		public const uint CN_QUERY_IGNORE_JOINED = 1;
 		/// <summary>casts meet one-way shapes from their upper side (45 degrees) only, and not those that they start in by
 		/// more than 0.5% of the length unit; all other queries do not see one-way shapes. Default: they are like
 		/// others</summary>
 		public const uint CN_QUERY_ONE_WAY = 2;
+		/// <summary>casts do not hit shapes that they start in, at any depth, unless they lead farther in</summary>
 		public const uint CN_QUERY_LEAVING = 4;
 
-		/// <summary>they never come so near; fraction is 1</summary>
+		// States of a time of impact.
+		/// <summary>the shapes never come that close; fraction is 1</summary>
 		public const int CN_IMPACT_NONE = 0;
+		/// <summary>they do, at fraction</summary>
 		public const int CN_IMPACT_HIT = 1;
 		/// <summary>the shapes without their radii overlap at the start: fraction 0, no normal</summary>
 		public const int CN_IMPACT_OVERLAP = 2;
+		/// <summary>no hit before fraction, perhaps one after it: the search ended early</summary>
 		public const int CN_IMPACT_FAILED = 3;
 
+		// Flags of a mover's definition.
+		/// <summary>ignore one-way shapes: set it while the character drops through one</summary>
 		public const uint CN_MOVER_DROP = 1;
 
+		// State flags of a mover.
+		/// <summary>stands on walkable ground</summary>
 		public const uint CN_MOVER_ON_GROUND = 1;
-		/// <summary>touches what is too steep to walk on</summary>
+		/// <summary>touches a surface too steep to walk on</summary>
 		public const uint CN_MOVER_ON_WALL = 2;
+		/// <summary>touches a surface above it</summary>
 		public const uint CN_MOVER_ON_CEILING = 4;
 
+		// What cn_world_draw draws.
+		/// <summary>coloured by type and sleep</summary>
 		public const uint CN_DRAW_SHAPES = 1;
 		/// <summary>and constraints: anchors, axes, limits</summary>
 		public const uint CN_DRAW_JOINTS = 2;
+		/// <summary>points and normals</summary>
 		public const uint CN_DRAW_CONTACTS = 4;
+		/// <summary>without margin</summary>
 		public const uint CN_DRAW_AABBS = 8;
+		/// <summary>of mass, with the bodies' names</summary>
 		public const uint CN_DRAW_CENTERS = 16;
+		/// <summary>colours by island</summary>
 		public const uint CN_DRAW_ISLANDS = 32;
 
-		/// <summary>Version as major * 1000000 + minor * 1000 + patch.</summary>
+		/// <summary>Version of the library as major * 1000000 + minor * 1000 + patch.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_version();
 
@@ -1439,21 +1579,22 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_abi_version();
 
-		/// <summary>Static English text for a result code, never NULL.</summary>
+		/// <summary>English text for a result code: static, never NULL.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern byte* cn_result_text(int result);
 
-		/// <summary>sizeof the struct named by a CN_TYPE_ constant, 0 for an unknown one: bindings check themselves.</summary>
+		/// <summary>sizeof the struct that a CN_TYPE_ constant names, 0 for an unknown constant; bindings check their
+		/// layouts with it.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_sizeof(int type);
 
-		/// <summary>Defaults as given beside the fields (those that scale with the length unit are stored as 0 and resolved
-		/// by cn_world_create: 0 means the default there).</summary>
+		/// <summary>Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with
+		/// the length unit are stored as 0, which cn_world_create resolves.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_world_def_init(cn_world_def* def);
 
-		/// <summary>Says in one sentence what is wrong with a definition; writes at most text_bytes bytes including the
-		/// terminating zero; text may be NULL when text_bytes is 0.</summary>
+		/// <summary>Checks a definition. Writes one sentence about its first error, at most text_bytes (&gt;= 0) bytes with
+		/// the terminating zero; text may be NULL when text_bytes is 0.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_def_check(cn_world_def* def, byte* text, int text_bytes);
 
@@ -1462,980 +1603,1228 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_bytes_needed(cn_world_def* def, ulong* out_bytes);
 
-		/// <summary>Threads that cannot be started are CN_ERROR_MEMORY. A world's memory holds some 150 bytes for each;
-		/// their stacks, and whatever else a thread needs, are the system's, for a world in a caller's block too. A
-		/// library built with CN_NO_THREADS, or on a system whose threads it does not know, makes the same world
-		/// without them: see cn_world_get_worker_count.</summary>
+		/// <summary>Creates a world. CN_ERROR_MEMORY also when a thread cannot be started. Each worker takes about 150 bytes
+		/// of the world's memory; its stack comes from the system, even for a world in a caller's block. Without
+		/// thread support (CN_NO_THREADS, or an unknown system) the world has one worker: see
+		/// cn_world_get_worker_count. O(capacities).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_create(cn_world_def* def, cn_world** out_world);
 
-		/// <summary>NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have
-		/// ended when this returns. Not from callbacks.</summary>
+		/// <summary>Destroys a world, everything in it and its threads. A caller's block is free for other use afterwards.
+		/// NULL, and a call from a callback, do nothing. O(memory blocks).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_world_destroy(cn_world* world);
 
-		/// <summary>One fixed step of dt_s seconds, 0 &lt;= dt_s &lt;= 1; 0 updates contacts and events without motion, and
-		/// so does less than 1e-9. Cost grows with the number of awake bodies and their contacts.</summary>
+		/// <summary>Takes one fixed step of dt_s seconds, 0 &lt;= dt_s &lt;= 1; 0 updates contacts and events without
+		/// motion. O(awake bodies and their contacts and joints).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_step(cn_world* world, float dt_s);
 
-		/// <summary>One sentence on the last call that failed on this world; "" if none did. world may be NULL.</summary>
+		/// <summary>One sentence about the last call that failed on this world; "" if none failed or world is NULL. Valid
+		/// until the next failing call.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern byte* cn_world_error_text(cn_world* world);
 
-		/// <summary>A change wakes every body: O(bodies) then.</summary>
+		/// <summary>Sets gravity in m/s^2, both finite. A change wakes every body: O(bodies).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_gravity(cn_world* world, float gravity_x_mps2, float gravity_y_mps2);
 
+		/// <summary>Reads gravity in m/s^2.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_gravity(cn_world* world, cn_vec2* out_mps2);
 
-		/// <summary>1 to 64; more substeps are stiffer and dearer.</summary>
+		/// <summary>Sets the substeps of a step, 1 to 64. More substeps make contacts and joints stiffer and cost more.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_substep_count(cn_world* world, int count);
 
+		/// <summary>Reads the substeps of a step.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_substep_count(cn_world* world, int* out_count);
 
-		/// <summary>CN_SOLVER_*, from the next step on. A world in a caller's block has scratch memory for the solver that
-		/// it was made with: a dearer one may have to do without direct solving there (CN_WARNING_FRAME_MEMORY).</summary>
+		/// <summary>Chooses the solver (CN_SOLVER_*) from the next step on. A world in a caller's block keeps the scratch
+		/// memory of the solver it was created with; a solver that needs more works without direct solving
+		/// (CN_WARNING_FRAME_MEMORY).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_solver(cn_world* world, int solver);
 
+		/// <summary>Reads the solver (CN_SOLVER_*).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_solver(cn_world* world, int* out_solver);
 
-		/// <summary>Both as in cn_world_def; 0 metres: the default. get gives the accuracy in metres that this stands for.</summary>
+		/// <summary>Sets accuracy_m and work_budget as in cn_world_def: metres &gt;= 0, 0 for the default; 0 to 1e9, 0 for
+		/// no limit.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_accuracy(cn_world* world, float accuracy_m, int work_budget);
 
+		/// <summary>Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_accuracy(cn_world* world, float* out_accuracy_m, int* out_work_budget);
 
-		/// <summary>Workers that a step may have: 1, or worker_count where the library can have several.</summary>
+		/// <summary>Reads how many workers a step can use: 1, or worker_count where the library supports threads.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_worker_count(cn_world* world, int* out_count);
 
-		/// <summary>Replaces the CN_WORLD_ flags. Turning CN_WORLD_SLEEP off wakes everything: O(bodies) then.</summary>
+		/// <summary>Replaces the CN_WORLD_ flags. Clearing CN_WORLD_SLEEP wakes every body: O(bodies).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_flags(cn_world* world, uint flags);
 
+		/// <summary>Reads the CN_WORLD_ flags.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_flags(cn_world* world, uint* out_flags);
 
-		/// <summary>Metres a second, &gt;= 0.</summary>
+		/// <summary>Impacts slower than this, in m/s, do not bounce; &gt;= 0.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_restitution_threshold(cn_world* world, float speed_mps);
 
-		/// <summary>Both &gt; 0: bodies are slowed to these at the end of each step (direction kept).</summary>
+		/// <summary>Sets the greatest linear (m/s) and angular (rad/s) speed, both &gt; 0. The end of a step slows faster
+		/// bodies down to them and keeps the direction.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_speed_limits(cn_world* world, float linear_mps, float angular_radps);
 
-		/// <summary>speed_mps &gt;= 0, delay_s &gt;= 0.</summary>
+		/// <summary>Sets the speed in m/s, &gt;= 0, below which bodies may sleep, and the delay in seconds, &gt;= 0, after
+		/// which they do.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_sleep(cn_world* world, float speed_mps, float delay_s);
 
+		/// <summary>Stores a number for the user.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_user_data(cn_world* world, ulong user_data);
 
+		/// <summary>Reads the user's number.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_user_data(cn_world* world, ulong* out_user_data);
 
-		/// <summary>Handles of everything alive, in a fixed order (by slot). Writes at most capacity of them (out may be
-		/// NULL when capacity is 0) and always sets *out_count to how many there are. O(slots).</summary>
+		/// <summary>Handles of all bodies, ordered by slot. Writes at most capacity (&gt;= 0) of them; out may be NULL when
+		/// capacity is 0. out_count is their number. O(slots).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_bodies(cn_world* world, cn_body* @out, int capacity, int* out_count);
 
+		/// <summary>Handles of all shapes, ordered by slot; out, capacity and *out_count as in cn_world_get_bodies.
+		/// O(slots).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_shapes(cn_world* world, cn_shape* @out, int capacity, int* out_count);
 
+		/// <summary>Handles of all joints without constraints, ordered by slot; out, capacity and *out_count as in
+		/// cn_world_get_bodies. O(slots).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_joints(cn_world* world, cn_joint* @out, int capacity, int* out_count);
 
-		/// <summary>O(bodies + islands).</summary>
+		/// <summary>Reads counts of objects and what the last step reported. O(bodies + islands).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_counters(cn_world* world, cn_counters* @out);
 
-		/// <summary>Of every awake island, as cn_counters.islands_awake counts them: those of several bodies first, in a
-		/// deterministic order, then bodies alone. Writes at most capacity; *out_count is how many there are. Costs
-		/// nothing when it is not called. O(bodies + what touches in the islands written).</summary>
+		/// <summary>Reports every awake island, as cn_counters.islands_awake counts them: first those of several bodies, in
+		/// a deterministic order, then single bodies. Writes at most capacity (&gt;= 0); *out_count is their
+		/// number. A step does no work for it. O(bodies + contacts and joints of the islands written).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_islands(cn_world* world, cn_island_report* @out, int capacity, int* out_count);
 
+		/// <summary>Reads the seconds of the last step by stage.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_profile(cn_world* world, cn_profile* @out);
 
+		/// <summary>Reads the memory statistics.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_memory_stats(cn_world* world, cn_memory_stats* @out);
 
-		/// <summary>64-bit hash (FNV-1a, Fowler/Noll/Vo) of every body's pose, velocity and sleep state and every contact's
-		/// impulses in handle order: equal for equal histories on every compiler, CPU and thread count. O(bodies +
-		/// contacts).</summary>
+		/// <summary>64-bit hash (FNV-1a: Fowler, Noll, Vo, 1991) of every body's pose, velocity and sleep state, every
+		/// contact's impulses and the solver's memory of joints, by slot. Equal histories give equal hashes on
+		/// every compiler, CPU and thread count. O(bodies + contacts + joints).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_hash(cn_world* world, ulong* out_hash);
 
-		/// <summary>Checks every invariant between the tables. CN_OK, or CN_ERROR_INTERNAL with a sentence in text (at most
-		/// text_bytes bytes with the zero; may be NULL when text_bytes is 0). O(everything).</summary>
+		/// <summary>Checks every invariant between the tables. CN_ERROR_INTERNAL, and one sentence in text, for the first
+		/// that is broken. text holds at most text_bytes (&gt;= 0) bytes with the zero and may be NULL when
+		/// text_bytes is 0. O(everything).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_validate(cn_world* world, byte* text, int text_bytes);
 
-		/// <summary>Bytes that cn_world_save needs now. From callbacks CN_ERROR_LOCKED. O(slots).</summary>
+		/// <summary>Bytes that cn_world_save needs now. CN_ERROR_LOCKED in callbacks. O(slots).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_save_size(cn_world* world, ulong* out_bytes);
 
-		/// <summary>Writes the state to out, which may have any alignment, and how many bytes that took to out_bytes (may be
-		/// NULL). capacity: bytes that out has; too few are CN_ERROR_CAPACITY. From callbacks CN_ERROR_LOCKED.
-		/// O(memory of the world), about 1 KB a body.</summary>
+		/// <summary>Writes the world's state to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the
+		/// number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world),
+		/// about 1 KB per body.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_save(cn_world* world, void* @out, ulong capacity, ulong* out_bytes);
 
-		/// <summary>Puts a state back: into the world that was saved, or one that was made by the same definition
-		/// (broadphase, length unit, whether it lives in a caller's block; else CN_ERROR_STATE). bytes: as many as
-		/// cn_world_save wrote. CN_ERROR_FORMAT: not a save of this version and machine, or damaged.
-		/// CN_ERROR_MEMORY: no room for what was alive then; a growing world takes what it needs, a world in a
-		/// caller's block has room for what it had. Arrays handed out before are void. O(memory of the world).
-		/// Handles of what was alive when the world was saved are valid again, also of what was destroyed since.
-		/// Those made since are refused, until the same handle is given to something new: with the same calls to
-		/// the same thing. A game rolls its own state back with the world, and so keeps none of them.</summary>
+		/// <summary>Restores a saved state, into the saved world or one created with the same definition (broadphase, length
+		/// unit, caller's block or not; else CN_ERROR_STATE). bytes as written by cn_world_save; CN_ERROR_FORMAT
+		/// for damaged bytes or another version or machine; CN_ERROR_MEMORY without room for the objects alive then
+		/// (a world in a caller's block has room for its own saves). Arrays returned before become invalid. Handles
+		/// of objects alive at the save are valid again, also of objects destroyed since; handles created since are
+		/// refused until the same handle is given to a new object: with the same calls to the same object. O(memory
+		/// of the world).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_restore(cn_world* world, void* save, ulong bytes);
 
+		/// <summary>Sets struct_size and the defaults given beside the fields. NULL does nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_body_def_init(cn_body_def* def);
 
+		/// <summary>Creates a body. O(1) amortized.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_create(cn_world* world, cn_body_def* def, cn_body* out_body);
 
-		/// <summary>count bodies from an array of definitions; all of them or none. O(count).</summary>
+		/// <summary>Creates count (&gt;= 0) bodies from an array of definitions, all or none. O(count).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_create_many(cn_world* world, cn_body_def* defs, int count, cn_body* out_bodies);
 
-		/// <summary>Also destroys its shapes, contacts, joints and constraints; touching contacts get their leave event,
-		/// joints and constraints theirs (cn_world_joint_events).</summary>
+		/// <summary>Destroys a body with its shapes, contacts, joints and constraints, and wakes its neighbours. Touching
+		/// contacts get their LEAVE event; joints and constraints get theirs (cn_world_joint_events). O(contacts +
+		/// joints + shapes).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_destroy(cn_world* world, cn_body body);
 
-		/// <summary>Destroys all or, if any handle is bad or appears twice, none.</summary>
+		/// <summary>Destroys count (&gt;= 0) bodies as cn_body_destroy does; none if a handle is bad or appears twice.
+		/// O(their contacts + joints + shapes).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_destroy_many(cn_world* world, cn_body* bodies, int count);
 
-		/// <summary>1 if the handle names a body that is alive in this world, else 0 (also for a NULL world).</summary>
+		/// <summary>1 if the handle names a living body of this world, else 0 (also for a NULL world).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_is_valid(cn_world* world, cn_body body);
 
-		/// <summary>Changing the type ends the body's contacts (those that still overlap begin again in the next step), its
-		/// forces and any mass override, and wakes it; a body made static stops. CN_ERROR_STATE if a joint would be
-		/// left without a dynamic body. O(contacts + joints + shapes).</summary>
+		/// <summary>Changes the type (CN_BODY_STATIC, _KINEMATIC, _DYNAMIC) and wakes the body. Its contacts end (those that
+		/// still overlap begin again in the next step), with its forces and any mass override; a body made static
+		/// stops. CN_ERROR_STATE if a joint would be left without a dynamic body. O(contacts + joints + shapes).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_type(cn_world* world, cn_body body, int type);
 
+		/// <summary>Reads the type (CN_BODY_*).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_type(cn_world* world, cn_body body, int* out_type);
 
-		/// <summary>Replaces all CN_BODY_ flags except CN_BODY_AWAKE, which is cn_body_set_awake's and is ignored here. A
-		/// body without CN_BODY_ENABLED keeps its shapes but collides with nothing and does not move; its contacts
-		/// end, its joints rest. O(contacts + joints + shapes) when that changes.</summary>
+		/// <summary>Replaces all CN_BODY_ flags except CN_BODY_AWAKE, which it ignores: see cn_body_set_awake. Without
+		/// CN_BODY_ENABLED a body keeps its shapes but does not move or collide; its contacts end and its joints
+		/// are inactive. O(contacts + joints + shapes) when CN_BODY_ENABLED changes.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_flags(cn_world* world, cn_body body, uint flags);
 
-		/// <summary>CN_BODY_AWAKE is set in the result when the body is awake.</summary>
+		/// <summary>Reads the CN_BODY_ flags; CN_BODY_AWAKE is set while the body is awake.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_flags(cn_world* world, cn_body body, uint* out_flags);
 
-		/// <summary>0 puts the body and everything connected to it to sleep, at rest; anything else wakes. Does nothing to
-		/// static and disabled bodies. O(island).</summary>
+		/// <summary>0 puts the body and its island to sleep and stops them; any other value wakes them. Static and disabled
+		/// bodies are unchanged. 0 can return CN_ERROR_MEMORY. O(island).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_awake(cn_world* world, cn_body body, int awake);
 
-		/// <summary>Teleport: origin and angle; velocities stay. Contacts that are no longer near end (the next step reports
-		/// it). Wakes the body and what is near it. O(contacts + shapes).</summary>
+		/// <summary>Teleports the body: origin in metres (|x|, |y| &lt;= 1e6 length units), angle in radians (|angle| &lt;=
+		/// 1e4). Velocities stay. Contacts whose boxes no longer overlap end at once, and the next step reports
+		/// them. Wakes the body and its new and old neighbours. O(contacts + shapes).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_pose(cn_world* world, cn_body body, float position_x_m, float position_y_m, float angle_rad);
 
+		/// <summary>Reads the position of the origin and the rotation.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_pose(cn_world* world, cn_body body, cn_pose* @out);
 
-		/// <summary>In (-pi, pi].</summary>
+		/// <summary>Reads the angle in radians, in (-pi, pi].</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_angle(cn_world* world, cn_body body, float* out_rad);
 
-		/// <summary>World position of the centre of mass.</summary>
+		/// <summary>Reads the world position of the centre of mass, in metres.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_center(cn_world* world, cn_body body, cn_vec2* out_m);
 
-		/// <summary>Static bodies refuse this with CN_ERROR_STATE. Wakes when not zero.</summary>
+		/// <summary>Sets the velocity of the centre of mass (m/s) and the angular velocity (rad/s), all finite.
+		/// CN_ERROR_STATE for static bodies. Wakes the body unless all are 0.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_velocity(cn_world* world, cn_body body, float linear_x_mps, float linear_y_mps, float angular_radps);
 
+		/// <summary>Reads the velocity of the centre of mass (m/s) and the angular velocity (rad/s).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_velocity(cn_world* world, cn_body body, cn_velocity* @out);
 
 		/// <summary>Sets the velocity of a kinematic body (others: CN_ERROR_STATE) so that a step of dt_s (1e-6 to 1) takes
-		/// it to this pose, the shorter way round, up to rounding and the world's speed limits: what stands on it
-		/// or is in its way moves along, as nothing does with cn_body_set_pose. It goes on with that velocity: call
-		/// it before every step, or stop it after.</summary>
+		/// it to a pose (metres, radians) by the shorter turn, up to rounding and the world's speed limits. Unlike
+		/// after cn_body_set_pose, bodies on it or in its way move along. The velocity stays: call this before
+		/// every step, or stop the body after it.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_target_pose(cn_world* world, cn_body body, float position_x_m, float position_y_m, float angle_rad, float dt_s);
 
-		/// <summary>Velocity of the body's material at a world point.</summary>
+		/// <summary>Velocity in m/s of the body's material at a world point in metres.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_velocity_at(cn_world* world, cn_body body, float point_x_m, float point_y_m, cn_vec2* out_mps);
 
+		/// <summary>World position of a point given in the body's frame, both in metres.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_world_point(cn_world* world, cn_body body, float local_x_m, float local_y_m, cn_vec2* out_m);
 
+		/// <summary>Position in the body's frame of a world point, both in metres.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_local_point(cn_world* world, cn_body body, float world_x_m, float world_y_m, cn_vec2* out_m);
 
-		/// <summary>Union of its shapes' boxes, without margin; the origin as a point if it has none. O(shapes).</summary>
+		/// <summary>Union of the AABBs of the body's shapes, without margin; the origin as a point if it has no shapes.
+		/// O(shapes).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_aabb(cn_world* world, cn_body body, cn_aabb* @out);
 
-		/// <summary>Forces and torques act for the next step only and are then cleared. All of these wake a dynamic body and
-		/// do nothing to static, kinematic and disabled ones (CN_OK). Sums of forces and velocities after impulses
-		/// must stay finite (CN_ERROR_ARGUMENT).</summary>
+		/// <summary>Adds a force in newtons at the centre of mass for the next step only; wakes the body. Static, kinematic
+		/// and disabled bodies are unchanged (CN_OK). CN_ERROR_ARGUMENT if the sum of forces overflows.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_apply_force(cn_world* world, cn_body body, float force_x_N, float force_y_N);
 
+		/// <summary>Adds a force in newtons at a world point in metres, hence a torque too; otherwise as
+		/// cn_body_apply_force.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_apply_force_at(cn_world* world, cn_body body, float force_x_N, float force_y_N, float point_x_m, float point_y_m);
 
+		/// <summary>Adds a torque in newton metres; otherwise as cn_body_apply_force.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_apply_torque(cn_world* world, cn_body body, float torque_Nm);
 
+		/// <summary>Changes the velocity at once by an impulse in newton seconds at the centre of mass; wakes the body.
+		/// Static, kinematic and disabled bodies are unchanged (CN_OK). CN_ERROR_ARGUMENT if the velocity
+		/// overflows.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_apply_impulse(cn_world* world, cn_body body, float impulse_x_Ns, float impulse_y_Ns);
 
+		/// <summary>Applies an impulse in newton seconds at a world point in metres, which changes the angular velocity too;
+		/// otherwise as cn_body_apply_impulse.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_apply_impulse_at(cn_world* world, cn_body body, float impulse_x_Ns, float impulse_y_Ns, float point_x_m, float point_y_m);
 
+		/// <summary>Changes the angular velocity at once by an angular impulse in newton metre seconds; otherwise as
+		/// cn_body_apply_impulse.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_apply_angular_impulse(cn_world* world, cn_body body, float impulse_Nms);
 
-		/// <summary>Sums over the attached shapes unless overridden. A dynamic body whose shapes have no mass weighs 1 kg
-		/// (and, having no shape, does not rotate).</summary>
+		/// <summary>Reads mass, inertia and centre: sums over the attached shapes unless overridden. A dynamic body whose
+		/// shapes have no mass weighs 1 kg; without shapes it does not rotate.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_mass_data(cn_world* world, cn_body body, cn_mass_data* @out);
 
-		/// <summary>Override for a dynamic body (others: CN_ERROR_STATE): mass_kg from 1e-20 to 1e20, inertia_kgm2 0 (never
-		/// rotates) or from 1e-35 to 1e35. Kept until cn_body_reset_mass_data or until the type changes.</summary>
+		/// <summary>Overrides the mass data of a dynamic body (others: CN_ERROR_STATE) until cn_body_reset_mass_data or a
+		/// change of type: mass_kg from 1e-20 to 1e20; inertia_kgm2 0 (never rotates) or from 1e-35 to 1e35. Wakes
+		/// the body.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_mass_data(cn_world* world, cn_body body, cn_mass_data* mass);
 
+		/// <summary>Ends a mass override: mass data come from the shapes again. Wakes the body. O(shapes).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_reset_mass_data(cn_world* world, cn_body body);
 
-		/// <summary>Both &gt;= 0.</summary>
+		/// <summary>Sets the linear and angular damping in 1/s (v' = -damping v), both &gt;= 0.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_damping(cn_world* world, cn_body body, float linear_per_s, float angular_per_s);
 
+		/// <summary>Reads the linear and angular damping in 1/s.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_damping(cn_world* world, cn_body body, float* out_linear_per_s, float* out_angular_per_s);
 
+		/// <summary>Sets the factor on gravity for this body, finite. A change wakes the body.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_gravity_scale(cn_world* world, cn_body body, float scale);
 
+		/// <summary>Reads the factor on gravity.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_gravity_scale(cn_world* world, cn_body body, float* out_scale);
 
-		/// <summary>&gt;= 0; 0 restores the world's.</summary>
+		/// <summary>Sets the body's own sleep speed in m/s, &gt;= 0; 0 restores the world's.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_sleep_speed(cn_world* world, cn_body body, float speed_mps);
 
-		/// <summary>How the island of a dynamic body is solved, in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO
-		/// (default): as the world chooses. _SOFT: never directly, contacts and all, whatever its other bodies ask
-		/// for. _DIRECT: always, however fast it moves, as far as its contacts can be, and within the work_budget.
-		/// From the next step on; does not wake.</summary>
+		/// <summary>Chooses how the body's island is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO
+		/// (default): the world chooses. _SOFT: contacts and joints are never solved directly, whatever other
+		/// bodies ask for. _DIRECT: the island is solved directly at any speed, where its contacts permit it and
+		/// within the work_budget. Takes effect with the next step; does not wake.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_solver(cn_world* world, cn_body body, int solver);
 
+		/// <summary>Reads the body's own solver (CN_SOLVER_AUTO, _SOFT, _DIRECT).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_solver(cn_world* world, cn_body body, int* out_solver);
 
+		/// <summary>Stores a number for the user.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_user_data(cn_world* world, cn_body body, ulong user_data);
 
+		/// <summary>Reads the user's number.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_user_data(cn_world* world, cn_body body, ulong* out_user_data);
 
-		/// <summary>NULL or "" removes the name.</summary>
+		/// <summary>Copies a name of at most CN_NAME_MAX_BYTES bytes (CN_ERROR_ARGUMENT beyond); NULL or "" removes it.
+		/// O(length).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_name(cn_world* world, cn_body body, byte* name);
 
-		/// <summary>"" if it has none; valid until the name changes or the body is destroyed.</summary>
+		/// <summary>Reads the name, "" if there is none. Valid until the name changes or the body is destroyed.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_name(cn_world* world, cn_body body, byte** out_name);
 
-		/// <summary>As cn_world_get_bodies, for one body. O(shapes), O(joints).</summary>
+		/// <summary>Handles of the body's shapes; out, capacity and *out_count as in cn_world_get_bodies. O(shapes).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_shapes(cn_world* world, cn_body body, cn_shape* @out, int capacity, int* out_count);
 
+		/// <summary>Handles of the body's joints without constraints; out, capacity and *out_count as in
+		/// cn_world_get_bodies. O(joints).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_joints(cn_world* world, cn_body body, cn_joint* @out, int capacity, int* out_count);
 
-		/// <summary>Bulk forms: bodies NULL means every body in the order of cn_world_get_bodies, of which there must be
-		/// exactly count. stride_bytes 0 means tightly packed. One bad handle fails the whole call. O(count).</summary>
+		/// <summary>Reads count poses. bodies NULL means every body in the order of cn_world_get_bodies; count must then be
+		/// their number. One bad handle fails the whole call. O(count).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_read_poses(cn_world* world, cn_body* bodies, int count, cn_pose* @out);
 
+		/// <summary>Reads count cn_pose at intervals of stride_bytes (0, tightly packed, or &gt;= 16); otherwise as
+		/// cn_world_read_poses. O(count).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_read_poses_strided(cn_world* world, cn_body* bodies, int count, void* @out, int stride_bytes);
 
+		/// <summary>Reads count velocities; bodies and count as in cn_world_read_poses. O(count).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_read_velocities(cn_world* world, cn_body* bodies, int count, cn_velocity* @out);
 
-		/// <summary>cn_body_set_velocity for many; nothing is written if one is bad. Static bodies take zero only.</summary>
+		/// <summary>Sets count velocities as cn_body_set_velocity does; bodies and count as in cn_world_read_poses. Static
+		/// bodies take zero only (CN_ERROR_STATE). One bad entry fails the whole call. O(count).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_write_velocities(cn_world* world, cn_body* bodies, int count, cn_velocity* velocities);
 
-		/// <summary>Bodies whose pose changed in the last step, and those that fell asleep in it, without the ones destroyed
-		/// since. Built on the first call after a step: O(awake bodies) then.</summary>
+		/// <summary>Bodies whose pose changed in the last step or that fell asleep in it, except bodies destroyed since. The
+		/// first call after a step builds the array, O(awake bodies), and can return CN_ERROR_MEMORY.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_moved(cn_world* world, cn_body_moved** out_moved, int* out_count);
 
+		/// <summary>Sets struct_size and the defaults given beside the fields. NULL does nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_shape_def_init(cn_shape_def* def);
 
-		/// <summary>out_shape may be NULL in all of these. Points closer than 0.05% of the length unit are degenerate.</summary>
+		/// <summary>Creates a circle; 0 &lt; radius_m &lt;= 1e6. Wakes the body. out_shape may be NULL.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_create_circle(cn_world* world, cn_shape_def* def, cn_circle* circle, cn_shape* out_shape);
 
+		/// <summary>Creates a capsule; ends at least 0.05% of the length unit apart, radius_m &gt; 0. Wakes the body.
+		/// out_shape may be NULL.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_create_capsule(cn_world* world, cn_shape_def* def, cn_capsule* capsule, cn_shape* out_shape);
 
+		/// <summary>Creates an edge; ends at least 0.05% of the length unit apart. Wakes the body. out_shape may be NULL.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_create_edge(cn_world* world, cn_shape_def* def, cn_edge* edge, cn_shape* out_shape);
 
+		/// <summary>Creates a convex polygon; consecutive points at least 0.05% of the length unit apart. Wakes the body.
+		/// out_shape may be NULL.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_create_polygon(cn_world* world, cn_shape_def* def, cn_polygon* polygon, cn_shape* out_shape);
 
-		/// <summary>Half sizes &gt; 0; radius_m &gt;= 0 is added outside of them.</summary>
+		/// <summary>Creates a box of half sizes &gt; 0; the rounding radius_m &gt;= 0 is added outside. Wakes the body.
+		/// out_shape may be NULL.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_create_box(cn_world* world, cn_shape_def* def, float half_width_m, float half_height_m, float radius_m, cn_shape* out_shape);
 
-		/// <summary>O(count).</summary>
+		/// <summary>Creates a chain; consecutive points at least 0.05% of the length unit apart. Wakes the body. out_shape
+		/// may be NULL. O(count).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_create_chain(cn_world* world, cn_shape_def* def, cn_chain* chain, cn_shape* out_shape);
 
-		/// <summary>An unattached shape joins a body (CN_ERROR_STATE if it already has one), an attached one leaves it.</summary>
+		/// <summary>Attaches an unattached shape to a body and wakes the body. CN_ERROR_STATE if the shape has a body.
+		/// O(shapes of the body + edges of a chain).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_attach(cn_world* world, cn_shape shape, cn_body body);
 
+		/// <summary>Detaches a shape from its body, ends its contacts and wakes the body. CN_ERROR_STATE if it has no body.
+		/// O(contacts + shapes of the body).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_detach(cn_world* world, cn_shape shape);
 
+		/// <summary>Destroys a shape, ends its contacts and wakes its body. O(contacts + shapes of the body).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_destroy(cn_world* world, cn_shape shape);
 
+		/// <summary>1 if the handle names a living shape of this world, else 0 (also for a NULL world).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_is_valid(cn_world* world, cn_shape shape);
 
+		/// <summary>Reads the type (CN_SHAPE_CIRCLE to _CHAIN).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_type(cn_world* world, cn_shape shape, int* out_type);
 
-		/// <summary>0 if unattached.</summary>
+		/// <summary>Reads the body; 0 if unattached.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_body(cn_world* world, cn_shape shape, cn_body* out_body);
 
-		/// <summary>Takes effect at once, on resting contacts too (their bodies wake).</summary>
+		/// <summary>Replaces the material; applies at once, to touching contacts too, whose bodies wake. O(contacts of the
+		/// body).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_set_material(cn_world* world, cn_shape shape, cn_material* material);
 
+		/// <summary>Reads the material.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_material(cn_world* world, cn_shape shape, cn_material* @out);
 
-		/// <summary>&gt;= 0; the body's mass follows at once.</summary>
+		/// <summary>Sets the density in kg/m^2, &gt;= 0, giving 0 or 1e-20 to 1e20 kg. Updates the body's mass at once and
+		/// wakes the body. O(shapes of the body).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_set_density(cn_world* world, cn_shape shape, float density_kgpm2);
 
+		/// <summary>Reads the density in kg/m^2.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_density(cn_world* world, cn_shape shape, float* out_kgpm2);
 
-		/// <summary>Contacts that it forbids end at once (with their events); ones that it allows begin in the next step.</summary>
+		/// <summary>Replaces the filter. Contacts that it forbids end at once, with their events; contacts that it permits
+		/// begin in the next step. Wakes the body, or the bodies near a static shape. O(contacts of the body).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_set_filter(cn_world* world, cn_shape shape, cn_filter* filter);
 
+		/// <summary>Reads the filter.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_filter(cn_world* world, cn_shape shape, cn_filter* @out);
 
-		/// <summary>Takes effect at once, for present contacts too.</summary>
+		/// <summary>Sets the reported events, bits 1 &lt;&lt; CN_EVENT_*; applies at once, to present contacts too.
+		/// O(contacts of the body).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_set_event_mask(cn_world* world, cn_shape shape, uint event_mask);
 
+		/// <summary>Reads the event mask.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_event_mask(cn_world* world, cn_shape shape, uint* out_event_mask);
 
-		/// <summary>Replaces the CN_SHAPE_ flags (SENSOR ...). Contacts end and begin anew as needed.</summary>
+		/// <summary>Replaces the CN_SHAPE_ flags. The shape's contacts end; those that still overlap begin again in the next
+		/// step. Wakes the body, or the bodies near a static shape. O(contacts of the body).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_set_flags(cn_world* world, cn_shape shape, uint flags);
 
+		/// <summary>Reads the CN_SHAPE_ flags.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_flags(cn_world* world, cn_shape shape, uint* out_flags);
 
+		/// <summary>Stores a number for the user.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_set_user_data(cn_world* world, cn_shape shape, ulong user_data);
 
+		/// <summary>Reads the user's number.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_user_data(cn_world* world, cn_shape shape, ulong* out_user_data);
 
-		/// <summary>Without margin, in world space (in shape space when unattached). O(points).</summary>
+		/// <summary>AABB without margin, in the world (in the shape's own space when unattached). O(points).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_aabb(cn_world* world, cn_shape shape, cn_aabb* @out);
 
-		/// <summary>In the body's local frame, at the present density; inertia about the shape's own centre. O(points).</summary>
+		/// <summary>Mass at the present density, centre in the body's frame, inertia about the shape's own centre.
+		/// O(points).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_mass_data(cn_world* world, cn_shape shape, cn_mass_data* @out);
 
-		/// <summary>The shape's geometry in its body's local frame, offset applied. CN_ERROR_STATE for another type.</summary>
+		/// <summary>Reads a circle in the body's frame, offset applied. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_circle(cn_world* world, cn_shape shape, cn_circle* @out);
 
+		/// <summary>Reads a capsule in the body's frame, offset applied. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_capsule(cn_world* world, cn_shape shape, cn_capsule* @out);
 
+		/// <summary>Reads an edge in the body's frame, offset applied. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_edge(cn_world* world, cn_shape shape, cn_edge* @out);
 
+		/// <summary>Reads a polygon in the body's frame, offset applied. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_polygon(cn_world* world, cn_shape shape, cn_polygon* @out);
 
-		/// <summary>Writes at most capacity points (out may be NULL when capacity is 0); *out_count is how many there are.</summary>
+		/// <summary>Reads a chain's points in the body's frame, offset applied. Writes at most capacity (&gt;= 0); out may
+		/// be NULL when capacity is 0. *out_count is their number. CN_ERROR_STATE for another type. O(points
+		/// written).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_chain_points(cn_world* world, cn_shape shape, cn_vec2* @out, int capacity, int* out_count);
 
+		/// <summary>out_inside is 1 if the shape contains a world point in metres (in the shape's own space when
+		/// unattached), else 0. Edges and chains contain no point. O(points).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_test_point(cn_world* world, cn_shape shape, float point_x_m, float point_y_m, int* out_inside);
 
-		/// <summary>Convex hull of 1 or more points (farthest points inserted, as in Quickhull: Barber, Dobkin, Huhdanpaa
-		/// 1996) of at most CN_POLYGON_MAX_VERTICES, those that add the most area. CN_ERROR_ARGUMENT for fewer than
-		/// three distinct points or collinear ones. Details below 5 mm are dropped (below 5% of the half size for
-		/// hulls under 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count &lt;= 65536.</summary>
+		/// <summary>Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts
+		/// farthest points, as Quickhull does (Barber, Dobkin, Huhdanpaa, 1996), and keeps those that add the most
+		/// area. CN_ERROR_ARGUMENT for fewer than three distinct points or collinear ones. It drops details below 5
+		/// mm (below 5% of the half size for hulls under 0.1 m, below 0.5% for those over 1 m). radius_m &gt;= 0.
+		/// O(count^2) at worst.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_polygon_make_hull(cn_vec2* points_m, int count, float radius_m, cn_polygon* @out);
 
-		/// <summary>A box of half sizes &gt; 0, moved and then turned about its own centre.</summary>
+		/// <summary>A box of half sizes &gt; 0 in metres, with its centre in metres, turned about its own centre by
+		/// angle_rad (|angle| &lt;= 1e4); radius_m &gt;= 0.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_polygon_make_box(float half_width_m, float half_height_m, float center_x_m, float center_y_m, float angle_rad, float radius_m, cn_polygon* @out);
 
-		/// <summary>The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. They are always
-		/// bookended: every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved away,
-		/// body or shape destroyed, detached or disabled, filter or type changed). Pairs that end through a call
-		/// between two steps are reported by the next step; handles in such events may be stale. Falling asleep is
-		/// not leaving: a sleeping pair reports nothing until it wakes, and then goes on where it was. The array is
-		/// built on the first request after a step, O(events) then: that may return CN_ERROR_MEMORY, and inside
-		/// callbacks CN_ERROR_LOCKED.</summary>
+		/// <summary>The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. The first call
+		/// for a kind after a step builds the array, O(events), and can return CN_ERROR_MEMORY; CN_ERROR_LOCKED
+		/// inside callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved
+		/// apart, body or shape destroyed, detached or disabled, filter or type changed). The next step reports
+		/// pairs that end between two steps; their handles may be stale. A sleeping pair reports nothing, and
+		/// continues when it wakes.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_contact_events(cn_world* world, int kind, cn_contact_event** out_events, int* out_count);
 
-		/// <summary>function NULL removes it.</summary>
+		/// <summary>Sets the callback for contact events of one kind (CN_EVENT_*); NULL removes it.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_contact_callback(cn_world* world, int kind, IntPtr function, void* user);
 
-		/// <summary>function NULL removes it.</summary>
+		/// <summary>Sets the callback that decides whether two shapes may touch; NULL removes it.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_filter_callback(cn_world* world, IntPtr function, void* user);
 
+		/// <summary>Sets the pre-solve callback; NULL removes it.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_pre_solve_callback(cn_world* world, IntPtr function, void* user);
 
+		/// <summary>Sets the callback that mixes materials; NULL removes it.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_material_mix_callback(cn_world* world, IntPtr function, void* user);
 
-		/// <summary>Of the last step, in a deterministic order; bookended like contact events. Sensors see dynamic and
-		/// kinematic bodies' shapes that are not sensors, by exact overlap.</summary>
+		/// <summary>The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
+		/// events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_sensor_events(cn_world* world, cn_sensor_event** out_events, int* out_count);
 
-		/// <summary>The contacts of a body, touching or not, as events of kind STAY (touching) or CREATED. Writes at most
-		/// capacity; *out_count is how many there are. O(contacts).</summary>
+		/// <summary>The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at most capacity
+		/// (&gt;= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_contacts(cn_world* world, cn_body body, cn_contact_event* @out, int capacity, int* out_count);
 
-		/// <summary>As cn_body_get_contacts, of one shape, a chain with all its edges. O(contacts of its body).</summary>
+		/// <summary>The shape's contacts, a chain with all its edges; out, capacity, *out_count and kinds as in
+		/// cn_body_get_contacts. O(contacts of its body).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_contacts(cn_world* world, cn_shape shape, cn_contact_event* @out, int capacity, int* out_count);
 
-		/// <summary>The shapes that are in a sensor, each once: those whose ENTER had no LEAVE up to the last step.
-		/// CN_ERROR_STATE for a shape that is no sensor. O(contacts of its body), for chains squared.</summary>
+		/// <summary>The shapes in a sensor, each once: those with an ENTER and no LEAVE up to the last step. out, capacity
+		/// and *out_count as in cn_world_get_bodies. CN_ERROR_STATE for a shape that is no sensor. O(contacts of
+		/// its body), squared for chains.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_visitors(cn_world* world, cn_shape sensor, cn_shape* @out, int capacity, int* out_count);
 
-		/// <summary>Bodies that fell asleep in the last step, or since by cn_body_set_awake; ones destroyed since are stale
-		/// handles.</summary>
+		/// <summary>Bodies that fell asleep in the last step, or since then through cn_body_set_awake. Handles of bodies
+		/// destroyed since are stale.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_fell_asleep(cn_world* world, cn_body** out_bodies, int* out_count);
 
+		/// <summary>Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does
+		/// nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_revolute_def_init(cn_revolute_def* def);
 
+		/// <summary>Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does
+		/// nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_distance_def_init(cn_distance_def* def);
 
+		/// <summary>Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does
+		/// nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_fixed_def_init(cn_fixed_def* def);
 
+		/// <summary>Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does
+		/// nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_prismatic_def_init(cn_prismatic_def* def);
 
+		/// <summary>Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does
+		/// nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_wheel_def_init(cn_wheel_def* def);
 
+		/// <summary>Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does
+		/// nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_motor_def_init(cn_motor_def* def);
 
+		/// <summary>Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does
+		/// nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_mouse_def_init(cn_mouse_def* def);
 
+		/// <summary>Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does
+		/// nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_gear_def_init(cn_gear_def* def);
 
+		/// <summary>Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does
+		/// nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_pulley_def_init(cn_pulley_def* def);
 
+		/// <summary>Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does
+		/// nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_ratchet_def_init(cn_ratchet_def* def);
 
+		/// <summary>Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does
+		/// nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_rotary_spring_def_init(cn_rotary_spring_def* def);
 
+		/// <summary>Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does
+		/// nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_groove_def_init(cn_groove_def* def);
 
+		/// <summary>Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does
+		/// nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_filter_joint_def_init(cn_filter_joint_def* def);
 
-		/// <summary>Wake both bodies. CN_ERROR_ARGUMENT for a body with itself or without a dynamic body.</summary>
+		/// <summary>Creates a revolute joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither
+		/// is dynamic. O(contacts of body_a).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_create_revolute(cn_world* world, cn_revolute_def* def, cn_joint* out_joint);
 
+		/// <summary>Creates a distance joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither
+		/// is dynamic. O(contacts of body_a).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_create_distance(cn_world* world, cn_distance_def* def, cn_joint* out_joint);
 
+		/// <summary>Creates a fixed joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+		/// dynamic. O(contacts of body_a).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_create_fixed(cn_world* world, cn_fixed_def* def, cn_joint* out_joint);
 
+		/// <summary>Creates a prismatic joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither
+		/// is dynamic. O(contacts of body_a).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_create_prismatic(cn_world* world, cn_prismatic_def* def, cn_joint* out_joint);
 
+		/// <summary>Creates a wheel joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+		/// dynamic. O(contacts of body_a).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_create_wheel(cn_world* world, cn_wheel_def* def, cn_joint* out_joint);
 
+		/// <summary>Creates a motor joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+		/// dynamic. O(contacts of body_a).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_create_motor(cn_world* world, cn_motor_def* def, cn_joint* out_joint);
 
+		/// <summary>Creates a mouse joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+		/// dynamic, or body_a is not 0. O(contacts of body_a).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_create_mouse(cn_world* world, cn_mouse_def* def, cn_joint* out_joint);
 
+		/// <summary>Creates a gear joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+		/// dynamic. O(contacts of body_a).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_create_gear(cn_world* world, cn_gear_def* def, cn_joint* out_joint);
 
+		/// <summary>Creates a pulley joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+		/// dynamic. O(contacts of body_a).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_create_pulley(cn_world* world, cn_pulley_def* def, cn_joint* out_joint);
 
+		/// <summary>Creates a ratchet joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither
+		/// is dynamic. O(contacts of body_a).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_create_ratchet(cn_world* world, cn_ratchet_def* def, cn_joint* out_joint);
 
+		/// <summary>Creates a rotary spring and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither
+		/// is dynamic. O(contacts of body_a).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_create_rotary_spring(cn_world* world, cn_rotary_spring_def* def, cn_joint* out_joint);
 
+		/// <summary>Creates a groove joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+		/// dynamic, or the slot has no length. O(contacts of body_a).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_create_groove(cn_world* world, cn_groove_def* def, cn_joint* out_joint);
 
+		/// <summary>Creates a filter joint, ends the contacts between its bodies and wakes both. CN_ERROR_ARGUMENT if the
+		/// bodies are the same or neither is dynamic. It has a base only: see cn_joint_get_base. O(contacts of
+		/// body_a).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_create_filter(cn_world* world, cn_filter_joint_def* def, cn_joint* out_joint);
 
+		/// <summary>Destroys a joint and wakes its bodies. No event is reported.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_destroy(cn_world* world, cn_joint joint);
 
+		/// <summary>1 if the handle names a living joint of this world, else 0 (also for a constraint and a NULL world).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_is_valid(cn_world* world, cn_joint joint);
 
+		/// <summary>Reads the type (CN_JOINT_REVOLUTE to _FILTER).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_type(cn_world* world, cn_joint joint, int* out_type);
 
+		/// <summary>Reads both bodies; 0 stands for the world.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_bodies(cn_world* world, cn_joint joint, cn_body* out_a, cn_body* out_b);
 
+		/// <summary>Reads the world positions of both anchors, in metres.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_anchors(cn_world* world, cn_joint joint, cn_vec2* out_world_a_m, cn_vec2* out_world_b_m);
 
-		/// <summary>Force in newtons and torque in newton metres that the joint put on body b in the last substep.</summary>
+		/// <summary>Force in newtons and torque in newton metres that the joint applied to body b in the last substep.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_reaction(cn_world* world, cn_joint joint, cn_vec2* out_force_N, float* out_torque_Nm);
 
-		/// <summary>How far the joint's rigid parts are from being satisfied: metres (anchors, lengths beyond limits) and
-		/// radians (angles beyond limits), both &gt;= 0.</summary>
+		/// <summary>Error of the joint's rigid parts, both &gt;= 0: metres (anchors apart, lengths beyond limits) and
+		/// radians (angles beyond limits).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_error(cn_world* world, cn_joint joint, float* out_m, float* out_rad);
 
-		/// <summary>In worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default): the joint is solved together with its
-		/// neighbours where that is cheap. _SOFT: always by itself. _DIRECT: together with all joints that it hangs
-		/// together with, for as much work as CN_SOLVER_DIRECT takes, within the work_budget. In a world in a
-		/// caller's block that was not made with CN_SOLVER_DIRECT, _DIRECT is _AUTO. From the next step on; does
-		/// not wake.</summary>
+		/// <summary>Chooses how the joint is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default):
+		/// together with its neighbours where that is cheap. _SOFT: always alone. _DIRECT: together with all
+		/// connected joints, up to the work limits of CN_SOLVER_DIRECT and the work_budget; the same as _AUTO for a
+		/// world in a caller's block that was not created with CN_SOLVER_DIRECT. Takes effect with the next step;
+		/// does not wake.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_solver(cn_world* world, cn_joint joint, int solver);
 
+		/// <summary>Reads the joint's own solver (CN_SOLVER_AUTO, _SOFT, _DIRECT).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_solver(cn_world* world, cn_joint joint, int* out_solver);
 
+		/// <summary>Stores a number for the user.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_user_data(cn_world* world, cn_joint joint, ulong user_data);
 
+		/// <summary>Reads the user's number.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_user_data(cn_world* world, cn_joint joint, ulong* out_user_data);
 
-		/// <summary>Replaces the CN_JOINT_ flags. Wakes. O(contacts) when CN_JOINT_COLLIDE changes.</summary>
+		/// <summary>Replaces the CN_JOINT_ flags and wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_flags(cn_world* world, cn_joint joint, uint flags);
 
+		/// <summary>Reads the CN_JOINT_ flags.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_flags(cn_world* world, cn_joint joint, uint* out_flags);
 
-		/// <summary>Read back or replace a definition. set leaves bodies and anchors as they are and ignores struct_size;
-		/// all else is taken, flags and user data too. CN_ERROR_STATE for a joint of another type. set wakes. A
-		/// filter joint has nothing but its base.</summary>
+		/// <summary>Reads the definition of a revolute joint. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_revolute(cn_world* world, cn_joint joint, cn_revolute_def* @out);
 
+		/// <summary>Replaces the definition of a revolute joint, flags and user data included; ignores bodies, anchors and
+		/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+		/// changes.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_revolute(cn_world* world, cn_joint joint, cn_revolute_def* def);
 
+		/// <summary>Reads the definition of a distance joint. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_distance(cn_world* world, cn_joint joint, cn_distance_def* @out);
 
+		/// <summary>Replaces the definition of a distance joint, flags and user data included; ignores bodies, anchors and
+		/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+		/// changes.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_distance(cn_world* world, cn_joint joint, cn_distance_def* def);
 
+		/// <summary>Reads the definition of a fixed joint. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_fixed(cn_world* world, cn_joint joint, cn_fixed_def* @out);
 
+		/// <summary>Replaces the definition of a fixed joint, flags and user data included; ignores bodies, anchors and
+		/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+		/// changes.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_fixed(cn_world* world, cn_joint joint, cn_fixed_def* def);
 
+		/// <summary>Reads the definition of a prismatic joint. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_prismatic(cn_world* world, cn_joint joint, cn_prismatic_def* @out);
 
+		/// <summary>Replaces the definition of a prismatic joint, flags and user data included; ignores bodies, anchors and
+		/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+		/// changes.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_prismatic(cn_world* world, cn_joint joint, cn_prismatic_def* def);
 
+		/// <summary>Reads the definition of a wheel joint. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_wheel(cn_world* world, cn_joint joint, cn_wheel_def* @out);
 
+		/// <summary>Replaces the definition of a wheel joint, flags and user data included; ignores bodies, anchors and
+		/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+		/// changes.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_wheel(cn_world* world, cn_joint joint, cn_wheel_def* def);
 
+		/// <summary>Reads the definition of a motor joint. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_motor_to(cn_world* world, cn_joint joint, cn_motor_def* @out);
 
+		/// <summary>Replaces the definition of a motor joint, flags and user data included; ignores bodies, anchors and
+		/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+		/// changes.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_motor_to(cn_world* world, cn_joint joint, cn_motor_def* def);
 
+		/// <summary>Reads the definition of a mouse joint. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_mouse(cn_world* world, cn_joint joint, cn_mouse_def* @out);
 
+		/// <summary>Replaces the definition of a mouse joint, flags and user data included; ignores bodies, anchors and
+		/// struct_size. Sets the target too. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when
+		/// CN_JOINT_COLLIDE changes.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_mouse(cn_world* world, cn_joint joint, cn_mouse_def* def);
 
+		/// <summary>Reads the definition of a gear joint. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_gear(cn_world* world, cn_joint joint, cn_gear_def* @out);
 
+		/// <summary>Replaces the definition of a gear joint, flags and user data included; ignores bodies, anchors and
+		/// struct_size. A new ratio starts the count of whole turns again. CN_ERROR_STATE for another type. Wakes
+		/// both bodies. O(contacts) when CN_JOINT_COLLIDE changes.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_gear(cn_world* world, cn_joint joint, cn_gear_def* def);
 
+		/// <summary>Reads the definition of a pulley joint. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_pulley(cn_world* world, cn_joint joint, cn_pulley_def* @out);
 
+		/// <summary>Replaces the definition of a pulley joint, flags and user data included; ignores bodies, anchors and
+		/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+		/// changes.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_pulley(cn_world* world, cn_joint joint, cn_pulley_def* def);
 
+		/// <summary>Reads the definition of a ratchet joint. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_ratchet(cn_world* world, cn_joint joint, cn_ratchet_def* @out);
 
+		/// <summary>Replaces the definition of a ratchet joint, flags and user data included; ignores bodies, anchors and
+		/// struct_size. The ratchet starts again at its present click. CN_ERROR_STATE for another type. Wakes both
+		/// bodies. O(contacts) when CN_JOINT_COLLIDE changes.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_ratchet(cn_world* world, cn_joint joint, cn_ratchet_def* def);
 
+		/// <summary>Reads the definition of a rotary spring. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_rotary_spring(cn_world* world, cn_joint joint, cn_rotary_spring_def* @out);
 
+		/// <summary>Replaces the definition of a rotary spring, flags and user data included; ignores bodies, anchors and
+		/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+		/// changes.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_rotary_spring(cn_world* world, cn_joint joint, cn_rotary_spring_def* def);
 
+		/// <summary>Reads the definition of a groove joint. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_groove(cn_world* world, cn_joint joint, cn_groove_def* @out);
 
+		/// <summary>Replaces the definition of a groove joint, flags and user data included; ignores bodies, anchors and
+		/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+		/// changes.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_groove(cn_world* world, cn_joint joint, cn_groove_def* def);
 
-		/// <summary>The base of any joint.</summary>
+		/// <summary>Reads the base of a joint of any type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_base(cn_world* world, cn_joint joint, cn_joint_base* @out);
 
-		/// <summary>Takes stiffness, most force and torque, and break thresholds; the rest of base is ignored. Wakes.</summary>
+		/// <summary>Replaces stiffness, greatest force and torque, and break thresholds; ignores the rest of base. Ranges as
+		/// in cn_joint_base. Wakes both bodies.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_base(cn_world* world, cn_joint joint, cn_joint_base* @base);
 
-		/// <summary>Mouse joint: where to drag to; called each frame. CN_ERROR_STATE for another type. Wakes.</summary>
+		/// <summary>Sets the target of a mouse joint, a world point in metres; cheap enough for every frame. CN_ERROR_STATE
+		/// for another type. Wakes the body.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_target(cn_world* world, cn_joint joint, float target_x_m, float target_y_m);
 
-		/// <summary>Revolute, fixed, motor: the angle b - angle a - reference (motor: without one), in (-pi, pi]. Distance,
-		/// pulley: the present length. Prismatic, wheel, groove: the translation along the axis. Mouse: distance to
-		/// the target. Gear: angle b - ratio * angle a; ratchet, rotary spring: angle b - angle a, these three over
-		/// whole turns.</summary>
+		/// <summary>Reads the joint coordinate. Revolute, fixed, motor: angle b - angle a - reference (motor: without
+		/// reference) in (-pi, pi]. Distance, pulley: the present length. Prismatic, wheel, groove: the translation
+		/// along the axis. Mouse: the distance to the target. Gear: angle b - ratio * angle a; ratchet, rotary
+		/// spring: angle b - angle a; these three over whole turns.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_position(cn_world* world, cn_joint joint, float* out_position);
 
-		/// <summary>How fast that changes; but of a wheel how fast b turns against a. With CN_JOINT_MOTOR, positive follows
-		/// these.</summary>
+		/// <summary>Rate of change of cn_joint_get_position; of a wheel joint the angular velocity of b against a. A
+		/// positive motor speed has the same sign.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_get_speed(cn_world* world, cn_joint joint, float* out_speed);
 
-		/// <summary>The two setters that games call each frame, for revolute, distance, prismatic and wheel (others:
-		/// CN_ERROR_STATE). Wake.</summary>
+		/// <summary>Sets motor speed (rad/s or m/s) and greatest torque or force (N m or N, &gt;= 0) of a revolute,
+		/// distance, prismatic or wheel joint (others: CN_ERROR_STATE). Wakes both bodies.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_motor(cn_world* world, cn_joint joint, float speed, float force_or_torque_max);
 
+		/// <summary>Sets the limits, lower &lt;= upper, of a revolute (radians in [-pi, pi]), distance (metres &gt;= 0),
+		/// prismatic or wheel joint (metres); others: CN_ERROR_STATE. Wakes both bodies.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_joint_set_limits(cn_world* world, cn_joint joint, float lower, float upper);
 
-		/// <summary>Those that exceeded a break threshold in the last step, and those destroyed with a body in or since the
-		/// step before (by calls between two steps: reported by the next step).</summary>
+		/// <summary>Joints and constraints that exceeded a break threshold in the last step, and those destroyed with a body
+		/// in that step or between it and the step before.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_joint_events(cn_world* world, cn_joint_event** out_events, int* out_count);
 
+		/// <summary>Sets struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_angle_constraint_def_init(cn_angle_constraint_def* def);
 
+		/// <summary>Sets struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_line_constraint_def_init(cn_line_constraint_def* def);
 
-		/// <summary>They are solved with the joints, before contacts. Wake the body.</summary>
+		/// <summary>Creates an angle constraint, solved with the joints, before contacts. CN_ERROR_ARGUMENT if the body is
+		/// not dynamic. Wakes the body.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_constraint_create_angle(cn_world* world, cn_angle_constraint_def* def, cn_constraint* out_constraint);
 
+		/// <summary>Creates a line constraint, solved with the joints, before contacts. CN_ERROR_ARGUMENT if the body is not
+		/// dynamic. Wakes the body.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_constraint_create_line(cn_world* world, cn_line_constraint_def* def, cn_constraint* out_constraint);
 
+		/// <summary>Destroys a constraint and wakes its body. No event is reported.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_constraint_destroy(cn_world* world, cn_constraint constraint);
 
+		/// <summary>1 if the handle names a living constraint of this world, else 0 (also for a joint and a NULL world).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_constraint_is_valid(cn_world* world, cn_constraint constraint);
 
+		/// <summary>Reads the type (CN_CONSTRAINT_ANGLE or _LINE).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_constraint_get_type(cn_world* world, cn_constraint constraint, int* out_type);
 
+		/// <summary>Reads the body.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_constraint_get_body(cn_world* world, cn_constraint constraint, cn_body* out_body);
 
-		/// <summary>Read back or replace a definition; set ignores body. CN_ERROR_STATE for the other type. set wakes.</summary>
+		/// <summary>Reads the definition of an angle constraint. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_constraint_get_angle(cn_world* world, cn_constraint constraint, cn_angle_constraint_def* @out);
 
+		/// <summary>Replaces the definition of an angle constraint; ignores body. CN_ERROR_STATE for another type. Wakes the
+		/// body.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_constraint_set_angle(cn_world* world, cn_constraint constraint, cn_angle_constraint_def* def);
 
+		/// <summary>Reads the definition of a line constraint. CN_ERROR_STATE for another type.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_constraint_get_line(cn_world* world, cn_constraint constraint, cn_line_constraint_def* @out);
 
+		/// <summary>Replaces the definition of a line constraint; ignores body. CN_ERROR_STATE for another type. Wakes the
+		/// body.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_constraint_set_line(cn_world* world, cn_constraint constraint, cn_line_constraint_def* def);
 
-		/// <summary>Angle: the angle over whole turns. Line: where along the axis the point is, from origin.</summary>
+		/// <summary>Angle constraint: the angle in radians over whole turns. Line constraint: the coordinate of the point
+		/// along the axis, in metres from origin.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_constraint_get_position(cn_world* world, cn_constraint constraint, float* out_position);
 
-		/// <summary>Force in newtons and torque in newton metres that it put on the body in the last substep.</summary>
+		/// <summary>Force in newtons and torque in newton metres that the constraint applied to the body in the last
+		/// substep.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_constraint_get_reaction(cn_world* world, cn_constraint constraint, cn_vec2* out_force_N, float* out_torque_Nm);
 
-		/// <summary>How far beyond what is allowed, &gt;= 0.</summary>
+		/// <summary>Distance beyond the allowed range, &gt;= 0: metres for a line constraint, radians for an angle
+		/// constraint.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_constraint_get_error(cn_world* world, cn_constraint constraint, float* out_m, float* out_rad);
 
-		/// <summary>As cn_world_get_joints and cn_body_get_joints, which do not list constraints.</summary>
+		/// <summary>Handles of all constraints, ordered by slot; out, capacity and *out_count as in cn_world_get_bodies.
+		/// O(slots).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_constraints(cn_world* world, cn_constraint* @out, int capacity, int* out_count);
 
+		/// <summary>Handles of the body's constraints; out, capacity and *out_count as in cn_world_get_bodies. O(joints +
+		/// constraints of the body).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_constraints(cn_world* world, cn_body body, cn_constraint* @out, int capacity, int* out_count);
 
-		/// <summary>step_s in (0, 1], default 1/60; steps_max &gt;= 1, default 8.</summary>
+		/// <summary>Sets the fixed step of cn_world_update: step_s in (0, 1], default 1/60; at most steps_max steps an
+		/// update, 1 to 1000, default 8.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_fixed_step(cn_world* world, float step_s, int steps_max);
 
-		/// <summary>Adds elapsed_s (0 to 10) to the time owed and takes as many fixed steps as fit, at most steps_max.
-		/// Events of all steps but the last are only seen by callbacks. out may be NULL.</summary>
+		/// <summary>Adds elapsed_s (0 to 10) to the time owed and takes as many fixed steps as fit, at most steps_max. The
+		/// event arrays hold the last step; callbacks see every step. out may be NULL. Costs as the steps.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_update(cn_world* world, float elapsed_s, cn_update_report* @out);
 
-		/// <summary>Poses between the last two steps of cn_world_update: factor 0 the one before, 1 the last. bodies as in
-		/// cn_world_read_poses. Bodies that did not take part in the last step have their present pose.</summary>
+		/// <summary>Reads count poses between the last two steps of cn_world_update: factor 0 to 1, 0 before the last step,
+		/// 1 after it. Bodies that did not take part in the last step have their present pose. bodies and count as
+		/// in cn_world_read_poses. O(count).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_read_poses_interpolated(cn_world* world, cn_body* bodies, int count, float factor, cn_pose* @out);
 
+		/// <summary>Sets the defaults given beside the fields. NULL does nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_query_filter_init(cn_query_filter* filter);
 
-		/// <summary>Nearest hit; out-&gt;shape is 0 when there is none. An edge is hit from both sides, a chain from its
-		/// front only. Of equal hits the first by shape (as in cn_world_get_shapes), then child. filter may be NULL
-		/// in all queries: the defaults. O(log) to O(shapes along the ray).</summary>
+		/// <summary>Nearest hit of a ray; out-&gt;shape is 0 when there is none. Edges are hit from both sides, chains from
+		/// their front. Of equal hits the first by shape (in the order of cn_world_get_shapes), then child. filter
+		/// may be NULL: the defaults. O(log shapes) to O(shapes along the ray).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_cast_ray(cn_world* world, cn_ray* ray, cn_query_filter* filter, cn_ray_hit* @out);
 
-		/// <summary>1 if anything is hit: cheaper than the nearest.</summary>
+		/// <summary>out_hit is 1 if the ray hits any shape, else 0; cheaper than the nearest hit. filter may be NULL. O(log
+		/// shapes) to O(shapes along the ray).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_cast_ray_any(cn_world* world, cn_ray* ray, cn_query_filter* filter, int* out_hit);
 
-		/// <summary>Up to capacity hits, nearest first (the nearest ones if there are more); *out_count is how many were
-		/// found. A chain is hit once by each edge on the way.</summary>
+		/// <summary>Hits of a ray, nearest first: the nearest capacity (&gt;= 0) are written, *out_count is the number
+		/// found. A chain counts once for each edge hit. filter may be NULL. O(shapes along the ray * log
+		/// capacity).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_cast_ray_all(cn_world* world, cn_ray* ray, cn_query_filter* filter, cn_ray_hit* @out, int capacity, int* out_count);
 
-		/// <summary>count rays, the nearest hit of each; nothing is written if one of them is bad.</summary>
+		/// <summary>Nearest hit of each of count (&gt;= 0) rays, as cn_world_cast_ray. One bad ray fails the whole call.
+		/// filter may be NULL. O(sum of the rays).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_cast_rays(cn_world* world, cn_ray* rays, int count, cn_query_filter* filter, cn_ray_hit* @out);
 
-		/// <summary>Against one shape alone, whatever its filter, in shape space when unattached. O(edges of a chain).</summary>
+		/// <summary>Nearest hit of a ray against one shape, whatever its filter; in the shape's own space when unattached.
+		/// O(points of the shape).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_cast_ray(cn_world* world, cn_shape shape, cn_ray* ray, cn_ray_hit* @out);
 
-		/// <summary>A polygon (its points in world coordinates; count may be 1 or 2 too, with radius &gt; 0: circle,
-		/// capsule) moved by translation without turning: the first shape it meets. A chain is met by what has the
-		/// mean of its points in front.</summary>
+		/// <summary>First shape that a convex shape meets when moved by translation (metres, at most 2e6 length units each
+		/// way) without turning. shape is a polygon in world coordinates; with radius_m &gt; 0 its count may be 1
+		/// or 2: circle, capsule. A shape in contact at the start: see cn_ray_hit. A chain is met if the mean of
+		/// the moving points is in front of it. filter may be NULL. O(shapes along the way).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_cast_shape(cn_world* world, cn_polygon* shape, float translation_x_m, float translation_y_m, cn_query_filter* filter, cn_ray_hit* @out);
 
-		/// <summary>Shapes that overlap a region: at most capacity handles are written (the first ones), *out_count is how
-		/// many there are, in the order of cn_world_get_shapes. The first is by the shapes' boxes without margin,
-		/// the others exact. A chain is listed once; edges and chains are lines here, seen from both sides, and
-		/// contain no point. Polygons as in cn_world_cast_shape. O(log) to O(boxes in the region).</summary>
+		/// <summary>Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a chain once.
+		/// The first capacity (&gt;= 0) are written; *out_count is the number found. filter may be NULL. O(log
+		/// shapes) to O(boxes in the region).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_overlap_aabb(cn_world* world, cn_aabb* box, cn_query_filter* filter, cn_shape* @out, int capacity, int* out_count);
 
+		/// <summary>Shapes that exactly overlap a circle; order, capacity, filter and cost as in cn_world_overlap_aabb.
+		/// Edges and chains are lines here, seen from both sides.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_overlap_circle(cn_world* world, cn_circle* circle, cn_query_filter* filter, cn_shape* @out, int capacity, int* out_count);
 
+		/// <summary>Shapes that exactly overlap a polygon (as in cn_world_cast_shape); order, capacity, filter and cost as
+		/// in cn_world_overlap_aabb. Edges and chains are lines here, seen from both sides.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_overlap_polygon(cn_world* world, cn_polygon* polygon, cn_query_filter* filter, cn_shape* @out, int capacity, int* out_count);
 
+		/// <summary>Shapes that contain a world point in metres; order, capacity, filter and cost as in
+		/// cn_world_overlap_aabb. Edges and chains contain no point.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_overlap_point(cn_world* world, float x_m, float y_m, cn_query_filter* filter, cn_shape* @out, int capacity, int* out_count);
 
-		/// <summary>The shape nearest to a point within distance_max_m (0 to 4e6 length units), the deepest if the point is
-		/// in several. Cost grows with what is near, not with distance_max_m.</summary>
+		/// <summary>Shape nearest to a world point within distance_max_m (0 to 4e6 length units); the deepest if several
+		/// contain the point. filter may be NULL. Cost grows with the shapes nearby, not with distance_max_m.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_closest_point(cn_world* world, float x_m, float y_m, float distance_max_m, cn_query_filter* filter, cn_closest* @out);
 
-		/// <summary>By GJK (Gilbert, Johnson, Keerthi 1988) when the shapes without their radii are apart, else by their
-		/// Minkowski difference.</summary>
+		/// <summary>Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their
+		/// radii are apart, else by their Minkowski difference. Needs no world; runs in any thread. O(points).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_polygon_distance(cn_polygon* a, cn_pose* pose_a, cn_polygon* b, cn_pose* pose_b, cn_distance* @out);
 
-		/// <summary>b is moved by translation (at most 2e6 m each way) without turning: where it meets a, as cn_ray_hit
-		/// says, without shape, body and child; 1 in *out_hit, or 0.</summary>
+		/// <summary>Moves b by translation (at most 2e6 m each way) without turning: *out_hit is 1 if it hits a, else 0;
+		/// *out as cn_ray_hit, without shape, body and child. Needs no world; runs in any thread. O(points).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_polygon_cast(cn_polygon* a, cn_pose* pose_a, cn_polygon* b, cn_pose* pose_b, float translation_x_m, float translation_y_m, cn_ray_hit* @out, int* out_hit);
 
-		/// <summary>The contact of a step: no points when they are farther apart than margin_m (0 to 1e6). Impulses are 0.
-		/// Not for a single point of radius 0.</summary>
+		/// <summary>Contact of two shapes as in a step, with impulses 0: no points if they are farther apart than margin_m
+		/// (0 to 1e6). A single point of radius 0 gives CN_ERROR_ARGUMENT. Needs no world; runs in any thread.
+		/// O(points).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_polygon_collide(cn_polygon* a, cn_pose* pose_a, cn_polygon* b, cn_pose* pose_b, float margin_m, cn_manifold* @out);
 
-		/// <summary>When two shapes that move and turn first come within distance_m (0 to 1e6) of each other; fraction 0 for
-		/// those that start nearer. Conservative advancement (Mirtich 1996) along fixed axes (Catto, GDC 2013) that
-		/// never passes by a hit.</summary>
+		/// <summary>First time at which two moving and turning shapes come within distance_m (0 to 1e6); fraction 0 if they
+		/// start closer. Conservative advancement (Mirtich, 1996) along fixed axes (Catto, GDC 2013) never misses a
+		/// hit. Needs no world; runs in any thread.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_polygon_time_of_impact(cn_polygon* a, cn_sweep* sweep_a, cn_polygon* b, cn_sweep* sweep_b, float distance_m, cn_impact* @out);
 
-		/// <summary>The planes of all shapes within margin_m (0 to 1e6) of a polygon (as in cn_world_cast_shape) moved by
-		/// position: how they touch it, as in a step, rigid. At most capacity, those of least separation first;
-		/// *out_count is how many there are. Sensors are no surfaces. With CN_QUERY_ONE_WAY a one-way shape is one
-		/// only from its upper side, and only for what is no deeper in it than 0.5% of the length unit and what it
-		/// rose by in the last step. A shape wholly behind another one's plane is left out: it cannot be met while
-		/// that plane holds, so that the seams of tiles do not catch (not done when capacity is too small for all).
-		/// O(shapes near, squared).</summary>
+		/// <summary>Collision planes of all shapes within margin_m (0 to 1e6) of a polygon (as in cn_world_cast_shape) moved
+		/// by position, from the same manifolds as in a step, rigid. Writes at most capacity, those of least
+		/// separation first; *out_count is their number. Sensors have no planes. With CN_QUERY_ONE_WAY a one-way
+		/// shape has a plane only on its upper side, and only for an overlap of at most 0.5% of the length unit
+		/// plus its rise in the last step. Shapes wholly behind the plane of another shape are left out, so that
+		/// seams of tiles do not catch (not if capacity is too small for all). O(shapes nearby, squared).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_mover_collide(cn_world* world, cn_polygon* shape, float position_x_m, float position_y_m, float margin_m, cn_query_filter* filter, cn_plane* @out, int capacity, int* out_count);
 
-		/// <summary>The translation nearest to a wanted one that the planes allow: exactly, for in two dimensions it lies on
-		/// at most two of them. A plane pushes by no more than push_max_m: which ones push their most, Hildreth's
-		/// method (1957) tells. Sets push_m. Between surfaces that leave no room it is that of the least sum of
-		/// squared overlaps (Cimmino 1938), and *out_overlap_m, else 0 up to rounding, says how deep the deepest of
-		/// them remains that did not push its most. count 0 to CN_PLANES_MAX. No world. O(count^2), O(count^3)
-		/// where two planes hold it.</summary>
+		/// <summary>The translation nearest to a wanted one that count (0 to CN_PLANES_MAX) planes permit; exact, as in two
+		/// dimensions at most two planes hold it. A plane pushes by at most push_max_m; Hildreth's method (1957)
+		/// finds the planes at their limit. Sets push_m. If the surfaces leave no room, the result has the least
+		/// sum of squared overlaps (Cimmino, 1938); *out_overlap_m is the deepest remaining overlap of planes below
+		/// their limit, else 0 up to rounding. Needs no world. O(count^2), O(count^3) where two planes hold it.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_mover_solve(cn_plane* planes, int count, float translation_x_m, float translation_y_m, cn_vec2* out_translation_m, float* out_overlap_m);
 
-		/// <summary>The velocity nearest to a given one that leads into none of the planes that pushed in the last
-		/// cn_mover_solve. No world.</summary>
+		/// <summary>The velocity nearest to a given one (m/s) that leads into none of the planes that pushed in the last
+		/// cn_mover_solve. Needs no world. O(count^2).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_mover_clip(cn_plane* planes, int count, float velocity_x_mps, float velocity_y_mps, cn_vec2* out_mps);
 
+		/// <summary>Sets struct_size and the defaults given beside the fields. NULL does nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_mover_def_init(cn_mover_def* def);
 
-		/// <summary>Moves a character by dt_s (0 &lt; dt_s &lt;= 1). Call it after each cn_world_step, or it is a step
-		/// behind what carries it. 1. carried   by what its ground did since the last move: the change of the place
-		/// in ground_body where it stood, conveyors too 2. walking   on the ground: velocity_mps across up, along
-		/// the ground, as fast uphill as downhill; no gravity, so that it does not creep. Where something too steep
-		/// is in the way, a step up: up by step_height_m, forward, down on what can be walked on flying    in the
-		/// air: velocity_mps and gravity (exact for constant gravity). Jumping and walking off take
-		/// ground_velocity_mps along 3. sliding   both by collision planes, cn_mover_solve and casts, up to
+		/// <summary>Moves a character by dt_s (0 &lt; dt_s &lt;= 1). Call it after each cn_world_step, else it lags one step
+		/// behind the ground that carries it. 1. carried   by the motion of its ground since the last move: of the
+		/// point of ground_body under it, and of conveyors 2. walking   on the ground: velocity_mps across up,
+		/// along the ground, at the same speed uphill and downhill; no gravity, so that it does not creep. A step
+		/// up where a too steep surface blocks it: up by step_height_m, forward, down on walkable ground flying
+		/// in the air: velocity_mps and gravity (exact for constant gravity). Jumping and walking off keep
+		/// ground_velocity_mps 3. sliding   both by collision planes, cn_mover_solve and casts, up to
 		/// iterations_max times: no speed passes through a wall 4. pushing   dynamic bodies in the way get a force
 		/// for the next step that brings them to the character's velocity, of at most push_force_N each 5. ground
-		/// what it touches and can stand on, or finds within snap_m below when it walked; velocity_mps loses what
-		/// is blocked Depends on the world, def and mover alone: the same calls give the same bits. The loop of
-		/// planes, solver and cast is that of Box2D 3's sample of a character mover (Catto 2025). Bodies pushed
-		/// wake up; nothing else of the world changes. O(shapes near x iterations_max): some 1 us standing, 3 us
+		/// ground that it touches, or that lies within snap_m below a walking character; velocity_mps loses blocked
+		/// components The result depends on the world, def and mover alone: equal calls give equal bits. The loop
+		/// of planes, solver and cast is that of Box2D 3's sample of a character mover (Catto, 2025). Pushed bodies
+		/// wake; nothing else in the world changes. O(shapes nearby x iterations_max): about 1 us standing, 3 us
 		/// walking, 10 us against a wall.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_mover_move(cn_world* world, cn_mover_def* def, float dt_s, cn_mover* mover);
 
+		/// <summary>Sets struct_size and the defaults given beside the fields. NULL does nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_explosion_def_init(cn_explosion_def* def);
 
-		/// <summary>Pushes dynamic bodies away from the centre, each shape at its point nearest to it, and wakes them.
-		/// Velocities must stay finite (CN_ERROR_ARGUMENT). O(shapes in reach).</summary>
+		/// <summary>Pushes dynamic bodies away from the centre, each shape at its point nearest to the centre, and wakes
+		/// them. CN_ERROR_ARGUMENT if a velocity would overflow. O(shapes in reach * log of that).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_explode(cn_world* world, cn_explosion_def* def);
 
+		/// <summary>Sets struct_size and the defaults given beside the fields, every function to NULL. NULL does nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_debug_draw_init(cn_debug_draw* draw);
 
-		/// <summary>Reads only. O(what is drawn).</summary>
+		/// <summary>Draws the world through the given functions, in the calling thread. Reads only. O(bodies + shapes +
+		/// contacts + joints).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_draw(cn_world* world, cn_debug_draw* draw);
 
-		/// <summary>Dynamic AABB tree. alloc and free NULL: malloc. margin_m &gt;= 0 is added around every box.</summary>
+		/// <summary>Creates a dynamic AABB tree; margin_m &gt;= 0 is added around every box. alloc and free: both NULL for
+		/// malloc, or both set.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_tree_create(float margin_m, IntPtr alloc, IntPtr free, void* allocator_user, cn_tree** out_tree);
 
+		/// <summary>Destroys a tree. NULL does nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_tree_destroy(cn_tree* tree);
 
-		/// <summary>O(log n). *out_item is never 0.</summary>
+		/// <summary>Inserts a finite box with lower_m &lt;= upper_m; *out_item, its handle, is never 0. O(log n).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_tree_insert(cn_tree* tree, cn_aabb* box, ulong user_data, uint* out_item);
 
+		/// <summary>Removes an item. CN_ERROR_HANDLE for a stale one. O(log n).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_tree_remove(cn_tree* tree, uint item);
 
-		/// <summary>Nothing happens while the box stays within its margin. O(log n) else.</summary>
+		/// <summary>Gives an item a new box. Nothing changes while it lies within the item's box with margin; else O(log n).
+		/// CN_ERROR_HANDLE for a stale item.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_tree_move(cn_tree* tree, uint item, cn_aabb* box);
 
+		/// <summary>Reads the item's box with its margin. CN_ERROR_HANDLE for a stale item.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_tree_get_box(cn_tree* tree, uint item, cn_aabb* @out);
 
+		/// <summary>Calls visit for every item whose box with margin overlaps box, until visit returns 0. visit must not
+		/// change the tree. O(log n + items visited).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_tree_query(cn_tree* tree, cn_aabb* box, IntPtr visit, void* user);
 
+		/// <summary>Calls visit for items whose box with margin a ray crosses; visit shortens or stops the ray by its result
+		/// and must not change the tree. O(log n + items visited).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_tree_cast_ray(cn_tree* tree, cn_ray* ray, IntPtr visit, void* user);
 
-		/// <summary>Number of items and height of the tree.</summary>
+		/// <summary>Reads the number of items and the height of the tree.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_tree_get_stats(cn_tree* tree, int* out_count, int* out_height);
 	}

@@ -258,7 +258,7 @@ class Parser:
             if self.accept("="):
                 next_value, is_unsigned = self.integer(self.tokens_until(",", "}"), token.line)
                 unsigned = unsigned or is_unsigned
-            last = self.tokens[self.position].line
+            last = self.tokens[self.position - 1].line
             if not self.accept(",") and self.peek() != "}":
                 self.fail("expected ',' or '}', found %r" % self.peek())
             self.values[name] = next_value
@@ -354,7 +354,9 @@ class Parser:
         last = self.tokens[self.position].line
         self.expect(";")
         found = {"type": kind + " *", "base": kind, "pointers": 1, "const": False}
-        return {"name": token.text, **found, "array": 0, "doc": self.comments.of(first.line, last)}
+        doc = self.comments.of(first.line, last)
+        self.api["callbacks"][-1]["doc"] = doc
+        return {"name": token.text, **found, "array": 0, "doc": doc}
 
     def function(self):
         first = self.take()

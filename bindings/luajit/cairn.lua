@@ -22,18 +22,20 @@ static const int32_t CN_PLANES_MAX = 64;
 static const int32_t CN_WORKERS_MAX = 64;
 static const int32_t CN_MAX_HANDLES = 1048575;
 
+// Result codes.
 enum {
-	CN_OK = 0,
+	CN_OK = 0, // success
 	CN_ERROR_ARGUMENT = -1, // a value is NaN, infinite, out of range, NULL or degenerate
 	CN_ERROR_HANDLE = -2, // a handle is stale, of the wrong kind or 0
 	CN_ERROR_MEMORY = -3, // the allocator or the fixed block has no room
 	CN_ERROR_LOCKED = -4, // called from inside a callback
 	CN_ERROR_CAPACITY = -5, // more than CN_MAX_HANDLES things, or an output array too small
-	CN_ERROR_STATE = -6, // the object is in a state in which this makes no sense
+	CN_ERROR_STATE = -6, // the object is in a state that does not permit the call
 	CN_ERROR_INTERNAL = -7, // cn_world_validate found a broken invariant: a bug in Cairn
-	CN_ERROR_FORMAT = -8,
+	CN_ERROR_FORMAT = -8, // the bytes are no saved world, or are damaged
 };
 
+// Structs, for cn_sizeof.
 enum {
 	CN_TYPE_VEC2 = 0,
 	CN_TYPE_POSE = 1,
@@ -92,74 +94,81 @@ enum {
 	CN_TYPE_COUNT = 54,
 };
 
+// Flags of a world.
 enum {
 	CN_WORLD_SLEEP = 1, // islands at rest fall asleep (default on)
 	CN_WORLD_WARM_START = 2, // start solving from the last step's impulses (default on)
 	CN_WORLD_PROFILE = 4, // measure cn_profile (default off: reading a clock costs time)
-	CN_WORLD_CONTINUOUS = 8,
+	CN_WORLD_CONTINUOUS = 8, // fast bodies stop at surfaces instead of passing through (default on)
 };
 
+// Solvers: see examples/docs/solvers.md.
 enum {
-	CN_SOLVER_AUTO = 0, // soft constraints with substeps; directly solved where that is worth its cost
-	CN_SOLVER_SOFT = 1, // soft contact and joint constraints with substeps alone (Catto, Solver2D, 2024)
-	CN_SOLVER_DIRECT = 2, // directly solved wherever it can be, whatever it costs: all joints, all piles without joints
-	CN_SOLVER_SEQUENTIAL = 3,
+	CN_SOLVER_AUTO = 0, // soft constraints with substeps, and direct solving of joints, leaning piles and heavily loaded piles
+	CN_SOLVER_SOFT = 1, // soft contact and joint constraints with substeps only (Catto, Solver2D, 2024)
+	CN_SOLVER_DIRECT = 2, // direct solving of all joints, and of all piles without joints, at any cost
+	CN_SOLVER_SEQUENTIAL = 3, // the paper's twelve steps, once a step: a baseline (limits: examples/docs/limits.md)
 };
 
+// Broadphases.
 enum {
 	CN_BROADPHASE_SWEEP = 0, // tiled sweep-and-prune
-	CN_BROADPHASE_TREE = 1,
+	CN_BROADPHASE_TREE = 1, // dynamic AABB tree: for worlds of very mixed sizes with many region queries
 };
 
+// Warnings of a step that lacked memory.
 enum {
 	CN_WARNING_CONTACT_MEMORY = 1, // new contacts were not added: pairs_not_added
 	CN_WARNING_FRAME_MEMORY = 2, // the step worked around missing scratch memory
-	CN_WARNING_EVENT_MEMORY = 4,
+	CN_WARNING_EVENT_MEMORY = 4, // events_not_reported
 };
 
-// How an island is solved. Joints of either may be solved together with their neighbours.
+// How an island is solved. In each tier joints may be solved together with their neighbours.
 enum {
 	CN_TIER_SOFT = 0, // contacts by soft constraints
 	CN_TIER_DIRECT = 1, // contacts and joints in one system, exactly
-	CN_TIER_FREE = 2,
+	CN_TIER_FREE = 2, // no contacts and no joints: nothing to solve
 };
 
-// Why.
+// Why an island has its tier. "A problem" is one of CN_TIER_REASON_NEW_CONTACT, _OVERLAP and _STRESSED.
 enum {
-	CN_TIER_REASON_NONE = 0, // nothing is wrong
-	CN_TIER_REASON_SETTLING = 1, // direct: nothing is wrong any more, but not yet for long enough
-	CN_TIER_REASON_NEW_CONTACT = 2, // direct: a contact began to bear where much is borne or things lean
-	CN_TIER_REASON_OVERLAP = 3, // direct: an overlap that the accuracy does not allow
-	CN_TIER_REASON_JOINT = 4, // no longer given
-	CN_TIER_REASON_STRESSED = 5, // direct: something bears so many times its weight that soft contacts would give way
+	CN_TIER_REASON_NONE = 0, // no problem
+	CN_TIER_REASON_SETTLING = 1, // direct: the problem has ended, but not for long enough
+	CN_TIER_REASON_NEW_CONTACT = 2, // direct: a contact began to carry load in a leaning or heavily loaded island
+	CN_TIER_REASON_OVERLAP = 3, // direct: an overlap exceeds the accuracy
+	CN_TIER_REASON_JOINT = 4, // no longer used
+	CN_TIER_REASON_STRESSED = 5, // direct: a body carries so many times its weight that soft contacts would yield
 	CN_TIER_REASON_SOLVER = 6, // the world's solver is not CN_SOLVER_AUTO
 	CN_TIER_REASON_OVERRIDE = 7, // a body's own solver: cn_body_set_solver
 	CN_TIER_REASON_ALONE = 8, // soft: a single body
-	CN_TIER_REASON_MOVING = 9, // soft: something is wrong, but it moves too fast
-	CN_TIER_REASON_CROWDED = 10, // soft: something is wrong, but it or the sum of such islands is too large
-	CN_TIER_REASON_WORK = 11, // soft for a time: its system is beyond the limit of work or the work_budget
+	CN_TIER_REASON_MOVING = 9, // soft: a problem, but the island moves too fast
+	CN_TIER_REASON_CROWDED = 10, // soft: a problem, but the island or the sum of such islands is too large
+	CN_TIER_REASON_WORK = 11, // soft for a time: the system exceeds the work limit or the work_budget
 	CN_TIER_REASON_KIND = 12, // soft for a time: restitution, a conveyor, rolling resistance or a locked axis
 	CN_TIER_REASON_NO_SET = 13, // soft for a time: no solution was found for its contacts; it stays awake while it moves at all
 	CN_TIER_REASON_MEMORY = 14, // soft: no scratch memory (CN_WARNING_FRAME_MEMORY)
-	CN_TIER_REASON_JOINTED = 15,
+	CN_TIER_REASON_JOINTED = 15, // soft contacts: a problem, but the island has joints (which are solved directly)
 };
 
+// Types of bodies.
 enum {
 	CN_BODY_STATIC = 0, // never moves, infinite mass
 	CN_BODY_KINEMATIC = 1, // moves by its velocity alone, infinite mass
-	CN_BODY_DYNAMIC = 2,
+	CN_BODY_DYNAMIC = 2, // moves by forces, contacts and joints
 };
 
+// Flags of a body.
 enum {
 	CN_BODY_LOCK_X = 1, // the centre of mass keeps its world x
-	CN_BODY_LOCK_Y = 2,
-	CN_BODY_LOCK_ROTATION = 4,
-	CN_BODY_BULLET = 8, // continuous collision against dynamic bodies too (stored)
+	CN_BODY_LOCK_Y = 2, // ... its world y
+	CN_BODY_LOCK_ROTATION = 4, // the body keeps its angle
+	CN_BODY_BULLET = 8, // continuous collision against dynamic bodies too
 	CN_BODY_ENABLED = 16, // takes part in the simulation (default on)
 	CN_BODY_SLEEP = 32, // may fall asleep (default on)
-	CN_BODY_AWAKE = 64,
+	CN_BODY_AWAKE = 64, // starts awake (default on)
 };
 
+// Types of shapes.
 enum {
 	CN_SHAPE_CIRCLE = 0,
 	CN_SHAPE_CAPSULE = 1,
@@ -168,32 +177,35 @@ enum {
 	CN_SHAPE_CHAIN = 4,
 };
 
-// How two materials' numbers become a pair's. When the two ask for different rules, the later one of this
-// list is taken.
+// How the values of two materials are mixed. If the materials have different rules, the later one of this
+// list applies.
 enum {
-	CN_MIX_AVERAGE = 0,
+	CN_MIX_AVERAGE = 0, // half the sum
 	CN_MIX_GEOMETRIC = 1, // square root of the product; default for friction
-	CN_MIX_MINIMUM = 2,
-	CN_MIX_MULTIPLY = 3,
-	CN_MIX_MAXIMUM = 4,
+	CN_MIX_MINIMUM = 2, // the smaller one
+	CN_MIX_MULTIPLY = 3, // the product
+	CN_MIX_MAXIMUM = 4, // the greater one; default for restitution
 };
 
+// Flags of a shape.
 enum {
-	CN_SHAPE_SENSOR = 1, // reports who enters and leaves and touches nothing; see cn_world_sensor_events
+	CN_SHAPE_SENSOR = 1, // detects shapes that enter and leave, collides with nothing: cn_world_sensor_events
 	CN_SHAPE_SENSOR_SEEN = 2, // queries see this sensor (default: they do not)
-	CN_SHAPE_ONE_WAY = 4, // collides only with what comes from the side its local +y axis points to
-	CN_SHAPE_PRE_SOLVE = 8,
+	CN_SHAPE_ONE_WAY = 4, // collides only with shapes that come from the side of its local +y axis
+	CN_SHAPE_PRE_SOLVE = 8, // the pre-solve callback is called for its contacts
 };
 
+// Kinds of contact events.
 enum {
 	CN_EVENT_CREATED = 0, // the fat boxes of two shapes began to overlap
 	CN_EVENT_ENTER = 1, // they began to touch
 	CN_EVENT_STAY = 2, // they still touch
-	CN_EVENT_LEAVE = 3, // they stopped touching, or one went away
-	CN_EVENT_DESTROYED = 4, // the fat boxes no longer overlap, or one went away
-	CN_EVENT_KINDS = 5,
+	CN_EVENT_LEAVE = 3, // they stopped touching, or one is gone
+	CN_EVENT_DESTROYED = 4, // the fat boxes no longer overlap, or one is gone
+	CN_EVENT_KINDS = 5, // number of kinds
 };
 
+// Types of joints: see their definitions.
 enum {
 	CN_JOINT_REVOLUTE = 0,
 	CN_JOINT_DISTANCE = 1,
@@ -210,60 +222,69 @@ enum {
 	CN_JOINT_FILTER = 12,
 };
 
+// Flags of a joint.
 enum {
 	CN_JOINT_COLLIDE = 1, // the connected bodies' shapes collide with each other (default off)
-	CN_JOINT_LIMIT = 2,
-	CN_JOINT_MOTOR = 4,
-	CN_JOINT_SPRING = 8,
-	CN_JOINT_BREAKS = 16,
+	CN_JOINT_LIMIT = 2, // the limits hold
+	CN_JOINT_MOTOR = 4, // the motor runs
+	CN_JOINT_SPRING = 8, // the spring pulls
+	CN_JOINT_BREAKS = 16, // destroyed beyond its break force or torque, not only reported
 };
 
+// Types of constraints.
 enum {
-	CN_CONSTRAINT_ANGLE = 0,
-	CN_CONSTRAINT_LINE = 1,
+	CN_CONSTRAINT_ANGLE = 0, // cn_angle_constraint_def
+	CN_CONSTRAINT_LINE = 1, // cn_line_constraint_def
 };
 
+// Flags of a constraint.
 enum {
 	CN_CONSTRAINT_LIMIT = 1, // line: the limits along the axis hold
-	CN_CONSTRAINT_BREAKS = 2,
+	CN_CONSTRAINT_BREAKS = 2, // destroyed beyond its break force or torque, not only reported
 };
 
+// Results of a cn_query_fn.
 enum {
-	CN_QUERY_SKIP = 0, // the shape is not there
-	CN_QUERY_TAKE = 1,
-	CN_QUERY_STOP = 2,
+	CN_QUERY_SKIP = 0, // ignore the shape
+	CN_QUERY_TAKE = 1, // take it
+	CN_QUERY_STOP = 2, // take it, and nothing after it in the order of results
 };
 
+// Flags of a query.
 enum {
-	CN_QUERY_IGNORE_JOINED = 1, // bodies that a joint connects to ignored_body are not seen either
+	CN_QUERY_IGNORE_JOINED = 1, // also ignore bodies that a joint connects to ignored_body
 	CN_QUERY_ONE_WAY = 2, // casts meet one-way shapes from their upper side (45 degrees) only, and not those that they start in by more than 0.5% of the length unit; all other queries do not see one-way shapes. Default: they are like others
-	CN_QUERY_LEAVING = 4,
+	CN_QUERY_LEAVING = 4, // casts do not hit shapes that they start in, at any depth, unless they lead farther in
 };
 
+// States of a time of impact.
 enum {
-	CN_IMPACT_NONE = 0, // they never come so near; fraction is 1
-	CN_IMPACT_HIT = 1,
+	CN_IMPACT_NONE = 0, // the shapes never come that close; fraction is 1
+	CN_IMPACT_HIT = 1, // they do, at fraction
 	CN_IMPACT_OVERLAP = 2, // the shapes without their radii overlap at the start: fraction 0, no normal
-	CN_IMPACT_FAILED = 3,
+	CN_IMPACT_FAILED = 3, // no hit before fraction, perhaps one after it: the search ended early
 };
 
+// Flags of a mover's definition.
 enum {
-	CN_MOVER_DROP = 1,
+	CN_MOVER_DROP = 1, // ignore one-way shapes: set it while the character drops through one
 };
 
+// State flags of a mover.
 enum {
-	CN_MOVER_ON_GROUND = 1,
-	CN_MOVER_ON_WALL = 2, // touches what is too steep to walk on
-	CN_MOVER_ON_CEILING = 4,
+	CN_MOVER_ON_GROUND = 1, // stands on walkable ground
+	CN_MOVER_ON_WALL = 2, // touches a surface too steep to walk on
+	CN_MOVER_ON_CEILING = 4, // touches a surface above it
 };
 
+// What cn_world_draw draws.
 enum {
-	CN_DRAW_SHAPES = 1,
+	CN_DRAW_SHAPES = 1, // coloured by type and sleep
 	CN_DRAW_JOINTS = 2, // and constraints: anchors, axes, limits
-	CN_DRAW_CONTACTS = 4,
-	CN_DRAW_AABBS = 8,
-	CN_DRAW_CENTERS = 16,
-	CN_DRAW_ISLANDS = 32,
+	CN_DRAW_CONTACTS = 4, // points and normals
+	CN_DRAW_AABBS = 8, // without margin
+	CN_DRAW_CENTERS = 16, // of mass, with the bodies' names
+	CN_DRAW_ISLANDS = 32, // colours by island
 };
 
 typedef int32_t cn_result;
@@ -274,59 +295,64 @@ typedef uint32_t cn_constraint;
 typedef struct cn_world cn_world;
 typedef struct cn_tree cn_tree;
 
+// A point, vector or pair of numbers.
 typedef struct cn_vec2 {
 	float x;
 	float y;
 } cn_vec2;
 
-// Position of a body's origin and its rotation as (cosine, sine). 16 bytes: an array of these can be uploaded
-// to a GPU as it is.
+// Position of a body's origin and its rotation as (cosine, sine). 16 bytes: an array of poses can be uploaded
+// to a GPU directly.
 typedef struct cn_pose {
 	cn_vec2 position_m;
 	float cosine;
 	float sine;
 } cn_pose;
 
+// Velocity of a body.
 typedef struct cn_velocity {
 	cn_vec2 linear_mps; // of the centre of mass
-	float angular_radps;
+	float angular_radps; // counter-clockwise is positive
 } cn_velocity;
 
+// Axis-aligned bounding box, lower_m <= upper_m.
 typedef struct cn_aabb {
 	cn_vec2 lower_m;
 	cn_vec2 upper_m;
 } cn_aabb;
 
+// Mass, inertia and centre of mass.
 typedef struct cn_mass_data {
 	float mass_kg;
 	float inertia_kgm2; // about the centre of mass
 	cn_vec2 center_m; // in the body's local frame
 } cn_mass_data;
 
-// Memory hooks. Return NULL when there is none; align is a power of two, at most 64. Called only from inside
-// functions that take a non-const world.
+// Memory hook: allocates bytes aligned to align, a power of two of at most 64; returns NULL when there is no
+// memory. Called only from inside functions that take a non-const world.
 typedef void *cn_alloc_fn(uint64_t bytes, uint32_t align, void *user);
 
+// Memory hook: frees memory of cn_alloc_fn; bytes is the size it was allocated with.
 typedef void cn_free_fn(void *memory, uint64_t bytes, void *user);
 
-// A user's own task system, for worlds with worker_count of 2 or more; without one they start threads of
-// their own. Within cn_world_step a world that has enough to do asks for help with enqueue, works itself, and
-// then calls finish; some 3 to 10 times a step. It does not matter where tasks run, in which order, or
-// whether side by side. cn_task_fn     the library's: call it for ranges [begin, end) that cover 0 to
-// item_count - 1, each item once, on any threads. A call may last as long as the step, and may wait for
-// others that have already begun, never for one that has not. Its thread must have the floating-point mode of
-// the one that steps. cn_enqueue_fn  the user's: makes a task of item_count items (one less than
-// worker_count) in ranges of at least min_range, and returns what finish knows it by. It may also run all of
-// it at once, and must do so if it cannot keep it; NULL then says that there is nothing to finish.
-// cn_finish_fn   the user's: returns when every item of the task has run. Called once for each enqueue that
-// did not return NULL, in the thread that enqueued. It may run items itself. enqueue and finish are called in
-// the thread that steps, while no callback runs, and must not call the library.
+// The library's part of a user's task system (cn_world_def.enqueue and finish, for worlds with worker_count
+// of 2 or more; without them the world starts its own threads). Call it for ranges [begin, end) that together
+// cover 0 to item_count - 1, each item once, on any threads, in any order. A call may last as long as the
+// step and may wait for calls that have begun, never for one that has not. Its thread must have the
+// floating-point mode of the stepping thread.
 typedef void cn_task_fn(int32_t begin, int32_t end, void *context);
 
+// Starts a task of item_count items (worker_count - 1) in ranges of at least min_range and returns a handle
+// for finish. It may run the whole task at once, and must do so if it cannot store the task; it then returns
+// NULL, and finish is not called. A step with enough work enqueues 3 to 10 tasks; enqueue and finish run in
+// the stepping thread, never during a callback, and must not call the library.
 typedef void *cn_enqueue_fn(cn_task_fn *task, void *context, int32_t item_count, int32_t min_range, void *user);
 
+// Returns when every item of the task has run; it may run items itself. Called once for each enqueue that did
+// not return NULL, in the thread that enqueued.
 typedef void cn_finish_fn(void *task, void *user);
 
+// Definition of a world.
 typedef struct cn_world_def {
 	uint32_t struct_size;
 	uint32_t flags; // CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS
@@ -335,103 +361,106 @@ typedef struct cn_world_def {
 	int32_t solver; // CN_SOLVER_*; default CN_SOLVER_AUTO
 	int32_t broadphase; // CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP
 	int32_t substep_count; // 1 to 64; default 4
-	float accuracy_m; // CN_SOLVER_AUTO works towards errors below this, >= 0; default 0.005 x length unit
-	int32_t work_budget; // ... but spends no more than this on direct solving in a step, in blocks (joints, contacts and the fill between them) factored, substeps included: some 10 ns each; 0 to 1e9; default 0: no bound but those of single islands
+	float accuracy_m; // CN_SOLVER_AUTO aims at errors below this, >= 0; default 0.005 x length unit
+	int32_t work_budget; // limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
 	float restitution_threshold_mps; // slower impacts do not bounce, >= 0; default 1 x length unit
-	float push_speed_max_mps; // fastest speed at which overlap is pushed apart, > 0; default 3 x length unit
-	float linear_speed_max_mps; // > 0; default 400 x length unit
-	float angular_speed_max_radps; // > 0; default 400
+	float push_speed_max_mps; // greatest speed at which overlaps are pushed apart, > 0; default 3 x length unit
+	float linear_speed_max_mps; // faster bodies are slowed to it, > 0; default 400 x length unit
+	float angular_speed_max_radps; // faster bodies are slowed to it, > 0; default 400
 	float sleep_speed_mps; // bodies slower than this may sleep, >= 0; default 0.05 x length unit
-	float sleep_delay_s; // ... after this long, >= 0; default 0.5
+	float sleep_delay_s; // ... after this time, >= 0; default 0.5
 	int32_t body_capacity; // hints for a growing world, exact for a fixed one; >= 0; default 0
 	int32_t shape_capacity; // counts every edge of a chain
-	int32_t contact_capacity;
+	int32_t contact_capacity; // pairs whose fat AABBs overlap
 	int32_t joint_capacity; // counts constraints too
 	uint64_t user_data;
 	uint64_t memory_bytes; // size of memory; 0: use alloc and free
-	void *memory; // NULL, or one block aligned to 64 bytes that the world lives in, whole
+	void *memory; // NULL, or one block aligned to 64 bytes that holds the whole world
 	cn_alloc_fn *alloc; // NULL: malloc; set both or none
-	cn_free_fn *free;
-	void *allocator_user;
-	cn_enqueue_fn *enqueue; // NULL: threads of the world's own; set both or none
-	cn_finish_fn *finish;
-	void *task_user;
-	int32_t worker_count; // how many may work on a step at once, the calling thread one of them; 0 to CN_WORKERS_MAX; default 0: as 1, which starts no threads and enqueues no tasks
+	cn_free_fn *free; // NULL: free
+	void *allocator_user; // last argument of alloc and free
+	cn_enqueue_fn *enqueue; // NULL: the world's own threads; set both or none
+	cn_finish_fn *finish; // see cn_finish_fn
+	void *task_user; // last argument of enqueue and finish
+	int32_t worker_count; // threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no threads, no tasks
 	uint32_t reserved;
 } cn_world_def;
 
+// Counts of objects, and problems of the last step.
 typedef struct cn_counters {
-	int32_t bodies;
+	int32_t bodies; // alive
 	int32_t bodies_awake; // dynamic and kinematic bodies that are simulated
-	int32_t shapes;
-	int32_t proxies; // boxes in the broadphase: one a shape, one an edge of a chain
+	int32_t shapes; // alive
+	int32_t proxies; // boxes in the broadphase: one per shape, one per edge of a chain
 	int32_t contacts; // pairs whose fat boxes overlap
-	int32_t contacts_awake;
-	int32_t contacts_touching; // pairs that share a manifold, asleep or awake
+	int32_t contacts_awake; // with an awake body
+	int32_t contacts_touching; // pairs with a manifold, asleep or awake
 	int32_t joints; // and constraints
-	int32_t joints_awake;
-	int32_t islands; // awake and asleep, of two or more bodies or one
-	int32_t islands_awake;
-	int32_t colors_used; // groups of contacts that are solved without sharing a body
-	int32_t overflow_contacts; // contacts that fit no colour and are solved one by one
-	int32_t broadphase_tiles;
+	int32_t joints_awake; // and constraints, with an awake body
+	int32_t islands; // awake and asleep; a single dynamic body counts
+	int32_t islands_awake; // of them
+	int32_t colors_used; // groups of contacts that share no dynamic body
+	int32_t overflow_contacts; // contacts that fit no colour: solved one by one
+	int32_t broadphase_tiles; // cells of the broadphase
 	uint32_t steps; // steps taken since creation, modulo 2^32
-	uint32_t warnings; // What the last step could not do for want of memory; 0 when all is well. It tries again. CN_WARNING_*
-	int32_t pairs_not_added;
-	int32_t events_not_reported;
-	int32_t islands_direct; // of several bodies, solved directly in the last step, contacts and all
-	int32_t direct_work; // planned for all that is solved directly in it, in the units of work_budget; at most 2^31 - 1
-	int32_t islands_unsolved; // of several bodies, left to soft constraints for a time because no solution was found: CN_TIER_REASON_NO_SET
+	uint32_t warnings; // Work that the last step skipped for lack of memory, 0 for none. The next step tries again. CN_WARNING_*
+	int32_t pairs_not_added; // new pairs without a contact
+	int32_t events_not_reported; // events without a place in a log
+	int32_t islands_direct; // of several bodies, solved directly in the last step, contacts included
+	int32_t direct_work; // planned direct solving of the last step, in the units of work_budget; at most 2^31 - 1
+	int32_t islands_unsolved; // of several bodies, soft for a time as no solution was found: CN_TIER_REASON_NO_SET
 } cn_counters;
 
+// Report on one island.
 typedef struct cn_island_report {
-	cn_body body; // one of it: of least slot
-	int32_t bodies;
+	cn_body body; // its body of least slot
+	int32_t bodies; // dynamic
 	int32_t contacts; // touching
 	int32_t joints; // and constraints
 	int32_t tier; // CN_TIER_*, after the last step
 	int32_t reason; // CN_TIER_REASON_*
-	int32_t substeps; // of the world, 1 while it rests, as after the last step that took time; joints that swing freely may take more
-	float residual_m; // where bodies are now: largest overlap, or gap of a rigid joint (angles times its bodies' extent); joints that may give way (stiffness_hertz, force_max_N, torque_max_Nm) do not count
+	int32_t substeps; // of the last step with dt > 0: the world's, or 1 at rest; freely swinging joints may take more
+	float residual_m; // at the present poses: largest overlap, or gap of a rigid joint (angles times its bodies' extent); joints that may yield (stiffness_hertz, force_max_N, torque_max_Nm) do not count
 } cn_island_report;
 
 // Seconds of the last step by stage, all 0 unless CN_WORLD_PROFILE is set.
 typedef struct cn_profile {
-	float step_s;
-	float wake_s;
-	float broadphase_s;
-	float narrowphase_s;
-	float islands_s;
-	float prepare_s;
-	float substeps_s;
-	float finalize_s;
-	float events_s;
-	float sleep_s;
+	float step_s; // the whole step
+	float wake_s; // waking
+	float broadphase_s; // pairs
+	float narrowphase_s; // manifolds
+	float islands_s; // islands
+	float prepare_s; // constraints, plans
+	float substeps_s; // all substeps
+	float finalize_s; // poses and boxes
+	float events_s; // callbacks
+	float sleep_s; // falling asleep
 } cn_profile;
 
-// Memory, in bytes. The frame arena is the stack allocator whose entries live within one step; the block
+// Memory, in bytes. The frame arena is a stack allocator whose entries live within one step; the block
 // allocator serves small variable-size pieces from free lists of size classes.
 typedef struct cn_memory_stats {
 	uint64_t bytes_in_use; // taken from the user's allocator or carved from the fixed block
-	uint64_t bytes_peak;
+	uint64_t bytes_peak; // most bytes_in_use since creation
 	uint64_t allocator_calls; // calls of the user's alloc (or of the fixed block's) since creation
-	uint64_t arena_capacity;
+	uint64_t arena_capacity; // of the frame arena
 	uint64_t arena_peak; // most bytes in use at once since creation
-	uint64_t arena_fallbacks; // entries that did not fit and came from the allocator, since creation
+	uint64_t arena_fallbacks; // entries that did not fit: the allocator served them; since creation
 	uint64_t blocks_capacity; // bytes in chunks
-	uint64_t blocks_in_use;
+	uint64_t blocks_in_use; // bytes handed out of them
 	uint64_t blocks_large; // blocks above the largest class, served by the allocator
 } cn_memory_stats;
 
+// Definition of a body.
 typedef struct cn_body_def {
 	uint32_t struct_size;
 	int32_t type; // CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic
 	cn_vec2 position_m; // of the origin; |x|, |y| <= 1e6 x length unit
 	float angle_rad; // |angle| <= 1e4
-	cn_vec2 linear_velocity_mps; // of the centre of mass; both velocities count only with CN_BODY_AWAKE: what sleeps does not move
-	float angular_velocity_radps;
+	cn_vec2 linear_velocity_mps; // of the centre of mass; both velocities are ignored without CN_BODY_AWAKE
+	float angular_velocity_radps; // default 0
 	float linear_damping_per_s; // v' = -damping v; >= 0, default 0
-	float angular_damping_per_s;
+	float angular_damping_per_s; // >= 0, default 0
 	float gravity_scale; // default 1
 	float sleep_speed_mps; // >= 0; default 0: the world's
 	uint32_t flags; // CN_BODY_*; default ENABLED | SLEEP | AWAKE
@@ -440,15 +469,16 @@ typedef struct cn_body_def {
 	const char *name; // NULL, or at most CN_NAME_MAX_BYTES bytes of text, copied
 } cn_body_def;
 
+// A body that moved or fell asleep in the last step.
 typedef struct cn_body_moved {
-	cn_pose pose;
-	uint64_t user_data;
-	cn_body body;
+	cn_pose pose; // after the step
+	uint64_t user_data; // the body's
+	cn_body body; // that moved
 	uint32_t fell_asleep; // 1 in the step in which it fell asleep
 } cn_body_moved;
 
-// Two shapes collide when group is equal and not 0: positive yes, negative no; otherwise when each one's
-// category has a bit in the other's mask.
+// Two shapes of one group other than 0 collide if it is positive and do not if it is negative. Others collide
+// if the category of each has a bit in the mask of the other.
 typedef struct cn_filter {
 	uint64_t category; // default 1
 	uint64_t mask; // default all ones
@@ -456,30 +486,33 @@ typedef struct cn_filter {
 	uint32_t reserved;
 } cn_filter;
 
+// Surface of a shape.
 typedef struct cn_material {
 	float static_friction; // coefficient while sticking, [0, 100], default 0.6
 	float dynamic_friction; // coefficient while sliding, [0, static_friction], default 0.6
 	float restitution; // [0, 1], default 0
 	float rolling_resistance; // metres, [0, 1e3]: lever arm that resists rolling; the pair takes the greater; default 0
-	float tangent_speed_mps; // conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; default 0
-	int32_t friction_mix; // CN_MIX_*
-	int32_t restitution_mix; // CN_MIX_*
+	float tangent_speed_mps; // conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; [-1e4, 1e4], default 0
+	int32_t friction_mix; // CN_MIX_*; default CN_MIX_GEOMETRIC
+	int32_t restitution_mix; // CN_MIX_*; default CN_MIX_MAXIMUM
 	uint32_t reserved;
 } cn_material;
 
+// Definition of a shape.
 typedef struct cn_shape_def {
 	uint32_t struct_size;
 	cn_body body; // 0: create unattached, for cn_shape_attach
 	cn_vec2 offset_m; // of the shape in the body's local frame
-	float angle_rad;
+	float angle_rad; // of the shape in the body's local frame
 	float density_kgpm2; // >= 0, giving 0 or 1e-20 to 1e20 kg; default 1
-	cn_material material;
-	cn_filter filter;
-	uint32_t event_mask; // bit 1 << CN_EVENT_*; a pair reports what either shape asks for; default ENTER and LEAVE
+	cn_material material; // defaults: see cn_material
+	cn_filter filter; // defaults: see cn_filter
+	uint32_t event_mask; // bits 1 << CN_EVENT_*; a pair reports the events of either shape; default ENTER and LEAVE
 	uint32_t flags; // CN_SHAPE_SENSOR ...; default 0
 	uint64_t user_data;
 } cn_shape_def;
 
+// A disc.
 typedef struct cn_circle {
 	cn_vec2 center_m;
 	float radius_m;
@@ -498,22 +531,23 @@ typedef struct cn_edge {
 	cn_vec2 b_m;
 } cn_edge;
 
-// Convex; counter-clockwise or clockwise in, always stored counter-clockwise.
+// Convex polygon. Either winding is accepted; points are stored counter-clockwise.
 typedef struct cn_polygon {
 	int32_t count; // 3 to CN_POLYGON_MAX_VERTICES
-	float radius_m; // rounding added outside of the points, >= 0
+	float radius_m; // rounding added outside the points, >= 0
 	cn_vec2 points_m[16];
 } cn_polygon;
 
-// One-sided, massless ground without catches at its inner vertices. The solid side is on the left of the
-// direction of travel: surface normals point to the right of it, so ground whose points run from +x to -x
-// collides from above and a counter-clockwise loop collides from outside.
+// One-sided ground without mass; bodies slide over its inner vertices without catching. The solid side is on
+// the left of the order of points and surface normals point to the right: points that run from +x to -x
+// collide from above, a counter-clockwise loop collides from outside.
 typedef struct cn_chain {
 	const cn_vec2 *points_m; // copied
 	int32_t count; // an open chain: >= 2; a loop: >= 3; at most 65535
 	uint32_t loop; // 1: the last point joins the first
 } cn_chain;
 
+// One point of a contact.
 typedef struct cn_manifold_point {
 	cn_vec2 point_m; // world, midway between the surfaces
 	float separation_m; // negative when overlapping
@@ -521,24 +555,26 @@ typedef struct cn_manifold_point {
 	uint32_t feature_id; // the same while the same features touch
 } cn_manifold_point;
 
+// How two shapes touch.
 typedef struct cn_manifold {
 	cn_vec2 normal; // unit, from shape a to shape b
 	float friction_impulse_Ns; // of the last substep, on body b along (normal.y, -normal.x)
 	int32_t point_count; // 0, 1 or 2
-	cn_manifold_point points[2];
+	cn_manifold_point points[2]; // the first point_count of them
 } cn_manifold;
 
+// A contact event, or the present state of a contact.
 typedef struct cn_contact_event {
 	cn_shape shape_a;
 	cn_shape shape_b;
 	cn_body body_a;
 	cn_body body_b;
 	int32_t child_a; // edge number within a chain, else 0
-	int32_t child_b;
+	int32_t child_b; // the same of shape b
 	uint32_t contact_id; // the same from CREATED to DESTROYED, then reused
 	int32_t kind; // CN_EVENT_*
 	float approach_speed_mps; // ENTER: closing speed along the normal before the impact; else 0
-	cn_manifold manifold; // geometry as the step found it, impulses as it left them; points only for ENTER and STAY
+	cn_manifold manifold; // geometry at the step's beginning, impulses at its end; points only for ENTER and STAY
 } cn_contact_event;
 
 // A shape entered or left a sensor.
@@ -551,21 +587,21 @@ typedef struct cn_sensor_event {
 	uint32_t reserved;
 } cn_sensor_event;
 
-// First field of every joint definition. A joint's rigid parts are what holds anchors, axes, angles, lengths
-// and limits in place; springs and motors are not.
+// First field of every joint definition. The rigid parts of a joint hold anchors, axes, angles, lengths and
+// limits in place; springs and motors are not rigid parts.
 typedef struct cn_joint_base {
 	uint32_t struct_size; // of the whole definition
-	uint32_t flags; // CN_JOINT_*; default 0; a type ignores those it has no use for
+	uint32_t flags; // CN_JOINT_*; default 0; a type ignores flags that it does not use
 	cn_body body_a; // 0: the world
 	cn_body body_b; // 0: the world; one of the two must be dynamic
 	cn_vec2 anchor_a_m; // in body a's local frame, or in world coordinates
-	cn_vec2 anchor_b_m;
-	float stiffness_hertz; // of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps allow
+	cn_vec2 anchor_b_m; // the same for body b
+	float stiffness_hertz; // of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit
 	float stiffness_damping_ratio; // used when stiffness_hertz > 0; 0 to 1e6
-	float force_max_N; // anchors and axes never pull harder, nor does a limit; 0 (default): no bound
-	float torque_max_Nm; // the same for angles
+	float force_max_N; // greatest force of anchors, axes and limits, >= 0; 0 (default): unbounded
+	float torque_max_Nm; // greatest torque of angles, >= 0; 0 (default): unbounded
 	float break_force_N; // a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never
-	float break_torque_Nm;
+	float break_torque_Nm; // the same for the torque
 	uint64_t user_data;
 } cn_joint_base;
 
@@ -582,9 +618,9 @@ typedef struct cn_revolute_def {
 	float spring_damping_ratio; // 0 to 1e6
 } cn_revolute_def;
 
-// Two points keep a distance. Without CN_JOINT_SPRING and without CN_JOINT_LIMIT it is a rigid rod of
-// length_m. With a spring, length_m is its rest length and the distance stays within [min, max] when limits
-// are on; limits alone make a rope (min 0).
+// Two points keep a distance. Without CN_JOINT_SPRING and CN_JOINT_LIMIT the joint is a rigid rod of
+// length_m. With a spring, length_m is its rest length, and limits keep the distance within [min, max];
+// limits alone make a rope (min 0).
 typedef struct cn_distance_def {
 	cn_joint_base base;
 	float length_m; // > 0; default 1
@@ -597,11 +633,11 @@ typedef struct cn_distance_def {
 	float reserved;
 } cn_distance_def;
 
-// Welded: no relative motion. base.stiffness_hertz makes it springy.
+// Two welded bodies: no relative motion. base.stiffness_hertz makes the weld springy.
 typedef struct cn_fixed_def {
 	cn_joint_base base;
 	float reference_angle_rad; // angle b - angle a
-	float angular_hertz; // stiffness of the angle alone, 0 to 1e6; 0: as the base's
+	float angular_hertz; // stiffness of the angle alone, 0 to 1e6; 0: the base's
 	float angular_damping_ratio; // 0 to 1e6
 	float reserved;
 } cn_fixed_def;
@@ -620,8 +656,8 @@ typedef struct cn_prismatic_def {
 	float spring_damping_ratio; // 0 to 1e6
 } cn_prismatic_def;
 
-// A wheel b on suspension: slides along an axis fixed in a (springy, with limits), turns freely; the motor
-// turns it.
+// A wheel b on a suspension: b slides along an axis fixed in a, with spring and limits, and turns freely or
+// by the motor.
 typedef struct cn_wheel_def {
 	cn_joint_base base;
 	cn_vec2 axis; // in body a's frame, any length > 0 (read back with length 1); default (0, 1)
@@ -639,7 +675,7 @@ typedef struct cn_motor_def {
 	cn_joint_base base; // anchor b is driven to anchor a + offset
 	cn_vec2 offset_m; // in body a's frame
 	float angle_rad; // angle b - angle a
-	float hertz; // how briskly, > 0, to 1e6; default 5
+	float hertz; // frequency of the spring, > 0, to 1e6; default 5
 	float damping_ratio; // 0 to 1e6, default 1
 	float reserved;
 } cn_motor_def;
@@ -658,56 +694,57 @@ typedef struct cn_mouse_def {
 typedef struct cn_gear_def {
 	cn_joint_base base;
 	float ratio; // size 1e-4 to 1e4, negative: they turn against each other; default 1
-	float phase_rad;
+	float phase_rad; // default 0
 } cn_gear_def;
 
-// |anchor a - ground a| + ratio |anchor b - ground b| <= length: a rope over two pulleys (never pushes).
+// A rope over two pulleys: |anchor a - ground a| + ratio |anchor b - ground b| <= length. It pulls and never
+// pushes.
 typedef struct cn_pulley_def {
 	cn_joint_base base;
 	cn_vec2 ground_a_m; // world
-	cn_vec2 ground_b_m;
+	cn_vec2 ground_b_m; // world
 	float ratio; // 1e-4 to 1e4; default 1
-	float length_m; // > 0
+	float length_m; // > 0: must be set
 } cn_pulley_def;
 
-// b may turn against a in one direction only, and back no farther than to the last click that it passed.
-// Clicks are at phase + any whole number of click_rad, over whole turns.
+// b may turn against a in one direction, and back only to the last click that it passed. Clicks lie at phase
+// + n * click_rad for every whole number n, over whole turns.
 typedef struct cn_ratchet_def {
 	cn_joint_base base;
-	float phase_rad;
-	float click_rad; // size 1e-4 to 1e4; positive: b may turn counter-clockwise
+	float phase_rad; // default 0
+	float click_rad; // size 1e-4 to 1e4: must be set; positive: b may turn counter-clockwise
 } cn_ratchet_def;
 
-// A torque that pulls angle b - angle a to rest, over whole turns. hertz is that of the two bodies' own
-// inertia.
+// A torque that pulls angle b - angle a to the rest angle, over whole turns. hertz refers to the inertia of
+// the two bodies.
 typedef struct cn_rotary_spring_def {
 	cn_joint_base base;
-	float rest_angle_rad;
+	float rest_angle_rad; // default 0
 	float hertz; // > 0, to 1e6; default 1
 	float damping_ratio; // 0 to 1e6, default 0
 	float reserved;
 } cn_rotary_spring_def;
 
-// anchor b slides in a slot of body a from anchor a to end.
+// Anchor b slides in a slot of body a from anchor a to end_m.
 typedef struct cn_groove_def {
 	cn_joint_base base;
 	cn_vec2 end_m; // in body a's frame; not equal to anchor a; default (1, 0)
 } cn_groove_def;
 
-// Nothing but: the two bodies do not collide.
+// The two bodies do not collide; no other effect.
 typedef struct cn_filter_joint_def {
 	cn_joint_base base;
 } cn_filter_joint_def;
 
-// Something happened to a joint or to a constraint on one body.
+// A joint or constraint exceeded a break threshold or was destroyed with a body.
 typedef struct cn_joint_event {
 	cn_joint joint; // 0: it was a constraint; stale when destroyed is 1
 	cn_constraint constraint; // 0: it was a joint; stale when destroyed is 1
 	cn_body body_a; // 0: the world
-	cn_body body_b;
+	cn_body body_b; // 0: the world
 	float force_N; // largest reaction of the step; 0 when a body was destroyed
-	float torque_Nm;
-	uint32_t destroyed; // 1: it is gone (it breaks, or a body of it was destroyed)
+	float torque_Nm; // the same for the torque
+	uint32_t destroyed; // 1: it broke, or one of its bodies was destroyed
 	uint32_t reserved;
 	uint64_t user_data;
 } cn_joint_event;
@@ -726,8 +763,8 @@ typedef struct cn_angle_constraint_def {
 	uint64_t user_data;
 } cn_angle_constraint_def;
 
-// Keeps a point of a body on a line in the world, within a tolerance to either side, and between limits along
-// it.
+// Keeps a point of a body on a line in the world, within a tolerance on both sides, and between limits along
+// the line.
 typedef struct cn_line_constraint_def {
 	uint32_t struct_size;
 	uint32_t flags; // CN_CONSTRAINT_*; default 0
@@ -745,22 +782,23 @@ typedef struct cn_line_constraint_def {
 	uint64_t user_data;
 } cn_line_constraint_def;
 
+// Result of cn_world_update.
 typedef struct cn_update_report {
 	int32_t steps; // fixed steps taken
 	float leftover_s; // time kept for the next update
-	float dropped_s; // time given up because of the step cap
-	float interpolation; // leftover / fixed step, [0, 1): between the last two poses
+	float dropped_s; // time discarded because of steps_max
+	float interpolation; // leftover_s / fixed step, [0, 1): factor for cn_world_read_poses_interpolated
 } cn_update_report;
 
+// A ray with an end.
 typedef struct cn_ray {
-	cn_vec2 origin_m;
-	cn_vec2 translation_m; // may be 0: then only shapes around the origin are hit; at most 2e6 length units each way
+	cn_vec2 origin_m; // world
+	cn_vec2 translation_m; // at most 2e6 length units each way; 0 hits only shapes around the origin
 } cn_ray;
 
-// What a ray or a moved shape meets. One that starts in contact, overlapping or just touching, meets that
-// shape at fraction 0, with the shortest way out: depth_m along the normal. It does not meet what it touches,
-// up to a depth of 0.5% of the length unit, when its translation does not lead in: along the surface or away
-// from it.
+// What a ray or a moved shape hit. If it starts in contact (overlapping or just touching), it hits that shape
+// at fraction 0, with the shortest way out: depth_m along the normal. A shape that it touches up to a depth
+// of 0.5% of the length unit is no hit if the translation leads along the surface or away from it.
 typedef struct cn_ray_hit {
 	cn_shape shape; // 0: nothing was hit
 	cn_body body;
@@ -768,28 +806,27 @@ typedef struct cn_ray_hit {
 	float fraction; // of the translation, [0, 1]; 1 when nothing was hit
 	cn_vec2 point_m; // on the surface of the shape that was hit
 	cn_vec2 normal; // unit, out of the shape that was hit
-	float depth_m; // how deep the start is in it, 0 when it is outside
+	float depth_m; // depth of the start inside it, 0 outside
 	uint32_t reserved;
 } cn_ray_hit;
 
-// Asked by a query for each shape (edge of a chain) that it would find, in no particular order and perhaps
-// more than once: the answer must depend on the shape alone. hit is what is known of it: all of it in casts,
-// else shape, body and child. Returns CN_QUERY_*. May call functions that take a const world, of the same
-// world too, and no others.
+// Called by a query for each shape (edge of a chain) found, in no particular order and perhaps more than
+// once: the result, CN_QUERY_*, must depend on the shape alone. hit is complete in casts; other queries set
+// shape, body and child. May call only functions that take a const world, also of the same world.
 typedef int32_t cn_query_fn(const cn_world *world, const cn_ray_hit *hit, void *user);
 
-// A query sees shapes of enabled bodies whose category has a bit in mask and whose mask has one in category,
-// and of sensors only those with CN_SHAPE_SENSOR_SEEN. Bodies are seen where they are now, also between
-// steps.
+// Which shapes a query sees: those of enabled bodies whose category has a bit in mask and whose mask has a
+// bit in category; sensors only with CN_SHAPE_SENSOR_SEEN. Queries use the present poses, also between steps.
 typedef struct cn_query_filter {
 	uint64_t category; // default 1
 	uint64_t mask; // default all ones
-	cn_body ignored_body; // its shapes are not seen; 0 (default): none. A stale handle is an error
+	cn_body ignored_body; // its shapes are ignored; 0 (default): none. A stale handle is an error
 	uint32_t flags; // CN_QUERY_IGNORE_JOINED ...; default 0
-	cn_query_fn *visit; // NULL (default): all are taken
+	cn_query_fn *visit; // NULL (default): take all shapes
 	void *user;
 } cn_query_filter;
 
+// The shape nearest to a point.
 typedef struct cn_closest {
 	cn_shape shape; // 0: nothing within the distance
 	cn_body body;
@@ -799,16 +836,17 @@ typedef struct cn_closest {
 	cn_vec2 normal; // outward there; of edges and chains towards the point
 } cn_closest;
 
+// Distance of two shapes.
 typedef struct cn_distance {
 	cn_vec2 point_a_m; // on the surface of a, in the world
-	cn_vec2 point_b_m;
+	cn_vec2 point_b_m; // on the surface of b
 	cn_vec2 normal; // unit, from a to b
-	float distance_m; // of the surfaces; negative: the depth, the shortest way that moves b out of a
+	float distance_m; // of the surfaces; negative: the depth, the shortest translation of b out of a
 	uint32_t reserved;
 } cn_distance;
 
-// A motion from fraction 0 to 1: a point of the shape goes in a straight line, and the shape turns evenly
-// about it.
+// A motion from fraction 0 to 1: a point of the shape moves in a straight line, and the shape turns about it
+// at a constant rate.
 typedef struct cn_sweep {
 	cn_pose start;
 	cn_vec2 center_m; // that point, in the shape's frame: the centre of mass of a body
@@ -817,604 +855,831 @@ typedef struct cn_sweep {
 	uint32_t reserved;
 } cn_sweep;
 
+// Result of cn_polygon_time_of_impact.
 typedef struct cn_impact {
 	int32_t state; // CN_IMPACT_*
 	float fraction;
 	cn_vec2 point_m; // HIT only, as are the next two: between the surfaces
 	cn_vec2 normal; // unit, from a to b
-	float distance_m; // of the surfaces at fraction, from distance_m to 0.1 mm (or what floats can tell) above
+	float distance_m; // of the surfaces at fraction: distance_m to 0.1 mm (or the resolution of floats) above it
 	uint32_t reserved;
 } cn_impact;
 
-// A surface that bounds where a shape may move: after a translation t of the shape, separation_m + normal . t
-// is >= 0, unless that takes more than push_max_m.
+// A surface that limits the motion of a shape: a translation t keeps separation_m + normal . t >= 0, unless
+// that needs a push of more than push_max_m.
 typedef struct cn_plane {
 	cn_vec2 normal; // unit, from the surface to the shape
-	cn_vec2 point_m; // where they are nearest, in the world
+	cn_vec2 point_m; // world point of least distance
 	float separation_m; // of the surfaces along the normal; negative: they overlap
-	float push_max_m; // >= 0: the farthest that this plane pushes; FLT_MAX: rigid
-	float push_m; // of the last cn_mover_solve: how far it pushed
+	float push_max_m; // greatest push of this plane, >= 0; FLT_MAX: rigid
+	float push_m; // its push in the last cn_mover_solve
 	cn_shape shape;
 	cn_body body;
 	int32_t child; // edge of a chain
 } cn_plane;
 
-// How a character moves. The same for every move, or changed from move to move: crouching is another shape.
+// How a character moves. It may change between moves: crouching is another shape.
 typedef struct cn_mover_def {
 	uint32_t struct_size;
 	uint32_t flags; // CN_MOVER_DROP; default 0
 	cn_polygon shape; // around its position, never turned; 1 or 2 points with radius > 0: circle, capsule. Default: a capsule of radius 0.3 from -0.5 to 0.5 along y: 1.6 high. Round shapes move more smoothly
-	cn_query_filter filter; // what it collides with; sensors never, one-way shapes from above
+	cn_query_filter filter; // shapes that it collides with; sensors never, one-way shapes from above
 	cn_vec2 up; // any length > 0; default (0, 1)
-	float slope_limit_rad; // steeper ground cannot be stood on or walked up, 0 to pi / 2; default 0.87 (50 degrees)
-	float step_height_m; // climbs steps up to this high while it walks, >= 0; default 0.3
-	float snap_m; // walking, keeps to ground that falls away by up to this in a move, >= 0; default 0.3
+	float slope_limit_rad; // greatest slope of walkable ground, 0 to pi / 2; default 0.87 (50 degrees)
+	float step_height_m; // greatest height of steps that it climbs, >= 0; default 0.3
+	float snap_m; // a walking character follows ground that falls by up to this in a move, >= 0; default 0.3
 	float gravity_scale; // of the world's gravity in the air; default 1
-	float push_force_N; // the most it pushes a dynamic body with, >= 0; default 200
+	float push_force_N; // greatest push on a dynamic body, >= 0; default 200
 	int32_t iterations_max; // of sliding, 1 to 64; default 8
 } cn_mover_def;
 
-// A character between two moves. It belongs to the caller, who may copy it, keep it and go back to it: the
-// world knows nothing of it, and other bodies do not collide with it: for that give it a kinematic body that
-// is filter.ignored_body and follows by cn_body_set_target_pose. Begin with all 0 but the position.
+// State of a character between two moves. It belongs to the caller, who may copy, store and restore it. The
+// world does not know it, and bodies do not collide with it: for that give it a kinematic body that is
+// filter.ignored_body and follows by cn_body_set_target_pose. Initially all fields are 0 except the position.
 typedef struct cn_mover {
 	cn_vec2 position_m;
 	cn_vec2 velocity_mps; // in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as its component across up; the one along up is 0, and a jump when the caller makes it > 0
-	cn_vec2 ground_normal; // of what it stands on, with CN_MOVER_ON_GROUND; else (0, 0)
+	cn_vec2 ground_normal; // of the ground with CN_MOVER_ON_GROUND, else (0, 0)
 	cn_vec2 ground_point_m; // in the world, after the move
 	cn_vec2 ground_local_m; // ... in the frame of ground_body
 	cn_vec2 ground_velocity_mps; // of the ground there
-	cn_body ground_body; // 0: none; may become stale, which is as none
+	cn_body ground_body; // 0: none; a stale handle counts as none
 	cn_shape ground_shape;
 	uint32_t flags; // CN_MOVER_ON_*, after the last move
-	float squeezed_m; // by how much it overlaps what left it no room; 0 but for rounding
+	float squeezed_m; // overlap with surfaces that leave it no room; else 0 up to rounding
 } cn_mover;
 
+// Definition of an explosion.
 typedef struct cn_explosion_def {
 	uint32_t struct_size;
-	float radius_m; // full strength within, to the nearest point of a shape; >= 0, default 1
-	float falloff_m; // then linearly to none over this distance; >= 0
-	float impulse_Nspm; // per metre of the shape's width seen from the centre; negative pulls
-	cn_vec2 center_m;
-	cn_query_filter filter;
+	float radius_m; // full strength up to this distance of a shape's nearest point, 0 to 1e6 length units; default 1
+	float falloff_m; // then linearly to 0 over this distance, 0 to 1e6 length units; default 0
+	float impulse_Nspm; // per metre of the shape's width seen from the centre; negative pulls; default 0
+	cn_vec2 center_m; // world
+	cn_query_filter filter; // which shapes; defaults: see cn_query_filter
 } cn_explosion_def;
 
+// count points, counter-clockwise
 typedef void cn_debug_draw_polygon_fn(const cn_vec2 *points_m, int32_t count, float radius_m, uint32_t color, void *user);
 
+// rim_m: a point on the rim that turns with the body
 typedef void cn_debug_draw_circle_fn(const cn_vec2 *center_m, float radius_m, const cn_vec2 *rim_m, uint32_t color, void *user);
 
+// a disc swept from a to b
 typedef void cn_debug_draw_capsule_fn(const cn_vec2 *a_m, const cn_vec2 *b_m, float radius_m, uint32_t color, void *user);
 
+// a line from a to b
 typedef void cn_debug_draw_segment_fn(const cn_vec2 *a_m, const cn_vec2 *b_m, uint32_t color, void *user);
 
+// size in pixels
 typedef void cn_debug_draw_point_fn(const cn_vec2 *point_m, float size_px, uint32_t color, void *user);
 
+// zero-terminated, valid during the call
 typedef void cn_debug_draw_text_fn(const cn_vec2 *point_m, const char *text, uint32_t color, void *user);
 
-// Functions that are NULL are not called. Colours are 0xRRGGBB. Points are in world coordinates.
+// The user's drawing functions; NULL ones are not called. Colours are 0xRRGGBB. Points are in world
+// coordinates.
 typedef struct cn_debug_draw {
 	uint32_t struct_size;
 	uint32_t flags; // CN_DRAW_*; default SHAPES | JOINTS | CONTACTS
-	cn_aabb view; // only what overlaps it is drawn; default everything
-	cn_debug_draw_polygon_fn *polygon;
-	cn_debug_draw_circle_fn *circle; // axis: a point on the rim that turns with the body
-	cn_debug_draw_capsule_fn *capsule;
-	cn_debug_draw_segment_fn *segment;
-	cn_debug_draw_point_fn *point;
-	cn_debug_draw_text_fn *text;
-	void *user;
+	cn_aabb view; // things outside are not drawn; default everything
+	cn_debug_draw_polygon_fn *polygon; // count points, counter-clockwise
+	cn_debug_draw_circle_fn *circle; // rim_m: a point on the rim that turns with the body
+	cn_debug_draw_capsule_fn *capsule; // a disc swept from a to b
+	cn_debug_draw_segment_fn *segment; // a line from a to b
+	cn_debug_draw_point_fn *point; // size in pixels
+	cn_debug_draw_text_fn *text; // zero-terminated, valid during the call
+	void *user; // last argument of the functions
 	void *reserved;
 } cn_debug_draw;
 
 // Called at the end of cn_world_step for each event of this kind, in the order of the array.
 typedef void cn_contact_event_fn(cn_world *world, const cn_contact_event *event, void *user);
 
-// Decides whether two shapes that pass their filters may touch: 1 yes, 0 no. Asked when their boxes begin to
-// overlap. The world is locked.
+// Returns 1 if two shapes that pass their filters may touch, else 0. Called when their boxes begin to
+// overlap; the world is locked.
 typedef int32_t cn_filter_fn(cn_world *world, cn_shape shape_a, cn_shape shape_b, void *user);
 
-// Asked in every step for each touching pair in which a shape has CN_SHAPE_PRE_SOLVE, before solving: 0 makes
-// the pair pass through each other in this step. Event kind is STAY or ENTER.
+// Called in every step, before solving, for each touching pair in which a shape has CN_SHAPE_PRE_SOLVE; the
+// event's kind is STAY or ENTER. Returns 0 to let the pair pass through each other in this step, else 1.
 typedef int32_t cn_pre_solve_fn(cn_world *world, const cn_contact_event *contact, void *user);
 
-// Mixes two materials in place of the CN_MIX_ rules: fills *mixed, which holds what the rules gave. Asked
-// when a pair begins to touch and when a material changes.
+// Mixes two materials instead of the CN_MIX_ rules: *mixed holds the rules' result and takes the new one.
+// Called when a pair begins to touch and when a material changes.
 typedef void cn_material_mix_fn(cn_world *world, cn_shape shape_a, cn_shape shape_b, cn_material *mixed, void *user);
 
-// Return 0 to stop, anything else to go on.
+// Returns 0 to stop the search, any other value to continue.
 typedef int32_t cn_tree_query_fn(uint32_t item, uint64_t user_data, void *user);
 
-// Return the fraction to go on with: the given one to ignore the item, 0 to stop.
+// Returns the fraction at which the ray now ends: the given one to ignore the item, 0 to stop.
 typedef float cn_tree_ray_fn(uint32_t item, uint64_t user_data, float fraction, void *user);
 
-// Version as major * 1000000 + minor * 1000 + patch.
+// Version of the library as major * 1000000 + minor * 1000 + patch.
 int32_t cn_version(void);
 // CN_ABI_VERSION of the library that was linked; a binding compares it with its own.
 int32_t cn_abi_version(void);
-// Static English text for a result code, never NULL.
+// English text for a result code: static, never NULL.
 const char *cn_result_text(cn_result result);
-// sizeof the struct named by a CN_TYPE_ constant, 0 for an unknown one: bindings check themselves.
+// sizeof the struct that a CN_TYPE_ constant names, 0 for an unknown constant; bindings check their layouts
+// with it.
 int32_t cn_sizeof(int32_t type);
-// Defaults as given beside the fields (those that scale with the length unit are stored as 0 and resolved by
-// cn_world_create: 0 means the default there).
+// Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with the
+// length unit are stored as 0, which cn_world_create resolves.
 void cn_world_def_init(cn_world_def *def);
-// Says in one sentence what is wrong with a definition; writes at most text_bytes bytes including the
+// Checks a definition. Writes one sentence about its first error, at most text_bytes (>= 0) bytes with the
 // terminating zero; text may be NULL when text_bytes is 0.
 cn_result cn_world_def_check(const cn_world_def *def, char *text, int32_t text_bytes);
 // Bytes that def.memory must have so that the capacities in def never run out. def.memory may be NULL here.
 cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes);
-// Threads that cannot be started are CN_ERROR_MEMORY. A world's memory holds some 150 bytes for each; their
-// stacks, and whatever else a thread needs, are the system's, for a world in a caller's block too. A library
-// built with CN_NO_THREADS, or on a system whose threads it does not know, makes the same world without them:
-// see cn_world_get_worker_count.
+// Creates a world. CN_ERROR_MEMORY also when a thread cannot be started. Each worker takes about 150 bytes of
+// the world's memory; its stack comes from the system, even for a world in a caller's block. Without thread
+// support (CN_NO_THREADS, or an unknown system) the world has one worker: see cn_world_get_worker_count.
+// O(capacities).
 cn_result cn_world_create(const cn_world_def *def, cn_world **out_world);
-// NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have
-// ended when this returns. Not from callbacks.
+// Destroys a world, everything in it and its threads. A caller's block is free for other use afterwards.
+// NULL, and a call from a callback, do nothing. O(memory blocks).
 void cn_world_destroy(cn_world *world);
-// One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion, and so does
-// less than 1e-9. Cost grows with the number of awake bodies and their contacts.
+// Takes one fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion. O(awake
+// bodies and their contacts and joints).
 cn_result cn_world_step(cn_world *world, float dt_s);
-// One sentence on the last call that failed on this world; "" if none did. world may be NULL.
+// One sentence about the last call that failed on this world; "" if none failed or world is NULL. Valid until
+// the next failing call.
 const char *cn_world_error_text(const cn_world *world);
-// A change wakes every body: O(bodies) then.
+// Sets gravity in m/s^2, both finite. A change wakes every body: O(bodies).
 cn_result cn_world_set_gravity(cn_world *world, float gravity_x_mps2, float gravity_y_mps2);
+// Reads gravity in m/s^2.
 cn_result cn_world_get_gravity(const cn_world *world, cn_vec2 *out_mps2);
-// 1 to 64; more substeps are stiffer and dearer.
+// Sets the substeps of a step, 1 to 64. More substeps make contacts and joints stiffer and cost more.
 cn_result cn_world_set_substep_count(cn_world *world, int32_t count);
+// Reads the substeps of a step.
 cn_result cn_world_get_substep_count(const cn_world *world, int32_t *out_count);
-// CN_SOLVER_*, from the next step on. A world in a caller's block has scratch memory for the solver that it
-// was made with: a dearer one may have to do without direct solving there (CN_WARNING_FRAME_MEMORY).
+// Chooses the solver (CN_SOLVER_*) from the next step on. A world in a caller's block keeps the scratch
+// memory of the solver it was created with; a solver that needs more works without direct solving
+// (CN_WARNING_FRAME_MEMORY).
 cn_result cn_world_set_solver(cn_world *world, int32_t solver);
+// Reads the solver (CN_SOLVER_*).
 cn_result cn_world_get_solver(const cn_world *world, int32_t *out_solver);
-// Both as in cn_world_def; 0 metres: the default. get gives the accuracy in metres that this stands for.
+// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no
+// limit.
 cn_result cn_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_budget);
+// Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.
 cn_result cn_world_get_accuracy(const cn_world *world, float *out_accuracy_m, int32_t *out_work_budget);
-// Workers that a step may have: 1, or worker_count where the library can have several.
+// Reads how many workers a step can use: 1, or worker_count where the library supports threads.
 cn_result cn_world_get_worker_count(const cn_world *world, int32_t *out_count);
-// Replaces the CN_WORLD_ flags. Turning CN_WORLD_SLEEP off wakes everything: O(bodies) then.
+// Replaces the CN_WORLD_ flags. Clearing CN_WORLD_SLEEP wakes every body: O(bodies).
 cn_result cn_world_set_flags(cn_world *world, uint32_t flags);
+// Reads the CN_WORLD_ flags.
 cn_result cn_world_get_flags(const cn_world *world, uint32_t *out_flags);
-// Metres a second, >= 0.
+// Impacts slower than this, in m/s, do not bounce; >= 0.
 cn_result cn_world_set_restitution_threshold(cn_world *world, float speed_mps);
-// Both > 0: bodies are slowed to these at the end of each step (direction kept).
+// Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows faster bodies
+// down to them and keeps the direction.
 cn_result cn_world_set_speed_limits(cn_world *world, float linear_mps, float angular_radps);
-// speed_mps >= 0, delay_s >= 0.
+// Sets the speed in m/s, >= 0, below which bodies may sleep, and the delay in seconds, >= 0, after which they
+// do.
 cn_result cn_world_set_sleep(cn_world *world, float speed_mps, float delay_s);
+// Stores a number for the user.
 cn_result cn_world_set_user_data(cn_world *world, uint64_t user_data);
+// Reads the user's number.
 cn_result cn_world_get_user_data(const cn_world *world, uint64_t *out_user_data);
-// Handles of everything alive, in a fixed order (by slot). Writes at most capacity of them (out may be NULL
-// when capacity is 0) and always sets *out_count to how many there are. O(slots).
+// Handles of all bodies, ordered by slot. Writes at most capacity (>= 0) of them; out may be NULL when
+// capacity is 0. out_count is their number. O(slots).
 cn_result cn_world_get_bodies(const cn_world *world, cn_body *out, int32_t capacity, int32_t *out_count);
+// Handles of all shapes, ordered by slot; out, capacity and *out_count as in cn_world_get_bodies. O(slots).
 cn_result cn_world_get_shapes(const cn_world *world, cn_shape *out, int32_t capacity, int32_t *out_count);
+// Handles of all joints without constraints, ordered by slot; out, capacity and *out_count as in
+// cn_world_get_bodies. O(slots).
 cn_result cn_world_get_joints(const cn_world *world, cn_joint *out, int32_t capacity, int32_t *out_count);
-// O(bodies + islands).
+// Reads counts of objects and what the last step reported. O(bodies + islands).
 cn_result cn_world_get_counters(const cn_world *world, cn_counters *out);
-// Of every awake island, as cn_counters.islands_awake counts them: those of several bodies first, in a
-// deterministic order, then bodies alone. Writes at most capacity; *out_count is how many there are. Costs
-// nothing when it is not called. O(bodies + what touches in the islands written).
+// Reports every awake island, as cn_counters.islands_awake counts them: first those of several bodies, in a
+// deterministic order, then single bodies. Writes at most capacity (>= 0); *out_count is their number. A step
+// does no work for it. O(bodies + contacts and joints of the islands written).
 cn_result cn_world_get_islands(const cn_world *world, cn_island_report *out, int32_t capacity, int32_t *out_count);
+// Reads the seconds of the last step by stage.
 cn_result cn_world_get_profile(const cn_world *world, cn_profile *out);
+// Reads the memory statistics.
 cn_result cn_world_get_memory_stats(const cn_world *world, cn_memory_stats *out);
-// 64-bit hash (FNV-1a, Fowler/Noll/Vo) of every body's pose, velocity and sleep state and every contact's
-// impulses in handle order: equal for equal histories on every compiler, CPU and thread count. O(bodies +
-// contacts).
+// 64-bit hash (FNV-1a: Fowler, Noll, Vo, 1991) of every body's pose, velocity and sleep state, every
+// contact's impulses and the solver's memory of joints, by slot. Equal histories give equal hashes on every
+// compiler, CPU and thread count. O(bodies + contacts + joints).
 cn_result cn_world_hash(const cn_world *world, uint64_t *out_hash);
-// Checks every invariant between the tables. CN_OK, or CN_ERROR_INTERNAL with a sentence in text (at most
-// text_bytes bytes with the zero; may be NULL when text_bytes is 0). O(everything).
+// Checks every invariant between the tables. CN_ERROR_INTERNAL, and one sentence in text, for the first that
+// is broken. text holds at most text_bytes (>= 0) bytes with the zero and may be NULL when text_bytes is 0.
+// O(everything).
 cn_result cn_world_validate(const cn_world *world, char *text, int32_t text_bytes);
-// Bytes that cn_world_save needs now. From callbacks CN_ERROR_LOCKED. O(slots).
+// Bytes that cn_world_save needs now. CN_ERROR_LOCKED in callbacks. O(slots).
 cn_result cn_world_save_size(const cn_world *world, uint64_t *out_bytes);
-// Writes the state to out, which may have any alignment, and how many bytes that took to out_bytes (may be
-// NULL). capacity: bytes that out has; too few are CN_ERROR_CAPACITY. From callbacks CN_ERROR_LOCKED.
-// O(memory of the world), about 1 KB a body.
+// Writes the world's state to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the
+// number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world),
+// about 1 KB per body.
 cn_result cn_world_save(const cn_world *world, void *out, uint64_t capacity, uint64_t *out_bytes);
-// Puts a state back: into the world that was saved, or one that was made by the same definition (broadphase,
-// length unit, whether it lives in a caller's block; else CN_ERROR_STATE). bytes: as many as cn_world_save
-// wrote. CN_ERROR_FORMAT: not a save of this version and machine, or damaged. CN_ERROR_MEMORY: no room for
-// what was alive then; a growing world takes what it needs, a world in a caller's block has room for what it
-// had. Arrays handed out before are void. O(memory of the world). Handles of what was alive when the world
-// was saved are valid again, also of what was destroyed since. Those made since are refused, until the same
-// handle is given to something new: with the same calls to the same thing. A game rolls its own state back
-// with the world, and so keeps none of them.
+// Restores a saved state, into the saved world or one created with the same definition (broadphase, length
+// unit, caller's block or not; else CN_ERROR_STATE). bytes as written by cn_world_save; CN_ERROR_FORMAT for
+// damaged bytes or another version or machine; CN_ERROR_MEMORY without room for the objects alive then (a
+// world in a caller's block has room for its own saves). Arrays returned before become invalid. Handles of
+// objects alive at the save are valid again, also of objects destroyed since; handles created since are
+// refused until the same handle is given to a new object: with the same calls to the same object. O(memory of
+// the world).
 cn_result cn_world_restore(cn_world *world, const void *save, uint64_t bytes);
+// Sets struct_size and the defaults given beside the fields. NULL does nothing.
 void cn_body_def_init(cn_body_def *def);
+// Creates a body. O(1) amortized.
 cn_result cn_body_create(cn_world *world, const cn_body_def *def, cn_body *out_body);
-// count bodies from an array of definitions; all of them or none. O(count).
+// Creates count (>= 0) bodies from an array of definitions, all or none. O(count).
 cn_result cn_body_create_many(cn_world *world, const cn_body_def *defs, int32_t count, cn_body *out_bodies);
-// Also destroys its shapes, contacts, joints and constraints; touching contacts get their leave event, joints
-// and constraints theirs (cn_world_joint_events).
+// Destroys a body with its shapes, contacts, joints and constraints, and wakes its neighbours. Touching
+// contacts get their LEAVE event; joints and constraints get theirs (cn_world_joint_events). O(contacts +
+// joints + shapes).
 cn_result cn_body_destroy(cn_world *world, cn_body body);
-// Destroys all or, if any handle is bad or appears twice, none.
+// Destroys count (>= 0) bodies as cn_body_destroy does; none if a handle is bad or appears twice. O(their
+// contacts + joints + shapes).
 cn_result cn_body_destroy_many(cn_world *world, const cn_body *bodies, int32_t count);
-// 1 if the handle names a body that is alive in this world, else 0 (also for a NULL world).
+// 1 if the handle names a living body of this world, else 0 (also for a NULL world).
 int32_t cn_body_is_valid(const cn_world *world, cn_body body);
-// Changing the type ends the body's contacts (those that still overlap begin again in the next step), its
-// forces and any mass override, and wakes it; a body made static stops. CN_ERROR_STATE if a joint would be
-// left without a dynamic body. O(contacts + joints + shapes).
+// Changes the type (CN_BODY_STATIC, _KINEMATIC, _DYNAMIC) and wakes the body. Its contacts end (those that
+// still overlap begin again in the next step), with its forces and any mass override; a body made static
+// stops. CN_ERROR_STATE if a joint would be left without a dynamic body. O(contacts + joints + shapes).
 cn_result cn_body_set_type(cn_world *world, cn_body body, int32_t type);
+// Reads the type (CN_BODY_*).
 cn_result cn_body_get_type(const cn_world *world, cn_body body, int32_t *out_type);
-// Replaces all CN_BODY_ flags except CN_BODY_AWAKE, which is cn_body_set_awake's and is ignored here. A body
-// without CN_BODY_ENABLED keeps its shapes but collides with nothing and does not move; its contacts end, its
-// joints rest. O(contacts + joints + shapes) when that changes.
+// Replaces all CN_BODY_ flags except CN_BODY_AWAKE, which it ignores: see cn_body_set_awake. Without
+// CN_BODY_ENABLED a body keeps its shapes but does not move or collide; its contacts end and its joints are
+// inactive. O(contacts + joints + shapes) when CN_BODY_ENABLED changes.
 cn_result cn_body_set_flags(cn_world *world, cn_body body, uint32_t flags);
-// CN_BODY_AWAKE is set in the result when the body is awake.
+// Reads the CN_BODY_ flags; CN_BODY_AWAKE is set while the body is awake.
 cn_result cn_body_get_flags(const cn_world *world, cn_body body, uint32_t *out_flags);
-// 0 puts the body and everything connected to it to sleep, at rest; anything else wakes. Does nothing to
-// static and disabled bodies. O(island).
+// 0 puts the body and its island to sleep and stops them; any other value wakes them. Static and disabled
+// bodies are unchanged. 0 can return CN_ERROR_MEMORY. O(island).
 cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake);
-// Teleport: origin and angle; velocities stay. Contacts that are no longer near end (the next step reports
-// it). Wakes the body and what is near it. O(contacts + shapes).
+// Teleports the body: origin in metres (|x|, |y| <= 1e6 length units), angle in radians (|angle| <= 1e4).
+// Velocities stay. Contacts whose boxes no longer overlap end at once, and the next step reports them. Wakes
+// the body and its new and old neighbours. O(contacts + shapes).
 cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad);
+// Reads the position of the origin and the rotation.
 cn_result cn_body_get_pose(const cn_world *world, cn_body body, cn_pose *out);
-// In (-pi, pi].
+// Reads the angle in radians, in (-pi, pi].
 cn_result cn_body_get_angle(const cn_world *world, cn_body body, float *out_rad);
-// World position of the centre of mass.
+// Reads the world position of the centre of mass, in metres.
 cn_result cn_body_get_center(const cn_world *world, cn_body body, cn_vec2 *out_m);
-// Static bodies refuse this with CN_ERROR_STATE. Wakes when not zero.
+// Sets the velocity of the centre of mass (m/s) and the angular velocity (rad/s), all finite. CN_ERROR_STATE
+// for static bodies. Wakes the body unless all are 0.
 cn_result cn_body_set_velocity(cn_world *world, cn_body body, float linear_x_mps, float linear_y_mps, float angular_radps);
+// Reads the velocity of the centre of mass (m/s) and the angular velocity (rad/s).
 cn_result cn_body_get_velocity(const cn_world *world, cn_body body, cn_velocity *out);
 // Sets the velocity of a kinematic body (others: CN_ERROR_STATE) so that a step of dt_s (1e-6 to 1) takes it
-// to this pose, the shorter way round, up to rounding and the world's speed limits: what stands on it or is
-// in its way moves along, as nothing does with cn_body_set_pose. It goes on with that velocity: call it
-// before every step, or stop it after.
+// to a pose (metres, radians) by the shorter turn, up to rounding and the world's speed limits. Unlike after
+// cn_body_set_pose, bodies on it or in its way move along. The velocity stays: call this before every step,
+// or stop the body after it.
 cn_result cn_body_set_target_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad, float dt_s);
-// Velocity of the body's material at a world point.
+// Velocity in m/s of the body's material at a world point in metres.
 cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float point_x_m, float point_y_m, cn_vec2 *out_mps);
+// World position of a point given in the body's frame, both in metres.
 cn_result cn_body_get_world_point(const cn_world *world, cn_body body, float local_x_m, float local_y_m, cn_vec2 *out_m);
+// Position in the body's frame of a world point, both in metres.
 cn_result cn_body_get_local_point(const cn_world *world, cn_body body, float world_x_m, float world_y_m, cn_vec2 *out_m);
-// Union of its shapes' boxes, without margin; the origin as a point if it has none. O(shapes).
+// Union of the AABBs of the body's shapes, without margin; the origin as a point if it has no shapes.
+// O(shapes).
 cn_result cn_body_get_aabb(const cn_world *world, cn_body body, cn_aabb *out);
-// Forces and torques act for the next step only and are then cleared. All of these wake a dynamic body and do
-// nothing to static, kinematic and disabled ones (CN_OK). Sums of forces and velocities after impulses must
-// stay finite (CN_ERROR_ARGUMENT).
+// Adds a force in newtons at the centre of mass for the next step only; wakes the body. Static, kinematic and
+// disabled bodies are unchanged (CN_OK). CN_ERROR_ARGUMENT if the sum of forces overflows.
 cn_result cn_body_apply_force(cn_world *world, cn_body body, float force_x_N, float force_y_N);
+// Adds a force in newtons at a world point in metres, hence a torque too; otherwise as cn_body_apply_force.
 cn_result cn_body_apply_force_at(cn_world *world, cn_body body, float force_x_N, float force_y_N, float point_x_m, float point_y_m);
+// Adds a torque in newton metres; otherwise as cn_body_apply_force.
 cn_result cn_body_apply_torque(cn_world *world, cn_body body, float torque_Nm);
+// Changes the velocity at once by an impulse in newton seconds at the centre of mass; wakes the body. Static,
+// kinematic and disabled bodies are unchanged (CN_OK). CN_ERROR_ARGUMENT if the velocity overflows.
 cn_result cn_body_apply_impulse(cn_world *world, cn_body body, float impulse_x_Ns, float impulse_y_Ns);
+// Applies an impulse in newton seconds at a world point in metres, which changes the angular velocity too;
+// otherwise as cn_body_apply_impulse.
 cn_result cn_body_apply_impulse_at(cn_world *world, cn_body body, float impulse_x_Ns, float impulse_y_Ns, float point_x_m, float point_y_m);
+// Changes the angular velocity at once by an angular impulse in newton metre seconds; otherwise as
+// cn_body_apply_impulse.
 cn_result cn_body_apply_angular_impulse(cn_world *world, cn_body body, float impulse_Nms);
-// Sums over the attached shapes unless overridden. A dynamic body whose shapes have no mass weighs 1 kg (and,
-// having no shape, does not rotate).
+// Reads mass, inertia and centre: sums over the attached shapes unless overridden. A dynamic body whose
+// shapes have no mass weighs 1 kg; without shapes it does not rotate.
 cn_result cn_body_get_mass_data(const cn_world *world, cn_body body, cn_mass_data *out);
-// Override for a dynamic body (others: CN_ERROR_STATE): mass_kg from 1e-20 to 1e20, inertia_kgm2 0 (never
-// rotates) or from 1e-35 to 1e35. Kept until cn_body_reset_mass_data or until the type changes.
+// Overrides the mass data of a dynamic body (others: CN_ERROR_STATE) until cn_body_reset_mass_data or a
+// change of type: mass_kg from 1e-20 to 1e20; inertia_kgm2 0 (never rotates) or from 1e-35 to 1e35. Wakes the
+// body.
 cn_result cn_body_set_mass_data(cn_world *world, cn_body body, const cn_mass_data *mass);
+// Ends a mass override: mass data come from the shapes again. Wakes the body. O(shapes).
 cn_result cn_body_reset_mass_data(cn_world *world, cn_body body);
-// Both >= 0.
+// Sets the linear and angular damping in 1/s (v' = -damping v), both >= 0.
 cn_result cn_body_set_damping(cn_world *world, cn_body body, float linear_per_s, float angular_per_s);
+// Reads the linear and angular damping in 1/s.
 cn_result cn_body_get_damping(const cn_world *world, cn_body body, float *out_linear_per_s, float *out_angular_per_s);
+// Sets the factor on gravity for this body, finite. A change wakes the body.
 cn_result cn_body_set_gravity_scale(cn_world *world, cn_body body, float scale);
+// Reads the factor on gravity.
 cn_result cn_body_get_gravity_scale(const cn_world *world, cn_body body, float *out_scale);
-// >= 0; 0 restores the world's.
+// Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's.
 cn_result cn_body_set_sleep_speed(cn_world *world, cn_body body, float speed_mps);
-// How the island of a dynamic body is solved, in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO
-// (default): as the world chooses. _SOFT: never directly, contacts and all, whatever its other bodies ask
-// for. _DIRECT: always, however fast it moves, as far as its contacts can be, and within the work_budget.
-// From the next step on; does not wake.
+// Chooses how the body's island is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default):
+// the world chooses. _SOFT: contacts and joints are never solved directly, whatever other bodies ask for.
+// _DIRECT: the island is solved directly at any speed, where its contacts permit it and within the
+// work_budget. Takes effect with the next step; does not wake.
 cn_result cn_body_set_solver(cn_world *world, cn_body body, int32_t solver);
+// Reads the body's own solver (CN_SOLVER_AUTO, _SOFT, _DIRECT).
 cn_result cn_body_get_solver(const cn_world *world, cn_body body, int32_t *out_solver);
+// Stores a number for the user.
 cn_result cn_body_set_user_data(cn_world *world, cn_body body, uint64_t user_data);
+// Reads the user's number.
 cn_result cn_body_get_user_data(const cn_world *world, cn_body body, uint64_t *out_user_data);
-// NULL or "" removes the name.
+// Copies a name of at most CN_NAME_MAX_BYTES bytes (CN_ERROR_ARGUMENT beyond); NULL or "" removes it.
+// O(length).
 cn_result cn_body_set_name(cn_world *world, cn_body body, const char *name);
-// "" if it has none; valid until the name changes or the body is destroyed.
+// Reads the name, "" if there is none. Valid until the name changes or the body is destroyed.
 cn_result cn_body_get_name(const cn_world *world, cn_body body, const char **out_name);
-// As cn_world_get_bodies, for one body. O(shapes), O(joints).
+// Handles of the body's shapes; out, capacity and *out_count as in cn_world_get_bodies. O(shapes).
 cn_result cn_body_get_shapes(const cn_world *world, cn_body body, cn_shape *out, int32_t capacity, int32_t *out_count);
+// Handles of the body's joints without constraints; out, capacity and *out_count as in cn_world_get_bodies.
+// O(joints).
 cn_result cn_body_get_joints(const cn_world *world, cn_body body, cn_joint *out, int32_t capacity, int32_t *out_count);
-// Bulk forms: bodies NULL means every body in the order of cn_world_get_bodies, of which there must be
-// exactly count. stride_bytes 0 means tightly packed. One bad handle fails the whole call. O(count).
+// Reads count poses. bodies NULL means every body in the order of cn_world_get_bodies; count must then be
+// their number. One bad handle fails the whole call. O(count).
 cn_result cn_world_read_poses(const cn_world *world, const cn_body *bodies, int32_t count, cn_pose *out);
+// Reads count cn_pose at intervals of stride_bytes (0, tightly packed, or >= 16); otherwise as
+// cn_world_read_poses. O(count).
 cn_result cn_world_read_poses_strided(const cn_world *world, const cn_body *bodies, int32_t count, void *out, int32_t stride_bytes);
+// Reads count velocities; bodies and count as in cn_world_read_poses. O(count).
 cn_result cn_world_read_velocities(const cn_world *world, const cn_body *bodies, int32_t count, cn_velocity *out);
-// cn_body_set_velocity for many; nothing is written if one is bad. Static bodies take zero only.
+// Sets count velocities as cn_body_set_velocity does; bodies and count as in cn_world_read_poses. Static
+// bodies take zero only (CN_ERROR_STATE). One bad entry fails the whole call. O(count).
 cn_result cn_world_write_velocities(cn_world *world, const cn_body *bodies, int32_t count, const cn_velocity *velocities);
-// Bodies whose pose changed in the last step, and those that fell asleep in it, without the ones destroyed
-// since. Built on the first call after a step: O(awake bodies) then.
+// Bodies whose pose changed in the last step or that fell asleep in it, except bodies destroyed since. The
+// first call after a step builds the array, O(awake bodies), and can return CN_ERROR_MEMORY.
 cn_result cn_world_moved(cn_world *world, const cn_body_moved **out_moved, int32_t *out_count);
+// Sets struct_size and the defaults given beside the fields. NULL does nothing.
 void cn_shape_def_init(cn_shape_def *def);
-// out_shape may be NULL in all of these. Points closer than 0.05% of the length unit are degenerate.
+// Creates a circle; 0 < radius_m <= 1e6. Wakes the body. out_shape may be NULL.
 cn_result cn_shape_create_circle(cn_world *world, const cn_shape_def *def, const cn_circle *circle, cn_shape *out_shape);
+// Creates a capsule; ends at least 0.05% of the length unit apart, radius_m > 0. Wakes the body. out_shape
+// may be NULL.
 cn_result cn_shape_create_capsule(cn_world *world, const cn_shape_def *def, const cn_capsule *capsule, cn_shape *out_shape);
+// Creates an edge; ends at least 0.05% of the length unit apart. Wakes the body. out_shape may be NULL.
 cn_result cn_shape_create_edge(cn_world *world, const cn_shape_def *def, const cn_edge *edge, cn_shape *out_shape);
+// Creates a convex polygon; consecutive points at least 0.05% of the length unit apart. Wakes the body.
+// out_shape may be NULL.
 cn_result cn_shape_create_polygon(cn_world *world, const cn_shape_def *def, const cn_polygon *polygon, cn_shape *out_shape);
-// Half sizes > 0; radius_m >= 0 is added outside of them.
+// Creates a box of half sizes > 0; the rounding radius_m >= 0 is added outside. Wakes the body. out_shape may
+// be NULL.
 cn_result cn_shape_create_box(cn_world *world, const cn_shape_def *def, float half_width_m, float half_height_m, float radius_m, cn_shape *out_shape);
-// O(count).
+// Creates a chain; consecutive points at least 0.05% of the length unit apart. Wakes the body. out_shape may
+// be NULL. O(count).
 cn_result cn_shape_create_chain(cn_world *world, const cn_shape_def *def, const cn_chain *chain, cn_shape *out_shape);
-// An unattached shape joins a body (CN_ERROR_STATE if it already has one), an attached one leaves it.
+// Attaches an unattached shape to a body and wakes the body. CN_ERROR_STATE if the shape has a body. O(shapes
+// of the body + edges of a chain).
 cn_result cn_shape_attach(cn_world *world, cn_shape shape, cn_body body);
+// Detaches a shape from its body, ends its contacts and wakes the body. CN_ERROR_STATE if it has no body.
+// O(contacts + shapes of the body).
 cn_result cn_shape_detach(cn_world *world, cn_shape shape);
+// Destroys a shape, ends its contacts and wakes its body. O(contacts + shapes of the body).
 cn_result cn_shape_destroy(cn_world *world, cn_shape shape);
+// 1 if the handle names a living shape of this world, else 0 (also for a NULL world).
 int32_t cn_shape_is_valid(const cn_world *world, cn_shape shape);
+// Reads the type (CN_SHAPE_CIRCLE to _CHAIN).
 cn_result cn_shape_get_type(const cn_world *world, cn_shape shape, int32_t *out_type);
-// 0 if unattached.
+// Reads the body; 0 if unattached.
 cn_result cn_shape_get_body(const cn_world *world, cn_shape shape, cn_body *out_body);
-// Takes effect at once, on resting contacts too (their bodies wake).
+// Replaces the material; applies at once, to touching contacts too, whose bodies wake. O(contacts of the
+// body).
 cn_result cn_shape_set_material(cn_world *world, cn_shape shape, const cn_material *material);
+// Reads the material.
 cn_result cn_shape_get_material(const cn_world *world, cn_shape shape, cn_material *out);
-// >= 0; the body's mass follows at once.
+// Sets the density in kg/m^2, >= 0, giving 0 or 1e-20 to 1e20 kg. Updates the body's mass at once and wakes
+// the body. O(shapes of the body).
 cn_result cn_shape_set_density(cn_world *world, cn_shape shape, float density_kgpm2);
+// Reads the density in kg/m^2.
 cn_result cn_shape_get_density(const cn_world *world, cn_shape shape, float *out_kgpm2);
-// Contacts that it forbids end at once (with their events); ones that it allows begin in the next step.
+// Replaces the filter. Contacts that it forbids end at once, with their events; contacts that it permits
+// begin in the next step. Wakes the body, or the bodies near a static shape. O(contacts of the body).
 cn_result cn_shape_set_filter(cn_world *world, cn_shape shape, const cn_filter *filter);
+// Reads the filter.
 cn_result cn_shape_get_filter(const cn_world *world, cn_shape shape, cn_filter *out);
-// Takes effect at once, for present contacts too.
+// Sets the reported events, bits 1 << CN_EVENT_*; applies at once, to present contacts too. O(contacts of the
+// body).
 cn_result cn_shape_set_event_mask(cn_world *world, cn_shape shape, uint32_t event_mask);
+// Reads the event mask.
 cn_result cn_shape_get_event_mask(const cn_world *world, cn_shape shape, uint32_t *out_event_mask);
-// Replaces the CN_SHAPE_ flags (SENSOR ...). Contacts end and begin anew as needed.
+// Replaces the CN_SHAPE_ flags. The shape's contacts end; those that still overlap begin again in the next
+// step. Wakes the body, or the bodies near a static shape. O(contacts of the body).
 cn_result cn_shape_set_flags(cn_world *world, cn_shape shape, uint32_t flags);
+// Reads the CN_SHAPE_ flags.
 cn_result cn_shape_get_flags(const cn_world *world, cn_shape shape, uint32_t *out_flags);
+// Stores a number for the user.
 cn_result cn_shape_set_user_data(cn_world *world, cn_shape shape, uint64_t user_data);
+// Reads the user's number.
 cn_result cn_shape_get_user_data(const cn_world *world, cn_shape shape, uint64_t *out_user_data);
-// Without margin, in world space (in shape space when unattached). O(points).
+// AABB without margin, in the world (in the shape's own space when unattached). O(points).
 cn_result cn_shape_get_aabb(const cn_world *world, cn_shape shape, cn_aabb *out);
-// In the body's local frame, at the present density; inertia about the shape's own centre. O(points).
+// Mass at the present density, centre in the body's frame, inertia about the shape's own centre. O(points).
 cn_result cn_shape_get_mass_data(const cn_world *world, cn_shape shape, cn_mass_data *out);
-// The shape's geometry in its body's local frame, offset applied. CN_ERROR_STATE for another type.
+// Reads a circle in the body's frame, offset applied. CN_ERROR_STATE for another type.
 cn_result cn_shape_get_circle(const cn_world *world, cn_shape shape, cn_circle *out);
+// Reads a capsule in the body's frame, offset applied. CN_ERROR_STATE for another type.
 cn_result cn_shape_get_capsule(const cn_world *world, cn_shape shape, cn_capsule *out);
+// Reads an edge in the body's frame, offset applied. CN_ERROR_STATE for another type.
 cn_result cn_shape_get_edge(const cn_world *world, cn_shape shape, cn_edge *out);
+// Reads a polygon in the body's frame, offset applied. CN_ERROR_STATE for another type.
 cn_result cn_shape_get_polygon(const cn_world *world, cn_shape shape, cn_polygon *out);
-// Writes at most capacity points (out may be NULL when capacity is 0); *out_count is how many there are.
+// Reads a chain's points in the body's frame, offset applied. Writes at most capacity (>= 0); out may be NULL
+// when capacity is 0. *out_count is their number. CN_ERROR_STATE for another type. O(points written).
 cn_result cn_shape_get_chain_points(const cn_world *world, cn_shape shape, cn_vec2 *out, int32_t capacity, int32_t *out_count);
+// out_inside is 1 if the shape contains a world point in metres (in the shape's own space when unattached),
+// else 0. Edges and chains contain no point. O(points).
 cn_result cn_shape_test_point(const cn_world *world, cn_shape shape, float point_x_m, float point_y_m, int32_t *out_inside);
-// Convex hull of 1 or more points (farthest points inserted, as in Quickhull: Barber, Dobkin, Huhdanpaa 1996)
-// of at most CN_POLYGON_MAX_VERTICES, those that add the most area. CN_ERROR_ARGUMENT for fewer than three
-// distinct points or collinear ones. Details below 5 mm are dropped (below 5% of the half size for hulls
-// under 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count <= 65536.
+// Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts farthest
+// points, as Quickhull does (Barber, Dobkin, Huhdanpaa, 1996), and keeps those that add the most area.
+// CN_ERROR_ARGUMENT for fewer than three distinct points or collinear ones. It drops details below 5 mm
+// (below 5% of the half size for hulls under 0.1 m, below 0.5% for those over 1 m). radius_m >= 0. O(count^2)
+// at worst.
 cn_result cn_polygon_make_hull(const cn_vec2 *points_m, int32_t count, float radius_m, cn_polygon *out);
-// A box of half sizes > 0, moved and then turned about its own centre.
+// A box of half sizes > 0 in metres, with its centre in metres, turned about its own centre by angle_rad
+// (|angle| <= 1e4); radius_m >= 0.
 cn_result cn_polygon_make_box(float half_width_m, float half_height_m, float center_x_m, float center_y_m, float angle_rad, float radius_m, cn_polygon *out);
-// The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. They are always
-// bookended: every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved away, body
-// or shape destroyed, detached or disabled, filter or type changed). Pairs that end through a call between
-// two steps are reported by the next step; handles in such events may be stale. Falling asleep is not
-// leaving: a sleeping pair reports nothing until it wakes, and then goes on where it was. The array is built
-// on the first request after a step, O(events) then: that may return CN_ERROR_MEMORY, and inside callbacks
-// CN_ERROR_LOCKED.
+// The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. The first call for
+// a kind after a step builds the array, O(events), and can return CN_ERROR_MEMORY; CN_ERROR_LOCKED inside
+// callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved apart, body
+// or shape destroyed, detached or disabled, filter or type changed). The next step reports pairs that end
+// between two steps; their handles may be stale. A sleeping pair reports nothing, and continues when it
+// wakes.
 cn_result cn_world_contact_events(cn_world *world, int32_t kind, const cn_contact_event **out_events, int32_t *out_count);
-// function NULL removes it.
+// Sets the callback for contact events of one kind (CN_EVENT_*); NULL removes it.
 cn_result cn_world_set_contact_callback(cn_world *world, int32_t kind, cn_contact_event_fn *function, void *user);
-// function NULL removes it.
+// Sets the callback that decides whether two shapes may touch; NULL removes it.
 cn_result cn_world_set_filter_callback(cn_world *world, cn_filter_fn *function, void *user);
+// Sets the pre-solve callback; NULL removes it.
 cn_result cn_world_set_pre_solve_callback(cn_world *world, cn_pre_solve_fn *function, void *user);
+// Sets the callback that mixes materials; NULL removes it.
 cn_result cn_world_set_material_mix_callback(cn_world *world, cn_material_mix_fn *function, void *user);
-// Of the last step, in a deterministic order; bookended like contact events. Sensors see dynamic and
-// kinematic bodies' shapes that are not sensors, by exact overlap.
+// The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
+// events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap.
 cn_result cn_world_sensor_events(const cn_world *world, const cn_sensor_event **out_events, int32_t *out_count);
-// The contacts of a body, touching or not, as events of kind STAY (touching) or CREATED. Writes at most
-// capacity; *out_count is how many there are. O(contacts).
+// The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at most capacity
+// (>= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts).
 cn_result cn_body_get_contacts(const cn_world *world, cn_body body, cn_contact_event *out, int32_t capacity, int32_t *out_count);
-// As cn_body_get_contacts, of one shape, a chain with all its edges. O(contacts of its body).
+// The shape's contacts, a chain with all its edges; out, capacity, *out_count and kinds as in
+// cn_body_get_contacts. O(contacts of its body).
 cn_result cn_shape_get_contacts(const cn_world *world, cn_shape shape, cn_contact_event *out, int32_t capacity, int32_t *out_count);
-// The shapes that are in a sensor, each once: those whose ENTER had no LEAVE up to the last step.
-// CN_ERROR_STATE for a shape that is no sensor. O(contacts of its body), for chains squared.
+// The shapes in a sensor, each once: those with an ENTER and no LEAVE up to the last step. out, capacity and
+// *out_count as in cn_world_get_bodies. CN_ERROR_STATE for a shape that is no sensor. O(contacts of its
+// body), squared for chains.
 cn_result cn_shape_get_visitors(const cn_world *world, cn_shape sensor, cn_shape *out, int32_t capacity, int32_t *out_count);
-// Bodies that fell asleep in the last step, or since by cn_body_set_awake; ones destroyed since are stale
-// handles.
+// Bodies that fell asleep in the last step, or since then through cn_body_set_awake. Handles of bodies
+// destroyed since are stale.
 cn_result cn_world_fell_asleep(const cn_world *world, const cn_body **out_bodies, int32_t *out_count);
+// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 void cn_revolute_def_init(cn_revolute_def *def);
+// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 void cn_distance_def_init(cn_distance_def *def);
+// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 void cn_fixed_def_init(cn_fixed_def *def);
+// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 void cn_prismatic_def_init(cn_prismatic_def *def);
+// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 void cn_wheel_def_init(cn_wheel_def *def);
+// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 void cn_motor_def_init(cn_motor_def *def);
+// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 void cn_mouse_def_init(cn_mouse_def *def);
+// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 void cn_gear_def_init(cn_gear_def *def);
+// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 void cn_pulley_def_init(cn_pulley_def *def);
+// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 void cn_ratchet_def_init(cn_ratchet_def *def);
+// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 void cn_rotary_spring_def_init(cn_rotary_spring_def *def);
+// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 void cn_groove_def_init(cn_groove_def *def);
+// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 void cn_filter_joint_def_init(cn_filter_joint_def *def);
-// Wake both bodies. CN_ERROR_ARGUMENT for a body with itself or without a dynamic body.
+// Creates a revolute joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+// dynamic. O(contacts of body_a).
 cn_result cn_joint_create_revolute(cn_world *world, const cn_revolute_def *def, cn_joint *out_joint);
+// Creates a distance joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+// dynamic. O(contacts of body_a).
 cn_result cn_joint_create_distance(cn_world *world, const cn_distance_def *def, cn_joint *out_joint);
+// Creates a fixed joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+// dynamic. O(contacts of body_a).
 cn_result cn_joint_create_fixed(cn_world *world, const cn_fixed_def *def, cn_joint *out_joint);
+// Creates a prismatic joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+// dynamic. O(contacts of body_a).
 cn_result cn_joint_create_prismatic(cn_world *world, const cn_prismatic_def *def, cn_joint *out_joint);
+// Creates a wheel joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+// dynamic. O(contacts of body_a).
 cn_result cn_joint_create_wheel(cn_world *world, const cn_wheel_def *def, cn_joint *out_joint);
+// Creates a motor joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+// dynamic. O(contacts of body_a).
 cn_result cn_joint_create_motor(cn_world *world, const cn_motor_def *def, cn_joint *out_joint);
+// Creates a mouse joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+// dynamic, or body_a is not 0. O(contacts of body_a).
 cn_result cn_joint_create_mouse(cn_world *world, const cn_mouse_def *def, cn_joint *out_joint);
+// Creates a gear joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+// dynamic. O(contacts of body_a).
 cn_result cn_joint_create_gear(cn_world *world, const cn_gear_def *def, cn_joint *out_joint);
+// Creates a pulley joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+// dynamic. O(contacts of body_a).
 cn_result cn_joint_create_pulley(cn_world *world, const cn_pulley_def *def, cn_joint *out_joint);
+// Creates a ratchet joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+// dynamic. O(contacts of body_a).
 cn_result cn_joint_create_ratchet(cn_world *world, const cn_ratchet_def *def, cn_joint *out_joint);
+// Creates a rotary spring and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+// dynamic. O(contacts of body_a).
 cn_result cn_joint_create_rotary_spring(cn_world *world, const cn_rotary_spring_def *def, cn_joint *out_joint);
+// Creates a groove joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+// dynamic, or the slot has no length. O(contacts of body_a).
 cn_result cn_joint_create_groove(cn_world *world, const cn_groove_def *def, cn_joint *out_joint);
+// Creates a filter joint, ends the contacts between its bodies and wakes both. CN_ERROR_ARGUMENT if the
+// bodies are the same or neither is dynamic. It has a base only: see cn_joint_get_base. O(contacts of
+// body_a).
 cn_result cn_joint_create_filter(cn_world *world, const cn_filter_joint_def *def, cn_joint *out_joint);
+// Destroys a joint and wakes its bodies. No event is reported.
 cn_result cn_joint_destroy(cn_world *world, cn_joint joint);
+// 1 if the handle names a living joint of this world, else 0 (also for a constraint and a NULL world).
 int32_t cn_joint_is_valid(const cn_world *world, cn_joint joint);
+// Reads the type (CN_JOINT_REVOLUTE to _FILTER).
 cn_result cn_joint_get_type(const cn_world *world, cn_joint joint, int32_t *out_type);
+// Reads both bodies; 0 stands for the world.
 cn_result cn_joint_get_bodies(const cn_world *world, cn_joint joint, cn_body *out_a, cn_body *out_b);
+// Reads the world positions of both anchors, in metres.
 cn_result cn_joint_get_anchors(const cn_world *world, cn_joint joint, cn_vec2 *out_world_a_m, cn_vec2 *out_world_b_m);
-// Force in newtons and torque in newton metres that the joint put on body b in the last substep.
+// Force in newtons and torque in newton metres that the joint applied to body b in the last substep.
 cn_result cn_joint_get_reaction(const cn_world *world, cn_joint joint, cn_vec2 *out_force_N, float *out_torque_Nm);
-// How far the joint's rigid parts are from being satisfied: metres (anchors, lengths beyond limits) and
-// radians (angles beyond limits), both >= 0.
+// Error of the joint's rigid parts, both >= 0: metres (anchors apart, lengths beyond limits) and radians
+// (angles beyond limits).
 cn_result cn_joint_get_error(const cn_world *world, cn_joint joint, float *out_m, float *out_rad);
-// In worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default): the joint is solved together with its
-// neighbours where that is cheap. _SOFT: always by itself. _DIRECT: together with all joints that it hangs
-// together with, for as much work as CN_SOLVER_DIRECT takes, within the work_budget. In a world in a caller's
-// block that was not made with CN_SOLVER_DIRECT, _DIRECT is _AUTO. From the next step on; does not wake.
+// Chooses how the joint is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default): together
+// with its neighbours where that is cheap. _SOFT: always alone. _DIRECT: together with all connected joints,
+// up to the work limits of CN_SOLVER_DIRECT and the work_budget; the same as _AUTO for a world in a caller's
+// block that was not created with CN_SOLVER_DIRECT. Takes effect with the next step; does not wake.
 cn_result cn_joint_set_solver(cn_world *world, cn_joint joint, int32_t solver);
+// Reads the joint's own solver (CN_SOLVER_AUTO, _SOFT, _DIRECT).
 cn_result cn_joint_get_solver(const cn_world *world, cn_joint joint, int32_t *out_solver);
+// Stores a number for the user.
 cn_result cn_joint_set_user_data(cn_world *world, cn_joint joint, uint64_t user_data);
+// Reads the user's number.
 cn_result cn_joint_get_user_data(const cn_world *world, cn_joint joint, uint64_t *out_user_data);
-// Replaces the CN_JOINT_ flags. Wakes. O(contacts) when CN_JOINT_COLLIDE changes.
+// Replaces the CN_JOINT_ flags and wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_result cn_joint_set_flags(cn_world *world, cn_joint joint, uint32_t flags);
+// Reads the CN_JOINT_ flags.
 cn_result cn_joint_get_flags(const cn_world *world, cn_joint joint, uint32_t *out_flags);
-// Read back or replace a definition. set leaves bodies and anchors as they are and ignores struct_size; all
-// else is taken, flags and user data too. CN_ERROR_STATE for a joint of another type. set wakes. A filter
-// joint has nothing but its base.
+// Reads the definition of a revolute joint. CN_ERROR_STATE for another type.
 cn_result cn_joint_get_revolute(const cn_world *world, cn_joint joint, cn_revolute_def *out);
+// Replaces the definition of a revolute joint, flags and user data included; ignores bodies, anchors and
+// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_result cn_joint_set_revolute(cn_world *world, cn_joint joint, const cn_revolute_def *def);
+// Reads the definition of a distance joint. CN_ERROR_STATE for another type.
 cn_result cn_joint_get_distance(const cn_world *world, cn_joint joint, cn_distance_def *out);
+// Replaces the definition of a distance joint, flags and user data included; ignores bodies, anchors and
+// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_result cn_joint_set_distance(cn_world *world, cn_joint joint, const cn_distance_def *def);
+// Reads the definition of a fixed joint. CN_ERROR_STATE for another type.
 cn_result cn_joint_get_fixed(const cn_world *world, cn_joint joint, cn_fixed_def *out);
+// Replaces the definition of a fixed joint, flags and user data included; ignores bodies, anchors and
+// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_result cn_joint_set_fixed(cn_world *world, cn_joint joint, const cn_fixed_def *def);
+// Reads the definition of a prismatic joint. CN_ERROR_STATE for another type.
 cn_result cn_joint_get_prismatic(const cn_world *world, cn_joint joint, cn_prismatic_def *out);
+// Replaces the definition of a prismatic joint, flags and user data included; ignores bodies, anchors and
+// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_result cn_joint_set_prismatic(cn_world *world, cn_joint joint, const cn_prismatic_def *def);
+// Reads the definition of a wheel joint. CN_ERROR_STATE for another type.
 cn_result cn_joint_get_wheel(const cn_world *world, cn_joint joint, cn_wheel_def *out);
+// Replaces the definition of a wheel joint, flags and user data included; ignores bodies, anchors and
+// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_result cn_joint_set_wheel(cn_world *world, cn_joint joint, const cn_wheel_def *def);
+// Reads the definition of a motor joint. CN_ERROR_STATE for another type.
 cn_result cn_joint_get_motor_to(const cn_world *world, cn_joint joint, cn_motor_def *out);
+// Replaces the definition of a motor joint, flags and user data included; ignores bodies, anchors and
+// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_result cn_joint_set_motor_to(cn_world *world, cn_joint joint, const cn_motor_def *def);
+// Reads the definition of a mouse joint. CN_ERROR_STATE for another type.
 cn_result cn_joint_get_mouse(const cn_world *world, cn_joint joint, cn_mouse_def *out);
+// Replaces the definition of a mouse joint, flags and user data included; ignores bodies, anchors and
+// struct_size. Sets the target too. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when
+// CN_JOINT_COLLIDE changes.
 cn_result cn_joint_set_mouse(cn_world *world, cn_joint joint, const cn_mouse_def *def);
+// Reads the definition of a gear joint. CN_ERROR_STATE for another type.
 cn_result cn_joint_get_gear(const cn_world *world, cn_joint joint, cn_gear_def *out);
+// Replaces the definition of a gear joint, flags and user data included; ignores bodies, anchors and
+// struct_size. A new ratio starts the count of whole turns again. CN_ERROR_STATE for another type. Wakes both
+// bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_result cn_joint_set_gear(cn_world *world, cn_joint joint, const cn_gear_def *def);
+// Reads the definition of a pulley joint. CN_ERROR_STATE for another type.
 cn_result cn_joint_get_pulley(const cn_world *world, cn_joint joint, cn_pulley_def *out);
+// Replaces the definition of a pulley joint, flags and user data included; ignores bodies, anchors and
+// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_result cn_joint_set_pulley(cn_world *world, cn_joint joint, const cn_pulley_def *def);
+// Reads the definition of a ratchet joint. CN_ERROR_STATE for another type.
 cn_result cn_joint_get_ratchet(const cn_world *world, cn_joint joint, cn_ratchet_def *out);
+// Replaces the definition of a ratchet joint, flags and user data included; ignores bodies, anchors and
+// struct_size. The ratchet starts again at its present click. CN_ERROR_STATE for another type. Wakes both
+// bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_result cn_joint_set_ratchet(cn_world *world, cn_joint joint, const cn_ratchet_def *def);
+// Reads the definition of a rotary spring. CN_ERROR_STATE for another type.
 cn_result cn_joint_get_rotary_spring(const cn_world *world, cn_joint joint, cn_rotary_spring_def *out);
+// Replaces the definition of a rotary spring, flags and user data included; ignores bodies, anchors and
+// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_result cn_joint_set_rotary_spring(cn_world *world, cn_joint joint, const cn_rotary_spring_def *def);
+// Reads the definition of a groove joint. CN_ERROR_STATE for another type.
 cn_result cn_joint_get_groove(const cn_world *world, cn_joint joint, cn_groove_def *out);
+// Replaces the definition of a groove joint, flags and user data included; ignores bodies, anchors and
+// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_result cn_joint_set_groove(cn_world *world, cn_joint joint, const cn_groove_def *def);
-// The base of any joint.
+// Reads the base of a joint of any type.
 cn_result cn_joint_get_base(const cn_world *world, cn_joint joint, cn_joint_base *out);
-// Takes stiffness, most force and torque, and break thresholds; the rest of base is ignored. Wakes.
+// Replaces stiffness, greatest force and torque, and break thresholds; ignores the rest of base. Ranges as in
+// cn_joint_base. Wakes both bodies.
 cn_result cn_joint_set_base(cn_world *world, cn_joint joint, const cn_joint_base *base);
-// Mouse joint: where to drag to; called each frame. CN_ERROR_STATE for another type. Wakes.
+// Sets the target of a mouse joint, a world point in metres; cheap enough for every frame. CN_ERROR_STATE for
+// another type. Wakes the body.
 cn_result cn_joint_set_target(cn_world *world, cn_joint joint, float target_x_m, float target_y_m);
-// Revolute, fixed, motor: the angle b - angle a - reference (motor: without one), in (-pi, pi]. Distance,
-// pulley: the present length. Prismatic, wheel, groove: the translation along the axis. Mouse: distance to
-// the target. Gear: angle b - ratio * angle a; ratchet, rotary spring: angle b - angle a, these three over
-// whole turns.
+// Reads the joint coordinate. Revolute, fixed, motor: angle b - angle a - reference (motor: without
+// reference) in (-pi, pi]. Distance, pulley: the present length. Prismatic, wheel, groove: the translation
+// along the axis. Mouse: the distance to the target. Gear: angle b - ratio * angle a; ratchet, rotary spring:
+// angle b - angle a; these three over whole turns.
 cn_result cn_joint_get_position(const cn_world *world, cn_joint joint, float *out_position);
-// How fast that changes; but of a wheel how fast b turns against a. With CN_JOINT_MOTOR, positive follows
-// these.
+// Rate of change of cn_joint_get_position; of a wheel joint the angular velocity of b against a. A positive
+// motor speed has the same sign.
 cn_result cn_joint_get_speed(const cn_world *world, cn_joint joint, float *out_speed);
-// The two setters that games call each frame, for revolute, distance, prismatic and wheel (others:
-// CN_ERROR_STATE). Wake.
+// Sets motor speed (rad/s or m/s) and greatest torque or force (N m or N, >= 0) of a revolute, distance,
+// prismatic or wheel joint (others: CN_ERROR_STATE). Wakes both bodies.
 cn_result cn_joint_set_motor(cn_world *world, cn_joint joint, float speed, float force_or_torque_max);
+// Sets the limits, lower <= upper, of a revolute (radians in [-pi, pi]), distance (metres >= 0), prismatic or
+// wheel joint (metres); others: CN_ERROR_STATE. Wakes both bodies.
 cn_result cn_joint_set_limits(cn_world *world, cn_joint joint, float lower, float upper);
-// Those that exceeded a break threshold in the last step, and those destroyed with a body in or since the
-// step before (by calls between two steps: reported by the next step).
+// Joints and constraints that exceeded a break threshold in the last step, and those destroyed with a body in
+// that step or between it and the step before.
 cn_result cn_world_joint_events(const cn_world *world, const cn_joint_event **out_events, int32_t *out_count);
+// Sets struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 void cn_angle_constraint_def_init(cn_angle_constraint_def *def);
+// Sets struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 void cn_line_constraint_def_init(cn_line_constraint_def *def);
-// They are solved with the joints, before contacts. Wake the body.
+// Creates an angle constraint, solved with the joints, before contacts. CN_ERROR_ARGUMENT if the body is not
+// dynamic. Wakes the body.
 cn_result cn_constraint_create_angle(cn_world *world, const cn_angle_constraint_def *def, cn_constraint *out_constraint);
+// Creates a line constraint, solved with the joints, before contacts. CN_ERROR_ARGUMENT if the body is not
+// dynamic. Wakes the body.
 cn_result cn_constraint_create_line(cn_world *world, const cn_line_constraint_def *def, cn_constraint *out_constraint);
+// Destroys a constraint and wakes its body. No event is reported.
 cn_result cn_constraint_destroy(cn_world *world, cn_constraint constraint);
+// 1 if the handle names a living constraint of this world, else 0 (also for a joint and a NULL world).
 int32_t cn_constraint_is_valid(const cn_world *world, cn_constraint constraint);
+// Reads the type (CN_CONSTRAINT_ANGLE or _LINE).
 cn_result cn_constraint_get_type(const cn_world *world, cn_constraint constraint, int32_t *out_type);
+// Reads the body.
 cn_result cn_constraint_get_body(const cn_world *world, cn_constraint constraint, cn_body *out_body);
-// Read back or replace a definition; set ignores body. CN_ERROR_STATE for the other type. set wakes.
+// Reads the definition of an angle constraint. CN_ERROR_STATE for another type.
 cn_result cn_constraint_get_angle(const cn_world *world, cn_constraint constraint, cn_angle_constraint_def *out);
+// Replaces the definition of an angle constraint; ignores body. CN_ERROR_STATE for another type. Wakes the
+// body.
 cn_result cn_constraint_set_angle(cn_world *world, cn_constraint constraint, const cn_angle_constraint_def *def);
+// Reads the definition of a line constraint. CN_ERROR_STATE for another type.
 cn_result cn_constraint_get_line(const cn_world *world, cn_constraint constraint, cn_line_constraint_def *out);
+// Replaces the definition of a line constraint; ignores body. CN_ERROR_STATE for another type. Wakes the
+// body.
 cn_result cn_constraint_set_line(cn_world *world, cn_constraint constraint, const cn_line_constraint_def *def);
-// Angle: the angle over whole turns. Line: where along the axis the point is, from origin.
+// Angle constraint: the angle in radians over whole turns. Line constraint: the coordinate of the point along
+// the axis, in metres from origin.
 cn_result cn_constraint_get_position(const cn_world *world, cn_constraint constraint, float *out_position);
-// Force in newtons and torque in newton metres that it put on the body in the last substep.
+// Force in newtons and torque in newton metres that the constraint applied to the body in the last substep.
 cn_result cn_constraint_get_reaction(const cn_world *world, cn_constraint constraint, cn_vec2 *out_force_N, float *out_torque_Nm);
-// How far beyond what is allowed, >= 0.
+// Distance beyond the allowed range, >= 0: metres for a line constraint, radians for an angle constraint.
 cn_result cn_constraint_get_error(const cn_world *world, cn_constraint constraint, float *out_m, float *out_rad);
-// As cn_world_get_joints and cn_body_get_joints, which do not list constraints.
+// Handles of all constraints, ordered by slot; out, capacity and *out_count as in cn_world_get_bodies.
+// O(slots).
 cn_result cn_world_get_constraints(const cn_world *world, cn_constraint *out, int32_t capacity, int32_t *out_count);
+// Handles of the body's constraints; out, capacity and *out_count as in cn_world_get_bodies. O(joints +
+// constraints of the body).
 cn_result cn_body_get_constraints(const cn_world *world, cn_body body, cn_constraint *out, int32_t capacity, int32_t *out_count);
-// step_s in (0, 1], default 1/60; steps_max >= 1, default 8.
+// Sets the fixed step of cn_world_update: step_s in (0, 1], default 1/60; at most steps_max steps an update,
+// 1 to 1000, default 8.
 cn_result cn_world_set_fixed_step(cn_world *world, float step_s, int32_t steps_max);
-// Adds elapsed_s (0 to 10) to the time owed and takes as many fixed steps as fit, at most steps_max. Events
-// of all steps but the last are only seen by callbacks. out may be NULL.
+// Adds elapsed_s (0 to 10) to the time owed and takes as many fixed steps as fit, at most steps_max. The
+// event arrays hold the last step; callbacks see every step. out may be NULL. Costs as the steps.
 cn_result cn_world_update(cn_world *world, float elapsed_s, cn_update_report *out);
-// Poses between the last two steps of cn_world_update: factor 0 the one before, 1 the last. bodies as in
-// cn_world_read_poses. Bodies that did not take part in the last step have their present pose.
+// Reads count poses between the last two steps of cn_world_update: factor 0 to 1, 0 before the last step, 1
+// after it. Bodies that did not take part in the last step have their present pose. bodies and count as in
+// cn_world_read_poses. O(count).
 cn_result cn_world_read_poses_interpolated(const cn_world *world, const cn_body *bodies, int32_t count, float factor, cn_pose *out);
+// Sets the defaults given beside the fields. NULL does nothing.
 void cn_query_filter_init(cn_query_filter *filter);
-// Nearest hit; out->shape is 0 when there is none. An edge is hit from both sides, a chain from its front
-// only. Of equal hits the first by shape (as in cn_world_get_shapes), then child. filter may be NULL in all
-// queries: the defaults. O(log) to O(shapes along the ray).
+// Nearest hit of a ray; out->shape is 0 when there is none. Edges are hit from both sides, chains from their
+// front. Of equal hits the first by shape (in the order of cn_world_get_shapes), then child. filter may be
+// NULL: the defaults. O(log shapes) to O(shapes along the ray).
 cn_result cn_world_cast_ray(const cn_world *world, const cn_ray *ray, const cn_query_filter *filter, cn_ray_hit *out);
-// 1 if anything is hit: cheaper than the nearest.
+// out_hit is 1 if the ray hits any shape, else 0; cheaper than the nearest hit. filter may be NULL. O(log
+// shapes) to O(shapes along the ray).
 cn_result cn_world_cast_ray_any(const cn_world *world, const cn_ray *ray, const cn_query_filter *filter, int32_t *out_hit);
-// Up to capacity hits, nearest first (the nearest ones if there are more); *out_count is how many were found.
-// A chain is hit once by each edge on the way.
+// Hits of a ray, nearest first: the nearest capacity (>= 0) are written, *out_count is the number found. A
+// chain counts once for each edge hit. filter may be NULL. O(shapes along the ray * log capacity).
 cn_result cn_world_cast_ray_all(const cn_world *world, const cn_ray *ray, const cn_query_filter *filter, cn_ray_hit *out, int32_t capacity, int32_t *out_count);
-// count rays, the nearest hit of each; nothing is written if one of them is bad.
+// Nearest hit of each of count (>= 0) rays, as cn_world_cast_ray. One bad ray fails the whole call. filter
+// may be NULL. O(sum of the rays).
 cn_result cn_world_cast_rays(const cn_world *world, const cn_ray *rays, int32_t count, const cn_query_filter *filter, cn_ray_hit *out);
-// Against one shape alone, whatever its filter, in shape space when unattached. O(edges of a chain).
+// Nearest hit of a ray against one shape, whatever its filter; in the shape's own space when unattached.
+// O(points of the shape).
 cn_result cn_shape_cast_ray(const cn_world *world, cn_shape shape, const cn_ray *ray, cn_ray_hit *out);
-// A polygon (its points in world coordinates; count may be 1 or 2 too, with radius > 0: circle, capsule)
-// moved by translation without turning: the first shape it meets. A chain is met by what has the mean of its
-// points in front.
+// First shape that a convex shape meets when moved by translation (metres, at most 2e6 length units each way)
+// without turning. shape is a polygon in world coordinates; with radius_m > 0 its count may be 1 or 2:
+// circle, capsule. A shape in contact at the start: see cn_ray_hit. A chain is met if the mean of the moving
+// points is in front of it. filter may be NULL. O(shapes along the way).
 cn_result cn_world_cast_shape(const cn_world *world, const cn_polygon *shape, float translation_x_m, float translation_y_m, const cn_query_filter *filter, cn_ray_hit *out);
-// Shapes that overlap a region: at most capacity handles are written (the first ones), *out_count is how many
-// there are, in the order of cn_world_get_shapes. The first is by the shapes' boxes without margin, the
-// others exact. A chain is listed once; edges and chains are lines here, seen from both sides, and contain no
-// point. Polygons as in cn_world_cast_shape. O(log) to O(boxes in the region).
+// Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a chain once. The
+// first capacity (>= 0) are written; *out_count is the number found. filter may be NULL. O(log shapes) to
+// O(boxes in the region).
 cn_result cn_world_overlap_aabb(const cn_world *world, const cn_aabb *box, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count);
+// Shapes that exactly overlap a circle; order, capacity, filter and cost as in cn_world_overlap_aabb. Edges
+// and chains are lines here, seen from both sides.
 cn_result cn_world_overlap_circle(const cn_world *world, const cn_circle *circle, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count);
+// Shapes that exactly overlap a polygon (as in cn_world_cast_shape); order, capacity, filter and cost as in
+// cn_world_overlap_aabb. Edges and chains are lines here, seen from both sides.
 cn_result cn_world_overlap_polygon(const cn_world *world, const cn_polygon *polygon, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count);
+// Shapes that contain a world point in metres; order, capacity, filter and cost as in cn_world_overlap_aabb.
+// Edges and chains contain no point.
 cn_result cn_world_overlap_point(const cn_world *world, float x_m, float y_m, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count);
-// The shape nearest to a point within distance_max_m (0 to 4e6 length units), the deepest if the point is in
-// several. Cost grows with what is near, not with distance_max_m.
+// Shape nearest to a world point within distance_max_m (0 to 4e6 length units); the deepest if several
+// contain the point. filter may be NULL. Cost grows with the shapes nearby, not with distance_max_m.
 cn_result cn_world_closest_point(const cn_world *world, float x_m, float y_m, float distance_max_m, const cn_query_filter *filter, cn_closest *out);
-// By GJK (Gilbert, Johnson, Keerthi 1988) when the shapes without their radii are apart, else by their
-// Minkowski difference.
+// Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their
+// radii are apart, else by their Minkowski difference. Needs no world; runs in any thread. O(points).
 cn_result cn_polygon_distance(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b, cn_distance *out);
-// b is moved by translation (at most 2e6 m each way) without turning: where it meets a, as cn_ray_hit says,
-// without shape, body and child; 1 in *out_hit, or 0.
+// Moves b by translation (at most 2e6 m each way) without turning: *out_hit is 1 if it hits a, else 0; *out
+// as cn_ray_hit, without shape, body and child. Needs no world; runs in any thread. O(points).
 cn_result cn_polygon_cast(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b, float translation_x_m, float translation_y_m, cn_ray_hit *out, int32_t *out_hit);
-// The contact of a step: no points when they are farther apart than margin_m (0 to 1e6). Impulses are 0. Not
-// for a single point of radius 0.
+// Contact of two shapes as in a step, with impulses 0: no points if they are farther apart than margin_m (0
+// to 1e6). A single point of radius 0 gives CN_ERROR_ARGUMENT. Needs no world; runs in any thread. O(points).
 cn_result cn_polygon_collide(const cn_polygon *a, const cn_pose *pose_a, const cn_polygon *b, const cn_pose *pose_b, float margin_m, cn_manifold *out);
-// When two shapes that move and turn first come within distance_m (0 to 1e6) of each other; fraction 0 for
-// those that start nearer. Conservative advancement (Mirtich 1996) along fixed axes (Catto, GDC 2013) that
-// never passes by a hit.
+// First time at which two moving and turning shapes come within distance_m (0 to 1e6); fraction 0 if they
+// start closer. Conservative advancement (Mirtich, 1996) along fixed axes (Catto, GDC 2013) never misses a
+// hit. Needs no world; runs in any thread.
 cn_result cn_polygon_time_of_impact(const cn_polygon *a, const cn_sweep *sweep_a, const cn_polygon *b, const cn_sweep *sweep_b, float distance_m, cn_impact *out);
-// The planes of all shapes within margin_m (0 to 1e6) of a polygon (as in cn_world_cast_shape) moved by
-// position: how they touch it, as in a step, rigid. At most capacity, those of least separation first;
-// *out_count is how many there are. Sensors are no surfaces. With CN_QUERY_ONE_WAY a one-way shape is one
-// only from its upper side, and only for what is no deeper in it than 0.5% of the length unit and what it
-// rose by in the last step. A shape wholly behind another one's plane is left out: it cannot be met while
-// that plane holds, so that the seams of tiles do not catch (not done when capacity is too small for all).
-// O(shapes near, squared).
+// Collision planes of all shapes within margin_m (0 to 1e6) of a polygon (as in cn_world_cast_shape) moved by
+// position, from the same manifolds as in a step, rigid. Writes at most capacity, those of least separation
+// first; *out_count is their number. Sensors have no planes. With CN_QUERY_ONE_WAY a one-way shape has a
+// plane only on its upper side, and only for an overlap of at most 0.5% of the length unit plus its rise in
+// the last step. Shapes wholly behind the plane of another shape are left out, so that seams of tiles do not
+// catch (not if capacity is too small for all). O(shapes nearby, squared).
 cn_result cn_mover_collide(const cn_world *world, const cn_polygon *shape, float position_x_m, float position_y_m, float margin_m, const cn_query_filter *filter, cn_plane *out, int32_t capacity, int32_t *out_count);
-// The translation nearest to a wanted one that the planes allow: exactly, for in two dimensions it lies on at
-// most two of them. A plane pushes by no more than push_max_m: which ones push their most, Hildreth's method
-// (1957) tells. Sets push_m. Between surfaces that leave no room it is that of the least sum of squared
-// overlaps (Cimmino 1938), and *out_overlap_m, else 0 up to rounding, says how deep the deepest of them
-// remains that did not push its most. count 0 to CN_PLANES_MAX. No world. O(count^2), O(count^3) where two
-// planes hold it.
+// The translation nearest to a wanted one that count (0 to CN_PLANES_MAX) planes permit; exact, as in two
+// dimensions at most two planes hold it. A plane pushes by at most push_max_m; Hildreth's method (1957) finds
+// the planes at their limit. Sets push_m. If the surfaces leave no room, the result has the least sum of
+// squared overlaps (Cimmino, 1938); *out_overlap_m is the deepest remaining overlap of planes below their
+// limit, else 0 up to rounding. Needs no world. O(count^2), O(count^3) where two planes hold it.
 cn_result cn_mover_solve(cn_plane *planes, int32_t count, float translation_x_m, float translation_y_m, cn_vec2 *out_translation_m, float *out_overlap_m);
-// The velocity nearest to a given one that leads into none of the planes that pushed in the last
-// cn_mover_solve. No world.
+// The velocity nearest to a given one (m/s) that leads into none of the planes that pushed in the last
+// cn_mover_solve. Needs no world. O(count^2).
 cn_result cn_mover_clip(const cn_plane *planes, int32_t count, float velocity_x_mps, float velocity_y_mps, cn_vec2 *out_mps);
+// Sets struct_size and the defaults given beside the fields. NULL does nothing.
 void cn_mover_def_init(cn_mover_def *def);
-// Moves a character by dt_s (0 < dt_s <= 1). Call it after each cn_world_step, or it is a step behind what
-// carries it. 1. carried   by what its ground did since the last move: the change of the place in ground_body
-// where it stood, conveyors too 2. walking   on the ground: velocity_mps across up, along the ground, as fast
-// uphill as downhill; no gravity, so that it does not creep. Where something too steep is in the way, a step
-// up: up by step_height_m, forward, down on what can be walked on flying    in the air: velocity_mps and
-// gravity (exact for constant gravity). Jumping and walking off take ground_velocity_mps along 3. sliding
-// both by collision planes, cn_mover_solve and casts, up to iterations_max times: no speed passes through a
-// wall 4. pushing   dynamic bodies in the way get a force for the next step that brings them to the
-// character's velocity, of at most push_force_N each 5. ground    what it touches and can stand on, or finds
-// within snap_m below when it walked; velocity_mps loses what is blocked Depends on the world, def and mover
-// alone: the same calls give the same bits. The loop of planes, solver and cast is that of Box2D 3's sample
-// of a character mover (Catto 2025). Bodies pushed wake up; nothing else of the world changes. O(shapes near
-// x iterations_max): some 1 us standing, 3 us walking, 10 us against a wall.
+// Moves a character by dt_s (0 < dt_s <= 1). Call it after each cn_world_step, else it lags one step behind
+// the ground that carries it. 1. carried   by the motion of its ground since the last move: of the point of
+// ground_body under it, and of conveyors 2. walking   on the ground: velocity_mps across up, along the
+// ground, at the same speed uphill and downhill; no gravity, so that it does not creep. A step up where a too
+// steep surface blocks it: up by step_height_m, forward, down on walkable ground flying    in the air:
+// velocity_mps and gravity (exact for constant gravity). Jumping and walking off keep ground_velocity_mps 3.
+// sliding   both by collision planes, cn_mover_solve and casts, up to iterations_max times: no speed passes
+// through a wall 4. pushing   dynamic bodies in the way get a force for the next step that brings them to the
+// character's velocity, of at most push_force_N each 5. ground    ground that it touches, or that lies within
+// snap_m below a walking character; velocity_mps loses blocked components The result depends on the world,
+// def and mover alone: equal calls give equal bits. The loop of planes, solver and cast is that of Box2D 3's
+// sample of a character mover (Catto, 2025). Pushed bodies wake; nothing else in the world changes. O(shapes
+// nearby x iterations_max): about 1 us standing, 3 us walking, 10 us against a wall.
 cn_result cn_mover_move(cn_world *world, const cn_mover_def *def, float dt_s, cn_mover *mover);
+// Sets struct_size and the defaults given beside the fields. NULL does nothing.
 void cn_explosion_def_init(cn_explosion_def *def);
-// Pushes dynamic bodies away from the centre, each shape at its point nearest to it, and wakes them.
-// Velocities must stay finite (CN_ERROR_ARGUMENT). O(shapes in reach).
+// Pushes dynamic bodies away from the centre, each shape at its point nearest to the centre, and wakes them.
+// CN_ERROR_ARGUMENT if a velocity would overflow. O(shapes in reach * log of that).
 cn_result cn_world_explode(cn_world *world, const cn_explosion_def *def);
+// Sets struct_size and the defaults given beside the fields, every function to NULL. NULL does nothing.
 void cn_debug_draw_init(cn_debug_draw *draw);
-// Reads only. O(what is drawn).
+// Draws the world through the given functions, in the calling thread. Reads only. O(bodies + shapes +
+// contacts + joints).
 cn_result cn_world_draw(const cn_world *world, const cn_debug_draw *draw);
-// Dynamic AABB tree. alloc and free NULL: malloc. margin_m >= 0 is added around every box.
+// Creates a dynamic AABB tree; margin_m >= 0 is added around every box. alloc and free: both NULL for malloc,
+// or both set.
 cn_result cn_tree_create(float margin_m, cn_alloc_fn *alloc, cn_free_fn *free, void *allocator_user, cn_tree **out_tree);
+// Destroys a tree. NULL does nothing.
 void cn_tree_destroy(cn_tree *tree);
-// O(log n). *out_item is never 0.
+// Inserts a finite box with lower_m <= upper_m; *out_item, its handle, is never 0. O(log n).
 cn_result cn_tree_insert(cn_tree *tree, const cn_aabb *box, uint64_t user_data, uint32_t *out_item);
+// Removes an item. CN_ERROR_HANDLE for a stale one. O(log n).
 cn_result cn_tree_remove(cn_tree *tree, uint32_t item);
-// Nothing happens while the box stays within its margin. O(log n) else.
+// Gives an item a new box. Nothing changes while it lies within the item's box with margin; else O(log n).
+// CN_ERROR_HANDLE for a stale item.
 cn_result cn_tree_move(cn_tree *tree, uint32_t item, const cn_aabb *box);
+// Reads the item's box with its margin. CN_ERROR_HANDLE for a stale item.
 cn_result cn_tree_get_box(const cn_tree *tree, uint32_t item, cn_aabb *out);
+// Calls visit for every item whose box with margin overlaps box, until visit returns 0. visit must not change
+// the tree. O(log n + items visited).
 cn_result cn_tree_query(const cn_tree *tree, const cn_aabb *box, cn_tree_query_fn *visit, void *user);
+// Calls visit for items whose box with margin a ray crosses; visit shortens or stops the ray by its result
+// and must not change the tree. O(log n + items visited).
 cn_result cn_tree_cast_ray(const cn_tree *tree, const cn_ray *ray, cn_tree_ray_fn *visit, void *user);
-// Number of items and height of the tree.
+// Reads the number of items and the height of the tree.
 cn_result cn_tree_get_stats(const cn_tree *tree, int32_t *out_count, int32_t *out_height);
 ]]
 

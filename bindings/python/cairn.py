@@ -226,6 +226,7 @@ class cn_tree(_c.Structure):
 
 
 class cn_vec2(_c.Structure):
+    # A point, vector or pair of numbers.
     _fields_ = [
         ("x", _c.c_float),
         ("y", _c.c_float),
@@ -233,8 +234,8 @@ class cn_vec2(_c.Structure):
 
 
 class cn_pose(_c.Structure):
-    # Position of a body's origin and its rotation as (cosine, sine). 16 bytes: an array of these can be
-    # uploaded to a GPU as it is.
+    # Position of a body's origin and its rotation as (cosine, sine). 16 bytes: an array of poses can be
+    # uploaded to a GPU directly.
     _fields_ = [
         ("position_m", cn_vec2),
         ("cosine", _c.c_float),
@@ -243,13 +244,15 @@ class cn_pose(_c.Structure):
 
 
 class cn_velocity(_c.Structure):
+    # Velocity of a body.
     _fields_ = [
         ("linear_mps", cn_vec2),  # of the centre of mass
-        ("angular_radps", _c.c_float),
+        ("angular_radps", _c.c_float),  # counter-clockwise is positive
     ]
 
 
 class cn_aabb(_c.Structure):
+    # Axis-aligned bounding box, lower_m <= upper_m.
     _fields_ = [
         ("lower_m", cn_vec2),
         ("upper_m", cn_vec2),
@@ -257,6 +260,7 @@ class cn_aabb(_c.Structure):
 
 
 class cn_mass_data(_c.Structure):
+    # Mass, inertia and centre of mass.
     _fields_ = [
         ("mass_kg", _c.c_float),
         ("inertia_kgm2", _c.c_float),  # about the centre of mass
@@ -264,36 +268,37 @@ class cn_mass_data(_c.Structure):
     ]
 
 
-# Memory hooks. Return NULL when there is none; align is a power of two, at most 64. Called only from inside
-# functions that take a non-const world.
+# Memory hook: allocates bytes aligned to align, a power of two of at most 64; returns NULL when there is no
+# memory. Called only from inside functions that take a non-const world.
 cn_alloc_fn = _c.CFUNCTYPE(_c.c_void_p, _c.c_uint64, _c.c_uint32, _c.c_void_p)
 
 
+# Memory hook: frees memory of cn_alloc_fn; bytes is the size it was allocated with.
 cn_free_fn = _c.CFUNCTYPE(None, _c.c_void_p, _c.c_uint64, _c.c_void_p)
 
 
-# A user's own task system, for worlds with worker_count of 2 or more; without one they start threads of their
-# own. Within cn_world_step a world that has enough to do asks for help with enqueue, works itself, and then
-# calls finish; some 3 to 10 times a step. It does not matter where tasks run, in which order, or whether side
-# by side. cn_task_fn     the library's: call it for ranges [begin, end) that cover 0 to item_count - 1, each
-# item once, on any threads. A call may last as long as the step, and may wait for others that have already
-# begun, never for one that has not. Its thread must have the floating-point mode of the one that steps.
-# cn_enqueue_fn  the user's: makes a task of item_count items (one less than worker_count) in ranges of at
-# least min_range, and returns what finish knows it by. It may also run all of it at once, and must do so if
-# it cannot keep it; NULL then says that there is nothing to finish. cn_finish_fn   the user's: returns when
-# every item of the task has run. Called once for each enqueue that did not return NULL, in the thread that
-# enqueued. It may run items itself. enqueue and finish are called in the thread that steps, while no callback
-# runs, and must not call the library.
+# The library's part of a user's task system (cn_world_def.enqueue and finish, for worlds with worker_count of
+# 2 or more; without them the world starts its own threads). Call it for ranges [begin, end) that together
+# cover 0 to item_count - 1, each item once, on any threads, in any order. A call may last as long as the step
+# and may wait for calls that have begun, never for one that has not. Its thread must have the floating-point
+# mode of the stepping thread.
 cn_task_fn = _c.CFUNCTYPE(None, _c.c_int32, _c.c_int32, _c.c_void_p)
 
 
+# Starts a task of item_count items (worker_count - 1) in ranges of at least min_range and returns a handle
+# for finish. It may run the whole task at once, and must do so if it cannot store the task; it then returns
+# NULL, and finish is not called. A step with enough work enqueues 3 to 10 tasks; enqueue and finish run in
+# the stepping thread, never during a callback, and must not call the library.
 cn_enqueue_fn = _c.CFUNCTYPE(_c.c_void_p, cn_task_fn, _c.c_void_p, _c.c_int32, _c.c_int32, _c.c_void_p)
 
 
+# Returns when every item of the task has run; it may run items itself. Called once for each enqueue that did
+# not return NULL, in the thread that enqueued.
 cn_finish_fn = _c.CFUNCTYPE(None, _c.c_void_p, _c.c_void_p)
 
 
 class cn_world_def(_c.Structure):
+    # Definition of a world.
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("flags", _c.c_uint32),  # CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS
@@ -302,113 +307,116 @@ class cn_world_def(_c.Structure):
         ("solver", _c.c_int32),  # CN_SOLVER_*; default CN_SOLVER_AUTO
         ("broadphase", _c.c_int32),  # CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP
         ("substep_count", _c.c_int32),  # 1 to 64; default 4
-        ("accuracy_m", _c.c_float),  # CN_SOLVER_AUTO works towards errors below this, >= 0; default 0.005 x length unit
-        ("work_budget", _c.c_int32),  # ... but spends no more than this on direct solving in a step, in blocks (joints, contacts and the fill between them) factored, substeps included: some 10 ns each; 0 to 1e9; default 0: no bound but those of single islands
+        ("accuracy_m", _c.c_float),  # CN_SOLVER_AUTO aims at errors below this, >= 0; default 0.005 x length unit
+        ("work_budget", _c.c_int32),  # limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
         ("restitution_threshold_mps", _c.c_float),  # slower impacts do not bounce, >= 0; default 1 x length unit
-        ("push_speed_max_mps", _c.c_float),  # fastest speed at which overlap is pushed apart, > 0; default 3 x length unit
-        ("linear_speed_max_mps", _c.c_float),  # > 0; default 400 x length unit
-        ("angular_speed_max_radps", _c.c_float),  # > 0; default 400
+        ("push_speed_max_mps", _c.c_float),  # greatest speed at which overlaps are pushed apart, > 0; default 3 x length unit
+        ("linear_speed_max_mps", _c.c_float),  # faster bodies are slowed to it, > 0; default 400 x length unit
+        ("angular_speed_max_radps", _c.c_float),  # faster bodies are slowed to it, > 0; default 400
         ("sleep_speed_mps", _c.c_float),  # bodies slower than this may sleep, >= 0; default 0.05 x length unit
-        ("sleep_delay_s", _c.c_float),  # ... after this long, >= 0; default 0.5
+        ("sleep_delay_s", _c.c_float),  # ... after this time, >= 0; default 0.5
         ("body_capacity", _c.c_int32),  # hints for a growing world, exact for a fixed one; >= 0; default 0
         ("shape_capacity", _c.c_int32),  # counts every edge of a chain
-        ("contact_capacity", _c.c_int32),
+        ("contact_capacity", _c.c_int32),  # pairs whose fat AABBs overlap
         ("joint_capacity", _c.c_int32),  # counts constraints too
         ("user_data", _c.c_uint64),
         ("memory_bytes", _c.c_uint64),  # size of memory; 0: use alloc and free
-        ("memory", _c.c_void_p),  # NULL, or one block aligned to 64 bytes that the world lives in, whole
+        ("memory", _c.c_void_p),  # NULL, or one block aligned to 64 bytes that holds the whole world
         ("alloc", cn_alloc_fn),  # NULL: malloc; set both or none
-        ("free", cn_free_fn),
-        ("allocator_user", _c.c_void_p),
-        ("enqueue", cn_enqueue_fn),  # NULL: threads of the world's own; set both or none
-        ("finish", cn_finish_fn),
-        ("task_user", _c.c_void_p),
-        ("worker_count", _c.c_int32),  # how many may work on a step at once, the calling thread one of them; 0 to CN_WORKERS_MAX; default 0: as 1, which starts no threads and enqueues no tasks
+        ("free", cn_free_fn),  # NULL: free
+        ("allocator_user", _c.c_void_p),  # last argument of alloc and free
+        ("enqueue", cn_enqueue_fn),  # NULL: the world's own threads; set both or none
+        ("finish", cn_finish_fn),  # see cn_finish_fn
+        ("task_user", _c.c_void_p),  # last argument of enqueue and finish
+        ("worker_count", _c.c_int32),  # threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no threads, no tasks
         ("reserved", _c.c_uint32),
     ]
 
 
 class cn_counters(_c.Structure):
+    # Counts of objects, and problems of the last step.
     _fields_ = [
-        ("bodies", _c.c_int32),
+        ("bodies", _c.c_int32),  # alive
         ("bodies_awake", _c.c_int32),  # dynamic and kinematic bodies that are simulated
-        ("shapes", _c.c_int32),
-        ("proxies", _c.c_int32),  # boxes in the broadphase: one a shape, one an edge of a chain
+        ("shapes", _c.c_int32),  # alive
+        ("proxies", _c.c_int32),  # boxes in the broadphase: one per shape, one per edge of a chain
         ("contacts", _c.c_int32),  # pairs whose fat boxes overlap
-        ("contacts_awake", _c.c_int32),
-        ("contacts_touching", _c.c_int32),  # pairs that share a manifold, asleep or awake
+        ("contacts_awake", _c.c_int32),  # with an awake body
+        ("contacts_touching", _c.c_int32),  # pairs with a manifold, asleep or awake
         ("joints", _c.c_int32),  # and constraints
-        ("joints_awake", _c.c_int32),
-        ("islands", _c.c_int32),  # awake and asleep, of two or more bodies or one
-        ("islands_awake", _c.c_int32),
-        ("colors_used", _c.c_int32),  # groups of contacts that are solved without sharing a body
-        ("overflow_contacts", _c.c_int32),  # contacts that fit no colour and are solved one by one
-        ("broadphase_tiles", _c.c_int32),
+        ("joints_awake", _c.c_int32),  # and constraints, with an awake body
+        ("islands", _c.c_int32),  # awake and asleep; a single dynamic body counts
+        ("islands_awake", _c.c_int32),  # of them
+        ("colors_used", _c.c_int32),  # groups of contacts that share no dynamic body
+        ("overflow_contacts", _c.c_int32),  # contacts that fit no colour: solved one by one
+        ("broadphase_tiles", _c.c_int32),  # cells of the broadphase
         ("steps", _c.c_uint32),  # steps taken since creation, modulo 2^32
-        ("warnings", _c.c_uint32),  # What the last step could not do for want of memory; 0 when all is well. It tries again. CN_WARNING_*
-        ("pairs_not_added", _c.c_int32),
-        ("events_not_reported", _c.c_int32),
-        ("islands_direct", _c.c_int32),  # of several bodies, solved directly in the last step, contacts and all
-        ("direct_work", _c.c_int32),  # planned for all that is solved directly in it, in the units of work_budget; at most 2^31 - 1
-        ("islands_unsolved", _c.c_int32),  # of several bodies, left to soft constraints for a time because no solution was found: CN_TIER_REASON_NO_SET
+        ("warnings", _c.c_uint32),  # Work that the last step skipped for lack of memory, 0 for none. The next step tries again. CN_WARNING_*
+        ("pairs_not_added", _c.c_int32),  # new pairs without a contact
+        ("events_not_reported", _c.c_int32),  # events without a place in a log
+        ("islands_direct", _c.c_int32),  # of several bodies, solved directly in the last step, contacts included
+        ("direct_work", _c.c_int32),  # planned direct solving of the last step, in the units of work_budget; at most 2^31 - 1
+        ("islands_unsolved", _c.c_int32),  # of several bodies, soft for a time as no solution was found: CN_TIER_REASON_NO_SET
     ]
 
 
 class cn_island_report(_c.Structure):
+    # Report on one island.
     _fields_ = [
-        ("body", cn_body),  # one of it: of least slot
-        ("bodies", _c.c_int32),
+        ("body", cn_body),  # its body of least slot
+        ("bodies", _c.c_int32),  # dynamic
         ("contacts", _c.c_int32),  # touching
         ("joints", _c.c_int32),  # and constraints
         ("tier", _c.c_int32),  # CN_TIER_*, after the last step
         ("reason", _c.c_int32),  # CN_TIER_REASON_*
-        ("substeps", _c.c_int32),  # of the world, 1 while it rests, as after the last step that took time; joints that swing freely may take more
-        ("residual_m", _c.c_float),  # where bodies are now: largest overlap, or gap of a rigid joint (angles times its bodies' extent); joints that may give way (stiffness_hertz, force_max_N, torque_max_Nm) do not count
+        ("substeps", _c.c_int32),  # of the last step with dt > 0: the world's, or 1 at rest; freely swinging joints may take more
+        ("residual_m", _c.c_float),  # at the present poses: largest overlap, or gap of a rigid joint (angles times its bodies' extent); joints that may yield (stiffness_hertz, force_max_N, torque_max_Nm) do not count
     ]
 
 
 class cn_profile(_c.Structure):
     # Seconds of the last step by stage, all 0 unless CN_WORLD_PROFILE is set.
     _fields_ = [
-        ("step_s", _c.c_float),
-        ("wake_s", _c.c_float),
-        ("broadphase_s", _c.c_float),
-        ("narrowphase_s", _c.c_float),
-        ("islands_s", _c.c_float),
-        ("prepare_s", _c.c_float),
-        ("substeps_s", _c.c_float),
-        ("finalize_s", _c.c_float),
-        ("events_s", _c.c_float),
-        ("sleep_s", _c.c_float),
+        ("step_s", _c.c_float),  # the whole step
+        ("wake_s", _c.c_float),  # waking
+        ("broadphase_s", _c.c_float),  # pairs
+        ("narrowphase_s", _c.c_float),  # manifolds
+        ("islands_s", _c.c_float),  # islands
+        ("prepare_s", _c.c_float),  # constraints, plans
+        ("substeps_s", _c.c_float),  # all substeps
+        ("finalize_s", _c.c_float),  # poses and boxes
+        ("events_s", _c.c_float),  # callbacks
+        ("sleep_s", _c.c_float),  # falling asleep
     ]
 
 
 class cn_memory_stats(_c.Structure):
-    # Memory, in bytes. The frame arena is the stack allocator whose entries live within one step; the block
+    # Memory, in bytes. The frame arena is a stack allocator whose entries live within one step; the block
     # allocator serves small variable-size pieces from free lists of size classes.
     _fields_ = [
         ("bytes_in_use", _c.c_uint64),  # taken from the user's allocator or carved from the fixed block
-        ("bytes_peak", _c.c_uint64),
+        ("bytes_peak", _c.c_uint64),  # most bytes_in_use since creation
         ("allocator_calls", _c.c_uint64),  # calls of the user's alloc (or of the fixed block's) since creation
-        ("arena_capacity", _c.c_uint64),
+        ("arena_capacity", _c.c_uint64),  # of the frame arena
         ("arena_peak", _c.c_uint64),  # most bytes in use at once since creation
-        ("arena_fallbacks", _c.c_uint64),  # entries that did not fit and came from the allocator, since creation
+        ("arena_fallbacks", _c.c_uint64),  # entries that did not fit: the allocator served them; since creation
         ("blocks_capacity", _c.c_uint64),  # bytes in chunks
-        ("blocks_in_use", _c.c_uint64),
+        ("blocks_in_use", _c.c_uint64),  # bytes handed out of them
         ("blocks_large", _c.c_uint64),  # blocks above the largest class, served by the allocator
     ]
 
 
 class cn_body_def(_c.Structure):
+    # Definition of a body.
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("type", _c.c_int32),  # CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic
         ("position_m", cn_vec2),  # of the origin; |x|, |y| <= 1e6 x length unit
         ("angle_rad", _c.c_float),  # |angle| <= 1e4
-        ("linear_velocity_mps", cn_vec2),  # of the centre of mass; both velocities count only with CN_BODY_AWAKE: what sleeps does not move
-        ("angular_velocity_radps", _c.c_float),
+        ("linear_velocity_mps", cn_vec2),  # of the centre of mass; both velocities are ignored without CN_BODY_AWAKE
+        ("angular_velocity_radps", _c.c_float),  # default 0
         ("linear_damping_per_s", _c.c_float),  # v' = -damping v; >= 0, default 0
-        ("angular_damping_per_s", _c.c_float),
+        ("angular_damping_per_s", _c.c_float),  # >= 0, default 0
         ("gravity_scale", _c.c_float),  # default 1
         ("sleep_speed_mps", _c.c_float),  # >= 0; default 0: the world's
         ("flags", _c.c_uint32),  # CN_BODY_*; default ENABLED | SLEEP | AWAKE
@@ -419,17 +427,18 @@ class cn_body_def(_c.Structure):
 
 
 class cn_body_moved(_c.Structure):
+    # A body that moved or fell asleep in the last step.
     _fields_ = [
-        ("pose", cn_pose),
-        ("user_data", _c.c_uint64),
-        ("body", cn_body),
+        ("pose", cn_pose),  # after the step
+        ("user_data", _c.c_uint64),  # the body's
+        ("body", cn_body),  # that moved
         ("fell_asleep", _c.c_uint32),  # 1 in the step in which it fell asleep
     ]
 
 
 class cn_filter(_c.Structure):
-    # Two shapes collide when group is equal and not 0: positive yes, negative no; otherwise when each one's
-    # category has a bit in the other's mask.
+    # Two shapes of one group other than 0 collide if it is positive and do not if it is negative. Others
+    # collide if the category of each has a bit in the mask of the other.
     _fields_ = [
         ("category", _c.c_uint64),  # default 1
         ("mask", _c.c_uint64),  # default all ones
@@ -439,34 +448,37 @@ class cn_filter(_c.Structure):
 
 
 class cn_material(_c.Structure):
+    # Surface of a shape.
     _fields_ = [
         ("static_friction", _c.c_float),  # coefficient while sticking, [0, 100], default 0.6
         ("dynamic_friction", _c.c_float),  # coefficient while sliding, [0, static_friction], default 0.6
         ("restitution", _c.c_float),  # [0, 1], default 0
         ("rolling_resistance", _c.c_float),  # metres, [0, 1e3]: lever arm that resists rolling; the pair takes the greater; default 0
-        ("tangent_speed_mps", _c.c_float),  # conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; default 0
-        ("friction_mix", _c.c_int32),  # CN_MIX_*
-        ("restitution_mix", _c.c_int32),  # CN_MIX_*
+        ("tangent_speed_mps", _c.c_float),  # conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; [-1e4, 1e4], default 0
+        ("friction_mix", _c.c_int32),  # CN_MIX_*; default CN_MIX_GEOMETRIC
+        ("restitution_mix", _c.c_int32),  # CN_MIX_*; default CN_MIX_MAXIMUM
         ("reserved", _c.c_uint32),
     ]
 
 
 class cn_shape_def(_c.Structure):
+    # Definition of a shape.
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("body", cn_body),  # 0: create unattached, for cn_shape_attach
         ("offset_m", cn_vec2),  # of the shape in the body's local frame
-        ("angle_rad", _c.c_float),
+        ("angle_rad", _c.c_float),  # of the shape in the body's local frame
         ("density_kgpm2", _c.c_float),  # >= 0, giving 0 or 1e-20 to 1e20 kg; default 1
-        ("material", cn_material),
-        ("filter", cn_filter),
-        ("event_mask", _c.c_uint32),  # bit 1 << CN_EVENT_*; a pair reports what either shape asks for; default ENTER and LEAVE
+        ("material", cn_material),  # defaults: see cn_material
+        ("filter", cn_filter),  # defaults: see cn_filter
+        ("event_mask", _c.c_uint32),  # bits 1 << CN_EVENT_*; a pair reports the events of either shape; default ENTER and LEAVE
         ("flags", _c.c_uint32),  # CN_SHAPE_SENSOR ...; default 0
         ("user_data", _c.c_uint64),
     ]
 
 
 class cn_circle(_c.Structure):
+    # A disc.
     _fields_ = [
         ("center_m", cn_vec2),
         ("radius_m", _c.c_float),
@@ -491,18 +503,18 @@ class cn_edge(_c.Structure):
 
 
 class cn_polygon(_c.Structure):
-    # Convex; counter-clockwise or clockwise in, always stored counter-clockwise.
+    # Convex polygon. Either winding is accepted; points are stored counter-clockwise.
     _fields_ = [
         ("count", _c.c_int32),  # 3 to CN_POLYGON_MAX_VERTICES
-        ("radius_m", _c.c_float),  # rounding added outside of the points, >= 0
+        ("radius_m", _c.c_float),  # rounding added outside the points, >= 0
         ("points_m", cn_vec2 * 16),
     ]
 
 
 class cn_chain(_c.Structure):
-    # One-sided, massless ground without catches at its inner vertices. The solid side is on the left of the
-    # direction of travel: surface normals point to the right of it, so ground whose points run from +x to -x
-    # collides from above and a counter-clockwise loop collides from outside.
+    # One-sided ground without mass; bodies slide over its inner vertices without catching. The solid side is
+    # on the left of the order of points and surface normals point to the right: points that run from +x to -x
+    # collide from above, a counter-clockwise loop collides from outside.
     _fields_ = [
         ("points_m", _c.POINTER(cn_vec2)),  # copied
         ("count", _c.c_int32),  # an open chain: >= 2; a loop: >= 3; at most 65535
@@ -511,6 +523,7 @@ class cn_chain(_c.Structure):
 
 
 class cn_manifold_point(_c.Structure):
+    # One point of a contact.
     _fields_ = [
         ("point_m", cn_vec2),  # world, midway between the surfaces
         ("separation_m", _c.c_float),  # negative when overlapping
@@ -520,26 +533,28 @@ class cn_manifold_point(_c.Structure):
 
 
 class cn_manifold(_c.Structure):
+    # How two shapes touch.
     _fields_ = [
         ("normal", cn_vec2),  # unit, from shape a to shape b
         ("friction_impulse_Ns", _c.c_float),  # of the last substep, on body b along (normal.y, -normal.x)
         ("point_count", _c.c_int32),  # 0, 1 or 2
-        ("points", cn_manifold_point * 2),
+        ("points", cn_manifold_point * 2),  # the first point_count of them
     ]
 
 
 class cn_contact_event(_c.Structure):
+    # A contact event, or the present state of a contact.
     _fields_ = [
         ("shape_a", cn_shape),
         ("shape_b", cn_shape),
         ("body_a", cn_body),
         ("body_b", cn_body),
         ("child_a", _c.c_int32),  # edge number within a chain, else 0
-        ("child_b", _c.c_int32),
+        ("child_b", _c.c_int32),  # the same of shape b
         ("contact_id", _c.c_uint32),  # the same from CREATED to DESTROYED, then reused
         ("kind", _c.c_int32),  # CN_EVENT_*
         ("approach_speed_mps", _c.c_float),  # ENTER: closing speed along the normal before the impact; else 0
-        ("manifold", cn_manifold),  # geometry as the step found it, impulses as it left them; points only for ENTER and STAY
+        ("manifold", cn_manifold),  # geometry at the step's beginning, impulses at its end; points only for ENTER and STAY
     ]
 
 
@@ -556,21 +571,21 @@ class cn_sensor_event(_c.Structure):
 
 
 class cn_joint_base(_c.Structure):
-    # First field of every joint definition. A joint's rigid parts are what holds anchors, axes, angles,
-    # lengths and limits in place; springs and motors are not.
+    # First field of every joint definition. The rigid parts of a joint hold anchors, axes, angles, lengths
+    # and limits in place; springs and motors are not rigid parts.
     _fields_ = [
         ("struct_size", _c.c_uint32),  # of the whole definition
-        ("flags", _c.c_uint32),  # CN_JOINT_*; default 0; a type ignores those it has no use for
+        ("flags", _c.c_uint32),  # CN_JOINT_*; default 0; a type ignores flags that it does not use
         ("body_a", cn_body),  # 0: the world
         ("body_b", cn_body),  # 0: the world; one of the two must be dynamic
         ("anchor_a_m", cn_vec2),  # in body a's local frame, or in world coordinates
-        ("anchor_b_m", cn_vec2),
-        ("stiffness_hertz", _c.c_float),  # of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps allow
+        ("anchor_b_m", cn_vec2),  # the same for body b
+        ("stiffness_hertz", _c.c_float),  # of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit
         ("stiffness_damping_ratio", _c.c_float),  # used when stiffness_hertz > 0; 0 to 1e6
-        ("force_max_N", _c.c_float),  # anchors and axes never pull harder, nor does a limit; 0 (default): no bound
-        ("torque_max_Nm", _c.c_float),  # the same for angles
+        ("force_max_N", _c.c_float),  # greatest force of anchors, axes and limits, >= 0; 0 (default): unbounded
+        ("torque_max_Nm", _c.c_float),  # greatest torque of angles, >= 0; 0 (default): unbounded
         ("break_force_N", _c.c_float),  # a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never
-        ("break_torque_Nm", _c.c_float),
+        ("break_torque_Nm", _c.c_float),  # the same for the torque
         ("user_data", _c.c_uint64),
     ]
 
@@ -591,9 +606,9 @@ class cn_revolute_def(_c.Structure):
 
 
 class cn_distance_def(_c.Structure):
-    # Two points keep a distance. Without CN_JOINT_SPRING and without CN_JOINT_LIMIT it is a rigid rod of
-    # length_m. With a spring, length_m is its rest length and the distance stays within [min, max] when
-    # limits are on; limits alone make a rope (min 0).
+    # Two points keep a distance. Without CN_JOINT_SPRING and CN_JOINT_LIMIT the joint is a rigid rod of
+    # length_m. With a spring, length_m is its rest length, and limits keep the distance within [min, max];
+    # limits alone make a rope (min 0).
     _fields_ = [
         ("base", cn_joint_base),
         ("length_m", _c.c_float),  # > 0; default 1
@@ -608,11 +623,11 @@ class cn_distance_def(_c.Structure):
 
 
 class cn_fixed_def(_c.Structure):
-    # Welded: no relative motion. base.stiffness_hertz makes it springy.
+    # Two welded bodies: no relative motion. base.stiffness_hertz makes the weld springy.
     _fields_ = [
         ("base", cn_joint_base),
         ("reference_angle_rad", _c.c_float),  # angle b - angle a
-        ("angular_hertz", _c.c_float),  # stiffness of the angle alone, 0 to 1e6; 0: as the base's
+        ("angular_hertz", _c.c_float),  # stiffness of the angle alone, 0 to 1e6; 0: the base's
         ("angular_damping_ratio", _c.c_float),  # 0 to 1e6
         ("reserved", _c.c_float),
     ]
@@ -635,8 +650,8 @@ class cn_prismatic_def(_c.Structure):
 
 
 class cn_wheel_def(_c.Structure):
-    # A wheel b on suspension: slides along an axis fixed in a (springy, with limits), turns freely; the motor
-    # turns it.
+    # A wheel b on a suspension: b slides along an axis fixed in a, with spring and limits, and turns freely
+    # or by the motor.
     _fields_ = [
         ("base", cn_joint_base),
         ("axis", cn_vec2),  # in body a's frame, any length > 0 (read back with length 1); default (0, 1)
@@ -656,7 +671,7 @@ class cn_motor_def(_c.Structure):
         ("base", cn_joint_base),  # anchor b is driven to anchor a + offset
         ("offset_m", cn_vec2),  # in body a's frame
         ("angle_rad", _c.c_float),  # angle b - angle a
-        ("hertz", _c.c_float),  # how briskly, > 0, to 1e6; default 5
+        ("hertz", _c.c_float),  # frequency of the spring, > 0, to 1e6; default 5
         ("damping_ratio", _c.c_float),  # 0 to 1e6, default 1
         ("reserved", _c.c_float),
     ]
@@ -679,37 +694,38 @@ class cn_gear_def(_c.Structure):
     _fields_ = [
         ("base", cn_joint_base),
         ("ratio", _c.c_float),  # size 1e-4 to 1e4, negative: they turn against each other; default 1
-        ("phase_rad", _c.c_float),
+        ("phase_rad", _c.c_float),  # default 0
     ]
 
 
 class cn_pulley_def(_c.Structure):
-    # |anchor a - ground a| + ratio |anchor b - ground b| <= length: a rope over two pulleys (never pushes).
+    # A rope over two pulleys: |anchor a - ground a| + ratio |anchor b - ground b| <= length. It pulls and
+    # never pushes.
     _fields_ = [
         ("base", cn_joint_base),
         ("ground_a_m", cn_vec2),  # world
-        ("ground_b_m", cn_vec2),
+        ("ground_b_m", cn_vec2),  # world
         ("ratio", _c.c_float),  # 1e-4 to 1e4; default 1
-        ("length_m", _c.c_float),  # > 0
+        ("length_m", _c.c_float),  # > 0: must be set
     ]
 
 
 class cn_ratchet_def(_c.Structure):
-    # b may turn against a in one direction only, and back no farther than to the last click that it passed.
-    # Clicks are at phase + any whole number of click_rad, over whole turns.
+    # b may turn against a in one direction, and back only to the last click that it passed. Clicks lie at
+    # phase + n * click_rad for every whole number n, over whole turns.
     _fields_ = [
         ("base", cn_joint_base),
-        ("phase_rad", _c.c_float),
-        ("click_rad", _c.c_float),  # size 1e-4 to 1e4; positive: b may turn counter-clockwise
+        ("phase_rad", _c.c_float),  # default 0
+        ("click_rad", _c.c_float),  # size 1e-4 to 1e4: must be set; positive: b may turn counter-clockwise
     ]
 
 
 class cn_rotary_spring_def(_c.Structure):
-    # A torque that pulls angle b - angle a to rest, over whole turns. hertz is that of the two bodies' own
-    # inertia.
+    # A torque that pulls angle b - angle a to the rest angle, over whole turns. hertz refers to the inertia
+    # of the two bodies.
     _fields_ = [
         ("base", cn_joint_base),
-        ("rest_angle_rad", _c.c_float),
+        ("rest_angle_rad", _c.c_float),  # default 0
         ("hertz", _c.c_float),  # > 0, to 1e6; default 1
         ("damping_ratio", _c.c_float),  # 0 to 1e6, default 0
         ("reserved", _c.c_float),
@@ -717,7 +733,7 @@ class cn_rotary_spring_def(_c.Structure):
 
 
 class cn_groove_def(_c.Structure):
-    # anchor b slides in a slot of body a from anchor a to end.
+    # Anchor b slides in a slot of body a from anchor a to end_m.
     _fields_ = [
         ("base", cn_joint_base),
         ("end_m", cn_vec2),  # in body a's frame; not equal to anchor a; default (1, 0)
@@ -725,22 +741,22 @@ class cn_groove_def(_c.Structure):
 
 
 class cn_filter_joint_def(_c.Structure):
-    # Nothing but: the two bodies do not collide.
+    # The two bodies do not collide; no other effect.
     _fields_ = [
         ("base", cn_joint_base),
     ]
 
 
 class cn_joint_event(_c.Structure):
-    # Something happened to a joint or to a constraint on one body.
+    # A joint or constraint exceeded a break threshold or was destroyed with a body.
     _fields_ = [
         ("joint", cn_joint),  # 0: it was a constraint; stale when destroyed is 1
         ("constraint", cn_constraint),  # 0: it was a joint; stale when destroyed is 1
         ("body_a", cn_body),  # 0: the world
-        ("body_b", cn_body),
+        ("body_b", cn_body),  # 0: the world
         ("force_N", _c.c_float),  # largest reaction of the step; 0 when a body was destroyed
-        ("torque_Nm", _c.c_float),
-        ("destroyed", _c.c_uint32),  # 1: it is gone (it breaks, or a body of it was destroyed)
+        ("torque_Nm", _c.c_float),  # the same for the torque
+        ("destroyed", _c.c_uint32),  # 1: it broke, or one of its bodies was destroyed
         ("reserved", _c.c_uint32),
         ("user_data", _c.c_uint64),
     ]
@@ -763,8 +779,8 @@ class cn_angle_constraint_def(_c.Structure):
 
 
 class cn_line_constraint_def(_c.Structure):
-    # Keeps a point of a body on a line in the world, within a tolerance to either side, and between limits
-    # along it.
+    # Keeps a point of a body on a line in the world, within a tolerance on both sides, and between limits
+    # along the line.
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("flags", _c.c_uint32),  # CN_CONSTRAINT_*; default 0
@@ -784,26 +800,27 @@ class cn_line_constraint_def(_c.Structure):
 
 
 class cn_update_report(_c.Structure):
+    # Result of cn_world_update.
     _fields_ = [
         ("steps", _c.c_int32),  # fixed steps taken
         ("leftover_s", _c.c_float),  # time kept for the next update
-        ("dropped_s", _c.c_float),  # time given up because of the step cap
-        ("interpolation", _c.c_float),  # leftover / fixed step, [0, 1): between the last two poses
+        ("dropped_s", _c.c_float),  # time discarded because of steps_max
+        ("interpolation", _c.c_float),  # leftover_s / fixed step, [0, 1): factor for cn_world_read_poses_interpolated
     ]
 
 
 class cn_ray(_c.Structure):
+    # A ray with an end.
     _fields_ = [
-        ("origin_m", cn_vec2),
-        ("translation_m", cn_vec2),  # may be 0: then only shapes around the origin are hit; at most 2e6 length units each way
+        ("origin_m", cn_vec2),  # world
+        ("translation_m", cn_vec2),  # at most 2e6 length units each way; 0 hits only shapes around the origin
     ]
 
 
 class cn_ray_hit(_c.Structure):
-    # What a ray or a moved shape meets. One that starts in contact, overlapping or just touching, meets that
-    # shape at fraction 0, with the shortest way out: depth_m along the normal. It does not meet what it
-    # touches, up to a depth of 0.5% of the length unit, when its translation does not lead in: along the
-    # surface or away from it.
+    # What a ray or a moved shape hit. If it starts in contact (overlapping or just touching), it hits that
+    # shape at fraction 0, with the shortest way out: depth_m along the normal. A shape that it touches up to
+    # a depth of 0.5% of the length unit is no hit if the translation leads along the surface or away from it.
     _fields_ = [
         ("shape", cn_shape),  # 0: nothing was hit
         ("body", cn_body),
@@ -811,33 +828,33 @@ class cn_ray_hit(_c.Structure):
         ("fraction", _c.c_float),  # of the translation, [0, 1]; 1 when nothing was hit
         ("point_m", cn_vec2),  # on the surface of the shape that was hit
         ("normal", cn_vec2),  # unit, out of the shape that was hit
-        ("depth_m", _c.c_float),  # how deep the start is in it, 0 when it is outside
+        ("depth_m", _c.c_float),  # depth of the start inside it, 0 outside
         ("reserved", _c.c_uint32),
     ]
 
 
-# Asked by a query for each shape (edge of a chain) that it would find, in no particular order and perhaps
-# more than once: the answer must depend on the shape alone. hit is what is known of it: all of it in casts,
-# else shape, body and child. Returns CN_QUERY_*. May call functions that take a const world, of the same
-# world too, and no others.
+# Called by a query for each shape (edge of a chain) found, in no particular order and perhaps more than once:
+# the result, CN_QUERY_*, must depend on the shape alone. hit is complete in casts; other queries set shape,
+# body and child. May call only functions that take a const world, also of the same world.
 cn_query_fn = _c.CFUNCTYPE(_c.c_int32, _c.POINTER(cn_world), _c.POINTER(cn_ray_hit), _c.c_void_p)
 
 
 class cn_query_filter(_c.Structure):
-    # A query sees shapes of enabled bodies whose category has a bit in mask and whose mask has one in
-    # category, and of sensors only those with CN_SHAPE_SENSOR_SEEN. Bodies are seen where they are now, also
-    # between steps.
+    # Which shapes a query sees: those of enabled bodies whose category has a bit in mask and whose mask has a
+    # bit in category; sensors only with CN_SHAPE_SENSOR_SEEN. Queries use the present poses, also between
+    # steps.
     _fields_ = [
         ("category", _c.c_uint64),  # default 1
         ("mask", _c.c_uint64),  # default all ones
-        ("ignored_body", cn_body),  # its shapes are not seen; 0 (default): none. A stale handle is an error
+        ("ignored_body", cn_body),  # its shapes are ignored; 0 (default): none. A stale handle is an error
         ("flags", _c.c_uint32),  # CN_QUERY_IGNORE_JOINED ...; default 0
-        ("visit", cn_query_fn),  # NULL (default): all are taken
+        ("visit", cn_query_fn),  # NULL (default): take all shapes
         ("user", _c.c_void_p),
     ]
 
 
 class cn_closest(_c.Structure):
+    # The shape nearest to a point.
     _fields_ = [
         ("shape", cn_shape),  # 0: nothing within the distance
         ("body", cn_body),
@@ -849,18 +866,19 @@ class cn_closest(_c.Structure):
 
 
 class cn_distance(_c.Structure):
+    # Distance of two shapes.
     _fields_ = [
         ("point_a_m", cn_vec2),  # on the surface of a, in the world
-        ("point_b_m", cn_vec2),
+        ("point_b_m", cn_vec2),  # on the surface of b
         ("normal", cn_vec2),  # unit, from a to b
-        ("distance_m", _c.c_float),  # of the surfaces; negative: the depth, the shortest way that moves b out of a
+        ("distance_m", _c.c_float),  # of the surfaces; negative: the depth, the shortest translation of b out of a
         ("reserved", _c.c_uint32),
     ]
 
 
 class cn_sweep(_c.Structure):
-    # A motion from fraction 0 to 1: a point of the shape goes in a straight line, and the shape turns evenly
-    # about it.
+    # A motion from fraction 0 to 1: a point of the shape moves in a straight line, and the shape turns about
+    # it at a constant rate.
     _fields_ = [
         ("start", cn_pose),
         ("center_m", cn_vec2),  # that point, in the shape's frame: the centre of mass of a body
@@ -871,25 +889,26 @@ class cn_sweep(_c.Structure):
 
 
 class cn_impact(_c.Structure):
+    # Result of cn_polygon_time_of_impact.
     _fields_ = [
         ("state", _c.c_int32),  # CN_IMPACT_*
         ("fraction", _c.c_float),
         ("point_m", cn_vec2),  # HIT only, as are the next two: between the surfaces
         ("normal", cn_vec2),  # unit, from a to b
-        ("distance_m", _c.c_float),  # of the surfaces at fraction, from distance_m to 0.1 mm (or what floats can tell) above
+        ("distance_m", _c.c_float),  # of the surfaces at fraction: distance_m to 0.1 mm (or the resolution of floats) above it
         ("reserved", _c.c_uint32),
     ]
 
 
 class cn_plane(_c.Structure):
-    # A surface that bounds where a shape may move: after a translation t of the shape, separation_m + normal
-    # . t is >= 0, unless that takes more than push_max_m.
+    # A surface that limits the motion of a shape: a translation t keeps separation_m + normal . t >= 0,
+    # unless that needs a push of more than push_max_m.
     _fields_ = [
         ("normal", cn_vec2),  # unit, from the surface to the shape
-        ("point_m", cn_vec2),  # where they are nearest, in the world
+        ("point_m", cn_vec2),  # world point of least distance
         ("separation_m", _c.c_float),  # of the surfaces along the normal; negative: they overlap
-        ("push_max_m", _c.c_float),  # >= 0: the farthest that this plane pushes; FLT_MAX: rigid
-        ("push_m", _c.c_float),  # of the last cn_mover_solve: how far it pushed
+        ("push_max_m", _c.c_float),  # greatest push of this plane, >= 0; FLT_MAX: rigid
+        ("push_m", _c.c_float),  # its push in the last cn_mover_solve
         ("shape", cn_shape),
         ("body", cn_body),
         ("child", _c.c_int32),  # edge of a chain
@@ -897,83 +916,91 @@ class cn_plane(_c.Structure):
 
 
 class cn_mover_def(_c.Structure):
-    # How a character moves. The same for every move, or changed from move to move: crouching is another
-    # shape.
+    # How a character moves. It may change between moves: crouching is another shape.
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("flags", _c.c_uint32),  # CN_MOVER_DROP; default 0
         ("shape", cn_polygon),  # around its position, never turned; 1 or 2 points with radius > 0: circle, capsule. Default: a capsule of radius 0.3 from -0.5 to 0.5 along y: 1.6 high. Round shapes move more smoothly
-        ("filter", cn_query_filter),  # what it collides with; sensors never, one-way shapes from above
+        ("filter", cn_query_filter),  # shapes that it collides with; sensors never, one-way shapes from above
         ("up", cn_vec2),  # any length > 0; default (0, 1)
-        ("slope_limit_rad", _c.c_float),  # steeper ground cannot be stood on or walked up, 0 to pi / 2; default 0.87 (50 degrees)
-        ("step_height_m", _c.c_float),  # climbs steps up to this high while it walks, >= 0; default 0.3
-        ("snap_m", _c.c_float),  # walking, keeps to ground that falls away by up to this in a move, >= 0; default 0.3
+        ("slope_limit_rad", _c.c_float),  # greatest slope of walkable ground, 0 to pi / 2; default 0.87 (50 degrees)
+        ("step_height_m", _c.c_float),  # greatest height of steps that it climbs, >= 0; default 0.3
+        ("snap_m", _c.c_float),  # a walking character follows ground that falls by up to this in a move, >= 0; default 0.3
         ("gravity_scale", _c.c_float),  # of the world's gravity in the air; default 1
-        ("push_force_N", _c.c_float),  # the most it pushes a dynamic body with, >= 0; default 200
+        ("push_force_N", _c.c_float),  # greatest push on a dynamic body, >= 0; default 200
         ("iterations_max", _c.c_int32),  # of sliding, 1 to 64; default 8
     ]
 
 
 class cn_mover(_c.Structure):
-    # A character between two moves. It belongs to the caller, who may copy it, keep it and go back to it: the
-    # world knows nothing of it, and other bodies do not collide with it: for that give it a kinematic body
-    # that is filter.ignored_body and follows by cn_body_set_target_pose. Begin with all 0 but the position.
+    # State of a character between two moves. It belongs to the caller, who may copy, store and restore it.
+    # The world does not know it, and bodies do not collide with it: for that give it a kinematic body that is
+    # filter.ignored_body and follows by cn_body_set_target_pose. Initially all fields are 0 except the
+    # position.
     _fields_ = [
         ("position_m", cn_vec2),
         ("velocity_mps", cn_vec2),  # in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as its component across up; the one along up is 0, and a jump when the caller makes it > 0
-        ("ground_normal", cn_vec2),  # of what it stands on, with CN_MOVER_ON_GROUND; else (0, 0)
+        ("ground_normal", cn_vec2),  # of the ground with CN_MOVER_ON_GROUND, else (0, 0)
         ("ground_point_m", cn_vec2),  # in the world, after the move
         ("ground_local_m", cn_vec2),  # ... in the frame of ground_body
         ("ground_velocity_mps", cn_vec2),  # of the ground there
-        ("ground_body", cn_body),  # 0: none; may become stale, which is as none
+        ("ground_body", cn_body),  # 0: none; a stale handle counts as none
         ("ground_shape", cn_shape),
         ("flags", _c.c_uint32),  # CN_MOVER_ON_*, after the last move
-        ("squeezed_m", _c.c_float),  # by how much it overlaps what left it no room; 0 but for rounding
+        ("squeezed_m", _c.c_float),  # overlap with surfaces that leave it no room; else 0 up to rounding
     ]
 
 
 class cn_explosion_def(_c.Structure):
+    # Definition of an explosion.
     _fields_ = [
         ("struct_size", _c.c_uint32),
-        ("radius_m", _c.c_float),  # full strength within, to the nearest point of a shape; >= 0, default 1
-        ("falloff_m", _c.c_float),  # then linearly to none over this distance; >= 0
-        ("impulse_Nspm", _c.c_float),  # per metre of the shape's width seen from the centre; negative pulls
-        ("center_m", cn_vec2),
-        ("filter", cn_query_filter),
+        ("radius_m", _c.c_float),  # full strength up to this distance of a shape's nearest point, 0 to 1e6 length units; default 1
+        ("falloff_m", _c.c_float),  # then linearly to 0 over this distance, 0 to 1e6 length units; default 0
+        ("impulse_Nspm", _c.c_float),  # per metre of the shape's width seen from the centre; negative pulls; default 0
+        ("center_m", cn_vec2),  # world
+        ("filter", cn_query_filter),  # which shapes; defaults: see cn_query_filter
     ]
 
 
+# count points, counter-clockwise
 cn_debug_draw_polygon_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_vec2), _c.c_int32, _c.c_float, _c.c_uint32, _c.c_void_p)
 
 
+# rim_m: a point on the rim that turns with the body
 cn_debug_draw_circle_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_vec2), _c.c_float, _c.POINTER(cn_vec2), _c.c_uint32, _c.c_void_p)
 
 
+# a disc swept from a to b
 cn_debug_draw_capsule_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_vec2), _c.POINTER(cn_vec2), _c.c_float, _c.c_uint32, _c.c_void_p)
 
 
+# a line from a to b
 cn_debug_draw_segment_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_vec2), _c.POINTER(cn_vec2), _c.c_uint32, _c.c_void_p)
 
 
+# size in pixels
 cn_debug_draw_point_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_vec2), _c.c_float, _c.c_uint32, _c.c_void_p)
 
 
+# zero-terminated, valid during the call
 cn_debug_draw_text_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_vec2), _c.c_char_p, _c.c_uint32, _c.c_void_p)
 
 
 class cn_debug_draw(_c.Structure):
-    # Functions that are NULL are not called. Colours are 0xRRGGBB. Points are in world coordinates.
+    # The user's drawing functions; NULL ones are not called. Colours are 0xRRGGBB. Points are in world
+    # coordinates.
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("flags", _c.c_uint32),  # CN_DRAW_*; default SHAPES | JOINTS | CONTACTS
-        ("view", cn_aabb),  # only what overlaps it is drawn; default everything
-        ("polygon", cn_debug_draw_polygon_fn),
-        ("circle", cn_debug_draw_circle_fn),  # axis: a point on the rim that turns with the body
-        ("capsule", cn_debug_draw_capsule_fn),
-        ("segment", cn_debug_draw_segment_fn),
-        ("point", cn_debug_draw_point_fn),
-        ("text", cn_debug_draw_text_fn),
-        ("user", _c.c_void_p),
+        ("view", cn_aabb),  # things outside are not drawn; default everything
+        ("polygon", cn_debug_draw_polygon_fn),  # count points, counter-clockwise
+        ("circle", cn_debug_draw_circle_fn),  # rim_m: a point on the rim that turns with the body
+        ("capsule", cn_debug_draw_capsule_fn),  # a disc swept from a to b
+        ("segment", cn_debug_draw_segment_fn),  # a line from a to b
+        ("point", cn_debug_draw_point_fn),  # size in pixels
+        ("text", cn_debug_draw_text_fn),  # zero-terminated, valid during the call
+        ("user", _c.c_void_p),  # last argument of the functions
         ("reserved", _c.c_void_p),
     ]
 
@@ -982,516 +1009,731 @@ class cn_debug_draw(_c.Structure):
 cn_contact_event_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_world), _c.POINTER(cn_contact_event), _c.c_void_p)
 
 
-# Decides whether two shapes that pass their filters may touch: 1 yes, 0 no. Asked when their boxes begin to
-# overlap. The world is locked.
+# Returns 1 if two shapes that pass their filters may touch, else 0. Called when their boxes begin to overlap;
+# the world is locked.
 cn_filter_fn = _c.CFUNCTYPE(_c.c_int32, _c.POINTER(cn_world), cn_shape, cn_shape, _c.c_void_p)
 
 
-# Asked in every step for each touching pair in which a shape has CN_SHAPE_PRE_SOLVE, before solving: 0 makes
-# the pair pass through each other in this step. Event kind is STAY or ENTER.
+# Called in every step, before solving, for each touching pair in which a shape has CN_SHAPE_PRE_SOLVE; the
+# event's kind is STAY or ENTER. Returns 0 to let the pair pass through each other in this step, else 1.
 cn_pre_solve_fn = _c.CFUNCTYPE(_c.c_int32, _c.POINTER(cn_world), _c.POINTER(cn_contact_event), _c.c_void_p)
 
 
-# Mixes two materials in place of the CN_MIX_ rules: fills *mixed, which holds what the rules gave. Asked when
-# a pair begins to touch and when a material changes.
+# Mixes two materials instead of the CN_MIX_ rules: *mixed holds the rules' result and takes the new one.
+# Called when a pair begins to touch and when a material changes.
 cn_material_mix_fn = _c.CFUNCTYPE(None, _c.POINTER(cn_world), cn_shape, cn_shape, _c.POINTER(cn_material), _c.c_void_p)
 
 
-# Return 0 to stop, anything else to go on.
+# Returns 0 to stop the search, any other value to continue.
 cn_tree_query_fn = _c.CFUNCTYPE(_c.c_int32, _c.c_uint32, _c.c_uint64, _c.c_void_p)
 
 
-# Return the fraction to go on with: the given one to ignore the item, 0 to stop.
+# Returns the fraction at which the ray now ends: the given one to ignore the item, 0 to stop.
 cn_tree_ray_fn = _c.CFUNCTYPE(_c.c_float, _c.c_uint32, _c.c_uint64, _c.c_float, _c.c_void_p)
 
 
-# Version as major * 1000000 + minor * 1000 + patch.
+# Version of the library as major * 1000000 + minor * 1000 + patch.
 cn_version = _function("cn_version", _c.c_int32)
 # CN_ABI_VERSION of the library that was linked; a binding compares it with its own.
 cn_abi_version = _function("cn_abi_version", _c.c_int32)
-# Static English text for a result code, never NULL.
+# English text for a result code: static, never NULL.
 cn_result_text = _function("cn_result_text", _c.c_char_p, cn_result)
-# sizeof the struct named by a CN_TYPE_ constant, 0 for an unknown one: bindings check themselves.
+# sizeof the struct that a CN_TYPE_ constant names, 0 for an unknown constant; bindings check their layouts
+# with it.
 cn_sizeof = _function("cn_sizeof", _c.c_int32, _c.c_int32)
-# Defaults as given beside the fields (those that scale with the length unit are stored as 0 and resolved by
-# cn_world_create: 0 means the default there).
+# Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with the
+# length unit are stored as 0, which cn_world_create resolves.
 cn_world_def_init = _function("cn_world_def_init", None, _c.POINTER(cn_world_def))
-# Says in one sentence what is wrong with a definition; writes at most text_bytes bytes including the
+# Checks a definition. Writes one sentence about its first error, at most text_bytes (>= 0) bytes with the
 # terminating zero; text may be NULL when text_bytes is 0.
 cn_world_def_check = _function("cn_world_def_check", cn_result, _c.POINTER(cn_world_def), _c.POINTER(_c.c_char), _c.c_int32)
 # Bytes that def.memory must have so that the capacities in def never run out. def.memory may be NULL here.
 cn_world_bytes_needed = _function("cn_world_bytes_needed", cn_result, _c.POINTER(cn_world_def), _c.POINTER(_c.c_uint64))
-# Threads that cannot be started are CN_ERROR_MEMORY. A world's memory holds some 150 bytes for each; their
-# stacks, and whatever else a thread needs, are the system's, for a world in a caller's block too. A library
-# built with CN_NO_THREADS, or on a system whose threads it does not know, makes the same world without them:
-# see cn_world_get_worker_count.
+# Creates a world. CN_ERROR_MEMORY also when a thread cannot be started. Each worker takes about 150 bytes of
+# the world's memory; its stack comes from the system, even for a world in a caller's block. Without thread
+# support (CN_NO_THREADS, or an unknown system) the world has one worker: see cn_world_get_worker_count.
+# O(capacities).
 cn_world_create = _function("cn_world_create", cn_result, _c.POINTER(cn_world_def), _c.POINTER(_c.POINTER(cn_world)))
-# NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have
-# ended when this returns. Not from callbacks.
+# Destroys a world, everything in it and its threads. A caller's block is free for other use afterwards. NULL,
+# and a call from a callback, do nothing. O(memory blocks).
 cn_world_destroy = _function("cn_world_destroy", None, _c.POINTER(cn_world))
-# One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion, and so does
-# less than 1e-9. Cost grows with the number of awake bodies and their contacts.
+# Takes one fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion. O(awake
+# bodies and their contacts and joints).
 cn_world_step = _function("cn_world_step", cn_result, _c.POINTER(cn_world), _c.c_float)
-# One sentence on the last call that failed on this world; "" if none did. world may be NULL.
+# One sentence about the last call that failed on this world; "" if none failed or world is NULL. Valid until
+# the next failing call.
 cn_world_error_text = _function("cn_world_error_text", _c.c_char_p, _c.POINTER(cn_world))
-# A change wakes every body: O(bodies) then.
+# Sets gravity in m/s^2, both finite. A change wakes every body: O(bodies).
 cn_world_set_gravity = _function("cn_world_set_gravity", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_float)
+# Reads gravity in m/s^2.
 cn_world_get_gravity = _function("cn_world_get_gravity", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_vec2))
-# 1 to 64; more substeps are stiffer and dearer.
+# Sets the substeps of a step, 1 to 64. More substeps make contacts and joints stiffer and cost more.
 cn_world_set_substep_count = _function("cn_world_set_substep_count", cn_result, _c.POINTER(cn_world), _c.c_int32)
+# Reads the substeps of a step.
 cn_world_get_substep_count = _function("cn_world_get_substep_count", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_int32))
-# CN_SOLVER_*, from the next step on. A world in a caller's block has scratch memory for the solver that it
-# was made with: a dearer one may have to do without direct solving there (CN_WARNING_FRAME_MEMORY).
+# Chooses the solver (CN_SOLVER_*) from the next step on. A world in a caller's block keeps the scratch memory
+# of the solver it was created with; a solver that needs more works without direct solving
+# (CN_WARNING_FRAME_MEMORY).
 cn_world_set_solver = _function("cn_world_set_solver", cn_result, _c.POINTER(cn_world), _c.c_int32)
+# Reads the solver (CN_SOLVER_*).
 cn_world_get_solver = _function("cn_world_get_solver", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_int32))
-# Both as in cn_world_def; 0 metres: the default. get gives the accuracy in metres that this stands for.
+# Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no
+# limit.
 cn_world_set_accuracy = _function("cn_world_set_accuracy", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_int32)
+# Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.
 cn_world_get_accuracy = _function("cn_world_get_accuracy", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_float), _c.POINTER(_c.c_int32))
-# Workers that a step may have: 1, or worker_count where the library can have several.
+# Reads how many workers a step can use: 1, or worker_count where the library supports threads.
 cn_world_get_worker_count = _function("cn_world_get_worker_count", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_int32))
-# Replaces the CN_WORLD_ flags. Turning CN_WORLD_SLEEP off wakes everything: O(bodies) then.
+# Replaces the CN_WORLD_ flags. Clearing CN_WORLD_SLEEP wakes every body: O(bodies).
 cn_world_set_flags = _function("cn_world_set_flags", cn_result, _c.POINTER(cn_world), _c.c_uint32)
+# Reads the CN_WORLD_ flags.
 cn_world_get_flags = _function("cn_world_get_flags", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_uint32))
-# Metres a second, >= 0.
+# Impacts slower than this, in m/s, do not bounce; >= 0.
 cn_world_set_restitution_threshold = _function("cn_world_set_restitution_threshold", cn_result, _c.POINTER(cn_world), _c.c_float)
-# Both > 0: bodies are slowed to these at the end of each step (direction kept).
+# Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows faster bodies
+# down to them and keeps the direction.
 cn_world_set_speed_limits = _function("cn_world_set_speed_limits", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_float)
-# speed_mps >= 0, delay_s >= 0.
+# Sets the speed in m/s, >= 0, below which bodies may sleep, and the delay in seconds, >= 0, after which they
+# do.
 cn_world_set_sleep = _function("cn_world_set_sleep", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_float)
+# Stores a number for the user.
 cn_world_set_user_data = _function("cn_world_set_user_data", cn_result, _c.POINTER(cn_world), _c.c_uint64)
+# Reads the user's number.
 cn_world_get_user_data = _function("cn_world_get_user_data", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_uint64))
-# Handles of everything alive, in a fixed order (by slot). Writes at most capacity of them (out may be NULL
-# when capacity is 0) and always sets *out_count to how many there are. O(slots).
+# Handles of all bodies, ordered by slot. Writes at most capacity (>= 0) of them; out may be NULL when
+# capacity is 0. out_count is their number. O(slots).
 cn_world_get_bodies = _function("cn_world_get_bodies", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body), _c.c_int32, _c.POINTER(_c.c_int32))
+# Handles of all shapes, ordered by slot; out, capacity and *out_count as in cn_world_get_bodies. O(slots).
 cn_world_get_shapes = _function("cn_world_get_shapes", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape), _c.c_int32, _c.POINTER(_c.c_int32))
+# Handles of all joints without constraints, ordered by slot; out, capacity and *out_count as in
+# cn_world_get_bodies. O(slots).
 cn_world_get_joints = _function("cn_world_get_joints", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_joint), _c.c_int32, _c.POINTER(_c.c_int32))
-# O(bodies + islands).
+# Reads counts of objects and what the last step reported. O(bodies + islands).
 cn_world_get_counters = _function("cn_world_get_counters", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_counters))
-# Of every awake island, as cn_counters.islands_awake counts them: those of several bodies first, in a
-# deterministic order, then bodies alone. Writes at most capacity; *out_count is how many there are. Costs
-# nothing when it is not called. O(bodies + what touches in the islands written).
+# Reports every awake island, as cn_counters.islands_awake counts them: first those of several bodies, in a
+# deterministic order, then single bodies. Writes at most capacity (>= 0); *out_count is their number. A step
+# does no work for it. O(bodies + contacts and joints of the islands written).
 cn_world_get_islands = _function("cn_world_get_islands", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_island_report), _c.c_int32, _c.POINTER(_c.c_int32))
+# Reads the seconds of the last step by stage.
 cn_world_get_profile = _function("cn_world_get_profile", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_profile))
+# Reads the memory statistics.
 cn_world_get_memory_stats = _function("cn_world_get_memory_stats", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_memory_stats))
-# 64-bit hash (FNV-1a, Fowler/Noll/Vo) of every body's pose, velocity and sleep state and every contact's
-# impulses in handle order: equal for equal histories on every compiler, CPU and thread count. O(bodies +
-# contacts).
+# 64-bit hash (FNV-1a: Fowler, Noll, Vo, 1991) of every body's pose, velocity and sleep state, every contact's
+# impulses and the solver's memory of joints, by slot. Equal histories give equal hashes on every compiler,
+# CPU and thread count. O(bodies + contacts + joints).
 cn_world_hash = _function("cn_world_hash", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_uint64))
-# Checks every invariant between the tables. CN_OK, or CN_ERROR_INTERNAL with a sentence in text (at most
-# text_bytes bytes with the zero; may be NULL when text_bytes is 0). O(everything).
+# Checks every invariant between the tables. CN_ERROR_INTERNAL, and one sentence in text, for the first that
+# is broken. text holds at most text_bytes (>= 0) bytes with the zero and may be NULL when text_bytes is 0.
+# O(everything).
 cn_world_validate = _function("cn_world_validate", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_char), _c.c_int32)
-# Bytes that cn_world_save needs now. From callbacks CN_ERROR_LOCKED. O(slots).
+# Bytes that cn_world_save needs now. CN_ERROR_LOCKED in callbacks. O(slots).
 cn_world_save_size = _function("cn_world_save_size", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_uint64))
-# Writes the state to out, which may have any alignment, and how many bytes that took to out_bytes (may be
-# NULL). capacity: bytes that out has; too few are CN_ERROR_CAPACITY. From callbacks CN_ERROR_LOCKED. O(memory
-# of the world), about 1 KB a body.
+# Writes the world's state to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the
+# number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about
+# 1 KB per body.
 cn_world_save = _function("cn_world_save", cn_result, _c.POINTER(cn_world), _c.c_void_p, _c.c_uint64, _c.POINTER(_c.c_uint64))
-# Puts a state back: into the world that was saved, or one that was made by the same definition (broadphase,
-# length unit, whether it lives in a caller's block; else CN_ERROR_STATE). bytes: as many as cn_world_save
-# wrote. CN_ERROR_FORMAT: not a save of this version and machine, or damaged. CN_ERROR_MEMORY: no room for
-# what was alive then; a growing world takes what it needs, a world in a caller's block has room for what it
-# had. Arrays handed out before are void. O(memory of the world). Handles of what was alive when the world was
-# saved are valid again, also of what was destroyed since. Those made since are refused, until the same handle
-# is given to something new: with the same calls to the same thing. A game rolls its own state back with the
-# world, and so keeps none of them.
+# Restores a saved state, into the saved world or one created with the same definition (broadphase, length
+# unit, caller's block or not; else CN_ERROR_STATE). bytes as written by cn_world_save; CN_ERROR_FORMAT for
+# damaged bytes or another version or machine; CN_ERROR_MEMORY without room for the objects alive then (a
+# world in a caller's block has room for its own saves). Arrays returned before become invalid. Handles of
+# objects alive at the save are valid again, also of objects destroyed since; handles created since are
+# refused until the same handle is given to a new object: with the same calls to the same object. O(memory of
+# the world).
 cn_world_restore = _function("cn_world_restore", cn_result, _c.POINTER(cn_world), _c.c_void_p, _c.c_uint64)
+# Sets struct_size and the defaults given beside the fields. NULL does nothing.
 cn_body_def_init = _function("cn_body_def_init", None, _c.POINTER(cn_body_def))
+# Creates a body. O(1) amortized.
 cn_body_create = _function("cn_body_create", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body_def), _c.POINTER(cn_body))
-# count bodies from an array of definitions; all of them or none. O(count).
+# Creates count (>= 0) bodies from an array of definitions, all or none. O(count).
 cn_body_create_many = _function("cn_body_create_many", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body_def), _c.c_int32, _c.POINTER(cn_body))
-# Also destroys its shapes, contacts, joints and constraints; touching contacts get their leave event, joints
-# and constraints theirs (cn_world_joint_events).
+# Destroys a body with its shapes, contacts, joints and constraints, and wakes its neighbours. Touching
+# contacts get their LEAVE event; joints and constraints get theirs (cn_world_joint_events). O(contacts +
+# joints + shapes).
 cn_body_destroy = _function("cn_body_destroy", cn_result, _c.POINTER(cn_world), cn_body)
-# Destroys all or, if any handle is bad or appears twice, none.
+# Destroys count (>= 0) bodies as cn_body_destroy does; none if a handle is bad or appears twice. O(their
+# contacts + joints + shapes).
 cn_body_destroy_many = _function("cn_body_destroy_many", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body), _c.c_int32)
-# 1 if the handle names a body that is alive in this world, else 0 (also for a NULL world).
+# 1 if the handle names a living body of this world, else 0 (also for a NULL world).
 cn_body_is_valid = _function("cn_body_is_valid", _c.c_int32, _c.POINTER(cn_world), cn_body)
-# Changing the type ends the body's contacts (those that still overlap begin again in the next step), its
-# forces and any mass override, and wakes it; a body made static stops. CN_ERROR_STATE if a joint would be
-# left without a dynamic body. O(contacts + joints + shapes).
+# Changes the type (CN_BODY_STATIC, _KINEMATIC, _DYNAMIC) and wakes the body. Its contacts end (those that
+# still overlap begin again in the next step), with its forces and any mass override; a body made static
+# stops. CN_ERROR_STATE if a joint would be left without a dynamic body. O(contacts + joints + shapes).
 cn_body_set_type = _function("cn_body_set_type", cn_result, _c.POINTER(cn_world), cn_body, _c.c_int32)
+# Reads the type (CN_BODY_*).
 cn_body_get_type = _function("cn_body_get_type", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_int32))
-# Replaces all CN_BODY_ flags except CN_BODY_AWAKE, which is cn_body_set_awake's and is ignored here. A body
-# without CN_BODY_ENABLED keeps its shapes but collides with nothing and does not move; its contacts end, its
-# joints rest. O(contacts + joints + shapes) when that changes.
+# Replaces all CN_BODY_ flags except CN_BODY_AWAKE, which it ignores: see cn_body_set_awake. Without
+# CN_BODY_ENABLED a body keeps its shapes but does not move or collide; its contacts end and its joints are
+# inactive. O(contacts + joints + shapes) when CN_BODY_ENABLED changes.
 cn_body_set_flags = _function("cn_body_set_flags", cn_result, _c.POINTER(cn_world), cn_body, _c.c_uint32)
-# CN_BODY_AWAKE is set in the result when the body is awake.
+# Reads the CN_BODY_ flags; CN_BODY_AWAKE is set while the body is awake.
 cn_body_get_flags = _function("cn_body_get_flags", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_uint32))
-# 0 puts the body and everything connected to it to sleep, at rest; anything else wakes. Does nothing to
-# static and disabled bodies. O(island).
+# 0 puts the body and its island to sleep and stops them; any other value wakes them. Static and disabled
+# bodies are unchanged. 0 can return CN_ERROR_MEMORY. O(island).
 cn_body_set_awake = _function("cn_body_set_awake", cn_result, _c.POINTER(cn_world), cn_body, _c.c_int32)
-# Teleport: origin and angle; velocities stay. Contacts that are no longer near end (the next step reports
-# it). Wakes the body and what is near it. O(contacts + shapes).
+# Teleports the body: origin in metres (|x|, |y| <= 1e6 length units), angle in radians (|angle| <= 1e4).
+# Velocities stay. Contacts whose boxes no longer overlap end at once, and the next step reports them. Wakes
+# the body and its new and old neighbours. O(contacts + shapes).
 cn_body_set_pose = _function("cn_body_set_pose", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.c_float)
+# Reads the position of the origin and the rotation.
 cn_body_get_pose = _function("cn_body_get_pose", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_pose))
-# In (-pi, pi].
+# Reads the angle in radians, in (-pi, pi].
 cn_body_get_angle = _function("cn_body_get_angle", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_float))
-# World position of the centre of mass.
+# Reads the world position of the centre of mass, in metres.
 cn_body_get_center = _function("cn_body_get_center", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_vec2))
-# Static bodies refuse this with CN_ERROR_STATE. Wakes when not zero.
+# Sets the velocity of the centre of mass (m/s) and the angular velocity (rad/s), all finite. CN_ERROR_STATE
+# for static bodies. Wakes the body unless all are 0.
 cn_body_set_velocity = _function("cn_body_set_velocity", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.c_float)
+# Reads the velocity of the centre of mass (m/s) and the angular velocity (rad/s).
 cn_body_get_velocity = _function("cn_body_get_velocity", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_velocity))
 # Sets the velocity of a kinematic body (others: CN_ERROR_STATE) so that a step of dt_s (1e-6 to 1) takes it
-# to this pose, the shorter way round, up to rounding and the world's speed limits: what stands on it or is in
-# its way moves along, as nothing does with cn_body_set_pose. It goes on with that velocity: call it before
-# every step, or stop it after.
+# to a pose (metres, radians) by the shorter turn, up to rounding and the world's speed limits. Unlike after
+# cn_body_set_pose, bodies on it or in its way move along. The velocity stays: call this before every step, or
+# stop the body after it.
 cn_body_set_target_pose = _function("cn_body_set_target_pose", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.c_float, _c.c_float)
-# Velocity of the body's material at a world point.
+# Velocity in m/s of the body's material at a world point in metres.
 cn_body_get_velocity_at = _function("cn_body_get_velocity_at", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.POINTER(cn_vec2))
+# World position of a point given in the body's frame, both in metres.
 cn_body_get_world_point = _function("cn_body_get_world_point", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.POINTER(cn_vec2))
+# Position in the body's frame of a world point, both in metres.
 cn_body_get_local_point = _function("cn_body_get_local_point", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.POINTER(cn_vec2))
-# Union of its shapes' boxes, without margin; the origin as a point if it has none. O(shapes).
+# Union of the AABBs of the body's shapes, without margin; the origin as a point if it has no shapes.
+# O(shapes).
 cn_body_get_aabb = _function("cn_body_get_aabb", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_aabb))
-# Forces and torques act for the next step only and are then cleared. All of these wake a dynamic body and do
-# nothing to static, kinematic and disabled ones (CN_OK). Sums of forces and velocities after impulses must
-# stay finite (CN_ERROR_ARGUMENT).
+# Adds a force in newtons at the centre of mass for the next step only; wakes the body. Static, kinematic and
+# disabled bodies are unchanged (CN_OK). CN_ERROR_ARGUMENT if the sum of forces overflows.
 cn_body_apply_force = _function("cn_body_apply_force", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float)
+# Adds a force in newtons at a world point in metres, hence a torque too; otherwise as cn_body_apply_force.
 cn_body_apply_force_at = _function("cn_body_apply_force_at", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.c_float, _c.c_float)
+# Adds a torque in newton metres; otherwise as cn_body_apply_force.
 cn_body_apply_torque = _function("cn_body_apply_torque", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float)
+# Changes the velocity at once by an impulse in newton seconds at the centre of mass; wakes the body. Static,
+# kinematic and disabled bodies are unchanged (CN_OK). CN_ERROR_ARGUMENT if the velocity overflows.
 cn_body_apply_impulse = _function("cn_body_apply_impulse", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float)
+# Applies an impulse in newton seconds at a world point in metres, which changes the angular velocity too;
+# otherwise as cn_body_apply_impulse.
 cn_body_apply_impulse_at = _function("cn_body_apply_impulse_at", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.c_float, _c.c_float)
+# Changes the angular velocity at once by an angular impulse in newton metre seconds; otherwise as
+# cn_body_apply_impulse.
 cn_body_apply_angular_impulse = _function("cn_body_apply_angular_impulse", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float)
-# Sums over the attached shapes unless overridden. A dynamic body whose shapes have no mass weighs 1 kg (and,
-# having no shape, does not rotate).
+# Reads mass, inertia and centre: sums over the attached shapes unless overridden. A dynamic body whose shapes
+# have no mass weighs 1 kg; without shapes it does not rotate.
 cn_body_get_mass_data = _function("cn_body_get_mass_data", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_mass_data))
-# Override for a dynamic body (others: CN_ERROR_STATE): mass_kg from 1e-20 to 1e20, inertia_kgm2 0 (never
-# rotates) or from 1e-35 to 1e35. Kept until cn_body_reset_mass_data or until the type changes.
+# Overrides the mass data of a dynamic body (others: CN_ERROR_STATE) until cn_body_reset_mass_data or a change
+# of type: mass_kg from 1e-20 to 1e20; inertia_kgm2 0 (never rotates) or from 1e-35 to 1e35. Wakes the body.
 cn_body_set_mass_data = _function("cn_body_set_mass_data", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_mass_data))
+# Ends a mass override: mass data come from the shapes again. Wakes the body. O(shapes).
 cn_body_reset_mass_data = _function("cn_body_reset_mass_data", cn_result, _c.POINTER(cn_world), cn_body)
-# Both >= 0.
+# Sets the linear and angular damping in 1/s (v' = -damping v), both >= 0.
 cn_body_set_damping = _function("cn_body_set_damping", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float)
+# Reads the linear and angular damping in 1/s.
 cn_body_get_damping = _function("cn_body_get_damping", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_float), _c.POINTER(_c.c_float))
+# Sets the factor on gravity for this body, finite. A change wakes the body.
 cn_body_set_gravity_scale = _function("cn_body_set_gravity_scale", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float)
+# Reads the factor on gravity.
 cn_body_get_gravity_scale = _function("cn_body_get_gravity_scale", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_float))
-# >= 0; 0 restores the world's.
+# Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's.
 cn_body_set_sleep_speed = _function("cn_body_set_sleep_speed", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float)
-# How the island of a dynamic body is solved, in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO
-# (default): as the world chooses. _SOFT: never directly, contacts and all, whatever its other bodies ask for.
-# _DIRECT: always, however fast it moves, as far as its contacts can be, and within the work_budget. From the
-# next step on; does not wake.
+# Chooses how the body's island is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default):
+# the world chooses. _SOFT: contacts and joints are never solved directly, whatever other bodies ask for.
+# _DIRECT: the island is solved directly at any speed, where its contacts permit it and within the
+# work_budget. Takes effect with the next step; does not wake.
 cn_body_set_solver = _function("cn_body_set_solver", cn_result, _c.POINTER(cn_world), cn_body, _c.c_int32)
+# Reads the body's own solver (CN_SOLVER_AUTO, _SOFT, _DIRECT).
 cn_body_get_solver = _function("cn_body_get_solver", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_int32))
+# Stores a number for the user.
 cn_body_set_user_data = _function("cn_body_set_user_data", cn_result, _c.POINTER(cn_world), cn_body, _c.c_uint64)
+# Reads the user's number.
 cn_body_get_user_data = _function("cn_body_get_user_data", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_uint64))
-# NULL or "" removes the name.
+# Copies a name of at most CN_NAME_MAX_BYTES bytes (CN_ERROR_ARGUMENT beyond); NULL or "" removes it.
+# O(length).
 cn_body_set_name = _function("cn_body_set_name", cn_result, _c.POINTER(cn_world), cn_body, _c.c_char_p)
-# "" if it has none; valid until the name changes or the body is destroyed.
+# Reads the name, "" if there is none. Valid until the name changes or the body is destroyed.
 cn_body_get_name = _function("cn_body_get_name", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_char_p))
-# As cn_world_get_bodies, for one body. O(shapes), O(joints).
+# Handles of the body's shapes; out, capacity and *out_count as in cn_world_get_bodies. O(shapes).
 cn_body_get_shapes = _function("cn_body_get_shapes", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_shape), _c.c_int32, _c.POINTER(_c.c_int32))
+# Handles of the body's joints without constraints; out, capacity and *out_count as in cn_world_get_bodies.
+# O(joints).
 cn_body_get_joints = _function("cn_body_get_joints", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_joint), _c.c_int32, _c.POINTER(_c.c_int32))
-# Bulk forms: bodies NULL means every body in the order of cn_world_get_bodies, of which there must be exactly
-# count. stride_bytes 0 means tightly packed. One bad handle fails the whole call. O(count).
+# Reads count poses. bodies NULL means every body in the order of cn_world_get_bodies; count must then be
+# their number. One bad handle fails the whole call. O(count).
 cn_world_read_poses = _function("cn_world_read_poses", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body), _c.c_int32, _c.POINTER(cn_pose))
+# Reads count cn_pose at intervals of stride_bytes (0, tightly packed, or >= 16); otherwise as
+# cn_world_read_poses. O(count).
 cn_world_read_poses_strided = _function("cn_world_read_poses_strided", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body), _c.c_int32, _c.c_void_p, _c.c_int32)
+# Reads count velocities; bodies and count as in cn_world_read_poses. O(count).
 cn_world_read_velocities = _function("cn_world_read_velocities", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body), _c.c_int32, _c.POINTER(cn_velocity))
-# cn_body_set_velocity for many; nothing is written if one is bad. Static bodies take zero only.
+# Sets count velocities as cn_body_set_velocity does; bodies and count as in cn_world_read_poses. Static
+# bodies take zero only (CN_ERROR_STATE). One bad entry fails the whole call. O(count).
 cn_world_write_velocities = _function("cn_world_write_velocities", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body), _c.c_int32, _c.POINTER(cn_velocity))
-# Bodies whose pose changed in the last step, and those that fell asleep in it, without the ones destroyed
-# since. Built on the first call after a step: O(awake bodies) then.
+# Bodies whose pose changed in the last step or that fell asleep in it, except bodies destroyed since. The
+# first call after a step builds the array, O(awake bodies), and can return CN_ERROR_MEMORY.
 cn_world_moved = _function("cn_world_moved", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.POINTER(cn_body_moved)), _c.POINTER(_c.c_int32))
+# Sets struct_size and the defaults given beside the fields. NULL does nothing.
 cn_shape_def_init = _function("cn_shape_def_init", None, _c.POINTER(cn_shape_def))
-# out_shape may be NULL in all of these. Points closer than 0.05% of the length unit are degenerate.
+# Creates a circle; 0 < radius_m <= 1e6. Wakes the body. out_shape may be NULL.
 cn_shape_create_circle = _function("cn_shape_create_circle", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape_def), _c.POINTER(cn_circle), _c.POINTER(cn_shape))
+# Creates a capsule; ends at least 0.05% of the length unit apart, radius_m > 0. Wakes the body. out_shape may
+# be NULL.
 cn_shape_create_capsule = _function("cn_shape_create_capsule", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape_def), _c.POINTER(cn_capsule), _c.POINTER(cn_shape))
+# Creates an edge; ends at least 0.05% of the length unit apart. Wakes the body. out_shape may be NULL.
 cn_shape_create_edge = _function("cn_shape_create_edge", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape_def), _c.POINTER(cn_edge), _c.POINTER(cn_shape))
+# Creates a convex polygon; consecutive points at least 0.05% of the length unit apart. Wakes the body.
+# out_shape may be NULL.
 cn_shape_create_polygon = _function("cn_shape_create_polygon", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape_def), _c.POINTER(cn_polygon), _c.POINTER(cn_shape))
-# Half sizes > 0; radius_m >= 0 is added outside of them.
+# Creates a box of half sizes > 0; the rounding radius_m >= 0 is added outside. Wakes the body. out_shape may
+# be NULL.
 cn_shape_create_box = _function("cn_shape_create_box", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape_def), _c.c_float, _c.c_float, _c.c_float, _c.POINTER(cn_shape))
-# O(count).
+# Creates a chain; consecutive points at least 0.05% of the length unit apart. Wakes the body. out_shape may
+# be NULL. O(count).
 cn_shape_create_chain = _function("cn_shape_create_chain", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_shape_def), _c.POINTER(cn_chain), _c.POINTER(cn_shape))
-# An unattached shape joins a body (CN_ERROR_STATE if it already has one), an attached one leaves it.
+# Attaches an unattached shape to a body and wakes the body. CN_ERROR_STATE if the shape has a body. O(shapes
+# of the body + edges of a chain).
 cn_shape_attach = _function("cn_shape_attach", cn_result, _c.POINTER(cn_world), cn_shape, cn_body)
+# Detaches a shape from its body, ends its contacts and wakes the body. CN_ERROR_STATE if it has no body.
+# O(contacts + shapes of the body).
 cn_shape_detach = _function("cn_shape_detach", cn_result, _c.POINTER(cn_world), cn_shape)
+# Destroys a shape, ends its contacts and wakes its body. O(contacts + shapes of the body).
 cn_shape_destroy = _function("cn_shape_destroy", cn_result, _c.POINTER(cn_world), cn_shape)
+# 1 if the handle names a living shape of this world, else 0 (also for a NULL world).
 cn_shape_is_valid = _function("cn_shape_is_valid", _c.c_int32, _c.POINTER(cn_world), cn_shape)
+# Reads the type (CN_SHAPE_CIRCLE to _CHAIN).
 cn_shape_get_type = _function("cn_shape_get_type", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(_c.c_int32))
-# 0 if unattached.
+# Reads the body; 0 if unattached.
 cn_shape_get_body = _function("cn_shape_get_body", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_body))
-# Takes effect at once, on resting contacts too (their bodies wake).
+# Replaces the material; applies at once, to touching contacts too, whose bodies wake. O(contacts of the
+# body).
 cn_shape_set_material = _function("cn_shape_set_material", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_material))
+# Reads the material.
 cn_shape_get_material = _function("cn_shape_get_material", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_material))
-# >= 0; the body's mass follows at once.
+# Sets the density in kg/m^2, >= 0, giving 0 or 1e-20 to 1e20 kg. Updates the body's mass at once and wakes
+# the body. O(shapes of the body).
 cn_shape_set_density = _function("cn_shape_set_density", cn_result, _c.POINTER(cn_world), cn_shape, _c.c_float)
+# Reads the density in kg/m^2.
 cn_shape_get_density = _function("cn_shape_get_density", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(_c.c_float))
-# Contacts that it forbids end at once (with their events); ones that it allows begin in the next step.
+# Replaces the filter. Contacts that it forbids end at once, with their events; contacts that it permits begin
+# in the next step. Wakes the body, or the bodies near a static shape. O(contacts of the body).
 cn_shape_set_filter = _function("cn_shape_set_filter", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_filter))
+# Reads the filter.
 cn_shape_get_filter = _function("cn_shape_get_filter", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_filter))
-# Takes effect at once, for present contacts too.
+# Sets the reported events, bits 1 << CN_EVENT_*; applies at once, to present contacts too. O(contacts of the
+# body).
 cn_shape_set_event_mask = _function("cn_shape_set_event_mask", cn_result, _c.POINTER(cn_world), cn_shape, _c.c_uint32)
+# Reads the event mask.
 cn_shape_get_event_mask = _function("cn_shape_get_event_mask", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(_c.c_uint32))
-# Replaces the CN_SHAPE_ flags (SENSOR ...). Contacts end and begin anew as needed.
+# Replaces the CN_SHAPE_ flags. The shape's contacts end; those that still overlap begin again in the next
+# step. Wakes the body, or the bodies near a static shape. O(contacts of the body).
 cn_shape_set_flags = _function("cn_shape_set_flags", cn_result, _c.POINTER(cn_world), cn_shape, _c.c_uint32)
+# Reads the CN_SHAPE_ flags.
 cn_shape_get_flags = _function("cn_shape_get_flags", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(_c.c_uint32))
+# Stores a number for the user.
 cn_shape_set_user_data = _function("cn_shape_set_user_data", cn_result, _c.POINTER(cn_world), cn_shape, _c.c_uint64)
+# Reads the user's number.
 cn_shape_get_user_data = _function("cn_shape_get_user_data", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(_c.c_uint64))
-# Without margin, in world space (in shape space when unattached). O(points).
+# AABB without margin, in the world (in the shape's own space when unattached). O(points).
 cn_shape_get_aabb = _function("cn_shape_get_aabb", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_aabb))
-# In the body's local frame, at the present density; inertia about the shape's own centre. O(points).
+# Mass at the present density, centre in the body's frame, inertia about the shape's own centre. O(points).
 cn_shape_get_mass_data = _function("cn_shape_get_mass_data", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_mass_data))
-# The shape's geometry in its body's local frame, offset applied. CN_ERROR_STATE for another type.
+# Reads a circle in the body's frame, offset applied. CN_ERROR_STATE for another type.
 cn_shape_get_circle = _function("cn_shape_get_circle", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_circle))
+# Reads a capsule in the body's frame, offset applied. CN_ERROR_STATE for another type.
 cn_shape_get_capsule = _function("cn_shape_get_capsule", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_capsule))
+# Reads an edge in the body's frame, offset applied. CN_ERROR_STATE for another type.
 cn_shape_get_edge = _function("cn_shape_get_edge", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_edge))
+# Reads a polygon in the body's frame, offset applied. CN_ERROR_STATE for another type.
 cn_shape_get_polygon = _function("cn_shape_get_polygon", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_polygon))
-# Writes at most capacity points (out may be NULL when capacity is 0); *out_count is how many there are.
+# Reads a chain's points in the body's frame, offset applied. Writes at most capacity (>= 0); out may be NULL
+# when capacity is 0. *out_count is their number. CN_ERROR_STATE for another type. O(points written).
 cn_shape_get_chain_points = _function("cn_shape_get_chain_points", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_vec2), _c.c_int32, _c.POINTER(_c.c_int32))
+# out_inside is 1 if the shape contains a world point in metres (in the shape's own space when unattached),
+# else 0. Edges and chains contain no point. O(points).
 cn_shape_test_point = _function("cn_shape_test_point", cn_result, _c.POINTER(cn_world), cn_shape, _c.c_float, _c.c_float, _c.POINTER(_c.c_int32))
-# Convex hull of 1 or more points (farthest points inserted, as in Quickhull: Barber, Dobkin, Huhdanpaa 1996)
-# of at most CN_POLYGON_MAX_VERTICES, those that add the most area. CN_ERROR_ARGUMENT for fewer than three
-# distinct points or collinear ones. Details below 5 mm are dropped (below 5% of the half size for hulls under
-# 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count <= 65536.
+# Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts farthest
+# points, as Quickhull does (Barber, Dobkin, Huhdanpaa, 1996), and keeps those that add the most area.
+# CN_ERROR_ARGUMENT for fewer than three distinct points or collinear ones. It drops details below 5 mm (below
+# 5% of the half size for hulls under 0.1 m, below 0.5% for those over 1 m). radius_m >= 0. O(count^2) at
+# worst.
 cn_polygon_make_hull = _function("cn_polygon_make_hull", cn_result, _c.POINTER(cn_vec2), _c.c_int32, _c.c_float, _c.POINTER(cn_polygon))
-# A box of half sizes > 0, moved and then turned about its own centre.
+# A box of half sizes > 0 in metres, with its centre in metres, turned about its own centre by angle_rad
+# (|angle| <= 1e4); radius_m >= 0.
 cn_polygon_make_box = _function("cn_polygon_make_box", cn_result, _c.c_float, _c.c_float, _c.c_float, _c.c_float, _c.c_float, _c.c_float, _c.POINTER(cn_polygon))
-# The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. They are always
-# bookended: every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved away, body
-# or shape destroyed, detached or disabled, filter or type changed). Pairs that end through a call between two
-# steps are reported by the next step; handles in such events may be stale. Falling asleep is not leaving: a
-# sleeping pair reports nothing until it wakes, and then goes on where it was. The array is built on the first
-# request after a step, O(events) then: that may return CN_ERROR_MEMORY, and inside callbacks CN_ERROR_LOCKED.
+# The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. The first call for a
+# kind after a step builds the array, O(events), and can return CN_ERROR_MEMORY; CN_ERROR_LOCKED inside
+# callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved apart, body
+# or shape destroyed, detached or disabled, filter or type changed). The next step reports pairs that end
+# between two steps; their handles may be stale. A sleeping pair reports nothing, and continues when it wakes.
 cn_world_contact_events = _function("cn_world_contact_events", cn_result, _c.POINTER(cn_world), _c.c_int32, _c.POINTER(_c.POINTER(cn_contact_event)), _c.POINTER(_c.c_int32))
-# function NULL removes it.
+# Sets the callback for contact events of one kind (CN_EVENT_*); NULL removes it.
 cn_world_set_contact_callback = _function("cn_world_set_contact_callback", cn_result, _c.POINTER(cn_world), _c.c_int32, cn_contact_event_fn, _c.c_void_p)
-# function NULL removes it.
+# Sets the callback that decides whether two shapes may touch; NULL removes it.
 cn_world_set_filter_callback = _function("cn_world_set_filter_callback", cn_result, _c.POINTER(cn_world), cn_filter_fn, _c.c_void_p)
+# Sets the pre-solve callback; NULL removes it.
 cn_world_set_pre_solve_callback = _function("cn_world_set_pre_solve_callback", cn_result, _c.POINTER(cn_world), cn_pre_solve_fn, _c.c_void_p)
+# Sets the callback that mixes materials; NULL removes it.
 cn_world_set_material_mix_callback = _function("cn_world_set_material_mix_callback", cn_result, _c.POINTER(cn_world), cn_material_mix_fn, _c.c_void_p)
-# Of the last step, in a deterministic order; bookended like contact events. Sensors see dynamic and kinematic
-# bodies' shapes that are not sensors, by exact overlap.
+# The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
+# events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap.
 cn_world_sensor_events = _function("cn_world_sensor_events", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.POINTER(cn_sensor_event)), _c.POINTER(_c.c_int32))
-# The contacts of a body, touching or not, as events of kind STAY (touching) or CREATED. Writes at most
-# capacity; *out_count is how many there are. O(contacts).
+# The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at most capacity (>=
+# 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts).
 cn_body_get_contacts = _function("cn_body_get_contacts", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_contact_event), _c.c_int32, _c.POINTER(_c.c_int32))
-# As cn_body_get_contacts, of one shape, a chain with all its edges. O(contacts of its body).
+# The shape's contacts, a chain with all its edges; out, capacity, *out_count and kinds as in
+# cn_body_get_contacts. O(contacts of its body).
 cn_shape_get_contacts = _function("cn_shape_get_contacts", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_contact_event), _c.c_int32, _c.POINTER(_c.c_int32))
-# The shapes that are in a sensor, each once: those whose ENTER had no LEAVE up to the last step.
-# CN_ERROR_STATE for a shape that is no sensor. O(contacts of its body), for chains squared.
+# The shapes in a sensor, each once: those with an ENTER and no LEAVE up to the last step. out, capacity and
+# *out_count as in cn_world_get_bodies. CN_ERROR_STATE for a shape that is no sensor. O(contacts of its body),
+# squared for chains.
 cn_shape_get_visitors = _function("cn_shape_get_visitors", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_shape), _c.c_int32, _c.POINTER(_c.c_int32))
-# Bodies that fell asleep in the last step, or since by cn_body_set_awake; ones destroyed since are stale
-# handles.
+# Bodies that fell asleep in the last step, or since then through cn_body_set_awake. Handles of bodies
+# destroyed since are stale.
 cn_world_fell_asleep = _function("cn_world_fell_asleep", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.POINTER(cn_body)), _c.POINTER(_c.c_int32))
+# Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 cn_revolute_def_init = _function("cn_revolute_def_init", None, _c.POINTER(cn_revolute_def))
+# Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 cn_distance_def_init = _function("cn_distance_def_init", None, _c.POINTER(cn_distance_def))
+# Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 cn_fixed_def_init = _function("cn_fixed_def_init", None, _c.POINTER(cn_fixed_def))
+# Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 cn_prismatic_def_init = _function("cn_prismatic_def_init", None, _c.POINTER(cn_prismatic_def))
+# Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 cn_wheel_def_init = _function("cn_wheel_def_init", None, _c.POINTER(cn_wheel_def))
+# Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 cn_motor_def_init = _function("cn_motor_def_init", None, _c.POINTER(cn_motor_def))
+# Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 cn_mouse_def_init = _function("cn_mouse_def_init", None, _c.POINTER(cn_mouse_def))
+# Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 cn_gear_def_init = _function("cn_gear_def_init", None, _c.POINTER(cn_gear_def))
+# Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 cn_pulley_def_init = _function("cn_pulley_def_init", None, _c.POINTER(cn_pulley_def))
+# Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 cn_ratchet_def_init = _function("cn_ratchet_def_init", None, _c.POINTER(cn_ratchet_def))
+# Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 cn_rotary_spring_def_init = _function("cn_rotary_spring_def_init", None, _c.POINTER(cn_rotary_spring_def))
+# Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 cn_groove_def_init = _function("cn_groove_def_init", None, _c.POINTER(cn_groove_def))
+# Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 cn_filter_joint_def_init = _function("cn_filter_joint_def_init", None, _c.POINTER(cn_filter_joint_def))
-# Wake both bodies. CN_ERROR_ARGUMENT for a body with itself or without a dynamic body.
+# Creates a revolute joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+# dynamic. O(contacts of body_a).
 cn_joint_create_revolute = _function("cn_joint_create_revolute", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_revolute_def), _c.POINTER(cn_joint))
+# Creates a distance joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+# dynamic. O(contacts of body_a).
 cn_joint_create_distance = _function("cn_joint_create_distance", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_distance_def), _c.POINTER(cn_joint))
+# Creates a fixed joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+# dynamic. O(contacts of body_a).
 cn_joint_create_fixed = _function("cn_joint_create_fixed", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_fixed_def), _c.POINTER(cn_joint))
+# Creates a prismatic joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+# dynamic. O(contacts of body_a).
 cn_joint_create_prismatic = _function("cn_joint_create_prismatic", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_prismatic_def), _c.POINTER(cn_joint))
+# Creates a wheel joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+# dynamic. O(contacts of body_a).
 cn_joint_create_wheel = _function("cn_joint_create_wheel", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_wheel_def), _c.POINTER(cn_joint))
+# Creates a motor joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+# dynamic. O(contacts of body_a).
 cn_joint_create_motor = _function("cn_joint_create_motor", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_motor_def), _c.POINTER(cn_joint))
+# Creates a mouse joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+# dynamic, or body_a is not 0. O(contacts of body_a).
 cn_joint_create_mouse = _function("cn_joint_create_mouse", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_mouse_def), _c.POINTER(cn_joint))
+# Creates a gear joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+# dynamic. O(contacts of body_a).
 cn_joint_create_gear = _function("cn_joint_create_gear", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_gear_def), _c.POINTER(cn_joint))
+# Creates a pulley joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+# dynamic. O(contacts of body_a).
 cn_joint_create_pulley = _function("cn_joint_create_pulley", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_pulley_def), _c.POINTER(cn_joint))
+# Creates a ratchet joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+# dynamic. O(contacts of body_a).
 cn_joint_create_ratchet = _function("cn_joint_create_ratchet", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_ratchet_def), _c.POINTER(cn_joint))
+# Creates a rotary spring and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+# dynamic. O(contacts of body_a).
 cn_joint_create_rotary_spring = _function("cn_joint_create_rotary_spring", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_rotary_spring_def), _c.POINTER(cn_joint))
+# Creates a groove joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+# dynamic, or the slot has no length. O(contacts of body_a).
 cn_joint_create_groove = _function("cn_joint_create_groove", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_groove_def), _c.POINTER(cn_joint))
+# Creates a filter joint, ends the contacts between its bodies and wakes both. CN_ERROR_ARGUMENT if the bodies
+# are the same or neither is dynamic. It has a base only: see cn_joint_get_base. O(contacts of body_a).
 cn_joint_create_filter = _function("cn_joint_create_filter", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_filter_joint_def), _c.POINTER(cn_joint))
+# Destroys a joint and wakes its bodies. No event is reported.
 cn_joint_destroy = _function("cn_joint_destroy", cn_result, _c.POINTER(cn_world), cn_joint)
+# 1 if the handle names a living joint of this world, else 0 (also for a constraint and a NULL world).
 cn_joint_is_valid = _function("cn_joint_is_valid", _c.c_int32, _c.POINTER(cn_world), cn_joint)
+# Reads the type (CN_JOINT_REVOLUTE to _FILTER).
 cn_joint_get_type = _function("cn_joint_get_type", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_int32))
+# Reads both bodies; 0 stands for the world.
 cn_joint_get_bodies = _function("cn_joint_get_bodies", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_body), _c.POINTER(cn_body))
+# Reads the world positions of both anchors, in metres.
 cn_joint_get_anchors = _function("cn_joint_get_anchors", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_vec2), _c.POINTER(cn_vec2))
-# Force in newtons and torque in newton metres that the joint put on body b in the last substep.
+# Force in newtons and torque in newton metres that the joint applied to body b in the last substep.
 cn_joint_get_reaction = _function("cn_joint_get_reaction", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_vec2), _c.POINTER(_c.c_float))
-# How far the joint's rigid parts are from being satisfied: metres (anchors, lengths beyond limits) and
-# radians (angles beyond limits), both >= 0.
+# Error of the joint's rigid parts, both >= 0: metres (anchors apart, lengths beyond limits) and radians
+# (angles beyond limits).
 cn_joint_get_error = _function("cn_joint_get_error", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_float), _c.POINTER(_c.c_float))
-# In worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default): the joint is solved together with its
-# neighbours where that is cheap. _SOFT: always by itself. _DIRECT: together with all joints that it hangs
-# together with, for as much work as CN_SOLVER_DIRECT takes, within the work_budget. In a world in a caller's
-# block that was not made with CN_SOLVER_DIRECT, _DIRECT is _AUTO. From the next step on; does not wake.
+# Chooses how the joint is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default): together
+# with its neighbours where that is cheap. _SOFT: always alone. _DIRECT: together with all connected joints,
+# up to the work limits of CN_SOLVER_DIRECT and the work_budget; the same as _AUTO for a world in a caller's
+# block that was not created with CN_SOLVER_DIRECT. Takes effect with the next step; does not wake.
 cn_joint_set_solver = _function("cn_joint_set_solver", cn_result, _c.POINTER(cn_world), cn_joint, _c.c_int32)
+# Reads the joint's own solver (CN_SOLVER_AUTO, _SOFT, _DIRECT).
 cn_joint_get_solver = _function("cn_joint_get_solver", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_int32))
+# Stores a number for the user.
 cn_joint_set_user_data = _function("cn_joint_set_user_data", cn_result, _c.POINTER(cn_world), cn_joint, _c.c_uint64)
+# Reads the user's number.
 cn_joint_get_user_data = _function("cn_joint_get_user_data", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_uint64))
-# Replaces the CN_JOINT_ flags. Wakes. O(contacts) when CN_JOINT_COLLIDE changes.
+# Replaces the CN_JOINT_ flags and wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_joint_set_flags = _function("cn_joint_set_flags", cn_result, _c.POINTER(cn_world), cn_joint, _c.c_uint32)
+# Reads the CN_JOINT_ flags.
 cn_joint_get_flags = _function("cn_joint_get_flags", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_uint32))
-# Read back or replace a definition. set leaves bodies and anchors as they are and ignores struct_size; all
-# else is taken, flags and user data too. CN_ERROR_STATE for a joint of another type. set wakes. A filter
-# joint has nothing but its base.
+# Reads the definition of a revolute joint. CN_ERROR_STATE for another type.
 cn_joint_get_revolute = _function("cn_joint_get_revolute", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_revolute_def))
+# Replaces the definition of a revolute joint, flags and user data included; ignores bodies, anchors and
+# struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_joint_set_revolute = _function("cn_joint_set_revolute", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_revolute_def))
+# Reads the definition of a distance joint. CN_ERROR_STATE for another type.
 cn_joint_get_distance = _function("cn_joint_get_distance", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_distance_def))
+# Replaces the definition of a distance joint, flags and user data included; ignores bodies, anchors and
+# struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_joint_set_distance = _function("cn_joint_set_distance", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_distance_def))
+# Reads the definition of a fixed joint. CN_ERROR_STATE for another type.
 cn_joint_get_fixed = _function("cn_joint_get_fixed", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_fixed_def))
+# Replaces the definition of a fixed joint, flags and user data included; ignores bodies, anchors and
+# struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_joint_set_fixed = _function("cn_joint_set_fixed", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_fixed_def))
+# Reads the definition of a prismatic joint. CN_ERROR_STATE for another type.
 cn_joint_get_prismatic = _function("cn_joint_get_prismatic", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_prismatic_def))
+# Replaces the definition of a prismatic joint, flags and user data included; ignores bodies, anchors and
+# struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_joint_set_prismatic = _function("cn_joint_set_prismatic", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_prismatic_def))
+# Reads the definition of a wheel joint. CN_ERROR_STATE for another type.
 cn_joint_get_wheel = _function("cn_joint_get_wheel", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_wheel_def))
+# Replaces the definition of a wheel joint, flags and user data included; ignores bodies, anchors and
+# struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_joint_set_wheel = _function("cn_joint_set_wheel", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_wheel_def))
+# Reads the definition of a motor joint. CN_ERROR_STATE for another type.
 cn_joint_get_motor_to = _function("cn_joint_get_motor_to", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_motor_def))
+# Replaces the definition of a motor joint, flags and user data included; ignores bodies, anchors and
+# struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_joint_set_motor_to = _function("cn_joint_set_motor_to", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_motor_def))
+# Reads the definition of a mouse joint. CN_ERROR_STATE for another type.
 cn_joint_get_mouse = _function("cn_joint_get_mouse", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_mouse_def))
+# Replaces the definition of a mouse joint, flags and user data included; ignores bodies, anchors and
+# struct_size. Sets the target too. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when
+# CN_JOINT_COLLIDE changes.
 cn_joint_set_mouse = _function("cn_joint_set_mouse", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_mouse_def))
+# Reads the definition of a gear joint. CN_ERROR_STATE for another type.
 cn_joint_get_gear = _function("cn_joint_get_gear", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_gear_def))
+# Replaces the definition of a gear joint, flags and user data included; ignores bodies, anchors and
+# struct_size. A new ratio starts the count of whole turns again. CN_ERROR_STATE for another type. Wakes both
+# bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_joint_set_gear = _function("cn_joint_set_gear", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_gear_def))
+# Reads the definition of a pulley joint. CN_ERROR_STATE for another type.
 cn_joint_get_pulley = _function("cn_joint_get_pulley", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_pulley_def))
+# Replaces the definition of a pulley joint, flags and user data included; ignores bodies, anchors and
+# struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_joint_set_pulley = _function("cn_joint_set_pulley", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_pulley_def))
+# Reads the definition of a ratchet joint. CN_ERROR_STATE for another type.
 cn_joint_get_ratchet = _function("cn_joint_get_ratchet", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_ratchet_def))
+# Replaces the definition of a ratchet joint, flags and user data included; ignores bodies, anchors and
+# struct_size. The ratchet starts again at its present click. CN_ERROR_STATE for another type. Wakes both
+# bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_joint_set_ratchet = _function("cn_joint_set_ratchet", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_ratchet_def))
+# Reads the definition of a rotary spring. CN_ERROR_STATE for another type.
 cn_joint_get_rotary_spring = _function("cn_joint_get_rotary_spring", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_rotary_spring_def))
+# Replaces the definition of a rotary spring, flags and user data included; ignores bodies, anchors and
+# struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_joint_set_rotary_spring = _function("cn_joint_set_rotary_spring", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_rotary_spring_def))
+# Reads the definition of a groove joint. CN_ERROR_STATE for another type.
 cn_joint_get_groove = _function("cn_joint_get_groove", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_groove_def))
+# Replaces the definition of a groove joint, flags and user data included; ignores bodies, anchors and
+# struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 cn_joint_set_groove = _function("cn_joint_set_groove", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_groove_def))
-# The base of any joint.
+# Reads the base of a joint of any type.
 cn_joint_get_base = _function("cn_joint_get_base", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_joint_base))
-# Takes stiffness, most force and torque, and break thresholds; the rest of base is ignored. Wakes.
+# Replaces stiffness, greatest force and torque, and break thresholds; ignores the rest of base. Ranges as in
+# cn_joint_base. Wakes both bodies.
 cn_joint_set_base = _function("cn_joint_set_base", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(cn_joint_base))
-# Mouse joint: where to drag to; called each frame. CN_ERROR_STATE for another type. Wakes.
+# Sets the target of a mouse joint, a world point in metres; cheap enough for every frame. CN_ERROR_STATE for
+# another type. Wakes the body.
 cn_joint_set_target = _function("cn_joint_set_target", cn_result, _c.POINTER(cn_world), cn_joint, _c.c_float, _c.c_float)
-# Revolute, fixed, motor: the angle b - angle a - reference (motor: without one), in (-pi, pi]. Distance,
-# pulley: the present length. Prismatic, wheel, groove: the translation along the axis. Mouse: distance to the
-# target. Gear: angle b - ratio * angle a; ratchet, rotary spring: angle b - angle a, these three over whole
-# turns.
+# Reads the joint coordinate. Revolute, fixed, motor: angle b - angle a - reference (motor: without reference)
+# in (-pi, pi]. Distance, pulley: the present length. Prismatic, wheel, groove: the translation along the
+# axis. Mouse: the distance to the target. Gear: angle b - ratio * angle a; ratchet, rotary spring: angle b -
+# angle a; these three over whole turns.
 cn_joint_get_position = _function("cn_joint_get_position", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_float))
-# How fast that changes; but of a wheel how fast b turns against a. With CN_JOINT_MOTOR, positive follows
-# these.
+# Rate of change of cn_joint_get_position; of a wheel joint the angular velocity of b against a. A positive
+# motor speed has the same sign.
 cn_joint_get_speed = _function("cn_joint_get_speed", cn_result, _c.POINTER(cn_world), cn_joint, _c.POINTER(_c.c_float))
-# The two setters that games call each frame, for revolute, distance, prismatic and wheel (others:
-# CN_ERROR_STATE). Wake.
+# Sets motor speed (rad/s or m/s) and greatest torque or force (N m or N, >= 0) of a revolute, distance,
+# prismatic or wheel joint (others: CN_ERROR_STATE). Wakes both bodies.
 cn_joint_set_motor = _function("cn_joint_set_motor", cn_result, _c.POINTER(cn_world), cn_joint, _c.c_float, _c.c_float)
+# Sets the limits, lower <= upper, of a revolute (radians in [-pi, pi]), distance (metres >= 0), prismatic or
+# wheel joint (metres); others: CN_ERROR_STATE. Wakes both bodies.
 cn_joint_set_limits = _function("cn_joint_set_limits", cn_result, _c.POINTER(cn_world), cn_joint, _c.c_float, _c.c_float)
-# Those that exceeded a break threshold in the last step, and those destroyed with a body in or since the step
-# before (by calls between two steps: reported by the next step).
+# Joints and constraints that exceeded a break threshold in the last step, and those destroyed with a body in
+# that step or between it and the step before.
 cn_world_joint_events = _function("cn_world_joint_events", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.POINTER(cn_joint_event)), _c.POINTER(_c.c_int32))
+# Sets struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 cn_angle_constraint_def_init = _function("cn_angle_constraint_def_init", None, _c.POINTER(cn_angle_constraint_def))
+# Sets struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 cn_line_constraint_def_init = _function("cn_line_constraint_def_init", None, _c.POINTER(cn_line_constraint_def))
-# They are solved with the joints, before contacts. Wake the body.
+# Creates an angle constraint, solved with the joints, before contacts. CN_ERROR_ARGUMENT if the body is not
+# dynamic. Wakes the body.
 cn_constraint_create_angle = _function("cn_constraint_create_angle", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_angle_constraint_def), _c.POINTER(cn_constraint))
+# Creates a line constraint, solved with the joints, before contacts. CN_ERROR_ARGUMENT if the body is not
+# dynamic. Wakes the body.
 cn_constraint_create_line = _function("cn_constraint_create_line", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_line_constraint_def), _c.POINTER(cn_constraint))
+# Destroys a constraint and wakes its body. No event is reported.
 cn_constraint_destroy = _function("cn_constraint_destroy", cn_result, _c.POINTER(cn_world), cn_constraint)
+# 1 if the handle names a living constraint of this world, else 0 (also for a joint and a NULL world).
 cn_constraint_is_valid = _function("cn_constraint_is_valid", _c.c_int32, _c.POINTER(cn_world), cn_constraint)
+# Reads the type (CN_CONSTRAINT_ANGLE or _LINE).
 cn_constraint_get_type = _function("cn_constraint_get_type", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(_c.c_int32))
+# Reads the body.
 cn_constraint_get_body = _function("cn_constraint_get_body", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(cn_body))
-# Read back or replace a definition; set ignores body. CN_ERROR_STATE for the other type. set wakes.
+# Reads the definition of an angle constraint. CN_ERROR_STATE for another type.
 cn_constraint_get_angle = _function("cn_constraint_get_angle", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(cn_angle_constraint_def))
+# Replaces the definition of an angle constraint; ignores body. CN_ERROR_STATE for another type. Wakes the
+# body.
 cn_constraint_set_angle = _function("cn_constraint_set_angle", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(cn_angle_constraint_def))
+# Reads the definition of a line constraint. CN_ERROR_STATE for another type.
 cn_constraint_get_line = _function("cn_constraint_get_line", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(cn_line_constraint_def))
+# Replaces the definition of a line constraint; ignores body. CN_ERROR_STATE for another type. Wakes the body.
 cn_constraint_set_line = _function("cn_constraint_set_line", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(cn_line_constraint_def))
-# Angle: the angle over whole turns. Line: where along the axis the point is, from origin.
+# Angle constraint: the angle in radians over whole turns. Line constraint: the coordinate of the point along
+# the axis, in metres from origin.
 cn_constraint_get_position = _function("cn_constraint_get_position", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(_c.c_float))
-# Force in newtons and torque in newton metres that it put on the body in the last substep.
+# Force in newtons and torque in newton metres that the constraint applied to the body in the last substep.
 cn_constraint_get_reaction = _function("cn_constraint_get_reaction", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(cn_vec2), _c.POINTER(_c.c_float))
-# How far beyond what is allowed, >= 0.
+# Distance beyond the allowed range, >= 0: metres for a line constraint, radians for an angle constraint.
 cn_constraint_get_error = _function("cn_constraint_get_error", cn_result, _c.POINTER(cn_world), cn_constraint, _c.POINTER(_c.c_float), _c.POINTER(_c.c_float))
-# As cn_world_get_joints and cn_body_get_joints, which do not list constraints.
+# Handles of all constraints, ordered by slot; out, capacity and *out_count as in cn_world_get_bodies.
+# O(slots).
 cn_world_get_constraints = _function("cn_world_get_constraints", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_constraint), _c.c_int32, _c.POINTER(_c.c_int32))
+# Handles of the body's constraints; out, capacity and *out_count as in cn_world_get_bodies. O(joints +
+# constraints of the body).
 cn_body_get_constraints = _function("cn_body_get_constraints", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_constraint), _c.c_int32, _c.POINTER(_c.c_int32))
-# step_s in (0, 1], default 1/60; steps_max >= 1, default 8.
+# Sets the fixed step of cn_world_update: step_s in (0, 1], default 1/60; at most steps_max steps an update, 1
+# to 1000, default 8.
 cn_world_set_fixed_step = _function("cn_world_set_fixed_step", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_int32)
-# Adds elapsed_s (0 to 10) to the time owed and takes as many fixed steps as fit, at most steps_max. Events of
-# all steps but the last are only seen by callbacks. out may be NULL.
+# Adds elapsed_s (0 to 10) to the time owed and takes as many fixed steps as fit, at most steps_max. The event
+# arrays hold the last step; callbacks see every step. out may be NULL. Costs as the steps.
 cn_world_update = _function("cn_world_update", cn_result, _c.POINTER(cn_world), _c.c_float, _c.POINTER(cn_update_report))
-# Poses between the last two steps of cn_world_update: factor 0 the one before, 1 the last. bodies as in
-# cn_world_read_poses. Bodies that did not take part in the last step have their present pose.
+# Reads count poses between the last two steps of cn_world_update: factor 0 to 1, 0 before the last step, 1
+# after it. Bodies that did not take part in the last step have their present pose. bodies and count as in
+# cn_world_read_poses. O(count).
 cn_world_read_poses_interpolated = _function("cn_world_read_poses_interpolated", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body), _c.c_int32, _c.c_float, _c.POINTER(cn_pose))
+# Sets the defaults given beside the fields. NULL does nothing.
 cn_query_filter_init = _function("cn_query_filter_init", None, _c.POINTER(cn_query_filter))
-# Nearest hit; out->shape is 0 when there is none. An edge is hit from both sides, a chain from its front
-# only. Of equal hits the first by shape (as in cn_world_get_shapes), then child. filter may be NULL in all
-# queries: the defaults. O(log) to O(shapes along the ray).
+# Nearest hit of a ray; out->shape is 0 when there is none. Edges are hit from both sides, chains from their
+# front. Of equal hits the first by shape (in the order of cn_world_get_shapes), then child. filter may be
+# NULL: the defaults. O(log shapes) to O(shapes along the ray).
 cn_world_cast_ray = _function("cn_world_cast_ray", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_ray), _c.POINTER(cn_query_filter), _c.POINTER(cn_ray_hit))
-# 1 if anything is hit: cheaper than the nearest.
+# out_hit is 1 if the ray hits any shape, else 0; cheaper than the nearest hit. filter may be NULL. O(log
+# shapes) to O(shapes along the ray).
 cn_world_cast_ray_any = _function("cn_world_cast_ray_any", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_ray), _c.POINTER(cn_query_filter), _c.POINTER(_c.c_int32))
-# Up to capacity hits, nearest first (the nearest ones if there are more); *out_count is how many were found.
-# A chain is hit once by each edge on the way.
+# Hits of a ray, nearest first: the nearest capacity (>= 0) are written, *out_count is the number found. A
+# chain counts once for each edge hit. filter may be NULL. O(shapes along the ray * log capacity).
 cn_world_cast_ray_all = _function("cn_world_cast_ray_all", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_ray), _c.POINTER(cn_query_filter), _c.POINTER(cn_ray_hit), _c.c_int32, _c.POINTER(_c.c_int32))
-# count rays, the nearest hit of each; nothing is written if one of them is bad.
+# Nearest hit of each of count (>= 0) rays, as cn_world_cast_ray. One bad ray fails the whole call. filter may
+# be NULL. O(sum of the rays).
 cn_world_cast_rays = _function("cn_world_cast_rays", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_ray), _c.c_int32, _c.POINTER(cn_query_filter), _c.POINTER(cn_ray_hit))
-# Against one shape alone, whatever its filter, in shape space when unattached. O(edges of a chain).
+# Nearest hit of a ray against one shape, whatever its filter; in the shape's own space when unattached.
+# O(points of the shape).
 cn_shape_cast_ray = _function("cn_shape_cast_ray", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_ray), _c.POINTER(cn_ray_hit))
-# A polygon (its points in world coordinates; count may be 1 or 2 too, with radius > 0: circle, capsule) moved
-# by translation without turning: the first shape it meets. A chain is met by what has the mean of its points
-# in front.
+# First shape that a convex shape meets when moved by translation (metres, at most 2e6 length units each way)
+# without turning. shape is a polygon in world coordinates; with radius_m > 0 its count may be 1 or 2: circle,
+# capsule. A shape in contact at the start: see cn_ray_hit. A chain is met if the mean of the moving points is
+# in front of it. filter may be NULL. O(shapes along the way).
 cn_world_cast_shape = _function("cn_world_cast_shape", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_polygon), _c.c_float, _c.c_float, _c.POINTER(cn_query_filter), _c.POINTER(cn_ray_hit))
-# Shapes that overlap a region: at most capacity handles are written (the first ones), *out_count is how many
-# there are, in the order of cn_world_get_shapes. The first is by the shapes' boxes without margin, the others
-# exact. A chain is listed once; edges and chains are lines here, seen from both sides, and contain no point.
-# Polygons as in cn_world_cast_shape. O(log) to O(boxes in the region).
+# Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a chain once. The
+# first capacity (>= 0) are written; *out_count is the number found. filter may be NULL. O(log shapes) to
+# O(boxes in the region).
 cn_world_overlap_aabb = _function("cn_world_overlap_aabb", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_aabb), _c.POINTER(cn_query_filter), _c.POINTER(cn_shape), _c.c_int32, _c.POINTER(_c.c_int32))
+# Shapes that exactly overlap a circle; order, capacity, filter and cost as in cn_world_overlap_aabb. Edges
+# and chains are lines here, seen from both sides.
 cn_world_overlap_circle = _function("cn_world_overlap_circle", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_circle), _c.POINTER(cn_query_filter), _c.POINTER(cn_shape), _c.c_int32, _c.POINTER(_c.c_int32))
+# Shapes that exactly overlap a polygon (as in cn_world_cast_shape); order, capacity, filter and cost as in
+# cn_world_overlap_aabb. Edges and chains are lines here, seen from both sides.
 cn_world_overlap_polygon = _function("cn_world_overlap_polygon", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_polygon), _c.POINTER(cn_query_filter), _c.POINTER(cn_shape), _c.c_int32, _c.POINTER(_c.c_int32))
+# Shapes that contain a world point in metres; order, capacity, filter and cost as in cn_world_overlap_aabb.
+# Edges and chains contain no point.
 cn_world_overlap_point = _function("cn_world_overlap_point", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_float, _c.POINTER(cn_query_filter), _c.POINTER(cn_shape), _c.c_int32, _c.POINTER(_c.c_int32))
-# The shape nearest to a point within distance_max_m (0 to 4e6 length units), the deepest if the point is in
-# several. Cost grows with what is near, not with distance_max_m.
+# Shape nearest to a world point within distance_max_m (0 to 4e6 length units); the deepest if several contain
+# the point. filter may be NULL. Cost grows with the shapes nearby, not with distance_max_m.
 cn_world_closest_point = _function("cn_world_closest_point", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_float, _c.c_float, _c.POINTER(cn_query_filter), _c.POINTER(cn_closest))
-# By GJK (Gilbert, Johnson, Keerthi 1988) when the shapes without their radii are apart, else by their
-# Minkowski difference.
+# Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their
+# radii are apart, else by their Minkowski difference. Needs no world; runs in any thread. O(points).
 cn_polygon_distance = _function("cn_polygon_distance", cn_result, _c.POINTER(cn_polygon), _c.POINTER(cn_pose), _c.POINTER(cn_polygon), _c.POINTER(cn_pose), _c.POINTER(cn_distance))
-# b is moved by translation (at most 2e6 m each way) without turning: where it meets a, as cn_ray_hit says,
-# without shape, body and child; 1 in *out_hit, or 0.
+# Moves b by translation (at most 2e6 m each way) without turning: *out_hit is 1 if it hits a, else 0; *out as
+# cn_ray_hit, without shape, body and child. Needs no world; runs in any thread. O(points).
 cn_polygon_cast = _function("cn_polygon_cast", cn_result, _c.POINTER(cn_polygon), _c.POINTER(cn_pose), _c.POINTER(cn_polygon), _c.POINTER(cn_pose), _c.c_float, _c.c_float, _c.POINTER(cn_ray_hit), _c.POINTER(_c.c_int32))
-# The contact of a step: no points when they are farther apart than margin_m (0 to 1e6). Impulses are 0. Not
-# for a single point of radius 0.
+# Contact of two shapes as in a step, with impulses 0: no points if they are farther apart than margin_m (0 to
+# 1e6). A single point of radius 0 gives CN_ERROR_ARGUMENT. Needs no world; runs in any thread. O(points).
 cn_polygon_collide = _function("cn_polygon_collide", cn_result, _c.POINTER(cn_polygon), _c.POINTER(cn_pose), _c.POINTER(cn_polygon), _c.POINTER(cn_pose), _c.c_float, _c.POINTER(cn_manifold))
-# When two shapes that move and turn first come within distance_m (0 to 1e6) of each other; fraction 0 for
-# those that start nearer. Conservative advancement (Mirtich 1996) along fixed axes (Catto, GDC 2013) that
-# never passes by a hit.
+# First time at which two moving and turning shapes come within distance_m (0 to 1e6); fraction 0 if they
+# start closer. Conservative advancement (Mirtich, 1996) along fixed axes (Catto, GDC 2013) never misses a
+# hit. Needs no world; runs in any thread.
 cn_polygon_time_of_impact = _function("cn_polygon_time_of_impact", cn_result, _c.POINTER(cn_polygon), _c.POINTER(cn_sweep), _c.POINTER(cn_polygon), _c.POINTER(cn_sweep), _c.c_float, _c.POINTER(cn_impact))
-# The planes of all shapes within margin_m (0 to 1e6) of a polygon (as in cn_world_cast_shape) moved by
-# position: how they touch it, as in a step, rigid. At most capacity, those of least separation first;
-# *out_count is how many there are. Sensors are no surfaces. With CN_QUERY_ONE_WAY a one-way shape is one only
-# from its upper side, and only for what is no deeper in it than 0.5% of the length unit and what it rose by
-# in the last step. A shape wholly behind another one's plane is left out: it cannot be met while that plane
-# holds, so that the seams of tiles do not catch (not done when capacity is too small for all). O(shapes near,
-# squared).
+# Collision planes of all shapes within margin_m (0 to 1e6) of a polygon (as in cn_world_cast_shape) moved by
+# position, from the same manifolds as in a step, rigid. Writes at most capacity, those of least separation
+# first; *out_count is their number. Sensors have no planes. With CN_QUERY_ONE_WAY a one-way shape has a plane
+# only on its upper side, and only for an overlap of at most 0.5% of the length unit plus its rise in the last
+# step. Shapes wholly behind the plane of another shape are left out, so that seams of tiles do not catch (not
+# if capacity is too small for all). O(shapes nearby, squared).
 cn_mover_collide = _function("cn_mover_collide", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_polygon), _c.c_float, _c.c_float, _c.c_float, _c.POINTER(cn_query_filter), _c.POINTER(cn_plane), _c.c_int32, _c.POINTER(_c.c_int32))
-# The translation nearest to a wanted one that the planes allow: exactly, for in two dimensions it lies on at
-# most two of them. A plane pushes by no more than push_max_m: which ones push their most, Hildreth's method
-# (1957) tells. Sets push_m. Between surfaces that leave no room it is that of the least sum of squared
-# overlaps (Cimmino 1938), and *out_overlap_m, else 0 up to rounding, says how deep the deepest of them
-# remains that did not push its most. count 0 to CN_PLANES_MAX. No world. O(count^2), O(count^3) where two
-# planes hold it.
+# The translation nearest to a wanted one that count (0 to CN_PLANES_MAX) planes permit; exact, as in two
+# dimensions at most two planes hold it. A plane pushes by at most push_max_m; Hildreth's method (1957) finds
+# the planes at their limit. Sets push_m. If the surfaces leave no room, the result has the least sum of
+# squared overlaps (Cimmino, 1938); *out_overlap_m is the deepest remaining overlap of planes below their
+# limit, else 0 up to rounding. Needs no world. O(count^2), O(count^3) where two planes hold it.
 cn_mover_solve = _function("cn_mover_solve", cn_result, _c.POINTER(cn_plane), _c.c_int32, _c.c_float, _c.c_float, _c.POINTER(cn_vec2), _c.POINTER(_c.c_float))
-# The velocity nearest to a given one that leads into none of the planes that pushed in the last
-# cn_mover_solve. No world.
+# The velocity nearest to a given one (m/s) that leads into none of the planes that pushed in the last
+# cn_mover_solve. Needs no world. O(count^2).
 cn_mover_clip = _function("cn_mover_clip", cn_result, _c.POINTER(cn_plane), _c.c_int32, _c.c_float, _c.c_float, _c.POINTER(cn_vec2))
+# Sets struct_size and the defaults given beside the fields. NULL does nothing.
 cn_mover_def_init = _function("cn_mover_def_init", None, _c.POINTER(cn_mover_def))
-# Moves a character by dt_s (0 < dt_s <= 1). Call it after each cn_world_step, or it is a step behind what
-# carries it. 1. carried   by what its ground did since the last move: the change of the place in ground_body
-# where it stood, conveyors too 2. walking   on the ground: velocity_mps across up, along the ground, as fast
-# uphill as downhill; no gravity, so that it does not creep. Where something too steep is in the way, a step
-# up: up by step_height_m, forward, down on what can be walked on flying    in the air: velocity_mps and
-# gravity (exact for constant gravity). Jumping and walking off take ground_velocity_mps along 3. sliding
-# both by collision planes, cn_mover_solve and casts, up to iterations_max times: no speed passes through a
-# wall 4. pushing   dynamic bodies in the way get a force for the next step that brings them to the
-# character's velocity, of at most push_force_N each 5. ground    what it touches and can stand on, or finds
-# within snap_m below when it walked; velocity_mps loses what is blocked Depends on the world, def and mover
-# alone: the same calls give the same bits. The loop of planes, solver and cast is that of Box2D 3's sample of
-# a character mover (Catto 2025). Bodies pushed wake up; nothing else of the world changes. O(shapes near x
-# iterations_max): some 1 us standing, 3 us walking, 10 us against a wall.
+# Moves a character by dt_s (0 < dt_s <= 1). Call it after each cn_world_step, else it lags one step behind
+# the ground that carries it. 1. carried   by the motion of its ground since the last move: of the point of
+# ground_body under it, and of conveyors 2. walking   on the ground: velocity_mps across up, along the ground,
+# at the same speed uphill and downhill; no gravity, so that it does not creep. A step up where a too steep
+# surface blocks it: up by step_height_m, forward, down on walkable ground flying    in the air: velocity_mps
+# and gravity (exact for constant gravity). Jumping and walking off keep ground_velocity_mps 3. sliding   both
+# by collision planes, cn_mover_solve and casts, up to iterations_max times: no speed passes through a wall 4.
+# pushing   dynamic bodies in the way get a force for the next step that brings them to the character's
+# velocity, of at most push_force_N each 5. ground    ground that it touches, or that lies within snap_m below
+# a walking character; velocity_mps loses blocked components The result depends on the world, def and mover
+# alone: equal calls give equal bits. The loop of planes, solver and cast is that of Box2D 3's sample of a
+# character mover (Catto, 2025). Pushed bodies wake; nothing else in the world changes. O(shapes nearby x
+# iterations_max): about 1 us standing, 3 us walking, 10 us against a wall.
 cn_mover_move = _function("cn_mover_move", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_mover_def), _c.c_float, _c.POINTER(cn_mover))
+# Sets struct_size and the defaults given beside the fields. NULL does nothing.
 cn_explosion_def_init = _function("cn_explosion_def_init", None, _c.POINTER(cn_explosion_def))
-# Pushes dynamic bodies away from the centre, each shape at its point nearest to it, and wakes them.
-# Velocities must stay finite (CN_ERROR_ARGUMENT). O(shapes in reach).
+# Pushes dynamic bodies away from the centre, each shape at its point nearest to the centre, and wakes them.
+# CN_ERROR_ARGUMENT if a velocity would overflow. O(shapes in reach * log of that).
 cn_world_explode = _function("cn_world_explode", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_explosion_def))
+# Sets struct_size and the defaults given beside the fields, every function to NULL. NULL does nothing.
 cn_debug_draw_init = _function("cn_debug_draw_init", None, _c.POINTER(cn_debug_draw))
-# Reads only. O(what is drawn).
+# Draws the world through the given functions, in the calling thread. Reads only. O(bodies + shapes + contacts
+# + joints).
 cn_world_draw = _function("cn_world_draw", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_debug_draw))
-# Dynamic AABB tree. alloc and free NULL: malloc. margin_m >= 0 is added around every box.
+# Creates a dynamic AABB tree; margin_m >= 0 is added around every box. alloc and free: both NULL for malloc,
+# or both set.
 cn_tree_create = _function("cn_tree_create", cn_result, _c.c_float, cn_alloc_fn, cn_free_fn, _c.c_void_p, _c.POINTER(_c.POINTER(cn_tree)))
+# Destroys a tree. NULL does nothing.
 cn_tree_destroy = _function("cn_tree_destroy", None, _c.POINTER(cn_tree))
-# O(log n). *out_item is never 0.
+# Inserts a finite box with lower_m <= upper_m; *out_item, its handle, is never 0. O(log n).
 cn_tree_insert = _function("cn_tree_insert", cn_result, _c.POINTER(cn_tree), _c.POINTER(cn_aabb), _c.c_uint64, _c.POINTER(_c.c_uint32))
+# Removes an item. CN_ERROR_HANDLE for a stale one. O(log n).
 cn_tree_remove = _function("cn_tree_remove", cn_result, _c.POINTER(cn_tree), _c.c_uint32)
-# Nothing happens while the box stays within its margin. O(log n) else.
+# Gives an item a new box. Nothing changes while it lies within the item's box with margin; else O(log n).
+# CN_ERROR_HANDLE for a stale item.
 cn_tree_move = _function("cn_tree_move", cn_result, _c.POINTER(cn_tree), _c.c_uint32, _c.POINTER(cn_aabb))
+# Reads the item's box with its margin. CN_ERROR_HANDLE for a stale item.
 cn_tree_get_box = _function("cn_tree_get_box", cn_result, _c.POINTER(cn_tree), _c.c_uint32, _c.POINTER(cn_aabb))
+# Calls visit for every item whose box with margin overlaps box, until visit returns 0. visit must not change
+# the tree. O(log n + items visited).
 cn_tree_query = _function("cn_tree_query", cn_result, _c.POINTER(cn_tree), _c.POINTER(cn_aabb), cn_tree_query_fn, _c.c_void_p)
+# Calls visit for items whose box with margin a ray crosses; visit shortens or stops the ray by its result and
+# must not change the tree. O(log n + items visited).
 cn_tree_cast_ray = _function("cn_tree_cast_ray", cn_result, _c.POINTER(cn_tree), _c.POINTER(cn_ray), cn_tree_ray_fn, _c.c_void_p)
-# Number of items and height of the tree.
+# Reads the number of items and the height of the tree.
 cn_tree_get_stats = _function("cn_tree_get_stats", cn_result, _c.POINTER(cn_tree), _c.POINTER(_c.c_int32), _c.POINTER(_c.c_int32))
 
 

@@ -69,14 +69,14 @@ READ = """
 enum {
 	CN_TYPE_VEC2 = 0,
 	CN_BIT = 1u << 4, /* a bit */
-	CN_BOTH = CN_BIT | 1u
+	CN_BOTH = CN_BIT | 1u /* both */
 };
 /* A thing
    of two lines. */
 typedef struct cn_thing {
 	uint64_t id;
 	cn_vec2 points_m[CN_N]; /* metres */
-	void (*draw)(const cn_vec2 *at, void *user);
+	void (*draw)(const cn_vec2 *at, void *user); /* draws it */
 } cn_thing;
 /* Does it. */
 CN_API cn_result cn_thing_do(cn_world *world, const cn_thing *thing, const char **out_text);
@@ -114,6 +114,9 @@ def reading():
         ("size", 40, thing["size"]),
         ("array", 3, thing["fields"][1]["array"]),
         ("documentation", ["A thing of two lines.", "metres", "Does it."], [thing["doc"], thing["fields"][1]["doc"], function["doc"]]),
+        ("documentation of values", ["", "a bit", "both"], [value["doc"] for value in api["enums"][0]["values"]]),
+        ("documentation of callbacks", "draws it", api["callbacks"][0]["doc"]),
+        ("undocumented", ["cn_vec2"], generate.undocumented(api)),
         ("section", "things", function["section"]),
         ("values", [("CN_TYPE_VEC2", 0), ("CN_BIT", 16), ("CN_BOTH", 17)], [(value["name"], value["value"]) for value in api["enums"][0]["values"]]),
         ("flags are unsigned", "uint32_t", api["enums"][0]["type"]),

@@ -7,8 +7,11 @@
 //!     var world: ?*cn.cn_world = null;
 //!     if (cn.cn_world_create(&def, &world) != cn.CN_OK) return error.Cairn;
 
+/// Incompatible changes of the API.
 pub const CN_VERSION_MAJOR = 0;
+/// Compatible additions.
 pub const CN_VERSION_MINOR = 1;
+/// Corrections.
 pub const CN_VERSION_PATCH = 0;
 /// Raised whenever a struct layout or a function signature changes.
 pub const CN_ABI_VERSION = 2;
@@ -23,6 +26,8 @@ pub const CN_WORKERS_MAX = 64;
 /// Most bodies, shapes or joints alive at once in one world (20 bits of index).
 pub const CN_MAX_HANDLES = 1048575;
 
+// Result codes.
+/// success
 pub const CN_OK = 0;
 /// a value is NaN, infinite, out of range, NULL or degenerate
 pub const CN_ERROR_ARGUMENT = -1;
@@ -34,12 +39,14 @@ pub const CN_ERROR_MEMORY = -3;
 pub const CN_ERROR_LOCKED = -4;
 /// more than CN_MAX_HANDLES things, or an output array too small
 pub const CN_ERROR_CAPACITY = -5;
-/// the object is in a state in which this makes no sense
+/// the object is in a state that does not permit the call
 pub const CN_ERROR_STATE = -6;
 /// cn_world_validate found a broken invariant: a bug in Cairn
 pub const CN_ERROR_INTERNAL = -7;
+/// the bytes are no saved world, or are damaged
 pub const CN_ERROR_FORMAT = -8;
 
+// Structs, for cn_sizeof.
 pub const CN_TYPE_VEC2 = 0;
 pub const CN_TYPE_POSE = 1;
 pub const CN_TYPE_VELOCITY = 2;
@@ -96,51 +103,60 @@ pub const CN_TYPE_MOVER_DEF = 52;
 pub const CN_TYPE_MOVER = 53;
 pub const CN_TYPE_COUNT = 54;
 
+// Flags of a world.
 /// islands at rest fall asleep (default on)
 pub const CN_WORLD_SLEEP = 1;
 /// start solving from the last step's impulses (default on)
 pub const CN_WORLD_WARM_START = 2;
 /// measure cn_profile (default off: reading a clock costs time)
 pub const CN_WORLD_PROFILE = 4;
+/// fast bodies stop at surfaces instead of passing through (default on)
 pub const CN_WORLD_CONTINUOUS = 8;
 
-/// soft constraints with substeps; directly solved where that is worth its cost
+// Solvers: see examples/docs/solvers.md.
+/// soft constraints with substeps, and direct solving of joints, leaning piles and heavily loaded piles
 pub const CN_SOLVER_AUTO = 0;
-/// soft contact and joint constraints with substeps alone (Catto, Solver2D, 2024)
+/// soft contact and joint constraints with substeps only (Catto, Solver2D, 2024)
 pub const CN_SOLVER_SOFT = 1;
-/// directly solved wherever it can be, whatever it costs: all joints, all piles without joints
+/// direct solving of all joints, and of all piles without joints, at any cost
 pub const CN_SOLVER_DIRECT = 2;
+/// the paper's twelve steps, once a step: a baseline (limits: examples/docs/limits.md)
 pub const CN_SOLVER_SEQUENTIAL = 3;
 
+// Broadphases.
 /// tiled sweep-and-prune
 pub const CN_BROADPHASE_SWEEP = 0;
+/// dynamic AABB tree: for worlds of very mixed sizes with many region queries
 pub const CN_BROADPHASE_TREE = 1;
 
+// Warnings of a step that lacked memory.
 /// new contacts were not added: pairs_not_added
 pub const CN_WARNING_CONTACT_MEMORY = 1;
 /// the step worked around missing scratch memory
 pub const CN_WARNING_FRAME_MEMORY = 2;
+/// events_not_reported
 pub const CN_WARNING_EVENT_MEMORY = 4;
 
-// How an island is solved. Joints of either may be solved together with their neighbours.
+// How an island is solved. In each tier joints may be solved together with their neighbours.
 /// contacts by soft constraints
 pub const CN_TIER_SOFT = 0;
 /// contacts and joints in one system, exactly
 pub const CN_TIER_DIRECT = 1;
+/// no contacts and no joints: nothing to solve
 pub const CN_TIER_FREE = 2;
 
-// Why.
-/// nothing is wrong
+// Why an island has its tier. "A problem" is one of CN_TIER_REASON_NEW_CONTACT, _OVERLAP and _STRESSED.
+/// no problem
 pub const CN_TIER_REASON_NONE = 0;
-/// direct: nothing is wrong any more, but not yet for long enough
+/// direct: the problem has ended, but not for long enough
 pub const CN_TIER_REASON_SETTLING = 1;
-/// direct: a contact began to bear where much is borne or things lean
+/// direct: a contact began to carry load in a leaning or heavily loaded island
 pub const CN_TIER_REASON_NEW_CONTACT = 2;
-/// direct: an overlap that the accuracy does not allow
+/// direct: an overlap exceeds the accuracy
 pub const CN_TIER_REASON_OVERLAP = 3;
-/// no longer given
+/// no longer used
 pub const CN_TIER_REASON_JOINT = 4;
-/// direct: something bears so many times its weight that soft contacts would give way
+/// direct: a body carries so many times its weight that soft contacts would yield
 pub const CN_TIER_REASON_STRESSED = 5;
 /// the world's solver is not CN_SOLVER_AUTO
 pub const CN_TIER_REASON_SOLVER = 6;
@@ -148,11 +164,11 @@ pub const CN_TIER_REASON_SOLVER = 6;
 pub const CN_TIER_REASON_OVERRIDE = 7;
 /// soft: a single body
 pub const CN_TIER_REASON_ALONE = 8;
-/// soft: something is wrong, but it moves too fast
+/// soft: a problem, but the island moves too fast
 pub const CN_TIER_REASON_MOVING = 9;
-/// soft: something is wrong, but it or the sum of such islands is too large
+/// soft: a problem, but the island or the sum of such islands is too large
 pub const CN_TIER_REASON_CROWDED = 10;
-/// soft for a time: its system is beyond the limit of work or the work_budget
+/// soft for a time: the system exceeds the work limit or the work_budget
 pub const CN_TIER_REASON_WORK = 11;
 /// soft for a time: restitution, a conveyor, rolling resistance or a locked axis
 pub const CN_TIER_REASON_KIND = 12;
@@ -160,61 +176,78 @@ pub const CN_TIER_REASON_KIND = 12;
 pub const CN_TIER_REASON_NO_SET = 13;
 /// soft: no scratch memory (CN_WARNING_FRAME_MEMORY)
 pub const CN_TIER_REASON_MEMORY = 14;
+/// soft contacts: a problem, but the island has joints (which are solved directly)
 pub const CN_TIER_REASON_JOINTED = 15;
 
+// Types of bodies.
 /// never moves, infinite mass
 pub const CN_BODY_STATIC = 0;
 /// moves by its velocity alone, infinite mass
 pub const CN_BODY_KINEMATIC = 1;
+/// moves by forces, contacts and joints
 pub const CN_BODY_DYNAMIC = 2;
 
+// Flags of a body.
 /// the centre of mass keeps its world x
 pub const CN_BODY_LOCK_X = 1;
+/// ... its world y
 pub const CN_BODY_LOCK_Y = 2;
+/// the body keeps its angle
 pub const CN_BODY_LOCK_ROTATION = 4;
-/// continuous collision against dynamic bodies too (stored)
+/// continuous collision against dynamic bodies too
 pub const CN_BODY_BULLET = 8;
 /// takes part in the simulation (default on)
 pub const CN_BODY_ENABLED = 16;
 /// may fall asleep (default on)
 pub const CN_BODY_SLEEP = 32;
+/// starts awake (default on)
 pub const CN_BODY_AWAKE = 64;
 
+// Types of shapes.
 pub const CN_SHAPE_CIRCLE = 0;
 pub const CN_SHAPE_CAPSULE = 1;
 pub const CN_SHAPE_POLYGON = 2;
 pub const CN_SHAPE_EDGE = 3;
 pub const CN_SHAPE_CHAIN = 4;
 
-// How two materials' numbers become a pair's. When the two ask for different rules, the later one of this
-// list is taken.
+// How the values of two materials are mixed. If the materials have different rules, the later one of this
+// list applies.
+/// half the sum
 pub const CN_MIX_AVERAGE = 0;
 /// square root of the product; default for friction
 pub const CN_MIX_GEOMETRIC = 1;
+/// the smaller one
 pub const CN_MIX_MINIMUM = 2;
+/// the product
 pub const CN_MIX_MULTIPLY = 3;
+/// the greater one; default for restitution
 pub const CN_MIX_MAXIMUM = 4;
 
-/// reports who enters and leaves and touches nothing; see cn_world_sensor_events
+// Flags of a shape.
+/// detects shapes that enter and leave, collides with nothing: cn_world_sensor_events
 pub const CN_SHAPE_SENSOR = 1;
 /// queries see this sensor (default: they do not)
 pub const CN_SHAPE_SENSOR_SEEN = 2;
-/// collides only with what comes from the side its local +y axis points to
+/// collides only with shapes that come from the side of its local +y axis
 pub const CN_SHAPE_ONE_WAY = 4;
+/// the pre-solve callback is called for its contacts
 pub const CN_SHAPE_PRE_SOLVE = 8;
 
+// Kinds of contact events.
 /// the fat boxes of two shapes began to overlap
 pub const CN_EVENT_CREATED = 0;
 /// they began to touch
 pub const CN_EVENT_ENTER = 1;
 /// they still touch
 pub const CN_EVENT_STAY = 2;
-/// they stopped touching, or one went away
+/// they stopped touching, or one is gone
 pub const CN_EVENT_LEAVE = 3;
-/// the fat boxes no longer overlap, or one went away
+/// the fat boxes no longer overlap, or one is gone
 pub const CN_EVENT_DESTROYED = 4;
+/// number of kinds
 pub const CN_EVENT_KINDS = 5;
 
+// Types of joints: see their definitions.
 pub const CN_JOINT_REVOLUTE = 0;
 pub const CN_JOINT_DISTANCE = 1;
 pub const CN_JOINT_FIXED = 2;
@@ -229,53 +262,82 @@ pub const CN_JOINT_ROTARY_SPRING = 10;
 pub const CN_JOINT_GROOVE = 11;
 pub const CN_JOINT_FILTER = 12;
 
+// Flags of a joint.
 /// the connected bodies' shapes collide with each other (default off)
 pub const CN_JOINT_COLLIDE = 1;
+/// the limits hold
 pub const CN_JOINT_LIMIT = 2;
+/// the motor runs
 pub const CN_JOINT_MOTOR = 4;
+/// the spring pulls
 pub const CN_JOINT_SPRING = 8;
+/// destroyed beyond its break force or torque, not only reported
 pub const CN_JOINT_BREAKS = 16;
 
+// Types of constraints.
+/// cn_angle_constraint_def
 pub const CN_CONSTRAINT_ANGLE = 0;
+/// cn_line_constraint_def
 pub const CN_CONSTRAINT_LINE = 1;
 
+// Flags of a constraint.
 /// line: the limits along the axis hold
 pub const CN_CONSTRAINT_LIMIT = 1;
+/// destroyed beyond its break force or torque, not only reported
 pub const CN_CONSTRAINT_BREAKS = 2;
 
-/// the shape is not there
+// Results of a cn_query_fn.
+/// ignore the shape
 pub const CN_QUERY_SKIP = 0;
+/// take it
 pub const CN_QUERY_TAKE = 1;
+/// take it, and nothing after it in the order of results
 pub const CN_QUERY_STOP = 2;
 
-/// bodies that a joint connects to ignored_body are not seen either
+// Flags of a query.
+/// also ignore bodies that a joint connects to ignored_body
 pub const CN_QUERY_IGNORE_JOINED = 1;
 /// casts meet one-way shapes from their upper side (45 degrees) only, and not those that they start in by
 /// more than 0.5% of the length unit; all other queries do not see one-way shapes. Default: they are like
 /// others
 pub const CN_QUERY_ONE_WAY = 2;
+/// casts do not hit shapes that they start in, at any depth, unless they lead farther in
 pub const CN_QUERY_LEAVING = 4;
 
-/// they never come so near; fraction is 1
+// States of a time of impact.
+/// the shapes never come that close; fraction is 1
 pub const CN_IMPACT_NONE = 0;
+/// they do, at fraction
 pub const CN_IMPACT_HIT = 1;
 /// the shapes without their radii overlap at the start: fraction 0, no normal
 pub const CN_IMPACT_OVERLAP = 2;
+/// no hit before fraction, perhaps one after it: the search ended early
 pub const CN_IMPACT_FAILED = 3;
 
+// Flags of a mover's definition.
+/// ignore one-way shapes: set it while the character drops through one
 pub const CN_MOVER_DROP = 1;
 
+// State flags of a mover.
+/// stands on walkable ground
 pub const CN_MOVER_ON_GROUND = 1;
-/// touches what is too steep to walk on
+/// touches a surface too steep to walk on
 pub const CN_MOVER_ON_WALL = 2;
+/// touches a surface above it
 pub const CN_MOVER_ON_CEILING = 4;
 
+// What cn_world_draw draws.
+/// coloured by type and sleep
 pub const CN_DRAW_SHAPES = 1;
 /// and constraints: anchors, axes, limits
 pub const CN_DRAW_JOINTS = 2;
+/// points and normals
 pub const CN_DRAW_CONTACTS = 4;
+/// without margin
 pub const CN_DRAW_AABBS = 8;
+/// of mass, with the bodies' names
 pub const CN_DRAW_CENTERS = 16;
+/// colours by island
 pub const CN_DRAW_ISLANDS = 32;
 
 pub const cn_result = i32;
@@ -286,69 +348,75 @@ pub const cn_constraint = enum(u32) { none = 0, _ };
 pub const cn_world = opaque {};
 pub const cn_tree = opaque {};
 
-/// Memory hooks. Return NULL when there is none; align is a power of two, at most 64. Called only from inside
-/// functions that take a non-const world.
+/// Memory hook: allocates bytes aligned to align, a power of two of at most 64; returns NULL when there is no
+/// memory. Called only from inside functions that take a non-const world.
 pub const cn_alloc_fn = fn (bytes: u64, @"align": u32, user: ?*anyopaque) callconv(.c) ?*anyopaque;
 
+/// Memory hook: frees memory of cn_alloc_fn; bytes is the size it was allocated with.
 pub const cn_free_fn = fn (memory: ?*anyopaque, bytes: u64, user: ?*anyopaque) callconv(.c) void;
 
-/// A user's own task system, for worlds with worker_count of 2 or more; without one they start threads of
-/// their own. Within cn_world_step a world that has enough to do asks for help with enqueue, works itself,
-/// and then calls finish; some 3 to 10 times a step. It does not matter where tasks run, in which order, or
-/// whether side by side. cn_task_fn     the library's: call it for ranges [begin, end) that cover 0 to
-/// item_count - 1, each item once, on any threads. A call may last as long as the step, and may wait for
-/// others that have already begun, never for one that has not. Its thread must have the floating-point mode
-/// of the one that steps. cn_enqueue_fn  the user's: makes a task of item_count items (one less than
-/// worker_count) in ranges of at least min_range, and returns what finish knows it by. It may also run all of
-/// it at once, and must do so if it cannot keep it; NULL then says that there is nothing to finish.
-/// cn_finish_fn   the user's: returns when every item of the task has run. Called once for each enqueue that
-/// did not return NULL, in the thread that enqueued. It may run items itself. enqueue and finish are called
-/// in the thread that steps, while no callback runs, and must not call the library.
+/// The library's part of a user's task system (cn_world_def.enqueue and finish, for worlds with worker_count
+/// of 2 or more; without them the world starts its own threads). Call it for ranges [begin, end) that
+/// together cover 0 to item_count - 1, each item once, on any threads, in any order. A call may last as long
+/// as the step and may wait for calls that have begun, never for one that has not. Its thread must have the
+/// floating-point mode of the stepping thread.
 pub const cn_task_fn = fn (begin: i32, end: i32, context: ?*anyopaque) callconv(.c) void;
 
+/// Starts a task of item_count items (worker_count - 1) in ranges of at least min_range and returns a handle
+/// for finish. It may run the whole task at once, and must do so if it cannot store the task; it then returns
+/// NULL, and finish is not called. A step with enough work enqueues 3 to 10 tasks; enqueue and finish run in
+/// the stepping thread, never during a callback, and must not call the library.
 pub const cn_enqueue_fn = fn (task: ?*const cn_task_fn, context: ?*anyopaque, item_count: i32, min_range: i32, user: ?*anyopaque) callconv(.c) ?*anyopaque;
 
+/// Returns when every item of the task has run; it may run items itself. Called once for each enqueue that
+/// did not return NULL, in the thread that enqueued.
 pub const cn_finish_fn = fn (task: ?*anyopaque, user: ?*anyopaque) callconv(.c) void;
 
 /// Called at the end of cn_world_step for each event of this kind, in the order of the array.
 pub const cn_contact_event_fn = fn (world: ?*cn_world, event: [*c]const cn_contact_event, user: ?*anyopaque) callconv(.c) void;
 
-/// Decides whether two shapes that pass their filters may touch: 1 yes, 0 no. Asked when their boxes begin to
-/// overlap. The world is locked.
+/// Returns 1 if two shapes that pass their filters may touch, else 0. Called when their boxes begin to
+/// overlap; the world is locked.
 pub const cn_filter_fn = fn (world: ?*cn_world, shape_a: cn_shape, shape_b: cn_shape, user: ?*anyopaque) callconv(.c) i32;
 
-/// Asked in every step for each touching pair in which a shape has CN_SHAPE_PRE_SOLVE, before solving: 0
-/// makes the pair pass through each other in this step. Event kind is STAY or ENTER.
+/// Called in every step, before solving, for each touching pair in which a shape has CN_SHAPE_PRE_SOLVE; the
+/// event's kind is STAY or ENTER. Returns 0 to let the pair pass through each other in this step, else 1.
 pub const cn_pre_solve_fn = fn (world: ?*cn_world, contact: [*c]const cn_contact_event, user: ?*anyopaque) callconv(.c) i32;
 
-/// Mixes two materials in place of the CN_MIX_ rules: fills *mixed, which holds what the rules gave. Asked
-/// when a pair begins to touch and when a material changes.
+/// Mixes two materials instead of the CN_MIX_ rules: *mixed holds the rules' result and takes the new one.
+/// Called when a pair begins to touch and when a material changes.
 pub const cn_material_mix_fn = fn (world: ?*cn_world, shape_a: cn_shape, shape_b: cn_shape, mixed: [*c]cn_material, user: ?*anyopaque) callconv(.c) void;
 
-/// Asked by a query for each shape (edge of a chain) that it would find, in no particular order and perhaps
-/// more than once: the answer must depend on the shape alone. hit is what is known of it: all of it in casts,
-/// else shape, body and child. Returns CN_QUERY_*. May call functions that take a const world, of the same
-/// world too, and no others.
+/// Called by a query for each shape (edge of a chain) found, in no particular order and perhaps more than
+/// once: the result, CN_QUERY_*, must depend on the shape alone. hit is complete in casts; other queries set
+/// shape, body and child. May call only functions that take a const world, also of the same world.
 pub const cn_query_fn = fn (world: ?*const cn_world, hit: [*c]const cn_ray_hit, user: ?*anyopaque) callconv(.c) i32;
 
+/// count points, counter-clockwise
 pub const cn_debug_draw_polygon_fn = fn (points_m: [*c]const cn_vec2, count: i32, radius_m: f32, color: u32, user: ?*anyopaque) callconv(.c) void;
 
+/// rim_m: a point on the rim that turns with the body
 pub const cn_debug_draw_circle_fn = fn (center_m: [*c]const cn_vec2, radius_m: f32, rim_m: [*c]const cn_vec2, color: u32, user: ?*anyopaque) callconv(.c) void;
 
+/// a disc swept from a to b
 pub const cn_debug_draw_capsule_fn = fn (a_m: [*c]const cn_vec2, b_m: [*c]const cn_vec2, radius_m: f32, color: u32, user: ?*anyopaque) callconv(.c) void;
 
+/// a line from a to b
 pub const cn_debug_draw_segment_fn = fn (a_m: [*c]const cn_vec2, b_m: [*c]const cn_vec2, color: u32, user: ?*anyopaque) callconv(.c) void;
 
+/// size in pixels
 pub const cn_debug_draw_point_fn = fn (point_m: [*c]const cn_vec2, size_px: f32, color: u32, user: ?*anyopaque) callconv(.c) void;
 
+/// zero-terminated, valid during the call
 pub const cn_debug_draw_text_fn = fn (point_m: [*c]const cn_vec2, text: [*c]const u8, color: u32, user: ?*anyopaque) callconv(.c) void;
 
-/// Return 0 to stop, anything else to go on.
+/// Returns 0 to stop the search, any other value to continue.
 pub const cn_tree_query_fn = fn (item: u32, user_data: u64, user: ?*anyopaque) callconv(.c) i32;
 
-/// Return the fraction to go on with: the given one to ignore the item, 0 to stop.
+/// Returns the fraction at which the ray now ends: the given one to ignore the item, 0 to stop.
 pub const cn_tree_ray_fn = fn (item: u32, user_data: u64, fraction: f32, user: ?*anyopaque) callconv(.c) f32;
 
+/// A point, vector or pair of numbers.
 pub const cn_vec2 = extern struct {
     x: f32,
     y: f32,
@@ -358,8 +426,8 @@ pub const cn_vec2 = extern struct {
     }
 };
 
-/// Position of a body's origin and its rotation as (cosine, sine). 16 bytes: an array of these can be
-/// uploaded to a GPU as it is.
+/// Position of a body's origin and its rotation as (cosine, sine). 16 bytes: an array of poses can be
+/// uploaded to a GPU directly.
 pub const cn_pose = extern struct {
     position_m: cn_vec2,
     cosine: f32,
@@ -370,9 +438,11 @@ pub const cn_pose = extern struct {
     }
 };
 
+/// Velocity of a body.
 pub const cn_velocity = extern struct {
     /// of the centre of mass
     linear_mps: cn_vec2,
+    /// counter-clockwise is positive
     angular_radps: f32,
 
     comptime {
@@ -380,6 +450,7 @@ pub const cn_velocity = extern struct {
     }
 };
 
+/// Axis-aligned bounding box, lower_m <= upper_m.
 pub const cn_aabb = extern struct {
     lower_m: cn_vec2,
     upper_m: cn_vec2,
@@ -389,6 +460,7 @@ pub const cn_aabb = extern struct {
     }
 };
 
+/// Mass, inertia and centre of mass.
 pub const cn_mass_data = extern struct {
     mass_kg: f32,
     /// about the centre of mass
@@ -401,6 +473,7 @@ pub const cn_mass_data = extern struct {
     }
 };
 
+/// Definition of a world.
 pub const cn_world_def = extern struct {
     struct_size: u32,
     /// CN_WORLD_*; default SLEEP | WARM_START | CONTINUOUS
@@ -415,46 +488,50 @@ pub const cn_world_def = extern struct {
     broadphase: i32,
     /// 1 to 64; default 4
     substep_count: i32,
-    /// CN_SOLVER_AUTO works towards errors below this, >= 0; default 0.005 x length unit
+    /// CN_SOLVER_AUTO aims at errors below this, >= 0; default 0.005 x length unit
     accuracy_m: f32,
-    /// ... but spends no more than this on direct solving in a step, in blocks (joints, contacts and the fill
-    /// between them) factored, substeps included: some 10 ns each; 0 to 1e9; default 0: no bound but those of
-    /// single islands
+    /// limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
+    /// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
     work_budget: i32,
     /// slower impacts do not bounce, >= 0; default 1 x length unit
     restitution_threshold_mps: f32,
-    /// fastest speed at which overlap is pushed apart, > 0; default 3 x length unit
+    /// greatest speed at which overlaps are pushed apart, > 0; default 3 x length unit
     push_speed_max_mps: f32,
-    /// > 0; default 400 x length unit
+    /// faster bodies are slowed to it, > 0; default 400 x length unit
     linear_speed_max_mps: f32,
-    /// > 0; default 400
+    /// faster bodies are slowed to it, > 0; default 400
     angular_speed_max_radps: f32,
     /// bodies slower than this may sleep, >= 0; default 0.05 x length unit
     sleep_speed_mps: f32,
-    /// ... after this long, >= 0; default 0.5
+    /// ... after this time, >= 0; default 0.5
     sleep_delay_s: f32,
     /// hints for a growing world, exact for a fixed one; >= 0; default 0
     body_capacity: i32,
     /// counts every edge of a chain
     shape_capacity: i32,
+    /// pairs whose fat AABBs overlap
     contact_capacity: i32,
     /// counts constraints too
     joint_capacity: i32,
     user_data: u64,
     /// size of memory; 0: use alloc and free
     memory_bytes: u64,
-    /// NULL, or one block aligned to 64 bytes that the world lives in, whole
+    /// NULL, or one block aligned to 64 bytes that holds the whole world
     memory: ?*anyopaque,
     /// NULL: malloc; set both or none
     alloc: ?*const cn_alloc_fn,
+    /// NULL: free
     free: ?*const cn_free_fn,
+    /// last argument of alloc and free
     allocator_user: ?*anyopaque,
-    /// NULL: threads of the world's own; set both or none
+    /// NULL: the world's own threads; set both or none
     enqueue: ?*const cn_enqueue_fn,
+    /// see cn_finish_fn
     finish: ?*const cn_finish_fn,
+    /// last argument of enqueue and finish
     task_user: ?*anyopaque,
-    /// how many may work on a step at once, the calling thread one of them; 0 to CN_WORKERS_MAX; default 0:
-    /// as 1, which starts no threads and enqueues no tasks
+    /// threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1:
+    /// no threads, no tasks
     worker_count: i32,
     reserved: u32,
 
@@ -463,41 +540,50 @@ pub const cn_world_def = extern struct {
     }
 };
 
+/// Counts of objects, and problems of the last step.
 pub const cn_counters = extern struct {
+    /// alive
     bodies: i32,
     /// dynamic and kinematic bodies that are simulated
     bodies_awake: i32,
+    /// alive
     shapes: i32,
-    /// boxes in the broadphase: one a shape, one an edge of a chain
+    /// boxes in the broadphase: one per shape, one per edge of a chain
     proxies: i32,
     /// pairs whose fat boxes overlap
     contacts: i32,
+    /// with an awake body
     contacts_awake: i32,
-    /// pairs that share a manifold, asleep or awake
+    /// pairs with a manifold, asleep or awake
     contacts_touching: i32,
     /// and constraints
     joints: i32,
+    /// and constraints, with an awake body
     joints_awake: i32,
-    /// awake and asleep, of two or more bodies or one
+    /// awake and asleep; a single dynamic body counts
     islands: i32,
+    /// of them
     islands_awake: i32,
-    /// groups of contacts that are solved without sharing a body
+    /// groups of contacts that share no dynamic body
     colors_used: i32,
-    /// contacts that fit no colour and are solved one by one
+    /// contacts that fit no colour: solved one by one
     overflow_contacts: i32,
+    /// cells of the broadphase
     broadphase_tiles: i32,
     /// steps taken since creation, modulo 2^32
     steps: u32,
-    /// What the last step could not do for want of memory; 0 when all is well. It tries again. CN_WARNING_*
+    /// Work that the last step skipped for lack of memory, 0 for none. The next step tries again.
+    /// CN_WARNING_*
     warnings: u32,
+    /// new pairs without a contact
     pairs_not_added: i32,
+    /// events without a place in a log
     events_not_reported: i32,
-    /// of several bodies, solved directly in the last step, contacts and all
+    /// of several bodies, solved directly in the last step, contacts included
     islands_direct: i32,
-    /// planned for all that is solved directly in it, in the units of work_budget; at most 2^31 - 1
+    /// planned direct solving of the last step, in the units of work_budget; at most 2^31 - 1
     direct_work: i32,
-    /// of several bodies, left to soft constraints for a time because no solution was found:
-    /// CN_TIER_REASON_NO_SET
+    /// of several bodies, soft for a time as no solution was found: CN_TIER_REASON_NO_SET
     islands_unsolved: i32,
 
     comptime {
@@ -505,9 +591,11 @@ pub const cn_counters = extern struct {
     }
 };
 
+/// Report on one island.
 pub const cn_island_report = extern struct {
-    /// one of it: of least slot
+    /// its body of least slot
     body: cn_body,
+    /// dynamic
     bodies: i32,
     /// touching
     contacts: i32,
@@ -517,11 +605,10 @@ pub const cn_island_report = extern struct {
     tier: i32,
     /// CN_TIER_REASON_*
     reason: i32,
-    /// of the world, 1 while it rests, as after the last step that took time; joints that swing freely may
-    /// take more
+    /// of the last step with dt > 0: the world's, or 1 at rest; freely swinging joints may take more
     substeps: i32,
-    /// where bodies are now: largest overlap, or gap of a rigid joint (angles times its bodies' extent);
-    /// joints that may give way (stiffness_hertz, force_max_N, torque_max_Nm) do not count
+    /// at the present poses: largest overlap, or gap of a rigid joint (angles times its bodies' extent);
+    /// joints that may yield (stiffness_hertz, force_max_N, torque_max_Nm) do not count
     residual_m: f32,
 
     comptime {
@@ -531,15 +618,25 @@ pub const cn_island_report = extern struct {
 
 /// Seconds of the last step by stage, all 0 unless CN_WORLD_PROFILE is set.
 pub const cn_profile = extern struct {
+    /// the whole step
     step_s: f32,
+    /// waking
     wake_s: f32,
+    /// pairs
     broadphase_s: f32,
+    /// manifolds
     narrowphase_s: f32,
+    /// islands
     islands_s: f32,
+    /// constraints, plans
     prepare_s: f32,
+    /// all substeps
     substeps_s: f32,
+    /// poses and boxes
     finalize_s: f32,
+    /// callbacks
     events_s: f32,
+    /// falling asleep
     sleep_s: f32,
 
     comptime {
@@ -547,21 +644,24 @@ pub const cn_profile = extern struct {
     }
 };
 
-/// Memory, in bytes. The frame arena is the stack allocator whose entries live within one step; the block
+/// Memory, in bytes. The frame arena is a stack allocator whose entries live within one step; the block
 /// allocator serves small variable-size pieces from free lists of size classes.
 pub const cn_memory_stats = extern struct {
     /// taken from the user's allocator or carved from the fixed block
     bytes_in_use: u64,
+    /// most bytes_in_use since creation
     bytes_peak: u64,
     /// calls of the user's alloc (or of the fixed block's) since creation
     allocator_calls: u64,
+    /// of the frame arena
     arena_capacity: u64,
     /// most bytes in use at once since creation
     arena_peak: u64,
-    /// entries that did not fit and came from the allocator, since creation
+    /// entries that did not fit: the allocator served them; since creation
     arena_fallbacks: u64,
     /// bytes in chunks
     blocks_capacity: u64,
+    /// bytes handed out of them
     blocks_in_use: u64,
     /// blocks above the largest class, served by the allocator
     blocks_large: u64,
@@ -571,6 +671,7 @@ pub const cn_memory_stats = extern struct {
     }
 };
 
+/// Definition of a body.
 pub const cn_body_def = extern struct {
     struct_size: u32,
     /// CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic
@@ -579,11 +680,13 @@ pub const cn_body_def = extern struct {
     position_m: cn_vec2,
     /// |angle| <= 1e4
     angle_rad: f32,
-    /// of the centre of mass; both velocities count only with CN_BODY_AWAKE: what sleeps does not move
+    /// of the centre of mass; both velocities are ignored without CN_BODY_AWAKE
     linear_velocity_mps: cn_vec2,
+    /// default 0
     angular_velocity_radps: f32,
     /// v' = -damping v; >= 0, default 0
     linear_damping_per_s: f32,
+    /// >= 0, default 0
     angular_damping_per_s: f32,
     /// default 1
     gravity_scale: f32,
@@ -602,9 +705,13 @@ pub const cn_body_def = extern struct {
     }
 };
 
+/// A body that moved or fell asleep in the last step.
 pub const cn_body_moved = extern struct {
+    /// after the step
     pose: cn_pose,
+    /// the body's
     user_data: u64,
+    /// that moved
     body: cn_body,
     /// 1 in the step in which it fell asleep
     fell_asleep: u32,
@@ -614,8 +721,8 @@ pub const cn_body_moved = extern struct {
     }
 };
 
-/// Two shapes collide when group is equal and not 0: positive yes, negative no; otherwise when each one's
-/// category has a bit in the other's mask.
+/// Two shapes of one group other than 0 collide if it is positive and do not if it is negative. Others
+/// collide if the category of each has a bit in the mask of the other.
 pub const cn_filter = extern struct {
     /// default 1
     category: u64,
@@ -630,6 +737,7 @@ pub const cn_filter = extern struct {
     }
 };
 
+/// Surface of a shape.
 pub const cn_material = extern struct {
     /// coefficient while sticking, [0, 100], default 0.6
     static_friction: f32,
@@ -639,11 +747,11 @@ pub const cn_material = extern struct {
     restitution: f32,
     /// metres, [0, 1e3]: lever arm that resists rolling; the pair takes the greater; default 0
     rolling_resistance: f32,
-    /// conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; default 0
+    /// conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; [-1e4, 1e4], default 0
     tangent_speed_mps: f32,
-    /// CN_MIX_*
+    /// CN_MIX_*; default CN_MIX_GEOMETRIC
     friction_mix: i32,
-    /// CN_MIX_*
+    /// CN_MIX_*; default CN_MIX_MAXIMUM
     restitution_mix: i32,
     reserved: u32,
 
@@ -652,18 +760,22 @@ pub const cn_material = extern struct {
     }
 };
 
+/// Definition of a shape.
 pub const cn_shape_def = extern struct {
     struct_size: u32,
     /// 0: create unattached, for cn_shape_attach
     body: cn_body,
     /// of the shape in the body's local frame
     offset_m: cn_vec2,
+    /// of the shape in the body's local frame
     angle_rad: f32,
     /// >= 0, giving 0 or 1e-20 to 1e20 kg; default 1
     density_kgpm2: f32,
+    /// defaults: see cn_material
     material: cn_material,
+    /// defaults: see cn_filter
     filter: cn_filter,
-    /// bit 1 << CN_EVENT_*; a pair reports what either shape asks for; default ENTER and LEAVE
+    /// bits 1 << CN_EVENT_*; a pair reports the events of either shape; default ENTER and LEAVE
     event_mask: u32,
     /// CN_SHAPE_SENSOR ...; default 0
     flags: u32,
@@ -674,6 +786,7 @@ pub const cn_shape_def = extern struct {
     }
 };
 
+/// A disc.
 pub const cn_circle = extern struct {
     center_m: cn_vec2,
     radius_m: f32,
@@ -704,11 +817,11 @@ pub const cn_edge = extern struct {
     }
 };
 
-/// Convex; counter-clockwise or clockwise in, always stored counter-clockwise.
+/// Convex polygon. Either winding is accepted; points are stored counter-clockwise.
 pub const cn_polygon = extern struct {
     /// 3 to CN_POLYGON_MAX_VERTICES
     count: i32,
-    /// rounding added outside of the points, >= 0
+    /// rounding added outside the points, >= 0
     radius_m: f32,
     points_m: [16]cn_vec2,
 
@@ -717,9 +830,9 @@ pub const cn_polygon = extern struct {
     }
 };
 
-/// One-sided, massless ground without catches at its inner vertices. The solid side is on the left of the
-/// direction of travel: surface normals point to the right of it, so ground whose points run from +x to -x
-/// collides from above and a counter-clockwise loop collides from outside.
+/// One-sided ground without mass; bodies slide over its inner vertices without catching. The solid side is on
+/// the left of the order of points and surface normals point to the right: points that run from +x to -x
+/// collide from above, a counter-clockwise loop collides from outside.
 pub const cn_chain = extern struct {
     /// copied
     points_m: [*c]const cn_vec2,
@@ -733,6 +846,7 @@ pub const cn_chain = extern struct {
     }
 };
 
+/// One point of a contact.
 pub const cn_manifold_point = extern struct {
     /// world, midway between the surfaces
     point_m: cn_vec2,
@@ -748,6 +862,7 @@ pub const cn_manifold_point = extern struct {
     }
 };
 
+/// How two shapes touch.
 pub const cn_manifold = extern struct {
     /// unit, from shape a to shape b
     normal: cn_vec2,
@@ -755,6 +870,7 @@ pub const cn_manifold = extern struct {
     friction_impulse_Ns: f32,
     /// 0, 1 or 2
     point_count: i32,
+    /// the first point_count of them
     points: [2]cn_manifold_point,
 
     comptime {
@@ -762,6 +878,7 @@ pub const cn_manifold = extern struct {
     }
 };
 
+/// A contact event, or the present state of a contact.
 pub const cn_contact_event = extern struct {
     shape_a: cn_shape,
     shape_b: cn_shape,
@@ -769,6 +886,7 @@ pub const cn_contact_event = extern struct {
     body_b: cn_body,
     /// edge number within a chain, else 0
     child_a: i32,
+    /// the same of shape b
     child_b: i32,
     /// the same from CREATED to DESTROYED, then reused
     contact_id: u32,
@@ -776,7 +894,7 @@ pub const cn_contact_event = extern struct {
     kind: i32,
     /// ENTER: closing speed along the normal before the impact; else 0
     approach_speed_mps: f32,
-    /// geometry as the step found it, impulses as it left them; points only for ENTER and STAY
+    /// geometry at the step's beginning, impulses at its end; points only for ENTER and STAY
     manifold: cn_manifold,
 
     comptime {
@@ -799,12 +917,12 @@ pub const cn_sensor_event = extern struct {
     }
 };
 
-/// First field of every joint definition. A joint's rigid parts are what holds anchors, axes, angles, lengths
-/// and limits in place; springs and motors are not.
+/// First field of every joint definition. The rigid parts of a joint hold anchors, axes, angles, lengths and
+/// limits in place; springs and motors are not rigid parts.
 pub const cn_joint_base = extern struct {
     /// of the whole definition
     struct_size: u32,
-    /// CN_JOINT_*; default 0; a type ignores those it has no use for
+    /// CN_JOINT_*; default 0; a type ignores flags that it does not use
     flags: u32,
     /// 0: the world
     body_a: cn_body,
@@ -812,17 +930,19 @@ pub const cn_joint_base = extern struct {
     body_b: cn_body,
     /// in body a's local frame, or in world coordinates
     anchor_a_m: cn_vec2,
+    /// the same for body b
     anchor_b_m: cn_vec2,
-    /// of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps allow
+    /// of the rigid parts, 0 to 1e6; 0 (default): as stiff as the substeps permit
     stiffness_hertz: f32,
     /// used when stiffness_hertz > 0; 0 to 1e6
     stiffness_damping_ratio: f32,
-    /// anchors and axes never pull harder, nor does a limit; 0 (default): no bound
+    /// greatest force of anchors, axes and limits, >= 0; 0 (default): unbounded
     force_max_N: f32,
-    /// the same for angles
+    /// greatest torque of angles, >= 0; 0 (default): unbounded
     torque_max_Nm: f32,
     /// a reaction above this in any substep is reported (cn_world_joint_events); 0 (default): never
     break_force_N: f32,
+    /// the same for the torque
     break_torque_Nm: f32,
     user_data: u64,
 
@@ -854,9 +974,9 @@ pub const cn_revolute_def = extern struct {
     }
 };
 
-/// Two points keep a distance. Without CN_JOINT_SPRING and without CN_JOINT_LIMIT it is a rigid rod of
-/// length_m. With a spring, length_m is its rest length and the distance stays within [min, max] when limits
-/// are on; limits alone make a rope (min 0).
+/// Two points keep a distance. Without CN_JOINT_SPRING and CN_JOINT_LIMIT the joint is a rigid rod of
+/// length_m. With a spring, length_m is its rest length, and limits keep the distance within [min, max];
+/// limits alone make a rope (min 0).
 pub const cn_distance_def = extern struct {
     base: cn_joint_base,
     /// > 0; default 1
@@ -879,12 +999,12 @@ pub const cn_distance_def = extern struct {
     }
 };
 
-/// Welded: no relative motion. base.stiffness_hertz makes it springy.
+/// Two welded bodies: no relative motion. base.stiffness_hertz makes the weld springy.
 pub const cn_fixed_def = extern struct {
     base: cn_joint_base,
     /// angle b - angle a
     reference_angle_rad: f32,
-    /// stiffness of the angle alone, 0 to 1e6; 0: as the base's
+    /// stiffness of the angle alone, 0 to 1e6; 0: the base's
     angular_hertz: f32,
     /// 0 to 1e6
     angular_damping_ratio: f32,
@@ -921,8 +1041,8 @@ pub const cn_prismatic_def = extern struct {
     }
 };
 
-/// A wheel b on suspension: slides along an axis fixed in a (springy, with limits), turns freely; the motor
-/// turns it.
+/// A wheel b on a suspension: b slides along an axis fixed in a, with spring and limits, and turns freely or
+/// by the motor.
 pub const cn_wheel_def = extern struct {
     base: cn_joint_base,
     /// in body a's frame, any length > 0 (read back with length 1); default (0, 1)
@@ -953,7 +1073,7 @@ pub const cn_motor_def = extern struct {
     offset_m: cn_vec2,
     /// angle b - angle a
     angle_rad: f32,
-    /// how briskly, > 0, to 1e6; default 5
+    /// frequency of the spring, > 0, to 1e6; default 5
     hertz: f32,
     /// 0 to 1e6, default 1
     damping_ratio: f32,
@@ -985,6 +1105,7 @@ pub const cn_gear_def = extern struct {
     base: cn_joint_base,
     /// size 1e-4 to 1e4, negative: they turn against each other; default 1
     ratio: f32,
+    /// default 0
     phase_rad: f32,
 
     comptime {
@@ -992,15 +1113,17 @@ pub const cn_gear_def = extern struct {
     }
 };
 
-/// |anchor a - ground a| + ratio |anchor b - ground b| <= length: a rope over two pulleys (never pushes).
+/// A rope over two pulleys: |anchor a - ground a| + ratio |anchor b - ground b| <= length. It pulls and never
+/// pushes.
 pub const cn_pulley_def = extern struct {
     base: cn_joint_base,
     /// world
     ground_a_m: cn_vec2,
+    /// world
     ground_b_m: cn_vec2,
     /// 1e-4 to 1e4; default 1
     ratio: f32,
-    /// > 0
+    /// > 0: must be set
     length_m: f32,
 
     comptime {
@@ -1008,12 +1131,13 @@ pub const cn_pulley_def = extern struct {
     }
 };
 
-/// b may turn against a in one direction only, and back no farther than to the last click that it passed.
-/// Clicks are at phase + any whole number of click_rad, over whole turns.
+/// b may turn against a in one direction, and back only to the last click that it passed. Clicks lie at phase
+/// + n * click_rad for every whole number n, over whole turns.
 pub const cn_ratchet_def = extern struct {
     base: cn_joint_base,
+    /// default 0
     phase_rad: f32,
-    /// size 1e-4 to 1e4; positive: b may turn counter-clockwise
+    /// size 1e-4 to 1e4: must be set; positive: b may turn counter-clockwise
     click_rad: f32,
 
     comptime {
@@ -1021,10 +1145,11 @@ pub const cn_ratchet_def = extern struct {
     }
 };
 
-/// A torque that pulls angle b - angle a to rest, over whole turns. hertz is that of the two bodies' own
-/// inertia.
+/// A torque that pulls angle b - angle a to the rest angle, over whole turns. hertz refers to the inertia of
+/// the two bodies.
 pub const cn_rotary_spring_def = extern struct {
     base: cn_joint_base,
+    /// default 0
     rest_angle_rad: f32,
     /// > 0, to 1e6; default 1
     hertz: f32,
@@ -1037,7 +1162,7 @@ pub const cn_rotary_spring_def = extern struct {
     }
 };
 
-/// anchor b slides in a slot of body a from anchor a to end.
+/// Anchor b slides in a slot of body a from anchor a to end_m.
 pub const cn_groove_def = extern struct {
     base: cn_joint_base,
     /// in body a's frame; not equal to anchor a; default (1, 0)
@@ -1048,7 +1173,7 @@ pub const cn_groove_def = extern struct {
     }
 };
 
-/// Nothing but: the two bodies do not collide.
+/// The two bodies do not collide; no other effect.
 pub const cn_filter_joint_def = extern struct {
     base: cn_joint_base,
 
@@ -1057,7 +1182,7 @@ pub const cn_filter_joint_def = extern struct {
     }
 };
 
-/// Something happened to a joint or to a constraint on one body.
+/// A joint or constraint exceeded a break threshold or was destroyed with a body.
 pub const cn_joint_event = extern struct {
     /// 0: it was a constraint; stale when destroyed is 1
     joint: cn_joint,
@@ -1065,11 +1190,13 @@ pub const cn_joint_event = extern struct {
     constraint: cn_constraint,
     /// 0: the world
     body_a: cn_body,
+    /// 0: the world
     body_b: cn_body,
     /// largest reaction of the step; 0 when a body was destroyed
     force_N: f32,
+    /// the same for the torque
     torque_Nm: f32,
-    /// 1: it is gone (it breaks, or a body of it was destroyed)
+    /// 1: it broke, or one of its bodies was destroyed
     destroyed: u32,
     reserved: u32,
     user_data: u64,
@@ -1103,8 +1230,8 @@ pub const cn_angle_constraint_def = extern struct {
     }
 };
 
-/// Keeps a point of a body on a line in the world, within a tolerance to either side, and between limits
-/// along it.
+/// Keeps a point of a body on a line in the world, within a tolerance on both sides, and between limits along
+/// the line.
 pub const cn_line_constraint_def = extern struct {
     struct_size: u32,
     /// CN_CONSTRAINT_*; default 0
@@ -1136,14 +1263,15 @@ pub const cn_line_constraint_def = extern struct {
     }
 };
 
+/// Result of cn_world_update.
 pub const cn_update_report = extern struct {
     /// fixed steps taken
     steps: i32,
     /// time kept for the next update
     leftover_s: f32,
-    /// time given up because of the step cap
+    /// time discarded because of steps_max
     dropped_s: f32,
-    /// leftover / fixed step, [0, 1): between the last two poses
+    /// leftover_s / fixed step, [0, 1): factor for cn_world_read_poses_interpolated
     interpolation: f32,
 
     comptime {
@@ -1151,9 +1279,11 @@ pub const cn_update_report = extern struct {
     }
 };
 
+/// A ray with an end.
 pub const cn_ray = extern struct {
+    /// world
     origin_m: cn_vec2,
-    /// may be 0: then only shapes around the origin are hit; at most 2e6 length units each way
+    /// at most 2e6 length units each way; 0 hits only shapes around the origin
     translation_m: cn_vec2,
 
     comptime {
@@ -1161,10 +1291,9 @@ pub const cn_ray = extern struct {
     }
 };
 
-/// What a ray or a moved shape meets. One that starts in contact, overlapping or just touching, meets that
-/// shape at fraction 0, with the shortest way out: depth_m along the normal. It does not meet what it
-/// touches, up to a depth of 0.5% of the length unit, when its translation does not lead in: along the
-/// surface or away from it.
+/// What a ray or a moved shape hit. If it starts in contact (overlapping or just touching), it hits that
+/// shape at fraction 0, with the shortest way out: depth_m along the normal. A shape that it touches up to a
+/// depth of 0.5% of the length unit is no hit if the translation leads along the surface or away from it.
 pub const cn_ray_hit = extern struct {
     /// 0: nothing was hit
     shape: cn_shape,
@@ -1177,7 +1306,7 @@ pub const cn_ray_hit = extern struct {
     point_m: cn_vec2,
     /// unit, out of the shape that was hit
     normal: cn_vec2,
-    /// how deep the start is in it, 0 when it is outside
+    /// depth of the start inside it, 0 outside
     depth_m: f32,
     reserved: u32,
 
@@ -1186,19 +1315,19 @@ pub const cn_ray_hit = extern struct {
     }
 };
 
-/// A query sees shapes of enabled bodies whose category has a bit in mask and whose mask has one in category,
-/// and of sensors only those with CN_SHAPE_SENSOR_SEEN. Bodies are seen where they are now, also between
+/// Which shapes a query sees: those of enabled bodies whose category has a bit in mask and whose mask has a
+/// bit in category; sensors only with CN_SHAPE_SENSOR_SEEN. Queries use the present poses, also between
 /// steps.
 pub const cn_query_filter = extern struct {
     /// default 1
     category: u64,
     /// default all ones
     mask: u64,
-    /// its shapes are not seen; 0 (default): none. A stale handle is an error
+    /// its shapes are ignored; 0 (default): none. A stale handle is an error
     ignored_body: cn_body,
     /// CN_QUERY_IGNORE_JOINED ...; default 0
     flags: u32,
-    /// NULL (default): all are taken
+    /// NULL (default): take all shapes
     visit: ?*const cn_query_fn,
     user: ?*anyopaque,
 
@@ -1207,6 +1336,7 @@ pub const cn_query_filter = extern struct {
     }
 };
 
+/// The shape nearest to a point.
 pub const cn_closest = extern struct {
     /// 0: nothing within the distance
     shape: cn_shape,
@@ -1224,13 +1354,15 @@ pub const cn_closest = extern struct {
     }
 };
 
+/// Distance of two shapes.
 pub const cn_distance = extern struct {
     /// on the surface of a, in the world
     point_a_m: cn_vec2,
+    /// on the surface of b
     point_b_m: cn_vec2,
     /// unit, from a to b
     normal: cn_vec2,
-    /// of the surfaces; negative: the depth, the shortest way that moves b out of a
+    /// of the surfaces; negative: the depth, the shortest translation of b out of a
     distance_m: f32,
     reserved: u32,
 
@@ -1239,8 +1371,8 @@ pub const cn_distance = extern struct {
     }
 };
 
-/// A motion from fraction 0 to 1: a point of the shape goes in a straight line, and the shape turns evenly
-/// about it.
+/// A motion from fraction 0 to 1: a point of the shape moves in a straight line, and the shape turns about it
+/// at a constant rate.
 pub const cn_sweep = extern struct {
     start: cn_pose,
     /// that point, in the shape's frame: the centre of mass of a body
@@ -1256,6 +1388,7 @@ pub const cn_sweep = extern struct {
     }
 };
 
+/// Result of cn_polygon_time_of_impact.
 pub const cn_impact = extern struct {
     /// CN_IMPACT_*
     state: i32,
@@ -1264,7 +1397,7 @@ pub const cn_impact = extern struct {
     point_m: cn_vec2,
     /// unit, from a to b
     normal: cn_vec2,
-    /// of the surfaces at fraction, from distance_m to 0.1 mm (or what floats can tell) above
+    /// of the surfaces at fraction: distance_m to 0.1 mm (or the resolution of floats) above it
     distance_m: f32,
     reserved: u32,
 
@@ -1273,18 +1406,18 @@ pub const cn_impact = extern struct {
     }
 };
 
-/// A surface that bounds where a shape may move: after a translation t of the shape, separation_m + normal .
-/// t is >= 0, unless that takes more than push_max_m.
+/// A surface that limits the motion of a shape: a translation t keeps separation_m + normal . t >= 0, unless
+/// that needs a push of more than push_max_m.
 pub const cn_plane = extern struct {
     /// unit, from the surface to the shape
     normal: cn_vec2,
-    /// where they are nearest, in the world
+    /// world point of least distance
     point_m: cn_vec2,
     /// of the surfaces along the normal; negative: they overlap
     separation_m: f32,
-    /// >= 0: the farthest that this plane pushes; FLT_MAX: rigid
+    /// greatest push of this plane, >= 0; FLT_MAX: rigid
     push_max_m: f32,
-    /// of the last cn_mover_solve: how far it pushed
+    /// its push in the last cn_mover_solve
     push_m: f32,
     shape: cn_shape,
     body: cn_body,
@@ -1296,7 +1429,7 @@ pub const cn_plane = extern struct {
     }
 };
 
-/// How a character moves. The same for every move, or changed from move to move: crouching is another shape.
+/// How a character moves. It may change between moves: crouching is another shape.
 pub const cn_mover_def = extern struct {
     struct_size: u32,
     /// CN_MOVER_DROP; default 0
@@ -1304,19 +1437,19 @@ pub const cn_mover_def = extern struct {
     /// around its position, never turned; 1 or 2 points with radius > 0: circle, capsule. Default: a capsule
     /// of radius 0.3 from -0.5 to 0.5 along y: 1.6 high. Round shapes move more smoothly
     shape: cn_polygon,
-    /// what it collides with; sensors never, one-way shapes from above
+    /// shapes that it collides with; sensors never, one-way shapes from above
     filter: cn_query_filter,
     /// any length > 0; default (0, 1)
     up: cn_vec2,
-    /// steeper ground cannot be stood on or walked up, 0 to pi / 2; default 0.87 (50 degrees)
+    /// greatest slope of walkable ground, 0 to pi / 2; default 0.87 (50 degrees)
     slope_limit_rad: f32,
-    /// climbs steps up to this high while it walks, >= 0; default 0.3
+    /// greatest height of steps that it climbs, >= 0; default 0.3
     step_height_m: f32,
-    /// walking, keeps to ground that falls away by up to this in a move, >= 0; default 0.3
+    /// a walking character follows ground that falls by up to this in a move, >= 0; default 0.3
     snap_m: f32,
     /// of the world's gravity in the air; default 1
     gravity_scale: f32,
-    /// the most it pushes a dynamic body with, >= 0; default 200
+    /// greatest push on a dynamic body, >= 0; default 200
     push_force_N: f32,
     /// of sliding, 1 to 64; default 8
     iterations_max: i32,
@@ -1326,15 +1459,16 @@ pub const cn_mover_def = extern struct {
     }
 };
 
-/// A character between two moves. It belongs to the caller, who may copy it, keep it and go back to it: the
-/// world knows nothing of it, and other bodies do not collide with it: for that give it a kinematic body that
-/// is filter.ignored_body and follows by cn_body_set_target_pose. Begin with all 0 but the position.
+/// State of a character between two moves. It belongs to the caller, who may copy, store and restore it. The
+/// world does not know it, and bodies do not collide with it: for that give it a kinematic body that is
+/// filter.ignored_body and follows by cn_body_set_target_pose. Initially all fields are 0 except the
+/// position.
 pub const cn_mover = extern struct {
     position_m: cn_vec2,
     /// in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as
     /// its component across up; the one along up is 0, and a jump when the caller makes it > 0
     velocity_mps: cn_vec2,
-    /// of what it stands on, with CN_MOVER_ON_GROUND; else (0, 0)
+    /// of the ground with CN_MOVER_ON_GROUND, else (0, 0)
     ground_normal: cn_vec2,
     /// in the world, after the move
     ground_point_m: cn_vec2,
@@ -1342,12 +1476,12 @@ pub const cn_mover = extern struct {
     ground_local_m: cn_vec2,
     /// of the ground there
     ground_velocity_mps: cn_vec2,
-    /// 0: none; may become stale, which is as none
+    /// 0: none; a stale handle counts as none
     ground_body: cn_body,
     ground_shape: cn_shape,
     /// CN_MOVER_ON_*, after the last move
     flags: u32,
-    /// by how much it overlaps what left it no room; 0 but for rounding
+    /// overlap with surfaces that leave it no room; else 0 up to rounding
     squeezed_m: f32,
 
     comptime {
@@ -1355,15 +1489,18 @@ pub const cn_mover = extern struct {
     }
 };
 
+/// Definition of an explosion.
 pub const cn_explosion_def = extern struct {
     struct_size: u32,
-    /// full strength within, to the nearest point of a shape; >= 0, default 1
+    /// full strength up to this distance of a shape's nearest point, 0 to 1e6 length units; default 1
     radius_m: f32,
-    /// then linearly to none over this distance; >= 0
+    /// then linearly to 0 over this distance, 0 to 1e6 length units; default 0
     falloff_m: f32,
-    /// per metre of the shape's width seen from the centre; negative pulls
+    /// per metre of the shape's width seen from the centre; negative pulls; default 0
     impulse_Nspm: f32,
+    /// world
     center_m: cn_vec2,
+    /// which shapes; defaults: see cn_query_filter
     filter: cn_query_filter,
 
     comptime {
@@ -1371,20 +1508,27 @@ pub const cn_explosion_def = extern struct {
     }
 };
 
-/// Functions that are NULL are not called. Colours are 0xRRGGBB. Points are in world coordinates.
+/// The user's drawing functions; NULL ones are not called. Colours are 0xRRGGBB. Points are in world
+/// coordinates.
 pub const cn_debug_draw = extern struct {
     struct_size: u32,
     /// CN_DRAW_*; default SHAPES | JOINTS | CONTACTS
     flags: u32,
-    /// only what overlaps it is drawn; default everything
+    /// things outside are not drawn; default everything
     view: cn_aabb,
+    /// count points, counter-clockwise
     polygon: ?*const cn_debug_draw_polygon_fn,
-    /// axis: a point on the rim that turns with the body
+    /// rim_m: a point on the rim that turns with the body
     circle: ?*const cn_debug_draw_circle_fn,
+    /// a disc swept from a to b
     capsule: ?*const cn_debug_draw_capsule_fn,
+    /// a line from a to b
     segment: ?*const cn_debug_draw_segment_fn,
+    /// size in pixels
     point: ?*const cn_debug_draw_point_fn,
+    /// zero-terminated, valid during the call
     text: ?*const cn_debug_draw_text_fn,
+    /// last argument of the functions
     user: ?*anyopaque,
     reserved: ?*anyopaque,
 
@@ -1393,495 +1537,723 @@ pub const cn_debug_draw = extern struct {
     }
 };
 
-/// Version as major * 1000000 + minor * 1000 + patch.
+/// Version of the library as major * 1000000 + minor * 1000 + patch.
 pub extern fn cn_version() i32;
 /// CN_ABI_VERSION of the library that was linked; a binding compares it with its own.
 pub extern fn cn_abi_version() i32;
-/// Static English text for a result code, never NULL.
+/// English text for a result code: static, never NULL.
 pub extern fn cn_result_text(result: cn_result) [*c]const u8;
-/// sizeof the struct named by a CN_TYPE_ constant, 0 for an unknown one: bindings check themselves.
+/// sizeof the struct that a CN_TYPE_ constant names, 0 for an unknown constant; bindings check their layouts
+/// with it.
 pub extern fn cn_sizeof(@"type": i32) i32;
-/// Defaults as given beside the fields (those that scale with the length unit are stored as 0 and resolved by
-/// cn_world_create: 0 means the default there).
+/// Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with the
+/// length unit are stored as 0, which cn_world_create resolves.
 pub extern fn cn_world_def_init(def: [*c]cn_world_def) void;
-/// Says in one sentence what is wrong with a definition; writes at most text_bytes bytes including the
+/// Checks a definition. Writes one sentence about its first error, at most text_bytes (>= 0) bytes with the
 /// terminating zero; text may be NULL when text_bytes is 0.
 pub extern fn cn_world_def_check(def: [*c]const cn_world_def, text: [*c]u8, text_bytes: i32) cn_result;
 /// Bytes that def.memory must have so that the capacities in def never run out. def.memory may be NULL here.
 pub extern fn cn_world_bytes_needed(def: [*c]const cn_world_def, out_bytes: [*c]u64) cn_result;
-/// Threads that cannot be started are CN_ERROR_MEMORY. A world's memory holds some 150 bytes for each; their
-/// stacks, and whatever else a thread needs, are the system's, for a world in a caller's block too. A library
-/// built with CN_NO_THREADS, or on a system whose threads it does not know, makes the same world without
-/// them: see cn_world_get_worker_count.
+/// Creates a world. CN_ERROR_MEMORY also when a thread cannot be started. Each worker takes about 150 bytes
+/// of the world's memory; its stack comes from the system, even for a world in a caller's block. Without
+/// thread support (CN_NO_THREADS, or an unknown system) the world has one worker: see
+/// cn_world_get_worker_count. O(capacities).
 pub extern fn cn_world_create(def: [*c]const cn_world_def, out_world: [*c]?*cn_world) cn_result;
-/// NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have
-/// ended when this returns. Not from callbacks.
+/// Destroys a world, everything in it and its threads. A caller's block is free for other use afterwards.
+/// NULL, and a call from a callback, do nothing. O(memory blocks).
 pub extern fn cn_world_destroy(world: ?*cn_world) void;
-/// One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion, and so does
-/// less than 1e-9. Cost grows with the number of awake bodies and their contacts.
+/// Takes one fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion.
+/// O(awake bodies and their contacts and joints).
 pub extern fn cn_world_step(world: ?*cn_world, dt_s: f32) cn_result;
-/// One sentence on the last call that failed on this world; "" if none did. world may be NULL.
+/// One sentence about the last call that failed on this world; "" if none failed or world is NULL. Valid
+/// until the next failing call.
 pub extern fn cn_world_error_text(world: ?*const cn_world) [*c]const u8;
-/// A change wakes every body: O(bodies) then.
+/// Sets gravity in m/s^2, both finite. A change wakes every body: O(bodies).
 pub extern fn cn_world_set_gravity(world: ?*cn_world, gravity_x_mps2: f32, gravity_y_mps2: f32) cn_result;
+/// Reads gravity in m/s^2.
 pub extern fn cn_world_get_gravity(world: ?*const cn_world, out_mps2: [*c]cn_vec2) cn_result;
-/// 1 to 64; more substeps are stiffer and dearer.
+/// Sets the substeps of a step, 1 to 64. More substeps make contacts and joints stiffer and cost more.
 pub extern fn cn_world_set_substep_count(world: ?*cn_world, count: i32) cn_result;
+/// Reads the substeps of a step.
 pub extern fn cn_world_get_substep_count(world: ?*const cn_world, out_count: [*c]i32) cn_result;
-/// CN_SOLVER_*, from the next step on. A world in a caller's block has scratch memory for the solver that it
-/// was made with: a dearer one may have to do without direct solving there (CN_WARNING_FRAME_MEMORY).
+/// Chooses the solver (CN_SOLVER_*) from the next step on. A world in a caller's block keeps the scratch
+/// memory of the solver it was created with; a solver that needs more works without direct solving
+/// (CN_WARNING_FRAME_MEMORY).
 pub extern fn cn_world_set_solver(world: ?*cn_world, solver: i32) cn_result;
+/// Reads the solver (CN_SOLVER_*).
 pub extern fn cn_world_get_solver(world: ?*const cn_world, out_solver: [*c]i32) cn_result;
-/// Both as in cn_world_def; 0 metres: the default. get gives the accuracy in metres that this stands for.
+/// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no
+/// limit.
 pub extern fn cn_world_set_accuracy(world: ?*cn_world, accuracy_m: f32, work_budget: i32) cn_result;
+/// Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.
 pub extern fn cn_world_get_accuracy(world: ?*const cn_world, out_accuracy_m: [*c]f32, out_work_budget: [*c]i32) cn_result;
-/// Workers that a step may have: 1, or worker_count where the library can have several.
+/// Reads how many workers a step can use: 1, or worker_count where the library supports threads.
 pub extern fn cn_world_get_worker_count(world: ?*const cn_world, out_count: [*c]i32) cn_result;
-/// Replaces the CN_WORLD_ flags. Turning CN_WORLD_SLEEP off wakes everything: O(bodies) then.
+/// Replaces the CN_WORLD_ flags. Clearing CN_WORLD_SLEEP wakes every body: O(bodies).
 pub extern fn cn_world_set_flags(world: ?*cn_world, flags: u32) cn_result;
+/// Reads the CN_WORLD_ flags.
 pub extern fn cn_world_get_flags(world: ?*const cn_world, out_flags: [*c]u32) cn_result;
-/// Metres a second, >= 0.
+/// Impacts slower than this, in m/s, do not bounce; >= 0.
 pub extern fn cn_world_set_restitution_threshold(world: ?*cn_world, speed_mps: f32) cn_result;
-/// Both > 0: bodies are slowed to these at the end of each step (direction kept).
+/// Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows faster bodies
+/// down to them and keeps the direction.
 pub extern fn cn_world_set_speed_limits(world: ?*cn_world, linear_mps: f32, angular_radps: f32) cn_result;
-/// speed_mps >= 0, delay_s >= 0.
+/// Sets the speed in m/s, >= 0, below which bodies may sleep, and the delay in seconds, >= 0, after which
+/// they do.
 pub extern fn cn_world_set_sleep(world: ?*cn_world, speed_mps: f32, delay_s: f32) cn_result;
+/// Stores a number for the user.
 pub extern fn cn_world_set_user_data(world: ?*cn_world, user_data: u64) cn_result;
+/// Reads the user's number.
 pub extern fn cn_world_get_user_data(world: ?*const cn_world, out_user_data: [*c]u64) cn_result;
-/// Handles of everything alive, in a fixed order (by slot). Writes at most capacity of them (out may be NULL
-/// when capacity is 0) and always sets *out_count to how many there are. O(slots).
+/// Handles of all bodies, ordered by slot. Writes at most capacity (>= 0) of them; out may be NULL when
+/// capacity is 0. out_count is their number. O(slots).
 pub extern fn cn_world_get_bodies(world: ?*const cn_world, out: [*c]cn_body, capacity: i32, out_count: [*c]i32) cn_result;
+/// Handles of all shapes, ordered by slot; out, capacity and *out_count as in cn_world_get_bodies. O(slots).
 pub extern fn cn_world_get_shapes(world: ?*const cn_world, out: [*c]cn_shape, capacity: i32, out_count: [*c]i32) cn_result;
+/// Handles of all joints without constraints, ordered by slot; out, capacity and *out_count as in
+/// cn_world_get_bodies. O(slots).
 pub extern fn cn_world_get_joints(world: ?*const cn_world, out: [*c]cn_joint, capacity: i32, out_count: [*c]i32) cn_result;
-/// O(bodies + islands).
+/// Reads counts of objects and what the last step reported. O(bodies + islands).
 pub extern fn cn_world_get_counters(world: ?*const cn_world, out: [*c]cn_counters) cn_result;
-/// Of every awake island, as cn_counters.islands_awake counts them: those of several bodies first, in a
-/// deterministic order, then bodies alone. Writes at most capacity; *out_count is how many there are. Costs
-/// nothing when it is not called. O(bodies + what touches in the islands written).
+/// Reports every awake island, as cn_counters.islands_awake counts them: first those of several bodies, in a
+/// deterministic order, then single bodies. Writes at most capacity (>= 0); *out_count is their number. A
+/// step does no work for it. O(bodies + contacts and joints of the islands written).
 pub extern fn cn_world_get_islands(world: ?*const cn_world, out: [*c]cn_island_report, capacity: i32, out_count: [*c]i32) cn_result;
+/// Reads the seconds of the last step by stage.
 pub extern fn cn_world_get_profile(world: ?*const cn_world, out: [*c]cn_profile) cn_result;
+/// Reads the memory statistics.
 pub extern fn cn_world_get_memory_stats(world: ?*const cn_world, out: [*c]cn_memory_stats) cn_result;
-/// 64-bit hash (FNV-1a, Fowler/Noll/Vo) of every body's pose, velocity and sleep state and every contact's
-/// impulses in handle order: equal for equal histories on every compiler, CPU and thread count. O(bodies +
-/// contacts).
+/// 64-bit hash (FNV-1a: Fowler, Noll, Vo, 1991) of every body's pose, velocity and sleep state, every
+/// contact's impulses and the solver's memory of joints, by slot. Equal histories give equal hashes on every
+/// compiler, CPU and thread count. O(bodies + contacts + joints).
 pub extern fn cn_world_hash(world: ?*const cn_world, out_hash: [*c]u64) cn_result;
-/// Checks every invariant between the tables. CN_OK, or CN_ERROR_INTERNAL with a sentence in text (at most
-/// text_bytes bytes with the zero; may be NULL when text_bytes is 0). O(everything).
+/// Checks every invariant between the tables. CN_ERROR_INTERNAL, and one sentence in text, for the first that
+/// is broken. text holds at most text_bytes (>= 0) bytes with the zero and may be NULL when text_bytes is 0.
+/// O(everything).
 pub extern fn cn_world_validate(world: ?*const cn_world, text: [*c]u8, text_bytes: i32) cn_result;
-/// Bytes that cn_world_save needs now. From callbacks CN_ERROR_LOCKED. O(slots).
+/// Bytes that cn_world_save needs now. CN_ERROR_LOCKED in callbacks. O(slots).
 pub extern fn cn_world_save_size(world: ?*const cn_world, out_bytes: [*c]u64) cn_result;
-/// Writes the state to out, which may have any alignment, and how many bytes that took to out_bytes (may be
-/// NULL). capacity: bytes that out has; too few are CN_ERROR_CAPACITY. From callbacks CN_ERROR_LOCKED.
-/// O(memory of the world), about 1 KB a body.
+/// Writes the world's state to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the
+/// number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world),
+/// about 1 KB per body.
 pub extern fn cn_world_save(world: ?*const cn_world, out: ?*anyopaque, capacity: u64, out_bytes: [*c]u64) cn_result;
-/// Puts a state back: into the world that was saved, or one that was made by the same definition (broadphase,
-/// length unit, whether it lives in a caller's block; else CN_ERROR_STATE). bytes: as many as cn_world_save
-/// wrote. CN_ERROR_FORMAT: not a save of this version and machine, or damaged. CN_ERROR_MEMORY: no room for
-/// what was alive then; a growing world takes what it needs, a world in a caller's block has room for what it
-/// had. Arrays handed out before are void. O(memory of the world). Handles of what was alive when the world
-/// was saved are valid again, also of what was destroyed since. Those made since are refused, until the same
-/// handle is given to something new: with the same calls to the same thing. A game rolls its own state back
-/// with the world, and so keeps none of them.
+/// Restores a saved state, into the saved world or one created with the same definition (broadphase, length
+/// unit, caller's block or not; else CN_ERROR_STATE). bytes as written by cn_world_save; CN_ERROR_FORMAT for
+/// damaged bytes or another version or machine; CN_ERROR_MEMORY without room for the objects alive then (a
+/// world in a caller's block has room for its own saves). Arrays returned before become invalid. Handles of
+/// objects alive at the save are valid again, also of objects destroyed since; handles created since are
+/// refused until the same handle is given to a new object: with the same calls to the same object. O(memory
+/// of the world).
 pub extern fn cn_world_restore(world: ?*cn_world, save: ?*const anyopaque, bytes: u64) cn_result;
+/// Sets struct_size and the defaults given beside the fields. NULL does nothing.
 pub extern fn cn_body_def_init(def: [*c]cn_body_def) void;
+/// Creates a body. O(1) amortized.
 pub extern fn cn_body_create(world: ?*cn_world, def: [*c]const cn_body_def, out_body: [*c]cn_body) cn_result;
-/// count bodies from an array of definitions; all of them or none. O(count).
+/// Creates count (>= 0) bodies from an array of definitions, all or none. O(count).
 pub extern fn cn_body_create_many(world: ?*cn_world, defs: [*c]const cn_body_def, count: i32, out_bodies: [*c]cn_body) cn_result;
-/// Also destroys its shapes, contacts, joints and constraints; touching contacts get their leave event,
-/// joints and constraints theirs (cn_world_joint_events).
+/// Destroys a body with its shapes, contacts, joints and constraints, and wakes its neighbours. Touching
+/// contacts get their LEAVE event; joints and constraints get theirs (cn_world_joint_events). O(contacts +
+/// joints + shapes).
 pub extern fn cn_body_destroy(world: ?*cn_world, body: cn_body) cn_result;
-/// Destroys all or, if any handle is bad or appears twice, none.
+/// Destroys count (>= 0) bodies as cn_body_destroy does; none if a handle is bad or appears twice. O(their
+/// contacts + joints + shapes).
 pub extern fn cn_body_destroy_many(world: ?*cn_world, bodies: [*c]const cn_body, count: i32) cn_result;
-/// 1 if the handle names a body that is alive in this world, else 0 (also for a NULL world).
+/// 1 if the handle names a living body of this world, else 0 (also for a NULL world).
 pub extern fn cn_body_is_valid(world: ?*const cn_world, body: cn_body) i32;
-/// Changing the type ends the body's contacts (those that still overlap begin again in the next step), its
-/// forces and any mass override, and wakes it; a body made static stops. CN_ERROR_STATE if a joint would be
-/// left without a dynamic body. O(contacts + joints + shapes).
+/// Changes the type (CN_BODY_STATIC, _KINEMATIC, _DYNAMIC) and wakes the body. Its contacts end (those that
+/// still overlap begin again in the next step), with its forces and any mass override; a body made static
+/// stops. CN_ERROR_STATE if a joint would be left without a dynamic body. O(contacts + joints + shapes).
 pub extern fn cn_body_set_type(world: ?*cn_world, body: cn_body, @"type": i32) cn_result;
+/// Reads the type (CN_BODY_*).
 pub extern fn cn_body_get_type(world: ?*const cn_world, body: cn_body, out_type: [*c]i32) cn_result;
-/// Replaces all CN_BODY_ flags except CN_BODY_AWAKE, which is cn_body_set_awake's and is ignored here. A body
-/// without CN_BODY_ENABLED keeps its shapes but collides with nothing and does not move; its contacts end,
-/// its joints rest. O(contacts + joints + shapes) when that changes.
+/// Replaces all CN_BODY_ flags except CN_BODY_AWAKE, which it ignores: see cn_body_set_awake. Without
+/// CN_BODY_ENABLED a body keeps its shapes but does not move or collide; its contacts end and its joints are
+/// inactive. O(contacts + joints + shapes) when CN_BODY_ENABLED changes.
 pub extern fn cn_body_set_flags(world: ?*cn_world, body: cn_body, flags: u32) cn_result;
-/// CN_BODY_AWAKE is set in the result when the body is awake.
+/// Reads the CN_BODY_ flags; CN_BODY_AWAKE is set while the body is awake.
 pub extern fn cn_body_get_flags(world: ?*const cn_world, body: cn_body, out_flags: [*c]u32) cn_result;
-/// 0 puts the body and everything connected to it to sleep, at rest; anything else wakes. Does nothing to
-/// static and disabled bodies. O(island).
+/// 0 puts the body and its island to sleep and stops them; any other value wakes them. Static and disabled
+/// bodies are unchanged. 0 can return CN_ERROR_MEMORY. O(island).
 pub extern fn cn_body_set_awake(world: ?*cn_world, body: cn_body, awake: i32) cn_result;
-/// Teleport: origin and angle; velocities stay. Contacts that are no longer near end (the next step reports
-/// it). Wakes the body and what is near it. O(contacts + shapes).
+/// Teleports the body: origin in metres (|x|, |y| <= 1e6 length units), angle in radians (|angle| <= 1e4).
+/// Velocities stay. Contacts whose boxes no longer overlap end at once, and the next step reports them. Wakes
+/// the body and its new and old neighbours. O(contacts + shapes).
 pub extern fn cn_body_set_pose(world: ?*cn_world, body: cn_body, position_x_m: f32, position_y_m: f32, angle_rad: f32) cn_result;
+/// Reads the position of the origin and the rotation.
 pub extern fn cn_body_get_pose(world: ?*const cn_world, body: cn_body, out: [*c]cn_pose) cn_result;
-/// In (-pi, pi].
+/// Reads the angle in radians, in (-pi, pi].
 pub extern fn cn_body_get_angle(world: ?*const cn_world, body: cn_body, out_rad: [*c]f32) cn_result;
-/// World position of the centre of mass.
+/// Reads the world position of the centre of mass, in metres.
 pub extern fn cn_body_get_center(world: ?*const cn_world, body: cn_body, out_m: [*c]cn_vec2) cn_result;
-/// Static bodies refuse this with CN_ERROR_STATE. Wakes when not zero.
+/// Sets the velocity of the centre of mass (m/s) and the angular velocity (rad/s), all finite. CN_ERROR_STATE
+/// for static bodies. Wakes the body unless all are 0.
 pub extern fn cn_body_set_velocity(world: ?*cn_world, body: cn_body, linear_x_mps: f32, linear_y_mps: f32, angular_radps: f32) cn_result;
+/// Reads the velocity of the centre of mass (m/s) and the angular velocity (rad/s).
 pub extern fn cn_body_get_velocity(world: ?*const cn_world, body: cn_body, out: [*c]cn_velocity) cn_result;
 /// Sets the velocity of a kinematic body (others: CN_ERROR_STATE) so that a step of dt_s (1e-6 to 1) takes it
-/// to this pose, the shorter way round, up to rounding and the world's speed limits: what stands on it or is
-/// in its way moves along, as nothing does with cn_body_set_pose. It goes on with that velocity: call it
-/// before every step, or stop it after.
+/// to a pose (metres, radians) by the shorter turn, up to rounding and the world's speed limits. Unlike after
+/// cn_body_set_pose, bodies on it or in its way move along. The velocity stays: call this before every step,
+/// or stop the body after it.
 pub extern fn cn_body_set_target_pose(world: ?*cn_world, body: cn_body, position_x_m: f32, position_y_m: f32, angle_rad: f32, dt_s: f32) cn_result;
-/// Velocity of the body's material at a world point.
+/// Velocity in m/s of the body's material at a world point in metres.
 pub extern fn cn_body_get_velocity_at(world: ?*const cn_world, body: cn_body, point_x_m: f32, point_y_m: f32, out_mps: [*c]cn_vec2) cn_result;
+/// World position of a point given in the body's frame, both in metres.
 pub extern fn cn_body_get_world_point(world: ?*const cn_world, body: cn_body, local_x_m: f32, local_y_m: f32, out_m: [*c]cn_vec2) cn_result;
+/// Position in the body's frame of a world point, both in metres.
 pub extern fn cn_body_get_local_point(world: ?*const cn_world, body: cn_body, world_x_m: f32, world_y_m: f32, out_m: [*c]cn_vec2) cn_result;
-/// Union of its shapes' boxes, without margin; the origin as a point if it has none. O(shapes).
+/// Union of the AABBs of the body's shapes, without margin; the origin as a point if it has no shapes.
+/// O(shapes).
 pub extern fn cn_body_get_aabb(world: ?*const cn_world, body: cn_body, out: [*c]cn_aabb) cn_result;
-/// Forces and torques act for the next step only and are then cleared. All of these wake a dynamic body and
-/// do nothing to static, kinematic and disabled ones (CN_OK). Sums of forces and velocities after impulses
-/// must stay finite (CN_ERROR_ARGUMENT).
+/// Adds a force in newtons at the centre of mass for the next step only; wakes the body. Static, kinematic
+/// and disabled bodies are unchanged (CN_OK). CN_ERROR_ARGUMENT if the sum of forces overflows.
 pub extern fn cn_body_apply_force(world: ?*cn_world, body: cn_body, force_x_N: f32, force_y_N: f32) cn_result;
+/// Adds a force in newtons at a world point in metres, hence a torque too; otherwise as cn_body_apply_force.
 pub extern fn cn_body_apply_force_at(world: ?*cn_world, body: cn_body, force_x_N: f32, force_y_N: f32, point_x_m: f32, point_y_m: f32) cn_result;
+/// Adds a torque in newton metres; otherwise as cn_body_apply_force.
 pub extern fn cn_body_apply_torque(world: ?*cn_world, body: cn_body, torque_Nm: f32) cn_result;
+/// Changes the velocity at once by an impulse in newton seconds at the centre of mass; wakes the body.
+/// Static, kinematic and disabled bodies are unchanged (CN_OK). CN_ERROR_ARGUMENT if the velocity overflows.
 pub extern fn cn_body_apply_impulse(world: ?*cn_world, body: cn_body, impulse_x_Ns: f32, impulse_y_Ns: f32) cn_result;
+/// Applies an impulse in newton seconds at a world point in metres, which changes the angular velocity too;
+/// otherwise as cn_body_apply_impulse.
 pub extern fn cn_body_apply_impulse_at(world: ?*cn_world, body: cn_body, impulse_x_Ns: f32, impulse_y_Ns: f32, point_x_m: f32, point_y_m: f32) cn_result;
+/// Changes the angular velocity at once by an angular impulse in newton metre seconds; otherwise as
+/// cn_body_apply_impulse.
 pub extern fn cn_body_apply_angular_impulse(world: ?*cn_world, body: cn_body, impulse_Nms: f32) cn_result;
-/// Sums over the attached shapes unless overridden. A dynamic body whose shapes have no mass weighs 1 kg
-/// (and, having no shape, does not rotate).
+/// Reads mass, inertia and centre: sums over the attached shapes unless overridden. A dynamic body whose
+/// shapes have no mass weighs 1 kg; without shapes it does not rotate.
 pub extern fn cn_body_get_mass_data(world: ?*const cn_world, body: cn_body, out: [*c]cn_mass_data) cn_result;
-/// Override for a dynamic body (others: CN_ERROR_STATE): mass_kg from 1e-20 to 1e20, inertia_kgm2 0 (never
-/// rotates) or from 1e-35 to 1e35. Kept until cn_body_reset_mass_data or until the type changes.
+/// Overrides the mass data of a dynamic body (others: CN_ERROR_STATE) until cn_body_reset_mass_data or a
+/// change of type: mass_kg from 1e-20 to 1e20; inertia_kgm2 0 (never rotates) or from 1e-35 to 1e35. Wakes
+/// the body.
 pub extern fn cn_body_set_mass_data(world: ?*cn_world, body: cn_body, mass: [*c]const cn_mass_data) cn_result;
+/// Ends a mass override: mass data come from the shapes again. Wakes the body. O(shapes).
 pub extern fn cn_body_reset_mass_data(world: ?*cn_world, body: cn_body) cn_result;
-/// Both >= 0.
+/// Sets the linear and angular damping in 1/s (v' = -damping v), both >= 0.
 pub extern fn cn_body_set_damping(world: ?*cn_world, body: cn_body, linear_per_s: f32, angular_per_s: f32) cn_result;
+/// Reads the linear and angular damping in 1/s.
 pub extern fn cn_body_get_damping(world: ?*const cn_world, body: cn_body, out_linear_per_s: [*c]f32, out_angular_per_s: [*c]f32) cn_result;
+/// Sets the factor on gravity for this body, finite. A change wakes the body.
 pub extern fn cn_body_set_gravity_scale(world: ?*cn_world, body: cn_body, scale: f32) cn_result;
+/// Reads the factor on gravity.
 pub extern fn cn_body_get_gravity_scale(world: ?*const cn_world, body: cn_body, out_scale: [*c]f32) cn_result;
-/// >= 0; 0 restores the world's.
+/// Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's.
 pub extern fn cn_body_set_sleep_speed(world: ?*cn_world, body: cn_body, speed_mps: f32) cn_result;
-/// How the island of a dynamic body is solved, in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO
-/// (default): as the world chooses. _SOFT: never directly, contacts and all, whatever its other bodies ask
-/// for. _DIRECT: always, however fast it moves, as far as its contacts can be, and within the work_budget.
-/// From the next step on; does not wake.
+/// Chooses how the body's island is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default):
+/// the world chooses. _SOFT: contacts and joints are never solved directly, whatever other bodies ask for.
+/// _DIRECT: the island is solved directly at any speed, where its contacts permit it and within the
+/// work_budget. Takes effect with the next step; does not wake.
 pub extern fn cn_body_set_solver(world: ?*cn_world, body: cn_body, solver: i32) cn_result;
+/// Reads the body's own solver (CN_SOLVER_AUTO, _SOFT, _DIRECT).
 pub extern fn cn_body_get_solver(world: ?*const cn_world, body: cn_body, out_solver: [*c]i32) cn_result;
+/// Stores a number for the user.
 pub extern fn cn_body_set_user_data(world: ?*cn_world, body: cn_body, user_data: u64) cn_result;
+/// Reads the user's number.
 pub extern fn cn_body_get_user_data(world: ?*const cn_world, body: cn_body, out_user_data: [*c]u64) cn_result;
-/// NULL or "" removes the name.
+/// Copies a name of at most CN_NAME_MAX_BYTES bytes (CN_ERROR_ARGUMENT beyond); NULL or "" removes it.
+/// O(length).
 pub extern fn cn_body_set_name(world: ?*cn_world, body: cn_body, name: [*c]const u8) cn_result;
-/// "" if it has none; valid until the name changes or the body is destroyed.
+/// Reads the name, "" if there is none. Valid until the name changes or the body is destroyed.
 pub extern fn cn_body_get_name(world: ?*const cn_world, body: cn_body, out_name: [*c][*c]const u8) cn_result;
-/// As cn_world_get_bodies, for one body. O(shapes), O(joints).
+/// Handles of the body's shapes; out, capacity and *out_count as in cn_world_get_bodies. O(shapes).
 pub extern fn cn_body_get_shapes(world: ?*const cn_world, body: cn_body, out: [*c]cn_shape, capacity: i32, out_count: [*c]i32) cn_result;
+/// Handles of the body's joints without constraints; out, capacity and *out_count as in cn_world_get_bodies.
+/// O(joints).
 pub extern fn cn_body_get_joints(world: ?*const cn_world, body: cn_body, out: [*c]cn_joint, capacity: i32, out_count: [*c]i32) cn_result;
-/// Bulk forms: bodies NULL means every body in the order of cn_world_get_bodies, of which there must be
-/// exactly count. stride_bytes 0 means tightly packed. One bad handle fails the whole call. O(count).
+/// Reads count poses. bodies NULL means every body in the order of cn_world_get_bodies; count must then be
+/// their number. One bad handle fails the whole call. O(count).
 pub extern fn cn_world_read_poses(world: ?*const cn_world, bodies: [*c]const cn_body, count: i32, out: [*c]cn_pose) cn_result;
+/// Reads count cn_pose at intervals of stride_bytes (0, tightly packed, or >= 16); otherwise as
+/// cn_world_read_poses. O(count).
 pub extern fn cn_world_read_poses_strided(world: ?*const cn_world, bodies: [*c]const cn_body, count: i32, out: ?*anyopaque, stride_bytes: i32) cn_result;
+/// Reads count velocities; bodies and count as in cn_world_read_poses. O(count).
 pub extern fn cn_world_read_velocities(world: ?*const cn_world, bodies: [*c]const cn_body, count: i32, out: [*c]cn_velocity) cn_result;
-/// cn_body_set_velocity for many; nothing is written if one is bad. Static bodies take zero only.
+/// Sets count velocities as cn_body_set_velocity does; bodies and count as in cn_world_read_poses. Static
+/// bodies take zero only (CN_ERROR_STATE). One bad entry fails the whole call. O(count).
 pub extern fn cn_world_write_velocities(world: ?*cn_world, bodies: [*c]const cn_body, count: i32, velocities: [*c]const cn_velocity) cn_result;
-/// Bodies whose pose changed in the last step, and those that fell asleep in it, without the ones destroyed
-/// since. Built on the first call after a step: O(awake bodies) then.
+/// Bodies whose pose changed in the last step or that fell asleep in it, except bodies destroyed since. The
+/// first call after a step builds the array, O(awake bodies), and can return CN_ERROR_MEMORY.
 pub extern fn cn_world_moved(world: ?*cn_world, out_moved: [*c][*c]const cn_body_moved, out_count: [*c]i32) cn_result;
+/// Sets struct_size and the defaults given beside the fields. NULL does nothing.
 pub extern fn cn_shape_def_init(def: [*c]cn_shape_def) void;
-/// out_shape may be NULL in all of these. Points closer than 0.05% of the length unit are degenerate.
+/// Creates a circle; 0 < radius_m <= 1e6. Wakes the body. out_shape may be NULL.
 pub extern fn cn_shape_create_circle(world: ?*cn_world, def: [*c]const cn_shape_def, circle: [*c]const cn_circle, out_shape: [*c]cn_shape) cn_result;
+/// Creates a capsule; ends at least 0.05% of the length unit apart, radius_m > 0. Wakes the body. out_shape
+/// may be NULL.
 pub extern fn cn_shape_create_capsule(world: ?*cn_world, def: [*c]const cn_shape_def, capsule: [*c]const cn_capsule, out_shape: [*c]cn_shape) cn_result;
+/// Creates an edge; ends at least 0.05% of the length unit apart. Wakes the body. out_shape may be NULL.
 pub extern fn cn_shape_create_edge(world: ?*cn_world, def: [*c]const cn_shape_def, edge: [*c]const cn_edge, out_shape: [*c]cn_shape) cn_result;
+/// Creates a convex polygon; consecutive points at least 0.05% of the length unit apart. Wakes the body.
+/// out_shape may be NULL.
 pub extern fn cn_shape_create_polygon(world: ?*cn_world, def: [*c]const cn_shape_def, polygon: [*c]const cn_polygon, out_shape: [*c]cn_shape) cn_result;
-/// Half sizes > 0; radius_m >= 0 is added outside of them.
+/// Creates a box of half sizes > 0; the rounding radius_m >= 0 is added outside. Wakes the body. out_shape
+/// may be NULL.
 pub extern fn cn_shape_create_box(world: ?*cn_world, def: [*c]const cn_shape_def, half_width_m: f32, half_height_m: f32, radius_m: f32, out_shape: [*c]cn_shape) cn_result;
-/// O(count).
+/// Creates a chain; consecutive points at least 0.05% of the length unit apart. Wakes the body. out_shape may
+/// be NULL. O(count).
 pub extern fn cn_shape_create_chain(world: ?*cn_world, def: [*c]const cn_shape_def, chain: [*c]const cn_chain, out_shape: [*c]cn_shape) cn_result;
-/// An unattached shape joins a body (CN_ERROR_STATE if it already has one), an attached one leaves it.
+/// Attaches an unattached shape to a body and wakes the body. CN_ERROR_STATE if the shape has a body.
+/// O(shapes of the body + edges of a chain).
 pub extern fn cn_shape_attach(world: ?*cn_world, shape: cn_shape, body: cn_body) cn_result;
+/// Detaches a shape from its body, ends its contacts and wakes the body. CN_ERROR_STATE if it has no body.
+/// O(contacts + shapes of the body).
 pub extern fn cn_shape_detach(world: ?*cn_world, shape: cn_shape) cn_result;
+/// Destroys a shape, ends its contacts and wakes its body. O(contacts + shapes of the body).
 pub extern fn cn_shape_destroy(world: ?*cn_world, shape: cn_shape) cn_result;
+/// 1 if the handle names a living shape of this world, else 0 (also for a NULL world).
 pub extern fn cn_shape_is_valid(world: ?*const cn_world, shape: cn_shape) i32;
+/// Reads the type (CN_SHAPE_CIRCLE to _CHAIN).
 pub extern fn cn_shape_get_type(world: ?*const cn_world, shape: cn_shape, out_type: [*c]i32) cn_result;
-/// 0 if unattached.
+/// Reads the body; 0 if unattached.
 pub extern fn cn_shape_get_body(world: ?*const cn_world, shape: cn_shape, out_body: [*c]cn_body) cn_result;
-/// Takes effect at once, on resting contacts too (their bodies wake).
+/// Replaces the material; applies at once, to touching contacts too, whose bodies wake. O(contacts of the
+/// body).
 pub extern fn cn_shape_set_material(world: ?*cn_world, shape: cn_shape, material: [*c]const cn_material) cn_result;
+/// Reads the material.
 pub extern fn cn_shape_get_material(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_material) cn_result;
-/// >= 0; the body's mass follows at once.
+/// Sets the density in kg/m^2, >= 0, giving 0 or 1e-20 to 1e20 kg. Updates the body's mass at once and wakes
+/// the body. O(shapes of the body).
 pub extern fn cn_shape_set_density(world: ?*cn_world, shape: cn_shape, density_kgpm2: f32) cn_result;
+/// Reads the density in kg/m^2.
 pub extern fn cn_shape_get_density(world: ?*const cn_world, shape: cn_shape, out_kgpm2: [*c]f32) cn_result;
-/// Contacts that it forbids end at once (with their events); ones that it allows begin in the next step.
+/// Replaces the filter. Contacts that it forbids end at once, with their events; contacts that it permits
+/// begin in the next step. Wakes the body, or the bodies near a static shape. O(contacts of the body).
 pub extern fn cn_shape_set_filter(world: ?*cn_world, shape: cn_shape, filter: [*c]const cn_filter) cn_result;
+/// Reads the filter.
 pub extern fn cn_shape_get_filter(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_filter) cn_result;
-/// Takes effect at once, for present contacts too.
+/// Sets the reported events, bits 1 << CN_EVENT_*; applies at once, to present contacts too. O(contacts of
+/// the body).
 pub extern fn cn_shape_set_event_mask(world: ?*cn_world, shape: cn_shape, event_mask: u32) cn_result;
+/// Reads the event mask.
 pub extern fn cn_shape_get_event_mask(world: ?*const cn_world, shape: cn_shape, out_event_mask: [*c]u32) cn_result;
-/// Replaces the CN_SHAPE_ flags (SENSOR ...). Contacts end and begin anew as needed.
+/// Replaces the CN_SHAPE_ flags. The shape's contacts end; those that still overlap begin again in the next
+/// step. Wakes the body, or the bodies near a static shape. O(contacts of the body).
 pub extern fn cn_shape_set_flags(world: ?*cn_world, shape: cn_shape, flags: u32) cn_result;
+/// Reads the CN_SHAPE_ flags.
 pub extern fn cn_shape_get_flags(world: ?*const cn_world, shape: cn_shape, out_flags: [*c]u32) cn_result;
+/// Stores a number for the user.
 pub extern fn cn_shape_set_user_data(world: ?*cn_world, shape: cn_shape, user_data: u64) cn_result;
+/// Reads the user's number.
 pub extern fn cn_shape_get_user_data(world: ?*const cn_world, shape: cn_shape, out_user_data: [*c]u64) cn_result;
-/// Without margin, in world space (in shape space when unattached). O(points).
+/// AABB without margin, in the world (in the shape's own space when unattached). O(points).
 pub extern fn cn_shape_get_aabb(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_aabb) cn_result;
-/// In the body's local frame, at the present density; inertia about the shape's own centre. O(points).
+/// Mass at the present density, centre in the body's frame, inertia about the shape's own centre. O(points).
 pub extern fn cn_shape_get_mass_data(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_mass_data) cn_result;
-/// The shape's geometry in its body's local frame, offset applied. CN_ERROR_STATE for another type.
+/// Reads a circle in the body's frame, offset applied. CN_ERROR_STATE for another type.
 pub extern fn cn_shape_get_circle(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_circle) cn_result;
+/// Reads a capsule in the body's frame, offset applied. CN_ERROR_STATE for another type.
 pub extern fn cn_shape_get_capsule(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_capsule) cn_result;
+/// Reads an edge in the body's frame, offset applied. CN_ERROR_STATE for another type.
 pub extern fn cn_shape_get_edge(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_edge) cn_result;
+/// Reads a polygon in the body's frame, offset applied. CN_ERROR_STATE for another type.
 pub extern fn cn_shape_get_polygon(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_polygon) cn_result;
-/// Writes at most capacity points (out may be NULL when capacity is 0); *out_count is how many there are.
+/// Reads a chain's points in the body's frame, offset applied. Writes at most capacity (>= 0); out may be
+/// NULL when capacity is 0. *out_count is their number. CN_ERROR_STATE for another type. O(points written).
 pub extern fn cn_shape_get_chain_points(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_vec2, capacity: i32, out_count: [*c]i32) cn_result;
+/// out_inside is 1 if the shape contains a world point in metres (in the shape's own space when unattached),
+/// else 0. Edges and chains contain no point. O(points).
 pub extern fn cn_shape_test_point(world: ?*const cn_world, shape: cn_shape, point_x_m: f32, point_y_m: f32, out_inside: [*c]i32) cn_result;
-/// Convex hull of 1 or more points (farthest points inserted, as in Quickhull: Barber, Dobkin, Huhdanpaa
-/// 1996) of at most CN_POLYGON_MAX_VERTICES, those that add the most area. CN_ERROR_ARGUMENT for fewer than
-/// three distinct points or collinear ones. Details below 5 mm are dropped (below 5% of the half size for
-/// hulls under 0.1 m, below 0.5% for those over 1 m). O(count^2) at worst, count <= 65536.
+/// Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts
+/// farthest points, as Quickhull does (Barber, Dobkin, Huhdanpaa, 1996), and keeps those that add the most
+/// area. CN_ERROR_ARGUMENT for fewer than three distinct points or collinear ones. It drops details below 5
+/// mm (below 5% of the half size for hulls under 0.1 m, below 0.5% for those over 1 m). radius_m >= 0.
+/// O(count^2) at worst.
 pub extern fn cn_polygon_make_hull(points_m: [*c]const cn_vec2, count: i32, radius_m: f32, out: [*c]cn_polygon) cn_result;
-/// A box of half sizes > 0, moved and then turned about its own centre.
+/// A box of half sizes > 0 in metres, with its centre in metres, turned about its own centre by angle_rad
+/// (|angle| <= 1e4); radius_m >= 0.
 pub extern fn cn_polygon_make_box(half_width_m: f32, half_height_m: f32, center_x_m: f32, center_y_m: f32, angle_rad: f32, radius_m: f32, out: [*c]cn_polygon) cn_result;
-/// The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. They are always
-/// bookended: every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved away, body
-/// or shape destroyed, detached or disabled, filter or type changed). Pairs that end through a call between
-/// two steps are reported by the next step; handles in such events may be stale. Falling asleep is not
-/// leaving: a sleeping pair reports nothing until it wakes, and then goes on where it was. The array is built
-/// on the first request after a step, O(events) then: that may return CN_ERROR_MEMORY, and inside callbacks
-/// CN_ERROR_LOCKED.
+/// The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. The first call for
+/// a kind after a step builds the array, O(events), and can return CN_ERROR_MEMORY; CN_ERROR_LOCKED inside
+/// callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved apart,
+/// body or shape destroyed, detached or disabled, filter or type changed). The next step reports pairs that
+/// end between two steps; their handles may be stale. A sleeping pair reports nothing, and continues when it
+/// wakes.
 pub extern fn cn_world_contact_events(world: ?*cn_world, kind: i32, out_events: [*c][*c]const cn_contact_event, out_count: [*c]i32) cn_result;
-/// function NULL removes it.
+/// Sets the callback for contact events of one kind (CN_EVENT_*); NULL removes it.
 pub extern fn cn_world_set_contact_callback(world: ?*cn_world, kind: i32, function: ?*const cn_contact_event_fn, user: ?*anyopaque) cn_result;
-/// function NULL removes it.
+/// Sets the callback that decides whether two shapes may touch; NULL removes it.
 pub extern fn cn_world_set_filter_callback(world: ?*cn_world, function: ?*const cn_filter_fn, user: ?*anyopaque) cn_result;
+/// Sets the pre-solve callback; NULL removes it.
 pub extern fn cn_world_set_pre_solve_callback(world: ?*cn_world, function: ?*const cn_pre_solve_fn, user: ?*anyopaque) cn_result;
+/// Sets the callback that mixes materials; NULL removes it.
 pub extern fn cn_world_set_material_mix_callback(world: ?*cn_world, function: ?*const cn_material_mix_fn, user: ?*anyopaque) cn_result;
-/// Of the last step, in a deterministic order; bookended like contact events. Sensors see dynamic and
-/// kinematic bodies' shapes that are not sensors, by exact overlap.
+/// The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
+/// events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap.
 pub extern fn cn_world_sensor_events(world: ?*const cn_world, out_events: [*c][*c]const cn_sensor_event, out_count: [*c]i32) cn_result;
-/// The contacts of a body, touching or not, as events of kind STAY (touching) or CREATED. Writes at most
-/// capacity; *out_count is how many there are. O(contacts).
+/// The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at most capacity
+/// (>= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts).
 pub extern fn cn_body_get_contacts(world: ?*const cn_world, body: cn_body, out: [*c]cn_contact_event, capacity: i32, out_count: [*c]i32) cn_result;
-/// As cn_body_get_contacts, of one shape, a chain with all its edges. O(contacts of its body).
+/// The shape's contacts, a chain with all its edges; out, capacity, *out_count and kinds as in
+/// cn_body_get_contacts. O(contacts of its body).
 pub extern fn cn_shape_get_contacts(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_contact_event, capacity: i32, out_count: [*c]i32) cn_result;
-/// The shapes that are in a sensor, each once: those whose ENTER had no LEAVE up to the last step.
-/// CN_ERROR_STATE for a shape that is no sensor. O(contacts of its body), for chains squared.
+/// The shapes in a sensor, each once: those with an ENTER and no LEAVE up to the last step. out, capacity and
+/// *out_count as in cn_world_get_bodies. CN_ERROR_STATE for a shape that is no sensor. O(contacts of its
+/// body), squared for chains.
 pub extern fn cn_shape_get_visitors(world: ?*const cn_world, sensor: cn_shape, out: [*c]cn_shape, capacity: i32, out_count: [*c]i32) cn_result;
-/// Bodies that fell asleep in the last step, or since by cn_body_set_awake; ones destroyed since are stale
-/// handles.
+/// Bodies that fell asleep in the last step, or since then through cn_body_set_awake. Handles of bodies
+/// destroyed since are stale.
 pub extern fn cn_world_fell_asleep(world: ?*const cn_world, out_bodies: [*c][*c]const cn_body, out_count: [*c]i32) cn_result;
+/// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 pub extern fn cn_revolute_def_init(def: [*c]cn_revolute_def) void;
+/// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 pub extern fn cn_distance_def_init(def: [*c]cn_distance_def) void;
+/// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 pub extern fn cn_fixed_def_init(def: [*c]cn_fixed_def) void;
+/// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 pub extern fn cn_prismatic_def_init(def: [*c]cn_prismatic_def) void;
+/// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 pub extern fn cn_wheel_def_init(def: [*c]cn_wheel_def) void;
+/// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 pub extern fn cn_motor_def_init(def: [*c]cn_motor_def) void;
+/// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 pub extern fn cn_mouse_def_init(def: [*c]cn_mouse_def) void;
+/// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 pub extern fn cn_gear_def_init(def: [*c]cn_gear_def) void;
+/// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 pub extern fn cn_pulley_def_init(def: [*c]cn_pulley_def) void;
+/// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 pub extern fn cn_ratchet_def_init(def: [*c]cn_ratchet_def) void;
+/// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 pub extern fn cn_rotary_spring_def_init(def: [*c]cn_rotary_spring_def) void;
+/// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 pub extern fn cn_groove_def_init(def: [*c]cn_groove_def) void;
+/// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 pub extern fn cn_filter_joint_def_init(def: [*c]cn_filter_joint_def) void;
-/// Wake both bodies. CN_ERROR_ARGUMENT for a body with itself or without a dynamic body.
+/// Creates a revolute joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+/// dynamic. O(contacts of body_a).
 pub extern fn cn_joint_create_revolute(world: ?*cn_world, def: [*c]const cn_revolute_def, out_joint: [*c]cn_joint) cn_result;
+/// Creates a distance joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+/// dynamic. O(contacts of body_a).
 pub extern fn cn_joint_create_distance(world: ?*cn_world, def: [*c]const cn_distance_def, out_joint: [*c]cn_joint) cn_result;
+/// Creates a fixed joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+/// dynamic. O(contacts of body_a).
 pub extern fn cn_joint_create_fixed(world: ?*cn_world, def: [*c]const cn_fixed_def, out_joint: [*c]cn_joint) cn_result;
+/// Creates a prismatic joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither
+/// is dynamic. O(contacts of body_a).
 pub extern fn cn_joint_create_prismatic(world: ?*cn_world, def: [*c]const cn_prismatic_def, out_joint: [*c]cn_joint) cn_result;
+/// Creates a wheel joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+/// dynamic. O(contacts of body_a).
 pub extern fn cn_joint_create_wheel(world: ?*cn_world, def: [*c]const cn_wheel_def, out_joint: [*c]cn_joint) cn_result;
+/// Creates a motor joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+/// dynamic. O(contacts of body_a).
 pub extern fn cn_joint_create_motor(world: ?*cn_world, def: [*c]const cn_motor_def, out_joint: [*c]cn_joint) cn_result;
+/// Creates a mouse joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+/// dynamic, or body_a is not 0. O(contacts of body_a).
 pub extern fn cn_joint_create_mouse(world: ?*cn_world, def: [*c]const cn_mouse_def, out_joint: [*c]cn_joint) cn_result;
+/// Creates a gear joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+/// dynamic. O(contacts of body_a).
 pub extern fn cn_joint_create_gear(world: ?*cn_world, def: [*c]const cn_gear_def, out_joint: [*c]cn_joint) cn_result;
+/// Creates a pulley joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+/// dynamic. O(contacts of body_a).
 pub extern fn cn_joint_create_pulley(world: ?*cn_world, def: [*c]const cn_pulley_def, out_joint: [*c]cn_joint) cn_result;
+/// Creates a ratchet joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+/// dynamic. O(contacts of body_a).
 pub extern fn cn_joint_create_ratchet(world: ?*cn_world, def: [*c]const cn_ratchet_def, out_joint: [*c]cn_joint) cn_result;
+/// Creates a rotary spring and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+/// dynamic. O(contacts of body_a).
 pub extern fn cn_joint_create_rotary_spring(world: ?*cn_world, def: [*c]const cn_rotary_spring_def, out_joint: [*c]cn_joint) cn_result;
+/// Creates a groove joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
+/// dynamic, or the slot has no length. O(contacts of body_a).
 pub extern fn cn_joint_create_groove(world: ?*cn_world, def: [*c]const cn_groove_def, out_joint: [*c]cn_joint) cn_result;
+/// Creates a filter joint, ends the contacts between its bodies and wakes both. CN_ERROR_ARGUMENT if the
+/// bodies are the same or neither is dynamic. It has a base only: see cn_joint_get_base. O(contacts of
+/// body_a).
 pub extern fn cn_joint_create_filter(world: ?*cn_world, def: [*c]const cn_filter_joint_def, out_joint: [*c]cn_joint) cn_result;
+/// Destroys a joint and wakes its bodies. No event is reported.
 pub extern fn cn_joint_destroy(world: ?*cn_world, joint: cn_joint) cn_result;
+/// 1 if the handle names a living joint of this world, else 0 (also for a constraint and a NULL world).
 pub extern fn cn_joint_is_valid(world: ?*const cn_world, joint: cn_joint) i32;
+/// Reads the type (CN_JOINT_REVOLUTE to _FILTER).
 pub extern fn cn_joint_get_type(world: ?*const cn_world, joint: cn_joint, out_type: [*c]i32) cn_result;
+/// Reads both bodies; 0 stands for the world.
 pub extern fn cn_joint_get_bodies(world: ?*const cn_world, joint: cn_joint, out_a: [*c]cn_body, out_b: [*c]cn_body) cn_result;
+/// Reads the world positions of both anchors, in metres.
 pub extern fn cn_joint_get_anchors(world: ?*const cn_world, joint: cn_joint, out_world_a_m: [*c]cn_vec2, out_world_b_m: [*c]cn_vec2) cn_result;
-/// Force in newtons and torque in newton metres that the joint put on body b in the last substep.
+/// Force in newtons and torque in newton metres that the joint applied to body b in the last substep.
 pub extern fn cn_joint_get_reaction(world: ?*const cn_world, joint: cn_joint, out_force_N: [*c]cn_vec2, out_torque_Nm: [*c]f32) cn_result;
-/// How far the joint's rigid parts are from being satisfied: metres (anchors, lengths beyond limits) and
-/// radians (angles beyond limits), both >= 0.
+/// Error of the joint's rigid parts, both >= 0: metres (anchors apart, lengths beyond limits) and radians
+/// (angles beyond limits).
 pub extern fn cn_joint_get_error(world: ?*const cn_world, joint: cn_joint, out_m: [*c]f32, out_rad: [*c]f32) cn_result;
-/// In worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default): the joint is solved together with its
-/// neighbours where that is cheap. _SOFT: always by itself. _DIRECT: together with all joints that it hangs
-/// together with, for as much work as CN_SOLVER_DIRECT takes, within the work_budget. In a world in a
-/// caller's block that was not made with CN_SOLVER_DIRECT, _DIRECT is _AUTO. From the next step on; does not
-/// wake.
+/// Chooses how the joint is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default):
+/// together with its neighbours where that is cheap. _SOFT: always alone. _DIRECT: together with all
+/// connected joints, up to the work limits of CN_SOLVER_DIRECT and the work_budget; the same as _AUTO for a
+/// world in a caller's block that was not created with CN_SOLVER_DIRECT. Takes effect with the next step;
+/// does not wake.
 pub extern fn cn_joint_set_solver(world: ?*cn_world, joint: cn_joint, solver: i32) cn_result;
+/// Reads the joint's own solver (CN_SOLVER_AUTO, _SOFT, _DIRECT).
 pub extern fn cn_joint_get_solver(world: ?*const cn_world, joint: cn_joint, out_solver: [*c]i32) cn_result;
+/// Stores a number for the user.
 pub extern fn cn_joint_set_user_data(world: ?*cn_world, joint: cn_joint, user_data: u64) cn_result;
+/// Reads the user's number.
 pub extern fn cn_joint_get_user_data(world: ?*const cn_world, joint: cn_joint, out_user_data: [*c]u64) cn_result;
-/// Replaces the CN_JOINT_ flags. Wakes. O(contacts) when CN_JOINT_COLLIDE changes.
+/// Replaces the CN_JOINT_ flags and wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 pub extern fn cn_joint_set_flags(world: ?*cn_world, joint: cn_joint, flags: u32) cn_result;
+/// Reads the CN_JOINT_ flags.
 pub extern fn cn_joint_get_flags(world: ?*const cn_world, joint: cn_joint, out_flags: [*c]u32) cn_result;
-/// Read back or replace a definition. set leaves bodies and anchors as they are and ignores struct_size; all
-/// else is taken, flags and user data too. CN_ERROR_STATE for a joint of another type. set wakes. A filter
-/// joint has nothing but its base.
+/// Reads the definition of a revolute joint. CN_ERROR_STATE for another type.
 pub extern fn cn_joint_get_revolute(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_revolute_def) cn_result;
+/// Replaces the definition of a revolute joint, flags and user data included; ignores bodies, anchors and
+/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+/// changes.
 pub extern fn cn_joint_set_revolute(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_revolute_def) cn_result;
+/// Reads the definition of a distance joint. CN_ERROR_STATE for another type.
 pub extern fn cn_joint_get_distance(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_distance_def) cn_result;
+/// Replaces the definition of a distance joint, flags and user data included; ignores bodies, anchors and
+/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+/// changes.
 pub extern fn cn_joint_set_distance(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_distance_def) cn_result;
+/// Reads the definition of a fixed joint. CN_ERROR_STATE for another type.
 pub extern fn cn_joint_get_fixed(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_fixed_def) cn_result;
+/// Replaces the definition of a fixed joint, flags and user data included; ignores bodies, anchors and
+/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+/// changes.
 pub extern fn cn_joint_set_fixed(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_fixed_def) cn_result;
+/// Reads the definition of a prismatic joint. CN_ERROR_STATE for another type.
 pub extern fn cn_joint_get_prismatic(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_prismatic_def) cn_result;
+/// Replaces the definition of a prismatic joint, flags and user data included; ignores bodies, anchors and
+/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+/// changes.
 pub extern fn cn_joint_set_prismatic(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_prismatic_def) cn_result;
+/// Reads the definition of a wheel joint. CN_ERROR_STATE for another type.
 pub extern fn cn_joint_get_wheel(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_wheel_def) cn_result;
+/// Replaces the definition of a wheel joint, flags and user data included; ignores bodies, anchors and
+/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+/// changes.
 pub extern fn cn_joint_set_wheel(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_wheel_def) cn_result;
+/// Reads the definition of a motor joint. CN_ERROR_STATE for another type.
 pub extern fn cn_joint_get_motor_to(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_motor_def) cn_result;
+/// Replaces the definition of a motor joint, flags and user data included; ignores bodies, anchors and
+/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+/// changes.
 pub extern fn cn_joint_set_motor_to(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_motor_def) cn_result;
+/// Reads the definition of a mouse joint. CN_ERROR_STATE for another type.
 pub extern fn cn_joint_get_mouse(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_mouse_def) cn_result;
+/// Replaces the definition of a mouse joint, flags and user data included; ignores bodies, anchors and
+/// struct_size. Sets the target too. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when
+/// CN_JOINT_COLLIDE changes.
 pub extern fn cn_joint_set_mouse(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_mouse_def) cn_result;
+/// Reads the definition of a gear joint. CN_ERROR_STATE for another type.
 pub extern fn cn_joint_get_gear(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_gear_def) cn_result;
+/// Replaces the definition of a gear joint, flags and user data included; ignores bodies, anchors and
+/// struct_size. A new ratio starts the count of whole turns again. CN_ERROR_STATE for another type. Wakes
+/// both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 pub extern fn cn_joint_set_gear(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_gear_def) cn_result;
+/// Reads the definition of a pulley joint. CN_ERROR_STATE for another type.
 pub extern fn cn_joint_get_pulley(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_pulley_def) cn_result;
+/// Replaces the definition of a pulley joint, flags and user data included; ignores bodies, anchors and
+/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+/// changes.
 pub extern fn cn_joint_set_pulley(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_pulley_def) cn_result;
+/// Reads the definition of a ratchet joint. CN_ERROR_STATE for another type.
 pub extern fn cn_joint_get_ratchet(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_ratchet_def) cn_result;
+/// Replaces the definition of a ratchet joint, flags and user data included; ignores bodies, anchors and
+/// struct_size. The ratchet starts again at its present click. CN_ERROR_STATE for another type. Wakes both
+/// bodies. O(contacts) when CN_JOINT_COLLIDE changes.
 pub extern fn cn_joint_set_ratchet(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_ratchet_def) cn_result;
+/// Reads the definition of a rotary spring. CN_ERROR_STATE for another type.
 pub extern fn cn_joint_get_rotary_spring(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_rotary_spring_def) cn_result;
+/// Replaces the definition of a rotary spring, flags and user data included; ignores bodies, anchors and
+/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+/// changes.
 pub extern fn cn_joint_set_rotary_spring(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_rotary_spring_def) cn_result;
+/// Reads the definition of a groove joint. CN_ERROR_STATE for another type.
 pub extern fn cn_joint_get_groove(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_groove_def) cn_result;
+/// Replaces the definition of a groove joint, flags and user data included; ignores bodies, anchors and
+/// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
+/// changes.
 pub extern fn cn_joint_set_groove(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_groove_def) cn_result;
-/// The base of any joint.
+/// Reads the base of a joint of any type.
 pub extern fn cn_joint_get_base(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_joint_base) cn_result;
-/// Takes stiffness, most force and torque, and break thresholds; the rest of base is ignored. Wakes.
+/// Replaces stiffness, greatest force and torque, and break thresholds; ignores the rest of base. Ranges as
+/// in cn_joint_base. Wakes both bodies.
 pub extern fn cn_joint_set_base(world: ?*cn_world, joint: cn_joint, base: [*c]const cn_joint_base) cn_result;
-/// Mouse joint: where to drag to; called each frame. CN_ERROR_STATE for another type. Wakes.
+/// Sets the target of a mouse joint, a world point in metres; cheap enough for every frame. CN_ERROR_STATE
+/// for another type. Wakes the body.
 pub extern fn cn_joint_set_target(world: ?*cn_world, joint: cn_joint, target_x_m: f32, target_y_m: f32) cn_result;
-/// Revolute, fixed, motor: the angle b - angle a - reference (motor: without one), in (-pi, pi]. Distance,
-/// pulley: the present length. Prismatic, wheel, groove: the translation along the axis. Mouse: distance to
-/// the target. Gear: angle b - ratio * angle a; ratchet, rotary spring: angle b - angle a, these three over
-/// whole turns.
+/// Reads the joint coordinate. Revolute, fixed, motor: angle b - angle a - reference (motor: without
+/// reference) in (-pi, pi]. Distance, pulley: the present length. Prismatic, wheel, groove: the translation
+/// along the axis. Mouse: the distance to the target. Gear: angle b - ratio * angle a; ratchet, rotary
+/// spring: angle b - angle a; these three over whole turns.
 pub extern fn cn_joint_get_position(world: ?*const cn_world, joint: cn_joint, out_position: [*c]f32) cn_result;
-/// How fast that changes; but of a wheel how fast b turns against a. With CN_JOINT_MOTOR, positive follows
-/// these.
+/// Rate of change of cn_joint_get_position; of a wheel joint the angular velocity of b against a. A positive
+/// motor speed has the same sign.
 pub extern fn cn_joint_get_speed(world: ?*const cn_world, joint: cn_joint, out_speed: [*c]f32) cn_result;
-/// The two setters that games call each frame, for revolute, distance, prismatic and wheel (others:
-/// CN_ERROR_STATE). Wake.
+/// Sets motor speed (rad/s or m/s) and greatest torque or force (N m or N, >= 0) of a revolute, distance,
+/// prismatic or wheel joint (others: CN_ERROR_STATE). Wakes both bodies.
 pub extern fn cn_joint_set_motor(world: ?*cn_world, joint: cn_joint, speed: f32, force_or_torque_max: f32) cn_result;
+/// Sets the limits, lower <= upper, of a revolute (radians in [-pi, pi]), distance (metres >= 0), prismatic
+/// or wheel joint (metres); others: CN_ERROR_STATE. Wakes both bodies.
 pub extern fn cn_joint_set_limits(world: ?*cn_world, joint: cn_joint, lower: f32, upper: f32) cn_result;
-/// Those that exceeded a break threshold in the last step, and those destroyed with a body in or since the
-/// step before (by calls between two steps: reported by the next step).
+/// Joints and constraints that exceeded a break threshold in the last step, and those destroyed with a body
+/// in that step or between it and the step before.
 pub extern fn cn_world_joint_events(world: ?*const cn_world, out_events: [*c][*c]const cn_joint_event, out_count: [*c]i32) cn_result;
+/// Sets struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 pub extern fn cn_angle_constraint_def_init(def: [*c]cn_angle_constraint_def) void;
+/// Sets struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
 pub extern fn cn_line_constraint_def_init(def: [*c]cn_line_constraint_def) void;
-/// They are solved with the joints, before contacts. Wake the body.
+/// Creates an angle constraint, solved with the joints, before contacts. CN_ERROR_ARGUMENT if the body is not
+/// dynamic. Wakes the body.
 pub extern fn cn_constraint_create_angle(world: ?*cn_world, def: [*c]const cn_angle_constraint_def, out_constraint: [*c]cn_constraint) cn_result;
+/// Creates a line constraint, solved with the joints, before contacts. CN_ERROR_ARGUMENT if the body is not
+/// dynamic. Wakes the body.
 pub extern fn cn_constraint_create_line(world: ?*cn_world, def: [*c]const cn_line_constraint_def, out_constraint: [*c]cn_constraint) cn_result;
+/// Destroys a constraint and wakes its body. No event is reported.
 pub extern fn cn_constraint_destroy(world: ?*cn_world, constraint: cn_constraint) cn_result;
+/// 1 if the handle names a living constraint of this world, else 0 (also for a joint and a NULL world).
 pub extern fn cn_constraint_is_valid(world: ?*const cn_world, constraint: cn_constraint) i32;
+/// Reads the type (CN_CONSTRAINT_ANGLE or _LINE).
 pub extern fn cn_constraint_get_type(world: ?*const cn_world, constraint: cn_constraint, out_type: [*c]i32) cn_result;
+/// Reads the body.
 pub extern fn cn_constraint_get_body(world: ?*const cn_world, constraint: cn_constraint, out_body: [*c]cn_body) cn_result;
-/// Read back or replace a definition; set ignores body. CN_ERROR_STATE for the other type. set wakes.
+/// Reads the definition of an angle constraint. CN_ERROR_STATE for another type.
 pub extern fn cn_constraint_get_angle(world: ?*const cn_world, constraint: cn_constraint, out: [*c]cn_angle_constraint_def) cn_result;
+/// Replaces the definition of an angle constraint; ignores body. CN_ERROR_STATE for another type. Wakes the
+/// body.
 pub extern fn cn_constraint_set_angle(world: ?*cn_world, constraint: cn_constraint, def: [*c]const cn_angle_constraint_def) cn_result;
+/// Reads the definition of a line constraint. CN_ERROR_STATE for another type.
 pub extern fn cn_constraint_get_line(world: ?*const cn_world, constraint: cn_constraint, out: [*c]cn_line_constraint_def) cn_result;
+/// Replaces the definition of a line constraint; ignores body. CN_ERROR_STATE for another type. Wakes the
+/// body.
 pub extern fn cn_constraint_set_line(world: ?*cn_world, constraint: cn_constraint, def: [*c]const cn_line_constraint_def) cn_result;
-/// Angle: the angle over whole turns. Line: where along the axis the point is, from origin.
+/// Angle constraint: the angle in radians over whole turns. Line constraint: the coordinate of the point
+/// along the axis, in metres from origin.
 pub extern fn cn_constraint_get_position(world: ?*const cn_world, constraint: cn_constraint, out_position: [*c]f32) cn_result;
-/// Force in newtons and torque in newton metres that it put on the body in the last substep.
+/// Force in newtons and torque in newton metres that the constraint applied to the body in the last substep.
 pub extern fn cn_constraint_get_reaction(world: ?*const cn_world, constraint: cn_constraint, out_force_N: [*c]cn_vec2, out_torque_Nm: [*c]f32) cn_result;
-/// How far beyond what is allowed, >= 0.
+/// Distance beyond the allowed range, >= 0: metres for a line constraint, radians for an angle constraint.
 pub extern fn cn_constraint_get_error(world: ?*const cn_world, constraint: cn_constraint, out_m: [*c]f32, out_rad: [*c]f32) cn_result;
-/// As cn_world_get_joints and cn_body_get_joints, which do not list constraints.
+/// Handles of all constraints, ordered by slot; out, capacity and *out_count as in cn_world_get_bodies.
+/// O(slots).
 pub extern fn cn_world_get_constraints(world: ?*const cn_world, out: [*c]cn_constraint, capacity: i32, out_count: [*c]i32) cn_result;
+/// Handles of the body's constraints; out, capacity and *out_count as in cn_world_get_bodies. O(joints +
+/// constraints of the body).
 pub extern fn cn_body_get_constraints(world: ?*const cn_world, body: cn_body, out: [*c]cn_constraint, capacity: i32, out_count: [*c]i32) cn_result;
-/// step_s in (0, 1], default 1/60; steps_max >= 1, default 8.
+/// Sets the fixed step of cn_world_update: step_s in (0, 1], default 1/60; at most steps_max steps an update,
+/// 1 to 1000, default 8.
 pub extern fn cn_world_set_fixed_step(world: ?*cn_world, step_s: f32, steps_max: i32) cn_result;
-/// Adds elapsed_s (0 to 10) to the time owed and takes as many fixed steps as fit, at most steps_max. Events
-/// of all steps but the last are only seen by callbacks. out may be NULL.
+/// Adds elapsed_s (0 to 10) to the time owed and takes as many fixed steps as fit, at most steps_max. The
+/// event arrays hold the last step; callbacks see every step. out may be NULL. Costs as the steps.
 pub extern fn cn_world_update(world: ?*cn_world, elapsed_s: f32, out: [*c]cn_update_report) cn_result;
-/// Poses between the last two steps of cn_world_update: factor 0 the one before, 1 the last. bodies as in
-/// cn_world_read_poses. Bodies that did not take part in the last step have their present pose.
+/// Reads count poses between the last two steps of cn_world_update: factor 0 to 1, 0 before the last step, 1
+/// after it. Bodies that did not take part in the last step have their present pose. bodies and count as in
+/// cn_world_read_poses. O(count).
 pub extern fn cn_world_read_poses_interpolated(world: ?*const cn_world, bodies: [*c]const cn_body, count: i32, factor: f32, out: [*c]cn_pose) cn_result;
+/// Sets the defaults given beside the fields. NULL does nothing.
 pub extern fn cn_query_filter_init(filter: [*c]cn_query_filter) void;
-/// Nearest hit; out->shape is 0 when there is none. An edge is hit from both sides, a chain from its front
-/// only. Of equal hits the first by shape (as in cn_world_get_shapes), then child. filter may be NULL in all
-/// queries: the defaults. O(log) to O(shapes along the ray).
+/// Nearest hit of a ray; out->shape is 0 when there is none. Edges are hit from both sides, chains from their
+/// front. Of equal hits the first by shape (in the order of cn_world_get_shapes), then child. filter may be
+/// NULL: the defaults. O(log shapes) to O(shapes along the ray).
 pub extern fn cn_world_cast_ray(world: ?*const cn_world, ray: [*c]const cn_ray, filter: [*c]const cn_query_filter, out: [*c]cn_ray_hit) cn_result;
-/// 1 if anything is hit: cheaper than the nearest.
+/// out_hit is 1 if the ray hits any shape, else 0; cheaper than the nearest hit. filter may be NULL. O(log
+/// shapes) to O(shapes along the ray).
 pub extern fn cn_world_cast_ray_any(world: ?*const cn_world, ray: [*c]const cn_ray, filter: [*c]const cn_query_filter, out_hit: [*c]i32) cn_result;
-/// Up to capacity hits, nearest first (the nearest ones if there are more); *out_count is how many were
-/// found. A chain is hit once by each edge on the way.
+/// Hits of a ray, nearest first: the nearest capacity (>= 0) are written, *out_count is the number found. A
+/// chain counts once for each edge hit. filter may be NULL. O(shapes along the ray * log capacity).
 pub extern fn cn_world_cast_ray_all(world: ?*const cn_world, ray: [*c]const cn_ray, filter: [*c]const cn_query_filter, out: [*c]cn_ray_hit, capacity: i32, out_count: [*c]i32) cn_result;
-/// count rays, the nearest hit of each; nothing is written if one of them is bad.
+/// Nearest hit of each of count (>= 0) rays, as cn_world_cast_ray. One bad ray fails the whole call. filter
+/// may be NULL. O(sum of the rays).
 pub extern fn cn_world_cast_rays(world: ?*const cn_world, rays: [*c]const cn_ray, count: i32, filter: [*c]const cn_query_filter, out: [*c]cn_ray_hit) cn_result;
-/// Against one shape alone, whatever its filter, in shape space when unattached. O(edges of a chain).
+/// Nearest hit of a ray against one shape, whatever its filter; in the shape's own space when unattached.
+/// O(points of the shape).
 pub extern fn cn_shape_cast_ray(world: ?*const cn_world, shape: cn_shape, ray: [*c]const cn_ray, out: [*c]cn_ray_hit) cn_result;
-/// A polygon (its points in world coordinates; count may be 1 or 2 too, with radius > 0: circle, capsule)
-/// moved by translation without turning: the first shape it meets. A chain is met by what has the mean of its
-/// points in front.
+/// First shape that a convex shape meets when moved by translation (metres, at most 2e6 length units each
+/// way) without turning. shape is a polygon in world coordinates; with radius_m > 0 its count may be 1 or 2:
+/// circle, capsule. A shape in contact at the start: see cn_ray_hit. A chain is met if the mean of the moving
+/// points is in front of it. filter may be NULL. O(shapes along the way).
 pub extern fn cn_world_cast_shape(world: ?*const cn_world, shape: [*c]const cn_polygon, translation_x_m: f32, translation_y_m: f32, filter: [*c]const cn_query_filter, out: [*c]cn_ray_hit) cn_result;
-/// Shapes that overlap a region: at most capacity handles are written (the first ones), *out_count is how
-/// many there are, in the order of cn_world_get_shapes. The first is by the shapes' boxes without margin, the
-/// others exact. A chain is listed once; edges and chains are lines here, seen from both sides, and contain
-/// no point. Polygons as in cn_world_cast_shape. O(log) to O(boxes in the region).
+/// Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a chain once. The
+/// first capacity (>= 0) are written; *out_count is the number found. filter may be NULL. O(log shapes) to
+/// O(boxes in the region).
 pub extern fn cn_world_overlap_aabb(world: ?*const cn_world, box: [*c]const cn_aabb, filter: [*c]const cn_query_filter, out: [*c]cn_shape, capacity: i32, out_count: [*c]i32) cn_result;
+/// Shapes that exactly overlap a circle; order, capacity, filter and cost as in cn_world_overlap_aabb. Edges
+/// and chains are lines here, seen from both sides.
 pub extern fn cn_world_overlap_circle(world: ?*const cn_world, circle: [*c]const cn_circle, filter: [*c]const cn_query_filter, out: [*c]cn_shape, capacity: i32, out_count: [*c]i32) cn_result;
+/// Shapes that exactly overlap a polygon (as in cn_world_cast_shape); order, capacity, filter and cost as in
+/// cn_world_overlap_aabb. Edges and chains are lines here, seen from both sides.
 pub extern fn cn_world_overlap_polygon(world: ?*const cn_world, polygon: [*c]const cn_polygon, filter: [*c]const cn_query_filter, out: [*c]cn_shape, capacity: i32, out_count: [*c]i32) cn_result;
+/// Shapes that contain a world point in metres; order, capacity, filter and cost as in cn_world_overlap_aabb.
+/// Edges and chains contain no point.
 pub extern fn cn_world_overlap_point(world: ?*const cn_world, x_m: f32, y_m: f32, filter: [*c]const cn_query_filter, out: [*c]cn_shape, capacity: i32, out_count: [*c]i32) cn_result;
-/// The shape nearest to a point within distance_max_m (0 to 4e6 length units), the deepest if the point is in
-/// several. Cost grows with what is near, not with distance_max_m.
+/// Shape nearest to a world point within distance_max_m (0 to 4e6 length units); the deepest if several
+/// contain the point. filter may be NULL. Cost grows with the shapes nearby, not with distance_max_m.
 pub extern fn cn_world_closest_point(world: ?*const cn_world, x_m: f32, y_m: f32, distance_max_m: f32, filter: [*c]const cn_query_filter, out: [*c]cn_closest) cn_result;
-/// By GJK (Gilbert, Johnson, Keerthi 1988) when the shapes without their radii are apart, else by their
-/// Minkowski difference.
+/// Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their
+/// radii are apart, else by their Minkowski difference. Needs no world; runs in any thread. O(points).
 pub extern fn cn_polygon_distance(a: [*c]const cn_polygon, pose_a: [*c]const cn_pose, b: [*c]const cn_polygon, pose_b: [*c]const cn_pose, out: [*c]cn_distance) cn_result;
-/// b is moved by translation (at most 2e6 m each way) without turning: where it meets a, as cn_ray_hit says,
-/// without shape, body and child; 1 in *out_hit, or 0.
+/// Moves b by translation (at most 2e6 m each way) without turning: *out_hit is 1 if it hits a, else 0; *out
+/// as cn_ray_hit, without shape, body and child. Needs no world; runs in any thread. O(points).
 pub extern fn cn_polygon_cast(a: [*c]const cn_polygon, pose_a: [*c]const cn_pose, b: [*c]const cn_polygon, pose_b: [*c]const cn_pose, translation_x_m: f32, translation_y_m: f32, out: [*c]cn_ray_hit, out_hit: [*c]i32) cn_result;
-/// The contact of a step: no points when they are farther apart than margin_m (0 to 1e6). Impulses are 0. Not
-/// for a single point of radius 0.
+/// Contact of two shapes as in a step, with impulses 0: no points if they are farther apart than margin_m (0
+/// to 1e6). A single point of radius 0 gives CN_ERROR_ARGUMENT. Needs no world; runs in any thread.
+/// O(points).
 pub extern fn cn_polygon_collide(a: [*c]const cn_polygon, pose_a: [*c]const cn_pose, b: [*c]const cn_polygon, pose_b: [*c]const cn_pose, margin_m: f32, out: [*c]cn_manifold) cn_result;
-/// When two shapes that move and turn first come within distance_m (0 to 1e6) of each other; fraction 0 for
-/// those that start nearer. Conservative advancement (Mirtich 1996) along fixed axes (Catto, GDC 2013) that
-/// never passes by a hit.
+/// First time at which two moving and turning shapes come within distance_m (0 to 1e6); fraction 0 if they
+/// start closer. Conservative advancement (Mirtich, 1996) along fixed axes (Catto, GDC 2013) never misses a
+/// hit. Needs no world; runs in any thread.
 pub extern fn cn_polygon_time_of_impact(a: [*c]const cn_polygon, sweep_a: [*c]const cn_sweep, b: [*c]const cn_polygon, sweep_b: [*c]const cn_sweep, distance_m: f32, out: [*c]cn_impact) cn_result;
-/// The planes of all shapes within margin_m (0 to 1e6) of a polygon (as in cn_world_cast_shape) moved by
-/// position: how they touch it, as in a step, rigid. At most capacity, those of least separation first;
-/// *out_count is how many there are. Sensors are no surfaces. With CN_QUERY_ONE_WAY a one-way shape is one
-/// only from its upper side, and only for what is no deeper in it than 0.5% of the length unit and what it
-/// rose by in the last step. A shape wholly behind another one's plane is left out: it cannot be met while
-/// that plane holds, so that the seams of tiles do not catch (not done when capacity is too small for all).
-/// O(shapes near, squared).
+/// Collision planes of all shapes within margin_m (0 to 1e6) of a polygon (as in cn_world_cast_shape) moved
+/// by position, from the same manifolds as in a step, rigid. Writes at most capacity, those of least
+/// separation first; *out_count is their number. Sensors have no planes. With CN_QUERY_ONE_WAY a one-way
+/// shape has a plane only on its upper side, and only for an overlap of at most 0.5% of the length unit plus
+/// its rise in the last step. Shapes wholly behind the plane of another shape are left out, so that seams of
+/// tiles do not catch (not if capacity is too small for all). O(shapes nearby, squared).
 pub extern fn cn_mover_collide(world: ?*const cn_world, shape: [*c]const cn_polygon, position_x_m: f32, position_y_m: f32, margin_m: f32, filter: [*c]const cn_query_filter, out: [*c]cn_plane, capacity: i32, out_count: [*c]i32) cn_result;
-/// The translation nearest to a wanted one that the planes allow: exactly, for in two dimensions it lies on
-/// at most two of them. A plane pushes by no more than push_max_m: which ones push their most, Hildreth's
-/// method (1957) tells. Sets push_m. Between surfaces that leave no room it is that of the least sum of
-/// squared overlaps (Cimmino 1938), and *out_overlap_m, else 0 up to rounding, says how deep the deepest of
-/// them remains that did not push its most. count 0 to CN_PLANES_MAX. No world. O(count^2), O(count^3) where
-/// two planes hold it.
+/// The translation nearest to a wanted one that count (0 to CN_PLANES_MAX) planes permit; exact, as in two
+/// dimensions at most two planes hold it. A plane pushes by at most push_max_m; Hildreth's method (1957)
+/// finds the planes at their limit. Sets push_m. If the surfaces leave no room, the result has the least sum
+/// of squared overlaps (Cimmino, 1938); *out_overlap_m is the deepest remaining overlap of planes below their
+/// limit, else 0 up to rounding. Needs no world. O(count^2), O(count^3) where two planes hold it.
 pub extern fn cn_mover_solve(planes: [*c]cn_plane, count: i32, translation_x_m: f32, translation_y_m: f32, out_translation_m: [*c]cn_vec2, out_overlap_m: [*c]f32) cn_result;
-/// The velocity nearest to a given one that leads into none of the planes that pushed in the last
-/// cn_mover_solve. No world.
+/// The velocity nearest to a given one (m/s) that leads into none of the planes that pushed in the last
+/// cn_mover_solve. Needs no world. O(count^2).
 pub extern fn cn_mover_clip(planes: [*c]const cn_plane, count: i32, velocity_x_mps: f32, velocity_y_mps: f32, out_mps: [*c]cn_vec2) cn_result;
+/// Sets struct_size and the defaults given beside the fields. NULL does nothing.
 pub extern fn cn_mover_def_init(def: [*c]cn_mover_def) void;
-/// Moves a character by dt_s (0 < dt_s <= 1). Call it after each cn_world_step, or it is a step behind what
-/// carries it. 1. carried   by what its ground did since the last move: the change of the place in
-/// ground_body where it stood, conveyors too 2. walking   on the ground: velocity_mps across up, along the
-/// ground, as fast uphill as downhill; no gravity, so that it does not creep. Where something too steep is in
-/// the way, a step up: up by step_height_m, forward, down on what can be walked on flying    in the air:
-/// velocity_mps and gravity (exact for constant gravity). Jumping and walking off take ground_velocity_mps
-/// along 3. sliding   both by collision planes, cn_mover_solve and casts, up to iterations_max times: no
-/// speed passes through a wall 4. pushing   dynamic bodies in the way get a force for the next step that
-/// brings them to the character's velocity, of at most push_force_N each 5. ground    what it touches and can
-/// stand on, or finds within snap_m below when it walked; velocity_mps loses what is blocked Depends on the
-/// world, def and mover alone: the same calls give the same bits. The loop of planes, solver and cast is that
-/// of Box2D 3's sample of a character mover (Catto 2025). Bodies pushed wake up; nothing else of the world
-/// changes. O(shapes near x iterations_max): some 1 us standing, 3 us walking, 10 us against a wall.
+/// Moves a character by dt_s (0 < dt_s <= 1). Call it after each cn_world_step, else it lags one step behind
+/// the ground that carries it. 1. carried   by the motion of its ground since the last move: of the point of
+/// ground_body under it, and of conveyors 2. walking   on the ground: velocity_mps across up, along the
+/// ground, at the same speed uphill and downhill; no gravity, so that it does not creep. A step up where a
+/// too steep surface blocks it: up by step_height_m, forward, down on walkable ground flying    in the air:
+/// velocity_mps and gravity (exact for constant gravity). Jumping and walking off keep ground_velocity_mps 3.
+/// sliding   both by collision planes, cn_mover_solve and casts, up to iterations_max times: no speed passes
+/// through a wall 4. pushing   dynamic bodies in the way get a force for the next step that brings them to
+/// the character's velocity, of at most push_force_N each 5. ground    ground that it touches, or that lies
+/// within snap_m below a walking character; velocity_mps loses blocked components The result depends on the
+/// world, def and mover alone: equal calls give equal bits. The loop of planes, solver and cast is that of
+/// Box2D 3's sample of a character mover (Catto, 2025). Pushed bodies wake; nothing else in the world
+/// changes. O(shapes nearby x iterations_max): about 1 us standing, 3 us walking, 10 us against a wall.
 pub extern fn cn_mover_move(world: ?*cn_world, def: [*c]const cn_mover_def, dt_s: f32, mover: [*c]cn_mover) cn_result;
+/// Sets struct_size and the defaults given beside the fields. NULL does nothing.
 pub extern fn cn_explosion_def_init(def: [*c]cn_explosion_def) void;
-/// Pushes dynamic bodies away from the centre, each shape at its point nearest to it, and wakes them.
-/// Velocities must stay finite (CN_ERROR_ARGUMENT). O(shapes in reach).
+/// Pushes dynamic bodies away from the centre, each shape at its point nearest to the centre, and wakes them.
+/// CN_ERROR_ARGUMENT if a velocity would overflow. O(shapes in reach * log of that).
 pub extern fn cn_world_explode(world: ?*cn_world, def: [*c]const cn_explosion_def) cn_result;
+/// Sets struct_size and the defaults given beside the fields, every function to NULL. NULL does nothing.
 pub extern fn cn_debug_draw_init(draw: [*c]cn_debug_draw) void;
-/// Reads only. O(what is drawn).
+/// Draws the world through the given functions, in the calling thread. Reads only. O(bodies + shapes +
+/// contacts + joints).
 pub extern fn cn_world_draw(world: ?*const cn_world, draw: [*c]const cn_debug_draw) cn_result;
-/// Dynamic AABB tree. alloc and free NULL: malloc. margin_m >= 0 is added around every box.
+/// Creates a dynamic AABB tree; margin_m >= 0 is added around every box. alloc and free: both NULL for
+/// malloc, or both set.
 pub extern fn cn_tree_create(margin_m: f32, alloc: ?*const cn_alloc_fn, free: ?*const cn_free_fn, allocator_user: ?*anyopaque, out_tree: [*c]?*cn_tree) cn_result;
+/// Destroys a tree. NULL does nothing.
 pub extern fn cn_tree_destroy(tree: ?*cn_tree) void;
-/// O(log n). *out_item is never 0.
+/// Inserts a finite box with lower_m <= upper_m; *out_item, its handle, is never 0. O(log n).
 pub extern fn cn_tree_insert(tree: ?*cn_tree, box: [*c]const cn_aabb, user_data: u64, out_item: [*c]u32) cn_result;
+/// Removes an item. CN_ERROR_HANDLE for a stale one. O(log n).
 pub extern fn cn_tree_remove(tree: ?*cn_tree, item: u32) cn_result;
-/// Nothing happens while the box stays within its margin. O(log n) else.
+/// Gives an item a new box. Nothing changes while it lies within the item's box with margin; else O(log n).
+/// CN_ERROR_HANDLE for a stale item.
 pub extern fn cn_tree_move(tree: ?*cn_tree, item: u32, box: [*c]const cn_aabb) cn_result;
+/// Reads the item's box with its margin. CN_ERROR_HANDLE for a stale item.
 pub extern fn cn_tree_get_box(tree: ?*const cn_tree, item: u32, out: [*c]cn_aabb) cn_result;
+/// Calls visit for every item whose box with margin overlaps box, until visit returns 0. visit must not
+/// change the tree. O(log n + items visited).
 pub extern fn cn_tree_query(tree: ?*const cn_tree, box: [*c]const cn_aabb, visit: ?*const cn_tree_query_fn, user: ?*anyopaque) cn_result;
+/// Calls visit for items whose box with margin a ray crosses; visit shortens or stops the ray by its result
+/// and must not change the tree. O(log n + items visited).
 pub extern fn cn_tree_cast_ray(tree: ?*const cn_tree, ray: [*c]const cn_ray, visit: ?*const cn_tree_ray_fn, user: ?*anyopaque) cn_result;
-/// Number of items and height of the tree.
+/// Reads the number of items and the height of the tree.
 pub extern fn cn_tree_get_stats(tree: ?*const cn_tree, out_count: [*c]i32, out_height: [*c]i32) cn_result;
 
 /// A library of another version would read other structs: call this once before anything else.

@@ -1,8 +1,8 @@
 /*
- * world/body.c - public functions on a body's life: making, destroying, names, user data, lists.
+ * world/body.c - public functions on a body's life: creation, destruction, names, user data, lists.
  *
- * Creation reserves everything first (handles, records, dense arrays, names) and then commits, so that
- * a failure leaves nothing behind; destruction reserves room for the events of the contacts it ends.
+ * Creation reserves everything first (handles, records, dense arrays, names) and then commits, so that a
+ * failed call changes nothing. Destruction first reserves memory for the events of the contacts it ends.
  */
 #include "world/define.h"
 #include "world/joint_change.h"
@@ -27,7 +27,7 @@ void cn_body_def_init(cn_body_def *def)
 
 /* ------------------------------------------------------------------ names */
 
-/* Bytes with the zero, 0 for no name; stops looking behind the longest that is allowed. */
+/* Length with the zero, 0 for no name; reads at most CN_NAME_MAX_BYTES + 1 bytes. */
 static int32_t name_bytes(const char *name)
 {
 	int32_t length = 0;
@@ -44,7 +44,7 @@ static void check_name(cni_call *call, const char *name)
 		cni_refuse(call, CN_ERROR_ARGUMENT, "name is too long; it may have at most 63 bytes");
 }
 
-/* What a name takes of the blocks, 0 for none; the most in a fixed block, where the pieces are set aside. */
+/* Bytes of a name's piece in the block allocator, 0 for no name. A fixed world reserves pieces of the greatest size. */
 static int32_t name_piece_bytes(const cn_world *world, const char *name)
 {
 	int32_t bytes = name_bytes(name);
@@ -58,7 +58,7 @@ static void name_free(cn_world *world, cni_body *b)
 	b->name = 0;
 }
 
-/* 0 for no name, and when there is no memory. */
+/* 0 for no name and without memory. */
 static cni_ref name_copy(cn_world *world, const char *name)
 {
 	int32_t bytes = name_bytes(name);
@@ -94,7 +94,7 @@ cn_result cn_body_get_name(const cn_world *world, cn_body body, const char **out
 	return call.result;
 }
 
-/* ------------------------------------------------------------------ making */
+/* ------------------------------------------------------------------ creating */
 
 static void check_def(cni_call *call, const cn_body_def *def)
 {
@@ -118,7 +118,7 @@ static void check_def(cni_call *call, const cn_body_def *def)
 	check_name(call, def->name);
 }
 
-/* Makes room for count bodies; the blocks' free lists then hold a piece for each name. */
+/* Reserves memory for count bodies, with a piece of the block allocator for each name. */
 static void reserve_bodies(cni_call *call, cn_world *world, const cn_body_def *defs, int32_t count)
 {
 	int32_t names[NAME_CLASSES] = { 0, 0, 0, 0 };
@@ -208,7 +208,7 @@ static void destroy_shapes(cn_world *world, const cni_body *b)
 	}
 }
 
-/* After reserve_end for its contacts and joints. */
+/* Requires reserve_end for the body's contacts and joints. */
 static void body_destroy(cn_world *world, int32_t body)
 {
 	cni_body *b = cni_body_at(world, body);
@@ -236,7 +236,7 @@ cn_result cn_body_destroy(cn_world *world, cn_body body)
 	return call.result;
 }
 
-/* Finds every body and marks it; a mark that is there already is a duplicate. Returns how many are marked. */
+/* Checks and marks every body; a body with a mark is a duplicate. Returns the number of marked bodies. */
 static int32_t mark_bodies(cni_call *call, const cn_body *bodies, int32_t count, int32_t *out_contacts, int32_t *out_joints)
 {
 	int32_t k;

@@ -1,6 +1,6 @@
 /*
- * world/body_mass.c - public functions on what resists and drives a body: mass data, damping, gravity
- * scale, sleep speed. Mass follows the shapes unless CNI_BODY_MASS_OVERRIDE is set.
+ * world/body_mass.c - public functions on mass data, damping, gravity scale and sleep speed of a body. Mass data come from the
+ * shapes unless CNI_BODY_MASS_OVERRIDE is set.
  */
 #include "world/define.h"
 

@@ -1,20 +1,20 @@
 /*
- * world/body_motion.c - public functions on where a body is and how it moves: pose, points, velocity,
- * forces and impulses. World points are turned into the body's frame by differences from its centre of
- * mass (high part first, then low), so that no digits are lost far from the origin.
+ * world/body_motion.c - public functions on pose, points, velocity, forces and impulses of a body. World points
+ * enter the body's frame as differences from its centre of mass (high part first, then low), which keeps all
+ * digits far from the origin.
  */
 #include "world/define.h"
 
 /* ------------------------------------------------------------------ pose and points */
 
-/* From the centre of mass to a world point. */
-static cni_vec2 arm_to(const cni_body *b, cni_vec2 point)
+/* Lever arm from the centre of mass to a world point. */
+static cni_vec2 lever_arm(const cni_body *b, cni_vec2 point)
 {
 	return cni_sub(cni_sub(point, cni_v(b->cx, b->cy)), cni_v(b->cx_low, b->cy_low));
 }
 
-/* Every contact of a teleported body must be looked at in the next step, also ones of a static body with
-   sleeping ones that it does not touch yet: contacts of sleeping bodies are not. */
+/* Wakes the other bodies of all contacts of a teleported body, touching or not: the next step must check these contacts, and it skips
+   contacts of sleeping bodies. */
 static void wake_contacts(cn_world *world, int32_t body)
 {
 	int32_t key;
@@ -22,8 +22,8 @@ static void wake_contacts(cn_world *world, int32_t body)
 		cni_body_wake(world, cni_contact_of_key(world, key)->body[1 - (key & 1)]);
 }
 
-/* Contacts whose boxes a teleport has moved apart end at once, so that putting the body to sleep before
-   the next step cannot keep them. After cni_contact_reserve_end. */
+/* Ends contacts whose boxes a teleport has moved apart, as the next step would not if the body were put to sleep before it. Requires
+   cni_contact_reserve_end. */
 static void end_contacts_apart(cn_world *world, int32_t body)
 {
 	int32_t key = cni_body_at(world, body)->contact_first;
@@ -34,7 +34,7 @@ static void end_contacts_apart(cn_world *world, int32_t body)
 		if (cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat))
 			continue;
 		cni_contact_destroy(world, contact);
-		/* Were they together at the last step and again at the next, the pair would not be new. */
+		/* Otherwise boxes that overlap at the last and at the next step would not be a new pair. */
 		world->broadphase_ops->touch(world->broadphase, proxy);
 	}
 }
@@ -58,7 +58,7 @@ cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, fl
 	end_contacts_apart(world, index);
 	cni_body_wake_met(world, index);
 	cni_body_at(world, index)->flags |= CNI_BODY_AGAIN;
-	world->pairs_may_repeat |= CNI_PAIRS_MARKED; /* the boxes may have been apart and be together again */
+	world->pairs_may_repeat |= CNI_PAIRS_MARKED; /* the boxes may have separated and overlap again */
 	return CN_OK;
 }
 
@@ -89,7 +89,7 @@ cn_result cn_body_get_local_point(const cn_world *world, cn_body body, float wor
 	cni_check_finite2(&call, "world_m", world_m);
 	cni_check_pointer(&call, "out_m", out_m);
 	if (call.result == CN_OK)
-		*out_m = cni_add(cni_unrotate(b->q, arm_to(b, world_m)), b->local_center);
+		*out_m = cni_add(cni_unrotate(b->q, lever_arm(b, world_m)), b->local_center);
 	return call.result;
 }
 
@@ -116,13 +116,13 @@ cn_result cn_body_set_velocity(cn_world *world, cn_body body, float linear_x_mps
 	return CN_OK;
 }
 
-/* The velocity that takes a body to a pose in dt. */
+/* Velocity that takes a body to a pose in dt. */
 static cn_velocity velocity_to(const cni_body *b, cn_vec2 position, float angle, float dt)
 {
 	cni_rot q = cni_sincos(angle), turn = cni_rot_between(b->q, q);
 	cni_vec2 center = cni_add(position, cni_rotate(q, b->local_center));
 	cn_velocity v;
-	v.linear_mps = cni_mul(1.0f / dt, arm_to(b, center));
+	v.linear_mps = cni_mul(1.0f / dt, lever_arm(b, center));
 	v.angular_radps = cni_atan2(turn.s, turn.c) / dt;
 	return v;
 }
@@ -157,20 +157,20 @@ cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float poi
 	if (call.result != CN_OK)
 		return call.result;
 	v = cni_body_velocity(world, b);
-	*out_mps = cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(arm_to(b, point_m)));
+	*out_mps = cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(lever_arm(b, point_m)));
 	*out_mps = cni_v(cni_saturate(out_mps->x), cni_saturate(out_mps->y));
 	return CN_OK;
 }
 
 /* ------------------------------------------------------------------ forces and impulses */
 
-/* Forces and impulses act on these only. */
-static int32_t can_be_pushed(const cni_body *b)
+/* Forces and impulses act on enabled dynamic bodies only. */
+static int32_t takes_forces(const cni_body *b)
 {
 	return b->type == CN_BODY_DYNAMIC && (b->flags & CN_BODY_ENABLED);
 }
 
-/* Adds to what the next step will apply; sums of finite numbers may still overflow. */
+/* Adds to the force and torque of the next step; sums of finite numbers may overflow. */
 static cn_result add_force(cni_call *call, cn_world *world, cn_body body, cni_vec2 force, float torque)
 {
 	cni_body *b;
@@ -180,9 +180,9 @@ static cn_result add_force(cni_call *call, cn_world *world, cn_body body, cni_ve
 	if (call->result != CN_OK)
 		return call->result;
 	b = cni_body_at(world, cni_body_index(world, body));
-	if (!can_be_pushed(b))
+	if (!takes_forces(b))
 		return CN_OK;
-	d = cni_externals(world) + b->awake; /* the dummy has none */
+	d = cni_externals(world) + b->awake; /* the dummy has no force */
 	total = cni_add(cni_v(d->ax, d->ay), force);
 	total_torque = d->alpha + torque;
 	if (!cni_is_finite2(total) || !cni_is_finite(total_torque))
@@ -212,7 +212,7 @@ cn_result cn_body_apply_force_at(cn_world *world, cn_body body, float force_x_N,
 	const cni_body *b = cni_check_body(&call, "body", body);
 	cni_check_finite2(&call, "force_N", force_N);
 	cni_check_finite2(&call, "point_m", point_m);
-	return add_force(&call, world, body, force_N, b != NULL ? cni_cross(arm_to(b, point_m), force_N) : 0.0f);
+	return add_force(&call, world, body, force_N, b != NULL ? cni_cross(lever_arm(b, point_m), force_N) : 0.0f);
 }
 
 cn_result cn_body_apply_torque(cn_world *world, cn_body body, float torque_Nm)
@@ -223,7 +223,7 @@ cn_result cn_body_apply_torque(cn_world *world, cn_body body, float torque_Nm)
 	return add_force(&call, world, body, cni_v(0.0f, 0.0f), torque_Nm);
 }
 
-/* Changes velocity at once: by impulse / mass and angular impulse / inertia, unless locked. */
+/* Changes the velocity at once by impulse / mass and angular impulse / inertia, except along locked axes. */
 static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, cni_vec2 impulse, float angular)
 {
 	cni_body *b;
@@ -231,7 +231,7 @@ static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, cni_
 	if (call->result != CN_OK)
 		return call->result;
 	b = cni_body_at(world, cni_body_index(world, body));
-	if (!can_be_pushed(b))
+	if (!takes_forces(b))
 		return CN_OK;
 	v = cni_body_velocity(world, b);
 	v.linear_mps = cni_add(v.linear_mps, cni_v(impulse.x / b->mass, impulse.y / b->mass));
@@ -262,7 +262,7 @@ cn_result cn_body_apply_impulse_at(cn_world *world, cn_body body, float impulse_
 	const cni_body *b = cni_check_body(&call, "body", body);
 	cni_check_finite2(&call, "impulse_Ns", impulse_Ns);
 	cni_check_finite2(&call, "point_m", point_m);
-	return add_impulse(&call, world, body, impulse_Ns, b != NULL ? cni_cross(arm_to(b, point_m), impulse_Ns) : 0.0f);
+	return add_impulse(&call, world, body, impulse_Ns, b != NULL ? cni_cross(lever_arm(b, point_m), impulse_Ns) : 0.0f);
 }
 
 cn_result cn_body_apply_angular_impulse(cn_world *world, cn_body body, float impulse_Nms)

@@ -1,19 +1,18 @@
 /*
- * world/body_state.c - public functions that change what a body is to the simulation: type, flags,
- * awake or asleep, its own solver.
+ * world/body_state.c - public functions on a body's type, flags, sleep state and own solver.
  *
- * A change of type or of CN_BODY_ENABLED takes the body out of everything that depends on it (joints,
- * contacts, island, dense arrays), changes the record, and puts it back in. The joints' records stay;
- * only their links are undone and redone, in an order that keeps the body's list as it was.
+ * A change of type or of CN_BODY_ENABLED removes the body from joints, contacts, island and dense arrays,
+ * changes the record, and inserts it again. The joints' records stay; only their links are removed and made
+ * again, in an order that keeps the order of the body's joint list.
  */
 #include "world/define.h"
 
 #define FLAGS_SETTABLE (CN_BODY_LOCK_X | CN_BODY_LOCK_Y | CN_BODY_LOCK_ROTATION | CN_BODY_BULLET | CN_BODY_ENABLED | CN_BODY_SLEEP)
 #define FLAGS_LOCKS (CN_BODY_LOCK_X | CN_BODY_LOCK_Y | CN_BODY_LOCK_ROTATION)
 
-/* ------------------------------------------------------------------ out and back in */
+/* ------------------------------------------------------------------ unlinking and linking */
 
-/* Room for the events of ending all contacts, and for islands that joints make when they are linked again. */
+/* Reserves memory for the events of ending all contacts and for the islands that linking the joints again creates. */
 static void reserve_relink(cni_call *call, cn_world *world, int32_t body)
 {
 	if (call->result == CN_OK)
@@ -22,7 +21,7 @@ static void reserve_relink(cni_call *call, cn_world *world, int32_t body)
 		cni_refuse(call, CN_ERROR_MEMORY, "no memory for islands");
 }
 
-/* Unlinks all joints of a body; returns them threaded through next[0], last in the list first. */
+/* Unlinks all joints of a body; returns them as a list through next[0], in reverse order. */
 static int32_t joints_unlink(cn_world *world, const cni_body *b)
 {
 	int32_t chain = CNI_NONE;
@@ -44,7 +43,7 @@ static void joints_link(cn_world *world, int32_t chain)
 	}
 }
 
-/* Takes a body without joints out of contacts, island and dense arrays. After cni_contact_reserve_end. */
+/* Removes a body without linked joints from contacts, island and dense arrays. Requires cni_contact_reserve_end. */
 static void leave_simulation(cn_world *world, int32_t body)
 {
 	cni_contact_destroy_of_body(world, body);
@@ -56,8 +55,8 @@ static void leave_simulation(cn_world *world, int32_t body)
 
 /* ------------------------------------------------------------------ type */
 
-/* A joint needs a dynamic body; the type may not take its last one away. */
-static int32_t some_joint_needs_dynamic(const cn_world *world, const cni_body *b)
+/* Whether the body is the only dynamic body of a joint. */
+static int32_t is_only_dynamic_of_a_joint(const cn_world *world, const cni_body *b)
 {
 	int32_t key;
 	for (key = b->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1]) {
@@ -87,7 +86,7 @@ cn_result cn_body_set_type(cn_world *world, cn_body body, int32_t type)
 	cni_check_range_int(&call, "type", type, CN_BODY_STATIC, CN_BODY_DYNAMIC);
 	if (call.result != CN_OK || b->type == type)
 		return call.result;
-	if (type != CN_BODY_DYNAMIC && some_joint_needs_dynamic(world, b))
+	if (type != CN_BODY_DYNAMIC && is_only_dynamic_of_a_joint(world, b))
 		return cni_refuse(&call, CN_ERROR_STATE, "a joint or constraint would be left without a dynamic body");
 	reserve_relink(&call, world, cni_body_index(world, body));
 	if (call.result == CN_OK && b->type == CN_BODY_STATIC)
@@ -119,7 +118,7 @@ static void unplace_all(cn_world *world, const cni_body *b, int32_t end)
 		cni_shape_unplace(world, shape);
 }
 
-/* Gives every shape its boxes, or none. */
+/* Creates the boxes of every shape, or of none on failure. */
 static void place_all(cni_call *call, cn_world *world, const cni_body *b)
 {
 	int32_t shape;
@@ -181,8 +180,8 @@ CNI_DEFINE_GET(body, flags, uint32_t, (record->flags & FLAGS_SETTABLE) | (record
 
 /* ------------------------------------------------------------------ awake */
 
-/* An island that lost links may hold bodies that no longer hang together: they must not sleep with it. */
-static int32_t island_tighten(cn_world *world, const cni_body *b)
+/* Splits an island that lost links: bodies that are no longer connected must not sleep together. 0 without memory. */
+static int32_t island_split_unconnected(cn_world *world, const cni_body *b)
 {
 	return b->island == CNI_NONE || cni_island_at(world, b->island)->losses == 0 || cni_island_split(world, b->island);
 }
@@ -199,7 +198,7 @@ cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake)
 	}
 	if (b->awake == 0)
 		return CN_OK;
-	if (!cni_body_reserve_sleep(world, cni_body_index(world, body)) || !island_tighten(world, b) || !cni_body_put_to_sleep(world, cni_body_index(world, body)))
+	if (!cni_body_reserve_sleep(world, cni_body_index(world, body)) || !island_split_unconnected(world, b) || !cni_body_put_to_sleep(world, cni_body_index(world, body)))
 		return cni_refuse(&call, CN_ERROR_MEMORY, "no memory for contacts at rest");
 	world->events.moved_built = 0;
 	return CN_OK;

@@ -2,7 +2,7 @@
  * world/constraint.c - public functions on constraints on one body.
  *
  * A constraint is a joint record whose body a is the world (CNI_JOINT_ANGLE, CNI_JOINT_LINE), solved with
- * the joints, before contacts. Only its handle, which is of another kind, and its definitions differ.
+ * the joints, before contacts. Only the kind of its handle and its definition differ from a joint's.
  */
 #include "joints/joint_type.h"
 #include "world/define.h"
@@ -22,7 +22,7 @@ static uint32_t constraint_flags(uint32_t flags)
 	return ((flags & CN_JOINT_LIMIT) ? (uint32_t)CN_CONSTRAINT_LIMIT : 0u) | ((flags & CN_JOINT_BREAKS) ? (uint32_t)CN_CONSTRAINT_BREAKS : 0u);
 }
 
-/* What both definitions begin with. */
+/* The first fields of both definitions. */
 typedef struct constraint_head {
 	uint32_t struct_size;
 	uint32_t flags;
@@ -115,7 +115,7 @@ static cn_result constraint_set(cn_world *world, const char *function, int32_t t
 	if (call.result != CN_OK)
 		return call.result;
 	cni_joint_def_store(j, def);
-	memset(j->impulse, 0, sizeof j->impulse); /* impulses belong to the limits that were */
+	memset(j->impulse, 0, sizeof j->impulse); /* the impulses belong to the old limits */
 	cni_joint_change_flags(world, cni_joint_index(world, constraint), joint_flags(head.flags) | CN_JOINT_COLLIDE);
 	return CN_OK;
 }

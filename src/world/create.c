@@ -1,9 +1,9 @@
 /*
- * world/create.c - making and destroying worlds: definitions, memory, capacities.
+ * world/create.c - creates and destroys worlds: definitions, memory, capacities.
  *
- * With hooks, the world's struct and everything in it come from them. With a caller's block the struct
- * lies at its beginning and the rest of the block serves everything else; all capacities are then
- * reserved at once, so that a world within its capacities never asks again.
+ * Memory hooks allocate the world's struct and everything in it. In a caller's block the struct is at the
+ * beginning, and the rest serves all allocations; all capacities are then reserved at creation, so that a
+ * world within its capacities allocates nothing later.
  */
 #include "joints/joints.h"
 #include "direct/direct.h"
@@ -200,7 +200,7 @@ static void tables_deinit(cn_world *world)
 	cni_events_deinit(&world->events, memory);
 }
 
-/* The dummy body at dense index 0: infinite mass, never moves. */
+/* Creates the dummy body at dense index 0: infinite mass, never moves. */
 static cn_result dummy_create(cn_world *world)
 {
 	if (cni_body_reserve(world, 0) != CN_OK)
@@ -280,36 +280,36 @@ static int32_t reserve_pieces(cn_world *world, const cn_world_def *d)
 	       cni_blocks_reserve(blocks, CN_NAME_MAX_BYTES + 1, d->body_capacity);
 }
 
-/* An island's search, the broadphase's pass over all boxes (see its files), sorting the new pairs, and what is
-   solved directly, with the loads of piles that are not. */
-/* Bodies that touch nothing are in none. */
+/* Most islands: bodies that touch nothing have none. */
 static int32_t islands_for(int32_t bodies)
 {
 	return bodies / 2 + 2;
 }
 
+/* Bytes of the frame arena: the larger of the broadphase's pass over boxes, the list of new pairs, and the solver's scratch (direct
+   solving, rows, gravity preload), with the search of an island. */
 static uint64_t arena_bytes(const cn_world_def *d)
 {
-	uint64_t box = cni_team_possible(d->worker_count, d->enqueue) ? 80u : 40u; /* workers have room for their pairs beside that */
-	uint64_t boxes = 2048u + box * (uint64_t)d->shape_capacity, pairs = 64u + sizeof(cni_pair) * (uint64_t)d->contact_capacity; /* and changes of the narrowphase */
+	uint64_t box = cni_team_possible(d->worker_count, d->enqueue) ? 80u : 40u; /* workers also store their pairs */
+	uint64_t boxes = 2048u + box * (uint64_t)d->shape_capacity, pairs = 64u + sizeof(cni_pair) * (uint64_t)d->contact_capacity; /* or changes of the narrowphase */
 	uint64_t island = 64u + 8u * (uint64_t)d->body_capacity;
 	uint64_t joints = cni_direct_bytes(d->solver, d->joint_capacity, d->contact_capacity, d->body_capacity), scratch = boxes > pairs ? boxes : pairs;
 	if (d->solver != CN_SOLVER_SEQUENTIAL)
 		joints += cni_row_bytes(d->joint_capacity);
 	if (d->solver == CN_SOLVER_AUTO)
 		joints += cni_gravity_preload_bytes(d->body_capacity);
-	joints += 128u + (uint64_t)islands_for(d->body_capacity) + 3u * sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u); /* cni_angular_momentum_restore, which is more than cni_rest_find takes */
-	joints += 64u + sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u) * 3u / 2u; /* islands of what is awake, and which are */
+	joints += 128u + (uint64_t)islands_for(d->body_capacity) + 3u * sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u); /* cni_angular_momentum_restore; cni_rest_find takes less */
+	joints += 64u + sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u) * 3u / 2u; /* the islands of awake bodies */
 	return (scratch > joints ? scratch : joints) + island;
 }
 
-/* The kept plan of joints that are solved directly. */
+/* Length of the array that keeps the plan of direct solving. */
 static int32_t plan_items(const cn_world_def *d)
 {
 	return (int32_t)(cni_direct_kept_bytes(d->solver, d->joint_capacity, d->contact_capacity) / CNI_KEPT_BYTES);
 }
 
-/* What only a fixed world takes beforehand: everything that a growing one takes when it comes to it. */
+/* Reserves for a fixed world the arrays that a growing world allocates on demand. */
 static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 {
 	cni_memory *m = &world->memory;
@@ -335,8 +335,8 @@ static uint64_t array_bytes(int32_t count, size_t item)
 	return cni_memory_rounded((uint64_t)count * item + 64u);
 }
 
-/* Pieces of the blocks that a fixed world sets aside (see model/shape.h), and what chains of more than 32
-   edges take beyond them: 12 bytes an edge, half as much again for size classes. */
+/* Bytes of the block allocator's pieces that a fixed world reserves (see model/shape.h), and of chains of more than 32 edges: 12 bytes
+   per edge beyond that, half as much again for size classes. */
 static uint64_t pieces_bytes(const cn_world_def *d)
 {
 	uint64_t shape = cni_blocks_rounded((uint64_t)cni_geometry_bytes(CN_SHAPE_POLYGON, CN_POLYGON_MAX_VERTICES)) + CNI_SHAPE_IDS_BYTES;
@@ -388,8 +388,8 @@ static uint64_t body_arrays_bytes(int32_t n)
 	       array_bytes(n, sizeof(cni_previous)) + handles_bytes(n);
 }
 
-/* The last line is for the event arrays that users ask for: all that a contact can do in a step but for being
-   created, for twice as many contacts, because those arrays grow. */
+/* The last line is for the event arrays that users request: all events of a contact in a step except its creation, for twice as many
+   contacts, because these arrays grow. */
 static uint64_t contact_arrays_bytes(int32_t n)
 {
 	return array_bytes(n, sizeof(int32_t)) + 6u * array_bytes(n, sizeof(cni_event)) + 2u * array_bytes(n, sizeof(cn_sensor_event)) +
@@ -421,9 +421,9 @@ cn_result cn_world_bytes_needed(const cn_world_def *def, uint64_t *out_bytes)
 	return CN_OK;
 }
 
-/* ---- life ---- */
+/* ---- creating and destroying ---- */
 
-/* The struct's own memory, and in *memory the place that everything else comes from. */
+/* Allocates the struct; *memory then serves everything else. */
 static cn_world *world_allocate(const cn_world_def *d, cni_memory *memory)
 {
 	uint64_t bytes = cni_memory_rounded(sizeof(cn_world));
@@ -442,7 +442,7 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world)
 	cni_call call = cni_enter_free();
 	cni_memory memory;
 	cn_world *world;
-	int32_t good;
+	int32_t created;
 	def_check(&call, def);
 	cni_check_pointer(&call, "out_world", out_world);
 	if (call.result != CN_OK)
@@ -458,10 +458,10 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world)
 	world->steps_max = 8;
 	settings_resolve(&world->settings, def);
 	tables_init(world);
-	good = dummy_create(world) == CN_OK && broadphase_create(world, def->shape_capacity) == CN_OK &&
+	created = dummy_create(world) == CN_OK && broadphase_create(world, def->shape_capacity) == CN_OK &&
 	       reserve_records(world, def) && reserve_contacts(world, def) &&
 	       (def->memory == NULL || reserve_rest(world, def)) && team_create(world, def) == CN_OK;
-	if (!good) {
+	if (!created) {
 		cn_world_destroy(world);
 		return CN_ERROR_MEMORY;
 	}

@@ -1,6 +1,6 @@
 /*
- * world/define.h - public functions that many nouns have, each defined by one line: reading a value of a live record, user data,
- * arrays of events. They have nothing to check but what all calls check: see world/error.h.
+ * world/define.h - macros that define a public function in one line: reading a value of a live record, user data, arrays of events.
+ * These functions check only the world, the handle and the output pointers (world/error.h).
  *
  *     CNI_DEFINE_GET(body, gravity_scale, float, record->gravity_scale)
  */
@@ -13,8 +13,8 @@
 typedef cni_joint cni_constraint;
 
 /*
- * Defines the public function cn_<noun>_get_<what>, which reads one value of a live record and has nothing else to check:
- * value is an expression of `record` and `world`.
+ * Defines the public function cn_<noun>_get_<what>, which reads one value of a live record: value is an expression of `record` and
+ * `world`.
  */
 #define CNI_DEFINE_GET(noun, what, type, value) \
 	cn_result cn_##noun##_get_##what(const cn_world *world, cn_##noun noun, type *out) \
@@ -27,7 +27,7 @@ typedef cni_joint cni_constraint;
 		return call.result; \
 	}
 
-/* The same with two values: store is an expression that writes *out_a and *out_b. */
+/* The same for two values: store is an expression that writes *out_a and *out_b. */
 #define CNI_DEFINE_GET2(noun, what, type_a, type_b, store) \
 	cn_result cn_##noun##_get_##what(const cn_world *world, cn_##noun noun, type_a *out_a, type_b *out_b) \
 	{ \
@@ -40,7 +40,7 @@ typedef cni_joint cni_constraint;
 		return call.result; \
 	}
 
-/* The functions cn_<noun>_set_user_data and _get_user_data. */
+/* Defines cn_<noun>_set_user_data and cn_<noun>_get_user_data. */
 #define CNI_DEFINE_USER_DATA(noun) \
 	CNI_DEFINE_GET(noun, user_data, uint64_t, record->user_data) \
 	cn_result cn_##noun##_set_user_data(cn_world *world, cn_##noun noun, uint64_t user_data) \
@@ -52,7 +52,7 @@ typedef cni_joint cni_constraint;
 		return call.result; \
 	}
 
-/* The function cn_world_<name>, which gives an array of the last step's events. */
+/* Defines cn_world_<name>, which returns an array of the last step's events. */
 #define CNI_DEFINE_EVENTS(name, type, array) \
 	cn_result cn_world_##name(const cn_world *world, const type **out, int32_t *out_count) \
 	{ \

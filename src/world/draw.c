@@ -1,5 +1,5 @@
 /*
- * world/draw.c - debug draw: shapes, joints, contacts, boxes and centres through the user's functions. Reads only.
+ * world/draw.c - debug draw: calls the user's functions for shapes, joints, contacts, boxes and centres. Reads only.
  */
 #include "joints/joint_type.h"
 #include "world/error.h"
@@ -41,7 +41,7 @@ static int32_t in_view(const cn_debug_draw *d, const cni_aabb *box)
 	return cni_aabb_overlap(&view, box);
 }
 
-static int32_t sees(const cn_debug_draw *d, cni_vec2 a, cni_vec2 b)
+static int32_t span_in_view(const cn_debug_draw *d, cni_vec2 a, cni_vec2 b)
 {
 	cni_aabb box;
 	box.x0 = cni_min(a.x, b.x);
@@ -53,19 +53,19 @@ static int32_t sees(const cn_debug_draw *d, cni_vec2 a, cni_vec2 b)
 
 static void segment(const cn_debug_draw *d, cni_vec2 a, cni_vec2 b, uint32_t color)
 {
-	if (d->segment != NULL && sees(d, a, b))
+	if (d->segment != NULL && span_in_view(d, a, b))
 		d->segment(&a, &b, color, d->user);
 }
 
 static void point(const cn_debug_draw *d, cni_vec2 p, float size, uint32_t color)
 {
-	if (d->point != NULL && sees(d, p, p))
+	if (d->point != NULL && span_in_view(d, p, p))
 		d->point(&p, size, color, d->user);
 }
 
 static void text(const cn_debug_draw *d, cni_vec2 p, const char *words, uint32_t color)
 {
-	if (d->text != NULL && sees(d, p, p))
+	if (d->text != NULL && span_in_view(d, p, p))
 		d->text(&p, words, color, d->user);
 }
 
@@ -164,7 +164,7 @@ static void draw_body(const cn_world *world, const cn_debug_draw *d, int32_t bod
 
 /* ---- joints and contacts ---- */
 
-/* From each body's centre to its anchor, and between the anchors; the rows tell axes and limits. */
+/* Draws lines from each body's centre to its anchor and between the anchors; the rows give axes and limits. */
 static void draw_joint(const cn_world *world, const cn_debug_draw *d, int32_t joint)
 {
 	const cni_joint *j = cni_joint_at(world, joint);

@@ -3,8 +3,8 @@
  * checks of every public function (see error.h for how they are used).
  *
  * Floats are printed from their bits with a 64-bit mantissa: value = m * 2^e is multiplied or divided by
- * ten until six digits stand before the point. Each of the at most 51 steps loses less than 2^-59 of the
- * value, so the six digits are right but for exact ties.
+ * ten until it has six digits before the point. Each of the at most 51 steps loses less than 2^-59 of the
+ * value, so the six digits are correct except for exact ties.
  */
 #include "world/error.h"
 
@@ -85,7 +85,7 @@ static scaled scaled_times_ten(scaled s)
 	return scaled_normalize(s);
 }
 
-static scaled scaled_by_ten(scaled s)
+static scaled scaled_over_ten(scaled s)
 {
 	uint64_t rest = s.m % 10u;
 	s.m = ((s.m / 10u) << 3) + (rest << 3) / 10u; /* the quotient has three or four leading zeros */
@@ -98,7 +98,7 @@ static uint64_t scaled_integer(scaled s)
 	return s.e <= -64 ? 0 : s.m >> -s.e;
 }
 
-/* Six decimal digits d and exponent x with value about d * 10^x. bits: of a finite float above 0. */
+/* Six decimal digits d and the exponent x of a finite float > 0, given as its bits: value = d * 10^x, rounded. */
 static uint32_t float_digits(uint32_t bits, int32_t *out_exponent)
 {
 	int32_t biased = (int32_t)(bits >> 23 & 255u);
@@ -109,7 +109,7 @@ static uint32_t float_digits(uint32_t bits, int32_t *out_exponent)
 	s.e = (biased != 0 ? biased : 1) - 150;
 	s = scaled_normalize(s);
 	while (s.e > -44 || scaled_integer(s) >= 1000000u) {
-		s = scaled_by_ten(s);
+		s = scaled_over_ten(s);
 		++x;
 	}
 	while (scaled_integer(s) < 100000u) {
@@ -211,8 +211,7 @@ cni_call cni_enter_free(void)
 
 /* ------------------------------------------------------------------ refusing */
 
-/* Records the first failure of a call: "function: " and the format, in which %s is a string, %f a float, %i an int64_t and %x a
-   uint32_t. */
+/* Records the first failure of a call: "function: " and the format with %s for a string, %f a double, %i an int64_t, %x a uint32_t. */
 static void refuse(cni_call *call, cn_result result, const char *format, ...)
 {
 	cni_text text;
@@ -382,7 +381,7 @@ void cni_check_material(cni_call *call, const cn_material *material)
 
 /* ------------------------------------------------------------------ checks of handles */
 
-/* Passes the index on; CNI_NONE is refused. */
+/* Refuses CNI_NONE and returns the index. */
 static int32_t found(cni_call *call, int32_t index, const char *field, uint32_t handle, const char *kind)
 {
 	if (index == CNI_NONE)
@@ -450,7 +449,7 @@ cn_result cni_slots_reserve(cn_world *world, cni_handles *handles, cni_table *re
 	return cni_table_reserve(records, &world->memory, used + cni_max_i(extra - waiting, 0)) ? CN_OK : CN_ERROR_MEMORY;
 }
 
-/* ------------------------------------------------------------------ reading it */
+/* ------------------------------------------------------------------ reading the sentence */
 
 const char *cn_world_error_text(const cn_world *world)
 {

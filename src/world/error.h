@@ -1,6 +1,6 @@
 /*
- * world/error.h - entering a public function: refusing a NULL or locked world, checking arguments,
- * and the one sentence that says what was wrong.
+ * world/error.h - the beginning of every public function: refuses a NULL or locked world, checks arguments, and writes
+ * one sentence about the first error.
  *
  * A public function reads like this:
  *
@@ -11,9 +11,9 @@
  *         return call.result;
  *     ...
  *
- * Checks record the first failure only and do nothing after it, so they may be written in a row.
- * Functions that take a const world enter with cni_enter_const: they may run on several threads and
- * report the code without a sentence. The sentence in world->error stays until the next failing call.
+ * Checks record the first failure only and do nothing after it, so a function may call them in sequence.
+ * Functions that take a const world call cni_enter_const: they may run on several threads and return the
+ * code without a sentence. The sentence in world->error stays until the next failing call.
  */
 #ifndef CNI_WORLD_ERROR_H
 #define CNI_WORLD_ERROR_H
@@ -34,7 +34,7 @@
 /* Angles up to this many radians are accepted. */
 #define CNI_ANGLE_MAX_RAD 1e4f
 
-/* ---- text: appends to a fixed buffer, always zero-terminated, cut when full */
+/* ---- text: appends to a fixed buffer, always zero-terminated, truncated when full */
 
 typedef struct cni_text {
 	char *out;        /* may be NULL when capacity is 0 */
@@ -53,7 +53,7 @@ void cni_text_float(cni_text *text, float value);
 /* ---- calls */
 
 typedef struct cni_call {
-	const cn_world *world; /* NULL once the world itself was refused */
+	const cn_world *world; /* NULL for a refused world and for functions without a world */
 	char *sentence;        /* CNI_ERROR_TEXT_BYTES, or NULL in calls that take a const world */
 	const char *function;
 	cn_result result;
@@ -65,20 +65,21 @@ cni_call cni_enter_const(const cn_world *world);
 /* For functions without a world. */
 cni_call cni_enter_free(void);
 
-/* Records a failure: "function: what". Returns the call's result. */
+/* Records the failure "function: what". Returns the call's result. */
 cn_result cni_refuse(cni_call *call, cn_result result, const char *what);
-/* "function: field value; must ..." for a value that a check of its own found bad. */
+/* Records "function: field value; must ..." after the caller's own check of a value failed. */
 cn_result cni_refuse_float(cni_call *call, const char *field, float value, const char *must);
 cn_result cni_refuse_int(cni_call *call, const char *field, int64_t value, const char *must);
-/* Consecutive points of a shape are nearer than CNI_THICKNESS_LEAST: says how near, and which length unit would take them. */
+/* Records that consecutive points of a shape are closer than CNI_THICKNESS_LEAST: their distance, and the greatest length unit that
+   accepts them. */
 void cni_refuse_near(cni_call *call, const cn_vec2 *points, int32_t count, int32_t closed);
-/* Passes on what a reserve in the model said: CN_OK, CN_ERROR_MEMORY or CN_ERROR_CAPACITY. */
+/* Records the result of a reserve function of model/: CN_OK, CN_ERROR_MEMORY or CN_ERROR_CAPACITY. */
 void cni_check_reserved(cni_call *call, cn_result result, const char *things);
 
 void cni_check_pointer(cni_call *call, const char *field, const void *pointer);
-/* count >= 0, and the array is there unless count is 0. */
+/* count >= 0; array not NULL unless count is 0. */
 void cni_check_array(cni_call *call, const char *field, const void *array, int32_t count);
-/* capacity >= 0, and the output is there unless capacity is 0. */
+/* capacity >= 0; out not NULL unless capacity is 0. */
 void cni_check_capacity(cni_call *call, const char *field, const void *out, int32_t capacity);
 void cni_check_struct_size(cni_call *call, uint32_t given, size_t expected, const char *init);
 
@@ -92,7 +93,7 @@ void cni_check_flags(cni_call *call, const char *field, uint32_t value, uint32_t
 /* Within CNI_POSITION_MAX_UNITS / CNI_ANGLE_MAX_RAD. */
 void cni_check_position(cni_call *call, const char *field, cn_vec2 value);
 void cni_check_angle(cni_call *call, const char *field, float value);
-/* A shape's mass, and inertia about the body's origin: 0, or within what inverses and products of floats can bear. */
+/* A shape's mass, and its inertia about the body's origin: 0, or in the range in which inverses and products of floats stay finite. */
 void cni_check_shape_mass(cni_call *call, cn_mass_data mass);
 void cni_check_material(cni_call *call, const cn_material *material);
 
@@ -102,7 +103,7 @@ cni_shape *cni_check_shape(cni_call *call, const char *field, cn_shape shape);
 cni_joint *cni_check_joint(cni_call *call, const char *field, cn_joint joint);
 cni_joint *cni_check_constraint(cni_call *call, const char *field, cn_constraint constraint);
 
-/* ---- output lists: at most capacity handles are written, all are counted */
+/* ---- output lists: write at most capacity handles and count all */
 
 typedef struct cni_list {
 	uint32_t *out;
@@ -119,9 +120,9 @@ static inline void cni_list_add(cni_list *list, uint32_t handle)
 	++list->count;
 }
 
-/* ---- index and handle of records whose handle passed a check */
+/* ---- index and handle of a record, after a successful check of the handle */
 
-/* Of what has not passed one the index means nothing, but may be asked for. */
+/* Without a passed check the index is meaningless, but the call is safe. */
 static inline int32_t cni_body_index(const cn_world *world, cn_body body) { return world == NULL ? CNI_NONE : cni_handles_slot(&world->body_handles, body); }
 static inline int32_t cni_shape_index(const cn_world *world, cn_shape shape) { return world == NULL ? CNI_NONE : cni_handles_slot(&world->shape_handles, shape); }
 /* Joints and constraints differ in the kind alone. */
@@ -129,7 +130,7 @@ static inline int32_t cni_joint_index(const cn_world *world, uint32_t joint_or_c
 {
 	return world == NULL ? CNI_NONE : cni_handles_slot(&world->joint_handles, (joint_or_constraint & ~(3u << 20)) | (uint32_t)CNI_KIND_JOINT << 20);
 }
-/* By which handles of one kind are put in order: that of their slots, but for a slot that goes by another index. */
+/* Sort key of handles of one kind: the slot, except for a slot that continues under another index. */
 static inline int32_t cni_order_of(uint32_t handle) { return (int32_t)(handle & 0xFFFFFu); }
 /* CNI_NONE gives 0. */
 static inline uint32_t cni_handle_or_zero(const cni_handles *handles, int32_t index)
@@ -140,7 +141,7 @@ static inline uint32_t cni_handle_or_zero(const cni_handles *handles, int32_t in
 /* A body's pose between the last two steps: update.c. */
 cn_pose cni_pose_between(const cn_world *world, int32_t body, float factor);
 
-/* Makes extra slots certain in a handle table and the records behind it. */
+/* Reserves extra slots in a handle table and in the table of its records. */
 cn_result cni_slots_reserve(cn_world *world, cni_handles *handles, cni_table *records, int32_t extra);
 
 #endif

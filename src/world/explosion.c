@@ -2,12 +2,12 @@
  * world/explosion.c - the public function that pushes bodies away from a point.
  *
  * Each piece (a shape, or an edge of a chain) of a dynamic body within reach gets one impulse at its
- * point nearest to the centre, along the line from the centre to it; when the centre is inside, at its
- * centroid. Its size grows with the width seen along that line.
+ * point nearest to the centre, along the line from the centre to that point; at its centroid if the centre
+ * is inside. The impulse is proportional to the piece's width across that line.
  *
- * The pieces found are sorted by body, shape and child before anything is pushed: bodies wake in an order
- * that does not depend on the broadphase. Velocities are computed and checked for all first, so that a
- * call that fails changes nothing.
+ * The pieces are sorted by body, shape and child first, so that the order in which bodies wake does not
+ * depend on the broadphase. All velocities are computed and checked before any is stored, so that a failed
+ * call changes nothing.
  */
 #include "world/query.h"
 #include "base/sort.h"
@@ -33,7 +33,7 @@ typedef struct explosion {
 	const cni_sight *sight;
 	uint64_t *keys;   /* body << 36 | shape << 16 | child; NULL: count only */
 	int32_t count;
-	int32_t capacity; /* of keys: the user's filter may answer otherwise the second time */
+	int32_t capacity; /* of keys: the second call of the user's filter may have another result */
 } explosion;
 
 static float explosion_visit(void *context, int32_t proxy, float limit)
@@ -62,7 +62,7 @@ static void find_pieces(explosion *e, uint64_t *keys)
 	e->keys = keys;
 	e->capacity = e->count;
 	e->count = 0;
-	++e->world->locked; /* the filter may ask the user */
+	++e->world->locked; /* the filter may call the user's callback */
 	e->world->broadphase_ops->query(e->world->broadphase, &box, explosion_visit, e);
 	--e->world->locked;
 }
@@ -91,7 +91,7 @@ static float strength_at(const cn_explosion_def *def, float distance)
 	return def->impulse_Nspm * cni_clamp(1.0f - (distance - def->radius_m) / def->falloff_m, 0.0f, 1.0f);
 }
 
-/* Adds what one piece does to its body's velocity; everything in the body's frame until the end. */
+/* Adds the effect of one piece to its body's velocity; computes in the body's frame until the end. */
 static void piece_push(const explosion *e, const cni_body *b, uint64_t key, cn_velocity *v)
 {
 	const cni_shape *s = cni_shape_at(e->world, (int32_t)(key >> 16 & 0xFFFFFu));
@@ -113,7 +113,7 @@ static int32_t key_body(uint64_t key)
 	return (int32_t)(key >> 36);
 }
 
-/* The body of the piece at *k after all of its pieces, and *k behind them. */
+/* Velocity of the body of piece *k after the impulses on all its pieces; moves *k past them. */
 static cn_velocity body_push(const explosion *e, int32_t *k)
 {
 	int32_t body = key_body(e->keys[*k]);

@@ -1,8 +1,8 @@
 /*
  * world/hash.c - one number for the state of a world (FNV-1a: Fowler, Noll, Vo, 1991).
  *
- * Values are hashed as little-endian bytes whatever the machine's order, so that histories can be compared
- * between machines. Order: bodies by slot, then touching contacts by slot, then joints by slot that remember something.
+ * Values are hashed as little-endian bytes on every machine, so that histories can be compared between
+ * machines. Order: bodies, touching contacts, then joints with solver memory (cni_joint_trust), each by slot.
  */
 #include "world/error.h"
 

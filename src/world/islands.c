@@ -1,9 +1,9 @@
 /*
- * world/islands.c - the report on awake islands: what each is made of, how it is solved and why, and how far its bodies
- * are from where contacts and joints want them.
+ * world/islands.c - the report on awake islands: the parts of each, its tier and the reason, and the largest error of its
+ * contacts and joints.
  *
- * Everything is computed when it is asked for: the step only leaves behind, in each island's record, why it chose its tier
- * (direct/solver_selection.c). Contacts collide once more, at the poses that bodies have now. Writes nothing.
+ * Everything is computed on request: the step only stores the reason of the tier in each island's record
+ * (direct/solver_selection.c). Contacts are collided again at the present poses. Writes nothing.
  */
 #include "joints/joint_type.h"
 #include "direct/direct.h"
@@ -13,26 +13,26 @@
 
 #include <string.h>
 
-/* ---- what is in it, and its errors ---- */
+/* ---- parts and errors ---- */
 
-/* The user's callback let the two pass through each other. */
-static int32_t contact_is_let_through(const cn_world *world, const cni_contact *c)
+/* Whether the pre-solve callback let the pair pass through each other: both effective masses are then 0. */
+static int32_t contact_passes_through(const cn_world *world, const cni_contact *c)
 {
 	const cni_contact_block *block = cni_block_at(world, c->slot / CNI_LANES);
 	int32_t l = c->slot % CNI_LANES;
 	return (c->flags & CNI_CONTACT_PRE_SOLVE) && block->p[0].nm[l] == 0.0f && block->p[1].nm[l] == 0.0f;
 }
 
-/* How deep the two shapes overlap now; 0 when they do not. */
+/* Present depth of the overlap of two shapes, 0 without one. */
 static float overlap_of(const cn_world *world, int32_t contact)
 {
 	cni_touch_pair pair = cni_touch_pair_of(world, cni_contact_at(world, contact), contact);
-	cni_contact c = *pair.contact; /* colliding leaves hints in the contact */
+	cni_contact c = *pair.contact; /* a copy: colliding stores hints in the contact */
 	cni_touch touch;
 	float deepest = 0.0f;
 	int32_t k;
 	pair.contact = &c;
-	if (contact_is_let_through(world, &c) || !cni_touch_begin(world, &pair, 0.0f, &touch))
+	if (contact_passes_through(world, &c) || !cni_touch_begin(world, &pair, 0.0f, &touch))
 		return 0.0f;
 	cni_touch_collide(&touch);
 	for (k = 0; k < touch.manifold.count; ++k)
@@ -45,7 +45,7 @@ static int32_t side_is_dynamic(const cn_world *world, int32_t body)
 	return body != CNI_NONE && cni_body_at(world, body)->type == CN_BODY_DYNAMIC;
 }
 
-/* How far a rigid joint is open, in metres. */
+/* Gap of a rigid joint in metres; 0 for joints that may yield. */
 static float gap_of(const cn_world *world, const cni_joint *j)
 {
 	float metres, radians, extent = 0.0f;
@@ -59,8 +59,8 @@ static float gap_of(const cn_world *world, const cni_joint *j)
 	return cni_max(metres, extent * radians);
 }
 
-/* A contact or joint of two dynamic bodies is in both lists, and is counted with its first body. */
-static void body_add(const cn_world *world, int32_t body, cn_island_report *out)
+/* Adds a body. A contact or joint of two dynamic bodies is in both lists and counts with its first body. */
+static void report_add_body(const cn_world *world, int32_t body, cn_island_report *out)
 {
 	const cni_body *b = cni_body_at(world, body);
 	int32_t key;
@@ -81,7 +81,7 @@ static void body_add(const cn_world *world, int32_t body, cn_island_report *out)
 	}
 }
 
-/* See step/early_rest.c; body: any of the island. Jointed bodies with this flag swing. */
+/* Whether the island of a body takes one substep: see step/early_rest.c. Jointed bodies with these flags swing freely. */
 static int32_t has_rested(const cn_world *world, const cni_body *b)
 {
 	const uint32_t rests = CNI_EXTERNAL_FINISHED | CNI_EXTERNAL_TOUCHED;
@@ -101,10 +101,9 @@ static cn_island_report report_begin(const cn_world *world, int32_t body)
 	return r;
 }
 
-/* ---- how it is solved, and why ---- */
+/* ---- tier and reason ---- */
 
-/* The reason of a soft island that is written in its record holds for as long as it is refused, or while it was bad in
-   the last step. */
+/* The reason in a soft island's record is valid while direct solving is refused, or if the last step found a problem. */
 static int32_t soft_reason(const cn_world *world, const cni_island *i)
 {
 	if (world->settings.solver == CN_SOLVER_SOFT || world->settings.solver == CN_SOLVER_SEQUENTIAL)
@@ -116,7 +115,7 @@ static int32_t soft_reason(const cn_world *world, const cni_island *i)
 	return CN_TIER_REASON_NONE;
 }
 
-/* Good steps are counted from 0 again by what was wrong in the last step; of that only stress has no reason written down. */
+/* A problem in the last step sets good_steps to 0. The step stores a reason for every problem except stress. */
 static int32_t direct_reason(const cn_world *world, const cni_island *i)
 {
 	if (world->settings.solver == CN_SOLVER_DIRECT)
@@ -126,7 +125,7 @@ static int32_t direct_reason(const cn_world *world, const cni_island *i)
 	return i->reason == CN_TIER_REASON_SETTLING && i->good_steps == 0 ? CN_TIER_REASON_STRESSED : i->reason;
 }
 
-static void tier_tell(const cn_world *world, const cni_island *i, cn_island_report *out)
+static void report_tier(const cn_world *world, const cni_island *i, cn_island_report *out)
 {
 	if (out->contacts == 0 && out->joints == 0) {
 		out->tier = CN_TIER_FREE;
@@ -149,18 +148,18 @@ static void report_island(const cn_world *world, int32_t island, cn_island_repor
 	*out = report_begin(world, i->first);
 	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next) {
 		first = cni_min_i(first, body);
-		body_add(world, body, out);
+		report_add_body(world, body, out);
 	}
 	out->body = cni_handles_of(&world->body_handles, first);
-	tier_tell(world, i, out);
+	report_tier(world, i, out);
 }
 
 static void report_alone(const cn_world *world, int32_t body, cn_island_report *out)
 {
 	*out = report_begin(world, body);
-	body_add(world, body, out);
+	report_add_body(world, body, out);
 	out->body = cni_handles_of(&world->body_handles, body);
-	tier_tell(world, NULL, out);
+	report_tier(world, NULL, out);
 }
 
 /* ---- all of them ---- */

@@ -1,6 +1,6 @@
 /*
- * world/joint.c - public functions on any joint: what it connects and does, flags, motor, limits.
- * Definitions are in joint_create.c, what is particular to a type in joint_kinds.c.
+ * world/joint.c - public functions on joints of all types: bodies, state, flags, motor, limits, solver, lists, events.
+ * Definitions are in joint_create.c, the fields of each type in joint_kinds.c.
  */
 #include "joints/joint_type.h"
 #include "world/define.h"
@@ -25,7 +25,7 @@ void cni_joint_wake_bodies(cn_world *world, const cni_joint *j)
 			cni_body_wake(world, j->body[side]);
 }
 
-/* A row that comes back later starts from nothing. */
+/* Clears the impulses of missing rows: a row that returns later starts from 0. */
 static void forget_missing_rows(const cn_world *world, cni_joint *j)
 {
 	cni_joint_frame frame = cni_joint_frame_make(world, j);
@@ -128,7 +128,7 @@ cn_result cn_joint_set_solver(cn_world *world, cn_joint joint, int32_t solver)
 	if (solver != CN_SOLVER_AUTO)
 		world->overridden = 1;
 	if (solver == CN_SOLVER_DIRECT)
-		world->joints_soft_step = 0; /* what was left soft for a time is tried again */
+		world->joints_soft_step = 0; /* joints left soft for a time are tried again */
 	return CN_OK;
 }
 

@@ -1,6 +1,6 @@
 /*
- * world/joint_change.h - what the public functions on joints and constraints share: making, changing and
- * listing them.
+ * world/joint_change.h - shared by the public functions on joints and constraints: definitions by type,
+ * creating, changing and listing.
  */
 #ifndef CNI_WORLD_JOINT_CHANGE_H
 #define CNI_WORLD_JOINT_CHANGE_H
@@ -11,42 +11,41 @@
 #define CNI_HERTZ_MAX 1e6f
 #define CNI_DAMPING_RATIO_MAX 1e6f
 
-/* What a type has beyond its base (joints begin with a cn_joint_base; constraints with size, flags and body). */
+/* The definition of a type beyond its first fields (joints: cn_joint_base; constraints: size, flags and body). */
 typedef struct cni_joint_field cni_joint_field; /* one number or vector of a definition: joint_kinds.c */
 typedef struct cni_joint_kind {
 	size_t bytes;                  /* of the definition */
 	const char *init;              /* name of its init function */
-	const cni_joint_field *fields; /* all but what base has */
+	const cni_joint_field *fields; /* without those of base */
 	int32_t field_count;
 	uint32_t has;                  /* CNI_KIND_HAS_* */
 } cni_joint_kind;
 enum {
-	CNI_KIND_HAS_MOTOR = 1u << 0,  /* cn_joint_set_motor */
-	CNI_KIND_HAS_LIMITS = 1u << 1, /* cn_joint_set_limits */
-	CNI_KIND_HAS_DRIVE = 1u << 2   /* its force needs a bound: a force_max of 0 is refused */
+	CNI_KIND_HAS_MOTOR = 1u << 0,      /* cn_joint_set_motor */
+	CNI_KIND_HAS_LIMITS = 1u << 1,     /* cn_joint_set_limits */
+	CNI_KIND_NEEDS_FORCE_MAX = 1u << 2 /* force_max_N must be > 0 */
 };
 const cni_joint_kind *cni_joint_kind_of(int32_t type);
 
-/* The fields of a definition: defaults (NULL: nothing), checks, into the record, and out of it. */
+/* Fields of a definition: set defaults (NULL does nothing), check, store in the record, read from the record. */
 void cni_joint_def_init(int32_t type, void *def);
 void cni_joint_def_check(cni_call *call, int32_t type, const void *def);
 void cni_joint_def_store(cni_joint *j, const void *def);
 void cni_joint_def_read(const cni_joint *j, void *def);
 /* Revolute: -pi <= lower <= upper <= pi. Distance: 0 <= lower <= upper. Others: lower <= upper. */
 void cni_check_joint_limits(cni_call *call, int32_t type, float lower, float upper);
-/* Stiffness, most force and break thresholds, for this type. */
+/* Stiffness, greatest force and torque, and break thresholds of a type. */
 void cni_check_joint_strength(cni_call *call, int32_t type, const cn_joint_base *base);
 void cni_joint_store_strength(cni_joint *j, const cn_joint_base *base);
 
-/* Room for one more joint, which ends up to this many contacts. */
+/* Reserves memory for one more joint that ends up to this many contacts. */
 void cni_joint_reserve_one(cni_call *call, cn_world *world, int32_t contacts);
-/* Takes a slot after that: a record without lists, of zeros but for these. */
+/* Takes a slot after cni_joint_reserve_one; the record is unlinked and 0 except for the arguments. */
 int32_t cni_joint_take(cn_world *world, int32_t type, uint32_t flags, int32_t body_a, int32_t body_b);
 
-/* Room for cni_joint_change_flags. */
+/* Reserves memory for cni_joint_change_flags. */
 void cni_joint_change_reserve(cni_call *call, cn_world *world, const cni_joint *j);
-/* Replaces the flags, ends or allows contacts between the bodies, forgets impulses of rows that are no
-   longer there, and wakes. */
+/* Replaces the flags, ends or permits contacts between the bodies, clears the impulses of missing rows, and wakes both bodies. */
 void cni_joint_change_flags(cn_world *world, int32_t joint, uint32_t flags);
 void cni_joint_wake_bodies(cn_world *world, const cni_joint *j);
 

@@ -1,9 +1,8 @@
 /*
- * world/joint_create.c - public functions on a joint's life and definition: creating and destroying joints of
- * every type, reading a definition back and replacing it.
+ * world/joint_create.c - public functions that create and destroy joints, and read and replace their definitions.
  *
- * All types go one way: the base is checked and stored here, what is particular to a type through its
- * cni_joint_kind (joint_kinds.c).
+ * The functions here check and store the base of all types; the cni_joint_kind of a type (joint_kinds.c) handles its
+ * other fields.
  */
 #include "joints/joint_type.h"
 #include "world/joint_change.h"
@@ -12,7 +11,7 @@
 
 /* ------------------------------------------------------------------ base */
 
-/* 0 is the world and gives NULL, as does a bad handle (the call has then failed). */
+/* NULL for 0 (the world) and for a bad handle (the call has then failed). */
 static const cni_body *check_side(cni_call *call, const char *field, cn_body body)
 {
 	return body != 0 ? cni_check_body(call, field, body) : NULL;
@@ -38,7 +37,7 @@ void cni_check_joint_strength(cni_call *call, int32_t type, const cn_joint_base 
 	cni_check_at_least(call, "torque_max_Nm", base->torque_max_Nm, 0.0f);
 	cni_check_at_least(call, "break_force_N", base->break_force_N, 0.0f);
 	cni_check_at_least(call, "break_torque_Nm", base->break_torque_Nm, 0.0f);
-	if (cni_joint_kind_of(type)->has & CNI_KIND_HAS_DRIVE)
+	if (cni_joint_kind_of(type)->has & CNI_KIND_NEEDS_FORCE_MAX)
 		cni_check_positive(call, "force_max_N of this type", base->force_max_N);
 	if (type == CN_JOINT_MOTOR_TO)
 		cni_check_positive(call, "torque_max_Nm of this type", base->torque_max_Nm);
@@ -103,7 +102,7 @@ static int32_t side_index(const cn_world *world, cn_body body)
 	return body != 0 ? cni_body_index(world, body) : CNI_NONE;
 }
 
-/* base: whose bodies and anchors the joint has; a set ignores the def's. */
+/* base has the joint's bodies and anchors: those of def at creation; a set function ignores those of def. */
 static void check_def(cni_call *call, int32_t type, const cn_joint_base *base, const void *def)
 {
 	const cn_joint_base *given = (const cn_joint_base *)def;
@@ -199,7 +198,7 @@ static cn_result joint_set(cn_world *world, const char *function, int32_t type, 
 	cni_joint_store_strength(j, base);
 	cni_joint_def_store(j, def);
 	if (type == CN_JOINT_GEAR && j->p[CNI_P_GEAR_RATIO] != ratio)
-		cni_joint_turns_begin(world, j); /* turns made at another ratio mean nothing */
+		cni_joint_turns_begin(world, j); /* turns counted at another ratio are invalid */
 	if (type == CN_JOINT_RATCHET)
 		cni_joint_ratchet_begin(world, j);
 	j->user_data = base->user_data;

@@ -1,8 +1,8 @@
 /*
- * world/joint_kinds.c - what is particular to each type of joint and constraint in its public definition: for each number its
- * place in the definition and in the record (p[]: table in joint.h), the values that it may have, and its default.
+ * world/joint_kinds.c - tables of the fields of each type of joint and constraint: the place in the public definition and in the
+ * record (p[]: table in joint.h), the permitted values, and the default.
  *
- * All numbers are checked whatever the flags say, so that turning a flag on later finds good ones.
+ * All fields are checked, whatever the flags are, so that they are valid when a flag is set later.
  */
 #include "world/joint_change.h"
 
@@ -12,30 +12,30 @@
 #define RATIO_MIN 1e-4f
 #define RATIO_MAX 1e4f
 
-/* Values that a field may have. From VECTORS on fields are of two numbers. */
+/* Permitted values of a field. Fields from VECTORS on have two numbers. */
 enum {
 	FINITE,
 	AT_LEAST_0,
 	ABOVE_0,
 	ANGLE,
-	LOWER,    /* checked with UPPER, which follows */
+	LOWER,         /* checked with UPPER, the next field */
 	UPPER,
 	HERTZ,
-	DRIVE,    /* hertz of types that are nothing without their spring */
+	HERTZ_ABOVE_0, /* hertz > 0, of types that are only a spring */
 	DAMPING,
-	RATIO,    /* of either sign */
+	RATIO,         /* of either sign */
 	RATIO_ABOVE_0,
 	USER_DATA,
 	VECTORS,
 	POSITION = VECTORS,
-	AXIS      /* kept with length 1 */
+	AXIS           /* stored with length 1 */
 };
 
 struct cni_joint_field {
 	const char *name;
-	size_t in_def, in_joint; /* bytes before it */
+	size_t in_def, in_joint; /* offsets in bytes */
 	int32_t values;
-	cn_vec2 initial;         /* a number is x */
+	cn_vec2 initial;         /* x alone for a number */
 };
 
 #define P(number) (offsetof(cni_joint, p) + sizeof(float) * (size_t)(number))
@@ -89,12 +89,12 @@ static const cni_joint_field wheel_fields[] = {
 static const cni_joint_field motor_fields[] = {
 	VECTOR(cn_motor_def, offset_m, P(CNI_P_MOTOR_OFFSET_X), POSITION, 0.0f, 0.0f),
 	FIELD(cn_motor_def, angle_rad, P(CNI_P_MOTOR_ANGLE), ANGLE, 0.0f),
-	FIELD(cn_motor_def, hertz, P(CNI_P_HERTZ), DRIVE, 5.0f),
+	FIELD(cn_motor_def, hertz, P(CNI_P_HERTZ), HERTZ_ABOVE_0, 5.0f),
 	FIELD(cn_motor_def, damping_ratio, P(CNI_P_DAMPING), DAMPING, 1.0f)
 };
 static const cni_joint_field mouse_fields[] = {
 	VECTOR(cn_mouse_def, target_m, offsetof(cni_joint, anchor), POSITION, 0.0f, 0.0f),
-	FIELD(cn_mouse_def, hertz, P(CNI_P_HERTZ), DRIVE, 5.0f),
+	FIELD(cn_mouse_def, hertz, P(CNI_P_HERTZ), HERTZ_ABOVE_0, 5.0f),
 	FIELD(cn_mouse_def, damping_ratio, P(CNI_P_DAMPING), DAMPING, 0.7f)
 };
 static const cni_joint_field gear_fields[] = {
@@ -113,7 +113,7 @@ static const cni_joint_field ratchet_fields[] = {
 };
 static const cni_joint_field rotary_spring_fields[] = {
 	FIELD(cn_rotary_spring_def, rest_angle_rad, P(CNI_P_REST), ANGLE, 0.0f),
-	FIELD(cn_rotary_spring_def, hertz, P(CNI_P_REST_HERTZ), DRIVE, 1.0f),
+	FIELD(cn_rotary_spring_def, hertz, P(CNI_P_REST_HERTZ), HERTZ_ABOVE_0, 1.0f),
 	FIELD(cn_rotary_spring_def, damping_ratio, P(CNI_P_REST_DAMPING), DAMPING, 0.0f)
 };
 static const cni_joint_field groove_fields[] = {
@@ -150,8 +150,8 @@ const cni_joint_kind *cni_joint_kind_of(int32_t type)
 		KIND(cn_fixed_def, fixed_fields, 0),
 		KIND(cn_prismatic_def, prismatic_fields, CNI_KIND_HAS_MOTOR | CNI_KIND_HAS_LIMITS),
 		KIND(cn_wheel_def, wheel_fields, CNI_KIND_HAS_MOTOR | CNI_KIND_HAS_LIMITS),
-		KIND(cn_motor_def, motor_fields, CNI_KIND_HAS_DRIVE),
-		KIND(cn_mouse_def, mouse_fields, CNI_KIND_HAS_DRIVE),
+		KIND(cn_motor_def, motor_fields, CNI_KIND_NEEDS_FORCE_MAX),
+		KIND(cn_mouse_def, mouse_fields, CNI_KIND_NEEDS_FORCE_MAX),
 		KIND(cn_gear_def, gear_fields, 0),
 		KIND(cn_pulley_def, pulley_fields, 0),
 		KIND(cn_ratchet_def, ratchet_fields, 0),
@@ -211,7 +211,7 @@ static void check_number(cni_call *call, int32_t type, const cni_joint_field *fi
 	case ABOVE_0: cni_check_positive(call, field->name, value); break;
 	case ANGLE: cni_check_angle(call, field->name, value); break;
 	case UPPER: cni_check_joint_limits(call, type, before, value); break;
-	case DRIVE: cni_check_positive(call, field->name, value); /* fall through */
+	case HERTZ_ABOVE_0: cni_check_positive(call, field->name, value); /* fall through */
 	case HERTZ: cni_check_range(call, field->name, value, 0.0f, CNI_HERTZ_MAX); break;
 	case DAMPING: cni_check_range(call, field->name, value, 0.0f, CNI_DAMPING_RATIO_MAX); break;
 	case RATIO: check_ratio(call, field->name, value); break;
@@ -259,7 +259,7 @@ void cni_joint_def_init(int32_t type, void *def)
 
 void cni_joint_store_axis(cni_joint *j, cn_vec2 axis)
 {
-	/* The larger part first: squares of very long and very short axes would leave the range of floats. */
+	/* Scale by the larger component first: the squares of very long and very short axes would overflow or underflow. */
 	float size = cni_max(cni_abs(axis.x), cni_abs(axis.y));
 	cni_vec2 unit = cni_normalize(cni_v(axis.x / size, axis.y / size));
 	j->p[CNI_P_AXIS_X] = unit.x;

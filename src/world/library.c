@@ -1,6 +1,5 @@
 /*
- * world/library.c - what the library says about itself: version, result texts, struct sizes. Needs no
- * world and holds no state.
+ * world/library.c - version, result texts and struct sizes of the library. Needs no world and has no state.
  */
 #include "base/config.h"
 #include "cairn.h"

@@ -1,11 +1,11 @@
 /*
  * world/mover.c - the character mover: one move of a caller's cn_mover through the world (see cn_mover_move in cairn.h).
  *
- * Reads the world; writes the mover, and forces on dynamic bodies that it pushes. Nothing is kept in the world.
+ * Reads the world; writes the mover, and forces on dynamic bodies that it pushes. The world stores nothing of a mover.
  *
- * Surfaces are touched exactly, by planes at separation 0. The casts that keep it from passing through things move a core
- * that is smaller by a skin of half a slop: so what it stands on or slides along never stops a cast, and what does is
- * touched by the whole shape, which the next round of planes puts in order.
+ * The mover touches surfaces exactly, by planes at separation 0. The casts that prevent tunnelling move a core that is
+ * smaller by a skin of half a slop, so that the ground or a wall along which the mover slides never stops a cast. The whole
+ * shape overlaps a surface that stops the cast by the skin, and the next round of planes resolves it.
  */
 #include "world/mover.h"
 
@@ -75,7 +75,7 @@ static void check_mover(cni_call *call, const cn_mover *mover)
 	cni_check_flags(call, "flags", mover->flags, CN_MOVER_ON_GROUND | CN_MOVER_ON_WALL | CN_MOVER_ON_CEILING);
 }
 
-/* The core: rounding, or else the points, drawn in by the skin. */
+/* The core: a region with a radius, or else points, reduced by the skin. */
 static cni_region core_of(const cni_region *full, const cni_geometry *g, float skin)
 {
 	cni_region core = *full;
@@ -118,7 +118,7 @@ static void move_begin(cni_move *m, cn_world *world, const cn_mover_def *def, co
 	cni_move_place(m, mover->position_m);
 }
 
-/* What the ground did since the last move. */
+/* Moves the mover with its ground: the motion of its point of the ground since the last move, and conveyors. */
 static void carry(cni_move *m)
 {
 	cn_mover *mover = m->mover;
@@ -137,8 +137,8 @@ static void carry(cni_move *m)
 
 /* ------------------------------------------------------------------ pushing */
 
-/* A force on a dynamic body in the way that brings it to the mover's velocity within the next step, of at most push_force. A
-   force and not an impulse: what is too weak to overcome friction then moves the body by nothing at all. */
+/* Applies a force to a dynamic body in the way, of at most push_force_N, that brings it to the mover's velocity in the next step. A force,
+   not an impulse: if it is too weak to overcome friction, it does not move the body at all. */
 static void push(const cni_move *m, const cn_plane *p, cni_vec2 velocity)
 {
 	const cni_body *b = cni_body_at(m->world, cni_body_index(m->world, p->body));
@@ -163,7 +163,7 @@ static void push_all(const cni_move *m, cni_vec2 velocity)
 
 /* ------------------------------------------------------------------ velocities */
 
-/* What is left of a velocity by all that is touched. */
+/* Velocity without its parts into touched surfaces. */
 static cni_vec2 clip(const cni_move *m, cni_vec2 v)
 {
 	float speeds[CNI_MOVER_PLANES_MAX];
@@ -248,7 +248,7 @@ cn_result cn_mover_move(cn_world *world, const cn_mover_def *def, float dt_s, cn
 	if (call.result != CN_OK)
 		return call.result;
 	move_begin(&m, world, def, &region, mover, dt_s);
-	++world->locked; /* the filter may ask the user */
+	++world->locked; /* the filter may call the user's callback */
 	carry(&m);
 	if ((mover->flags & CN_MOVER_ON_GROUND) && !(cni_dot(mover->velocity_mps, m.up) > JUMP_SPEED * world->settings.length_unit))
 		walk(&m);

@@ -1,5 +1,6 @@
 /*
- * world/mover.h - what the planes of a mover (mover_plane.c) give to the mover itself (mover.c, mover_slide.c, mover_ground.c).
+ * world/mover.h - shared by the files of the character mover: planes (mover_plane.c), sliding (mover_slide.c), ground
+ * (mover_ground.c) and the move (mover.c).
  */
 #ifndef CNI_WORLD_MOVER_H
 #define CNI_WORLD_MOVER_H
@@ -15,50 +16,49 @@ typedef struct cni_planes {
 	int32_t reserved;
 } cni_planes;
 
-/* A shape to collide: region for where it is, solid with the same points from the region's origin. */
-void cni_planes_find(const cni_sight *sight, const cni_region *region, const cni_solid *solid, float margin, cn_plane *out, int32_t capacity,
-	int32_t *out_count);
+/* Finds the planes of a shape: region is its place, solid the same points relative to the region's origin. */
+void cni_planes_find(const cni_sight *sight, const cni_region *region, const cni_solid *solid, float margin, cn_plane *out, int32_t capacity, int32_t *out_count);
 /* As cn_mover_solve. */
 cni_vec2 cni_planes_solve(cn_plane *planes, int32_t count, cni_vec2 wanted, float *out_overlap);
-/* The velocity nearest to v that leads into none of the surfaces, which themselves move at speeds[i] along their normals. */
+/* Velocity nearest to v that leads into none of the surfaces, which move at speeds[i] along their normals. */
 cni_vec2 cni_planes_clip(const cn_plane *planes, const float *speeds, int32_t count, cni_vec2 v);
-/* Of the body's material at a point in the world. */
+/* Velocity of the body's material at a world point. */
 cni_vec2 cni_mover_velocity_at(const cn_world *world, cn_body body, cni_vec2 point);
 
-/* ---- one move, while it goes on */
+/* ---- state of one move */
 
 typedef struct cni_move {
 	cn_world *world;
 	const cn_mover_def *def;
 	cn_mover *mover;
 	cni_sight sight;
-	cni_region full, core;   /* core: a little smaller, so that what is touched along the way does not stop a cast */
+	cni_region full, core;   /* core: slightly smaller, so that touched surfaces do not stop a cast */
 	cni_solid solid;
 	cni_vec2 offset;         /* of the regions' origin from the mover's position */
 	cni_vec2 up, right;
 	float walkable;          /* cosine of the slope limit */
-	float margin;            /* surfaces so near are touched */
-	float skin;              /* how much smaller the core is */
+	float margin;            /* surfaces within it are touched */
+	float skin;              /* distance between the surfaces of full and core */
 	float dt;
 	cni_planes planes;       /* of the last cni_move_touch */
 } cni_move;
 
-/* mover_slide.c. Puts the mover there. */
+/* mover_slide.c. Sets the mover's position. */
 void cni_move_place(cni_move *m, cni_vec2 position);
 /* Finds the planes that it touches. */
 void cni_move_touch(cni_move *m);
-/* Moves it by a translation, or as far as what is in the way lets it slide. */
+/* Moves the mover by a translation, or as far as it can slide along the surfaces in the way. */
 void cni_move_slide(cni_move *m, cni_vec2 translation);
-/* Without a velocity into steep planes, horizontally: what is too steep to walk on is a wall. */
+/* Removes the horizontal velocity into steep planes: a surface too steep to walk on is a wall. */
 cni_vec2 cni_move_block_steep(const cni_move *m, cni_vec2 v);
 
-/* mover_ground.c. All set or clear the mover's ground. */
+/* Clears the mover's ground. The functions below set it and return 1 if there is ground (mover_ground.c). */
 void cni_ground_none(cni_move *m);
-/* Among the planes touched, the one that can best be stood on, unless the mover leaves it at velocity v. */
+/* Takes the most level walkable plane touched, unless the mover leaves it at velocity v. */
 int32_t cni_ground_of_planes(cni_move *m, cni_vec2 v);
-/* Looks for ground within the snap distance below, and goes down to it. */
+/* Finds ground within the snap distance below and moves down to it. */
 int32_t cni_ground_snap(cni_move *m);
-/* From start a step up and then a way along `right`, which sliding took only for `progress` of it. */
+/* Tries a step up from start and the distance way along `right`, of which sliding moved only `progress`. */
 int32_t cni_ground_step(cni_move *m, cni_vec2 start, float way, float progress);
 
 #endif

@@ -1,8 +1,8 @@
 /*
- * world/mover_ground.c - what a mover stands on: among what it touches, a little below it, or on top of a step.
+ * world/mover_ground.c - the ground of a mover: a touched surface, a surface slightly below it, or the top of a step.
  *
- * Ground is where the surface is no steeper than the slope limit. A round shape on the corner of a step touches it at
- * any angle, so on a step the surface behind the corner decides: a short ray down beside the contact point.
+ * Ground is a surface no steeper than the slope limit. A round shape touches the corner of a step at any angle, so the
+ * surface behind the corner decides: a short ray down beside the contact point finds it.
  */
 #include "world/mover.h"
 
@@ -35,7 +35,7 @@ static void ground_set(cni_move *m, cn_body body, cn_shape shape, cni_vec2 point
 	mover->ground_shape = shape;
 	mover->ground_normal = normal;
 	mover->ground_local_m = cni_query_to_local(b, point);
-	/* As the next move will see it, so that a body that stays carries by nothing at all. */
+	/* Computed as in the next move, so that a body at rest carries the mover by exactly 0. */
 	mover->ground_point_m = cni_query_to_world(b, mover->ground_local_m);
 	mover->ground_velocity_mps = cni_madd(cni_mover_velocity_at(m->world, body, point), s->tangent_speed, cni_right_perp(normal));
 }
@@ -45,8 +45,8 @@ static int32_t is_walkable(const cni_move *m, const cn_ray_hit *hit)
 	return hit->shape != 0 && cni_dot(hit->normal, m->up) >= m->walkable;
 }
 
-/* The normal of the surface at a contact: uphill beside it, where a corner was touched, for along that it goes on. *out is the
-   contact's own where there is none that can be walked on: 0. */
+/* Normal of the surface at a contact: at a corner that of the surface uphill beside it, along which the mover continues. Returns 0 and
+   the contact's own normal if that surface is not walkable. */
 static int32_t surface_normal(const cni_move *m, cni_vec2 point, cni_vec2 normal, cni_vec2 *out)
 {
 	float beside = BESIDE_PER_SLOP * m->world->settings.slop;
@@ -63,7 +63,7 @@ static int32_t surface_normal(const cni_move *m, cni_vec2 point, cni_vec2 normal
 	return 1;
 }
 
-/* Takes a plane as ground; what hovers within the margin is put down. */
+/* Takes a plane as ground; moves a mover that hovers within the margin down to it. */
 static void ground_take(cni_move *m, const cn_plane *p)
 {
 	float above = p->separation_m / cni_dot(p->normal, m->up);
@@ -92,7 +92,7 @@ int32_t cni_ground_of_planes(cni_move *m, cni_vec2 v)
 	return best != NULL;
 }
 
-/* The mover's lowest point. */
+/* Lowest point of the mover. */
 static cni_vec2 foot(const cni_move *m)
 {
 	cni_vec2 low = m->full.points[0];
@@ -102,7 +102,7 @@ static cni_vec2 foot(const cni_move *m)
 		if (rise < -m->margin) {
 			low = m->full.points[k];
 			equals = 1;
-		} else if (rise <= m->margin) { /* the middle of a flat foot */
+		} else if (rise <= m->margin) { /* the mean of the points of a flat foot */
 			++equals;
 			low = cni_lerp(low, m->full.points[k], 1.0f / (float)equals);
 		}
@@ -122,7 +122,7 @@ int32_t cni_ground_snap(cni_move *m)
 		ground_set(m, hit.body, hit.shape, hit.point_m, normal);
 		return 1;
 	}
-	/* Over the corner of a step: the ground under the foot is what it goes down to. */
+	/* Over the corner of a step the ground under the foot decides. */
 	from = cni_madd(foot(m), m->skin, m->up);
 	below = cni_ray_cast(&m->sight, from, cni_madd(down, -m->skin, m->up));
 	if (!is_walkable(m, &below))
@@ -132,7 +132,7 @@ int32_t cni_ground_snap(cni_move *m)
 	return 1;
 }
 
-/* Up by a step, forward, and down: 1 if that lands on something that is no higher than a step and can be walked on. */
+/* Moves up by a step, forward, and down: 1 if it lands on a walkable surface no higher than a step. */
 static int32_t step_lands(cni_move *m, cni_vec2 start, float way, cn_ray_hit *hit, cni_vec2 *normal)
 {
 	float step = m->def->step_height_m, feet = cni_dot(m->up, cni_sub(foot(m), m->mover->position_m)), rise, forward;

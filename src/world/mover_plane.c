@@ -1,16 +1,15 @@
 /*
- * world/mover_plane.c - public functions on the planes that bound a mover: which there are, and where they let it go.
+ * world/mover_plane.c - public functions on the planes that bound a mover: finding them, and the nearest position that they permit.
  *
- * A plane is how the mover's shape touches another one, by the pair functions of the narrowphase: so inner vertices of chains
- * and hidden corners of tiles act as they do in a step.
+ * The pair functions of collision/ give the planes, so inner vertices of chains and hidden corners of tiles act as in a step.
  *
- * The solver looks for the nearest point to the wanted one in an intersection of half planes. In the plane that is the wanted
- * point itself, its projection on one line, or the crossing of two (the active sets of a quadratic program in two
- * variables): the nearest of these that all planes allow is exact, however small the angles. A plane that would have to push
- * by more than it may pushes its most, and the others find the nearest point to what that makes of the wanted one.
+ * The solver finds the point of an intersection of half planes nearest to the wanted point. In two dimensions that is the wanted
+ * point itself, its projection on one line, or the crossing of two lines (the active sets of a quadratic program in two
+ * variables). The nearest candidate that all planes permit is exact at any angle. A plane that would push by more than
+ * push_max_m is saturated: it pushes by push_max_m, and the others find the nearest point to the wanted point so moved.
  *
- * Planes that leave no room have no such point. Then all planes pull at once, by an equal share
- * of their overlaps (Cimmino 1938), which leads to the least sum of squared overlaps.
+ * If the planes leave no room, there is no such point. Then all planes pull at once, each by an equal share of its overlap
+ * (Cimmino 1938), which converges to the least sum of squared overlaps.
  */
 #include "world/mover.h"
 #include "collision/manifold.h"
@@ -60,7 +59,7 @@ static cni_transform target_in_region(const cni_query_target *t, const cni_regio
 	return x;
 }
 
-/* Seen from the region's origin, the normal towards the mover. The pair functions take the lesser type first. */
+/* Manifold relative to the region's origin, with the normal towards the mover. The pair functions take the smaller type first. */
 static void manifold_make(const plane_query *q, const cni_query_target *t, cni_manifold *out)
 {
 	cni_transform x = target_in_region(t, q->region);
@@ -84,7 +83,7 @@ static void manifold_make(const plane_query *q, const cni_query_target *t, cni_m
 		out->points[k].point = cni_transform_point(x, out->points[k].point);
 }
 
-/* How far a one-way shape may have come up into the mover since the last step. */
+/* Greatest distance by which a one-way shape can have risen into the mover in the last step. */
 static float risen(const cn_world *world, const cn_plane *p)
 {
 	cni_vec2 v = cni_mover_velocity_at(world, p->body, p->point_m);
@@ -127,7 +126,7 @@ static float plane_visit(void *context, int32_t proxy, float limit)
 	return limit;
 }
 
-/* How far the shape of a plane reaches in front of another plane. */
+/* Greatest height of the shape of one plane in front of another plane. */
 static float height_over(const cn_world *world, const cni_region *region, const cn_plane *of, const cn_plane *over)
 {
 	cni_query_target t;
@@ -143,11 +142,11 @@ static float height_over(const cn_world *world, const cni_region *region, const 
 	set = cni_geometry_proxy(cni_shape_geometry(&world->blocks, t.shape), of->child, storage);
 	for (k = 0; k < set.count; ++k)
 		height = cni_max(height, cni_dot(over->normal, cni_sub(cni_transform_point(x, set.points[k]), origin)));
-	/* The point lies midway between the surfaces. */
+	/* The point is midway between the surfaces. */
 	return height + set.radius + 0.5f * over->separation_m;
 }
 
-/* Leaves out what is behind another plane that stays. */
+/* Removes planes whose shape is wholly behind another plane that remains. */
 static int32_t drop_hidden(const cni_sight *sight, const cni_region *region, cn_plane *planes, int32_t count)
 {
 	float touch = 0.1f * sight->world->settings.slop;
@@ -194,7 +193,7 @@ static float height_at(const cn_plane *p, cni_vec2 x)
 	return p->separation_m + cni_dot(p->normal, x);
 }
 
-/* The point wanted, moved by all pushes. */
+/* The wanted point, moved by all pushes. */
 static cni_vec2 pushed(const cn_plane *planes, int32_t count, cni_vec2 wanted)
 {
 	int32_t i;
@@ -203,7 +202,7 @@ static cni_vec2 pushed(const cn_plane *planes, int32_t count, cni_vec2 wanted)
 	return wanted;
 }
 
-/* How deep a point is in planes that could push more. */
+/* Depth of a point in planes that are not saturated. */
 static float overlap_at(const cn_plane *planes, int32_t count, cni_vec2 x)
 {
 	float overlap = 0.0f;
@@ -214,7 +213,7 @@ static float overlap_at(const cn_plane *planes, int32_t count, cni_vec2 x)
 	return overlap;
 }
 
-/* No room: every plane pulls by its share of what is left of its overlap. */
+/* No room: each plane pulls by its share of its remaining overlap. */
 static cni_vec2 compromise(cn_plane *planes, int32_t count, cni_vec2 wanted)
 {
 	float share = 1.0f / (float)count;
@@ -231,15 +230,15 @@ static cni_vec2 compromise(cn_plane *planes, int32_t count, cni_vec2 wanted)
 	return x;
 }
 
-/* The nearest point found so far, and which planes hold it. */
+/* The nearest point found so far and the planes that hold it. */
 typedef struct held {
 	cni_vec2 x;
-	int32_t i, j;           /* CNI_NONE: none, one */
+	int32_t i, j;           /* CNI_NONE for fewer than two or one */
 	float push_i, push_j;
-	float distance_sq;      /* from the wanted point; FLT_MAX: no point is allowed */
+	float distance_sq;      /* from the wanted point; FLT_MAX: no permitted point */
 } held;
 
-/* A point is the better one if it is nearer and no plane that does not push its most forbids it. */
+/* Takes a candidate that is nearer, if no unsaturated plane forbids it. */
 static void held_try(held *best, const cn_plane *planes, int32_t count, cni_vec2 wanted, float size, held candidate)
 {
 	float tolerance;
@@ -254,7 +253,7 @@ static void held_try(held *best, const cn_plane *planes, int32_t count, cni_vec2
 	*best = candidate;
 }
 
-/* The crossing of two planes, found along the first one, so that it is on both to the last digits however flat they cross. */
+/* Tries the crossing of two planes. It is computed along the first one and lies on both up to rounding, at any angle. */
 static void held_try_pair(held *best, const cn_plane *planes, int32_t count, cni_vec2 wanted, float size, int32_t i, int32_t j)
 {
 	const cn_plane *p = planes + i, *q = planes + j;
@@ -270,7 +269,7 @@ static void held_try_pair(held *best, const cn_plane *planes, int32_t count, cni
 	held_try(best, planes, count, wanted, size, candidate);
 }
 
-/* Planes whose push is not 0 yet push their most and are no bounds; wanted is what that makes of the wanted point. */
+/* Nearest point permitted by the unsaturated planes; saturated planes (push_m > 0) have moved wanted and are no bounds. */
 static held held_find(const cn_plane *planes, int32_t count, cni_vec2 wanted, float size)
 {
 	held best = { wanted, CNI_NONE, CNI_NONE, 0.0f, 0.0f, FLT_MAX };
@@ -290,8 +289,8 @@ static held held_find(const cn_plane *planes, int32_t count, cni_vec2 wanted, fl
 	return best;
 }
 
-/* Which planes push their most: those that do so after some sweeps of coordinate ascent in the dual (Hildreth 1957), in which
-   each plane in turn moves the point out of itself, less what it pushed too far before. The others' pushes are 0 again. */
+/* Estimates the saturated planes by sweeps of coordinate ascent in the dual (Hildreth 1957): each plane in turn moves the point out of
+   itself, minus its earlier excess. Sets push_m of the saturated planes, and 0 for all others. */
 static void saturate(cn_plane *planes, int32_t count, cni_vec2 x)
 {
 	int32_t i, k, bounded = 0;
@@ -307,7 +306,7 @@ static void saturate(cn_plane *planes, int32_t count, cni_vec2 x)
 		planes[i].push_m = bounded && planes[i].push_m >= planes[i].push_max_m ? cni_max(planes[i].push_max_m, FLT_MIN) : 0.0f;
 }
 
-/* A plane that would have to push farther pushes its most too. */
+/* Saturates a plane that would have to push farther than push_max_m. */
 static int32_t saturate_held(cn_plane *planes, int32_t i, float push)
 {
 	if (i == CNI_NONE || push <= planes[i].push_max_m)
@@ -316,7 +315,7 @@ static int32_t saturate_held(cn_plane *planes, int32_t i, float push)
 	return 1;
 }
 
-/* One that pushes its most with the point in front of it need not push so far: that which has it farthest in front is let go. */
+/* A saturated plane with the point in front of it pushes too far: releases the one with the point farthest in front. */
 static int32_t release(cn_plane *planes, int32_t count, cni_vec2 x, float tolerance)
 {
 	cn_plane *most = NULL;
@@ -379,7 +378,7 @@ cni_vec2 cni_mover_velocity_at(const cn_world *world, cn_body body, cni_vec2 poi
 	return cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(arm));
 }
 
-/* ------------------------------------------------------------------ public */
+/* ------------------------------------------------------------------ public functions */
 
 cn_result cn_mover_collide(const cn_world *world, const cn_polygon *shape, float position_x_m, float position_y_m, float margin_m,
 	const cn_query_filter *filter, cn_plane *out, int32_t capacity, int32_t *out_count)

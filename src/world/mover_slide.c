@@ -1,5 +1,5 @@
 /*
- * world/mover_slide.c - a mover along a translation: casts, touched planes, sliding along them.
+ * world/mover_slide.c - moves a mover by a translation: casts, touched planes, sliding along them.
  */
 #include "world/mover.h"
 
@@ -43,7 +43,7 @@ void cni_move_slide(cni_move *m, cni_vec2 translation)
 	for (k = 0; k <= m->def->iterations_max; ++k) {
 		cn_ray_hit hit;
 		cni_vec2 wanted = cni_sub(target, m->mover->position_m);
-		if (k == m->def->iterations_max) /* no farther, but out of what the last round met */
+		if (k == m->def->iterations_max) /* only out of the surfaces that the last round hit */
 			wanted = cni_v(0.0f, 0.0f);
 		cni_move_touch(m);
 		wanted = cni_planes_solve(m->planes.at, m->planes.count, cni_move_block_steep(m, wanted), &m->mover->squeezed_m);

@@ -1,5 +1,5 @@
 /*
- * world/polygon.c - public helpers that fill a cn_polygon: convex hull and box. They need no world.
+ * world/polygon.c - public functions that fill a cn_polygon: convex hull and box. They need no world.
  */
 #include "world/error.h"
 
@@ -7,8 +7,8 @@
 
 #define HULL_POINTS_MAX 65536
 
-/* Without a world there is no length unit: 5 mm, but not more than 5% of a small hull's half size and not
-   less than 0.5% of a large one's. Hulls of 0.1 m or more then pass the checks of a default world. */
+/* Without a world there is no length unit: 5 mm, at most 5% of a small hull's half size and at least 0.5% of a large hull's. Hulls of
+   0.1 m or more then pass the checks of a default world. */
 static float hull_tolerance(const cn_vec2 *points, int32_t count)
 {
 	cni_vec2 lower = points[0], upper = points[0];

@@ -1,5 +1,5 @@
 /*
- * world/query.c - what all queries share (see query.h).
+ * world/query.c - shared by all queries: see query.h.
  */
 #include "world/query.h"
 
@@ -132,7 +132,7 @@ static void points_reverse(cni_vec2 *points, int32_t count)
 	}
 }
 
-/* Relative to the first point. */
+/* Checks the points, which are relative to the first one, and makes them counter-clockwise. */
 static void check_region_points(cni_call *call, cni_region *region)
 {
 	float tolerance = call->world->settings.thickness_least;
@@ -154,7 +154,6 @@ static void check_region_points(cni_call *call, cni_region *region)
 		points_reverse(region->points, region->count);
 }
 
-/* A way may be as long as the world is wide. */
 void cni_check_translation(cni_call *call, cn_vec2 translation)
 {
 	cni_check_position(call, "half the translation", cni_mul(0.5f, translation));
@@ -219,7 +218,7 @@ cni_transform cni_region_in(const cni_region *region, const cni_body *body)
 	return x;
 }
 
-/* ------------------------------------------------------------------ the first of a stream */
+/* ------------------------------------------------------------------ the first items of a stream: a heap */
 
 static uint8_t *first_at(const cni_first *first, int32_t i)
 {
@@ -234,7 +233,7 @@ static void first_swap(const cni_first *first, int32_t i, int32_t j)
 	memcpy(first_at(first, j), kept, (size_t)first->item_bytes);
 }
 
-static void first_rise(const cni_first *first, int32_t i)
+static void first_sift_up(const cni_first *first, int32_t i)
 {
 	while (i > 0 && first->before(first_at(first, (i - 1) / 2), first_at(first, i))) {
 		first_swap(first, i, (i - 1) / 2);
@@ -242,7 +241,7 @@ static void first_rise(const cni_first *first, int32_t i)
 	}
 }
 
-static void first_sink(const cni_first *first, int32_t i, int32_t count)
+static void first_sift_down(const cni_first *first, int32_t i, int32_t count)
 {
 	for (;;) {
 		int32_t last = i, child;
@@ -272,10 +271,10 @@ void cni_first_add(cni_first *first, const void *item)
 	++first->total;
 	if (first->held < first->capacity) {
 		memcpy(first_at(first, first->held), item, (size_t)first->item_bytes);
-		first_rise(first, first->held++);
+		first_sift_up(first, first->held++);
 	} else if (first->held > 0 && first->before(item, first_at(first, 0))) {
 		memcpy(first_at(first, 0), item, (size_t)first->item_bytes);
-		first_sink(first, 0, first->held);
+		first_sift_down(first, 0, first->held);
 	}
 }
 
@@ -284,6 +283,6 @@ void cni_first_end(cni_first *first)
 	int32_t count;
 	for (count = first->held - 1; count > 0; --count) {
 		first_swap(first, 0, count);
-		first_sink(first, 0, count);
+		first_sift_down(first, 0, count);
 	}
 }

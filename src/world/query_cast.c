@@ -1,9 +1,9 @@
 /*
  * world/query_cast.c - public functions that cast rays and shapes.
  *
- * The broadphase finds fat boxes along the way, the geometry finds the hit in the shape's own frame. Hits
- * are ordered by fraction, then by shape and child; a ray is shortened to a little beyond its best hit,
- * so that an equal one is still seen whatever the order of visits.
+ * The broadphase finds fat boxes along the way; collision/cast.h finds the hit in the shape's own frame. Hits
+ * are ordered by fraction, then by shape and child. A ray is shortened to slightly beyond its best hit, so
+ * that it still finds equal hits in any order of visits.
  */
 #include "world/query.h"
 #include "collision/cast.h"
@@ -54,12 +54,12 @@ static cn_ray_hit hit_none(void)
 	return none;
 }
 
-/* ------------------------------------------------------------------ what counts as met */
+/* ------------------------------------------------------------------ which hits count */
 
 /* Least cosine between a one-way shape's upper side and the normal at which it is met. */
 #define ONE_WAY_COSINE 0.7f
 
-/* translation: in the frame of the shape that was met. */
+/* Whether a hit counts under CN_QUERY_ONE_WAY and for starts in contact. translation is in the frame of the shape hit. */
 static int32_t is_met(const cni_sight *sight, const cni_query_target *t, const cni_cast_hit *hit, cni_vec2 translation)
 {
 	if ((sight->filter.flags & CN_QUERY_ONE_WAY) && (t->shape->flags & CN_SHAPE_ONE_WAY) &&
@@ -74,8 +74,8 @@ typedef struct ray_query {
 	const cni_sight *sight;
 	cni_vec2 origin, translation;
 	cn_ray_hit best;
-	cn_ray_hit stop;    /* cn_world_cast_ray_all only: the first hit of CN_QUERY_STOP, shape 0: none */
-	cni_first all;      /* ... */
+	cn_ray_hit stop;    /* for cn_world_cast_ray_all: the first hit of CN_QUERY_STOP; shape 0: none */
+	cni_first all;      /* for cn_world_cast_ray_all */
 } ray_query;
 
 static void ray_begin(ray_query *q, const cni_sight *sight, const cn_ray *ray)
@@ -92,7 +92,7 @@ static void ray_run(ray_query *q, cni_query_fn *visit)
 	world->broadphase_ops->ray(world->broadphase, q->origin, q->translation, visit, q);
 }
 
-/* The cast against one box's shape; 0 when it is missed. */
+/* Casts against the shape of one box; 0 for a miss. */
 static int32_t ray_cast(const ray_query *q, const cni_query_target *t, cn_ray_hit *out)
 {
 	cni_vec2 translation = cni_query_turn_to_local(t->body, q->translation);
@@ -111,7 +111,7 @@ static void best_keep(cn_ray_hit *best, const cn_ray_hit *hit)
 		*best = *hit;
 }
 
-/* CN_QUERY_*: SKIP too when it is missed. */
+/* CN_QUERY_* of a proxy; CN_QUERY_SKIP for a miss. */
 static int32_t ray_visit(ray_query *q, int32_t proxy, cn_ray_hit *out)
 {
 	cni_query_target t;
@@ -120,7 +120,7 @@ static int32_t ray_visit(ray_query *q, int32_t proxy, cn_ray_hit *out)
 	return cni_sight_ask(q->sight, out);
 }
 
-/* Never 0: shapes around the origin must all be seen. */
+/* The limit is never 0: all shapes around the origin must be visited. */
 static float ray_visit_nearest(void *context, int32_t proxy, float limit)
 {
 	ray_query *q = (ray_query *)context;
@@ -154,7 +154,7 @@ static float ray_visit_all(void *context, int32_t proxy, float limit)
 	return limit;
 }
 
-/* Once more when a hit stopped it: some that come after it may have been counted before. */
+/* After a hit with CN_QUERY_STOP the query runs again, as hits beyond it may have been counted before. */
 static void ray_run_all(ray_query *q, cn_ray_hit *out, int32_t capacity)
 {
 	cni_first_begin(&q->all, out, (int32_t)sizeof *out, capacity, hit_before);
@@ -262,12 +262,12 @@ typedef struct shape_query {
 	const cni_sight *sight;
 	const cni_region *region;
 	cni_vec2 translation;
-	cni_aabb box;           /* of the region before it moves */
+	cni_aabb box;           /* of the region at its start */
 	cn_ray_hit best;
 } shape_query;
 
-/* May the box be met before the best hit? By the axes x and y and the normal of the translation. */
-static int32_t way_crosses(const shape_query *q, const cni_aabb *fat)
+/* Whether the moving region's box may meet a fat box before the best hit: separating axes x, y and the normal of the translation. */
+static int32_t sweep_may_meet(const shape_query *q, const cni_aabb *fat)
 {
 	cni_vec2 d = q->translation;
 	cni_vec2 end = cni_mul(q->best.shape != 0 ? q->best.fraction * 1.000001f : 1.0f, d);
@@ -285,7 +285,7 @@ static float shape_visit(void *context, int32_t proxy, float limit)
 	cni_cast_hit hit;
 	cni_vec2 translation;
 	cn_ray_hit made;
-	if (!way_crosses(q, &cni_proxy_at(q->sight->world, proxy)->fat) || !cni_query_target_of(q->sight, proxy, &t))
+	if (!sweep_may_meet(q, &cni_proxy_at(q->sight->world, proxy)->fat) || !cni_query_target_of(q->sight, proxy, &t))
 		return limit;
 	translation = cni_query_turn_to_local(t.body, q->translation);
 	if (!cni_cast_points(t.geometry, t.child, cni_region_points(q->region), q->region->center, cni_region_in(q->region, t.body), translation, &hit) ||
@@ -297,7 +297,7 @@ static float shape_visit(void *context, int32_t proxy, float limit)
 	return limit;
 }
 
-static int32_t pieces_of(const shape_query *q)
+static int32_t piece_count(const shape_query *q)
 {
 	float size = (q->box.x1 - q->box.x0) + (q->box.y1 - q->box.y0) + q->sight->world->settings.length_unit;
 	float pieces = cni_length(q->translation) / (2.0f * size);
@@ -314,7 +314,7 @@ cn_ray_hit cni_region_cast(const cni_sight *sight, const cni_region *region, cni
 	q.translation = translation;
 	q.box = cni_region_box(region, cni_v(0.0f, 0.0f));
 	q.best = hit_none();
-	pieces = pieces_of(&q);
+	pieces = piece_count(&q);
 	for (k = 0; k < pieces; ++k) {
 		float from = (float)k / (float)pieces, to = (float)(k + 1) / (float)pieces;
 		cni_aabb box = cni_region_box(region, cni_mul(from, translation)), end = cni_region_box(region, cni_mul(to, translation));

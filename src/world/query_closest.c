@@ -1,8 +1,8 @@
 /*
  * world/query_closest.c - the public function that finds the shape nearest to a point.
  *
- * Boxes around the point grow until the best shape found is no farther than the box reaches: the cost is
- * that of the neighbourhood, not of the distance allowed. Equals are told apart by shape and child.
+ * The search box around the point grows until the best shape is within the box, so the cost depends on the
+ * neighbourhood, not on the allowed distance. Shape and child order equal distances.
  */
 #include "world/query.h"
 #include "collision/nearest.h"
@@ -18,7 +18,7 @@ typedef struct closest_query {
 	cn_closest best;
 } closest_query;
 
-/* 0 or the distance of the point from the box: no less for what is in it. */
+/* Lower bound of the distance from the point to anything in the box: 0 inside. */
 static float box_distance(const cni_aabb *box, cni_vec2 p)
 {
 	float dx = cni_max(cni_max(box->x0 - p.x, p.x - box->x1), 0.0f);
@@ -56,7 +56,7 @@ static float closest_visit(void *context, int32_t proxy, float limit)
 	return limit;
 }
 
-static void look_within(closest_query *q, float reach)
+static void search_within(closest_query *q, float reach)
 {
 	cni_aabb box;
 	box.x0 = q->point.x - reach;
@@ -83,10 +83,10 @@ cn_result cn_world_closest_point(const cn_world *world, float x_m, float y_m, fl
 	q.point = cni_v(x_m, y_m);
 	q.distance_max = distance_max_m;
 	reach = cni_min(distance_max_m, world->settings.length_unit);
-	look_within(&q, reach);
+	search_within(&q, reach);
 	while (reach < distance_max_m && (q.best.shape == 0 || q.best.distance_m > reach)) {
 		reach = cni_min(distance_max_m, GROWTH * reach);
-		look_within(&q, reach);
+		search_within(&q, reach);
 	}
 	*out = q.best;
 	return CN_OK;

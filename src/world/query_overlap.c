@@ -2,8 +2,8 @@
  * world/query_overlap.c - public functions that list the shapes in a region, in the order of
  * cn_world_get_shapes.
  *
- * A chain has many boxes but is listed once: the first chains that are found are remembered; beyond them
- * a chain is listed for the first of its edges that overlaps, which needs no memory but looks at the others.
+ * A chain has many boxes but is listed once. The query remembers the first CHAINS_MAX chains it finds; it lists
+ * any other chain for its first overlapping edge, which needs no memory but tests the edges before.
  */
 #include "world/query.h"
 
@@ -19,7 +19,7 @@ struct overlap_query {
 	cni_aabb box;
 	cni_vec2 point;
 	cni_first found;
-	int32_t stop;               /* no shape after this one; CNI_NONE */
+	int32_t stop;               /* last shape to list, CNI_NONE without a stop */
 	int32_t chains[CHAINS_MAX];
 	int32_t chain_count;
 };
@@ -61,7 +61,7 @@ static int32_t chain_is_known(const overlap_query *q, int32_t shape)
 	return 0;
 }
 
-/* No edge before this one overlaps. */
+/* Whether no earlier edge of the chain overlaps. */
 static int32_t chain_begins_with(const overlap_query *q, cni_query_target t)
 {
 	int32_t child = t.child;
@@ -71,7 +71,7 @@ static int32_t chain_begins_with(const overlap_query *q, cni_query_target t)
 	return 1;
 }
 
-/* 1 the first time that a shape is found to overlap. */
+/* Whether a shape overlaps and is not in the list. */
 static int32_t overlap_finds(overlap_query *q, const cni_query_target *t)
 {
 	if (t->shape->type == CN_SHAPE_CHAIN && chain_is_known(q, t->index))
@@ -115,19 +115,19 @@ static void overlap_search(overlap_query *q, cn_shape *out, int32_t capacity)
 	cni_first_end(&q->found);
 }
 
-/* q has its test, region and box. */
+/* Runs a query whose test, region and box are set. */
 static cn_result overlap_run(overlap_query *q, const cni_sight *sight, cn_shape *out, int32_t capacity, int32_t *out_count)
 {
 	q->sight = sight;
 	q->stop = CNI_NONE;
 	overlap_search(q, out, capacity);
-	if (q->stop != CNI_NONE) /* some that come after it may have been counted before */
+	if (q->stop != CNI_NONE) /* shapes after it may have been counted before */
 		overlap_search(q, out, capacity);
 	*out_count = q->found.total;
 	return CN_OK;
 }
 
-/* ------------------------------------------------------------------ public */
+/* ------------------------------------------------------------------ public functions */
 
 static void check_output(cni_call *call, const cn_shape *out, int32_t capacity, const int32_t *out_count)
 {

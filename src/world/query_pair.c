@@ -1,8 +1,8 @@
 /*
  * world/query_pair.c - public functions on two convex shapes without a world: distance, cast, time of impact, manifold.
  *
- * Everything is computed in the frame of a, so that nothing is lost far from the origin of the world, and turned to the
- * world at the end. Reads its arguments only.
+ * Computes in the frame of a, which keeps all digits far from the world's origin, and transforms the results to the world.
+ * Reads its arguments only.
  */
 #include "world/query.h"
 #include "collision/cast.h"
@@ -110,14 +110,14 @@ static cni_proxy_points points_of(const cni_solid *s)
 	return set;
 }
 
-/* ------------------------------------------------------------------ public */
+/* ------------------------------------------------------------------ distance, cast, manifold */
 
 static int32_t pair_cast(const pair *p, cni_vec2 translation, cni_cast_hit *out)
 {
 	return cni_cast_points(&p->a.g, 0, points_of(&p->b), p->b.g.centroid, p->b_in_a, cni_unrotate(p->pose_a.q, translation), out);
 }
 
-/* The surfaces touch or overlap: the shortest way out. What rounding leaves just outside is met on the way from centre to centre. */
+/* Shortest way out of touching or overlapping surfaces. If rounding leaves b just outside, a cast from centre to centre finds it. */
 static int32_t inside_find(const pair *p, cni_cast_hit *hit)
 {
 	cni_vec2 way = cni_sub(p->a.g.centroid, cni_transform_point(p->b_in_a, p->b.g.centroid));
@@ -180,7 +180,7 @@ cn_result cn_polygon_cast(const cn_polygon *a, const cn_pose *pose_a, const cn_p
 	return CN_OK;
 }
 
-/* The pair functions take the lesser type first. */
+/* Manifold of the pair; the pair functions take the smaller type first. */
 static void pair_manifold(const pair *p, float margin, cni_manifold *out)
 {
 	int32_t swapped = p->b.g.type < p->a.g.type;
@@ -246,7 +246,7 @@ static void check_sweep(cni_call *call, const char *field, const cn_sweep *sweep
 	out->end = cni_add(out->start, sweep->translation_m);
 }
 
-/* Only differences of the two paths matter: both are given from a's start. */
+/* Moves a path's origin to a's start: only differences of the two paths matter. */
 static void path_shift(cni_path *path, cni_vec2 origin)
 {
 	path->start = cni_sub(path->start, origin);

@@ -1,6 +1,6 @@
 /*
- * world/read.c - public bulk functions: lists of everything alive, poses and velocities of many bodies in
- * one call, the bodies that moved. Every handle is checked before anything is written.
+ * world/read.c - public bulk functions: lists of all objects, poses and velocities of many bodies in one
+ * call, the bodies that moved. All handles are checked before the first write.
  */
 #include "world/joint_change.h"
 
@@ -40,11 +40,11 @@ cn_result cn_world_get_joints(const cn_world *world, cn_joint *out, int32_t capa
 
 /* ------------------------------------------------------------------ many bodies */
 
-/* Walks the bodies of a bulk call: those of an array, or every live one by slot. */
+/* Iterates over the bodies of a bulk call: those of an array, or every live body by slot. */
 typedef struct walk {
 	const cn_world *world;
 	const cn_body *bodies; /* NULL: every body */
-	int32_t slot;          /* where the search for the next live one begins */
+	int32_t slot;          /* where the search for the next live body begins */
 	int32_t step;
 } walk;
 
@@ -57,7 +57,7 @@ static walk walk_begin(const cn_world *world, const cn_body *bodies)
 	return w;
 }
 
-/* Index of the next body. The handles have been checked, or the count is that of all bodies. */
+/* Index of the next body. Requires checked handles, or a count of all bodies. */
 static int32_t walk_next(walk *w)
 {
 	if (w->bodies != NULL)
@@ -172,7 +172,7 @@ static void moved_add(cn_world *world, int32_t body, uint32_t fell_asleep)
 	b->flags |= CNI_BODY_MARK;
 }
 
-/* Those that fell asleep first, then the awake ones; a body woken again since is listed once. */
+/* Bodies that fell asleep come first, then awake ones; a body that woke again is listed once. */
 static int32_t moved_build(cn_world *world)
 {
 	cni_array *moved = &world->events.moved;

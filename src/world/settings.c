@@ -1,6 +1,6 @@
 /*
- * world/settings.c - the world's own numbers: settings that may change while it lives, and what it counts
- * and measures. Writes world->settings and user_data; wakes bodies where a setting asks for it.
+ * world/settings.c - public functions on a world's settings, counters, profile and memory statistics.
+ * Writes world->settings and user_data; wakes bodies where a setting requires it.
  */
 #include "direct/direct.h"
 #include "model/solve.h"
@@ -150,7 +150,7 @@ WORLD_GET(user_data, uint64_t, world->user_data)
 
 /* ------------------------------------------------------------------ counters */
 
-/* Islands have records from two bodies on; a dynamic body alone is an island too. */
+/* Only islands of two or more bodies have records; a single dynamic body is an island too. */
 static void count_islands(const cn_world *world, cn_counters *out)
 {
 	int32_t used = cni_handles_used(&world->body_handles), k;

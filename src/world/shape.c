@@ -2,7 +2,7 @@
  * world/shape.c - public functions on a shape's life and properties: attaching, detaching, destroying,
  * material, density, filter, events, user data.
  *
- * Whatever takes a shape's boxes away ends its contacts, so room for their events is reserved first.
+ * Functions that remove a shape's boxes end its contacts and reserve memory for their events first.
  */
 #include "world/define.h"
 
@@ -31,7 +31,7 @@ cn_result cn_shape_attach(cn_world *world, cn_shape shape, cn_body body)
 	return CN_OK;
 }
 
-/* Takes an attached shape off its body. After cni_contact_reserve_end. */
+/* Detaches a shape from its body. Requires cni_contact_reserve_end. */
 static void shape_leave_body(cn_world *world, int32_t shape)
 {
 	int32_t body = cni_shape_at(world, shape)->body;
@@ -81,14 +81,14 @@ int32_t cn_shape_is_valid(const cn_world *world, cn_shape shape)
 CNI_DEFINE_GET(shape, type, int32_t, record->type)
 CNI_DEFINE_GET(shape, body, cn_body, cni_handle_or_zero(&world->body_handles, record->body))
 
-/* ------------------------------------------------------------------ its contacts */
+/* ------------------------------------------------------------------ contacts of a shape */
 
 static int32_t contact_has_shape(const cn_world *world, const cni_contact *c, int32_t shape)
 {
 	return cni_proxy_at(world, c->proxy[0])->shape == shape || cni_proxy_at(world, c->proxy[1])->shape == shape;
 }
 
-/* First key at or behind key in the body's contact list whose contact involves the shape. */
+/* First key from key on in the body's contact list whose contact has the shape. */
 static int32_t contact_key_of_shape(const cn_world *world, int32_t key, int32_t shape)
 {
 	while (key != CNI_NONE && !contact_has_shape(world, cni_contact_of_key(world, key), shape))
@@ -107,7 +107,7 @@ static int32_t next_contact(const cn_world *world, int32_t key, int32_t shape)
 	return contact_key_of_shape(world, cni_contact_of_key(world, key)->next[key & 1], shape);
 }
 
-/* The shape may meet others from now on: what sleeps there must be looked at in the next step. */
+/* The shape may collide with more shapes from now on: wakes bodies near it, so that the next step checks their contacts. */
 static void wake_met(cn_world *world, int32_t shape)
 {
 	int32_t body = cni_shape_at(world, shape)->body;
@@ -216,7 +216,7 @@ cn_result cn_shape_get_filter(const cn_world *world, cn_shape shape, cn_filter *
 	return CN_OK;
 }
 
-/* A contact reports what either of its shapes asks for. */
+/* A contact reports the events that either of its shapes requests. */
 static void contact_refresh_mask(cn_world *world, int32_t contact)
 {
 	const cni_contact *c = cni_contact_at(world, contact);

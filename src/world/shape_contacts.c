@@ -1,6 +1,6 @@
 /*
- * world/shape_contacts.c - public functions on the contacts of one shape: all of them, and of a sensor who is in it. Both
- * go through the contacts of the shape's body.
+ * world/shape_contacts.c - public functions on the contacts of one shape, and on the visitors of a sensor. Both iterate over
+ * the contacts of the shape's body.
  */
 #include "world/error.h"
 
@@ -36,7 +36,7 @@ cn_result cn_shape_get_contacts(const cn_world *world, cn_shape shape, cn_contac
 	return CN_OK;
 }
 
-/* The shape that a contact says is in the sensor, or CNI_NONE. */
+/* The shape that is in the sensor according to a contact, or CNI_NONE. */
 static int32_t visitor_of(const cn_world *world, int32_t key, int32_t sensor)
 {
 	const cni_contact *c = cni_contact_of_key(world, key);
@@ -44,7 +44,7 @@ static int32_t visitor_of(const cn_world *world, int32_t key, int32_t sensor)
 	return side != CNI_NONE && (c->flags & CNI_CONTACT_SENSING) ? cni_proxy_at(world, c->proxy[!side])->shape : CNI_NONE;
 }
 
-/* An edge of a chain that comes earlier in the list says the same. */
+/* Whether an earlier contact has the same visitor: chains have a contact for each edge. */
 static int32_t is_listed(const cn_world *world, int32_t first, int32_t until, int32_t sensor, int32_t visitor)
 {
 	int32_t key;

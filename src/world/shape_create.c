@@ -1,9 +1,9 @@
 /*
- * world/shape_create.c - public functions that make shapes: check the definition and the geometry, build
- * the geometry record in the blocks, and attach it when the definition names a body.
+ * world/shape_create.c - public functions that create shapes: check the definition and the geometry, build
+ * the geometry record in the block allocator, and attach the shape if the definition has a body.
  *
- * The handle is taken last: until then the record is prepared in the slot that the next take will
- * give, so that running out of memory half way costs no generation of the slot.
+ * The handle is taken last. Until then the record is prepared in the slot that the next take returns, so that
+ * a lack of memory in between costs no generation of the slot.
  */
 #include "world/error.h"
 
@@ -27,7 +27,7 @@ void cn_shape_def_init(cn_shape_def *def)
 	def->event_mask = 1u << CN_EVENT_ENTER | 1u << CN_EVENT_LEAVE;
 }
 
-/* What a shape is made from, before its record exists. */
+/* Public geometry of a shape, before its record exists. */
 typedef struct source {
 	int32_t type;
 	int32_t count;      /* points */
@@ -91,7 +91,7 @@ static void record_fill(cni_shape *s, const cn_shape_def *def, const cni_geometr
 	s->user_data = def->user_data;
 }
 
-/* Links the prepared record to its body and gives it boxes. */
+/* Links the prepared record to its body and creates its boxes. */
 static void record_attach(cni_call *call, cn_world *world, int32_t shape, int32_t body)
 {
 	cni_shape_link(world, shape, body);
@@ -102,7 +102,7 @@ static void record_attach(cni_call *call, cn_world *world, int32_t shape, int32_
 		cni_shape_unlink(world, shape);
 }
 
-/* Builds the geometry piece and prepares the record in the next slot; 0 when the call has failed. */
+/* Builds the geometry piece and prepares the record in the next slot; 0 if the call failed. */
 static cni_ref shape_prepare(cni_call *call, cn_world *world, const cn_shape_def *def, const source *from)
 {
 	int32_t shape = cni_handles_peek(&world->shape_handles);
@@ -146,7 +146,7 @@ static cn_result shape_create(cni_call *call, cn_world *world, const cn_shape_de
 	return CN_OK;
 }
 
-/* Refuses what a geometry check complains about. */
+/* Records the complaint of a geometry check, NULL for none. */
 static void check_geometry(cni_call *call, const char *complaint, const cn_vec2 *points, int32_t count, int32_t closed)
 {
 	if (complaint == cni_points_near)
@@ -155,7 +155,7 @@ static void check_geometry(cni_call *call, const char *complaint, const cn_vec2 
 		cni_refuse(call, CN_ERROR_ARGUMENT, complaint);
 }
 
-/* ------------------------------------------------------------------ one function a type */
+/* ------------------------------------------------------------------ one function per type */
 
 cn_result cn_shape_create_circle(cn_world *world, const cn_shape_def *def, const cn_circle *circle, cn_shape *out_shape)
 {

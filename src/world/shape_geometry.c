@@ -1,12 +1,12 @@
 /*
- * world/shape_geometry.c - public functions that read geometry back: boxes of shapes and bodies, mass,
- * points, point test. Reads only; points are in the body's local frame as the geometry record holds them.
+ * world/shape_geometry.c - public functions that read geometry: boxes of shapes and bodies, mass, points,
+ * point test. Reads only; points are in the body's local frame, as in the geometry record.
  */
 #include "world/error.h"
 
 #include <string.h>
 
-/* Geometry of a shape, which must be of the given type (any when CNI_NONE); NULL when the call failed. */
+/* Geometry of a shape of the given type (CNI_NONE: any); NULL if the call failed. */
 static const cni_geometry *geometry_of(cni_call *call, cn_shape shape, int32_t type, const void *out)
 {
 	const cni_shape *s = cni_check_shape(call, "shape", shape);
@@ -16,7 +16,7 @@ static const cni_geometry *geometry_of(cni_call *call, cn_shape shape, int32_t t
 	return call->result == CN_OK ? cni_shape_geometry(&call->world->blocks, s) : NULL;
 }
 
-/* Of the shape's body, or the identity when it has none. */
+/* Transform of the shape's body, the identity without a body. */
 static cni_transform transform_of(const cn_world *world, cn_shape shape)
 {
 	int32_t body = cni_shape_at(world, cni_shape_index(world, shape))->body;

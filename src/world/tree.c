@@ -1,9 +1,9 @@
 /*
- * world/tree.c - cn_tree_*: a tree of boxes (broadphase/tree.h) for the game's own use, apart from any world.
+ * world/tree.c - cn_tree_*: an AABB tree (broadphase/tree.h) for the game's own use, apart from any world.
  *
- * Owns its memory, the handles of its items and their user data. Calls that fail change nothing. Searches only read, so
- * that several threads may search at once; a visitor that changes the tree nevertheless harms nothing but
- * its own search, which then may visit items twice or not at all: free nodes lead nowhere and the stack is
+ * Owns its memory, the handles of its items and their user data. Failed calls change nothing. Searches only
+ * read, so several threads may search at once. A visitor must not change the tree; one that does affects only its
+ * own search, which may then visit items twice or not at all: free nodes have no children and the stack is
  * bounded.
  */
 #include "base/handles.h"
@@ -31,7 +31,7 @@ static int32_t box_is_good(const cn_aabb *box)
 	       box->lower_m.y <= box->upper_m.y;
 }
 
-/* 0 when the box is not good, or not with its margin. */
+/* 0 if the box is invalid or overflows with its margin. */
 static int32_t box_with_margin(const cn_tree *tree, const cn_aabb *box, cni_aabb *tight, cni_aabb *fat)
 {
 	if (!box_is_good(box))
@@ -47,7 +47,7 @@ static int32_t box_with_margin(const cn_tree *tree, const cn_aabb *box, cni_aabb
 	return cni_is_finite(fat->x0) && cni_is_finite(fat->y0) && cni_is_finite(fat->x1) && cni_is_finite(fat->y1);
 }
 
-/* ---- life ---- */
+/* ---- creating and destroying ---- */
 
 cn_result cn_tree_create(float margin_m, cn_alloc_fn *alloc, cn_free_fn *free_hook, void *allocator_user, cn_tree **out_tree)
 {
@@ -83,7 +83,7 @@ void cn_tree_destroy(cn_tree *tree)
 
 /* ---- items ---- */
 
-/* Room for one more item, whose number is then certain. */
+/* Reserves memory for one more item; the next take then succeeds. */
 static cn_result item_reserve(cn_tree *tree)
 {
 	cn_result result = cni_handles_reserve(&tree->items, &tree->memory, 1);

@@ -1,9 +1,9 @@
 /*
  * world/update.c - variable time: elapsed seconds in, fixed steps out, and poses between the last two.
  *
- * Time that is not yet a whole step is owed and kept; more steps than the cap are given up, so that a
- * slow frame does not make the next one slower ("Fix Your Timestep", Fiedler, 2004). Before the last step of
- * an update the poses of awake bodies are kept by slot; nothing is kept until the first update.
+ * Time that is less than a whole step is kept for the next update; steps beyond the cap are dropped, so that a
+ * slow frame does not slow down the next one ("Fix Your Timestep", Fiedler, 2004). Before the last step of an
+ * update the poses of awake bodies are stored by slot; nothing is stored before the first update.
  */
 #include "step/step.h"
 #include "world/error.h"
@@ -59,7 +59,8 @@ static void previous_keep(cn_world *world)
 	}
 }
 
-/* How the time that is owed divides. Beyond 2^24 steps a float holds no rest of a step: all but the cap is dropped. */
+/* Divides the time owed into steps, dropped and kept time. Beyond 2^24 steps a float has no fraction of a step: all time beyond the cap is
+   dropped. */
 static cn_update_report report_make(const cn_world *world)
 {
 	float step = world->fixed_step, owed = world->time_owed, whole = owed / step, most = (float)world->steps_max, taken;

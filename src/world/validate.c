@@ -1,14 +1,14 @@
 /*
  * world/validate.c - checks every invariant between the tables, reading only.
  *
- * Each check names itself; the first that fails is told with the index it failed at. Tests call this after
- * every failed allocation and every refused argument.
+ * The report has the name of the first failed check and the index it failed at. Tests call this after every
+ * failed allocation and every refused argument.
  */
 #include "world/error.h"
 
 typedef struct report {
 	const cn_world *world;
-	const char *what;   /* NULL while all is well */
+	const char *what;   /* name of the failed check, NULL for none */
 	int32_t index;
 } report;
 
