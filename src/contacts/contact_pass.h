@@ -23,8 +23,9 @@ typedef void cni_contact_kernel_fn(const cni_color_pass *c, int32_t begin, int32
 /* The passes of a kernel. */
 enum { CNI_PASS_WARM, CNI_PASS_SOLVE, CNI_PASS_RELAX, CNI_PASSES };
 
-/* Of the lanes of so many blocks those, as bits of each, that bounce and have a point that closes faster than the speed. */
-typedef void cni_contact_closing_fn(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, uint32_t *closing);
+/* Of the lanes of so many blocks those, as bits of each, that bounce and have a point that closes faster than the speed. Groups of
+   lanes whose bodies have a start.jumped less than `since` may be skipped. */
+typedef void cni_contact_closing_fn(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, float since, uint32_t *closing);
 
 /* Lanes that may bounce, from any blocks of one colour. Row r of a lane is rows[r * CNI_LANES]. */
 typedef struct cni_impact_lanes {
@@ -43,6 +44,7 @@ typedef struct cni_impact_pass {
 	const cni_external *drives;
 	float h;
 	float speed;       /* > 0: what closes no faster does not bounce */
+	float jumped;      /* start.jumped of bodies that are hit: grows from sweep to sweep, and is less than CNI_SHOCKED */
 	int32_t one_sided; /* lane bodies b are not written */
 } cni_impact_pass;
 

@@ -98,7 +98,7 @@ static inline int32_t cni_motion_can_move(const cni_motion *m) { return m->inv_m
 
 typedef struct cni_velocity_start {
 	float vx, vy, w;
-	float jumped; /* 1 when an impact changed the velocity in this substep, CNI_SHOCKED or more when it jumped */
+	float jumped; /* 1 to 2 when an impact changed the velocity in this substep, later sweeps more; CNI_SHOCKED or more when it jumped */
 } cni_velocity_start;
 #define CNI_SHOCKED 2.0f
 
