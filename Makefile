@@ -2,8 +2,10 @@
 #
 #   make            static and shared library          make demo       run the demo, pictures in build/demo
 #   make test       every test, checked build          make bench      CSV of all benchmark scenes (SCENE=name: one)
-#   make test-all   tests under sanitizers and other   make check-deps layers by #include, longest files
+#   make hello      the program of the README          make platformer a character in a level: build/platformer.png
+#   make test-all   tests under sanitizers and other   make check-deps layers, circles, longest files
 #                   compilers and options              make check-links links and make targets in the documentation
+#   make test-times times of parts, printed
 #                                                      make install    DESTDIR and PREFIX; make clean
 #   make bindings   writes bindings/ from the header   make test-bindings  in every language that is installed
 #   make stability  scenes with bounds, and 10 seeds of each family: test/stability/README.md
@@ -14,6 +16,7 @@
 #   make bench-scale  how cost grows with the number of bodies: see examples/README.md
 #   make ablation   each mechanism switched off alone: bounds lost, seeds worse, time: test/ablation/README.md
 #   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
+#   make rollback   inputs that arrive late: examples/rollback.c
 #
 # CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
 # commands.
@@ -60,7 +63,7 @@ LIBS := -lm $(if $(filter Windows_NT,$(OS)),,-lpthread)
 
 # New files are found by themselves.
 LIB_SRC := $(sort $(wildcard src/*/*.c))
-MAIN_SRC := examples/hello.c examples/demo/demo.c examples/bench/bench.c examples/bench/once.c \
+MAIN_SRC := examples/hello.c examples/platformer.c examples/rollback.c examples/demo/demo.c examples/bench/bench.c examples/bench/once.c \
 	examples/bench/scale.c examples/cost/cost.c
 EXAMPLE_SRC := $(filter-out $(MAIN_SRC) examples/peers/%,$(sort $(wildcard examples/*/*.c)))
 TEST_SRC := $(sort $(wildcard test/*/*_test.c))
@@ -71,9 +74,11 @@ MAIN_OBJ := $(MAIN_SRC:%.c=$(BUILD)/release/%.o)
 CHECKED_OBJ := $(LIB_SRC:%.c=$(BUILD)/checked/%.o)
 CHECKED_EXAMPLE_OBJ := $(EXAMPLE_SRC:%.c=$(BUILD)/checked/%.o)
 TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
-TESTS := $(TEST_SRC:%.c=$(BUILD)/%) bindings/test/current.sh
+# Those that only print times are not among them: make test-times.
+TIMES_SRC := $(sort $(wildcard test/*/*_time_test.c))
+TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh
 
-.PHONY: all bindings demo test test-all mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello check-deps check-links install clean FORCE
+.PHONY: all bindings demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback check-deps check-links install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -107,17 +112,26 @@ $(BUILD)/$(SHARED_LINK): $(BUILD)/$(SHARED)
 # ---------------------------------------------------------------- examples
 
 $(BUILD)/bin/hello: $(BUILD)/release/examples/hello.o
+$(BUILD)/bin/platformer: $(BUILD)/release/examples/platformer.o $(EXAMPLE_OBJ)
+$(BUILD)/bin/rollback: $(BUILD)/release/examples/rollback.o
 $(BUILD)/bin/demo: $(BUILD)/release/examples/demo/demo.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench: $(BUILD)/release/examples/bench/bench.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_once: $(BUILD)/release/examples/bench/once.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_scale: $(BUILD)/release/examples/bench/scale.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/feature_cost: $(BUILD)/release/examples/cost/cost.o $(EXAMPLE_OBJ)
-$(BUILD)/bin/hello $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_once $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
+$(BUILD)/bin/hello $(BUILD)/bin/platformer $(BUILD)/bin/rollback $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_once $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
 	@mkdir -p $(@D)
 	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STRIP_UNUSED) $(filter %.o,$^) $(BUILD)/libcairn.a $(LIBS) -o $@
 
 hello: $(BUILD)/bin/hello
 	@$(BUILD)/bin/hello
+
+# Plays a level by a script, prints what happens and draws it.
+platformer: $(BUILD)/bin/platformer
+	@$(BUILD)/bin/platformer $(BUILD)/platformer.png
+
+rollback: $(BUILD)/bin/rollback
+	@$(BUILD)/bin/rollback
 
 demo: $(BUILD)/bin/demo
 	@mkdir -p $(BUILD)/demo
@@ -167,8 +181,14 @@ $(BUILD)/test/%: $(BUILD)/checked/test/%.o $(BUILD)/libexamples-checked.a $(BUIL
 test: $(TESTS)
 	@JOBS=$(JOBS) RUNNER='$(RUNNER)' sh test/run.sh $(BUILD)/test-output $(TESTS)
 
+# PARTS='clang-thread cross': those; BUT=plain: all others.
 test-all:
-	@sh test/variants.sh $(BUILD)
+	@BUT='$(BUT)' sh test/variants.sh $(BUILD) $(PARTS)
+
+# Times of parts of the library, printed and not bounded; on an idle machine.
+test-times: $(TIMES_SRC:%.c=$(BUILD)/%) $(BUILD)/test/broadphase/sweep_test $(BUILD)/test/broadphase/broadphase_tree_test
+	@sh test/run.sh $(BUILD)/times-output $(TIMES_SRC:%.c=$(BUILD)/%)
+	@$(BUILD)/test/broadphase/sweep_test t_times && $(BUILD)/test/broadphase/broadphase_tree_test t_times
 
 # Small faults, one at a time: test/README.md. ONLY=pattern QUICK=1 JOBS=2 FOLDER=dir
 mutation:
@@ -225,8 +245,8 @@ bindings:
 test-bindings: $(BUILD)/$(SHARED_LINK)
 	@CC='$(CC)' sh bindings/test/run.sh $(BUILD)
 
-check-deps:
-	@sh test/check_deps.sh
+check-deps: $(LIB_OBJ)
+	@sh test/check_deps.sh $(BUILD)
 
 check-links:
 	@sh test/check_links.sh

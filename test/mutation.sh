@@ -102,7 +102,7 @@ mkdir -p "$folder"
 export CAIRN_NO_GOLDEN=1
 unset MAKEFLAGS MFLAGS MAKELEVEL
 
-# Bounds on time do not hold (TEST_SLOW): machines are busy. Warnings are no errors: a test is to say what is wrong.
+# Fewer scenes of a kind (TEST_SLOW). Warnings are no errors: a test is to say what is wrong.
 build() { # copy targets...
 	copy=$1
 	shift
@@ -122,7 +122,7 @@ copy_tree() { # copy
 	done
 }
 
-# Fails it every time? Bounds on time do not hold on a machine that is busy.
+# Fails it every time? Threads may meet or not.
 fails() { # copy test limit
 	run_test "$1" "$2" "$3" && return 1
 	run_test "$1" "$2" "$3" && return 1

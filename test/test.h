@@ -72,6 +72,8 @@ static inline int test_golden_holds(uint64_t digest, uint64_t golden)
 }
 
 #define RUN(function) test_run(#function, function)
+/* Prints times and checks none: runs only when the filter names it (make test-times). */
+#define RUN_WHEN_NAMED(function) do { if (test_filter != NULL) RUN(function); } while (0)
 #define SKIP(why) do { printf("  skipped: %s\n", why); test_this_skipped = 1; return; } while (0)
 #define CHECK(condition) do { if (!(condition)) test_fail(__FILE__, __LINE__, #condition); } while (0)
 #define REQUIRE(condition) do { if (!(condition)) { test_fail(__FILE__, __LINE__, #condition); return; } } while (0)

@@ -1,52 +1,40 @@
 #!/bin/sh
-# usage: variants.sh build-folder
-# The test suite as `make test` builds and runs it, then under sanitizers and under compilers and options
-# that must all give the same bits (tests hold golden hashes), then checks of the sources. Every suite has a
-# build folder of its own but the first, which has that of `make test`: what that built is not built again.
-# The whole suite runs as the caller's options say, with the address, undefined-behaviour and memory sanitizers, and at
-# -O3 with the processor's own instructions; the thread sanitizer and helgrind run tests of threads, the other builds those that
-# hold bits against bits. Ends with one summed line "N passed, N failed, N skipped".
+# usage: variants.sh build-folder [part...]    all parts without a name; BUT='plain cross': all but those
+# The test suite as `make test` builds and runs it, then in other builds, then checks of the sources. Parts run two at a
+# time, as each has a time in which it keeps one core busy only. A suite has a build folder of its own, but the first, which
+# has that of `make test`: what that built is not built again.
+#
+# Every fault is looked for once: the address and undefined-behaviour sanitizers run the whole suite; the memory sanitizer and
+# -O3 with the processor's own instructions the tests of bits, memory, calls, arguments and random scenes; the thread
+# sanitizer and helgrind those of threads; the other builds must give the same bits (tests hold golden hashes).
+# Ends with a line of each part with its seconds, and one summed line "N passed, N failed, N skipped".
 set -u
 unset MAKEFLAGS MFLAGS MAKELEVEL # a make of its own, not a part of the one that called
 build=$1
+shift
 cores=$(nproc 2>/dev/null || echo 2)
-passed=0 failed=0 skipped=0
-report=
-mkdir -p "$build"
+at_a_time=2
+results=$build/parts
+# The longest first, so that the last two end together.
+parts='clang-address cross plain clang-memory helgrind clang-thread release native ablation no-fused gcc-O0 no-threads
+	clang-O3 work header-cxx header-padding check-links mutations-apply'
 
-add() { # label passed failed skipped
-	passed=$((passed + $2)) failed=$((failed + $3)) skipped=$((skipped + $4))
-	line=$(printf '%-18s %5d passed, %d failed, %d skipped' "$1" "$2" "$3" "$4")
-	report="$report$line
-"
-	echo "$line"
-}
+# ---------------------------------------------------------------- of one part
 
-begin() { started=$(date +%s); }
-end() { echo "$1: $(($(date +%s) - started)) s"; }
+add() { echo "$1 $2 $3 $4" >> "$results/$part.counts"; } # label passed failed skipped
 
 suite() { # name compiler cflags defines [tests]
 	name=$1 compiler=$2 cflags=$3 defines=$4
 	tests=
-	for test in ${5:-}; do tests="$tests $build/$name/test/$test"; done
+	for test in ${5:-}; do tests="$tests $build/$name/test/${test}_test"; done
 	if ! command -v "$compiler" >/dev/null 2>&1; then
 		echo "$compiler is not installed (see .ci/deps)"
 		add "$name" 0 0 1
 		return
 	fi
-	begin
 	${MAKE:-make} -s -j"$cores" test BUILD="$build/$name" CC="$compiler" CFLAGS= TEST_CFLAGS="$cflags" TEST_DEFINES="$defines" \
 		JOBS="$cores" ${tests:+"TESTS=$tests"} > "$build/$name.log" 2>&1
 	read_log "$name" $?
-	end "$name"
-}
-
-# As a user calls it.
-plain() {
-	begin
-	${MAKE:-make} -s -j"$cores" test BUILD="$build" JOBS="$cores" > "$build/plain.log" 2>&1
-	read_log plain $?
-	end plain
 }
 
 read_log() { # name code: adds what $build/$name.log counts
@@ -59,6 +47,7 @@ read_log() { # name code: adds what $build/$name.log counts
 		grep -aE -B 8 '^FAIL|ERROR: .*Sanitizer|runtime error|WARNING: (Memory|Thread)Sanitizer|invariant broken' "$build/$name.log" | head -n 120
 		grep -a '^failed in:' "$build/$name.log"
 	fi
+	grep -a '^processor time:' "$build/$name.log" | tail -n 1 | sed "s|^|$name: |; s|$build/$name/test/||g; s|$build/test/||g"
 	# shellcheck disable=SC2086
 	set -- $line
 	add "$name" "$1" "$3" "$5"
@@ -75,28 +64,12 @@ check() { # name command...
 	fi
 }
 
-# The bindings, with the shared library that exports() built.
-bindings() {
-	begin
-	${MAKE:-make} -s -j"$cores" test-bindings BUILD="$build/release-check" > "$build/bindings.log" 2>&1
-	read_log bindings $?
-	end bindings
+# As a user calls it.
+plain() {
+	${MAKE:-make} -s -j"$cores" test BUILD="$build" JOBS="$cores" > "$build/plain.log" 2>&1
+	read_log plain $?
 }
 
-# Other processors.
-others() {
-	begin
-	sh test/cross.sh "$build/cross" > "$build/cross.log" 2>&1
-	read_log cross $?
-	end cross
-}
-
-header_in_cxx() {
-	for standard in c++11 c++20; do
-		g++ -std=$standard -pedantic -Wall -Wextra -Werror -fsyntax-only -x c++ include/cairn.h || return 1
-	done
-}
-header_without_padding() { gcc -std=c99 -pedantic -Wall -Wextra -Wpadded -Werror -fsyntax-only -x c include/cairn.h; }
 # Valgrind's word on threads beside the sanitizer's: it sees locks and the order of words that other threads wait for by other means.
 helgrind() {
 	if ! command -v valgrind >/dev/null 2>&1 || ! echo '#include <valgrind/helgrind.h>' | gcc -E -x c - >/dev/null 2>&1; then
@@ -105,60 +78,137 @@ helgrind() {
 		return
 	fi
 	export RUNNER='valgrind -q --tool=helgrind --history-level=none --fair-sched=try --error-exitcode=9'
-	suite helgrind gcc '-O1 -g' '-DTEST_SLOW -DCNI_HELGRIND' 'base/threads_test world/threads_contacts_test'
-	unset RUNNER
+	suite helgrind gcc '-O1 -g' '-DTEST_SLOW -DCNI_HELGRIND' 'base/threads world/threads_contacts'
+}
+
+# Work that is bounded, as instructions that valgrind counts: no other program disturbs them.
+work() {
+	${MAKE:-make} -s -j"$cores" BUILD="$build" "$build/test/world/growth_time_test" > "$build/work.log" 2>&1 && sh test/work.sh "$build" >> "$build/work.log" 2>&1
+	read_log work $?
+}
+
+# The library as users build it: layers of its objects, what the shared one exports, and the bindings with it.
+release() {
+	if ! ${MAKE:-make} -s -j"$cores" all BUILD="$build" > "$build/release.log" 2>&1; then
+		tail -n 40 "$build/release.log"
+		add release 0 1 0
+		return
+	fi
+	check check-deps sh test/check_deps.sh "$build"
+	check exports exports
+	${MAKE:-make} -s -j"$cores" test-bindings BUILD="$build" > "$build/bindings.log" 2>&1
+	read_log bindings $?
 }
 
 # The shared library exports what the header declares and nothing else.
 exports() {
-	${MAKE:-make} -s -j"$cores" all BUILD="$build/release-check" || return 1
-	nm -D --defined-only "$build/release-check/libcairn.so" | awk '{ print $3 }' | sed 's/@.*//' | sort > "$build/exported.txt"
+	nm -D --defined-only "$build/libcairn.so" | awk '{ print $3 }' | sed 's/@.*//' | sort > "$build/exported.txt"
 	gcc -std=c99 -E -P include/cairn.h | tr '\n' ' ' | tr ';' '\n' | grep 'visibility("default")' |
 		sed 's/(("default"))//' | grep -oE 'cn_[a-z0-9_]+ *\(' | sed 's/ *(//' | sort -u > "$build/declared.txt"
 	diff "$build/declared.txt" "$build/exported.txt"
 }
 
+# Other processors.
+cross() {
+	sh test/cross.sh "$build/cross" > "$build/cross.log" 2>&1
+	read_log cross $?
+	grep -E '^[a-z0-9]+: .* s$' "$build/cross.log"
+}
+
+header_in_cxx() {
+	for standard in c++11 c++20; do
+		g++ -std=$standard -pedantic -Wall -Wextra -Werror -fsyntax-only -x c++ include/cairn.h || return 1
+	done
+}
+header_without_padding() { gcc -std=c99 -pedantic -Wall -Wextra -Wpadded -Werror -fsyntax-only -x c include/cairn.h; }
+
 # No fused multiply-add where the processor has one: gcc's vectoriser makes them from "addsub" pairs even
 # with -ffp-contract=off (a x - b y beside b x + a y, as in a rotation), which changes bits.
 no_fused_operations() {
+	mkdir -p "$build/fused"
 	for arch in x86-64-v3 icelake-server; do
-		for file in src/*/*.c; do
-			gcc -std=c99 -O3 -march=$arch -ffp-contract=off -Iinclude -Isrc -S -o "$build/fused.s" "$file" || return 1
-			if grep -qE '[[:space:]]vfn?m(add|sub)' "$build/fused.s"; then
-				echo "$file has fused operations for $arch"
-				fused=1
-			fi
-		done
-	done
-	[ -z "${fused:-}" ]
+		for file in src/*/*.c; do echo "$arch $file"; done
+	done | OUT=$build/fused xargs -P "$cores" -n 2 sh -c '
+		output=$OUT/$(echo "$1-$2" | tr / _).s
+		gcc -std=c99 -O3 -march=$1 -ffp-contract=off -Iinclude -Isrc -DCN_BUILD -S -o "$output" "$2" || exit 1
+		if grep -qE "[[:space:]]vfn?m(add|sub)" "$output"; then
+			echo "$2 has fused operations for $1"
+			exit 1
+		fi
+		rm -f "$output"
+	' sh
 }
 
-slow='-DCNI_DEBUG -DTEST_SLOW' # a build that is slow: bounds on time do not hold
-sanitize='-O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all'
-threads='base/threads_test broadphase/broadphase_threads_test world/threads_test world/threads_contacts_test world/threads_pairs_test'
-bits='world/determinism_test world/random_test collision/manifold_boxes_test step/integrate_test joints/joint_blocks_test joints/joint_rows_test narrowphase/cull_test'
-plain
-suite clang-address clang-19 "$sanitize -fsanitize=address,undefined" "$slow"
-suite clang-memory clang-19 "$sanitize -fsanitize=memory" "$slow"
-suite clang-thread clang-19 "-O1 -g -fno-omit-frame-pointer -fsanitize=thread" "$slow" "$threads"
-helgrind
-suite no-threads gcc '-O1' '-DCNI_DEBUG -DCN_NO_THREADS' "$threads $bits world/memory_test world/memory_block_test"
-suite gcc-O0 gcc '-O0' "$slow" "$bits"
-suite gcc-O3-native gcc '-O3 -march=native' ''
-suite clang-O2 clang-19 '-O2' -DCNI_DEBUG "$bits"
-suite clang-O3 clang-19 '-O3' '' "$bits"
-if command -v g++ >/dev/null 2>&1; then check header-cxx header_in_cxx; else add header-cxx 0 0 1; fi
-check header-padding header_without_padding
-check ablation env JOBS="$cores" sh test/ablation/run.sh "$build" --quick
-check exports exports
-bindings
-others
-if [ "$(uname -m)" = x86_64 ]; then check no-fused no_fused_operations; else add no-fused 0 0 1; fi
-check check-deps sh test/check_deps.sh
-check check-links sh test/check_links.sh
-check mutations-apply sh test/mutation.sh --check
+sanitize='-O1 -gline-tables-only -fno-omit-frame-pointer -fno-sanitize-recover=all'
+slow='-DCNI_DEBUG -DTEST_SLOW' # a build that is slow: fewer scenes of a kind
+threads='base/threads broadphase/broadphase_threads world/threads world/threads_contacts world/threads_pairs'
+bits='world/determinism world/random collision/manifold_boxes step/integrate joints/joint_blocks joints/joint_rows
+	narrowphase/cull'
+# What reads and writes each struct of the library at least once.
+calls='base/memory base/arena base/blocks base/table base/handles collision/manifold broadphase/tree collision/cast broadphase/sweep
+	linear/sparse world/memory world/memory_block world/calls world/arguments world/joint_all world/joint_life world/body_state world/shape
+	world/sensor world/events world/query world/direct_contacts world/update world/draw'
+
+run_part() {
+	case $part in
+		plain) plain ;;
+		clang-address) suite clang-address clang-19 "$sanitize -fsanitize=address,undefined" "$slow" ;;
+		clang-memory) suite clang-memory clang-19 "$sanitize -fsanitize=memory" "$slow -DTEST_EMULATED" "$bits $calls" ;;
+		clang-thread) suite clang-thread clang-19 "-O1 -gline-tables-only -fno-omit-frame-pointer -fsanitize=thread" "$slow" "$threads" ;;
+		helgrind) helgrind ;;
+		no-threads) suite no-threads gcc '-O1' '-DCNI_DEBUG -DCN_NO_THREADS' "$threads $bits world/memory world/memory_block" ;;
+		gcc-O0) suite gcc-O0 gcc '-O0' "$slow -DTEST_EMULATED" "$bits" ;;
+		native) suite native gcc '-O3 -march=native' '' "$bits $calls" ;;
+		clang-O3) suite clang-O3 clang-19 '-O3' -DTEST_EMULATED "$bits" ;;
+		header-cxx) if command -v g++ >/dev/null 2>&1; then check header-cxx header_in_cxx; else add header-cxx 0 0 1; fi ;;
+		header-padding) check header-padding header_without_padding ;;
+		ablation) check ablation env JOBS="$cores" sh test/ablation/run.sh "$build" --quick ;;
+		release) release ;;
+		work) work ;;
+		cross) cross ;;
+		no-fused) if [ "$(uname -m)" = x86_64 ]; then check no-fused no_fused_operations; else add no-fused 0 0 1; fi ;;
+		check-links) check check-links sh test/check_links.sh ;;
+		mutations-apply) check mutations-apply sh test/mutation.sh --check ;;
+		*) echo "there is no part $part"; add "$part" 0 1 0 ;;
+	esac
+}
+
+if [ -n "${VARIANTS_PART:-}" ]; then
+	part=$VARIANTS_PART
+	: > "$results/$part.counts"
+	started=$(date +%s)
+	run_part > "$results/$part.txt" 2>&1
+	[ -s "$results/$part.counts" ] || add "$part" 0 1 0
+	seconds=$(($(date +%s) - started))
+	# The processor's, too: it does not grow when others use the machine.
+	times > "$results/$part.times" # not in a pipe, which would be a shell of its own
+	awk -v wall=$seconds 'NR == 2 { for (i = 1; i <= 2; ++i) { split($i, t, "m"); s += 60 * t[1] + t[2] } printf "%d %.0f\n", wall, s }' \
+		"$results/$part.times" > "$results/$part.seconds"
+	exit 0
+fi
+
+# ---------------------------------------------------------------- all
+
+[ $# -gt 0 ] || for part in $parts; do
+	case " ${BUT:-} " in *" $part "*) ;; *) set -- "$@" "$part" ;; esac
+done
+[ $# -gt 0 ] || exit 2
+rm -rf "$results"
+mkdir -p "$results"
+started=$(date +%s)
+printf '%s\n' "$@" | SCRIPT=$0 BUILD_FOLDER=$build RESULTS=$results xargs -P $at_a_time -n 1 sh -c '
+	VARIANTS_PART=$1 sh "$SCRIPT" "$BUILD_FOLDER"
+	{ cat "$RESULTS/$1.txt"; awk "{ printf \"%s: %d passed, %d failed, %d skipped\n\", \$1, \$2, \$3, \$4 }" "$RESULTS/$1.counts"; } > "$RESULTS/$1.shown"
+	cat "$RESULTS/$1.shown"
+' sh
 
 echo "---"
-printf '%s' "$report"
-echo "$passed passed, $failed failed, $skipped skipped"
-[ "$failed" = 0 ]
+for part in "$@"; do
+	read -r wall processor < "$results/$part.seconds"
+	awk -v wall="$wall" -v processor="$processor" '{
+		printf "%-18s %5d passed, %d failed, %d skipped%s\n", $1, $2, $3, $4, (NR > 1 ? "" : sprintf("%6d s, of the processor %d s", wall, processor))
+	}' "$results/$part.counts"
+done
+cat "$results"/*.seconds | awk -v wall=$(($(date +%s) - started)) '{ sum += $2 } END { printf "%d s in all, of the processor %d s\n", wall, sum }'
+set -- "$results"/*.counts
+cat "$@" | awk '{ passed += $2; failed += $3; skipped += $4 } END { printf "%d passed, %d failed, %d skipped\n", passed, failed, skipped; exit failed != 0 }'

@@ -69,6 +69,13 @@ namespace Cairn
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void cn_material_mix_fn(cn_world* world, cn_shape shape_a, cn_shape shape_b, cn_material* mixed, void* user);
 
+	/// <summary>Asked by a query for each shape (edge of a chain) that it would find, in no particular order and perhaps
+	/// more than once: the answer must depend on the shape alone. hit is what is known of it: all of it in
+	/// casts, else shape, body and child. Returns CN_QUERY_*. May call functions that take a const world, of the
+	/// same world too, and no others.</summary>
+	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
+	public unsafe delegate int cn_query_fn(cn_world* world, cn_ray_hit* hit, void* user);
+
 	[UnmanagedFunctionPointer(CallingConvention.Cdecl)]
 	public unsafe delegate void cn_debug_draw_polygon_fn(cn_vec2* points_m, int count, float radius_m, uint color, void* user);
 
@@ -355,7 +362,7 @@ namespace Cairn
 		public cn_vec2 position_m;
 		/// <summary>|angle| &lt;= 1e4</summary>
 		public float angle_rad;
-		/// <summary>of the centre of mass</summary>
+		/// <summary>of the centre of mass; both velocities count only with CN_BODY_AWAKE: what sleeps does not move</summary>
 		public cn_vec2 linear_velocity_mps;
 		public float angular_velocity_radps;
 		/// <summary>v' = -damping v; &gt;= 0, default 0</summary>
@@ -861,18 +868,6 @@ namespace Cairn
 		public float interpolation;
 	}
 
-	/// <summary>A query sees shapes of enabled bodies whose category has a bit in mask and whose mask has one in
-	/// category, and of sensors only those with CN_SHAPE_SENSOR_SEEN. Bodies are seen where they are now, also
-	/// between steps.</summary>
-	[StructLayout(LayoutKind.Sequential)]
-	public unsafe struct cn_query_filter
-	{
-		/// <summary>default 1</summary>
-		public ulong category;
-		/// <summary>default all ones</summary>
-		public ulong mask;
-	}
-
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_ray
 	{
@@ -881,6 +876,10 @@ namespace Cairn
 		public cn_vec2 translation_m;
 	}
 
+	/// <summary>What a ray or a moved shape meets. One that starts in contact, overlapping or just touching, meets that
+	/// shape at fraction 0, with the shortest way out: depth_m along the normal. It does not meet what it
+	/// touches, up to a depth of 0.5% of the length unit, when its translation does not lead in: along the
+	/// surface or away from it.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct cn_ray_hit
 	{
@@ -891,9 +890,32 @@ namespace Cairn
 		public int child;
 		/// <summary>of the translation, [0, 1]; 1 when nothing was hit</summary>
 		public float fraction;
+		/// <summary>on the surface of the shape that was hit</summary>
 		public cn_vec2 point_m;
-		/// <summary>(0, 0) when the origin is inside the shape; fraction is 0 then</summary>
+		/// <summary>unit, out of the shape that was hit</summary>
 		public cn_vec2 normal;
+		/// <summary>how deep the start is in it, 0 when it is outside</summary>
+		public float depth_m;
+		public uint reserved;
+	}
+
+	/// <summary>A query sees shapes of enabled bodies whose category has a bit in mask and whose mask has one in
+	/// category, and of sensors only those with CN_SHAPE_SENSOR_SEEN. Bodies are seen where they are now, also
+	/// between steps.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_query_filter
+	{
+		/// <summary>default 1</summary>
+		public ulong category;
+		/// <summary>default all ones</summary>
+		public ulong mask;
+		/// <summary>its shapes are not seen; 0 (default): none. A stale handle is an error</summary>
+		public cn_body ignored_body;
+		/// <summary>CN_QUERY_IGNORE_JOINED ...; default 0</summary>
+		public uint flags;
+		/// <summary>NULL (default): all are taken</summary>
+		public IntPtr visit;
+		public void* user;
 	}
 
 	[StructLayout(LayoutKind.Sequential)]
@@ -909,6 +931,125 @@ namespace Cairn
 		public cn_vec2 point_m;
 		/// <summary>outward there; of edges and chains towards the point</summary>
 		public cn_vec2 normal;
+	}
+
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_distance
+	{
+		/// <summary>on the surface of a, in the world</summary>
+		public cn_vec2 point_a_m;
+		public cn_vec2 point_b_m;
+		/// <summary>unit, from a to b</summary>
+		public cn_vec2 normal;
+		/// <summary>of the surfaces; negative: the depth, the shortest way that moves b out of a</summary>
+		public float distance_m;
+		public uint reserved;
+	}
+
+	/// <summary>A motion from fraction 0 to 1: a point of the shape goes in a straight line, and the shape turns evenly
+	/// about it.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_sweep
+	{
+		public cn_pose start;
+		/// <summary>that point, in the shape's frame: the centre of mass of a body</summary>
+		public cn_vec2 center_m;
+		/// <summary>of it; at most 2e6 m each way</summary>
+		public cn_vec2 translation_m;
+		/// <summary>counter-clockwise, |turn| &lt;= 1e4</summary>
+		public float turn_rad;
+		public uint reserved;
+	}
+
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_impact
+	{
+		/// <summary>CN_IMPACT_*</summary>
+		public int state;
+		public float fraction;
+		/// <summary>HIT only, as are the next two: between the surfaces</summary>
+		public cn_vec2 point_m;
+		/// <summary>unit, from a to b</summary>
+		public cn_vec2 normal;
+		/// <summary>of the surfaces at fraction, from distance_m to 0.1 mm (or what floats can tell) above</summary>
+		public float distance_m;
+		public uint reserved;
+	}
+
+	/// <summary>A surface that bounds where a shape may move: after a translation t of the shape, separation_m + normal .
+	/// t is &gt;= 0, unless that takes more than push_max_m.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_plane
+	{
+		/// <summary>unit, from the surface to the shape</summary>
+		public cn_vec2 normal;
+		/// <summary>where they are nearest, in the world</summary>
+		public cn_vec2 point_m;
+		/// <summary>of the surfaces along the normal; negative: they overlap</summary>
+		public float separation_m;
+		/// <summary>&gt;= 0: the farthest that this plane pushes; FLT_MAX: rigid</summary>
+		public float push_max_m;
+		/// <summary>of the last cn_mover_solve: how far it pushed</summary>
+		public float push_m;
+		public cn_shape shape;
+		public cn_body body;
+		/// <summary>edge of a chain</summary>
+		public int child;
+	}
+
+	/// <summary>How a character moves. The same for every move, or changed from move to move: crouching is another shape.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_mover_def
+	{
+		public uint struct_size;
+		/// <summary>CN_MOVER_DROP; default 0</summary>
+		public uint flags;
+		/// <summary>around its position, never turned; 1 or 2 points with radius &gt; 0: circle, capsule. Default: a capsule
+		/// of radius 0.3 from -0.5 to 0.5 along y: 1.6 high. Round shapes move more smoothly</summary>
+		public cn_polygon shape;
+		/// <summary>what it collides with; sensors never, one-way shapes from above</summary>
+		public cn_query_filter filter;
+		/// <summary>any length &gt; 0; default (0, 1)</summary>
+		public cn_vec2 up;
+		/// <summary>steeper ground cannot be stood on or walked up, 0 to pi / 2; default 0.87 (50 degrees)</summary>
+		public float slope_limit_rad;
+		/// <summary>climbs steps up to this high while it walks, &gt;= 0; default 0.3</summary>
+		public float step_height_m;
+		/// <summary>walking, keeps to ground that falls away by up to this in a move, &gt;= 0; default 0.3</summary>
+		public float snap_m;
+		/// <summary>of the world's gravity in the air; default 1</summary>
+		public float gravity_scale;
+		/// <summary>the most it pushes a dynamic body with, &gt;= 0; default 200</summary>
+		public float push_force_N;
+		/// <summary>of sliding, 1 to 64; default 8</summary>
+		public int iterations_max;
+	}
+
+	/// <summary>A character between two moves. It belongs to the caller, who may copy it, keep it and go back to it: the
+	/// world knows nothing of it, and other bodies do not collide with it: for that give it a kinematic body
+	/// that is filter.ignored_body and follows by cn_body_set_target_pose. Begin with all 0 but the position.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct cn_mover
+	{
+		public cn_vec2 position_m;
+		/// <summary>in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as its
+		/// component across up; the one along up is 0, and a jump when the caller makes it &gt; 0</summary>
+		public cn_vec2 velocity_mps;
+		/// <summary>of what it stands on, with CN_MOVER_ON_GROUND; else (0, 0)</summary>
+		public cn_vec2 ground_normal;
+		/// <summary>in the world, after the move</summary>
+		public cn_vec2 ground_point_m;
+		/// <summary>... in the frame of ground_body</summary>
+		public cn_vec2 ground_local_m;
+		/// <summary>of the ground there</summary>
+		public cn_vec2 ground_velocity_mps;
+		/// <summary>0: none; may become stale, which is as none</summary>
+		public cn_body ground_body;
+		public cn_shape ground_shape;
+		/// <summary>CN_MOVER_ON_*, after the last move</summary>
+		public uint flags;
+		/// <summary>by how much it overlaps what left it no room; 0 but for rounding</summary>
+		public float squeezed_m;
 	}
 
 	[StructLayout(LayoutKind.Sequential)]
@@ -996,10 +1137,16 @@ namespace Cairn
 			CheckSize("cn_angle_constraint_def", sizeof(cn_angle_constraint_def), CN_TYPE_ANGLE_CONSTRAINT_DEF);
 			CheckSize("cn_line_constraint_def", sizeof(cn_line_constraint_def), CN_TYPE_LINE_CONSTRAINT_DEF);
 			CheckSize("cn_update_report", sizeof(cn_update_report), CN_TYPE_UPDATE_REPORT);
-			CheckSize("cn_query_filter", sizeof(cn_query_filter), CN_TYPE_QUERY_FILTER);
 			CheckSize("cn_ray", sizeof(cn_ray), CN_TYPE_RAY);
 			CheckSize("cn_ray_hit", sizeof(cn_ray_hit), CN_TYPE_RAY_HIT);
+			CheckSize("cn_query_filter", sizeof(cn_query_filter), CN_TYPE_QUERY_FILTER);
 			CheckSize("cn_closest", sizeof(cn_closest), CN_TYPE_CLOSEST);
+			CheckSize("cn_distance", sizeof(cn_distance), CN_TYPE_DISTANCE);
+			CheckSize("cn_sweep", sizeof(cn_sweep), CN_TYPE_SWEEP);
+			CheckSize("cn_impact", sizeof(cn_impact), CN_TYPE_IMPACT);
+			CheckSize("cn_plane", sizeof(cn_plane), CN_TYPE_PLANE);
+			CheckSize("cn_mover_def", sizeof(cn_mover_def), CN_TYPE_MOVER_DEF);
+			CheckSize("cn_mover", sizeof(cn_mover), CN_TYPE_MOVER);
 			CheckSize("cn_explosion_def", sizeof(cn_explosion_def), CN_TYPE_EXPLOSION_DEF);
 			CheckSize("cn_debug_draw", sizeof(cn_debug_draw), CN_TYPE_DEBUG_DRAW);
 		}
@@ -1022,9 +1169,10 @@ namespace Cairn
 		public const int CN_VERSION_MAJOR = 0;
 		public const int CN_VERSION_MINOR = 1;
 		public const int CN_VERSION_PATCH = 0;
-		public const int CN_ABI_VERSION = 1;
+		public const int CN_ABI_VERSION = 2;
 		public const int CN_POLYGON_MAX_VERTICES = 16;
 		public const int CN_NAME_MAX_BYTES = 63;
+		public const int CN_PLANES_MAX = 64;
 		public const int CN_WORKERS_MAX = 64;
 		public const int CN_MAX_HANDLES = 1048575;
 
@@ -1041,7 +1189,9 @@ namespace Cairn
 		public const int CN_ERROR_CAPACITY = -5;
 		/// <summary>the object is in a state in which this makes no sense</summary>
 		public const int CN_ERROR_STATE = -6;
+		/// <summary>cn_world_validate found a broken invariant: a bug in Cairn</summary>
 		public const int CN_ERROR_INTERNAL = -7;
+		public const int CN_ERROR_FORMAT = -8;
 
 		public const int CN_TYPE_VEC2 = 0;
 		public const int CN_TYPE_POSE = 1;
@@ -1091,7 +1241,13 @@ namespace Cairn
 		public const int CN_TYPE_ANGLE_CONSTRAINT_DEF = 45;
 		public const int CN_TYPE_LINE_CONSTRAINT_DEF = 46;
 		public const int CN_TYPE_ISLAND_REPORT = 47;
-		public const int CN_TYPE_COUNT = 48;
+		public const int CN_TYPE_DISTANCE = 48;
+		public const int CN_TYPE_SWEEP = 49;
+		public const int CN_TYPE_IMPACT = 50;
+		public const int CN_TYPE_PLANE = 51;
+		public const int CN_TYPE_MOVER_DEF = 52;
+		public const int CN_TYPE_MOVER = 53;
+		public const int CN_TYPE_COUNT = 54;
 
 		/// <summary>islands at rest fall asleep (default on)</summary>
 		public const uint CN_WORLD_SLEEP = 1;
@@ -1240,6 +1396,33 @@ namespace Cairn
 		public const uint CN_CONSTRAINT_LIMIT = 1;
 		public const uint CN_CONSTRAINT_BREAKS = 2;
 
+		/// <summary>the shape is not there</summary>
+		public const int CN_QUERY_SKIP = 0;
+		public const int CN_QUERY_TAKE = 1;
+		public const int CN_QUERY_STOP = 2;
+
+		/// <summary>bodies that a joint connects to ignored_body are not seen either</summary>
+		public const uint CN_QUERY_IGNORE_JOINED = 1;
+		/// <summary>casts meet one-way shapes from their upper side (45 degrees) only, and not those that they start in by
+		/// more than 0.5% of the length unit; all other queries do not see one-way shapes. Default: they are like
+		/// others</summary>
+		public const uint CN_QUERY_ONE_WAY = 2;
+		public const uint CN_QUERY_LEAVING = 4;
+
+		/// <summary>they never come so near; fraction is 1</summary>
+		public const int CN_IMPACT_NONE = 0;
+		public const int CN_IMPACT_HIT = 1;
+		/// <summary>the shapes without their radii overlap at the start: fraction 0, no normal</summary>
+		public const int CN_IMPACT_OVERLAP = 2;
+		public const int CN_IMPACT_FAILED = 3;
+
+		public const uint CN_MOVER_DROP = 1;
+
+		public const uint CN_MOVER_ON_GROUND = 1;
+		/// <summary>touches what is too steep to walk on</summary>
+		public const uint CN_MOVER_ON_WALL = 2;
+		public const uint CN_MOVER_ON_CEILING = 4;
+
 		public const uint CN_DRAW_SHAPES = 1;
 		/// <summary>and constraints: anchors, axes, limits</summary>
 		public const uint CN_DRAW_JOINTS = 2;
@@ -1291,8 +1474,8 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_world_destroy(cn_world* world);
 
-		/// <summary>One fixed step of dt_s seconds, 0 &lt;= dt_s &lt;= 1; 0 updates contacts and events without motion. Cost
-		/// grows with the number of awake bodies and their contacts.</summary>
+		/// <summary>One fixed step of dt_s seconds, 0 &lt;= dt_s &lt;= 1; 0 updates contacts and events without motion, and
+		/// so does less than 1e-9. Cost grows with the number of awake bodies and their contacts.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_step(cn_world* world, float dt_s);
 
@@ -1396,6 +1579,27 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_validate(cn_world* world, byte* text, int text_bytes);
 
+		/// <summary>Bytes that cn_world_save needs now. From callbacks CN_ERROR_LOCKED. O(slots).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_save_size(cn_world* world, ulong* out_bytes);
+
+		/// <summary>Writes the state to out, which may have any alignment, and how many bytes that took to out_bytes (may be
+		/// NULL). capacity: bytes that out has; too few are CN_ERROR_CAPACITY. From callbacks CN_ERROR_LOCKED.
+		/// O(memory of the world), about 1 KB a body.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_save(cn_world* world, void* @out, ulong capacity, ulong* out_bytes);
+
+		/// <summary>Puts a state back: into the world that was saved, or one that was made by the same definition
+		/// (broadphase, length unit, whether it lives in a caller's block; else CN_ERROR_STATE). bytes: as many as
+		/// cn_world_save wrote. CN_ERROR_FORMAT: not a save of this version and machine, or damaged.
+		/// CN_ERROR_MEMORY: no room for what was alive then; a growing world takes what it needs, a world in a
+		/// caller's block has room for what it had. Arrays handed out before are void. O(memory of the world).
+		/// Handles of what was alive when the world was saved are valid again, also of what was destroyed since.
+		/// Those made since are refused, until the same handle is given to something new: with the same calls to
+		/// the same thing. A game rolls its own state back with the world, and so keeps none of them.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_restore(cn_world* world, void* save, ulong bytes);
+
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_body_def_init(cn_body_def* def);
 
@@ -1465,6 +1669,13 @@ namespace Cairn
 
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_velocity(cn_world* world, cn_body body, cn_velocity* @out);
+
+		/// <summary>Sets the velocity of a kinematic body (others: CN_ERROR_STATE) so that a step of dt_s (1e-6 to 1) takes
+		/// it to this pose, the shorter way round, up to rounding and the world's speed limits: what stands on it
+		/// or is in its way moves along, as nothing does with cn_body_set_pose. It goes on with that velocity: call
+		/// it before every step, or stop it after.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_body_set_target_pose(cn_world* world, cn_body body, float position_x_m, float position_y_m, float angle_rad, float dt_s);
 
 		/// <summary>Velocity of the body's material at a world point.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1739,6 +1950,15 @@ namespace Cairn
 		/// capacity; *out_count is how many there are. O(contacts).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_contacts(cn_world* world, cn_body body, cn_contact_event* @out, int capacity, int* out_count);
+
+		/// <summary>As cn_body_get_contacts, of one shape, a chain with all its edges. O(contacts of its body).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_shape_get_contacts(cn_world* world, cn_shape shape, cn_contact_event* @out, int capacity, int* out_count);
+
+		/// <summary>The shapes that are in a sensor, each once: those whose ENTER had no LEAVE up to the last step.
+		/// CN_ERROR_STATE for a shape that is no sensor. O(contacts of its body), for chains squared.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_shape_get_visitors(cn_world* world, cn_shape sensor, cn_shape* @out, int capacity, int* out_count);
 
 		/// <summary>Bodies that fell asleep in the last step, or since by cn_body_set_awake; ones destroyed since are stale
 		/// handles.</summary>
@@ -2082,8 +2302,7 @@ namespace Cairn
 		public static extern int cn_shape_cast_ray(cn_world* world, cn_shape shape, cn_ray* ray, cn_ray_hit* @out);
 
 		/// <summary>A polygon (its points in world coordinates; count may be 1 or 2 too, with radius &gt; 0: circle,
-		/// capsule) moved by translation without turning: the first shape it meets. point is where, normal from the
-		/// shape met towards the moving one, (0, 0) when they overlap at the start. A chain is met by what has the
+		/// capsule) moved by translation without turning: the first shape it meets. A chain is met by what has the
 		/// mean of its points in front.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_cast_shape(cn_world* world, cn_polygon* shape, float translation_x_m, float translation_y_m, cn_query_filter* filter, cn_ray_hit* @out);
@@ -2108,6 +2327,71 @@ namespace Cairn
 		/// in several. Cost grows with what is near, not with distance_max_m.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_closest_point(cn_world* world, float x_m, float y_m, float distance_max_m, cn_query_filter* filter, cn_closest* @out);
+
+		/// <summary>By GJK (Gilbert, Johnson, Keerthi 1988) when the shapes without their radii are apart, else by their
+		/// Minkowski difference.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_polygon_distance(cn_polygon* a, cn_pose* pose_a, cn_polygon* b, cn_pose* pose_b, cn_distance* @out);
+
+		/// <summary>b is moved by translation (at most 2e6 m each way) without turning: where it meets a, as cn_ray_hit
+		/// says, without shape, body and child; 1 in *out_hit, or 0.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_polygon_cast(cn_polygon* a, cn_pose* pose_a, cn_polygon* b, cn_pose* pose_b, float translation_x_m, float translation_y_m, cn_ray_hit* @out, int* out_hit);
+
+		/// <summary>The contact of a step: no points when they are farther apart than margin_m (0 to 1e6). Impulses are 0.
+		/// Not for a single point of radius 0.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_polygon_collide(cn_polygon* a, cn_pose* pose_a, cn_polygon* b, cn_pose* pose_b, float margin_m, cn_manifold* @out);
+
+		/// <summary>When two shapes that move and turn first come within distance_m (0 to 1e6) of each other; fraction 0 for
+		/// those that start nearer. Conservative advancement (Mirtich 1996) along fixed axes (Catto, GDC 2013) that
+		/// never passes by a hit.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_polygon_time_of_impact(cn_polygon* a, cn_sweep* sweep_a, cn_polygon* b, cn_sweep* sweep_b, float distance_m, cn_impact* @out);
+
+		/// <summary>The planes of all shapes within margin_m (0 to 1e6) of a polygon (as in cn_world_cast_shape) moved by
+		/// position: how they touch it, as in a step, rigid. At most capacity, those of least separation first;
+		/// *out_count is how many there are. Sensors are no surfaces. With CN_QUERY_ONE_WAY a one-way shape is one
+		/// only from its upper side, and only for what is no deeper in it than 0.5% of the length unit and what it
+		/// rose by in the last step. A shape wholly behind another one's plane is left out: it cannot be met while
+		/// that plane holds, so that the seams of tiles do not catch (not done when capacity is too small for all).
+		/// O(shapes near, squared).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_mover_collide(cn_world* world, cn_polygon* shape, float position_x_m, float position_y_m, float margin_m, cn_query_filter* filter, cn_plane* @out, int capacity, int* out_count);
+
+		/// <summary>The translation nearest to a wanted one that the planes allow: exactly, for in two dimensions it lies on
+		/// at most two of them. A plane pushes by no more than push_max_m: which ones push their most, Hildreth's
+		/// method (1957) tells. Sets push_m. Between surfaces that leave no room it is that of the least sum of
+		/// squared overlaps (Cimmino 1938), and *out_overlap_m, else 0 up to rounding, says how deep the deepest of
+		/// them remains that did not push its most. count 0 to CN_PLANES_MAX. No world. O(count^2), O(count^3)
+		/// where two planes hold it.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_mover_solve(cn_plane* planes, int count, float translation_x_m, float translation_y_m, cn_vec2* out_translation_m, float* out_overlap_m);
+
+		/// <summary>The velocity nearest to a given one that leads into none of the planes that pushed in the last
+		/// cn_mover_solve. No world.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_mover_clip(cn_plane* planes, int count, float velocity_x_mps, float velocity_y_mps, cn_vec2* out_mps);
+
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern void cn_mover_def_init(cn_mover_def* def);
+
+		/// <summary>Moves a character by dt_s (0 &lt; dt_s &lt;= 1). Call it after each cn_world_step, or it is a step
+		/// behind what carries it. 1. carried   by what its ground did since the last move: the change of the place
+		/// in ground_body where it stood, conveyors too 2. walking   on the ground: velocity_mps across up, along
+		/// the ground, as fast uphill as downhill; no gravity, so that it does not creep. Where something too steep
+		/// is in the way, a step up: up by step_height_m, forward, down on what can be walked on flying    in the
+		/// air: velocity_mps and gravity (exact for constant gravity). Jumping and walking off take
+		/// ground_velocity_mps along 3. sliding   both by collision planes, cn_mover_solve and casts, up to
+		/// iterations_max times: no speed passes through a wall 4. pushing   dynamic bodies in the way get a force
+		/// for the next step that brings them to the character's velocity, of at most push_force_N each 5. ground
+		/// what it touches and can stand on, or finds within snap_m below when it walked; velocity_mps loses what
+		/// is blocked Depends on the world, def and mover alone: the same calls give the same bits. The loop of
+		/// planes, solver and cast is that of Box2D 3's sample of a character mover (Catto 2025). Bodies pushed
+		/// wake up; nothing else of the world changes. O(shapes near x iterations_max): some 1 us standing, 3 us
+		/// walking, 10 us against a wall.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_mover_move(cn_world* world, cn_mover_def* def, float dt_s, cn_mover* mover);
 
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_explosion_def_init(cn_explosion_def* def);

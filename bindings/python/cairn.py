@@ -21,8 +21,8 @@ _files = {"darwin": "libcairn.dylib", "win32": "cairn.dll"}
 _library = _c.CDLL(_os.environ.get("CAIRN_LIBRARY") or _files.get(_sys.platform, "libcairn.so"))
 
 # A library of another version would read other structs: refuse it here and, by their sizes, below.
-if _library.cn_abi_version() != 1:
-    raise ImportError("cairn.py is for ABI 1, the library has %d" % _library.cn_abi_version())
+if _library.cn_abi_version() != 2:
+    raise ImportError("cairn.py is for ABI 2, the library has %d" % _library.cn_abi_version())
 
 
 def _function(name, result, *arguments):
@@ -35,9 +35,10 @@ def _function(name, result, *arguments):
 CN_VERSION_MAJOR = 0
 CN_VERSION_MINOR = 1
 CN_VERSION_PATCH = 0
-CN_ABI_VERSION = 1
+CN_ABI_VERSION = 2
 CN_POLYGON_MAX_VERTICES = 16
 CN_NAME_MAX_BYTES = 63
+CN_PLANES_MAX = 64
 CN_WORKERS_MAX = 64
 CN_MAX_HANDLES = 1048575
 CN_OK = 0
@@ -48,6 +49,7 @@ CN_ERROR_LOCKED = -4
 CN_ERROR_CAPACITY = -5
 CN_ERROR_STATE = -6
 CN_ERROR_INTERNAL = -7
+CN_ERROR_FORMAT = -8
 CN_TYPE_VEC2 = 0
 CN_TYPE_POSE = 1
 CN_TYPE_VELOCITY = 2
@@ -96,7 +98,13 @@ CN_TYPE_JOINT_EVENT = 44
 CN_TYPE_ANGLE_CONSTRAINT_DEF = 45
 CN_TYPE_LINE_CONSTRAINT_DEF = 46
 CN_TYPE_ISLAND_REPORT = 47
-CN_TYPE_COUNT = 48
+CN_TYPE_DISTANCE = 48
+CN_TYPE_SWEEP = 49
+CN_TYPE_IMPACT = 50
+CN_TYPE_PLANE = 51
+CN_TYPE_MOVER_DEF = 52
+CN_TYPE_MOVER = 53
+CN_TYPE_COUNT = 54
 CN_WORLD_SLEEP = 1
 CN_WORLD_WARM_START = 2
 CN_WORLD_PROFILE = 4
@@ -181,6 +189,20 @@ CN_CONSTRAINT_ANGLE = 0
 CN_CONSTRAINT_LINE = 1
 CN_CONSTRAINT_LIMIT = 1
 CN_CONSTRAINT_BREAKS = 2
+CN_QUERY_SKIP = 0
+CN_QUERY_TAKE = 1
+CN_QUERY_STOP = 2
+CN_QUERY_IGNORE_JOINED = 1
+CN_QUERY_ONE_WAY = 2
+CN_QUERY_LEAVING = 4
+CN_IMPACT_NONE = 0
+CN_IMPACT_HIT = 1
+CN_IMPACT_OVERLAP = 2
+CN_IMPACT_FAILED = 3
+CN_MOVER_DROP = 1
+CN_MOVER_ON_GROUND = 1
+CN_MOVER_ON_WALL = 2
+CN_MOVER_ON_CEILING = 4
 CN_DRAW_SHAPES = 1
 CN_DRAW_JOINTS = 2
 CN_DRAW_CONTACTS = 4
@@ -383,7 +405,7 @@ class cn_body_def(_c.Structure):
         ("type", _c.c_int32),  # CN_BODY_STATIC, _KINEMATIC, _DYNAMIC; default dynamic
         ("position_m", cn_vec2),  # of the origin; |x|, |y| <= 1e6 x length unit
         ("angle_rad", _c.c_float),  # |angle| <= 1e4
-        ("linear_velocity_mps", cn_vec2),  # of the centre of mass
+        ("linear_velocity_mps", cn_vec2),  # of the centre of mass; both velocities count only with CN_BODY_AWAKE: what sleeps does not move
         ("angular_velocity_radps", _c.c_float),
         ("linear_damping_per_s", _c.c_float),  # v' = -damping v; >= 0, default 0
         ("angular_damping_per_s", _c.c_float),
@@ -770,16 +792,6 @@ class cn_update_report(_c.Structure):
     ]
 
 
-class cn_query_filter(_c.Structure):
-    # A query sees shapes of enabled bodies whose category has a bit in mask and whose mask has one in
-    # category, and of sensors only those with CN_SHAPE_SENSOR_SEEN. Bodies are seen where they are now, also
-    # between steps.
-    _fields_ = [
-        ("category", _c.c_uint64),  # default 1
-        ("mask", _c.c_uint64),  # default all ones
-    ]
-
-
 class cn_ray(_c.Structure):
     _fields_ = [
         ("origin_m", cn_vec2),
@@ -788,13 +800,40 @@ class cn_ray(_c.Structure):
 
 
 class cn_ray_hit(_c.Structure):
+    # What a ray or a moved shape meets. One that starts in contact, overlapping or just touching, meets that
+    # shape at fraction 0, with the shortest way out: depth_m along the normal. It does not meet what it
+    # touches, up to a depth of 0.5% of the length unit, when its translation does not lead in: along the
+    # surface or away from it.
     _fields_ = [
         ("shape", cn_shape),  # 0: nothing was hit
         ("body", cn_body),
         ("child", _c.c_int32),  # edge of a chain
         ("fraction", _c.c_float),  # of the translation, [0, 1]; 1 when nothing was hit
-        ("point_m", cn_vec2),
-        ("normal", cn_vec2),  # (0, 0) when the origin is inside the shape; fraction is 0 then
+        ("point_m", cn_vec2),  # on the surface of the shape that was hit
+        ("normal", cn_vec2),  # unit, out of the shape that was hit
+        ("depth_m", _c.c_float),  # how deep the start is in it, 0 when it is outside
+        ("reserved", _c.c_uint32),
+    ]
+
+
+# Asked by a query for each shape (edge of a chain) that it would find, in no particular order and perhaps
+# more than once: the answer must depend on the shape alone. hit is what is known of it: all of it in casts,
+# else shape, body and child. Returns CN_QUERY_*. May call functions that take a const world, of the same
+# world too, and no others.
+cn_query_fn = _c.CFUNCTYPE(_c.c_int32, _c.POINTER(cn_world), _c.POINTER(cn_ray_hit), _c.c_void_p)
+
+
+class cn_query_filter(_c.Structure):
+    # A query sees shapes of enabled bodies whose category has a bit in mask and whose mask has one in
+    # category, and of sensors only those with CN_SHAPE_SENSOR_SEEN. Bodies are seen where they are now, also
+    # between steps.
+    _fields_ = [
+        ("category", _c.c_uint64),  # default 1
+        ("mask", _c.c_uint64),  # default all ones
+        ("ignored_body", cn_body),  # its shapes are not seen; 0 (default): none. A stale handle is an error
+        ("flags", _c.c_uint32),  # CN_QUERY_IGNORE_JOINED ...; default 0
+        ("visit", cn_query_fn),  # NULL (default): all are taken
+        ("user", _c.c_void_p),
     ]
 
 
@@ -806,6 +845,90 @@ class cn_closest(_c.Structure):
         ("distance_m", _c.c_float),  # negative: depth inside a shape with area
         ("point_m", cn_vec2),  # on the surface
         ("normal", cn_vec2),  # outward there; of edges and chains towards the point
+    ]
+
+
+class cn_distance(_c.Structure):
+    _fields_ = [
+        ("point_a_m", cn_vec2),  # on the surface of a, in the world
+        ("point_b_m", cn_vec2),
+        ("normal", cn_vec2),  # unit, from a to b
+        ("distance_m", _c.c_float),  # of the surfaces; negative: the depth, the shortest way that moves b out of a
+        ("reserved", _c.c_uint32),
+    ]
+
+
+class cn_sweep(_c.Structure):
+    # A motion from fraction 0 to 1: a point of the shape goes in a straight line, and the shape turns evenly
+    # about it.
+    _fields_ = [
+        ("start", cn_pose),
+        ("center_m", cn_vec2),  # that point, in the shape's frame: the centre of mass of a body
+        ("translation_m", cn_vec2),  # of it; at most 2e6 m each way
+        ("turn_rad", _c.c_float),  # counter-clockwise, |turn| <= 1e4
+        ("reserved", _c.c_uint32),
+    ]
+
+
+class cn_impact(_c.Structure):
+    _fields_ = [
+        ("state", _c.c_int32),  # CN_IMPACT_*
+        ("fraction", _c.c_float),
+        ("point_m", cn_vec2),  # HIT only, as are the next two: between the surfaces
+        ("normal", cn_vec2),  # unit, from a to b
+        ("distance_m", _c.c_float),  # of the surfaces at fraction, from distance_m to 0.1 mm (or what floats can tell) above
+        ("reserved", _c.c_uint32),
+    ]
+
+
+class cn_plane(_c.Structure):
+    # A surface that bounds where a shape may move: after a translation t of the shape, separation_m + normal
+    # . t is >= 0, unless that takes more than push_max_m.
+    _fields_ = [
+        ("normal", cn_vec2),  # unit, from the surface to the shape
+        ("point_m", cn_vec2),  # where they are nearest, in the world
+        ("separation_m", _c.c_float),  # of the surfaces along the normal; negative: they overlap
+        ("push_max_m", _c.c_float),  # >= 0: the farthest that this plane pushes; FLT_MAX: rigid
+        ("push_m", _c.c_float),  # of the last cn_mover_solve: how far it pushed
+        ("shape", cn_shape),
+        ("body", cn_body),
+        ("child", _c.c_int32),  # edge of a chain
+    ]
+
+
+class cn_mover_def(_c.Structure):
+    # How a character moves. The same for every move, or changed from move to move: crouching is another
+    # shape.
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("flags", _c.c_uint32),  # CN_MOVER_DROP; default 0
+        ("shape", cn_polygon),  # around its position, never turned; 1 or 2 points with radius > 0: circle, capsule. Default: a capsule of radius 0.3 from -0.5 to 0.5 along y: 1.6 high. Round shapes move more smoothly
+        ("filter", cn_query_filter),  # what it collides with; sensors never, one-way shapes from above
+        ("up", cn_vec2),  # any length > 0; default (0, 1)
+        ("slope_limit_rad", _c.c_float),  # steeper ground cannot be stood on or walked up, 0 to pi / 2; default 0.87 (50 degrees)
+        ("step_height_m", _c.c_float),  # climbs steps up to this high while it walks, >= 0; default 0.3
+        ("snap_m", _c.c_float),  # walking, keeps to ground that falls away by up to this in a move, >= 0; default 0.3
+        ("gravity_scale", _c.c_float),  # of the world's gravity in the air; default 1
+        ("push_force_N", _c.c_float),  # the most it pushes a dynamic body with, >= 0; default 200
+        ("iterations_max", _c.c_int32),  # of sliding, 1 to 64; default 8
+    ]
+
+
+class cn_mover(_c.Structure):
+    # A character between two moves. It belongs to the caller, who may copy it, keep it and go back to it: the
+    # world knows nothing of it, and other bodies do not collide with it: for that give it a kinematic body
+    # that is filter.ignored_body and follows by cn_body_set_target_pose. Begin with all 0 but the position.
+    _fields_ = [
+        ("position_m", cn_vec2),
+        ("velocity_mps", cn_vec2),  # in the air: of the world. On the ground: walking speed along the ground, relative to the ground, as its component across up; the one along up is 0, and a jump when the caller makes it > 0
+        ("ground_normal", cn_vec2),  # of what it stands on, with CN_MOVER_ON_GROUND; else (0, 0)
+        ("ground_point_m", cn_vec2),  # in the world, after the move
+        ("ground_local_m", cn_vec2),  # ... in the frame of ground_body
+        ("ground_velocity_mps", cn_vec2),  # of the ground there
+        ("ground_body", cn_body),  # 0: none; may become stale, which is as none
+        ("ground_shape", cn_shape),
+        ("flags", _c.c_uint32),  # CN_MOVER_ON_*, after the last move
+        ("squeezed_m", _c.c_float),  # by how much it overlaps what left it no room; 0 but for rounding
     ]
 
 
@@ -906,8 +1029,8 @@ cn_world_create = _function("cn_world_create", cn_result, _c.POINTER(cn_world_de
 # NULL is allowed. Frees everything; a world in a caller's block just stops using it. Its own threads have
 # ended when this returns. Not from callbacks.
 cn_world_destroy = _function("cn_world_destroy", None, _c.POINTER(cn_world))
-# One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion. Cost grows
-# with the number of awake bodies and their contacts.
+# One fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion, and so does
+# less than 1e-9. Cost grows with the number of awake bodies and their contacts.
 cn_world_step = _function("cn_world_step", cn_result, _c.POINTER(cn_world), _c.c_float)
 # One sentence on the last call that failed on this world; "" if none did. world may be NULL.
 cn_world_error_text = _function("cn_world_error_text", _c.c_char_p, _c.POINTER(cn_world))
@@ -957,6 +1080,21 @@ cn_world_hash = _function("cn_world_hash", cn_result, _c.POINTER(cn_world), _c.P
 # Checks every invariant between the tables. CN_OK, or CN_ERROR_INTERNAL with a sentence in text (at most
 # text_bytes bytes with the zero; may be NULL when text_bytes is 0). O(everything).
 cn_world_validate = _function("cn_world_validate", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_char), _c.c_int32)
+# Bytes that cn_world_save needs now. From callbacks CN_ERROR_LOCKED. O(slots).
+cn_world_save_size = _function("cn_world_save_size", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_uint64))
+# Writes the state to out, which may have any alignment, and how many bytes that took to out_bytes (may be
+# NULL). capacity: bytes that out has; too few are CN_ERROR_CAPACITY. From callbacks CN_ERROR_LOCKED. O(memory
+# of the world), about 1 KB a body.
+cn_world_save = _function("cn_world_save", cn_result, _c.POINTER(cn_world), _c.c_void_p, _c.c_uint64, _c.POINTER(_c.c_uint64))
+# Puts a state back: into the world that was saved, or one that was made by the same definition (broadphase,
+# length unit, whether it lives in a caller's block; else CN_ERROR_STATE). bytes: as many as cn_world_save
+# wrote. CN_ERROR_FORMAT: not a save of this version and machine, or damaged. CN_ERROR_MEMORY: no room for
+# what was alive then; a growing world takes what it needs, a world in a caller's block has room for what it
+# had. Arrays handed out before are void. O(memory of the world). Handles of what was alive when the world was
+# saved are valid again, also of what was destroyed since. Those made since are refused, until the same handle
+# is given to something new: with the same calls to the same thing. A game rolls its own state back with the
+# world, and so keeps none of them.
+cn_world_restore = _function("cn_world_restore", cn_result, _c.POINTER(cn_world), _c.c_void_p, _c.c_uint64)
 cn_body_def_init = _function("cn_body_def_init", None, _c.POINTER(cn_body_def))
 cn_body_create = _function("cn_body_create", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_body_def), _c.POINTER(cn_body))
 # count bodies from an array of definitions; all of them or none. O(count).
@@ -993,6 +1131,11 @@ cn_body_get_center = _function("cn_body_get_center", cn_result, _c.POINTER(cn_wo
 # Static bodies refuse this with CN_ERROR_STATE. Wakes when not zero.
 cn_body_set_velocity = _function("cn_body_set_velocity", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.c_float)
 cn_body_get_velocity = _function("cn_body_get_velocity", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_velocity))
+# Sets the velocity of a kinematic body (others: CN_ERROR_STATE) so that a step of dt_s (1e-6 to 1) takes it
+# to this pose, the shorter way round, up to rounding and the world's speed limits: what stands on it or is in
+# its way moves along, as nothing does with cn_body_set_pose. It goes on with that velocity: call it before
+# every step, or stop it after.
+cn_body_set_target_pose = _function("cn_body_set_target_pose", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.c_float, _c.c_float)
 # Velocity of the body's material at a world point.
 cn_body_get_velocity_at = _function("cn_body_get_velocity_at", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.POINTER(cn_vec2))
 cn_body_get_world_point = _function("cn_body_get_world_point", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.POINTER(cn_vec2))
@@ -1120,6 +1263,11 @@ cn_world_sensor_events = _function("cn_world_sensor_events", cn_result, _c.POINT
 # The contacts of a body, touching or not, as events of kind STAY (touching) or CREATED. Writes at most
 # capacity; *out_count is how many there are. O(contacts).
 cn_body_get_contacts = _function("cn_body_get_contacts", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_contact_event), _c.c_int32, _c.POINTER(_c.c_int32))
+# As cn_body_get_contacts, of one shape, a chain with all its edges. O(contacts of its body).
+cn_shape_get_contacts = _function("cn_shape_get_contacts", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_contact_event), _c.c_int32, _c.POINTER(_c.c_int32))
+# The shapes that are in a sensor, each once: those whose ENTER had no LEAVE up to the last step.
+# CN_ERROR_STATE for a shape that is no sensor. O(contacts of its body), for chains squared.
+cn_shape_get_visitors = _function("cn_shape_get_visitors", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_shape), _c.c_int32, _c.POINTER(_c.c_int32))
 # Bodies that fell asleep in the last step, or since by cn_body_set_awake; ones destroyed since are stale
 # handles.
 cn_world_fell_asleep = _function("cn_world_fell_asleep", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.POINTER(cn_body)), _c.POINTER(_c.c_int32))
@@ -1265,9 +1413,8 @@ cn_world_cast_rays = _function("cn_world_cast_rays", cn_result, _c.POINTER(cn_wo
 # Against one shape alone, whatever its filter, in shape space when unattached. O(edges of a chain).
 cn_shape_cast_ray = _function("cn_shape_cast_ray", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_ray), _c.POINTER(cn_ray_hit))
 # A polygon (its points in world coordinates; count may be 1 or 2 too, with radius > 0: circle, capsule) moved
-# by translation without turning: the first shape it meets. point is where, normal from the shape met towards
-# the moving one, (0, 0) when they overlap at the start. A chain is met by what has the mean of its points in
-# front.
+# by translation without turning: the first shape it meets. A chain is met by what has the mean of its points
+# in front.
 cn_world_cast_shape = _function("cn_world_cast_shape", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_polygon), _c.c_float, _c.c_float, _c.POINTER(cn_query_filter), _c.POINTER(cn_ray_hit))
 # Shapes that overlap a region: at most capacity handles are written (the first ones), *out_count is how many
 # there are, in the order of cn_world_get_shapes. The first is by the shapes' boxes without margin, the others
@@ -1280,6 +1427,52 @@ cn_world_overlap_point = _function("cn_world_overlap_point", cn_result, _c.POINT
 # The shape nearest to a point within distance_max_m (0 to 4e6 length units), the deepest if the point is in
 # several. Cost grows with what is near, not with distance_max_m.
 cn_world_closest_point = _function("cn_world_closest_point", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_float, _c.c_float, _c.POINTER(cn_query_filter), _c.POINTER(cn_closest))
+# By GJK (Gilbert, Johnson, Keerthi 1988) when the shapes without their radii are apart, else by their
+# Minkowski difference.
+cn_polygon_distance = _function("cn_polygon_distance", cn_result, _c.POINTER(cn_polygon), _c.POINTER(cn_pose), _c.POINTER(cn_polygon), _c.POINTER(cn_pose), _c.POINTER(cn_distance))
+# b is moved by translation (at most 2e6 m each way) without turning: where it meets a, as cn_ray_hit says,
+# without shape, body and child; 1 in *out_hit, or 0.
+cn_polygon_cast = _function("cn_polygon_cast", cn_result, _c.POINTER(cn_polygon), _c.POINTER(cn_pose), _c.POINTER(cn_polygon), _c.POINTER(cn_pose), _c.c_float, _c.c_float, _c.POINTER(cn_ray_hit), _c.POINTER(_c.c_int32))
+# The contact of a step: no points when they are farther apart than margin_m (0 to 1e6). Impulses are 0. Not
+# for a single point of radius 0.
+cn_polygon_collide = _function("cn_polygon_collide", cn_result, _c.POINTER(cn_polygon), _c.POINTER(cn_pose), _c.POINTER(cn_polygon), _c.POINTER(cn_pose), _c.c_float, _c.POINTER(cn_manifold))
+# When two shapes that move and turn first come within distance_m (0 to 1e6) of each other; fraction 0 for
+# those that start nearer. Conservative advancement (Mirtich 1996) along fixed axes (Catto, GDC 2013) that
+# never passes by a hit.
+cn_polygon_time_of_impact = _function("cn_polygon_time_of_impact", cn_result, _c.POINTER(cn_polygon), _c.POINTER(cn_sweep), _c.POINTER(cn_polygon), _c.POINTER(cn_sweep), _c.c_float, _c.POINTER(cn_impact))
+# The planes of all shapes within margin_m (0 to 1e6) of a polygon (as in cn_world_cast_shape) moved by
+# position: how they touch it, as in a step, rigid. At most capacity, those of least separation first;
+# *out_count is how many there are. Sensors are no surfaces. With CN_QUERY_ONE_WAY a one-way shape is one only
+# from its upper side, and only for what is no deeper in it than 0.5% of the length unit and what it rose by
+# in the last step. A shape wholly behind another one's plane is left out: it cannot be met while that plane
+# holds, so that the seams of tiles do not catch (not done when capacity is too small for all). O(shapes near,
+# squared).
+cn_mover_collide = _function("cn_mover_collide", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_polygon), _c.c_float, _c.c_float, _c.c_float, _c.POINTER(cn_query_filter), _c.POINTER(cn_plane), _c.c_int32, _c.POINTER(_c.c_int32))
+# The translation nearest to a wanted one that the planes allow: exactly, for in two dimensions it lies on at
+# most two of them. A plane pushes by no more than push_max_m: which ones push their most, Hildreth's method
+# (1957) tells. Sets push_m. Between surfaces that leave no room it is that of the least sum of squared
+# overlaps (Cimmino 1938), and *out_overlap_m, else 0 up to rounding, says how deep the deepest of them
+# remains that did not push its most. count 0 to CN_PLANES_MAX. No world. O(count^2), O(count^3) where two
+# planes hold it.
+cn_mover_solve = _function("cn_mover_solve", cn_result, _c.POINTER(cn_plane), _c.c_int32, _c.c_float, _c.c_float, _c.POINTER(cn_vec2), _c.POINTER(_c.c_float))
+# The velocity nearest to a given one that leads into none of the planes that pushed in the last
+# cn_mover_solve. No world.
+cn_mover_clip = _function("cn_mover_clip", cn_result, _c.POINTER(cn_plane), _c.c_int32, _c.c_float, _c.c_float, _c.POINTER(cn_vec2))
+cn_mover_def_init = _function("cn_mover_def_init", None, _c.POINTER(cn_mover_def))
+# Moves a character by dt_s (0 < dt_s <= 1). Call it after each cn_world_step, or it is a step behind what
+# carries it. 1. carried   by what its ground did since the last move: the change of the place in ground_body
+# where it stood, conveyors too 2. walking   on the ground: velocity_mps across up, along the ground, as fast
+# uphill as downhill; no gravity, so that it does not creep. Where something too steep is in the way, a step
+# up: up by step_height_m, forward, down on what can be walked on flying    in the air: velocity_mps and
+# gravity (exact for constant gravity). Jumping and walking off take ground_velocity_mps along 3. sliding
+# both by collision planes, cn_mover_solve and casts, up to iterations_max times: no speed passes through a
+# wall 4. pushing   dynamic bodies in the way get a force for the next step that brings them to the
+# character's velocity, of at most push_force_N each 5. ground    what it touches and can stand on, or finds
+# within snap_m below when it walked; velocity_mps loses what is blocked Depends on the world, def and mover
+# alone: the same calls give the same bits. The loop of planes, solver and cast is that of Box2D 3's sample of
+# a character mover (Catto 2025). Bodies pushed wake up; nothing else of the world changes. O(shapes near x
+# iterations_max): some 1 us standing, 3 us walking, 10 us against a wall.
+cn_mover_move = _function("cn_mover_move", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_mover_def), _c.c_float, _c.POINTER(cn_mover))
 cn_explosion_def_init = _function("cn_explosion_def_init", None, _c.POINTER(cn_explosion_def))
 # Pushes dynamic bodies away from the centre, each shape at its point nearest to it, and wakes them.
 # Velocities must stay finite (CN_ERROR_ARGUMENT). O(shapes in reach).
@@ -1345,10 +1538,16 @@ for _struct, _number in (
     (cn_angle_constraint_def, CN_TYPE_ANGLE_CONSTRAINT_DEF),
     (cn_line_constraint_def, CN_TYPE_LINE_CONSTRAINT_DEF),
     (cn_update_report, CN_TYPE_UPDATE_REPORT),
-    (cn_query_filter, CN_TYPE_QUERY_FILTER),
     (cn_ray, CN_TYPE_RAY),
     (cn_ray_hit, CN_TYPE_RAY_HIT),
+    (cn_query_filter, CN_TYPE_QUERY_FILTER),
     (cn_closest, CN_TYPE_CLOSEST),
+    (cn_distance, CN_TYPE_DISTANCE),
+    (cn_sweep, CN_TYPE_SWEEP),
+    (cn_impact, CN_TYPE_IMPACT),
+    (cn_plane, CN_TYPE_PLANE),
+    (cn_mover_def, CN_TYPE_MOVER_DEF),
+    (cn_mover, CN_TYPE_MOVER),
     (cn_explosion_def, CN_TYPE_EXPLOSION_DEF),
     (cn_debug_draw, CN_TYPE_DEBUG_DRAW),
 ):

@@ -118,6 +118,91 @@ static int32_t slot_take(cni_blocks *blocks, uint8_t *chunk, uint64_t bytes)
 	return slot;
 }
 
+/* Cleared, so that chunks may be copied whole. */
+static uint8_t *chunk_alloc(cni_blocks *blocks, uint64_t bytes)
+{
+	uint8_t *chunk = cni_memory_alloc(blocks->memory, bytes);
+	if (chunk != NULL)
+		memset(chunk, 0, (size_t)bytes);
+	return chunk;
+}
+
+/* ------------------------------------------------------------------ another table */
+
+int32_t cni_blocks_next_begin(cni_blocks *blocks, int32_t count)
+{
+	int32_t capacity = (count + 7) & ~7;
+
+	CNI_ASSERT(!blocks->next_waits);
+	if (capacity > 0) {
+		blocks->next_bytes = cni_memory_alloc(blocks->memory, (uint64_t)capacity * CHUNK_SLOT_BYTES);
+		if (blocks->next_bytes == NULL)
+			return 0;
+		blocks->next_chunks = (uint8_t **)(void *)(blocks->next_bytes + capacity);
+		memset(blocks->next_bytes, 0, (size_t)capacity * CHUNK_SLOT_BYTES);
+	}
+	blocks->next_count = count;
+	blocks->next_capacity = capacity;
+	blocks->next_waits = 1;
+	return 1;
+}
+
+static void next_forget(cni_blocks *blocks)
+{
+	blocks->next_bytes = NULL;
+	blocks->next_chunks = NULL;
+	blocks->next_count = 0;
+	blocks->next_capacity = 0;
+	blocks->next_waits = 0;
+}
+
+static int32_t chunk_is_shared(const cni_blocks *blocks, int32_t slot)
+{
+	return slot < blocks->chunk_count && slot < blocks->next_count && blocks->chunks[slot] == blocks->next_chunks[slot];
+}
+
+int32_t cni_blocks_next_set(cni_blocks *blocks, int32_t slot, uint64_t bytes)
+{
+	blocks->next_bytes[slot] = bytes;
+	if (bytes == 0)
+		return 1;
+	if (slot < blocks->chunk_count && blocks->chunks[slot] != NULL && blocks->chunk_bytes[slot] == bytes)
+		blocks->next_chunks[slot] = blocks->chunks[slot];
+	else
+		blocks->next_chunks[slot] = chunk_alloc(blocks, bytes);
+	return blocks->next_chunks[slot] != NULL;
+}
+
+void cni_blocks_next_take(cni_blocks *blocks)
+{
+	int32_t k;
+
+	if (!blocks->next_waits)
+		return;
+	for (k = 0; k < blocks->chunk_count; ++k)
+		if (blocks->chunks[k] != NULL && !chunk_is_shared(blocks, k))
+			cni_memory_free(blocks->memory, blocks->chunks[k], blocks->chunk_bytes[k]);
+	cni_memory_free(blocks->memory, blocks->chunk_bytes, (uint64_t)blocks->chunk_capacity * CHUNK_SLOT_BYTES);
+	blocks->chunk_bytes = blocks->next_bytes;
+	blocks->chunks = blocks->next_chunks;
+	blocks->chunk_count = blocks->next_count;
+	blocks->chunk_capacity = blocks->next_capacity;
+	next_forget(blocks);
+}
+
+void cni_blocks_next_drop(cni_blocks *blocks)
+{
+	int32_t k;
+
+	if (!blocks->next_waits)
+		return;
+	for (k = 0; k < blocks->next_count; ++k)
+		if (blocks->next_chunks[k] != NULL && !chunk_is_shared(blocks, k))
+			cni_memory_free(blocks->memory, blocks->next_chunks[k], blocks->next_bytes[k]);
+	cni_memory_free(blocks->memory, blocks->next_bytes, (uint64_t)blocks->next_capacity * CHUNK_SLOT_BYTES);
+	next_forget(blocks);
+}
+
 /* ------------------------------------------------------------------ large pieces */
 
 static cni_ref large_alloc(cni_blocks *blocks, uint64_t bytes)
@@ -127,7 +212,7 @@ static cni_ref large_alloc(cni_blocks *blocks, uint64_t bytes)
 
 	if (!slot_reserve(blocks))
 		return 0;
-	chunk = cni_memory_alloc(blocks->memory, taken);
+	chunk = chunk_alloc(blocks, taken);
 	if (chunk == NULL)
 		return 0;
 	blocks->bytes_large += taken;
@@ -204,7 +289,7 @@ static int32_t chunk_add(cni_blocks *blocks, int32_t class_index, int32_t count)
 		return 0;
 	for (; chunk == NULL && wanted >= piece; wanted /= 2) {
 		taken = cni_memory_rounded(wanted / piece * piece);
-		chunk = cni_memory_alloc(blocks->memory, taken);
+		chunk = chunk_alloc(blocks, taken);
 	}
 	if (chunk == NULL)
 		return 0;

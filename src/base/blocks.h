@@ -37,6 +37,13 @@ typedef struct cni_blocks {
 	uint64_t bytes_in_chunks; /* class chunks */
 	uint64_t bytes_in_use;    /* rounded to the class */
 	uint64_t bytes_large;
+	/* The chunks of a state that is about to be loaded: base/snapshot.c. */
+	uint64_t *next_bytes;
+	uint8_t **next_chunks;
+	int32_t next_count;
+	int32_t next_capacity;    /* 0: there is none, or next_count is 0 too */
+	int32_t next_waits;       /* 1: there is one */
+	int32_t next_reserved;
 } cni_blocks;
 
 void cni_blocks_init(cni_blocks *blocks, cni_memory *memory);
@@ -50,6 +57,14 @@ void cni_blocks_free(cni_blocks *blocks, cni_ref ref, uint64_t bytes);
 int32_t cni_blocks_reserve(cni_blocks *blocks, uint64_t bytes, int32_t count);
 /* What a piece of this size really takes. */
 uint64_t cni_blocks_rounded(uint64_t bytes);
+
+/* A table of count chunks beside the present one, empty at first; 0: no memory. */
+int32_t cni_blocks_next_begin(cni_blocks *blocks, int32_t count);
+/* Its chunk of an index: the present one if that has the size, else a new one; 0 bytes: none. Returns 0: no memory. */
+int32_t cni_blocks_next_set(cni_blocks *blocks, int32_t slot, uint64_t bytes);
+/* It becomes the table, if there is one: chunks that are not in it are given back. Or it is given up. */
+void cni_blocks_next_take(cni_blocks *blocks);
+void cni_blocks_next_drop(cni_blocks *blocks);
 
 static inline void *cni_blocks_at(const cni_blocks *blocks, cni_ref ref)
 {

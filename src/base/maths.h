@@ -87,6 +87,8 @@ static inline cni_aabb cni_aabb_union(const cni_aabb *a, const cni_aabb *b)
 /* 1 when neither NaN nor infinite. */
 static inline int32_t cni_is_finite(float x) { return x - x == 0.0f; }
 static inline int32_t cni_is_finite2(cni_vec2 v) { return cni_is_finite(v.x) && cni_is_finite(v.y); }
+/* For answers that floats may not hold: the largest float that there is, and 0 for what is no number. */
+static inline float cni_saturate(float x) { return x > FLT_MAX ? FLT_MAX : x < -FLT_MAX ? -FLT_MAX : x == x ? x : 0.0f; }
 
 /* Polynomials of sine and cosine on a quarter turn about 0, and where they are not taken: maths.c. */
 #define CNI_SINE_3 (-0.166666508f)

@@ -16,7 +16,7 @@
 #define CNI_BROADPHASE_BROADPHASE_H
 
 #include "base/arena.h"
-#include "base/blocks.h"
+#include "base/snapshot.h"
 #include "base/threads.h"
 #include "broadphase/proxy.h"
 
@@ -83,6 +83,8 @@ typedef struct cni_broadphase_ops {
 	int32_t (*validate)(const cni_broadphase *broadphase);
 	/* Bytes that capacity proxies may take, for fixed-memory worlds. */
 	uint64_t (*bytes_needed)(int32_t capacity);
+	/* Its state through a snapshot, after that of the proxies' table. */
+	void (*snapshot)(cni_broadphase *broadphase, cni_snapshot *s);
 } cni_broadphase_ops;
 
 extern const cni_broadphase_ops cni_broadphase_sweep; /* broadphase/sweep.c */

@@ -218,7 +218,12 @@ static int32_t tree_validate(const cni_broadphase *broadphase)
 	return cni_tree_validate(&b->tree);
 }
 
+static void tree_snapshot(cni_broadphase *broadphase, cni_snapshot *s)
+{
+	cni_tree_snapshot(&tree_of(broadphase)->tree, s);
+}
+
 const cni_broadphase_ops cni_broadphase_tree = {
 	tree_create, tree_destroy, tree_reserve, tree_add, tree_remove, tree_move, tree_touch, tree_update,
-	tree_settle, tree_query, tree_ray, tree_bytes, tree_cells, tree_validate, tree_bytes_needed,
+	tree_settle, tree_query, tree_ray, tree_bytes, tree_cells, tree_validate, tree_bytes_needed, tree_snapshot,
 };

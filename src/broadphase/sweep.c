@@ -307,7 +307,14 @@ static int32_t sweep_validate(const cni_broadphase *broadphase)
 	return tiles_hold(const_sweep_of(broadphase), &entries) && marks_hold(const_sweep_of(broadphase), entries);
 }
 
+static void sweep_snapshot(cni_broadphase *broadphase, cni_snapshot *s)
+{
+	if (cni_snapshot_reserves(s))
+		cni_snapshot_need(s, sweep_reserve(broadphase, 0));
+	cni_sweep_snapshot(broadphase, s);
+}
+
 const cni_broadphase_ops cni_broadphase_sweep = {
 	sweep_create, sweep_destroy, sweep_reserve, sweep_add,   sweep_remove, sweep_move,     sweep_touch,       sweep_update,
-	sweep_settle, sweep_query,   sweep_ray,     sweep_bytes, sweep_cells,  sweep_validate, sweep_bytes_needed,
+	sweep_settle, sweep_query,   sweep_ray,     sweep_bytes, sweep_cells,  sweep_validate, sweep_bytes_needed, sweep_snapshot,
 };

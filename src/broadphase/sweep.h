@@ -8,6 +8,7 @@
  *   sweep_search.c  ... one of those (tile with itself, with another, one entry with all); sweep_pass.h
  *   sweep_lanes.h   ... its inner loop, for each vector width
  *   sweep_query.c   region and ray queries through the same tiles
+ *   sweep_save.c    all of it into bytes and back
  *
  * Boxes are kept by size in levels (S_l = S0 * 4^l: a box goes to the lowest level whose S_l is above
  * its larger side), and within a level in tiles 8 S_l wide and 2 S_l high by their lower corner:
@@ -220,6 +221,10 @@ int32_t cni_sweep_tile_find(const cni_sweep *sweep, int32_t level, int32_t tx, i
 /* Same, made if need be; CNI_NONE when there is no memory. Moves the tile array. */
 int32_t cni_sweep_tile_make(cni_sweep *sweep, int32_t level, int32_t tx, int32_t ty);
 void cni_sweep_tile_destroy(cni_sweep *sweep, int32_t tile);
+/* Room in the table that finds tiles; 0 when there is no memory. */
+int32_t cni_sweep_slots_reserve(cni_sweep *sweep, int32_t count);
+/* Makes that table anew from the tiles. */
+void cni_sweep_slots_fill(cni_sweep *sweep);
 /* Room for count entries; 0 when there is no memory. */
 int32_t cni_sweep_tile_reserve(cni_sweep *sweep, cni_sweep_tile *tile, int32_t count);
 /* Gives back room that a tile has grown out of. */
@@ -297,5 +302,9 @@ cni_sweep_find_new_fn cni_sweep_find_new_8; /* AVX2, chosen at run time */
 
 void cni_sweep_query(const cni_sweep *sweep, const cni_aabb *box, cni_query_fn *visit, void *context);
 void cni_sweep_ray(const cni_sweep *sweep, cni_vec2 origin, cni_vec2 translation, cni_query_fn *visit, void *context);
+
+/* ---- bytes ---- */
+
+void cni_sweep_snapshot(cni_broadphase *broadphase, cni_snapshot *s);
 
 #endif

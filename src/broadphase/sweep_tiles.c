@@ -109,7 +109,7 @@ static void slot_take(cni_sweep *sweep, int32_t tile)
 }
 
 /* Half full at most; fuller, up to seven eighths, where memory is short. */
-static int32_t slots_reserve(cni_sweep *sweep, int32_t count)
+int32_t cni_sweep_slots_reserve(cni_sweep *sweep, int32_t count)
 {
 	int32_t capacity = cni_max_i(sweep->slot_capacity, 8);
 	int32_t *old = sweep->slots;
@@ -131,6 +131,16 @@ static int32_t slots_reserve(cni_sweep *sweep, int32_t count)
 			slot_put(sweep, old[i] - 1);
 	cni_memory_free(sweep->context.memory, old, (uint64_t)old_capacity * sizeof(int32_t));
 	return 1;
+}
+
+void cni_sweep_slots_fill(cni_sweep *sweep)
+{
+	int32_t tile;
+	if (sweep->slot_capacity > 0)
+		memset(sweep->slots, 0, (size_t)sweep->slot_capacity * sizeof(int32_t));
+	for (tile = 0; tile < sweep->tiles.count; ++tile)
+		if (cni_sweep_tile_at(sweep, tile)->level != CNI_SWEEP_FREE)
+			slot_put(sweep, tile);
 }
 
 /* ---- tiles ---- */
@@ -165,7 +175,7 @@ int32_t cni_sweep_tile_make(cni_sweep *sweep, int32_t level, int32_t tx, int32_t
 	cni_sweep_tile *t;
 	if (tile != CNI_NONE)
 		return tile;
-	if (!slots_reserve(sweep, sweep->tile_count + 1) || (tile = tile_take(sweep)) == CNI_NONE)
+	if (!cni_sweep_slots_reserve(sweep, sweep->tile_count + 1) || (tile = tile_take(sweep)) == CNI_NONE)
 		return CNI_NONE;
 	t = cni_sweep_tile_at(sweep, tile);
 	memset(t, 0, sizeof(*t));

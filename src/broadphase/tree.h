@@ -29,7 +29,7 @@
 #define CNI_BROADPHASE_TREE_H
 
 #include "base/maths.h"
-#include "base/table.h"
+#include "base/snapshot.h"
 
 #define CNI_TREE_ROOT 0          /* place */
 #define CNI_TREE_EMPTY INT32_MIN /* child of a place where nothing hangs */
@@ -99,6 +99,9 @@ int32_t cni_tree_wants_scratch(const cni_tree *tree);
 void cni_tree_rebuild(cni_tree *tree, void *scratch);
 /* Half the perimeters of everything but the items themselves, by those of the items: what searches pay. O(n). */
 float cni_tree_cost(const cni_tree *tree);
+
+/* All of it through a snapshot. */
+void cni_tree_snapshot(cni_tree *tree, cni_snapshot *s);
 
 /* ---- searches */
 

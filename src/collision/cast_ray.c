@@ -32,6 +32,8 @@ static int32_t disc_enter(cni_vec2 center, float radius, cni_vec2 origin, cni_ve
 	if (nearest < 0.0f || at > length)
 		return 0;
 	at = cni_max(at, 0.0f);
+	out->depth = 0.0f;
+	out->inside = 0;
 	out->fraction = cni_min(at / length, 1.0f);
 	out->normal = cni_normalize(cni_madd(from, at, direction));
 	out->point = cni_madd(center, radius, out->normal);
@@ -40,28 +42,68 @@ static int32_t disc_enter(cni_vec2 center, float radius, cni_vec2 origin, cni_ve
 
 /* ------------------------------------------------------------------ convex skeleton */
 
-static int32_t inside_at(cni_vec2 origin, cni_cast_hit *out)
+static int32_t next_of(const cni_cast_hull *hull, int32_t i)
+{
+	return i + 1 < hull->count ? i + 1 : 0;
+}
+
+static cni_vec2 face_normal(const cni_cast_hull *hull, int32_t i)
+{
+	if (hull->normals != NULL)
+		return hull->normals[i];
+	return cni_normalize(cni_right_perp(cni_sub(hull->points[next_of(hull, i)], hull->points[i])));
+}
+
+/* The point of the outline that is nearest to the origin of the ray. */
+typedef struct outline {
+	cni_vec2 point;
+	float distance_sq;
+	int32_t feature;
+} outline;
+
+static outline outline_nearest(const cni_cast_hull *hull, cni_vec2 origin)
+{
+	outline best = { hull->points[0], 0.0f, 0 };
+	best.distance_sq = cni_distance_sq(origin, hull->points[0]);
+	for (int32_t i = 0; i < hull->count && hull->count > 1; ++i) {
+		cni_vec2 a = hull->points[i], edge = cni_sub(hull->points[next_of(hull, i)], a);
+		float length_sq = cni_length_sq(edge);
+		float t = length_sq > 0.0f ? cni_clamp(cni_dot(cni_sub(origin, a), edge) / length_sq, 0.0f, 1.0f) : 0.0f;
+		cni_vec2 point = cni_madd(a, t, edge);
+		float distance_sq = cni_distance_sq(origin, point);
+		if (distance_sq >= best.distance_sq)
+			continue;
+		best.point = point;
+		best.distance_sq = distance_sq;
+		best.feature = t <= 0.0f ? i : t >= 1.0f ? next_of(hull, i) : hull->count + i;
+	}
+	return best;
+}
+
+static int32_t inside_make(cni_vec2 on_skeleton, cni_vec2 normal, float radius, float depth, cni_cast_hit *out)
 {
 	out->fraction = 0.0f;
-	out->point = origin;
-	out->normal = cni_v(0.0f, 0.0f);
+	out->normal = normal;
+	out->point = cni_madd(on_skeleton, radius, normal);
+	out->depth = cni_max(depth, 0.0f);
+	out->inside = 1;
 	return 1;
 }
 
-static float segment_distance_sq(cni_vec2 point, cni_vec2 a, cni_vec2 b)
+/* Started within the radius of the outline, or 0. */
+static int32_t inside_outline(const cni_cast_hull *hull, cni_vec2 origin, cni_cast_hit *out, int32_t *out_feature)
 {
-	cni_vec2 edge = cni_sub(b, a);
-	float length_sq = cni_length_sq(edge);
-	float t = length_sq > 0.0f ? cni_clamp(cni_dot(cni_sub(point, a), edge) / length_sq, 0.0f, 1.0f) : 0.0f;
-	return cni_distance_sq(point, cni_madd(a, t, edge));
-}
-
-static int32_t outline_is_near(const cni_cast_hull *hull, cni_vec2 point)
-{
-	for (int32_t i = 0; i < hull->count; ++i)
-		if (segment_distance_sq(point, hull->points[i], hull->points[i + 1 < hull->count ? i + 1 : 0]) <= hull->radius * hull->radius)
-			return 1;
-	return 0;
+	outline near = outline_nearest(hull, origin);
+	float distance = cni_sqrt(near.distance_sq);
+	cni_vec2 offset = cni_sub(origin, near.point), normal = cni_normalize(offset);
+	if (near.distance_sq > hull->radius * hull->radius)
+		return 0;
+	if (near.feature >= hull->count || !(distance > 0.0f)) { /* of a face its own, which has more digits than a short offset */
+		normal = hull->count > 1 ? face_normal(hull, near.feature % hull->count) : cni_v(0.0f, 1.0f);
+		normal = cni_dot(normal, offset) < 0.0f ? cni_neg(normal) : normal;
+	}
+	*out_feature = near.feature;
+	return inside_make(near.point, normal, hull->radius, hull->radius - distance, out);
 }
 
 static int32_t nearest_vertex(const cni_cast_hull *hull, cni_vec2 point)
@@ -73,19 +115,13 @@ static int32_t nearest_vertex(const cni_cast_hull *hull, cni_vec2 point)
 	return best;
 }
 
-static cni_vec2 face_normal(const cni_cast_hull *hull, int32_t i)
-{
-	if (hull->normals != NULL)
-		return hull->normals[i];
-	return cni_normalize(cni_right_perp(cni_sub(hull->points[i + 1 < hull->count ? i + 1 : 0], hull->points[i])));
-}
-
 /* The ray clipped against the planes moved out by the radius. */
 typedef struct clip {
 	float enter, leave;
 	cni_vec2 normal;      /* of the face entered through */
 	int32_t face;         /* CNI_NONE: the origin is inside of all planes */
 	float height_most;    /* of the origin over any plane of the skeleton itself */
+	int32_t face_most;    /* ... that plane's face */
 } clip;
 
 /* 0 when the ray misses. */
@@ -95,11 +131,15 @@ static int32_t hull_clip(const cni_cast_hull *hull, cni_vec2 origin, cni_vec2 tr
 	c->leave = 1.0f;
 	c->face = CNI_NONE;
 	c->height_most = -FLT_MAX;
+	c->face_most = 0;
 	for (int32_t i = 0; i < hull->count; ++i) {
 		cni_vec2 n = face_normal(hull, i);
 		float height = cni_dot(n, cni_sub(origin, hull->points[i]));
 		float speed = cni_dot(n, translation);
-		c->height_most = cni_max(c->height_most, height);
+		if (height > c->height_most) {
+			c->height_most = height;
+			c->face_most = i;
+		}
 		height -= hull->radius;
 		if (height > 0.0f && speed >= 0.0f)
 			return 0;
@@ -131,27 +171,36 @@ static int32_t face_enter(const cni_cast_hull *hull, const clip *c, cni_vec2 ori
 	if (hull->radius > 0.0f && at > length_sq)
 		return vertex_enter(hull, next, origin, translation, out, out_feature);
 	*out_feature = hull->count + c->face;
+	out->depth = 0.0f;
+	out->inside = 0;
 	out->fraction = c->enter;
 	out->normal = c->normal;
 	out->point = cni_madd(cni_madd(a, cni_clamp(at / length_sq, 0.0f, 1.0f), edge), hull->radius, c->normal);
 	return 1;
 }
 
+/* Started within the skeleton: out through the face that is nearest. */
+static int32_t inside_skeleton(const cni_cast_hull *hull, const clip *c, cni_vec2 origin, cni_cast_hit *out, int32_t *out_feature)
+{
+	cni_vec2 normal = face_normal(hull, c->face_most);
+	*out_feature = hull->count + c->face_most;
+	return inside_make(cni_madd(origin, -c->height_most, normal), normal, hull->radius, hull->radius - c->height_most, out);
+}
+
 int32_t cni_cast_hull_ray(const cni_cast_hull *hull, cni_vec2 origin, cni_vec2 translation, cni_cast_hit *out, int32_t *out_feature)
 {
 	clip c;
 	*out_feature = CNI_NONE;
-	if (hull->count == 1) {
-		if (cni_distance_sq(origin, hull->points[0]) <= hull->radius * hull->radius)
-			return inside_at(origin, out);
-		return vertex_enter(hull, 0, origin, translation, out, out_feature);
-	}
+	if (hull->count == 1)
+		return inside_outline(hull, origin, out, out_feature) || vertex_enter(hull, 0, origin, translation, out, out_feature);
 	if (!hull_clip(hull, origin, translation, &c))
 		return 0;
 	if (c.face != CNI_NONE)
 		return face_enter(hull, &c, origin, translation, out, out_feature);
-	if ((hull->count > 2 && c.height_most <= 0.0f) || outline_is_near(hull, origin))
-		return inside_at(origin, out);
+	if (hull->count > 2 && c.height_most <= 0.0f)
+		return inside_skeleton(hull, &c, origin, out, out_feature);
+	if (inside_outline(hull, origin, out, out_feature))
+		return 1;
 	return vertex_enter(hull, nearest_vertex(hull, origin), origin, translation, out, out_feature);
 }
 
@@ -175,6 +224,8 @@ static int32_t edge_enter(cni_vec2 a, cni_vec2 b, int32_t one_sided, cni_vec2 or
 	}
 	if (!(speed < 0.0f && height >= 0.0f && height <= -speed))
 		return 0;
+	out->depth = 0.0f;
+	out->inside = 0;
 	out->fraction = height / -speed;
 	out->normal = normal;
 	out->point = cni_madd(a, side_a / (side_a - side_b), edge);

@@ -104,6 +104,25 @@ static cni_vec2 touch_point(const difference *d, int32_t feature, const cni_vec2
 	return cni_madd(cni_madd(a0, middle, along), radius_a, normal);
 }
 
+/* Overlaps a chain's edge at the start: unless it is met beyond an end, where the outline has a way out to the front, it
+   has to be lifted to where all of it is in front. */
+static void chain_lift(const difference *d, cni_vec2 front, float radius, cni_cast_hit *out, int32_t *out_feature)
+{
+	cni_vec2 up = cni_normalize(front);
+	float most = -FLT_MAX;
+	if (out->depth < radius && cni_dot(up, out->normal) > 0.0f)
+		return;
+	for (int32_t i = 0; i < d->count; ++i) {
+		float height = cni_dot(up, d->points[i]);
+		if (height > most) {
+			most = height;
+			*out_feature = i;
+		}
+	}
+	out->normal = up;
+	out->depth = most + radius;
+}
+
 int32_t cni_cast_points(const cni_geometry *g, int32_t child, cni_proxy_points moving, cni_vec2 centroid, cni_transform moving_in_g,
 	cni_vec2 translation, cni_cast_hit *out)
 {
@@ -124,11 +143,9 @@ int32_t cni_cast_points(const cni_geometry *g, int32_t child, cni_proxy_points m
 	cni_cast_hull hull = { d.points, d.normals, d.count, a.radius + moving.radius };
 	if (!cni_cast_hull_ray(&hull, cni_v(0.0f, 0.0f), translation, out, &feature))
 		return 0;
-	if (feature == CNI_NONE) {
-		out->point = center;
-		return 1;
-	}
-	if (g->type == CN_SHAPE_CHAIN && !(cni_dot(front, translation) < 0.0f && cni_dot(front, out->normal) >= 0.0f))
+	if (g->type == CN_SHAPE_CHAIN && out->inside)
+		chain_lift(&d, front, hull.radius, out, &feature);
+	else if (g->type == CN_SHAPE_CHAIN && !(cni_dot(front, translation) < 0.0f && cni_dot(front, out->normal) >= 0.0f))
 		return 0;
 	out->point = touch_point(&d, feature, a.points, m, cni_mul(out->fraction, translation), out->normal, a.radius);
 	return 1;

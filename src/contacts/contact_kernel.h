@@ -1,17 +1,17 @@
 /*
- * contacts/contact_kernel.h - the contact kernel of one instruction set: included by contact_kernel_*.c, which
- * define CNI_WIDTH and CNI_KERNEL (the name of the table they fill). Results do not depend on the width. What sets up a pass
- * is done once a call, so a call goes through as many blocks as it can.
+ * contacts/contact_kernel.h - the contact kernel of one instruction set, included by contact_kernel_*.c, which define CNI_WIDTH
+ * and CNI_KERNEL (the name of the kernel table). Results do not depend on the width. The setup of a pass costs time per call, so
+ * one call processes as many blocks as it can.
  *
  * With the letters of model/contact.h and body changes dp, th since the step began, a point's separation is
  *   s = s0 + n.(dpb - dpa) + [(cos thb - 1) bn + sin thb bt] - [(cos tha - 1) an + sin tha at]
  * its speed vn = n.(vb - va) + wb bt - wa at, and the friction speed vt = t.(vb - va) - wb fb + wa fa.
  *
- * The soft pass gives way by a part of the impulse: that is what damps it, but also what lets a stack sink into
- * itself by its weight. So it gives way around the load, the slow mean of what the contact bears, and not around
- * zero: a thing at rest stands without overlap whatever lies on it, and what is sudden is as soft as ever. The mean
- * must be slower than impulses need to travel through the largest pile; see CNI_LOAD_RATE in model/solve.h. Between bodies that have
- * settled it does not rise any more: what is wedged would be pressed ever harder, until something slips.
+ * A soft constraint subtracts a part of its impulse. This damps the contact, but a stack under its weight would sink into
+ * itself. So the pass subtracts a part of impulse - load, where load is the slow mean of the contact's impulse: a body at rest
+ * keeps no overlap whatever it carries, and sudden impulses stay soft. The mean must be slower than impulses travel through the
+ * largest pile; see CNI_LOAD_RATE in model/solve.h. Between settled bodies the load does not rise: rising loads would press
+ * wedged bodies ever harder, until one slips.
  *
  * Reads motion, start and block rows; writes motion velocities and block.jn, jt, load.
  */
@@ -27,8 +27,8 @@ typedef struct side {
 	cni_wide x, y, s, c1; /* change of centre; sin and cos - 1 of the change of angle */
 } side;
 
-/* Turns beyond what the series holds for are cut: a contact's geometry does not last that far. A speed of -0 becomes 0, which
-   an impulse of nothing leaves as it is. */
+/* Clamps the turn to the range of the series: a contact's geometry does not last that far. A speed of -0 becomes 0, so that a zero
+   impulse leaves it unchanged. */
 CNI_INLINE void side_gather(const cni_motion *motions, const int32_t *index, side *out)
 {
 	const float *base = (const float *)(const void *)motions;
@@ -59,7 +59,7 @@ CNI_INLINE void sides_lock(const cni_block_extra *extra, int32_t l, side *a, sid
 	b->my = b->m * (1.0f - cni_wide_load(extra->lock_by + l));
 }
 
-/* Takes back what happened to lanes that are not live. */
+/* Restores the velocities of lanes that are not live. */
 CNI_INLINE void side_keep(side *a, const side *old, cni_mask live)
 {
 	a->vx = cni_wide_select(live, a->vx, old->vx);
@@ -67,15 +67,15 @@ CNI_INLINE void side_keep(side *a, const side *old, cni_mask live)
 	a->w = cni_wide_select(live, a->w, old->w);
 }
 
-/* A point of every lane, ready for the pair solve. */
+/* One contact point of every lane, prepared for the solve of both points. */
 typedef struct point {
 	cni_wide at, bt;
-	cni_wide m;    /* mass_scale / (n K n); 0: takes no part */
-	cni_wide want; /* the impulse it would have if the other point kept its own */
+	cni_wide m;      /* mass_scale / (n K n); 0: inactive */
+	cni_wide target; /* its impulse if the other point kept its own */
 	cni_wide old;
 } point;
 
-/* Of a point, where the bodies are now. */
+/* Separation of a point at the current poses. */
 CNI_INLINE cni_wide point_separation(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b)
 {
 	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
@@ -91,7 +91,7 @@ CNI_INLINE cni_wide point_separation(const cni_contact_block *k, const cni_conta
    through a floor. With 4 crowds of elastic discs lose 0.5% of their energy in the test, with 8 half of that. */
 #define MISSED 8.0f
 
-/* bias: the soft pass, else the rigid one. bounces: restitution of the block's lanes, NULL: they have none. */
+/* bias: 1 the soft pass, 0 the rigid relax pass. bounces: restitution of the block's lanes, NULL: none. */
 CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces)
 {
 	point q;
@@ -106,14 +106,14 @@ CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row
 	push = cni_wide_select(s > zero, s * pass->inv_h, soft_push);
 	scale = bias ? cni_wide_select(s > zero, one, cni_wide_of(pass->soft.mass_scale)) : one;
 	q.m = scale * nm;
-	q.want = scale * q.old - nm * (scale * vn + push);
+	q.target = scale * q.old - nm * (scale * vn + push);
 	if (bias && CNI_ON(LOADS))
-		q.want += (1.0f - scale) * cni_wide_load(p->load + l);
+		q.target += (1.0f - scale) * cni_wide_load(p->load + l);
 	if (!bias || bounces != NULL) {
-		/* Impacts are left to restitution.c: where its sweeps found that bodies do not meet in this substep they do so in the next,
-		   and braking would take the speed that the impact there should return. Of contacts that return little of it only relax leaves
-		   them, and only for a surface that only the next substep can reach. A contact that overlaps by more than it closes in MISSED
-		   substeps is braked: what else its bodies bear, a joint for one, undoes its impacts. */
+		/* Impacts belong to restitution.c. If its sweeps find that bodies do not meet in this substep, they meet in the next, and
+		   braking would take the speed that the impact there should return. At low restitution only the relax pass skips the contact,
+		   and only while the bodies are apart: the next substep reaches the surface. A contact that overlaps by more than it closes in
+		   MISSED substeps is braked: another constraint of its bodies, such as a joint, undoes its impacts. */
 		cni_mask left = (vn < cni_wide_of(pass->impact_speed)) & (q.old <= zero), apart = s > zero;
 		if (bounces != NULL && bias)
 			left &= (cni_wide_load_loose(bounces + l) > cni_wide_of(BOUNCY)) & (s * pass->inv_h > MISSED * vn);
@@ -123,7 +123,7 @@ CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row
 			left &= apart;
 		part = cni_wide_select(left, zero, one);
 		q.m = part * q.m;
-		q.want = part * q.want + zero; /* not -0 */
+		q.target = part * q.target + zero; /* not -0 */
 	}
 	return q;
 }
@@ -139,13 +139,13 @@ CNI_INLINE void apply_normal(side *a, side *b, cni_wide nx, cni_wide ny, const p
 	b->w += b->i * q->bt * dj;
 }
 
-/* Has no lane of the group a second point? Then all of its row is zero, and so is what it would do. */
+/* Returns 1 if no lane of the group has a second point. Rows of missing points are zero, and so are their impulses. */
 CNI_INLINE int32_t has_one_point(const cni_contact_block *k, int32_t l)
 {
 	return cni_mask_bits(cni_wide_load(k->p[1].nm + l) != cni_wide_of(0.0f)) == 0;
 }
 
-/* The points of every lane: both, or the first where no lane has a second. */
+/* The points of every lane: both, or only the first if no lane has a second. */
 typedef struct normals {
 	point p, q;
 	cni_wide jp, jq;
@@ -159,10 +159,10 @@ CNI_INLINE void normals_prepare(normals *out, const cni_contact_block *k, int32_
 }
 
 /*
- * The normal impulses of both points at once: the 2 x 2 complementarity problem A j >= r, j >= 0, in which
- * A has 1/m on its diagonal and k12 beside it, by trying both, the first alone, the second alone
- * (total enumeration after Catto, "Iterative Dynamics", 2005). k12 is held a little below its true
- * size, which keeps A well conditioned when the points nearly coincide and does not move the fixed point.
+ * Solves the normal impulses of both points together: the 2 x 2 complementarity problem A j >= r, j >= 0, where A has 1/m on its
+ * diagonal and k12 beside it. It tries both points, the first alone, the second alone (total enumeration after Catto, "Iterative
+ * Dynamics", 2005). k12 is slightly below its true size, which keeps A well conditioned when the points nearly coincide and does
+ * not move the fixed point.
  */
 CNI_INLINE void normals_solve_both(normals *c, const cni_contact_block *k, const cni_block_extra *extra, int32_t l, const side *a, const side *b)
 {
@@ -171,7 +171,7 @@ CNI_INLINE void normals_solve_both(normals *c, const cni_contact_block *k, const
 	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l);
 	cni_wide mass = extra != NULL ? nx * nx * (a->mx + b->mx) + ny * ny * (a->my + b->my) : a->m + b->m;
 	cni_wide k12 = 0.99f * (mass + a->i * p->at * q->at + b->i * p->bt * q->bt);
-	cni_wide kp = k12 * p->m, kq = k12 * q->m, rp = p->want + kp * q->old, rq = q->want + kq * p->old;
+	cni_wide kp = k12 * p->m, kq = k12 * q->m, rp = p->target + kp * q->old, rq = q->target + kq * p->old;
 	cni_wide inv_det = 1.0f / (1.0f - kp * kq);
 	cni_wide both_p = (rp - kp * rq) * inv_det, both_q = (rq - kq * rp) * inv_det;
 	cni_wide one_p = cni_wide_max(rp, zero), one_q = cni_wide_max(rq, zero);
@@ -186,7 +186,7 @@ CNI_INLINE void normals_solve(normals *c, const cni_contact_block *k, const cni_
 	if (points == 2)
 		normals_solve_both(c, k, extra, l, a, b);
 	else
-		c->jp = cni_wide_select(c->p.want >= zero, c->p.want, zero); /* what the above makes of a second point whose row is zero */
+		c->jp = cni_wide_select(c->p.target >= zero, c->p.target, zero); /* as normals_solve_both with a zero row */
 }
 
 CNI_INLINE void normals_apply(const normals *c, cni_contact_block *k, int32_t l, side *a, side *b, int32_t points)
@@ -226,11 +226,11 @@ CNI_INLINE void solve_friction(cni_contact_block *k, const cni_block_extra *extr
 	cni_wide fa = cni_wide_load(k->fa + l), fb = cni_wide_load(k->fb + l);
 	cni_wide vt = ny * (b->vx - a->vx) - nx * (b->vy - a->vy) - b->w * fb + a->w * fa;
 	cni_wide slip = extra != NULL ? vt - cni_wide_load(extra->tangent_speed + l) : vt;
-	cni_wide old = cni_wide_load(k->jt + l), want = old - cni_wide_load(k->tm + l) * slip;
+	cni_wide old = cni_wide_load(k->jt + l), target = old - cni_wide_load(k->tm + l) * slip;
 	cni_wide normal = cni_wide_load(k->p[0].jn + l) + cni_wide_load(k->p[1].jn + l);
 	cni_wide stick = cni_wide_load(k->static_friction + l) * normal, slide = cni_wide_load(k->dynamic_friction + l) * normal;
-	cni_wide sliding = cni_wide_max(cni_wide_min(want, slide), -slide);
-	cni_wide impulse = cni_wide_select(cni_wide_abs(want) <= stick, want, sliding);
+	cni_wide sliding = cni_wide_max(cni_wide_min(target, slide), -slide);
+	cni_wide impulse = cni_wide_select(cni_wide_abs(target) <= stick, target, sliding);
 	cni_wide_store(k->jt + l, impulse);
 	apply_friction(a, b, nx, ny, fa, fb, impulse - old);
 }
@@ -240,14 +240,14 @@ CNI_INLINE void solve_rolling(const cni_contact_block *k, cni_block_extra *extra
 {
 	cni_wide most = cni_wide_load(extra->rolling + l) * (cni_wide_load(k->p[0].jn + l) + cni_wide_load(k->p[1].jn + l));
 	cni_wide old = cni_wide_load(extra->rolling_impulse + l);
-	cni_wide want = old - cni_wide_load(extra->rolling_mass + l) * (b->w - a->w);
-	cni_wide impulse = cni_wide_max(cni_wide_min(want, most), -most), dj = impulse - old;
+	cni_wide target = old - cni_wide_load(extra->rolling_mass + l) * (b->w - a->w);
+	cni_wide impulse = cni_wide_max(cni_wide_min(target, most), -most), dj = impulse - old;
 	cni_wide_store(extra->rolling_impulse + l, impulse);
 	a->w -= a->i * dj;
 	b->w += b->i * dj;
 }
 
-/* Once through the rows of a group; lanes that are not live stay as they are. */
+/* Solves all rows of a group once and restores lanes that are not live. */
 CNI_INLINE void solve_live(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, cni_mask live)
 {
 	cni_wide p = cni_wide_load(k->p[0].jn + l), q = cni_wide_load(k->p[1].jn + l), t = cni_wide_load(k->jt + l), roll;
@@ -273,7 +273,7 @@ CNI_INLINE void solve_live(cni_contact_block *k, cni_block_extra *extra, int32_t
  */
 #define FRESH_ROUNDS 4
 
-/* The rounds but the first. A function of its own, called with copies: groups without such lanes keep their registers. */
+/* The rounds after the first. A separate function that takes copies: groups without fresh lanes keep their registers. */
 static void solve_again(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, uint32_t live)
 {
 	int32_t round;
@@ -281,14 +281,14 @@ static void solve_again(cni_contact_block *k, cni_block_extra *extra, int32_t l,
 		solve_live(k, extra, l, a, b, pass, bias, bounces, cni_mask_of_bits(live));
 }
 
-/* Lanes of a group that bear, as bits. */
-CNI_INLINE uint32_t group_bears(const cni_contact_block *k, int32_t l)
+/* Bits of a group's lanes with a normal impulse. */
+CNI_INLINE uint32_t group_loaded(const cni_contact_block *k, int32_t l)
 {
 	return cni_mask_bits(cni_wide_load(k->p[0].jn + l) + cni_wide_load(k->p[1].jn + l) > cni_wide_of(0.0f));
 }
 
-/* Lanes of a group in which normals and friction change each other, as bits. They do not where there is one point, straight
-   ahead of both centres (or of that which turns), as of balls on the ground and on each other. */
+/* Bits of a group's lanes with coupled normal and friction impulses. A single point straight ahead of the centres of all bodies that
+   turn does not couple them, as between balls and the ground. */
 CNI_INLINE uint32_t group_couples(const cni_contact_block *k, int32_t l, const side *a, const side *b)
 {
 	cni_wide at = cni_wide_load(k->p[0].at + l), bt = at - cni_wide_load(k->dt + l);
@@ -303,7 +303,7 @@ CNI_INLINE void solve_fresh(cni_contact_block *k, cni_block_extra *extra, int32_
 	uint32_t live = fresh >> l & ((1u << CNI_WIDTH) - 1u);
 	if (live == 0 || !CNI_ON(FRESH_ROUNDS))
 		return;
-	live &= group_bears(k, l) & (extra != NULL ? live : group_couples(k, l, a, b));
+	live &= group_loaded(k, l) & (extra != NULL ? live : group_couples(k, l, a, b));
 	if (live == 0)
 		return;
 	a_copy = *a;
@@ -339,8 +339,8 @@ CNI_INLINE void solve_group(cni_motion *motions, cni_contact_block *k, cni_block
 }
 
 /*
- * Two groups of one colour without extra rows, by turns: each is a long chain of operations that wait for one
- * another, and processors do not look far enough ahead to begin the next group meanwhile.
+ * Solves two groups of one colour without extra rows interleaved. Each is a long chain of dependent operations, and the
+ * processor's reordering window is too short to start the next group in the meantime.
  */
 CNI_INLINE void solve_pair(cni_motion *motions, cni_contact_block *k, int32_t l, const cni_contact_pass *pass, uint32_t fresh, int32_t bias, const float *bounces, int32_t points)
 {
@@ -365,18 +365,18 @@ CNI_INLINE void solve_pair(cni_motion *motions, cni_contact_block *k, int32_t l,
 	sides_scatter(motions, k, m, &am, &bm, pass);
 }
 
-/* Lanes that began to touch in this step and did not bear in its substeps before, as bits. */
+/* Bits of the lanes that began to touch in this step and had no normal impulse in earlier substeps. */
 CNI_INLINE uint32_t block_fresh(const cni_listed_block *b)
 {
 	return b->fresh != 0 ? b->fresh & b->info->fresh : 0;
 }
 
-/* At the end of a substep: those that bear are as others from now on. */
+/* At the end of a substep: lanes with a normal impulse are no longer fresh. */
 static void block_age(const cni_listed_block *b, uint32_t fresh)
 {
 	int32_t l;
 	for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
-		b->info->fresh = (uint16_t)(b->info->fresh & ~(fresh & group_bears(b->rows, l) << l));
+		b->info->fresh = (uint16_t)(b->info->fresh & ~(fresh & group_loaded(b->rows, l) << l));
 }
 
 /* The groups of a block without extra rows. */
@@ -394,7 +394,7 @@ CNI_INLINE void solve_plain(cni_motion *motions, const cni_listed_block *b, cons
 		solve_group(motions, b->rows, NULL, l, pass, fresh, bias, bounces);
 }
 
-/* Those of a block with extra rows or restitution. A function of its own for each of them: they are few. */
+/* The groups of a block with extra rows or restitution. Outlined variants, as such blocks are few. */
 static void solve_rare(cni_motion *motions, const cni_listed_block *b, const cni_contact_pass *pass, uint32_t fresh, int32_t bias)
 {
 	const float *bounces = b->info->restitution;
@@ -411,7 +411,7 @@ static void solve_rare(cni_motion *motions, const cni_listed_block *b, const cni
 		solve_plain(motions, b, pass, fresh, 0, bounces);
 }
 
-/* Few blocks have extra rows: the compiler knows that the others have none. */
+/* Blocks without extra rows and restitution get code without them. */
 CNI_INLINE void solve_blocks(const cni_color_pass *c, int32_t begin, int32_t end, int32_t bias)
 {
 	int32_t k;
@@ -440,19 +440,19 @@ static void kernel_relax(const cni_color_pass *c, int32_t begin, int32_t end)
 	solve_blocks(c, begin, end, 0);
 }
 
-/* Lanes whose bodies, but for what cannot move, have all settled. */
-CNI_INLINE cni_mask lanes_settled(const cni_external *drives, const cni_contact_block *k, int32_t l, const side *b)
+/* Lanes in which every movable body has settled. */
+CNI_INLINE cni_mask lanes_settled(const cni_external *externals, const cni_contact_block *k, int32_t l, const side *b)
 {
 #if CNI_WIDTH == 1
-	if (drives == NULL || !(drives[k->ia[l]].flags & CNI_EXTERNAL_SETTLED))
+	if (externals == NULL || !(externals[k->ia[l]].flags & CNI_EXTERNAL_SETTLED))
 		return 0;
-	return (drives[k->ib[l]].flags & CNI_EXTERNAL_SETTLED) || b->m == 0.0f;
+	return (externals[k->ib[l]].flags & CNI_EXTERNAL_SETTLED) || b->m == 0.0f;
 #else
-	const float *base = (const float *)(const void *)drives;
+	const float *base = (const float *)(const void *)externals;
 	const int32_t stride = (int32_t)(sizeof(cni_external) / sizeof(float));
 	const cni_mask none = { 0 }, bit = (int32_t)CNI_EXTERNAL_SETTLED - none;
 	cni_wide ax, ay, alpha, flags_a, flags_b;
-	if (drives == NULL)
+	if (externals == NULL)
 		return none;
 	cni_wide_gather4(base, stride, k->ia + l, &ax, &ay, &alpha, &flags_a);
 	cni_wide_gather4(base, stride, k->ib + l, &ax, &ay, &alpha, &flags_b);
@@ -460,16 +460,16 @@ CNI_INLINE cni_mask lanes_settled(const cni_external *drives, const cni_contact_
 #endif
 }
 
-/* A load follows slowly, where much is borne more slowly still, and never exceeds the impulse that is there; nor does it rise where
-   all has settled. m: the larger inverse mass. */
-CNI_INLINE cni_wide load_follow(cni_wide load, cni_wide jn, cni_wide m, cni_mask settled, const cni_contact_pass *pass)
+/* Moves a load slowly towards the impulse, more slowly for large impulses. It never exceeds the impulse, and does not rise between
+   settled bodies. m: the larger inverse mass. */
+CNI_INLINE cni_wide load_update(cni_wide load, cni_wide jn, cni_wide m, cni_mask settled, const cni_contact_pass *pass)
 {
 	cni_wide speed = jn * m, part = cni_wide_min(cni_wide_of(pass->load_part), pass->load_heavy / (speed * speed + FLT_MIN));
 	part = cni_wide_select(settled, cni_wide_of(0.0f), part);
 	return cni_wide_min(load + part * (jn - load), jn);
 }
 
-CNI_INLINE void warm_group(cni_motion *motions, const cni_external *drives, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass)
+CNI_INLINE void warm_group(cni_motion *motions, const cni_external *externals, cni_contact_block *k, cni_block_extra *extra, int32_t l, const cni_contact_pass *pass)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
 	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), scale = cni_wide_of(pass->warm_scale);
@@ -479,7 +479,7 @@ CNI_INLINE void warm_group(cni_motion *motions, const cni_external *drives, cni_
 	int32_t p, points = has_one_point(k, l) ? 1 : 2;
 	side_gather(motions, k->ia + l, &a);
 	side_gather(motions, k->ib + l, &b);
-	settled = lanes_settled(drives, k, l, &b);
+	settled = lanes_settled(externals, k, l, &b);
 	if (extra != NULL)
 		sides_lock(extra, l, &a, &b);
 	for (p = 0; p < points; ++p) {
@@ -489,7 +489,7 @@ CNI_INLINE void warm_group(cni_motion *motions, const cni_external *drives, cni_
 		q.bt = q.at - cni_wide_load(k->dt + l);
 		q.old = zero;
 		cni_wide_store(k->p[p].jn + l, jn);
-		cni_wide_store(k->p[p].load + l, load_follow(cni_wide_load(k->p[p].load + l) * scale, jn, cni_wide_max(a.m, b.m), settled, pass));
+		cni_wide_store(k->p[p].load + l, load_update(cni_wide_load(k->p[p].load + l) * scale, jn, cni_wide_max(a.m, b.m), settled, pass));
 		apply_normal(&a, &b, nx, ny, &q, jn);
 	}
 	cni_wide_store(k->jt + l, jt);
@@ -513,11 +513,11 @@ static void kernel_warm(const cni_color_pass *c, int32_t begin, int32_t end)
 		if (c->prefetches)
 			cni_blocks_prefetch(c, k, end);
 		for (l = b->begin; l < b->lanes; l += CNI_WIDTH)
-			warm_group(c->motions, c->drives, b->rows, b->extra, l, &c->kinds[b->kind]);
+			warm_group(c->motions, c->externals, b->rows, b->extra, l, &c->kinds[b->kind]);
 	}
 }
 
-/* Does the point close faster than the speed, and than what it bears could answer (restitution.c)? a and b hold velocities only. */
+/* Does the point close faster than speed, and with more momentum than its last impulse (restitution.c)? a and b hold velocities only. */
 CNI_INLINE cni_mask point_closes(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b, float speed)
 {
 	cni_wide nx = cni_wide_load(k->nx + l), ny = cni_wide_load(k->ny + l), at = cni_wide_load(p->at + l), bt = at - cni_wide_load(k->dt + l);
@@ -540,7 +540,7 @@ CNI_INLINE uint32_t group_closing(const float *starts, const cni_contact_block *
 	return cni_mask_bits(closes & bounces) << l;
 }
 
-/* Asks for what is read of a block. */
+/* Prefetches the rows of a block that kernel_closing reads. */
 CNI_INLINE void closing_prefetch(const cni_listed_block *b)
 {
 	const cni_contact_block *k = b->rows;
@@ -578,4 +578,4 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 #include "contacts/restitution_kernel.h"
 #include "contacts/manifold_reuse_kernel.h"
 
-const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, kernel_closing, kernel_impact, kernel_follow };
+const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, kernel_closing, kernel_impact, kernel_reuse };

@@ -1,5 +1,5 @@
 /*
- * contacts/contact_kernel_4.c - the contact kernel on vectors of four floats: SSE2, NEON, WASM SIMD.
+ * contacts/contact_kernel_4.c - the contact kernel with vectors of 4 floats: SSE2, NEON, WASM SIMD.
  */
 #include "base/cpu.h"
 

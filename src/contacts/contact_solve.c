@@ -1,10 +1,10 @@
 /*
- * contacts/contact_solve.c - warm start, soft solve and relax of all contacts: colours in order, blocks of a
- * colour through the widest kernel there is. Without a team a pass is one call for all blocks.
+ * contacts/contact_solve.c - the contact passes of a substep: warm start, soft solve, relax. They run over the colours in order,
+ * and over a colour's blocks with the widest kernel. Without a team a pass is one kernel call for all blocks.
  *
- * Within a colour no dynamic body appears twice, so its lanes are independent. In static colours lane body
- * b is read and not written. So a colour's blocks may be shared among workers; they meet before the next colour. Contacts
- * in the overflow colour are solved one by one, in the blocks where they lie.
+ * Within a colour no dynamic body appears twice, so its lanes are independent, and workers may share its blocks; they
+ * synchronise before the next colour. In static colours lane body b is read and not written. Contacts of the overflow colour are
+ * solved one by one, in place.
  */
 #include "contacts/contacts.h"
 #include "base/bitset.h"
@@ -32,7 +32,7 @@ static cni_color_pass color_pass_make(cn_world *world, const cni_solve *s, const
 	return c;
 }
 
-/* A lane by itself, through the plain kernel. */
+/* Solves one lane with the plain kernel. */
 static void lane_run(cn_world *world, const cni_solve *s, int32_t which, const cni_listed_block *b, int32_t l)
 {
 	cni_listed_block one = *b;
@@ -64,7 +64,7 @@ static void color_range(void *context, int32_t begin, int32_t end, int32_t worke
 	loop->run(&loop->c, begin, end);
 }
 
-/* One worker goes through all blocks that follow each other in the list, whatever their colours. */
+/* Without a team, one call covers all blocks that are adjacent in the list, whatever their colours. */
 static void colors_run(cn_world *world, const cni_solve *s, int32_t which)
 {
 	const cni_listed_block *list = (const cni_listed_block *)world->block_list.data;
@@ -99,8 +99,8 @@ static cni_listed_block listed_of(const cn_world *world, int32_t block, int32_t 
 	return listed;
 }
 
-/* A colour's blocks are linked, and a link that is not in the cache is waited for: all are asked for beforehand, unless they are few
-   of those that there have been. Inlined by force: compilers take a function that only prefetches for one that does nothing. */
+/* A colour's blocks form a linked list, and a link outside the cache stalls. This prefetches all links, unless few of the allocated
+   blocks are in use. Forced inline: compilers take a function that only prefetches for one without effect, and drop its calls. */
 CNI_INLINE void infos_prefetch(const cn_world *world)
 {
 	int32_t block;

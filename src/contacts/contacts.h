@@ -1,29 +1,30 @@
 /*
- * contacts/contacts.h - what other folders call: the soft contact solver, restitution, gravity preload.
+ * contacts/contacts.h - interface of the folder: the soft contact solver, restitution, gravity preload, quiet and stressed
+ * piles.
  */
 #ifndef CNI_CONTACTS_CONTACTS_H
 #define CNI_CONTACTS_CONTACTS_H
 
 #include "model/solve.h"
 
-/* The blocks of all colours, for the passes of this step; after the narrowphase. Sets s->bounces, contact_colors and lanes. */
+/* Lists the blocks of all colours for the passes of this step. Runs after the narrowphase. Sets s->bounces, contact_colors and lanes. */
 void cni_contacts_list(cn_world *world, cni_solve *s);
 void cni_contacts_warm_start(cn_world *world, const cni_solve *s);
 void cni_contacts_solve(cn_world *world, const cni_solve *s);
 void cni_contacts_relax(cn_world *world, const cni_solve *s);
-/* One contact of them, in a pass that has been: by its slot. */
+/* Repeats the soft pass for one contact, given by its slot. */
 void cni_contact_solve_again(cn_world *world, const cni_solve *s, int32_t slot);
 void cni_contacts_impact(cn_world *world, const cni_solve *s);
-/* Loads of piles that are too large for that, and their impulses when they are new. Before the warm start. */
+/* Sets impulses and loads of new piles that are too large for the direct solver. Runs before the warm start. */
 void cni_gravity_preload(cn_world *world, const cni_solve *s);
-/* Is every body of a quiet island held by what is below it? Else things lean on each other. */
+/* Returns 1 if every body of a quiet island is held by bodies below it, 0 if bodies lean on each other. */
 int32_t cni_pile_is_supported(cn_world *world, int32_t island, float h);
-/* Scratch that either may take. */
+/* Bytes of frame memory that cni_gravity_preload or cni_pile_is_supported may take. */
 uint64_t cni_gravity_preload_bytes(int32_t bodies);
-/* Does the lighter of two bodies bear more than a part of what soft contacts can, with this impulse between them in a
-   substep h? Such contacts are not left to the soft solver, which would crush them. direct/solver_selection.c. */
+/* Does this impulse, in a substep h, load the lighter of two bodies by more than a part of what soft contacts can bear? The soft solver
+   would crush such a contact: direct/solver_selection.c solves it directly. */
 int32_t cni_is_stressed(const cn_world *world, int32_t ia, int32_t ib, float impulse, float h, float part);
-/* Neither moves nor turns faster than what lies in a pile. */
+/* Does the body move and turn no faster than bodies in a pile do? */
 int32_t cni_body_is_quiet(const cn_world *world, const cni_body *b);
 int32_t cni_island_is_quiet(const cn_world *world, const cni_island *i);
 int32_t cni_island_has_joints(const cn_world *world, int32_t island);

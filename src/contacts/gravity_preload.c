@@ -1,20 +1,19 @@
 /*
- * contacts/gravity_preload.c - what the contacts of a large pile bear, found at once.
+ * contacts/gravity_preload.c - computes the impulses and loads of a large new pile top-down.
  *
- * Soft contacts give way around their load (contacts/contact_kernel.h), and a sweep brings a weight down by a few
- * bodies: a pile that was just put together would sag by its softness until loads are known. Small piles are solved
- * directly (direct/solver_selection.c). In one that is too large for that, bodies are taken from the highest to the lowest (the
- * method of jump propagation, Guendelman, Bridson and Fedkiw, 2003). Each has its own weight and what was laid on it, and
- * lays that on what is below, taken as fixed: by the impulses of least squares, none of which pulls, that take all of
- * its momentum in a substep. So every body is in balance, and a pile whose contacts are given these impulses and loads
- * does not move at all.
+ * Soft contacts yield around their load (contacts/contact_kernel.h), and a sweep carries a weight down by only a few bodies. A
+ * new pile would sag by its softness until its loads are known. Small piles are solved directly (direct/solver_selection.c). In
+ * a pile that is too large for that, this pass visits bodies from the highest to the lowest (the method of shock propagation,
+ * Guendelman, Bridson and Fedkiw, 2003). Each body has its own weight and the momentum of the bodies on it. Its supports, taken
+ * as fixed, cancel all of its momentum of a substep by least-squares impulses, none of which pulls. The supports pass these
+ * impulses on to the bodies below. So every body is in balance, and a pile with these impulses and loads does not move at all.
  *
- * That is done once, when most of a quiet island's contacts are new. Loads that were led to what is found again and again
- * would drive a pile that swings. A body alone that is set down is a pile of one: it stands, or begins to slide, without
- * a false step. An island in which some body cannot be held by what is below it (an arch, a bridge) is left to the direct
- * solver (direct/solver_selection.c).
+ * The pass runs once, when most contacts of a quiet island are new. Loads that were corrected repeatedly would drive a swinging
+ * pile. A single body that is set down is a pile of one: it stands, or begins to slide, without a false first step. An island
+ * with a body that the bodies below cannot hold (an arch, a bridge) is left to the direct solver (direct/solver_selection.c).
  *
- * Reads lanes, drives, motion, islands as direct/solver_selection.c counted their new contacts; writes lanes' jn, jt, load.
+ * Reads lanes, external accelerations, motion, and the new contacts of islands that direct/solver_selection.c counted; writes
+ * lanes' jn, jt, load.
  */
 #include "contacts/contacts.h"
 #include "base/sort.h"
@@ -32,18 +31,18 @@
 #define CLOSE 1e-3f            /* own weights that may be left before more contacts are asked */
 #define LEFT_MOST 0.05f        /* ... that may be left at all */
 
-/* By dense index: momentum that a substep's forces and what lies on the body give it; how high it is. */
+/* By dense index: the body's momentum of a substep, from forces and from the bodies on it; its height. */
 typedef struct weight {
 	float x, y, turn, height;
 } weight;
 
 typedef struct row {
-	float x, y, turn;      /* momentum that a unit impulse takes from the body; turn by its radius of gyration */
-	float turn_below;      /* ... and gives to the one below */
+	float x, y, turn;      /* momentum that a unit impulse takes from the body; turn over its radius of gyration */
+	float support_turn;    /* angular momentum that it gives to the support */
 	float share, impulse;
 } row;
 
-/* A contact with something below, or beside and later in the order. Rows: two points, friction. */
+/* A contact with a support: below the body, or beside it and later in the order. Rows: two points, friction. */
 typedef struct support {
 	cni_contact_block *lanes;
 	int32_t lane, below;
@@ -52,21 +51,21 @@ typedef struct support {
 } support;
 
 /* One body on its supports. */
-typedef struct stand {
+typedef struct balance {
 	support supports[SUPPORTS_MOST];
 	int32_t count;
-	float need[3], left[3];  /* momentum to be taken, and what is not */
+	float wanted[3], left[3]; /* momentum to cancel, and its residual */
 	float down_x, down_y;
-} stand;
+} balance;
 
 typedef struct pile {
 	cn_world *world;
 	weight *weights;
 	uint64_t *order;         /* highest first */
 	int32_t count;
-	int32_t stressed;        /* some contact bears more than soft ones can */
+	int32_t stressed;        /* some contact bears more than soft contacts can */
 	float h;                 /* of a substep */
-	float weight_speed;      /* what gravity gives in it */
+	float weight_speed;      /* speed that gravity gives in it */
 	float warm_scale;        /* of the step's warm start */
 } pile;
 
@@ -77,16 +76,16 @@ uint64_t cni_gravity_preload_bytes(int32_t bodies)
 
 /* ---- one body ---- */
 
-static row row_make(float x, float y, float turn, float turn_below)
+static row row_make(float x, float y, float turn, float support_turn)
 {
-	row r = { x, y, turn, turn_below, 0.0f, 0.0f };
+	row r = { x, y, turn, support_turn, 0.0f, 0.0f };
 	return r;
 }
 
-/* The lane seen from the body, which is its a or its b; scale: 1 / radius of gyration. */
+/* The lane from the view of the body, which is its a or its b; scale: 1 / radius of gyration. */
 static void support_read(support *p, cni_contact_block *k, int32_t l, int32_t is_b, float scale)
 {
-	float way = is_b ? -1.0f : 1.0f, nx = way * k->nx[l], ny = way * k->ny[l];
+	float sign = is_b ? -1.0f : 1.0f, nx = sign * k->nx[l], ny = sign * k->ny[l];
 	int32_t i;
 	p->lanes = k;
 	p->lane = l;
@@ -100,7 +99,7 @@ static void support_read(support *p, cni_contact_block *k, int32_t l, int32_t is
 	p->rows[2] = is_b ? row_make(ny, -nx, scale * k->fb[l], k->fa[l]) : row_make(ny, -nx, -scale * k->fa[l], -k->fb[l]);
 }
 
-/* Contacts with locked axes, conveyors or rolling resistance are not laid on. */
+/* Contacts with locked axes, conveyors or rolling resistance are not preloaded. */
 static int32_t lane_is_plain(const cn_world *world, int32_t block, int32_t l)
 {
 	const cni_block_extra *x = cni_block_info_at(world, block)->flags & CNI_BLOCK_EXTRA ? cni_block_extra_at(world, block) : NULL;
@@ -114,8 +113,8 @@ static int32_t is_above(const pile *q, int32_t other, int32_t body)
 	return a > b || (a == b && other < body);
 }
 
-/* 0: too many, or of a kind that is not laid on. */
-static int32_t supports_collect(const pile *q, int32_t index, float scale, stand *out)
+/* 0: too many supports, or a contact that is not preloaded. */
+static int32_t supports_collect(const pile *q, int32_t index, float scale, balance *out)
 {
 	const cni_body *b = cni_body_at(q->world, cni_awake_ids(q->world)[index]);
 	int32_t key;
@@ -134,8 +133,8 @@ static int32_t supports_collect(const pile *q, int32_t index, float scale, stand
 	return 1;
 }
 
-/* Which rows are asked. 0: points of contacts that bear by themselves; 1: their friction too; 2: all contacts. */
-static void shares_give(stand *b, int32_t stage)
+/* Selects the rows. Stage 0: points of contacts steep enough to support by themselves; 1: also their friction; 2: all contacts. */
+static void shares_set(balance *b, int32_t stage)
 {
 	int32_t k, i;
 	for (k = 0; k < b->count; ++k) {
@@ -147,7 +146,7 @@ static void shares_give(stand *b, int32_t stage)
 	}
 }
 
-static void row_push(stand *b, row *r, float impulse)
+static void row_push(balance *b, row *r, float impulse)
 {
 	r->impulse += impulse;
 	b->left[0] -= r->x * impulse;
@@ -155,12 +154,12 @@ static void row_push(stand *b, row *r, float impulse)
 	b->left[2] -= r->turn * impulse;
 }
 
-/* The impulses j = share (row . m) that take all: (sum of share row row') m = left. 0: nothing is asked. */
-static int32_t impulses_find(stand *b)
+/* The impulses j = share (row . m) that cancel the momentum: (sum of share row row') m = left. 0: no row is selected. */
+static int32_t impulses_find(balance *b)
 {
 	float a00 = 0.0f, a10 = 0.0f, a11 = 0.0f, a20 = 0.0f, a21 = 0.0f, a22 = 0.0f, more, l10, l20, l21, d1, d2;
 	int32_t k, i, pass;
-	memcpy(b->left, b->need, sizeof b->left);
+	memcpy(b->left, b->wanted, sizeof b->left);
 	for (k = 0; k < b->count; ++k)
 		for (i = 0; i < 3; ++i) {
 			row *r = &b->supports[k].rows[i];
@@ -193,8 +192,8 @@ static int32_t impulses_find(stand *b)
 	return 1;
 }
 
-/* Points that pull leave, friction that slides is asked for less. 1: something changed. */
-static int32_t impulses_bound(stand *b)
+/* Drops points that pull; clamps friction that slides and lowers its share. 1: something changed. */
+static int32_t impulses_bound(balance *b)
 {
 	int32_t k, i, changed = 0;
 	for (k = 0; k < b->count; ++k) {
@@ -218,29 +217,29 @@ static int32_t impulses_bound(stand *b)
 	return changed;
 }
 
-static int32_t left_is_below(const stand *b, float most)
+static int32_t residual_is_below(const balance *b, float most)
 {
 	return b->left[0] * b->left[0] + b->left[1] * b->left[1] + b->left[2] * b->left[2] <= most * most;
 }
 
-/* 0: what is below cannot hold it. own: its weight. */
-static int32_t stand_solve(stand *b, float own)
+/* 0: the supports cannot hold the body. own: its weight. */
+static int32_t balance_solve(balance *b, float own)
 {
 	int32_t stage, round;
 	for (stage = 0; stage < 3; ++stage) {
-		shares_give(b, stage);
+		shares_set(b, stage);
 		for (round = 0; round < ROUNDS; ++round)
 			if (!impulses_find(b) || !impulses_bound(b))
 				break;
-		if (left_is_below(b, CLOSE * own))
+		if (residual_is_below(b, CLOSE * own))
 			return 1;
 	}
-	return left_is_below(b, LEFT_MOST * own);
+	return residual_is_below(b, LEFT_MOST * own);
 }
 
 /* ---- a pile ---- */
 
-static void lay_on(const pile *q, const stand *b)
+static void supports_load(const pile *q, const balance *b)
 {
 	int32_t k, i;
 	for (k = 0; k < b->count; ++k) {
@@ -251,17 +250,17 @@ static void lay_on(const pile *q, const stand *b)
 		for (i = 0; i < 3; ++i) {
 			w->x += p->rows[i].x * p->rows[i].impulse;
 			w->y += p->rows[i].y * p->rows[i].impulse;
-			w->turn += p->rows[i].turn_below * p->rows[i].impulse;
+			w->turn += p->rows[i].support_turn * p->rows[i].impulse;
 		}
 	}
 }
 
 /*
- * Impulses are kept as those of the last step's substeps: the warm start scales them to this one's. A body alone that
- * slides more easily than it sticks is given no load: a sudden push rocks it on a full one, friction is
- * exceeded for a substep, and it would not stop again.
+ * Stored impulses are those of the last step's substeps; the warm start scales them to this step's. A single body with dynamic
+ * below static friction gets no load: on a full load a sudden push rocks it, the friction limit is exceeded for a substep, and
+ * it would not stop again.
  */
-static void lanes_write(pile *q, const stand *b)
+static void lanes_write(pile *q, const balance *b)
 {
 	float scale = 1.0f / q->warm_scale;
 	int32_t k, i;
@@ -277,10 +276,10 @@ static void lanes_write(pile *q, const stand *b)
 	}
 }
 
-/* 0: some body cannot be held. */
-static int32_t pile_lay(pile *q, int32_t write)
+/* 0: some body has no sufficient support. */
+static int32_t pile_solve(pile *q, int32_t write)
 {
-	stand b;
+	balance b;
 	float g = q->weight_speed / q->h;
 	int32_t k;
 	b.down_x = q->world->settings.gravity.x / g;
@@ -290,12 +289,12 @@ static int32_t pile_lay(pile *q, int32_t write)
 		const cni_motion *m = cni_motions(q->world) + index;
 		const weight *w = &q->weights[index];
 		float scale = m->inv_mass > 0.0f ? cni_sqrt(m->inv_inertia / m->inv_mass) : 0.0f;
-		b.need[0] = w->x;
-		b.need[1] = w->y;
-		b.need[2] = scale * w->turn;
-		if (m->inv_mass == 0.0f || !supports_collect(q, index, scale, &b) || !stand_solve(&b, q->weight_speed / m->inv_mass))
+		b.wanted[0] = w->x;
+		b.wanted[1] = w->y;
+		b.wanted[2] = scale * w->turn;
+		if (m->inv_mass == 0.0f || !supports_collect(q, index, scale, &b) || !balance_solve(&b, q->weight_speed / m->inv_mass))
 			return 0;
-		lay_on(q, &b);
+		supports_load(q, &b);
 		if (write)
 			lanes_write(q, &b);
 	}
@@ -312,7 +311,7 @@ static float height_of(const cn_world *world, const cni_body *b)
 	return -(b->cx * world->settings.gravity.x + b->cy * world->settings.gravity.y);
 }
 
-/* What the forces of a substep give each body: its own weight. */
+/* Starts each body with its own weight: the momentum from the forces of a substep. */
 static void weights_begin(const pile *q)
 {
 	int32_t k;
@@ -328,7 +327,7 @@ static void weights_begin(const pile *q)
 	}
 }
 
-/* The weights are not there yet: their place is scratch. */
+/* Sorts the bodies. The weights do not exist yet: their memory is the scratch of the sort. */
 static void order_find(pile *q, int32_t island)
 {
 	int32_t body;
@@ -339,18 +338,18 @@ static void order_find(pile *q, int32_t island)
 	cni_sort_keys(q->order, (uint64_t *)(void *)q->weights, q->count);
 }
 
-/* All of it is tried before any of it is written. 0: the direct solver should have it. */
-static int32_t pile_load(pile *q)
+/* Computes the whole pile before it writes anything. 0: the direct solver should take the island. */
+static int32_t pile_preload(pile *q)
 {
 	weights_begin(q);
-	if (!pile_lay(q, 0))
+	if (!pile_solve(q, 0))
 		return 0;
 	weights_begin(q);
 	q->stressed = 0;
-	return pile_lay(q, 1) && !q->stressed;
+	return pile_solve(q, 1) && !q->stressed;
 }
 
-/* Most of what it stands by is new, and nothing else holds it. */
+/* Are most contacts new, in an island that is quiet, without joints, and neither solved directly nor set to CN_SOLVER_SOFT? */
 static int32_t island_is_due(const cn_world *world, int32_t island)
 {
 	const cni_island *i = cni_island_at(world, island);
@@ -363,13 +362,13 @@ static int32_t body_is_due(const cn_world *world, const cni_body *b)
 	return b->island == CNI_NONE && (b->flags & CNI_BODY_SET_DOWN) && b->joint_first == CNI_NONE && cni_body_is_quiet(world, b);
 }
 
-static void unheld(cn_world *world, int32_t island)
+static void island_unheld(cn_world *world, int32_t island)
 {
 	cni_island_at(world, island)->unheld_step = world->step_count + 1u;
 	world->piles_unheld = 1;
 }
 
-/* An island is met at its first body. */
+/* Visits each island at its first body. */
 static void piles_find(pile *q)
 {
 	int32_t k;
@@ -381,8 +380,8 @@ static void piles_find(pile *q)
 			q->order[q->count++] = (uint32_t)k;
 		else if (b->island != CNI_NONE && cni_island_at(q->world, b->island)->first == body && island_is_due(q->world, b->island))
 			order_find(q, b->island);
-		if (q->count > 0 && !pile_load(q) && b->island != CNI_NONE)
-			unheld(q->world, b->island);
+		if (q->count > 0 && !pile_preload(q) && b->island != CNI_NONE)
+			island_unheld(q->world, b->island);
 		b->flags &= ~(uint32_t)CNI_BODY_SET_DOWN;
 	}
 }
@@ -418,7 +417,7 @@ int32_t cni_pile_is_supported(cn_world *world, int32_t island, float h)
 	if (pile_begin(&q, world, h, 1.0f)) {
 		order_find(&q, island);
 		weights_begin(&q);
-		stands = pile_lay(&q, 0);
+		stands = pile_solve(&q, 0);
 	}
 	pile_end(&q);
 	return stands;

@@ -1,48 +1,48 @@
 /*
- * contacts/manifold_reuse_kernel.h - the kernel that brings lanes up to date from their anchors, included by each width's
- * contact kernel.
+ * contacts/manifold_reuse_kernel.h - the kernel of manifold reuse: updates lanes from their anchors instead of a new manifold.
+ * Included by each width's contact kernel, called by narrowphase/manifold_reuse.c.
  *
  * In the frame of lane body a, a's points and the normal are at rest, and body b has moved by the change of its centre and
- * turned by a small angle. With the letters of model/contact.h, rb = (bn, bt) the arms on b, and turned(r) the change of
- * an arm by that angle,
+ * turned by a small angle. With the letters of model/contact.h, rb = (bn, bt) the arms on b, and turned(r) the change of an arm
+ * by that angle,
  *   s = less + dn' + turned(rb).n                    separation now
- *   drift = dt' - dt + turned(rb).t                  what one shape has slid along the other
- * Where b is static the frame is the world's: b's arms are at rest and a turns the other way. The lane's normal may lag behind
- * that which turns with a: CNI_NORMAL_LAG.
+ *   drift = dt' - dt + turned(rb).t                  sliding of one shape along the other
+ * If b is static the frame is the world's: b's arms are at rest and a turns the other way. The lane's normal may lag behind the
+ * normal that turns with a: CNI_NORMAL_LAG.
  *
- * What is not followed: a pair that slid or turned farther than a small part of its size or a quarter of the slop (its
- * features may be others), that is apart by more than the contact margin or deep in each other, or that moves so fast that
- * it may be elsewhere after the step. Such lanes stay as they are.
+ * The kernel rejects a pair that slid or turned farther than a small part of its size or a quarter of the slop (its features may
+ * differ), a pair with a separation beyond the contact margin or a deep overlap, and a pair so fast that it may leave these
+ * limits within the step. Rejected lanes stay unchanged.
  */
 #include "contacts/contact_pass.h"
 
-/* Floats of a body record: see cni_body. Flags, which come next, are not read: another worker may be setting one. */
+/* Float offsets in a body record: see cni_body. The flags, which follow, are not read: another worker may write them. */
 enum { BODY_POSE = 0 /* centre, its low part */, BODY_TURN = 4 /* rotation, local centre */, BODY_TO_EXTENT = 5 /* extent is the fourth */ };
 
-/* The two bodies of each lane, and what b is in a's frame. */
-typedef struct follow_pair {
-	cni_wide vx, vy, wa, wb;     /* velocity of b's centre less a's; spins */
+/* The two bodies of each lane, and b's rotation in a's frame. */
+typedef struct reuse_pair {
+	cni_wide vx, vy, wa, wb;     /* velocity of b's centre less a's; angular velocities */
 	cni_wide ma, ia, mb, ib;     /* inverse masses */
 	cni_wide dx, dy;             /* centre b - centre a */
 	cni_wide ac, as, turn_c, turn_s;
-	cni_wide extent;             /* of the smaller */
-} follow_pair;
+	cni_wide extent;             /* extent of the smaller body */
+} reuse_pair;
 
-/* The pose of one side's bodies. */
-typedef struct follow_pose {
+/* Poses of one side's bodies. */
+typedef struct reuse_pose {
 	cni_wide x, y, x_low, y_low, c, s, extent, inv_inertia;
-} follow_pose;
+} reuse_pose;
 
 #define POSE_FLOATS ((int32_t)(sizeof(cni_reuse_pose) / sizeof(float)))
 
-CNI_INLINE void pose_gather(const cni_reuse_pose *poses, const int32_t *index, follow_pose *out)
+CNI_INLINE void pose_gather(const cni_reuse_pose *poses, const int32_t *index, reuse_pose *out)
 {
 	const float *base = (const float *)(const void *)poses;
 	cni_wide_gather4(base, POSE_FLOATS, index, &out->x, &out->y, &out->x_low, &out->y_low);
 	cni_wide_gather4(base + 4, POSE_FLOATS, index, &out->c, &out->s, &out->extent, &out->inv_inertia);
 }
 
-CNI_INLINE void pose_gather_from(const cni_motion *motions, const int32_t *index, const float *const *records, follow_pose *out)
+CNI_INLINE void pose_gather_from(const cni_motion *motions, const int32_t *index, const float *const *records, reuse_pose *out)
 {
 	cni_wide u, v, w;
 	cni_wide_gather4_from(records, BODY_POSE, &out->x, &out->y, &out->x_low, &out->y_low);
@@ -51,11 +51,11 @@ CNI_INLINE void pose_gather_from(const cni_motion *motions, const int32_t *index
 	cni_wide_gather4((const float *)(const void *)motions + 4, MOTION_FLOATS, index, &u, &v, &w, &out->inv_inertia);
 }
 
-CNI_INLINE follow_pair follow_gather(const cni_reuse_pass *pass, const cni_contact_block *k, const cni_reuse_bodies *bodies, int32_t l)
+CNI_INLINE reuse_pair reuse_gather(const cni_reuse_pass *pass, const cni_contact_block *k, const cni_reuse_bodies *bodies, int32_t l)
 {
 	const float *base = (const float *)(const void *)pass->motions;
-	follow_pair p;
-	follow_pose a, b;
+	reuse_pair p;
+	reuse_pose a, b;
 	cni_wide avx, avy;
 	cni_wide_gather4(base, MOTION_FLOATS, k->ia + l, &avx, &avy, &p.wa, &p.ma);
 	cni_wide_gather4(base, MOTION_FLOATS, k->ib + l, &p.vx, &p.vy, &p.wb, &p.mb);
@@ -80,21 +80,21 @@ CNI_INLINE follow_pair follow_gather(const cni_reuse_pass *pass, const cni_conta
 	return p;
 }
 
-/* How bodies have moved since the anchor was taken, in the lane's frame. */
-typedef struct follow_change {
+/* Motion since the anchor was taken, in the lane's frame. */
+typedef struct reuse_change {
 	cni_mask fixed;       /* b is static: a's arms turn and not b's */
 	cni_wide nx, ny, dn, dt;
-	cni_wide dn_change;   /* since the lane was last brought up to date */
+	cni_wide dn_change;   /* since the lane's last update */
 	cni_wide sin, cos1;   /* of the turn: sin, cos - 1 */
 	cni_wide radius;      /* of lane a's shape */
-} follow_change;
+} reuse_change;
 
-CNI_INLINE follow_change follow_change_make(const follow_pair *f, const cni_contact_block *k, const cni_block_anchor *anchor, int32_t l)
+CNI_INLINE reuse_change reuse_change_make(const reuse_pair *f, const cni_contact_block *k, const cni_block_anchor *anchor, int32_t l)
 {
 	cni_wide x = cni_wide_load(anchor->x.nx + l), y = cni_wide_load(anchor->ny + l);
 	cni_wide an = cni_wide_load(k->p[0].an + l), fa = cni_wide_load(k->fa + l), sin;
 	cni_mask two = cni_wide_load(k->p[1].nm + l) > cni_wide_of(0.0f);
-	follow_change g;
+	reuse_change g;
 	g.fixed = cni_mask_of_zero(k->ib + l);
 	g.nx = cni_wide_select(g.fixed, cni_wide_load(k->nx + l), f->ac * x - f->as * y);
 	g.ny = cni_wide_select(g.fixed, cni_wide_load(k->ny + l), f->as * x + f->ac * y);
@@ -108,19 +108,19 @@ CNI_INLINE follow_change follow_change_make(const follow_pair *f, const cni_cont
 	return g;
 }
 
-typedef struct follow_point {
+typedef struct reuse_point {
 	cni_wide at, an, s, drift; /* arms and separation now; how far the surfaces slid along each other */
-	cni_wide shift;            /* of the arm on a along n */
+	cni_wide shift;            /* change of the arm on a along n */
 	cni_mask used;
-} follow_point;
+} reuse_point;
 
-CNI_INLINE follow_point follow_point_make(const follow_change *g, const cni_contact_block *k, const cni_block_anchor *anchor, int32_t which, int32_t l)
+CNI_INLINE reuse_point reuse_point_make(const reuse_change *g, const cni_contact_block *k, const cni_block_anchor *anchor, int32_t which, int32_t l)
 {
 	const cni_contact_row *p = &k->p[which];
 	cni_wide at = cni_wide_load(p->at + l), an = cni_wide_load(p->an + l);
 	cni_wide arm_n = cni_wide_select(g->fixed, an + g->radius, an + g->radius - g->dn), arm_t = cni_wide_select(g->fixed, at, at - g->dt);
 	cni_wide along_n = g->cos1 * arm_n + g->sin * arm_t, along_t = g->cos1 * arm_t - g->sin * arm_n;
-	follow_point q;
+	reuse_point q;
 	q.s = cni_wide_load(anchor->of.less[which] + l) + g->dn + cni_wide_select(g->fixed, -along_n, along_n);
 	q.drift = g->dt - cni_wide_load(anchor->dt + l) + cni_wide_select(g->fixed, -along_t, along_t);
 	q.at = cni_wide_select(g->fixed, at - cni_wide_load(k->dt + l) + g->dt, at);
@@ -131,8 +131,8 @@ CNI_INLINE follow_point follow_point_make(const follow_change *g, const cni_cont
 	return q;
 }
 
-/* Lanes in which the two are still the same features at the same place, and will be after the step. */
-CNI_INLINE cni_mask follow_holds(const cni_reuse_pass *pass, const follow_pair *f, const follow_change *g, const follow_point *p, const follow_point *q,
+/* Lanes in which the same features touch at the same place, now and after the step. */
+CNI_INLINE cni_mask reuse_holds(const cni_reuse_pass *pass, const reuse_pair *f, const reuse_change *g, const reuse_point *p, const reuse_point *q,
                                  cni_wide fa, cni_wide fb)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
@@ -151,7 +151,7 @@ CNI_INLINE void store_where(float *row, cni_mask where, cni_wide value)
 	cni_wide_store(row, cni_wide_select(where, value, cni_wide_load(row)));
 }
 
-CNI_INLINE void follow_point_store(const follow_pair *f, cni_contact_row *row, int32_t l, cni_mask where, const follow_point *p, cni_wide dt)
+CNI_INLINE void reuse_point_store(const reuse_pair *f, cni_contact_row *row, int32_t l, cni_mask where, const reuse_point *p, cni_wide dt)
 {
 	cni_wide bt = p->at - dt;
 	where = where & p->used;
@@ -161,24 +161,24 @@ CNI_INLINE void follow_point_store(const follow_pair *f, cni_contact_row *row, i
 	store_where(row->nm + l, where, 1.0f / (f->ma + f->mb + f->ia * p->at * p->at + f->ib * bt * bt));
 }
 
-/* Lanes whose normal stays as it is though the true one has turned to (nx, ny). two: both points are there; wa, wb: spins. */
+/* Lanes that keep their normal although the true one is now (nx, ny). two: both points exist; wa, wb: angular velocities. */
 CNI_INLINE cni_mask normal_lags(const cni_contact_block *k, int32_t l, cni_mask two, cni_wide nx, cni_wide ny, cni_wide wa, cni_wide wb, float lag_sq)
 {
 	cni_wide x = nx - cni_wide_load(k->nx + l), y = ny - cni_wide_load(k->ny + l), spin = cni_wide_max(cni_wide_abs(wa), cni_wide_abs(wb));
 	return two & ~cni_mask_of_zero(k->ib + l) & (x * x + y * y <= cni_wide_of(lag_sq)) & (spin <= cni_wide_of(CNI_NORMAL_LAG_SPIN));
 }
 
-/* Lanes of a vector that were followed, as bits. */
-CNI_INLINE uint32_t follow_group(const cni_reuse_pass *pass, cni_contact_block *k, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored, int32_t l)
+/* Updates one vector of lanes; returns bits of the reused lanes. */
+CNI_INLINE uint32_t reuse_group(const cni_reuse_pass *pass, cni_contact_block *k, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored, int32_t l)
 {
-	follow_pair f = follow_gather(pass, k, bodies, l);
-	follow_change g = follow_change_make(&f, k, anchor, l);
-	follow_point p = follow_point_make(&g, k, anchor, 0, l), q = follow_point_make(&g, k, anchor, 1, l);
+	reuse_pair f = reuse_gather(pass, k, bodies, l);
+	reuse_change g = reuse_change_make(&f, k, anchor, l);
+	reuse_point p = reuse_point_make(&g, k, anchor, 0, l), q = reuse_point_make(&g, k, anchor, 1, l);
 	cni_wide fa = cni_wide_load(k->fa + l) + cni_wide_select(q.used, 0.5f * (p.shift + q.shift), p.shift), fb = fa - g.dn;
 	cni_mask turned, good = cni_mask_of_bits(anchored >> l) & (cni_wide_load(anchor->c + l) * f.turn_c + cni_wide_load(anchor->s + l) * f.turn_s > cni_wide_of(0.0f));
-	good = good & follow_holds(pass, &f, &g, &p, &q, fa, fb);
-	follow_point_store(&f, &k->p[0], l, good, &p, g.dt);
-	follow_point_store(&f, &k->p[1], l, good, &q, g.dt);
+	good = good & reuse_holds(pass, &f, &g, &p, &q, fa, fb);
+	reuse_point_store(&f, &k->p[0], l, good, &p, g.dt);
+	reuse_point_store(&f, &k->p[1], l, good, &q, g.dt);
 	turned = good & ~normal_lags(k, l, q.used, g.nx, g.ny, f.wa, f.wb, pass->lag_sq);
 	store_where(k->nx + l, turned, g.nx);
 	store_where(k->ny + l, turned, g.ny);
@@ -190,14 +190,14 @@ CNI_INLINE uint32_t follow_group(const cni_reuse_pass *pass, cni_contact_block *
 	return cni_mask_bits(good) << l;
 }
 
-static uint32_t kernel_follow(const cni_reuse_pass *pass, cni_contact_block *k, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored)
+static uint32_t kernel_reuse(const cni_reuse_pass *pass, cni_contact_block *k, const cni_block_anchor *anchor, const cni_reuse_bodies *bodies, uint32_t anchored)
 {
-	uint32_t followed = 0;
+	uint32_t reused = 0;
 	int32_t l;
 	for (l = 0; l < CNI_LANES; l += CNI_WIDTH) {
 		uint32_t lanes = anchored & ((1u << CNI_WIDTH) - 1u) << l;
 		if (lanes != 0)
-			followed |= follow_group(pass, k, anchor, bodies, lanes, l);
+			reused |= reuse_group(pass, k, anchor, bodies, lanes, l);
 	}
-	return followed;
+	return reused;
 }

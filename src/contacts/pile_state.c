@@ -1,5 +1,6 @@
 /*
- * contacts/pile_state.c - is a body or an island quiet, and does a contact bear more than soft constraints can?
+ * contacts/pile_state.c - tests of piles: is a body or an island quiet, has an island joints, does a contact bear more than soft
+ * constraints can?
  */
 #include "contacts/contacts.h"
 
@@ -33,8 +34,8 @@ int32_t cni_island_has_joints(const cn_world *world, int32_t island)
 }
 
 /*
- * They give way by some g h^2 for each weight, so that a column of s bodies shortens by s^2 of that. When this is no longer
- * small beside its width, the column leans faster than it is righted: small bodies sooner than large ones.
+ * Soft contacts yield by about g h^2 per carried weight, so a column of s bodies shortens by s^2 g h^2. When that is not small
+ * against its width, the column tilts faster than the solver rights it: small bodies sooner than large ones.
  */
 int32_t cni_is_stressed(const cn_world *world, int32_t ia, int32_t ib, float impulse, float h, float part)
 {

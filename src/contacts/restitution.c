@@ -1,31 +1,31 @@
 /*
  * contacts/restitution.c - contacts that bounce.
  *
- * Before each substep's solve, every lane with restitution that is closing faster than the threshold and
- * would meet within the substep gets Newton's impact law by a direct impulse: n.v' = e |n.v|. Impulses act
- * one contact after the other, so each one takes energy or keeps it (e <= 1) and momentum is kept; no
- * accumulated impulse is left behind that could push again (in place of the late restitution pass of Box2D, which lets the energy of
- * a cluster rise). The solve that follows does not brake a contact with restitution that still closes faster than the threshold and
- * bears nothing: it would take the speed that the impact is to return. The sweeps of the next substep see to it. Only a contact that
- * overlaps by more than it closes in several substeps is braked: its impacts were undone, by a joint for one.
+ * Before each substep's solve, every lane with restitution that closes faster than the threshold and would meet within the
+ * substep gets Newton's impact law as a direct impulse: n.v' = e |n.v|. Impulses act one contact after the other, so each one
+ * takes energy or keeps it (e <= 1), and momentum is kept. No accumulated impulse remains that could push again. (The late
+ * restitution pass of Box2D lets the energy of a cluster rise.) The following solve does not brake a contact with restitution
+ * that still closes faster than the threshold and has no impulse: braking would take the speed that the impact should return.
+ * The sweeps of the next substep handle it. The solve brakes only a contact that overlaps by more than it closes in several
+ * substeps: another constraint, such as a joint, undid its impacts.
  *
- * The velocities that meet are those in start: what bodies really have. motion.v also holds the response to
- * the last substep's impulses, a guess that the solve has yet to correct; for a light body between heavy ones it is
- * far off, and returning such a speed would make energy of it.
+ * The law uses the velocities in start: the true velocities of the bodies. motion.v also holds the response to the last
+ * substep's impulses, a guess that the solve has yet to correct. For a light body between heavy ones the guess is far off, and
+ * returning such a speed would add energy.
  *
- * A contact that bears already is jumped only when that takes more than it bore in the last substep, m v > j: in a crowd that is
- * pressed together by more than the solver brings into balance, bodies close all the time, and none of it is an impact.
+ * A contact with an impulse gets an impact only if that needs more than the impulse of the last substep, m v > j. In a crowd
+ * under more pressure than the solver can balance, bodies close all the time, and none of it is an impact.
  *
- * Meeting early costs no energy: with closing acceleration a from the bodies' drives, the law is applied to the
- * speed at the true moment of contact, v^2 + 2 a s, and the outgoing speed is the one that a body has
- * at the end of the substep, s + h v' above the surface: v'^2 = e^2 (v^2 + 2 a s) - 2 a (s + h v').
+ * Meeting early costs no energy: with the closing acceleration a from the bodies' external accelerations, the law is applied to
+ * the speed at the true moment of contact, v^2 + 2 a s. The outgoing speed is the one at the end of the substep, s + h v' above
+ * the surface: v'^2 = e^2 (v^2 + 2 a s) - 2 a (s + h v').
  *
- * Few lanes of a sweep close that fast: the kernel finds them side by side, and they alone are gathered from the blocks of
- * a colour and solved, by the kernel of restitution_kernel.h. A lane that was not hit in one sweep cannot be hit in the next unless
- * one of its bodies was hit since: later sweeps skip groups of lanes without such a body.
+ * Few lanes of a sweep close that fast. The kernel finds them with vectors; only they are gathered from the blocks of a colour
+ * and solved, by the kernel of restitution_kernel.h. A lane without a hit in one sweep gets none in the next unless one of its
+ * bodies was hit since: later sweeps skip groups of lanes without such a body.
  *
- * Reads blocks, motion and start; writes motion velocities and start (so that the warm start of the next substep does
- * not contain the impact).
+ * Reads blocks, motion and start; writes motion velocities and start (so that the warm start of the next substep does not
+ * contain the impact).
  */
 #include "contacts/contacts.h"
 #include "base/bitset.h"
@@ -34,12 +34,12 @@
 #define BLOCKS_A_RANGE 16 /* of one colour: most of them do not bounce */
 #define BLOCKS_AT_ONCE 16 /* that are searched before what was found is solved: they stay in the cache */
 #define SWEEPS 4 /* a wave through touching balls may need several; the solve after takes the rest */
-#define JUMPED(k) (1.0f + (float)(k) / (float)SWEEPS) /* start.jumped of bodies that sweep k hits */
+#define HIT_MARK(k) (1.0f + (float)(k) / (float)SWEEPS) /* start.jumped of bodies that sweep k hits */
 
 static const cni_contact_block no_rows;
 static const cni_block_extra no_extra;
 
-/* A lane of a block, as a kernel finds its rows. */
+/* Base of a lane's rows in a block, in the form that the kernel reads. */
 static const float *lane_floats(const void *block, int32_t lane)
 {
 	return (const float *)block + lane;
@@ -56,7 +56,7 @@ static void lanes_begin(cni_impact_lanes *lanes)
 	lanes->has_extra = 0;
 }
 
-/* The lane's extra rows; rows of lanes that have none are there when one has. */
+/* Adds the lane's extra rows. Once one lane has extra rows, the others point to zero rows. */
 static void extra_add(cni_impact_lanes *lanes, const cni_block_extra *extra, int32_t from, int32_t l)
 {
 	int32_t k;
@@ -84,7 +84,7 @@ static void lane_add(const cn_world *world, const cni_listed_block *b, int32_t f
 	}
 }
 
-/* Lanes from count on are unused. */
+/* Fills the unused lanes from count on. */
 static void lanes_end(cni_impact_lanes *lanes, int32_t count)
 {
 	int32_t l;
@@ -96,28 +96,28 @@ static void lanes_end(cni_impact_lanes *lanes, int32_t count)
 	}
 }
 
-/* A sweep over the blocks of one colour: they share no body that they write. */
+/* A sweep over the blocks of one colour. Its lanes share no body that is written. */
 typedef struct color_sweep {
 	cn_world *world;
 	const cni_contact_kernel *kernel;
 	cni_impact_pass pass;
-	float since;                    /* lanes whose bodies have a lesser start.jumped were not hit in the last sweep, and cannot be in this */
+	float since;                    /* start.jumped of bodies hit in the last sweep or this one is not less */
 	const cni_listed_block *blocks;
 	uint32_t hits;
 } color_sweep;
 
-/* Asks for the bodies of a lane that was found. */
+/* Prefetches the bodies of a lane. */
 CNI_INLINE void bodies_prefetch(const cni_impact_pass *pass, const cni_impact_lanes *lanes, int32_t l)
 {
 	CNI_PREFETCH(lanes->a[l]);
 	CNI_PREFETCH(lanes->b[l]);
 	CNI_PREFETCH(pass->motions + lanes->ia[l]);
 	CNI_PREFETCH(pass->motions + lanes->ib[l]);
-	CNI_PREFETCH(pass->drives + lanes->ia[l]);
-	CNI_PREFETCH(pass->drives + lanes->ib[l]);
+	CNI_PREFETCH(pass->externals + lanes->ia[l]);
+	CNI_PREFETCH(pass->externals + lanes->ib[l]);
 }
 
-/* Lanes that may meet are few in each block: they are brought together, and solved side by side. */
+/* Lanes that may meet. Each block has few: they are collected over blocks and solved as vectors. */
 typedef struct found_lanes {
 	cni_impact_lanes lanes;
 	int32_t count, hits;
@@ -164,7 +164,7 @@ static void color_sweep_run(void *context, int32_t begin, int32_t end, int32_t w
 		cni_atomic_add(&c->hits, (uint32_t)found.hits);
 }
 
-/* In the overflow colour a body is in several lanes, and one may make another meet. */
+/* In the overflow colour a body may be in several lanes, and one impact may cause another: lanes are solved one by one. */
 static void overflow_sweep(color_sweep *c, int32_t count)
 {
 	cni_impact_lanes one;
@@ -190,11 +190,11 @@ static uint32_t sweep(cn_world *world, const cni_solve *s, int32_t number)
 	c.kernel = s->kernel;
 	c.pass.motions = cni_motions(world);
 	c.pass.starts = cni_starts(world);
-	c.pass.drives = cni_externals(world);
+	c.pass.externals = cni_externals(world);
 	c.pass.h = s->h;
 	c.pass.speed = s->restitution_threshold;
-	c.pass.jumped = JUMPED(number);
-	c.since = number == 0 ? 0.0f : JUMPED(number - 1);
+	c.pass.jumped = HIT_MARK(number);
+	c.since = number == 0 ? 0.0f : HIT_MARK(number - 1);
 	c.hits = 0;
 	for (color = 0; color < CNI_COLOR_OVERFLOW; ++color) {
 		c.pass.one_sided = color >= CNI_COLOR_STATIC;

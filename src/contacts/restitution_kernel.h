@@ -1,42 +1,40 @@
 /*
- * contacts/restitution_kernel.h - the kernel of contacts that bounce, included by each width's contact kernel. What it does and
- * why: restitution.c.
+ * contacts/restitution_kernel.h - the restitution kernel, included by each width's contact kernel. restitution.c has the method.
  *
- * An impulse and its opposite must act along one line, or they turn the two bodies by what they have no right to. A lane's
- * arms are those of the step's beginning, or of where bodies that are still apart will meet; so the arms of b are taken
- * from a's and from where the centres are now.
+ * An impulse and its opposite must act along one line, or they add angular momentum. A lane's lever arms are those of the step's
+ * beginning, or, for bodies that are still apart, those of the predicted contact. So the arms of b are computed from a's arms
+ * and the current centres.
  */
 #include "base/bitset.h"
 #include "contacts/contact_pass.h"
 
-enum { START_FLOATS = sizeof(cni_velocity_start) / sizeof(float), DRIVE_FLOATS = sizeof(cni_external) / sizeof(float) };
+enum { START_FLOATS = sizeof(cni_velocity_start) / sizeof(float), EXTERNAL_FLOATS = sizeof(cni_external) / sizeof(float) };
 
 /* The bodies on one side of CNI_WIDTH lanes. */
 typedef struct impact_side {
-	cni_wide vx, vy, w, jumped;   /* the velocities that meet */
-	cni_wide mvx, mvy, mw, m;     /* those of motion */
+	cni_wide vx, vy, w, jumped;   /* velocities before the impact, from start */
+	cni_wide mvx, mvy, mw, m;     /* velocities of motion */
 	cni_wide dpx, dpy, theta, i;
 	cni_wide mx, my;              /* inverse mass along x and y: 0 for a locked axis */
-	cni_wide ax, ay;              /* acceleration by the drive */
+	cni_wide ax, ay;              /* external acceleration */
 } impact_side;
 
 CNI_INLINE void impact_gather(const cni_impact_pass *pass, const int32_t *index, impact_side *out)
 {
-	const float *motions = (const float *)(const void *)pass->motions, *drives = (const float *)(const void *)pass->drives;
+	const float *motions = (const float *)(const void *)pass->motions, *externals = (const float *)(const void *)pass->externals;
 	cni_wide alpha, flags;
 	cni_wide_gather4((const float *)(const void *)pass->starts, START_FLOATS, index, &out->vx, &out->vy, &out->w, &out->jumped);
 	cni_wide_gather4(motions, MOTION_FLOATS, index, &out->mvx, &out->mvy, &out->mw, &out->m);
 	cni_wide_gather4(motions + 4, MOTION_FLOATS, index, &out->dpx, &out->dpy, &out->theta, &out->i);
-	cni_wide_gather4(drives, DRIVE_FLOATS, index, &out->ax, &out->ay, &alpha, &flags);
+	cni_wide_gather4(externals, EXTERNAL_FLOATS, index, &out->ax, &out->ay, &alpha, &flags);
 	out->mx = out->my = out->m;
 }
 
 /*
- * Changes velocities of the lanes' bodies that are hit, and with them what the last impulses' response is added to. Whole
- * vectors write back what the others have, so that nothing depends on chance; unused lanes, of which several workers may have
- * some, are not written.
+ * Adds the velocity changes to the hit lanes' bodies, in start and in motion. A whole vector writes the old values back for the
+ * other lanes, so that results are deterministic. Unused lanes, which several workers may share, are not written.
  */
-CNI_INLINE void impact_strike(const cni_impact_pass *pass, const int32_t *index, const impact_side *c, cni_mask hit, int32_t whole, cni_wide dvx, cni_wide dvy, cni_wide dw)
+CNI_INLINE void impact_write(const cni_impact_pass *pass, const int32_t *index, const impact_side *c, cni_mask hit, int32_t whole, cni_wide dvx, cni_wide dvy, cni_wide dw)
 {
 	float *starts = (float *)(void *)pass->starts, *motions = (float *)(void *)pass->motions;
 	cni_wide vx = cni_wide_select(hit, c->vx + dvx, c->vx), vy = cni_wide_select(hit, c->vy + dvy, c->vy), w = cni_wide_select(hit, c->w + dw, c->w);
@@ -56,12 +54,12 @@ typedef struct impact_lanes {
 	cni_wide nx, ny, fa, tm, dynamic_friction;
 	cni_wide step_dn, step_dt; /* rows dn and dt */
 	cni_wide mass;        /* sum of inverse masses along n */
-	cni_wide dn, dt;      /* from a's centre to b's, now: both arms end in one point */
-	cni_wide closing;     /* acceleration that brings the bodies together */
+	cni_wide dn, dt;      /* current offset from a's centre to b's: both arms end in one point */
+	cni_wide closing;     /* relative acceleration along n that closes the gap */
 	cni_wide restitution;
 } impact_lanes;
 
-/* Row of a block, or of its extra rows, in all lanes. */
+/* A row of a block, or of its extra rows, in all lanes. */
 #define IMPACT_ROW(k, l, row) cni_wide_gather_from((k)->rows + (l), offsetof(cni_contact_block, row) / sizeof(float))
 #define IMPACT_EXTRA(k, l, row) cni_wide_gather_from((k)->extra + (l), offsetof(cni_block_extra, row) / sizeof(float))
 
@@ -104,7 +102,7 @@ CNI_INLINE void impact_lanes_make(impact_lanes *c, const cni_impact_pass *pass, 
 	c->restitution = cni_wide_load_loose(k->restitution + l);
 }
 
-/* First-order separation now: turns within a step are small next to the gap when speeds are impact speeds. */
+/* Current separation, to second order in the turn: turns within a step are small next to the gap at impact speeds. */
 CNI_INLINE cni_wide impact_separation(const impact_lanes *c, cni_wide s0, cni_wide an, cni_wide dn, cni_wide at, cni_wide bt)
 {
 	cni_wide ta = c->a.theta, tb = c->b.theta;
@@ -112,7 +110,7 @@ CNI_INLINE cni_wide impact_separation(const impact_lanes *c, cni_wide s0, cni_wi
 	       (ta * at - 0.5f * ta * ta * an);
 }
 
-/* Outgoing speed at the end of the substep, >= 0 (see restitution.c). before: speed at its start. */
+/* Outgoing speed at the end of the substep, >= 0 (restitution.c). before: speed at its start. */
 CNI_INLINE cni_wide impact_outgoing(cni_wide before, cni_wide s, cni_wide a, cni_wide e, float h)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
@@ -128,7 +126,7 @@ typedef struct impact_point {
 	cni_mask hits;
 } impact_point;
 
-/* from: where its rows are in the block. */
+/* from: byte offset of the point's rows in the block. */
 CNI_INLINE impact_point impact_point_make(const impact_lanes *c, const cni_impact_pass *pass, const cni_impact_lanes *k, size_t from, int32_t l)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
@@ -140,20 +138,20 @@ CNI_INLINE impact_point impact_point_make(const impact_lanes *c, const cni_impac
 	q.k = c->mass + c->a.i * q.at * q.at + c->b.i * q.bt * q.bt;
 	separation = impact_separation(c, POINT_ROW(k, l, from, s0), POINT_ROW(k, l, from, an), c->step_dn, q.at, q.at - c->step_dt);
 	q.hits = (nm * -q.vn > bears) & (q.vn < least) & (separation + pass->h * q.vn < zero);
-	/* Never more than the law gives at this instant plus what the drive adds: two fast bodies that were
-	   just jumped by others must not gain. */
+	/* At most the law's speed at this instant plus the gain of the external acceleration: two fast bodies that just took other impacts
+	   must not gain energy. */
 	q.out = cni_wide_min(impact_outgoing(q.vn + pass->h * c->closing, separation, c->closing, c->restitution, pass->h),
 	                     c->restitution * -q.vn + cni_wide_abs(c->closing) * pass->h);
 	return q;
 }
 
-/* The normal impulses of a lane's points together. */
-typedef struct impact_blow {
+/* The sum of the normal impulses of a lane's points. */
+typedef struct impact_impulse {
 	cni_wide jn, moment_a, moment_b;
-} impact_blow;
+} impact_impulse;
 
-/* Both points at once when both hit and both impulses come out positive, else the one that closes faster. */
-CNI_INLINE impact_blow impact_solve(const impact_lanes *c, const impact_point *p, const impact_point *q)
+/* Solves both points together if both hit and both impulses are positive, else only the faster one. */
+CNI_INLINE impact_impulse impact_solve(const impact_lanes *c, const impact_point *p, const impact_point *q)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
 	cni_wide k12 = c->mass + c->a.i * p->at * q->at + c->b.i * p->bt * q->bt;
@@ -161,32 +159,32 @@ CNI_INLINE impact_blow impact_solve(const impact_lanes *c, const impact_point *p
 	cni_wide jp = q->k * dp - k12 * dq, jq = p->k * dq - k12 * dp, j;
 	cni_mask both = p->hits & q->hits & (det > 1e-4f * p->k * q->k) & (jp >= zero) & (jq >= zero);
 	cni_mask second = cni_wide_select(q->hits, q->vn, zero) < cni_wide_select(p->hits, p->vn, zero);
-	impact_blow blow;
+	impact_impulse impulse;
 	jp = jp / det;
 	jq = jq / det;
 	j = cni_wide_select(second, dq, dp) / cni_wide_select(second, q->k, p->k);
-	blow.jn = cni_wide_select(both, jp + jq, j);
-	blow.moment_a = cni_wide_select(both, p->at * jp + q->at * jq, cni_wide_select(second, q->at, p->at) * j);
-	blow.moment_b = cni_wide_select(both, p->bt * jp + q->bt * jq, cni_wide_select(second, q->bt, p->bt) * j);
-	return blow;
+	impulse.jn = cni_wide_select(both, jp + jq, j);
+	impulse.moment_a = cni_wide_select(both, p->at * jp + q->at * jq, cni_wide_select(second, q->at, p->at) * j);
+	impulse.moment_b = cni_wide_select(both, p->bt * jp + q->bt * jq, cni_wide_select(second, q->bt, p->bt) * j);
+	return impulse;
 }
 
-/* The blow along n, and friction opposing the sliding speed within mu jn, with the tangential mass of these arms as the blow has their
-   normal mass: that of the lane, whose arms are others where bodies meet metres ahead, would reverse the sliding many times over. */
-CNI_INLINE void impact_apply(const impact_lanes *c, const cni_impact_pass *pass, const cni_impact_lanes *k, int32_t l, const impact_blow *blow, cni_mask hit, int32_t whole)
+/* Applies the normal impulse, and friction against the sliding speed within mu jn. Both use masses at the current arms. The lane's
+   tangential mass has other arms when bodies meet metres ahead, and would reverse the sliding many times over. */
+CNI_INLINE void impact_apply(const impact_lanes *c, const cni_impact_pass *pass, const cni_impact_lanes *k, int32_t l, const impact_impulse *impulse, cni_mask hit, int32_t whole)
 {
 	const impact_side *a = &c->a, *b = &c->b;
 	cni_wide tx = c->ny, ty = -c->nx, fa = c->fa, fb = fa - c->dn;
 	cni_wide kt = tx * tx * (a->mx + b->mx) + ty * ty * (a->my + b->my) + a->i * fa * fa + b->i * fb * fb;
-	cni_wide wa = -a->i * blow->moment_a, wb = b->i * blow->moment_b;
+	cni_wide wa = -a->i * impulse->moment_a, wb = b->i * impulse->moment_b;
 	cni_wide vt = tx * (b->vx - a->vx) + ty * (b->vy - a->vy) - (b->w + wb) * fb + (a->w + wa) * fa;
-	cni_wide most = c->dynamic_friction * blow->jn, jt = cni_wide_select(c->tm > cni_wide_of(0.0f), -vt / kt, cni_wide_of(0.0f)), px, py;
+	cni_wide most = c->dynamic_friction * impulse->jn, jt = cni_wide_select(c->tm > cni_wide_of(0.0f), -vt / kt, cni_wide_of(0.0f)), px, py;
 	jt = cni_wide_select(jt < -most, -most, cni_wide_min(jt, most));
-	px = blow->jn * c->nx + jt * tx;
-	py = blow->jn * c->ny + jt * ty;
-	impact_strike(pass, k->ia + l, a, hit, whole, -a->mx * px, -a->my * py, wa + a->i * fa * jt);
+	px = impulse->jn * c->nx + jt * tx;
+	py = impulse->jn * c->ny + jt * ty;
+	impact_write(pass, k->ia + l, a, hit, whole, -a->mx * px, -a->my * py, wa + a->i * fa * jt);
 	if (!pass->one_sided)
-		impact_strike(pass, k->ib + l, b, hit, whole, b->mx * px, b->my * py, wb - b->i * fb * jt);
+		impact_write(pass, k->ib + l, b, hit, whole, b->mx * px, b->my * py, wb - b->i * fb * jt);
 }
 
 static int32_t kernel_impact(const cni_impact_pass *pass, const cni_impact_lanes *k, int32_t count)
@@ -195,7 +193,7 @@ static int32_t kernel_impact(const cni_impact_pass *pass, const cni_impact_lanes
 	for (l = 0; l < count; l += CNI_WIDTH) {
 		impact_lanes c;
 		impact_point p, q;
-		impact_blow blow;
+		impact_impulse impulse;
 		uint32_t lanes;
 		impact_lanes_make(&c, pass, k, l);
 		p = impact_point_make(&c, pass, k, offsetof(cni_contact_block, p[0]), l);
@@ -203,8 +201,8 @@ static int32_t kernel_impact(const cni_impact_pass *pass, const cni_impact_lanes
 		lanes = cni_mask_bits(p.hits | q.hits) & ((1u << (count - l)) - 1u);
 		if (lanes == 0)
 			continue;
-		blow = impact_solve(&c, &p, &q);
-		impact_apply(&c, pass, k, l, &blow, cni_mask_of_bits(lanes), count - l >= CNI_WIDTH);
+		impulse = impact_solve(&c, &p, &q);
+		impact_apply(&c, pass, k, l, &impulse, cni_mask_of_bits(lanes), count - l >= CNI_WIDTH);
 		hits += cni_bit_count64(lanes);
 	}
 	return hits;

@@ -1,26 +1,27 @@
 /*
- * direct/active_rows.c - motors and limits in the system of their joints (direct/direct_joints.c).
+ * direct/active_rows.c - motors and limits in the linear system of their joints (direct/direct_joints.c).
  *
- * A motor that is solved in turn with the rigid rows of a linkage meets the two bodies at its joint, and not the mass that
- * the linkage puts behind them; turns between two stiff groups then swing wider in every pass. So such a row is the third of
- * its joint's node: a motor's asks for a speed, a limit's for no more speed than the room that is left allows.
+ * A motor solved after the rigid rows of a linkage sees only the two bodies at its joint, and not the mass behind them; the relative
+ * rotation of two stiff groups then grows from pass to pass. So the motor or limit is the third row of its joint's node. A motor row has a
+ * target speed; a limit row bounds the speed by the remaining gap.
  *
- * Their bounds make it a problem of complementarity, which is solved by an active set: all rows of the set are solved
- * exactly; rows beyond their bound are put to it and leave the set, rows that are out and miss their speed on the side to
- * which they could push come back; solve again. After ROUNDS changes the last set counts as it is. The set is kept
- * from pass to pass, so that one round is what most passes take.
+ * The bounds of these rows make a complementarity problem, which an active set solves. All rows of the set are solved exactly. A row beyond
+ * its bound is clamped to it and leaves the set. A row outside the set returns if its speed error has the sign to which it can push. Then
+ * the system is solved again. After ROUNDS changes the last set is accepted. The set is kept from pass to pass, so most passes take one
+ * round.
  *
- * A joint has one such row: its limit near it, else its motor. The other is solved in turn, as springs are.
+ * A joint has one such row: its limit when the limit is near, otherwise its motor. The other row is solved by joints/joint_solve.c, like
+ * springs.
  *
- * Reads works, motion; writes works' rows and inner, nodes' third rows, motion velocities.
+ * Reads joint constraints, motion; writes their rows and `active_row`, nodes' third rows, motion velocities.
  */
 #include "direct/direct_system.h"
 
 #include <string.h>
 #define ROOM 0.05f             /* metres or radians: a limit that is nearer may be reached */
 
-/* The speed that it asks for, at least if it is a limit. */
-static float speed_asked(const cni_row *r, const cni_solve *s, int32_t bias)
+/* Target speed of the row; for a limit, the least speed. */
+static float target_speed(const cni_row *r, const cni_solve *s, int32_t bias)
 {
 	if (r->kind == CNI_ROW_MOTOR)
 		return r->target;
@@ -36,7 +37,7 @@ static int32_t limit_is_near(const cni_row *r, const cni_motion *a, const cni_mo
 	return r->error < ROOM + 2.0f * dt * cni_abs(cni_row_speed(r, a, b));
 }
 
-/* Place of the row among the work's, 0: none. */
+/* Index of the chosen row in the joint constraint, 0: none. */
 static int32_t row_choose(const cni_joint_constraint *w, const cni_motion *motions, float dt)
 {
 	int32_t k, chosen = 0;
@@ -49,7 +50,7 @@ static int32_t row_choose(const cni_joint_constraint *w, const cni_motion *motio
 	return chosen;
 }
 
-/* Its impulse is still that of the last step. */
+/* Initial state from the impulse of the last step. */
 static uint32_t state_begin(const cni_row *r, const cni_solve *s)
 {
 	float impulse = s->warm_scale * r->impulse, most = cni_active_impulse_most(r, s);
@@ -70,7 +71,7 @@ int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 		if (row == 0)
 			continue;
 		cni_joint_constraint_narrow(world, s, n->owner);
-		w->inner = row;
+		w->active_row = row;
 		n->held = state_begin(&w->rows[row], s);
 		found = cni_max_i(found, w->rows[row].kind == CNI_ROW_MOTOR ? 2 : 1);
 	}
@@ -100,7 +101,7 @@ void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_comp
 	}
 }
 
-void cni_active_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias)
+void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias)
 {
 	const cni_motion *motions = cni_motions(world);
 	int32_t k;
@@ -109,7 +110,7 @@ void cni_active_sides(const cn_world *world, const cni_solve *s, cni_sparse *spa
 		const cni_row *r = cni_active_row(world, n);
 		if (r == NULL)
 			continue;
-		n->wanted = speed_asked(r, s, bias);
+		n->wanted = target_speed(r, s, bias);
 		if (n->held & CNI_ROW_IN_SET)
 			n->x[2] = n->wanted - cni_lever_speed(&n->lever[2], motions + n->ia, motions + n->ib);
 	}

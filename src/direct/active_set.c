@@ -10,14 +10,14 @@ static float impulse_least(const cni_row *r, const cni_solve *s)
 	return r->kind == CNI_ROW_MOTOR ? -r->limit * s->h : 0.0f;
 }
 
-/* Puts a row to an impulse, along its lever as it is. */
-static void row_put(const cn_world *world, const cni_node *n, cni_row *r, float impulse)
+/* Sets the impulse of a row and applies the difference along its present lever. */
+static void row_set_impulse(const cn_world *world, const cni_node *n, cni_row *r, float impulse)
 {
 	cni_row_push(r, impulse - r->impulse, cni_motions(world) + n->ia, cni_motions(world) + n->ib);
 	r->impulse = impulse;
 }
 
-/* Rows that are beyond their bound leave, others come back. Returns 1 when the set has changed. */
+/* Rows beyond their bound leave the set, others return. Returns 1 when the set has changed. */
 static int32_t set_change(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
 {
 	const cni_motion *motions = cni_motions(world);
@@ -34,12 +34,12 @@ static int32_t set_change(const cn_world *world, const cni_solve *s, cni_sparse 
 			if (r->impulse >= least && r->impulse <= most)
 				continue;
 			n->held = r->impulse > most ? CNI_ROW_AT_UPPER : 0;
-			row_put(world, n, r, cni_clamp(r->impulse, least, most));
+			row_set_impulse(world, n, r, cni_clamp(r->impulse, least, most));
 		} else {
-			float lacks = n->wanted - cni_row_speed(r, motions + n->ia, motions + n->ib);
-			if (n->held & CNI_ROW_AT_UPPER ? lacks >= 0.0f : lacks <= 0.0f && r->kind == CNI_ROW_MOTOR)
+			float missing = n->wanted - cni_row_speed(r, motions + n->ia, motions + n->ib);
+			if (n->held & CNI_ROW_AT_UPPER ? missing >= 0.0f : missing <= 0.0f && r->kind == CNI_ROW_MOTOR)
 				continue;
-			if (r->kind == CNI_ROW_LIMIT && lacks <= 0.0f)
+			if (r->kind == CNI_ROW_LIMIT && missing <= 0.0f)
 				continue;
 			n->held = CNI_ROW_IN_SET;
 		}
@@ -59,8 +59,8 @@ static void impulses_add(const cn_world *world, const cni_sparse *sparse, const 
 	}
 }
 
-/* Right sides to speeds that are asked for, so that they can be found again once something has been pushed (-1), or back. */
-static void sides_turn(const cn_world *world, cni_sparse *sparse, const cni_component *c, int32_t back)
+/* Stores right sides as target speeds (back 0), or computes right sides from the target speeds and the present velocities (back 1). */
+static void sides_convert(const cn_world *world, cni_sparse *sparse, const cni_component *c, int32_t back)
 {
 	const cni_motion *motions = cni_motions(world);
 	int32_t k, i;
@@ -81,10 +81,10 @@ static void sides_turn(const cn_world *world, cni_sparse *sparse, const cni_comp
 	}
 }
 
-int32_t cni_active_answer(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
+int32_t cni_active_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c)
 {
 	int32_t round;
-	sides_turn(world, sparse, c, 0);
+	sides_convert(world, sparse, c, 0);
 	for (round = 0;; ++round) {
 		if (!cni_direct_apply(world, sparse, c))
 			return 0;
@@ -92,12 +92,12 @@ int32_t cni_active_answer(cn_world *world, const cni_solve *s, cni_sparse *spars
 		if (round == ROUNDS || !set_change(world, s, sparse, c))
 			return 1;
 		cni_direct_system(world, s, sparse, c);
-		sides_turn(world, sparse, c, 1);
+		sides_convert(world, sparse, c, 1);
 	}
 }
 
-void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c)
+void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c)
 {
-	if (!(c->active ? cni_active_answer(world, s, s->direct, c) : cni_direct_apply(world, s->direct, c)))
-		cni_component_leave(world, s->direct, c, 0);
+	if (!(c->active ? cni_active_solve(world, s, s->direct, c) : cni_direct_apply(world, s->direct, c)))
+		cni_component_suspend(world, s->direct, c, 0);
 }

@@ -1,15 +1,15 @@
 /*
- * direct/batched_trees.c - trees of pins that are alike, solved side by side: which, their lanes, their passes.
+ * direct/batched_trees.c - trees of pins of equal topology, solved side by side: their selection, lanes and passes.
  *
- * Many scenes have hundreds of small mechanisms of a few kinds: ragdolls, bits of chain. Solving one is a long row of
- * small dependent sums through lists of indices. Sixteen of a kind share the lists (linear/topology_class.c), and each sum is
- * one of vectors. What a tree of a batch does has the bits of what it does alone, where the rows of its joints are those of
- * direct/direct_joints.c and its lanes lie among others' in joints/joint_blocks.c.
+ * Many scenes have hundreds of small mechanisms of a few kinds: ragdolls, pieces of chain. Solving one is a long sequence of small
+ * dependent sums through lists of indices. Sixteen trees of a class share the lists (linear/topology_class.c), and each sum becomes a
+ * vector sum. A tree of a batch has the bits of a tree solved alone, whose rows are those of direct/direct_joints.c and whose lanes are
+ * among others' in joints/joint_blocks.c.
  *
- * A batch takes all of a tree's joints, which are wide works in two rows: no dampers, no loops, no contacts in the system, and
- * not the whole step at once. Those of a kind that are left when batches are full make one more.
+ * A batch takes all of a tree's joints, which are lane joints with two rows: no dampers, no loops, no contacts in the system, and no
+ * RATTLE. Trees of a class that remain after full batches form one more batch.
  *
- * Reads works, records, motion, the plan; writes batches, blocks of lanes, works' flags.
+ * Reads joint constraints, records, motion, the plan; writes batches, blocks of lanes, flags of joint constraints.
  */
 #include "base/cpu.h"
 #include "direct/batched_trees.h"
@@ -20,15 +20,15 @@
 
 /* ---- which components ---- */
 
-/* Does its bound let a motor turn the two bodies at its joint out of the tangent in a substep, which is what it may do wrong when
-   it is solved in turn with the pins? Then it is one of their system: direct/active_rows.c. */
+/* 1: the motor may turn the two bodies at its joint out of the tangent in a substep; alternated with the pins it would open them. It then
+   becomes a row of their system: direct/active_rows.c. */
 static int32_t motor_is_strong(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
 {
 	float free = cni_motions(world)[w->ia].inv_inertia + cni_motions(world)[w->ib].inv_inertia;
 	return (w->record->flags & CN_JOINT_MOTOR) && w->record->p[CNI_P_MOTOR_MAX] * s->h * s->h * free > CNI_PROJECTION_TURN_RAD;
 }
 
-/* May it have to be locked in this step (cni_geometric_stiffness_lock), which batches cannot? */
+/* 1: the joint may have to be locked in this step (cni_geometric_stiffness_lock), which batches cannot do. */
 static int32_t turns_fast(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
 {
 	float most = CNI_SNAP_RAD * s->inv_h;
@@ -49,18 +49,18 @@ int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_
 	return !cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h);
 }
 
-/* ---- making them ---- */
+/* ---- building batches ---- */
 
-typedef struct maker {
+typedef struct batch_builder {
 	cn_world *world;
 	const cni_solve *s;
 	cni_sparse *sparse;
 	cni_lane_spring spring;
-	int32_t waiting[CNI_TOPOLOGY_CLASSES];    /* components of the kind that are to be in batches */
+	int32_t waiting[CNI_TOPOLOGY_CLASSES];    /* components of the class that are to be in batches */
 	int32_t example[CNI_TOPOLOGY_CLASSES];    /* one of them */
-	cni_tree_batch *open[CNI_TOPOLOGY_CLASSES];     /* the kind's batch that is being filled */
-	float *numbers;                /* for the factors of batches to come */
-} maker;
+	cni_tree_batch *open[CNI_TOPOLOGY_CLASSES];     /* the class's batch that is being filled */
+	float *numbers;                /* memory for the factors of batches to come */
+} batch_builder;
 
 static int32_t nodes_of(const cni_component *c)
 {
@@ -72,14 +72,14 @@ static int32_t numbers_of(const cni_component *c)
 	return (3 * nodes_of(c) + 4 * (c->coupling_end - c->coupling_begin)) * CNI_LANES;
 }
 
-/* However many there are, they take no more blocks than all joints in lanes would. */
+/* Batches take no more blocks than all joints in lanes would. */
 uint64_t cni_tree_batch_bytes(int32_t joints)
 {
 	uint64_t block = sizeof(float) * CNI_LANES * (3 + 4 * CNI_TOPOLOGY_COUPLINGS) + sizeof(cni_tree_batch) / 2;
 	return block * (uint64_t)cni_joint_blocks_for(joints) + 64;
 }
 
-static void waiting_count(maker *m)
+static void waiting_count(batch_builder *m)
 {
 	int32_t k;
 	memset(m->waiting, 0, sizeof m->waiting);
@@ -90,7 +90,7 @@ static void waiting_count(maker *m)
 		}
 }
 
-/* Is there room for so many blocks? A world in a caller's block has what all its joints would take in lanes. */
+/* 1: there is room for this number of blocks. A world in a caller's block has as many as all its joints would take in lanes. */
 static int32_t blocks_fit(cn_world *world, int32_t blocks)
 {
 	if (world->memory.fixed)
@@ -98,16 +98,16 @@ static int32_t blocks_fit(cn_world *world, int32_t blocks)
 	return cni_array_reserve(&world->joint_blocks, &world->memory, blocks);
 }
 
-/* How many batches a kind makes. What does not fill one makes another if it is worth it, and if its blocks leave room for the
-   joints that are in none. */
-static int32_t batches_count(maker *m, int32_t kind, int32_t *blocks, int32_t *joints)
+/* Number of batches of a class. Trees beyond full batches make one more if there are enough of them, and if its blocks leave room for the
+   joints outside of batches. */
+static int32_t batches_count(batch_builder *m, int32_t class_index, int32_t *blocks, int32_t *joints)
 {
-	int32_t nodes = nodes_of(&m->sparse->components[m->example[kind]]);
-	int32_t full = m->waiting[kind] / CNI_LANES, rest = m->waiting[kind] % CNI_LANES;
+	int32_t nodes = nodes_of(&m->sparse->components[m->example[class_index]]);
+	int32_t full = m->waiting[class_index] / CNI_LANES, rest = m->waiting[class_index] % CNI_LANES;
 	*blocks += full * nodes;
 	*joints -= full * nodes * CNI_LANES;
 	if (rest < LANES_LEAST || !blocks_fit(m->world, *blocks + nodes + cni_joint_blocks_for(*joints - rest * nodes))) {
-		m->waiting[kind] -= rest;
+		m->waiting[class_index] -= rest;
 		return full;
 	}
 	*blocks += nodes;
@@ -115,15 +115,15 @@ static int32_t batches_count(maker *m, int32_t kind, int32_t *blocks, int32_t *j
 	return full + 1;
 }
 
-/* Memory of all batches, and which components will be in one. 0: none will. */
-static int32_t batches_reserve(maker *m)
+/* Reserves the memory of all batches and selects their components. 0: there are none. */
+static int32_t batches_reserve(batch_builder *m)
 {
-	int32_t kind, batches = 0, numbers = 0, blocks = 0, joints = m->world->awake_joints.count;
-	for (kind = 0; kind < CNI_TOPOLOGY_CLASSES; ++kind)
-		if (m->waiting[kind] > 0) {
-			int32_t count = batches_count(m, kind, &blocks, &joints);
+	int32_t class_index, batches = 0, numbers = 0, blocks = 0, joints = m->world->awake_joints.count;
+	for (class_index = 0; class_index < CNI_TOPOLOGY_CLASSES; ++class_index)
+		if (m->waiting[class_index] > 0) {
+			int32_t count = batches_count(m, class_index, &blocks, &joints);
 			batches += count;
-			numbers += count * numbers_of(&m->sparse->components[m->example[kind]]);
+			numbers += count * numbers_of(&m->sparse->components[m->example[class_index]]);
 		}
 	if (batches == 0)
 		return 0;
@@ -137,18 +137,18 @@ static int32_t batches_reserve(maker *m)
 static void order_by_color(cni_tree_batch *batch)
 {
 	int32_t color, k, count = 0;
-	for (color = 0; count < batch->kind.nodes; ++color)
-		for (k = 0; k < batch->kind.nodes; ++k)
-			if (batch->kind.color[k] == color)
+	for (color = 0; count < batch->tree.nodes; ++color)
+		for (k = 0; k < batch->tree.nodes; ++k)
+			if (batch->tree.color[k] == color)
 				batch->order[count++] = (uint8_t)k;
 }
 
 static void sources_find(cni_tree_batch *batch)
 {
 	int32_t k;
-	batch->moving = batch->bodies = batch->kind.bodies;
-	for (k = 2 * batch->kind.nodes - 1; k >= 0; --k) {
-		int32_t body = batch->kind.end[k >> 1][k & 1];
+	batch->moving = batch->bodies = batch->tree.bodies;
+	for (k = 2 * batch->tree.nodes - 1; k >= 0; --k) {
+		int32_t body = batch->tree.end[k >> 1][k & 1];
 		batch->source[body] = (uint32_t)((size_t)(k >> 1) * sizeof(cni_joint_block) + (k & 1 ? offsetof(cni_joint_block, ib) : offsetof(cni_joint_block, ia)));
 		batch->bodies = cni_max_i(batch->bodies, body + 1);
 	}
@@ -157,22 +157,22 @@ static void sources_find(cni_tree_batch *batch)
 static void blocks_take(cn_world *world, cni_tree_batch *batch)
 {
 	int32_t k, first = world->joint_blocks.count;
-	for (k = 0; k < batch->kind.nodes; ++k)
+	for (k = 0; k < batch->tree.nodes; ++k)
 		cni_joint_blocks(world)[cni_joint_block_take(world)].batch = 1;
 	batch->nodes = cni_joint_blocks(world) + first;
 }
 
-/* Empty, of the component's kind. */
-static cni_tree_batch *batch_open(maker *m, const cni_component *c)
+/* An empty batch of the component's class. */
+static cni_tree_batch *batch_open(batch_builder *m, const cni_component *c)
 {
 	cni_sparse *sparse = m->sparse;
 	cni_tree_batch *batch = &sparse->batches[sparse->batch_count++];
-	(void)cni_topology_describe(sparse, c, cni_motions(m->world), &batch->kind);
+	(void)cni_topology_describe(sparse, c, cni_motions(m->world), &batch->tree);
 	order_by_color(batch);
 	sources_find(batch);
 	blocks_take(m->world, batch);
 	batch->lanes = 0;
-	batch->asked = batch->parting = 0;
+	batch->selected = batch->opening = 0;
 	batch->couplings = sparse->couplings + c->coupling_begin;
 	batch->coupling_count = c->coupling_end - c->coupling_begin;
 	batch->first = sparse->first + c->begin;
@@ -180,22 +180,22 @@ static cni_tree_batch *batch_open(maker *m, const cni_component *c)
 	batch->node_first = c->begin;
 	batch->block_first = sparse->first[c->begin];
 	batch->pivots = m->numbers;
-	batch->blocks = m->numbers + 3 * CNI_LANES * batch->kind.nodes;
+	batch->blocks = m->numbers + 3 * CNI_LANES * batch->tree.nodes;
 	m->numbers += numbers_of(c);
 	return batch;
 }
 
-static void lane_fill(maker *m, const cni_component *c, cni_tree_batch *batch)
+static void lane_fill(batch_builder *m, const cni_component *c, cni_tree_batch *batch)
 {
 	int32_t k, l = batch->lanes++;
-	for (k = 0; k < batch->kind.nodes; ++k) {
+	for (k = 0; k < batch->tree.nodes; ++k) {
 		int32_t owner = m->sparse->nodes[c->begin + k].owner;
 		cni_joint_constraints(m->world)[owner].flags |= CNI_CONSTRAINT_BATCHED;
 		cni_joint_lane_fill(m->world, m->s, &m->spring, owner, &batch->nodes[k], l);
 	}
 }
 
-static void component_place(maker *m, cni_component *c)
+static void component_place(batch_builder *m, cni_component *c)
 {
 	cni_tree_batch **open = &m->open[c->kind];
 	if (m->waiting[c->kind] == 0) {
@@ -236,7 +236,7 @@ typedef struct batch_loop {
 	cni_tree_batch_pass pass;
 } batch_loop;
 
-/* Herds have no body in common that moves. */
+/* Batches share no movable body. */
 static void batch_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	batch_loop *loop = (batch_loop *)context;
@@ -258,7 +258,7 @@ static void batches_run(cn_world *world, const cni_solve *s, cni_tree_batch_kern
 
 void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse)
 {
-	maker m = { world, s, sparse, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { 0 }, { 0 }, { NULL }, NULL };
+	batch_builder m = { world, s, sparse, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { 0 }, { 0 }, { NULL }, NULL };
 	int32_t k, far = cni_joints_are_far(world);
 	waiting_count(&m);
 	if (!batches_reserve(&m))
@@ -287,7 +287,7 @@ void cni_tree_batches_relax(cn_world *world, const cni_solve *s)
 	batches_run(world, s, kernel_choose()->relax);
 }
 
-void cni_tree_batches_close(cn_world *world, const cni_solve *s)
+void cni_tree_batches_project(cn_world *world, const cni_solve *s)
 {
-	batches_run(world, s, kernel_choose()->close);
+	batches_run(world, s, kernel_choose()->project);
 }

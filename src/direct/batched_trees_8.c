@@ -14,5 +14,5 @@
 #include "direct/batched_trees_kernel.h"
 #include "base/avx2_end.h"
 #else
-typedef int cni_no_herd_kernel_8;
+typedef int cni_no_tree_batch_kernel_8;
 #endif

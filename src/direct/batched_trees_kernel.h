@@ -2,8 +2,8 @@
  * direct/batched_trees_kernel.h - passes over batches of trees (direct/batched_trees.h) for one instruction set, with the formulas of
  * joints/joint_kernel.h.
  *
- * A pin's two rows are (-1, 0, ay | 1, 0, -by) and (0, -1, -ax | 0, 1, bx), so that what linear/sparse_solve.c multiplies
- * by one or zero is left out here; the rest, and its order, are the same.
+ * A pin's two rows are (-1, 0, ay | 1, 0, -by) and (0, -1, -ax | 0, 1, bx), so multiplications by one or zero of linear/sparse_solve.c are
+ * left out here; the rest, and its order, are the same.
  */
 #include "direct/batched_trees.h"
 #include "joints/joint_kernel.h"
@@ -23,7 +23,7 @@ CNI_INLINE const float *body_inertia(const cni_tree_batch *batch, int32_t body, 
 	return (const float *)(const void *)((const char *)batch->nodes + batch->source[body] + CNI_SIDE_BYTES) + l;
 }
 
-/* Those that have a tree, as bits from l on. */
+/* Bits of the lanes from l on that have a tree. */
 CNI_INLINE uint32_t lanes_from(const cni_tree_batch *batch, int32_t l)
 {
 	return (1u << cni_min_i(batch->lanes - l, CNI_WIDTH)) - 1u;
@@ -97,7 +97,7 @@ CNI_INLINE void pivot_store(float *p, const matrix *m)
 
 CNI_INLINE void diagonal_form(const cni_tree_batch *batch, int32_t node, int32_t l, const tree_bodies *f, matrix *least)
 {
-	const side *a = &f->body[batch->kind.end[node][0]], *b = &f->body[batch->kind.end[node][1]];
+	const side *a = &f->body[batch->tree.end[node][0]], *b = &f->body[batch->tree.end[node][1]];
 	arms r = arms_load(&batch->nodes[node], l);
 	cni_wide ax = a->i * r.ax, ay = a->i * r.ay, bx = b->i * r.bx, by = b->i * r.by;
 	matrix d;
@@ -109,12 +109,12 @@ CNI_INLINE void diagonal_form(const cni_tree_batch *batch, int32_t node, int32_t
 	pivot_store(pivot_row(batch, node, l), &d);
 }
 
-/* Impulses of the low node to speeds of the high one, through the body that they share. */
+/* Maps impulses of the low node to speeds of the high one, through the body that they share. */
 CNI_INLINE void coupling_form(const cni_tree_batch *batch, const cni_coupling *c, int32_t l, const tree_bodies *f)
 {
 	int32_t high = c->high - batch->node_first, low = c->low - batch->node_first;
 	const cni_joint_block *p = &batch->nodes[high], *q = &batch->nodes[low];
-	const side *s = &f->body[batch->kind.end[low][c->low_side]];
+	const side *s = &f->body[batch->tree.end[low][c->low_side]];
 	cni_wide px = cni_wide_load((c->high_side ? p->bx : p->ax) + l), py = cni_wide_load((c->high_side ? p->by : p->ay) + l);
 	cni_wide qx = cni_wide_load((c->low_side ? q->bx : q->ax) + l), qy = cni_wide_load((c->low_side ? q->by : q->ay) + l);
 	cni_wide ix = s->i * px, iy = s->i * py;
@@ -161,7 +161,7 @@ CNI_INLINE matrix matrix_times(const matrix *a, const matrix *b)
 }
 
 /* target -= left * right^T */
-CNI_INLINE void matrix_take(matrix *t, const matrix *a, const matrix *b)
+CNI_INLINE void matrix_subtract(matrix *t, const matrix *a, const matrix *b)
 {
 	t->m00 -= a->m00 * b->m00 + a->m01 * b->m01;
 	t->m01 -= a->m00 * b->m10 + a->m01 * b->m11;
@@ -169,7 +169,7 @@ CNI_INLINE void matrix_take(matrix *t, const matrix *a, const matrix *b)
 	t->m11 -= a->m10 * b->m10 + a->m11 * b->m11;
 }
 
-/* Takes a node out of all that comes after it. */
+/* Eliminates a node from all later ones. */
 CNI_INLINE void node_eliminate(const cni_tree_batch *batch, int32_t node, int32_t l, const matrix *pivot)
 {
 	int32_t e, f, end = batch->first[node + 1];
@@ -177,14 +177,14 @@ CNI_INLINE void node_eliminate(const cni_tree_batch *batch, int32_t node, int32_
 		int32_t to = batch->below[e] - batch->node_first, at = batch->first[to];
 		matrix block = block_load(block_row(batch, e - batch->block_first, l)), scaled = matrix_times(&block, pivot);
 		matrix d = pivot_load(pivot_row(batch, to, l));
-		matrix_take(&d, &scaled, &block);
+		matrix_subtract(&d, &scaled, &block);
 		pivot_store(pivot_row(batch, to, l), &d);
 		for (f = e + 1; f < end; ++f) {
 			matrix left = block_load(block_row(batch, f - batch->block_first, l)), t;
 			while (batch->below[at] != batch->below[f])
 				++at;
 			t = block_load(block_row(batch, at - batch->block_first, l));
-			matrix_take(&t, &left, &scaled);
+			matrix_subtract(&t, &left, &scaled);
 			block_store(block_row(batch, at - batch->block_first, l), &t);
 		}
 	}
@@ -194,11 +194,11 @@ CNI_INLINE void system_factor(const cni_tree_batch *batch, int32_t l, const tree
 {
 	matrix least[CNI_TOPOLOGY_NODES];
 	int32_t k;
-	for (k = 0; k < batch->kind.nodes; ++k)
+	for (k = 0; k < batch->tree.nodes; ++k)
 		diagonal_form(batch, k, l, f, &least[k]);
 	for (k = 0; k < batch->coupling_count; ++k)
 		coupling_form(batch, &batch->couplings[k], l, f);
-	for (k = 0; k < batch->kind.nodes; ++k) {
+	for (k = 0; k < batch->tree.nodes; ++k) {
 		matrix pivot = pivot_invert(pivot_row(batch, k, l), &least[k]);
 		node_eliminate(batch, k, l, &pivot);
 	}
@@ -218,7 +218,7 @@ CNI_INLINE pair pivot_apply(const matrix *m, const pair *x)
 	return z;
 }
 
-/* What the pins' speeds, and gaps at this rate, ask for. */
+/* Right side of a pin: minus its speed, and minus its gap at this rate. */
 CNI_INLINE pair right_side(const cni_joint_block *k, int32_t l, const side *a, const side *b, float rate, float most)
 {
 	arms r = arms_load(k, l);
@@ -232,12 +232,12 @@ CNI_INLINE pair right_side(const cni_joint_block *k, int32_t l, const side *a, c
 	return x;
 }
 
-/* From right hand sides to impulses. Returns zero in lanes where all is finite. */
+/* Solves right sides for impulses. Returns zero in lanes where all is finite. */
 CNI_INLINE cni_wide system_solve(const cni_tree_batch *batch, int32_t l, pair *x)
 {
-	cni_wide finite = cni_wide_of(0.0f); /* stays so: 0 times what is finite */
+	cni_wide finite = cni_wide_of(0.0f); /* 0 times a finite number stays 0 */
 	int32_t k, e;
-	for (k = 0; k < batch->kind.nodes; ++k) {
+	for (k = 0; k < batch->tree.nodes; ++k) {
 		matrix pivot = pivot_load(pivot_row(batch, k, l));
 		pair z = pivot_apply(&pivot, &x[k]);
 		for (e = batch->first[k]; e < batch->first[k + 1]; ++e) {
@@ -247,7 +247,7 @@ CNI_INLINE cni_wide system_solve(const cni_tree_batch *batch, int32_t l, pair *x
 			y->y -= m.m10 * z.x + m.m11 * z.y;
 		}
 	}
-	for (k = batch->kind.nodes - 1; k >= 0; --k) {
+	for (k = batch->tree.nodes - 1; k >= 0; --k) {
 		matrix pivot = pivot_load(pivot_row(batch, k, l));
 		for (e = batch->first[k]; e < batch->first[k + 1]; ++e) {
 			matrix m = block_load(block_row(batch, e - batch->block_first, l));
@@ -278,26 +278,26 @@ CNI_INLINE void pin_push(const arms *r, const pair *x, side *a, side *b)
 CNI_INLINE void right_sides(const cni_tree_batch *batch, int32_t l, const tree_bodies *f, float rate, float most, pair *x)
 {
 	int32_t k;
-	for (k = 0; k < batch->kind.nodes; ++k)
-		x[k] = right_side(&batch->nodes[k], l, &f->body[batch->kind.end[k][0]], &f->body[batch->kind.end[k][1]], rate, most);
+	for (k = 0; k < batch->tree.nodes; ++k)
+		x[k] = right_side(&batch->nodes[k], l, &f->body[batch->tree.end[k][0]], &f->body[batch->tree.end[k][1]], rate, most);
 }
 
-/* From right hand sides x to impulses, in the lanes that are asked for, as bits from l on; those whose impulses are not finite
-   get none, and are single from the next pass on. */
-CNI_INLINE void pins_solve(cni_tree_batch *batch, int32_t l, tree_bodies *f, pair *x, uint32_t asked)
+/* Solves right sides x and applies the impulses, in the lanes of `selected`, as bits from l on. Lanes whose impulses are not finite get none,
+   and their pins are solved one by one from the next pass on. */
+CNI_INLINE void pins_solve(cni_tree_batch *batch, int32_t l, tree_bodies *f, pair *x, uint32_t selected)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
-	uint32_t direct = batch->nodes[0].direct >> l & ((1u << CNI_WIDTH) - 1u) & asked, broken;
+	uint32_t direct = batch->nodes[0].direct >> l & ((1u << CNI_WIDTH) - 1u) & selected, broken;
 	cni_mask good = system_solve(batch, l, x) == zero;
 	int32_t k;
 	broken = direct & ~cni_mask_bits(good);
 	good = cni_mask_of_bits(direct & ~broken);
-	for (k = 0; k < batch->kind.nodes; ++k) {
+	for (k = 0; k < batch->tree.nodes; ++k) {
 		cni_joint_block *node = &batch->nodes[k];
 		arms r = arms_load(node, l);
 		x[k].x = cni_wide_select(good, x[k].x, zero);
 		x[k].y = cni_wide_select(good, x[k].y, zero);
-		pin_push(&r, &x[k], &f->body[batch->kind.end[k][0]], &f->body[batch->kind.end[k][1]]);
+		pin_push(&r, &x[k], &f->body[batch->tree.end[k][0]], &f->body[batch->tree.end[k][1]]);
 		impulse_add(node->jx + l, x[k].x);
 		impulse_add(node->jy + l, x[k].y);
 		node->direct &= ~(broken << l);
@@ -326,68 +326,68 @@ static void batch_warm(cni_motion *motions, cni_velocity_start *starts, cni_tree
 	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
 		tree_bodies f;
 		tree_bodies_gather(motions, batch, l, &f);
-		for (n = 0; n < batch->kind.nodes; ++n) {
+		for (n = 0; n < batch->tree.nodes; ++n) {
 			int32_t node = batch->order[n];
 			cni_joint_block *k = &batch->nodes[node];
 			arms r = arms_load(k, l);
-			cni_wide jx = warmed(k->jx + l, scale), jy = warmed(k->jy + l, scale), t;
-			t = warmed(k->spring_j + l, scale) + warmed(k->motor_j + l, scale) + warmed(k->limit_j + l, scale);
-			push(&f.body[batch->kind.end[node][0]], &f.body[batch->kind.end[node][1]], &r, jx, jy, t);
+			cni_wide jx = impulse_warm(k->jx + l, scale), jy = impulse_warm(k->jy + l, scale), t;
+			t = impulse_warm(k->spring_j + l, scale) + impulse_warm(k->motor_j + l, scale) + impulse_warm(k->limit_j + l, scale);
+			push(&f.body[batch->tree.end[node][0]], &f.body[batch->tree.end[node][1]], &r, jx, jy, t);
 		}
 		tree_bodies_scatter(motions, batch, l, &f);
 	}
 }
 
-/* Are there lanes among these whose pins are single? */
+/* 1: some of these lanes have pins that are solved one by one. */
 CNI_INLINE int32_t has_single(const cni_tree_batch *batch, int32_t l)
 {
 	uint32_t lanes = lanes_from(batch, l);
 	return (batch->nodes[0].direct >> l & lanes) != lanes;
 }
 
-/* What solve_group does where motors are all there is. */
-CNI_INLINE void solve_motors(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, float h, pair *dealt)
+/* The part of solve_group for joints with motors only. */
+CNI_INLINE void solve_motors(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, float h, pair *induced)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
 	pin p = pin_make(a, b, r);
 	hinge g = hinge_make(a, b, r, &p);
 	solve_motor(k, l, &g, h);
-	dealt->x = zero + g.sx * g.t;
-	dealt->y = zero + g.sy * g.t;
-	push(a, b, r, dealt->x, dealt->y, g.t);
+	induced->x = zero + g.sx * g.t;
+	induced->y = zero + g.sy * g.t;
+	push(a, b, r, induced->x, induced->y, g.t);
 }
 
-/* Springs, motors, limits, and single pins. */
-CNI_INLINE void node_solve(cni_tree_batch *batch, int32_t node, int32_t l, tree_bodies *f, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t single, pair *dealt)
+/* Springs, motors, limits, and pins that are solved one by one. */
+CNI_INLINE void node_solve(cni_tree_batch *batch, int32_t node, int32_t l, tree_bodies *f, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t single, pair *induced)
 {
 	cni_joint_block *k = &batch->nodes[node];
-	side *a = &f->body[batch->kind.end[node][0]], *b = &f->body[batch->kind.end[node][1]];
+	side *a = &f->body[batch->tree.end[node][0]], *b = &f->body[batch->tree.end[node][1]];
 	if (single)
-		solve_group(k, l, a, b, r, pass, bias, 1, 1, &dealt->x, &dealt->y);
+		solve_group(k, l, a, b, r, pass, bias, 1, 1, &induced->x, &induced->y);
 	else if (k->angular == CN_JOINT_MOTOR)
-		solve_motors(k, l, a, b, r, pass->h, dealt);
+		solve_motors(k, l, a, b, r, pass->h, induced);
 	else if (k->angular)
-		solve_group(k, l, a, b, r, pass, bias, 1, 0, &dealt->x, &dealt->y);
+		solve_group(k, l, a, b, r, pass, bias, 1, 0, &induced->x, &induced->y);
 	else
-		dealt->x = dealt->y = cni_wide_of(0.0f);
+		induced->x = induced->y = cni_wide_of(0.0f);
 }
 
-/* What springs, motors and limits give the pins is kept in `dealt` until positions have moved. */
+/* The pin impulses of springs, motors and limits are kept in `induced` until positions have moved. */
 static void batch_solve(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 {
 	int32_t l, n;
 	(void)starts;
 	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
 		tree_bodies f;
-		pair dealt, x[CNI_TOPOLOGY_NODES];
+		pair induced, x[CNI_TOPOLOGY_NODES];
 		int32_t single = has_single(batch, l);
 		tree_bodies_gather(motions, batch, l, &f);
-		for (n = 0; n < batch->kind.nodes; ++n) {
+		for (n = 0; n < batch->tree.nodes; ++n) {
 			int32_t node = batch->order[n];
 			arms r = arms_load(&batch->nodes[node], l);
-			node_solve(batch, node, l, &f, &r, &pass->joint, 1, single, &dealt);
-			cni_wide_store(batch->nodes[node].dealt_x + l, dealt.x);
-			cni_wide_store(batch->nodes[node].dealt_y + l, dealt.y);
+			node_solve(batch, node, l, &f, &r, &pass->joint, 1, single, &induced);
+			cni_wide_store(batch->nodes[node].induced_x + l, induced.x);
+			cni_wide_store(batch->nodes[node].induced_y + l, induced.y);
 		}
 		right_sides(batch, l, &f, pass->rate, pass->push, x);
 		pins_solve(batch, l, &f, x, ~0u);
@@ -395,7 +395,7 @@ static void batch_solve(cni_motion *motions, cni_velocity_start *starts, cni_tre
 	}
 }
 
-/* ---- hard stops: direct/joint_projection.c, whose words these are ---- */
+/* ---- hard stops: see direct/joint_projection.c ---- */
 
 CNI_INLINE pair drift(cni_wide rx, cni_wide ry, cni_wide turn)
 {
@@ -426,42 +426,42 @@ CNI_INLINE void drift_add(const cni_joint_block *k, int32_t l, const side *a, co
 	x->y -= cni_wide_select(turns, clamped((of_b.y - of_a.y) * pass->joint.inv_h, pass->push), zero);
 }
 
-/* Lanes whose pins lack more than the pass' parting speed, of those that may, are solved once more. */
-static void batch_close(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
+/* Solves those lanes of batch->selected again whose pins open faster than the pass allows. */
+static void batch_project(cni_motion *motions, cni_velocity_start *starts, cni_tree_batch *batch, const cni_tree_batch_pass *pass)
 {
-	const cni_wide most = cni_wide_of(pass->parting);
+	const cni_wide most = cni_wide_of(pass->opening_speed);
 	int32_t l, k;
 	(void)starts;
-	batch->parting = 0;
+	batch->opening = 0;
 	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
-		uint32_t asked = batch->asked & batch->nodes[0].direct, parting = 0;
+		uint32_t selected = batch->selected & batch->nodes[0].direct, opening = 0;
 		pair x[CNI_TOPOLOGY_NODES];
 		tree_bodies f;
-		asked = asked >> l & ((1u << CNI_WIDTH) - 1u);
-		if (asked == 0)
+		selected = selected >> l & ((1u << CNI_WIDTH) - 1u);
+		if (selected == 0)
 			continue;
 		tree_bodies_gather(motions, batch, l, &f);
 		right_sides(batch, l, &f, pass->rate, pass->push, x);
-		for (k = 0; k < batch->kind.nodes; ++k) {
-			drift_add(&batch->nodes[k], l, &f.body[batch->kind.end[k][0]], &f.body[batch->kind.end[k][1]], pass, &x[k]);
-			parting |= cni_mask_bits(cni_wide_max(cni_wide_abs(x[k].x), cni_wide_abs(x[k].y)) > most);
+		for (k = 0; k < batch->tree.nodes; ++k) {
+			drift_add(&batch->nodes[k], l, &f.body[batch->tree.end[k][0]], &f.body[batch->tree.end[k][1]], pass, &x[k]);
+			opening |= cni_mask_bits(cni_wide_max(cni_wide_abs(x[k].x), cni_wide_abs(x[k].y)) > most);
 		}
-		parting &= asked;
-		if (parting == 0)
+		opening &= selected;
+		if (opening == 0)
 			continue;
-		batch->parting |= parting << l;
-		pins_solve(batch, l, &f, x, parting);
+		batch->opening |= opening << l;
+		pins_solve(batch, l, &f, x, opening);
 		tree_bodies_scatter(motions, batch, l, &f);
 	}
 }
 
-/* Where the bodies have gone, and their spin as the substep began. */
-typedef struct journey {
+/* Places of the bodies, and their velocities at the beginning of the substep. */
+typedef struct tree_motion {
 	place at[CNI_TOPOLOGY_NODES + 2];
 	cni_wide vx[CNI_TOPOLOGY_NODES + 2], vy[CNI_TOPOLOGY_NODES + 2], w[CNI_TOPOLOGY_NODES + 2], jumped[CNI_TOPOLOGY_NODES + 2];
-} journey;
+} tree_motion;
 
-CNI_INLINE void journey_gather(const cni_motion *motions, const cni_velocity_start *starts, const cni_tree_batch *batch, int32_t l, journey *j)
+CNI_INLINE void tree_motion_gather(const cni_motion *motions, const cni_velocity_start *starts, const cni_tree_batch *batch, int32_t l, tree_motion *j)
 {
 	int32_t k;
 	for (k = 0; k < batch->bodies; ++k) {
@@ -471,7 +471,7 @@ CNI_INLINE void journey_gather(const cni_motion *motions, const cni_velocity_sta
 	}
 }
 
-CNI_INLINE void journey_scatter(cni_velocity_start *starts, const cni_tree_batch *batch, int32_t l, const journey *j)
+CNI_INLINE void tree_motion_scatter(cni_velocity_start *starts, const cni_tree_batch *batch, int32_t l, const tree_motion *j)
 {
 	uint32_t lanes = lanes_from(batch, l);
 	int32_t k;
@@ -479,12 +479,12 @@ CNI_INLINE void journey_scatter(cni_velocity_start *starts, const cni_tree_batch
 		moving_scatter((float *)(void *)starts, START_FLOATS, body_index(batch, k, l), lanes, j->vx[k], j->vy[k], j->w[k], j->jumped[k]);
 }
 
-/* To the pin's impulse, with the order of sums of joints/joint_blocks.c. */
-CNI_INLINE cni_wide dealt_take(float *impulse, float *dealt)
+/* Adds `induced` to the pin's impulse, with the order of sums of joints/joint_blocks.c. */
+CNI_INLINE cni_wide induced_add(float *impulse, float *induced)
 {
-	cni_wide sum = cni_wide_load(impulse) + cni_wide_load(dealt);
+	cni_wide sum = cni_wide_load(impulse) + cni_wide_load(induced);
 	cni_wide_store(impulse, sum);
-	cni_wide_store(dealt, cni_wide_of(0.0f));
+	cni_wide_store(induced, cni_wide_of(0.0f));
 	return sum;
 }
 
@@ -493,24 +493,24 @@ static void batch_relax(cni_motion *motions, cni_velocity_start *starts, cni_tre
 	int32_t l, n;
 	for (l = 0; l < batch->lanes; l += CNI_WIDTH) {
 		tree_bodies f;
-		journey j;
+		tree_motion j;
 		pair x[CNI_TOPOLOGY_NODES];
 		int32_t single = has_single(batch, l);
 		tree_bodies_gather(motions, batch, l, &f);
-		journey_gather(motions, starts, batch, l, &j);
-		for (n = 0; n < batch->kind.nodes; ++n) {
-			int32_t node = batch->order[n], a = batch->kind.end[node][0], b = batch->kind.end[node][1];
+		tree_motion_gather(motions, starts, batch, l, &j);
+		for (n = 0; n < batch->tree.nodes; ++n) {
+			int32_t node = batch->order[n], a = batch->tree.end[node][0], b = batch->tree.end[node][1];
 			cni_joint_block *k = &batch->nodes[node];
-			cni_wide jx = dealt_take(k->jx + l, k->dealt_x + l), jy = dealt_take(k->jy + l, k->dealt_y + l);
+			cni_wide jx = induced_add(k->jx + l, k->induced_x + l), jy = induced_add(k->jy + l, k->induced_y + l);
 			arms old = arms_load(k, l), r = arms_renew(&j.at[a], &j.at[b], k, l, k->angular != 0);
-			pair dealt;
+			pair induced;
 			j.w[a] -= -(f.body[a].i * ((r.ax - old.ax) * jy - (r.ay - old.ay) * jx));
 			j.w[b] -= f.body[b].i * ((r.bx - old.bx) * jy - (r.by - old.by) * jx);
-			node_solve(batch, node, l, &f, &r, &pass->joint, 0, single, &dealt);
-			impulse_add(k->jx + l, dealt.x);
-			impulse_add(k->jy + l, dealt.y);
+			node_solve(batch, node, l, &f, &r, &pass->joint, 0, single, &induced);
+			impulse_add(k->jx + l, induced.x);
+			impulse_add(k->jy + l, induced.y);
 		}
-		journey_scatter(starts, batch, l, &j);
+		tree_motion_scatter(starts, batch, l, &j);
 		system_factor(batch, l, &f);
 		right_sides(batch, l, &f, 0.0f, 0.0f, x);
 		pins_solve(batch, l, &f, x, ~0u);
@@ -518,4 +518,4 @@ static void batch_relax(cni_motion *motions, cni_velocity_start *starts, cni_tre
 	}
 }
 
-const cni_tree_batch_kernel CNI_KERNEL = { batch_begin, batch_warm, batch_solve, batch_relax, batch_close };
+const cni_tree_batch_kernel CNI_KERNEL = { batch_begin, batch_warm, batch_solve, batch_relax, batch_project };

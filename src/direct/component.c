@@ -9,20 +9,20 @@
 #define REGULAR_MOST 0.05f /* ... until joints are about as soft as soft ones */
 #define LEAK 1e-5f         /* ... and their rows give way by this part of it to their whole impulses */
 
-void cni_direct_motions_keep(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t back)
+void cni_direct_motions_save(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t restore)
 {
 	int32_t k;
 	for (k = c->body_begin; k < c->body_end; ++k) {
 		cni_motion *m = cni_motions(world) + sparse->bodies[k], *saved = sparse->saved + k;
-		*(back ? m : saved) = *(back ? saved : m);
+		*(restore ? m : saved) = *(restore ? saved : m);
 	}
 }
 
-void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_component *c)
+void cni_direct_rotations(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
 	sparse->turn[0] = cni_rot_small(0.0f);
-	for (k = c->begin; k < c->end; ++k) { /* kinematic ones too, which are no bodies of the component */
+	for (k = c->begin; k < c->end; ++k) { /* kinematic bodies too, which are not in the component's body list */
 		const cni_node *n = &sparse->nodes[k];
 		if (cni_motions(world)[n->ia].inv_mass == 0.0f)
 			sparse->turn[n->ia] = cni_rot_small(cni_motions(world)[n->ia].theta);
@@ -33,7 +33,6 @@ void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_compo
 		sparse->turn[sparse->bodies[k]] = cni_rot_small(cni_motions(world)[sparse->bodies[k]].theta);
 }
 
-/* Each joint by itself after all, in this step. */
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
 	int32_t k;
@@ -41,14 +40,13 @@ void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c
 	for (k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].owner >= 0) {
 			cni_joint_constraints(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_CONSTRAINT_DIRECT;
-			cni_joint_constraints(world)[sparse->nodes[k].owner].inner = 0;
+			cni_joint_constraints(world)[sparse->nodes[k].owner].active_row = 0;
 		}
 	c->swings = 0;
 	c->done = 1;
 }
 
-/* ... and for some time: `span` steps, or, 0, longer each time it happens. */
-void cni_component_leave(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span)
+void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span)
 {
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
@@ -59,13 +57,13 @@ void cni_component_leave(cn_world *world, cni_sparse *sparse, cni_component *c, 
 		if (span == 0)
 			cni_trust_fail(t, world->step_count, 1);
 		else
-			cni_trust_leave(t, world->step_count, span, 1);
+			cni_trust_suspend(t, world->step_count, span, 1);
 		world->joints_soft_step = t->until > world->joints_soft_step ? t->until : world->joints_soft_step;
 	}
 	cni_component_release(world, sparse, c);
 }
 
-/* Joints' levers from their rows. Returns how many joints there are. */
+/* Reads the joints' levers from their rows. Returns the number of joints. */
 static int32_t levers_read(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k, i, joints = 0;
@@ -92,7 +90,7 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 {
 	cni_joint_constraints_complete(world, sparse, c);
 	cni_sparse_clear(sparse, c);
-	cni_direct_turns(world, sparse, c);
+	cni_direct_rotations(world, sparse, c);
 	cni_geometric_stiffness_find(world, sparse, c, s->h);
 	c->active = c->presses || c->kind != CNI_NONE || !CNI_ON(ACTIVE) ? 0 : cni_active_begin(world, s, sparse, c);
 	if (c->active || cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h))
@@ -114,11 +112,11 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 		cni_sparse_factor(sparse, c, cni_motions(world));
 }
 
-/* Both bodies are read once and written once: a node's two bodies are never the same. */
+/* Reads and writes each body once: a node's two bodies differ. */
 CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t width)
 {
 	cni_motion *motions = cni_motions(world);
-	cni_joint_constraint *works = cni_joint_constraints(world);
+	cni_joint_constraint *constraints = cni_joint_constraints(world);
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
@@ -126,7 +124,7 @@ CNI_INLINE void nodes_push(cn_world *world, const cni_sparse *sparse, const cni_
 		if (n->owner < 0)
 			continue;
 		for (i = 0; i < n->rows; ++i)
-			works[n->owner].rows[i].impulse += n->x[i];
+			constraints[n->owner].rows[i].impulse += n->x[i];
 		for (i = 0; i < width; ++i)
 			cni_lever_push(&n->lever[i], n->x[i], &a, &b);
 		motions[n->ia] = a;
@@ -145,7 +143,7 @@ void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_compon
 CNI_INLINE void speeds_read(const cn_world *world, cni_sparse *sparse, const cni_component *c, float rate, float push, int32_t width)
 {
 	const cni_motion *motions = cni_motions(world);
-	const cni_joint_constraint *works = cni_joint_constraints(world);
+	const cni_joint_constraint *constraints = cni_joint_constraints(world);
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
@@ -153,7 +151,7 @@ CNI_INLINE void speeds_read(const cn_world *world, cni_sparse *sparse, const cni
 		if (n->owner < 0)
 			continue;
 		for (i = 0; i < width; ++i)
-			n->x[i] = -cni_lever_speed(&n->lever[i], a, b) - (i < n->rows ? cni_clamp(rate * works[n->owner].rows[i].error, -push, push) : 0.0f);
+			n->x[i] = -cni_lever_speed(&n->lever[i], a, b) - (i < n->rows ? cni_clamp(rate * constraints[n->owner].rows[i].error, -push, push) : 0.0f);
 	}
 }
 
@@ -166,22 +164,24 @@ static void right_sides(const cn_world *world, cni_sparse *sparse, const cni_com
 }
 
 /*
- * Loops give way a little to what they bear. The tension of a bridge between two walls says nothing of its bodies where it
- * is straight: nothing but this keeps it from growing, until whatever turns a joint a little throws all that is near.
+ * Rows of loops yield a little in proportion to their impulse. The internal tension of a straight bridge between two walls has no effect on
+ * its bodies, so the system does not see it. Without this leak the tension would grow until a small rotation of a joint turned it into
+ * motion of everything near.
  */
 static void leaks_add(const cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	const cni_motion *motions = cni_motions(world);
-	const cni_joint_constraint *works = cni_joint_constraints(world);
+	const cni_joint_constraint *constraints = cni_joint_constraints(world);
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		for (i = 0; i < n->rows && n->owner >= 0; ++i)
-			n->x[i] -= LEAK * cni_lever_inverse_mass(&n->lever[i], motions + n->ia, motions + n->ib) * works[n->owner].rows[i].impulse;
+			n->x[i] -= LEAK * cni_lever_inverse_mass(&n->lever[i], motions + n->ia, motions + n->ib) *
+			           constraints[n->owner].rows[i].impulse;
 	}
 }
 
-static void impulses_take_back(cn_world *world, const cni_sparse *sparse, const cni_component *c)
+static void impulses_undo(cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k)
@@ -189,12 +189,12 @@ static void impulses_take_back(cn_world *world, const cni_sparse *sparse, const 
 			cni_joint_constraints(world)[sparse->nodes[k].owner].rows[i].impulse -= sparse->nodes[k].x[i];
 }
 
-static void sides_keep(cni_sparse *sparse, const cni_component *c, int32_t back)
+static void sides_save(cni_sparse *sparse, const cni_component *c, int32_t restore)
 {
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
-		memcpy(back ? n->x : n->carried, back ? n->carried : n->x, sizeof n->x);
+		memcpy(restore ? n->x : n->carried, restore ? n->carried : n->x, sizeof n->x);
 	}
 }
 
@@ -204,33 +204,33 @@ static float inverse_or_zero(float x)
 }
 
 /*
- * With A = K + C, b the right sides and A x = b, the change of velocity M^-1 J^T x has twice the kinetic energy x K x <= x A x =
- * x b: no solution gives more than its right sides ask for. One that does comes of pivots that were rounding. Nor, but for
- * motors, can joints give more than what stops all motion and has every body close gaps at the greatest speed: one that does
- * closes gaps that say different things.
+ * With A = K + C, right sides b and A x = b, the velocity change M^-1 J^T x has twice the kinetic energy x K x <= x A x = x b: no solution
+ * exceeds the work of its right sides. A solution that exceeds it was made by pivots that are rounding. Without motors, joints also cannot
+ * exceed the impulse that stops all motion and gives every body the greatest closing speed: a solution beyond that closes gaps of
+ * contradictory rows.
  */
 static int32_t is_bounded(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	float asked = 0.0f, given = 0.0f, all = 0.0f, push = 0.0f;
+	float bound = 0.0f, gain = 0.0f, all = 0.0f, push = 0.0f;
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k)
 		for (i = 0; i < c->width; ++i)
-			asked += sparse->nodes[k].carried[i] * sparse->nodes[k].x[i];
+			bound += sparse->nodes[k].carried[i] * sparse->nodes[k].x[i];
 	for (k = c->body_begin; k < c->body_end; ++k) {
 		const cni_motion *m = cni_motions(world) + sparse->bodies[k], *old = sparse->saved + k;
 		float mass = inverse_or_zero(m->inv_mass), inertia = inverse_or_zero(m->inv_inertia);
 		float vx = m->vx - old->vx, vy = m->vy - old->vy, w = m->w - old->w;
-		given += mass * (vx * vx + vy * vy) + inertia * w * w;
+		gain += mass * (vx * vx + vy * vy) + inertia * w * w;
 		all += mass * (old->vx * old->vx + old->vy * old->vy) + inertia * old->w * old->w;
 		push += mass * world->settings.push_speed_max * world->settings.push_speed_max;
 	}
-	if (c->active < 2 && !(given <= 2.0f * (all + push))) /* (a + b)^2 <= 2 (a^2 + b^2) */
+	if (c->active < 2 && !(gain <= 2.0f * (all + push))) /* (a + b)^2 <= 2 (a^2 + b^2) */
 		return 0;
-	return given <= 1.1f * asked + 1e-6f * all; /* and what is not a number is not */
+	return gain <= 1.1f * bound + 1e-6f * all; /* false for NaN */
 }
 
-/* Loops say much twice, so that their systems may be as good as singular. One whose solution is beyond its bound is solved again
-   with a larger diagonal, which it keeps for this step. */
+/* Rows of loops may be redundant, so their system may be nearly singular. When a solution exceeds its bound, it is solved again with a
+   larger diagonal, which the component keeps for this step. */
 int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
 	if (!c->loops) {
@@ -239,29 +239,29 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 		cni_direct_push(world, sparse, c);
 		return 1;
 	}
-	sides_keep(sparse, c, 0);
+	sides_save(sparse, c, 0);
 	for (;;) {
-		cni_direct_motions_keep(world, sparse, c, 0);
+		cni_direct_motions_save(world, sparse, c, 0);
 		if (cni_sparse_solve(sparse, c)) {
 			cni_direct_push(world, sparse, c);
 			if (is_bounded(world, sparse, c))
 				return 1;
-			cni_direct_motions_keep(world, sparse, c, 1);
-			impulses_take_back(world, sparse, c);
+			cni_direct_motions_save(world, sparse, c, 1);
+			impulses_undo(world, sparse, c);
 		}
 		if (c->regular > REGULAR_MOST)
 			return 0;
 		c->regular *= REGULAR_STEP;
 		cni_sparse_factor(sparse, c, cni_motions(world));
-		sides_keep(sparse, c, 1);
+		sides_save(sparse, c, 1);
 	}
 }
 
-void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
+void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
 {
 	right_sides(world, s->direct, c, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f, s->push_speed);
 	if (bias && c->loops && !c->presses)
 		leaks_add(world, s->direct, c);
 	if (c->active)
-		cni_active_sides(world, s, s->direct, c, bias);
+		cni_active_right_sides(world, s, s->direct, c, bias);
 }

@@ -1,6 +1,5 @@
 /*
- * direct/contact_collect.c - contacts that are taken out of their lanes for a step, to be solved directly (direct_contacts.c), and
- * given back.
+ * direct/contact_collect.c - takes contacts out of their lanes for a step, to be solved directly (direct_contacts.c), and returns them.
  *
  * Reads contacts of islands; reads and writes lanes of contact blocks.
  */
@@ -20,8 +19,8 @@ static int32_t lane_is_plain(const cn_world *world, const cni_contact *c)
 }
 
 /*
- * Friction at its bound slides, or bears as much as it can of what says the same twice: in a standing house of cards a tenth of all do. Were
- * they held first, every step would look for the set anew. Where friction that holds may be greater it cannot be told.
+ * Friction at its bound slides, or is at the limit of a redundant system: in a standing house of cards a tenth of all contacts are. If they began
+ * active, every step would search for the set anew. Where the static coefficient is greater the two cannot be distinguished.
  */
 static void friction_guess(cni_direct_contact *p)
 {
@@ -29,10 +28,10 @@ static void friction_guess(cni_direct_contact *p)
 	if (sum <= 0.0f || p->static_friction > p->dynamic_friction || cni_abs(p->j[2]) < (1.0f - CNI_SLIDE_CLOSE) * p->dynamic_friction * sum)
 		return;
 	p->state[2] = CNI_ROW_SLIDES;
-	p->way = p->j[2] > 0.0f ? 1.0f : -1.0f;
+	p->slide_sign = p->j[2] > 0.0f ? 1.0f : -1.0f;
 }
 
-static void press_read(const cn_world *world, const cni_contact *c, cni_direct_contact *p)
+static void contact_read(const cn_world *world, const cni_contact *c, cni_direct_contact *p)
 {
 	const cni_contact_block *k = cni_block_at(world, c->slot / CNI_LANES);
 	int32_t l = c->slot % CNI_LANES, i;
@@ -59,12 +58,12 @@ static void press_read(const cn_world *world, const cni_contact *c, cni_direct_c
 		p->j[i] = k->p[i].jn[l];
 		p->load[i] = k->p[i].load[l];
 		p->first[i] = p->j[i];
-		p->state[i] = p->mass[i] > 0.0f && p->j[i] > 0.0f ? CNI_ROW_HELD : CNI_ROW_OPEN;
+		p->state[i] = p->mass[i] > 0.0f && p->j[i] > 0.0f ? CNI_ROW_ACTIVE : CNI_ROW_OPEN;
 	}
 	friction_guess(p);
 }
 
-int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, cni_direct_contact *presses, int32_t room)
+int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, cni_direct_contact *contacts, int32_t room)
 {
 	int32_t body, key, count = 0;
 	for (body = cni_island_at(world, island)->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
@@ -74,18 +73,18 @@ int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, cni_d
 			if (!(c->flags & CNI_CONTACT_TOUCHING) || c->slot == CNI_NONE)
 				continue;
 			if (cni_body_at(world, other)->type == CN_BODY_DYNAMIC && (key & 1))
-				continue; /* seen from its other body */
+				continue; /* collected at its other body */
 			if (!lane_is_plain(world, c))
 				return CNI_DIRECT_CONTACTS_KIND;
 			if (count == room)
 				return CNI_DIRECT_CONTACTS_MANY;
-			press_read(world, c, &presses[count++]);
+			contact_read(world, c, &contacts[count++]);
 		}
 	return count;
 }
 
 /* Makes its lane idle. */
-static void press_take(cn_world *world, const cni_direct_contact *p)
+static void contact_extract(cn_world *world, const cni_direct_contact *p)
 {
 	cni_contact_block *block = cni_block_at(world, p->block);
 	int32_t i;
@@ -94,16 +93,16 @@ static void press_take(cn_world *world, const cni_direct_contact *p)
 		block->p[i].nm[p->lane] = block->p[i].jn[p->lane] = block->p[i].load[p->lane] = 0.0f;
 }
 
-void cni_direct_contacts_take(cn_world *world, cni_sparse *sparse)
+void cni_direct_contacts_extract(cn_world *world, cni_sparse *sparse)
 {
 	int32_t k;
 	for (k = 0; k < sparse->press_count; ++k)
 		if (sparse->presses[k].node != CNI_NONE)
-			press_take(world, &sparse->presses[k]);
+			contact_extract(world, &sparse->presses[k]);
 }
 
-/* Once it was solved, what it bears is known exactly: its load is its impulse. */
-static void press_give_back(cn_world *world, cni_direct_contact *p)
+/* A solved contact's impulse is exact, so it becomes the load. */
+static void contact_restore(cn_world *world, cni_direct_contact *p)
 {
 	cni_contact_block *block = cni_block_at(world, p->block);
 	int32_t i;
@@ -117,17 +116,17 @@ static void press_give_back(cn_world *world, cni_direct_contact *p)
 	p->node = CNI_NONE;
 }
 
-void cni_direct_contacts_give_back(cn_world *world, cni_sparse *sparse, const cni_component *c)
+void cni_direct_contacts_restore(cn_world *world, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_direct_contact *p = cni_direct_contact_of(sparse, &sparse->nodes[k]);
 		if (p != NULL)
-			press_give_back(world, p);
+			contact_restore(world, p);
 	}
 }
 
-void cni_direct_contacts_give_back_all(cn_world *world, cni_sparse *sparse, float h)
+void cni_direct_contacts_restore_all(cn_world *world, cni_sparse *sparse, float h)
 {
 	int32_t k;
 	for (k = 0; k < sparse->press_count; ++k) {
@@ -137,7 +136,7 @@ void cni_direct_contacts_give_back_all(cn_world *world, cni_sparse *sparse, floa
 			continue;
 		if (cni_is_stressed(world, n->ia, n->ib, p->j[0] + p->j[1], h, 1.0f))
 			cni_island_at(world, cni_awake_island(world, n->ia))->good_steps = 0;
-		press_give_back(world, p);
+		contact_restore(world, p);
 	}
 }
 

@@ -1,36 +1,36 @@
 /*
- * direct/direct.h - what other folders call: which islands are solved directly, and their passes.
+ * direct/direct.h - the interface of direct/ to other folders: solver selection for islands, and the passes of the direct solver.
  */
 #ifndef CNI_DIRECT_DIRECT_H
 #define CNI_DIRECT_DIRECT_H
 
 #include "model/solve.h"
 
-/* Stage 5: which islands are solved directly, contacts and all. */
+/* Stage 5: selects the islands whose joints and contacts are solved directly. */
 void cni_stage_select_solvers(cn_world *world, float h);
-/* The island cannot be solved directly, now and for some time. reason: CN_TIER_REASON_ */
+/* Bars the island from direct solving for a time. reason: CN_TIER_REASON_ */
 void cni_island_refuse(cn_world *world, int32_t island, int32_t reason);
-/* Has it been refused so lately that it is left alone in the step of this count? */
+/* 1: in step `step` the island is still barred by cni_island_refuse. */
 int32_t cni_island_is_refused(const cni_island *i, uint32_t step);
-/* Is it soft in that step because no solution was found for it? */
+/* 1: the island is soft in step `step` because no direct solution was found for it. */
 int32_t cni_island_is_unsolved(const cni_island *i, uint32_t step);
-/* No island is solved directly any more: the solver changed. */
+/* Returns all islands to soft contacts: the world's solver changed. */
 void cni_solver_selection_reset(cn_world *world);
-/* Scratch that directly solving so many joints and contacts may take. */
+/* Bound on the scratch memory of direct solving, for this number of joints, contacts and bodies. */
 uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies);
-/* ... and what of it is kept from step to step. */
+/* ... and on its memory that persists between steps. */
 uint64_t cni_direct_kept_bytes(int32_t solver, int32_t joints, int32_t contacts);
 /* Plans which joints and contacts are solved directly into out, and sets s->direct to it. */
 void cni_direct_prepare(cn_world *world, cni_solve *s, struct cni_sparse *out);
-/* Impulses of the last step. */
+/* Applies the impulses of the last step. */
 void cni_direct_warm_start(cn_world *world, const cni_solve *s);
-/* One pass over them: with errors' bias (1), or rigid at the new positions (0). */
+/* One pass over all components. bias 1: with error correction; 0: rigid, at the new positions. */
 void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias);
-/* After the contacts: joints that they would part in this substep once more. */
+/* After the contact pass: solves joints again that contacts would open in this substep. */
 void cni_direct_project(cn_world *world, const cni_solve *s);
-/* Gives its contacts back to their lanes. */
+/* Writes the contacts of the direct solver back to their lanes. */
 void cni_direct_store(cn_world *world, const cni_solve *s);
-/* The whole step of bodies that nothing but joints holds. */
+/* Integrates the whole step of bodies that only joints constrain (RATTLE). */
 void cni_rattle_run(cn_world *world, const cni_solve *s);
 
 #endif

@@ -31,28 +31,28 @@ static inline int32_t cni_cone_factor_work(const cni_component *c)
 
 #define CNI_SLIDE_CLOSE 0.01f /* part by which a sliding friction may be off its normal force */
 
-enum { CNI_ROW_OPEN = 0, CNI_ROW_HELD = 1, CNI_ROW_SLIDES = 2 };
+enum { CNI_ROW_OPEN = 0, CNI_ROW_ACTIVE = 1, CNI_ROW_SLIDES = 2 };
 
 /* A touching contact taken out of its lane for the step; letters as in model/contact.h. Rows: two points, friction. */
 typedef struct cni_direct_contact {
 	int32_t block, lane;
-	int32_t node;               /* in the sparse system, CNI_NONE: not taken */
+	int32_t node;               /* in the sparse system, CNI_NONE: not planned */
 	float nx, ny, dn, dt, fa, fb;
 	float static_friction, dynamic_friction;
 	float at[2], an[2], s0[2];
 	float mass[3];              /* nm of the points, tm */
 	float j[3];                 /* impulses */
-	float load[2];              /* of the points, as the lane had it */
+	float load[2];              /* of the points, as read from the lane */
 	float first[3];             /* impulses at the beginning of the step */
 	float start[3];             /* ... of the pass */
-	float room[3];              /* in this pass speeds must be at least -room */
+	float gap_speed[3];         /* in this pass the speed must be at least -gap_speed */
 	uint8_t state[3];           /* CNI_ROW_ */
-	uint8_t state_kept[3];      /* ... as the pass began */
-	uint8_t untouched;          /* 1: j is what the soft solver left in the last step */
+	uint8_t state_kept[3];      /* ... at the beginning of the pass */
+	uint8_t untouched;          /* 1: j is the soft solver's impulse of the last step */
 	uint8_t reserved;
-	float way;                  /* 1 or -1: where friction of a sliding contact points */
-	float coefficient, slope;   /* of direct/friction_cones.c, as what follows: of friction; of the sliding lever */
-	float lift;                 /* m/s: coefficient times the slip of the round before */
+	float slide_sign;           /* 1 or -1: direction of the friction of a sliding contact */
+	float coefficient, slope;   /* this and below: direct/friction_cones.c. Of friction; of the sliding lever */
+	float lift;                 /* m/s: coefficient times the slip of the last round */
 	float cross[4];             /* of the predictor: change of slack times change of multiplier */
 	float slack[4], dual[4];    /* normals, m sum - t, m sum + t; their multipliers, m/s */
 } cni_direct_contact;
@@ -63,7 +63,7 @@ static inline float cni_direct_contact_leak(const cni_direct_contact *p, int32_t
 {
 	return CNI_DIRECT_CONTACT_LEAK * p->j[row] / p->mass[row];
 }
-/* NULL: the node is a joint. */
+/* The contact of a node; NULL: the node is a joint. */
 static inline cni_direct_contact *cni_direct_contact_of(const cni_sparse *sparse, const cni_node *n)
 {
 	return n->owner < 0 ? &sparse->presses[-1 - n->owner] : NULL;
@@ -85,16 +85,16 @@ static inline void cni_direct_contact_push(const cni_direct_contact *p, int32_t 
 /* Separation of a point now. */
 float cni_direct_contact_separation(const cni_direct_contact *p, int32_t point, const cni_motion *a, const cni_motion *b);
 
-/* The touching contacts of an island, appended to presses; or that there are more than `room`, or one that cannot be
-   solved so. */
+/* Appends the touching contacts of an island. Returns their number, or that there are more than `room`, or that one is of an unsupported
+   kind. */
 enum { CNI_DIRECT_CONTACTS_MANY = -1, CNI_DIRECT_CONTACTS_KIND = -2 };
-int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, cni_direct_contact *presses, int32_t room);
-/* Takes the planned ones' impulses out of their lanes, and makes the lanes idle. */
-void cni_direct_contacts_take(cn_world *world, cni_sparse *sparse);
-/* Gives lanes back with the impulses as they are: those of one component, or of all. */
-void cni_direct_contacts_give_back(cn_world *world, cni_sparse *sparse, const cni_component *c);
-void cni_direct_contacts_give_back_all(cn_world *world, cni_sparse *sparse, float h);
-/* One pass over a component with presses. 0: no consistent set was found; impulses and velocities are as if no pass had been. */
+int32_t cni_direct_contacts_collect(const cn_world *world, int32_t island, cni_direct_contact *contacts, int32_t room);
+/* Takes the impulses of planned contacts out of their lanes and makes the lanes idle. */
+void cni_direct_contacts_extract(cn_world *world, cni_sparse *sparse);
+/* Writes contacts back to their lanes with the present impulses: those of one component, or all. */
+void cni_direct_contacts_restore(cn_world *world, cni_sparse *sparse, const cni_component *c);
+void cni_direct_contacts_restore_all(cn_world *world, cni_sparse *sparse, float h);
+/* One pass over a component with contacts. 0: no consistent set was found; impulses and velocities are as before the pass. */
 int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias);
 
 /* ---- a pass over a component ---- */
@@ -108,24 +108,24 @@ typedef struct cni_direct_contact_pass {
 	cni_island *island;
 	float speed_least;
 	int32_t bias;
-	int32_t warm;          /* 1: from the impulses of the last pass, not from none */
-	int32_t rounds;        /* most, of the search for a set */
-	int32_t kept;          /* 1: the kept set will do, if nothing better is found */
+	int32_t warm;          /* 1: starts from the impulses of the last pass, 0: from none */
+	int32_t rounds;        /* limit of the search for a set */
+	int32_t kept;          /* 1: the kept set is acceptable if nothing better is found */
 	float before;          /* twice the kinetic energy before the substep's impulses */
 } cni_direct_contact_pass;
 
-/* How fast the points must be at least, and friction that no point bears. */
-void cni_direct_contact_rooms_find(const cni_direct_contact_pass *q);
-void cni_direct_contact_impulses_forget(const cni_direct_contact_pass *q);
+/* Sets the least speeds of the points, and opens friction where no point is active. */
+void cni_direct_contact_gap_speeds_find(const cni_direct_contact_pass *q);
+void cni_direct_contact_impulses_clear(const cni_direct_contact_pass *q);
 void cni_direct_contact_round_begin(const cni_direct_contact_pass *q);
-/* States as they are, kept or put back. */
-void cni_direct_contact_states_keep(const cni_direct_contact_pass *q, int32_t back);
-/* The linear system of the set as it is. 0: no finite solution. */
+/* Saves the states (restore 0) or restores them (1). */
+void cni_direct_contact_states_save(const cni_direct_contact_pass *q, int32_t restore);
+/* Solves the linear system of the present set. 0: no finite solution. */
 int32_t cni_direct_contact_system_solve(const cni_direct_contact_pass *q);
-/* By the active set, from that of the pass before; `follow` takes few rounds. 0: none was found. */
+/* Searches for the active set from that of the last pass; set_follow takes few rounds. 0: none was found. */
 int32_t cni_direct_contact_set_find(const cni_direct_contact_pass *q);
 int32_t cni_direct_contact_set_follow(const cni_direct_contact_pass *q);
-/* By interior points, from presses' start and the impulses that nodes carry. 0: not solved; everything is left as it may be. */
+/* Interior-point method, from the contacts' `start` and the impulses in `carried`. 0: not solved; the state is then undefined. */
 int32_t cni_direct_contacts_cone(const cni_direct_contact_pass *pass, int32_t *out_factors);
 
 #endif

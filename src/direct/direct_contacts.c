@@ -1,13 +1,13 @@
 /*
- * direct/direct_contacts.c - directly solved contacts: a pass over an island, how it is solved and what is done with a solution.
+ * direct/direct_contacts.c - directly solved contacts: one pass over an island, the choice of method and the checks of its solution.
  *
- * Which rows hold is found by an active set (direct/contact_active_set.c). Where no set is found in ROUNDS, or something that was at
- * rest begins to move by it, an interior-point method is asked (direct/friction_cones.c). The passes after that go on from its
- * impulses instead of from none: where many impulses bear the same, those of least energy may pull. A solution that has gained
- * energy is not used at all: impulses of an inconsistent set can put it in without bound. The lanes are then given back to the
- * soft solver with the impulses and loads that they had, so that a pile is not disturbed by the attempt.
+ * An active-set method finds the active rows (direct/contact_active_set.c). Where it finds no set in ROUNDS, or where an island at rest begins to
+ * move by its solution, an interior-point method takes over (direct/friction_cones.c). The passes after that start from its impulses
+ * instead of from none: of several redundant sets of impulses, the one of least energy may have negative ones. A solution that gains energy
+ * is discarded: impulses of an inconsistent set can add it without bound. The contacts then return to the soft solver with the impulses and
+ * loads that they had, so that the attempt does not disturb a pile.
  *
- * Reads and writes lanes of contact blocks, motion velocities, joint works' impulses.
+ * Reads and writes lanes of contact blocks, motion velocities, impulses of joint constraints.
  */
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
@@ -22,7 +22,7 @@
 #define SOFT_STRESS 100.0f     /* own weights */
 #define SPEED_LEAST 1e-4f      /* length units a second that are no motion */
 
-/* ---- impulses and velocities: taken, kept, put back ---- */
+/* ---- impulses and velocities: committed, saved, restored ---- */
 
 static void commit(const cni_direct_contact_pass *q)
 {
@@ -40,25 +40,25 @@ static void commit(const cni_direct_contact_pass *q)
 	}
 }
 
-/* Impulses and velocities as a pass found them, kept or put back. */
-static void all_keep(const cni_direct_contact_pass *q, int32_t back)
+/* Saves impulses and velocities at the beginning of a pass (restore 0), or restores them (1). */
+static void state_save(const cni_direct_contact_pass *q, int32_t restore)
 {
 	int32_t k, i;
-	cni_direct_motions_keep(q->world, q->sparse, q->c, back);
+	cni_direct_motions_save(q->world, q->sparse, q->c, restore);
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_node *n = &q->sparse->nodes[k];
 		cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
 		cni_row *rows = p == NULL ? cni_joint_constraints(q->world)[n->owner].rows : NULL;
 		for (i = 0; i < n->rows; ++i) {
 			float *impulse = p != NULL ? &p->j[i] : &rows[i].impulse;
-			*(back ? impulse : &n->carried[i]) = back ? n->carried[i] : *impulse;
+			*(restore ? impulse : &n->carried[i]) = restore ? n->carried[i] : *impulse;
 		}
 	}
 }
 
-/* Of the impulses of a contact: what gives the lighter body as much speed as SOFT_STRESS of its weights. More is crushed by the soft
-   solver whatever it begins with, and throws what is light when the contacts on both sides of it do not cancel any more. */
-static float part_that_soft_bears(const cni_direct_contact_pass *q, const cni_direct_contact *p, const cni_node *n)
+/* Part of a contact's impulses that gives the lighter body at most the speed of SOFT_STRESS of its weights. The soft solver crushes such a
+   body from any start, and throws a light body when the contacts on both sides of it do not cancel any more. */
+static float soft_part(const cni_direct_contact_pass *q, const cni_direct_contact *p, const cni_node *n)
 {
 	float speed = (p->first[0] + p->first[1]) * cni_max(q->motions[n->ia].inv_mass, q->motions[n->ib].inv_mass);
 	float most = SOFT_STRESS * cni_length(q->world->settings.gravity) * q->s->h;
@@ -66,17 +66,17 @@ static float part_that_soft_bears(const cni_direct_contact_pass *q, const cni_di
 }
 
 /*
- * No set was found: the soft solver goes on as if nothing had been, from the velocities that the substep began with and the impulses
- * that the step began with. An exact solution sends a blow, or what pushes apart, through whatever is in its way: a body of a kilogram
- * between two of a ton has the impulses of both, which cancel to a thousandth. A soft solver that began with them would throw it.
+ * No set was found: the soft solver continues from the velocities at the beginning of the substep and the impulses at the beginning of the
+ * step. An exact solution sends an impact or a push through everything in its way: a body of a kilogram between two of a ton has the
+ * impulses of both, which cancel to a thousandth. A soft solver that started from them would throw it.
  */
-static void all_put_back(const cni_direct_contact_pass *q)
+static void soft_state_restore(const cni_direct_contact_pass *q)
 {
 	int32_t k, i, all = q->c->joints == 0;
 	if (all)
-		cni_direct_contact_impulses_forget(q);
+		cni_direct_contact_impulses_clear(q);
 	else
-		all_keep(q, 1);
+		state_save(q, 1);
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
 		cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
@@ -84,7 +84,7 @@ static void all_put_back(const cni_direct_contact_pass *q)
 		if (p == NULL || !(all || p->untouched))
 			continue;
 		p->untouched = 1;
-		part = q->s->warm_scale * part_that_soft_bears(q, p, n);
+		part = q->s->warm_scale * soft_part(q, p, n);
 		for (i = 0; i < 3; ++i) {
 			p->j[i] = part * p->first[i];
 			if (i < 2)
@@ -94,13 +94,13 @@ static void all_put_back(const cni_direct_contact_pass *q)
 	}
 }
 
-/* Was nothing pushed? The speeds are then closed already, and arms that turn are those of joints alone. */
-static int32_t is_calm(const cni_direct_contact_pass *q)
+/* 1: no contact was pushed. The speeds are then closed already, and only the lever arms of joints turn. */
+static int32_t nothing_was_pushed(const cni_direct_contact_pass *q)
 {
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
-		if (p == NULL || p->room[0] < -q->speed_least || p->room[1] < -q->speed_least)
+		if (p == NULL || p->gap_speed[0] < -q->speed_least || p->gap_speed[1] < -q->speed_least)
 			return 0;
 	}
 	return 1;
@@ -113,7 +113,7 @@ static float energy_at(const cni_motion *m, float vx, float vy, float w)
 	return (m->inv_mass > 0.0f ? (vx * vx + vy * vy) / m->inv_mass : 0.0f) + (m->inv_inertia > 0.0f ? w * w / m->inv_inertia : 0.0f);
 }
 
-/* Twice the kinetic energy of its bodies. */
+/* Twice the kinetic energy of the component's bodies. */
 static float energy_of(const cni_direct_contact_pass *q)
 {
 	float sum = 0.0f;
@@ -125,7 +125,7 @@ static float energy_of(const cni_direct_contact_pass *q)
 	return sum;
 }
 
-/* ... as the substep began, after the drive and before any impulse. */
+/* ... at the beginning of the substep, after external accelerations and before any impulse. */
 static float energy_of_start(const cni_direct_contact_pass *q)
 {
 	float sum = 0.0f;
@@ -137,7 +137,7 @@ static float energy_of_start(const cni_direct_contact_pass *q)
 	return sum;
 }
 
-/* Twice the energy beyond which it does not rest: that of all of it at STILL_SPEED. A part may move on what stands. */
+/* Twice the kinetic energy of all of it at STILL_SPEED: with less it is at rest. A part may move on a standing island. */
 static float energy_of_rest(const cni_direct_contact_pass *q)
 {
 	float mass = 0.0f, speed = STILL_SPEED * q->world->settings.length_unit;
@@ -149,8 +149,8 @@ static float energy_of_rest(const cni_direct_contact_pass *q)
 	return mass * speed * speed;
 }
 
-/* Did it move as the step began? */
-static int32_t moved(const cni_direct_contact_pass *q)
+/* 1: it moved at the beginning of the step. */
+static int32_t was_moving(const cni_direct_contact_pass *q)
 {
 	float sum = 0.0f;
 	int32_t k;
@@ -161,7 +161,7 @@ static int32_t moved(const cni_direct_contact_pass *q)
 	return sum > energy_of_rest(q);
 }
 
-/* Twice the work of pushing apart what overlaps. */
+/* Twice the work of pushing overlaps apart. */
 static float push_work(const cni_direct_contact_pass *q)
 {
 	float sum = 0.0f;
@@ -169,23 +169,23 @@ static float push_work(const cni_direct_contact_pass *q)
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
 		for (i = 0; p != NULL && i < 2; ++i)
-			sum += 2.0f * p->j[i] * cni_max(-p->room[i], 0.0f);
+			sum += 2.0f * p->j[i] * cni_max(-p->gap_speed[i], 0.0f);
 	}
 	return sum;
 }
 
 /*
- * With speeds w after and v before the impulses l, and room that speeds must be beyond -room, the energy grows by
- * l.(w + v) / 2 <= l.w <= -l.room: no more than by pushing apart. The relaxing pass takes the pushing out: with all impulses of
- * the substep, what is left is no more than it began with. Joints and what is carried along may do more.
+ * With speeds w after and v before the impulses l, and speeds bounded below by -g (gap_speed), the energy grows by
+ * l.(w + v) / 2 <= l.w <= -l.g: no more than the work of pushing apart. The relax pass removes the push: with all impulses of the
+ * substep, the energy is then no more than at its beginning. Joints and bodies carried along may add more.
  */
 static int32_t energy_fits(const cni_direct_contact_pass *q)
 {
 	return q->c->joints > 0 || energy_of(q) <= (1.0f + ENERGY_CLOSE) * q->before + push_work(q);
 }
 
-/* Sliding friction is of the impulses that a pass has, not of those of a set that was no solution. */
-static void impulses_put_back(const cni_direct_contact_pass *q)
+/* Restores the impulses of the pass, for sliding friction: those of a set that was no solution do not count. */
+static void impulses_restore(const cni_direct_contact_pass *q)
 {
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
@@ -196,12 +196,12 @@ static void impulses_put_back(const cni_direct_contact_pass *q)
 	}
 }
 
-/* The set that was kept, consistent or not: a projection, which takes energy out and puts none in, unless friction that slides is
-   far from what its contact bears. */
+/* Solves with the kept set, consistent or not. That is a projection, which removes energy and adds none, unless sliding friction is far
+   from its normal impulse. */
 static int32_t solve_with_kept_set(const cni_direct_contact_pass *q)
 {
-	cni_direct_contact_states_keep(q, 1);
-	impulses_put_back(q);
+	cni_direct_contact_states_save(q, 1);
+	impulses_restore(q);
 	cni_direct_contact_round_begin(q);
 	if (!cni_direct_contact_system_solve(q) || !energy_fits(q))
 		return 0;
@@ -209,10 +209,10 @@ static int32_t solve_with_kept_set(const cni_direct_contact_pass *q)
 	return 1;
 }
 
-/* ---- does it begin to move? ---- */
+/* ---- onset of motion ---- */
 
-/* Does it open where it touches, or slide? */
-static int32_t press_gives_way(const cni_direct_contact_pass *q, const cni_direct_contact *p, const cni_node *n)
+/* 1: the contact opens where it touches, or slides. */
+static int32_t contact_starts_moving(const cni_direct_contact_pass *q, const cni_direct_contact *p, const cni_node *n)
 {
 	const cni_motion *a = q->motions + n->ia, *b = q->motions + n->ib;
 	float most = PARTING * q->speed_least;
@@ -222,19 +222,19 @@ static int32_t press_gives_way(const cni_direct_contact_pass *q, const cni_direc
 		return 1;
 	for (i = 0; i < 2; ++i) {
 		l = cni_direct_contact_lever(p, i);
-		if (p->state[i] == CNI_ROW_OPEN && p->mass[i] > 0.0f && p->room[i] < most && cni_lever_speed(&l, a, b) > most)
+		if (p->state[i] == CNI_ROW_OPEN && p->mass[i] > 0.0f && p->gap_speed[i] < most && cni_lever_speed(&l, a, b) > most)
 			return 1;
 	}
 	return 0;
 }
 
-static int32_t gives_way(const cni_direct_contact_pass *q)
+static int32_t starts_moving(const cni_direct_contact_pass *q)
 {
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		const cni_node *n = &q->sparse->nodes[k];
 		const cni_direct_contact *p = cni_direct_contact_of(q->sparse, n);
-		if (p != NULL && press_gives_way(q, p, n))
+		if (p != NULL && contact_starts_moving(q, p, n))
 			return 1;
 	}
 	return 0;
@@ -245,9 +245,9 @@ static int32_t is_recent(const cni_direct_contact_pass *q, uint32_t step)
 	return step != 0 && q->world->step_count + 1u - step < 2u;
 }
 
-/* ---- how it is solved ---- */
+/* ---- choice of method ---- */
 
-/* What the cones may cost in a pass. */
+/* Most work of the interior-point method in a pass. */
 static int32_t cone_cost(const cni_direct_contact_pass *q)
 {
 	return CNI_CONE_FACTORS * cni_cone_factor_work(q->c);
@@ -259,22 +259,22 @@ static int32_t is_large(const cni_direct_contact_pass *q)
 }
 
 /*
- * Friction may both hold a thing and let it go, as it may a heap of balls: whoever follows the set of the pass before may find
- * either. What was at rest and begins to move is asked once more, for the motion of least energy.
+ * Friction may both hold a body and let it go, for example in a heap of balls: following the set of the last pass may find either. When a
+ * body at rest begins to move, the interior-point method decides: it finds the motion of least energy.
  */
 static int32_t set_solve(cni_direct_contact_pass *q)
 {
 	if (!(q->warm ? cni_direct_contact_set_follow(q) : cni_direct_contact_set_find(q)) || !energy_fits(q))
 		return 0;
-	if (q->bias && !is_recent(q, q->island->gives_step) && gives_way(q) && !moved(q)) {
-		cni_direct_contact_states_keep(q, 0);
+	if (q->bias && !is_recent(q, q->island->gives_step) && starts_moving(q) && !was_moving(q)) {
+		cni_direct_contact_states_save(q, 0);
 		q->kept = 1;
 		return 0;
 	}
 	return 1;
 }
 
-/* What the island has spent, a contact, less what has been paid back. */
+/* Interior-point work that the island has spent, a contact, less its refill since. */
 static int32_t cone_debt(const cni_direct_contact_pass *q)
 {
 	uint32_t passed = q->world->step_count - q->island->cone_paid_step;
@@ -282,11 +282,11 @@ static int32_t cone_debt(const cni_direct_contact_pass *q)
 	return passed <= (uint32_t)(spent / CNI_CONE_REFILL) ? spent - (int32_t)passed * CNI_CONE_REFILL : 0;
 }
 
-/* May it be asked? Who is asked once in a step may be in all of its substeps, as long as the island can pay. */
-static int32_t cone_may_be_asked(const cni_direct_contact_pass *q)
+/* 1: the interior-point method may run. Once admitted in a step it may run in all substeps, as long as the island's debt allows. */
+static int32_t cone_is_admitted(const cni_direct_contact_pass *q)
 {
 	if (q->world->settings.solver == CN_SOLVER_AUTO) {
-		if (moved(q) || cone_debt(q) > CNI_CONE_DEBT)
+		if (was_moving(q) || cone_debt(q) > CNI_CONE_DEBT)
 			return 0;
 		if (!q->c->coned && q->world->cone_work + cone_cost(q) > CNI_CONE_WORK)
 			return 0;
@@ -302,11 +302,11 @@ static void cone_pay(const cni_direct_contact_pass *q, int32_t factors)
 	q->island->cone_paid_step = q->world->step_count;
 }
 
-/* The passes to come go on from its impulses: to begin with none would find others that bear the same, and pull. */
+/* The next passes start from its impulses: starting from none would find redundant ones, some of them negative. */
 static int32_t cone_solve(cni_direct_contact_pass *q)
 {
 	int32_t factors, good;
-	if (!CNI_ON(CONES) || !cone_may_be_asked(q))
+	if (!CNI_ON(CONES) || !cone_is_admitted(q))
 		return 0;
 	q->warm = 0;
 	cni_direct_contact_round_begin(q);
@@ -318,17 +318,17 @@ static int32_t cone_solve(cni_direct_contact_pass *q)
 	return 1;
 }
 
-static void found(const cni_direct_contact_pass *q)
+static void solution_accept(const cni_direct_contact_pass *q)
 {
 	uint32_t step = q->world->step_count + 1u;
 	if (q->warm)
 		q->island->cone_step = step;
-	if (q->bias && q->island->gives_step != step && gives_way(q)) {
+	if (q->bias && q->island->gives_step != step && starts_moving(q)) {
 		q->island->falls_steps = energy_of(q) > energy_of_rest(q) && is_recent(q, q->island->gives_step) ? q->island->falls_steps + 1 : 0;
 		q->island->gives_step = step;
 	}
 	commit(q);
-	q->c->calm = q->bias && is_calm(q);
+	q->c->calm = q->bias && nothing_was_pushed(q);
 }
 
 int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
@@ -337,20 +337,20 @@ int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_spars
 	if (!bias && c->calm)
 		return 1;
 	q.island = cni_island_at(world, cni_awake_island(world, sparse->bodies[c->body_begin]));
-	all_keep(&q, 0);
+	state_save(&q, 0);
 	cni_direct_contact_round_begin(&q);
 	q.before = energy_of_start(&q);
 	q.warm = is_recent(&q, q.island->cone_step);
-	if (is_large(&q) && !moved(&q))
+	if (is_large(&q) && !was_moving(&q))
 		q.rounds = ROUNDS_LARGE;
-	cni_direct_contact_rooms_find(&q);
-	cni_direct_contact_states_keep(&q, 0);
+	cni_direct_contact_gap_speeds_find(&q);
+	cni_direct_contact_states_save(&q, 0);
 	if (set_solve(&q) || cone_solve(&q)) {
-		found(&q);
+		solution_accept(&q);
 		return 1;
 	}
 	if (q.kept && solve_with_kept_set(&q))
 		return 1;
-	all_put_back(&q);
+	soft_state_restore(&q);
 	return 0;
 }

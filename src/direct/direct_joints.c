@@ -1,13 +1,13 @@
 /*
- * direct/direct_joints.c - rigid rows of connected joints solved together, exactly (linear/sparse.h): the components that
- * direct/direct_plan.c found, from their levers to impulses.
+ * direct/direct_joints.c - solves the rigid rows of connected joints together, exactly (linear/sparse.h): the components of
+ * direct/direct_plan.c, from their levers to impulses.
  *
- * What is not in them, and springs, motors and limits, are solved row by row in joints/joint_solve.c,
- * before; contacts come after, so joints and contacts alternate, where they disagree more than once: direct/joint_projection.c.
+ * Joints outside of the components, and springs, motors and limits, are solved row by row in joints/joint_solve.c before. Contacts come
+ * after. Where joints and contacts disagree, they alternate more than once: direct/joint_projection.c.
  *
- * Loops of pins and rods that touch something are the soft solver's, unless one of their joints asks for CN_SOLVER_DIRECT.
+ * Loops of pins and rods that touch something are left to the soft solver, unless one of their joints asks for CN_SOLVER_DIRECT.
  *
- * Reads works, motion and inverse masses; writes works' flags and their rigid rows' impulses, motion velocities.
+ * Reads joint constraints, motion and inverse masses; writes flags and rigid rows' impulses of joint constraints, motion velocities.
  */
 #include "direct/direct.h"
 #include "direct/direct_contact.h"
@@ -22,8 +22,8 @@
 
 /* ---- components ---- */
 
-/* Nothing is solved directly after all. */
-static void works_release(cn_world *world)
+/* Returns all joints to the soft solver. */
+static void joints_release(cn_world *world)
 {
 	int32_t k;
 	for (k = 0; k < world->awake_joints.count; ++k)
@@ -32,7 +32,7 @@ static void works_release(cn_world *world)
 
 /* ---- the step ---- */
 
-static int32_t component_has_presses(const cni_sparse *sparse, const cni_component *c)
+static int32_t component_has_contacts(const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k)
@@ -41,7 +41,7 @@ static int32_t component_has_presses(const cni_sparse *sparse, const cni_compone
 	return 0;
 }
 
-/* In a step, in the units of work_budget. */
+/* Work of a step, in the units of work_budget. */
 static int32_t work_planned(const cn_world *world, const cni_sparse *sparse)
 {
 	int64_t work = 0;
@@ -54,18 +54,18 @@ static int32_t work_planned(const cn_world *world, const cni_sparse *sparse)
 	return work < INT32_MAX ? (int32_t)work : INT32_MAX;
 }
 
-/* Does some joint of it ask to be solved directly? Of components with several bodies. */
-static int32_t is_asked_for(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+/* 1: a joint of the component's island asks for the direct solver. For components with several bodies. */
+static int32_t is_requested(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t island = cni_awake_island(world, sparse->bodies[c->body_begin]);
 	return island != CNI_NONE && cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
 }
 
 /*
- * A loop of pins or rods, such as a bridge between two walls, may be so straight that no force can hold it: what is rigid
- * explodes there when contacts load it. Trees have no such places, nor have loops by gears. Contacts come and go: a loop that
- * closed its joints whenever what lies on it bounces would throw it. So it stays soft as long as joints remember anything: of
- * 80 seeds of the family `bridge` 8 are worse than soft constraints with 32 steps, 3 with 128, 2 with 256.
+ * A loop of pins or rods, such as a bridge between two walls, may be so straight that no force can hold it: rigid joints explode there when
+ * contacts load it. Trees have no such configurations, nor have loops with gears. Contacts come and go: a loop that closed its joints
+ * whenever a body on it bounces would throw the body. So the loop stays soft for the longest span of a trust: of 80 seeds of the family
+ * `bridge` 8 are worse than soft constraints with 32 steps, 3 with 128, 2 with 256.
  */
 static int32_t is_loop_of_pins_and_rods(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
@@ -89,7 +89,7 @@ static int32_t is_touched(const cn_world *world, const cni_sparse *sparse, const
 
 static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
-	return CNI_ON(SOFT_LOOPS) && is_loop_of_pins_and_rods(world, sparse, c) && !is_asked_for(world, sparse, c) && is_touched(world, sparse, c);
+	return CNI_ON(SOFT_LOOPS) && is_loop_of_pins_and_rods(world, sparse, c) && !is_requested(world, sparse, c) && is_touched(world, sparse, c);
 }
 
 /* One joint to the world. */
@@ -102,10 +102,10 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 {
 	int32_t k, far = cni_joints_are_far(world);
 	memset(out, 0, sizeof *out);
-	if ((world->awake_joints.count == 0 && world->direct_islands.count == 0) || world->settings.solver == CN_SOLVER_SOFT || cni_joint_lanes_tell(world))
+	if ((world->awake_joints.count == 0 && world->direct_islands.count == 0) || world->settings.solver == CN_SOLVER_SOFT || cni_joint_lanes_need_no_plan(world))
 		return;
 	if (!cni_direct_plan(world, s, out)) {
-		works_release(world);
+		joints_release(world);
 		world->direct_failed = 1;
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
 		return;
@@ -114,7 +114,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		return;
 	s->direct = out;
 	for (k = 0; k < out->component_count; ++k) {
-		out->components[k].presses = component_has_presses(out, &out->components[k]);
+		out->components[k].presses = component_has_contacts(out, &out->components[k]);
 		out->components[k].coned = 0;
 	}
 	for (k = 0; k < out->component_count; ++k) {
@@ -124,7 +124,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		c->regular = c->presses ? REGULAR : c->loops ? REGULAR_LOOPS : 0.0f;
 		c->swings = CNI_ON(SWINGS) && !c->presses && cni_component_uses_rattle(world, s, out, c);
 		if (loop_is_better_soft(world, out, c))
-			cni_component_leave(world, out, c, CNI_TRUST_MOST);
+			cni_component_suspend(world, out, c, CNI_TRUST_MOST);
 		else if (c->body_begin == c->body_end || is_better_alone(c))
 			cni_component_release(world, out, c);
 		else if (c->swings)
@@ -135,7 +135,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		}
 	}
 	cni_tree_batches_make(world, s, out);
-	cni_direct_contacts_take(world, out);
+	cni_direct_contacts_extract(world, out);
 	if (CNI_ON(CLOSE))
 		cni_projection_mark(world, out);
 	world->direct_work = work_planned(world, out);
@@ -143,11 +143,11 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 
 /* ---- impulses ---- */
 
-/* No consistent set of contacts: they are the soft solver's until the step ends, the joints go on alone. */
-static void component_release(cn_world *world, cni_sparse *sparse, cni_component *c)
+/* No consistent set of contacts was found: contacts are soft until the step ends, and the joints are solved directly without them. */
+static void contacts_release(cn_world *world, cni_sparse *sparse, cni_component *c)
 {
 	int32_t k, i;
-	cni_direct_contacts_give_back(world, sparse, c);
+	cni_direct_contacts_restore(world, sparse, c);
 	for (k = c->begin; k < c->end; ++k)
 		for (i = 0; sparse->nodes[k].owner < 0 && i < CNI_NODE_ROWS; ++i) {
 			memset(&sparse->nodes[k].lever[i], 0, sizeof sparse->nodes[k].lever[i]);
@@ -160,18 +160,18 @@ static void component_release(cn_world *world, cni_sparse *sparse, cni_component
 		cni_island_refuse(world, cni_awake_island(world, sparse->bodies[c->body_begin]), CN_TIER_REASON_NO_SET);
 }
 
-/* ---- solutions that are checked ---- */
+/* ---- one pass ---- */
 
 static void joints_solve(cn_world *world, const cni_solve *s, cni_component *c, int32_t bias)
 {
-	cni_direct_sides(world, s, c, bias);
-	cni_direct_answer(world, s, c);
+	cni_direct_right_sides(world, s, c, bias);
+	cni_component_solve(world, s, c);
 }
 
-/* The same levers at the new positions. */
-static void component_turn(cn_world *world, const cni_solve *s, cni_component *c)
+/* The system at the new rotations. */
+static void component_refresh(cn_world *world, const cni_solve *s, cni_component *c)
 {
-	cni_direct_turns(world, s->direct, c);
+	cni_direct_rotations(world, s->direct, c);
 	cni_direct_system(world, s, s->direct, c);
 }
 
@@ -196,9 +196,9 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 		if (c->done || c->batches)
 			continue;
 		if (!bias && c->joints > 0)
-			component_turn(world, s, c);
+			component_refresh(world, s, c);
 		if (c->presses && !cni_direct_contacts_solve(world, s, s->direct, c, bias))
-			component_release(world, s->direct, c);
+			contacts_release(world, s->direct, c);
 		if (!c->presses)
 			joints_solve(world, s, c, bias);
 		if (bias && !c->presses && !c->done && !c->active && c->kind == CNI_NONE && cni_geometric_stiffness_lock(world, s->direct, c, s->h)) {
@@ -211,7 +211,7 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 void cni_direct_store(cn_world *world, const cni_solve *s)
 {
 	if (s->direct != NULL)
-		cni_direct_contacts_give_back_all(world, s->direct, s->h);
+		cni_direct_contacts_restore_all(world, s->direct, s->h);
 }
 
 uint64_t cni_direct_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies)

@@ -1,14 +1,15 @@
 /*
- * direct/direct_plan.c - what is solved directly in a step, as links of linear/sparse.h, and the scratch that takes.
+ * direct/direct_plan.c - plans the direct solver's components of a step as links of linear/sparse.h, and bounds its scratch memory.
  *
- * Joints with rigid rows that nothing bounds or softens are nodes; those that share bodies make components.
- * CN_SOLVER_AUTO takes trees and components with few loops, whose factorization costs about what a pass over their joints
- * does; large nets stay soft. CN_SOLVER_DIRECT takes all. Contacts are those of the islands that direct/solver_selection.c chose.
+ * Joints with rigid rows that nothing bounds or softens are nodes; those that share bodies form components. CN_SOLVER_AUTO takes trees and
+ * components with few loops, whose factorization costs about as much as a pass over their joints; large nets stay soft. CN_SOLVER_DIRECT
+ * takes all. Contacts are those of the islands that direct/solver_selection.c chose.
  *
- * What is beyond the limits of work is not planned: joints are then the soft solver's, and an island whose contacts are
- * not in the plan is refused; what is left is planned once more without them.
+ * Links beyond the limits of work are not planned: such joints are soft, and an island with unplanned contacts is refused; the rest is
+ * planned once more without it.
  *
- * Reads works, motion and the tiers of islands; writes works' flags, refused islands, and the plans that the world keeps.
+ * Reads joint constraints, motion and the tiers of islands; writes flags of joint constraints, refused islands, and the plans that the
+ * world keeps.
  */
 #include "direct/direct.h"
 #include "direct/direct_contact.h"
@@ -16,8 +17,8 @@
 
 /* ---- limits, memory ---- */
 
-/* Most work of a system for each contact of it. */
-static int32_t press_work(int32_t solver)
+/* Most work of a system, for each of its contacts. */
+static int32_t contact_work(int32_t solver)
 {
 	return solver == CN_SOLVER_DIRECT ? 2000 : CNI_DIRECT_CONTACT_WORK;
 }
@@ -31,32 +32,32 @@ static int32_t joint_work(int32_t solver)
 	return solver == CN_SOLVER_DIRECT ? JOINT_WORK_DIRECT : JOINT_WORK;
 }
 
-static int32_t presses_of(int32_t solver, int32_t contacts)
+static int32_t contacts_taken(int32_t solver, int32_t contacts)
 {
 	return solver == CN_SOLVER_DIRECT ? contacts : cni_min_i(contacts, CNI_DIRECT_CONTACT_MOST);
 }
 
-static int64_t work_of(int32_t solver, int32_t joints, int32_t presses)
+static int64_t work_of(int32_t solver, int32_t joints, int32_t contacts)
 {
-	return (int64_t)joints * joint_work(solver) + (int64_t)presses * press_work(solver);
+	return (int64_t)joints * joint_work(solver) + (int64_t)contacts * contact_work(solver);
 }
 
 uint64_t cni_direct_kept_bytes(int32_t solver, int32_t joints, int32_t contacts)
 {
-	int32_t presses = presses_of(solver, contacts);
-	if (joints + presses == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
+	int32_t taken = contacts_taken(solver, contacts);
+	if (joints + taken == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
-	return cni_sparse_kept_bytes(joints + presses, work_of(solver, joints, presses)) + CNI_KEPT_BYTES;
+	return cni_sparse_kept_bytes(joints + taken, work_of(solver, joints, taken)) + CNI_KEPT_BYTES;
 }
 
 uint64_t cni_direct_plan_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies)
 {
-	int32_t presses = presses_of(solver, contacts), links = joints + presses;
-	int64_t work = work_of(solver, joints, presses);
+	int32_t taken = contacts_taken(solver, contacts), links = joints + taken;
+	int64_t work = work_of(solver, joints, taken);
 	uint64_t joint = 1 + sizeof(float) * CNI_NODE_ROWS, link = sizeof(cni_link) + 2 * sizeof(cni_motion) + sizeof(cni_projection) + 1;
 	if (links == 0 || solver == CN_SOLVER_SOFT || solver == CN_SOLVER_SEQUENTIAL)
 		return 0;
-	return joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_direct_contact) * (uint64_t)presses +
+	return joint * (uint64_t)joints + link * (uint64_t)links + sizeof(cni_direct_contact) * (uint64_t)taken +
 	       2 * sizeof(int32_t) * (uint64_t)contacts + (sizeof(float) + sizeof(cni_rot) + sizeof(int32_t)) * (uint64_t)(bodies + 1) + 832 + cni_sparse_bytes(links, bodies + 1, work);
 }
 
@@ -67,23 +68,23 @@ static int32_t body_is_locked(const cn_world *world, int32_t index)
 	return (cni_externals(world)[index].flags & (CNI_EXTERNAL_LOCK_X | CNI_EXTERNAL_LOCK_Y)) != 0;
 }
 
-/* May what asks for it take as much as CN_SOLVER_DIRECT? A world in a caller's block has scratch memory for its own solver only. */
-static int32_t may_take_most(const cn_world *world)
+/* 1: single islands may take as much work as CN_SOLVER_DIRECT. A world in a caller's block has scratch memory for its own solver only. */
+static int32_t full_work_is_allowed(const cn_world *world)
 {
 	return world->settings.solver == CN_SOLVER_DIRECT || !world->memory.fixed;
 }
 
-/* Worlds in which no joint ever had a solver of its own do not look. */
+/* The flag `overridden` skips this test in worlds in which no joint ever had a solver of its own. */
 static int32_t joint_stays_soft(const cn_world *world, const cni_joint_constraint *w)
 {
 	return world->overridden && w->record->solver == CN_SOLVER_SOFT;
 }
 
-/* Does some joint of its island ask for all that CN_SOLVER_DIRECT allows? */
-static int32_t joint_may_take_most(const cn_world *world, const cni_joint_constraint *w)
+/* 1: a joint of its island asks for the limits of CN_SOLVER_DIRECT. */
+static int32_t joint_has_full_work(const cn_world *world, const cni_joint_constraint *w)
 {
 	int32_t island;
-	if (!world->overridden || !may_take_most(world))
+	if (!world->overridden || !full_work_is_allowed(world))
 		return 0;
 	island = cni_joint_island(world, w->ia, w->ib);
 	return island == CNI_NONE ? w->record->solver == CN_SOLVER_DIRECT : cni_island_at(world, island)->joints_solver == CN_SOLVER_DIRECT;
@@ -94,7 +95,7 @@ static int32_t is_left_soft(const cn_world *world, const cni_joint_constraint *w
 	return world->joints_soft_step > world->step_count && w->record->trust.soft && w->record->trust.until > world->step_count;
 }
 
-static int32_t work_is_eligible(const cn_world *world, const cni_joint_constraint *w)
+static int32_t constraint_is_eligible(const cn_world *world, const cni_joint_constraint *w)
 {
 	if (!CNI_ON(DIRECT_JOINTS) || joint_stays_soft(world, w))
 		return 0;
@@ -108,13 +109,13 @@ static int32_t joint_links_collect(const cn_world *world, cni_link *links)
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		const cni_joint_constraint *w = cni_joint_constraints(world) + k;
 		cni_link *link = &links[count];
-		if (!work_is_eligible(world, w))
+		if (!constraint_is_eligible(world, w))
 			continue;
 		link->ia = w->ia;
 		link->ib = w->ib;
 		link->owner = k;
 		link->rows = w->rigid_count;
-		link->work_most = joint_may_take_most(world, w) ? JOINT_WORK_DIRECT : joint_work(world->settings.solver);
+		link->work_most = joint_has_full_work(world, w) ? JOINT_WORK_DIRECT : joint_work(world->settings.solver);
 		++count;
 	}
 	return count;
@@ -122,14 +123,14 @@ static int32_t joint_links_collect(const cn_world *world, cni_link *links)
 
 /* ---- contacts ---- */
 
-/* Contacts of the islands that are solved directly; an island that has too many, or of the wrong kind, is refused. */
-static void presses_collect(cn_world *world, cni_direct_contact *presses, int32_t room, cni_sparse *out)
+/* Collects the contacts of directly solved islands; refuses islands with too many contacts or with an unsupported kind. */
+static void contacts_collect(cn_world *world, cni_direct_contact *contacts, int32_t room, cni_sparse *out)
 {
 	const int32_t *islands = (const int32_t *)world->direct_islands.data;
 	int32_t k;
-	out->presses = presses;
+	out->presses = contacts;
 	for (k = 0; k < world->direct_islands.count; ++k) {
-		int32_t count = cni_direct_contacts_collect(world, islands[k], presses + out->press_count, room - out->press_count);
+		int32_t count = cni_direct_contacts_collect(world, islands[k], contacts + out->press_count, room - out->press_count);
 		if (count < 0)
 			cni_island_refuse(world, islands[k], count == CNI_DIRECT_CONTACTS_MANY ? CN_TIER_REASON_CROWDED : CN_TIER_REASON_KIND);
 		else
@@ -142,13 +143,13 @@ static int32_t island_of(const cn_world *world, const cni_link *link)
 	return cni_joint_island(world, link->ia, link->ib);
 }
 
-static int32_t press_link_work(const cn_world *world, const cni_link *link)
+static int32_t contact_link_work(const cn_world *world, const cni_link *link)
 {
-	int32_t most = world->overridden && may_take_most(world) && cni_island_at(world, island_of(world, link))->solver == CN_SOLVER_DIRECT;
-	return press_work(most ? CN_SOLVER_DIRECT : world->settings.solver);
+	int32_t most = world->overridden && full_work_is_allowed(world) && cni_island_at(world, island_of(world, link))->solver == CN_SOLVER_DIRECT;
+	return contact_work(most ? CN_SOLVER_DIRECT : world->settings.solver);
 }
 
-static int32_t press_links_collect(const cn_world *world, const cni_sparse *sparse, cni_link *links)
+static int32_t contact_links_collect(const cn_world *world, const cni_sparse *sparse, cni_link *links)
 {
 	int32_t k;
 	for (k = 0; k < sparse->press_count; ++k) {
@@ -158,14 +159,14 @@ static int32_t press_links_collect(const cn_world *world, const cni_sparse *spar
 		link->ib = cni_block_at(world, p->block)->ib[p->lane];
 		link->owner = -1 - k;
 		link->rows = 3;
-		link->work_most = press_link_work(world, link);
+		link->work_most = contact_link_work(world, link);
 	}
 	return sparse->press_count;
 }
 
-/* ---- what is planned, and what is not ---- */
+/* ---- planned and unplanned links ---- */
 
-/* Refuses the islands whose contacts are not in the plan. Returns how many links of them there are. */
+/* Refuses islands with unplanned contacts. Returns the number of unplanned contact links. */
 static int32_t islands_refuse(cn_world *world, const cni_link *links, int32_t count, const uint8_t *planned)
 {
 	int32_t k, refused = 0;
@@ -178,8 +179,8 @@ static int32_t islands_refuse(cn_world *world, const cni_link *links, int32_t co
 	return refused;
 }
 
-/* Takes out the contacts of refused islands, so that their joints can be planned without them. */
-static int32_t links_keep(const cn_world *world, cni_link *links, int32_t count)
+/* Removes the contacts of refused islands, so that their joints can be planned without them. */
+static int32_t links_filter(const cn_world *world, cni_link *links, int32_t count)
 {
 	int32_t k, kept = 0;
 	for (k = 0; k < count; ++k)
@@ -188,8 +189,8 @@ static int32_t links_keep(const cn_world *world, cni_link *links, int32_t count)
 	return kept;
 }
 
-/* Who is in the plan knows it. */
-static void owners_tell(cn_world *world, const cni_solve *s, const cni_link *links, int32_t count, const uint8_t *planned, cni_sparse *out)
+/* Flags the joint constraints in the plan and stores the nodes of the contacts. */
+static void owners_mark(cn_world *world, const cni_solve *s, const cni_link *links, int32_t count, const uint8_t *planned, cni_sparse *out)
 {
 	int32_t k;
 	for (k = 0; k < count; ++k)
@@ -204,23 +205,23 @@ static void owners_tell(cn_world *world, const cni_solve *s, const cni_link *lin
 			out->presses[-1 - out->nodes[k].owner].node = k;
 }
 
-/* One factorization a substep. */
+/* Most work of a substep, for one factorization. */
 static int64_t budget_of(const cn_world *world)
 {
 	int32_t budget = world->settings.work_budget;
 	return budget == 0 || world->settings.solver == CN_SOLVER_DIRECT ? INT64_MAX : budget / world->settings.substeps;
 }
 
-/* Most contacts that are looked at. */
-static int32_t presses_most(const cn_world *world)
+/* Most contacts that are collected. */
+static int32_t contacts_most(const cn_world *world)
 {
-	int32_t all = world->settings.solver == CN_SOLVER_DIRECT || (world->overridden && may_take_most(world));
+	int32_t all = world->settings.solver == CN_SOLVER_DIRECT || (world->overridden && full_work_is_allowed(world));
 	if (world->direct_islands.count == 0)
 		return 0;
 	return all ? world->touching_count : cni_min_i(world->touching_count, CNI_DIRECT_CONTACT_MOST);
 }
 
-/* again: without what was refused. A world in a caller's block has set aside room for one kept plan. */
+/* again 1: without the refused links. A world in a caller's block has room for one kept plan. */
 static int32_t links_plan(cn_world *world, const cni_link *links, int32_t count, int32_t again, cni_sparse *out, uint8_t *planned)
 {
 	cni_array *kept = &world->direct_plans[again && !world->memory.fixed];
@@ -230,8 +231,8 @@ static int32_t links_plan(cn_world *world, const cni_link *links, int32_t count,
 
 /* ---- the plan ---- */
 
-/* What is of the step beside the plan. 0: no scratch memory. */
-static int32_t lists_take(cn_world *world, cni_sparse *out)
+/* Scratch arrays of the step beside the plan. 0: no scratch memory. */
+static int32_t scratch_take(cn_world *world, cni_sparse *out)
 {
 	cni_arena *arena = &world->arena;
 	uint64_t bodies = (uint64_t)world->awake_count;
@@ -246,33 +247,33 @@ static int32_t lists_take(cn_world *world, cni_sparse *out)
 
 int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out)
 {
-	int32_t room = presses_most(world);
+	int32_t room = contacts_most(world);
 	int32_t joints = world->awake_joints.count, count;
-	cni_direct_contact *presses = (cni_direct_contact *)cni_arena_push(&world->arena, sizeof(cni_direct_contact) * (uint64_t)room);
+	cni_direct_contact *contacts = (cni_direct_contact *)cni_arena_push(&world->arena, sizeof(cni_direct_contact) * (uint64_t)room);
 	cni_link *links;
 	uint8_t *planned;
-	if (presses == NULL)
+	if (contacts == NULL)
 		return 0;
-	presses_collect(world, presses, room, out);
+	contacts_collect(world, contacts, room, out);
 	links = (cni_link *)cni_arena_push(&world->arena, sizeof(cni_link) * (uint64_t)(joints + out->press_count));
 	planned = links == NULL ? NULL : (uint8_t *)cni_arena_push(&world->arena, (uint64_t)(joints + out->press_count));
 	if (planned == NULL)
 		return 0;
 	count = joint_links_collect(world, links);
-	count += press_links_collect(world, out, links + count);
+	count += contact_links_collect(world, out, links + count);
 	if (count == 0)
 		return 1;
 	if (!links_plan(world, links, count, 0, out, planned))
 		return 0;
 	if (islands_refuse(world, links, count, planned) > 0) {
 		cni_sparse_discard(&world->arena, out);
-		count = links_keep(world, links, count);
+		count = links_filter(world, links, count);
 		if (count == 0)
 			return 1;
 		if (!links_plan(world, links, count, 1, out, planned))
 			return 0;
-		(void)islands_refuse(world, links, count, planned); /* joints that are alone now may have spent the budget before them */
+		(void)islands_refuse(world, links, count, planned); /* joints without their contacts may have taken the budget of others */
 	}
-	owners_tell(world, s, links, count, planned, out);
-	return lists_take(world, out);
+	owners_mark(world, s, links, count, planned, out);
+	return scratch_take(world, out);
 }

@@ -1,6 +1,6 @@
 /*
- * direct/direct_system.h - what the files of direct/ share: components of directly solved joints, their motors and limits, batches of
- * equal trees, geometric stiffness.
+ * direct/direct_system.h - the private interface between the files of direct/: components of directly solved joints, their motors and
+ * limits, batches of equal trees, geometric stiffness.
  */
 #ifndef CNI_DIRECT_DIRECT_SYSTEM_H
 #define CNI_DIRECT_DIRECT_SYSTEM_H
@@ -10,33 +10,33 @@
 
 /* ---- components of joints that are solved directly: direct/component.c ---- */
 
-/* What is solved directly in this step; the works that are know it. 0: no scratch memory. direct/direct_plan.c */
+/* Plans the components of this step and flags their joint constraints. 0: no scratch memory. direct/direct_plan.c */
 int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out);
-/* The nodes' levers from their works' rows, and the factors of it. */
+/* Reads the nodes' levers from the rows of their joint constraints and factors the system. */
 void cni_direct_refresh(cn_world *world, cni_sparse *sparse, const cni_component *c);
-/* Scratch that planning may take. direct/direct_plan.c */
+/* Bound on the scratch memory of planning. direct/direct_plan.c */
 uint64_t cni_direct_plan_bytes(int32_t solver, int32_t joints, int32_t contacts, int32_t bodies);
-/* Each joint of it by itself after all, in this step. */
+/* Returns the joints of the component to the soft solver for this step. */
 void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c);
-/* ... and for some time: `span` steps, or, 0, longer each time it happens. */
-void cni_component_leave(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span);
-/* Is the component held by its rigid joints alone in this step? */
+/* ... and for `span` steps; 0: for a span that doubles with each failure. */
+void cni_component_suspend(cn_world *world, cni_sparse *sparse, cni_component *c, int32_t span);
+/* 1: only the component's rigid joints constrain its bodies in this step. */
 int32_t cni_component_uses_rattle(const cn_world *world, const cni_solve *s, const cni_sparse *sparse, const cni_component *c);
 /* Levers, dampers and factors of a component for the world's substeps. */
 void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
-/* Velocities and positions of the component's bodies into sparse->saved, or back (1). */
-void cni_direct_motions_keep(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t back);
-/* Rotations of the component's bodies since the step began. */
-void cni_direct_turns(const cn_world *world, cni_sparse *sparse, const cni_component *c);
+/* Copies velocities and positions of the component's bodies into sparse->saved (restore 0), or back (1). */
+void cni_direct_motions_save(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t restore);
+/* Computes the rotations of the component's bodies since the step began. */
+void cni_direct_rotations(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 
-/* What the component's rows lack, with errors' bias (1) or without, into its nodes' x. */
-void cni_direct_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias);
-/* From there to impulses; or its joints are solved by themselves from now on. direct/active_set.c */
-void cni_direct_answer(cn_world *world, const cni_solve *s, cni_component *c);
+/* Right sides: the missing speeds of the component's rows, with error correction (bias 1) or without, into its nodes' x. */
+void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias);
+/* Solves for the impulses and applies them; on failure the joints become soft. direct/active_set.c */
+void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c);
 /* What failed is not tried again for a time that doubles when it fails again soon. Of a joint, or what joints have in common. */
 #define CNI_TRUST_LEAST 2      /* steps */
 #define CNI_TRUST_MOST 256
-static inline void cni_trust_leave(cni_joint_trust *t, uint32_t step, int32_t span, int32_t soft)
+static inline void cni_trust_suspend(cni_joint_trust *t, uint32_t step, int32_t span, int32_t soft)
 {
 	t->span = (uint16_t)span;
 	t->until = step + t->span;
@@ -45,11 +45,12 @@ static inline void cni_trust_leave(cni_joint_trust *t, uint32_t step, int32_t sp
 static inline void cni_trust_fail(cni_joint_trust *t, uint32_t step, int32_t soft)
 {
 	int32_t lately = t->span > 0 && (int32_t)(step - t->until) < CNI_TRUST_MOST;
-	cni_trust_leave(t, step, !CNI_ON(TRUST) ? 1 : lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST, soft);
+	cni_trust_suspend(t, step, !CNI_ON(TRUST) ? 1 : lately ? cni_min_i(2 * t->span, CNI_TRUST_MOST) : CNI_TRUST_LEAST, soft);
 }
-/* Right sides to impulses; a system that says much twice is checked. 0: there is no good solution, and nothing was done. */
+/* Solves the right sides and applies the impulses; solutions of systems with loops are checked. 0: no acceptable solution; nothing is
+   changed. */
 int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c);
-/* Levers, dampers and factors, at the bodies' present turns. */
+/* Levers, dampers and factors at the bodies' present rotations. */
 void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 /* Joints that contacts would open by more than this part of the accuracy in a substep are closed before positions move,
    also for arms that turn by more than this angle in it and so leave the tangent. */
@@ -57,67 +58,67 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 #define CNI_PROJECTION_TURN_RAD 0.02f
 /* A body that turns by more than this in a substep may have to be locked to its neighbours: cni_geometric_stiffness_lock. */
 #define CNI_SNAP_RAD 0.1f
-/* What contacts may part: direct/joint_projection.c. */
+/* Lists the components that contacts may open: direct/joint_projection.c. */
 void cni_projection_mark(const cn_world *world, cni_sparse *sparse);
 
 /* ---- motors and limits in the system: direct/active_rows.c ---- */
 
-/* bits of a node's held */
+/* Bits of a node's `held`. */
 enum { CNI_ROW_IN_SET = 1u, CNI_ROW_AT_UPPER = 2u };
 
-/* The motor or limit that is the third row of a node, NULL: none. */
+/* The motor or limit row that is the third row of a node, or NULL. */
 static inline cni_row *cni_active_row(const cn_world *world, const cni_node *n)
 {
 	cni_joint_constraint *w = n->owner >= 0 ? &cni_joint_constraints(world)[n->owner] : NULL;
-	return w != NULL && w->inner > 0 ? &w->rows[w->inner] : NULL;
+	return w != NULL && w->active_row > 0 ? &w->rows[w->active_row] : NULL;
 }
 static inline float cni_active_impulse_most(const cni_row *r, const cni_solve *s)
 {
 	return r->kind == CNI_ROW_MOTOR ? r->limit * s->h : FLT_MAX;
 }
-/* Chooses which; their works are solved by rows. Returns 1 when there are any, 2: motors among them. */
+/* Selects the motor and limit rows; their joint constraints leave the lanes. Returns 0 for none, 1 for limits only, 2 with motors. */
 int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
-/* No third levers of nodes with a motor or limit, before dampers; then those of which it is in the set. */
+/* Clears the third levers of nodes with a motor or limit, before the dampers are set; cni_active_levers sets those in the active set. */
 void cni_active_clear(const cn_world *world, cni_sparse *sparse, const cni_component *c);
 void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_component *c);
-/* Their right sides, after the others'. */
-void cni_active_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);
-/* From right sides to impulses. 0: not finite. */
-int32_t cni_active_answer(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
+/* Their right sides, after those of the rigid rows. */
+void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c, int32_t bias);
+/* Solves the right sides for impulses with the active set. 0: the solution is not finite. */
+int32_t cni_active_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
 
-/* ---- trees that are alike: direct/batched_trees.c ---- */
+/* ---- batched trees: direct/batched_trees.c ---- */
 
-/* Can the component be one of a batch? It is solved directly, and does not swing. */
+/* 1: the component may join a batch: it is solved directly, and not by RATTLE. */
 int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c);
-/* Herds of all that `batches` says so of; those that remain alone are begun by themselves. */
+/* Makes batches of all components whose `batches` is set; components without a batch begin as single ones. */
 void cni_tree_batches_make(cn_world *world, const cni_solve *s, cni_sparse *sparse);
 void cni_tree_batches_warm(cn_world *world, const cni_solve *s);
 void cni_tree_batches_solve(cn_world *world, const cni_solve *s);
 void cni_tree_batches_relax(cn_world *world, const cni_solve *s);
-/* After contacts: what they would part is solved once more. direct/joint_projection.c */
-void cni_tree_batches_close(cn_world *world, const cni_solve *s);
-/* Scratch that they may take, with so many joints. */
+/* After contacts: solves lanes again that contacts would open. direct/joint_projection.c */
+void cni_tree_batches_project(cn_world *world, const cni_solve *s);
+/* Bound on the scratch memory of batches for this number of joints. */
 uint64_t cni_tree_batch_bytes(int32_t joints);
 
-/* ---- tension: direct/geometric_stiffness.c ---- */
+/* ---- geometric stiffness: direct/geometric_stiffness.c ---- */
 
-/* sum(r.f) of every body, after cni_direct_turns, from impulses of substeps of length h. */
+/* sum(r.f) of every body from the impulses of substeps of length h, after cni_direct_rotations. */
 void cni_geometric_stiffness_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
-/* The same of pins that have no rows yet, at the beginning of a step. */
+/* The same from the joint records, at the beginning of a step, for pins whose rows are not built yet. */
 void cni_geometric_stiffness_find_pins(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
-/* The same stiffness of rods, which turn: squared radians a second. Writes over what cni_geometric_stiffness_find found. */
+/* Geometric stiffness of rods, in squared radians a second. Overwrites the result of cni_geometric_stiffness_find. */
 float cni_geometric_stiffness_rods(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
-/* The largest sum(r.f) / I, after cni_geometric_stiffness_find: squared radians a second. */
-float cni_geometric_stiffness_stiffness(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
-/* Is that too stiff for substeps of length h, or nearly? */
+/* The largest sum(r.f) / I after cni_geometric_stiffness_find, in squared radians a second. */
+float cni_geometric_stiffness_largest(const cn_world *world, const cni_sparse *sparse, const cni_component *c);
+/* 1: the stiffness is near or beyond the limit of substeps of length h. */
 int32_t cni_geometric_stiffness_needs_dampers(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float h);
-/* Sets the third rows of pins in a component of width 3, before its factorization. */
+/* Sets the damping rows (third rows) of pins in a component of width 3, before its factorization. */
 void cni_geometric_stiffness_damp(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h);
 
-/* x of every node to its bodies' velocities and its rows' impulses. */
+/* Applies x of every node to body velocities and row impulses. */
 void cni_direct_push(cn_world *world, const cni_sparse *sparse, const cni_component *c);
-/* Makes pins rigid until the next turn of the component, between bodies of which one would turn so far in a substep of length h
-   that positions do not follow. Returns 1 when there are any: it must be factored again. */
+/* Locks the relative rotation of pinned bodies, until the next cni_direct_system, where one of them would turn too far in a substep of
+   length h for positions to follow. Returns 1 when it locked any: the component must be factored again. */
 int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sparse, cni_component *c, float h);
 
 #endif

@@ -1,27 +1,29 @@
 /*
- * direct/friction_cones.c - contacts of a directly solved island by an interior-point method: what the active set of
+ * direct/friction_cones.c - contacts of a directly solved island by an interior-point method, for problems that the active set of
  * direct/direct_contacts.c cannot solve.
  *
- * The impulses l of a contact, two normals p and one friction t, lie in the cone A l >= 0: p0 >= 0, p1 >= 0,
- * m (p0 + p1) - t >= 0, m (p0 + p1) + t >= 0. The impulses of least energy in these cones are a convex problem (Anitescu,
- * "Optimization-based simulation of nonsmooth rigid multibody dynamics", 2006): if any impulses hold the island still, its
- * solution does. What slides would be lifted by m times its slip; that speed is subtracted from the normal rows with the
- * slip of the iteration before, so that the fixed point is Coulomb's law (De Saxce; Acary and Cadoux, "Applications of an
- * existence result for the Coulomb friction problem", 2013).
+ * The impulses l of a contact, two normals p and one friction t, lie in the cone A l >= 0:
  *
- * With slacks s = A l and their multipliers z, each iteration is a Newton step towards s z = tau, with a tau that falls
- * (Wright, "Primal-dual interior-point methods", 1997, chapter 5):
+ *   p0 >= 0, p1 >= 0, m (p0 + p1) - t >= 0, m (p0 + p1) + t >= 0
+ *
+ * The impulses of least energy in these cones are a convex problem (Anitescu, "Optimization-based simulation of nonsmooth rigid multibody
+ * dynamics", 2006): if any impulses hold the island still, its solution does. It would lift a sliding contact by m times its slip; that
+ * speed is subtracted from the normal rows with the slip of the iteration before, so that the fixed point is Coulomb's law (De Saxce; Acary
+ * and Cadoux, "Applications of an existence result for the Coulomb friction problem", 2013).
+ *
+ * With slacks s = A l and their multipliers z, each iteration is a Newton step towards s z = tau, with a decreasing tau (Wright,
+ * "Primal-dual interior-point methods", 1997, chapter 5):
  *
  *   (K + A' (Z/S) A) dl = A' tau/s - w,  dz = tau/s - z - (Z/S) A dl
  *
- * K + A' (Z/S) A has the pattern of K, so the plan of the island's system serves. For a contact that slides one of the four
- * entries of Z/S is very great; with u = t - g m (p0 + p1), g = (d2 - d3) / (d2 + d3), A' (Z/S) A has no large terms that
- * cancel in floats: d0, d1 and 4 d2 d3 / (d2 + d3) m^2 on the normals, d2 + d3 on u.
+ * K + A' (Z/S) A has the pattern of K, so the plan of the island's system serves. For a contact that slides one of the four entries of Z/S
+ * is very great. The substitution u = t - g m (p0 + p1), g = (d2 - d3) / (d2 + d3), leaves no large terms in A' (Z/S) A that cancel in
+ * floats: d0, d1 and 4 d2 d3 / (d2 + d3) m^2 on the normals, d2 + d3 on u.
  *
- * Where several sets of impulses bear the same, the solution lies in the middle of them (the analytic centre): it changes little
- * as the island does, and there is no set to be found.
+ * Among redundant sets of impulses, the solution is the analytic centre: it changes little when the island does, and needs no search for a
+ * set.
  *
- * Reads presses and motion velocities; writes presses' impulses and states, nodes' total, motion velocities.
+ * Reads direct contacts and motion velocities; writes impulses and states of direct contacts, nodes' total, motion velocities.
  */
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
@@ -42,22 +44,22 @@ typedef struct cone {
 	const cni_direct_contact_pass *pass;
 	cni_sparse *sparse;
 	cni_component *c;
-	int32_t count;         /* of slacks that there are */
+	int32_t count;         /* number of existing slacks */
 	int32_t factors, factors_most;
 	float tau;
-	float residual;        /* m/s: the most that a row lacks */
-	float misfit;          /* m/s: the most of what is both slack and multiplier */
+	float residual;        /* m/s: the largest residual of a row */
+	float violation;       /* m/s: the largest complementarity violation */
 } cone;
 
-/* Of the two normals and the friction: is there such a row? */
-static int32_t row_is(const cni_direct_contact *p, int32_t row)
+/* 1: the row exists: of the two normals and the friction. */
+static int32_t row_exists(const cni_direct_contact *p, int32_t row)
 {
 	return p->mass[row] > 0.0f && (row < 2 || p->coefficient > 0.0f);
 }
 
-static int32_t slack_is(const cni_direct_contact *p, int32_t i)
+static int32_t slack_exists(const cni_direct_contact *p, int32_t i)
 {
-	return row_is(p, i < 2 ? i : 2);
+	return row_exists(p, i < 2 ? i : 2);
 }
 
 static void slacks_of(const cni_direct_contact *p, const float l[3], float out[4])
@@ -83,18 +85,18 @@ static void rows_push(const cone *q, const cni_direct_contact *p, const cni_node
 		cni_direct_contact_push(p, i, change[i], q->pass->motions + n->ia, q->pass->motions + n->ib);
 }
 
-/* Speeds of the rows, and what they may be short of. */
+/* Residual speeds of the rows. */
 static void speeds_of(const cone *q, const cni_direct_contact *p, const cni_node *n, float out[3])
 {
 	int32_t i;
 	for (i = 0; i < 3; ++i) {
 		cni_lever l = cni_direct_contact_lever(p, i);
-		out[i] = row_is(p, i) ? cni_lever_speed(&l, q->pass->motions + n->ia, q->pass->motions + n->ib) + (i < 2 ? p->room[i] + p->lift : 0.0f) + cni_direct_contact_leak(p, i) : 0.0f;
+		out[i] = row_exists(p, i) ? cni_lever_speed(&l, q->pass->motions + n->ia, q->pass->motions + n->ib) + (i < 2 ? p->gap_speed[i] + p->lift : 0.0f) + cni_direct_contact_leak(p, i) : 0.0f;
 	}
 }
 
-/* The impulses of the last pass to begin with. */
-static void press_warm(const cone *q, cni_direct_contact *p, const cni_node *n)
+/* Starts from the impulses of the last pass. */
+static void contact_warm_start(const cone *q, cni_direct_contact *p, const cni_node *n)
 {
 	float change[3];
 	int32_t i;
@@ -108,7 +110,7 @@ static void press_warm(const cone *q, cni_direct_contact *p, const cni_node *n)
 	p->lift = 0.0f;
 }
 
-static void warm(cone *q)
+static void warm_start(cone *q)
 {
 	int32_t k, i;
 	for (k = q->c->begin; k < q->c->end; ++k) {
@@ -116,15 +118,15 @@ static void warm(cone *q)
 		memset(q->sparse->nodes[k].total, 0, sizeof q->sparse->nodes[k].total);
 		if (p == NULL)
 			continue;
-		press_warm(q, p, &q->sparse->nodes[k]);
+		contact_warm_start(q, p, &q->sparse->nodes[k]);
 		for (i = 0; i < 4; ++i)
-			q->count += slack_is(p, i);
+			q->count += slack_exists(p, i);
 	}
 }
 
-/* From the impulses that it has to some inside of the cones, all slacks times their multipliers the same; the changes go
-   into start. A point that is apart has three multipliers that must add up to its speed. */
-static void press_center(const cone *q, cni_direct_contact *p, const cni_node *n, float speed)
+/* Moves the impulses inside of the cones, with equal products of slacks and multipliers; the changes go into start. A separated point has
+   three multipliers that must add up to its speed. */
+static void contact_center(const cone *q, cni_direct_contact *p, const cni_node *n, float speed)
 {
 	float speeds[3], most;
 	int32_t i;
@@ -132,17 +134,17 @@ static void press_center(const cone *q, cni_direct_contact *p, const cni_node *n
 	for (i = 0; i < 3; ++i)
 		p->start[i] = -p->j[i];
 	for (i = 0; i < 2; ++i)
-		p->j[i] = row_is(p, i) ? cni_max(p->j[i], 3.0f * q->tau * p->mass[i] / cni_max(speed, speeds[i])) : 0.0f;
+		p->j[i] = row_exists(p, i) ? cni_max(p->j[i], 3.0f * q->tau * p->mass[i] / cni_max(speed, speeds[i])) : 0.0f;
 	most = INSIDE_PART * p->coefficient * (p->j[0] + p->j[1]);
-	p->j[2] = row_is(p, 2) ? cni_clamp(p->j[2], -most, most) : 0.0f;
+	p->j[2] = row_exists(p, 2) ? cni_clamp(p->j[2], -most, most) : 0.0f;
 	for (i = 0; i < 3; ++i)
 		p->start[i] += p->j[i];
 	slacks_of(p, p->j, p->slack);
 	for (i = 0; i < 4; ++i)
-		p->dual[i] = slack_is(p, i) ? q->tau * slack_mass(p, i) / p->slack[i] : 0.0f;
+		p->dual[i] = slack_exists(p, i) ? q->tau * slack_mass(p, i) / p->slack[i] : 0.0f;
 }
 
-static float speed_lacking(const cone *q, const cni_direct_contact *p, const cni_node *n)
+static float speed_missing(const cone *q, const cni_direct_contact *p, const cni_node *n)
 {
 	float speeds[3];
 	speeds_of(q, p, n, speeds);
@@ -156,11 +158,11 @@ static void center(cone *q)
 	cni_direct_contact *p;
 	for (k = q->c->begin; k < q->c->end; ++k)
 		if ((p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k])) != NULL)
-			speed = cni_max(speed, speed_lacking(q, p, &q->sparse->nodes[k]));
+			speed = cni_max(speed, speed_missing(q, p, &q->sparse->nodes[k]));
 	q->tau = speed * speed;
 	for (k = q->c->begin; k < q->c->end; ++k)
 		if ((p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k])) != NULL)
-			press_center(q, p, &q->sparse->nodes[k], speed);
+			contact_center(q, p, &q->sparse->nodes[k], speed);
 	for (k = q->c->begin; k < q->c->end; ++k)
 		if ((p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k])) != NULL)
 			rows_push(q, p, &q->sparse->nodes[k], p->start);
@@ -170,43 +172,43 @@ static void center(cone *q)
 
 static float stiffness_of(const cni_direct_contact *p, int32_t i)
 {
-	return slack_is(p, i) ? cni_min(p->dual[i] / p->slack[i], STIFF_MOST / slack_mass(p, i)) : 0.0f;
+	return slack_exists(p, i) ? cni_min(p->dual[i] / p->slack[i], STIFF_MOST / slack_mass(p, i)) : 0.0f;
 }
 
-/* What is left of the rows' speeds when the multipliers are taken from them; and how far complementarity is off. */
-static void press_look(cone *q, const cni_direct_contact *p, const float speeds[3])
+/* Updates the residual: the rows' speeds less their multipliers; and the complementarity violation. */
+static void contact_residuals(cone *q, const cni_direct_contact *p, const float speeds[3])
 {
 	int32_t i;
 	for (i = 0; i < 2; ++i)
-		q->residual = cni_max(q->residual, row_is(p, i) ? cni_abs(speeds[i] - p->dual[i] - p->coefficient * (p->dual[2] + p->dual[3])) : 0.0f);
-	q->residual = cni_max(q->residual, row_is(p, 2) ? cni_abs(speeds[2] + p->dual[2] - p->dual[3]) : 0.0f);
+		q->residual = cni_max(q->residual, row_exists(p, i) ? cni_abs(speeds[i] - p->dual[i] - p->coefficient * (p->dual[2] + p->dual[3])) : 0.0f);
+	q->residual = cni_max(q->residual, row_exists(p, 2) ? cni_abs(speeds[2] + p->dual[2] - p->dual[3]) : 0.0f);
 	for (i = 0; i < 4; ++i)
-		if (slack_is(p, i))
-			q->misfit = cni_max(q->misfit, cni_min(p->dual[i], p->slack[i] / slack_mass(p, i)));
+		if (slack_exists(p, i))
+			q->violation = cni_max(q->violation, cni_min(p->dual[i], p->slack[i] / slack_mass(p, i)));
 }
 
 /* Levers, diagonal and right side of a contact's Newton step. */
-static void press_newton(cone *q, cni_direct_contact *p, cni_node *n)
+static void contact_newton(cone *q, cni_direct_contact *p, cni_node *n)
 {
 	float d2 = stiffness_of(p, 2), d3 = stiffness_of(p, 3), speeds[3], push[4], both, lift;
 	cni_lever friction = cni_direct_contact_lever(p, 2);
 	int32_t i;
 	speeds_of(q, p, n, speeds);
-	press_look(q, p, speeds);
+	contact_residuals(q, p, speeds);
 	for (i = 0; i < 4; ++i)
-		push[i] = slack_is(p, i) ? (q->tau * slack_mass(p, i) - p->cross[i]) / p->slack[i] : 0.0f;
+		push[i] = slack_exists(p, i) ? (q->tau * slack_mass(p, i) - p->cross[i]) / p->slack[i] : 0.0f;
 	lift = p->coefficient * (push[2] + push[3]);
 	p->slope = d2 + d3 > 0.0f ? p->coefficient * (d2 - d3) / (d2 + d3) : 0.0f;
 	both = d2 + d3 > 0.0f ? p->coefficient * p->coefficient * 4.0f * d2 * (d3 / (d2 + d3)) : 0.0f;
 	memset(n->lever, 0, sizeof n->lever);
-	n->x[2] = row_is(p, 2) ? push[3] - push[2] - speeds[2] : 0.0f;
+	n->x[2] = row_exists(p, 2) ? push[3] - push[2] - speeds[2] : 0.0f;
 	n->compliance[2] = d2 + d3;
 	for (i = 0; i < 2; ++i) {
-		n->x[i] = row_is(p, i) ? push[i] + lift - speeds[i] + p->slope * n->x[2] : 0.0f;
-		n->compliance[i] = row_is(p, i) ? stiffness_of(p, i) + both : 0.0f;
-		if (row_is(p, i))
+		n->x[i] = row_exists(p, i) ? push[i] + lift - speeds[i] + p->slope * n->x[2] : 0.0f;
+		n->compliance[i] = row_exists(p, i) ? stiffness_of(p, i) + both : 0.0f;
+		if (row_exists(p, i))
 			n->lever[i] = cni_direct_contact_lever(p, i);
-		if (row_is(p, i) && row_is(p, 2)) {
+		if (row_exists(p, i) && row_exists(p, 2)) {
 			n->lever[i].ax += p->slope * friction.ax;
 			n->lever[i].ay += p->slope * friction.ay;
 			n->lever[i].aw += p->slope * friction.aw;
@@ -215,8 +217,8 @@ static void press_newton(cone *q, cni_direct_contact *p, cni_node *n)
 			n->lever[i].bw += p->slope * friction.bw;
 		}
 	}
-	n->cross = row_is(p, 1) ? both : 0.0f;
-	if (row_is(p, 2))
+	n->cross = row_exists(p, 1) ? both : 0.0f;
+	if (row_exists(p, 2))
 		n->lever[2] = friction;
 }
 
@@ -236,15 +238,15 @@ static void changes_of(const cone *q, const cni_direct_contact *p, const cni_nod
 	int32_t i;
 	slacks_of(p, n->x, slack);
 	for (i = 0; i < 4; ++i)
-		dual[i] = slack_is(p, i) ? (q->tau * slack_mass(p, i) - p->cross[i]) / p->slack[i] - stiffness_of(p, i) * slack[i] - p->dual[i] : 0.0f;
+		dual[i] = slack_exists(p, i) ? (q->tau * slack_mass(p, i) - p->cross[i]) / p->slack[i] - stiffness_of(p, i) * slack[i] - p->dual[i] : 0.0f;
 }
 
-static float way_to(float from, float change)
+static float distance_to(float from, float change)
 {
 	return change < 0.0f ? -from / change : FLT_MAX;
 }
 
-/* How much of the step is taken. */
+/* Step length. */
 static float step_length(const cone *q)
 {
 	float most = FLT_MAX;
@@ -258,14 +260,14 @@ static float step_length(const cone *q)
 		n->x[2] += p->slope * (n->x[0] + n->x[1]);
 		changes_of(q, p, n, slack, dual);
 		for (i = 0; i < 4; ++i)
-			if (slack_is(p, i))
-				most = cni_min(most, cni_min(way_to(p->slack[i], slack[i]), way_to(p->dual[i], dual[i])));
+			if (slack_exists(p, i))
+				most = cni_min(most, cni_min(distance_to(p->slack[i], slack[i]), distance_to(p->dual[i], dual[i])));
 	}
 	return cni_min(1.0f, STEP_MOST * most);
 }
 
-/* Returns the mean of slack times multiplier after it. */
-static float step_take(const cone *q, float length)
+/* Applies the step. Returns the mean of slack times multiplier after it. */
+static float step_apply(const cone *q, float length)
 {
 	float sum = 0.0f;
 	int32_t k, i;
@@ -290,15 +292,15 @@ static float step_take(const cone *q, float length)
 		for (i = 0; i < 4; ++i) {
 			p->slack[i] += length * slack[i];
 			p->dual[i] += length * dual[i];
-			sum += slack_is(p, i) ? p->slack[i] * p->dual[i] / slack_mass(p, i) : 0.0f;
+			sum += slack_exists(p, i) ? p->slack[i] * p->dual[i] / slack_mass(p, i) : 0.0f;
 		}
 	}
 	return sum / (float)cni_max_i(q->count, 1);
 }
 
-/* Before the right sides that follow: none; or what the predictor of a whole step leaves of second order. Returns the mean of
-   slack times multiplier that it would reach. */
-static float predictor_keep(cone *q, float length)
+/* Stores the second-order terms of the predictor step in `cross`, for the right sides that follow. Returns the mean of slack times
+   multiplier that the predictor would reach. */
+static float predictor_store(cone *q, float length)
 {
 	float sum = 0.0f;
 	int32_t k, i;
@@ -310,7 +312,7 @@ static float predictor_keep(cone *q, float length)
 		changes_of(q, p, &q->sparse->nodes[k], slack, dual);
 		for (i = 0; i < 4; ++i) {
 			p->cross[i] = slack[i] * dual[i];
-			sum += slack_is(p, i) ? (p->slack[i] + length * slack[i]) * (p->dual[i] + length * dual[i]) / slack_mass(p, i) : 0.0f;
+			sum += slack_exists(p, i) ? (p->slack[i] + length * slack[i]) * (p->dual[i] + length * dual[i]) / slack_mass(p, i) : 0.0f;
 		}
 	}
 	return sum / (float)cni_max_i(q->count, 1);
@@ -329,11 +331,11 @@ static void predictor_clear(cone *q)
 static void newton_set(cone *q)
 {
 	int32_t k;
-	q->residual = q->misfit = 0.0f;
+	q->residual = q->violation = 0.0f;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
 		if (p != NULL)
-			press_newton(q, p, &q->sparse->nodes[k]);
+			contact_newton(q, p, &q->sparse->nodes[k]);
 		else
 			joint_newton(q, &q->sparse->nodes[k]);
 	}
@@ -341,19 +343,19 @@ static void newton_set(cone *q)
 
 /* ---- the end ---- */
 
-/* Which rows bear, for the set that the next pass begins with. What does not bear has no impulse. */
-static void press_end(const cone *q, cni_direct_contact *p, cni_node *n)
+/* Sets the states for the set that the next pass begins with. Open rows get no impulse. */
+static void contact_finish(const cone *q, cni_direct_contact *p, cni_node *n)
 {
 	float change[3] = { 0.0f, 0.0f, 0.0f };
 	int32_t i;
 	for (i = 0; i < 2; ++i) {
-		p->state[i] = row_is(p, i) && p->slack[i] > p->dual[i] * p->mass[i] ? CNI_ROW_HELD : CNI_ROW_OPEN;
+		p->state[i] = row_exists(p, i) && p->slack[i] > p->dual[i] * p->mass[i] ? CNI_ROW_ACTIVE : CNI_ROW_OPEN;
 		change[i] = p->state[i] == CNI_ROW_OPEN ? -p->j[i] : 0.0f;
 	}
-	p->way = p->slack[2] < p->slack[3] ? 1.0f : -1.0f;
-	i = p->way > 0.0f ? 2 : 3;
-	p->state[2] = row_is(p, 2) && p->dual[i] > q->pass->speed_least && p->slack[i] < p->dual[i] * p->mass[2] ? CNI_ROW_SLIDES : CNI_ROW_HELD;
-	if (p->state[0] != CNI_ROW_HELD && p->state[1] != CNI_ROW_HELD) {
+	p->slide_sign = p->slack[2] < p->slack[3] ? 1.0f : -1.0f;
+	i = p->slide_sign > 0.0f ? 2 : 3;
+	p->state[2] = row_exists(p, 2) && p->dual[i] > q->pass->speed_least && p->slack[i] < p->dual[i] * p->mass[2] ? CNI_ROW_SLIDES : CNI_ROW_ACTIVE;
+	if (p->state[0] != CNI_ROW_ACTIVE && p->state[1] != CNI_ROW_ACTIVE) {
 		p->state[2] = CNI_ROW_OPEN;
 		change[2] = -p->j[2];
 	}
@@ -366,13 +368,13 @@ static void press_end(const cone *q, cni_direct_contact *p, cni_node *n)
 	n->held = 0;
 }
 
-static void end(const cone *q)
+static void contacts_finish(const cone *q)
 {
 	int32_t k;
 	for (k = q->c->begin; k < q->c->end; ++k) {
 		cni_direct_contact *p = cni_direct_contact_of(q->sparse, &q->sparse->nodes[k]);
 		if (p != NULL)
-			press_end(q, p, &q->sparse->nodes[k]);
+			contact_finish(q, p, &q->sparse->nodes[k]);
 	}
 	q->c->factored = 0;
 }
@@ -390,7 +392,7 @@ static int32_t iterate(cone *q)
 		q->tau = 0.0f;
 		predictor_clear(q);
 		newton_set(q);
-		if (q->residual <= q->pass->speed_least && q->misfit <= q->pass->speed_least)
+		if (q->residual <= q->pass->speed_least && q->violation <= q->pass->speed_least)
 			return 1;
 		if (q->factors == q->factors_most)
 			return 0;
@@ -399,19 +401,18 @@ static int32_t iterate(cone *q)
 		if (!cni_sparse_solve(q->sparse, q->c))
 			return 0;
 		length = step_length(q);
-		predicted = predictor_keep(q, length);
+		predicted = predictor_store(q, length);
 		part = predicted / mean;
 		q->tau = cni_max(mean * part * part * part, square(PATH_SPEED * cni_max(q->residual, q->pass->speed_least)));
 		newton_set(q);
 		if (!cni_sparse_solve(q->sparse, q->c))
 			return 0;
 		length = step_length(q);
-		mean = step_take(q, length);
+		mean = step_apply(q, length);
 	}
 }
 
-/* Slips of which the next round is to know: the speeds by which they lift, and that friction is dynamic. Returns by how much
-   those changed, at most. */
+/* Updates lift speeds and dynamic friction from the slips, for the next round. Returns the largest change of lift. */
 static float slips_find(const cone *q)
 {
 	float most = 0.0f;
@@ -440,13 +441,13 @@ int32_t cni_direct_contacts_cone(const cni_direct_contact_pass *pass, int32_t *o
 	float change = FLT_MAX;
 	if (pass->world->settings.solver == CN_SOLVER_DIRECT)
 		q.factors_most = FACTORS_DIRECT;
-	warm(&q);
+	warm_start(&q);
 	for (round = 0; good && round < SLIP_ROUNDS && change > SLIP_CLOSE * pass->speed_least; ++round) {
 		center(&q);
 		good = iterate(&q);
 		change = slips_find(&q);
 	}
-	end(&q);
+	contacts_finish(&q);
 	*out_factors = q.factors;
 	return good;
 }

@@ -1,17 +1,16 @@
 /*
- * direct/geometric_stiffness.c - what tension in joints does to the bodies between them, and damping it where the
- * substeps are too long for it.
+ * direct/geometric_stiffness.c - geometric stiffness: the effect of joint tension on the rotation of bodies, and damping where the substeps
+ * are too long for it.
  *
- * A joint that pulls a body outwards by f at the end of an arm r turns it back as a spring would, with a frequency of
- * sqrt(sum(r.f) / I): chains of light links with heavy loads, taut bridges. No solver of velocities sees that spring,
- * it acts from one substep to the next, and when Xi = h^2 sum(r.f) / I is much above one it gains energy and
- * everything explodes. Beyond XI_MOST the relative rotation of bodies that are pinned to each other is damped by a
- * third row, (w_b - w_a) + lambda / c = 0 with c = h^2 sum(r.f) - XI_MOST I: between bodies, so that it keeps
- * momentum, and not at all where the substeps are short enough.
+ * A joint that pulls a body outwards by f at the end of an arm r turns it back as a spring would, with a frequency of sqrt(sum(r.f) / I):
+ * chains of light links with heavy loads, taut bridges. A velocity solver does not see that spring: it acts from one substep to the next,
+ * and when Xi = h^2 sum(r.f) / I is much above one it gains energy and everything explodes. Beyond XI_MOST a third row damps the relative
+ * rotation of bodies that are pinned to each other, (w_b - w_a) + lambda / c = 0 with c = h^2 sum(r.f) - XI_MOST I: between bodies, so that
+ * it conserves momentum, and with c = 0 where the substeps are short enough.
  *
- * What turns too far in a substep for positions to follow is held rigid in it (direct/joint_projection.c).
+ * Bodies that turn too far in a substep for positions to follow are locked to each other during it (direct/joint_projection.c).
  *
- * Reads works, motion, the sparse system's turn; writes its pull and the third rows of its nodes.
+ * Reads joint constraints, motion, the sparse system's turn; writes its pull and the third rows of its nodes.
  */
 #include "direct/direct_system.h"
 
@@ -24,7 +23,7 @@ static void pulls_clear(cni_sparse *sparse, const cni_component *c)
 		sparse->pull[sparse->nodes[k].ia] = sparse->pull[sparse->nodes[k].ib] = 0.0f;
 }
 
-/* Forces of a joint on its bodies, at the ends of these arms. */
+/* Adds the forces of a joint on its bodies at the ends of these arms. */
 static void pull_add(cni_sparse *sparse, const cni_joint_constraint *w, cni_vec2 ra, cni_vec2 rb, cni_vec2 fa, cni_vec2 fb)
 {
 	sparse->pull[w->ia] += cni_dot(ra, fa);
@@ -43,7 +42,7 @@ void cni_geometric_stiffness_find_pins(const cn_world *world, cni_sparse *sparse
 	}
 }
 
-/* From the rows' impulses, which are those of a substep of length h. */
+/* From the rows' impulses of a substep of length h. */
 void cni_geometric_stiffness_find(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
 {
 	float inv_h = 1.0f / h;
@@ -64,7 +63,7 @@ void cni_geometric_stiffness_find(const cn_world *world, cni_sparse *sparse, con
 	}
 }
 
-/* Of rods between bodies: f / l against a body's mass. A chain of them swings at up to the square root of twice the sum at a body. */
+/* Rods between bodies: f / l against a body's mass. The squared frequency of a chain of them is at most twice the sum at a body. */
 float cni_geometric_stiffness_rods(const cn_world *world, cni_sparse *sparse, const cni_component *c, float h)
 {
 	float inv_h = 1.0f / h, most = 0.0f;
@@ -84,7 +83,7 @@ float cni_geometric_stiffness_rods(const cn_world *world, cni_sparse *sparse, co
 	return 2.0f * most;
 }
 
-float cni_geometric_stiffness_stiffness(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+float cni_geometric_stiffness_largest(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	float most = 0.0f;
 	int32_t k;
@@ -95,10 +94,10 @@ float cni_geometric_stiffness_stiffness(const cn_world *world, const cni_sparse 
 
 int32_t cni_geometric_stiffness_needs_dampers(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float h)
 {
-	return CNI_ON(TENSION) && h * h * cni_geometric_stiffness_stiffness(world, sparse, c) > 0.5f * XI_MOST;
+	return CNI_ON(TENSION) && h * h * cni_geometric_stiffness_largest(world, sparse, c) > 0.5f * XI_MOST;
 }
 
-/* c of a body: what of h^2 sum(r.f) a substep does not follow. */
+/* c of a body: the part of h^2 sum(r.f) that a substep does not resolve. */
 static float excess(const cn_world *world, const cni_sparse *sparse, int32_t index, float h)
 {
 	float inv_inertia = cni_motions(world)[index].inv_inertia;
@@ -137,7 +136,7 @@ int32_t cni_geometric_stiffness_lock(const cn_world *world, const cni_sparse *sp
 	int32_t k, found = 0;
 	for (k = c->begin; k < c->end && CNI_ON(TENSION); ++k) {
 		cni_node *n = &sparse->nodes[k];
-		if (n->rows != 2 || cni_joint_constraints(world)[n->owner].inner > 0 || is_fixed(world, n->ia) || is_fixed(world, n->ib) ||
+		if (n->rows != 2 || cni_joint_constraints(world)[n->owner].active_row > 0 || is_fixed(world, n->ia) || is_fixed(world, n->ib) ||
 		    (cni_abs(motions[n->ia].w) <= most && cni_abs(motions[n->ib].w) <= most) || cni_abs(motions[n->ib].w - motions[n->ia].w) <= 0.5f * most)
 			continue;
 		c->width = CNI_NODE_ROWS;

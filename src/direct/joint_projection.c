@@ -1,13 +1,12 @@
 /*
- * direct/joint_projection.c - hard stops: joints and contacts by turns, until they agree.
+ * direct/joint_projection.c - hard stops: alternates joints and contacts until they agree.
  *
- * Joints are solved first, then contacts. What contacts stopped would come apart from its neighbours as positions
- * move, by 4 cm in a substep at 10 m/s. So where a joint would open by more than is good, also because arms that turn
- * fast leave the tangent, its system is solved once more, then the contacts of its bodies, and so on for a few rounds, joints
- * last. A scene without hard stops pays for one look at the joints of touched systems; in later rounds only those are
- * looked at whose bodies have changed.
+ * Joints are solved first, then contacts. A body that a contact stopped would separate from its jointed neighbours when positions move, by
+ * 4 cm in a substep at 10 m/s. Where joints would open by more than CNI_PROJECTION_PART of the accuracy, also because fast lever arms leave
+ * the tangent, their system is solved once more, then the contacts of its bodies, for a few rounds, joints last. A scene without hard stops
+ * costs one check of the joints of touched systems; later rounds only check systems whose bodies have changed.
  *
- * Reads and writes what direct/direct_joints.c and contact_solve.c do, between their passes.
+ * Reads and writes the data of direct/direct_joints.c and contact_solve.c, between their passes.
  */
 #include "direct/direct.h"
 #include "contacts/contacts.h"
@@ -16,7 +15,7 @@
 
 #define CLOSE_ROUNDS 4       /* of joints and the contacts that part them, in a substep, at most */
 
-static int32_t may_close(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
+static int32_t may_open(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t n;
 	if (c->done || c->presses)
@@ -27,7 +26,7 @@ static int32_t may_close(const cn_world *world, const cni_sparse *sparse, const 
 	return 0;
 }
 
-/* Rounds of contacts for which a system asks in a substep: a blow goes on through a tree joint by joint. */
+/* Most rounds of contacts of a component in a substep: an impact travels through a tree joint by joint. */
 static int32_t rounds_of(const cni_component *c)
 {
 	return cni_max_i(1, cni_min_i(c->end - c->begin - 1, CLOSE_ROUNDS));
@@ -49,19 +48,18 @@ static void projection_add(cni_sparse *sparse, int32_t component)
 	++sparse->projection_count;
 }
 
-/* What contacts may part. */
 void cni_projection_mark(const cn_world *world, cni_sparse *sparse)
 {
 	int32_t k;
 	for (k = 0; k < world->awake_count; ++k)
 		sparse->projection_of[k] = CNI_NONE;
 	for (k = 0; k < sparse->component_count; ++k)
-		if (may_close(world, sparse, &sparse->components[k]))
+		if (may_open(world, sparse, &sparse->components[k]))
 			projection_add(sparse, k);
 }
 
-/* Do contacts, which came after, part joints by more in this substep than is good? Reads the right sides. */
-static int32_t is_parting(const cn_world *world, const cni_solve *s, const cni_component *c)
+/* 1: contacts would open a joint by more than CNI_PROJECTION_PART of the accuracy in this substep. Reads the right sides. */
+static int32_t is_opening(const cn_world *world, const cni_solve *s, const cni_component *c)
 {
 	float most = CNI_PROJECTION_PART * world->settings.accuracy * s->inv_h;
 	int32_t k, i;
@@ -72,8 +70,8 @@ static int32_t is_parting(const cn_world *world, const cni_solve *s, const cni_c
 	return 0;
 }
 
-/* How a point at r leaves the tangent when its body turns by this angle, with the bits of batches: turn_series in
-   joints/joint_kernel.h. */
+/* Second-order drift of a point at r when its body turns by this angle: its deviation from the tangent, with the bits of the batches
+   (turn_series in joints/joint_kernel.h). */
 static cni_vec2 drift(cni_vec2 r, float turn)
 {
 	float half = cni_clamp(0.5f * turn, -1.5f, 1.5f), u = half * half, s, c1, c2;
@@ -97,7 +95,7 @@ static void pin_drift(const cni_solve *s, cni_node *n, float wa, float wb)
 	n->x[1] -= cni_clamp((b.y - a.y) * s->inv_h, -s->push_speed, s->push_speed);
 }
 
-/* Any other joint: what its errors will be, less what their speeds tell. */
+/* Any other joint: its errors ahead, less the part that its speeds explain. */
 static void joint_drift(const cn_world *world, const cni_solve *s, cni_node *n)
 {
 	const cni_motion *motions = cni_motions(world);
@@ -111,8 +109,7 @@ static void joint_drift(const cn_world *world, const cni_solve *s, cni_node *n)
 	}
 }
 
-/* Arms that turn fast, and rods, whose bodies need not, carry joints apart at the second order of the substep: their speeds
-   shall make up for it. */
+/* Fast lever arms, and rods even between slow bodies, open joints at the second order of the substep: the right sides compensate for it. */
 static void drifts_add(const cn_world *world, const cni_solve *s, const cni_component *c)
 {
 	const cni_motion *motions = cni_motions(world);
@@ -129,8 +126,8 @@ static void drifts_add(const cn_world *world, const cni_solve *s, const cni_comp
 	}
 }
 
-/* Whose bodies have changed since it was looked at; index: dense. */
-static void change_tell(cni_sparse *sparse, int32_t index)
+/* Marks the projection of a body as changed; index: dense. */
+static void change_mark(cni_sparse *sparse, int32_t index)
 {
 	if (sparse->projection_of[index] != CNI_NONE)
 		sparse->projections[sparse->projection_of[index]].changed = 1;
@@ -148,7 +145,7 @@ static void body_slots_find(const cn_world *world, cni_sparse *sparse, const cni
 	}
 }
 
-/* Where the contacts of its bodies are in lanes: the same all through the substeps. */
+/* Slots of the contacts of its bodies: fixed during the substeps. */
 static void slots_find(const cn_world *world, cni_sparse *sparse, cni_projection *projection)
 {
 	const cni_component *c = &sparse->components[projection->component];
@@ -159,8 +156,8 @@ static void slots_find(const cn_world *world, cni_sparse *sparse, cni_projection
 	projection->slot_end = sparse->projection_slot_count;
 }
 
-/* What is in lanes of the contacts of its bodies, once more. */
-static void contacts_again(cn_world *world, const cni_solve *s, cni_projection *projection)
+/* Solves the contacts of its bodies that are in lanes once more. */
+static void contacts_solve_again(cn_world *world, const cni_solve *s, cni_projection *projection)
 {
 	int32_t k;
 	if (projection->slot_begin == CNI_NONE)
@@ -169,36 +166,36 @@ static void contacts_again(cn_world *world, const cni_solve *s, cni_projection *
 		int32_t slot = s->direct->projection_slots[k];
 		const cni_contact_block *block = cni_block_at(world, slot / CNI_LANES);
 		cni_contact_solve_again(world, s, slot);
-		change_tell(s->direct, block->ia[slot % CNI_LANES]);
-		change_tell(s->direct, block->ib[slot % CNI_LANES]);
+		change_mark(s->direct, block->ia[slot % CNI_LANES]);
+		change_mark(s->direct, block->ib[slot % CNI_LANES]);
 	}
 }
 
-/* Which are to be looked at: all, or those that parted in the last round, and whose bodies its contacts changed. */
-static void projections_ask(cni_sparse *sparse, int32_t round)
+/* Selects projections to check: all in the first round, then those that opened in the last round or whose bodies contacts changed. */
+static void projections_select(cni_sparse *sparse, int32_t round)
 {
 	int32_t k;
 	for (k = 0; k < sparse->batch_count; ++k)
-		sparse->batches[k].asked = 0;
+		sparse->batches[k].selected = 0;
 	for (k = 0; k < sparse->projection_count; ++k) {
 		cni_projection *c = &sparse->projections[k];
 		c->asked = round == 0 || c->parting || c->changed;
 		c->changed = 0;
 		if (c->asked && c->batch != CNI_NONE)
-			sparse->batches[c->batch].asked |= 1u << c->lane;
+			sparse->batches[c->batch].selected |= 1u << c->lane;
 	}
 }
 
-/* Returns 1 when it had to. */
-static int32_t component_close(cn_world *world, const cni_solve *s, cni_component *c)
+/* Returns 1 when it was solved. */
+static int32_t component_project(cn_world *world, const cni_solve *s, cni_component *c)
 {
 	if (c->done)
 		return 0;
-	cni_direct_sides(world, s, c, 1);
+	cni_direct_right_sides(world, s, c, 1);
 	drifts_add(world, s, c);
-	if (!is_parting(world, s, c))
+	if (!is_opening(world, s, c))
 		return 0;
-	cni_direct_answer(world, s, c);
+	cni_component_solve(world, s, c);
 	return 1;
 }
 
@@ -207,22 +204,22 @@ static int32_t projection_run(cn_world *world, const cni_solve *s, const cni_pro
 	if (!c->asked)
 		return 0;
 	if (c->batch != CNI_NONE)
-		return (int32_t)(s->direct->batches[c->batch].parting >> c->lane & 1u);
-	return component_close(world, s, &s->direct->components[c->component]);
+		return (int32_t)(s->direct->batches[c->batch].opening >> c->lane & 1u);
+	return component_project(world, s, &s->direct->components[c->component]);
 }
 
-/* Returns 1 when contacts of some are to come once more: they are parting. */
+/* Returns 1 when some joints were opening, so that their contacts must be solved once more. */
 static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t round)
 {
-	int32_t k, closed = 0;
-	projections_ask(s->direct, round);
-	cni_tree_batches_close(world, s);
+	int32_t k, opening = 0;
+	projections_select(s->direct, round);
+	cni_tree_batches_project(world, s);
 	for (k = 0; k < s->direct->projection_count; ++k) {
 		cni_projection *c = &s->direct->projections[k];
 		c->parting = projection_run(world, s, c) && round < c->rounds;
-		closed |= c->parting;
+		opening |= c->parting;
 	}
-	return closed;
+	return opening;
 }
 
 void cni_direct_project(cn_world *world, const cni_solve *s)
@@ -233,5 +230,5 @@ void cni_direct_project(cn_world *world, const cni_solve *s)
 	for (round = 0; projections_run(world, s, round); ++round)
 		for (k = 0; k < s->direct->projection_count; ++k)
 			if (s->direct->projections[k].parting)
-				contacts_again(world, s, &s->direct->projections[k]);
+				contacts_solve_again(world, s, &s->direct->projections[k]);
 }

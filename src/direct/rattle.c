@@ -1,6 +1,5 @@
 /*
- * direct/rattle.c - bodies that nothing but rigid joints holds: their whole step at once, second order
- * and without losing energy.
+ * direct/rattle.c - bodies that only rigid joints constrain: integrates their whole step with second order and without energy loss.
  *
  * RATTLE (Andersen, 1983; Leimkuhler and Skeel, 1994) with the direct solver, per substep:
  *
@@ -9,26 +8,25 @@
  *   v += M^-1 J' mu + h/2 a       the other half
  *   v += M^-1 J' nu               J at the new x; nu such that J v = 0
  *
- * Both start from half of the last substep's impulse, so that Newton rarely needs a second round, but not where
- * dampers are at work, which must see all of the tension;
- * with one factorization a substep: of K at the old x for mu, which is that of the last substep's nu.
- * Gaps that are there already are closed by a part in each substep; nu takes out the speed that this needs.
+ * Both start from half of the last substep's impulse, so Newton rarely needs a second round. With dampers they start from zero: dampers
+ * need the whole tension. A substep has one factorization: K at the old x, for mu, is that of the last substep's nu. A substep closes a
+ * part of old gaps; nu removes the closing speed.
  *
- * Joints alone bring in no energy. What a step gained beyond the work of its drives is kept in an account, which its joints
- * carry (cni_joint_trust): the method swings about the true energy by the square of the substep, so the account may be
- * that large and no larger; the rest is taken out of the velocities. So energy cannot creep, step by step.
+ * Joints alone add no energy. An account holds the energy gain of a step beyond the work of external accelerations; the joints carry it
+ * (cni_joint_trust). The method's energy oscillates about the true one by the square of the substep, so the account may be that large and
+ * no larger; the excess is taken out of the velocities. So energy cannot creep, step by step.
  *
- * Three methods, each for what the one before it cannot do. The joints remember failures, so that a component that fails
- * again and again does not try everything in every step:
- *   RATTLE       a step that does not close its joints, or gains much energy, is taken again with twice the substeps;
+ * Three methods, each for failures of the one before. The joints remember failures, so that a component that fails again and again does not
+ * try everything in every step:
+ *   RATTLE       a step that does not close its joints, or gains much energy, is repeated with twice the substeps;
  *   projection   x += h (v + h a), x to the nearest point where the joints are closed, v projected to J v = 0 there: such a
- *                projection cannot raise kinetic energy, so it stands whips that no substep resolves, and loses energy
+ *                projection cannot raise kinetic energy, so it survives whips that no substep resolves, and loses energy
  *                (about (h w)^2 of it a substep);
- *   soft         each joint by itself, as CN_SOLVER_SOFT does, where a system is beyond what floats can hold.
+ *   soft         each joint by itself, as CN_SOLVER_SOFT does, where a system is beyond the range of floats.
  *
- * Substeps follow the tension's springs as far as they go, dampers do the rest: direct/geometric_stiffness.c.
+ * The number of substeps follows the geometric stiffness up to a limit; dampers do the rest: direct/geometric_stiffness.c.
  *
- * Reads works, drives, motion; writes motion, start, works' rows and flags, drive flags.
+ * Reads joint constraints, externals, motion; writes motion, start, rows and flags of joint constraints, flags of externals.
  */
 #include "direct/direct.h"
 #include "direct/rattle.h"
@@ -46,8 +44,8 @@
 
 /* ---- which components ---- */
 
-/* Can no row but the rigid ones have anything to do in this step? */
-static int32_t work_is_rigid(const cni_joint_constraint *w, const cni_motion *motions, float dt)
+/* 1: no row but the rigid ones can act in this step. */
+static int32_t constraint_is_rigid(const cni_joint_constraint *w, const cni_motion *motions, float dt)
 {
 	const cni_motion *a = motions + w->ia, *b = motions + w->ib;
 	int32_t k;
@@ -61,14 +59,14 @@ static int32_t work_is_rigid(const cni_joint_constraint *w, const cni_motion *mo
 	return 1;
 }
 
-static int32_t end_swings(const cn_world *world, int32_t index)
+static int32_t end_is_eligible(const cn_world *world, int32_t index)
 {
 	const cni_motion *m = cni_motions(world) + index;
 	return index == 0 || m->inv_mass > 0.0f || m->inv_inertia > 0.0f;
 }
 
-/* Only joints of the component hold it, and nothing touches it. */
-static int32_t body_turn_reaches(const cn_world *world, int32_t index)
+/* 1: nothing touches the body and only joints of the component constrain it. */
+static int32_t only_component_holds(const cn_world *world, int32_t index)
 {
 	const cni_body *b = cni_body_at(world, cni_awake_ids(world)[index]);
 	int32_t key;
@@ -82,8 +80,8 @@ static int32_t body_turn_reaches(const cn_world *world, int32_t index)
 	return 1;
 }
 
-/* A pin with a spring or a motor, of which it need not be known what it would do. */
-static int32_t work_is_driven(const cni_joint_constraint *w)
+/* A pin with a spring or motor in a lane: excluded without building its rows. */
+static int32_t constraint_is_driven(const cni_joint_constraint *w)
 {
 	return (w->flags & CNI_CONSTRAINT_WIDE) && (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR));
 }
@@ -92,16 +90,16 @@ int32_t cni_component_uses_rattle(const cn_world *world, const cni_solve *s, con
 {
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k)
-		if (work_is_driven(&cni_joint_constraints(world)[sparse->nodes[k].owner]))
+		if (constraint_is_driven(&cni_joint_constraints(world)[sparse->nodes[k].owner]))
 			return 0;
 	for (k = c->body_begin; k < c->body_end; ++k)
-		if (!body_turn_reaches(world, sparse->bodies[k]))
+		if (!only_component_holds(world, sparse->bodies[k]))
 			return 0;
 	cni_joint_constraints_complete(world, sparse, c);
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
-		if (!end_swings(world, n->ia) || !end_swings(world, n->ib) ||
-		    !work_is_rigid(&cni_joint_constraints(world)[n->owner], cni_motions(world), s->dt))
+		if (!end_is_eligible(world, n->ia) || !end_is_eligible(world, n->ib) ||
+		    !constraint_is_rigid(&cni_joint_constraints(world)[n->owner], cni_motions(world), s->dt))
 			return 0;
 	}
 	return 1;
@@ -109,11 +107,11 @@ int32_t cni_component_uses_rattle(const cn_world *world, const cni_solve *s, con
 
 /* ---- one substep ---- */
 
-/* How a substep went: closed, still open after all rounds, or beyond what floats hold. */
+/* Outcome of a substep: closed, still open after all rounds, or not finite. */
 enum { CLOSED_WELL = 0, OPEN = 1, BROKEN = 2 };
 
-/* Half of what the drive gives in a substep. */
-static void kick(const swing *g)
+/* Applies half of a substep's external acceleration and damping. */
+static void kick(const rattle_step *g)
 {
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
@@ -134,7 +132,7 @@ static void kick(const swing *g)
 	}
 }
 
-static void drift(const swing *g)
+static void drift(const rattle_step *g)
 {
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
@@ -145,8 +143,8 @@ static void drift(const swing *g)
 	}
 }
 
-/* What of an old gap is to be left after the substep. */
-static float gap_left(const swing *g, float error)
+/* Remainder of an old gap after the substep. */
+static float gap_left(const rattle_step *g, float error)
 {
 	if (cni_abs(error) <= GAP_OLD * g->closed)
 		return 0.0f;
@@ -163,8 +161,8 @@ static void move(cni_motion *m, float h, float part, float vx, float vy, float w
 	m->theta += h * w;
 }
 
-/* x of every node to positions, and a part of it (1 or 0) to velocities. */
-static void push_and_move(const swing *g, float part)
+/* Applies x of every node to positions, and a part of it (1 or 0) to velocities. */
+static void push_and_move(const rattle_step *g, float part)
 {
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k) {
@@ -179,25 +177,26 @@ static void push_and_move(const swing *g, float part)
 	}
 }
 
-static void impulses_add(const swing *g)
+static void impulses_add(const rattle_step *g)
 {
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		const cni_node *n = &g->sparse->nodes[k];
 		for (i = 0; i < n->rows; ++i)
-			work_of(g, k)->rows[i].impulse += n->x[i];
+			constraint_of(g, k)->rows[i].impulse += n->x[i];
 	}
 }
 
-/* Rows at the present positions into the works, impulses kept; x: what closes them. Returns the largest gap. */
-static float gaps_find(const swing *g)
+/* Builds the rows at the present positions, keeps their impulses, and sets x to the right sides that close the gaps. Returns the largest
+   gap. */
+static float gaps_find(const rattle_step *g)
 {
 	float largest = 0.0f, inv_h = 1.0f / g->h;
 	int32_t k, i;
-	cni_direct_turns(g->world, g->sparse, g->c);
+	cni_direct_rotations(g->world, g->sparse, g->c);
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_node *n = &g->sparse->nodes[k];
-		cni_joint_constraint *w = work_of(g, k);
+		cni_joint_constraint *w = constraint_of(g, k);
 		float impulse[CNI_NODE_ROWS] = { 0.0f, 0.0f, 0.0f };
 		for (i = 0; i < n->rows; ++i)
 			impulse[i] = w->rows[i].impulse;
@@ -214,30 +213,30 @@ static float gaps_find(const swing *g)
 	return largest;
 }
 
-static void gaps_left_find(const swing *g)
+static void gaps_left_find(const rattle_step *g)
 {
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k)
 		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
-			g->left[(k - g->c->begin) * CNI_NODE_ROWS + i] = gap_left(g, work_of(g, k)->rows[i].error);
+			g->left[(k - g->c->begin) * CNI_NODE_ROWS + i] = gap_left(g, constraint_of(g, k)->rows[i].error);
 }
 
-/* A part of the rows' impulses once more, along the levers as they are; `kept` of them stays in the rows. */
-static void impulses_push(const swing *g, float part, float kept)
+/* Applies a part of the rows' impulses along the present levers and multiplies the rows' impulses by `kept`. */
+static void impulses_push(const rattle_step *g, float part, float kept)
 {
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		const cni_node *n = &g->sparse->nodes[k];
 		for (i = 0; i < n->rows; ++i) {
-			cni_row *r = &work_of(g, k)->rows[i];
+			cni_row *r = &constraint_of(g, k)->rows[i];
 			cni_lever_push(&n->lever[i], part * r->impulse, g->motions + n->ia, g->motions + n->ib);
 			r->impulse *= kept;
 		}
 	}
 }
 
-/* One round at least: what mu starts from may look good enough, and be wrong to the same side again and again. */
-static int32_t positions_close(const swing *g)
+/* At least one round: the first guess of mu may look good enough and have the same sign of error each time. */
+static int32_t positions_close(const rattle_step *g)
 {
 	float gap = gaps_find(g);
 	int32_t round;
@@ -251,7 +250,7 @@ static int32_t positions_close(const swing *g)
 	return gap <= FAILED * g->closed ? CLOSED_WELL : OPEN;
 }
 
-static int32_t velocities_close(const swing *g)
+static int32_t velocities_close(const rattle_step *g)
 {
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k) {
@@ -265,19 +264,19 @@ static int32_t velocities_close(const swing *g)
 	return 1;
 }
 
-/* Substeps that follow the fastest of the tension's springs, as far as they go. */
-static int32_t substeps_of(const swing *g, const cni_solve *s, float rods)
+/* Number of substeps that follows the fastest spring of the geometric stiffness, up to a limit. */
+static int32_t substeps_of(const rattle_step *g, const cni_solve *s, float rods)
 {
 	float fastest = 0.0f, needed;
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k)
 		fastest = cni_max(fastest, cni_abs(g->motions[g->sparse->bodies[k]].w));
-	needed = cni_max(1.5f * s->dt * cni_sqrt(cni_geometric_stiffness_stiffness(g->world, g->sparse, g->c)), 2.0f * s->dt * fastest);
+	needed = cni_max(1.5f * s->dt * cni_sqrt(cni_geometric_stiffness_largest(g->world, g->sparse, g->c)), 2.0f * s->dt * fastest);
 	needed = cni_max(cni_min(SUBSTEPS_MOST, needed), cni_min(SUBSTEPS_ROD_MOST, 1.5f * s->dt * cni_sqrt(rods)));
 	return cni_max_i(s->substeps, (int32_t)needed);
 }
 
-static int32_t substep(const swing *g)
+static int32_t substep(const rattle_step *g)
 {
 	int32_t closed;
 	gaps_left_find(g);
@@ -294,16 +293,16 @@ static int32_t substep(const swing *g)
 
 /* ---- one substep of the projection ---- */
 
-static void impulses_clear(const swing *g)
+static void impulses_clear(const rattle_step *g)
 {
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k)
-		for (i = 0; i < work_of(g, k)->row_count; ++i)
-			work_of(g, k)->rows[i].impulse = 0.0f;
+		for (i = 0; i < constraint_of(g, k)->row_count; ++i)
+			constraint_of(g, k)->rows[i].impulse = 0.0f;
 }
 
-/* Newton's method, for rotations of any size: the levers follow in each round. */
-static int32_t positions_project(const swing *g)
+/* Newton's method for rotations of any size: the levers are computed anew in each round. */
+static int32_t positions_project(const rattle_step *g)
 {
 	float gap = gaps_find(g), last = FLT_MAX;
 	int32_t round;
@@ -319,7 +318,7 @@ static int32_t positions_project(const swing *g)
 	return gap <= 2.0f * g->world->settings.accuracy ? CLOSED_WELL : OPEN;
 }
 
-static int32_t substep_project(const swing *g)
+static int32_t substep_project(const rattle_step *g)
 {
 	int32_t closed;
 	gaps_left_find(g);
@@ -334,8 +333,8 @@ static int32_t substep_project(const swing *g)
 
 /* ---- the step ---- */
 
-/* start is what it would be had the last substep been one of the world's: what tells bodies at rest needs it. */
-static void last_substep_begins(const swing *g, const cni_solve *s)
+/* Sets `start` as if the last substep had the world's length: the test for bodies at rest reads it. */
+static void last_substep_begins(const rattle_step *g, const cni_solve *s)
 {
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
@@ -350,20 +349,20 @@ static void last_substep_begins(const swing *g, const cni_solve *s)
 	}
 }
 
-static void bodies_end(const swing *g)
+static void bodies_finish(const rattle_step *g)
 {
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k)
 		cni_externals(g->world)[g->sparse->bodies[k]].flags |= CNI_EXTERNAL_FINISHED;
 }
 
-/* Reactions are read as impulses of the world's substep. */
-static void works_end(const swing *g, const cni_solve *s)
+/* Scales impulses to the world's substep, for which reactions are read. */
+static void constraints_finish(const rattle_step *g, const cni_solve *s)
 {
 	float scale = s->h / g->h;
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k) {
-		cni_joint_constraint *w = work_of(g, k);
+		cni_joint_constraint *w = constraint_of(g, k);
 		for (i = 0; i < w->rigid_count; ++i)
 			w->rows[i].impulse *= scale;
 		for (; i < w->row_count; ++i)
@@ -372,22 +371,22 @@ static void works_end(const swing *g, const cni_solve *s)
 	}
 }
 
-static void works_stress(const swing *g)
+static void constraints_stress(const rattle_step *g)
 {
 	int32_t k;
 	for (k = g->c->begin; k < g->c->end; ++k) {
-		cni_joint_constraint *w = work_of(g, k);
+		cni_joint_constraint *w = constraint_of(g, k);
 		if (w->flags & CNI_CONSTRAINT_BREAKABLE)
 			cni_joint_constraint_stress(w, g->motions + w->ib, 1.0f / g->h);
 	}
 }
 
-/* Impulses as the step found them. */
-static void works_begin(const swing *g, float scale)
+/* Resets impulses to those of the joint records. */
+static void impulses_reset(const rattle_step *g, float scale)
 {
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k) {
-		cni_joint_constraint *w = work_of(g, k);
+		cni_joint_constraint *w = constraint_of(g, k);
 		for (i = 0; i < w->rigid_count; ++i)
 			w->rows[i].impulse = scale * w->record->impulse[w->rows[i].slot];
 		if (w->flags & CNI_CONSTRAINT_BREAKABLE)
@@ -395,26 +394,26 @@ static void works_begin(const swing *g, float scale)
 	}
 }
 
-/* All as the step found it. */
-static void step_undo(const swing *g)
+/* Restores the state at the beginning of the step. */
+static void step_undo(const rattle_step *g)
 {
 	int32_t k;
 	cni_dummy_stand(g->world);
-	cni_direct_motions_keep(g->world, g->sparse, g->c, 1);
-	cni_direct_turns(g->world, g->sparse, g->c);
+	cni_direct_motions_save(g->world, g->sparse, g->c, 1);
+	cni_direct_rotations(g->world, g->sparse, g->c);
 	for (k = g->c->begin; k < g->c->end; ++k)
-		cni_joint_constraint_rows(work_of(g, k), g->motions, g->sparse->turn);
+		cni_joint_constraint_rows(constraint_of(g, k), g->motions, g->sparse->turn);
 }
 
-/* ---- what joints remember ---- */
+/* ---- trust of joints ---- */
 
-static cni_joint_trust *trust_of(const swing *g, int32_t node)
+static cni_joint_trust *trust_of(const rattle_step *g, int32_t node)
 {
-	return &cni_joint_at(g->world, work_of(g, node)->joint)->trust;
+	return &cni_joint_at(g->world, constraint_of(g, node)->joint)->trust;
 }
 
-/* Of a component: the sum of their accounts, the longest of their spans, the latest of their ends. */
-static cni_joint_trust trust_read(const swing *g)
+/* Of a component: the sum of its joints' accounts, the longest span, the latest end. */
+static cni_joint_trust trust_read(const rattle_step *g)
 {
 	cni_joint_trust sum = { 0.0f, 0, 0, 0 };
 	uint32_t step = g->world->step_count;
@@ -429,7 +428,7 @@ static cni_joint_trust trust_read(const swing *g)
 	return sum;
 }
 
-static void trust_write(const swing *g, const cni_joint_trust *trust)
+static void trust_write(const rattle_step *g, const cni_joint_trust *trust)
 {
 	float surplus = trust->surplus / (float)(g->c->end - g->c->begin);
 	int32_t k;
@@ -440,8 +439,8 @@ static void trust_write(const swing *g, const cni_joint_trust *trust)
 	}
 }
 
-/* All substeps, or as many as go well. */
-static int32_t substeps_run(swing *g, const cni_solve *s, int32_t substeps, int32_t projects)
+/* Runs all substeps, or stops at the first that fails. */
+static int32_t substeps_run(rattle_step *g, const cni_solve *s, int32_t substeps, int32_t projects)
 {
 	int32_t k, moving = cni_rattle_is_fixed(g);
 	g->base_work = 0.0f;
@@ -452,22 +451,22 @@ static int32_t substeps_run(swing *g, const cni_solve *s, int32_t substeps, int3
 		how = projects ? substep_project(g) : substep(g);
 		if (how == BROKEN || (how == OPEN && !(projects && g->c->loops)))
 			return how;
-		works_stress(g);
+		constraints_stress(g);
 		if (moving)
 			g->base_work += cni_rattle_base_work(g);
 	}
-	g->speeding = cni_rattle_speeding(g, s);
+	g->energy_error = cni_rattle_energy_error(g, s);
 	return CLOSED_WELL;
 }
 
-/* A step by RATTLE with so many substeps. */
-static int32_t rattle_try(swing *g, const cni_solve *s, cni_component *c, int32_t substeps, cni_joint_trust *t)
+/* Tries a step by RATTLE with this number of substeps. */
+static int32_t rattle_try(rattle_step *g, const cni_solve *s, cni_component *c, int32_t substeps, cni_joint_trust *t)
 {
 	float before, allowed, gained;
 	int32_t how;
 	g->h = s->dt / (float)substeps;
 	g->closing = g->h * s->push_speed;
-	works_begin(g, s->warm_scale * g->h / s->h);
+	impulses_reset(g, s->warm_scale * g->h / s->h);
 	g->warm = 0.5f;
 	if (cni_geometric_stiffness_needs_dampers(g->world, g->sparse, c, g->h)) {
 		g->warm = 0.0f;
@@ -475,34 +474,34 @@ static int32_t rattle_try(swing *g, const cni_solve *s, cni_component *c, int32_
 	}
 	cni_geometric_stiffness_damp(g->world, g->sparse, c, g->h);
 	cni_direct_refresh(g->world, g->sparse, c);
-	before = cni_rattle_energy(g); /* as a step begins, no work has been done */
-	g->mends = cni_rattle_mends(g);
+	before = cni_rattle_energy(g); /* no work has been done at the beginning of a step */
+	g->closes_gaps = cni_rattle_closes_gaps(g);
 	allowed = cni_rattle_energy_allowed(g, s->dt);
 	how = substeps_run(g, s, substeps, 0);
 	if (how != CLOSED_WELL)
 		return how;
 	gained = cni_rattle_energy(g) - before - g->base_work;
-	/* Written so that what is not a number fails too. */
-	if (!(gained <= ENERGY_GAIN * before + allowed + g->speeding))
+	/* Written so that NaN fails too. */
+	if (!(gained <= ENERGY_GAIN * before + allowed + g->energy_error))
 		return BROKEN;
 	cni_rattle_account(g, t, gained);
 	return CLOSED_WELL;
 }
 
-/* Projections cannot raise kinetic energy: what gives more of it in spite of that is rounding. */
-static int32_t project_try(swing *g, const cni_solve *s, cni_component *c, cni_joint_trust *t)
+/* Projections cannot raise kinetic energy: any gain is rounding. */
+static int32_t project_try(rattle_step *g, const cni_solve *s, cni_component *c, cni_joint_trust *t)
 {
 	float before, most;
 	int32_t how;
 	g->h = s->dt / (float)cni_max_i(SUBSTEPS_FIRM, s->substeps);
 	g->closing = g->h * s->push_speed;
-	works_begin(g, 0.0f);
+	impulses_reset(g, 0.0f);
 	if (c->width > 2)
 		cni_sparse_clear(g->sparse, c); /* no dampers */
 	cni_direct_refresh(g->world, g->sparse, c);
 	before = cni_rattle_energy(g);
-	g->mends = cni_rattle_mends(g);
-	most = cni_sqrt(before) + cni_sqrt(cni_rattle_energy_allowed(g, s->dt)); /* speeds that drives give, by the norm of kinetic energy */
+	g->closes_gaps = cni_rattle_closes_gaps(g);
+	most = cni_sqrt(before) + cni_sqrt(cni_rattle_energy_allowed(g, s->dt)); /* in the norm of kinetic energy */
 	most *= most;
 	how = substeps_run(g, s, cni_max_i(SUBSTEPS_FIRM, s->substeps), 1);
 	if (how != CLOSED_WELL)
@@ -513,22 +512,22 @@ static int32_t project_try(swing *g, const cni_solve *s, cni_component *c, cni_j
 	return CLOSED_WELL;
 }
 
-/* Each joint by itself after all, in this step and for some time. */
-static void swing_release(const swing *g, const cni_solve *s, cni_joint_trust *t)
+/* Returns the joints to the soft solver for this step and for some time. */
+static void joints_release(const rattle_step *g, const cni_solve *s, cni_joint_trust *t)
 {
 	int32_t k, i;
 	cni_trust_fail(t, g->world->step_count, 1);
 	t->surplus = 0.0f;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		cni_joint_constraint_prepare(g->world, s, g->sparse->nodes[k].owner);
-		for (i = 0; i < work_of(g, k)->row_count; ++i)
-			work_of(g, k)->rows[i].impulse = 0.0f; /* what could not be held has grown beyond all measure */
+		for (i = 0; i < constraint_of(g, k)->row_count; ++i)
+			constraint_of(g, k)->rows[i].impulse = 0.0f; /* impulses of a failed solution may be huge */
 	}
 	g->world->joints_soft_step = t->until > g->world->joints_soft_step ? t->until : g->world->joints_soft_step;
 }
 
-/* Returns 1 when a step by RATTLE went well, with as many substeps as it needs. */
-static int32_t rattle_run(swing *g, const cni_solve *s, cni_component *c, int32_t substeps, cni_joint_trust *t)
+/* Runs RATTLE with twice the substeps after each failure. Returns 1 when a step succeeded. */
+static int32_t rattle_run(rattle_step *g, const cni_solve *s, cni_component *c, int32_t substeps, cni_joint_trust *t)
 {
 	cni_joint_trust before = *t;
 	for (; substeps <= SUBSTEPS_RETRY; substeps *= 2) {
@@ -540,16 +539,17 @@ static int32_t rattle_run(swing *g, const cni_solve *s, cni_component *c, int32_
 	return 0;
 }
 
-static void swing_run(cn_world *world, const cni_solve *s, cni_component *c, float *left)
+static void component_run(cn_world *world, const cni_solve *s, cni_component *c, float *left)
 {
-	swing g = { world, s->direct, c, cni_motions(world), s->h, CLOSED * world->settings.length_unit, 0.0f, left, 0.5f, 0.0f, 0.0f, 0 };
-	float rods, last_h = s->warm_scale > 0.0f ? s->h / s->warm_scale : s->h; /* of which the records' impulses are */
+	rattle_step g = { world, s->direct, c, cni_motions(world), s->h, CLOSED * world->settings.length_unit, 0.0f, left, 0.5f, 0.0f, 0.0f,
+		0 };
+	float rods, last_h = s->warm_scale > 0.0f ? s->h / s->warm_scale : s->h; /* substep of the records' impulses */
 	cni_joint_trust trust = trust_read(&g);
 	int32_t projects;
-	cni_direct_turns(world, g.sparse, c);
+	cni_direct_rotations(world, g.sparse, c);
 	rods = cni_geometric_stiffness_rods(world, g.sparse, c, last_h);
 	cni_geometric_stiffness_find(world, g.sparse, c, last_h);
-	cni_direct_motions_keep(world, g.sparse, c, 0);
+	cni_direct_motions_save(world, g.sparse, c, 0);
 	c->done = 1;
 	projects = trust.span > 0 && trust.until > world->step_count;
 	if (projects || !rattle_run(&g, s, c, substeps_of(&g, s, rods), &trust)) {
@@ -557,14 +557,14 @@ static void swing_run(cn_world *world, const cni_solve *s, cni_component *c, flo
 			cni_trust_fail(&trust, world->step_count, 0);
 		if (project_try(&g, s, c, &trust) != CLOSED_WELL) {
 			step_undo(&g);
-			swing_release(&g, s, &trust);
+			joints_release(&g, s, &trust);
 			trust_write(&g, &trust);
 			return;
 		}
 	}
 	trust_write(&g, &trust);
-	bodies_end(&g);
-	works_end(&g, s);
+	bodies_finish(&g);
+	constraints_finish(&g, s);
 }
 
 static int32_t largest_component(const cni_sparse *sparse)
@@ -590,7 +590,7 @@ void cni_rattle_run(cn_world *world, const cni_solve *s)
 		if (!c->swings)
 			continue;
 		if (left != NULL)
-			swing_run(world, s, c, left);
+			component_run(world, s, c, left);
 		else
 			cni_direct_begin(world, s, s->direct, c);
 	}

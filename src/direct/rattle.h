@@ -1,5 +1,5 @@
 /*
- * direct/rattle.h - what rattle.c, which steps bodies that only joints hold, and rattle_energy.c share.
+ * direct/rattle.h - the shared part of rattle.c, which steps bodies that only joints constrain, and rattle_energy.c.
  */
 #ifndef CNI_DIRECT_RATTLE_H
 #define CNI_DIRECT_RATTLE_H
@@ -9,40 +9,40 @@
 #define GAP_OLD 100.0f          /* times CLOSED: a gap that this step has not made */
 #define ENERGY_GAIN 0.01f      /* part of the kinetic energy that a step may take out: more is a step that failed */
 
-typedef struct swing {
+typedef struct rattle_step {
 	cn_world *world;
 	cni_sparse *sparse;
 	const cni_component *c;
 	cni_motion *motions;
 	float h;
-	float closed;      /* errors below it do not matter */
-	float closing;     /* most that is closed of an old gap in a substep */
-	float *left;       /* by row: what of an old gap is to be left after the substep */
-	float warm;        /* 0.5, or 0: what of the last substep's impulse mu starts from */
-	float speeding;    /* h^2 m a^2 / 4 of the last substep: how far the method's energy may be off */
-	float base_work;   /* that moving bodies without mass have done at their joints in this step */
-	int32_t mends;     /* 1: the step began with gaps that it closes */
-} swing;
+	float closed;      /* largest negligible joint error */
+	float closing;     /* largest reduction of an old gap in a substep */
+	float *left;       /* by row: remainder of an old gap after the substep */
+	float warm;        /* 0.5, or 0: part of the last substep's impulse that is the first guess of mu */
+	float energy_error; /* h^2 m a^2 / 4 of the last substep: bound on the method's energy error */
+	float base_work;   /* work of moving bodies without mass at their joints in this step */
+	int32_t closes_gaps; /* 1: the step began with old gaps and closes them */
+} rattle_step;
 
-static inline cni_joint_constraint *work_of(const swing *g, int32_t node)
+static inline cni_joint_constraint *constraint_of(const rattle_step *g, int32_t node)
 {
 	return &cni_joint_constraints(g->world)[g->sparse->nodes[node].owner];
 }
 
-/* Are there old gaps, which are closed with some speed? */
-int32_t cni_rattle_mends(const swing *g);
-/* Has the component joints to what cannot move? */
-int32_t cni_rattle_is_fixed(const swing *g);
-float cni_rattle_kinetic(const swing *g);
-/* Of motion, less the work that drives have done in this step. */
-float cni_rattle_energy(const swing *g);
-/* What a step of free fall, and of closing gaps, may give from rest. */
-float cni_rattle_energy_allowed(const swing *g, float dt);
-/* h^2 m a^2 / 4 of the last substep: how far the method's energy may be off. */
-float cni_rattle_speeding(const swing *g, const cni_solve *s);
-/* What moving bodies without mass did at the component's joints in a substep. */
-float cni_rattle_base_work(const swing *g);
-/* What a step gained goes to the account, and what is too much for it out of the motion. */
-void cni_rattle_account(const swing *g, cni_joint_trust *t, float gained);
+/* 1: some joint has an old gap, which closes at a limited speed. */
+int32_t cni_rattle_closes_gaps(const rattle_step *g);
+/* 1: a joint of the component ends at a body that cannot move. */
+int32_t cni_rattle_is_fixed(const rattle_step *g);
+float cni_rattle_kinetic(const rattle_step *g);
+/* Energy of motion less the work of external accelerations in this step. */
+float cni_rattle_energy(const rattle_step *g);
+/* Energy that a step of free fall and of gap closing may add from rest. */
+float cni_rattle_energy_allowed(const rattle_step *g, float dt);
+/* h^2 m a^2 / 4 of the last substep: bound on the method's energy error. */
+float cni_rattle_energy_error(const rattle_step *g, const cni_solve *s);
+/* Work of moving bodies without mass at the component's joints in a substep. */
+float cni_rattle_base_work(const rattle_step *g);
+/* Adds the energy gain of a step to the account and takes the excess out of the motion. */
+void cni_rattle_account(const rattle_step *g, cni_joint_trust *t, float gained);
 
 #endif

@@ -1,20 +1,19 @@
 /*
- * direct/rattle_energy.c - the energy of bodies that only joints hold: what a step gained beyond the work of drives and of
- * moving bases, and taking out what is more than the scheme's own error (direct/rattle.c).
+ * direct/rattle_energy.c - the energy of bodies that only joints constrain: the gain of a step beyond the work of external accelerations
+ * and moving bases, and the removal of the part beyond the scheme's own error (direct/rattle.c).
  *
- * Reads motion, start, drives, works; writes motion velocities and the account.
+ * Reads motion, start, externals, joint constraints; writes motion velocities and the account.
  */
 #include "direct/rattle.h"
 
 #define ROUNDING 1e-3f         /* part of the kinetic energy that some minutes of rounding may gain */
 
-/* Are there old gaps, which are closed with some speed? */
-int32_t cni_rattle_mends(const swing *g)
+int32_t cni_rattle_closes_gaps(const rattle_step *g)
 {
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k)
 		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
-			if (cni_abs(work_of(g, k)->rows[i].error) > GAP_OLD * g->closed)
+			if (cni_abs(constraint_of(g, k)->rows[i].error) > GAP_OLD * g->closed)
 				return 1;
 	return 0;
 }
@@ -24,7 +23,7 @@ static float inverse_or_zero(float x)
 	return x > 0.0f ? 1.0f / x : 0.0f;
 }
 
-float cni_rattle_kinetic(const swing *g)
+float cni_rattle_kinetic(const rattle_step *g)
 {
 	float sum = 0.0f;
 	int32_t k;
@@ -35,8 +34,7 @@ float cni_rattle_kinetic(const swing *g)
 	return 0.5f * sum;
 }
 
-/* Of motion, less the work that drives have done in this step. */
-float cni_rattle_energy(const swing *g)
+float cni_rattle_energy(const rattle_step *g)
 {
 	float sum = 0.0f;
 	int32_t k;
@@ -49,10 +47,9 @@ float cni_rattle_energy(const swing *g)
 	return sum;
 }
 
-/* What a step of free fall, and of closing gaps, may give from rest. */
-float cni_rattle_energy_allowed(const swing *g, float dt)
+float cni_rattle_energy_allowed(const rattle_step *g, float dt)
 {
-	float sum = 0.0f, pull = cni_rattle_mends(g) ? g->closing / g->h : 0.0f;
+	float sum = 0.0f, pull = cni_rattle_closes_gaps(g) ? g->closing / g->h : 0.0f;
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
@@ -66,18 +63,18 @@ float cni_rattle_energy_allowed(const swing *g, float dt)
 /* ---- energy ---- */
 
 /* Twice the kinetic energy of a change of velocity. */
-static float change_of(const cni_motion *m, float vx, float vy, float w)
+static float kinetic_of_change(const cni_motion *m, float vx, float vy, float w)
 {
 	return inverse_or_zero(m->inv_mass) * (vx * vx + vy * vy) + inverse_or_zero(m->inv_inertia) * w * w;
 }
 
 /*
- * Velocities and positions of the method are those of a motion that keeps T + V + h^2 (sum m a.a / 24 - sum m g.a / 12), to
- * the fourth order of h (backward analysis of the Stoermer-Verlet scheme: Hairer, Lubich and Wanner, "Geometric Numerical
- * Integration", 2006, IX.3, with the joints' forces among the accelerations a): six times the first term.
- * start: velocities before the last substep, as last_substep_begins left them.
+ * Velocities and positions of the method are those of a motion that conserves T + V + h^2 (sum m a.a / 24 - sum m g.a / 12), to the fourth
+ * order of h (backward analysis of the Stoermer-Verlet scheme: Hairer, Lubich and Wanner, "Geometric Numerical Integration", 2006, IX.3,
+ * with the joints' forces among the accelerations a). The bound is six times the first term. start: velocities before the last substep, set
+ * by last_substep_begins.
  */
-float cni_rattle_speeding(const swing *g, const cni_solve *s)
+float cni_rattle_energy_error(const rattle_step *g, const cni_solve *s)
 {
 	float sum = 0.0f, last = cni_max(1.0f, s->warm_scale > 0.0f ? 1.0f / s->warm_scale : 1.0f); /* the account was filled at the last step's h */
 	int32_t k;
@@ -86,12 +83,12 @@ float cni_rattle_speeding(const swing *g, const cni_solve *s)
 		const cni_motion *m = g->motions + index;
 		const cni_external *d = cni_externals(g->world) + index;
 		const cni_velocity_start *start = cni_starts(g->world) + index;
-		sum += change_of(m, m->vx - start->vx + s->h * d->ax, m->vy - start->vy + s->h * d->ay, m->w - start->w + s->h * d->alpha);
+		sum += kinetic_of_change(m, m->vx - start->vx + s->h * d->ax, m->vy - start->vy + s->h * d->ay, m->w - start->w + s->h * d->alpha);
 	}
 	return sum * last * last / 4.0f;
 }
 
-/* Of a lever's ends, those that have no mass: how fast the row closes for their motion alone. */
+/* Closing speed of the row from the motion of its massless bodies alone. */
 static float base_speed(const cni_lever *l, const cni_motion *a, const cni_motion *b)
 {
 	float speed = 0.0f;
@@ -102,15 +99,15 @@ static float base_speed(const cni_lever *l, const cni_motion *a, const cni_motio
 	return speed;
 }
 
-/* In a substep: J v = 0, so that what acts on the bodies with mass is minus what the others close. */
-float cni_rattle_base_work(const swing *g)
+/* In a substep J v = 0, so the row's power on bodies with mass is minus that of the massless ones. */
+float cni_rattle_base_work(const rattle_step *g)
 {
 	float work = 0.0f;
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k) {
 		const cni_node *n = &g->sparse->nodes[k];
 		for (i = 0; i < n->rows; ++i)
-			work -= work_of(g, k)->rows[i].impulse * base_speed(&n->lever[i], g->motions + n->ia, g->motions + n->ib);
+			work -= constraint_of(g, k)->rows[i].impulse * base_speed(&n->lever[i], g->motions + n->ia, g->motions + n->ib);
 	}
 	return work;
 }
@@ -118,17 +115,16 @@ float cni_rattle_base_work(const swing *g)
 typedef struct rigid_motion {
 	float mass, inertia;
 	float x, y, vx, vy, w;
-	int32_t fixed;     /* some joint is to what has no mass: all that is free is the motion itself */
+	int32_t fixed;     /* 1: a joint ends at a body without mass: no rigid motion is subtracted */
 } rigid_motion;
 
-static cni_vec2 place_of(const swing *g, int32_t index)
+static cni_vec2 place_of(const rattle_step *g, int32_t index)
 {
 	const cni_body *b = cni_body_at(g->world, cni_awake_ids(g->world)[index]);
 	return cni_v(b->cx + g->motions[index].dpx, b->cy + g->motions[index].dpy);
 }
 
-/* Has the component joints to what cannot move? */
-int32_t cni_rattle_is_fixed(const swing *g)
+int32_t cni_rattle_is_fixed(const rattle_step *g)
 {
 	int32_t k;
 	for (k = g->c->begin; k < g->c->end; ++k)
@@ -138,7 +134,7 @@ int32_t cni_rattle_is_fixed(const swing *g)
 }
 
 /* The motion of one rigid body with the component's momenta. */
-static rigid_motion rigid_of(const swing *g)
+static rigid_motion rigid_of(const rattle_step *g)
 {
 	rigid_motion r = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, cni_rattle_is_fixed(g) };
 	float spin = 0.0f;
@@ -171,7 +167,7 @@ static rigid_motion rigid_of(const swing *g)
 	return r;
 }
 
-static cni_velocity_start velocity_in(const swing *g, const rigid_motion *r, int32_t index)
+static cni_velocity_start velocity_in(const rattle_step *g, const rigid_motion *r, int32_t index)
 {
 	cni_velocity_start v = { 0.0f, 0.0f, 0.0f, 0.0f };
 	cni_vec2 p;
@@ -184,24 +180,24 @@ static cni_velocity_start velocity_in(const swing *g, const rigid_motion *r, int
 	return v;
 }
 
-/* Twice the kinetic energy of the motion against the rigid one. */
-static float inner_energy(const swing *g, const rigid_motion *r)
+/* Kinetic energy relative to the rigid motion. */
+static float inner_energy(const rattle_step *g, const rigid_motion *r)
 {
 	float sum = 0.0f;
 	int32_t k;
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		const cni_motion *m = g->motions + g->sparse->bodies[k];
 		cni_velocity_start v = velocity_in(g, r, g->sparse->bodies[k]);
-		sum += change_of(m, m->vx - v.vx, m->vy - v.vy, m->w - v.w);
+		sum += kinetic_of_change(m, m->vx - v.vx, m->vy - v.vy, m->w - v.w);
 	}
 	return 0.5f * sum;
 }
 
 /*
- * Takes this much energy out of the component's motion, but no more than ENERGY_GAIN of it: all velocities against the rigid
- * motion that has its momenta by the same factor, which keeps them and J v = 0. Returns what it took.
+ * Takes this energy out of the component's motion, but at most ENERGY_GAIN of it. All velocities relative to the rigid motion of equal
+ * momenta are scaled by one factor, which preserves the momenta and J v = 0. Returns the energy removed.
  */
-static float energy_take(const swing *g, float surplus)
+static float energy_remove(const rattle_step *g, float surplus)
 {
 	rigid_motion r = rigid_of(g);
 	float inner = inner_energy(g, &r), part, keep;
@@ -220,8 +216,8 @@ static float energy_take(const swing *g, float surplus)
 	return part * inner;
 }
 
-/* Work of drives along what positions may be wrong by: joints count as closed within it, and floats round. */
-static float rounding_of_positions(const swing *g)
+/* Work of external accelerations along the position error: the tolerance of closed joints and the rounding of floats. */
+static float rounding_of_positions(const rattle_step *g)
 {
 	float sum = 0.0f;
 	int32_t k;
@@ -235,14 +231,14 @@ static float rounding_of_positions(const swing *g)
 	return sum;
 }
 
-/* What a step gained goes to the account, and what is too much for it out of the motion. Where it closed gaps that were there before,
-   bodies were moved by that, and what they gained is not of their motion. */
-void cni_rattle_account(const swing *g, cni_joint_trust *t, float gained)
+/* Adds the energy gain of a step to the account and takes the excess out of the motion. A step that closed old gaps adds nothing: closing
+   moved the bodies, so the gain is not of their motion. */
+void cni_rattle_account(const rattle_step *g, cni_joint_trust *t, float gained)
 {
-	float most = g->speeding + ROUNDING * cni_rattle_kinetic(g) + rounding_of_positions(g);
-	t->surplus = cni_max(t->surplus + (g->mends ? 0.0f : gained), -most);
-	if (!(t->surplus < FLT_MAX)) /* no account can be kept of what floats cannot hold */
+	float most = g->energy_error + ROUNDING * cni_rattle_kinetic(g) + rounding_of_positions(g);
+	t->surplus = cni_max(t->surplus + (g->closes_gaps ? 0.0f : gained), -most);
+	if (!(t->surplus < FLT_MAX)) /* an account that is not finite begins anew */
 		t->surplus = 0.0f;
 	if (t->surplus > most)
-		t->surplus -= energy_take(g, t->surplus - most);
+		t->surplus -= energy_remove(g, t->surplus - most);
 }

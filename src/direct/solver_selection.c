@@ -1,27 +1,27 @@
 /*
- * direct/solver_selection.c - which islands are solved directly in this step, contacts and all.
+ * direct/solver_selection.c - selects the islands whose joints and contacts are solved directly in this step.
  *
- * Soft contacts settle from impulse to impulse: exact at rest once their loads are, which a new pile is given from the top
- * down (contacts/gravity_preload.c). That fails where things lean on each other, and much weight on little mass crushes what bears
- * it. A quiet island is solved directly (direct/direct_contacts.c)
+ * Soft contacts converge from step to step: they are exact at rest once their loads are, and new piles get their loads top-down
+ * (contacts/gravity_preload.c). That fails where bodies lean on each other, and where a heavy body crushes a light one below it. A quiet
+ * island is solved directly (direct/direct_contacts.c)
  *   - when a contact overlaps by more than the accuracy;
- *   - by more than a tenth of it, or when it is new, where it bears or may come to bear more than soft contacts can, or is
- *     between things that lean;
- *   - when the sweep from the top down left something of it that falls.
- * It is so until it has been good for a while, or, where things lean on each other, until it sleeps; the loads it then has are exact, and the soft solver
- * goes on from them. The stay grows fourfold each time it turns bad again. An island whose system has been refused, for its
- * work, for what it is made of, or because no solution was found, is left alone for a time, each time for longer. So is one that falls.
+ *   - when a contact overlaps by more than a tenth of it, or is new, and carries or may carry more than soft contacts can, or is
+ *     between bodies that lean;
+ *   - when the top-down sweep left some body unsupported.
+ * It stays direct until it has been good for a while or, where bodies lean on each other, until it sleeps; its loads are then exact, and
+ * the soft solver starts from them. The stay grows fourfold each time the island turns bad again. An island is barred for a time, longer
+ * each time, when its system was refused for its work or its kind, when no solution was found, or when it falls.
  *
- * A scene in which nothing is wrong pays for one look at the separations of its lanes.
+ * A scene without bad contacts costs one scan of the separations of its lanes.
  *
- * Islands with joints are not taken by themselves: their joints are solved directly as it is (direct/direct_joints.c), and
- * one system of taut joints and of contacts whose set is not found in one step out of hundreds does more harm by that
- * step than good by the others. An island that gets joints is given back. A body's own solver takes them too.
+ * The automatic selection skips islands with joints: their joints are solved directly anyway (direct/direct_joints.c). In a system of taut
+ * joints and contacts, one step in hundreds finds no active set, and that step does more harm than the others do good. An island that gets
+ * joints becomes soft again. A body's own solver setting takes such islands too.
  *
- * CN_SOLVER_DIRECT takes every island, quiet or not, and never gives it back. A body's own solver does the same for its
- * island, or keeps it soft.
+ * CN_SOLVER_DIRECT takes every island, quiet or not, and keeps it. A body's own solver setting does the same for its island, or keeps it
+ * soft.
  *
- * Why an island is in its tier is written down where that is decided: world/islands.c tells it.
+ * Each decision stores the reason of the island's tier: world/islands.c reports it.
  *
  * Reads lanes, islands, motion; writes islands' tier fields, world->direct_islands.
  */
@@ -47,13 +47,13 @@
 #define BLOCKS_AT_ONCE 8       /* whose memory is asked for */
 #define HEAVIER 5.0f           /* times: such a body on a lighter one may crush it */
 
-typedef struct look {
-	float most;    /* metres: overlap that is bad where much is borne */
-	float h;       /* of a substep */
-	int32_t done;  /* the island of the last lane that could not change anything more, CNI_NONE */
-} look;
+typedef struct lane_scan {
+	float most;    /* metres: bad overlap of a contact with much load */
+	float h;       /* substep length */
+	int32_t done;  /* an island whose further lanes change nothing, CNI_NONE */
+} lane_scan;
 
-static int32_t *listed(const cn_world *world)
+static int32_t *direct_list(const cn_world *world)
 {
 	return (int32_t *)world->direct_islands.data;
 }
@@ -64,7 +64,7 @@ static int32_t takes_contacts(const cn_world *world, int32_t island)
 	return cni_island_at(world, island)->solver == CN_SOLVER_DIRECT || !cni_island_has_joints(world, island);
 }
 
-/* So long that it does not count for what a thing of so many steps is now. */
+/* 1: so long ago that the next span of this kind begins anew. */
 static int32_t is_long_ago(const cn_world *world, uint32_t step, int32_t steps)
 {
 	return world->step_count - step > (uint32_t)FORGET_FACTOR * (uint32_t)steps;
@@ -84,7 +84,7 @@ static void island_take(cn_world *world, int32_t island, int32_t reason)
 	if (is_long_ago(world, i->given_step, i->stay_steps))
 		i->stay_steps = 0;
 	i->good_steps = 0;
-	listed(world)[world->direct_islands.count++] = island;
+	direct_list(world)[world->direct_islands.count++] = island;
 }
 
 int32_t cni_island_is_refused(const cni_island *i, uint32_t step)
@@ -113,8 +113,8 @@ static void new_contact_count(cn_world *world, int32_t index)
 	++i->new_contacts;
 }
 
-/* Something is wrong in it. Of several reasons the latest of the list is told. */
-static void island_is_bad(cn_world *world, int32_t island, int32_t reason)
+/* Records a bad contact of the island. Of several reasons the highest is reported. */
+static void island_mark_bad(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
 	i->good_steps = 0;
@@ -136,10 +136,10 @@ static void island_is_bad(cn_world *world, int32_t island, int32_t reason)
 }
 
 /*
- * What was solved directly has loads that held it in balance. Soft contacts yield around them: where it moves after all, the
- * thrust of an arch would drive it apart. They are to find them anew.
+ * The loads of a directly solved island held it in balance. Soft contacts yield around these loads: in an island that moves after all, the
+ * thrust of an arch would drive it apart. Clearing them lets the soft solver find new ones.
  */
-static void loads_forget(const cn_world *world, const cni_island *i)
+static void loads_clear(const cn_world *world, const cni_island *i)
 {
 	int32_t body, key;
 	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
@@ -157,7 +157,7 @@ void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 	cni_island *i = cni_island_at(world, island);
 	int32_t first = reason == CN_TIER_REASON_NO_SET || reason == CN_TIER_REASON_MOVING ? RETRY_STEPS : REFUSED_STEPS;
 	if (i->tier == CNI_TIER_DIRECT && i->falls_steps > 0 && i->gives_step != 0 && world->step_count + 1u - i->gives_step < 3u)
-		loads_forget(world, i);
+		loads_clear(world, i);
 	i->tier = CNI_TIER_SOFT;
 	i->reason = reason;
 	if (is_long_ago(world, i->refused_step, i->refused_steps))
@@ -166,7 +166,7 @@ void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 	i->refused_steps = CNI_ON(TRUST) ? cni_min_i(cni_max_i(2 * i->refused_steps, first), REFUSED_MOST) : 1;
 }
 
-/* ---- looking for what is wrong ---- */
+/* ---- the search for bad contacts ---- */
 
 static float overlap(const cni_contact_block *k, int32_t l)
 {
@@ -178,7 +178,7 @@ static int32_t lane_is_new(const cni_contact_block *k, int32_t l, float slop)
 	return k->p[0].jn[l] + k->p[1].jn[l] == 0.0f && overlap(k, l) > -0.1f * slop;
 }
 
-/* May it come to bear that much? What lies on it is much heavier, or it bears half as much already. */
+/* 1: the contact may come to carry that much: a much heavier body lies on it, or it carries half as much already. */
 static int32_t may_be_stressed(const cn_world *world, const cni_contact_block *k, int32_t l, float h)
 {
 	float inv_a = cni_motions(world)[k->ia[l]].inv_mass, inv_b = cni_motions(world)[k->ib[l]].inv_mass;
@@ -187,31 +187,31 @@ static int32_t may_be_stressed(const cn_world *world, const cni_contact_block *k
 	return cni_is_stressed(world, k->ia[l], k->ib[l], k->p[0].jn[l] + k->p[1].jn[l], h, 0.5f);
 }
 
-static int32_t creeps(const cn_world *world, int32_t index)
+static int32_t is_slow(const cn_world *world, int32_t index)
 {
 	const cni_motion *m = cni_motions(world) + index;
 	return m->vx * m->vx + m->vy * m->vy <= world->settings.sleep_speed * world->settings.sleep_speed;
 }
 
-/* Things that lean on each other: a sweep could not load them from the top down, or they sink while nothing moves. */
-static int32_t leans(const cn_world *world, const cni_contact_block *k, int32_t l)
+/* Leaning bodies: the top-down sweep could not load them, or they sink while nothing moves. */
+static int32_t is_leaning(const cn_world *world, const cni_contact_block *k, int32_t l)
 {
 	int32_t island = cni_awake_island(world, k->ia[l]);
-	return island != CNI_NONE && (cni_island_at(world, island)->unheld_step != 0 || (creeps(world, k->ia[l]) && creeps(world, k->ib[l])));
+	return island != CNI_NONE && (cni_island_at(world, island)->unheld_step != 0 || (is_slow(world, k->ia[l]) && is_slow(world, k->ib[l])));
 }
 
-/* What is wrong with a lane, 0: nothing. */
-static int32_t lane_reason(const cn_world *world, const look *q, const cni_contact_block *k, int32_t l, int32_t is_new)
+/* Reason why a lane is bad, 0: it is good. */
+static int32_t lane_reason(const cn_world *world, const lane_scan *q, const cni_contact_block *k, int32_t l, int32_t is_new)
 {
 	float deep = overlap(k, l);
 	if (deep > world->settings.accuracy)
 		return CN_TIER_REASON_OVERLAP;
-	if ((deep <= q->most && !is_new) || (!leans(world, k, l) && !may_be_stressed(world, k, l, q->h)))
+	if ((deep <= q->most && !is_new) || (!is_leaning(world, k, l) && !may_be_stressed(world, k, l, q->h)))
 		return 0;
 	return deep > q->most ? CN_TIER_REASON_OVERLAP : CN_TIER_REASON_NEW_CONTACT;
 }
 
-/* Bit l: a point of lane l overlaps by more than most. Asked of every block. Lanes without a contact are zeros. */
+/* Bit l: a point of lane l overlaps by more than most. Runs for every block. Lanes without a contact are zeros. */
 static uint32_t deep_lanes(const cni_contact_block *k, float most)
 {
 	uint32_t deep = 0;
@@ -226,14 +226,14 @@ static uint32_t deep_lanes(const cni_contact_block *k, float most)
 	return deep;
 }
 
-/* Has it been found bad in this step, and left to the soft solver? Then more that is bad changes nothing. */
+/* 1: the island was found bad in this step and stays soft; more bad contacts change nothing. */
 static int32_t island_is_settled(const cn_world *world, int32_t island)
 {
 	const cni_island *i = cni_island_at(world, island);
 	return i->tier != CNI_TIER_DIRECT && i->looked_step == world->step_count + 1u;
 }
 
-static void lane_look(cn_world *world, look *q, const cni_contact_block *k, int32_t l, int32_t is_new)
+static void lane_check(cn_world *world, lane_scan *q, const cni_contact_block *k, int32_t l, int32_t is_new)
 {
 	int32_t island = cni_awake_island(world, k->ia[l]), reason;
 	if (island == CNI_NONE)
@@ -244,20 +244,20 @@ static void lane_look(cn_world *world, look *q, const cni_contact_block *k, int3
 	}
 	reason = lane_reason(world, q, k, l, is_new);
 	if (reason != 0)
-		island_is_bad(world, island, reason);
+		island_mark_bad(world, island, reason);
 }
 
-static void lane_look_new(cn_world *world, look *q, const cni_contact_block *k, int32_t l)
+static void new_lane_check(cn_world *world, lane_scan *q, const cni_contact_block *k, int32_t l)
 {
 	int32_t is_new = lane_is_new(k, l, world->settings.slop);
 	if (is_new)
 		new_contact_count(world, k->ia[l]);
 	if (cni_awake_island(world, k->ia[l]) != q->done)
-		lane_look(world, q, k, l, is_new);
+		lane_check(world, q, k, l, is_new);
 }
 
-/* lanes: those that are deep or new, as bits. In a heap that moves nearly all are deep, and of the island that is done. */
-static void block_look(cn_world *world, look *q, const cni_listed_block *b, uint32_t lanes)
+/* lanes: bits of the deep or new ones. In a moving heap nearly all are deep, and belong to the island q->done. */
+static void block_check(cn_world *world, lane_scan *q, const cni_listed_block *b, uint32_t lanes)
 {
 	const cni_contact_block *k = b->rows;
 	int32_t l;
@@ -265,20 +265,20 @@ static void block_look(cn_world *world, look *q, const cni_listed_block *b, uint
 		if (!(lanes >> l & 1u))
 			continue;
 		if (b->fresh >> l & 1u)
-			lane_look_new(world, q, k, l);
+			new_lane_check(world, q, k, l);
 		else if (cni_awake_island(world, k->ia[l]) != q->done)
-			lane_look(world, q, k, l, 0);
+			lane_check(world, q, k, l, 0);
 	}
 }
 
-/* What could not be loaded from the top down in the last step. */
-static void unheld_look(cn_world *world)
+/* Islands in which the top-down sweep of the last step left a body unsupported. */
+static void unheld_check(cn_world *world)
 {
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
 		int32_t island = cni_awake_island(world, k);
 		if (island != CNI_NONE && cni_island_at(world, island)->unheld_step == world->step_count && world->step_count > 0)
-			island_is_bad(world, island, CN_TIER_REASON_NEW_CONTACT);
+			island_mark_bad(world, island, CN_TIER_REASON_NEW_CONTACT);
 	}
 }
 
@@ -296,10 +296,10 @@ static void impulses_prefetch(const cni_contact_block *k)
 	CNI_PREFETCH(k->p[1].jn);
 }
 
-/* Some blocks at once: what is asked of few comes while the others are looked at. */
-static void lanes_look(cn_world *world, float h)
+/* Several blocks at once: rarely needed data is prefetched while other blocks are checked. */
+static void lanes_check(cn_world *world, float h)
 {
-	look q = { CNI_BAD_PART * world->settings.accuracy, h, CNI_NONE };
+	lane_scan q = { CNI_BAD_PART * world->settings.accuracy, h, CNI_NONE };
 	const cni_listed_block *list = (const cni_listed_block *)world->block_list.data;
 	uint32_t lanes[BLOCKS_AT_ONCE];
 	int32_t first, last, k, count = world->colors[CNI_COLORS - 1].listed + world->colors[CNI_COLORS - 1].listed_count;
@@ -315,21 +315,21 @@ static void lanes_look(cn_world *world, float h)
 				impulses_prefetch(list[k].rows);
 		}
 		for (k = first; k < last; ++k)
-			block_look(world, &q, &list[k], lanes[k - first]);
+			block_check(world, &q, &list[k], lanes[k - first]);
 	}
 	if (world->piles_unheld)
-		unheld_look(world);
+		unheld_check(world);
 	world->piles_unheld = 0;
 }
 
-/* Has it moved for so long, whatever impulses it could have, that it will? To let it fall exactly is not worth the work. */
-static int32_t falls(const cn_world *world, const cni_island *i)
+/* 1: the island has moved for so long that no impulses hold it. An exact solution of its fall is not worth its work. */
+static int32_t is_falling(const cn_world *world, const cni_island *i)
 {
 	return i->solver != CN_SOLVER_DIRECT && i->gives_step == world->step_count && world->step_count > 0 && i->falls_steps >= FALLS_STEPS;
 }
 
-/* What leans on each other is not given back before it sleeps or moves: soft contacts yield, and it does not come back. */
-static void leaning_keep(cn_world *world, int32_t island, float h)
+/* An island of leaning bodies stays direct until it sleeps or moves: soft contacts yield, and the yield is not recovered. */
+static void leaning_island_keep(cn_world *world, int32_t island, float h)
 {
 	cni_island *i = cni_island_at(world, island);
 	if (i->good_steps >= cni_max_i(i->stay_steps, STAY_FIRST) && i->good_steps <= STAY_MOST && i->solver != CN_SOLVER_SOFT &&
@@ -337,12 +337,12 @@ static void leaning_keep(cn_world *world, int32_t island, float h)
 		i->good_steps = 0;
 }
 
-/* Islands that have been good for long enough, have fallen asleep, or are no more. */
+/* Drops islands that have been good for long enough, sleep, or no longer exist. */
 static void list_update(cn_world *world, float h)
 {
 	int32_t k, kept = 0;
 	for (k = 0; k < world->direct_islands.count; ++k) {
-		int32_t island = listed(world)[k];
+		int32_t island = direct_list(world)[k];
 		cni_island *i = cni_island_at(world, island);
 		if (i->first == CNI_NONE || i->tier != CNI_TIER_DIRECT)
 			continue;
@@ -350,20 +350,20 @@ static void list_update(cn_world *world, float h)
 			i->tier = CNI_TIER_SOFT;
 			continue;
 		}
-		if (!takes_contacts(world, island)) { /* it met something with joints */
+		if (!takes_contacts(world, island)) { /* it merged with an island with joints */
 			i->tier = CNI_TIER_SOFT;
 			i->reason = CN_TIER_REASON_JOINTED;
 			continue;
 		}
-		if (falls(world, i)) {
+		if (is_falling(world, i)) {
 			cni_island_refuse(world, island, CN_TIER_REASON_MOVING);
 			continue;
 		}
-		leaning_keep(world, island, h);
+		leaning_island_keep(world, island, h);
 		if (i->solver != CN_SOLVER_SOFT && i->good_steps <= STAY_MOST &&
 		    (i->good_steps++ < cni_max_i(i->stay_steps, STAY_FIRST) || i->solver == CN_SOLVER_DIRECT)) {
 			i->reason = CN_TIER_REASON_SETTLING;
-			listed(world)[kept++] = island;
+			direct_list(world)[kept++] = island;
 			continue;
 		}
 		i->tier = CNI_TIER_SOFT;
@@ -372,7 +372,7 @@ static void list_update(cn_world *world, float h)
 			continue;
 		i->given_step = world->step_count;
 		if (i->reason == CN_TIER_REASON_NONE)
-			i->refused_steps = 0; /* it could be solved */
+			i->refused_steps = 0; /* it was solved */
 		i->stay_steps = cni_min_i(STAY_FACTOR * cni_max_i(i->stay_steps, STAY_FIRST), STAY_MOST);
 	}
 	world->direct_islands.count = kept;
@@ -382,7 +382,7 @@ void cni_solver_selection_reset(cn_world *world)
 {
 	int32_t k;
 	for (k = 0; k < world->direct_islands.count; ++k)
-		cni_island_at(world, listed(world)[k])->tier = CNI_TIER_SOFT;
+		cni_island_at(world, direct_list(world)[k])->tier = CNI_TIER_SOFT;
 	world->direct_islands.count = 0;
 	world->direct_work = world->direct_failed = 0;
 }
@@ -416,7 +416,7 @@ static void solvers_reset(const cn_world *world)
 	}
 }
 
-/* What bodies and joints ask for, into their islands. Those that wake, and new ones, are asked for nothing yet. */
+/* Writes the solver settings of bodies and joints to their islands. Islands that wake, and new ones, have none yet. */
 static void solvers_gather(cn_world *world)
 {
 	int32_t k;
@@ -439,8 +439,9 @@ static void solvers_gather(cn_world *world)
 	}
 }
 
-/* Every island that is awake and takes contacts, or those with a body that asks for it; but none that a body keeps soft. */
-static void list_awake(cn_world *world, int32_t every)
+/* Every awake island whose contacts may be solved directly (every 1), or those with a body that asks for it; islands that a body keeps soft
+   are skipped. */
+static void awake_islands_take(cn_world *world, int32_t every)
 {
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
@@ -464,11 +465,11 @@ void cni_stage_select_solvers(cn_world *world, float h)
 		solvers_gather(world);
 	if (world->settings.solver == CN_SOLVER_DIRECT) {
 		cni_solver_selection_reset(world);
-		list_awake(world, 1);
+		awake_islands_take(world, 1);
 	} else if (world->settings.solver == CN_SOLVER_AUTO) {
 		list_update(world, h);
 		if (world->solvers_asked)
-			list_awake(world, 0);
-		lanes_look(world, h);
+			awake_islands_take(world, 0);
+		lanes_check(world, h);
 	}
 }

@@ -1,17 +1,16 @@
 /*
- * joints/joint_blocks.c - joints in the soft step, many at once: colours and passes of all, lanes of revolute joints.
+ * joints/joint_blocks.c - many joints of the soft step at once: colours and passes of all lanes, and lanes of revolute joints.
  *
- * Nearly all joints of most scenes are pins with or without an angle's spring, motor and limit. Those that have nothing else
- * (work flag CNI_CONSTRAINT_WIDE) leave the rows of joints/joint_solve.c for the lanes drawn in joints/joint_pass.h. What
- * does not change within the step is written into the lane once; kernels do the rest.
+ * Nearly all joints of most scenes are pins with or without an angular spring, motor and limit. Pins without other features (flag
+ * CNI_CONSTRAINT_WIDE) are solved in the lanes of joints/joint_pass.h instead of by the rows of joints/joint_solve.c. Values that do not
+ * change within the step are written into the lane once; kernels do the rest.
  *
- * Greedy colouring, first of what is solved directly, then in the order of the awake list: a joint takes the lowest colour
- * that neither of its bodies uses. The colours of a body are bits of its drive's flags, which every step writes anew. Other
- * types take theirs after that (joints/joint_rows.c). The blocks of a colour may be shared among workers, who meet before
- * the next.
+ * Greedy colouring, first of directly solved joints, then in the order of the awake list: a joint takes the lowest colour that neither of
+ * its bodies uses. The colours of a body are bits of the flags of its cni_external, which every step writes anew. Other types take theirs
+ * after that (joints/joint_rows.c). Workers may share the blocks of a colour; they synchronize before the next colour.
  *
- * Reads works, records, motion, drive; writes blocks, colours, the list of works that are solved by rows, and after the
- * substeps records' impulses.
+ * Reads joint constraints, records, motion, externals; writes blocks, colours, the list of joint constraints that are solved by rows, and
+ * after the substeps the records' impulses.
  */
 #include "joints/joints.h"
 #include "base/bitset.h"
@@ -39,17 +38,17 @@ const cni_joint_kernel *cni_joint_kernel_choose(void)
 #endif
 }
 
-/* ---- works ---- */
+/* ---- joint constraints ---- */
 
-/* Joints that nothing softens, bounds or breaks. */
-static int32_t may_be_wide(const cn_world *world, const cni_joint *j)
+/* 1: nothing softens, bounds or breaks the joint. */
+static int32_t may_use_lane(const cn_world *world, const cni_joint *j)
 {
 	return CNI_ON(JOINT_LANES) && j->stiffness_hertz <= 0.0f && j->force_max <= 0.0f && j->torque_max <= 0.0f &&
 	       j->break_force <= 0.0f && j->break_torque <= 0.0f && world->settings.solver != CN_SOLVER_SEQUENTIAL;
 }
 
-/* To be in a lane of rows, if it is not solved directly. */
-static int32_t work_form(cn_world *world, int32_t k, const cni_joint *j, int32_t form)
+/* Sets up a joint for a lane of rows, which it gets if it is not solved directly. */
+static int32_t form_begin(cn_world *world, int32_t k, const cni_joint *j, int32_t form)
 {
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	if (form == CNI_FORM_NONE)
@@ -96,7 +95,7 @@ int32_t cni_joint_block_take(cn_world *world)
 	return index;
 }
 
-/* An empty block at the end of the colour. */
+/* Appends an empty block to the colour. */
 static cni_joint_block *block_take(cn_world *world, int32_t color)
 {
 	cni_color *group = &world->joint_colors[color];
@@ -117,7 +116,7 @@ static void spring_fill(cni_lane_spring *g, float h, const cni_joint *j, cni_joi
 	block->rest[l] = j->p[CNI_P_REVOLUTE_TARGET];
 	block->spring_mass[l] = soft.mass_scale;
 	block->spring_bias[l] = soft.bias_scale;
-	block->spring_give[l] = soft.impulse_scale;
+	block->spring_impulse_scale[l] = soft.impulse_scale;
 	block->spring_j[l] = j->impulse[CNI_REVOLUTE_SPRING];
 }
 
@@ -135,7 +134,7 @@ static uint32_t pin_has(const cni_joint *j)
 static void angle_fill(cni_lane_spring *spring, float h, const cni_joint_constraint *w, cni_joint_block *block, int32_t l)
 {
 	const cni_joint *j = w->record;
-	if ((pin_has(j) & ~block->angular) != 0) /* not when a lane is filled again, side by side with others of its block */
+	if ((pin_has(j) & ~block->angular) != 0) /* false when a lane is filled again, which other workers may do in the same block */
 		block->angular |= pin_has(j);
 	block->angle0[l] = block->angle[l] = w->start.angle;
 	if (j->flags & CN_JOINT_SPRING)
@@ -169,7 +168,7 @@ static void pin_fill(const cn_world *world, cni_joint_constraint *w, cni_joint_b
 	block->dy0[l] = block->ey[l] = w->start.d.y;
 	if (w->flags & CNI_CONSTRAINT_DIRECT) {
 		block->direct |= 1u << l;
-		w->row_count = block->batch ? 0 : w->rigid_count; /* the angle's rows are the lane's */
+		w->row_count = block->batch ? 0 : w->rigid_count; /* the lane has the angle's rows */
 		if (!block->batch)
 			return;
 	}
@@ -180,7 +179,7 @@ static void pin_fill(const cn_world *world, cni_joint_constraint *w, cni_joint_b
 void cni_joint_lane_fill(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k, cni_joint_block *block, int32_t l)
 {
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
-	block->work[l] = k;
+	block->constraint[l] = k;
 	w->lane = (int32_t)(block - cni_joint_blocks(world)) * CNI_LANES + l;
 	pin_fill(world, w, block, l);
 	angle_fill(spring, s->h, w, block, l);
@@ -192,7 +191,7 @@ int32_t cni_joint_fits_lane(const cn_world *world, const cni_solve *s, const cni
 	return cni_abs(cni_motions(world)[w->ia].w) <= most && cni_abs(cni_motions(world)[w->ib].w) <= most;
 }
 
-/* 0: it has no place in a lane. */
+/* 0: there is no lane for it. */
 static int32_t lane_take(cn_world *world, const cni_solve *s, cni_lane_spring *spring, int32_t k)
 {
 	const cni_joint_constraint *w = cni_joint_constraints(world) + k;
@@ -210,19 +209,19 @@ static int32_t lane_take(cn_world *world, const cni_solve *s, cni_lane_spring *s
 	return 1;
 }
 
-/* ---- lanes that are kept ---- */
+/* ---- kept lanes ---- */
 
-/* Which joints are in which lanes follows from their order, their bodies, and which of those can move. While all of that is as it
-   was, and all joints are in lanes of colours, the blocks of the last step are filled anew where they are, while the records are at
-   hand, and nothing is looked for. Anything else: lanes are taken as if nothing had been there. */
+/* The assignment of joints to lanes follows from their order, their bodies, and which bodies can move. While none of that changes and all
+   joints are in lanes of colours, the blocks of the last step are filled again in place, while the records are in the cache, without a new
+   colouring. Otherwise lanes are assigned from scratch. */
 
 static int32_t is_locked(const cn_world *world, int32_t body)
 {
 	return body != CNI_NONE && (cni_body_at(world, body)->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y)) != 0;
 }
 
-/* Work k where it was. 0: it would not come there. Nothing is written but its lane. */
-static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_lanes_look *look, int32_t k)
+/* Fills the lane of the last step with joint constraint k. 0: the joint does not belong there any more. Writes only its own lane. */
+static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_lane_setup *setup, int32_t k)
 {
 	const cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	int32_t l = w->kept_lane % CNI_LANES;
@@ -233,14 +232,14 @@ static int32_t lane_fill_again(cn_world *world, const cni_solve *s, struct cni_l
 		return 0;
 	if (block->angular)
 		block->spring_j[l] = block->motor_j[l] = block->limit_j[l] = 0.0f;
-	cni_joint_lane_fill(world, s, &look->spring, k, block, l);
-	look->special |= is_locked(world, w->record->body[0]) || is_locked(world, w->record->body[1]) || (w->flags & CNI_CONSTRAINT_FRESH) != 0;
-	++look->filled;
+	cni_joint_lane_fill(world, s, &setup->spring, k, block, l);
+	setup->special |= is_locked(world, w->record->body[0]) || is_locked(world, w->record->body[1]) ||
+	                  (w->flags & CNI_CONSTRAINT_FRESH) != 0;
+	++setup->filled;
 	return 1;
 }
 
-/* The blocks must be those that the last step filled: with a solver that has no blocks there are none in between, and arrays that
-   grow then move nothing. */
+/* The blocks must be those that the last step filled: a step with a solver without blocks leaves none, and a grown array has moved. */
 void cni_joint_blocks_begin(cn_world *world)
 {
 	cni_lanes_kept *kept = &world->joint_lanes;
@@ -250,30 +249,33 @@ void cni_joint_blocks_begin(cn_world *world)
 	cni_row_blocks_empty(world);
 }
 
-/* Is every joint where it was? What is solved directly takes its lanes first, if it takes any. */
-static int32_t lanes_hold(const cn_world *world, const cni_solve *s)
+/* 1: every joint is in its lane of the last step. Directly solved joints would take their lanes first. */
+static int32_t lanes_are_kept(const cn_world *world, const cni_solve *s)
 {
 	return world->joint_lanes.lanes > 0 && world->joint_lanes.filled == world->joint_lanes.lanes && (s->direct == NULL || s->direct->node_count == 0);
 }
 
-/* What else a plan depends on that may change while lanes do not. */
-static int32_t plans_none(const cn_world *world)
+/* 1: the other inputs of planning, which may change while lanes do not, also allow to skip it. */
+static int32_t planning_is_needless(const cn_world *world)
 {
 	return world->settings.solver == CN_SOLVER_AUTO && !world->overridden && !world->joint_lanes.special && world->direct_islands.count == 0 &&
 	       world->joints_soft_step <= world->step_count;
 }
 
-int32_t cni_joint_lanes_tell(const cn_world *world)
+/* The work budget of one factorization, as in direct/direct_plan.c. */
+static int32_t budget_of(const cn_world *world) { return world->settings.work_budget / world->settings.substeps; }
+
+int32_t cni_joint_lanes_need_no_plan(const cn_world *world)
 {
 	const cni_lanes_kept *kept = &world->joint_lanes;
-	return kept->alone && kept->lanes > 0 && kept->filled == kept->lanes && kept->budget == world->settings.work_budget && plans_none(world);
+	return kept->alone && kept->lanes > 0 && kept->filled == kept->lanes && kept->budget == budget_of(world) && planning_is_needless(world);
 }
 
-/* Of lanes that hold, for what is locked is not known of others. */
-static void lanes_alone(cn_world *world, const cni_solve *s)
+/* Only called for kept lanes: locked bodies are not known for others. */
+static void no_plan_record(cn_world *world, const cni_solve *s)
 {
-	world->joint_lanes.alone = s->direct == NULL && !world->direct_failed && plans_none(world);
-	world->joint_lanes.budget = world->settings.work_budget;
+	world->joint_lanes.alone = s->direct == NULL && !world->direct_failed && planning_is_needless(world);
+	world->joint_lanes.budget = budget_of(world);
 }
 
 static void lanes_empty(cn_world *world)
@@ -288,7 +290,7 @@ static void lanes_empty(cn_world *world)
 	}
 }
 
-/* left: joints that are in no lane of a pin. */
+/* left: number of joints without a pin's lane. */
 static void lanes_keep(cn_world *world, const cni_solve *s, int32_t left)
 {
 	cni_lanes_kept *kept = &world->joint_lanes;
@@ -297,27 +299,27 @@ static void lanes_keep(cn_world *world, const cni_solve *s, int32_t left)
 	kept->works = world->joint_work.capacity;
 }
 
-/* Only a spring or a limit asks for the angle. */
-int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct cni_lanes_look *look, int32_t k)
+/* The angle is only computed for a spring or limit. */
+int32_t cni_joint_constraint_widen(cn_world *world, const cni_solve *s, struct cni_lane_setup *setup, int32_t k)
 {
 	cni_joint_constraint *w = cni_joint_constraints(world) + k;
 	const cni_joint *j = cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k]);
-	if (!may_be_wide(world, j))
+	if (!may_use_lane(world, j))
 		return 0;
 	if (j->type != CN_JOINT_REVOLUTE)
-		return work_form(world, k, j, cni_joint_form(j));
+		return form_begin(world, k, j, cni_joint_form(j));
 	cni_joint_constraint_begin(world, k, j);
 	w->flags |= CNI_CONSTRAINT_WIDE;
 	w->row_count = 0;
 	w->rigid_count = 2;
 	if (w->record->flags & (CN_JOINT_SPRING | CN_JOINT_LIMIT))
 		w->start.angle = cni_joint_frame_angle(world, w->record);
-	look->kept = look->kept && lane_fill_again(world, s, look, k);
+	setup->kept = setup->kept && lane_fill_again(world, s, setup, k);
 	return 1;
 }
 
-/* Joints in one system with contacts stay rows: it begins every pass by taking back what impulses have done. */
-static void pressed_works_leave(cn_world *world, const cni_solve *s)
+/* Joints in one system with contacts are solved by rows: each of its passes begins by removing the effect of the impulses. */
+static void contact_joints_narrow(cn_world *world, const cni_solve *s)
 {
 	int32_t k, n;
 	for (k = 0; s->direct != NULL && k < s->direct->component_count; ++k) {
@@ -328,8 +330,8 @@ static void pressed_works_leave(cn_world *world, const cni_solve *s)
 	}
 }
 
-/* Directly solved components take their lanes first and in the order of their nodes: so colours, and with them the order
-   of passes, are the same in all that are alike, and in batches. */
+/* Directly solved components take their lanes first and in the order of their nodes. So the colours, and with them the order of passes, are
+   equal in components of one topology class, and in batches. */
 static void components_gather(cn_world *world, const cni_solve *s, cni_lane_spring *spring)
 {
 	int32_t k;
@@ -337,13 +339,13 @@ static void components_gather(cn_world *world, const cni_solve *s, cni_lane_spri
 		const uint32_t which = CNI_CONSTRAINT_WIDE | CNI_CONSTRAINT_DIRECT | CNI_CONSTRAINT_FINISHED | CNI_CONSTRAINT_BATCHED;
 		int32_t owner = s->direct->nodes[k].owner;
 		if (owner < 0 || (cni_joint_constraints(world)[owner].flags & which) != (CNI_CONSTRAINT_WIDE | CNI_CONSTRAINT_DIRECT))
-			continue; /* a contact, a row, or done with */
+			continue; /* a contact, a joint solved by rows, or a finished one */
 		if (!lane_take(world, s, spring, owner))
 			cni_joint_constraint_narrow(world, s, owner);
 	}
 }
 
-/* What is in no lane, in order; left 0: all are. */
+/* Links joint constraints without a lane in order; left 0: all have one. */
 static void plain_link(cn_world *world, int32_t left)
 {
 	int32_t k, *plain = &world->joint_plain_first;
@@ -357,7 +359,7 @@ static void plain_link(cn_world *world, int32_t left)
 	*plain = CNI_NONE;
 }
 
-/* A colour's blocks one after the other, so that they can be shared among workers. */
+/* Lists each colour's blocks one after the other, so that workers can share them. */
 static void blocks_list(cn_world *world)
 {
 	cni_joint_block *blocks = cni_joint_blocks(world);
@@ -367,7 +369,7 @@ static void blocks_list(cn_world *world)
 			blocks[count++].listed = index;
 }
 
-/* Returns how many joints are in no lane of a pin. */
+/* Returns the number of joints without a pin's lane. */
 static int32_t lanes_gather(cn_world *world, const cni_solve *s)
 {
 	cni_lane_spring spring = { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } };
@@ -389,14 +391,14 @@ static int32_t lanes_gather(cn_world *world, const cni_solve *s)
 void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 {
 	int32_t left;
-	if (lanes_hold(world, s)) {
-		lanes_alone(world, s);
+	if (lanes_are_kept(world, s)) {
+		no_plan_record(world, s);
 		world->joint_blocks.count = world->joint_lanes.blocks;
 		world->joint_plain_first = CNI_NONE;
 		return;
 	}
 	world->joint_lanes.alone = 0;
-	pressed_works_leave(world, s);
+	contact_joints_narrow(world, s);
 	lanes_empty(world);
 	left = lanes_gather(world, s);
 	blocks_list(world);
@@ -408,9 +410,9 @@ void cni_joint_blocks_gather(cn_world *world, const cni_solve *s)
 		s->direct->released = 0;
 }
 
-/* ---- pins that are solved directly ---- */
+/* ---- directly solved pins ---- */
 
-/* Its system has given it up within the step: the lane has its pin from now on. */
+/* The direct solver has released the joint within the step: the lane solves its pin from now on. */
 static void lane_release(cni_joint_block *block, int32_t l, cni_joint_constraint *w)
 {
 	block->jx[l] += w->rows[0].impulse;
@@ -419,37 +421,37 @@ static void lane_release(cni_joint_block *block, int32_t l, cni_joint_constraint
 	block->direct &= ~(1u << l);
 }
 
-static void released_look(cn_world *world, cni_joint_block *block)
+static void released_check(cn_world *world, cni_joint_block *block)
 {
 	uint32_t bits;
 	for (bits = block->direct; bits != 0; bits &= bits - 1u) {
 		int32_t l = cni_bit_lowest32(bits);
-		cni_joint_constraint *w = cni_joint_constraints(world) + block->work[l];
+		cni_joint_constraint *w = cni_joint_constraints(world) + block->constraint[l];
 		if (!(w->flags & CNI_CONSTRAINT_DIRECT))
 			lane_release(block, l, w);
 	}
 }
 
-/* The rows' impulses are the lanes' while arms turn. */
-static void rows_pull(cn_world *world, cni_joint_block *block)
+/* Moves the rows' impulses to the lanes while arms turn. */
+static void rows_to_lanes(cn_world *world, cni_joint_block *block)
 {
 	uint32_t bits;
-	released_look(world, block);
+	released_check(world, block);
 	for (bits = block->direct; bits != 0; bits &= bits - 1u) {
 		int32_t l = cni_bit_lowest32(bits);
-		const cni_row *rows = cni_joint_constraints(world)[block->work[l]].rows;
+		const cni_row *rows = cni_joint_constraints(world)[block->constraint[l]].rows;
 		block->jx[l] += rows[0].impulse;
 		block->jy[l] += rows[1].impulse;
 	}
 }
 
-/* Gives them back, with the rows as they are at the new positions. */
-static void rows_give(cn_world *world, cni_joint_block *block)
+/* Moves them back, and updates the rows at the new positions. */
+static void lanes_to_rows(cn_world *world, cni_joint_block *block)
 {
 	uint32_t bits;
 	for (bits = block->direct; bits != 0; bits &= bits - 1u) {
 		int32_t l = cni_bit_lowest32(bits);
-		cni_row *rows = cni_joint_constraints(world)[block->work[l]].rows;
+		cni_row *rows = cni_joint_constraints(world)[block->constraint[l]].rows;
 		rows[0].impulse = block->jx[l];
 		rows[1].impulse = block->jy[l];
 		block->jx[l] = block->jy[l] = 0.0f;
@@ -464,17 +466,17 @@ static void rows_give(cn_world *world, cni_joint_block *block)
 
 /* ---- passes ---- */
 
-/* A pass over the blocks of one colour: they share no body that they write, and no work. Pins come first. */
+/* A pass over the blocks of one colour, which share no written body and no joint constraint. Pins come first. */
 typedef struct color_pass {
 	cn_world *world;
 	cni_joint_pass pass;
 	cni_joint_kernel_fn *run;
 	cni_row_kernel_fn *run_rows;
-	int32_t moving;   /* bodies have new positions, or warm impulses are given */
-	int32_t released; /* some lane that is solved directly may not be any more */
+	int32_t moving;   /* 1: in passes at new positions and in the warm start */
+	int32_t released; /* 1: some directly solved lane may have been released */
 	int32_t lanes;
-	int32_t first, blocks;         /* of the colour, in the list */
-	int32_t first_rows;            /* the same of blocks of rows */
+	int32_t first, blocks;         /* first block of the colour in the list, and number of its blocks */
+	int32_t first_rows;            /* first block of rows */
 } color_pass;
 
 static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t worker)
@@ -486,12 +488,12 @@ static void color_pass_run(void *context, int32_t begin, int32_t end, int32_t wo
 	for (k = begin; k < end && k < c->blocks; ++k) {
 		cni_joint_block *block = cni_joint_blocks(world) + cni_joint_blocks(world)[c->first + k].listed;
 		if (block->direct != 0 && c->moving)
-			rows_pull(world, block);
+			rows_to_lanes(world, block);
 		else if (block->direct != 0 && c->released)
-			released_look(world, block);
+			released_check(world, block);
 		c->run(cni_motions(world), cni_starts(world), block, &c->pass, cni_min_i(c->lanes - k * CNI_LANES, CNI_LANES));
 		if (block->direct != 0 && c->moving)
-			rows_give(world, block);
+			lanes_to_rows(world, block);
 	}
 	if (k < end)
 		cni_row_blocks_run(world, c->run_rows, &c->pass, c->first_rows + k - c->blocks, c->first_rows + end - c->blocks);
@@ -540,6 +542,7 @@ static void lane_store(cn_world *world, const cni_joint_constraint *w, const cni
 	j->impulse[CNI_REVOLUTE_MOTOR] = block->motor_j[l];
 	j->impulse[CNI_REVOLUTE_LIMIT] = (j->flags & CN_JOINT_LIMIT) ? cni_max(limit_sign(j, block->angle[l]) * block->limit_j[l], 0.0f) : 0.0f;
 	j->inv_h = s->inv_h;
+	cni_joint_keep_finite(j);
 }
 
 typedef struct store_loop {
@@ -547,23 +550,23 @@ typedef struct store_loop {
 	const cni_solve *s;
 } store_loop;
 
-/* In the order of the works, which is nearly that of the records. */
+/* In the order of the joint constraints, which is nearly that of the records. */
 static void store_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	store_loop *loop = (store_loop *)context;
 	cn_world *world = loop->world;
-	const cni_joint_constraint *works = cni_joint_constraints(world);
+	const cni_joint_constraint *constraints = cni_joint_constraints(world);
 	int32_t k, far = cni_joints_are_far(world);
 	(void)worker;
 	for (k = begin; k < end; ++k) {
-		if (far && k + STORES_AHEAD < end && works[k + STORES_AHEAD].lane != CNI_NONE) {
-			const cni_joint_block *next = cni_joint_block_of(world, &works[k + STORES_AHEAD]);
-			cni_joint_prefetch(works[k + STORES_AHEAD].record);
+		if (far && k + STORES_AHEAD < end && constraints[k + STORES_AHEAD].lane != CNI_NONE) {
+			const cni_joint_block *next = cni_joint_block_of(world, &constraints[k + STORES_AHEAD]);
+			cni_joint_prefetch(constraints[k + STORES_AHEAD].record);
 			CNI_PREFETCH(next->jx);
 			CNI_PREFETCH(next->jy);
 		}
-		if (works[k].lane != CNI_NONE)
-			lane_store(world, &works[k], loop->s);
+		if (constraints[k].lane != CNI_NONE)
+			lane_store(world, &constraints[k], loop->s);
 	}
 }
 

@@ -1,24 +1,23 @@
 /*
- * joints/joint_constraint.c - the work item of an awake joint: body indices, anchors turned with the bodies, rows, for every type alike.
+ * joints/joint_constraint.c - joint constraints of awake joints: body indices, rotated anchors, rows, for every type alike.
  *
- * A joint's rigid rows are solved together by the inverse of their K = J M^-1 J^T. Every other row is combined
- * with as much of the rigid ones as keeps their speeds out of it (a Schur complement): the rigid rows and
- * it then do not disturb each other, it meets the mass that really moves, a pinned bar's about its pin, and
- * one pass solves both. Springs use exact discrete coefficients and act in the soft pass only; so do rigid
- * rows and violated limits that have a stiffness of their own, by implicit coefficients.
+ * A joint's rigid rows are solved together by the inverse of their K = J M^-1 J^T. Every other row is decoupled: a combination of the rigid
+ * rows is added so that their speeds do not enter it (a Schur complement). The rigid rows and the decoupled one then do not disturb each
+ * other, the latter has the true effective mass (of a pinned bar: about its pin), and one pass solves both. Springs use exact discrete
+ * coefficients and act in the soft pass only; so do rigid rows and violated limits with a stiffness of their own, by implicit coefficients.
  *
- * Anchors turn within the step, so rows are built anew once a substep (before relax; the next substep's solve
- * starts from the same positions). Impulses already given acted along the old rows; the difference
- * M^-1 (Jnew - Jold)^T impulse goes into start, which puts it into the next warm start.
+ * Anchors turn within the step, so rows are built anew once a substep (before relax; the next substep's solve starts from the same
+ * positions). Impulses already applied acted along the old rows; the difference M^-1 (Jnew - Jold)^T impulse goes into start, which adds it
+ * to the next warm start.
  *
- * Reads records and motion; writes works, start, the records' impulses.
+ * Reads records and motion; writes joint constraints, start, the records' impulses.
  */
 #include "joints/joint_rows.h"
 #include "joints/joint_constraint.h"
 
 /* ---- masses ---- */
 
-/* Inverse of the symmetric K of one to three rows; a singular direction gives nothing. */
+/* Inverse of the symmetric K of one to three rows; a singular K has the inverse 0. */
 CNI_INLINE void block_invert(const cni_row *r, int32_t count, const cni_motion *a, const cni_motion *b, float *inv)
 {
 	if (count == 1) {
@@ -53,8 +52,8 @@ void cni_rows_invert(const cni_row *r, int32_t count, const cni_motion *a, const
 
 /* ---- frames ---- */
 
-/* The frame now: anchors turned, gap moved by the bodies' changes since the step began. */
-CNI_INLINE cni_joint_frame work_frame_turned(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b, cni_rot turn_a, cni_rot turn_b)
+/* The present frame: rotated anchors, and the gap moved by the bodies' displacements since the step began. */
+CNI_INLINE cni_joint_frame constraint_frame_turned(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b, cni_rot turn_a, cni_rot turn_b)
 {
 	cni_joint_frame f;
 	f.ra = cni_rotate(turn_a, w->start.ra);
@@ -72,14 +71,14 @@ CNI_INLINE cni_joint_frame work_frame_turned(const cni_joint_constraint *w, cons
 	return f;
 }
 
-CNI_INLINE cni_joint_frame work_frame(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
+CNI_INLINE cni_joint_frame constraint_frame(const cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
 {
-	return work_frame_turned(w, a, b, cni_rot_small(a->theta), cni_rot_small(b->theta));
+	return constraint_frame_turned(w, a, b, cni_rot_small(a->theta), cni_rot_small(b->theta));
 }
 
 /* ---- rows ---- */
 
-/* out[i] = how much of rigid row i a row contains: -K_pp^-1 K_pr. */
+/* out[i]: share of rigid row i in a decoupled row: -K_pp^-1 K_pr. */
 static void row_shares(const cni_joint_constraint *w, const cni_row *r, const cni_motion *a, const cni_motion *b, float *out)
 {
 	float k[CNI_JOINT_RIGID_ROWS];
@@ -103,13 +102,13 @@ static void row_add(cni_row *r, float share, const cni_row *rigid)
 	r->bw += share * rigid->bw;
 }
 
-/* Rigid rows that may give way, by their own stiffness or a bound on their force, must feel the other rows. */
-static int32_t work_is_decoupled(const cni_joint_constraint *w)
+/* Rigid rows that may yield, by their own stiffness or a bound on their force, must stay coupled to the other rows. */
+static int32_t constraint_is_decoupled(const cni_joint_constraint *w)
 {
 	return w->rigid_count > 0 && w->rigid_count < w->row_count && !(w->flags & (CNI_CONSTRAINT_SPRINGY | CNI_CONSTRAINT_BOUNDED));
 }
 
-/* Takes the rigid rows out of row k; its error is that of the type's row: joints are nearly closed. */
+/* Decouples row k from the rigid rows. Its error stays that of the type's row: joints are nearly closed. */
 static void row_decouple(cni_joint_constraint *w, int32_t k, const cni_motion *a, const cni_motion *b)
 {
 	cni_row *r = &w->rows[k];
@@ -128,10 +127,10 @@ static int32_t rows_together(const cni_row *rows, int32_t count)
 	return k;
 }
 
-/* The same rows in the same order all through a step: rigid_count is found with the first ones. */
+/* The rows stay the same in the same order during a step: the first build sets rigid_count. */
 void cni_joint_constraint_build(cni_joint_constraint *w, const cni_motion *a, const cni_motion *b)
 {
-	cni_joint_frame f = work_frame(w, a, b);
+	cni_joint_frame f = constraint_frame(w, a, b);
 	int32_t k;
 	w->row_count = w->make_rows(w->record, &f, w->rows);
 	if (w->rigid_count < 0)
@@ -139,7 +138,7 @@ void cni_joint_constraint_build(cni_joint_constraint *w, const cni_motion *a, co
 	block_invert(w->rows, w->rigid_count, a, b, w->numbers->inverse);
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		float mass;
-		if (work_is_decoupled(w))
+		if (constraint_is_decoupled(w))
 			row_decouple(w, k, a, b);
 		mass = cni_row_mass(&w->rows[k], &w->rows[k], a, b);
 		w->numbers->single_mass[k] = mass > 0.0f ? 1.0f / mass : 0.0f;
@@ -148,7 +147,7 @@ void cni_joint_constraint_build(cni_joint_constraint *w, const cni_motion *a, co
 
 void cni_joint_constraint_rows(cni_joint_constraint *w, const cni_motion *motions, const cni_rot *turns)
 {
-	cni_joint_frame f = work_frame_turned(w, motions + w->ia, motions + w->ib, turns[w->ia], turns[w->ib]);
+	cni_joint_frame f = constraint_frame_turned(w, motions + w->ia, motions + w->ib, turns[w->ia], turns[w->ib]);
 	(void)w->make_rows(w->record, &f, w->rows);
 }
 
@@ -163,7 +162,7 @@ void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion 
 		end[k].dpy += h * end[k].vy;
 		end[k].theta += h * end[k].w;
 	}
-	f = work_frame(w, &end[0], &end[1]);
+	f = constraint_frame(w, &end[0], &end[1]);
 	(void)w->make_rows(w->record, &f, rows);
 	for (k = 0; k < w->rigid_count; ++k)
 		errors[k] = rows[k].error;
@@ -171,7 +170,7 @@ void cni_joint_constraint_ahead(const cni_joint_constraint *w, const cni_motion 
 
 /* ---- from the record and back ---- */
 
-/* Impulses between the record, by the type's rows, and the work, by decoupled rows: sign +1 stores, -1 loads. */
+/* Converts impulses between the record, for the type's rows, and decoupled rows: sign +1 stores, -1 loads. */
 static void impulses_recouple(const cn_world *world, const cni_joint_constraint *w, float sign, float *impulse)
 {
 	const cni_motion *a = cni_motions(world) + w->ia, *b = cni_motions(world) + w->ib;
@@ -179,9 +178,9 @@ static void impulses_recouple(const cn_world *world, const cni_joint_constraint 
 	cni_row rows[CNI_JOINT_ROWS];
 	float share[CNI_JOINT_RIGID_ROWS];
 	int32_t i, k;
-	if ((w->flags & CNI_CONSTRAINT_WIDE) || !work_is_decoupled(w))
+	if ((w->flags & CNI_CONSTRAINT_WIDE) || !constraint_is_decoupled(w))
 		return;
-	f = work_frame(w, a, b);
+	f = constraint_frame(w, a, b);
 	w->make_rows(w->record, &f, rows);
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		row_shares(w, &rows[k], a, b, share);
@@ -190,7 +189,7 @@ static void impulses_recouple(const cn_world *world, const cni_joint_constraint 
 	}
 }
 
-static uint32_t work_flags(const cni_joint *j)
+static uint32_t constraint_flags(const cni_joint *j)
 {
 	uint32_t uses = cni_joint_type_of(j->type)->uses, flags = 0;
 	if (j->force_max > 0.0f || j->torque_max > 0.0f)
@@ -209,7 +208,7 @@ static uint32_t work_flags(const cni_joint *j)
 }
 
 /* Softness of the first rows and limits, and of the spring. */
-static void work_soften(cni_joint_constraint *w, const cni_joint *j, const cni_solve *s)
+static void constraint_soften(cni_joint_constraint *w, const cni_joint *j, const cni_solve *s)
 {
 	int32_t r;
 	if (cni_joint_type_of(j->type)->uses & CNI_USES_DRIVE)
@@ -234,10 +233,10 @@ void cni_joint_constraint_begin(cn_world *world, int32_t k, const cni_joint *j)
 	w->joint = ((const int32_t *)world->awake_joints.data)[k];
 	w->lane = w->row_lane = CNI_NONE;
 	w->form = CNI_FORM_NONE;
-	w->inner = 0;
+	w->active_row = 0;
 	w->ia = j->body[0] == CNI_NONE ? 0 : cni_body_at(world, j->body[0])->awake;
 	w->ib = j->body[1] == CNI_NONE ? 0 : cni_body_at(world, j->body[1])->awake;
-	w->flags = work_flags(j);
+	w->flags = constraint_flags(j);
 	w->start = cni_joint_frame_place(world, j);
 }
 
@@ -248,7 +247,7 @@ void cni_joint_rows_begin(cn_world *world, const cni_solve *s, cni_joint_constra
 	int32_t r;
 	w->rigid_count = -1;
 	cni_joint_constraint_build(w, cni_motions(world) + w->ia, cni_motions(world) + w->ib);
-	work_soften(w, j, s);
+	constraint_soften(w, j, s);
 	if (w->flags & CNI_CONSTRAINT_BOUNDED) {
 		w->numbers->force_max = j->force_max > 0.0f ? j->force_max : FLT_MAX;
 		w->numbers->torque_max = j->torque_max > 0.0f ? j->torque_max : FLT_MAX;
@@ -281,6 +280,7 @@ void cni_joint_rows_end(const cn_world *world, const cni_joint_constraint *w, cn
 		j->impulse[r] = 0.0f;
 	for (r = 0; r < w->row_count; ++r)
 		j->impulse[w->rows[r].slot] = impulse[r];
+	cni_joint_keep_finite(j);
 }
 
 /* ---- within the step ---- */

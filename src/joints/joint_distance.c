@@ -1,5 +1,5 @@
 /*
- * joints/joint_distance.c - two points keep a distance: rigid rod, spring, or rope with limits.
+ * joints/joint_distance.c - keeps the distance of two points: rigid rod, spring, or rope with limits.
  *
  * p: length, min, max, motor speed, motor force max, hertz, damping ratio.
  * Impulse slots: 0 rod; 1 spring; 2 motor; 3 limit.

@@ -1,5 +1,5 @@
 /*
- * joints/joint_filter.c - nothing but: the two bodies do not collide. It has no rows and is never solved.
+ * joints/joint_filter.c - the two bodies do not collide. This joint has no rows and is never solved.
  */
 #include "joints/joint_row.h"
 

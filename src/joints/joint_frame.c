@@ -106,14 +106,14 @@ void cni_joint_error(const cn_world *world, const cni_joint *j, float *out_m, fl
 		else
 			linear_sq += e * e;
 	}
-	*out_m = cni_sqrt(linear_sq);
-	*out_rad = angular;
+	*out_m = cni_saturate(cni_sqrt(linear_sq));
+	*out_rad = cni_saturate(angular);
 }
 
 float cni_joint_position(const cn_world *world, const cni_joint *j)
 {
 	cni_joint_frame f = cni_joint_frame_make(world, j);
-	return cni_joint_type_of(j->type)->position(j, &f);
+	return cni_saturate(cni_joint_type_of(j->type)->position(j, &f));
 }
 
 static cn_velocity side_velocity(const cn_world *world, const cni_joint *j, int32_t side)
@@ -127,8 +127,8 @@ float cni_joint_speed(const cn_world *world, const cni_joint *j)
 	cni_joint_frame f = cni_joint_frame_make(world, j);
 	cni_row r = cni_joint_type_of(j->type)->speed_row(j, &f);
 	cn_velocity a = side_velocity(world, j, 0), b = side_velocity(world, j, 1);
-	return r.ax * a.linear_mps.x + r.ay * a.linear_mps.y + r.aw * a.angular_radps +
-	       r.bx * b.linear_mps.x + r.by * b.linear_mps.y + r.bw * b.angular_radps;
+	return cni_saturate(r.ax * a.linear_mps.x + r.ay * a.linear_mps.y + r.aw * a.angular_radps +
+	                    r.bx * b.linear_mps.x + r.by * b.linear_mps.y + r.bw * b.angular_radps);
 }
 
 void cni_joint_reaction(const cn_world *world, const cni_joint *j, cn_vec2 *out_force, float *out_torque)
@@ -137,6 +137,8 @@ void cni_joint_reaction(const cn_world *world, const cni_joint *j, cn_vec2 *out_
 	cni_row rows[CNI_JOINT_ROWS];
 	int32_t count = cni_joint_type_of(j->type)->rows(j, &f, rows), k;
 	for (k = 0; k < count; ++k)
-		rows[k].impulse = j->impulse[rows[k].slot] * j->inv_h;
+		rows[k].impulse = cni_saturate(j->impulse[rows[k].slot] * j->inv_h);
 	cni_rows_impulse(rows, count, f.rb, out_force, out_torque);
+	*out_force = cni_v(cni_saturate(out_force->x), cni_saturate(out_force->y));
+	*out_torque = cni_saturate(*out_torque);
 }

@@ -1,15 +1,15 @@
 /*
- * joints/joint_impulse.c - the impulses of a joint in the present substep, whatever solves it: by rows of its own, in a
- * lane of rows, as a pin in a lane, or directly.
+ * joints/joint_impulse.c - the impulses of a joint in the present substep, for every solver path: rows of its own, a lane of rows, a pin in
+ * a lane, or the direct solver.
  *
- * Reads and writes joint works, their lanes.
+ * Reads and writes joint constraints and their lanes.
  */
 #include "joints/joint_pass.h"
 #include "joints/joint_constraint.h"
 
 #include <string.h>
 
-/* Impulse on body b along (x, y) at the pin's arms, around (w). */
+/* A row with impulse on body b along (x, y) at the pin's arms and about it (w). */
 static cni_row lane_row(const cni_joint_block *k, int32_t l, float x, float y, float w, uint8_t kind, uint8_t slot, float impulse)
 {
 	cni_row r;

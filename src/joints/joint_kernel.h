@@ -1,18 +1,18 @@
 /*
- * joints/joint_kernel.h - the kernel of joints of one instruction set: included by the kernels that use it, which
- * define CNI_WIDTH and CNI_KERNEL (the name of the table they fill). Results do not depend on the width.
+ * joints/joint_kernel.h - the joint kernel of one instruction set: included by the kernels that use it, which define CNI_WIDTH and
+ * CNI_KERNEL (the name of the table they fill). Results do not depend on the width.
  *
- * Here are the formulas of revolute joints. joint_passes_kernel.h has their passes, joint_rows_kernel.h lanes of other joints' rows,
+ * This file has the formulas of revolute joints. joint_passes_kernel.h has their passes, joint_rows_kernel.h lanes of other joints' rows,
  * direct/batched_trees_kernel.h batches of trees of them.
  *
  * With the letters of joints/joint_pass.h, the pin's velocity is
  *   v = (vb + wb x rb) - (va + wa x ra)         K = sum of m + I^-1 terms, det K without cancellation:
  *   det = M (M + ia ra^2 + ib rb^2) + ia ib (ra x rb)^2,   M = ma + mb
- * A torque t between the bodies comes with the impulse s t at the pin, s = -K^-1 k, that keeps it from disturbing v: it
- * meets the mass 1 / k_s that really moves, and the pin is solved at the same time.
+ * A torque impulse t between the bodies is combined with the impulse s t at the pin, s = -K^-1 k, so that it does not change v. It then has
+ * the true effective mass 1 / k_s, and the pin is solved at the same time.
  *
- * Arms turn once a substep, in the relaxing pass. Impulses already given acted along the old arms: what the difference
- * gives the bodies' spin goes into start, which puts it into the next warm start.
+ * Arms turn once a substep, in the relax pass. Impulses already applied acted along the old arms: the resulting difference of the bodies'
+ * angular velocity goes into start, which adds it to the next warm start.
  *
  * Reads motion and block rows; writes motion velocities, start, and arms, errors and impulses of the block.
  */
@@ -33,8 +33,8 @@ CNI_INLINE void side_gather(const cni_motion *motions, const int32_t *index, con
 	out->i = cni_wide_load(inertia);
 }
 
-/* Records of four floats in the lanes that move, as bits. What cannot move may be in many lanes of a colour at once: who
-   writes it, even as it was, would be in the way of other workers. */
+/* Scatters records of four floats to the lanes that move, as bits. An immovable body may be in many lanes of a colour at once: writing it,
+   even unchanged, would race with other workers. */
 CNI_INLINE void moving_scatter(float *base, int32_t stride, const int32_t *index, uint32_t moves, cni_wide a, cni_wide b, cni_wide c, cni_wide d)
 {
 	const uint32_t all = (1u << CNI_WIDTH) - 1u;
@@ -63,7 +63,7 @@ CNI_INLINE arms arms_load(const cni_joint_block *k, int32_t l)
 	return r;
 }
 
-/* Impulse q at the pin and torque t between the bodies, both as body b feels them. */
+/* Applies impulse q at the pin and torque impulse t between the bodies, both as they act on body b. */
 CNI_INLINE void push(side *a, side *b, const arms *r, cni_wide qx, cni_wide qy, cni_wide t)
 {
 	a->vx -= a->m * qx;
@@ -74,7 +74,7 @@ CNI_INLINE void push(side *a, side *b, const arms *r, cni_wide qx, cni_wide qy, 
 	b->w += b->i * (r->bx * qy - r->by * qx + t);
 }
 
-/* What the lanes' bodies and arms make of a pin. */
+/* The pin's effective mass and velocity. */
 typedef struct pin {
 	cni_wide m;             /* M */
 	cni_wide vx, vy;
@@ -97,13 +97,13 @@ CNI_INLINE pin pin_make(const side *a, const side *b, const arms *r)
 	return p;
 }
 
-/* The turning of b against a, with the pin kept out of it. */
+/* Rotation of b relative to a, decoupled from the pin. */
 typedef struct hinge {
 	cni_wide sx, sy; /* s */
 	cni_wide k;      /* k_s */
 	cni_wide mass;
-	cni_wide w;      /* speed, brought up to date with every impulse */
-	cni_wide t;      /* torque impulses given so far in this pass */
+	cni_wide w;      /* speed, updated with every impulse */
+	cni_wide t;      /* sum of torque impulses in this pass */
 } hinge;
 
 CNI_INLINE hinge hinge_make(const side *a, const side *b, const arms *r, const pin *p)
@@ -132,7 +132,7 @@ CNI_INLINE void solve_spring(cni_joint_block *k, int32_t l, hinge *g)
 {
 	cni_wide old = cni_wide_load(k->spring_j + l), error = cni_wide_load(k->angle + l) - cni_wide_load(k->rest + l);
 	cni_wide want = cni_wide_load(k->spring_mass + l) * g->w + cni_wide_load(k->spring_bias + l) * error;
-	cni_wide dj = -(g->mass * want) - cni_wide_load(k->spring_give + l) * old;
+	cni_wide dj = -(g->mass * want) - cni_wide_load(k->spring_impulse_scale + l) * old;
 	cni_wide_store(k->spring_j + l, old + dj);
 	hinge_turn(g, dj);
 }
@@ -145,7 +145,7 @@ CNI_INLINE void solve_motor(cni_joint_block *k, int32_t l, hinge *g, float h)
 	hinge_turn(g, impulse - old);
 }
 
-/* One end of the limits, whose impulse is >= 0. Room that is left bounds the speed (speculative); beyond it is soft. */
+/* One end of the limits, whose impulse is >= 0. A remaining gap bounds the speed (speculative); beyond the limit the row is soft. */
 CNI_INLINE cni_wide limit_impulse(cni_wide old, cni_wide room, cni_wide speed, cni_wide mass, const cni_joint_pass *pass, int32_t bias)
 {
 	const cni_wide zero = cni_wide_of(0.0f), one = cni_wide_of(1.0f);
@@ -168,14 +168,14 @@ CNI_INLINE void solve_limits(cni_joint_block *k, int32_t l, hinge *g, const cni_
 	cni_wide_store(k->limit_j + l, lower - upper);
 }
 
-/* All that acts on the angle now. */
+/* Sum of the torque impulses of spring, motor and limit. */
 CNI_INLINE cni_wide torque_of(const cni_joint_block *k, int32_t l)
 {
 	return cni_wide_load(k->spring_j + l) + cni_wide_load(k->motor_j + l) + cni_wide_load(k->limit_j + l);
 }
 
-/* Velocities and angular impulses of a group, its arms and errors being what they are; what the pins' impulses change by
-   goes to *dx and *dy. pins 0: all of them are solved directly. */
+/* Solves one vector of lanes: velocities and angular impulses, with arms and errors as they are. Returns the changes of the pins' impulses
+   in *dx and *dy. pins 0: all pins are solved directly. */
 CNI_INLINE void solve_group(cni_joint_block *k, int32_t l, side *a, side *b, const arms *r, const cni_joint_pass *pass, int32_t bias, int32_t angular, int32_t pins, cni_wide *dx, cni_wide *dy)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
@@ -226,14 +226,14 @@ CNI_INLINE void impulse_add(float *impulse, cni_wide change)
 
 /* ---- new positions ---- */
 
-/* Where one side's bodies have gone since the step began. */
+/* Displacement of one side's bodies since the step began. */
 typedef struct place {
 	cni_wide x, y, theta;
 	cni_wide s, c1; /* sin and cos - 1 of theta */
 } place;
 
-/* Half of the angle by series (to degrees 7 and 6), then doubled: right to 1e-7 up to a radian, to 1e-4 up to two.
-   Joints of bodies that are faster than that are not in lanes. */
+/* Series for half of the angle (to degrees 7 and 6), then doubled: right to 1e-7 up to a radian, to 1e-4 up to two. Joints of faster bodies
+   are not in lanes. */
 CNI_INLINE void turn_series(cni_wide theta, cni_wide *out_s, cni_wide *out_c1)
 {
 	cni_wide half = cni_wide_min(cni_wide_max(theta * 0.5f, cni_wide_of(-1.5f)), cni_wide_of(1.5f)), u = half * half, s, c1;
@@ -252,7 +252,7 @@ CNI_INLINE place place_gather(const cni_motion *motions, const int32_t *index)
 	return p;
 }
 
-/* The pins' error and angle at the new positions, and the new arms. */
+/* Computes the new arms, and the pins' errors and angles at the new positions. */
 CNI_INLINE arms arms_renew(const place *at_a, const place *at_b, cni_joint_block *k, int32_t l, int32_t angular)
 {
 	const place a = *at_a, b = *at_b;
@@ -281,7 +281,7 @@ CNI_INLINE void start_turn(cni_velocity_start *starts, const int32_t *index, uin
 	moving_scatter((float *)(void *)starts, START_FLOATS, index, moves, vx, vy, w - spin, jumped);
 }
 
-CNI_INLINE cni_wide warmed(float *impulse, float scale)
+CNI_INLINE cni_wide impulse_warm(float *impulse, float scale)
 {
 	cni_wide j = cni_wide_load(impulse) * scale;
 	cni_wide_store(impulse, j);

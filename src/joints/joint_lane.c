@@ -1,5 +1,5 @@
 /*
- * joints/joint_lane.c - what lanes of pins and lanes of rows share: colours, coefficients of springs.
+ * joints/joint_lane.c - the shared part of lanes of pins and lanes of rows: colours, coefficients of springs.
  */
 #include "base/bitset.h"
 #include "joints/joint_pass.h"

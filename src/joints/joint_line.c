@@ -1,6 +1,6 @@
 /*
- * joints/joint_line.c - constraint on one body: a point of it stays on a line in the world, within a tolerance
- * to either side, and between limits along it if asked.
+ * joints/joint_line.c - constraint on one body: one of its points stays on a line in the world, within a tolerance to either side, and
+ * optionally between limits along it.
  *
  * p: tolerance, lower, upper, axis. Impulse slots: 0 across the line; 1 along it.
  */

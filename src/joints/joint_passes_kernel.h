@@ -21,7 +21,7 @@ CNI_INLINE void solve_lanes(cni_motion *motions, cni_joint_block *k, const cni_j
 	}
 }
 
-/* Few springs and motors among plain pins: a loop of its own for these. */
+/* Few blocks have springs or motors: the others have a loop of their own. */
 static void kernel_solve(cni_motion *motions, cni_velocity_start *starts, cni_joint_block *k, const cni_joint_pass *pass, int32_t lanes)
 {
 	(void)starts;
@@ -66,9 +66,9 @@ static void kernel_warm(cni_motion *motions, cni_velocity_start *starts, cni_joi
 	(void)starts;
 	for (l = 0; l < lanes; l += CNI_WIDTH) {
 		arms r = arms_load(k, l);
-		cni_wide jx = warmed(k->jx + l, pass->warm_scale), jy = warmed(k->jy + l, pass->warm_scale), t;
+		cni_wide jx = impulse_warm(k->jx + l, pass->warm_scale), jy = impulse_warm(k->jy + l, pass->warm_scale), t;
 		side a, b;
-		t = warmed(k->spring_j + l, pass->warm_scale) + warmed(k->motor_j + l, pass->warm_scale) + warmed(k->limit_j + l, pass->warm_scale);
+		t = impulse_warm(k->spring_j + l, pass->warm_scale) + impulse_warm(k->motor_j + l, pass->warm_scale) + impulse_warm(k->limit_j + l, pass->warm_scale);
 		side_gather(motions, k->ia + l, k->ai + l, &a);
 		side_gather(motions, k->ib + l, k->bi + l, &b);
 		push(&a, &b, &r, jx, jy, t);

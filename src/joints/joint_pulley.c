@@ -6,13 +6,13 @@
  */
 #include "joints/joint_row.h"
 
-/* Unit vector along x; an anchor that lies on its pulley is pulled to neither side. */
+/* Unit vector along x; 0 for an anchor that lies on its pulley. */
 static cni_vec2 direction(cni_vec2 x, float length)
 {
 	return length > 1e-9f ? cni_mul(1.0f / length, x) : cni_v(0.0f, 0.0f);
 }
 
-/* d/dt of sign * (rope in use). */
+/* d/dt of sign * (length of rope in use). */
 static cni_row rope_row(const cni_joint *j, const cni_joint_frame *f, float sign, float *out_length)
 {
 	float ratio = j->p[CNI_P_PULLEY_RATIO], length_a = cni_length(f->d), length_b = cni_length(f->e);

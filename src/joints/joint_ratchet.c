@@ -1,8 +1,8 @@
 /*
  * joints/joint_ratchet.c - b may turn against a in one direction only, in clicks.
  *
- * The latch is the last click that was passed, counted from phase; it moves forwards at the end of a step
- * (joint_turns.c) and holds the angle from falling behind it.
+ * The latch is the last click passed, counted from phase; it moves forwards at the end of a step (joint_turns.c) and keeps the angle from
+ * falling behind it.
  *
  * p: phase, click, latch, turns. Impulse slot: 0.
  */

@@ -2,7 +2,8 @@
  * joints/joint_revolute.c - two bodies share a point; spring, motor and limit act on the angle.
  *
  * p: reference, lower, upper, motor speed, motor torque max, spring target, hertz, damping ratio.
- * Impulse slots: 0, 1 point (x, y); 2 spring; 3 motor; 4 limit. joints/joint_kernel.h solves the same without rows.
+ * Impulse slots: 0, 1 point (x, y); 2 spring; 3 motor; 4 limit.
+ * joints/joint_kernel.h has the same formulas without rows.
  */
 #include "joints/joint_row.h"
 

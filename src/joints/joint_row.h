@@ -1,5 +1,5 @@
 /*
- * joints/joint_row.h - rows that several joint types are made of (signs and letters as in joint.h).
+ * joints/joint_row.h - row constructors shared by joint types (signs and letters as in joint.h).
  */
 #ifndef CNI_JOINTS_JOINT_ROW_H
 #define CNI_JOINTS_JOINT_ROW_H
@@ -62,7 +62,7 @@ static inline void cni_rows_point(const cni_joint_frame *f, cni_vec2 ra, cni_vec
 	rows[1].slot = 1;
 }
 
-/* Which end of lower <= x <= upper is nearer: 1 or -1 for the row's sign, and the room that is left there. */
+/* Nearer end of lower <= x <= upper: returns 1 or -1, the row's sign, and the remaining gap there. */
 static inline float cni_limit_side(float x, float lower, float upper, float *out_room)
 {
 	float room_lower = x - lower, room_upper = upper - x;
@@ -76,7 +76,7 @@ static inline cni_vec2 cni_joint_axis(const cni_joint *j, const cni_joint_frame 
 	return cni_rotate(f->qa, cni_v(j->p[CNI_P_AXIS_X], j->p[CNI_P_AXIS_Y]));
 }
 
-/* A spring or a motor along a row, which is complete but for these. */
+/* Completes a row as a spring or a motor. */
 static inline cni_row cni_row_spring(cni_row r, float error, float hertz, float damping_ratio)
 {
 	r.error = error;
@@ -92,7 +92,7 @@ static inline cni_row cni_row_motor(cni_row r, const cni_joint *j)
 	return r;
 }
 
-/* A limit of the angle, and of the way x along an axis fixed in body a; at the nearer end. */
+/* A limit of the angle, or of the position along an axis fixed in body a, at the nearer end. */
 static inline cni_row cni_row_limit_angle(const cni_joint *j, float angle, uint8_t slot)
 {
 	float room, sign = cni_limit_side(angle, j->p[CNI_P_LOWER], j->p[CNI_P_UPPER], &room);
@@ -109,7 +109,7 @@ static inline cni_row cni_row_limit_axis(const cni_joint *j, const cni_joint_fra
 	return r;
 }
 
-/* What read-back measures: the angle, the way along the axis, the distance of the anchors; and how fast that changes. */
+/* Read-back of position and speed: the angle, the position along the axis, the distance of the anchors. */
 cni_joint_position_fn cni_joint_position_angle, cni_joint_position_axis, cni_joint_position_distance;
 cni_joint_speed_fn cni_joint_speed_angle, cni_joint_speed_axis;
 

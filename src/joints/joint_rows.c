@@ -1,12 +1,12 @@
 /*
- * joints/joint_rows.c - lanes of rows (joints/joint_rows.h): which joints, filling, storing.
+ * joints/joint_rows.c - lanes of rows (joints/joint_rows.h): selection of joints, filling, storing.
  *
- * Rods, ties, welds, slides and wheels that nothing else softens, bounds or breaks, and that are not solved directly. They
- * take colours after pins, in the order of the awake list (joints/joint_blocks.c), and a pass over a colour runs these
- * blocks beside those of pins. Lanes of one colour and form fill a block; there are no more blocks than a few for all
- * such joints, so that what is left over, and joints that are few, stay rows one by one.
+ * These lanes take rods, ties, welds, slides and wheels that nothing else softens, bounds or breaks, and that are not solved directly. They
+ * take colours after pins, in the order of the awake list (joints/joint_blocks.c), and a pass over a colour runs these blocks beside those
+ * of pins. Lanes of one colour and form fill a block. The number of partly filled blocks is limited, so leftover joints, and joints of
+ * scenes with few of them, are solved one by one.
  *
- * Reads works, records, motion; writes blocks, and after the substeps records' impulses.
+ * Reads joint constraints, records, motion; writes blocks, and after the substeps the records' impulses.
  */
 #include "joints/joints.h"
 #include "joints/joint_pass.h"
@@ -16,7 +16,7 @@
 #define LANES_LEAST 4 /* in the mean, of blocks that are not full */
 #define FAR 1e9f      /* a limit that is nowhere */
 
-/* ---- which ---- */
+/* ---- selection ---- */
 
 int32_t cni_joint_form(const cni_joint *j)
 {
@@ -29,7 +29,7 @@ int32_t cni_joint_form(const cni_joint *j)
 	}
 }
 
-/* Which of a spring, a motor and a limit a joint of this form has. */
+/* Flags of the spring, motor and limit that a joint of this form has. */
 static uint32_t parts_of(const cni_joint *j, int32_t form)
 {
 	if (form == CNI_FORM_SOFT_WELD)
@@ -37,9 +37,9 @@ static uint32_t parts_of(const cni_joint *j, int32_t form)
 	return form == CNI_FORM_ROD || form == CNI_FORM_WELD ? 0 : j->flags & (CN_JOINT_SPRING | CN_JOINT_MOTOR | CN_JOINT_LIMIT);
 }
 
-/* Places of impulses in a record. */
+/* Indices of impulses in a record. */
 typedef struct slots {
-	uint8_t spring, motor, limit; /* the rigid rows' are the first */
+	uint8_t spring, motor, limit; /* the rigid rows' come first */
 } slots;
 
 static slots slots_of(int32_t form)
@@ -67,17 +67,17 @@ void cni_row_blocks_empty(cn_world *world)
 	memset(world->row_blocks_of, 0, sizeof world->row_blocks_of);
 }
 
-/* While lanes are taken. */
-typedef struct taker {
+/* State while lanes are assigned. */
+typedef struct lane_builder {
 	cn_world *world;
 	const cni_solve *s;
 	cni_lane_spring spring;
-	int32_t open[CNI_JOINT_COLORS][CNI_FORMS]; /* the block of this colour and form that was begun last */
-	int32_t room;                              /* blocks */
-} taker;
+	int32_t open[CNI_JOINT_COLORS][CNI_FORMS]; /* the last block begun for this colour and form */
+	int32_t room;                              /* number of blocks */
+} lane_builder;
 
-/* One with an empty lane; NULL: there is no more room. */
-static cni_row_block *block_open(taker *t, int32_t color, int32_t form)
+/* A block with an empty lane; NULL: no block is left. */
+static cni_row_block *block_open(lane_builder *t, int32_t color, int32_t form)
 {
 	cn_world *world = t->world;
 	int32_t *open = &t->open[color][form];
@@ -95,7 +95,7 @@ static cni_row_block *block_open(taker *t, int32_t color, int32_t form)
 	return block;
 }
 
-/* A colour's blocks one after the other, so that they can be shared among workers. */
+/* Lists each colour's blocks one after the other, so that workers can share them. */
 static void blocks_list(cn_world *world)
 {
 	cni_row_block *blocks = cni_row_blocks(world);
@@ -126,18 +126,18 @@ static void all_run(cn_world *world, const cni_solve *s, cni_row_kernel_fn *run)
 
 /* ---- lanes ---- */
 
-static void spring_fill(taker *t, const cni_joint *j, cni_row_block *block, int32_t l)
+static void spring_fill(lane_builder *t, const cni_joint *j, cni_row_block *block, int32_t l)
 {
 	int32_t distance = j->type == CN_JOINT_DISTANCE;
 	float hertz = j->p[distance ? CNI_P_DISTANCE_HERTZ : CNI_P_HERTZ], damping_ratio = j->p[distance ? CNI_P_DISTANCE_DAMPING : CNI_P_DAMPING];
 	cni_soft soft = j->type == CN_JOINT_FIXED ? cni_soft_implicit(hertz, damping_ratio, t->s->h) : cni_lane_spring_soft(&t->spring, hertz, damping_ratio, t->s->h);
 	block->spring_mass[l] = soft.mass_scale;
 	block->spring_bias[l] = soft.bias_scale;
-	block->spring_give[l] = soft.impulse_scale;
+	block->spring_impulse_scale[l] = soft.impulse_scale;
 	block->spring_j[l] = j->impulse[slots_of(block->form).spring];
 }
 
-static void parts_fill(taker *t, const cni_joint *j, cni_row_block *block, int32_t l)
+static void parts_fill(lane_builder *t, const cni_joint *j, cni_row_block *block, int32_t l)
 {
 	uint32_t parts = parts_of(j, block->form);
 	block->has |= parts;
@@ -170,7 +170,7 @@ static void frame_fill(const cni_joint_frame *f, cni_row_block *block, int32_t l
 	block->angle0[l] = f->angle;
 }
 
-/* Where the type's own number is that its gap or its spring is measured from. */
+/* The number from which the type measures its gap or its spring. */
 static float rest_of(const cni_joint *j, int32_t form)
 {
 	if (form == CNI_FORM_ROD || form == CNI_FORM_TIE)
@@ -178,14 +178,14 @@ static float rest_of(const cni_joint *j, int32_t form)
 	return form == CNI_FORM_SLIDE ? j->p[CNI_P_TARGET] : 0.0f;
 }
 
-static void lane_fill(taker *t, cni_joint_constraint *w, int32_t k, cni_row_block *block)
+static void lane_fill(lane_builder *t, cni_joint_constraint *w, int32_t k, cni_row_block *block)
 {
 	const cni_joint *j = w->record;
 	const cni_motion *a = cni_motions(t->world) + w->ia, *b = cni_motions(t->world) + w->ib;
 	int32_t l = block->lanes++, r;
 	w->row_lane = (int32_t)(block - cni_row_blocks(t->world)) * CNI_LANES + l;
 	w->row_count = 0;
-	block->work[l] = k;
+	block->constraint[l] = k;
 	block->ia[l] = w->ia;
 	block->ib[l] = w->ib;
 	block->ai[l] = a->inv_inertia;
@@ -201,7 +201,7 @@ static void lane_fill(taker *t, cni_joint_constraint *w, int32_t k, cni_row_bloc
 		block->j[r][l] = j->impulse[r];
 }
 
-static int32_t lane_take(taker *t, cni_joint_constraint *w, int32_t k)
+static int32_t lane_take(lane_builder *t, cni_joint_constraint *w, int32_t k)
 {
 	int32_t color = cni_joint_color_take(t->world, w->ia, w->ib);
 	cni_row_block *block = color == CNI_NONE ? NULL : block_open(t, color, w->form);
@@ -216,7 +216,7 @@ static int32_t is_waiting(const cni_joint_constraint *w)
 	return w->form != CNI_FORM_NONE && !(w->flags & (CNI_CONSTRAINT_DIRECT | CNI_CONSTRAINT_FINISHED));
 }
 
-/* Room for the blocks of so many joints; 0: there is none, or no use for it. */
+/* Reserves blocks for the waiting joints. Returns the number of blocks; 0: no memory, or too few joints. */
 static int32_t blocks_reserve(cn_world *world, int32_t waiting)
 {
 	int32_t room = CNI_ON(ROW_LANES) ? blocks_for(waiting) : 0;
@@ -230,7 +230,7 @@ static int32_t blocks_reserve(cn_world *world, int32_t waiting)
 
 void cni_row_lanes_gather(cn_world *world, const cni_solve *s)
 {
-	taker t = { world, s, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { { 0 } }, 0 };
+	lane_builder t = { world, s, { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, { { 0 } }, 0 };
 	int32_t k, waiting = 0;
 	for (k = 0; k < world->awake_joints.count; ++k)
 		waiting += is_waiting(cni_joint_constraints(world) + k);
@@ -251,7 +251,7 @@ void cni_row_lanes_gather(cn_world *world, const cni_solve *s)
 
 static void lane_store(cn_world *world, const cni_row_block *block, int32_t l, const cni_solve *s)
 {
-	const cni_joint_constraint *w = cni_joint_constraints(world) + block->work[l];
+	const cni_joint_constraint *w = cni_joint_constraints(world) + block->constraint[l];
 	cni_joint *j = cni_joint_at(world, w->joint);
 	slots at = slots_of(block->form);
 	uint32_t parts = parts_of(j, block->form);
@@ -266,6 +266,7 @@ static void lane_store(cn_world *world, const cni_row_block *block, int32_t l, c
 	if (parts & CN_JOINT_LIMIT)
 		j->impulse[at.limit] = block->limit_j[l];
 	j->inv_h = s->inv_h;
+	cni_joint_keep_finite(j);
 }
 
 void cni_row_lanes_store(cn_world *world, const cni_solve *s)
@@ -277,7 +278,7 @@ void cni_row_lanes_store(cn_world *world, const cni_solve *s)
 			lane_store(world, &cni_row_blocks(world)[k], l, s);
 }
 
-/* ---- rows of one joint, for who looks at it within the step ---- */
+/* ---- the rows of one joint in a lane, for readers within the step ---- */
 
 static cni_row row_read(const cni_lane_row *r, int32_t l, float sign, uint8_t kind, uint8_t slot, float impulse)
 {

@@ -1,9 +1,9 @@
 /*
- * joints/joint_rows_kernel.h - passes over lanes of rows (joints/joint_rows.h) for one instruction set: a part of
- * joints/joint_kernel.h, which includes it.
+ * joints/joint_rows_kernel.h - passes over lanes of rows (joints/joint_rows.h) for one instruction set: a part of joints/joint_kernel.h,
+ * included by joints/joint_passes_kernel.h.
  *
- * Every sum has the terms and the order of joints/joint_solve.c and of the types' files in model/, where what is written
- * here is explained; only multiplications by one are left out.
+ * Every sum has the terms and the order of joints/joint_solve.c and of the types' files in joints/, which explain the formulas; only
+ * multiplications by one are left out.
  */
 #include "joints/joint_rows.h"
 
@@ -61,7 +61,7 @@ CNI_INLINE cni_wide row_mass(const wide_row *r, const wide_row *q, const side *a
 	return a->m * dot + a->i * r->aw * q->aw + b->m * dot + b->i * r->bw * q->bw;
 }
 
-CNI_INLINE cni_wide row_turn(const wide_row *r, const wide_row *old)
+CNI_INLINE cni_wide row_dot(const wide_row *r, const wide_row *old)
 {
 	cni_wide x = r->nx * old->nx, y = r->ny * old->ny;
 	return x + y + r->bw * old->bw + x + y + r->aw * old->aw;
@@ -73,9 +73,9 @@ CNI_INLINE cni_wide inverse_of(cni_wide x)
 	return cni_wide_select(x > zero, 1.0f / x, zero);
 }
 
-/* ---- where the bodies are ---- */
+/* ---- frames ---- */
 
-/* cni_rot_small: what is beyond its range one by one, with the same bits. */
+/* cni_rot_small: lanes beyond its range are computed one by one, with the same bits. */
 CNI_INLINE void rot_small(cni_wide theta, cni_wide *out_c, cni_wide *out_s)
 {
 	const uint32_t all = (1u << CNI_WIDTH) - 1u;
@@ -157,7 +157,7 @@ CNI_INLINE wide_frame frame_now(const cni_motion *motions, const cni_row_block *
 
 /* ---- rows ---- */
 
-/* The rows of a form, free ones as they are, and what springs and limits measure. */
+/* The rows of a form, free ones not yet decoupled, and the measure of springs and limits. */
 typedef struct wide_rows {
 	wide_row rigid[CNI_JOINT_RIGID_ROWS], free[CNI_FREE_ROWS];
 	cni_wide error[CNI_JOINT_RIGID_ROWS], measure;
@@ -268,10 +268,10 @@ CNI_INLINE wide_rows rows_make(const cni_motion *motions, const cni_row_block *k
 	return g;
 }
 
-/* Where the inverse has its entry for rows i and n. */
+/* Index of the entry for rows i and n in the inverse. */
 static const uint8_t wide_inverse_at[CNI_JOINT_RIGID_ROWS][CNI_JOINT_RIGID_ROWS] = { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } };
 
-/* How much of each rigid row a free one contains. */
+/* out[i]: share of rigid row i in a decoupled row. */
 CNI_INLINE void row_shares(const wide_rows *g, int32_t rigid, const wide_row *r, const side *a, const side *b, cni_wide *out)
 {
 	cni_wide mass[CNI_JOINT_RIGID_ROWS];
@@ -285,7 +285,7 @@ CNI_INLINE void row_shares(const wide_rows *g, int32_t rigid, const wide_row *r,
 	}
 }
 
-/* Takes the rigid rows out of the free ones; shares: of each. */
+/* Decouples the free rows from the rigid ones; shares: of each. */
 CNI_INLINE void rows_decouple(wide_rows *g, int32_t form, const side *a, const side *b, cni_wide shares[CNI_FREE_ROWS][CNI_JOINT_RIGID_ROWS])
 {
 	int32_t rigid = cni_form_rigid_rows(form), k, i;
@@ -342,7 +342,7 @@ CNI_INLINE void spring_solve(cni_row_block *k, int32_t l, side *a, side *b)
 	wide_row r = row_load(&k->free[0], l);
 	cni_wide old = cni_wide_load(k->spring_j + l), mass = cni_wide_load(k->free_mass[0] + l);
 	cni_wide want = cni_wide_load(k->spring_mass + l) * row_speed(&r, a, b) + cni_wide_load(k->spring_bias + l) * cni_wide_load(k->stretch + l);
-	cni_wide dj = -(mass * want) - cni_wide_load(k->spring_give + l) * old;
+	cni_wide dj = -(mass * want) - cni_wide_load(k->spring_impulse_scale + l) * old;
 	cni_wide_store(k->spring_j + l, old + dj);
 	row_push(&r, dj, a, b);
 }
@@ -413,7 +413,7 @@ static void row_lanes_solve(cni_motion *motions, cni_velocity_start *starts, cni
 {
 	(void)starts;
 #if CNI_WIDTH == 1
-	solve_form(motions, k, pass, k->form); /* made once: it is for few */
+	solve_form(motions, k, pass, k->form); /* compiled once: this path runs few lanes */
 #else
 	switch (k->form) {
 	case CNI_FORM_ROD: solve_form(motions, k, pass, CNI_FORM_ROD); break;
@@ -428,13 +428,13 @@ static void row_lanes_solve(cni_motion *motions, cni_velocity_start *starts, cni
 
 /* ---- new positions ---- */
 
-/* One impulse that acted along the old row and acts along the new one: what that changes. Returns the impulse, which is
-   none where the row has turned back. sign, old_sign: of the rows. */
+/* Moves an impulse from the old row to the new one and applies the difference. Returns the impulse, which is 0 if the row reversed its
+   direction. sign, old_sign: of the rows. */
 CNI_INLINE cni_wide impulse_turn(const wide_row *r, cni_wide sign, const wide_row *old, cni_wide old_sign, cni_wide impulse, side *a, side *b)
 {
 	const cni_wide zero = cni_wide_of(0.0f);
 	row_push(old, old_sign * -impulse, a, b);
-	impulse = cni_wide_select(sign * old_sign * row_turn(r, old) < zero, zero, impulse);
+	impulse = cni_wide_select(sign * old_sign * row_dot(r, old) < zero, zero, impulse);
 	row_push(r, sign * impulse, a, b);
 	return impulse;
 }
@@ -497,7 +497,7 @@ CNI_INLINE void relax_form(cni_motion *motions, cni_velocity_start *starts, cni_
 static void row_lanes_relax(cni_motion *motions, cni_velocity_start *starts, cni_row_block *k, const cni_joint_pass *pass)
 {
 #if CNI_WIDTH == 1
-	relax_form(motions, starts, k, pass, k->form); /* made once: it is for few */
+	relax_form(motions, starts, k, pass, k->form); /* compiled once: this path runs few lanes */
 #else
 	switch (k->form) {
 	case CNI_FORM_ROD: relax_form(motions, starts, k, pass, CNI_FORM_ROD); break;
@@ -510,9 +510,9 @@ static void row_lanes_relax(cni_motion *motions, cni_velocity_start *starts, cni
 #endif
 }
 
-/* ---- before and after the substeps: once a step, for any form ---- */
+/* ---- before and after the substeps, for any form ---- */
 
-/* What free rows ask of the rigid ones, added (1) to their impulses or taken out (-1). */
+/* Adds the share of free rows in the rigid rows' impulses (sign 1) or removes it (-1). */
 static void impulses_couple(const cni_row_block *k, int32_t l, cni_wide shares[CNI_FREE_ROWS][CNI_JOINT_RIGID_ROWS], cni_wide limit_side, float sign, cni_wide *j)
 {
 	int32_t rigid = cni_form_rigid_rows(k->form), motor = cni_form_motor_row(k->form), i;
@@ -555,14 +555,14 @@ static void row_lanes_warm(cni_motion *motions, cni_velocity_start *starts, cni_
 		sides_gather(motions, k, l, &a, &b);
 		for (i = 0; i < rigid; ++i) {
 			wide_row r = row_load(&k->rigid[i], l);
-			row_push(&r, warmed(k->j[i] + l, pass->warm_scale), &a, &b);
+			row_push(&r, impulse_warm(k->j[i] + l, pass->warm_scale), &a, &b);
 		}
 		if (k->has & CN_JOINT_SPRING)
-			row_push(&free, warmed(k->spring_j + l, pass->warm_scale), &a, &b);
+			row_push(&free, impulse_warm(k->spring_j + l, pass->warm_scale), &a, &b);
 		if (k->has & CN_JOINT_MOTOR)
-			row_push(&turned, warmed(k->motor_j + l, pass->warm_scale), &a, &b);
+			row_push(&turned, impulse_warm(k->motor_j + l, pass->warm_scale), &a, &b);
 		if (k->has & CN_JOINT_LIMIT)
-			row_push(&free, cni_wide_load(k->side + l) * warmed(k->limit_j + l, pass->warm_scale), &a, &b);
+			row_push(&free, cni_wide_load(k->side + l) * impulse_warm(k->limit_j + l, pass->warm_scale), &a, &b);
 		sides_scatter(motions, k, l, &a, &b);
 	}
 }

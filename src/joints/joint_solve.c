@@ -1,13 +1,13 @@
 /*
- * joints/joint_solve.c - joints in the soft step: rows (joints/joint_constraint.c) to impulses, for every type alike. Those that are
- * solved many at once are in lanes: joints/joint_blocks.c, joint_rows.c, whose sums are the same as here.
+ * joints/joint_solve.c - joints in the soft step: from rows (joints/joint_constraint.c) to impulses, for every type alike. Joints in lanes
+ * are solved by joints/joint_blocks.c and joint_rows.c, with the same sums as here.
  *
- * Bounds on force and torque clamp the total impulse of the first rows: the vector of the linear ones and the
- * angular one. When only one of the two is clamped the other is solved again with that known (projected
- * block Gauss-Seidel), so that a weld at its force limit still holds its angle.
+ * Bounds on force and torque clamp the total impulse of the first rows: the vector of the linear ones and the angular one. When only one of
+ * the two is clamped, the other is solved again with that impulse fixed (projected block Gauss-Seidel), so that a weld at its force limit
+ * still holds its angle.
  *
- * Reads records and motion, writes motion velocities, the records' turns; breaks joints
- * whose largest reaction within the step was beyond their threshold.
+ * Reads records and motion; writes motion velocities and the records' turns; breaks joints whose largest reaction within the step was
+ * beyond their threshold.
  */
 #include "joints/joints.h"
 #include "joints/joint_pass.h"
@@ -15,31 +15,31 @@
 #define PREFETCH_AHEAD 8 /* joints */
 #define JOINTS_A_RANGE 256
 
-/* ---- as a step begins ---- */
+/* ---- the beginning of a step ---- */
 
 typedef struct prepare_loop {
 	cn_world *world;
 	const cni_solve *s;
-	uint32_t filled, missed, special; /* lanes filled again; 1: some were not; 1: some are special, struct cni_lanes_look */
+	uint32_t filled, missed, special; /* lanes filled again; 1: some were not; 1: some are special, struct cni_lane_setup */
 } prepare_loop;
 
 static void prepare_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	prepare_loop *loop = (prepare_loop *)context;
 	cn_world *world = loop->world;
-	struct cni_lanes_look look = { { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, world->joint_lanes.lanes > 0, 0, 0 };
+	struct cni_lane_setup setup = { { 0.0f, 0.0f, { 0.0f, 0.0f, 1.0f } }, world->joint_lanes.lanes > 0, 0, 0 };
 	int32_t k, ahead = cni_joints_are_far(world) ? PREFETCH_AHEAD : world->awake_joints.count;
 	(void)worker;
 	for (k = begin; k < end; ++k) {
 		if (k + ahead < end)
 			cni_joint_prefetch(cni_joint_at(world, ((const int32_t *)world->awake_joints.data)[k + ahead]));
-		if (!cni_joint_constraint_widen(world, loop->s, &look, k))
+		if (!cni_joint_constraint_widen(world, loop->s, &setup, k))
 			cni_joint_constraint_prepare(world, loop->s, k);
 	}
-	cni_atomic_add(&loop->filled, (uint32_t)look.filled);
-	if (!look.kept)
+	cni_atomic_add(&loop->filled, (uint32_t)setup.filled);
+	if (!setup.kept)
 		cni_atomic_put(&loop->missed, 1);
-	if (look.special)
+	if (setup.special)
 		cni_atomic_put(&loop->special, 1);
 }
 
@@ -70,7 +70,7 @@ void cni_joints_warm_start(cn_world *world, const cni_solve *s)
 
 /* ---- impulses ---- */
 
-/* What count rows that are solved together ask for. */
+/* Impulse changes of `count` rows that are solved together. */
 CNI_INLINE void block_solve(const cni_row *rows, int32_t count, const float *inverse, const cni_motion *a, const cni_motion *b, const cni_soft *soft, float *dj)
 {
 	float rhs[CNI_JOINT_RIGID_ROWS];
@@ -93,7 +93,7 @@ CNI_INLINE void block_push(cni_row *rows, int32_t count, const float *dj, cni_mo
 	}
 }
 
-/* Keeps the length of the rows' total impulse within most. Returns 1 when it had to. */
+/* Clamps the length of the rows' total impulse to most. Returns 1 when it was clamped. */
 static int32_t block_clamp(const cni_row *rows, int32_t count, float most, float *dj)
 {
 	float sum_sq = 0.0f, scale;
@@ -108,7 +108,7 @@ static int32_t block_clamp(const cni_row *rows, int32_t count, float most, float
 	return 1;
 }
 
-/* Solves some of the first rows alone, the others being given. */
+/* Solves some of the first rows with the others fixed. */
 static void solve_part(cni_row *rows, int32_t count, float most, cni_motion *a, cni_motion *b, const cni_soft *soft)
 {
 	float inverse[6], dj[CNI_JOINT_RIGID_ROWS];
@@ -153,7 +153,7 @@ static void solve_rigid(cni_joint_constraint *w, cni_motion *a, cni_motion *b, c
 	}
 }
 
-/* A soft row keeps within its limit; a spring has none. */
+/* A soft row is clamped to its limit; a spring has none. */
 static void solve_spring(cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_soft *soft, float h)
 {
 	float dj = -mass * (soft->mass_scale * cni_row_speed(r, a, b) + soft->bias_scale * r->error) - soft->impulse_scale * r->impulse;
@@ -170,7 +170,7 @@ static void solve_motor(cni_row *r, float mass, cni_motion *a, cni_motion *b, co
 	cni_row_push(r, r->impulse - old, a, b);
 }
 
-/* Room that is left bounds the speed (speculative); beyond the limit it is soft. */
+/* A remaining gap bounds the speed (speculative); beyond the limit the row is soft. */
 static void solve_limit(const cni_joint_constraint *w, cni_row *r, float mass, cni_motion *a, cni_motion *b, const cni_solve *s, int32_t bias)
 {
 	const cni_soft *soft = (w->flags & CNI_CONSTRAINT_SPRINGY) ? &w->numbers->soft : &s->joint;
@@ -190,14 +190,14 @@ static void solve_limit(const cni_joint_constraint *w, cni_row *r, float mass, c
 	cni_row_push(r, r->impulse - old, a, b);
 }
 
-static void solve_work(cni_joint_constraint *w, cni_motion *motions, const cni_solve *s, int32_t bias)
+static void solve_constraint(cni_joint_constraint *w, cni_motion *motions, const cni_solve *s, int32_t bias)
 {
 	static const cni_soft rigid = { 1.0f, 0.0f, 0.0f };
 	cni_motion *a = motions + w->ia, *b = motions + w->ib;
 	int32_t k;
 	for (k = w->rigid_count; k < w->row_count; ++k) {
 		cni_row *r = &w->rows[k];
-		if (w->inner > 0 && k == w->inner)
+		if (w->active_row > 0 && k == w->active_row)
 			continue;
 		if (r->kind == CNI_ROW_MOTOR)
 			solve_motor(r, w->numbers->single_mass[k], a, b, s);
@@ -218,7 +218,7 @@ void cni_joints_solve(cn_world *world, const cni_solve *s)
 {
 	int32_t k;
 	for (k = world->joint_plain_first; k != CNI_NONE; k = cni_joint_constraints(world)[k].next_plain)
-		solve_work(cni_joint_constraints(world) + k, cni_motions(world), s, 1);
+		solve_constraint(cni_joint_constraints(world) + k, cni_motions(world), s, 1);
 	cni_joint_blocks_solve(world, s);
 }
 
@@ -231,7 +231,7 @@ void cni_joints_solve_fresh(cn_world *world, const cni_solve *s, int32_t constra
 			continue;
 		for (r = 0; r < w->row_count; ++r)
 			w->rows[r].impulse = 0.0f;
-		solve_work(w, cni_motions(world), s, 1);
+		solve_constraint(w, cni_motions(world), s, 1);
 	}
 }
 
@@ -242,7 +242,7 @@ void cni_joints_relax(cn_world *world, const cni_solve *s)
 	for (k = world->joint_plain_first; k != CNI_NONE; k = w->next_plain) {
 		w = cni_joint_constraints(world) + k;
 		cni_joint_rows_renew(world, w);
-		solve_work(w, cni_motions(world), s, 0);
+		solve_constraint(w, cni_motions(world), s, 0);
 	}
 	cni_joint_blocks_relax(world, s);
 }
@@ -258,7 +258,7 @@ void cni_joints_stress(cn_world *world, const cni_solve *s)
 	}
 }
 
-/* ---- as it ends ---- */
+/* ---- the end of a step ---- */
 
 static int32_t is_beyond(const cni_joint_constraint *w, const cni_joint *j)
 {
@@ -302,7 +302,7 @@ static void joint_break(cn_world *world, const cni_joint_constraint *w)
 		cni_joint_destroy(world, w->joint);
 }
 
-/* Backwards, because a joint that goes away gives its place in the awake list to the last one. */
+/* Backwards, because destroying a joint moves the last one of the awake list to its place. */
 void cni_joints_break(cn_world *world)
 {
 	int32_t k;

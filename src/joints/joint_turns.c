@@ -1,14 +1,13 @@
 /*
- * joints/joint_turns.c - angles that count whole turns, for gears, ratchets, rotary springs and angle constraints.
+ * joints/joint_turns.c - angles over whole turns, for gears, ratchets, rotary springs and angle constraints.
  *
- * For each side the record keeps the body's angle at the end of the last step, as expected from what it
- * turned, in [-pi, pi], and the whole turns made. An angle read from a rotation gets the turns that bring
- * it nearest to the expected one. So the count is exact and what is read never drifts from the poses,
- * however long it runs; turning a body by hand counts as the shorter way round.
+ * For each side the record keeps the body's angle in [-pi, pi] that is expected at the end of the last step from its rotation in the step,
+ * and the number of whole turns. An angle read from a rotation gets the turns that bring it nearest to the expected one. So the count is
+ * exact and the read angle never drifts from the poses, however long the world runs; when the user sets a rotation, the shorter way round
+ * counts.
  *
- * A gear's angle b - ratio * angle a is a difference of large numbers once many turns were made; the turns'
- * part is computed with the rounding error of the product (Dekker, 1971) and so stays exact to a few
- * 1e-7 of the ratio.
+ * A gear's angle b - ratio * angle a is a difference of large numbers after many turns; the turns' part is computed with the rounding error
+ * of the product (Dekker, 1971) and so stays exact to a few 1e-7 of the ratio.
  */
 #include "joints/joint_type.h"
 
@@ -62,8 +61,8 @@ static cni_rot side_rotation(const cn_world *world, const cni_joint *j, int32_t 
 	return j->body[side] == CNI_NONE ? none : cni_body_at(world, j->body[side])->q;
 }
 
-/* The click that holds a ratchet at this angle. A thousandth of a click short of one counts as on it, so that
-   a ratchet set down on a click does not start by falling to the one before. */
+/* The click that holds a ratchet at this angle. A thousandth of a click below a click counts as on it, so that a ratchet that starts on a
+   click does not fall back to the one before. */
 static float latch_at(const cni_joint *j, float angle)
 {
 	float clicks = (angle - j->p[CNI_P_RATCHET_PHASE]) / j->p[CNI_P_RATCHET_CLICK] + 1e-3f;

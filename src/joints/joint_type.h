@@ -1,10 +1,10 @@
 /*
- * joints/joint_type.h - what a joint type must provide, and what is read back from it.
+ * joints/joint_type.h - the interface of a joint type, and read-back of a joint's state.
  *
- * A type describes itself by rows: scalar constraints with a Jacobian, an error and bounds. Warm starting, soft and rigid
- * solving, reactions and error read-back work on rows and know no types, so a new joint is one file with one function that
- * writes rows and two that read it back. Most revolute joints, which are most joints, are solved without their rows:
- * joints/joint_blocks.c. Some other types are solved by rows in lanes: joints/joint_rows_kernel.h repeats their formulas.
+ * A type describes itself by rows: scalar constraints with a Jacobian, an error and bounds. Warm starting, soft and rigid solving,
+ * reactions and error read-back work on rows and do not depend on the type, so a new joint is one file with one function that writes rows
+ * and two that read it back. Most joints are revolute, and most of these are solved without rows: joints/joint_blocks.c. Some other types
+ * are solved by rows in lanes: joints/joint_rows_kernel.h repeats their formulas.
  */
 #ifndef CNI_JOINTS_JOINT_TYPE_H
 #define CNI_JOINTS_JOINT_TYPE_H
@@ -13,7 +13,7 @@
 
 /* ---- rows ---- */
 
-/* Where a joint's bodies are, in world directions. */
+/* Relative placement of a joint's bodies, in world directions. */
 typedef struct cni_joint_frame {
 	cni_vec2 ra, rb;   /* from the centres of mass to the anchors */
 	cni_vec2 d;        /* anchor b - anchor a; pulley: anchor a - ground a */
@@ -24,10 +24,10 @@ typedef struct cni_joint_frame {
 } cni_joint_frame;
 
 enum {
-	CNI_ROW_RIGID = 0, /* equality; a joint's rigid and drive rows are solved together and come first */
+	CNI_ROW_RIGID = 0, /* equality; a joint's rigid and drive rows come first and are solved together */
 	CNI_ROW_SPRING = 1, /* true period and decay */
 	CNI_ROW_MOTOR = 2,
-	CNI_ROW_LIMIT = 3, /* impulse >= 0; error > 0 is room that is left */
+	CNI_ROW_LIMIT = 3, /* impulse >= 0; error > 0 is the remaining gap */
 	CNI_ROW_SOFT = 4,  /* true deflection, stable at any stiffness; bounded by limit if that is > 0 */
 	CNI_ROW_DRIVE = 5  /* a spring among the first rows; a joint has either rigid or drive rows */
 };
@@ -37,35 +37,35 @@ typedef struct cni_row {
 	float ax, ay, aw;
 	float bx, by, bw;
 	float error;      /* metres or radians */
-	float target;     /* motor: wanted speed */
+	float target;     /* motor: target speed */
 	float limit;      /* motor: most force or torque; soft: the same, 0: no bound */
 	float hertz, damping_ratio; /* spring, soft, drive */
 	float impulse;    /* accumulated */
 	uint8_t kind;     /* CNI_ROW_* */
 	uint8_t angular;  /* 1: radians */
-	uint8_t slot;     /* which of the record's impulses */
+	uint8_t slot;     /* index among the record's impulses */
 	uint8_t reserved;
 } cni_row;
 
-/* Writes the joint's rows for this frame, rigid or drive ones first; impulses are not touched. Returns how many. */
+/* Writes the joint's rows for this frame, rigid or drive ones first, and leaves impulses unchanged. Returns the number of rows. */
 typedef int32_t cni_joint_rows_fn(const cni_joint *j, const cni_joint_frame *f, cni_row *rows);
 
-/* What users read back as the joint's position, and a row along which its speed is measured (kind and slot mean nothing). */
+/* The joint's position for users, and a row along which its speed is measured (its kind and slot have no meaning). */
 typedef float cni_joint_position_fn(const cni_joint *j, const cni_joint_frame *f);
 typedef cni_row cni_joint_speed_fn(const cni_joint *j, const cni_joint_frame *f);
 
-/* What a type wants to be in its frame, where nothing else is computed. */
+/* Optional parts of a type's frame; the others are not computed. */
 enum {
 	CNI_USES_ANGLE = 1u << 0,     /* angle, wrapped at the beginning of the step */
-	CNI_USES_REFERENCE = 1u << 1, /* angle has p[CNI_P_REFERENCE] taken off */
+	CNI_USES_REFERENCE = 1u << 1, /* p[CNI_P_REFERENCE] is subtracted from angle */
 	CNI_USES_TURNS = 1u << 2,     /* angle counts whole turns: CNI_P_TURN */
 	CNI_USES_RATIO = 1u << 3,     /* ratio is p[CNI_P_GEAR_RATIO] */
-	CNI_USES_GROUNDS = 1u << 4,   /* d and e are seen from two points of the world */
-	CNI_USES_DRIVE = 1u << 5      /* (of the solver) its first rows are drive rows */
+	CNI_USES_GROUNDS = 1u << 4,   /* d and e start at two points of the world */
+	CNI_USES_DRIVE = 1u << 5      /* (for the solver) its first rows are drive rows */
 };
 
-/* The same set of rows in the same order for a record whose numbers do not change (limits choose their
-   side by the sign of the error and keep their slot). */
+/* The rows are the same in the same order for a record whose numbers do not change (limits choose their side by the sign of the error and
+   keep their slot). */
 typedef struct cni_joint_type {
 	cni_joint_rows_fn *rows;
 	cni_joint_position_fn *position;
@@ -77,7 +77,7 @@ extern const cni_joint_type cni_joint_revolute, cni_joint_distance, cni_joint_fi
 	cni_joint_groove, cni_joint_filter, cni_joint_angle, cni_joint_line;
 const cni_joint_type *cni_joint_type_of(int32_t type);
 
-/* The frame at the bodies' present poses, the angle left at 0. */
+/* The frame at the bodies' present poses, with angle 0. */
 cni_joint_frame cni_joint_frame_place(const cn_world *world, const cni_joint *j);
 /* The angle at the bodies' present poses. */
 float cni_joint_frame_angle(const cn_world *world, const cni_joint *j);
@@ -86,12 +86,11 @@ cni_joint_frame cni_joint_frame_make(const cn_world *world, const cni_joint *j);
 
 /* ---- turns ---- */
 
-/* Starts counting at the bodies' present angles in (-pi, pi]; a ratchet takes its latch there. */
+/* Starts counting at the bodies' present angles in (-pi, pi]; sets the latch of a ratchet. */
 void cni_joint_turns_begin(const cn_world *world, cni_joint *j);
-/* A ratchet takes its latch at the present angle. */
+/* Sets the latch of a ratchet at the present angle. */
 void cni_joint_ratchet_begin(const cn_world *world, cni_joint *j);
-/* At the end of a step, poses still those of its beginning: counts what the bodies turn in it, and moves a
-   ratchet's latch. */
+/* At the end of a step, before poses are updated: counts the bodies' rotation in it, and moves a ratchet's latch. */
 void cni_joint_turns_advance(const cn_world *world, cni_joint *j, float theta_a, float theta_b);
 /* angle b - ratio * angle a over whole turns, at these rotations. */
 float cni_joint_turned(const cni_joint *j, cni_rot qa, cni_rot qb, float ratio);

@@ -1,8 +1,8 @@
 /*
- * model/body.c - body records and the dense arrays of awake bodies (layout in body.h).
+ * model/body.c - body records, the dense arrays of awake bodies (layout in body.h), mass from shapes, fat boxes.
  *
- * Invariant: for every dense index k >= 1, record awake_id[k] has awake == k; every lane of a touching
- * contact names its bodies by their present dense index, 0 for one that has none.
+ * Invariant: for every dense index k >= 1, record awake_id[k] has awake == k; every lane of a touching contact has the current
+ * dense indices of its bodies, 0 for a body without one.
  */
 #include "model/world.h"
 
@@ -65,7 +65,7 @@ void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def)
 	b->user_data = def->user_data;
 	v.linear_mps = def->linear_velocity_mps;
 	v.angular_radps = def->angular_velocity_radps;
-	if (def->type != CN_BODY_STATIC)
+	if (def->type != CN_BODY_STATIC && (def->flags & CN_BODY_AWAKE)) /* what sleeps does not move */
 		cni_body_store_velocity(world, b, v);
 }
 
@@ -82,7 +82,7 @@ cn_result cni_body_reserve(cn_world *world, int32_t extra)
 	int32_t count = world->movable_count + extra + 1;
 	int32_t good = cni_array_reserve(&world->motion, &world->memory, count) &&
 	               cni_array_reserve(&world->start, &world->memory, count) &&
-	               cni_array_reserve(&world->drive, &world->memory, count) &&
+	               cni_array_reserve(&world->external, &world->memory, count) &&
 	               cni_array_reserve(&world->awake_id, &world->memory, count);
 	return good ? CN_OK : CN_ERROR_MEMORY;
 }
@@ -109,7 +109,7 @@ static void arrays_set_count(cn_world *world, int32_t count)
 	world->awake_count = count;
 	world->motion.count = count;
 	world->start.count = count;
-	world->drive.count = count;
+	world->external.count = count;
 	world->awake_id.count = count;
 }
 
@@ -158,7 +158,7 @@ void cni_body_leave_awake(cn_world *world, int32_t body)
 	arrays_set_count(world, last);
 }
 
-/* Sum of the shapes' masses; the centre and inertia are about the origin and then moved (Steiner). */
+/* Mass, centre and inertia of all shapes: first the centre, then the inertia about it (Steiner). */
 static cn_mass_data shapes_mass(const cn_world *world, const cni_body *b)
 {
 	cn_mass_data total = { 0.0f, 0.0f, { 0.0f, 0.0f } };
@@ -180,7 +180,7 @@ static cn_mass_data shapes_mass(const cn_world *world, const cni_body *b)
 	return total;
 }
 
-/* Farthest point of a shape from the centre of mass, without the rounding around it. */
+/* Distance of a shape's farthest point from the centre of mass, without the rounding radius. */
 static float shape_turn_reach(const cni_body *b, const cni_geometry *g)
 {
 	cni_vec2 storage[2];
@@ -195,10 +195,10 @@ static float shape_turn_reach(const cni_body *b, const cni_geometry *g)
 	return cni_sqrt(most_sq);
 }
 
-/* Rounded up, but for what a centre of mass is off by rounding; CNI_BODY_ROUNDING is more. */
-static uint8_t turn_reach_pack(float swing, float extent)
+/* Rounds up, after subtracting the rounding error of a centre of mass; CNI_BODY_ROUNDING is larger. */
+static uint8_t turn_reach_pack(float turn_reach, float extent)
 {
-	float part = extent > 0.0f ? (swing / extent - 1e-6f) / CNI_TURN_REACH_UNIT : 0.0f, up = part > 0.0f ? part + 1.0f : 0.0f;
+	float part = extent > 0.0f ? (turn_reach / extent - 1e-6f) / CNI_TURN_REACH_UNIT : 0.0f, up = part > 0.0f ? part + 1.0f : 0.0f;
 	return (uint8_t)cni_min(up, 255.0f);
 }
 
@@ -210,7 +210,7 @@ static void shape_measure(const cn_world *world, cni_body *b, const cni_geometry
 
 static void measure_shapes(const cn_world *world, cni_body *b)
 {
-	float swing = 0.0f;
+	float turn_reach = 0.0f;
 	int32_t index;
 	b->extent = 0.0f;
 	b->core = b->shape_first == CNI_NONE ? 0.0f : FLT_MAX;
@@ -218,10 +218,10 @@ static void measure_shapes(const cn_world *world, cni_body *b)
 		const cni_geometry *g = cni_shape_geometry(&world->blocks, cni_shape_at(world, index));
 		shape_measure(world, b, g);
 		if (b->type != CN_BODY_STATIC)
-			swing = cni_max(swing, shape_turn_reach(b, g));
+			turn_reach = cni_max(turn_reach, shape_turn_reach(b, g));
 	}
 	b->extent += cni_length(b->local_center);
-	b->swing = turn_reach_pack(swing, b->extent);
+	b->turn_reach = turn_reach_pack(turn_reach, b->extent);
 	cni_body_forget_room(b);
 }
 
@@ -259,15 +259,15 @@ static int32_t has_several_shapes(const cn_world *world, const cni_body *b)
 	return b->shape_first != CNI_NONE && cni_shape_at(world, b->shape_first)->next != CNI_NONE;
 }
 
-void cni_body_shapes_changed(cn_world *world, int32_t body, int32_t came)
+void cni_body_shapes_changed(cn_world *world, int32_t body, int32_t added)
 {
 	cni_body *b = cni_body_at(world, body);
 	if (b->type != CN_BODY_STATIC || !has_several_shapes(world, b)) {
 		cni_body_update_mass(world, body);
 		return;
 	}
-	if (came != CNI_NONE)
-		shape_measure(world, b, cni_shape_geometry(&world->blocks, cni_shape_at(world, came)));
+	if (added != CNI_NONE)
+		shape_measure(world, b, cni_shape_geometry(&world->blocks, cni_shape_at(world, added)));
 	cni_contacts_invalidate_body(world, b);
 	cni_body_forget_room(b);
 }
@@ -281,7 +281,7 @@ void cni_body_set_transform(cn_world *world, int32_t body, cni_vec2 origin, cni_
 	b->cy = origin.y + r.y;
 	b->cx_low = b->cy_low = 0.0f;
 	if (body < world->previous.count)
-		((cni_previous *)world->previous.data)[body].body = 0; /* no gliding over a teleport */
+		((cni_previous *)world->previous.data)[body].body = 0; /* no interpolation across a teleport */
 	cni_body_refresh_boxes(world, body);
 }
 
@@ -323,8 +323,8 @@ void cni_body_kick(cn_world *world, int32_t body)
 		((cn_body *)kicked->data)[kicked->count++] = handle;
 }
 
-/* Less than half of the margin ahead is within the margin anyway. */
-static int32_t looks_ahead(float margin, cni_vec2 ahead)
+/* A way of less than half of the margin needs no stretched box. */
+static int32_t needs_stretch(float margin, cni_vec2 ahead)
 {
 	return cni_abs(ahead.x) > 0.5f * margin || cni_abs(ahead.y) > 0.5f * margin;
 }
@@ -338,26 +338,26 @@ static cni_aabb box_stretch(cni_aabb box, cni_vec2 ahead)
 	return box;
 }
 
-/* How far a box reaches beyond one within it. */
+/* Least distance between the sides of a box and of one within it. */
 static float box_room(const cni_aabb *outer, const cni_aabb *inner)
 {
 	float x = cni_min(inner->x0 - outer->x0, outer->x1 - inner->x1), y = cni_min(inner->y0 - outer->y0, outer->y1 - inner->y1);
 	return cni_min(x, y);
 }
 
-/* What becomes of a shape's box. */
+/* Result for a proxy's box. _AHEAD: the box covers the way ahead. */
 enum { BOX_STAYS, BOX_STAYS_AHEAD, BOX_LEAVES, BOX_LEAVES_AHEAD };
 
 /* What touches nothing goes on as it flies: its boxes are made for this many ways more, and need not move in the steps of
    those. With two more, pairs that never meet cost more than the moves. */
 #define WAYS_OF_FLIGHT 1.0f
 
-/* A shape's box with what lies ahead, if that leaves its proxy's: the new one. _AHEAD: the proxy's reaches ahead, then. *room: how
-   far it reaches beyond the shape, then, now and ahead. */
+/* Compares a proxy's box with the shape's box now and after the way ahead. BOX_LEAVES: *fat is the new box. *room: distance by which
+   the resulting box encloses the shape, now and ahead. */
 static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_shape *s, int32_t child, const cni_transform *x, cni_vec2 ahead, cni_aabb *fat, float *room)
 {
 	const cni_aabb *now = &cni_proxy_at(world, cni_shape_proxy(world, s, child))->fat;
-	float margin, rounding = CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
+	float margin, rounding = CNI_BODY_ROUNDING * cni_max(cni_abs(b->cx) + cni_abs(b->cy) + b->extent, cni_abs(ahead.x) + cni_abs(ahead.y));
 	int32_t reaches;
 	cni_aabb box;
 	cni_geometry_box(cni_shape_geometry(&world->blocks, s), child, x, &box);
@@ -365,7 +365,7 @@ static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_sh
 	if (*room > cni_max(cni_abs(ahead.x), cni_abs(ahead.y)))
 		return BOX_STAYS;
 	margin = cni_box_margin(world, b->type, &box);
-	reaches = looks_ahead(margin, ahead);
+	reaches = needs_stretch(margin, ahead);
 	if (reaches)
 		box = box_stretch(box, ahead);
 	if (cni_aabb_contains(now, &box)) {
@@ -381,11 +381,11 @@ static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_sh
 	return reaches ? BOX_LEAVES_AHEAD : BOX_LEAVES;
 }
 
-static int32_t reaches_ahead(int32_t what) { return what == BOX_LEAVES_AHEAD || what == BOX_STAYS_AHEAD; }
+static int32_t covers_ahead(int32_t what) { return what == BOX_LEAVES_AHEAD || what == BOX_STAYS_AHEAD; }
 
-/* Looks at all boxes of a body. Those that the way ahead leaves get new bounds where there is a mover, else the first of them is told.
-   Returns how many there are. */
-static int32_t boxes_look(const cn_world *world, cni_body *b, cni_vec2 ahead, cn_world *mover, cni_box_move *out)
+/* Checks all boxes of a body, and returns how many the way ahead leaves. With a mover they get new bounds; without one, *out describes
+   the first. */
+static int32_t boxes_check(const cn_world *world, cni_body *b, cni_vec2 ahead, cn_world *mover, cni_box_move *out)
 {
 	cni_transform x = cni_body_transform(b);
 	float room = FLT_MAX, one;
@@ -397,7 +397,7 @@ static int32_t boxes_look(const cn_world *world, cni_body *b, cni_vec2 ahead, cn
 		for (child = 0; child < s->children; ++child) {
 			int32_t what = box_leaves(world, b, s, child, &x, ahead, &fat, &one);
 			room = cni_min(room, one);
-			out->reaches &= reaches_ahead(what);
+			out->reaches &= covers_ahead(what);
 			if (what < BOX_LEAVES || (count++ > 0 && mover == NULL))
 				continue;
 			out->fat = fat;
@@ -408,7 +408,7 @@ static int32_t boxes_look(const cn_world *world, cni_body *b, cni_vec2 ahead, cn
 			mover->broadphase_ops->move(mover->broadphase, out->proxy);
 		}
 	}
-	cni_body_set_room(b, count > 1 && mover == NULL ? 0.0f : room); /* with several to move it looks again */
+	cni_body_set_room(b, count > 1 && mover == NULL ? 0.0f : room); /* several boxes: they are checked again later */
 	return count;
 }
 
@@ -418,12 +418,12 @@ int32_t cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead)
 	if (cni_body_has_room(b, ahead))
 		return 0;
 	b->flags &= ~(uint32_t)CNI_BODY_AHEAD;
-	(void)boxes_look(world, b, ahead, world, &moved);
+	(void)boxes_check(world, b, ahead, world, &moved);
 	return moved.reaches;
 }
 
 int32_t cni_body_boxes_left(const cn_world *world, cni_body *b, cni_vec2 ahead, cni_box_move *out)
 {
 	out->reaches = 0;
-	return cni_body_has_room(b, ahead) ? 0 : boxes_look(world, b, ahead, NULL, out);
+	return cni_body_has_room(b, ahead) ? 0 : boxes_check(world, b, ahead, NULL, out);
 }

@@ -1,20 +1,20 @@
 /*
- * model/body.h - the body record, the dense arrays of awake bodies, and what may be done to a body.
+ * model/body.h - the body record, the dense arrays of awake bodies, and the operations on a body.
  *
- * A body's record has a stable slot (the index in its handle). What the solver touches lives in dense
- * arrays that hold awake bodies only, so that a sleeping or static body costs a step nothing:
+ * A body's record has a stable slot (the index in its handle). The data of the solver is in dense arrays of awake bodies only,
+ * so that a sleeping or static body costs a step nothing:
  *
  *   records  [b0][b1][b2][b3]...                 stable, paged; pose always, velocity between steps
  *   motion   [dummy][b3][b0]...                  cni_motion: velocity, inverse mass, change of pose this step
  *   start    [dummy][b3][b0]...                  cni_velocity_start: velocity right after integration
- *   drive    [dummy][b3][b0]...                  cni_external: force for this step, then acceleration
+ *   external [dummy][b3][b0]...                  cni_external: force for this step, then acceleration
  *   awake_id [ -1  ][ 3][ 0]...                  back to the record
  *
- * Dense index 0 is a dummy of infinite mass that never moves: it stands for every static body, for the
- * world in joints, and for padding lanes. body.awake is the dense index, 0 when the body has none.
+ * Dense index 0 is a dummy of infinite mass that never moves: it stands for every static body, for the world in joints, and for
+ * padding lanes. body.awake is the dense index, 0 when the body has none.
  *
- * Positions are sums of a high and a low float, so that slow motion far from the origin is not lost;
- * everything relative is computed from differences of both parts.
+ * Positions are sums of a high and a low float, so that slow motion far from the origin is not lost; everything relative is
+ * computed from differences of both parts.
  */
 #ifndef CNI_MODEL_BODY_H
 #define CNI_MODEL_BODY_H
@@ -31,12 +31,13 @@ enum {
 	CNI_BODY_MASS_OVERRIDE = 1u << 16, /* mass data was set by the user */
 	CNI_BODY_MOVED = 1u << 17,         /* pose changed in the last step */
 	CNI_BODY_MARK = 1u << 18,          /* scratch for batch calls and searches; clear outside of them */
-	CNI_BODY_SOLVER_SOFT = 1u << 19,   /* the body's own solver; neither: CN_SOLVER_AUTO */
+	CNI_BODY_SOLVER_SOFT = 1u << 19,   /* the body's own solver; neither bit: CN_SOLVER_AUTO */
 	CNI_BODY_SOLVER_DIRECT = 1u << 20,
-	CNI_BODY_AT_STATIC = 1u << 21,     /* has had contacts with static bodies, touching or not, since its last pose was taken */
-	CNI_BODY_AGAIN = 1u << 22,         /* new pairs of it may have a contact already: see CNI_PAIRS_MARKED */
-	CNI_BODY_SET_DOWN = 1u << 23,      /* in this step, alone: a contact began to bear */
-	CNI_BODY_AHEAD = 1u << 24          /* its boxes were looked at at the end of the last step, and have its room around the way ahead too: last step's dt times its velocity */
+	CNI_BODY_AT_STATIC = 1u << 21,     /* has had contacts with static bodies, touching or not, since its last pose was set */
+	CNI_BODY_AGAIN = 1u << 22,         /* its new pairs may already have a contact: see CNI_PAIRS_MARKED */
+	CNI_BODY_SET_DOWN = 1u << 23,      /* a body without an island got a load-bearing contact in this step */
+	CNI_BODY_AHEAD = 1u << 24          /* its boxes were checked at the end of the last step and include the way ahead (last step's dt
+	                                      times its velocity) plus its room */
 };
 
 typedef struct cni_body {
@@ -46,26 +47,26 @@ typedef struct cni_body {
 	cni_vec2 local_center;   /* of mass, in the body's frame */
 	float extent;            /* farthest surface point from the centre of mass */
 	uint32_t flags;          /* CN_BODY_ (AWAKE bit unused) and CNI_BODY_ */
-	int32_t awake;           /* dense index, 0: not awake; up to here is what every contact asks for */
+	int32_t awake;           /* dense index, 0: not awake; the fields up to here are read for every contact */
 	uint8_t type;            /* CN_BODY_STATIC ... */
-	uint8_t swing;           /* how far turning moves its shapes, as a part of extent in CNI_TURN_REACH_UNIT: cni_body_turn_reach */
-	uint16_t room;           /* by so much its boxes are known to reach beyond its shapes, all around: cni_body_room */
-	float vx, vy, w;         /* between steps; read through cni_body_velocity. Up to here is what pairs that are apart ask for */
+	uint8_t turn_reach;      /* how far turning moves its shapes, as a part of extent in CNI_TURN_REACH_UNIT: cni_body_turn_reach */
+	uint16_t room;           /* distance by which its boxes enclose its shapes on all sides, at least: cni_body_room */
+	float vx, vy, w;         /* between steps; read through cni_body_velocity. The fields up to here are read for pairs that are apart */
 	float mass, inertia;     /* of a dynamic body (mass > 0, inertia >= 0, 0 = never rotates); 0 for others */
 	float linear_damping, angular_damping;
 	float gravity_scale;
 	float sleep_speed;       /* 0: the world's */
 	float sleep_time;        /* seconds at rest */
-	float gain;              /* metres that changes of speed have moved it by in this time: cni_body_gains; not read at time 0 */
-	float core;              /* smallest inner radius of its shapes: how far it may jump without passing through things */
+	float gain;              /* metres that changes of speed have moved it by in this time: cni_body_gains; ignored at time 0 */
+	float core;              /* smallest inner radius of its shapes: a shorter jump cannot pass through things */
 	int32_t island;          /* CNI_NONE: alone */
 	int32_t island_next, island_prev;
 	int32_t shape_first;     /* shape index, linked by cni_shape.next */
 	int32_t joint_first;     /* key = joint << 1 | side */
 	int32_t contact_first;   /* key = contact << 1 | side */
 	int32_t contact_count;
-	uint32_t colors;         /* which colours its contacts use: bit of each colour */
-	int32_t lanes;           /* touching contacts that are being solved */
+	uint32_t colors;         /* colours of its contacts, as bits */
+	int32_t lanes;           /* touching contacts in lanes */
 	cni_ref name;            /* zero-terminated in the world's blocks; 0: none */
 	uint64_t user_data;
 } cni_body;
@@ -74,7 +75,7 @@ typedef struct cni_body {
 #define CNI_BODY_GAINS_SHIFT 25
 #define CNI_BODY_GAINS_MOST 127u
 
-/* It is not slow, or was woken. */
+/* Resets the rest timer: the body is not slow, or was woken. */
 static inline void cni_body_restless(cni_body *b)
 {
 	b->sleep_time = 0.0f;
@@ -86,7 +87,7 @@ static inline void cni_body_restless(cni_body *b)
 
 #define CNI_TURN_REACH_UNIT (1.0f / 255.0f)
 
-/* What floats could not hold, among absurd speeds, does not become a pose: the body stays where it is, and stands. */
+/* Resets displacements and velocities that are not finite: the body stays at its pose, at rest. */
 static inline void cni_motion_keep_finite(cni_motion *m)
 {
 	float zero = 0.0f * m->vx + 0.0f * m->vy + 0.0f * m->w + 0.0f * m->dpx + 0.0f * m->dpy + 0.0f * m->theta;
@@ -98,21 +99,23 @@ static inline int32_t cni_motion_can_move(const cni_motion *m) { return m->inv_m
 
 typedef struct cni_velocity_start {
 	float vx, vy, w;
-	float jumped; /* 1 to 2 when an impact changed the velocity in this substep, later sweeps more; CNI_SHOCKED or more when it jumped */
+	float jumped; /* 1 or more: an impact changed the velocity in this substep, in later sweeps more; CNI_JUMPED or more: it jumped */
 } cni_velocity_start;
-#define CNI_SHOCKED 2.0f
+#define CNI_JUMPED 2.0f
 
 enum {
-	CNI_EXTERNAL_FREE = 1u << 0,    /* nothing touches it: integrated once, exactly, for the whole step */
+	CNI_EXTERNAL_FREE = 1u << 0,    /* no contacts, no joints: integrated once, exactly, for the whole step */
 	CNI_EXTERNAL_DAMPED = 1u << 1,  /* has damping: factors are in the record */
 	CNI_EXTERNAL_LOCK_X = 1u << 2,  /* velocity along x is cleared in every substep */
 	CNI_EXTERNAL_LOCK_Y = 1u << 3,
-	CNI_EXTERNAL_JOINTED = 1u << 4, /* has joints: positions follow end velocities */
-	CNI_EXTERNAL_TOUCHED = 1u << 5, /* has contacts that are solved */
-	CNI_EXTERNAL_FINISHED = 1u << 6,   /* moved for the whole step: by its joints alone (direct/rattle.c), or at rest (step/early_rest.c) */
-	CNI_EXTERNAL_DEFERRED = 1u << 7,   /* scratch of a stage, clear outside of it: found in a first loop, which may be shared, for a second in order */
-	CNI_EXTERNAL_SETTLED = 1u << 8, /* has been slow for as long as it takes to fall asleep */
-	CNI_EXTERNAL_COLOR_SHIFT = 9    /* bits 9 .. 31: which colours its joints use in this step: joints/joint_blocks.c */
+	CNI_EXTERNAL_JOINTED = 1u << 4, /* has joints: positions use end velocities */
+	CNI_EXTERNAL_TOUCHED = 1u << 5, /* has contacts in lanes */
+	CNI_EXTERNAL_FINISHED = 1u << 6,   /* integrated for the whole step: by its joints alone (direct/rattle.c), or at rest
+	                                      (step/early_rest.c) */
+	CNI_EXTERNAL_DEFERRED = 1u << 7,   /* scratch of a stage, clear outside: marked by a first loop, which workers may share, for a
+	                                      second loop in order */
+	CNI_EXTERNAL_SETTLED = 1u << 8, /* slow for at least the sleep delay */
+	CNI_EXTERNAL_COLOR_SHIFT = 9    /* bits 9 .. 31: colours of its joints in this step: joints/joint_blocks.c */
 };
 typedef struct cni_external {
 	float ax, ay, alpha; /* between steps: the user's force and torque for the next one; within a step:
@@ -124,10 +127,10 @@ typedef struct cni_external {
 typedef struct cni_previous {
 	float x, y, c, s;  /* origin and rotation */
 	cn_body body;      /* 0: none */
-	uint32_t step;     /* count of steps after which it is the previous pose */
+	uint32_t step;     /* step count at which it is the previous pose */
 } cni_previous;
 
-/* As the narrowphase must read them: its workers set CNI_BODY_AT_STATIC, whoever finds it first. */
+/* Atomic access for the narrowphase, whose workers set CNI_BODY_AT_STATIC concurrently. */
 static inline uint32_t cni_body_flags(const cni_body *b) { return cni_atomic_peek(&b->flags); }
 static inline void cni_body_mark_static(cni_body *b)
 {
@@ -167,15 +170,15 @@ static inline cn_pose cni_body_pose(const cni_body *b)
 	pose.sine = b->q.s;
 	return pose;
 }
-/* From centre a to centre b, without losing digits far from the origin. */
+/* Vector from centre a to centre b, without losing digits far from the origin. */
 static inline cni_vec2 cni_body_a_to_b(const cni_body *a, const cni_body *b)
 {
 	return cni_v((b->cx - a->cx) + (b->cx_low - a->cx_low), (b->cy - a->cy) + (b->cy_low - a->cy_low));
 }
 cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b);
-/* The velocity was set from outside: its boxes must look ahead again before the next step. */
+/* After the velocity was set from outside: the boxes are stretched along it before the next step. */
 void cni_body_kick(cn_world *world, int32_t body);
-/* The room, in metres; 0: not known. Kept as the upper half of a float, which is never more. */
+/* The room, in metres; 0: unknown. Stored as the upper half of a float, which rounds down. */
 static inline float cni_body_room(const cni_body *b)
 {
 	uint32_t bits = (uint32_t)b->room << 16;
@@ -190,64 +193,65 @@ static inline void cni_body_set_room(cni_body *b, float room)
 	memcpy(&bits, &positive, sizeof bits);
 	b->room = (uint16_t)(bits >> 16);
 }
-/* The shapes or boxes were changed by something else than a step. */
+/* After shapes or boxes were changed outside of a step. */
 static inline void cni_body_forget_room(cni_body *b)
 {
 	b->room = 0;
 	b->flags &= ~(uint32_t)CNI_BODY_AHEAD;
 }
-/* Turning by a small angle moves the shapes by no more than this times the angle: the rounding around their points turns on
-   the spot. 0 for a wheel. */
-static inline float cni_body_turn_reach(const cni_body *b) { return b->extent * ((float)b->swing * CNI_TURN_REACH_UNIT); }
-/* What a step's change takes of it: the shapes reach no farther than this, whatever is rounded on the way. */
+/* Turning by a small angle moves the shapes by at most this times the angle: the rounding radius around their points turns in place. 0
+   for a wheel. */
+static inline float cni_body_turn_reach(const cni_body *b) { return b->extent * ((float)b->turn_reach * CNI_TURN_REACH_UNIT); }
+/* What a step's displacement takes from the room: the shapes move by at most this, rounding errors included. */
 static inline float cni_body_reach(const cni_body *b, float dpx, float dpy, float theta)
 {
 	return cni_max(cni_abs(dpx), cni_abs(dpy)) + cni_abs(theta) * cni_body_turn_reach(b) + CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
 }
-/* Do the boxes contain the shapes now and after ahead for certain? Most do, and shapes and boxes need not be read. */
+/* Do the boxes certainly contain the shapes now and after ahead? True for most bodies, which spares reading shapes and boxes. */
 static inline int32_t cni_body_has_room(const cni_body *b, cni_vec2 ahead)
 {
 	return cni_body_room(b) > cni_max(cni_abs(ahead.x), cni_abs(ahead.y));
 }
-/* Moves the boxes that do not contain the shapes now and where they will be after ahead (metres). Returns 1 when it has
-   looked at them, and all reach ahead. */
+/* Moves the boxes that do not contain the shapes now and after ahead (metres). Returns 1 when it has checked the boxes, and all cover
+   the way ahead. */
 int32_t cni_body_look_ahead(cn_world *world, cni_body *b, cni_vec2 ahead);
-/* How many boxes that would move; *out is the first of them. Those are to be moved: the body's room counts on it. */
+/* A new box for a proxy, and cni_body_boxes_left: the number of boxes that cni_body_look_ahead would move, the first in *out. The
+   caller must move them: the body's room relies on it. */
 typedef struct cni_box_move {
 	cni_aabb fat;
 	int32_t proxy;
-	int32_t reaches; /* as cni_body_look_ahead would return */
+	int32_t reaches; /* the result of cni_body_look_ahead */
 } cni_box_move;
 int32_t cni_body_boxes_left(const cn_world *world, cni_body *b, cni_vec2 ahead, cni_box_move *out);
 /* Does not wake. Locked axes are zeroed. */
 void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v);
 
-/* Initialises record `body` (a taken slot) at rest in no list; pose from the definition. Cannot fail. */
+/* Initialises record `body` (a taken slot) at rest, in no list; pose from the definition. Cannot fail. */
 void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def);
-/* Makes room in every array that scales with the number of movable bodies, for extra more of them. */
+/* Reserves memory for extra movable bodies in every array by dense index. */
 cn_result cni_body_reserve(cn_world *world, int32_t extra);
 
-/* Puts a non-static, enabled body into the dense arrays or takes it out (fixing what refers to the
-   one that fills its place). Contacts and islands are not touched: cni_island_wake and _sleep do the whole. */
+/* Adds a non-static, enabled body to the dense arrays or removes it (and updates references to the body that fills its place). Contacts
+   and islands are untouched: cni_island_wake and _sleep do everything. */
 void cni_body_enter_awake(cn_world *world, int32_t body);
 void cni_body_leave_awake(cn_world *world, int32_t body);
 
-/* Recomputes mass, centre, inertia and extent from the shapes (or keeps an override), keeps the origin
-   where it is and the velocity of the material, and refreshes the dense inverse masses. */
+/* Recomputes mass, centre, inertia and extent from the shapes (or keeps an override), keeps the origin in place and the velocity of the
+   material, and updates the dense inverse masses. */
 void cni_body_update_mass(cn_world *world, int32_t body);
-/* The same after the shape `came` was linked, or (CNI_NONE) one unlinked, but in a time that does not grow with the shapes of a
-   static body, which may be a level of thousands of tiles: its extent never shrinks until all of it is measured anew. */
-void cni_body_shapes_changed(cn_world *world, int32_t body, int32_t came);
+/* The same after the shape `added` was linked, or (CNI_NONE) one unlinked, but in a time independent of the shapes of a static body,
+   which may be a level of thousands of tiles: its extent never shrinks until cni_body_update_mass recomputes it. */
+void cni_body_shapes_changed(cn_world *world, int32_t body, int32_t added);
 /* Moves the centre of mass within the body: the origin stays, the material keeps its velocity. */
 void cni_body_set_center(cn_world *world, cni_body *b, cni_vec2 local_center);
 /* Writes inv_mass, inv_inertia (locks, type) to the dense array if awake. */
 void cni_body_refresh_motion(cn_world *world, cni_body *b);
-/* Moves the origin and turns; refreshes the broadphase boxes of its shapes. */
+/* Sets origin and rotation; updates the broadphase boxes of its shapes. */
 void cni_body_set_transform(cn_world *world, int32_t body, cni_vec2 origin, cni_rot q);
-/* Brings fat boxes up to date after a change of pose: those that were left are moved. */
+/* After a change of pose: moves the fat boxes that no longer contain their shapes. */
 void cni_body_refresh_boxes(cn_world *world, int32_t body);
 
-/* A record as kernels read it, and one in place of those of the world and of unused lanes. */
+/* A record as floats for kernels, and a zero record for the world and for unused lanes. */
 extern const cni_body cni_body_none;
 
 static inline const float *cni_record_floats(const cni_body *b)

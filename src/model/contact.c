@@ -1,9 +1,9 @@
 /*
- * model/contact.c - contact records: lists, life and death, what users see (layout in contact.h).
+ * model/contact.c - contact records: lists, creation and destruction, begin and end of touching (layout in contact.h).
  *
- * Owns the contact table, its free list, the apart list and the sleep store. Events are logged here, and
- * only here, which is what makes them bookended: a contact that has logged CREATED logs DESTROYED
- * before its record is freed, one that has logged ENTER logs LEAVE before it stops touching.
+ * Owns the contact table, its free list, the apart list and the sleep store. Contact events are logged here (deferred ones by
+ * cni_contact_send_deferred_events), which makes them bookended: a contact that has logged CREATED logs DESTROYED before its
+ * record is freed, one that has logged ENTER logs LEAVE before it stops touching.
  */
 #include "model/lane.h"
 #include "model/world.h"
@@ -49,7 +49,7 @@ static int32_t one_is_dynamic(const cn_world *world, const cni_shape *a, const c
 	return cni_body_at(world, a->body)->type == CN_BODY_DYNAMIC || cni_body_at(world, b->body)->type == CN_BODY_DYNAMIC;
 }
 
-/* A sensor sees shapes that are not sensors, of bodies that may move. */
+/* A sensor detects shapes that are not sensors, of bodies that may move. */
 static int32_t sensor_may_see(const cn_world *world, const cni_shape *a, const cni_shape *b)
 {
 	const cni_shape *visitor = a->flags & CN_SHAPE_SENSOR ? b : a;
@@ -59,7 +59,7 @@ static int32_t sensor_may_see(const cn_world *world, const cni_shape *a, const c
 int32_t cni_contact_user_allows(const void *context, int32_t proxy_a, int32_t proxy_b)
 {
 	const cn_world *world = (const cn_world *)context;
-	cn_world *locked = (cn_world *)(uintptr_t)world; /* the lock is the one thing a filter may not see unchanged */
+	cn_world *locked = (cn_world *)(uintptr_t)world; /* the lock is the only field that changes during a filter */
 	int32_t allowed;
 	if (world->filter == NULL)
 		return 1;
@@ -89,10 +89,10 @@ int32_t cni_contact_allowed(const cn_world *world, int32_t proxy_a, int32_t prox
 	return cni_contact_possible(world, proxy_a, proxy_b) && cni_contact_user_allows(world, proxy_a, proxy_b);
 }
 
-/* ---- life and death ---- */
+/* ---- creation and destruction ---- */
 
-/* In a fixed block the events of every contact's end have room from its beginning: destroying must not fail
-   where memory is short. Logs of the last step and of the calls since change places, so both have it. */
+/* With a fixed memory block, room for the end events of every contact is reserved at its creation: destroying must not fail without
+   memory. The logs of the last step and of calls since are swapped, so both reserve it. */
 static int32_t reserve_ends(cn_world *world, int32_t count)
 {
 	static const int32_t kinds[] = { CN_EVENT_LEAVE, CN_EVENT_DESTROYED };
@@ -113,13 +113,13 @@ cn_result cni_contact_reserve(cn_world *world, int32_t extra)
 	return good ? CN_OK : CN_ERROR_MEMORY;
 }
 
-static void log_or_owe(cn_world *world, int32_t contact, int32_t kind, uint32_t owed)
+static void log_or_defer(cn_world *world, int32_t contact, int32_t kind, uint32_t owed)
 {
 	if (!cni_event_log(world, contact, kind))
 		cni_contact_at(world, contact)->flags |= owed;
 }
 
-/* What kind of contact two shapes make. Sensor pairs report through sensor events only. */
+/* Flags of a contact between two shapes. Sensor pairs report through sensor events only. */
 static uint32_t flags_of_shapes(const cni_shape *a, const cni_shape *b)
 {
 	uint32_t shapes = (uint32_t)(a->flags | b->flags), flags = 0;
@@ -133,8 +133,8 @@ static uint32_t flags_of_shapes(const cni_shape *a, const cni_shape *b)
 }
 
 /*
- * Free records are a stack, each with the next one below it, and beside that the four below that one: without those, taking many
- * in a row would wait for each record's memory to learn where the next one is.
+ * Free records are a stack. Each has the index of the next one and of the four after it: otherwise each of many takes in a row
+ * would wait for a record's memory to find the next one.
  */
 static int32_t record_take(cn_world *world)
 {
@@ -173,7 +173,7 @@ int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
 	++world->contact_count;
 	c = cni_contact_at(world, contact);
 	memset(c, 0, sizeof *c);
-	side = a->type > b->type; /* manifold functions want the lesser type first */
+	side = a->type > b->type; /* manifold functions take the lesser type first */
 	c->proxy[side] = proxy_a;
 	c->proxy[1 - side] = proxy_b;
 	c->body[side] = a->body;
@@ -186,7 +186,7 @@ int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b)
 		cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
 		cni_contact_enter_apart_list(world, contact);
 	}
-	log_or_owe(world, contact, CN_EVENT_CREATED, CNI_CONTACT_CREATED_OWED);
+	log_or_defer(world, contact, CN_EVENT_CREATED, CNI_CONTACT_CREATED_OWED);
 	return contact;
 }
 
@@ -195,7 +195,7 @@ cn_result cni_contact_reserve_end(cn_world *world, int32_t contacts)
 	cni_array *leave = &world->events.pending[CN_EVENT_LEAVE], *destroyed = &world->events.pending[CN_EVENT_DESTROYED];
 	cni_array *sensed = &world->events.sensor_pending;
 	int32_t good;
-	contacts = cni_min_i(contacts, world->contact_count); /* callers count those between two of their bodies twice */
+	contacts = cni_min_i(contacts, world->contact_count); /* callers count contacts between two of their bodies twice */
 	good = cni_array_reserve(sensed, &world->memory, sensed->count + contacts) && cni_array_reserve(leave, &world->memory, leave->count + contacts) &&
 	       cni_array_reserve(destroyed, &world->memory, destroyed->count + contacts);
 	return good ? CN_OK : CN_ERROR_MEMORY;
@@ -225,7 +225,7 @@ static void destroy_and_wake(cn_world *world, int32_t contact)
 	const cni_contact *c = cni_contact_at(world, contact);
 	int32_t a = c->body[0], b = c->body[1], touching = (c->flags & CNI_CONTACT_TOUCHING) != 0;
 	int32_t done = cni_contact_destroy(world, contact);
-	CNI_ASSERT(done); /* the caller reserved room for the logs */
+	CNI_ASSERT(done); /* the caller reserved memory for the logs */
 	(void)done;
 	if (touching) {
 		cni_body_wake(world, a);
@@ -252,9 +252,9 @@ void cni_contact_destroy_of_shape(cn_world *world, int32_t shape)
 	}
 }
 
-/* A pair that begins to report both a beginning and its end owes the beginning to the next step; one that
-   ceases to report both ends now. Thus events stay bookended while masks change. */
-static void span_change(cn_world *world, int32_t contact, uint32_t mask, int32_t begin, int32_t end, uint32_t owed)
+/* When a pair starts to report both a begin event and its end event, the begin event is deferred to the next step; when it stops
+   reporting both, the end event is logged now. So events stay bookended while masks change. */
+static void event_span_change(cn_world *world, int32_t contact, uint32_t mask, int32_t begin, int32_t end, uint32_t owed)
 {
 	cni_contact *c = cni_contact_at(world, contact);
 	uint32_t span = 1u << begin | 1u << end;
@@ -267,7 +267,7 @@ static void span_change(cn_world *world, int32_t contact, uint32_t mask, int32_t
 		return;
 	}
 	if (!(c->flags & owed))
-		cni_event_log(world, contact, end); /* the caller reserved room */
+		cni_event_log(world, contact, end); /* the caller reserved memory */
 	c->flags &= ~owed;
 }
 
@@ -277,14 +277,14 @@ void cni_contact_set_events(cn_world *world, int32_t contact, uint32_t mask)
 	if (c->flags & CNI_CONTACT_SENSOR)
 		return;
 	if (c->flags & CNI_CONTACT_TOUCHING)
-		span_change(world, contact, mask, CN_EVENT_ENTER, CN_EVENT_LEAVE, CNI_CONTACT_ENTER_OWED);
-	span_change(world, contact, mask, CN_EVENT_CREATED, CN_EVENT_DESTROYED, CNI_CONTACT_CREATED_OWED);
+		event_span_change(world, contact, mask, CN_EVENT_ENTER, CN_EVENT_LEAVE, CNI_CONTACT_ENTER_OWED);
+	event_span_change(world, contact, mask, CN_EVENT_CREATED, CN_EVENT_DESTROYED, CNI_CONTACT_CREATED_OWED);
 	c->flags = (c->flags & ((1u << CNI_CONTACT_EVENTS_SHIFT) - 1u)) | mask << CNI_CONTACT_EVENTS_SHIFT;
 }
 
 /* ---- touching ---- */
 
-/* The dynamic bodies of a pair that begins to touch become one island, awake. */
+/* Links the islands of two dynamic bodies that begin to touch, and wakes a sleeping side. */
 static void contact_join_islands(cn_world *world, cni_contact *c)
 {
 	int32_t side;
@@ -298,7 +298,7 @@ static void contact_join_islands(cn_world *world, cni_contact *c)
 			cni_body_wake(world, c->body[side]);
 }
 
-/* Closing speed along the normal before the solver acts. */
+/* Closing speed along the normal before the solver runs. */
 static float approach_now(const cn_world *world, const cni_contact *c, const cni_manifold *manifold)
 {
 	const cni_body *a = cni_body_at(world, c->body[0]), *b = cni_body_at(world, c->body[1]);
@@ -311,7 +311,7 @@ static float approach_now(const cn_world *world, const cni_contact *c, const cni
 	return cni_max(-cni_dot(n, cni_sub(at_b, at_a)), 0.0f);
 }
 
-/* Shapes that roll stiffly or convey need extra rows. */
+/* Rolling resistance and conveyors need extra rows. */
 static int32_t contact_reserve_extra(cn_world *world, const cni_contact *c)
 {
 	int32_t side;
@@ -341,7 +341,7 @@ int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *
 	cni_block_anchor_at(world, c->slot / CNI_LANES)->of.fresh.approach[c->slot % CNI_LANES] = approach;
 	cni_lane_set_fresh(world, c->slot);
 	cni_contact_write(world, c, cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]), manifold, gap, radius);
-	log_or_owe(world, contact, CN_EVENT_ENTER, CNI_CONTACT_ENTER_OWED);
+	log_or_defer(world, contact, CN_EVENT_ENTER, CNI_CONTACT_ENTER_OWED);
 	return 1;
 }
 

@@ -1,37 +1,35 @@
 /*
- * model/contact.h - contacts: pairs of proxies whose fat boxes overlap, and the wide blocks that hold
- * those that touch.
+ * model/contact.h - contacts: pairs of proxies with overlapping fat boxes, and the blocks of lanes for touching pairs.
  *
- * A contact's record has a stable index. Where its manifold is depends on its state:
+ * A contact's record has a stable index. The place of its manifold depends on its state:
  *
- *   apart     slot = index in the apart list     record only; CNI_NONE while no body of the two is awake
+ *   apart     slot = index in the apart list     record only; CNI_NONE while neither body is awake
  *   touching  slot = block * 16 + lane           a lane of a block of its colour, kept across steps
  *   asleep    slot = index in the sleep store    both bodies asleep (or one asleep, one static)
  *
- * Blocks are 16 lanes of 24 rows; the narrowphase writes lanes in place and the solver reads them as they
- * are: there is no prepare and no store stage. Within a colour no dynamic body appears twice. A lane that
- * is freed is filled by the colour's last lane, so that colours stay dense.
+ * Blocks are 16 lanes of 24 rows. The narrowphase writes lanes in place and the solver reads them directly: there is no prepare
+ * and no store stage. Within a colour no dynamic body appears twice. A freed lane is filled by the colour's last lane, so that
+ * colours stay dense.
  *
  *   colours   0 .. 22   both bodies dynamic
  *            23 .. 30   lane body b static or kinematic: it is read but never written
  *            31         overflow: solved lane by lane in order (bodies with too many contacts)
  *
- * Lane body a is always dynamic. When it is the contact's body b, CNI_CONTACT_FLIPPED is set and the
- * lane's normal is the opposite of the contact's.
+ * Lane body a is always dynamic. When it is the contact's body b, CNI_CONTACT_FLIPPED is set and the lane's normal is the
+ * opposite of the contact's.
  *
- * A lane (units: metres, seconds, kilograms; n normal from lane a to lane b, t = (ny, -nx), r from the
- * centre of mass to the contact point, all at the beginning of the step; arms are of the true normal, nx and ny may lag behind
- * it: CNI_NORMAL_LAG):
+ * A lane (units: metres, seconds, kilograms; n normal from lane a to lane b, t = (ny, -nx), r from the centre of mass to the
+ * contact point, all at the beginning of the step; arms use the true normal, nx and ny may lag behind it: CNI_NORMAL_LAG):
  *   at = ra.t, d = ra - rb, dt = d.t (so rb.t = at - dt)
- *   s0 separation, nm = 1 / (n K n), jn accumulated normal impulse, load what of it is there all the time
+ *   s0 separation, nm = 1 / (n K n), jn accumulated normal impulse, load its slow mean
  *   fa, fb arms of the friction point along n from the two centres; tm = 1 / (t K t) there, jt accumulated
  *   friction impulse along t on body b
  *   an = qa.n, dn = an - qb.n for the points qa, qb that turn with the bodies: the contact point less the
- *   shapes' radii, so that a rolling circle does not seem to lift
+ *   shapes' radii, so that a rolling circle keeps its separation
  *
- * Beside each block lie the anchors of its lanes: where the bodies were when the manifold was last computed. While
- * they have hardly moved since, the lane is brought up to date from there (narrowphase/manifold_reuse.c) and the narrowphase
- * has nothing to do for it.
+ * Beside each block are the anchors of its lanes: the poses of the bodies when the manifold was last computed. While they have
+ * hardly moved since, manifold reuse (narrowphase/manifold_reuse.c) updates the lane from there, and the narrowphase skips the
+ * contact.
  */
 #ifndef CNI_MODEL_CONTACT_H
 #define CNI_MODEL_CONTACT_H
@@ -58,14 +56,14 @@ typedef struct cni_contact_block {
 } cni_contact_block;
 
 enum {
-	CNI_BLOCK_RESTITUTION = 1u << 0, /* some lane may bounce */
-	CNI_BLOCK_RESTED = 1u << 2,      /* in the last step its lanes took one substep: step/early_rest.c */
+	CNI_BLOCK_RESTITUTION = 1u << 0, /* some lane has restitution */
+	CNI_BLOCK_RESTED = 1u << 2,      /* its lanes took one substep in the last step: step/early_rest.c */
 	CNI_BLOCK_EXTRA = 1u << 1        /* some lane has rolling resistance, a conveyor or a locked axis: see cni_block_extra */
 };
 
 /*
- * A lane as it was when its manifold was written, for the lanes whose bit is set in the block's info. The frame in which
- * points and normal are at rest is lane body a's, but the world's where lane body b is static (its ib is 0).
+ * A lane's state when its manifold was written, for lanes with a bit in info.anchored. Points and normal are at rest in the
+ * frame of lane body a; if lane body b is static (ib is 0), in the world's frame.
  */
 typedef struct cni_block_anchor {
 	union {
@@ -78,48 +76,49 @@ typedef struct cni_block_anchor {
 	union {
 		float less[2][CNI_LANES]; /* separation of each point less (centre b - centre a).n */
 		struct {
-			float gap[CNI_LANES];      /* along the normal between the two anchors when the lane was written: how far ahead it was */
+			float gap[CNI_LANES];      /* along the normal between the two anchors when the lane was written: how far ahead the
+			                              predicted contact was */
 			float approach[CNI_LANES]; /* m/s along the normal when it began to touch */
-		} fresh;                      /* of a lane whose bit is not set */
+		} fresh;                      /* of a lane without the bit */
 	} of;
 } cni_block_anchor;
 
-/* Rows that few contacts need, beside the block of the same index. */
+/* Extra rows, which few contacts need, beside the block of the same index. */
 typedef struct cni_block_extra {
-	float tangent_speed[CNI_LANES];  /* wanted slip along t */
+	float tangent_speed[CNI_LANES];  /* target slip along t */
 	float rolling[CNI_LANES];        /* lever arm in metres */
 	float rolling_mass[CNI_LANES];   /* 1 / (sum of inverse inertias) */
 	float rolling_impulse[CNI_LANES];
-	float lock_ax[CNI_LANES], lock_ay[CNI_LANES]; /* 1: lane body a does not move along x (y), 0: it does */
+	float lock_ax[CNI_LANES], lock_ay[CNI_LANES]; /* 1: lane body a is locked along x (y), else 0 */
 	float lock_bx[CNI_LANES], lock_by[CNI_LANES];
 } cni_block_extra;
 
-/* What the solver does not need in every pass. */
+/* Data of a block that most passes do not need. */
 typedef struct cni_block_info {
 	int32_t contact[CNI_LANES];      /* CNI_NONE: padding */
 	float restitution[CNI_LANES];
 	int32_t prev, next;              /* blocks of the colour, or of the free list */
 	int32_t color;
 	uint32_t flags;
-	uint32_t fresh_step;             /* step + 1 in which a lane last began to touch */
-	uint16_t fresh;                  /* ... lanes that did then, as bits; the solver takes out those that bear, substep by substep */
-	uint16_t anchored;               /* lanes that have an anchor, as bits */
+	uint32_t fresh_step;             /* step + 1 of a lane's last begin of touching */
+	uint16_t fresh;                  /* ... lanes that began then, as bits; the solver clears lanes with an impulse, substep by substep */
+	uint16_t anchored;               /* bits of lanes with an anchor */
 } cni_block_info;
 
 typedef struct cni_color {
 	int32_t first, last;   /* blocks */
-	int32_t lanes;         /* contacts in it; all blocks but the last are full */
-	int32_t listed;        /* where its blocks begin in world.block_list; within a step */
-	int32_t listed_count;  /* how many of them the passes go through */
+	int32_t lanes;         /* contacts in it; all blocks except the last are full */
+	int32_t listed;        /* first of its blocks in world.block_list; within a step */
+	int32_t listed_count;  /* its blocks in the list */
 } cni_color;
 
-/* A block as the passes of a step find it: colours in order, a colour's blocks in order. */
+/* A block in the list of a step's passes: colours in order, a colour's blocks in order. */
 typedef struct cni_listed_block {
 	cni_contact_block *rows;
 	cni_block_extra *extra;  /* NULL: no lane needs it */
 	cni_block_info *info;
 	uint32_t fresh;          /* lanes that began to touch in this step, as bits */
-	int32_t begin, lanes;    /* lanes begin .. lanes - 1 are worked on; as listed, the first of it, all that are in use */
+	int32_t begin, lanes;    /* the passes solve lanes begin .. lanes - 1; as listed, all lanes in use */
 	int32_t kind;            /* CNI_CONTACTS_ of model/solve.h */
 } cni_listed_block;
 
@@ -137,92 +136,90 @@ enum {
 	CNI_CONTACT_TOUCHING = 1u << 0,
 	CNI_CONTACT_FLIPPED = 1u << 1,
 	CNI_CONTACT_ASLEEP = 1u << 2,       /* slot is in the sleep store */
-	CNI_CONTACT_LINKED = 1u << 3,       /* joins two dynamic bodies' islands */
-	CNI_CONTACT_ENTER_OWED = 1u << 4,   /* its event had no memory yet */
+	CNI_CONTACT_LINKED = 1u << 3,       /* links two dynamic bodies' islands */
+	CNI_CONTACT_ENTER_OWED = 1u << 4,   /* its event is deferred: no memory yet */
 	CNI_CONTACT_CREATED_OWED = 1u << 5,
-	CNI_CONTACT_ENTERED = 1u << 6,      /* began to touch (or to report that) in the last step, or woke since: no STAY */
-	CNI_CONTACT_REFRESH = 1u << 7,      /* material changed: rewrite it in the lane */
+	CNI_CONTACT_ENTERED = 1u << 6,      /* began to touch (or to report it) in the last step, or woke since: no STAY */
+	CNI_CONTACT_REFRESH = 1u << 7,      /* material changed: must be rewritten in the lane */
 	CNI_CONTACT_SENSOR = 1u << 8,       /* one shape is a sensor: overlap is reported, nothing is solved */
 	CNI_CONTACT_SENSING = 1u << 9,      /* ... and they overlap */
 	CNI_CONTACT_ONE_WAY = 1u << 10,     /* one shape is a one-way platform */
-	CNI_CONTACT_PASSING = 1u << 11,     /* ... through which the other is passing */
-	CNI_CONTACT_PRE_SOLVE = 1u << 12,   /* shown to the user before solving */
-	CNI_CONTACT_EVENTS_SHIFT = 16       /* bits 16..20: which CN_EVENT_ kinds it reports */
+	CNI_CONTACT_PASSING = 1u << 11,     /* ... that the other shape is passing through */
+	CNI_CONTACT_PRE_SOLVE = 1u << 12,   /* the user's callback sees it before solving */
+	CNI_CONTACT_EVENTS_SHIFT = 16       /* bits 16..20: the CN_EVENT_ kinds that it reports */
 };
 
 typedef struct cni_contact {
 	int32_t proxy[2];        /* of shape a and b: type a <= type b */
 	int32_t body[2];
 	uint32_t flags;
-	int32_t slot;            /* of a free record the next one; up to here is what pairs that are apart ask for */
+	int32_t slot;            /* of a free record the next one; the fields up to here are read for pairs that are apart */
 	int32_t next[2], prev[2]; /* keys in the bodies' lists */
 	uint16_t id[2];          /* feature ids of the lane's points, 0: none */
 	cni_manifold_cache cache;
 } cni_contact;
 
-/* Makes room for extra more contacts: records and apart list (lanes are reserved when they begin to touch). */
+/* Reserves memory for extra more contacts: records and apart list (lanes are reserved when they begin to touch). */
 cn_result cni_contact_reserve(cn_world *world, int32_t extra);
-/* Record of an existing contact between two proxies, or CNI_NONE. O(contacts of the lesser body). */
+/* Record of an existing contact between two proxies, or CNI_NONE. O(contacts of the body with fewer). */
 int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b);
 /* After cni_contact_reserve it cannot fail. Logs CREATED. */
 int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b);
 
-/* Room in the pending event logs for ending `contacts` contacts between steps. */
+/* Reserves memory in the pending event logs for the end of `contacts` contacts between steps. */
 cn_result cni_contact_reserve_end(cn_world *world, int32_t contacts);
-/* Ends touching (logging LEAVE), logs DESTROYED, frees the record. In a step returns 0 and keeps the
-   contact when there is no memory for the logs; after cni_contact_reserve_end it always returns 1. */
+/* Ends touching (logs LEAVE), logs DESTROYED, frees the record. In a step it returns 0 and keeps the contact if there is no memory for
+   the logs; after cni_contact_reserve_end it always returns 1. */
 int32_t cni_contact_destroy(cn_world *world, int32_t contact);
-/* All contacts of a body or a shape, waking the bodies that touched it. After cni_contact_reserve_end. */
+/* Destroys all contacts of a body or a shape, and wakes the bodies that touched it. After cni_contact_reserve_end. */
 void cni_contact_destroy_of_body(cn_world *world, int32_t body);
 void cni_contact_destroy_of_shape(cn_world *world, int32_t shape);
 
-/* The manifold begins to touch: takes a lane, joins islands (waking the sleeping side), logs ENTER.
-   0: no memory for a lane; the contact stays apart. */
+/* The contact begins to touch: takes a lane, joins islands (waking the sleeping side), logs ENTER. 0: no memory for a lane; the contact
+   stays apart. */
 int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *manifold, cni_vec2 gap, const float radius[2]);
-/* Stops touching: frees the lane, notes the islands' loss, logs LEAVE. 0: no memory for the log; the
-   contact then stays with an empty lane. */
+/* Stops touching: frees the lane, counts the islands' loss, logs LEAVE. 0: no memory for the log; the contact then keeps an empty lane. */
 int32_t cni_contact_end(cn_world *world, int32_t contact);
-/* Which CN_EVENT_ kinds the contact reports from now on. After cni_contact_reserve_end. */
+/* Sets the CN_EVENT_ kinds that the contact reports. After cni_contact_reserve_end. */
 void cni_contact_set_events(cn_world *world, int32_t contact, uint32_t mask);
-/* How far ahead a contact was when its lane was written, along the normal, metres; 0 unless it is fast. */
+/* Predicted distance to the contact when its lane was written, along the normal, metres; 0 unless the bodies are fast. */
 float cni_contact_gap(const cn_world *world, const cni_contact *c);
-/* Closing speed, m/s, when a contact began to touch; 0 once its lane is anchored or asleep. */
+/* Closing speed, m/s, when the contact began to touch; 0 once its lane is anchored or asleep. */
 float cni_contact_approach(const cn_world *world, const cni_contact *c);
-/* May these two proxies make a contact, as far as the library knows? Reads only. (cni_pair_filter_fn; context is the world) */
+/* May these two proxies make a contact, by the library's rules? Reads only. (cni_pair_filter_fn; context is the world) */
 int32_t cni_contact_possible(const void *context, int32_t proxy_a, int32_t proxy_b);
-/* ... as far as the user's filter goes, who is asked in the thread that called. (cni_pair_filter_fn too) */
+/* ... by the user's filter, which runs in the calling thread. (cni_pair_filter_fn too) */
 int32_t cni_contact_user_allows(const void *context, int32_t proxy_a, int32_t proxy_b);
-/* ... both. */
+/* ... by both. */
 int32_t cni_contact_allowed(const cn_world *world, int32_t proxy_a, int32_t proxy_b);
-/* Room for `lanes` touching contacts, awake or asleep, however they are coloured. 0: no memory. */
+/* Reserves memory for `lanes` touching contacts, awake or asleep, in any colours. 0: no memory. */
 int32_t cni_lane_reserve(cn_world *world, int32_t lanes);
-/* Are few of the blocks that there have been in use? Then going through all in the order of memory is a detour. */
+/* Are few of the allocated blocks in use? Then a loop over all in memory order costs more than one over the lists. */
 int32_t cni_blocks_are_few(const cn_world *world);
-/* Gives every block its extra rows; 0: no memory. */
+/* Reserves extra rows for every block; 0: no memory. */
 int32_t cni_lane_reserve_extra(cn_world *world);
-/* Logs an event that a contact still owes, if it now can be logged. In a step. */
+/* Logs a contact's deferred event if there is memory now. In a step. */
 void cni_contact_send_deferred_events(cn_world *world, int32_t contact, uint32_t owed, int32_t kind);
-/* A sensor pair overlaps or no longer does: logs the change. 0: no memory for the log; nothing changes. */
+/* Sets whether a sensor pair overlaps, and logs the change. 0: no memory for the log; nothing changes. */
 int32_t cni_contact_update_sensor(cn_world *world, int32_t contact, int32_t overlaps);
-/* Writes a manifold to the contact's lane, keeping the impulses of points with equal ids. gap: where b's contact
-   point is from a's at the beginning of the step, in a's frame; (0, 0) but for contacts that are still ahead. a, b, radius: of the
-   contact's bodies and shapes. */
+/* Writes a manifold to the contact's lane, keeping the impulses of points with equal ids. gap: offset of b's contact point from a's at
+   the beginning of the step, in a's frame; (0, 0) except for predicted contacts. a, b, radius: the contact's bodies and shape radii. */
 void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const cni_body *b, const cni_manifold *manifold, cni_vec2 gap, const float radius[2]);
-/* An empty manifold: the lane stays but can do nothing. */
+/* Writes an empty manifold: the lane stays without effect. */
 void cni_contact_write_empty(cn_world *world, int32_t contact);
 
-/* The contact's next step computes its manifold, however little moves. */
+/* Invalidates the lane's anchor: the next step computes the manifold even without motion. */
 void cni_contact_invalidate(cn_world *world, int32_t contact);
-/* ... all contacts of a body: its centre is another. */
+/* ... of all contacts of a body, after its centre of mass changed. */
 void cni_contacts_invalidate_body(cn_world *world, const cni_body *b);
-/* Dense index of a body changed: fixes its lanes. */
+/* Updates a body's lanes after its dense index changed. */
 void cni_contact_fix_body(cn_world *world, int32_t body);
-/* Gives the place of a sleeping contact in the sleep store back. */
+/* Frees a contact's place in the sleep store. */
 void cni_contact_sleep_lane_free(cn_world *world, cni_contact *c);
 /* Moves a touching contact between its lane and the sleep store. */
 void cni_contact_lane_to_sleep(cn_world *world, int32_t contact);
 void cni_contact_sleep_to_lane(cn_world *world, int32_t contact);
-/* Marks a body whose contact is with a static one CNI_BODY_AT_STATIC. */
+/* Sets CNI_BODY_AT_STATIC on a body in contact with a static one. */
 static inline void cni_contact_mark_static(cni_body *a, cni_body *b)
 {
 	if (a->awake == 0)
@@ -230,12 +227,12 @@ static inline void cni_contact_mark_static(cni_body *a, cni_body *b)
 	if (b->awake == 0)
 		cni_body_mark_static(a);
 }
-/* A contact that does not touch is in the list of those that are looked at in each step while one of its bodies is
-   awake. Nothing happens where it is in or out already, or touches. */
+/* The apart list holds contacts that do not touch and have an awake body: the narrowphase visits them in each step. No effect if the
+   contact is already in (or out), or touches. */
 void cni_contact_enter_apart_list(cn_world *world, int32_t contact);
 void cni_contact_leave_apart_list(cn_world *world, int32_t contact);
 
-/* The contact as users see it; manifold filled when touching. kind is stored as given. */
+/* The public description of a contact; with a manifold if it touches. kind is copied. */
 void cni_contact_describe(const cn_world *world, int32_t contact, int32_t kind, cn_contact_event *out);
 
 #endif

@@ -1,17 +1,16 @@
 /*
- * model/contact_lane.c - between manifolds and lanes: writing what the narrowphase found into a lane
- * where the solver reads it, with the anchor from which it is followed while little moves; and reading a lane
- * back as what users see.
+ * model/contact_lane.c - writes manifolds into lanes, where the solver reads them, with the anchors for manifold reuse; and
+ * reads lanes back for the public API.
  */
 #include "model/lane.h"
 #include "model/world.h"
 
 #include <string.h>
 
-/* The poses that turn a manifold (in body 0's frame) into a lane (world directions, lane bodies). */
+/* The poses that convert a manifold (in body 0's frame) into a lane (world directions, lane bodies). */
 typedef struct lane_frame {
 	const cni_body *a, *b; /* lane bodies */
-	cni_vec2 d;            /* ra - rb: centre b - centre a where the contact points coincide */
+	cni_vec2 d;            /* ra - rb: centre b - centre a if the contact points coincide */
 	cni_vec2 n, t;
 	uint32_t locks;        /* CN_BODY_LOCK_ flags of either body */
 } lane_frame;
@@ -39,9 +38,9 @@ static void lane_clear_point(cni_contact_row *p, uint32_t lane)
 	p->at[lane] = p->an[lane] = p->s0[lane] = p->nm[lane] = p->jn[lane] = p->load[lane] = 0.0f;
 }
 
-/* What a lane keeps of a point that it had. */
+/* The state of a point that a lane keeps across manifolds. */
 typedef struct old_point {
-	uint32_t id; /* 0: it was not there, as no point has this id */
+	uint32_t id; /* 0: none; no point has this id */
 	float jn, load;
 } old_point;
 
@@ -56,7 +55,7 @@ static void lane_write_material(cn_world *world, const cni_contact *c, cni_conta
 	if (m.restitution > 0.0f)
 		info->flags |= CNI_BLOCK_RESTITUTION;
 	if (m.rolling_resistance > 0.0f || m.tangent_speed_mps != 0.0f)
-		cni_lane_reserve_extra(world); /* a resting contact that gets its first conveyor; without memory it stays plain */
+		cni_lane_reserve_extra(world); /* first conveyor of a resting contact; without memory it has none */
 	extra = cni_block_extra_at(world, c->slot / CNI_LANES);
 	if (extra == NULL)
 		return;
@@ -66,8 +65,8 @@ static void lane_write_material(cn_world *world, const cni_contact *c, cni_conta
 		info->flags |= CNI_BLOCK_EXTRA;
 }
 
-/* Friction acts on the contact line, at the mean height of the points along the normal: one row is
-   exact in 2D when the points share that line. */
+/* Friction acts on the contact line, at the mean height of the points along the normal: one row is exact in 2D if the points share that
+   line. */
 static void lane_write_friction(cni_contact_block *block, uint32_t lane, float fa, float fb, float inv_mass, float ia, float ib)
 {
 	block->fa[lane] = fa;
@@ -87,7 +86,7 @@ static float lane_radius(const cn_world *world, const cni_contact *c, int32_t la
    by something that does not give way would have to leave along it at a hundred times the speed. */
 #define MOBILITY_LEAST 1e-4f
 
-/* Inverse mass along a direction: less where an axis is locked. */
+/* Inverse mass along a direction, reduced by locked axes. */
 static float mass_along(const cni_body *b, float inv_mass, cni_vec2 n)
 {
 	uint32_t flags = cni_body_flags(b);
@@ -106,7 +105,7 @@ static float lock(const cni_body *b, uint32_t flag)
 	return cni_body_flags(b) & flag ? 1.0f : 0.0f;
 }
 
-/* Bodies with a locked axis need the extra rows; without memory for them the axis is only cleared after solving. */
+/* Bodies with a locked axis need the extra rows; without memory for them the solver only clears the locked velocity afterwards. */
 static void lane_write_locks(cn_world *world, const cni_contact *c, const lane_frame *f)
 {
 	int32_t lane = c->slot % CNI_LANES;
@@ -125,14 +124,14 @@ static void lane_write_locks(cn_world *world, const cni_contact *c, const lane_f
 	extra->lock_by[lane] = lock(f->b, CN_BODY_LOCK_Y);
 }
 
-/* What the bodies' inverse masses are for the lane's impulses. */
+/* Inverse masses for the lane's impulses. */
 typedef struct lane_mass {
 	float n, t;   /* along n and t */
 	float ia, ib;
 } lane_mass;
 
-/* Locks count only where the kernel will know of them: it would push a body that it takes for free as hard as one that
-   is lighter along the normal, and more in each pass. */
+/* Locks count only if the kernel has extra rows for them. Without, the kernel takes the body as free along the locked axis, and a
+   reduced mass would push it too hard, and more in each pass. */
 static lane_mass lane_mass_of(cn_world *world, const lane_frame *f)
 {
 	const cni_motion *ma = cni_motions(world) + f->a->awake, *mb = cni_motions(world) + f->b->awake;
@@ -147,7 +146,7 @@ static lane_mass lane_mass_of(cn_world *world, const lane_frame *f)
 	return m;
 }
 
-/* What few lanes have: locked axes, a material that changed, rolling resistance. */
+/* Rare data of a lane: locked axes, a changed material, rolling resistance. */
 static void lane_write_rare(cn_world *world, cni_contact *c, const lane_frame *f, const lane_mass *m)
 {
 	int32_t block = c->slot / CNI_LANES;
@@ -160,13 +159,14 @@ static void lane_write_rare(cn_world *world, cni_contact *c, const lane_frame *f
 		cni_block_extra_at(world, block)->rolling_mass[c->slot % CNI_LANES] = inverse_or_zero(m->ia + m->ib);
 }
 
-/* Contacts that somebody looks at in each step, and lanes whose rare rows depend on more than poses. */
-static int32_t may_be_followed(const cn_world *world, const cni_contact *c, const cni_block_info *info, const lane_frame *f)
+/* Manifold reuse excludes contacts that the narrowphase must visit in each step, and lanes with rare rows that depend on more than
+   poses. */
+static int32_t may_be_reused(const cn_world *world, const cni_contact *c, const cni_block_info *info, const lane_frame *f)
 {
-	const uint32_t looked_at = CNI_CONTACT_ENTERED | CNI_CONTACT_ENTER_OWED | CNI_CONTACT_CREATED_OWED | CNI_CONTACT_ONE_WAY | CNI_CONTACT_PRE_SOLVE;
+	const uint32_t visited = CNI_CONTACT_ENTERED | CNI_CONTACT_ENTER_OWED | CNI_CONTACT_CREATED_OWED | CNI_CONTACT_ONE_WAY | CNI_CONTACT_PRE_SOLVE;
 	const cni_block_extra *extra;
 	int32_t l = c->slot % CNI_LANES;
-	if ((c->flags & looked_at) || f->locks)
+	if ((c->flags & visited) || f->locks)
 		return 0;
 	if (!(info->flags & CNI_BLOCK_EXTRA))
 		return 1;
@@ -174,7 +174,7 @@ static int32_t may_be_followed(const cn_world *world, const cni_contact *c, cons
 	return extra->rolling[l] == 0.0f && extra->tangent_speed[l] == 0.0f;
 }
 
-/* After the lane's rows. */
+/* Writes the anchor, after the lane's rows. */
 CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, const cni_contact_block *block, cni_block_info *info, const lane_frame *f, float gap)
 {
 	uint32_t slot = (uint32_t)c->slot, l = slot % CNI_LANES;
@@ -182,7 +182,7 @@ CNI_INLINE void anchor_write(cn_world *world, const cni_contact *c, const cni_co
 	cni_rot turn;
 	cni_vec2 n;
 	float centers;
-	if (gap != 0.0f || !may_be_followed(world, c, info, f)) {
+	if (gap != 0.0f || !may_be_reused(world, c, info, f)) {
 		cni_lane_invalidate(world, c->slot);
 		anchor->of.fresh.gap[l] = gap;
 		return;
@@ -209,7 +209,7 @@ CNI_INLINE old_point old_point_take(cni_contact *c, const cni_contact_block *blo
 	return old;
 }
 
-/* Does the normal of a lane that had two points and has two stay as it is? See CNI_NORMAL_LAG. */
+/* Does a lane with two points before and now keep its old normal? See CNI_NORMAL_LAG. */
 static int32_t normal_lags(const cn_world *world, const cni_contact_block *block, uint32_t lane, cni_vec2 n)
 {
 	const cni_motion *motions = cni_motions(world);
@@ -248,7 +248,7 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 		old_point was = point->id == first.id ? first : point->id == second.id ? second : none;
 		float at, bt, an;
 		if (flipped)
-			r = cni_add(r, f.d); /* from lane b's centre to lane a's */
+			r = cni_add(r, f.d); /* from lane a's centre, not lane b's */
 		at = cni_dot(r, f.t);
 		bt = at - dt;
 		an = cni_dot(r, f.n) - radius_a;
@@ -256,7 +256,7 @@ void cni_contact_write(cn_world *world, cni_contact *c, const cni_body *a, const
 		p->an[lane] = an;
 		p->s0[lane] = point->separation;
 		p->nm[lane] = inverse_or_zero(m.n + m.ia * at * at + m.ib * bt * bt);
-		p->jn[lane] = p->nm[lane] > 0.0f ? was.jn : 0.0f; /* all of its row is zero to the kernels, where nothing can move */
+		p->jn[lane] = p->nm[lane] > 0.0f ? was.jn : 0.0f; /* if nothing can move, the kernels see a zero row */
 		p->load[lane] = p->nm[lane] > 0.0f ? was.load : 0.0f;
 		kept |= was.id != 0;
 		c->id[k] = (uint16_t)point->id;
@@ -286,7 +286,7 @@ void cni_contact_write_empty(cn_world *world, int32_t contact)
 	cni_lane_invalidate(world, c->slot);
 }
 
-/* One lane's rows without the body indices, wherever it lives. */
+/* One lane's rows without the body indices, in a block or in the sleep store. */
 typedef struct lane_rows {
 	const float *first;
 	int32_t stride;
@@ -309,12 +309,11 @@ static float row_read(lane_rows rows, int32_t row)
 	return rows.first[row * rows.stride];
 }
 
-/* Which they are: see cni_contact_block. */
+/* Row indices: see cni_contact_block. */
 enum { ROW_NX = 0, ROW_NY = 1, ROW_DT = 5, ROW_FA = 6, ROW_FB = 7, ROW_JT = 9, ROW_POINT = 10, ROW_POINT_COUNT = 6 };
 
-/* A lane is of the beginning of the step. How far its anchors on the two bodies have come apart since they were
-   one point is the change of separation along n, and half of it goes to the point, which stays midway.
-   Turning is not followed. */
+/* A lane describes the beginning of the step. The distance by which its anchors on the two bodies have separated since is the change of
+   separation along n; the point stays midway and moves by half of it. Turning is ignored. */
 static void describe_manifold(const cn_world *world, const cni_contact *c, cn_manifold *out)
 {
 	int32_t flipped = (c->flags & CNI_CONTACT_FLIPPED) != 0, k;
@@ -329,7 +328,7 @@ static void describe_manifold(const cn_world *world, const cni_contact *c, cn_ma
 	moved_t = cni_dot(f.d, t) - row_read(rows, ROW_DT);
 	middle = cni_madd(cni_madd(cni_v(f.a->cx, f.a->cy), 0.5f * moved_n, n), 0.5f * moved_t, t);
 	out->normal = flipped ? cni_neg(n) : n;
-	out->friction_impulse_Ns = row_read(rows, ROW_JT); /* n and t both flip, and so do the bodies: the sign stays */
+	out->friction_impulse_Ns = row_read(rows, ROW_JT); /* n, t and the bodies all flip: the sign stays */
 	for (k = 0; k < 2; ++k) {
 		int32_t p = ROW_POINT + k * ROW_POINT_COUNT; /* at an s0 nm jn load */
 		cn_manifold_point *point = &out->points[out->point_count];
@@ -433,7 +432,7 @@ void cni_contact_sleep_to_lane(cn_world *world, int32_t contact)
 	info = cni_block_info_at(world, c->slot / CNI_LANES);
 	info->restitution[c->slot % CNI_LANES] = s.restitution;
 	if (!world->events.in_step)
-		c->flags |= CNI_CONTACT_ENTERED; /* it did not stay in the last step: it slept */
+		c->flags |= CNI_CONTACT_ENTERED; /* no STAY for the last step: it slept */
 	sleep_to_extra(world, c, &s);
 	if (s.restitution > 0.0f)
 		info->flags |= CNI_BLOCK_RESTITUTION;

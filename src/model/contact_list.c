@@ -1,5 +1,5 @@
 /*
- * model/contact_list.c - contact records: the list of those apart, lookup, gap, invalidation.
+ * model/contact_list.c - contact records: the list of contacts apart, lookup, gap, approach speed, invalidation.
  */
 #include "model/world.h"
 #include "model/lane.h"

@@ -1,5 +1,5 @@
 /*
- * model/event.c - the logs behind contact events (idea in event.h).
+ * model/event.c - the logs behind contact, sensor and joint events (design in event.h).
  */
 #include "model/event.h"
 #include "model/world.h"
@@ -54,7 +54,7 @@ void cni_events_begin_step(cni_events *events)
 		cni_array log = events->log[kind];
 		log.count = 0;
 		events->log[kind] = log;
-		/* Contacts end between steps too, but begin in steps only. */
+		/* Contacts may end between steps too, but begin in steps only. */
 		if (kind == CN_EVENT_LEAVE || kind == CN_EVENT_DESTROYED) {
 			events->log[kind] = events->pending[kind];
 			events->pending[kind] = log;
@@ -116,7 +116,7 @@ int32_t cni_sensor_event_log(cn_world *world, int32_t contact, int32_t kind)
 	return 1;
 }
 
-/* Is the contact of this record still the one that the event tells of? */
+/* Does the record still hold the contact of the event? */
 static int32_t event_is_current(const cn_world *world, const cni_event *e)
 {
 	const cni_contact *c = cni_contact_at(world, e->contact);

@@ -1,9 +1,9 @@
 /*
- * model/event.h - logs of what happened to contacts.
+ * model/event.h - logs of contact, sensor and joint events.
  *
- * Stages and calls log compact records; the arrays that users see are built from them on the first
- * request, so that events nobody reads cost 32 bytes and nothing more. STAY is never logged: it is the
- * list of awake touching contacts that did not enter in the last step.
+ * Stages and calls log compact records. The public arrays are built from them on the first request, so that events without a
+ * reader cost 32 bytes and nothing more. STAY is never logged: it is the list of awake touching contacts that did not enter in
+ * the last step.
  *
  *   log[kind]      the last step's           (CREATED, ENTER, LEAVE, DESTROYED)
  *   pending[kind]  since then, by calls      (LEAVE, DESTROYED): the next step starts with them
@@ -28,7 +28,7 @@ typedef struct cni_events {
 	cni_array pending[CN_EVENT_KINDS];
 	cni_array seen[CN_EVENT_KINDS];     /* cn_contact_event */
 	int32_t built[CN_EVENT_KINDS];
-	int32_t in_step;                    /* 1 while a step runs: log goes to log[], else to pending[] */
+	int32_t in_step;                    /* 1 while a step runs: events go to log[], else to pending[] */
 	cn_contact_event_fn *callback[CN_EVENT_KINDS];
 	void *callback_user[CN_EVENT_KINDS];
 	cni_array sensor_log;               /* cn_sensor_event of the last step */
@@ -43,9 +43,9 @@ typedef struct cni_events {
 
 void cni_events_init(cni_events *events);
 void cni_events_deinit(cni_events *events, cni_memory *memory);
-/* Step begins: pending become the log, built arrays are void. */
+/* At the beginning of a step: pending logs become the logs, built arrays become invalid. */
 void cni_events_begin_step(cni_events *events);
-/* Logs a contact's event if it reports that kind; 0 when there is no memory. */
+/* Logs a contact's event if the contact reports that kind; 0: no memory. */
 int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind);
 int32_t cni_sensor_event_log(cn_world *world, int32_t contact, int32_t kind);
 /* Builds the public array of a kind. */

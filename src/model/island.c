@@ -1,9 +1,8 @@
 /*
- * model/island.c - islands: linking, losing, splitting, waking and sleeping (method in island.h).
+ * model/island.c - islands: linking, unlinking, merging, splitting (method in island.h).
  *
- * Owns the island table. Invariants: an island has at least two bodies, all dynamic and enabled; all of
- * them are in the dense arrays or none is; two dynamic bodies that share a touching contact or a joint
- * are in one island.
+ * Owns the island table. Invariants: an island has at least two bodies, all dynamic and enabled; all or none of them are in the
+ * dense arrays; two dynamic bodies that share a touching contact or a joint are in one island.
  */
 #include "model/world.h"
 
@@ -51,19 +50,19 @@ static void island_append(cn_world *world, int32_t island, int32_t body)
 	++i->count;
 }
 
-/* Steps that it is still refused for: direct/solver_selection.c. */
+/* Steps for which direct solving is still refused: direct/solver_selection.c. */
 static int32_t refused_left(const cn_world *world, const cni_island *i)
 {
 	uint32_t passed = world->step_count - i->refused_step;
 	return passed < (uint32_t)i->refused_steps ? i->refused_steps - (int32_t)passed : 0;
 }
 
-static uint32_t later(const cn_world *world, uint32_t a, uint32_t b)
+static uint32_t more_recent(const cn_world *world, uint32_t a, uint32_t b)
 {
 	return world->step_count - a < world->step_count - b ? a : b;
 }
 
-/* What is known of how it is to be solved: what could not be for a part of it cannot be for the whole. */
+/* Merges the solver selection state: a failure of a part holds for the whole. */
 static void tier_inherit(const cn_world *world, cni_island *to, const cni_island *from)
 {
 	if (refused_left(world, from) > refused_left(world, to)) {
@@ -77,13 +76,13 @@ static void tier_inherit(const cn_world *world, cni_island *to, const cni_island
 		to->given_step = from->given_step;
 	}
 	if (from->unheld_step != 0)
-		to->unheld_step = to->unheld_step == 0 ? from->unheld_step : later(world, to->unheld_step, from->unheld_step);
+		to->unheld_step = to->unheld_step == 0 ? from->unheld_step : more_recent(world, to->unheld_step, from->unheld_step);
 	if (from->cone_spent > to->cone_spent) {
 		to->cone_spent = from->cone_spent;
 		to->cone_paid_step = from->cone_paid_step;
 	}
 	if (from->cone_step != 0)
-		to->cone_step = to->cone_step == 0 ? from->cone_step : later(world, to->cone_step, from->cone_step);
+		to->cone_step = to->cone_step == 0 ? from->cone_step : more_recent(world, to->cone_step, from->cone_step);
 }
 
 /* Moves all bodies of one island to the end of another. */
@@ -159,7 +158,7 @@ void cni_island_remove_body(cn_world *world, int32_t body)
 
 /* ---- splitting ---- */
 
-/* Pushes the unlabelled dynamic bodies that touch this one or share a joint with it. */
+/* Pushes the unlabelled dynamic bodies that touch this body or share a joint with it. */
 static int32_t push_neighbours(const cn_world *world, int32_t body, int32_t *stack, int32_t top)
 {
 	const cni_body *b = cni_body_at(world, body);
@@ -183,7 +182,7 @@ static int32_t push_neighbours(const cn_world *world, int32_t body, int32_t *sta
 	return top;
 }
 
-/* Collects one connected part of what was an island from a seed; a part of one body gets no island. */
+/* Collects the connected part of a former island from a seed; a single body gets no island. */
 static void part_collect(cn_world *world, int32_t seed, const cni_island *whole, int32_t *stack)
 {
 	int32_t island = island_take(world), top = 0;
@@ -219,7 +218,7 @@ int32_t cni_island_split(cn_world *world, int32_t island)
 	island_release(world, island);
 	for (k = 0; k < count; ++k)
 		cni_body_at(world, bodies[k])->island = CNI_NONE;
-	/* A single left alone by an earlier part has island CNI_NONE and links to nobody: harmless to visit. */
+	/* A single body of an earlier part has island CNI_NONE and no links: a second visit is harmless. */
 	for (k = 0; k < count; ++k)
 		if (cni_body_at(world, bodies[k])->island == CNI_NONE)
 			part_collect(world, bodies[k], &whole, stack);

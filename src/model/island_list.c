@@ -1,5 +1,5 @@
 /*
- * model/island_list.c - island records: lookup, room.
+ * model/island_list.c - island records: lookup, memory.
  */
 #include "model/world.h"
 

@@ -1,13 +1,13 @@
 /*
- * model/island_sleep.c - moving a body with its island, contacts and joints between awake and asleep.
+ * model/island_sleep.c - moves bodies with their islands, contacts and joints between awake and asleep.
  *
- * Invariants kept here: a contact is in the awake list when one of its bodies is in the dense arrays; a
- * touching contact is in the sleep store when its dynamic bodies are asleep, else in a lane; a joint is
- * in the awake list when one of its bodies is in the dense arrays.
+ * Invariants: a contact is in the awake lists when one of its bodies is in the dense arrays; a touching contact is in the sleep
+ * store when its dynamic bodies are asleep, else in a lane; a joint is in the awake list when one of its bodies is in the dense
+ * arrays.
  */
 #include "model/world.h"
 
-/* Visits the bodies of a body's island, or the body alone. */
+/* First body of the body's island, or the body itself. */
 static int32_t first_of(const cn_world *world, int32_t body)
 {
 	int32_t island = cni_body_at(world, body)->island;
@@ -27,8 +27,8 @@ static int32_t contact_may_solve(const cn_world *world, const cni_contact *c)
 	return 1;
 }
 
-/* A pair that slept through a change of its event mask begins to report when it wakes. */
-static void pay_what_is_owed(cn_world *world, int32_t contact)
+/* A pair whose event mask changed during sleep begins to report when it wakes. */
+static void send_deferred_events(cn_world *world, int32_t contact)
 {
 	cni_contact_send_deferred_events(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
 	cni_contact_send_deferred_events(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
@@ -43,7 +43,7 @@ static void wake_links_of(cn_world *world, int32_t body)
 		cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
 		cni_contact_enter_apart_list(world, key >> 1);
 		if (world->events.in_step)
-			pay_what_is_owed(world, key >> 1);
+			send_deferred_events(world, key >> 1);
 		if ((c->flags & CNI_CONTACT_ASLEEP) && contact_may_solve(world, c))
 			cni_contact_sleep_to_lane(world, key >> 1);
 	}
@@ -54,7 +54,7 @@ static void wake_links_of(cn_world *world, int32_t body)
 static void wake_island(cn_world *world, int32_t body)
 {
 	int32_t k, first = first_of(world, body);
-	/* A body that left its fat box in the step that put it to sleep may still have contacts whose boxes are apart. */
+	/* A body that left its fat box in the step that put it to sleep may still have contacts with boxes that are apart. */
 	world->pairs_may_repeat |= CNI_PAIRS_MARKED;
 	if (cni_body_at(world, body)->island != CNI_NONE) {
 		cni_island *i = cni_island_at(world, cni_body_at(world, body)->island);
@@ -70,7 +70,7 @@ static void wake_island(cn_world *world, int32_t body)
 		wake_links_of(world, k);
 }
 
-/* A kinematic body that starts to move carries along what touches it. */
+/* A kinematic body that starts to move carries along the bodies that touch it. */
 static void wake_touching(cn_world *world, int32_t body)
 {
 	int32_t key = cni_body_at(world, body)->contact_first;
@@ -104,27 +104,27 @@ void cni_body_wake_neighbours(cn_world *world, int32_t body)
 	wake_touching(world, body);
 }
 
-typedef struct meeting {
+typedef struct wake_query {
 	cn_world *world;
 	int32_t shape;
 	int32_t reserved;
-} meeting;
+} wake_query;
 
 static float wake_if_collides(void *context, int32_t proxy, float limit)
 {
-	const meeting *m = (const meeting *)context;
+	const wake_query *m = (const wake_query *)context;
 	const cni_shape *s = cni_shape_at(m->world, m->shape), *other = cni_shape_at(m->world, cni_proxy_at(m->world, proxy)->shape);
 	const cni_body *b = cni_body_at(m->world, other->body);
 	if (other->body != s->body && b->type == CN_BODY_DYNAMIC && b->awake == 0 && cni_filter_allows(s, other))
 		cni_body_wake(m->world, other->body);
 	(void)limit;
-	return 1.0f; /* go on */
+	return 1.0f; /* continue */
 }
 
 void cni_shape_wake_met(cn_world *world, int32_t shape)
 {
 	const cni_shape *s = cni_shape_at(world, shape);
-	meeting m;
+	wake_query m;
 	int32_t child;
 	m.world = world;
 	m.shape = shape;
@@ -159,7 +159,7 @@ void cni_body_wake_grown(cn_world *world, int32_t body)
 
 /* ---- sleeping ---- */
 
-/* Is this a lane that goes to sleep with the body? Pairs within an island count on their side 0. */
+/* Does this lane go to sleep with the body? Pairs within an island count on their side 0. */
 static int32_t lane_is_counted(const cni_contact *c, int32_t key)
 {
 	if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING)
@@ -180,7 +180,7 @@ static void sleep_lanes_of(cn_world *world, int32_t body)
 {
 	int32_t key = cni_body_at(world, body)->contact_first;
 	if (cni_body_at(world, body)->type != CN_BODY_DYNAMIC)
-		return; /* the dynamic bodies that touch a resting kinematic one go on */
+		return; /* dynamic bodies on a resting kinematic body stay awake */
 	for (; key != CNI_NONE; key = cni_contact_of_key(world, key)->next[key & 1]) {
 		const cni_contact *c = cni_contact_of_key(world, key);
 		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING)

@@ -50,7 +50,7 @@ static int32_t side_is_dynamic(const cn_world *world, const cni_joint *j, int32_
 	return j->body[side] != CNI_NONE && cni_body_at(world, j->body[side])->type == CN_BODY_DYNAMIC;
 }
 
-/* Contacts between two bodies, which a joint now forbids. */
+/* Ends the contacts between two bodies that a joint now forbids. */
 static void end_contacts_between(cn_world *world, int32_t body_a, int32_t body_b)
 {
 	int32_t key = cni_body_at(world, body_a)->contact_first;
@@ -63,7 +63,7 @@ static void end_contacts_between(cn_world *world, int32_t body_a, int32_t body_b
 	}
 }
 
-/* First shape of the body that has fewer: the side whose list ends first. */
+/* First shape of the body with fewer shapes: its list ends first. */
 static int32_t first_shape_of_lesser(const cn_world *world, const cni_joint *j)
 {
 	int32_t first_a = cni_body_at(world, j->body[0])->shape_first, first_b = cni_body_at(world, j->body[1])->shape_first;

@@ -1,5 +1,5 @@
 /*
- * model/joint_list.c - joint records: handles, room, the list of awake joints, the joints of a body.
+ * model/joint_list.c - joint records: handles, memory, the list of awake joints, the joints of a body.
  */
 #include "model/world.h"
 
@@ -76,7 +76,7 @@ int32_t cni_joint_count(const cn_world *world, int32_t body)
 	return count;
 }
 
-/* Both lists at once, so that the shorter one ends it. */
+/* Walks both lists alternately, so that the shorter one ends the search. */
 int32_t cni_joint_forbids(const cn_world *world, int32_t body_a, int32_t body_b)
 {
 	int32_t key[2], other[2] = { body_b, body_a }, side = 0;

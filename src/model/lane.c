@@ -1,12 +1,12 @@
 /*
- * model/lane.c - colours, blocks and lanes (drawn in contact.h).
+ * model/lane.c - colours, blocks and lanes (layout in contact.h).
  *
- * Owns the block tables, the free list of blocks, the colours and the colour bits of bodies. Greedy
- * colouring: a contact takes the lowest colour that neither of its dynamic bodies uses.
+ * Owns the block tables, the free list of blocks, the colours and the colour bits of bodies. Greedy colouring: a contact takes
+ * the lowest colour that neither of its dynamic bodies uses.
  *
- * Invariants: the blocks of a colour are full but for the last; unused lanes are all zero, so that they
- * read and write the dummy body and compute nothing; a body's colour bit is set exactly when one of its
- * lanes has that colour (colour 31, overflow, sets no bit).
+ * Invariants: the blocks of a colour are full except for the last; unused lanes are all zero, so that they read and write the
+ * dummy body and compute nothing; a body's colour bit is set exactly when one of its lanes has that colour (colour 31, overflow,
+ * sets no bit).
  */
 #include "model/lane.h"
 #include "base/bitset.h"
@@ -21,7 +21,7 @@ int32_t cni_lane_reserve_extra(cn_world *world)
 
 int32_t cni_lane_reserve(cn_world *world, int32_t lanes)
 {
-	/* Full blocks, and at worst one block begun in each colour. */
+	/* Full blocks, and at worst one partial block for each colour. */
 	int32_t blocks = lanes / CNI_LANES + cni_min_i(lanes, CNI_COLORS);
 	return cni_table_reserve(&world->blocks_hot, &world->memory, blocks) &&
 	       cni_table_reserve(&world->blocks_info, &world->memory, blocks) &&
@@ -58,7 +58,7 @@ static int32_t block_take(cn_world *world, int32_t color)
 	return block;
 }
 
-/* The colour's last block, which has become empty. */
+/* Frees the colour's last block, which is empty. */
 static void block_free_last(cn_world *world, int32_t color)
 {
 	cni_color *group = &world->colors[color];
@@ -107,7 +107,7 @@ static void color_mark(cni_body *a, cni_body *b, int32_t color, int32_t on)
 	}
 }
 
-/* It begins again with nothing ahead and nothing approaching. */
+/* Removes the anchor; gap and approach speed become 0. */
 static void anchor_clear(cn_world *world, int32_t slot)
 {
 	cni_block_anchor *anchor = cni_block_anchor_at(world, slot / CNI_LANES);
@@ -136,7 +136,7 @@ void cni_lane_set_bodies(cn_world *world, const cni_contact *c)
 	int32_t lane = c->slot % CNI_LANES;
 	int32_t ib = lane_body(world, c, 1)->awake;
 	if ((block->ib[lane] == 0) != (ib == 0))
-		cni_lane_invalidate(world, c->slot); /* the anchor of a static one is another */
+		cni_lane_invalidate(world, c->slot); /* anchors of static bodies have another form */
 	block->ia[lane] = lane_body(world, c, 0)->awake;
 	block->ib[lane] = ib;
 }
@@ -192,7 +192,7 @@ void cni_lane_set_fresh(cn_world *world, int32_t slot)
 	info->fresh = (uint16_t)(info->fresh | 1u << slot % CNI_LANES);
 }
 
-/* The target is as fresh as the source was, which is no longer. */
+/* Moves the fresh bit. */
 static void fresh_move(cn_world *world, int32_t from, int32_t to)
 {
 	cni_block_info *source = cni_block_info_at(world, from / CNI_LANES);
@@ -205,7 +205,7 @@ static void fresh_move(cn_world *world, int32_t from, int32_t to)
 		cni_lane_set_fresh(world, to);
 }
 
-/* The source's bit is cleared, whatever is left in its rows. */
+/* Moves the anchor, and clears the source's bit. */
 static void anchor_move(cn_world *world, int32_t from, int32_t to)
 {
 	cni_block_info *source_info = cni_block_info_at(world, from / CNI_LANES), *target_info = cni_block_info_at(world, to / CNI_LANES);

@@ -1,5 +1,5 @@
 /*
- * model/material.c - materials of shapes and of pairs.
+ * model/material.c - materials of shapes, and their mixture for a pair.
  */
 #include "model/world.h"
 
@@ -38,7 +38,7 @@ static float mix(int32_t rule, float a, float b)
 	}
 }
 
-/* Conveyors add up: each one's surface runs along the right of its own outward normal. */
+/* Conveyor speeds add up: each surface moves to the right of its own outward normal. */
 static cn_material mix_by_rules(const cn_material *a, const cn_material *b)
 {
 	int32_t friction_rule = cni_max_i(a->friction_mix, b->friction_mix);
@@ -55,18 +55,18 @@ static cn_material mix_by_rules(const cn_material *a, const cn_material *b)
 	return m;
 }
 
-/* What the user's callback wrote is brought back into the ranges of a material; NaN becomes the rule's value. */
-static float within(float x, float upper, float otherwise)
+/* Clamps the output of the user's callback to the ranges of a material; NaN becomes the value of the mixing rules. */
+static float clamp_or(float x, float upper, float otherwise)
 {
 	return cni_is_finite(x) ? cni_clamp(x, 0.0f, upper) : otherwise;
 }
 
-static void restrain(cn_material *m, const cn_material *rules)
+static void material_clamp(cn_material *m, const cn_material *rules)
 {
-	m->static_friction = within(m->static_friction, 100.0f, rules->static_friction);
-	m->dynamic_friction = within(m->dynamic_friction, m->static_friction, rules->dynamic_friction);
-	m->restitution = within(m->restitution, 1.0f, rules->restitution);
-	m->rolling_resistance = within(m->rolling_resistance, 1e3f, rules->rolling_resistance);
+	m->static_friction = clamp_or(m->static_friction, 100.0f, rules->static_friction);
+	m->dynamic_friction = clamp_or(m->dynamic_friction, m->static_friction, rules->dynamic_friction);
+	m->restitution = clamp_or(m->restitution, 1.0f, rules->restitution);
+	m->rolling_resistance = clamp_or(m->rolling_resistance, 1e3f, rules->rolling_resistance);
 	m->tangent_speed_mps = cni_is_finite(m->tangent_speed_mps) ? cni_clamp(m->tangent_speed_mps, -1e4f, 1e4f) : rules->tangent_speed_mps;
 }
 
@@ -79,6 +79,6 @@ cn_material cni_material_mix(cn_world *world, int32_t shape_a, int32_t shape_b)
 	++world->locked;
 	world->material_mix(world, cni_handles_of(&world->shape_handles, shape_a), cni_handles_of(&world->shape_handles, shape_b), &m, world->material_mix_user);
 	--world->locked;
-	restrain(&m, &rules);
+	material_clamp(&m, &rules);
 	return m;
 }

@@ -1,7 +1,7 @@
 /*
  * model/shape.c - shape records: lists, boxes in the broadphase, filters (layout in shape.h).
  *
- * Invariant: an attached shape of an enabled body has one proxy a child, all others none.
+ * Invariant: an attached shape of an enabled body has one proxy for each child, all other shapes have none.
  */
 #include "model/world.h"
 

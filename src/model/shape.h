@@ -1,9 +1,9 @@
 /*
- * model/shape.h - the shape record: what a body is made of, and its boxes in the broadphase.
+ * model/shape.h - the shape record: geometry, material and filter of a part of a body, and its boxes in the broadphase.
  *
- * Geometry is a variable-size piece in the world's blocks. A shape has broadphase proxies only while it
- * is attached to an enabled body; a chain has one for each edge, in a run of ids held in a piece
- * of the blocks (proxy ids of other shapes are held directly).
+ * Geometry is a variable-size piece in the world's blocks. A shape has broadphase proxies only while it is attached to an
+ * enabled body. A chain has one proxy for each edge, with a run of ids in a piece of the blocks; other shapes store their proxy
+ * id directly.
  */
 #ifndef CNI_MODEL_SHAPE_H
 #define CNI_MODEL_SHAPE_H
@@ -42,14 +42,14 @@ static inline const cni_geometry *cni_proxy_geometry(const cni_blocks *blocks, c
 	return (const cni_geometry *)cni_blocks_at(blocks, p->geometry);
 }
 /*
- * What a geometry of so many points takes of the blocks. In a fixed block all but long chains take the same, and so
- * do proxy ids: whatever is made and destroyed in whatever order, the pieces set aside at the beginning fit.
+ * Bytes of a geometry of so many points in the blocks. In a fixed block all shapes except long chains take the same size, and so
+ * do proxy ids: in any order of creation and destruction the reserved pieces fit.
  */
 uint64_t cni_shape_piece_bytes(const cn_world *world, int32_t type, int32_t count);
 void cni_shape_free_geometry(cn_world *world, int32_t shape);
 /* In a fixed block: proxy ids of chains of at most 8 edges; longer ones take the piece of a geometry. */
 #define CNI_SHAPE_IDS_BYTES 32u
-/* Proxy id of a chain's edge, CNI_NONE when it is not placed. */
+/* Proxy id of a chain's edge, CNI_NONE without boxes. */
 int32_t cni_shape_edge_proxy(const cn_world *world, const cni_shape *s, int32_t child);
 /* ... of any shape's child. */
 static inline int32_t cni_shape_proxy(const cn_world *world, const cni_shape *s, int32_t child)
@@ -57,17 +57,17 @@ static inline int32_t cni_shape_proxy(const cn_world *world, const cni_shape *s,
 	return s->type != CN_SHAPE_CHAIN ? s->box.proxy : cni_shape_edge_proxy(world, s, child);
 }
 
-/* Makes room for `extra` proxies more. */
+/* Reserves memory for extra more proxies. */
 cn_result cni_proxy_reserve(cn_world *world, int32_t extra);
-/* Gives an attached shape its boxes; CN_ERROR_MEMORY changes nothing. Already placed: CN_OK. */
+/* Creates an attached shape's boxes; CN_ERROR_MEMORY changes nothing. Already placed: CN_OK. */
 cn_result cni_shape_place(cn_world *world, int32_t shape);
-/* Takes the boxes away and ends the contacts (see cni_contact_end_all_of_shape for memory). */
+/* Removes the boxes and ends the contacts (after cni_contact_reserve_end). */
 void cni_shape_unplace(cn_world *world, int32_t shape);
-/* Links into the body's list / unlinks, without boxes and without mass. */
+/* Adds to or removes from the body's list, without boxes and without mass. */
 void cni_shape_link(cn_world *world, int32_t shape, int32_t body);
 void cni_shape_unlink(cn_world *world, int32_t shape);
 
-/* The margin of the fat box of a shape, by the type of its body and its tight box. */
+/* Margin of a shape's fat box, from the type of its body and its tight box. */
 float cni_box_margin(const cn_world *world, int32_t body_type, const cni_aabb *tight);
 static inline cni_aabb cni_box_fatten(cni_aabb box, float margin)
 {
@@ -77,18 +77,18 @@ static inline cni_aabb cni_box_fatten(cni_aabb box, float margin)
 	box.y1 += margin;
 	return box;
 }
-/* Fixed shapes came, went, moved or changed there: hidden corners (collision/seam.h) are found anew in the next step. */
+/* Notes that static shapes were added, removed, moved or changed there: the next step finds hidden corners (collision/seam.h) again. */
 void cni_seams_change(cn_world *world, const cni_aabb *box);
-/* All pairs of the shape's boxes count as new at the next step (filter, type or joint changed). */
+/* All pairs of the shape's boxes count as new in the next step (filter, type or joint changed). */
 void cni_shape_refilter(cn_world *world, int32_t shape);
 
-/* Between the record and the public struct. */
+/* Convert a material between the record and the public struct. */
 void cni_shape_store_material(cni_shape *s, const cn_material *material);
 cn_material cni_shape_material(const cni_shape *s);
-/* What a pair of shapes has: mixed by their rules, then by the user's callback if there is one. */
+/* Material of a pair of shapes: mixed by their rules, then by the user's callback if there is one. */
 cn_material cni_material_mix(cn_world *world, int32_t shape_a, int32_t shape_b);
 
-/* May these shapes' filters collide? */
+/* Do the filters allow a contact between these shapes? */
 int32_t cni_filter_allows(const cni_shape *a, const cni_shape *b);
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * model/shape_record.c - shape records: memory of their geometry, proxies, filters.
+ * model/shape_record.c - shape records: memory of geometry, proxies, margins of boxes, filters.
  */
 #include "model/world.h"
 

@@ -18,7 +18,7 @@ cni_soft cni_soft_implicit(float hertz, float damping_ratio, float h)
 	return soft;
 }
 
-/* 1 - e^-x for x >= 0 to a few units in the last place however small x is: a series up to 0.5, then E(2x) = E (2 - E). */
+/* 1 - e^-x for x >= 0, accurate to a few units in the last place for small x too: a series up to 0.5, then E(2x) = E (2 - E). */
 static float decay_of(float x)
 {
 	int32_t halvings = 0;
@@ -33,8 +33,8 @@ static float decay_of(float x)
 	return e;
 }
 
-/* 1 + D - T of a damped oscillation over a time h, without cancellation: D and T are the determinant and the
-   trace of the map from (x, v) now to (x, v) then. = (1 - z1)(1 - z2) with its eigenvalues z. */
+/* 1 + D - T of a damped oscillation over a time h, without cancellation: D and T are the determinant and the trace of the map of
+   position and velocity over h. It equals (1 - z1)(1 - z2) with the eigenvalues z of the map. */
 static float oscillation_pull(float wh, float zeta)
 {
 	if (zeta < 1.0f) {
@@ -47,10 +47,10 @@ static float oscillation_pull(float wh, float zeta)
 }
 
 /*
- * How much of a spring's impulse is carried over (r D below), so that a constant load stretches it by
- * load / k exactly: pull (1 - r) = w^2 h^2 (D + (T - 3 D) r). Damping of a velocity that already has
- * the load's share of the substep would else make it stiffer by about zeta w h. For light damping at high
- * frequency no r below 1 does it, and the error without is a few hundredths at most.
+ * The carried part of a spring's impulse (r D below), so that a constant load stretches it by load / k exactly:
+ *   pull (1 - r) = w^2 h^2 (D + (T - 3 D) r)
+ * Without it, damping of a velocity that already has the load's share of the substep would make the spring stiffer by about zeta
+ * w h. For light damping at high frequency no r below 1 does it, and the error without it is a few hundredths at most.
  */
 static float spring_memory(float pull, float det, float wh)
 {
@@ -59,11 +59,14 @@ static float spring_memory(float pull, float det, float wh)
 }
 
 /*
- * One body on the spring, stepped as p' = m p - b v - a x, v' = v + p', x' = x + h v', with p the impulse over
- * the mass, has three eigenvalues. Two are made those of the true motion over h, with determinant
- * D = e^(-2 zeta w h) and trace T = 2 e^(-zeta w h) cos(w_d h) (cosh when overdamped), the third is r. Comparing
- * coefficients: m = D r, b = 1 - D + r (2 D - T), h a = (1 + D - T)(1 - r). Springs stiffer than the
- * rigid joints of model/solve.h, 1/(4h), are as stiff as those: beyond the substep's reach their waves alias.
+ * One body on the spring, stepped as below, with p the impulse over the mass, has three eigenvalues:
+ *   p' = m p - b v - a x     v' = v + p'     x' = x + h v'
+ * Two are set to those of the true motion over h, with determinant D and trace T (cosh when overdamped), the third is r:
+ *   D = e^(-2 zeta w h)     T = 2 e^(-zeta w h) cos(w_d h)
+ * Comparing coefficients:
+ *   m = D r     b = 1 - D + r (2 D - T)     h a = (1 + D - T)(1 - r)
+ * Springs stiffer than the rigid joints of model/solve.h, 1/(4h), get the stiffness of those: beyond the substep's resolution
+ * their waves alias.
  */
 cni_soft cni_soft_exact(float hertz, float damping_ratio, float h)
 {

@@ -1,17 +1,16 @@
 /*
- * model/solve.h - what the stages of the soft step share: the numbers of one step and one function a
- * stage. The method is TGS soft (Catto, "Solver2D", 2024; Macklin et al., "Small Steps", 2019) with
- * stiffness tied to the substep rate: contacts 1/(8h), joints 1/(4h).
+ * model/solve.h - the numbers of one step, which all stages of the soft step share. The method is TGS soft (Catto, "Solver2D",
+ * 2024; Macklin et al., "Small Steps", 2019) with stiffness tied to the substep rate: contacts 1/(8h), joints 1/(4h).
  *
  * Data flow of the substeps, over dense arrays and blocks only:
  *
- *   drive --integrate_velocities--> start, motion.v          v = start + response of the last impulses
+ *   external --integrate_velocities--> start, motion.v       v = start + response of the last impulses
  *   block.jn, joint.impulse --warm start (first substep)--> motion.v
  *   motion --impacts--> motion.v, start                      contacts that bounce
  *   motion, block --solve--> motion.v, block.jn jt           soft, pushes overlap apart
- *   motion --direct_close--> motion.v, impulses              joints that contacts would part, and those contacts
+ *   motion --direct_project--> motion.v, impulses            joints that contacts would open, and those contacts
  *   motion.v --integrate_positions--> motion.dp theta
- *   motion, block --relax--> motion.v, block.jn jt           rigid, takes the pushing out again
+ *   motion, block --relax--> motion.v, block.jn jt           rigid, removes the push's velocity
  */
 #ifndef CNI_MODEL_SOLVE_H
 #define CNI_MODEL_SOLVE_H
@@ -31,15 +30,15 @@ typedef struct cni_contact_pass {
 	float push_speed;
 	float impact_speed;  /* < 0: faster approaches are impacts */
 	float warm_scale;
-	float load_part;     /* of its way to the impulse that a load goes in this step */
-	float load_heavy;    /* ... at most this over the square of the speed that the impulse gives: see CNI_LOAD_HEAVY */
+	float load_part;     /* part of its difference to the impulse by which a load changes in this step */
+	float load_heavy;    /* limit of that part: this over the square of the speed that the impulse gives, see CNI_LOAD_HEAVY */
 	cni_soft soft;
 	int32_t one_sided;   /* lane bodies b are not written */
 } cni_contact_pass;
 
 /* Kinds of blocks, as bits. */
 enum {
-	CNI_CONTACTS_RESTED = 1,    /* time passes more slowly for them: loads follow in its measure */
+	CNI_CONTACTS_RESTED = 1,    /* one substep a step: loads change slower by the same factor */
 	CNI_CONTACTS_ONE_SIDED = 2, /* lane body b cannot move */
 	CNI_CONTACTS_KINDS = 4
 };
@@ -61,7 +60,7 @@ struct cni_contact_kernel; /* contacts/contact_pass.h */
 struct cni_joint_kernel;   /* joints/joint_pass.h */
 struct cni_body_kernel;    /* step/integrate_pass.h */
 
-/* v' = (v + h a) times this: v' = a - damping v taken implicitly, so that the speed that a fall tends to is exact. */
+/* v' = (v + h a) times this: v' = a - damping v, implicit, so that the terminal speed of a fall is exact. */
 static inline float cni_damping_factor(float damping, float h)
 {
 	return 1.0f / (1.0f + damping * h);
@@ -69,28 +68,28 @@ static inline float cni_damping_factor(float damping, float h)
 
 typedef struct cni_solve {
 	float dt, h, inv_h;
-	float mean_dt;             /* of the steps so far, this one included */
-	float soft_rate;           /* 1/s: that softness is tied to; 1 / h where all steps are equal */
+	float mean_dt;             /* mean length of the steps so far, this one included */
+	float soft_rate;           /* 1/s: rate that softness is tied to; 1 / h if all steps are equal */
 	int32_t substeps;
-	float warm_scale;          /* of stored impulses: this substep over the last one's */
+	float warm_scale;          /* factor of stored impulses: length of this substep over the last one's */
 	float push_speed;
 	float restitution_threshold;
-	float jump_speed;         /* a jump of a body's velocity in one substep that is an impact */
+	float jump_speed;         /* a larger change of a body's velocity in one substep counts as a jump */
 	cni_contact_pass contact[CNI_CONTACTS_KINDS];
 	cni_soft joint;
 	const struct cni_contact_kernel *kernel;
 	const struct cni_joint_kernel *joint_kernel;
 	const struct cni_body_kernel *body_kernel; /* NULL: bodies one by one */
-	struct cni_sparse *direct; /* joints that are solved directly, NULL: none */
+	struct cni_sparse *direct; /* directly solved joints and contacts, NULL: none */
 	int32_t bounces;           /* some contact has restitution */
-	uint32_t contact_colors;   /* those that have contacts, as bits */
+	uint32_t contact_colors;   /* colours with contacts, as bits */
 	int32_t lanes;             /* contacts of all colours */
-	cni_team *team;            /* who share the loops of the substeps, NULL: not worth it */
+	cni_team *team;            /* workers of the substeps' loops, NULL: too little work */
 } cni_solve;
 
 /* Implicit-Euler soft constraint (Catto, "Soft Constraints", GDC 2011). */
 cni_soft cni_soft_implicit(float hertz, float damping_ratio, float h);
-/* Exact discrete spring: a single body on it keeps the true period and decay at any stiffness. */
+/* Exact discrete spring: a single body on it has the true period and decay at any stiffness. */
 cni_soft cni_soft_exact(float hertz, float damping_ratio, float h);
 /* An overlap or gap of more than this part of the accuracy is bad. */
 #define CNI_BAD_PART 0.1f

@@ -1,6 +1,6 @@
 /*
- * model/world.h - cn_world: all the tables and who owns what. Everything below the public API works on
- * indices into these tables.
+ * model/world.h - cn_world: all tables of a world and their owners. All code below the public API uses indices into these
+ * tables.
  */
 #ifndef CNI_MODEL_WORLD_H
 #define CNI_MODEL_WORLD_H
@@ -42,43 +42,45 @@ typedef struct cni_settings {
 	float thickness_least;  /* 0.0005 length units: of shapes, and between their points. See CNI_THICKNESS_LEAST */
 	float box_margin;       /* 0.1 length units: of fat boxes */
 	float contact_margin;   /* 4 slops: speculative distance of slow contacts */
-	float accuracy;         /* errors below it are good */
-	int32_t work_budget;    /* of direct solving in a step, 0: no bound */
+	float accuracy;         /* smaller errors are acceptable */
+	int32_t work_budget;    /* limit of direct solving in a step, 0: no limit */
 } cni_settings;
 
-/* Which new pairs may have a contact already. */
+/* Which new pairs may already have a contact. */
 enum {
-	CNI_PAIRS_MARKED = 1, /* those of bodies that are marked CNI_BODY_AGAIN: they woke, were moved, look again */
-	CNI_PAIRS_ALL = 3     /* memory was short for a new contact, or for the end of one */
+	CNI_PAIRS_MARKED = 1, /* pairs of bodies with CNI_BODY_AGAIN: woken, moved, or filters changed */
+	CNI_PAIRS_ALL = 3     /* all pairs: memory was short for a new contact, or for the end of one */
 };
 
 struct cn_world {
-	/* memory: where everything below comes from */
+	/* memory of everything below */
 	cni_memory memory;
 	cni_arena arena;
 	cni_blocks blocks;
-	cni_team *team;              /* who share a step's work, NULL: the calling thread alone */
+	cni_team *team;              /* workers of a step, NULL: the calling thread alone */
 	uint64_t user_data;
 
 	cni_settings settings;
 	int32_t locked;              /* > 0 while callbacks run */
 	uint32_t step_count;
-	float step_dt;               /* of the step that runs or ran last */
-	float mean_dt;               /* a mean of the steps up to the last; 0: there was none */
-	int32_t overridden;          /* 1: a body or joint has had a solver of its own */
+	float step_dt;               /* length of the current or last step */
+	float mean_dt;               /* mean length of the steps so far; 0: none */
+	int32_t overridden;          /* 1: a body or joint has had its own solver */
 
 	/* bodies */
 	cni_handles body_handles;
 	cni_table bodies;            /* cni_body */
-	int32_t movable_count;       /* bodies that are not static: what the dense arrays must hold */
-	int32_t awake_count;         /* of the dense arrays, the dummy included: >= 1 */
+	int32_t movable_count;       /* bodies that are not static: required capacity of the dense arrays */
+	int32_t awake_count;         /* entries of the dense arrays, the dummy included: >= 1 */
 	cni_array motion;            /* cni_motion */
 	cni_array start;             /* cni_velocity_start */
-	cni_array drive;             /* cni_external */
+	cni_array external;          /* cni_external */
 	cni_array awake_id;          /* int32_t */
-	int32_t *awake_islands;      /* the islands' numbers by dense index, within a step: scratch of the arena. NULL outside, without islands, without memory */
-	int32_t *step_islands;       /* records of the numbered islands, scratch of the arena; NULL: each is its own number */
-	int32_t step_island_count;   /* numbers that there are, within a step */
+	int32_t *awake_islands;      /* island numbers by dense index, within a step: scratch of the arena. NULL outside, without islands,
+	                                without memory */
+	int32_t *step_islands;       /* records of the numbered islands, scratch of the arena; NULL: record index = number */
+	int32_t step_island_count;   /* count of island numbers, within a step */
+	int32_t reserved_bodies;
 	cni_array kicked;            /* cn_body whose velocity was set since the last step */
 
 	/* variable time: empty until cn_world_update is used */
@@ -92,7 +94,7 @@ struct cn_world {
 	cni_handles shape_handles;
 	cni_table shapes;            /* cni_shape */
 	cni_table proxies;           /* cni_proxy */
-	int32_t proxy_used;          /* ids ever handed out */
+	int32_t proxy_used;          /* ids allocated so far */
 	int32_t proxy_free;          /* first free id, linked by cni_proxy.shape */
 	int32_t proxy_count;
 	int32_t proxy_free_count;
@@ -100,7 +102,7 @@ struct cn_world {
 	cni_broadphase *broadphase;
 	cni_broadphase_pairs pairs;
 	int32_t pairs_may_repeat;    /* 0 or CNI_PAIRS_ */
-	int32_t seams_changed;       /* 1: fixed shapes came, went, moved or changed since the last step ... */
+	int32_t seams_changed;       /* 1: static shapes were added, removed, moved or changed since the last step ... */
 	cni_aabb seams_box;          /* ... within this box: see narrowphase/static_seams.c */
 
 	/* contacts */
@@ -109,7 +111,7 @@ struct cn_world {
 	int32_t contact_count;
 	int32_t touching_count;      /* lanes and sleep lanes */
 	cni_table contacts;          /* cni_contact */
-	cni_array apart;             /* int32_t: awake contacts that do not touch; count is the list's, room for all contacts */
+	cni_array apart;             /* int32_t: awake contacts that do not touch; count of the list, capacity for all contacts */
 	cni_table blocks_hot;        /* cni_contact_block */
 	cni_table blocks_info;       /* cni_block_info */
 	cni_table blocks_anchor;     /* cni_block_anchor */
@@ -117,23 +119,24 @@ struct cn_world {
 	int32_t block_used;
 	int32_t block_free;
 	cni_color colors[CNI_COLORS];
-	cni_array block_list;        /* cni_listed_block: scratch of a step, room for every block */
+	cni_array block_list;        /* cni_listed_block: scratch of a step, capacity for every block */
 	cni_array sleep_lanes;       /* cni_sleep_lane */
 
 	/* joints and constraints */
 	cni_handles joint_handles;
 	int32_t constraint_count;    /* of the live joint records */
-	int32_t stressed_joints;     /* beyond a break threshold in this step, not yet dealt with */
+	int32_t stressed_joints;     /* joints beyond a break threshold in this step, not yet handled */
 	cni_table joints;            /* cni_joint */
 	cni_array awake_joints;      /* int32_t */
-	cni_array joint_work;        /* cni_joint_constraint of joints/joint_constraint.h, one an awake joint */
-	cni_array joint_blocks;      /* cni_joint_block of joints/joint_pass.h; room for every joint in any colours */
+	cni_array joint_work;        /* cni_joint_constraint of joints/joint_constraint.h, one per awake joint */
+	cni_array joint_blocks;      /* cni_joint_block of joints/joint_pass.h; capacity for every joint in any colours */
 	cni_color joint_colors[CNI_JOINT_COLORS];
-	cni_lanes_kept joint_lanes;  /* what of these may be there still in the next step */
-	void *row_blocks;            /* cni_row_block of joints/joint_rows.h, within a step: other joints' lanes, scratch of the arena */
+	cni_lanes_kept joint_lanes;  /* lanes that the next step may reuse */
+	void *row_blocks;            /* cni_row_block of joints/joint_rows.h, within a step: lanes of other joint types, scratch of the
+	                                arena */
 	int32_t row_block_count;
-	int32_t row_blocks_of[CNI_JOINT_COLORS]; /* each colour */
-	int32_t joint_plain_first;   /* works that are solved by rows, linked by next_plain; CNI_NONE */
+	int32_t row_blocks_of[CNI_JOINT_COLORS]; /* by colour */
+	int32_t joint_plain_first;   /* joint constraints that are solved by rows, linked by next_plain; CNI_NONE */
 	int32_t reserved_plain;
 
 	/* islands */
@@ -141,18 +144,21 @@ struct cn_world {
 	int32_t island_used;
 	int32_t island_free;
 	int32_t island_count;
-	uint32_t split_step;         /* until which no island is split */
+	uint32_t split_step;         /* no island is split before this step */
 
-	uint32_t joints_soft_step;   /* until which some joints are soft: direct/rattle.c */
-	int32_t settled;             /* 1: at the end of the last step some body had been slow for as long as it takes to fall asleep */
-	int32_t piles_new;           /* 1: in this step a contact began to bear */
-	int32_t piles_unheld;        /* 1: in the last one some island could not be loaded from the top down */
-	int32_t solvers_asked;       /* 1: in the last step some awake island had a body or joint with a solver of its own */
-	cni_array direct_islands;    /* int32_t: those that are solved directly, see direct/solver_selection.c */
-	int32_t direct_work;         /* planned in the last step, substeps included; 0: nothing was solved directly */
-	int32_t direct_failed;       /* 1: for want of memory */
-	int32_t cone_work;           /* what of it is set aside in this step for direct/friction_cones.c, by passes */
-	cni_array direct_plans[2];   /* of linear/sparse_plan.c, kept while nothing changes: the first of a step, and that without what was refused */
+	uint32_t joints_soft_step;   /* some joints are soft until this step: direct/rattle.c */
+	int32_t settled;             /* 1: at the end of the last step some body had been slow for the sleep delay */
+	int32_t piles_new;           /* 1: in this step a contact got its first load */
+	int32_t piles_unheld;        /* 1: in the last step the gravity preload of some island failed */
+	int32_t solvers_asked;       /* 1: in the last step some awake island had a body or joint with its own solver */
+	int32_t reserved_islands;
+	cni_array direct_islands;    /* int32_t: directly solved islands, see direct/solver_selection.c */
+	int32_t direct_work;         /* work planned in the last step, substeps included; 0: nothing was solved directly */
+	int32_t direct_failed;       /* 1: direct solving ran out of memory */
+	int32_t cone_work;           /* work per pass reserved in this step for direct/friction_cones.c */
+	int32_t reserved_direct;
+	cni_array direct_plans[2];   /* of linear/sparse_plan.c, kept while nothing changes: the first plan of a step, and the plan without
+	                                refused islands */
 
 
 	cn_filter_fn *filter;        /* the user's callbacks, NULL: none */
@@ -167,6 +173,7 @@ struct cn_world {
 	int32_t pairs_not_added;
 	int32_t events_not_reported;
 	cn_profile profile;
+	int32_t reserved_end;
 
 	char error[CNI_ERROR_TEXT_BYTES];
 };
@@ -191,7 +198,7 @@ struct cn_world {
 #define CNI_NORMAL_LAG 0.1f
 #define CNI_NORMAL_LAG_SPIN 0.1f /* rad/s, of either body */
 
-/* Its square, of the difference of two normals; less than any: none may lag. */
+/* Square of the largest difference of two normals; negative: normals do not lag. */
 static inline float cni_normal_lag_sq(const cn_world *world)
 {
 	return world->settings.solver == CN_SOLVER_SOFT && CNI_ON(NORMAL_LAG) ? CNI_NORMAL_LAG * CNI_NORMAL_LAG : -1.0f;
@@ -206,32 +213,31 @@ static inline cni_contact_block *cni_block_at(const cn_world *world, int32_t blo
 static inline cni_block_info *cni_block_info_at(const cn_world *world, int32_t block) { return (cni_block_info *)cni_table_at_sized(&world->blocks_info, block, sizeof(cni_block_info), CNI_PAGE_BLOCKS); }
 static inline cni_block_anchor *cni_block_anchor_at(const cn_world *world, int32_t block) { return (cni_block_anchor *)cni_table_at_sized(&world->blocks_anchor, block, sizeof(cni_block_anchor), CNI_PAGE_BLOCKS); }
 static inline const cni_listed_block *cni_listed_blocks(const cn_world *world, int32_t color) { return world->block_list.data == NULL ? NULL : (const cni_listed_block *)world->block_list.data + world->colors[color].listed; }
-/* NULL when no contact has ever needed one. */
+/* NULL if no contact has needed one so far. */
 static inline cni_block_extra *cni_block_extra_at(const cn_world *world, int32_t block)
 {
 	return block < cni_table_capacity(&world->blocks_extra) ? (cni_block_extra *)cni_table_at_sized(&world->blocks_extra, block, sizeof(cni_block_extra), CNI_PAGE_BLOCKS) : NULL;
 }
 static inline cni_proxy *cni_proxy_at(const cn_world *world, int32_t proxy) { return (cni_proxy *)cni_table_at_sized(&world->proxies, proxy, sizeof(cni_proxy), CNI_PAGE_PROXIES); }
 static inline cni_motion *cni_motions(const cn_world *world) { return (cni_motion *)world->motion.data; }
-/* The dummy, which stands for all that is static, does not move. What floats cannot hold moves it: no mass times a push without
-   bounds is not 0. */
+/* Resets the dummy, which stands for all static bodies. Overflow can move it: zero inverse mass times an infinite impulse is not 0. */
 static inline void cni_dummy_stand(const cn_world *world)
 {
 	const cni_motion still = { 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f };
 	cni_motions(world)[0] = still;
 }
 static inline cni_velocity_start *cni_starts(const cn_world *world) { return (cni_velocity_start *)world->start.data; }
-static inline cni_external *cni_externals(const cn_world *world) { return (cni_external *)world->drive.data; }
+static inline cni_external *cni_externals(const cn_world *world) { return (cni_external *)world->external.data; }
 static inline int32_t *cni_awake_ids(const cn_world *world) { return (int32_t *)world->awake_id.data; }
-/* Items that do not depend on each other, shared among the world's workers: cni_team_for. A loop outside of
-   cni_team_run may have to wake them, some microseconds; so min_range is to be 10 us of work there, and 1 us within. */
+/* Runs independent items on the world's workers: cni_team_for. Outside of cni_team_run it may have to wake them, some microseconds, so
+   min_range should be 10 us of work there, and 1 us within. */
 static inline void cni_parallel_for(const cn_world *world, int32_t item_count, int32_t min_range, cni_range_fn *fn, void *context)
 {
 	cni_team_for(world->team, item_count, min_range, fn, context);
 }
 /*
- * The island of an awake body by its dense index, by its number in this step, below step_island_count; CNI_NONE: alone, or no
- * dynamic body. Where few of many islands are awake these are numbered anew, so that the others cost a step nothing.
+ * Island number in this step of an awake body, from its dense index: below step_island_count, or CNI_NONE (no island, or not
+ * dynamic). If few of many islands are awake, they are renumbered, so that the others cost a step nothing.
  */
 static inline int32_t cni_awake_island_number(const cn_world *world, int32_t index)
 {
@@ -243,7 +249,7 @@ static inline int32_t cni_island_of_number(const cn_world *world, int32_t number
 {
 	return number == CNI_NONE || world->step_islands == NULL ? number : world->step_islands[number];
 }
-/* ... by its record. */
+/* ... its island record. */
 static inline int32_t cni_awake_island(const cn_world *world, int32_t index)
 {
 	return cni_island_of_number(world, cni_awake_island_number(world, index));

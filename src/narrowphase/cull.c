@@ -59,7 +59,7 @@ static void four_make(const cni_body *b, float dt, cni_cull_body *out)
 {
 	const cni_mask awake = { b[0].awake, b[1].awake, b[2].awake, b[3].awake };
 	const cni_wide extent = { b[0].extent, b[1].extent, b[2].extent, b[3].extent };
-	const cni_mask swings = { b[0].swing, b[1].swing, b[2].swing, b[3].swing };
+	const cni_mask swings = { b[0].turn_reach, b[1].turn_reach, b[2].turn_reach, b[3].turn_reach };
 	const cni_wide swing = extent * (__builtin_convertvector(swings, cni_wide) * cni_wide_of(CNI_TURN_REACH_UNIT));
 	cni_wide at[4], ahead[4], low, high, x, y, turn, radius;
 	int32_t l;

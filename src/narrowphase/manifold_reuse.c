@@ -187,12 +187,12 @@ static uint32_t block_follow(const follow_loop *loop, int32_t block)
 	uint32_t anchored = loop->pass.dt == 0.0f ? 0 : info->anchored;
 	cni_reuse_bodies bodies;
 	if (anchored != 0 && loop->pass.poses != NULL && info->color < CNI_COLOR_STATIC)
-		return loop->kernel->follow(&loop->pass, cni_block_at(world, block), cni_block_anchor_at(world, block), NULL, anchored);
+		return loop->kernel->reuse(&loop->pass, cni_block_at(world, block), cni_block_anchor_at(world, block), NULL, anchored);
 	if (anchored != 0)
 		anchored = bodies_find(world, cni_block_at(world, block), cni_block_anchor_at(world, block), anchored, &bodies);
 	if (anchored == 0)
 		return 0;
-	return loop->kernel->follow(&loop->pass, cni_block_at(world, block), cni_block_anchor_at(world, block), &bodies, anchored);
+	return loop->kernel->reuse(&loop->pass, cni_block_at(world, block), cni_block_anchor_at(world, block), &bodies, anchored);
 }
 
 /* Blocks share bodies, of which only CNI_BODY_AT_STATIC is written. */

@@ -1,23 +1,24 @@
 /*
- * step/angular_momentum.c - what nothing holds keeps its angular momentum.
+ * step/angular_momentum.c - angular momentum correction of isolated groups of bodies.
  *
- * Impulses act at arms of the step's beginning while bodies move on, and the velocity that moves a body differs from the one
- * that it keeps by what pushes overlaps apart. Both change the angular momentum of bodies that hang together a little in
- * each step, and a cluster in free space turns slower or faster. So at the end of the substeps what touches or is joined, and
- * has nothing acting on it but one uniform acceleration, is turned as a whole by what has been lost: with
- * L = sum m r x u + I w, r and u relative to the centre of mass, and I' the inertia of all around it,
+ * Impulses use the lever arms of the step's beginning while bodies move on, and the velocity that moves a body contains the push
+ * against overlaps, which the kept velocity does not. Both change the angular momentum of connected bodies a little in each
+ * step, and a cluster in free space turns slower or faster. So at the end of the substeps, each group of bodies connected by
+ * contacts or joints, under nothing but one uniform acceleration, gets a rigid rotation that restores the loss. r and u are
+ * relative to the centre of mass, and I' is the inertia of all bodies about it:
+ *   L = sum m r x u + I w
  *   dL = sum m (r x du + dr x u') + I dw     w' -= dL / I'     v' -= dL / I' x r'
- * A rigid turn changes no relative velocity of touching points. Sums are of differences, so that rounding is one of changes.
+ * A rigid rotation changes no relative velocity of touching points. Sums are over differences, so only the changes are rounded.
  *
- * Islands keep bodies that have come apart until they sleep: their connected parts are found anew, and what flies alone
- * is left alone. Not for islands that touch or hang on what does not move, with gears and pulleys (which turn against
- * the world), nor for parts with locked axes, damping, or forces of the user's, nor for what soft joints alone hold: at
- * 100 rad/s they tear sooner when their spin is kept.
+ * Islands keep bodies that have separated until they sleep: connected groups are found anew each step, and single bodies are
+ * skipped. The correction also skips islands that touch or are jointed to immovable bodies, islands with gears and pulleys
+ * (which react on the world), groups with locked axes, damping or user forces, and bodies held by soft joints alone: at 100
+ * rad/s these tear sooner with their angular momentum kept.
  *
- * Parts are found from lanes and joints over dense indices: of two roots the lower one becomes the root of both
- * (union-find, Galler and Fisher, 1964), so a part's root is its first body whatever comes first.
+ * Groups are found from lanes and joints over dense indices: of two roots the lower becomes the root of both (union-find, Galler
+ * and Fisher, 1964), so a group's root is its first body in any order of contacts.
  *
- * Reads bodies (pose and velocity as the step began), islands, drives, joints, lanes; writes motion.
+ * Reads bodies (pose and velocity of the step's beginning), islands, external accelerations, joints, lanes; writes motion.
  */
 #include "step/stages.h"
 #include "joints/joint_constraint.h"
@@ -26,35 +27,35 @@
 
 #define RECORDS_AHEAD 8 /* bodies whose records are asked for */
 
-/* Bodies that hang together, by dense index, ascending. */
-typedef struct part {
+/* Connected bodies, by ascending dense index. */
+typedef struct body_group {
 	const int32_t *bodies;
 	int32_t count;
-} part;
+} body_group;
 
-/* All of them: by dense index, and then the bodies part by part. */
-typedef struct parts {
+/* All groups: arrays by dense index, and the bodies sorted by group. */
+typedef struct body_groups {
 	cn_world *world;
 	uint8_t *held;    /* by island */
-	int32_t *root;    /* an earlier body of the part, or itself; 0: it is held, or in no island */
-	int32_t *end;     /* of a root: where its part ends in bodies */
+	int32_t *root;    /* an earlier body of the group, or itself; 0: held, or in no island */
+	int32_t *end;     /* of a root: end of its group in bodies */
 	int32_t *bodies;
-} parts;
+} body_groups;
 
-/* What it takes to turn them. */
-typedef struct turning {
+/* Sums over a group and its correction. */
+typedef struct correction {
 	float mass;
-	cni_vec2 center, moved, speed, change; /* centre of mass as the step began, its way; its velocity then, and the change of that */
+	cni_vec2 center, moved, speed, change; /* of the centre of mass: position, displacement; velocity, its change */
 	float lost;    /* dL */
 	float inertia; /* I' */
-} turning;
+} correction;
 
 static cni_vec2 center_of(const cni_body *b, const cni_body *first)
 {
 	return cni_v((b->cx - first->cx) + (b->cx_low - first->cx_low), (b->cy - first->cy) + (b->cy_low - first->cy_low));
 }
 
-/* Joints, or contacts between two bodies that move? */
+/* Are there joints, or contacts between two movable bodies? */
 static int32_t has_pairs(const cn_world *world)
 {
 	int32_t color, pairs = world->awake_joints.count + world->colors[CNI_COLOR_OVERFLOW].lanes;
@@ -63,14 +64,14 @@ static int32_t has_pairs(const cn_world *world)
 	return pairs > 0;
 }
 
-static void hold(const parts *p, int32_t index)
+static void island_hold(const body_groups *p, int32_t index)
 {
 	int32_t island = cni_awake_island_number(p->world, index);
 	if (island != CNI_NONE)
 		p->held[island] = 1;
 }
 
-static void held_by_contacts(const parts *p)
+static void held_by_contacts(const body_groups *p)
 {
 	const cn_world *world = p->world;
 	const cni_motion *motions = cni_motions(world);
@@ -80,17 +81,17 @@ static void held_by_contacts(const parts *p)
 			const cni_contact_block *k = cni_block_at(world, block);
 			for (l = 0; l < CNI_LANES; ++l)
 				if (k->ia[l] != 0 && motions[k->ib[l]].inv_mass == 0.0f)
-					hold(p, k->ia[l]);
+					island_hold(p, k->ia[l]);
 		}
 }
 
-/* The record is far away, and asked for only if the work cannot tell. */
+/* The record costs a cache miss: it is read only if the flags do not decide. */
 static int32_t turns_against_world(const cni_joint_constraint *w)
 {
 	return !(w->flags & CNI_CONSTRAINT_WIDE) && (w->record->type == CN_JOINT_GEAR || w->record->type == CN_JOINT_PULLEY);
 }
 
-static void held_by_joints(const parts *p)
+static void held_by_joints(const body_groups *p)
 {
 	const cni_motion *motions = cni_motions(p->world);
 	int32_t k;
@@ -98,28 +99,28 @@ static void held_by_joints(const parts *p)
 		const cni_joint_constraint *w = cni_joint_constraints(p->world) + k;
 		if (motions[w->ia].inv_mass > 0.0f && motions[w->ib].inv_mass > 0.0f && !turns_against_world(w))
 			continue;
-		hold(p, w->ia);
-		hold(p, w->ib);
+		island_hold(p, w->ia);
+		island_hold(p, w->ib);
 	}
 }
 
-/* ---- parts ---- */
+/* ---- groups of connected bodies ---- */
 
-/* Those that are not held are their own roots. 0: none of them touches anything, or swings. */
-static int32_t roots_begin(const parts *p)
+/* Makes bodies of islands that are not held their own roots. 0: none of them has contacts or took its whole step with its joints. */
+static int32_t roots_begin(const body_groups *p)
 {
-	const cni_external *drives = cni_externals(p->world);
+	const cni_external *externals = cni_externals(p->world);
 	int32_t k, count = 0;
 	p->root[0] = 0;
 	for (k = 1; k < p->world->awake_count; ++k) {
 		int32_t island = cni_awake_island_number(p->world, k);
 		p->root[k] = island != CNI_NONE && !p->held[island] ? k : 0;
-		count += p->root[k] != 0 && (drives[k].flags & (CNI_EXTERNAL_TOUCHED | CNI_EXTERNAL_FINISHED));
+		count += p->root[k] != 0 && (externals[k].flags & (CNI_EXTERNAL_TOUCHED | CNI_EXTERNAL_FINISHED));
 	}
 	return count;
 }
 
-/* The way to it becomes half as long. */
+/* Finds the root and halves the path to it. */
 static int32_t root_of(int32_t *root, int32_t k)
 {
 	while (root[k] != k) {
@@ -135,7 +136,7 @@ static void roots_join(int32_t *root, int32_t a, int32_t b)
 	root[ra] = root[rb] = low;
 }
 
-static void lanes_join(const parts *p, const cni_contact_block *k)
+static void lanes_join(const body_groups *p, const cni_contact_block *k)
 {
 	int32_t l;
 	for (l = 0; l < CNI_LANES; ++l)
@@ -143,8 +144,8 @@ static void lanes_join(const parts *p, const cni_contact_block *k)
 			roots_join(p->root, k->ia[l], k->ib[l]);
 }
 
-/* In the order of memory, where that is no detour: blocks of the free list have no lanes. */
-static void roots_of_contacts(const parts *p)
+/* Blocks in memory order unless few are in use: blocks of the free list have no lanes. */
+static void roots_of_contacts(const body_groups *p)
 {
 	const cn_world *world = p->world;
 	int32_t block, color, all = !cni_blocks_are_few(world);
@@ -156,8 +157,8 @@ static void roots_of_contacts(const parts *p)
 			lanes_join(p, cni_block_at(world, block));
 }
 
-/* What touches, and what joints hold together. A lane's bodies are in one island, or one of them is in none. */
-static void roots_find(const parts *p)
+/* Joins bodies that touch or are jointed. A lane's bodies are in one island, or one of them is in none. */
+static void roots_find(const body_groups *p)
 {
 	const cn_world *world = p->world;
 	int32_t k;
@@ -169,8 +170,8 @@ static void roots_find(const parts *p)
 	}
 }
 
-/* From roots to parts. A body's root is lower, and so has its own already. */
-static void bodies_find(const parts *p)
+/* Sorts bodies by root. A body's root is lower, so its own root is final. */
+static void bodies_find(const body_groups *p)
 {
 	int32_t k, count = p->world->awake_count, begin = 0;
 	memset(p->end, 0, sizeof(int32_t) * (size_t)count);
@@ -188,14 +189,14 @@ static void bodies_find(const parts *p)
 			p->bodies[p->end[p->root[k]]++] = k;
 }
 
-/* Nothing but an acceleration that all have in common, and each other: some touch, or swing. */
-static int32_t is_alone(const cn_world *world, const part *p)
+/* Do only contacts and joints within the group and one common acceleration act on it, with at least one contact or finished body? */
+static int32_t is_isolated(const cn_world *world, const body_group *p)
 {
-	const cni_external *drives = cni_externals(world), *of_first = &drives[p->bodies[0]];
+	const cni_external *externals = cni_externals(world), *of_first = &externals[p->bodies[0]];
 	uint32_t flags = 0;
 	int32_t k;
 	for (k = 0; k < p->count; ++k) {
-		const cni_external *d = &drives[p->bodies[k]];
+		const cni_external *d = &externals[p->bodies[k]];
 		if (d->ax != of_first->ax || d->ay != of_first->ay || d->alpha != 0.0f || cni_motions(world)[p->bodies[k]].inv_inertia == 0.0f)
 			return 0;
 		flags |= d->flags;
@@ -214,7 +215,7 @@ static void record_prefetch(const cn_world *world, int32_t index)
 	CNI_PREFETCH(&body_at(world, index)->w);
 }
 
-static void means_find(const cn_world *world, const part *p, turning *t)
+static void means_find(const cn_world *world, const body_group *p, correction *t)
 {
 	const cni_body *first = body_at(world, p->bodies[0]);
 	int32_t k;
@@ -236,13 +237,13 @@ static void means_find(const cn_world *world, const part *p, turning *t)
 	t->change = cni_mul(1.0f / t->mass, t->change);
 }
 
-/* Where a body is relative to the centre of mass, then and since; dr is the difference. */
-static cni_vec2 arm_change(const turning *t, const cni_motion *m)
+/* Change of a body's position relative to the centre of mass. */
+static cni_vec2 arm_change(const correction *t, const cni_motion *m)
 {
 	return cni_sub(cni_v(m->dpx, m->dpy), t->moved);
 }
 
-static void lost_find(const cn_world *world, const part *p, turning *t)
+static void lost_find(const cn_world *world, const body_group *p, correction *t)
 {
 	const cni_body *first = body_at(world, p->bodies[0]);
 	int32_t k;
@@ -258,7 +259,7 @@ static void lost_find(const cn_world *world, const part *p, turning *t)
 	}
 }
 
-static void turn(const cn_world *world, const part *p, const turning *t)
+static void correction_apply(const cn_world *world, const body_group *p, const correction *t)
 {
 	const cni_body *first = body_at(world, p->bodies[0]);
 	float w = -t->lost / t->inertia;
@@ -273,33 +274,33 @@ static void turn(const cn_world *world, const part *p, const turning *t)
 	}
 }
 
-static void part_hold(const cn_world *world, const part *p)
+static void group_restore(const cn_world *world, const body_group *p)
 {
-	turning t;
-	if (p->count < 2 || !is_alone(world, p))
+	correction t;
+	if (p->count < 2 || !is_isolated(world, p))
 		return;
 	memset(&t, 0, sizeof t);
 	means_find(world, p, &t);
 	lost_find(world, p, &t);
-	turn(world, p, &t);
+	correction_apply(world, p, &t);
 }
 
-/* Parts lie in the order of their roots. */
-static void parts_hold(const parts *p)
+/* Groups are in the order of their roots. */
+static void groups_restore(const body_groups *p)
 {
 	int32_t k, begin = 0;
 	for (k = 1; k < p->world->awake_count; ++k) {
-		part one;
+		body_group one;
 		if (p->root[k] != k)
 			continue;
 		one.bodies = p->bodies + begin;
 		one.count = p->end[k] - begin;
 		begin = p->end[k];
-		part_hold(p->world, &one);
+		group_restore(p->world, &one);
 	}
 }
 
-static void look_at_all(const parts *p)
+static void momentum_restore(const body_groups *p)
 {
 	memset(p->held, 0, (size_t)p->world->step_island_count);
 	held_by_contacts(p);
@@ -308,22 +309,22 @@ static void look_at_all(const parts *p)
 		return;
 	roots_find(p);
 	bodies_find(p);
-	parts_hold(p);
+	groups_restore(p);
 }
 
 void cni_angular_momentum_restore(cn_world *world)
 {
 	uint64_t count = (uint64_t)world->awake_count;
-	parts p = { world, NULL, NULL, NULL, NULL };
+	body_groups p = { world, NULL, NULL, NULL, NULL };
 	if (world->step_island_count == 0 || !has_pairs(world))
 		return;
 	p.held = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)world->step_island_count);
 	if (p.held != NULL)
 		p.root = (int32_t *)cni_arena_push(&world->arena, 3 * sizeof(int32_t) * count);
-	if (p.root != NULL) { /* else there is no memory to look: the step goes on as it is */
+	if (p.root != NULL) { /* else no memory: the step continues without the correction */
 		p.end = p.root + count;
 		p.bodies = p.end + count;
-		look_at_all(&p);
+		momentum_restore(&p);
 	}
 	(void)cni_arena_pop(&world->arena, p.root);
 	(void)cni_arena_pop(&world->arena, p.held);

@@ -1,20 +1,20 @@
 /*
- * step/early_rest.c - islands in which nothing happens take one substep instead of all.
+ * step/early_rest.c - islands at rest take one substep instead of all.
  *
- * A body that stands has after a substep the velocity that it had before the step: what gravity gave it the contacts took.
- * The next substeps would be the same again. So after the first one, islands of which every body is so, and hardly moves,
- * are done with: integration leaves their bodies alone, and blocks that hold only their lanes are jumped off the list of
- * the passes. Where such a lane shares a block with one that goes on it is solved with it, which finds nothing to do.
+ * A body at rest has the same velocity after a substep as before the step: contacts cancel what gravity adds. Further substeps
+ * would repeat the first. So after it, an island in which every body is in this state and hardly moves is finished for this
+ * step: integration skips its bodies, and blocks that hold only its lanes are removed from the block list. A lane of such an
+ * island in a block with active lanes is still solved, without effect.
  *
- * For such an island time passes more slowly, and that is all: its substeps are those of any other, and its loads follow as
- * much more slowly, so it is as stable. (To let bodies glide through what is left of the step is not: a pyramid of base 100 begins to sway.) What creeps at
- * less than REST_SPEED creeps slower still; what is about to move gathers speed until it is above, and then moves as
- * it should.
+ * Time slows down for such an island, and nothing else changes: its substeps are the usual ones, and its loads follow as much
+ * more slowly, so it is as stable. (Bodies that would glide through the rest of the step are not: a pyramid of base 100 begins
+ * to sway.) A creep below REST_SPEED slows down further; a body about to move gains speed until it is above REST_SPEED, and then
+ * moves normally.
  *
- * It is not done where joints hold an island, nor for kinematic bodies that move.
+ * The pass skips islands with joints, and moving kinematic bodies.
  *
- * Reads motion, bodies (velocity as the step began), drives, islands; writes drives' flag SWUNG, the block list, and
- * which directly solved systems are done.
+ * Reads motion, bodies (velocity at the step's beginning), external accelerations, islands; writes the flag
+ * CNI_EXTERNAL_FINISHED, the block list, and the done flags of directly solved systems.
  */
 #include "step/stages.h"
 #include "model/solve.h"
@@ -31,16 +31,16 @@
 
 typedef struct rest {
 	cn_world *world;
-	cni_team *team;     /* NULL: one worker looks, and no farther than it has to */
+	cni_team *team;     /* NULL: one worker, which stops at the first moving body of an island */
 	uint8_t *moving;    /* by island */
 	int32_t *slow;      /* dense indices */
 	int32_t slow_count;
 	float h;
-	float speed_sq, way_sq, little_sq; /* most that a body which rests has, and moves in a substep; what may be left, whatever was given */
-	float little, solved;
-	int32_t carried;    /* 1 and more: bodies have the flag LATER */
-	int32_t done;       /* bodies that are */
-	int32_t going;      /* 1: some body goes on */
+	float speed_sq, move_sq, residual_sq; /* limits at rest: speed, movement in a substep, residual velocity */
+	float residual, solved;
+	int32_t carried;    /* > 0: bodies have the flag DEFERRED */
+	int32_t done;       /* finished bodies */
+	int32_t active;     /* 1: some body is still active */
 } rest;
 
 static int32_t is_within(float x, float y, float turn, float most_sq)
@@ -48,7 +48,7 @@ static int32_t is_within(float x, float y, float turn, float most_sq)
 	return x * x + y * y <= most_sq && turn * turn <= most_sq;
 }
 
-/* Only what touches something is solved by passes; neither jointed nor carried bodies may rest. */
+/* Only bodies with contacts are solved by passes; neither jointed nor carried bodies may rest. */
 static int32_t may_rest(const rest *r, int32_t k)
 {
 	uint32_t flags = cni_externals(r->world)[k].flags;
@@ -60,7 +60,7 @@ static int32_t stands_still(const cni_motion *m)
 	return m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f;
 }
 
-/* Slow now, and not jumped: what can be told without the body's record. */
+/* Slow and without an impact, as far as dense arrays show. */
 static int32_t body_is_slow(const rest *r, const cni_motion *m, int32_t k)
 {
 	if (!may_rest(r, k))
@@ -70,16 +70,16 @@ static int32_t body_is_slow(const rest *r, const cni_motion *m, int32_t k)
 	return is_within(m->vx, m->vy, 0.0f, r->speed_sq) && cni_starts(r->world)[k].jumped == 0.0f;
 }
 
-/* What a body that is held may keep of the speed that a substep gives it. */
+/* Limit of the velocity that a held body may keep of a substep's forces. */
 static float most_left(const rest *r, int32_t k, float extent)
 {
 	const cni_external *d = cni_externals(r->world) + k;
 	int32_t island = cni_awake_island(r->world, k), solved = island != CNI_NONE && cni_island_at(r->world, island)->tier == CNI_TIER_DIRECT;
 	float given = r->h * (cni_sqrt(d->ax * d->ax + d->ay * d->ay) + cni_abs(d->alpha) * extent);
-	return HELD_PART * given + (solved ? r->solved : r->little);
+	return HELD_PART * given + (solved ? r->solved : r->residual);
 }
 
-/* Of a slow one: not pushed out of an overlap, and held: what forces gave it in the substep is gone. */
+/* Does a slow body rest: not pushed out of an overlap, and held, so that contacts cancel a substep's forces? */
 static int32_t body_rests(const rest *r, int32_t k)
 {
 	const cni_motion *m = cni_motions(r->world) + k;
@@ -89,18 +89,18 @@ static int32_t body_rests(const rest *r, int32_t k)
 	if (m->inv_mass == 0.0f || (d->flags & CNI_EXTERNAL_DEFERRED))
 		return !(d->flags & CNI_EXTERNAL_DEFERRED);
 	b = cni_body_at(r->world, cni_awake_ids(r->world)[k]);
-	if (!is_within(0.0f, 0.0f, m->w * b->extent, r->speed_sq) || !is_within(m->dpx, m->dpy, m->theta * b->extent, r->way_sq))
+	if (!is_within(0.0f, 0.0f, m->w * b->extent, r->speed_sq) || !is_within(m->dpx, m->dpy, m->theta * b->extent, r->move_sq))
 		return 0;
 	vx = m->vx - b->vx;
 	vy = m->vy - b->vy;
 	turn = (m->w - b->w) * b->extent;
-	if (is_within(vx, vy, turn, r->little_sq))
+	if (is_within(vx, vy, turn, r->residual_sq))
 		return 1;
 	most = most_left(r, k, b->extent);
 	return is_within(vx, vy, turn, most * most);
 }
 
-/* A moving kinematic body carries along what touches it, however slowly. */
+/* Marks the bodies that touch a moving kinematic body: it carries them, however slowly. */
 static int32_t carried_mark(const rest *r, int32_t index)
 {
 	int32_t body = cni_awake_ids(r->world)[index], key, count = 0;
@@ -117,7 +117,7 @@ static int32_t is_moving(const rest *r, int32_t island)
 	return island != CNI_NONE && r->moving[island];
 }
 
-/* Which islands surely move, and which bodies are slow, but for those of islands that were found to move: from dense arrays alone. */
+/* Finds islands that certainly move, and slow bodies of the others, from dense arrays alone. */
 static void slow_find(rest *r)
 {
 	const cni_motion *motions = cni_motions(r->world);
@@ -144,7 +144,7 @@ static void record_prefetch(const rest *r, int32_t k)
 	CNI_PREFETCH(&b->w);
 }
 
-/* Slow bodies that do not rest become negative: a look that workers share goes at all of them, before any island is told. */
+/* Negates the index of slow bodies that do not rest. Shared by workers, so it checks all of them before islands are marked. */
 static void rests_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const rest *r = (const rest *)context;
@@ -158,7 +158,7 @@ static void rests_range(void *context, int32_t begin, int32_t end, int32_t worke
 	}
 }
 
-/* One worker stops at the first of an island that does not rest. */
+/* A single worker stops at an island's first body that does not rest. */
 static int32_t slow_rests(const rest *r, int32_t n)
 {
 	if (r->team != NULL)
@@ -168,10 +168,10 @@ static int32_t slow_rests(const rest *r, int32_t n)
 	return body_rests(r, r->slow[n]);
 }
 
-/* The slow ones of islands that may be at rest closely. Returns how many rest. Those without an island are done. */
+/* Checks the slow bodies of islands that may rest, and returns how many rest. Bodies without an island are finished here. */
 static int32_t moving_find(rest *r)
 {
-	cni_external *drives = cni_externals(r->world);
+	cni_external *externals = cni_externals(r->world);
 	int32_t n, count = 0;
 	if (r->team != NULL)
 		cni_team_for(r->team, r->slow_count, BODIES_A_RANGE, rests_range, r);
@@ -183,7 +183,7 @@ static int32_t moving_find(rest *r)
 			++count;
 			if (island != CNI_NONE)
 				continue;
-			drives[k].flags |= CNI_EXTERNAL_FINISHED;
+			externals[k].flags |= CNI_EXTERNAL_FINISHED;
 			++r->done;
 		} else if (island != CNI_NONE) {
 			r->moving[island] = 1;
@@ -192,21 +192,21 @@ static int32_t moving_find(rest *r)
 	return count;
 }
 
-/* After moving_find: those of islands in which nothing moves. */
+/* After moving_find: finishes the bodies of islands in which nothing moves. */
 static void islands_done(rest *r)
 {
-	cni_external *drives = cni_externals(r->world);
+	cni_external *externals = cni_externals(r->world);
 	int32_t k;
 	for (k = 1; k < r->world->awake_count; ++k) {
 		int32_t island;
-		if (drives[k].flags & (CNI_EXTERNAL_FREE | CNI_EXTERNAL_FINISHED))
+		if (externals[k].flags & (CNI_EXTERNAL_FREE | CNI_EXTERNAL_FINISHED))
 			continue;
 		island = may_rest(r, k) ? cni_awake_island_number(r->world, k) : CNI_NONE;
 		if (island == CNI_NONE || r->moving[island]) {
-			r->going = 1;
+			r->active = 1;
 			continue;
 		}
-		drives[k].flags |= CNI_EXTERNAL_FINISHED;
+		externals[k].flags |= CNI_EXTERNAL_FINISHED;
 		++r->done;
 	}
 }
@@ -218,32 +218,32 @@ static void carried_clear(const rest *r)
 		cni_externals(r->world)[k].flags &= ~(uint32_t)CNI_EXTERNAL_DEFERRED;
 }
 
-static int32_t goes_on(const cni_external *drives, int32_t k)
+static int32_t is_active(const cni_external *externals, int32_t k)
 {
-	return k != 0 && !(drives[k].flags & CNI_EXTERNAL_FINISHED);
+	return k != 0 && !(externals[k].flags & CNI_EXTERNAL_FINISHED);
 }
 
-static int32_t block_goes_on(const cni_external *drives, const cni_listed_block *b)
+static int32_t block_is_active(const cni_external *externals, const cni_listed_block *b)
 {
 	int32_t l;
 	for (l = 0; l < b->lanes; ++l)
-		if (goes_on(drives, b->rows->ia[l]) || goes_on(drives, b->rows->ib[l]))
+		if (is_active(externals, b->rows->ia[l]) || is_active(externals, b->rows->ib[l]))
 			return 1;
 	return 0;
 }
 
-static void block_prefetch(const cni_listed_block *b, int32_t going)
+static void block_prefetch(const cni_listed_block *b, int32_t active)
 {
 	CNI_PREFETCH(&b->info->flags);
-	if (!going)
+	if (!active)
 		return;
 	CNI_PREFETCH(b->rows->ia);
 	CNI_PREFETCH(b->rows->ib);
 }
 
-static void blocks_strike(cn_world *world, int32_t going)
+static void blocks_unlist(cn_world *world, int32_t active)
 {
-	const cni_external *drives = cni_externals(world);
+	const cni_external *externals = cni_externals(world);
 	cni_listed_block *list = (cni_listed_block *)world->block_list.data;
 	int32_t color, k;
 	for (color = 0; color < CNI_COLORS; ++color) {
@@ -251,8 +251,8 @@ static void blocks_strike(cn_world *world, int32_t going)
 		int32_t kept = 0;
 		for (k = 0; k < c->listed_count; ++k) {
 			if (k + BLOCKS_AHEAD < c->listed_count)
-				block_prefetch(&list[c->listed + k + BLOCKS_AHEAD], going);
-			if (going && block_goes_on(drives, &list[c->listed + k]))
+				block_prefetch(&list[c->listed + k + BLOCKS_AHEAD], active);
+			if (active && block_is_active(externals, &list[c->listed + k]))
 				list[c->listed + kept++] = list[c->listed + k];
 			else
 				list[c->listed + k].info->flags |= CNI_BLOCK_RESTED;
@@ -261,13 +261,13 @@ static void blocks_strike(cn_world *world, int32_t going)
 	}
 }
 
-/* A system of contacts is an island or a part of one: its first body tells. */
+/* A system of contacts is an island or a part of one: its first body decides. */
 static void systems_done(const cn_world *world, cni_sparse *direct)
 {
 	int32_t k;
 	for (k = 0; direct != NULL && k < direct->component_count; ++k) {
 		cni_component *c = &direct->components[k];
-		if (c->presses && c->joints == 0 && !goes_on(cni_externals(world), direct->bodies[c->body_begin]))
+		if (c->presses && c->joints == 0 && !is_active(cni_externals(world), direct->bodies[c->body_begin]))
 			c->done = 1;
 	}
 }
@@ -277,21 +277,21 @@ static float square(float x)
 	return x * x;
 }
 
-static void look_at_all(rest *r, const cni_solve *s)
+static void rest_run(rest *r, const cni_solve *s)
 {
 	float speed = REST_SPEED * r->world->settings.length_unit;
 	r->h = s->h;
-	r->little = 0.001f * speed;
+	r->residual = 0.001f * speed;
 	r->solved = SOLVED_PART * speed;
 	r->speed_sq = square(speed);
-	r->way_sq = square(s->h * speed);
-	r->little_sq = square(r->little);
+	r->move_sq = square(s->h * speed);
+	r->residual_sq = square(r->residual);
 	memset(r->moving, 0, (size_t)r->world->step_island_count);
 	slow_find(r);
 	if (moving_find(r) > 0)
 		islands_done(r);
 	if (r->done > 0) {
-		blocks_strike(r->world, r->going);
+		blocks_unlist(r->world, r->active);
 		systems_done(r->world, s->direct);
 	}
 	carried_clear(r);
@@ -305,8 +305,8 @@ void cni_rest_find(cn_world *world, const cni_solve *s)
 	r.moving = (uint8_t *)cni_arena_push(&world->arena, (uint64_t)cni_max_i(world->step_island_count, 1));
 	if (r.moving != NULL)
 		r.slow = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
-	if (r.slow != NULL) /* else everything is solved in every substep */
-		look_at_all(&r, s);
+	if (r.slow != NULL) /* else no memory: all substeps solve everything */
+		rest_run(&r, s);
 	(void)cni_arena_pop(&world->arena, r.slow);
 	(void)cni_arena_pop(&world->arena, r.moving);
 }

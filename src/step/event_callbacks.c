@@ -1,6 +1,6 @@
 /*
- * step/event_callbacks.c - stage 9: calls the user's contact callbacks in the order of the event arrays.
- * The world is locked meanwhile. Reads logs and contacts; costs nothing without callbacks.
+ * step/event_callbacks.c - stage 9: calls the user's contact callbacks in the order of the event arrays. The world is locked
+ * meanwhile. Reads logs and contacts. Without callbacks it does nothing.
  */
 #include "step/stages.h"
 #include "model/solve.h"

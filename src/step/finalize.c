@@ -1,15 +1,16 @@
 /*
- * step/finalize.c - stage 8: the step's changes become poses.
+ * step/finalize.c - stage 8: the step's displacements become poses.
  *
- * For each awake body: speed limits, new pose, rest timer, cleared forces, boxes. Reads and writes bodies,
- * motion, drive, proxies (through the broadphase's move).
+ * For each awake body: speed limits, new pose, rest timer, cleared forces, boxes. Reads and writes bodies, motion, external,
+ * proxies (through the broadphase's move).
  *
- * A body rests while it is slow and does not accelerate: at the apex of a throw the last substep's change of
- * velocity is all of what gravity gives, on the ground it is nearly none of it. Slow acceleration, as on a slope that is a little too
- * steep, cannot be told from the noise of one substep, but adds up over the sleep delay: see cni_body_gains.
+ * A body rests while it is slow and does not accelerate: at the apex of a throw the last substep's change of velocity is all of
+ * what gravity gives, on the ground it is almost zero. A slow acceleration, as on a slightly too steep slope, cannot be
+ * separated from the noise of one substep, but it adds up over the sleep delay: see cni_body_gains. A body does not rest either while an overlap or a joint
+ * error is being corrected, which is motion without velocity: see CNI_PUSHED_SPEED.
  *
- * Workers may share all of it but for what the broadphase is told: they give proxies their new boxes, and one tells it in
- * the order of the bodies which those are.
+ * Workers may share all of it except the calls of the broadphase: workers write new boxes into proxies, and one thread reports
+ * them to the broadphase in the order of the bodies.
  */
 #include "step/stages.h"
 #include "base/bitset.h"
@@ -21,7 +22,7 @@
 #define BODIES_A_RANGE 256 /* some ten microseconds: records and shapes are read */
 #define BODIES_NEAR 64     /* whose records are still near after a loop over them; bits of a word */
 
-/* Written so that what is not a number is looked at too. */
+/* The conditions also catch NaN. */
 static void limit_speed(cni_motion *m, const cni_settings *set)
 {
 	float v_sq = m->vx * m->vx + m->vy * m->vy, most = set->linear_speed_max;
@@ -45,13 +46,13 @@ static void sum_exactly(float *high, float *low, float change)
 	*high = sum;
 }
 
-/* Rotation by any angle a body can turn in a step. */
+/* Rotation by any angle that a body can turn in a step. */
 static cni_rot rotate_by(cni_rot q, float theta)
 {
 	return cni_rot_normalize(cni_rot_mul(q, cni_sincos(theta)));
 }
 
-/* A change too small to show in the pose only goes into the low part: the body did not move for anyone to see. */
+/* A change too small for the pose only enters the low part: the body does not count as moved. */
 static void take_pose(cni_body *b, cni_motion *m)
 {
 	cni_vec2 before = cni_body_origin(b), after;
@@ -78,7 +79,7 @@ static int32_t body_accelerates(const cni_body *b, const cni_motion *m, const cn
 	return dx * dx + dy * dy > 0.01f * (ax * ax + ay * ay);
 }
 
-/* Without what damping takes away: that brings a body to rest and never turns it round. */
+/* Sum of speed gains without the effect of damping: damping brings a body to rest and never reverses it. */
 static int32_t body_gains(const cn_world *world, cni_body *b, const cni_motion *m, uint32_t drive_flags, float dt)
 {
 	float damped = drive_flags & CNI_EXTERNAL_DAMPED ? dt : 0.0f, linear = damped * b->linear_damping, angular = damped * b->angular_damping;
@@ -86,14 +87,20 @@ static int32_t body_gains(const cn_world *world, cni_body *b, const cni_motion *
 	return cni_body_gains(b, m, m->vx - b->vx + linear * m->vx, m->vy - b->vy + linear * m->vy, m->w - b->w + angular * m->w, &limits);
 }
 
-/* Its velocity and rest timer, and clears the forces. Returns 1 when the body has rested for long enough. */
-static uint32_t body_rest(cn_world *world, cni_body *b, int32_t k, const cni_solve *s)
+/* Does the step move the body by more than its velocity? */
+static int32_t body_is_pushed(const cn_world *world, const cni_body *b, const cni_motion *m, float dt)
+{
+	return cni_is_pushed(m->dpx - dt * m->vx, m->dpy - dt * m->vy, (m->theta - dt * m->w) * b->extent, cni_pushed_most(world, dt));
+}
+
+/* Stores velocity and rest timer, and clears the forces. Returns 1 when the body has rested long enough. */
+static uint32_t body_rest(cn_world *world, cni_body *b, int32_t k, const cni_solve *s, int32_t pushed)
 {
 	const cni_motion *m = cni_motions(world) + k;
 	cni_external *d = cni_externals(world) + k;
 	float slow = b->sleep_speed > 0.0f ? b->sleep_speed : world->settings.sleep_speed;
 	float turn = m->w * b->extent;
-	if (!(m->vx * m->vx + m->vy * m->vy <= slow * slow && turn * turn <= slow * slow && (b->flags & CN_BODY_SLEEP) &&
+	if (pushed || !(m->vx * m->vx + m->vy * m->vy <= slow * slow && turn * turn <= slow * slow && (b->flags & CN_BODY_SLEEP) &&
 	      (b->type != CN_BODY_KINEMATIC || (m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f))))
 		cni_body_restless(b);
 	else if (body_accelerates(b, m, cni_starts(world) + k, d, s->h) || body_gains(world, b, m, d->flags, s->dt))
@@ -122,14 +129,16 @@ static cni_vec2 way_ahead(const cn_world *world, const cni_solve *s, int32_t k)
 	return cni_v(s->dt * m->vx, s->dt * m->vy);
 }
 
-/* Everything of a body but its boxes. Returns 1 when these have no room for the way ahead. */
+/* Updates all of a body except its boxes. Returns 1 if these have no room for the way ahead. */
 static uint32_t body_take(cn_world *world, const cni_solve *s, int32_t k, uint32_t *rested)
 {
 	cni_motion *m = cni_motions(world) + k;
 	cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
+	int32_t pushed;
 	limit_speed(m, &world->settings);
+	pushed = body_is_pushed(world, b, m, s->dt);
 	take_pose(b, m);
-	*rested |= body_rest(world, b, k, s);
+	*rested |= body_rest(world, b, k, s, pushed);
 	return !cni_body_has_room(b, way_ahead(world, s, k));
 }
 
@@ -140,17 +149,17 @@ static int32_t bit_take(uint64_t *bits)
 	return bit;
 }
 
-/* Everything of BODIES_NEAR bodies or less but their boxes. Bit k: those of body begin + k have no room for its way ahead. */
+/* The same for at most BODIES_NEAR bodies. Bit k: the boxes of body begin + k have no room for its way ahead. */
 static uint64_t bodies_take(cn_world *world, const cni_solve *s, int32_t begin, int32_t end, uint32_t *rested)
 {
-	cni_poses_taken taken = { ~(uint64_t)0 >> (BODIES_NEAR - (end - begin)), 0, 0, 0 };
+	cni_poses_taken taken = { ~(uint64_t)0 >> (BODIES_NEAR - (end - begin)), 0, 0, 0, 0 };
 	int32_t k;
 	if (s->body_kernel != NULL)
 		taken = s->body_kernel->poses(world, s, begin, end);
 	*rested |= taken.rested;
 	while (taken.rest != 0) {
 		k = begin + bit_take(&taken.rest);
-		*rested |= body_rest(world, cni_body_at(world, cni_awake_ids(world)[k]), k, s);
+		*rested |= body_rest(world, cni_body_at(world, cni_awake_ids(world)[k]), k, s, (int32_t)(taken.pushed >> (k - begin) & 1u));
 	}
 	while (taken.left != 0) {
 		k = begin + bit_take(&taken.left);
@@ -164,7 +173,7 @@ enum { MOVED_NONE = -1, MOVED_SEVERAL = -2 };
 typedef struct pose_loop {
 	cn_world *world;
 	const cni_solve *s;
-	int32_t *moved; /* of each body: the proxy that has a new box, MOVED_NONE or MOVED_SEVERAL. NULL: one worker, who tells at once */
+	int32_t *moved; /* of each body: the proxy with a new box, MOVED_NONE or MOVED_SEVERAL. NULL: one worker, which moves boxes at once */
 	uint32_t rested;
 } pose_loop;
 
@@ -174,7 +183,7 @@ static void boxes_look_ahead(cn_world *world, const cni_solve *s, cni_body *b, i
 		b->flags |= CNI_BODY_AHEAD;
 }
 
-/* Gives a body's box its new bounds; where there are several, one looks again. */
+/* Writes a body's new box. Bodies with several new boxes are left to boxes_tell. */
 static int32_t body_boxes_set(cn_world *world, const cni_solve *s, cni_body *b, int32_t k)
 {
 	cni_box_move move;
@@ -189,7 +198,7 @@ static int32_t body_boxes_set(cn_world *world, const cni_solve *s, cni_body *b, 
 	return move.proxy;
 }
 
-/* Of a body whose boxes have no room ahead, or have: what is to move. Alone, it moves at once. */
+/* Notes for a body which proxy has to move. A single worker moves it at once. */
 static void body_boxes_follow(const pose_loop *loop, int32_t k, int32_t no_room)
 {
 	cni_body *b = cni_body_at(loop->world, cni_awake_ids(loop->world)[k]);
@@ -217,7 +226,7 @@ static void pose_range(void *context, int32_t begin, int32_t end, int32_t worker
 		cni_atomic_add(&loop->rested, 1u);
 }
 
-/* Tells the broadphase of one box at a time, in the order of the bodies. Bodies with several look again. */
+/* Reports new boxes to the broadphase in the order of the bodies. Bodies with several new boxes are processed here. */
 static void boxes_tell(cn_world *world, const cni_solve *s, const int32_t *moved)
 {
 	int32_t k;

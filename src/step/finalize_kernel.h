@@ -1,26 +1,26 @@
 /*
- * step/finalize_kernel.h - the loop of finalize.c over bodies on vectors: part of integrate_kernel.h. As many bodies in a row as a
- * vector has floats, each with the bits of finalize.c's body_take.
+ * step/finalize_kernel.h - finalize.c's loop over bodies with vectors: part of integrate_kernel.h. It takes CNI_WIDTH
+ * consecutive bodies at a time, with the bits of finalize.c's body_take.
  */
 #include <stddef.h>
 #include <string.h>
 
 #define ALL_LANES ((1u << CNI_WIDTH) - 1u)
 
-/* What is at hand of them. */
-typedef struct some {
+/* The loaded state of CNI_WIDTH bodies. */
+typedef struct body_lanes {
 	cni_body *b[CNI_WIDTH];
 	cni_motion *m;
 	cni_wide vx, vy, w, v_sq;
-	cni_wide dx, dy, turn, extent, swing;
-} some;
+	cni_wide dx, dy, turn, extent, turn_reach;
+} body_lanes;
 
-/* 0: one of them is too fast, or turns too far for what follows. */
-CNI_INLINE int32_t some_load(const cn_world *world, int32_t k, some *f)
+/* 0: a body is above the speed limits, or turns beyond the range of the sine here. */
+CNI_INLINE int32_t lanes_load(const cn_world *world, int32_t k, body_lanes *f)
 {
 	const int32_t *ids = cni_awake_ids(world) + k, row[8] = { 0, 1, 2, 3, 4, 5, 6, 7 }, stride = (int32_t)(sizeof(cni_motion) / sizeof(float));
 	const cni_settings *set = &world->settings;
-	float *records[CNI_WIDTH], swing[CNI_WIDTH];
+	float *records[CNI_WIDTH], turn_reach[CNI_WIDTH];
 	cni_wide unused;
 	int32_t l;
 	f->m = cni_motions(world) + k;
@@ -33,9 +33,9 @@ CNI_INLINE int32_t some_load(const cn_world *world, int32_t k, some *f)
 	for (l = 0; l < CNI_WIDTH; ++l) {
 		f->b[l] = cni_body_at(world, ids[l]);
 		records[l] = (float *)(void *)f->b[l];
-		swing[l] = cni_body_turn_reach(f->b[l]);
+		turn_reach[l] = cni_body_turn_reach(f->b[l]);
 	}
-	f->swing = cni_wide_load_loose(swing);
+	f->turn_reach = cni_wide_load_loose(turn_reach);
 	f->extent = cni_wide_gather_from((const float *const *)records, offsetof(cni_body, extent) / sizeof(float));
 	return 1;
 }
@@ -47,8 +47,8 @@ CNI_INLINE void sum_exactly_wide(cni_wide *high, cni_wide *low, cni_wide change)
 	*high = sum;
 }
 
-/* take_pose but for the room. Returns what the change takes of it. */
-CNI_INLINE cni_wide some_poses(const some *f, cni_mask *moved)
+/* take_pose without the room. Returns what the movement takes from each body's room. */
+CNI_INLINE cni_wide lanes_poses(const body_lanes *f, cni_mask *moved)
 {
 	const int32_t at_center = (int32_t)(offsetof(cni_body, cx) / sizeof(float)), at_rotation = (int32_t)(offsetof(cni_body, q) / sizeof(float));
 	float *records[CNI_WIDTH];
@@ -76,12 +76,12 @@ CNI_INLINE cni_wide some_poses(const some *f, cni_mask *moved)
 	cni_wide_scatter2_to(records, at_rotation, new_c, new_s);
 	for (l = 0; l < CNI_WIDTH; ++l)
 		f->m[l].dpx = f->m[l].dpy = f->m[l].theta = 0.0f;
-	return cni_wide_max(cni_wide_abs(f->dx), cni_wide_abs(f->dy)) + cni_wide_abs(f->turn) * f->swing +
+	return cni_wide_max(cni_wide_abs(f->dx), cni_wide_abs(f->dy)) + cni_wide_abs(f->turn) * f->turn_reach +
 	       cni_wide_of(CNI_BODY_ROUNDING) * (cni_wide_abs(x) + cni_wide_abs(y) + f->extent);
 }
 
-/* The rest of take_pose: flags, and room less what was taken of it. Returns those without the room for their way ahead, as bits. */
-CNI_INLINE uint32_t some_rooms(const some *f, cni_wide taken, cni_mask moved, float dt)
+/* The rest of take_pose: flags, and the room less the taken part. Returns bits of bodies without enough room for the way ahead. */
+CNI_INLINE uint32_t lanes_rooms(const body_lanes *f, cni_wide taken, cni_mask moved, float dt)
 {
 	cni_wide step = cni_wide_of(dt), ahead = cni_wide_max(cni_wide_abs(step * f->vx), cni_wide_abs(step * f->vy));
 	cni_mask room, flags = moved & ((int32_t)CNI_BODY_MOVED - (cni_mask){ 0 });
@@ -96,8 +96,8 @@ CNI_INLINE uint32_t some_rooms(const some *f, cni_wide taken, cni_mask moved, fl
 	return ~cni_mask_bits((cni_wide)(room << 16) > ahead) & ALL_LANES;
 }
 
-/* body_accelerates of those without damping. */
-CNI_INLINE cni_mask some_accelerate(const cn_world *world, int32_t k, const some *f, float h)
+/* body_accelerates for bodies without damping. */
+CNI_INLINE cni_mask lanes_accelerate(const cn_world *world, int32_t k, const body_lanes *f, float h)
 {
 	const int32_t row[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
 	cni_wide start_x, start_y, ax, ay, dx, dy, flags, w, jumped, alpha, step = cni_wide_of(h), zero = cni_wide_of(0.0f);
@@ -112,16 +112,16 @@ CNI_INLINE cni_mask some_accelerate(const cn_world *world, int32_t k, const some
 	return (is_free & ((ax != zero) | (ay != zero))) | (~is_free & (dx * dx + dy * dy > cni_wide_of(0.01f) * (ax * ax + ay * ay)));
 }
 
-typedef struct rest_look {
-	uint32_t slow, still; /* lanes, as bits; still: they do not accelerate */
+typedef struct rest_state {
+	uint32_t slow, still; /* bits of bodies; still: not accelerating */
 	float dt, delay;
 	cni_gain_limits gain;
-	uint32_t left, rested;
-} rest_look;
+	uint32_t pushed, left, rested;
+} rest_state;
 
-/* Velocity, rest timer and drive of one of them. What has ways of its own to rest is left. Not a loop over lanes: compilers do not
-   unroll it. */
-CNI_INLINE void one_rests(rest_look *r, cni_body *b, const cni_motion *m, cni_external *d, uint32_t lane)
+/* Updates one body's velocity, rest timer and external force. Bodies with special rest rules are left to finalize.c. Called per lane:
+   compilers do not unroll the loop. */
+CNI_INLINE void lane_rest(rest_state *r, cni_body *b, const cni_motion *m, cni_external *d, uint32_t lane)
 {
 	if (!(r->slow & lane) && !(b->sleep_speed > 0.0f)) {
 		cni_body_restless(b);
@@ -137,44 +137,55 @@ CNI_INLINE void one_rests(rest_look *r, cni_body *b, const cni_motion *m, cni_ex
 	d->ax = d->ay = d->alpha = 0.0f;
 }
 
-CNI_INLINE rest_look some_rest(const cn_world *world, const cni_solve *s, int32_t k, const some *f)
+/* cni_is_pushed. */
+CNI_INLINE uint32_t lanes_pushed(const cn_world *world, const body_lanes *f, float dt)
+{
+	float most = cni_pushed_most(world, dt);
+	cni_wide step = cni_wide_of(dt), most_sq = cni_wide_of(most * most), x = f->dx - step * f->vx, y = f->dy - step * f->vy;
+	cni_wide turn = (f->turn - step * f->w) * f->extent;
+	return cni_mask_bits((x * x + y * y > most_sq) | (turn * turn > most_sq));
+}
+
+CNI_INLINE rest_state lanes_rest(const cn_world *world, const cni_solve *s, int32_t k, const body_lanes *f)
 {
 	cni_wide slow_sq = cni_wide_of(world->settings.sleep_speed * world->settings.sleep_speed), turn = f->w * f->extent;
-	rest_look r = { 0, 0, s->dt, world->settings.sleep_delay, cni_gain_limits_make(world, s->dt), 0, 0 };
+	rest_state r = { 0, 0, s->dt, world->settings.sleep_delay, cni_gain_limits_make(world, s->dt), 0, 0, 0 };
 	cni_external *d = cni_externals(world) + k;
-	r.slow = cni_mask_bits((f->v_sq <= slow_sq) & (turn * turn <= slow_sq));
+	r.pushed = lanes_pushed(world, f, s->dt);
+	r.slow = cni_mask_bits((f->v_sq <= slow_sq) & (turn * turn <= slow_sq)) & ~r.pushed;
 	if (r.slow != 0)
-		r.still = cni_mask_bits(~some_accelerate(world, k, f, s->h));
-	one_rests(&r, f->b[0], &f->m[0], &d[0], 1u);
-	one_rests(&r, f->b[1], &f->m[1], &d[1], 2u);
-	one_rests(&r, f->b[2], &f->m[2], &d[2], 4u);
-	one_rests(&r, f->b[3], &f->m[3], &d[3], 8u);
+		r.still = cni_mask_bits(~lanes_accelerate(world, k, f, s->h));
+	lane_rest(&r, f->b[0], &f->m[0], &d[0], 1u);
+	lane_rest(&r, f->b[1], &f->m[1], &d[1], 2u);
+	lane_rest(&r, f->b[2], &f->m[2], &d[2], 4u);
+	lane_rest(&r, f->b[3], &f->m[3], &d[3], 8u);
 #if CNI_WIDTH == 8
-	one_rests(&r, f->b[4], &f->m[4], &d[4], 16u);
-	one_rests(&r, f->b[5], &f->m[5], &d[5], 32u);
-	one_rests(&r, f->b[6], &f->m[6], &d[6], 64u);
-	one_rests(&r, f->b[7], &f->m[7], &d[7], 128u);
+	lane_rest(&r, f->b[4], &f->m[4], &d[4], 16u);
+	lane_rest(&r, f->b[5], &f->m[5], &d[5], 32u);
+	lane_rest(&r, f->b[6], &f->m[6], &d[6], 64u);
+	lane_rest(&r, f->b[7], &f->m[7], &d[7], 128u);
 #endif
 	return r;
 }
 
 static cni_poses_taken kernel_poses(cn_world *world, const cni_solve *s, int32_t begin, int32_t end)
 {
-	cni_poses_taken out = { 0, 0, 0, 0 };
+	cni_poses_taken out = { 0, 0, 0, 0, 0 };
 	int32_t k;
 	for (k = begin; k + CNI_WIDTH <= end; k += CNI_WIDTH) {
 		cni_mask moved;
 		cni_wide taken;
-		rest_look r;
-		some f;
-		if (!some_load(world, k, &f)) {
+		rest_state r;
+		body_lanes f;
+		if (!lanes_load(world, k, &f)) {
 			out.left |= (uint64_t)ALL_LANES << (k - begin);
 			continue;
 		}
-		taken = some_poses(&f, &moved);
-		out.no_room |= (uint64_t)some_rooms(&f, taken, moved, s->dt) << (k - begin);
-		r = some_rest(world, s, k, &f);
+		taken = lanes_poses(&f, &moved);
+		out.no_room |= (uint64_t)lanes_rooms(&f, taken, moved, s->dt) << (k - begin);
+		r = lanes_rest(world, s, k, &f);
 		out.rest |= (uint64_t)r.left << (k - begin);
+		out.pushed |= (uint64_t)r.pushed << (k - begin);
 		out.rested |= r.rested;
 	}
 	for (; k < end; ++k)

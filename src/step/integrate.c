@@ -1,16 +1,16 @@
 /*
- * step/integrate.c - motion between constraints: drives, velocities, positions.
+ * step/integrate.c - motion between constraints: external accelerations, velocities, positions.
  *
- * Reads body records (damping, gravity scale) and the forces in drive, writes drive, start and motion.
+ * Reads body records (damping, gravity scale) and the user's forces in external; writes external, start and motion.
  *
- * Bodies that nothing touches are free: their whole step is taken at once and exactly (x += h v + h^2 a/2).
- * Others integrate by substep as x += h v', which is then corrected to the trapezoid rule
- * x += h (v + v')/2 one substep later, when v' is free of the pushing that the soft solve adds; not after
- * an impact, where the velocity jumps, and not for jointed bodies, whose joints hold at v'.
+ * Bodies without contacts and joints are free: their whole step is integrated at once and exactly (x += h v + h^2 a/2). Others
+ * integrate by substep as x += h v'. One substep later, when v' no longer contains the push of the soft solve, this is corrected
+ * to the trapezoid rule x += h (v + v')/2. There is no correction after an impact, where the velocity jumps, and for jointed
+ * bodies, whose joints hold at v'.
  *
- * start is the velocity right after integration: motion.v - start at the end of a substep is the response
- * to all impulses, so adding it again is the next substep's warm start (exact, because contact anchors
- * are fixed within the step; joints correct for their turning anchors in joint_solve.c).
+ * start is the velocity right after integration. motion.v - start at the end of a substep is the response to all impulses, so
+ * adding it again is the next substep's warm start (exact, because contact anchors are fixed within the step; joints correct for
+ * their turning anchors in joint_solve.c).
  */
 #include "step/stages.h"
 #include "base/cpu.h"
@@ -26,7 +26,7 @@
 /* More islands than this part of the awake bodies: what is kept for each island of a step is kept for those that are awake. */
 #define FEW_ISLANDS_PART 4
 
-/* Has it a joint that is solved? Filters and joints with a disabled body are not. */
+/* Has the body a joint that is solved? Filters and joints to a disabled body are not. */
 static int32_t body_is_jointed(const cn_world *world, const cni_body *b)
 {
 	int32_t key;
@@ -41,7 +41,7 @@ static uint32_t lock_flags(uint32_t body_flags)
 	return (body_flags & CN_BODY_LOCK_X ? (uint32_t)CNI_EXTERNAL_LOCK_X : 0u) | (body_flags & CN_BODY_LOCK_Y ? (uint32_t)CNI_EXTERNAL_LOCK_Y : 0u);
 }
 
-CNI_INLINE uint32_t drive_flags(const cn_world *world, const cni_body *b)
+CNI_INLINE uint32_t external_flags(const cn_world *world, const cni_body *b)
 {
 	uint32_t flags = b->lanes != 0 ? (uint32_t)CNI_EXTERNAL_TOUCHED : 0u;
 	if (b->joint_first != CNI_NONE && body_is_jointed(world, b))
@@ -57,10 +57,10 @@ CNI_INLINE uint32_t drive_flags(const cn_world *world, const cni_body *b)
 	return flags;
 }
 
-/* d: the user's force, as it is held between steps, becomes the step's drive. */
-CNI_INLINE void drive_make(const cn_world *world, const cni_body *b, const cni_motion *m, cni_external *d)
+/* Turns the user's force in d, stored between steps, into the step's external acceleration. */
+CNI_INLINE void external_make(const cn_world *world, const cni_body *b, const cni_motion *m, cni_external *d)
 {
-	uint32_t flags = drive_flags(world, b);
+	uint32_t flags = external_flags(world, b);
 	d->flags = flags;
 	if (b->type != CN_BODY_DYNAMIC) {
 		d->ax = d->ay = d->alpha = 0.0f;
@@ -77,7 +77,7 @@ CNI_INLINE void drive_make(const cn_world *world, const cni_body *b, const cni_m
 		d->ay = 0.0f;
 }
 
-/* Exact flight over time h. By rows, as in integrate_kernel.h, where there are vectors. */
+/* Exact flight over time h. With vectors it works on rows, as in integrate_kernel.h. */
 CNI_INLINE void fly(cni_motion *m, const cni_external *d, float h)
 {
 	float half = 0.5f * h * h;
@@ -112,14 +112,14 @@ static void fly_damped(cni_motion *m, const cni_external *d, const cni_body *b, 
 	}
 }
 
-/* A loop over the awake bodies, each of which is read and written by itself. */
+/* A loop over the awake bodies; each iteration reads and writes one body. */
 typedef struct body_loop {
 	cn_world *world;
 	const cni_solve *s;
 	int32_t substep;
 } body_loop;
 
-/* run gets the bodies' dense indices. */
+/* run receives the bodies' dense indices. */
 static void bodies_run(cni_team *team, int32_t min_range, cni_range_fn *run, cn_world *world, const cni_solve *s, int32_t substep)
 {
 	body_loop loop;
@@ -129,12 +129,12 @@ static void bodies_run(cni_team *team, int32_t min_range, cni_range_fn *run, cn_
 	cni_team_for(team, world->awake_count - 1, min_range, run, &loop);
 }
 
-static void drive_range(void *context, int32_t begin, int32_t end, int32_t worker)
+static void external_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const body_loop *loop = (const body_loop *)context;
 	const cn_world *world = loop->world;
 	cni_motion *motions = cni_motions(world);
-	cni_external *drives = cni_externals(world);
+	cni_external *externals = cni_externals(world);
 	const int32_t *ids = cni_awake_ids(world);
 	int32_t *islands = world->awake_islands, k;
 	(void)worker;
@@ -143,17 +143,17 @@ static void drive_range(void *context, int32_t begin, int32_t end, int32_t worke
 		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
 		if (islands != NULL)
 			islands[k] = b->island;
-		drive_make(world, b, &motions[k], &drives[k]);
-		if (!(drives[k].flags & CNI_EXTERNAL_FREE))
+		external_make(world, b, &motions[k], &externals[k]);
+		if (!(externals[k].flags & CNI_EXTERNAL_FREE))
 			continue;
-		if (drives[k].flags & CNI_EXTERNAL_DAMPED)
-			fly_damped(&motions[k], &drives[k], b, loop->s);
+		if (externals[k].flags & CNI_EXTERNAL_DAMPED)
+			fly_damped(&motions[k], &externals[k], b, loop->s);
 		else
-			fly(&motions[k], &drives[k], loop->s->dt);
+			fly(&motions[k], &externals[k], loop->s->dt);
 	}
 }
 
-/* Few islands are awake: those get the numbers, in the order of their first bodies. */
+/* If few islands are awake, numbers them in the order of their first bodies. */
 static void islands_number(cn_world *world)
 {
 	int32_t *islands = world->awake_islands, k;
@@ -179,15 +179,16 @@ void cni_external_prepare(cn_world *world, const cni_solve *s)
 		world->awake_islands = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
 	if (world->awake_islands != NULL)
 		world->awake_islands[0] = CNI_NONE;
-	bodies_run(world->team, DRIVES_A_RANGE, drive_range, world, s, 0);
-	if (world->awake_islands != NULL && world->island_used > world->awake_count / FEW_ISLANDS_PART) /* awake are at most half as many as bodies */
+	bodies_run(world->team, DRIVES_A_RANGE, external_range, world, s, 0);
+	if (world->awake_islands != NULL && world->island_used > world->awake_count / FEW_ISLANDS_PART) /* an awake island has two bodies or
+	                                                                                                   more */
 		world->step_islands = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count / 2);
 	world->step_island_count = some ? world->island_used : 0;
 	if (world->step_islands != NULL)
 		islands_number(world);
 }
 
-/* The arena has it until the end of the step, as what else is pushed between. */
+/* The arena keeps the memory until the end of the step, as later pushes lie behind it. */
 void cni_external_finish(cn_world *world)
 {
 	world->awake_islands = world->step_islands = NULL;
@@ -196,18 +197,18 @@ void cni_external_finish(cn_world *world)
 
 void cni_external_prepare_bound(cn_world *world)
 {
-	cni_external *drives = cni_externals(world);
+	cni_external *externals = cni_externals(world);
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
 		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		b->flags &= ~(uint32_t)CNI_BODY_MOVED;
-		drive_make(world, b, cni_motions(world) + k, &drives[k]);
-		drives[k].flags &= ~(uint32_t)CNI_EXTERNAL_FREE;
+		external_make(world, b, cni_motions(world) + k, &externals[k]);
+		externals[k].flags &= ~(uint32_t)CNI_EXTERNAL_FREE;
 	}
 }
 
-/* The last substep's x += h v' becomes x += h (v + v')/2 when v' - v is no more than a few times what
-   the drive gives: v' - v = motion.v - start + h a. */
+/* v' - v = motion.v - start + h a. If it is at most twice what the external acceleration gives, corrects the last substep's x += h v'
+   to x += h (v + v')/2. */
 static void correct_to_trapezoid(cni_motion *m, const cni_velocity_start *start, const cni_external *d, float h)
 {
 	float ax = h * d->ax, ay = h * d->ay, alpha = h * d->alpha;
@@ -219,8 +220,8 @@ static void correct_to_trapezoid(cni_motion *m, const cni_velocity_start *start,
 	m->theta -= 0.5f * h * dw;
 }
 
-/* Bodies that a kernel leaves, and all where there is none. */
-static void velocity_take(const cn_world *world, int32_t k, float h, int32_t first)
+/* One body: the rest that a kernel's vectors do not cover, and all bodies without a kernel. */
+static void velocity_step(const cn_world *world, int32_t k, float h, int32_t first)
 {
 	cni_motion *m = cni_motions(world) + k;
 	cni_velocity_start *start = cni_starts(world) + k;
@@ -259,7 +260,7 @@ static void axes_lock(cni_motion *m, uint32_t flags)
 		m->vy = 0.0f;
 }
 
-static void position_take(const cn_world *world, int32_t k, float h)
+static void position_step(const cn_world *world, int32_t k, float h)
 {
 	cni_motion *m = cni_motions(world) + k;
 	uint32_t flags = cni_externals(world)[k].flags;
@@ -309,7 +310,7 @@ static void velocity_range(void *context, int32_t begin, int32_t end, int32_t wo
 	int32_t k = kernel == NULL ? begin + 1 : kernel->velocities(&pass, begin + 1, end + 1);
 	(void)worker;
 	for (; k <= end; ++k)
-		velocity_take(loop->world, k, pass.h, pass.first);
+		velocity_step(loop->world, k, pass.h, pass.first);
 }
 
 void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t substep)
@@ -325,7 +326,7 @@ static void position_range(void *context, int32_t begin, int32_t end, int32_t wo
 	int32_t k = kernel == NULL ? begin + 1 : kernel->positions(&pass, begin + 1, end + 1);
 	(void)worker;
 	for (; k <= end; ++k)
-		position_take(loop->world, k, pass.h);
+		position_step(loop->world, k, pass.h);
 }
 
 void cni_integrate_positions(cn_world *world, const cni_solve *s)
@@ -333,46 +334,46 @@ void cni_integrate_positions(cn_world *world, const cni_solve *s)
 	bodies_run(s->team, BODIES_A_RANGE, position_range, world, s, 0);
 }
 
-/* The most that a body may go and turn in a step: finite, its square too. */
-typedef struct way_limit {
+/* Limits of a body's displacement and rotation in a step: finite, and the square of the displacement too. */
+typedef struct move_limit {
 	float way, turn;
-} way_limit;
+} move_limit;
 
-static way_limit way_limit_make(const cn_world *world, float dt)
+static move_limit move_limit_make(const cn_world *world, float dt)
 {
 	const float finite = 1e18f, rounding = 1.0001f;
-	way_limit limit;
+	move_limit limit;
 	limit.way = cni_min(rounding * dt * world->settings.linear_speed_max, finite);
 	limit.turn = cni_min(rounding * dt * world->settings.angular_speed_max, finite);
 	return limit;
 }
 
-/* Velocities may have been absurd between substeps, among joints that are torn far apart. Written so that what is not a number is looked
-   at too; bodies within the limit are left, whoever is beside them. */
-static void way_hold(cni_motion *m, const way_limit *limit)
+/* Clamps the displacement of a step: velocities may be absurd between substeps, among joints that are torn far apart. The condition
+   also catches NaN. A body within the limit is unchanged, whatever its neighbours in the vector. */
+static void move_clamp(cni_motion *m, const move_limit *limit)
 {
-	float way_sq = m->dpx * m->dpx + m->dpy * m->dpy;
-	if (way_sq <= limit->way * limit->way && cni_abs(m->theta) <= limit->turn)
+	float move_sq = m->dpx * m->dpx + m->dpy * m->dpy;
+	if (move_sq <= limit->way * limit->way && cni_abs(m->theta) <= limit->turn)
 		return;
 	cni_motion_keep_finite(m);
-	if (way_sq > limit->way * limit->way) {
-		float scale = limit->way / cni_sqrt(way_sq);
+	if (move_sq > limit->way * limit->way) {
+		float scale = limit->way / cni_sqrt(move_sq);
 		m->dpx *= scale;
 		m->dpy *= scale;
 	}
 	m->theta = cni_clamp(m->theta, -limit->turn, limit->turn);
 }
 
-/* Speed limits hold for ways, too, before anybody looks at them. Nearly all bodies are far below: a kernel passes by them. */
-static void ways_hold(const cni_body_pass *pass, const cni_body_kernel *kernel, float dt, int32_t begin, int32_t end)
+/* Applies speed limits to displacements before other stages read them. The kernel skips bodies within the limit, which are nearly all. */
+static void moves_clamp(const cni_body_pass *pass, const cni_body_kernel *kernel, float dt, int32_t begin, int32_t end)
 {
-	way_limit limit = way_limit_make(pass->world, dt);
+	move_limit limit = move_limit_make(pass->world, dt);
 	int32_t k = begin, last;
 	while (k < end) {
 		if (kernel != NULL)
 			k = kernel->near(pass, k, end, limit.way * limit.way, limit.turn);
 		for (last = cni_min_i(k + CNI_CALM_MOST, end); k < last; ++k)
-			way_hold(&pass->motions[k], &limit);
+			move_clamp(&pass->motions[k], &limit);
 	}
 }
 
@@ -385,7 +386,7 @@ static void finish_range(void *context, int32_t begin, int32_t end, int32_t work
 	(void)worker;
 	for (; k <= end; ++k)
 		position_finish(loop->world, k, pass.h);
-	ways_hold(&pass, kernel, loop->s->dt, begin + 1, end + 1);
+	moves_clamp(&pass, kernel, loop->s->dt, begin + 1, end + 1);
 }
 
 void cni_integrate_finish(cn_world *world, const cni_solve *s)

@@ -1,12 +1,13 @@
 /*
- * step/integrate_kernel.h - the loops of integrate.c on vectors: included by integrate_kernel_4.c and
- * integrate_kernel_8.c, which define CNI_WIDTH and CNI_KERNEL. A vector is the row of one body, or of two in a row; what integrate.c
- * does with one body is done with the same bits.
+ * step/integrate_kernel.h - the body kernel of one vector width: included by integrate_kernel_4.c and integrate_kernel_8.c,
+ * which define CNI_WIDTH and CNI_KERNEL. A vector holds the row of one body, or of two consecutive ones, and gives the bits of
+ * integrate.c's functions for one body.
  *
- * Rows are three components and one float that is not touched: the inverse mass beside a velocity, the inverse inertia beside a
- * change of pose, flags beside a drive.
+ * A row has three components and one float that stays unchanged: the inverse mass beside a velocity, the inverse inertia beside
+ * a change of pose, flags beside an external acceleration.
  *
- * Beside them what is asked of each body of the dense arrays: velocity_jumps.c's search for jumps, who goes too far, finalize.c's poses.
+ * The kernel also has the searches over dense arrays for velocity jumps (velocity_jumps.c) and for displacements beyond the
+ * limit (integrate.c), and finalize.c's update of poses.
  */
 #include "base/wide.h"
 #include "step/integrate_pass.h"
@@ -20,7 +21,7 @@ CNI_INLINE cni_wide4 row_load(const void *row)
 
 #if CNI_WIDTH == 8
 
-/* The rows at `row` of bodies whose records are so many bytes apart. */
+/* The rows of consecutive bodies whose records are `bytes` apart. */
 CNI_INLINE cni_wide rows_load(const void *row, size_t bytes)
 {
 	return cni_wide_pair(row_load(row), row_load((const char *)row + bytes));
@@ -65,21 +66,21 @@ CNI_INLINE cni_wide only_three(cni_wide a)
 	return (cni_wide)((cni_mask)a & three);
 }
 
-/* x^2 + y^2 of each row, in all of it. */
+/* x^2 + y^2 of each row, in all its components. */
 CNI_INLINE cni_wide length_sq_of_row(cni_wide a)
 {
 	cni_wide sq = a * a;
 	return first_of_row(sq) + second_of_row(sq);
 }
 
-/* Rows of bodies whose drive has none of the flags. */
-CNI_INLINE cni_mask rows_without(cni_wide drive, uint32_t flags)
+/* Rows of bodies with none of the flags. */
+CNI_INLINE cni_mask rows_without(cni_wide external, uint32_t flags)
 {
-	return ((cni_mask)last_of_row(drive) & ((int32_t)flags - (cni_mask){ 0 })) == (cni_mask){ 0 };
+	return ((cni_mask)last_of_row(external) & ((int32_t)flags - (cni_mask){ 0 })) == (cni_mask){ 0 };
 }
 
-/* Has one of the rows' bodies one of the flags? */
-CNI_INLINE int32_t some_have(const cni_external *d, uint32_t flags)
+/* Has any body of the rows one of the flags? */
+CNI_INLINE int32_t any_has(const cni_external *d, uint32_t flags)
 {
 	return ((d[0].flags | d[ROWS - 1].flags) & flags) != 0;
 }
@@ -89,8 +90,8 @@ CNI_INLINE int32_t all_have(const cni_external *d, uint32_t flags)
 	return (d[0].flags & flags) != 0 && (d[ROWS - 1].flags & flags) != 0;
 }
 
-/* The last substep's way by the trapezoid rule, where that is done: see integrate.c. response: motion.v - start; change: what
-   the drive gives. */
+/* Correction of the last substep's displacement to the trapezoid rule, as in integrate.c. response: motion.v - start; change: velocity
+   change by the external acceleration. */
 CNI_INLINE cni_wide trapezoid_correction(cni_wide start, cni_wide response, cni_wide change, float h)
 {
 	cni_wide jump = response + change;
@@ -100,13 +101,13 @@ CNI_INLINE cni_wide trapezoid_correction(cni_wide start, cni_wide response, cni_
 	return (cni_wide)((cni_mask)(cni_wide_of(0.5f * h) * jump) & calm);
 }
 
-/* What the velocities of each row are multiplied by. */
+/* Damping factors of each row's velocities. */
 CNI_INLINE cni_wide rows_damping(const cni_body_pass *pass, int32_t k)
 {
 	cni_wide factors = cni_wide_of(1.0f);
 	int32_t r;
 	for (r = 0; r < ROWS; ++r)
-		if (pass->drives[k + r].flags & CNI_EXTERNAL_DAMPED) {
+		if (pass->externals[k + r].flags & CNI_EXTERNAL_DAMPED) {
 			const cni_body *b = cni_body_at(pass->world, cni_awake_ids(pass->world)[k + r]);
 			factors[4 * r] = factors[4 * r + 1] = cni_damping_factor(b->linear_damping, pass->h);
 			factors[4 * r + 2] = cni_damping_factor(b->angular_damping, pass->h);
@@ -114,39 +115,39 @@ CNI_INLINE cni_wide rows_damping(const cni_body_pass *pass, int32_t k)
 	return factors;
 }
 
-/* True where a component is not that of a locked axis. */
-CNI_INLINE cni_mask rows_unlocked(cni_wide drive)
+/* True for components without a locked axis. */
+CNI_INLINE cni_mask rows_unlocked(cni_wide external)
 {
 #if CNI_WIDTH == 8
 	const cni_mask locks = { CNI_EXTERNAL_LOCK_X, CNI_EXTERNAL_LOCK_Y, 0, 0, CNI_EXTERNAL_LOCK_X, CNI_EXTERNAL_LOCK_Y, 0, 0 };
 #else
 	const cni_mask locks = { CNI_EXTERNAL_LOCK_X, CNI_EXTERNAL_LOCK_Y, 0, 0 };
 #endif
-	return ((cni_mask)last_of_row(drive) & locks) == (cni_mask){ 0 };
+	return ((cni_mask)last_of_row(external) & locks) == (cni_mask){ 0 };
 }
 
-/* Bodies k and, where there are rows for it, the next. all: none has a flag that matters here, else masks tell. Likewise below. */
+/* Bodies k to k + ROWS - 1. all: no body has a flag that matters here, else masks select. Likewise below. */
 CNI_INLINE void rows_velocities(const cni_body_pass *pass, int32_t k, float h, int32_t first, int32_t all)
 {
 	cni_motion *m = pass->motions + k;
 	float *s = &pass->starts[k].vx;
-	cni_wide v = rows_load(&m->vx, sizeof *m), start = cni_wide_load_loose(s), drive = cni_wide_load_loose(&pass->drives[k].ax);
-	cni_wide change = cni_wide_of(h) * only_three(drive), from = v + change, response = { 0 }, correction, v_end;
+	cni_wide v = rows_load(&m->vx, sizeof *m), start = cni_wide_load_loose(s), external = cni_wide_load_loose(&pass->externals[k].ax);
+	cni_wide change = cni_wide_of(h) * only_three(external), from = v + change, response = { 0 }, correction, v_end;
 	if (!first) {
 		response = only_three(v - start);
 		correction = trapezoid_correction(start, response, change, h);
 		if (!all)
-			correction = (cni_wide)((cni_mask)correction & rows_without(drive, CNI_EXTERNAL_DONE | CNI_EXTERNAL_AS_IT_IS));
+			correction = (cni_wide)((cni_mask)correction & rows_without(external, CNI_EXTERNAL_DONE | CNI_EXTERNAL_AS_IT_IS));
 		rows_store(&m->dpx, sizeof *m, rows_load(&m->dpx, sizeof *m) - correction);
 	}
-	if (!all && some_have(&pass->drives[k], CNI_EXTERNAL_DAMPED))
+	if (!all && any_has(&pass->externals[k], CNI_EXTERNAL_DAMPED))
 		from = from * rows_damping(pass, k);
 	v_end = from + response;
 	from = only_three(from);
 	if (!all) {
-		cni_mask goes_on = rows_without(drive, CNI_EXTERNAL_DONE);
-		from = cni_wide_select(goes_on, from, start);
-		v_end = cni_wide_select(goes_on, v_end, v);
+		cni_mask active = rows_without(external, CNI_EXTERNAL_DONE);
+		from = cni_wide_select(active, from, start);
+		v_end = cni_wide_select(active, v_end, v);
 	}
 	*(cni_wide_loose *)(void *)s = from;
 	rows_store(&m->vx, sizeof *m, v_end);
@@ -154,13 +155,13 @@ CNI_INLINE void rows_velocities(const cni_body_pass *pass, int32_t k, float h, i
 
 CNI_INLINE int32_t velocities(const cni_body_pass *pass, int32_t begin, int32_t end, int32_t first)
 {
-	const cni_external *drives = pass->drives;
+	const cni_external *externals = pass->externals;
 	const float h = pass->h;
 	int32_t k;
 	for (k = begin; k + ROWS <= end; k += ROWS)
-		if (!some_have(&drives[k], CNI_EXTERNAL_DONE | CNI_EXTERNAL_AS_IT_IS))
+		if (!any_has(&externals[k], CNI_EXTERNAL_DONE | CNI_EXTERNAL_AS_IT_IS))
 			rows_velocities(pass, k, h, first, 1);
-		else if (!all_have(&drives[k], CNI_EXTERNAL_DONE))
+		else if (!all_have(&externals[k], CNI_EXTERNAL_DONE))
 			rows_velocities(pass, k, h, first, 0);
 	return k;
 }
@@ -172,15 +173,15 @@ static int32_t kernel_velocities(const cni_body_pass *pass, int32_t begin, int32
 
 CNI_INLINE void rows_positions(cni_motion *m, const cni_external *d, float h, int32_t all)
 {
-	cni_wide before = rows_load(&m->dpx, sizeof *m), v = rows_load(&m->vx, sizeof *m), drive, p;
-	cni_mask goes_on;
+	cni_wide before = rows_load(&m->dpx, sizeof *m), v = rows_load(&m->vx, sizeof *m), external, p;
+	cni_mask active;
 	if (all) {
 		p = before + cni_wide_of(h) * only_three(v);
 	} else {
-		drive = cni_wide_load_loose(&d->ax);
-		goes_on = rows_without(drive, CNI_EXTERNAL_DONE);
-		v = (cni_wide)((cni_mask)v & (rows_unlocked(drive) | ~goes_on));
-		p = cni_wide_select(goes_on, before + cni_wide_of(h) * only_three(v), before);
+		external = cni_wide_load_loose(&d->ax);
+		active = rows_without(external, CNI_EXTERNAL_DONE);
+		v = (cni_wide)((cni_mask)v & (rows_unlocked(external) | ~active));
+		p = cni_wide_select(active, before + cni_wide_of(h) * only_three(v), before);
 		rows_store(&m->vx, sizeof *m, v);
 	}
 	rows_store(&m->dpx, sizeof *m, p);
@@ -189,24 +190,24 @@ CNI_INLINE void rows_positions(cni_motion *m, const cni_external *d, float h, in
 static int32_t kernel_positions(const cni_body_pass *pass, int32_t begin, int32_t end)
 {
 	cni_motion *motions = pass->motions;
-	const cni_external *drives = pass->drives;
+	const cni_external *externals = pass->externals;
 	const float h = pass->h;
 	int32_t k;
 	for (k = begin; k + ROWS <= end; k += ROWS)
-		if (!some_have(&drives[k], CNI_EXTERNAL_DONE | CNI_EXTERNAL_LOCKED))
-			rows_positions(&motions[k], &drives[k], h, 1);
-		else if (!all_have(&drives[k], CNI_EXTERNAL_DONE))
-			rows_positions(&motions[k], &drives[k], h, 0);
+		if (!any_has(&externals[k], CNI_EXTERNAL_DONE | CNI_EXTERNAL_LOCKED))
+			rows_positions(&motions[k], &externals[k], h, 1);
+		else if (!all_have(&externals[k], CNI_EXTERNAL_DONE))
+			rows_positions(&motions[k], &externals[k], h, 0);
 	return k;
 }
 
 CNI_INLINE void rows_finish(cni_motion *m, const cni_velocity_start *s, const cni_external *d, float h, int32_t all)
 {
-	cni_wide v = rows_load(&m->vx, sizeof *m), start = cni_wide_load_loose(&s->vx), drive = cni_wide_load_loose(&d->ax);
-	cni_wide correction = trapezoid_correction(start, only_three(v - start), cni_wide_of(h) * only_three(drive), h);
+	cni_wide v = rows_load(&m->vx, sizeof *m), start = cni_wide_load_loose(&s->vx), external = cni_wide_load_loose(&d->ax);
+	cni_wide correction = trapezoid_correction(start, only_three(v - start), cni_wide_of(h) * only_three(external), h);
 	if (!all) {
-		correction = (cni_wide)((cni_mask)correction & rows_without(drive, CNI_EXTERNAL_FREE | CNI_EXTERNAL_AS_IT_IS));
-		rows_store(&m->vx, sizeof *m, (cni_wide)((cni_mask)v & rows_unlocked(drive)));
+		correction = (cni_wide)((cni_mask)correction & rows_without(external, CNI_EXTERNAL_FREE | CNI_EXTERNAL_AS_IT_IS));
+		rows_store(&m->vx, sizeof *m, (cni_wide)((cni_mask)v & rows_unlocked(external)));
 	}
 	rows_store(&m->dpx, sizeof *m, rows_load(&m->dpx, sizeof *m) - correction);
 }
@@ -215,18 +216,18 @@ static int32_t kernel_finish(const cni_body_pass *pass, int32_t begin, int32_t e
 {
 	cni_motion *motions = pass->motions;
 	const cni_velocity_start *starts = pass->starts;
-	const cni_external *drives = pass->drives;
+	const cni_external *externals = pass->externals;
 	const float h = pass->h;
 	int32_t k;
 	for (k = begin; k + ROWS <= end; k += ROWS)
-		if (!some_have(&drives[k], CNI_EXTERNAL_FREE | CNI_EXTERNAL_AS_IT_IS | CNI_EXTERNAL_LOCKED))
-			rows_finish(&motions[k], &starts[k], &drives[k], h, 1);
-		else if (some_have(&drives[k], CNI_EXTERNAL_LOCKED) || !all_have(&drives[k], CNI_EXTERNAL_FREE | CNI_EXTERNAL_AS_IT_IS))
-			rows_finish(&motions[k], &starts[k], &drives[k], h, 0);
+		if (!any_has(&externals[k], CNI_EXTERNAL_FREE | CNI_EXTERNAL_AS_IT_IS | CNI_EXTERNAL_LOCKED))
+			rows_finish(&motions[k], &starts[k], &externals[k], h, 1);
+		else if (any_has(&externals[k], CNI_EXTERNAL_LOCKED) || !all_have(&externals[k], CNI_EXTERNAL_FREE | CNI_EXTERNAL_AS_IT_IS))
+			rows_finish(&motions[k], &starts[k], &externals[k], h, 0);
 	return k;
 }
 
-/* One or two components of the rows in four vectors, as CNI_WIDTH bodies: all in the same order, which is not theirs. */
+/* The first two components of the rows in four vectors, as CNI_WIDTH bodies. All columns have the same order, which is not the bodies'. */
 CNI_INLINE void columns(const cni_wide r[4], cni_wide *first, cni_wide *second)
 {
 #if CNI_WIDTH == 8
@@ -240,7 +241,7 @@ CNI_INLINE void columns(const cni_wide r[4], cni_wide *first, cni_wide *second)
 #endif
 }
 
-/* The other two. */
+/* The other two components. */
 CNI_INLINE void last_columns(const cni_wide r[4], cni_wide *third, cni_wide *last)
 {
 #if CNI_WIDTH == 8
@@ -254,7 +255,7 @@ CNI_INLINE void last_columns(const cni_wide r[4], cni_wide *third, cni_wide *las
 #endif
 }
 
-/* Of CNI_WIDTH bodies: whose velocity jumped so far. */
+/* Those of CNI_WIDTH bodies with a velocity change beyond the limit. */
 CNI_INLINE cni_mask rows_jumped(const cni_motion *m, const cni_velocity_start *s, float most_sq)
 {
 	cni_wide jumps[4], x, y;
@@ -267,9 +268,9 @@ CNI_INLINE cni_mask rows_jumped(const cni_motion *m, const cni_velocity_start *s
 
 CNI_INLINE cni_mask rows_touched(const cni_external *d)
 {
-	const cni_wide drives[4] = { cni_wide_load_loose(&d[0].ax), cni_wide_load_loose(&d[ROWS].ax), cni_wide_load_loose(&d[2 * ROWS].ax), cni_wide_load_loose(&d[3 * ROWS].ax) };
+	const cni_wide externals[4] = { cni_wide_load_loose(&d[0].ax), cni_wide_load_loose(&d[ROWS].ax), cni_wide_load_loose(&d[2 * ROWS].ax), cni_wide_load_loose(&d[3 * ROWS].ax) };
 	cni_wide alpha, flags;
-	last_columns(drives, &alpha, &flags);
+	last_columns(externals, &alpha, &flags);
 	return ((cni_mask)flags & ((int32_t)CNI_EXTERNAL_TOUCHED - (cni_mask){ 0 })) != (cni_mask){ 0 };
 }
 
@@ -278,23 +279,23 @@ static int32_t kernel_calm(const cni_body_pass *pass, int32_t begin, int32_t end
 	int32_t k;
 	for (k = begin; k + CNI_WIDTH <= end; k += CNI_WIDTH) {
 		cni_mask jumped = rows_jumped(pass->motions + k, pass->starts + k, most_sq);
-		if (cni_mask_bits(jumped) != 0 && cni_mask_bits(jumped & rows_touched(pass->drives + k)) != 0)
+		if (cni_mask_bits(jumped) != 0 && cni_mask_bits(jumped & rows_touched(pass->externals + k)) != 0)
 			break;
 	}
 	return k;
 }
 
-static int32_t kernel_near(const cni_body_pass *pass, int32_t begin, int32_t end, float way_sq, float turn)
+static int32_t kernel_near(const cni_body_pass *pass, int32_t begin, int32_t end, float move_sq, float turn)
 {
 	int32_t k;
 	for (k = begin; k + CNI_WIDTH <= end; k += CNI_WIDTH) {
 		const cni_motion *m = pass->motions + k;
-		const cni_wide ways[4] = { rows_load(&m[0].dpx, sizeof *m), rows_load(&m[ROWS].dpx, sizeof *m), rows_load(&m[2 * ROWS].dpx, sizeof *m),
+		const cni_wide moves[4] = { rows_load(&m[0].dpx, sizeof *m), rows_load(&m[ROWS].dpx, sizeof *m), rows_load(&m[2 * ROWS].dpx, sizeof *m),
 			                   rows_load(&m[3 * ROWS].dpx, sizeof *m) };
 		cni_wide x, y, turns, unused;
-		columns(ways, &x, &y);
-		last_columns(ways, &turns, &unused);
-		if (cni_mask_bits((x * x + y * y <= cni_wide_of(way_sq)) & (cni_wide_abs(turns) <= cni_wide_of(turn))) != (1u << CNI_WIDTH) - 1u)
+		columns(moves, &x, &y);
+		last_columns(moves, &turns, &unused);
+		if (cni_mask_bits((x * x + y * y <= cni_wide_of(move_sq)) & (cni_wide_abs(turns) <= cni_wide_of(turn))) != (1u << CNI_WIDTH) - 1u)
 			break;
 	}
 	return k;

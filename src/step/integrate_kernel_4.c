@@ -1,5 +1,5 @@
 /*
- * step/integrate_kernel_4.c - the loops over bodies of a substep on vectors of four floats: SSE2, NEON, WASM SIMD.
+ * step/integrate_kernel_4.c - the body kernel with vectors of 4 floats: SSE2, NEON, WASM SIMD.
  */
 #include "base/cpu.h"
 

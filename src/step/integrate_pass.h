@@ -1,6 +1,6 @@
 /*
- * step/integrate_pass.h - what integrate.c hands to a body kernel: the loops over awake bodies of a substep; and what velocity_jumps.c and
- * finalize.c do.
+ * step/integrate_pass.h - interface of the body kernels: the loops over awake bodies of integrate.c, velocity_jumps.c and
+ * finalize.c; and the sum of speed gains that decides whether a body rests.
  */
 #ifndef CNI_STEP_INTEGRATE_PASS_H
 #define CNI_STEP_INTEGRATE_PASS_H
@@ -11,31 +11,31 @@ typedef struct cni_body_pass {
 	const cn_world *world;
 	cni_motion *motions;
 	cni_velocity_start *starts;
-	const cni_external *drives;
+	const cni_external *externals;
 	float h;
-	int32_t first; /* of the step's substeps */
+	int32_t first; /* 1: the first substep of the step */
 } cni_body_pass;
 
-/* Goes through bodies begin to end - 1, and returns the first that is left to be done by itself: end, or the last where they do not
-   fill the kernel's vectors. */
+/* Processes bodies begin to end - 1 in whole vectors, and returns the first that it did not process, or end. */
 typedef int32_t cni_body_kernel_fn(const cni_body_pass *pass, int32_t begin, int32_t end);
 
-/* Goes on while no velocity of a touched body differs from its start by more than that (squared), as many bodies at once as the
-   kernel's vectors have floats. Returns the first of those among which one does, or of what is left. */
+/* Skips vectors of bodies while no touched body's velocity differs from its start by more than the limit (squared). Returns the first
+   body of the vector in which one does, or of the rest. */
 typedef int32_t cni_body_calm_fn(const cni_body_pass *pass, int32_t begin, int32_t end, float most_sq);
 #define CNI_CALM_MOST 8 /* floats in a kernel's vectors, at most */
 
-/* Likewise, while none goes farther (squared) or turns more in the step than that. What is not a number does. */
+/* Likewise, while no body moves farther (squared) or turns more in the step than the limits. NaN exceeds them. */
 typedef int32_t cni_body_near_fn(const cni_body_pass *pass, int32_t begin, int32_t end, float way_sq, float turn);
 
 /* Bodies begin, begin + 1, ... as bits, in this order. */
 typedef struct cni_poses_taken {
-	uint64_t left;    /* nothing was done with them */
-	uint64_t no_room; /* in their boxes, for the way ahead */
-	uint64_t rest;    /* may rest: their timer and their drive are left */
-	uint32_t rested; /* 1: some have rested for long enough */
+	uint64_t left;    /* not processed */
+	uint64_t no_room; /* boxes too small for the way ahead */
+	uint64_t rest;    /* may rest: timer and external acceleration not processed */
+	uint64_t pushed;  /* ... of those, by errors that are being corrected: cni_is_pushed */
+	uint32_t rested; /* 1: some have rested long enough */
 } cni_poses_taken;
-/* What finalize.c does with each of 64 bodies or less. */
+/* finalize.c's update of at most 64 bodies. */
 typedef cni_poses_taken cni_body_poses_fn(cn_world *world, const cni_solve *s, int32_t begin, int32_t end);
 
 typedef struct cni_body_kernel {
@@ -45,14 +45,14 @@ typedef struct cni_body_kernel {
 	cni_body_poses_fn *poses;
 } cni_body_kernel;
 
-/* Moved for the whole step already. */
+/* Integrated for the whole step already. */
 #define CNI_EXTERNAL_DONE ((uint32_t)CNI_EXTERNAL_FREE | (uint32_t)CNI_EXTERNAL_FINISHED)
 /* Some axis is locked. */
 #define CNI_EXTERNAL_LOCKED ((uint32_t)CNI_EXTERNAL_LOCK_X | (uint32_t)CNI_EXTERNAL_LOCK_Y)
-/* Their way is not corrected to the trapezoid rule. */
+/* Not corrected to the trapezoid rule. */
 #define CNI_EXTERNAL_AS_IT_IS ((uint32_t)CNI_EXTERNAL_JOINTED | (uint32_t)CNI_EXTERNAL_DAMPED)
 
-/* Flags of a body that tell of the way that is taken. */
+/* Flags of a body that describe the step that finalize completes. */
 #define CNI_BODY_OF_THE_WAY ((uint32_t)CNI_BODY_AHEAD | (uint32_t)CNI_BODY_AT_STATIC)
 
 extern const cni_body_kernel cni_body_kernel_4; /* SSE2, NEON, WASM SIMD */
@@ -75,8 +75,8 @@ extern const cni_body_kernel cni_body_kernel_8; /* AVX2, chosen at run time */
 typedef struct cni_gain_limits {
 	float delay, leak; /* leak: dt / delay */
 	float most;
-	float little_sq;   /* changes of velocity below this are passed by */
-	uint32_t times;    /* in a row */
+	float little_sq;   /* smaller changes of velocity are skipped */
+	uint32_t times;    /* limit of consecutive gains */
 } cni_gain_limits;
 
 static inline cni_gain_limits cni_gain_limits_make(const cn_world *world, float dt)
@@ -87,7 +87,7 @@ static inline cni_gain_limits cni_gain_limits_make(const cn_world *world, float 
 	return limits;
 }
 
-/* Takes part of a change of velocity (dvx, dvy, dw) to v. Returns 1 when the body has gained more than one at rest does. */
+/* Adds the change of velocity (dvx, dvy, dw) that led to v. Returns 1 when the body has gained more than a body at rest does. */
 static inline int32_t cni_body_gains(cni_body *b, const cni_motion *v, float dvx, float dvy, float dw, const cni_gain_limits *limits)
 {
 	float turn = v->w * b->extent, dturn = dw * b->extent, x = v->vx - dvx, y = v->vy - dvy, was = turn - dturn, t, keep;
@@ -102,7 +102,25 @@ static inline int32_t cni_body_gains(cni_body *b, const cni_motion *v, float dvx
 	return 1;
 }
 
-/* The widest that this build and this processor have. NULL: none. */
+/*
+ * Corrections of overlaps and of open joints move bodies within the step and are in no velocity. A body that they move faster than this, in
+ * length units a second, does not rest: it would fall asleep before the error is gone. Slower corrections end within the sleep delay.
+ */
+#define CNI_PUSHED_SPEED 0.05f
+
+/* x, y: displacement in the step minus dt times velocity, metres; turn: the same of the angle, times the extent. */
+static inline int32_t cni_is_pushed(float x, float y, float turn, float most)
+{
+	return x * x + y * y > most * most || turn * turn > most * most;
+}
+
+/* The sequential solver moves bodies before it corrects them, so the difference says nothing there. */
+static inline float cni_pushed_most(const cn_world *world, float dt)
+{
+	return world->settings.solver == CN_SOLVER_SEQUENTIAL ? FLT_MAX : CNI_PUSHED_SPEED * world->settings.length_unit * dt;
+}
+
+/* The widest kernel that this build and this processor support. NULL: none. */
 const cni_body_kernel *cni_body_kernel_choose(void);
 
 #endif

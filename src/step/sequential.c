@@ -1,19 +1,19 @@
 /*
- * step/sequential.c - the sequential solver: the twelve steps of the paper "Custom 2D Physics Library",
- * in its order, over the same tables, narrowphase and events as the soft step. One pass a step, no warm
- * start, no substeps. It is the baseline that the accuracy charts start from.
+ * step/sequential.c - the sequential solver: the twelve steps of the paper "Custom 2D Physics Library", in its order, over the
+ * same tables, narrowphase and events as the soft step. One pass a step, no warm start, no substeps. It is the baseline of the
+ * accuracy charts.
  *
  *    1 velocities         v += dt (g + F/m)                        7 velocity response   contact impulses
- *    2 positions          x += dt v                                8 position response   overlap moved apart
- *    3 constraints        of single bodies                         9 joints
+ *    2 positions          x += dt v                                8 position response   half of the overlap each
+ *    3 constraints        on single bodies                         9 joints
  *    4 prepare            boxes at the new poses                  10 AABBs
  *    5 broadphase         new pairs                               11 velocity limit
  *    6 narrowphase        manifolds                               12 sleep
  *
- * Its weaknesses are known and kept, so that they can be measured: each contact is answered once and alone, so a
- * load does not pass through a stack in one step (stacks sink and creep), and joints under load stretch.
+ * Its weaknesses are known and kept, so that they can be measured: it solves each contact once and alone, so a load does not
+ * pass through a stack in one step (stacks sink and creep), and joints stretch under load.
  *
- * Reads and writes what the stages of the soft step do: motion, bodies, lanes (through the narrowphase).
+ * Reads and writes the same data as the stages of the soft step: motion, bodies, lanes (through the narrowphase).
  */
 #include "step/stages.h"
 #include "joints/joints.h"
@@ -56,23 +56,23 @@ void cni_sequential_positions(cn_world *world, const cni_solve *s)
 
 /* ---- 7: velocity response ---- */
 
-typedef struct hit {
+typedef struct contact_point {
 	cni_motion *a, *b;
 	float nx, ny;         /* n, and t = (ny, -nx) */
-	float at, bt, an, bn; /* arms of the point along t and n */
-} hit;
+	float at, bt, an, bn; /* lever arms of the point along t and n */
+} contact_point;
 
-static float normal_speed(const hit *c)
+static float normal_speed(const contact_point *c)
 {
 	return c->nx * (c->b->vx - c->a->vx) + c->ny * (c->b->vy - c->a->vy) + c->b->w * c->bt - c->a->w * c->at;
 }
 
-static float tangent_speed(const hit *c)
+static float tangent_speed(const contact_point *c)
 {
 	return c->ny * (c->b->vx - c->a->vx) - c->nx * (c->b->vy - c->a->vy) - c->b->w * c->bn + c->a->w * c->an;
 }
 
-static void push(hit *c, float jn, float jt)
+static void impulse_apply(contact_point *c, float jn, float jt)
 {
 	float px = jn * c->nx + jt * c->ny, py = jn * c->ny - jt * c->nx;
 	c->a->vx -= c->a->inv_mass * px;
@@ -83,8 +83,8 @@ static void push(hit *c, float jn, float jt)
 	c->b->w += c->b->inv_inertia * (c->bt * jn - c->bn * jt);
 }
 
-/* Restitution along the normal, then friction against the normal force: static while it holds, else dynamic. */
-static void hit_respond(hit *c, float restitution, float static_friction, float dynamic_friction, float *out_jn, float *out_jt)
+/* Restitution along the normal, then friction bounded by the normal impulse: static, and dynamic beyond its bound. */
+static void point_respond(contact_point *c, float restitution, float static_friction, float dynamic_friction, float *out_jn, float *out_jt)
 {
 	float mass = c->a->inv_mass + c->b->inv_mass, vn = normal_speed(c), kn, kt, jt;
 	*out_jn = *out_jt = 0.0f;
@@ -92,23 +92,23 @@ static void hit_respond(hit *c, float restitution, float static_friction, float 
 		return;
 	kn = mass + c->a->inv_inertia * c->at * c->at + c->b->inv_inertia * c->bt * c->bt;
 	*out_jn = -(1.0f + restitution) * vn / kn;
-	push(c, *out_jn, 0.0f);
+	impulse_apply(c, *out_jn, 0.0f);
 	kt = mass + c->a->inv_inertia * c->an * c->an + c->b->inv_inertia * c->bn * c->bn;
 	jt = -tangent_speed(c) / kt;
 	if (cni_abs(jt) > static_friction * *out_jn)
 		jt = cni_clamp(jt, -dynamic_friction * *out_jn, dynamic_friction * *out_jn);
 	*out_jt = jt;
-	push(c, 0.0f, jt);
+	impulse_apply(c, 0.0f, jt);
 }
 
-/* The force of a pair is found at the middle of its contact points and divided among them in equal parts. */
+/* Computes one impulse at the middle of the contact points and divides it equally among them. */
 static void lane_respond(cn_world *world, int32_t slot, float threshold)
 {
 	cni_contact_block *k = cni_block_at(world, slot / CNI_LANES);
 	int32_t l = slot % CNI_LANES, p, points = 0;
 	float restitution = cni_block_info_at(world, slot / CNI_LANES)->restitution[l], at = 0.0f, jn;
 	int32_t on[2];
-	hit c;
+	contact_point c;
 	for (p = 0; p < 2; ++p) {
 		k->p[p].jn[l] = 0.0f;
 		on[p] = k->p[p].nm[l] > 0.0f && k->p[p].s0[l] <= 0.0f;
@@ -128,12 +128,12 @@ static void lane_respond(cn_world *world, int32_t slot, float threshold)
 	c.bn = k->fb[l];
 	if (normal_speed(&c) > -threshold)
 		restitution = 0.0f;
-	hit_respond(&c, restitution, k->static_friction[l], k->dynamic_friction[l], &jn, &k->jt[l]);
+	point_respond(&c, restitution, k->static_friction[l], k->dynamic_friction[l], &jn, &k->jt[l]);
 	for (p = 0; p < 2; ++p)
 		k->p[p].jn[l] = on[p] ? jn / (float)points : 0.0f;
 }
 
-/* All lanes in the order of their contacts: the oldest, which are often the lowest of a pile, come first. */
+/* Visits all lanes in the order of their contacts: the oldest, which are often the lowest of a pile, come first. */
 static void lanes_run(cn_world *world, void (*run)(cn_world *world, int32_t slot, float threshold), float threshold)
 {
 	int32_t k;
@@ -151,7 +151,7 @@ void cni_sequential_velocity_response(cn_world *world, const cni_solve *s)
 
 /* ---- 8: position response ---- */
 
-/* Out of the overlap along the normal: half each for two dynamic bodies, the whole for one. */
+/* Moves bodies out of the overlap along the normal: half each for two dynamic bodies, the whole for one. */
 static void lane_separate(cn_world *world, int32_t slot, float threshold)
 {
 	const cni_contact_block *k = cni_block_at(world, slot / CNI_LANES);
@@ -180,7 +180,7 @@ void cni_sequential_position_response(cn_world *world)
 
 /* ---- 3, 9: constraints and joints ---- */
 
-/* What the other of the two left in the records stays: the reactions of both can be read after the step. */
+/* Runs constraints or joints. The records of the others keep their impulses, so both reactions can be read after the step. */
 static void joints_run(cn_world *world, const cni_solve *s, int32_t constraints)
 {
 	if (world->awake_joints.count == 0)

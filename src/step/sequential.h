@@ -1,5 +1,5 @@
 /*
- * step/sequential.h - the stages that only the sequential solver has; see sequential.c.
+ * step/sequential.h - the stages of the sequential solver; see sequential.c.
  */
 #ifndef CNI_STEP_SEQUENTIAL_H
 #define CNI_STEP_SEQUENTIAL_H
@@ -10,7 +10,7 @@ void cni_sequential_velocities(cn_world *world, const cni_solve *s);
 void cni_sequential_positions(cn_world *world, const cni_solve *s);
 void cni_sequential_velocity_response(cn_world *world, const cni_solve *s);
 void cni_sequential_position_response(cn_world *world);
-/* Joints that hold a single body in the world, before contacts; the others after them. */
+/* Constraints on a single body, before contacts; joints between bodies after them. */
 void cni_sequential_constraints(cn_world *world, const cni_solve *s);
 void cni_sequential_joints(cn_world *world, const cni_solve *s);
 

@@ -1,9 +1,9 @@
 /*
  * step/sleep.c - stage 10: islands in which every body has rested long enough leave the awake arrays.
  *
- * Runs only when finalize saw a body that has. An island that lost links is split first, one
- * a step, so that what no longer holds together may sleep apart. What touches a moving kinematic body, or is
- * jointed to one, stays awake. So does what a motor moves, and what sags because the direct solver has found no solution for it.
+ * Runs only when finalize found a body that has. An island that lost links is split first, one a step, so that separate parts
+ * may sleep separately. Bodies that touch or are jointed to a moving kinematic body stay awake. So do bodies that a motor moves,
+ * and bodies that sag because the direct solver has found no solution for them.
  */
 #include "step/stages.h"
 #include "joints/joint_type.h"
@@ -37,7 +37,7 @@ static void keep_near_kinematic_awake(cn_world *world)
 	}
 }
 
-/* Does its motor move it? One that is held up goes nowhere and may sleep. */
+/* Does the joint's motor move it? A stalled motor lets its bodies sleep. */
 static int32_t motor_turns(const cn_world *world, const cni_joint *j)
 {
 	float target;
@@ -47,7 +47,7 @@ static int32_t motor_turns(const cn_world *world, const cni_joint *j)
 	return target != 0.0f && 2.0f * target * cni_joint_speed(world, j) > target * target;
 }
 
-/* However slow a motor's speed is, what it moves is not at rest. */
+/* Bodies that a motor moves are not at rest, however slow its speed. */
 static void keep_driven_awake(cn_world *world)
 {
 	int32_t k, side;
@@ -64,10 +64,10 @@ static void keep_driven_awake(cn_world *world)
 /* Bodies whose records are asked for: one pass reads them all. */
 #define RECORDS_AHEAD 8
 
-/* What came of looking at all awake bodies. */
+/* Result of a pass over all awake bodies. */
 typedef struct rests {
-	int32_t split;    /* awake island that lost links and has the body that has rested longest, for long enough; CNI_NONE: none */
-	float longest;    /* how long that has */
+	int32_t split;    /* awake island with lost links and the longest resting body, if that rested long enough; CNI_NONE: none */
+	float longest;    /* its rest time */
 	int32_t alone;    /* 1: a body without an island may sleep */
 } rests;
 
@@ -76,7 +76,7 @@ static int32_t rested(const cn_world *world, float time)
 	return time >= world->settings.sleep_delay && time > 0.0f;
 }
 
-/* Are there so many more islands than awake bodies that the table is not gone through? */
+/* Are there more islands than awake bodies? Then loops over the island table are avoided. */
 static int32_t islands_are_many(const cn_world *world)
 {
 	return world->island_used > world->awake_count;
@@ -94,14 +94,14 @@ static void rest_times_clear(const cn_world *world)
 	}
 }
 
-/* Slower than what would move by the accuracy in a second? */
+/* Is the body so slow that it moves by less than the accuracy in a second? */
 static int32_t is_still(const cn_world *world, const cni_body *b)
 {
 	float most = world->settings.accuracy, turn = b->w * b->extent;
 	return b->vx * b->vx + b->vy * b->vy <= most * most && turn * turn <= most * most;
 }
 
-/* Also each awake island's rest_time; of those that sleep it is FLT_MAX, if it is looked at. */
+/* Also computes each awake island's rest_time; that of sleeping islands is FLT_MAX where it is read. */
 static rests rests_find(cn_world *world)
 {
 	const int32_t *ids = cni_awake_ids(world);
@@ -120,7 +120,7 @@ static rests rests_find(cn_world *world)
 		i = cni_island_at(world, b->island);
 		i->rest_time = cni_min(i->rest_time, b->sleep_time);
 		if (cni_island_is_unsolved(i, world->step_count) && !is_still(world, b))
-			i->rest_time = 0.0f; /* it sags, and would be asleep so before it was tried again */
+			i->rest_time = 0.0f; /* it sags, and would fall asleep so before the next attempt to solve it */
 		if (i->losses == 0 || b->sleep_time < r.longest || b->sleep_time <= 0.0f || (r.split != CNI_NONE && b->sleep_time == r.longest))
 			continue;
 		r.split = b->island;
@@ -133,8 +133,8 @@ static rests rests_find(cn_world *world)
 #define SPLIT_BODIES_A_STEP 1024
 
 /*
- * At most one island a step is split. While a large one comes apart it loses links in every step, and what rests in it
- * hangs on what moves: the next split waits until this one has been paid for. Returns 1 when one was.
+ * Splits at most one island a step. A large island that comes apart loses links in every step, and its resting bodies are still
+ * linked to moving ones: the next split waits in proportion to the size of this one. Returns 1 if an island was split.
  */
 static int32_t split_one(cn_world *world, int32_t island)
 {

@@ -14,8 +14,8 @@
 #define WARM_MOST 20.0f
 #define MEAN_PART (1.0f / 64.0f) /* of a step in the mean: about a second's steps count */
 
-/* CNI_LOAD_HEAVY / (h stress^2) of a step, times the square of the speed that the impulse gives. Without gravity there is
-   no weight to compare with. */
+/* CNI_LOAD_HEAVY / (h stress^2) of a step, times the square of the speed that the impulse gives. Without gravity there is no weight to
+   compare with. */
 static float load_heavy(const cn_world *world, const cni_solve *s)
 {
 	float g_sq = cni_length_sq(world->settings.gravity);
@@ -42,9 +42,9 @@ static cni_contact_pass contact_pass_make(const cn_world *world, const cni_solve
 }
 
 /*
- * A mean of the steps. Stiffness is tied to it and not to the step that is taken: a spring of k = m / h^2 that is another in every step
- * drives the sway of a pile (parametric excitation), by more than softness damps it when steps vary by more than half. Where all steps
- * are equal the mean is equal to them, to the bit.
+ * A mean of the step lengths. Stiffness is tied to it and not to the current step: a spring k = m / h^2 that changes with every
+ * step drives the sway of a pile (parametric excitation), by more than softness damps it when steps vary by more than half. If
+ * all steps are equal, the mean equals them to the bit.
  */
 static float mean_step(const cn_world *world, float dt)
 {

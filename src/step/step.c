@@ -1,6 +1,6 @@
 /*
- * step/step.c - one step, from beginning to end. Each line of cni_step is a stage; what a stage reads
- * and writes is in its file.
+ * step/step.c - one step, from beginning to end. Each line of cni_step calls a stage; the file of a stage says what it reads and
+ * writes.
  */
 #include "step/stages.h"
 #include "narrowphase/narrowphase.h"
@@ -36,7 +36,7 @@ static void step_begin(cn_world *world)
 	world->events.in_step = 1;
 }
 
-/* Is a step so long that the workers are to stay for all of it? */
+/* Does the step have enough work to hold the workers awake for all of it? */
 static int32_t team_is_held(const cn_world *world)
 {
 	int32_t k, work = world->awake_count + world->awake_joints.count;
@@ -101,12 +101,12 @@ static void substeps_lead(void *context)
 	cni_integrate_finish(world, s);
 }
 
-/* The substeps are a loop in a loop in a loop: the workers stay for all of them. */
+/* Workers stay inside one team run over all substeps, passes and colours. */
 static void substeps_run(cn_world *world, cni_solve *s)
 {
 	substeps all;
 	if (world->awake_count == 1)
-		return; /* nothing but the dummy */
+		return; /* only the dummy */
 	if (s->lanes + world->awake_joints.count + world->awake_count >= SHARED_WORK)
 		s->team = world->team;
 	all.world = world;
@@ -125,7 +125,7 @@ static void step_end(cn_world *world, float dt, int32_t rested)
 	cni_arena_reset(&world->arena);
 }
 
-/* The soft step; returns 1 when some body has rested long enough to sleep. */
+/* The soft step. Returns 1 when some body has rested long enough to sleep. */
 static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 {
 	cn_profile *profile = &world->profile;
@@ -209,7 +209,7 @@ void cni_step(cn_world *world, float dt)
 		cni_stage_sleep(world);
 	profile_mark(world, &profile->sleep_s, &mark);
 	cni_team_hold(world->team, 0);
-	cni_stage_events(world); /* last, so that callbacks and arrays that are read later tell the same */
+	cni_stage_events(world); /* last, so that callbacks and later reads of the arrays see the same world */
 	profile_mark(world, &profile->events_s, &mark);
 	step_end(world, dt, rested);
 	profile_mark(world, &profile->step_s, &begin);

@@ -1,5 +1,5 @@
 /*
- * step/step.h - one step of a world: what world/ calls.
+ * step/step.h - interface of the folder: one step of a world.
  */
 #ifndef CNI_STEP_STEP_H
 #define CNI_STEP_STEP_H

@@ -1,12 +1,13 @@
 /*
- * step/velocity_jumps.c - joints of bodies whose velocity jumped in a substep, by much more than their drive gives, go on from their
- * loads. Warm starting assumes that the next substep needs about the impulses of this one: that is true of loads and false of
- * impacts.
+ * step/velocity_jumps.c - resets joints after velocity jumps. If a body's velocity changes in a substep by much more than its
+ * external acceleration gives, its joints restart from their loads. Warm starting assumes that the next substep needs about the
+ * impulses of this one: that is true of loads and false of impacts.
  *
- * Contacts keep their impulses: a crowd that is pressed together jumps in every substep, and would overlap twice as much if each
+ * Contacts keep their impulses: a crowd under pressure jumps in every substep, and would overlap twice as much if each substep
  * began without them.
  *
- * Reads motion, start, drive, joint works; writes start (jumped, and the response that is taken out), joint impulses.
+ * Reads motion, start, external accelerations, joint constraints; writes start (jumped, and the response without the removed
+ * impulses), joint impulses.
  */
 #include "step/stages.h"
 #include "step/integrate_pass.h"
@@ -20,21 +21,21 @@ typedef struct jump_loop {
 	uint32_t jumps;
 } jump_loop;
 
-/* Marks a body whose velocity jumped. start holds v + h a, so the jump is motion.v - start + h a. Returns 1 when it did. */
+/* Marks a body with a velocity jump. start holds v + h a, so the jump is motion.v - start + h a. Returns 1 if it jumped. */
 CNI_INLINE uint32_t mark(const cni_motion *m, cni_velocity_start *start, const cni_external *d, float h, float most_sq)
 {
 	float dx = m->vx - start->vx, dy = m->vy - start->vy, ax, ay, jump_sq = dx * dx + dy * dy;
-	if (jump_sq <= most_sq || !(d->flags & CNI_EXTERNAL_TOUCHED)) /* nearly all are slower, whatever their drive */
+	if (jump_sq <= most_sq || !(d->flags & CNI_EXTERNAL_TOUCHED)) /* early out for nearly all bodies */
 		return 0;
 	ax = h * d->ax;
 	ay = h * d->ay;
 	if (jump_sq <= most_sq + 64.0f * (ax * ax + ay * ay))
 		return 0;
-	start->jumped = CNI_SHOCKED;
+	start->jumped = CNI_JUMPED;
 	return 1;
 }
 
-/* Marks and counts them. A kernel passes by those that are slow. */
+/* Marks and counts bodies with a jump. The kernel skips slow bodies. */
 static void mark_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	jump_loop *loop = (jump_loop *)context;
@@ -48,13 +49,13 @@ static void mark_range(void *context, int32_t begin, int32_t end, int32_t worker
 		if (kernel != NULL)
 			k = kernel->calm(&pass, k, end + 1, most_sq);
 		for (last = cni_min_i(k + CNI_CALM_MOST - 1, end); k <= last; ++k)
-			jumps += mark(&pass.motions[k], &pass.starts[k], &pass.drives[k], pass.h, most_sq);
+			jumps += mark(&pass.motions[k], &pass.starts[k], &pass.externals[k], pass.h, most_sq);
 	}
 	if (jumps > 0)
 		cni_atomic_add(&loop->jumps, jumps);
 }
 
-static void response_take_out(cn_world *world, int32_t index, float px, float py, float moment)
+static void response_remove(cn_world *world, int32_t index, float px, float py, float moment)
 {
 	const cni_motion *m = cni_motions(world) + index;
 	cni_velocity_start *start = cni_starts(world) + index;
@@ -66,17 +67,18 @@ static void response_take_out(cn_world *world, int32_t index, float px, float py
 	start->w += m->inv_inertia * moment;
 }
 
-/* What of an impulse goes the way of the load, and no farther. */
+/* The part of an impulse in the direction of the load, at most the load. */
 static float load_part(float impulse, float load)
 {
 	return load > 0.0f ? cni_clamp(impulse, 0.0f, load) : cni_clamp(impulse, load, 0.0f);
 }
 
 /*
- * The next substep is to start from the loads of a joint, not from the impulses of a blow: from what a row bore as the step
- * began. (From nothing, a bridge that is hit would lose the tension it stands by.) Springs and motors are meant.
+ * Restarts a joint from its loads instead of the impulses of an impact: each row keeps at most its impulse at the start of the
+ * step. (With zero impulses, a bridge that is hit would lose the tension that carries it.) Rows of springs and motors are
+ * skipped.
  */
-static void joint_forget(cn_world *world, cni_joint_constraint *w)
+static void joint_reset(cn_world *world, cni_joint_constraint *w)
 {
 	cni_joint_impulses all;
 	int32_t r;
@@ -86,20 +88,20 @@ static void joint_forget(cn_world *world, cni_joint_constraint *w)
 		float kept = load_part(row->impulse, w->record->impulse[row->slot]), j = row->impulse - kept;
 		if (cni_row_kind_drives(row->kind))
 			continue;
-		response_take_out(world, w->ia, row->ax * j, row->ay * j, row->aw * j);
-		response_take_out(world, w->ib, row->bx * j, row->by * j, row->bw * j);
+		response_remove(world, w->ia, row->ax * j, row->ay * j, row->aw * j);
+		response_remove(world, w->ib, row->bx * j, row->by * j, row->bw * j);
 		row->impulse = kept;
 	}
 	cni_joint_impulses_write(world, w, &all);
 }
 
-static void joints_forget(cn_world *world)
+static void joints_reset(cn_world *world)
 {
 	int32_t k;
 	for (k = 0; k < world->awake_joints.count; ++k) {
 		cni_joint_constraint *w = cni_joint_constraints(world) + k;
-		if (cni_starts(world)[w->ia].jumped >= CNI_SHOCKED || cni_starts(world)[w->ib].jumped >= CNI_SHOCKED)
-			joint_forget(world, w);
+		if (cni_starts(world)[w->ia].jumped >= CNI_JUMPED || cni_starts(world)[w->ib].jumped >= CNI_JUMPED)
+			joint_reset(world, w);
 	}
 }
 
@@ -113,5 +115,5 @@ uint32_t cni_velocity_jumps_mark(cn_world *world, const cni_solve *s)
 void cni_velocity_jumps_reset(cn_world *world, const cni_solve *s)
 {
 	if (world->awake_joints.count > 0 && cni_velocity_jumps_mark(world, s) > 0)
-		joints_forget(world);
+		joints_reset(world);
 }

@@ -230,9 +230,9 @@ cn_result cn_body_destroy(cn_world *world, cn_body body)
 	cni_call call = cni_enter(world, __func__);
 	const cni_body *b = cni_check_body(&call, "body", body);
 	if (call.result == CN_OK)
-		reserve_end(&call, world, b->contact_count, cni_joint_count(world, cni_index_of(body)));
+		reserve_end(&call, world, b->contact_count, cni_joint_count(world, cni_body_index(world, body)));
 	if (call.result == CN_OK)
-		body_destroy(world, cni_index_of(body));
+		body_destroy(world, cni_body_index(world, body));
 	return call.result;
 }
 
@@ -248,7 +248,7 @@ static int32_t mark_bodies(cni_call *call, const cn_body *bodies, int32_t count,
 			break;
 		b->flags |= CNI_BODY_MARK;
 		*out_contacts += b->contact_count;
-		*out_joints += cni_joint_count(call->world, cni_index_of(bodies[k]));
+		*out_joints += cni_joint_count(call->world, cni_body_index(call->world, bodies[k]));
 	}
 	return k;
 }
@@ -261,10 +261,10 @@ cn_result cn_body_destroy_many(cn_world *world, const cn_body *bodies, int32_t c
 	if (call.result == CN_OK)
 		marked = mark_bodies(&call, bodies, count, &contacts, &joints);
 	for (k = 0; k < marked; ++k)
-		cni_body_at(world, cni_index_of(bodies[k]))->flags &= ~(uint32_t)CNI_BODY_MARK;
+		cni_body_at(world, cni_body_index(world, bodies[k]))->flags &= ~(uint32_t)CNI_BODY_MARK;
 	reserve_end(&call, world, contacts, joints);
 	for (k = 0; k < count && call.result == CN_OK; ++k)
-		body_destroy(world, cni_index_of(bodies[k]));
+		body_destroy(world, cni_body_index(world, bodies[k]));
 	return call.result;
 }
 

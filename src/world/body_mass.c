@@ -36,8 +36,8 @@ cn_result cn_body_set_mass_data(cn_world *world, cn_body body, const cn_mass_dat
 	b->mass = mass->mass_kg;
 	b->inertia = mass->inertia_kgm2;
 	cni_body_set_center(world, b, mass->center_m);
-	cni_body_update_mass(world, cni_index_of(body));
-	cni_body_wake(world, cni_index_of(body));
+	cni_body_update_mass(world, cni_body_index(world, body));
+	cni_body_wake(world, cni_body_index(world, body));
 	return CN_OK;
 }
 
@@ -48,8 +48,8 @@ cn_result cn_body_reset_mass_data(cn_world *world, cn_body body)
 	if (call.result != CN_OK)
 		return call.result;
 	b->flags &= ~(uint32_t)CNI_BODY_MASS_OVERRIDE;
-	cni_body_update_mass(world, cni_index_of(body));
-	cni_body_wake(world, cni_index_of(body));
+	cni_body_update_mass(world, cni_body_index(world, body));
+	cni_body_wake(world, cni_body_index(world, body));
 	return CN_OK;
 }
 
@@ -76,7 +76,7 @@ cn_result cn_body_set_gravity_scale(cn_world *world, cn_body body, float scale)
 	if (call.result != CN_OK)
 		return call.result;
 	if (scale != b->gravity_scale)
-		cni_body_wake(world, cni_index_of(body));
+		cni_body_wake(world, cni_body_index(world, body));
 	b->gravity_scale = scale;
 	return CN_OK;
 }

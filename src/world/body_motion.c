@@ -44,7 +44,7 @@ cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, fl
 	cn_vec2 position_m = { position_x_m, position_y_m };
 	cni_call call = cni_enter(world, __func__);
 	const cni_body *b = cni_check_body(&call, "body", body);
-	int32_t index = cni_index_of(body);
+	int32_t index = cni_body_index(world, body);
 	cni_check_position(&call, "position_m", position_m);
 	cni_check_angle(&call, "angle_rad", angle_rad);
 	if (call.result == CN_OK)
@@ -110,10 +110,38 @@ cn_result cn_body_set_velocity(cn_world *world, cn_body body, float linear_x_mps
 	v.linear_mps = linear_mps;
 	v.angular_radps = angular_radps;
 	if (linear_mps.x != 0.0f || linear_mps.y != 0.0f || angular_radps != 0.0f)
-		cni_body_wake(world, cni_index_of(body));
+		cni_body_wake(world, cni_body_index(world, body));
 	cni_body_store_velocity(world, b, v);
-	cni_body_kick(world, cni_index_of(body));
+	cni_body_kick(world, cni_body_index(world, body));
 	return CN_OK;
+}
+
+/* The velocity that takes a body to a pose in dt. */
+static cn_velocity velocity_to(const cni_body *b, cn_vec2 position, float angle, float dt)
+{
+	cni_rot q = cni_sincos(angle), turn = cni_rot_between(b->q, q);
+	cni_vec2 center = cni_add(position, cni_rotate(q, b->local_center));
+	cn_velocity v;
+	v.linear_mps = cni_mul(1.0f / dt, arm_to(b, center));
+	v.angular_radps = cni_atan2(turn.s, turn.c) / dt;
+	return v;
+}
+
+cn_result cn_body_set_target_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad, float dt_s)
+{
+	cn_vec2 position_m = { position_x_m, position_y_m };
+	cni_call call = cni_enter(world, __func__);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cn_velocity v;
+	cni_check_position(&call, "position_m", position_m);
+	cni_check_angle(&call, "angle_rad", angle_rad);
+	cni_check_range(&call, "dt_s", dt_s, 1e-6f, 1.0f);
+	if (call.result == CN_OK && b->type != CN_BODY_KINEMATIC)
+		cni_refuse(&call, CN_ERROR_STATE, "the body is not kinematic");
+	if (call.result != CN_OK)
+		return call.result;
+	v = velocity_to(b, position_m, angle_rad, dt_s);
+	return cn_body_set_velocity(world, body, v.linear_mps.x, v.linear_mps.y, v.angular_radps);
 }
 
 CNI_DEFINE_GET(body, velocity, cn_velocity, cni_body_velocity(world, record))
@@ -130,6 +158,7 @@ cn_result cn_body_get_velocity_at(const cn_world *world, cn_body body, float poi
 		return call.result;
 	v = cni_body_velocity(world, b);
 	*out_mps = cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(arm_to(b, point_m)));
+	*out_mps = cni_v(cni_saturate(out_mps->x), cni_saturate(out_mps->y));
 	return CN_OK;
 }
 
@@ -150,7 +179,7 @@ static cn_result add_force(cni_call *call, cn_world *world, cn_body body, cni_ve
 	float total_torque;
 	if (call->result != CN_OK)
 		return call->result;
-	b = cni_body_at(world, cni_index_of(body));
+	b = cni_body_at(world, cni_body_index(world, body));
 	if (!can_be_pushed(b))
 		return CN_OK;
 	d = cni_externals(world) + b->awake; /* the dummy has none */
@@ -158,7 +187,7 @@ static cn_result add_force(cni_call *call, cn_world *world, cn_body body, cni_ve
 	total_torque = d->alpha + torque;
 	if (!cni_is_finite2(total) || !cni_is_finite(total_torque))
 		return cni_refuse(call, CN_ERROR_ARGUMENT, "the sum of forces and torques of this step must stay finite");
-	cni_body_wake(world, cni_index_of(body));
+	cni_body_wake(world, cni_body_index(world, body));
 	d = cni_externals(world) + b->awake;
 	d->ax = total.x;
 	d->ay = total.y;
@@ -201,7 +230,7 @@ static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, cni_
 	cn_velocity v;
 	if (call->result != CN_OK)
 		return call->result;
-	b = cni_body_at(world, cni_index_of(body));
+	b = cni_body_at(world, cni_body_index(world, body));
 	if (!can_be_pushed(b))
 		return CN_OK;
 	v = cni_body_velocity(world, b);
@@ -210,9 +239,9 @@ static cn_result add_impulse(cni_call *call, cn_world *world, cn_body body, cni_
 		v.angular_radps += angular / b->inertia;
 	if (!cni_is_finite2(v.linear_mps) || !cni_is_finite(v.angular_radps))
 		return cni_refuse(call, CN_ERROR_ARGUMENT, "the velocity after the impulse must stay finite");
-	cni_body_wake(world, cni_index_of(body));
+	cni_body_wake(world, cni_body_index(world, body));
 	cni_body_store_velocity(world, b, v);
-	cni_body_kick(world, cni_index_of(body));
+	cni_body_kick(world, cni_body_index(world, body));
 	return CN_OK;
 }
 

@@ -83,13 +83,13 @@ cn_result cn_body_set_type(cn_world *world, cn_body body, int32_t type)
 {
 	cni_call call = cni_enter(world, __func__);
 	cni_body *b = cni_check_body(&call, "body", body);
-	int32_t index = cni_index_of(body), chain, shape;
+	int32_t index = cni_body_index(world, body), chain, shape;
 	cni_check_range_int(&call, "type", type, CN_BODY_STATIC, CN_BODY_DYNAMIC);
 	if (call.result != CN_OK || b->type == type)
 		return call.result;
 	if (type != CN_BODY_DYNAMIC && some_joint_needs_dynamic(world, b))
 		return cni_refuse(&call, CN_ERROR_STATE, "a joint or constraint would be left without a dynamic body");
-	reserve_relink(&call, world, cni_index_of(body));
+	reserve_relink(&call, world, cni_body_index(world, body));
 	if (call.result == CN_OK && b->type == CN_BODY_STATIC)
 		cni_check_reserved(&call, cni_body_reserve(world, 1), "movable bodies");
 	if (call.result != CN_OK)
@@ -159,21 +159,21 @@ cn_result cn_body_set_flags(cn_world *world, cn_body body, uint32_t flags)
 	flags &= FLAGS_SETTABLE;
 	changed = (b->flags ^ flags) & FLAGS_SETTABLE;
 	if (changed & CN_BODY_ENABLED) {
-		reserve_relink(&call, world, cni_index_of(body));
+		reserve_relink(&call, world, cni_body_index(world, body));
 		if (flags & CN_BODY_ENABLED)
 			place_all(&call, world, b);
 		if (call.result != CN_OK)
 			return call.result;
-		set_enabled(world, cni_index_of(body), (flags & CN_BODY_ENABLED) != 0);
+		set_enabled(world, cni_body_index(world, body), (flags & CN_BODY_ENABLED) != 0);
 	}
 	b->flags = (b->flags & ~(uint32_t)FLAGS_SETTABLE) | flags;
 	if (changed & FLAGS_LOCKS) {
-		cni_body_wake(world, cni_index_of(body));
+		cni_body_wake(world, cni_body_index(world, body));
 		cni_body_store_velocity(world, b, cni_body_velocity(world, b));
 		cni_body_refresh_motion(world, b);
 	}
 	if ((changed & CN_BODY_SLEEP) && !(flags & CN_BODY_SLEEP))
-		cni_body_wake(world, cni_index_of(body));
+		cni_body_wake(world, cni_body_index(world, body));
 	return CN_OK;
 }
 
@@ -194,12 +194,12 @@ cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake)
 	if (call.result != CN_OK)
 		return call.result;
 	if (awake) {
-		cni_body_wake(world, cni_index_of(body));
+		cni_body_wake(world, cni_body_index(world, body));
 		return CN_OK;
 	}
 	if (b->awake == 0)
 		return CN_OK;
-	if (!cni_body_reserve_sleep(world, cni_index_of(body)) || !island_tighten(world, b) || !cni_body_put_to_sleep(world, cni_index_of(body)))
+	if (!cni_body_reserve_sleep(world, cni_body_index(world, body)) || !island_tighten(world, b) || !cni_body_put_to_sleep(world, cni_body_index(world, body)))
 		return cni_refuse(&call, CN_ERROR_MEMORY, "no memory for contacts at rest");
 	world->events.moved_built = 0;
 	return CN_OK;

@@ -58,7 +58,7 @@ static cn_result constraint_create(cn_world *world, const char *function, int32_
 	cni_joint_reserve_one(&call, world, 0);
 	if (call.result != CN_OK)
 		return call.result;
-	joint = cni_joint_take(world, type, joint_flags(head.flags) | CN_JOINT_COLLIDE, CNI_NONE, cni_index_of(head.body));
+	joint = cni_joint_take(world, type, joint_flags(head.flags) | CN_JOINT_COLLIDE, CNI_NONE, cni_body_index(world, head.body));
 	cni_joint_def_store(cni_joint_at(world, joint), def);
 	cni_joint_turns_begin(world, cni_joint_at(world, joint));
 	cni_joint_link(world, joint);
@@ -71,7 +71,7 @@ cn_result cn_constraint_destroy(cn_world *world, cn_constraint constraint)
 	cni_call call = cni_enter(world, __func__);
 	cni_check_constraint(&call, "constraint", constraint);
 	if (call.result == CN_OK)
-		cni_joint_destroy(world, cni_index_of(constraint));
+		cni_joint_destroy(world, cni_joint_index(world, constraint));
 	return call.result;
 }
 
@@ -116,7 +116,7 @@ static cn_result constraint_set(cn_world *world, const char *function, int32_t t
 		return call.result;
 	cni_joint_def_store(j, def);
 	memset(j->impulse, 0, sizeof j->impulse); /* impulses belong to the limits that were */
-	cni_joint_change_flags(world, cni_index_of(constraint), joint_flags(head.flags) | CN_JOINT_COLLIDE);
+	cni_joint_change_flags(world, cni_joint_index(world, constraint), joint_flags(head.flags) | CN_JOINT_COLLIDE);
 	return CN_OK;
 }
 

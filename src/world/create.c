@@ -141,7 +141,7 @@ static void tables_init(cn_world *world)
 	cni_table_init(&world->islands, (int32_t)sizeof(cni_island), CNI_PAGE_ISLANDS);
 	cni_array_init(&world->motion, (int32_t)sizeof(cni_motion));
 	cni_array_init(&world->start, (int32_t)sizeof(cni_velocity_start));
-	cni_array_init(&world->drive, (int32_t)sizeof(cni_external));
+	cni_array_init(&world->external, (int32_t)sizeof(cni_external));
 	cni_array_init(&world->awake_id, (int32_t)sizeof(int32_t));
 	cni_array_init(&world->kicked, (int32_t)sizeof(cn_body));
 	cni_array_init(&world->previous, (int32_t)sizeof(cni_previous));
@@ -183,7 +183,7 @@ static void tables_deinit(cn_world *world)
 	cni_table_deinit(&world->islands, memory);
 	cni_array_deinit(&world->motion, memory);
 	cni_array_deinit(&world->start, memory);
-	cni_array_deinit(&world->drive, memory);
+	cni_array_deinit(&world->external, memory);
 	cni_array_deinit(&world->awake_id, memory);
 	cni_array_deinit(&world->kicked, memory);
 	cni_array_deinit(&world->previous, memory);
@@ -206,7 +206,7 @@ static cn_result dummy_create(cn_world *world)
 	if (cni_body_reserve(world, 0) != CN_OK)
 		return CN_ERROR_MEMORY;
 	world->awake_count = 1;
-	world->motion.count = world->start.count = world->drive.count = world->awake_id.count = 1;
+	world->motion.count = world->start.count = world->external.count = world->awake_id.count = 1;
 	memset(cni_motions(world), 0, sizeof(cni_motion));
 	memset(cni_starts(world), 0, sizeof(cni_velocity_start));
 	memset(cni_externals(world), 0, sizeof(cni_external));
@@ -244,19 +244,20 @@ static cn_result team_create(cn_world *world, const cn_world_def *d)
 
 /* ---- capacities ---- */
 
-/* Slots wear out after 1023 lives; a spare for every 64 lets a fixed world run 16 times as long. */
-static int32_t with_spares(int32_t capacity)
+/* Slots that have worn out their index are found by a list of aliases, which a fixed world has beforehand. */
+static int32_t reserve_handles(cn_world *world, const cn_world_def *d, cni_handles *handles, int32_t capacity)
 {
-	return cni_min_i(capacity + capacity / 64, CN_MAX_HANDLES);
+	return cni_handles_reserve(handles, &world->memory, capacity) == CN_OK &&
+	       (d->memory == NULL || cni_handles_reserve_aliases(handles, &world->memory, capacity));
 }
 
 static int32_t reserve_records(cn_world *world, const cn_world_def *d)
 {
 	cni_memory *m = &world->memory;
-	int32_t bodies = with_spares(d->body_capacity), shapes = with_spares(d->shape_capacity), joints = with_spares(d->joint_capacity);
-	return cni_handles_reserve(&world->body_handles, m, bodies) == CN_OK && cni_table_reserve(&world->bodies, m, bodies) &&
-	       cni_handles_reserve(&world->shape_handles, m, shapes) == CN_OK && cni_table_reserve(&world->shapes, m, shapes) &&
-	       cni_handles_reserve(&world->joint_handles, m, joints) == CN_OK && cni_table_reserve(&world->joints, m, joints) &&
+	int32_t bodies = d->body_capacity, shapes = d->shape_capacity, joints = d->joint_capacity;
+	return reserve_handles(world, d, &world->body_handles, bodies) && cni_table_reserve(&world->bodies, m, bodies) &&
+	       reserve_handles(world, d, &world->shape_handles, shapes) && cni_table_reserve(&world->shapes, m, shapes) &&
+	       reserve_handles(world, d, &world->joint_handles, joints) && cni_table_reserve(&world->joints, m, joints) &&
 	       cni_body_reserve(world, d->body_capacity) == CN_OK && cni_table_reserve(&world->proxies, m, d->shape_capacity) &&
 	       cni_island_reserve(world, d->body_capacity / 2 + 2);
 }
@@ -323,7 +324,7 @@ static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 	       cni_array_reserve_exact(&world->direct_islands, m, d->body_capacity / 2) &&
 	       cni_array_reserve_exact(&world->direct_plans[0], m, plan_items(d)) &&
 	       cni_array_reserve_exact(&world->kicked, m, 2 * d->body_capacity) &&
-	       cni_array_reserve_exact(&world->previous, m, with_spares(d->body_capacity)) &&
+	       cni_array_reserve_exact(&world->previous, m, d->body_capacity) &&
 	       cni_array_reserve_exact(&world->events.joint_log, m, d->joint_capacity) &&
 	       cni_array_reserve_exact(&world->events.joint_pending, m, d->joint_capacity) &&
 	       cni_arena_reserve(&world->arena, arena_bytes(d));
@@ -360,9 +361,9 @@ static uint64_t records_bytes(const cn_world_def *d)
 	int32_t blocks = blocks_for(d->contact_capacity);
 	int32_t counts[10], k;
 	uint64_t bytes = 0;
-	counts[0] = with_spares(d->body_capacity);
-	counts[1] = with_spares(d->shape_capacity);
-	counts[2] = with_spares(d->joint_capacity);
+	counts[0] = d->body_capacity;
+	counts[1] = d->shape_capacity;
+	counts[2] = d->joint_capacity;
 	counts[3] = d->shape_capacity;
 	counts[4] = islands_for(d->body_capacity);
 	counts[5] = d->contact_capacity;
@@ -375,11 +376,16 @@ static uint64_t records_bytes(const cn_world_def *d)
 	return bytes;
 }
 
+static uint64_t handles_bytes(int32_t n)
+{
+	return array_bytes(n, sizeof(uint32_t)) + 2u * array_bytes(n, sizeof(cni_alias));
+}
+
 static uint64_t body_arrays_bytes(int32_t n)
 {
 	return array_bytes(n + 1, sizeof(cni_motion)) + array_bytes(n + 1, sizeof(cni_velocity_start)) + array_bytes(n + 1, sizeof(cni_external)) +
 	       array_bytes(n + 1, sizeof(int32_t)) + 2u * array_bytes(2 * n, sizeof(cn_body)) + array_bytes(2 * n + 1, sizeof(cn_body_moved)) +
-	       array_bytes(with_spares(n), sizeof(cni_previous)) + array_bytes(with_spares(n), sizeof(uint32_t));
+	       array_bytes(n, sizeof(cni_previous)) + handles_bytes(n);
 }
 
 /* The last line is for the event arrays that users ask for: all that a contact can do in a step but for being
@@ -394,9 +400,9 @@ static uint64_t contact_arrays_bytes(int32_t n)
 static uint64_t arrays_bytes(const cn_world_def *d)
 {
 	int32_t joints = d->joint_capacity;
-	return body_arrays_bytes(d->body_capacity) + array_bytes(d->body_capacity / 2, sizeof(int32_t)) + contact_arrays_bytes(d->contact_capacity) + array_bytes(with_spares(d->shape_capacity), sizeof(uint32_t)) +
+	return body_arrays_bytes(d->body_capacity) + array_bytes(d->body_capacity / 2, sizeof(int32_t)) + contact_arrays_bytes(d->contact_capacity) + handles_bytes(d->shape_capacity) +
 	       2u * array_bytes(joints, sizeof(cn_joint_event)) +
-	       array_bytes(with_spares(joints), sizeof(uint32_t)) + array_bytes(joints, CNI_JOINT_CONSTRAINT_BYTES) + array_bytes(joints, sizeof(int32_t)) +
+	       handles_bytes(joints) + array_bytes(joints, CNI_JOINT_CONSTRAINT_BYTES) + array_bytes(joints, sizeof(int32_t)) +
 	       array_bytes(cni_joint_blocks_for(joints), sizeof(cni_joint_block)) +
 	       array_bytes(1, (size_t)arena_bytes(d)) + array_bytes(plan_items(d), CNI_KEPT_BYTES);
 }

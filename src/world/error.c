@@ -443,7 +443,7 @@ cni_list cni_list_begin(cni_call *call, uint32_t *out, int32_t capacity, const i
 cn_result cni_slots_reserve(cn_world *world, cni_handles *handles, cni_table *records, int32_t extra)
 {
 	int32_t used = cni_handles_used(handles);
-	int32_t waiting = used - handles->count - handles->retired;
+	int32_t waiting = used - handles->count;
 	cn_result result = cni_handles_reserve(handles, &world->memory, extra);
 	if (result != CN_OK)
 		return result;

@@ -121,7 +121,16 @@ static inline void cni_list_add(cni_list *list, uint32_t handle)
 
 /* ---- index and handle of records whose handle passed a check */
 
-static inline int32_t cni_index_of(uint32_t handle) { return (int32_t)(handle & 0xFFFFFu); }
+/* Of what has not passed one the index means nothing, but may be asked for. */
+static inline int32_t cni_body_index(const cn_world *world, cn_body body) { return world == NULL ? CNI_NONE : cni_handles_slot(&world->body_handles, body); }
+static inline int32_t cni_shape_index(const cn_world *world, cn_shape shape) { return world == NULL ? CNI_NONE : cni_handles_slot(&world->shape_handles, shape); }
+/* Joints and constraints differ in the kind alone. */
+static inline int32_t cni_joint_index(const cn_world *world, uint32_t joint_or_constraint)
+{
+	return world == NULL ? CNI_NONE : cni_handles_slot(&world->joint_handles, (joint_or_constraint & ~(3u << 20)) | (uint32_t)CNI_KIND_JOINT << 20);
+}
+/* By which handles of one kind are put in order: that of their slots, but for a slot that goes by another index. */
+static inline int32_t cni_order_of(uint32_t handle) { return (int32_t)(handle & 0xFFFFFu); }
 /* CNI_NONE gives 0. */
 static inline uint32_t cni_handle_or_zero(const cni_handles *handles, int32_t index)
 {

@@ -30,9 +30,10 @@ void cn_explosion_def_init(cn_explosion_def *def)
 typedef struct explosion {
 	cn_world *world;
 	const cn_explosion_def *def;
+	const cni_sight *sight;
 	uint64_t *keys;   /* body << 36 | shape << 16 | child; NULL: count only */
 	int32_t count;
-	int32_t reserved;
+	int32_t capacity; /* of keys: the user's filter may answer otherwise the second time */
 } explosion;
 
 static float explosion_visit(void *context, int32_t proxy, float limit)
@@ -40,10 +41,12 @@ static float explosion_visit(void *context, int32_t proxy, float limit)
 	explosion *e = (explosion *)context;
 	cni_query_target t;
 	cni_nearest n;
-	if (!cni_query_target_of(e->world, proxy, &e->def->filter, &t) || t.body->type != CN_BODY_DYNAMIC)
+	if (!cni_query_target_of(e->sight, proxy, &t) || cni_sight_hides_one_way(e->sight, t.shape) || t.body->type != CN_BODY_DYNAMIC)
 		return limit;
 	n = cni_geometry_nearest(t.geometry, t.child, cni_query_to_local(t.body, e->def->center_m));
-	if (n.distance > e->def->radius_m + e->def->falloff_m)
+	if (n.distance > e->def->radius_m + e->def->falloff_m || cni_sight_ask_target(e->sight, &t) == CN_QUERY_SKIP)
+		return limit;
+	if (e->keys != NULL && e->count == e->capacity)
 		return limit;
 	if (e->keys != NULL)
 		e->keys[e->count] = (uint64_t)(uint32_t)t.shape->body << 36 | (uint64_t)(uint32_t)t.index << 16 | (uint64_t)(uint32_t)t.child;
@@ -57,8 +60,11 @@ static void find_pieces(explosion *e, uint64_t *keys)
 	cni_vec2 c = e->def->center_m;
 	cni_aabb box = { c.x - reach, c.y - reach, c.x + reach, c.y + reach };
 	e->keys = keys;
+	e->capacity = e->count;
 	e->count = 0;
+	++e->world->locked; /* the filter may ask the user */
 	e->world->broadphase_ops->query(e->world->broadphase, &box, explosion_visit, e);
+	--e->world->locked;
 }
 
 /* ------------------------------------------------------------------ pushing */
@@ -158,13 +164,17 @@ static void check_def(cni_call *call, const cn_explosion_def *def)
 cn_result cn_world_explode(cn_world *world, const cn_explosion_def *def)
 {
 	cni_call call = cni_enter(world, __func__);
+	cni_sight sight;
 	explosion e;
 	uint64_t *keys;
 	check_def(&call, def);
+	sight = cni_check_filter(&call, call.result == CN_OK ? &def->filter : NULL);
 	if (call.result != CN_OK)
 		return call.result;
 	e.world = world;
 	e.def = def;
+	e.sight = &sight;
+	e.count = 0;
 	find_pieces(&e, NULL);
 	if (e.count == 0)
 		return CN_OK;

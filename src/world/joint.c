@@ -62,7 +62,7 @@ cn_result cn_joint_set_flags(cn_world *world, cn_joint joint, uint32_t flags)
 		return call.result;
 	cni_joint_change_reserve(&call, world, j);
 	if (call.result == CN_OK)
-		cni_joint_change_flags(world, cni_index_of(joint), flags);
+		cni_joint_change_flags(world, cni_joint_index(world, joint), flags);
 	return call.result;
 }
 

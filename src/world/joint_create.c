@@ -98,9 +98,9 @@ int32_t cni_joint_take(cn_world *world, int32_t type, uint32_t flags, int32_t bo
 	return joint;
 }
 
-static int32_t side_index(cn_body body)
+static int32_t side_index(const cn_world *world, cn_body body)
 {
-	return body != 0 ? cni_index_of(body) : CNI_NONE;
+	return body != 0 ? cni_body_index(world, body) : CNI_NONE;
 }
 
 /* base: whose bodies and anchors the joint has; a set ignores the def's. */
@@ -132,10 +132,10 @@ static cn_result joint_create(cn_world *world, const char *function, int32_t typ
 	check_bodies(&call, base);
 	check_def(&call, type, base, def);
 	if (call.result == CN_OK)
-		cni_joint_reserve_one(&call, world, base->body_a != 0 ? cni_body_at(world, cni_index_of(base->body_a))->contact_count : 0);
+		cni_joint_reserve_one(&call, world, base->body_a != 0 ? cni_body_at(world, cni_body_index(world, base->body_a))->contact_count : 0);
 	if (call.result != CN_OK)
 		return call.result;
-	joint = cni_joint_take(world, type, base->flags, side_index(base->body_a), side_index(base->body_b));
+	joint = cni_joint_take(world, type, base->flags, side_index(world, base->body_a), side_index(world, base->body_b));
 	j = cni_joint_at(world, joint);
 	j->anchor[0] = base->anchor_a_m;
 	j->anchor[1] = base->anchor_b_m;
@@ -153,7 +153,7 @@ cn_result cn_joint_destroy(cn_world *world, cn_joint joint)
 	cni_call call = cni_enter(world, __func__);
 	cni_check_joint(&call, "joint", joint);
 	if (call.result == CN_OK)
-		cni_joint_destroy(world, cni_index_of(joint));
+		cni_joint_destroy(world, cni_joint_index(world, joint));
 	return call.result;
 }
 
@@ -203,7 +203,7 @@ static cn_result joint_set(cn_world *world, const char *function, int32_t type, 
 	if (type == CN_JOINT_RATCHET)
 		cni_joint_ratchet_begin(world, j);
 	j->user_data = base->user_data;
-	cni_joint_change_flags(world, cni_index_of(joint), base->flags);
+	cni_joint_change_flags(world, cni_joint_index(world, joint), base->flags);
 	return CN_OK;
 }
 

@@ -26,6 +26,7 @@ const char *cn_result_text(cn_result result)
 	case CN_ERROR_CAPACITY: return "too many things alive at once, or an output array is too small";
 	case CN_ERROR_STATE: return "the object is in a state in which this makes no sense";
 	case CN_ERROR_INTERNAL: return "an internal invariant is broken";
+	case CN_ERROR_FORMAT: return "the bytes are not a saved world, or damaged";
 	default: return "unknown result code";
 	}
 }
@@ -81,6 +82,12 @@ int32_t cn_sizeof(int32_t type)
 	case CN_TYPE_ANGLE_CONSTRAINT_DEF: return (int32_t)sizeof(cn_angle_constraint_def);
 	case CN_TYPE_LINE_CONSTRAINT_DEF: return (int32_t)sizeof(cn_line_constraint_def);
 	case CN_TYPE_ISLAND_REPORT: return (int32_t)sizeof(cn_island_report);
+	case CN_TYPE_DISTANCE: return (int32_t)sizeof(cn_distance);
+	case CN_TYPE_SWEEP: return (int32_t)sizeof(cn_sweep);
+	case CN_TYPE_IMPACT: return (int32_t)sizeof(cn_impact);
+	case CN_TYPE_PLANE: return (int32_t)sizeof(cn_plane);
+	case CN_TYPE_MOVER_DEF: return (int32_t)sizeof(cn_mover_def);
+	case CN_TYPE_MOVER: return (int32_t)sizeof(cn_mover);
 	default: return 0;
 	}
 }

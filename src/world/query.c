@@ -11,35 +11,82 @@ void cn_query_filter_init(cn_query_filter *filter)
 {
 	if (filter == NULL)
 		return;
+	memset(filter, 0, sizeof *filter);
 	filter->category = 1;
 	filter->mask = ~(uint64_t)0;
 }
 
-cn_query_filter cni_query_filter_or_default(const cn_query_filter *filter)
+cni_sight cni_check_filter(cni_call *call, const cn_query_filter *filter)
 {
-	cn_query_filter f;
-	cn_query_filter_init(&f);
-	return filter != NULL ? *filter : f;
+	cni_sight s;
+	s.world = call->world;
+	s.ignored = CNI_NONE;
+	s.without = 0;
+	s.touch = 0.0f;
+	cn_query_filter_init(&s.filter);
+	if (call->result != CN_OK)
+		return s;
+	if (filter != NULL)
+		s.filter = *filter;
+	cni_check_flags(call, "flags", s.filter.flags, CN_QUERY_IGNORE_JOINED | CN_QUERY_ONE_WAY | CN_QUERY_LEAVING);
+	if (s.filter.ignored_body != 0 && cni_check_body(call, "ignored_body", s.filter.ignored_body) != NULL)
+		s.ignored = cni_body_index(call->world, s.filter.ignored_body);
+	s.touch = s.filter.flags & CN_QUERY_LEAVING ? FLT_MAX : call->world->settings.slop;
+	return s;
 }
 
-int32_t cni_query_sees(const cni_shape *shape, const cn_query_filter *filter)
+static int32_t is_joined(const cn_world *world, int32_t body, int32_t to)
 {
+	int32_t key;
+	for (key = cni_body_at(world, to)->joint_first; key != CNI_NONE; key = cni_joint_at(world, key >> 1)->next[key & 1])
+		if (cni_joint_at(world, key >> 1)->body[!(key & 1)] == body)
+			return 1;
+	return 0;
+}
+
+int32_t cni_sight_sees(const cni_sight *sight, const cni_shape *shape)
+{
+	const cn_query_filter *filter = &sight->filter;
 	if ((shape->flags & (CN_SHAPE_SENSOR | CN_SHAPE_SENSOR_SEEN)) == CN_SHAPE_SENSOR)
 		return 0;
-	return (shape->category & filter->mask) != 0 && (shape->mask & filter->category) != 0;
+	if ((sight->without & CNI_SIGHT_WITHOUT_SENSORS && shape->flags & CN_SHAPE_SENSOR) || (sight->without & CNI_SIGHT_WITHOUT_ONE_WAY && shape->flags & CN_SHAPE_ONE_WAY))
+		return 0;
+	if ((shape->category & filter->mask) == 0 || (shape->mask & filter->category) == 0)
+		return 0;
+	if (sight->ignored == CNI_NONE)
+		return 1;
+	return shape->body != sight->ignored && !(filter->flags & CN_QUERY_IGNORE_JOINED && is_joined(sight->world, shape->body, sight->ignored));
 }
 
-int32_t cni_query_target_of(const cn_world *world, int32_t proxy, const cn_query_filter *filter, cni_query_target *out)
+int32_t cni_query_target_of(const cni_sight *sight, int32_t proxy, cni_query_target *out)
 {
+	const cn_world *world = sight->world;
 	const cni_proxy *p = cni_proxy_at(world, proxy);
 	out->index = p->shape;
 	out->child = cni_proxy_child(p);
 	out->shape = cni_shape_at(world, p->shape);
-	if (!cni_query_sees(out->shape, filter))
+	if (!cni_sight_sees(sight, out->shape))
 		return 0;
 	out->body = cni_body_at(world, out->shape->body);
 	out->geometry = cni_shape_geometry(&world->blocks, out->shape);
 	return 1;
+}
+
+int32_t cni_sight_ask(const cni_sight *sight, const cn_ray_hit *hit)
+{
+	return sight->filter.visit != NULL ? sight->filter.visit(sight->world, hit, sight->filter.user) : CN_QUERY_TAKE;
+}
+
+int32_t cni_sight_ask_target(const cni_sight *sight, const cni_query_target *t)
+{
+	cn_ray_hit hit;
+	if (sight->filter.visit == NULL)
+		return CN_QUERY_TAKE;
+	memset(&hit, 0, sizeof hit);
+	hit.shape = cni_handles_of(&sight->world->shape_handles, t->index);
+	hit.body = cni_handle_or_zero(&sight->world->body_handles, t->shape->body);
+	hit.child = t->child;
+	return cni_sight_ask(sight, &hit);
 }
 
 /* ------------------------------------------------------------------ frames */
@@ -103,6 +150,12 @@ static void check_region_points(cni_call *call, cni_region *region)
 		cni_refuse(call, CN_ERROR_ARGUMENT, wrong);
 	else if (region->count > 2 && cni_cross(region->points[1], region->points[2]) < 0.0f)
 		points_reverse(region->points, region->count);
+}
+
+/* A way may be as long as the world is wide. */
+void cni_check_translation(cni_call *call, cn_vec2 translation)
+{
+	cni_check_position(call, "half the translation", cni_mul(0.5f, translation));
 }
 
 void cni_check_region(cni_call *call, const cn_polygon *polygon, cni_region *out)

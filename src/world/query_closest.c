@@ -12,10 +12,9 @@
 #define GROWTH 4.0f
 
 typedef struct closest_query {
-	const cn_world *world;
+	const cni_sight *sight;
 	cni_vec2 point;
 	float distance_max;
-	cn_query_filter filter;
 	cn_closest best;
 } closest_query;
 
@@ -29,7 +28,7 @@ static float box_distance(const cni_aabb *box, cni_vec2 p)
 
 static int32_t is_closer(const closest_query *q, const cni_query_target *t, float distance)
 {
-	int32_t best = cni_index_of(q->best.shape);
+	int32_t best = q->best.shape != 0 ? cni_shape_index(q->sight->world, q->best.shape) : CNI_NONE;
 	if (q->best.shape == 0 || distance != q->best.distance_m)
 		return q->best.shape == 0 || distance < q->best.distance_m;
 	return t->index < best || (t->index == best && t->child < q->best.child);
@@ -38,17 +37,18 @@ static int32_t is_closer(const closest_query *q, const cni_query_target *t, floa
 static float closest_visit(void *context, int32_t proxy, float limit)
 {
 	closest_query *q = (closest_query *)context;
+	const cn_world *world = q->sight->world;
 	cni_query_target t;
 	cni_nearest n;
-	if (q->best.shape != 0 && box_distance(&cni_proxy_at(q->world, proxy)->fat, q->point) > cni_max(q->best.distance_m, 0.0f))
+	if (q->best.shape != 0 && box_distance(&cni_proxy_at(world, proxy)->fat, q->point) > cni_max(q->best.distance_m, 0.0f))
 		return limit;
-	if (!cni_query_target_of(q->world, proxy, &q->filter, &t))
+	if (!cni_query_target_of(q->sight, proxy, &t) || cni_sight_hides_one_way(q->sight, t.shape))
 		return limit;
 	n = cni_geometry_nearest(t.geometry, t.child, cni_query_to_local(t.body, q->point));
-	if (n.distance > q->distance_max || !is_closer(q, &t, n.distance))
+	if (n.distance > q->distance_max || !is_closer(q, &t, n.distance) || cni_sight_ask_target(q->sight, &t) == CN_QUERY_SKIP)
 		return limit;
-	q->best.shape = cni_handles_of(&q->world->shape_handles, t.index);
-	q->best.body = cni_handle_or_zero(&q->world->body_handles, t.shape->body);
+	q->best.shape = cni_handles_of(&world->shape_handles, t.index);
+	q->best.body = cni_handle_or_zero(&world->body_handles, t.shape->body);
 	q->best.child = t.child;
 	q->best.distance_m = n.distance;
 	q->best.point_m = cni_query_to_world(t.body, n.point);
@@ -63,12 +63,13 @@ static void look_within(closest_query *q, float reach)
 	box.y0 = q->point.y - reach;
 	box.x1 = q->point.x + reach;
 	box.y1 = q->point.y + reach;
-	q->world->broadphase_ops->query(q->world->broadphase, &box, closest_visit, q);
+	q->sight->world->broadphase_ops->query(q->sight->world->broadphase, &box, closest_visit, q);
 }
 
 cn_result cn_world_closest_point(const cn_world *world, float x_m, float y_m, float distance_max_m, const cn_query_filter *filter, cn_closest *out)
 {
 	cni_call call = cni_enter_const(world);
+	cni_sight sight = cni_check_filter(&call, filter);
 	closest_query q;
 	float reach;
 	cni_check_position(&call, "point", cni_v(x_m, y_m));
@@ -78,10 +79,9 @@ cn_result cn_world_closest_point(const cn_world *world, float x_m, float y_m, fl
 	if (call.result != CN_OK)
 		return call.result;
 	memset(&q, 0, sizeof q);
-	q.world = world;
+	q.sight = &sight;
 	q.point = cni_v(x_m, y_m);
 	q.distance_max = distance_max_m;
-	q.filter = cni_query_filter_or_default(filter);
 	reach = cni_min(distance_max_m, world->settings.length_unit);
 	look_within(&q, reach);
 	while (reach < distance_max_m && (q.best.shape == 0 || q.best.distance_m > reach)) {

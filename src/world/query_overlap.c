@@ -13,16 +13,15 @@ typedef struct overlap_query overlap_query;
 typedef int32_t overlap_test_fn(const overlap_query *q, const cni_query_target *t);
 
 struct overlap_query {
-	const cn_world *world;
+	const cni_sight *sight;
 	overlap_test_fn *test;
 	const cni_region *region;   /* circle and polygon */
 	cni_aabb box;
 	cni_vec2 point;
-	cn_query_filter filter;
 	cni_first found;
+	int32_t stop;               /* no shape after this one; CNI_NONE */
 	int32_t chains[CHAINS_MAX];
 	int32_t chain_count;
-	int32_t reserved;
 };
 
 /* ------------------------------------------------------------------ tests */
@@ -50,7 +49,7 @@ static int32_t test_point(const overlap_query *q, const cni_query_target *t)
 
 static int32_t index_before(const void *a, const void *b)
 {
-	return cni_index_of(*(const cn_shape *)a) < cni_index_of(*(const cn_shape *)b);
+	return cni_order_of(*(const cn_shape *)a) < cni_order_of(*(const cn_shape *)b);
 }
 
 static int32_t chain_is_known(const overlap_query *q, int32_t shape)
@@ -67,8 +66,23 @@ static int32_t chain_begins_with(const overlap_query *q, cni_query_target t)
 {
 	int32_t child = t.child;
 	for (t.child = 0; t.child < child; ++t.child)
-		if (cni_aabb_overlap(&cni_proxy_at(q->world, cni_shape_proxy(q->world, t.shape, t.child))->fat, &q->box) && q->test(q, &t))
+		if (cni_aabb_overlap(&cni_proxy_at(q->sight->world, cni_shape_proxy(q->sight->world, t.shape, t.child))->fat, &q->box) && q->test(q, &t))
 			return 0;
+	return 1;
+}
+
+/* 1 the first time that a shape is found to overlap. */
+static int32_t overlap_finds(overlap_query *q, const cni_query_target *t)
+{
+	if (t->shape->type == CN_SHAPE_CHAIN && chain_is_known(q, t->index))
+		return 0;
+	if (!q->test(q, t))
+		return 0;
+	if (t->shape->type != CN_SHAPE_CHAIN)
+		return 1;
+	if (q->chain_count == CHAINS_MAX)
+		return chain_begins_with(q, *t);
+	q->chains[q->chain_count++] = t->index;
 	return 1;
 }
 
@@ -77,32 +91,38 @@ static float overlap_visit(void *context, int32_t proxy, float limit)
 	overlap_query *q = (overlap_query *)context;
 	cni_query_target t;
 	cn_shape handle;
-	if (!cni_query_target_of(q->world, proxy, &q->filter, &t))
+	int32_t said;
+	if (!cni_query_target_of(q->sight, proxy, &t) || cni_sight_hides_one_way(q->sight, t.shape) || (q->stop != CNI_NONE && t.index > q->stop))
 		return limit;
-	if (t.shape->type == CN_SHAPE_CHAIN && chain_is_known(q, t.index))
+	if (!overlap_finds(q, &t))
 		return limit;
-	if (!q->test(q, &t))
+	t.child = 0; /* a chain as a whole */
+	said = cni_sight_ask_target(q->sight, &t);
+	if (said == CN_QUERY_SKIP)
 		return limit;
-	if (t.shape->type == CN_SHAPE_CHAIN) {
-		if (q->chain_count < CHAINS_MAX)
-			q->chains[q->chain_count++] = t.index;
-		else if (!chain_begins_with(q, t))
-			return limit;
-	}
-	handle = cni_handles_of(&q->world->shape_handles, t.index);
+	if (said == CN_QUERY_STOP)
+		q->stop = t.index;
+	handle = cni_handles_of(&q->sight->world->shape_handles, t.index);
 	cni_first_add(&q->found, &handle);
 	return limit;
 }
 
-/* q has its test, region and box. */
-static cn_result overlap_run(overlap_query *q, const cn_world *world, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count)
+static void overlap_search(overlap_query *q, cn_shape *out, int32_t capacity)
 {
-	q->world = world;
-	q->filter = cni_query_filter_or_default(filter);
 	q->chain_count = 0;
 	cni_first_begin(&q->found, out, (int32_t)sizeof *out, capacity, index_before);
-	world->broadphase_ops->query(world->broadphase, &q->box, overlap_visit, q);
+	q->sight->world->broadphase_ops->query(q->sight->world->broadphase, &q->box, overlap_visit, q);
 	cni_first_end(&q->found);
+}
+
+/* q has its test, region and box. */
+static cn_result overlap_run(overlap_query *q, const cni_sight *sight, cn_shape *out, int32_t capacity, int32_t *out_count)
+{
+	q->sight = sight;
+	q->stop = CNI_NONE;
+	overlap_search(q, out, capacity);
+	if (q->stop != CNI_NONE) /* some that come after it may have been counted before */
+		overlap_search(q, out, capacity);
 	*out_count = q->found.total;
 	return CN_OK;
 }
@@ -118,6 +138,7 @@ static void check_output(cni_call *call, const cn_shape *out, int32_t capacity, 
 cn_result cn_world_overlap_aabb(const cn_world *world, const cn_aabb *box, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count)
 {
 	cni_call call = cni_enter_const(world);
+	cni_sight sight = cni_check_filter(&call, filter);
 	overlap_query q;
 	check_output(&call, out, capacity, out_count);
 	cni_check_pointer(&call, "box", box);
@@ -135,11 +156,12 @@ cn_result cn_world_overlap_aabb(const cn_world *world, const cn_aabb *box, const
 	q.box.y0 = box->lower_m.y;
 	q.box.x1 = box->upper_m.x;
 	q.box.y1 = box->upper_m.y;
-	return overlap_run(&q, world, filter, out, capacity, out_count);
+	return overlap_run(&q, &sight, out, capacity, out_count);
 }
 
 static cn_result overlap_region(cni_call *call, const cn_polygon *polygon, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count)
 {
+	cni_sight sight = cni_check_filter(call, filter);
 	overlap_query q;
 	cni_region region;
 	check_output(call, out, capacity, out_count);
@@ -149,7 +171,7 @@ static cn_result overlap_region(cni_call *call, const cn_polygon *polygon, const
 	q.test = test_region;
 	q.region = &region;
 	q.box = cni_region_box(&region, cni_v(0.0f, 0.0f));
-	return overlap_run(&q, call->world, filter, out, capacity, out_count);
+	return overlap_run(&q, &sight, out, capacity, out_count);
 }
 
 cn_result cn_world_overlap_circle(const cn_world *world, const cn_circle *circle, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count)
@@ -175,6 +197,7 @@ cn_result cn_world_overlap_polygon(const cn_world *world, const cn_polygon *poly
 cn_result cn_world_overlap_point(const cn_world *world, float x_m, float y_m, const cn_query_filter *filter, cn_shape *out, int32_t capacity, int32_t *out_count)
 {
 	cni_call call = cni_enter_const(world);
+	cni_sight sight = cni_check_filter(&call, filter);
 	overlap_query q;
 	check_output(&call, out, capacity, out_count);
 	cni_check_position(&call, "point", cni_v(x_m, y_m));
@@ -185,5 +208,5 @@ cn_result cn_world_overlap_point(const cn_world *world, float x_m, float y_m, co
 	q.point = cni_v(x_m, y_m);
 	q.box.x0 = q.box.x1 = x_m;
 	q.box.y0 = q.box.y1 = y_m;
-	return overlap_run(&q, world, filter, out, capacity, out_count);
+	return overlap_run(&q, &sight, out, capacity, out_count);
 }

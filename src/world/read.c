@@ -61,7 +61,7 @@ static walk walk_begin(const cn_world *world, const cn_body *bodies)
 static int32_t walk_next(walk *w)
 {
 	if (w->bodies != NULL)
-		return cni_index_of(w->bodies[w->step++]);
+		return cni_body_index(w->world, w->bodies[w->step++]);
 	while (!cni_handles_alive(&w->world->body_handles, w->slot))
 		++w->slot;
 	return w->slot++;
@@ -191,7 +191,7 @@ static int32_t moved_build(cn_world *world)
 		if ((cni_body_at(world, ids[k])->flags & (CNI_BODY_MOVED | CNI_BODY_MARK)) == CNI_BODY_MOVED)
 			moved_add(world, ids[k], 0);
 	for (k = 0; k < moved->count; ++k)
-		cni_body_at(world, cni_index_of(((const cn_body_moved *)moved->data)[k].body))->flags &= ~(uint32_t)CNI_BODY_MARK;
+		cni_body_at(world, cni_body_index(world, ((const cn_body_moved *)moved->data)[k].body))->flags &= ~(uint32_t)CNI_BODY_MARK;
 	world->events.moved_built = 1;
 	return 1;
 }

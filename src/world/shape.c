@@ -19,15 +19,15 @@ cn_result cn_shape_attach(cn_world *world, cn_shape shape, cn_body body)
 		cni_refuse(&call, CN_ERROR_STATE, "the shape is attached already");
 	if (call.result != CN_OK)
 		return call.result;
-	cni_shape_link(world, cni_index_of(shape), cni_index_of(body));
+	cni_shape_link(world, cni_shape_index(world, shape), cni_body_index(world, body));
 	if (b->flags & CN_BODY_ENABLED)
-		cni_check_reserved(&call, cni_shape_place(world, cni_index_of(shape)), "the shape's boxes");
+		cni_check_reserved(&call, cni_shape_place(world, cni_shape_index(world, shape)), "the shape's boxes");
 	if (call.result != CN_OK) {
-		cni_shape_unlink(world, cni_index_of(shape));
+		cni_shape_unlink(world, cni_shape_index(world, shape));
 		return call.result;
 	}
-	cni_body_shapes_changed(world, cni_index_of(body), cni_index_of(shape));
-	cni_body_wake_grown(world, cni_index_of(body));
+	cni_body_shapes_changed(world, cni_body_index(world, body), cni_shape_index(world, shape));
+	cni_body_wake_grown(world, cni_body_index(world, body));
 	return CN_OK;
 }
 
@@ -55,7 +55,7 @@ cn_result cn_shape_detach(cn_world *world, cn_shape shape)
 		cni_refuse(&call, CN_ERROR_STATE, "the shape is not attached");
 	reserve_leave(&call, world, s);
 	if (call.result == CN_OK)
-		shape_leave_body(world, cni_index_of(shape));
+		shape_leave_body(world, cni_shape_index(world, shape));
 	return call.result;
 }
 
@@ -67,9 +67,9 @@ cn_result cn_shape_destroy(cn_world *world, cn_shape shape)
 	if (call.result != CN_OK)
 		return call.result;
 	if (s->body != CNI_NONE)
-		shape_leave_body(world, cni_index_of(shape));
-	cni_shape_free_geometry(world, cni_index_of(shape));
-	cni_handles_release(&world->shape_handles, cni_index_of(shape));
+		shape_leave_body(world, cni_shape_index(world, shape));
+	cni_shape_free_geometry(world, cni_shape_index(world, shape));
+	cni_handles_release(&world->shape_handles, cni_shape_index(world, shape));
 	return CN_OK;
 }
 
@@ -133,7 +133,7 @@ cn_result cn_shape_set_material(cn_world *world, cn_shape shape, const cn_materi
 {
 	cni_call call = cni_enter(world, __func__);
 	cni_shape *s = cni_check_shape(&call, "shape", shape);
-	int32_t index = cni_index_of(shape), key;
+	int32_t index = cni_shape_index(world, shape), key;
 	cni_check_pointer(&call, "material", material);
 	if (call.result == CN_OK)
 		cni_check_material(&call, material);
@@ -196,9 +196,9 @@ cn_result cn_shape_set_filter(cn_world *world, cn_shape shape, const cn_filter *
 	s->category = filter->category;
 	s->mask = filter->mask;
 	s->group = filter->group;
-	end_forbidden_contacts(world, cni_index_of(shape));
-	cni_shape_refilter(world, cni_index_of(shape));
-	wake_met(world, cni_index_of(shape));
+	end_forbidden_contacts(world, cni_shape_index(world, shape));
+	cni_shape_refilter(world, cni_shape_index(world, shape));
+	wake_met(world, cni_shape_index(world, shape));
 	return CN_OK;
 }
 
@@ -229,7 +229,7 @@ cn_result cn_shape_set_event_mask(cn_world *world, cn_shape shape, uint32_t even
 {
 	cni_call call = cni_enter(world, __func__);
 	cni_shape *s = cni_check_shape(&call, "shape", shape);
-	int32_t index = cni_index_of(shape), key;
+	int32_t index = cni_shape_index(world, shape), key;
 	cni_check_flags(&call, "event_mask", event_mask, EVENT_MASK);
 	reserve_leave(&call, world, s);
 	if (call.result != CN_OK)
@@ -246,7 +246,7 @@ cn_result cn_shape_set_flags(cn_world *world, cn_shape shape, uint32_t flags)
 {
 	cni_call call = cni_enter(world, __func__);
 	cni_shape *s = cni_check_shape(&call, "shape", shape);
-	int32_t index = cni_index_of(shape);
+	int32_t index = cni_shape_index(world, shape);
 	cni_check_flags(&call, "flags", flags, CNI_SHAPE_FLAGS);
 	if (call.result == CN_OK && s->body != CNI_NONE)
 		cni_check_reserved(&call, cni_contact_reserve_end(world, cni_body_at(world, s->body)->contact_count), "the events of ending contacts");

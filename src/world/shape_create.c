@@ -121,7 +121,7 @@ static cni_ref shape_prepare(cni_call *call, cn_world *world, const cn_shape_def
 	record_fill(cni_shape_at(world, shape), def, g, ref);
 	cni_check_shape_mass(call, cni_geometry_mass(g, def->density_kgpm2));
 	if (call->result == CN_OK && def->body != 0)
-		record_attach(call, world, shape, cni_index_of(def->body));
+		record_attach(call, world, shape, cni_body_index(world, def->body));
 	if (call->result == CN_OK)
 		return ref;
 	cni_blocks_free(&world->blocks, ref, bytes);
@@ -138,8 +138,8 @@ static cn_result shape_create(cni_call *call, cn_world *world, const cn_shape_de
 		return call->result;
 	shape = cni_handles_take(&world->shape_handles);
 	if (def->body != 0) {
-		cni_body_shapes_changed(world, cni_index_of(def->body), shape);
-		cni_body_wake_grown(world, cni_index_of(def->body));
+		cni_body_shapes_changed(world, cni_body_index(world, def->body), shape);
+		cni_body_wake_grown(world, cni_body_index(world, def->body));
 	}
 	if (out_shape != NULL)
 		*out_shape = cni_handles_of(&world->shape_handles, shape);

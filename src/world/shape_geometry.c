@@ -19,7 +19,7 @@ static const cni_geometry *geometry_of(cni_call *call, cn_shape shape, int32_t t
 /* Of the shape's body, or the identity when it has none. */
 static cni_transform transform_of(const cn_world *world, cn_shape shape)
 {
-	int32_t body = cni_shape_at(world, cni_index_of(shape))->body;
+	int32_t body = cni_shape_at(world, cni_shape_index(world, shape))->body;
 	cni_transform identity = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
 	return body == CNI_NONE ? identity : cni_body_transform(cni_body_at(world, body));
 }
@@ -65,7 +65,7 @@ cn_result cn_shape_get_mass_data(const cn_world *world, cn_shape shape, cn_mass_
 	cni_call call = cni_enter_const(world);
 	const cni_geometry *g = geometry_of(&call, shape, CNI_NONE, out);
 	if (g != NULL)
-		*out = cni_geometry_mass(g, cni_shape_at(world, cni_index_of(shape))->density);
+		*out = cni_geometry_mass(g, cni_shape_at(world, cni_shape_index(world, shape))->density);
 	return call.result;
 }
 
@@ -139,7 +139,7 @@ cn_result cn_shape_test_point(const cn_world *world, cn_shape shape, float point
 	cni_check_finite2(&call, "point_m", point_m);
 	if (call.result != CN_OK)
 		return call.result;
-	body = cni_shape_at(world, cni_index_of(shape))->body;
+	body = cni_shape_at(world, cni_shape_index(world, shape))->body;
 	if (body != CNI_NONE) {
 		b = cni_body_at(world, body);
 		point_m = cni_sub(cni_sub(point_m, cni_v(b->cx, b->cy)), cni_v(b->cx_low, b->cy_low));

@@ -10,6 +10,8 @@
 
 #include <string.h>
 
+#define STEP_LEAST 1e-9f /* seconds: shorter ones move nothing, and floats do not hold the squares of their inverses */
+
 cn_result cn_world_set_fixed_step(cn_world *world, float step_s, int32_t steps_max)
 {
 	cni_call call = cni_enter(world, __func__);
@@ -125,6 +127,6 @@ cn_result cn_world_step(cn_world *world, float dt_s)
 	cni_call call = cni_enter(world, "cn_world_step");
 	cni_check_range(&call, "dt_s", dt_s, 0.0f, 1.0f);
 	if (call.result == CN_OK)
-		cni_step(world, dt_s);
+		cni_step(world, dt_s < STEP_LEAST ? 0.0f : dt_s);
 	return call.result;
 }

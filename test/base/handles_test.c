@@ -1,4 +1,4 @@
-/* Promises of base/handles.h: stale handles never come alive, oldest slot first, atomic reserve. */
+/* Promises of base/handles.h: stale handles stay refused, oldest slot first, constant memory, atomic reserve. */
 #include "hooks.h"
 
 #include "base/handles.h"
@@ -72,28 +72,125 @@ static void t_oldest_first(void)
 	end();
 }
 
-static void t_slot_retires_after_its_generations(void)
+/* One slot, all the time: it wears out its index, then one alias after the other, with the same memory. */
+static void t_ten_million_lives_of_a_slot(void)
 {
-	uint32_t seen = 0;
-	int32_t i, repeats = 0;
+	enum { LIVES = 10000000, EACH = 1009 };
+	static uint32_t dead[LIVES / EACH + 1];
+	uint64_t bytes = 0;
+	uint32_t first = 0, last = 0;
+	int32_t k, wrong = 0, count = 0, revived = 0;
 
 	begin(CNI_KIND_JOINT);
-	for (i = 1; i <= 1023; ++i) {
+	for (k = 0; k < LIVES; ++k) {
 		uint32_t handle;
 
 		REQUIRE(take() == 0);
 		handle = cni_handles_of(&handles, 0);
-		repeats += handle <= seen || cni_handles_find(&handles, handle) != 0;
-		repeats += seen != 0 && cni_handles_find(&handles, seen) != CNI_NONE;
-		seen = handle;
+		wrong += handle == last || cni_handles_find(&handles, handle) != 0 || (handle >> 20 & 3u) != CNI_KIND_JOINT || handle >> 22 == 0;
+		if (k == 0)
+			first = handle;
+		else
+			revived += cni_handles_find(&handles, first) != CNI_NONE || cni_handles_find(&handles, last) != CNI_NONE;
+		if (k % EACH == 0)
+			dead[count++] = handle;
+		if (k == 2000)
+			bytes = memory.bytes_in_use;
+		last = handle;
 		cni_handles_release(&handles, 0);
-		repeats += cni_handles_find(&handles, handle) != CNI_NONE;
+		wrong += cni_handles_find(&handles, handle) != CNI_NONE;
 	}
-	CHECK_LE("handles that came alive again", repeats, 0, "handles");
-	CHECK(seen >> 22 == 1023 && handles.retired == 1);
-	CHECK(take() == 1);
-	CHECK(cni_handles_find(&handles, seen) == CNI_NONE && !cni_handles_alive(&handles, 0));
-	CHECK(cni_handles_used(&handles) == 2 && handles.count == 1);
+	REQUIRE(take() == 0);
+	for (k = 0; k < count; ++k)
+		revived += cni_handles_find(&handles, dead[k]) != CNI_NONE;
+	CHECK_LE("wrong answers", wrong, 0, "");
+	CHECK_LE("handles that came alive again", revived, 0, "handles");
+	CHECK_LE("bytes grown after 2,000 lives", memory.bytes_in_use - bytes, 0, "bytes");
+	CHECK(cni_handles_used(&handles) == 1 && handles.count == 1);
+	end();
+}
+
+static uint32_t wear_out(void)
+{
+	uint32_t handle = 0;
+	int32_t k;
+
+	for (k = 0; k < 1023; ++k) {
+		int32_t slot = take();
+
+		handle = cni_handles_of(&handles, slot);
+		cni_handles_release(&handles, slot);
+	}
+	return handle;
+}
+
+/* Slots grow into indices that have been aliases: those slots get aliases at once. */
+static void t_own_indices_are_no_aliases(void)
+{
+	uint32_t alias, grown[8];
+	int32_t k, wrong = 0;
+
+	begin(CNI_KIND_BODY);
+	handles.alias_next = 4; /* as if all above had been given */
+	wear_out();
+	CHECK(take() == 0);
+	alias = cni_handles_of(&handles, 0);
+	CHECK((alias & 0xFFFFFu) == 3);
+	for (k = 0; k < 8; ++k) {
+		grown[k] = cni_handles_of(&handles, take());
+		wrong += cni_handles_find(&handles, grown[k]) != k + 1 || (grown[k] & 0xFFFFFu) == 3;
+	}
+	CHECK(cni_handles_find(&handles, alias) == 0 && cni_handles_of(&handles, 0) == alias);
+	CHECK_LE("new slots under an index that was given", wrong, 0, "");
+	end();
+}
+
+/* When all have been given they begin again, passing by those that are alive. */
+static void t_aliases_begin_again(void)
+{
+	uint32_t kept, next;
+	int32_t k;
+
+	begin(CNI_KIND_BODY);
+	wear_out();
+	CHECK(take() == 0);
+	kept = cni_handles_of(&handles, 0);
+	CHECK((kept & 0xFFFFFu) == 0xFFFFFu);
+	for (k = 1; k <= 2; ++k)
+		CHECK(take() == k);
+	for (k = 1; k <= 2; ++k)
+		cni_handles_release(&handles, k);
+	handles.alias_next = 3;
+	for (k = 0; k < 2; ++k)
+		wear_out();
+	CHECK(take() == 1 && take() == 2);
+	next = cni_handles_of(&handles, 1);
+	CHECK((next & 0xFFFFFu) == 0xFFFFEu);
+	CHECK(cni_handles_find(&handles, kept) == 0 && cni_handles_find(&handles, next) == 1);
+	end();
+}
+
+static void t_aliases_need_memory(void)
+{
+	uint32_t handle;
+
+	begin(CNI_KIND_BODY);
+	wear_out();
+	h.fail_at = h.calls + 1;
+	h.fail_after = 1;
+	CHECK(cni_handles_reserve(&handles, &memory, 1) == CN_ERROR_MEMORY);
+	h.fail_at = 0;
+	CHECK(take() == 0);
+	handle = cni_handles_of(&handles, 0);
+	CHECK(cni_handles_find(&handles, handle) == 0);
+	end();
+	begin(CNI_KIND_BODY);
+	CHECK(cni_handles_reserve(&handles, &memory, 1) == CN_OK && cni_handles_reserve_aliases(&handles, &memory, 1));
+	h.fail_at = h.calls + 1;
+	h.fail_after = 1;
+	wear_out();
+	CHECK(take() == 0);
+	h.fail_at = 0;
 	end();
 }
 
@@ -129,7 +226,7 @@ static void t_random_life(void)
 		wrong += index != CNI_NONE && cni_handles_of(&handles, index) != any;
 	}
 	CHECK_LE("wrong answers", wrong, 0, "");
-	CHECK_GE("slots retired on the way", handles.retired, 1, "slots");
+	CHECK_GE("slots with an alias", handles.aliases.count, 20, "slots");
 	end();
 }
 
@@ -177,6 +274,16 @@ static void t_indices_run_out(void)
 	CHECK(cni_handles_find(&handles, cni_handles_of(&handles, CN_MAX_HANDLES - 1)) == CN_MAX_HANDLES - 1);
 	cni_handles_release(&handles, 77);
 	CHECK(take() == 77);
+	/* Two slots wear out where one index is left, again and again: whatever they get, they are told apart. */
+	for (i = 0; i < 4; ++i) {
+		cni_handles_release(&handles, 77);
+		cni_handles_release(&handles, 78);
+		wear_out();
+		wear_out();
+		CHECK(take() + take() == 77 + 78);
+		CHECK(cni_handles_find(&handles, cni_handles_of(&handles, 77)) == 77 && cni_handles_find(&handles, cni_handles_of(&handles, 78)) == 78);
+		CHECK(cni_handles_find(&handles, cni_handles_of(&handles, 79)) == 79);
+	}
 	end();
 }
 
@@ -185,7 +292,10 @@ int main(int argc, char **argv)
 	test_begin(argc, argv);
 	RUN(t_layout);
 	RUN(t_oldest_first);
-	RUN(t_slot_retires_after_its_generations);
+	RUN(t_ten_million_lives_of_a_slot);
+	RUN(t_own_indices_are_no_aliases);
+	RUN(t_aliases_begin_again);
+	RUN(t_aliases_need_memory);
 	RUN(t_random_life);
 	RUN(t_reserve_is_certain_and_atomic);
 	RUN(t_indices_run_out);

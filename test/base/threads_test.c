@@ -9,6 +9,13 @@
 #include "test.h"
 
 #define ITEMS 5000
+#ifdef TEST_SLOW
+#define CHAIN_STEPS 200
+#define IDLE_TURNS 300000 /* each takes at least ten times as long under a sanitizer */
+#else
+#define CHAIN_STEPS 1000
+#define IDLE_TURNS 3000000
+#endif
 
 static const int32_t worker_counts[] = { 2, 3, 8, 64 };
 #define WORKER_COUNTS ((int32_t)(sizeof worker_counts / sizeof *worker_counts))
@@ -125,7 +132,7 @@ static void chain_range(void *context, int32_t begin, int32_t end, int32_t worke
 static void chain_lead(void *context)
 {
 	chain *c = context;
-	for (c->step = 0; c->step < 1000; ++c->step)
+	for (c->step = 0; c->step < CHAIN_STEPS; ++c->step)
 		cni_team_for(c->team, ITEMS, 100, chain_range, c);
 }
 
@@ -177,7 +184,7 @@ static void idle(void)
 {
 	volatile uint32_t *turns = &idle_turns;
 	int32_t k;
-	for (k = 0; k < 3000000; ++k)
+	for (k = 0; k < IDLE_TURNS; ++k)
 		++*turns;
 }
 

@@ -6,7 +6,7 @@
  */
 #include "collision/cast.h"
 #include "sets.h"
-#include "shapes.h"
+#include "geometry/shapes.h"
 #include "test.h"
 
 #include <string.h>
@@ -17,7 +17,7 @@
 
 static struct {
 	int casts, hits, inside;
-	double distance, point_a, point_m, normal, early, missed;
+	double distance, point_a, point_m, normal, early, missed, way_out, depth;
 } seen;
 
 /* Everything is measured in units of epsilon, float rounding at the sizes involved. */
@@ -30,18 +30,22 @@ static void check_cast(const double_set *a, const double_set *m, cni_vec2 d, int
 		return;
 	}
 	++seen.hits;
-	if (h->normal.x == 0.0f && h->normal.y == 0.0f) {
+	seen.normal = greater(seen.normal, fabs(hypot((double)h->normal.x, (double)h->normal.y) - 1.0));
+	if (h->inside) {
+		double out = (double)h->depth, apart = distance_of(a, m, 0.0, 0.0);
 		++seen.inside;
-		seen.distance = greater(seen.distance, distance_of(a, m, 0.0, 0.0) / epsilon);
+		seen.distance = greater(seen.distance, apart / epsilon);
+		seen.way_out = greater(seen.way_out, fabs(distance_of(a, m, out * (double)h->normal.x, out * (double)h->normal.y)) / epsilon);
+		seen.depth = greater(seen.depth, fabs(out + apart) / epsilon);
 		CHECK(h->fraction == 0.0f);
 		return;
 	}
+	CHECK(h->depth == 0.0f);
 	double t = (double)h->fraction;
 	seen.distance = greater(seen.distance, fabs(distance_of(a, m, t * dx, t * dy)) / epsilon);
 	seen.early += trace(a, m, dx, dy, -epsilon, t) < t;
 	seen.point_a = greater(seen.point_a, fabs(set_distance_to_point(a, (double)h->point.x, (double)h->point.y, 0.0, 0.0)) / epsilon);
 	seen.point_m = greater(seen.point_m, fabs(set_distance_to_point(m, (double)h->point.x, (double)h->point.y, t * dx, t * dy)) / epsilon);
-	seen.normal = greater(seen.normal, fabs(hypot((double)h->normal.x, (double)h->normal.y) - 1.0));
 	CHECK(h->fraction >= 0.0f && h->fraction <= 1.0f);
 	CHECK((double)h->normal.x * dx + (double)h->normal.y * dy <= 0.0);
 	/* A step outward along the normal leaves. */
@@ -57,6 +61,8 @@ static void seen_report(void)
 	CHECK_LE("point off the surface met", seen.point_a, 1.0, "epsilon");
 	CHECK_LE("point off the moved surface", seen.point_m, 4.0, "epsilon");
 	CHECK_LE("length of the normal off 1", seen.normal, 1e-6, "");
+	CHECK_LE("distance after the way out of what was started in", seen.way_out, 1.0, "epsilon");
+	CHECK_LE("depth off the shortest way out", seen.depth, 1.0, "epsilon");
 }
 
 /* Crosses an edge well between its ends, which no distance below 0 tells. */
@@ -172,7 +178,7 @@ static void t_known_answers(void)
 	CHECK(cni_cast_ray(&a.g, 0, cni_v(-3.0f, 0.0f), cni_v(4.0f, 0.0f), &h) && h.fraction == 0.5f && h.normal.x == -1.0f && h.point.x == -1.0f);
 	CHECK(!cni_cast_ray(&a.g, 0, cni_v(-3.0f, 0.0f), cni_v(1.9f, 0.0f), &h));
 	CHECK(!cni_cast_ray(&a.g, 0, cni_v(3.0f, 0.0f), cni_v(4.0f, 0.0f), &h));
-	CHECK(cni_cast_ray(&a.g, 0, cni_v(0.5f, 0.0f), cni_v(4.0f, 0.0f), &h) && h.fraction == 0.0f && h.normal.x == 0.0f && h.normal.y == 0.0f);
+	CHECK(cni_cast_ray(&a.g, 0, cni_v(0.5f, 0.0f), cni_v(4.0f, 0.0f), &h) && h.fraction == 0.0f && h.inside && h.normal.x == 1.0f && h.depth == 0.5f);
 	/* A translation of 0 meets what is around the origin only. */
 	CHECK(cni_cast_ray(&a.g, 0, cni_v(0.5f, 0.0f), cni_v(0.0f, 0.0f), &h) && h.fraction == 0.0f);
 	CHECK(!cni_cast_ray(&a.g, 0, cni_v(1.5f, 0.0f), cni_v(0.0f, 0.0f), &h));
@@ -214,6 +220,7 @@ static void t_chains_are_one_sided(void)
 	cn_chain chain = { points, 3, 0 };
 	cni_vec2 center = { 0.0f, 0.0f };
 	cni_proxy_points ball = { &center, 1, 0.25f };
+	cni_vec2 tile[4] = { { 0.0f, 0.0f }, { 1.0f, 0.0f }, { 1.0f, 1.0f }, { 0.0f, 1.0f } };
 	cni_cast_hit h;
 	cni_geometry_chain(&a.g, &chain, transform_none());
 	CHECK(cni_cast_ray(&a.g, 0, cni_v(1.0f, 1.0f), cni_v(0.0f, -4.0f), &h) && h.fraction == 0.25f && h.normal.y == 1.0f);
@@ -222,7 +229,9 @@ static void t_chains_are_one_sided(void)
 	CHECK(cni_cast_points(&a.g, 0, ball, center, transform_make(1.0f, 1.25f, 0.0f), cni_v(0.0f, -4.0f), &h) && h.fraction == 0.25f);
 	CHECK(!cni_cast_points(&a.g, 0, ball, center, transform_make(1.0f, -1.25f, 0.0f), cni_v(0.0f, 4.0f), &h));
 	CHECK(!cni_cast_points(&a.g, 0, ball, center, transform_make(1.0f, 1.25f, 0.0f), cni_v(0.0f, 4.0f), &h));
-	CHECK(cni_cast_points(&a.g, 0, ball, center, transform_make(1.0f, 0.2f, 0.0f), cni_v(0.0f, 1.0f), &h) && h.fraction == 0.0f && h.normal.y == 0.0f);
+	CHECK(cni_cast_points(&a.g, 0, ball, center, transform_make(1.0f, 0.2f, 0.0f), cni_v(0.0f, 1.0f), &h) && h.fraction == 0.0f && h.inside && h.normal.y == 1.0f);
+	CHECK_LE("error of the depth of a ball in a chain", fabs((double)h.depth - 0.05), 1e-6, "m");
+	CHECK(cni_cast_points(&a.g, 0, (cni_proxy_points){ tile, 4, 0.0f }, cni_v(0.5f, 0.5f), transform_make(1.0f, -0.4f, 0.0f), cni_v(0.0f, -1.0f), &h) && h.normal.y == 1.0f && h.depth == 0.4f);
 	CHECK(!cni_cast_points(&a.g, 0, ball, center, transform_make(1.0f, -0.2f, 0.0f), cni_v(0.0f, 1.0f), &h));
 }
 

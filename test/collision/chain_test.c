@@ -1,7 +1,7 @@
 /*
  * chain_test.c - promises about chains: one-sided, and no catches at inner vertices.
  */
-#include "shapes.h"
+#include "geometry/shapes.h"
 #include "test.h"
 
 #define MARGIN 0.02f

@@ -1,7 +1,7 @@
 /*
  * distance_test.c - closest points against slow references in double precision.
  */
-#include "shapes.h"
+#include "geometry/shapes.h"
 #include "test.h"
 
 static cni_proxy_points set_of(const record *r, cni_vec2 storage[2]) { return cni_geometry_proxy(&r->g, 0, storage); }

@@ -4,7 +4,7 @@
  */
 #include "base/cpu.h"
 #include "collision/manifold_boxes.h"
-#include "shapes.h"
+#include "geometry/shapes.h"
 #include "test.h"
 
 #define ROUNDS 10000

@@ -2,7 +2,7 @@
  * manifold_test.c - promises of every pair function but the chains' (chain_test.c), over thousands of
  * random pairs of all sizes, and the special poses that stacks and piles are made of.
  */
-#include "shapes.h"
+#include "geometry/shapes.h"
 #include "test.h"
 
 #define MARGIN 0.02f

@@ -2,7 +2,7 @@
  * manifold_time_test.c - prints what a manifold costs. Not a bound on time: it fails only when the pairs do
  * not touch as they should.
  */
-#include "shapes.h"
+#include "geometry/shapes.h"
 #include "test.h"
 #include <time.h>
 

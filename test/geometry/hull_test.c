@@ -1,7 +1,7 @@
 /*
  * hull_test.c - promises of cni_hull_make against brute force.
  */
-#include "shapes.h"
+#include "geometry/shapes.h"
 #include "test.h"
 
 static double outside_most(const cn_polygon *h, const cni_vec2 *points, int32_t count)

@@ -1,7 +1,7 @@
 /*
  * mass_test.c - masses, centres and inertias against closed forms and numeric integration.
  */
-#include "shapes.h"
+#include "geometry/shapes.h"
 #include "test.h"
 
 #define PI 3.14159265358979

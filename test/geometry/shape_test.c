@@ -1,7 +1,7 @@
 /*
  * shape_test.c - promises of geometry/shape.h about building, checking, bounds and point tests.
  */
-#include "shapes.h"
+#include "geometry/shapes.h"
 #include "test.h"
 
 static void t_record_layout(void)

@@ -87,7 +87,7 @@ static void bench_draw(uint32_t seed)
 	if (!k->angular)
 		return;
 	pick_row(k->angle0, -1.0f, 1.0f), pick_row(k->angle, -1.0f, 1.0f), pick_row(k->rest, -1.0f, 1.0f);
-	pick_row(k->spring_mass, 0.0f, 1.0f), pick_row(k->spring_bias, 0.0f, 20.0f), pick_row(k->spring_give, 0.0f, 0.5f), pick_row(k->spring_j, -1.0f, 1.0f);
+	pick_row(k->spring_mass, 0.0f, 1.0f), pick_row(k->spring_bias, 0.0f, 20.0f), pick_row(k->spring_impulse_scale, 0.0f, 0.5f), pick_row(k->spring_j, -1.0f, 1.0f);
 	pick_row(k->speed, -5.0f, 5.0f), pick_row(k->torque, 0.0f, 50.0f), pick_row(k->motor_j, -0.2f, 0.2f);
 	pick_row(k->lower, -1.0f, 0.0f), pick_row(k->upper, 0.0f, 1.0f), pick_row(k->limit_j, -1.0f, 1.0f);
 }

@@ -54,7 +54,7 @@ static void numbers_draw(uint32_t *random)
 	draw_row(k->dx0, random, -0.3f, 0.3f), draw_row(k->dy0, random, -0.3f, 0.3f), draw_row(k->angle0, random, -1.0f, 1.0f);
 	draw_row(k->qc0, random, 0.6f, 0.8f), draw_row(k->qs0, random, 0.6f, 0.8f), draw_row(k->axis_x, random, 0.6f, 0.8f), draw_row(k->axis_y, random, 0.6f, 0.8f);
 	draw_row(k->rest, random, 0.1f, 0.5f), draw_row(k->lower, random, -0.2f, 0.1f), draw_row(k->upper, random, 0.1f, 0.3f);
-	draw_row(k->spring_mass, random, 0.0f, 1.0f), draw_row(k->spring_bias, random, 0.0f, 20.0f), draw_row(k->spring_give, random, 0.0f, 0.5f);
+	draw_row(k->spring_mass, random, 0.0f, 1.0f), draw_row(k->spring_bias, random, 0.0f, 20.0f), draw_row(k->spring_impulse_scale, random, 0.0f, 0.5f);
 	draw_row(k->speed, random, -5.0f, 5.0f), draw_row(k->most, random, 0.0f, 50.0f);
 	draw_row(k->spring_j, random, -1.0f, 1.0f), draw_row(k->motor_j, random, -0.2f, 0.2f), draw_row(k->limit_j, random, 0.0f, 1.0f);
 	for (r = 0; r < CNI_JOINT_RIGID_ROWS; ++r)
@@ -104,7 +104,7 @@ static void bench_run(bench *b, const cni_joint_kernel *kernel)
 /* Of lanes that are taken; what lies behind them may be anything. */
 static int32_t rows_differ(void)
 {
-	const int32_t rows = (int32_t)(offsetof(cni_row_block, work) / sizeof(float[CNI_LANES]));
+	const int32_t rows = (int32_t)(offsetof(cni_row_block, constraint) / sizeof(float[CNI_LANES]));
 	int32_t k, differ = memcmp(plain.motions, wide.motions, sizeof plain.motions) != 0 || memcmp(plain.starts, wide.starts, sizeof plain.starts) != 0;
 	for (k = 0; k < rows; ++k)
 		differ |= memcmp((const float *)(const void *)&plain.block + k * CNI_LANES, (const float *)(const void *)&wide.block + k * CNI_LANES, sizeof(float) * (size_t)drawn.block.lanes) != 0;

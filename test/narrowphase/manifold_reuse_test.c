@@ -6,7 +6,7 @@
  * types) must end following where it matters. If a difference is large, look at the frames in contacts/manifold_reuse_kernel.h.
  */
 #include "model/world.h"
-#include "model/solve.h"
+#include "narrowphase/touch.h"
 #include "world/fixture.h"
 
 #include <string.h>

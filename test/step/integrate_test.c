@@ -154,7 +154,7 @@ static void kernels_have_the_bits_of_the_plain_code(void)
 	cn_world_destroy(world);
 }
 
-/* Speeds and turns as they are at the end of a step: some bodies are slow, some held, some too fast, some turn far. */
+/* Speeds and turns as they are at the end of a step: some bodies are slow, some held, some pushed, some too fast, some turn far. */
 static void draw_ends(void)
 {
 	int32_t k;
@@ -170,6 +170,11 @@ static void draw_ends(void)
 		if (which < 16u) { /* what the drive gave is gone */
 			s->vx = m->vx + FRAME_S / 4.0f * drawn.drives[k].ax;
 			s->vy = m->vy + FRAME_S / 4.0f * drawn.drives[k].ay;
+		}
+		if (which % 4u != 0) { /* moved by its velocity; the others are pushed too */
+			m->dpx = FRAME_S * m->vx + pick(-2e-4f, 2e-4f);
+			m->dpy = FRAME_S * m->vy + pick(-2e-4f, 2e-4f);
+			m->theta = FRAME_S * m->w + pick(-2e-4f, 2e-4f);
 		}
 		if (which == 62u)
 			m->theta = pick(-4.0f, 4.0f);

@@ -74,6 +74,11 @@ ENTRY(cn_body_set_velocity, cn_body_set_velocity(W, f.box, 1.0f, 0.0f, 1.0f),
 	NOW(cn_body_set_velocity(NULL, f.box, 1.0f, 0.0f, 1.0f)); BODY(h, cn_body_set_velocity(W, h, 1.0f, 0.0f, 1.0f));
 	VECTOR(v, cn_body_set_velocity(W, f.box, v.x, v.y, 1.0f)); FLOAT(x, cn_body_set_velocity(W, f.box, 1.0f, 0.0f, x));
 	STATE(cn_body_set_velocity(W, f.ground, 0.0f, 0.0f, 0.0f));)
+ENTRY(cn_body_set_target_pose, cn_body_set_target_pose(W, f.rail, 1.0f, 3.0f, 0.5f, 0.01f),
+	NOW(cn_body_set_target_pose(NULL, f.rail, 1.0f, 3.0f, 0.5f, 0.01f)); BODY(h, cn_body_set_target_pose(W, h, 1.0f, 3.0f, 0.5f, 0.01f));
+	POSITION(v, cn_body_set_target_pose(W, f.rail, v.x, v.y, 0.5f, 0.01f)); ANGLE(x, cn_body_set_target_pose(W, f.rail, 0.0f, 0.0f, x, 0.01f));
+	RANGE(x, 0.0f, 1.1f, cn_body_set_target_pose(W, f.rail, 0.0f, 0.0f, 0.0f, x));
+	STATE(cn_body_set_target_pose(W, f.box, 0.0f, 0.0f, 0.0f, 0.01f)); STATE(cn_body_set_target_pose(W, f.ground, 0.0f, 0.0f, 0.0f, 0.01f));)
 GETTER(cn_body_get_velocity, BODY, f.box, cn_velocity)
 #define POINT_GETTER(name) ENTRY(name, name(W, f.box, 1.0f, 2.0f, OUT(cn_vec2)), NOW(name(NULL, f.box, 1.0f, 2.0f, OUT(cn_vec2))); \
 	BODY(h, name(W, h, 1.0f, 2.0f, OUT(cn_vec2))); VECTOR(v, name(W, f.box, v.x, v.y, OUT(cn_vec2))); ARG(name(W, f.box, 1.0f, 2.0f, NULL));)

@@ -156,6 +156,11 @@ ENTRY(cn_world_contact_events, cn_world_contact_events(W, CN_EVENT_STAY, EVENTS,
 ENTRY(cn_world_set_contact_callback, cn_world_set_contact_callback(W, CN_EVENT_LEAVE, ignore_event, NULL),
 	NOW(cn_world_set_contact_callback(NULL, 1, NULL, NULL)); INTEGER(x, -1, CN_EVENT_KINDS, cn_world_set_contact_callback(W, x, ignore_event, NULL));)
 HANDLE_LIST(cn_body_get_contacts, BODY, f.box, cn_contact_event)
+HANDLE_LIST(cn_shape_get_contacts, SHAPE, f.box_shape, cn_contact_event)
+ENTRY(cn_shape_get_visitors, (cn_shape_set_flags(W, f.ball_shape, CN_SHAPE_SENSOR), cn_shape_get_visitors(W, f.ball_shape, OUT(cn_shape) + 4, 8, INT)),
+	NOW(cn_shape_get_visitors(NULL, f.ball_shape, OUT(cn_shape) + 4, 8, INT)); SHAPE(h, cn_shape_get_visitors(W, h, OUT(cn_shape) + 4, 8, INT));
+	STATE(cn_shape_get_visitors(W, f.ball_shape, OUT(cn_shape) + 4, 8, INT)); ARG(cn_shape_get_visitors(W, f.ball_shape, NULL, 1, INT));
+	ARG(cn_shape_get_visitors(W, f.ball_shape, OUT(cn_shape) + 4, -1, INT)); ARG(cn_shape_get_visitors(W, f.ball_shape, OUT(cn_shape) + 4, 8, NULL));)
 ARRAY_GETTER(cn_world_fell_asleep, cn_body)
 
 #endif

@@ -36,9 +36,10 @@ static const entry table[] = {
 	E(cn_world_set_flags), E(cn_world_get_flags), E(cn_world_get_worker_count), E(cn_world_set_restitution_threshold), E(cn_world_set_speed_limits), E(cn_world_set_sleep),
 	E(cn_world_set_user_data), E(cn_world_get_user_data), E(cn_world_get_bodies), E(cn_world_get_shapes), E(cn_world_get_joints),
 	E(cn_world_get_counters), E(cn_world_get_profile), E(cn_world_get_memory_stats), E(cn_world_hash), E(cn_world_validate),
+	E(cn_world_save_size), E(cn_world_save), E(cn_world_restore),
 	E(cn_body_def_init), E(cn_body_create), E(cn_body_create_many), E(cn_body_destroy), E(cn_body_destroy_many), E(cn_body_is_valid),
 	E(cn_body_set_type), E(cn_body_get_type), E(cn_body_set_flags), E(cn_body_get_flags), E(cn_body_set_awake), E(cn_body_set_pose),
-	E(cn_body_get_pose), E(cn_body_get_angle), E(cn_body_get_center), E(cn_body_set_velocity), E(cn_body_get_velocity),
+	E(cn_body_get_pose), E(cn_body_get_angle), E(cn_body_get_center), E(cn_body_set_velocity), E(cn_body_set_target_pose), E(cn_body_get_velocity),
 	E(cn_body_get_velocity_at), E(cn_body_get_world_point), E(cn_body_get_local_point), E(cn_body_get_aabb), E(cn_body_apply_force),
 	E(cn_body_apply_force_at), E(cn_body_apply_torque), E(cn_body_apply_impulse), E(cn_body_apply_impulse_at),
 	E(cn_body_apply_angular_impulse), E(cn_body_get_mass_data), E(cn_body_set_mass_data), E(cn_body_reset_mass_data),
@@ -64,6 +65,8 @@ static const entry table[] = {
 	E(cn_query_filter_init), E(cn_world_cast_ray), E(cn_world_cast_ray_any), E(cn_world_cast_ray_all), E(cn_world_cast_rays),
 	E(cn_shape_cast_ray), E(cn_world_cast_shape), E(cn_world_overlap_aabb), E(cn_world_overlap_circle), E(cn_world_overlap_polygon),
 	E(cn_world_overlap_point), E(cn_world_closest_point), E(cn_explosion_def_init), E(cn_world_explode),
+	E(cn_polygon_distance), E(cn_polygon_cast), E(cn_polygon_collide), E(cn_polygon_time_of_impact),
+	E(cn_mover_def_init), E(cn_mover_move), E(cn_mover_collide), E(cn_mover_solve), E(cn_mover_clip), E(cn_shape_get_contacts), E(cn_shape_get_visitors),
 	E(cn_tree_create), E(cn_tree_destroy), E(cn_tree_insert), E(cn_tree_remove), E(cn_tree_move), E(cn_tree_get_box), E(cn_tree_query),
 	E(cn_tree_cast_ray), E(cn_tree_get_stats)
 };

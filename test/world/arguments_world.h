@@ -154,6 +154,29 @@ ENTRY(cn_world_read_poses_interpolated, cn_world_read_poses_interpolated(W, thre
 	ARG(cn_world_read_poses_interpolated(W, three(f.box, f.ball, f.pill), 3, 0.5f, NULL));
 	ARG(cn_world_read_poses_interpolated(W, three(f.box, f.ball, f.pill), -1, 0.5f, OUT(cn_pose)));
 	ARG(cn_world_read_poses_interpolated(W, NULL, 1, 0.5f, OUT(cn_pose)));)
+static uint8_t save_bytes[1 << 20];
+static uint64_t save_count(void)
+{
+	uint64_t bytes = 0;
+	if (cn_world_save(W, save_bytes, sizeof save_bytes, &bytes) != CN_OK)
+		bytes = 64; /* in a callback */
+	return bytes;
+}
+/* The state that W has now, with a byte changed and less of it. */
+static cn_result restore_with(cn_world *world, uint64_t at, uint8_t change, uint64_t less)
+{
+	uint64_t bytes = save_count();
+	save_bytes[at < bytes ? at : bytes / 2] ^= change;
+	return cn_world_restore(world, save_bytes, less < bytes ? bytes - less : 0);
+}
+ENTRY(cn_world_save_size, cn_world_save_size(W, OUT(uint64_t)), NOW(cn_world_save_size(NULL, OUT(uint64_t))); ARG(cn_world_save_size(W, NULL));)
+ENTRY(cn_world_save, cn_world_save(W, save_bytes, sizeof save_bytes, OUT(uint64_t)),
+	NOW(cn_world_save(NULL, save_bytes, sizeof save_bytes, OUT(uint64_t))); ARG(cn_world_save(W, NULL, sizeof save_bytes, OUT(uint64_t)));
+	BAD(CN_ERROR_CAPACITY, cn_world_save(W, save_bytes, save_count() - 1, OUT(uint64_t))); BAD(CN_ERROR_CAPACITY, cn_world_save(W, save_bytes, 0, OUT(uint64_t)));)
+ENTRY(cn_world_restore, restore_with(W, 0, 0, 0),
+	NOW(restore_with(NULL, 0, 0, 0)); ARG(cn_world_restore(W, NULL, 100));
+	BAD(CN_ERROR_FORMAT, restore_with(W, 0, 1, 0)); BAD(CN_ERROR_FORMAT, restore_with(W, UINT64_MAX, 1, 0)); BAD(CN_ERROR_FORMAT, restore_with(W, 0, 0, 1));
+	BAD(CN_ERROR_FORMAT, restore_with(W, 0, 0, 1000)); BAD(CN_ERROR_FORMAT, restore_with(W, 0, 0, UINT64_MAX)); STATE(restore_with(W, 4, 1, 0));)
 static cn_debug_draw draw_functions;
 static cn_debug_draw *draw_with(uint32_t size, uint32_t flags, cn_vec2 lower)
 {

@@ -37,9 +37,10 @@ static const golden goldens[] = {
 	{ "tumbler_1000", 300, 0, 0xe4cb5915b944131f },
 };
 /* clang-format on */
-/* By an emulator (test/cross.sh): slow, and the other tests say nothing about a processor. */
+/* By an emulator (test/cross.sh), which is slow, the golden numbers alone: the other tests say nothing about a processor. By the
+   slowest, TEST_EMULATED=2, without the scenes that are large: the others have every kind of shape, joint and contact. */
 #if defined(TEST_EMULATED)
-#define EMULATED 1
+#define EMULATED TEST_EMULATED
 #else
 #define EMULATED 0
 #endif
@@ -127,7 +128,10 @@ static void golden_hashes_hold(void)
 {
 	int32_t k, print = getenv("CAIRN_PRINT_GOLDEN") != NULL;
 	for (k = 0; k < GOLDENS; ++k) {
-		uint64_t digest = reference_of(&goldens[k]);
+		uint64_t digest;
+		if (EMULATED == 2 && !goldens[k].everywhere)
+			continue;
+		digest = reference_of(&goldens[k]);
 		if (print)
 			printf("\t{ \"%s\", %d, %d, 0x%016llx },\n", goldens[k].scene, (int)goldens[k].steps, (int)goldens[k].everywhere, (unsigned long long)digest);
 		else

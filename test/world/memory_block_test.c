@@ -11,7 +11,7 @@
 #ifdef TEST_SLOW
 #define CHURN_BODIES 2000
 #else
-#define CHURN_BODIES 20000
+#define CHURN_BODIES 6000
 #endif
 
 #define GUARD_BYTES 4096
@@ -285,6 +285,51 @@ static void churn_fits_in_bytes_needed(void)
 	free(free_one);
 }
 
+/* Room for 16 bodies, one of them alive at a time, each life with a shape and a joint: far more lives than 16 slots have under their own
+   indices. */
+static void slots_never_wear_out(void)
+{
+	enum { LIVES = 60000, KEPT = 64 };
+	cn_world_def capacities = fixed_def(16, 16, 32, 16);
+	cn_body dead[KEPT] = { 0 };
+	cn_shape dead_shapes[KEPT] = { 0 };
+	fixed_block block;
+	cn_world *world = fixed_world(&capacities, &block);
+	cn_body held = fixture_circle(world, CN_BODY_DYNAMIC, 9.0f, 0.0f, 0.5f, 0.5f, 0.0f);
+	int32_t k, revived = 0, refused = 0;
+	must(cn_world_set_gravity(world, 0.0f, 0.0f), world, "cn_world_set_gravity");
+	for (k = 0; k < LIVES && refused == 0; ++k) {
+		cn_distance_def def;
+		cn_body_def body_def;
+		cn_body body = 0;
+		cn_shape_def shape_def;
+		cn_circle circle = { { 0.0f, 0.0f }, 0.5f };
+		cn_joint joint;
+		cn_body_def_init(&body_def);
+		refused += cn_body_create(world, &body_def, &body) != CN_OK;
+		shape_def = fixture_shape_def(body, 0.5f, 0.0f);
+		refused += cn_shape_create_circle(world, &shape_def, &circle, &dead_shapes[k % KEPT]) != CN_OK;
+		cn_distance_def_init(&def);
+		def.base.body_a = held;
+		def.base.body_b = body;
+		refused += cn_joint_create_distance(world, &def, &joint) != CN_OK || !cn_joint_is_valid(world, joint);
+		refused += cn_body_destroy(world, body) != CN_OK || cn_joint_is_valid(world, joint);
+		if (k % 8 == 7)
+			fixture_step(world, 1); /* which takes the events of what was destroyed */
+		dead[k % KEPT] = body;
+		revived += cn_body_is_valid(world, dead[(k + 1) % KEPT]) || cn_shape_is_valid(world, dead_shapes[(k + 1) % KEPT]) || !cn_body_is_valid(world, held);
+	}
+	print_block_use(world, block.bytes);
+	if (refused > 0)
+		printf("  life %d: %s\n", (int)k, cn_world_error_text(world));
+	CHECK_LE("calls refused", refused, 0, "");
+	CHECK_LE("handles that came alive again", revived, 0, "");
+	CHECK(fixture_is_valid(world) && k == LIVES);
+	fixture_step(world, 1);
+	cn_world_destroy(world);
+	block_close(&block);
+}
+
 /* Every shape of a world becomes each size in turn: no size class may keep what another one needs. */
 static void every_shape_may_take_every_size(void)
 {
@@ -543,6 +588,7 @@ int main(int argc, char **argv)
 	test_begin(argc, argv);
 	RUN(pyramid_runs_in_a_fixed_block);
 	RUN(churn_fits_in_bytes_needed);
+	RUN(slots_never_wear_out);
 	RUN(every_shape_may_take_every_size);
 	RUN(every_capacity_is_kept);
 	RUN(small_blocks_are_refused);

@@ -223,7 +223,7 @@ static void print_owners(const cn_world *world, int32_t bodies)
 	sum += table_row("contact block anchors", &world->blocks_anchor, world->block_used);
 	sum += table_row("islands", &world->islands, world->island_count);
 	sum += array_row("body handles", &world->body_handles.slots) + array_row("shape handles", &world->shape_handles.slots);
-	sum += array_row("motion", &world->motion) + array_row("start", &world->start) + array_row("drive", &world->drive);
+	sum += array_row("motion", &world->motion) + array_row("start", &world->start) + array_row("drive", &world->external);
 	sum += array_row("awake ids", &world->awake_id) + array_row("apart contacts", &world->apart);
 	sum += array_row("pairs", &world->pairs.list) + array_row("sleep lanes", &world->sleep_lanes);
 	sum += events_rows(&world->events);

@@ -178,7 +178,11 @@ static void check_moved(float center, double epsilon)
 	moved_seen.wrong_shape += !seen_by(hit.shape, &filter);
 	met = child_set(record_of(hit.shape), hit.child);
 	moved_seen.distance = greater(moved_seen.distance, distance_of(&met, &moving, until * dx, until * dy));
-	if (hit.normal.x != 0.0f || hit.normal.y != 0.0f)
+	if (hit.depth_m > 0.0f) {
+		double left = distance_of(&met, &moving, (double)(hit.depth_m * hit.normal.x), (double)(hit.depth_m * hit.normal.y));
+		/* The way out of a chain is to its front: there may be a shorter one past an end. */
+		moved_seen.distance = greater(moved_seen.distance, record_of(hit.shape)->type == CN_SHAPE_CHAIN ? -fmin(left, 0.0) : fabs(left));
+	} else
 		moved_seen.distance = greater(moved_seen.distance, fabs(set_distance_to_point(&met, (double)hit.point_m.x, (double)hit.point_m.y, 0.0, 0.0)));
 }
 

@@ -6,7 +6,6 @@
  */
 #include "fixture.h"
 
-#include <time.h>
 
 #define PI 3.14159265358979323846
 
@@ -564,38 +563,6 @@ static cn_shape tile(cn_world *world, cn_body body, int32_t k)
 	return fixture_box_shape(world, &def, 0.5f, 0.5f);
 }
 
-#define TILES 8000
-
-/* Processor time; every second tile is taken away again. */
-static double level_seconds(int32_t tiles)
-{
-	static cn_shape shapes[TILES];
-	cn_world *world = fixture_world(-10.0f, 0);
-	cn_body level = fixture_body(world, CN_BODY_STATIC, 0.0f, 0.0f, 0.0f);
-	clock_t start = clock();
-	double seconds;
-	int32_t k;
-	for (k = 0; k < tiles; ++k)
-		shapes[k] = tile(world, level, k);
-	for (k = 0; k < tiles; k += 2)
-		must(cn_shape_destroy(world, shapes[k]), world, "cn_shape_destroy");
-	seconds = (double)(clock() - start) / (double)CLOCKS_PER_SEC;
-	cn_world_destroy(world);
-	return seconds;
-}
-
-/* Least times, of rounds in turn: others may use the machine, too. */
-static void levels_of_tiles_take_their_time_once(void)
-{
-	double few = HUGE_VAL, many = HUGE_VAL;
-	int32_t round;
-	for (round = 0; round < 8; ++round) {
-		few = fmin(few, level_seconds(TILES / 8));
-		many = fmin(many, level_seconds(TILES));
-	}
-	CHECK_LE("eight times the tiles, times the time", many / few, 24.0, "");
-}
-
 /* Tiles that came last, beyond all others, hold as the first; others do when some have gone; and they weigh what they should when
    their body becomes dynamic. */
 static void tiles_hold_wherever_they_are(void)
@@ -642,7 +609,6 @@ int main(int argc, char **argv)
 	RUN(rounded_polygons_are_as_large_as_they_say);
 	RUN(hulls_hold_their_points);
 	RUN(shapes_sit_where_their_offset_says);
-	RUN(levels_of_tiles_take_their_time_once);
 	RUN(tiles_hold_wherever_they_are);
 	return test_end();
 }

@@ -9,7 +9,13 @@
 #include "scenes/scenes.h"
 
 #define MEMBERS 1800
+#ifdef TEST_SLOW
+#define STEPS 8
+#define SPINNER_STEPS 3
+#else
 #define STEPS 24
+#define SPINNER_STEPS 8
+#endif
 #define SIDE_M 34.0f
 
 typedef struct witness {
@@ -122,18 +128,29 @@ static void check_swarm(const char *what, const cn_world_def *def, const swarm *
 	CHECK(s.seen.digest == alone->seen.digest && s.seen.asked == alone->seen.asked && s.seen.thread.elsewhere == 0);
 }
 
+/* With one worker: what all others are compared with. */
+static const swarm *swarm_alone(int32_t broadphase)
+{
+	static swarm sweep, tree;
+	swarm *s = broadphase == CN_BROADPHASE_TREE ? &tree : &sweep;
+	cn_world_def def;
+	cn_world_def_init(&def);
+	def.broadphase = broadphase;
+	if (s->created == 0)
+		swarm_run(s, &def);
+	CHECK(s->created > 400 * STEPS && s->seen.asked > s->created && s->seen.thread.elsewhere == 0);
+	return s;
+}
+
 static void swarm_is_the_same_with_any_workers(int32_t broadphase, const char *what)
 {
-	static swarm alone;
 	cn_world_def def;
 	int32_t w;
 	cn_world_def_init(&def);
 	def.broadphase = broadphase;
-	swarm_run(&alone, &def);
-	CHECK(alone.created > 10000 && alone.seen.asked > alone.created && alone.seen.thread.elsewhere == 0);
 	for (w = 0; w < WORKER_COUNTS; ++w) {
 		def.worker_count = worker_counts[w];
-		check_swarm(what, &def, &alone);
+		check_swarm(what, &def, swarm_alone(broadphase));
 	}
 }
 
@@ -142,16 +159,14 @@ static void nor_those_of_a_tree(void) { swarm_is_the_same_with_any_workers(CN_BR
 
 static void filters_are_asked_in_their_own_thread(void)
 {
-	static swarm alone;
 	cn_world_def def;
 	int32_t kind;
 	cn_world_def_init(&def);
-	swarm_run(&alone, &def);
 	for (kind = 0; kind < TASKS_KINDS; ++kind) {
 		tasks system;
 		use_tasks(&def, &system, kind);
 		def.worker_count = 3;
-		check_swarm(tasks_name(kind), &def, &alone);
+		check_swarm(tasks_name(kind), &def, swarm_alone(def.broadphase));
 		CHECK(system.wrong == 0 && !system.open);
 	}
 }
@@ -159,13 +174,8 @@ static void filters_are_asked_in_their_own_thread(void)
 /* Both broadphases ask the same questions in the same order. */
 static void filters_do_not_know_the_broadphase(void)
 {
-	static swarm sweep, tree;
-	cn_world_def def;
-	cn_world_def_init(&def);
-	swarm_run(&sweep, &def);
-	def.broadphase = CN_BROADPHASE_TREE;
-	swarm_run(&tree, &def);
-	CHECK(sweep.digest == tree.digest && sweep.seen.digest == tree.seen.digest && sweep.seen.asked == tree.seen.asked);
+	const swarm *sweep = swarm_alone(CN_BROADPHASE_SWEEP), *tree = swarm_alone(CN_BROADPHASE_TREE);
+	CHECK(sweep->digest == tree->digest && sweep->seen.digest == tree->seen.digest && sweep->seen.asked == tree->seen.asked);
 }
 
 /* ---- a drum with an arm: thousands of pairs in every step ---- */
@@ -193,10 +203,10 @@ static void spinner_does_not_know_its_workers(void)
 	for (tree = 0; tree < 2; ++tree) {
 		scene_world_def(scene_find("spinner"), &def);
 		def.broadphase = tree ? CN_BROADPHASE_TREE : CN_BROADPHASE_SWEEP;
-		alone = spinner_digest(&def, 16);
+		alone = spinner_digest(&def, SPINNER_STEPS);
 		for (w = 0; w < WORKER_COUNTS; ++w) {
 			def.worker_count = worker_counts[w];
-			digest = spinner_digest(&def, 16);
+			digest = spinner_digest(&def, SPINNER_STEPS);
 			printf("  spinner, %s, %d workers: %016llx, alone %016llx\n", tree ? "tree" : "sweep", (int)def.worker_count, (unsigned long long)digest, (unsigned long long)alone);
 			CHECK(digest == alone);
 		}

@@ -85,6 +85,11 @@ static uint64_t run_digest(cn_world *world, int32_t steps)
 }
 
 #define CROWD 1400
+#ifdef TEST_SLOW
+#define STEPS 20
+#else
+#define STEPS 60
+#endif
 
 static uint64_t crowd_digest(const cn_world_def *def, int32_t steps)
 {
@@ -142,12 +147,10 @@ static void any_number_of_workers_gives_the_same_bits(void)
 	int32_t c, w;
 	for (c = 0; c < CROWDS; ++c) {
 		cn_world_def def = crowd_def(c);
-		uint64_t alone = crowd_digest(&def, 60);
-		def.worker_count = 1;
-		check_digest(crowds[c].name, 1, "own threads", crowd_digest(&def, 60), alone);
+		uint64_t alone = crowd_digest(&def, STEPS);
 		for (w = 0; w < WORKER_COUNTS; ++w) {
 			def.worker_count = worker_counts[w];
-			check_digest(crowds[c].name, worker_counts[w], "own threads", crowd_digest(&def, 60), alone);
+			check_digest(crowds[c].name, worker_counts[w], "own threads", crowd_digest(&def, STEPS), alone);
 		}
 	}
 }
@@ -155,7 +158,7 @@ static void any_number_of_workers_gives_the_same_bits(void)
 static void scenes_do_not_know_their_workers(void)
 {
 	static const struct { const char *name; int32_t steps; } scenes[] = {
-		{ "pyramid", 40 }, { "tumbler_1000", 60 }, { "rain", 60 }, { "mixer", 60 }, { "small_200", 60 }
+		{ "pyramid", STEPS / 3 }, { "tumbler_1000", STEPS }, { "rain", STEPS }, { "mixer", STEPS }, { "small_200", STEPS }
 	};
 	int32_t k, w;
 	for (k = 0; k < (int32_t)(sizeof scenes / sizeof *scenes); ++k) {
@@ -203,7 +206,7 @@ static void nets_do_not_know_their_workers(void)
 static void any_task_system_gives_the_same_bits(void)
 {
 	cn_world_def def = crowd_def(0);
-	uint64_t alone = crowd_digest(&def, 40);
+	uint64_t alone = crowd_digest(&def, STEPS / 2);
 	int32_t kind, w;
 	if (!has_workers())
 		SKIP("no threads");
@@ -212,7 +215,7 @@ static void any_task_system_gives_the_same_bits(void)
 			tasks system;
 			use_tasks(&def, &system, kind);
 			def.worker_count = worker_counts[w];
-			check_digest("crowd", worker_counts[w], tasks_name(kind), crowd_digest(&def, 40), alone);
+			check_digest("crowd", worker_counts[w], tasks_name(kind), crowd_digest(&def, STEPS / 2), alone);
 			CHECK(system.enqueued > 0 && system.wrong == 0 && !system.open);
 			CHECK(system.finished == (kind == TASKS_AT_ONCE ? 0 : system.enqueued));
 		}

@@ -1,5 +1,5 @@
 /*
- * test/collision/shapes.h - what the geometry tests share: a local random generator, records made of
+ * test/geometry/shapes.h - what the geometry tests share: a local random generator, records made of
  * every type, and slow reference answers in double precision.
  */
 #ifndef CAIRN_TEST_SHAPES_H

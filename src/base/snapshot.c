@@ -1,0 +1,181 @@
+/*
+ * base/snapshot.c - the walk's cursor, and how arrays, tables and pieces of the block allocator pass through it.
+ *
+ * Pieces of the block allocator are named by chunk and place in it, so a state that is loaded needs chunks of the same sizes
+ * at the same indices. RESERVE builds that table of chunks beside the present one, with the chunks of the present one where they
+ * fit, and LOAD puts it in its place. Mostly they all fit, and nothing is built.
+ */
+#include "base/snapshot.h"
+
+#include <string.h>
+
+cni_snapshot cni_snapshot_begin(int32_t mode, void *bytes, cni_memory *memory)
+{
+	cni_snapshot s;
+	s.at = (uint8_t *)bytes;
+	s.bytes = 0;
+	s.memory = memory;
+	s.mode = mode;
+	s.failed = 0;
+	return s;
+}
+
+/* Bytes that the mode only counts. */
+static void pass(cni_snapshot *s, uint64_t bytes)
+{
+	if (s->mode != CNI_SNAPSHOT_MEASURE)
+		s->at += bytes;
+	s->bytes += bytes;
+}
+
+void cni_snapshot_state(cni_snapshot *s, void *state, uint64_t bytes)
+{
+	if (s->mode == CNI_SNAPSHOT_SAVE && bytes > 0)
+		memcpy(s->at, state, (size_t)bytes);
+	if (s->mode == CNI_SNAPSHOT_LOAD && bytes > 0)
+		memcpy(state, s->at, (size_t)bytes);
+	pass(s, bytes);
+}
+
+static int32_t copies(const cni_snapshot *s)
+{
+	return s->mode == CNI_SNAPSHOT_SAVE || s->mode == CNI_SNAPSHOT_LOAD;
+}
+
+int32_t cni_snapshot_number(cni_snapshot *s, int32_t number)
+{
+	if (s->mode == CNI_SNAPSHOT_SAVE)
+		memcpy(s->at, &number, sizeof number);
+	else if (s->mode != CNI_SNAPSHOT_MEASURE)
+		memcpy(&number, s->at, sizeof number);
+	pass(s, sizeof number);
+	return number;
+}
+
+void cni_snapshot_array(cni_snapshot *s, cni_array *array)
+{
+	int32_t count = cni_snapshot_number(s, array->count);
+	if (cni_snapshot_reserves(s))
+		cni_snapshot_need(s, cni_array_reserve(array, s->memory, count));
+	cni_snapshot_state(s, array->data, (uint64_t)count * (uint64_t)array->item_bytes);
+	if (s->mode == CNI_SNAPSHOT_LOAD)
+		array->count = count;
+}
+
+/* Page by page. */
+static void items_clear(cni_table *table, int32_t begin, int32_t end)
+{
+	for (; begin < end; ++begin)
+		memset(cni_table_at(table, begin), 0, (size_t)table->item_bytes);
+}
+
+void cni_snapshot_table(cni_snapshot *s, cni_table *table, int32_t used)
+{
+	int32_t count = cni_snapshot_number(s, used), page_items = 1 << table->page_shift, k;
+	uint64_t item_bytes = (uint64_t)table->item_bytes;
+	if (cni_snapshot_reserves(s))
+		cni_snapshot_need(s, cni_table_reserve(table, s->memory, count));
+	if (!copies(s)) {
+		pass(s, (uint64_t)count * item_bytes);
+		return;
+	}
+	for (k = 0; k < count; k += page_items) {
+		int32_t items = count - k < page_items ? count - k : page_items;
+		cni_snapshot_state(s, cni_table_at(table, k), (uint64_t)items * item_bytes);
+	}
+	if (s->mode == CNI_SNAPSHOT_LOAD)
+		items_clear(table, count, used);
+}
+
+/* ---- pieces ---- */
+
+/* Bytes of a chunk that have been carved: behind the tail's begin there is nothing. */
+static uint64_t chunk_used(const cni_blocks *blocks, int32_t slot)
+{
+	if (blocks->chunks[slot] == NULL)
+		return 0;
+	if (blocks->tail_units > 0 && (int32_t)(blocks->tail >> 12) == slot)
+		return (uint64_t)(blocks->tail & 4095u) * CNI_BLOCK_UNIT;
+	return blocks->chunk_bytes[slot];
+}
+
+/* A chunk's size, 0: none. */
+static uint64_t chunk_size(const cni_blocks *blocks, int32_t slot)
+{
+	return slot < blocks->chunk_count && blocks->chunks[slot] != NULL ? blocks->chunk_bytes[slot] : 0;
+}
+
+/* Room for the chunks whose sizes follow in the bytes. */
+static void chunks_reserve(cni_snapshot *s, cni_blocks *blocks, int32_t count)
+{
+	int32_t k, same = count == blocks->chunk_count;
+	uint64_t size;
+	for (k = 0; k < count && same; ++k) {
+		memcpy(&size, s->at + (size_t)k * 2 * sizeof size, sizeof size);
+		same = size == chunk_size(blocks, k);
+	}
+	if (same)
+		return;
+	if (!cni_blocks_next_begin(blocks, count)) {
+		s->failed = 1;
+		return;
+	}
+	for (k = 0; k < count && !s->failed; ++k) {
+		memcpy(&size, s->at + (size_t)k * 2 * sizeof size, sizeof size);
+		cni_snapshot_need(s, cni_blocks_next_set(blocks, k, size));
+	}
+}
+
+/* What lists of free pieces and chunks need beside the chunks themselves. */
+static void blocks_state(cni_snapshot *s, cni_blocks *blocks)
+{
+	cni_snapshot_state(s, blocks->free_head, sizeof blocks->free_head);
+	cni_snapshot_state(s, blocks->free_count, sizeof blocks->free_count);
+	cni_snapshot_state(s, &blocks->empty_slot, sizeof blocks->empty_slot);
+	cni_snapshot_state(s, &blocks->tail, sizeof blocks->tail);
+	cni_snapshot_state(s, &blocks->tail_units, sizeof blocks->tail_units);
+	cni_snapshot_state(s, &blocks->bytes_in_chunks, sizeof blocks->bytes_in_chunks);
+	cni_snapshot_state(s, &blocks->bytes_in_use, sizeof blocks->bytes_in_use);
+	cni_snapshot_state(s, &blocks->bytes_large, sizeof blocks->bytes_large);
+}
+
+/* Each chunk's size and how much of it follows; of a free index 0 and the next such index. */
+static void chunk_pass(cni_snapshot *s, cni_blocks *blocks, int32_t slot, uint64_t *used)
+{
+	uint64_t entry[2] = { 0, 0 };
+	if (s->mode == CNI_SNAPSHOT_SAVE) {
+		entry[0] = chunk_size(blocks, slot);
+		entry[1] = entry[0] != 0 ? chunk_used(blocks, slot) : blocks->chunk_bytes[slot];
+	} else if (s->mode != CNI_SNAPSHOT_MEASURE) {
+		memcpy(entry, s->at, sizeof entry);
+	}
+	if (s->mode == CNI_SNAPSHOT_LOAD && entry[0] == 0)
+		blocks->chunk_bytes[slot] = entry[1];
+	*used = s->mode == CNI_SNAPSHOT_MEASURE ? chunk_used(blocks, slot) : entry[0] != 0 ? entry[1] : 0;
+	cni_snapshot_state(s, entry, sizeof entry);
+}
+
+void cni_snapshot_blocks(cni_snapshot *s, cni_blocks *blocks)
+{
+	int32_t count = cni_snapshot_number(s, blocks->chunk_count), k;
+	uint8_t *entries = s->at;
+	uint64_t used, all = 0;
+	if (cni_snapshot_reserves(s))
+		chunks_reserve(s, blocks, count);
+	if (s->mode == CNI_SNAPSHOT_LOAD)
+		cni_blocks_next_take(blocks);
+	if (s->mode == CNI_SNAPSHOT_ABANDON)
+		cni_blocks_next_drop(blocks);
+	for (k = 0; k < count; ++k) {
+		chunk_pass(s, blocks, k, &used);
+		all += used;
+	}
+	if (!copies(s))
+		pass(s, all);
+	for (k = 0; k < count && copies(s); ++k) {
+		memcpy(&used, entries + (2 * (size_t)k + 1) * sizeof used, sizeof used);
+		if (blocks->chunks[k] != NULL)
+			cni_snapshot_state(s, blocks->chunks[k], used);
+	}
+	blocks_state(s, blocks);
+}

@@ -1,0 +1,32 @@
+#!/bin/sh
+# usage: work.sh build-folder
+# Bounds on work, as instructions executed (valgrind), which are the same on a busy machine: of the functions of
+# test/world/growth_time_test.c, in the build folder. Ends with one line "N passed, N failed, N skipped".
+set -u
+program=$1/test/world/growth_time_test
+passed=0 failed=0
+command -v valgrind >/dev/null 2>&1 || { echo "valgrind is not installed (see .ci/deps)"; echo "0 passed, 0 failed, 2 skipped"; exit 0; }
+
+instructions() { # function
+	valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" "$1" 2>&1 |
+		awk '/^1 passed, 0 failed/ { good = 1 } /Collected *:/ { count = $NF } END { print good ? count : 0 }'
+}
+
+bound() { # what value bound
+	if awk -v value="$2" -v bound="$3" 'BEGIN { exit !(value > 0 && value <= bound) }'; then
+		passed=$((passed + 1))
+		echo "ok   $1: $2, bound <= $3"
+	else
+		failed=$((failed + 1))
+		echo "FAIL $1: $2, bound <= $3"
+	fi
+}
+
+few=$(instructions level_of_1000_tiles)
+many=$(instructions level_of_8000_tiles)
+bound "eight times the tiles, times the instructions" "$(awk -v a="$many" -v b="$few" 'BEGIN { print (b > 0 ? a / b : 0) }')" 12
+asleep=$(($(instructions sleepers_stepped) - $(instructions sleepers_made)))
+empty=$(($(instructions empty_stepped) - $(instructions empty_made)))
+bound "a step with 2,000 bodies asleep over an empty step" "$(awk -v a="$asleep" -v b="$empty" 'BEGIN { print (b > 0 ? a / b : 0) }')" 2
+echo "$passed passed, $failed failed, 0 skipped"
+[ $failed = 0 ]
