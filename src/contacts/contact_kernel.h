@@ -526,13 +526,15 @@ CNI_INLINE cni_mask point_closes(const cni_contact_block *k, const cni_contact_r
 	return (vn < least) & (takes > bears);
 }
 
-CNI_INLINE uint32_t group_closing(const float *starts, const cni_contact_block *k, const cni_block_info *info, float speed, int32_t l)
+CNI_INLINE uint32_t group_closing(const float *starts, const cni_contact_block *k, const cni_block_info *info, float speed, float since, int32_t l)
 {
 	side a, b;
-	cni_wide jumped;
+	cni_wide jumped_a, jumped_b;
 	cni_mask closes, bounces;
-	cni_wide_gather4(starts, 4, k->ia + l, &a.vx, &a.vy, &a.w, &jumped);
-	cni_wide_gather4(starts, 4, k->ib + l, &b.vx, &b.vy, &b.w, &jumped);
+	cni_wide_gather4(starts, 4, k->ia + l, &a.vx, &a.vy, &a.w, &jumped_a);
+	cni_wide_gather4(starts, 4, k->ib + l, &b.vx, &b.vy, &b.w, &jumped_b);
+	if (cni_mask_bits(cni_wide_max(jumped_a, jumped_b) >= cni_wide_of(since)) == 0)
+		return 0;
 	closes = point_closes(k, &k->p[0], l, &a, &b, speed) | point_closes(k, &k->p[1], l, &a, &b, speed);
 	bounces = cni_wide_load_loose(info->restitution + l) > cni_wide_of(0.0f);
 	return cni_mask_bits(closes & bounces) << l;
@@ -559,7 +561,7 @@ CNI_INLINE void closing_prefetch(const cni_listed_block *b)
 
 #define CLOSING_AHEAD 2 /* blocks whose memory is asked for */
 
-static void kernel_closing(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, uint32_t *closing)
+static void kernel_closing(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, float since, uint32_t *closing)
 {
 	int32_t k, l;
 	for (k = 0; k < count; ++k) {
@@ -569,7 +571,7 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 			closing_prefetch(&blocks[k + CLOSING_AHEAD]);
 		if (b->info->flags & CNI_BLOCK_RESTITUTION)
 			for (l = 0; l < b->lanes; l += CNI_WIDTH)
-				closing[k] |= group_closing((const float *)(const void *)starts, b->rows, b->info, speed, l);
+				closing[k] |= group_closing((const float *)(const void *)starts, b->rows, b->info, speed, since, l);
 	}
 }
 

@@ -24,8 +24,9 @@ typedef void cni_contact_kernel_fn(const cni_color_pass *c, int32_t begin, int32
 /* The passes of a kernel. */
 enum { CNI_PASS_WARM, CNI_PASS_SOLVE, CNI_PASS_RELAX, CNI_PASSES };
 
-/* For each of count blocks, writes as bits the lanes that have restitution and a point that closes faster than speed. */
-typedef void cni_contact_closing_fn(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, uint32_t *closing);
+/* For each of count blocks, writes as bits the lanes that have restitution and a point that closes faster than speed. Skips groups of
+   lanes in which start.jumped of all bodies is less than since. */
+typedef void cni_contact_closing_fn(const cni_velocity_start *starts, const cni_listed_block *blocks, int32_t count, float speed, float since, uint32_t *closing);
 
 /* Lanes that may bounce, gathered from any blocks of one colour. Row r of a lane is rows[r * CNI_LANES]. */
 typedef struct cni_impact_lanes {
@@ -44,6 +45,7 @@ typedef struct cni_impact_pass {
 	const cni_external *externals;
 	float h;
 	float speed;       /* > 0: slower approaches do not bounce */
+	float jumped;      /* start.jumped of bodies that are hit: grows from sweep to sweep, less than CNI_JUMPED */
 	int32_t one_sided; /* lane bodies b are not written */
 } cni_impact_pass;
 

@@ -21,7 +21,8 @@
  * the surface: v'^2 = e^2 (v^2 + 2 a s) - 2 a (s + h v').
  *
  * Few lanes of a sweep close that fast. The kernel finds them with vectors; only they are gathered from the blocks of a colour
- * and solved, by the kernel of restitution_kernel.h.
+ * and solved, by the kernel of restitution_kernel.h. A lane without a hit in one sweep gets none in the next unless one of its
+ * bodies was hit since: later sweeps skip groups of lanes without such a body.
  *
  * Reads blocks, motion and start; writes motion velocities and start (so that the warm start of the next substep does not
  * contain the impact).
@@ -33,6 +34,7 @@
 #define BLOCKS_A_RANGE 16 /* of one colour: most of them do not bounce */
 #define BLOCKS_AT_ONCE 16 /* that are searched before what was found is solved: they stay in the cache */
 #define SWEEPS 4 /* a wave through touching balls may need several; the solve after takes the rest */
+#define HIT_MARK(k) (1.0f + (float)(k) / (float)SWEEPS) /* start.jumped of bodies that sweep k hits */
 
 static const cni_contact_block no_rows;
 static const cni_block_extra no_extra;
@@ -99,6 +101,7 @@ typedef struct color_sweep {
 	cn_world *world;
 	const cni_contact_kernel *kernel;
 	cni_impact_pass pass;
+	float since;                    /* start.jumped of bodies hit in the last sweep or this one is not less */
 	const cni_listed_block *blocks;
 	uint32_t hits;
 } color_sweep;
@@ -149,7 +152,7 @@ static void color_sweep_run(void *context, int32_t begin, int32_t end, int32_t w
 	for (from = begin; from < end; from += BLOCKS_AT_ONCE) {
 		uint32_t closing[BLOCKS_AT_ONCE];
 		int32_t count = cni_min_i(end - from, BLOCKS_AT_ONCE);
-		c->kernel->closing(c->pass.starts, c->blocks + from, count, c->pass.speed, closing);
+		c->kernel->closing(c->pass.starts, c->blocks + from, count, c->pass.speed, c->since, closing);
 		for (k = 0; k < count; ++k)
 			found_add(c, &found, &c->blocks[from + k], closing[k]);
 	}
@@ -179,7 +182,7 @@ static void overflow_sweep(color_sweep *c, int32_t count)
 	}
 }
 
-static uint32_t sweep(cn_world *world, const cni_solve *s)
+static uint32_t sweep(cn_world *world, const cni_solve *s, int32_t number)
 {
 	color_sweep c;
 	int32_t color;
@@ -190,6 +193,8 @@ static uint32_t sweep(cn_world *world, const cni_solve *s)
 	c.pass.externals = cni_externals(world);
 	c.pass.h = s->h;
 	c.pass.speed = s->restitution_threshold;
+	c.pass.jumped = HIT_MARK(number);
+	c.since = number == 0 ? 0.0f : HIT_MARK(number - 1);
 	c.hits = 0;
 	for (color = 0; color < CNI_COLOR_OVERFLOW; ++color) {
 		c.pass.one_sided = color >= CNI_COLOR_STATIC;
@@ -205,6 +210,6 @@ void cni_contacts_impact(cn_world *world, const cni_solve *s)
 {
 	int32_t k;
 	for (k = 0; k < SWEEPS && s->bounces; ++k)
-		if (sweep(world, s) == 0)
+		if (sweep(world, s, k) == 0)
 			return;
 }

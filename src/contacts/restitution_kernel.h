@@ -39,7 +39,7 @@ CNI_INLINE void impact_write(const cni_impact_pass *pass, const int32_t *index, 
 	float *starts = (float *)(void *)pass->starts, *motions = (float *)(void *)pass->motions;
 	cni_wide vx = cni_wide_select(hit, c->vx + dvx, c->vx), vy = cni_wide_select(hit, c->vy + dvy, c->vy), w = cni_wide_select(hit, c->w + dw, c->w);
 	cni_wide mvx = cni_wide_select(hit, c->mvx + dvx, c->mvx), mvy = cni_wide_select(hit, c->mvy + dvy, c->mvy), mw = cni_wide_select(hit, c->mw + dw, c->mw);
-	cni_wide jumped = cni_wide_select(hit, cni_wide_of(1.0f), c->jumped);
+	cni_wide jumped = cni_wide_select(hit, cni_wide_of(pass->jumped), c->jumped);
 	if (whole) {
 		cni_wide_scatter4(starts, START_FLOATS, index, vx, vy, w, jumped);
 		cni_wide_scatter4(motions, MOTION_FLOATS, index, mvx, mvy, mw, c->m);

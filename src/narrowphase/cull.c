@@ -1,14 +1,18 @@
 /*
- * narrowphase/cull.c - passes by what stays apart.
+ * narrowphase/cull.c - skips pairs that stay apart in this step.
  *
- * Most pairs of a heap in motion are only neighbours: their boxes overlap, for boxes look ahead, and circles around the two
- * bodies are apart. Such a contact costs what it takes to fetch its memory. So what is needed of bodies is copied to where it
- * takes a part of the lines, once for all contacts of a body; four contacts are tested side by side; where there are many, memory
- * is asked for early and evenly, a few lines at a time; and nothing branches on what nobody can guess.
+ * Most pairs of a moving heap are only neighbours: their boxes, which reach ahead, overlap, and the circles around the two bodies
+ * are apart. Such a pair costs mostly memory accesses. So the fields of bodies that the test reads are copied to a dense array
+ * once a step; four pairs are tested side by side; long lists are prefetched, a few lines at a time; the test has no
+ * unpredictable branches.
  *
- * Passing by is an early out only: what it passes by would come out apart, and as its boxes overlap it stays a contact.
+ * Culling only skips work: a culled pair would produce no manifold points, and its boxes overlap, so its contact stays. Only pairs
+ * whose manifold function would not run are culled: running it may change the cached axis, and with it later manifolds.
  *
- * Reads contacts, bodies, boxes; marks bodies that have static ones about them. Writes flags of its own contacts.
+ * Pairs are tested in every step: in a fast crowd (spinner) bodies travel 0.5 to 0.75 m a step, the mean gap of pairs is 0.5 m and
+ * 97% of the bodies get new boxes, so a test by accumulated travel would skip 0.3% of the pairs.
+ *
+ * Reads contacts, bodies, boxes; marks bodies with static neighbours. Writes flags of its own contacts.
  */
 #include "base/bitset.h"
 #include "base/cpu.h"
@@ -18,17 +22,17 @@
 #include "base/wide.h"
 #endif
 
-/* Contacts of fewer are in the cache anyway. */
+/* Shorter lists stay in the cache. */
 #define PREFETCH_FROM 2048
 
-/* So many contacts ahead records are asked for, and when these have come what they name. */
+/* Prefetch distance of records, and of the bodies and boxes that they name, in contacts. */
 #define RECORDS_AHEAD 24
 #define MEMBERS_AHEAD 12
 
-/* Bodies that one worker copies, at least: 10 us of work. */
+/* Least number of bodies that one worker copies: 10 us of work. */
 #define BODIES_A_RANGE 512
 
-/* Contacts of which there is something to tell, or that may have, are looked at. */
+/* Contacts that have an event to report, or may get one, are not culled. */
 #define LOOKED_AT ((uint32_t)CNI_CONTACT_SENSING | (uint32_t)CNI_CONTACT_PASSING | (uint32_t)CNI_CONTACT_CREATED_OWED)
 #define ENTERED ((uint32_t)CNI_CONTACT_ENTERED)
 
@@ -75,7 +79,7 @@ static void four_make(const cni_body *b, float dt, cni_cull_body *out)
 		out[l].radius = radius[l];
 }
 
-/* What it reads of a record; and four from a multiple of four lie in one page. */
+/* Layout of the record that four_make reads; four bodies from a multiple of four lie in one page. */
 typedef char cni_four_bodies_are_read[offsetof(cni_body, w) == offsetof(cni_body, vx) + 8 && CNI_PAGE_BODIES >= 2 ? 1 : -1];
 
 #else
@@ -108,7 +112,7 @@ static void bodies_range(void *context, int32_t begin, int32_t end, int32_t work
 	}
 }
 
-/* Worth a pass over all bodies where each is in a contact that is apart: two are in one. */
+/* The copy pays where the average body is in a contact that is apart; a contact has two bodies. */
 static void bodies_make(cni_cull_list *list)
 {
 	cn_world *world = list->world;
@@ -120,7 +124,7 @@ static void bodies_make(cni_cull_list *list)
 		cni_parallel_for(world, count, BODIES_A_RANGE, bodies_range, list);
 }
 
-/* ---- asking for memory: inlined by force, as compilers take a function that only prefetches for one that does nothing ---- */
+/* ---- prefetching: inlined by force, as compilers remove calls of functions that only prefetch ---- */
 
 CNI_INLINE void body_prefetch(const cni_body *b)
 {
@@ -128,7 +132,7 @@ CNI_INLINE void body_prefetch(const cni_body *b)
 	CNI_PREFETCH(&b->vx);
 }
 
-/* Of a contact that is looked at. */
+/* Memory that cni_touch_begin reads. */
 CNI_INLINE void pair_prefetch(const cn_world *world, const cni_contact *c)
 {
 	int32_t side;
@@ -153,7 +157,7 @@ CNI_INLINE void members_prefetch(const cni_cull_list *list, const cni_contact *c
 	}
 }
 
-/* Asks for the members of a contact, whose record was asked for, unless they are beyond the end. */
+/* Prefetches bodies and boxes of contact k, whose record was prefetched earlier. */
 CNI_INLINE void ask_for_members(const cni_cull *s, int32_t k)
 {
 	const cni_contact *c;
@@ -166,7 +170,7 @@ CNI_INLINE void ask_for_members(const cni_cull *s, int32_t k)
 		pair_prefetch(s->of.world, c);
 }
 
-/* Records reach from one line into the next: both ends are asked for. */
+/* Records span two cache lines. */
 CNI_INLINE void ask_for_record(const cni_cull *s, int32_t k)
 {
 	const cni_contact *c;
@@ -177,7 +181,7 @@ CNI_INLINE void ask_for_record(const cni_cull *s, int32_t k)
 	CNI_PREFETCH(&c->flags);
 }
 
-/* While contacts `at` to at + count - 1 are culled. */
+/* Prefetches for contacts after `at` to at + count - 1, which are culled now. */
 CNI_INLINE void ask_ahead(const cni_cull *s, int32_t at, int32_t count)
 {
 	int32_t k;
@@ -189,13 +193,13 @@ CNI_INLINE void ask_ahead(const cni_cull *s, int32_t at, int32_t count)
 
 /* ---- one contact ---- */
 
-/* Every comparison is made, whatever the others say. */
+/* Without branches. */
 static int32_t boxes_overlap(const cni_aabb *a, const cni_aabb *b)
 {
 	return (a->x0 <= b->x1) & (b->x0 <= a->x1) & (a->y0 <= b->y1) & (b->y0 <= a->y1);
 }
 
-/* The reach is that of a cni_pair_motion at most, whose sum is taken along other axes. */
+/* The reach is at least that of cni_pair_motion, which takes the sum along the axes of body a: hence sqrt(2). */
 static int32_t circles_apart(const cni_cull_body *a, const cni_cull_body *b, float margin)
 {
 	float dx = b->x - a->x, dy = b->y - a->y, reach;
@@ -209,7 +213,7 @@ static void contact_mark_static(const cn_world *world, const cni_contact *c)
 	cni_contact_mark_static(cni_body_at(world, c->body[0]), cni_body_at(world, c->body[1]));
 }
 
-/* No longer what began in the last step. */
+/* The contact no longer counts as one that began in the last step. */
 static void contact_enters_no_more(cni_contact *c)
 {
 	if (c->flags & ENTERED)
@@ -221,7 +225,7 @@ static int32_t boxes_of_contact_overlap(const cn_world *world, const cni_contact
 	return boxes_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat);
 }
 
-/* Returns 1 when it is certain to stay apart. */
+/* Returns 1 when the pair stays apart for certain. */
 static uint32_t one_cull(const cni_cull *s, cni_contact *c)
 {
 	const cni_cull_body *a, *b;
@@ -245,11 +249,11 @@ static uint32_t one_cull(const cni_cull *s, cni_contact *c)
 
 #if CNI_HAS_WIDE_4
 
-/* What is read of four contacts, row by row. */
+/* Input of four pairs, one row a pair. */
 typedef struct cull_rows {
-	cni_wide between[4];     /* way from one body to the other, now and of the step */
-	cni_mask over[4];        /* boxes, each way along each axis */
-	uint32_t flags;          /* of any */
+	cni_wide between[4];     /* difference of positions and of their changes in the step */
+	cni_mask over[4];        /* the four comparisons of boxes_overlap */
+	uint32_t flags;          /* of all pairs, or-ed */
 } cull_rows;
 
 CNI_INLINE void rows_take(cull_rows *r, int32_t l, const cn_world *world, const cni_cull_body *a, const cni_cull_body *b, const cni_contact *c)
@@ -260,7 +264,7 @@ CNI_INLINE void rows_take(cull_rows *r, int32_t l, const cn_world *world, const 
 	r->flags |= c->flags;
 }
 
-/* Lane l: all of mask l. */
+/* Lane l is set where all lanes of mask l are. */
 CNI_INLINE cni_mask all_of_each(const cni_mask *m)
 {
 	cni_mask low = __builtin_shufflevector(m[0], m[1], 0, 4, 1, 5) & __builtin_shufflevector(m[0], m[1], 2, 6, 3, 7);
@@ -268,7 +272,7 @@ CNI_INLINE cni_mask all_of_each(const cni_mask *m)
 	return __builtin_shufflevector(low, high, 0, 1, 4, 5) & __builtin_shufflevector(low, high, 2, 3, 6, 7);
 }
 
-/* What few contacts need. */
+/* Few contacts have such flags. */
 static uint32_t four_by_flags(cni_contact *const *c, uint32_t apart)
 {
 	int32_t l;
@@ -280,7 +284,7 @@ static uint32_t four_by_flags(cni_contact *const *c, uint32_t apart)
 	return apart;
 }
 
-/* one_cull of four, as bits: lane by lane the same operations. */
+/* one_cull of four pairs, as bits, with the same operations in each lane. */
 static uint32_t four_cull(const cni_cull *s, cni_contact *const *c)
 {
 	const cn_world *world = s->of.world;
@@ -317,7 +321,7 @@ static uint32_t four_cull(const cni_cull *s, cni_contact *const *c)
 
 /* ---- batches ---- */
 
-/* Those of a batch that stay apart, as bits. */
+/* Pairs of a batch that stay apart, as bits. */
 static uint32_t apart_of_batch(const cni_cull *s, int32_t from, int32_t size)
 {
 	const cn_world *world = s->of.world;
@@ -347,7 +351,7 @@ static void batch_cull(cni_cull *s)
 	s->left = ~apart_of_batch(s, s->batch, size) & (~0u >> (CNI_CULL_BATCH - size));
 }
 
-/* What is left of the batch. */
+/* The rest of the batch. */
 static int32_t take_left(cni_cull *s, cni_touch_pair *out, int32_t most)
 {
 	const cn_world *world = s->of.world;
@@ -365,7 +369,7 @@ static int32_t take_left(cni_cull *s, cni_touch_pair *out, int32_t most)
 	return count;
 }
 
-/* What touches is looked at always. */
+/* Touching contacts are never culled. */
 static int32_t take_touching(cni_cull *s, cni_touch_pair *out, int32_t most)
 {
 	const cn_world *world = s->of.world;

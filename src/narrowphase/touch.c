@@ -1,9 +1,9 @@
 /*
- * narrowphase/touch.c - from poses and velocities to how two shapes touch.
+ * narrowphase/touch.c - the manifold of two shapes from their poses and velocities.
  *
- * Contact margin: slow pairs touch when projection than four slops (speculative contact), thin ones when projection than half of
- * the thinner one's thickness. Fast pairs look as far ahead as they come projection in the step, so that they meet the surface instead of each other's inside; a
- * point that their motion does not reach is dropped.
+ * Contact margin: slow pairs touch within four slops (speculative contact), thin ones within half the thickness of the thinner
+ * shape. Fast pairs touch within the distance that they approach in the step, so that they meet at the surface and not inside each
+ * other; points that their motion does not reach are dropped.
  */
 #include "narrowphase/touch.h"
 #include "collision/seam.h"
@@ -25,8 +25,8 @@ static float thinner_radius(const cni_manifold_input *in)
 }
 
 /*
- * In a pack of thin shapes four slops would reach over several of them, and each would touch many: half a thickness does not
- * reach over one. With something static a pair starts to fall within the step; where both move, gravity takes both along.
+ * In a pack of thin shapes four slops span several of them, so each would touch many; half a thickness does not span one.
+ * With a static body the margin also covers the fall of the step; where both bodies move, gravity moves both alike.
  */
 static float pair_margin(const cn_world *world, const cni_body *a, const cni_body *b, const cni_manifold_input *in, float dt)
 {
@@ -39,7 +39,7 @@ static float pair_margin(const cn_world *world, const cni_body *a, const cni_bod
 	return cni_min(thin, most);
 }
 
-/* Velocities are those of the records, which at the beginning of a step are the same as in motion. */
+/* Reads velocities from the records, which equal motion at the beginning of a step. */
 static cni_pair_motion motion_make(const cni_body *a, const cni_body *b, float dt)
 {
 	cni_pair_motion m;
@@ -50,7 +50,7 @@ static cni_pair_motion motion_make(const cni_body *a, const cni_body *b, float d
 	return m;
 }
 
-/* Speed at which the surfaces come projection at a point. */
+/* Closing speed of the surfaces at a point. */
 static float closing_at(const cni_manifold *out, int32_t k, const cni_pair_motion *m, const cni_body *a, cni_vec2 b_center)
 {
 	cni_vec2 p = out->points[k].point, ra = cni_sub(p, a->local_center), rb = cni_sub(p, b_center);
@@ -58,8 +58,8 @@ static float closing_at(const cni_manifold *out, int32_t k, const cni_pair_motio
 	return -cni_dot(out->normal, v);
 }
 
-/* Keeps the points that are within the plain margin or are reached within the step: the normal of one that is not
-   stays a separating axis. Returns the largest separation kept. */
+/* Keeps points within the margin and points that the motion reaches within the step; for any other point the normal remains a
+   separating axis. Returns the least separation kept. */
 static float drop_unreached(cni_manifold *out, const cni_pair_motion *m, const cni_body *a, cni_vec2 b_center, float margin, float dt)
 {
 	int32_t k, kept = 0;
@@ -77,7 +77,7 @@ static float drop_unreached(cni_manifold *out, const cni_pair_motion *m, const c
 	return nearest;
 }
 
-/* How deep the planes of points that are all ahead would be passed in the step; 0 when some point is nearer than least. */
+/* Greatest depth behind the points' planes that the motion reaches in dt; 0 when the separation of some point is least or less. */
 static float depth_ahead(const cni_manifold *out, const cni_pair_motion *m, const cni_body *a, cni_vec2 b_center, float least, float dt)
 {
 	float depth = 0.0f;
@@ -91,11 +91,10 @@ static float depth_ahead(const cni_manifold *out, const cni_pair_motion *m, cons
 }
 
 /*
- * Do the shapes graze each other at most? While they move along a line, the shadows that they throw along it stay:
- * shadows that overlap by no more than the slop are of shapes that never meet deeper. So the corner of the next
- * piece of flat ground, which is ahead of what slides over it, does not hold it up. A plane that is reached by a
- * hair only, which is how things slide, or in the substep after, for which the solver brakes too, is given up only
- * for shadows that are clear of each other.
+ * Do the shapes at most graze each other? Their projections along the relative velocity do not change while they move along it:
+ * shapes whose projections overlap by at most the slop never overlap deeper. So the corner of the next piece of flat ground does
+ * not stop a body that slides over it. Where the motion passes a plane by a hair only, as in sliding, or passes it in the substep
+ * after the step, for which the solver brakes too, the contact is dropped only if the projections are clear of each other.
  */
 static int32_t shadows_graze(const cni_manifold_input *in, const cni_pair_motion *m, const cni_body *a, const cni_body *b, float depth, float dt)
 {
@@ -105,14 +104,14 @@ static int32_t shadows_graze(const cni_manifold_input *in, const cni_pair_motion
 	cni_aabb box_a, box_b;
 	if (speed * dt <= hair || turn > in->slop)
 		return 0;
-	along.q.c = m->v.x / speed; /* turns the motion to +x: shadows are what is left in y */
+	along.q.c = m->v.x / speed; /* turns the motion to +x: the projections are intervals of y */
 	along.q.s = -m->v.y / speed;
 	along.t = cni_v(0.0f, 0.0f);
 	b_along.q = cni_rot_mul(along.q, in->b_in_a.q);
 	b_along.t = cni_rotate(along.q, in->b_in_a.t);
 	box_a = cni_geometry_aabb(in->a, in->child_a, along);
 	box_b = cni_geometry_aabb(in->b, in->child_b, b_along);
-	most = depth > hair ? cni_min(in->slop, 0.5f * thinner_radius(in)) : -hair; /* a thin shape that comes on end is no graze */
+	most = depth > hair ? cni_min(in->slop, 0.5f * thinner_radius(in)) : -hair; /* a thin shape that moves end first does not graze */
 	return cni_min(box_a.y1, box_b.y1) - cni_max(box_a.y0, box_b.y0) + turn <= most;
 }
 
@@ -133,7 +132,7 @@ static inline int32_t may_have_seams(const cni_manifold_input *in)
 	return (in->a->seams | in->b->seams) != 0;
 }
 
-/* A shape that reaches farther than a contact does behind a surface is not on it. */
+/* A shape deeper than the contact margin behind a surface does not lie on it. */
 static void mend_seams(const cn_world *world, const cni_manifold_input *in, cni_vec2 way, cni_manifold *m)
 {
 	if (m->count > 0 && (cni_seams_of(in->a) | cni_seams_of(in->b)) != 0)
@@ -141,9 +140,9 @@ static void mend_seams(const cn_world *world, const cni_manifold_input *in, cni_
 }
 
 /*
- * A contact that is still ahead: the shapes are moved to where they will first meet, the manifold there is
- * taken, and its points are traced back to now. So a fast body meets the surface that it would really hit,
- * and is not held by the plane of what merely happens to be nearest.
+ * For a contact that is still ahead: moves the shapes to their time of impact, computes the manifold there, and traces its points
+ * back to the present poses. So a fast body collides with the surface that it will hit, and not with the plane of the nearest
+ * feature.
  */
 static void meet(const cn_world *world, const cni_body *a, const cni_body *b, const cni_manifold_input *near, float dt, cni_touch *out)
 {
@@ -188,15 +187,15 @@ static void meet(const cn_world *world, const cni_body *a, const cni_body *b, co
 	}
 }
 
-/* Are even the circles around the two bodies farther apart than the pair looks? Boxes with their margins are much
-   larger than small bodies, so most pairs that do not touch end here, before shapes are looked at. */
+/* Are the circles around the two bodies farther apart than the speculative distance? Fat boxes are much larger than small bodies, so
+   most pairs that do not touch end here, before their shapes are read. */
 static int32_t circles_apart(const cni_body *a, const cni_body *b, cni_vec2 centers, float margin)
 {
 	float reach = CNI_CIRCLES_APART * (a->extent + b->extent + margin);
 	return cni_length_sq(centers) > reach * reach;
 }
 
-/* Maps frame b into frame a without losing digits far from the origin, by the way between the two centres. */
+/* Maps frame b into frame a from the difference of the two centres, which loses no digits far from the origin. */
 static cni_transform b_in_a(const cni_body *a, const cni_body *b, cni_vec2 centers)
 {
 	cni_transform x;

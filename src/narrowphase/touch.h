@@ -1,10 +1,10 @@
 /*
- * narrowphase/touch.h - how the shapes of one contact touch in this step. In three parts, so that the middle one, the
- * manifold, can be done for many pairs at once:
+ * narrowphase/touch.h - computes how the shapes of one contact touch in this step. In three parts, so that the second one, the
+ * manifold, can be computed for many pairs at once:
  *
- *   begin     poses, velocities, how far ahead the pair looks
- *   collide   the manifold
- *   finish    drops what the motion does not reach, moves what is still ahead to where it will be met
+ *   begin     relative pose, velocities, speculative distance
+ *   collide   manifold
+ *   finish    drops points that the motion does not reach; moves points that are still ahead to where the shapes will meet
  *
  * Reads bodies, shapes, geometry, proxies; writes the contact's cache only.
  */
@@ -13,17 +13,17 @@
 
 #include "model/solve.h"
 
-/* By how much circles must be apart, against rounding. */
+/* Factor on the sum of radii against rounding. */
 #define CNI_CIRCLES_APART 1.0001f
 
 typedef struct cni_pair_motion {
 	cni_vec2 v;       /* velocity of b's centre relative to a's, in a's frame */
 	float wa, wb;
-	float reach;      /* most that surface points can come projection in the step */
-	float margin;     /* within which the pair touches, however slow it is */
+	float reach;      /* bound on how much surface points can approach each other in the step */
+	float margin;     /* distance within which the pair touches at any speed */
 } cni_pair_motion;
 
-/* A contact, and where to look for what is asked of it first. */
+/* A contact with its bodies and proxies. */
 typedef struct cni_touch_pair {
 	cni_contact *contact;
 	cni_body *body[2];
@@ -39,7 +39,7 @@ typedef struct cni_touch {
 	int32_t boxes_overlap;   /* the fat ones */
 	float radius[2];         /* of the shapes */
 	cni_manifold manifold;
-	cni_vec2 gap;            /* where b's point is from a's now, when the contact is still ahead; in a's frame */
+	cni_vec2 gap;            /* from a's contact point to b's at present, where the contact is still ahead; in a's frame */
 } cni_touch;
 
 static inline cni_touch_pair cni_touch_pair_of(const cn_world *world, cni_contact *c, int32_t index)
@@ -54,14 +54,14 @@ static inline cni_touch_pair cni_touch_pair_of(const cn_world *world, cni_contac
 	return p;
 }
 
-/* 0: there is nothing more to do, the manifold is empty: the bodies are far apart, or their boxes are. Such a pair ends
-   however far it reaches, or it would be found twice. */
+/* Returns 0 where the manifold is empty: the bodies or their fat boxes are apart. A pair whose boxes are apart ends even if it moves
+   fast, or the broadphase would find it twice. */
 int32_t cni_touch_begin(const cn_world *world, const cni_touch_pair *p, float dt, cni_touch *out);
 void cni_touch_collide(cni_touch *out);
 void cni_touch_finish(const cn_world *world, float dt, cni_touch *out);
 
-/* What of stage 3 needs no manifold: lanes whose bodies have hardly moved are brought up to date. The contacts of all
-   others go to left, which has room for every lane; returns how many. dt 0: none is followed. */
+/* Manifold reuse, the first part of stage 3: updates lanes whose bodies have hardly moved. Writes the contacts of all other lanes to
+   left, which has room for every lane, and returns their number. dt 0: updates none. */
 int32_t cni_manifolds_reuse(cn_world *world, float dt, int32_t *left);
 
 #endif
