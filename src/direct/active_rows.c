@@ -72,7 +72,7 @@ int32_t cni_active_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse
 			continue;
 		cni_joint_constraint_narrow(world, s, n->owner);
 		w->active_row = row;
-		n->held = state_begin(&w->rows[row], s);
+		n->active = state_begin(&w->rows[row], s);
 		found = cni_max_i(found, w->rows[row].kind == CNI_ROW_MOTOR ? 2 : 1);
 	}
 	return found;
@@ -94,7 +94,7 @@ void cni_active_levers(const cn_world *world, cni_sparse *sparse, const cni_comp
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		const cni_row *r = cni_active_row(world, n);
-		if (r == NULL || !(n->held & CNI_ROW_IN_SET))
+		if (r == NULL || !(n->active & CNI_ROW_IN_SET))
 			continue;
 		n->lever[2] = cni_row_lever(r);
 		n->compliance[2] = 0.0f;
@@ -110,8 +110,8 @@ void cni_active_right_sides(const cn_world *world, const cni_solve *s, cni_spars
 		const cni_row *r = cni_active_row(world, n);
 		if (r == NULL)
 			continue;
-		n->wanted = target_speed(r, s, bias);
-		if (n->held & CNI_ROW_IN_SET)
-			n->x[2] = n->wanted - cni_lever_speed(&n->lever[2], motions + n->ia, motions + n->ib);
+		n->target = target_speed(r, s, bias);
+		if (n->active & CNI_ROW_IN_SET)
+			n->x[2] = n->target - cni_lever_speed(&n->lever[2], motions + n->ia, motions + n->ib);
 	}
 }

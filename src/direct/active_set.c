@@ -30,18 +30,18 @@ static int32_t set_change(const cn_world *world, const cni_solve *s, cni_sparse 
 			continue;
 		least = impulse_least(r, s);
 		most = cni_active_impulse_most(r, s);
-		if (n->held & CNI_ROW_IN_SET) {
+		if (n->active & CNI_ROW_IN_SET) {
 			if (r->impulse >= least && r->impulse <= most)
 				continue;
-			n->held = r->impulse > most ? CNI_ROW_AT_UPPER : 0;
+			n->active = r->impulse > most ? CNI_ROW_AT_UPPER : 0;
 			row_set_impulse(world, n, r, cni_clamp(r->impulse, least, most));
 		} else {
-			float missing = n->wanted - cni_row_speed(r, motions + n->ia, motions + n->ib);
-			if (n->held & CNI_ROW_AT_UPPER ? missing >= 0.0f : missing <= 0.0f && r->kind == CNI_ROW_MOTOR)
+			float missing = n->target - cni_row_speed(r, motions + n->ia, motions + n->ib);
+			if (n->active & CNI_ROW_AT_UPPER ? missing >= 0.0f : missing <= 0.0f && r->kind == CNI_ROW_MOTOR)
 				continue;
 			if (r->kind == CNI_ROW_LIMIT && missing <= 0.0f)
 				continue;
-			n->held = CNI_ROW_IN_SET;
+			n->active = CNI_ROW_IN_SET;
 		}
 		changed = 1;
 	}
@@ -54,7 +54,7 @@ static void impulses_add(const cn_world *world, const cni_sparse *sparse, const 
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_node *n = &sparse->nodes[k];
 		cni_row *r = cni_active_row(world, n);
-		if (r != NULL && (n->held & CNI_ROW_IN_SET))
+		if (r != NULL && (n->active & CNI_ROW_IN_SET))
 			r->impulse += n->x[2];
 	}
 }
@@ -76,8 +76,8 @@ static void sides_convert(const cn_world *world, cni_sparse *sparse, const cni_c
 		}
 		for (; back && i < CNI_NODE_ROWS; ++i)
 			n->x[i] = -cni_lever_speed(&n->lever[i], motions + n->ia, motions + n->ib);
-		if (back && r != NULL && (n->held & CNI_ROW_IN_SET))
-			n->x[2] += n->wanted;
+		if (back && r != NULL && (n->active & CNI_ROW_IN_SET))
+			n->x[2] += n->target;
 	}
 }
 

@@ -38,7 +38,7 @@ static int32_t turns_fast(const cn_world *world, const cni_solve *s, const cni_j
 int32_t cni_component_is_batched(const cn_world *world, const cni_solve *s, cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
-	if (c->kind == CNI_NONE || c->presses)
+	if (c->kind == CNI_NONE || c->has_contacts)
 		return 0;
 	for (k = c->begin; k < c->end; ++k) {
 		const cni_joint_constraint *w = &cni_joint_constraints(world)[sparse->nodes[k].owner];

@@ -42,7 +42,7 @@ void cni_component_release(cn_world *world, cni_sparse *sparse, cni_component *c
 			cni_joint_constraints(world)[sparse->nodes[k].owner].flags &= ~(uint32_t)CNI_CONSTRAINT_DIRECT;
 			cni_joint_constraints(world)[sparse->nodes[k].owner].active_row = 0;
 		}
-	c->swings = 0;
+	c->uses_rattle = 0;
 	c->done = 1;
 }
 
@@ -92,7 +92,7 @@ void cni_direct_begin(cn_world *world, const cni_solve *s, cni_sparse *sparse, c
 	cni_sparse_clear(sparse, c);
 	cni_direct_rotations(world, sparse, c);
 	cni_geometric_stiffness_find(world, sparse, c, s->h);
-	c->active = c->presses || c->kind != CNI_NONE || !CNI_ON(ACTIVE) ? 0 : cni_active_begin(world, s, sparse, c);
+	c->active = c->has_contacts || c->kind != CNI_NONE || !CNI_ON(ACTIVE) ? 0 : cni_active_begin(world, s, sparse, c);
 	if (c->active || cni_geometric_stiffness_needs_dampers(world, sparse, c, s->h))
 		c->width = CNI_NODE_ROWS;
 	cni_direct_system(world, s, sparse, c);
@@ -106,7 +106,7 @@ void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, 
 	c->joints = levers_read(world, sparse, c);
 	if (c->active)
 		cni_active_levers(world, sparse, c);
-	if (c->presses)
+	if (c->has_contacts)
 		c->factored = 0;
 	else
 		cni_sparse_factor(sparse, c, cni_motions(world));
@@ -260,7 +260,7 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias)
 {
 	right_sides(world, s->direct, c, bias ? CNI_JOINT_ERROR_RATE * s->inv_h : 0.0f, s->push_speed);
-	if (bias && c->loops && !c->presses)
+	if (bias && c->loops && !c->has_contacts)
 		leaks_add(world, s->direct, c);
 	if (c->active)
 		cni_active_right_sides(world, s, s->direct, c, bias);

@@ -152,13 +152,13 @@ static int32_t contact_levers_set(const cni_direct_contact *p, cni_node *n)
 {
 	int32_t i, changed = 0;
 	for (i = 0; i < 3; ++i) {
-		int32_t active = p->state[i] == CNI_ROW_ACTIVE, was = (n->held >> i) & 1;
+		int32_t active = p->state[i] == CNI_ROW_ACTIVE, was = (n->active >> i) & 1;
 		if (active == was)
 			continue;
 		memset(&n->lever[i], 0, sizeof n->lever[i]);
 		if (active)
 			n->lever[i] = cni_direct_contact_lever(p, i);
-		n->held ^= 1 << i;
+		n->active ^= 1 << i;
 		changed = 1;
 	}
 	return changed;

@@ -96,9 +96,9 @@ static void contact_extract(cn_world *world, const cni_direct_contact *p)
 void cni_direct_contacts_extract(cn_world *world, cni_sparse *sparse)
 {
 	int32_t k;
-	for (k = 0; k < sparse->press_count; ++k)
-		if (sparse->presses[k].node != CNI_NONE)
-			contact_extract(world, &sparse->presses[k]);
+	for (k = 0; k < sparse->contact_count; ++k)
+		if (sparse->contacts[k].node != CNI_NONE)
+			contact_extract(world, &sparse->contacts[k]);
 }
 
 /* A solved contact's impulse is exact, so it becomes the load. */
@@ -129,8 +129,8 @@ void cni_direct_contacts_restore(cn_world *world, cni_sparse *sparse, const cni_
 void cni_direct_contacts_restore_all(cn_world *world, cni_sparse *sparse, float h)
 {
 	int32_t k;
-	for (k = 0; k < sparse->press_count; ++k) {
-		cni_direct_contact *p = &sparse->presses[k];
+	for (k = 0; k < sparse->contact_count; ++k) {
+		cni_direct_contact *p = &sparse->contacts[k];
 		const cni_node *n = &sparse->nodes[cni_max_i(p->node, 0)];
 		if (p->node == CNI_NONE)
 			continue;

@@ -66,7 +66,7 @@ static inline float cni_direct_contact_leak(const cni_direct_contact *p, int32_t
 /* The contact of a node; NULL: the node is a joint. */
 static inline cni_direct_contact *cni_direct_contact_of(const cni_sparse *sparse, const cni_node *n)
 {
-	return n->owner < 0 ? &sparse->presses[-1 - n->owner] : NULL;
+	return n->owner < 0 ? &sparse->contacts[-1 - n->owner] : NULL;
 }
 /* Row 0 and 1: the points; 2: friction. */
 static inline cni_lever cni_direct_contact_lever(const cni_direct_contact *p, int32_t row)

@@ -288,11 +288,11 @@ static int32_t cone_is_admitted(const cni_direct_contact_pass *q)
 	if (q->world->settings.solver == CN_SOLVER_AUTO) {
 		if (was_moving(q) || cone_debt(q) > CNI_CONE_DEBT)
 			return 0;
-		if (!q->c->coned && q->world->cone_work + cone_cost(q) > CNI_CONE_WORK)
+		if (!q->c->cone_admitted && q->world->cone_work + cone_cost(q) > CNI_CONE_WORK)
 			return 0;
-		q->world->cone_work += q->c->coned ? 0 : cone_cost(q);
+		q->world->cone_work += q->c->cone_admitted ? 0 : cone_cost(q);
 	}
-	q->c->coned = 1;
+	q->c->cone_admitted = 1;
 	return 1;
 }
 
@@ -328,13 +328,13 @@ static void solution_accept(const cni_direct_contact_pass *q)
 		q->island->gives_step = step;
 	}
 	commit(q);
-	q->c->calm = q->bias && nothing_was_pushed(q);
+	q->c->nothing_pushed = q->bias && nothing_was_pushed(q);
 }
 
 int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
 {
 	cni_direct_contact_pass q = { world, s, sparse, c, cni_motions(world), NULL, SPEED_LEAST * world->settings.length_unit, bias, 0, ROUNDS, !bias, 0.0f };
-	if (!bias && c->calm)
+	if (!bias && c->nothing_pushed)
 		return 1;
 	q.island = cni_island_at(world, cni_awake_island(world, sparse->bodies[c->body_begin]));
 	state_save(&q, 0);

@@ -70,7 +70,7 @@ static int32_t is_requested(const cn_world *world, const cni_sparse *sparse, con
 static int32_t is_loop_of_pins_and_rods(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t k;
-	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->presses || c->body_begin == c->body_end)
+	if (world->settings.solver != CN_SOLVER_AUTO || !c->loops || c->has_contacts || c->body_begin == c->body_end)
 		return 0;
 	for (k = c->begin; k < c->end; ++k)
 		if (sparse->nodes[k].rows != 2 && cni_joint_constraints(world)[sparse->nodes[k].owner].record->type != CN_JOINT_DISTANCE)
@@ -95,7 +95,7 @@ static int32_t loop_is_better_soft(const cn_world *world, const cni_sparse *spar
 /* One joint to the world. */
 static int32_t is_better_alone(const cni_component *c)
 {
-	return !c->swings && !c->presses && c->end - c->begin == 1 && c->body_end - c->body_begin == 1;
+	return !c->uses_rattle && !c->has_contacts && c->end - c->begin == 1 && c->body_end - c->body_begin == 1;
 }
 
 void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
@@ -114,20 +114,20 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		return;
 	s->direct = out;
 	for (k = 0; k < out->component_count; ++k) {
-		out->components[k].presses = component_has_contacts(out, &out->components[k]);
-		out->components[k].coned = 0;
+		out->components[k].has_contacts = component_has_contacts(out, &out->components[k]);
+		out->components[k].cone_admitted = 0;
 	}
 	for (k = 0; k < out->component_count; ++k) {
 		cni_component *c = &out->components[k];
 		if (far && k + 1 < out->component_count)
 			cni_component_prefetch(world, out, k + 1);
-		c->regular = c->presses ? REGULAR : c->loops ? REGULAR_LOOPS : 0.0f;
-		c->swings = CNI_ON(SWINGS) && !c->presses && cni_component_uses_rattle(world, s, out, c);
+		c->regular = c->has_contacts ? REGULAR : c->loops ? REGULAR_LOOPS : 0.0f;
+		c->uses_rattle = CNI_ON(SWINGS) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
 		if (loop_is_better_soft(world, out, c))
 			cni_component_suspend(world, out, c, CNI_TRUST_MOST);
 		else if (c->body_begin == c->body_end || is_better_alone(c))
 			cni_component_release(world, out, c);
-		else if (c->swings)
+		else if (c->uses_rattle)
 			cni_sparse_clear(out, c);
 		else if (!(c->batches = CNI_ON(HERDS) ? cni_component_is_batched(world, s, out, c) : 0)) {
 			c->kind = CNI_NONE;
@@ -153,7 +153,7 @@ static void contacts_release(cn_world *world, cni_sparse *sparse, cni_component 
 			memset(&sparse->nodes[k].lever[i], 0, sizeof sparse->nodes[k].lever[i]);
 			sparse->nodes[k].x[i] = 0.0f;
 		}
-	c->presses = 0;
+	c->has_contacts = 0;
 	c->regular = c->loops ? REGULAR_LOOPS : 0.0f;
 	cni_sparse_factor(sparse, c, cni_motions(world));
 	if (world->settings.solver == CN_SOLVER_AUTO)
@@ -197,11 +197,11 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias)
 			continue;
 		if (!bias && c->joints > 0)
 			component_refresh(world, s, c);
-		if (c->presses && !cni_direct_contacts_solve(world, s, s->direct, c, bias))
+		if (c->has_contacts && !cni_direct_contacts_solve(world, s, s->direct, c, bias))
 			contacts_release(world, s->direct, c);
-		if (!c->presses)
+		if (!c->has_contacts)
 			joints_solve(world, s, c, bias);
-		if (bias && !c->presses && !c->done && !c->active && c->kind == CNI_NONE && cni_geometric_stiffness_lock(world, s->direct, c, s->h)) {
+		if (bias && !c->has_contacts && !c->done && !c->active && c->kind == CNI_NONE && cni_geometric_stiffness_lock(world, s->direct, c, s->h)) {
 			cni_sparse_factor(s->direct, c, cni_motions(world));
 			joints_solve(world, s, c, bias);
 		}

@@ -128,13 +128,13 @@ static void contacts_collect(cn_world *world, cni_direct_contact *contacts, int3
 {
 	const int32_t *islands = (const int32_t *)world->direct_islands.data;
 	int32_t k;
-	out->presses = contacts;
+	out->contacts = contacts;
 	for (k = 0; k < world->direct_islands.count; ++k) {
-		int32_t count = cni_direct_contacts_collect(world, islands[k], contacts + out->press_count, room - out->press_count);
+		int32_t count = cni_direct_contacts_collect(world, islands[k], contacts + out->contact_count, room - out->contact_count);
 		if (count < 0)
 			cni_island_refuse(world, islands[k], count == CNI_DIRECT_CONTACTS_MANY ? CN_TIER_REASON_CROWDED : CN_TIER_REASON_KIND);
 		else
-			out->press_count += count;
+			out->contact_count += count;
 	}
 }
 
@@ -152,8 +152,8 @@ static int32_t contact_link_work(const cn_world *world, const cni_link *link)
 static int32_t contact_links_collect(const cn_world *world, const cni_sparse *sparse, cni_link *links)
 {
 	int32_t k;
-	for (k = 0; k < sparse->press_count; ++k) {
-		const cni_direct_contact *p = &sparse->presses[k];
+	for (k = 0; k < sparse->contact_count; ++k) {
+		const cni_direct_contact *p = &sparse->contacts[k];
 		cni_link *link = &links[k];
 		link->ia = cni_block_at(world, p->block)->ia[p->lane];
 		link->ib = cni_block_at(world, p->block)->ib[p->lane];
@@ -161,7 +161,7 @@ static int32_t contact_links_collect(const cn_world *world, const cni_sparse *sp
 		link->rows = 3;
 		link->work_most = contact_link_work(world, link);
 	}
-	return sparse->press_count;
+	return sparse->contact_count;
 }
 
 /* ---- planned and unplanned links ---- */
@@ -202,7 +202,7 @@ static void owners_mark(cn_world *world, const cni_solve *s, const cni_link *lin
 		}
 	for (k = 0; k < out->node_count; ++k)
 		if (out->nodes[k].owner < 0)
-			out->presses[-1 - out->nodes[k].owner].node = k;
+			out->contacts[-1 - out->nodes[k].owner].node = k;
 }
 
 /* Most work of a substep, for one factorization. */
@@ -255,8 +255,8 @@ int32_t cni_direct_plan(cn_world *world, const cni_solve *s, cni_sparse *out)
 	if (contacts == NULL)
 		return 0;
 	contacts_collect(world, contacts, room, out);
-	links = (cni_link *)cni_arena_push(&world->arena, sizeof(cni_link) * (uint64_t)(joints + out->press_count));
-	planned = links == NULL ? NULL : (uint8_t *)cni_arena_push(&world->arena, (uint64_t)(joints + out->press_count));
+	links = (cni_link *)cni_arena_push(&world->arena, sizeof(cni_link) * (uint64_t)(joints + out->contact_count));
+	planned = links == NULL ? NULL : (uint8_t *)cni_arena_push(&world->arena, (uint64_t)(joints + out->contact_count));
 	if (planned == NULL)
 		return 0;
 	count = joint_links_collect(world, links);

@@ -63,7 +63,7 @@ void cni_projection_mark(const cn_world *world, cni_sparse *sparse);
 
 /* ---- motors and limits in the system: direct/active_rows.c ---- */
 
-/* Bits of a node's `held`. */
+/* Bits of a node's `active`. */
 enum { CNI_ROW_IN_SET = 1u, CNI_ROW_AT_UPPER = 2u };
 
 /* The motor or limit row that is the third row of a node, or NULL. */

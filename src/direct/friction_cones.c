@@ -365,7 +365,7 @@ static void contact_finish(const cone *q, cni_direct_contact *p, cni_node *n)
 	memset(n->lever, 0, sizeof n->lever);
 	memset(n->compliance, 0, sizeof n->compliance);
 	n->cross = 0.0f;
-	n->held = 0;
+	n->active = 0;
 }
 
 static void contacts_finish(const cone *q)

@@ -18,7 +18,7 @@
 static int32_t may_open(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
 	int32_t n;
-	if (c->done || c->presses)
+	if (c->done || c->has_contacts)
 		return 0;
 	for (n = c->body_begin; n < c->body_end; ++n)
 		if (cni_externals(world)[sparse->bodies[n]].flags & CNI_EXTERNAL_TOUCHED)
@@ -41,7 +41,7 @@ static void projection_add(cni_sparse *sparse, int32_t component)
 	projection->batch = c->batches ? c->batch : CNI_NONE;
 	projection->lane = c->lane;
 	projection->rounds = rounds_of(c);
-	projection->asked = projection->parting = projection->changed = 0;
+	projection->selected = projection->opening = projection->changed = 0;
 	projection->slot_begin = CNI_NONE;
 	for (k = c->body_begin; k < c->body_end; ++k)
 		sparse->projection_of[sparse->bodies[k]] = sparse->projection_count;
@@ -179,9 +179,9 @@ static void projections_select(cni_sparse *sparse, int32_t round)
 		sparse->batches[k].selected = 0;
 	for (k = 0; k < sparse->projection_count; ++k) {
 		cni_projection *c = &sparse->projections[k];
-		c->asked = round == 0 || c->parting || c->changed;
+		c->selected = round == 0 || c->opening || c->changed;
 		c->changed = 0;
-		if (c->asked && c->batch != CNI_NONE)
+		if (c->selected && c->batch != CNI_NONE)
 			sparse->batches[c->batch].selected |= 1u << c->lane;
 	}
 }
@@ -201,7 +201,7 @@ static int32_t component_project(cn_world *world, const cni_solve *s, cni_compon
 
 static int32_t projection_run(cn_world *world, const cni_solve *s, const cni_projection *c)
 {
-	if (!c->asked)
+	if (!c->selected)
 		return 0;
 	if (c->batch != CNI_NONE)
 		return (int32_t)(s->direct->batches[c->batch].opening >> c->lane & 1u);
@@ -216,8 +216,8 @@ static int32_t projections_run(cn_world *world, const cni_solve *s, int32_t roun
 	cni_tree_batches_project(world, s);
 	for (k = 0; k < s->direct->projection_count; ++k) {
 		cni_projection *c = &s->direct->projections[k];
-		c->parting = projection_run(world, s, c) && round < c->rounds;
-		opening |= c->parting;
+		c->opening = projection_run(world, s, c) && round < c->rounds;
+		opening |= c->opening;
 	}
 	return opening;
 }
@@ -229,6 +229,6 @@ void cni_direct_project(cn_world *world, const cni_solve *s)
 		return;
 	for (round = 0; projections_run(world, s, round); ++round)
 		for (k = 0; k < s->direct->projection_count; ++k)
-			if (s->direct->projections[k].parting)
+			if (s->direct->projections[k].opening)
 				contacts_solve_again(world, s, &s->direct->projections[k]);
 }

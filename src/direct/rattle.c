@@ -571,7 +571,7 @@ static int32_t largest_component(const cni_sparse *sparse)
 {
 	int32_t k, largest = 0;
 	for (k = 0; k < sparse->component_count; ++k)
-		if (sparse->components[k].swings)
+		if (sparse->components[k].uses_rattle)
 			largest = cni_max_i(largest, sparse->components[k].end - sparse->components[k].begin);
 	return largest;
 }
@@ -587,7 +587,7 @@ void cni_rattle_run(cn_world *world, const cni_solve *s)
 		world->warnings |= CN_WARNING_FRAME_MEMORY;
 	for (k = 0; k < s->direct->component_count; ++k) {
 		cni_component *c = &s->direct->components[k];
-		if (!c->swings)
+		if (!c->uses_rattle)
 			continue;
 		if (left != NULL)
 			component_run(world, s, c, left);

@@ -324,7 +324,7 @@ static void contact_joints_narrow(cn_world *world, const cni_solve *s)
 	int32_t k, n;
 	for (k = 0; s->direct != NULL && k < s->direct->component_count; ++k) {
 		const cni_component *c = &s->direct->components[k];
-		for (n = c->begin; c->presses && n < c->end; ++n)
+		for (n = c->begin; c->has_contacts && n < c->end; ++n)
 			if (s->direct->nodes[n].owner >= 0)
 				cni_joint_constraint_narrow(world, s, s->direct->nodes[n].owner);
 	}

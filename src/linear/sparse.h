@@ -36,7 +36,7 @@ typedef struct cni_node {
 	int32_t ia, ib;                    /* dense indices of its bodies, 0: static or the world */
 	int32_t owner;                     /* set by the caller */
 	int32_t rows;                      /* 1 to 3 */
-	uint32_t held;                     /* of a contact: bits of the rows whose levers are set; of a joint: direct/active_rows.c */
+	uint32_t active;                   /* of a contact: bits of the rows whose levers are set; of a joint: direct/active_rows.c */
 	cni_lever lever[CNI_NODE_ROWS];    /* rows beyond `rows` are zero */
 	float compliance[CNI_NODE_ROWS];   /* added to the diagonal */
 	float cross;                       /* ... and to the element between the first two rows */
@@ -44,7 +44,7 @@ typedef struct cni_node {
 	float x[CNI_NODE_ROWS];            /* right hand side in, solution out */
 	float carried[CNI_NODE_ROWS];      /* impulses at the begin of a pass */
 	float total[CNI_NODE_ROWS];        /* sum of the solutions so far, where there are several; of joints with motors: target speeds */
-	float wanted;                      /* ... target speed of the third row: direct/active_rows.c */
+	float target;                      /* ... target speed of the third row: direct/active_rows.c */
 } cni_node;
 
 /* A node before planning: its bodies (dense indices, 0: static or the world) and its number of rows. */
@@ -72,11 +72,11 @@ typedef struct cni_component {
 	int32_t tree;                  /* 1: the graph of moving bodies and nodes has no cycle */
 	int32_t width;                 /* 2 or 3: rows per node in the solution */
 	float regular;                 /* regularization: this fraction of the diagonal is added to it */
-	int32_t swings;                /* 1: direct/rattle.c takes the bodies' whole step */
+	int32_t uses_rattle;           /* 1: direct/rattle.c takes the bodies' whole step */
 	int32_t done;                  /* 1: finished for this step */
-	int32_t presses;               /* 1: with contacts, see direct/direct_contacts.c */
-	int32_t coned;                 /* ... 1: direct/friction_cones.c ran in this step */
-	int32_t calm;                  /* ... 1: no contact was pushed in this substep */
+	int32_t has_contacts;          /* 1: with contacts, see direct/direct_contacts.c */
+	int32_t cone_admitted;         /* ... 1: direct/friction_cones.c ran in this step */
+	int32_t nothing_pushed;        /* ... 1: no contact was pushed in this substep */
 	int32_t factored;              /* ... 1: the pivots belong to the present levers */
 	int32_t joints;                /* number of nodes that are joints: direct/direct_joints.c */
 	int32_t active;                /* 1: the active set has limits, 2: also motors: direct/active_rows.c */
@@ -90,8 +90,8 @@ typedef struct cni_projection {
 	int32_t component;
 	int32_t batch, lane;            /* batch CNI_NONE: not batched */
 	int32_t rounds;                /* most rounds of contacts in a substep */
-	int32_t asked;                 /* 1: to be checked, because its bodies may have changed since the last check */
-	int32_t parting;               /* 1: contacts would open some of its joints in this substep */
+	int32_t selected;              /* 1: to be checked, because its bodies may have changed since the last check */
+	int32_t opening;               /* 1: contacts would open some of its joints in this substep */
 	int32_t changed;               /* 1: contacts have changed its bodies since the last check */
 	int32_t slot_begin, slot_end;  /* in projection_slots; CNI_NONE: not looked up in this step */
 } cni_projection;
@@ -124,8 +124,8 @@ typedef struct cni_sparse {
 	int32_t released;             /* components released to the soft solver since joint lanes were filled */
 	struct cni_tree_batch *batches;       /* direct/batched_trees.c */
 	int32_t batch_count;
-	struct cni_direct_contact *presses;    /* direct contacts: the owner of contact i's node is -1 - i */
-	int32_t press_count;
+	struct cni_direct_contact *contacts;   /* direct contacts: the owner of contact i's node is -1 - i */
+	int32_t contact_count;
 	cni_projection *projections;          /* direct/joint_projection.c, by component */
 	int32_t projection_count;
 	int32_t *projection_slots;        /* slots of the contacts of each projection's bodies */
@@ -149,7 +149,7 @@ typedef struct cni_system {
    their order and blocks. out_planned[i]: 1 when link i became a node. Bodies that cannot move do not connect nodes.
    kept (NULL: keep nothing) holds the plan of the previous call in items of CNI_KEPT_BYTES. The plan is reused when links,
    moving bodies and budget equal those of that call, else it is replaced; out points into it. Entries pushed to the arena
-   stay until the end of the step. The caller passes out zeroed except for presses; the nodes' numbers are not written.
+   stay until the end of the step. The caller passes out zeroed except for contacts; the nodes' numbers are not written.
    0: not enough memory, nothing planned. */
 int32_t cni_sparse_plan(cni_arena *arena, cni_array *kept, const cni_system *system, cni_sparse *out, uint8_t *out_planned);
 /* Zeroes the numbers of a component's nodes, before their first use. */

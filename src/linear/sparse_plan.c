@@ -430,7 +430,7 @@ void cni_sparse_clear(cni_sparse *s, const cni_component *c)
 	int32_t k;
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &s->nodes[k];
-		n->held = 0;
+		n->active = 0;
 		memset(n->lever, 0, sizeof n->lever);
 		memset(n->compliance, 0, sizeof n->compliance);
 		n->cross = 0.0f;
@@ -438,7 +438,7 @@ void cni_sparse_clear(cni_sparse *s, const cni_component *c)
 		memset(n->x, 0, sizeof n->x);
 		memset(n->carried, 0, sizeof n->carried);
 		memset(n->total, 0, sizeof n->total);
-		n->wanted = 0.0f;
+		n->target = 0.0f;
 	}
 }
 

@@ -267,7 +267,7 @@ static void systems_done(const cn_world *world, cni_sparse *direct)
 	int32_t k;
 	for (k = 0; direct != NULL && k < direct->component_count; ++k) {
 		cni_component *c = &direct->components[k];
-		if (c->presses && c->joints == 0 && !is_active(cni_externals(world), direct->bodies[c->body_begin]))
+		if (c->has_contacts && c->joints == 0 && !is_active(cni_externals(world), direct->bodies[c->body_begin]))
 			c->done = 1;
 	}
 }
