@@ -36,6 +36,8 @@ static void run_seed(const settings *set, const family *which, int32_t seed, see
 		r->measures[side] = run_side(set, which, seed, side, 0);
 		r->judged[side] = to_judged(&r->measures[side]);
 	}
+	r->first_worse[0] = worse_mask(&r->judged[0], &r->judged[1]);
+	r->first_worse[1] = worse_mask(&r->judged[1], &r->judged[0]);
 	r->worse = confirm_seed(set, which, seed, r->judged);
 	confirm_time(set, which, r);
 	r->has_peer = find_peer(set, which->name, seed, r->measures[0].flags, &r->peer, &peer);

@@ -47,6 +47,7 @@ typedef struct seed_result {
 	scene_measures measures[2];
 	judged judged[2];
 	uint32_t worse;
+	uint32_t first_worse[2]; /* without confirmation: by side, the measures of the first run in which it is worse than the other */
 	double time_ratio, gain; /* time of a step over the other's; the other's error over mine */
 	int32_t has_peer;
 	judged peer;

@@ -147,6 +147,22 @@ static void print_peer(const settings *set, const seed_result *results, int32_t 
 			print_worst(results, count, k, 1);
 }
 
+/* How often each side is worse in the first run: where both are as often, the runs differ by chance. */
+static void print_both_ways(const settings *set, const seed_result *results, int32_t count)
+{
+	int32_t kind, side, k;
+	printf("    first runs, %s worse : %s worse:", set->names[0], set->names[1]);
+	for (kind = 0; kind < M_COUNT; ++kind) {
+		int32_t seeds[2] = { 0, 0 };
+		for (side = 0; side < 2; ++side)
+			for (k = 0; k < count; ++k)
+				seeds[side] += (int32_t)(results[k].first_worse[side] >> kind & 1u);
+		if (seeds[0] + seeds[1] > 0)
+			printf(" %s %d:%d", kinds[kind].name, (int)seeds[0], (int)seeds[1]);
+	}
+	printf("\n");
+}
+
 int32_t report_family(const settings *set, const family *which, const seed_result *results, int32_t count, double cpu_s)
 {
 	int32_t k, worse = count_mask(results, count, 0, UINT32_MAX);
@@ -164,6 +180,7 @@ int32_t report_family(const settings *set, const family *which, const seed_resul
 	for (k = 0; k < M_COUNT; ++k)
 		if (count_mask(results, count, 0, 1u << k) > 0)
 			print_worst(results, count, k, 0);
+	print_both_ways(set, results, count);
 	print_dear(results, count);
 	print_peer(set, results, count);
 	if (getenv("FAMILIES_TIMES") != NULL)
