@@ -55,21 +55,24 @@ static void joints_warm_start(cn_world *world, const cni_solve *s)
 	if (world->awake_joints.count == 0)
 		return;
 	cni_joints_warm_start(world, s);
-	cni_direct_warm_start(world, s);
+	if (s->direct != NULL)
+		cni_direct_warm_start(world, s);
 }
 
 static void joints_solve(cn_world *world, const cni_solve *s)
 {
 	if (world->awake_joints.count > 0)
 		cni_joints_solve(world, s);
-	cni_direct_solve(world, s, 1);
+	if (s->direct != NULL)
+		cni_direct_solve(world, s, 1);
 }
 
 static void joints_relax(cn_world *world, const cni_solve *s)
 {
 	if (world->awake_joints.count > 0)
 		cni_joints_relax(world, s);
-	cni_direct_solve(world, s, 0);
+	if (s->direct != NULL)
+		cni_direct_solve(world, s, 0);
 	if (world->awake_joints.count > 0)
 		cni_joints_stress(world, s);
 }
@@ -89,7 +92,8 @@ static void substeps_lead(void *context)
 			cni_contacts_impact(world, s);
 		joints_solve(world, s);
 		cni_contacts_solve(world, s);
-		cni_direct_project(world, s);
+		if (s->direct != NULL)
+			cni_direct_project(world, s);
 		cni_integrate_positions(world, s);
 		joints_relax(world, s);
 		cni_contacts_relax(world, s);
@@ -142,18 +146,24 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 		return 0;
 	world->mean_dt = s.mean_dt;
 	cni_external_prepare(world, &s);
-	cni_joints_prepare(world, &s);
+	if (world->awake_joints.count > 0)
+		cni_joints_prepare(world, &s);
 	cni_contacts_list(world, &s);
 	cni_stage_select_solvers(world, s.h);
-	cni_direct_prepare(world, &s, &direct);
+	if (world->awake_joints.count > 0 || world->direct_islands.count > 0)
+		cni_direct_prepare(world, &s, &direct);
 	if (CNI_ON(PILE_LOAD))
 		cni_gravity_preload(world, &s);
-	cni_rattle_run(world, &s);
-	cni_joint_blocks_gather(world, &s);
+	if (s.direct != NULL)
+		cni_rattle_run(world, &s);
+	if (world->awake_joints.count > 0)
+		cni_joint_blocks_gather(world, &s);
 	profile_mark(world, &profile->prepare_s, mark);
 	substeps_run(world, &s);
-	cni_joints_store(world, &s);
-	cni_direct_store(world, &s);
+	if (world->awake_joints.count > 0)
+		cni_joints_store(world, &s);
+	if (s.direct != NULL)
+		cni_direct_store(world, &s);
 	if (CNI_ON(SPIN))
 		cni_angular_momentum_restore(world);
 	cni_external_finish(world);
@@ -161,7 +171,8 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	if (world->settings.flags & CN_WORLD_CONTINUOUS)
 		cni_stage_continuous(world);
 	rested = cni_stage_finalize(world, &s);
-	cni_joints_break(world);
+	if (world->awake_joints.count > 0)
+		cni_joints_break(world);
 	profile_mark(world, &profile->finalize_s, mark);
 	return rested;
 }
