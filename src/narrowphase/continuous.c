@@ -92,7 +92,7 @@ static void core_make(const cni_geometry *g, float depth, core_shape *core)
 typedef struct clamp {
 	cn_world *world;
 	const cni_body *body;
-	int32_t targets;
+	int32_t targets;     /* CLAMP_* */
 	int32_t proxy;       /* of the moving shape */
 	cni_path path;
 	core_shape core;

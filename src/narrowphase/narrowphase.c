@@ -84,7 +84,7 @@ static void call_pre_solve(cn_world *world, int32_t contact)
 		cni_contact_write_empty(world, contact);
 }
 
-static void lane_write(cn_world *world, int32_t contact, const cni_touch *t)
+static void write_and_notify(cn_world *world, int32_t contact, const cni_touch *t)
 {
 	cni_contact_write(world, t->contact, t->a, t->b, &t->manifold, t->gap, t->radius);
 	if (t->contact->flags & CNI_CONTACT_PRE_SOLVE)
@@ -103,7 +103,7 @@ static int32_t contact_update(cn_world *world, int32_t contact, cni_touch *t)
 	if (t->manifold.count > 0 && !touching)
 		return CHANGE_BEGIN;
 	if (t->manifold.count > 0)
-		lane_write(world, contact, t);
+		write_and_notify(world, contact, t);
 	else if (touching || !t->boxes_overlap)
 		return CHANGE_END;
 	return c->flags & (CNI_CONTACT_CREATED_OWED | CNI_CONTACT_ENTER_OWED) ? CHANGE_EVENTS : CHANGE_NONE;
