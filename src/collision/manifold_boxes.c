@@ -85,7 +85,7 @@ void cni_boxes_run(cni_box_batch *batch, cni_box_kernel_fn *kernel)
 	if (batch->count == 0)
 		return;
 	if (batch->count == 1) { /* a single pair is cheaper without the kernel */
-		batch->state[0] = CNI_BOXES_LEFT;
+		batch->state[0] = CNI_BOXES_FALLBACK;
 		return;
 	}
 	pad(batch);
@@ -105,7 +105,7 @@ static void point_read(const cni_box_point *p, int32_t column, float margin, cni
 
 void cni_boxes_read(const cni_box_batch *batch, int32_t column, const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
-	if (batch->state[column] == CNI_BOXES_LEFT) {
+	if (batch->state[column] == CNI_BOXES_FALLBACK) {
 		cni_manifold_function(in->a->type, in->b->type)(in, cache, out);
 		return;
 	}

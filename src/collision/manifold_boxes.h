@@ -9,7 +9,7 @@
  *   apart          no point within the margin
  *   point          two corners: one point, if it is within the margin
  *   points         clipped faces: two points, of which those within the margin count
- *   left           not computed: edges that hardly overlap, closest features that are not at the two faces
+ *   fallback       not computed: edges that hardly overlap, closest features that are not at the two faces
  *
  * Without vectors there is no kernel, and cni_faces_collide computes every pair.
  */
@@ -22,7 +22,7 @@
 #define CNI_BOX_PAIRS 32
 
 /* States of a pair, see above. */
-enum { CNI_BOXES_APART = 0, CNI_BOXES_POINT = 1, CNI_BOXES_POINTS = 2, CNI_BOXES_LEFT = 3 };
+enum { CNI_BOXES_APART = 0, CNI_BOXES_POINT = 1, CNI_BOXES_POINTS = 2, CNI_BOXES_FALLBACK = 3 };
 
 typedef struct cni_box_point {
 	float x[CNI_BOX_PAIRS], y[CNI_BOX_PAIRS];

@@ -410,12 +410,12 @@ CNI_INLINE void points_store(cni_box_batch *k, int32_t l, const box *a, const bo
 	second.incident = choose_i(axis.of_b, low.incident, high.incident);
 	end_store(k, l, 0, &first, axis.of_b, normal);
 	end_store(k, l, 1, &second, axis.of_b, normal);
-	state = choose_i(overlap >= touch, mask_of(CNI_BOXES_POINTS), mask_of(CNI_BOXES_LEFT));
+	state = choose_i(overlap >= touch, mask_of(CNI_BOXES_POINTS), mask_of(CNI_BOXES_FALLBACK));
 	if (mask_any(wanted)) {
 		corners f = corners_find(a, b, &c, axis.of_b, touch, cni_wide_of(0.01f * k->slop));
 		cni_mask where = wanted & f.known & (missed | ~(cni_wide_abs(ends - f.distance) <= touch));
 		corners_store(k, l, &f, where);
-		state = choose_i(where, mask_of(CNI_BOXES_POINT), choose_i(wanted & ~f.known, mask_of(CNI_BOXES_LEFT), state));
+		state = choose_i(where, mask_of(CNI_BOXES_POINT), choose_i(wanted & ~f.known, mask_of(CNI_BOXES_FALLBACK), state));
 	}
 	mask_store(k->state + l, choose_i(is_apart, mask_of(CNI_BOXES_APART), state));
 }

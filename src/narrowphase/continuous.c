@@ -1,22 +1,21 @@
 /*
- * narrowphase/continuous.c - the last guard against passing through things (part of stage 8).
+ * narrowphase/continuous.c - continuous collision: the last guard against tunnelling (part of stage 8).
  *
- * Most fast bodies are stopped by contacts that the narrowphase finds ahead of them. What is left are bodies
- * that were made fast within the step. Before a body takes a pose that is farther away than a quarter of its inner
- * radius, the core of each of its shapes, shrunk by twice that, is moved along its path against the static
- * shapes there (for bullets: against all, each on its own path); at the first meeting the rest of the path is given
- * up for this step, by a dynamic body that a bullet meets too.
- * Most bodies have nothing static about them, which the narrowphase saw; they are not looked at any further. Those that stay
- * within their boxes can meet only what they have contacts with.
- * A shape that merely rests on or slides along something keeps its core clear of it, so nothing catches. One that was pressed in
- * so deep that its core overlaps something is stopped by a smaller core: an edge, which has no inside, would let it through. A body whose core is at
- * something static already, where an earlier step stopped it, gives up the speed of its point there, and slides and turns on: else a
- * contact that counts on the turn may do nothing, and the body would hang there while its speed grows.
+ * Speculative contacts of the narrowphase stop most fast bodies. Bodies that became fast within the step remain. Before a body
+ * moves by more than a quarter of its inner radius, the core of each of its shapes (the shape shrunk by half its inner radius)
+ * is swept along the body's path against the static shapes there (for bullets: against all shapes, each on its own path). At the
+ * time of impact the body gives up the rest of its path for this step; so does a dynamic body that a bullet hits.
+ * Bodies without static shapes near them, which the narrowphase marked, are skipped. Bodies whose path stays inside their fat
+ * boxes can hit only shapes they have contacts with.
+ * A shape that rests on or slides along another keeps its core clear of it, so it does not catch. If a shape was pressed in so
+ * deep that its core overlaps the other, a smaller core stops it: an edge has no interior, so contacts would let the shape
+ * through. A body whose core already is at a static shape, where an earlier step stopped it, loses the approach speed of that
+ * point, and slides and turns: otherwise a contact that expects the turn may apply no impulse, and the body would hang there
+ * while its speed grows.
  *
- * Bodies are shared among the workers. What stops one that is no bullet depends on no other body; bullets come after them, in
- * order.
+ * The workers share the bodies. The path of a body that is no bullet depends on no other body; bullets follow serially, in order.
  *
- * Reads bodies, shapes, the broadphase; writes the changes in motion of the bodies that meet, and the velocities of those that slide.
+ * Reads bodies, shapes, the broadphase; writes the position changes of stopped bodies, and the velocities of sliding ones.
  */
 #include "narrowphase/narrowphase.h"
 #include "collision/distance.h"
@@ -31,11 +30,11 @@
 #define RECORDS_MANY 1024   /* ... where there are so many that they are not near anyway */
 
 enum {
-	CLAMP_STATIC, /* stops at static shapes */
-	CLAMP_ALL     /* a bullet: at every shape */
+	CLAMP_STATIC, /* static shapes stop the body */
+	CLAMP_ALL     /* bullets: every shape does */
 };
 
-/* Does the step's change carry the body so far that something could be left behind it unseen? */
+/* Does the body move far enough in this step to tunnel? */
 static int32_t body_is_fast(const cni_body *b, const cni_motion *m)
 {
 	float most = 0.25f * b->core, turn = m->theta * cni_body_turn_reach(b);
@@ -46,10 +45,10 @@ static int32_t body_is_fast(const cni_body *b, const cni_motion *m)
 typedef struct core_shape {
 	cni_geometry geometry;
 	cni_vec2 points[2 * CN_POLYGON_MAX_VERTICES];
-	float depth; /* in the shape */
+	float depth; /* below the shape's surface */
 } core_shape;
 
-/* Moves each vertex inwards so that the edges move by depth; the tip of a wedge by no more than half of its way to the centroid. */
+/* Moves each vertex inwards so that the edges move by depth; a vertex moves at most half its distance to the centroid (wedge tips). */
 static void polygon_shrink(core_shape *core, float depth)
 {
 	const int32_t n = core->geometry.count;
@@ -93,16 +92,16 @@ static void core_make(const cni_geometry *g, float depth, core_shape *core)
 typedef struct clamp {
 	cn_world *world;
 	const cni_body *body;
-	int32_t what;
-	int32_t proxy;       /* of the shape that moves */
+	int32_t targets;     /* CLAMP_* */
+	int32_t proxy;       /* of the moving shape */
 	cni_path path;
 	core_shape core;
-	cni_aabb reach;      /* contains the core all the way, and what is so near that it stops it; relative to the body's centre */
-	float fraction;      /* of the path that is free so far */
-	int32_t met;         /* awake index of the dynamic body at its end, else 0 */
-	cni_vec2 normal;     /* nothing is free at all: of what is met */
-	cni_vec2 arm;        /* ... from the body's centre to where it is met */
-	core_shape stopped;  /* ... what meets it */
+	cni_aabb reach;      /* bounds the swept core and the stopping distance around it; relative to the body's centre */
+	float fraction;      /* free part of the path so far */
+	int32_t blocking_body; /* awake index of the dynamic body that ends the path, else 0 */
+	cni_vec2 normal;     /* where fraction is 0: normal of the blocking shape */
+	cni_vec2 arm;        /* ... lever arm from the body's centre to the point of contact */
+	core_shape touching_core; /* ... the core that touches it */
 } clamp;
 
 static cni_path body_path(const cni_body *b, cni_vec2 from, float dpx, float dpy, float theta)
@@ -116,18 +115,18 @@ static cni_path body_path(const cni_body *b, cni_vec2 from, float dpx, float dpy
 	return p;
 }
 
-/* Rounding that the core gave up reaches less far from the centre, however the body turns. */
+/* Computes core and reach. The radius that the core lost shortens the reach at every angle. */
 static void core_begin(clamp *c, const cni_geometry *g)
 {
 	const cni_body *b = c->body;
 	const cni_path *p = &c->path;
-	cni_aabb way = { cni_min(p->start.x, p->end.x), cni_min(p->start.y, p->end.y), cni_max(p->start.x, p->end.x), cni_max(p->start.y, p->end.y) };
+	cni_aabb path = { cni_min(p->start.x, p->end.x), cni_min(p->start.y, p->end.y), cni_max(p->start.x, p->end.x), cni_max(p->start.y, p->end.y) };
 	float rounding = CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
 	core_make(g, core_depth(g, c->world->settings.slop), &c->core);
-	c->reach = cni_box_fatten(way, b->extent - (g->radius - c->core.geometry.radius) + rounding + c->world->settings.slop);
+	c->reach = cni_box_fatten(path, b->extent - (g->radius - c->core.geometry.radius) + rounding + c->world->settings.slop);
 }
 
-/* Most static shapes about a body are beside its way, or end before the core begins. */
+/* Most static shapes near a body lie outside the swept core. */
 static int32_t core_reaches(const clamp *c, const cni_aabb *box)
 {
 	cni_aabb near = *box;
@@ -138,19 +137,19 @@ static int32_t core_reaches(const clamp *c, const cni_aabb *box)
 	return cni_aabb_overlap(&c->reach, &near);
 }
 
-static int32_t other_stops(const clamp *c, int32_t proxy)
+static int32_t other_blocks(const clamp *c, int32_t proxy)
 {
 	const cn_world *world = c->world;
 	const cni_proxy *p = cni_proxy_at(world, proxy);
-	if (c->what == CLAMP_STATIC && !(p->flags & CNI_PROXY_STATIC))
+	if (c->targets == CLAMP_STATIC && !(p->flags & CNI_PROXY_STATIC))
 		return 0;
 	if (cni_shape_at(world, p->shape)->flags & (CN_SHAPE_SENSOR | CN_SHAPE_ONE_WAY))
 		return 0;
 	return cni_contact_allowed(world, c->proxy, proxy);
 }
 
-/* How far the foremost point of a shape moves along the normal. */
-static float path_lifts_by(const cni_geometry *g, int32_t child, const cni_path *path, cni_vec2 normal)
+/* Advance along the normal of the shape's support point in the direction -normal. */
+static float path_advance_along(const cni_geometry *g, int32_t child, const cni_path *path, cni_vec2 normal)
 {
 	cni_vec2 storage[2], from = cni_unrotate(path->q, normal), to;
 	cni_proxy_points set = cni_geometry_proxy(g, child, storage);
@@ -166,17 +165,17 @@ static float path_lifts_by(const cni_geometry *g, int32_t child, const cni_path 
 	return cni_dot(cni_sub(path->end, path->start), normal) + (low_to - low_from);
 }
 
-/* By how much more b is in front of a along the normal, which separates them now, when both paths have been gone. */
-static float path_leaves_by(const cni_toi_input *in, cni_vec2 normal)
+/* Growth of the separation along the normal from the beginning to the end of both paths. */
+static float paths_separate_by(const cni_toi_input *in, cni_vec2 normal)
 {
-	return path_lifts_by(in->b, in->child_b, &in->path_b, normal) + path_lifts_by(in->a, in->child_a, &in->path_a, cni_neg(normal));
+	return path_advance_along(in->b, in->child_b, &in->path_b, normal) + path_advance_along(in->a, in->child_a, &in->path_a, cni_neg(normal));
 }
 
 /*
- * A core that starts nearer than the target, which is where the last step left it if that stopped it, may come half as near
- * again, and no nearer than a hundredth of the tolerance: there it is held until it leaves.
+ * Time of impact of a core that may start closer than the target distance, as after an earlier stop. Such a core may approach to
+ * half its distance, down to 0.01 of the tolerance; there it is held until it separates.
  */
-static cni_toi_result core_meets(cni_toi_input *in)
+static cni_toi_result toi_with_reduced_target(cni_toi_input *in)
 {
 	float least = 0.01f * in->tolerance;
 	cni_toi_result hit = cni_toi(in);
@@ -190,40 +189,40 @@ static cni_toi_result core_meets(cni_toi_input *in)
 	return hit;
 }
 
-static int32_t starts_inside(const cni_toi_result *hit)
+static int32_t starts_overlapping(const cni_toi_result *hit)
 {
 	return hit->state == CNI_TOI_OVERLAPPED || (hit->state == CNI_TOI_HIT && hit->fraction == 0.0f && hit->distance <= 0.0f);
 }
 
-static cni_toi_result try_core(const clamp *c, const core_shape *core, cni_toi_input *in)
+static cni_toi_result core_toi(const clamp *c, const core_shape *core, cni_toi_input *in)
 {
 	float most = 0.5f * c->world->settings.slop;
 	in->b = &core->geometry;
 	in->target = core->depth > 0.0f ? cni_min(most, CLEAR_PART * core->depth) : most;
 	in->tolerance = 0.5f * in->target;
-	return core_meets(in);
+	return toi_with_reduced_target(in);
 }
 
-/* Shortens the path to what is free for a core, and returns 0 if the core starts inside the other shape. */
+/* Shortens the path to the part that is free for a core. Returns 0 if the core starts inside the other shape. */
 static int32_t core_clamp(clamp *c, const core_shape *core, cni_toi_input *in, const cni_body *other)
 {
-	cni_toi_result hit = try_core(c, core, in);
-	if (starts_inside(&hit))
+	cni_toi_result hit = core_toi(c, core, in);
+	if (starts_overlapping(&hit))
 		return 0;
 	if ((hit.state != CNI_TOI_HIT && hit.state != CNI_TOI_FAILED) || !(hit.fraction < c->fraction))
 		return 1;
-	if (hit.state == CNI_TOI_HIT && hit.fraction == 0.0f && path_leaves_by(in, hit.normal) > 0.0f)
+	if (hit.state == CNI_TOI_HIT && hit.fraction == 0.0f && paths_separate_by(in, hit.normal) > 0.0f)
 		return 1;
 	c->fraction = hit.fraction;
-	c->met = other->type == CN_BODY_DYNAMIC ? other->awake : 0;
+	c->blocking_body = other->type == CN_BODY_DYNAMIC ? other->awake : 0;
 	c->normal = hit.state == CNI_TOI_HIT ? hit.normal : cni_v(0.0f, 0.0f);
 	c->arm = hit.state == CNI_TOI_HIT ? cni_sub(hit.point, in->path_b.start) : cni_v(0.0f, 0.0f);
 	if (c->fraction == 0.0f)
-		c->stopped = *core;
+		c->touching_core = *core;
 	return 1;
 }
 
-/* What is inside with its inner core too is left to its contacts. */
+/* Clamps a shape whose outer core overlaps the other. If the inner core overlaps too, only contacts act. */
 static void inner_clamp(clamp *c, cni_toi_input *in, const cni_body *other)
 {
 	const cni_geometry *g = cni_shape_geometry(&c->world->blocks, cni_shape_at(c->world, cni_proxy_at(c->world, c->proxy)->shape));
@@ -234,7 +233,7 @@ static void inner_clamp(clamp *c, cni_toi_input *in, const cni_body *other)
 	(void)core_clamp(c, &inner, in, other);
 }
 
-static float visit(void *context, int32_t proxy, float limit)
+static float visit_candidate(void *context, int32_t proxy, float limit)
 {
 	clamp *c = (clamp *)context;
 	const cn_world *world = c->world;
@@ -243,7 +242,7 @@ static float visit(void *context, int32_t proxy, float limit)
 	const cni_body *other;
 	const cni_motion *motion;
 	cni_toi_input in;
-	if (!other_stops(c, proxy) || ((p->flags & CNI_PROXY_STATIC) && !core_reaches(c, &p->fat))) /* nothing else of them is read */
+	if (!other_blocks(c, proxy) || ((p->flags & CNI_PROXY_STATIC) && !core_reaches(c, &p->fat))) /* rejected by the proxy alone */
 		return limit;
 	s = cni_shape_at(world, p->shape);
 	other = cni_body_at(world, s->body);
@@ -258,7 +257,7 @@ static float visit(void *context, int32_t proxy, float limit)
 	return limit;
 }
 
-/* The box that a shape covers on the way, at whatever angle. */
+/* Bounds the body's shapes on the whole path at any angle. */
 static cni_aabb swept_box(const cni_body *b, const cni_motion *m)
 {
 	cni_aabb box;
@@ -276,20 +275,20 @@ static void motion_shorten(cni_motion *m, float fraction)
 	m->theta *= fraction;
 }
 
-static int32_t shape_may_pass(const cni_shape *s, int32_t proxy)
+static int32_t shape_can_tunnel(const cni_shape *s, int32_t proxy)
 {
 	return s->type != CN_SHAPE_CHAIN && !(s->flags & CN_SHAPE_SENSOR) && proxy != CNI_NONE;
 }
 
-static void clamp_begin(clamp *c, cn_world *world, int32_t body, int32_t what)
+static void clamp_begin(clamp *c, cn_world *world, int32_t body, int32_t targets)
 {
 	const cni_body *b = cni_body_at(world, body);
 	const cni_motion *m = cni_motions(world) + b->awake;
 	c->world = world;
 	c->body = b;
-	c->what = what;
+	c->targets = targets;
 	c->fraction = 1.0f;
-	c->met = 0;
+	c->blocking_body = 0;
 	c->path = body_path(b, cni_v(b->cx, b->cy), m->dpx, m->dpy, m->theta);
 }
 
@@ -297,30 +296,31 @@ static void clamp_end(const clamp *c)
 {
 	cni_motion *motions = cni_motions(c->world);
 	motion_shorten(&motions[c->body->awake], c->fraction);
-	if (c->met != 0) /* it was not found to be free beyond that either: it would sweep over the bullet */
-		motion_shorten(&motions[c->met], c->fraction);
+	if (c->blocking_body != 0) /* its path was not checked beyond that fraction: it could sweep over the bullet */
+		motion_shorten(&motions[c->blocking_body], c->fraction);
 }
 
-/* Finds what is free against whatever the body's way leads past. */
-static void clamp_look(clamp *c, cn_world *world, int32_t body, int32_t what)
+/* Finds the free fraction of the body's path against every shape that the broadphase reports. */
+static void clamp_find(clamp *c, cn_world *world, int32_t body, int32_t targets)
 {
 	const cni_body *b = cni_body_at(world, body);
 	cni_aabb box = swept_box(b, cni_motions(world) + b->awake);
 	int32_t shape;
-	clamp_begin(c, world, body, what);
+	clamp_begin(c, world, body, targets);
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		c->proxy = cni_shape_proxy(world, s, 0);
-		if (!shape_may_pass(s, c->proxy))
+		if (!shape_can_tunnel(s, c->proxy))
 			continue;
 		core_begin(c, cni_shape_geometry(&world->blocks, s));
-		world->broadphase_ops->query(world->broadphase, &box, visit, c);
+		world->broadphase_ops->query(world->broadphase, &box, visit_candidate, c);
 	}
 }
 
 /*
- * What is met takes the speed at which the body's point there comes nearer, as an impulse at that point: the body slides on,
- * and turns about it. Its path follows, and leads out by what it bends inwards and by what floats can tell.
+ * Cancels the approach speed at the point of contact by an impulse there: the body slides, and turns about the point. The
+ * position change is projected likewise, then moved outwards by the penetration that the path's curvature causes plus a bound of
+ * the rounding error.
  */
 static void motion_slide(cni_motion *m, const clamp *c)
 {
@@ -328,15 +328,15 @@ static void motion_slide(cni_motion *m, const clamp *c)
 	cni_path path;
 	float arm = cni_cross(c->arm, n), mass = cni_max(m->inv_mass + m->inv_inertia * arm * arm, FLT_MIN);
 	float speed = cni_max(-(m->vx * n.x + m->vy * n.y + m->w * arm), 0.0f) / mass;
-	float way = cni_max(-(m->dpx * n.x + m->dpy * n.y + m->theta * arm), 0.0f) / mass, out;
+	float shift = cni_max(-(m->dpx * n.x + m->dpy * n.y + m->theta * arm), 0.0f) / mass, out;
 	m->vx += speed * m->inv_mass * n.x;
 	m->vy += speed * m->inv_mass * n.y;
 	m->w += speed * m->inv_inertia * arm;
-	m->dpx += way * m->inv_mass * n.x;
-	m->dpy += way * m->inv_mass * n.y;
-	m->theta += way * m->inv_inertia * arm;
+	m->dpx += shift * m->inv_mass * n.x;
+	m->dpy += shift * m->inv_mass * n.y;
+	m->theta += shift * m->inv_inertia * arm;
 	path = body_path(c->body, cni_v(c->body->cx, c->body->cy), m->dpx, m->dpy, m->theta);
-	out = cni_max(-path_lifts_by(&c->stopped.geometry, 0, &path, n), 0.0f);
+	out = cni_max(-path_advance_along(&c->touching_core.geometry, 0, &path, n), 0.0f);
 	out += 4.0f * FLT_EPSILON * (cni_abs(m->dpx) + cni_abs(m->dpy) + cni_abs(m->theta) * c->body->extent);
 	m->dpx += out * n.x;
 	m->dpy += out * n.y;
@@ -344,30 +344,31 @@ static void motion_slide(cni_motion *m, const clamp *c)
 
 static int32_t may_slide(const clamp *c)
 {
-	return c->fraction == 0.0f && c->met == 0 && cni_length_sq(c->normal) > 0.0f && !(c->body->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y));
+	return c->fraction == 0.0f && c->blocking_body == 0 && cni_length_sq(c->normal) > 0.0f &&
+	       !(c->body->flags & (CN_BODY_LOCK_X | CN_BODY_LOCK_Y));
 }
 
-/* Of a body's way nothing may be free for something static: it slides, once. In a corner, or with a locked axis, it stays. */
+/* A body that a static shape stops at once (fraction 0) slides, at most once. In a corner, or with a locked axis, it stays. */
 static void clamp_slide_or_end(clamp *c)
 {
 	cni_motion *m = cni_motions(c->world) + c->body->awake;
 	if (may_slide(c)) {
 		motion_slide(m, c);
-		clamp_look(c, c->world, cni_awake_ids(c->world)[c->body->awake], c->what);
+		clamp_find(c, c->world, cni_awake_ids(c->world)[c->body->awake], c->targets);
 	}
 	clamp_end(c);
 }
 
-static void clamp_body(cn_world *world, int32_t body, int32_t what)
+static void clamp_body(cn_world *world, int32_t body, int32_t targets)
 {
 	clamp c;
-	clamp_look(&c, world, body, what);
+	clamp_find(&c, world, body, targets);
 	clamp_slide_or_end(&c);
 }
 
-/* ---- bodies that can meet only static shapes that they have contacts with ---- */
+/* ---- bodies that can hit only static shapes they have contacts with ---- */
 
-static void shape_look(clamp *c, const cni_shape *s)
+static void shape_clamp_contacts(clamp *c, const cni_shape *s)
 {
 	const cn_world *world = c->world;
 	int32_t key, next, has_core = 0;
@@ -380,19 +381,19 @@ static void shape_look(clamp *c, const cni_shape *s)
 		if (!has_core)
 			core_begin(c, cni_shape_geometry(&world->blocks, s));
 		has_core = 1;
-		visit(c, other, 0.0f);
+		visit_candidate(c, other, 0.0f);
 	}
 }
 
-static void clamp_watched(cn_world *world, int32_t body)
+static void clamp_against_contacts(cn_world *world, int32_t body)
 {
 	clamp c;
 	int32_t shape;
 	clamp_begin(&c, world, body, CLAMP_STATIC);
 	for (shape = c.body->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		c.proxy = cni_shape_proxy(world, cni_shape_at(world, shape), 0);
-		if (shape_may_pass(cni_shape_at(world, shape), c.proxy))
-			shape_look(&c, cni_shape_at(world, shape));
+		if (shape_can_tunnel(cni_shape_at(world, shape), c.proxy))
+			shape_clamp_contacts(&c, cni_shape_at(world, shape));
 	}
 	clamp_slide_or_end(&c);
 }
@@ -415,26 +416,27 @@ static cni_aabb box_at_end(const cni_body *b, const cni_motion *m, const cni_geo
 	return cni_geometry_aabb(g, 0, cni_path_at(&path, 1.0f));
 }
 
-/* How far the way leads from the one for which boxes were made. */
-static float strays_from_ahead(const cn_world *world, const cni_body *b, const cni_motion *m)
+/* Deviation of the path from the predicted one that the fat boxes contain. */
+static float deviation_from_predicted(const cn_world *world, const cni_body *b, const cni_motion *m)
 {
 	return cni_max(cni_abs(m->dpx - world->step_dt * b->vx), cni_abs(m->dpy - world->step_dt * b->vy));
 }
 
 /*
- * Does the body stay within the fat boxes of its shapes all the way? Whatever static shape it could meet there
- * already has a contact with it. A shape strays from the line between its two ends by no more than
- * swing turn^2 / 8, and turning moves it by no more than swing turn: most boxes have room for that too, and where
- * the shape will be at the end need not be found; where it is now neither, if its boxes were made for this way.
+ * Does the body stay inside the fat boxes of its shapes on the whole path? Then every static shape that it could hit
+ * already has a contact with it. A shape deviates from the line between its two end positions by at most
+ * turn_reach theta^2 / 8, and turning moves it by at most turn_reach theta. Most boxes have room for both bounds, so the box
+ * at the end need not be computed; nor the present one, if the boxes were made for this path.
  */
-static int32_t path_is_watched(const cn_world *world, const cni_body *b, const cni_motion *m)
+static int32_t path_is_inside_boxes(const cn_world *world, const cni_body *b, const cni_motion *m)
 {
-	float swing = cni_body_turn_reach(b), stray = 0.125f * swing * m->theta * m->theta, turned = stray + cni_body_reach(b, 0.0f, 0.0f, m->theta);
+	float turn_reach = cni_body_turn_reach(b), bend = 0.125f * turn_reach * m->theta * m->theta;
+	float turn_bound = bend + cni_body_reach(b, 0.0f, 0.0f, m->theta);
 	cni_transform start;
 	int32_t shape;
-	if (cni_abs(m->theta) > WATCHED_TURN_MAX_RAD && swing > 0.0f)
+	if (cni_abs(m->theta) > WATCHED_TURN_MAX_RAD && turn_reach > 0.0f)
 		return 0;
-	if ((b->flags & CNI_BODY_AHEAD) && strays_from_ahead(world, b, m) + turned < cni_body_room(b))
+	if ((b->flags & CNI_BODY_AHEAD) && deviation_from_predicted(world, b, m) + turn_bound < cni_body_room(b))
 		return 1;
 	start = cni_body_transform(b);
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
@@ -443,29 +445,29 @@ static int32_t path_is_watched(const cn_world *world, const cni_body *b, const c
 		int32_t proxy = cni_shape_proxy(world, s, 0);
 		const cni_aabb *fat;
 		cni_aabb from, to, box;
-		if (!shape_may_pass(s, proxy))
+		if (!shape_can_tunnel(s, proxy))
 			continue;
 		fat = &cni_proxy_at(world, proxy)->fat;
 		cni_geometry_box(g, 0, &start, &from);
 		to = box_moved(from, m);
-		box = cni_box_fatten(cni_aabb_union(&from, &to), turned);
+		box = cni_box_fatten(cni_aabb_union(&from, &to), turn_bound);
 		if (cni_aabb_contains(fat, &box))
 			continue;
 		to = box_at_end(b, m, g);
-		box = cni_box_fatten(cni_aabb_union(&from, &to), stray);
+		box = cni_box_fatten(cni_aabb_union(&from, &to), bend);
 		if (!cni_aabb_contains(fat, &box))
 			return 0;
 	}
 	return 1;
 }
 
-typedef struct guard_loop {
+typedef struct check_loop {
 	cn_world *world;
-	uint32_t bullets; /* fast ones, left for later */
-} guard_loop;
+	uint32_t bullets; /* number of fast, deferred ones */
+} check_loop;
 
-/* A fast body. What one finds depends on no other, but for bullets: they are looked at when all others have their ways. */
-static void body_guard(guard_loop *loop, int32_t body, const cni_motion *m)
+/* Checks a fast body. Bullets depend on the paths of others, so they are deferred until all other paths are final. */
+static void body_check(check_loop *loop, int32_t body, const cni_motion *m)
 {
 	cn_world *world = loop->world;
 	const cni_body *b = cni_body_at(world, body);
@@ -475,24 +477,24 @@ static void body_guard(guard_loop *loop, int32_t body, const cni_motion *m)
 		return;
 	}
 	if (world->movable_count == world->body_handles.count)
-		return; /* nothing is static anywhere */
-	if (world->pairs_may_repeat || !path_is_watched(world, b, m))
+		return; /* the world has no static body */
+	if (world->pairs_may_repeat || !path_is_inside_boxes(world, b, m))
 		clamp_body(world, body, CLAMP_STATIC);
 	else if (b->flags & CNI_BODY_AT_STATIC)
-		clamp_watched(world, body);
+		clamp_against_contacts(world, body);
 }
 
-CNI_INLINE void record_ask(const cn_world *world, int32_t body)
+CNI_INLINE void record_prefetch(const cn_world *world, int32_t body)
 {
 	const cni_body *b = cni_body_at(world, body);
 	CNI_PREFETCH(&b->cx);
 	CNI_PREFETCH(&b->core);
 }
 
-/* Writes nothing but motions and drives of the range. */
-static void guard_range(void *context, int32_t begin, int32_t end, int32_t worker)
+/* Writes only motions and externals of the range. */
+static void check_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
-	guard_loop *loop = (guard_loop *)context;
+	check_loop *loop = (check_loop *)context;
 	const cn_world *world = loop->world;
 	const int32_t *ids = cni_awake_ids(world);
 	const cni_motion *motions = cni_motions(world);
@@ -500,32 +502,32 @@ static void guard_range(void *context, int32_t begin, int32_t end, int32_t worke
 	(void)worker;
 	for (k = begin + 1; k <= end; ++k) {
 		if (many && k + RECORDS_AHEAD <= end)
-			record_ask(world, ids[k + RECORDS_AHEAD]);
+			record_prefetch(world, ids[k + RECORDS_AHEAD]);
 		if (body_is_fast(cni_body_at(world, ids[k]), &motions[k]))
-			body_guard(loop, ids[k], &motions[k]);
+			body_check(loop, ids[k], &motions[k]);
 	}
 }
 
-/* In order: one may shorten the way of another. */
-static void bullets_guard(cn_world *world)
+/* Serial, in order: a bullet may shorten the path of another. */
+static void bullets_check(cn_world *world)
 {
-	cni_external *drives = cni_externals(world);
+	cni_external *externals = cni_externals(world);
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k) {
 		int32_t body = cni_awake_ids(world)[k];
-		if (!(drives[k].flags & CNI_EXTERNAL_DEFERRED))
+		if (!(externals[k].flags & CNI_EXTERNAL_DEFERRED))
 			continue;
-		drives[k].flags &= ~(uint32_t)CNI_EXTERNAL_DEFERRED;
-		if (body_is_fast(cni_body_at(world, body), cni_motions(world) + k)) /* no longer, perhaps */
+		externals[k].flags &= ~(uint32_t)CNI_EXTERNAL_DEFERRED;
+		if (body_is_fast(cni_body_at(world, body), cni_motions(world) + k)) /* another bullet may have shortened its path */
 			clamp_body(world, body, CLAMP_ALL);
 	}
 }
 
-/* A user's filter is asked by the calling thread. */
+/* A user's filter runs in the calling thread only. */
 void cni_stage_continuous(cn_world *world)
 {
-	guard_loop loop = { world, 0 };
-	cni_team_for(world->filter != NULL ? NULL : world->team, world->awake_count - 1, BODIES_A_RANGE, guard_range, &loop);
+	check_loop loop = { world, 0 };
+	cni_team_for(world->filter != NULL ? NULL : world->team, world->awake_count - 1, BODIES_A_RANGE, check_range, &loop);
 	if (loop.bullets > 0)
-		bullets_guard(world);
+		bullets_check(world);
 }

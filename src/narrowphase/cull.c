@@ -182,7 +182,7 @@ CNI_INLINE void ask_for_record(const cni_cull *s, int32_t k)
 }
 
 /* Prefetches for contacts after `at` to at + count - 1, which are culled now. */
-CNI_INLINE void ask_ahead(const cni_cull *s, int32_t at, int32_t count)
+CNI_INLINE void prefetch_ahead(const cni_cull *s, int32_t at, int32_t count)
 {
 	int32_t k;
 	for (k = at; k < at + count; ++k) {
@@ -332,12 +332,12 @@ static uint32_t apart_of_batch(const cni_cull *s, int32_t from, int32_t size)
 		cni_contact *c[4] = { cni_contact_at(world, contacts[k]), cni_contact_at(world, contacts[k + 1]), cni_contact_at(world, contacts[k + 2]),
 		                      cni_contact_at(world, contacts[k + 3]) };
 		if (s->of.prefetches)
-			ask_ahead(s, from + k, 4);
+			prefetch_ahead(s, from + k, 4);
 		apart |= four_cull(s, c) << k;
 	}
 	for (; k < size; ++k) {
 		if (s->of.prefetches)
-			ask_ahead(s, from + k, 1);
+			prefetch_ahead(s, from + k, 1);
 		apart |= one_cull(s, cni_contact_at(world, contacts[k])) << k;
 	}
 	return apart;
@@ -379,7 +379,7 @@ static int32_t take_touching(cni_cull *s, cni_touch_pair *out, int32_t most)
 		int32_t contact = contacts[k];
 		cni_contact *c = cni_contact_at(world, contact);
 		if (prefetches)
-			ask_ahead(s, at + k, 1);
+			prefetch_ahead(s, at + k, 1);
 		out[k] = cni_touch_pair_of(world, c, contact);
 		cni_contact_mark_static(out[k].body[0], out[k].body[1]);
 		contact_enters_no_more(c);

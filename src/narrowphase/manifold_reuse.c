@@ -1,14 +1,13 @@
 /*
- * narrowphase/manifold_reuse.c - the first part of the narrowphase: contacts that go on as they were.
+ * narrowphase/manifold_reuse.c - the first part of the narrowphase: updates manifolds whose bodies have hardly moved.
  *
- * Most contacts of a pile are between things at rest. Their lanes are brought up to date side by side from their anchors
- * and the bodies' poses, in the blocks where they lie, by the kernel of contacts/manifold_reuse_kernel.h; records, shapes and boxes
- * are not looked at. What cannot be followed so is handed to the narrowphase. Blocks are shared among the world's workers.
+ * Most contacts of a pile are between bodies at rest. The kernel of contacts/manifold_reuse_kernel.h updates their lanes in place,
+ * several at once, from the anchors and the bodies' poses. It does not read contact records, shapes or boxes. The narrowphase
+ * computes the manifolds of all other lanes. The world's workers share the blocks.
  *
- * Boxes need no test: a pair nearer than the least margin of a fat box goes on overlapping with it, whichever box
- * was made anew.
+ * Boxes need no test: a pair closer than the least margin of a fat box keeps overlapping boxes, whichever box was recomputed.
  *
- * Reads bodies, motion, anchors; writes lanes; marks bodies that have static ones about them.
+ * Reads bodies, motion, anchors; writes lanes; marks bodies near static ones.
  */
 #include "base/bitset.h"
 #include "contacts/contact_pass.h"
@@ -17,7 +16,7 @@
 #include <stddef.h>
 #include <string.h>
 
-/* What kernels read of a record. */
+/* The layout of a record that kernels rely on. */
 typedef char cni_body_begins_with_pose[offsetof(cni_body, cx) == 0 && offsetof(cni_body, q) == 16 && offsetof(cni_body, extent) == 32 ? 1 : -1];
 typedef char cni_reuse_pose_begins_alike[offsetof(cni_reuse_pose, c) == offsetof(cni_body, q) && offsetof(cni_reuse_pose, extent) == 24 ? 1 : -1];
 
@@ -25,9 +24,10 @@ typedef char cni_reuse_pose_begins_alike[offsetof(cni_reuse_pose, c) == offsetof
 #define BLOCKS_A_RANGE 32
 #define BODIES_A_RANGE 1024 /* likewise: records are read */
 
-/* Fills the table, of whose halves only those with anchored lanes are read; returns the anchored lanes whose axes are
-   free: locked ones have other masses. */
-static uint32_t bodies_find(const cn_world *world, const cni_contact_block *k, const cni_block_anchor *anchor, uint32_t anchored, cni_reuse_bodies *out)
+/* Fills the table, whose second half is read only if it has anchored lanes. Returns the anchored lanes whose bodies have no
+   locked axis: locked bodies have other masses. */
+static uint32_t bodies_gather(const cn_world *world, const cni_contact_block *k, const cni_block_anchor *anchor,
+                              uint32_t anchored, cni_reuse_bodies *out)
 {
 	const int32_t *ids = cni_awake_ids(world);
 	int32_t l, end = anchored >> CNI_LANES / 2 != 0 ? CNI_LANES : CNI_LANES / 2;
@@ -65,12 +65,12 @@ static cni_reuse_pass pass_make(const cn_world *world, float dt)
 }
 
 #if defined(CNI_DEBUG)
-static int32_t followed_overlap(const cn_world *world, const int32_t *contacts, uint32_t left)
+static int32_t reused_boxes_overlap(const cn_world *world, const int32_t *contacts, uint32_t remaining)
 {
 	int32_t l, overlap = 1;
 	for (l = 0; l < CNI_LANES && contacts[l] != CNI_NONE; ++l) {
 		const cni_contact *c = cni_contact_at(world, contacts[l]);
-		overlap &= (left >> l & 1u) || cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat);
+		overlap &= (remaining >> l & 1u) || cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat);
 	}
 	return overlap;
 }
@@ -81,7 +81,7 @@ typedef struct pose_loop {
 	cni_reuse_pose *poses;
 } pose_loop;
 
-/* A body has several lanes: where most have an anchored one, what is read of the records comes side by side first. */
+/* Gathers the poses densely before the lanes: a body has several lanes, so this pays where most bodies have an anchored one. */
 static void poses_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const pose_loop *loop = (const pose_loop *)context;
@@ -97,7 +97,7 @@ static void poses_range(void *context, int32_t begin, int32_t end, int32_t worke
 	}
 }
 
-/* NULL: not worth it, or no memory. anchored: lanes between bodies that are awake. */
+/* NULL: too few anchored lanes to pay, or no memory. anchored: number of anchored lanes between awake bodies. */
 static cni_reuse_pose *poses_make(cn_world *world, int32_t anchored)
 {
 	pose_loop loop;
@@ -110,35 +110,35 @@ static cni_reuse_pose *poses_make(cn_world *world, int32_t anchored)
 	return loop.poses;
 }
 
-/* A block and, as bits, its lanes in use; after following those that were not followed. */
-typedef struct followed_block {
+/* A block and, as bits, its lanes in use; after reuse the lanes that still need a manifold. */
+typedef struct reuse_block {
 	int32_t block;
-	uint32_t left;
-} followed_block;
+	uint32_t remaining;
+} reuse_block;
 
-/* They lie where the passes will have their list: there is room for every block. */
-typedef char followed_blocks_fit[sizeof(followed_block) <= sizeof(cni_listed_block) ? 1 : -1];
+/* The list uses the memory of the passes' list of blocks, which has room for every block. */
+typedef char reuse_blocks_fit[sizeof(reuse_block) <= sizeof(cni_listed_block) ? 1 : -1];
 
-typedef struct follow_loop {
+typedef struct reuse_loop {
 	const cn_world *world;
 	const cni_contact_kernel *kernel;
-	followed_block *blocks; /* colours in order, a colour's blocks in order */
+	reuse_block *blocks; /* colours in order, a colour's blocks in order */
 	int32_t count;
 	cni_reuse_pass pass;
-} follow_loop;
+} reuse_loop;
 
-/* Returns how many anchored lanes there are between bodies that are awake. */
-static int32_t blocks_list(const cn_world *world, follow_loop *loop)
+/* Returns the number of anchored lanes between awake bodies. */
+static int32_t blocks_list(const cn_world *world, reuse_loop *loop)
 {
 	int32_t color, block, lanes, anchored = 0;
-	loop->blocks = (followed_block *)world->block_list.data;
+	loop->blocks = (reuse_block *)world->block_list.data;
 	loop->count = 0;
 	for (color = 0; color < CNI_COLORS; ++color)
 		for (lanes = world->colors[color].lanes, block = world->colors[color].first; lanes > 0; lanes -= CNI_LANES) {
 			const cni_block_info *info = cni_block_info_at(world, block);
-			followed_block *b = &loop->blocks[loop->count++];
+			reuse_block *b = &loop->blocks[loop->count++];
 			b->block = block;
-			b->left = (1u << cni_min_i(lanes, CNI_LANES)) - 1u;
+			b->remaining = (1u << cni_min_i(lanes, CNI_LANES)) - 1u;
 			if (color < CNI_COLOR_STATIC)
 				anchored += cni_bit_count64(info->anchored);
 			block = info->next;
@@ -153,9 +153,9 @@ CNI_INLINE void record_prefetch(const cn_world *world, int32_t index)
 	CNI_PREFETCH(&b->flags);
 }
 
-/* Asks for the bodies of the next block, and for the rows of that after it. Inlined by force: compilers take a function
-   that only prefetches for one that does nothing. */
-CNI_INLINE void blocks_prefetch(const follow_loop *loop, int32_t next)
+/* Prefetches the bodies of the next block, and the rows of the block after it. Forced inline: compilers treat a function that only
+   prefetches as having no effect. */
+CNI_INLINE void blocks_prefetch(const reuse_loop *loop, int32_t next)
 {
 	const cn_world *world = loop->world;
 	const cni_contact_block *k;
@@ -180,7 +180,7 @@ CNI_INLINE void blocks_prefetch(const follow_loop *loop, int32_t next)
 	CNI_PREFETCH(cni_block_info_at(world, after));
 }
 
-static uint32_t block_follow(const follow_loop *loop, int32_t block)
+static uint32_t block_reuse(const reuse_loop *loop, int32_t block)
 {
 	const cn_world *world = loop->world;
 	const cni_block_info *info = cni_block_info_at(world, block);
@@ -189,42 +189,42 @@ static uint32_t block_follow(const follow_loop *loop, int32_t block)
 	if (anchored != 0 && loop->pass.poses != NULL && info->color < CNI_COLOR_STATIC)
 		return loop->kernel->reuse(&loop->pass, cni_block_at(world, block), cni_block_anchor_at(world, block), NULL, anchored);
 	if (anchored != 0)
-		anchored = bodies_find(world, cni_block_at(world, block), cni_block_anchor_at(world, block), anchored, &bodies);
+		anchored = bodies_gather(world, cni_block_at(world, block), cni_block_anchor_at(world, block), anchored, &bodies);
 	if (anchored == 0)
 		return 0;
 	return loop->kernel->reuse(&loop->pass, cni_block_at(world, block), cni_block_anchor_at(world, block), &bodies, anchored);
 }
 
-/* Blocks share bodies, of which only CNI_BODY_AT_STATIC is written. */
-static void follow_range(void *context, int32_t begin, int32_t end, int32_t worker)
+/* Blocks share bodies; of those only the flag CNI_BODY_AT_STATIC is written. */
+static void reuse_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
-	const follow_loop *loop = (const follow_loop *)context;
+	const reuse_loop *loop = (const reuse_loop *)context;
 	int32_t k;
 	(void)worker;
 	for (k = begin; k < end; ++k) {
 		if (loop->world->awake_count >= CNI_PREFETCH_BODIES)
 			blocks_prefetch(loop, k + 1);
-		loop->blocks[k].left &= ~block_follow(loop, loop->blocks[k].block);
+		loop->blocks[k].remaining &= ~block_reuse(loop, loop->blocks[k].block);
 	}
 }
 
-/* The contacts of lanes that were not followed, in the order of blocks and lanes. */
-static int32_t left_collect(const follow_loop *loop, int32_t *left)
+/* Contacts of lanes that were not reused, in the order of blocks and lanes. */
+static int32_t remaining_collect(const reuse_loop *loop, int32_t *remaining)
 {
 	int32_t k, count = 0;
 	for (k = 0; k < loop->count; ++k) {
 		const int32_t *contact = cni_block_info_at(loop->world, loop->blocks[k].block)->contact;
 		uint32_t lanes;
-		CNI_ASSERT(followed_overlap(loop->world, contact, loop->blocks[k].left));
-		for (lanes = loop->blocks[k].left; lanes != 0; lanes &= lanes - 1u)
-			left[count++] = contact[cni_bit_lowest32(lanes)];
+		CNI_ASSERT(reused_boxes_overlap(loop->world, contact, loop->blocks[k].remaining));
+		for (lanes = loop->blocks[k].remaining; lanes != 0; lanes &= lanes - 1u)
+			remaining[count++] = contact[cni_bit_lowest32(lanes)];
 	}
 	return count;
 }
 
-int32_t cni_manifolds_reuse(cn_world *world, float dt, int32_t *left)
+int32_t cni_manifolds_reuse(cn_world *world, float dt, int32_t *remaining)
 {
-	follow_loop loop;
+	reuse_loop loop;
 	cni_reuse_pose *poses = NULL;
 	int32_t anchored;
 	loop.world = world;
@@ -233,7 +233,7 @@ int32_t cni_manifolds_reuse(cn_world *world, float dt, int32_t *left)
 	anchored = blocks_list(world, &loop);
 	if (dt > 0.0f)
 		loop.pass.poses = poses = poses_make(world, anchored);
-	cni_parallel_for(world, loop.count, BLOCKS_A_RANGE, follow_range, &loop);
+	cni_parallel_for(world, loop.count, BLOCKS_A_RANGE, reuse_range, &loop);
 	cni_arena_pop(&world->arena, poses);
-	return left_collect(&loop, left);
+	return remaining_collect(&loop, remaining);
 }

@@ -1,20 +1,20 @@
 /*
- * narrowphase/narrowphase.c - stages 3 and 4: how the shapes of awake contacts touch.
+ * narrowphase/narrowphase.c - stages 3 and 4: manifolds of awake contacts, begin and end of touching.
  *
- * Contacts whose bodies have hardly moved are followed (manifold_reuse.c), those that are certain to stay apart are passed by
- * (cull.c). Every other awake one is looked at on its own: one that goes on touching has its lane rewritten in
- * place; one whose state changes is put on a list. Then the list is worked through in contact order: lanes are taken and
- * freed, islands linked, events logged, ended pairs removed. Only the second part changes shared tables.
+ * Manifold reuse (manifold_reuse.c) updates contacts whose bodies have hardly moved; culling (cull.c) skips contacts that cannot
+ * touch. The first part computes the manifold of every other awake contact: if the contact keeps touching, its lane is rewritten
+ * in place; if its state changes, it is listed. The second part applies the list in contact order: it takes and frees lanes,
+ * links islands, logs events and removes ended pairs. Only the second part changes shared tables.
  *
- * So the first is shared among the world's workers: a range of contacts writes its own records, lanes and changes. What would
- * take memory or ask the user is left for later, and looked at in order between the two parts.
+ * So the world's workers share the first part: a range of contacts writes its own records, lanes and changes. Contacts that would
+ * allocate or call the user are deferred and processed in order between the two parts.
  *
- * Contacts are looked at in windows of a few: all of a window are begun, then the manifolds of its pairs
- * of boxes and the like are made side by side, then each is finished in order. So memory is asked for early, and the
- * results are those of one by one.
+ * Contacts are processed in small windows: all contacts of a window begin, then one batch computes the manifolds of its
+ * pairs of boxes, triangles, capsules and edges, then the contacts finish in order. This prefetches memory early and gives the
+ * same results as one contact at a time.
  *
  * Reads bodies, geometry, proxies; writes contacts, lanes, and through them islands and events; marks
- * bodies that have static ones about them.
+ * bodies near static ones.
  */
 #include "narrowphase/narrowphase.h"
 #include "collision/manifold_boxes.h"
@@ -22,8 +22,8 @@
 
 #include <string.h>
 
-/* What the second part has to do for a contact. */
-enum { CHANGE_NONE = 0, CHANGE_BEGIN = 1, CHANGE_END = 2, CHANGE_OWED = 3, CHANGE_LATER = 4 };
+/* Action of the second part for a contact. EVENTS: only sends events that are due. DEFERRED: not yet processed. */
+enum { CHANGE_NONE = 0, CHANGE_BEGIN = 1, CHANGE_END = 2, CHANGE_EVENTS = 3, CHANGE_DEFERRED = 4 };
 
 static int32_t boxes_overlap(const cn_world *world, const cni_contact *c)
 {
@@ -32,7 +32,7 @@ static int32_t boxes_overlap(const cn_world *world, const cni_contact *c)
 
 /* ---- one-way platforms ---- */
 
-/* Does the other shape come down on the side that the platform's local +y points to? */
+/* Does the other shape touch the platform's local +y side, within the contact margin in depth? */
 static int32_t lands_on_platform(const cn_world *world, const cni_contact *c, const cni_manifold *m)
 {
 	int32_t side = cni_shape_at(world, cni_proxy_at(world, c->proxy[0])->shape)->flags & CN_SHAPE_ONE_WAY ? 0 : 1;
@@ -46,8 +46,8 @@ static int32_t lands_on_platform(const cn_world *world, const cni_contact *c, co
 	return cni_dot(n, up) > 0.7f && deepest > -world->settings.contact_margin;
 }
 
-/* A shape that first touches from below or from the side passes until it is out again. */
-static void let_pass(const cn_world *world, cni_contact *c, cni_manifold *m)
+/* A shape that first touches from below or from the side passes through until it no longer touches. */
+static void filter_one_way(const cn_world *world, cni_contact *c, cni_manifold *m)
 {
 	if (m->count == 0)
 		c->flags &= ~(uint32_t)CNI_CONTACT_PASSING;
@@ -69,8 +69,8 @@ static int32_t sensor_update(const cni_touch *t)
 	return sensing || !t->boxes_overlap ? CHANGE_END : CHANGE_NONE;
 }
 
-/* The user may make a touching pair pass through each other for this step. */
-static void ask_user(cn_world *world, int32_t contact)
+/* The pre-solve callback may disable a touching contact for this step. */
+static void call_pre_solve(cn_world *world, int32_t contact)
 {
 	cn_contact_event event;
 	int32_t solve;
@@ -84,14 +84,14 @@ static void ask_user(cn_world *world, int32_t contact)
 		cni_contact_write_empty(world, contact);
 }
 
-static void write_and_ask(cn_world *world, int32_t contact, const cni_touch *t)
+static void write_and_notify(cn_world *world, int32_t contact, const cni_touch *t)
 {
 	cni_contact_write(world, t->contact, t->a, t->b, &t->manifold, t->gap, t->radius);
 	if (t->contact->flags & CNI_CONTACT_PRE_SOLVE)
-		ask_user(world, contact);
+		call_pre_solve(world, contact);
 }
 
-/* What becomes of a contact whose manifold is known: rewrites its lane if it goes on touching. */
+/* Processes a contact with a finished manifold: rewrites its lane if it keeps touching, else returns its change. */
 static int32_t contact_update(cn_world *world, int32_t contact, cni_touch *t)
 {
 	cni_contact *c = t->contact;
@@ -99,24 +99,24 @@ static int32_t contact_update(cn_world *world, int32_t contact, cni_touch *t)
 	if (c->flags & CNI_CONTACT_SENSOR)
 		return sensor_update(t);
 	if (c->flags & CNI_CONTACT_ONE_WAY)
-		let_pass(world, c, &t->manifold);
+		filter_one_way(world, c, &t->manifold);
 	if (t->manifold.count > 0 && !touching)
 		return CHANGE_BEGIN;
 	if (t->manifold.count > 0)
-		write_and_ask(world, contact, t);
+		write_and_notify(world, contact, t);
 	else if (touching || !t->boxes_overlap)
 		return CHANGE_END;
-	return c->flags & (CNI_CONTACT_CREATED_OWED | CNI_CONTACT_ENTER_OWED) ? CHANGE_OWED : CHANGE_NONE;
+	return c->flags & (CNI_CONTACT_CREATED_OWED | CNI_CONTACT_ENTER_OWED) ? CHANGE_EVENTS : CHANGE_NONE;
 }
 
-/* Sensors see what overlaps now. */
-static float look_ahead(const cni_contact *c, float dt)
+/* Time over which motion is anticipated; sensors report present overlap only. */
+static float motion_time(const cni_contact *c, float dt)
 {
 	return c->flags & CNI_CONTACT_SENSOR ? 0.0f : dt;
 }
 
-/* The manifold is computed once more: few contacts begin in a step, and keeping it for all that might
-   takes more memory than the contacts themselves. */
+/* Recomputes the manifold: few contacts begin in a step, and storing manifolds for all candidates would take more memory than
+   the contacts themselves. */
 static void change_begin(cn_world *world, int32_t contact, float dt)
 {
 	cni_touch_pair pair = cni_touch_pair_of(world, cni_contact_at(world, contact), contact);
@@ -129,21 +129,21 @@ static void change_begin(cn_world *world, int32_t contact, float dt)
 		return;
 	if (cni_contact_begin(world, contact, &t.manifold, t.gap, t.radius)) {
 		if (cni_contact_at(world, contact)->flags & CNI_CONTACT_PRE_SOLVE)
-			ask_user(world, contact);
+			call_pre_solve(world, contact);
 		return;
 	}
 	world->warnings |= CN_WARNING_CONTACT_MEMORY;
 	++world->pairs_not_added;
 }
 
-/* A pair whose boxes are apart ends for good. Without memory for that it stays, and may be found once more. */
+/* Destroys a pair whose boxes are apart. Without memory for that the pair stays, and the broadphase may report it again. */
 static void pair_end(cn_world *world, int32_t contact)
 {
 	if (!boxes_overlap(world, cni_contact_at(world, contact)) && !cni_contact_destroy(world, contact))
 		world->pairs_may_repeat = CNI_PAIRS_ALL;
 }
 
-/* Sensor pairs end and begin by themselves: nothing is solved. */
+/* Sensor pairs have no lane and no island link. */
 static void sensor_change(cn_world *world, int32_t contact, int32_t change)
 {
 	if (!cni_contact_update_sensor(world, contact, change == CHANGE_BEGIN))
@@ -159,9 +159,9 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, float
 		sensor_change(world, contact, change);
 		return;
 	}
-	if (change != CHANGE_END || boxes_overlap(world, c)) /* else it goes before it was told of */
+	if (change != CHANGE_END || boxes_overlap(world, c)) /* else the pair is destroyed unreported */
 		cni_contact_send_deferred_events(world, contact, CNI_CONTACT_CREATED_OWED, CN_EVENT_CREATED);
-	if (change == CHANGE_OWED)
+	if (change == CHANGE_EVENTS)
 		cni_contact_send_deferred_events(world, contact, CNI_CONTACT_ENTER_OWED, CN_EVENT_ENTER);
 	if (change == CHANGE_BEGIN)
 		change_begin(world, contact, dt);
@@ -175,46 +175,46 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, float
 
 /* ---- windows ---- */
 
-/* Contacts that are looked at together. */
+/* Contacts per window. */
 #define WINDOW CNI_BOX_PAIRS
 
 typedef struct window {
-	cni_touch_pair pair[WINDOW]; /* to be looked at */
+	cni_touch_pair pair[WINDOW];
 	int32_t count;
 	cni_touch touch[WINDOW];
-	int32_t column[WINDOW];  /* in boxes, or one of the below */
-	int32_t change[WINDOW];  /* what came of it */
+	int32_t column[WINDOW];  /* in boxes, or COLUMN_* */
+	int32_t change[WINDOW];  /* CHANGE_* */
 	cni_box_batch boxes;
 	cni_box_kernel_fn *kernel;
 	int32_t prefetches;
-	uint32_t later_flags, later_locks; /* of contacts that touch, of bodies: such ones are left for later */
+	uint32_t deferred_flags, deferred_locks; /* flags of touching contacts, flags of their bodies: these contacts are deferred */
 } window;
 
 enum {
 	COLUMN_NONE = -1,   /* not a pair for the batch */
 	COLUMN_APART = -2,  /* no manifold */
-	COLUMN_LATER = -3
+	COLUMN_DEFERRED = -3
 };
 
-/* Alone: all is done as it comes. Else what takes memory or asks the user is left for later. */
-static void window_init(window *w, cn_world *world, int32_t alone)
+/* Serial: defers nothing. Otherwise defers contacts that would allocate or call the user. */
+static void window_init(window *w, cn_world *world, int32_t serial)
 {
 	int32_t extra_rows = cni_table_capacity(&world->blocks_extra) >= cni_table_capacity(&world->blocks_hot);
 	w->kernel = CNI_ON(BOX_BATCHES) ? cni_box_kernel_choose() : NULL;
 	w->count = w->prefetches = 0;
-	w->later_flags = alone ? 0 : CNI_CONTACT_REFRESH | CNI_CONTACT_PRE_SOLVE;
-	w->later_locks = alone || extra_rows ? 0 : CN_BODY_LOCK_X | CN_BODY_LOCK_Y;
+	w->deferred_flags = serial ? 0 : CNI_CONTACT_REFRESH | CNI_CONTACT_PRE_SOLVE;
+	w->deferred_locks = serial || extra_rows ? 0 : CN_BODY_LOCK_X | CN_BODY_LOCK_Y;
 }
 
-static int32_t is_later(const window *w, const cni_touch_pair *p)
+static int32_t is_deferred(const window *w, const cni_touch_pair *p)
 {
 	if (!(p->contact->flags & CNI_CONTACT_TOUCHING))
 		return 0;
-	return (p->contact->flags & w->later_flags) || ((cni_body_flags(p->body[0]) | cni_body_flags(p->body[1])) & w->later_locks);
+	return (p->contact->flags & w->deferred_flags) || ((cni_body_flags(p->body[0]) | cni_body_flags(p->body[1])) & w->deferred_locks);
 }
 
-/* Asks for what a lane is written from. Inlined by force: compilers take a function that only prefetches for one that
-   does nothing. */
+/* Prefetches the data that writing a lane needs. Forced inline: compilers treat a function that only prefetches as having no
+   effect. */
 CNI_INLINE void lane_prefetch(const cn_world *world, const cni_touch_pair *p)
 {
 	const cni_contact_block *block;
@@ -228,7 +228,7 @@ CNI_INLINE void lane_prefetch(const cn_world *world, const cni_touch_pair *p)
 	CNI_PREFETCH(&block->p[1].jn[l]);
 }
 
-/* A box takes more than a line. */
+/* The geometry of a box spans more than one cache line. */
 CNI_INLINE void geometry_prefetch(const cn_world *world, const cni_proxy *p)
 {
 	const cni_geometry *g = cni_proxy_geometry(&world->blocks, p);
@@ -255,10 +255,10 @@ static void window_begin(const cn_world *world, window *w, int32_t count, float 
 	for (k = 0; k < count; ++k) {
 		cni_contact *c = w->pair[k].contact;
 		cni_touch *t = &w->touch[k];
-		w->column[k] = is_later(w, &w->pair[k]) ? COLUMN_LATER : COLUMN_APART;
-		if (w->column[k] == COLUMN_LATER)
+		w->column[k] = is_deferred(w, &w->pair[k]) ? COLUMN_DEFERRED : COLUMN_APART;
+		if (w->column[k] == COLUMN_DEFERRED)
 			continue;
-		if (!cni_touch_begin(world, &w->pair[k], look_ahead(c, dt), t))
+		if (!cni_touch_begin(world, &w->pair[k], motion_time(c, dt), t))
 			continue;
 		w->column[k] = COLUMN_NONE;
 		if (w->kernel != NULL && cni_boxes_take(&t->in))
@@ -269,18 +269,18 @@ static void window_begin(const cn_world *world, window *w, int32_t count, float 
 static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 {
 	cni_touch *t = &w->touch[k];
-	if (w->column[k] == COLUMN_LATER)
-		return CHANGE_LATER;
+	if (w->column[k] == COLUMN_DEFERRED)
+		return CHANGE_DEFERRED;
 	if (w->column[k] == COLUMN_NONE)
 		cni_touch_collide(t);
 	else if (w->column[k] >= 0)
 		cni_boxes_read(&w->boxes, w->column[k], &t->in, &t->contact->cache, &t->manifold);
-	cni_touch_finish(world, look_ahead(t->contact, dt), t);
+	cni_touch_finish(world, motion_time(t->contact, dt), t);
 	return contact_update(world, w->pair[k].index, t);
 }
 
-/* Looks at the contacts of the window. */
-static void window_look(cn_world *world, window *w, int32_t count, float dt)
+/* Computes the manifolds and changes of the window's contacts. */
+static void window_collide(cn_world *world, window *w, int32_t count, float dt)
 {
 	int32_t k;
 	window_begin(world, w, count, dt);
@@ -289,7 +289,7 @@ static void window_look(cn_world *world, window *w, int32_t count, float dt)
 		w->change[k] = window_finish(world, w, k, dt);
 }
 
-/* ---- what is to change ---- */
+/* ---- changes ---- */
 
 /* Without memory for the list a few changes are made in each step, and the rest is found again in the next. */
 #define CHANGES_LEAST 64
@@ -303,13 +303,13 @@ static void window_look(cn_world *world, window *w, int32_t count, float dt)
 #define SHARED_CONTACTS 1024
 
 typedef struct change_list {
-	uint32_t *items;  /* contact << 3 | what */
-	int32_t count, room;
+	uint32_t *items;  /* contact << 3 | CHANGE_* */
+	int32_t count, capacity;
 } change_list;
 
 static void change_add(cn_world *world, change_list *list, int32_t contact, int32_t change)
 {
-	if (list->count < list->room) {
+	if (list->count < list->capacity) {
 		list->items[list->count++] = (uint32_t)contact << 3 | (uint32_t)change;
 		return;
 	}
@@ -319,7 +319,7 @@ static void change_add(cn_world *world, change_list *list, int32_t contact, int3
 		cni_contact_write_empty(world, contact);
 }
 
-/* Asks for what linking and unlinking that contact, whose record was asked for, writes: its neighbours in the lists of its bodies. */
+/* Prefetches what linking and unlinking a contact writes: its neighbours in its bodies' lists. Its record was prefetched before. */
 CNI_INLINE void neighbours_prefetch(const cn_world *world, const cni_contact *c)
 {
 	int32_t side;
@@ -353,32 +353,32 @@ static void changes_apply(cn_world *world, const change_list *list, float dt)
 	}
 }
 
-/* ---- looking ---- */
+/* ---- first part: collide ---- */
 
-static void contacts_look_at(cn_world *world, window *w, cni_cull *cull, change_list *changes, float dt)
+static void contacts_collide(cn_world *world, window *w, cni_cull *cull, change_list *changes, float dt)
 {
 	int32_t k, count;
 	w->prefetches = cull->of.prefetches;
 	while ((count = cni_cull_next(cull, w->pair, WINDOW)) > 0) {
-		window_look(world, w, count, dt);
+		window_collide(world, w, count, dt);
 		for (k = 0; k < count; ++k)
 			if (w->change[k] != CHANGE_NONE)
 				change_add(world, changes, w->pair[k].index, w->change[k]);
 	}
 }
 
-/* What the range of the list that begins about there is to change: its part of the items begins with its contacts. */
-typedef struct look_part {
+/* The changes of a range: items begin to begin + count - 1; begin is also the range's first contact. */
+typedef struct range_changes {
 	int32_t begin, count;
-} look_part;
+} range_changes;
 
-typedef struct look_loop {
+typedef struct collide_loop {
 	cni_cull_list list;
-	uint32_t *items;    /* one a contact */
-	look_part *parts;   /* one for each RANGE_LEAST contacts, most of them empty */
-} look_loop;
+	uint32_t *items;       /* one per contact */
+	range_changes *parts;  /* one per RANGE_LEAST contacts; most are empty */
+} collide_loop;
 
-/* Where a range that would begin at k begins: lanes of a block share words, so a block's contacts stay together. */
+/* First contact of a range that nominally begins at k. Lanes of a block share words, so one range takes all contacts of a block. */
 static int32_t range_begin(const cni_cull_list *list, int32_t k)
 {
 	if (k <= list->apart)
@@ -389,32 +389,32 @@ static int32_t range_begin(const cni_cull_list *list, int32_t k)
 	return k;
 }
 
-/* Writes nothing but contacts and lanes of the range, marks at bodies, and the range's changes. */
-static void look_range(void *context, int32_t begin, int32_t end, int32_t worker)
+/* Writes only contacts and lanes of the range, marks of bodies, and the range's changes. */
+static void collide_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
-	const look_loop *loop = (const look_loop *)context;
-	look_part *part = &loop->parts[begin / RANGE_LEAST];
+	const collide_loop *loop = (const collide_loop *)context;
+	range_changes *part = &loop->parts[begin / RANGE_LEAST];
 	int32_t from = range_begin(&loop->list, begin), to = range_begin(&loop->list, end);
 	change_list changes;
 	cni_cull cull;
 	window w;
 	(void)worker;
 	changes.items = loop->items + from;
-	changes.room = to - from;
+	changes.capacity = to - from;
 	changes.count = 0;
 	window_init(&w, loop->list.world, 0);
 	cni_cull_begin(&cull, &loop->list, from, to);
-	contacts_look_at(loop->list.world, &w, &cull, &changes, loop->list.dt);
+	contacts_collide(loop->list.world, &w, &cull, &changes, loop->list.dt);
 	part->begin = from;
 	part->count = changes.count;
 }
 
-static change_list parts_join(const look_loop *loop, int32_t parts)
+static change_list parts_join(const collide_loop *loop, int32_t parts)
 {
 	change_list changes;
 	int32_t k;
 	changes.items = loop->items;
-	changes.room = loop->list.count;
+	changes.capacity = loop->list.count;
 	changes.count = 0;
 	for (k = 0; k < parts; ++k) {
 		if (loop->parts[k].count > 0)
@@ -424,73 +424,73 @@ static change_list parts_join(const look_loop *loop, int32_t parts)
 	return changes;
 }
 
-/* Looks at the window, whose contacts are those of the given items of the list, and says there what came of it. */
-static void items_look_at(cn_world *world, window *w, const int32_t *items, const change_list *changes, float dt)
+/* Collides the window, whose contacts are those of the given items, and stores their changes in the items. */
+static void items_collide(cn_world *world, window *w, const int32_t *items, const change_list *changes, float dt)
 {
 	int32_t k;
-	window_look(world, w, w->count, dt);
+	window_collide(world, w, w->count, dt);
 	for (k = 0; k < w->count; ++k)
 		changes->items[items[k]] = (uint32_t)w->pair[k].index << 3 | (uint32_t)w->change[k];
 	w->count = 0;
 }
 
-/* What was left, in order. */
-static void later_look_at(cn_world *world, const change_list *changes, float dt)
+/* Processes deferred contacts in order. */
+static void deferred_collide(cn_world *world, const change_list *changes, float dt)
 {
 	window w;
 	int32_t items[WINDOW], k;
 	window_init(&w, world, 1);
 	for (k = 0; k < changes->count; ++k) {
 		int32_t contact = (int32_t)(changes->items[k] >> 3);
-		if ((changes->items[k] & 7u) != CHANGE_LATER)
+		if ((changes->items[k] & 7u) != CHANGE_DEFERRED)
 			continue;
 		items[w.count] = k;
 		w.pair[w.count++] = cni_touch_pair_of(world, cni_contact_at(world, contact), contact);
 		if (w.count == WINDOW)
-			items_look_at(world, &w, items, changes, dt);
+			items_collide(world, &w, items, changes, dt);
 	}
-	items_look_at(world, &w, items, changes, dt);
+	items_collide(world, &w, items, changes, dt);
 }
 
-static change_list look_shared(cn_world *world, look_loop *loop, int32_t parts)
+static change_list collide_parallel(cn_world *world, collide_loop *loop, int32_t parts)
 {
 	change_list changes;
-	memset(loop->parts, 0, sizeof(look_part) * (size_t)parts);
+	memset(loop->parts, 0, sizeof(range_changes) * (size_t)parts);
 	loop->items = (uint32_t *)(void *)(loop->parts + parts);
-	cni_team_for(loop->list.count < SHARED_CONTACTS ? NULL : world->team, loop->list.count, RANGE_LEAST, look_range, loop);
+	cni_team_for(loop->list.count < SHARED_CONTACTS ? NULL : world->team, loop->list.count, RANGE_LEAST, collide_range, loop);
 	changes = parts_join(loop, parts);
-	later_look_at(world, &changes, loop->list.dt);
+	deferred_collide(world, &changes, loop->list.dt);
 	return changes;
 }
 
-/* Where there is no memory to look otherwise: few has room for CHANGES_LEAST. */
-static change_list look_alone(cn_world *world, const look_loop *loop, uint32_t *few)
+/* Used when the arena has no room for the list: `reserve` holds CHANGES_LEAST changes. */
+static change_list collide_serial(cn_world *world, const collide_loop *loop, uint32_t *reserve)
 {
 	change_list changes;
 	cni_cull cull;
 	window w;
-	changes.items = few;
+	changes.items = reserve;
 	changes.count = 0;
-	changes.room = CHANGES_LEAST;
+	changes.capacity = CHANGES_LEAST;
 	window_init(&w, world, 1);
 	cni_cull_begin(&cull, &loop->list, 0, loop->list.count);
-	contacts_look_at(world, &w, &cull, &changes, loop->list.dt);
+	contacts_collide(world, &w, &cull, &changes, loop->list.dt);
 	return changes;
 }
 
 void cni_stage_narrowphase(cn_world *world, float dt)
 {
 	int32_t *contacts = (int32_t *)world->apart.data, apart = world->apart.count, count, parts;
-	uint32_t few[CHANGES_LEAST];
+	uint32_t reserve[CHANGES_LEAST];
 	change_list changes;
-	look_loop loop;
+	collide_loop loop;
 	if (contacts == NULL)
 		return; /* there has never been a contact */
 	count = apart + cni_manifolds_reuse(world, CNI_ON(FOLLOW) ? dt : 0.0f, contacts + apart); /* the list has room for every contact */
 	parts = count / RANGE_LEAST + 1;
-	loop.parts = (look_part *)cni_arena_push(&world->arena, sizeof(look_part) * (uint64_t)parts + sizeof(uint32_t) * (uint64_t)count);
+	loop.parts = (range_changes *)cni_arena_push(&world->arena, sizeof(range_changes) * (uint64_t)parts + sizeof(uint32_t) * (uint64_t)count);
 	cni_cull_open(&loop.list, world, contacts, apart, count, dt);
-	changes = loop.parts != NULL ? look_shared(world, &loop, parts) : look_alone(world, &loop, few);
+	changes = loop.parts != NULL ? collide_parallel(world, &loop, parts) : collide_serial(world, &loop, reserve);
 	cni_cull_close(&loop.list);
 	changes_apply(world, &changes, dt);
 	cni_arena_pop(&world->arena, loop.parts);

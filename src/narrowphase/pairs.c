@@ -1,14 +1,14 @@
 /*
- * narrowphase/pairs.c - stage 2: boxes that began to overlap become contacts.
+ * narrowphase/pairs.c - stage 2: creates contacts of pairs whose boxes began to overlap.
  *
- * Reads proxies and filters through the broadphase, writes contacts. Pairs come sorted, so contacts are made
- * in the same order whatever broadphase found them. A pair that finds no memory is asked for again at
- * the next step (its proxy is touched) and counted.
+ * Reads proxies and filters through the broadphase, writes contacts. Pairs are sorted, so contacts are created in the same order
+ * with any broadphase. A pair without memory for its contact is counted, and its proxy touched so that the next step reports it
+ * again.
  */
 #include "narrowphase/narrowphase.h"
 #include "model/solve.h"
 
-static void pair_lose(cn_world *world, const cni_pair *pair)
+static void pair_retry_later(cn_world *world, const cni_pair *pair)
 {
 	world->broadphase_ops->touch(world->broadphase, pair->a);
 	world->pairs_may_repeat = CNI_PAIRS_ALL;
@@ -16,8 +16,8 @@ static void pair_lose(cn_world *world, const cni_pair *pair)
 	++world->pairs_not_added;
 }
 
-/* Bodies whose velocity was set from outside since the last step. */
-static void kicked_look_ahead(cn_world *world, float dt)
+/* Extends the boxes of bodies whose velocity the user set since the last step. */
+static void kicked_extend_boxes(cn_world *world, float dt)
 {
 	int32_t k;
 	for (k = 0; k < world->kicked.count; ++k) {
@@ -39,14 +39,14 @@ static int32_t is_marked(const cn_world *world, int32_t proxy)
 	return (body_of(world, proxy)->flags & CNI_BODY_AGAIN) != 0;
 }
 
-/* It fell asleep, maybe with a contact whose boxes had come apart in the step before: that ends when it wakes. */
+/* A sleeping body may have a contact whose boxes separated in the last step before sleep; that contact ends on waking. */
 static int32_t is_asleep(const cn_world *world, int32_t proxy)
 {
 	const cni_body *b = body_of(world, proxy);
 	return b->awake == 0 && b->type != CN_BODY_STATIC;
 }
 
-/* Is there a contact of the pair already? Most pairs are of bodies that nothing happened to. */
+/* Does the pair have a contact already? Most pairs need no lookup: only sleep, marks and CNI_PAIRS_ALL can cause repeats. */
 static int32_t pair_repeats(const cn_world *world, const cni_pair *pair, int32_t may_repeat)
 {
 	if (may_repeat == CNI_PAIRS_ALL || is_asleep(world, pair->a) || is_asleep(world, pair->b) || (may_repeat && (is_marked(world, pair->a) || is_marked(world, pair->b))))
@@ -55,7 +55,7 @@ static int32_t pair_repeats(const cn_world *world, const cni_pair *pair, int32_t
 	return 0;
 }
 
-/* Those that are not awake keep their mark: their pairs are looked for once more than they must. */
+/* Bodies that are not awake keep their mark, which costs lookups only. */
 static void marks_clear(const cn_world *world)
 {
 	int32_t k;
@@ -68,7 +68,7 @@ static void marks_clear(const cn_world *world)
 #define BODIES_AHEAD 8
 #define HEADS_AHEAD 4
 
-/* Inlined by force: compilers take a function that only prefetches for one that does nothing. */
+/* Forced inline: compilers treat a function that only prefetches as having no effect. */
 CNI_INLINE void body_prefetch(const cni_body *b)
 {
 	CNI_PREFETCH(&b->flags);
@@ -103,7 +103,7 @@ void cni_stage_pairs(cn_world *world, float dt)
 	const cni_pair *list;
 	int32_t k, may_repeat = world->pairs_may_repeat;
 	world->pairs_may_repeat = 0;
-	kicked_look_ahead(world, dt);
+	kicked_extend_boxes(world, dt);
 	pairs->wanted = world->filter != NULL ? cni_contact_user_allows : NULL;
 	pairs->wanted_context = world;
 	world->broadphase_ops->update(world->broadphase, cni_contact_possible, world, pairs);
@@ -112,8 +112,8 @@ void cni_stage_pairs(cn_world *world, float dt)
 		world->pairs_not_added += pairs->pairs_lost;
 		world->pairs_may_repeat = CNI_PAIRS_ALL;
 	}
-	/* Workers may have found the pairs; the user is asked here, in order, but where the list had no room for all and the
-	   broadphase asked. */
+	/* Workers may have found the pairs, so the user's filter runs here, in order; where the list had no room for all pairs, the
+	   broadphase has run it. */
 	cni_pairs_cull(pairs);
 	list = (const cni_pair *)pairs->list.data;
 	for (k = 0; k < pairs->list.count; ++k) {
@@ -121,7 +121,7 @@ void cni_stage_pairs(cn_world *world, float dt)
 		if (pair_repeats(world, &list[k], may_repeat))
 			continue;
 		if (cni_contact_reserve(world, 1) != CN_OK)
-			pair_lose(world, &list[k]);
+			pair_retry_later(world, &list[k]);
 		else
 			cni_contact_create(world, list[k].a, list[k].b);
 	}

@@ -1,6 +1,6 @@
 /*
- * narrowphase/static_seams.c - which corners of fixed shapes are hidden between flush faces (collision/seam.h), found anew about the boxes of
- * fixed shapes that were made, moved, changed or destroyed since the last step. Where nothing changed this costs nothing.
+ * narrowphase/static_seams.c - finds corners of fixed shapes that are hidden between flush faces (collision/seam.h). Searches the
+ * box around fixed shapes that were created, moved, changed or destroyed since the last step; without changes it does nothing.
  *
  * Reads proxies, shapes, bodies, the broadphase; writes the seams in geometry records.
  */
@@ -14,14 +14,14 @@ typedef struct seam_search {
 	cni_geometry *geometry;
 } seam_search;
 
-/* Both stop whatever either stops, so nothing falls into the seam. */
+/* Do both shapes collide with the same shapes? Otherwise a shape could fall into the seam. */
 static int32_t stop_the_same(const cni_shape *a, const cni_shape *b)
 {
 	return a->category == b->category && a->mask == b->mask && a->group == b->group &&
 	       ((a->flags | b->flags) & (CN_SHAPE_SENSOR | CN_SHAPE_ONE_WAY | CN_SHAPE_PRE_SOLVE)) == 0;
 }
 
-static float neighbour_visit(void *context, int32_t proxy, float limit)
+static float neighbour_add_seams(void *context, int32_t proxy, float limit)
 {
 	const seam_search *s = (const seam_search *)context;
 	const cn_world *world = s->world;
@@ -46,7 +46,7 @@ static float neighbour_visit(void *context, int32_t proxy, float limit)
 	return limit;
 }
 
-static float changed_visit(void *context, int32_t proxy, float limit)
+static float changed_find_seams(void *context, int32_t proxy, float limit)
 {
 	cn_world *world = (cn_world *)context;
 	const cni_proxy *p = cni_proxy_at(world, proxy);
@@ -58,7 +58,7 @@ static float changed_visit(void *context, int32_t proxy, float limit)
 		return limit;
 	s.geometry->seams = 0;
 	if ((p->flags & CNI_PROXY_STATIC) && cni_seams_possible(s.geometry, world->settings.slop))
-		world->broadphase_ops->query(world->broadphase, &p->fat, neighbour_visit, &s);
+		world->broadphase_ops->query(world->broadphase, &p->fat, neighbour_add_seams, &s);
 	return limit;
 }
 
@@ -67,5 +67,5 @@ void cni_stage_seams(cn_world *world)
 	if (!world->seams_changed)
 		return;
 	world->seams_changed = 0;
-	world->broadphase_ops->query(world->broadphase, &world->seams_box, changed_visit, world);
+	world->broadphase_ops->query(world->broadphase, &world->seams_box, changed_find_seams, world);
 }

@@ -61,7 +61,7 @@ void cni_touch_collide(cni_touch *out);
 void cni_touch_finish(const cn_world *world, float dt, cni_touch *out);
 
 /* Manifold reuse, the first part of stage 3: updates lanes whose bodies have hardly moved. Writes the contacts of all other lanes to
-   left, which has room for every lane, and returns their number. dt 0: updates none. */
-int32_t cni_manifolds_reuse(cn_world *world, float dt, int32_t *left);
+   remaining, which has room for every lane, and returns their number. dt 0: updates none. */
+int32_t cni_manifolds_reuse(cn_world *world, float dt, int32_t *remaining);
 
 #endif

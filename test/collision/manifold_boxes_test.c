@@ -128,7 +128,7 @@ static void batch_compare(pair *pairs, int32_t count, cni_box_kernel_fn *kernel,
 		t->apart += batch.state[k] == CNI_BOXES_APART;
 		t->corners += batch.state[k] == CNI_BOXES_POINT && together.count == 1;
 		t->faces += batch.state[k] == CNI_BOXES_POINTS;
-		t->left += batch.state[k] == CNI_BOXES_LEFT;
+		t->left += batch.state[k] == CNI_BOXES_FALLBACK;
 		++t->pairs;
 	}
 }
