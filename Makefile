@@ -8,6 +8,7 @@
 #   make test-times times of parts, printed
 #                                                      make install    DESTDIR and PREFIX; make clean
 #   make bindings   writes bindings/ from the header   make test-bindings  in every language that is installed
+#   make amalgamation  the library as two files, build/amalgamation/cairn.c and cairn.h
 #   make stability  scenes with bounds, and 10 seeds of each family: test/stability/README.md
 #   make mutation   small faults that tests must catch: test/README.md
 #   make families   random scenes, the default solver beside soft constraints: test/families/README.md
@@ -78,7 +79,7 @@ TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
 TIMES_SRC := $(sort $(wildcard test/*/*_time_test.c))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh
 
-.PHONY: all bindings demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback check-deps check-links install clean FORCE
+.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback check-deps check-links install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -241,6 +242,10 @@ ablation:
 
 bindings:
 	@python3 bindings/generate.py
+
+# The library as two files for programs that compile it with their own: bindings/README.md.
+amalgamation:
+	@python3 bindings/amalgamate.py $(BUILD)/amalgamation
 
 test-bindings: $(BUILD)/$(SHARED_LINK)
 	@CC='$(CC)' sh bindings/test/run.sh $(BUILD)

@@ -17,7 +17,7 @@ at_a_time=2
 results=$build/parts
 # The longest first, so that the last two end together.
 parts='clang-address cross plain clang-memory helgrind clang-thread release native ablation no-fused gcc-O0 no-threads
-	clang-O3 work header-cxx header-padding check-links mutations-apply'
+	clang-O3 amalgamation work header-cxx header-padding check-links mutations-apply'
 
 # ---------------------------------------------------------------- of one part
 
@@ -108,6 +108,41 @@ exports() {
 	diff "$build/declared.txt" "$build/exported.txt"
 }
 
+# The library as one file (make amalgamation): no warning in C99 and C11, the same golden hashes, and AVX2 in the kernels of eight
+# lanes only.
+amalgamation() {
+	if ! command -v clang-19 >/dev/null 2>&1 || ! command -v python3 >/dev/null 2>&1; then
+		echo "clang-19 or python3 is not installed (see .ci/deps)"
+		add amalgamation 0 0 1
+		return
+	fi
+	${MAKE:-make} -s amalgamation BUILD="$build" || { add amalgamation 0 1 0; return; }
+	check amalgamation-compiles amalgamation_compiles
+	for compiler in gcc clang-19; do
+		check "amalgamation-$compiler" amalgamation_golden "$compiler"
+	done
+}
+amalgamation_compiles() {
+	for compiler in gcc clang-19; do
+		for standard in c99 c11; do
+			for define in CN_BUILD CN_NO_SIMD CN_NO_THREADS CNI_DEBUG; do
+				"$compiler" -std=$standard -pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Werror -D$define -fsyntax-only \
+					"$build/amalgamation/cairn.c" || return 1
+			done
+		done
+	done
+}
+amalgamation_golden() { # compiler
+	folder=$build/amalgamation/$1
+	mkdir -p "$folder"
+	"$1" -std=c99 -O2 -c "$build/amalgamation/cairn.c" -o "$folder/cairn.o" &&
+		"$1" -std=c99 -O1 -ffp-contract=off -Iinclude -Isrc -Itest -Iexamples test/world/determinism_test.c examples/scenes/*.c "$folder/cairn.o" \
+			-lm -lpthread -o "$folder/determinism_test" && "$folder/determinism_test" golden || return 1
+	[ "$(uname -m)" = x86_64 ] || return 0
+	objdump -d "$folder/cairn.o" | awk '/^[0-9a-f]+ <.*>:$/ { name = $2 } /%ymm/ { found = 1; if (name !~ /_8/) { print name, $0; bad = 1 } }
+		END { if (!found) print "no AVX2 at all"; exit bad || !found }'
+}
+
 # Other processors.
 cross() {
 	sh test/cross.sh "$build/cross" > "$build/cross.log" 2>&1
@@ -164,6 +199,7 @@ run_part() {
 		header-padding) check header-padding header_without_padding ;;
 		ablation) check ablation env JOBS="$cores" sh test/ablation/run.sh "$build" --quick ;;
 		release) release ;;
+		amalgamation) amalgamation ;;
 		work) work ;;
 		cross) cross ;;
 		no-fused) if [ "$(uname -m)" = x86_64 ]; then check no-fused no_fused_operations; else add no-fused 0 0 1; fi ;;

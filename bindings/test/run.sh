@@ -108,5 +108,14 @@ else
 	skip 4 zig
 fi
 
+if command -v cmake >/dev/null 2>&1; then
+	for kind in static shared; do
+		check "cmake builds and finds a $kind library" sh bindings/test/cmake.sh "$out/cmake" "$kind"
+		same "cmake $kind hinges" "$hinges" env LD_LIBRARY_PATH= DYLD_LIBRARY_PATH= "$out/cmake/program-$kind/hinges"
+	done
+else
+	skip 4 cmake
+fi
+
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" = 0 ]
