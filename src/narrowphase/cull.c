@@ -16,6 +16,7 @@
 #if CNI_HAS_WIDE_4
 #define CNI_WIDTH 4
 #include "base/wide.h"
+#include "model/tuning.h"
 #endif
 
 /* Contacts of fewer are in the cache anyway. */
