@@ -83,14 +83,6 @@ CNI_INLINE cni_wide point_separation(const cni_contact_block *k, const cni_conta
 	return cni_wide_load(p->s0 + l) + nx * (b->x - a->x) + ny * (b->y - a->y) + (b->c1 * bn + b->s * bt) - (a->c1 * an + a->s * at);
 }
 
-/* Restitution of which impacts are left to the next substep. Less returns a quarter of the energy at most, and crowds that are pressed
-   together are held apart sooner. */
-#define BOUNCY 0.5f
-
-/* Substeps. A body of 0.1 kg, hinged to one of 0.5 kg that falls, bounced in each substep and was pulled back in the same: it went
-   through a floor. With 4 crowds of elastic discs lose 0.5% of their energy in the test, with 8 half of that. */
-#define MISSED 8.0f
-
 /* bias: 1 the soft pass, 0 the rigid relax pass. bounces: restitution of the block's lanes, NULL: none. */
 CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row *p, int32_t l, const side *a, const side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces)
 {
@@ -113,12 +105,13 @@ CNI_INLINE point point_prepare(const cni_contact_block *k, const cni_contact_row
 		/* Impacts belong to restitution.c. If its sweeps find that bodies do not meet in this substep, they meet in the next, and
 		   braking would take the speed that the impact there should return. At low restitution only the relax pass skips the contact,
 		   and only while the bodies are apart: the next substep reaches the surface. A contact that overlaps by more than it closes in
-		   MISSED substeps is braked: another constraint of its bodies, such as a joint, undoes its impacts. */
+		   CNI_BOUNCE_MISSED_SUBSTEPS substeps is braked: another constraint of its bodies, such as a joint, undoes its impacts. */
 		cni_mask left = (vn < cni_wide_of(pass->impact_speed)) & (q.old <= zero), apart = s > zero;
 		if (bounces != NULL && bias)
-			left &= (cni_wide_load_loose(bounces + l) > cni_wide_of(BOUNCY)) & (s * pass->inv_h > MISSED * vn);
+			left &= (cni_wide_load_loose(bounces + l) > cni_wide_of(CNI_BOUNCE_DELAY_RESTITUTION)) &
+				(s * pass->inv_h > CNI_BOUNCE_MISSED_SUBSTEPS * vn);
 		else if (bounces != NULL)
-			left &= apart | (cni_wide_load_loose(bounces + l) > cni_wide_of(BOUNCY));
+			left &= apart | (cni_wide_load_loose(bounces + l) > cni_wide_of(CNI_BOUNCE_DELAY_RESTITUTION));
 		else
 			left &= apart;
 		part = cni_wide_select(left, zero, one);
@@ -271,13 +264,12 @@ CNI_INLINE void solve_live(cni_contact_block *k, cni_block_extra *extra, int32_t
  * bear: with no impulse to start from, one round leaves friction bounded by a normal force that is not there yet, and a
  * body set down on a slope would start with a false speed.
  */
-#define FRESH_ROUNDS 4
 
 /* The rounds after the first. A separate function that takes copies: groups without fresh lanes keep their registers. */
 static void solve_again(cni_contact_block *k, cni_block_extra *extra, int32_t l, side *a, side *b, const cni_contact_pass *pass, int32_t bias, const float *bounces, uint32_t live)
 {
 	int32_t round;
-	for (round = 1; round < FRESH_ROUNDS; ++round)
+	for (round = 1; round < CNI_NEW_CONTACT_ROUNDS; ++round)
 		solve_live(k, extra, l, a, b, pass, bias, bounces, cni_mask_of_bits(live));
 }
 
@@ -577,5 +569,6 @@ static void kernel_closing(const cni_velocity_start *starts, const cni_listed_bl
 
 #include "contacts/restitution_kernel.h"
 #include "contacts/manifold_reuse_kernel.h"
+#include "model/tuning.h"
 
 const cni_contact_kernel CNI_KERNEL = { { kernel_warm, kernel_solve, kernel_relax }, kernel_closing, kernel_impact, kernel_reuse };

@@ -98,9 +98,6 @@ typedef struct cni_reuse_pass {
 	float lag_sq;      /* cni_normal_lag_sq */
 } cni_reuse_pass;
 
-/* ... and what part of the smaller body's extent. */
-#define CNI_REUSE_PART (1.0f / 256.0f)
-
 /* Records of the lanes' bodies as floats, for a pass without poses. */
 typedef struct cni_reuse_bodies {
 	const float *a[CNI_LANES], *b[CNI_LANES];

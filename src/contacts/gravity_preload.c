@@ -18,18 +18,11 @@
 #include "contacts/contacts.h"
 #include "base/sort.h"
 #include "model/solve.h"
+#include "model/tuning.h"
 
 #include <string.h>
 
 #define SUPPORTS_MOST 24       /* contacts of one body with what is below it */
-#define SUPPORTING 0.5f        /* cosine between gravity and the normal of a contact that bears by itself */
-#define FRICTION_SHARE 0.1f    /* friction beside normals, where normals do not do */
-#define FRICTION_LESS 0.3f     /* ... and what is left of its share when it slides */
-#define ROUNDS 12
-#define REFINEMENTS 3
-#define REGULAR 1e-5f          /* of the trace, on the diagonal: directions that no support has */
-#define CLOSE 1e-3f            /* own weights that may be left before more contacts are asked */
-#define LEFT_MOST 0.05f        /* ... that may be left at all */
 
 /* By dense index: the body's momentum of a substep, from forces and from the bodies on it; its height. */
 typedef struct weight {
@@ -139,10 +132,10 @@ static void shares_set(balance *b, int32_t stage)
 	int32_t k, i;
 	for (k = 0; k < b->count; ++k) {
 		support *p = &b->supports[k];
-		int32_t bears = p->rows[0].x * b->down_x + p->rows[0].y * b->down_y >= SUPPORTING;
+		int32_t bears = p->rows[0].x * b->down_x + p->rows[0].y * b->down_y >= CNI_PRELOAD_SUPPORT_COSINE;
 		for (i = 0; i < 2; ++i)
 			p->rows[i].share = p->lanes->p[i].nm[p->lane] > 0.0f && (bears || stage == 2) ? 1.0f : 0.0f;
-		p->rows[2].share = stage > 0 && p->rows[0].share + p->rows[1].share > 0.0f ? FRICTION_SHARE : 0.0f;
+		p->rows[2].share = stage > 0 && p->rows[0].share + p->rows[1].share > 0.0f ? CNI_PRELOAD_FRICTION_SHARE : 0.0f;
 	}
 }
 
@@ -171,7 +164,7 @@ static int32_t impulses_find(balance *b)
 			a21 += r->share * r->turn * r->y;
 			a22 += r->share * r->turn * r->turn;
 		}
-	more = REGULAR * (a00 + a11 + a22);
+	more = CNI_PRELOAD_REGULARIZATION * (a00 + a11 + a22);
 	if (!(more > 0.0f))
 		return 0;
 	a00 += more;
@@ -180,7 +173,7 @@ static int32_t impulses_find(balance *b)
 	d1 = a11 + more - l10 * a10;
 	l21 = (a21 - l20 * a10) / d1;
 	d2 = a22 + more - l20 * a20 - l21 * l21 * d1;
-	for (pass = 0; pass < REFINEMENTS; ++pass) {
+	for (pass = 0; pass < CNI_PRELOAD_REFINEMENTS; ++pass) {
 		float y1 = b->left[1] - l10 * b->left[0], y2 = b->left[2] - l20 * b->left[0] - l21 * y1;
 		float m2 = y2 / d2, m1 = y1 / d1 - l21 * m2, m0 = b->left[0] / a00 - l10 * m1 - l20 * m2;
 		for (k = 0; k < b->count; ++k)
@@ -210,7 +203,7 @@ static int32_t impulses_bound(balance *b)
 		most = p->slides * normal;
 		if (cni_abs(f->impulse) > p->sticks * normal) {
 			row_push(b, f, cni_clamp(f->impulse, -most, most) - f->impulse);
-			f->share *= FRICTION_LESS;
+			f->share *= CNI_PRELOAD_SLIDING_FACTOR;
 			changed = 1;
 		}
 	}
@@ -228,13 +221,13 @@ static int32_t balance_solve(balance *b, float own)
 	int32_t stage, round;
 	for (stage = 0; stage < 3; ++stage) {
 		shares_set(b, stage);
-		for (round = 0; round < ROUNDS; ++round)
+		for (round = 0; round < CNI_PRELOAD_ROUNDS; ++round)
 			if (!impulses_find(b) || !impulses_bound(b))
 				break;
-		if (residual_is_below(b, CLOSE * own))
+		if (residual_is_below(b, CNI_PRELOAD_RESIDUAL_GOOD * own))
 			return 1;
 	}
-	return residual_is_below(b, LEFT_MOST * own);
+	return residual_is_below(b, CNI_PRELOAD_RESIDUAL_MAX * own);
 }
 
 /* ---- a pile ---- */

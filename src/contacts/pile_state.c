@@ -3,15 +3,12 @@
  * constraints can?
  */
 #include "contacts/contacts.h"
-
-#define QUIET_SPEED 0.5f       /* length units a second: what moves faster is no pile */
-#define STRESS_MOST 15.0f      /* own weights: what bears more is crushed by the soft solver */
-#define BUCKLING 0.055f        /* ... and what bears s of them when s^2 g h^2 is more than this part of its size */
+#include "model/tuning.h"
 
 int32_t cni_body_is_quiet(const cn_world *world, const cni_body *b)
 {
 	const cni_motion *m = cni_motions(world) + b->awake;
-	float most = QUIET_SPEED * world->settings.length_unit, turn = m->w * b->extent;
+	float most = CNI_PILE_QUIET_SPEED * world->settings.length_unit, turn = m->w * b->extent;
 	return m->vx * m->vx + m->vy * m->vy <= most * most && turn * turn <= most * most;
 }
 
@@ -42,5 +39,5 @@ int32_t cni_is_stressed(const cn_world *world, int32_t ia, int32_t ib, float imp
 	float g = cni_length(world->settings.gravity), inv_a = cni_motions(world)[ia].inv_mass, inv_b = cni_motions(world)[ib].inv_mass;
 	float stress = g > 0.0f ? impulse * cni_max(inv_a, inv_b) / (part * h * g) : 0.0f;
 	float size = cni_body_at(world, cni_awake_ids(world)[inv_b > inv_a ? ib : ia])->extent;
-	return stress > STRESS_MOST || stress * stress * g * h * h > BUCKLING * size;
+	return stress > CNI_PILE_STRESS_MAX || stress * stress * g * h * h > CNI_PILE_BUCKLING_PART * size;
 }

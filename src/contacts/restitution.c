@@ -30,11 +30,12 @@
 #include "contacts/contacts.h"
 #include "base/bitset.h"
 #include "contacts/contact_pass.h"
+#include "model/tuning.h"
 
 #define BLOCKS_A_RANGE 16 /* of one colour: most of them do not bounce */
 #define BLOCKS_AT_ONCE 16 /* that are searched before what was found is solved: they stay in the cache */
-#define SWEEPS 4 /* a wave through touching balls may need several; the solve after takes the rest */
-#define HIT_MARK(k) (1.0f + (float)(k) / (float)SWEEPS) /* start.jumped of bodies that sweep k hits */
+/* start.jumped of bodies that sweep k hits. */
+#define HIT_MARK(k) (1.0f + (float)(k) / (float)CNI_RESTITUTION_SWEEPS)
 
 static const cni_contact_block no_rows;
 static const cni_block_extra no_extra;
@@ -209,7 +210,7 @@ static uint32_t sweep(cn_world *world, const cni_solve *s, int32_t number)
 void cni_contacts_impact(cn_world *world, const cni_solve *s)
 {
 	int32_t k;
-	for (k = 0; k < SWEEPS && s->bounces; ++k)
+	for (k = 0; k < CNI_RESTITUTION_SWEEPS && s->bounces; ++k)
 		if (sweep(world, s, k) == 0)
 			return;
 }

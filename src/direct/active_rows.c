@@ -7,8 +7,8 @@
  *
  * The bounds of these rows make a complementarity problem, which an active set solves. All rows of the set are solved exactly. A row beyond
  * its bound is clamped to it and leaves the set. A row outside the set returns if its speed error has the sign to which it can push. Then
- * the system is solved again. After ROUNDS changes the last set is accepted. The set is kept from pass to pass, so most passes take one
- * round.
+ * the system is solved again. After CNI_JOINT_SET_ROUNDS changes the last set is accepted. The set is kept from pass to pass, so most
+ * passes take one round.
  *
  * A joint has one such row: its limit when the limit is near, otherwise its motor. The other row is solved by joints/joint_solve.c, like
  * springs.
@@ -16,9 +16,9 @@
  * Reads joint constraints, motion; writes their rows and `active_row`, nodes' third rows, motion velocities.
  */
 #include "direct/direct_system.h"
+#include "model/tuning.h"
 
 #include <string.h>
-#define ROOM 0.05f             /* metres or radians: a limit that is nearer may be reached */
 
 /* Target speed of the row; for a limit, the least speed. */
 static float target_speed(const cni_row *r, const cni_solve *s, int32_t bias)
@@ -34,7 +34,7 @@ static float target_speed(const cni_row *r, const cni_solve *s, int32_t bias)
 
 static int32_t limit_is_near(const cni_row *r, const cni_motion *a, const cni_motion *b, float dt)
 {
-	return r->error < ROOM + 2.0f * dt * cni_abs(cni_row_speed(r, a, b));
+	return r->error < CNI_LIMIT_ROOM + 2.0f * dt * cni_abs(cni_row_speed(r, a, b));
 }
 
 /* Index of the chosen row in the joint constraint, 0: none. */

@@ -2,8 +2,7 @@
  * direct/active_set.c - solves a component with motors and limits among its rows by an active set (method in direct/active_rows.c).
  */
 #include "direct/direct_system.h"
-
-#define ROUNDS 3               /* changes of the set in a pass */
+#include "model/tuning.h"
 
 static float impulse_least(const cni_row *r, const cni_solve *s)
 {
@@ -89,7 +88,7 @@ int32_t cni_active_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse
 		if (!cni_direct_apply(world, sparse, c))
 			return 0;
 		impulses_add(world, sparse, c);
-		if (round == ROUNDS || !set_change(world, s, sparse, c))
+		if (round == CNI_JOINT_SET_ROUNDS || !set_change(world, s, sparse, c))
 			return 1;
 		cni_direct_system(world, s, sparse, c);
 		sides_convert(world, sparse, c, 1);

@@ -4,10 +4,7 @@
  * Reads joint constraints, motion and inverse masses; writes nodes, their rigid rows' impulses, motion velocities.
  */
 #include "direct/direct_system.h"
-
-#define REGULAR_STEP 10.0f /* times: a system that is still as good as singular */
-#define REGULAR_MOST 0.05f /* ... until joints are about as soft as soft ones */
-#define LEAK 1e-5f         /* ... and their rows give way by this part of it to their whole impulses */
+#include "model/tuning.h"
 
 void cni_direct_motions_save(const cn_world *world, const cni_sparse *sparse, const cni_component *c, int32_t restore)
 {
@@ -176,7 +173,7 @@ static void leaks_add(const cn_world *world, cni_sparse *sparse, const cni_compo
 	for (k = c->begin; k < c->end; ++k) {
 		cni_node *n = &sparse->nodes[k];
 		for (i = 0; i < n->rows && n->owner >= 0; ++i)
-			n->x[i] -= LEAK * cni_lever_inverse_mass(&n->lever[i], motions + n->ia, motions + n->ib) *
+			n->x[i] -= CNI_DIRECT_LEAK * cni_lever_inverse_mass(&n->lever[i], motions + n->ia, motions + n->ib) *
 			           constraints[n->owner].rows[i].impulse;
 	}
 }
@@ -249,9 +246,9 @@ int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c)
 			cni_direct_motions_save(world, sparse, c, 1);
 			impulses_undo(world, sparse, c);
 		}
-		if (c->regular > REGULAR_MOST)
+		if (c->regular > CNI_REGULARIZATION_MAX)
 			return 0;
-		c->regular *= REGULAR_STEP;
+		c->regular *= CNI_REGULARIZATION_STEP;
 		cni_sparse_factor(sparse, c, cni_motions(world));
 		sides_save(sparse, c, 1);
 	}

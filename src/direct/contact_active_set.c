@@ -7,22 +7,16 @@
  * active. This repeats until nothing changes. The sets of the last pass are nearly always right, and lever arms are fixed during a step, so a
  * pile costs about one factorization a step.
  *
- * Overlapping points are pushed apart by PUSH_RATE of the overlap in a substep: slowly, since all of a pile is pushed at once. The second
- * pass of a substep removes that speed.
+ * Overlapping points are pushed apart by CNI_CONTACT_SET_PUSH_RATE of the overlap in a substep: slowly, since all of a pile is pushed at
+ * once. The second pass of a substep removes that speed.
  *
  * Reads and writes direct contacts, motion velocities, impulses of joint constraints.
  */
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
+#include "model/tuning.h"
 
 #include <string.h>
-
-#define ROUNDS_ALL 6           /* in which all that does not fit is changed at once */
-#define ROUNDS_WARM 4          /* from impulses of the last pass */
-#define REFINEMENTS 3          /* solutions with one factorization */
-#define PUSH_RATE 0.1f
-#define TOUCHING 5e-6f         /* length units: a lesser gap or overlap is rounding of positions. Rows that say the same twice would
-                                  answer to what they say of it differently with impulses beyond measure */
 
 /* ---- the beginning of a round ---- */
 
@@ -44,12 +38,12 @@ static void friction_follow(cni_direct_contact *p)
 static void gap_speeds_of(const cni_direct_contact_pass *q, cni_direct_contact *p, const cni_node *n)
 {
 	const cni_motion *a = q->motions + n->ia, *b = q->motions + n->ib;
-	float touch = TOUCHING * q->world->settings.length_unit;
+	float touch = CNI_CONTACT_SET_TOUCHING * q->world->settings.length_unit;
 	int32_t i;
 	for (i = 0; i < 2; ++i) {
 		float s = p->mass[i] > 0.0f ? cni_direct_contact_separation(p, i, a, b) : 0.0f, push;
 		s = s > 0.0f ? cni_max(s - touch, 0.0f) : cni_min(s + touch, 0.0f);
-		push = PUSH_RATE * q->s->inv_h * s;
+		push = CNI_CONTACT_SET_PUSH_RATE * q->s->inv_h * s;
 		p->gap_speed[i] = s > 0.0f ? s * q->s->inv_h : q->bias ? cni_max(push, -q->s->push_speed) : 0.0f;
 	}
 	friction_follow(p);
@@ -231,7 +225,7 @@ static void velocities_push(const cni_direct_contact_pass *q)
 static int32_t active_rows_solve(const cni_direct_contact_pass *q)
 {
 	int32_t k;
-	for (k = 0; k < REFINEMENTS && (right_sides(q) > 0.5f * q->speed_least || k == 0); ++k) {
+	for (k = 0; k < CNI_CONTACT_SET_REFINEMENTS && (right_sides(q) > 0.5f * q->speed_least || k == 0); ++k) {
 		if (!cni_sparse_solve(q->sparse, q->c))
 			return 0;
 		velocities_push(q);
@@ -347,7 +341,7 @@ static int32_t set_try(const cni_direct_contact_pass *q, int32_t all)
 int32_t cni_direct_contact_set_follow(const cni_direct_contact_pass *q)
 {
 	int32_t round, violations = -1;
-	for (round = 0; violations != 0 && violations < INT32_MAX && round < ROUNDS_WARM; ++round)
+	for (round = 0; violations != 0 && violations < INT32_MAX && round < CNI_CONTACT_SET_ROUNDS_WARM; ++round)
 		violations = set_try(q, 1);
 	return violations == 0;
 }
@@ -355,7 +349,7 @@ int32_t cni_direct_contact_set_follow(const cni_direct_contact_pass *q)
 /* 1: the search gives up. In later rounds one violated row is fixed a round. */
 static int32_t rounds_are_over(const cni_direct_contact_pass *q, int32_t round, int32_t violations)
 {
-	return violations == INT32_MAX || round >= q->rounds || (round >= ROUNDS_ALL && violations > q->rounds - round);
+	return violations == INT32_MAX || round >= q->rounds || (round >= CNI_CONTACT_SET_ROUNDS_ALL && violations > q->rounds - round);
 }
 
 /* Starts from the set of the last pass; if that is violated, from it and all touching points. Where only sliding impulses do not match, the
@@ -370,7 +364,7 @@ int32_t cni_direct_contact_set_find(const cni_direct_contact_pass *q)
 			touching_activate(q);
 			fits = 0;
 		}
-		violations = set_try(q, round < ROUNDS_ALL);
+		violations = set_try(q, round < CNI_CONTACT_SET_ROUNDS_ALL);
 	}
 	return violations == 0;
 }

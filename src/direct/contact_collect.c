@@ -5,6 +5,7 @@
  */
 #include "contacts/contacts.h"
 #include "direct/direct_contact.h"
+#include "model/tuning.h"
 
 #include <string.h>
 

@@ -7,6 +7,7 @@
 
 #include "model/solve.h"
 #include "linear/sparse.h"
+#include "model/tuning.h"
 
 /* Most contacts that are solved directly in a step of CN_SOLVER_AUTO, and most work of a system a node of it. */
 #define CNI_DIRECT_CONTACT_MOST 512
@@ -28,8 +29,6 @@ static inline int32_t cni_cone_factor_work(const cni_component *c)
 {
 	return c->work + CNI_CONE_NODE * (c->end - c->begin);
 }
-
-#define CNI_SLIDE_CLOSE 0.01f /* part by which a sliding friction may be off its normal force */
 
 enum { CNI_ROW_OPEN = 0, CNI_ROW_ACTIVE = 1, CNI_ROW_SLIDES = 2 };
 
@@ -57,11 +56,9 @@ typedef struct cni_direct_contact {
 	float slack[4], dual[4];    /* normals, m sum - t, m sum + t; their multipliers, m/s */
 } cni_direct_contact;
 
-/* Where many impulses bear the same those of least energy are told by what rows give way to them: m/s. */
-#define CNI_DIRECT_CONTACT_LEAK 1e-5f
 static inline float cni_direct_contact_leak(const cni_direct_contact *p, int32_t row)
 {
-	return CNI_DIRECT_CONTACT_LEAK * p->j[row] / p->mass[row];
+	return CNI_DIRECT_LEAK * p->j[row] / p->mass[row];
 }
 /* The contact of a node; NULL: the node is a joint. */
 static inline cni_direct_contact *cni_direct_contact_of(const cni_sparse *sparse, const cni_node *n)

@@ -1,9 +1,9 @@
 /*
  * direct/direct_contacts.c - directly solved contacts: one pass over an island, the choice of method and the checks of its solution.
  *
- * An active-set method finds the active rows (direct/contact_active_set.c). Where it finds no set in ROUNDS, or where an island at rest begins to
- * move by its solution, an interior-point method takes over (direct/friction_cones.c). The passes after that start from its impulses
- * instead of from none: of several redundant sets of impulses, the one of least energy may have negative ones. A solution that gains energy
+ * An active-set method finds the active rows (direct/contact_active_set.c). Where it finds no set in CNI_CONTACT_SET_ROUNDS,
+ * or where an island at rest begins to move by its solution, an interior-point method takes over (direct/friction_cones.c). The passes
+ * after that start from its impulses instead of from none: of several redundant sets of impulses, the one of least energy may have negative ones. A solution that gains energy
  * is discarded: impulses of an inconsistent set can add it without bound. The contacts then return to the soft solver with the impulses and
  * loads that they had, so that the attempt does not disturb a pile.
  *
@@ -11,16 +11,9 @@
  */
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
+#include "model/tuning.h"
 
 #include <string.h>
-
-#define ROUNDS 10              /* of the set, until direct/friction_cones.c is asked, which takes about twice as many factorizations */
-#define ROUNDS_LARGE 32        /* ... of systems that are too large for that */
-#define PARTING 10.0f          /* times speed_least: contacts that part or slide faster give way */
-#define ENERGY_CLOSE 1e-3f     /* part of energy that is rounding */
-#define STILL_SPEED 0.4f       /* length units a second, root of the mean square by mass: what is slower is at rest, or begins to move */
-#define SOFT_STRESS 100.0f     /* own weights */
-#define SPEED_LEAST 1e-4f      /* length units a second that are no motion */
 
 /* ---- impulses and velocities: committed, saved, restored ---- */
 
@@ -56,12 +49,12 @@ static void state_save(const cni_direct_contact_pass *q, int32_t restore)
 	}
 }
 
-/* Part of a contact's impulses that gives the lighter body at most the speed of SOFT_STRESS of its weights. The soft solver crushes such a
-   body from any start, and throws a light body when the contacts on both sides of it do not cancel any more. */
+/* Part of a contact's impulses that gives the lighter body at most the speed of CNI_DIRECT_SOFT_STRESS of its weights. The soft
+   solver crushes such a body from any start, and throws a light body when the contacts on both sides of it do not cancel any more. */
 static float soft_part(const cni_direct_contact_pass *q, const cni_direct_contact *p, const cni_node *n)
 {
 	float speed = (p->first[0] + p->first[1]) * cni_max(q->motions[n->ia].inv_mass, q->motions[n->ib].inv_mass);
-	float most = SOFT_STRESS * cni_length(q->world->settings.gravity) * q->s->h;
+	float most = CNI_DIRECT_SOFT_STRESS * cni_length(q->world->settings.gravity) * q->s->h;
 	return speed > most ? most / speed : 1.0f;
 }
 
@@ -137,10 +130,10 @@ static float energy_of_start(const cni_direct_contact_pass *q)
 	return sum;
 }
 
-/* Twice the kinetic energy of all of it at STILL_SPEED: with less it is at rest. A part may move on a standing island. */
+/* Twice the kinetic energy of all of it at CNI_DIRECT_STILL_SPEED: with less it is at rest. A part may move on a standing island. */
 static float energy_of_rest(const cni_direct_contact_pass *q)
 {
-	float mass = 0.0f, speed = STILL_SPEED * q->world->settings.length_unit;
+	float mass = 0.0f, speed = CNI_DIRECT_STILL_SPEED * q->world->settings.length_unit;
 	int32_t k;
 	for (k = q->c->body_begin; k < q->c->body_end; ++k) {
 		const cni_motion *m = q->motions + q->sparse->bodies[k];
@@ -181,7 +174,7 @@ static float push_work(const cni_direct_contact_pass *q)
  */
 static int32_t energy_fits(const cni_direct_contact_pass *q)
 {
-	return q->c->joints > 0 || energy_of(q) <= (1.0f + ENERGY_CLOSE) * q->before + push_work(q);
+	return q->c->joints > 0 || energy_of(q) <= (1.0f + CNI_DIRECT_ENERGY_ROUNDING) * q->before + push_work(q);
 }
 
 /* Restores the impulses of the pass, for sliding friction: those of a set that was no solution do not count. */
@@ -215,7 +208,7 @@ static int32_t solve_with_kept_set(const cni_direct_contact_pass *q)
 static int32_t contact_starts_moving(const cni_direct_contact_pass *q, const cni_direct_contact *p, const cni_node *n)
 {
 	const cni_motion *a = q->motions + n->ia, *b = q->motions + n->ib;
-	float most = PARTING * q->speed_least;
+	float most = CNI_DIRECT_PARTING * q->speed_least;
 	cni_lever l = cni_direct_contact_lever(p, 2);
 	int32_t i;
 	if (p->state[2] == CNI_ROW_SLIDES && cni_abs(cni_lever_speed(&l, a, b)) > most)
@@ -333,7 +326,8 @@ static void solution_accept(const cni_direct_contact_pass *q)
 
 int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c, int32_t bias)
 {
-	cni_direct_contact_pass q = { world, s, sparse, c, cni_motions(world), NULL, SPEED_LEAST * world->settings.length_unit, bias, 0, ROUNDS, !bias, 0.0f };
+	cni_direct_contact_pass q = { world, s, sparse, c, cni_motions(world), NULL, CNI_DIRECT_SPEED_LEAST * world->settings.length_unit,
+		bias, 0, CNI_CONTACT_SET_ROUNDS, !bias, 0.0f };
 	if (!bias && c->nothing_pushed)
 		return 1;
 	q.island = cni_island_at(world, cni_awake_island(world, sparse->bodies[c->body_begin]));
@@ -342,7 +336,7 @@ int32_t cni_direct_contacts_solve(cn_world *world, const cni_solve *s, cni_spars
 	q.before = energy_of_start(&q);
 	q.warm = is_recent(&q, q.island->cone_step);
 	if (is_large(&q) && !was_moving(&q))
-		q.rounds = ROUNDS_LARGE;
+		q.rounds = CNI_CONTACT_SET_ROUNDS_LARGE;
 	cni_direct_contact_gap_speeds_find(&q);
 	cni_direct_contact_states_save(&q, 0);
 	if (set_solve(&q) || cone_solve(&q)) {

@@ -12,13 +12,9 @@
 #include "direct/direct.h"
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
+#include "model/tuning.h"
 
 #include <string.h>
-
-/* Loops, the two points of a contact, and piles with several ways to bear the same say much twice: their diagonal grows by
-   this part. */
-#define REGULAR 1e-4f
-#define REGULAR_LOOPS 5e-5f /* ... of joints alone, whose solutions are checked */
 
 /* ---- components ---- */
 
@@ -121,7 +117,7 @@ void cni_direct_prepare(cn_world *world, cni_solve *s, cni_sparse *out)
 		cni_component *c = &out->components[k];
 		if (far && k + 1 < out->component_count)
 			cni_component_prefetch(world, out, k + 1);
-		c->regular = c->has_contacts ? REGULAR : c->loops ? REGULAR_LOOPS : 0.0f;
+		c->regular = c->has_contacts ? CNI_REGULARIZATION_CONTACTS : c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
 		c->uses_rattle = CNI_ON(SWINGS) && !c->has_contacts && cni_component_uses_rattle(world, s, out, c);
 		if (loop_is_better_soft(world, out, c))
 			cni_component_suspend(world, out, c, CNI_TRUST_MOST);
@@ -154,7 +150,7 @@ static void contacts_release(cn_world *world, cni_sparse *sparse, cni_component 
 			sparse->nodes[k].x[i] = 0.0f;
 		}
 	c->has_contacts = 0;
-	c->regular = c->loops ? REGULAR_LOOPS : 0.0f;
+	c->regular = c->loops ? CNI_REGULARIZATION_LOOPS : 0.0f;
 	cni_sparse_factor(sparse, c, cni_motions(world));
 	if (world->settings.solver == CN_SOLVER_AUTO)
 		cni_island_refuse(world, cni_awake_island(world, sparse->bodies[c->body_begin]), CN_TIER_REASON_NO_SET);

@@ -7,6 +7,7 @@
 
 #include "direct/direct.h"
 #include "joints/joint_constraint.h"
+#include "model/tuning.h"
 
 /* ---- components of joints that are solved directly: direct/component.c ---- */
 
@@ -33,9 +34,6 @@ void cni_direct_rotations(const cn_world *world, cni_sparse *sparse, const cni_c
 void cni_direct_right_sides(cn_world *world, const cni_solve *s, const cni_component *c, int32_t bias);
 /* Solves for the impulses and applies them; on failure the joints become soft. direct/active_set.c */
 void cni_component_solve(cn_world *world, const cni_solve *s, cni_component *c);
-/* What failed is not tried again for a time that doubles when it fails again soon. Of a joint, or what joints have in common. */
-#define CNI_TRUST_LEAST 2      /* steps */
-#define CNI_TRUST_MOST 256
 static inline void cni_trust_suspend(cni_joint_trust *t, uint32_t step, int32_t span, int32_t soft)
 {
 	t->span = (uint16_t)span;
@@ -52,12 +50,6 @@ static inline void cni_trust_fail(cni_joint_trust *t, uint32_t step, int32_t sof
 int32_t cni_direct_apply(cn_world *world, cni_sparse *sparse, cni_component *c);
 /* Levers, dampers and factors at the bodies' present rotations. */
 void cni_direct_system(cn_world *world, const cni_solve *s, cni_sparse *sparse, cni_component *c);
-/* Joints that contacts would open by more than this part of the accuracy in a substep are closed before positions move,
-   also for arms that turn by more than this angle in it and so leave the tangent. */
-#define CNI_PROJECTION_PART CNI_BAD_PART
-#define CNI_PROJECTION_TURN_RAD 0.02f
-/* A body that turns by more than this in a substep may have to be locked to its neighbours: cni_geometric_stiffness_lock. */
-#define CNI_SNAP_RAD 0.1f
 /* Lists the components that contacts may open: direct/joint_projection.c. */
 void cni_projection_mark(const cn_world *world, cni_sparse *sparse);
 

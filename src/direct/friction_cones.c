@@ -27,18 +27,9 @@
  */
 #include "direct/direct_contact.h"
 #include "direct/direct_system.h"
+#include "model/tuning.h"
 
 #include <string.h>
-
-#define FACTORS 60             /* most in a pass: what stands takes 5 to 25, what begins to slide or fall 30 to 90 */
-#define FACTORS_DIRECT 120     /* ... of CN_SOLVER_DIRECT */
-#define STEP_MOST 0.995f      /* part of the way to the boundary of the cones */
-#define INSIDE_PART 0.9f      /* of friction's bound: most to begin with */
-#define SLIP_ROUNDS 3         /* solutions, each with the slips of the one before */
-#define SLIP_CLOSE 10.0f      /* times speed_least: a speed that lifts may be off by that */
-#define PATH_SPEED 0.3f       /* of what rows lack: speed whose square is the least tau */
-#define STIFF_MOST 1e12f      /* times a row's own: an entry of Z/S is not more */
-#define FRICTION_LEAST 1e-4f  /* a lesser coefficient is none */
 
 typedef struct cone {
 	const cni_direct_contact_pass *pass;
@@ -106,7 +97,7 @@ static void contact_warm_start(const cone *q, cni_direct_contact *p, const cni_n
 	}
 	rows_push(q, p, n, change);
 	p->coefficient = p->state[2] == CNI_ROW_SLIDES ? p->dynamic_friction : p->static_friction;
-	p->coefficient = p->coefficient > FRICTION_LEAST ? p->coefficient : 0.0f;
+	p->coefficient = p->coefficient > CNI_CONE_FRICTION_LEAST ? p->coefficient : 0.0f;
 	p->lift = 0.0f;
 }
 
@@ -135,7 +126,7 @@ static void contact_center(const cone *q, cni_direct_contact *p, const cni_node 
 		p->start[i] = -p->j[i];
 	for (i = 0; i < 2; ++i)
 		p->j[i] = row_exists(p, i) ? cni_max(p->j[i], 3.0f * q->tau * p->mass[i] / cni_max(speed, speeds[i])) : 0.0f;
-	most = INSIDE_PART * p->coefficient * (p->j[0] + p->j[1]);
+	most = CNI_CONE_INSIDE_PART * p->coefficient * (p->j[0] + p->j[1]);
 	p->j[2] = row_exists(p, 2) ? cni_clamp(p->j[2], -most, most) : 0.0f;
 	for (i = 0; i < 3; ++i)
 		p->start[i] += p->j[i];
@@ -172,7 +163,7 @@ static void center(cone *q)
 
 static float stiffness_of(const cni_direct_contact *p, int32_t i)
 {
-	return slack_exists(p, i) ? cni_min(p->dual[i] / p->slack[i], STIFF_MOST / slack_mass(p, i)) : 0.0f;
+	return slack_exists(p, i) ? cni_min(p->dual[i] / p->slack[i], CNI_CONE_STIFF_MAX / slack_mass(p, i)) : 0.0f;
 }
 
 /* Updates the residual: the rows' speeds less their multipliers; and the complementarity violation. */
@@ -263,7 +254,7 @@ static float step_length(const cone *q)
 			if (slack_exists(p, i))
 				most = cni_min(most, cni_min(distance_to(p->slack[i], slack[i]), distance_to(p->dual[i], dual[i])));
 	}
-	return cni_min(1.0f, STEP_MOST * most);
+	return cni_min(1.0f, CNI_CONE_STEP_PART * most);
 }
 
 /* Applies the step. Returns the mean of slack times multiplier after it. */
@@ -403,7 +394,7 @@ static int32_t iterate(cone *q)
 		length = step_length(q);
 		predicted = predictor_store(q, length);
 		part = predicted / mean;
-		q->tau = cni_max(mean * part * part * part, square(PATH_SPEED * cni_max(q->residual, q->pass->speed_least)));
+		q->tau = cni_max(mean * part * part * part, square(CNI_CONE_PATH_SPEED * cni_max(q->residual, q->pass->speed_least)));
 		newton_set(q);
 		if (!cni_sparse_solve(q->sparse, q->c))
 			return 0;
@@ -425,7 +416,7 @@ static float slips_find(const cone *q)
 		slip = cni_abs(p->dual[2] - p->dual[3]);
 		was = p->lift;
 		if (slip > q->pass->speed_least && p->dynamic_friction < p->coefficient) {
-			p->coefficient = cni_max(p->dynamic_friction, FRICTION_LEAST);
+			p->coefficient = cni_max(p->dynamic_friction, CNI_CONE_FRICTION_LEAST);
 			most = FLT_MAX;
 		}
 		p->lift = p->coefficient * slip;
@@ -436,13 +427,13 @@ static float slips_find(const cone *q)
 
 int32_t cni_direct_contacts_cone(const cni_direct_contact_pass *pass, int32_t *out_factors)
 {
-	cone q = { pass, pass->sparse, pass->c, 0, 0, FACTORS, 0.0f, 0.0f, 0.0f };
+	cone q = { pass, pass->sparse, pass->c, 0, 0, CNI_CONE_FACTORS_MAX, 0.0f, 0.0f, 0.0f };
 	int32_t good = 1, round;
 	float change = FLT_MAX;
 	if (pass->world->settings.solver == CN_SOLVER_DIRECT)
-		q.factors_most = FACTORS_DIRECT;
+		q.factors_most = CNI_CONE_FACTORS_DIRECT;
 	warm_start(&q);
-	for (round = 0; good && round < SLIP_ROUNDS && change > SLIP_CLOSE * pass->speed_least; ++round) {
+	for (round = 0; good && round < CNI_CONE_SLIP_ROUNDS && change > CNI_CONE_SLIP_CLOSE * pass->speed_least; ++round) {
 		center(&q);
 		good = iterate(&q);
 		change = slips_find(&q);

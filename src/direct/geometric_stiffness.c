@@ -4,17 +4,16 @@
  *
  * A joint that pulls a body outwards by f at the end of an arm r turns it back as a spring would, with a frequency of sqrt(sum(r.f) / I):
  * chains of light links with heavy loads, taut bridges. A velocity solver does not see that spring: it acts from one substep to the next,
- * and when Xi = h^2 sum(r.f) / I is much above one it gains energy and everything explodes. Beyond XI_MOST a third row damps the relative
- * rotation of bodies that are pinned to each other, (w_b - w_a) + lambda / c = 0 with c = h^2 sum(r.f) - XI_MOST I: between bodies, so that
- * it conserves momentum, and with c = 0 where the substeps are short enough.
+ * and when Xi = h^2 sum(r.f) / I is much above one it gains energy and everything explodes. Beyond CNI_STIFFNESS_XI_MAX a third row damps
+ * the relative rotation of bodies that are pinned to each other, (w_b - w_a) + lambda / c = 0 with c = h^2 sum(r.f) -
+ * CNI_STIFFNESS_XI_MAX I: between bodies, so that it conserves momentum, and with c = 0 where the substeps are short enough.
  *
  * Bodies that turn too far in a substep for positions to follow are locked to each other during it (direct/joint_projection.c).
  *
  * Reads joint constraints, motion, the sparse system's turn; writes its pull and the third rows of its nodes.
  */
 #include "direct/direct_system.h"
-
-#define XI_MOST 1.0f
+#include "model/tuning.h"
 
 static void pulls_clear(cni_sparse *sparse, const cni_component *c)
 {
@@ -94,14 +93,14 @@ float cni_geometric_stiffness_largest(const cn_world *world, const cni_sparse *s
 
 int32_t cni_geometric_stiffness_needs_dampers(const cn_world *world, const cni_sparse *sparse, const cni_component *c, float h)
 {
-	return CNI_ON(TENSION) && h * h * cni_geometric_stiffness_largest(world, sparse, c) > 0.5f * XI_MOST;
+	return CNI_ON(TENSION) && h * h * cni_geometric_stiffness_largest(world, sparse, c) > 0.5f * CNI_STIFFNESS_XI_MAX;
 }
 
 /* c of a body: the part of h^2 sum(r.f) that a substep does not resolve. */
 static float excess(const cn_world *world, const cni_sparse *sparse, int32_t index, float h)
 {
 	float inv_inertia = cni_motions(world)[index].inv_inertia;
-	return inv_inertia > 0.0f ? h * h * sparse->pull[index] - XI_MOST / inv_inertia : 0.0f;
+	return inv_inertia > 0.0f ? h * h * sparse->pull[index] - CNI_STIFFNESS_XI_MAX / inv_inertia : 0.0f;
 }
 
 static int32_t is_fixed(const cn_world *world, int32_t index)

@@ -2,7 +2,7 @@
  * direct/joint_projection.c - hard stops: alternates joints and contacts until they agree.
  *
  * Joints are solved first, then contacts. A body that a contact stopped would separate from its jointed neighbours when positions move, by
- * 4 cm in a substep at 10 m/s. Where joints would open by more than CNI_PROJECTION_PART of the accuracy, also because fast lever arms leave
+ * 4 cm in a substep at 10 m/s. Where joints would open by more than CNI_BAD_PART of the accuracy, also because fast lever arms leave
  * the tangent, their system is solved once more, then the contacts of its bodies, for a few rounds, joints last. A scene without hard stops
  * costs one check of the joints of touched systems; later rounds only check systems whose bodies have changed.
  *
@@ -12,8 +12,7 @@
 #include "contacts/contacts.h"
 #include "direct/batched_trees.h"
 #include "direct/direct_contact.h"
-
-#define CLOSE_ROUNDS 4       /* of joints and the contacts that part them, in a substep, at most */
+#include "model/tuning.h"
 
 static int32_t may_open(const cn_world *world, const cni_sparse *sparse, const cni_component *c)
 {
@@ -29,7 +28,7 @@ static int32_t may_open(const cn_world *world, const cni_sparse *sparse, const c
 /* Most rounds of contacts of a component in a substep: an impact travels through a tree joint by joint. */
 static int32_t rounds_of(const cni_component *c)
 {
-	return cni_max_i(1, cni_min_i(c->end - c->begin - 1, CLOSE_ROUNDS));
+	return cni_max_i(1, cni_min_i(c->end - c->begin - 1, CNI_PROJECTION_ROUNDS));
 }
 
 static void projection_add(cni_sparse *sparse, int32_t component)
@@ -58,10 +57,10 @@ void cni_projection_mark(const cn_world *world, cni_sparse *sparse)
 			projection_add(sparse, k);
 }
 
-/* 1: contacts would open a joint by more than CNI_PROJECTION_PART of the accuracy in this substep. Reads the right sides. */
+/* 1: contacts would open a joint by more than CNI_BAD_PART of the accuracy in this substep. Reads the right sides. */
 static int32_t is_opening(const cn_world *world, const cni_solve *s, const cni_component *c)
 {
-	float most = CNI_PROJECTION_PART * world->settings.accuracy * s->inv_h;
+	float most = CNI_BAD_PART * world->settings.accuracy * s->inv_h;
 	int32_t k, i;
 	for (k = c->begin; k < c->end; ++k)
 		for (i = 0; i < s->direct->nodes[k].rows; ++i)

@@ -30,17 +30,7 @@
  */
 #include "direct/direct.h"
 #include "direct/rattle.h"
-
-#define CLOSED 2e-6f           /* length units or radians: a joint that is closed */
-#define NEWTON_ROUNDS 5
-#define PROJECT_ROUNDS 12
-#define SLOWEST 0.9f           /* part of its gap that a round may leave to a loop: some cannot be closed */
-#define FAILED 50.0f            /* gaps above this many times CLOSED after all rounds: the substep is too long */
-#define CLOSING_RATE 0.2f      /* part of an old gap that is closed in a substep */
-#define SUBSTEPS_MOST 8.0f     /* to follow pins, which dampers help beyond that */
-#define SUBSTEPS_ROD_MOST 32.0f /* ... and rods, which nothing helps */
-#define SUBSTEPS_RETRY 64      /* most that a step is retried with */
-#define SUBSTEPS_FIRM 16       /* of the projection */
+#include "model/tuning.h"
 
 /* ---- which components ---- */
 
@@ -53,7 +43,7 @@ static int32_t constraint_is_rigid(const cni_joint_constraint *w, const cni_moti
 		const cni_row *r = &w->rows[k];
 		cni_lever l = cni_row_lever(r);
 		float speed = cni_lever_speed(&l, a, b);
-		if (r->kind != CNI_ROW_LIMIT || r->error < 0.05f + 2.0f * dt * cni_abs(speed))
+		if (r->kind != CNI_ROW_LIMIT || r->error < CNI_LIMIT_ROOM + 2.0f * dt * cni_abs(speed))
 			return 0;
 	}
 	return 1;
@@ -146,9 +136,9 @@ static void drift(const rattle_step *g)
 /* Remainder of an old gap after the substep. */
 static float gap_left(const rattle_step *g, float error)
 {
-	if (cni_abs(error) <= GAP_OLD * g->closed)
+	if (cni_abs(error) <= CNI_RATTLE_OLD_GAP * g->closed)
 		return 0.0f;
-	return error - cni_clamp(CLOSING_RATE * error, -g->closing, g->closing);
+	return error - cni_clamp(CNI_RATTLE_CLOSING_RATE * error, -g->closing, g->closing);
 }
 
 static void move(cni_motion *m, float h, float part, float vx, float vy, float w)
@@ -240,14 +230,14 @@ static int32_t positions_close(const rattle_step *g)
 {
 	float gap = gaps_find(g);
 	int32_t round;
-	for (round = 0; round < NEWTON_ROUNDS && (round == 0 || gap > g->closed); ++round) {
+	for (round = 0; round < CNI_RATTLE_NEWTON_ROUNDS && (round == 0 || gap > g->closed); ++round) {
 		if (!cni_sparse_solve(g->sparse, g->c))
 			return BROKEN;
 		impulses_add(g);
 		push_and_move(g, 1.0f);
 		gap = gaps_find(g);
 	}
-	return gap <= FAILED * g->closed ? CLOSED_WELL : OPEN;
+	return gap <= CNI_RATTLE_FAILED_GAP * g->closed ? CLOSED_WELL : OPEN;
 }
 
 static int32_t velocities_close(const rattle_step *g)
@@ -272,7 +262,7 @@ static int32_t substeps_of(const rattle_step *g, const cni_solve *s, float rods)
 	for (k = g->c->body_begin; k < g->c->body_end; ++k)
 		fastest = cni_max(fastest, cni_abs(g->motions[g->sparse->bodies[k]].w));
 	needed = cni_max(1.5f * s->dt * cni_sqrt(cni_geometric_stiffness_largest(g->world, g->sparse, g->c)), 2.0f * s->dt * fastest);
-	needed = cni_max(cni_min(SUBSTEPS_MOST, needed), cni_min(SUBSTEPS_ROD_MOST, 1.5f * s->dt * cni_sqrt(rods)));
+	needed = cni_max(cni_min(CNI_RATTLE_SUBSTEPS_PIN, needed), cni_min(CNI_RATTLE_SUBSTEPS_ROD, 1.5f * s->dt * cni_sqrt(rods)));
 	return cni_max_i(s->substeps, (int32_t)needed);
 }
 
@@ -306,7 +296,8 @@ static int32_t positions_project(const rattle_step *g)
 {
 	float gap = gaps_find(g), last = FLT_MAX;
 	int32_t round;
-	for (round = 0; round < PROJECT_ROUNDS && gap > g->closed && (!g->c->loops || gap < SLOWEST * last); ++round) {
+	for (round = 0; round < CNI_RATTLE_PROJECT_ROUNDS && gap > g->closed &&
+		(!g->c->loops || gap < CNI_RATTLE_SLOWEST_PART * last); ++round) {
 		last = gap;
 		cni_direct_refresh(g->world, g->sparse, g->c);
 		(void)gaps_find(g);
@@ -482,7 +473,7 @@ static int32_t rattle_try(rattle_step *g, const cni_solve *s, cni_component *c, 
 		return how;
 	gained = cni_rattle_energy(g) - before - g->base_work;
 	/* Written so that NaN fails too. */
-	if (!(gained <= ENERGY_GAIN * before + allowed + g->energy_error))
+	if (!(gained <= CNI_RATTLE_ENERGY_PART * before + allowed + g->energy_error))
 		return BROKEN;
 	cni_rattle_account(g, t, gained);
 	return CLOSED_WELL;
@@ -493,7 +484,7 @@ static int32_t project_try(rattle_step *g, const cni_solve *s, cni_component *c,
 {
 	float before, most;
 	int32_t how;
-	g->h = s->dt / (float)cni_max_i(SUBSTEPS_FIRM, s->substeps);
+	g->h = s->dt / (float)cni_max_i(CNI_RATTLE_SUBSTEPS_FIRM, s->substeps);
 	g->closing = g->h * s->push_speed;
 	impulses_reset(g, 0.0f);
 	if (c->width > 2)
@@ -503,10 +494,10 @@ static int32_t project_try(rattle_step *g, const cni_solve *s, cni_component *c,
 	g->closes_gaps = cni_rattle_closes_gaps(g);
 	most = cni_sqrt(before) + cni_sqrt(cni_rattle_energy_allowed(g, s->dt)); /* in the norm of kinetic energy */
 	most *= most;
-	how = substeps_run(g, s, cni_max_i(SUBSTEPS_FIRM, s->substeps), 1);
+	how = substeps_run(g, s, cni_max_i(CNI_RATTLE_SUBSTEPS_FIRM, s->substeps), 1);
 	if (how != CLOSED_WELL)
 		return how;
-	if (!(cni_rattle_kinetic(g) <= (1.0f + ENERGY_GAIN) * most) && g->base_work == 0.0f)
+	if (!(cni_rattle_kinetic(g) <= (1.0f + CNI_RATTLE_ENERGY_PART) * most) && g->base_work == 0.0f)
 		return BROKEN;
 	cni_rattle_account(g, t, cni_rattle_energy(g) - before - g->base_work);
 	return CLOSED_WELL;
@@ -530,7 +521,7 @@ static void joints_release(const rattle_step *g, const cni_solve *s, cni_joint_t
 static int32_t rattle_run(rattle_step *g, const cni_solve *s, cni_component *c, int32_t substeps, cni_joint_trust *t)
 {
 	cni_joint_trust before = *t;
-	for (; substeps <= SUBSTEPS_RETRY; substeps *= 2) {
+	for (; substeps <= CNI_RATTLE_SUBSTEPS_RETRY; substeps *= 2) {
 		if (rattle_try(g, s, c, substeps, t) == CLOSED_WELL)
 			return 1;
 		*t = before;
@@ -541,7 +532,8 @@ static int32_t rattle_run(rattle_step *g, const cni_solve *s, cni_component *c, 
 
 static void component_run(cn_world *world, const cni_solve *s, cni_component *c, float *left)
 {
-	rattle_step g = { world, s->direct, c, cni_motions(world), s->h, CLOSED * world->settings.length_unit, 0.0f, left, 0.5f, 0.0f, 0.0f,
+	rattle_step g = { world, s->direct, c, cni_motions(world), s->h,
+		CNI_RATTLE_CLOSED * world->settings.length_unit, 0.0f, left, 0.5f, 0.0f, 0.0f,
 		0 };
 	float rods, last_h = s->warm_scale > 0.0f ? s->h / s->warm_scale : s->h; /* substep of the records' impulses */
 	cni_joint_trust trust = trust_read(&g);

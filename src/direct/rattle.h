@@ -6,9 +6,6 @@
 
 #include "direct/direct_system.h"
 
-#define GAP_OLD 100.0f          /* times CLOSED: a gap that this step has not made */
-#define ENERGY_GAIN 0.01f      /* part of the kinetic energy that a step may take out: more is a step that failed */
-
 typedef struct rattle_step {
 	cn_world *world;
 	cni_sparse *sparse;

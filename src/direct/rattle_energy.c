@@ -5,15 +5,14 @@
  * Reads motion, start, externals, joint constraints; writes motion velocities and the account.
  */
 #include "direct/rattle.h"
-
-#define ROUNDING 1e-3f         /* part of the kinetic energy that some minutes of rounding may gain */
+#include "model/tuning.h"
 
 int32_t cni_rattle_closes_gaps(const rattle_step *g)
 {
 	int32_t k, i;
 	for (k = g->c->begin; k < g->c->end; ++k)
 		for (i = 0; i < g->sparse->nodes[k].rows; ++i)
-			if (cni_abs(constraint_of(g, k)->rows[i].error) > GAP_OLD * g->closed)
+			if (cni_abs(constraint_of(g, k)->rows[i].error) > CNI_RATTLE_OLD_GAP * g->closed)
 				return 1;
 	return 0;
 }
@@ -194,8 +193,8 @@ static float inner_energy(const rattle_step *g, const rigid_motion *r)
 }
 
 /*
- * Takes this energy out of the component's motion, but at most ENERGY_GAIN of it. All velocities relative to the rigid motion of equal
- * momenta are scaled by one factor, which preserves the momenta and J v = 0. Returns the energy removed.
+ * Takes this energy out of the component's motion, but at most CNI_RATTLE_ENERGY_PART of it. All velocities relative to the rigid motion
+ * of equal momenta are scaled by one factor, which preserves the momenta and J v = 0. Returns the energy removed.
  */
 static float energy_remove(const rattle_step *g, float surplus)
 {
@@ -204,7 +203,7 @@ static float energy_remove(const rattle_step *g, float surplus)
 	int32_t k;
 	if (!(inner > 0.0f && inner < FLT_MAX))
 		return 0.0f;
-	part = cni_min(surplus / inner, ENERGY_GAIN);
+	part = cni_min(surplus / inner, CNI_RATTLE_ENERGY_PART);
 	keep = cni_sqrt(1.0f - part);
 	for (k = g->c->body_begin; k < g->c->body_end; ++k) {
 		cni_motion *m = g->motions + g->sparse->bodies[k];
@@ -235,7 +234,7 @@ static float rounding_of_positions(const rattle_step *g)
    moved the bodies, so the gain is not of their motion. */
 void cni_rattle_account(const rattle_step *g, cni_joint_trust *t, float gained)
 {
-	float most = g->energy_error + ROUNDING * cni_rattle_kinetic(g) + rounding_of_positions(g);
+	float most = g->energy_error + CNI_RATTLE_ENERGY_ROUNDING * cni_rattle_kinetic(g) + rounding_of_positions(g);
 	t->surplus = cni_max(t->surplus + (g->closes_gaps ? 0.0f : gained), -most);
 	if (!(t->surplus < FLT_MAX)) /* an account that is not finite begins anew */
 		t->surplus = 0.0f;

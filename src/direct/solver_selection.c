@@ -33,19 +33,11 @@
 #if CNI_HAS_WIDE_4
 #define CNI_WIDTH 4
 #include "base/wide.h"
+#include "model/tuning.h"
 #endif
 
 #define ISLANDS_MOST 64        /* solved directly at the same time, of CN_SOLVER_AUTO */
-#define STAY_FIRST 15          /* good steps until an island is given back, the first time */
-#define STAY_FACTOR 4          /* ... and each time it turned bad again after that */
-#define STAY_MOST 100000
-#define REFUSED_STEPS 120      /* until a refused island is looked at again, at first; twice as long each time */
-#define RETRY_STEPS 8          /* ... for what its contacts did, which they may not do again */
-#define REFUSED_MOST 1920
-#define FORGET_FACTOR 8         /* times as long as it was refused, or was to stay: then that begins anew */
-#define FALLS_STEPS 8          /* in which it comes down, until it is left to the soft solver */
 #define BLOCKS_AT_ONCE 8       /* whose memory is asked for */
-#define HEAVIER 5.0f           /* times: such a body on a lighter one may crush it */
 
 typedef struct lane_scan {
 	float most;    /* metres: bad overlap of a contact with much load */
@@ -67,7 +59,7 @@ static int32_t takes_contacts(const cn_world *world, int32_t island)
 /* 1: so long ago that the next span of this kind begins anew. */
 static int32_t is_long_ago(const cn_world *world, uint32_t step, int32_t steps)
 {
-	return world->step_count - step > (uint32_t)FORGET_FACTOR * (uint32_t)steps;
+	return world->step_count - step > (uint32_t)CNI_SELECTION_FORGET_FACTOR * (uint32_t)steps;
 }
 
 static void island_take(cn_world *world, int32_t island, int32_t reason)
@@ -155,7 +147,8 @@ static void loads_clear(const cn_world *world, const cni_island *i)
 void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
-	int32_t first = reason == CN_TIER_REASON_NO_SET || reason == CN_TIER_REASON_MOVING ? RETRY_STEPS : REFUSED_STEPS;
+	int32_t first = reason == CN_TIER_REASON_NO_SET || reason == CN_TIER_REASON_MOVING ? CNI_SELECTION_RETRY_FIRST :
+		CNI_SELECTION_REFUSED_FIRST;
 	if (i->tier == CNI_TIER_DIRECT && i->falls_steps > 0 && i->gives_step != 0 && world->step_count + 1u - i->gives_step < 3u)
 		loads_clear(world, i);
 	i->tier = CNI_TIER_SOFT;
@@ -163,7 +156,7 @@ void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 	if (is_long_ago(world, i->refused_step, i->refused_steps))
 		i->refused_steps = 0;
 	i->refused_step = world->step_count;
-	i->refused_steps = CNI_ON(TRUST) ? cni_min_i(cni_max_i(2 * i->refused_steps, first), REFUSED_MOST) : 1;
+	i->refused_steps = CNI_ON(TRUST) ? cni_min_i(cni_max_i(2 * i->refused_steps, first), CNI_SELECTION_REFUSED_MAX) : 1;
 }
 
 /* ---- the search for bad contacts ---- */
@@ -182,7 +175,7 @@ static int32_t lane_is_new(const cni_contact_block *k, int32_t l, float slop)
 static int32_t may_be_stressed(const cn_world *world, const cni_contact_block *k, int32_t l, float h)
 {
 	float inv_a = cni_motions(world)[k->ia[l]].inv_mass, inv_b = cni_motions(world)[k->ib[l]].inv_mass;
-	if (inv_b > 0.0f && cni_max(inv_a, inv_b) > HEAVIER * cni_min(inv_a, inv_b))
+	if (inv_b > 0.0f && cni_max(inv_a, inv_b) > CNI_SELECTION_MASS_RATIO * cni_min(inv_a, inv_b))
 		return 1;
 	return cni_is_stressed(world, k->ia[l], k->ib[l], k->p[0].jn[l] + k->p[1].jn[l], h, 0.5f);
 }
@@ -325,14 +318,16 @@ static void lanes_check(cn_world *world, float h)
 /* 1: the island has moved for so long that no impulses hold it. An exact solution of its fall is not worth its work. */
 static int32_t is_falling(const cn_world *world, const cni_island *i)
 {
-	return i->solver != CN_SOLVER_DIRECT && i->gives_step == world->step_count && world->step_count > 0 && i->falls_steps >= FALLS_STEPS;
+	return i->solver != CN_SOLVER_DIRECT && i->gives_step == world->step_count && world->step_count > 0 &&
+		i->falls_steps >= CNI_SELECTION_FALL_STEPS;
 }
 
 /* An island of leaning bodies stays direct until it sleeps or moves: soft contacts yield, and the yield is not recovered. */
 static void leaning_island_keep(cn_world *world, int32_t island, float h)
 {
 	cni_island *i = cni_island_at(world, island);
-	if (i->good_steps >= cni_max_i(i->stay_steps, STAY_FIRST) && i->good_steps <= STAY_MOST && i->solver != CN_SOLVER_SOFT &&
+	if (i->good_steps >= cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST) && i->good_steps <= CNI_SELECTION_STAY_MAX &&
+	    i->solver != CN_SOLVER_SOFT &&
 	    !cni_island_has_joints(world, island) && cni_island_is_quiet(world, i) && !cni_pile_is_supported(world, island, h))
 		i->good_steps = 0;
 }
@@ -360,20 +355,20 @@ static void list_update(cn_world *world, float h)
 			continue;
 		}
 		leaning_island_keep(world, island, h);
-		if (i->solver != CN_SOLVER_SOFT && i->good_steps <= STAY_MOST &&
-		    (i->good_steps++ < cni_max_i(i->stay_steps, STAY_FIRST) || i->solver == CN_SOLVER_DIRECT)) {
+		if (i->solver != CN_SOLVER_SOFT && i->good_steps <= CNI_SELECTION_STAY_MAX &&
+		    (i->good_steps++ < cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST) || i->solver == CN_SOLVER_DIRECT)) {
 			i->reason = CN_TIER_REASON_SETTLING;
 			direct_list(world)[kept++] = island;
 			continue;
 		}
 		i->tier = CNI_TIER_SOFT;
-		i->reason = i->good_steps > STAY_MOST ? CN_TIER_REASON_WORK : CN_TIER_REASON_NONE;
+		i->reason = i->good_steps > CNI_SELECTION_STAY_MAX ? CN_TIER_REASON_WORK : CN_TIER_REASON_NONE;
 		if (i->solver == CN_SOLVER_SOFT)
 			continue;
 		i->given_step = world->step_count;
 		if (i->reason == CN_TIER_REASON_NONE)
 			i->refused_steps = 0; /* it was solved */
-		i->stay_steps = cni_min_i(STAY_FACTOR * cni_max_i(i->stay_steps, STAY_FIRST), STAY_MOST);
+		i->stay_steps = cni_min_i(CNI_SELECTION_STAY_FACTOR * cni_max_i(i->stay_steps, CNI_SELECTION_STAY_FIRST), CNI_SELECTION_STAY_MAX);
 	}
 	world->direct_islands.count = kept;
 }

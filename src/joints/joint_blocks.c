@@ -16,14 +16,13 @@
 #include "base/bitset.h"
 #include "base/cpu.h"
 #include "joints/joint_pass.h"
+#include "model/tuning.h"
 
 #include <string.h>
 
-#define FAR_RAD 1e9f          /* a limit that is nowhere */
 #define BLOCKS_A_RANGE 8      /* a microsecond or two, more than the workers of a team take to meet */
 #define STORES_AHEAD 8        /* joints whose records are asked for */
 #define STORES_A_RANGE 512
-#define TURN_MOST_RAD 1.5f    /* in a step: faster bodies' joints are solved by rows, whose arms turn any way exactly */
 
 const cni_joint_kernel *cni_joint_kernel_choose(void)
 {
@@ -144,8 +143,8 @@ static void angle_fill(cni_lane_spring *spring, float h, const cni_joint_constra
 		block->torque[l] = j->p[CNI_P_MOTOR_MAX];
 		block->motor_j[l] = j->impulse[CNI_REVOLUTE_MOTOR];
 	}
-	block->lower[l] = -FAR_RAD;
-	block->upper[l] = FAR_RAD;
+	block->lower[l] = -CNI_NO_LIMIT;
+	block->upper[l] = CNI_NO_LIMIT;
 	if (j->flags & CN_JOINT_LIMIT) {
 		block->lower[l] = j->p[CNI_P_LOWER];
 		block->upper[l] = j->p[CNI_P_UPPER];
@@ -187,7 +186,7 @@ void cni_joint_lane_fill(cn_world *world, const cni_solve *s, cni_lane_spring *s
 
 int32_t cni_joint_fits_lane(const cn_world *world, const cni_solve *s, const cni_joint_constraint *w)
 {
-	float most = TURN_MOST_RAD / s->dt;
+	float most = CNI_LANE_TURN_MAX_RAD / s->dt;
 	return cni_abs(cni_motions(world)[w->ia].w) <= most && cni_abs(cni_motions(world)[w->ib].w) <= most;
 }
 

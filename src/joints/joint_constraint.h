@@ -22,8 +22,6 @@ enum {
 	CNI_CONSTRAINT_BATCHED = 1u << 9       /* in a lane of a batch, with its pin: direct/batched_trees.c */
 };
 
-#define CNI_JOINT_ERROR_RATE 0.3f /* part of its gap that a directly solved joint takes out in a substep */
-
 /* Data of joints that are solved by rows, alone or with others; most joints are in lanes and never read it. */
 typedef struct cni_joint_numbers {
 	cni_row rows[CNI_JOINT_ROWS];

@@ -10,11 +10,11 @@
  */
 #include "joints/joints.h"
 #include "joints/joint_pass.h"
+#include "model/tuning.h"
 
 #include <string.h>
 
 #define LANES_LEAST 4 /* in the mean, of blocks that are not full */
-#define FAR 1e9f      /* a limit that is nowhere */
 
 /* ---- selection ---- */
 
@@ -141,8 +141,8 @@ static void parts_fill(lane_builder *t, const cni_joint *j, cni_row_block *block
 {
 	uint32_t parts = parts_of(j, block->form);
 	block->has |= parts;
-	block->lower[l] = -FAR;
-	block->upper[l] = FAR;
+	block->lower[l] = -CNI_NO_LIMIT;
+	block->upper[l] = CNI_NO_LIMIT;
 	if (parts & CN_JOINT_SPRING)
 		spring_fill(t, j, block, l);
 	if (parts & CN_JOINT_MOTOR) {

@@ -4,6 +4,7 @@
  * Invariant: for every dense index k >= 1, record awake_id[k] has awake == k; every lane of a touching contact has the current
  * dense indices of its bodies, 0 for a body without one.
  */
+#include "model/tuning.h"
 #include "model/world.h"
 
 #include <string.h>
@@ -348,10 +349,6 @@ static float box_room(const cni_aabb *outer, const cni_aabb *inner)
 /* Result for a proxy's box. _AHEAD: the box covers the way ahead. */
 enum { BOX_STAYS, BOX_STAYS_AHEAD, BOX_LEAVES, BOX_LEAVES_AHEAD };
 
-/* What touches nothing goes on as it flies: its boxes are made for this many ways more, and need not move in the steps of
-   those. With two more, pairs that never meet cost more than the moves. */
-#define WAYS_OF_FLIGHT 1.0f
-
 /* Compares a proxy's box with the shape's box now and after the way ahead. BOX_LEAVES: *fat is the new box. *room: distance by which
    the resulting box encloses the shape, now and ahead. */
 static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_shape *s, int32_t child, const cni_transform *x, cni_vec2 ahead, cni_aabb *fat, float *room)
@@ -375,7 +372,7 @@ static int32_t box_leaves(const cn_world *world, const cni_body *b, const cni_sh
 		return BOX_STAYS_AHEAD;
 	}
 	if (reaches && b->lanes == 0 && CNI_ON(WIDE_BOXES))
-		box = box_stretch(box, cni_mul(WAYS_OF_FLIGHT, ahead));
+		box = box_stretch(box, cni_mul(CNI_BOX_FLIGHT_STEPS, ahead));
 	*fat = cni_box_fatten(box, margin);
 	*room = margin - rounding;
 	return reaches ? BOX_LEAVES_AHEAD : BOX_LEAVES;

@@ -23,6 +23,7 @@
 #include "base/maths.h"
 #include "linear/motion.h"
 #include "base/threads.h"
+#include "model/tuning.h"
 
 #include <string.h>
 
@@ -81,9 +82,6 @@ static inline void cni_body_restless(cni_body *b)
 	b->sleep_time = 0.0f;
 	b->flags &= (1u << CNI_BODY_GAINS_SHIFT) - 1u;
 }
-
-/* Of coordinates and extents: more than rounding moves a box by in a step, and a rotation that is not quite of unit length. */
-#define CNI_BODY_ROUNDING 4e-6f
 
 #define CNI_TURN_REACH_UNIT (1.0f / 255.0f)
 

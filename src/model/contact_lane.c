@@ -3,6 +3,7 @@
  * reads lanes back for the public API.
  */
 #include "model/lane.h"
+#include "model/tuning.h"
 #include "model/world.h"
 
 #include <string.h>
@@ -82,10 +83,6 @@ static float lane_radius(const cn_world *world, const cni_contact *c, int32_t la
 	return cni_shape_geometry(&world->blocks, s)->radius;
 }
 
-/* Locked axes that leave less than this part of the mobility along a direction leave none: what is pushed nearly across its free axis
-   by something that does not give way would have to leave along it at a hundred times the speed. */
-#define MOBILITY_LEAST 1e-4f
-
 /* Inverse mass along a direction, reduced by locked axes. */
 static float mass_along(const cni_body *b, float inv_mass, cni_vec2 n)
 {
@@ -97,7 +94,7 @@ static float mass_along(const cni_body *b, float inv_mass, cni_vec2 n)
 static float mass_of_both(const lane_frame *f, float inv_a, float inv_b, cni_vec2 n)
 {
 	float sum = mass_along(f->a, inv_a, n) + mass_along(f->b, inv_b, n);
-	return sum >= MOBILITY_LEAST * (inv_a + inv_b) ? sum : 0.0f;
+	return sum >= CNI_MOBILITY_LEAST_PART * (inv_a + inv_b) ? sum : 0.0f;
 }
 
 static float lock(const cni_body *b, uint32_t flag)

@@ -1,6 +1,7 @@
 /*
  * model/shape_record.c - shape records: memory of geometry, proxies, margins of boxes, filters.
  */
+#include "model/tuning.h"
 #include "model/world.h"
 
 uint64_t cni_shape_piece_bytes(const cn_world *world, int32_t type, int32_t count)
@@ -24,16 +25,12 @@ int32_t cni_shape_edge_proxy(const cn_world *world, const cni_shape *s, int32_t 
 	return ((const int32_t *)cni_blocks_at(&world->blocks, s->box.proxies))[child];
 }
 
-/* Part of a box's larger side that its margin is. Wider margins are left less often, but small things in a heap
-   would have more neighbours that they do not touch than such that they do. */
-#define MARGIN_PART 0.1f
-
 float cni_box_margin(const cn_world *world, int32_t body_type, const cni_aabb *tight)
 {
 	const cni_settings *set = &world->settings;
 	if (body_type == CN_BODY_STATIC || !CNI_ON(WIDE_BOXES))
 		return set->contact_margin;
-	return cni_clamp(MARGIN_PART * cni_max(tight->x1 - tight->x0, tight->y1 - tight->y0), set->contact_margin, set->box_margin);
+	return cni_clamp(CNI_BOX_MARGIN_PART * cni_max(tight->x1 - tight->x0, tight->y1 - tight->y0), set->contact_margin, set->box_margin);
 }
 
 cn_result cni_proxy_reserve(cn_world *world, int32_t extra)

@@ -44,17 +44,15 @@ enum {
 };
 
 /*
- * How fast loads follow the impulses that are there, per second; see contacts/contact_kernel.h. A load that follows drives
- * slow swings of a pile, and softness damps them: by a rate of about 0.24 s w^2 at h = 1/240 s, with w^2 falling as
- * the square of the height. So a load must be slower where more is borne: at most
+ * CNI_LOAD_RATE and CNI_LOAD_HEAVY: how fast loads follow the impulses that are there, per second; see contacts/contact_kernel.h.
+ * A load that follows drives slow swings of a pile, and softness damps them: by a rate of about 0.24 s w^2 at h = 1/240 s, with w^2 falling
+ * as the square of the height. So a load must be slower where more is borne: at most
  * CNI_LOAD_HEAVY / (h stress^2), where stress is what a point bears over the lighter body's weight. A pyramid of base 100
  * (stress 25) comes to rest at 0.1, sways on at 0.3, and falls when all its loads follow at 0.6 per second.
  *
  * Between settled bodies they do not rise: in a heap of mixed shapes not every overlap can be taken away, loads that went on rising
  * would press what is wedged until it slips, and 50 bodies crept at 0.7 mm/s for ever, at any of these rates.
  */
-#define CNI_LOAD_RATE 0.6f
-#define CNI_LOAD_HEAVY 0.1f
 
 struct cni_contact_kernel; /* contacts/contact_pass.h */
 struct cni_joint_kernel;   /* joints/joint_pass.h */
@@ -91,7 +89,5 @@ typedef struct cni_solve {
 cni_soft cni_soft_implicit(float hertz, float damping_ratio, float h);
 /* Exact discrete spring: a single body on it has the true period and decay at any stiffness. */
 cni_soft cni_soft_exact(float hertz, float damping_ratio, float h);
-/* An overlap or gap of more than this part of the accuracy is bad. */
-#define CNI_BAD_PART 0.1f
 
 #endif

@@ -18,6 +18,7 @@
 #include "broadphase/proxy.h"
 #include "model/shape.h"
 #include "broadphase/broadphase.h"
+#include "model/tuning.h"
 
 #define CNI_ERROR_TEXT_BYTES 192
 
@@ -195,8 +196,6 @@ struct cn_world {
  *
  * The other solvers know the loads of a pile and solve directly what leans: their normals are the true ones.
  */
-#define CNI_NORMAL_LAG 0.1f
-#define CNI_NORMAL_LAG_SPIN 0.1f /* rad/s, of either body */
 
 /* Square of the largest difference of two normals; negative: normals do not lag. */
 static inline float cni_normal_lag_sq(const cn_world *world)

@@ -21,6 +21,7 @@
 #include "collision/distance.h"
 #include "collision/toi.h"
 #include "model/solve.h"
+#include "model/tuning.h"
 
 #include <float.h>
 #include <string.h>
@@ -64,12 +65,11 @@ static void polygon_shrink(core_shape *core, float depth)
 
 /*
  * By how much the core of a shape is smaller: half of its inner radius. A shape rests on a contact that gives way by up to
- * SAG_PER_SLOP; the core of a thin one, which would come down to what it rests on and hang there, is smaller by that, too.
+ * CNI_CORE_SAG_PER_SLOP; the core of a thin one, which would come down to what it rests on and hang there, is smaller by that, too.
  */
-#define SAG_PER_SLOP 0.04f /* 0.2 mm: g / (2 pi 30 Hz)^2 is 0.28 mm for a body as light as its contact, 0.07 mm for most */
 static float core_depth(const cni_geometry *g, float slop)
 {
-	return cni_max(0.5f * g->inner_radius, cni_min(0.9f * g->inner_radius, SAG_PER_SLOP * slop));
+	return cni_max(0.5f * g->inner_radius, cni_min(0.9f * g->inner_radius, CNI_CORE_SAG_PER_SLOP * slop));
 }
 
 static void core_make(const cni_geometry *g, float depth, core_shape *core)
@@ -81,13 +81,6 @@ static void core_make(const cni_geometry *g, float depth, core_shape *core)
 	if (g->type == CN_SHAPE_POLYGON && depth > from_radius)
 		polygon_shrink(core, depth - from_radius);
 }
-
-/* Of the inner radius: the depth of the core that stops what was pressed in by more than its outer core's depth. */
-#define INNER_DEPTH 0.95f
-
-/* A core is stopped within this part of its depth, half as much again with the tolerance: what slides, its contacts giving way by
-   SAG_PER_SLOP, stays clear of the edges of what is flush with its ground. */
-#define CLEAR_PART 0.2f
 
 typedef struct clamp {
 	cn_world *world;
@@ -198,7 +191,7 @@ static cni_toi_result core_toi(const clamp *c, const core_shape *core, cni_toi_i
 {
 	float most = 0.5f * c->world->settings.slop;
 	in->b = &core->geometry;
-	in->target = core->depth > 0.0f ? cni_min(most, CLEAR_PART * core->depth) : most;
+	in->target = core->depth > 0.0f ? cni_min(most, CNI_CORE_CLEAR_PART * core->depth) : most;
 	in->tolerance = 0.5f * in->target;
 	return toi_with_reduced_target(in);
 }
@@ -227,9 +220,9 @@ static void inner_clamp(clamp *c, cni_toi_input *in, const cni_body *other)
 {
 	const cni_geometry *g = cni_shape_geometry(&c->world->blocks, cni_shape_at(c->world, cni_proxy_at(c->world, c->proxy)->shape));
 	core_shape inner;
-	if (c->core.depth >= INNER_DEPTH * g->inner_radius)
+	if (c->core.depth >= CNI_CORE_INNER_DEPTH_PART * g->inner_radius)
 		return;
-	core_make(g, INNER_DEPTH * g->inner_radius, &inner);
+	core_make(g, CNI_CORE_INNER_DEPTH_PART * g->inner_radius, &inner);
 	(void)core_clamp(c, &inner, in, other);
 }
 
@@ -398,9 +391,6 @@ static void clamp_against_contacts(cn_world *world, int32_t body)
 	clamp_slide_or_end(&c);
 }
 
-/* Farther turns are looked at the long way. */
-#define WATCHED_TURN_MAX_RAD 1.0f
-
 static cni_aabb box_moved(cni_aabb box, const cni_motion *m)
 {
 	box.x0 += m->dpx;
@@ -434,7 +424,7 @@ static int32_t path_is_inside_boxes(const cn_world *world, const cni_body *b, co
 	float turn_bound = bend + cni_body_reach(b, 0.0f, 0.0f, m->theta);
 	cni_transform start;
 	int32_t shape;
-	if (cni_abs(m->theta) > WATCHED_TURN_MAX_RAD && turn_reach > 0.0f)
+	if (cni_abs(m->theta) > CNI_CORE_TURN_MAX_RAD && turn_reach > 0.0f)
 		return 0;
 	if ((b->flags & CNI_BODY_AHEAD) && deviation_from_predicted(world, b, m) + turn_bound < cni_body_room(b))
 		return 1;

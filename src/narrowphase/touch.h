@@ -13,9 +13,6 @@
 
 #include "model/solve.h"
 
-/* Factor on the sum of radii against rounding. */
-#define CNI_CIRCLES_APART 1.0001f
-
 typedef struct cni_pair_motion {
 	cni_vec2 v;       /* velocity of b's centre relative to a's, in a's frame */
 	float wa, wb;

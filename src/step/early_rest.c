@@ -8,7 +8,7 @@
  *
  * Time slows down for such an island, and nothing else changes: its substeps are the usual ones, and its loads follow as much
  * more slowly, so it is as stable. (Bodies that would glide through the rest of the step are not: a pyramid of base 100 begins
- * to sway.) A creep below REST_SPEED slows down further; a body about to move gains speed until it is above REST_SPEED, and then
+ * to sway.) A creep below CNI_REST_SPEED slows down further; a body about to move gains speed until it is above CNI_REST_SPEED, and then
  * moves normally.
  *
  * The pass skips islands with joints, and moving kinematic bodies.
@@ -19,12 +19,10 @@
 #include "step/stages.h"
 #include "model/solve.h"
 #include "linear/sparse.h"
+#include "model/tuning.h"
 
 #include <string.h>
 
-#define REST_SPEED 1e-4f /* length units a second: a thousandth of what gravity gives in a step */
-#define HELD_PART 3e-4f  /* of what forces give in a substep that a body which is held may keep */
-#define SOLVED_PART 0.2f /* of REST_SPEED that is left by a direct solution, whose iterations end there */
 #define RECORDS_AHEAD 8  /* bodies whose records are asked for */
 #define BLOCKS_AHEAD 8
 #define BODIES_A_RANGE 128
@@ -76,7 +74,7 @@ static float most_left(const rest *r, int32_t k, float extent)
 	const cni_external *d = cni_externals(r->world) + k;
 	int32_t island = cni_awake_island(r->world, k), solved = island != CNI_NONE && cni_island_at(r->world, island)->tier == CNI_TIER_DIRECT;
 	float given = r->h * (cni_sqrt(d->ax * d->ax + d->ay * d->ay) + cni_abs(d->alpha) * extent);
-	return HELD_PART * given + (solved ? r->solved : r->residual);
+	return CNI_REST_HELD_PART * given + (solved ? r->solved : r->residual);
 }
 
 /* Does a slow body rest: not pushed out of an overlap, and held, so that contacts cancel a substep's forces? */
@@ -279,10 +277,10 @@ static float square(float x)
 
 static void rest_run(rest *r, const cni_solve *s)
 {
-	float speed = REST_SPEED * r->world->settings.length_unit;
+	float speed = CNI_REST_SPEED * r->world->settings.length_unit;
 	r->h = s->h;
 	r->residual = 0.001f * speed;
-	r->solved = SOLVED_PART * speed;
+	r->solved = CNI_REST_SOLVED_PART * speed;
 	r->speed_sq = square(speed);
 	r->move_sq = square(s->h * speed);
 	r->residual_sq = square(r->residual);

@@ -6,6 +6,7 @@
 #define CNI_STEP_INTEGRATE_PASS_H
 
 #include "model/solve.h"
+#include "model/tuning.h"
 
 typedef struct cni_body_pass {
 	const cn_world *world;
@@ -70,7 +71,6 @@ extern const cni_body_kernel cni_body_kernel_8; /* AVX2, chosen at run time */
  *
  * Changes that a tenth of this acceleration gives in a step are passed by: most bodies of a pile have no others.
  */
-#define CNI_STEADY_SPEED 1e-3f /* length units a second */
 
 typedef struct cni_gain_limits {
 	float delay, leak; /* leak: dt / delay */
@@ -101,12 +101,6 @@ static inline int32_t cni_body_gains(cni_body *b, const cni_motion *v, float dvx
 	b->flags += 1u << CNI_BODY_GAINS_SHIFT;
 	return 1;
 }
-
-/*
- * Corrections of overlaps and of open joints move bodies within the step and are in no velocity. A body that they move faster than this, in
- * length units a second, does not rest: it would fall asleep before the error is gone. Slower corrections end within the sleep delay.
- */
-#define CNI_PUSHED_SPEED 0.05f
 
 /* x, y: displacement in the step minus dt times velocity, metres; turn: the same of the angle, times the extent. */
 static inline int32_t cni_is_pushed(float x, float y, float turn, float most)

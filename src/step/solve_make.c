@@ -5,14 +5,13 @@
 #include "contacts/contact_pass.h"
 #include "step/integrate_pass.h"
 #include "joints/joint_pass.h"
+#include "model/tuning.h"
 
 /*
  * What is borne is a force: a longer step needs larger impulses, a shorter one smaller ones. Where the product of these factors does
  * not remain the ratio of the steps, a pile sags or jumps: walls fell at once with a limit of 4 when a step was 0.2 to 1.8 times the
  * mean (a ratio of 9). After a pause nothing is known.
  */
-#define WARM_MOST 20.0f
-#define MEAN_PART (1.0f / 64.0f) /* of a step in the mean: about a second's steps count */
 
 /* CNI_LOAD_HEAVY / (h stress^2) of a step, times the square of the speed that the impulse gives. Without gravity there is no weight to
    compare with. */
@@ -48,7 +47,7 @@ static cni_contact_pass contact_pass_make(const cn_world *world, const cni_solve
  */
 static float mean_step(const cn_world *world, float dt)
 {
-	float mean = world->mean_dt, part = cni_max(MEAN_PART, 1.0f / ((float)world->step_count + 1.0f));
+	float mean = world->mean_dt, part = cni_max(CNI_MEAN_STEP_PART, 1.0f / ((float)world->step_count + 1.0f));
 	return mean > 0.0f && CNI_ON(MEAN_STEP) ? mean + part * (cni_min(dt, 2.0f * mean) - mean) : dt;
 }
 
@@ -65,7 +64,7 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 	s.inv_h = s.h > 0.0f ? 1.0f / s.h : 0.0f;
 	s.mean_dt = mean_step(world, dt);
 	s.soft_rate = s.mean_dt > 0.0f ? 1.0f / (s.mean_dt / (float)substeps) : 0.0f;
-	s.warm_scale = (set->flags & CN_WORLD_WARM_START) == 0 ? 0.0f : last > 0.0f ? cni_min(dt / last, WARM_MOST) : 1.0f;
+	s.warm_scale = (set->flags & CN_WORLD_WARM_START) == 0 ? 0.0f : last > 0.0f ? cni_min(dt / last, CNI_WARM_STEP_RATIO_MAX) : 1.0f;
 	s.push_speed = set->push_speed_max;
 	s.restitution_threshold = set->restitution_threshold;
 	s.jump_speed = set->length_unit;

@@ -21,13 +21,15 @@ CC=${CC:-gcc}
 shift
 quick=
 [ "${1:-}" = --quick ] && { quick=1; shift; }
-switches=$out/off.o
+switches="$out/off.o $out/tuning.o"
 mkdir -p "$results" || exit 2
 
 # ---------------------------------------------------------------- build
 
-# shellcheck disable=SC2086
-"$CC" -std=c99 -pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Werror -O2 -DCNI_ABLATION -Isrc -c test/ablation/off.c -o "$switches" || exit 2
+for part in off tuning; do
+	# shellcheck disable=SC2086
+	$CC -std=c99 -pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Werror -O2 -DCNI_ABLATION -Isrc -c "test/ablation/$part.c" -o "$out/$part.o" || exit 2
+done
 variant() { # targets
 	"${MAKE:-make}" -s -j"${JOBS:-2}" BUILD="$out" CC="$CC" CPPFLAGS=-DCNI_ABLATION LDFLAGS="$switches" "$@" > "$out/build.log" 2>&1 ||
 		{ cat "$out/build.log"; echo "ablation: does not build"; exit 2; }

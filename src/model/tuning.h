@@ -1,0 +1,276 @@
+/*
+ * model/tuning.h - the solver's tuning constants, by the folder that uses them.
+ *
+ * Here: speeds, angles, tolerances, rates, ratios and counts of rounds and steps that decide how well a scene is solved. Sizes, capacities,
+ * bits, loop grains and prefetch distances, which only decide how fast, stay beside their code. Long derivations stay there, too.
+ *
+ * Lengths and speeds marked "length units" are multiplied by the world's length_unit. "Part" is a fraction. Where nothing is said of a
+ * measurement, the value is a choice; test/tuning/README.md lists the bounds of the stability suite that 0.7 and 1.4 times a value lose.
+ *
+ * CNI_TUNING_FLOAT and CNI_TUNING_COUNT make constants. In a build with -DCNI_ABLATION they declare variables, which
+ * test/ablation/tuning.c defines from this same list: it defines CNI_TUNING_LIST and both macros, and includes this file again.
+ */
+#if !defined CNI_MODEL_TUNING_H || defined CNI_TUNING_LIST
+#define CNI_MODEL_TUNING_H
+
+#include "base/config.h"
+
+#include <stdint.h>
+
+#ifdef CNI_TUNING_LIST
+/* The including file defines the macros. */
+#elif defined CNI_ABLATION
+#define CNI_TUNING_FLOAT(name, value) extern float name;
+#define CNI_TUNING_COUNT(name, value) extern int32_t name;
+#else
+#define CNI_TUNING_FLOAT(name, value) static const float name = value;
+#define CNI_TUNING_COUNT(name, value) enum { name = value };
+#endif
+
+/* ---------------------------------------------------------------- model */
+
+/* Part of coordinates and extents. Covers the rounding of a box in a step, and rotations that are not quite of unit length. */
+CNI_TUNING_FLOAT(CNI_BODY_ROUNDING, 4e-6f)
+/* Steps of free flight that the box of a body without contacts covers ahead, so that it need not move in them. With two more,
+   pairs that never meet cost more than the saved moves. */
+CNI_TUNING_FLOAT(CNI_BOX_FLIGHT_STEPS, 1.0f)
+/* Margin of a box, part of its larger side. Wider margins are left less often, but then small bodies in a heap have more neighbours
+   that do not touch them than neighbours that do. */
+CNI_TUNING_FLOAT(CNI_BOX_MARGIN_PART, 0.1f)
+/* Part of the mobility without locked axes. Locked axes that leave less along a direction leave none: a body pushed nearly across its
+   free axis by an obstacle that does not yield would have to escape along it at a hundred times the speed. */
+CNI_TUNING_FLOAT(CNI_MOBILITY_LEAST_PART, 1e-4f)
+/* Radians. CN_SOLVER_SOFT: the normal of a lane with two points lags until the true one has turned by more; see model/world.h, where the
+   fallen stacks at 0, 0.01, 0.03, 0.1 and 0.2 are listed. */
+CNI_TUNING_FLOAT(CNI_NORMAL_LAG, 0.1f)
+/* rad/s. Lanes whose bodies turn faster use the true normal. A stack that begins to lean is slower; as many stand with a tenth of it. */
+CNI_TUNING_FLOAT(CNI_NORMAL_LAG_SPIN, 0.1f)
+/* 1/s. Rate at which compliance offsets follow the impulses; see model/solve.h. */
+CNI_TUNING_FLOAT(CNI_LOAD_RATE, 0.6f)
+/* Limit of the part by which they follow in a substep, times h stress^2; see model/solve.h. A pyramid of base 100 (stress 25) comes
+   to rest at 0.1 and sways on at 0.3. */
+CNI_TUNING_FLOAT(CNI_LOAD_HEAVY, 0.1f)
+/* Part of the accuracy. A larger overlap or gap is bad. A component whose joints contacts would open by more than this part of the
+   accuracy in a substep is projected before positions move. */
+CNI_TUNING_FLOAT(CNI_BAD_PART, 0.1f)
+
+/* ---------------------------------------------------------------- contacts */
+
+/* Length units a second. A faster body is not part of a quiet pile. */
+CNI_TUNING_FLOAT(CNI_PILE_QUIET_SPEED, 0.5f)
+/* Own weights. The soft solver crushes a body that bears more. */
+CNI_TUNING_FLOAT(CNI_PILE_STRESS_MAX, 15.0f)
+/* Part of the body's size. A body that bears s weights is stressed when s^2 g h^2 exceeds this part: it may buckle. */
+CNI_TUNING_FLOAT(CNI_PILE_BUCKLING_PART, 0.055f)
+/* Part of the smaller body's extent. Farther sliding of surfaces along each other invalidates a reused manifold. */
+CNI_TUNING_FLOAT(CNI_REUSE_PART, 1.0f / 256.0f)
+/* Restitution above which impacts are left to the next substep. A lower restitution returns a quarter of the energy at most, and crowds
+   that are pressed together are held apart sooner. */
+CNI_TUNING_FLOAT(CNI_BOUNCE_DELAY_RESTITUTION, 0.5f)
+/* Substeps. A contact that overlaps after more of them is braked. A body of 0.1 kg hinged to a falling one of 0.5 kg bounced in each
+   substep, was pulled back in the same, and went through a floor. With 4, crowds of elastic discs lose 0.5% of their energy in the
+   test, with 8 half of that. */
+CNI_TUNING_FLOAT(CNI_BOUNCE_MISSED_SUBSTEPS, 8.0f)
+/* Rounds between normals and friction of a lane in the substep in which its contact begins to bear. */
+CNI_TUNING_COUNT(CNI_NEW_CONTACT_ROUNDS, 4)
+/* Sweeps of restitution. A wave through touching balls may need several; the next solve takes the rest. */
+CNI_TUNING_COUNT(CNI_RESTITUTION_SWEEPS, 4)
+/* Cosine between gravity and a contact normal from which the contact can bear a body by itself. */
+CNI_TUNING_FLOAT(CNI_PRELOAD_SUPPORT_COSINE, 0.5f)
+/* Share of friction beside the normals, where normals alone do not suffice. */
+CNI_TUNING_FLOAT(CNI_PRELOAD_FRICTION_SHARE, 0.1f)
+/* Factor on the share of a friction row that slides. */
+CNI_TUNING_FLOAT(CNI_PRELOAD_SLIDING_FACTOR, 0.3f)
+/* Rounds of the active set of one body's supports. */
+CNI_TUNING_COUNT(CNI_PRELOAD_ROUNDS, 12)
+/* Iterative refinements of one body's system. */
+CNI_TUNING_COUNT(CNI_PRELOAD_REFINEMENTS, 3)
+/* Part of the trace, added to the diagonal for directions without a support. */
+CNI_TUNING_FLOAT(CNI_PRELOAD_REGULARIZATION, 1e-5f)
+/* Own weights. With a smaller residual no more contacts are added to the supports. */
+CNI_TUNING_FLOAT(CNI_PRELOAD_RESIDUAL_GOOD, 1e-3f)
+/* Own weights. With a larger residual the body's preload is not used. */
+CNI_TUNING_FLOAT(CNI_PRELOAD_RESIDUAL_MAX, 0.05f)
+
+/* ---------------------------------------------------------------- narrowphase */
+
+/* Factor on the radii of bounding circles that must be apart, against rounding. */
+CNI_TUNING_FLOAT(CNI_CIRCLES_APART, 1.0001f)
+/* Part of the slop (0.2 mm). Resting contacts yield by up to this: g / (2 pi 30 Hz)^2 is 0.28 mm for a body as light as its contact,
+   0.07 mm for most. The core of a thin shape is smaller than the shape by as much, or it would hang on its ground. */
+CNI_TUNING_FLOAT(CNI_CORE_SAG_PER_SLOP, 0.04f)
+/* Part of the inner radius: depth of the inner core, which stops shapes that were pressed in beyond the outer core's depth. */
+CNI_TUNING_FLOAT(CNI_CORE_INNER_DEPTH_PART, 0.95f)
+/* Part of the core's depth within which it is stopped, half as much again with the tolerance. A sliding shape whose contacts yield by
+   CNI_CORE_SAG_PER_SLOP stays clear of edges that are flush with its ground. */
+CNI_TUNING_FLOAT(CNI_CORE_CLEAR_PART, 0.2f)
+/* Radians in a step. For larger turns continuous collision does not use the short test. */
+CNI_TUNING_FLOAT(CNI_CORE_TURN_MAX_RAD, 1.0f)
+
+/* ---------------------------------------------------------------- joints */
+
+/* Impulse (N s or N m s) of a row without a limit. */
+CNI_TUNING_FLOAT(CNI_NO_LIMIT, 1e9f)
+/* Radians in a step. Joints of faster bodies are solved by rows, which turn their lever arms exactly at any angle. */
+CNI_TUNING_FLOAT(CNI_LANE_TURN_MAX_RAD, 1.5f)
+/* Part of its gap that a directly solved joint closes in a substep. */
+CNI_TUNING_FLOAT(CNI_JOINT_ERROR_RATE, 0.3f)
+
+/* ---------------------------------------------------------------- direct: regularization */
+
+/* Part added to the diagonal of systems with contacts. Loops, the two points of a contact, and piles that can bear the same weight in
+   several ways have redundant rows. */
+CNI_TUNING_FLOAT(CNI_REGULARIZATION_CONTACTS, 1e-4f)
+/* The same of loops of joints alone, whose solutions are checked. */
+CNI_TUNING_FLOAT(CNI_REGULARIZATION_LOOPS, 5e-5f)
+/* Factor on the regularization of a system that is still nearly singular. */
+CNI_TUNING_FLOAT(CNI_REGULARIZATION_STEP, 10.0f)
+/* Limit of it: with more, joints are about as soft as soft ones. */
+CNI_TUNING_FLOAT(CNI_REGULARIZATION_MAX, 0.05f)
+/* Part of a row's inverse effective mass by which it yields to its whole impulse. Among many impulses that bear the same, this selects
+   those of least energy. */
+CNI_TUNING_FLOAT(CNI_DIRECT_LEAK, 1e-5f)
+
+/* ---------------------------------------------------------------- direct: joints */
+
+/* Changes of the active set of joint rows in a pass. */
+CNI_TUNING_COUNT(CNI_JOINT_SET_ROUNDS, 3)
+/* Metres or radians. A limit that is nearer may be reached. */
+CNI_TUNING_FLOAT(CNI_LIMIT_ROOM, 0.05f)
+/* Xi = h^2 sum(r.f) / I above which relative rotation is damped; see direct/geometric_stiffness.c. A light body under tension gains
+   energy when Xi is much above one. */
+CNI_TUNING_FLOAT(CNI_STIFFNESS_XI_MAX, 1.0f)
+/* Radians in a substep. Joints of bodies that turn farther may open, as the arms leave the tangent: they are projected. */
+CNI_TUNING_FLOAT(CNI_PROJECTION_TURN_RAD, 0.02f)
+/* Radians in a substep. A body that turns farther may have to be locked to its neighbours: cni_geometric_stiffness_lock. */
+CNI_TUNING_FLOAT(CNI_SNAP_RAD, 0.1f)
+/* Rounds between joints and the contacts that open them, in a substep. */
+CNI_TUNING_COUNT(CNI_PROJECTION_ROUNDS, 4)
+/* Steps until a failed direct solution is tried again; doubles when it fails again soon. */
+CNI_TUNING_COUNT(CNI_TRUST_LEAST, 2)
+/* Limit of that, in steps. */
+CNI_TUNING_COUNT(CNI_TRUST_MOST, 256)
+
+/* ---------------------------------------------------------------- direct: contacts */
+
+/* Length units a second that count as no motion: tolerance ("speed_least") of the direct contact solver. */
+CNI_TUNING_FLOAT(CNI_DIRECT_SPEED_LEAST, 1e-4f)
+/* Times speed_least. Contacts that part or slide faster yield. */
+CNI_TUNING_FLOAT(CNI_DIRECT_PARTING, 10.0f)
+/* Part of the kinetic energy that counts as rounding when a solution is checked for gained energy. */
+CNI_TUNING_FLOAT(CNI_DIRECT_ENERGY_ROUNDING, 1e-3f)
+/* Length units a second, root mean square by mass. A slower island is at rest or begins to move. */
+CNI_TUNING_FLOAT(CNI_DIRECT_STILL_SPEED, 0.4f)
+/* Own weights of the lighter body, up to which warm start impulses of the soft solver are used. */
+CNI_TUNING_FLOAT(CNI_DIRECT_SOFT_STRESS, 100.0f)
+/* Rounds of the active set of contacts, until friction cones are solved, which take about twice as many factorizations. */
+CNI_TUNING_COUNT(CNI_CONTACT_SET_ROUNDS, 10)
+/* Rounds for systems that are too large for friction cones. */
+CNI_TUNING_COUNT(CNI_CONTACT_SET_ROUNDS_LARGE, 32)
+/* Rounds, from the first, in which all violated rows change at once. */
+CNI_TUNING_COUNT(CNI_CONTACT_SET_ROUNDS_ALL, 6)
+/* Rounds that start from the impulses of the last pass. */
+CNI_TUNING_COUNT(CNI_CONTACT_SET_ROUNDS_WARM, 4)
+/* Solutions with one factorization. */
+CNI_TUNING_COUNT(CNI_CONTACT_SET_REFINEMENTS, 3)
+/* Part of an overlap that is pushed apart in a substep: little, because all points of a pile are pushed at once. */
+CNI_TUNING_FLOAT(CNI_CONTACT_SET_PUSH_RATE, 0.1f)
+/* Length units. A smaller gap or overlap is rounding of positions. Redundant rows would react to rounding with impulses of any size. */
+CNI_TUNING_FLOAT(CNI_CONTACT_SET_TOUCHING, 5e-6f)
+/* Part by which the friction of a sliding contact may differ from coefficient times normal force. */
+CNI_TUNING_FLOAT(CNI_SLIDE_CLOSE, 0.01f)
+
+/* ---------------------------------------------------------------- direct: friction cones (interior point) */
+
+/* Factorizations of a pass. A pile that stands takes 5 to 25, one that begins to slide or fall 30 to 90. */
+CNI_TUNING_COUNT(CNI_CONE_FACTORS_MAX, 60)
+/* The same of CN_SOLVER_DIRECT. */
+CNI_TUNING_COUNT(CNI_CONE_FACTORS_DIRECT, 120)
+/* Part of the way to the boundary of the cones that a step may take. */
+CNI_TUNING_FLOAT(CNI_CONE_STEP_PART, 0.995f)
+/* Part of the friction bound that the first friction impulse may have. */
+CNI_TUNING_FLOAT(CNI_CONE_INSIDE_PART, 0.9f)
+/* Solutions, each with the slip speeds of the one before. */
+CNI_TUNING_COUNT(CNI_CONE_SLIP_ROUNDS, 3)
+/* Times speed_least: tolerance of the speed by which slip lifts a contact. */
+CNI_TUNING_FLOAT(CNI_CONE_SLIP_CLOSE, 10.0f)
+/* Part of the rows' missing speed. Its square is the lower limit of tau, the barrier parameter. */
+CNI_TUNING_FLOAT(CNI_CONE_PATH_SPEED, 0.3f)
+/* Times a row's own stiffness: limit of an entry of Z/S. */
+CNI_TUNING_FLOAT(CNI_CONE_STIFF_MAX, 1e12f)
+/* A smaller coefficient of friction counts as none. */
+CNI_TUNING_FLOAT(CNI_CONE_FRICTION_LEAST, 1e-4f)
+
+/* ---------------------------------------------------------------- direct: RATTLE */
+
+/* Length units or radians. A joint with a smaller gap is closed. */
+CNI_TUNING_FLOAT(CNI_RATTLE_CLOSED, 2e-6f)
+/* Times CNI_RATTLE_CLOSED. A larger gap is from before this step. */
+CNI_TUNING_FLOAT(CNI_RATTLE_OLD_GAP, 100.0f)
+/* Part of an old gap that is closed in a substep. */
+CNI_TUNING_FLOAT(CNI_RATTLE_CLOSING_RATE, 0.2f)
+/* Newton iterations of a substep. */
+CNI_TUNING_COUNT(CNI_RATTLE_NEWTON_ROUNDS, 5)
+/* Times CNI_RATTLE_CLOSED. With larger gaps after all iterations the substep is too long. */
+CNI_TUNING_FLOAT(CNI_RATTLE_FAILED_GAP, 50.0f)
+/* Rounds of the projection of gaps. */
+CNI_TUNING_COUNT(CNI_RATTLE_PROJECT_ROUNDS, 12)
+/* Part of its gap that a round of the projection may leave to a loop, or the projection ends: some loops cannot be closed. */
+CNI_TUNING_FLOAT(CNI_RATTLE_SLOWEST_PART, 0.9f)
+/* Part of the kinetic energy that correcting a step's energy may take out. A step that gains more has failed. */
+CNI_TUNING_FLOAT(CNI_RATTLE_ENERGY_PART, 0.01f)
+/* Part of the kinetic energy that some minutes of rounding may gain. */
+CNI_TUNING_FLOAT(CNI_RATTLE_ENERGY_ROUNDING, 1e-3f)
+/* Limit of substeps that pins need; beyond it dampers help. */
+CNI_TUNING_FLOAT(CNI_RATTLE_SUBSTEPS_PIN, 8.0f)
+/* Limit of substeps that rods need; no damper helps them. */
+CNI_TUNING_FLOAT(CNI_RATTLE_SUBSTEPS_ROD, 32.0f)
+/* Limit of substeps of the retries of a failed step. */
+CNI_TUNING_COUNT(CNI_RATTLE_SUBSTEPS_RETRY, 64)
+/* Least substeps of the fallback that projects joints in every substep. */
+CNI_TUNING_COUNT(CNI_RATTLE_SUBSTEPS_FIRM, 16)
+
+/* ---------------------------------------------------------------- direct: solver selection */
+
+/* Good steps until the soft solver gets an island back, the first time. */
+CNI_TUNING_COUNT(CNI_SELECTION_STAY_FIRST, 15)
+/* Factor on that, each time the island turned bad again. */
+CNI_TUNING_COUNT(CNI_SELECTION_STAY_FACTOR, 4)
+/* Limit of that, in steps. */
+CNI_TUNING_COUNT(CNI_SELECTION_STAY_MAX, 100000)
+/* Steps until a refused island is considered again; doubles each time. */
+CNI_TUNING_COUNT(CNI_SELECTION_REFUSED_FIRST, 120)
+/* The same of an island refused for its contacts' behaviour, which may not occur again. */
+CNI_TUNING_COUNT(CNI_SELECTION_RETRY_FIRST, 8)
+/* Limit of both, in steps. */
+CNI_TUNING_COUNT(CNI_SELECTION_REFUSED_MAX, 1920)
+/* Times the refusal or the stay. After that time both begin anew. */
+CNI_TUNING_COUNT(CNI_SELECTION_FORGET_FACTOR, 8)
+/* Steps in which an island comes down until it is left to the soft solver. */
+CNI_TUNING_COUNT(CNI_SELECTION_FALL_STEPS, 8)
+/* Mass ratio from which a body may crush a lighter one below it. */
+CNI_TUNING_FLOAT(CNI_SELECTION_MASS_RATIO, 5.0f)
+
+/* ---------------------------------------------------------------- step */
+
+/* Length units a second: a thousandth of the speed that gravity gives in a step. Slower islands are at rest. */
+CNI_TUNING_FLOAT(CNI_REST_SPEED, 1e-4f)
+/* Part of the speed that forces give in a substep that a held body may keep. */
+CNI_TUNING_FLOAT(CNI_REST_HELD_PART, 3e-4f)
+/* Part of CNI_REST_SPEED that a direct solution leaves: its iterations end there. */
+CNI_TUNING_FLOAT(CNI_REST_SOLVED_PART, 0.2f)
+/* Length units a second, times the sleep delay: summed speed changes from which a slow body does not rest; see step/integrate_pass.h.
+   4 mm/s^2 at the default delay of 0.5 s; a box on a slope 0.5% too steep for a friction of 0.5 has 22 mm/s^2. */
+CNI_TUNING_FLOAT(CNI_STEADY_SPEED, 1e-3f)
+/* Length units a second. A body that corrections of overlaps and open joints move faster does not rest, although its velocity is zero:
+   it would fall asleep before the error is gone. Slower corrections end within the sleep delay. */
+CNI_TUNING_FLOAT(CNI_PUSHED_SPEED, 0.05f)
+/* Limit of the ratio of a step to the one before, by which warm start impulses scale; see step/solve_make.c. Walls fell with 4 when a
+   step was 0.2 to 1.8 times the mean (a ratio of 9). */
+CNI_TUNING_FLOAT(CNI_WARM_STEP_RATIO_MAX, 20.0f)
+/* Weight of a step in the mean step: about a second's steps count. */
+CNI_TUNING_FLOAT(CNI_MEAN_STEP_PART, 1.0f / 64.0f)
+
+#undef CNI_TUNING_FLOAT
+#undef CNI_TUNING_COUNT
+#endif
