@@ -16,6 +16,7 @@
 #   make bench-diff BASE=rev  time and accuracy beside another revision: see examples/README.md
 #   make bench-scale  how cost grows with the number of bodies: see examples/README.md
 #   make ablation   each mechanism switched off alone: bounds lost, seeds worse, time: test/ablation/README.md
+#   make tuning     each tuning constant of the solver times 0.7 and 1.4: bounds lost: test/tuning/README.md
 #   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
 #   make rollback   inputs that arrive late: examples/rollback.c
 #
@@ -239,6 +240,11 @@ chart: $(BUILD)/bin/stability
 .PHONY: ablation
 ablation:
 	@CC='$(CC)' JOBS=$(JOBS) ROUNDS='$(ROUNDS)' SEEDS='$(SEEDS)' sh test/ablation/run.sh $(BUILD) $(MECHANISM)
+
+# Each tuning constant times 0.7 and 1.4: test/tuning/README.md. CONSTANT='CNI_SNAP_RAD': those; SCENES='stack arch', empty for all; JOBS=2.
+.PHONY: tuning
+tuning:
+	@CC='$(CC)' JOBS=$(JOBS) $(if $(filter undefined,$(origin SCENES)),,SCENES='$(SCENES)') sh test/tuning/run.sh $(BUILD) $(CONSTANT)
 
 bindings:
 	@python3 bindings/generate.py

@@ -30,8 +30,9 @@ for part in off tuning; do
 	# shellcheck disable=SC2086
 	$CC -std=c99 -pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Werror -O2 -DCNI_ABLATION -Isrc -c "test/ablation/$part.c" -o "$out/$part.o" || exit 2
 done
+# Not -Werror: compilers do not know that counts of rounds, variables here, are above zero.
 variant() { # targets
-	"${MAKE:-make}" -s -j"${JOBS:-2}" BUILD="$out" CC="$CC" CPPFLAGS=-DCNI_ABLATION LDFLAGS="$switches" "$@" > "$out/build.log" 2>&1 ||
+	"${MAKE:-make}" -s -j"${JOBS:-2}" BUILD="$out" CC="$CC" CPPFLAGS=-DCNI_ABLATION WERROR= LDFLAGS="$switches" "$@" > "$out/build.log" 2>&1 ||
 		{ cat "$out/build.log"; echo "ablation: does not build"; exit 2; }
 }
 [ -n "$quick" ] || variant "$out/bin/stability"

@@ -32,7 +32,7 @@ static void list_print(void)
 {
 	int k;
 	for (k = 0; k < CONSTANTS; ++k)
-		printf("%s %.9g\n", constants[k].name, constants[k].number != NULL ? (double)*constants[k].number : (double)*constants[k].count);
+		printf("%s %.7g\n", constants[k].name, constants[k].number != NULL ? (double)*constants[k].number : (double)*constants[k].count);
 	exit(0);
 }
 
