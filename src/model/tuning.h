@@ -8,9 +8,10 @@
  * measurement, the value is a choice; test/tuning/README.md lists the bounds of the stability suite that 0.7 and 1.4 times a value lose.
  *
  * CNI_TUNING_FLOAT and CNI_TUNING_COUNT make constants. In a build with -DCNI_ABLATION they declare variables, which
- * test/ablation/tuning.c defines from this same list: it defines CNI_TUNING_LIST and both macros, and includes this file again.
+ * test/ablation/tuning.c defines from this same list: it defines CNI_TUNING_LIST and both macros, undefines the
+ * include guard, and includes this file again.
  */
-#if !defined CNI_MODEL_TUNING_H || defined CNI_TUNING_LIST
+#ifndef CNI_MODEL_TUNING_H
 #define CNI_MODEL_TUNING_H
 
 #include "base/config.h"

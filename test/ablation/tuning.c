@@ -13,6 +13,7 @@
 #define CNI_TUNING_LIST
 #define CNI_TUNING_FLOAT(name, value) float name = value;
 #define CNI_TUNING_COUNT(name, value) int32_t name = value;
+#undef CNI_MODEL_TUNING_H
 #include "model/tuning.h"
 
 typedef struct constant {
@@ -24,6 +25,7 @@ typedef struct constant {
 static const constant constants[] = {
 #define CNI_TUNING_FLOAT(name, value) { #name, &name, NULL },
 #define CNI_TUNING_COUNT(name, value) { #name, NULL, &name },
+#undef CNI_MODEL_TUNING_H
 #include "model/tuning.h"
 };
 enum { CONSTANTS = (int)(sizeof constants / sizeof constants[0]) };
