@@ -74,27 +74,7 @@ row() { awk -F ' *[|] *' -v name="$1" '$1 == name' "$mechanisms"; }
 CAIRN_OFF=list "$out/bin/stability" | sort > "$out/names"
 awk -F ' *[|] *' '!/^#/ { print $1 }' "$mechanisms" | sort | diff "$out/names" - || { echo "ablation: $mechanisms and src/base/ablation.h differ"; exit 1; }
 
-# Bounds that held and do not: "count|scene metric on -> off (bound)", the one farthest beyond its bound.
-bounds_lost() { # on.csv off.csv
-	awk -F, '
-	{
-		key = $1 "," $4 "," $6
-		key = key "," ++times[FILENAME "," key] # cases of one name differ in their parameters
-	}
-	NR == FNR { if ($7 == 1) { held[key] = 1; value[key] = $5 } next }
-	{ seen[key] = 1 }
-	$7 == 0 && held[key] {
-		++lost
-		most = substr($6, 3) + 0
-		beyond = $6 ~ /^</ ? (most > 0 ? $5 / most : 1e9) : ($5 > 0 ? most / $5 : 1e9)
-		if ($5 ~ /nan|inf/) beyond = 1e12
-		if (beyond > farthest) { farthest = beyond; worst = sprintf("`%s` %s: %.3g -> %.3g, bound %s", $1, $4, value[key], $5, $6) }
-	}
-	END {
-		for (key in held) if (!(key in seen)) ++lost # refused, or given up
-		printf "%d|%s\n", lost, worst
-	}' "$1" "$2"
-}
+bounds_lost() { awk -F, -f test/ablation/bounds_lost.awk "$1" "$2"; } # on.csv off.csv
 
 # "seeds worse|family n, family n": the most first.
 families_worse() { # output

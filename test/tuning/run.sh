@@ -31,27 +31,10 @@ suite() { # setting csv
 	case $? in 0 | 1) mv "$2.part" "$2" ;; *) echo "tuning: $1: the suite crashed or took too long" >&2 ;; esac
 }
 
-# "0" or "count: scene metric was -> is (bound)", the one farthest beyond its bound.
+# "0" or "count: the bound exceeded by the largest factor".
 bounds_lost() { # on.csv changed.csv
 	[ -f "$2" ] || { echo "crashed, or took too long"; return; }
-	awk -F, '
-	{
-		key = $1 "," $4 "," $6
-		key = key "," ++times[FILENAME "," key] # cases of one name differ in their parameters
-	}
-	NR == FNR { if ($7 == 1) { held[key] = 1; value[key] = $5 } next }
-	{ seen[key] = 1 }
-	$7 == 0 && held[key] {
-		++lost
-		most = substr($6, 3) + 0
-		beyond = $6 ~ /^</ ? (most > 0 ? $5 / most : 1e9) : ($5 > 0 ? most / $5 : 1e9)
-		if ($5 ~ /nan|inf/) beyond = 1e12
-		if (beyond > farthest) { farthest = beyond; worst = sprintf(": `%s` %s %.3g -> %.3g, bound %s", $1, $4, value[key], $5, $6) }
-	}
-	END {
-		for (key in held) if (!(key in seen)) ++lost # refused, or given up
-		printf "%d%s\n", lost, worst
-	}' "$1" "$2"
+	awk -F, -f test/ablation/bounds_lost.awk "$1" "$2" | sed 's/|$//; s/|/: /'
 }
 
 suite "" "$results/on.csv"
