@@ -35,7 +35,12 @@ TEST_CFLAGS := $(if $(CFLAGS),$(CFLAGS),-O2 -g)
 endif
 TEST_DEFINES ?= -DCNI_DEBUG
 CFLAGS ?= -O3
-JOBS ?= 1
+# Builds and tests use every processor; `make -j1` and JOBS=1 use one.
+CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+JOBS ?= $(CPUS)
+ifeq ($(MAKELEVEL)$(filter -j%,$(MAKEFLAGS)),0)
+MAKEFLAGS += -j$(CPUS)
+endif
 say = $(if $(V),,@echo '$(1)' $(patsubst $(BUILD)/%,%,$@);)
 
 STRICT := -std=c99 -pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion $(WERROR)
