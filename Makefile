@@ -18,6 +18,7 @@
 #   make ablation   each mechanism switched off alone: bounds lost, seeds worse, time: test/ablation/README.md
 #   make tuning     each tuning constant of the solver times 0.7 and 1.4: bounds lost: test/tuning/README.md
 #   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
+#   make embedded   50 boxes on a Cortex-M4F and a 32-bit RISC-V, in emulators: examples/embedded
 #   make rollback   inputs that arrive late: examples/rollback.c
 #
 # CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
@@ -85,7 +86,7 @@ TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
 TIMES_SRC := $(sort $(wildcard test/*/*_time_test.c))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh
 
-.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback check-deps check-links install clean FORCE
+.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback embedded check-deps check-links install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -139,6 +140,10 @@ platformer: $(BUILD)/bin/platformer
 
 rollback: $(BUILD)/bin/rollback
 	@$(BUILD)/bin/rollback
+
+# Needs cross compilers and QEMU (.ci/deps).
+embedded:
+	@sh examples/embedded/run.sh $(BUILD)/embedded $(CONFIGURATION)
 
 demo: $(BUILD)/bin/demo
 	@mkdir -p $(BUILD)/demo
