@@ -73,7 +73,7 @@ LIBS := -lm $(if $(filter Windows_NT,$(OS)),,-lpthread)
 LIB_SRC := $(sort $(wildcard src/*/*.c))
 MAIN_SRC := examples/hello.c examples/platformer.c examples/rollback.c examples/demo/demo.c examples/bench/bench.c examples/bench/once.c \
 	examples/bench/scale.c examples/cost/cost.c
-EXAMPLE_SRC := $(filter-out $(MAIN_SRC) examples/peers/%,$(sort $(wildcard examples/*/*.c)))
+EXAMPLE_SRC := $(filter-out $(MAIN_SRC) examples/peers/% examples/embedded/%,$(sort $(wildcard examples/*/*.c)))
 TEST_SRC := $(sort $(wildcard test/*/*_test.c))
 
 LIB_OBJ := $(LIB_SRC:%.c=$(BUILD)/release/%.o)
