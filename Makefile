@@ -18,7 +18,7 @@
 #   make ablation   each mechanism switched off alone: bounds lost, seeds worse, time: test/ablation/README.md
 #   make tuning     each tuning constant of the solver times 0.7 and 1.4: bounds lost: test/tuning/README.md
 #   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
-#   make rollback   inputs that arrive late: examples/rollback.c
+#   make rollback   inputs that arrive late: examples/rollback.c    make examples   every small example
 #
 # CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
 # commands.
@@ -70,8 +70,8 @@ LIBS := -lm $(if $(filter Windows_NT,$(OS)),,-lpthread)
 
 # New files are found by themselves.
 LIB_SRC := $(sort $(wildcard src/*/*.c))
-MAIN_SRC := examples/hello.c examples/platformer.c examples/rollback.c examples/demo/demo.c examples/bench/bench.c examples/bench/once.c \
-	examples/bench/scale.c examples/cost/cost.c
+SMALL_SRC := $(sort $(wildcard examples/*.c))
+MAIN_SRC := $(SMALL_SRC) examples/demo/demo.c examples/bench/bench.c examples/bench/once.c examples/bench/scale.c examples/cost/cost.c
 EXAMPLE_SRC := $(filter-out $(MAIN_SRC) examples/peers/%,$(sort $(wildcard examples/*/*.c)))
 TEST_SRC := $(sort $(wildcard test/*/*_test.c))
 
@@ -83,7 +83,8 @@ CHECKED_EXAMPLE_OBJ := $(EXAMPLE_SRC:%.c=$(BUILD)/checked/%.o)
 TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
 # Those that only print times are not among them: make test-times.
 TIMES_SRC := $(sort $(wildcard test/*/*_time_test.c))
-TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh
+TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh test/examples/small.sh
+SMALL_CHECKED := $(SMALL_SRC:examples/%.c=$(BUILD)/checked/bin/%)
 
 .PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback check-deps check-links install clean FORCE
 .DELETE_ON_ERROR:
@@ -118,15 +119,15 @@ $(BUILD)/$(SHARED_LINK): $(BUILD)/$(SHARED)
 
 # ---------------------------------------------------------------- examples
 
-$(BUILD)/bin/hello: $(BUILD)/release/examples/hello.o
-$(BUILD)/bin/platformer: $(BUILD)/release/examples/platformer.o $(EXAMPLE_OBJ)
-$(BUILD)/bin/rollback: $(BUILD)/release/examples/rollback.o
+SMALL := $(SMALL_SRC:examples/%.c=$(BUILD)/bin/%)
+$(SMALL): $(BUILD)/bin/%: $(BUILD)/release/examples/%.o
+$(BUILD)/bin/platformer: $(EXAMPLE_OBJ)
 $(BUILD)/bin/demo: $(BUILD)/release/examples/demo/demo.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench: $(BUILD)/release/examples/bench/bench.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_once: $(BUILD)/release/examples/bench/once.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_scale: $(BUILD)/release/examples/bench/scale.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/feature_cost: $(BUILD)/release/examples/cost/cost.o $(EXAMPLE_OBJ)
-$(BUILD)/bin/hello $(BUILD)/bin/platformer $(BUILD)/bin/rollback $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_once $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
+$(SMALL) $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_once $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
 	@mkdir -p $(@D)
 	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STRIP_UNUSED) $(filter %.o,$^) $(BUILD)/libcairn.a $(LIBS) -o $@
 
@@ -139,6 +140,11 @@ platformer: $(BUILD)/bin/platformer
 
 rollback: $(BUILD)/bin/rollback
 	@$(BUILD)/bin/rollback
+
+# Every small program, one task a file: each prints its result and checks it.
+.PHONY: examples
+examples: $(SMALL)
+	@BUILD='$(BUILD)/bin' sh test/examples/small.sh
 
 demo: $(BUILD)/bin/demo
 	@mkdir -p $(BUILD)/demo
@@ -185,8 +191,13 @@ $(BUILD)/test/%: $(BUILD)/checked/test/%.o $(BUILD)/libexamples-checked.a $(BUIL
 	@mkdir -p $(@D)
 	$(call say,link)$(CC) $(TEST_CFLAGS) $(LDFLAGS) $< $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a $(LIBS) -o $@
 
-test: $(TESTS)
-	@JOBS=$(JOBS) RUNNER='$(RUNNER)' sh test/run.sh $(BUILD)/test-output $(TESTS)
+# The small examples with the checked library.
+$(SMALL_CHECKED): $(BUILD)/checked/bin/%: $(BUILD)/checked/examples/%.o $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a
+	@mkdir -p $(@D)
+	$(call say,link)$(CC) $(TEST_CFLAGS) $(LDFLAGS) $< $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a $(LIBS) -o $@
+
+test: $(TESTS) $(if $(filter test/examples/small.sh,$(TESTS)),$(SMALL_CHECKED))
+	@JOBS=$(JOBS) RUNNER='$(RUNNER)' BUILD='$(BUILD)/checked/bin' sh test/run.sh $(BUILD)/test-output $(TESTS)
 
 # PARTS='clang-thread cross': those; BUT=plain: all others.
 test-all:
