@@ -32,7 +32,8 @@ static cn_body add_ball(cn_world *world, float x, float y)
 /* Cushions: a clockwise loop is solid outside. Pockets: sensors, which report and do not collide. */
 static void add_table(cn_world *world)
 {
-	const cn_vec2 corners[4] = { { -HALF_LENGTH, -HALF_WIDTH }, { -HALF_LENGTH, HALF_WIDTH }, { HALF_LENGTH, HALF_WIDTH }, { HALF_LENGTH, -HALF_WIDTH } };
+	const float x = HALF_LENGTH, y = HALF_WIDTH;
+	const cn_vec2 corners[4] = { { -x, -y }, { -x, y }, { x, y }, { x, -y } };
 	const cn_chain cushions = { corners, 4, 1 };
 	cn_body_def body_def;
 	cn_shape_def shape_def;
@@ -42,12 +43,11 @@ static void add_table(cn_world *world)
 	cn_body_create(world, &body_def, &table);
 	cn_shape_def_init(&shape_def);
 	shape_def.body = table;
-	shape_def.material.restitution = 0.8f;
-	shape_def.material.restitution_mix = CN_MIX_MINIMUM; /* the greater of two rules' numbers counts: MAXIMUM, that of the balls */
+	shape_def.material.restitution_mix = CN_MIX_MAXIMUM; /* the default: the balls' 0.95 counts */
 	cn_shape_create_chain(world, &shape_def, &cushions, NULL);
 	shape_def.flags = CN_SHAPE_SENSOR;
 	for (int k = 0; k < 6; ++k) {
-		const cn_circle pocket = { { HALF_LENGTH * (float)(k % 3 - 1), k < 3 ? HALF_WIDTH : -HALF_WIDTH }, 0.06f };
+		const cn_circle pocket = { { x * (float)(k % 3 - 1), k < 3 ? y : -y }, 0.06f };
 		cn_shape_create_circle(world, &shape_def, &pocket, NULL);
 	}
 }

@@ -65,7 +65,8 @@ int main(void)
 			cn_body_get_velocity(world, first, &uphill);
 	}
 	const float uphill_mps = hypotf(uphill.linear_mps.x, uphill.linear_mps.y);
-	printf("a crate moves at %.3f m/s on the level belt, at %.3f m/s uphill; %d of 6 crates arrived\n", (double)level.linear_mps.x, (double)uphill_mps, count);
+	printf("a crate moves at %.3f m/s on the level belt, at %.3f m/s uphill; %d of 6 crates arrived\n", (double)level.linear_mps.x,
+		(double)uphill_mps, count);
 	cn_world_destroy(world);
 	return !(fabsf(level.linear_mps.x - BELT_MPS) < 0.01f && fabsf(uphill_mps - BELT_MPS) < 0.02f && count == 6);
 }

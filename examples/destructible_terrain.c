@@ -114,8 +114,8 @@ int main(void)
 	}
 	cn_vec2 other;
 	cn_body_get_center(world, sleeper, &other);
-	printf("%d cells removed; the rolling ball was %.2f mm off the level ground, and lies at (%.1f, %.1f); the other at (%.1f, %.1f)\n", removed,
-		1000.0 * (double)bump, (double)at.x, (double)at.y, (double)other.x, (double)other.y);
+	printf("%d cells removed; the rolling ball was %.2f mm off the level ground and lies at (%.1f, %.1f); the other at (%.1f, %.1f)\n",
+		removed, 1000.0 * (double)bump, (double)at.x, (double)at.y, (double)other.x, (double)other.y);
 	cn_world_destroy(world);
 	return !(removed > 50 && bump < 0.001f && at.y < -0.5f);
 }

@@ -52,5 +52,6 @@ int main(void)
 	printf("after 120 steps: %d touching contacts, %llu bytes at most, warnings %u\n", counters.contacts_touching,
 		(unsigned long long)stats.bytes_peak, counters.warnings);
 	cn_world_destroy(world);
-	return !(made >= BODIES && result == CN_ERROR_MEMORY && stats.bytes_peak <= needed && counters.warnings == 0 && counters.contacts_touching >= made - 1);
+	return !(made >= BODIES && result == CN_ERROR_MEMORY &&
+		stats.bytes_peak <= needed && counters.warnings == 0 && counters.contacts_touching >= made - 1);
 }

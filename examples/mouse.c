@@ -127,7 +127,8 @@ int main(void)
 	}
 	float off_cloth = drag(world, cloth[ROWS - 1][COLUMNS - 1], (cn_vec2){ -1.5f, 1.0f }, &stretch);
 	float off_rope = drag(world, end, (cn_vec2){ 2.0f, 1.5f }, &stretch);
-	printf("off the pointer: cloth %.3f m, rope %.3f m; the worst stretched thread %.3f m\n", (double)off_cloth, (double)off_rope, (double)stretch);
+	printf("off the pointer: cloth %.3f m, rope %.3f m; the worst stretched thread %.3f m\n", (double)off_cloth, (double)off_rope,
+		(double)stretch);
 	cn_world_destroy(world);
 	/* The mouse joint is a spring: the more it lifts, the farther it hangs behind. */
 	return !(off_cloth < 0.1f && off_rope < 0.1f && stretch < 0.03f);
