@@ -18,6 +18,7 @@
 #   make ablation   each mechanism switched off alone: bounds lost, seeds worse, time: test/ablation/README.md
 #   make tuning     each tuning constant of the solver times 0.7 and 1.4: bounds lost: test/tuning/README.md
 #   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
+#   make docs       the documentation as a site: build/docs/index.html
 #   make rollback   inputs that arrive late: examples/rollback.c    make examples   every small example
 #
 # CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
@@ -271,6 +272,23 @@ amalgamation:
 
 test-bindings: $(BUILD)/$(SHARED_LINK)
 	@CC='$(CC)' sh bindings/test/run.sh $(BUILD)
+
+# The documentation as a site, build/docs/index.html: mkdocs in a virtual environment of its own. A broken link is an error.
+.PHONY: docs check-docs
+DOCS_SITE := examples/docs/site
+docs: $(BUILD)/docs-venv/ready
+	@python3 $(DOCS_SITE)/stage.py $(BUILD)/docs-pages
+	@NO_MKDOCS_2_WARNING=1 CAIRN_DOCS='$(abspath $(BUILD)/docs-pages)' CAIRN_SITE='$(abspath $(BUILD)/docs)' \
+		$(BUILD)/docs-venv/bin/mkdocs build --strict --clean -f $(BUILD)/docs-pages.yml > $(BUILD)/docs.log 2>&1 || { cat $(BUILD)/docs.log; exit 1; }
+	@echo 'site: $(BUILD)/docs/index.html'
+$(BUILD)/docs-venv/ready: $(DOCS_SITE)/requirements.txt
+	@mkdir -p $(BUILD)
+	$(call say,venv)python3 -m venv $(BUILD)/docs-venv && $(BUILD)/docs-venv/bin/pip install -q -r $<
+	@touch $@
+
+# Every C block of the pages compiles and runs, names exist: $(DOCS_SITE)/check.py
+check-docs: $(BUILD)/libcairn.a
+	@CC='$(CC)' python3 $(DOCS_SITE)/check.py $(BUILD)
 
 check-deps: $(LIB_OBJ)
 	@sh test/check_deps.sh $(BUILD)
