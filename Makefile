@@ -18,6 +18,7 @@
 #   make ablation   each mechanism switched off alone: bounds lost, seeds worse, time: test/ablation/README.md
 #   make tuning     each tuning constant of the solver times 0.7 and 1.4: bounds lost: test/tuning/README.md
 #   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
+#   make testbed    scenes to play with, in a window; make testbed-web in a browser: examples/testbed/README.md
 #   make docs       the documentation as a site: build/docs/index.html
 #   make rollback   inputs that arrive late: examples/rollback.c    make examples   every small example
 #
@@ -150,6 +151,33 @@ examples: $(SMALL)
 demo: $(BUILD)/bin/demo
 	@mkdir -p $(BUILD)/demo
 	@$(BUILD)/bin/demo $(BUILD)/demo $(SCENE)
+
+# Scenes to play with. In a window by SDL 2; in a browser by WebAssembly, from the same source: examples/testbed/README.md.
+.PHONY: testbed testbed-web testbed-web-files
+TESTBED := examples/testbed/platform
+testbed: $(BUILD)/bin/testbed
+	@$(BUILD)/bin/testbed $(SCENE)
+$(BUILD)/bin/testbed: $(TESTBED)/sdl.c $(EXAMPLE_OBJ) $(BUILD)/libcairn.a
+	@mkdir -p $(@D)
+	@pkg-config --exists sdl2 || { echo 'testbed: SDL 2 is not installed (Debian: libsdl2-dev, pkg-config)'; exit 1; }
+	$(call say,link)$(CC) $(STRICT) $(MODE) -Iinclude -Iexamples $$(pkg-config --cflags-only-I --cflags-only-other sdl2) $(CFLAGS) $(LDFLAGS) $(STRIP_UNUSED) $^ $(LIBS) \
+		$$(pkg-config --libs sdl2) -o $@
+
+# One call of the compiler for library and testbed. WebAssembly has no threads here, and so neither have the examples that need them.
+WASM_CC ?= clang-19 --target=wasm32-wasi --sysroot=/usr -isystem /usr/include/wasm32-wasi
+WASM_SRC = $(LIB_SRC) $(wildcard examples/testbed/*.c examples/scenes/*.c) examples/demo/canvas.c examples/demo/draw.c examples/demo/draw_group.c \
+	examples/demo/draw_joint.c examples/demo/palette.c examples/demo/png.c examples/measure/clock.c examples/measure/measure.c $(TESTBED)/web.c
+$(BUILD)/wasm/%.o: %.c
+	@mkdir -p $(@D)
+	$(call say,wasm)$(WASM_CC) -std=c99 -O3 -msimd128 -ffp-contract=off -fvisibility=hidden -DCN_BUILD -DCN_NO_THREADS -Iinclude -Isrc -Iexamples -MMD -MP -c $< -o $@
+$(BUILD)/testbed/testbed.wasm: $(WASM_SRC:%.c=$(BUILD)/wasm/%.o)
+	@mkdir -p $(@D)
+	$(call say,link)$(WASM_CC) -mexec-model=reactor -Wl,--export-dynamic -Wl,--gc-sections $^ -o $@
+-include $(wildcard $(BUILD)/wasm/*/*/*.d $(BUILD)/wasm/*/*/*/*.d)
+testbed-web-files: $(BUILD)/testbed/testbed.wasm
+	@cp $(TESTBED)/index.html $(TESTBED)/testbed.js $(BUILD)/testbed/
+testbed-web: testbed-web-files
+	@echo 'http://127.0.0.1:8080 (end it with control and C)'; cd $(BUILD)/testbed && python3 -m http.server --bind 127.0.0.1 8080
 
 bench: $(BUILD)/bin/bench
 	@$(BUILD)/bin/bench $(SCENE)

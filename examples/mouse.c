@@ -70,6 +70,31 @@ static void tie(cn_world *world, cn_body a, cn_body b, float length)
 #define ROWS 8
 #define LINKS 16
 
+/* Hung up at every third point of its upper edge. */
+static void add_cloth(cn_world *world, cn_body cloth[ROWS][COLUMNS])
+{
+	for (int row = 0; row < ROWS; ++row) {
+		for (int k = 0; k < COLUMNS; ++k) {
+			int32_t type = row == 0 && k % 3 == 0 ? CN_BODY_STATIC : CN_BODY_DYNAMIC;
+			cloth[row][k] = add_ball(world, type, 0.3f * (float)k, -0.3f * (float)row, 0.08f);
+			if (k > 0)
+				tie(world, cloth[row][k - 1], cloth[row][k], 0.3f);
+			if (row > 0)
+				tie(world, cloth[row - 1][k], cloth[row][k], 0.3f);
+		}
+	}
+}
+
+static void add_rope(cn_world *world, cn_body *end)
+{
+	for (int k = 0; k <= LINKS; ++k) {
+		cn_body ball = add_ball(world, k == 0 ? CN_BODY_STATIC : CN_BODY_DYNAMIC, 5.0f, -0.2f * (float)k, 0.08f);
+		if (k > 0)
+			tie(world, *end, ball, 0.2f);
+		*end = ball;
+	}
+}
+
 static float worst_stretch(const cn_world *world)
 {
 	cn_joint joints[2 * COLUMNS * ROWS + LINKS];
@@ -104,29 +129,15 @@ int main(void)
 {
 	cn_world_def world_def;
 	cn_world *world;
-	cn_body cloth[ROWS][COLUMNS], rope = 0, end = 0;
+	cn_body cloth[ROWS][COLUMNS], rope = 0;
 	float stretch = 0.0f;
 	cn_world_def_init(&world_def);
 	if (cn_world_create(&world_def, &world) != CN_OK)
 		return 1;
-	for (int row = 0; row < ROWS; ++row) {
-		for (int k = 0; k < COLUMNS; ++k) {
-			int32_t type = row == 0 && k % 3 == 0 ? CN_BODY_STATIC : CN_BODY_DYNAMIC; /* hung up at every third point of its upper edge */
-			cloth[row][k] = add_ball(world, type, 0.3f * (float)k, -0.3f * (float)row, 0.08f);
-			if (k > 0)
-				tie(world, cloth[row][k - 1], cloth[row][k], 0.3f);
-			if (row > 0)
-				tie(world, cloth[row - 1][k], cloth[row][k], 0.3f);
-		}
-	}
-	for (int k = 0; k <= LINKS; ++k) {
-		rope = add_ball(world, k == 0 ? CN_BODY_STATIC : CN_BODY_DYNAMIC, 5.0f, -0.2f * (float)k, 0.08f);
-		if (k > 0)
-			tie(world, end, rope, 0.2f);
-		end = rope;
-	}
+	add_cloth(world, cloth);
+	add_rope(world, &rope);
 	float off_cloth = drag(world, cloth[ROWS - 1][COLUMNS - 1], (cn_vec2){ -1.5f, 1.0f }, &stretch);
-	float off_rope = drag(world, end, (cn_vec2){ 2.0f, 1.5f }, &stretch);
+	float off_rope = drag(world, rope, (cn_vec2){ 2.0f, 1.5f }, &stretch);
 	printf("off the pointer: cloth %.3f m, rope %.3f m; the worst stretched thread %.3f m\n", (double)off_cloth, (double)off_rope,
 		(double)stretch);
 	cn_world_destroy(world);

@@ -19,6 +19,7 @@
 
 #define PICTURE_AREA_PX 120000
 #define PICTURE_WIDTH_MAX_PX 640
+#define PICTURE_SHOWS (DRAW_SHOW_BODIES | DRAW_SHOW_JOINTS)
 #define STEPS_A_FRAME 3
 #define FRAME_CS 5
 #define SCENES_MAX 32
@@ -70,7 +71,7 @@ static draw_view film_view(const film *f, const canvas *c, const scene_run *run)
 static void film_add(film *f, const scene_run *run)
 {
 	draw_view view = film_view(f, &f->canvas, run);
-	if (!draw_world(&f->canvas, &view, run->world))
+	if (!draw_world(&f->canvas, &view, run->world, PICTURE_SHOWS))
 		f->gif.failed = 1;
 	palette_apply(f->colors, &f->canvas, f->pixels);
 	gif_add(&f->gif, f->pixels);
@@ -87,7 +88,7 @@ static int32_t write_still(const film *f, const scene_run *run, const char *fold
 	uint8_t *pixels = (uint8_t *)malloc((size_t)large.width * (size_t)large.height);
 	draw_view view = film_view(f, &large, run);
 	snprintf(path, sizeof path, "%s/%s.png", folder, run->scene->name);
-	if (pixels != NULL && draw_world(&large, &view, run->world)) {
+	if (pixels != NULL && draw_world(&large, &view, run->world, PICTURE_SHOWS)) {
 		palette_apply(f->colors, &large, pixels);
 		good = png_write(path, large.width, large.height, pixels, f->colors->rgb, f->colors->count);
 	}
