@@ -16,5 +16,7 @@ for source in examples/*.c; do
 	fi
 done
 [ $passed -gt 0 ] || failed=1
+# A character on moving platforms within 100 lines, as the documentation says.
+[ "$(wc -l < examples/walker.c)" -lt 100 ] || { echo "FAIL walker.c is longer than 99 lines"; failed=$((failed + 1)); }
 echo "$passed passed, $failed failed, 0 skipped"
 [ $failed = 0 ]
