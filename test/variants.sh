@@ -17,7 +17,7 @@ at_a_time=2
 results=$build/parts
 # The longest first, so that the last two end together.
 parts='clang-address cross plain clang-memory helgrind clang-thread release native ablation no-fused gcc-O0 no-threads
-	clang-O3 amalgamation embedded work header-cxx header-padding check-links mutations-apply'
+	clang-O3 amalgamation embedded work header-cxx header-padding check-links check-docs testbed-web mutations-apply'
 
 # ---------------------------------------------------------------- of one part
 
@@ -151,6 +151,23 @@ embedded() {
 	read_log embedded $?
 }
 
+# Every C block of the documentation compiles and runs: examples/docs/site/check.py
+check_docs() {
+	if ! command -v python3 >/dev/null 2>&1; then
+		echo "python3 is not installed (see .ci/deps)"
+		add check-docs 0 0 1
+		return
+	fi
+	check check-docs ${MAKE:-make} -s -j"$cores" check-docs BUILD="$build"
+}
+
+# The testbed in a headless browser.
+testbed_web() {
+	sh test/examples/testbed_web.sh "$build" > "$build/testbed-web.log" 2>&1
+	read_log testbed-web $?
+	grep 'is not installed' "$build/testbed-web.log"
+}
+
 # Other processors.
 cross() {
 	sh test/cross.sh "$build/cross" > "$build/cross.log" 2>&1
@@ -212,6 +229,8 @@ run_part() {
 		embedded) embedded ;;
 		cross) cross ;;
 		no-fused) if [ "$(uname -m)" = x86_64 ]; then check no-fused no_fused_operations; else add no-fused 0 0 1; fi ;;
+		check-docs) check_docs ;;
+		testbed-web) testbed_web ;;
 		check-links) check check-links sh test/check_links.sh ;;
 		mutations-apply) check mutations-apply sh test/mutation.sh --check ;;
 		*) echo "there is no part $part"; add "$part" 0 1 0 ;;
