@@ -120,8 +120,8 @@ void cni_file_broadphase(cn_world *world, cni_file *f);
 /* ---- file_check.c */
 
 /* Handles: before anything asks them which slots are alive. 1: good. */
-int32_t cni_file_handles_hold(cn_world *world, const cni_handles *handles);
+int32_t cni_file_handles_hold(const cni_handles *handles);
 /* All else: indices are in range already. 1: good. */
-int32_t cni_file_world_holds(cn_world *world);
+int32_t cni_file_world_holds(const cn_world *world);
 
 #endif

@@ -66,11 +66,10 @@ static int32_t free_slots_hold(const cni_handles *h)
 	return left == 0 && last == h->free_last && worn == h->worn;
 }
 
-int32_t cni_file_handles_hold(cn_world *world, const cni_handles *h)
+int32_t cni_file_handles_hold(const cni_handles *h)
 {
 	const uint32_t *slots = (const uint32_t *)h->slots.data;
 	int32_t k, alive = 0;
-	(void)world;
 	if (h->slots.count > CN_MAX_HANDLES || h->alias_next > CN_MAX_HANDLES + 1 || !aliases_hold(h))
 		return 0;
 	for (k = 0; k < h->slots.count; ++k) {
@@ -210,6 +209,18 @@ static int32_t body_lists_hold(const cn_world *world)
 
 /* ---- awake bodies, islands ---- */
 
+/* The narrowphase reads either. */
+static int32_t same_velocity(const cni_body *b, const cni_motion *m)
+{
+	return b->vx == m->vx && b->vy == m->vy && b->w == m->w;
+}
+
+/* What is enabled and not awake stands still. */
+static int32_t still_holds(const cni_body *b)
+{
+	return b->awake != 0 || !(b->flags & CN_BODY_ENABLED) || (b->vx == 0.0f && b->vy == 0.0f && b->w == 0.0f);
+}
+
 static int32_t awake_bodies_hold(const cn_world *world)
 {
 	int32_t k;
@@ -217,11 +228,11 @@ static int32_t awake_bodies_hold(const cn_world *world)
 		return 0;
 	for (k = 1; k < world->awake_count; ++k) {
 		int32_t body = cni_awake_ids(world)[k];
-		if (!body_alive(world, body) || cni_body_at(world, body)->awake != k)
+		if (!body_alive(world, body) || cni_body_at(world, body)->awake != k || !same_velocity(cni_body_at(world, body), cni_motions(world) + k))
 			return 0;
 	}
 	for (k = 0; k < world->body_handles.slots.count; ++k)
-		if (body_alive(world, k) && cni_body_at(world, k)->awake >= world->awake_count)
+		if (body_alive(world, k) && (cni_body_at(world, k)->awake >= world->awake_count || !still_holds(cni_body_at(world, k))))
 			return 0;
 	return 1;
 }
@@ -452,7 +463,7 @@ static int32_t events_hold(const cn_world *world)
 	return 1;
 }
 
-int32_t cni_file_world_holds(cn_world *world)
+int32_t cni_file_world_holds(const cn_world *world)
 {
 	return records_hold(world) && body_lists_hold(world) && awake_bodies_hold(world) && islands_hold(world) && contacts_hold(world) && sleep_lanes_hold(world) &&
 	       blocks_hold(world) && joints_hold(world) && events_hold(world);

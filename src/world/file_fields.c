@@ -50,7 +50,7 @@ static const cni_field word_fields[] = { { 0, 1, CNI_FIELD_WORD } };
 static const cni_field alias_fields[] = { A(index, COUNT), A(slot, COUNT) };
 #define H(member, kind) FIELD(cni_handles, member, kind)
 static const cni_field handles_fields[] = {
-	H(slots, DERIVED), H(aliases, DERIVED), H(by_slot, DERIVED), H(kind, COUNT), H(count, COUNT), H(free_first, WORD), H(free_last, WORD),
+	H(slots, DERIVED), H(aliases, DERIVED), H(by_slot, DERIVED), H(kind, DERIVED), H(count, COUNT), H(free_first, WORD), H(free_last, WORD),
 	H(worn, COUNT), H(alias_next, COUNT)
 };
 
@@ -239,14 +239,13 @@ static void handles_pass(cn_world *world, cni_file *f, char letter, cni_handles 
 {
 	char slots[5] = { letter, 'S', 'L', 'T', 0 }, aliases[5] = { letter, 'A', 'L', 'I', 0 }, by_slot[5] = { letter, 'A', 'L', 'S', 0 };
 	char state[5] = { letter, 'H', 'A', 'N', 0 };
-	int32_t kind = handles->kind;
 	array_pass(world, f, slots, WORDS, &handles->slots);
 	array_pass(world, f, aliases, ALIAS, &handles->aliases);
 	array_pass(world, f, by_slot, ALIAS, &handles->by_slot);
 	single_pass(f, state, HANDLES, handles);
 	if (f->mode != CNI_FILE_READ || f->result != CN_OK)
 		return;
-	if (handles->kind != kind || !cni_file_handles_hold(world, handles))
+	if (!cni_file_handles_hold(handles))
 		cni_file_fail(f, CN_ERROR_FORMAT);
 	else if (cni_handles_reserve(handles, &world->memory, 0) != CN_OK)
 		cni_file_fail(f, CN_ERROR_MEMORY);

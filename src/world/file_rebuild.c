@@ -260,6 +260,7 @@ void cni_file_counts(cn_world *world, cni_file *f)
 		cni_file_fail(f, CN_ERROR_FORMAT);
 		return;
 	}
+	cni_dummy_stand(world);
 	good = cni_body_reserve(world, 0) == CN_OK && cni_lane_reserve(world, world->touching_count) && cni_contact_reserve(world, 0) == CN_OK &&
 	       cni_island_reserve(world, 0) && cni_joint_reserve(world, 0) == CN_OK;
 	if (!good)

@@ -72,4 +72,45 @@ static inline uint64_t digest_events(cn_world *world)
 	return digest_bytes(digest, asleep, (size_t)count * sizeof *asleep);
 }
 
+/* One of every kind of shape, joints, a sensor, things that are gone, a name, contacts, after some steps. */
+static inline cn_world *zoo_world(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_vec2 points[4] = { { 6.0f, 0.2f }, { 2.0f, -0.1f }, { -2.0f, 0.0f }, { -6.0f, 0.4f } };
+	cn_chain chain = { points, 4, 0 };
+	cn_capsule capsule = { { -0.3f, 0.0f }, { 0.3f, 0.1f }, 0.2f };
+	cn_edge edge = { { -1.0f, 0.0f }, { 1.0f, 0.0f } };
+	cn_revolute_def pin;
+	cn_line_constraint_def line;
+	cn_shape_def def = fixture_shape_def(fixture_body(world, CN_BODY_STATIC, 0.0f, 0.0f, 0.0f), 0.6f, 0.0f);
+	cn_body box, ball, pill, gone;
+	cn_joint joint;
+	cn_constraint rail;
+	must(cn_shape_create_chain(world, &def, &chain, NULL), world, "cn_shape_create_chain");
+	def.body = fixture_body(world, CN_BODY_KINEMATIC, 4.0f, 0.5f, 0.1f);
+	must(cn_shape_create_edge(world, &def, &edge, NULL), world, "cn_shape_create_edge");
+	box = fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 0.6f, 0.1f, 0.5f, 0.4f, 0.6f, 0.0f);
+	gone = fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 3.6f, 0.1f, 0.5f, 0.4f, 0.6f, 0.0f);
+	ball = fixture_circle(world, CN_BODY_DYNAMIC, 0.2f, 1.6f, 0.4f, 0.6f, 0.3f);
+	pill = fixture_body(world, CN_BODY_DYNAMIC, -1.5f, 1.0f, 0.3f);
+	def = fixture_shape_def(pill, 0.6f, 0.0f);
+	def.material.rolling_resistance = 0.01f;
+	must(cn_shape_create_capsule(world, &def, &capsule, NULL), world, "cn_shape_create_capsule");
+	def.flags = CN_SHAPE_SENSOR;
+	def.body = box;
+	must(cn_shape_create_box(world, &def, 0.9f, 0.9f, 0.0f, NULL), world, "cn_shape_create_box");
+	cn_revolute_def_init(&pin);
+	pin.base.body_a = box;
+	pin.base.body_b = pill;
+	must(cn_joint_create_revolute(world, &pin, &joint), world, "cn_joint_create_revolute");
+	cn_line_constraint_def_init(&line);
+	line.body = ball;
+	must(cn_constraint_create_line(world, &line, &rail), world, "cn_constraint_create_line");
+	must(cn_body_set_name(world, ball, "ball"), world, "cn_body_set_name");
+	fixture_step(world, 20);
+	must(cn_body_destroy(world, gone), world, "cn_body_destroy");
+	fixture_step(world, 5);
+	return world;
+}
+
 #endif
