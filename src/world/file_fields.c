@@ -348,6 +348,35 @@ static void pool_pass(cn_world *world, cni_file *f, int32_t which, cni_table *ta
 
 /* ---- contacts ---- */
 
+typedef union lanes {
+	cni_contact_block rows;
+	cni_block_anchor anchor;
+	cni_block_extra extra;
+	uint32_t words[sizeof(cni_contact_block) / 4];
+} lanes;
+
+/* Rows by lanes. Kernels of several widths leave 0 or -0 in lanes without a contact: these are written as 0. */
+static void lanes_pass(cn_world *world, cni_file *f, const char *tag, int32_t record, cni_table *table, int32_t used)
+{
+	uint32_t stride, word, words = (uint32_t)records[record].bytes / 4u;
+	int32_t count, k;
+	if (f->mode == CNI_FILE_READ) {
+		table_pass(world, f, tag, record, table, used, block_is_live);
+		return;
+	}
+	count = cni_file_chunk(f, tag, cni_record_file_bytes(&records[record]), used, &stride);
+	for (k = 0; k < count; ++k) {
+		lanes copy;
+		if (f->mode == CNI_FILE_WRITE && block_is_live(world, k)) {
+			memcpy(copy.words, cni_table_at(table, k), words * 4u);
+			for (word = 0; word < words; ++word)
+				if (cni_block_info_at(world, k)->contact[word % CNI_LANES] == CNI_NONE)
+					copy.words[word] = 0;
+		}
+		cni_file_record(f, &records[record], block_is_live(world, k) ? copy.words : NULL, stride);
+	}
+}
+
 static int32_t extra_count(const cn_world *world)
 {
 	int32_t k;
@@ -365,7 +394,7 @@ static void extra_pass(cn_world *world, cni_file *f)
 	else if (f->mode == CNI_FILE_READ && count > 0 && !cni_lane_reserve_extra(world))
 		cni_file_fail(f, CN_ERROR_MEMORY);
 	else
-		table_pass(world, f, "EXTR", EXTRA, &world->blocks_extra, count, block_is_live);
+		lanes_pass(world, f, "EXTR", EXTRA, &world->blocks_extra, count);
 }
 
 static void blocks_pass(cn_world *world, cni_file *f)
@@ -376,8 +405,8 @@ static void blocks_pass(cn_world *world, cni_file *f)
 		cni_file_fail(f, CN_ERROR_MEMORY);
 	pool_pass(world, f, BLOCK_POOL, &world->blocks_info, CNI_FIELD_BLOCK, &world->block_used, &world->block_free);
 	table_pass(world, f, "INFO", INFO, &world->blocks_info, world->block_used, block_is_live);
-	table_pass(world, f, "BLOK", BLOCK, &world->blocks_hot, world->block_used, block_is_live);
-	table_pass(world, f, "ANCH", ANCHOR, &world->blocks_anchor, world->block_used, block_is_live);
+	lanes_pass(world, f, "BLOK", BLOCK, &world->blocks_hot, world->block_used);
+	lanes_pass(world, f, "ANCH", ANCHOR, &world->blocks_anchor, world->block_used);
 	extra_pass(world, f);
 	count = cni_file_chunk(f, "COLR", cni_record_file_bytes(&records[COLOR]), CNI_COLORS, &stride);
 	if (count != CNI_COLORS)
