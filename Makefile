@@ -19,6 +19,7 @@
 #   make tuning     each tuning constant of the solver times 0.7 and 1.4: bounds lost: test/tuning/README.md
 #   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
 #   make rollback   inputs that arrive late: examples/rollback.c
+#   make replay     a recorded game, played and drawn: examples/replay.c
 #
 # CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
 # commands.
@@ -70,7 +71,7 @@ LIBS := -lm $(if $(filter Windows_NT,$(OS)),,-lpthread)
 
 # New files are found by themselves.
 LIB_SRC := $(sort $(wildcard src/*/*.c))
-MAIN_SRC := examples/hello.c examples/platformer.c examples/rollback.c examples/demo/demo.c examples/bench/bench.c examples/bench/once.c \
+MAIN_SRC := examples/hello.c examples/platformer.c examples/rollback.c examples/replay.c examples/demo/demo.c examples/bench/bench.c examples/bench/once.c \
 	examples/bench/scale.c examples/cost/cost.c
 EXAMPLE_SRC := $(filter-out $(MAIN_SRC) examples/peers/%,$(sort $(wildcard examples/*/*.c)))
 TEST_SRC := $(sort $(wildcard test/*/*_test.c))
@@ -85,7 +86,7 @@ TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
 TIMES_SRC := $(sort $(wildcard test/*/*_time_test.c))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh
 
-.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback check-deps check-links install clean FORCE
+.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback replay check-deps check-links install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -121,12 +122,13 @@ $(BUILD)/$(SHARED_LINK): $(BUILD)/$(SHARED)
 $(BUILD)/bin/hello: $(BUILD)/release/examples/hello.o
 $(BUILD)/bin/platformer: $(BUILD)/release/examples/platformer.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/rollback: $(BUILD)/release/examples/rollback.o
+$(BUILD)/bin/replay: $(BUILD)/release/examples/replay.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/demo: $(BUILD)/release/examples/demo/demo.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench: $(BUILD)/release/examples/bench/bench.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_once: $(BUILD)/release/examples/bench/once.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_scale: $(BUILD)/release/examples/bench/scale.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/feature_cost: $(BUILD)/release/examples/cost/cost.o $(EXAMPLE_OBJ)
-$(BUILD)/bin/hello $(BUILD)/bin/platformer $(BUILD)/bin/rollback $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_once $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
+$(BUILD)/bin/hello $(BUILD)/bin/platformer $(BUILD)/bin/rollback $(BUILD)/bin/replay $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_once $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
 	@mkdir -p $(@D)
 	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STRIP_UNUSED) $(filter %.o,$^) $(BUILD)/libcairn.a $(LIBS) -o $@
 
@@ -139,6 +141,10 @@ platformer: $(BUILD)/bin/platformer
 
 rollback: $(BUILD)/bin/rollback
 	@$(BUILD)/bin/rollback
+
+# Records a small game, plays the recording and draws it.
+replay: $(BUILD)/bin/replay
+	@$(BUILD)/bin/replay -demo $(BUILD)/demo.rec && $(BUILD)/bin/replay $(BUILD)/demo.rec -o $(BUILD)/replay.png
 
 demo: $(BUILD)/bin/demo
 	@mkdir -p $(BUILD)/demo

@@ -49,10 +49,6 @@ def field_line(struct, path, base, array):
     return '\t{ "%s", (uint32_t)offsetof(%s, %s), %d, %s },\n' % (path, struct, path, array, kind)
 
 
-def is_compact(structs, name):
-    return all(base == "float" for _, base, _ in leaves(structs, name))
-
-
 def parameter_kind(parameter, structs, counted):
     base = parameter["base"]
     if not parameter["pointers"]:
@@ -60,7 +56,9 @@ def parameter_kind(parameter, structs, counted):
     if base == "char":
         return "CALL_TEXT"
     if base in structs:
-        return ("CALL_STRUCTS" if counted and parameter["const"] else "CALL_STRUCT") if parameter["const"] else "CALL_INOUT"
+        if not parameter["const"]:
+            return "CALL_RESULT" if parameter["name"].startswith("out") else "CALL_INOUT"
+        return "CALL_STRUCTS" if counted else "CALL_STRUCT"
     many = "S" if counted else ""
     return ("CALL_IN" if parameter["const"] else "CALL_OUT") + many
 
@@ -78,7 +76,7 @@ def describe(function, structs):
 
 
 def member_of(kind, base):
-    if kind in ("CALL_INOUT", "CALL_OUT", "CALL_OUTS"):
+    if kind in ("CALL_INOUT", "CALL_RESULT", "CALL_OUT", "CALL_OUTS"):
         return "out"
     if kind in ("CALL_TEXT", "CALL_STRUCT", "CALL_STRUCTS", "CALL_IN", "CALL_INS"):
         return "in"

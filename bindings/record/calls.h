@@ -1318,7 +1318,7 @@ static cn_result invoke_cn_world_update(cn_world *world, const call_value *v)
 }
 static const call_param params_cn_world_update[] = {
 	{ "elapsed_s", CALL_FLOAT, CALL_FLOAT, -1, -1 },
-	{ "out", CALL_INOUT, CALL_WORD, 27, -1 },
+	{ "out", CALL_RESULT, CALL_WORD, 27, -1 },
 };
 static cn_result invoke_cn_mover_move(cn_world *world, const call_value *v)
 {
