@@ -10,6 +10,7 @@
 #   make bindings   writes bindings/ from the header   make test-bindings  in every language that is installed
 #   make amalgamation  the library as two files, build/amalgamation/cairn.c and cairn.h
 #   make stability  scenes with bounds, and 10 seeds of each family: test/stability/README.md
+#   make fuzz       libFuzzer on calls, files, recordings and geometry, FUZZ_SECONDS each: test/README.md
 #   make mutation   small faults that tests must catch: test/README.md
 #   make families   random scenes, the default solver beside soft constraints: test/families/README.md
 #   make bench-peers  time and accuracy beside other engines: see examples/peers/README.md
@@ -86,7 +87,7 @@ TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
 TIMES_SRC := $(sort $(wildcard test/*/*_time_test.c))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh
 
-.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback replay check-deps check-links install clean FORCE
+.PHONY: all bindings amalgamation demo test test-all test-times fuzz mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback replay check-deps check-links install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -187,6 +188,15 @@ $(BUILD)/libexamples-checked.a: $(CHECKED_EXAMPLE_OBJ)
 	@rm -f $@
 	$(call say,ar)$(AR) rcs $@ $^
 
+# The fuzz targets, as a plain test and under libFuzzer: test/fuzz/run.sh
+FUZZ_OBJ := $(patsubst %.c,$(BUILD)/checked/%.o,$(sort $(wildcard test/fuzz/fuzz_*.c)))
+$(BUILD)/libfuzz-checked.a: $(FUZZ_OBJ) $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a
+	@rm -f $@
+	$(call say,ar)$(AR) rcs $@ $(FUZZ_OBJ)
+$(BUILD)/test/fuzz/corpus_test: $(BUILD)/checked/test/fuzz/corpus_test.o $(BUILD)/libfuzz-checked.a $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a
+	@mkdir -p $(@D)
+	$(call say,link)$(CC) $(TEST_CFLAGS) $(LDFLAGS) $^ $(LIBS) -o $@
+
 $(BUILD)/test/%: $(BUILD)/checked/test/%.o $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a
 	@mkdir -p $(@D)
 	$(call say,link)$(CC) $(TEST_CFLAGS) $(LDFLAGS) $< $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a $(LIBS) -o $@
@@ -202,6 +212,10 @@ test-all:
 test-times: $(TIMES_SRC:%.c=$(BUILD)/%) $(BUILD)/test/broadphase/sweep_test $(BUILD)/test/broadphase/broadphase_tree_test
 	@sh test/run.sh $(BUILD)/times-output $(TIMES_SRC:%.c=$(BUILD)/%)
 	@$(BUILD)/test/broadphase/sweep_test t_times && $(BUILD)/test/broadphase/broadphase_tree_test t_times
+
+# Random inputs under sanitizers, FUZZ_SECONDS=600 a target. TARGET='calls file': those
+fuzz:
+	@sh test/fuzz/run.sh $(BUILD) $(TARGET)
 
 # Small faults, one at a time: test/README.md. ONLY=pattern QUICK=1 JOBS=2 FOLDER=dir
 mutation:

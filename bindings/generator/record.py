@@ -92,15 +92,24 @@ def used_structs(api, structs):
     return names
 
 
-def struct_tables(names, structs):
+def init_of(name, api):
+    return next((f["name"] for f in api["functions"] if f["name"] == name + "_init"), None)
+
+
+def struct_tables(names, structs, api):
     out = []
     for name in names:
         out.append("static const call_field fields_%s[] = {\n" % name)
         out += [field_line(name, *leaf) for leaf in leaves(structs, name)]
         out.append("};\n")
+    inits = {name: init_of(name, api) for name in names}
+    for name, init in inits.items():
+        if init:
+            out.append("static void start_%s(void *item) { %s((%s *)item); }\n" % (name, init, name))
     out.append("\nconst call_struct call_structs[] = {\n")
     for name in names:
-        out.append('\t{ "%s", fields_%s, (int32_t)(sizeof fields_%s / sizeof fields_%s[0]), (uint32_t)sizeof(%s) },\n' % (name, name, name, name, name))
+        start = "start_" + name if inits[name] else "NULL"
+        out.append('\t{ "%s", fields_%s, (int32_t)(sizeof fields_%s / sizeof fields_%s[0]), (uint32_t)sizeof(%s), %s },\n' % (name, name, name, name, name, start))
     out.append("};\n\n")
     return out
 
@@ -119,7 +128,7 @@ def write_calls(api):
     structs = {s["name"]: s for s in api["structs"]}
     names = used_structs(api, structs)
     functions = calls_of(api)
-    out = [HEAD] + struct_tables(names, structs)
+    out = [HEAD] + struct_tables(names, structs, api)
     for function in functions:
         rows = describe(function, structs)
         out.append(invoker(function, rows))

@@ -548,39 +548,58 @@ static const call_field fields_cn_explosion_def[] = {
 	{ "filter.visit", (uint32_t)offsetof(cn_explosion_def, filter.visit), 1, CALL_POINTS },
 	{ "filter.user", (uint32_t)offsetof(cn_explosion_def, filter.user), 1, CALL_POINTS },
 };
+static void start_cn_body_def(void *item) { cn_body_def_init((cn_body_def *)item); }
+static void start_cn_shape_def(void *item) { cn_shape_def_init((cn_shape_def *)item); }
+static void start_cn_revolute_def(void *item) { cn_revolute_def_init((cn_revolute_def *)item); }
+static void start_cn_distance_def(void *item) { cn_distance_def_init((cn_distance_def *)item); }
+static void start_cn_fixed_def(void *item) { cn_fixed_def_init((cn_fixed_def *)item); }
+static void start_cn_prismatic_def(void *item) { cn_prismatic_def_init((cn_prismatic_def *)item); }
+static void start_cn_wheel_def(void *item) { cn_wheel_def_init((cn_wheel_def *)item); }
+static void start_cn_motor_def(void *item) { cn_motor_def_init((cn_motor_def *)item); }
+static void start_cn_mouse_def(void *item) { cn_mouse_def_init((cn_mouse_def *)item); }
+static void start_cn_gear_def(void *item) { cn_gear_def_init((cn_gear_def *)item); }
+static void start_cn_pulley_def(void *item) { cn_pulley_def_init((cn_pulley_def *)item); }
+static void start_cn_ratchet_def(void *item) { cn_ratchet_def_init((cn_ratchet_def *)item); }
+static void start_cn_rotary_spring_def(void *item) { cn_rotary_spring_def_init((cn_rotary_spring_def *)item); }
+static void start_cn_groove_def(void *item) { cn_groove_def_init((cn_groove_def *)item); }
+static void start_cn_filter_joint_def(void *item) { cn_filter_joint_def_init((cn_filter_joint_def *)item); }
+static void start_cn_angle_constraint_def(void *item) { cn_angle_constraint_def_init((cn_angle_constraint_def *)item); }
+static void start_cn_line_constraint_def(void *item) { cn_line_constraint_def_init((cn_line_constraint_def *)item); }
+static void start_cn_mover_def(void *item) { cn_mover_def_init((cn_mover_def *)item); }
+static void start_cn_explosion_def(void *item) { cn_explosion_def_init((cn_explosion_def *)item); }
 
 const call_struct call_structs[] = {
-	{ "cn_body_def", fields_cn_body_def, (int32_t)(sizeof fields_cn_body_def / sizeof fields_cn_body_def[0]), (uint32_t)sizeof(cn_body_def) },
-	{ "cn_mass_data", fields_cn_mass_data, (int32_t)(sizeof fields_cn_mass_data / sizeof fields_cn_mass_data[0]), (uint32_t)sizeof(cn_mass_data) },
-	{ "cn_velocity", fields_cn_velocity, (int32_t)(sizeof fields_cn_velocity / sizeof fields_cn_velocity[0]), (uint32_t)sizeof(cn_velocity) },
-	{ "cn_shape_def", fields_cn_shape_def, (int32_t)(sizeof fields_cn_shape_def / sizeof fields_cn_shape_def[0]), (uint32_t)sizeof(cn_shape_def) },
-	{ "cn_circle", fields_cn_circle, (int32_t)(sizeof fields_cn_circle / sizeof fields_cn_circle[0]), (uint32_t)sizeof(cn_circle) },
-	{ "cn_capsule", fields_cn_capsule, (int32_t)(sizeof fields_cn_capsule / sizeof fields_cn_capsule[0]), (uint32_t)sizeof(cn_capsule) },
-	{ "cn_edge", fields_cn_edge, (int32_t)(sizeof fields_cn_edge / sizeof fields_cn_edge[0]), (uint32_t)sizeof(cn_edge) },
-	{ "cn_polygon", fields_cn_polygon, (int32_t)(sizeof fields_cn_polygon / sizeof fields_cn_polygon[0]), (uint32_t)sizeof(cn_polygon) },
-	{ "cn_chain", fields_cn_chain, (int32_t)(sizeof fields_cn_chain / sizeof fields_cn_chain[0]), (uint32_t)sizeof(cn_chain) },
-	{ "cn_material", fields_cn_material, (int32_t)(sizeof fields_cn_material / sizeof fields_cn_material[0]), (uint32_t)sizeof(cn_material) },
-	{ "cn_filter", fields_cn_filter, (int32_t)(sizeof fields_cn_filter / sizeof fields_cn_filter[0]), (uint32_t)sizeof(cn_filter) },
-	{ "cn_revolute_def", fields_cn_revolute_def, (int32_t)(sizeof fields_cn_revolute_def / sizeof fields_cn_revolute_def[0]), (uint32_t)sizeof(cn_revolute_def) },
-	{ "cn_distance_def", fields_cn_distance_def, (int32_t)(sizeof fields_cn_distance_def / sizeof fields_cn_distance_def[0]), (uint32_t)sizeof(cn_distance_def) },
-	{ "cn_fixed_def", fields_cn_fixed_def, (int32_t)(sizeof fields_cn_fixed_def / sizeof fields_cn_fixed_def[0]), (uint32_t)sizeof(cn_fixed_def) },
-	{ "cn_prismatic_def", fields_cn_prismatic_def, (int32_t)(sizeof fields_cn_prismatic_def / sizeof fields_cn_prismatic_def[0]), (uint32_t)sizeof(cn_prismatic_def) },
-	{ "cn_wheel_def", fields_cn_wheel_def, (int32_t)(sizeof fields_cn_wheel_def / sizeof fields_cn_wheel_def[0]), (uint32_t)sizeof(cn_wheel_def) },
-	{ "cn_motor_def", fields_cn_motor_def, (int32_t)(sizeof fields_cn_motor_def / sizeof fields_cn_motor_def[0]), (uint32_t)sizeof(cn_motor_def) },
-	{ "cn_mouse_def", fields_cn_mouse_def, (int32_t)(sizeof fields_cn_mouse_def / sizeof fields_cn_mouse_def[0]), (uint32_t)sizeof(cn_mouse_def) },
-	{ "cn_gear_def", fields_cn_gear_def, (int32_t)(sizeof fields_cn_gear_def / sizeof fields_cn_gear_def[0]), (uint32_t)sizeof(cn_gear_def) },
-	{ "cn_pulley_def", fields_cn_pulley_def, (int32_t)(sizeof fields_cn_pulley_def / sizeof fields_cn_pulley_def[0]), (uint32_t)sizeof(cn_pulley_def) },
-	{ "cn_ratchet_def", fields_cn_ratchet_def, (int32_t)(sizeof fields_cn_ratchet_def / sizeof fields_cn_ratchet_def[0]), (uint32_t)sizeof(cn_ratchet_def) },
-	{ "cn_rotary_spring_def", fields_cn_rotary_spring_def, (int32_t)(sizeof fields_cn_rotary_spring_def / sizeof fields_cn_rotary_spring_def[0]), (uint32_t)sizeof(cn_rotary_spring_def) },
-	{ "cn_groove_def", fields_cn_groove_def, (int32_t)(sizeof fields_cn_groove_def / sizeof fields_cn_groove_def[0]), (uint32_t)sizeof(cn_groove_def) },
-	{ "cn_filter_joint_def", fields_cn_filter_joint_def, (int32_t)(sizeof fields_cn_filter_joint_def / sizeof fields_cn_filter_joint_def[0]), (uint32_t)sizeof(cn_filter_joint_def) },
-	{ "cn_joint_base", fields_cn_joint_base, (int32_t)(sizeof fields_cn_joint_base / sizeof fields_cn_joint_base[0]), (uint32_t)sizeof(cn_joint_base) },
-	{ "cn_angle_constraint_def", fields_cn_angle_constraint_def, (int32_t)(sizeof fields_cn_angle_constraint_def / sizeof fields_cn_angle_constraint_def[0]), (uint32_t)sizeof(cn_angle_constraint_def) },
-	{ "cn_line_constraint_def", fields_cn_line_constraint_def, (int32_t)(sizeof fields_cn_line_constraint_def / sizeof fields_cn_line_constraint_def[0]), (uint32_t)sizeof(cn_line_constraint_def) },
-	{ "cn_update_report", fields_cn_update_report, (int32_t)(sizeof fields_cn_update_report / sizeof fields_cn_update_report[0]), (uint32_t)sizeof(cn_update_report) },
-	{ "cn_mover_def", fields_cn_mover_def, (int32_t)(sizeof fields_cn_mover_def / sizeof fields_cn_mover_def[0]), (uint32_t)sizeof(cn_mover_def) },
-	{ "cn_mover", fields_cn_mover, (int32_t)(sizeof fields_cn_mover / sizeof fields_cn_mover[0]), (uint32_t)sizeof(cn_mover) },
-	{ "cn_explosion_def", fields_cn_explosion_def, (int32_t)(sizeof fields_cn_explosion_def / sizeof fields_cn_explosion_def[0]), (uint32_t)sizeof(cn_explosion_def) },
+	{ "cn_body_def", fields_cn_body_def, (int32_t)(sizeof fields_cn_body_def / sizeof fields_cn_body_def[0]), (uint32_t)sizeof(cn_body_def), start_cn_body_def },
+	{ "cn_mass_data", fields_cn_mass_data, (int32_t)(sizeof fields_cn_mass_data / sizeof fields_cn_mass_data[0]), (uint32_t)sizeof(cn_mass_data), NULL },
+	{ "cn_velocity", fields_cn_velocity, (int32_t)(sizeof fields_cn_velocity / sizeof fields_cn_velocity[0]), (uint32_t)sizeof(cn_velocity), NULL },
+	{ "cn_shape_def", fields_cn_shape_def, (int32_t)(sizeof fields_cn_shape_def / sizeof fields_cn_shape_def[0]), (uint32_t)sizeof(cn_shape_def), start_cn_shape_def },
+	{ "cn_circle", fields_cn_circle, (int32_t)(sizeof fields_cn_circle / sizeof fields_cn_circle[0]), (uint32_t)sizeof(cn_circle), NULL },
+	{ "cn_capsule", fields_cn_capsule, (int32_t)(sizeof fields_cn_capsule / sizeof fields_cn_capsule[0]), (uint32_t)sizeof(cn_capsule), NULL },
+	{ "cn_edge", fields_cn_edge, (int32_t)(sizeof fields_cn_edge / sizeof fields_cn_edge[0]), (uint32_t)sizeof(cn_edge), NULL },
+	{ "cn_polygon", fields_cn_polygon, (int32_t)(sizeof fields_cn_polygon / sizeof fields_cn_polygon[0]), (uint32_t)sizeof(cn_polygon), NULL },
+	{ "cn_chain", fields_cn_chain, (int32_t)(sizeof fields_cn_chain / sizeof fields_cn_chain[0]), (uint32_t)sizeof(cn_chain), NULL },
+	{ "cn_material", fields_cn_material, (int32_t)(sizeof fields_cn_material / sizeof fields_cn_material[0]), (uint32_t)sizeof(cn_material), NULL },
+	{ "cn_filter", fields_cn_filter, (int32_t)(sizeof fields_cn_filter / sizeof fields_cn_filter[0]), (uint32_t)sizeof(cn_filter), NULL },
+	{ "cn_revolute_def", fields_cn_revolute_def, (int32_t)(sizeof fields_cn_revolute_def / sizeof fields_cn_revolute_def[0]), (uint32_t)sizeof(cn_revolute_def), start_cn_revolute_def },
+	{ "cn_distance_def", fields_cn_distance_def, (int32_t)(sizeof fields_cn_distance_def / sizeof fields_cn_distance_def[0]), (uint32_t)sizeof(cn_distance_def), start_cn_distance_def },
+	{ "cn_fixed_def", fields_cn_fixed_def, (int32_t)(sizeof fields_cn_fixed_def / sizeof fields_cn_fixed_def[0]), (uint32_t)sizeof(cn_fixed_def), start_cn_fixed_def },
+	{ "cn_prismatic_def", fields_cn_prismatic_def, (int32_t)(sizeof fields_cn_prismatic_def / sizeof fields_cn_prismatic_def[0]), (uint32_t)sizeof(cn_prismatic_def), start_cn_prismatic_def },
+	{ "cn_wheel_def", fields_cn_wheel_def, (int32_t)(sizeof fields_cn_wheel_def / sizeof fields_cn_wheel_def[0]), (uint32_t)sizeof(cn_wheel_def), start_cn_wheel_def },
+	{ "cn_motor_def", fields_cn_motor_def, (int32_t)(sizeof fields_cn_motor_def / sizeof fields_cn_motor_def[0]), (uint32_t)sizeof(cn_motor_def), start_cn_motor_def },
+	{ "cn_mouse_def", fields_cn_mouse_def, (int32_t)(sizeof fields_cn_mouse_def / sizeof fields_cn_mouse_def[0]), (uint32_t)sizeof(cn_mouse_def), start_cn_mouse_def },
+	{ "cn_gear_def", fields_cn_gear_def, (int32_t)(sizeof fields_cn_gear_def / sizeof fields_cn_gear_def[0]), (uint32_t)sizeof(cn_gear_def), start_cn_gear_def },
+	{ "cn_pulley_def", fields_cn_pulley_def, (int32_t)(sizeof fields_cn_pulley_def / sizeof fields_cn_pulley_def[0]), (uint32_t)sizeof(cn_pulley_def), start_cn_pulley_def },
+	{ "cn_ratchet_def", fields_cn_ratchet_def, (int32_t)(sizeof fields_cn_ratchet_def / sizeof fields_cn_ratchet_def[0]), (uint32_t)sizeof(cn_ratchet_def), start_cn_ratchet_def },
+	{ "cn_rotary_spring_def", fields_cn_rotary_spring_def, (int32_t)(sizeof fields_cn_rotary_spring_def / sizeof fields_cn_rotary_spring_def[0]), (uint32_t)sizeof(cn_rotary_spring_def), start_cn_rotary_spring_def },
+	{ "cn_groove_def", fields_cn_groove_def, (int32_t)(sizeof fields_cn_groove_def / sizeof fields_cn_groove_def[0]), (uint32_t)sizeof(cn_groove_def), start_cn_groove_def },
+	{ "cn_filter_joint_def", fields_cn_filter_joint_def, (int32_t)(sizeof fields_cn_filter_joint_def / sizeof fields_cn_filter_joint_def[0]), (uint32_t)sizeof(cn_filter_joint_def), start_cn_filter_joint_def },
+	{ "cn_joint_base", fields_cn_joint_base, (int32_t)(sizeof fields_cn_joint_base / sizeof fields_cn_joint_base[0]), (uint32_t)sizeof(cn_joint_base), NULL },
+	{ "cn_angle_constraint_def", fields_cn_angle_constraint_def, (int32_t)(sizeof fields_cn_angle_constraint_def / sizeof fields_cn_angle_constraint_def[0]), (uint32_t)sizeof(cn_angle_constraint_def), start_cn_angle_constraint_def },
+	{ "cn_line_constraint_def", fields_cn_line_constraint_def, (int32_t)(sizeof fields_cn_line_constraint_def / sizeof fields_cn_line_constraint_def[0]), (uint32_t)sizeof(cn_line_constraint_def), start_cn_line_constraint_def },
+	{ "cn_update_report", fields_cn_update_report, (int32_t)(sizeof fields_cn_update_report / sizeof fields_cn_update_report[0]), (uint32_t)sizeof(cn_update_report), NULL },
+	{ "cn_mover_def", fields_cn_mover_def, (int32_t)(sizeof fields_cn_mover_def / sizeof fields_cn_mover_def[0]), (uint32_t)sizeof(cn_mover_def), start_cn_mover_def },
+	{ "cn_mover", fields_cn_mover, (int32_t)(sizeof fields_cn_mover / sizeof fields_cn_mover[0]), (uint32_t)sizeof(cn_mover), NULL },
+	{ "cn_explosion_def", fields_cn_explosion_def, (int32_t)(sizeof fields_cn_explosion_def / sizeof fields_cn_explosion_def[0]), (uint32_t)sizeof(cn_explosion_def), start_cn_explosion_def },
 };
 
 static cn_result invoke_cn_world_step(cn_world *world, const call_value *v)

@@ -50,6 +50,7 @@ typedef struct call_struct {
 	const call_field *fields;
 	int32_t field_count;
 	uint32_t bytes;
+	void (*init)(void *item); /* sets defaults; NULL: it has none */
 } call_struct;
 
 typedef struct call_param {

@@ -305,6 +305,24 @@ static int32_t contact_pair_holds(const cn_world *world, const cni_contact *c)
 	       (dynamic || (c->flags & CNI_CONTACT_SENSOR));
 }
 
+static int32_t box_is_full(const cni_aabb *box) { return box->x0 <= box->x1 && box->y0 <= box->y1; }
+static const cni_aabb *old_box(const cni_proxy *p) { return p->flags & CNI_PROXY_MOVED ? &p->old : &p->fat; }
+
+/* May the next update find the pair again? Such bodies are asleep or marked: narrowphase/pairs.c. */
+static int32_t contact_boxes_hold(const cn_world *world, const cni_contact *c)
+{
+	const cni_aabb *one = old_box(cni_proxy_at(world, c->proxy[0])), *other = old_box(cni_proxy_at(world, c->proxy[1]));
+	int32_t side;
+	if (world->pairs_may_repeat == CNI_PAIRS_ALL || (box_is_full(one) && box_is_full(other) && cni_aabb_overlap(one, other)))
+		return 1;
+	for (side = 0; side < 2; ++side) {
+		const cni_body *b = cni_body_at(world, c->body[side]);
+		if ((b->awake == 0 && b->type != CN_BODY_STATIC) || (world->pairs_may_repeat && (b->flags & CNI_BODY_AGAIN)))
+			return 1;
+	}
+	return 0;
+}
+
 static int32_t contact_place_holds(const cn_world *world, int32_t contact)
 {
 	const cni_contact *c = cni_contact_at(world, contact);
@@ -322,7 +340,7 @@ static int32_t contacts_hold(const cn_world *world)
 {
 	int32_t k, free_records = 0;
 	for (k = 0; k < world->contact_used; ++k)
-		if (contact_is_live(world, k) && (!contact_pair_holds(world, cni_contact_at(world, k)) || !contact_place_holds(world, k)))
+		if (contact_is_live(world, k) && (!contact_pair_holds(world, cni_contact_at(world, k)) || !contact_boxes_hold(world, cni_contact_at(world, k)) || !contact_place_holds(world, k)))
 			return 0;
 	for (k = 0; k < world->apart.count; ++k) {
 		int32_t contact = ((const int32_t *)world->apart.data)[k];

@@ -258,6 +258,8 @@ static void field_pass(cni_file *f, const cni_field *field, uint8_t *item)
 
 static void zeros_pass(cni_file *f, uint32_t count)
 {
+	if (count == 0)
+		return;
 	if (f->mode == CNI_FILE_WRITE)
 		memset(f->out + f->bytes, 0, count);
 	if (f->mode != CNI_FILE_READ)

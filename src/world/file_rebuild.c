@@ -343,7 +343,7 @@ static void broadphase_fill(cn_world *world)
 
 void cni_file_broadphase(cn_world *world, cni_file *f)
 {
-	if (f->result != CN_OK)
+	if (f->result != CN_OK || world->proxy_used == 0)
 		return;
 	if (cni_proxy_reserve(world, 0) != CN_OK || !world->broadphase_ops->reserve(world->broadphase, world->proxy_count))
 		cni_file_fail(f, CN_ERROR_MEMORY);
