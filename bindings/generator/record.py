@@ -26,12 +26,16 @@ def calls_of(api):
 
 
 def leaves(structs, name, path=""):
-    """(path, base, array, struct's path and count field for a pointer) of every field, nested structs taken apart."""
+    """(path, base, array) of every field, nested structs taken apart."""
     for field in structs[name]["fields"]:
         where = path + field["name"]
         if field["pointers"]:
-            yield where, "text" if field["base"] == "char" else "points", 1
-        elif field["base"] in structs:
+            if field["base"] == "char":
+                yield where, "text", 1
+            elif field["base"] == "cn_vec2":
+                yield where, "points", 1
+            continue  # callbacks and their users: NULL in a replay
+        if field["base"] in structs:
             count = field["array"] or 1
             inner = list(leaves(structs, field["base"]))
             for k in range(count):

@@ -505,8 +505,6 @@ static const call_field fields_cn_mover_def[] = {
 	{ "filter.mask", (uint32_t)offsetof(cn_mover_def, filter.mask), 1, CALL_LONG },
 	{ "filter.ignored_body", (uint32_t)offsetof(cn_mover_def, filter.ignored_body), 1, CALL_BODY },
 	{ "filter.flags", (uint32_t)offsetof(cn_mover_def, filter.flags), 1, CALL_WORD },
-	{ "filter.visit", (uint32_t)offsetof(cn_mover_def, filter.visit), 1, CALL_POINTS },
-	{ "filter.user", (uint32_t)offsetof(cn_mover_def, filter.user), 1, CALL_POINTS },
 	{ "up.x", (uint32_t)offsetof(cn_mover_def, up.x), 1, CALL_FLOAT },
 	{ "up.y", (uint32_t)offsetof(cn_mover_def, up.y), 1, CALL_FLOAT },
 	{ "slope_limit_rad", (uint32_t)offsetof(cn_mover_def, slope_limit_rad), 1, CALL_FLOAT },
@@ -545,8 +543,6 @@ static const call_field fields_cn_explosion_def[] = {
 	{ "filter.mask", (uint32_t)offsetof(cn_explosion_def, filter.mask), 1, CALL_LONG },
 	{ "filter.ignored_body", (uint32_t)offsetof(cn_explosion_def, filter.ignored_body), 1, CALL_BODY },
 	{ "filter.flags", (uint32_t)offsetof(cn_explosion_def, filter.flags), 1, CALL_WORD },
-	{ "filter.visit", (uint32_t)offsetof(cn_explosion_def, filter.visit), 1, CALL_POINTS },
-	{ "filter.user", (uint32_t)offsetof(cn_explosion_def, filter.user), 1, CALL_POINTS },
 };
 static void start_cn_body_def(void *item) { cn_body_def_init((cn_body_def *)item); }
 static void start_cn_shape_def(void *item) { cn_shape_def_init((cn_shape_def *)item); }

@@ -256,7 +256,7 @@ void cni_file_counts(cn_world *world, cni_file *f)
 	free_contacts_link(world);
 	movable = world->movable_count;
 	if (world->awake_count < 1 || world->awake_count > movable + 1 || world->motion.count != world->awake_count || world->start.count != world->awake_count ||
-	    world->external.count != world->awake_count || world->kicked.count > 2 * movable || world->previous.count > world->body_handles.slots.count) {
+	    world->external.count != world->awake_count || world->previous.count > world->body_handles.slots.count) {
 		cni_file_fail(f, CN_ERROR_FORMAT);
 		return;
 	}
