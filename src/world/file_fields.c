@@ -60,7 +60,7 @@ static const cni_field handles_fields[] = {
 static const cni_field body_fields[] = {
 	B(cx, FLOAT), B(cy, FLOAT), B(cx_low, FLOAT), B(cy_low, FLOAT), B(q, FLOAT), B(local_center, FLOAT), B(extent, FLOAT), B(flags, WORD),
 	B(awake, COUNT), B(type, BYTE), B(turn_reach, BYTE), B(room, HALF), B(vx, FLOAT), B(vy, FLOAT), B(w, FLOAT), B(mass, FLOAT), B(inertia, FLOAT),
-	B(linear_damping, FLOAT), B(angular_damping, FLOAT), B(gravity_scale, FLOAT), B(sleep_speed, FLOAT), B(sleep_time, FLOAT), B(gain, FLOAT),
+	B(linear_damping, FLOAT), B(angular_damping, FLOAT), B(gravity_scale, FLOAT), B(sleep_speed, FLOAT), B(sleep_time, FLOAT), B(gain, WORD),
 	B(core, FLOAT), B(island, ISLAND), B(island_next, BODY), B(island_prev, BODY), B(shape_first, SHAPE), B(joint_first, JOINT_KEY),
 	B(contact_first, CONTACT_KEY), B(contact_count, COUNT), B(colors, WORD), B(lanes, COUNT), B(name, DERIVED), B(user_data, LONG)
 };
@@ -71,7 +71,7 @@ static const cni_field motion_fields[] = {
 #define V(member, kind) FIELD(cni_velocity_start, member, kind)
 static const cni_field start_fields[] = { V(vx, WORD), V(vy, WORD), V(w, WORD), V(jumped, WORD) };
 #define E(member, kind) FIELD(cni_external, member, kind)
-static const cni_field external_fields[] = { E(ax, FLOAT), E(ay, FLOAT), E(alpha, FLOAT), E(flags, WORD) };
+static const cni_field external_fields[] = { E(ax, WORD), E(ay, WORD), E(alpha, WORD), E(flags, WORD) };
 #define P(member, kind) FIELD(cni_previous, member, kind)
 static const cni_field previous_fields[] = { P(x, FLOAT), P(y, FLOAT), P(c, FLOAT), P(s, FLOAT), P(body, WORD), P(step, WORD) };
 static const cni_field body_index_fields[] = { { 0, 1, CNI_FIELD_BODY } };
@@ -118,7 +118,7 @@ static const cni_field color_fields[] = { Q(first, BLOCK), Q(last, BLOCK), Q(lan
 #define J(member, kind) FIELD(cni_joint, member, kind)
 static const cni_field joint_fields[] = {
 	J(type, COUNT), J(flags, WORD), J(body, BODY), J(next, JOINT_KEY), J(prev, JOINT_KEY), J(awake, WORD), J(linked, BIT), J(solver, COUNT),
-	J(anchor, FLOAT), J(impulse, FLOAT), J(inv_h, FLOAT), J(stiffness_hertz, FLOAT), J(stiffness_damping, FLOAT), J(force_max, FLOAT),
+	J(anchor, FLOAT), J(impulse, WORD), J(inv_h, WORD), J(stiffness_hertz, FLOAT), J(stiffness_damping, FLOAT), J(force_max, FLOAT),
 	J(torque_max, FLOAT), J(break_force, FLOAT), J(break_torque, FLOAT), J(p, FLOAT), J(trust.surplus, WORD), J(trust.until, WORD),
 	J(trust.span, HALF), J(trust.soft, HALF), J(user_data, LONG)
 };

@@ -1,6 +1,6 @@
 /*
- * test/fuzz/corpus_test.c - every fuzz target on the inputs of corpus.txt (found by libFuzzer, and seeds) and on random ones, with any
- * compiler. A line of corpus.txt is a target's name and bytes in hexadecimal.
+ * test/fuzz/corpus_test.c - every fuzz target on the inputs of corpus.txt (found by libFuzzer, and seeds), on changed ones and on random ones, with
+ * any compiler. A line of corpus.txt is a target's name and bytes in hexadecimal.
  */
 #include "../test.h"
 #include "fuzz.h"
@@ -8,9 +8,11 @@
 #include <ctype.h>
 
 #ifdef TEST_SLOW
-#define INPUTS 400
+#define INPUTS 100
+#define CHANGES 30
 #else
-#define INPUTS 60
+#define INPUTS 400
+#define CHANGES 100
 #endif
 #define BYTES_MAX 1024
 
@@ -63,6 +65,24 @@ static size_t line_bytes(FILE *file, uint8_t **bytes)
 	return count;
 }
 
+/* The input, and what becomes of it when some bytes change. */
+static void run_input(const struct target *target, uint8_t *bytes, size_t count)
+{
+	uint32_t random = (uint32_t)count + 1;
+	int32_t change, n;
+	target->run(bytes, count);
+	for (change = 0; change < CHANGES && count > 0; ++change) {
+		uint8_t *changed = (uint8_t *)malloc(count);
+		memcpy(changed, bytes, count);
+		for (n = change % 4; n >= 0; --n) {
+			random = random * 1664525u + 1013904223u;
+			changed[(random >> 8) % count] ^= (uint8_t)(1u << (random >> 4) % 8u);
+		}
+		target->run(changed, count);
+		free(changed);
+	}
+}
+
 static void t_the_corpus(void)
 {
 	FILE *file = fopen("test/fuzz/corpus.txt", "r");
@@ -74,13 +94,13 @@ static void t_the_corpus(void)
 		size_t count = line_bytes(file, &bytes);
 		for (k = 0; k < TARGETS; ++k)
 			if (strcmp(targets[k].name, name) == 0) {
-				targets[k].run(bytes, count);
+				run_input(&targets[k], bytes, count);
 				++inputs;
 			}
 		free(bytes);
 	}
 	fclose(file);
-	printf("  %d inputs\n", (int)inputs);
+	printf("  %d inputs, each with %d changes\n", (int)inputs, CHANGES);
 	CHECK(inputs >= 3);
 }
 

@@ -139,7 +139,7 @@ static void world_use(cn_world *world)
 }
 
 #ifdef TEST_SLOW
-#define MUTATIONS 60000
+#define MUTATIONS 800
 #else
 #define MUTATIONS 2500
 #endif
