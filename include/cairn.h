@@ -495,6 +495,19 @@ CN_API cn_result cn_world_save(const cn_world *world, void *out, uint64_t capaci
    the same object. O(memory of the world). */
 CN_API cn_result cn_world_restore(cn_world *world, const void *save, uint64_t bytes);
 
+/* What one save has changed against an earlier one, the base, of the same world: for long rings of saves. It holds the words of
+   8 bytes that differ, so bodies that sleep take nothing; a table that has grown since the base moves what follows it, and the delta is
+   nearly a whole save. The functions know bytes only and no world. Neither bytes nor pointers may be NULL; out may not overlap the others. */
+
+/* Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes). */
+CN_API cn_result cn_save_delta_size(const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes, uint64_t *out_bytes);
+/* Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to out_bytes, which may be NULL.
+   CN_ERROR_FORMAT as above. O(bytes). */
+CN_API cn_result cn_save_delta(const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes, void *out, uint64_t capacity, uint64_t *out_bytes);
+/* Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to out_bytes, which may be NULL.
+   CN_ERROR_FORMAT if the delta is damaged or of another base, CN_ERROR_CAPACITY if out is too small. O(bytes). */
+CN_API cn_result cn_save_apply(const void *base, uint64_t base_bytes, const void *delta, uint64_t delta_bytes, void *out, uint64_t capacity, uint64_t *out_bytes);
+
 /* ------------------------------------------------------------------ files */
 
 /* A world as bytes for files and networks: little-endian and of fixed widths, so equal worlds write the same bytes on every machine.

@@ -1759,6 +1759,21 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_restore(cn_world* world, void* save, ulong bytes);
 
+		/// <summary>Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_save_delta_size(void* @base, ulong base_bytes, void* save, ulong save_bytes, ulong* out_bytes);
+
+		/// <summary>Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+		/// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_save_delta(void* @base, ulong base_bytes, void* save, ulong save_bytes, void* @out, ulong capacity, ulong* out_bytes);
+
+		/// <summary>Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+		/// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
+		/// CN_ERROR_CAPACITY if out is too small. O(bytes).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_save_apply(void* @base, ulong base_bytes, void* delta, ulong delta_bytes, void* @out, ulong capacity, ulong* out_bytes);
+
 		/// <summary>Bytes that cn_world_write needs now. CN_ERROR_LOCKED in callbacks. O(slots).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_write_size(cn_world* world, ulong* out_bytes);
