@@ -10,6 +10,7 @@
 #   make bindings   writes bindings/ from the header   make test-bindings  in every language that is installed
 #   make amalgamation  the library as two files, build/amalgamation/cairn.c and cairn.h
 #   make stability  scenes with bounds, and 10 seeds of each family: test/stability/README.md
+#   make fuzz       libFuzzer on calls, files, recordings and geometry, FUZZ_SECONDS each: test/README.md
 #   make mutation   small faults that tests must catch: test/README.md
 #   make families   random scenes, the default solver beside soft constraints: test/families/README.md
 #   make bench-peers  time and accuracy beside other engines: see examples/peers/README.md
@@ -22,6 +23,7 @@
 #   make testbed    scenes to play with, in a window; make testbed-web in a browser: examples/testbed/README.md
 #   make docs       the documentation as a site: build/docs/index.html
 #   make rollback   inputs that arrive late: examples/rollback.c    make examples   every small example
+#   make replay     a recorded game, played and drawn: examples/replay.c
 #
 # CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
 # commands.
@@ -89,7 +91,7 @@ TIMES_SRC := $(sort $(wildcard test/*/*_time_test.c))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh test/examples/small.sh
 SMALL_CHECKED := $(SMALL_SRC:examples/%.c=$(BUILD)/checked/bin/%)
 
-.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback embedded check-deps check-links install clean FORCE
+.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback replay fuzz embedded check-deps check-links install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -124,7 +126,7 @@ $(BUILD)/$(SHARED_LINK): $(BUILD)/$(SHARED)
 
 SMALL := $(SMALL_SRC:examples/%.c=$(BUILD)/bin/%)
 $(SMALL): $(BUILD)/bin/%: $(BUILD)/release/examples/%.o
-$(BUILD)/bin/platformer: $(EXAMPLE_OBJ)
+$(BUILD)/bin/platformer $(BUILD)/bin/replay: $(EXAMPLE_OBJ)
 $(BUILD)/bin/demo: $(BUILD)/release/examples/demo/demo.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench: $(BUILD)/release/examples/bench/bench.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_once: $(BUILD)/release/examples/bench/once.o $(EXAMPLE_OBJ)
@@ -152,6 +154,10 @@ embedded:
 .PHONY: examples
 examples: $(SMALL)
 	@BUILD='$(BUILD)/bin' sh test/examples/small.sh
+
+# Records a small game, plays the recording and draws it.
+replay: $(BUILD)/bin/replay
+	@$(BUILD)/bin/replay -demo $(BUILD)/demo.rec && $(BUILD)/bin/replay $(BUILD)/demo.rec -o $(BUILD)/replay.png
 
 demo: $(BUILD)/bin/demo
 	@mkdir -p $(BUILD)/demo
@@ -221,6 +227,15 @@ $(BUILD)/libexamples-checked.a: $(CHECKED_EXAMPLE_OBJ)
 	@rm -f $@
 	$(call say,ar)$(AR) rcs $@ $^
 
+# The fuzz targets, as a plain test and under libFuzzer: test/fuzz/run.sh
+FUZZ_OBJ := $(patsubst %.c,$(BUILD)/checked/%.o,$(sort $(wildcard test/fuzz/fuzz_*.c)))
+$(BUILD)/libfuzz-checked.a: $(FUZZ_OBJ) $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a
+	@rm -f $@
+	$(call say,ar)$(AR) rcs $@ $(FUZZ_OBJ)
+$(BUILD)/test/fuzz/corpus_test: $(BUILD)/checked/test/fuzz/corpus_test.o $(BUILD)/libfuzz-checked.a $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a
+	@mkdir -p $(@D)
+	$(call say,link)$(CC) $(TEST_CFLAGS) $(LDFLAGS) $^ $(LIBS) -o $@
+
 $(BUILD)/test/%: $(BUILD)/checked/test/%.o $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a
 	@mkdir -p $(@D)
 	$(call say,link)$(CC) $(TEST_CFLAGS) $(LDFLAGS) $< $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a $(LIBS) -o $@
@@ -241,6 +256,10 @@ test-all:
 test-times: $(TIMES_SRC:%.c=$(BUILD)/%) $(BUILD)/test/broadphase/sweep_test $(BUILD)/test/broadphase/broadphase_tree_test
 	@sh test/run.sh $(BUILD)/times-output $(TIMES_SRC:%.c=$(BUILD)/%)
 	@$(BUILD)/test/broadphase/sweep_test t_times && $(BUILD)/test/broadphase/broadphase_tree_test t_times
+
+# Random inputs under sanitizers, FUZZ_SECONDS=600 a target. TARGET='calls file': those
+fuzz:
+	@sh test/fuzz/run.sh $(BUILD) $(TARGET)
 
 # Small faults, one at a time: test/README.md. ONLY=pattern QUICK=1 JOBS=2 FOLDER=dir
 mutation:

@@ -9,6 +9,7 @@
     layout.py  sizes and offsets, and the rules that keep structs equal in every language
     probe.py   api -> C program that asks the compiler
     luajit.py, csharp.py, zig.py, python.py    api -> one file each
+    record.py  api -> tables of calls, for recording, replay and fuzzing
 
 Whatever header.py does not understand is an error with a line number: nothing is guessed. The
 writers see only the api, so that another language needs one more file here and nothing else.
@@ -21,7 +22,7 @@ import tempfile
 
 sys.dont_write_bytecode = True
 
-from generator import csharp, header, layout, luajit, names, probe, python, zig  # noqa: E402
+from generator import csharp, header, layout, luajit, names, probe, python, record, zig  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(HERE)
@@ -31,6 +32,9 @@ WRITERS = [
     ("csharp/Cairn.cs", csharp.write),
     ("zig/cairn.zig", zig.write),
     ("python/cairn.py", python.write),
+    ("record/calls.h", record.write_calls),
+    ("record/wrappers.h", record.write_wrappers),
+    ("record/cairn_record.h", record.write_header),
 ]
 
 
@@ -81,7 +85,7 @@ def main():
     arguments.add_argument("--check", action="store_true")
     arguments.add_argument("--probe", action="store_true")
     arguments.add_argument("--header", default=os.path.join(TOP, "include", "cairn.h"))
-    arguments.add_argument("--output", default=HERE, help="folder with luajit/, csharp/, zig/, python/")
+    arguments.add_argument("--output", default=HERE, help="folder with luajit/, csharp/, zig/, python/, record/")
     options = arguments.parse_args()
     try:
         api = read_api(options.header)

@@ -495,6 +495,40 @@ CN_API cn_result cn_world_save(const cn_world *world, void *out, uint64_t capaci
    the same object. O(memory of the world). */
 CN_API cn_result cn_world_restore(cn_world *world, const void *save, uint64_t bytes);
 
+/* What one save has changed against an earlier one, the base, of the same world: for long rings of saves. It holds the words of
+   8 bytes that differ, so bodies that sleep take nothing; a table that has grown since the base moves what follows it, and the delta is
+   nearly a whole save. The functions know bytes only and no world. Neither bytes nor pointers may be NULL; out may not overlap the others. */
+
+/* Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes). */
+CN_API cn_result cn_save_delta_size(const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes, uint64_t *out_bytes);
+/* Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to out_bytes, which may be NULL.
+   CN_ERROR_FORMAT as above. O(bytes). */
+CN_API cn_result cn_save_delta(const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes, void *out, uint64_t capacity, uint64_t *out_bytes);
+/* Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to out_bytes, which may be NULL.
+   CN_ERROR_FORMAT if the delta is damaged or of another base, CN_ERROR_CAPACITY if out is too small. O(bytes). */
+CN_API cn_result cn_save_apply(const void *base, uint64_t base_bytes, const void *delta, uint64_t delta_bytes, void *out, uint64_t capacity, uint64_t *out_bytes);
+
+/* ------------------------------------------------------------------ files */
+
+/* A world as bytes for files and networks: little-endian and of fixed widths, so equal worlds write the same bytes on every machine.
+   With the same calls the world that is read continues bit for bit like the written one, on every machine, and the game's handles
+   are valid in it. A file holds what a save holds (see above), names and user data included; memory, workers and callbacks come
+   from the definition and from calls. Only the broadphase is built anew, which its own figures in cn_counters show.
+
+   Later versions of the library read the files of earlier ones; across versions the world is the same, its future need not be
+   bit for bit. Bytes from anywhere are safe: whatever is no written world gives CN_ERROR_FORMAT. Memory taken is proportional to the
+   bytes; a step's cost is that of the world they describe. */
+
+/* Bytes that cn_world_write needs now. CN_ERROR_LOCKED in callbacks. O(slots). */
+CN_API cn_result cn_world_write_size(const cn_world *world, uint64_t *out_bytes);
+/* Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number of bytes to out_bytes, which
+   may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1 KB per body. */
+CN_API cn_result cn_world_write(const cn_world *world, void *out, uint64_t capacity, uint64_t *out_bytes);
+/* Creates a world from bytes of cn_world_write (bytes: exactly as many). def, which may be NULL for defaults, gives memory, workers and
+   capacities (which a caller's block needs); its settings are not used, the file's are. CN_ERROR_FORMAT for damaged or forged bytes,
+   CN_ERROR_MEMORY without room, CN_ERROR_ARGUMENT for a definition that cn_world_create refuses. O(memory of the world). */
+CN_API cn_result cn_world_read(const cn_world_def *def, const void *file, uint64_t bytes, cn_world **out_world);
+
 /* ------------------------------------------------------------------ bodies */
 
 /* Types of bodies. */

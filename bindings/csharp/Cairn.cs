@@ -1759,6 +1759,38 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_restore(cn_world* world, void* save, ulong bytes);
 
+		/// <summary>Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_save_delta_size(void* @base, ulong base_bytes, void* save, ulong save_bytes, ulong* out_bytes);
+
+		/// <summary>Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+		/// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_save_delta(void* @base, ulong base_bytes, void* save, ulong save_bytes, void* @out, ulong capacity, ulong* out_bytes);
+
+		/// <summary>Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+		/// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
+		/// CN_ERROR_CAPACITY if out is too small. O(bytes).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_save_apply(void* @base, ulong base_bytes, void* delta, ulong delta_bytes, void* @out, ulong capacity, ulong* out_bytes);
+
+		/// <summary>Bytes that cn_world_write needs now. CN_ERROR_LOCKED in callbacks. O(slots).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_write_size(cn_world* world, ulong* out_bytes);
+
+		/// <summary>Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number
+		/// of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1
+		/// KB per body.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_write(cn_world* world, void* @out, ulong capacity, ulong* out_bytes);
+
+		/// <summary>Creates a world from bytes of cn_world_write (bytes: exactly as many). def, which may be NULL for
+		/// defaults, gives memory, workers and capacities (which a caller's block needs); its settings are not
+		/// used, the file's are. CN_ERROR_FORMAT for damaged or forged bytes, CN_ERROR_MEMORY without room,
+		/// CN_ERROR_ARGUMENT for a definition that cn_world_create refuses. O(memory of the world).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_read(cn_world_def* def, void* file, ulong bytes, cn_world** out_world);
+
 		/// <summary>Sets struct_size and the defaults given beside the fields. NULL does nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_body_def_init(cn_body_def* def);

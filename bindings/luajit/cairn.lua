@@ -1082,6 +1082,26 @@ cn_result cn_world_save(const cn_world *world, void *out, uint64_t capacity, uin
 // refused until the same handle is given to a new object: with the same calls to the same object. O(memory of
 // the world).
 cn_result cn_world_restore(cn_world *world, const void *save, uint64_t bytes);
+// Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).
+cn_result cn_save_delta_size(const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes, uint64_t *out_bytes);
+// Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).
+cn_result cn_save_delta(const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes, void *out, uint64_t capacity, uint64_t *out_bytes);
+// Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base, CN_ERROR_CAPACITY
+// if out is too small. O(bytes).
+cn_result cn_save_apply(const void *base, uint64_t base_bytes, const void *delta, uint64_t delta_bytes, void *out, uint64_t capacity, uint64_t *out_bytes);
+// Bytes that cn_world_write needs now. CN_ERROR_LOCKED in callbacks. O(slots).
+cn_result cn_world_write_size(const cn_world *world, uint64_t *out_bytes);
+// Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number of
+// bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1 KB per
+// body.
+cn_result cn_world_write(const cn_world *world, void *out, uint64_t capacity, uint64_t *out_bytes);
+// Creates a world from bytes of cn_world_write (bytes: exactly as many). def, which may be NULL for defaults,
+// gives memory, workers and capacities (which a caller's block needs); its settings are not used, the file's
+// are. CN_ERROR_FORMAT for damaged or forged bytes, CN_ERROR_MEMORY without room, CN_ERROR_ARGUMENT for a
+// definition that cn_world_create refuses. O(memory of the world).
+cn_result cn_world_read(const cn_world_def *def, const void *file, uint64_t bytes, cn_world **out_world);
 // Sets struct_size and the defaults given beside the fields. NULL does nothing.
 void cn_body_def_init(cn_body_def *def);
 // Creates a body. O(1) amortized.

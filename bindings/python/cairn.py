@@ -1140,6 +1140,26 @@ cn_world_save = _function("cn_world_save", cn_result, _c.POINTER(cn_world), _c.c
 # refused until the same handle is given to a new object: with the same calls to the same object. O(memory of
 # the world).
 cn_world_restore = _function("cn_world_restore", cn_result, _c.POINTER(cn_world), _c.c_void_p, _c.c_uint64)
+# Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).
+cn_save_delta_size = _function("cn_save_delta_size", cn_result, _c.c_void_p, _c.c_uint64, _c.c_void_p, _c.c_uint64, _c.POINTER(_c.c_uint64))
+# Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+# out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).
+cn_save_delta = _function("cn_save_delta", cn_result, _c.c_void_p, _c.c_uint64, _c.c_void_p, _c.c_uint64, _c.c_void_p, _c.c_uint64, _c.POINTER(_c.c_uint64))
+# Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+# out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base, CN_ERROR_CAPACITY
+# if out is too small. O(bytes).
+cn_save_apply = _function("cn_save_apply", cn_result, _c.c_void_p, _c.c_uint64, _c.c_void_p, _c.c_uint64, _c.c_void_p, _c.c_uint64, _c.POINTER(_c.c_uint64))
+# Bytes that cn_world_write needs now. CN_ERROR_LOCKED in callbacks. O(slots).
+cn_world_write_size = _function("cn_world_write_size", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_uint64))
+# Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number of
+# bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1 KB per
+# body.
+cn_world_write = _function("cn_world_write", cn_result, _c.POINTER(cn_world), _c.c_void_p, _c.c_uint64, _c.POINTER(_c.c_uint64))
+# Creates a world from bytes of cn_world_write (bytes: exactly as many). def, which may be NULL for defaults,
+# gives memory, workers and capacities (which a caller's block needs); its settings are not used, the file's
+# are. CN_ERROR_FORMAT for damaged or forged bytes, CN_ERROR_MEMORY without room, CN_ERROR_ARGUMENT for a
+# definition that cn_world_create refuses. O(memory of the world).
+cn_world_read = _function("cn_world_read", cn_result, _c.POINTER(cn_world_def), _c.c_void_p, _c.c_uint64, _c.POINTER(_c.POINTER(cn_world)))
 # Sets struct_size and the defaults given beside the fields. NULL does nothing.
 cn_body_def_init = _function("cn_body_def_init", None, _c.POINTER(cn_body_def))
 # Creates a body. O(1) amortized.

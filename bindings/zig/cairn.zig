@@ -1645,6 +1645,26 @@ pub extern fn cn_world_save(world: ?*const cn_world, out: ?*anyopaque, capacity:
 /// refused until the same handle is given to a new object: with the same calls to the same object. O(memory
 /// of the world).
 pub extern fn cn_world_restore(world: ?*cn_world, save: ?*const anyopaque, bytes: u64) cn_result;
+/// Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).
+pub extern fn cn_save_delta_size(base: ?*const anyopaque, base_bytes: u64, save: ?*const anyopaque, save_bytes: u64, out_bytes: [*c]u64) cn_result;
+/// Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+/// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).
+pub extern fn cn_save_delta(base: ?*const anyopaque, base_bytes: u64, save: ?*const anyopaque, save_bytes: u64, out: ?*anyopaque, capacity: u64, out_bytes: [*c]u64) cn_result;
+/// Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+/// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
+/// CN_ERROR_CAPACITY if out is too small. O(bytes).
+pub extern fn cn_save_apply(base: ?*const anyopaque, base_bytes: u64, delta: ?*const anyopaque, delta_bytes: u64, out: ?*anyopaque, capacity: u64, out_bytes: [*c]u64) cn_result;
+/// Bytes that cn_world_write needs now. CN_ERROR_LOCKED in callbacks. O(slots).
+pub extern fn cn_world_write_size(world: ?*const cn_world, out_bytes: [*c]u64) cn_result;
+/// Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number of
+/// bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1 KB
+/// per body.
+pub extern fn cn_world_write(world: ?*const cn_world, out: ?*anyopaque, capacity: u64, out_bytes: [*c]u64) cn_result;
+/// Creates a world from bytes of cn_world_write (bytes: exactly as many). def, which may be NULL for
+/// defaults, gives memory, workers and capacities (which a caller's block needs); its settings are not used,
+/// the file's are. CN_ERROR_FORMAT for damaged or forged bytes, CN_ERROR_MEMORY without room,
+/// CN_ERROR_ARGUMENT for a definition that cn_world_create refuses. O(memory of the world).
+pub extern fn cn_world_read(def: [*c]const cn_world_def, file: ?*const anyopaque, bytes: u64, out_world: [*c]?*cn_world) cn_result;
 /// Sets struct_size and the defaults given beside the fields. NULL does nothing.
 pub extern fn cn_body_def_init(def: [*c]cn_body_def) void;
 /// Creates a body. O(1) amortized.

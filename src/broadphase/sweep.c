@@ -24,7 +24,8 @@ static int32_t bits_reserve(cni_sweep *sweep, cni_array *bits, int32_t words)
 {
 	if (!cni_array_reserve(bits, sweep->context.memory, words))
 		return 0;
-	memset((uint64_t *)bits->data + bits->count, 0, (size_t)(bits->capacity - bits->count) * sizeof(uint64_t));
+	if (bits->count < bits->capacity) /* there may be no memory at all yet */
+		memset((uint64_t *)bits->data + bits->count, 0, (size_t)(bits->capacity - bits->count) * sizeof(uint64_t));
 	bits->count = bits->capacity;
 	return 1;
 }

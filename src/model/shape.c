@@ -5,7 +5,7 @@
  */
 #include "model/world.h"
 
-static uint64_t ids_bytes(const cn_world *world, const cni_shape *s)
+uint64_t cni_shape_ids_bytes(const cn_world *world, const cni_shape *s)
 {
 	uint64_t bytes = (uint64_t)s->children * sizeof(int32_t);
 	if (!world->memory.fixed)
@@ -78,7 +78,7 @@ cn_result cni_shape_place(cn_world *world, int32_t shape)
 			cni_body_kick(world, s->body);
 		return CN_OK;
 	}
-	s->box.proxies = cni_blocks_alloc(&world->blocks, ids_bytes(world, s));
+	s->box.proxies = cni_blocks_alloc(&world->blocks, cni_shape_ids_bytes(world, s));
 	if (s->box.proxies == 0)
 		return CN_ERROR_MEMORY;
 	for (child = 0; child < s->children; ++child)
@@ -101,7 +101,7 @@ void cni_shape_unplace(cn_world *world, int32_t shape)
 		proxy_release(world, proxy);
 	}
 	if (s->type == CN_SHAPE_CHAIN) {
-		cni_blocks_free(&world->blocks, s->box.proxies, ids_bytes(world, s));
+		cni_blocks_free(&world->blocks, s->box.proxies, cni_shape_ids_bytes(world, s));
 		s->box.proxies = 0;
 	} else {
 		s->box.proxy = CNI_NONE;

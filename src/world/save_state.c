@@ -159,12 +159,12 @@ void cni_world_snapshot(cn_world *world, cni_snapshot *s)
 	handles_pass(s, &world->body_handles);
 	handles_pass(s, &world->shape_handles);
 	handles_pass(s, &world->joint_handles);
-	arrays_pass(world, s);
-	events_pass(&world->events, s);
-	cni_snapshot_blocks(s, &world->blocks);
-	world->broadphase_ops->snapshot(world->broadphase, s);
 	for (k = 0; k < COUNT_OF(state_members); ++k)
 		cni_snapshot_state(s, (uint8_t *)world + state_members[k].offset, state_members[k].bytes);
+	cni_snapshot_blocks(s, &world->blocks);
+	world->broadphase_ops->snapshot(world->broadphase, s);
+	arrays_pass(world, s); /* last what changes its length in most steps, so that it moves little else: world/save_delta.c */
+	events_pass(&world->events, s);
 	if (s->mode == CNI_SNAPSHOT_LOAD)
 		world->joint_lanes.lanes = 0;
 }

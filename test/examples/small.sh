@@ -6,8 +6,10 @@ cd "$(dirname "$0")/../.." || exit 2
 passed=0 failed=0
 for source in examples/*.c; do
 	name=$(basename "$source" .c)
+	arguments=
+	[ "$name" != replay ] || arguments="-demo $BUILD/demo.rec" # records a game; test/examples/record_test.c plays recordings
 	# shellcheck disable=SC2086
-	if ${RUNNER:-} "$BUILD/$name"; then
+	if ${RUNNER:-} "$BUILD/$name" $arguments; then
 		echo "ok   $name"
 		passed=$((passed + 1))
 	else
