@@ -373,7 +373,7 @@ typedef struct cn_counters {
 	int32_t overflow_contacts;   /* contacts that fit no colour: solved one by one */
 	int32_t broadphase_tiles;    /* cells of the broadphase */
 	uint32_t steps;              /* steps taken since creation, modulo 2^32 */
-	/* Work that the last step skipped for lack of memory, 0 for none. The next step tries again. */
+	/* Work that the last step skipped for lack of memory or in a crowd, 0 for none. The next steps try again. */
 	uint32_t warnings;           /* CN_WARNING_* */
 	int32_t pairs_not_added;     /* new pairs without a contact */
 	int32_t events_not_reported; /* events without a place in a log */
@@ -381,11 +381,13 @@ typedef struct cn_counters {
 	int32_t direct_work;         /* planned direct solving of the last step, in the units of work_budget; at most 2^31 - 1 */
 	int32_t islands_unsolved;    /* of several bodies, soft for a time as no solution was found: CN_TIER_REASON_NO_SET */
 } cn_counters;
-/* Warnings of a step that lacked memory. */
+/* Warnings of a step that lacked memory or skipped work. */
 enum {
 	CN_WARNING_CONTACT_MEMORY = 1u << 0, /* new contacts were not added: pairs_not_added */
 	CN_WARNING_FRAME_MEMORY = 1u << 1,   /* the step worked around missing scratch memory */
-	CN_WARNING_EVENT_MEMORY = 1u << 2    /* events_not_reported */
+	CN_WARNING_EVENT_MEMORY = 1u << 2,   /* events_not_reported */
+	CN_WARNING_CROWD = 1u << 3           /* thousands of boxes overlap in one spot: contacts of the most crowded bodies come over several
+	                                        steps, and pairs_not_added counts what the last step left out */
 };
 /* Reads counts of objects and what the last step reported. O(bodies + islands). */
 CN_API cn_result cn_world_get_counters(const cn_world *world, cn_counters *out);

@@ -479,7 +479,7 @@ static void body_check(check_loop *loop, int32_t body, const cni_motion *m)
 	}
 	if (world->movable_count == world->body_handles.count)
 		return; /* the world has no static body */
-	if (world->pairs_may_repeat || !path_is_inside_boxes(world, b, m))
+	if ((world->pairs_may_repeat & ~CNI_PAIRS_CROWDED) || !path_is_inside_boxes(world, b, m))
 		clamp_body(world, body, CLAMP_STATIC);
 	else if (b->flags & CNI_BODY_AT_STATIC)
 		clamp_against_contacts(world, body);
