@@ -133,7 +133,7 @@ static void t_boxes_in_one_spot_come_apart(void)
 	crowd c;
 	cn_world_def_init(&def);
 	crowd_open(&c, &def, 340, 1, 1, 1);
-	crowd_step(&c, 110);
+	crowd_step(&c, 160);
 	check_crowd(&c, 120);
 	crowd_close(&c);
 }
