@@ -10,6 +10,7 @@
 #   make bindings   writes bindings/ from the header   make test-bindings  in every language that is installed
 #   make amalgamation  the library as two files, build/amalgamation/cairn.c and cairn.h
 #   make stability  scenes with bounds, and 10 seeds of each family: test/stability/README.md
+#   make soak       long forms of tests under load
 #   make mutation   small faults that tests must catch: test/README.md
 #   make families   random scenes, the default solver beside soft constraints: test/families/README.md
 #   make bench-peers  time and accuracy beside other engines: see examples/peers/README.md
@@ -85,7 +86,7 @@ TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
 TIMES_SRC := $(sort $(wildcard test/*/*_time_test.c))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh
 
-.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback check-deps check-links install clean FORCE
+.PHONY: all bindings amalgamation demo test test-all test-times soak mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback check-deps check-links install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -196,6 +197,11 @@ test-all:
 test-times: $(TIMES_SRC:%.c=$(BUILD)/%) $(BUILD)/test/broadphase/sweep_test $(BUILD)/test/broadphase/broadphase_tree_test
 	@sh test/run.sh $(BUILD)/times-output $(TIMES_SRC:%.c=$(BUILD)/%)
 	@$(BUILD)/test/broadphase/sweep_test t_times && $(BUILD)/test/broadphase/broadphase_tree_test t_times
+
+# Long forms of tests under load, some ten minutes: an hour of simulated churn, 1,000 histories of 2,000 steps with both broadphases, crowds.
+SOAK := $(BUILD)/test/world/soak_test $(BUILD)/test/world/crowd_test $(BUILD)/test/world/broadphase_histories_test
+soak: $(SOAK)
+	@for t in $(SOAK); do $$t t_soak || exit 1; done
 
 # Small faults, one at a time: test/README.md. ONLY=pattern QUICK=1 JOBS=2 FOLDER=dir
 mutation:

@@ -386,8 +386,10 @@ enum {
 	CN_WARNING_CONTACT_MEMORY = 1u << 0, /* new contacts were not added: pairs_not_added */
 	CN_WARNING_FRAME_MEMORY = 1u << 1,   /* the step worked around missing scratch memory */
 	CN_WARNING_EVENT_MEMORY = 1u << 2,   /* events_not_reported */
-	CN_WARNING_CROWD = 1u << 3           /* thousands of boxes overlap in one spot: contacts of the most crowded bodies come over several
+	CN_WARNING_CROWD = 1u << 3,          /* thousands of boxes overlap in one spot: contacts of the most crowded bodies come over several
 	                                        steps, and pairs_not_added counts what the last step left out */
+	CN_WARNING_NOT_FINITE = 1u << 4      /* forces or impulses gave bodies a speed that floats cannot hold: these bodies were stopped at
+	                                        their poses, and the others go on */
 };
 /* Reads counts of objects and what the last step reported. O(bodies + islands). */
 CN_API cn_result cn_world_get_counters(const cn_world *world, cn_counters *out);

@@ -3,10 +3,10 @@
  *
  * A search that finds more pairs than the limit has met a crowd and ends early. A second search counts each proxy's pairs, with
  * static and with other proxies apart; a third one makes the list. Each pair has a random number in [0, 1), a hash of its proxies
- * and the seed. Each proxy has a threshold 2^-k with the least k by which a right shift of its count gives CNI_CROWD_DEGREE at most. A pair
- * is listed when its number is below the threshold of one of its proxies. So bodies outside of the crowd miss no pair, and
- * proxies in the crowd have some eight to sixteen. A pair with a static proxy is listed by the count with static proxies of the other one, so that
- * a crowd does not fall through the ground.
+ * and the seed. Each proxy has a threshold 2^-k with the least k by which a right shift of its count gives CNI_CROWD_DEGREE at
+ * most. A pair is listed when its number is below the threshold of one of its proxies. So bodies outside of the crowd miss no
+ * pair, and proxies in the crowd have some eight to sixteen. For a pair with a static proxy, the other one's count of static
+ * proxies decides, so that a crowd does not fall through the ground.
  * Counts, numbers and so the list do not depend on the order of searching.
  */
 #ifndef CNI_BROADPHASE_PAIR_LIST_H

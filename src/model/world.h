@@ -176,7 +176,7 @@ struct cn_world {
 	int32_t pairs_not_added;
 	int32_t events_not_reported;
 	cn_profile profile;
-	int32_t reserved_end;
+	uint32_t bodies_stopped;     /* in this step, as their motion was not finite; workers add to it */
 
 	char error[CNI_ERROR_TEXT_BYTES];
 };

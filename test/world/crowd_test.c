@@ -170,7 +170,7 @@ static void t_same_bits_with_any_broadphase_and_workers(void)
 		def.broadphase = k % 2 == 0 ? CN_BROADPHASE_SWEEP : CN_BROADPHASE_TREE;
 		def.worker_count = k < 2 ? 1 : 3;
 		if (k >= 2)
-			use_tasks(&def, &system, 0);
+			use_tasks(&def, &system, TASKS_ON_THREADS);
 		crowd_open(&c, &def, 340, 1, 6, 7);
 		crowd_step(&c, 12);
 		digest = k == 0 ? c.digest : digest;
