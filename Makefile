@@ -11,6 +11,7 @@
 #   make amalgamation  the library as two files, build/amalgamation/cairn.c and cairn.h
 #   make stability  scenes with bounds, and 10 seeds of each family: test/stability/README.md
 #   make fuzz       libFuzzer on calls, files, recordings and geometry, FUZZ_SECONDS each: test/README.md
+#   make soak       long forms of tests under load
 #   make mutation   small faults that tests must catch: test/README.md
 #   make families   random scenes, the default solver beside soft constraints: test/families/README.md
 #   make bench-peers  time and accuracy beside other engines: see examples/peers/README.md
@@ -91,7 +92,7 @@ TIMES_SRC := $(sort $(wildcard test/*/*_time_test.c))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh test/examples/small.sh
 SMALL_CHECKED := $(SMALL_SRC:examples/%.c=$(BUILD)/checked/bin/%)
 
-.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback replay fuzz embedded check-deps check-links install clean FORCE
+.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback replay fuzz embedded check-deps check-links install clean soak FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -260,6 +261,11 @@ test-times: $(TIMES_SRC:%.c=$(BUILD)/%) $(BUILD)/test/broadphase/sweep_test $(BU
 # Random inputs under sanitizers, FUZZ_SECONDS=600 a target. TARGET='calls file': those
 fuzz:
 	@sh test/fuzz/run.sh $(BUILD) $(TARGET)
+
+# Long forms of tests under load, some ten minutes: an hour of simulated churn, 1,000 histories of 2,000 steps with both broadphases, crowds.
+SOAK := $(BUILD)/test/world/soak_test $(BUILD)/test/world/crowd_test $(BUILD)/test/world/broadphase_histories_test
+soak: $(SOAK)
+	@for t in $(SOAK); do $$t t_soak || exit 1; done
 
 # Small faults, one at a time: test/README.md. ONLY=pattern QUICK=1 JOBS=2 FOLDER=dir
 mutation:

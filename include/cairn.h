@@ -373,7 +373,7 @@ typedef struct cn_counters {
 	int32_t overflow_contacts;   /* contacts that fit no colour: solved one by one */
 	int32_t broadphase_tiles;    /* cells of the broadphase */
 	uint32_t steps;              /* steps taken since creation, modulo 2^32 */
-	/* Work that the last step skipped for lack of memory, 0 for none. The next step tries again. */
+	/* Work that the last step skipped for lack of memory or in a crowd, 0 for none. The next steps try again. */
 	uint32_t warnings;           /* CN_WARNING_* */
 	int32_t pairs_not_added;     /* new pairs without a contact */
 	int32_t events_not_reported; /* events without a place in a log */
@@ -381,11 +381,15 @@ typedef struct cn_counters {
 	int32_t direct_work;         /* planned direct solving of the last step, in the units of work_budget; at most 2^31 - 1 */
 	int32_t islands_unsolved;    /* of several bodies, soft for a time as no solution was found: CN_TIER_REASON_NO_SET */
 } cn_counters;
-/* Warnings of a step that lacked memory. */
+/* Warnings of a step that lacked memory or skipped work. */
 enum {
 	CN_WARNING_CONTACT_MEMORY = 1u << 0, /* new contacts were not added: pairs_not_added */
 	CN_WARNING_FRAME_MEMORY = 1u << 1,   /* the step worked around missing scratch memory */
-	CN_WARNING_EVENT_MEMORY = 1u << 2    /* events_not_reported */
+	CN_WARNING_EVENT_MEMORY = 1u << 2,   /* events_not_reported */
+	CN_WARNING_CROWD = 1u << 3,          /* thousands of boxes overlap in one spot: contacts of the most crowded bodies come over several
+	                                        steps, and pairs_not_added counts what the last step left out */
+	CN_WARNING_NOT_FINITE = 1u << 4      /* forces or impulses gave bodies a speed that floats cannot hold: these bodies were stopped at
+	                                        their poses, and the others go on */
 };
 /* Reads counts of objects and what the last step reported. O(bodies + islands). */
 CN_API cn_result cn_world_get_counters(const cn_world *world, cn_counters *out);
@@ -463,6 +467,13 @@ typedef struct cn_memory_stats {
 } cn_memory_stats;
 /* Reads the memory statistics. */
 CN_API cn_result cn_world_get_memory_stats(const cn_world *world, cn_memory_stats *out);
+
+/* Moves the origin of coordinates to the point (x_m, y_m), |x|, |y| <= 1e6 length units: every position p becomes p - (x_m, y_m), so that a
+   large world stays precise near its player. Moves bodies, boxes, world anchors of joints, and poses for interpolation; velocities,
+   impulses, sleep and contacts stay, and no event is reported. Distances between bodies keep their digits; world anchors are
+   rounded to floats at the new place. Arrays returned before become invalid; the user moves their own points (movers, rays, cached
+   poses). CN_ERROR_LOCKED in callbacks. O(bodies + boxes + joints), and the next step looks at all pairs again. */
+CN_API cn_result cn_world_shift_origin(cn_world *world, float x_m, float y_m);
 
 /* 64-bit hash (FNV-1a: Fowler, Noll, Vo, 1991) of every body's pose, velocity and sleep state, every contact's impulses and
    the solver's memory of joints, by slot. Equal histories give equal hashes on every compiler, CPU and thread count. O(bodies
@@ -603,6 +614,10 @@ CN_API cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake)
 CN_API cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad);
 /* Reads the position of the origin and the rotation. */
 CN_API cn_result cn_body_get_pose(const cn_world *world, cn_body body, cn_pose *out);
+/* Reads the position of the origin as the sum of two floats: the high part is within rounding that of cn_body_get_pose, the low part
+   holds the digits that do not fit. Far from the origin their sum in double is more precise; so is a difference of two bodies, taken high
+   from high and low from low, in floats. */
+CN_API cn_result cn_body_get_position_parts(const cn_world *world, cn_body body, cn_vec2 *out_high_m, cn_vec2 *out_low_m);
 /* Reads the angle in radians, in (-pi, pi]. */
 CN_API cn_result cn_body_get_angle(const cn_world *world, cn_body body, float *out_rad);
 /* Reads the world position of the centre of mass, in metres. */

@@ -301,7 +301,8 @@ namespace Cairn
 		public int broadphase_tiles;
 		/// <summary>steps taken since creation, modulo 2^32</summary>
 		public uint steps;
-		/// <summary>Work that the last step skipped for lack of memory, 0 for none. The next step tries again. CN_WARNING_*</summary>
+		/// <summary>Work that the last step skipped for lack of memory or in a crowd, 0 for none. The next steps try again.
+		/// CN_WARNING_*</summary>
 		public uint warnings;
 		/// <summary>new pairs without a contact</summary>
 		public int pairs_not_added;
@@ -1360,13 +1361,19 @@ namespace Cairn
 		/// <summary>dynamic AABB tree: for worlds of very mixed sizes with many region queries</summary>
 		public const int CN_BROADPHASE_TREE = 1;
 
-		// Warnings of a step that lacked memory.
+		// Warnings of a step that lacked memory or skipped work.
 		/// <summary>new contacts were not added: pairs_not_added</summary>
 		public const uint CN_WARNING_CONTACT_MEMORY = 1;
 		/// <summary>the step worked around missing scratch memory</summary>
 		public const uint CN_WARNING_FRAME_MEMORY = 2;
 		/// <summary>events_not_reported</summary>
 		public const uint CN_WARNING_EVENT_MEMORY = 4;
+		/// <summary>thousands of boxes overlap in one spot: contacts of the most crowded bodies come over several steps, and
+		/// pairs_not_added counts what the last step left out</summary>
+		public const uint CN_WARNING_CROWD = 8;
+		/// <summary>forces or impulses gave bodies a speed that floats cannot hold: these bodies were stopped at their
+		/// poses, and the others go on</summary>
+		public const uint CN_WARNING_NOT_FINITE = 16;
 
 		// How an island is solved. In each tier joints may be solved together with their neighbours.
 		/// <summary>contacts by soft constraints</summary>
@@ -1727,6 +1734,16 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_memory_stats(cn_world* world, cn_memory_stats* @out);
 
+		/// <summary>Moves the origin of coordinates to the point (x_m, y_m), |x|, |y| &lt;= 1e6 length units: every position
+		/// p becomes p - (x_m, y_m), so that a large world stays precise near its player. Moves bodies, boxes,
+		/// world anchors of joints, and poses for interpolation; velocities, impulses, sleep and contacts stay, and
+		/// no event is reported. Distances between bodies keep their digits; world anchors are rounded to floats at
+		/// the new place. Arrays returned before become invalid; the user moves their own points (movers, rays,
+		/// cached poses). CN_ERROR_LOCKED in callbacks. O(bodies + boxes + joints), and the next step looks at all
+		/// pairs again.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_shift_origin(cn_world* world, float x_m, float y_m);
+
 		/// <summary>64-bit hash (FNV-1a: Fowler, Noll, Vo, 1991) of every body's pose, velocity and sleep state, every
 		/// contact's impulses and the solver's memory of joints, by slot. Equal histories give equal hashes on
 		/// every compiler, CPU and thread count. O(bodies + contacts + joints).</summary>
@@ -1852,6 +1869,12 @@ namespace Cairn
 		/// <summary>Reads the position of the origin and the rotation.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_pose(cn_world* world, cn_body body, cn_pose* @out);
+
+		/// <summary>Reads the position of the origin as the sum of two floats: the high part is within rounding that of
+		/// cn_body_get_pose, the low part holds the digits that do not fit. Far from the origin their sum in double
+		/// is more precise; so is a difference of two bodies, taken high from high and low from low, in floats.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_body_get_position_parts(cn_world* world, cn_body body, cn_vec2* out_high_m, cn_vec2* out_low_m);
 
 		/// <summary>Reads the angle in radians, in (-pi, pi].</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

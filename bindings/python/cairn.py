@@ -118,6 +118,8 @@ CN_BROADPHASE_TREE = 1
 CN_WARNING_CONTACT_MEMORY = 1
 CN_WARNING_FRAME_MEMORY = 2
 CN_WARNING_EVENT_MEMORY = 4
+CN_WARNING_CROWD = 8
+CN_WARNING_NOT_FINITE = 16
 CN_TIER_SOFT = 0
 CN_TIER_DIRECT = 1
 CN_TIER_FREE = 2
@@ -351,7 +353,7 @@ class cn_counters(_c.Structure):
         ("overflow_contacts", _c.c_int32),  # contacts that fit no colour: solved one by one
         ("broadphase_tiles", _c.c_int32),  # cells of the broadphase
         ("steps", _c.c_uint32),  # steps taken since creation, modulo 2^32
-        ("warnings", _c.c_uint32),  # Work that the last step skipped for lack of memory, 0 for none. The next step tries again. CN_WARNING_*
+        ("warnings", _c.c_uint32),  # Work that the last step skipped for lack of memory or in a crowd, 0 for none. The next steps try again. CN_WARNING_*
         ("pairs_not_added", _c.c_int32),  # new pairs without a contact
         ("events_not_reported", _c.c_int32),  # events without a place in a log
         ("islands_direct", _c.c_int32),  # of several bodies, solved directly in the last step, contacts included
@@ -1118,6 +1120,13 @@ cn_world_get_islands = _function("cn_world_get_islands", cn_result, _c.POINTER(c
 cn_world_get_profile = _function("cn_world_get_profile", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_profile))
 # Reads the memory statistics.
 cn_world_get_memory_stats = _function("cn_world_get_memory_stats", cn_result, _c.POINTER(cn_world), _c.POINTER(cn_memory_stats))
+# Moves the origin of coordinates to the point (x_m, y_m), |x|, |y| <= 1e6 length units: every position p
+# becomes p - (x_m, y_m), so that a large world stays precise near its player. Moves bodies, boxes, world
+# anchors of joints, and poses for interpolation; velocities, impulses, sleep and contacts stay, and no event
+# is reported. Distances between bodies keep their digits; world anchors are rounded to floats at the new
+# place. Arrays returned before become invalid; the user moves their own points (movers, rays, cached poses).
+# CN_ERROR_LOCKED in callbacks. O(bodies + boxes + joints), and the next step looks at all pairs again.
+cn_world_shift_origin = _function("cn_world_shift_origin", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_float)
 # 64-bit hash (FNV-1a: Fowler, Noll, Vo, 1991) of every body's pose, velocity and sleep state, every contact's
 # impulses and the solver's memory of joints, by slot. Equal histories give equal hashes on every compiler,
 # CPU and thread count. O(bodies + contacts + joints).
@@ -1196,6 +1205,10 @@ cn_body_set_awake = _function("cn_body_set_awake", cn_result, _c.POINTER(cn_worl
 cn_body_set_pose = _function("cn_body_set_pose", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float, _c.c_float, _c.c_float)
 # Reads the position of the origin and the rotation.
 cn_body_get_pose = _function("cn_body_get_pose", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_pose))
+# Reads the position of the origin as the sum of two floats: the high part is within rounding that of
+# cn_body_get_pose, the low part holds the digits that do not fit. Far from the origin their sum in double is
+# more precise; so is a difference of two bodies, taken high from high and low from low, in floats.
+cn_body_get_position_parts = _function("cn_body_get_position_parts", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(cn_vec2), _c.POINTER(cn_vec2))
 # Reads the angle in radians, in (-pi, pi].
 cn_body_get_angle = _function("cn_body_get_angle", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_float))
 # Reads the world position of the centre of mass, in metres.

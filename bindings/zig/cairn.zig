@@ -129,13 +129,19 @@ pub const CN_BROADPHASE_SWEEP = 0;
 /// dynamic AABB tree: for worlds of very mixed sizes with many region queries
 pub const CN_BROADPHASE_TREE = 1;
 
-// Warnings of a step that lacked memory.
+// Warnings of a step that lacked memory or skipped work.
 /// new contacts were not added: pairs_not_added
 pub const CN_WARNING_CONTACT_MEMORY = 1;
 /// the step worked around missing scratch memory
 pub const CN_WARNING_FRAME_MEMORY = 2;
 /// events_not_reported
 pub const CN_WARNING_EVENT_MEMORY = 4;
+/// thousands of boxes overlap in one spot: contacts of the most crowded bodies come over several steps, and
+/// pairs_not_added counts what the last step left out
+pub const CN_WARNING_CROWD = 8;
+/// forces or impulses gave bodies a speed that floats cannot hold: these bodies were stopped at their poses,
+/// and the others go on
+pub const CN_WARNING_NOT_FINITE = 16;
 
 // How an island is solved. In each tier joints may be solved together with their neighbours.
 /// contacts by soft constraints
@@ -572,8 +578,8 @@ pub const cn_counters = extern struct {
     broadphase_tiles: i32,
     /// steps taken since creation, modulo 2^32
     steps: u32,
-    /// Work that the last step skipped for lack of memory, 0 for none. The next step tries again.
-    /// CN_WARNING_*
+    /// Work that the last step skipped for lack of memory or in a crowd, 0 for none. The next steps try
+    /// again. CN_WARNING_*
     warnings: u32,
     /// new pairs without a contact
     pairs_not_added: i32,
@@ -1623,6 +1629,14 @@ pub extern fn cn_world_get_islands(world: ?*const cn_world, out: [*c]cn_island_r
 pub extern fn cn_world_get_profile(world: ?*const cn_world, out: [*c]cn_profile) cn_result;
 /// Reads the memory statistics.
 pub extern fn cn_world_get_memory_stats(world: ?*const cn_world, out: [*c]cn_memory_stats) cn_result;
+/// Moves the origin of coordinates to the point (x_m, y_m), |x|, |y| <= 1e6 length units: every position p
+/// becomes p - (x_m, y_m), so that a large world stays precise near its player. Moves bodies, boxes, world
+/// anchors of joints, and poses for interpolation; velocities, impulses, sleep and contacts stay, and no
+/// event is reported. Distances between bodies keep their digits; world anchors are rounded to floats at the
+/// new place. Arrays returned before become invalid; the user moves their own points (movers, rays, cached
+/// poses). CN_ERROR_LOCKED in callbacks. O(bodies + boxes + joints), and the next step looks at all pairs
+/// again.
+pub extern fn cn_world_shift_origin(world: ?*cn_world, x_m: f32, y_m: f32) cn_result;
 /// 64-bit hash (FNV-1a: Fowler, Noll, Vo, 1991) of every body's pose, velocity and sleep state, every
 /// contact's impulses and the solver's memory of joints, by slot. Equal histories give equal hashes on every
 /// compiler, CPU and thread count. O(bodies + contacts + joints).
@@ -1701,6 +1715,10 @@ pub extern fn cn_body_set_awake(world: ?*cn_world, body: cn_body, awake: i32) cn
 pub extern fn cn_body_set_pose(world: ?*cn_world, body: cn_body, position_x_m: f32, position_y_m: f32, angle_rad: f32) cn_result;
 /// Reads the position of the origin and the rotation.
 pub extern fn cn_body_get_pose(world: ?*const cn_world, body: cn_body, out: [*c]cn_pose) cn_result;
+/// Reads the position of the origin as the sum of two floats: the high part is within rounding that of
+/// cn_body_get_pose, the low part holds the digits that do not fit. Far from the origin their sum in double
+/// is more precise; so is a difference of two bodies, taken high from high and low from low, in floats.
+pub extern fn cn_body_get_position_parts(world: ?*const cn_world, body: cn_body, out_high_m: [*c]cn_vec2, out_low_m: [*c]cn_vec2) cn_result;
 /// Reads the angle in radians, in (-pi, pi].
 pub extern fn cn_body_get_angle(world: ?*const cn_world, body: cn_body, out_rad: [*c]f32) cn_result;
 /// Reads the world position of the centre of mass, in metres.

@@ -179,11 +179,13 @@ static void finish_moved(cni_sweep *sweep)
 static void sweep_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out)
 {
 	cni_sweep *sweep = sweep_of(broadphase);
-	cni_pairs_begin(out);
+	cni_pairs_begin(out, sweep->count);
 	cni_sweep_settle(sweep, cni_sweep_team(sweep));
 	if (sweep->moved_count == 0)
 		return;
-	cni_sweep_find_pairs(sweep, filter, filter_context, out);
+	do {
+		cni_sweep_find_pairs(sweep, filter, filter_context, out);
+	} while (cni_pairs_search_again(out, sweep->context.arena, sweep->id_end));
 	finish_moved(sweep);
 	cni_pairs_sort(out, sweep->context.arena);
 }

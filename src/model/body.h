@@ -85,12 +85,14 @@ static inline void cni_body_restless(cni_body *b)
 
 #define CNI_TURN_REACH_UNIT (1.0f / 255.0f)
 
-/* Resets displacements and velocities that are not finite: the body stays at its pose, at rest. */
-static inline void cni_motion_keep_finite(cni_motion *m)
+/* Resets displacements and velocities that are not finite: the body stays at its pose, at rest. Returns 1 if there were some. */
+static inline uint32_t cni_motion_keep_finite(cni_motion *m)
 {
 	float zero = 0.0f * m->vx + 0.0f * m->vy + 0.0f * m->w + 0.0f * m->dpx + 0.0f * m->dpy + 0.0f * m->theta;
-	if (zero != 0.0f)
-		m->vx = m->vy = m->w = m->dpx = m->dpy = m->theta = 0.0f;
+	if (zero == 0.0f)
+		return 0;
+	m->vx = m->vy = m->w = m->dpx = m->dpy = m->theta = 0.0f;
+	return 1;
 }
 
 static inline int32_t cni_motion_can_move(const cni_motion *m) { return m->inv_mass > 0.0f || m->inv_inertia > 0.0f; }

@@ -50,7 +50,9 @@ typedef struct cni_settings {
 /* Which new pairs may already have a contact. */
 enum {
 	CNI_PAIRS_MARKED = 1, /* pairs of bodies with CNI_BODY_AGAIN: woken, moved, or filters changed */
-	CNI_PAIRS_ALL = 3     /* all pairs: memory was short for a new contact, or for the end of one */
+	CNI_PAIRS_ALL = 3,    /* all pairs: memory was short for a new contact, or for the end of one */
+	CNI_PAIRS_CROWDED = 4, /* some proxies have CNI_PROXY_CROWDED: some of their pairs have no contact yet ... */
+	CNI_PAIRS_CROWDED_STATIC = 8 /* ... also pairs with static proxies */
 };
 
 struct cn_world {
@@ -174,7 +176,7 @@ struct cn_world {
 	int32_t pairs_not_added;
 	int32_t events_not_reported;
 	cn_profile profile;
-	int32_t reserved_end;
+	uint32_t bodies_stopped;     /* in this step, as their motion was not finite; workers add to it */
 
 	char error[CNI_ERROR_TEXT_BYTES];
 };

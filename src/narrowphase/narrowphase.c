@@ -140,14 +140,14 @@ static void change_begin(cn_world *world, int32_t contact, float dt)
 static void pair_end(cn_world *world, int32_t contact)
 {
 	if (!boxes_overlap(world, cni_contact_at(world, contact)) && !cni_contact_destroy(world, contact))
-		world->pairs_may_repeat = CNI_PAIRS_ALL;
+		world->pairs_may_repeat |= CNI_PAIRS_ALL;
 }
 
 /* Sensor pairs have no lane and no island link. */
 static void sensor_change(cn_world *world, int32_t contact, int32_t change)
 {
 	if (!cni_contact_update_sensor(world, contact, change == CHANGE_BEGIN))
-		world->pairs_may_repeat = CNI_PAIRS_ALL;
+		world->pairs_may_repeat |= CNI_PAIRS_ALL;
 	else if (change == CHANGE_END)
 		pair_end(world, contact);
 }
@@ -168,7 +168,7 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, float
 	if (change != CHANGE_END)
 		return;
 	if ((c->flags & CNI_CONTACT_TOUCHING) && !cni_contact_end(world, contact))
-		world->pairs_may_repeat = CNI_PAIRS_ALL;
+		world->pairs_may_repeat |= CNI_PAIRS_ALL;
 	else
 		pair_end(world, contact);
 }
@@ -314,7 +314,7 @@ static void change_add(cn_world *world, change_list *list, int32_t contact, int3
 		return;
 	}
 	world->warnings |= CN_WARNING_CONTACT_MEMORY;
-	world->pairs_may_repeat = CNI_PAIRS_ALL;
+	world->pairs_may_repeat |= CNI_PAIRS_ALL;
 	if (cni_contact_at(world, contact)->flags & CNI_CONTACT_TOUCHING)
 		cni_contact_write_empty(world, contact);
 }

@@ -22,20 +22,22 @@
 #define BODIES_A_RANGE 256 /* some ten microseconds: records and shapes are read */
 #define BODIES_NEAR 64     /* whose records are still near after a loop over them; bits of a word */
 
-/* The conditions also catch NaN. */
-static void limit_speed(cni_motion *m, const cni_settings *set)
+/* The conditions also catch NaN. Returns 1 for a body that is stopped. */
+static uint32_t limit_speed(cni_motion *m, const cni_settings *set)
 {
+	uint32_t stopped = 0;
 	float v_sq = m->vx * m->vx + m->vy * m->vy, most = set->linear_speed_max;
 	if (!(v_sq <= most * most)) {
 		float scale = most / cni_sqrt(v_sq);
 		m->vx *= scale;
 		m->vy *= scale;
-		cni_motion_keep_finite(m);
+		stopped = cni_motion_keep_finite(m);
 	}
 	if (!(cni_abs(m->w) <= set->angular_speed_max)) {
 		m->w = cni_clamp(m->w, -set->angular_speed_max, set->angular_speed_max);
-		cni_motion_keep_finite(m);
+		stopped |= cni_motion_keep_finite(m);
 	}
+	return stopped;
 }
 
 /* high + low += change, keeping what high cannot hold (Dekker, 1971). */
@@ -135,7 +137,8 @@ static uint32_t body_take(cn_world *world, const cni_solve *s, int32_t k, uint32
 	cni_motion *m = cni_motions(world) + k;
 	cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 	int32_t pushed;
-	limit_speed(m, &world->settings);
+	if (limit_speed(m, &world->settings))
+		(void)cni_atomic_add(&world->bodies_stopped, 1u);
 	pushed = body_is_pushed(world, b, m, s->dt);
 	take_pose(b, m);
 	*rested |= body_rest(world, b, k, s, pushed);

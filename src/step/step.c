@@ -31,6 +31,7 @@ static void step_begin(cn_world *world)
 {
 	world->warnings = 0;
 	world->pairs_not_added = world->events_not_reported = 0;
+	world->bodies_stopped = 0;
 	memset(&world->profile, 0, sizeof world->profile);
 	cni_events_begin_step(&world->events);
 	world->events.in_step = 1;
@@ -125,6 +126,8 @@ static void substeps_run(cn_world *world, cni_solve *s)
 static void step_end(cn_world *world, float dt, int32_t rested)
 {
 	world->events.in_step = 0;
+	if (world->bodies_stopped > 0)
+		world->warnings |= CN_WARNING_NOT_FINITE;
 	++world->step_count;
 	if (dt > 0.0f) {
 		world->step_dt = dt;
