@@ -7,6 +7,7 @@
 
     header.py  text of include/cairn.h -> api (the dictionary in api.json)
     layout.py  sizes and offsets, and the rules that keep structs equal in every language
+    pointers.py  which pointers are arrays, outputs, strings, may be NULL
     probe.py   api -> C program that asks the compiler
     luajit.py, csharp.py, zig.py, python.py    api -> one file each
 
@@ -21,7 +22,7 @@ import tempfile
 
 sys.dont_write_bytecode = True
 
-from generator import csharp, header, layout, luajit, names, probe, python, zig  # noqa: E402
+from generator import csharp, header, layout, luajit, names, pointers, probe, python, zig  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(HERE)
@@ -38,6 +39,7 @@ def read_api(path):
     with open(path, encoding="utf-8") as file:
         api = header.parse(file.read(), os.path.basename(path))
     layout.add(api)
+    pointers.add(api)
     return api
 
 

@@ -50,6 +50,17 @@ same() { # name file command...
 	fi
 }
 
+# A program that ends with a line of counts.
+counted() { # name command...
+	name=$1
+	shift
+	$guard "$@" > "$out/log.txt" 2>&1
+	# shellcheck disable=SC2046
+	set -- $(grep -E '^[0-9]+ passed, [0-9]+ failed, 0 skipped$' "$out/log.txt" || echo "0 passed, 1 failed, 0 skipped")
+	passed=$((passed + $1)) failed=$((failed + $3))
+	if [ "$3" = 0 ]; then echo "PASS $name ($1)"; else grep -v '^PASS' "$out/log.txt"; fi
+}
+
 # Both programs of a language, when it was built.
 both() { # language, then the command in front of a program, hinges, example
 	language=$1 run=$2
@@ -70,11 +81,8 @@ same "C hinges" "$hinges" "$out/hinges"
 if command -v python3 >/dev/null 2>&1; then
 	check "files are up to date" python3 bindings/generate.py --check
 	CC=$compiler check "compiler agrees with api.json" python3 bindings/generate.py --probe
-	CC=$compiler $guard python3 bindings/test/generate_test.py > "$out/generate.txt" 2>&1
-	# shellcheck disable=SC2046
-	set -- $(grep -E '^[0-9]+ passed, [0-9]+ failed, 0 skipped$' "$out/generate.txt" || echo "0 passed, 1 failed, 0 skipped")
-	passed=$((passed + $1)) failed=$((failed + $3))
-	if [ "$3" = 0 ]; then echo "PASS generator ($1)"; else grep -v '^PASS' "$out/generate.txt"; fi
+	CC=$compiler counted generator python3 bindings/test/generate_test.py
+	counted "NULL as in api.json" python3 bindings/test/nullable.py
 	both python python3 bindings/test/hinges.py bindings/python/example.py
 else
 	skip 5 python3
