@@ -9,7 +9,8 @@
     layout.py  sizes and offsets, and the rules that keep structs equal in every language
     pointers.py  which pointers are arrays, outputs, strings, may be NULL
     probe.py   api -> C program that asks the compiler
-    luajit.py, csharp.py, zig.py, python.py    api -> one file each
+    idiom.py     what a layer above C makes of the functions
+    luajit.py, csharp.py, zig.py, python.py, cpp.py    api -> one file each
 
 Whatever header.py does not understand is an error with a line number: nothing is guessed. The
 writers see only the api, so that another language needs one more file here and nothing else.
@@ -22,7 +23,7 @@ import tempfile
 
 sys.dont_write_bytecode = True
 
-from generator import csharp, header, layout, luajit, names, pointers, probe, python, zig  # noqa: E402
+from generator import cpp, csharp, header, layout, luajit, names, pointers, probe, python, zig  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(HERE)
@@ -32,6 +33,7 @@ WRITERS = [
     ("csharp/Cairn.cs", csharp.write),
     ("zig/cairn.zig", zig.write),
     ("python/cairn.py", python.write),
+    ("cpp/cairn.hpp", cpp.write),
 ]
 
 

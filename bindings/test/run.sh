@@ -84,8 +84,28 @@ if command -v python3 >/dev/null 2>&1; then
 	CC=$compiler counted generator python3 bindings/test/generate_test.py
 	counted "NULL as in api.json" python3 bindings/test/nullable.py
 	both python python3 bindings/test/hinges.py bindings/python/example.py
+	same "python classes" "$hinges" python3 bindings/test/layer.py
+	# The wheel as a user installs it; tcc compiles the library in half a second.
+	if command -v tcc >/dev/null 2>&1 && python3 -m pip --version >/dev/null 2>&1; then
+		rm -rf "$out/site"
+		check "python wheel builds" env CC=tcc python3 -m pip install -q --no-deps --target "$out/site" ./bindings/python
+		same "python wheel" "$hinges" env LD_LIBRARY_PATH= PYTHONPATH="$out/site" python3 bindings/test/layer.py
+	else
+		skip 2 'tcc or pip'
+	fi
 else
-	skip 5 python3
+	skip 8 python3
+fi
+
+if command -v g++ >/dev/null 2>&1; then
+	cxx="g++ -std=c++17 -O2 -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion -Werror -Iinclude -Ibindings/cpp"
+	# shellcheck disable=SC2086
+	check "cpp builds hinges" $cxx bindings/test/hinges.cpp -L"$build" -lcairn -o "$out/hinges-cpp"
+	# shellcheck disable=SC2086
+	check "cpp builds example without exceptions" $cxx -fno-exceptions bindings/cpp/example.cpp -L"$build" -lcairn -o "$out/example-cpp"
+	both cpp '' "$out/hinges-cpp" "$out/example-cpp"
+else
+	skip 4 g++
 fi
 
 if command -v luajit >/dev/null 2>&1; then
