@@ -78,7 +78,7 @@ def layer():
     assert refused(lambda: world.step(-1), cairn.Error, "dt_s").code == cairn.CN_ERROR_ARGUMENT
     assert refused(lambda: world.body_get_pose(shape), cairn.Error, "").code == cairn.CN_ERROR_HANDLE
     refused(lambda: cairn.BodyDef(mass=1), AttributeError, "mass")
-    refused(lambda: world.read_poses([body], (cairn.cn_pose * 2)()), ValueError, "1 elements")
+    refused(lambda: world.read_poses([body], (cairn.cn_pose * 2)()), ValueError, "arrays of 1 and 2")
     assert len(world.read_poses([body, body])) == 2 and world.body_is_valid(body) and not world.body_is_valid(0)
     hit = world.cast_ray(cairn.cn_ray((-5, 0), (10, 0)))
     assert hit.shape == shape and list(world.overlap_point(0, 0)) == [shape]
