@@ -127,6 +127,20 @@ else
 	skip 4 cargo
 fi
 
+if command -v node >/dev/null 2>&1 && command -v clang-19 >/dev/null 2>&1 && [ -d /usr/include/wasm32-wasi ]; then
+	mkdir -p "$out/javascript"
+	cp bindings/javascript/* bindings/test/types.ts "$out/javascript"
+	check "javascript builds" env -u CC CAIRN_SOURCE_DIR="$out/source" CFLAGS="$quick" sh "$out/javascript/build.sh"
+	same "javascript hinges" "$uncalled" node bindings/test/hinges.mjs "$out/javascript"
+	if command -v tsc >/dev/null 2>&1; then
+		check "javascript types" tsc --strict --noEmit --target es2022 --lib es2022,dom --module nodenext --moduleResolution nodenext "$out/javascript/types.ts"
+	else
+		skip 1 'tsc (npm install --global typescript)'
+	fi
+else
+	skip 3 'node, clang-19 or wasi-libc'
+fi
+
 if command -v luajit >/dev/null 2>&1; then
 	both luajit luajit bindings/test/hinges.lua bindings/luajit/example.lua
 else
