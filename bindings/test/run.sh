@@ -141,6 +141,13 @@ else
 	skip 3 'node, clang-19 or wasi-libc'
 fi
 
+if command -v go >/dev/null 2>&1; then # compiles the library
+	check "go hinges and package" env CAIRN_HINGES="$(cat "$uncalled")" CC=gcc CGO_CFLAGS="$quick -I$absolute/bindings/source" LD_LIBRARY_PATH= \
+		go -C bindings/go test -vet=off .
+else
+	skip 1 go
+fi
+
 if command -v luajit >/dev/null 2>&1; then
 	both luajit luajit bindings/test/hinges.lua bindings/luajit/example.lua
 else
