@@ -159,8 +159,12 @@ if command -v mcs >/dev/null 2>&1 && command -v mono >/dev/null 2>&1; then
 		check "csharp builds $program" mcs -unsafe -langversion:7 -warnaserror -out:"$out/$(basename "$program" .cs).exe" bindings/csharp/Cairn.cs "$program"
 	done
 	both csharp mono "$out/hinges.exe" "$out/example.exe"
+	# The safe layer; its user is compiled without -unsafe.
+	check "csharp builds the safe layer" mcs -unsafe -langversion:Latest -warnaserror -t:library -out:"$out/Cairn.dll" bindings/csharp/Cairn.cs bindings/csharp/World.cs
+	check "csharp builds its user" mcs -langversion:Latest -warnaserror -r:"$out/Cairn.dll" -out:"$out/layer.exe" bindings/test/layer.cs
+	same "csharp safe layer" "$hinges" mono "$out/layer.exe"
 else
-	skip 4 'mono (mcs and mono)'
+	skip 7 'mono (mcs and mono)'
 fi
 
 zig=
