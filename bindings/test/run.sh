@@ -189,5 +189,18 @@ else
 	skip 4 cmake
 fi
 
+if command -v meson >/dev/null 2>&1 && command -v ninja >/dev/null 2>&1 && command -v git >/dev/null 2>&1; then
+	check "meson builds through the wrap" sh bindings/test/meson.sh "$out/meson" "$out/source" "$quick"
+	same "meson hinges" "$hinges" env LD_LIBRARY_PATH= "$out/meson/build/hinges"
+else
+	skip 2 'meson, ninja or git'
+fi
+
+if command -v x86_64-w64-mingw32-gcc >/dev/null 2>&1; then
+	check "Windows DLL" sh bindings/test/dll.sh "$out/windows"
+else
+	skip 1 'x86_64-w64-mingw32-gcc (gcc-mingw-w64-x86-64)'
+fi
+
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" = 0 ]
