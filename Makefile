@@ -51,7 +51,7 @@ say = $(if $(V),,@echo '$(1)' $(patsubst $(BUILD)/%,%,$@);)
 
 STRICT := -std=c99 -pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion $(WERROR)
 MODE := -ffp-contract=off -ffunction-sections -fdata-sections -fvisibility=hidden -MMD -MP
-LIB_FLAGS = $(STRICT) $(MODE) -Iinclude -Isrc -DCN_BUILD -fPIC
+LIB_FLAGS = $(STRICT) $(MODE) -Iinclude -Isrc -DCN_BUILD $(if $(WINDOWS),-DCN_SHARED,-fPIC)
 EXAMPLE_FLAGS = $(STRICT) $(MODE) -Iinclude -Iexamples
 TEST_FLAGS = $(STRICT) $(MODE) -Iinclude -Isrc -Itest -Iexamples
 
@@ -62,6 +62,13 @@ SHARED := libcairn.$(SOVERSION).dylib
 SHARED_LINK := libcairn.dylib
 SHARED_FLAGS := -dynamiclib -install_name $(PREFIX)/lib/$(SHARED)
 STRIP_UNUSED := -Wl,-dead_strip
+else ifneq (,$(findstring mingw,$(CC))$(filter Windows_NT,$(OS)))
+# The DLL, its import library, and nothing exported but what cairn.h declares.
+WINDOWS := 1
+SHARED := cairn.dll
+SHARED_LINK := libcairn.dll.a
+SHARED_FLAGS = -shared -static-libgcc -Wl,--out-implib,$(BUILD)/$(SHARED_LINK)
+STRIP_UNUSED := -Wl,--gc-sections
 else
 SHARED := libcairn.so.$(SOVERSION)
 SHARED_LINK := libcairn.so
@@ -69,7 +76,7 @@ SHARED_FLAGS := -shared -Wl,-soname,$(SHARED)
 STRIP_UNUSED := -Wl,--gc-sections
 endif
 # What a program that holds the library is linked with; threads are a part of Windows.
-LIBS := -lm $(if $(filter Windows_NT,$(OS)),,-lpthread)
+LIBS := -lm $(if $(WINDOWS),,-lpthread)
 
 # The one example that looks inside of the library.
 %/examples/bench/broadphase.o: EXAMPLE_FLAGS += -Isrc
@@ -121,7 +128,7 @@ $(BUILD)/libcairn.a: $(LIB_OBJ)
 $(BUILD)/$(SHARED): $(LIB_OBJ)
 	$(call say,link)$(CC) $(SHARED_FLAGS) $(CFLAGS) $(LDFLAGS) $^ $(LIBS) -o $@
 $(BUILD)/$(SHARED_LINK): $(BUILD)/$(SHARED)
-	@ln -sf $(SHARED) $@
+	@$(if $(WINDOWS),touch $@,ln -sf $(SHARED) $@)
 
 # ---------------------------------------------------------------- examples
 
@@ -360,7 +367,7 @@ install: all
 	mkdir -p '$(DESTDIR)$(PREFIX)/include' '$(DESTDIR)$(PREFIX)/lib/pkgconfig'
 	cp $(wildcard include/*.h include/*.hpp) '$(DESTDIR)$(PREFIX)/include/'
 	cp $(BUILD)/libcairn.a $(BUILD)/$(SHARED) '$(DESTDIR)$(PREFIX)/lib/'
-	ln -sf $(SHARED) '$(DESTDIR)$(PREFIX)/lib/$(SHARED_LINK)'
+	$(if $(WINDOWS),cp $(BUILD)/$(SHARED_LINK) '$(DESTDIR)$(PREFIX)/lib/',ln -sf $(SHARED) '$(DESTDIR)$(PREFIX)/lib/$(SHARED_LINK)')
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: cairn' 'Description: 2D rigid-body physics' 'Version: $(VERSION)' \
 		'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -lcairn' 'Libs.private: $(LIBS)' \
 		> '$(DESTDIR)$(PREFIX)/lib/pkgconfig/cairn.pc'

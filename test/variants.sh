@@ -108,8 +108,8 @@ exports() {
 	diff "$build/declared.txt" "$build/exported.txt"
 }
 
-# The library as one file (make amalgamation): no warning in C99 and C11, the same golden hashes, and AVX2 in the kernels of eight
-# lanes only.
+# The library as one file (make amalgamation): no warning in C99 and C11, the same golden hashes also as C++17, and AVX2 in the kernels of
+# eight lanes only. The library file by file with tcc, and without GNU extensions.
 amalgamation() {
 	if ! command -v clang-19 >/dev/null 2>&1 || ! command -v python3 >/dev/null 2>&1; then
 		echo "clang-19 or python3 is not installed (see .ci/deps)"
@@ -118,6 +118,9 @@ amalgamation() {
 	fi
 	${MAKE:-make} -s amalgamation BUILD="$build" || { add amalgamation 0 1 0; return; }
 	check amalgamation-compiles amalgamation_compiles
+	check no-gnu-compiles no_gnu_compiles
+	if command -v g++ >/dev/null 2>&1; then check amalgamation-cxx amalgamation_cxx; else add amalgamation-cxx 0 0 1; fi
+	if command -v tcc >/dev/null 2>&1; then check tcc-files tcc_files; else add tcc-files 0 0 1; fi
 	for compiler in gcc clang-19 tcc; do # tcc: no GNU vectors, so plain C
 		if command -v $compiler >/dev/null 2>&1; then check "amalgamation-$compiler" amalgamation_golden $compiler; else add "amalgamation-$compiler" 0 0 1; fi
 	done
@@ -132,12 +135,35 @@ amalgamation_compiles() {
 		done
 	done
 }
+no_gnu_compiles() {
+	for compiler in gcc clang-19; do
+		"$compiler" -std=c99 -pedantic -Wall -Wextra -Wno-unused-function -Werror -include bindings/test/no_gnu.h -fsyntax-only "$build/amalgamation/cairn.c" || return 1
+	done
+}
+golden_with() { # compiler folder object...: the golden scenes with these objects of the library
+	compiler=$1 folder=$2
+	shift 2
+	"$compiler" -std=c99 -O1 -ffp-contract=off -Iinclude -Isrc -Itest -Iexamples test/world/determinism_test.c examples/scenes/*.c "$@" \
+		-lm -lpthread -o "$folder/determinism_test" && "$folder/determinism_test" golden
+}
+amalgamation_cxx() {
+	clang++-19 -std=c++17 -Wall -Wno-missing-braces -Werror -fsyntax-only -x c++ "$build/amalgamation/cairn.c" || return 1
+	mkdir -p "$build/amalgamation/cxx"
+	g++ -std=c++17 -Wall -Werror -O1 -c -x c++ "$build/amalgamation/cairn.c" -o "$build/amalgamation/cxx/cairn.o" &&
+		golden_with gcc "$build/amalgamation/cxx" "$build/amalgamation/cxx/cairn.o"
+}
+tcc_files() {
+	mkdir -p "$build/tcc"
+	for file in src/*/*.c; do
+		tcc -std=c99 -Iinclude -Isrc -c "$file" -o "$build/tcc/$(echo "$file" | tr / _).o" || return 1
+	done
+	golden_with tcc "$build/tcc" "$build"/tcc/*.o
+}
 amalgamation_golden() { # compiler
 	folder=$build/amalgamation/$1
 	mkdir -p "$folder"
 	"$1" -std=c99 -O2 -c "$build/amalgamation/cairn.c" -o "$folder/cairn.o" &&
-		"$1" -std=c99 -O1 -ffp-contract=off -Iinclude -Isrc -Itest -Iexamples test/world/determinism_test.c examples/scenes/*.c "$folder/cairn.o" \
-			-lm -lpthread -o "$folder/determinism_test" && "$folder/determinism_test" golden || return 1
+		golden_with "$1" "$folder" "$folder/cairn.o" || return 1
 	[ "$(uname -m)" = x86_64 ] && [ "$1" != tcc ] || return 0
 	# Names of AVX instructions begin with v.
 	objdump -d --no-show-raw-insn "$folder/cairn.o" | awk '/^[0-9a-f]+ <.*>:$/ { name = $2 }

@@ -20,6 +20,7 @@ cn_result cnr_world_set_restitution_threshold(cn_world *world, float speed_mps);
 cn_result cnr_world_set_speed_limits(cn_world *world, float linear_mps, float angular_radps);
 cn_result cnr_world_set_sleep(cn_world *world, float speed_mps, float delay_s);
 cn_result cnr_world_set_user_data(cn_world *world, uint64_t user_data);
+cn_result cnr_world_shift_origin(cn_world *world, float x_m, float y_m);
 cn_result cnr_body_create(cn_world *world, const cn_body_def *def, cn_body *out_body);
 cn_result cnr_body_create_many(cn_world *world, const cn_body_def *defs, int32_t count, cn_body *out_bodies);
 cn_result cnr_body_destroy(cn_world *world, cn_body body);
@@ -116,6 +117,7 @@ cn_result cnr_world_explode(cn_world *world, const cn_explosion_def *def);
 #define cn_world_set_speed_limits cnr_world_set_speed_limits
 #define cn_world_set_sleep cnr_world_set_sleep
 #define cn_world_set_user_data cnr_world_set_user_data
+#define cn_world_shift_origin cnr_world_shift_origin
 #define cn_body_create cnr_body_create
 #define cn_body_create_many cnr_body_create_many
 #define cn_body_destroy cnr_body_destroy

@@ -672,6 +672,14 @@ static cn_result invoke_cn_world_set_user_data(cn_world *world, const call_value
 static const call_param params_cn_world_set_user_data[] = {
 	{ "user_data", CALL_LONG, CALL_LONG, -1, -1 },
 };
+static cn_result invoke_cn_world_shift_origin(cn_world *world, const call_value *v)
+{
+	return cn_world_shift_origin(world, v[0].f, v[1].f);
+}
+static const call_param params_cn_world_shift_origin[] = {
+	{ "x_m", CALL_FLOAT, CALL_FLOAT, -1, -1 },
+	{ "y_m", CALL_FLOAT, CALL_FLOAT, -1, -1 },
+};
 static cn_result invoke_cn_body_create(cn_world *world, const call_value *v)
 {
 	return cn_body_create(world, (const cn_body_def *)v[0].in, (cn_body *)v[1].out);
@@ -1363,6 +1371,7 @@ const call_entry call_entries[] = {
 	{ "cn_world_set_speed_limits", invoke_cn_world_set_speed_limits, params_cn_world_set_speed_limits, 2 },
 	{ "cn_world_set_sleep", invoke_cn_world_set_sleep, params_cn_world_set_sleep, 2 },
 	{ "cn_world_set_user_data", invoke_cn_world_set_user_data, params_cn_world_set_user_data, 1 },
+	{ "cn_world_shift_origin", invoke_cn_world_shift_origin, params_cn_world_shift_origin, 2 },
 	{ "cn_body_create", invoke_cn_body_create, params_cn_body_create, 2 },
 	{ "cn_body_create_many", invoke_cn_body_create_many, params_cn_body_create_many, 3 },
 	{ "cn_body_destroy", invoke_cn_body_destroy, params_cn_body_destroy, 1 },

@@ -11,6 +11,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#if defined(__TINYC__) && !defined(FLT_EVAL_METHOD) && defined(__x86_64__)
+#define FLT_EVAL_METHOD 0 /* tcc computes floats by SSE here, and its float.h does not say so */
+#endif
+
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)

@@ -22,7 +22,7 @@
 #define ALIVE_BIT (1u << 21)
 #define NEXT_MASK 0x1FFFFFu
 
-static uint32_t *slots_of(const cni_handles *handles) { return handles->slots.data; }
+static uint32_t *slots_of(const cni_handles *handles) { return (uint32_t *)handles->slots.data; }
 
 void cni_handles_init(cni_handles *handles, int32_t kind)
 {
@@ -90,7 +90,7 @@ static void list_remove(cni_array *list, int32_t by_slot, int32_t key)
 static const cni_alias *alias_find(const cni_array *list, int32_t by_slot, int32_t key)
 {
 	int32_t k = list_from(list, by_slot, key);
-	const cni_alias *at = list->data;
+	const cni_alias *at = (const cni_alias *)list->data;
 
 	return k < list->count && key_of(at + k, by_slot) == key ? at + k : NULL;
 }

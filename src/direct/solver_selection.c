@@ -147,8 +147,8 @@ static void loads_clear(const cn_world *world, const cni_island *i)
 void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
-	int32_t first = reason == CN_TIER_REASON_NO_SET || reason == CN_TIER_REASON_MOVING ? CNI_SELECTION_RETRY_FIRST :
-		CNI_SELECTION_REFUSED_FIRST;
+	int32_t first = reason == CN_TIER_REASON_NO_SET || reason == CN_TIER_REASON_MOVING ? (int32_t)CNI_SELECTION_RETRY_FIRST :
+		(int32_t)CNI_SELECTION_REFUSED_FIRST;
 	if (i->tier == CNI_TIER_DIRECT && i->falls_steps > 0 && i->gives_step != 0 && world->step_count + 1u - i->gives_step < 3u)
 		loads_clear(world, i);
 	i->tier = CNI_TIER_SOFT;

@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-const cni_body cni_body_none;
+const cni_body cni_body_none = { 0 };
 
 cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b)
 {

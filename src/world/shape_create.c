@@ -31,26 +31,26 @@ void cn_shape_def_init(cn_shape_def *def)
 typedef struct source {
 	int32_t type;
 	int32_t count;      /* points */
-	const void *public; /* cn_circle, cn_capsule, ... */
+	const void *geometry; /* cn_circle, cn_capsule, ... */
 } source;
 
-static source source_make(int32_t type, int32_t count, const void *public)
+static source source_make(int32_t type, int32_t count, const void *geometry)
 {
 	source s;
 	s.type = type;
 	s.count = count;
-	s.public = public;
+	s.geometry = geometry;
 	return s;
 }
 
 static void geometry_build(cni_geometry *out, const source *from, cni_transform offset)
 {
 	switch (from->type) {
-	case CN_SHAPE_CIRCLE: cni_geometry_circle(out, (const cn_circle *)from->public, offset); break;
-	case CN_SHAPE_CAPSULE: cni_geometry_capsule(out, (const cn_capsule *)from->public, offset); break;
-	case CN_SHAPE_EDGE: cni_geometry_edge(out, (const cn_edge *)from->public, offset); break;
-	case CN_SHAPE_POLYGON: cni_geometry_polygon(out, (const cn_polygon *)from->public, offset); break;
-	default: cni_geometry_chain(out, (const cn_chain *)from->public, offset); break;
+	case CN_SHAPE_CIRCLE: cni_geometry_circle(out, (const cn_circle *)from->geometry, offset); break;
+	case CN_SHAPE_CAPSULE: cni_geometry_capsule(out, (const cn_capsule *)from->geometry, offset); break;
+	case CN_SHAPE_EDGE: cni_geometry_edge(out, (const cn_edge *)from->geometry, offset); break;
+	case CN_SHAPE_POLYGON: cni_geometry_polygon(out, (const cn_polygon *)from->geometry, offset); break;
+	default: cni_geometry_chain(out, (const cn_chain *)from->geometry, offset); break;
 	}
 }
 
