@@ -30,7 +30,7 @@ static const cni_field world_fields[] = {
 	W(step_count, WORD), W(user_data, LONG), W(step_dt, FLOAT), W(mean_dt, FLOAT), W(overridden, BIT), W(fixed_step, FLOAT), W(time_owed, FLOAT),
 	W(steps_max, COUNT), W(pairs_may_repeat, COUNT), W(seams_changed, BIT), W(seams_box, WORD), W(split_step, WORD), W(joints_soft_step, WORD),
 	W(settled, BIT), W(piles_new, BIT), W(piles_unheld, BIT), W(solvers_asked, BIT), W(direct_work, COUNT), W(direct_failed, BIT),
-	W(cone_work, COUNT), W(warnings, WORD), W(pairs_not_added, COUNT), W(events_not_reported, COUNT), W(stressed_joints, COUNT),
+	W(cone_work, COUNT), W(warnings, WORD), W(pairs_not_added, COUNT), W(bodies_stopped, WORD), W(events_not_reported, COUNT), W(stressed_joints, COUNT),
 	/* other chunks, counted again, or not state: world/save_state.c */
 	D(memory), D(arena), D(blocks), D(team), D(settings), D(locked), D(body_handles), D(bodies), D(movable_count), D(awake_count), D(motion), D(start),
 	D(external), D(awake_id), D(awake_islands), D(step_islands), D(step_island_count), D(reserved_bodies), D(kicked), D(previous), D(reserved_time),
@@ -40,7 +40,7 @@ static const cni_field world_fields[] = {
 	D(constraint_count), D(joints), D(awake_joints), D(joint_work), D(joint_blocks), D(joint_colors), D(joint_lanes), D(row_blocks),
 	D(row_block_count), D(row_blocks_of), D(joint_plain_first), D(reserved_plain), D(islands), D(island_used), D(island_free), D(island_count),
 	D(reserved_islands), D(direct_islands), D(reserved_direct), D(direct_plans), D(filter), D(filter_user), D(pre_solve), D(pre_solve_user),
-	D(material_mix), D(material_mix_user), D(events), D(profile), D(reserved_end), D(error)
+	D(material_mix), D(material_mix_user), D(events), D(profile), D(error)
 };
 
 /* ---- handles */
