@@ -20,6 +20,7 @@
 #   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
 #   make testbed    scenes to play with, in a window; make testbed-web in a browser: examples/testbed/README.md
 #   make docs       the documentation as a site: build/docs/index.html
+#   make embedded   50 boxes on a Cortex-M4F and a 32-bit RISC-V, in emulators: examples/embedded
 #   make rollback   inputs that arrive late: examples/rollback.c    make examples   every small example
 #
 # CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
@@ -74,7 +75,7 @@ LIBS := -lm $(if $(filter Windows_NT,$(OS)),,-lpthread)
 LIB_SRC := $(sort $(wildcard src/*/*.c))
 SMALL_SRC := $(sort $(wildcard examples/*.c))
 MAIN_SRC := $(SMALL_SRC) examples/demo/demo.c examples/bench/bench.c examples/bench/once.c examples/bench/scale.c examples/cost/cost.c
-EXAMPLE_SRC := $(filter-out $(MAIN_SRC) examples/peers/%,$(sort $(wildcard examples/*/*.c)))
+EXAMPLE_SRC := $(filter-out $(MAIN_SRC) examples/peers/% examples/embedded/%,$(sort $(wildcard examples/*/*.c)))
 TEST_SRC := $(sort $(wildcard test/*/*_test.c))
 
 LIB_OBJ := $(LIB_SRC:%.c=$(BUILD)/release/%.o)
@@ -88,7 +89,7 @@ TIMES_SRC := $(sort $(wildcard test/*/*_time_test.c))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh test/examples/small.sh
 SMALL_CHECKED := $(SMALL_SRC:examples/%.c=$(BUILD)/checked/bin/%)
 
-.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback check-deps check-links install clean FORCE
+.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback embedded check-deps check-links install clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -147,6 +148,10 @@ rollback: $(BUILD)/bin/rollback
 .PHONY: examples
 examples: $(SMALL)
 	@BUILD='$(BUILD)/bin' sh test/examples/small.sh
+
+# Needs cross compilers and QEMU (.ci/deps).
+embedded:
+	@sh examples/embedded/run.sh $(BUILD)/embedded $(CONFIGURATION)
 
 demo: $(BUILD)/bin/demo
 	@mkdir -p $(BUILD)/demo

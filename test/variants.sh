@@ -17,7 +17,7 @@ at_a_time=2
 results=$build/parts
 # The longest first, so that the last two end together.
 parts='clang-address cross plain clang-memory helgrind clang-thread release native ablation no-fused gcc-O0 no-threads
-	clang-O3 amalgamation work header-cxx header-padding check-links check-docs testbed-web mutations-apply'
+	clang-O3 amalgamation embedded work header-cxx header-padding check-links check-docs testbed-web mutations-apply'
 
 # ---------------------------------------------------------------- of one part
 
@@ -162,6 +162,12 @@ testbed_web() {
 	grep 'is not installed' "$build/testbed-web.log"
 }
 
+# Bare metal: the smallest configuration on three processors.
+embedded() {
+	sh examples/embedded/run.sh "$build/embedded" least > "$build/embedded.log" 2>&1
+	read_log embedded $?
+}
+
 # Other processors.
 cross() {
 	sh test/cross.sh "$build/cross" > "$build/cross.log" 2>&1
@@ -220,6 +226,7 @@ run_part() {
 		release) release ;;
 		amalgamation) amalgamation ;;
 		work) work ;;
+		embedded) embedded ;;
 		cross) cross ;;
 		no-fused) if [ "$(uname -m)" = x86_64 ]; then check no-fused no_fused_operations; else add no-fused 0 0 1; fi ;;
 		check-docs) check_docs ;;

@@ -19,7 +19,11 @@
 #include "collision/manifold.h"
 
 /* Pairs in a batch: a multiple of every width. */
+#ifdef CN_SMALL_BLOCKS /* a batch is on the stack */
+#define CNI_BOX_PAIRS 8
+#else
 #define CNI_BOX_PAIRS 32
+#endif
 
 /* States of a pair, see above. */
 enum { CNI_BOXES_APART = 0, CNI_BOXES_POINT = 1, CNI_BOXES_POINTS = 2, CNI_BOXES_FALLBACK = 3 };

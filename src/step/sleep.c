@@ -119,7 +119,7 @@ static rests rests_find(cn_world *world)
 		}
 		i = cni_island_at(world, b->island);
 		i->rest_time = cni_min(i->rest_time, b->sleep_time);
-		if (cni_island_is_unsolved(i, world->step_count) && !is_still(world, b))
+		if (CNI_HAS_DIRECT && cni_island_is_unsolved(i, world->step_count) && !is_still(world, b))
 			i->rest_time = 0.0f; /* it sags, and would fall asleep so before the next attempt to solve it */
 		if (i->losses == 0 || b->sleep_time < r.longest || b->sleep_time <= 0.0f || (r.split != CNI_NONE && b->sleep_time == r.longest))
 			continue;
@@ -172,7 +172,8 @@ void cni_stage_sleep(cn_world *world)
 	rests r;
 	int32_t k;
 	keep_near_kinematic_awake(world);
-	keep_driven_awake(world);
+	if (CNI_HAS_JOINTS)
+		keep_driven_awake(world);
 	r = rests_find(world);
 	if (split_one(world, r.split))
 		r = rests_find(world);

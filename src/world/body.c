@@ -114,7 +114,7 @@ static void check_def(cni_call *call, const cn_body_def *def)
 	cni_check_finite(call, "gravity_scale", def->gravity_scale);
 	cni_check_at_least(call, "sleep_speed_mps", def->sleep_speed_mps, 0.0f);
 	cni_check_flags(call, "flags", def->flags, BODY_FLAGS);
-	cni_check_range_int(call, "solver", def->solver, CN_SOLVER_AUTO, CN_SOLVER_DIRECT);
+	cni_check_solver(call, def->solver, CN_SOLVER_DIRECT);
 	check_name(call, def->name);
 }
 
