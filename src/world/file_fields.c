@@ -11,7 +11,6 @@
 
 #include <stddef.h>
 #include <string.h>
-
 #define FIELD(type, member, kind) { (uint16_t)offsetof(type, member), (uint16_t)(sizeof(((type *)0)->member) / CNI_FIELD_BYTES(CNI_FIELD_##kind)), CNI_FIELD_##kind }
 #define RECORD(fields, type) { fields, (int32_t)(sizeof(fields) / sizeof(fields)[0]), (int32_t)sizeof(type) }
 
@@ -150,8 +149,8 @@ static const cni_field joint_event_fields[] = {
 };
 
 enum {
-	SETTINGS, WORLD, WORDS, ALIAS, HANDLES, BODY, MOTION, START, EXTERNAL, PREVIOUS, BODY_INDEX, SHAPE, PROXY, CONTACT, CONTACT_INDEX, BLOCK, INFO,
-	ANCHOR, EXTRA, SLEEP_LANE, COLOR, JOINT, JOINT_INDEX, ISLAND, ISLAND_INDEX, EVENT, SENSOR_EVENT, JOINT_EVENT, RECORDS
+	OF_SETTINGS, OF_WORLD, OF_WORDS, OF_ALIAS, OF_HANDLES, OF_BODY, OF_MOTION, OF_START, OF_EXTERNAL, OF_PREVIOUS, OF_BODY_INDEX, OF_SHAPE, OF_PROXY, OF_CONTACT, OF_CONTACT_INDEX, OF_BLOCK, OF_INFO,
+	OF_ANCHOR, OF_EXTRA, OF_SLEEP_LANE, OF_COLOR, OF_JOINT, OF_JOINT_INDEX, OF_ISLAND, OF_ISLAND_INDEX, OF_EVENT, OF_SENSOR_EVENT, OF_JOINT_EVENT, RECORDS
 };
 
 static const cni_record records[RECORDS] = {
@@ -195,7 +194,7 @@ static void single_pass(cni_file *f, const char *tag, int32_t record, void *item
 
 void cni_file_settings(cni_file *f, cni_settings *settings)
 {
-	single_pass(f, "SETT", SETTINGS, settings);
+	single_pass(f, "SETT", OF_SETTINGS, settings);
 }
 
 static void array_pass(cn_world *world, cni_file *f, const char *tag, int32_t record, cni_array *array)
@@ -239,10 +238,10 @@ static void handles_pass(cn_world *world, cni_file *f, char letter, cni_handles 
 {
 	char slots[5] = { letter, 'S', 'L', 'T', 0 }, aliases[5] = { letter, 'A', 'L', 'I', 0 }, by_slot[5] = { letter, 'A', 'L', 'S', 0 };
 	char state[5] = { letter, 'H', 'A', 'N', 0 };
-	array_pass(world, f, slots, WORDS, &handles->slots);
-	array_pass(world, f, aliases, ALIAS, &handles->aliases);
-	array_pass(world, f, by_slot, ALIAS, &handles->by_slot);
-	single_pass(f, state, HANDLES, handles);
+	array_pass(world, f, slots, OF_WORDS, &handles->slots);
+	array_pass(world, f, aliases, OF_ALIAS, &handles->aliases);
+	array_pass(world, f, by_slot, OF_ALIAS, &handles->by_slot);
+	single_pass(f, state, OF_HANDLES, handles);
 	if (f->mode != CNI_FILE_READ || f->result != CN_OK)
 		return;
 	if (!cni_file_handles_hold(handles))
@@ -268,11 +267,11 @@ static int32_t *island_link(const cn_world *world, int32_t island) { return &cni
 static int32_t *block_link(const cn_world *world, int32_t block) { return &cni_block_info_at(world, block)->next; }
 
 /* A free record, from one of zeros. */
-static void proxy_free(const cn_world *world, int32_t proxy) { cni_proxy_at(world, proxy)->flags = 0; }
-static void contact_free(const cn_world *world, int32_t contact) { cni_contact_at(world, contact)->body[0] = cni_contact_at(world, contact)->body[1] = CNI_NONE; }
-static void island_free(const cn_world *world, int32_t island) { cni_island_at(world, island)->first = cni_island_at(world, island)->last = CNI_NONE; }
+static void free_proxy(const cn_world *world, int32_t proxy) { cni_proxy_at(world, proxy)->flags = 0; }
+static void free_contact(const cn_world *world, int32_t contact) { cni_contact_at(world, contact)->body[0] = cni_contact_at(world, contact)->body[1] = CNI_NONE; }
+static void free_island(const cn_world *world, int32_t island) { cni_island_at(world, island)->first = cni_island_at(world, island)->last = CNI_NONE; }
 
-static void block_free(const cn_world *world, int32_t block)
+static void free_block(const cn_world *world, int32_t block)
 {
 	cni_block_info *info = cni_block_info_at(world, block);
 	int32_t l;
@@ -289,10 +288,10 @@ typedef struct pool {
 } pool;
 
 static const pool pools[] = {
-	{ "PFRE", proxy_is_live, proxy_link, proxy_free },
-	{ "CFRE", contact_is_live, contact_link, contact_free },
-	{ "IFRE", island_is_live, island_link, island_free },
-	{ "BFRE", block_is_live, block_link, block_free }
+	{ "PFRE", proxy_is_live, proxy_link, free_proxy },
+	{ "CFRE", contact_is_live, contact_link, free_contact },
+	{ "IFRE", island_is_live, island_link, free_island },
+	{ "BFRE", block_is_live, block_link, free_block }
 };
 enum { PROXY_POOL, CONTACT_POOL, ISLAND_POOL, BLOCK_POOL };
 
@@ -348,12 +347,12 @@ static void pool_pass(cn_world *world, cni_file *f, int32_t which, cni_table *ta
 
 /* ---- contacts ---- */
 
-typedef union lanes {
+typedef union lane_words {
 	cni_contact_block rows;
 	cni_block_anchor anchor;
 	cni_block_extra extra;
 	uint32_t words[sizeof(cni_contact_block) / 4];
-} lanes;
+} lane_words;
 
 /* Rows by lanes. Kernels of several widths leave 0 or -0 in lanes without a contact: these are written as 0. */
 static void lanes_pass(cn_world *world, cni_file *f, const char *tag, int32_t record, cni_table *table, int32_t used)
@@ -366,7 +365,7 @@ static void lanes_pass(cn_world *world, cni_file *f, const char *tag, int32_t re
 	}
 	count = cni_file_chunk(f, tag, cni_record_file_bytes(&records[record]), used, &stride);
 	for (k = 0; k < count; ++k) {
-		lanes copy;
+		lane_words copy;
 		if (f->mode == CNI_FILE_WRITE && block_is_live(world, k)) {
 			memcpy(copy.words, cni_table_at(table, k), words * 4u);
 			for (word = 0; word < words; ++word)
@@ -394,7 +393,7 @@ static void extra_pass(cn_world *world, cni_file *f)
 	else if (f->mode == CNI_FILE_READ && count > 0 && !cni_lane_reserve_extra(world))
 		cni_file_fail(f, CN_ERROR_MEMORY);
 	else
-		lanes_pass(world, f, "EXTR", EXTRA, &world->blocks_extra, count);
+		lanes_pass(world, f, "EXTR", OF_EXTRA, &world->blocks_extra, count);
 }
 
 static void blocks_pass(cn_world *world, cni_file *f)
@@ -404,23 +403,23 @@ static void blocks_pass(cn_world *world, cni_file *f)
 	if (f->mode == CNI_FILE_READ && !cni_table_reserve(&world->blocks_hot, &world->memory, f->limits[CNI_FIELD_BLOCK]))
 		cni_file_fail(f, CN_ERROR_MEMORY);
 	pool_pass(world, f, BLOCK_POOL, &world->blocks_info, CNI_FIELD_BLOCK, &world->block_used, &world->block_free);
-	table_pass(world, f, "INFO", INFO, &world->blocks_info, world->block_used, block_is_live);
-	lanes_pass(world, f, "BLOK", BLOCK, &world->blocks_hot, world->block_used);
-	lanes_pass(world, f, "ANCH", ANCHOR, &world->blocks_anchor, world->block_used);
+	table_pass(world, f, "INFO", OF_INFO, &world->blocks_info, world->block_used, block_is_live);
+	lanes_pass(world, f, "BLOK", OF_BLOCK, &world->blocks_hot, world->block_used);
+	lanes_pass(world, f, "ANCH", OF_ANCHOR, &world->blocks_anchor, world->block_used);
 	extra_pass(world, f);
-	count = cni_file_chunk(f, "COLR", cni_record_file_bytes(&records[COLOR]), CNI_COLORS, &stride);
+	count = cni_file_chunk(f, "COLR", cni_record_file_bytes(&records[OF_COLOR]), CNI_COLORS, &stride);
 	if (count != CNI_COLORS)
 		cni_file_fail(f, CN_ERROR_FORMAT);
 	for (color = 0; color < CNI_COLORS; ++color)
-		cni_file_record(f, &records[COLOR], &world->colors[color], stride);
+		cni_file_record(f, &records[OF_COLOR], &world->colors[color], stride);
 }
 
 static void contacts_pass(cn_world *world, cni_file *f)
 {
 	pool_pass(world, f, CONTACT_POOL, &world->contacts, CNI_FIELD_CONTACT, &world->contact_used, &world->contact_free);
-	table_pass(world, f, "CONT", CONTACT, &world->contacts, world->contact_used, contact_is_live);
-	array_pass(world, f, "APAR", CONTACT_INDEX, &world->apart);
-	array_pass(world, f, "SLEE", SLEEP_LANE, &world->sleep_lanes);
+	table_pass(world, f, "CONT", OF_CONTACT, &world->contacts, world->contact_used, contact_is_live);
+	array_pass(world, f, "APAR", OF_CONTACT_INDEX, &world->apart);
+	array_pass(world, f, "SLEE", OF_SLEEP_LANE, &world->sleep_lanes);
 	blocks_pass(world, f);
 }
 
@@ -433,14 +432,14 @@ static void events_pass(cn_world *world, cni_file *f)
 	int32_t kind;
 	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
 		log[3] = pending[3] = (char)('0' + kind);
-		array_pass(world, f, log, EVENT, &events->log[kind]);
-		array_pass(world, f, pending, EVENT, &events->pending[kind]);
+		array_pass(world, f, log, OF_EVENT, &events->log[kind]);
+		array_pass(world, f, pending, OF_EVENT, &events->pending[kind]);
 	}
-	array_pass(world, f, "SLOG", SENSOR_EVENT, &events->sensor_log);
-	array_pass(world, f, "SPEN", SENSOR_EVENT, &events->sensor_pending);
-	array_pass(world, f, "JLOG", JOINT_EVENT, &events->joint_log);
-	array_pass(world, f, "JPEN", JOINT_EVENT, &events->joint_pending);
-	array_pass(world, f, "ASLP", WORDS, &events->asleep);
+	array_pass(world, f, "SLOG", OF_SENSOR_EVENT, &events->sensor_log);
+	array_pass(world, f, "SPEN", OF_SENSOR_EVENT, &events->sensor_pending);
+	array_pass(world, f, "JLOG", OF_JOINT_EVENT, &events->joint_log);
+	array_pass(world, f, "JPEN", OF_JOINT_EVENT, &events->joint_pending);
+	array_pass(world, f, "ASLP", OF_WORDS, &events->asleep);
 }
 
 /* ---- the whole ---- */
@@ -460,22 +459,22 @@ static void limits_read(cni_file *f)
 
 static void bodies_pass(cn_world *world, cni_file *f)
 {
-	table_pass(world, f, "BODY", BODY, &world->bodies, world->body_handles.slots.count, body_is_live);
-	array_pass(world, f, "MOTI", MOTION, &world->motion);
-	array_pass(world, f, "STAR", START, &world->start);
-	array_pass(world, f, "EXTE", EXTERNAL, &world->external);
-	array_pass(world, f, "AWAK", BODY_INDEX, &world->awake_id);
-	array_pass(world, f, "KICK", WORDS, &world->kicked);
-	array_pass(world, f, "PREV", PREVIOUS, &world->previous);
+	table_pass(world, f, "BODY", OF_BODY, &world->bodies, world->body_handles.slots.count, body_is_live);
+	array_pass(world, f, "MOTI", OF_MOTION, &world->motion);
+	array_pass(world, f, "STAR", OF_START, &world->start);
+	array_pass(world, f, "EXTE", OF_EXTERNAL, &world->external);
+	array_pass(world, f, "AWAK", OF_BODY_INDEX, &world->awake_id);
+	array_pass(world, f, "KICK", OF_WORDS, &world->kicked);
+	array_pass(world, f, "PREV", OF_PREVIOUS, &world->previous);
 }
 
 static void joints_pass(cn_world *world, cni_file *f)
 {
-	table_pass(world, f, "JOIN", JOINT, &world->joints, world->joint_handles.slots.count, joint_is_live);
-	array_pass(world, f, "JAWA", JOINT_INDEX, &world->awake_joints);
+	table_pass(world, f, "JOIN", OF_JOINT, &world->joints, world->joint_handles.slots.count, joint_is_live);
+	array_pass(world, f, "JAWA", OF_JOINT_INDEX, &world->awake_joints);
 	pool_pass(world, f, ISLAND_POOL, &world->islands, CNI_FIELD_ISLAND, &world->island_used, &world->island_free);
-	table_pass(world, f, "ISLA", ISLAND, &world->islands, world->island_used, island_is_live);
-	array_pass(world, f, "DIRE", ISLAND_INDEX, &world->direct_islands);
+	table_pass(world, f, "ISLA", OF_ISLAND, &world->islands, world->island_used, island_is_live);
+	array_pass(world, f, "DIRE", OF_ISLAND_INDEX, &world->direct_islands);
 }
 
 void cni_file_world(cn_world *world, cni_file *f)
@@ -484,15 +483,15 @@ void cni_file_world(cn_world *world, cni_file *f)
 		limits_read(f);
 	else
 		cni_file_settings(f, &world->settings);
-	single_pass(f, "WRLD", WORLD, world);
+	single_pass(f, "WRLD", OF_WORLD, world);
 	f->step_count = world->step_count;
 	handles_pass(world, f, 'B', &world->body_handles);
 	handles_pass(world, f, 'S', &world->shape_handles);
 	handles_pass(world, f, 'J', &world->joint_handles);
 	bodies_pass(world, f);
-	table_pass(world, f, "SHAP", SHAPE, &world->shapes, world->shape_handles.slots.count, shape_is_live);
+	table_pass(world, f, "SHAP", OF_SHAPE, &world->shapes, world->shape_handles.slots.count, shape_is_live);
 	pool_pass(world, f, PROXY_POOL, &world->proxies, CNI_FIELD_PROXY, &world->proxy_used, &world->proxy_free);
-	table_pass(world, f, "PROX", PROXY, &world->proxies, world->proxy_used, proxy_is_live);
+	table_pass(world, f, "PROX", OF_PROXY, &world->proxies, world->proxy_used, proxy_is_live);
 	contacts_pass(world, f);
 	joints_pass(world, f);
 	events_pass(world, f);
