@@ -35,7 +35,7 @@ static const entry table[] = {
 	E(cn_world_set_solver), E(cn_world_get_solver), E(cn_world_set_accuracy), E(cn_world_get_accuracy), E(cn_world_get_islands),
 	E(cn_world_set_flags), E(cn_world_get_flags), E(cn_world_get_worker_count), E(cn_world_set_restitution_threshold), E(cn_world_set_speed_limits), E(cn_world_set_sleep),
 	E(cn_world_set_user_data), E(cn_world_get_user_data), E(cn_world_get_bodies), E(cn_world_get_shapes), E(cn_world_get_joints),
-	E(cn_world_get_counters), E(cn_world_get_profile), E(cn_world_get_memory_stats), E(cn_world_hash), E(cn_world_validate),
+	E(cn_world_get_counters), E(cn_world_get_profile), E(cn_world_get_memory_stats), E(cn_world_hash), E(cn_world_shift_origin), E(cn_body_get_position_parts), E(cn_world_validate),
 	E(cn_world_save_size), E(cn_world_save), E(cn_world_restore),
 	E(cn_body_def_init), E(cn_body_create), E(cn_body_create_many), E(cn_body_destroy), E(cn_body_destroy_many), E(cn_body_is_valid),
 	E(cn_body_set_type), E(cn_body_get_type), E(cn_body_set_flags), E(cn_body_get_flags), E(cn_body_set_awake), E(cn_body_set_pose),
