@@ -121,7 +121,7 @@ WORLD_GETTER(cn_world_get_counters, cn_counters)
 WORLD_GETTER(cn_world_get_profile, cn_profile)
 WORLD_GETTER(cn_world_get_memory_stats, cn_memory_stats)
 ENTRY(cn_world_shift_origin, cn_world_shift_origin(W, 0.5f, -0.25f),
-	NOW(cn_world_shift_origin(NULL, 1.0f, 1.0f)); VECTOR(v, cn_world_shift_origin(W, v.x, v.y)); ARG(cn_world_shift_origin(W, 1.1e6f, 0.0f));)
+	NOW(cn_world_shift_origin(NULL, 1.0f, 1.0f)); POSITION(v, cn_world_shift_origin(W, v.x, v.y));)
 WORLD_GETTER(cn_world_hash, uint64_t)
 ENTRY(cn_world_validate, cn_world_validate(W, NULL, 0),
 	NOW(cn_world_validate(NULL, NULL, 0)); ARG(cn_world_validate(W, NULL, 5)); ARG(cn_world_validate(W, OUT(char), -1));)

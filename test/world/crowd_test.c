@@ -195,7 +195,7 @@ static void t_bodies_elsewhere_miss_no_contact(void)
 			                  : fixture_circle(c.world, CN_BODY_DYNAMIC, -900.0f - 3.0f * (float)i, 0.5f + 0.1f * (float)i, 0.3f, 0.5f, 0.0f);
 		crowd_step(&c, 30);
 		for (i = 0; i < 16; ++i)
-			heights[k][i] = fixture_pose(c.world, others[i]).position_m.y;
+			heights[k][i] = (double)fixture_pose(c.world, others[i]).position_m.y;
 		CHECK(k == 0 || c.warnings > 0);
 		crowd_close(&c);
 	}
