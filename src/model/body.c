@@ -45,6 +45,19 @@ void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v)
 	b->flags &= ~(uint32_t)CNI_BODY_AHEAD;
 }
 
+void cni_readback_store(cn_world *world, int32_t body)
+{
+	const cni_body *b = cni_body_at(world, body);
+	cn_body_moved *shown;
+	if (!world->readback_kept)
+		return;
+	shown = cni_readback_at(world, body);
+	shown->pose = cni_body_pose(b);
+	shown->user_data = b->user_data;
+	shown->body = cni_handles_of(&world->body_handles, body);
+	shown->fell_asleep = b->flags & CNI_BODY_MOVED ? world->step_count + (uint32_t)world->events.in_step : 0u;
+}
+
 void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def)
 {
 	cni_body *b = cni_body_at(world, body);
@@ -64,6 +77,7 @@ void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def)
 	b->island = b->island_next = b->island_prev = CNI_NONE;
 	b->shape_first = b->joint_first = b->contact_first = CNI_NONE;
 	b->user_data = def->user_data;
+	cni_readback_store(world, body);
 	v.linear_mps = def->linear_velocity_mps;
 	v.angular_radps = def->angular_velocity_radps;
 	if (def->type != CN_BODY_STATIC && (def->flags & CN_BODY_AWAKE)) /* what sleeps does not move */
@@ -251,6 +265,7 @@ void cni_body_update_mass(cn_world *world, int32_t body)
 		b->inertia = m.mass_kg > 0.0f ? m.inertia_kgm2 : 0.0f;
 		cni_body_set_center(world, b, m.center_m);
 	}
+	cni_readback_store(world, body);
 	measure_shapes(world, b);
 	cni_body_refresh_motion(world, b);
 }
@@ -281,6 +296,7 @@ void cni_body_set_transform(cn_world *world, int32_t body, cni_vec2 origin, cni_
 	b->cx = origin.x + r.x;
 	b->cy = origin.y + r.y;
 	b->cx_low = b->cy_low = 0.0f;
+	cni_readback_store(world, body);
 	if (body < world->previous.count)
 		((cni_previous *)world->previous.data)[body].body = 0; /* no interpolation across a teleport */
 	cni_body_refresh_boxes(world, body);

@@ -10,6 +10,7 @@
 /* The loaded state of CNI_WIDTH bodies. */
 typedef struct body_lanes {
 	cni_body *b[CNI_WIDTH];
+	cn_body_moved *shown[CNI_WIDTH];
 	cni_motion *m;
 	cni_wide vx, vy, w, v_sq;
 	cni_wide dx, dy, turn, extent, turn_reach;
@@ -32,6 +33,7 @@ CNI_INLINE int32_t lanes_load(const cn_world *world, int32_t k, body_lanes *f)
 		return 0;
 	for (l = 0; l < CNI_WIDTH; ++l) {
 		f->b[l] = cni_body_at(world, ids[l]);
+		f->shown[l] = world->readback_kept ? cni_readback_at(world, ids[l]) : NULL;
 		records[l] = (float *)(void *)f->b[l];
 		turn_reach[l] = cni_body_turn_reach(f->b[l]);
 	}
@@ -47,12 +49,24 @@ CNI_INLINE void sum_exactly_wide(cni_wide *high, cni_wide *low, cni_wide change)
 	*high = sum;
 }
 
+/* Writes the readback: cni_readback_store for what finalizing changes. */
+CNI_INLINE void lanes_show(const body_lanes *f, cni_mask moved, uint32_t moved_step, cni_wide x, cni_wide y, cni_wide c, cni_wide s)
+{
+	float *shown[CNI_WIDTH];
+	int32_t l;
+	for (l = 0; l < CNI_WIDTH; ++l)
+		shown[l] = (float *)(void *)&f->shown[l]->pose;
+	cni_wide_scatter4_to(shown, 0, x, y, c, s);
+	for (l = 0; l < CNI_WIDTH; ++l)
+		f->shown[l]->fell_asleep = moved[l] != 0 ? moved_step : 0u;
+}
+
 /* take_pose without the room. Returns what the movement takes from each body's room. */
-CNI_INLINE cni_wide lanes_poses(const body_lanes *f, cni_mask *moved)
+CNI_INLINE cni_wide lanes_poses(const body_lanes *f, cni_mask *moved, uint32_t moved_step)
 {
 	const int32_t at_center = (int32_t)(offsetof(cni_body, cx) / sizeof(float)), at_rotation = (int32_t)(offsetof(cni_body, q) / sizeof(float));
 	float *records[CNI_WIDTH];
-	cni_wide x, y, x_low, y_low, c, s, lx, ly, before_x, before_y, turn_c, turn_s, new_c, new_s, length;
+	cni_wide x, y, x_low, y_low, c, s, lx, ly, before_x, before_y, after_x, after_y, turn_c, turn_s, new_c, new_s, length;
 	cni_mask turns, same;
 	int32_t l;
 	for (l = 0; l < CNI_WIDTH; ++l)
@@ -70,10 +84,14 @@ CNI_INLINE cni_wide lanes_poses(const body_lanes *f, cni_mask *moved)
 	turns = f->turn != cni_wide_of(0.0f);
 	new_c = cni_wide_select(turns, new_c / length, c);
 	new_s = cni_wide_select(turns, new_s / length, s);
-	same = (before_x == x - (new_c * lx - new_s * ly) + x_low) & (before_y == y - (new_s * lx + new_c * ly) + y_low) & (c == new_c) & (s == new_s);
+	after_x = x - (new_c * lx - new_s * ly) + x_low;
+	after_y = y - (new_s * lx + new_c * ly) + y_low;
+	same = (before_x == after_x) & (before_y == after_y) & (c == new_c) & (s == new_s);
 	*moved = ~same;
 	cni_wide_scatter4_to(records, at_center, x, y, x_low, y_low);
 	cni_wide_scatter2_to(records, at_rotation, new_c, new_s);
+	if (f->shown[0] != NULL)
+		lanes_show(f, ~same, moved_step, after_x, after_y, new_c, new_s);
 	for (l = 0; l < CNI_WIDTH; ++l)
 		f->m[l].dpx = f->m[l].dpy = f->m[l].theta = 0.0f;
 	return cni_wide_max(cni_wide_abs(f->dx), cni_wide_abs(f->dy)) + cni_wide_abs(f->turn) * f->turn_reach +
@@ -181,7 +199,7 @@ static cni_poses_taken kernel_poses(cn_world *world, const cni_solve *s, int32_t
 			out.left |= (uint64_t)ALL_LANES << (k - begin);
 			continue;
 		}
-		taken = lanes_poses(&f, &moved);
+		taken = lanes_poses(&f, &moved, world->step_count + 1u);
 		out.no_room |= (uint64_t)lanes_rooms(&f, taken, moved, s->dt) << (k - begin);
 		r = lanes_rest(world, s, k, &f);
 		out.rest |= (uint64_t)r.left << (k - begin);

@@ -45,7 +45,8 @@ static const member other_members[] = {
 	MEMBER(reserved_time), MEMBER(broadphase_ops), MEMBER(pairs), MEMBER(block_list), MEMBER(joint_work), MEMBER(joint_blocks),
 	MEMBER(joint_colors), MEMBER(joint_lanes), MEMBER(row_blocks), MEMBER(row_block_count), MEMBER(row_blocks_of), MEMBER(joint_plain_first),
 	MEMBER(reserved_plain), MEMBER(direct_plans), MEMBER(filter), MEMBER(filter_user), MEMBER(pre_solve), MEMBER(pre_solve_user),
-	MEMBER(material_mix), MEMBER(material_mix_user), MEMBER(profile), MEMBER(error), MEMBER(reserved_bodies), MEMBER(reserved_islands), MEMBER(reserved_direct),
+	MEMBER(material_mix), MEMBER(material_mix_user), MEMBER(profile), MEMBER(error), MEMBER(readback), MEMBER(readback_kept), MEMBER(readback_asked),
+	MEMBER(reserved_bodies), MEMBER(reserved_islands), MEMBER(reserved_direct),
 	MEMBER(reserved_end)
 };
 
@@ -166,7 +167,7 @@ void cni_world_snapshot(cn_world *world, cni_snapshot *s)
 	for (k = 0; k < COUNT_OF(state_members); ++k)
 		cni_snapshot_state(s, (uint8_t *)world + state_members[k].offset, state_members[k].bytes);
 	if (s->mode == CNI_SNAPSHOT_LOAD)
-		world->joint_lanes.lanes = 0;
+		world->joint_lanes.lanes = world->readback_kept = 0;
 }
 
 /* ---- what the bytes mean ---- */
