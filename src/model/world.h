@@ -21,6 +21,7 @@
 #include "model/tuning.h"
 
 #define CNI_ERROR_TEXT_BYTES 192
+#define CNI_ESTIMATED_MOST 32
 
 /* Items in a page of each table, as powers of two: small first pages keep an empty world small. */
 enum { CNI_PAGE_BODIES = 4, CNI_PAGE_READBACK = 5, CNI_PAGE_SHAPES = 4, CNI_PAGE_PROXIES = 5, CNI_PAGE_CONTACTS = 6, CNI_PAGE_BLOCKS = 2, CNI_PAGE_JOINTS = 5, CNI_PAGE_ISLANDS = 5 };
@@ -84,7 +85,8 @@ struct cn_world {
 	                                without memory */
 	int32_t *step_islands;       /* records of the numbered islands, scratch of the arena; NULL: record index = number */
 	int32_t step_island_count;   /* count of island numbers, within a step */
-	int32_t reserved_bodies;
+	int32_t masses_estimated;    /* bodies of the list below */
+	cn_body estimated[CNI_ESTIMATED_MOST]; /* whose mass is a sum to which shapes were added: cni_body_shapes_changed */
 	cni_array kicked;            /* cn_body whose velocity was set since the last step */
 
 	/* variable time: empty until cn_world_update is used */

@@ -492,6 +492,66 @@ static void kinematic_bodies_reach_their_targets(void)
 	cn_world_destroy(world);
 }
 
+/* ---- shapes added one by one: model/body_shapes.c ---- */
+
+/* Mass of 300 boxes as sums in double precision. */
+typedef struct compound {
+	double kg, x, y, about_origin;
+} compound;
+
+static void compound_add(compound *sum, cn_world *world, cn_body body, int32_t k)
+{
+	cn_shape_def def = fixture_shape_def(body, 0.5f, 0.0f);
+	float hx = 0.1f + 0.01f * (float)(k % 13), hy = 0.1f + 0.02f * (float)(k % 7);
+	double kg = 4.0 * (double)hx * (double)hy;
+	def.offset_m.x = 0.3f * (float)(k % 20);
+	def.offset_m.y = 0.4f * (float)(k / 20);
+	def.density_kgpm2 = 1.0f;
+	fixture_box_shape(world, &def, hx, hy);
+	sum->kg += kg;
+	sum->x += kg * (double)def.offset_m.x;
+	sum->y += kg * (double)def.offset_m.y;
+	sum->about_origin += kg * ((double)(hx * hx + hy * hy) / 3.0 + (double)(def.offset_m.x * def.offset_m.x + def.offset_m.y * def.offset_m.y));
+}
+
+static double mass_error(const compound *sum, const cn_mass_data *m)
+{
+	double x = sum->x / sum->kg, y = sum->y / sum->kg, inertia = sum->about_origin - sum->kg * (x * x + y * y);
+	double center = hypot((double)m->center_m.x - x, (double)m->center_m.y - y);
+	return fmax(fabs((double)m->mass_kg / sum->kg - 1.0), fmax(fabs((double)m->inertia_kgm2 / inertia - 1.0), center));
+}
+
+/* Two bodies get their shapes in turn, so that both are updated and not computed until the step. */
+static void shapes_added_one_by_one_add_up(void)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	cn_body bodies[2];
+	compound sums[2];
+	cn_mass_data m, again;
+	int32_t k, side;
+	memset(sums, 0, sizeof sums);
+	for (k = 0; k < 2; ++k)
+		bodies[k] = fixture_body(world, CN_BODY_DYNAMIC, 50.0f * (float)k, 0.0f, 0.3f);
+	for (k = 0; k < 600; ++k)
+		compound_add(&sums[k % 2], world, bodies[k % 2], k / 2);
+	CHECK(fixture_is_valid(world));
+	for (side = 0; side < 2; ++side) {
+		must(cn_body_get_mass_data(world, bodies[side], &m), world, "mass");
+		CHECK_LE("error of mass, centre and inertia when all are added", mass_error(&sums[side], &m), 1e-4, "");
+		CHECK_LE("displacement of the origin", hypot((double)fixture_pose(world, bodies[side]).position_m.x - 50.0 * side, (double)fixture_pose(world, bodies[side]).position_m.y), 1e-4, "m");
+	}
+	fixture_step(world, 1);
+	for (side = 0; side < 2; ++side) {
+		must(cn_body_get_mass_data(world, bodies[side], &m), world, "mass");
+		must(cn_body_reset_mass_data(world, bodies[side]), world, "reset");
+		must(cn_body_get_mass_data(world, bodies[side], &again), world, "mass");
+		CHECK_LE("after a step", mass_error(&sums[side], &m), ROUNDING, "");
+		CHECK(memcmp(&m, &again, sizeof m) == 0);
+	}
+	CHECK(fixture_is_valid(world));
+	cn_world_destroy(world);
+}
+
 /* ---- the readback: model/world.h ---- */
 
 #define READ_BODIES 70
@@ -560,6 +620,7 @@ int main(int argc, char **argv)
 	RUN(names_and_data_are_kept);
 	RUN(bodies_can_be_gone_through);
 	RUN(bulk_reads_are_single_reads);
+	RUN(shapes_added_one_by_one_add_up);
 	RUN(readback_is_the_records);
 	RUN(many_are_made_or_none);
 	RUN(dead_handles_stay_dead);
