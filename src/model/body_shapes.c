@@ -6,23 +6,27 @@
 
 #include <float.h>
 
-/* Mass, centre and inertia of all shapes: first the centre, then the inertia about it (Steiner). */
+#define MASSES_KEPT 4
+
+/* Mass, centre and inertia of all shapes: first the centre, then the inertia about it (Steiner). Few shapes' own are computed once. */
 static cn_mass_data shapes_mass(const cn_world *world, const cni_body *b)
 {
-	cn_mass_data total = { 0.0f, 0.0f, { 0.0f, 0.0f } };
-	int32_t index;
-	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
+	cn_mass_data total = { 0.0f, 0.0f, { 0.0f, 0.0f } }, kept[MASSES_KEPT];
+	int32_t index, k = 0;
+	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next, ++k) {
 		const cni_shape *s = cni_shape_at(world, index);
 		cn_mass_data m = cni_geometry_mass(cni_shape_geometry(&world->blocks, s), s->density);
 		total.mass_kg += m.mass_kg;
 		total.center_m = cni_madd(total.center_m, m.mass_kg, m.center_m);
+		if (k < MASSES_KEPT)
+			kept[k] = m;
 	}
 	if (total.mass_kg <= 0.0f)
 		return total;
 	total.center_m = cni_mul(1.0f / total.mass_kg, total.center_m);
-	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
+	for (index = b->shape_first, k = 0; index != CNI_NONE; index = cni_shape_at(world, index)->next, ++k) {
 		const cni_shape *s = cni_shape_at(world, index);
-		cn_mass_data m = cni_geometry_mass(cni_shape_geometry(&world->blocks, s), s->density);
+		cn_mass_data m = k < MASSES_KEPT ? kept[k] : cni_geometry_mass(cni_shape_geometry(&world->blocks, s), s->density);
 		total.inertia_kgm2 += m.inertia_kgm2 + m.mass_kg * cni_distance_sq(m.center_m, total.center_m);
 	}
 	return total;
