@@ -58,6 +58,7 @@ static void take_pose(cn_world *world, int32_t body, cni_motion *m)
 {
 	cni_body *b = cni_body_at(world, body);
 	cn_pose before = cni_body_pose(b), after;
+	cn_body_moved *shown;
 	b->flags &= ~CNI_BODY_OF_THE_WAY;
 	sum_exactly(&b->cx, &b->cx_low, m->dpx);
 	sum_exactly(&b->cy, &b->cy_low, m->dpy);
@@ -68,7 +69,11 @@ static void take_pose(cn_world *world, int32_t body, cni_motion *m)
 	if (before.position_m.x != after.position_m.x || before.position_m.y != after.position_m.y || before.cosine != after.cosine ||
 	    before.sine != after.sine)
 		b->flags |= CNI_BODY_MOVED;
-	cni_readback_store(world, body);
+	if (world->readback_kept) {
+		shown = cni_readback_at(world, body);
+		shown->pose = after;
+		shown->fell_asleep = b->flags & CNI_BODY_MOVED ? world->step_count + 1u : 0u;
+	}
 	m->dpx = m->dpy = m->theta = 0.0f;
 }
 

@@ -10,7 +10,6 @@
 /* The loaded state of CNI_WIDTH bodies. */
 typedef struct body_lanes {
 	cni_body *b[CNI_WIDTH];
-	cn_body_moved *shown[CNI_WIDTH];
 	cni_motion *m;
 	cni_wide vx, vy, w, v_sq;
 	cni_wide dx, dy, turn, extent, turn_reach;
@@ -33,7 +32,6 @@ CNI_INLINE int32_t lanes_load(const cn_world *world, int32_t k, body_lanes *f)
 		return 0;
 	for (l = 0; l < CNI_WIDTH; ++l) {
 		f->b[l] = cni_body_at(world, ids[l]);
-		f->shown[l] = world->readback_kept ? cni_readback_at(world, ids[l]) : NULL;
 		records[l] = (float *)(void *)f->b[l];
 		turn_reach[l] = cni_body_turn_reach(f->b[l]);
 	}
@@ -50,19 +48,21 @@ CNI_INLINE void sum_exactly_wide(cni_wide *high, cni_wide *low, cni_wide change)
 }
 
 /* Writes the readback: cni_readback_store for what finalizing changes. */
-CNI_INLINE void lanes_show(const body_lanes *f, cni_mask moved, uint32_t moved_step, cni_wide x, cni_wide y, cni_wide c, cni_wide s)
+CNI_INLINE void lanes_show(const cn_world *world, int32_t k, cni_mask moved, cni_wide x, cni_wide y, cni_wide c, cni_wide s)
 {
+	const int32_t *ids = cni_awake_ids(world) + k;
 	float *shown[CNI_WIDTH];
 	int32_t l;
-	for (l = 0; l < CNI_WIDTH; ++l)
-		shown[l] = (float *)(void *)&f->shown[l]->pose;
+	for (l = 0; l < CNI_WIDTH; ++l) {
+		cn_body_moved *to = cni_readback_at(world, ids[l]);
+		shown[l] = (float *)(void *)&to->pose;
+		to->fell_asleep = (uint32_t)moved[l] & (world->step_count + 1u);
+	}
 	cni_wide_scatter4_to(shown, 0, x, y, c, s);
-	for (l = 0; l < CNI_WIDTH; ++l)
-		f->shown[l]->fell_asleep = moved[l] != 0 ? moved_step : 0u;
 }
 
 /* take_pose without the room. Returns what the movement takes from each body's room. */
-CNI_INLINE cni_wide lanes_poses(const body_lanes *f, cni_mask *moved, uint32_t moved_step)
+CNI_INLINE cni_wide lanes_poses(const cn_world *world, int32_t k, const body_lanes *f, cni_mask *moved)
 {
 	const int32_t at_center = (int32_t)(offsetof(cni_body, cx) / sizeof(float)), at_rotation = (int32_t)(offsetof(cni_body, q) / sizeof(float));
 	float *records[CNI_WIDTH];
@@ -90,8 +90,8 @@ CNI_INLINE cni_wide lanes_poses(const body_lanes *f, cni_mask *moved, uint32_t m
 	*moved = ~same;
 	cni_wide_scatter4_to(records, at_center, x, y, x_low, y_low);
 	cni_wide_scatter2_to(records, at_rotation, new_c, new_s);
-	if (f->shown[0] != NULL)
-		lanes_show(f, ~same, moved_step, after_x, after_y, new_c, new_s);
+	if (world->readback_kept)
+		lanes_show(world, k, *moved, after_x, after_y, new_c, new_s);
 	for (l = 0; l < CNI_WIDTH; ++l)
 		f->m[l].dpx = f->m[l].dpy = f->m[l].theta = 0.0f;
 	return cni_wide_max(cni_wide_abs(f->dx), cni_wide_abs(f->dy)) + cni_wide_abs(f->turn) * f->turn_reach +
@@ -199,7 +199,7 @@ static cni_poses_taken kernel_poses(cn_world *world, const cni_solve *s, int32_t
 			out.left |= (uint64_t)ALL_LANES << (k - begin);
 			continue;
 		}
-		taken = lanes_poses(&f, &moved, world->step_count + 1u);
+		taken = lanes_poses(world, k, &f, &moved);
 		out.no_room |= (uint64_t)lanes_rooms(&f, taken, moved, s->dt) << (k - begin);
 		r = lanes_rest(world, s, k, &f);
 		out.rest |= (uint64_t)r.left << (k - begin);
