@@ -170,9 +170,9 @@ static int32_t some_island_may_sleep(const cn_world *world)
 	return 0;
 }
 
-/* Bodies that may fall asleep in a step: SLEEP_LEAST, some 0.3 ms, or one of SLEEP_SHARE awake ones. */
-#define SLEEP_LEAST 512
-#define SLEEP_SHARE 16
+/* Bodies that may fall asleep in a step: SLEEP_LEAST, some 0.6 ms, or one of SLEEP_SHARE awake ones. */
+#define SLEEP_LEAST 1024
+#define SLEEP_SHARE 8
 
 void cni_stage_sleep(cn_world *world)
 {

@@ -482,7 +482,7 @@ static void a_crowd_falls_asleep_in_parts(void)
 		most = before - fixture_counters(world).bodies_awake > most ? before - fixture_counters(world).bodies_awake : most;
 	}
 	CHECK(fixture_counters(world).bodies_awake == 0);
-	CHECK_LE("bodies that fall asleep in a step", most, 512, "");
+	CHECK_LE("bodies that fall asleep in a step", most, 1024, "");
 	CHECK(fixture_is_valid(world));
 	cn_world_destroy(world);
 }
