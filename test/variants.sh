@@ -83,7 +83,7 @@ helgrind() {
 
 # Work that is bounded, as instructions that valgrind counts: no other program disturbs them.
 work() {
-	${MAKE:-make} -s -j"$cores" BUILD="$build" "$build/test/world/growth_time_test" > "$build/work.log" 2>&1 && sh test/work.sh "$build" >> "$build/work.log" 2>&1
+	${MAKE:-make} -s -j"$cores" BUILD="$build" "$build/test/world/growth_time_test" "$build/test/world/read_time_test" > "$build/work.log" 2>&1 && sh test/work.sh "$build" >> "$build/work.log" 2>&1
 	read_log work $?
 }
 

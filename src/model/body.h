@@ -239,9 +239,15 @@ void cni_body_leave_awake(cn_world *world, int32_t body);
 /* Recomputes mass, centre, inertia and extent from the shapes (or keeps an override), keeps the origin in place and the velocity of the
    material, and updates the dense inverse masses. */
 void cni_body_update_mass(cn_world *world, int32_t body);
-/* The same after the shape `added` was linked, or (CNI_NONE) one unlinked, but in a time independent of the shapes of a static body,
-   which may be a level of thousands of tiles: its extent never shrinks until cni_body_update_mass recomputes it. */
+/*
+ * The same after the shape `added` was linked, or (CNI_NONE) one unlinked. A static body may be a level of thousands of tiles: its time is
+ * independent of them, and its extent never shrinks until cni_body_update_mass recomputes it. To a moving body of many shapes one is
+ * added likewise: its mass, centre and inertia are then off by rounding, its extent is not too small, and the next step recomputes them
+ * (cni_body_masses_settle).
+ */
 void cni_body_shapes_changed(cn_world *world, int32_t body, int32_t added);
+/* Recomputes all that cni_body_shapes_changed has estimated. */
+void cni_body_masses_settle(cn_world *world);
 /* Moves the centre of mass within the body: the origin stays, the material keeps its velocity. */
 void cni_body_set_center(cn_world *world, cni_body *b, cni_vec2 local_center);
 /* Writes inv_mass, inv_inertia (locks, type) to the dense array if awake. */

@@ -29,6 +29,7 @@ static void profile_mark(cn_world *world, float *field, uint64_t *mark)
 
 static void step_begin(cn_world *world)
 {
+	cni_body_masses_settle(world);
 	world->warnings = 0;
 	world->pairs_not_added = world->events_not_reported = 0;
 	world->bodies_stopped = 0;

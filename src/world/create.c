@@ -130,6 +130,7 @@ static void tables_init(cn_world *world)
 	cni_handles_init(&world->shape_handles, CNI_KIND_SHAPE);
 	cni_handles_init(&world->joint_handles, CNI_KIND_JOINT);
 	cni_table_init(&world->bodies, (int32_t)sizeof(cni_body), CNI_PAGE_BODIES);
+	cni_table_init(&world->readback, (int32_t)sizeof(cn_body_moved), CNI_PAGE_READBACK);
 	cni_table_init(&world->shapes, (int32_t)sizeof(cni_shape), CNI_PAGE_SHAPES);
 	cni_table_init(&world->proxies, (int32_t)sizeof(cni_proxy), CNI_PAGE_PROXIES);
 	cni_table_init(&world->contacts, (int32_t)sizeof(cni_contact), CNI_PAGE_CONTACTS);
@@ -172,6 +173,7 @@ static void tables_deinit(cn_world *world)
 	cni_handles_deinit(&world->shape_handles, memory);
 	cni_handles_deinit(&world->joint_handles, memory);
 	cni_table_deinit(&world->bodies, memory);
+	cni_table_deinit(&world->readback, memory);
 	cni_table_deinit(&world->shapes, memory);
 	cni_table_deinit(&world->proxies, memory);
 	cni_table_deinit(&world->contacts, memory);
@@ -340,7 +342,7 @@ static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 	       cni_array_reserve_exact(&world->direct_islands, m, d->body_capacity / 2) &&
 	       cni_array_reserve_exact(&world->direct_plans[0], m, plan_items(d)) &&
 	       cni_array_reserve_exact(&world->kicked, m, 2 * d->body_capacity) &&
-	       cni_array_reserve_exact(&world->previous, m, d->body_capacity) &&
+	       cni_array_reserve_exact(&world->previous, m, d->body_capacity) && cni_table_reserve(&world->readback, m, d->body_capacity) &&
 	       cni_array_reserve_exact(&world->events.joint_log, m, d->joint_capacity) &&
 	       cni_array_reserve_exact(&world->events.joint_pending, m, d->joint_capacity) &&
 	       cni_arena_reserve(&world->arena, arena_bytes(d));

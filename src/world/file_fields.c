@@ -28,18 +28,18 @@ static const cni_field settings_fields[] = {
 static const cni_field world_fields[] = {
 	W(step_count, WORD), W(user_data, LONG), W(step_dt, FLOAT), W(mean_dt, FLOAT), W(overridden, BIT), W(fixed_step, FLOAT), W(time_owed, FLOAT),
 	W(steps_max, COUNT), W(pairs_may_repeat, COUNT), W(seams_changed, BIT), W(seams_box, WORD), W(split_step, WORD), W(joints_soft_step, WORD),
-	W(settled, BIT), W(piles_new, BIT), W(piles_unheld, BIT), W(solvers_asked, BIT), W(direct_work, COUNT), W(direct_failed, BIT),
+	W(settled, BIT), W(piles_new, BIT), W(piles_unheld, BIT), W(masses_estimated, COUNT), W(estimated, WORD), W(solvers_asked, BIT), W(direct_work, COUNT), W(direct_failed, BIT),
 	W(cone_work, COUNT), W(warnings, WORD), W(pairs_not_added, COUNT), W(bodies_stopped, WORD), W(events_not_reported, COUNT), W(stressed_joints, COUNT),
 	/* other chunks, counted again, or not state: world/save_state.c */
 	D(memory), D(arena), D(blocks), D(team), D(settings), D(locked), D(body_handles), D(bodies), D(movable_count), D(awake_count), D(motion), D(start),
-	D(external), D(awake_id), D(awake_islands), D(step_islands), D(step_island_count), D(reserved_bodies), D(kicked), D(previous), D(reserved_time),
+	D(external), D(awake_id), D(awake_islands), D(step_islands), D(step_island_count), D(kicked), D(previous), D(reserved_time),
 	D(shape_handles), D(shapes), D(proxies), D(proxy_used), D(proxy_free), D(proxy_count), D(proxy_free_count), D(broadphase_ops), D(broadphase),
 	D(pairs), D(contact_used), D(contact_free), D(contact_count), D(touching_count), D(contacts), D(apart), D(blocks_hot), D(blocks_info),
 	D(blocks_anchor), D(blocks_extra), D(block_used), D(block_free), D(colors), D(block_list), D(sleep_lanes), D(joint_handles),
 	D(constraint_count), D(joints), D(awake_joints), D(joint_work), D(joint_blocks), D(joint_colors), D(joint_lanes), D(row_blocks),
 	D(row_block_count), D(row_blocks_of), D(joint_plain_first), D(reserved_plain), D(islands), D(island_used), D(island_free), D(island_count),
 	D(reserved_islands), D(direct_islands), D(reserved_direct), D(direct_plans), D(filter), D(filter_user), D(pre_solve), D(pre_solve_user),
-	D(material_mix), D(material_mix_user), D(events), D(profile), D(error)
+	D(material_mix), D(material_mix_user), D(events), D(profile), D(readback), D(readback_kept), D(readback_asked), D(error)
 };
 
 /* ---- handles */
@@ -128,7 +128,7 @@ static const cni_field island_fields[] = {
 	N(numbered_step, DERIVED), N(tier, BIT), N(good_steps, COUNT), N(stay_steps, COUNT), N(given_step, STAMP), N(looked_step, STAMP),
 	N(refused_step, STAMP), N(refused_steps, COUNT), N(reason, COUNT), N(solver, COUNT), N(joints_solver, COUNT), N(new_step, STAMP),
 	N(new_contacts, COUNT), N(unheld_step, STAMP), N(cone_step, STAMP), N(cone_spent, COUNT), N(cone_paid_step, STAMP), N(gives_step, STAMP),
-	N(falls_steps, COUNT)
+	N(falls_steps, COUNT), N(asked_step, STAMP), N(asked_steps, COUNT)
 };
 static const cni_field island_index_fields[] = { { 0, 1, CNI_FIELD_ISLAND } };
 
