@@ -41,21 +41,26 @@ void scene_create_junkyard(scene_run *run)
 	}
 }
 
-/* Crosses and hooks of three boxes, and dumbbells of a capsule and two circles, in turn. */
+/* Squares of half 0.2 m side by side: bit 3 * row + column, three rows of three. */
+static void add_squares(scene_run *run, const cn_shape_def *def, uint32_t cells)
+{
+	for (int32_t k = 0; k < 9; ++k) {
+		if (cells >> k & 1u)
+			scene_offset_box(run, def, scene_vec(0.4f * (float)(k % 3 - 1), 0.4f * (float)(k / 3 - 1)), 0.2f, 0.2f);
+	}
+}
+
+/* Crosses of five squares, cups of seven, and dumbbells of a capsule and two circles, in turn. */
 void scene_create_compounds(scene_run *run)
 {
 	add_pit(run, 22.0f, 60.0f);
 	for (int32_t i = 0; i < run->scene->size; ++i) {
 		cn_shape_def def = scene_surface(add_body(run, i, 28, 1.5f), 1.0f, 0.5f, 0.0f), end = def;
-		if (i % 3 == 0) { /* cross */
-			scene_offset_box(run, &def, scene_vec(0.0f, 0.0f), 0.6f, 0.12f);
-			scene_offset_box(run, &def, scene_vec(0.0f, 0.36f), 0.12f, 0.24f);
-			scene_offset_box(run, &def, scene_vec(0.0f, -0.36f), 0.12f, 0.24f);
-		} else if (i % 3 == 1) { /* hook */
-			scene_offset_box(run, &def, scene_vec(0.0f, -0.4f), 0.5f, 0.1f);
-			scene_offset_box(run, &def, scene_vec(-0.4f, 0.1f), 0.1f, 0.4f);
-			scene_offset_box(run, &def, scene_vec(0.4f, -0.1f), 0.1f, 0.2f);
-		} else { /* dumbbell */
+		if (i % 3 == 0) {
+			add_squares(run, &def, 0272u);
+		} else if (i % 3 == 1) {
+			add_squares(run, &def, 0557u);
+		} else {
 			scene_capsule(run, &def, scene_vec(-0.4f, 0.0f), scene_vec(0.4f, 0.0f), 0.1f);
 			end.offset_m = scene_vec(-0.5f, 0.0f);
 			scene_circle(run, &end, 0.2f);

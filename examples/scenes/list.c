@@ -48,7 +48,7 @@ static const scene scenes[] = {
 		VIEW(-130.0f, -5.0f, 130.0f, 230.0f), VIEW(-126.0f, -2.0f, 126.0f, 300.0f)},
 	{"junkyard", "2,000 circles, capsules, boxes, pentagons and hexagons in a pit", scene_create_junkyard, NULL, 400, 2000, SCENE_BENCH, EARTH,
 		VIEW(-24.0f, -2.0f, 24.0f, 40.0f), VIEW(-23.0f, -1.0f, 23.0f, 80.0f)},
-	{"compounds", "800 bodies of three shapes each in a pit", scene_create_compounds, NULL, 400, 800, SCENE_BENCH, EARTH,
+	{"compounds", "800 bodies of three to seven shapes in a pit", scene_create_compounds, NULL, 400, 800, SCENE_BENCH, EARTH,
 		VIEW(-24.0f, -2.0f, 24.0f, 46.0f), VIEW(-23.0f, -1.0f, 23.0f, 80.0f)},
 	{"small_10", "10 mixed bodies in a bowl", scene_create_bowl, NULL, 600, 10, SCENE_BENCH, EARTH,
 		VIEW(-7.0f, -1.0f, 7.0f, 13.0f), VIEW(-6.0f, -1.0f, 6.0f, 60.0f)},

@@ -70,7 +70,9 @@ CNI_INLINE void skeleton_load(const float *const *records, const int32_t *count,
 	int32_t i;
 	out->count = mask_load(count);
 	out->even = choose_i((out->count & mask_of(1)) == mask_of(0), mask_of(CN_POLYGON_MAX_VERTICES), out->count - mask_of(2));
-	for (i = 0; i < places; i += 2) {
+	cni_wide_gather4_from(records, 0, &out->point[0].x, &out->point[0].y, &out->point[1].x, &out->point[1].y);
+	load_two(records, twice, &out->normal[0], &out->normal[1]);
+	for (i = 2; i < places; i += 2) {
 		cni_mask at = choose_i(last > mask_of(2 * i), mask_of(2 * i), last);
 		load_two(records, at, &out->point[i], &out->point[i + 1]);
 		load_two(records, at + twice, &out->normal[i], &out->normal[i + 1]);
