@@ -228,7 +228,7 @@ no_fused_operations() {
 sanitize='-O1 -gline-tables-only -fno-omit-frame-pointer -fno-sanitize-recover=all'
 slow='-DCNI_DEBUG -DTEST_SLOW' # a build that is slow: fewer scenes of a kind
 threads='base/threads broadphase/broadphase_threads world/threads world/threads_contacts world/threads_pairs'
-bits='world/determinism world/random collision/manifold_boxes step/integrate joints/joint_blocks joints/joint_rows
+bits='world/determinism world/random collision/manifold_batch step/integrate joints/joint_blocks joints/joint_rows
 	narrowphase/cull'
 # What reads and writes each struct of the library at least once.
 calls='base/memory base/arena base/blocks base/table base/handles collision/manifold broadphase/tree collision/cast broadphase/sweep

@@ -1,33 +1,38 @@
 /*
- * collision/manifold_boxes_kernel.h - collides CNI_WIDTH pairs of boxes side by side: included by manifold_boxes_4.c
- * and manifold_boxes_8.c, which define CNI_WIDTH and CNI_KERNEL (the function's name).
+ * collision/manifold_batch_kernel.h - collides CNI_WIDTH pairs of polygons, capsules and edges side by side: included by
+ * manifold_batch_4.c and manifold_batch_8.c, which define CNI_WIDTH and CNI_KERNEL (the function's name).
  *
  * The method, the names and the order of every operation are those of manifold_faces.c and distance.c, so that the bits
  * are the same. Branches there are masks here.
  *
- * Shapes with fewer corners fill the four places of a box by repeating corners:
+ * The lanes of a group have as many places as the shape with the most corners needs, an even number. Corners are loaded by
+ * twos; shapes with fewer corners fill the other places by repeating their last two:
  *
- *   place      0   1   2   3
- *   box       p0  p1  p2  p3
- *   triangle  p0  p1  p1  p2
- *   segment   p0  p1  p0  p1
+ *   place      0   1   2   3   4   5
+ *   hexagon   p0  p1  p2  p3  p4  p5
+ *   pentagon  p0  p1  p2  p3  p3  p4
+ *   box       p0  p1  p2  p3  p2  p3
+ *   triangle  p0  p1  p1  p2  p1  p2
+ *   segment   p0  p1  p0  p1  p0  p1
  *
- * Of equal corners the code always chooses the first, so only a triangle's last corner has a place other than its number.
+ * Of equal corners the code always chooses the first, so only the last corner of an odd number has a place other than its
+ * number: the next. Most groups have four places: the compiler makes a copy of the code for them.
  */
 #include "base/wide.h"
-#include "collision/manifold_boxes.h"
+#include "collision/manifold_batch.h"
 #include "collision/manifold_faces.h"
 
 typedef struct wide2 {
 	cni_wide x, y;
 } wide2;
 
-typedef struct box {
-	wide2 point[4], normal[4]; /* by place */
+typedef struct skeleton {
+	wide2 point[CN_POLYGON_MAX_VERTICES], normal[CN_POLYGON_MAX_VERTICES]; /* by place */
 	cni_mask count;
-} box;
+	cni_mask even; /* corners up to this number have it as their place too: for an odd count, all but the last */
+} skeleton;
 
-/* In every lane, a face of one of the two boxes and its separation from the other box. */
+/* In every lane, a face of one of the two skeletons and its separation from the other one. */
 typedef struct face {
 	cni_wide separation;
 	cni_mask edge;
@@ -47,91 +52,98 @@ CNI_INLINE void mask_store(int32_t *p, cni_mask m) { *(cni_mask *)(void *)p = m;
 
 CNI_INLINE int32_t mask_any(cni_mask m) { return cni_mask_bits(m) != 0; }
 
-/* Loads two vectors at an offset (in floats) from each of CNI_WIDTH records. */
-CNI_INLINE void load_two(const float *const *records, int32_t offset, wide2 *first, wide2 *second)
+/* Loads two vectors at an offset (in floats) of each of CNI_WIDTH records. */
+CNI_INLINE void load_two(const float *const *records, cni_mask offset, wide2 *first, wide2 *second)
 {
-	cni_wide_gather4_from(records, offset, &first->x, &first->y, &second->x, &second->y);
-}
-
-/* Loads shapes of two to four corners: the last two places begin at corner count - 2. */
-CNI_INLINE void corners_load(const float *const *records, const int32_t *count, box *out)
-{
-	const float *normals[CNI_WIDTH], *last_points[CNI_WIDTH], *last_normals[CNI_WIDTH];
+	CNI_ALIGNED(32) int32_t at[CNI_WIDTH];
+	const float *from[CNI_WIDTH];
 	int32_t l;
-	for (l = 0; l < CNI_WIDTH; ++l) {
-		normals[l] = records[l] + 2 * count[l];
-		last_points[l] = normals[l] - 4;
-		last_normals[l] = last_points[l] + 2 * count[l];
-	}
-	load_two(records, 0, &out->point[0], &out->point[1]);
-	load_two(last_points, 0, &out->point[2], &out->point[3]);
-	load_two(normals, 0, &out->normal[0], &out->normal[1]);
-	load_two(last_normals, 0, &out->normal[2], &out->normal[3]);
+	mask_store(at, offset);
+	for (l = 0; l < CNI_WIDTH; ++l)
+		from[l] = records[l] + at[l];
+	cni_wide_gather4_from(from, 0, &first->x, &first->y, &second->x, &second->y);
 }
 
-CNI_INLINE void boxes_load(const float *const *records, box *out)
+CNI_INLINE void skeleton_load(const float *const *records, const int32_t *count, skeleton *out, int32_t places)
 {
-	load_two(records, 0, &out->point[0], &out->point[1]);
-	load_two(records, 4, &out->point[2], &out->point[3]);
-	load_two(records, 8, &out->normal[0], &out->normal[1]);
-	load_two(records, 12, &out->normal[2], &out->normal[3]);
-}
-
-CNI_INLINE void box_load(const float *const *records, const int32_t *count, box *out)
-{
+	cni_mask twice = mask_load(count) + mask_load(count), last = twice - mask_of(4);
+	int32_t i;
 	out->count = mask_load(count);
-	if (mask_any(out->count != mask_of(4)))
-		corners_load(records, count, out);
-	else
-		boxes_load(records, out);
+	out->even = choose_i((out->count & mask_of(1)) == mask_of(0), mask_of(CN_POLYGON_MAX_VERTICES), out->count - mask_of(2));
+	cni_wide_gather4_from(records, 0, &out->point[0].x, &out->point[0].y, &out->point[1].x, &out->point[1].y);
+	load_two(records, twice, &out->normal[0], &out->normal[1]);
+	for (i = 2; i < places; i += 2) {
+		cni_mask at = choose_i(last > mask_of(2 * i), mask_of(2 * i), last);
+		load_two(records, at, &out->point[i], &out->point[i + 1]);
+		load_two(records, at + twice, &out->normal[i], &out->normal[i + 1]);
+	}
 }
 
-CNI_INLINE cni_mask place_of(const box *b, cni_mask index) { return index + ((index > mask_of(1)) & (mask_of(4) - b->count)); }
-CNI_INLINE cni_mask index_of(const box *b, cni_mask place) { return place - ((place > mask_of(1)) & (mask_of(4) - b->count)); }
-
-CNI_INLINE cni_wide lowest(const box *b, wide2 direction)
+CNI_INLINE void boxes_load(const float *const *records, skeleton *out)
 {
-	cni_wide low = dot(direction, b->point[0]);
-	low = cni_wide_min(dot(direction, b->point[1]), low);
-	low = cni_wide_min(dot(direction, b->point[2]), low);
-	return cni_wide_min(dot(direction, b->point[3]), low);
+	int32_t i;
+	out->count = mask_of(4);
+	out->even = mask_of(CN_POLYGON_MAX_VERTICES);
+	for (i = 0; i < 4; i += 2) {
+		cni_wide_gather4_from(records, 2 * i, &out->point[i].x, &out->point[i].y, &out->point[i + 1].x, &out->point[i + 1].y);
+		cni_wide_gather4_from(records, 2 * i + 8, &out->normal[i].x, &out->normal[i].y, &out->normal[i + 1].x, &out->normal[i + 1].y);
+	}
+}
+
+CNI_INLINE cni_mask place_of(const skeleton *s, cni_mask index) { return index - (index > s->even); }
+CNI_INLINE cni_mask index_of(const skeleton *s, cni_mask place) { return place + (place > s->even); }
+
+/* The number of places is even. */
+CNI_INLINE cni_wide lowest(const skeleton *s, wide2 direction, int32_t places)
+{
+	cni_wide low = cni_wide_min(dot(direction, s->point[1]), dot(direction, s->point[0]));
+	int32_t i;
+	for (i = 2; i < places; i += 2) {
+		low = cni_wide_min(dot(direction, s->point[i]), low);
+		low = cni_wide_min(dot(direction, s->point[i + 1]), low);
+	}
+	return low;
 }
 
 /* Separation along the cached face, before b is moved into a's frame. */
-CNI_INLINE cni_wide cached_separation(const cni_box_batch *k, int32_t l, const box *a, const box *b, wide2 q, wide2 t)
+CNI_INLINE cni_wide cached_separation(const cni_manifold_batch *k, int32_t l, const skeleton *a, const skeleton *b, wide2 q, wide2 t, int32_t places)
 {
 	cni_mask axis = mask_load(k->axis + l), of_b = axis > mask_of(CN_POLYGON_MAX_VERTICES);
 	wide2 n = wide2_of(cni_wide_load(k->axis_nx + l), cni_wide_load(k->axis_ny + l));
 	wide2 p = wide2_of(cni_wide_load(k->axis_px + l), cni_wide_load(k->axis_py + l));
 	wide2 moved = rotate(q, n);
-	cni_wide of_a_at = lowest(b, unrotate(q, n)) + dot(n, sub(t, p));
-	cni_wide of_b_at = lowest(a, moved) - (dot(n, p) + dot(moved, t));
+	cni_wide of_a_at = lowest(b, unrotate(q, n), places) + dot(n, sub(t, p));
+	cni_wide of_b_at = lowest(a, moved, places) - (dot(n, p) + dot(moved, t));
 	return cni_wide_select(axis == mask_of(0), cni_wide_of(-FLT_MAX), cni_wide_select(of_b, of_b_at, of_a_at));
 }
 
-CNI_INLINE void box_move(box *b, wide2 q, wide2 t)
+CNI_INLINE void skeleton_move(skeleton *b, wide2 q, wide2 t, int32_t places)
 {
 	int32_t i;
-	for (i = 0; i < 4; ++i) {
+	for (i = 0; i < places; ++i) {
 		wide2 p = rotate(q, b->point[i]);
 		b->point[i] = wide2_of(p.x + t.x, p.y + t.y);
 		b->normal[i] = rotate(q, b->normal[i]);
 	}
 }
 
-CNI_INLINE cni_wide face_separation(const box *reference, const box *other, int32_t edge)
+CNI_INLINE cni_wide face_separation(const skeleton *reference, const skeleton *other, int32_t edge, int32_t places)
 {
-	return lowest(other, reference->normal[edge]) - dot(reference->normal[edge], reference->point[edge]);
+	return lowest(other, reference->normal[edge], places) - dot(reference->normal[edge], reference->point[edge]);
 }
 
-CNI_INLINE face best_face(const box *reference, const box *other, cni_mask of_b)
+CNI_INLINE face best_face(const skeleton *reference, const skeleton *other, cni_mask of_b, int32_t places)
 {
-	cni_wide low0 = face_separation(reference, other, 0), low1 = face_separation(reference, other, 1);
-	cni_wide low2 = face_separation(reference, other, 2), low3 = face_separation(reference, other, 3);
-	cni_wide best01 = cni_wide_max(low1, low0), best23 = cni_wide_max(low3, low2);
 	face f;
-	f.edge = index_of(reference, choose_i(best23 > best01, mask_of(2) - (low3 > low2), mask_of(0) - (low1 > low0)));
-	f.separation = cni_wide_max(best23, best01);
+	int32_t i;
+	f.edge = mask_of(0);
+	f.separation = face_separation(reference, other, 0, places);
+	for (i = 1; i < places; ++i) {
+		cni_wide separation = face_separation(reference, other, i, places);
+		f.edge = choose_i(separation > f.separation, mask_of(i), f.edge);
+		f.separation = cni_wide_max(separation, f.separation);
+	}
+	f.edge = index_of(reference, f.edge);
 	f.of_b = of_b;
 	return f;
 }
@@ -146,9 +158,9 @@ CNI_INLINE face face_select(cni_mask m, face a, face b)
 }
 
 /* The axis of greatest separation. Among nearly equal axes it prefers a's to b's, and the cached one to all. */
-CNI_INLINE face axis_choose(const box *a, const box *b, cni_mask cached, cni_wide cached_at, cni_wide touch)
+CNI_INLINE face axis_choose(const skeleton *a, const skeleton *b, cni_mask cached, cni_wide cached_at, cni_wide touch, int32_t places)
 {
-	face best = best_face(a, b, mask_of(0)), of_b = best_face(b, a, mask_of(-1)), old;
+	face best = best_face(a, b, mask_of(0), places), of_b = best_face(b, a, mask_of(-1), places), old;
 	best = face_select(of_b.separation > best.separation + touch, of_b, best);
 	old.separation = cached_at;
 	old.of_b = cached > mask_of(CN_POLYGON_MAX_VERTICES);
@@ -157,13 +169,16 @@ CNI_INLINE face axis_choose(const box *a, const box *b, cni_mask cached, cni_wid
 }
 
 /* Point or normal at a place in every lane. */
-CNI_INLINE wide2 pick(const wide2 *v, cni_mask place)
+CNI_INLINE wide2 pick(const wide2 *v, cni_mask place, int32_t places)
 {
-	wide2 low = choose(place == mask_of(1), v[1], v[0]), high = choose(place == mask_of(3), v[3], v[2]);
-	return choose(place > mask_of(1), high, low);
+	wide2 picked = v[0];
+	int32_t i;
+	for (i = 1; i < places; ++i)
+		picked = choose(place == mask_of(i), v[i], picked);
+	return picked;
 }
 
-CNI_INLINE cni_mask next_vertex(const box *b, cni_mask edge)
+CNI_INLINE cni_mask next_vertex(const skeleton *b, cni_mask edge)
 {
 	cni_mask next = edge + mask_of(1);
 	return next & ~(next == b->count);
@@ -178,12 +193,12 @@ typedef struct clip {
 	cni_wide at[2], height[2];
 } clip;
 
-CNI_INLINE cni_mask incident_find(const box *b, wide2 normal)
+CNI_INLINE cni_mask incident_find(const skeleton *b, wide2 normal, int32_t places)
 {
 	cni_wide least = dot(b->normal[0], normal);
 	cni_mask edge = mask_of(0);
 	int32_t i;
-	for (i = 1; i < 4; ++i) {
+	for (i = 1; i < places; ++i) {
 		cni_wide facing = dot(b->normal[i], normal);
 		edge = choose_i(facing < least, mask_of(i), edge);
 		least = cni_wide_min(facing, least);
@@ -191,23 +206,23 @@ CNI_INLINE cni_mask incident_find(const box *b, wide2 normal)
 	return index_of(b, edge);
 }
 
-CNI_INLINE clip clip_make(const box *reference, cni_mask edge, const box *incident)
+CNI_INLINE clip clip_make(const skeleton *reference, cni_mask edge, const skeleton *incident, int32_t places)
 {
 	clip c;
 	cni_mask place = place_of(reference, edge), end = next_vertex(reference, edge), v0, v1, swap;
-	wide2 n = pick(reference->normal, place), t = wide2_of(-n.y, n.x), start = pick(reference->point, place), first, second;
+	wide2 n = pick(reference->normal, place, places), t = wide2_of(-n.y, n.x), start = pick(reference->point, place, places), first, second;
 	int32_t i;
 	c.normal = n;
 	c.start = start;
-	c.end = pick(reference->point, place_of(reference, end));
+	c.end = pick(reference->point, place_of(reference, end), places);
 	c.length = dot(t, sub(c.end, start));
 	c.reference[0] = edge;
 	c.reference[1] = end;
 	c.reference_edge = edge;
-	c.incident_edge = v0 = incident_find(incident, n);
+	c.incident_edge = v0 = incident_find(incident, n, places);
 	v1 = next_vertex(incident, v0);
-	first = pick(incident->point, place_of(incident, v0));
-	second = pick(incident->point, place_of(incident, v1));
+	first = pick(incident->point, place_of(incident, v0), places);
+	second = pick(incident->point, place_of(incident, v1), places);
 	swap = dot(t, sub(second, first)) < cni_wide_of(0.0f);
 	c.incident[0] = choose_i(swap, v1, v0);
 	c.incident[1] = choose_i(swap, v0, v1);
@@ -247,11 +262,11 @@ CNI_INLINE cni_mask id_of(cni_mask feature_a, cni_mask feature_b)
 	return (feature_a + mask_of(1)) << 8 | (feature_b + mask_of(1));
 }
 
-CNI_INLINE void end_store(cni_box_batch *k, int32_t l, int32_t side, const clipped_end *e, cni_mask of_b, wide2 normal)
+CNI_INLINE void end_store(cni_manifold_batch *k, int32_t l, int32_t side, const clipped_end *e, cni_mask of_b, wide2 normal)
 {
 	cni_wide ra = cni_wide_load(k->radius_a + l), rb = cni_wide_load(k->radius_b + l), half = cni_wide_of(0.5f);
 	cni_wide shift = cni_wide_select(of_b, half * (e->height + ra - rb), half * (ra - rb - e->height));
-	cni_box_point *p = &k->point[side];
+	cni_batch_point *p = &k->point[side];
 	cni_wide_store(p->x + l, e->point.x + shift * normal.x);
 	cni_wide_store(p->y + l, e->point.y + shift * normal.y);
 	cni_wide_store(p->separation + l, e->height - (ra + rb));
@@ -329,7 +344,7 @@ typedef struct corners {
 	cni_mask known; /* lanes in which the closest features are these corners */
 } corners;
 
-CNI_INLINE corners corners_find(const box *a, const box *b, const clip *c, cni_mask of_b, cni_wide touch, cni_wide error)
+CNI_INLINE corners corners_find(const skeleton *a, const skeleton *b, const clip *c, cni_mask of_b, cni_wide touch, cni_wide error, int32_t places)
 {
 	wide2 p1 = choose(of_b, c->point[0], c->start), q1 = choose(of_b, c->point[1], c->end);
 	wide2 p2 = choose(of_b, c->start, c->point[0]), q2 = choose(of_b, c->end, c->point[1]), d;
@@ -345,19 +360,19 @@ CNI_INLINE corners corners_find(const box *a, const box *b, const clip *c, cni_m
 	f.b = choose_i(of_b, choose_i(last_b, c->reference[1], c->reference[0]), choose_i(last_b, c->incident[1], c->incident[0]));
 	f.known = is_end(f.at.fraction_a) & is_end(f.at.fraction_b) & ~segments_cross(p1, q1, p2, q2);
 	f.known &= (f.distance > touch) & (f.at.distance_sq < cni_wide_of(FLT_MAX));
-	f.known &= -lowest(a, wide2_of(-f.normal.x, -f.normal.y)) - dot(f.normal, f.at.point_a) <= error;
-	f.known &= dot(f.normal, f.at.point_b) - lowest(b, f.normal) <= error;
+	f.known &= -lowest(a, wide2_of(-f.normal.x, -f.normal.y), places) - dot(f.normal, f.at.point_a) <= error;
+	f.known &= dot(f.normal, f.at.point_b) - lowest(b, f.normal, places) <= error;
 	return f;
 }
 
 CNI_INLINE void store_where(cni_mask m, float *p, cni_wide x) { cni_wide_store(p, cni_wide_select(m, x, cni_wide_load(p))); }
 
 /* Overwrites the stored point with the corners' point in some lanes. */
-CNI_INLINE void corners_store(cni_box_batch *k, int32_t l, const corners *f, cni_mask where)
+CNI_INLINE void corners_store(cni_manifold_batch *k, int32_t l, const corners *f, cni_mask where)
 {
 	cni_wide ra = cni_wide_load(k->radius_a + l), separation = f->distance - ra - cni_wide_load(k->radius_b + l);
 	cni_wide shift = ra + cni_wide_of(0.5f) * separation;
-	cni_box_point *p = &k->point[0];
+	cni_batch_point *p = &k->point[0];
 	store_where(where, k->nx + l, f->normal.x);
 	store_where(where, k->ny + l, f->normal.y);
 	store_where(where, p->x + l, f->at.point_a.x + shift * f->normal.x);
@@ -369,16 +384,17 @@ CNI_INLINE void corners_store(cni_box_batch *k, int32_t l, const corners *f, cni
 /* ---- manifolds ---- */
 
 /* Stores the points of every lane and its state. */
-CNI_INLINE void points_store(cni_box_batch *k, int32_t l, const box *a, const box *b, face axis, cni_mask is_apart, cni_wide touch, cni_wide aligned)
+CNI_INLINE void points_store(cni_manifold_batch *k, int32_t l, const skeleton *a, const skeleton *b, face axis, cni_mask is_apart, cni_wide touch, cni_wide aligned,
+	int32_t places)
 {
-	box reference, incident;
+	skeleton reference, incident;
 	clipped_end low, high, first, second;
 	cni_wide at, height, overlap, ends;
 	cni_mask exact, near, missed, wanted, state;
 	wide2 normal;
 	clip c;
 	int32_t i;
-	for (i = 0; i < 4; ++i) {
+	for (i = 0; i < places; ++i) {
 		reference.point[i] = choose(axis.of_b, b->point[i], a->point[i]);
 		reference.normal[i] = choose(axis.of_b, b->normal[i], a->normal[i]);
 		incident.point[i] = choose(axis.of_b, a->point[i], b->point[i]);
@@ -386,7 +402,9 @@ CNI_INLINE void points_store(cni_box_batch *k, int32_t l, const box *a, const bo
 	}
 	reference.count = choose_i(axis.of_b, b->count, a->count);
 	incident.count = choose_i(axis.of_b, a->count, b->count);
-	c = clip_make(&reference, axis.edge, &incident);
+	reference.even = choose_i(axis.of_b, b->even, a->even);
+	incident.even = choose_i(axis.of_b, a->even, b->even);
+	c = clip_make(&reference, axis.edge, &incident, places);
 	low = clip_end(&c, 0, aligned);
 	high = clip_end(&c, 1, aligned);
 	at = cni_wide_select(c.height[1] < c.height[0], c.at[1], c.at[0]);
@@ -410,42 +428,69 @@ CNI_INLINE void points_store(cni_box_batch *k, int32_t l, const box *a, const bo
 	second.incident = choose_i(axis.of_b, low.incident, high.incident);
 	end_store(k, l, 0, &first, axis.of_b, normal);
 	end_store(k, l, 1, &second, axis.of_b, normal);
-	state = choose_i(overlap >= touch, mask_of(CNI_BOXES_POINTS), mask_of(CNI_BOXES_FALLBACK));
+	state = choose_i(overlap >= touch, mask_of(CNI_BATCH_POINTS), mask_of(CNI_BATCH_FALLBACK));
 	if (mask_any(wanted)) {
-		corners f = corners_find(a, b, &c, axis.of_b, touch, cni_wide_of(0.01f * k->slop));
+		corners f = corners_find(a, b, &c, axis.of_b, touch, cni_wide_of(0.01f * k->slop), places);
 		cni_mask where = wanted & f.known & (missed | ~(cni_wide_abs(ends - f.distance) <= touch));
 		corners_store(k, l, &f, where);
-		state = choose_i(where, mask_of(CNI_BOXES_POINT), choose_i(wanted & ~f.known, mask_of(CNI_BOXES_FALLBACK), state));
+		state = choose_i(where, mask_of(CNI_BATCH_POINT), choose_i(wanted & ~f.known, mask_of(CNI_BATCH_FALLBACK), state));
 	}
-	mask_store(k->state + l, choose_i(is_apart, mask_of(CNI_BOXES_APART), state));
+	mask_store(k->state + l, choose_i(is_apart, mask_of(CNI_BATCH_APART), state));
 }
 
-CNI_INLINE void pairs_collide(cni_box_batch *k, int32_t l)
+CNI_INLINE void pairs_collide(cni_manifold_batch *k, int32_t l, skeleton *a, skeleton *b, int32_t places)
 {
 	cni_wide touch = cni_wide_of(CNI_TOUCH_PER_SLOP * k->slop), aligned = cni_wide_of(CNI_ALIGNED_PER_SLOP * k->slop);
 	cni_wide reach = cni_wide_load(k->margin + l) + cni_wide_load(k->radius_a + l) + cni_wide_load(k->radius_b + l), cached_at;
 	wide2 q = wide2_of(cni_wide_load(k->qc + l), cni_wide_load(k->qs + l)), t = wide2_of(cni_wide_load(k->tx + l), cni_wide_load(k->ty + l));
 	cni_mask cached = mask_load(k->axis + l), is_apart, still;
 	face axis;
-	box a, b;
-	box_load(k->a + l, k->count_a + l, &a);
-	box_load(k->b + l, k->count_b + l, &b);
-	cached_at = cached_separation(k, l, &a, &b, q, t);
+	cached_at = cached_separation(k, l, a, b, q, t, places);
 	still = cached_at > reach;
-	mask_store(k->state + l, mask_of(CNI_BOXES_APART));
+	mask_store(k->state + l, mask_of(CNI_BATCH_APART));
 	if (!mask_any(~still))
 		return;
-	box_move(&b, q, t);
-	axis = axis_choose(&a, &b, cached, cached_at, touch);
+	skeleton_move(b, q, t, places);
+	axis = axis_choose(a, b, cached, cached_at, touch, places);
 	mask_store(k->axis + l, choose_i(still, cached, axis.edge + mask_of(1) + (axis.of_b & mask_of(CN_POLYGON_MAX_VERTICES))));
 	is_apart = still | (axis.separation > reach);
 	if (mask_any(~is_apart))
-		points_store(k, l, &a, &b, axis, is_apart, touch, aligned);
+		points_store(k, l, a, b, axis, is_apart, touch, aligned, places);
 }
 
-void CNI_KERNEL(cni_box_batch *batch, int32_t pairs)
+/* Some shape has more than four corners. */
+static void polygons_collide(cni_manifold_batch *k, int32_t l)
+{
+	skeleton a, b;
+	int32_t most = 0, places, i;
+	for (i = l; i < l + CNI_WIDTH; ++i)
+		most = cni_max_i(most, cni_max_i(k->count_a[i], k->count_b[i]));
+	places = (most + 1) & ~1;
+	skeleton_load(k->a + l, k->count_a + l, &a, places);
+	skeleton_load(k->b + l, k->count_b + l, &b, places);
+	pairs_collide(k, l, &a, &b, places);
+}
+
+/* Inlined into the kernel, with loops of a constant length: most pairs come here. */
+CNI_INLINE void fours_collide(cni_manifold_batch *k, int32_t l)
+{
+	skeleton a, b;
+	if (mask_any((mask_load(k->count_a + l) & mask_load(k->count_b + l)) != mask_of(4))) { /* some count is less than 4 */
+		skeleton_load(k->a + l, k->count_a + l, &a, 4);
+		skeleton_load(k->b + l, k->count_b + l, &b, 4);
+	} else {
+		boxes_load(k->a + l, &a);
+		boxes_load(k->b + l, &b);
+	}
+	pairs_collide(k, l, &a, &b, 4);
+}
+
+void CNI_KERNEL(cni_manifold_batch *batch, int32_t pairs)
 {
 	int32_t l;
 	for (l = 0; l < pairs; l += CNI_WIDTH)
-		pairs_collide(batch, l);
+		if (mask_any((mask_load(batch->count_a + l) > mask_of(4)) | (mask_load(batch->count_b + l) > mask_of(4))))
+			polygons_collide(batch, l);
+		else
+			fours_collide(batch, l);
 }

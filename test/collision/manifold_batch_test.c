@@ -1,9 +1,9 @@
 /*
- * test/collision/manifold_boxes_test.c - pairs in a batch (boxes and other shapes of two to four corners) have the same bits
+ * test/collision/manifold_batch_test.c - pairs in a batch (polygons, capsules, edges) have the same bits
  * as pairs one by one, for any width, any cached axis and any other pairs in the batch.
  */
 #include "base/cpu.h"
-#include "collision/manifold_boxes.h"
+#include "collision/manifold_batch.h"
 #include "geometry/shapes.h"
 #include "test.h"
 
@@ -44,9 +44,28 @@ static void triangle_random(record *out, float size)
 	cni_geometry_polygon(&out->g, &p, transform_make(0.0f, 0.0f, random_in(-3.0f, 3.0f)));
 }
 
-/* Half are boxes. */
-static void shape_random(record *out, float size)
+/* Regular or nearly so: 5 to 8 corners, rarely up to 16. */
+static void polygon_random(record *out, float size)
 {
+	cn_polygon p;
+	float turn = random_below(2) ? 0.0f : random_in(-3.0f, 3.0f), unequal = random_below(2) ? 0.0f : 0.3f;
+	memset(&p, 0, sizeof p);
+	p.count = random_below(8) ? 5 + random_below(4) : 9 + random_below(8);
+	p.radius_m = random_below(3) == 0 ? 0.1f * size : 0.0f;
+	for (int32_t i = 0; i < p.count; ++i) {
+		double angle = 6.283185307179586 * ((double)i + (double)random_in(-unequal, unequal)) / (double)p.count;
+		p.points_m[i] = cni_v(size * (float)cos(angle), size * (float)sin(angle));
+	}
+	cni_geometry_polygon(&out->g, &p, transform_make(0.1f * size, 0.0f, turn));
+}
+
+/* few: at most four corners; of these half are boxes. */
+static void shape_random(record *out, float size, int32_t few)
+{
+	if (!few && random_below(2)) {
+		polygon_random(out, size);
+		return;
+	}
 	switch (random_below(6)) {
 	case 0: segment_random(out, CN_SHAPE_CAPSULE, size); break;
 	case 1: segment_random(out, CN_SHAPE_EDGE, size); break;
@@ -56,14 +75,14 @@ static void shape_random(record *out, float size)
 }
 
 /* Half of the pairs are within a few margins of touching, half of those lie flat on each other. */
-static void pair_random(pair *p)
+static void pair_random(pair *p, int32_t few)
 {
 	float size = random_below(2) ? 0.5f : random_in(0.05f, 5.0f), angle = random_in(-3.2f, 3.2f), way;
 	record *first = &p->a, *second = &p->b;
 	if (random_below(20) == 0)
 		size = random_below(2) ? 1.0e-3f : 1.0e4f;
-	shape_random(first, size);
-	shape_random(second, size);
+	shape_random(first, size, few);
+	shape_random(second, size, few);
 	if (random_below(10) == 0)
 		*second = *first;
 	if (first->g.type > second->g.type) {
@@ -91,7 +110,7 @@ static void pair_random(pair *p)
 	p->in.slop = SLOP;
 	memset(&p->cache, 0, sizeof p->cache);
 	if (random_below(3)) {
-		p->cache.axis = (uint8_t)(1 + random_below(4));
+		p->cache.axis = (uint8_t)(1 + random_below(random_below(2) ? 4 : CN_POLYGON_MAX_VERTICES));
 		p->cache.axis = (uint8_t)(p->cache.axis + (random_below(2) ? CN_POLYGON_MAX_VERTICES : 0));
 	}
 }
@@ -109,60 +128,62 @@ static int32_t same_manifold(const cni_manifold *a, const cni_manifold *b)
 }
 
 typedef struct tally {
-	int32_t wrong, apart, corners, faces, left, pairs;
+	int32_t wrong, apart, corners, faces, left, many, pairs; /* many: corners, more than four */
 } tally;
 
-static void batch_compare(pair *pairs, int32_t count, cni_box_kernel_fn *kernel, tally *t)
+static void batch_compare(pair *pairs, int32_t count, cni_batch_kernel_fn *kernel, tally *t)
 {
-	cni_box_batch batch;
+	cni_manifold_batch batch;
 	batch.count = 0;
 	for (int32_t k = 0; k < count; ++k)
-		cni_boxes_add(&batch, &pairs[k].in, &pairs[k].cache);
-	cni_boxes_run(&batch, kernel);
+		cni_batch_add(&batch, &pairs[k].in, &pairs[k].cache);
+	cni_batch_run(&batch, kernel);
 	for (int32_t k = 0; k < count; ++k) {
 		cni_manifold_cache cache = pairs[k].cache, cache_one = pairs[k].cache;
 		cni_manifold together, one;
-		cni_boxes_read(&batch, k, &pairs[k].in, &cache, &together);
+		cni_batch_read(&batch, k, &pairs[k].in, &cache, &together);
 		cni_manifold_function(pairs[k].a.g.type, pairs[k].b.g.type)(&pairs[k].in, &cache_one, &one);
 		t->wrong += !same_manifold(&together, &one) || cache.axis != cache_one.axis;
-		t->apart += batch.state[k] == CNI_BOXES_APART;
-		t->corners += batch.state[k] == CNI_BOXES_POINT && together.count == 1;
-		t->faces += batch.state[k] == CNI_BOXES_POINTS;
-		t->left += batch.state[k] == CNI_BOXES_FALLBACK;
+		t->apart += batch.state[k] == CNI_BATCH_APART;
+		t->corners += batch.state[k] == CNI_BATCH_POINT && together.count == 1;
+		t->faces += batch.state[k] == CNI_BATCH_POINTS;
+		t->left += batch.state[k] == CNI_BATCH_FALLBACK;
+		t->many += pairs[k].a.g.count > 4 || pairs[k].b.g.count > 4;
 		++t->pairs;
 	}
 }
 
-static void kernel_compare(cni_box_kernel_fn *kernel)
+static void kernel_compare(cni_batch_kernel_fn *kernel)
 {
-	static pair pairs[CNI_BOX_PAIRS];
-	tally t = { 0, 0, 0, 0, 0, 0 };
+	static pair pairs[CNI_BATCH_PAIRS];
+	tally t = { 0, 0, 0, 0, 0, 0, 0 };
 	random_state = 20u;
 	for (int32_t round = 0; round < ROUNDS; ++round) {
-		int32_t count = 1 + random_below(CNI_BOX_PAIRS);
+		int32_t count = 1 + random_below(CNI_BATCH_PAIRS), few = random_below(2); /* groups of few corners have code of their own */
 		for (int32_t k = 0; k < count; ++k)
-			pair_random(&pairs[k]);
+			pair_random(&pairs[k], few || random_below(3) == 0);
 		batch_compare(pairs, count, kernel, &t);
 	}
 	printf("  of %d pairs: %d apart, %d by faces, %d by corners, %d left\n", (int)t.pairs, (int)t.apart, (int)t.faces, (int)t.corners, (int)t.left);
 	CHECK_LE("pairs that differ", (double)t.wrong, 0.0, "");
 	CHECK_GE("share of pairs by faces", (double)t.faces / (double)t.pairs, 0.2, "");
 	CHECK_GE("share of pairs by corners", (double)t.corners / (double)t.pairs, 0.02, "");
+	CHECK_GE("share of pairs with more than four corners", (double)t.many / (double)t.pairs, 0.1, "");
 	CHECK_GE("share of pairs apart", (double)t.apart / (double)t.pairs, 0.1, "");
 	CHECK_GE("pairs left to the general way", (double)t.left, 1.0, "");
 }
 
 static void t_widest_kernel_has_the_bits_of_one_by_one(void)
 {
-	if (cni_box_kernel_choose() == NULL)
+	if (cni_batch_kernel_choose() == NULL)
 		SKIP("no vectors on this target");
-	kernel_compare(cni_box_kernel_choose());
+	kernel_compare(cni_batch_kernel_choose());
 }
 
 static void t_four_wide_kernel_has_the_bits_of_one_by_one(void)
 {
 #if CNI_HAS_WIDE_4
-	kernel_compare(cni_box_kernel_4);
+	kernel_compare(cni_batch_kernel_4);
 #else
 	SKIP("no vectors on this target");
 #endif

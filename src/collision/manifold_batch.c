@@ -1,26 +1,26 @@
 /*
- * collision/manifold_boxes.c - fills a batch of pairs of boxes and reads the manifolds back.
+ * collision/manifold_batch.c - fills a batch of pairs and reads the manifolds back.
  */
-#include "collision/manifold_boxes.h"
+#include "collision/manifold_batch.h"
 #include "base/cpu.h"
 
 /* Columns that a kernel may work out beyond the last pair. */
 #define WIDTH_MAX 8
 
-cni_box_kernel_fn *cni_box_kernel_choose(void)
+cni_batch_kernel_fn *cni_batch_kernel_choose(void)
 {
 #if CNI_HAS_WIDE_8
 	if (cni_cpu_has_avx2())
-		return cni_box_kernel_8;
+		return cni_batch_kernel_8;
 #endif
 #if CNI_HAS_WIDE_4
-	return cni_box_kernel_4;
+	return cni_batch_kernel_4;
 #else
 	return NULL;
 #endif
 }
 
-static void axis_add(cni_box_batch *batch, int32_t k, const cni_manifold_input *in, int32_t axis)
+static void axis_add(cni_manifold_batch *batch, int32_t k, const cni_manifold_input *in, int32_t axis)
 {
 	const cni_geometry *g = axis > CN_POLYGON_MAX_VERTICES ? in->b : in->a;
 	int32_t edge = (axis + CN_POLYGON_MAX_VERTICES - 1) % CN_POLYGON_MAX_VERTICES;
@@ -36,10 +36,10 @@ static void axis_add(cni_box_batch *batch, int32_t k, const cni_manifold_input *
 	batch->axis_py[k] = p.y;
 }
 
-int32_t cni_boxes_add(cni_box_batch *batch, const cni_manifold_input *in, const cni_manifold_cache *cache)
+int32_t cni_batch_add(cni_manifold_batch *batch, const cni_manifold_input *in, const cni_manifold_cache *cache)
 {
 	int32_t k = batch->count++;
-	CNI_ASSERT(k < CNI_BOX_PAIRS && cni_boxes_take(in));
+	CNI_ASSERT(k < CNI_BATCH_PAIRS && cni_batch_take(in));
 	batch->qc[k] = in->b_in_a.q.c;
 	batch->qs[k] = in->b_in_a.q.s;
 	batch->tx[k] = in->b_in_a.t.x;
@@ -57,7 +57,7 @@ int32_t cni_boxes_add(cni_box_batch *batch, const cni_manifold_input *in, const 
 }
 
 /* Copies the last column to fill the kernel's width. */
-static void pad(cni_box_batch *batch)
+static void pad(cni_manifold_batch *batch)
 {
 	int32_t last = batch->count - 1, k;
 	for (k = batch->count; k % WIDTH_MAX != 0; ++k) {
@@ -80,19 +80,19 @@ static void pad(cni_box_batch *batch)
 	}
 }
 
-void cni_boxes_run(cni_box_batch *batch, cni_box_kernel_fn *kernel)
+void cni_batch_run(cni_manifold_batch *batch, cni_batch_kernel_fn *kernel)
 {
 	if (batch->count == 0)
 		return;
 	if (batch->count == 1) { /* a single pair is cheaper without the kernel */
-		batch->state[0] = CNI_BOXES_FALLBACK;
+		batch->state[0] = CNI_BATCH_FALLBACK;
 		return;
 	}
 	pad(batch);
 	kernel(batch, batch->count);
 }
 
-static void point_read(const cni_box_point *p, int32_t column, float margin, cni_manifold *out)
+static void point_read(const cni_batch_point *p, int32_t column, float margin, cni_manifold *out)
 {
 	cni_manifold_point *to = &out->points[out->count];
 	if (p->separation[column] > margin)
@@ -103,18 +103,18 @@ static void point_read(const cni_box_point *p, int32_t column, float margin, cni
 	++out->count;
 }
 
-void cni_boxes_read(const cni_box_batch *batch, int32_t column, const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
+void cni_batch_read(const cni_manifold_batch *batch, int32_t column, const cni_manifold_input *in, cni_manifold_cache *cache, cni_manifold *out)
 {
-	if (batch->state[column] == CNI_BOXES_FALLBACK) {
+	if (batch->state[column] == CNI_BATCH_FALLBACK) {
 		cni_manifold_function(in->a->type, in->b->type)(in, cache, out);
 		return;
 	}
 	cache->axis = (uint8_t)batch->axis[column];
 	out->count = 0;
-	if (batch->state[column] == CNI_BOXES_APART)
+	if (batch->state[column] == CNI_BATCH_APART)
 		return;
 	out->normal = cni_v(batch->nx[column], batch->ny[column]);
 	point_read(&batch->point[0], column, in->margin, out);
-	if (batch->state[column] == CNI_BOXES_POINTS)
+	if (batch->state[column] == CNI_BATCH_POINTS)
 		point_read(&batch->point[1], column, in->margin, out);
 }
