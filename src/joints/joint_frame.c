@@ -43,13 +43,10 @@ cni_joint_frame cni_joint_frame_place(const cn_world *world, const cni_joint *j)
 	cni_rot qa = { 1.0f, 0.0f }, qb = { 1.0f, 0.0f };
 	cni_vec2 la = j->anchor[0], lb = j->anchor[1], d = { 0.0f, 0.0f };
 	cni_joint_frame f;
-	/* The large numbers come first: the centres, and an anchor in the world, beside which low parts would be lost. */
-	if (a == NULL || b == NULL)
-		d = a == NULL ? cni_neg(la) : lb;
 	if (a != NULL) {
 		qa = a->q;
 		la = cni_sub(la, a->local_center);
-		d = cni_v(d.x - a->cx, d.y - a->cy);
+		d = cni_v(-a->cx, -a->cy);
 	}
 	if (b != NULL) {
 		qb = b->q;
@@ -61,8 +58,8 @@ cni_joint_frame cni_joint_frame_place(const cn_world *world, const cni_joint *j)
 		d = cni_sub(d, cni_v(a->cx_low, a->cy_low));
 	f.ra = cni_rotate(qa, la);
 	f.rb = cni_rotate(qb, lb);
-	f.d = a != NULL ? cni_sub(d, f.ra) : d;
-	f.d = b != NULL ? cni_add(f.d, f.rb) : f.d;
+	/* With the world on one side that side's anchor is a large number: subtract it from the centre first. */
+	f.d = a != NULL && b == NULL ? cni_sub(cni_add(d, f.rb), f.ra) : cni_add(cni_sub(d, f.ra), f.rb);
 	f.e = cni_v(0.0f, 0.0f);
 	if (type->uses & CNI_USES_GROUNDS) {
 		f.d = from_ground(a, j, 0, f.ra);
