@@ -11,7 +11,7 @@
     probe.py   api -> C program that asks the compiler
     record.py  api -> tables of calls, for recording, replay and fuzzing
     idiom.py     what a layer above C makes of the functions
-    luajit.py, csharp.py, csharp_layer.py, zig.py, python.py, cpp.py, rust.py, javascript.py, go.py    api -> one file each
+    luajit.py, csharp.py, csharp_layer.py, zig.py, zig_layer.py, python.py, cpp.py, rust.py, javascript.py, go.py    api -> one file each
 
 Whatever header.py does not understand is an error with a line number: nothing is guessed. The
 writers see only the api, so that another language needs one more file here and nothing else.
@@ -24,7 +24,7 @@ import tempfile
 
 sys.dont_write_bytecode = True
 
-from generator import cpp, csharp, csharp_layer, go, header, javascript, layout, luajit, names, pointers, probe, python, record, rust, zig  # noqa: E402
+from generator import cpp, csharp, csharp_layer, go, header, javascript, layout, luajit, names, pointers, probe, python, record, rust, zig, zig_layer  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(HERE)
@@ -34,6 +34,7 @@ WRITERS = [
     ("csharp/Cairn.cs", csharp.write),
     ("csharp/World.cs", csharp_layer.write),
     ("zig/cairn.zig", zig.write),
+    ("zig/layer.zig", zig_layer.write),
     ("python/cairn.py", python.write),
     ("record/calls.h", record.write_calls),
     ("record/wrappers.h", record.write_wrappers),

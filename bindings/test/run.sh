@@ -176,8 +176,12 @@ if [ -n "$zig" ]; then
 			-femit-bin="$out/$(basename "$program" .zig)-zig"
 	done
 	both zig '' "$out/hinges-zig" "$out/example-zig"
+	# shellcheck disable=SC2086
+	check "zig builds with error unions and slices" $zig build-exe -lc -L"$build" -lcairn --dep cairn -Mroot=bindings/test/layer.zig \
+		-Mcairn=bindings/zig/layer.zig -femit-bin="$out/layer-zig"
+	same "zig layer" "$hinges" "$out/layer-zig"
 else
-	skip 4 zig
+	skip 6 zig
 fi
 
 if command -v cmake >/dev/null 2>&1; then
