@@ -289,7 +289,7 @@ typedef struct cn_world_def {
 	void *task_user;                  /* last argument of enqueue and finish */
 	int32_t worker_count;             /* threads that share a step, including the calling one; 0 to CN_WORKERS_MAX;
 	                                     default 0, the same as 1: no threads, no tasks */
-	uint32_t reserved;
+	float hit_speed_mps;              /* blows at least this fast are reported by CN_EVENT_HIT, >= 0; default 1 x length unit */
 } cn_world_def;
 
 /* Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with the length unit are
@@ -338,6 +338,8 @@ CN_API cn_result cn_world_set_flags(cn_world *world, uint32_t flags);
 CN_API cn_result cn_world_get_flags(const cn_world *world, uint32_t *out_flags);
 /* Impacts slower than this, in m/s, do not bounce; >= 0. */
 CN_API cn_result cn_world_set_restitution_threshold(cn_world *world, float speed_mps);
+/* Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; >= 0. */
+CN_API cn_result cn_world_set_hit_speed(cn_world *world, float speed_mps);
 /* Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows faster bodies down to them and
    keeps the direction. */
 CN_API cn_result cn_world_set_speed_limits(cn_world *world, float linear_mps, float angular_radps);
@@ -707,7 +709,7 @@ typedef struct cn_material {
 	float tangent_speed_mps;  /* conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; [-1e4, 1e4], default 0 */
 	int32_t friction_mix;     /* CN_MIX_*; default CN_MIX_GEOMETRIC */
 	int32_t restitution_mix;  /* CN_MIX_*; default CN_MIX_MAXIMUM */
-	uint32_t reserved;
+	uint32_t user_id;         /* a number for the user, reported in contact events; default 0 */
 } cn_material;
 
 /* Flags of a shape. */
@@ -725,7 +727,8 @@ enum {
 	CN_EVENT_STAY = 2,      /* they still touch */
 	CN_EVENT_LEAVE = 3,     /* they stopped touching, or one is gone */
 	CN_EVENT_DESTROYED = 4, /* the fat boxes no longer overlap, or one is gone */
-	CN_EVENT_KINDS = 5      /* number of kinds */
+	CN_EVENT_HIT = 5,       /* a blow at hit_speed_mps of cn_world_def or faster, at the beginning of touching or within it */
+	CN_EVENT_KINDS = 6      /* number of kinds */
 };
 
 /* Definition of a shape. */
@@ -889,15 +892,24 @@ typedef struct cn_contact_event {
 	int32_t child_b;            /* the same of shape b */
 	uint32_t contact_id;        /* the same from CREATED to DESTROYED, then reused */
 	int32_t kind;               /* CN_EVENT_* */
-	float approach_speed_mps;   /* ENTER: closing speed along the normal before the impact; else 0 */
-	cn_manifold manifold;       /* geometry at the step's beginning, impulses at its end; points only for ENTER and STAY */
+	float approach_speed_mps;   /* ENTER: closing speed along the normal before the impact; HIT: of the blow; else 0 */
+	cn_manifold manifold;       /* geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT */
+	/* Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the substeps of a predicted
+	   contact that its shapes do not reach in this step, they are 0 too. */
+	float normal_impulse_Ns;    /* along manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s */
+	float friction_impulse_Ns;  /* along (normal.y, -normal.x), on body b */
+	cn_vec2 hit_point_m;        /* HIT: where, in the world; else (0, 0) */
+	uint32_t material_a;        /* cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED */
+	uint32_t material_b;
 } cn_contact_event;
 
 /* The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. The first call for a kind after a
    step builds the array, O(events), and can return CN_ERROR_MEMORY; CN_ERROR_LOCKED inside callbacks. Every CREATED gets a
    DESTROYED and every ENTER a LEAVE, however the pair ends (moved apart, body or shape destroyed, detached or disabled,
    filter or type changed). The next step reports pairs that end between two steps; their handles may be stale. A sleeping
-   pair reports nothing, and continues when it wakes. */
+   pair reports nothing, and continues when it wakes. HIT: in some substep a point closed at approach_speed_mps, the greatest
+   of the step, and got an impulse; bodies that pass a blow on to others that already touch them, without closing, have no
+   HIT. Impulses are summed only for contacts that report ENTER (in the step in which they begin), STAY or HIT. */
 CN_API cn_result cn_world_contact_events(cn_world *world, int32_t kind, const cn_contact_event **out_events, int32_t *out_count);
 
 /* Called at the end of cn_world_step for each event of this kind, in the order of the array. */

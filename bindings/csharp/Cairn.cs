@@ -264,7 +264,8 @@ namespace Cairn
 		/// <summary>threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no
 		/// threads, no tasks</summary>
 		public int worker_count;
-		public uint reserved;
+		/// <summary>blows at least this fast are reported by CN_EVENT_HIT, &gt;= 0; default 1 x length unit</summary>
+		public float hit_speed_mps;
 	}
 
 	/// <summary>Counts of objects, and problems of the last step.</summary>
@@ -467,7 +468,8 @@ namespace Cairn
 		public int friction_mix;
 		/// <summary>CN_MIX_*; default CN_MIX_MAXIMUM</summary>
 		public int restitution_mix;
-		public uint reserved;
+		/// <summary>a number for the user, reported in contact events; default 0</summary>
+		public uint user_id;
 	}
 
 	/// <summary>Definition of a shape.</summary>
@@ -588,10 +590,21 @@ namespace Cairn
 		public uint contact_id;
 		/// <summary>CN_EVENT_*</summary>
 		public int kind;
-		/// <summary>ENTER: closing speed along the normal before the impact; else 0</summary>
+		/// <summary>ENTER: closing speed along the normal before the impact; HIT: of the blow; else 0</summary>
 		public float approach_speed_mps;
-		/// <summary>geometry at the step's beginning, impulses at its end; points only for ENTER and STAY</summary>
+		/// <summary>geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT</summary>
 		public cn_manifold manifold;
+		/// <summary>Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the
+		/// substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along
+		/// manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s</summary>
+		public float normal_impulse_Ns;
+		/// <summary>along (normal.y, -normal.x), on body b</summary>
+		public float friction_impulse_Ns;
+		/// <summary>HIT: where, in the world; else (0, 0)</summary>
+		public cn_vec2 hit_point_m;
+		/// <summary>cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED</summary>
+		public uint material_a;
+		public uint material_b;
 	}
 
 	/// <summary>A shape entered or left a sensor.</summary>
@@ -1475,8 +1488,10 @@ namespace Cairn
 		public const int CN_EVENT_LEAVE = 3;
 		/// <summary>the fat boxes no longer overlap, or one is gone</summary>
 		public const int CN_EVENT_DESTROYED = 4;
+		/// <summary>a blow at hit_speed_mps of cn_world_def or faster, at the beginning of touching or within it</summary>
+		public const int CN_EVENT_HIT = 5;
 		/// <summary>number of kinds</summary>
-		public const int CN_EVENT_KINDS = 5;
+		public const int CN_EVENT_KINDS = 6;
 
 		// Types of joints: see their definitions.
 		public const int CN_JOINT_REVOLUTE = 0;
@@ -1675,6 +1690,10 @@ namespace Cairn
 		/// <summary>Impacts slower than this, in m/s, do not bounce; &gt;= 0.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_restitution_threshold(cn_world* world, float speed_mps);
+
+		/// <summary>Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; &gt;= 0.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_set_hit_speed(cn_world* world, float speed_mps);
 
 		/// <summary>Sets the greatest linear (m/s) and angular (rad/s) speed, both &gt; 0. The end of a step slows faster
 		/// bodies down to them and keeps the direction.</summary>
@@ -2153,7 +2172,10 @@ namespace Cairn
 		/// inside callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved
 		/// apart, body or shape destroyed, detached or disabled, filter or type changed). The next step reports
 		/// pairs that end between two steps; their handles may be stale. A sleeping pair reports nothing, and
-		/// continues when it wakes.</summary>
+		/// continues when it wakes. HIT: in some substep a point closed at approach_speed_mps, the greatest of the
+		/// step, and got an impulse; bodies that pass a blow on to others that already touch them, without closing,
+		/// have no HIT. Impulses are summed only for contacts that report ENTER (in the step in which they begin),
+		/// STAY or HIT.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_contact_events(cn_world* world, int kind, cn_contact_event** out_events, int* out_count);
 

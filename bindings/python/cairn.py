@@ -166,7 +166,8 @@ CN_EVENT_ENTER = 1
 CN_EVENT_STAY = 2
 CN_EVENT_LEAVE = 3
 CN_EVENT_DESTROYED = 4
-CN_EVENT_KINDS = 5
+CN_EVENT_HIT = 5
+CN_EVENT_KINDS = 6
 CN_JOINT_REVOLUTE = 0
 CN_JOINT_DISTANCE = 1
 CN_JOINT_FIXED = 2
@@ -329,7 +330,7 @@ class cn_world_def(_c.Structure):
         ("finish", cn_finish_fn),  # see cn_finish_fn
         ("task_user", _c.c_void_p),  # last argument of enqueue and finish
         ("worker_count", _c.c_int32),  # threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no threads, no tasks
-        ("reserved", _c.c_uint32),
+        ("hit_speed_mps", _c.c_float),  # blows at least this fast are reported by CN_EVENT_HIT, >= 0; default 1 x length unit
     ]
 
 
@@ -457,7 +458,7 @@ class cn_material(_c.Structure):
         ("tangent_speed_mps", _c.c_float),  # conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; [-1e4, 1e4], default 0
         ("friction_mix", _c.c_int32),  # CN_MIX_*; default CN_MIX_GEOMETRIC
         ("restitution_mix", _c.c_int32),  # CN_MIX_*; default CN_MIX_MAXIMUM
-        ("reserved", _c.c_uint32),
+        ("user_id", _c.c_uint32),  # a number for the user, reported in contact events; default 0
     ]
 
 
@@ -553,8 +554,13 @@ class cn_contact_event(_c.Structure):
         ("child_b", _c.c_int32),  # the same of shape b
         ("contact_id", _c.c_uint32),  # the same from CREATED to DESTROYED, then reused
         ("kind", _c.c_int32),  # CN_EVENT_*
-        ("approach_speed_mps", _c.c_float),  # ENTER: closing speed along the normal before the impact; else 0
-        ("manifold", cn_manifold),  # geometry at the step's beginning, impulses at its end; points only for ENTER and STAY
+        ("approach_speed_mps", _c.c_float),  # ENTER: closing speed along the normal before the impact; HIT: of the blow; else 0
+        ("manifold", cn_manifold),  # geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT
+        ("normal_impulse_Ns", _c.c_float),  # Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s
+        ("friction_impulse_Ns", _c.c_float),  # along (normal.y, -normal.x), on body b
+        ("hit_point_m", cn_vec2),  # HIT: where, in the world; else (0, 0)
+        ("material_a", _c.c_uint32),  # cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED
+        ("material_b", _c.c_uint32),
     ]
 
 
@@ -1090,6 +1096,8 @@ cn_world_set_flags = _function("cn_world_set_flags", cn_result, _c.POINTER(cn_wo
 cn_world_get_flags = _function("cn_world_get_flags", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_uint32))
 # Impacts slower than this, in m/s, do not bounce; >= 0.
 cn_world_set_restitution_threshold = _function("cn_world_set_restitution_threshold", cn_result, _c.POINTER(cn_world), _c.c_float)
+# Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; >= 0.
+cn_world_set_hit_speed = _function("cn_world_set_hit_speed", cn_result, _c.POINTER(cn_world), _c.c_float)
 # Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows faster bodies
 # down to them and keeps the direction.
 cn_world_set_speed_limits = _function("cn_world_set_speed_limits", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_float)
@@ -1361,6 +1369,9 @@ cn_polygon_make_box = _function("cn_polygon_make_box", cn_result, _c.c_float, _c
 # callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved apart, body
 # or shape destroyed, detached or disabled, filter or type changed). The next step reports pairs that end
 # between two steps; their handles may be stale. A sleeping pair reports nothing, and continues when it wakes.
+# HIT: in some substep a point closed at approach_speed_mps, the greatest of the step, and got an impulse;
+# bodies that pass a blow on to others that already touch them, without closing, have no HIT. Impulses are
+# summed only for contacts that report ENTER (in the step in which they begin), STAY or HIT.
 cn_world_contact_events = _function("cn_world_contact_events", cn_result, _c.POINTER(cn_world), _c.c_int32, _c.POINTER(_c.POINTER(cn_contact_event)), _c.POINTER(_c.c_int32))
 # Sets the callback for contact events of one kind (CN_EVENT_*); NULL removes it.
 cn_world_set_contact_callback = _function("cn_world_set_contact_callback", cn_result, _c.POINTER(cn_world), _c.c_int32, cn_contact_event_fn, _c.c_void_p)

@@ -244,8 +244,10 @@ pub const CN_EVENT_STAY = 2;
 pub const CN_EVENT_LEAVE = 3;
 /// the fat boxes no longer overlap, or one is gone
 pub const CN_EVENT_DESTROYED = 4;
+/// a blow at hit_speed_mps of cn_world_def or faster, at the beginning of touching or within it
+pub const CN_EVENT_HIT = 5;
 /// number of kinds
-pub const CN_EVENT_KINDS = 5;
+pub const CN_EVENT_KINDS = 6;
 
 // Types of joints: see their definitions.
 pub const CN_JOINT_REVOLUTE = 0;
@@ -533,7 +535,8 @@ pub const cn_world_def = extern struct {
     /// threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1:
     /// no threads, no tasks
     worker_count: i32,
-    reserved: u32,
+    /// blows at least this fast are reported by CN_EVENT_HIT, >= 0; default 1 x length unit
+    hit_speed_mps: f32,
 
     comptime {
         if (@sizeOf(usize) == 8 and @sizeOf(cn_world_def) != 160) @compileError("cn_world_def");
@@ -753,7 +756,8 @@ pub const cn_material = extern struct {
     friction_mix: i32,
     /// CN_MIX_*; default CN_MIX_MAXIMUM
     restitution_mix: i32,
-    reserved: u32,
+    /// a number for the user, reported in contact events; default 0
+    user_id: u32,
 
     comptime {
         if (@sizeOf(usize) == 8 and @sizeOf(cn_material) != 32) @compileError("cn_material");
@@ -892,13 +896,24 @@ pub const cn_contact_event = extern struct {
     contact_id: u32,
     /// CN_EVENT_*
     kind: i32,
-    /// ENTER: closing speed along the normal before the impact; else 0
+    /// ENTER: closing speed along the normal before the impact; HIT: of the blow; else 0
     approach_speed_mps: f32,
-    /// geometry at the step's beginning, impulses at its end; points only for ENTER and STAY
+    /// geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT
     manifold: cn_manifold,
+    /// Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the
+    /// substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along
+    /// manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s
+    normal_impulse_Ns: f32,
+    /// along (normal.y, -normal.x), on body b
+    friction_impulse_Ns: f32,
+    /// HIT: where, in the world; else (0, 0)
+    hit_point_m: cn_vec2,
+    /// cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED
+    material_a: u32,
+    material_b: u32,
 
     comptime {
-        if (@sizeOf(usize) == 8 and @sizeOf(cn_contact_event) != 92) @compileError("cn_contact_event");
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_contact_event) != 116) @compileError("cn_contact_event");
     }
 };
 
@@ -1595,6 +1610,8 @@ pub extern fn cn_world_set_flags(world: ?*cn_world, flags: u32) cn_result;
 pub extern fn cn_world_get_flags(world: ?*const cn_world, out_flags: [*c]u32) cn_result;
 /// Impacts slower than this, in m/s, do not bounce; >= 0.
 pub extern fn cn_world_set_restitution_threshold(world: ?*cn_world, speed_mps: f32) cn_result;
+/// Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; >= 0.
+pub extern fn cn_world_set_hit_speed(world: ?*cn_world, speed_mps: f32) cn_result;
 /// Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows faster bodies
 /// down to them and keeps the direction.
 pub extern fn cn_world_set_speed_limits(world: ?*cn_world, linear_mps: f32, angular_radps: f32) cn_result;
@@ -1867,7 +1884,9 @@ pub extern fn cn_polygon_make_box(half_width_m: f32, half_height_m: f32, center_
 /// callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved apart,
 /// body or shape destroyed, detached or disabled, filter or type changed). The next step reports pairs that
 /// end between two steps; their handles may be stale. A sleeping pair reports nothing, and continues when it
-/// wakes.
+/// wakes. HIT: in some substep a point closed at approach_speed_mps, the greatest of the step, and got an
+/// impulse; bodies that pass a blow on to others that already touch them, without closing, have no HIT.
+/// Impulses are summed only for contacts that report ENTER (in the step in which they begin), STAY or HIT.
 pub extern fn cn_world_contact_events(world: ?*cn_world, kind: i32, out_events: [*c][*c]const cn_contact_event, out_count: [*c]i32) cn_result;
 /// Sets the callback for contact events of one kind (CN_EVENT_*); NULL removes it.
 pub extern fn cn_world_set_contact_callback(world: ?*cn_world, kind: i32, function: ?*const cn_contact_event_fn, user: ?*anyopaque) cn_result;

@@ -129,7 +129,7 @@ void cni_shape_wake_met(cn_world *world, int32_t shape)
 	m.world = world;
 	m.shape = shape;
 	m.reserved = 0;
-	for (child = 0; child < s->children; ++child) {
+	for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 		int32_t proxy = cni_shape_proxy(world, s, child);
 		cni_aabb box;
 		if (proxy == CNI_NONE)

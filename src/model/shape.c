@@ -7,7 +7,7 @@
 
 static uint64_t ids_bytes(const cn_world *world, const cni_shape *s)
 {
-	uint64_t bytes = (uint64_t)s->children * sizeof(int32_t);
+	uint64_t bytes = (uint64_t)cni_shape_children(&world->blocks, s) * sizeof(int32_t);
 	if (!world->memory.fixed)
 		return bytes;
 	if (bytes <= CNI_SHAPE_IDS_BYTES)
@@ -69,7 +69,7 @@ cn_result cni_shape_place(cn_world *world, int32_t shape)
 	int32_t child;
 	if (shape_is_placed(s))
 		return CN_OK;
-	if (cni_proxy_reserve(world, s->children) != CN_OK)
+	if (cni_proxy_reserve(world, cni_shape_children(&world->blocks, s)) != CN_OK)
 		return CN_ERROR_MEMORY;
 	cni_body_forget_room(cni_body_at(world, s->body));
 	if (s->type != CN_SHAPE_CHAIN) {
@@ -81,7 +81,7 @@ cn_result cni_shape_place(cn_world *world, int32_t shape)
 	s->box.proxies = cni_blocks_alloc(&world->blocks, ids_bytes(world, s));
 	if (s->box.proxies == 0)
 		return CN_ERROR_MEMORY;
-	for (child = 0; child < s->children; ++child)
+	for (child = 0; child < cni_shape_children(&world->blocks, s); ++child)
 		((int32_t *)cni_blocks_at(&world->blocks, s->box.proxies))[child] = proxy_create(world, shape, child);
 	return CN_OK;
 }
@@ -93,7 +93,7 @@ void cni_shape_unplace(cn_world *world, int32_t shape)
 	if (!shape_is_placed(s))
 		return;
 	cni_contact_destroy_of_shape(world, shape);
-	for (child = 0; child < s->children; ++child) {
+	for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 		int32_t proxy = cni_shape_proxy(world, s, child);
 		if (cni_proxy_at(world, proxy)->flags & CNI_PROXY_STATIC)
 			cni_seams_change(world, &cni_proxy_at(world, proxy)->fat);
@@ -114,7 +114,7 @@ void cni_shape_refilter(cn_world *world, int32_t shape)
 	int32_t child;
 	if (!shape_is_placed(s))
 		return;
-	for (child = 0; child < s->children; ++child) {
+	for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 		cni_proxy *p = cni_proxy_at(world, cni_shape_proxy(world, s, child));
 		uint32_t is_static = cni_body_at(world, s->body)->type == CN_BODY_STATIC ? (uint32_t)CNI_PROXY_STATIC : 0u;
 		if ((p->flags & CNI_PROXY_STATIC) || is_static)

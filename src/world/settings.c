@@ -114,6 +114,15 @@ cn_result cn_world_set_restitution_threshold(cn_world *world, float speed_mps)
 	return call.result;
 }
 
+cn_result cn_world_set_hit_speed(cn_world *world, float speed_mps)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_check_at_least(&call, "speed_mps", speed_mps, 0.0f);
+	if (call.result == CN_OK)
+		world->settings.hit_speed = speed_mps;
+	return call.result;
+}
+
 cn_result cn_world_set_speed_limits(cn_world *world, float linear_mps, float angular_radps)
 {
 	cni_call call = cni_enter(world, __func__);

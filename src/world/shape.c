@@ -137,9 +137,10 @@ cn_result cn_shape_set_material(cn_world *world, cn_shape shape, const cn_materi
 	cni_check_pointer(&call, "material", material);
 	if (call.result == CN_OK)
 		cni_check_material(&call, material);
+	if (call.result == CN_OK && !cni_shape_store_material(world, s, material))
+		cni_refuse(&call, CN_ERROR_MEMORY, "no memory for the material's user_id");
 	if (call.result != CN_OK)
 		return call.result;
-	cni_shape_store_material(s, material);
 	for (key = first_contact(world, index); key != CNI_NONE; key = next_contact(world, key, index)) {
 		cni_contact_of_key(world, key)->flags |= CNI_CONTACT_REFRESH;
 		cni_contact_invalidate(world, key >> 1);
@@ -148,7 +149,7 @@ cn_result cn_shape_set_material(cn_world *world, cn_shape shape, const cn_materi
 	return CN_OK;
 }
 
-CNI_DEFINE_GET(shape, material, cn_material, cni_shape_material(record))
+CNI_DEFINE_GET(shape, material, cn_material, cni_shape_material(world, record))
 
 cn_result cn_shape_set_density(cn_world *world, cn_shape shape, float density_kgpm2)
 {

@@ -72,17 +72,17 @@ static void check_def(cni_call *call, const cn_shape_def *def)
 	cni_check_flags(call, "event_mask", def->event_mask, EVENT_MASK);
 }
 
-static void record_fill(cni_shape *s, const cn_shape_def *def, const cni_geometry *g, cni_ref ref)
+static void record_fill(cni_call *call, cn_world *world, cni_shape *s, const cn_shape_def *def, const cni_geometry *g, cni_ref ref)
 {
 	memset(s, 0, sizeof *s);
 	s->body = s->next = s->prev = CNI_NONE;
 	s->type = (uint8_t)g->type;
 	s->geometry = ref;
-	s->children = cni_geometry_children(g);
 	if (g->type != CN_SHAPE_CHAIN)
 		s->box.proxy = CNI_NONE;
 	s->density = def->density_kgpm2;
-	cni_shape_store_material(s, &def->material);
+	if (!cni_shape_store_material(world, s, &def->material))
+		cni_refuse(call, CN_ERROR_MEMORY, "no memory for the material's user_id");
 	s->flags = (uint8_t)def->flags;
 	s->category = def->filter.category;
 	s->mask = def->filter.mask;
@@ -118,13 +118,13 @@ static cni_ref shape_prepare(cni_call *call, cn_world *world, const cn_shape_def
 	offset.t = def->offset_m;
 	g = (cni_geometry *)cni_blocks_at(&world->blocks, ref);
 	geometry_build(g, from, offset);
-	record_fill(cni_shape_at(world, shape), def, g, ref);
+	record_fill(call, world, cni_shape_at(world, shape), def, g, ref);
 	cni_check_shape_mass(call, cni_geometry_mass(g, def->density_kgpm2));
 	if (call->result == CN_OK && def->body != 0)
 		record_attach(call, world, shape, cni_body_index(world, def->body));
 	if (call->result == CN_OK)
 		return ref;
-	cni_blocks_free(&world->blocks, ref, bytes);
+	cni_shape_free_geometry(world, shape);
 	return 0;
 }
 

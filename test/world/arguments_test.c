@@ -33,7 +33,7 @@ static const entry table[] = {
 	E(cn_world_def_init), E(cn_world_def_check), E(cn_world_bytes_needed), E(cn_world_create), E(cn_world_destroy), E(cn_world_step),
 	E(cn_world_error_text), E(cn_world_set_gravity), E(cn_world_get_gravity), E(cn_world_set_substep_count), E(cn_world_get_substep_count),
 	E(cn_world_set_solver), E(cn_world_get_solver), E(cn_world_set_accuracy), E(cn_world_get_accuracy), E(cn_world_get_islands),
-	E(cn_world_set_flags), E(cn_world_get_flags), E(cn_world_get_worker_count), E(cn_world_set_restitution_threshold), E(cn_world_set_speed_limits), E(cn_world_set_sleep),
+	E(cn_world_set_flags), E(cn_world_get_flags), E(cn_world_get_worker_count), E(cn_world_set_restitution_threshold), E(cn_world_set_hit_speed), E(cn_world_set_speed_limits), E(cn_world_set_sleep),
 	E(cn_world_set_user_data), E(cn_world_get_user_data), E(cn_world_get_bodies), E(cn_world_get_shapes), E(cn_world_get_joints),
 	E(cn_world_get_counters), E(cn_world_get_profile), E(cn_world_get_memory_stats), E(cn_world_hash), E(cn_world_validate),
 	E(cn_world_save_size), E(cn_world_save), E(cn_world_restore),

@@ -42,7 +42,7 @@ static void bad_world_defs(cn_result (*call)(const cn_world_def *))
 	INTEGER(x, 0, 65, call(WD(substep_count, x)));
 	NOT_NEGATIVE(x, call(WD(accuracy_m, x)));
 	INTEGER(x, -1, 1000000001, call(WD(work_budget, x)));
-	NOT_NEGATIVE(x, call(WD(restitution_threshold_mps, x)));
+	NOT_NEGATIVE(x, call(WD(restitution_threshold_mps, x))); NOT_NEGATIVE(x, call(WD(hit_speed_mps, x)));
 	NOT_NEGATIVE(x, call(WD(push_speed_max_mps, x)));
 	NOT_NEGATIVE(x, call(WD(linear_speed_max_mps, x)));
 	NOT_NEGATIVE(x, call(WD(angular_speed_max_radps, x)));
@@ -105,6 +105,8 @@ ENTRY(cn_world_set_flags, cn_world_set_flags(W, CN_WORLD_PROFILE),
 	NOW(cn_world_set_flags(NULL, 0)); FLAGS(x, 4, cn_world_set_flags(W, x));)
 WORLD_GETTER(cn_world_get_flags, uint32_t)
 WORLD_GETTER(cn_world_get_worker_count, int32_t)
+ENTRY(cn_world_set_hit_speed, cn_world_set_hit_speed(W, 2.0f),
+	NOW(cn_world_set_hit_speed(NULL, 2.0f)); NOT_NEGATIVE(x, cn_world_set_hit_speed(W, x));)
 ENTRY(cn_world_set_restitution_threshold, cn_world_set_restitution_threshold(W, 2.0f),
 	NOW(cn_world_set_restitution_threshold(NULL, 2.0f)); NOT_NEGATIVE(x, cn_world_set_restitution_threshold(W, x));)
 ENTRY(cn_world_set_speed_limits, cn_world_set_speed_limits(W, 50.0f, 60.0f),
