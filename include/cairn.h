@@ -36,6 +36,11 @@
  *             to the world and are valid until the next cn_world_step or cn_world_destroy.
  *  Structs    initialise definitions with their *_init function; their first field, struct_size,
  *             tells the library which version of the struct it was given. Fields are only appended.
+ *  Defaults   the *_init function stores the default of every field. Where a default depends on the world
+ *             (its length unit, its own setting), the field holds CN_DEFAULT, and only exactly this value
+ *             stands for the default. Zero always means zero; it is refused where it is out of range. In
+ *             worlds, bodies and shapes no field takes zero for the default; in joints the comment of a
+ *             field says where 0 switches a part off.
  *  Threads    one world may be used by one thread at a time; different worlds share nothing, so any
  *             number may be used at once. Functions that take a const cn_world may be called from
  *             several threads at once while no other function runs on that world. Inside cn_world_step
@@ -77,6 +82,9 @@ extern "C" {
 
 /* Raised whenever a struct layout or a function signature changes. */
 #define CN_ABI_VERSION 2
+
+/* In a definition: the default of a field whose comment names CN_DEFAULT. */
+enum { CN_DEFAULT = -1 };
 
 /* Most vertices a convex polygon may have. */
 #define CN_POLYGON_MAX_VERTICES 16
@@ -265,14 +273,14 @@ typedef struct cn_world_def {
 	int32_t solver;                   /* CN_SOLVER_*; default CN_SOLVER_AUTO */
 	int32_t broadphase;               /* CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP */
 	int32_t substep_count;            /* 1 to 64; default 4 */
-	float accuracy_m;                 /* CN_SOLVER_AUTO aims at errors below this, >= 0; default 0.005 x length unit */
+	float accuracy_m;                 /* CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit */
 	int32_t work_budget;              /* limit of direct solving in a step, in factored blocks (joints, contacts and their fill),
 	                                     substeps included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only */
-	float restitution_threshold_mps;  /* slower impacts do not bounce, >= 0; default 1 x length unit */
-	float push_speed_max_mps;         /* greatest speed at which overlaps are pushed apart, > 0; default 3 x length unit */
-	float linear_speed_max_mps;       /* faster bodies are slowed to it, > 0; default 400 x length unit */
+	float restitution_threshold_mps;  /* slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit */
+	float push_speed_max_mps;         /* greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit */
+	float linear_speed_max_mps;       /* faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit */
 	float angular_speed_max_radps;    /* faster bodies are slowed to it, > 0; default 400 */
-	float sleep_speed_mps;            /* bodies slower than this may sleep, >= 0; default 0.05 x length unit */
+	float sleep_speed_mps;            /* bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit */
 	float sleep_delay_s;              /* ... after this time, >= 0; default 0.5 */
 	int32_t body_capacity;            /* hints for a growing world, exact for a fixed one; >= 0; default 0 */
 	int32_t shape_capacity;           /* counts every edge of a chain */
@@ -289,11 +297,11 @@ typedef struct cn_world_def {
 	void *task_user;                  /* last argument of enqueue and finish */
 	int32_t worker_count;             /* threads that share a step, including the calling one; 0 to CN_WORKERS_MAX;
 	                                     default 0, the same as 1: no threads, no tasks */
-	float hit_speed_mps;              /* blows at least this fast are reported by CN_EVENT_HIT, >= 0; default 1 x length unit */
+	float hit_speed_mps;              /* blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit */
 } cn_world_def;
 
 /* Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with the length unit are
-   stored as 0, which cn_world_create resolves. */
+   stored as CN_DEFAULT, which cn_world_create resolves. */
 CN_API void cn_world_def_init(cn_world_def *def);
 /* Checks a definition. Writes one sentence about its first error, at most text_bytes (>= 0) bytes with the terminating zero;
    text may be NULL when text_bytes is 0. */
@@ -326,9 +334,9 @@ CN_API cn_result cn_world_get_substep_count(const cn_world *world, int32_t *out_
 CN_API cn_result cn_world_set_solver(cn_world *world, int32_t solver);
 /* Reads the solver (CN_SOLVER_*). */
 CN_API cn_result cn_world_get_solver(const cn_world *world, int32_t *out_solver);
-/* Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no limit. */
+/* Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit. */
 CN_API cn_result cn_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_budget);
-/* Reads the accuracy in metres (the resolved default where 0 was set) and the work budget. */
+/* Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget. */
 CN_API cn_result cn_world_get_accuracy(const cn_world *world, float *out_accuracy_m, int32_t *out_work_budget);
 /* Reads how many workers a step can use: 1, or worker_count where the library supports threads. */
 CN_API cn_result cn_world_get_worker_count(const cn_world *world, int32_t *out_count);
@@ -528,7 +536,7 @@ typedef struct cn_body_def {
 	float linear_damping_per_s;    /* v' = -damping v; >= 0, default 0 */
 	float angular_damping_per_s;   /* >= 0, default 0 */
 	float gravity_scale;           /* default 1 */
-	float sleep_speed_mps;         /* >= 0; default 0: the world's */
+	float sleep_speed_mps;         /* >= 0; CN_DEFAULT (default): the world's */
 	uint32_t flags;                /* CN_BODY_*; default ENABLED | SLEEP | AWAKE */
 	int32_t solver;                /* as in cn_body_set_solver; default CN_SOLVER_AUTO */
 	uint64_t user_data;
@@ -626,7 +634,7 @@ CN_API cn_result cn_body_get_damping(const cn_world *world, cn_body body, float 
 CN_API cn_result cn_body_set_gravity_scale(cn_world *world, cn_body body, float scale);
 /* Reads the factor on gravity. */
 CN_API cn_result cn_body_get_gravity_scale(const cn_world *world, cn_body body, float *out_scale);
-/* Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's. */
+/* Sets the body's own sleep speed in m/s, >= 0; CN_DEFAULT restores the world's. */
 CN_API cn_result cn_body_set_sleep_speed(cn_world *world, cn_body body, float speed_mps);
 /* Chooses how the body's island is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default): the world
    chooses. _SOFT: contacts and joints are never solved directly, whatever other bodies ask for. _DIRECT: the island is solved

@@ -219,20 +219,20 @@ namespace Cairn
 		public int broadphase;
 		/// <summary>1 to 64; default 4</summary>
 		public int substep_count;
-		/// <summary>CN_SOLVER_AUTO aims at errors below this, &gt;= 0; default 0.005 x length unit</summary>
+		/// <summary>CN_SOLVER_AUTO aims at errors below this, &gt;= 0; CN_DEFAULT (default): 0.005 x length unit</summary>
 		public float accuracy_m;
 		/// <summary>limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
 		/// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only</summary>
 		public int work_budget;
-		/// <summary>slower impacts do not bounce, &gt;= 0; default 1 x length unit</summary>
+		/// <summary>slower impacts do not bounce, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float restitution_threshold_mps;
-		/// <summary>greatest speed at which overlaps are pushed apart, &gt; 0; default 3 x length unit</summary>
+		/// <summary>greatest speed at which overlaps are pushed apart, &gt; 0; CN_DEFAULT (default): 3 x length unit</summary>
 		public float push_speed_max_mps;
-		/// <summary>faster bodies are slowed to it, &gt; 0; default 400 x length unit</summary>
+		/// <summary>faster bodies are slowed to it, &gt; 0; CN_DEFAULT (default): 400 x length unit</summary>
 		public float linear_speed_max_mps;
 		/// <summary>faster bodies are slowed to it, &gt; 0; default 400</summary>
 		public float angular_speed_max_radps;
-		/// <summary>bodies slower than this may sleep, &gt;= 0; default 0.05 x length unit</summary>
+		/// <summary>bodies slower than this may sleep, &gt;= 0; CN_DEFAULT (default): 0.05 x length unit</summary>
 		public float sleep_speed_mps;
 		/// <summary>... after this time, &gt;= 0; default 0.5</summary>
 		public float sleep_delay_s;
@@ -264,7 +264,7 @@ namespace Cairn
 		/// <summary>threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no
 		/// threads, no tasks</summary>
 		public int worker_count;
-		/// <summary>blows at least this fast are reported by CN_EVENT_HIT, &gt;= 0; default 1 x length unit</summary>
+		/// <summary>blows at least this fast are reported by CN_EVENT_HIT, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float hit_speed_mps;
 	}
 
@@ -411,7 +411,7 @@ namespace Cairn
 		public float angular_damping_per_s;
 		/// <summary>default 1</summary>
 		public float gravity_scale;
-		/// <summary>&gt;= 0; default 0: the world's</summary>
+		/// <summary>&gt;= 0; CN_DEFAULT (default): the world's</summary>
 		public float sleep_speed_mps;
 		/// <summary>CN_BODY_*; default ENABLED | SLEEP | AWAKE</summary>
 		public uint flags;
@@ -1270,6 +1270,10 @@ namespace Cairn
 		public const int CN_WORKERS_MAX = 64;
 		public const int CN_MAX_HANDLES = 1048575;
 
+		// In a definition: the default of a field whose comment names CN_DEFAULT.
+		/// <summary>In a definition: the default of a field whose comment names CN_DEFAULT.</summary>
+		public const int CN_DEFAULT = -1;
+
 		// Result codes.
 		/// <summary>success</summary>
 		public const int CN_OK = 0;
@@ -1604,7 +1608,7 @@ namespace Cairn
 		public static extern int cn_sizeof(int type);
 
 		/// <summary>Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with
-		/// the length unit are stored as 0, which cn_world_create resolves.</summary>
+		/// the length unit are stored as CN_DEFAULT, which cn_world_create resolves.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_world_def_init(cn_world_def* def);
 
@@ -1666,12 +1670,12 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_solver(cn_world* world, int* out_solver);
 
-		/// <summary>Sets accuracy_m and work_budget as in cn_world_def: metres &gt;= 0, 0 for the default; 0 to 1e9, 0 for
-		/// no limit.</summary>
+		/// <summary>Sets accuracy_m and work_budget as in cn_world_def: metres &gt;= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
+		/// limit.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_accuracy(cn_world* world, float accuracy_m, int work_budget);
 
-		/// <summary>Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.</summary>
+		/// <summary>Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_accuracy(cn_world* world, float* out_accuracy_m, int* out_work_budget);
 
@@ -1942,7 +1946,7 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_gravity_scale(cn_world* world, cn_body body, float* out_scale);
 
-		/// <summary>Sets the body's own sleep speed in m/s, &gt;= 0; 0 restores the world's.</summary>
+		/// <summary>Sets the body's own sleep speed in m/s, &gt;= 0; CN_DEFAULT restores the world's.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_sleep_speed(cn_world* world, cn_body body, float speed_mps);
 

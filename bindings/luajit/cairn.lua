@@ -22,6 +22,11 @@ static const int32_t CN_PLANES_MAX = 64;
 static const int32_t CN_WORKERS_MAX = 64;
 static const int32_t CN_MAX_HANDLES = 1048575;
 
+// In a definition: the default of a field whose comment names CN_DEFAULT.
+enum {
+	CN_DEFAULT = -1, // In a definition: the default of a field whose comment names CN_DEFAULT.
+};
+
 // Result codes.
 enum {
 	CN_OK = 0, // success
@@ -362,13 +367,13 @@ typedef struct cn_world_def {
 	int32_t solver; // CN_SOLVER_*; default CN_SOLVER_AUTO
 	int32_t broadphase; // CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP
 	int32_t substep_count; // 1 to 64; default 4
-	float accuracy_m; // CN_SOLVER_AUTO aims at errors below this, >= 0; default 0.005 x length unit
+	float accuracy_m; // CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
 	int32_t work_budget; // limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
-	float restitution_threshold_mps; // slower impacts do not bounce, >= 0; default 1 x length unit
-	float push_speed_max_mps; // greatest speed at which overlaps are pushed apart, > 0; default 3 x length unit
-	float linear_speed_max_mps; // faster bodies are slowed to it, > 0; default 400 x length unit
+	float restitution_threshold_mps; // slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
+	float push_speed_max_mps; // greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit
+	float linear_speed_max_mps; // faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
 	float angular_speed_max_radps; // faster bodies are slowed to it, > 0; default 400
-	float sleep_speed_mps; // bodies slower than this may sleep, >= 0; default 0.05 x length unit
+	float sleep_speed_mps; // bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit
 	float sleep_delay_s; // ... after this time, >= 0; default 0.5
 	int32_t body_capacity; // hints for a growing world, exact for a fixed one; >= 0; default 0
 	int32_t shape_capacity; // counts every edge of a chain
@@ -384,7 +389,7 @@ typedef struct cn_world_def {
 	cn_finish_fn *finish; // see cn_finish_fn
 	void *task_user; // last argument of enqueue and finish
 	int32_t worker_count; // threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no threads, no tasks
-	float hit_speed_mps; // blows at least this fast are reported by CN_EVENT_HIT, >= 0; default 1 x length unit
+	float hit_speed_mps; // blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
 } cn_world_def;
 
 // Counts of objects, and problems of the last step.
@@ -463,7 +468,7 @@ typedef struct cn_body_def {
 	float linear_damping_per_s; // v' = -damping v; >= 0, default 0
 	float angular_damping_per_s; // >= 0, default 0
 	float gravity_scale; // default 1
-	float sleep_speed_mps; // >= 0; default 0: the world's
+	float sleep_speed_mps; // >= 0; CN_DEFAULT (default): the world's
 	uint32_t flags; // CN_BODY_*; default ENABLED | SLEEP | AWAKE
 	int32_t solver; // as in cn_body_set_solver; default CN_SOLVER_AUTO
 	uint64_t user_data;
@@ -990,7 +995,7 @@ const char *cn_result_text(cn_result result);
 // with it.
 int32_t cn_sizeof(int32_t type);
 // Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with the
-// length unit are stored as 0, which cn_world_create resolves.
+// length unit are stored as CN_DEFAULT, which cn_world_create resolves.
 void cn_world_def_init(cn_world_def *def);
 // Checks a definition. Writes one sentence about its first error, at most text_bytes (>= 0) bytes with the
 // terminating zero; text may be NULL when text_bytes is 0.
@@ -1025,10 +1030,9 @@ cn_result cn_world_get_substep_count(const cn_world *world, int32_t *out_count);
 cn_result cn_world_set_solver(cn_world *world, int32_t solver);
 // Reads the solver (CN_SOLVER_*).
 cn_result cn_world_get_solver(const cn_world *world, int32_t *out_solver);
-// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no
-// limit.
+// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit.
 cn_result cn_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_budget);
-// Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.
+// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
 cn_result cn_world_get_accuracy(const cn_world *world, float *out_accuracy_m, int32_t *out_work_budget);
 // Reads how many workers a step can use: 1, or worker_count where the library supports threads.
 cn_result cn_world_get_worker_count(const cn_world *world, int32_t *out_count);
@@ -1182,7 +1186,7 @@ cn_result cn_body_get_damping(const cn_world *world, cn_body body, float *out_li
 cn_result cn_body_set_gravity_scale(cn_world *world, cn_body body, float scale);
 // Reads the factor on gravity.
 cn_result cn_body_get_gravity_scale(const cn_world *world, cn_body body, float *out_scale);
-// Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's.
+// Sets the body's own sleep speed in m/s, >= 0; CN_DEFAULT restores the world's.
 cn_result cn_body_set_sleep_speed(cn_world *world, cn_body body, float speed_mps);
 // Chooses how the body's island is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default):
 // the world chooses. _SOFT: contacts and joints are never solved directly, whatever other bodies ask for.

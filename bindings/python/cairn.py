@@ -41,6 +41,7 @@ CN_NAME_MAX_BYTES = 63
 CN_PLANES_MAX = 64
 CN_WORKERS_MAX = 64
 CN_MAX_HANDLES = 1048575
+CN_DEFAULT = -1
 CN_OK = 0
 CN_ERROR_ARGUMENT = -1
 CN_ERROR_HANDLE = -2
@@ -308,13 +309,13 @@ class cn_world_def(_c.Structure):
         ("solver", _c.c_int32),  # CN_SOLVER_*; default CN_SOLVER_AUTO
         ("broadphase", _c.c_int32),  # CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP
         ("substep_count", _c.c_int32),  # 1 to 64; default 4
-        ("accuracy_m", _c.c_float),  # CN_SOLVER_AUTO aims at errors below this, >= 0; default 0.005 x length unit
+        ("accuracy_m", _c.c_float),  # CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
         ("work_budget", _c.c_int32),  # limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
-        ("restitution_threshold_mps", _c.c_float),  # slower impacts do not bounce, >= 0; default 1 x length unit
-        ("push_speed_max_mps", _c.c_float),  # greatest speed at which overlaps are pushed apart, > 0; default 3 x length unit
-        ("linear_speed_max_mps", _c.c_float),  # faster bodies are slowed to it, > 0; default 400 x length unit
+        ("restitution_threshold_mps", _c.c_float),  # slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
+        ("push_speed_max_mps", _c.c_float),  # greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit
+        ("linear_speed_max_mps", _c.c_float),  # faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
         ("angular_speed_max_radps", _c.c_float),  # faster bodies are slowed to it, > 0; default 400
-        ("sleep_speed_mps", _c.c_float),  # bodies slower than this may sleep, >= 0; default 0.05 x length unit
+        ("sleep_speed_mps", _c.c_float),  # bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit
         ("sleep_delay_s", _c.c_float),  # ... after this time, >= 0; default 0.5
         ("body_capacity", _c.c_int32),  # hints for a growing world, exact for a fixed one; >= 0; default 0
         ("shape_capacity", _c.c_int32),  # counts every edge of a chain
@@ -330,7 +331,7 @@ class cn_world_def(_c.Structure):
         ("finish", cn_finish_fn),  # see cn_finish_fn
         ("task_user", _c.c_void_p),  # last argument of enqueue and finish
         ("worker_count", _c.c_int32),  # threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no threads, no tasks
-        ("hit_speed_mps", _c.c_float),  # blows at least this fast are reported by CN_EVENT_HIT, >= 0; default 1 x length unit
+        ("hit_speed_mps", _c.c_float),  # blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
     ]
 
 
@@ -419,7 +420,7 @@ class cn_body_def(_c.Structure):
         ("linear_damping_per_s", _c.c_float),  # v' = -damping v; >= 0, default 0
         ("angular_damping_per_s", _c.c_float),  # >= 0, default 0
         ("gravity_scale", _c.c_float),  # default 1
-        ("sleep_speed_mps", _c.c_float),  # >= 0; default 0: the world's
+        ("sleep_speed_mps", _c.c_float),  # >= 0; CN_DEFAULT (default): the world's
         ("flags", _c.c_uint32),  # CN_BODY_*; default ENABLED | SLEEP | AWAKE
         ("solver", _c.c_int32),  # as in cn_body_set_solver; default CN_SOLVER_AUTO
         ("user_data", _c.c_uint64),
@@ -1048,7 +1049,7 @@ cn_result_text = _function("cn_result_text", _c.c_char_p, cn_result)
 # with it.
 cn_sizeof = _function("cn_sizeof", _c.c_int32, _c.c_int32)
 # Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with the
-# length unit are stored as 0, which cn_world_create resolves.
+# length unit are stored as CN_DEFAULT, which cn_world_create resolves.
 cn_world_def_init = _function("cn_world_def_init", None, _c.POINTER(cn_world_def))
 # Checks a definition. Writes one sentence about its first error, at most text_bytes (>= 0) bytes with the
 # terminating zero; text may be NULL when text_bytes is 0.
@@ -1083,10 +1084,9 @@ cn_world_get_substep_count = _function("cn_world_get_substep_count", cn_result, 
 cn_world_set_solver = _function("cn_world_set_solver", cn_result, _c.POINTER(cn_world), _c.c_int32)
 # Reads the solver (CN_SOLVER_*).
 cn_world_get_solver = _function("cn_world_get_solver", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_int32))
-# Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no
-# limit.
+# Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit.
 cn_world_set_accuracy = _function("cn_world_set_accuracy", cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_int32)
-# Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.
+# Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
 cn_world_get_accuracy = _function("cn_world_get_accuracy", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_float), _c.POINTER(_c.c_int32))
 # Reads how many workers a step can use: 1, or worker_count where the library supports threads.
 cn_world_get_worker_count = _function("cn_world_get_worker_count", cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_int32))
@@ -1239,7 +1239,7 @@ cn_body_get_damping = _function("cn_body_get_damping", cn_result, _c.POINTER(cn_
 cn_body_set_gravity_scale = _function("cn_body_set_gravity_scale", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float)
 # Reads the factor on gravity.
 cn_body_get_gravity_scale = _function("cn_body_get_gravity_scale", cn_result, _c.POINTER(cn_world), cn_body, _c.POINTER(_c.c_float))
-# Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's.
+# Sets the body's own sleep speed in m/s, >= 0; CN_DEFAULT restores the world's.
 cn_body_set_sleep_speed = _function("cn_body_set_sleep_speed", cn_result, _c.POINTER(cn_world), cn_body, _c.c_float)
 # Chooses how the body's island is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default):
 # the world chooses. _SOFT: contacts and joints are never solved directly, whatever other bodies ask for.

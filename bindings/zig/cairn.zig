@@ -26,6 +26,10 @@ pub const CN_WORKERS_MAX = 64;
 /// Most bodies, shapes or joints alive at once in one world (20 bits of index).
 pub const CN_MAX_HANDLES = 1048575;
 
+// In a definition: the default of a field whose comment names CN_DEFAULT.
+/// In a definition: the default of a field whose comment names CN_DEFAULT.
+pub const CN_DEFAULT = -1;
+
 // Result codes.
 /// success
 pub const CN_OK = 0;
@@ -490,20 +494,20 @@ pub const cn_world_def = extern struct {
     broadphase: i32,
     /// 1 to 64; default 4
     substep_count: i32,
-    /// CN_SOLVER_AUTO aims at errors below this, >= 0; default 0.005 x length unit
+    /// CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
     accuracy_m: f32,
     /// limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
     /// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
     work_budget: i32,
-    /// slower impacts do not bounce, >= 0; default 1 x length unit
+    /// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
     restitution_threshold_mps: f32,
-    /// greatest speed at which overlaps are pushed apart, > 0; default 3 x length unit
+    /// greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit
     push_speed_max_mps: f32,
-    /// faster bodies are slowed to it, > 0; default 400 x length unit
+    /// faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
     linear_speed_max_mps: f32,
     /// faster bodies are slowed to it, > 0; default 400
     angular_speed_max_radps: f32,
-    /// bodies slower than this may sleep, >= 0; default 0.05 x length unit
+    /// bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit
     sleep_speed_mps: f32,
     /// ... after this time, >= 0; default 0.5
     sleep_delay_s: f32,
@@ -535,7 +539,7 @@ pub const cn_world_def = extern struct {
     /// threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1:
     /// no threads, no tasks
     worker_count: i32,
-    /// blows at least this fast are reported by CN_EVENT_HIT, >= 0; default 1 x length unit
+    /// blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
     hit_speed_mps: f32,
 
     comptime {
@@ -693,7 +697,7 @@ pub const cn_body_def = extern struct {
     angular_damping_per_s: f32,
     /// default 1
     gravity_scale: f32,
-    /// >= 0; default 0: the world's
+    /// >= 0; CN_DEFAULT (default): the world's
     sleep_speed_mps: f32,
     /// CN_BODY_*; default ENABLED | SLEEP | AWAKE
     flags: u32,
@@ -1562,7 +1566,7 @@ pub extern fn cn_result_text(result: cn_result) [*c]const u8;
 /// with it.
 pub extern fn cn_sizeof(@"type": i32) i32;
 /// Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with the
-/// length unit are stored as 0, which cn_world_create resolves.
+/// length unit are stored as CN_DEFAULT, which cn_world_create resolves.
 pub extern fn cn_world_def_init(def: [*c]cn_world_def) void;
 /// Checks a definition. Writes one sentence about its first error, at most text_bytes (>= 0) bytes with the
 /// terminating zero; text may be NULL when text_bytes is 0.
@@ -1597,10 +1601,9 @@ pub extern fn cn_world_get_substep_count(world: ?*const cn_world, out_count: [*c
 pub extern fn cn_world_set_solver(world: ?*cn_world, solver: i32) cn_result;
 /// Reads the solver (CN_SOLVER_*).
 pub extern fn cn_world_get_solver(world: ?*const cn_world, out_solver: [*c]i32) cn_result;
-/// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no
-/// limit.
+/// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit.
 pub extern fn cn_world_set_accuracy(world: ?*cn_world, accuracy_m: f32, work_budget: i32) cn_result;
-/// Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.
+/// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
 pub extern fn cn_world_get_accuracy(world: ?*const cn_world, out_accuracy_m: [*c]f32, out_work_budget: [*c]i32) cn_result;
 /// Reads how many workers a step can use: 1, or worker_count where the library supports threads.
 pub extern fn cn_world_get_worker_count(world: ?*const cn_world, out_count: [*c]i32) cn_result;
@@ -1754,7 +1757,7 @@ pub extern fn cn_body_get_damping(world: ?*const cn_world, body: cn_body, out_li
 pub extern fn cn_body_set_gravity_scale(world: ?*cn_world, body: cn_body, scale: f32) cn_result;
 /// Reads the factor on gravity.
 pub extern fn cn_body_get_gravity_scale(world: ?*const cn_world, body: cn_body, out_scale: [*c]f32) cn_result;
-/// Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's.
+/// Sets the body's own sleep speed in m/s, >= 0; CN_DEFAULT restores the world's.
 pub extern fn cn_body_set_sleep_speed(world: ?*cn_world, body: cn_body, speed_mps: f32) cn_result;
 /// Chooses how the body's island is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default):
 /// the world chooses. _SOFT: contacts and joints are never solved directly, whatever other bodies ask for.

@@ -24,8 +24,14 @@ void cn_world_def_init(cn_world_def *def)
 	def->gravity_mps2.y = -10.0f;
 	def->length_unit_m = 1.0f;
 	def->substep_count = 4;
+	def->accuracy_m = CN_DEFAULT;
+	def->restitution_threshold_mps = CN_DEFAULT;
+	def->push_speed_max_mps = CN_DEFAULT;
+	def->linear_speed_max_mps = CN_DEFAULT;
 	def->angular_speed_max_radps = 400.0f;
+	def->sleep_speed_mps = CN_DEFAULT;
 	def->sleep_delay_s = 0.5f;
+	def->hit_speed_mps = CN_DEFAULT;
 }
 
 /* ---- checking ---- */
@@ -37,15 +43,15 @@ static void def_check_numbers(cni_call *call, const cn_world_def *d)
 	cni_check_range_int(call, "solver", d->solver, CN_SOLVER_AUTO, CN_SOLVER_SEQUENTIAL);
 	cni_check_range_int(call, "broadphase", d->broadphase, CN_BROADPHASE_SWEEP, CN_BROADPHASE_TREE);
 	cni_check_range_int(call, "substep_count", d->substep_count, 1, 64);
-	cni_check_at_least(call, "accuracy_m", d->accuracy_m, 0.0f);
+	cni_check_at_least_or_default(call, "accuracy_m", d->accuracy_m);
 	cni_check_range_int(call, "work_budget", d->work_budget, 0, CNI_CONSTRAINT_BUDGET_MAX);
-	cni_check_at_least(call, "restitution_threshold_mps", d->restitution_threshold_mps, 0.0f);
-	cni_check_at_least(call, "push_speed_max_mps", d->push_speed_max_mps, 0.0f);
-	cni_check_at_least(call, "linear_speed_max_mps", d->linear_speed_max_mps, 0.0f);
-	cni_check_at_least(call, "angular_speed_max_radps", d->angular_speed_max_radps, 0.0f);
-	cni_check_at_least(call, "sleep_speed_mps", d->sleep_speed_mps, 0.0f);
+	cni_check_at_least_or_default(call, "restitution_threshold_mps", d->restitution_threshold_mps);
+	cni_check_positive_or_default(call, "push_speed_max_mps", d->push_speed_max_mps);
+	cni_check_positive_or_default(call, "linear_speed_max_mps", d->linear_speed_max_mps);
+	cni_check_positive(call, "angular_speed_max_radps", d->angular_speed_max_radps);
+	cni_check_at_least_or_default(call, "sleep_speed_mps", d->sleep_speed_mps);
 	cni_check_at_least(call, "sleep_delay_s", d->sleep_delay_s, 0.0f);
-	cni_check_at_least(call, "hit_speed_mps", d->hit_speed_mps, 0.0f);
+	cni_check_at_least_or_default(call, "hit_speed_mps", d->hit_speed_mps);
 	cni_check_range_int(call, "worker_count", d->worker_count, 0, CN_WORKERS_MAX);
 }
 
@@ -94,7 +100,7 @@ cn_result cn_world_def_check(const cn_world_def *def, char *text, int32_t text_b
 
 static float or_default(float value, float by_default)
 {
-	return value > 0.0f ? value : by_default;
+	return value == (float)CN_DEFAULT ? by_default : value;
 }
 
 static void settings_resolve(cni_settings *set, const cn_world_def *d)
@@ -109,7 +115,7 @@ static void settings_resolve(cni_settings *set, const cn_world_def *d)
 	set->restitution_threshold = or_default(d->restitution_threshold_mps, unit);
 	set->push_speed_max = or_default(d->push_speed_max_mps, 3.0f * unit);
 	set->linear_speed_max = or_default(d->linear_speed_max_mps, 400.0f * unit);
-	set->angular_speed_max = or_default(d->angular_speed_max_radps, 400.0f);
+	set->angular_speed_max = d->angular_speed_max_radps;
 	set->sleep_speed = or_default(d->sleep_speed_mps, 0.05f * unit);
 	set->sleep_delay = d->sleep_delay_s;
 	set->hit_speed = or_default(d->hit_speed_mps, unit);

@@ -252,7 +252,7 @@ static void t_a_budget_that_is_too_small_is_told(void)
 	cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, 0);
 	float accuracy = 0.0f;
 	int32_t budget = -1;
-	CHECK(cn_world_set_accuracy(world, 0.0f, 40) == CN_OK && cn_world_get_accuracy(world, &accuracy, &budget) == CN_OK);
+	CHECK(cn_world_set_accuracy(world, CN_DEFAULT, 40) == CN_OK && cn_world_get_accuracy(world, &accuracy, &budget) == CN_OK);
 	CHECK(accuracy == 0.005f && budget == 40);
 	fixture_floor(world, 0.6f, 0.0f);
 	stack(world, 0.0f, 10, NULL);
