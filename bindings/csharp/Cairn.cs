@@ -2153,6 +2153,33 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_chain_points(cn_world* world, cn_shape shape, cn_vec2* @out, int capacity, int* out_count);
 
+		/// <summary>Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks
+		/// of creation: the handle and all other properties stay. Mass and box are those of the new geometry at
+		/// once; contacts stay unless the boxes no longer overlap, and the next step computes them anew, without
+		/// the impulses of features that are gone. Wakes the body, touching bodies and bodies that the new box
+		/// meets. A shape that grows into others is pushed out of them at push_speed_max_mps at most.
+		/// CN_ERROR_STATE for another type. O(contacts + shapes of the body).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_shape_set_circle(cn_world* world, cn_shape shape, cn_circle* circle);
+
+		/// <summary>Replaces a capsule in place; otherwise as cn_shape_set_circle.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_shape_set_capsule(cn_world* world, cn_shape shape, cn_capsule* capsule);
+
+		/// <summary>Replaces an edge in place; otherwise as cn_shape_set_circle.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_shape_set_edge(cn_world* world, cn_shape shape, cn_edge* edge);
+
+		/// <summary>Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_shape_set_polygon(cn_world* world, cn_shape shape, cn_polygon* polygon);
+
+		/// <summary>Replaces the points of a chain in place, their number too. Its contacts end; those that still overlap
+		/// begin again in the next step. Otherwise as cn_shape_set_circle. O(contacts + shapes of the body +
+		/// count).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_shape_set_chain(cn_world* world, cn_shape shape, cn_chain* chain);
+
 		/// <summary>out_inside is 1 if the shape contains a world point in metres (in the shape's own space when
 		/// unattached), else 0. Edges and chains contain no point. O(points).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

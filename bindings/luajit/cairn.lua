@@ -1299,6 +1299,22 @@ cn_result cn_shape_get_polygon(const cn_world *world, cn_shape shape, cn_polygon
 // Reads a chain's points in the body's frame, offset applied. Writes at most capacity (>= 0); out may be NULL
 // when capacity is 0. *out_count is their number. CN_ERROR_STATE for another type. O(points written).
 cn_result cn_shape_get_chain_points(const cn_world *world, cn_shape shape, cn_vec2 *out, int32_t capacity, int32_t *out_count);
+// Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks of
+// creation: the handle and all other properties stay. Mass and box are those of the new geometry at once;
+// contacts stay unless the boxes no longer overlap, and the next step computes them anew, without the
+// impulses of features that are gone. Wakes the body, touching bodies and bodies that the new box meets. A
+// shape that grows into others is pushed out of them at push_speed_max_mps at most. CN_ERROR_STATE for
+// another type. O(contacts + shapes of the body).
+cn_result cn_shape_set_circle(cn_world *world, cn_shape shape, const cn_circle *circle);
+// Replaces a capsule in place; otherwise as cn_shape_set_circle.
+cn_result cn_shape_set_capsule(cn_world *world, cn_shape shape, const cn_capsule *capsule);
+// Replaces an edge in place; otherwise as cn_shape_set_circle.
+cn_result cn_shape_set_edge(cn_world *world, cn_shape shape, const cn_edge *edge);
+// Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle.
+cn_result cn_shape_set_polygon(cn_world *world, cn_shape shape, const cn_polygon *polygon);
+// Replaces the points of a chain in place, their number too. Its contacts end; those that still overlap begin
+// again in the next step. Otherwise as cn_shape_set_circle. O(contacts + shapes of the body + count).
+cn_result cn_shape_set_chain(cn_world *world, cn_shape shape, const cn_chain *chain);
 // out_inside is 1 if the shape contains a world point in metres (in the shape's own space when unattached),
 // else 0. Edges and chains contain no point. O(points).
 cn_result cn_shape_test_point(const cn_world *world, cn_shape shape, float point_x_m, float point_y_m, int32_t *out_inside);

@@ -1352,6 +1352,22 @@ cn_shape_get_polygon = _function("cn_shape_get_polygon", cn_result, _c.POINTER(c
 # Reads a chain's points in the body's frame, offset applied. Writes at most capacity (>= 0); out may be NULL
 # when capacity is 0. *out_count is their number. CN_ERROR_STATE for another type. O(points written).
 cn_shape_get_chain_points = _function("cn_shape_get_chain_points", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_vec2), _c.c_int32, _c.POINTER(_c.c_int32))
+# Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks of
+# creation: the handle and all other properties stay. Mass and box are those of the new geometry at once;
+# contacts stay unless the boxes no longer overlap, and the next step computes them anew, without the impulses
+# of features that are gone. Wakes the body, touching bodies and bodies that the new box meets. A shape that
+# grows into others is pushed out of them at push_speed_max_mps at most. CN_ERROR_STATE for another type.
+# O(contacts + shapes of the body).
+cn_shape_set_circle = _function("cn_shape_set_circle", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_circle))
+# Replaces a capsule in place; otherwise as cn_shape_set_circle.
+cn_shape_set_capsule = _function("cn_shape_set_capsule", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_capsule))
+# Replaces an edge in place; otherwise as cn_shape_set_circle.
+cn_shape_set_edge = _function("cn_shape_set_edge", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_edge))
+# Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle.
+cn_shape_set_polygon = _function("cn_shape_set_polygon", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_polygon))
+# Replaces the points of a chain in place, their number too. Its contacts end; those that still overlap begin
+# again in the next step. Otherwise as cn_shape_set_circle. O(contacts + shapes of the body + count).
+cn_shape_set_chain = _function("cn_shape_set_chain", cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_chain))
 # out_inside is 1 if the shape contains a world point in metres (in the shape's own space when unattached),
 # else 0. Edges and chains contain no point. O(points).
 cn_shape_test_point = _function("cn_shape_test_point", cn_result, _c.POINTER(cn_world), cn_shape, _c.c_float, _c.c_float, _c.POINTER(_c.c_int32))

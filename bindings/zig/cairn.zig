@@ -1870,6 +1870,22 @@ pub extern fn cn_shape_get_polygon(world: ?*const cn_world, shape: cn_shape, out
 /// Reads a chain's points in the body's frame, offset applied. Writes at most capacity (>= 0); out may be
 /// NULL when capacity is 0. *out_count is their number. CN_ERROR_STATE for another type. O(points written).
 pub extern fn cn_shape_get_chain_points(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_vec2, capacity: i32, out_count: [*c]i32) cn_result;
+/// Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks of
+/// creation: the handle and all other properties stay. Mass and box are those of the new geometry at once;
+/// contacts stay unless the boxes no longer overlap, and the next step computes them anew, without the
+/// impulses of features that are gone. Wakes the body, touching bodies and bodies that the new box meets. A
+/// shape that grows into others is pushed out of them at push_speed_max_mps at most. CN_ERROR_STATE for
+/// another type. O(contacts + shapes of the body).
+pub extern fn cn_shape_set_circle(world: ?*cn_world, shape: cn_shape, circle: [*c]const cn_circle) cn_result;
+/// Replaces a capsule in place; otherwise as cn_shape_set_circle.
+pub extern fn cn_shape_set_capsule(world: ?*cn_world, shape: cn_shape, capsule: [*c]const cn_capsule) cn_result;
+/// Replaces an edge in place; otherwise as cn_shape_set_circle.
+pub extern fn cn_shape_set_edge(world: ?*cn_world, shape: cn_shape, edge: [*c]const cn_edge) cn_result;
+/// Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle.
+pub extern fn cn_shape_set_polygon(world: ?*cn_world, shape: cn_shape, polygon: [*c]const cn_polygon) cn_result;
+/// Replaces the points of a chain in place, their number too. Its contacts end; those that still overlap
+/// begin again in the next step. Otherwise as cn_shape_set_circle. O(contacts + shapes of the body + count).
+pub extern fn cn_shape_set_chain(world: ?*cn_world, shape: cn_shape, chain: [*c]const cn_chain) cn_result;
 /// out_inside is 1 if the shape contains a world point in metres (in the shape's own space when unattached),
 /// else 0. Edges and chains contain no point. O(points).
 pub extern fn cn_shape_test_point(world: ?*const cn_world, shape: cn_shape, point_x_m: f32, point_y_m: f32, out_inside: [*c]i32) cn_result;

@@ -177,6 +177,9 @@ typedef struct cni_contact {
 cn_result cni_contact_reserve(cn_world *world, int32_t extra);
 /* Record of an existing contact between two proxies, or CNI_NONE. O(contacts of the body with fewer). */
 int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b);
+/* Keys of the contacts of a shape, in the list of its body. CNI_NONE: none, or no body. O(contacts of the body) for all. */
+int32_t cni_contact_first_of_shape(const cn_world *world, int32_t shape);
+int32_t cni_contact_next_of_shape(const cn_world *world, int32_t key, int32_t shape);
 /* After cni_contact_reserve it cannot fail. Logs CREATED. */
 int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b);
 

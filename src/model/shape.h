@@ -79,6 +79,10 @@ cn_result cni_proxy_reserve(cn_world *world, int32_t extra);
 cn_result cni_shape_place(cn_world *world, int32_t shape);
 /* Removes the boxes and ends the contacts (after cni_contact_reserve_end). */
 void cni_shape_unplace(cn_world *world, int32_t shape);
+/* Replaces the geometry of a shape that is no chain, in its piece or in a new one (0: none is needed), and fits its box. */
+void cni_shape_set_piece(cn_world *world, int32_t shape, cni_ref piece, const cni_geometry *g);
+/* Replaces the geometry of a chain by a built piece; its contacts end (after cni_contact_reserve_end). CN_ERROR_MEMORY changes nothing. */
+cn_result cni_shape_replace_chain(cn_world *world, int32_t shape, cni_ref piece);
 /* Adds to or removes from the body's list, without boxes and without mass. */
 void cni_shape_link(cn_world *world, int32_t shape, int32_t body);
 void cni_shape_unlink(cn_world *world, int32_t shape);
