@@ -113,10 +113,19 @@ enum {
 	CN_ERROR_FORMAT = -8    /* the bytes are no saved world, or are damaged */
 };
 
+/* With CN_STRICT_HANDLES defined before this header, handles are distinct types in C++11 and later: a shape or a number in the place of
+   a body does not compile; cn_body{} is no body. Size, value and calling convention are those of the numbers, as the standard has it. */
+#if defined(__cplusplus) && defined(CN_STRICT_HANDLES)
+enum cn_body : uint32_t {};
+enum cn_shape : uint32_t {};
+enum cn_joint : uint32_t {};
+enum cn_constraint : uint32_t {};
+#else
 typedef uint32_t cn_body;          /* handle of a body; 0: none */
 typedef uint32_t cn_shape;         /* handle of a shape; 0: none */
 typedef uint32_t cn_joint;         /* handle of a joint; 0: none */
 typedef uint32_t cn_constraint;    /* handle of a constraint on one body; 0: none */
+#endif
 typedef struct cn_world cn_world;  /* a world with everything in it */
 
 /* A point, vector or pair of numbers. */
