@@ -168,7 +168,7 @@ void cni_event_log_stay(cn_world *world, int32_t contact, const cni_event_sums *
 	e = (cni_event_stay *)log_add(world, &world->events.log[CN_EVENT_STAY]);
 	if (e == NULL)
 		return;
-	event_write(world, contact, &e->event);
+	e->contact = contact;
 	e->normal_impulse = sums->normal;
 	e->friction_impulse = sums->friction;
 }
@@ -251,9 +251,9 @@ static void build_stay(const cn_world *world, const cni_array *log, cni_array *s
 	for (k = 0; k < log->count; ++k) {
 		const cni_event_stay *e = (const cni_event_stay *)log->data + k;
 		cn_contact_event *out = (cn_contact_event *)seen->data + seen->count;
-		if (!event_is_current(world, &e->event) || !contact_stays(cni_contact_at(world, e->event.contact)))
+		if (!contact_stays(cni_contact_at(world, e->contact)))
 			continue;
-		cni_contact_describe(world, e->event.contact, CN_EVENT_STAY, out);
+		cni_contact_describe(world, e->contact, CN_EVENT_STAY, out);
 		out->normal_impulse_Ns = e->normal_impulse;
 		out->friction_impulse_Ns = e->friction_impulse;
 		++seen->count;

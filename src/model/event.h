@@ -23,9 +23,9 @@ typedef struct cni_event {
 	float approach_speed;
 } cni_event;
 
-/* A STAY in its log. */
+/* A STAY in its log. Contacts begin in steps only, so that until the next one the record holds this contact or none. */
 typedef struct cni_event_stay {
-	cni_event event;
+	int32_t contact;
 	float normal_impulse, friction_impulse; /* of the step */
 } cni_event_stay;
 

@@ -3,23 +3,23 @@
  */
 #include "world/shape_source.h"
 
-static cni_shape_source source_make(int32_t type, int32_t count, const void *public)
+static cni_shape_source source_make(int32_t type, int32_t count, const void *given)
 {
 	cni_shape_source s;
 	s.type = type;
 	s.count = count;
-	s.public = public;
+	s.given = given;
 	return s;
 }
 
 void cni_source_build(cni_geometry *out, const cni_shape_source *from, cni_transform offset)
 {
 	switch (from->type) {
-	case CN_SHAPE_CIRCLE: cni_geometry_circle(out, (const cn_circle *)from->public, offset); break;
-	case CN_SHAPE_CAPSULE: cni_geometry_capsule(out, (const cn_capsule *)from->public, offset); break;
-	case CN_SHAPE_EDGE: cni_geometry_edge(out, (const cn_edge *)from->public, offset); break;
-	case CN_SHAPE_POLYGON: cni_geometry_polygon(out, (const cn_polygon *)from->public, offset); break;
-	default: cni_geometry_chain(out, (const cn_chain *)from->public, offset); break;
+	case CN_SHAPE_CIRCLE: cni_geometry_circle(out, (const cn_circle *)from->given, offset); break;
+	case CN_SHAPE_CAPSULE: cni_geometry_capsule(out, (const cn_capsule *)from->given, offset); break;
+	case CN_SHAPE_EDGE: cni_geometry_edge(out, (const cn_edge *)from->given, offset); break;
+	case CN_SHAPE_POLYGON: cni_geometry_polygon(out, (const cn_polygon *)from->given, offset); break;
+	default: cni_geometry_chain(out, (const cn_chain *)from->given, offset); break;
 	}
 }
 

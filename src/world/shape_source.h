@@ -10,7 +10,7 @@
 typedef struct cni_shape_source {
 	int32_t type;
 	int32_t count;      /* points */
-	const void *public; /* cn_circle, cn_capsule, ... */
+	const void *given; /* cn_circle, cn_capsule, ... */
 } cni_shape_source;
 
 /* Check a geometry; the source is usable if the call has not failed. */
