@@ -252,13 +252,6 @@ void cni_contact_destroy_of_shape(cn_world *world, int32_t shape)
 	}
 }
 
-void cni_contact_mark_sums(cn_world *world, const cni_contact *c)
-{
-	const uint32_t kinds = (1u << CN_EVENT_STAY | 1u << CN_EVENT_HIT) << CNI_CONTACT_EVENTS_SHIFT;
-	if ((c->flags & kinds) && (c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING)
-		cni_block_info_at(world, c->slot / CNI_LANES)->flags |= CNI_BLOCK_SUMS;
-}
-
 /* When a pair starts to report both a begin event and its end event, the begin event is deferred to the next step; when it stops
    reporting both, the end event is logged now. So events stay bookended while masks change. */
 static void event_span_change(cn_world *world, int32_t contact, uint32_t mask, int32_t begin, int32_t end, uint32_t owed)
