@@ -36,6 +36,11 @@
  *             to the world and are valid until the next cn_world_step or cn_world_destroy.
  *  Structs    initialise definitions with their *_init function; their first field, struct_size,
  *             tells the library which version of the struct it was given. Fields are only appended.
+ *  Defaults   the *_init function stores the default of every field. Where a default depends on the world
+ *             (its length unit, its own setting), the field holds CN_DEFAULT, and only exactly this value
+ *             stands for the default. Zero always means zero; it is refused where it is out of range. In
+ *             worlds, bodies and shapes no field takes zero for the default; in joints the comment of a
+ *             field says where 0 switches a part off.
  *  Threads    one world may be used by one thread at a time; different worlds share nothing, so any
  *             number may be used at once. Functions that take a const cn_world may be called from
  *             several threads at once while no other function runs on that world. Inside cn_world_step
@@ -78,6 +83,9 @@ extern "C" {
 /* Raised whenever a struct layout or a function signature changes. */
 #define CN_ABI_VERSION 2
 
+/* In a definition: the default of a field whose comment names CN_DEFAULT. */
+enum { CN_DEFAULT = -1 };
+
 /* Most vertices a convex polygon may have. */
 #define CN_POLYGON_MAX_VERTICES 16
 /* Longest body name in bytes, without the terminating zero. */
@@ -105,10 +113,19 @@ enum {
 	CN_ERROR_FORMAT = -8    /* the bytes are no saved world, or are damaged */
 };
 
+/* With CN_STRICT_HANDLES defined before this header, handles are distinct types in C++11 and later: a shape or a number in the place of
+   a body does not compile; cn_body{} is no body. Size, value and calling convention are those of the numbers, as the standard has it. */
+#if defined(__cplusplus) && defined(CN_STRICT_HANDLES)
+enum cn_body : uint32_t {};
+enum cn_shape : uint32_t {};
+enum cn_joint : uint32_t {};
+enum cn_constraint : uint32_t {};
+#else
 typedef uint32_t cn_body;          /* handle of a body; 0: none */
 typedef uint32_t cn_shape;         /* handle of a shape; 0: none */
 typedef uint32_t cn_joint;         /* handle of a joint; 0: none */
 typedef uint32_t cn_constraint;    /* handle of a constraint on one body; 0: none */
+#endif
 typedef struct cn_world cn_world;  /* a world with everything in it */
 
 /* A point, vector or pair of numbers. */
@@ -265,14 +282,14 @@ typedef struct cn_world_def {
 	int32_t solver;                   /* CN_SOLVER_*; default CN_SOLVER_AUTO */
 	int32_t broadphase;               /* CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP */
 	int32_t substep_count;            /* 1 to 64; default 4 */
-	float accuracy_m;                 /* CN_SOLVER_AUTO aims at errors below this, >= 0; default 0.005 x length unit */
+	float accuracy_m;                 /* CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit */
 	int32_t work_budget;              /* limit of direct solving in a step, in factored blocks (joints, contacts and their fill),
 	                                     substeps included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only */
-	float restitution_threshold_mps;  /* slower impacts do not bounce, >= 0; default 1 x length unit */
-	float push_speed_max_mps;         /* greatest speed at which overlaps are pushed apart, > 0; default 3 x length unit */
-	float linear_speed_max_mps;       /* faster bodies are slowed to it, > 0; default 400 x length unit */
+	float restitution_threshold_mps;  /* slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit */
+	float push_speed_max_mps;         /* greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit */
+	float linear_speed_max_mps;       /* faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit */
 	float angular_speed_max_radps;    /* faster bodies are slowed to it, > 0; default 400 */
-	float sleep_speed_mps;            /* bodies slower than this may sleep, >= 0; default 0.05 x length unit */
+	float sleep_speed_mps;            /* bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit */
 	float sleep_delay_s;              /* ... after this time, >= 0; default 0.5 */
 	int32_t body_capacity;            /* hints for a growing world, exact for a fixed one; >= 0; default 0 */
 	int32_t shape_capacity;           /* counts every edge of a chain */
@@ -289,11 +306,11 @@ typedef struct cn_world_def {
 	void *task_user;                  /* last argument of enqueue and finish */
 	int32_t worker_count;             /* threads that share a step, including the calling one; 0 to CN_WORKERS_MAX;
 	                                     default 0, the same as 1: no threads, no tasks */
-	uint32_t reserved;
+	float hit_speed_mps;              /* blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit */
 } cn_world_def;
 
 /* Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with the length unit are
-   stored as 0, which cn_world_create resolves. */
+   stored as CN_DEFAULT, which cn_world_create resolves. */
 CN_API void cn_world_def_init(cn_world_def *def);
 /* Checks a definition. Writes one sentence about its first error, at most text_bytes (>= 0) bytes with the terminating zero;
    text may be NULL when text_bytes is 0. */
@@ -326,9 +343,9 @@ CN_API cn_result cn_world_get_substep_count(const cn_world *world, int32_t *out_
 CN_API cn_result cn_world_set_solver(cn_world *world, int32_t solver);
 /* Reads the solver (CN_SOLVER_*). */
 CN_API cn_result cn_world_get_solver(const cn_world *world, int32_t *out_solver);
-/* Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no limit. */
+/* Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit. */
 CN_API cn_result cn_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_budget);
-/* Reads the accuracy in metres (the resolved default where 0 was set) and the work budget. */
+/* Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget. */
 CN_API cn_result cn_world_get_accuracy(const cn_world *world, float *out_accuracy_m, int32_t *out_work_budget);
 /* Reads how many workers a step can use: 1, or worker_count where the library supports threads. */
 CN_API cn_result cn_world_get_worker_count(const cn_world *world, int32_t *out_count);
@@ -338,6 +355,8 @@ CN_API cn_result cn_world_set_flags(cn_world *world, uint32_t flags);
 CN_API cn_result cn_world_get_flags(const cn_world *world, uint32_t *out_flags);
 /* Impacts slower than this, in m/s, do not bounce; >= 0. */
 CN_API cn_result cn_world_set_restitution_threshold(cn_world *world, float speed_mps);
+/* Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; >= 0. */
+CN_API cn_result cn_world_set_hit_speed(cn_world *world, float speed_mps);
 /* Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows faster bodies down to them and
    keeps the direction. */
 CN_API cn_result cn_world_set_speed_limits(cn_world *world, float linear_mps, float angular_radps);
@@ -571,7 +590,7 @@ typedef struct cn_body_def {
 	float linear_damping_per_s;    /* v' = -damping v; >= 0, default 0 */
 	float angular_damping_per_s;   /* >= 0, default 0 */
 	float gravity_scale;           /* default 1 */
-	float sleep_speed_mps;         /* >= 0; default 0: the world's */
+	float sleep_speed_mps;         /* >= 0; CN_DEFAULT (default): the world's */
 	uint32_t flags;                /* CN_BODY_*; default ENABLED | SLEEP | AWAKE */
 	int32_t solver;                /* as in cn_body_set_solver; default CN_SOLVER_AUTO */
 	uint64_t user_data;
@@ -673,7 +692,7 @@ CN_API cn_result cn_body_get_damping(const cn_world *world, cn_body body, float 
 CN_API cn_result cn_body_set_gravity_scale(cn_world *world, cn_body body, float scale);
 /* Reads the factor on gravity. */
 CN_API cn_result cn_body_get_gravity_scale(const cn_world *world, cn_body body, float *out_scale);
-/* Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's. */
+/* Sets the body's own sleep speed in m/s, >= 0; CN_DEFAULT restores the world's. */
 CN_API cn_result cn_body_set_sleep_speed(cn_world *world, cn_body body, float speed_mps);
 /* Chooses how the body's island is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default): the world
    chooses. _SOFT: contacts and joints are never solved directly, whatever other bodies ask for. _DIRECT: the island is solved
@@ -756,7 +775,7 @@ typedef struct cn_material {
 	float tangent_speed_mps;  /* conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; [-1e4, 1e4], default 0 */
 	int32_t friction_mix;     /* CN_MIX_*; default CN_MIX_GEOMETRIC */
 	int32_t restitution_mix;  /* CN_MIX_*; default CN_MIX_MAXIMUM */
-	uint32_t reserved;
+	uint32_t user_id;         /* a number for the user, reported in contact events; default 0 */
 } cn_material;
 
 /* Flags of a shape. */
@@ -774,7 +793,8 @@ enum {
 	CN_EVENT_STAY = 2,      /* they still touch */
 	CN_EVENT_LEAVE = 3,     /* they stopped touching, or one is gone */
 	CN_EVENT_DESTROYED = 4, /* the fat boxes no longer overlap, or one is gone */
-	CN_EVENT_KINDS = 5      /* number of kinds */
+	CN_EVENT_HIT = 5,       /* a blow at hit_speed_mps of cn_world_def or faster, at the beginning of touching or within it */
+	CN_EVENT_KINDS = 6      /* number of kinds */
 };
 
 /* Definition of a shape. */
@@ -897,6 +917,21 @@ CN_API cn_result cn_shape_get_polygon(const cn_world *world, cn_shape shape, cn_
 /* Reads a chain's points in the body's frame, offset applied. Writes at most capacity (>= 0); out may be NULL when capacity
    is 0. *out_count is their number. CN_ERROR_STATE for another type. O(points written). */
 CN_API cn_result cn_shape_get_chain_points(const cn_world *world, cn_shape shape, cn_vec2 *out, int32_t capacity, int32_t *out_count);
+/* Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks of creation: the
+   handle and all other properties stay. Mass and box are those of the new geometry at once; contacts stay unless the boxes
+   no longer overlap, and the next step computes them anew, without the impulses of features that are gone. Wakes the body,
+   touching bodies and bodies that the new box meets. A shape that grows into others is pushed out of them at
+   push_speed_max_mps at most. CN_ERROR_STATE for another type. O(contacts + shapes of the body). */
+CN_API cn_result cn_shape_set_circle(cn_world *world, cn_shape shape, const cn_circle *circle);
+/* Replaces a capsule in place; otherwise as cn_shape_set_circle. */
+CN_API cn_result cn_shape_set_capsule(cn_world *world, cn_shape shape, const cn_capsule *capsule);
+/* Replaces an edge in place; otherwise as cn_shape_set_circle. */
+CN_API cn_result cn_shape_set_edge(cn_world *world, cn_shape shape, const cn_edge *edge);
+/* Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle. */
+CN_API cn_result cn_shape_set_polygon(cn_world *world, cn_shape shape, const cn_polygon *polygon);
+/* Replaces the points of a chain in place, their number too. Its contacts end; those that still overlap begin again in the
+   next step. Otherwise as cn_shape_set_circle. O(contacts + shapes of the body + count). */
+CN_API cn_result cn_shape_set_chain(cn_world *world, cn_shape shape, const cn_chain *chain);
 /* *out_inside is 1 if the shape contains a world point in metres (in the shape's own space when unattached), else 0. Edges
    and chains contain no point. O(points). */
 CN_API cn_result cn_shape_test_point(const cn_world *world, cn_shape shape, float point_x_m, float point_y_m, int32_t *out_inside);
@@ -938,15 +973,24 @@ typedef struct cn_contact_event {
 	int32_t child_b;            /* the same of shape b */
 	uint32_t contact_id;        /* the same from CREATED to DESTROYED, then reused */
 	int32_t kind;               /* CN_EVENT_* */
-	float approach_speed_mps;   /* ENTER: closing speed along the normal before the impact; else 0 */
-	cn_manifold manifold;       /* geometry at the step's beginning, impulses at its end; points only for ENTER and STAY */
+	float approach_speed_mps;   /* ENTER: closing speed along the normal before the impact; HIT: of the blow; else 0 */
+	cn_manifold manifold;       /* geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT */
+	/* Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the substeps of a predicted
+	   contact that its shapes do not reach in this step, they are 0 too. */
+	float normal_impulse_Ns;    /* along manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s */
+	float friction_impulse_Ns;  /* along (normal.y, -normal.x), on body b */
+	cn_vec2 hit_point_m;        /* HIT: where, in the world; else (0, 0) */
+	uint32_t material_a;        /* cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED */
+	uint32_t material_b;
 } cn_contact_event;
 
 /* The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. The first call for a kind after a
    step builds the array, O(events), and can return CN_ERROR_MEMORY; CN_ERROR_LOCKED inside callbacks. Every CREATED gets a
    DESTROYED and every ENTER a LEAVE, however the pair ends (moved apart, body or shape destroyed, detached or disabled,
    filter or type changed). The next step reports pairs that end between two steps; their handles may be stale. A sleeping
-   pair reports nothing, and continues when it wakes. */
+   pair reports nothing, and continues when it wakes. HIT: in some substep a point closed at approach_speed_mps, the greatest
+   of the step, and got an impulse; bodies that pass a blow on to others that already touch them, without closing, have no
+   HIT. Impulses are summed only for contacts that report ENTER (in the step in which they begin), STAY or HIT. */
 CN_API cn_result cn_world_contact_events(cn_world *world, int32_t kind, const cn_contact_event **out_events, int32_t *out_count);
 
 /* Called at the end of cn_world_step for each event of this kind, in the order of the array. */

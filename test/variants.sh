@@ -204,6 +204,17 @@ cross() {
 header_in_cxx() {
 	for standard in c++11 c++20; do
 		g++ -std=$standard -pedantic -Wall -Wextra -Werror -fsyntax-only -x c++ include/cairn.h || return 1
+		strict_handles $standard || return 1
+	done
+}
+# Distinct handles: good code compiles, and no misuse does.
+strict_handles() { # standard
+	g++ -std=$1 -pedantic -Wall -Wextra -Werror -Iinclude -fsyntax-only test/header/strict_handles.cpp || return 1
+	for misuse in $(sed -n 's/^#\(el\)\{0,1\}if MISUSE == //p' test/header/strict_handles.cpp); do
+		if g++ -std=$1 -Iinclude -DMISUSE=$misuse -fsyntax-only test/header/strict_handles.cpp 2>/dev/null; then
+			echo "misuse $misuse of a handle compiles"
+			return 1
+		fi
 	done
 }
 header_without_padding() { gcc -std=c99 -pedantic -Wall -Wextra -Wpadded -Werror -fsyntax-only -x c include/cairn.h; }

@@ -304,14 +304,13 @@ public:
 		return { Status(code, nullptr), std::move(out_solver) };
 	}
 
-	/// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no
-	/// limit.
+	/// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit.
 	Status set_accuracy(float accuracy_m, int32_t work_budget)
 	{
 		return Status(cn_world_set_accuracy(world_, accuracy_m, work_budget), world_);
 	}
 
-	/// Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.
+	/// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
 	Result<std::tuple<float, int32_t>> get_accuracy() const
 	{
 		float out_accuracy_m{};
@@ -346,6 +345,12 @@ public:
 	Status set_restitution_threshold(float speed_mps)
 	{
 		return Status(cn_world_set_restitution_threshold(world_, speed_mps), world_);
+	}
+
+	/// Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; >= 0.
+	Status set_hit_speed(float speed_mps)
+	{
+		return Status(cn_world_set_hit_speed(world_, speed_mps), world_);
 	}
 
 	/// Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows faster bodies
@@ -784,7 +789,7 @@ public:
 		return { Status(code, nullptr), std::move(out_scale) };
 	}
 
-	/// Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's.
+	/// Sets the body's own sleep speed in m/s, >= 0; CN_DEFAULT restores the world's.
 	Status body_set_sleep_speed(Body body, float speed_mps)
 	{
 		return Status(cn_body_set_sleep_speed(world_, body, speed_mps), world_);
@@ -1141,6 +1146,42 @@ public:
 		return { Status(code, nullptr), std::move(list) };
 	}
 
+	/// Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks of
+	/// creation: the handle and all other properties stay. Mass and box are those of the new geometry at once;
+	/// contacts stay unless the boxes no longer overlap, and the next step computes them anew, without the
+	/// impulses of features that are gone. Wakes the body, touching bodies and bodies that the new box meets. A
+	/// shape that grows into others is pushed out of them at push_speed_max_mps at most. CN_ERROR_STATE for
+	/// another type. O(contacts + shapes of the body).
+	Status shape_set_circle(Shape shape, const cn_circle &circle)
+	{
+		return Status(cn_shape_set_circle(world_, shape, &circle), world_);
+	}
+
+	/// Replaces a capsule in place; otherwise as cn_shape_set_circle.
+	Status shape_set_capsule(Shape shape, const cn_capsule &capsule)
+	{
+		return Status(cn_shape_set_capsule(world_, shape, &capsule), world_);
+	}
+
+	/// Replaces an edge in place; otherwise as cn_shape_set_circle.
+	Status shape_set_edge(Shape shape, const cn_edge &edge)
+	{
+		return Status(cn_shape_set_edge(world_, shape, &edge), world_);
+	}
+
+	/// Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle.
+	Status shape_set_polygon(Shape shape, const cn_polygon &polygon)
+	{
+		return Status(cn_shape_set_polygon(world_, shape, &polygon), world_);
+	}
+
+	/// Replaces the points of a chain in place, their number too. Its contacts end; those that still overlap
+	/// begin again in the next step. Otherwise as cn_shape_set_circle. O(contacts + shapes of the body + count).
+	Status shape_set_chain(Shape shape, const cn_chain &chain)
+	{
+		return Status(cn_shape_set_chain(world_, shape, &chain), world_);
+	}
+
 	/// out_inside is 1 if the shape contains a world point in metres (in the shape's own space when unattached),
 	/// else 0. Edges and chains contain no point. O(points).
 	Result<int32_t> shape_test_point(Shape shape, float point_x_m, float point_y_m) const
@@ -1155,7 +1196,10 @@ public:
 	/// inside callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved
 	/// apart, body or shape destroyed, detached or disabled, filter or type changed). The next step reports
 	/// pairs that end between two steps; their handles may be stale. A sleeping pair reports nothing, and
-	/// continues when it wakes.
+	/// continues when it wakes. HIT: in some substep a point closed at approach_speed_mps, the greatest of the
+	/// step, and got an impulse; bodies that pass a blow on to others that already touch them, without closing,
+	/// have no HIT. Impulses are summed only for contacts that report ENTER (in the step in which they begin),
+	/// STAY or HIT.
 	Result<Slice<const cn_contact_event>> contact_events(int32_t kind)
 	{
 		const cn_contact_event *data = nullptr;

@@ -219,20 +219,20 @@ namespace Cairn
 		public int broadphase;
 		/// <summary>1 to 64; default 4</summary>
 		public int substep_count;
-		/// <summary>CN_SOLVER_AUTO aims at errors below this, &gt;= 0; default 0.005 x length unit</summary>
+		/// <summary>CN_SOLVER_AUTO aims at errors below this, &gt;= 0; CN_DEFAULT (default): 0.005 x length unit</summary>
 		public float accuracy_m;
 		/// <summary>limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
 		/// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only</summary>
 		public int work_budget;
-		/// <summary>slower impacts do not bounce, &gt;= 0; default 1 x length unit</summary>
+		/// <summary>slower impacts do not bounce, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float restitution_threshold_mps;
-		/// <summary>greatest speed at which overlaps are pushed apart, &gt; 0; default 3 x length unit</summary>
+		/// <summary>greatest speed at which overlaps are pushed apart, &gt; 0; CN_DEFAULT (default): 3 x length unit</summary>
 		public float push_speed_max_mps;
-		/// <summary>faster bodies are slowed to it, &gt; 0; default 400 x length unit</summary>
+		/// <summary>faster bodies are slowed to it, &gt; 0; CN_DEFAULT (default): 400 x length unit</summary>
 		public float linear_speed_max_mps;
 		/// <summary>faster bodies are slowed to it, &gt; 0; default 400</summary>
 		public float angular_speed_max_radps;
-		/// <summary>bodies slower than this may sleep, &gt;= 0; default 0.05 x length unit</summary>
+		/// <summary>bodies slower than this may sleep, &gt;= 0; CN_DEFAULT (default): 0.05 x length unit</summary>
 		public float sleep_speed_mps;
 		/// <summary>... after this time, &gt;= 0; default 0.5</summary>
 		public float sleep_delay_s;
@@ -264,7 +264,8 @@ namespace Cairn
 		/// <summary>threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no
 		/// threads, no tasks</summary>
 		public int worker_count;
-		public uint reserved;
+		/// <summary>blows at least this fast are reported by CN_EVENT_HIT, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
+		public float hit_speed_mps;
 	}
 
 	/// <summary>Counts of objects, and problems of the last step.</summary>
@@ -411,7 +412,7 @@ namespace Cairn
 		public float angular_damping_per_s;
 		/// <summary>default 1</summary>
 		public float gravity_scale;
-		/// <summary>&gt;= 0; default 0: the world's</summary>
+		/// <summary>&gt;= 0; CN_DEFAULT (default): the world's</summary>
 		public float sleep_speed_mps;
 		/// <summary>CN_BODY_*; default ENABLED | SLEEP | AWAKE</summary>
 		public uint flags;
@@ -468,7 +469,8 @@ namespace Cairn
 		public int friction_mix;
 		/// <summary>CN_MIX_*; default CN_MIX_MAXIMUM</summary>
 		public int restitution_mix;
-		public uint reserved;
+		/// <summary>a number for the user, reported in contact events; default 0</summary>
+		public uint user_id;
 	}
 
 	/// <summary>Definition of a shape.</summary>
@@ -589,10 +591,21 @@ namespace Cairn
 		public uint contact_id;
 		/// <summary>CN_EVENT_*</summary>
 		public int kind;
-		/// <summary>ENTER: closing speed along the normal before the impact; else 0</summary>
+		/// <summary>ENTER: closing speed along the normal before the impact; HIT: of the blow; else 0</summary>
 		public float approach_speed_mps;
-		/// <summary>geometry at the step's beginning, impulses at its end; points only for ENTER and STAY</summary>
+		/// <summary>geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT</summary>
 		public cn_manifold manifold;
+		/// <summary>Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the
+		/// substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along
+		/// manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s</summary>
+		public float normal_impulse_Ns;
+		/// <summary>along (normal.y, -normal.x), on body b</summary>
+		public float friction_impulse_Ns;
+		/// <summary>HIT: where, in the world; else (0, 0)</summary>
+		public cn_vec2 hit_point_m;
+		/// <summary>cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED</summary>
+		public uint material_a;
+		public uint material_b;
 	}
 
 	/// <summary>A shape entered or left a sensor.</summary>
@@ -1258,6 +1271,10 @@ namespace Cairn
 		public const int CN_WORKERS_MAX = 64;
 		public const int CN_MAX_HANDLES = 1048575;
 
+		// In a definition: the default of a field whose comment names CN_DEFAULT.
+		/// <summary>In a definition: the default of a field whose comment names CN_DEFAULT.</summary>
+		public const int CN_DEFAULT = -1;
+
 		// Result codes.
 		/// <summary>success</summary>
 		public const int CN_OK = 0;
@@ -1482,8 +1499,10 @@ namespace Cairn
 		public const int CN_EVENT_LEAVE = 3;
 		/// <summary>the fat boxes no longer overlap, or one is gone</summary>
 		public const int CN_EVENT_DESTROYED = 4;
+		/// <summary>a blow at hit_speed_mps of cn_world_def or faster, at the beginning of touching or within it</summary>
+		public const int CN_EVENT_HIT = 5;
 		/// <summary>number of kinds</summary>
-		public const int CN_EVENT_KINDS = 5;
+		public const int CN_EVENT_KINDS = 6;
 
 		// Types of joints: see their definitions.
 		public const int CN_JOINT_REVOLUTE = 0;
@@ -1596,7 +1615,7 @@ namespace Cairn
 		public static extern int cn_sizeof(int type);
 
 		/// <summary>Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with
-		/// the length unit are stored as 0, which cn_world_create resolves.</summary>
+		/// the length unit are stored as CN_DEFAULT, which cn_world_create resolves.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_world_def_init(cn_world_def* def);
 
@@ -1658,12 +1677,12 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_solver(cn_world* world, int* out_solver);
 
-		/// <summary>Sets accuracy_m and work_budget as in cn_world_def: metres &gt;= 0, 0 for the default; 0 to 1e9, 0 for
-		/// no limit.</summary>
+		/// <summary>Sets accuracy_m and work_budget as in cn_world_def: metres &gt;= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
+		/// limit.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_accuracy(cn_world* world, float accuracy_m, int work_budget);
 
-		/// <summary>Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.</summary>
+		/// <summary>Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_accuracy(cn_world* world, float* out_accuracy_m, int* out_work_budget);
 
@@ -1682,6 +1701,10 @@ namespace Cairn
 		/// <summary>Impacts slower than this, in m/s, do not bounce; &gt;= 0.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_set_restitution_threshold(cn_world* world, float speed_mps);
+
+		/// <summary>Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; &gt;= 0.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_set_hit_speed(cn_world* world, float speed_mps);
 
 		/// <summary>Sets the greatest linear (m/s) and angular (rad/s) speed, both &gt; 0. The end of a step slows faster
 		/// bodies down to them and keeps the direction.</summary>
@@ -1978,7 +2001,7 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_gravity_scale(cn_world* world, cn_body body, float* out_scale);
 
-		/// <summary>Sets the body's own sleep speed in m/s, &gt;= 0; 0 restores the world's.</summary>
+		/// <summary>Sets the body's own sleep speed in m/s, &gt;= 0; CN_DEFAULT restores the world's.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_set_sleep_speed(cn_world* world, cn_body body, float speed_mps);
 
@@ -2185,6 +2208,33 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_shape_get_chain_points(cn_world* world, cn_shape shape, cn_vec2* @out, int capacity, int* out_count);
 
+		/// <summary>Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks
+		/// of creation: the handle and all other properties stay. Mass and box are those of the new geometry at
+		/// once; contacts stay unless the boxes no longer overlap, and the next step computes them anew, without
+		/// the impulses of features that are gone. Wakes the body, touching bodies and bodies that the new box
+		/// meets. A shape that grows into others is pushed out of them at push_speed_max_mps at most.
+		/// CN_ERROR_STATE for another type. O(contacts + shapes of the body).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_shape_set_circle(cn_world* world, cn_shape shape, cn_circle* circle);
+
+		/// <summary>Replaces a capsule in place; otherwise as cn_shape_set_circle.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_shape_set_capsule(cn_world* world, cn_shape shape, cn_capsule* capsule);
+
+		/// <summary>Replaces an edge in place; otherwise as cn_shape_set_circle.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_shape_set_edge(cn_world* world, cn_shape shape, cn_edge* edge);
+
+		/// <summary>Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_shape_set_polygon(cn_world* world, cn_shape shape, cn_polygon* polygon);
+
+		/// <summary>Replaces the points of a chain in place, their number too. Its contacts end; those that still overlap
+		/// begin again in the next step. Otherwise as cn_shape_set_circle. O(contacts + shapes of the body +
+		/// count).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_shape_set_chain(cn_world* world, cn_shape shape, cn_chain* chain);
+
 		/// <summary>out_inside is 1 if the shape contains a world point in metres (in the shape's own space when
 		/// unattached), else 0. Edges and chains contain no point. O(points).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2208,7 +2258,10 @@ namespace Cairn
 		/// inside callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved
 		/// apart, body or shape destroyed, detached or disabled, filter or type changed). The next step reports
 		/// pairs that end between two steps; their handles may be stale. A sleeping pair reports nothing, and
-		/// continues when it wakes.</summary>
+		/// continues when it wakes. HIT: in some substep a point closed at approach_speed_mps, the greatest of the
+		/// step, and got an impulse; bodies that pass a blow on to others that already touch them, without closing,
+		/// have no HIT. Impulses are summed only for contacts that report ENTER (in the step in which they begin),
+		/// STAY or HIT.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_contact_events(cn_world* world, int kind, cn_contact_event** out_events, int* out_count);
 

@@ -132,20 +132,20 @@ namespace Cairn
 		public int Broadphase;
 		/// <summary>1 to 64; default 4</summary>
 		public int SubstepCount;
-		/// <summary>CN_SOLVER_AUTO aims at errors below this, &gt;= 0; default 0.005 x length unit</summary>
+		/// <summary>CN_SOLVER_AUTO aims at errors below this, &gt;= 0; CN_DEFAULT (default): 0.005 x length unit</summary>
 		public float AccuracyM;
 		/// <summary>limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
 		/// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only</summary>
 		public int WorkBudget;
-		/// <summary>slower impacts do not bounce, &gt;= 0; default 1 x length unit</summary>
+		/// <summary>slower impacts do not bounce, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
 		public float RestitutionThresholdMps;
-		/// <summary>greatest speed at which overlaps are pushed apart, &gt; 0; default 3 x length unit</summary>
+		/// <summary>greatest speed at which overlaps are pushed apart, &gt; 0; CN_DEFAULT (default): 3 x length unit</summary>
 		public float PushSpeedMaxMps;
-		/// <summary>faster bodies are slowed to it, &gt; 0; default 400 x length unit</summary>
+		/// <summary>faster bodies are slowed to it, &gt; 0; CN_DEFAULT (default): 400 x length unit</summary>
 		public float LinearSpeedMaxMps;
 		/// <summary>faster bodies are slowed to it, &gt; 0; default 400</summary>
 		public float AngularSpeedMaxRadps;
-		/// <summary>bodies slower than this may sleep, &gt;= 0; default 0.05 x length unit</summary>
+		/// <summary>bodies slower than this may sleep, &gt;= 0; CN_DEFAULT (default): 0.05 x length unit</summary>
 		public float SleepSpeedMps;
 		/// <summary>... after this time, &gt;= 0; default 0.5</summary>
 		public float SleepDelayS;
@@ -177,7 +177,8 @@ namespace Cairn
 		/// <summary>threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no
 		/// threads, no tasks</summary>
 		public int WorkerCount;
-		public uint Reserved;
+		/// <summary>blows at least this fast are reported by CN_EVENT_HIT, &gt;= 0; CN_DEFAULT (default): 1 x length unit</summary>
+		public float HitSpeedMps;
 
 		/// <summary>The defaults of the fields.</summary>
 		public static WorldDef Default
@@ -335,7 +336,7 @@ namespace Cairn
 		public float AngularDampingPerS;
 		/// <summary>default 1</summary>
 		public float GravityScale;
-		/// <summary>&gt;= 0; default 0: the world's</summary>
+		/// <summary>&gt;= 0; CN_DEFAULT (default): the world's</summary>
 		public float SleepSpeedMps;
 		/// <summary>CN_BODY_*; default ENABLED | SLEEP | AWAKE</summary>
 		public uint Flags;
@@ -403,7 +404,8 @@ namespace Cairn
 		public int FrictionMix;
 		/// <summary>CN_MIX_*; default CN_MIX_MAXIMUM</summary>
 		public int RestitutionMix;
-		public uint Reserved;
+		/// <summary>a number for the user, reported in contact events; default 0</summary>
+		public uint UserId;
 	}
 
 	/// <summary>Definition of a shape.</summary>
@@ -535,10 +537,21 @@ namespace Cairn
 		public uint ContactId;
 		/// <summary>CN_EVENT_*</summary>
 		public int Kind;
-		/// <summary>ENTER: closing speed along the normal before the impact; else 0</summary>
+		/// <summary>ENTER: closing speed along the normal before the impact; HIT: of the blow; else 0</summary>
 		public float ApproachSpeedMps;
-		/// <summary>geometry at the step's beginning, impulses at its end; points only for ENTER and STAY</summary>
+		/// <summary>geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT</summary>
 		public Manifold Manifold;
+		/// <summary>Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the
+		/// substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along
+		/// manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s</summary>
+		public float NormalImpulseNs;
+		/// <summary>along (normal.y, -normal.x), on body b</summary>
+		public float FrictionImpulseNs;
+		/// <summary>HIT: where, in the world; else (0, 0)</summary>
+		public Vec2 HitPointM;
+		/// <summary>cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED</summary>
+		public uint MaterialA;
+		public uint MaterialB;
 	}
 
 	/// <summary>A shape entered or left a sensor.</summary>
@@ -1498,15 +1511,15 @@ namespace Cairn
 			return out0;
 		}
 
-		/// <summary>Sets accuracy_m and work_budget as in cn_world_def: metres &gt;= 0, 0 for the default; 0 to 1e9, 0 for
-		/// no limit.</summary>
+		/// <summary>Sets accuracy_m and work_budget as in cn_world_def: metres &gt;= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
+		/// limit.</summary>
 		public void SetAccuracy(float accuracyM, int workBudget)
 		{
 			Call.Check(Native.cn_world_set_accuracy(Pointer, accuracyM, workBudget), Pointer);
 			GC.KeepAlive(this);
 		}
 
-		/// <summary>Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.</summary>
+		/// <summary>Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.</summary>
 		public (float AccuracyM, int WorkBudget) GetAccuracy()
 		{
 			float out0;
@@ -1545,6 +1558,13 @@ namespace Cairn
 		public void SetRestitutionThreshold(float speedMps)
 		{
 			Call.Check(Native.cn_world_set_restitution_threshold(Pointer, speedMps), Pointer);
+			GC.KeepAlive(this);
+		}
+
+		/// <summary>Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; &gt;= 0.</summary>
+		public void SetHitSpeed(float speedMps)
+		{
+			Call.Check(Native.cn_world_set_hit_speed(Pointer, speedMps), Pointer);
 			GC.KeepAlive(this);
 		}
 
@@ -2049,7 +2069,7 @@ namespace Cairn
 			return out0;
 		}
 
-		/// <summary>Sets the body's own sleep speed in m/s, &gt;= 0; 0 restores the world's.</summary>
+		/// <summary>Sets the body's own sleep speed in m/s, &gt;= 0; CN_DEFAULT restores the world's.</summary>
 		public void BodySetSleepSpeed(Body body, float speedMps)
 		{
 			Call.Check(Native.cn_body_set_sleep_speed(Pointer, (cn_body)body, speedMps), Pointer);
@@ -2460,6 +2480,39 @@ namespace Cairn
 			return result_;
 		}
 
+		/// <summary>Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks
+		/// of creation: the handle and all other properties stay. Mass and box are those of the new geometry at
+		/// once; contacts stay unless the boxes no longer overlap, and the next step computes them anew, without
+		/// the impulses of features that are gone. Wakes the body, touching bodies and bodies that the new box
+		/// meets. A shape that grows into others is pushed out of them at push_speed_max_mps at most.
+		/// CN_ERROR_STATE for another type. O(contacts + shapes of the body).</summary>
+		public void ShapeSetCircle(Shape shape, Circle circle)
+		{
+			Call.Check(Native.cn_shape_set_circle(Pointer, (cn_shape)shape, (cn_circle*)&circle), Pointer);
+			GC.KeepAlive(this);
+		}
+
+		/// <summary>Replaces a capsule in place; otherwise as cn_shape_set_circle.</summary>
+		public void ShapeSetCapsule(Shape shape, Capsule capsule)
+		{
+			Call.Check(Native.cn_shape_set_capsule(Pointer, (cn_shape)shape, (cn_capsule*)&capsule), Pointer);
+			GC.KeepAlive(this);
+		}
+
+		/// <summary>Replaces an edge in place; otherwise as cn_shape_set_circle.</summary>
+		public void ShapeSetEdge(Shape shape, Edge edge)
+		{
+			Call.Check(Native.cn_shape_set_edge(Pointer, (cn_shape)shape, (cn_edge*)&edge), Pointer);
+			GC.KeepAlive(this);
+		}
+
+		/// <summary>Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle.</summary>
+		public void ShapeSetPolygon(Shape shape, Polygon polygon)
+		{
+			Call.Check(Native.cn_shape_set_polygon(Pointer, (cn_shape)shape, (cn_polygon*)&polygon), Pointer);
+			GC.KeepAlive(this);
+		}
+
 		/// <summary>out_inside is 1 if the shape contains a world point in metres (in the shape's own space when
 		/// unattached), else 0. Edges and chains contain no point. O(points).</summary>
 		public int ShapeTestPoint(Shape shape, float pointXM, float pointYM)
@@ -2475,7 +2528,10 @@ namespace Cairn
 		/// inside callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved
 		/// apart, body or shape destroyed, detached or disabled, filter or type changed). The next step reports
 		/// pairs that end between two steps; their handles may be stale. A sleeping pair reports nothing, and
-		/// continues when it wakes.</summary>
+		/// continues when it wakes. HIT: in some substep a point closed at approach_speed_mps, the greatest of the
+		/// step, and got an impulse; bodies that pass a blow on to others that already touch them, without closing,
+		/// have no HIT. Impulses are summed only for contacts that report ENTER (in the step in which they begin),
+		/// STAY or HIT.</summary>
 		public ContactEvent[] ContactEvents(int kind)
 		{
 			cn_contact_event* data;

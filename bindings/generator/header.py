@@ -20,7 +20,7 @@ SCALARS = {"char": 1, "int8_t": 1, "uint8_t": 1, "int16_t": 2, "uint16_t": 2, "i
 
 TOKENS = re.compile(
     r"(?P<comment>/\*.*?\*/)|(?P<directive>^[ \t]*\#[^\n]*)|(?P<string>\"[^\"\n]*\")"
-    r"|(?P<number>(?:0[xX][0-9a-fA-F]+|[0-9]+)[uU]?)(?![\w.])|(?P<name>[A-Za-z_]\w*)|(?P<punctuation><<|[{}()\[\];,*=|+~-])|(?P<space>\s+)",
+    r"|(?P<number>(?:0[xX][0-9a-fA-F]+|[0-9]+)[uU]?)(?![\w.])|(?P<name>[A-Za-z_]\w*)|(?P<punctuation><<|[{}()\[\];:,*=|+~-])|(?P<space>\s+)",
     re.DOTALL | re.MULTILINE,
 )
 
@@ -53,14 +53,18 @@ def tokenize(text, file, line=1):
 def drop_conditionals(tokens, file):
     """Removes include lines, the include guard, what is for C++ only and the definition of CN_API.
 
-    Each open #if is one of "guard", "cxx" (contents dropped) and "api" (may define CN_API, no more).
+    Each open #if is one of "guard", "cxx" (contents dropped up to #else), "c" (behind that #else) and "api" (may define CN_API, no
+    more).
     """
     kept, open_ifs = [], []
     for token in tokens:
         words = re.sub(r"#\s+", "#", token.text.strip()).split() if token.kind == "directive" else [""]
         if words[0] in ("#if", "#ifdef", "#ifndef"):
             guard = not open_ifs and words[0] == "#ifndef"
-            open_ifs.append("guard" if guard else "cxx" if words[1:] == ["__cplusplus"] else "api")
+            cxx = words[1:] == ["__cplusplus"] or words[1:] == ["defined(__cplusplus)", "&&", "defined(CN_STRICT_HANDLES)"]
+            open_ifs.append("guard" if guard else "cxx" if cxx else "api")
+        elif words[0] == "#else" and open_ifs and open_ifs[-1] == "cxx":
+            open_ifs[-1] = "c"
         elif words[0] == "#endif" and open_ifs:
             open_ifs.pop()
         elif words[0] == "#include":

@@ -23,6 +23,7 @@ const (
 	PlanesMax = 64
 	WorkersMax = 64
 	MaxHandles = 1048575
+	Default = -1
 	OK = 0
 	ErrorArgument = -1
 	ErrorHandle = -2
@@ -150,7 +151,8 @@ const (
 	EventStay = 2
 	EventLeave = 3
 	EventDestroyed = 4
-	EventKinds = 5
+	EventHit = 5
+	EventKinds = 6
 	JointRevolute = 0
 	JointDistance = 1
 	JointFixed = 2
@@ -269,20 +271,20 @@ type WorldDef struct {
 	Broadphase int32
 	// 1 to 64; default 4
 	SubstepCount int32
-	// CN_SOLVER_AUTO aims at errors below this, >= 0; default 0.005 x length unit
+	// CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
 	AccuracyM float32
 	// limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
 	// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
 	WorkBudget int32
-	// slower impacts do not bounce, >= 0; default 1 x length unit
+	// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
 	RestitutionThresholdMps float32
-	// greatest speed at which overlaps are pushed apart, > 0; default 3 x length unit
+	// greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit
 	PushSpeedMaxMps float32
-	// faster bodies are slowed to it, > 0; default 400 x length unit
+	// faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
 	LinearSpeedMaxMps float32
 	// faster bodies are slowed to it, > 0; default 400
 	AngularSpeedMaxRadps float32
-	// bodies slower than this may sleep, >= 0; default 0.05 x length unit
+	// bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit
 	SleepSpeedMps float32
 	// ... after this time, >= 0; default 0.5
 	SleepDelayS float32
@@ -314,7 +316,8 @@ type WorldDef struct {
 	// threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no
 	// threads, no tasks
 	WorkerCount int32
-	Reserved uint32
+	// blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
+	HitSpeedMps float32
 }
 
 var _ [unsafe.Sizeof(WorldDef{})]byte = [C.sizeof_cn_world_def]byte{}
@@ -468,7 +471,7 @@ type BodyDef struct {
 	AngularDampingPerS float32
 	// default 1
 	GravityScale float32
-	// >= 0; default 0: the world's
+	// >= 0; CN_DEFAULT (default): the world's
 	SleepSpeedMps float32
 	// CN_BODY_*; default ENABLED | SLEEP | AWAKE
 	Flags uint32
@@ -532,7 +535,8 @@ type Material struct {
 	FrictionMix int32
 	// CN_MIX_*; default CN_MIX_MAXIMUM
 	RestitutionMix int32
-	Reserved uint32
+	// a number for the user, reported in contact events; default 0
+	UserId uint32
 }
 
 var _ [unsafe.Sizeof(Material{})]byte = [C.sizeof_cn_material]byte{}
@@ -660,10 +664,21 @@ type ContactEvent struct {
 	ContactId uint32
 	// CN_EVENT_*
 	Kind int32
-	// ENTER: closing speed along the normal before the impact; else 0
+	// ENTER: closing speed along the normal before the impact; HIT: of the blow; else 0
 	ApproachSpeedMps float32
-	// geometry at the step's beginning, impulses at its end; points only for ENTER and STAY
+	// geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT
 	Manifold Manifold
+	// Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the
+	// substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along
+	// manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s
+	NormalImpulseNs float32
+	// along (normal.y, -normal.x), on body b
+	FrictionImpulseNs float32
+	// HIT: where, in the world; else (0, 0)
+	HitPointM Vec2
+	// cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED
+	MaterialA uint32
+	MaterialB uint32
 }
 
 var _ [unsafe.Sizeof(ContactEvent{})]byte = [C.sizeof_cn_contact_event]byte{}
@@ -1433,14 +1448,15 @@ func (w *World) GetSolver() (int32, error) {
 	return out0, nil
 }
 
-// SetAccuracy: Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9,
-// 0 for no limit.
+// SetAccuracy: Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0
+// for no limit.
 func (w *World) SetAccuracy(accuracy_m float32, work_budget int32) error {
 	defer runtime.KeepAlive(w)
 	return w.check(C.cn_world_set_accuracy(w.c(), C.float(accuracy_m), C.int32_t(work_budget)))
 }
 
-// GetAccuracy: Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.
+// GetAccuracy: Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work
+// budget.
 func (w *World) GetAccuracy() (float32, int32, error) {
 	defer runtime.KeepAlive(w)
 	var out0 float32
@@ -1482,6 +1498,12 @@ func (w *World) GetFlags() (uint32, error) {
 func (w *World) SetRestitutionThreshold(speed_mps float32) error {
 	defer runtime.KeepAlive(w)
 	return w.check(C.cn_world_set_restitution_threshold(w.c(), C.float(speed_mps)))
+}
+
+// SetHitSpeed: Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; >= 0.
+func (w *World) SetHitSpeed(speed_mps float32) error {
+	defer runtime.KeepAlive(w)
+	return w.check(C.cn_world_set_hit_speed(w.c(), C.float(speed_mps)))
 }
 
 // SetSpeedLimits: Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows
@@ -1991,7 +2013,7 @@ func (w *World) BodyGetGravityScale(body Body) (float32, error) {
 	return out0, nil
 }
 
-// BodySetSleepSpeed: Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's.
+// BodySetSleepSpeed: Sets the body's own sleep speed in m/s, >= 0; CN_DEFAULT restores the world's.
 func (w *World) BodySetSleepSpeed(body Body, speed_mps float32) error {
 	defer runtime.KeepAlive(w)
 	return w.check(C.cn_body_set_sleep_speed(w.c(), C.cn_body(body), C.float(speed_mps)))
@@ -2408,6 +2430,36 @@ func (w *World) ShapeGetChainPoints(shape Shape) ([]Vec2, error) {
 	return out, nil
 }
 
+// ShapeSetCircle: Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with
+// the checks of creation: the handle and all other properties stay. Mass and box are those of the new
+// geometry at once; contacts stay unless the boxes no longer overlap, and the next step computes them anew,
+// without the impulses of features that are gone. Wakes the body, touching bodies and bodies that the new box
+// meets. A shape that grows into others is pushed out of them at push_speed_max_mps at most. CN_ERROR_STATE
+// for another type. O(contacts + shapes of the body).
+func (w *World) ShapeSetCircle(shape Shape, circle *Circle) error {
+	defer runtime.KeepAlive(w)
+	return w.check(C.cn_shape_set_circle(w.c(), C.cn_shape(shape), (*C.cn_circle)(unsafe.Pointer(circle))))
+}
+
+// ShapeSetCapsule: Replaces a capsule in place; otherwise as cn_shape_set_circle.
+func (w *World) ShapeSetCapsule(shape Shape, capsule *Capsule) error {
+	defer runtime.KeepAlive(w)
+	return w.check(C.cn_shape_set_capsule(w.c(), C.cn_shape(shape), (*C.cn_capsule)(unsafe.Pointer(capsule))))
+}
+
+// ShapeSetEdge: Replaces an edge in place; otherwise as cn_shape_set_circle.
+func (w *World) ShapeSetEdge(shape Shape, edge *Edge) error {
+	defer runtime.KeepAlive(w)
+	return w.check(C.cn_shape_set_edge(w.c(), C.cn_shape(shape), (*C.cn_edge)(unsafe.Pointer(edge))))
+}
+
+// ShapeSetPolygon: Replaces the points of a polygon in place, their number too; otherwise as
+// cn_shape_set_circle.
+func (w *World) ShapeSetPolygon(shape Shape, polygon *Polygon) error {
+	defer runtime.KeepAlive(w)
+	return w.check(C.cn_shape_set_polygon(w.c(), C.cn_shape(shape), (*C.cn_polygon)(unsafe.Pointer(polygon))))
+}
+
 // ShapeTestPoint: out_inside is 1 if the shape contains a world point in metres (in the shape's own space
 // when unattached), else 0. Edges and chains contain no point. O(points).
 func (w *World) ShapeTestPoint(shape Shape, point_x_m float32, point_y_m float32) (int32, error) {
@@ -2424,7 +2476,10 @@ func (w *World) ShapeTestPoint(shape Shape, point_x_m float32, point_y_m float32
 // CN_ERROR_LOCKED inside callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair
 // ends (moved apart, body or shape destroyed, detached or disabled, filter or type changed). The next step
 // reports pairs that end between two steps; their handles may be stale. A sleeping pair reports nothing, and
-// continues when it wakes.
+// continues when it wakes. HIT: in some substep a point closed at approach_speed_mps, the greatest of the
+// step, and got an impulse; bodies that pass a blow on to others that already touch them, without closing,
+// have no HIT. Impulses are summed only for contacts that report ENTER (in the step in which they begin),
+// STAY or HIT.
 func (w *World) ContactEvents(kind int32) ([]ContactEvent, error) {
 	defer runtime.KeepAlive(w)
 	var data *C.cn_contact_event

@@ -18,6 +18,7 @@ export const CN_NAME_MAX_BYTES: 63;
 export const CN_PLANES_MAX: 64;
 export const CN_WORKERS_MAX: 64;
 export const CN_MAX_HANDLES: 1048575;
+export const CN_DEFAULT: -1;
 export const CN_OK: 0;
 export const CN_ERROR_ARGUMENT: -1;
 export const CN_ERROR_HANDLE: -2;
@@ -145,7 +146,8 @@ export const CN_EVENT_ENTER: 1;
 export const CN_EVENT_STAY: 2;
 export const CN_EVENT_LEAVE: 3;
 export const CN_EVENT_DESTROYED: 4;
-export const CN_EVENT_KINDS: 5;
+export const CN_EVENT_HIT: 5;
+export const CN_EVENT_KINDS: 6;
 export const CN_JOINT_REVOLUTE: 0;
 export const CN_JOINT_DISTANCE: 1;
 export const CN_JOINT_FIXED: 2;
@@ -253,20 +255,20 @@ export interface WorldDef {
 	broadphase: number;
 	/** 1 to 64; default 4 */
 	substep_count: number;
-	/** CN_SOLVER_AUTO aims at errors below this, >= 0; default 0.005 x length unit */
+	/** CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit */
 	accuracy_m: number;
 	/** limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
 	included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only */
 	work_budget: number;
-	/** slower impacts do not bounce, >= 0; default 1 x length unit */
+	/** slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit */
 	restitution_threshold_mps: number;
-	/** greatest speed at which overlaps are pushed apart, > 0; default 3 x length unit */
+	/** greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit */
 	push_speed_max_mps: number;
-	/** faster bodies are slowed to it, > 0; default 400 x length unit */
+	/** faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit */
 	linear_speed_max_mps: number;
 	/** faster bodies are slowed to it, > 0; default 400 */
 	angular_speed_max_radps: number;
-	/** bodies slower than this may sleep, >= 0; default 0.05 x length unit */
+	/** bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit */
 	sleep_speed_mps: number;
 	/** ... after this time, >= 0; default 0.5 */
 	sleep_delay_s: number;
@@ -284,7 +286,8 @@ export interface WorldDef {
 	/** threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no
 	threads, no tasks */
 	worker_count: number;
-	reserved: number;
+	/** blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit */
+	hit_speed_mps: number;
 }
 
 /** Counts of objects, and problems of the last step. */
@@ -421,7 +424,7 @@ export interface BodyDef {
 	angular_damping_per_s: number;
 	/** default 1 */
 	gravity_scale: number;
-	/** >= 0; default 0: the world's */
+	/** >= 0; CN_DEFAULT (default): the world's */
 	sleep_speed_mps: number;
 	/** CN_BODY_*; default ENABLED | SLEEP | AWAKE */
 	flags: number;
@@ -472,7 +475,8 @@ export interface Material {
 	friction_mix: number;
 	/** CN_MIX_*; default CN_MIX_MAXIMUM */
 	restitution_mix: number;
-	reserved: number;
+	/** a number for the user, reported in contact events; default 0 */
+	user_id: number;
 }
 
 /** Definition of a shape. */
@@ -575,10 +579,21 @@ export interface ContactEvent {
 	contact_id: number;
 	/** CN_EVENT_* */
 	kind: number;
-	/** ENTER: closing speed along the normal before the impact; else 0 */
+	/** ENTER: closing speed along the normal before the impact; HIT: of the blow; else 0 */
 	approach_speed_mps: number;
-	/** geometry at the step's beginning, impulses at its end; points only for ENTER and STAY */
+	/** geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT */
 	manifold: Manifold;
+	/** Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the
+	substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along
+	manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s */
+	normal_impulse_Ns: number;
+	/** along (normal.y, -normal.x), on body b */
+	friction_impulse_Ns: number;
+	/** HIT: where, in the world; else (0, 0) */
+	hit_point_m: Vec2;
+	/** cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED */
+	material_a: number;
+	material_b: number;
 }
 
 /** A shape entered or left a sensor. */
@@ -1097,10 +1112,10 @@ export class World {
 	setSolver(solver: number): void;
 	/** Reads the solver (CN_SOLVER_*). */
 	getSolver(): number;
-	/** Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no
-	limit. */
+	/** Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit.
+	*/
 	setAccuracy(accuracy_m: number, work_budget: number): void;
-	/** Reads the accuracy in metres (the resolved default where 0 was set) and the work budget. */
+	/** Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget. */
 	getAccuracy(): { accuracy_m: number; work_budget: number };
 	/** Reads how many workers a step can use: 1, or worker_count where the library supports threads. */
 	getWorkerCount(): number;
@@ -1110,6 +1125,8 @@ export class World {
 	getFlags(): number;
 	/** Impacts slower than this, in m/s, do not bounce; >= 0. */
 	setRestitutionThreshold(speed_mps: number): void;
+	/** Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; >= 0. */
+	setHitSpeed(speed_mps: number): void;
 	/** Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows faster bodies
 	down to them and keeps the direction. */
 	setSpeedLimits(linear_mps: number, angular_radps: number): void;
@@ -1260,7 +1277,7 @@ export class World {
 	bodySetGravityScale(body: Body, scale: number): void;
 	/** Reads the factor on gravity. */
 	bodyGetGravityScale(body: Body): number;
-	/** Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's. */
+	/** Sets the body's own sleep speed in m/s, >= 0; CN_DEFAULT restores the world's. */
 	bodySetSleepSpeed(body: Body, speed_mps: number): void;
 	/** Chooses how the body's island is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO
 	(default): the world chooses. _SOFT: contacts and joints are never solved directly, whatever other bodies ask
@@ -1369,6 +1386,22 @@ export class World {
 	/** Reads a chain's points in the body's frame, offset applied. Writes at most capacity (>= 0); out may be
 	NULL when capacity is 0. *out_count is their number. CN_ERROR_STATE for another type. O(points written). */
 	shapeGetChainPoints(shape: Shape): Float32Array;
+	/** Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks of
+	creation: the handle and all other properties stay. Mass and box are those of the new geometry at once;
+	contacts stay unless the boxes no longer overlap, and the next step computes them anew, without the impulses
+	of features that are gone. Wakes the body, touching bodies and bodies that the new box meets. A shape that
+	grows into others is pushed out of them at push_speed_max_mps at most. CN_ERROR_STATE for another type.
+	O(contacts + shapes of the body). */
+	shapeSetCircle(shape: Shape, circle: In<Circle>): void;
+	/** Replaces a capsule in place; otherwise as cn_shape_set_circle. */
+	shapeSetCapsule(shape: Shape, capsule: In<Capsule>): void;
+	/** Replaces an edge in place; otherwise as cn_shape_set_circle. */
+	shapeSetEdge(shape: Shape, edge: In<Edge>): void;
+	/** Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle. */
+	shapeSetPolygon(shape: Shape, polygon: In<Polygon>): void;
+	/** Replaces the points of a chain in place, their number too. Its contacts end; those that still overlap
+	begin again in the next step. Otherwise as cn_shape_set_circle. O(contacts + shapes of the body + count). */
+	shapeSetChain(shape: Shape, chain: In<Chain>): void;
 	/** out_inside is 1 if the shape contains a world point in metres (in the shape's own space when unattached),
 	else 0. Edges and chains contain no point. O(points). */
 	shapeTestPoint(shape: Shape, point_x_m: number, point_y_m: number): number;
@@ -1377,7 +1410,9 @@ export class World {
 	callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved apart, body
 	or shape destroyed, detached or disabled, filter or type changed). The next step reports pairs that end
 	between two steps; their handles may be stale. A sleeping pair reports nothing, and continues when it wakes.
-	*/
+	HIT: in some substep a point closed at approach_speed_mps, the greatest of the step, and got an impulse;
+	bodies that pass a blow on to others that already touch them, without closing, have no HIT. Impulses are
+	summed only for contacts that report ENTER (in the step in which they begin), STAY or HIT. */
 	contactEvents(kind: number): ContactEvent[];
 	/** The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
 	events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap. */

@@ -193,6 +193,7 @@ export const CN_NAME_MAX_BYTES = 63;
 export const CN_PLANES_MAX = 64;
 export const CN_WORKERS_MAX = 64;
 export const CN_MAX_HANDLES = 1048575;
+export const CN_DEFAULT = -1;
 export const CN_OK = 0;
 export const CN_ERROR_ARGUMENT = -1;
 export const CN_ERROR_HANDLE = -2;
@@ -320,7 +321,8 @@ export const CN_EVENT_ENTER = 1;
 export const CN_EVENT_STAY = 2;
 export const CN_EVENT_LEAVE = 3;
 export const CN_EVENT_DESTROYED = 4;
-export const CN_EVENT_KINDS = 5;
+export const CN_EVENT_HIT = 5;
+export const CN_EVENT_KINDS = 6;
 export const CN_JOINT_REVOLUTE = 0;
 export const CN_JOINT_DISTANCE = 1;
 export const CN_JOINT_FIXED = 2;
@@ -370,7 +372,7 @@ const STRUCTS = {
 	cn_velocity: { size: 12, init: null, floats: true, fields: [["linear_mps", 0, "cn_vec2", 0], ["angular_radps", 8, "f32", 0]] },
 	cn_aabb: { size: 16, init: null, floats: false, fields: [["lower_m", 0, "cn_vec2", 0], ["upper_m", 8, "cn_vec2", 0]] },
 	cn_mass_data: { size: 16, init: null, floats: false, fields: [["mass_kg", 0, "f32", 0], ["inertia_kgm2", 4, "f32", 0], ["center_m", 8, "cn_vec2", 0]] },
-	cn_world_def: { size: 136, init: "cn_world_def_init", floats: false, fields: [["struct_size", 0, "u32", 0], ["flags", 4, "u32", 0], ["gravity_mps2", 8, "cn_vec2", 0], ["length_unit_m", 16, "f32", 0], ["solver", 20, "i32", 0], ["broadphase", 24, "i32", 0], ["substep_count", 28, "i32", 0], ["accuracy_m", 32, "f32", 0], ["work_budget", 36, "i32", 0], ["restitution_threshold_mps", 40, "f32", 0], ["push_speed_max_mps", 44, "f32", 0], ["linear_speed_max_mps", 48, "f32", 0], ["angular_speed_max_radps", 52, "f32", 0], ["sleep_speed_mps", 56, "f32", 0], ["sleep_delay_s", 60, "f32", 0], ["body_capacity", 64, "i32", 0], ["shape_capacity", 68, "i32", 0], ["contact_capacity", 72, "i32", 0], ["joint_capacity", 76, "i32", 0], ["user_data", 80, "u64", 0], ["memory_bytes", 88, "u64", 0], ["worker_count", 124, "i32", 0], ["reserved", 128, "u32", 0]] },
+	cn_world_def: { size: 136, init: "cn_world_def_init", floats: false, fields: [["struct_size", 0, "u32", 0], ["flags", 4, "u32", 0], ["gravity_mps2", 8, "cn_vec2", 0], ["length_unit_m", 16, "f32", 0], ["solver", 20, "i32", 0], ["broadphase", 24, "i32", 0], ["substep_count", 28, "i32", 0], ["accuracy_m", 32, "f32", 0], ["work_budget", 36, "i32", 0], ["restitution_threshold_mps", 40, "f32", 0], ["push_speed_max_mps", 44, "f32", 0], ["linear_speed_max_mps", 48, "f32", 0], ["angular_speed_max_radps", 52, "f32", 0], ["sleep_speed_mps", 56, "f32", 0], ["sleep_delay_s", 60, "f32", 0], ["body_capacity", 64, "i32", 0], ["shape_capacity", 68, "i32", 0], ["contact_capacity", 72, "i32", 0], ["joint_capacity", 76, "i32", 0], ["user_data", 80, "u64", 0], ["memory_bytes", 88, "u64", 0], ["worker_count", 124, "i32", 0], ["hit_speed_mps", 128, "f32", 0]] },
 	cn_counters: { size: 84, init: null, floats: false, fields: [["bodies", 0, "i32", 0], ["bodies_awake", 4, "i32", 0], ["shapes", 8, "i32", 0], ["proxies", 12, "i32", 0], ["contacts", 16, "i32", 0], ["contacts_awake", 20, "i32", 0], ["contacts_touching", 24, "i32", 0], ["joints", 28, "i32", 0], ["joints_awake", 32, "i32", 0], ["islands", 36, "i32", 0], ["islands_awake", 40, "i32", 0], ["colors_used", 44, "i32", 0], ["overflow_contacts", 48, "i32", 0], ["broadphase_tiles", 52, "i32", 0], ["steps", 56, "u32", 0], ["warnings", 60, "u32", 0], ["pairs_not_added", 64, "i32", 0], ["events_not_reported", 68, "i32", 0], ["islands_direct", 72, "i32", 0], ["direct_work", 76, "i32", 0], ["islands_unsolved", 80, "i32", 0]] },
 	cn_island_report: { size: 32, init: null, floats: false, fields: [["body", 0, "u32", 0], ["bodies", 4, "i32", 0], ["contacts", 8, "i32", 0], ["joints", 12, "i32", 0], ["tier", 16, "i32", 0], ["reason", 20, "i32", 0], ["substeps", 24, "i32", 0], ["residual_m", 28, "f32", 0]] },
 	cn_profile: { size: 40, init: null, floats: false, fields: [["step_s", 0, "f32", 0], ["wake_s", 4, "f32", 0], ["broadphase_s", 8, "f32", 0], ["narrowphase_s", 12, "f32", 0], ["islands_s", 16, "f32", 0], ["prepare_s", 20, "f32", 0], ["substeps_s", 24, "f32", 0], ["finalize_s", 28, "f32", 0], ["events_s", 32, "f32", 0], ["sleep_s", 36, "f32", 0]] },
@@ -378,7 +380,7 @@ const STRUCTS = {
 	cn_body_def: { size: 72, init: "cn_body_def_init", floats: false, fields: [["struct_size", 0, "u32", 0], ["type", 4, "i32", 0], ["position_m", 8, "cn_vec2", 0], ["angle_rad", 16, "f32", 0], ["linear_velocity_mps", 20, "cn_vec2", 0], ["angular_velocity_radps", 28, "f32", 0], ["linear_damping_per_s", 32, "f32", 0], ["angular_damping_per_s", 36, "f32", 0], ["gravity_scale", 40, "f32", 0], ["sleep_speed_mps", 44, "f32", 0], ["flags", 48, "u32", 0], ["solver", 52, "i32", 0], ["user_data", 56, "u64", 0], ["name", 64, "string", 0]] },
 	cn_body_moved: { size: 32, init: null, floats: false, fields: [["pose", 0, "cn_pose", 0], ["user_data", 16, "u64", 0], ["body", 24, "u32", 0], ["fell_asleep", 28, "u32", 0]] },
 	cn_filter: { size: 24, init: null, floats: false, fields: [["category", 0, "u64", 0], ["mask", 8, "u64", 0], ["group", 16, "i32", 0], ["reserved", 20, "u32", 0]] },
-	cn_material: { size: 32, init: null, floats: false, fields: [["static_friction", 0, "f32", 0], ["dynamic_friction", 4, "f32", 0], ["restitution", 8, "f32", 0], ["rolling_resistance", 12, "f32", 0], ["tangent_speed_mps", 16, "f32", 0], ["friction_mix", 20, "i32", 0], ["restitution_mix", 24, "i32", 0], ["reserved", 28, "u32", 0]] },
+	cn_material: { size: 32, init: null, floats: false, fields: [["static_friction", 0, "f32", 0], ["dynamic_friction", 4, "f32", 0], ["restitution", 8, "f32", 0], ["rolling_resistance", 12, "f32", 0], ["tangent_speed_mps", 16, "f32", 0], ["friction_mix", 20, "i32", 0], ["restitution_mix", 24, "i32", 0], ["user_id", 28, "u32", 0]] },
 	cn_shape_def: { size: 96, init: "cn_shape_def_init", floats: false, fields: [["struct_size", 0, "u32", 0], ["body", 4, "u32", 0], ["offset_m", 8, "cn_vec2", 0], ["angle_rad", 16, "f32", 0], ["density_kgpm2", 20, "f32", 0], ["material", 24, "cn_material", 0], ["filter", 56, "cn_filter", 0], ["event_mask", 80, "u32", 0], ["flags", 84, "u32", 0], ["user_data", 88, "u64", 0]] },
 	cn_circle: { size: 12, init: null, floats: false, fields: [["center_m", 0, "cn_vec2", 0], ["radius_m", 8, "f32", 0]] },
 	cn_capsule: { size: 20, init: null, floats: false, fields: [["a_m", 0, "cn_vec2", 0], ["b_m", 8, "cn_vec2", 0], ["radius_m", 16, "f32", 0]] },
@@ -387,7 +389,7 @@ const STRUCTS = {
 	cn_chain: { size: 12, init: null, floats: false, fields: [["points_m", 0, "array:cn_vec2", 0, "count"], ["count", 4, "i32", 0], ["loop", 8, "u32", 0]] },
 	cn_manifold_point: { size: 20, init: null, floats: false, fields: [["point_m", 0, "cn_vec2", 0], ["separation_m", 8, "f32", 0], ["normal_impulse_Ns", 12, "f32", 0], ["feature_id", 16, "u32", 0]] },
 	cn_manifold: { size: 56, init: null, floats: false, fields: [["normal", 0, "cn_vec2", 0], ["friction_impulse_Ns", 8, "f32", 0], ["point_count", 12, "i32", 0], ["points", 16, "cn_manifold_point", 2]] },
-	cn_contact_event: { size: 92, init: null, floats: false, fields: [["shape_a", 0, "u32", 0], ["shape_b", 4, "u32", 0], ["body_a", 8, "u32", 0], ["body_b", 12, "u32", 0], ["child_a", 16, "i32", 0], ["child_b", 20, "i32", 0], ["contact_id", 24, "u32", 0], ["kind", 28, "i32", 0], ["approach_speed_mps", 32, "f32", 0], ["manifold", 36, "cn_manifold", 0]] },
+	cn_contact_event: { size: 116, init: null, floats: false, fields: [["shape_a", 0, "u32", 0], ["shape_b", 4, "u32", 0], ["body_a", 8, "u32", 0], ["body_b", 12, "u32", 0], ["child_a", 16, "i32", 0], ["child_b", 20, "i32", 0], ["contact_id", 24, "u32", 0], ["kind", 28, "i32", 0], ["approach_speed_mps", 32, "f32", 0], ["manifold", 36, "cn_manifold", 0], ["normal_impulse_Ns", 92, "f32", 0], ["friction_impulse_Ns", 96, "f32", 0], ["hit_point_m", 100, "cn_vec2", 0], ["material_a", 108, "u32", 0], ["material_b", 112, "u32", 0]] },
 	cn_sensor_event: { size: 24, init: null, floats: false, fields: [["sensor", 0, "u32", 0], ["visitor", 4, "u32", 0], ["sensor_body", 8, "u32", 0], ["visitor_body", 12, "u32", 0], ["kind", 16, "i32", 0], ["reserved", 20, "u32", 0]] },
 	cn_joint_base: { size: 64, init: null, floats: false, fields: [["struct_size", 0, "u32", 0], ["flags", 4, "u32", 0], ["body_a", 8, "u32", 0], ["body_b", 12, "u32", 0], ["anchor_a_m", 16, "cn_vec2", 0], ["anchor_b_m", 24, "cn_vec2", 0], ["stiffness_hertz", 32, "f32", 0], ["stiffness_damping_ratio", 36, "f32", 0], ["force_max_N", 40, "f32", 0], ["torque_max_Nm", 44, "f32", 0], ["break_force_N", 48, "f32", 0], ["break_torque_Nm", 52, "f32", 0], ["user_data", 56, "u64", 0]] },
 	cn_revolute_def: { size: 96, init: "cn_revolute_def_init", floats: false, fields: [["base", 0, "cn_joint_base", 0], ["reference_angle_rad", 64, "f32", 0], ["lower_angle_rad", 68, "f32", 0], ["upper_angle_rad", 72, "f32", 0], ["motor_speed_radps", 76, "f32", 0], ["motor_torque_max_Nm", 80, "f32", 0], ["spring_target_rad", 84, "f32", 0], ["spring_hertz", 88, "f32", 0], ["spring_damping_ratio", 92, "f32", 0]] },
@@ -541,6 +543,11 @@ export class World {
 	setRestitutionThreshold(speed_mps) {
 		begin();
 		check(raw.cn_world_set_restitution_threshold(this.pointer, speed_mps), this.pointer);
+	}
+
+	setHitSpeed(speed_mps) {
+		begin();
+		check(raw.cn_world_set_hit_speed(this.pointer, speed_mps), this.pointer);
 	}
 
 	setSpeedLimits(linear_mps, angular_radps) {
@@ -1253,6 +1260,36 @@ export class World {
 		if (found > 0)
 			check(raw.cn_shape_get_chain_points(this.pointer, shape, out, found, number));
 		return list("cn_vec2", out, found);
+	}
+
+	shapeSetCircle(shape, circle) {
+		begin();
+		const p_circle = struct("cn_circle", circle);
+		check(raw.cn_shape_set_circle(this.pointer, shape, p_circle), this.pointer);
+	}
+
+	shapeSetCapsule(shape, capsule) {
+		begin();
+		const p_capsule = struct("cn_capsule", capsule);
+		check(raw.cn_shape_set_capsule(this.pointer, shape, p_capsule), this.pointer);
+	}
+
+	shapeSetEdge(shape, edge) {
+		begin();
+		const p_edge = struct("cn_edge", edge);
+		check(raw.cn_shape_set_edge(this.pointer, shape, p_edge), this.pointer);
+	}
+
+	shapeSetPolygon(shape, polygon) {
+		begin();
+		const p_polygon = struct("cn_polygon", polygon);
+		check(raw.cn_shape_set_polygon(this.pointer, shape, p_polygon), this.pointer);
+	}
+
+	shapeSetChain(shape, chain) {
+		begin();
+		const p_chain = struct("cn_chain", chain);
+		check(raw.cn_shape_set_chain(this.pointer, shape, p_chain), this.pointer);
 	}
 
 	shapeTestPoint(shape, point_x_m, point_y_m) {

@@ -22,6 +22,11 @@ static const int32_t CN_PLANES_MAX = 64;
 static const int32_t CN_WORKERS_MAX = 64;
 static const int32_t CN_MAX_HANDLES = 1048575;
 
+// In a definition: the default of a field whose comment names CN_DEFAULT.
+enum {
+	CN_DEFAULT = -1, // In a definition: the default of a field whose comment names CN_DEFAULT.
+};
+
 // Result codes.
 enum {
 	CN_OK = 0, // success
@@ -204,7 +209,8 @@ enum {
 	CN_EVENT_STAY = 2, // they still touch
 	CN_EVENT_LEAVE = 3, // they stopped touching, or one is gone
 	CN_EVENT_DESTROYED = 4, // the fat boxes no longer overlap, or one is gone
-	CN_EVENT_KINDS = 5, // number of kinds
+	CN_EVENT_HIT = 5, // a blow at hit_speed_mps of cn_world_def or faster, at the beginning of touching or within it
+	CN_EVENT_KINDS = 6, // number of kinds
 };
 
 // Types of joints: see their definitions.
@@ -363,13 +369,13 @@ typedef struct cn_world_def {
 	int32_t solver; // CN_SOLVER_*; default CN_SOLVER_AUTO
 	int32_t broadphase; // CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP
 	int32_t substep_count; // 1 to 64; default 4
-	float accuracy_m; // CN_SOLVER_AUTO aims at errors below this, >= 0; default 0.005 x length unit
+	float accuracy_m; // CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
 	int32_t work_budget; // limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
-	float restitution_threshold_mps; // slower impacts do not bounce, >= 0; default 1 x length unit
-	float push_speed_max_mps; // greatest speed at which overlaps are pushed apart, > 0; default 3 x length unit
-	float linear_speed_max_mps; // faster bodies are slowed to it, > 0; default 400 x length unit
+	float restitution_threshold_mps; // slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
+	float push_speed_max_mps; // greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit
+	float linear_speed_max_mps; // faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
 	float angular_speed_max_radps; // faster bodies are slowed to it, > 0; default 400
-	float sleep_speed_mps; // bodies slower than this may sleep, >= 0; default 0.05 x length unit
+	float sleep_speed_mps; // bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit
 	float sleep_delay_s; // ... after this time, >= 0; default 0.5
 	int32_t body_capacity; // hints for a growing world, exact for a fixed one; >= 0; default 0
 	int32_t shape_capacity; // counts every edge of a chain
@@ -385,7 +391,7 @@ typedef struct cn_world_def {
 	cn_finish_fn *finish; // see cn_finish_fn
 	void *task_user; // last argument of enqueue and finish
 	int32_t worker_count; // threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no threads, no tasks
-	uint32_t reserved;
+	float hit_speed_mps; // blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
 } cn_world_def;
 
 // Counts of objects, and problems of the last step.
@@ -464,7 +470,7 @@ typedef struct cn_body_def {
 	float linear_damping_per_s; // v' = -damping v; >= 0, default 0
 	float angular_damping_per_s; // >= 0, default 0
 	float gravity_scale; // default 1
-	float sleep_speed_mps; // >= 0; default 0: the world's
+	float sleep_speed_mps; // >= 0; CN_DEFAULT (default): the world's
 	uint32_t flags; // CN_BODY_*; default ENABLED | SLEEP | AWAKE
 	int32_t solver; // as in cn_body_set_solver; default CN_SOLVER_AUTO
 	uint64_t user_data;
@@ -497,7 +503,7 @@ typedef struct cn_material {
 	float tangent_speed_mps; // conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; [-1e4, 1e4], default 0
 	int32_t friction_mix; // CN_MIX_*; default CN_MIX_GEOMETRIC
 	int32_t restitution_mix; // CN_MIX_*; default CN_MIX_MAXIMUM
-	uint32_t reserved;
+	uint32_t user_id; // a number for the user, reported in contact events; default 0
 } cn_material;
 
 // Definition of a shape.
@@ -575,8 +581,13 @@ typedef struct cn_contact_event {
 	int32_t child_b; // the same of shape b
 	uint32_t contact_id; // the same from CREATED to DESTROYED, then reused
 	int32_t kind; // CN_EVENT_*
-	float approach_speed_mps; // ENTER: closing speed along the normal before the impact; else 0
-	cn_manifold manifold; // geometry at the step's beginning, impulses at its end; points only for ENTER and STAY
+	float approach_speed_mps; // ENTER: closing speed along the normal before the impact; HIT: of the blow; else 0
+	cn_manifold manifold; // geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT
+	float normal_impulse_Ns; // Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s
+	float friction_impulse_Ns; // along (normal.y, -normal.x), on body b
+	cn_vec2 hit_point_m; // HIT: where, in the world; else (0, 0)
+	uint32_t material_a; // cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED
+	uint32_t material_b;
 } cn_contact_event;
 
 // A shape entered or left a sensor.
@@ -986,7 +997,7 @@ const char *cn_result_text(cn_result result);
 // with it.
 int32_t cn_sizeof(int32_t type);
 // Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with the
-// length unit are stored as 0, which cn_world_create resolves.
+// length unit are stored as CN_DEFAULT, which cn_world_create resolves.
 void cn_world_def_init(cn_world_def *def);
 // Checks a definition. Writes one sentence about its first error, at most text_bytes (>= 0) bytes with the
 // terminating zero; text may be NULL when text_bytes is 0.
@@ -1021,10 +1032,9 @@ cn_result cn_world_get_substep_count(const cn_world *world, int32_t *out_count);
 cn_result cn_world_set_solver(cn_world *world, int32_t solver);
 // Reads the solver (CN_SOLVER_*).
 cn_result cn_world_get_solver(const cn_world *world, int32_t *out_solver);
-// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no
-// limit.
+// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit.
 cn_result cn_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_budget);
-// Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.
+// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
 cn_result cn_world_get_accuracy(const cn_world *world, float *out_accuracy_m, int32_t *out_work_budget);
 // Reads how many workers a step can use: 1, or worker_count where the library supports threads.
 cn_result cn_world_get_worker_count(const cn_world *world, int32_t *out_count);
@@ -1034,6 +1044,8 @@ cn_result cn_world_set_flags(cn_world *world, uint32_t flags);
 cn_result cn_world_get_flags(const cn_world *world, uint32_t *out_flags);
 // Impacts slower than this, in m/s, do not bounce; >= 0.
 cn_result cn_world_set_restitution_threshold(cn_world *world, float speed_mps);
+// Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; >= 0.
+cn_result cn_world_set_hit_speed(cn_world *world, float speed_mps);
 // Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows faster bodies
 // down to them and keeps the direction.
 cn_result cn_world_set_speed_limits(cn_world *world, float linear_mps, float angular_radps);
@@ -1207,7 +1219,7 @@ cn_result cn_body_get_damping(const cn_world *world, cn_body body, float *out_li
 cn_result cn_body_set_gravity_scale(cn_world *world, cn_body body, float scale);
 // Reads the factor on gravity.
 cn_result cn_body_get_gravity_scale(const cn_world *world, cn_body body, float *out_scale);
-// Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's.
+// Sets the body's own sleep speed in m/s, >= 0; CN_DEFAULT restores the world's.
 cn_result cn_body_set_sleep_speed(cn_world *world, cn_body body, float speed_mps);
 // Chooses how the body's island is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default):
 // the world chooses. _SOFT: contacts and joints are never solved directly, whatever other bodies ask for.
@@ -1320,6 +1332,22 @@ cn_result cn_shape_get_polygon(const cn_world *world, cn_shape shape, cn_polygon
 // Reads a chain's points in the body's frame, offset applied. Writes at most capacity (>= 0); out may be NULL
 // when capacity is 0. *out_count is their number. CN_ERROR_STATE for another type. O(points written).
 cn_result cn_shape_get_chain_points(const cn_world *world, cn_shape shape, cn_vec2 *out, int32_t capacity, int32_t *out_count);
+// Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks of
+// creation: the handle and all other properties stay. Mass and box are those of the new geometry at once;
+// contacts stay unless the boxes no longer overlap, and the next step computes them anew, without the
+// impulses of features that are gone. Wakes the body, touching bodies and bodies that the new box meets. A
+// shape that grows into others is pushed out of them at push_speed_max_mps at most. CN_ERROR_STATE for
+// another type. O(contacts + shapes of the body).
+cn_result cn_shape_set_circle(cn_world *world, cn_shape shape, const cn_circle *circle);
+// Replaces a capsule in place; otherwise as cn_shape_set_circle.
+cn_result cn_shape_set_capsule(cn_world *world, cn_shape shape, const cn_capsule *capsule);
+// Replaces an edge in place; otherwise as cn_shape_set_circle.
+cn_result cn_shape_set_edge(cn_world *world, cn_shape shape, const cn_edge *edge);
+// Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle.
+cn_result cn_shape_set_polygon(cn_world *world, cn_shape shape, const cn_polygon *polygon);
+// Replaces the points of a chain in place, their number too. Its contacts end; those that still overlap begin
+// again in the next step. Otherwise as cn_shape_set_circle. O(contacts + shapes of the body + count).
+cn_result cn_shape_set_chain(cn_world *world, cn_shape shape, const cn_chain *chain);
 // out_inside is 1 if the shape contains a world point in metres (in the shape's own space when unattached),
 // else 0. Edges and chains contain no point. O(points).
 cn_result cn_shape_test_point(const cn_world *world, cn_shape shape, float point_x_m, float point_y_m, int32_t *out_inside);
@@ -1337,7 +1365,9 @@ cn_result cn_polygon_make_box(float half_width_m, float half_height_m, float cen
 // callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved apart, body
 // or shape destroyed, detached or disabled, filter or type changed). The next step reports pairs that end
 // between two steps; their handles may be stale. A sleeping pair reports nothing, and continues when it
-// wakes.
+// wakes. HIT: in some substep a point closed at approach_speed_mps, the greatest of the step, and got an
+// impulse; bodies that pass a blow on to others that already touch them, without closing, have no HIT.
+// Impulses are summed only for contacts that report ENTER (in the step in which they begin), STAY or HIT.
 cn_result cn_world_contact_events(cn_world *world, int32_t kind, const cn_contact_event **out_events, int32_t *out_count);
 // Sets the callback for contact events of one kind (CN_EVENT_*); NULL removes it.
 cn_result cn_world_set_contact_callback(cn_world *world, int32_t kind, cn_contact_event_fn *function, void *user);

@@ -44,6 +44,7 @@ CN_NAME_MAX_BYTES = 63
 CN_PLANES_MAX = 64
 CN_WORKERS_MAX = 64
 CN_MAX_HANDLES = 1048575
+CN_DEFAULT = -1
 CN_OK = 0
 CN_ERROR_ARGUMENT = -1
 CN_ERROR_HANDLE = -2
@@ -171,7 +172,8 @@ CN_EVENT_ENTER = 1
 CN_EVENT_STAY = 2
 CN_EVENT_LEAVE = 3
 CN_EVENT_DESTROYED = 4
-CN_EVENT_KINDS = 5
+CN_EVENT_HIT = 5
+CN_EVENT_KINDS = 6
 CN_JOINT_REVOLUTE = 0
 CN_JOINT_DISTANCE = 1
 CN_JOINT_FIXED = 2
@@ -318,13 +320,13 @@ class cn_world_def(_c.Structure):
         ("solver", _c.c_int32),  # CN_SOLVER_*; default CN_SOLVER_AUTO
         ("broadphase", _c.c_int32),  # CN_BROADPHASE_*; default CN_BROADPHASE_SWEEP
         ("substep_count", _c.c_int32),  # 1 to 64; default 4
-        ("accuracy_m", _c.c_float),  # CN_SOLVER_AUTO aims at errors below this, >= 0; default 0.005 x length unit
+        ("accuracy_m", _c.c_float),  # CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
         ("work_budget", _c.c_int32),  # limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
-        ("restitution_threshold_mps", _c.c_float),  # slower impacts do not bounce, >= 0; default 1 x length unit
-        ("push_speed_max_mps", _c.c_float),  # greatest speed at which overlaps are pushed apart, > 0; default 3 x length unit
-        ("linear_speed_max_mps", _c.c_float),  # faster bodies are slowed to it, > 0; default 400 x length unit
+        ("restitution_threshold_mps", _c.c_float),  # slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
+        ("push_speed_max_mps", _c.c_float),  # greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit
+        ("linear_speed_max_mps", _c.c_float),  # faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
         ("angular_speed_max_radps", _c.c_float),  # faster bodies are slowed to it, > 0; default 400
-        ("sleep_speed_mps", _c.c_float),  # bodies slower than this may sleep, >= 0; default 0.05 x length unit
+        ("sleep_speed_mps", _c.c_float),  # bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit
         ("sleep_delay_s", _c.c_float),  # ... after this time, >= 0; default 0.5
         ("body_capacity", _c.c_int32),  # hints for a growing world, exact for a fixed one; >= 0; default 0
         ("shape_capacity", _c.c_int32),  # counts every edge of a chain
@@ -340,7 +342,7 @@ class cn_world_def(_c.Structure):
         ("finish", cn_finish_fn),  # see cn_finish_fn
         ("task_user", _c.c_void_p),  # last argument of enqueue and finish
         ("worker_count", _c.c_int32),  # threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1: no threads, no tasks
-        ("reserved", _c.c_uint32),
+        ("hit_speed_mps", _c.c_float),  # blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
     ]
 
 
@@ -434,7 +436,7 @@ class cn_body_def(_c.Structure):
         ("linear_damping_per_s", _c.c_float),  # v' = -damping v; >= 0, default 0
         ("angular_damping_per_s", _c.c_float),  # >= 0, default 0
         ("gravity_scale", _c.c_float),  # default 1
-        ("sleep_speed_mps", _c.c_float),  # >= 0; default 0: the world's
+        ("sleep_speed_mps", _c.c_float),  # >= 0; CN_DEFAULT (default): the world's
         ("flags", _c.c_uint32),  # CN_BODY_*; default ENABLED | SLEEP | AWAKE
         ("solver", _c.c_int32),  # as in cn_body_set_solver; default CN_SOLVER_AUTO
         ("user_data", _c.c_uint64),
@@ -476,7 +478,7 @@ class cn_material(_c.Structure):
         ("tangent_speed_mps", _c.c_float),  # conveyor: the surface moves along (normal.y, -normal.x) of its outward normal; [-1e4, 1e4], default 0
         ("friction_mix", _c.c_int32),  # CN_MIX_*; default CN_MIX_GEOMETRIC
         ("restitution_mix", _c.c_int32),  # CN_MIX_*; default CN_MIX_MAXIMUM
-        ("reserved", _c.c_uint32),
+        ("user_id", _c.c_uint32),  # a number for the user, reported in contact events; default 0
     ]
 
 
@@ -581,8 +583,13 @@ class cn_contact_event(_c.Structure):
         ("child_b", _c.c_int32),  # the same of shape b
         ("contact_id", _c.c_uint32),  # the same from CREATED to DESTROYED, then reused
         ("kind", _c.c_int32),  # CN_EVENT_*
-        ("approach_speed_mps", _c.c_float),  # ENTER: closing speed along the normal before the impact; else 0
-        ("manifold", cn_manifold),  # geometry at the step's beginning, impulses at its end; points only for ENTER and STAY
+        ("approach_speed_mps", _c.c_float),  # ENTER: closing speed along the normal before the impact; HIT: of the blow; else 0
+        ("manifold", cn_manifold),  # geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT
+        ("normal_impulse_Ns", _c.c_float),  # Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s
+        ("friction_impulse_Ns", _c.c_float),  # along (normal.y, -normal.x), on body b
+        ("hit_point_m", cn_vec2),  # HIT: where, in the world; else (0, 0)
+        ("material_a", _c.c_uint32),  # cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED
+        ("material_b", _c.c_uint32),
     ]
 
 
@@ -1115,7 +1122,7 @@ cn_sizeof = _function(
 cn_world_def_init = _function(
     "cn_world_def_init",
     """Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with the
-    length unit are stored as 0, which cn_world_create resolves.""",
+    length unit are stored as CN_DEFAULT, which cn_world_create resolves.""",
     None, _c.POINTER(cn_world_def),
 )
 cn_world_def_check = _function(
@@ -1189,13 +1196,12 @@ cn_world_get_solver = _function(
 )
 cn_world_set_accuracy = _function(
     "cn_world_set_accuracy",
-    """Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no
-    limit.""",
+    """Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit.""",
     cn_result, _c.POINTER(cn_world), _c.c_float, _c.c_int32,
 )
 cn_world_get_accuracy = _function(
     "cn_world_get_accuracy",
-    """Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.""",
+    """Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.""",
     cn_result, _c.POINTER(cn_world), _c.POINTER(_c.c_float), _c.POINTER(_c.c_int32),
 )
 cn_world_get_worker_count = _function(
@@ -1216,6 +1222,11 @@ cn_world_get_flags = _function(
 cn_world_set_restitution_threshold = _function(
     "cn_world_set_restitution_threshold",
     """Impacts slower than this, in m/s, do not bounce; >= 0.""",
+    cn_result, _c.POINTER(cn_world), _c.c_float,
+)
+cn_world_set_hit_speed = _function(
+    "cn_world_set_hit_speed",
+    """Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; >= 0.""",
     cn_result, _c.POINTER(cn_world), _c.c_float,
 )
 cn_world_set_speed_limits = _function(
@@ -1571,7 +1582,7 @@ cn_body_get_gravity_scale = _function(
 )
 cn_body_set_sleep_speed = _function(
     "cn_body_set_sleep_speed",
-    """Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's.""",
+    """Sets the body's own sleep speed in m/s, >= 0; CN_DEFAULT restores the world's.""",
     cn_result, _c.POINTER(cn_world), cn_body, _c.c_float,
 )
 cn_body_set_solver = _function(
@@ -1820,6 +1831,37 @@ cn_shape_get_chain_points = _function(
     NULL when capacity is 0. *out_count is their number. CN_ERROR_STATE for another type. O(points written).""",
     cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_vec2), _c.c_int32, _c.POINTER(_c.c_int32),
 )
+cn_shape_set_circle = _function(
+    "cn_shape_set_circle",
+    """Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks of
+    creation: the handle and all other properties stay. Mass and box are those of the new geometry at once;
+    contacts stay unless the boxes no longer overlap, and the next step computes them anew, without the
+    impulses of features that are gone. Wakes the body, touching bodies and bodies that the new box meets. A
+    shape that grows into others is pushed out of them at push_speed_max_mps at most. CN_ERROR_STATE for
+    another type. O(contacts + shapes of the body).""",
+    cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_circle),
+)
+cn_shape_set_capsule = _function(
+    "cn_shape_set_capsule",
+    """Replaces a capsule in place; otherwise as cn_shape_set_circle.""",
+    cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_capsule),
+)
+cn_shape_set_edge = _function(
+    "cn_shape_set_edge",
+    """Replaces an edge in place; otherwise as cn_shape_set_circle.""",
+    cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_edge),
+)
+cn_shape_set_polygon = _function(
+    "cn_shape_set_polygon",
+    """Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle.""",
+    cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_polygon),
+)
+cn_shape_set_chain = _function(
+    "cn_shape_set_chain",
+    """Replaces the points of a chain in place, their number too. Its contacts end; those that still overlap
+    begin again in the next step. Otherwise as cn_shape_set_circle. O(contacts + shapes of the body + count).""",
+    cn_result, _c.POINTER(cn_world), cn_shape, _c.POINTER(cn_chain),
+)
 cn_shape_test_point = _function(
     "cn_shape_test_point",
     """out_inside is 1 if the shape contains a world point in metres (in the shape's own space when unattached),
@@ -1848,7 +1890,9 @@ cn_world_contact_events = _function(
     callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved apart,
     body or shape destroyed, detached or disabled, filter or type changed). The next step reports pairs that
     end between two steps; their handles may be stale. A sleeping pair reports nothing, and continues when it
-    wakes.""",
+    wakes. HIT: in some substep a point closed at approach_speed_mps, the greatest of the step, and got an
+    impulse; bodies that pass a blow on to others that already touch them, without closing, have no HIT.
+    Impulses are summed only for contacts that report ENTER (in the step in which they begin), STAY or HIT.""",
     cn_result, _c.POINTER(cn_world), _c.c_int32, _c.POINTER(_c.POINTER(cn_contact_event)), _c.POINTER(_c.c_int32),
 )
 cn_world_set_contact_callback = _function(
@@ -2995,12 +3039,12 @@ class World:
         return _solver.value
 
     def set_accuracy(self, accuracy_m, work_budget):
-        """Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no
+        """Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
         limit."""
         _check(cn_world_set_accuracy(self.pointer, accuracy_m, work_budget), self.pointer)
 
     def get_accuracy(self):
-        """Reads the accuracy in metres (the resolved default where 0 was set) and the work budget."""
+        """Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget."""
         _accuracy_m = _c.c_float()
         _work_budget = _c.c_int32()
         _check(cn_world_get_accuracy(self.pointer, _accuracy_m, _work_budget))
@@ -3025,6 +3069,10 @@ class World:
     def set_restitution_threshold(self, speed_mps):
         """Impacts slower than this, in m/s, do not bounce; >= 0."""
         _check(cn_world_set_restitution_threshold(self.pointer, speed_mps), self.pointer)
+
+    def set_hit_speed(self, speed_mps):
+        """Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; >= 0."""
+        _check(cn_world_set_hit_speed(self.pointer, speed_mps), self.pointer)
 
     def set_speed_limits(self, linear_mps, angular_radps):
         """Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows faster
@@ -3360,7 +3408,7 @@ class World:
         return _scale.value
 
     def body_set_sleep_speed(self, body, speed_mps):
-        """Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's."""
+        """Sets the body's own sleep speed in m/s, >= 0; CN_DEFAULT restores the world's."""
         _check(cn_body_set_sleep_speed(self.pointer, body, speed_mps), self.pointer)
 
     def body_set_solver(self, body, solver):
@@ -3638,6 +3686,33 @@ class World:
         _check(cn_shape_get_chain_points(self.pointer, shape, out, count, count))
         return out
 
+    def shape_set_circle(self, shape, circle):
+        """Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks
+        of creation: the handle and all other properties stay. Mass and box are those of the new geometry at
+        once; contacts stay unless the boxes no longer overlap, and the next step computes them anew, without
+        the impulses of features that are gone. Wakes the body, touching bodies and bodies that the new box
+        meets. A shape that grows into others is pushed out of them at push_speed_max_mps at most.
+        CN_ERROR_STATE for another type. O(contacts + shapes of the body)."""
+        _check(cn_shape_set_circle(self.pointer, shape, circle), self.pointer)
+
+    def shape_set_capsule(self, shape, capsule):
+        """Replaces a capsule in place; otherwise as cn_shape_set_circle."""
+        _check(cn_shape_set_capsule(self.pointer, shape, capsule), self.pointer)
+
+    def shape_set_edge(self, shape, edge):
+        """Replaces an edge in place; otherwise as cn_shape_set_circle."""
+        _check(cn_shape_set_edge(self.pointer, shape, edge), self.pointer)
+
+    def shape_set_polygon(self, shape, polygon):
+        """Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle."""
+        _check(cn_shape_set_polygon(self.pointer, shape, polygon), self.pointer)
+
+    def shape_set_chain(self, shape, chain):
+        """Replaces the points of a chain in place, their number too. Its contacts end; those that still overlap
+        begin again in the next step. Otherwise as cn_shape_set_circle. O(contacts + shapes of the body +
+        count)."""
+        _check(cn_shape_set_chain(self.pointer, shape, chain), self.pointer)
+
     def shape_test_point(self, shape, point_x_m, point_y_m):
         """out_inside is 1 if the shape contains a world point in metres (in the shape's own space when
         unattached), else 0. Edges and chains contain no point. O(points)."""
@@ -3651,7 +3726,10 @@ class World:
         inside callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved
         apart, body or shape destroyed, detached or disabled, filter or type changed). The next step reports
         pairs that end between two steps; their handles may be stale. A sleeping pair reports nothing, and
-        continues when it wakes."""
+        continues when it wakes. HIT: in some substep a point closed at approach_speed_mps, the greatest of
+        the step, and got an impulse; bodies that pass a blow on to others that already touch them, without
+        closing, have no HIT. Impulses are summed only for contacts that report ENTER (in the step in which
+        they begin), STAY or HIT."""
         data, count = _c.POINTER(cn_contact_event)(), _c.c_int32()
         _check(cn_world_contact_events(self.pointer, kind, data, count), self.pointer)
         return _copy(cn_contact_event, data, count.value)

@@ -17,6 +17,7 @@ cn_result cnr_world_set_solver(cn_world *world, int32_t solver);
 cn_result cnr_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_budget);
 cn_result cnr_world_set_flags(cn_world *world, uint32_t flags);
 cn_result cnr_world_set_restitution_threshold(cn_world *world, float speed_mps);
+cn_result cnr_world_set_hit_speed(cn_world *world, float speed_mps);
 cn_result cnr_world_set_speed_limits(cn_world *world, float linear_mps, float angular_radps);
 cn_result cnr_world_set_sleep(cn_world *world, float speed_mps, float delay_s);
 cn_result cnr_world_set_user_data(cn_world *world, uint64_t user_data);
@@ -61,6 +62,11 @@ cn_result cnr_shape_set_filter(cn_world *world, cn_shape shape, const cn_filter 
 cn_result cnr_shape_set_event_mask(cn_world *world, cn_shape shape, uint32_t event_mask);
 cn_result cnr_shape_set_flags(cn_world *world, cn_shape shape, uint32_t flags);
 cn_result cnr_shape_set_user_data(cn_world *world, cn_shape shape, uint64_t user_data);
+cn_result cnr_shape_set_circle(cn_world *world, cn_shape shape, const cn_circle *circle);
+cn_result cnr_shape_set_capsule(cn_world *world, cn_shape shape, const cn_capsule *capsule);
+cn_result cnr_shape_set_edge(cn_world *world, cn_shape shape, const cn_edge *edge);
+cn_result cnr_shape_set_polygon(cn_world *world, cn_shape shape, const cn_polygon *polygon);
+cn_result cnr_shape_set_chain(cn_world *world, cn_shape shape, const cn_chain *chain);
 cn_result cnr_joint_create_revolute(cn_world *world, const cn_revolute_def *def, cn_joint *out_joint);
 cn_result cnr_joint_create_distance(cn_world *world, const cn_distance_def *def, cn_joint *out_joint);
 cn_result cnr_joint_create_fixed(cn_world *world, const cn_fixed_def *def, cn_joint *out_joint);
@@ -114,6 +120,7 @@ cn_result cnr_world_explode(cn_world *world, const cn_explosion_def *def);
 #define cn_world_set_accuracy cnr_world_set_accuracy
 #define cn_world_set_flags cnr_world_set_flags
 #define cn_world_set_restitution_threshold cnr_world_set_restitution_threshold
+#define cn_world_set_hit_speed cnr_world_set_hit_speed
 #define cn_world_set_speed_limits cnr_world_set_speed_limits
 #define cn_world_set_sleep cnr_world_set_sleep
 #define cn_world_set_user_data cnr_world_set_user_data
@@ -158,6 +165,11 @@ cn_result cnr_world_explode(cn_world *world, const cn_explosion_def *def);
 #define cn_shape_set_event_mask cnr_shape_set_event_mask
 #define cn_shape_set_flags cnr_shape_set_flags
 #define cn_shape_set_user_data cnr_shape_set_user_data
+#define cn_shape_set_circle cnr_shape_set_circle
+#define cn_shape_set_capsule cnr_shape_set_capsule
+#define cn_shape_set_edge cnr_shape_set_edge
+#define cn_shape_set_polygon cnr_shape_set_polygon
+#define cn_shape_set_chain cnr_shape_set_chain
 #define cn_joint_create_revolute cnr_joint_create_revolute
 #define cn_joint_create_distance cnr_joint_create_distance
 #define cn_joint_create_fixed cnr_joint_create_fixed

@@ -42,7 +42,7 @@ static const call_field fields_cn_shape_def[] = {
 	{ "material.tangent_speed_mps", (uint32_t)offsetof(cn_shape_def, material.tangent_speed_mps), 1, CALL_FLOAT },
 	{ "material.friction_mix", (uint32_t)offsetof(cn_shape_def, material.friction_mix), 1, CALL_INT },
 	{ "material.restitution_mix", (uint32_t)offsetof(cn_shape_def, material.restitution_mix), 1, CALL_INT },
-	{ "material.reserved", (uint32_t)offsetof(cn_shape_def, material.reserved), 1, CALL_WORD },
+	{ "material.user_id", (uint32_t)offsetof(cn_shape_def, material.user_id), 1, CALL_WORD },
 	{ "filter.category", (uint32_t)offsetof(cn_shape_def, filter.category), 1, CALL_LONG },
 	{ "filter.mask", (uint32_t)offsetof(cn_shape_def, filter.mask), 1, CALL_LONG },
 	{ "filter.group", (uint32_t)offsetof(cn_shape_def, filter.group), 1, CALL_INT },
@@ -118,7 +118,7 @@ static const call_field fields_cn_material[] = {
 	{ "tangent_speed_mps", (uint32_t)offsetof(cn_material, tangent_speed_mps), 1, CALL_FLOAT },
 	{ "friction_mix", (uint32_t)offsetof(cn_material, friction_mix), 1, CALL_INT },
 	{ "restitution_mix", (uint32_t)offsetof(cn_material, restitution_mix), 1, CALL_INT },
-	{ "reserved", (uint32_t)offsetof(cn_material, reserved), 1, CALL_WORD },
+	{ "user_id", (uint32_t)offsetof(cn_material, user_id), 1, CALL_WORD },
 };
 static const call_field fields_cn_filter[] = {
 	{ "category", (uint32_t)offsetof(cn_filter, category), 1, CALL_LONG },
@@ -649,6 +649,13 @@ static cn_result invoke_cn_world_set_restitution_threshold(cn_world *world, cons
 static const call_param params_cn_world_set_restitution_threshold[] = {
 	{ "speed_mps", CALL_FLOAT, CALL_FLOAT, -1, -1 },
 };
+static cn_result invoke_cn_world_set_hit_speed(cn_world *world, const call_value *v)
+{
+	return cn_world_set_hit_speed(world, v[0].f);
+}
+static const call_param params_cn_world_set_hit_speed[] = {
+	{ "speed_mps", CALL_FLOAT, CALL_FLOAT, -1, -1 },
+};
 static cn_result invoke_cn_world_set_speed_limits(cn_world *world, const call_value *v)
 {
 	return cn_world_set_speed_limits(world, v[0].f, v[1].f);
@@ -1022,6 +1029,46 @@ static const call_param params_cn_shape_set_user_data[] = {
 	{ "shape", CALL_SHAPE, CALL_SHAPE, -1, -1 },
 	{ "user_data", CALL_LONG, CALL_LONG, -1, -1 },
 };
+static cn_result invoke_cn_shape_set_circle(cn_world *world, const call_value *v)
+{
+	return cn_shape_set_circle(world, v[0].w, (const cn_circle *)v[1].in);
+}
+static const call_param params_cn_shape_set_circle[] = {
+	{ "shape", CALL_SHAPE, CALL_SHAPE, -1, -1 },
+	{ "circle", CALL_STRUCT, CALL_WORD, 4, -1 },
+};
+static cn_result invoke_cn_shape_set_capsule(cn_world *world, const call_value *v)
+{
+	return cn_shape_set_capsule(world, v[0].w, (const cn_capsule *)v[1].in);
+}
+static const call_param params_cn_shape_set_capsule[] = {
+	{ "shape", CALL_SHAPE, CALL_SHAPE, -1, -1 },
+	{ "capsule", CALL_STRUCT, CALL_WORD, 5, -1 },
+};
+static cn_result invoke_cn_shape_set_edge(cn_world *world, const call_value *v)
+{
+	return cn_shape_set_edge(world, v[0].w, (const cn_edge *)v[1].in);
+}
+static const call_param params_cn_shape_set_edge[] = {
+	{ "shape", CALL_SHAPE, CALL_SHAPE, -1, -1 },
+	{ "edge", CALL_STRUCT, CALL_WORD, 6, -1 },
+};
+static cn_result invoke_cn_shape_set_polygon(cn_world *world, const call_value *v)
+{
+	return cn_shape_set_polygon(world, v[0].w, (const cn_polygon *)v[1].in);
+}
+static const call_param params_cn_shape_set_polygon[] = {
+	{ "shape", CALL_SHAPE, CALL_SHAPE, -1, -1 },
+	{ "polygon", CALL_STRUCT, CALL_WORD, 7, -1 },
+};
+static cn_result invoke_cn_shape_set_chain(cn_world *world, const call_value *v)
+{
+	return cn_shape_set_chain(world, v[0].w, (const cn_chain *)v[1].in);
+}
+static const call_param params_cn_shape_set_chain[] = {
+	{ "shape", CALL_SHAPE, CALL_SHAPE, -1, -1 },
+	{ "chain", CALL_STRUCT, CALL_WORD, 8, -1 },
+};
 static cn_result invoke_cn_joint_create_revolute(cn_world *world, const call_value *v)
 {
 	return cn_joint_create_revolute(world, (const cn_revolute_def *)v[0].in, (cn_joint *)v[1].out);
@@ -1368,6 +1415,7 @@ const call_entry call_entries[] = {
 	{ "cn_world_set_accuracy", invoke_cn_world_set_accuracy, params_cn_world_set_accuracy, 2 },
 	{ "cn_world_set_flags", invoke_cn_world_set_flags, params_cn_world_set_flags, 1 },
 	{ "cn_world_set_restitution_threshold", invoke_cn_world_set_restitution_threshold, params_cn_world_set_restitution_threshold, 1 },
+	{ "cn_world_set_hit_speed", invoke_cn_world_set_hit_speed, params_cn_world_set_hit_speed, 1 },
 	{ "cn_world_set_speed_limits", invoke_cn_world_set_speed_limits, params_cn_world_set_speed_limits, 2 },
 	{ "cn_world_set_sleep", invoke_cn_world_set_sleep, params_cn_world_set_sleep, 2 },
 	{ "cn_world_set_user_data", invoke_cn_world_set_user_data, params_cn_world_set_user_data, 1 },
@@ -1412,6 +1460,11 @@ const call_entry call_entries[] = {
 	{ "cn_shape_set_event_mask", invoke_cn_shape_set_event_mask, params_cn_shape_set_event_mask, 2 },
 	{ "cn_shape_set_flags", invoke_cn_shape_set_flags, params_cn_shape_set_flags, 2 },
 	{ "cn_shape_set_user_data", invoke_cn_shape_set_user_data, params_cn_shape_set_user_data, 2 },
+	{ "cn_shape_set_circle", invoke_cn_shape_set_circle, params_cn_shape_set_circle, 2 },
+	{ "cn_shape_set_capsule", invoke_cn_shape_set_capsule, params_cn_shape_set_capsule, 2 },
+	{ "cn_shape_set_edge", invoke_cn_shape_set_edge, params_cn_shape_set_edge, 2 },
+	{ "cn_shape_set_polygon", invoke_cn_shape_set_polygon, params_cn_shape_set_polygon, 2 },
+	{ "cn_shape_set_chain", invoke_cn_shape_set_chain, params_cn_shape_set_chain, 2 },
 	{ "cn_joint_create_revolute", invoke_cn_joint_create_revolute, params_cn_joint_create_revolute, 2 },
 	{ "cn_joint_create_distance", invoke_cn_joint_create_distance, params_cn_joint_create_distance, 2 },
 	{ "cn_joint_create_fixed", invoke_cn_joint_create_fixed, params_cn_joint_create_fixed, 2 },

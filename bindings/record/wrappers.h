@@ -50,12 +50,19 @@ cn_result cnr_world_set_restitution_threshold(cn_world *world, float speed_mps)
 	return record_call(world, 6, v);
 }
 
+cn_result cnr_world_set_hit_speed(cn_world *world, float speed_mps)
+{
+	call_value v[1];
+	v[0].f = speed_mps;
+	return record_call(world, 7, v);
+}
+
 cn_result cnr_world_set_speed_limits(cn_world *world, float linear_mps, float angular_radps)
 {
 	call_value v[2];
 	v[0].f = linear_mps;
 	v[1].f = angular_radps;
-	return record_call(world, 7, v);
+	return record_call(world, 8, v);
 }
 
 cn_result cnr_world_set_sleep(cn_world *world, float speed_mps, float delay_s)
@@ -63,14 +70,14 @@ cn_result cnr_world_set_sleep(cn_world *world, float speed_mps, float delay_s)
 	call_value v[2];
 	v[0].f = speed_mps;
 	v[1].f = delay_s;
-	return record_call(world, 8, v);
+	return record_call(world, 9, v);
 }
 
 cn_result cnr_world_set_user_data(cn_world *world, uint64_t user_data)
 {
 	call_value v[1];
 	v[0].l = user_data;
-	return record_call(world, 9, v);
+	return record_call(world, 10, v);
 }
 
 cn_result cnr_world_shift_origin(cn_world *world, float x_m, float y_m)
@@ -78,7 +85,7 @@ cn_result cnr_world_shift_origin(cn_world *world, float x_m, float y_m)
 	call_value v[2];
 	v[0].f = x_m;
 	v[1].f = y_m;
-	return record_call(world, 10, v);
+	return record_call(world, 11, v);
 }
 
 cn_result cnr_body_create(cn_world *world, const cn_body_def *def, cn_body *out_body)
@@ -86,7 +93,7 @@ cn_result cnr_body_create(cn_world *world, const cn_body_def *def, cn_body *out_
 	call_value v[2];
 	v[0].in = def;
 	v[1].out = out_body;
-	return record_call(world, 11, v);
+	return record_call(world, 12, v);
 }
 
 cn_result cnr_body_create_many(cn_world *world, const cn_body_def *defs, int32_t count, cn_body *out_bodies)
@@ -95,14 +102,14 @@ cn_result cnr_body_create_many(cn_world *world, const cn_body_def *defs, int32_t
 	v[0].in = defs;
 	v[1].i = count;
 	v[2].out = out_bodies;
-	return record_call(world, 12, v);
+	return record_call(world, 13, v);
 }
 
 cn_result cnr_body_destroy(cn_world *world, cn_body body)
 {
 	call_value v[1];
 	v[0].w = body;
-	return record_call(world, 13, v);
+	return record_call(world, 14, v);
 }
 
 cn_result cnr_body_destroy_many(cn_world *world, const cn_body *bodies, int32_t count)
@@ -110,7 +117,7 @@ cn_result cnr_body_destroy_many(cn_world *world, const cn_body *bodies, int32_t 
 	call_value v[2];
 	v[0].in = bodies;
 	v[1].i = count;
-	return record_call(world, 14, v);
+	return record_call(world, 15, v);
 }
 
 cn_result cnr_body_set_type(cn_world *world, cn_body body, int32_t type)
@@ -118,7 +125,7 @@ cn_result cnr_body_set_type(cn_world *world, cn_body body, int32_t type)
 	call_value v[2];
 	v[0].w = body;
 	v[1].i = type;
-	return record_call(world, 15, v);
+	return record_call(world, 16, v);
 }
 
 cn_result cnr_body_set_flags(cn_world *world, cn_body body, uint32_t flags)
@@ -126,7 +133,7 @@ cn_result cnr_body_set_flags(cn_world *world, cn_body body, uint32_t flags)
 	call_value v[2];
 	v[0].w = body;
 	v[1].w = flags;
-	return record_call(world, 16, v);
+	return record_call(world, 17, v);
 }
 
 cn_result cnr_body_set_awake(cn_world *world, cn_body body, int32_t awake)
@@ -134,7 +141,7 @@ cn_result cnr_body_set_awake(cn_world *world, cn_body body, int32_t awake)
 	call_value v[2];
 	v[0].w = body;
 	v[1].i = awake;
-	return record_call(world, 17, v);
+	return record_call(world, 18, v);
 }
 
 cn_result cnr_body_set_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad)
@@ -144,7 +151,7 @@ cn_result cnr_body_set_pose(cn_world *world, cn_body body, float position_x_m, f
 	v[1].f = position_x_m;
 	v[2].f = position_y_m;
 	v[3].f = angle_rad;
-	return record_call(world, 18, v);
+	return record_call(world, 19, v);
 }
 
 cn_result cnr_body_set_velocity(cn_world *world, cn_body body, float linear_x_mps, float linear_y_mps, float angular_radps)
@@ -154,7 +161,7 @@ cn_result cnr_body_set_velocity(cn_world *world, cn_body body, float linear_x_mp
 	v[1].f = linear_x_mps;
 	v[2].f = linear_y_mps;
 	v[3].f = angular_radps;
-	return record_call(world, 19, v);
+	return record_call(world, 20, v);
 }
 
 cn_result cnr_body_set_target_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad, float dt_s)
@@ -165,7 +172,7 @@ cn_result cnr_body_set_target_pose(cn_world *world, cn_body body, float position
 	v[2].f = position_y_m;
 	v[3].f = angle_rad;
 	v[4].f = dt_s;
-	return record_call(world, 20, v);
+	return record_call(world, 21, v);
 }
 
 cn_result cnr_body_apply_force(cn_world *world, cn_body body, float force_x_N, float force_y_N)
@@ -174,7 +181,7 @@ cn_result cnr_body_apply_force(cn_world *world, cn_body body, float force_x_N, f
 	v[0].w = body;
 	v[1].f = force_x_N;
 	v[2].f = force_y_N;
-	return record_call(world, 21, v);
+	return record_call(world, 22, v);
 }
 
 cn_result cnr_body_apply_force_at(cn_world *world, cn_body body, float force_x_N, float force_y_N, float point_x_m, float point_y_m)
@@ -185,7 +192,7 @@ cn_result cnr_body_apply_force_at(cn_world *world, cn_body body, float force_x_N
 	v[2].f = force_y_N;
 	v[3].f = point_x_m;
 	v[4].f = point_y_m;
-	return record_call(world, 22, v);
+	return record_call(world, 23, v);
 }
 
 cn_result cnr_body_apply_torque(cn_world *world, cn_body body, float torque_Nm)
@@ -193,7 +200,7 @@ cn_result cnr_body_apply_torque(cn_world *world, cn_body body, float torque_Nm)
 	call_value v[2];
 	v[0].w = body;
 	v[1].f = torque_Nm;
-	return record_call(world, 23, v);
+	return record_call(world, 24, v);
 }
 
 cn_result cnr_body_apply_impulse(cn_world *world, cn_body body, float impulse_x_Ns, float impulse_y_Ns)
@@ -202,7 +209,7 @@ cn_result cnr_body_apply_impulse(cn_world *world, cn_body body, float impulse_x_
 	v[0].w = body;
 	v[1].f = impulse_x_Ns;
 	v[2].f = impulse_y_Ns;
-	return record_call(world, 24, v);
+	return record_call(world, 25, v);
 }
 
 cn_result cnr_body_apply_impulse_at(cn_world *world, cn_body body, float impulse_x_Ns, float impulse_y_Ns, float point_x_m, float point_y_m)
@@ -213,7 +220,7 @@ cn_result cnr_body_apply_impulse_at(cn_world *world, cn_body body, float impulse
 	v[2].f = impulse_y_Ns;
 	v[3].f = point_x_m;
 	v[4].f = point_y_m;
-	return record_call(world, 25, v);
+	return record_call(world, 26, v);
 }
 
 cn_result cnr_body_apply_angular_impulse(cn_world *world, cn_body body, float impulse_Nms)
@@ -221,7 +228,7 @@ cn_result cnr_body_apply_angular_impulse(cn_world *world, cn_body body, float im
 	call_value v[2];
 	v[0].w = body;
 	v[1].f = impulse_Nms;
-	return record_call(world, 26, v);
+	return record_call(world, 27, v);
 }
 
 cn_result cnr_body_set_mass_data(cn_world *world, cn_body body, const cn_mass_data *mass)
@@ -229,14 +236,14 @@ cn_result cnr_body_set_mass_data(cn_world *world, cn_body body, const cn_mass_da
 	call_value v[2];
 	v[0].w = body;
 	v[1].in = mass;
-	return record_call(world, 27, v);
+	return record_call(world, 28, v);
 }
 
 cn_result cnr_body_reset_mass_data(cn_world *world, cn_body body)
 {
 	call_value v[1];
 	v[0].w = body;
-	return record_call(world, 28, v);
+	return record_call(world, 29, v);
 }
 
 cn_result cnr_body_set_damping(cn_world *world, cn_body body, float linear_per_s, float angular_per_s)
@@ -245,7 +252,7 @@ cn_result cnr_body_set_damping(cn_world *world, cn_body body, float linear_per_s
 	v[0].w = body;
 	v[1].f = linear_per_s;
 	v[2].f = angular_per_s;
-	return record_call(world, 29, v);
+	return record_call(world, 30, v);
 }
 
 cn_result cnr_body_set_gravity_scale(cn_world *world, cn_body body, float scale)
@@ -253,7 +260,7 @@ cn_result cnr_body_set_gravity_scale(cn_world *world, cn_body body, float scale)
 	call_value v[2];
 	v[0].w = body;
 	v[1].f = scale;
-	return record_call(world, 30, v);
+	return record_call(world, 31, v);
 }
 
 cn_result cnr_body_set_sleep_speed(cn_world *world, cn_body body, float speed_mps)
@@ -261,7 +268,7 @@ cn_result cnr_body_set_sleep_speed(cn_world *world, cn_body body, float speed_mp
 	call_value v[2];
 	v[0].w = body;
 	v[1].f = speed_mps;
-	return record_call(world, 31, v);
+	return record_call(world, 32, v);
 }
 
 cn_result cnr_body_set_solver(cn_world *world, cn_body body, int32_t solver)
@@ -269,7 +276,7 @@ cn_result cnr_body_set_solver(cn_world *world, cn_body body, int32_t solver)
 	call_value v[2];
 	v[0].w = body;
 	v[1].i = solver;
-	return record_call(world, 32, v);
+	return record_call(world, 33, v);
 }
 
 cn_result cnr_body_set_user_data(cn_world *world, cn_body body, uint64_t user_data)
@@ -277,7 +284,7 @@ cn_result cnr_body_set_user_data(cn_world *world, cn_body body, uint64_t user_da
 	call_value v[2];
 	v[0].w = body;
 	v[1].l = user_data;
-	return record_call(world, 33, v);
+	return record_call(world, 34, v);
 }
 
 cn_result cnr_body_set_name(cn_world *world, cn_body body, const char *name)
@@ -285,7 +292,7 @@ cn_result cnr_body_set_name(cn_world *world, cn_body body, const char *name)
 	call_value v[2];
 	v[0].w = body;
 	v[1].in = name;
-	return record_call(world, 34, v);
+	return record_call(world, 35, v);
 }
 
 cn_result cnr_world_write_velocities(cn_world *world, const cn_body *bodies, int32_t count, const cn_velocity *velocities)
@@ -294,7 +301,7 @@ cn_result cnr_world_write_velocities(cn_world *world, const cn_body *bodies, int
 	v[0].in = bodies;
 	v[1].i = count;
 	v[2].in = velocities;
-	return record_call(world, 35, v);
+	return record_call(world, 36, v);
 }
 
 cn_result cnr_shape_create_circle(cn_world *world, const cn_shape_def *def, const cn_circle *circle, cn_shape *out_shape)
@@ -303,7 +310,7 @@ cn_result cnr_shape_create_circle(cn_world *world, const cn_shape_def *def, cons
 	v[0].in = def;
 	v[1].in = circle;
 	v[2].out = out_shape;
-	return record_call(world, 36, v);
+	return record_call(world, 37, v);
 }
 
 cn_result cnr_shape_create_capsule(cn_world *world, const cn_shape_def *def, const cn_capsule *capsule, cn_shape *out_shape)
@@ -312,7 +319,7 @@ cn_result cnr_shape_create_capsule(cn_world *world, const cn_shape_def *def, con
 	v[0].in = def;
 	v[1].in = capsule;
 	v[2].out = out_shape;
-	return record_call(world, 37, v);
+	return record_call(world, 38, v);
 }
 
 cn_result cnr_shape_create_edge(cn_world *world, const cn_shape_def *def, const cn_edge *edge, cn_shape *out_shape)
@@ -321,7 +328,7 @@ cn_result cnr_shape_create_edge(cn_world *world, const cn_shape_def *def, const 
 	v[0].in = def;
 	v[1].in = edge;
 	v[2].out = out_shape;
-	return record_call(world, 38, v);
+	return record_call(world, 39, v);
 }
 
 cn_result cnr_shape_create_polygon(cn_world *world, const cn_shape_def *def, const cn_polygon *polygon, cn_shape *out_shape)
@@ -330,7 +337,7 @@ cn_result cnr_shape_create_polygon(cn_world *world, const cn_shape_def *def, con
 	v[0].in = def;
 	v[1].in = polygon;
 	v[2].out = out_shape;
-	return record_call(world, 39, v);
+	return record_call(world, 40, v);
 }
 
 cn_result cnr_shape_create_box(cn_world *world, const cn_shape_def *def, float half_width_m, float half_height_m, float radius_m, cn_shape *out_shape)
@@ -341,7 +348,7 @@ cn_result cnr_shape_create_box(cn_world *world, const cn_shape_def *def, float h
 	v[2].f = half_height_m;
 	v[3].f = radius_m;
 	v[4].out = out_shape;
-	return record_call(world, 40, v);
+	return record_call(world, 41, v);
 }
 
 cn_result cnr_shape_create_chain(cn_world *world, const cn_shape_def *def, const cn_chain *chain, cn_shape *out_shape)
@@ -350,7 +357,7 @@ cn_result cnr_shape_create_chain(cn_world *world, const cn_shape_def *def, const
 	v[0].in = def;
 	v[1].in = chain;
 	v[2].out = out_shape;
-	return record_call(world, 41, v);
+	return record_call(world, 42, v);
 }
 
 cn_result cnr_shape_attach(cn_world *world, cn_shape shape, cn_body body)
@@ -358,21 +365,21 @@ cn_result cnr_shape_attach(cn_world *world, cn_shape shape, cn_body body)
 	call_value v[2];
 	v[0].w = shape;
 	v[1].w = body;
-	return record_call(world, 42, v);
+	return record_call(world, 43, v);
 }
 
 cn_result cnr_shape_detach(cn_world *world, cn_shape shape)
 {
 	call_value v[1];
 	v[0].w = shape;
-	return record_call(world, 43, v);
+	return record_call(world, 44, v);
 }
 
 cn_result cnr_shape_destroy(cn_world *world, cn_shape shape)
 {
 	call_value v[1];
 	v[0].w = shape;
-	return record_call(world, 44, v);
+	return record_call(world, 45, v);
 }
 
 cn_result cnr_shape_set_material(cn_world *world, cn_shape shape, const cn_material *material)
@@ -380,7 +387,7 @@ cn_result cnr_shape_set_material(cn_world *world, cn_shape shape, const cn_mater
 	call_value v[2];
 	v[0].w = shape;
 	v[1].in = material;
-	return record_call(world, 45, v);
+	return record_call(world, 46, v);
 }
 
 cn_result cnr_shape_set_density(cn_world *world, cn_shape shape, float density_kgpm2)
@@ -388,7 +395,7 @@ cn_result cnr_shape_set_density(cn_world *world, cn_shape shape, float density_k
 	call_value v[2];
 	v[0].w = shape;
 	v[1].f = density_kgpm2;
-	return record_call(world, 46, v);
+	return record_call(world, 47, v);
 }
 
 cn_result cnr_shape_set_filter(cn_world *world, cn_shape shape, const cn_filter *filter)
@@ -396,7 +403,7 @@ cn_result cnr_shape_set_filter(cn_world *world, cn_shape shape, const cn_filter 
 	call_value v[2];
 	v[0].w = shape;
 	v[1].in = filter;
-	return record_call(world, 47, v);
+	return record_call(world, 48, v);
 }
 
 cn_result cnr_shape_set_event_mask(cn_world *world, cn_shape shape, uint32_t event_mask)
@@ -404,7 +411,7 @@ cn_result cnr_shape_set_event_mask(cn_world *world, cn_shape shape, uint32_t eve
 	call_value v[2];
 	v[0].w = shape;
 	v[1].w = event_mask;
-	return record_call(world, 48, v);
+	return record_call(world, 49, v);
 }
 
 cn_result cnr_shape_set_flags(cn_world *world, cn_shape shape, uint32_t flags)
@@ -412,7 +419,7 @@ cn_result cnr_shape_set_flags(cn_world *world, cn_shape shape, uint32_t flags)
 	call_value v[2];
 	v[0].w = shape;
 	v[1].w = flags;
-	return record_call(world, 49, v);
+	return record_call(world, 50, v);
 }
 
 cn_result cnr_shape_set_user_data(cn_world *world, cn_shape shape, uint64_t user_data)
@@ -420,7 +427,47 @@ cn_result cnr_shape_set_user_data(cn_world *world, cn_shape shape, uint64_t user
 	call_value v[2];
 	v[0].w = shape;
 	v[1].l = user_data;
-	return record_call(world, 50, v);
+	return record_call(world, 51, v);
+}
+
+cn_result cnr_shape_set_circle(cn_world *world, cn_shape shape, const cn_circle *circle)
+{
+	call_value v[2];
+	v[0].w = shape;
+	v[1].in = circle;
+	return record_call(world, 52, v);
+}
+
+cn_result cnr_shape_set_capsule(cn_world *world, cn_shape shape, const cn_capsule *capsule)
+{
+	call_value v[2];
+	v[0].w = shape;
+	v[1].in = capsule;
+	return record_call(world, 53, v);
+}
+
+cn_result cnr_shape_set_edge(cn_world *world, cn_shape shape, const cn_edge *edge)
+{
+	call_value v[2];
+	v[0].w = shape;
+	v[1].in = edge;
+	return record_call(world, 54, v);
+}
+
+cn_result cnr_shape_set_polygon(cn_world *world, cn_shape shape, const cn_polygon *polygon)
+{
+	call_value v[2];
+	v[0].w = shape;
+	v[1].in = polygon;
+	return record_call(world, 55, v);
+}
+
+cn_result cnr_shape_set_chain(cn_world *world, cn_shape shape, const cn_chain *chain)
+{
+	call_value v[2];
+	v[0].w = shape;
+	v[1].in = chain;
+	return record_call(world, 56, v);
 }
 
 cn_result cnr_joint_create_revolute(cn_world *world, const cn_revolute_def *def, cn_joint *out_joint)
@@ -428,7 +475,7 @@ cn_result cnr_joint_create_revolute(cn_world *world, const cn_revolute_def *def,
 	call_value v[2];
 	v[0].in = def;
 	v[1].out = out_joint;
-	return record_call(world, 51, v);
+	return record_call(world, 57, v);
 }
 
 cn_result cnr_joint_create_distance(cn_world *world, const cn_distance_def *def, cn_joint *out_joint)
@@ -436,7 +483,7 @@ cn_result cnr_joint_create_distance(cn_world *world, const cn_distance_def *def,
 	call_value v[2];
 	v[0].in = def;
 	v[1].out = out_joint;
-	return record_call(world, 52, v);
+	return record_call(world, 58, v);
 }
 
 cn_result cnr_joint_create_fixed(cn_world *world, const cn_fixed_def *def, cn_joint *out_joint)
@@ -444,7 +491,7 @@ cn_result cnr_joint_create_fixed(cn_world *world, const cn_fixed_def *def, cn_jo
 	call_value v[2];
 	v[0].in = def;
 	v[1].out = out_joint;
-	return record_call(world, 53, v);
+	return record_call(world, 59, v);
 }
 
 cn_result cnr_joint_create_prismatic(cn_world *world, const cn_prismatic_def *def, cn_joint *out_joint)
@@ -452,7 +499,7 @@ cn_result cnr_joint_create_prismatic(cn_world *world, const cn_prismatic_def *de
 	call_value v[2];
 	v[0].in = def;
 	v[1].out = out_joint;
-	return record_call(world, 54, v);
+	return record_call(world, 60, v);
 }
 
 cn_result cnr_joint_create_wheel(cn_world *world, const cn_wheel_def *def, cn_joint *out_joint)
@@ -460,7 +507,7 @@ cn_result cnr_joint_create_wheel(cn_world *world, const cn_wheel_def *def, cn_jo
 	call_value v[2];
 	v[0].in = def;
 	v[1].out = out_joint;
-	return record_call(world, 55, v);
+	return record_call(world, 61, v);
 }
 
 cn_result cnr_joint_create_motor(cn_world *world, const cn_motor_def *def, cn_joint *out_joint)
@@ -468,7 +515,7 @@ cn_result cnr_joint_create_motor(cn_world *world, const cn_motor_def *def, cn_jo
 	call_value v[2];
 	v[0].in = def;
 	v[1].out = out_joint;
-	return record_call(world, 56, v);
+	return record_call(world, 62, v);
 }
 
 cn_result cnr_joint_create_mouse(cn_world *world, const cn_mouse_def *def, cn_joint *out_joint)
@@ -476,7 +523,7 @@ cn_result cnr_joint_create_mouse(cn_world *world, const cn_mouse_def *def, cn_jo
 	call_value v[2];
 	v[0].in = def;
 	v[1].out = out_joint;
-	return record_call(world, 57, v);
+	return record_call(world, 63, v);
 }
 
 cn_result cnr_joint_create_gear(cn_world *world, const cn_gear_def *def, cn_joint *out_joint)
@@ -484,7 +531,7 @@ cn_result cnr_joint_create_gear(cn_world *world, const cn_gear_def *def, cn_join
 	call_value v[2];
 	v[0].in = def;
 	v[1].out = out_joint;
-	return record_call(world, 58, v);
+	return record_call(world, 64, v);
 }
 
 cn_result cnr_joint_create_pulley(cn_world *world, const cn_pulley_def *def, cn_joint *out_joint)
@@ -492,7 +539,7 @@ cn_result cnr_joint_create_pulley(cn_world *world, const cn_pulley_def *def, cn_
 	call_value v[2];
 	v[0].in = def;
 	v[1].out = out_joint;
-	return record_call(world, 59, v);
+	return record_call(world, 65, v);
 }
 
 cn_result cnr_joint_create_ratchet(cn_world *world, const cn_ratchet_def *def, cn_joint *out_joint)
@@ -500,7 +547,7 @@ cn_result cnr_joint_create_ratchet(cn_world *world, const cn_ratchet_def *def, c
 	call_value v[2];
 	v[0].in = def;
 	v[1].out = out_joint;
-	return record_call(world, 60, v);
+	return record_call(world, 66, v);
 }
 
 cn_result cnr_joint_create_rotary_spring(cn_world *world, const cn_rotary_spring_def *def, cn_joint *out_joint)
@@ -508,7 +555,7 @@ cn_result cnr_joint_create_rotary_spring(cn_world *world, const cn_rotary_spring
 	call_value v[2];
 	v[0].in = def;
 	v[1].out = out_joint;
-	return record_call(world, 61, v);
+	return record_call(world, 67, v);
 }
 
 cn_result cnr_joint_create_groove(cn_world *world, const cn_groove_def *def, cn_joint *out_joint)
@@ -516,7 +563,7 @@ cn_result cnr_joint_create_groove(cn_world *world, const cn_groove_def *def, cn_
 	call_value v[2];
 	v[0].in = def;
 	v[1].out = out_joint;
-	return record_call(world, 62, v);
+	return record_call(world, 68, v);
 }
 
 cn_result cnr_joint_create_filter(cn_world *world, const cn_filter_joint_def *def, cn_joint *out_joint)
@@ -524,14 +571,14 @@ cn_result cnr_joint_create_filter(cn_world *world, const cn_filter_joint_def *de
 	call_value v[2];
 	v[0].in = def;
 	v[1].out = out_joint;
-	return record_call(world, 63, v);
+	return record_call(world, 69, v);
 }
 
 cn_result cnr_joint_destroy(cn_world *world, cn_joint joint)
 {
 	call_value v[1];
 	v[0].w = joint;
-	return record_call(world, 64, v);
+	return record_call(world, 70, v);
 }
 
 cn_result cnr_joint_set_solver(cn_world *world, cn_joint joint, int32_t solver)
@@ -539,7 +586,7 @@ cn_result cnr_joint_set_solver(cn_world *world, cn_joint joint, int32_t solver)
 	call_value v[2];
 	v[0].w = joint;
 	v[1].i = solver;
-	return record_call(world, 65, v);
+	return record_call(world, 71, v);
 }
 
 cn_result cnr_joint_set_user_data(cn_world *world, cn_joint joint, uint64_t user_data)
@@ -547,7 +594,7 @@ cn_result cnr_joint_set_user_data(cn_world *world, cn_joint joint, uint64_t user
 	call_value v[2];
 	v[0].w = joint;
 	v[1].l = user_data;
-	return record_call(world, 66, v);
+	return record_call(world, 72, v);
 }
 
 cn_result cnr_joint_set_flags(cn_world *world, cn_joint joint, uint32_t flags)
@@ -555,7 +602,7 @@ cn_result cnr_joint_set_flags(cn_world *world, cn_joint joint, uint32_t flags)
 	call_value v[2];
 	v[0].w = joint;
 	v[1].w = flags;
-	return record_call(world, 67, v);
+	return record_call(world, 73, v);
 }
 
 cn_result cnr_joint_set_revolute(cn_world *world, cn_joint joint, const cn_revolute_def *def)
@@ -563,7 +610,7 @@ cn_result cnr_joint_set_revolute(cn_world *world, cn_joint joint, const cn_revol
 	call_value v[2];
 	v[0].w = joint;
 	v[1].in = def;
-	return record_call(world, 68, v);
+	return record_call(world, 74, v);
 }
 
 cn_result cnr_joint_set_distance(cn_world *world, cn_joint joint, const cn_distance_def *def)
@@ -571,7 +618,7 @@ cn_result cnr_joint_set_distance(cn_world *world, cn_joint joint, const cn_dista
 	call_value v[2];
 	v[0].w = joint;
 	v[1].in = def;
-	return record_call(world, 69, v);
+	return record_call(world, 75, v);
 }
 
 cn_result cnr_joint_set_fixed(cn_world *world, cn_joint joint, const cn_fixed_def *def)
@@ -579,7 +626,7 @@ cn_result cnr_joint_set_fixed(cn_world *world, cn_joint joint, const cn_fixed_de
 	call_value v[2];
 	v[0].w = joint;
 	v[1].in = def;
-	return record_call(world, 70, v);
+	return record_call(world, 76, v);
 }
 
 cn_result cnr_joint_set_prismatic(cn_world *world, cn_joint joint, const cn_prismatic_def *def)
@@ -587,7 +634,7 @@ cn_result cnr_joint_set_prismatic(cn_world *world, cn_joint joint, const cn_pris
 	call_value v[2];
 	v[0].w = joint;
 	v[1].in = def;
-	return record_call(world, 71, v);
+	return record_call(world, 77, v);
 }
 
 cn_result cnr_joint_set_wheel(cn_world *world, cn_joint joint, const cn_wheel_def *def)
@@ -595,7 +642,7 @@ cn_result cnr_joint_set_wheel(cn_world *world, cn_joint joint, const cn_wheel_de
 	call_value v[2];
 	v[0].w = joint;
 	v[1].in = def;
-	return record_call(world, 72, v);
+	return record_call(world, 78, v);
 }
 
 cn_result cnr_joint_set_motor_to(cn_world *world, cn_joint joint, const cn_motor_def *def)
@@ -603,7 +650,7 @@ cn_result cnr_joint_set_motor_to(cn_world *world, cn_joint joint, const cn_motor
 	call_value v[2];
 	v[0].w = joint;
 	v[1].in = def;
-	return record_call(world, 73, v);
+	return record_call(world, 79, v);
 }
 
 cn_result cnr_joint_set_mouse(cn_world *world, cn_joint joint, const cn_mouse_def *def)
@@ -611,7 +658,7 @@ cn_result cnr_joint_set_mouse(cn_world *world, cn_joint joint, const cn_mouse_de
 	call_value v[2];
 	v[0].w = joint;
 	v[1].in = def;
-	return record_call(world, 74, v);
+	return record_call(world, 80, v);
 }
 
 cn_result cnr_joint_set_gear(cn_world *world, cn_joint joint, const cn_gear_def *def)
@@ -619,7 +666,7 @@ cn_result cnr_joint_set_gear(cn_world *world, cn_joint joint, const cn_gear_def 
 	call_value v[2];
 	v[0].w = joint;
 	v[1].in = def;
-	return record_call(world, 75, v);
+	return record_call(world, 81, v);
 }
 
 cn_result cnr_joint_set_pulley(cn_world *world, cn_joint joint, const cn_pulley_def *def)
@@ -627,7 +674,7 @@ cn_result cnr_joint_set_pulley(cn_world *world, cn_joint joint, const cn_pulley_
 	call_value v[2];
 	v[0].w = joint;
 	v[1].in = def;
-	return record_call(world, 76, v);
+	return record_call(world, 82, v);
 }
 
 cn_result cnr_joint_set_ratchet(cn_world *world, cn_joint joint, const cn_ratchet_def *def)
@@ -635,7 +682,7 @@ cn_result cnr_joint_set_ratchet(cn_world *world, cn_joint joint, const cn_ratche
 	call_value v[2];
 	v[0].w = joint;
 	v[1].in = def;
-	return record_call(world, 77, v);
+	return record_call(world, 83, v);
 }
 
 cn_result cnr_joint_set_rotary_spring(cn_world *world, cn_joint joint, const cn_rotary_spring_def *def)
@@ -643,7 +690,7 @@ cn_result cnr_joint_set_rotary_spring(cn_world *world, cn_joint joint, const cn_
 	call_value v[2];
 	v[0].w = joint;
 	v[1].in = def;
-	return record_call(world, 78, v);
+	return record_call(world, 84, v);
 }
 
 cn_result cnr_joint_set_groove(cn_world *world, cn_joint joint, const cn_groove_def *def)
@@ -651,7 +698,7 @@ cn_result cnr_joint_set_groove(cn_world *world, cn_joint joint, const cn_groove_
 	call_value v[2];
 	v[0].w = joint;
 	v[1].in = def;
-	return record_call(world, 79, v);
+	return record_call(world, 85, v);
 }
 
 cn_result cnr_joint_set_base(cn_world *world, cn_joint joint, const cn_joint_base *base)
@@ -659,7 +706,7 @@ cn_result cnr_joint_set_base(cn_world *world, cn_joint joint, const cn_joint_bas
 	call_value v[2];
 	v[0].w = joint;
 	v[1].in = base;
-	return record_call(world, 80, v);
+	return record_call(world, 86, v);
 }
 
 cn_result cnr_joint_set_target(cn_world *world, cn_joint joint, float target_x_m, float target_y_m)
@@ -668,7 +715,7 @@ cn_result cnr_joint_set_target(cn_world *world, cn_joint joint, float target_x_m
 	v[0].w = joint;
 	v[1].f = target_x_m;
 	v[2].f = target_y_m;
-	return record_call(world, 81, v);
+	return record_call(world, 87, v);
 }
 
 cn_result cnr_joint_set_motor(cn_world *world, cn_joint joint, float speed, float force_or_torque_max)
@@ -677,7 +724,7 @@ cn_result cnr_joint_set_motor(cn_world *world, cn_joint joint, float speed, floa
 	v[0].w = joint;
 	v[1].f = speed;
 	v[2].f = force_or_torque_max;
-	return record_call(world, 82, v);
+	return record_call(world, 88, v);
 }
 
 cn_result cnr_joint_set_limits(cn_world *world, cn_joint joint, float lower, float upper)
@@ -686,7 +733,7 @@ cn_result cnr_joint_set_limits(cn_world *world, cn_joint joint, float lower, flo
 	v[0].w = joint;
 	v[1].f = lower;
 	v[2].f = upper;
-	return record_call(world, 83, v);
+	return record_call(world, 89, v);
 }
 
 cn_result cnr_constraint_create_angle(cn_world *world, const cn_angle_constraint_def *def, cn_constraint *out_constraint)
@@ -694,7 +741,7 @@ cn_result cnr_constraint_create_angle(cn_world *world, const cn_angle_constraint
 	call_value v[2];
 	v[0].in = def;
 	v[1].out = out_constraint;
-	return record_call(world, 84, v);
+	return record_call(world, 90, v);
 }
 
 cn_result cnr_constraint_create_line(cn_world *world, const cn_line_constraint_def *def, cn_constraint *out_constraint)
@@ -702,14 +749,14 @@ cn_result cnr_constraint_create_line(cn_world *world, const cn_line_constraint_d
 	call_value v[2];
 	v[0].in = def;
 	v[1].out = out_constraint;
-	return record_call(world, 85, v);
+	return record_call(world, 91, v);
 }
 
 cn_result cnr_constraint_destroy(cn_world *world, cn_constraint constraint)
 {
 	call_value v[1];
 	v[0].w = constraint;
-	return record_call(world, 86, v);
+	return record_call(world, 92, v);
 }
 
 cn_result cnr_constraint_set_angle(cn_world *world, cn_constraint constraint, const cn_angle_constraint_def *def)
@@ -717,7 +764,7 @@ cn_result cnr_constraint_set_angle(cn_world *world, cn_constraint constraint, co
 	call_value v[2];
 	v[0].w = constraint;
 	v[1].in = def;
-	return record_call(world, 87, v);
+	return record_call(world, 93, v);
 }
 
 cn_result cnr_constraint_set_line(cn_world *world, cn_constraint constraint, const cn_line_constraint_def *def)
@@ -725,7 +772,7 @@ cn_result cnr_constraint_set_line(cn_world *world, cn_constraint constraint, con
 	call_value v[2];
 	v[0].w = constraint;
 	v[1].in = def;
-	return record_call(world, 88, v);
+	return record_call(world, 94, v);
 }
 
 cn_result cnr_world_set_fixed_step(cn_world *world, float step_s, int32_t steps_max)
@@ -733,7 +780,7 @@ cn_result cnr_world_set_fixed_step(cn_world *world, float step_s, int32_t steps_
 	call_value v[2];
 	v[0].f = step_s;
 	v[1].i = steps_max;
-	return record_call(world, 89, v);
+	return record_call(world, 95, v);
 }
 
 cn_result cnr_world_update(cn_world *world, float elapsed_s, cn_update_report *out)
@@ -741,7 +788,7 @@ cn_result cnr_world_update(cn_world *world, float elapsed_s, cn_update_report *o
 	call_value v[2];
 	v[0].f = elapsed_s;
 	v[1].out = out;
-	return record_call(world, 90, v);
+	return record_call(world, 96, v);
 }
 
 cn_result cnr_mover_move(cn_world *world, const cn_mover_def *def, float dt_s, cn_mover *mover)
@@ -750,13 +797,13 @@ cn_result cnr_mover_move(cn_world *world, const cn_mover_def *def, float dt_s, c
 	v[0].in = def;
 	v[1].f = dt_s;
 	v[2].out = mover;
-	return record_call(world, 91, v);
+	return record_call(world, 97, v);
 }
 
 cn_result cnr_world_explode(cn_world *world, const cn_explosion_def *def)
 {
 	call_value v[1];
 	v[0].in = def;
-	return record_call(world, 92, v);
+	return record_call(world, 98, v);
 }
 

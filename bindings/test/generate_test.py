@@ -38,7 +38,7 @@ REFUSED = [
     ("void cn_a(void);", "starts with 'void'"),
     ("static inline void cn_a(void) {}", "starts with 'static'"),
     ("typedef struct cn_a { bool b; } cn_a;", "unknown type bool"),
-    ("typedef struct cn_a { int32_t b : 3; } cn_a;", "cannot read ': 3"),
+    ("typedef struct cn_a { int32_t b : 3; } cn_a;", "expected ';', found ':'"),
     ("typedef struct cn_a { union { float f; } u; } cn_a;", "union inside of a struct"),
     ("typedef struct cn_a { float x, y; } cn_a;", "expected ';', found ','"),
     ("typedef struct cn_a { float x; float x; } cn_a;", "field x twice"),

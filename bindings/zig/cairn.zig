@@ -26,6 +26,10 @@ pub const CN_WORKERS_MAX = 64;
 /// Most bodies, shapes or joints alive at once in one world (20 bits of index).
 pub const CN_MAX_HANDLES = 1048575;
 
+// In a definition: the default of a field whose comment names CN_DEFAULT.
+/// In a definition: the default of a field whose comment names CN_DEFAULT.
+pub const CN_DEFAULT = -1;
+
 // Result codes.
 /// success
 pub const CN_OK = 0;
@@ -250,8 +254,10 @@ pub const CN_EVENT_STAY = 2;
 pub const CN_EVENT_LEAVE = 3;
 /// the fat boxes no longer overlap, or one is gone
 pub const CN_EVENT_DESTROYED = 4;
+/// a blow at hit_speed_mps of cn_world_def or faster, at the beginning of touching or within it
+pub const CN_EVENT_HIT = 5;
 /// number of kinds
-pub const CN_EVENT_KINDS = 5;
+pub const CN_EVENT_KINDS = 6;
 
 // Types of joints: see their definitions.
 pub const CN_JOINT_REVOLUTE = 0;
@@ -494,20 +500,20 @@ pub const cn_world_def = extern struct {
     broadphase: i32,
     /// 1 to 64; default 4
     substep_count: i32,
-    /// CN_SOLVER_AUTO aims at errors below this, >= 0; default 0.005 x length unit
+    /// CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
     accuracy_m: f32,
     /// limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
     /// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
     work_budget: i32,
-    /// slower impacts do not bounce, >= 0; default 1 x length unit
+    /// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
     restitution_threshold_mps: f32,
-    /// greatest speed at which overlaps are pushed apart, > 0; default 3 x length unit
+    /// greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit
     push_speed_max_mps: f32,
-    /// faster bodies are slowed to it, > 0; default 400 x length unit
+    /// faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
     linear_speed_max_mps: f32,
     /// faster bodies are slowed to it, > 0; default 400
     angular_speed_max_radps: f32,
-    /// bodies slower than this may sleep, >= 0; default 0.05 x length unit
+    /// bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit
     sleep_speed_mps: f32,
     /// ... after this time, >= 0; default 0.5
     sleep_delay_s: f32,
@@ -539,7 +545,8 @@ pub const cn_world_def = extern struct {
     /// threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1:
     /// no threads, no tasks
     worker_count: i32,
-    reserved: u32,
+    /// blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
+    hit_speed_mps: f32,
 
     comptime {
         if (@sizeOf(usize) == 8 and @sizeOf(cn_world_def) != 160) @compileError("cn_world_def");
@@ -696,7 +703,7 @@ pub const cn_body_def = extern struct {
     angular_damping_per_s: f32,
     /// default 1
     gravity_scale: f32,
-    /// >= 0; default 0: the world's
+    /// >= 0; CN_DEFAULT (default): the world's
     sleep_speed_mps: f32,
     /// CN_BODY_*; default ENABLED | SLEEP | AWAKE
     flags: u32,
@@ -759,7 +766,8 @@ pub const cn_material = extern struct {
     friction_mix: i32,
     /// CN_MIX_*; default CN_MIX_MAXIMUM
     restitution_mix: i32,
-    reserved: u32,
+    /// a number for the user, reported in contact events; default 0
+    user_id: u32,
 
     comptime {
         if (@sizeOf(usize) == 8 and @sizeOf(cn_material) != 32) @compileError("cn_material");
@@ -898,13 +906,24 @@ pub const cn_contact_event = extern struct {
     contact_id: u32,
     /// CN_EVENT_*
     kind: i32,
-    /// ENTER: closing speed along the normal before the impact; else 0
+    /// ENTER: closing speed along the normal before the impact; HIT: of the blow; else 0
     approach_speed_mps: f32,
-    /// geometry at the step's beginning, impulses at its end; points only for ENTER and STAY
+    /// geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT
     manifold: cn_manifold,
+    /// Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the
+    /// substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along
+    /// manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s
+    normal_impulse_Ns: f32,
+    /// along (normal.y, -normal.x), on body b
+    friction_impulse_Ns: f32,
+    /// HIT: where, in the world; else (0, 0)
+    hit_point_m: cn_vec2,
+    /// cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED
+    material_a: u32,
+    material_b: u32,
 
     comptime {
-        if (@sizeOf(usize) == 8 and @sizeOf(cn_contact_event) != 92) @compileError("cn_contact_event");
+        if (@sizeOf(usize) == 8 and @sizeOf(cn_contact_event) != 116) @compileError("cn_contact_event");
     }
 };
 
@@ -1553,7 +1572,7 @@ pub extern fn cn_result_text(result: cn_result) [*:0]const u8;
 /// with it.
 pub extern fn cn_sizeof(@"type": i32) i32;
 /// Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with the
-/// length unit are stored as 0, which cn_world_create resolves.
+/// length unit are stored as CN_DEFAULT, which cn_world_create resolves.
 pub extern fn cn_world_def_init(def: ?*cn_world_def) void;
 /// Checks a definition. Writes one sentence about its first error, at most text_bytes (>= 0) bytes with the
 /// terminating zero; text may be NULL when text_bytes is 0.
@@ -1588,10 +1607,9 @@ pub extern fn cn_world_get_substep_count(world: *const cn_world, out_count: *i32
 pub extern fn cn_world_set_solver(world: *cn_world, solver: i32) cn_result;
 /// Reads the solver (CN_SOLVER_*).
 pub extern fn cn_world_get_solver(world: *const cn_world, out_solver: *i32) cn_result;
-/// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no
-/// limit.
+/// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit.
 pub extern fn cn_world_set_accuracy(world: *cn_world, accuracy_m: f32, work_budget: i32) cn_result;
-/// Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.
+/// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
 pub extern fn cn_world_get_accuracy(world: *const cn_world, out_accuracy_m: *f32, out_work_budget: *i32) cn_result;
 /// Reads how many workers a step can use: 1, or worker_count where the library supports threads.
 pub extern fn cn_world_get_worker_count(world: *const cn_world, out_count: *i32) cn_result;
@@ -1601,6 +1619,8 @@ pub extern fn cn_world_set_flags(world: *cn_world, flags: u32) cn_result;
 pub extern fn cn_world_get_flags(world: *const cn_world, out_flags: *u32) cn_result;
 /// Impacts slower than this, in m/s, do not bounce; >= 0.
 pub extern fn cn_world_set_restitution_threshold(world: *cn_world, speed_mps: f32) cn_result;
+/// Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; >= 0.
+pub extern fn cn_world_set_hit_speed(world: *cn_world, speed_mps: f32) cn_result;
 /// Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows faster bodies
 /// down to them and keeps the direction.
 pub extern fn cn_world_set_speed_limits(world: *cn_world, linear_mps: f32, angular_radps: f32) cn_result;
@@ -1775,7 +1795,7 @@ pub extern fn cn_body_get_damping(world: *const cn_world, body: cn_body, out_lin
 pub extern fn cn_body_set_gravity_scale(world: *cn_world, body: cn_body, scale: f32) cn_result;
 /// Reads the factor on gravity.
 pub extern fn cn_body_get_gravity_scale(world: *const cn_world, body: cn_body, out_scale: *f32) cn_result;
-/// Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's.
+/// Sets the body's own sleep speed in m/s, >= 0; CN_DEFAULT restores the world's.
 pub extern fn cn_body_set_sleep_speed(world: *cn_world, body: cn_body, speed_mps: f32) cn_result;
 /// Chooses how the body's island is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default):
 /// the world chooses. _SOFT: contacts and joints are never solved directly, whatever other bodies ask for.
@@ -1888,6 +1908,22 @@ pub extern fn cn_shape_get_polygon(world: *const cn_world, shape: cn_shape, out:
 /// Reads a chain's points in the body's frame, offset applied. Writes at most capacity (>= 0); out may be
 /// NULL when capacity is 0. *out_count is their number. CN_ERROR_STATE for another type. O(points written).
 pub extern fn cn_shape_get_chain_points(world: *const cn_world, shape: cn_shape, out: ?[*]cn_vec2, capacity: i32, out_count: *i32) cn_result;
+/// Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks of
+/// creation: the handle and all other properties stay. Mass and box are those of the new geometry at once;
+/// contacts stay unless the boxes no longer overlap, and the next step computes them anew, without the
+/// impulses of features that are gone. Wakes the body, touching bodies and bodies that the new box meets. A
+/// shape that grows into others is pushed out of them at push_speed_max_mps at most. CN_ERROR_STATE for
+/// another type. O(contacts + shapes of the body).
+pub extern fn cn_shape_set_circle(world: *cn_world, shape: cn_shape, circle: *const cn_circle) cn_result;
+/// Replaces a capsule in place; otherwise as cn_shape_set_circle.
+pub extern fn cn_shape_set_capsule(world: *cn_world, shape: cn_shape, capsule: *const cn_capsule) cn_result;
+/// Replaces an edge in place; otherwise as cn_shape_set_circle.
+pub extern fn cn_shape_set_edge(world: *cn_world, shape: cn_shape, edge: *const cn_edge) cn_result;
+/// Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle.
+pub extern fn cn_shape_set_polygon(world: *cn_world, shape: cn_shape, polygon: *const cn_polygon) cn_result;
+/// Replaces the points of a chain in place, their number too. Its contacts end; those that still overlap
+/// begin again in the next step. Otherwise as cn_shape_set_circle. O(contacts + shapes of the body + count).
+pub extern fn cn_shape_set_chain(world: *cn_world, shape: cn_shape, chain: *const cn_chain) cn_result;
 /// out_inside is 1 if the shape contains a world point in metres (in the shape's own space when unattached),
 /// else 0. Edges and chains contain no point. O(points).
 pub extern fn cn_shape_test_point(world: *const cn_world, shape: cn_shape, point_x_m: f32, point_y_m: f32, out_inside: *i32) cn_result;
@@ -1905,7 +1941,9 @@ pub extern fn cn_polygon_make_box(half_width_m: f32, half_height_m: f32, center_
 /// callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved apart,
 /// body or shape destroyed, detached or disabled, filter or type changed). The next step reports pairs that
 /// end between two steps; their handles may be stale. A sleeping pair reports nothing, and continues when it
-/// wakes.
+/// wakes. HIT: in some substep a point closed at approach_speed_mps, the greatest of the step, and got an
+/// impulse; bodies that pass a blow on to others that already touch them, without closing, have no HIT.
+/// Impulses are summed only for contacts that report ENTER (in the step in which they begin), STAY or HIT.
 pub extern fn cn_world_contact_events(world: *cn_world, kind: i32, out_events: *?[*]const cn_contact_event, out_count: *i32) cn_result;
 /// Sets the callback for contact events of one kind (CN_EVENT_*); NULL removes it.
 pub extern fn cn_world_set_contact_callback(world: *cn_world, kind: i32, function: ?*const cn_contact_event_fn, user: ?*anyopaque) cn_result;

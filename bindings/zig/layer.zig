@@ -292,13 +292,13 @@ pub const World = struct {
         return out0;
     }
 
-    /// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no
+    /// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
     /// limit.
     pub fn setAccuracy(self: World, accuracy_m: f32, work_budget: i32) Error!void {
         return check(c.cn_world_set_accuracy(self.pointer, accuracy_m, work_budget));
     }
 
-    /// Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.
+    /// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
     pub fn getAccuracy(self: World) Error!struct { accuracy_m: f32, work_budget: i32 } {
         var out0: f32 = undefined;
         var out1: i32 = undefined;
@@ -328,6 +328,11 @@ pub const World = struct {
     /// Impacts slower than this, in m/s, do not bounce; >= 0.
     pub fn setRestitutionThreshold(self: World, speed_mps: f32) Error!void {
         return check(c.cn_world_set_restitution_threshold(self.pointer, speed_mps));
+    }
+
+    /// Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; >= 0.
+    pub fn setHitSpeed(self: World, speed_mps: f32) Error!void {
+        return check(c.cn_world_set_hit_speed(self.pointer, speed_mps));
     }
 
     /// Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows faster
@@ -718,7 +723,7 @@ pub const World = struct {
         return out0;
     }
 
-    /// Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's.
+    /// Sets the body's own sleep speed in m/s, >= 0; CN_DEFAULT restores the world's.
     pub fn bodySetSleepSpeed(self: World, body: Body, speed_mps: f32) Error!void {
         return check(c.cn_body_set_sleep_speed(self.pointer, body, speed_mps));
     }
@@ -1030,6 +1035,38 @@ pub const World = struct {
         return list;
     }
 
+    /// Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks
+    /// of creation: the handle and all other properties stay. Mass and box are those of the new geometry at
+    /// once; contacts stay unless the boxes no longer overlap, and the next step computes them anew, without
+    /// the impulses of features that are gone. Wakes the body, touching bodies and bodies that the new box
+    /// meets. A shape that grows into others is pushed out of them at push_speed_max_mps at most.
+    /// CN_ERROR_STATE for another type. O(contacts + shapes of the body).
+    pub fn shapeSetCircle(self: World, shape: Shape, circle: *const Circle) Error!void {
+        return check(c.cn_shape_set_circle(self.pointer, shape, circle));
+    }
+
+    /// Replaces a capsule in place; otherwise as cn_shape_set_circle.
+    pub fn shapeSetCapsule(self: World, shape: Shape, capsule: *const Capsule) Error!void {
+        return check(c.cn_shape_set_capsule(self.pointer, shape, capsule));
+    }
+
+    /// Replaces an edge in place; otherwise as cn_shape_set_circle.
+    pub fn shapeSetEdge(self: World, shape: Shape, edge: *const Edge) Error!void {
+        return check(c.cn_shape_set_edge(self.pointer, shape, edge));
+    }
+
+    /// Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle.
+    pub fn shapeSetPolygon(self: World, shape: Shape, polygon: *const Polygon) Error!void {
+        return check(c.cn_shape_set_polygon(self.pointer, shape, polygon));
+    }
+
+    /// Replaces the points of a chain in place, their number too. Its contacts end; those that still overlap
+    /// begin again in the next step. Otherwise as cn_shape_set_circle. O(contacts + shapes of the body +
+    /// count).
+    pub fn shapeSetChain(self: World, shape: Shape, chain: *const Chain) Error!void {
+        return check(c.cn_shape_set_chain(self.pointer, shape, chain));
+    }
+
     /// out_inside is 1 if the shape contains a world point in metres (in the shape's own space when
     /// unattached), else 0. Edges and chains contain no point. O(points).
     pub fn shapeTestPoint(self: World, shape: Shape, point_x_m: f32, point_y_m: f32) Error!i32 {
@@ -1043,7 +1080,10 @@ pub const World = struct {
     /// inside callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved
     /// apart, body or shape destroyed, detached or disabled, filter or type changed). The next step reports
     /// pairs that end between two steps; their handles may be stale. A sleeping pair reports nothing, and
-    /// continues when it wakes.
+    /// continues when it wakes. HIT: in some substep a point closed at approach_speed_mps, the greatest of
+    /// the step, and got an impulse; bodies that pass a blow on to others that already touch them, without
+    /// closing, have no HIT. Impulses are summed only for contacts that report ENTER (in the step in which
+    /// they begin), STAY or HIT.
     pub fn contactEvents(self: World, kind: i32) Error![]const ContactEvent {
         var data: ?[*]const ContactEvent = null;
         var found: i32 = 0;

@@ -266,6 +266,7 @@ const cost_feature cost_world_features[] = {
 	{"event stay", "all and read", 0, 1, CN_EVENT_STAY, NULL, build_events, NULL, ask_for_event, NULL},
 	{"event leave", "all and read", 0, 1, CN_EVENT_LEAVE, NULL, build_events, NULL, ask_for_event, NULL},
 	{"event destroyed", "all and read", 0, 1, CN_EVENT_DESTROYED, NULL, build_events, NULL, ask_for_event, NULL},
+	{"event hit", "all and read", 0, 1, CN_EVENT_HIT, NULL, build_events, NULL, ask_for_event, NULL},
 	{"contact callback", "of stay", 0, 1, 0, NULL, build_callback, NULL, NULL, NULL},
 	{"filter callback", "all pairs", 0, 1, 0, NULL, build_filter, NULL, NULL, NULL},
 	{"pre-solve callback", "all contacts", 0, 1, 0, NULL, build_pre_solve, NULL, show_to_pre_solve, NULL},

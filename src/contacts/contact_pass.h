@@ -39,6 +39,11 @@ typedef struct cni_impact_lanes {
 	int32_t has_extra;                        /* 0: all extra rows are zero */
 } cni_impact_lanes;
 
+/* What an impact did to each lane: impulses, and closing speeds of the points; all 0 for lanes and points that do not meet. */
+typedef struct cni_impact_record {
+	float jn[CNI_LANES], jt[CNI_LANES], closing[2][CNI_LANES];
+} cni_impact_record;
+
 typedef struct cni_impact_pass {
 	cni_motion *motions;
 	cni_velocity_start *starts;
@@ -47,6 +52,7 @@ typedef struct cni_impact_pass {
 	float speed;       /* > 0: slower approaches do not bounce */
 	float jumped;      /* start.jumped of bodies that are hit: grows from sweep to sweep, less than CNI_JUMPED */
 	int32_t one_sided; /* lane bodies b are not written */
+	struct cni_impact_record *record; /* NULL: not wanted */
 } cni_impact_pass;
 
 /* Applies impacts to the first count lanes that meet, and returns how many did. Lanes share no body that is written. The rest of the

@@ -112,6 +112,7 @@ void cni_contacts_list(cn_world *world, cni_solve *s)
 {
 	cni_listed_block *list = (cni_listed_block *)world->block_list.data;
 	int32_t color, block, count = 0, k;
+	uint32_t sums = 0;
 	if (!cni_blocks_are_few(world))
 		infos_prefetch(world);
 	for (color = 0; color < CNI_COLORS; ++color) {
@@ -121,13 +122,15 @@ void cni_contacts_list(cn_world *world, cni_solve *s)
 			cni_block_info *info = cni_block_info_at(world, block);
 			list[count++] = listed_of(world, block, k);
 			s->bounces |= (info->flags & CNI_BLOCK_RESTITUTION) != 0;
-			info->flags &= ~(uint32_t)CNI_BLOCK_RESTED;
+			sums |= info->flags & CNI_BLOCK_SUMS;
+			info->flags = (uint16_t)(info->flags & ~CNI_BLOCK_RESTED);
 			block = info->next;
 		}
 		world->colors[color].listed_count = count - world->colors[color].listed;
 		s->contact_colors |= (uint32_t)(world->colors[color].lanes > 0) << color;
 	}
 	CNI_ASSERT(count <= world->block_list.capacity);
+	s->sums = sums != 0 || world->events.log[CN_EVENT_ENTER].count > 0;
 }
 
 void cni_contacts_warm_start(cn_world *world, const cni_solve *s)

@@ -7,7 +7,8 @@
 
 #include "model/solve.h"
 
-/* Lists the blocks of all colours for the passes of this step. Runs after the narrowphase. Sets s->bounces, contact_colors and lanes. */
+/* Lists the blocks of all colours for the passes of this step. Runs after the narrowphase. Sets s->bounces, sums, contact_colors and
+   lanes. */
 void cni_contacts_list(cn_world *world, cni_solve *s);
 void cni_contacts_warm_start(cn_world *world, const cni_solve *s);
 void cni_contacts_solve(cn_world *world, const cni_solve *s);
@@ -15,6 +16,17 @@ void cni_contacts_relax(cn_world *world, const cni_solve *s);
 /* Repeats the soft pass for one contact, given by its slot. */
 void cni_contact_solve_again(cn_world *world, const cni_solve *s, int32_t slot);
 void cni_contacts_impact(cn_world *world, const cni_solve *s);
+/* Impulses of a step, for contacts that report them. Makes world.sums if some contact does. */
+void cni_impulse_sums_make(cn_world *world);
+/* At the beginning of a substep, after integration: closing speeds. At its end: impulses. Nothing without sums. */
+void cni_impulse_sums_open(cn_world *world, const cni_solve *s);
+void cni_impulse_sums_close(cn_world *world, const cni_solve *s);
+/* Takes the impulses of a contact in a substep that are not in its lane: of its points, and of friction. */
+void cni_impulse_sums_take(cn_world *world, int32_t contact, float first, float second, float friction);
+/* Takes an impact: impulses, and how fast the points that met closed. */
+void cni_impulse_sums_strike(cn_world *world, int32_t contact, float normal, float friction, float first_closing, float second_closing);
+/* At the end of a step, after finalize: logs STAY and HIT, completes the log of ENTER. */
+void cni_impulse_sums_report(cn_world *world);
 /* Sets impulses and loads of new piles that are too large for the direct solver. Runs before the warm start. */
 void cni_gravity_preload(cn_world *world, const cni_solve *s);
 /* Returns 1 if every body of a quiet island is held by bodies below it, 0 if bodies lean on each other. */

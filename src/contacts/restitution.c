@@ -32,6 +32,8 @@
 #include "contacts/contact_pass.h"
 #include "model/tuning.h"
 
+#include <string.h>
+
 #define BLOCKS_A_RANGE 16 /* of one colour: most of them do not bounce */
 #define BLOCKS_AT_ONCE 16 /* that are searched before what was found is solved: they stay in the cache */
 /* start.jumped of bodies that sweep k hits. */
@@ -122,11 +124,29 @@ CNI_INLINE void bodies_prefetch(const cni_impact_pass *pass, const cni_impact_la
 typedef struct found_lanes {
 	cni_impact_lanes lanes;
 	int32_t count, hits;
+	const cni_listed_block *block[CNI_LANES]; /* of each lane, and its number there */
+	int32_t from[CNI_LANES];
 } found_lanes;
+
+/* Adds an impact to the sums of a contact that reports its impulse. */
+static void impact_add(cn_world *world, const cni_listed_block *b, int32_t lane, const cni_impact_record *record, int32_t l)
+{
+	if (record->jn[l] != 0.0f)
+		cni_impulse_sums_strike(world, b->info->contact[lane], record->jn[l], record->jt[l], record->closing[0][l], record->closing[1][l]);
+}
 
 static void found_solve(const color_sweep *c, found_lanes *found)
 {
-	found->hits += c->kernel->impact(&c->pass, &found->lanes, found->count);
+	cni_impact_pass pass = c->pass;
+	cni_impact_record record;
+	int32_t l;
+	if (c->world->sums_active) {
+		memset(&record, 0, sizeof record);
+		pass.record = &record;
+	}
+	found->hits += c->kernel->impact(&pass, &found->lanes, found->count);
+	for (l = 0; l < found->count && pass.record != NULL; ++l)
+		impact_add(c->world, found->block[l], found->from[l], &record, l);
 	found->count = 0;
 	lanes_begin(&found->lanes);
 }
@@ -135,7 +155,9 @@ static void found_add(const color_sweep *c, found_lanes *found, const cni_listed
 {
 	for (; closing != 0; closing &= closing - 1) {
 		int32_t l = found->count++;
-		lane_add(c->world, b, cni_bit_lowest32(closing), &found->lanes, l);
+		found->block[l] = b;
+		found->from[l] = cni_bit_lowest32(closing);
+		lane_add(c->world, b, found->from[l], &found->lanes, l);
 		bodies_prefetch(&c->pass, &found->lanes, l);
 		if (l == CNI_LANES - 1)
 			found_solve(c, found);
@@ -169,7 +191,11 @@ static void color_sweep_run(void *context, int32_t begin, int32_t end, int32_t w
 static void overflow_sweep(color_sweep *c, int32_t count)
 {
 	cni_impact_lanes one;
+	cni_impact_record record;
+	cni_impact_pass pass = c->pass;
 	int32_t k, l;
+	memset(&record, 0, sizeof record);
+	pass.record = &record;
 	for (k = 0; k < count; ++k) {
 		const cni_listed_block *b = &c->blocks[k];
 		for (l = 0; l < b->lanes; ++l) {
@@ -177,8 +203,11 @@ static void overflow_sweep(color_sweep *c, int32_t count)
 				continue;
 			lanes_begin(&one);
 			lane_add(c->world, b, l, &one, 0);
-			c->pass.one_sided = b->rows->ib[l] == 0;
-			c->hits += (uint32_t)cni_contact_kernel_plain.impact(&c->pass, &one, 1);
+			pass.one_sided = b->rows->ib[l] == 0;
+			record.jn[0] = 0.0f;
+			c->hits += (uint32_t)cni_contact_kernel_plain.impact(&pass, &one, 1);
+			if (c->world->sums_active)
+				impact_add(c->world, b, l, &record, 0);
 		}
 	}
 }
@@ -195,6 +224,7 @@ static uint32_t sweep(cn_world *world, const cni_solve *s, int32_t number)
 	c.pass.h = s->h;
 	c.pass.speed = s->restitution_threshold;
 	c.pass.jumped = HIT_MARK(number);
+	c.pass.record = NULL;
 	c.since = number == 0 ? 0.0f : HIT_MARK(number - 1);
 	c.hits = 0;
 	for (color = 0; color < CNI_COLOR_OVERFLOW; ++color) {

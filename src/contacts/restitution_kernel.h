@@ -8,6 +8,8 @@
 #include "base/bitset.h"
 #include "contacts/contact_pass.h"
 
+#include <string.h>
+
 enum { START_FLOATS = sizeof(cni_velocity_start) / sizeof(float), EXTERNAL_FLOATS = sizeof(cni_external) / sizeof(float) };
 
 /* The bodies on one side of CNI_WIDTH lanes. */
@@ -169,9 +171,9 @@ CNI_INLINE impact_impulse impact_solve(const impact_lanes *c, const impact_point
 	return impulse;
 }
 
-/* Applies the normal impulse, and friction against the sliding speed within mu jn. Both use masses at the current arms. The lane's
+/* Returns the friction impulse. Applies the normal impulse, and friction against the sliding speed within mu jn. Both use masses at the current arms. The lane's
    tangential mass has other arms when bodies meet metres ahead, and would reverse the sliding many times over. */
-CNI_INLINE void impact_apply(const impact_lanes *c, const cni_impact_pass *pass, const cni_impact_lanes *k, int32_t l, const impact_impulse *impulse, cni_mask hit, int32_t whole)
+CNI_INLINE cni_wide impact_apply(const impact_lanes *c, const cni_impact_pass *pass, const cni_impact_lanes *k, int32_t l, const impact_impulse *impulse, cni_mask hit, int32_t whole)
 {
 	const impact_side *a = &c->a, *b = &c->b;
 	cni_wide tx = c->ny, ty = -c->nx, fa = c->fa, fb = fa - c->dn;
@@ -185,6 +187,22 @@ CNI_INLINE void impact_apply(const impact_lanes *c, const cni_impact_pass *pass,
 	impact_write(pass, k->ia + l, a, hit, whole, -a->mx * px, -a->my * py, wa + a->i * fa * jt);
 	if (!pass->one_sided)
 		impact_write(pass, k->ib + l, b, hit, whole, b->mx * px, b->my * py, wb - b->i * fb * jt);
+	return jt;
+}
+
+/* The record lies on the caller's stack, not aligned to vectors. */
+CNI_INLINE void record_row(float *row, int32_t l, cni_mask hits, cni_wide value)
+{
+	const cni_wide shown = cni_wide_select(hits, value, cni_wide_of(0.0f));
+	memcpy(row + l, &shown, sizeof shown);
+}
+
+CNI_INLINE void impact_record(const cni_impact_pass *pass, int32_t l, cni_mask hit, const impact_point *p, const impact_point *q, cni_wide jn, cni_wide jt)
+{
+	record_row(pass->record->jn, l, hit, jn);
+	record_row(pass->record->jt, l, hit, jt);
+	record_row(pass->record->closing[0], l, p->hits, -p->vn);
+	record_row(pass->record->closing[1], l, q->hits, -q->vn);
 }
 
 static int32_t kernel_impact(const cni_impact_pass *pass, const cni_impact_lanes *k, int32_t count)
@@ -194,6 +212,7 @@ static int32_t kernel_impact(const cni_impact_pass *pass, const cni_impact_lanes
 		impact_lanes c;
 		impact_point p, q;
 		impact_impulse impulse;
+		cni_wide jt;
 		uint32_t lanes;
 		impact_lanes_make(&c, pass, k, l);
 		p = impact_point_make(&c, pass, k, offsetof(cni_contact_block, p[0]), l);
@@ -202,7 +221,9 @@ static int32_t kernel_impact(const cni_impact_pass *pass, const cni_impact_lanes
 		if (lanes == 0)
 			continue;
 		impulse = impact_solve(&c, &p, &q);
-		impact_apply(&c, pass, k, l, &impulse, cni_mask_of_bits(lanes), count - l >= CNI_WIDTH);
+		jt = impact_apply(&c, pass, k, l, &impulse, cni_mask_of_bits(lanes), count - l >= CNI_WIDTH);
+		if (pass->record != NULL)
+			impact_record(pass, l, cni_mask_of_bits(lanes), &p, &q, impulse.jn, jt);
 		hits += cni_bit_count64(lanes);
 	}
 	return hits;

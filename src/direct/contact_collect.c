@@ -4,6 +4,7 @@
  * Reads contacts of islands; reads and writes lanes of contact blocks.
  */
 #include "contacts/contacts.h"
+#include "direct/direct.h"
 #include "direct/direct_contact.h"
 #include "model/tuning.h"
 
@@ -100,6 +101,17 @@ void cni_direct_contacts_extract(cn_world *world, cni_sparse *sparse)
 	for (k = 0; k < sparse->contact_count; ++k)
 		if (sparse->contacts[k].node != CNI_NONE)
 			contact_extract(world, &sparse->contacts[k]);
+}
+
+/* Lanes of extracted contacts hold no impulses: theirs are added here. */
+void cni_direct_sum_impulses(cn_world *world, const cni_sparse *sparse)
+{
+	int32_t k;
+	for (k = 0; k < sparse->contact_count; ++k) {
+		const cni_direct_contact *p = &sparse->contacts[k];
+		if (p->node != CNI_NONE)
+			cni_impulse_sums_take(world, cni_block_info_at(world, p->block)->contact[p->lane], p->j[0], p->j[1], p->j[2]);
+	}
 }
 
 /* A solved contact's impulse is exact, so it becomes the load. */

@@ -30,6 +30,8 @@ void cni_direct_solve(cn_world *world, const cni_solve *s, int32_t bias);
 void cni_direct_project(cn_world *world, const cni_solve *s);
 /* Writes the contacts of the direct solver back to their lanes. */
 void cni_direct_store(cn_world *world, const cni_solve *s);
+/* At the end of a substep: adds the impulses of directly solved contacts to the sums of those that report them. */
+void cni_direct_sum_impulses(cn_world *world, const struct cni_sparse *sparse);
 /* Integrates the whole step of bodies that only joints constrain (RATTLE). */
 void cni_rattle_run(cn_world *world, const cni_solve *s);
 

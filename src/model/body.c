@@ -195,7 +195,7 @@ void cni_body_refresh_boxes(cn_world *world, int32_t body)
 	cni_body_forget_room(b);
 	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
 		const cni_shape *s = cni_shape_at(world, index);
-		for (child = 0; child < s->children; ++child) {
+		for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 			int32_t proxy = cni_shape_proxy(world, s, child);
 			cni_aabb tight, fat;
 			if (proxy == CNI_NONE)
@@ -292,7 +292,7 @@ static int32_t boxes_check(const cn_world *world, cni_body *b, cni_vec2 ahead, c
 	out->reaches = 1;
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
-		for (child = 0; child < s->children; ++child) {
+		for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 			int32_t what = box_leaves(world, b, s, child, &x, ahead, &fat, &one);
 			room = cni_min(room, one);
 			out->reaches &= covers_ahead(what);

@@ -56,7 +56,7 @@ typedef struct cni_body {
 	float mass, inertia;     /* of a dynamic body (mass > 0, inertia >= 0, 0 = never rotates); 0 for others */
 	float linear_damping, angular_damping;
 	float gravity_scale;
-	float sleep_speed;       /* 0: the world's */
+	float sleep_speed;       /* CN_DEFAULT: the world's */
 	float sleep_time;        /* seconds at rest */
 	float gain;              /* metres that changes of speed have moved it by in this time: cni_body_gains; ignored at time 0 */
 	float core;              /* smallest inner radius of its shapes: a shorter jump cannot pass through things */

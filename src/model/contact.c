@@ -280,6 +280,7 @@ void cni_contact_set_events(cn_world *world, int32_t contact, uint32_t mask)
 		event_span_change(world, contact, mask, CN_EVENT_ENTER, CN_EVENT_LEAVE, CNI_CONTACT_ENTER_OWED);
 	event_span_change(world, contact, mask, CN_EVENT_CREATED, CN_EVENT_DESTROYED, CNI_CONTACT_CREATED_OWED);
 	c->flags = (c->flags & ((1u << CNI_CONTACT_EVENTS_SHIFT) - 1u)) | mask << CNI_CONTACT_EVENTS_SHIFT;
+	cni_contact_mark_sums(world, c);
 }
 
 /* ---- touching ---- */
@@ -337,6 +338,7 @@ int32_t cni_contact_begin(cn_world *world, int32_t contact, const cni_manifold *
 	cni_contact_leave_apart_list(world, contact);
 	cni_lane_take(world, contact);
 	c->flags |= CNI_CONTACT_TOUCHING | CNI_CONTACT_ENTERED | CNI_CONTACT_REFRESH;
+	cni_contact_mark_sums(world, c);
 	c->id[0] = c->id[1] = 0;
 	cni_block_anchor_at(world, c->slot / CNI_LANES)->of.fresh.approach[c->slot % CNI_LANES] = approach;
 	cni_lane_set_fresh(world, c->slot);

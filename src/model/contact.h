@@ -62,6 +62,7 @@ typedef struct cni_contact_block {
 enum {
 	CNI_BLOCK_RESTITUTION = 1u << 0, /* some lane has restitution */
 	CNI_BLOCK_RESTED = 1u << 2,      /* its lanes took one substep in the last step: step/early_rest.c */
+	CNI_BLOCK_SUMS = 1u << 3,        /* some contact reports STAY or HIT: see cni_block_sums */
 	CNI_BLOCK_EXTRA = 1u << 1        /* some lane has rolling resistance, a conveyor or a locked axis: see cni_block_extra */
 };
 
@@ -76,7 +77,8 @@ typedef struct cni_block_anchor {
 	} x;
 	float ny[CNI_LANES];
 	float dt[CNI_LANES];        /* lane's dt */
-	float c[CNI_LANES], s[CNI_LANES]; /* rotation of b relative to a */
+	float c[CNI_LANES], s[CNI_LANES]; /* rotation of b relative to a; of a lane without the bit that began to touch in the last step:
+	                                     its normal and friction impulse in that step */
 	union {
 		float less[2][CNI_LANES]; /* separation of each point less (centre b - centre a).n */
 		struct {
@@ -102,12 +104,24 @@ typedef struct cni_block_info {
 	int32_t contact[CNI_LANES];      /* CNI_NONE: padding */
 	float restitution[CNI_LANES];
 	int32_t prev, next;              /* blocks of the colour, or of the free list */
-	int32_t color;
-	uint32_t flags;
+	int16_t color;
+	uint16_t flags;                  /* CNI_BLOCK_ */
 	uint32_t fresh_step;             /* step + 1 of a lane's last begin of touching */
 	uint16_t fresh;                  /* ... lanes that began then, as bits; the solver clears lanes with an impulse, substep by substep */
 	uint16_t anchored;               /* bits of lanes with an anchor */
+	int32_t sums;                    /* index of its cni_block_sums, or CNI_NONE; within a step, where world.sums is not NULL */
 } cni_block_info;
+
+/* Impulses of a block's lanes over a step, while the step runs: contacts/impulse_sums.c. */
+typedef struct cni_block_sums {
+	float normal[CNI_LANES], friction[CNI_LANES]; /* over the substeps so far */
+	float closing[2][CNI_LANES];                  /* closing speed of each point when the substep began */
+	float approach[CNI_LANES];                    /* greatest closing speed of a blow */
+	uint32_t hits;                                /* bits of lanes whose contacts report HIT */
+	uint32_t struck;                              /* bits: the point of that blow, 0 or 1 */
+	int32_t block;
+	int32_t reserved;
+} cni_block_sums;
 
 typedef struct cni_color {
 	int32_t first, last;   /* blocks */
@@ -150,7 +164,7 @@ enum {
 	CNI_CONTACT_ONE_WAY = 1u << 10,     /* one shape is a one-way platform */
 	CNI_CONTACT_PASSING = 1u << 11,     /* ... that the other shape is passing through */
 	CNI_CONTACT_PRE_SOLVE = 1u << 12,   /* the user's callback sees it before solving */
-	CNI_CONTACT_EVENTS_SHIFT = 16       /* bits 16..20: the CN_EVENT_ kinds that it reports */
+	CNI_CONTACT_EVENTS_SHIFT = 16       /* bits 16..21: the CN_EVENT_ kinds that it reports */
 };
 
 typedef struct cni_contact {
@@ -167,6 +181,9 @@ typedef struct cni_contact {
 cn_result cni_contact_reserve(cn_world *world, int32_t extra);
 /* Record of an existing contact between two proxies, or CNI_NONE. O(contacts of the body with fewer). */
 int32_t cni_contact_find(const cn_world *world, int32_t proxy_a, int32_t proxy_b);
+/* Keys of the contacts of a shape, in the list of its body. CNI_NONE: none, or no body. O(contacts of the body) for all. */
+int32_t cni_contact_first_of_shape(const cn_world *world, int32_t shape);
+int32_t cni_contact_next_of_shape(const cn_world *world, int32_t key, int32_t shape);
 /* After cni_contact_reserve it cannot fail. Logs CREATED. */
 int32_t cni_contact_create(cn_world *world, int32_t proxy_a, int32_t proxy_b);
 
@@ -236,6 +253,11 @@ static inline void cni_contact_mark_static(cni_body *a, cni_body *b)
 void cni_contact_enter_apart_list(cn_world *world, int32_t contact);
 void cni_contact_leave_apart_list(cn_world *world, int32_t contact);
 
+/* Marks the block of a touching contact that reports STAY or HIT: the next step sums its impulses. */
+void cni_contact_mark_sums(cn_world *world, const cni_contact *c);
+
+/* Adds to the impulses of the ENTER event of a contact that began to touch in this step; nothing for other contacts. */
+void cni_contact_add_enter_impulses(cn_world *world, const cni_contact *c, float normal, float friction);
 /* The public description of a contact; with a manifold if it touches. kind is copied. */
 void cni_contact_describe(const cn_world *world, int32_t contact, int32_t kind, cn_contact_event *out);
 

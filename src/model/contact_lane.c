@@ -353,6 +353,8 @@ void cni_contact_describe(const cn_world *world, int32_t contact, int32_t kind, 
 	out->child_b = cni_proxy_child(b);
 	out->contact_id = (uint32_t)contact + 1u;
 	out->kind = kind;
+	out->material_a = cni_shape_material_id(&world->blocks, cni_shape_at(world, a->shape));
+	out->material_b = cni_shape_material_id(&world->blocks, cni_shape_at(world, b->shape));
 	if (c->flags & CNI_CONTACT_TOUCHING)
 		describe_manifold(world, c, &out->manifold);
 }
@@ -431,6 +433,7 @@ void cni_contact_sleep_to_lane(cn_world *world, int32_t contact)
 	if (!world->events.in_step)
 		c->flags |= CNI_CONTACT_ENTERED; /* no STAY for the last step: it slept */
 	sleep_to_extra(world, c, &s);
+	cni_contact_mark_sums(world, c);
 	if (s.restitution > 0.0f)
 		info->flags |= CNI_BLOCK_RESTITUTION;
 }

@@ -48,12 +48,43 @@ float cni_contact_gap(const cn_world *world, const cni_contact *c)
 	return cni_block_anchor_at(world, block)->of.fresh.gap[l];
 }
 
+static int32_t contact_has_shape(const cn_world *world, const cni_contact *c, int32_t shape)
+{
+	return cni_proxy_at(world, c->proxy[0])->shape == shape || cni_proxy_at(world, c->proxy[1])->shape == shape;
+}
+
+/* First key from key on in the body's contact list whose contact has the shape. */
+static int32_t contact_key_of_shape(const cn_world *world, int32_t key, int32_t shape)
+{
+	while (key != CNI_NONE && !contact_has_shape(world, cni_contact_of_key(world, key), shape))
+		key = cni_contact_of_key(world, key)->next[key & 1];
+	return key;
+}
+
+int32_t cni_contact_first_of_shape(const cn_world *world, int32_t shape)
+{
+	const cni_shape *s = cni_shape_at(world, shape);
+	return s->body == CNI_NONE ? CNI_NONE : contact_key_of_shape(world, cni_body_at(world, s->body)->contact_first, shape);
+}
+
+int32_t cni_contact_next_of_shape(const cn_world *world, int32_t key, int32_t shape)
+{
+	return contact_key_of_shape(world, cni_contact_of_key(world, key)->next[key & 1], shape);
+}
+
 float cni_contact_approach(const cn_world *world, const cni_contact *c)
 {
 	int32_t block = c->slot / CNI_LANES, l = c->slot % CNI_LANES;
 	if ((c->flags & CNI_CONTACT_ASLEEP) || (cni_block_info_at(world, block)->anchored >> l & 1u))
 		return 0.0f;
 	return cni_block_anchor_at(world, block)->of.fresh.approach[l];
+}
+
+void cni_contact_mark_sums(cn_world *world, const cni_contact *c)
+{
+	const uint32_t kinds = (1u << CN_EVENT_STAY | 1u << CN_EVENT_HIT) << CNI_CONTACT_EVENTS_SHIFT;
+	if ((c->flags & kinds) && (c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) == CNI_CONTACT_TOUCHING)
+		cni_block_info_at(world, c->slot / CNI_LANES)->flags |= CNI_BLOCK_SUMS;
 }
 
 static int32_t has_lane(const cni_contact *c)

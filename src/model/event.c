@@ -6,12 +6,17 @@
 
 #include <string.h>
 
+uint64_t cni_event_bytes(int32_t kind)
+{
+	return kind == CN_EVENT_HIT ? sizeof(cn_contact_event) : kind == CN_EVENT_STAY ? sizeof(cni_event_stay) : sizeof(cni_event);
+}
+
 void cni_events_init(cni_events *events)
 {
 	int32_t kind;
 	memset(events, 0, sizeof *events);
 	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
-		cni_array_init(&events->log[kind], (int32_t)sizeof(cni_event));
+		cni_array_init(&events->log[kind], (int32_t)cni_event_bytes(kind));
 		cni_array_init(&events->pending[kind], (int32_t)sizeof(cni_event));
 		cni_array_init(&events->seen[kind], (int32_t)sizeof(cn_contact_event));
 	}
@@ -68,28 +73,127 @@ void cni_events_begin_step(cni_events *events)
 	events->asleep.count = 0;
 }
 
-int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind)
+/* Makes room for an event; NULL: no memory. */
+static void *log_add(cn_world *world, cni_array *log)
 {
-	const cni_contact *c = cni_contact_at(world, contact);
-	const cni_proxy *a = cni_proxy_at(world, c->proxy[0]), *b = cni_proxy_at(world, c->proxy[1]);
-	cni_array *log = world->events.in_step ? &world->events.log[kind] : &world->events.pending[kind];
-	cni_event *e;
-	if (!(c->flags >> CNI_CONTACT_EVENTS_SHIFT & 1u << kind))
-		return 1;
 	if (!cni_array_reserve(log, &world->memory, log->count + 1)) {
 		world->warnings |= CN_WARNING_EVENT_MEMORY;
 		++world->events_not_reported;
-		return 0;
+		return NULL;
 	}
-	e = (cni_event *)log->data + log->count++;
+	return (uint8_t *)log->data + (size_t)log->count++ * (size_t)log->item_bytes;
+}
+
+static int32_t contact_reports(const cni_contact *c, int32_t kind)
+{
+	return (c->flags >> CNI_CONTACT_EVENTS_SHIFT & 1u << kind) != 0;
+}
+
+static void event_write(const cn_world *world, int32_t contact, cni_event *e)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	const cni_proxy *a = cni_proxy_at(world, c->proxy[0]), *b = cni_proxy_at(world, c->proxy[1]);
 	e->shape_a = cni_handles_of(&world->shape_handles, a->shape);
 	e->shape_b = cni_handles_of(&world->shape_handles, b->shape);
 	e->body_a = cni_handles_of(&world->body_handles, c->body[0]);
 	e->body_b = cni_handles_of(&world->body_handles, c->body[1]);
 	e->child = cni_proxy_child(b) != 0 ? ~cni_proxy_child(b) : cni_proxy_child(a);
 	e->contact = contact;
-	e->approach_speed = kind == CN_EVENT_ENTER ? cni_contact_approach(world, c) : 0.0f;
+	e->approach_speed = 0.0f;
+}
+
+/* Without an anchor the lane's c and s are free. */
+static cni_block_anchor *free_anchor(const cn_world *world, const cni_contact *c)
+{
+	if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING)
+		return NULL;
+	if (cni_block_info_at(world, c->slot / CNI_LANES)->anchored >> c->slot % CNI_LANES & 1u)
+		return NULL;
+	return cni_block_anchor_at(world, c->slot / CNI_LANES);
+}
+
+static void enter_impulses_clear(const cn_world *world, const cni_contact *c)
+{
+	cni_block_anchor *anchor = free_anchor(world, c);
+	if (anchor != NULL)
+		anchor->c[c->slot % CNI_LANES] = anchor->s[c->slot % CNI_LANES] = 0.0f;
+}
+
+void cni_contact_add_enter_impulses(cn_world *world, const cni_contact *c, float normal, float friction)
+{
+	cni_block_anchor *anchor = c->flags & CNI_CONTACT_ENTERED ? free_anchor(world, c) : NULL;
+	if (anchor == NULL)
+		return;
+	anchor->c[c->slot % CNI_LANES] += normal;
+	anchor->s[c->slot % CNI_LANES] += friction;
+}
+
+static void enter_impulses_read(const cn_world *world, const cni_contact *c, cn_contact_event *out)
+{
+	const cni_block_anchor *anchor = free_anchor(world, c);
+	if (anchor == NULL)
+		return;
+	out->normal_impulse_Ns = anchor->c[c->slot % CNI_LANES];
+	out->friction_impulse_Ns = anchor->s[c->slot % CNI_LANES];
+}
+
+int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	cni_event *e;
+	if (!contact_reports(c, kind))
+		return 1;
+	e = (cni_event *)log_add(world, world->events.in_step ? &world->events.log[kind] : &world->events.pending[kind]);
+	if (e == NULL)
+		return 0;
+	event_write(world, contact, e);
+	if (kind == CN_EVENT_ENTER) {
+		e->approach_speed = cni_contact_approach(world, c);
+		enter_impulses_clear(world, c);
+	}
 	return 1;
+}
+
+static int32_t contact_stays(const cni_contact *c)
+{
+	const uint32_t mask = CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP | CNI_CONTACT_ENTERED | CNI_CONTACT_ENTER_OWED;
+	return (c->flags & mask) == CNI_CONTACT_TOUCHING && contact_reports(c, CN_EVENT_STAY);
+}
+
+void cni_event_log_stay(cn_world *world, int32_t contact, const cni_event_sums *sums)
+{
+	cni_event_stay *e;
+	if (!contact_stays(cni_contact_at(world, contact)))
+		return;
+	e = (cni_event_stay *)log_add(world, &world->events.log[CN_EVENT_STAY]);
+	if (e == NULL)
+		return;
+	e->contact = contact;
+	e->normal_impulse = sums->normal;
+	e->friction_impulse = sums->friction;
+}
+
+/* The manifold lists its points without those that are missing. */
+static cn_vec2 hit_point(const cni_contact *c, const cn_manifold *m, int32_t point)
+{
+	int32_t k = point == 1 && c->id[0] != 0 ? 1 : 0;
+	return m->points[cni_min_i(k, cni_max_i(m->point_count - 1, 0))].point_m;
+}
+
+void cni_event_log_hit(cn_world *world, int32_t contact, const cni_event_sums *sums)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	cn_contact_event *e;
+	if ((c->flags & CNI_CONTACT_ENTER_OWED) || !contact_reports(c, CN_EVENT_HIT))
+		return;
+	e = (cn_contact_event *)log_add(world, &world->events.log[CN_EVENT_HIT]);
+	if (e == NULL)
+		return;
+	cni_contact_describe(world, contact, CN_EVENT_HIT, e);
+	e->approach_speed_mps = sums->approach;
+	e->normal_impulse_Ns = sums->normal;
+	e->friction_impulse_Ns = sums->friction;
+	e->hit_point_m = hit_point(c, &e->manifold, sums->point);
 }
 
 int32_t cni_sensor_event_log(cn_world *world, int32_t contact, int32_t kind)
@@ -98,15 +202,12 @@ int32_t cni_sensor_event_log(cn_world *world, int32_t contact, int32_t kind)
 	cni_array *log = world->events.in_step ? &world->events.sensor_log : &world->events.sensor_pending;
 	int32_t shapes[2], side;
 	cn_sensor_event *e;
-	if (!cni_array_reserve(log, &world->memory, log->count + 1)) {
-		world->warnings |= CN_WARNING_EVENT_MEMORY;
-		++world->events_not_reported;
-		return 0;
-	}
 	shapes[0] = cni_proxy_at(world, c->proxy[0])->shape;
 	shapes[1] = cni_proxy_at(world, c->proxy[1])->shape;
 	side = cni_shape_at(world, shapes[0])->flags & CN_SHAPE_SENSOR ? 0 : 1;
-	e = (cn_sensor_event *)log->data + log->count++;
+	e = (cn_sensor_event *)log_add(world, log);
+	if (e == NULL)
+		return 0;
 	e->sensor = cni_handles_of(&world->shape_handles, shapes[side]);
 	e->visitor = cni_handles_of(&world->shape_handles, shapes[1 - side]);
 	e->sensor_body = cni_handles_of(&world->body_handles, c->body[side]);
@@ -128,8 +229,10 @@ static int32_t event_is_current(const cn_world *world, const cni_event *e)
 static void event_expand(const cn_world *world, const cni_event *e, int32_t kind, cn_contact_event *out)
 {
 	memset(out, 0, sizeof *out);
-	if (kind == CN_EVENT_ENTER && event_is_current(world, e))
+	if (kind == CN_EVENT_ENTER && event_is_current(world, e)) {
 		cni_contact_describe(world, e->contact, kind, out);
+		enter_impulses_read(world, cni_contact_at(world, e->contact), out);
+	}
 	out->shape_a = e->shape_a;
 	out->shape_b = e->shape_b;
 	out->body_a = e->body_a;
@@ -141,33 +244,35 @@ static void event_expand(const cn_world *world, const cni_event *e, int32_t kind
 	out->approach_speed_mps = e->approach_speed;
 }
 
-static int32_t contact_stays(const cni_contact *c)
+/* A pair that stayed and then fell asleep, or ended, is left out. */
+static void build_stay(const cn_world *world, const cni_array *log, cni_array *seen)
 {
-	const uint32_t mask = CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP | CNI_CONTACT_ENTERED | CNI_CONTACT_ENTER_OWED;
-	return (c->flags & mask) == CNI_CONTACT_TOUCHING && (c->flags >> CNI_CONTACT_EVENTS_SHIFT & 1u << CN_EVENT_STAY);
-}
-
-static int32_t stay_add(cn_world *world, int32_t contact, cni_array *seen)
-{
-	if (!contact_stays(cni_contact_at(world, contact)))
-		return 1;
-	if (!cni_array_reserve(seen, &world->memory, seen->count + 1)) {
-		seen->count = 0;
-		return 0;
+	int32_t k;
+	for (k = 0; k < log->count; ++k) {
+		const cni_event_stay *e = (const cni_event_stay *)log->data + k;
+		cn_contact_event *out = (cn_contact_event *)seen->data + seen->count;
+		if (!contact_stays(cni_contact_at(world, e->contact)))
+			continue;
+		cni_contact_describe(world, e->contact, CN_EVENT_STAY, out);
+		out->normal_impulse_Ns = e->normal_impulse;
+		out->friction_impulse_Ns = e->friction_impulse;
+		++seen->count;
 	}
-	cni_contact_describe(world, contact, CN_EVENT_STAY, (cn_contact_event *)seen->data + seen->count++);
-	return 1;
 }
 
-static cn_result build_stay(cn_world *world, cni_array *seen)
+static void build_from_log(const cn_world *world, const cni_array *log, int32_t kind, cni_array *seen)
 {
-	int32_t color, block, l;
-	for (color = 0; color < CNI_COLORS; ++color)
-		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
-			for (l = 0; l < CNI_LANES && cni_block_info_at(world, block)->contact[l] != CNI_NONE; ++l)
-				if (!stay_add(world, cni_block_info_at(world, block)->contact[l], seen))
-					return CN_ERROR_MEMORY;
-	return CN_OK;
+	if (kind == CN_EVENT_STAY) {
+		build_stay(world, log, seen);
+		return;
+	}
+	for (; seen->count < log->count; ++seen->count) {
+		cn_contact_event *out = (cn_contact_event *)seen->data + seen->count;
+		if (kind == CN_EVENT_HIT)
+			*out = ((const cn_contact_event *)log->data)[seen->count];
+		else
+			event_expand(world, (const cni_event *)log->data + seen->count, kind, out);
+	}
 }
 
 cn_result cni_events_build(cn_world *world, int32_t kind)
@@ -175,20 +280,12 @@ cn_result cni_events_build(cn_world *world, int32_t kind)
 	cni_events *events = &world->events;
 	cni_array *seen = &events->seen[kind];
 	const cni_array *log = &events->log[kind];
-	int32_t k;
 	if (events->built[kind])
 		return CN_OK;
 	seen->count = 0;
-	if (kind == CN_EVENT_STAY) {
-		if (build_stay(world, seen) != CN_OK)
-			return CN_ERROR_MEMORY;
-	} else {
-		if (!cni_array_reserve(seen, &world->memory, log->count))
-			return CN_ERROR_MEMORY;
-		for (k = 0; k < log->count; ++k)
-			event_expand(world, (const cni_event *)log->data + k, kind, (cn_contact_event *)seen->data + k);
-		seen->count = log->count;
-	}
+	if (!cni_array_reserve(seen, &world->memory, log->count))
+		return CN_ERROR_MEMORY;
+	build_from_log(world, log, kind, seen);
 	events->built[kind] = 1;
 	return CN_OK;
 }

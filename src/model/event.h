@@ -2,10 +2,10 @@
  * model/event.h - logs of contact, sensor and joint events.
  *
  * Stages and calls log compact records. The public arrays are built from them on the first request, so that events without a
- * reader cost 32 bytes and nothing more. STAY is never logged: it is the list of awake touching contacts that did not enter in
- * the last step.
+ * reader cost 28 bytes and nothing more. The impulses of an ENTER are in the anchor of its lane (cni_block_anchor). A HIT is logged
+ * in its public form, with its point: the pair may be gone when it is read.
  *
- *   log[kind]      the last step's           (CREATED, ENTER, LEAVE, DESTROYED)
+ *   log[kind]      the last step's
  *   pending[kind]  since then, by calls      (LEAVE, DESTROYED): the next step starts with them
  *   seen[kind]     the built public arrays
  */
@@ -22,6 +22,19 @@ typedef struct cni_event {
 	int32_t contact;
 	float approach_speed;
 } cni_event;
+
+/* A STAY in its log. Contacts begin in steps only, so that until the next one the record holds this contact or none. */
+typedef struct cni_event_stay {
+	int32_t contact;
+	float normal_impulse, friction_impulse; /* of the step */
+} cni_event_stay;
+
+/* Sums of a contact over a step. */
+typedef struct cni_event_sums {
+	float normal, friction; /* impulses */
+	float approach;         /* of the fastest blow, m/s */
+	int32_t point;          /* ... its point: 0 or 1 */
+} cni_event_sums;
 
 typedef struct cni_events {
 	cni_array log[CN_EVENT_KINDS];
@@ -41,12 +54,17 @@ typedef struct cni_events {
 	int32_t reserved;
 } cni_events;
 
+/* Bytes of an event in the log of its kind. */
+uint64_t cni_event_bytes(int32_t kind);
 void cni_events_init(cni_events *events);
 void cni_events_deinit(cni_events *events, cni_memory *memory);
 /* At the beginning of a step: pending logs become the logs, built arrays become invalid. */
 void cni_events_begin_step(cni_events *events);
 /* Logs a contact's event if the contact reports that kind; 0: no memory. */
 int32_t cni_event_log(cn_world *world, int32_t contact, int32_t kind);
+/* STAY, if the contact reports it and does not enter in this step. */
+void cni_event_log_stay(cn_world *world, int32_t contact, const cni_event_sums *sums);
+void cni_event_log_hit(cn_world *world, int32_t contact, const cni_event_sums *sums);
 int32_t cni_sensor_event_log(cn_world *world, int32_t contact, int32_t kind);
 /* Builds the public array of a kind. */
 cn_result cni_events_build(cn_world *world, int32_t kind);

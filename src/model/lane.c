@@ -47,7 +47,7 @@ static int32_t block_take(cn_world *world, int32_t color)
 	memset(info, 0, sizeof *info);
 	for (lane = 0; lane < CNI_LANES; ++lane)
 		info->contact[lane] = CNI_NONE;
-	info->color = color;
+	info->color = (int16_t)color;
 	info->next = CNI_NONE;
 	info->prev = group->last;
 	if (group->last != CNI_NONE)

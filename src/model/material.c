@@ -3,17 +3,22 @@
  */
 #include "model/world.h"
 
-void cni_shape_store_material(cni_shape *s, const cn_material *material)
+int32_t cni_shape_store_material(cn_world *world, cni_shape *s, const cn_material *material)
 {
+	if (material->user_id != 0 && !cni_shape_reserve_extra(world, s))
+		return 0;
 	s->static_friction = material->static_friction;
 	s->dynamic_friction = material->dynamic_friction;
 	s->restitution = material->restitution;
 	s->rolling_resistance = material->rolling_resistance;
 	s->tangent_speed = material->tangent_speed_mps;
 	s->mix = (uint8_t)(material->friction_mix | material->restitution_mix << 4);
+	if (s->extra != 0)
+		cni_shape_extra_of(&world->blocks, s)->material_id = material->user_id;
+	return 1;
 }
 
-cn_material cni_shape_material(const cni_shape *s)
+cn_material cni_shape_material(const cn_world *world, const cni_shape *s)
 {
 	cn_material m;
 	m.static_friction = s->static_friction;
@@ -23,7 +28,7 @@ cn_material cni_shape_material(const cni_shape *s)
 	m.tangent_speed_mps = s->tangent_speed;
 	m.friction_mix = s->mix & 15;
 	m.restitution_mix = s->mix >> 4;
-	m.reserved = 0;
+	m.user_id = cni_shape_material_id(&world->blocks, s);
 	return m;
 }
 
@@ -51,7 +56,7 @@ static cn_material mix_by_rules(const cn_material *a, const cn_material *b)
 	m.tangent_speed_mps = a->tangent_speed_mps + b->tangent_speed_mps;
 	m.friction_mix = friction_rule;
 	m.restitution_mix = restitution_rule;
-	m.reserved = 0;
+	m.user_id = 0;
 	return m;
 }
 
@@ -72,7 +77,7 @@ static void material_clamp(cn_material *m, const cn_material *rules)
 
 cn_material cni_material_mix(cn_world *world, int32_t shape_a, int32_t shape_b)
 {
-	cn_material a = cni_shape_material(cni_shape_at(world, shape_a)), b = cni_shape_material(cni_shape_at(world, shape_b));
+	cn_material a = cni_shape_material(world, cni_shape_at(world, shape_a)), b = cni_shape_material(world, cni_shape_at(world, shape_b));
 	cn_material m = mix_by_rules(&a, &b), rules = m;
 	if (world->material_mix == NULL)
 		return m;

@@ -5,9 +5,11 @@
  */
 #include "model/world.h"
 
-uint64_t cni_shape_ids_bytes(const cn_world *world, const cni_shape *s)
+#include <string.h>
+
+uint64_t cni_shape_ids_bytes(const cn_world *world, int32_t children)
 {
-	uint64_t bytes = (uint64_t)s->children * sizeof(int32_t);
+	uint64_t bytes = (uint64_t)children * sizeof(int32_t);
 	if (!world->memory.fixed)
 		return bytes;
 	if (bytes <= CNI_SHAPE_IDS_BYTES)
@@ -63,13 +65,23 @@ static int32_t proxy_create(cn_world *world, int32_t shape, int32_t child)
 	return id;
 }
 
+/* Places a chain; ids is the piece of its proxy ids. Memory for the proxies must be reserved. */
+static void edges_place(cn_world *world, int32_t shape, cni_ref ids)
+{
+	cni_shape *s = cni_shape_at(world, shape);
+	int32_t count = cni_shape_children(&world->blocks, s), child;
+	s->box.proxies = ids;
+	for (child = 0; child < count; ++child)
+		((int32_t *)cni_blocks_at(&world->blocks, ids))[child] = proxy_create(world, shape, child);
+}
+
 cn_result cni_shape_place(cn_world *world, int32_t shape)
 {
 	cni_shape *s = cni_shape_at(world, shape);
-	int32_t child;
+	cni_ref ids;
 	if (shape_is_placed(s))
 		return CN_OK;
-	if (cni_proxy_reserve(world, s->children) != CN_OK)
+	if (cni_proxy_reserve(world, cni_shape_children(&world->blocks, s)) != CN_OK)
 		return CN_ERROR_MEMORY;
 	cni_body_forget_room(cni_body_at(world, s->body));
 	if (s->type != CN_SHAPE_CHAIN) {
@@ -78,11 +90,10 @@ cn_result cni_shape_place(cn_world *world, int32_t shape)
 			cni_body_kick(world, s->body);
 		return CN_OK;
 	}
-	s->box.proxies = cni_blocks_alloc(&world->blocks, cni_shape_ids_bytes(world, s));
-	if (s->box.proxies == 0)
+	ids = cni_blocks_alloc(&world->blocks, cni_shape_ids_bytes(world, cni_shape_children(&world->blocks, s)));
+	if (ids == 0)
 		return CN_ERROR_MEMORY;
-	for (child = 0; child < s->children; ++child)
-		((int32_t *)cni_blocks_at(&world->blocks, s->box.proxies))[child] = proxy_create(world, shape, child);
+	edges_place(world, shape, ids);
 	return CN_OK;
 }
 
@@ -93,7 +104,7 @@ void cni_shape_unplace(cn_world *world, int32_t shape)
 	if (!shape_is_placed(s))
 		return;
 	cni_contact_destroy_of_shape(world, shape);
-	for (child = 0; child < s->children; ++child) {
+	for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 		int32_t proxy = cni_shape_proxy(world, s, child);
 		if (cni_proxy_at(world, proxy)->flags & CNI_PROXY_STATIC)
 			cni_seams_change(world, &cni_proxy_at(world, proxy)->fat);
@@ -101,11 +112,67 @@ void cni_shape_unplace(cn_world *world, int32_t shape)
 		proxy_release(world, proxy);
 	}
 	if (s->type == CN_SHAPE_CHAIN) {
-		cni_blocks_free(&world->blocks, s->box.proxies, cni_shape_ids_bytes(world, s));
+		cni_blocks_free(&world->blocks, s->box.proxies, cni_shape_ids_bytes(world, cni_shape_children(&world->blocks, s)));
 		s->box.proxies = 0;
 	} else {
 		s->box.proxy = CNI_NONE;
 	}
+}
+
+/* The box of a shape whose geometry has changed. */
+static void box_refit(cn_world *world, int32_t shape)
+{
+	const cni_shape *s = cni_shape_at(world, shape);
+	cni_body *b = cni_body_at(world, s->body);
+	cni_proxy *p = cni_proxy_at(world, s->box.proxy);
+	cni_aabb tight = cni_geometry_aabb(cni_shape_geometry(&world->blocks, s), 0, cni_body_transform(b));
+	cni_aabb fat = cni_box_fatten(tight, cni_box_margin(world, b->type, &tight));
+	if (b->type == CN_BODY_STATIC) {
+		cni_seams_change(world, &p->fat);
+		cni_seams_change(world, &fat);
+	}
+	p->geometry = s->geometry;
+	cni_proxy_set_fat(p, &fat);
+	world->broadphase_ops->move(world->broadphase, s->box.proxy);
+	cni_body_forget_room(b);
+	if (b->awake != 0)
+		cni_body_kick(world, s->body);
+}
+
+void cni_shape_set_piece(cn_world *world, int32_t shape, cni_ref piece, const cni_geometry *g)
+{
+	cni_shape *s = cni_shape_at(world, shape);
+	if (piece != 0) {
+		cni_blocks_free(&world->blocks, s->geometry, cni_shape_piece_bytes(world, s->type, cni_shape_geometry(&world->blocks, s)->count));
+		s->geometry = piece;
+	}
+	memcpy(cni_blocks_at(&world->blocks, s->geometry), g, (size_t)cni_geometry_bytes(g->type, g->count));
+	if (shape_is_placed(s))
+		box_refit(world, shape);
+}
+
+cn_result cni_shape_replace_chain(cn_world *world, int32_t shape, cni_ref piece)
+{
+	cni_shape *s = cni_shape_at(world, shape);
+	const cni_geometry *old = cni_shape_geometry(&world->blocks, s);
+	int32_t children = cni_geometry_children((const cni_geometry *)cni_blocks_at(&world->blocks, piece)), placed = shape_is_placed(s);
+	uint64_t bytes = cni_shape_piece_bytes(world, CN_SHAPE_CHAIN, old->count);
+	cni_ref ids = 0;
+	if (placed) {
+		if (cni_proxy_reserve(world, children) != CN_OK)
+			return CN_ERROR_MEMORY;
+		ids = cni_blocks_alloc(&world->blocks, cni_shape_ids_bytes(world, children));
+		if (ids == 0)
+			return CN_ERROR_MEMORY;
+		cni_shape_unplace(world, shape);
+	}
+	cni_blocks_free(&world->blocks, s->geometry, bytes);
+	s->geometry = piece;
+	if (placed) {
+		cni_body_forget_room(cni_body_at(world, s->body));
+		edges_place(world, shape, ids);
+	}
+	return CN_OK;
 }
 
 void cni_shape_refilter(cn_world *world, int32_t shape)
@@ -114,7 +181,7 @@ void cni_shape_refilter(cn_world *world, int32_t shape)
 	int32_t child;
 	if (!shape_is_placed(s))
 		return;
-	for (child = 0; child < s->children; ++child) {
+	for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 		cni_proxy *p = cni_proxy_at(world, cni_shape_proxy(world, s, child));
 		uint32_t is_static = cni_body_at(world, s->body)->type == CN_BODY_STATIC ? (uint32_t)CNI_PROXY_STATIC : 0u;
 		if ((p->flags & CNI_PROXY_STATIC) || is_static)

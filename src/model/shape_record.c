@@ -4,6 +4,8 @@
 #include "model/tuning.h"
 #include "model/world.h"
 
+#include <string.h>
+
 uint64_t cni_shape_piece_bytes(const cn_world *world, int32_t type, int32_t count)
 {
 	int32_t bytes = cni_geometry_bytes(type, count);
@@ -16,6 +18,19 @@ void cni_shape_free_geometry(cn_world *world, int32_t shape)
 {
 	const cni_shape *s = cni_shape_at(world, shape);
 	cni_blocks_free(&world->blocks, s->geometry, cni_shape_piece_bytes(world, s->type, cni_shape_geometry(&world->blocks, s)->count));
+	if (s->extra != 0)
+		cni_blocks_free(&world->blocks, s->extra, sizeof(cni_shape_extra));
+}
+
+int32_t cni_shape_reserve_extra(cn_world *world, cni_shape *s)
+{
+	if (s->extra != 0)
+		return 1;
+	s->extra = cni_blocks_alloc(&world->blocks, sizeof(cni_shape_extra));
+	if (s->extra == 0)
+		return 0;
+	memset(cni_shape_extra_of(&world->blocks, s), 0, sizeof(cni_shape_extra));
+	return 1;
 }
 
 int32_t cni_shape_edge_proxy(const cn_world *world, const cni_shape *s, int32_t child)

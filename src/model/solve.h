@@ -80,6 +80,7 @@ typedef struct cni_solve {
 	const struct cni_body_kernel *body_kernel; /* NULL: bodies one by one */
 	struct cni_sparse *direct; /* directly solved joints and contacts, NULL: none */
 	int32_t bounces;           /* some contact has restitution */
+	int32_t sums;              /* some contact may report its impulse: contacts/impulse_sums.c */
 	uint32_t contact_colors;   /* colours with contacts, as bits */
 	int32_t lanes;             /* contacts of all colours */
 	cni_team *team;            /* workers of the substeps' loops, NULL: too little work */

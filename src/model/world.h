@@ -40,6 +40,7 @@ typedef struct cni_settings {
 	float angular_speed_max;
 	float sleep_speed;
 	float sleep_delay;
+	float hit_speed;        /* slower blows are not reported */
 	float slop;             /* 0.005 length units: lengths below it do not matter */
 	float thickness_least;  /* 0.0005 length units: of shapes, and between their points. See CNI_THICKNESS_LEAST */
 	float box_margin;       /* 0.1 length units: of fat boxes */
@@ -70,6 +71,7 @@ struct cn_world {
 	float step_dt;               /* length of the current or last step */
 	float mean_dt;               /* mean length of the steps so far; 0: none */
 	int32_t overridden;          /* 1: a body or joint has had its own solver */
+	int32_t reserved_steps;
 
 	/* bodies */
 	cni_handles body_handles;
@@ -129,6 +131,9 @@ struct cn_world {
 	cni_color colors[CNI_COLORS];
 	cni_array block_list;        /* cni_listed_block: scratch of a step, capacity for every block */
 	cni_array sleep_lanes;       /* cni_sleep_lane */
+	cni_block_sums *sums;        /* within a step: scratch of the arena, see contacts/impulse_sums.c. NULL: no contact needs them */
+	int32_t sums_count;
+	int32_t sums_active;         /* 1: some contact reports impulses in this step */
 
 	/* joints and constraints */
 	cni_handles joint_handles;
@@ -239,6 +244,12 @@ static inline const cni_listed_block *cni_listed_blocks(const cn_world *world, i
 static inline cni_block_extra *cni_block_extra_at(const cn_world *world, int32_t block)
 {
 	return block < cni_table_capacity(&world->blocks_extra) ? (cni_block_extra *)cni_table_at_sized(&world->blocks_extra, block, sizeof(cni_block_extra), CNI_PAGE_BLOCKS) : NULL;
+}
+/* NULL: the block has no sums. */
+static inline cni_block_sums *cni_block_sums_at(const cn_world *world, int32_t block)
+{
+	int32_t sums = world->sums == NULL ? CNI_NONE : cni_block_info_at(world, block)->sums;
+	return sums == CNI_NONE ? NULL : world->sums + sums;
 }
 static inline cni_proxy *cni_proxy_at(const cn_world *world, int32_t proxy) { return (cni_proxy *)cni_table_at_sized(&world->proxies, proxy, sizeof(cni_proxy), CNI_PAGE_PROXIES); }
 static inline cni_motion *cni_motions(const cn_world *world) { return (cni_motion *)world->motion.data; }

@@ -108,7 +108,7 @@ static uint32_t body_rest(cn_world *world, cni_body *b, int32_t k, const cni_sol
 {
 	const cni_motion *m = cni_motions(world) + k;
 	cni_external *d = cni_externals(world) + k;
-	float slow = b->sleep_speed > 0.0f ? b->sleep_speed : world->settings.sleep_speed;
+	float slow = b->sleep_speed >= 0.0f ? b->sleep_speed : world->settings.sleep_speed;
 	float turn = m->w * b->extent;
 	if (pushed || !(m->vx * m->vx + m->vy * m->vy <= slow * slow && turn * turn <= slow * slow && (b->flags & CN_BODY_SLEEP) &&
 	      (b->type != CN_BODY_KINEMATIC || (m->vx == 0.0f && m->vy == 0.0f && m->w == 0.0f))))

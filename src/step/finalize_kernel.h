@@ -141,9 +141,9 @@ typedef struct rest_state {
    compilers do not unroll the loop. */
 CNI_INLINE void lane_rest(rest_state *r, cni_body *b, const cni_motion *m, cni_external *d, uint32_t lane)
 {
-	if (!(r->slow & lane) && !(b->sleep_speed > 0.0f)) {
+	if (!(r->slow & lane) && b->sleep_speed < 0.0f) {
 		cni_body_restless(b);
-	} else if (b->sleep_speed > 0.0f || b->type != CN_BODY_DYNAMIC || !(b->flags & CN_BODY_SLEEP) || (d->flags & CNI_EXTERNAL_DAMPED)) {
+	} else if (b->sleep_speed >= 0.0f || b->type != CN_BODY_DYNAMIC || !(b->flags & CN_BODY_SLEEP) || (d->flags & CNI_EXTERNAL_DAMPED)) {
 		r->left |= lane;
 		return;
 	} else {

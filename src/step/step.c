@@ -83,6 +83,22 @@ static void joints_relax(cn_world *world, const cni_solve *s)
 		cni_joints_stress(world, s);
 }
 
+static void impulses_sum(cn_world *world, const cni_solve *s)
+{
+	if (!world->sums_active)
+		return;
+	if (s->direct != NULL)
+		cni_direct_sum_impulses(world, s->direct);
+	cni_impulse_sums_close(world, s);
+}
+
+/* A step without motion has contacts and events, too. */
+static void report_without_motion(cn_world *world)
+{
+	cni_impulse_sums_make(world);
+	cni_impulse_sums_report(world);
+}
+
 static void substeps_lead(void *context)
 {
 	cn_world *world = ((const substeps *)context)->world;
@@ -90,6 +106,7 @@ static void substeps_lead(void *context)
 	int32_t k;
 	for (k = 0; k < s->substeps; ++k) {
 		cni_integrate_velocities(world, s, k);
+		cni_impulse_sums_open(world, s);
 		if (k == 0) {
 			joints_warm_start(world, s);
 			cni_contacts_warm_start(world, s);
@@ -103,6 +120,7 @@ static void substeps_lead(void *context)
 		cni_integrate_positions(world, s);
 		joints_relax(world, s);
 		cni_contacts_relax(world, s);
+		impulses_sum(world, s);
 		if (has_joints(world) && CNI_ON(SHOCKS))
 			cni_velocity_jumps_reset(world, s);
 		if (k == 0 && CNI_ON(REST))
@@ -150,13 +168,17 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	profile_mark(world, &profile->broadphase_s, mark);
 	cni_stage_narrowphase(world, dt);
 	profile_mark(world, &profile->narrowphase_s, mark);
-	if (dt == 0.0f)
+	if (dt == 0.0f) {
+		report_without_motion(world);
 		return 0;
+	}
 	world->mean_dt = s.mean_dt;
 	cni_external_prepare(world, &s);
 	if (has_joints(world))
 		cni_joints_prepare(world, &s);
 	cni_contacts_list(world, &s);
+	if (s.sums)
+		cni_impulse_sums_make(world);
 	if (CNI_HAS_DIRECT)
 		cni_stage_select_solvers(world, s.h);
 	if (CNI_HAS_DIRECT && (has_joints(world) || world->direct_islands.count > 0))
@@ -180,6 +202,7 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	if (CNI_HAS_CONTINUOUS && (world->settings.flags & CN_WORLD_CONTINUOUS))
 		cni_stage_continuous(world);
 	rested = cni_stage_finalize(world, &s);
+	cni_impulse_sums_report(world);
 	if (has_joints(world))
 		cni_joints_break(world);
 	profile_mark(world, &profile->finalize_s, mark);
@@ -204,14 +227,20 @@ static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
 	profile_mark(world, &profile->broadphase_s, mark);
 	cni_stage_narrowphase(world, 0.0f);                        /* 6 */
 	profile_mark(world, &profile->narrowphase_s, mark);
-	if (dt == 0.0f)
+	if (dt == 0.0f) {
+		report_without_motion(world);
 		return 0;
+	}
+	cni_impulse_sums_make(world);
+	cni_impulse_sums_open(world, &s);
 	cni_sequential_velocity_response(world, &s);               /* 7 */
+	cni_impulse_sums_close(world, &s);
 	cni_sequential_position_response(world);                   /* 8 */
 	if (has_joints(world))
 		cni_sequential_joints(world, &s);                  /* 9 */
 	profile_mark(world, &profile->substeps_s, mark);
 	rested = cni_stage_finalize(world, &s);                    /* 10 and 11 */
+	cni_impulse_sums_report(world);
 	if (has_joints(world))
 		cni_joints_break(world);
 	profile_mark(world, &profile->finalize_s, mark);

@@ -22,6 +22,7 @@ void cn_body_def_init(cn_body_def *def)
 	def->struct_size = (uint32_t)sizeof *def;
 	def->type = CN_BODY_DYNAMIC;
 	def->gravity_scale = 1.0f;
+	def->sleep_speed_mps = CN_DEFAULT;
 	def->flags = CN_BODY_ENABLED | CN_BODY_SLEEP | CN_BODY_AWAKE;
 }
 
@@ -112,7 +113,7 @@ static void check_def(cni_call *call, const cn_body_def *def)
 	cni_check_at_least(call, "linear_damping_per_s", def->linear_damping_per_s, 0.0f);
 	cni_check_at_least(call, "angular_damping_per_s", def->angular_damping_per_s, 0.0f);
 	cni_check_finite(call, "gravity_scale", def->gravity_scale);
-	cni_check_at_least(call, "sleep_speed_mps", def->sleep_speed_mps, 0.0f);
+	cni_check_at_least_or_default(call, "sleep_speed_mps", def->sleep_speed_mps);
 	cni_check_flags(call, "flags", def->flags, BODY_FLAGS);
 	cni_check_solver(call, def->solver, CN_SOLVER_DIRECT);
 	check_name(call, def->name);

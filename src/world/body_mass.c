@@ -87,7 +87,7 @@ cn_result cn_body_set_sleep_speed(cn_world *world, cn_body body, float speed_mps
 {
 	cni_call call = cni_enter(world, __func__);
 	cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_at_least(&call, "speed_mps", speed_mps, 0.0f);
+	cni_check_at_least_or_default(&call, "speed_mps", speed_mps);
 	if (call.result == CN_OK)
 		b->sleep_speed = speed_mps;
 	return call.result;

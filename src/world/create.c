@@ -24,8 +24,14 @@ void cn_world_def_init(cn_world_def *def)
 	def->gravity_mps2.y = -10.0f;
 	def->length_unit_m = 1.0f;
 	def->substep_count = 4;
+	def->accuracy_m = CN_DEFAULT;
+	def->restitution_threshold_mps = CN_DEFAULT;
+	def->push_speed_max_mps = CN_DEFAULT;
+	def->linear_speed_max_mps = CN_DEFAULT;
 	def->angular_speed_max_radps = 400.0f;
+	def->sleep_speed_mps = CN_DEFAULT;
 	def->sleep_delay_s = 0.5f;
+	def->hit_speed_mps = CN_DEFAULT;
 }
 
 /* ---- checking ---- */
@@ -37,14 +43,15 @@ static void def_check_numbers(cni_call *call, const cn_world_def *d)
 	cni_check_solver(call, d->solver, CN_SOLVER_SEQUENTIAL);
 	cni_check_range_int(call, "broadphase", d->broadphase, CN_BROADPHASE_SWEEP, CN_BROADPHASE_TREE);
 	cni_check_range_int(call, "substep_count", d->substep_count, 1, 64);
-	cni_check_at_least(call, "accuracy_m", d->accuracy_m, 0.0f);
+	cni_check_at_least_or_default(call, "accuracy_m", d->accuracy_m);
 	cni_check_range_int(call, "work_budget", d->work_budget, 0, CNI_CONSTRAINT_BUDGET_MAX);
-	cni_check_at_least(call, "restitution_threshold_mps", d->restitution_threshold_mps, 0.0f);
-	cni_check_at_least(call, "push_speed_max_mps", d->push_speed_max_mps, 0.0f);
-	cni_check_at_least(call, "linear_speed_max_mps", d->linear_speed_max_mps, 0.0f);
-	cni_check_at_least(call, "angular_speed_max_radps", d->angular_speed_max_radps, 0.0f);
-	cni_check_at_least(call, "sleep_speed_mps", d->sleep_speed_mps, 0.0f);
+	cni_check_at_least_or_default(call, "restitution_threshold_mps", d->restitution_threshold_mps);
+	cni_check_positive_or_default(call, "push_speed_max_mps", d->push_speed_max_mps);
+	cni_check_positive_or_default(call, "linear_speed_max_mps", d->linear_speed_max_mps);
+	cni_check_positive(call, "angular_speed_max_radps", d->angular_speed_max_radps);
+	cni_check_at_least_or_default(call, "sleep_speed_mps", d->sleep_speed_mps);
 	cni_check_at_least(call, "sleep_delay_s", d->sleep_delay_s, 0.0f);
+	cni_check_at_least_or_default(call, "hit_speed_mps", d->hit_speed_mps);
 	cni_check_range_int(call, "worker_count", d->worker_count, 0, CN_WORKERS_MAX);
 }
 
@@ -93,7 +100,7 @@ cn_result cn_world_def_check(const cn_world_def *def, char *text, int32_t text_b
 
 static float or_default(float value, float by_default)
 {
-	return value > 0.0f ? value : by_default;
+	return value == (float)CN_DEFAULT ? by_default : value;
 }
 
 static void settings_resolve(cni_settings *set, const cn_world_def *d)
@@ -108,9 +115,10 @@ static void settings_resolve(cni_settings *set, const cn_world_def *d)
 	set->restitution_threshold = or_default(d->restitution_threshold_mps, unit);
 	set->push_speed_max = or_default(d->push_speed_max_mps, 3.0f * unit);
 	set->linear_speed_max = or_default(d->linear_speed_max_mps, 400.0f * unit);
-	set->angular_speed_max = or_default(d->angular_speed_max_radps, 400.0f);
+	set->angular_speed_max = d->angular_speed_max_radps;
 	set->sleep_speed = or_default(d->sleep_speed_mps, 0.05f * unit);
 	set->sleep_delay = d->sleep_delay_s;
+	set->hit_speed = or_default(d->hit_speed_mps, unit);
 	set->slop = 0.005f * unit;
 	set->thickness_least = CNI_THICKNESS_LEAST * unit;
 	set->accuracy = or_default(d->accuracy_m, set->slop);
@@ -286,8 +294,14 @@ static int32_t reserve_pieces(cn_world *world, const cn_world_def *d)
 {
 	cni_blocks *blocks = &world->blocks;
 	return cni_blocks_reserve(blocks, cni_shape_piece_bytes(world, CN_SHAPE_POLYGON, CN_POLYGON_MAX_VERTICES), d->shape_capacity) &&
-	       cni_blocks_reserve(blocks, CNI_SHAPE_IDS_BYTES, d->shape_capacity) &&
+	       cni_blocks_reserve(blocks, CNI_SHAPE_IDS_BYTES, 2 * d->shape_capacity) &&
 	       cni_blocks_reserve(blocks, CN_NAME_MAX_BYTES + 1, d->body_capacity);
+}
+
+/* See cni_lane_reserve. */
+static int32_t blocks_for(int32_t contacts)
+{
+	return contacts / CNI_LANES + cni_min_i(contacts, CNI_COLORS);
 }
 
 /* Most islands: bodies that touch nothing have none. */
@@ -318,6 +332,7 @@ static uint64_t arena_bytes(const cn_world_def *d)
 	uint64_t joints = solver_bytes(d), scratch = boxes > pairs ? boxes : pairs;
 	joints += 128u + (uint64_t)islands_for(d->body_capacity) + 3u * sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u); /* cni_angular_momentum_restore; cni_rest_find takes less */
 	joints += 64u + sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u) * 3u / 2u; /* the islands of awake bodies */
+	joints += 64u + sizeof(cni_block_sums) * (uint64_t)blocks_for(d->contact_capacity);
 	return (scratch > joints ? scratch : joints) + island;
 }
 
@@ -333,7 +348,7 @@ static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 	cni_memory *m = &world->memory;
 	int32_t n = d->contact_capacity, kind;
 	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
-		if (kind != CN_EVENT_STAY && !cni_array_reserve_exact(&world->events.log[kind], m, n))
+		if (!cni_array_reserve_exact(&world->events.log[kind], m, n))
 			return 0;
 	}
 	return reserve_pieces(world, d) && cni_array_reserve_exact(&world->sleep_lanes, m, n) && cni_array_reserve_exact(&world->pairs.list, m, n) &&
@@ -357,15 +372,9 @@ static uint64_t array_bytes(int32_t count, size_t item)
    per edge beyond that, half as much again for size classes. */
 static uint64_t pieces_bytes(const cn_world_def *d)
 {
-	uint64_t shape = cni_blocks_rounded((uint64_t)cni_geometry_bytes(CN_SHAPE_POLYGON, CN_POLYGON_MAX_VERTICES)) + CNI_SHAPE_IDS_BYTES;
+	uint64_t shape = cni_blocks_rounded((uint64_t)cni_geometry_bytes(CN_SHAPE_POLYGON, CN_POLYGON_MAX_VERTICES)) + 2u * CNI_SHAPE_IDS_BYTES;
 	uint64_t bytes = (uint64_t)d->shape_capacity * (shape + 18u) + (uint64_t)d->body_capacity * cni_blocks_rounded(CN_NAME_MAX_BYTES + 1);
 	return bytes + bytes / 512u + 8192u; /* chunk ends and the table of chunks */
-}
-
-/* See cni_lane_reserve. */
-static int32_t blocks_for(int32_t contacts)
-{
-	return contacts / CNI_LANES + cni_min_i(contacts, CNI_COLORS);
 }
 
 static uint64_t records_bytes(const cn_world_def *d)
@@ -407,12 +416,12 @@ static uint64_t body_arrays_bytes(int32_t n)
 }
 
 /* The last line is for the event arrays that users request: all events of a contact in a step except its creation, for twice as many
-   contacts, because these arrays grow. */
+   contacts, because these arrays grow; half of them may have hits. */
 static uint64_t contact_arrays_bytes(int32_t n)
 {
-	return array_bytes(n, sizeof(int32_t)) + 6u * array_bytes(n, sizeof(cni_event)) + 2u * array_bytes(n, sizeof(cn_sensor_event)) +
+	return array_bytes(n, sizeof(int32_t)) + 6u * array_bytes(n, sizeof(cni_event)) + array_bytes(n, sizeof(cni_event_stay)) + array_bytes(n, sizeof(cn_contact_event)) + 2u * array_bytes(n, sizeof(cn_sensor_event)) +
 	       array_bytes(blocks_for(n), sizeof(cni_listed_block)) + array_bytes(n, sizeof(cni_sleep_lane)) + array_bytes(n, sizeof(cni_pair)) +
-	       2u * array_bytes(n, sizeof(cn_contact_event));
+	       3u * array_bytes(n, sizeof(cn_contact_event));
 }
 
 static uint64_t arrays_bytes(const cn_world_def *d)

@@ -325,6 +325,18 @@ void cni_check_positive(cni_call *call, const char *field, float value)
 		cni_refuse_float(call, field, value, "must be finite and > 0");
 }
 
+void cni_check_at_least_or_default(cni_call *call, const char *field, float value)
+{
+	if (value != (float)CN_DEFAULT)
+		cni_check_at_least(call, field, value, 0.0f);
+}
+
+void cni_check_positive_or_default(cni_call *call, const char *field, float value)
+{
+	if (value != (float)CN_DEFAULT)
+		cni_check_positive(call, field, value);
+}
+
 void cni_check_range(cni_call *call, const char *field, float value, float lower, float upper)
 {
 	if (!(value >= lower && value <= upper))

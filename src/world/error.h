@@ -86,6 +86,9 @@ void cni_check_struct_size(cni_call *call, uint32_t given, size_t expected, cons
 void cni_check_finite(cni_call *call, const char *field, float value);
 void cni_check_finite2(cni_call *call, const char *field, cn_vec2 value);
 void cni_check_at_least(cni_call *call, const char *field, float value, float lower);
+/* >= 0 (> 0), or CN_DEFAULT. */
+void cni_check_at_least_or_default(cni_call *call, const char *field, float value);
+void cni_check_positive_or_default(cni_call *call, const char *field, float value);
 void cni_check_positive(cni_call *call, const char *field, float value);
 void cni_check_range(cni_call *call, const char *field, float value, float lower, float upper);
 void cni_check_range_int(cni_call *call, const char *field, int32_t value, int32_t lower, int32_t upper);

@@ -82,6 +82,7 @@ static void def_take_settings(cn_world_def *def, const cni_settings *s)
 	def->substep_count = s->substeps;
 	def->flags = s->flags;
 	def->restitution_threshold_mps = s->restitution_threshold;
+	def->hit_speed_mps = s->hit_speed;
 	def->push_speed_max_mps = s->push_speed_max;
 	def->linear_speed_max_mps = s->linear_speed_max;
 	def->angular_speed_max_radps = s->angular_speed_max;

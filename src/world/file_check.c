@@ -467,17 +467,38 @@ static int32_t joints_hold(const cn_world *world)
 	return 1;
 }
 
-/* Event records are looked at by index. */
+/* The index of its contact in an event, CNI_NONE: it has none. */
+static int32_t event_contact(const cni_array *log, int32_t kind, int32_t k)
+{
+	if (kind == CN_EVENT_STAY)
+		return ((const cni_event_stay *)log->data)[k].contact;
+	return ((const cni_event *)log->data)[k].contact;
+}
+
+/* Users read as many points as it says. */
+static int32_t hit_holds(const cn_contact_event *e)
+{
+	return e->kind == CN_EVENT_HIT && e->manifold.point_count >= 0 && e->manifold.point_count <= 2;
+}
+
+static int32_t log_holds(const cni_array *log, int32_t kind)
+{
+	int32_t k;
+	for (k = 0; k < log->count; ++k)
+		if (kind == CN_EVENT_HIT ? !hit_holds((const cn_contact_event *)log->data + k) : event_contact(log, kind, k) == CNI_NONE)
+			return 0;
+	return 1;
+}
+
+/* Only in steps contacts stay and hit. */
 static int32_t events_hold(const cn_world *world)
 {
-	int32_t kind, k;
-	for (kind = 0; kind < CN_EVENT_KINDS; ++kind)
-		for (k = 0; k < world->events.log[kind].count + world->events.pending[kind].count; ++k) {
-			const cni_array *log = k < world->events.log[kind].count ? &world->events.log[kind] : &world->events.pending[kind];
-			const cni_event *e = (const cni_event *)log->data + (log == &world->events.log[kind] ? k : k - world->events.log[kind].count);
-			if (e->contact == CNI_NONE)
-				return 0;
-		}
+	int32_t kind;
+	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
+		const cni_array *pending = &world->events.pending[kind];
+		if (!log_holds(&world->events.log[kind], kind) || !(kind == CN_EVENT_STAY || kind == CN_EVENT_HIT ? pending->count == 0 : log_holds(pending, kind)))
+			return 0;
+	}
 	return 1;
 }
 

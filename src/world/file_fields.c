@@ -20,7 +20,7 @@
 static const cni_field settings_fields[] = {
 	S(gravity, FLOAT), S(length_unit, FLOAT), S(solver, COUNT), S(broadphase, COUNT), S(substeps, COUNT), S(flags, WORD), S(restitution_threshold, FLOAT),
 	S(push_speed_max, FLOAT), S(linear_speed_max, FLOAT), S(angular_speed_max, FLOAT), S(sleep_speed, FLOAT), S(sleep_delay, FLOAT), S(slop, DERIVED),
-	S(thickness_least, DERIVED), S(box_margin, DERIVED), S(contact_margin, DERIVED), S(accuracy, FLOAT), S(work_budget, COUNT)
+	S(thickness_least, DERIVED), S(box_margin, DERIVED), S(contact_margin, DERIVED), S(accuracy, FLOAT), S(hit_speed, FLOAT), S(work_budget, COUNT)
 };
 
 #define W(member, kind) FIELD(cn_world, member, kind)
@@ -39,7 +39,7 @@ static const cni_field world_fields[] = {
 	D(constraint_count), D(joints), D(awake_joints), D(joint_work), D(joint_blocks), D(joint_colors), D(joint_lanes), D(row_blocks),
 	D(row_block_count), D(row_blocks_of), D(joint_plain_first), D(reserved_plain), D(islands), D(island_used), D(island_free), D(island_count),
 	D(reserved_islands), D(direct_islands), D(reserved_direct), D(direct_plans), D(filter), D(filter_user), D(pre_solve), D(pre_solve_user),
-	D(material_mix), D(material_mix_user), D(events), D(profile), D(readback), D(readback_kept), D(readback_asked), D(error)
+	D(material_mix), D(material_mix_user), D(events), D(profile), D(readback), D(readback_kept), D(readback_asked), D(sums), D(sums_count), D(sums_active), D(reserved_steps), D(error)
 };
 
 /* ---- handles */
@@ -80,7 +80,7 @@ static const cni_field body_index_fields[] = { { 0, 1, CNI_FIELD_BODY } };
 #define G(member, kind) FIELD(cni_shape, member, kind)
 static const cni_field shape_fields[] = {
 	G(body, BODY), G(next, SHAPE), G(prev, SHAPE), G(type, BYTE), G(event_mask, BYTE), G(flags, BYTE), G(mix, BYTE), G(geometry, DERIVED),
-	G(children, DERIVED), G(box, DERIVED), G(density, FLOAT), G(static_friction, FLOAT), G(dynamic_friction, FLOAT), G(restitution, FLOAT),
+	G(extra, DERIVED), G(box, DERIVED), G(density, FLOAT), G(static_friction, FLOAT), G(dynamic_friction, FLOAT), G(restitution, FLOAT),
 	G(rolling_resistance, FLOAT), G(tangent_speed, FLOAT), G(group, WORD), G(category, LONG), G(mask, LONG), G(user_data, LONG)
 };
 #define X(member, kind) FIELD(cni_proxy, member, kind)
@@ -100,7 +100,7 @@ static const cni_field block_fields[] = {
 };
 #define I(member, kind) FIELD(cni_block_info, member, kind)
 static const cni_field info_fields[] = {
-	I(contact, CONTACT), I(restitution, WORD), I(prev, BLOCK), I(next, BLOCK), I(color, COUNT), I(flags, WORD), I(fresh_step, STAMP), I(fresh, HALF),
+	I(contact, CONTACT), I(restitution, WORD), I(prev, BLOCK), I(next, BLOCK), I(color, HALF), I(flags, HALF), I(sums, DERIVED), I(fresh_step, STAMP), I(fresh, HALF),
 	I(anchored, HALF)
 };
 static const cni_field anchor_fields[] = { { 0, sizeof(cni_block_anchor) / 4, CNI_FIELD_WORD } };
@@ -138,6 +138,9 @@ static const cni_field island_index_fields[] = { { 0, 1, CNI_FIELD_ISLAND } };
 static const cni_field event_fields[] = {
 	T(shape_a, WORD), T(shape_b, WORD), T(body_a, WORD), T(body_b, WORD), T(child, WORD), T(contact, CONTACT), T(approach_speed, WORD)
 };
+#define U(member, kind) FIELD(cni_event_stay, member, kind)
+static const cni_field stay_fields[] = { U(contact, CONTACT), U(normal_impulse, WORD), U(friction_impulse, WORD) };
+static const cni_field hit_fields[] = { { 0, sizeof(cn_contact_event) / 4, CNI_FIELD_WORD } };
 #define Y(member, kind) FIELD(cn_sensor_event, member, kind)
 static const cni_field sensor_event_fields[] = {
 	Y(sensor, WORD), Y(visitor, WORD), Y(sensor_body, WORD), Y(visitor_body, WORD), Y(kind, COUNT), Y(reserved, DERIVED)
@@ -150,7 +153,7 @@ static const cni_field joint_event_fields[] = {
 
 enum {
 	OF_SETTINGS, OF_WORLD, OF_WORDS, OF_ALIAS, OF_HANDLES, OF_BODY, OF_MOTION, OF_START, OF_EXTERNAL, OF_PREVIOUS, OF_BODY_INDEX, OF_SHAPE, OF_PROXY, OF_CONTACT, OF_CONTACT_INDEX, OF_BLOCK, OF_INFO,
-	OF_ANCHOR, OF_EXTRA, OF_SLEEP_LANE, OF_COLOR, OF_JOINT, OF_JOINT_INDEX, OF_ISLAND, OF_ISLAND_INDEX, OF_EVENT, OF_SENSOR_EVENT, OF_JOINT_EVENT, RECORDS
+	OF_ANCHOR, OF_EXTRA, OF_SLEEP_LANE, OF_COLOR, OF_JOINT, OF_JOINT_INDEX, OF_ISLAND, OF_ISLAND_INDEX, OF_EVENT, OF_STAY, OF_HIT, OF_SENSOR_EVENT, OF_JOINT_EVENT, RECORDS
 };
 
 static const cni_record records[RECORDS] = {
@@ -161,7 +164,7 @@ static const cni_record records[RECORDS] = {
 	RECORD(block_fields, cni_contact_block), RECORD(info_fields, cni_block_info), RECORD(anchor_fields, cni_block_anchor),
 	RECORD(extra_fields, cni_block_extra), RECORD(sleep_lane_fields, cni_sleep_lane), RECORD(color_fields, cni_color),
 	RECORD(joint_fields, cni_joint), RECORD(joint_index_fields, int32_t), RECORD(island_fields, cni_island), RECORD(island_index_fields, int32_t),
-	RECORD(event_fields, cni_event), RECORD(sensor_event_fields, cn_sensor_event), RECORD(joint_event_fields, cn_joint_event)
+	RECORD(event_fields, cni_event), RECORD(stay_fields, cni_event_stay), RECORD(hit_fields, cn_contact_event), RECORD(sensor_event_fields, cn_sensor_event), RECORD(joint_event_fields, cn_joint_event)
 };
 
 int32_t cni_file_unknown(void)
@@ -432,7 +435,7 @@ static void events_pass(cn_world *world, cni_file *f)
 	int32_t kind;
 	for (kind = 0; kind < CN_EVENT_KINDS; ++kind) {
 		log[3] = pending[3] = (char)('0' + kind);
-		array_pass(world, f, log, OF_EVENT, &events->log[kind]);
+		array_pass(world, f, log, kind == CN_EVENT_STAY ? OF_STAY : kind == CN_EVENT_HIT ? OF_HIT : OF_EVENT, &events->log[kind]);
 		array_pass(world, f, pending, OF_EVENT, &events->pending[kind]);
 	}
 	array_pass(world, f, "SLOG", OF_SENSOR_EVENT, &events->sensor_log);

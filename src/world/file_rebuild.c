@@ -78,7 +78,6 @@ static void geometry_read(cn_world *world, cni_file *f, cni_shape *s)
 	g->count = (int32_t)count;
 	g->seams = seams;
 	geometry_pass(f, g);
-	s->children = cni_geometry_children(g);
 	s->box.proxy = CNI_NONE;
 	if (s->type == CN_SHAPE_CHAIN)
 		s->box.proxies = 0;
@@ -130,6 +129,51 @@ static void geometries_pass(cn_world *world, cni_file *f)
 	}
 	if (f->mode == CNI_FILE_READ && cni_file_left(f) > 0)
 		cni_file_fail(f, CN_ERROR_FORMAT);
+}
+
+/* ---- materials' user ids: shape, id */
+
+static int32_t material_ids_count(const cn_world *world)
+{
+	int32_t count = 0, k;
+	for (k = 0; k < world->shape_handles.slots.count; ++k)
+		count += cni_handles_alive(&world->shape_handles, k) && cni_shape_material_id(&world->blocks, cni_shape_at(world, k)) != 0;
+	return count;
+}
+
+static void material_ids_write(cn_world *world, cni_file *f)
+{
+	uint32_t stride;
+	int32_t k;
+	(void)cni_file_chunk(f, "SMAT", 8, material_ids_count(world), &stride);
+	for (k = 0; k < world->shape_handles.slots.count; ++k) {
+		uint32_t id = cni_handles_alive(&world->shape_handles, k) ? cni_shape_material_id(&world->blocks, cni_shape_at(world, k)) : 0u;
+		if (id == 0)
+			continue;
+		(void)cni_file_word(f, (uint32_t)k);
+		(void)cni_file_word(f, id);
+	}
+}
+
+static void material_ids_read(cn_world *world, cni_file *f)
+{
+	uint32_t stride;
+	int32_t count = cni_file_chunk(f, "SMAT", 8, 0, &stride), k;
+	if (stride != 8)
+		cni_file_fail(f, CN_ERROR_FORMAT);
+	for (k = 0; k < count && f->result == CN_OK; ++k) {
+		uint32_t shape = cni_file_word(f, 0), id = cni_file_word(f, 0);
+		cni_shape *s;
+		if (f->result != CN_OK || shape >= (uint32_t)world->shape_handles.slots.count || !cni_handles_alive(&world->shape_handles, (int32_t)shape)) {
+			cni_file_fail(f, CN_ERROR_FORMAT);
+			return;
+		}
+		s = cni_shape_at(world, (int32_t)shape);
+		if (!cni_shape_reserve_extra(world, s))
+			cni_file_fail(f, CN_ERROR_MEMORY);
+		else
+			cni_shape_extra_of(&world->blocks, s)->material_id = id;
+	}
 }
 
 /* ---- names: body (4), length (1), letters ---- */
@@ -194,10 +238,13 @@ static void names_read(cn_world *world, cni_file *f)
 void cni_file_pieces(cn_world *world, cni_file *f)
 {
 	geometries_pass(world, f);
-	if (f->mode == CNI_FILE_READ)
+	if (f->mode == CNI_FILE_READ) {
+		material_ids_read(world, f);
 		names_read(world, f);
-	else
+	} else {
+		material_ids_write(world, f);
 		names_write(world, f);
+	}
 }
 
 /* ---- counts, and room as there was when the records were made ---- */
@@ -277,17 +324,17 @@ static int32_t *proxy_place(cn_world *world, cni_file *f, const cni_proxy *p)
 	if (!cni_handles_alive(&world->shape_handles, p->shape))
 		return NULL;
 	s = cni_shape_at(world, p->shape);
-	if (child >= s->children || !cni_handles_alive(&world->body_handles, s->body))
+	if (child >= cni_shape_children(&world->blocks, s) || !cni_handles_alive(&world->body_handles, s->body))
 		return NULL;
 	if (s->type != CN_SHAPE_CHAIN)
 		return &s->box.proxy;
 	if (s->box.proxies == 0) {
-		s->box.proxies = cni_blocks_alloc(&world->blocks, cni_shape_ids_bytes(world, s));
+		s->box.proxies = cni_blocks_alloc(&world->blocks, cni_shape_ids_bytes(world, cni_shape_children(&world->blocks, s)));
 		if (s->box.proxies == 0) {
 			cni_file_fail(f, CN_ERROR_MEMORY);
 			return NULL;
 		}
-		for (k = 0; k < s->children; ++k)
+		for (k = 0; k < cni_shape_children(&world->blocks, s); ++k)
 			((int32_t *)cni_blocks_at(&world->blocks, s->box.proxies))[k] = CNI_NONE;
 	}
 	return (int32_t *)cni_blocks_at(&world->blocks, s->box.proxies) + child;

@@ -249,7 +249,7 @@ cn_result cn_shape_cast_ray(const cn_world *world, cn_shape shape, const cn_ray 
 	t.body = s->body != CNI_NONE ? cni_body_at(world, s->body) : NULL;
 	t.geometry = cni_shape_geometry(&world->blocks, s);
 	t.index = cni_shape_index(world, shape);
-	for (t.child = 0; t.child < s->children; ++t.child)
+	for (t.child = 0; t.child < cni_shape_children(&world->blocks, s); ++t.child)
 		if (ray_cast(&q, &t, &hit))
 			best_keep(&q.best, &hit);
 	*out = q.best;

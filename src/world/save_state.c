@@ -46,7 +46,7 @@ static const member other_members[] = {
 	MEMBER(joint_colors), MEMBER(joint_lanes), MEMBER(row_blocks), MEMBER(row_block_count), MEMBER(row_blocks_of), MEMBER(joint_plain_first),
 	MEMBER(reserved_plain), MEMBER(direct_plans), MEMBER(filter), MEMBER(filter_user), MEMBER(pre_solve), MEMBER(pre_solve_user),
 	MEMBER(material_mix), MEMBER(material_mix_user), MEMBER(profile), MEMBER(error), MEMBER(readback), MEMBER(readback_kept), MEMBER(readback_asked),
-	MEMBER(reserved_islands), MEMBER(reserved_direct), MEMBER(bodies_stopped)
+	MEMBER(sums), MEMBER(sums_count), MEMBER(sums_active), MEMBER(reserved_steps), MEMBER(reserved_islands), MEMBER(reserved_direct), MEMBER(bodies_stopped)
 };
 
 #define COUNT_OF(list) ((int32_t)(sizeof(list) / sizeof((list)[0])))
@@ -180,7 +180,7 @@ uint64_t cni_world_layout(void)
 {
 	const uint64_t sizes[] = { CNI_LANES, sizeof(cni_body), sizeof(cni_shape), sizeof(cni_proxy), sizeof(cni_contact), sizeof(cni_contact_block),
 		sizeof(cni_block_info), sizeof(cni_block_anchor), sizeof(cni_block_extra), sizeof(cni_joint), sizeof(cni_island), sizeof(cni_motion),
-		sizeof(cni_previous), sizeof(cni_sleep_lane), sizeof(cni_event), sizeof(cn_world), sizeof(void *), CN_VERSION_MAJOR, CN_VERSION_MINOR,
+		sizeof(cni_previous), sizeof(cni_sleep_lane), sizeof(cni_event), sizeof(cn_contact_event), sizeof(cn_world), sizeof(void *), CN_VERSION_MAJOR, CN_VERSION_MINOR,
 		CN_VERSION_PATCH };
 	uint64_t hash = 0xCBF29CE484222325u;
 	int32_t k;

@@ -70,11 +70,11 @@ WORLD_GET(solver, int32_t, world->settings.solver)
 cn_result cn_world_set_accuracy(cn_world *world, float accuracy_m, int32_t work_budget)
 {
 	cni_call call = cni_enter(world, __func__);
-	cni_check_at_least(&call, "accuracy_m", accuracy_m, 0.0f);
+	cni_check_at_least_or_default(&call, "accuracy_m", accuracy_m);
 	cni_check_range_int(&call, "work_budget", work_budget, 0, CNI_CONSTRAINT_BUDGET_MAX);
 	if (call.result != CN_OK)
 		return call.result;
-	world->settings.accuracy = accuracy_m > 0.0f ? accuracy_m : world->settings.slop;
+	world->settings.accuracy = accuracy_m == (float)CN_DEFAULT ? world->settings.slop : accuracy_m;
 	world->settings.work_budget = work_budget;
 	return CN_OK;
 }
@@ -112,6 +112,15 @@ cn_result cn_world_set_restitution_threshold(cn_world *world, float speed_mps)
 	cni_check_at_least(&call, "speed_mps", speed_mps, 0.0f);
 	if (call.result == CN_OK)
 		world->settings.restitution_threshold = speed_mps;
+	return call.result;
+}
+
+cn_result cn_world_set_hit_speed(cn_world *world, float speed_mps)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_check_at_least(&call, "speed_mps", speed_mps, 0.0f);
+	if (call.result == CN_OK)
+		world->settings.hit_speed = speed_mps;
 	return call.result;
 }
 

@@ -83,30 +83,6 @@ CNI_DEFINE_GET(shape, body, cn_body, cni_handle_or_zero(&world->body_handles, re
 
 /* ------------------------------------------------------------------ contacts of a shape */
 
-static int32_t contact_has_shape(const cn_world *world, const cni_contact *c, int32_t shape)
-{
-	return cni_proxy_at(world, c->proxy[0])->shape == shape || cni_proxy_at(world, c->proxy[1])->shape == shape;
-}
-
-/* First key from key on in the body's contact list whose contact has the shape. */
-static int32_t contact_key_of_shape(const cn_world *world, int32_t key, int32_t shape)
-{
-	while (key != CNI_NONE && !contact_has_shape(world, cni_contact_of_key(world, key), shape))
-		key = cni_contact_of_key(world, key)->next[key & 1];
-	return key;
-}
-
-static int32_t first_contact(const cn_world *world, int32_t shape)
-{
-	const cni_shape *s = cni_shape_at(world, shape);
-	return s->body == CNI_NONE ? CNI_NONE : contact_key_of_shape(world, cni_body_at(world, s->body)->contact_first, shape);
-}
-
-static int32_t next_contact(const cn_world *world, int32_t key, int32_t shape)
-{
-	return contact_key_of_shape(world, cni_contact_of_key(world, key)->next[key & 1], shape);
-}
-
 /* The shape may collide with more shapes from now on: wakes bodies near it, so that the next step checks their contacts. */
 static void wake_met(cn_world *world, int32_t shape)
 {
@@ -137,10 +113,11 @@ cn_result cn_shape_set_material(cn_world *world, cn_shape shape, const cn_materi
 	cni_check_pointer(&call, "material", material);
 	if (call.result == CN_OK)
 		cni_check_material(&call, material);
+	if (call.result == CN_OK && !cni_shape_store_material(world, s, material))
+		cni_refuse(&call, CN_ERROR_MEMORY, "no memory for the material's user_id");
 	if (call.result != CN_OK)
 		return call.result;
-	cni_shape_store_material(s, material);
-	for (key = first_contact(world, index); key != CNI_NONE; key = next_contact(world, key, index)) {
+	for (key = cni_contact_first_of_shape(world, index); key != CNI_NONE; key = cni_contact_next_of_shape(world, key, index)) {
 		cni_contact_of_key(world, key)->flags |= CNI_CONTACT_REFRESH;
 		cni_contact_invalidate(world, key >> 1);
 		wake_touching(world, cni_contact_of_key(world, key));
@@ -148,7 +125,7 @@ cn_result cn_shape_set_material(cn_world *world, cn_shape shape, const cn_materi
 	return CN_OK;
 }
 
-CNI_DEFINE_GET(shape, material, cn_material, cni_shape_material(record))
+CNI_DEFINE_GET(shape, material, cn_material, cni_shape_material(world, record))
 
 cn_result cn_shape_set_density(cn_world *world, cn_shape shape, float density_kgpm2)
 {
@@ -173,11 +150,11 @@ CNI_DEFINE_GET(shape, density, float, record->density)
 
 static void end_forbidden_contacts(cn_world *world, int32_t shape)
 {
-	int32_t key = first_contact(world, shape);
+	int32_t key = cni_contact_first_of_shape(world, shape);
 	while (key != CNI_NONE) {
 		const cni_contact *c = cni_contact_of_key(world, key);
 		int32_t contact = key >> 1;
-		key = next_contact(world, key, shape);
+		key = cni_contact_next_of_shape(world, key, shape);
 		if (cni_filter_allows(cni_shape_at(world, cni_proxy_at(world, c->proxy[0])->shape), cni_shape_at(world, cni_proxy_at(world, c->proxy[1])->shape)))
 			continue;
 		wake_touching(world, c);
@@ -235,7 +212,7 @@ cn_result cn_shape_set_event_mask(cn_world *world, cn_shape shape, uint32_t even
 	if (call.result != CN_OK)
 		return call.result;
 	s->event_mask = (uint8_t)event_mask;
-	for (key = first_contact(world, index); key != CNI_NONE; key = next_contact(world, key, index))
+	for (key = cni_contact_first_of_shape(world, index); key != CNI_NONE; key = cni_contact_next_of_shape(world, key, index))
 		contact_refresh_mask(world, key >> 1);
 	return CN_OK;
 }

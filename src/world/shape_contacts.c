@@ -69,7 +69,7 @@ cn_result cn_shape_get_visitors(const cn_world *world, cn_shape sensor, cn_shape
 		visitor = visitor_of(world, key, index);
 		if (visitor == CNI_NONE)
 			continue;
-		if ((s->children == 1 && cni_shape_at(world, visitor)->children == 1) || !is_listed(world, first, key, index, visitor))
+		if ((cni_shape_children(&world->blocks, s) == 1 && cni_shape_children(&world->blocks, cni_shape_at(world, visitor)) == 1) || !is_listed(world, first, key, index, visitor))
 			cni_list_add(&list, cni_handles_of(&world->shape_handles, visitor));
 	}
 	*out_count = list.count;

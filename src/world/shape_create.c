@@ -5,7 +5,7 @@
  * The handle is taken last. Until then the record is prepared in the slot that the next take returns, so that
  * a lack of memory in between costs no generation of the slot.
  */
-#include "world/error.h"
+#include "world/shape_source.h"
 
 #include <string.h>
 
@@ -27,33 +27,6 @@ void cn_shape_def_init(cn_shape_def *def)
 	def->event_mask = 1u << CN_EVENT_ENTER | 1u << CN_EVENT_LEAVE;
 }
 
-/* Public geometry of a shape, before its record exists. */
-typedef struct source {
-	int32_t type;
-	int32_t count;      /* points */
-	const void *geometry; /* cn_circle, cn_capsule, ... */
-} source;
-
-static source source_make(int32_t type, int32_t count, const void *geometry)
-{
-	source s;
-	s.type = type;
-	s.count = count;
-	s.geometry = geometry;
-	return s;
-}
-
-static void geometry_build(cni_geometry *out, const source *from, cni_transform offset)
-{
-	switch (from->type) {
-	case CN_SHAPE_CIRCLE: cni_geometry_circle(out, (const cn_circle *)from->geometry, offset); break;
-	case CN_SHAPE_CAPSULE: cni_geometry_capsule(out, (const cn_capsule *)from->geometry, offset); break;
-	case CN_SHAPE_EDGE: cni_geometry_edge(out, (const cn_edge *)from->geometry, offset); break;
-	case CN_SHAPE_POLYGON: cni_geometry_polygon(out, (const cn_polygon *)from->geometry, offset); break;
-	default: cni_geometry_chain(out, (const cn_chain *)from->geometry, offset); break;
-	}
-}
-
 static void check_def(cni_call *call, const cn_shape_def *def)
 {
 	cni_check_pointer(call, "def", def);
@@ -72,17 +45,17 @@ static void check_def(cni_call *call, const cn_shape_def *def)
 	cni_check_flags(call, "event_mask", def->event_mask, EVENT_MASK);
 }
 
-static void record_fill(cni_shape *s, const cn_shape_def *def, const cni_geometry *g, cni_ref ref)
+static void record_fill(cni_call *call, cn_world *world, cni_shape *s, const cn_shape_def *def, const cni_geometry *g, cni_ref ref)
 {
 	memset(s, 0, sizeof *s);
 	s->body = s->next = s->prev = CNI_NONE;
 	s->type = (uint8_t)g->type;
 	s->geometry = ref;
-	s->children = cni_geometry_children(g);
 	if (g->type != CN_SHAPE_CHAIN)
 		s->box.proxy = CNI_NONE;
 	s->density = def->density_kgpm2;
-	cni_shape_store_material(s, &def->material);
+	if (!cni_shape_store_material(world, s, &def->material))
+		cni_refuse(call, CN_ERROR_MEMORY, "no memory for the material's user_id");
 	s->flags = (uint8_t)def->flags;
 	s->category = def->filter.category;
 	s->mask = def->filter.mask;
@@ -103,7 +76,7 @@ static void record_attach(cni_call *call, cn_world *world, int32_t shape, int32_
 }
 
 /* Builds the geometry piece and prepares the record in the next slot; 0 if the call failed. */
-static cni_ref shape_prepare(cni_call *call, cn_world *world, const cn_shape_def *def, const source *from)
+static cni_ref shape_prepare(cni_call *call, cn_world *world, const cn_shape_def *def, const cni_shape_source *from)
 {
 	int32_t shape = cni_handles_peek(&world->shape_handles);
 	uint64_t bytes = cni_shape_piece_bytes(world, from->type, from->count);
@@ -117,18 +90,18 @@ static cni_ref shape_prepare(cni_call *call, cn_world *world, const cn_shape_def
 	offset.q = cni_sincos(def->angle_rad);
 	offset.t = def->offset_m;
 	g = (cni_geometry *)cni_blocks_at(&world->blocks, ref);
-	geometry_build(g, from, offset);
-	record_fill(cni_shape_at(world, shape), def, g, ref);
+	cni_source_build(g, from, offset);
+	record_fill(call, world, cni_shape_at(world, shape), def, g, ref);
 	cni_check_shape_mass(call, cni_geometry_mass(g, def->density_kgpm2));
 	if (call->result == CN_OK && def->body != 0)
 		record_attach(call, world, shape, cni_body_index(world, def->body));
 	if (call->result == CN_OK)
 		return ref;
-	cni_blocks_free(&world->blocks, ref, bytes);
+	cni_shape_free_geometry(world, shape);
 	return 0;
 }
 
-static cn_result shape_create(cni_call *call, cn_world *world, const cn_shape_def *def, source from, cn_shape *out_shape)
+static cn_result shape_create(cni_call *call, cn_world *world, const cn_shape_def *def, cni_shape_source from, cn_shape *out_shape)
 {
 	int32_t shape;
 	check_def(call, def);
@@ -146,79 +119,34 @@ static cn_result shape_create(cni_call *call, cn_world *world, const cn_shape_de
 	return CN_OK;
 }
 
-/* Records the complaint of a geometry check, NULL for none. */
-static void check_geometry(cni_call *call, const char *complaint, const cn_vec2 *points, int32_t count, int32_t closed)
-{
-	if (complaint == cni_points_near)
-		cni_refuse_near(call, points, count, closed);
-	else if (complaint != NULL)
-		cni_refuse(call, CN_ERROR_ARGUMENT, complaint);
-}
-
 /* ------------------------------------------------------------------ one function per type */
 
 cn_result cn_shape_create_circle(cn_world *world, const cn_shape_def *def, const cn_circle *circle, cn_shape *out_shape)
 {
 	cni_call call = cni_enter(world, __func__);
-	cni_check_pointer(&call, "circle", circle);
-	if (call.result != CN_OK)
-		return call.result;
-	cni_check_finite2(&call, "center_m", circle->center_m);
-	cni_check_positive(&call, "radius_m", circle->radius_m);
-	check_geometry(&call, cni_check_circle(circle, world->settings.thickness_least), &circle->center_m, 1, 0);
-	return shape_create(&call, world, def, source_make(CN_SHAPE_CIRCLE, 1, circle), out_shape);
+	cni_shape_source from = cni_source_circle(&call, world, circle);
+	return shape_create(&call, world, def, from, out_shape);
 }
 
 cn_result cn_shape_create_capsule(cn_world *world, const cn_shape_def *def, const cn_capsule *capsule, cn_shape *out_shape)
 {
 	cni_call call = cni_enter(world, __func__);
-	cn_vec2 ends[2];
-	cni_check_pointer(&call, "capsule", capsule);
-	if (call.result != CN_OK)
-		return call.result;
-	cni_check_finite2(&call, "a_m", capsule->a_m);
-	cni_check_finite2(&call, "b_m", capsule->b_m);
-	cni_check_positive(&call, "radius_m", capsule->radius_m);
-	ends[0] = capsule->a_m;
-	ends[1] = capsule->b_m;
-	check_geometry(&call, cni_check_capsule(capsule, world->settings.thickness_least), ends, 2, 0);
-	return shape_create(&call, world, def, source_make(CN_SHAPE_CAPSULE, 2, capsule), out_shape);
+	cni_shape_source from = cni_source_capsule(&call, world, capsule);
+	return shape_create(&call, world, def, from, out_shape);
 }
 
 cn_result cn_shape_create_edge(cn_world *world, const cn_shape_def *def, const cn_edge *edge, cn_shape *out_shape)
 {
 	cni_call call = cni_enter(world, __func__);
-	cn_vec2 ends[2];
-	cni_check_pointer(&call, "edge", edge);
-	if (call.result != CN_OK)
-		return call.result;
-	cni_check_finite2(&call, "a_m", edge->a_m);
-	cni_check_finite2(&call, "b_m", edge->b_m);
-	ends[0] = edge->a_m;
-	ends[1] = edge->b_m;
-	check_geometry(&call, cni_check_edge(edge, world->settings.thickness_least), ends, 2, 0);
-	return shape_create(&call, world, def, source_make(CN_SHAPE_EDGE, 2, edge), out_shape);
-}
-
-static cn_result polygon_create(cni_call *call, cn_world *world, const cn_shape_def *def, const cn_polygon *polygon, cn_shape *out_shape)
-{
-	int32_t k;
-	cni_check_range_int(call, "count", polygon->count, 3, CN_POLYGON_MAX_VERTICES);
-	cni_check_at_least(call, "radius_m", polygon->radius_m, 0.0f);
-	for (k = 0; k < polygon->count && call->result == CN_OK; ++k)
-		cni_check_finite2(call, "points_m", polygon->points_m[k]);
-	if (call->result == CN_OK)
-		check_geometry(call, cni_check_polygon(polygon, world->settings.thickness_least), polygon->points_m, polygon->count, 1);
-	return shape_create(call, world, def, source_make(CN_SHAPE_POLYGON, polygon->count, polygon), out_shape);
+	cni_shape_source from = cni_source_edge(&call, world, edge);
+	return shape_create(&call, world, def, from, out_shape);
 }
 
 cn_result cn_shape_create_polygon(cn_world *world, const cn_shape_def *def, const cn_polygon *polygon, cn_shape *out_shape)
 {
 	cni_call call = cni_enter(world, __func__);
-	cni_check_pointer(&call, "polygon", polygon);
-	if (call.result != CN_OK)
-		return call.result;
-	return polygon_create(&call, world, def, polygon, out_shape);
+	cni_shape_source from = cni_source_polygon(&call, world, polygon);
+	return shape_create(&call, world, def, from, out_shape);
 }
 
 cn_result cn_shape_create_box(cn_world *world, const cn_shape_def *def, float half_width_m, float half_height_m, float radius_m, cn_shape *out_shape)
@@ -237,22 +165,12 @@ cn_result cn_shape_create_box(cn_world *world, const cn_shape_def *def, float ha
 	box.points_m[1] = cni_v(half_width_m, -half_height_m);
 	box.points_m[2] = cni_v(half_width_m, half_height_m);
 	box.points_m[3] = cni_v(-half_width_m, half_height_m);
-	return polygon_create(&call, world, def, &box, out_shape);
+	return shape_create(&call, world, def, cni_source_polygon(&call, world, &box), out_shape);
 }
 
 cn_result cn_shape_create_chain(cn_world *world, const cn_shape_def *def, const cn_chain *chain, cn_shape *out_shape)
 {
 	cni_call call = cni_enter(world, __func__);
-	int32_t k;
-	cni_check_pointer(&call, "chain", chain);
-	if (call.result != CN_OK)
-		return call.result;
-	cni_check_flags(&call, "loop", chain->loop, 1u);
-	cni_check_range_int(&call, "count", chain->count, chain->loop ? 3 : 2, 65535);
-	cni_check_pointer(&call, "points_m", chain->points_m);
-	for (k = 0; k < chain->count && call.result == CN_OK; ++k)
-		cni_check_finite2(&call, "points_m", chain->points_m[k]);
-	if (call.result == CN_OK)
-		check_geometry(&call, cni_check_chain(chain, world->settings.thickness_least), chain->points_m, chain->count, (int32_t)chain->loop);
-	return shape_create(&call, world, def, source_make(CN_SHAPE_CHAIN, chain->count, chain), out_shape);
+	cni_shape_source from = cni_source_chain(&call, world, chain);
+	return shape_create(&call, world, def, from, out_shape);
 }

@@ -63,7 +63,7 @@ static void check_shapes_of(report *r, int32_t body)
 	for (shape = b->shape_first; shape != CNI_NONE && r->what == NULL; shape = cni_shape_at(world, shape)->next) {
 		const cni_shape *s = cni_shape_at(world, shape);
 		expect(r, cni_handles_alive(&world->shape_handles, shape) && s->body == body, "shape list of body", body);
-		for (child = 0; child < s->children && r->what == NULL; ++child) {
+		for (child = 0; child < cni_shape_children(&world->blocks, s) && r->what == NULL; ++child) {
 			int32_t proxy = cni_shape_proxy(world, s, child);
 			expect(r, (proxy != CNI_NONE) == ((b->flags & CN_BODY_ENABLED) != 0), "shape is placed exactly when enabled, shape", shape);
 			if (proxy == CNI_NONE)

@@ -36,7 +36,7 @@ static void bad_body_defs(cn_result (*call)(const cn_body_def *))
 	NOT_NEGATIVE(x, call(BD(linear_damping_per_s, x)));
 	NOT_NEGATIVE(x, call(BD(angular_damping_per_s, x)));
 	FLOAT(x, call(BD(gravity_scale, x)));
-	NOT_NEGATIVE(x, call(BD(sleep_speed_mps, x)));
+	DEFAULT_OR_NOT_NEGATIVE(x, call(BD(sleep_speed_mps, x)));
 	FLAGS(x, 7, call(BD(flags, x)));
 	INTEGER(x, -1, 3, call(BD(solver, x)));
 	ARG(call(BD(name, too_long())));
@@ -116,7 +116,7 @@ ENTRY(cn_body_set_gravity_scale, cn_body_set_gravity_scale(W, f.box, -0.5f),
 	NOW(cn_body_set_gravity_scale(NULL, f.box, 1.0f)); BODY(h, cn_body_set_gravity_scale(W, h, 1.0f)); FLOAT(x, cn_body_set_gravity_scale(W, f.box, x));)
 GETTER(cn_body_get_gravity_scale, BODY, f.box, float)
 ENTRY(cn_body_set_sleep_speed, cn_body_set_sleep_speed(W, f.box, 0.1f),
-	NOW(cn_body_set_sleep_speed(NULL, f.box, 0.1f)); BODY(h, cn_body_set_sleep_speed(W, h, 0.1f)); NOT_NEGATIVE(x, cn_body_set_sleep_speed(W, f.box, x));)
+	NOW(cn_body_set_sleep_speed(NULL, f.box, 0.1f)); BODY(h, cn_body_set_sleep_speed(W, h, 0.1f)); DEFAULT_OR_NOT_NEGATIVE(x, cn_body_set_sleep_speed(W, f.box, x));)
 ENTRY(cn_body_set_solver, cn_body_set_solver(W, f.box, CN_SOLVER_DIRECT),
 	NOW(cn_body_set_solver(NULL, f.box, 0)); BODY(h, cn_body_set_solver(W, h, 0)); INTEGER(x, -1, 3, cn_body_set_solver(W, f.box, x));)
 GETTER(cn_body_get_solver, BODY, f.box, int32_t)

@@ -79,6 +79,9 @@ static float number(int k)
 /* x runs over what is not finite, and then over the out-of-range values given. */
 #define FLOAT(x, call) do { int k_; for (k_ = 0; k_ < 4; ++k_) { float x = number(k_); ARG(call); } } while (0)
 #define NOT_NEGATIVE(x, call) do { FLOAT(x, call); { float x = -1.0f; ARG(call); } { float x = -1e-30f; ARG(call); } } while (0)
+/* Fields that take CN_DEFAULT. */
+#define DEFAULT_OR_NOT_NEGATIVE(x, call) do { FLOAT(x, call); { float x = -1.0000001f; ARG(call); } { float x = -2.0f; ARG(call); } { float x = -1e-30f; ARG(call); } } while (0)
+#define DEFAULT_OR_POSITIVE(x, call) do { DEFAULT_OR_NOT_NEGATIVE(x, call); { float x = 0.0f; ARG(call); } } while (0)
 #define POSITIVE(x, call) do { NOT_NEGATIVE(x, call); { float x = 0.0f; ARG(call); } { float x = -0.0f; ARG(call); } } while (0)
 #define RANGE(x, below, above, call) do { FLOAT(x, call); { float x = (below); ARG(call); } { float x = (above); ARG(call); } } while (0)
 #define ANGLE(x, call) RANGE(x, -10001.0f, 10001.0f, call)

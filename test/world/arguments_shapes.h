@@ -72,6 +72,17 @@ ENTRY(cn_shape_create_chain, cn_shape_create_chain(W, (reset(), &sd), &chain, NU
 	INTEGER(x, 1, 65536, cn_shape_create_chain(W, &sd, CH(count, x), OUT(cn_shape))); VECTOR(v, cn_shape_create_chain(W, &sd, CP(3, v), OUT(cn_shape)));
 	ARG(cn_shape_create_chain(W, &sd, CP(2, chain_points[1]), OUT(cn_shape)));
 	ARG(cn_shape_create_chain(W, &sd, loop_of_two(), OUT(cn_shape)));)
+#define CHANGE(name, shape, other, value, more) ENTRY(name, name(W, shape, (reset(), &value)), \
+	reset(); NOW(name(NULL, shape, &value)); SHAPE(h, name(W, h, (reset(), &value))); ARG(name(W, shape, NULL)); STATE(name(W, other, (reset(), &value))); more)
+CHANGE(cn_shape_set_circle, f.ball_shape, f.box_shape, circle, POSITIVE(x, cn_shape_set_circle(W, f.ball_shape, CI(radius_m, x)));
+	VECTOR(v, cn_shape_set_circle(W, f.ball_shape, CI(center_m, v)));)
+CHANGE(cn_shape_set_capsule, f.pill_shape, f.ball_shape, capsule, ARG(cn_shape_set_capsule(W, f.pill_shape, CA(radius_m, 0.0f)));
+	VECTOR(v, cn_shape_set_capsule(W, f.pill_shape, CA(b_m, v)));)
+CHANGE(cn_shape_set_edge, f.edge, f.chain, edge, VECTOR(v, cn_shape_set_edge(W, f.edge, ED(a_m, v)));)
+CHANGE(cn_shape_set_polygon, f.box_shape, f.edge, polygon, INTEGER(x, 2, 17, cn_shape_set_polygon(W, f.box_shape, PO(count, x)));
+	NOT_NEGATIVE(x, cn_shape_set_polygon(W, f.box_shape, PO(radius_m, x))); ARG(cn_shape_set_polygon(W, f.box_shape, PO(points_m[2], v2(0.5f, -0.4997f))));)
+CHANGE(cn_shape_set_chain, f.chain, f.edge, chain, INTEGER(x, 1, 65536, cn_shape_set_chain(W, f.chain, CH(count, x)));
+	VECTOR(v, cn_shape_set_chain(W, f.chain, CP(3, v))); ARG(cn_shape_set_chain(W, f.chain, CP(2, chain_points[1]))); ARG(cn_shape_set_chain(W, f.chain, loop_of_two()));)
 ENTRY(cn_shape_attach, cn_shape_attach(W, f.loose, f.pill),
 	NOW(cn_shape_attach(NULL, f.loose, f.pill)); SHAPE(h, cn_shape_attach(W, h, f.pill)); BODY(h, cn_shape_attach(W, f.loose, h));
 	STATE(cn_shape_attach(W, f.box_shape, f.pill)); STATE(cn_shape_attach(W, f.box_shape, f.box));)

@@ -40,13 +40,13 @@ static void bad_world_defs(cn_result (*call)(const cn_world_def *))
 	INTEGER(x, -1, 4, call(WD(solver, x)));
 	INTEGER(x, -1, 2, call(WD(broadphase, x)));
 	INTEGER(x, 0, 65, call(WD(substep_count, x)));
-	NOT_NEGATIVE(x, call(WD(accuracy_m, x)));
+	DEFAULT_OR_NOT_NEGATIVE(x, call(WD(accuracy_m, x)));
 	INTEGER(x, -1, 1000000001, call(WD(work_budget, x)));
-	NOT_NEGATIVE(x, call(WD(restitution_threshold_mps, x)));
-	NOT_NEGATIVE(x, call(WD(push_speed_max_mps, x)));
-	NOT_NEGATIVE(x, call(WD(linear_speed_max_mps, x)));
-	NOT_NEGATIVE(x, call(WD(angular_speed_max_radps, x)));
-	NOT_NEGATIVE(x, call(WD(sleep_speed_mps, x)));
+	DEFAULT_OR_NOT_NEGATIVE(x, call(WD(restitution_threshold_mps, x))); DEFAULT_OR_NOT_NEGATIVE(x, call(WD(hit_speed_mps, x)));
+	DEFAULT_OR_POSITIVE(x, call(WD(push_speed_max_mps, x)));
+	DEFAULT_OR_POSITIVE(x, call(WD(linear_speed_max_mps, x)));
+	POSITIVE(x, call(WD(angular_speed_max_radps, x)));
+	DEFAULT_OR_NOT_NEGATIVE(x, call(WD(sleep_speed_mps, x)));
 	NOT_NEGATIVE(x, call(WD(sleep_delay_s, x)));
 	INTEGER(x, -1, CN_MAX_HANDLES + 1, call(WD(body_capacity, x)));
 	INTEGER(x, -1, CN_MAX_HANDLES + 1, call(WD(shape_capacity, x)));
@@ -98,13 +98,15 @@ ENTRY(cn_world_set_solver, cn_world_set_solver(W, CN_SOLVER_DIRECT),
 	NOW(cn_world_set_solver(NULL, 0)); INTEGER(x, -1, 4, cn_world_set_solver(W, x));)
 WORLD_GETTER(cn_world_get_solver, int32_t)
 ENTRY(cn_world_set_accuracy, cn_world_set_accuracy(W, 0.001f, 500),
-	NOW(cn_world_set_accuracy(NULL, 0.001f, 500)); NOT_NEGATIVE(x, cn_world_set_accuracy(W, x, 500)); INTEGER(x, -1, 1000000001, cn_world_set_accuracy(W, 0.001f, x));)
+	NOW(cn_world_set_accuracy(NULL, 0.001f, 500)); DEFAULT_OR_NOT_NEGATIVE(x, cn_world_set_accuracy(W, x, 500)); INTEGER(x, -1, 1000000001, cn_world_set_accuracy(W, 0.001f, x));)
 ENTRY(cn_world_get_accuracy, cn_world_get_accuracy(W, OUT(float), INT + 8),
 	NOW(cn_world_get_accuracy(NULL, OUT(float), INT + 8)); ARG(cn_world_get_accuracy(W, NULL, INT)); ARG(cn_world_get_accuracy(W, OUT(float), NULL));)
 ENTRY(cn_world_set_flags, cn_world_set_flags(W, CN_WORLD_PROFILE),
 	NOW(cn_world_set_flags(NULL, 0)); FLAGS(x, 4, cn_world_set_flags(W, x));)
 WORLD_GETTER(cn_world_get_flags, uint32_t)
 WORLD_GETTER(cn_world_get_worker_count, int32_t)
+ENTRY(cn_world_set_hit_speed, cn_world_set_hit_speed(W, 2.0f),
+	NOW(cn_world_set_hit_speed(NULL, 2.0f)); NOT_NEGATIVE(x, cn_world_set_hit_speed(W, x));)
 ENTRY(cn_world_set_restitution_threshold, cn_world_set_restitution_threshold(W, 2.0f),
 	NOW(cn_world_set_restitution_threshold(NULL, 2.0f)); NOT_NEGATIVE(x, cn_world_set_restitution_threshold(W, x));)
 ENTRY(cn_world_set_speed_limits, cn_world_set_speed_limits(W, 50.0f, 60.0f),

@@ -332,7 +332,7 @@ static void approach_speed_is_that_of_the_fall(void)
 					if (events_of(world, kind, &e) > 0) {
 						if (kind == CN_EVENT_ENTER && told < 0.0)
 							told = (double)e->approach_speed_mps;
-						else if (kind != CN_EVENT_ENTER)
+						else if (kind != CN_EVENT_ENTER && kind != CN_EVENT_HIT)
 							other = greater(other, fabs((double)e->approach_speed_mps));
 					}
 			}

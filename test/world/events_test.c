@@ -76,6 +76,10 @@ static void ledger_take(ledger *l, int32_t kind, const cn_contact_event *e)
 		if (!p->entered || p->entered_now)
 			complain(l, "stay without an earlier enter", e);
 		break;
+	case CN_EVENT_HIT:
+		if (!p->entered)
+			complain(l, "hit without enter", e);
+		break;
 	case CN_EVENT_LEAVE:
 		if (!p->entered)
 			complain(l, "leave without enter", e);
@@ -93,7 +97,7 @@ static void ledger_take(ledger *l, int32_t kind, const cn_contact_event *e)
 /* Ends come first: an id that ended may begin again in the same step. */
 static void ledger_read(ledger *l, cn_world *world, uint64_t *stream)
 {
-	static const int32_t order[] = { CN_EVENT_LEAVE, CN_EVENT_DESTROYED, CN_EVENT_CREATED, CN_EVENT_ENTER, CN_EVENT_STAY };
+	static const int32_t order[] = { CN_EVENT_LEAVE, CN_EVENT_DESTROYED, CN_EVENT_CREATED, CN_EVENT_ENTER, CN_EVENT_STAY, CN_EVENT_HIT };
 	const cn_contact_event *events;
 	int32_t o, k, count;
 	for (o = 0; o < CN_EVENT_KINDS; ++o) {

@@ -198,8 +198,8 @@ static void net_live(net_life *n, int32_t step)
 	case 60: must(cn_joint_destroy(n->world, n->joint[100]), n->world, "cn_joint_destroy"); break;
 	case 61: rows_lock(n, 1u << 7); break;         /* in the step after lanes were taken anew */
 	case 70: rows_lock(n, ~0u); break;
-	case 90: must(cn_world_set_accuracy(n->world, 0.0f, 100), n->world, "cn_world_set_accuracy"); break;
-	case 95: must(cn_world_set_accuracy(n->world, 0.0f, 0), n->world, "cn_world_set_accuracy"); break;
+	case 90: must(cn_world_set_accuracy(n->world, CN_DEFAULT, 100), n->world, "cn_world_set_accuracy"); break;
+	case 95: must(cn_world_set_accuracy(n->world, CN_DEFAULT, 0), n->world, "cn_world_set_accuracy"); break;
 	case 105: must(cn_body_set_type(n->world, n->body[5][5], CN_BODY_STATIC), n->world, "cn_body_set_type"); break;
 	case 110: must(cn_body_set_type(n->world, n->body[5][5], CN_BODY_DYNAMIC), n->world, "cn_body_set_type"); break;
 	case 120: must(cn_joint_set_solver(n->world, n->joint[7], CN_SOLVER_DIRECT), n->world, "cn_joint_set_solver"); break;
@@ -243,7 +243,7 @@ static void fewer_substeps_leave_more_for_each(void)
 	cn_joint joints[8];
 	int32_t before;
 	must(cn_world_set_substep_count(world, 64), world, "cn_world_set_substep_count");
-	must(cn_world_set_accuracy(world, 0.0f, 1000), world, "cn_world_set_accuracy");
+	must(cn_world_set_accuracy(world, CN_DEFAULT, 1000), world, "cn_world_set_accuracy");
 	make_chain(world, 8, 1.0f, 0.0f, bodies, joints);
 	fixture_step(world, 5);
 	before = fixture_counters(world).direct_work;

@@ -50,7 +50,7 @@ static void check_list(const cn_shape *list, int32_t count, const cn_query_filte
 		int listed = next < count && list[next] == all_shapes[k];
 		next += listed;
 		if (seen_by(all_shapes[k], filter))
-			for (child = 0; child < s->children; ++child)
+			for (child = 0; child < cni_shape_children(&w->blocks, s); ++child)
 				least = fmin(least, depth(s, child, region));
 		lists_seen.missing += !listed && least < -epsilon;
 		lists_seen.extra += listed && least > epsilon;
@@ -168,7 +168,7 @@ static void check_moved(float center, double epsilon)
 		const cni_shape *s = record_of(all_shapes[k]);
 		if (!seen_by(all_shapes[k], &filter) || s->type == CN_SHAPE_CHAIN) /* chains have a test of their own */
 			continue;
-		for (child = 0; child < s->children; ++child) {
+		for (child = 0; child < cni_shape_children(&w->blocks, s); ++child) {
 			double_set set = child_set(s, child);
 			moved_seen.late += trace(&set, &moving, dx, dy, -epsilon, until) < until;
 		}
@@ -238,7 +238,7 @@ static void check_closest(float center, double epsilon, int *wrong, double *wors
 		const cni_shape *s = record_of(all_shapes[k]);
 		if (!seen_by(all_shapes[k], &filter))
 			continue;
-		for (child = 0; child < s->children; ++child) {
+		for (child = 0; child < cni_shape_children(&w->blocks, s); ++child) {
 			double_set set = child_set(s, child);
 			best = fmin(best, distance_of(&set, &point, 0.0, 0.0));
 		}

@@ -493,7 +493,7 @@ typedef struct bounce {
 
 static void bounce_read(cn_world *world, bounce *b)
 {
-	static const int32_t order[] = { CN_EVENT_CREATED, CN_EVENT_ENTER, CN_EVENT_STAY, CN_EVENT_LEAVE, CN_EVENT_DESTROYED };
+	static const int32_t order[] = { CN_EVENT_CREATED, CN_EVENT_ENTER, CN_EVENT_STAY, CN_EVENT_HIT, CN_EVENT_LEAVE, CN_EVENT_DESTROYED };
 	int32_t k;
 	for (k = 0; k < CN_EVENT_KINDS; ++k) {
 		const cn_contact_event *events;
@@ -506,7 +506,8 @@ static void bounce_read(cn_world *world, bounce *b)
 		switch (order[k]) {
 		case CN_EVENT_CREATED: b->wrong += b->near_; b->near_ = 1; break;
 		case CN_EVENT_ENTER: b->wrong += !b->near_ || b->touching; b->touching = 1; break;
-		case CN_EVENT_STAY: b->wrong += !b->touching; break;
+		case CN_EVENT_STAY:
+		case CN_EVENT_HIT: b->wrong += !b->touching; break;
 		case CN_EVENT_LEAVE: b->wrong += !b->touching; b->touching = 0; break;
 		default: b->wrong += b->touching || !b->near_; b->near_ = 0; break;
 		}

@@ -13,6 +13,7 @@ pub const CN_NAME_MAX_BYTES: i32 = 63;
 pub const CN_PLANES_MAX: i32 = 64;
 pub const CN_WORKERS_MAX: i32 = 64;
 pub const CN_MAX_HANDLES: i32 = 1048575;
+pub const CN_DEFAULT: i32 = -1;
 pub const CN_OK: i32 = 0;
 pub const CN_ERROR_ARGUMENT: i32 = -1;
 pub const CN_ERROR_HANDLE: i32 = -2;
@@ -140,7 +141,8 @@ pub const CN_EVENT_ENTER: i32 = 1;
 pub const CN_EVENT_STAY: i32 = 2;
 pub const CN_EVENT_LEAVE: i32 = 3;
 pub const CN_EVENT_DESTROYED: i32 = 4;
-pub const CN_EVENT_KINDS: i32 = 5;
+pub const CN_EVENT_HIT: i32 = 5;
+pub const CN_EVENT_KINDS: i32 = 6;
 pub const CN_JOINT_REVOLUTE: i32 = 0;
 pub const CN_JOINT_DISTANCE: i32 = 1;
 pub const CN_JOINT_FIXED: i32 = 2;
@@ -359,20 +361,20 @@ pub struct cn_world_def {
     pub broadphase: i32,
     /// 1 to 64; default 4
     pub substep_count: i32,
-    /// CN_SOLVER_AUTO aims at errors below this, >= 0; default 0.005 x length unit
+    /// CN_SOLVER_AUTO aims at errors below this, >= 0; CN_DEFAULT (default): 0.005 x length unit
     pub accuracy_m: f32,
     /// limit of direct solving in a step, in factored blocks (joints, contacts and their fill), substeps
     /// included, about 10 ns each; 0 to 1e9; default 0: the limits of single islands only
     pub work_budget: i32,
-    /// slower impacts do not bounce, >= 0; default 1 x length unit
+    /// slower impacts do not bounce, >= 0; CN_DEFAULT (default): 1 x length unit
     pub restitution_threshold_mps: f32,
-    /// greatest speed at which overlaps are pushed apart, > 0; default 3 x length unit
+    /// greatest speed at which overlaps are pushed apart, > 0; CN_DEFAULT (default): 3 x length unit
     pub push_speed_max_mps: f32,
-    /// faster bodies are slowed to it, > 0; default 400 x length unit
+    /// faster bodies are slowed to it, > 0; CN_DEFAULT (default): 400 x length unit
     pub linear_speed_max_mps: f32,
     /// faster bodies are slowed to it, > 0; default 400
     pub angular_speed_max_radps: f32,
-    /// bodies slower than this may sleep, >= 0; default 0.05 x length unit
+    /// bodies slower than this may sleep, >= 0; CN_DEFAULT (default): 0.05 x length unit
     pub sleep_speed_mps: f32,
     /// ... after this time, >= 0; default 0.5
     pub sleep_delay_s: f32,
@@ -404,7 +406,8 @@ pub struct cn_world_def {
     /// threads that share a step, including the calling one; 0 to CN_WORKERS_MAX; default 0, the same as 1:
     /// no threads, no tasks
     pub worker_count: i32,
-    pub reserved: u32,
+    /// blows at least this fast are reported by CN_EVENT_HIT, >= 0; CN_DEFAULT (default): 1 x length unit
+    pub hit_speed_mps: f32,
 }
 impl Default for cn_world_def {
     fn default() -> Self {
@@ -563,7 +566,7 @@ pub struct cn_body_def {
     pub angular_damping_per_s: f32,
     /// default 1
     pub gravity_scale: f32,
-    /// >= 0; default 0: the world's
+    /// >= 0; CN_DEFAULT (default): the world's
     pub sleep_speed_mps: f32,
     /// CN_BODY_*; default ENABLED | SLEEP | AWAKE
     pub flags: u32,
@@ -631,7 +634,8 @@ pub struct cn_material {
     pub friction_mix: i32,
     /// CN_MIX_*; default CN_MIX_MAXIMUM
     pub restitution_mix: i32,
-    pub reserved: u32,
+    /// a number for the user, reported in contact events; default 0
+    pub user_id: u32,
 }
 const _: () = assert!(core::mem::size_of::<cn_material>() == 32 || core::mem::size_of::<usize>() != 8);
 
@@ -773,12 +777,23 @@ pub struct cn_contact_event {
     pub contact_id: u32,
     /// CN_EVENT_*
     pub kind: i32,
-    /// ENTER: closing speed along the normal before the impact; else 0
+    /// ENTER: closing speed along the normal before the impact; HIT: of the blow; else 0
     pub approach_speed_mps: f32,
-    /// geometry at the step's beginning, impulses at its end; points only for ENTER and STAY
+    /// geometry at the step's beginning, impulses at its end; points only for ENTER, STAY and HIT
     pub manifold: cn_manifold,
+    /// Impulses of the whole step, all substeps and points together, for ENTER, STAY and HIT; else 0. In the
+    /// substeps of a predicted contact that its shapes do not reach in this step, they are 0 too. along
+    /// manifold.normal, on body b; its mean force is normal_impulse_Ns / dt_s
+    pub normal_impulse_Ns: f32,
+    /// along (normal.y, -normal.x), on body b
+    pub friction_impulse_Ns: f32,
+    /// HIT: where, in the world; else (0, 0)
+    pub hit_point_m: cn_vec2,
+    /// cn_material.user_id of the shapes; 0 for CREATED, LEAVE and DESTROYED
+    pub material_a: u32,
+    pub material_b: u32,
 }
-const _: () = assert!(core::mem::size_of::<cn_contact_event>() == 92 || core::mem::size_of::<usize>() != 8);
+const _: () = assert!(core::mem::size_of::<cn_contact_event>() == 116 || core::mem::size_of::<usize>() != 8);
 
 /// A shape entered or left a sensor.
 #[repr(C)]
@@ -1528,7 +1543,7 @@ extern "C" {
     /// layouts with it.
     pub fn cn_sizeof(r#type: i32) -> i32;
     /// Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with
-    /// the length unit are stored as 0, which cn_world_create resolves.
+    /// the length unit are stored as CN_DEFAULT, which cn_world_create resolves.
     pub fn cn_world_def_init(def: *mut cn_world_def);
     /// Checks a definition. Writes one sentence about its first error, at most text_bytes (>= 0) bytes with
     /// the terminating zero; text may be NULL when text_bytes is 0.
@@ -1564,10 +1579,10 @@ extern "C" {
     pub fn cn_world_set_solver(world: *mut cn_world, solver: i32) -> cn_result;
     /// Reads the solver (CN_SOLVER_*).
     pub fn cn_world_get_solver(world: *const cn_world, out_solver: *mut i32) -> cn_result;
-    /// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no
+    /// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
     /// limit.
     pub fn cn_world_set_accuracy(world: *mut cn_world, accuracy_m: f32, work_budget: i32) -> cn_result;
-    /// Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.
+    /// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
     pub fn cn_world_get_accuracy(world: *const cn_world, out_accuracy_m: *mut f32, out_work_budget: *mut i32) -> cn_result;
     /// Reads how many workers a step can use: 1, or worker_count where the library supports threads.
     pub fn cn_world_get_worker_count(world: *const cn_world, out_count: *mut i32) -> cn_result;
@@ -1577,6 +1592,8 @@ extern "C" {
     pub fn cn_world_get_flags(world: *const cn_world, out_flags: *mut u32) -> cn_result;
     /// Impacts slower than this, in m/s, do not bounce; >= 0.
     pub fn cn_world_set_restitution_threshold(world: *mut cn_world, speed_mps: f32) -> cn_result;
+    /// Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; >= 0.
+    pub fn cn_world_set_hit_speed(world: *mut cn_world, speed_mps: f32) -> cn_result;
     /// Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows faster
     /// bodies down to them and keeps the direction.
     pub fn cn_world_set_speed_limits(world: *mut cn_world, linear_mps: f32, angular_radps: f32) -> cn_result;
@@ -1756,7 +1773,7 @@ extern "C" {
     pub fn cn_body_set_gravity_scale(world: *mut cn_world, body: cn_body, scale: f32) -> cn_result;
     /// Reads the factor on gravity.
     pub fn cn_body_get_gravity_scale(world: *const cn_world, body: cn_body, out_scale: *mut f32) -> cn_result;
-    /// Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's.
+    /// Sets the body's own sleep speed in m/s, >= 0; CN_DEFAULT restores the world's.
     pub fn cn_body_set_sleep_speed(world: *mut cn_world, body: cn_body, speed_mps: f32) -> cn_result;
     /// Chooses how the body's island is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO
     /// (default): the world chooses. _SOFT: contacts and joints are never solved directly, whatever other
@@ -1871,6 +1888,23 @@ extern "C" {
     /// NULL when capacity is 0. *out_count is their number. CN_ERROR_STATE for another type. O(points
     /// written).
     pub fn cn_shape_get_chain_points(world: *const cn_world, shape: cn_shape, out: *mut cn_vec2, capacity: i32, out_count: *mut i32) -> cn_result;
+    /// Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks
+    /// of creation: the handle and all other properties stay. Mass and box are those of the new geometry at
+    /// once; contacts stay unless the boxes no longer overlap, and the next step computes them anew, without
+    /// the impulses of features that are gone. Wakes the body, touching bodies and bodies that the new box
+    /// meets. A shape that grows into others is pushed out of them at push_speed_max_mps at most.
+    /// CN_ERROR_STATE for another type. O(contacts + shapes of the body).
+    pub fn cn_shape_set_circle(world: *mut cn_world, shape: cn_shape, circle: *const cn_circle) -> cn_result;
+    /// Replaces a capsule in place; otherwise as cn_shape_set_circle.
+    pub fn cn_shape_set_capsule(world: *mut cn_world, shape: cn_shape, capsule: *const cn_capsule) -> cn_result;
+    /// Replaces an edge in place; otherwise as cn_shape_set_circle.
+    pub fn cn_shape_set_edge(world: *mut cn_world, shape: cn_shape, edge: *const cn_edge) -> cn_result;
+    /// Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle.
+    pub fn cn_shape_set_polygon(world: *mut cn_world, shape: cn_shape, polygon: *const cn_polygon) -> cn_result;
+    /// Replaces the points of a chain in place, their number too. Its contacts end; those that still overlap
+    /// begin again in the next step. Otherwise as cn_shape_set_circle. O(contacts + shapes of the body +
+    /// count).
+    pub fn cn_shape_set_chain(world: *mut cn_world, shape: cn_shape, chain: *const cn_chain) -> cn_result;
     /// out_inside is 1 if the shape contains a world point in metres (in the shape's own space when
     /// unattached), else 0. Edges and chains contain no point. O(points).
     pub fn cn_shape_test_point(world: *const cn_world, shape: cn_shape, point_x_m: f32, point_y_m: f32, out_inside: *mut i32) -> cn_result;
@@ -1888,7 +1922,10 @@ extern "C" {
     /// inside callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved
     /// apart, body or shape destroyed, detached or disabled, filter or type changed). The next step reports
     /// pairs that end between two steps; their handles may be stale. A sleeping pair reports nothing, and
-    /// continues when it wakes.
+    /// continues when it wakes. HIT: in some substep a point closed at approach_speed_mps, the greatest of
+    /// the step, and got an impulse; bodies that pass a blow on to others that already touch them, without
+    /// closing, have no HIT. Impulses are summed only for contacts that report ENTER (in the step in which
+    /// they begin), STAY or HIT.
     pub fn cn_world_contact_events(world: *mut cn_world, kind: i32, out_events: *mut *const cn_contact_event, out_count: *mut i32) -> cn_result;
     /// Sets the callback for contact events of one kind (CN_EVENT_*); NULL removes it.
     pub fn cn_world_set_contact_callback(world: *mut cn_world, kind: i32, function: Option<cn_contact_event_fn>, user: *mut c_void) -> cn_result;

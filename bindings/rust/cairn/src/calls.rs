@@ -184,14 +184,14 @@ impl World {
         Ok(out_solver)
     }
 
-    /// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, 0 for the default; 0 to 1e9, 0 for no
+    /// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no
     /// limit.
     pub fn set_accuracy(&mut self, accuracy_m: f32, work_budget: i32) -> Result<()> {
         self.check(unsafe { cairn_sys::cn_world_set_accuracy(self.pointer(), accuracy_m, work_budget) })?;
         Ok(())
     }
 
-    /// Reads the accuracy in metres (the resolved default where 0 was set) and the work budget.
+    /// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
     pub fn get_accuracy(&self) -> Result<(f32, i32)> {
         let mut out_accuracy_m = f32::default();
         let mut out_work_budget = i32::default();
@@ -222,6 +222,12 @@ impl World {
     /// Impacts slower than this, in m/s, do not bounce; >= 0.
     pub fn set_restitution_threshold(&mut self, speed_mps: f32) -> Result<()> {
         self.check(unsafe { cairn_sys::cn_world_set_restitution_threshold(self.pointer(), speed_mps) })?;
+        Ok(())
+    }
+
+    /// Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; >= 0.
+    pub fn set_hit_speed(&mut self, speed_mps: f32) -> Result<()> {
+        self.check(unsafe { cairn_sys::cn_world_set_hit_speed(self.pointer(), speed_mps) })?;
         Ok(())
     }
 
@@ -646,7 +652,7 @@ impl World {
         Ok(out_scale)
     }
 
-    /// Sets the body's own sleep speed in m/s, >= 0; 0 restores the world's.
+    /// Sets the body's own sleep speed in m/s, >= 0; CN_DEFAULT restores the world's.
     pub fn body_set_sleep_speed(&mut self, body: Body, speed_mps: f32) -> Result<()> {
         self.check(unsafe { cairn_sys::cn_body_set_sleep_speed(self.pointer(), body, speed_mps) })?;
         Ok(())
@@ -974,6 +980,35 @@ impl World {
         Ok(out)
     }
 
+    /// Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks
+    /// of creation: the handle and all other properties stay. Mass and box are those of the new geometry at
+    /// once; contacts stay unless the boxes no longer overlap, and the next step computes them anew, without
+    /// the impulses of features that are gone. Wakes the body, touching bodies and bodies that the new box
+    /// meets. A shape that grows into others is pushed out of them at push_speed_max_mps at most.
+    /// CN_ERROR_STATE for another type. O(contacts + shapes of the body).
+    pub fn shape_set_circle(&mut self, shape: Shape, circle: &Circle) -> Result<()> {
+        self.check(unsafe { cairn_sys::cn_shape_set_circle(self.pointer(), shape, circle) })?;
+        Ok(())
+    }
+
+    /// Replaces a capsule in place; otherwise as cn_shape_set_circle.
+    pub fn shape_set_capsule(&mut self, shape: Shape, capsule: &Capsule) -> Result<()> {
+        self.check(unsafe { cairn_sys::cn_shape_set_capsule(self.pointer(), shape, capsule) })?;
+        Ok(())
+    }
+
+    /// Replaces an edge in place; otherwise as cn_shape_set_circle.
+    pub fn shape_set_edge(&mut self, shape: Shape, edge: &Edge) -> Result<()> {
+        self.check(unsafe { cairn_sys::cn_shape_set_edge(self.pointer(), shape, edge) })?;
+        Ok(())
+    }
+
+    /// Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle.
+    pub fn shape_set_polygon(&mut self, shape: Shape, polygon: &Polygon) -> Result<()> {
+        self.check(unsafe { cairn_sys::cn_shape_set_polygon(self.pointer(), shape, polygon) })?;
+        Ok(())
+    }
+
     /// out_inside is 1 if the shape contains a world point in metres (in the shape's own space when
     /// unattached), else 0. Edges and chains contain no point. O(points).
     pub fn shape_test_point(&self, shape: Shape, point_x_m: f32, point_y_m: f32) -> Result<i32> {
@@ -987,7 +1022,10 @@ impl World {
     /// inside callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved
     /// apart, body or shape destroyed, detached or disabled, filter or type changed). The next step reports
     /// pairs that end between two steps; their handles may be stale. A sleeping pair reports nothing, and
-    /// continues when it wakes.
+    /// continues when it wakes. HIT: in some substep a point closed at approach_speed_mps, the greatest of
+    /// the step, and got an impulse; bodies that pass a blow on to others that already touch them, without
+    /// closing, have no HIT. Impulses are summed only for contacts that report ENTER (in the step in which
+    /// they begin), STAY or HIT.
     pub fn contact_events(&mut self, kind: i32) -> Result<&[ContactEvent]> {
         let (mut data, mut count) = (core::ptr::null(), 0);
         self.check(unsafe { cairn_sys::cn_world_contact_events(self.pointer(), kind, &mut data, &mut count) })?;

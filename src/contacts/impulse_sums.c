@@ -1,0 +1,266 @@
+/*
+ * contacts/impulse_sums.c - impulses of contacts over a whole step, and blows, for contacts that report them.
+ *
+ * A lane holds the impulse of one substep. Blocks with a lane whose contact reports STAY or HIT get a record of sums in the frame
+ * arena. Contacts that began to touch in this step and report ENTER alone have their sums in the lane's anchor, which has no other use
+ * yet. Other lanes cost nothing. A sum takes in each substep the impulse that the passes leave in the lane, and the impacts of
+ * restitution.c, which leave none there. Blocks at rest take one substep (step/early_rest.c) and keep its
+ * impulse for the others, so their sums are those of the whole step.
+ *
+ * A blow is an impact, or a substep in which a point that closes gets an impulse. Its speed is the closing speed before the impact, or
+ * at the substep's beginning: the greatest of the step is reported, if it reaches the world's hit speed. So blows count within a
+ * touching pair too, and resting contacts, which close at the speed that gravity gives in a substep, do not.
+ *
+ * The sums account for all momentum that contacts exchange. step/angular_momentum.c moves a little more within groups in flight.
+ *
+ * Reads blocks, contacts, motion and start; writes the sums and the event logs.
+ */
+#include "contacts/contacts.h"
+#include "base/bitset.h"
+
+#include <string.h>
+
+#define BLOCKS_A_RANGE 16
+
+/* ---- which blocks ---- */
+
+/* Bits of the block's lanes whose contacts report hits. */
+static uint32_t lanes_with_hits(const cn_world *world, const cni_block_info *info)
+{
+	uint32_t lanes = 0;
+	int32_t l;
+	for (l = 0; l < CNI_LANES; ++l)
+		if (info->contact[l] != CNI_NONE)
+			lanes |= (cni_contact_at(world, info->contact[l])->flags >> CNI_CONTACT_EVENTS_SHIFT >> CN_EVENT_HIT & 1u) << l;
+	return lanes;
+}
+
+/* Numbers the blocks with sums, and counts them. */
+static int32_t blocks_number(const cn_world *world)
+{
+	int32_t color, block, count = 0;
+	for (color = 0; color < CNI_COLORS; ++color)
+		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next) {
+			cni_block_info *info = cni_block_info_at(world, block);
+			info->sums = info->flags & CNI_BLOCK_SUMS ? count++ : CNI_NONE;
+		}
+	return count;
+}
+
+static void sums_clear(const cn_world *world, cni_block_sums *sums, int32_t block)
+{
+	memset(sums, 0, sizeof *sums);
+	sums->block = block;
+	sums->hits = lanes_with_hits(world, cni_block_info_at(world, block));
+}
+
+void cni_impulse_sums_make(cn_world *world)
+{
+	int32_t count = blocks_number(world), color, block;
+	world->sums_active = count > 0 || world->events.log[CN_EVENT_ENTER].count > 0;
+	if (count == 0)
+		return;
+	world->sums = (cni_block_sums *)cni_arena_push(&world->arena, sizeof(cni_block_sums) * (uint64_t)count);
+	if (world->sums == NULL) {
+		world->warnings |= CN_WARNING_FRAME_MEMORY;
+		return;
+	}
+	world->sums_count = count;
+	for (color = 0; color < CNI_COLORS; ++color)
+		for (block = world->colors[color].first; block != CNI_NONE; block = cni_block_info_at(world, block)->next)
+			if (cni_block_info_at(world, block)->sums != CNI_NONE)
+				sums_clear(world, world->sums + cni_block_info_at(world, block)->sums, block);
+}
+
+/* ---- a substep ---- */
+
+typedef struct sums_loop {
+	cn_world *world;
+	int32_t from_starts; /* velocities are in start, else in motion */
+} sums_loop;
+
+typedef struct body_speed {
+	float vx, vy, w;
+} body_speed;
+
+static body_speed speed_of(const sums_loop *loop, int32_t index)
+{
+	const cni_velocity_start *start = cni_starts(loop->world) + index;
+	const cni_motion *m = cni_motions(loop->world) + index;
+	body_speed s;
+	s.vx = loop->from_starts ? start->vx : m->vx;
+	s.vy = loop->from_starts ? start->vy : m->vy;
+	s.w = loop->from_starts ? start->w : m->w;
+	return s;
+}
+
+static void lane_open(const sums_loop *loop, cni_block_sums *sums, int32_t l)
+{
+	const cni_contact_block *k = cni_block_at(loop->world, sums->block);
+	body_speed a = speed_of(loop, k->ia[l]), b = speed_of(loop, k->ib[l]);
+	float n = k->nx[l] * (b.vx - a.vx) + k->ny[l] * (b.vy - a.vy);
+	int32_t p;
+	for (p = 0; p < 2; ++p)
+		sums->closing[p][l] = -(n + b.w * (k->p[p].at[l] - k->dt[l]) - a.w * k->p[p].at[l]);
+}
+
+static void open_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const sums_loop *loop = (const sums_loop *)context;
+	int32_t k;
+	(void)worker;
+	for (k = begin; k < end; ++k) {
+		cni_block_sums *sums = loop->world->sums + k;
+		uint32_t left;
+		for (left = sums->hits; left != 0; left &= left - 1u)
+			lane_open(loop, sums, cni_bit_lowest32(left));
+	}
+}
+
+static void sums_run(cn_world *world, const cni_solve *s, cni_range_fn *run)
+{
+	sums_loop loop;
+	loop.world = world;
+	loop.from_starts = world->settings.solver != CN_SOLVER_SEQUENTIAL;
+	if (world->sums_count > 0)
+		cni_team_for(s->team, world->sums_count, BLOCKS_A_RANGE, run, &loop);
+}
+
+void cni_impulse_sums_open(cn_world *world, const cni_solve *s)
+{
+	sums_run(world, s, open_range);
+}
+
+/* A blow at a point: the fastest one counts. */
+static void lane_strike(cni_block_sums *sums, int32_t l, int32_t point, float closing)
+{
+	if (!(sums->hits >> l & 1u) || closing <= sums->approach[l])
+		return;
+	sums->approach[l] = closing;
+	sums->struck = (sums->struck & ~(1u << l)) | (uint32_t)point << l;
+}
+
+void cni_impulse_sums_strike(cn_world *world, int32_t contact, float normal, float friction, float first_closing, float second_closing)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	cni_block_sums *sums = cni_block_sums_at(world, c->slot / CNI_LANES);
+	int32_t point = second_closing > first_closing, l = c->slot % CNI_LANES;
+	if (sums == NULL) {
+		cni_contact_add_enter_impulses(world, c, normal, friction);
+		return;
+	}
+	sums->normal[l] += normal;
+	sums->friction[l] += friction;
+	lane_strike(sums, l, point, point ? second_closing : first_closing);
+}
+
+static void lane_blow(cni_block_sums *sums, int32_t l, float first, float second)
+{
+	if (first > 0.0f)
+		lane_strike(sums, l, 0, sums->closing[0][l]);
+	if (second > 0.0f)
+		lane_strike(sums, l, 1, sums->closing[1][l]);
+}
+
+void cni_impulse_sums_take(cn_world *world, int32_t contact, float first, float second, float friction)
+{
+	const cni_contact *c = cni_contact_at(world, contact);
+	cni_block_sums *sums = cni_block_sums_at(world, c->slot / CNI_LANES);
+	int32_t l = c->slot % CNI_LANES;
+	if (sums == NULL) {
+		cni_contact_add_enter_impulses(world, c, first + second, friction);
+		return;
+	}
+	sums->normal[l] += first + second;
+	sums->friction[l] += friction;
+	lane_blow(sums, l, first, second);
+}
+
+static void take_range(void *context, int32_t begin, int32_t end, int32_t worker)
+{
+	const sums_loop *loop = (const sums_loop *)context;
+	int32_t k, l;
+	(void)worker;
+	for (k = begin; k < end; ++k) {
+		cni_block_sums *sums = loop->world->sums + k;
+		const cni_contact_block *block = cni_block_at(loop->world, sums->block);
+		uint32_t left;
+		for (l = 0; l < CNI_LANES; ++l)
+			sums->normal[l] += block->p[0].jn[l] + block->p[1].jn[l];
+		for (l = 0; l < CNI_LANES; ++l)
+			sums->friction[l] += block->jt[l];
+		for (left = sums->hits; left != 0; left &= left - 1u) {
+			l = cni_bit_lowest32(left);
+			lane_blow(sums, l, block->p[0].jn[l], block->p[1].jn[l]);
+		}
+	}
+}
+
+/* Contacts that report no more than their ENTER. */
+static void enters_take(cn_world *world)
+{
+	const cni_array *log = &world->events.log[CN_EVENT_ENTER];
+	int32_t k;
+	for (k = 0; k < log->count; ++k) {
+		const cni_contact *c = cni_contact_at(world, ((const cni_event *)log->data + k)->contact);
+		const cni_contact_block *block;
+		int32_t l = c->slot % CNI_LANES;
+		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING || cni_block_sums_at(world, c->slot / CNI_LANES) != NULL)
+			continue;
+		block = cni_block_at(world, c->slot / CNI_LANES);
+		cni_contact_add_enter_impulses(world, c, block->p[0].jn[l] + block->p[1].jn[l], block->jt[l]);
+	}
+}
+
+void cni_impulse_sums_close(cn_world *world, const cni_solve *s)
+{
+	if (!world->sums_active)
+		return;
+	enters_take(world);
+	sums_run(world, s, take_range);
+}
+
+/* ---- reports ---- */
+
+static void lane_report(cn_world *world, const cni_block_sums *sums, int32_t l)
+{
+	int32_t contact = cni_block_info_at(world, sums->block)->contact[l];
+	cni_event_sums of;
+	if (contact == CNI_NONE)
+		return;
+	of.normal = sums->normal[l];
+	of.friction = sums->friction[l];
+	of.approach = sums->approach[l];
+	of.point = (int32_t)(sums->struck >> l & 1u);
+	cni_event_log_stay(world, contact, &of);
+	if (of.normal > 0.0f && of.approach > 0.0f && of.approach >= world->settings.hit_speed && (sums->hits >> l & 1u))
+		cni_event_log_hit(world, contact, &of);
+}
+
+static void enters_report(cn_world *world)
+{
+	const cni_array *log = &world->events.log[CN_EVENT_ENTER];
+	int32_t k;
+	for (k = 0; k < log->count; ++k) {
+		const cni_contact *c = cni_contact_at(world, ((const cni_event *)log->data + k)->contact);
+		const cni_block_sums *sums;
+		if ((c->flags & (CNI_CONTACT_TOUCHING | CNI_CONTACT_ASLEEP)) != CNI_CONTACT_TOUCHING)
+			continue;
+		sums = cni_block_sums_at(world, c->slot / CNI_LANES);
+		if (sums != NULL)
+			cni_contact_add_enter_impulses(world, c, sums->normal[c->slot % CNI_LANES], sums->friction[c->slot % CNI_LANES]);
+	}
+}
+
+void cni_impulse_sums_report(cn_world *world)
+{
+	int32_t k, l;
+	if (!world->sums_active)
+		return;
+	enters_report(world);
+	for (k = 0; k < world->sums_count; ++k)
+		for (l = 0; l < CNI_LANES; ++l)
+			lane_report(world, world->sums + k, l);
+	world->sums = NULL; /* the arena frees them when the step ends */
+	world->sums_count = world->sums_active = 0;
+}

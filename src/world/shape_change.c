@@ -1,0 +1,168 @@
+/*
+ * world/shape_change.c - public functions that replace the geometry of a shape in place: the handle, the body and all properties stay.
+ *
+ * A shape with one box keeps its contacts, which the next step computes anew; those whose boxes no longer overlap end at once. The
+ * contacts of a chain end, as its edges are numbered anew. Everything is checked and reserved first, so that a failure changes nothing.
+ */
+#include "world/shape_source.h"
+
+#include <string.h>
+
+/* The stored form of any shape but a chain. */
+typedef union small_geometry {
+	cni_geometry head;
+	uint8_t bytes[sizeof(cni_geometry) + 2u * CN_POLYGON_MAX_VERTICES * sizeof(cni_vec2)];
+} small_geometry;
+
+static void wake_all(cn_world *world, int32_t shape)
+{
+	int32_t body = cni_shape_at(world, shape)->body, key = cni_contact_first_of_shape(world, shape);
+	for (; key != CNI_NONE; key = cni_contact_next_of_shape(world, key, shape))
+		if (cni_contact_of_key(world, key)->flags & CNI_CONTACT_TOUCHING)
+			cni_body_wake(world, cni_contact_of_key(world, key)->body[1 - (key & 1)]);
+	cni_body_wake(world, body);
+}
+
+/* After the new geometry is in place: mass, waking. */
+static void body_update(cn_world *world, int32_t shape)
+{
+	int32_t body = cni_shape_at(world, shape)->body;
+	cni_body_shapes_changed(world, body, shape);
+	cni_shape_wake_met(world, shape);
+	cni_body_at(world, body)->flags |= CNI_BODY_AGAIN;
+	world->pairs_may_repeat |= CNI_PAIRS_MARKED;
+}
+
+/* Contacts whose boxes no longer overlap end, the others are computed anew. Requires cni_contact_reserve_end. */
+static void contacts_update(cn_world *world, int32_t shape)
+{
+	int32_t key = cni_contact_first_of_shape(world, shape);
+	while (key != CNI_NONE) {
+		cni_contact *c = cni_contact_of_key(world, key);
+		int32_t contact = key >> 1, proxy = c->proxy[key & 1];
+		key = cni_contact_next_of_shape(world, key, shape);
+		memset(&c->cache, 0, sizeof c->cache);
+		cni_contact_invalidate(world, contact);
+		if (cni_aabb_overlap(&cni_proxy_at(world, c->proxy[0])->fat, &cni_proxy_at(world, c->proxy[1])->fat))
+			continue;
+		cni_contact_destroy(world, contact);
+		world->broadphase_ops->touch(world->broadphase, proxy);
+	}
+}
+
+static void check_change(cni_call *call, cn_shape shape, const cni_shape_source *from)
+{
+	const cni_shape *s = call->result == CN_OK ? cni_check_shape(call, "shape", shape) : NULL;
+	if (call->result == CN_OK && s->type != from->type)
+		cni_refuse(call, CN_ERROR_STATE, "the shape is of another type");
+}
+
+static void reserve_ends(cni_call *call, cn_world *world, const cni_shape *s)
+{
+	if (call->result == CN_OK && s->body != CNI_NONE)
+		cni_check_reserved(call, cni_contact_reserve_end(world, cni_body_at(world, s->body)->contact_count), "events of its contacts");
+}
+
+/* A new piece where its size differs; else 0, and the old piece takes the new form. */
+static cni_ref piece_reserve(cni_call *call, cn_world *world, const cni_shape *s, int32_t count)
+{
+	uint64_t bytes = cni_shape_piece_bytes(world, s->type, count);
+	cni_ref ref = 0;
+	if (call->result != CN_OK || bytes == cni_shape_piece_bytes(world, s->type, cni_shape_geometry(&world->blocks, s)->count))
+		return 0;
+	ref = cni_blocks_alloc(&world->blocks, bytes);
+	if (ref == 0)
+		cni_refuse(call, CN_ERROR_MEMORY, "no memory for the shape's geometry");
+	return ref;
+}
+
+static cn_result single_change(cni_call *call, cn_world *world, cn_shape shape, cni_shape_source from)
+{
+	static const cni_transform identity = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
+	small_geometry fresh;
+	int32_t index = cni_shape_index(world, shape);
+	cni_shape *s;
+	cni_ref ref;
+	check_change(call, shape, &from);
+	if (call->result != CN_OK)
+		return call->result;
+	s = cni_shape_at(world, index);
+	cni_source_build(&fresh.head, &from, identity);
+	cni_check_shape_mass(call, cni_geometry_mass(&fresh.head, s->density));
+	reserve_ends(call, world, s);
+	ref = piece_reserve(call, world, s, from.count);
+	if (call->result != CN_OK)
+		return call->result;
+	if (s->body != CNI_NONE)
+		wake_all(world, index);
+	cni_shape_set_piece(world, index, ref, &fresh.head);
+	if (s->body == CNI_NONE)
+		return CN_OK;
+	contacts_update(world, index);
+	body_update(world, index);
+	return CN_OK;
+}
+
+static cn_result chain_change(cni_call *call, cn_world *world, cn_shape shape, cni_shape_source from)
+{
+	static const cni_transform identity = { { 1.0f, 0.0f }, { 0.0f, 0.0f } };
+	int32_t index = cni_shape_index(world, shape);
+	uint64_t bytes;
+	cni_shape *s;
+	cni_ref ref;
+	check_change(call, shape, &from);
+	if (call->result != CN_OK)
+		return call->result;
+	s = cni_shape_at(world, index);
+	bytes = cni_shape_piece_bytes(world, CN_SHAPE_CHAIN, from.count);
+	reserve_ends(call, world, s);
+	if (call->result != CN_OK)
+		return call->result;
+	ref = cni_blocks_alloc(&world->blocks, bytes);
+	if (ref == 0)
+		return cni_refuse(call, CN_ERROR_MEMORY, "no memory for the shape's geometry");
+	cni_source_build((cni_geometry *)cni_blocks_at(&world->blocks, ref), &from, identity);
+	cni_check_reserved(call, cni_shape_replace_chain(world, index, ref), "the shape's boxes");
+	if (call->result != CN_OK) {
+		cni_blocks_free(&world->blocks, ref, bytes);
+	} else if (s->body != CNI_NONE) {
+		cni_body_wake(world, s->body);
+		body_update(world, index);
+	}
+	return call->result;
+}
+
+cn_result cn_shape_set_circle(cn_world *world, cn_shape shape, const cn_circle *circle)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_shape_source from = cni_source_circle(&call, world, circle);
+	return single_change(&call, world, shape, from);
+}
+
+cn_result cn_shape_set_capsule(cn_world *world, cn_shape shape, const cn_capsule *capsule)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_shape_source from = cni_source_capsule(&call, world, capsule);
+	return single_change(&call, world, shape, from);
+}
+
+cn_result cn_shape_set_edge(cn_world *world, cn_shape shape, const cn_edge *edge)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_shape_source from = cni_source_edge(&call, world, edge);
+	return single_change(&call, world, shape, from);
+}
+
+cn_result cn_shape_set_polygon(cn_world *world, cn_shape shape, const cn_polygon *polygon)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_shape_source from = cni_source_polygon(&call, world, polygon);
+	return single_change(&call, world, shape, from);
+}
+
+cn_result cn_shape_set_chain(cn_world *world, cn_shape shape, const cn_chain *chain)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_shape_source from = cni_source_chain(&call, world, chain);
+	return chain_change(&call, world, shape, from);
+}
