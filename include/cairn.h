@@ -81,7 +81,7 @@ extern "C" {
 #define CN_VERSION_PATCH 0
 
 /* Raised whenever a struct layout or a function signature changes. */
-#define CN_ABI_VERSION 2
+#define CN_ABI_VERSION 3
 
 /* In a definition: the default of a field whose comment names CN_DEFAULT. */
 enum { CN_DEFAULT = -1 };

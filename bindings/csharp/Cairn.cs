@@ -1264,7 +1264,7 @@ namespace Cairn
 		public const int CN_VERSION_MAJOR = 0;
 		public const int CN_VERSION_MINOR = 1;
 		public const int CN_VERSION_PATCH = 0;
-		public const int CN_ABI_VERSION = 2;
+		public const int CN_ABI_VERSION = 3;
 		public const int CN_POLYGON_MAX_VERTICES = 16;
 		public const int CN_NAME_MAX_BYTES = 63;
 		public const int CN_PLANES_MAX = 64;

@@ -17,7 +17,7 @@ const (
 	VersionMajor = 0
 	VersionMinor = 1
 	VersionPatch = 0
-	HeaderAbiVersion = 2
+	HeaderAbiVersion = 3
 	PolygonMaxVertices = 16
 	NameMaxBytes = 63
 	PlanesMax = 64

@@ -12,7 +12,7 @@ export type In<T> = T extends object ? (T extends { readonly __handle: unknown }
 export const CN_VERSION_MAJOR: 0;
 export const CN_VERSION_MINOR: 1;
 export const CN_VERSION_PATCH: 0;
-export const CN_ABI_VERSION: 2;
+export const CN_ABI_VERSION: 3;
 export const CN_POLYGON_MAX_VERTICES: 16;
 export const CN_NAME_MAX_BYTES: 63;
 export const CN_PLANES_MAX: 64;

@@ -187,7 +187,7 @@ const trees = new FinalizationRegistry(pointer => raw.cn_tree_destroy(pointer));
 export const CN_VERSION_MAJOR = 0;
 export const CN_VERSION_MINOR = 1;
 export const CN_VERSION_PATCH = 0;
-export const CN_ABI_VERSION = 2;
+export const CN_ABI_VERSION = 3;
 export const CN_POLYGON_MAX_VERTICES = 16;
 export const CN_NAME_MAX_BYTES = 63;
 export const CN_PLANES_MAX = 64;

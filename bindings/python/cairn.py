@@ -23,8 +23,8 @@ _beside = _os.path.join(_os.path.dirname(_os.path.abspath(__file__)), _file)
 _library = _c.CDLL(_os.environ.get("CAIRN_LIBRARY") or (_beside if _os.path.exists(_beside) else _file))
 
 # A library of another version would read other structs: refuse it here and, by their sizes, below.
-if _library.cn_abi_version() != 2:
-    raise ImportError("cairn.py is for ABI 2, the library has %d" % _library.cn_abi_version())
+if _library.cn_abi_version() != 3:
+    raise ImportError("cairn.py is for ABI 3, the library has %d" % _library.cn_abi_version())
 
 
 def _function(name, doc, result, *arguments):
@@ -38,7 +38,7 @@ def _function(name, doc, result, *arguments):
 CN_VERSION_MAJOR = 0
 CN_VERSION_MINOR = 1
 CN_VERSION_PATCH = 0
-CN_ABI_VERSION = 2
+CN_ABI_VERSION = 3
 CN_POLYGON_MAX_VERTICES = 16
 CN_NAME_MAX_BYTES = 63
 CN_PLANES_MAX = 64

@@ -14,7 +14,7 @@ pub const CN_VERSION_MINOR = 1;
 /// Corrections.
 pub const CN_VERSION_PATCH = 0;
 /// Raised whenever a struct layout or a function signature changes.
-pub const CN_ABI_VERSION = 2;
+pub const CN_ABI_VERSION = 3;
 /// Most vertices a convex polygon may have.
 pub const CN_POLYGON_MAX_VERTICES = 16;
 /// Longest body name in bytes, without the terminating zero.

@@ -7,7 +7,7 @@ use core::ffi::{c_char, c_void};
 pub const CN_VERSION_MAJOR: i32 = 0;
 pub const CN_VERSION_MINOR: i32 = 1;
 pub const CN_VERSION_PATCH: i32 = 0;
-pub const CN_ABI_VERSION: i32 = 2;
+pub const CN_ABI_VERSION: i32 = 3;
 pub const CN_POLYGON_MAX_VERTICES: i32 = 16;
 pub const CN_NAME_MAX_BYTES: i32 = 63;
 pub const CN_PLANES_MAX: i32 = 64;
