@@ -16,14 +16,14 @@ build=$1
 cores=$(nproc 2>/dev/null || echo 2)
 passed=0 failed=0 skipped=0 running=0 begun=
 
-units=$(ls test/base/*_test.c | grep -v time_test)
+units="$(ls test/base/*_test.c | grep -v time_test) test/world/file_test.c" # which also has threads
 geometry=$(grep -L 'hooks\.h' test/geometry/*_test.c | grep -v time_test) # WASI has no setjmp, which hooks need
 
 # Leaves $build/<target>.log, .code and .seconds. Emulators are slow: TEST_SLOW.
 run() { # target tests, as source files
 	target=$1
 	shift
-	tests="$build/$target/test/world/determinism_test $build/$target/test/world/file_test"
+	tests="$build/$target/test/world/determinism_test"
 	for test in "$@"; do tests="$tests $build/$target/${test%.c}"; done
 	(
 		started=$(date +%s)

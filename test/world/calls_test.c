@@ -445,7 +445,7 @@ static cn_result random_solver(cn_body body, cn_joint joint, uint32_t more)
 {
 	switch (more & 7u) {
 	case 0: return cn_world_set_solver(W, (int32_t)(more >> 3 & 3u));
-	case 1: return cn_world_set_accuracy(W, (more >> 3 & 7u) == 0 ? CN_DEFAULT : 0.001f * (float)(more >> 3 & 7u), (int32_t)(more >> 6 & 1023u));
+	case 1: return cn_world_set_accuracy(W, (more >> 3 & 7u) == 0 ? (float)CN_DEFAULT : 0.001f * (float)(more >> 3 & 7u), (int32_t)(more >> 6 & 1023u));
 	case 2: case 3: return cn_joint_set_solver(W, joint, (int32_t)(more >> 3 & 3u));
 	default: return cn_body_set_solver(W, body, (int32_t)(more >> 3 & 3u));
 	}
