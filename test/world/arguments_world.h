@@ -200,9 +200,9 @@ static cn_result read_with(uint64_t at, uint8_t change, uint64_t less)
 	uint64_t bytes = file_count();
 	cn_world *world = NULL;
 	cn_result result;
-	file_bytes[at < bytes ? at : bytes - 1] ^= change;
+	file_bytes[at < bytes ? at : 0] ^= change;
 	result = cn_world_read(NULL, file_bytes, less < bytes ? bytes - less : 0, &world);
-	file_bytes[at < bytes ? at : bytes - 1] ^= change;
+	file_bytes[at < bytes ? at : 0] ^= change;
 	cn_world_destroy(world);
 	return result;
 }
