@@ -179,7 +179,7 @@ static void default_is_resolved_where_it_is_a_default_only(void)
 		cn_result result;
 		defs_init(&d);
 		d.world.length_unit_m = 2.0f;
-		if (r->by_default != CN_DEFAULT || !r->is_float)
+		if (r->by_default != (double)CN_DEFAULT || !r->is_float)
 			continue;
 		result = create(&d, r, &is);
 		CHECK(result == CN_OK);
