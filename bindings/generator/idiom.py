@@ -12,7 +12,8 @@
 Calls that need a callback, memory that the caller lays out or a hand-written form are not among them (SKIPPED and unfit).
 """
 SKIPPED = {"cn_world_create", "cn_world_destroy", "cn_tree_create", "cn_tree_destroy", "cn_world_def_check", "cn_world_validate", "cn_world_error_text",
-    "cn_world_save", "cn_world_read_poses_strided", "cn_sizeof", "cn_world_draw", "cn_world_bytes_needed"}  # fmt: skip
+    "cn_world_save", "cn_world_read_poses_strided", "cn_sizeof", "cn_world_draw", "cn_world_bytes_needed",
+    "cn_world_write", "cn_world_read", "cn_save_delta_size", "cn_save_delta", "cn_save_apply"}  # fmt: skip
 
 
 def calls(api):
