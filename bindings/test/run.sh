@@ -80,7 +80,8 @@ same "C hinges" "$hinges" "$out/hinges"
 [ -f "$hinges" ] || echo "C gave no line" > "$hinges"
 sed 's/, [0-9]* called//' "$hinges" > "$uncalled" # of layers without callbacks
 # For packages that compile the library from its one file: flags that take a sixth of the time.
-command -v python3 >/dev/null 2>&1 && python3 bindings/amalgamate.py "$out/source"
+command -v python3 >/dev/null 2>&1 && python3 bindings/amalgamate.py "$out/source" && sh bindings/test/tree.sh "$out/tree" "$out/source"
+tree="cd $absolute/bindings/tree && sh bindings/test"
 quick='-O0 -DCN_NO_SIMD'
 
 if command -v python3 >/dev/null 2>&1; then
@@ -143,7 +144,7 @@ fi
 
 if command -v go >/dev/null 2>&1; then # compiles the library
 	check "go hinges and package" env CAIRN_HINGES="$(cat "$uncalled")" CC=gcc CGO_CFLAGS="$quick -I$absolute/bindings/source" LD_LIBRARY_PATH= \
-		go -C bindings/go test -vet=off .
+		go -C bindings/go test -vet=off -gcflags='all=-N -l' -ldflags='-s -w' .
 else
 	skip 1 go
 fi
@@ -186,7 +187,7 @@ fi
 
 if command -v cmake >/dev/null 2>&1; then
 	for kind in static shared; do
-		check "cmake builds and finds a $kind library" sh bindings/test/cmake.sh "$out/cmake" "$kind"
+		check "cmake builds and finds a $kind library" sh -c "$tree/cmake.sh '$absolute/bindings/cmake' $kind"
 		same "cmake $kind hinges" "$hinges" env LD_LIBRARY_PATH= DYLD_LIBRARY_PATH= "$out/cmake/program-$kind/hinges"
 	done
 else
@@ -194,14 +195,14 @@ else
 fi
 
 if command -v meson >/dev/null 2>&1 && command -v ninja >/dev/null 2>&1 && command -v git >/dev/null 2>&1; then
-	check "meson builds through the wrap" sh bindings/test/meson.sh "$out/meson" "$out/source" "$quick"
+	check "meson builds through the wrap" sh -c "$tree/meson.sh '$absolute/bindings/meson' '$quick'"
 	same "meson hinges" "$hinges" env LD_LIBRARY_PATH= "$out/meson/build/hinges"
 else
 	skip 2 'meson, ninja or git'
 fi
 
 if command -v x86_64-w64-mingw32-gcc >/dev/null 2>&1; then
-	check "Windows DLL" sh bindings/test/dll.sh "$out/windows"
+	check "Windows DLL" sh -c "$tree/dll.sh '$absolute/bindings/windows'"
 else
 	skip 1 'x86_64-w64-mingw32-gcc (gcc-mingw-w64-x86-64)'
 fi
