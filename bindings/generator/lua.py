@@ -51,9 +51,9 @@ def write_record(entry, init, api):
         if of_kind:
             out.append('\t{ "%s", offsetof(%s, %s), %s, %d, %s },\n' % (field["name"], name, field["name"], of_kind, field["array"] or 0, record(field["base"], api) if of_kind == "RECORD" else "NULL"))
     arrays = any(field["array"] or of_kind == "POINTS" for field, of_kind in fields)
-    counted = arrays and any(field["name"] == "count" for field, _ in fields)
+    count = next((field["name"] for field, _ in fields if arrays and field["name"] in ("count", "point_count")), None)
     out.append("\t{ NULL, 0, FLOAT, 0, NULL },\n};\nstatic const record record_%s = { \"%s\", sizeof(%s), fields_%s, %s, %s };\n\n" % (
-        name, name, name, name, "init_" + name if init else "NULL", "offsetof(%s, count)" % name if counted else "-1"))  # fmt: skip
+        name, name, name, name, "init_" + name if init else "NULL", "offsetof(%s, %s)" % (name, count) if count else "-1"))  # fmt: skip
     return "".join(out)
 
 

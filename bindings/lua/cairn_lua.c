@@ -245,7 +245,7 @@ static void read_record(lua_State *L, int index, const record *of, void *at)
 		if (!to) {
 			lua_pop(L, 1);
 			luaL_error(L, "%s has no field '%s'", of->name, lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : luaL_typename(L, -1));
-		} else if (!(to->kind == INT32 && strcmp(to->name, "count") == 0 && of->count >= 0)) { /* the array has its count */
+		} else if ((ptrdiff_t)to->offset != of->count) { /* the array has its count */
 			read_field(L, of, to, at);
 		}
 	}

@@ -265,7 +265,7 @@ static const field fields_cn_manifold[] = {
 	{ "points", offsetof(cn_manifold, points), RECORD, 2, &record_cn_manifold_point },
 	{ NULL, 0, FLOAT, 0, NULL },
 };
-static const record record_cn_manifold = { "cn_manifold", sizeof(cn_manifold), fields_cn_manifold, NULL, -1 };
+static const record record_cn_manifold = { "cn_manifold", sizeof(cn_manifold), fields_cn_manifold, NULL, offsetof(cn_manifold, point_count) };
 
 static const field fields_cn_contact_event[] = {
 	{ "shape_a", offsetof(cn_contact_event, shape_a), UINT32, 0, NULL },

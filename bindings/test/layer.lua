@@ -117,7 +117,7 @@ local function callbacks()
 	add_box(world, body, 0.5, 0.5, 0.5, 0)
 	world:on_contact(cairn.EVENT_ENTER, function(event)
 		calls = calls + 1
-		assert(world:body_get_pose(event.body_a) and #event.manifold.points == event.manifold.count)
+		assert(world:body_get_pose(event.body_a) and #event.manifold.points == event.manifold.point_count)
 		refused("inside a callback", world.destroy, world)
 		refused(cairn.result_text(cairn.ERROR_LOCKED), world.step, world, 0.1)
 		error "from the callback"
@@ -134,12 +134,39 @@ local function callbacks()
 	collectgarbage()
 	collectgarbage()
 	assert(next(watched) == nil)
+	getmetatable(world).__gc(world) -- what the collector calls
+	refused("destroyed", world.step, world, 0.1)
 end
 
 local function trees()
 	local tree = cairn.tree(0.1)
 	local item = tree:insert({ lower_m = { 0, 0 }, upper_m = { 1, 1 } }, 7)
 	assert(item ~= 0 and tree:get_stats() == 1)
+end
+
+-- Every function with arguments of every type, also wrong ones: an error or a result, never a crash.
+local function any_arguments()
+	local calls, body = 0, nil
+	local function try(functions, self)
+		for name, call in pairs(functions) do
+			if type(call) == "function" and name ~= "destroy" then
+				for _, value in ipairs { 0, 1, -1, 0.5, 1e300, "text", true, {}, { 1, 2 }, { {} }, { body }, print } do
+					local fine, message = pcall(call, self or value, value, value, value, value, value, value)
+					assert(fine or type(message) == "string" and #message > 0, name)
+					pcall(call, self or value, body, value, value)
+					pcall(call, self)
+					calls = calls + 3
+				end
+			end
+		end
+	end
+	local world = cairn.world()
+	body = world:body_create {}
+	try(getmetatable(world).__index, world)
+	local tree = cairn.tree(0.1)
+	try(getmetatable(tree).__index, tree)
+	try(cairn)
+	assert(calls > 5000 and pcall(world.step, world, 1 / 60))
 end
 
 local function times()
@@ -157,5 +184,6 @@ else
 	values()
 	callbacks()
 	trees()
+	any_arguments()
 	hinges()
 end

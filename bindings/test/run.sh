@@ -157,6 +157,28 @@ else
 	skip 2 luajit
 fi
 
+for lua in lua5.4 luajit; do # one module for both
+	headers=$lua
+	[ $lua = luajit ] && headers=luajit-2.1
+	if command -v $lua >/dev/null 2>&1 && [ -f /usr/include/$headers/lua.h ]; then
+		mkdir -p "$out/$lua"
+		# shellcheck disable=SC2086
+		check "$lua module builds" $compiler -std=c99 -pedantic -O1 -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Werror -fPIC -shared \
+			-Iinclude -I/usr/include/$headers bindings/lua/cairn_lua.c -L"$build" -lcairn -o "$out/$lua/cairn.so"
+		same "$lua module" "$hinges" env -u LUA_PATH LUA_CPATH="$out/$lua/?.so" $lua bindings/test/layer.lua
+	else
+		skip 2 "$lua or its headers"
+	fi
+done
+# The rock as a user installs it, for Lua 5.4.
+if command -v luarocks >/dev/null 2>&1 && [ -f /usr/include/lua5.4/lua.h ]; then
+	rm -rf "$out/rocks"
+	check "rock builds" env -u LUA_PATH luarocks --lua-version 5.4 --tree "$out/rocks" make bindings/lua/cairn-0.1.0-1.rockspec CC="$quick_compiler" CFLAGS="$quick -fPIC"
+	same "rock" "$hinges" env -u LUA_PATH LD_LIBRARY_PATH= LUA_CPATH="$out/rocks/lib/lua/5.4/?.so" lua5.4 bindings/test/layer.lua
+else
+	skip 2 'luarocks or liblua5.4-dev'
+fi
+
 if command -v mcs >/dev/null 2>&1 && command -v mono >/dev/null 2>&1; then
 	for program in bindings/test/hinges.cs bindings/csharp/example.cs; do
 		check "csharp builds $program" mcs -unsafe -langversion:7 -warnaserror -out:"$out/$(basename "$program" .cs).exe" bindings/csharp/Cairn.cs "$program"
