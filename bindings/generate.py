@@ -11,7 +11,7 @@
     probe.py   api -> C program that asks the compiler
     record.py  api -> tables of calls, for recording, replay and fuzzing
     idiom.py     what a layer above C makes of the functions
-    luajit.py, csharp.py, csharp_layer.py, zig.py, zig_layer.py, python.py, cpp.py, rust.py, javascript.py, go.py    api -> one file each
+    luajit.py, lua.py, csharp.py, csharp_layer.py, zig.py, zig_layer.py, python.py, cpp.py, rust.py, javascript.py, go.py    api -> one file each
 
 Whatever header.py does not understand is an error with a line number: nothing is guessed. The
 writers see only the api, so that another language needs one more file here and nothing else.
@@ -24,13 +24,14 @@ import tempfile
 
 sys.dont_write_bytecode = True
 
-from generator import cpp, csharp, csharp_layer, go, header, javascript, layout, luajit, names, pointers, probe, python, record, rust, zig, zig_layer  # noqa: E402
+from generator import cpp, csharp, csharp_layer, go, header, javascript, layout, lua, luajit, names, pointers, probe, python, record, rust, zig, zig_layer  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(HERE)
 WRITERS = [
     ("api.json", names.api_text),
     ("luajit/cairn.lua", luajit.write),
+    ("lua/calls.h", lua.write),
     ("csharp/Cairn.cs", csharp.write),
     ("csharp/World.cs", csharp_layer.write),
     ("zig/cairn.zig", zig.write),

@@ -507,20 +507,6 @@ public:
 		return { Status(code, nullptr), std::move(out_bytes) };
 	}
 
-	/// Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number of
-	/// bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1 KB
-	/// per body.
-	Result<std::vector<void>> write() const
-	{
-		std::vector<void> list;
-		int32_t count = 0;
-		cn_result code = cn_world_write(world_, nullptr, 0, &count);
-		list.resize(static_cast<std::size_t>(count));
-		if (code == CN_OK && count > 0)
-			code = cn_world_write(world_, list.data(), count, &count);
-		return { Status(code, nullptr), std::move(list) };
-	}
-
 	/// Creates a body. O(1) amortized.
 	Result<Body> body_create(const cn_body_def &def)
 	{
@@ -2151,53 +2137,6 @@ inline int32_t abi_version() noexcept
 inline const char *result_text(cn_result result) noexcept
 {
 	return cn_result_text(result);
-}
-
-/// Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).
-inline Result<uint64_t> save_delta_size(Slice<const unsigned char> base, Slice<const unsigned char> save)
-{
-	uint64_t out_bytes{};
-	cn_result code = cn_save_delta_size(base.data(), save.data(), &out_bytes);
-	return { Status(code, nullptr), std::move(out_bytes) };
-}
-
-/// Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
-/// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).
-inline Result<std::vector<void>> save_delta(Slice<const unsigned char> base, Slice<const unsigned char> save)
-{
-	std::vector<void> list;
-	int32_t count = 0;
-	cn_result code = cn_save_delta(base.data(), save.data(), nullptr, 0, &count);
-	list.resize(static_cast<std::size_t>(count));
-	if (code == CN_OK && count > 0)
-		code = cn_save_delta(base.data(), save.data(), list.data(), count, &count);
-	return { Status(code, nullptr), std::move(list) };
-}
-
-/// Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
-/// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
-/// CN_ERROR_CAPACITY if out is too small. O(bytes).
-inline Result<std::vector<void>> save_apply(Slice<const unsigned char> base, Slice<const unsigned char> delta)
-{
-	std::vector<void> list;
-	int32_t count = 0;
-	cn_result code = cn_save_apply(base.data(), delta.data(), nullptr, 0, &count);
-	list.resize(static_cast<std::size_t>(count));
-	if (code == CN_OK && count > 0)
-		code = cn_save_apply(base.data(), delta.data(), list.data(), count, &count);
-	return { Status(code, nullptr), std::move(list) };
-}
-
-/// Creates a world from bytes of cn_world_write (bytes: exactly as many). def, which may be NULL for
-/// defaults, gives memory, workers and capacities (which a caller's block needs); its settings are not used,
-/// the file's are. CN_ERROR_FORMAT for damaged or forged bytes, CN_ERROR_MEMORY without room,
-/// CN_ERROR_ARGUMENT for a definition that cn_world_create refuses. O(memory of the world).
-inline Result<Slice<const cn_world>> world_read(const cn_world_def *def, Slice<const unsigned char> file)
-{
-	const cn_world *data = nullptr;
-	int32_t count = 0;
-	cn_result code = cn_world_read(def, file.data(), file.size(), &data, &count);
-	return { Status(code, nullptr), Slice<const cn_world>(data, static_cast<std::size_t>(count)) };
 }
 
 /// Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts

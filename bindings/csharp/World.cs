@@ -1742,21 +1742,6 @@ namespace Cairn
 			return out0;
 		}
 
-		/// <summary>Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number
-		/// of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1
-		/// KB per body.</summary>
-		public void[] Write()
-		{
-			int count_;
-			Call.Check(Native.cn_world_write(Pointer, null, 0, &count_), null);
-			var result_ = new void[count_];
-			if (count_ > 0)
-				fixed (void* to = result_)
-					Call.Check(Native.cn_world_write(Pointer, (void*)to, count_, &count_), null);
-			GC.KeepAlive(this);
-			return result_;
-		}
-
 		/// <summary>Creates a body. O(1) amortized.</summary>
 		public Body BodyCreate(BodyDef def)
 		{
@@ -3628,70 +3613,6 @@ namespace Cairn
 		{
 			var result_ = Native.Text(Native.cn_result_text(result));
 			return result_;
-		}
-
-		/// <summary>Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).</summary>
-		public static ulong SaveDeltaSize(ReadOnlySpan<byte> @base, ReadOnlySpan<byte> save)
-		{
-			fixed (byte* p_base = @base)
-			fixed (byte* p_save = save)
-			{
-				ulong out0;
-				Call.Check(Native.cn_save_delta_size(p_base, p_save, &out0), null);
-				return out0;
-			}
-		}
-
-		/// <summary>Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
-		/// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).</summary>
-		public static void[] SaveDelta(ReadOnlySpan<byte> @base, ReadOnlySpan<byte> save)
-		{
-			fixed (byte* p_base = @base)
-			fixed (byte* p_save = save)
-			{
-				int count_;
-				Call.Check(Native.cn_save_delta(p_base, p_save, null, 0, &count_), null);
-				var result_ = new void[count_];
-				if (count_ > 0)
-					fixed (void* to = result_)
-						Call.Check(Native.cn_save_delta(p_base, p_save, (void*)to, count_, &count_), null);
-				return result_;
-			}
-		}
-
-		/// <summary>Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
-		/// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
-		/// CN_ERROR_CAPACITY if out is too small. O(bytes).</summary>
-		public static void[] SaveApply(ReadOnlySpan<byte> @base, ReadOnlySpan<byte> delta)
-		{
-			fixed (byte* p_base = @base)
-			fixed (byte* p_delta = delta)
-			{
-				int count_;
-				Call.Check(Native.cn_save_apply(p_base, p_delta, null, 0, &count_), null);
-				var result_ = new void[count_];
-				if (count_ > 0)
-					fixed (void* to = result_)
-						Call.Check(Native.cn_save_apply(p_base, p_delta, (void*)to, count_, &count_), null);
-				return result_;
-			}
-		}
-
-		/// <summary>Creates a world from bytes of cn_world_write (bytes: exactly as many). def, which may be NULL for
-		/// defaults, gives memory, workers and capacities (which a caller's block needs); its settings are not
-		/// used, the file's are. CN_ERROR_FORMAT for damaged or forged bytes, CN_ERROR_MEMORY without room,
-		/// CN_ERROR_ARGUMENT for a definition that cn_world_create refuses. O(memory of the world).</summary>
-		public static World[] WorldRead(WorldDef? def, ReadOnlySpan<byte> file)
-		{
-			WorldDef v_def = def.GetValueOrDefault();
-			fixed (byte* p_file = file)
-			{
-				cn_world* data;
-				int count_;
-				Call.Check(Native.cn_world_read(def.HasValue ? (cn_world_def*)&v_def : null, p_file, (ulong)file.Length, &data, &count_), null);
-				var result_ = Call.Copy<World>(data, count_);
-				return result_;
-			}
 		}
 
 		/// <summary>Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts

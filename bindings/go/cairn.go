@@ -1691,24 +1691,6 @@ func (w *World) WriteSize() (uint64, error) {
 	return out0, nil
 }
 
-// Write: Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the
-// number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world),
-// about 1 KB per body.
-func (w *World) Write() ([]void, error) {
-	defer runtime.KeepAlive(w)
-	var count C.int32_t
-	if err := check(C.cn_world_write(w.c(), nil, 0, &count)); err != nil {
-		return *new([]void), err
-	}
-	out := make([]void, count)
-	if count > 0 {
-		if err := check(C.cn_world_write(w.c(), (*C.void)(unsafe.Pointer(&out[0])), count, &count)); err != nil {
-			return *new([]void), err
-		}
-	}
-	return out, nil
-}
-
 // BodyCreate: Creates a body. O(1) amortized.
 func (w *World) BodyCreate(def *BodyDef) (Body, error) {
 	defer runtime.KeepAlive(w)
@@ -3568,61 +3550,6 @@ func AbiVersion() int32 {
 // ResultText: English text for a result code: static, never NULL.
 func ResultText(result int32) string {
 	return C.GoString(C.cn_result_text(C.cn_result(result)))
-}
-
-// SaveDeltaSize: Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).
-func SaveDeltaSize(base []byte, save []byte) (uint64, error) {
-	var out0 uint64
-	if err := check(C.cn_save_delta_size(unsafe.Pointer(unsafe.SliceData(base)), unsafe.Pointer(unsafe.SliceData(save)), (*C.uint64_t)(unsafe.Pointer(&out0)))); err != nil {
-		return *new(uint64), err
-	}
-	return out0, nil
-}
-
-// SaveDelta: Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its
-// bytes to out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).
-func SaveDelta(base []byte, save []byte) ([]void, error) {
-	var count C.int32_t
-	if err := check(C.cn_save_delta(unsafe.Pointer(unsafe.SliceData(base)), unsafe.Pointer(unsafe.SliceData(save)), nil, 0, &count)); err != nil {
-		return *new([]void), err
-	}
-	out := make([]void, count)
-	if count > 0 {
-		if err := check(C.cn_save_delta(unsafe.Pointer(unsafe.SliceData(base)), unsafe.Pointer(unsafe.SliceData(save)), (*C.void)(unsafe.Pointer(&out[0])), count, &count)); err != nil {
-			return *new([]void), err
-		}
-	}
-	return out, nil
-}
-
-// SaveApply: Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes
-// to out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
-// CN_ERROR_CAPACITY if out is too small. O(bytes).
-func SaveApply(base []byte, delta []byte) ([]void, error) {
-	var count C.int32_t
-	if err := check(C.cn_save_apply(unsafe.Pointer(unsafe.SliceData(base)), unsafe.Pointer(unsafe.SliceData(delta)), nil, 0, &count)); err != nil {
-		return *new([]void), err
-	}
-	out := make([]void, count)
-	if count > 0 {
-		if err := check(C.cn_save_apply(unsafe.Pointer(unsafe.SliceData(base)), unsafe.Pointer(unsafe.SliceData(delta)), (*C.void)(unsafe.Pointer(&out[0])), count, &count)); err != nil {
-			return *new([]void), err
-		}
-	}
-	return out, nil
-}
-
-// WorldRead: Creates a world from bytes of cn_world_write (bytes: exactly as many). def, which may be NULL
-// for defaults, gives memory, workers and capacities (which a caller's block needs); its settings are not
-// used, the file's are. CN_ERROR_FORMAT for damaged or forged bytes, CN_ERROR_MEMORY without room,
-// CN_ERROR_ARGUMENT for a definition that cn_world_create refuses. O(memory of the world).
-func WorldRead(def *WorldDef, file []byte) ([]World, error) {
-	var data *C.cn_world
-	var count C.int32_t
-	if err := check(C.cn_world_read((*C.cn_world_def)(unsafe.Pointer(def)), unsafe.Pointer(unsafe.SliceData(file)), C.uint64_t(len(file)), &data, &count)); err != nil {
-		return *new([]World), err
-	}
-	return append([]World(nil), unsafe.Slice((*World)(unsafe.Pointer(data)), count)...), nil
 }
 
 // PolygonMakeHull: Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it

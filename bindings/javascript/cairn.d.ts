@@ -1178,10 +1178,6 @@ export class World {
 	restore(save: Uint8Array): void;
 	/** Bytes that cn_world_write needs now. CN_ERROR_LOCKED in callbacks. O(slots). */
 	writeSize(): bigint;
-	/** Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number of
-	bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1 KB per
-	body. */
-	write(): number[];
 	/** Creates a body. O(1) amortized. */
 	bodyCreate(def: In<BodyDef>): Body;
 	/** Creates count (>= 0) bodies from an array of definitions, all or none. O(count). */
@@ -1732,20 +1728,6 @@ export function version(): number;
 export function abiVersion(): number;
 /** English text for a result code: static, never NULL. */
 export function resultText(result: number): string;
-/** Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes). */
-export function saveDeltaSize(base: Uint8Array, save: Uint8Array): bigint;
-/** Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
-out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes). */
-export function saveDelta(base: Uint8Array, save: Uint8Array): number[];
-/** Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
-out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base, CN_ERROR_CAPACITY if
-out is too small. O(bytes). */
-export function saveApply(base: Uint8Array, delta: Uint8Array): number[];
-/** Creates a world from bytes of cn_world_write (bytes: exactly as many). def, which may be NULL for
-defaults, gives memory, workers and capacities (which a caller's block needs); its settings are not used, the
-file's are. CN_ERROR_FORMAT for damaged or forged bytes, CN_ERROR_MEMORY without room, CN_ERROR_ARGUMENT for a
-definition that cn_world_create refuses. O(memory of the world). */
-export function worldRead(file: Uint8Array, def?: In<WorldDef> | null): number[];
 /** Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts
 farthest points, as Quickhull does (Barber, Dobkin, Huhdanpaa, 1996), and keeps those that add the most area.
 CN_ERROR_ARGUMENT for fewer than three distinct points or collinear ones. It drops details below 5 mm (below

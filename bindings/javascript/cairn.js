@@ -676,17 +676,6 @@ export class World {
 		return READ.u64(o_bytes);
 	}
 
-	write() {
-		begin();
-		const number = take(4);
-		check(raw.cn_world_write(this.pointer, 0, 0, number));
-		refresh();
-		const found = view.getInt32(number, true), out = take(stride("void") * found || 1);
-		if (found > 0)
-			check(raw.cn_world_write(this.pointer, out, found, number));
-		return list("void", out, found);
-	}
-
 	bodyCreate(def) {
 		begin();
 		const p_def = struct("cn_body_def", def);
@@ -2149,52 +2138,6 @@ export function abiVersion() {
 export function resultText(result) {
 	begin();
 	return text(raw.cn_result_text(result));
-}
-
-export function saveDeltaSize(base, save) {
-	begin();
-	const p_base = array("u8", base);
-	const p_save = array("u8", save);
-	const o_bytes = take(stride("u64"));
-	check(raw.cn_save_delta_size(p_base, p_save, o_bytes));
-	refresh();
-	return READ.u64(o_bytes);
-}
-
-export function saveDelta(base, save) {
-	begin();
-	const p_base = array("u8", base);
-	const p_save = array("u8", save);
-	const number = take(4);
-	check(raw.cn_save_delta(p_base, p_save, 0, 0, number));
-	refresh();
-	const found = view.getInt32(number, true), out = take(stride("void") * found || 1);
-	if (found > 0)
-			check(raw.cn_save_delta(p_base, p_save, out, found, number));
-	return list("void", out, found);
-}
-
-export function saveApply(base, delta) {
-	begin();
-	const p_base = array("u8", base);
-	const p_delta = array("u8", delta);
-	const number = take(4);
-	check(raw.cn_save_apply(p_base, p_delta, 0, 0, number));
-	refresh();
-	const found = view.getInt32(number, true), out = take(stride("void") * found || 1);
-	if (found > 0)
-			check(raw.cn_save_apply(p_base, p_delta, out, found, number));
-	return list("void", out, found);
-}
-
-export function worldRead(file, def) {
-	begin();
-	const p_def = def ? struct("cn_world_def", def) : 0;
-	const p_file = array("u8", file);
-	const o_world = take(8);
-	check(raw.cn_world_read(p_def, p_file, BigInt(file.length), o_world, o_world + 4));
-	refresh();
-	return list("cn_world", view.getUint32(o_world, true), view.getInt32(o_world + 4, true));
 }
 
 export function polygonMakeHull(points_m, radius_m) {

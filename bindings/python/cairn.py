@@ -3189,16 +3189,6 @@ class World:
         _check(cn_world_write_size(self.pointer, _bytes))
         return _bytes.value
 
-    def write(self):
-        """Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number
-        of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about
-        1 KB per body."""
-        count = _c.c_int32()
-        _check(cn_world_write(self.pointer, None, 0, count))
-        out = (void * count.value)()
-        _check(cn_world_write(self.pointer, out, count, count))
-        return out
-
     def body_create(self, definition):
         """Creates a body. O(1) amortized."""
         _body = cn_body()
@@ -4450,44 +4440,6 @@ def abi_version():
 def result_text(result):
     """English text for a result code: static, never NULL."""
     return cn_result_text(result).decode()
-
-
-def save_delta_size(base, save):
-    """Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes)."""
-    _bytes = _c.c_uint64()
-    _check(cn_save_delta_size(base, save, _bytes))
-    return _bytes.value
-
-
-def save_delta(base, save):
-    """Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
-    out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes)."""
-    count = _c.c_int32()
-    _check(cn_save_delta(base, save, None, 0, count))
-    out = (void * count.value)()
-    _check(cn_save_delta(base, save, out, count, count))
-    return out
-
-
-def save_apply(base, delta):
-    """Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
-    out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
-    CN_ERROR_CAPACITY if out is too small. O(bytes)."""
-    count = _c.c_int32()
-    _check(cn_save_apply(base, delta, None, 0, count))
-    out = (void * count.value)()
-    _check(cn_save_apply(base, delta, out, count, count))
-    return out
-
-
-def world_read(file, definition=None):
-    """Creates a world from bytes of cn_world_write (bytes: exactly as many). def, which may be NULL for
-    defaults, gives memory, workers and capacities (which a caller's block needs); its settings are not used,
-    the file's are. CN_ERROR_FORMAT for damaged or forged bytes, CN_ERROR_MEMORY without room,
-    CN_ERROR_ARGUMENT for a definition that cn_world_create refuses. O(memory of the world)."""
-    data, count = _c.POINTER(cn_world)(), _c.c_int32()
-    _check(cn_world_read(definition, file, len(file), data, count))
-    return _copy(cn_world, data, count.value)
 
 
 def polygon_make_hull(points_m, radius_m):

@@ -79,9 +79,11 @@ same "C hinges" "$hinges" "$out/hinges"
 [ -f "$hinges" ] && cat "$hinges"
 [ -f "$hinges" ] || echo "C gave no line" > "$hinges"
 sed 's/, [0-9]* called//' "$hinges" > "$uncalled" # of layers without callbacks
-# For packages that compile the library from its one file: flags that take a sixth of the time.
-command -v python3 >/dev/null 2>&1 && python3 bindings/amalgamate.py "$out/source"
-quick='-O0 -DCN_NO_SIMD'
+# For packages that compile the library from its one file: flags that take a sixth of the time; and clang takes a third of gcc's.
+command -v python3 >/dev/null 2>&1 && python3 bindings/amalgamate.py "$out/source" && sh bindings/test/tree.sh "$out/tree" "$out/source"
+tree="cd $absolute/bindings/tree && sh bindings/test"
+quick='-O0 -DCN_NO_SIMD' quick_compiler=gcc
+command -v clang-19 >/dev/null 2>&1 && quick_compiler=clang-19
 
 if command -v python3 >/dev/null 2>&1; then
 	check "files are up to date" python3 bindings/generate.py --check
@@ -121,7 +123,7 @@ if command -v cargo >/dev/null 2>&1; then
 	same "rust hinges" "$uncalled" "$out/rust/debug/examples/hinges"
 	# The crate that compiles the library itself.
 	# shellcheck disable=SC2086
-	check "rust builds with the library" env CAIRN_SOURCE_DIR="$absolute/bindings/source" CFLAGS="$quick" CC=gcc $cargo_build
+	check "rust builds with the library" env CAIRN_SOURCE_DIR="$absolute/bindings/source" CFLAGS="$quick" CC=$quick_compiler $cargo_build
 	same "rust hinges with the library" "$uncalled" env LD_LIBRARY_PATH= "$out/rust/debug/examples/hinges"
 else
 	skip 4 cargo
@@ -142,16 +144,39 @@ else
 fi
 
 if command -v go >/dev/null 2>&1; then # compiles the library
-	check "go hinges and package" env CAIRN_HINGES="$(cat "$uncalled")" CC=gcc CGO_CFLAGS="$quick -I$absolute/bindings/source" LD_LIBRARY_PATH= \
-		go -C bindings/go test -vet=off .
+	check "go builds" env CC="$quick_compiler" CGO_CFLAGS="$quick -I$absolute/bindings/source" \
+		go -C bindings/test/go build -gcflags='all=-N -l' -ldflags='-s -w' -o "$absolute/bindings/hinges-go"
+	same "go hinges and package" "$uncalled" env LD_LIBRARY_PATH= "$out/hinges-go"
 else
-	skip 1 go
+	skip 2 go
 fi
 
 if command -v luajit >/dev/null 2>&1; then
 	both luajit luajit bindings/test/hinges.lua bindings/luajit/example.lua
 else
 	skip 2 luajit
+fi
+
+for lua in lua5.4 luajit; do # one module for both
+	headers=$lua
+	[ $lua = luajit ] && headers=luajit-2.1
+	if command -v $lua >/dev/null 2>&1 && [ -f /usr/include/$headers/lua.h ]; then
+		mkdir -p "$out/$lua"
+		# shellcheck disable=SC2086
+		check "$lua module builds" $compiler -std=c99 -pedantic -O1 -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Werror -fPIC -shared \
+			-Iinclude -I/usr/include/$headers bindings/lua/cairn_lua.c -L"$build" -lcairn -o "$out/$lua/cairn.so"
+		same "$lua module" "$hinges" env -u LUA_PATH LUA_CPATH="$out/$lua/?.so" $lua bindings/test/layer.lua
+	else
+		skip 2 "$lua or its headers"
+	fi
+done
+# The rock as a user installs it, for Lua 5.4.
+if command -v luarocks >/dev/null 2>&1 && [ -f /usr/include/lua5.4/lua.h ]; then
+	rm -rf "$out/rocks"
+	check "rock builds" env -u LUA_PATH luarocks --lua-version 5.4 --tree "$out/rocks" make bindings/lua/cairn-0.1.0-1.rockspec CC="$quick_compiler" CFLAGS="$quick -fPIC"
+	same "rock" "$hinges" env -u LUA_PATH LD_LIBRARY_PATH= LUA_CPATH="$out/rocks/lib/lua/5.4/?.so" lua5.4 bindings/test/layer.lua
+else
+	skip 2 'luarocks or liblua5.4-dev'
 fi
 
 if command -v mcs >/dev/null 2>&1 && command -v mono >/dev/null 2>&1; then
@@ -186,7 +211,7 @@ fi
 
 if command -v cmake >/dev/null 2>&1; then
 	for kind in static shared; do
-		check "cmake builds and finds a $kind library" sh bindings/test/cmake.sh "$out/cmake" "$kind"
+		check "cmake builds and finds a $kind library" env CC=$quick_compiler sh -c "$tree/cmake.sh '$absolute/bindings/cmake' $kind"
 		same "cmake $kind hinges" "$hinges" env LD_LIBRARY_PATH= DYLD_LIBRARY_PATH= "$out/cmake/program-$kind/hinges"
 	done
 else
@@ -194,14 +219,14 @@ else
 fi
 
 if command -v meson >/dev/null 2>&1 && command -v ninja >/dev/null 2>&1 && command -v git >/dev/null 2>&1; then
-	check "meson builds through the wrap" sh bindings/test/meson.sh "$out/meson" "$out/source" "$quick"
+	check "meson builds through the wrap" env CC=$quick_compiler sh -c "$tree/meson.sh '$absolute/bindings/meson' '$quick'"
 	same "meson hinges" "$hinges" env LD_LIBRARY_PATH= "$out/meson/build/hinges"
 else
 	skip 2 'meson, ninja or git'
 fi
 
 if command -v x86_64-w64-mingw32-gcc >/dev/null 2>&1; then
-	check "Windows DLL" sh bindings/test/dll.sh "$out/windows"
+	check "Windows DLL" sh -c "$tree/dll.sh '$absolute/bindings/windows'"
 else
 	skip 1 'x86_64-w64-mingw32-gcc (gcc-mingw-w64-x86-64)'
 fi

@@ -474,19 +474,6 @@ pub const World = struct {
         return out0;
     }
 
-    /// Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number
-    /// of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about
-    /// 1 KB per body.
-    /// The caller frees the slice.
-    pub fn write(self: World, gpa: std.mem.Allocator) (Error || std.mem.Allocator.Error)![]void {
-        var found: i32 = 0;
-        try check(c.cn_world_write(self.pointer, null, 0, &found));
-        const list = try gpa.alloc(void, @intCast(found));
-        errdefer gpa.free(list);
-        if (found > 0) try check(c.cn_world_write(self.pointer, list.ptr, found, &found));
-        return list;
-    }
-
     /// Creates a body. O(1) amortized.
     pub fn bodyCreate(self: World, def: *const BodyDef) Error!Body {
         var out0: Body = undefined;
@@ -1919,49 +1906,6 @@ pub fn abiVersion() i32 {
 /// English text for a result code: static, never NULL.
 pub fn resultText(result: i32) [:0]const u8 {
     return std.mem.span(c.cn_result_text(result));
-}
-
-/// Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).
-pub fn saveDeltaSize(base: []const u8, save_: []const u8) Error!u64 {
-    var out0: u64 = undefined;
-    try check(c.cn_save_delta_size(base.ptr, save_.ptr, &out0));
-    return out0;
-}
-
-/// Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
-/// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).
-/// The caller frees the slice.
-pub fn saveDelta(gpa: std.mem.Allocator, base: []const u8, save_: []const u8) (Error || std.mem.Allocator.Error)![]void {
-    var found: i32 = 0;
-    try check(c.cn_save_delta(base.ptr, save_.ptr, null, 0, &found));
-    const list = try gpa.alloc(void, @intCast(found));
-    errdefer gpa.free(list);
-    if (found > 0) try check(c.cn_save_delta(base.ptr, save_.ptr, list.ptr, found, &found));
-    return list;
-}
-
-/// Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
-/// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
-/// CN_ERROR_CAPACITY if out is too small. O(bytes).
-/// The caller frees the slice.
-pub fn saveApply(gpa: std.mem.Allocator, base: []const u8, delta: []const u8) (Error || std.mem.Allocator.Error)![]void {
-    var found: i32 = 0;
-    try check(c.cn_save_apply(base.ptr, delta.ptr, null, 0, &found));
-    const list = try gpa.alloc(void, @intCast(found));
-    errdefer gpa.free(list);
-    if (found > 0) try check(c.cn_save_apply(base.ptr, delta.ptr, list.ptr, found, &found));
-    return list;
-}
-
-/// Creates a world from bytes of cn_world_write (bytes: exactly as many). def, which may be NULL for
-/// defaults, gives memory, workers and capacities (which a caller's block needs); its settings are not used,
-/// the file's are. CN_ERROR_FORMAT for damaged or forged bytes, CN_ERROR_MEMORY without room,
-/// CN_ERROR_ARGUMENT for a definition that cn_world_create refuses. O(memory of the world).
-pub fn worldRead(def: ?*const WorldDef, file: []const u8) Error![]const World {
-    var data: ?[*]const World = null;
-    var found: i32 = 0;
-    try check(c.cn_world_read(def, file.ptr, file.len, &data, &found));
-    return if (data) |at| at[0..@intCast(found)] else &.{};
 }
 
 /// Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts

@@ -379,20 +379,6 @@ impl World {
         Ok(out_bytes)
     }
 
-    /// Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number
-    /// of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about
-    /// 1 KB per body.
-    pub fn write(&self) -> Result<Vec<c_void>> {
-        let mut count = 0;
-        check(unsafe { cairn_sys::cn_world_write(self.pointer(), core::ptr::null_mut(), 0, &mut count) })?;
-        let mut out = Vec::with_capacity(count as usize);
-        if count > 0 {
-            check(unsafe { cairn_sys::cn_world_write(self.pointer(), out.as_mut_ptr(), count, &mut count) })?;
-            unsafe { out.set_len((count as usize).min(out.capacity())) };
-        }
-        Ok(out)
-    }
-
     /// Creates a body. O(1) amortized.
     pub fn body_create(&mut self, def: &BodyDef) -> Result<Body> {
         let def = &def.cleared();
@@ -1913,52 +1899,6 @@ pub fn abi_version() -> i32 {
 /// English text for a result code: static, never NULL.
 pub fn result_text(result: i32) -> &'static core::ffi::CStr {
     unsafe { core::ffi::CStr::from_ptr(cairn_sys::cn_result_text(result)) }
-}
-
-/// Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).
-pub fn save_delta_size(base: &[u8], save: &[u8]) -> Result<u64> {
-    let mut out_bytes = u64::default();
-    check(unsafe { cairn_sys::cn_save_delta_size(base.as_ptr().cast(), save.as_ptr().cast(), &mut out_bytes) })?;
-    Ok(out_bytes)
-}
-
-/// Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
-/// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).
-pub fn save_delta(base: &[u8], save: &[u8]) -> Result<Vec<c_void>> {
-    let mut count = 0;
-    check(unsafe { cairn_sys::cn_save_delta(base.as_ptr().cast(), save.as_ptr().cast(), core::ptr::null_mut(), 0, &mut count) })?;
-    let mut out = Vec::with_capacity(count as usize);
-    if count > 0 {
-        check(unsafe { cairn_sys::cn_save_delta(base.as_ptr().cast(), save.as_ptr().cast(), out.as_mut_ptr(), count, &mut count) })?;
-        unsafe { out.set_len((count as usize).min(out.capacity())) };
-    }
-    Ok(out)
-}
-
-/// Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
-/// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
-/// CN_ERROR_CAPACITY if out is too small. O(bytes).
-pub fn save_apply(base: &[u8], delta: &[u8]) -> Result<Vec<c_void>> {
-    let mut count = 0;
-    check(unsafe { cairn_sys::cn_save_apply(base.as_ptr().cast(), delta.as_ptr().cast(), core::ptr::null_mut(), 0, &mut count) })?;
-    let mut out = Vec::with_capacity(count as usize);
-    if count > 0 {
-        check(unsafe { cairn_sys::cn_save_apply(base.as_ptr().cast(), delta.as_ptr().cast(), out.as_mut_ptr(), count, &mut count) })?;
-        unsafe { out.set_len((count as usize).min(out.capacity())) };
-    }
-    Ok(out)
-}
-
-/// Creates a world from bytes of cn_world_write (bytes: exactly as many). def, which may be NULL for
-/// defaults, gives memory, workers and capacities (which a caller's block needs); its settings are not used,
-/// the file's are. CN_ERROR_FORMAT for damaged or forged bytes, CN_ERROR_MEMORY without room,
-/// CN_ERROR_ARGUMENT for a definition that cn_world_create refuses. O(memory of the world).
-pub fn world_read(def: Option<&WorldDef>, file: &[u8]) -> Result<&[World]> {
-    let def = def.map(Cleared::cleared);
-    let def = def.as_ref();
-    let (mut data, mut count) = (core::ptr::null(), 0);
-    check(unsafe { cairn_sys::cn_world_read(def.map_or(core::ptr::null(), |value| value as *const _), file.as_ptr().cast(), file.len() as u64, &mut data, &mut count) })?;
-    Ok(if count == 0 { &[] } else { unsafe { core::slice::from_raw_parts(data, count as usize) } })
 }
 
 /// Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts

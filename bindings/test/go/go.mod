@@ -1,0 +1,7 @@
+module hinges
+
+go 1.21
+
+require cairn v0.0.0
+
+replace cairn => ../../go
