@@ -16,8 +16,7 @@
 #define CNI_SIMPLIFY_POINTS_MAX 65536 /* of cni_outline_simplify: its stack */
 #define CNI_CELLS_SIDE_MAX 4096
 
-/* 1: c lies to the left of the line from a to b, -1: to its right, 0: on it. Exact for coordinates that are 0 or from 1e-12 to 1e6 in
-   size. */
+/* 1: c lies to the left of the line from a to b, -1: to its right, 0: on it. Exact for coordinates that are 0 or 1e-12 to 1e6 in size. */
 int32_t cni_orientation(cni_vec2 a, cni_vec2 b, cni_vec2 c);
 
 /* Copies an outline of 3 to CNI_OUTLINE_POINTS_MAX finite points without those nearer than tolerance to the point before and without
@@ -27,7 +26,8 @@ const char *cni_outline_clean(const cni_vec2 *points, int32_t count, float toler
 
 /* Writes the first capacity convex pieces of a simple outline, each of which cni_check_polygon accepts, and the number of all. Returns
    NULL, or an error text, as cni_outline_clean. */
-const char *cni_outline_decompose(const cni_vec2 *points, int32_t count, float tolerance, cn_polygon *out, int32_t capacity, int32_t *out_count);
+const char *cni_outline_decompose(const cni_vec2 *points, int32_t count, float tolerance, cn_polygon *out, int32_t capacity,
+                                  int32_t *out_count);
 
 /* Writes the first capacity points that the simplified row keeps, in their order, and returns the number of all: 0 for a closed row
    that lies within tolerance of a segment. count: 2 (closed: 3) to CNI_SIMPLIFY_POINTS_MAX. out may be points. */

@@ -77,20 +77,11 @@ static int32_t segments_meet(cni_vec2 a, cni_vec2 b, cni_vec2 c, cni_vec2 d)
 	return cni_orientation(a, b, c) * cni_orientation(a, b, d) <= 0 && cni_orientation(c, d, a) * cni_orientation(c, d, b) <= 0;
 }
 
-/* 1 if bc returns along ab. */
-static int32_t edges_fold(cni_vec2 a, cni_vec2 b, cni_vec2 c)
-{
-	if (cni_orientation(a, b, c) != 0)
-		return 0;
-	return a.x != b.x ? (a.x < b.x) == (c.x < b.x) : (a.y < b.y) == (c.y < b.y);
-}
-
+/* A fold back makes an edge meet the one after next; that of three points is removed as collinear. */
 static int32_t outline_is_simple(const cni_vec2 *p, int32_t count)
 {
 	for (int32_t i = 0; i < count; ++i) {
-		cni_vec2 a = p[i], b = p[i + 1 < count ? i + 1 : 0], c = p[(i + 2) % count];
-		if (edges_fold(a, b, c))
-			return 0;
+		cni_vec2 a = p[i], b = p[i + 1 < count ? i + 1 : 0];
 		for (int32_t j = i + 2; j < count - (i == 0); ++j)
 			if (segments_meet(a, b, p[j], p[j + 1 < count ? j + 1 : 0]))
 				return 0;
@@ -98,14 +89,14 @@ static int32_t outline_is_simple(const cni_vec2 *p, int32_t count)
 	return 1;
 }
 
-/* At the leftmost, of these the lowest point a simple polygon is convex. */
-static int32_t outline_is_clockwise(const cni_vec2 *p, int32_t count)
+/* At the lowest of the leftmost points a simple polygon is convex: 1 counter-clockwise, -1 clockwise, 0 without area. */
+static int32_t outline_winding(const cni_vec2 *p, int32_t count)
 {
 	int32_t first = 0;
 	for (int32_t i = 1; i < count; ++i)
 		if (p[i].x < p[first].x || (p[i].x == p[first].x && p[i].y < p[first].y))
 			first = i;
-	return cni_orientation(p[first > 0 ? first - 1 : count - 1], p[first], p[first + 1 < count ? first + 1 : 0]) < 0;
+	return cni_orientation(p[first > 0 ? first - 1 : count - 1], p[first], p[first + 1 < count ? first + 1 : 0]);
 }
 
 static void points_reverse(cni_vec2 *points, int32_t count)
@@ -125,7 +116,10 @@ const char *cni_outline_clean(const cni_vec2 *points, int32_t count, float toler
 		return text_few;
 	if (!outline_is_simple(out, kept))
 		return text_crossing;
-	if (outline_is_clockwise(out, kept))
+	int32_t winding = outline_winding(out, kept);
+	if (winding == 0)
+		return text_few;
+	if (winding < 0)
 		points_reverse(out, kept);
 	*out_count = kept;
 	return NULL;

@@ -282,7 +282,8 @@ static int32_t pieces_write(mesh *m, cn_polygon *out, int32_t capacity)
 	return count;
 }
 
-const char *cni_outline_decompose(const cni_vec2 *points, int32_t count, float tolerance, cn_polygon *out, int32_t capacity, int32_t *out_count)
+const char *cni_outline_decompose(const cni_vec2 *points, int32_t count, float tolerance, cn_polygon *out, int32_t capacity,
+                                  int32_t *out_count)
 {
 	mesh m;
 	const char *wrong = cni_outline_clean(points, count, tolerance, m.points, &m.point_count);

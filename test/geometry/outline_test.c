@@ -224,9 +224,9 @@ static void t_pieces_cover_the_outline_once(void)
 	cn_world_destroy(world);
 	for (int32_t kind = 0; kind < 4; ++kind) {
 		printf("       %s: %d points, %d pieces\n", names[kind], (int)points[kind], (int)made[kind]);
-		CHECK_LE(names[kind], 1000.0 * lost[kind], 1000.0 * 0.1 * THICKNESS, "mm of the perimeter lost or doubled");
+		CHECK_LE(names[kind], 1000.0 * lost[kind], 1e-3, "mm of the perimeter lost or doubled");
 	}
-	CHECK_LE("share of the area lost or doubled", share, 1e-3, "");
+	CHECK_LE("share of the area lost or doubled", share, 1e-5, "");
 	CHECK_LE("simple outlines refused", failed, 0, "");
 	CHECK_LE("pieces that cn_shape_create_polygon refuses", refused, 0, "");
 	CHECK_LE("samples not in exactly one piece", wrong, 0, "");
@@ -244,7 +244,7 @@ static void t_few_pieces(void)
 	memcpy(shape.points, comb, sizeof comb);
 	shape.count = 10;
 	REQUIRE(decompose(&shape, &parts) == CN_OK);
-	CHECK_LE("pieces of a comb with two teeth", parts.count, 4, "");
+	CHECK_LE("pieces of a comb with two teeth", parts.count, 3, "");
 	shape.count = 16;
 	for (int32_t i = 0; i < 16; ++i)
 		shape.points[i] = cni_v((float)cos(TWO_PI * i / 16.0), (float)sin(TWO_PI * i / 16.0));
@@ -255,7 +255,7 @@ static void t_few_pieces(void)
 	for (int32_t i = 0; i < POINTS_MAX; ++i)
 		shape.points[i] = cni_v((float)(60.0 * cos(TWO_PI * i / POINTS_MAX)), (float)(60.0 * sin(TWO_PI * i / POINTS_MAX)));
 	REQUIRE(decompose(&shape, &parts) == CN_OK);
-	CHECK_LE("pieces of a circle of 1024 points", parts.count, 110, "");
+	CHECK_LE("pieces of a circle of 1024 points", parts.count, 90, "");
 	CHECK_LE("its area lost", fabs(1.0 - area_of_pieces(&parts) / area_of(shape.points, shape.count)), 1e-6, "share");
 }
 
@@ -290,22 +290,31 @@ static void t_hostile_outlines(void)
 	CHECK(cn_outline_decompose(shape.points, shape.count, 1.0f, NULL, 0, &count) == CN_OK && count == 1);
 }
 
-/* Points of a small lattice: most outlines touch themselves somewhere. Those that pass have the area of their pieces. */
+/* Points of a small lattice, exact or with noise at 1 m or 1 km: most outlines touch themselves or nearly do. Those that pass have the
+   area of their pieces, up to slivers. */
 static void t_lattice_outlines(void)
 {
-	int32_t accepted = 0;
-	double worst = 0.0;
+	int32_t accepted = 0, far_off = 0;
+	double worst = 0.0, worst_noisy = 0.0;
 	for (int32_t k = 0; k < 20000; ++k) {
+		float noise = k & 1 ? 3.0e-5f * (float)random_below(20) : 0.0f, shift = k & 2 ? 1000.0f : 0.0f;
 		shape.count = 3 + random_below(7);
 		for (int32_t i = 0; i < shape.count; ++i)
-			shape.points[i] = cni_v((float)random_below(5), (float)random_below(5));
+			shape.points[i] = cni_v((float)random_below(5) + random_in(-noise, noise) + shift, (float)random_below(5) + random_in(-noise, noise));
 		if (decompose(&shape, &parts) != CN_OK)
 			continue;
 		++accepted;
-		worst = greater(worst, fabs(fabs(area_of(shape.points, shape.count)) - area_of_pieces(&parts)));
+		far_off += shift > 0.0f;
+		double difference = fabs(fabs(area_of(shape.points, shape.count)) - area_of_pieces(&parts)) / perimeter_of(shape.points, shape.count);
+		if (noise > 0.0f)
+			worst_noisy = greater(worst_noisy, difference);
+		else
+			worst = greater(worst, difference);
 	}
 	CHECK_GE("outlines accepted", accepted, 1000, "");
-	CHECK_LE("worst difference of areas", worst, 1e-5, "m^2");
+	CHECK_GE("of these 1 km away", far_off, 500, "");
+	CHECK_LE("worst difference of areas", worst, 1e-9, "m of the perimeter");
+	CHECK_LE("worst difference of areas with noise", 1000.0 * worst_noisy, 1000.0 * THICKNESS, "mm of the perimeter");
 }
 
 static void t_orientation_is_exact(void)

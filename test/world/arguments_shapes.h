@@ -143,6 +143,42 @@ ENTRY(cn_polygon_make_hull, cn_polygon_make_hull(GOOD_POINTS, 4, 0.0f, OUT(cn_po
 	NOT_NEGATIVE(x, cn_polygon_make_hull(GOOD_POINTS, 4, x, OUT(cn_polygon))); POSITION(v, cn_polygon_make_hull(hull_points(0, v), 4, 0.0f, OUT(cn_polygon)));
 	ARG(cn_polygon_make_hull(hull_points(1, v2(0.0f, 0.0f)), 4, 0.0f, OUT(cn_polygon)));
 	ARG(cn_polygon_make_hull(hull_points(2, v2(0.0f, 0.0f)), 4, 0.0f, OUT(cn_polygon)));)
+#define DECOMPOSE(points, count) cn_outline_decompose(points, count, 1.0f, OUT(cn_polygon), 2, OUT(int32_t) + 100)
+ENTRY(cn_outline_decompose, DECOMPOSE(GOOD_POINTS, 4),
+	ARG(DECOMPOSE(NULL, 4)); INTEGER(x, 2, 1025, DECOMPOSE(GOOD_POINTS, x)); POSITION(v, DECOMPOSE(hull_points(0, v), 4));
+	ARG(DECOMPOSE(hull_points(1, v2(0.0f, 0.0f)), 4)); ARG(DECOMPOSE(hull_points(0, v2(0.9f, -1.0f)), 4));
+	RANGE(x, 0.0f, 1.1e6f, cn_outline_decompose(GOOD_POINTS, 4, x, OUT(cn_polygon), 2, OUT(int32_t) + 100));
+	ARG(cn_outline_decompose(GOOD_POINTS, 4, 1.0f, NULL, 2, OUT(int32_t) + 100));
+	ARG(cn_outline_decompose(GOOD_POINTS, 4, 1.0f, OUT(cn_polygon), -1, OUT(int32_t) + 100));
+	ARG(cn_outline_decompose(GOOD_POINTS, 4, 1.0f, OUT(cn_polygon), 2, NULL));)
+#define SIMPLIFY(points, count, closed) cn_outline_simplify(points, count, closed, 0.1f, OUT(cn_vec2), 4, OUT(int32_t) + 100)
+ENTRY(cn_outline_simplify, SIMPLIFY(GOOD_POINTS, 4, 1),
+	ARG(SIMPLIFY(NULL, 4, 1)); INTEGER(x, 2, 65537, SIMPLIFY(GOOD_POINTS, x, 1)); INTEGER(x, 1, 65537, SIMPLIFY(GOOD_POINTS, x, 0));
+	INTEGER(x, -1, 2, SIMPLIFY(GOOD_POINTS, 4, x)); POSITION(v, SIMPLIFY(hull_points(0, v), 4, 1));
+	NOT_NEGATIVE(x, cn_outline_simplify(GOOD_POINTS, 4, 1, x, OUT(cn_vec2), 4, OUT(int32_t) + 100));
+	ARG(cn_outline_simplify(GOOD_POINTS, 4, 1, 0.1f, NULL, 4, OUT(int32_t) + 100));
+	ARG(cn_outline_simplify(GOOD_POINTS, 4, 1, 0.1f, OUT(cn_vec2), -1, OUT(int32_t) + 100));
+	ARG(cn_outline_simplify(GOOD_POINTS, 4, 1, 0.1f, OUT(cn_vec2), 4, NULL));)
+static const uint8_t good_cells[4] = { 1, 0, 1, 1 };
+static cn_result cells_at(int32_t columns, int32_t rows, cn_vec2 origin, float side)
+{
+	return cn_outline_from_cells(good_cells, columns, rows, origin.x, origin.y, side, OUT(cn_vec2), 8, OUT(int32_t) + 100, 2, OUT(int32_t) + 110, OUT(int32_t) + 111);
+}
+static cn_result cells_to(const uint8_t *cells, cn_vec2 *points, int32_t point_capacity, int32_t *counts, int32_t outline_capacity, int32_t *a, int32_t *b)
+{
+	return cn_outline_from_cells(cells, 2, 2, 0.0f, 0.0f, 1.0f, points, point_capacity, counts, outline_capacity, a, b);
+}
+ENTRY(cn_outline_from_cells, cells_at(2, 2, v2(0.0f, 0.0f), 1.0f),
+	INTEGER(x, 0, 4097, cells_at(x, 2, v2(0.0f, 0.0f), 1.0f)); INTEGER(x, 0, 4097, cells_at(2, x, v2(0.0f, 0.0f), 1.0f));
+	POSITION(v, cells_at(2, 2, v, 1.0f)); ARG(cells_at(2, 2, v2(9.9e5f, 0.0f), 1e4f)); ARG(cells_at(2, 2, v2(0.0f, 9.9e5f), 1e4f));
+	POSITIVE(x, cells_at(2, 2, v2(0.0f, 0.0f), x)); ARG(cells_at(2, 2, v2(0.0f, 0.0f), 6e5f));
+	ARG(cells_to(NULL, OUT(cn_vec2), 8, OUT(int32_t) + 100, 2, OUT(int32_t) + 110, OUT(int32_t) + 111));
+	ARG(cells_to(good_cells, NULL, 8, OUT(int32_t) + 100, 2, OUT(int32_t) + 110, OUT(int32_t) + 111));
+	ARG(cells_to(good_cells, OUT(cn_vec2), -1, OUT(int32_t) + 100, 2, OUT(int32_t) + 110, OUT(int32_t) + 111));
+	ARG(cells_to(good_cells, OUT(cn_vec2), 8, NULL, 2, OUT(int32_t) + 110, OUT(int32_t) + 111));
+	ARG(cells_to(good_cells, OUT(cn_vec2), 8, OUT(int32_t) + 100, -1, OUT(int32_t) + 110, OUT(int32_t) + 111));
+	ARG(cells_to(good_cells, OUT(cn_vec2), 8, OUT(int32_t) + 100, 2, NULL, OUT(int32_t) + 111));
+	ARG(cells_to(good_cells, OUT(cn_vec2), 8, OUT(int32_t) + 100, 2, OUT(int32_t) + 110, NULL));)
 ENTRY(cn_polygon_make_box, cn_polygon_make_box(1.0f, 2.0f, 3.0f, 4.0f, 0.5f, 0.1f, OUT(cn_polygon)),
 	POSITIVE(x, cn_polygon_make_box(x, 2.0f, 3.0f, 4.0f, 0.5f, 0.1f, OUT(cn_polygon)));
 	POSITIVE(x, cn_polygon_make_box(1.0f, x, 3.0f, 4.0f, 0.5f, 0.1f, OUT(cn_polygon)));
