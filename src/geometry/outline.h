@@ -5,7 +5,7 @@
  * outline_clean.c      removes close and collinear points; requires a simple polygon; makes it counter-clockwise
  * outline_decompose.c  a simple polygon into convex pieces
  * outline_simplify.c   fewer points within a tolerance
- * outline_cells.c      the boundary of the solid cells of a grid
+ * outline_grid.c       the boundary of the solid part of a grid
  */
 #ifndef CNI_GEOMETRY_OUTLINE_H
 #define CNI_GEOMETRY_OUTLINE_H
@@ -14,7 +14,7 @@
 
 #define CNI_OUTLINE_POINTS_MAX 1024   /* of cni_outline_decompose: squared time, and its stack */
 #define CNI_SIMPLIFY_POINTS_MAX 65536 /* of cni_outline_simplify: its stack */
-#define CNI_CELLS_SIDE_MAX 4096
+#define CNI_GRID_SIDE_MAX 4096
 
 /* 1: c lies to the left of the line from a to b, -1: to its right, 0: on it. Exact for coordinates that are 0 or 1e-12 to 1e6 in size. */
 int32_t cni_orientation(cni_vec2 a, cni_vec2 b, cni_vec2 c);
@@ -33,22 +33,23 @@ const char *cni_outline_decompose(const cni_vec2 *points, int32_t count, float t
    that lies within tolerance of a segment. count: 2 (closed: 3) to CNI_SIMPLIFY_POINTS_MAX. out may be points. */
 int32_t cni_outline_simplify(const cni_vec2 *points, int32_t count, int32_t closed, float tolerance, cni_vec2 *out, int32_t capacity);
 
-/* A grid of cells, row by row; not 0: solid. */
-typedef struct cni_cells {
-	const uint8_t *solid;
+/* A grid of cells or of samples, row by row. One of solid and values is NULL. */
+typedef struct cni_grid {
+	const uint8_t *solid; /* not 0: solid */
+	const float *values;  /* from threshold: solid */
+	float threshold;
 	int32_t columns;
 	int32_t rows;
-	cni_vec2 origin; /* lower left corner of the first cell */
-	float side;
-	uint32_t reserved;
-} cni_cells;
+	cni_vec2 origin; /* lower left corner of the first cell; the first sample */
+	float spacing;
+} cni_grid;
 typedef struct cni_outlines {
 	cni_vec2 *points;
 	int32_t *counts; /* points of each outline */
 	int32_t point_capacity, outline_capacity;
 	int32_t point_count, outline_count; /* of all, written or not */
 } cni_outlines;
-/* Adds the outlines of the solid cells to out, the solid side on their left. */
-void cni_outline_from_cells(const cni_cells *cells, cni_outlines *out);
+/* Adds the outlines of the solid part to out, the solid side on their left. */
+void cni_outline_from_grid(const cni_grid *grid, cni_outlines *out);
 
 #endif

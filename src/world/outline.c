@@ -46,34 +46,60 @@ cn_result cn_outline_simplify(const cn_vec2 *points_m, int32_t count, int32_t cl
 }
 
 /* Every coordinate of the grid must be one that shapes take. */
-static void check_cells(cni_call *call, const cni_cells *cells)
+static void check_grid(cni_call *call, const cni_grid *grid, int32_t side_min, const char *spacing)
 {
-	cni_check_pointer(call, "cells", cells->solid);
-	cni_check_range_int(call, "columns", cells->columns, 1, CNI_CELLS_SIDE_MAX);
-	cni_check_range_int(call, "rows", cells->rows, 1, CNI_CELLS_SIDE_MAX);
-	cni_check_range(call, "origin_x_m", cells->origin.x, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
-	cni_check_range(call, "origin_y_m", cells->origin.y, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
-	cni_check_positive(call, "cell_m", cells->side);
-	cni_check_range(call, "cell_m", (float)cni_max_i(cells->columns, cells->rows) * cells->side, 0.0f, CNI_COORDINATE_MAX);
-	cni_check_range(call, "origin_x_m", cells->origin.x + (float)cells->columns * cells->side, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
-	cni_check_range(call, "origin_y_m", cells->origin.y + (float)cells->rows * cells->side, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
+	cni_check_range_int(call, "columns", grid->columns, side_min, CNI_GRID_SIDE_MAX);
+	cni_check_range_int(call, "rows", grid->rows, side_min, CNI_GRID_SIDE_MAX);
+	cni_check_range(call, "origin_x_m", grid->origin.x, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
+	cni_check_range(call, "origin_y_m", grid->origin.y, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
+	cni_check_positive(call, spacing, grid->spacing);
+	cni_check_range(call, spacing, (float)cni_max_i(grid->columns, grid->rows) * grid->spacing, 0.0f, CNI_COORDINATE_MAX);
+	cni_check_range(call, "origin_x_m", grid->origin.x + (float)grid->columns * grid->spacing, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
+	cni_check_range(call, "origin_y_m", grid->origin.y + (float)grid->rows * grid->spacing, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
+}
+
+static void check_values(cni_call *call, const cni_grid *grid)
+{
+	size_t k, count = (size_t)grid->columns * (size_t)grid->rows;
+	cni_check_finite(call, "threshold", grid->threshold);
+	cni_check_pointer(call, "values", grid->values);
+	for (k = 0; call->result == CN_OK && k < count; ++k)
+		cni_check_finite(call, "values", grid->values[k]);
+}
+
+static cn_result outlines_write(cni_call *call, const cni_grid *grid, cni_outlines *out, int32_t *out_point_count, int32_t *out_outline_count)
+{
+	cni_check_capacity(call, "out_points", out->points, out->point_capacity);
+	cni_check_capacity(call, "out_counts", out->counts, out->outline_capacity);
+	cni_check_pointer(call, "out_point_count", out_point_count);
+	cni_check_pointer(call, "out_outline_count", out_outline_count);
+	if (call->result != CN_OK)
+		return call->result;
+	cni_outline_from_grid(grid, out);
+	*out_point_count = out->point_count;
+	*out_outline_count = out->outline_count;
+	return CN_OK;
 }
 
 cn_result cn_outline_from_cells(const uint8_t *cells, int32_t columns, int32_t rows, float origin_x_m, float origin_y_m, float cell_m, cn_vec2 *out_points,
                                 int32_t point_capacity, int32_t *out_counts, int32_t outline_capacity, int32_t *out_point_count, int32_t *out_outline_count)
 {
 	cni_call call = cni_enter_free();
-	cni_cells grid = { cells, columns, rows, { origin_x_m, origin_y_m }, cell_m, 0 };
+	cni_grid grid = { cells, NULL, 0.0f, columns, rows, { origin_x_m, origin_y_m }, cell_m };
 	cni_outlines out = { out_points, out_counts, point_capacity, outline_capacity, 0, 0 };
-	check_cells(&call, &grid);
-	cni_check_capacity(&call, "out_points", out_points, point_capacity);
-	cni_check_capacity(&call, "out_counts", out_counts, outline_capacity);
-	cni_check_pointer(&call, "out_point_count", out_point_count);
-	cni_check_pointer(&call, "out_outline_count", out_outline_count);
-	if (call.result != CN_OK)
-		return call.result;
-	cni_outline_from_cells(&grid, &out);
-	*out_point_count = out.point_count;
-	*out_outline_count = out.outline_count;
-	return CN_OK;
+	cni_check_pointer(&call, "cells", cells);
+	check_grid(&call, &grid, 1, "cell_m");
+	return outlines_write(&call, &grid, &out, out_point_count, out_outline_count);
+}
+
+cn_result cn_outline_from_field(const float *values, int32_t columns, int32_t rows, float threshold, float origin_x_m, float origin_y_m, float spacing_m,
+                                cn_vec2 *out_points, int32_t point_capacity, int32_t *out_counts, int32_t outline_capacity, int32_t *out_point_count,
+                                int32_t *out_outline_count)
+{
+	cni_call call = cni_enter_free();
+	cni_grid grid = { NULL, values, threshold, columns, rows, { origin_x_m, origin_y_m }, spacing_m };
+	cni_outlines out = { out_points, out_counts, point_capacity, outline_capacity, 0, 0 };
+	check_grid(&call, &grid, 2, "spacing_m");
+	check_values(&call, &grid);
+	return outlines_write(&call, &grid, &out, out_point_count, out_outline_count);
 }

@@ -1,5 +1,6 @@
 /*
- * outline_test.c - promises of cn_outline_decompose, cn_outline_simplify and cn_outline_from_cells on random and hostile outlines,
+ * outline_test.c - promises of cn_outline_decompose, cn_outline_simplify, cn_outline_from_cells and
+ * cn_outline_from_field on random and hostile outlines,
  * against areas, distances and crossing numbers in double precision, and of the exact orientation against integers.
  */
 #include "geometry/outline.h"
@@ -485,6 +486,75 @@ static void t_ball_rests_on_cells(void)
 	CHECK_LE("height of balls at rest on the cells", worst, SAG_M, "m");
 }
 
+/* ------------------------------------------------------------------ fields */
+
+static float field[ROWS][COLUMNS];
+
+static cn_result field_trace(float spacing)
+{
+	return cn_outline_from_field(&field[0][0], COLUMNS, ROWS, 0.5f, 0.0f, 0.0f, spacing, cell_points, 4 * ROWS * COLUMNS, cell_counts, ROWS * COLUMNS,
+		&cell_point_count, &cell_outline_count);
+}
+
+/* Samples in or on the wrong side of the outlines: the crossing number of all outlines together. */
+static int32_t field_samples_wrong(void)
+{
+	int32_t wrong = 0;
+	for (int32_t y = 1; y < ROWS - 1; ++y)
+		for (int32_t x = 1; x < COLUMNS - 1; ++x) {
+			int32_t inside = 0;
+			for (int32_t o = 0, at = 0; o < cell_outline_count; at += cell_counts[o], ++o)
+				inside ^= contains(cell_points + at, cell_counts[o], cni_v((float)x, (float)y));
+			wrong += inside != (field[y][x] >= 0.5f);
+		}
+	return wrong;
+}
+
+/* Many samples equal the threshold, where a crossing would lie on the sample. */
+static void t_outlines_of_fields(void)
+{
+	int32_t wrong = 0, refused = 0, outlines = 0;
+	double least = 1e30;
+	for (int32_t k = 0; k < 500; ++k) {
+		for (int32_t y = 0; y < ROWS; ++y)
+			for (int32_t x = 0; x < COLUMNS; ++x)
+				field[y][x] = random_below(3) ? random_in(0, 1) : 0.5f * (float)random_below(3);
+		REQUIRE(field_trace(1.0f) == CN_OK);
+		wrong += field_samples_wrong();
+		for (int32_t o = 0, at = 0; o < cell_outline_count; at += cell_counts[o], ++o) {
+			++outlines;
+			refused += decompose_points(cell_points + at, cell_counts[o]) != CN_OK;
+			least = fmin(least, (double)cni_least_distance(cell_points + at, cell_counts[o], 1));
+		}
+	}
+	CHECK_GE("outlines", outlines, 1000, "");
+	CHECK_LE("samples on the wrong side", wrong, 0, "");
+	CHECK_LE("outlines that touch themselves", refused, 0, "");
+	CHECK_GE("least distance of consecutive points", least, 1.0 / 64.0 - 1e-6, "of the spacing");
+}
+
+static void t_field_of_a_disc(void)
+{
+	cn_vec2 centre = cni_v(5.3f, 4.1f);
+	double worst = 0.0;
+	for (int32_t y = 0; y < ROWS; ++y)
+		for (int32_t x = 0; x < COLUMNS; ++x)
+			field[y][x] = 0.5f + 3.0f - cni_length(cni_sub(cni_v((float)x, (float)y), centre));
+	REQUIRE(field_trace(1.0f) == CN_OK);
+	REQUIRE(cell_outline_count == 1 && cell_counts[0] == cell_point_count);
+	for (int32_t i = 0; i < cell_point_count; ++i)
+		worst = greater(worst, fabs((double)cni_length(cni_sub(cell_points[i], centre)) - 3.0));
+	CHECK_LE("distance of the points from the circle", worst, 0.05, "of the spacing");
+	CHECK_LE("area beside the disc's", fabs(area_of(cell_points, cell_point_count) / (0.5 * TWO_PI * 9.0) - 1.0), 0.05, "share");
+	/* All solid: the border. */
+	for (int32_t y = 0; y < ROWS; ++y)
+		for (int32_t x = 0; x < COLUMNS; ++x)
+			field[y][x] = 1e38f;
+	REQUIRE(field_trace(0.5f) == CN_OK);
+	CHECK(cell_outline_count == 1 && cell_point_count == 2 * (ROWS + COLUMNS) - 4);
+	CHECK_LE("area of a solid field", fabs(area_of(cell_points, cell_point_count) - 0.25 * (ROWS - 1) * (COLUMNS - 1)), 0.0, "m^2");
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -497,5 +567,7 @@ int main(int argc, char **argv)
 	RUN(t_simplified_known);
 	RUN(t_outlines_of_cells);
 	RUN(t_ball_rests_on_cells);
+	RUN(t_outlines_of_fields);
+	RUN(t_field_of_a_disc);
 	return test_end();
 }
