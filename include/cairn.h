@@ -896,14 +896,14 @@ CN_API cn_result cn_polygon_make_hull(const cn_vec2 *points_m, int32_t count, fl
    radius_m >= 0. */
 CN_API cn_result cn_polygon_make_box(float half_width_m, float half_height_m, float center_x_m, float center_y_m, float angle_rad, float radius_m, cn_polygon *out);
 
-/* Outlines need not be convex. Pure geometry: no world, any thread, no memory but a few KB of stack. */
+/* Outlines need not be convex. Pure geometry: no world, any thread, no memory but the stack. */
 
 /* Divides a simple polygon (either winding, 3 to 1024 points) into convex ones for cn_shape_create_polygon in worlds of this length unit
    ((1e-6 to 1e6); 1 by default), counter-clockwise, with radius_m 0 and without new points: ears are clipped (Meisters, 1975) and
    triangles merged (Hertel, Mehlhorn, 1983). Points nearer than 0.05% of the length unit to the one before and collinear points are
    dropped, and pieces thinner than that are left out. CN_ERROR_ARGUMENT for an outline that crosses or touches itself or has no area.
    Writes at most capacity pieces (>= 0; count - 2 always suffice); out may be NULL when capacity is 0. *out_count is the number of all.
-   30 KB of stack. O(count^2). */
+   34 KB of stack. O(count^2). */
 CN_API cn_result cn_outline_decompose(const cn_vec2 *points_m, int32_t count, float length_unit_m, cn_polygon *out, int32_t capacity, int32_t *out_count);
 /* Keeps those of count (2 to 65536; closed: 3) points from which the simplified line deviates by more than tolerance_m (0 to 1e6),
    by Douglas and Peucker (1973). closed: 1 if the last point joins the first, else 0. A closed outline within tolerance_m of a segment

@@ -1,5 +1,5 @@
 /*
- * geometry/outline_decompose.c - a simple polygon into convex pieces, without new points and without memory (30 KB of stack).
+ * geometry/outline_decompose.c - a simple polygon into convex pieces, without new points and without memory (34 KB of stack).
  *
  * 1. Ears are clipped (Meisters 1975) into triangles, which half-edges connect. A clip changes whether its two neighbours are ears and
  *    no others, so each vertex is tested about three times.
