@@ -10,6 +10,8 @@
 #   make bindings   writes bindings/ from the header   make test-bindings  in every language that is installed
 #   make amalgamation  the library as two files, build/amalgamation/cairn.c and cairn.h
 #   make stability  scenes with bounds, and 10 seeds of each family: test/stability/README.md
+#   make fuzz       libFuzzer on calls, files, recordings and geometry, FUZZ_SECONDS each: test/README.md
+#   make soak       long forms of tests under load
 #   make mutation   small faults that tests must catch: test/README.md
 #   make families   random scenes, the default solver beside soft constraints: test/families/README.md
 #   make bench-peers  time and accuracy beside other engines: see examples/peers/README.md
@@ -18,7 +20,11 @@
 #   make ablation   each mechanism switched off alone: bounds lost, seeds worse, time: test/ablation/README.md
 #   make tuning     each tuning constant of the solver times 0.7 and 1.4: bounds lost: test/tuning/README.md
 #   make feature-cost  what each feature costs a step, used and unused: see examples/README.md
-#   make rollback   inputs that arrive late: examples/rollback.c
+#   make embedded   50 boxes on a Cortex-M4F and a 32-bit RISC-V, in emulators: examples/embedded
+#   make testbed    scenes to play with, in a window; make testbed-web in a browser: examples/testbed/README.md
+#   make docs       the documentation as a site: build/docs/index.html
+#   make rollback   inputs that arrive late: examples/rollback.c    make examples   every small example
+#   make replay     a recorded game, played and drawn: examples/replay.c
 #
 # CC, AR, CFLAGS, LDFLAGS and BUILD (output folder) are honoured; WERROR= turns off -Werror; V=1 shows
 # commands.
@@ -45,7 +51,7 @@ say = $(if $(V),,@echo '$(1)' $(patsubst $(BUILD)/%,%,$@);)
 
 STRICT := -std=c99 -pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion $(WERROR)
 MODE := -ffp-contract=off -ffunction-sections -fdata-sections -fvisibility=hidden -MMD -MP
-LIB_FLAGS = $(STRICT) $(MODE) -Iinclude -Isrc -DCN_BUILD -fPIC
+LIB_FLAGS = $(STRICT) $(MODE) -Iinclude -Isrc -DCN_BUILD $(if $(WINDOWS),-DCN_SHARED,-fPIC)
 EXAMPLE_FLAGS = $(STRICT) $(MODE) -Iinclude -Iexamples
 TEST_FLAGS = $(STRICT) $(MODE) -Iinclude -Isrc -Itest -Iexamples
 
@@ -56,6 +62,13 @@ SHARED := libcairn.$(SOVERSION).dylib
 SHARED_LINK := libcairn.dylib
 SHARED_FLAGS := -dynamiclib -install_name $(PREFIX)/lib/$(SHARED)
 STRIP_UNUSED := -Wl,-dead_strip
+else ifneq (,$(findstring mingw,$(CC))$(filter Windows_NT,$(OS)))
+# The DLL, its import library, and nothing exported but what cairn.h declares.
+WINDOWS := 1
+SHARED := cairn.dll
+SHARED_LINK := libcairn.dll.a
+SHARED_FLAGS = -shared -static-libgcc -Wl,--out-implib,$(BUILD)/$(SHARED_LINK)
+STRIP_UNUSED := -Wl,--gc-sections
 else
 SHARED := libcairn.so.$(SOVERSION)
 SHARED_LINK := libcairn.so
@@ -63,16 +76,16 @@ SHARED_FLAGS := -shared -Wl,-soname,$(SHARED)
 STRIP_UNUSED := -Wl,--gc-sections
 endif
 # What a program that holds the library is linked with; threads are a part of Windows.
-LIBS := -lm $(if $(filter Windows_NT,$(OS)),,-lpthread)
+LIBS := -lm $(if $(WINDOWS),,-lpthread)
 
 # The one example that looks inside of the library.
 %/examples/bench/broadphase.o: EXAMPLE_FLAGS += -Isrc
 
 # New files are found by themselves.
 LIB_SRC := $(sort $(wildcard src/*/*.c))
-MAIN_SRC := examples/hello.c examples/platformer.c examples/rollback.c examples/demo/demo.c examples/bench/bench.c examples/bench/once.c \
-	examples/bench/scale.c examples/cost/cost.c
-EXAMPLE_SRC := $(filter-out $(MAIN_SRC) examples/peers/%,$(sort $(wildcard examples/*/*.c)))
+SMALL_SRC := $(sort $(wildcard examples/*.c))
+MAIN_SRC := $(SMALL_SRC) examples/demo/demo.c examples/bench/bench.c examples/bench/once.c examples/bench/scale.c examples/cost/cost.c
+EXAMPLE_SRC := $(filter-out $(MAIN_SRC) examples/peers/% examples/embedded/%,$(sort $(wildcard examples/*/*.c)))
 TEST_SRC := $(sort $(wildcard test/*/*_test.c))
 
 LIB_OBJ := $(LIB_SRC:%.c=$(BUILD)/release/%.o)
@@ -83,9 +96,10 @@ CHECKED_EXAMPLE_OBJ := $(EXAMPLE_SRC:%.c=$(BUILD)/checked/%.o)
 TEST_OBJ := $(TEST_SRC:%.c=$(BUILD)/checked/%.o)
 # Those that only print times are not among them: make test-times.
 TIMES_SRC := $(sort $(wildcard test/*/*_time_test.c))
-TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh
+TESTS := $(patsubst %.c,$(BUILD)/%,$(filter-out $(TIMES_SRC),$(TEST_SRC))) bindings/test/current.sh test/examples/small.sh
+SMALL_CHECKED := $(SMALL_SRC:examples/%.c=$(BUILD)/checked/bin/%)
 
-.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback check-deps check-links install clean FORCE
+.PHONY: all bindings amalgamation demo test test-all test-times mutation stability test-bindings bench bench-peers bench-diff bench-scale feature-cost hello platformer rollback replay fuzz embedded check-deps check-links install clean soak FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -114,19 +128,19 @@ $(BUILD)/libcairn.a: $(LIB_OBJ)
 $(BUILD)/$(SHARED): $(LIB_OBJ)
 	$(call say,link)$(CC) $(SHARED_FLAGS) $(CFLAGS) $(LDFLAGS) $^ $(LIBS) -o $@
 $(BUILD)/$(SHARED_LINK): $(BUILD)/$(SHARED)
-	@ln -sf $(SHARED) $@
+	@$(if $(WINDOWS),touch $@,ln -sf $(SHARED) $@)
 
 # ---------------------------------------------------------------- examples
 
-$(BUILD)/bin/hello: $(BUILD)/release/examples/hello.o
-$(BUILD)/bin/platformer: $(BUILD)/release/examples/platformer.o $(EXAMPLE_OBJ)
-$(BUILD)/bin/rollback: $(BUILD)/release/examples/rollback.o
+SMALL := $(SMALL_SRC:examples/%.c=$(BUILD)/bin/%)
+$(SMALL): $(BUILD)/bin/%: $(BUILD)/release/examples/%.o
+$(BUILD)/bin/platformer $(BUILD)/bin/replay: $(EXAMPLE_OBJ)
 $(BUILD)/bin/demo: $(BUILD)/release/examples/demo/demo.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench: $(BUILD)/release/examples/bench/bench.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_once: $(BUILD)/release/examples/bench/once.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/bench_scale: $(BUILD)/release/examples/bench/scale.o $(EXAMPLE_OBJ)
 $(BUILD)/bin/feature_cost: $(BUILD)/release/examples/cost/cost.o $(EXAMPLE_OBJ)
-$(BUILD)/bin/hello $(BUILD)/bin/platformer $(BUILD)/bin/rollback $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_once $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
+$(SMALL) $(BUILD)/bin/demo $(BUILD)/bin/bench $(BUILD)/bin/bench_once $(BUILD)/bin/bench_scale $(BUILD)/bin/feature_cost: $(BUILD)/libcairn.a
 	@mkdir -p $(@D)
 	$(call say,link)$(CC) $(CFLAGS) $(LDFLAGS) $(STRIP_UNUSED) $(filter %.o,$^) $(BUILD)/libcairn.a $(LIBS) -o $@
 
@@ -140,9 +154,49 @@ platformer: $(BUILD)/bin/platformer
 rollback: $(BUILD)/bin/rollback
 	@$(BUILD)/bin/rollback
 
+# Needs cross compilers and QEMU (.ci/deps).
+embedded:
+	@sh examples/embedded/run.sh $(BUILD)/embedded $(CONFIGURATION)
+
+# Every small program, one task a file: each prints its result and checks it.
+.PHONY: examples
+examples: $(SMALL)
+	@BUILD='$(BUILD)/bin' sh test/examples/small.sh
+
+# Records a small game, plays the recording and draws it.
+replay: $(BUILD)/bin/replay
+	@$(BUILD)/bin/replay -demo $(BUILD)/demo.rec && $(BUILD)/bin/replay $(BUILD)/demo.rec -o $(BUILD)/replay.png
+
 demo: $(BUILD)/bin/demo
 	@mkdir -p $(BUILD)/demo
 	@$(BUILD)/bin/demo $(BUILD)/demo $(SCENE)
+
+# Scenes to play with. In a window by SDL 2; in a browser by WebAssembly, from the same source: examples/testbed/README.md.
+.PHONY: testbed testbed-web testbed-web-files
+TESTBED := examples/testbed/platform
+testbed: $(BUILD)/bin/testbed
+	@$(BUILD)/bin/testbed $(SCENE)
+$(BUILD)/bin/testbed: $(TESTBED)/sdl.c $(EXAMPLE_OBJ) $(BUILD)/libcairn.a
+	@mkdir -p $(@D)
+	@pkg-config --exists sdl2 || { echo 'testbed: SDL 2 is not installed (Debian: libsdl2-dev, pkg-config)'; exit 1; }
+	$(call say,link)$(CC) $(STRICT) $(MODE) -Iinclude -Iexamples $$(pkg-config --cflags-only-I --cflags-only-other sdl2) $(CFLAGS) $(LDFLAGS) $(STRIP_UNUSED) $^ $(LIBS) \
+		$$(pkg-config --libs sdl2) -o $@
+
+# One call of the compiler for library and testbed. WebAssembly has no threads here, and so neither have the examples that need them.
+WASM_CC ?= clang-19 --target=wasm32-wasi --sysroot=/usr -isystem /usr/include/wasm32-wasi
+WASM_SRC = $(LIB_SRC) $(wildcard examples/testbed/*.c examples/scenes/*.c) examples/demo/canvas.c examples/demo/draw.c examples/demo/draw_group.c \
+	examples/demo/draw_joint.c examples/demo/palette.c examples/demo/png.c examples/measure/clock.c examples/measure/measure.c $(TESTBED)/web.c
+$(BUILD)/wasm/%.o: %.c
+	@mkdir -p $(@D)
+	$(call say,wasm)$(WASM_CC) -std=c99 -O3 -msimd128 -ffp-contract=off -fvisibility=hidden -DCN_BUILD -DCN_NO_THREADS -Iinclude -Isrc -Iexamples -MMD -MP -c $< -o $@
+$(BUILD)/testbed/testbed.wasm: $(WASM_SRC:%.c=$(BUILD)/wasm/%.o)
+	@mkdir -p $(@D)
+	$(call say,link)$(WASM_CC) -mexec-model=reactor -Wl,--export-dynamic -Wl,--gc-sections $^ -o $@
+-include $(wildcard $(BUILD)/wasm/*/*/*.d $(BUILD)/wasm/*/*/*/*.d)
+testbed-web-files: $(BUILD)/testbed/testbed.wasm
+	@cp $(TESTBED)/index.html $(TESTBED)/testbed.js $(BUILD)/testbed/
+testbed-web: testbed-web-files
+	@echo 'http://127.0.0.1:8080 (end it with control and C)'; cd $(BUILD)/testbed && python3 -m http.server --bind 127.0.0.1 8080
 
 bench: $(BUILD)/bin/bench
 	@$(BUILD)/bin/bench $(SCENE)
@@ -181,12 +235,26 @@ $(BUILD)/libexamples-checked.a: $(CHECKED_EXAMPLE_OBJ)
 	@rm -f $@
 	$(call say,ar)$(AR) rcs $@ $^
 
+# The fuzz targets, as a plain test and under libFuzzer: test/fuzz/run.sh
+FUZZ_OBJ := $(patsubst %.c,$(BUILD)/checked/%.o,$(sort $(wildcard test/fuzz/fuzz_*.c)))
+$(BUILD)/libfuzz-checked.a: $(FUZZ_OBJ) $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a
+	@rm -f $@
+	$(call say,ar)$(AR) rcs $@ $(FUZZ_OBJ)
+$(BUILD)/test/fuzz/corpus_test: $(BUILD)/checked/test/fuzz/corpus_test.o $(BUILD)/libfuzz-checked.a $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a
+	@mkdir -p $(@D)
+	$(call say,link)$(CC) $(TEST_CFLAGS) $(LDFLAGS) $^ $(LIBS) -o $@
+
 $(BUILD)/test/%: $(BUILD)/checked/test/%.o $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a
 	@mkdir -p $(@D)
 	$(call say,link)$(CC) $(TEST_CFLAGS) $(LDFLAGS) $< $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a $(LIBS) -o $@
 
-test: $(TESTS)
-	@JOBS=$(JOBS) RUNNER='$(RUNNER)' sh test/run.sh $(BUILD)/test-output $(TESTS)
+# The small examples with the checked library.
+$(SMALL_CHECKED): $(BUILD)/checked/bin/%: $(BUILD)/checked/examples/%.o $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a
+	@mkdir -p $(@D)
+	$(call say,link)$(CC) $(TEST_CFLAGS) $(LDFLAGS) $< $(BUILD)/libexamples-checked.a $(BUILD)/libcairn-checked.a $(LIBS) -o $@
+
+test: $(TESTS) $(if $(filter test/examples/small.sh,$(TESTS)),$(SMALL_CHECKED))
+	@JOBS=$(JOBS) RUNNER='$(RUNNER)' BUILD='$(BUILD)/checked/bin' sh test/run.sh $(BUILD)/test-output $(TESTS)
 
 # PARTS='clang-thread cross': those; BUT=plain: all others.
 test-all:
@@ -196,6 +264,15 @@ test-all:
 test-times: $(TIMES_SRC:%.c=$(BUILD)/%) $(BUILD)/test/broadphase/sweep_test $(BUILD)/test/broadphase/broadphase_tree_test
 	@sh test/run.sh $(BUILD)/times-output $(TIMES_SRC:%.c=$(BUILD)/%)
 	@$(BUILD)/test/broadphase/sweep_test t_times && $(BUILD)/test/broadphase/broadphase_tree_test t_times
+
+# Random inputs under sanitizers, FUZZ_SECONDS=600 a target. TARGET='calls file': those
+fuzz:
+	@sh test/fuzz/run.sh $(BUILD) $(TARGET)
+
+# Long forms of tests under load, some ten minutes: an hour of simulated churn, 1,000 histories of 2,000 steps with both broadphases, crowds.
+SOAK := $(BUILD)/test/world/soak_test $(BUILD)/test/world/crowd_test $(BUILD)/test/world/broadphase_histories_test
+soak: $(SOAK)
+	@for t in $(SOAK); do $$t t_soak || exit 1; done
 
 # Small faults, one at a time: test/README.md. ONLY=pattern QUICK=1 JOBS=2 FOLDER=dir
 mutation:
@@ -261,6 +338,23 @@ amalgamation:
 test-bindings: $(BUILD)/$(SHARED_LINK)
 	@CC='$(CC)' sh bindings/test/run.sh $(BUILD)
 
+# The documentation as a site, build/docs/index.html: mkdocs in a virtual environment of its own. A broken link is an error.
+.PHONY: docs check-docs
+DOCS_SITE := examples/docs/site
+docs: $(BUILD)/docs-venv/ready
+	@python3 $(DOCS_SITE)/stage.py $(BUILD)/docs-pages
+	@NO_MKDOCS_2_WARNING=1 CAIRN_DOCS='$(abspath $(BUILD)/docs-pages)' CAIRN_SITE='$(abspath $(BUILD)/docs)' \
+		$(BUILD)/docs-venv/bin/mkdocs build --strict --clean -f $(BUILD)/docs-pages.yml > $(BUILD)/docs.log 2>&1 || { cat $(BUILD)/docs.log; exit 1; }
+	@echo 'site: $(BUILD)/docs/index.html'
+$(BUILD)/docs-venv/ready: $(DOCS_SITE)/requirements.txt
+	@mkdir -p $(BUILD)
+	$(call say,venv)python3 -m venv $(BUILD)/docs-venv && $(BUILD)/docs-venv/bin/pip install -q -r $<
+	@touch $@
+
+# Every C block of the pages compiles and runs, names exist: $(DOCS_SITE)/check.py
+check-docs: $(BUILD)/libcairn.a
+	@CC='$(CC)' python3 $(DOCS_SITE)/check.py $(BUILD)
+
 check-deps: $(LIB_OBJ)
 	@sh test/check_deps.sh $(BUILD)
 
@@ -273,7 +367,7 @@ install: all
 	mkdir -p '$(DESTDIR)$(PREFIX)/include' '$(DESTDIR)$(PREFIX)/lib/pkgconfig'
 	cp $(wildcard include/*.h include/*.hpp) '$(DESTDIR)$(PREFIX)/include/'
 	cp $(BUILD)/libcairn.a $(BUILD)/$(SHARED) '$(DESTDIR)$(PREFIX)/lib/'
-	ln -sf $(SHARED) '$(DESTDIR)$(PREFIX)/lib/$(SHARED_LINK)'
+	$(if $(WINDOWS),cp $(BUILD)/$(SHARED_LINK) '$(DESTDIR)$(PREFIX)/lib/',ln -sf $(SHARED) '$(DESTDIR)$(PREFIX)/lib/$(SHARED_LINK)')
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: cairn' 'Description: 2D rigid-body physics' 'Version: $(VERSION)' \
 		'Cflags: -I$${prefix}/include' 'Libs: -L$${prefix}/lib -lcairn' 'Libs.private: $(LIBS)' \
 		> '$(DESTDIR)$(PREFIX)/lib/pkgconfig/cairn.pc'

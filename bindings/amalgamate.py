@@ -43,10 +43,6 @@ PREAMBLE = '''/*
 #elif !defined(_POSIX_C_SOURCE)
 #define _POSIX_C_SOURCE 200809L
 #endif
-#include <float.h>
-#if defined(__TINYC__) && !defined(FLT_EVAL_METHOD) && defined(__x86_64__)
-#define FLT_EVAL_METHOD 0 /* tcc computes floats by SSE here, and its float.h does not say so */
-#endif
 #if defined(__clang__)
 #pragma clang diagnostic ignored "-Wunused-function" /* inline functions of a header that nobody calls at some width */
 #endif

@@ -7,8 +7,11 @@
 
     header.py  text of include/cairn.h -> api (the dictionary in api.json)
     layout.py  sizes and offsets, and the rules that keep structs equal in every language
+    pointers.py  which pointers are arrays, outputs, strings, may be NULL
     probe.py   api -> C program that asks the compiler
-    luajit.py, csharp.py, zig.py, python.py    api -> one file each
+    record.py  api -> tables of calls, for recording, replay and fuzzing
+    idiom.py     what a layer above C makes of the functions
+    luajit.py, csharp.py, csharp_layer.py, zig.py, zig_layer.py, python.py, cpp.py, rust.py, javascript.py, go.py    api -> one file each
 
 Whatever header.py does not understand is an error with a line number: nothing is guessed. The
 writers see only the api, so that another language needs one more file here and nothing else.
@@ -21,7 +24,7 @@ import tempfile
 
 sys.dont_write_bytecode = True
 
-from generator import csharp, header, layout, luajit, names, probe, python, zig  # noqa: E402
+from generator import cpp, csharp, csharp_layer, go, header, javascript, layout, luajit, names, pointers, probe, python, record, rust, zig, zig_layer  # noqa: E402
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 TOP = os.path.dirname(HERE)
@@ -29,8 +32,19 @@ WRITERS = [
     ("api.json", names.api_text),
     ("luajit/cairn.lua", luajit.write),
     ("csharp/Cairn.cs", csharp.write),
+    ("csharp/World.cs", csharp_layer.write),
     ("zig/cairn.zig", zig.write),
+    ("zig/layer.zig", zig_layer.write),
     ("python/cairn.py", python.write),
+    ("record/calls.h", record.write_calls),
+    ("record/wrappers.h", record.write_wrappers),
+    ("record/cairn_record.h", record.write_header),
+    ("cpp/cairn.hpp", cpp.write),
+    ("go/cairn.go", go.write),
+    ("javascript/cairn.js", javascript.write),
+    ("javascript/cairn.d.ts", javascript.write_types),
+    ("rust/cairn-sys/src/lib.rs", rust.write_sys),
+    ("rust/cairn/src/calls.rs", rust.write_layer),
 ]
 
 
@@ -38,6 +52,7 @@ def read_api(path):
     with open(path, encoding="utf-8") as file:
         api = header.parse(file.read(), os.path.basename(path))
     layout.add(api)
+    pointers.add(api)
     return api
 
 
@@ -81,7 +96,7 @@ def main():
     arguments.add_argument("--check", action="store_true")
     arguments.add_argument("--probe", action="store_true")
     arguments.add_argument("--header", default=os.path.join(TOP, "include", "cairn.h"))
-    arguments.add_argument("--output", default=HERE, help="folder with luajit/, csharp/, zig/, python/")
+    arguments.add_argument("--output", default=HERE, help="folder with luajit/, csharp/, zig/, python/, record/")
     options = arguments.parse_args()
     try:
         api = read_api(options.header)

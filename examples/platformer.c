@@ -105,7 +105,7 @@ static int picture(const char *path, const cn_world *world, const cn_vec2 *trail
 		return 0;
 	const draw_view view = draw_fit(&c, &box);
 	canvas_clear(&c, draw_colors[DRAW_BACKGROUND]);
-	draw_world(&c, &view, world);
+	draw_world(&c, &view, world, DRAW_SHOW_CONTACTS | DRAW_SHOW_JOINTS);
 	for (int k = 0; k < count; k += 6) {
 		canvas_point at = { (trail[k].x - view.lower_m.x) * view.scale, 260.0f - (trail[k].y - view.lower_m.y) * view.scale };
 		canvas_disc(&c, at, 2.0f, draw_colors[DRAW_CONTACT], 0, 0.0f);

@@ -81,7 +81,7 @@ extern "C" {
 #define CN_VERSION_PATCH 0
 
 /* Raised whenever a struct layout or a function signature changes. */
-#define CN_ABI_VERSION 2
+#define CN_ABI_VERSION 3
 
 /* In a definition: the default of a field whose comment names CN_DEFAULT. */
 enum { CN_DEFAULT = -1 };
@@ -392,7 +392,7 @@ typedef struct cn_counters {
 	int32_t overflow_contacts;   /* contacts that fit no colour: solved one by one */
 	int32_t broadphase_tiles;    /* cells of the broadphase */
 	uint32_t steps;              /* steps taken since creation, modulo 2^32 */
-	/* Work that the last step skipped for lack of memory, 0 for none. The next step tries again. */
+	/* Work that the last step skipped for lack of memory or in a crowd, 0 for none. The next steps try again. */
 	uint32_t warnings;           /* CN_WARNING_* */
 	int32_t pairs_not_added;     /* new pairs without a contact */
 	int32_t events_not_reported; /* events without a place in a log */
@@ -400,11 +400,15 @@ typedef struct cn_counters {
 	int32_t direct_work;         /* planned direct solving of the last step, in the units of work_budget; at most 2^31 - 1 */
 	int32_t islands_unsolved;    /* of several bodies, soft for a time as no solution was found: CN_TIER_REASON_NO_SET */
 } cn_counters;
-/* Warnings of a step that lacked memory. */
+/* Warnings of a step that lacked memory or skipped work. */
 enum {
 	CN_WARNING_CONTACT_MEMORY = 1u << 0, /* new contacts were not added: pairs_not_added */
 	CN_WARNING_FRAME_MEMORY = 1u << 1,   /* the step worked around missing scratch memory */
-	CN_WARNING_EVENT_MEMORY = 1u << 2    /* events_not_reported */
+	CN_WARNING_EVENT_MEMORY = 1u << 2,   /* events_not_reported */
+	CN_WARNING_CROWD = 1u << 3,          /* thousands of boxes overlap in one spot: contacts of the most crowded bodies come over several
+	                                        steps, and pairs_not_added counts what the last step left out */
+	CN_WARNING_NOT_FINITE = 1u << 4      /* forces or impulses gave bodies a speed that floats cannot hold: these bodies were stopped at
+	                                        their poses, and the others go on */
 };
 /* Reads counts of objects and what the last step reported. O(bodies + islands). */
 CN_API cn_result cn_world_get_counters(const cn_world *world, cn_counters *out);
@@ -483,6 +487,13 @@ typedef struct cn_memory_stats {
 /* Reads the memory statistics. */
 CN_API cn_result cn_world_get_memory_stats(const cn_world *world, cn_memory_stats *out);
 
+/* Moves the origin of coordinates to the point (x_m, y_m), |x|, |y| <= 1e6 length units: every position p becomes p - (x_m, y_m), so that a
+   large world stays precise near its player. Moves bodies, boxes, world anchors of joints, and poses for interpolation; velocities,
+   impulses, sleep and contacts stay, and no event is reported. Distances between bodies keep their digits; world anchors are
+   rounded to floats at the new place. Arrays returned before become invalid; the user moves their own points (movers, rays, cached
+   poses). CN_ERROR_LOCKED in callbacks. O(bodies + boxes + joints), and the next step looks at all pairs again. */
+CN_API cn_result cn_world_shift_origin(cn_world *world, float x_m, float y_m);
+
 /* 64-bit hash (FNV-1a: Fowler, Noll, Vo, 1991) of every body's pose, velocity and sleep state, every contact's impulses and
    the solver's memory of joints, by slot. Equal histories give equal hashes on every compiler, CPU and thread count. O(bodies
    + contacts + joints). */
@@ -513,6 +524,40 @@ CN_API cn_result cn_world_save(const cn_world *world, void *out, uint64_t capaci
    destroyed since; handles created since are refused until the same handle is given to a new object: with the same calls to
    the same object. O(memory of the world). */
 CN_API cn_result cn_world_restore(cn_world *world, const void *save, uint64_t bytes);
+
+/* What one save has changed against an earlier one, the base, of the same world: for long rings of saves. It holds the words of
+   8 bytes that differ, so bodies that sleep take nothing; a table that has grown since the base moves what follows it, and the delta is
+   nearly a whole save. The functions know bytes only and no world. Neither bytes nor pointers may be NULL; out may not overlap the others. */
+
+/* Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes). */
+CN_API cn_result cn_save_delta_size(const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes, uint64_t *out_bytes);
+/* Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to out_bytes, which may be NULL.
+   CN_ERROR_FORMAT as above. O(bytes). */
+CN_API cn_result cn_save_delta(const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes, void *out, uint64_t capacity, uint64_t *out_bytes);
+/* Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to out_bytes, which may be NULL.
+   CN_ERROR_FORMAT if the delta is damaged or of another base, CN_ERROR_CAPACITY if out is too small. O(bytes). */
+CN_API cn_result cn_save_apply(const void *base, uint64_t base_bytes, const void *delta, uint64_t delta_bytes, void *out, uint64_t capacity, uint64_t *out_bytes);
+
+/* ------------------------------------------------------------------ files */
+
+/* A world as bytes for files and networks: little-endian and of fixed widths, so equal worlds write the same bytes on every machine.
+   With the same calls the world that is read continues bit for bit like the written one, on every machine, and the game's handles
+   are valid in it. A file holds what a save holds (see above), names and user data included; memory, workers and callbacks come
+   from the definition and from calls. Only the broadphase is built anew, which its own figures in cn_counters show.
+
+   Later versions of the library read the files of earlier ones; across versions the world is the same, its future need not be
+   bit for bit. Bytes from anywhere are safe: whatever is no written world gives CN_ERROR_FORMAT. Memory taken is proportional to the
+   bytes; a step's cost is that of the world they describe. */
+
+/* Bytes that cn_world_write needs now. CN_ERROR_LOCKED in callbacks. O(slots). */
+CN_API cn_result cn_world_write_size(const cn_world *world, uint64_t *out_bytes);
+/* Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number of bytes to out_bytes, which
+   may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1 KB per body. */
+CN_API cn_result cn_world_write(const cn_world *world, void *out, uint64_t capacity, uint64_t *out_bytes);
+/* Creates a world from bytes of cn_world_write (bytes: exactly as many). def, which may be NULL for defaults, gives memory, workers and
+   capacities (which a caller's block needs); its settings are not used, the file's are. CN_ERROR_FORMAT for damaged or forged bytes,
+   CN_ERROR_MEMORY without room, CN_ERROR_ARGUMENT for a definition that cn_world_create refuses. O(memory of the world). */
+CN_API cn_result cn_world_read(const cn_world_def *def, const void *file, uint64_t bytes, cn_world **out_world);
 
 /* ------------------------------------------------------------------ bodies */
 
@@ -588,6 +633,10 @@ CN_API cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake)
 CN_API cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad);
 /* Reads the position of the origin and the rotation. */
 CN_API cn_result cn_body_get_pose(const cn_world *world, cn_body body, cn_pose *out);
+/* Reads the position of the origin as the sum of two floats: the high part is within rounding that of cn_body_get_pose, the low part
+   holds the digits that do not fit. Far from the origin their sum in double is more precise; so is a difference of two bodies, taken high
+   from high and low from low, in floats. */
+CN_API cn_result cn_body_get_position_parts(const cn_world *world, cn_body body, cn_vec2 *out_high_m, cn_vec2 *out_low_m);
 /* Reads the angle in radians, in (-pi, pi]. */
 CN_API cn_result cn_body_get_angle(const cn_world *world, cn_body body, float *out_rad);
 /* Reads the world position of the centre of mass, in metres. */

@@ -1,7 +1,7 @@
 #!/bin/sh
 # usage: cross.sh build-folder
 # The same bits on other processors: compiled for each target and run by an emulator, the golden scenes of
-# world/determinism_test and the tests of base/; for WebAssembly, which is quick, those of geometry/ instead. What a
+# world/determinism_test, the bytes of world/file_test, and the tests of base/; for WebAssembly, which is quick, those of geometry/ instead. What a
 # target is there for:
 #
 #   aarch64   kernels on NEON           s390x   most significant byte first, no vectors
@@ -23,7 +23,7 @@ geometry=$(grep -L 'hooks\.h' test/geometry/*_test.c | grep -v time_test) # WASI
 run() { # target tests, as source files
 	target=$1
 	shift
-	tests="$build/$target/test/world/determinism_test"
+	tests="$build/$target/test/world/determinism_test $build/$target/test/world/file_test"
 	for test in "$@"; do tests="$tests $build/$target/${test%.c}"; done
 	(
 		started=$(date +%s)

@@ -17,7 +17,7 @@ at_a_time=2
 results=$build/parts
 # The longest first, so that the last two end together.
 parts='clang-address cross plain clang-memory helgrind clang-thread release native ablation no-fused gcc-O0 no-threads
-	clang-O3 amalgamation work header-cxx header-padding check-links mutations-apply'
+	clang-O3 amalgamation embedded work header-cxx header-padding check-links check-docs testbed-web mutations-apply'
 
 # ---------------------------------------------------------------- of one part
 
@@ -83,7 +83,7 @@ helgrind() {
 
 # Work that is bounded, as instructions that valgrind counts: no other program disturbs them.
 work() {
-	${MAKE:-make} -s -j"$cores" BUILD="$build" "$build/test/world/growth_time_test" > "$build/work.log" 2>&1 && sh test/work.sh "$build" >> "$build/work.log" 2>&1
+	${MAKE:-make} -s -j"$cores" BUILD="$build" "$build/test/world/growth_time_test" "$build/test/world/read_time_test" > "$build/work.log" 2>&1 && sh test/work.sh "$build" >> "$build/work.log" 2>&1
 	read_log work $?
 }
 
@@ -108,8 +108,8 @@ exports() {
 	diff "$build/declared.txt" "$build/exported.txt"
 }
 
-# The library as one file (make amalgamation): no warning in C99 and C11, the same golden hashes, and AVX2 in the kernels of eight
-# lanes only.
+# The library as one file (make amalgamation): no warning in C99 and C11, the same golden hashes also as C++17, and AVX2 in the kernels of
+# eight lanes only. The library file by file with tcc, and without GNU extensions.
 amalgamation() {
 	if ! command -v clang-19 >/dev/null 2>&1 || ! command -v python3 >/dev/null 2>&1; then
 		echo "clang-19 or python3 is not installed (see .ci/deps)"
@@ -118,6 +118,9 @@ amalgamation() {
 	fi
 	${MAKE:-make} -s amalgamation BUILD="$build" || { add amalgamation 0 1 0; return; }
 	check amalgamation-compiles amalgamation_compiles
+	check no-gnu-compiles no_gnu_compiles
+	if command -v g++ >/dev/null 2>&1; then check amalgamation-cxx amalgamation_cxx; else add amalgamation-cxx 0 0 1; fi
+	if command -v tcc >/dev/null 2>&1; then check tcc-files tcc_files; else add tcc-files 0 0 1; fi
 	for compiler in gcc clang-19 tcc; do # tcc: no GNU vectors, so plain C
 		if command -v $compiler >/dev/null 2>&1; then check "amalgamation-$compiler" amalgamation_golden $compiler; else add "amalgamation-$compiler" 0 0 1; fi
 	done
@@ -132,17 +135,63 @@ amalgamation_compiles() {
 		done
 	done
 }
+no_gnu_compiles() {
+	for compiler in gcc clang-19; do
+		"$compiler" -std=c99 -pedantic -Wall -Wextra -Wno-unused-function -Werror -include bindings/test/no_gnu.h -fsyntax-only "$build/amalgamation/cairn.c" || return 1
+	done
+}
+golden_with() { # compiler folder object...: the golden scenes with these objects of the library
+	compiler=$1 folder=$2
+	shift 2
+	"$compiler" -std=c99 -O1 -ffp-contract=off -Iinclude -Isrc -Itest -Iexamples test/world/determinism_test.c examples/scenes/*.c "$@" \
+		-lm -lpthread -o "$folder/determinism_test" && "$folder/determinism_test" golden
+}
+amalgamation_cxx() {
+	clang++-19 -std=c++17 -Wall -Wno-missing-braces -Werror -fsyntax-only -x c++ "$build/amalgamation/cairn.c" || return 1
+	mkdir -p "$build/amalgamation/cxx"
+	g++ -std=c++17 -Wall -Werror -O1 -c -x c++ "$build/amalgamation/cairn.c" -o "$build/amalgamation/cxx/cairn.o" &&
+		golden_with gcc "$build/amalgamation/cxx" "$build/amalgamation/cxx/cairn.o"
+}
+tcc_files() {
+	mkdir -p "$build/tcc"
+	for file in src/*/*.c; do
+		tcc -std=c99 -Iinclude -Isrc -c "$file" -o "$build/tcc/$(echo "$file" | tr / _).o" || return 1
+	done
+	golden_with tcc "$build/tcc" "$build"/tcc/*.o
+}
 amalgamation_golden() { # compiler
 	folder=$build/amalgamation/$1
 	mkdir -p "$folder"
 	"$1" -std=c99 -O2 -c "$build/amalgamation/cairn.c" -o "$folder/cairn.o" &&
-		"$1" -std=c99 -O1 -ffp-contract=off -Iinclude -Isrc -Itest -Iexamples test/world/determinism_test.c examples/scenes/*.c "$folder/cairn.o" \
-			-lm -lpthread -o "$folder/determinism_test" && "$folder/determinism_test" golden || return 1
+		golden_with "$1" "$folder" "$folder/cairn.o" || return 1
 	[ "$(uname -m)" = x86_64 ] && [ "$1" != tcc ] || return 0
 	# Names of AVX instructions begin with v.
 	objdump -d --no-show-raw-insn "$folder/cairn.o" | awk '/^[0-9a-f]+ <.*>:$/ { name = $2 }
 		$2 ~ /^v[a-z]/ { found = 1; if (name !~ /_8/) { print name, $0; bad = 1 } }
 		END { if (!found) print "no AVX at all"; exit bad || !found }'
+}
+
+# Bare metal: the smallest configuration on three processors.
+embedded() {
+	sh examples/embedded/run.sh "$build/embedded" least > "$build/embedded.log" 2>&1
+	read_log embedded $?
+}
+
+# Every C block of the documentation compiles and runs: examples/docs/site/check.py
+check_docs() {
+	if ! command -v python3 >/dev/null 2>&1; then
+		echo "python3 is not installed (see .ci/deps)"
+		add check-docs 0 0 1
+		return
+	fi
+	check check-docs ${MAKE:-make} -s -j"$cores" check-docs BUILD="$build"
+}
+
+# The testbed in a headless browser.
+testbed_web() {
+	sh test/examples/testbed_web.sh "$build" > "$build/testbed-web.log" 2>&1
+	read_log testbed-web $?
+	grep 'is not installed' "$build/testbed-web.log"
 }
 
 # Other processors.
@@ -190,7 +239,7 @@ no_fused_operations() {
 sanitize='-O1 -gline-tables-only -fno-omit-frame-pointer -fno-sanitize-recover=all'
 slow='-DCNI_DEBUG -DTEST_SLOW' # a build that is slow: fewer scenes of a kind
 threads='base/threads broadphase/broadphase_threads world/threads world/threads_contacts world/threads_pairs'
-bits='world/determinism world/random collision/manifold_boxes step/integrate joints/joint_blocks joints/joint_rows
+bits='world/determinism world/random collision/manifold_batch step/integrate joints/joint_blocks joints/joint_rows
 	narrowphase/cull'
 # What reads and writes each struct of the library at least once.
 calls='base/memory base/arena base/blocks base/table base/handles collision/manifold broadphase/tree collision/cast broadphase/sweep
@@ -214,8 +263,11 @@ run_part() {
 		release) release ;;
 		amalgamation) amalgamation ;;
 		work) work ;;
+		embedded) embedded ;;
 		cross) cross ;;
 		no-fused) if [ "$(uname -m)" = x86_64 ]; then check no-fused no_fused_operations; else add no-fused 0 0 1; fi ;;
+		check-docs) check_docs ;;
+		testbed-web) testbed_web ;;
 		check-links) check check-links sh test/check_links.sh ;;
 		mutations-apply) check mutations-apply sh test/mutation.sh --check ;;
 		*) echo "there is no part $part"; add "$part" 0 1 0 ;;

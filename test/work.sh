@@ -1,14 +1,14 @@
 #!/bin/sh
 # usage: work.sh build-folder
 # Bounds on work, as instructions executed (valgrind), which are the same on a busy machine: of the functions of
-# test/world/growth_time_test.c, in the build folder. Ends with one line "N passed, N failed, N skipped".
+# test/world/growth_time_test.c and read_time_test.c, in the build folder. Ends with one line "N passed, N failed, N skipped".
 set -u
-program=$1/test/world/growth_time_test
+folder=$1/test/world
 passed=0 failed=0
-command -v valgrind >/dev/null 2>&1 || { echo "valgrind is not installed (see .ci/deps)"; echo "0 passed, 0 failed, 2 skipped"; exit 0; }
+command -v valgrind >/dev/null 2>&1 || { echo "valgrind is not installed (see .ci/deps)"; echo "0 passed, 0 failed, 8 skipped"; exit 0; }
 
-instructions() { # function
-	valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" "$1" 2>&1 |
+instructions() { # function [program]
+	valgrind --tool=callgrind --callgrind-out-file=/dev/null "$folder/${2:-growth}_time_test" "$1" 2>&1 |
 		awk '/^1 passed, 0 failed/ { good = 1 } /Collected *:/ { count = $NF } END { print good ? count : 0 }'
 }
 
@@ -25,8 +25,21 @@ bound() { # what value bound
 few=$(instructions level_of_1000_tiles)
 many=$(instructions level_of_8000_tiles)
 bound "eight times the tiles, times the instructions" "$(awk -v a="$many" -v b="$few" 'BEGIN { print (b > 0 ? a / b : 0) }')" 12
+few=$(instructions compound_of_500_shapes)
+many=$(instructions compound_of_4000_shapes)
+bound "eight times the shapes of a moving body, times the instructions" "$(awk -v a="$many" -v b="$few" 'BEGIN { print (b > 0 ? a / b : 0) }')" 12
 asleep=$(($(instructions sleepers_stepped) - $(instructions sleepers_made)))
 empty=$(($(instructions empty_stepped) - $(instructions empty_made)))
 bound "a step with 2,000 bodies asleep over an empty step" "$(awk -v a="$asleep" -v b="$empty" 'BEGIN { print (b > 0 ? a / b : 0) }')" 2
+bound "an empty step, instructions" "$(awk -v steps="$empty" 'BEGIN { print steps / 200 }')" 3000
+# Each reads 10,000 bodies 100 times.
+nothing=$(instructions nothing_read read)
+per_body() { # function without_it
+	awk -v a="$(instructions "$1" read)" -v b="$2" 'BEGIN { print (b > 0 ? (a - b) / 1e6 : 0) }'
+}
+bound "all poses, instructions a body" "$(per_body all_read "$nothing")" 20
+bound "poses by handle, instructions a body" "$(per_body listed_read "$nothing")" 45
+bound "a getter each, instructions a body" "$(per_body each_read "$nothing")" 90
+bound "moved bodies, instructions a body" "$(per_body moved_read "$(instructions unread_stepped read)")" 40
 echo "$passed passed, $failed failed, 0 skipped"
 [ $failed = 0 ]

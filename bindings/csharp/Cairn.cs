@@ -302,7 +302,8 @@ namespace Cairn
 		public int broadphase_tiles;
 		/// <summary>steps taken since creation, modulo 2^32</summary>
 		public uint steps;
-		/// <summary>Work that the last step skipped for lack of memory, 0 for none. The next step tries again. CN_WARNING_*</summary>
+		/// <summary>Work that the last step skipped for lack of memory or in a crowd, 0 for none. The next steps try again.
+		/// CN_WARNING_*</summary>
 		public uint warnings;
 		/// <summary>new pairs without a contact</summary>
 		public int pairs_not_added;
@@ -1263,7 +1264,7 @@ namespace Cairn
 		public const int CN_VERSION_MAJOR = 0;
 		public const int CN_VERSION_MINOR = 1;
 		public const int CN_VERSION_PATCH = 0;
-		public const int CN_ABI_VERSION = 2;
+		public const int CN_ABI_VERSION = 3;
 		public const int CN_POLYGON_MAX_VERTICES = 16;
 		public const int CN_NAME_MAX_BYTES = 63;
 		public const int CN_PLANES_MAX = 64;
@@ -1377,13 +1378,19 @@ namespace Cairn
 		/// <summary>dynamic AABB tree: for worlds of very mixed sizes with many region queries</summary>
 		public const int CN_BROADPHASE_TREE = 1;
 
-		// Warnings of a step that lacked memory.
+		// Warnings of a step that lacked memory or skipped work.
 		/// <summary>new contacts were not added: pairs_not_added</summary>
 		public const uint CN_WARNING_CONTACT_MEMORY = 1;
 		/// <summary>the step worked around missing scratch memory</summary>
 		public const uint CN_WARNING_FRAME_MEMORY = 2;
 		/// <summary>events_not_reported</summary>
 		public const uint CN_WARNING_EVENT_MEMORY = 4;
+		/// <summary>thousands of boxes overlap in one spot: contacts of the most crowded bodies come over several steps, and
+		/// pairs_not_added counts what the last step left out</summary>
+		public const uint CN_WARNING_CROWD = 8;
+		/// <summary>forces or impulses gave bodies a speed that floats cannot hold: these bodies were stopped at their
+		/// poses, and the others go on</summary>
+		public const uint CN_WARNING_NOT_FINITE = 16;
 
 		// How an island is solved. In each tier joints may be solved together with their neighbours.
 		/// <summary>contacts by soft constraints</summary>
@@ -1750,6 +1757,16 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_get_memory_stats(cn_world* world, cn_memory_stats* @out);
 
+		/// <summary>Moves the origin of coordinates to the point (x_m, y_m), |x|, |y| &lt;= 1e6 length units: every position
+		/// p becomes p - (x_m, y_m), so that a large world stays precise near its player. Moves bodies, boxes,
+		/// world anchors of joints, and poses for interpolation; velocities, impulses, sleep and contacts stay, and
+		/// no event is reported. Distances between bodies keep their digits; world anchors are rounded to floats at
+		/// the new place. Arrays returned before become invalid; the user moves their own points (movers, rays,
+		/// cached poses). CN_ERROR_LOCKED in callbacks. O(bodies + boxes + joints), and the next step looks at all
+		/// pairs again.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_shift_origin(cn_world* world, float x_m, float y_m);
+
 		/// <summary>64-bit hash (FNV-1a: Fowler, Noll, Vo, 1991) of every body's pose, velocity and sleep state, every
 		/// contact's impulses and the solver's memory of joints, by slot. Equal histories give equal hashes on
 		/// every compiler, CPU and thread count. O(bodies + contacts + joints).</summary>
@@ -1781,6 +1798,38 @@ namespace Cairn
 		/// of the world).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_world_restore(cn_world* world, void* save, ulong bytes);
+
+		/// <summary>Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_save_delta_size(void* @base, ulong base_bytes, void* save, ulong save_bytes, ulong* out_bytes);
+
+		/// <summary>Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+		/// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_save_delta(void* @base, ulong base_bytes, void* save, ulong save_bytes, void* @out, ulong capacity, ulong* out_bytes);
+
+		/// <summary>Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+		/// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
+		/// CN_ERROR_CAPACITY if out is too small. O(bytes).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_save_apply(void* @base, ulong base_bytes, void* delta, ulong delta_bytes, void* @out, ulong capacity, ulong* out_bytes);
+
+		/// <summary>Bytes that cn_world_write needs now. CN_ERROR_LOCKED in callbacks. O(slots).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_write_size(cn_world* world, ulong* out_bytes);
+
+		/// <summary>Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number
+		/// of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1
+		/// KB per body.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_write(cn_world* world, void* @out, ulong capacity, ulong* out_bytes);
+
+		/// <summary>Creates a world from bytes of cn_world_write (bytes: exactly as many). def, which may be NULL for
+		/// defaults, gives memory, workers and capacities (which a caller's block needs); its settings are not
+		/// used, the file's are. CN_ERROR_FORMAT for damaged or forged bytes, CN_ERROR_MEMORY without room,
+		/// CN_ERROR_ARGUMENT for a definition that cn_world_create refuses. O(memory of the world).</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_world_read(cn_world_def* def, void* file, ulong bytes, cn_world** out_world);
 
 		/// <summary>Sets struct_size and the defaults given beside the fields. NULL does nothing.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -1843,6 +1892,12 @@ namespace Cairn
 		/// <summary>Reads the position of the origin and the rotation.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_body_get_pose(cn_world* world, cn_body body, cn_pose* @out);
+
+		/// <summary>Reads the position of the origin as the sum of two floats: the high part is within rounding that of
+		/// cn_body_get_pose, the low part holds the digits that do not fit. Far from the origin their sum in double
+		/// is more precise; so is a difference of two bodies, taken high from high and low from low, in floats.</summary>
+		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+		public static extern int cn_body_get_position_parts(cn_world* world, cn_body body, cn_vec2* out_high_m, cn_vec2* out_low_m);
 
 		/// <summary>Reads the angle in radians, in (-pi, pi].</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -2204,7 +2259,7 @@ namespace Cairn
 		/// Points nearer than 0.05% of the length unit to the one before and collinear points are dropped, and
 		/// pieces thinner than that are left out. CN_ERROR_ARGUMENT for an outline that crosses or touches itself
 		/// or has no area. Writes at most capacity pieces (&gt;= 0; count - 2 always suffice); out may be NULL when
-		/// capacity is 0. *out_count is the number of all. 30 KB of stack. O(count^2).</summary>
+		/// capacity is 0. *out_count is the number of all. 34 KB of stack. O(count^2).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_outline_decompose(cn_vec2* points_m, int count, float length_unit_m, cn_polygon* @out, int capacity, int* out_count);
 

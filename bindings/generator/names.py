@@ -67,6 +67,10 @@ def declaration(part):
     return part["type"] + space + part["name"] + array
 
 
+def is_array(part):
+    return bool(part["pointers"]) and part["length"] is not None
+
+
 def prototype(entry):
     parameters = ", ".join(declaration(part) for part in entry["parameters"]) or "void"
     returns = entry["returns"]["type"]

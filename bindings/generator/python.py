@@ -1,35 +1,38 @@
-"""Writes python/cairn.py: the header as ctypes sees it."""
-from . import names
+"""Writes python/cairn.py: the header as ctypes sees it, and above it the classes of python_layer.py."""
+from . import names, python_layer
 
 START = '''"""Cairn for Python (ctypes), one to one with cairn.h.
 %s
 
-    import ctypes
-    from cairn import *
+    import cairn
 
-    definition = cn_world_def()
-    cn_world_def_init(definition)
-    world = ctypes.POINTER(cn_world)()
-    assert cn_world_create(definition, world) == CN_OK
+    world = cairn.World(gravity_mps2=(0, -10))
+    body = world.body_create(cairn.BodyDef(position_m=(0, 4)))
+    world.shape_create_box(cairn.ShapeDef(body=body), 0.5, 0.5, 0)
+    world.step(1 / 60)
+    print(world.body_get_pose(body).position_m.y)
 
-Where C takes a pointer to a struct or number, pass the struct or a ctypes number itself; where it
-takes an array, pass an array. CAIRN_LIBRARY in the environment names another file than the system's
-libcairn.
+Below the classes are C's functions under their own names (cn_world_step), for ctypes: where C takes a pointer to a struct or
+number, pass the struct or a ctypes number itself; where it takes an array, pass an array. The library is the one beside this
+file, else the system's; CAIRN_LIBRARY in the environment names another.
 """
 import ctypes as _c
 import os as _os
 import sys as _sys
 
 _files = {"darwin": "libcairn.dylib", "win32": "cairn.dll"}
-_library = _c.CDLL(_os.environ.get("CAIRN_LIBRARY") or _files.get(_sys.platform, "libcairn.so"))
+_file = _files.get(_sys.platform, "libcairn.so")
+_beside = _os.path.join(_os.path.dirname(_os.path.abspath(__file__)), _file)
+_library = _c.CDLL(_os.environ.get("CAIRN_LIBRARY") or (_beside if _os.path.exists(_beside) else _file))
 
 # A library of another version would read other structs: refuse it here and, by their sizes, below.
 if _library.cn_abi_version() != %d:
     raise ImportError("cairn.py is for ABI %d, the library has %%d" %% _library.cn_abi_version())
 
 
-def _function(name, result, *arguments):
+def _function(name, doc, result, *arguments):
     function = getattr(_library, name)
+    function.__doc__ = doc
     function.restype = result
     function.argtypes = arguments
     return function
@@ -78,15 +81,19 @@ def write(api):
             types = [spell(part, api) for part in [entry["returns"], *entry["parameters"]]]
             out.append(names.comment(entry["doc"], "# ") + "%s = _c.CFUNCTYPE(%s)\n" % (entry["name"], ", ".join(types)))
         else:
-            out.append("class %s(_c.Structure):\n%s    _fields_ = [\n" % (entry["name"], names.comment(entry["doc"], "# ", "    ")))
+            out.append('class %s(_c.Structure):\n    """%s"""\n\n    _fields_ = [\n' % (entry["name"], docstring(entry["doc"], "    ")))
             out += [field_line(field, api) for field in entry["fields"]]
             out.append("    ]\n")
     out.append("\n\n")
     for function in api["functions"]:
         types = [spell(part, api) for part in [function["returns"], *function["parameters"]]]
-        out.append(names.comment(function["doc"], "# ") + '%s = _function("%s", %s)\n' % (function["name"], function["name"], ", ".join(types)))
+        doc = '    """%s"""' % docstring(function["doc"], "    ")
+        out.append('%s = _function(\n    "%s",\n%s,\n    %s,\n)\n' % (function["name"], function["name"], doc, ", ".join(types)))
     checks = "".join("    (%s, %s),\n" % (struct["name"], struct["sizeof_type"]) for struct in names.checked_structs(api))
-    return "".join(out) + END % checks
+    return "".join(out) + END % checks + python_layer.write(api)
+
+
+docstring = python_layer.docstring
 
 
 def field_line(field, api):

@@ -1,7 +1,7 @@
 """Writes zig/cairn.zig: extern declarations, without @cImport (gone in Zig 0.17).
 
-Handles are enums of 32 bits, so that a shape is never taken for a body. Pointers to structs and
-numbers are [*c]: the header does not say in its types which of them are arrays or may be null.
+Handles are enums of 32 bits, so that a shape is never taken for a body. Pointers are *T, [*]T and [*:0]u8, with ? where null is
+allowed.
 """
 from . import names
 
@@ -33,21 +33,30 @@ def safe(name):
     return '@"%s"' % name if name in WORDS else name
 
 
-def spell(part, api):
-    base, pointers = part["base"], part["pointers"]
-    const = "const " if part["const"] else ""
+def element(part, api):
+    """The type without pointers."""
+    base = part["base"]
     if base in names.callbacks(api):
-        text, const, pointers = "?*const " + base, "", pointers - 1
-    elif pointers and (base == "void" or base in {entry["name"] for entry in api["opaque"]}):
-        text, const, pointers = "?*" + const + ("anyopaque" if base == "void" else base), "", pointers - 1
-    elif base in SCALARS:
-        text = SCALARS[base]
-    elif base.endswith("_t"):
-        text = base[:-2].replace("uint", "u").replace("int", "i")
-    else:
-        text = base
-    # const belongs to what the last * points to
-    return "[*c]" * pointers + (const if pointers else "") + text
+        return "*const " + base
+    if base == "void" and part["pointers"]:
+        return "u8" if part.get("length") else "anyopaque"
+    if base in SCALARS:
+        return SCALARS[base]
+    return base[:-2].replace("uint", "u").replace("int", "i") if base.endswith("_t") else base
+
+
+def spell(part, api):
+    if not part["pointers"]:
+        return element(part, api)
+    text, optional = element(part, api), "?" if part.get("nullable", True) else ""
+    const = "const " if part["const"] else ""
+    if part["base"] in names.callbacks(api):
+        return optional + text
+    if part["pointers"] == 2 and part["base"] != "void":
+        kind = "[*:0]" if part["string"] else "[*]" if part["length"] else "*"
+        return "%s*?%s%s%s" % (optional, kind, const, text)
+    kind = "[*:0]" if part.get("string") and not part["length"] else "[*]" if part.get("length") else "*"
+    return optional + kind + const + text
 
 
 def write(api):

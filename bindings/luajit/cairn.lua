@@ -15,7 +15,7 @@ ffi.cdef [[
 static const int32_t CN_VERSION_MAJOR = 0;
 static const int32_t CN_VERSION_MINOR = 1;
 static const int32_t CN_VERSION_PATCH = 0;
-static const int32_t CN_ABI_VERSION = 2;
+static const int32_t CN_ABI_VERSION = 3;
 static const int32_t CN_POLYGON_MAX_VERTICES = 16;
 static const int32_t CN_NAME_MAX_BYTES = 63;
 static const int32_t CN_PLANES_MAX = 64;
@@ -121,11 +121,13 @@ enum {
 	CN_BROADPHASE_TREE = 1, // dynamic AABB tree: for worlds of very mixed sizes with many region queries
 };
 
-// Warnings of a step that lacked memory.
+// Warnings of a step that lacked memory or skipped work.
 enum {
 	CN_WARNING_CONTACT_MEMORY = 1, // new contacts were not added: pairs_not_added
 	CN_WARNING_FRAME_MEMORY = 2, // the step worked around missing scratch memory
 	CN_WARNING_EVENT_MEMORY = 4, // events_not_reported
+	CN_WARNING_CROWD = 8, // thousands of boxes overlap in one spot: contacts of the most crowded bodies come over several steps, and pairs_not_added counts what the last step left out
+	CN_WARNING_NOT_FINITE = 16, // forces or impulses gave bodies a speed that floats cannot hold: these bodies were stopped at their poses, and the others go on
 };
 
 // How an island is solved. In each tier joints may be solved together with their neighbours.
@@ -409,7 +411,7 @@ typedef struct cn_counters {
 	int32_t overflow_contacts; // contacts that fit no colour: solved one by one
 	int32_t broadphase_tiles; // cells of the broadphase
 	uint32_t steps; // steps taken since creation, modulo 2^32
-	uint32_t warnings; // Work that the last step skipped for lack of memory, 0 for none. The next step tries again. CN_WARNING_*
+	uint32_t warnings; // Work that the last step skipped for lack of memory or in a crowd, 0 for none. The next steps try again. CN_WARNING_*
 	int32_t pairs_not_added; // new pairs without a contact
 	int32_t events_not_reported; // events without a place in a log
 	int32_t islands_direct; // of several bodies, solved directly in the last step, contacts included
@@ -1072,6 +1074,13 @@ cn_result cn_world_get_islands(const cn_world *world, cn_island_report *out, int
 cn_result cn_world_get_profile(const cn_world *world, cn_profile *out);
 // Reads the memory statistics.
 cn_result cn_world_get_memory_stats(const cn_world *world, cn_memory_stats *out);
+// Moves the origin of coordinates to the point (x_m, y_m), |x|, |y| <= 1e6 length units: every position p
+// becomes p - (x_m, y_m), so that a large world stays precise near its player. Moves bodies, boxes, world
+// anchors of joints, and poses for interpolation; velocities, impulses, sleep and contacts stay, and no event
+// is reported. Distances between bodies keep their digits; world anchors are rounded to floats at the new
+// place. Arrays returned before become invalid; the user moves their own points (movers, rays, cached poses).
+// CN_ERROR_LOCKED in callbacks. O(bodies + boxes + joints), and the next step looks at all pairs again.
+cn_result cn_world_shift_origin(cn_world *world, float x_m, float y_m);
 // 64-bit hash (FNV-1a: Fowler, Noll, Vo, 1991) of every body's pose, velocity and sleep state, every
 // contact's impulses and the solver's memory of joints, by slot. Equal histories give equal hashes on every
 // compiler, CPU and thread count. O(bodies + contacts + joints).
@@ -1094,6 +1103,26 @@ cn_result cn_world_save(const cn_world *world, void *out, uint64_t capacity, uin
 // refused until the same handle is given to a new object: with the same calls to the same object. O(memory of
 // the world).
 cn_result cn_world_restore(cn_world *world, const void *save, uint64_t bytes);
+// Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).
+cn_result cn_save_delta_size(const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes, uint64_t *out_bytes);
+// Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).
+cn_result cn_save_delta(const void *base, uint64_t base_bytes, const void *save, uint64_t save_bytes, void *out, uint64_t capacity, uint64_t *out_bytes);
+// Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base, CN_ERROR_CAPACITY
+// if out is too small. O(bytes).
+cn_result cn_save_apply(const void *base, uint64_t base_bytes, const void *delta, uint64_t delta_bytes, void *out, uint64_t capacity, uint64_t *out_bytes);
+// Bytes that cn_world_write needs now. CN_ERROR_LOCKED in callbacks. O(slots).
+cn_result cn_world_write_size(const cn_world *world, uint64_t *out_bytes);
+// Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number of
+// bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1 KB per
+// body.
+cn_result cn_world_write(const cn_world *world, void *out, uint64_t capacity, uint64_t *out_bytes);
+// Creates a world from bytes of cn_world_write (bytes: exactly as many). def, which may be NULL for defaults,
+// gives memory, workers and capacities (which a caller's block needs); its settings are not used, the file's
+// are. CN_ERROR_FORMAT for damaged or forged bytes, CN_ERROR_MEMORY without room, CN_ERROR_ARGUMENT for a
+// definition that cn_world_create refuses. O(memory of the world).
+cn_result cn_world_read(const cn_world_def *def, const void *file, uint64_t bytes, cn_world **out_world);
 // Sets struct_size and the defaults given beside the fields. NULL does nothing.
 void cn_body_def_init(cn_body_def *def);
 // Creates a body. O(1) amortized.
@@ -1130,6 +1159,10 @@ cn_result cn_body_set_awake(cn_world *world, cn_body body, int32_t awake);
 cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, float position_y_m, float angle_rad);
 // Reads the position of the origin and the rotation.
 cn_result cn_body_get_pose(const cn_world *world, cn_body body, cn_pose *out);
+// Reads the position of the origin as the sum of two floats: the high part is within rounding that of
+// cn_body_get_pose, the low part holds the digits that do not fit. Far from the origin their sum in double is
+// more precise; so is a difference of two bodies, taken high from high and low from low, in floats.
+cn_result cn_body_get_position_parts(const cn_world *world, cn_body body, cn_vec2 *out_high_m, cn_vec2 *out_low_m);
 // Reads the angle in radians, in (-pi, pi].
 cn_result cn_body_get_angle(const cn_world *world, cn_body body, float *out_rad);
 // Reads the world position of the centre of mass, in metres.
@@ -1333,7 +1366,7 @@ cn_result cn_polygon_make_box(float half_width_m, float half_height_m, float cen
 // than 0.05% of the length unit to the one before and collinear points are dropped, and pieces thinner than
 // that are left out. CN_ERROR_ARGUMENT for an outline that crosses or touches itself or has no area. Writes
 // at most capacity pieces (>= 0; count - 2 always suffice); out may be NULL when capacity is 0. *out_count is
-// the number of all. 30 KB of stack. O(count^2).
+// the number of all. 34 KB of stack. O(count^2).
 cn_result cn_outline_decompose(const cn_vec2 *points_m, int32_t count, float length_unit_m, cn_polygon *out, int32_t capacity, int32_t *out_count);
 // Keeps those of count (2 to 65536; closed: 3) points from which the simplified line deviates by more than
 // tolerance_m (0 to 1e6), by Douglas and Peucker (1973). closed: 1 if the last point joins the first, else 0.

@@ -12,7 +12,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
 
 import generate  # noqa: E402
-from generator import header, layout  # noqa: E402
+from generator import header, layout, pointers  # noqa: E402
 
 START = "#ifndef T_H\n#define T_H\n#include <stdint.h>\n"
 END = "\n#endif\n"
@@ -61,6 +61,10 @@ REFUSED = [
     ("#ifdef CN_B\nCN_API void cn_a(void);\n#endif", "bindings cannot see conditions"),
     ("#pragma pack(1)", "only #define NAME integer"),
     ("CN_API void cn_a(", "ends in the middle"),
+    ("CN_API cn_result cn_a(cn_world *world, cn_vec2 *p);", "cn_a: the pointer p follows no convention"),
+    ("CN_API cn_result cn_a(cn_world *world, char *name);", "cn_a: the pointer name follows no convention"),
+    ("CN_API cn_result cn_a(const cn_world *world, const cn_vec2 **out);", "cn_a: the pointer out follows no convention"),
+    ("typedef struct cn_a { const cn_vec2 *points; } cn_a;", "cn_a: the pointer points follows no convention"),
 ]
 
 READ = """
@@ -94,6 +98,7 @@ def report(name, problem):
 def parse(text):
     api = header.parse(START + TYPES + text + END, "t.h")
     layout.add(api)
+    pointers.add(api)
     return api
 
 

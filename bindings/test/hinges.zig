@@ -12,7 +12,7 @@ var world: ?*cn.cn_world = null;
 
 fn check(result: cn.cn_result) error{Cairn}!void {
     if (result == cn.CN_OK) return;
-    std.debug.print("{s}: {s}\n", .{ std.mem.span(cn.cn_result_text(result)), std.mem.span(cn.cn_world_error_text(world)) });
+    std.debug.print("{s}: {s}\n", .{ cn.cn_result_text(result), cn.cn_world_error_text(world) });
     return error.Cairn;
 }
 
@@ -22,7 +22,7 @@ fn createBody(kind: i32, x: f32, y: f32) !cn.cn_body {
     cn.cn_body_def_init(&def);
     def.type = kind;
     def.position_m = .{ .x = x, .y = y };
-    try check(cn.cn_body_create(world, &def, &body));
+    try check(cn.cn_body_create(world.?, &def, &body));
     return body;
 }
 
@@ -32,7 +32,7 @@ fn addBox(body: cn.cn_body, friction: f32, half_width: f32, half_height: f32, ro
     def.body = body;
     def.material.static_friction = friction;
     def.material.dynamic_friction = friction;
-    try check(cn.cn_shape_create_box(world, &def, half_width, half_height, rounding, null));
+    try check(cn.cn_shape_create_box(world.?, &def, half_width, half_height, rounding, null));
 }
 
 fn join(below: cn.cn_body, body: cn.cn_body) !void {
@@ -46,7 +46,7 @@ fn join(below: cn.cn_body, body: cn.cn_body) !void {
     def.base.flags = cn.CN_JOINT_LIMIT;
     def.lower_angle_rad = @as(f32, -0.3) * pi;
     def.upper_angle_rad = @as(f32, 0.1) * pi;
-    try check(cn.cn_joint_create_revolute(world, &def, &joint));
+    try check(cn.cn_joint_create_revolute(world.?, &def, &joint));
 }
 
 fn addColumn(x: f32, rows: i32) !void {
@@ -61,9 +61,9 @@ fn addColumn(x: f32, rows: i32) !void {
     }
 }
 
-fn countCall(_: ?*cn.cn_world, event: [*c]const cn.cn_contact_event, user: ?*anyopaque) callconv(.c) void {
+fn countCall(_: *cn.cn_world, event: *const cn.cn_contact_event, user: ?*anyopaque) callconv(.c) void {
     const called: *i32 = @ptrCast(@alignCast(user));
-    if (event.*.kind == cn.CN_EVENT_ENTER) called.* += 1;
+    if (event.kind == cn.CN_EVENT_ENTER) called.* += 1;
 }
 
 // Every declaration is looked at and every function linked.
@@ -87,24 +87,24 @@ pub fn main() !void {
 
     var count: i32 = 0;
     var storage: [256]cn.cn_pose = undefined;
-    try check(cn.cn_world_get_bodies(world, null, 0, &count));
+    try check(cn.cn_world_get_bodies(world.?, null, 0, &count));
     const poses = storage[0..@intCast(count)];
     var sum: u32 = 0;
-    var events: [*c]const cn.cn_contact_event = null;
+    var events: ?[*]const cn.cn_contact_event = null;
     var event_count: i32 = 0;
     var entered: i32 = 0;
     var called: i32 = 0;
-    try check(cn.cn_world_set_contact_callback(world, cn.CN_EVENT_ENTER, countCall, &called));
+    try check(cn.cn_world_set_contact_callback(world.?, cn.CN_EVENT_ENTER, countCall, &called));
     for (0..steps) |_| {
-        try check(cn.cn_world_step(world, 1.0 / 60.0));
-        try check(cn.cn_world_read_poses(world, null, count, poses.ptr));
-        try check(cn.cn_world_contact_events(world, cn.CN_EVENT_ENTER, &events, &event_count));
+        try check(cn.cn_world_step(world.?, 1.0 / 60.0));
+        try check(cn.cn_world_read_poses(world.?, null, count, poses.ptr));
+        try check(cn.cn_world_contact_events(world.?, cn.CN_EVENT_ENTER, &events, &event_count));
         entered += event_count;
         for (std.mem.bytesAsSlice(u32, std.mem.sliceAsBytes(poses))) |word| sum = sum *% 31 +% word;
     }
 
     var hash: u64 = 0;
-    try check(cn.cn_world_hash(world, &hash));
+    try check(cn.cn_world_hash(world.?, &hash));
     const format = "falling_hinges: {d} steps, {d} bodies, {d} entered, {d} called, poses {x:0>8}, hash {x:0>16}\n";
     std.debug.print(format, .{ steps, poses.len, entered, called, sum, hash });
     cn.cn_world_destroy(world);

@@ -8,6 +8,7 @@ set -u
 build=$1
 out=$build/bindings
 mkdir -p "$out"
+absolute=$(cd "$build" && pwd)
 passed=0 failed=0 skipped=0
 
 export LD_LIBRARY_PATH="$build${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}" DYLD_LIBRARY_PATH="$build"
@@ -50,6 +51,17 @@ same() { # name file command...
 	fi
 }
 
+# A program that ends with a line of counts.
+counted() { # name command...
+	name=$1
+	shift
+	$guard "$@" > "$out/log.txt" 2>&1
+	# shellcheck disable=SC2046
+	set -- $(grep -E '^[0-9]+ passed, [0-9]+ failed, 0 skipped$' "$out/log.txt" || echo "0 passed, 1 failed, 0 skipped")
+	passed=$((passed + $1)) failed=$((failed + $3))
+	if [ "$3" = 0 ]; then echo "PASS $name ($1)"; else grep -v '^PASS' "$out/log.txt"; fi
+}
+
 # Both programs of a language, when it was built.
 both() { # language, then the command in front of a program, hinges, example
 	language=$1 run=$2
@@ -59,25 +71,81 @@ both() { # language, then the command in front of a program, hinges, example
 	same "$language example" "$example" $run "$4"
 }
 
-hinges=$out/hinges.txt example=$out/example.txt
+hinges=$out/hinges.txt uncalled=$out/uncalled.txt example=$out/example.txt
 rm -f "$hinges" "$example"
 # shellcheck disable=SC2086
 check "C builds" $compiler -std=c99 -O2 -ffp-contract=off -Iinclude -Iexamples bindings/test/hinges.c examples/scenes/*.c -L"$build" -lcairn -lm -o "$out/hinges"
 same "C hinges" "$hinges" "$out/hinges"
 [ -f "$hinges" ] && cat "$hinges"
 [ -f "$hinges" ] || echo "C gave no line" > "$hinges"
+sed 's/, [0-9]* called//' "$hinges" > "$uncalled" # of layers without callbacks
+# For packages that compile the library from its one file: flags that take a sixth of the time.
+command -v python3 >/dev/null 2>&1 && python3 bindings/amalgamate.py "$out/source"
+quick='-O0 -DCN_NO_SIMD'
 
 if command -v python3 >/dev/null 2>&1; then
 	check "files are up to date" python3 bindings/generate.py --check
 	CC=$compiler check "compiler agrees with api.json" python3 bindings/generate.py --probe
-	CC=$compiler $guard python3 bindings/test/generate_test.py > "$out/generate.txt" 2>&1
-	# shellcheck disable=SC2046
-	set -- $(grep -E '^[0-9]+ passed, [0-9]+ failed, 0 skipped$' "$out/generate.txt" || echo "0 passed, 1 failed, 0 skipped")
-	passed=$((passed + $1)) failed=$((failed + $3))
-	if [ "$3" = 0 ]; then echo "PASS generator ($1)"; else grep -v '^PASS' "$out/generate.txt"; fi
+	CC=$compiler counted generator python3 bindings/test/generate_test.py
+	counted "NULL as in api.json" python3 bindings/test/nullable.py
 	both python python3 bindings/test/hinges.py bindings/python/example.py
+	same "python classes" "$hinges" python3 bindings/test/layer.py
+	# The wheel as a user installs it; tcc compiles the library in half a second.
+	if command -v tcc >/dev/null 2>&1 && python3 -m pip --version >/dev/null 2>&1; then
+		rm -rf "$out/site"
+		check "python wheel builds" env CC=tcc python3 -m pip install -q --no-deps --target "$out/site" ./bindings/python
+		same "python wheel" "$hinges" env LD_LIBRARY_PATH= PYTHONPATH="$out/site" python3 bindings/test/layer.py
+	else
+		skip 2 'tcc or pip'
+	fi
 else
-	skip 5 python3
+	skip 8 python3
+fi
+
+if command -v g++ >/dev/null 2>&1; then
+	cxx="g++ -std=c++17 -O2 -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion -Werror -Iinclude -Ibindings/cpp"
+	# shellcheck disable=SC2086
+	check "cpp builds hinges" $cxx bindings/test/hinges.cpp -L"$build" -lcairn -o "$out/hinges-cpp"
+	# shellcheck disable=SC2086
+	check "cpp builds example without exceptions" $cxx -fno-exceptions bindings/cpp/example.cpp -L"$build" -lcairn -o "$out/example-cpp"
+	both cpp '' "$out/hinges-cpp" "$out/example-cpp"
+else
+	skip 4 g++
+fi
+
+if command -v cargo >/dev/null 2>&1; then
+	cargo_build="cargo build -q --offline --manifest-path bindings/rust/Cargo.toml --example hinges"
+	export CARGO_TARGET_DIR="$absolute/bindings/rust"
+	# shellcheck disable=SC2086
+	check "rust builds" env CAIRN_LIBRARY_DIR="$absolute" $cargo_build
+	same "rust hinges" "$uncalled" "$out/rust/debug/examples/hinges"
+	# The crate that compiles the library itself.
+	# shellcheck disable=SC2086
+	check "rust builds with the library" env CAIRN_SOURCE_DIR="$absolute/bindings/source" CFLAGS="$quick" CC=gcc $cargo_build
+	same "rust hinges with the library" "$uncalled" env LD_LIBRARY_PATH= "$out/rust/debug/examples/hinges"
+else
+	skip 4 cargo
+fi
+
+if command -v node >/dev/null 2>&1 && command -v clang-19 >/dev/null 2>&1 && [ -d /usr/include/wasm32-wasi ]; then
+	mkdir -p "$out/javascript"
+	cp bindings/javascript/* bindings/test/types.ts "$out/javascript"
+	check "javascript builds" env -u CC CAIRN_SOURCE_DIR="$out/source" CFLAGS="$quick" sh "$out/javascript/build.sh"
+	same "javascript hinges" "$uncalled" node bindings/test/hinges.mjs "$out/javascript"
+	if command -v tsc >/dev/null 2>&1; then
+		check "javascript types" tsc --strict --noEmit --target es2022 --lib es2022,dom --module nodenext --moduleResolution nodenext "$out/javascript/types.ts"
+	else
+		skip 1 'tsc (npm install --global typescript)'
+	fi
+else
+	skip 3 'node, clang-19 or wasi-libc'
+fi
+
+if command -v go >/dev/null 2>&1; then # compiles the library
+	check "go hinges and package" env CAIRN_HINGES="$(cat "$uncalled")" CC=gcc CGO_CFLAGS="$quick -I$absolute/bindings/source" LD_LIBRARY_PATH= \
+		go -C bindings/go test -vet=off .
+else
+	skip 1 go
 fi
 
 if command -v luajit >/dev/null 2>&1; then
@@ -91,8 +159,12 @@ if command -v mcs >/dev/null 2>&1 && command -v mono >/dev/null 2>&1; then
 		check "csharp builds $program" mcs -unsafe -langversion:7 -warnaserror -out:"$out/$(basename "$program" .cs).exe" bindings/csharp/Cairn.cs "$program"
 	done
 	both csharp mono "$out/hinges.exe" "$out/example.exe"
+	# The safe layer; its user is compiled without -unsafe.
+	check "csharp builds the safe layer" mcs -unsafe -langversion:Latest -warnaserror -t:library -out:"$out/Cairn.dll" bindings/csharp/Cairn.cs bindings/csharp/World.cs
+	check "csharp builds its user" mcs -langversion:Latest -warnaserror -r:"$out/Cairn.dll" -out:"$out/layer.exe" bindings/test/layer.cs
+	same "csharp safe layer" "$hinges" mono "$out/layer.exe"
 else
-	skip 4 'mono (mcs and mono)'
+	skip 7 'mono (mcs and mono)'
 fi
 
 zig=
@@ -104,8 +176,12 @@ if [ -n "$zig" ]; then
 			-femit-bin="$out/$(basename "$program" .zig)-zig"
 	done
 	both zig '' "$out/hinges-zig" "$out/example-zig"
+	# shellcheck disable=SC2086
+	check "zig builds with error unions and slices" $zig build-exe -lc -L"$build" -lcairn --dep cairn -Mroot=bindings/test/layer.zig \
+		-Mcairn=bindings/zig/layer.zig -femit-bin="$out/layer-zig"
+	same "zig layer" "$hinges" "$out/layer-zig"
 else
-	skip 4 zig
+	skip 6 zig
 fi
 
 if command -v cmake >/dev/null 2>&1; then
@@ -115,6 +191,19 @@ if command -v cmake >/dev/null 2>&1; then
 	done
 else
 	skip 4 cmake
+fi
+
+if command -v meson >/dev/null 2>&1 && command -v ninja >/dev/null 2>&1 && command -v git >/dev/null 2>&1; then
+	check "meson builds through the wrap" sh bindings/test/meson.sh "$out/meson" "$out/source" "$quick"
+	same "meson hinges" "$hinges" env LD_LIBRARY_PATH= "$out/meson/build/hinges"
+else
+	skip 2 'meson, ninja or git'
+fi
+
+if command -v x86_64-w64-mingw32-gcc >/dev/null 2>&1; then
+	check "Windows DLL" sh bindings/test/dll.sh "$out/windows"
+else
+	skip 1 'x86_64-w64-mingw32-gcc (gcc-mingw-w64-x86-64)'
 fi
 
 echo "$passed passed, $failed failed, $skipped skipped"

@@ -14,7 +14,7 @@ pub const CN_VERSION_MINOR = 1;
 /// Corrections.
 pub const CN_VERSION_PATCH = 0;
 /// Raised whenever a struct layout or a function signature changes.
-pub const CN_ABI_VERSION = 2;
+pub const CN_ABI_VERSION = 3;
 /// Most vertices a convex polygon may have.
 pub const CN_POLYGON_MAX_VERTICES = 16;
 /// Longest body name in bytes, without the terminating zero.
@@ -133,13 +133,19 @@ pub const CN_BROADPHASE_SWEEP = 0;
 /// dynamic AABB tree: for worlds of very mixed sizes with many region queries
 pub const CN_BROADPHASE_TREE = 1;
 
-// Warnings of a step that lacked memory.
+// Warnings of a step that lacked memory or skipped work.
 /// new contacts were not added: pairs_not_added
 pub const CN_WARNING_CONTACT_MEMORY = 1;
 /// the step worked around missing scratch memory
 pub const CN_WARNING_FRAME_MEMORY = 2;
 /// events_not_reported
 pub const CN_WARNING_EVENT_MEMORY = 4;
+/// thousands of boxes overlap in one spot: contacts of the most crowded bodies come over several steps, and
+/// pairs_not_added counts what the last step left out
+pub const CN_WARNING_CROWD = 8;
+/// forces or impulses gave bodies a speed that floats cannot hold: these bodies were stopped at their poses,
+/// and the others go on
+pub const CN_WARNING_NOT_FINITE = 16;
 
 // How an island is solved. In each tier joints may be solved together with their neighbours.
 /// contacts by soft constraints
@@ -372,49 +378,49 @@ pub const cn_task_fn = fn (begin: i32, end: i32, context: ?*anyopaque) callconv(
 /// for finish. It may run the whole task at once, and must do so if it cannot store the task; it then returns
 /// NULL, and finish is not called. A step with enough work enqueues 3 to 10 tasks; enqueue and finish run in
 /// the stepping thread, never during a callback, and must not call the library.
-pub const cn_enqueue_fn = fn (task: ?*const cn_task_fn, context: ?*anyopaque, item_count: i32, min_range: i32, user: ?*anyopaque) callconv(.c) ?*anyopaque;
+pub const cn_enqueue_fn = fn (task: *const cn_task_fn, context: ?*anyopaque, item_count: i32, min_range: i32, user: ?*anyopaque) callconv(.c) ?*anyopaque;
 
 /// Returns when every item of the task has run; it may run items itself. Called once for each enqueue that
 /// did not return NULL, in the thread that enqueued.
 pub const cn_finish_fn = fn (task: ?*anyopaque, user: ?*anyopaque) callconv(.c) void;
 
 /// Called at the end of cn_world_step for each event of this kind, in the order of the array.
-pub const cn_contact_event_fn = fn (world: ?*cn_world, event: [*c]const cn_contact_event, user: ?*anyopaque) callconv(.c) void;
+pub const cn_contact_event_fn = fn (world: *cn_world, event: *const cn_contact_event, user: ?*anyopaque) callconv(.c) void;
 
 /// Returns 1 if two shapes that pass their filters may touch, else 0. Called when their boxes begin to
 /// overlap; the world is locked.
-pub const cn_filter_fn = fn (world: ?*cn_world, shape_a: cn_shape, shape_b: cn_shape, user: ?*anyopaque) callconv(.c) i32;
+pub const cn_filter_fn = fn (world: *cn_world, shape_a: cn_shape, shape_b: cn_shape, user: ?*anyopaque) callconv(.c) i32;
 
 /// Called in every step, before solving, for each touching pair in which a shape has CN_SHAPE_PRE_SOLVE; the
 /// event's kind is STAY or ENTER. Returns 0 to let the pair pass through each other in this step, else 1.
-pub const cn_pre_solve_fn = fn (world: ?*cn_world, contact: [*c]const cn_contact_event, user: ?*anyopaque) callconv(.c) i32;
+pub const cn_pre_solve_fn = fn (world: *cn_world, contact: *const cn_contact_event, user: ?*anyopaque) callconv(.c) i32;
 
 /// Mixes two materials instead of the CN_MIX_ rules: *mixed holds the rules' result and takes the new one.
 /// Called when a pair begins to touch and when a material changes.
-pub const cn_material_mix_fn = fn (world: ?*cn_world, shape_a: cn_shape, shape_b: cn_shape, mixed: [*c]cn_material, user: ?*anyopaque) callconv(.c) void;
+pub const cn_material_mix_fn = fn (world: *cn_world, shape_a: cn_shape, shape_b: cn_shape, mixed: *cn_material, user: ?*anyopaque) callconv(.c) void;
 
 /// Called by a query for each shape (edge of a chain) found, in no particular order and perhaps more than
 /// once: the result, CN_QUERY_*, must depend on the shape alone. hit is complete in casts; other queries set
 /// shape, body and child. May call only functions that take a const world, also of the same world.
-pub const cn_query_fn = fn (world: ?*const cn_world, hit: [*c]const cn_ray_hit, user: ?*anyopaque) callconv(.c) i32;
+pub const cn_query_fn = fn (world: *const cn_world, hit: *const cn_ray_hit, user: ?*anyopaque) callconv(.c) i32;
 
 /// count points, counter-clockwise
-pub const cn_debug_draw_polygon_fn = fn (points_m: [*c]const cn_vec2, count: i32, radius_m: f32, color: u32, user: ?*anyopaque) callconv(.c) void;
+pub const cn_debug_draw_polygon_fn = fn (points_m: [*]const cn_vec2, count: i32, radius_m: f32, color: u32, user: ?*anyopaque) callconv(.c) void;
 
 /// rim_m: a point on the rim that turns with the body
-pub const cn_debug_draw_circle_fn = fn (center_m: [*c]const cn_vec2, radius_m: f32, rim_m: [*c]const cn_vec2, color: u32, user: ?*anyopaque) callconv(.c) void;
+pub const cn_debug_draw_circle_fn = fn (center_m: *const cn_vec2, radius_m: f32, rim_m: *const cn_vec2, color: u32, user: ?*anyopaque) callconv(.c) void;
 
 /// a disc swept from a to b
-pub const cn_debug_draw_capsule_fn = fn (a_m: [*c]const cn_vec2, b_m: [*c]const cn_vec2, radius_m: f32, color: u32, user: ?*anyopaque) callconv(.c) void;
+pub const cn_debug_draw_capsule_fn = fn (a_m: *const cn_vec2, b_m: *const cn_vec2, radius_m: f32, color: u32, user: ?*anyopaque) callconv(.c) void;
 
 /// a line from a to b
-pub const cn_debug_draw_segment_fn = fn (a_m: [*c]const cn_vec2, b_m: [*c]const cn_vec2, color: u32, user: ?*anyopaque) callconv(.c) void;
+pub const cn_debug_draw_segment_fn = fn (a_m: *const cn_vec2, b_m: *const cn_vec2, color: u32, user: ?*anyopaque) callconv(.c) void;
 
 /// size in pixels
-pub const cn_debug_draw_point_fn = fn (point_m: [*c]const cn_vec2, size_px: f32, color: u32, user: ?*anyopaque) callconv(.c) void;
+pub const cn_debug_draw_point_fn = fn (point_m: *const cn_vec2, size_px: f32, color: u32, user: ?*anyopaque) callconv(.c) void;
 
 /// zero-terminated, valid during the call
-pub const cn_debug_draw_text_fn = fn (point_m: [*c]const cn_vec2, text: [*c]const u8, color: u32, user: ?*anyopaque) callconv(.c) void;
+pub const cn_debug_draw_text_fn = fn (point_m: *const cn_vec2, text: [*:0]const u8, color: u32, user: ?*anyopaque) callconv(.c) void;
 
 /// Returns 0 to stop the search, any other value to continue.
 pub const cn_tree_query_fn = fn (item: u32, user_data: u64, user: ?*anyopaque) callconv(.c) i32;
@@ -523,7 +529,7 @@ pub const cn_world_def = extern struct {
     /// size of memory; 0: use alloc and free
     memory_bytes: u64,
     /// NULL, or one block aligned to 64 bytes that holds the whole world
-    memory: ?*anyopaque,
+    memory: ?[*]u8,
     /// NULL: malloc; set both or none
     alloc: ?*const cn_alloc_fn,
     /// NULL: free
@@ -579,8 +585,8 @@ pub const cn_counters = extern struct {
     broadphase_tiles: i32,
     /// steps taken since creation, modulo 2^32
     steps: u32,
-    /// Work that the last step skipped for lack of memory, 0 for none. The next step tries again.
-    /// CN_WARNING_*
+    /// Work that the last step skipped for lack of memory or in a crowd, 0 for none. The next steps try
+    /// again. CN_WARNING_*
     warnings: u32,
     /// new pairs without a contact
     pairs_not_added: i32,
@@ -705,7 +711,7 @@ pub const cn_body_def = extern struct {
     solver: i32,
     user_data: u64,
     /// NULL, or at most CN_NAME_MAX_BYTES bytes of text, copied
-    name: [*c]const u8,
+    name: ?[*:0]const u8,
 
     comptime {
         if (@sizeOf(usize) == 8 and @sizeOf(cn_body_def) != 72) @compileError("cn_body_def");
@@ -843,7 +849,7 @@ pub const cn_polygon = extern struct {
 /// collide from above, a counter-clockwise loop collides from outside.
 pub const cn_chain = extern struct {
     /// copied
-    points_m: [*c]const cn_vec2,
+    points_m: [*]const cn_vec2,
     /// an open chain: >= 2; a loop: >= 3; at most 65535
     count: i32,
     /// 1: the last point joins the first
@@ -1561,102 +1567,110 @@ pub extern fn cn_version() i32;
 /// CN_ABI_VERSION of the library that was linked; a binding compares it with its own.
 pub extern fn cn_abi_version() i32;
 /// English text for a result code: static, never NULL.
-pub extern fn cn_result_text(result: cn_result) [*c]const u8;
+pub extern fn cn_result_text(result: cn_result) [*:0]const u8;
 /// sizeof the struct that a CN_TYPE_ constant names, 0 for an unknown constant; bindings check their layouts
 /// with it.
 pub extern fn cn_sizeof(@"type": i32) i32;
 /// Sets struct_size and the defaults given beside the fields. NULL does nothing. Defaults that scale with the
 /// length unit are stored as CN_DEFAULT, which cn_world_create resolves.
-pub extern fn cn_world_def_init(def: [*c]cn_world_def) void;
+pub extern fn cn_world_def_init(def: ?*cn_world_def) void;
 /// Checks a definition. Writes one sentence about its first error, at most text_bytes (>= 0) bytes with the
 /// terminating zero; text may be NULL when text_bytes is 0.
-pub extern fn cn_world_def_check(def: [*c]const cn_world_def, text: [*c]u8, text_bytes: i32) cn_result;
+pub extern fn cn_world_def_check(def: *const cn_world_def, text: ?[*]u8, text_bytes: i32) cn_result;
 /// Bytes that def.memory must have so that the capacities in def never run out. def.memory may be NULL here.
-pub extern fn cn_world_bytes_needed(def: [*c]const cn_world_def, out_bytes: [*c]u64) cn_result;
+pub extern fn cn_world_bytes_needed(def: *const cn_world_def, out_bytes: *u64) cn_result;
 /// Creates a world. CN_ERROR_MEMORY also when a thread cannot be started. Each worker takes about 150 bytes
 /// of the world's memory; its stack comes from the system, even for a world in a caller's block. Without
 /// thread support (CN_NO_THREADS, or an unknown system) the world has one worker: see
 /// cn_world_get_worker_count. O(capacities).
-pub extern fn cn_world_create(def: [*c]const cn_world_def, out_world: [*c]?*cn_world) cn_result;
+pub extern fn cn_world_create(def: *const cn_world_def, out_world: *?*cn_world) cn_result;
 /// Destroys a world, everything in it and its threads. A caller's block is free for other use afterwards.
 /// NULL, and a call from a callback, do nothing. O(memory blocks).
 pub extern fn cn_world_destroy(world: ?*cn_world) void;
 /// Takes one fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion.
 /// O(awake bodies and their contacts and joints).
-pub extern fn cn_world_step(world: ?*cn_world, dt_s: f32) cn_result;
+pub extern fn cn_world_step(world: *cn_world, dt_s: f32) cn_result;
 /// One sentence about the last call that failed on this world; "" if none failed or world is NULL. Valid
 /// until the next failing call.
-pub extern fn cn_world_error_text(world: ?*const cn_world) [*c]const u8;
+pub extern fn cn_world_error_text(world: ?*const cn_world) [*:0]const u8;
 /// Sets gravity in m/s^2, both finite. A change wakes every body: O(bodies).
-pub extern fn cn_world_set_gravity(world: ?*cn_world, gravity_x_mps2: f32, gravity_y_mps2: f32) cn_result;
+pub extern fn cn_world_set_gravity(world: *cn_world, gravity_x_mps2: f32, gravity_y_mps2: f32) cn_result;
 /// Reads gravity in m/s^2.
-pub extern fn cn_world_get_gravity(world: ?*const cn_world, out_mps2: [*c]cn_vec2) cn_result;
+pub extern fn cn_world_get_gravity(world: *const cn_world, out_mps2: *cn_vec2) cn_result;
 /// Sets the substeps of a step, 1 to 64. More substeps make contacts and joints stiffer and cost more.
-pub extern fn cn_world_set_substep_count(world: ?*cn_world, count: i32) cn_result;
+pub extern fn cn_world_set_substep_count(world: *cn_world, count: i32) cn_result;
 /// Reads the substeps of a step.
-pub extern fn cn_world_get_substep_count(world: ?*const cn_world, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_get_substep_count(world: *const cn_world, out_count: *i32) cn_result;
 /// Chooses the solver (CN_SOLVER_*) from the next step on. A world in a caller's block keeps the scratch
 /// memory of the solver it was created with; a solver that needs more works without direct solving
 /// (CN_WARNING_FRAME_MEMORY).
-pub extern fn cn_world_set_solver(world: ?*cn_world, solver: i32) cn_result;
+pub extern fn cn_world_set_solver(world: *cn_world, solver: i32) cn_result;
 /// Reads the solver (CN_SOLVER_*).
-pub extern fn cn_world_get_solver(world: ?*const cn_world, out_solver: [*c]i32) cn_result;
+pub extern fn cn_world_get_solver(world: *const cn_world, out_solver: *i32) cn_result;
 /// Sets accuracy_m and work_budget as in cn_world_def: metres >= 0, or CN_DEFAULT; 0 to 1e9, 0 for no limit.
-pub extern fn cn_world_set_accuracy(world: ?*cn_world, accuracy_m: f32, work_budget: i32) cn_result;
+pub extern fn cn_world_set_accuracy(world: *cn_world, accuracy_m: f32, work_budget: i32) cn_result;
 /// Reads the accuracy in metres (the resolved default where CN_DEFAULT was set) and the work budget.
-pub extern fn cn_world_get_accuracy(world: ?*const cn_world, out_accuracy_m: [*c]f32, out_work_budget: [*c]i32) cn_result;
+pub extern fn cn_world_get_accuracy(world: *const cn_world, out_accuracy_m: *f32, out_work_budget: *i32) cn_result;
 /// Reads how many workers a step can use: 1, or worker_count where the library supports threads.
-pub extern fn cn_world_get_worker_count(world: ?*const cn_world, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_get_worker_count(world: *const cn_world, out_count: *i32) cn_result;
 /// Replaces the CN_WORLD_ flags. Clearing CN_WORLD_SLEEP wakes every body: O(bodies).
-pub extern fn cn_world_set_flags(world: ?*cn_world, flags: u32) cn_result;
+pub extern fn cn_world_set_flags(world: *cn_world, flags: u32) cn_result;
 /// Reads the CN_WORLD_ flags.
-pub extern fn cn_world_get_flags(world: ?*const cn_world, out_flags: [*c]u32) cn_result;
+pub extern fn cn_world_get_flags(world: *const cn_world, out_flags: *u32) cn_result;
 /// Impacts slower than this, in m/s, do not bounce; >= 0.
-pub extern fn cn_world_set_restitution_threshold(world: ?*cn_world, speed_mps: f32) cn_result;
+pub extern fn cn_world_set_restitution_threshold(world: *cn_world, speed_mps: f32) cn_result;
 /// Blows at this speed or faster, in m/s, are reported by CN_EVENT_HIT; >= 0.
-pub extern fn cn_world_set_hit_speed(world: ?*cn_world, speed_mps: f32) cn_result;
+pub extern fn cn_world_set_hit_speed(world: *cn_world, speed_mps: f32) cn_result;
 /// Sets the greatest linear (m/s) and angular (rad/s) speed, both > 0. The end of a step slows faster bodies
 /// down to them and keeps the direction.
-pub extern fn cn_world_set_speed_limits(world: ?*cn_world, linear_mps: f32, angular_radps: f32) cn_result;
+pub extern fn cn_world_set_speed_limits(world: *cn_world, linear_mps: f32, angular_radps: f32) cn_result;
 /// Sets the speed in m/s, >= 0, below which bodies may sleep, and the delay in seconds, >= 0, after which
 /// they do.
-pub extern fn cn_world_set_sleep(world: ?*cn_world, speed_mps: f32, delay_s: f32) cn_result;
+pub extern fn cn_world_set_sleep(world: *cn_world, speed_mps: f32, delay_s: f32) cn_result;
 /// Stores a number for the user.
-pub extern fn cn_world_set_user_data(world: ?*cn_world, user_data: u64) cn_result;
+pub extern fn cn_world_set_user_data(world: *cn_world, user_data: u64) cn_result;
 /// Reads the user's number.
-pub extern fn cn_world_get_user_data(world: ?*const cn_world, out_user_data: [*c]u64) cn_result;
+pub extern fn cn_world_get_user_data(world: *const cn_world, out_user_data: *u64) cn_result;
 /// Handles of all bodies, ordered by slot. Writes at most capacity (>= 0) of them; out may be NULL when
 /// capacity is 0. out_count is their number. O(slots).
-pub extern fn cn_world_get_bodies(world: ?*const cn_world, out: [*c]cn_body, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_get_bodies(world: *const cn_world, out: ?[*]cn_body, capacity: i32, out_count: *i32) cn_result;
 /// Handles of all shapes, ordered by slot; out, capacity and *out_count as in cn_world_get_bodies. O(slots).
-pub extern fn cn_world_get_shapes(world: ?*const cn_world, out: [*c]cn_shape, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_get_shapes(world: *const cn_world, out: ?[*]cn_shape, capacity: i32, out_count: *i32) cn_result;
 /// Handles of all joints without constraints, ordered by slot; out, capacity and *out_count as in
 /// cn_world_get_bodies. O(slots).
-pub extern fn cn_world_get_joints(world: ?*const cn_world, out: [*c]cn_joint, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_get_joints(world: *const cn_world, out: ?[*]cn_joint, capacity: i32, out_count: *i32) cn_result;
 /// Reads counts of objects and what the last step reported. O(bodies + islands).
-pub extern fn cn_world_get_counters(world: ?*const cn_world, out: [*c]cn_counters) cn_result;
+pub extern fn cn_world_get_counters(world: *const cn_world, out: *cn_counters) cn_result;
 /// Reports every awake island, as cn_counters.islands_awake counts them: first those of several bodies, in a
 /// deterministic order, then single bodies. Writes at most capacity (>= 0); *out_count is their number. A
 /// step does no work for it. O(bodies + contacts and joints of the islands written).
-pub extern fn cn_world_get_islands(world: ?*const cn_world, out: [*c]cn_island_report, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_get_islands(world: *const cn_world, out: ?[*]cn_island_report, capacity: i32, out_count: *i32) cn_result;
 /// Reads the seconds of the last step by stage.
-pub extern fn cn_world_get_profile(world: ?*const cn_world, out: [*c]cn_profile) cn_result;
+pub extern fn cn_world_get_profile(world: *const cn_world, out: *cn_profile) cn_result;
 /// Reads the memory statistics.
-pub extern fn cn_world_get_memory_stats(world: ?*const cn_world, out: [*c]cn_memory_stats) cn_result;
+pub extern fn cn_world_get_memory_stats(world: *const cn_world, out: *cn_memory_stats) cn_result;
+/// Moves the origin of coordinates to the point (x_m, y_m), |x|, |y| <= 1e6 length units: every position p
+/// becomes p - (x_m, y_m), so that a large world stays precise near its player. Moves bodies, boxes, world
+/// anchors of joints, and poses for interpolation; velocities, impulses, sleep and contacts stay, and no
+/// event is reported. Distances between bodies keep their digits; world anchors are rounded to floats at the
+/// new place. Arrays returned before become invalid; the user moves their own points (movers, rays, cached
+/// poses). CN_ERROR_LOCKED in callbacks. O(bodies + boxes + joints), and the next step looks at all pairs
+/// again.
+pub extern fn cn_world_shift_origin(world: *cn_world, x_m: f32, y_m: f32) cn_result;
 /// 64-bit hash (FNV-1a: Fowler, Noll, Vo, 1991) of every body's pose, velocity and sleep state, every
 /// contact's impulses and the solver's memory of joints, by slot. Equal histories give equal hashes on every
 /// compiler, CPU and thread count. O(bodies + contacts + joints).
-pub extern fn cn_world_hash(world: ?*const cn_world, out_hash: [*c]u64) cn_result;
+pub extern fn cn_world_hash(world: *const cn_world, out_hash: *u64) cn_result;
 /// Checks every invariant between the tables. CN_ERROR_INTERNAL, and one sentence in text, for the first that
 /// is broken. text holds at most text_bytes (>= 0) bytes with the zero and may be NULL when text_bytes is 0.
 /// O(everything).
-pub extern fn cn_world_validate(world: ?*const cn_world, text: [*c]u8, text_bytes: i32) cn_result;
+pub extern fn cn_world_validate(world: *const cn_world, text: ?[*]u8, text_bytes: i32) cn_result;
 /// Bytes that cn_world_save needs now. CN_ERROR_LOCKED in callbacks. O(slots).
-pub extern fn cn_world_save_size(world: ?*const cn_world, out_bytes: [*c]u64) cn_result;
+pub extern fn cn_world_save_size(world: *const cn_world, out_bytes: *u64) cn_result;
 /// Writes the world's state to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the
 /// number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world),
 /// about 1 KB per body.
-pub extern fn cn_world_save(world: ?*const cn_world, out: ?*anyopaque, capacity: u64, out_bytes: [*c]u64) cn_result;
+pub extern fn cn_world_save(world: *const cn_world, out: [*]u8, capacity: u64, out_bytes: ?*u64) cn_result;
 /// Restores a saved state, into the saved world or one created with the same definition (broadphase, length
 /// unit, caller's block or not; else CN_ERROR_STATE). bytes as written by cn_world_save; CN_ERROR_FORMAT for
 /// damaged bytes or another version or machine; CN_ERROR_MEMORY without room for the objects alive then (a
@@ -1664,254 +1678,278 @@ pub extern fn cn_world_save(world: ?*const cn_world, out: ?*anyopaque, capacity:
 /// objects alive at the save are valid again, also of objects destroyed since; handles created since are
 /// refused until the same handle is given to a new object: with the same calls to the same object. O(memory
 /// of the world).
-pub extern fn cn_world_restore(world: ?*cn_world, save: ?*const anyopaque, bytes: u64) cn_result;
+pub extern fn cn_world_restore(world: *cn_world, save: [*]const u8, bytes: u64) cn_result;
+/// Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).
+pub extern fn cn_save_delta_size(base: [*]const u8, base_bytes: u64, save: [*]const u8, save_bytes: u64, out_bytes: *u64) cn_result;
+/// Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+/// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).
+pub extern fn cn_save_delta(base: [*]const u8, base_bytes: u64, save: [*]const u8, save_bytes: u64, out: [*]u8, capacity: u64, out_bytes: ?*u64) cn_result;
+/// Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+/// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
+/// CN_ERROR_CAPACITY if out is too small. O(bytes).
+pub extern fn cn_save_apply(base: [*]const u8, base_bytes: u64, delta: [*]const u8, delta_bytes: u64, out: [*]u8, capacity: u64, out_bytes: ?*u64) cn_result;
+/// Bytes that cn_world_write needs now. CN_ERROR_LOCKED in callbacks. O(slots).
+pub extern fn cn_world_write_size(world: *const cn_world, out_bytes: *u64) cn_result;
+/// Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number of
+/// bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1 KB
+/// per body.
+pub extern fn cn_world_write(world: *const cn_world, out: [*]u8, capacity: u64, out_bytes: ?*u64) cn_result;
+/// Creates a world from bytes of cn_world_write (bytes: exactly as many). def, which may be NULL for
+/// defaults, gives memory, workers and capacities (which a caller's block needs); its settings are not used,
+/// the file's are. CN_ERROR_FORMAT for damaged or forged bytes, CN_ERROR_MEMORY without room,
+/// CN_ERROR_ARGUMENT for a definition that cn_world_create refuses. O(memory of the world).
+pub extern fn cn_world_read(def: ?*const cn_world_def, file: [*]const u8, bytes: u64, out_world: *?*cn_world) cn_result;
 /// Sets struct_size and the defaults given beside the fields. NULL does nothing.
-pub extern fn cn_body_def_init(def: [*c]cn_body_def) void;
+pub extern fn cn_body_def_init(def: ?*cn_body_def) void;
 /// Creates a body. O(1) amortized.
-pub extern fn cn_body_create(world: ?*cn_world, def: [*c]const cn_body_def, out_body: [*c]cn_body) cn_result;
+pub extern fn cn_body_create(world: *cn_world, def: *const cn_body_def, out_body: *cn_body) cn_result;
 /// Creates count (>= 0) bodies from an array of definitions, all or none. O(count).
-pub extern fn cn_body_create_many(world: ?*cn_world, defs: [*c]const cn_body_def, count: i32, out_bodies: [*c]cn_body) cn_result;
+pub extern fn cn_body_create_many(world: *cn_world, defs: [*]const cn_body_def, count: i32, out_bodies: [*]cn_body) cn_result;
 /// Destroys a body with its shapes, contacts, joints and constraints, and wakes its neighbours. Touching
 /// contacts get their LEAVE event; joints and constraints get theirs (cn_world_joint_events). O(contacts +
 /// joints + shapes).
-pub extern fn cn_body_destroy(world: ?*cn_world, body: cn_body) cn_result;
+pub extern fn cn_body_destroy(world: *cn_world, body: cn_body) cn_result;
 /// Destroys count (>= 0) bodies as cn_body_destroy does; none if a handle is bad or appears twice. O(their
 /// contacts + joints + shapes).
-pub extern fn cn_body_destroy_many(world: ?*cn_world, bodies: [*c]const cn_body, count: i32) cn_result;
+pub extern fn cn_body_destroy_many(world: *cn_world, bodies: [*]const cn_body, count: i32) cn_result;
 /// 1 if the handle names a living body of this world, else 0 (also for a NULL world).
 pub extern fn cn_body_is_valid(world: ?*const cn_world, body: cn_body) i32;
 /// Changes the type (CN_BODY_STATIC, _KINEMATIC, _DYNAMIC) and wakes the body. Its contacts end (those that
 /// still overlap begin again in the next step), with its forces and any mass override; a body made static
 /// stops. CN_ERROR_STATE if a joint would be left without a dynamic body. O(contacts + joints + shapes).
-pub extern fn cn_body_set_type(world: ?*cn_world, body: cn_body, @"type": i32) cn_result;
+pub extern fn cn_body_set_type(world: *cn_world, body: cn_body, @"type": i32) cn_result;
 /// Reads the type (CN_BODY_*).
-pub extern fn cn_body_get_type(world: ?*const cn_world, body: cn_body, out_type: [*c]i32) cn_result;
+pub extern fn cn_body_get_type(world: *const cn_world, body: cn_body, out_type: *i32) cn_result;
 /// Replaces all CN_BODY_ flags except CN_BODY_AWAKE, which it ignores: see cn_body_set_awake. Without
 /// CN_BODY_ENABLED a body keeps its shapes but does not move or collide; its contacts end and its joints are
 /// inactive. O(contacts + joints + shapes) when CN_BODY_ENABLED changes.
-pub extern fn cn_body_set_flags(world: ?*cn_world, body: cn_body, flags: u32) cn_result;
+pub extern fn cn_body_set_flags(world: *cn_world, body: cn_body, flags: u32) cn_result;
 /// Reads the CN_BODY_ flags; CN_BODY_AWAKE is set while the body is awake.
-pub extern fn cn_body_get_flags(world: ?*const cn_world, body: cn_body, out_flags: [*c]u32) cn_result;
+pub extern fn cn_body_get_flags(world: *const cn_world, body: cn_body, out_flags: *u32) cn_result;
 /// 0 puts the body and its island to sleep and stops them; any other value wakes them. Static and disabled
 /// bodies are unchanged. 0 can return CN_ERROR_MEMORY. O(island).
-pub extern fn cn_body_set_awake(world: ?*cn_world, body: cn_body, awake: i32) cn_result;
+pub extern fn cn_body_set_awake(world: *cn_world, body: cn_body, awake: i32) cn_result;
 /// Teleports the body: origin in metres (|x|, |y| <= 1e6 length units), angle in radians (|angle| <= 1e4).
 /// Velocities stay. Contacts whose boxes no longer overlap end at once, and the next step reports them. Wakes
 /// the body and its new and old neighbours. O(contacts + shapes).
-pub extern fn cn_body_set_pose(world: ?*cn_world, body: cn_body, position_x_m: f32, position_y_m: f32, angle_rad: f32) cn_result;
+pub extern fn cn_body_set_pose(world: *cn_world, body: cn_body, position_x_m: f32, position_y_m: f32, angle_rad: f32) cn_result;
 /// Reads the position of the origin and the rotation.
-pub extern fn cn_body_get_pose(world: ?*const cn_world, body: cn_body, out: [*c]cn_pose) cn_result;
+pub extern fn cn_body_get_pose(world: *const cn_world, body: cn_body, out: *cn_pose) cn_result;
+/// Reads the position of the origin as the sum of two floats: the high part is within rounding that of
+/// cn_body_get_pose, the low part holds the digits that do not fit. Far from the origin their sum in double
+/// is more precise; so is a difference of two bodies, taken high from high and low from low, in floats.
+pub extern fn cn_body_get_position_parts(world: *const cn_world, body: cn_body, out_high_m: *cn_vec2, out_low_m: *cn_vec2) cn_result;
 /// Reads the angle in radians, in (-pi, pi].
-pub extern fn cn_body_get_angle(world: ?*const cn_world, body: cn_body, out_rad: [*c]f32) cn_result;
+pub extern fn cn_body_get_angle(world: *const cn_world, body: cn_body, out_rad: *f32) cn_result;
 /// Reads the world position of the centre of mass, in metres.
-pub extern fn cn_body_get_center(world: ?*const cn_world, body: cn_body, out_m: [*c]cn_vec2) cn_result;
+pub extern fn cn_body_get_center(world: *const cn_world, body: cn_body, out_m: *cn_vec2) cn_result;
 /// Sets the velocity of the centre of mass (m/s) and the angular velocity (rad/s), all finite. CN_ERROR_STATE
 /// for static bodies. Wakes the body unless all are 0.
-pub extern fn cn_body_set_velocity(world: ?*cn_world, body: cn_body, linear_x_mps: f32, linear_y_mps: f32, angular_radps: f32) cn_result;
+pub extern fn cn_body_set_velocity(world: *cn_world, body: cn_body, linear_x_mps: f32, linear_y_mps: f32, angular_radps: f32) cn_result;
 /// Reads the velocity of the centre of mass (m/s) and the angular velocity (rad/s).
-pub extern fn cn_body_get_velocity(world: ?*const cn_world, body: cn_body, out: [*c]cn_velocity) cn_result;
+pub extern fn cn_body_get_velocity(world: *const cn_world, body: cn_body, out: *cn_velocity) cn_result;
 /// Sets the velocity of a kinematic body (others: CN_ERROR_STATE) so that a step of dt_s (1e-6 to 1) takes it
 /// to a pose (metres, radians) by the shorter turn, up to rounding and the world's speed limits. Unlike after
 /// cn_body_set_pose, bodies on it or in its way move along. The velocity stays: call this before every step,
 /// or stop the body after it.
-pub extern fn cn_body_set_target_pose(world: ?*cn_world, body: cn_body, position_x_m: f32, position_y_m: f32, angle_rad: f32, dt_s: f32) cn_result;
+pub extern fn cn_body_set_target_pose(world: *cn_world, body: cn_body, position_x_m: f32, position_y_m: f32, angle_rad: f32, dt_s: f32) cn_result;
 /// Velocity in m/s of the body's material at a world point in metres.
-pub extern fn cn_body_get_velocity_at(world: ?*const cn_world, body: cn_body, point_x_m: f32, point_y_m: f32, out_mps: [*c]cn_vec2) cn_result;
+pub extern fn cn_body_get_velocity_at(world: *const cn_world, body: cn_body, point_x_m: f32, point_y_m: f32, out_mps: *cn_vec2) cn_result;
 /// World position of a point given in the body's frame, both in metres.
-pub extern fn cn_body_get_world_point(world: ?*const cn_world, body: cn_body, local_x_m: f32, local_y_m: f32, out_m: [*c]cn_vec2) cn_result;
+pub extern fn cn_body_get_world_point(world: *const cn_world, body: cn_body, local_x_m: f32, local_y_m: f32, out_m: *cn_vec2) cn_result;
 /// Position in the body's frame of a world point, both in metres.
-pub extern fn cn_body_get_local_point(world: ?*const cn_world, body: cn_body, world_x_m: f32, world_y_m: f32, out_m: [*c]cn_vec2) cn_result;
+pub extern fn cn_body_get_local_point(world: *const cn_world, body: cn_body, world_x_m: f32, world_y_m: f32, out_m: *cn_vec2) cn_result;
 /// Union of the AABBs of the body's shapes, without margin; the origin as a point if it has no shapes.
 /// O(shapes).
-pub extern fn cn_body_get_aabb(world: ?*const cn_world, body: cn_body, out: [*c]cn_aabb) cn_result;
+pub extern fn cn_body_get_aabb(world: *const cn_world, body: cn_body, out: *cn_aabb) cn_result;
 /// Adds a force in newtons at the centre of mass for the next step only; wakes the body. Static, kinematic
 /// and disabled bodies are unchanged (CN_OK). CN_ERROR_ARGUMENT if the sum of forces overflows.
-pub extern fn cn_body_apply_force(world: ?*cn_world, body: cn_body, force_x_N: f32, force_y_N: f32) cn_result;
+pub extern fn cn_body_apply_force(world: *cn_world, body: cn_body, force_x_N: f32, force_y_N: f32) cn_result;
 /// Adds a force in newtons at a world point in metres, hence a torque too; otherwise as cn_body_apply_force.
-pub extern fn cn_body_apply_force_at(world: ?*cn_world, body: cn_body, force_x_N: f32, force_y_N: f32, point_x_m: f32, point_y_m: f32) cn_result;
+pub extern fn cn_body_apply_force_at(world: *cn_world, body: cn_body, force_x_N: f32, force_y_N: f32, point_x_m: f32, point_y_m: f32) cn_result;
 /// Adds a torque in newton metres; otherwise as cn_body_apply_force.
-pub extern fn cn_body_apply_torque(world: ?*cn_world, body: cn_body, torque_Nm: f32) cn_result;
+pub extern fn cn_body_apply_torque(world: *cn_world, body: cn_body, torque_Nm: f32) cn_result;
 /// Changes the velocity at once by an impulse in newton seconds at the centre of mass; wakes the body.
 /// Static, kinematic and disabled bodies are unchanged (CN_OK). CN_ERROR_ARGUMENT if the velocity overflows.
-pub extern fn cn_body_apply_impulse(world: ?*cn_world, body: cn_body, impulse_x_Ns: f32, impulse_y_Ns: f32) cn_result;
+pub extern fn cn_body_apply_impulse(world: *cn_world, body: cn_body, impulse_x_Ns: f32, impulse_y_Ns: f32) cn_result;
 /// Applies an impulse in newton seconds at a world point in metres, which changes the angular velocity too;
 /// otherwise as cn_body_apply_impulse.
-pub extern fn cn_body_apply_impulse_at(world: ?*cn_world, body: cn_body, impulse_x_Ns: f32, impulse_y_Ns: f32, point_x_m: f32, point_y_m: f32) cn_result;
+pub extern fn cn_body_apply_impulse_at(world: *cn_world, body: cn_body, impulse_x_Ns: f32, impulse_y_Ns: f32, point_x_m: f32, point_y_m: f32) cn_result;
 /// Changes the angular velocity at once by an angular impulse in newton metre seconds; otherwise as
 /// cn_body_apply_impulse.
-pub extern fn cn_body_apply_angular_impulse(world: ?*cn_world, body: cn_body, impulse_Nms: f32) cn_result;
+pub extern fn cn_body_apply_angular_impulse(world: *cn_world, body: cn_body, impulse_Nms: f32) cn_result;
 /// Reads mass, inertia and centre: sums over the attached shapes unless overridden. A dynamic body whose
 /// shapes have no mass weighs 1 kg; without shapes it does not rotate.
-pub extern fn cn_body_get_mass_data(world: ?*const cn_world, body: cn_body, out: [*c]cn_mass_data) cn_result;
+pub extern fn cn_body_get_mass_data(world: *const cn_world, body: cn_body, out: *cn_mass_data) cn_result;
 /// Overrides the mass data of a dynamic body (others: CN_ERROR_STATE) until cn_body_reset_mass_data or a
 /// change of type: mass_kg from 1e-20 to 1e20; inertia_kgm2 0 (never rotates) or from 1e-35 to 1e35. Wakes
 /// the body.
-pub extern fn cn_body_set_mass_data(world: ?*cn_world, body: cn_body, mass: [*c]const cn_mass_data) cn_result;
+pub extern fn cn_body_set_mass_data(world: *cn_world, body: cn_body, mass: *const cn_mass_data) cn_result;
 /// Ends a mass override: mass data come from the shapes again. Wakes the body. O(shapes).
-pub extern fn cn_body_reset_mass_data(world: ?*cn_world, body: cn_body) cn_result;
+pub extern fn cn_body_reset_mass_data(world: *cn_world, body: cn_body) cn_result;
 /// Sets the linear and angular damping in 1/s (v' = -damping v), both >= 0.
-pub extern fn cn_body_set_damping(world: ?*cn_world, body: cn_body, linear_per_s: f32, angular_per_s: f32) cn_result;
+pub extern fn cn_body_set_damping(world: *cn_world, body: cn_body, linear_per_s: f32, angular_per_s: f32) cn_result;
 /// Reads the linear and angular damping in 1/s.
-pub extern fn cn_body_get_damping(world: ?*const cn_world, body: cn_body, out_linear_per_s: [*c]f32, out_angular_per_s: [*c]f32) cn_result;
+pub extern fn cn_body_get_damping(world: *const cn_world, body: cn_body, out_linear_per_s: *f32, out_angular_per_s: *f32) cn_result;
 /// Sets the factor on gravity for this body, finite. A change wakes the body.
-pub extern fn cn_body_set_gravity_scale(world: ?*cn_world, body: cn_body, scale: f32) cn_result;
+pub extern fn cn_body_set_gravity_scale(world: *cn_world, body: cn_body, scale: f32) cn_result;
 /// Reads the factor on gravity.
-pub extern fn cn_body_get_gravity_scale(world: ?*const cn_world, body: cn_body, out_scale: [*c]f32) cn_result;
+pub extern fn cn_body_get_gravity_scale(world: *const cn_world, body: cn_body, out_scale: *f32) cn_result;
 /// Sets the body's own sleep speed in m/s, >= 0; CN_DEFAULT restores the world's.
-pub extern fn cn_body_set_sleep_speed(world: ?*cn_world, body: cn_body, speed_mps: f32) cn_result;
+pub extern fn cn_body_set_sleep_speed(world: *cn_world, body: cn_body, speed_mps: f32) cn_result;
 /// Chooses how the body's island is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default):
 /// the world chooses. _SOFT: contacts and joints are never solved directly, whatever other bodies ask for.
 /// _DIRECT: the island is solved directly at any speed, where its contacts permit it and within the
 /// work_budget. Takes effect with the next step; does not wake.
-pub extern fn cn_body_set_solver(world: ?*cn_world, body: cn_body, solver: i32) cn_result;
+pub extern fn cn_body_set_solver(world: *cn_world, body: cn_body, solver: i32) cn_result;
 /// Reads the body's own solver (CN_SOLVER_AUTO, _SOFT, _DIRECT).
-pub extern fn cn_body_get_solver(world: ?*const cn_world, body: cn_body, out_solver: [*c]i32) cn_result;
+pub extern fn cn_body_get_solver(world: *const cn_world, body: cn_body, out_solver: *i32) cn_result;
 /// Stores a number for the user.
-pub extern fn cn_body_set_user_data(world: ?*cn_world, body: cn_body, user_data: u64) cn_result;
+pub extern fn cn_body_set_user_data(world: *cn_world, body: cn_body, user_data: u64) cn_result;
 /// Reads the user's number.
-pub extern fn cn_body_get_user_data(world: ?*const cn_world, body: cn_body, out_user_data: [*c]u64) cn_result;
+pub extern fn cn_body_get_user_data(world: *const cn_world, body: cn_body, out_user_data: *u64) cn_result;
 /// Copies a name of at most CN_NAME_MAX_BYTES bytes (CN_ERROR_ARGUMENT beyond); NULL or "" removes it.
 /// O(length).
-pub extern fn cn_body_set_name(world: ?*cn_world, body: cn_body, name: [*c]const u8) cn_result;
+pub extern fn cn_body_set_name(world: *cn_world, body: cn_body, name: ?[*:0]const u8) cn_result;
 /// Reads the name, "" if there is none. Valid until the name changes or the body is destroyed.
-pub extern fn cn_body_get_name(world: ?*const cn_world, body: cn_body, out_name: [*c][*c]const u8) cn_result;
+pub extern fn cn_body_get_name(world: *const cn_world, body: cn_body, out_name: *?[*:0]const u8) cn_result;
 /// Handles of the body's shapes; out, capacity and *out_count as in cn_world_get_bodies. O(shapes).
-pub extern fn cn_body_get_shapes(world: ?*const cn_world, body: cn_body, out: [*c]cn_shape, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_body_get_shapes(world: *const cn_world, body: cn_body, out: ?[*]cn_shape, capacity: i32, out_count: *i32) cn_result;
 /// Handles of the body's joints without constraints; out, capacity and *out_count as in cn_world_get_bodies.
 /// O(joints).
-pub extern fn cn_body_get_joints(world: ?*const cn_world, body: cn_body, out: [*c]cn_joint, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_body_get_joints(world: *const cn_world, body: cn_body, out: ?[*]cn_joint, capacity: i32, out_count: *i32) cn_result;
 /// Reads count poses. bodies NULL means every body in the order of cn_world_get_bodies; count must then be
 /// their number. One bad handle fails the whole call. O(count).
-pub extern fn cn_world_read_poses(world: ?*const cn_world, bodies: [*c]const cn_body, count: i32, out: [*c]cn_pose) cn_result;
+pub extern fn cn_world_read_poses(world: *const cn_world, bodies: ?[*]const cn_body, count: i32, out: [*]cn_pose) cn_result;
 /// Reads count cn_pose at intervals of stride_bytes (0, tightly packed, or >= 16); otherwise as
 /// cn_world_read_poses. O(count).
-pub extern fn cn_world_read_poses_strided(world: ?*const cn_world, bodies: [*c]const cn_body, count: i32, out: ?*anyopaque, stride_bytes: i32) cn_result;
+pub extern fn cn_world_read_poses_strided(world: *const cn_world, bodies: ?[*]const cn_body, count: i32, out: [*]u8, stride_bytes: i32) cn_result;
 /// Reads count velocities; bodies and count as in cn_world_read_poses. O(count).
-pub extern fn cn_world_read_velocities(world: ?*const cn_world, bodies: [*c]const cn_body, count: i32, out: [*c]cn_velocity) cn_result;
+pub extern fn cn_world_read_velocities(world: *const cn_world, bodies: ?[*]const cn_body, count: i32, out: [*]cn_velocity) cn_result;
 /// Sets count velocities as cn_body_set_velocity does; bodies and count as in cn_world_read_poses. Static
 /// bodies take zero only (CN_ERROR_STATE). One bad entry fails the whole call. O(count).
-pub extern fn cn_world_write_velocities(world: ?*cn_world, bodies: [*c]const cn_body, count: i32, velocities: [*c]const cn_velocity) cn_result;
+pub extern fn cn_world_write_velocities(world: *cn_world, bodies: ?[*]const cn_body, count: i32, velocities: [*]const cn_velocity) cn_result;
 /// Bodies whose pose changed in the last step or that fell asleep in it, except bodies destroyed since. The
 /// first call after a step builds the array, O(awake bodies), and can return CN_ERROR_MEMORY.
-pub extern fn cn_world_moved(world: ?*cn_world, out_moved: [*c][*c]const cn_body_moved, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_moved(world: *cn_world, out_moved: *?[*]const cn_body_moved, out_count: *i32) cn_result;
 /// Sets struct_size and the defaults given beside the fields. NULL does nothing.
-pub extern fn cn_shape_def_init(def: [*c]cn_shape_def) void;
+pub extern fn cn_shape_def_init(def: ?*cn_shape_def) void;
 /// Creates a circle; 0 < radius_m <= 1e6. Wakes the body. out_shape may be NULL.
-pub extern fn cn_shape_create_circle(world: ?*cn_world, def: [*c]const cn_shape_def, circle: [*c]const cn_circle, out_shape: [*c]cn_shape) cn_result;
+pub extern fn cn_shape_create_circle(world: *cn_world, def: *const cn_shape_def, circle: *const cn_circle, out_shape: ?*cn_shape) cn_result;
 /// Creates a capsule; ends at least 0.05% of the length unit apart, radius_m > 0. Wakes the body. out_shape
 /// may be NULL.
-pub extern fn cn_shape_create_capsule(world: ?*cn_world, def: [*c]const cn_shape_def, capsule: [*c]const cn_capsule, out_shape: [*c]cn_shape) cn_result;
+pub extern fn cn_shape_create_capsule(world: *cn_world, def: *const cn_shape_def, capsule: *const cn_capsule, out_shape: ?*cn_shape) cn_result;
 /// Creates an edge; ends at least 0.05% of the length unit apart. Wakes the body. out_shape may be NULL.
-pub extern fn cn_shape_create_edge(world: ?*cn_world, def: [*c]const cn_shape_def, edge: [*c]const cn_edge, out_shape: [*c]cn_shape) cn_result;
+pub extern fn cn_shape_create_edge(world: *cn_world, def: *const cn_shape_def, edge: *const cn_edge, out_shape: ?*cn_shape) cn_result;
 /// Creates a convex polygon; consecutive points at least 0.05% of the length unit apart. Wakes the body.
 /// out_shape may be NULL.
-pub extern fn cn_shape_create_polygon(world: ?*cn_world, def: [*c]const cn_shape_def, polygon: [*c]const cn_polygon, out_shape: [*c]cn_shape) cn_result;
+pub extern fn cn_shape_create_polygon(world: *cn_world, def: *const cn_shape_def, polygon: *const cn_polygon, out_shape: ?*cn_shape) cn_result;
 /// Creates a box of half sizes > 0; the rounding radius_m >= 0 is added outside. Wakes the body. out_shape
 /// may be NULL.
-pub extern fn cn_shape_create_box(world: ?*cn_world, def: [*c]const cn_shape_def, half_width_m: f32, half_height_m: f32, radius_m: f32, out_shape: [*c]cn_shape) cn_result;
+pub extern fn cn_shape_create_box(world: *cn_world, def: *const cn_shape_def, half_width_m: f32, half_height_m: f32, radius_m: f32, out_shape: ?*cn_shape) cn_result;
 /// Creates a chain; consecutive points at least 0.05% of the length unit apart. Wakes the body. out_shape may
 /// be NULL. O(count).
-pub extern fn cn_shape_create_chain(world: ?*cn_world, def: [*c]const cn_shape_def, chain: [*c]const cn_chain, out_shape: [*c]cn_shape) cn_result;
+pub extern fn cn_shape_create_chain(world: *cn_world, def: *const cn_shape_def, chain: *const cn_chain, out_shape: ?*cn_shape) cn_result;
 /// Attaches an unattached shape to a body and wakes the body. CN_ERROR_STATE if the shape has a body.
 /// O(shapes of the body + edges of a chain).
-pub extern fn cn_shape_attach(world: ?*cn_world, shape: cn_shape, body: cn_body) cn_result;
+pub extern fn cn_shape_attach(world: *cn_world, shape: cn_shape, body: cn_body) cn_result;
 /// Detaches a shape from its body, ends its contacts and wakes the body. CN_ERROR_STATE if it has no body.
 /// O(contacts + shapes of the body).
-pub extern fn cn_shape_detach(world: ?*cn_world, shape: cn_shape) cn_result;
+pub extern fn cn_shape_detach(world: *cn_world, shape: cn_shape) cn_result;
 /// Destroys a shape, ends its contacts and wakes its body. O(contacts + shapes of the body).
-pub extern fn cn_shape_destroy(world: ?*cn_world, shape: cn_shape) cn_result;
+pub extern fn cn_shape_destroy(world: *cn_world, shape: cn_shape) cn_result;
 /// 1 if the handle names a living shape of this world, else 0 (also for a NULL world).
 pub extern fn cn_shape_is_valid(world: ?*const cn_world, shape: cn_shape) i32;
 /// Reads the type (CN_SHAPE_CIRCLE to _CHAIN).
-pub extern fn cn_shape_get_type(world: ?*const cn_world, shape: cn_shape, out_type: [*c]i32) cn_result;
+pub extern fn cn_shape_get_type(world: *const cn_world, shape: cn_shape, out_type: *i32) cn_result;
 /// Reads the body; 0 if unattached.
-pub extern fn cn_shape_get_body(world: ?*const cn_world, shape: cn_shape, out_body: [*c]cn_body) cn_result;
+pub extern fn cn_shape_get_body(world: *const cn_world, shape: cn_shape, out_body: *cn_body) cn_result;
 /// Replaces the material; applies at once, to touching contacts too, whose bodies wake. O(contacts of the
 /// body).
-pub extern fn cn_shape_set_material(world: ?*cn_world, shape: cn_shape, material: [*c]const cn_material) cn_result;
+pub extern fn cn_shape_set_material(world: *cn_world, shape: cn_shape, material: *const cn_material) cn_result;
 /// Reads the material.
-pub extern fn cn_shape_get_material(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_material) cn_result;
+pub extern fn cn_shape_get_material(world: *const cn_world, shape: cn_shape, out: *cn_material) cn_result;
 /// Sets the density in kg/m^2, >= 0, giving 0 or 1e-20 to 1e20 kg. Updates the body's mass at once and wakes
 /// the body. O(shapes of the body).
-pub extern fn cn_shape_set_density(world: ?*cn_world, shape: cn_shape, density_kgpm2: f32) cn_result;
+pub extern fn cn_shape_set_density(world: *cn_world, shape: cn_shape, density_kgpm2: f32) cn_result;
 /// Reads the density in kg/m^2.
-pub extern fn cn_shape_get_density(world: ?*const cn_world, shape: cn_shape, out_kgpm2: [*c]f32) cn_result;
+pub extern fn cn_shape_get_density(world: *const cn_world, shape: cn_shape, out_kgpm2: *f32) cn_result;
 /// Replaces the filter. Contacts that it forbids end at once, with their events; contacts that it permits
 /// begin in the next step. Wakes the body, or the bodies near a static shape. O(contacts of the body).
-pub extern fn cn_shape_set_filter(world: ?*cn_world, shape: cn_shape, filter: [*c]const cn_filter) cn_result;
+pub extern fn cn_shape_set_filter(world: *cn_world, shape: cn_shape, filter: *const cn_filter) cn_result;
 /// Reads the filter.
-pub extern fn cn_shape_get_filter(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_filter) cn_result;
+pub extern fn cn_shape_get_filter(world: *const cn_world, shape: cn_shape, out: *cn_filter) cn_result;
 /// Sets the reported events, bits 1 << CN_EVENT_*; applies at once, to present contacts too. O(contacts of
 /// the body).
-pub extern fn cn_shape_set_event_mask(world: ?*cn_world, shape: cn_shape, event_mask: u32) cn_result;
+pub extern fn cn_shape_set_event_mask(world: *cn_world, shape: cn_shape, event_mask: u32) cn_result;
 /// Reads the event mask.
-pub extern fn cn_shape_get_event_mask(world: ?*const cn_world, shape: cn_shape, out_event_mask: [*c]u32) cn_result;
+pub extern fn cn_shape_get_event_mask(world: *const cn_world, shape: cn_shape, out_event_mask: *u32) cn_result;
 /// Replaces the CN_SHAPE_ flags. The shape's contacts end; those that still overlap begin again in the next
 /// step. Wakes the body, or the bodies near a static shape. O(contacts of the body).
-pub extern fn cn_shape_set_flags(world: ?*cn_world, shape: cn_shape, flags: u32) cn_result;
+pub extern fn cn_shape_set_flags(world: *cn_world, shape: cn_shape, flags: u32) cn_result;
 /// Reads the CN_SHAPE_ flags.
-pub extern fn cn_shape_get_flags(world: ?*const cn_world, shape: cn_shape, out_flags: [*c]u32) cn_result;
+pub extern fn cn_shape_get_flags(world: *const cn_world, shape: cn_shape, out_flags: *u32) cn_result;
 /// Stores a number for the user.
-pub extern fn cn_shape_set_user_data(world: ?*cn_world, shape: cn_shape, user_data: u64) cn_result;
+pub extern fn cn_shape_set_user_data(world: *cn_world, shape: cn_shape, user_data: u64) cn_result;
 /// Reads the user's number.
-pub extern fn cn_shape_get_user_data(world: ?*const cn_world, shape: cn_shape, out_user_data: [*c]u64) cn_result;
+pub extern fn cn_shape_get_user_data(world: *const cn_world, shape: cn_shape, out_user_data: *u64) cn_result;
 /// AABB without margin, in the world (in the shape's own space when unattached). O(points).
-pub extern fn cn_shape_get_aabb(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_aabb) cn_result;
+pub extern fn cn_shape_get_aabb(world: *const cn_world, shape: cn_shape, out: *cn_aabb) cn_result;
 /// Mass at the present density, centre in the body's frame, inertia about the shape's own centre. O(points).
-pub extern fn cn_shape_get_mass_data(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_mass_data) cn_result;
+pub extern fn cn_shape_get_mass_data(world: *const cn_world, shape: cn_shape, out: *cn_mass_data) cn_result;
 /// Reads a circle in the body's frame, offset applied. CN_ERROR_STATE for another type.
-pub extern fn cn_shape_get_circle(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_circle) cn_result;
+pub extern fn cn_shape_get_circle(world: *const cn_world, shape: cn_shape, out: *cn_circle) cn_result;
 /// Reads a capsule in the body's frame, offset applied. CN_ERROR_STATE for another type.
-pub extern fn cn_shape_get_capsule(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_capsule) cn_result;
+pub extern fn cn_shape_get_capsule(world: *const cn_world, shape: cn_shape, out: *cn_capsule) cn_result;
 /// Reads an edge in the body's frame, offset applied. CN_ERROR_STATE for another type.
-pub extern fn cn_shape_get_edge(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_edge) cn_result;
+pub extern fn cn_shape_get_edge(world: *const cn_world, shape: cn_shape, out: *cn_edge) cn_result;
 /// Reads a polygon in the body's frame, offset applied. CN_ERROR_STATE for another type.
-pub extern fn cn_shape_get_polygon(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_polygon) cn_result;
+pub extern fn cn_shape_get_polygon(world: *const cn_world, shape: cn_shape, out: *cn_polygon) cn_result;
 /// Reads a chain's points in the body's frame, offset applied. Writes at most capacity (>= 0); out may be
 /// NULL when capacity is 0. *out_count is their number. CN_ERROR_STATE for another type. O(points written).
-pub extern fn cn_shape_get_chain_points(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_vec2, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_shape_get_chain_points(world: *const cn_world, shape: cn_shape, out: ?[*]cn_vec2, capacity: i32, out_count: *i32) cn_result;
 /// Replaces a circle in place, given in the body's frame as cn_shape_get_circle reads it, with the checks of
 /// creation: the handle and all other properties stay. Mass and box are those of the new geometry at once;
 /// contacts stay unless the boxes no longer overlap, and the next step computes them anew, without the
 /// impulses of features that are gone. Wakes the body, touching bodies and bodies that the new box meets. A
 /// shape that grows into others is pushed out of them at push_speed_max_mps at most. CN_ERROR_STATE for
 /// another type. O(contacts + shapes of the body).
-pub extern fn cn_shape_set_circle(world: ?*cn_world, shape: cn_shape, circle: [*c]const cn_circle) cn_result;
+pub extern fn cn_shape_set_circle(world: *cn_world, shape: cn_shape, circle: *const cn_circle) cn_result;
 /// Replaces a capsule in place; otherwise as cn_shape_set_circle.
-pub extern fn cn_shape_set_capsule(world: ?*cn_world, shape: cn_shape, capsule: [*c]const cn_capsule) cn_result;
+pub extern fn cn_shape_set_capsule(world: *cn_world, shape: cn_shape, capsule: *const cn_capsule) cn_result;
 /// Replaces an edge in place; otherwise as cn_shape_set_circle.
-pub extern fn cn_shape_set_edge(world: ?*cn_world, shape: cn_shape, edge: [*c]const cn_edge) cn_result;
+pub extern fn cn_shape_set_edge(world: *cn_world, shape: cn_shape, edge: *const cn_edge) cn_result;
 /// Replaces the points of a polygon in place, their number too; otherwise as cn_shape_set_circle.
-pub extern fn cn_shape_set_polygon(world: ?*cn_world, shape: cn_shape, polygon: [*c]const cn_polygon) cn_result;
+pub extern fn cn_shape_set_polygon(world: *cn_world, shape: cn_shape, polygon: *const cn_polygon) cn_result;
 /// Replaces the points of a chain in place, their number too. Its contacts end; those that still overlap
 /// begin again in the next step. Otherwise as cn_shape_set_circle. O(contacts + shapes of the body + count).
-pub extern fn cn_shape_set_chain(world: ?*cn_world, shape: cn_shape, chain: [*c]const cn_chain) cn_result;
+pub extern fn cn_shape_set_chain(world: *cn_world, shape: cn_shape, chain: *const cn_chain) cn_result;
 /// out_inside is 1 if the shape contains a world point in metres (in the shape's own space when unattached),
 /// else 0. Edges and chains contain no point. O(points).
-pub extern fn cn_shape_test_point(world: ?*const cn_world, shape: cn_shape, point_x_m: f32, point_y_m: f32, out_inside: [*c]i32) cn_result;
+pub extern fn cn_shape_test_point(world: *const cn_world, shape: cn_shape, point_x_m: f32, point_y_m: f32, out_inside: *i32) cn_result;
 /// Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts
 /// farthest points, as Quickhull does (Barber, Dobkin, Huhdanpaa, 1996), and keeps those that add the most
 /// area. CN_ERROR_ARGUMENT for fewer than three distinct points or collinear ones. It drops details below 5
 /// mm (below 5% of the half size for hulls under 0.1 m, below 0.5% for those over 1 m). radius_m >= 0.
 /// O(count^2) at worst.
-pub extern fn cn_polygon_make_hull(points_m: [*c]const cn_vec2, count: i32, radius_m: f32, out: [*c]cn_polygon) cn_result;
+pub extern fn cn_polygon_make_hull(points_m: [*]const cn_vec2, count: i32, radius_m: f32, out: *cn_polygon) cn_result;
 /// A box of half sizes > 0 in metres, with its centre in metres, turned about its own centre by angle_rad
 /// (|angle| <= 1e4); radius_m >= 0.
-pub extern fn cn_polygon_make_box(half_width_m: f32, half_height_m: f32, center_x_m: f32, center_y_m: f32, angle_rad: f32, radius_m: f32, out: [*c]cn_polygon) cn_result;
+pub extern fn cn_polygon_make_box(half_width_m: f32, half_height_m: f32, center_x_m: f32, center_y_m: f32, angle_rad: f32, radius_m: f32, out: *cn_polygon) cn_result;
 /// Divides a simple polygon (either winding, 3 to 1024 points) into convex ones for cn_shape_create_polygon
 /// in worlds of this length unit ((1e-6 to 1e6); 1 by default), counter-clockwise, with radius_m 0 and
 /// without new points: ears are clipped (Meisters, 1975) and triangles merged (Hertel, Mehlhorn, 1983).
 /// Points nearer than 0.05% of the length unit to the one before and collinear points are dropped, and pieces
 /// thinner than that are left out. CN_ERROR_ARGUMENT for an outline that crosses or touches itself or has no
 /// area. Writes at most capacity pieces (>= 0; count - 2 always suffice); out may be NULL when capacity is 0.
-/// *out_count is the number of all. 30 KB of stack. O(count^2).
-pub extern fn cn_outline_decompose(points_m: [*c]const cn_vec2, count: i32, length_unit_m: f32, out: [*c]cn_polygon, capacity: i32, out_count: [*c]i32) cn_result;
+/// *out_count is the number of all. 34 KB of stack. O(count^2).
+pub extern fn cn_outline_decompose(points_m: [*]const cn_vec2, count: i32, length_unit_m: f32, out: ?[*]cn_polygon, capacity: i32, out_count: *i32) cn_result;
 /// Keeps those of count (2 to 65536; closed: 3) points from which the simplified line deviates by more than
 /// tolerance_m (0 to 1e6), by Douglas and Peucker (1973). closed: 1 if the last point joins the first, else
 /// 0. A closed outline within tolerance_m of a segment has 0 points left. A simple outline can cross itself
 /// afterwards if parts of it are nearer than tolerance_m. Writes at most capacity points (>= 0); out may be
 /// points_m, or NULL when capacity is 0. *out_count is the number of all. O(count * *out_count) at worst.
-pub extern fn cn_outline_simplify(points_m: [*c]const cn_vec2, count: i32, closed: i32, tolerance_m: f32, out: [*c]cn_vec2, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_outline_simplify(points_m: [*]const cn_vec2, count: i32, closed: i32, tolerance_m: f32, out: ?[*]cn_vec2, capacity: i32, out_count: *i32) cn_result;
 /// Outlines of the solid cells of a grid of columns * rows (1 to 4096 each) squares of side cell_m > 0, with
 /// its lower left corner at the origin: cells[row * columns + column] is not 0 where solid, row 0 is the
 /// lowest. The outlines are loops for cn_shape_create_chain, one after another, solid on their left:
@@ -1920,13 +1958,13 @@ pub extern fn cn_outline_simplify(points_m: [*c]const cn_vec2, count: i32, close
 /// of points of each outline. Writes at most point_capacity points and outline_capacity counts (>= 0; the
 /// array may be NULL at 0); *out_point_count and out_outline_count are the numbers of all. O(cells +
 /// boundary), more for long spirals.
-pub extern fn cn_outline_from_cells(cells: [*c]const u8, columns: i32, rows: i32, origin_x_m: f32, origin_y_m: f32, cell_m: f32, out_points: [*c]cn_vec2, point_capacity: i32, out_counts: [*c]i32, outline_capacity: i32, out_point_count: [*c]i32, out_outline_count: [*c]i32) cn_result;
+pub extern fn cn_outline_from_cells(cells: *const u8, columns: i32, rows: i32, origin_x_m: f32, origin_y_m: f32, cell_m: f32, out_points: *cn_vec2, point_capacity: i32, out_counts: *i32, outline_capacity: i32, out_point_count: *i32, out_outline_count: *i32) cn_result;
 /// The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
 /// finite, is the value at the origin + spacing_m * (column, row), at least 2 columns and rows, solid from
 /// threshold. A point of an outline lies between two neighbouring samples, by linear interpolation, at least
 /// spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or another
 /// one. cn_outline_simplify removes its collinear points.
-pub extern fn cn_outline_from_field(values: [*c]const f32, columns: i32, rows: i32, threshold: f32, origin_x_m: f32, origin_y_m: f32, spacing_m: f32, out_points: [*c]cn_vec2, point_capacity: i32, out_counts: [*c]i32, outline_capacity: i32, out_point_count: [*c]i32, out_outline_count: [*c]i32) cn_result;
+pub extern fn cn_outline_from_field(values: *const f32, columns: i32, rows: i32, threshold: f32, origin_x_m: f32, origin_y_m: f32, spacing_m: f32, out_points: *cn_vec2, point_capacity: i32, out_counts: *i32, outline_capacity: i32, out_point_count: *i32, out_outline_count: *i32) cn_result;
 /// The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. The first call for
 /// a kind after a step builds the array, O(events), and can return CN_ERROR_MEMORY; CN_ERROR_LOCKED inside
 /// callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved apart,
@@ -1935,347 +1973,347 @@ pub extern fn cn_outline_from_field(values: [*c]const f32, columns: i32, rows: i
 /// wakes. HIT: in some substep a point closed at approach_speed_mps, the greatest of the step, and got an
 /// impulse; bodies that pass a blow on to others that already touch them, without closing, have no HIT.
 /// Impulses are summed only for contacts that report ENTER (in the step in which they begin), STAY or HIT.
-pub extern fn cn_world_contact_events(world: ?*cn_world, kind: i32, out_events: [*c][*c]const cn_contact_event, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_contact_events(world: *cn_world, kind: i32, out_events: *?[*]const cn_contact_event, out_count: *i32) cn_result;
 /// Sets the callback for contact events of one kind (CN_EVENT_*); NULL removes it.
-pub extern fn cn_world_set_contact_callback(world: ?*cn_world, kind: i32, function: ?*const cn_contact_event_fn, user: ?*anyopaque) cn_result;
+pub extern fn cn_world_set_contact_callback(world: *cn_world, kind: i32, function: ?*const cn_contact_event_fn, user: ?*anyopaque) cn_result;
 /// Sets the callback that decides whether two shapes may touch; NULL removes it.
-pub extern fn cn_world_set_filter_callback(world: ?*cn_world, function: ?*const cn_filter_fn, user: ?*anyopaque) cn_result;
+pub extern fn cn_world_set_filter_callback(world: *cn_world, function: ?*const cn_filter_fn, user: ?*anyopaque) cn_result;
 /// Sets the pre-solve callback; NULL removes it.
-pub extern fn cn_world_set_pre_solve_callback(world: ?*cn_world, function: ?*const cn_pre_solve_fn, user: ?*anyopaque) cn_result;
+pub extern fn cn_world_set_pre_solve_callback(world: *cn_world, function: ?*const cn_pre_solve_fn, user: ?*anyopaque) cn_result;
 /// Sets the callback that mixes materials; NULL removes it.
-pub extern fn cn_world_set_material_mix_callback(world: ?*cn_world, function: ?*const cn_material_mix_fn, user: ?*anyopaque) cn_result;
+pub extern fn cn_world_set_material_mix_callback(world: *cn_world, function: ?*const cn_material_mix_fn, user: ?*anyopaque) cn_result;
 /// The sensor events of the last step, in a deterministic order; every ENTER gets a LEAVE as for contact
 /// events. Sensors detect non-sensor shapes of dynamic and kinematic bodies by exact overlap.
-pub extern fn cn_world_sensor_events(world: ?*const cn_world, out_events: [*c][*c]const cn_sensor_event, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_sensor_events(world: *const cn_world, out_events: *?[*]const cn_sensor_event, out_count: *i32) cn_result;
 /// The body's contacts as events of kind STAY (touching) or CREATED (not touching). Writes at most capacity
 /// (>= 0); out may be NULL when capacity is 0. *out_count is their number. O(contacts).
-pub extern fn cn_body_get_contacts(world: ?*const cn_world, body: cn_body, out: [*c]cn_contact_event, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_body_get_contacts(world: *const cn_world, body: cn_body, out: ?[*]cn_contact_event, capacity: i32, out_count: *i32) cn_result;
 /// The shape's contacts, a chain with all its edges; out, capacity, *out_count and kinds as in
 /// cn_body_get_contacts. O(contacts of its body).
-pub extern fn cn_shape_get_contacts(world: ?*const cn_world, shape: cn_shape, out: [*c]cn_contact_event, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_shape_get_contacts(world: *const cn_world, shape: cn_shape, out: ?[*]cn_contact_event, capacity: i32, out_count: *i32) cn_result;
 /// The shapes in a sensor, each once: those with an ENTER and no LEAVE up to the last step. out, capacity and
 /// *out_count as in cn_world_get_bodies. CN_ERROR_STATE for a shape that is no sensor. O(contacts of its
 /// body), squared for chains.
-pub extern fn cn_shape_get_visitors(world: ?*const cn_world, sensor: cn_shape, out: [*c]cn_shape, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_shape_get_visitors(world: *const cn_world, sensor: cn_shape, out: ?[*]cn_shape, capacity: i32, out_count: *i32) cn_result;
 /// Bodies that fell asleep in the last step, or since then through cn_body_set_awake. Handles of bodies
 /// destroyed since are stale.
-pub extern fn cn_world_fell_asleep(world: ?*const cn_world, out_bodies: [*c][*c]const cn_body, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_fell_asleep(world: *const cn_world, out_bodies: *?[*]const cn_body, out_count: *i32) cn_result;
 /// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
-pub extern fn cn_revolute_def_init(def: [*c]cn_revolute_def) void;
+pub extern fn cn_revolute_def_init(def: ?*cn_revolute_def) void;
 /// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
-pub extern fn cn_distance_def_init(def: [*c]cn_distance_def) void;
+pub extern fn cn_distance_def_init(def: ?*cn_distance_def) void;
 /// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
-pub extern fn cn_fixed_def_init(def: [*c]cn_fixed_def) void;
+pub extern fn cn_fixed_def_init(def: ?*cn_fixed_def) void;
 /// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
-pub extern fn cn_prismatic_def_init(def: [*c]cn_prismatic_def) void;
+pub extern fn cn_prismatic_def_init(def: ?*cn_prismatic_def) void;
 /// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
-pub extern fn cn_wheel_def_init(def: [*c]cn_wheel_def) void;
+pub extern fn cn_wheel_def_init(def: ?*cn_wheel_def) void;
 /// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
-pub extern fn cn_motor_def_init(def: [*c]cn_motor_def) void;
+pub extern fn cn_motor_def_init(def: ?*cn_motor_def) void;
 /// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
-pub extern fn cn_mouse_def_init(def: [*c]cn_mouse_def) void;
+pub extern fn cn_mouse_def_init(def: ?*cn_mouse_def) void;
 /// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
-pub extern fn cn_gear_def_init(def: [*c]cn_gear_def) void;
+pub extern fn cn_gear_def_init(def: ?*cn_gear_def) void;
 /// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
-pub extern fn cn_pulley_def_init(def: [*c]cn_pulley_def) void;
+pub extern fn cn_pulley_def_init(def: ?*cn_pulley_def) void;
 /// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
-pub extern fn cn_ratchet_def_init(def: [*c]cn_ratchet_def) void;
+pub extern fn cn_ratchet_def_init(def: ?*cn_ratchet_def) void;
 /// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
-pub extern fn cn_rotary_spring_def_init(def: [*c]cn_rotary_spring_def) void;
+pub extern fn cn_rotary_spring_def_init(def: ?*cn_rotary_spring_def) void;
 /// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
-pub extern fn cn_groove_def_init(def: [*c]cn_groove_def) void;
+pub extern fn cn_groove_def_init(def: ?*cn_groove_def) void;
 /// Sets base.struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
-pub extern fn cn_filter_joint_def_init(def: [*c]cn_filter_joint_def) void;
+pub extern fn cn_filter_joint_def_init(def: ?*cn_filter_joint_def) void;
 /// Creates a revolute joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
 /// dynamic. O(contacts of body_a).
-pub extern fn cn_joint_create_revolute(world: ?*cn_world, def: [*c]const cn_revolute_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_revolute(world: *cn_world, def: *const cn_revolute_def, out_joint: *cn_joint) cn_result;
 /// Creates a distance joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
 /// dynamic. O(contacts of body_a).
-pub extern fn cn_joint_create_distance(world: ?*cn_world, def: [*c]const cn_distance_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_distance(world: *cn_world, def: *const cn_distance_def, out_joint: *cn_joint) cn_result;
 /// Creates a fixed joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
 /// dynamic. O(contacts of body_a).
-pub extern fn cn_joint_create_fixed(world: ?*cn_world, def: [*c]const cn_fixed_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_fixed(world: *cn_world, def: *const cn_fixed_def, out_joint: *cn_joint) cn_result;
 /// Creates a prismatic joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither
 /// is dynamic. O(contacts of body_a).
-pub extern fn cn_joint_create_prismatic(world: ?*cn_world, def: [*c]const cn_prismatic_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_prismatic(world: *cn_world, def: *const cn_prismatic_def, out_joint: *cn_joint) cn_result;
 /// Creates a wheel joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
 /// dynamic. O(contacts of body_a).
-pub extern fn cn_joint_create_wheel(world: ?*cn_world, def: [*c]const cn_wheel_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_wheel(world: *cn_world, def: *const cn_wheel_def, out_joint: *cn_joint) cn_result;
 /// Creates a motor joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
 /// dynamic. O(contacts of body_a).
-pub extern fn cn_joint_create_motor(world: ?*cn_world, def: [*c]const cn_motor_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_motor(world: *cn_world, def: *const cn_motor_def, out_joint: *cn_joint) cn_result;
 /// Creates a mouse joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
 /// dynamic, or body_a is not 0. O(contacts of body_a).
-pub extern fn cn_joint_create_mouse(world: ?*cn_world, def: [*c]const cn_mouse_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_mouse(world: *cn_world, def: *const cn_mouse_def, out_joint: *cn_joint) cn_result;
 /// Creates a gear joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
 /// dynamic. O(contacts of body_a).
-pub extern fn cn_joint_create_gear(world: ?*cn_world, def: [*c]const cn_gear_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_gear(world: *cn_world, def: *const cn_gear_def, out_joint: *cn_joint) cn_result;
 /// Creates a pulley joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
 /// dynamic. O(contacts of body_a).
-pub extern fn cn_joint_create_pulley(world: ?*cn_world, def: [*c]const cn_pulley_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_pulley(world: *cn_world, def: *const cn_pulley_def, out_joint: *cn_joint) cn_result;
 /// Creates a ratchet joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
 /// dynamic. O(contacts of body_a).
-pub extern fn cn_joint_create_ratchet(world: ?*cn_world, def: [*c]const cn_ratchet_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_ratchet(world: *cn_world, def: *const cn_ratchet_def, out_joint: *cn_joint) cn_result;
 /// Creates a rotary spring and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
 /// dynamic. O(contacts of body_a).
-pub extern fn cn_joint_create_rotary_spring(world: ?*cn_world, def: [*c]const cn_rotary_spring_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_rotary_spring(world: *cn_world, def: *const cn_rotary_spring_def, out_joint: *cn_joint) cn_result;
 /// Creates a groove joint and wakes both bodies. CN_ERROR_ARGUMENT if the bodies are the same or neither is
 /// dynamic, or the slot has no length. O(contacts of body_a).
-pub extern fn cn_joint_create_groove(world: ?*cn_world, def: [*c]const cn_groove_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_groove(world: *cn_world, def: *const cn_groove_def, out_joint: *cn_joint) cn_result;
 /// Creates a filter joint, ends the contacts between its bodies and wakes both. CN_ERROR_ARGUMENT if the
 /// bodies are the same or neither is dynamic. It has a base only: see cn_joint_get_base. O(contacts of
 /// body_a).
-pub extern fn cn_joint_create_filter(world: ?*cn_world, def: [*c]const cn_filter_joint_def, out_joint: [*c]cn_joint) cn_result;
+pub extern fn cn_joint_create_filter(world: *cn_world, def: *const cn_filter_joint_def, out_joint: *cn_joint) cn_result;
 /// Destroys a joint and wakes its bodies. No event is reported.
-pub extern fn cn_joint_destroy(world: ?*cn_world, joint: cn_joint) cn_result;
+pub extern fn cn_joint_destroy(world: *cn_world, joint: cn_joint) cn_result;
 /// 1 if the handle names a living joint of this world, else 0 (also for a constraint and a NULL world).
 pub extern fn cn_joint_is_valid(world: ?*const cn_world, joint: cn_joint) i32;
 /// Reads the type (CN_JOINT_REVOLUTE to _FILTER).
-pub extern fn cn_joint_get_type(world: ?*const cn_world, joint: cn_joint, out_type: [*c]i32) cn_result;
+pub extern fn cn_joint_get_type(world: *const cn_world, joint: cn_joint, out_type: *i32) cn_result;
 /// Reads both bodies; 0 stands for the world.
-pub extern fn cn_joint_get_bodies(world: ?*const cn_world, joint: cn_joint, out_a: [*c]cn_body, out_b: [*c]cn_body) cn_result;
+pub extern fn cn_joint_get_bodies(world: *const cn_world, joint: cn_joint, out_a: *cn_body, out_b: *cn_body) cn_result;
 /// Reads the world positions of both anchors, in metres.
-pub extern fn cn_joint_get_anchors(world: ?*const cn_world, joint: cn_joint, out_world_a_m: [*c]cn_vec2, out_world_b_m: [*c]cn_vec2) cn_result;
+pub extern fn cn_joint_get_anchors(world: *const cn_world, joint: cn_joint, out_world_a_m: *cn_vec2, out_world_b_m: *cn_vec2) cn_result;
 /// Force in newtons and torque in newton metres that the joint applied to body b in the last substep.
-pub extern fn cn_joint_get_reaction(world: ?*const cn_world, joint: cn_joint, out_force_N: [*c]cn_vec2, out_torque_Nm: [*c]f32) cn_result;
+pub extern fn cn_joint_get_reaction(world: *const cn_world, joint: cn_joint, out_force_N: *cn_vec2, out_torque_Nm: *f32) cn_result;
 /// Error of the joint's rigid parts, both >= 0: metres (anchors apart, lengths beyond limits) and radians
 /// (angles beyond limits).
-pub extern fn cn_joint_get_error(world: ?*const cn_world, joint: cn_joint, out_m: [*c]f32, out_rad: [*c]f32) cn_result;
+pub extern fn cn_joint_get_error(world: *const cn_world, joint: cn_joint, out_m: *f32, out_rad: *f32) cn_result;
 /// Chooses how the joint is solved in worlds of CN_SOLVER_AUTO and _DIRECT. CN_SOLVER_AUTO (default):
 /// together with its neighbours where that is cheap. _SOFT: always alone. _DIRECT: together with all
 /// connected joints, up to the work limits of CN_SOLVER_DIRECT and the work_budget; the same as _AUTO for a
 /// world in a caller's block that was not created with CN_SOLVER_DIRECT. Takes effect with the next step;
 /// does not wake.
-pub extern fn cn_joint_set_solver(world: ?*cn_world, joint: cn_joint, solver: i32) cn_result;
+pub extern fn cn_joint_set_solver(world: *cn_world, joint: cn_joint, solver: i32) cn_result;
 /// Reads the joint's own solver (CN_SOLVER_AUTO, _SOFT, _DIRECT).
-pub extern fn cn_joint_get_solver(world: ?*const cn_world, joint: cn_joint, out_solver: [*c]i32) cn_result;
+pub extern fn cn_joint_get_solver(world: *const cn_world, joint: cn_joint, out_solver: *i32) cn_result;
 /// Stores a number for the user.
-pub extern fn cn_joint_set_user_data(world: ?*cn_world, joint: cn_joint, user_data: u64) cn_result;
+pub extern fn cn_joint_set_user_data(world: *cn_world, joint: cn_joint, user_data: u64) cn_result;
 /// Reads the user's number.
-pub extern fn cn_joint_get_user_data(world: ?*const cn_world, joint: cn_joint, out_user_data: [*c]u64) cn_result;
+pub extern fn cn_joint_get_user_data(world: *const cn_world, joint: cn_joint, out_user_data: *u64) cn_result;
 /// Replaces the CN_JOINT_ flags and wakes both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
-pub extern fn cn_joint_set_flags(world: ?*cn_world, joint: cn_joint, flags: u32) cn_result;
+pub extern fn cn_joint_set_flags(world: *cn_world, joint: cn_joint, flags: u32) cn_result;
 /// Reads the CN_JOINT_ flags.
-pub extern fn cn_joint_get_flags(world: ?*const cn_world, joint: cn_joint, out_flags: [*c]u32) cn_result;
+pub extern fn cn_joint_get_flags(world: *const cn_world, joint: cn_joint, out_flags: *u32) cn_result;
 /// Reads the definition of a revolute joint. CN_ERROR_STATE for another type.
-pub extern fn cn_joint_get_revolute(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_revolute_def) cn_result;
+pub extern fn cn_joint_get_revolute(world: *const cn_world, joint: cn_joint, out: *cn_revolute_def) cn_result;
 /// Replaces the definition of a revolute joint, flags and user data included; ignores bodies, anchors and
 /// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
 /// changes.
-pub extern fn cn_joint_set_revolute(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_revolute_def) cn_result;
+pub extern fn cn_joint_set_revolute(world: *cn_world, joint: cn_joint, def: *const cn_revolute_def) cn_result;
 /// Reads the definition of a distance joint. CN_ERROR_STATE for another type.
-pub extern fn cn_joint_get_distance(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_distance_def) cn_result;
+pub extern fn cn_joint_get_distance(world: *const cn_world, joint: cn_joint, out: *cn_distance_def) cn_result;
 /// Replaces the definition of a distance joint, flags and user data included; ignores bodies, anchors and
 /// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
 /// changes.
-pub extern fn cn_joint_set_distance(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_distance_def) cn_result;
+pub extern fn cn_joint_set_distance(world: *cn_world, joint: cn_joint, def: *const cn_distance_def) cn_result;
 /// Reads the definition of a fixed joint. CN_ERROR_STATE for another type.
-pub extern fn cn_joint_get_fixed(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_fixed_def) cn_result;
+pub extern fn cn_joint_get_fixed(world: *const cn_world, joint: cn_joint, out: *cn_fixed_def) cn_result;
 /// Replaces the definition of a fixed joint, flags and user data included; ignores bodies, anchors and
 /// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
 /// changes.
-pub extern fn cn_joint_set_fixed(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_fixed_def) cn_result;
+pub extern fn cn_joint_set_fixed(world: *cn_world, joint: cn_joint, def: *const cn_fixed_def) cn_result;
 /// Reads the definition of a prismatic joint. CN_ERROR_STATE for another type.
-pub extern fn cn_joint_get_prismatic(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_prismatic_def) cn_result;
+pub extern fn cn_joint_get_prismatic(world: *const cn_world, joint: cn_joint, out: *cn_prismatic_def) cn_result;
 /// Replaces the definition of a prismatic joint, flags and user data included; ignores bodies, anchors and
 /// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
 /// changes.
-pub extern fn cn_joint_set_prismatic(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_prismatic_def) cn_result;
+pub extern fn cn_joint_set_prismatic(world: *cn_world, joint: cn_joint, def: *const cn_prismatic_def) cn_result;
 /// Reads the definition of a wheel joint. CN_ERROR_STATE for another type.
-pub extern fn cn_joint_get_wheel(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_wheel_def) cn_result;
+pub extern fn cn_joint_get_wheel(world: *const cn_world, joint: cn_joint, out: *cn_wheel_def) cn_result;
 /// Replaces the definition of a wheel joint, flags and user data included; ignores bodies, anchors and
 /// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
 /// changes.
-pub extern fn cn_joint_set_wheel(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_wheel_def) cn_result;
+pub extern fn cn_joint_set_wheel(world: *cn_world, joint: cn_joint, def: *const cn_wheel_def) cn_result;
 /// Reads the definition of a motor joint. CN_ERROR_STATE for another type.
-pub extern fn cn_joint_get_motor_to(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_motor_def) cn_result;
+pub extern fn cn_joint_get_motor_to(world: *const cn_world, joint: cn_joint, out: *cn_motor_def) cn_result;
 /// Replaces the definition of a motor joint, flags and user data included; ignores bodies, anchors and
 /// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
 /// changes.
-pub extern fn cn_joint_set_motor_to(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_motor_def) cn_result;
+pub extern fn cn_joint_set_motor_to(world: *cn_world, joint: cn_joint, def: *const cn_motor_def) cn_result;
 /// Reads the definition of a mouse joint. CN_ERROR_STATE for another type.
-pub extern fn cn_joint_get_mouse(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_mouse_def) cn_result;
+pub extern fn cn_joint_get_mouse(world: *const cn_world, joint: cn_joint, out: *cn_mouse_def) cn_result;
 /// Replaces the definition of a mouse joint, flags and user data included; ignores bodies, anchors and
 /// struct_size. Sets the target too. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when
 /// CN_JOINT_COLLIDE changes.
-pub extern fn cn_joint_set_mouse(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_mouse_def) cn_result;
+pub extern fn cn_joint_set_mouse(world: *cn_world, joint: cn_joint, def: *const cn_mouse_def) cn_result;
 /// Reads the definition of a gear joint. CN_ERROR_STATE for another type.
-pub extern fn cn_joint_get_gear(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_gear_def) cn_result;
+pub extern fn cn_joint_get_gear(world: *const cn_world, joint: cn_joint, out: *cn_gear_def) cn_result;
 /// Replaces the definition of a gear joint, flags and user data included; ignores bodies, anchors and
 /// struct_size. A new ratio starts the count of whole turns again. CN_ERROR_STATE for another type. Wakes
 /// both bodies. O(contacts) when CN_JOINT_COLLIDE changes.
-pub extern fn cn_joint_set_gear(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_gear_def) cn_result;
+pub extern fn cn_joint_set_gear(world: *cn_world, joint: cn_joint, def: *const cn_gear_def) cn_result;
 /// Reads the definition of a pulley joint. CN_ERROR_STATE for another type.
-pub extern fn cn_joint_get_pulley(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_pulley_def) cn_result;
+pub extern fn cn_joint_get_pulley(world: *const cn_world, joint: cn_joint, out: *cn_pulley_def) cn_result;
 /// Replaces the definition of a pulley joint, flags and user data included; ignores bodies, anchors and
 /// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
 /// changes.
-pub extern fn cn_joint_set_pulley(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_pulley_def) cn_result;
+pub extern fn cn_joint_set_pulley(world: *cn_world, joint: cn_joint, def: *const cn_pulley_def) cn_result;
 /// Reads the definition of a ratchet joint. CN_ERROR_STATE for another type.
-pub extern fn cn_joint_get_ratchet(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_ratchet_def) cn_result;
+pub extern fn cn_joint_get_ratchet(world: *const cn_world, joint: cn_joint, out: *cn_ratchet_def) cn_result;
 /// Replaces the definition of a ratchet joint, flags and user data included; ignores bodies, anchors and
 /// struct_size. The ratchet starts again at its present click. CN_ERROR_STATE for another type. Wakes both
 /// bodies. O(contacts) when CN_JOINT_COLLIDE changes.
-pub extern fn cn_joint_set_ratchet(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_ratchet_def) cn_result;
+pub extern fn cn_joint_set_ratchet(world: *cn_world, joint: cn_joint, def: *const cn_ratchet_def) cn_result;
 /// Reads the definition of a rotary spring. CN_ERROR_STATE for another type.
-pub extern fn cn_joint_get_rotary_spring(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_rotary_spring_def) cn_result;
+pub extern fn cn_joint_get_rotary_spring(world: *const cn_world, joint: cn_joint, out: *cn_rotary_spring_def) cn_result;
 /// Replaces the definition of a rotary spring, flags and user data included; ignores bodies, anchors and
 /// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
 /// changes.
-pub extern fn cn_joint_set_rotary_spring(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_rotary_spring_def) cn_result;
+pub extern fn cn_joint_set_rotary_spring(world: *cn_world, joint: cn_joint, def: *const cn_rotary_spring_def) cn_result;
 /// Reads the definition of a groove joint. CN_ERROR_STATE for another type.
-pub extern fn cn_joint_get_groove(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_groove_def) cn_result;
+pub extern fn cn_joint_get_groove(world: *const cn_world, joint: cn_joint, out: *cn_groove_def) cn_result;
 /// Replaces the definition of a groove joint, flags and user data included; ignores bodies, anchors and
 /// struct_size. CN_ERROR_STATE for another type. Wakes both bodies. O(contacts) when CN_JOINT_COLLIDE
 /// changes.
-pub extern fn cn_joint_set_groove(world: ?*cn_world, joint: cn_joint, def: [*c]const cn_groove_def) cn_result;
+pub extern fn cn_joint_set_groove(world: *cn_world, joint: cn_joint, def: *const cn_groove_def) cn_result;
 /// Reads the base of a joint of any type.
-pub extern fn cn_joint_get_base(world: ?*const cn_world, joint: cn_joint, out: [*c]cn_joint_base) cn_result;
+pub extern fn cn_joint_get_base(world: *const cn_world, joint: cn_joint, out: *cn_joint_base) cn_result;
 /// Replaces stiffness, greatest force and torque, and break thresholds; ignores the rest of base. Ranges as
 /// in cn_joint_base. Wakes both bodies.
-pub extern fn cn_joint_set_base(world: ?*cn_world, joint: cn_joint, base: [*c]const cn_joint_base) cn_result;
+pub extern fn cn_joint_set_base(world: *cn_world, joint: cn_joint, base: *const cn_joint_base) cn_result;
 /// Sets the target of a mouse joint, a world point in metres; cheap enough for every frame. CN_ERROR_STATE
 /// for another type. Wakes the body.
-pub extern fn cn_joint_set_target(world: ?*cn_world, joint: cn_joint, target_x_m: f32, target_y_m: f32) cn_result;
+pub extern fn cn_joint_set_target(world: *cn_world, joint: cn_joint, target_x_m: f32, target_y_m: f32) cn_result;
 /// Reads the joint coordinate. Revolute, fixed, motor: angle b - angle a - reference (motor: without
 /// reference) in (-pi, pi]. Distance, pulley: the present length. Prismatic, wheel, groove: the translation
 /// along the axis. Mouse: the distance to the target. Gear: angle b - ratio * angle a; ratchet, rotary
 /// spring: angle b - angle a; these three over whole turns.
-pub extern fn cn_joint_get_position(world: ?*const cn_world, joint: cn_joint, out_position: [*c]f32) cn_result;
+pub extern fn cn_joint_get_position(world: *const cn_world, joint: cn_joint, out_position: *f32) cn_result;
 /// Rate of change of cn_joint_get_position; of a wheel joint the angular velocity of b against a. A positive
 /// motor speed has the same sign.
-pub extern fn cn_joint_get_speed(world: ?*const cn_world, joint: cn_joint, out_speed: [*c]f32) cn_result;
+pub extern fn cn_joint_get_speed(world: *const cn_world, joint: cn_joint, out_speed: *f32) cn_result;
 /// Sets motor speed (rad/s or m/s) and greatest torque or force (N m or N, >= 0) of a revolute, distance,
 /// prismatic or wheel joint (others: CN_ERROR_STATE). Wakes both bodies.
-pub extern fn cn_joint_set_motor(world: ?*cn_world, joint: cn_joint, speed: f32, force_or_torque_max: f32) cn_result;
+pub extern fn cn_joint_set_motor(world: *cn_world, joint: cn_joint, speed: f32, force_or_torque_max: f32) cn_result;
 /// Sets the limits, lower <= upper, of a revolute (radians in [-pi, pi]), distance (metres >= 0), prismatic
 /// or wheel joint (metres); others: CN_ERROR_STATE. Wakes both bodies.
-pub extern fn cn_joint_set_limits(world: ?*cn_world, joint: cn_joint, lower: f32, upper: f32) cn_result;
+pub extern fn cn_joint_set_limits(world: *cn_world, joint: cn_joint, lower: f32, upper: f32) cn_result;
 /// Joints and constraints that exceeded a break threshold in the last step, and those destroyed with a body
 /// in that step or between it and the step before.
-pub extern fn cn_world_joint_events(world: ?*const cn_world, out_events: [*c][*c]const cn_joint_event, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_joint_events(world: *const cn_world, out_events: *?[*]const cn_joint_event, out_count: *i32) cn_result;
 /// Sets struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
-pub extern fn cn_angle_constraint_def_init(def: [*c]cn_angle_constraint_def) void;
+pub extern fn cn_angle_constraint_def_init(def: ?*cn_angle_constraint_def) void;
 /// Sets struct_size and the defaults given beside the fields (0 where none is given). NULL does nothing.
-pub extern fn cn_line_constraint_def_init(def: [*c]cn_line_constraint_def) void;
+pub extern fn cn_line_constraint_def_init(def: ?*cn_line_constraint_def) void;
 /// Creates an angle constraint, solved with the joints, before contacts. CN_ERROR_ARGUMENT if the body is not
 /// dynamic. Wakes the body.
-pub extern fn cn_constraint_create_angle(world: ?*cn_world, def: [*c]const cn_angle_constraint_def, out_constraint: [*c]cn_constraint) cn_result;
+pub extern fn cn_constraint_create_angle(world: *cn_world, def: *const cn_angle_constraint_def, out_constraint: *cn_constraint) cn_result;
 /// Creates a line constraint, solved with the joints, before contacts. CN_ERROR_ARGUMENT if the body is not
 /// dynamic. Wakes the body.
-pub extern fn cn_constraint_create_line(world: ?*cn_world, def: [*c]const cn_line_constraint_def, out_constraint: [*c]cn_constraint) cn_result;
+pub extern fn cn_constraint_create_line(world: *cn_world, def: *const cn_line_constraint_def, out_constraint: *cn_constraint) cn_result;
 /// Destroys a constraint and wakes its body. No event is reported.
-pub extern fn cn_constraint_destroy(world: ?*cn_world, constraint: cn_constraint) cn_result;
+pub extern fn cn_constraint_destroy(world: *cn_world, constraint: cn_constraint) cn_result;
 /// 1 if the handle names a living constraint of this world, else 0 (also for a joint and a NULL world).
 pub extern fn cn_constraint_is_valid(world: ?*const cn_world, constraint: cn_constraint) i32;
 /// Reads the type (CN_CONSTRAINT_ANGLE or _LINE).
-pub extern fn cn_constraint_get_type(world: ?*const cn_world, constraint: cn_constraint, out_type: [*c]i32) cn_result;
+pub extern fn cn_constraint_get_type(world: *const cn_world, constraint: cn_constraint, out_type: *i32) cn_result;
 /// Reads the body.
-pub extern fn cn_constraint_get_body(world: ?*const cn_world, constraint: cn_constraint, out_body: [*c]cn_body) cn_result;
+pub extern fn cn_constraint_get_body(world: *const cn_world, constraint: cn_constraint, out_body: *cn_body) cn_result;
 /// Reads the definition of an angle constraint. CN_ERROR_STATE for another type.
-pub extern fn cn_constraint_get_angle(world: ?*const cn_world, constraint: cn_constraint, out: [*c]cn_angle_constraint_def) cn_result;
+pub extern fn cn_constraint_get_angle(world: *const cn_world, constraint: cn_constraint, out: *cn_angle_constraint_def) cn_result;
 /// Replaces the definition of an angle constraint; ignores body. CN_ERROR_STATE for another type. Wakes the
 /// body.
-pub extern fn cn_constraint_set_angle(world: ?*cn_world, constraint: cn_constraint, def: [*c]const cn_angle_constraint_def) cn_result;
+pub extern fn cn_constraint_set_angle(world: *cn_world, constraint: cn_constraint, def: *const cn_angle_constraint_def) cn_result;
 /// Reads the definition of a line constraint. CN_ERROR_STATE for another type.
-pub extern fn cn_constraint_get_line(world: ?*const cn_world, constraint: cn_constraint, out: [*c]cn_line_constraint_def) cn_result;
+pub extern fn cn_constraint_get_line(world: *const cn_world, constraint: cn_constraint, out: *cn_line_constraint_def) cn_result;
 /// Replaces the definition of a line constraint; ignores body. CN_ERROR_STATE for another type. Wakes the
 /// body.
-pub extern fn cn_constraint_set_line(world: ?*cn_world, constraint: cn_constraint, def: [*c]const cn_line_constraint_def) cn_result;
+pub extern fn cn_constraint_set_line(world: *cn_world, constraint: cn_constraint, def: *const cn_line_constraint_def) cn_result;
 /// Angle constraint: the angle in radians over whole turns. Line constraint: the coordinate of the point
 /// along the axis, in metres from origin.
-pub extern fn cn_constraint_get_position(world: ?*const cn_world, constraint: cn_constraint, out_position: [*c]f32) cn_result;
+pub extern fn cn_constraint_get_position(world: *const cn_world, constraint: cn_constraint, out_position: *f32) cn_result;
 /// Force in newtons and torque in newton metres that the constraint applied to the body in the last substep.
-pub extern fn cn_constraint_get_reaction(world: ?*const cn_world, constraint: cn_constraint, out_force_N: [*c]cn_vec2, out_torque_Nm: [*c]f32) cn_result;
+pub extern fn cn_constraint_get_reaction(world: *const cn_world, constraint: cn_constraint, out_force_N: *cn_vec2, out_torque_Nm: *f32) cn_result;
 /// Distance beyond the allowed range, >= 0: metres for a line constraint, radians for an angle constraint.
-pub extern fn cn_constraint_get_error(world: ?*const cn_world, constraint: cn_constraint, out_m: [*c]f32, out_rad: [*c]f32) cn_result;
+pub extern fn cn_constraint_get_error(world: *const cn_world, constraint: cn_constraint, out_m: *f32, out_rad: *f32) cn_result;
 /// Handles of all constraints, ordered by slot; out, capacity and *out_count as in cn_world_get_bodies.
 /// O(slots).
-pub extern fn cn_world_get_constraints(world: ?*const cn_world, out: [*c]cn_constraint, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_get_constraints(world: *const cn_world, out: ?[*]cn_constraint, capacity: i32, out_count: *i32) cn_result;
 /// Handles of the body's constraints; out, capacity and *out_count as in cn_world_get_bodies. O(joints +
 /// constraints of the body).
-pub extern fn cn_body_get_constraints(world: ?*const cn_world, body: cn_body, out: [*c]cn_constraint, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_body_get_constraints(world: *const cn_world, body: cn_body, out: ?[*]cn_constraint, capacity: i32, out_count: *i32) cn_result;
 /// Sets the fixed step of cn_world_update: step_s in (0, 1], default 1/60; at most steps_max steps an update,
 /// 1 to 1000, default 8.
-pub extern fn cn_world_set_fixed_step(world: ?*cn_world, step_s: f32, steps_max: i32) cn_result;
+pub extern fn cn_world_set_fixed_step(world: *cn_world, step_s: f32, steps_max: i32) cn_result;
 /// Adds elapsed_s (0 to 10) to the time owed and takes as many fixed steps as fit, at most steps_max. The
 /// event arrays hold the last step; callbacks see every step. out may be NULL. Costs as the steps.
-pub extern fn cn_world_update(world: ?*cn_world, elapsed_s: f32, out: [*c]cn_update_report) cn_result;
+pub extern fn cn_world_update(world: *cn_world, elapsed_s: f32, out: ?*cn_update_report) cn_result;
 /// Reads count poses between the last two steps of cn_world_update: factor 0 to 1, 0 before the last step, 1
 /// after it. Bodies that did not take part in the last step have their present pose. bodies and count as in
 /// cn_world_read_poses. O(count).
-pub extern fn cn_world_read_poses_interpolated(world: ?*const cn_world, bodies: [*c]const cn_body, count: i32, factor: f32, out: [*c]cn_pose) cn_result;
+pub extern fn cn_world_read_poses_interpolated(world: *const cn_world, bodies: ?[*]const cn_body, count: i32, factor: f32, out: [*]cn_pose) cn_result;
 /// Sets the defaults given beside the fields. NULL does nothing.
-pub extern fn cn_query_filter_init(filter: [*c]cn_query_filter) void;
+pub extern fn cn_query_filter_init(filter: ?*cn_query_filter) void;
 /// Nearest hit of a ray; out->shape is 0 when there is none. Edges are hit from both sides, chains from their
 /// front. Of equal hits the first by shape (in the order of cn_world_get_shapes), then child. filter may be
 /// NULL: the defaults. O(log shapes) to O(shapes along the ray).
-pub extern fn cn_world_cast_ray(world: ?*const cn_world, ray: [*c]const cn_ray, filter: [*c]const cn_query_filter, out: [*c]cn_ray_hit) cn_result;
+pub extern fn cn_world_cast_ray(world: *const cn_world, ray: *const cn_ray, filter: ?*const cn_query_filter, out: *cn_ray_hit) cn_result;
 /// out_hit is 1 if the ray hits any shape, else 0; cheaper than the nearest hit. filter may be NULL. O(log
 /// shapes) to O(shapes along the ray).
-pub extern fn cn_world_cast_ray_any(world: ?*const cn_world, ray: [*c]const cn_ray, filter: [*c]const cn_query_filter, out_hit: [*c]i32) cn_result;
+pub extern fn cn_world_cast_ray_any(world: *const cn_world, ray: *const cn_ray, filter: ?*const cn_query_filter, out_hit: *i32) cn_result;
 /// Hits of a ray, nearest first: the nearest capacity (>= 0) are written, *out_count is the number found. A
 /// chain counts once for each edge hit. filter may be NULL. O(shapes along the ray * log capacity).
-pub extern fn cn_world_cast_ray_all(world: ?*const cn_world, ray: [*c]const cn_ray, filter: [*c]const cn_query_filter, out: [*c]cn_ray_hit, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_cast_ray_all(world: *const cn_world, ray: *const cn_ray, filter: ?*const cn_query_filter, out: ?[*]cn_ray_hit, capacity: i32, out_count: *i32) cn_result;
 /// Nearest hit of each of count (>= 0) rays, as cn_world_cast_ray. One bad ray fails the whole call. filter
 /// may be NULL. O(sum of the rays).
-pub extern fn cn_world_cast_rays(world: ?*const cn_world, rays: [*c]const cn_ray, count: i32, filter: [*c]const cn_query_filter, out: [*c]cn_ray_hit) cn_result;
+pub extern fn cn_world_cast_rays(world: *const cn_world, rays: [*]const cn_ray, count: i32, filter: ?*const cn_query_filter, out: [*]cn_ray_hit) cn_result;
 /// Nearest hit of a ray against one shape, whatever its filter; in the shape's own space when unattached.
 /// O(points of the shape).
-pub extern fn cn_shape_cast_ray(world: ?*const cn_world, shape: cn_shape, ray: [*c]const cn_ray, out: [*c]cn_ray_hit) cn_result;
+pub extern fn cn_shape_cast_ray(world: *const cn_world, shape: cn_shape, ray: *const cn_ray, out: *cn_ray_hit) cn_result;
 /// First shape that a convex shape meets when moved by translation (metres, at most 2e6 length units each
 /// way) without turning. shape is a polygon in world coordinates; with radius_m > 0 its count may be 1 or 2:
 /// circle, capsule. A shape in contact at the start: see cn_ray_hit. A chain is met if the mean of the moving
 /// points is in front of it. filter may be NULL. O(shapes along the way).
-pub extern fn cn_world_cast_shape(world: ?*const cn_world, shape: [*c]const cn_polygon, translation_x_m: f32, translation_y_m: f32, filter: [*c]const cn_query_filter, out: [*c]cn_ray_hit) cn_result;
+pub extern fn cn_world_cast_shape(world: *const cn_world, shape: *const cn_polygon, translation_x_m: f32, translation_y_m: f32, filter: ?*const cn_query_filter, out: *cn_ray_hit) cn_result;
 /// Shapes whose AABBs, without margin, overlap a box, in the order of cn_world_get_shapes, a chain once. The
 /// first capacity (>= 0) are written; *out_count is the number found. filter may be NULL. O(log shapes) to
 /// O(boxes in the region).
-pub extern fn cn_world_overlap_aabb(world: ?*const cn_world, box: [*c]const cn_aabb, filter: [*c]const cn_query_filter, out: [*c]cn_shape, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_overlap_aabb(world: *const cn_world, box: *const cn_aabb, filter: ?*const cn_query_filter, out: ?[*]cn_shape, capacity: i32, out_count: *i32) cn_result;
 /// Shapes that exactly overlap a circle; order, capacity, filter and cost as in cn_world_overlap_aabb. Edges
 /// and chains are lines here, seen from both sides.
-pub extern fn cn_world_overlap_circle(world: ?*const cn_world, circle: [*c]const cn_circle, filter: [*c]const cn_query_filter, out: [*c]cn_shape, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_overlap_circle(world: *const cn_world, circle: *const cn_circle, filter: ?*const cn_query_filter, out: ?[*]cn_shape, capacity: i32, out_count: *i32) cn_result;
 /// Shapes that exactly overlap a polygon (as in cn_world_cast_shape); order, capacity, filter and cost as in
 /// cn_world_overlap_aabb. Edges and chains are lines here, seen from both sides.
-pub extern fn cn_world_overlap_polygon(world: ?*const cn_world, polygon: [*c]const cn_polygon, filter: [*c]const cn_query_filter, out: [*c]cn_shape, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_overlap_polygon(world: *const cn_world, polygon: *const cn_polygon, filter: ?*const cn_query_filter, out: ?[*]cn_shape, capacity: i32, out_count: *i32) cn_result;
 /// Shapes that contain a world point in metres; order, capacity, filter and cost as in cn_world_overlap_aabb.
 /// Edges and chains contain no point.
-pub extern fn cn_world_overlap_point(world: ?*const cn_world, x_m: f32, y_m: f32, filter: [*c]const cn_query_filter, out: [*c]cn_shape, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_world_overlap_point(world: *const cn_world, x_m: f32, y_m: f32, filter: ?*const cn_query_filter, out: ?[*]cn_shape, capacity: i32, out_count: *i32) cn_result;
 /// Shape nearest to a world point within distance_max_m (0 to 4e6 length units); the deepest if several
 /// contain the point. filter may be NULL. Cost grows with the shapes nearby, not with distance_max_m.
-pub extern fn cn_world_closest_point(world: ?*const cn_world, x_m: f32, y_m: f32, distance_max_m: f32, filter: [*c]const cn_query_filter, out: [*c]cn_closest) cn_result;
+pub extern fn cn_world_closest_point(world: *const cn_world, x_m: f32, y_m: f32, distance_max_m: f32, filter: ?*const cn_query_filter, out: *cn_closest) cn_result;
 /// Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their
 /// radii are apart, else by their Minkowski difference. Needs no world; runs in any thread. O(points).
-pub extern fn cn_polygon_distance(a: [*c]const cn_polygon, pose_a: [*c]const cn_pose, b: [*c]const cn_polygon, pose_b: [*c]const cn_pose, out: [*c]cn_distance) cn_result;
+pub extern fn cn_polygon_distance(a: *const cn_polygon, pose_a: *const cn_pose, b: *const cn_polygon, pose_b: *const cn_pose, out: *cn_distance) cn_result;
 /// Moves b by translation (at most 2e6 m each way) without turning: *out_hit is 1 if it hits a, else 0; *out
 /// as cn_ray_hit, without shape, body and child. Needs no world; runs in any thread. O(points).
-pub extern fn cn_polygon_cast(a: [*c]const cn_polygon, pose_a: [*c]const cn_pose, b: [*c]const cn_polygon, pose_b: [*c]const cn_pose, translation_x_m: f32, translation_y_m: f32, out: [*c]cn_ray_hit, out_hit: [*c]i32) cn_result;
+pub extern fn cn_polygon_cast(a: *const cn_polygon, pose_a: *const cn_pose, b: *const cn_polygon, pose_b: *const cn_pose, translation_x_m: f32, translation_y_m: f32, out: *cn_ray_hit, out_hit: *i32) cn_result;
 /// Contact of two shapes as in a step, with impulses 0: no points if they are farther apart than margin_m (0
 /// to 1e6). A single point of radius 0 gives CN_ERROR_ARGUMENT. Needs no world; runs in any thread.
 /// O(points).
-pub extern fn cn_polygon_collide(a: [*c]const cn_polygon, pose_a: [*c]const cn_pose, b: [*c]const cn_polygon, pose_b: [*c]const cn_pose, margin_m: f32, out: [*c]cn_manifold) cn_result;
+pub extern fn cn_polygon_collide(a: *const cn_polygon, pose_a: *const cn_pose, b: *const cn_polygon, pose_b: *const cn_pose, margin_m: f32, out: *cn_manifold) cn_result;
 /// First time at which two moving and turning shapes come within distance_m (0 to 1e6); fraction 0 if they
 /// start closer. Conservative advancement (Mirtich, 1996) along fixed axes (Catto, GDC 2013) never misses a
 /// hit. Needs no world; runs in any thread.
-pub extern fn cn_polygon_time_of_impact(a: [*c]const cn_polygon, sweep_a: [*c]const cn_sweep, b: [*c]const cn_polygon, sweep_b: [*c]const cn_sweep, distance_m: f32, out: [*c]cn_impact) cn_result;
+pub extern fn cn_polygon_time_of_impact(a: *const cn_polygon, sweep_a: *const cn_sweep, b: *const cn_polygon, sweep_b: *const cn_sweep, distance_m: f32, out: *cn_impact) cn_result;
 /// Collision planes of all shapes within margin_m (0 to 1e6) of a polygon (as in cn_world_cast_shape) moved
 /// by position, from the same manifolds as in a step, rigid. Writes at most capacity, those of least
 /// separation first; *out_count is their number. Sensors have no planes. With CN_QUERY_ONE_WAY a one-way
 /// shape has a plane only on its upper side, and only for an overlap of at most 0.5% of the length unit plus
 /// its rise in the last step. Shapes wholly behind the plane of another shape are left out, so that seams of
 /// tiles do not catch (not if capacity is too small for all). O(shapes nearby, squared).
-pub extern fn cn_mover_collide(world: ?*const cn_world, shape: [*c]const cn_polygon, position_x_m: f32, position_y_m: f32, margin_m: f32, filter: [*c]const cn_query_filter, out: [*c]cn_plane, capacity: i32, out_count: [*c]i32) cn_result;
+pub extern fn cn_mover_collide(world: *const cn_world, shape: *const cn_polygon, position_x_m: f32, position_y_m: f32, margin_m: f32, filter: ?*const cn_query_filter, out: ?[*]cn_plane, capacity: i32, out_count: *i32) cn_result;
 /// The translation nearest to a wanted one that count (0 to CN_PLANES_MAX) planes permit; exact, as in two
 /// dimensions at most two planes hold it. A plane pushes by at most push_max_m; Hildreth's method (1957)
 /// finds the planes at their limit. Sets push_m. If the surfaces leave no room, the result has the least sum
 /// of squared overlaps (Cimmino, 1938); *out_overlap_m is the deepest remaining overlap of planes below their
 /// limit, else 0 up to rounding. Needs no world. O(count^2), O(count^3) where two planes hold it.
-pub extern fn cn_mover_solve(planes: [*c]cn_plane, count: i32, translation_x_m: f32, translation_y_m: f32, out_translation_m: [*c]cn_vec2, out_overlap_m: [*c]f32) cn_result;
+pub extern fn cn_mover_solve(planes: [*]cn_plane, count: i32, translation_x_m: f32, translation_y_m: f32, out_translation_m: *cn_vec2, out_overlap_m: *f32) cn_result;
 /// The velocity nearest to a given one (m/s) that leads into none of the planes that pushed in the last
 /// cn_mover_solve. Needs no world. O(count^2).
-pub extern fn cn_mover_clip(planes: [*c]const cn_plane, count: i32, velocity_x_mps: f32, velocity_y_mps: f32, out_mps: [*c]cn_vec2) cn_result;
+pub extern fn cn_mover_clip(planes: [*]const cn_plane, count: i32, velocity_x_mps: f32, velocity_y_mps: f32, out_mps: *cn_vec2) cn_result;
 /// Sets struct_size and the defaults given beside the fields. NULL does nothing.
-pub extern fn cn_mover_def_init(def: [*c]cn_mover_def) void;
+pub extern fn cn_mover_def_init(def: ?*cn_mover_def) void;
 /// Moves a character by dt_s (0 < dt_s <= 1). Call it after each cn_world_step, else it lags one step behind
 /// the ground that carries it. 1. carried   by the motion of its ground since the last move: of the point of
 /// ground_body under it, and of conveyors 2. walking   on the ground: velocity_mps across up, along the
@@ -2289,39 +2327,39 @@ pub extern fn cn_mover_def_init(def: [*c]cn_mover_def) void;
 /// world, def and mover alone: equal calls give equal bits. The loop of planes, solver and cast is that of
 /// Box2D 3's sample of a character mover (Catto, 2025). Pushed bodies wake; nothing else in the world
 /// changes. O(shapes nearby x iterations_max): about 1 us standing, 3 us walking, 10 us against a wall.
-pub extern fn cn_mover_move(world: ?*cn_world, def: [*c]const cn_mover_def, dt_s: f32, mover: [*c]cn_mover) cn_result;
+pub extern fn cn_mover_move(world: *cn_world, def: *const cn_mover_def, dt_s: f32, mover: *cn_mover) cn_result;
 /// Sets struct_size and the defaults given beside the fields. NULL does nothing.
-pub extern fn cn_explosion_def_init(def: [*c]cn_explosion_def) void;
+pub extern fn cn_explosion_def_init(def: ?*cn_explosion_def) void;
 /// Pushes dynamic bodies away from the centre, each shape at its point nearest to the centre, and wakes them.
 /// CN_ERROR_ARGUMENT if a velocity would overflow. O(shapes in reach * log of that).
-pub extern fn cn_world_explode(world: ?*cn_world, def: [*c]const cn_explosion_def) cn_result;
+pub extern fn cn_world_explode(world: *cn_world, def: *const cn_explosion_def) cn_result;
 /// Sets struct_size and the defaults given beside the fields, every function to NULL. NULL does nothing.
-pub extern fn cn_debug_draw_init(draw: [*c]cn_debug_draw) void;
+pub extern fn cn_debug_draw_init(draw: ?*cn_debug_draw) void;
 /// Draws the world through the given functions, in the calling thread. Reads only. O(bodies + shapes +
 /// contacts + joints).
-pub extern fn cn_world_draw(world: ?*const cn_world, draw: [*c]const cn_debug_draw) cn_result;
+pub extern fn cn_world_draw(world: *const cn_world, draw: *const cn_debug_draw) cn_result;
 /// Creates a dynamic AABB tree; margin_m >= 0 is added around every box. alloc and free: both NULL for
 /// malloc, or both set.
-pub extern fn cn_tree_create(margin_m: f32, alloc: ?*const cn_alloc_fn, free: ?*const cn_free_fn, allocator_user: ?*anyopaque, out_tree: [*c]?*cn_tree) cn_result;
+pub extern fn cn_tree_create(margin_m: f32, alloc: ?*const cn_alloc_fn, free: ?*const cn_free_fn, allocator_user: ?*anyopaque, out_tree: *?*cn_tree) cn_result;
 /// Destroys a tree. NULL does nothing.
 pub extern fn cn_tree_destroy(tree: ?*cn_tree) void;
 /// Inserts a finite box with lower_m <= upper_m; *out_item, its handle, is never 0. O(log n).
-pub extern fn cn_tree_insert(tree: ?*cn_tree, box: [*c]const cn_aabb, user_data: u64, out_item: [*c]u32) cn_result;
+pub extern fn cn_tree_insert(tree: *cn_tree, box: *const cn_aabb, user_data: u64, out_item: *u32) cn_result;
 /// Removes an item. CN_ERROR_HANDLE for a stale one. O(log n).
-pub extern fn cn_tree_remove(tree: ?*cn_tree, item: u32) cn_result;
+pub extern fn cn_tree_remove(tree: *cn_tree, item: u32) cn_result;
 /// Gives an item a new box. Nothing changes while it lies within the item's box with margin; else O(log n).
 /// CN_ERROR_HANDLE for a stale item.
-pub extern fn cn_tree_move(tree: ?*cn_tree, item: u32, box: [*c]const cn_aabb) cn_result;
+pub extern fn cn_tree_move(tree: *cn_tree, item: u32, box: *const cn_aabb) cn_result;
 /// Reads the item's box with its margin. CN_ERROR_HANDLE for a stale item.
-pub extern fn cn_tree_get_box(tree: ?*const cn_tree, item: u32, out: [*c]cn_aabb) cn_result;
+pub extern fn cn_tree_get_box(tree: *const cn_tree, item: u32, out: *cn_aabb) cn_result;
 /// Calls visit for every item whose box with margin overlaps box, until visit returns 0. visit must not
 /// change the tree. O(log n + items visited).
-pub extern fn cn_tree_query(tree: ?*const cn_tree, box: [*c]const cn_aabb, visit: ?*const cn_tree_query_fn, user: ?*anyopaque) cn_result;
+pub extern fn cn_tree_query(tree: *const cn_tree, box: *const cn_aabb, visit: *const cn_tree_query_fn, user: ?*anyopaque) cn_result;
 /// Calls visit for items whose box with margin a ray crosses; visit shortens or stops the ray by its result
 /// and must not change the tree. O(log n + items visited).
-pub extern fn cn_tree_cast_ray(tree: ?*const cn_tree, ray: [*c]const cn_ray, visit: ?*const cn_tree_ray_fn, user: ?*anyopaque) cn_result;
+pub extern fn cn_tree_cast_ray(tree: *const cn_tree, ray: *const cn_ray, visit: *const cn_tree_ray_fn, user: ?*anyopaque) cn_result;
 /// Reads the number of items and the height of the tree.
-pub extern fn cn_tree_get_stats(tree: ?*const cn_tree, out_count: [*c]i32, out_height: [*c]i32) cn_result;
+pub extern fn cn_tree_get_stats(tree: *const cn_tree, out_count: *i32, out_height: *i32) cn_result;
 
 /// A library of another version would read other structs: call this once before anything else.
 pub fn check() error{WrongLibrary}!void {

@@ -7,7 +7,7 @@ var world: ?*cn.cn_world = null;
 
 fn check(result: cn.cn_result) !void {
     if (result == cn.CN_OK) return;
-    std.debug.print("{s}\n", .{std.mem.span(cn.cn_world_error_text(world))});
+    std.debug.print("{s}\n", .{cn.cn_world_error_text(world)});
     return error.Cairn;
 }
 
@@ -18,10 +18,10 @@ fn addBox(kind: i32, x: f32, y: f32, half_width: f32, half_height: f32) !cn.cn_b
     cn.cn_body_def_init(&body_def);
     body_def.type = kind;
     body_def.position_m = .{ .x = x, .y = y };
-    try check(cn.cn_body_create(world, &body_def, &body));
+    try check(cn.cn_body_create(world.?, &body_def, &body));
     cn.cn_shape_def_init(&shape_def);
     shape_def.body = body;
-    try check(cn.cn_shape_create_box(world, &shape_def, half_width, half_height, 0, null));
+    try check(cn.cn_shape_create_box(world.?, &shape_def, half_width, half_height, 0, null));
     return body;
 }
 
@@ -35,8 +35,8 @@ pub fn main() !void {
     var poses: [8]cn.cn_pose = undefined;
     for (&boxes, 0..) |*box, i| box.* = try addBox(cn.CN_BODY_DYNAMIC, 5 + 0.25 * @as(f32, @floatFromInt(i)), 2 + 1.5 * @as(f32, @floatFromInt(i)), 0.5, 0.5);
     for (1..121) |frame| {
-        try check(cn.cn_world_step(world, 1.0 / 60.0));
-        try check(cn.cn_world_read_poses(world, &boxes, boxes.len, &poses));
+        try check(cn.cn_world_step(world.?, 1.0 / 60.0));
+        try check(cn.cn_world_read_poses(world.?, &boxes, boxes.len, &poses));
         if (frame % 15 != 0) continue;
         std.debug.print("{d:.2} s:", .{@as(f32, @floatFromInt(frame)) / 60.0});
         for (poses) |pose| std.debug.print(" ({d:.2}, {d:.2})", .{ pose.position_m.x, pose.position_m.y });

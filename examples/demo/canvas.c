@@ -5,6 +5,7 @@
 #include "demo/canvas.h"
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 typedef struct primitive {
 	int32_t count; /* 1: disc, 2: capsule, more: polygon */
@@ -27,14 +28,24 @@ void canvas_close(canvas *c)
 	c->rgb = NULL;
 }
 
-void canvas_clear(canvas *c, canvas_color color)
+void canvas_rect(canvas *c, int32_t x, int32_t y, int32_t width, int32_t height, canvas_color color)
 {
-	for (int32_t i = 0; i < c->width * c->height; ++i) {
-		c->rgb[3 * i] = (uint8_t)(color >> 16);
-		c->rgb[3 * i + 1] = (uint8_t)(color >> 8);
-		c->rgb[3 * i + 2] = (uint8_t)color;
+	int32_t x0 = x < 0 ? 0 : x, x1 = x + width < c->width ? x + width : c->width;
+	int32_t y0 = y < 0 ? 0 : y, y1 = y + height < c->height ? y + height : c->height;
+	if (x0 >= x1 || y0 >= y1)
+		return;
+	const size_t row_bytes = 3 * (size_t)c->width;
+	uint8_t *first = c->rgb + row_bytes * (size_t)y0 + 3 * (size_t)x0;
+	for (int32_t i = 0; i < x1 - x0; ++i) {
+		first[3 * i] = (uint8_t)(color >> 16);
+		first[3 * i + 1] = (uint8_t)(color >> 8);
+		first[3 * i + 2] = (uint8_t)color;
 	}
+	for (int32_t row = y0 + 1; row < y1; ++row)
+		memcpy(first + row_bytes * (size_t)(row - y0), first, 3 * (size_t)(x1 - x0));
 }
+
+void canvas_clear(canvas *c, canvas_color color) { canvas_rect(c, 0, 0, c->width, c->height, color); }
 
 /* ------------------------------------------------------------------ distance */
 

@@ -29,6 +29,8 @@ typedef struct canvas {
 int32_t canvas_open(canvas *c, int32_t width, int32_t height);
 void canvas_close(canvas *c);
 void canvas_clear(canvas *c, canvas_color color);
+/* Whole pixels, y down; what lies outside is left out. */
+void canvas_rect(canvas *c, int32_t x, int32_t y, int32_t width, int32_t height, canvas_color color);
 /* outline_px is the width of a border of outline color inside of the shape, 0 for none. */
 void canvas_disc(canvas *c, canvas_point center, float radius, canvas_color fill, canvas_color outline, float outline_px);
 /* A segment with round ends. */

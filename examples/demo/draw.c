@@ -6,7 +6,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-const canvas_color draw_colors[DRAW_COLORS] = {0xfaf9f5, 0x2d3138, 0xa4a9b0, 0xdfe1e3, 0xa67fd0, 0xf2a33c, 0x8fb4dc, 0xd6263b, 0x1d8a5a, 0x1f66c7, 0xb0459b};
+const canvas_color draw_colors[DRAW_COLORS] = {0xfaf9f5, 0x2d3138, 0xa4a9b0, 0xdfe1e3, 0xa67fd0, 0xf2a33c, 0x8fb4dc, 0xd6263b, 0x1d8a5a, 0x1f66c7, 0xb0459b,
+	0xf4b04f, 0x5b9bd5, 0x7cb66b, 0xe2725b, 0xf0cf65, 0x9a86c8, 0x57b5ae, 0xd987a9};
 
 draw_view draw_fit(const canvas *c, const cn_aabb *box_m)
 {
@@ -32,17 +33,37 @@ static canvas_point local_to_picture(const painter *p, cn_vec2 local_m)
 	return draw_to_picture(p, world_m);
 }
 
-static canvas_color body_color(const cn_world *world, cn_body body)
+/* Half of a colour and half of the background. */
+static canvas_color pale(canvas_color color) { return ((color & 0xFEFEFEu) >> 1) + ((draw_colors[DRAW_BACKGROUND] & 0xFEFEFEu) >> 1); }
+
+/* Neighbouring numbers get different colours. */
+static canvas_color color_of(uint32_t number) { return draw_colors[DRAW_BODY + (number * 2654435761u >> 29)]; }
+
+static canvas_color dynamic_color(const painter *p, cn_body body, int32_t awake)
+{
+	static const canvas_color tiers[3] = {0xf2a33c, 0x1f66c7, 0xdfe1e3}; /* soft, direct, free */
+	if (p->groups != NULL) {
+		int32_t group = p->groups[DRAW_SLOT(body)];
+		if (group < 0)
+			return draw_colors[DRAW_SOLID_SIDE];
+		return p->show & DRAW_SHOW_TIERS ? tiers[group % 3] : color_of((uint32_t)group);
+	}
+	if (p->show & DRAW_SHOW_BODIES)
+		return awake ? color_of(DRAW_SLOT(body)) : pale(color_of(DRAW_SLOT(body)));
+	return draw_colors[awake ? DRAW_AWAKE : DRAW_ASLEEP];
+}
+
+static canvas_color body_color(const painter *p, cn_body body)
 {
 	int32_t type = CN_BODY_STATIC;
 	uint32_t flags = 0;
-	cn_body_get_type(world, body, &type);
-	cn_body_get_flags(world, body, &flags);
+	cn_body_get_type(p->world, body, &type);
+	cn_body_get_flags(p->world, body, &flags);
 	if (type == CN_BODY_STATIC)
 		return draw_colors[DRAW_STATIC];
 	if (type == CN_BODY_KINEMATIC)
 		return draw_colors[DRAW_KINEMATIC];
-	return draw_colors[flags & CN_BODY_AWAKE ? DRAW_AWAKE : DRAW_ASLEEP];
+	return dynamic_color(p, body, (flags & CN_BODY_AWAKE) != 0);
 }
 
 /* ------------------------------------------------------------------ shapes */
@@ -153,6 +174,18 @@ static void draw_one_way(painter *p, cn_shape shape)
 	canvas_line(p->c, points[3], points[1], 1.2f, draw_colors[DRAW_LIMIT]);
 }
 
+static void draw_box(painter *p, cn_shape shape)
+{
+	cn_aabb box;
+	if (cn_shape_get_aabb(p->world, shape, &box) != CN_OK)
+		return;
+	for (int32_t i = 0; i < 4; ++i) {
+		cn_vec2 a = {i == 0 || i == 3 ? box.lower_m.x : box.upper_m.x, i < 2 ? box.lower_m.y : box.upper_m.y};
+		cn_vec2 b = {i < 2 ? box.upper_m.x : box.lower_m.x, i == 1 || i == 2 ? box.upper_m.y : box.lower_m.y};
+		canvas_line(p->c, draw_to_picture(p, a), draw_to_picture(p, b), 0.8f, draw_colors[DRAW_LIMIT]);
+	}
+}
+
 static int32_t draw_shape(painter *p, cn_shape shape)
 {
 	int32_t type = -1;
@@ -181,11 +214,13 @@ static int32_t draw_attached(painter *p, cn_shape shape, int32_t sensors)
 	if (((flags & CN_SHAPE_SENSOR) != 0) != sensors)
 		return 1;
 	cn_body_get_pose(p->world, body, &p->pose);
-	p->fill = sensors ? draw_colors[DRAW_BACKGROUND] : body_color(p->world, body);
+	p->fill = sensors ? draw_colors[DRAW_BACKGROUND] : body_color(p, body);
 	p->outline = draw_colors[sensors ? DRAW_SENSOR : DRAW_OUTLINE];
 	int32_t good = draw_shape(p, shape);
 	if (flags & CN_SHAPE_ONE_WAY)
 		draw_one_way(p, shape);
+	if (p->show & DRAW_SHOW_BOXES)
+		draw_box(p, shape);
 	return good;
 }
 
@@ -259,12 +294,17 @@ static int32_t draw_contacts(painter *p)
 	return good;
 }
 
-int32_t draw_world(canvas *c, const draw_view *view, const cn_world *world)
+int32_t draw_world(canvas *c, const draw_view *view, const cn_world *world, uint32_t show)
 {
 	painter p = {0};
 	p.c = c;
 	p.view = view;
 	p.world = world;
+	p.show = show;
 	canvas_clear(c, draw_colors[DRAW_BACKGROUND]);
-	return draw_shapes(&p) && draw_joints(&p) && draw_constraints(&p) && draw_contacts(&p);
+	int32_t good = !(show & (DRAW_SHOW_ISLANDS | DRAW_SHOW_TIERS)) || draw_find_groups(&p);
+	good = good && draw_shapes(&p) && (!(show & DRAW_SHOW_JOINTS) || (draw_joints(&p) && draw_constraints(&p))) &&
+		   (!(show & DRAW_SHOW_CONTACTS) || draw_contacts(&p));
+	free(p.groups);
+	return good;
 }

@@ -8,46 +8,50 @@
 #include <stdio.h>
 
 static const char *const style =
-	"body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;max-width:1040px;padding:0 1rem;color:#2d3138;background:#fff}"
-	"h1{margin-bottom:.2rem}section{margin:2rem 0;border-top:1px solid #dfe1e3;padding-top:1rem}"
-	"img{border:1px solid #dfe1e3;max-width:100%;height:auto}.row{display:flex;flex-wrap:wrap;gap:1.2rem}"
-	"td,th{text-align:left;padding:.1rem .8rem .1rem 0}td+td{font-variant-numeric:tabular-nums}"
+	"body{font:15px/1.45 system-ui,sans-serif;margin:2rem auto;max-width:960px;padding:0 1rem;color:#2d3138;background:#fff}"
+	"h1{margin-bottom:.2rem}h2{margin:.2rem 0 .6rem}section{margin:2.5rem 0;border-top:1px solid #dfe1e3;padding-top:1rem}"
+	"img{border:1px solid #dfe1e3;max-width:100%;height:auto;display:block}"
+	"dl{display:grid;grid-template-columns:repeat(auto-fill,minmax(220px,1fr));gap:.1rem 1.2rem;margin:.6rem 0;font-size:14px}"
+	"div{display:flex;justify-content:space-between;border-bottom:1px solid #f0f0ee}"
+	"dt{color:#6a7078}dd{margin:0;white-space:nowrap;font-variant-numeric:tabular-nums}"
 	"i{display:inline-block;width:1em;height:1em;margin:0 .35em 0 1em;vertical-align:-.12em;border:1px solid #2d3138}code{font-size:13px}";
 
 static void write_legend(FILE *f)
 {
-	static const struct { int32_t color; const char *text; } legend[] = {{DRAW_STATIC, "static"}, {DRAW_KINEMATIC, "kinematic"},
-		{DRAW_AWAKE, "awake"}, {DRAW_ASLEEP, "asleep"}, {DRAW_CONTACT, "contact and its normal"}, {DRAW_JOINT, "joint"}};
-	fputs("<p>", f);
+	static const struct { int32_t color; const char *text; } legend[] = {{DRAW_STATIC, "static"}, {DRAW_KINEMATIC, "kinematic"}};
+	fputs("<p>A colour for each body, paler asleep;", f);
 	for (size_t i = 0; i < sizeof legend / sizeof legend[0]; ++i)
 		fprintf(f, "<i style=\"background:#%06" PRIx32 "\"></i>%s", draw_colors[legend[i].color], legend[i].text);
-	fputs("</p>\n", f);
+	fputs("</p>\n<p><b>Overlap at rest</b>: how deep bodies slower than 2 cm/s at the end are in each other; the error of a pile. "
+		  "<b>Worst overlap in motion</b>: the deepest of the whole run, also of bodies that hit each other at that moment. "
+		  "<b>Largest joint error</b>: the widest gap of a joint in the whole run.</p>\n", f);
 }
 
 static void write_row(FILE *f, const char *what, const char *format, double value)
 {
-	fprintf(f, "<tr><td>%s<td>", what);
+	fprintf(f, "<div><dt>%s</dt><dd>", what);
 	fprintf(f, format, value);
-	fputs("\n", f);
+	fputs("</dd></div>\n", f);
 }
 
 static void write_scene(FILE *f, const demo_figures *d)
 {
-	fprintf(f, "<section id=\"%s\"><h2>%s</h2>\n<div class=\"row\">\n", d->name, d->title);
-	fprintf(f, "<a href=\"%s.png\"><img src=\"%s.gif\" width=\"%" PRId32 "\" height=\"%" PRId32 "\" loading=\"lazy\" alt=\"%s\"></a>\n", d->name, d->name,
-		d->width, d->height, d->title);
-	fputs("<table>\n", f);
+	fprintf(f, "<section id=\"%s\"><h2>%s</h2>\n", d->name, d->title);
+	fprintf(f, "<a href=\"%s.png\"><img src=\"%s.gif\" width=\"%" PRId32 "\" height=\"%" PRId32 "\" loading=\"lazy\" alt=\"%s\"></a>\n",
+		d->name, d->name, d->width, d->height, d->title);
+	fputs("<dl>\n", f);
 	write_row(f, "bodies", "%.0f", (double)d->bodies);
-	write_row(f, "asleep at the end", "%.0f", (double)d->asleep);
-	write_row(f, "contacts at the end", "%.0f", (double)d->contacts);
 	write_row(f, "joints", "%.0f", (double)d->joints);
-	write_row(f, "steps of 1/60 s", "%.0f", (double)d->steps);
-	write_row(f, "ms a step, least", "%.3f", d->ms_min);
-	write_row(f, "ms a step, median", "%.3f", d->ms_median);
-	write_row(f, "ms a step, 99 of 100 below", "%.3f", d->ms_p99);
-	write_row(f, "deepest penetration, mm", "%.2f", 1000.0 * (double)d->penetration_m);
-	write_row(f, "largest joint error, mm", "%.2f", 1000.0 * (double)d->joint_error_m);
-	fprintf(f, "<tr><td>state hash<td><code>%016" PRIx64 "</code>\n</table></div></section>\n", d->hash);
+	write_row(f, "contacts at the end", "%.0f", (double)d->contacts);
+	write_row(f, "asleep at the end", "%.0f", (double)d->asleep);
+	write_row(f, "step, median", "%.3f ms", d->ms_median);
+	write_row(f, "99 of 100 steps below", "%.3f ms", d->ms_p99);
+	if (d->rest_points > 0)
+		write_row(f, "overlap at rest", "%.3f mm", 1000.0 * (double)d->rest_overlap_m);
+	write_row(f, "worst overlap in motion", "%.1f mm", 1000.0 * (double)d->motion_overlap_m);
+	if (d->joints > 0)
+		write_row(f, "largest joint error", "%.2f mm", 1000.0 * (double)d->joint_error_m);
+	fprintf(f, "<div><dt>hash</dt><dd><code>%016" PRIx64 "</code></dd></div>\n</dl></section>\n", d->hash);
 }
 
 int32_t page_write(const char *folder, const demo_figures *figures, int32_t count)
@@ -59,7 +63,8 @@ int32_t page_write(const char *folder, const demo_figures *figures, int32_t coun
 		return 0;
 	fprintf(f, "<!doctype html><html lang=\"en\"><meta charset=\"utf-8\"><meta name=\"viewport\" content=\"width=device-width\">"
 			   "<title>Cairn demo</title><style>%s</style>\n<h1>Cairn demo</h1>\n"
-			   "<p>Every picture was drawn by this run. Click one for a still of its last frame at twice the size.</p>\n",
+			   "<p>Every picture was drawn by this run. Click one for a larger still of its last frame; <code>make testbed-web</code> lets you play "
+			   "with all of them.</p>\n",
 		style);
 	write_legend(f);
 	for (int32_t i = 0; i < count; ++i)

@@ -14,7 +14,9 @@ typedef struct demo_figures {
 	int32_t bodies, joints, asleep;
 	int32_t contacts;      /* touching, at the end */
 	double ms_min, ms_median, ms_p99;
-	float penetration_m, joint_error_m;
+	float rest_overlap_m;  /* deepest overlap at the end of bodies at rest */
+	int32_t rest_points;   /* contact points of such bodies; 0: nothing rests */
+	float motion_overlap_m, joint_error_m; /* largest of the whole run */
 	uint64_t hash;
 	long gif_bytes;
 } demo_figures;

@@ -27,14 +27,17 @@ static int32_t is_dynamic(const cn_world *world, cn_body body)
 
 /* ------------------------------------------------------------------ errors */
 
-static void measure_contacts(measure_worst *worst, const cn_contact_event *contacts, int32_t count)
+static int32_t measure_contacts(measure_worst *worst, const cn_contact_event *contacts, int32_t count)
 {
+	int32_t points = 0;
 	for (int32_t i = 0; i < count; ++i) {
 		for (int32_t k = 0; k < contacts[i].manifold.point_count; ++k) {
 			float depth = -contacts[i].manifold.points[k].separation_m;
 			worst->penetration_m = depth > worst->penetration_m ? depth : worst->penetration_m;
 		}
+		points += contacts[i].manifold.point_count;
 	}
+	return points;
 }
 
 typedef struct contact_list {
@@ -54,8 +57,9 @@ static int32_t grow_contacts(contact_list *list, int32_t count)
 	return 1;
 }
 
-/* Every contact touches a dynamic body, so the others' lists need no look. */
-static void measure_penetration(measure_worst *worst, const cn_world *world)
+/* Every contact touches a dynamic body, so the others' lists need no look. keep: NULL, or the contacts that count. */
+typedef int32_t keep_fn(cn_contact_event *contacts, int32_t count, const cn_world *world, float speed_mps);
+static void measure_penetration(measure_worst *worst, const cn_world *world, keep_fn *keep, float speed_mps)
 {
 	contact_list list = {NULL, 0};
 	int32_t body_count, count = 0;
@@ -73,7 +77,9 @@ static void measure_penetration(measure_worst *worst, const cn_world *world)
 			break;
 		}
 		cn_body_get_contacts(world, bodies[i], list.items, list.capacity, &count);
-		measure_contacts(worst, list.items, count);
+		if (keep != NULL)
+			count = keep(list.items, count, world, speed_mps);
+		worst->points += measure_contacts(worst, list.items, count);
 	}
 	free(list.items);
 	free(bodies);
@@ -100,8 +106,34 @@ static void measure_joints(measure_worst *worst, const cn_world *world)
 
 void measure_errors(measure_worst *worst, const cn_world *world)
 {
-	measure_penetration(worst, world);
+	measure_penetration(worst, world, NULL, 0.0f);
 	measure_joints(worst, world);
+}
+
+static int32_t is_slow(const cn_world *world, cn_body body, float speed_mps)
+{
+	cn_velocity v = {{0.0f, 0.0f}, 0.0f};
+	cn_body_get_velocity(world, body, &v);
+	return hypotf(v.linear_mps.x, v.linear_mps.y) < speed_mps && fabsf(v.angular_radps) < speed_mps;
+}
+
+/* Moves the contacts between slow bodies to the front; their number. */
+static int32_t keep_slow(cn_contact_event *contacts, int32_t count, const cn_world *world, float speed_mps)
+{
+	int32_t kept = 0;
+	for (int32_t i = 0; i < count; ++i) {
+		if (is_slow(world, contacts[i].body_a, speed_mps) && is_slow(world, contacts[i].body_b, speed_mps))
+			contacts[kept++] = contacts[i];
+	}
+	return kept;
+}
+
+float measure_rest_overlap(const cn_world *world, float speed_mps, int32_t *out_count)
+{
+	measure_worst worst = {0};
+	measure_penetration(&worst, world, keep_slow, speed_mps);
+	*out_count = worst.failed ? 0 : worst.points;
+	return worst.penetration_m;
 }
 
 /* ------------------------------------------------------------------ places */

@@ -24,9 +24,14 @@ typedef struct measure_worst {
 	float joint_m;        /* distance of anchors */
 	float joint_rad;      /* angle beyond a limit */
 	int32_t failed;       /* no memory for a list: the values are too small */
+	int32_t points;       /* contact points seen, those between two dynamic bodies twice */
 } measure_worst;
 /* O(bodies + contacts + joints). */
 void measure_errors(measure_worst *worst, const cn_world *world);
+
+/* Deepest overlap at present of bodies that are slower than a speed; *out_count is the number of contact points between such bodies.
+   0 of no points when there is no memory. O(bodies + contacts). */
+float measure_rest_overlap(const cn_world *world, float speed_mps, int32_t *out_count);
 
 typedef struct measure_start {
 	cn_body *bodies;  /* those that were there at measure_start_open; not owned by the world */

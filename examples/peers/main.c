@@ -59,6 +59,10 @@ typedef struct result {
 	measure_times times;  /* of one round */
 	double mean_ms;       /* smallest of all rounds */
 	double median_ms;
+	double p99_ms;        /* of the slow steps; the first step is not among them */
+	double max_ms;
+	double first_ms;
+	double step_ms;       /* the first step of the last round */
 	peer_errors errors;
 	uint64_t hash;
 	int32_t bodies;
@@ -134,6 +138,8 @@ static void run_steps(peer_world *world, int32_t steps, double cost, double limi
 		double seconds = clock_seconds() - start - cost;
 		if (i > 0)
 			measure_times_add(&out->times, fmax(seconds, 0.0));
+		else
+			out->step_ms = 1000.0 * seconds;
 		if (world->judge != NULL && !out->errors.broken && is_sample(i + 1, steps))
 			peer_world_measure(world, 1, &out->errors);
 		run_ms += 1000.0 * seconds;
@@ -186,6 +192,8 @@ static int32_t count_dynamic(const peer_world *world)
 	return count;
 }
 
+static double least_of(int32_t round, double least, double value) { return round == 0 ? value : fmin(least, value); }
+
 static void run_round(const options *o, const peer_engine *engine, const peer_scene *scene, int32_t round, int32_t steps, double cost, double limit_ms, result *out)
 {
 	peer_world world;
@@ -202,9 +210,11 @@ static void run_round(const options *o, const peer_engine *engine, const peer_sc
 	uint64_t hash = peer_world_hash(&world);
 	double mean = mean_of(&out->times);
 	measure_times_sort(&out->times);
-	double median = measure_times_at(&out->times, 0.5);
-	out->mean_ms = round == 0 ? mean : fmin(out->mean_ms, mean);
-	out->median_ms = round == 0 ? median : fmin(out->median_ms, median);
+	out->mean_ms = least_of(round, out->mean_ms, mean);
+	out->median_ms = least_of(round, out->median_ms, measure_times_at(&out->times, 0.5));
+	out->p99_ms = least_of(round, out->p99_ms, measure_times_at(&out->times, 0.99));
+	out->max_ms = least_of(round, out->max_ms, measure_times_at(&out->times, 1.0));
+	out->first_ms = least_of(round, out->first_ms, out->step_ms);
 	out->differs |= round > 0 && hash != out->hash;
 	out->hash = hash;
 	out->bodies = count_dynamic(&world);
@@ -233,17 +243,17 @@ static const char *verdict_of(const result *r, const peer_scene *scene)
 
 static void print_header(void)
 {
-	printf("build,scene,engine,bodies,steps,rounds,ms_mean,ms_median,displacement_m,joint_gap_m,penetration_m,bodies_lost,hash,verdict\n");
+	printf("build,scene,engine,bodies,steps,rounds,ms_mean,ms_median,ms_p99,ms_max,ms_first,displacement_m,joint_gap_m,penetration_m,bodies_lost,hash,verdict\n");
 }
 
 static void print_row(const options *o, const peer_scene *scene, const peer_engine *engine, const result *r)
 {
 	printf("%s,%s,%s,%" PRId32 ",%" PRId32 ",%" PRId32 ",", o->label, scene->name, engine->name, r->bodies, steps_of(scene, o->quick), o->rounds);
 	if (r->not_run) {
-		printf(",,,,,,,%s\n", verdict_of(r, scene));
+		printf(",,,,,,,,,,%s\n", verdict_of(r, scene));
 		return;
 	}
-	printf("%.5f,%.5f,", r->mean_ms, r->median_ms);
+	printf("%.5f,%.5f,%.5f,%.5f,%.5f,", r->mean_ms, r->median_ms, r->p99_ms, r->max_ms, r->first_ms);
 	if (scene->flags & PEER_SCENE_STANDS)
 		printf("%.5f", r->errors.displacement);
 	printf(",%.5f,%.5f,%" PRId32 ",%016" PRIx64 ",%s\n", r->errors.joint, r->errors.penetration, r->errors.lost, r->hash, verdict_of(r, scene));

@@ -15,11 +15,11 @@
 #include <string.h>
 
 #define ROWS_MAX 512
-#define FIELDS 14
+#define FIELDS 17
 #define BASE "Box2D 3.2"
 #define OURS "Cairn"
 
-enum { BUILD, SCENE, ENGINE, BODIES, STEPS, ROUNDS, MEAN, MEDIAN, DISPLACEMENT, JOINT, PENETRATION, LOST, HASH, VERDICT };
+enum { BUILD, SCENE, ENGINE, BODIES, STEPS, ROUNDS, MEAN, MEDIAN, P99, MAXIMUM, FIRST, DISPLACEMENT, JOINT, PENETRATION, LOST, HASH, VERDICT };
 
 typedef struct row {
 	char text[400];
@@ -151,10 +151,10 @@ static void write_row(FILE *out, const row *r)
 	const row *base = other(r, BASE);
 	fprintf(out, "| %s | %s | %s |", r->field[SCENE], r->field[BUILD], r->field[ENGINE]);
 	if (!has_run(r)) {
-		fprintf(out, " | | | | | | | not run |\n");
+		fprintf(out, " | | | | | | | | | | not run |\n");
 		return;
 	}
-	fprintf(out, " %.4f | %.4f |", number(r, MEAN), number(r, MEDIAN));
+	fprintf(out, " %.4f | %.4f | %.4f | %.4f | %.4f |", number(r, MEAN), number(r, MEDIAN), number(r, P99), number(r, MAXIMUM), number(r, FIRST));
 	if (base != NULL && is_good(base) && is_good(r))
 		fprintf(out, " %.2f |", number(base, MEAN) / number(r, MEAN));
 	else
@@ -172,8 +172,8 @@ static void write_markdown(FILE *out, int32_t quick)
 		fprintf(out, "**Quick run: a quarter of the steps, fewer rounds. Neither times nor errors are those of a whole run.**\n\n");
 	fprintf(out, "%s, least of %s rounds; the ratio is %s's time over the row's\n", data.clock, data.rows[0].field[ROUNDS], BASE);
 	fprintf(out, "(above 1: faster); errors in millimetres. How it is measured: examples/peers/README.md.\n\n");
-	fprintf(out, "| scene | build | engine | ms mean | ms median | ratio | displacement | joint gap | penetration | lost | verdict |\n");
-	fprintf(out, "|---|---|---|---|---|---|---|---|---|---|---|\n");
+	fprintf(out, "| scene | build | engine | ms mean | ms median | p99 | maximum | first step | ratio | displacement | joint gap | penetration | lost | verdict |\n");
+	fprintf(out, "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
 	for (int32_t i = 0; i < data.count; ++i)
 		write_row(out, &data.rows[i]);
 	fprintf(out, "\n");

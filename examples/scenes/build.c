@@ -116,6 +116,19 @@ void scene_box(scene_run *run, const cn_shape_def *def, float half_width_m, floa
 		scene_check(run, cn_shape_create_box(run->world, def, half_width_m, half_height_m, radius_m, NULL));
 }
 
+void scene_regular_polygon(scene_run *run, const cn_shape_def *def, int32_t count, float radius_m)
+{
+	cn_polygon polygon;
+	memset(&polygon, 0, sizeof polygon);
+	polygon.count = count;
+	for (int32_t i = 0; i < count; ++i) {
+		double angle = 2.0 * 3.14159265358979323846 * (double)i / (double)count;
+		polygon.points_m[i] = scene_vec(radius_m * scene_cosine(angle), radius_m * scene_sine(angle));
+	}
+	if (run->result == CN_OK)
+		scene_check(run, cn_shape_create_polygon(run->world, def, &polygon, NULL));
+}
+
 void scene_offset_box(scene_run *run, const cn_shape_def *def, cn_vec2 center_m, float half_width_m, float half_height_m)
 {
 	cn_shape_def moved = *def;

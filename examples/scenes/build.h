@@ -34,6 +34,8 @@ cn_shape_def scene_surface(cn_body body, float density_kgpm2, float friction, fl
 void scene_circle(scene_run *run, const cn_shape_def *def, float radius_m);
 void scene_capsule(scene_run *run, const cn_shape_def *def, cn_vec2 a_m, cn_vec2 b_m, float radius_m);
 void scene_box(scene_run *run, const cn_shape_def *def, float half_width_m, float half_height_m, float radius_m);
+/* Corners on a circle around the body's origin; 3 to CN_POLYGON_MAX_VERTICES of them. */
+void scene_regular_polygon(scene_run *run, const cn_shape_def *def, int32_t count, float radius_m);
 /* A box away from the body's origin. */
 void scene_offset_box(scene_run *run, const cn_shape_def *def, cn_vec2 center_m, float half_width_m, float half_height_m);
 void scene_edge(scene_run *run, const cn_shape_def *def, cn_vec2 a_m, cn_vec2 b_m);
@@ -65,6 +67,8 @@ void scene_create_rain(scene_run *run);
 void scene_step_rain(scene_run *run, int32_t step_index);
 void scene_create_ragdolls(scene_run *run);
 void scene_step_ragdolls(scene_run *run, int32_t step_index);
+void scene_create_junkyard(scene_run *run);
+void scene_create_compounds(scene_run *run);
 void scene_create_bowl(scene_run *run);
 void scene_create_bridge(scene_run *run);
 void scene_create_hinges(scene_run *run);

@@ -46,7 +46,7 @@
 	X(ROW_LANES)        /* ... also joints other than pins */ \
 	X(KEPT_LANES)       /* ... in the lanes of the last step */ \
 	X(BODY_KERNELS)     /* bodies side by side in integration and finalize */ \
-	X(BOX_BATCHES)      /* manifolds of boxes side by side */ \
+	X(MANIFOLD_BATCHES) /* manifolds of polygons, capsules and edges side by side */ \
 	X(KEPT_PLANS)       /* plans of systems are kept from step to step */ \
 	X(SWEEP)            /* the tiled sweep; without it the tree */
 

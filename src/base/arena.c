@@ -64,7 +64,7 @@ int32_t cni_arena_reserve(cni_arena *arena, uint64_t bytes)
 	if (block == NULL)
 		return 0;
 	cni_memory_free(arena->memory, arena->block, arena->capacity);
-	arena->block = block;
+	arena->block = (uint8_t *)block;
 	arena->capacity = capacity;
 	return 1;
 }

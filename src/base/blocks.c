@@ -71,7 +71,7 @@ static int32_t table_grow(cni_blocks *blocks)
 {
 	size_t count = (size_t)blocks->chunk_count;
 	int32_t capacity = (blocks->chunk_capacity + blocks->chunk_capacity / 2 + 8) & ~7;
-	uint64_t *sizes = cni_memory_alloc(blocks->memory, (uint64_t)capacity * CHUNK_SLOT_BYTES);
+	uint64_t *sizes = (uint64_t *)cni_memory_alloc(blocks->memory, (uint64_t)capacity * CHUNK_SLOT_BYTES);
 	uint8_t **chunks;
 
 	if (sizes == NULL)
@@ -118,7 +118,7 @@ static int32_t slot_take(cni_blocks *blocks, uint8_t *chunk, uint64_t bytes)
 /* Cleared, so that a snapshot may copy whole chunks. */
 static uint8_t *chunk_alloc(cni_blocks *blocks, uint64_t bytes)
 {
-	uint8_t *chunk = cni_memory_alloc(blocks->memory, bytes);
+	uint8_t *chunk = (uint8_t *)cni_memory_alloc(blocks->memory, bytes);
 	if (chunk != NULL)
 		memset(chunk, 0, (size_t)bytes);
 	return chunk;
@@ -132,7 +132,7 @@ int32_t cni_blocks_next_begin(cni_blocks *blocks, int32_t count)
 
 	CNI_ASSERT(!blocks->next_waits);
 	if (capacity > 0) {
-		blocks->next_bytes = cni_memory_alloc(blocks->memory, (uint64_t)capacity * CHUNK_SLOT_BYTES);
+		blocks->next_bytes = (uint64_t *)cni_memory_alloc(blocks->memory, (uint64_t)capacity * CHUNK_SLOT_BYTES);
 		if (blocks->next_bytes == NULL)
 			return 0;
 		blocks->next_chunks = (uint8_t **)(void *)(blocks->next_bytes + capacity);

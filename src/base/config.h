@@ -11,6 +11,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#if defined(__TINYC__) && !defined(FLT_EVAL_METHOD) && defined(__x86_64__)
+#define FLT_EVAL_METHOD 0 /* tcc computes floats by SSE here, and its float.h does not say so */
+#endif
+
 #if defined(__clang__)
 #pragma STDC FP_CONTRACT OFF
 #elif defined(__GNUC__)
@@ -25,6 +29,41 @@
 #error "Cairn must not be compiled with -ffast-math: results would depend on the compiler"
 #endif
 
+/* Parts that a small build leaves out. The condition is a constant, so the compiler drops the calls and the linker what they called. */
+#ifdef CN_NO_DIRECT /* direct/, linear/, gravity preload: CN_SOLVER_AUTO is then the soft solver */
+#define CNI_HAS_DIRECT 0
+#else
+#define CNI_HAS_DIRECT 1
+#endif
+#ifdef CN_NO_SEQUENTIAL /* step/sequential.c */
+#define CNI_HAS_SEQUENTIAL 0
+#else
+#define CNI_HAS_SEQUENTIAL 1
+#endif
+#ifdef CN_NO_SWEEP /* broadphase/sweep*.c: CN_BROADPHASE_SWEEP is then the tree */
+#define CNI_HAS_SWEEP 0
+#else
+#define CNI_HAS_SWEEP 1
+#endif
+#ifdef CN_NO_TREE /* broadphase/broadphase_tree.c; cn_tree needs tree*.c only where it is called */
+#define CNI_HAS_TREE 0
+#else
+#define CNI_HAS_TREE 1
+#endif
+#ifdef CN_NO_JOINTS /* joints between bodies; constraints of one body are joints too */
+#define CNI_HAS_JOINTS 0
+#else
+#define CNI_HAS_JOINTS 1
+#endif
+#ifdef CN_NO_CONTINUOUS /* narrowphase/continuous.c: the flag CN_WORLD_CONTINUOUS is refused */
+#define CNI_HAS_CONTINUOUS 0
+#else
+#define CNI_HAS_CONTINUOUS 1
+#endif
+#if !CNI_HAS_SWEEP && !CNI_HAS_TREE
+#error "CN_NO_SWEEP and CN_NO_TREE: a world needs one broadphase"
+#endif
+
 /* Checks the library's own invariants, never user input. Active in debug and test builds only. */
 #ifdef CNI_DEBUG
 #include <stdio.h>
@@ -36,7 +75,9 @@
 #endif
 
 /* For kernels that are written once and specialised by inlining with constant arguments. */
-#if defined(__GNUC__)
+#if defined(__OPTIMIZE_SIZE__) /* one copy of each kernel instead: the same bits, half the code */
+#define CNI_INLINE static inline
+#elif defined(__GNUC__)
 #define CNI_INLINE static inline __attribute__((always_inline))
 #elif defined(_MSC_VER)
 #define CNI_INLINE static __forceinline

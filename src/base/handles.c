@@ -14,15 +14,15 @@
 
 #include <string.h>
 
-#define GENERATION_SHIFT 22
+#define GENERATION_SHIFT CNI_HANDLE_GENERATION_SHIFT
 #define GENERATION_LAST 1023u
-#define KIND_SHIFT 20
+#define KIND_SHIFT CNI_HANDLE_KIND_SHIFT
 #define INDEX_COUNT (1 << 20)
-#define INDEX_MASK 0xFFFFFu
-#define ALIVE_BIT (1u << 21)
+#define INDEX_MASK CNI_HANDLE_INDEX_MASK
+#define ALIVE_BIT CNI_HANDLE_ALIVE_BIT
 #define NEXT_MASK 0x1FFFFFu
 
-static uint32_t *slots_of(const cni_handles *handles) { return handles->slots.data; }
+static uint32_t *slots_of(const cni_handles *handles) { return (uint32_t *)handles->slots.data; }
 
 void cni_handles_init(cni_handles *handles, int32_t kind)
 {
@@ -90,7 +90,7 @@ static void list_remove(cni_array *list, int32_t by_slot, int32_t key)
 static const cni_alias *alias_find(const cni_array *list, int32_t by_slot, int32_t key)
 {
 	int32_t k = list_from(list, by_slot, key);
-	const cni_alias *at = list->data;
+	const cni_alias *at = (const cni_alias *)list->data;
 
 	return k < list->count && key_of(at + k, by_slot) == key ? at + k : NULL;
 }
@@ -257,25 +257,49 @@ void cni_handles_release(cni_handles *handles, int32_t slot)
 	queue_append(handles, slot);
 }
 
-int32_t cni_handles_find(const cni_handles *handles, uint32_t handle)
+int32_t cni_handles_find_alias(const cni_handles *handles, uint32_t handle)
 {
 	int32_t slot = (int32_t)(handle & INDEX_MASK);
 	uint32_t kind = (handle >> KIND_SHIFT) & 3u;
+	const cni_alias *alias = alias_find(&handles->aliases, 0, slot);
 	uint32_t word;
 
 	if (kind != (uint32_t)handles->kind)
 		return CNI_NONE;
-	if (handles->aliases.count > 0) {
-		const cni_alias *alias = alias_find(&handles->aliases, 0, slot);
-
-		if (alias == NULL && slot < handles->slots.count && cni_handles_alive(handles, slot) && index_of(handles, slot) != slot)
-			return CNI_NONE;
-		slot = alias != NULL ? alias->slot : slot;
-	}
+	if (alias == NULL && slot < handles->slots.count && cni_handles_alive(handles, slot) && index_of(handles, slot) != slot)
+		return CNI_NONE;
+	slot = alias != NULL ? alias->slot : slot;
 	if (slot >= handles->slots.count)
 		return CNI_NONE;
 	word = slots_of(handles)[slot];
 	return (word & ALIVE_BIT) && word >> GENERATION_SHIFT == handle >> GENERATION_SHIFT ? slot : CNI_NONE;
+}
+
+/* Without a branch per handle, so that the reads overlap. Slot 0 stands for indices behind the end. */
+static int32_t own_find_all(const cni_handles *handles, const uint32_t *list, int32_t count)
+{
+	const uint32_t *slots = slots_of(handles);
+	uint32_t used = (uint32_t)handles->slots.count, kind = (uint32_t)handles->kind << KIND_SHIFT, wrong = 0;
+	int32_t k;
+
+	for (k = 0; k < count; ++k) {
+		uint32_t handle = list[k], index = handle & INDEX_MASK, within = index < used;
+
+		wrong |= (slots[within ? index : 0] ^ cni_handles_word(handle)) | ((handle ^ kind) & 3u << KIND_SHIFT) | !within;
+	}
+	return wrong == 0;
+}
+
+int32_t cni_handles_find_all(const cni_handles *handles, const uint32_t *list, int32_t count)
+{
+	int32_t k;
+
+	if (handles->aliases.count == 0 && handles->slots.count > 0)
+		return own_find_all(handles, list, count);
+	for (k = 0; k < count; ++k)
+		if (cni_handles_find(handles, list[k]) == CNI_NONE)
+			return 0;
+	return 1;
 }
 
 uint32_t cni_handles_of(const cni_handles *handles, int32_t slot)

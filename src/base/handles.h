@@ -19,6 +19,11 @@
 
 #include "base/table.h"
 
+#define CNI_HANDLE_GENERATION_SHIFT 22
+#define CNI_HANDLE_KIND_SHIFT 20
+#define CNI_HANDLE_INDEX_MASK 0xFFFFFu
+#define CNI_HANDLE_ALIVE_BIT (1u << 21) /* of a slot */
+
 enum { CNI_KIND_BODY = 0, CNI_KIND_SHAPE = 1, CNI_KIND_JOINT = 2, CNI_KIND_CONSTRAINT = 3 };
 
 /* Which slot goes by an alias. */
@@ -50,18 +55,40 @@ int32_t cni_handles_reserve_aliases(cni_handles *handles, cni_memory *memory, in
 int32_t cni_handles_peek(const cni_handles *handles);
 int32_t cni_handles_take(cni_handles *handles);
 void cni_handles_release(cni_handles *handles, int32_t slot);
-/* Slot of a live handle of this kind, or CNI_NONE. Any 32 bits may come in. O(log of the number of aliases). */
-int32_t cni_handles_find(const cni_handles *handles, uint32_t handle);
+/* cni_handles_find of handles that have aliases. O(log of their number). */
+int32_t cni_handles_find_alias(const cni_handles *handles, uint32_t handle);
 /* Handle of a live slot. */
 uint32_t cni_handles_of(const cni_handles *handles, int32_t slot);
 int32_t cni_handles_alive(const cni_handles *handles, int32_t slot);
 /* One past the highest slot ever taken. */
 int32_t cni_handles_used(const cni_handles *handles);
 
+/* From the word of a slot. */
+static inline int32_t cni_slot_is_alive(uint32_t word) { return (word & CNI_HANDLE_ALIVE_BIT) != 0; }
+
+/* Without aliases, the word of a live slot. */
+static inline uint32_t cni_handles_word(uint32_t handle)
+{
+	return handle >> CNI_HANDLE_GENERATION_SHIFT << CNI_HANDLE_GENERATION_SHIFT | CNI_HANDLE_ALIVE_BIT;
+}
+
+/* Slot of a live handle of this kind, or CNI_NONE. Any 32 bits may come in. */
+static inline int32_t cni_handles_find(const cni_handles *handles, uint32_t handle)
+{
+	int32_t slot = (int32_t)(handle & CNI_HANDLE_INDEX_MASK);
+	if (handles->aliases.count > 0)
+		return cni_handles_find_alias(handles, handle);
+	return (handle >> CNI_HANDLE_KIND_SHIFT & 3u) == (uint32_t)handles->kind && slot < handles->slots.count &&
+		((const uint32_t *)handles->slots.data)[slot] == cni_handles_word(handle) ? slot : CNI_NONE;
+}
+
+/* Whether all are live handles of this kind. */
+int32_t cni_handles_find_all(const cni_handles *handles, const uint32_t *list, int32_t count);
+
 /* Slot of a handle that is known to be live. */
 static inline int32_t cni_handles_slot(const cni_handles *handles, uint32_t handle)
 {
-	return handles->aliases.count == 0 ? (int32_t)(handle & 0xFFFFFu) : cni_handles_find(handles, handle);
+	return handles->aliases.count == 0 ? (int32_t)(handle & CNI_HANDLE_INDEX_MASK) : cni_handles_find(handles, handle);
 }
 
 #endif

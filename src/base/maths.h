@@ -19,7 +19,6 @@ static inline float cni_max(float a, float b) { return a > b ? a : b; }
 static inline float cni_clamp(float x, float lower, float upper) { return x < lower ? lower : (x > upper ? upper : x); }
 static inline float cni_abs(float x) { return fabsf(x); }
 static inline float cni_sqrt(float x) { return sqrtf(x); }
-static inline double cni_sqrt_double(double x) { return sqrt(x); }
 static inline int32_t cni_min_i(int32_t a, int32_t b) { return a < b ? a : b; }
 static inline int32_t cni_max_i(int32_t a, int32_t b) { return a > b ? a : b; }
 

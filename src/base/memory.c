@@ -36,7 +36,7 @@ static void *heap_alloc(uint64_t bytes, uint32_t align, void *user)
 	(void)user;
 	if (bytes > SIZE_MAX - spare)
 		return NULL;
-	raw = malloc((size_t)(bytes + spare));
+	raw = (uint8_t *)malloc((size_t)(bytes + spare));
 	if (raw == NULL)
 		return NULL;
 	aligned = raw + sizeof(void *);
@@ -99,7 +99,7 @@ void cni_memory_init_block(cni_memory *memory, void *block, uint64_t bytes)
 	memory_clear(memory);
 	memory->fixed = 1;
 	if (bytes >= CNI_MEMORY_ALIGN) {
-		memory->holes = block;
+		memory->holes = (cni_hole *)block;
 		memory->holes->next = NULL;
 		memory->holes->bytes = bytes - bytes % CNI_MEMORY_ALIGN;
 	}
@@ -142,7 +142,7 @@ static void hole_merge_next(cni_hole *hole)
 
 static void block_free(cni_memory *memory, void *pointer, uint64_t bytes)
 {
-	cni_hole *hole = pointer;
+	cni_hole *hole = (cni_hole *)pointer;
 	cni_hole *before = NULL;
 	cni_hole *after = memory->holes;
 

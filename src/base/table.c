@@ -62,7 +62,7 @@ static int32_t table_reserve_pointers(cni_table *table, cni_memory *memory, int3
 
 	if (page_count <= table->page_capacity)
 		return 1;
-	pages = cni_memory_alloc(memory, (uint64_t)capacity * sizeof *pages);
+	pages = (uint8_t **)cni_memory_alloc(memory, (uint64_t)capacity * sizeof *pages);
 	if (pages == NULL)
 		return 0;
 	if (table->page_count > 0)
@@ -83,7 +83,7 @@ int32_t cni_table_reserve(cni_table *table, cni_memory *memory, int32_t count)
 	if (!table_reserve_pointers(table, memory, (int32_t)page_count))
 		return 0;
 	while (table->page_count < page_count) {
-		uint8_t *page = cni_memory_alloc(memory, page_bytes);
+		uint8_t *page = (uint8_t *)cni_memory_alloc(memory, page_bytes);
 
 		if (page == NULL)
 			return 0;

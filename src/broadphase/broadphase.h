@@ -10,6 +10,10 @@
  * implementation without memory for its fast path keeps such proxies in a reserved slow list. When the pair array
  * cannot grow, update keeps the pairs that fit, counts the missing ones in pairs_lost, and marks a moved proxy of each
  * missing pair for a retry (MOVED set, old box empty): the next update reports all pairs of that proxy again.
+ *
+ * Crowds: n boxes in one spot are n^2 / 2 pairs. If there are more new pairs than CNI_PAIRS_LEAST + CNI_PAIRS_PER_PROXY per
+ * proxy, update leaves out pairs of the most crowded proxies, the same ones with any implementation and any number of workers:
+ * pair_list.h says which.
  */
 #ifndef CNI_BROADPHASE_BROADPHASE_H
 #define CNI_BROADPHASE_BROADPHASE_H
@@ -30,11 +34,27 @@ typedef struct cni_broadphase_pairs {
 	cni_array list;        /* cni_pair, sorted by (a, b), each once */
 	int32_t pairs_lost;
 	int32_t culled;        /* 1: the list has been culled by `wanted`, and only wanted pairs are added */
+	int32_t left_out;      /* pairs left out because of a crowd; the filters may refuse some of them */
+	int32_t left_out_static; /* 1: among them are pairs with a static proxy */
+	int32_t mode;          /* of the running search: CNI_PAIRS_MODE_ of pair_list.h */
+	uint32_t seed;         /* set by the caller: another one leaves out other pairs */
+	int32_t limit;         /* new pairs beyond which there is a crowd */
+	int32_t reserved;
+	int32_t *degrees;      /* scratch in a crowd: two per proxy id, with other and with static proxies: counts, then thresholds */
 	/* The caller's filter; NULL wants all pairs. update calls it only when the list is full, so that no memory goes to pairs
 	   that the caller would drop; otherwise the caller culls. Called only in the thread that called update. */
 	cni_pair_filter_fn *wanted;
 	const void *wanted_context;
 } cni_broadphase_pairs;
+
+#define CNI_PAIRS_LEAST 32768
+#define CNI_PAIRS_PER_PROXY 16
+
+/* Pairs among n proxies beyond which there is a crowd. */
+static inline int32_t cni_pairs_limit(int32_t proxies)
+{
+	return (int32_t)cni_min_i(proxies, (INT32_MAX - CNI_PAIRS_LEAST) / CNI_PAIRS_PER_PROXY) * CNI_PAIRS_PER_PROXY + CNI_PAIRS_LEAST;
+}
 
 /* Removes unwanted pairs unless that was done before; from then on cni_pairs_add refuses unwanted pairs. */
 void cni_pairs_cull(cni_broadphase_pairs *pairs);

@@ -121,7 +121,11 @@ static void pair_found(void *context, int32_t id_a, int32_t id_b)
 {
 	const pair_pass *pass = (const pair_pass *)context;
 	cni_proxy *a = proxy_at(pass->broadphase, id_a), *b = proxy_at(pass->broadphase, id_b);
-	if (cni_aabb_overlap(&a->old, &b->old) || (a->flags & b->flags & CNI_PROXY_STATIC) || !pass->filter(pass->filter_context, id_a, id_b))
+	if (cni_aabb_overlap(&a->old, &b->old))
+		return;
+	if (pass->out->mode != CNI_PAIRS_MODE_LIST && !cni_pairs_crowd_takes(pass->out, id_a, id_b, a, b))
+		return;
+	if ((a->flags & b->flags & CNI_PROXY_STATIC) || !pass->filter(pass->filter_context, id_a, id_b))
 		return;
 	cni_pairs_add(pass->out, pass->broadphase->context.memory, id_a, id_b, a->flags & CNI_PROXY_MOVED ? a : b);
 }
@@ -151,13 +155,15 @@ static void tree_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter, 
 {
 	tree_broadphase *b = tree_of(broadphase);
 	pair_pass pass;
-	cni_pairs_begin(out);
+	cni_pairs_begin(out, b->tree.count);
 	tree_settle(broadphase);
 	pass.broadphase = b;
 	pass.filter = filter;
 	pass.filter_context = filter_context;
 	pass.out = out;
-	cni_tree_pairs(&b->tree, pair_found, &pass);
+	do {
+		cni_tree_pairs(&b->tree, pair_found, &pass);
+	} while (cni_pairs_search_again(out, b->context.arena, b->tree.places.count));
 	cni_tree_unmark_moved(&b->tree, proxy_finish, b);
 	if (out->pairs_lost > 0)
 		retry_lost(b);

@@ -7,12 +7,86 @@
 
 #include <string.h>
 
-void cni_pairs_begin(cni_broadphase_pairs *pairs)
+void cni_pairs_begin(cni_broadphase_pairs *pairs, int32_t proxies)
 {
 	pairs->list.count = 0;
 	pairs->pairs_lost = 0;
 	pairs->culled = 0;
+	pairs->left_out = pairs->left_out_static = 0;
+	pairs->mode = CNI_PAIRS_MODE_LIST;
+	pairs->limit = cni_pairs_limit(proxies);
 }
+
+/* ---- crowds ---- */
+
+/* The least k with degree >> k <= CNI_CROWD_DEGREE. */
+static int32_t degree_shift(int32_t degree)
+{
+	int32_t k = 0;
+	while (degree >> k > CNI_CROWD_DEGREE)
+		++k;
+	return k;
+}
+
+/* Without scratch memory the list takes what fits. */
+int32_t cni_pairs_search_again(cni_broadphase_pairs *pairs, cni_arena *arena, int32_t ids)
+{
+	uint64_t bytes = 2u * sizeof(int32_t) * (uint64_t)ids;
+	int32_t k;
+	if (pairs->mode == CNI_PAIRS_MODE_THIN) {
+		(void)cni_arena_pop(arena, pairs->degrees);
+		pairs->degrees = NULL;
+	}
+	if (pairs->mode == CNI_PAIRS_MODE_COUNT) {
+		pairs->mode = CNI_PAIRS_MODE_THIN;
+		for (k = 0; k < 2 * ids; ++k)
+			pairs->degrees[k] = degree_shift(pairs->degrees[k]);
+		return 1;
+	}
+	if (pairs->mode != CNI_PAIRS_MODE_STOPPED)
+		return 0;
+	pairs->list.count = 0;
+	pairs->limit = INT32_MAX;
+	pairs->degrees = (int32_t *)cni_arena_push(arena, bytes);
+	pairs->mode = pairs->degrees == NULL ? CNI_PAIRS_MODE_LIST : CNI_PAIRS_MODE_COUNT;
+	if (pairs->degrees != NULL)
+		memset(pairs->degrees, 0, (size_t)bytes);
+	return 1;
+}
+
+/* The finalizer of MurmurHash3 (Appleby), which spreads each bit over all. */
+static uint64_t pair_number(int32_t a, int32_t b, uint32_t seed)
+{
+	uint64_t x = (uint64_t)(uint32_t)a << 32 | (uint32_t)b;
+	x ^= (uint64_t)seed * 0x9E3779B97F4A7C15u;
+	x = (x ^ x >> 33) * 0xFF51AFD7ED558CCDu;
+	x = (x ^ x >> 33) * 0xC4CEB9FE1A85EC53u;
+	return x ^ x >> 33;
+}
+
+int32_t cni_pairs_crowd_takes(cni_broadphase_pairs *pairs, int32_t a, int32_t b, cni_proxy *pa, cni_proxy *pb)
+{
+	uint32_t fixed_a = pa->flags & CNI_PROXY_STATIC ? 1u : 0u, fixed_b = pb->flags & CNI_PROXY_STATIC ? 1u : 0u;
+	int32_t *degree_a, *degree_b, k;
+	if (pairs->mode == CNI_PAIRS_MODE_STOPPED || (fixed_a & fixed_b))
+		return 0;
+	degree_a = &pairs->degrees[2 * a + (int32_t)fixed_b];
+	degree_b = &pairs->degrees[2 * b + (int32_t)fixed_a];
+	if (pairs->mode == CNI_PAIRS_MODE_COUNT) {
+		++*degree_a;
+		++*degree_b;
+		return 0;
+	}
+	k = fixed_b ? *degree_a : fixed_a ? *degree_b : cni_min_i(*degree_a, *degree_b);
+	if (k == 0 || pair_number(cni_min_i(a, b), cni_max_i(a, b), pairs->seed) >> (64 - k) == 0)
+		return 1;
+	(a < b ? pa : pb)->flags |= CNI_PROXY_CROWDED;
+	pairs->left_out += pairs->left_out < INT32_MAX;
+	pairs->left_out_static |= (int32_t)(fixed_a | fixed_b);
+	return 0;
+}
+
+/* ---- the list ---- */
 
 void cni_pairs_cull(cni_broadphase_pairs *pairs)
 {
@@ -38,6 +112,17 @@ void cni_pairs_add(cni_broadphase_pairs *pairs, cni_memory *memory, int32_t a, i
 		cni_pairs_cull(pairs);
 	if (pairs->culled && !pairs->wanted(pairs->wanted_context, cni_min_i(a, b), cni_max_i(a, b)))
 		return;
+	if (pairs->list.count == pairs->limit) {
+		if (pairs->wanted != NULL && !pairs->culled) {
+			cni_pairs_cull(pairs);
+			if (!pairs->wanted(pairs->wanted_context, cni_min_i(a, b), cni_max_i(a, b)))
+				return;
+		}
+		if (pairs->list.count == pairs->limit) {
+			pairs->mode = CNI_PAIRS_MODE_STOPPED;
+			return;
+		}
+	}
 	/* After one failed allocation the update does not try again. */
 	if (list_is_full(pairs) && (pairs->pairs_lost > 0 || !list_grow(pairs, memory))) {
 		moved->flags |= CNI_PROXY_AGAIN;

@@ -16,7 +16,8 @@ enum {
 	CNI_PROXY_STATIC = 1u << 1, /* never pairs with another static proxy */
 	CNI_PROXY_ALIVE = 1u << 2,
 	CNI_PROXY_AGAIN = 1u << 3,  /* within update only: a pair of this proxy was lost, its pairs are searched again */
-	CNI_PROXY_CHILD_SHIFT = 4   /* bits 4..31: edge of a chain, else 0 */
+	CNI_PROXY_CROWDED = 1u << 4, /* a pair of this proxy was left out because of a crowd: the world has to touch it in some later step */
+	CNI_PROXY_CHILD_SHIFT = 5   /* bits 5..31: edge of a chain, else 0 */
 };
 
 typedef struct cni_proxy {

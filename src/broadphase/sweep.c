@@ -24,7 +24,8 @@ static int32_t bits_reserve(cni_sweep *sweep, cni_array *bits, int32_t words)
 {
 	if (!cni_array_reserve(bits, sweep->context.memory, words))
 		return 0;
-	memset((uint64_t *)bits->data + bits->count, 0, (size_t)(bits->capacity - bits->count) * sizeof(uint64_t));
+	if (bits->count < bits->capacity) /* there may be no memory at all yet */
+		memset((uint64_t *)bits->data + bits->count, 0, (size_t)(bits->capacity - bits->count) * sizeof(uint64_t));
 	bits->count = bits->capacity;
 	return 1;
 }
@@ -178,11 +179,13 @@ static void finish_moved(cni_sweep *sweep)
 static void sweep_update(cni_broadphase *broadphase, cni_pair_filter_fn *filter, const void *filter_context, cni_broadphase_pairs *out)
 {
 	cni_sweep *sweep = sweep_of(broadphase);
-	cni_pairs_begin(out);
+	cni_pairs_begin(out, sweep->count);
 	cni_sweep_settle(sweep, cni_sweep_team(sweep));
 	if (sweep->moved_count == 0)
 		return;
-	cni_sweep_find_pairs(sweep, filter, filter_context, out);
+	do {
+		cni_sweep_find_pairs(sweep, filter, filter_context, out);
+	} while (cni_pairs_search_again(out, sweep->context.arena, sweep->id_end));
 	finish_moved(sweep);
 	cni_pairs_sort(out, sweep->context.arena);
 }

@@ -313,7 +313,7 @@ void cni_sweep_find_pairs(cni_sweep *sweep, cni_pair_filter_fn *filter, const vo
 	count_moved(&pass);
 	choose_dense(&pass);
 	open_dense(&pass);
-	if (!find_shared(&pass))
+	if (out->mode != CNI_PAIRS_MODE_LIST || !find_shared(&pass))
 		find_alone(&pass);
 	cni_sweep_search_loose(&pass);
 	clear_marks(&pass);

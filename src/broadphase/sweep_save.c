@@ -10,7 +10,7 @@
 /* Sets of ids: only the words of ids up to id_end are copied, because the number of words depends on the capacity. */
 static void bits_pass(cni_snapshot *s, cni_array *bits, int32_t words)
 {
-	if (s->mode == CNI_SNAPSHOT_LOAD)
+	if (s->mode == CNI_SNAPSHOT_LOAD && bits->count > 0)
 		memset(bits->data, 0, (size_t)bits->count * sizeof(uint64_t));
 	cni_snapshot_state(s, bits->data, (uint64_t)words * sizeof(uint64_t));
 }

@@ -33,10 +33,18 @@ void cni_sweep_pair_list(const cni_sweep_pass *pass, int32_t a, int32_t b)
 	cni_pairs_add(pass->out, pass->sweep->context.memory, a, b, cni_sweep_proxy(pass->sweep, cni_sweep_is_moved(pass, a) ? a : b));
 }
 
+/* The rest of a search is not needed: of a job whose slots are full, which one thread runs again, or in a crowd. */
+static inline int32_t search_is_void(const cni_sweep_pass *pass)
+{
+	return pass->slots != NULL ? pass->slot_count > pass->slot_room : pass->out->mode == CNI_PAIRS_MODE_STOPPED;
+}
+
 /* Reports a pair of boxes that is new. */
 static void pair_found(cni_sweep_pass *pass, int32_t a, int32_t b)
 {
-	const cni_proxy *pa = cni_sweep_proxy(pass->sweep, a), *pb = cni_sweep_proxy(pass->sweep, b);
+	cni_proxy *pa = cni_sweep_proxy(pass->sweep, a), *pb = cni_sweep_proxy(pass->sweep, b);
+	if (pass->out->mode != CNI_PAIRS_MODE_LIST && !cni_pairs_crowd_takes(pass->out, a, b, pa, pb))
+		return;
 	if ((pa->flags & pb->flags & CNI_PROXY_STATIC) || !pass->filter(pass->filter_context, a, b))
 		return;
 	if (pass->slots == NULL) {
@@ -86,7 +94,7 @@ static void scan_lanes(cni_sweep_pass *pass, const cni_sweep_probe *q, const cni
 static inline void scan(cni_sweep_pass *pass, const cni_sweep_probe *q, const cni_sweep_view *v, int32_t from)
 {
 	int32_t k = from;
-	if (k >= v->count || !(v->x0[k] <= q->now.x1))
+	if (k >= v->count || !(v->x0[k] <= q->now.x1) || search_is_void(pass))
 		return;
 	if (v->wide) {
 		scan_lanes(pass, q, v, k);

@@ -272,7 +272,7 @@ typedef struct settle_pass {
 	int32_t key_count; /* of the largest tile */
 	uint64_t *keys;    /* 2 key_count per worker */
 	int32_t *begins;   /* per touched tile: prefix sum of the entries to rebuild */
-	rebuilt *rebuilt;  /* per touched tile */
+	rebuilt *results;  /* per touched tile */
 } settle_pass;
 
 static void touch(settle_pass *pass, int32_t tile)
@@ -329,8 +329,8 @@ static void take_keys(settle_pass *pass, int32_t count)
 	}
 	if (pass->keys == NULL)
 		return;
-	pass->rebuilt = (rebuilt *)(void *)(pass->keys + 2 * (int64_t)count * cni_team_workers(pass->team));
-	pass->begins = (int32_t *)(void *)(pass->rebuilt + pass->touched_count);
+	pass->results = (rebuilt *)(void *)(pass->keys + 2 * (int64_t)count * cni_team_workers(pass->team));
+	pass->begins = (int32_t *)(void *)(pass->results + pass->touched_count);
 }
 
 /* Decides which tiles are rebuilt, and takes scratch for the keys of the largest. */
@@ -411,14 +411,14 @@ static void rebuild(const settle_pass *pass, int32_t tile, uint64_t *keys, rebui
 	cni_sweep_tile_pad(pass->sweep, t);
 }
 
-/* Rebuilds the dense tiles that begin in a range of entries. Writes only the tiles and their `rebuilt`. */
+/* Rebuilds the dense tiles that begin in a range of entries. Writes only the tiles and their results. */
 static void rebuild_range(void *context, int32_t begin, int32_t end, int32_t worker)
 {
 	const settle_pass *pass = (const settle_pass *)context;
 	int32_t i = cni_sweep_first_at(pass->begins, pass->touched_count, begin);
 	for (; i < pass->touched_count && pass->begins[i] < end; ++i)
 		if (cni_sweep_tile_at(pass->sweep, pass->touched[i])->dense)
-			rebuild(pass, pass->touched[i], pass->keys + 2 * (int64_t)pass->key_count * worker, &pass->rebuilt[i]);
+			rebuild(pass, pass->touched[i], pass->keys + 2 * (int64_t)pass->key_count * worker, &pass->results[i]);
 }
 
 static int32_t count_begins(const settle_pass *pass)
@@ -442,8 +442,8 @@ static void finish_tiles(settle_pass *pass)
 		int32_t tile = pass->touched[i];
 		cni_sweep_tile *t = cni_sweep_tile_at(sweep, tile);
 		if (t->dense) {
-			sweep->levels[t->level].entries -= pass->rebuilt[i].gone;
-			cni_sweep_level_cover(sweep, t->level, pass->rebuilt[i].extent);
+			sweep->levels[t->level].entries -= pass->results[i].gone;
+			cni_sweep_level_cover(sweep, t->level, pass->results[i].extent);
 			if (t->count > 0)
 				cni_sweep_tile_shrink(sweep, t);
 		}

@@ -39,8 +39,8 @@
 /* start.jumped of bodies that sweep k hits. */
 #define HIT_MARK(k) (1.0f + (float)(k) / (float)CNI_RESTITUTION_SWEEPS)
 
-static const cni_contact_block no_rows;
-static const cni_block_extra no_extra;
+static const cni_contact_block no_rows = { 0 };
+static const cni_block_extra no_extra = { 0 };
 
 /* Base of a lane's rows in a block, in the form that the kernel reads. */
 static const float *lane_floats(const void *block, int32_t lane)

@@ -3,7 +3,7 @@
  *
  * Soft contacts converge from step to step: they are exact at rest once their loads are, and new piles get their loads top-down
  * (contacts/gravity_preload.c). That fails where bodies lean on each other, and where a heavy body crushes a light one below it. A quiet
- * island is solved directly (direct/direct_contacts.c)
+ * island is solved directly (direct/direct_contacts.c), after some steps of this state if it still moves,
  *   - when a contact overlaps by more than the accuracy;
  *   - when a contact overlaps by more than a tenth of it, or is new, and carries or may carry more than soft contacts can, or is
  *     between bodies that lean;
@@ -105,6 +105,31 @@ static void new_contact_count(cn_world *world, int32_t index)
 	++i->new_contacts;
 }
 
+static int32_t is_slow(const cn_world *world, int32_t index)
+{
+	const cni_motion *m = cni_motions(world) + index;
+	return m->vx * m->vx + m->vy * m->vy <= world->settings.sleep_speed * world->settings.sleep_speed;
+}
+
+/* 1: all its bodies are slow enough to sleep. */
+static int32_t island_is_still(const cn_world *world, const cni_island *i)
+{
+	int32_t body;
+	for (body = i->first; body != CNI_NONE; body = cni_body_at(world, body)->island_next)
+		if (!is_slow(world, cni_body_at(world, body)->awake))
+			return 0;
+	return 1;
+}
+
+/* 0: the island moves and may soon be another one. Most islands of a heap that is being poured live for some steps, and planning
+   their systems costs more than the steps that are solved by them. */
+static int32_t island_has_waited(const cn_world *world, cni_island *i)
+{
+	i->asked_steps = i->asked_step == world->step_count ? i->asked_steps + 1 : 1;
+	i->asked_step = world->step_count + 1u;
+	return i->asked_steps > CNI_SELECTION_WAIT_STEPS || island_is_still(world, i);
+}
+
 /* Records a bad contact of the island. Of several reasons the highest is reported. */
 static void island_mark_bad(cn_world *world, int32_t island, int32_t reason)
 {
@@ -123,6 +148,8 @@ static void island_mark_bad(cn_world *world, int32_t island, int32_t reason)
 		i->reason = CN_TIER_REASON_MOVING;
 	else if (cni_island_has_joints(world, island))
 		i->reason = CN_TIER_REASON_JOINTED;
+	else if (!island_has_waited(world, i))
+		i->reason = CN_TIER_REASON_MOVING;
 	else
 		island_take(world, island, reason);
 }
@@ -147,8 +174,8 @@ static void loads_clear(const cn_world *world, const cni_island *i)
 void cni_island_refuse(cn_world *world, int32_t island, int32_t reason)
 {
 	cni_island *i = cni_island_at(world, island);
-	int32_t first = reason == CN_TIER_REASON_NO_SET || reason == CN_TIER_REASON_MOVING ? CNI_SELECTION_RETRY_FIRST :
-		CNI_SELECTION_REFUSED_FIRST;
+	int32_t first = reason == CN_TIER_REASON_NO_SET || reason == CN_TIER_REASON_MOVING ? (int32_t)CNI_SELECTION_RETRY_FIRST :
+		(int32_t)CNI_SELECTION_REFUSED_FIRST;
 	if (i->tier == CNI_TIER_DIRECT && i->falls_steps > 0 && i->gives_step != 0 && world->step_count + 1u - i->gives_step < 3u)
 		loads_clear(world, i);
 	i->tier = CNI_TIER_SOFT;
@@ -178,12 +205,6 @@ static int32_t may_be_stressed(const cn_world *world, const cni_contact_block *k
 	if (inv_b > 0.0f && cni_max(inv_a, inv_b) > CNI_SELECTION_MASS_RATIO * cni_min(inv_a, inv_b))
 		return 1;
 	return cni_is_stressed(world, k->ia[l], k->ib[l], k->p[0].jn[l] + k->p[1].jn[l], h, 0.5f);
-}
-
-static int32_t is_slow(const cn_world *world, int32_t index)
-{
-	const cni_motion *m = cni_motions(world) + index;
-	return m->vx * m->vx + m->vy * m->vy <= world->settings.sleep_speed * world->settings.sleep_speed;
 }
 
 /* Leaning bodies: the top-down sweep could not load them, or they sink while nothing moves. */

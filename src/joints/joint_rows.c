@@ -129,7 +129,12 @@ static void all_run(cn_world *world, const cni_solve *s, cni_row_kernel_fn *run)
 static void spring_fill(lane_builder *t, const cni_joint *j, cni_row_block *block, int32_t l)
 {
 	int32_t distance = j->type == CN_JOINT_DISTANCE;
-	float hertz = j->p[distance ? CNI_P_DISTANCE_HERTZ : CNI_P_HERTZ], damping_ratio = j->p[distance ? CNI_P_DISTANCE_DAMPING : CNI_P_DAMPING];
+	int32_t hertz_at = CNI_P_HERTZ, damping_at = CNI_P_DAMPING;
+	if (distance) {
+		hertz_at = CNI_P_DISTANCE_HERTZ;
+		damping_at = CNI_P_DISTANCE_DAMPING;
+	}
+	float hertz = j->p[hertz_at], damping_ratio = j->p[damping_at];
 	cni_soft soft = j->type == CN_JOINT_FIXED ? cni_soft_implicit(hertz, damping_ratio, t->s->h) : cni_lane_spring_soft(&t->spring, hertz, damping_ratio, t->s->h);
 	block->spring_mass[l] = soft.mass_scale;
 	block->spring_bias[l] = soft.bias_scale;

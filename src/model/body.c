@@ -1,5 +1,5 @@
 /*
- * model/body.c - body records, the dense arrays of awake bodies (layout in body.h), mass from shapes, fat boxes.
+ * model/body.c - body records, the dense arrays of awake bodies (layout in body.h), fat boxes. Mass from shapes is in body_shapes.c.
  *
  * Invariant: for every dense index k >= 1, record awake_id[k] has awake == k; every lane of a touching contact has the current
  * dense indices of its bodies, 0 for a body without one.
@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-const cni_body cni_body_none;
+const cni_body cni_body_none = { 0 };
 
 cn_velocity cni_body_velocity(const cn_world *world, const cni_body *b)
 {
@@ -45,6 +45,19 @@ void cni_body_store_velocity(cn_world *world, cni_body *b, cn_velocity v)
 	b->flags &= ~(uint32_t)CNI_BODY_AHEAD;
 }
 
+void cni_readback_store(cn_world *world, int32_t body)
+{
+	const cni_body *b = cni_body_at(world, body);
+	cn_body_moved *shown;
+	if (!world->readback_kept)
+		return;
+	shown = cni_readback_at(world, body);
+	shown->pose = cni_body_pose(b);
+	shown->user_data = b->user_data;
+	shown->body = cni_handles_of(&world->body_handles, body);
+	shown->fell_asleep = b->flags & CNI_BODY_MOVED ? world->step_count + (uint32_t)world->events.in_step : 0u;
+}
+
 void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def)
 {
 	cni_body *b = cni_body_at(world, body);
@@ -64,6 +77,7 @@ void cni_body_init(cn_world *world, int32_t body, const cn_body_def *def)
 	b->island = b->island_next = b->island_prev = CNI_NONE;
 	b->shape_first = b->joint_first = b->contact_first = CNI_NONE;
 	b->user_data = def->user_data;
+	cni_readback_store(world, body);
 	v.linear_mps = def->linear_velocity_mps;
 	v.angular_radps = def->angular_velocity_radps;
 	if (def->type != CN_BODY_STATIC && (def->flags & CN_BODY_AWAKE)) /* what sleeps does not move */
@@ -159,120 +173,6 @@ void cni_body_leave_awake(cn_world *world, int32_t body)
 	arrays_set_count(world, last);
 }
 
-/* Mass, centre and inertia of all shapes: first the centre, then the inertia about it (Steiner). */
-static cn_mass_data shapes_mass(const cn_world *world, const cni_body *b)
-{
-	cn_mass_data total = { 0.0f, 0.0f, { 0.0f, 0.0f } };
-	int32_t index;
-	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
-		const cni_shape *s = cni_shape_at(world, index);
-		cn_mass_data m = cni_geometry_mass(cni_shape_geometry(&world->blocks, s), s->density);
-		total.mass_kg += m.mass_kg;
-		total.center_m = cni_madd(total.center_m, m.mass_kg, m.center_m);
-	}
-	if (total.mass_kg <= 0.0f)
-		return total;
-	total.center_m = cni_mul(1.0f / total.mass_kg, total.center_m);
-	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
-		const cni_shape *s = cni_shape_at(world, index);
-		cn_mass_data m = cni_geometry_mass(cni_shape_geometry(&world->blocks, s), s->density);
-		total.inertia_kgm2 += m.inertia_kgm2 + m.mass_kg * cni_distance_sq(m.center_m, total.center_m);
-	}
-	return total;
-}
-
-/* Distance of a shape's farthest point from the centre of mass, without the rounding radius. */
-static float shape_turn_reach(const cni_body *b, const cni_geometry *g)
-{
-	cni_vec2 storage[2];
-	cni_proxy_points set;
-	float most_sq = 0.0f;
-	int32_t k;
-	if (g->type == CN_SHAPE_CHAIN)
-		return g->extent + cni_length(b->local_center);
-	set = cni_geometry_proxy(g, 0, storage);
-	for (k = 0; k < set.count; ++k)
-		most_sq = cni_max(most_sq, cni_distance_sq(set.points[k], b->local_center));
-	return cni_sqrt(most_sq);
-}
-
-/* Rounds up, after subtracting the rounding error of a centre of mass; CNI_BODY_ROUNDING is larger. */
-static uint8_t turn_reach_pack(float turn_reach, float extent)
-{
-	float part = extent > 0.0f ? (turn_reach / extent - 1e-6f) / CNI_TURN_REACH_UNIT : 0.0f, up = part > 0.0f ? part + 1.0f : 0.0f;
-	return (uint8_t)cni_min(up, 255.0f);
-}
-
-static void shape_measure(const cn_world *world, cni_body *b, const cni_geometry *g)
-{
-	b->extent = cni_max(b->extent, g->extent);
-	b->core = cni_min(b->core, g->inner_radius > 0.0f ? g->inner_radius : world->settings.slop);
-}
-
-static void measure_shapes(const cn_world *world, cni_body *b)
-{
-	float turn_reach = 0.0f;
-	int32_t index;
-	b->extent = 0.0f;
-	b->core = b->shape_first == CNI_NONE ? 0.0f : FLT_MAX;
-	for (index = b->shape_first; index != CNI_NONE; index = cni_shape_at(world, index)->next) {
-		const cni_geometry *g = cni_shape_geometry(&world->blocks, cni_shape_at(world, index));
-		shape_measure(world, b, g);
-		if (b->type != CN_BODY_STATIC)
-			turn_reach = cni_max(turn_reach, shape_turn_reach(b, g));
-	}
-	b->extent += cni_length(b->local_center);
-	b->turn_reach = turn_reach_pack(turn_reach, b->extent);
-	cni_body_forget_room(b);
-}
-
-void cni_body_set_center(cn_world *world, cni_body *b, cni_vec2 local_center)
-{
-	cni_vec2 shift = cni_rotate(b->q, cni_sub(local_center, b->local_center));
-	cn_velocity v = cni_body_velocity(world, b);
-	v.linear_mps = cni_madd(v.linear_mps, v.angular_radps, cni_left_perp(shift));
-	b->cx += shift.x;
-	b->cy += shift.y;
-	b->local_center = local_center;
-	cni_contacts_invalidate_body(world, b);
-	if (b->type != CN_BODY_STATIC)
-		cni_body_store_velocity(world, b, v);
-}
-
-void cni_body_update_mass(cn_world *world, int32_t body)
-{
-	cni_body *b = cni_body_at(world, body);
-	if (b->type != CN_BODY_DYNAMIC) {
-		b->mass = b->inertia = 0.0f;
-		cni_body_set_center(world, b, cni_v(0.0f, 0.0f));
-	} else if (!(b->flags & CNI_BODY_MASS_OVERRIDE)) {
-		cn_mass_data m = shapes_mass(world, b);
-		b->mass = m.mass_kg > 0.0f ? m.mass_kg : 1.0f;
-		b->inertia = m.mass_kg > 0.0f ? m.inertia_kgm2 : 0.0f;
-		cni_body_set_center(world, b, m.center_m);
-	}
-	measure_shapes(world, b);
-	cni_body_refresh_motion(world, b);
-}
-
-static int32_t has_several_shapes(const cn_world *world, const cni_body *b)
-{
-	return b->shape_first != CNI_NONE && cni_shape_at(world, b->shape_first)->next != CNI_NONE;
-}
-
-void cni_body_shapes_changed(cn_world *world, int32_t body, int32_t added)
-{
-	cni_body *b = cni_body_at(world, body);
-	if (b->type != CN_BODY_STATIC || !has_several_shapes(world, b)) {
-		cni_body_update_mass(world, body);
-		return;
-	}
-	if (added != CNI_NONE)
-		shape_measure(world, b, cni_shape_geometry(&world->blocks, cni_shape_at(world, added)));
-	cni_contacts_invalidate_body(world, b);
-	cni_body_forget_room(b);
-}
-
 void cni_body_set_transform(cn_world *world, int32_t body, cni_vec2 origin, cni_rot q)
 {
 	cni_body *b = cni_body_at(world, body);
@@ -281,6 +181,7 @@ void cni_body_set_transform(cn_world *world, int32_t body, cni_vec2 origin, cni_
 	b->cx = origin.x + r.x;
 	b->cy = origin.y + r.y;
 	b->cx_low = b->cy_low = 0.0f;
+	cni_readback_store(world, body);
 	if (body < world->previous.count)
 		((cni_previous *)world->previous.data)[body].body = 0; /* no interpolation across a teleport */
 	cni_body_refresh_boxes(world, body);

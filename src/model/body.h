@@ -85,12 +85,14 @@ static inline void cni_body_restless(cni_body *b)
 
 #define CNI_TURN_REACH_UNIT (1.0f / 255.0f)
 
-/* Resets displacements and velocities that are not finite: the body stays at its pose, at rest. */
-static inline void cni_motion_keep_finite(cni_motion *m)
+/* Resets displacements and velocities that are not finite: the body stays at its pose, at rest. Returns 1 if there were some. */
+static inline uint32_t cni_motion_keep_finite(cni_motion *m)
 {
 	float zero = 0.0f * m->vx + 0.0f * m->vy + 0.0f * m->w + 0.0f * m->dpx + 0.0f * m->dpy + 0.0f * m->theta;
-	if (zero != 0.0f)
-		m->vx = m->vy = m->w = m->dpx = m->dpy = m->theta = 0.0f;
+	if (zero == 0.0f)
+		return 0;
+	m->vx = m->vy = m->w = m->dpx = m->dpy = m->theta = 0.0f;
+	return 1;
 }
 
 static inline int32_t cni_motion_can_move(const cni_motion *m) { return m->inv_mass > 0.0f || m->inv_inertia > 0.0f; }
@@ -237,9 +239,15 @@ void cni_body_leave_awake(cn_world *world, int32_t body);
 /* Recomputes mass, centre, inertia and extent from the shapes (or keeps an override), keeps the origin in place and the velocity of the
    material, and updates the dense inverse masses. */
 void cni_body_update_mass(cn_world *world, int32_t body);
-/* The same after the shape `added` was linked, or (CNI_NONE) one unlinked, but in a time independent of the shapes of a static body,
-   which may be a level of thousands of tiles: its extent never shrinks until cni_body_update_mass recomputes it. */
+/*
+ * The same after the shape `added` was linked, or (CNI_NONE) one unlinked. A static body may be a level of thousands of tiles: its time is
+ * independent of them, and its extent never shrinks until cni_body_update_mass recomputes it. To a moving body of many shapes one is
+ * added likewise: its mass, centre and inertia are then off by rounding, its extent is not too small, and the next step recomputes them
+ * (cni_body_masses_settle).
+ */
 void cni_body_shapes_changed(cn_world *world, int32_t body, int32_t added);
+/* Recomputes all that cni_body_shapes_changed has estimated. */
+void cni_body_masses_settle(cn_world *world);
 /* Moves the centre of mass within the body: the origin stays, the material keeps its velocity. */
 void cni_body_set_center(cn_world *world, cni_body *b, cni_vec2 local_center);
 /* Writes inv_mass, inv_inertia (locks, type) to the dense array if awake. */

@@ -26,6 +26,8 @@ typedef struct cni_island {
 	int32_t stay_steps;    /* good steps required before the soft solver takes it back, 0: the minimum */
 	uint32_t given_step;   /* step of its last return to the soft solver */
 	uint32_t looked_step;  /* step + 1 in which it was last found in need of direct solving */
+	uint32_t asked_step;   /* step + 1 in which it was last quiet and in need of direct solving ... */
+	int32_t asked_steps;   /* ... and the number of consecutive steps */
 	uint32_t refused_step; /* step in which direct solving failed */
 	int32_t refused_steps; /* steps for which that counts, 0: never refused */
 	int32_t reason;        /* CN_TIER_REASON_ of its tier; of a soft island: why it was not selected when it last needed direct solving */

@@ -7,6 +7,8 @@
  */
 #include "model/world.h"
 
+#include <string.h>
+
 /* First body of the body's island, or the body itself. */
 static int32_t first_of(const cn_world *world, int32_t body)
 {
@@ -104,38 +106,72 @@ void cni_body_wake_neighbours(cn_world *world, int32_t body)
 	wake_touching(world, body);
 }
 
+#define WAKES_AT_ONCE 32
+
+/* Broadphases visit in different orders, and the order of waking decides the order of the awake arrays: bodies wake by index. A
+   search takes the lowest ones; if there are more, another search finds those above. */
 typedef struct wake_query {
-	cn_world *world;
-	int32_t shape;
-	int32_t reserved;
+	const cn_world *world;
+	const cni_shape *shape;
+	int32_t first;                /* bodies below have been woken */
+	int32_t count;
+	int32_t total;                /* bodies found, also those without a place; a body of several shapes counts several times */
+	int32_t bodies[WAKES_AT_ONCE]; /* ascending */
 } wake_query;
+
+static void wake_note(wake_query *m, int32_t body)
+{
+	int32_t k = m->count;
+	++m->total;
+	while (k > 0 && m->bodies[k - 1] > body)
+		--k;
+	if (k == WAKES_AT_ONCE || (k > 0 && m->bodies[k - 1] == body))
+		return;
+	m->count = cni_min_i(m->count + 1, WAKES_AT_ONCE);
+	memmove(m->bodies + k + 1, m->bodies + k, (size_t)(m->count - k - 1) * sizeof m->bodies[0]);
+	m->bodies[k] = body;
+}
 
 static float wake_if_collides(void *context, int32_t proxy, float limit)
 {
-	const wake_query *m = (const wake_query *)context;
-	const cni_shape *s = cni_shape_at(m->world, m->shape), *other = cni_shape_at(m->world, cni_proxy_at(m->world, proxy)->shape);
+	wake_query *m = (wake_query *)context;
+	const cni_shape *other = cni_shape_at(m->world, cni_proxy_at(m->world, proxy)->shape);
 	const cni_body *b = cni_body_at(m->world, other->body);
-	if (other->body != s->body && b->type == CN_BODY_DYNAMIC && b->awake == 0 && cni_filter_allows(s, other))
-		cni_body_wake(m->world, other->body);
+	if (other->body >= m->first && other->body != m->shape->body && b->type == CN_BODY_DYNAMIC && b->awake == 0 && cni_filter_allows(m->shape, other))
+		wake_note(m, other->body);
 	(void)limit;
 	return 1.0f; /* continue */
+}
+
+static void wake_in_box(cn_world *world, int32_t shape, const cni_aabb *box)
+{
+	wake_query m;
+	int32_t k;
+	m.world = world;
+	m.shape = cni_shape_at(world, shape);
+	m.first = 0;
+	do {
+		m.count = m.total = 0;
+		world->broadphase_ops->query(world->broadphase, box, wake_if_collides, &m);
+		for (k = 0; k < m.count; ++k)
+			cni_body_wake(world, m.bodies[k]);
+		m.first = m.count > 0 ? m.bodies[m.count - 1] + 1 : 0;
+	} while (m.count == WAKES_AT_ONCE && m.total > m.count);
 }
 
 void cni_shape_wake_met(cn_world *world, int32_t shape)
 {
 	const cni_shape *s = cni_shape_at(world, shape);
-	wake_query m;
 	int32_t child;
-	m.world = world;
-	m.shape = shape;
-	m.reserved = 0;
+	if (cni_shape_children(&world->blocks, s) > 1) /* otherwise each of many searches would test each of many moved boxes */
+		world->broadphase_ops->settle(world->broadphase);
 	for (child = 0; child < cni_shape_children(&world->blocks, s); ++child) {
 		int32_t proxy = cni_shape_proxy(world, s, child);
 		cni_aabb box;
 		if (proxy == CNI_NONE)
 			return;
 		box = cni_proxy_at(world, proxy)->fat;
-		world->broadphase_ops->query(world->broadphase, &box, wake_if_collides, &m);
+		wake_in_box(world, shape, &box);
 	}
 }
 
@@ -146,6 +182,7 @@ void cni_body_wake_met(cn_world *world, int32_t body)
 	cni_body_wake(world, body);
 	if (b->type != CN_BODY_STATIC)
 		return;
+	world->broadphase_ops->settle(world->broadphase);
 	for (shape = b->shape_first; shape != CNI_NONE; shape = cni_shape_at(world, shape)->next)
 		cni_shape_wake_met(world, shape);
 }

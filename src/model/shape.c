@@ -7,7 +7,7 @@
 
 #include <string.h>
 
-static uint64_t ids_bytes(const cn_world *world, int32_t children)
+uint64_t cni_shape_ids_bytes(const cn_world *world, int32_t children)
 {
 	uint64_t bytes = (uint64_t)children * sizeof(int32_t);
 	if (!world->memory.fixed)
@@ -90,7 +90,7 @@ cn_result cni_shape_place(cn_world *world, int32_t shape)
 			cni_body_kick(world, s->body);
 		return CN_OK;
 	}
-	ids = cni_blocks_alloc(&world->blocks, ids_bytes(world, cni_shape_children(&world->blocks, s)));
+	ids = cni_blocks_alloc(&world->blocks, cni_shape_ids_bytes(world, cni_shape_children(&world->blocks, s)));
 	if (ids == 0)
 		return CN_ERROR_MEMORY;
 	edges_place(world, shape, ids);
@@ -112,7 +112,7 @@ void cni_shape_unplace(cn_world *world, int32_t shape)
 		proxy_release(world, proxy);
 	}
 	if (s->type == CN_SHAPE_CHAIN) {
-		cni_blocks_free(&world->blocks, s->box.proxies, ids_bytes(world, cni_shape_children(&world->blocks, s)));
+		cni_blocks_free(&world->blocks, s->box.proxies, cni_shape_ids_bytes(world, cni_shape_children(&world->blocks, s)));
 		s->box.proxies = 0;
 	} else {
 		s->box.proxy = CNI_NONE;
@@ -161,7 +161,7 @@ cn_result cni_shape_replace_chain(cn_world *world, int32_t shape, cni_ref piece)
 	if (placed) {
 		if (cni_proxy_reserve(world, children) != CN_OK)
 			return CN_ERROR_MEMORY;
-		ids = cni_blocks_alloc(&world->blocks, ids_bytes(world, children));
+		ids = cni_blocks_alloc(&world->blocks, cni_shape_ids_bytes(world, children));
 		if (ids == 0)
 			return CN_ERROR_MEMORY;
 		cni_shape_unplace(world, shape);

@@ -65,6 +65,8 @@ uint64_t cni_shape_piece_bytes(const cn_world *world, int32_t type, int32_t coun
 void cni_shape_free_geometry(cn_world *world, int32_t shape);
 /* In a fixed block: proxy ids of chains of at most 8 edges (longer ones take the piece of a geometry), and extra pieces: two a shape. */
 #define CNI_SHAPE_IDS_BYTES 32u
+/* Bytes of the piece for a chain's proxy ids. */
+uint64_t cni_shape_ids_bytes(const cn_world *world, int32_t children);
 /* Proxy id of a chain's edge, CNI_NONE without boxes. */
 int32_t cni_shape_edge_proxy(const cn_world *world, const cni_shape *s, int32_t child);
 /* ... of any shape's child. */

@@ -249,6 +249,8 @@ CNI_TUNING_COUNT(CNI_SELECTION_REFUSED_MAX, 1920)
 CNI_TUNING_COUNT(CNI_SELECTION_FORGET_FACTOR, 8)
 /* Steps in which an island comes down until it is left to the soft solver. */
 CNI_TUNING_COUNT(CNI_SELECTION_FALL_STEPS, 8)
+/* Steps in a row in which an island that still moves must need direct solving and be quiet. */
+CNI_TUNING_COUNT(CNI_SELECTION_WAIT_STEPS, 8)
 /* Mass ratio from which a body may crush a lighter one below it. */
 CNI_TUNING_FLOAT(CNI_SELECTION_MASS_RATIO, 5.0f)
 

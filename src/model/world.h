@@ -21,9 +21,10 @@
 #include "model/tuning.h"
 
 #define CNI_ERROR_TEXT_BYTES 192
+#define CNI_ESTIMATED_MOST 32
 
 /* Items in a page of each table, as powers of two: small first pages keep an empty world small. */
-enum { CNI_PAGE_BODIES = 4, CNI_PAGE_SHAPES = 4, CNI_PAGE_PROXIES = 5, CNI_PAGE_CONTACTS = 6, CNI_PAGE_BLOCKS = 2, CNI_PAGE_JOINTS = 5, CNI_PAGE_ISLANDS = 5 };
+enum { CNI_PAGE_BODIES = 4, CNI_PAGE_READBACK = 5, CNI_PAGE_SHAPES = 4, CNI_PAGE_PROXIES = 5, CNI_PAGE_CONTACTS = 6, CNI_PAGE_BLOCKS = 2, CNI_PAGE_JOINTS = 5, CNI_PAGE_ISLANDS = 5 };
 
 /* Numbers of the world definition with defaults and the length unit resolved. */
 typedef struct cni_settings {
@@ -51,7 +52,9 @@ typedef struct cni_settings {
 /* Which new pairs may already have a contact. */
 enum {
 	CNI_PAIRS_MARKED = 1, /* pairs of bodies with CNI_BODY_AGAIN: woken, moved, or filters changed */
-	CNI_PAIRS_ALL = 3     /* all pairs: memory was short for a new contact, or for the end of one */
+	CNI_PAIRS_ALL = 3,    /* all pairs: memory was short for a new contact, or for the end of one */
+	CNI_PAIRS_CROWDED = 4, /* some proxies have CNI_PROXY_CROWDED: some of their pairs have no contact yet ... */
+	CNI_PAIRS_CROWDED_STATIC = 8 /* ... also pairs with static proxies */
 };
 
 struct cn_world {
@@ -73,6 +76,9 @@ struct cn_world {
 	/* bodies */
 	cni_handles body_handles;
 	cni_table bodies;            /* cni_body */
+	cni_table readback;          /* cn_body_moved by body slot: see cni_readback_at */
+	int32_t readback_kept;       /* 1: it has all bodies */
+	uint32_t readback_asked;     /* step count + 1 when it was last asked for, 0: never */
 	int32_t movable_count;       /* bodies that are not static: required capacity of the dense arrays */
 	int32_t awake_count;         /* entries of the dense arrays, the dummy included: >= 1 */
 	cni_array motion;            /* cni_motion */
@@ -83,7 +89,8 @@ struct cn_world {
 	                                without memory */
 	int32_t *step_islands;       /* records of the numbered islands, scratch of the arena; NULL: record index = number */
 	int32_t step_island_count;   /* count of island numbers, within a step */
-	int32_t reserved_bodies;
+	int32_t masses_estimated;    /* bodies of the list below */
+	cn_body estimated[CNI_ESTIMATED_MOST]; /* whose mass is a sum to which shapes were added: cni_body_shapes_changed */
 	cni_array kicked;            /* cn_body whose velocity was set since the last step */
 
 	/* variable time: empty until cn_world_update is used */
@@ -179,7 +186,7 @@ struct cn_world {
 	int32_t pairs_not_added;
 	int32_t events_not_reported;
 	cn_profile profile;
-	int32_t reserved_end;
+	uint32_t bodies_stopped;     /* in this step, as their motion was not finite; workers add to it */
 
 	char error[CNI_ERROR_TEXT_BYTES];
 };
@@ -209,6 +216,22 @@ static inline float cni_normal_lag_sq(const cn_world *world)
 }
 
 static inline cni_body *cni_body_at(const cn_world *world, int32_t body) { return (cni_body *)cni_table_at_sized(&world->bodies, body, sizeof(cni_body), CNI_PAGE_BODIES); }
+/*
+ * Pose, user data and handle of each body as the user reads them, apart from the records, from which reading fetches two cache lines a
+ * body. It is kept while poses or moved bodies are read: then body b's pose is always cni_body_pose, and fell_asleep is the number of
+ * steps + 1 at the end of the step in which it last moved, or less.
+ */
+static inline cn_body_moved *cni_readback_at(const cn_world *world, int32_t body) { return (cn_body_moved *)cni_table_at_sized(&world->readback, body, sizeof(cn_body_moved), CNI_PAGE_READBACK); }
+/* 1: the readback may be read. Else the records; the next step will begin to keep it. Readers may be several threads. */
+static inline int32_t cni_readback_ask(const cn_world *world)
+{
+	uint32_t *asked = (uint32_t *)&world->readback_asked;
+	if (cni_atomic_peek(asked) != world->step_count + 1u)
+		cni_atomic_put(asked, world->step_count + 1u);
+	return world->readback_kept;
+}
+/* Writes the readback of a body from its record, if it is kept. */
+void cni_readback_store(cn_world *world, int32_t body);
 static inline cni_shape *cni_shape_at(const cn_world *world, int32_t shape) { return (cni_shape *)cni_table_at_sized(&world->shapes, shape, sizeof(cni_shape), CNI_PAGE_SHAPES); }
 static inline cni_joint *cni_joint_at(const cn_world *world, int32_t joint) { return (cni_joint *)cni_table_at_sized(&world->joints, joint, sizeof(cni_joint), CNI_PAGE_JOINTS); }
 static inline cni_contact *cni_contact_at(const cn_world *world, int32_t contact) { return (cni_contact *)cni_table_at_sized(&world->contacts, contact, sizeof(cni_contact), CNI_PAGE_CONTACTS); }

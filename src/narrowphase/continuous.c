@@ -87,6 +87,8 @@ typedef struct clamp {
 	const cni_body *body;
 	int32_t targets;     /* CLAMP_* */
 	int32_t proxy;       /* of the moving shape */
+	int32_t other_proxy; /* of the shape at hand ... */
+	int32_t stopped_by;  /* ... that ends the path at `fraction`, CNI_NONE: none of those met by this moving shape */
 	cni_path path;
 	core_shape core;
 	cni_aabb reach;      /* bounds the swept core and the stopping distance around it; relative to the body's centre */
@@ -116,6 +118,7 @@ static void core_begin(clamp *c, const cni_geometry *g)
 	cni_aabb path = { cni_min(p->start.x, p->end.x), cni_min(p->start.y, p->end.y), cni_max(p->start.x, p->end.x), cni_max(p->start.y, p->end.y) };
 	float rounding = CNI_BODY_ROUNDING * (cni_abs(b->cx) + cni_abs(b->cy) + b->extent);
 	core_make(g, core_depth(g, c->world->settings.slop), &c->core);
+	c->stopped_by = CNI_NONE;
 	c->reach = cni_box_fatten(path, b->extent - (g->radius - c->core.geometry.radius) + rounding + c->world->settings.slop);
 }
 
@@ -196,17 +199,24 @@ static cni_toi_result core_toi(const clamp *c, const core_shape *core, cni_toi_i
 	return toi_with_reduced_target(in);
 }
 
+/* Of shapes hit at the same fraction, the lowest proxy counts: broadphases visit in different orders. */
+static int32_t ends_path_before(const clamp *c, float fraction)
+{
+	return fraction < c->fraction || (fraction == c->fraction && c->other_proxy < c->stopped_by);
+}
+
 /* Shortens the path to the part that is free for a core. Returns 0 if the core starts inside the other shape. */
 static int32_t core_clamp(clamp *c, const core_shape *core, cni_toi_input *in, const cni_body *other)
 {
 	cni_toi_result hit = core_toi(c, core, in);
 	if (starts_overlapping(&hit))
 		return 0;
-	if ((hit.state != CNI_TOI_HIT && hit.state != CNI_TOI_FAILED) || !(hit.fraction < c->fraction))
+	if ((hit.state != CNI_TOI_HIT && hit.state != CNI_TOI_FAILED) || !ends_path_before(c, hit.fraction))
 		return 1;
 	if (hit.state == CNI_TOI_HIT && hit.fraction == 0.0f && paths_separate_by(in, hit.normal) > 0.0f)
 		return 1;
 	c->fraction = hit.fraction;
+	c->stopped_by = c->other_proxy;
 	c->blocking_body = other->type == CN_BODY_DYNAMIC ? other->awake : 0;
 	c->normal = hit.state == CNI_TOI_HIT ? hit.normal : cni_v(0.0f, 0.0f);
 	c->arm = hit.state == CNI_TOI_HIT ? cni_sub(hit.point, in->path_b.start) : cni_v(0.0f, 0.0f);
@@ -239,6 +249,7 @@ static float visit_candidate(void *context, int32_t proxy, float limit)
 		return limit;
 	s = cni_shape_at(world, p->shape);
 	other = cni_body_at(world, s->body);
+	c->other_proxy = proxy;
 	in.a = cni_shape_geometry(&world->blocks, s);
 	in.child_a = cni_proxy_child(p);
 	in.child_b = 0;
@@ -468,7 +479,7 @@ static void body_check(check_loop *loop, int32_t body, const cni_motion *m)
 	}
 	if (world->movable_count == world->body_handles.count)
 		return; /* the world has no static body */
-	if (world->pairs_may_repeat || !path_is_inside_boxes(world, b, m))
+	if ((world->pairs_may_repeat & ~CNI_PAIRS_CROWDED) || !path_is_inside_boxes(world, b, m))
 		clamp_body(world, body, CLAMP_STATIC);
 	else if (b->flags & CNI_BODY_AT_STATIC)
 		clamp_against_contacts(world, body);

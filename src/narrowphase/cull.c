@@ -133,6 +133,8 @@ CNI_INLINE void body_prefetch(const cni_body *b)
 	CNI_PREFETCH(&b->vx);
 }
 
+typedef char cni_cull_finds_far_enough[RECORDS_AHEAD + 4 <= CNI_CULL_RECORDS && MEMBERS_AHEAD + 4 <= CNI_CULL_MEMBERS ? 1 : -1];
+
 /* Memory that cni_touch_begin reads. */
 CNI_INLINE void pair_prefetch(const cn_world *world, const cni_contact *c)
 {
@@ -146,11 +148,12 @@ CNI_INLINE void pair_prefetch(const cn_world *world, const cni_contact *c)
 	}
 }
 
-CNI_INLINE void members_prefetch(const cni_cull_list *list, const cni_contact *c)
+CNI_INLINE void members_prefetch(const cni_cull_list *list, const cni_contact *c, const cni_aabb **box)
 {
 	int32_t side;
 	for (side = 0; side < 2; ++side) {
-		CNI_PREFETCH(&cni_proxy_at(list->world, c->proxy[side])->fat);
+		box[side] = &cni_proxy_at(list->world, c->proxy[side])->fat;
+		CNI_PREFETCH(box[side]);
 		if (list->bodies != NULL)
 			CNI_PREFETCH(&list->bodies[c->body[side]]);
 		else
@@ -158,37 +161,45 @@ CNI_INLINE void members_prefetch(const cni_cull_list *list, const cni_contact *c
 	}
 }
 
-/* Prefetches bodies and boxes of contact k, whose record was prefetched earlier. */
-CNI_INLINE void ask_for_members(const cni_cull *s, int32_t k)
+/* Prefetches bodies and boxes of contact k, whose record was prefetched earlier. inside: k is in the range and does not touch. */
+CNI_INLINE void ask_for_members(cni_cull *s, int32_t k, int32_t inside)
 {
 	const cni_contact *c;
-	if (k >= s->end)
+	if (!inside && k >= s->end)
 		return;
-	c = cni_contact_at(s->of.world, s->of.contacts[k]);
-	if (k < s->of.apart)
-		members_prefetch(&s->of, c);
+	c = s->record[(uint32_t)k % CNI_CULL_RECORDS];
+	if (inside || k < s->of.apart)
+		members_prefetch(&s->of, c, s->box[(uint32_t)k % CNI_CULL_MEMBERS]);
 	else
 		pair_prefetch(s->of.world, c);
 }
 
 /* Records span two cache lines. */
-CNI_INLINE void ask_for_record(const cni_cull *s, int32_t k)
+CNI_INLINE void ask_for_record(cni_cull *s, int32_t k, int32_t inside)
 {
-	const cni_contact *c;
-	if (k >= s->end)
+	cni_contact *c;
+	if (!inside && k >= s->end)
 		return;
-	c = cni_contact_at(s->of.world, s->of.contacts[k]);
+	c = s->record[(uint32_t)k % CNI_CULL_RECORDS] = cni_contact_at(s->of.world, s->of.contacts[k]);
 	CNI_PREFETCH(c);
 	CNI_PREFETCH(&c->flags);
 }
 
-/* Prefetches for contacts after `at` to at + count - 1, which are culled now. */
-CNI_INLINE void prefetch_ahead(const cni_cull *s, int32_t at, int32_t count)
+/* Prefetches for contacts after `at` to at + count - 1, which are culled now. Finding a record in its table takes five instructions,
+   so those found here are kept until they are used. */
+CNI_INLINE void prefetch_ahead(cni_cull *s, int32_t at, int32_t count)
 {
-	int32_t k;
+	int32_t k, last = at + count - 1 + RECORDS_AHEAD;
+	if (last < s->end && last < s->of.apart) {
+		for (k = at; k < at + count; ++k) {
+			ask_for_record(s, k + RECORDS_AHEAD, 1);
+			ask_for_members(s, k + MEMBERS_AHEAD, 1);
+		}
+		return;
+	}
 	for (k = at; k < at + count; ++k) {
-		ask_for_record(s, k + RECORDS_AHEAD);
-		ask_for_members(s, k + MEMBERS_AHEAD);
+		ask_for_record(s, k + RECORDS_AHEAD, 0);
+		ask_for_members(s, k + MEMBERS_AHEAD, 0);
 	}
 }
 
@@ -257,9 +268,10 @@ typedef struct cull_rows {
 	uint32_t flags;          /* of all pairs, or-ed */
 } cull_rows;
 
-CNI_INLINE void rows_take(cull_rows *r, int32_t l, const cn_world *world, const cni_cull_body *a, const cni_cull_body *b, const cni_contact *c)
+CNI_INLINE void rows_take(cull_rows *r, int32_t l, const cni_cull_body *a, const cni_cull_body *b, const cni_aabb *const *box,
+	const cni_contact *c)
 {
-	cni_wide box_a = cni_wide_load_loose(&cni_proxy_at(world, c->proxy[0])->fat.x0), box_b = cni_wide_load_loose(&cni_proxy_at(world, c->proxy[1])->fat.x0);
+	cni_wide box_a = cni_wide_load_loose(&box[0]->x0), box_b = cni_wide_load_loose(&box[1]->x0);
 	r->between[l] = cni_wide_load_loose(&b->x) - cni_wide_load_loose(&a->x);
 	r->over[l] = __builtin_shufflevector(box_a, box_b, 0, 1, 4, 5) <= __builtin_shufflevector(box_b, box_a, 2, 3, 6, 7);
 	r->flags |= c->flags;
@@ -286,7 +298,7 @@ static uint32_t four_by_flags(cni_contact *const *c, uint32_t apart)
 }
 
 /* one_cull of four pairs, as bits, with the same operations in each lane. */
-static uint32_t four_cull(const cni_cull *s, cni_contact *const *c)
+static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_aabb *const (*box)[2])
 {
 	const cn_world *world = s->of.world;
 	const cni_cull_body *a[4], *b[4];
@@ -298,7 +310,7 @@ static uint32_t four_cull(const cni_cull *s, cni_contact *const *c)
 	for (l = 0; l < 4; ++l) {
 		a[l] = &s->of.bodies[c[l]->body[0]];
 		b[l] = &s->of.bodies[c[l]->body[1]];
-		rows_take(&r, l, world, a[l], b[l], c[l]);
+		rows_take(&r, l, a[l], b[l], box[l], c[l]);
 	}
 	radius_a = (cni_wide){ a[0]->radius, a[1]->radius, a[2]->radius, a[3]->radius };
 	radius_b = (cni_wide){ b[0]->radius, b[1]->radius, b[2]->radius, b[3]->radius };
@@ -313,8 +325,9 @@ static uint32_t four_cull(const cni_cull *s, cni_contact *const *c)
 
 #else
 
-static uint32_t four_cull(const cni_cull *s, cni_contact *const *c)
+static uint32_t four_cull(const cni_cull *s, cni_contact *const *c, const cni_aabb *const (*box)[2])
 {
+	(void)box;
 	return one_cull(s, c[0]) | one_cull(s, c[1]) << 1 | one_cull(s, c[2]) << 2 | one_cull(s, c[3]) << 3;
 }
 
@@ -322,19 +335,38 @@ static uint32_t four_cull(const cni_cull *s, cni_contact *const *c)
 
 /* ---- batches ---- */
 
+/* Contacts at to at + 3 of the list and their boxes. */
+CNI_INLINE void four_find(cni_cull *s, int32_t at, cni_contact **c, const cni_aabb *(*box)[2])
+{
+	const cn_world *world = s->of.world;
+	int32_t l;
+	if (s->of.prefetches)
+		prefetch_ahead(s, at, 4);
+	for (l = 0; l < 4; ++l) {
+		if (s->of.prefetches) {
+			c[l] = s->record[(uint32_t)(at + l) % CNI_CULL_RECORDS];
+			box[l][0] = s->box[(uint32_t)(at + l) % CNI_CULL_MEMBERS][0];
+			box[l][1] = s->box[(uint32_t)(at + l) % CNI_CULL_MEMBERS][1];
+		} else {
+			c[l] = cni_contact_at(world, s->of.contacts[at + l]);
+			box[l][0] = &cni_proxy_at(world, c[l]->proxy[0])->fat;
+			box[l][1] = &cni_proxy_at(world, c[l]->proxy[1])->fat;
+		}
+	}
+}
+
 /* Pairs of a batch that stay apart, as bits. */
-static uint32_t apart_of_batch(const cni_cull *s, int32_t from, int32_t size)
+static uint32_t apart_of_batch(cni_cull *s, int32_t from, int32_t size)
 {
 	const cn_world *world = s->of.world;
 	const int32_t *contacts = s->of.contacts + from;
 	uint32_t apart = 0;
 	int32_t k = 0;
 	for (; s->of.bodies != NULL && k + 4 <= size; k += 4) {
-		cni_contact *c[4] = { cni_contact_at(world, contacts[k]), cni_contact_at(world, contacts[k + 1]), cni_contact_at(world, contacts[k + 2]),
-		                      cni_contact_at(world, contacts[k + 3]) };
-		if (s->of.prefetches)
-			prefetch_ahead(s, from + k, 4);
-		apart |= four_cull(s, c) << k;
+		cni_contact *c[4];
+		const cni_aabb *box[4][2];
+		four_find(s, from + k, c, box);
+		apart |= four_cull(s, c, (const cni_aabb *const (*)[2])box) << k;
 	}
 	for (; k < size; ++k) {
 		if (s->of.prefetches)
@@ -378,9 +410,10 @@ static int32_t take_touching(cni_cull *s, cni_touch_pair *out, int32_t most)
 	const int32_t *contacts = s->of.contacts + at;
 	for (k = 0; k < count; ++k) {
 		int32_t contact = contacts[k];
-		cni_contact *c = cni_contact_at(world, contact);
+		cni_contact *c;
 		if (prefetches)
 			prefetch_ahead(s, at + k, 1);
+		c = prefetches ? s->record[(uint32_t)(at + k) % CNI_CULL_RECORDS] : cni_contact_at(world, contact);
 		out[k] = cni_touch_pair_of(world, c, contact);
 		cni_contact_mark_static(out[k].body[0], out[k].body[1]);
 		contact_enters_no_more(c);
@@ -419,9 +452,9 @@ void cni_cull_begin(cni_cull *s, const cni_cull_list *list, int32_t begin, int32
 	if (!list->prefetches)
 		return;
 	for (k = 0; k < RECORDS_AHEAD; ++k)
-		ask_for_record(s, begin + k);
+		ask_for_record(s, begin + k, 0);
 	for (k = 0; k < MEMBERS_AHEAD; ++k)
-		ask_for_members(s, begin + k);
+		ask_for_members(s, begin + k, 0);
 }
 
 int32_t cni_cull_next(cni_cull *s, cni_touch_pair *out, int32_t most)

@@ -10,14 +10,14 @@
  * allocate or call the user are deferred and processed in order between the two parts.
  *
  * Contacts are processed in small windows: all contacts of a window begin, then one batch computes the manifolds of its
- * pairs of boxes, triangles, capsules and edges, then the contacts finish in order. This prefetches memory early and gives the
+ * pairs of polygons, capsules and edges, then the contacts finish in order. This prefetches memory early and gives the
  * same results as one contact at a time.
  *
  * Reads bodies, geometry, proxies; writes contacts, lanes, and through them islands and events; marks
  * bodies near static ones.
  */
 #include "narrowphase/narrowphase.h"
-#include "collision/manifold_boxes.h"
+#include "collision/manifold_batch.h"
 #include "narrowphase/cull.h"
 
 #include <string.h>
@@ -140,14 +140,14 @@ static void change_begin(cn_world *world, int32_t contact, float dt)
 static void pair_end(cn_world *world, int32_t contact)
 {
 	if (!boxes_overlap(world, cni_contact_at(world, contact)) && !cni_contact_destroy(world, contact))
-		world->pairs_may_repeat = CNI_PAIRS_ALL;
+		world->pairs_may_repeat |= CNI_PAIRS_ALL;
 }
 
 /* Sensor pairs have no lane and no island link. */
 static void sensor_change(cn_world *world, int32_t contact, int32_t change)
 {
 	if (!cni_contact_update_sensor(world, contact, change == CHANGE_BEGIN))
-		world->pairs_may_repeat = CNI_PAIRS_ALL;
+		world->pairs_may_repeat |= CNI_PAIRS_ALL;
 	else if (change == CHANGE_END)
 		pair_end(world, contact);
 }
@@ -168,7 +168,7 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, float
 	if (change != CHANGE_END)
 		return;
 	if ((c->flags & CNI_CONTACT_TOUCHING) && !cni_contact_end(world, contact))
-		world->pairs_may_repeat = CNI_PAIRS_ALL;
+		world->pairs_may_repeat |= CNI_PAIRS_ALL;
 	else
 		pair_end(world, contact);
 }
@@ -176,7 +176,7 @@ static void change_apply(cn_world *world, int32_t contact, int32_t change, float
 /* ---- windows ---- */
 
 /* Contacts per window. */
-#define WINDOW CNI_BOX_PAIRS
+#define WINDOW CNI_BATCH_PAIRS
 
 typedef struct window {
 	cni_touch_pair pair[WINDOW];
@@ -184,8 +184,8 @@ typedef struct window {
 	cni_touch touch[WINDOW];
 	int32_t column[WINDOW];  /* in boxes, or COLUMN_* */
 	int32_t change[WINDOW];  /* CHANGE_* */
-	cni_box_batch boxes;
-	cni_box_kernel_fn *kernel;
+	cni_manifold_batch batch;
+	cni_batch_kernel_fn *kernel;
 	int32_t prefetches;
 	uint32_t deferred_flags, deferred_locks; /* flags of touching contacts, flags of their bodies: these contacts are deferred */
 } window;
@@ -200,7 +200,7 @@ enum {
 static void window_init(window *w, cn_world *world, int32_t serial)
 {
 	int32_t extra_rows = cni_table_capacity(&world->blocks_extra) >= cni_table_capacity(&world->blocks_hot);
-	w->kernel = CNI_ON(BOX_BATCHES) ? cni_box_kernel_choose() : NULL;
+	w->kernel = CNI_ON(MANIFOLD_BATCHES) ? cni_batch_kernel_choose() : NULL;
 	w->count = w->prefetches = 0;
 	w->deferred_flags = serial ? 0 : CNI_CONTACT_REFRESH | CNI_CONTACT_PRE_SOLVE;
 	w->deferred_locks = serial || extra_rows ? 0 : CN_BODY_LOCK_X | CN_BODY_LOCK_Y;
@@ -249,7 +249,7 @@ static void window_prefetch(const cn_world *world, const window *w, int32_t coun
 static void window_begin(const cn_world *world, window *w, int32_t count, float dt)
 {
 	int32_t k;
-	w->boxes.count = 0;
+	w->batch.count = 0;
 	if (w->prefetches)
 		window_prefetch(world, w, count);
 	for (k = 0; k < count; ++k) {
@@ -261,8 +261,8 @@ static void window_begin(const cn_world *world, window *w, int32_t count, float 
 		if (!cni_touch_begin(world, &w->pair[k], motion_time(c, dt), t))
 			continue;
 		w->column[k] = COLUMN_NONE;
-		if (w->kernel != NULL && cni_boxes_take(&t->in))
-			w->column[k] = cni_boxes_add(&w->boxes, &t->in, &c->cache);
+		if (w->kernel != NULL && cni_batch_take(&t->in))
+			w->column[k] = cni_batch_add(&w->batch, &t->in, &c->cache);
 	}
 }
 
@@ -274,7 +274,7 @@ static int32_t window_finish(cn_world *world, window *w, int32_t k, float dt)
 	if (w->column[k] == COLUMN_NONE)
 		cni_touch_collide(t);
 	else if (w->column[k] >= 0)
-		cni_boxes_read(&w->boxes, w->column[k], &t->in, &t->contact->cache, &t->manifold);
+		cni_batch_read(&w->batch, w->column[k], &t->in, &t->contact->cache, &t->manifold);
 	cni_touch_finish(world, motion_time(t->contact, dt), t);
 	return contact_update(world, w->pair[k].index, t);
 }
@@ -284,7 +284,7 @@ static void window_collide(cn_world *world, window *w, int32_t count, float dt)
 {
 	int32_t k;
 	window_begin(world, w, count, dt);
-	cni_boxes_run(&w->boxes, w->kernel);
+	cni_batch_run(&w->batch, w->kernel);
 	for (k = 0; k < count; ++k)
 		w->change[k] = window_finish(world, w, k, dt);
 }
@@ -314,7 +314,7 @@ static void change_add(cn_world *world, change_list *list, int32_t contact, int3
 		return;
 	}
 	world->warnings |= CN_WARNING_CONTACT_MEMORY;
-	world->pairs_may_repeat = CNI_PAIRS_ALL;
+	world->pairs_may_repeat |= CNI_PAIRS_ALL;
 	if (cni_contact_at(world, contact)->flags & CNI_CONTACT_TOUCHING)
 		cni_contact_write_empty(world, contact);
 }

@@ -4,14 +4,22 @@
  * Reads proxies and filters through the broadphase, writes contacts. Pairs are sorted, so contacts are created in the same order
  * with any broadphase. A pair without memory for its contact is counted, and its proxy touched so that the next step reports it
  * again.
+ *
+ * Crowds: the broadphase bounds the pairs of one update (broadphase/pair_list.h), this stage all contacts. In a world with more
+ * than cni_pairs_limit contacts, a pair of which both bodies have many is left out. In each step one in CROWD_TURNS of the
+ * proxies that miss a pair is touched, until nothing is left out; until then their bodies do not fall asleep.
  */
 #include "narrowphase/narrowphase.h"
 #include "model/solve.h"
 
+#define CROWD_TURNS 16       /* steps until a proxy that misses a pair has its next turn */
+#define CONTACTS_MANY 16     /* of each of two bodies */
+#define CONTACTS_STATIC 64   /* of a body that meets a static one */
+
 static void pair_retry_later(cn_world *world, const cni_pair *pair)
 {
 	world->broadphase_ops->touch(world->broadphase, pair->a);
-	world->pairs_may_repeat = CNI_PAIRS_ALL;
+	world->pairs_may_repeat |= CNI_PAIRS_ALL;
 	world->warnings |= CN_WARNING_CONTACT_MEMORY;
 	++world->pairs_not_added;
 }
@@ -49,7 +57,7 @@ static int32_t is_asleep(const cn_world *world, int32_t proxy)
 /* Does the pair have a contact already? Most pairs need no lookup: only sleep, marks and CNI_PAIRS_ALL can cause repeats. */
 static int32_t pair_repeats(const cn_world *world, const cni_pair *pair, int32_t may_repeat)
 {
-	if (may_repeat == CNI_PAIRS_ALL || is_asleep(world, pair->a) || is_asleep(world, pair->b) || (may_repeat && (is_marked(world, pair->a) || is_marked(world, pair->b))))
+	if ((may_repeat & CNI_PAIRS_ALL) == CNI_PAIRS_ALL || is_asleep(world, pair->a) || is_asleep(world, pair->b) || (may_repeat && (is_marked(world, pair->a) || is_marked(world, pair->b))))
 		return cni_contact_find(world, pair->a, pair->b) != CNI_NONE;
 	CNI_ASSERT(cni_contact_find(world, pair->a, pair->b) == CNI_NONE);
 	return 0;
@@ -61,6 +69,57 @@ static void marks_clear(const cn_world *world)
 	int32_t k;
 	for (k = 1; k < world->awake_count; ++k)
 		cni_body_at(world, cni_awake_ids(world)[k])->flags &= ~(uint32_t)CNI_BODY_AGAIN;
+}
+
+/* ---- crowds ---- */
+
+static void crowd_touch(cn_world *world, int32_t proxy)
+{
+	cni_proxy_at(world, proxy)->flags &= ~(uint32_t)CNI_PROXY_CROWDED;
+	cni_body_at(world, cni_shape_at(world, cni_proxy_at(world, proxy)->shape)->body)->flags |= CNI_BODY_AGAIN;
+	world->broadphase_ops->touch(world->broadphase, proxy);
+}
+
+/* Gives the proxies whose turn it is another search, and keeps all that miss a pair awake. Returns CNI_PAIRS_MARKED, as contacts of the
+   touched ones are found again, and CNI_PAIRS_CROWDED while others wait. */
+static int32_t crowd_turn(cn_world *world)
+{
+	int32_t id, found = 0;
+	for (id = 0; id < world->proxy_used; ++id) {
+		if ((cni_proxy_at(world, id)->flags & (CNI_PROXY_ALIVE | CNI_PROXY_CROWDED)) != (CNI_PROXY_ALIVE | CNI_PROXY_CROWDED))
+			continue;
+		cni_body_wake(world, cni_shape_at(world, cni_proxy_at(world, id)->shape)->body);
+		if (((uint32_t)id + world->step_count) % CROWD_TURNS != 0) {
+			found |= CNI_PAIRS_CROWDED;
+			continue;
+		}
+		crowd_touch(world, id);
+		found |= CNI_PAIRS_MARKED;
+	}
+	return found;
+}
+
+static int32_t has_static(const cn_world *world, const cni_pair *pair)
+{
+	return ((cni_proxy_at(world, pair->a)->flags | cni_proxy_at(world, pair->b)->flags) & CNI_PROXY_STATIC) != 0;
+}
+
+static int32_t crowd_leaves_out(const cn_world *world, const cni_pair *pair)
+{
+	int32_t a, b;
+	if (world->contact_count < cni_pairs_limit(world->proxy_count))
+		return 0;
+	a = body_of(world, pair->a)->contact_count;
+	b = body_of(world, pair->b)->contact_count;
+	if (has_static(world, pair))
+		return cni_min_i(a, b) >= CONTACTS_STATIC;
+	return cni_min_i(a, b) >= CONTACTS_MANY;
+}
+
+static void crowd_note(cn_world *world, int32_t pairs, int32_t with_static)
+{
+	world->pairs_may_repeat |= CNI_PAIRS_CROWDED | (with_static ? CNI_PAIRS_CROWDED_STATIC : 0);
+	world->pairs_not_added += cni_min_i(pairs, INT32_MAX - world->pairs_not_added);
 }
 
 /* So many pairs ahead each is asked for, when what leads to it has come: shapes, bodies, the heads of their lists of contacts. */
@@ -103,15 +162,23 @@ void cni_stage_pairs(cn_world *world, float dt)
 	const cni_pair *list;
 	int32_t k, may_repeat = world->pairs_may_repeat;
 	world->pairs_may_repeat = 0;
+	if (may_repeat & CNI_PAIRS_CROWDED) {
+		int32_t crowd = crowd_turn(world);
+		world->pairs_may_repeat |= crowd & CNI_PAIRS_CROWDED ? may_repeat & (CNI_PAIRS_CROWDED | CNI_PAIRS_CROWDED_STATIC) : 0;
+		may_repeat |= crowd & CNI_PAIRS_MARKED;
+	}
 	kicked_extend_boxes(world, dt);
 	pairs->wanted = world->filter != NULL ? cni_contact_user_allows : NULL;
 	pairs->wanted_context = world;
+	pairs->seed = world->step_count;
 	world->broadphase_ops->update(world->broadphase, cni_contact_possible, world, pairs);
 	if (pairs->pairs_lost > 0) {
 		world->warnings |= CN_WARNING_CONTACT_MEMORY;
 		world->pairs_not_added += pairs->pairs_lost;
-		world->pairs_may_repeat = CNI_PAIRS_ALL;
+		world->pairs_may_repeat |= CNI_PAIRS_ALL;
 	}
+	if (pairs->left_out > 0)
+		crowd_note(world, pairs->left_out, pairs->left_out_static);
 	/* Workers may have found the pairs, so the user's filter runs here, in order; where the list had no room for all pairs, the
 	   broadphase has run it. */
 	cni_pairs_cull(pairs);
@@ -120,11 +187,16 @@ void cni_stage_pairs(cn_world *world, float dt)
 		pairs_prefetch(world, list, pairs->list.count, k);
 		if (pair_repeats(world, &list[k], may_repeat))
 			continue;
-		if (cni_contact_reserve(world, 1) != CN_OK)
+		if (crowd_leaves_out(world, &list[k])) {
+			cni_proxy_at(world, list[k].a)->flags |= CNI_PROXY_CROWDED;
+			crowd_note(world, 1, has_static(world, &list[k]));
+		} else if (cni_contact_reserve(world, 1) != CN_OK)
 			pair_retry_later(world, &list[k]);
 		else
 			cni_contact_create(world, list[k].a, list[k].b);
 	}
-	if (may_repeat)
+	if (world->pairs_may_repeat & CNI_PAIRS_CROWDED)
+		world->warnings |= CN_WARNING_CROWD;
+	if (may_repeat & CNI_PAIRS_ALL)
 		marks_clear(world);
 }

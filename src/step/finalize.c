@@ -20,22 +20,25 @@
 #include <string.h>
 
 #define BODIES_A_RANGE 256 /* some ten microseconds: records and shapes are read */
+#define READBACK_STEPS 64u
 #define BODIES_NEAR 64     /* whose records are still near after a loop over them; bits of a word */
 
-/* The conditions also catch NaN. */
-static void limit_speed(cni_motion *m, const cni_settings *set)
+/* The conditions also catch NaN. Returns 1 for a body that is stopped. */
+static uint32_t limit_speed(cni_motion *m, const cni_settings *set)
 {
+	uint32_t stopped = 0;
 	float v_sq = m->vx * m->vx + m->vy * m->vy, most = set->linear_speed_max;
 	if (!(v_sq <= most * most)) {
 		float scale = most / cni_sqrt(v_sq);
 		m->vx *= scale;
 		m->vy *= scale;
-		cni_motion_keep_finite(m);
+		stopped = cni_motion_keep_finite(m);
 	}
 	if (!(cni_abs(m->w) <= set->angular_speed_max)) {
 		m->w = cni_clamp(m->w, -set->angular_speed_max, set->angular_speed_max);
-		cni_motion_keep_finite(m);
+		stopped |= cni_motion_keep_finite(m);
 	}
+	return stopped;
 }
 
 /* high + low += change, keeping what high cannot hold (Dekker, 1971). */
@@ -53,19 +56,26 @@ static cni_rot rotate_by(cni_rot q, float theta)
 }
 
 /* A change too small for the pose only enters the low part: the body does not count as moved. */
-static void take_pose(cni_body *b, cni_motion *m)
+static void take_pose(cn_world *world, int32_t body, cni_motion *m)
 {
-	cni_vec2 before = cni_body_origin(b), after;
-	cni_rot q = b->q;
+	cni_body *b = cni_body_at(world, body);
+	cn_pose before = cni_body_pose(b), after;
+	cn_body_moved *shown;
 	b->flags &= ~CNI_BODY_OF_THE_WAY;
 	sum_exactly(&b->cx, &b->cx_low, m->dpx);
 	sum_exactly(&b->cy, &b->cy_low, m->dpy);
 	if (m->theta != 0.0f)
 		b->q = rotate_by(b->q, m->theta);
-	after = cni_body_origin(b);
+	after = cni_body_pose(b);
 	cni_body_set_room(b, cni_body_room(b) - cni_body_reach(b, m->dpx, m->dpy, m->theta));
-	if (before.x != after.x || before.y != after.y || q.c != b->q.c || q.s != b->q.s)
+	if (before.position_m.x != after.position_m.x || before.position_m.y != after.position_m.y || before.cosine != after.cosine ||
+	    before.sine != after.sine)
 		b->flags |= CNI_BODY_MOVED;
+	if (world->readback_kept) {
+		shown = cni_readback_at(world, body);
+		shown->pose = after;
+		shown->fell_asleep = b->flags & CNI_BODY_MOVED ? world->step_count + 1u : 0u;
+	}
 	m->dpx = m->dpy = m->theta = 0.0f;
 }
 
@@ -118,7 +128,7 @@ void cni_poses_take(cn_world *world)
 	for (k = 1; k < world->awake_count; ++k) {
 		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		cni_motion *m = cni_motions(world) + k;
-		take_pose(b, m);
+		take_pose(world, cni_awake_ids(world)[k], m);
 		cni_body_look_ahead(world, b, cni_v(0.0f, 0.0f));
 	}
 }
@@ -135,9 +145,10 @@ static uint32_t body_take(cn_world *world, const cni_solve *s, int32_t k, uint32
 	cni_motion *m = cni_motions(world) + k;
 	cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 	int32_t pushed;
-	limit_speed(m, &world->settings);
+	if (limit_speed(m, &world->settings))
+		(void)cni_atomic_add(&world->bodies_stopped, 1u);
 	pushed = body_is_pushed(world, b, m, s->dt);
-	take_pose(b, m);
+	take_pose(world, cni_awake_ids(world)[k], m);
 	*rested |= body_rest(world, b, k, s, pushed);
 	return !cni_body_has_room(b, way_ahead(world, s, k));
 }
@@ -238,10 +249,22 @@ static void boxes_tell(cn_world *world, const cni_solve *s, const int32_t *moved
 	}
 }
 
+/* The readback is kept from the first step after it was asked for until some time after it was last asked for. */
+static void readback_begin(cn_world *world)
+{
+	int32_t used = cni_handles_used(&world->body_handles), k, was_kept = world->readback_kept;
+	world->readback_kept = world->readback_asked != 0 && world->step_count + 1u - world->readback_asked < READBACK_STEPS &&
+		cni_table_reserve(&world->readback, &world->memory, used);
+	for (k = 0; k < used && world->readback_kept && !was_kept; ++k)
+		if (cni_handles_alive(&world->body_handles, k))
+			cni_readback_store(world, k);
+}
+
 int32_t cni_stage_finalize(cn_world *world, const cni_solve *s)
 {
 	pose_loop loop = { world, s, NULL, 0 };
 	cni_dummy_stand(world);
+	readback_begin(world);
 	if (world->team != NULL && world->awake_count > 2 * BODIES_A_RANGE)
 		loop.moved = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
 	if (loop.moved != NULL) {

@@ -47,12 +47,26 @@ CNI_INLINE void sum_exactly_wide(cni_wide *high, cni_wide *low, cni_wide change)
 	*high = sum;
 }
 
+/* Writes the readback: cni_readback_store for what finalizing changes. */
+CNI_INLINE void lanes_show(const cn_world *world, int32_t k, cni_mask moved, cni_wide x, cni_wide y, cni_wide c, cni_wide s)
+{
+	const int32_t *ids = cni_awake_ids(world) + k;
+	float *shown[CNI_WIDTH];
+	int32_t l;
+	for (l = 0; l < CNI_WIDTH; ++l) {
+		cn_body_moved *to = cni_readback_at(world, ids[l]);
+		shown[l] = (float *)(void *)&to->pose;
+		to->fell_asleep = (uint32_t)moved[l] & (world->step_count + 1u);
+	}
+	cni_wide_scatter4_to(shown, 0, x, y, c, s);
+}
+
 /* take_pose without the room. Returns what the movement takes from each body's room. */
-CNI_INLINE cni_wide lanes_poses(const body_lanes *f, cni_mask *moved)
+CNI_INLINE cni_wide lanes_poses(const cn_world *world, int32_t k, const body_lanes *f, cni_mask *moved)
 {
 	const int32_t at_center = (int32_t)(offsetof(cni_body, cx) / sizeof(float)), at_rotation = (int32_t)(offsetof(cni_body, q) / sizeof(float));
 	float *records[CNI_WIDTH];
-	cni_wide x, y, x_low, y_low, c, s, lx, ly, before_x, before_y, turn_c, turn_s, new_c, new_s, length;
+	cni_wide x, y, x_low, y_low, c, s, lx, ly, before_x, before_y, after_x, after_y, turn_c, turn_s, new_c, new_s, length;
 	cni_mask turns, same;
 	int32_t l;
 	for (l = 0; l < CNI_WIDTH; ++l)
@@ -70,10 +84,14 @@ CNI_INLINE cni_wide lanes_poses(const body_lanes *f, cni_mask *moved)
 	turns = f->turn != cni_wide_of(0.0f);
 	new_c = cni_wide_select(turns, new_c / length, c);
 	new_s = cni_wide_select(turns, new_s / length, s);
-	same = (before_x == x - (new_c * lx - new_s * ly) + x_low) & (before_y == y - (new_s * lx + new_c * ly) + y_low) & (c == new_c) & (s == new_s);
+	after_x = x - (new_c * lx - new_s * ly) + x_low;
+	after_y = y - (new_s * lx + new_c * ly) + y_low;
+	same = (before_x == after_x) & (before_y == after_y) & (c == new_c) & (s == new_s);
 	*moved = ~same;
 	cni_wide_scatter4_to(records, at_center, x, y, x_low, y_low);
 	cni_wide_scatter2_to(records, at_rotation, new_c, new_s);
+	if (world->readback_kept)
+		lanes_show(world, k, *moved, after_x, after_y, new_c, new_s);
 	for (l = 0; l < CNI_WIDTH; ++l)
 		f->m[l].dpx = f->m[l].dpy = f->m[l].theta = 0.0f;
 	return cni_wide_max(cni_wide_abs(f->dx), cni_wide_abs(f->dy)) + cni_wide_abs(f->turn) * f->turn_reach +
@@ -181,7 +199,7 @@ static cni_poses_taken kernel_poses(cn_world *world, const cni_solve *s, int32_t
 			out.left |= (uint64_t)ALL_LANES << (k - begin);
 			continue;
 		}
-		taken = lanes_poses(&f, &moved);
+		taken = lanes_poses(world, k, &f, &moved);
 		out.no_room |= (uint64_t)lanes_rooms(&f, taken, moved, s->dt) << (k - begin);
 		r = lanes_rest(world, s, k, &f);
 		out.rest |= (uint64_t)r.left << (k - begin);

@@ -349,32 +349,38 @@ static move_limit move_limit_make(const cn_world *world, float dt)
 }
 
 /* Clamps the displacement of a step: velocities may be absurd between substeps, among joints that are torn far apart. The condition
-   also catches NaN. A body within the limit is unchanged, whatever its neighbours in the vector. */
-static void move_clamp(cni_motion *m, const move_limit *limit)
+   also catches NaN. A body within the limit is unchanged, whatever its neighbours in the vector. Returns 1 for a body that is stopped. */
+static uint32_t move_clamp(cni_motion *m, const move_limit *limit)
 {
 	float move_sq = m->dpx * m->dpx + m->dpy * m->dpy;
+	uint32_t stopped;
 	if (move_sq <= limit->way * limit->way && cni_abs(m->theta) <= limit->turn)
-		return;
-	cni_motion_keep_finite(m);
+		return 0;
+	stopped = cni_motion_keep_finite(m);
 	if (move_sq > limit->way * limit->way) {
 		float scale = limit->way / cni_sqrt(move_sq);
 		m->dpx *= scale;
 		m->dpy *= scale;
 	}
 	m->theta = cni_clamp(m->theta, -limit->turn, limit->turn);
+	return stopped;
 }
 
 /* Applies speed limits to displacements before other stages read them. The kernel skips bodies within the limit, which are nearly all. */
 static void moves_clamp(const cni_body_pass *pass, const cni_body_kernel *kernel, float dt, int32_t begin, int32_t end)
 {
 	move_limit limit = move_limit_make(pass->world, dt);
+	cn_world *counter = (cn_world *)(uintptr_t)pass->world; /* the count is the only field that changes */
+	uint32_t stopped = 0;
 	int32_t k = begin, last;
 	while (k < end) {
 		if (kernel != NULL)
 			k = kernel->near(pass, k, end, limit.way * limit.way, limit.turn);
 		for (last = cni_min_i(k + CNI_CALM_MOST, end); k < last; ++k)
-			move_clamp(&pass->motions[k], &limit);
+			stopped += move_clamp(&pass->motions[k], &limit);
 	}
+	if (stopped > 0)
+		(void)cni_atomic_add(&counter->bodies_stopped, stopped);
 }
 
 static void finish_range(void *context, int32_t begin, int32_t end, int32_t worker)

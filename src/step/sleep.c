@@ -1,6 +1,9 @@
 /*
  * step/sleep.c - stage 10: islands in which every body has rested long enough leave the awake arrays.
  *
+ * A step puts only so many bodies to sleep, and whole islands (SLEEP_LEAST): when a large scene comes to rest at once, its bodies leave
+ * the awake arrays over some steps instead of in one long one.
+ *
  * Runs only when finalize found a body that has. An island that lost links is split first, one a step, so that separate parts
  * may sleep separately. Bodies that touch or are jointed to a moving kinematic body stay awake. So do bodies that a motor moves,
  * and bodies that sag because the direct solver has found no solution for them.
@@ -119,7 +122,7 @@ static rests rests_find(cn_world *world)
 		}
 		i = cni_island_at(world, b->island);
 		i->rest_time = cni_min(i->rest_time, b->sleep_time);
-		if (cni_island_is_unsolved(i, world->step_count) && !is_still(world, b))
+		if (CNI_HAS_DIRECT && cni_island_is_unsolved(i, world->step_count) && !is_still(world, b))
 			i->rest_time = 0.0f; /* it sags, and would fall asleep so before the next attempt to solve it */
 		if (i->losses == 0 || b->sleep_time < r.longest || b->sleep_time <= 0.0f || (r.split != CNI_NONE && b->sleep_time == r.longest))
 			continue;
@@ -167,20 +170,29 @@ static int32_t some_island_may_sleep(const cn_world *world)
 	return 0;
 }
 
+/* Bodies that may fall asleep in a step: SLEEP_LEAST, some 0.6 ms, or one of SLEEP_SHARE awake ones. */
+#define SLEEP_LEAST 1024
+#define SLEEP_SHARE 8
+
 void cni_stage_sleep(cn_world *world)
 {
 	rests r;
-	int32_t k;
+	int32_t k, before, most;
 	keep_near_kinematic_awake(world);
-	keep_driven_awake(world);
+	if (CNI_HAS_JOINTS)
+		keep_driven_awake(world);
 	r = rests_find(world);
 	if (split_one(world, r.split))
 		r = rests_find(world);
 	if (!r.alone && !islands_are_many(world) && !some_island_may_sleep(world))
 		return;
+	before = world->awake_count;
+	most = cni_max_i(SLEEP_LEAST, before / SLEEP_SHARE);
 	for (k = world->awake_count - 1; k >= 1; k = cni_min_i(k, world->awake_count) - 1) {
 		int32_t body = cni_awake_ids(world)[k];
 		if (may_sleep(world, cni_body_at(world, body)) && !cni_body_put_to_sleep(world, body))
 			world->warnings |= CN_WARNING_FRAME_MEMORY;
+		if (before - world->awake_count >= most)
+			return;
 	}
 }

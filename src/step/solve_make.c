@@ -72,7 +72,8 @@ static cni_solve make(const cn_world *world, float dt, int32_t substeps)
 		s.contact[kind] = contact_pass_make(world, &s, kind);
 	s.joint = cni_soft_implicit(0.25f * s.inv_h, 2.0f, s.h);
 	s.kernel = cni_contact_kernel_choose();
-	s.joint_kernel = cni_joint_kernel_choose();
+	if (CNI_HAS_JOINTS)
+		s.joint_kernel = cni_joint_kernel_choose();
 	s.body_kernel = cni_body_kernel_choose();
 	return s;
 }

@@ -29,8 +29,10 @@ static void profile_mark(cn_world *world, float *field, uint64_t *mark)
 
 static void step_begin(cn_world *world)
 {
+	cni_body_masses_settle(world);
 	world->warnings = 0;
 	world->pairs_not_added = world->events_not_reported = 0;
+	world->bodies_stopped = 0;
 	memset(&world->profile, 0, sizeof world->profile);
 	cni_events_begin_step(&world->events);
 	world->events.in_step = 1;
@@ -45,6 +47,10 @@ static int32_t team_is_held(const cn_world *world)
 	return work >= SHARED_WORK;
 }
 
+/* Whether a world has awake joints, and a step direct solving; constants in builds without them. */
+static int32_t has_joints(const cn_world *world) { return CNI_HAS_JOINTS && world->awake_joints.count > 0; }
+static int32_t has_direct(const cni_solve *s) { return CNI_HAS_DIRECT && s->direct != NULL; }
+
 typedef struct substeps {
 	cn_world *world;
 	const cni_solve *s;
@@ -52,28 +58,28 @@ typedef struct substeps {
 
 static void joints_warm_start(cn_world *world, const cni_solve *s)
 {
-	if (world->awake_joints.count == 0)
+	if (!has_joints(world))
 		return;
 	cni_joints_warm_start(world, s);
-	if (s->direct != NULL)
+	if (has_direct(s))
 		cni_direct_warm_start(world, s);
 }
 
 static void joints_solve(cn_world *world, const cni_solve *s)
 {
-	if (world->awake_joints.count > 0)
+	if (has_joints(world))
 		cni_joints_solve(world, s);
-	if (s->direct != NULL)
+	if (has_direct(s))
 		cni_direct_solve(world, s, 1);
 }
 
 static void joints_relax(cn_world *world, const cni_solve *s)
 {
-	if (world->awake_joints.count > 0)
+	if (has_joints(world))
 		cni_joints_relax(world, s);
-	if (s->direct != NULL)
+	if (has_direct(s))
 		cni_direct_solve(world, s, 0);
-	if (world->awake_joints.count > 0)
+	if (has_joints(world))
 		cni_joints_stress(world, s);
 }
 
@@ -109,13 +115,13 @@ static void substeps_lead(void *context)
 			cni_contacts_impact(world, s);
 		joints_solve(world, s);
 		cni_contacts_solve(world, s);
-		if (s->direct != NULL)
+		if (has_direct(s))
 			cni_direct_project(world, s);
 		cni_integrate_positions(world, s);
 		joints_relax(world, s);
 		cni_contacts_relax(world, s);
 		impulses_sum(world, s);
-		if (CNI_ON(SHOCKS))
+		if (has_joints(world) && CNI_ON(SHOCKS))
 			cni_velocity_jumps_reset(world, s);
 		if (k == 0 && CNI_ON(REST))
 			cni_rest_find(world, s);
@@ -139,6 +145,8 @@ static void substeps_run(cn_world *world, cni_solve *s)
 static void step_end(cn_world *world, float dt, int32_t rested)
 {
 	world->events.in_step = 0;
+	if (world->bodies_stopped > 0)
+		world->warnings |= CN_WARNING_NOT_FINITE;
 	++world->step_count;
 	if (dt > 0.0f) {
 		world->step_dt = dt;
@@ -166,35 +174,36 @@ static int32_t step_soft(cn_world *world, float dt, uint64_t *mark)
 	}
 	world->mean_dt = s.mean_dt;
 	cni_external_prepare(world, &s);
-	if (world->awake_joints.count > 0)
+	if (has_joints(world))
 		cni_joints_prepare(world, &s);
 	cni_contacts_list(world, &s);
 	if (s.sums)
 		cni_impulse_sums_make(world);
-	cni_stage_select_solvers(world, s.h);
-	if (world->awake_joints.count > 0 || world->direct_islands.count > 0)
+	if (CNI_HAS_DIRECT)
+		cni_stage_select_solvers(world, s.h);
+	if (CNI_HAS_DIRECT && (has_joints(world) || world->direct_islands.count > 0))
 		cni_direct_prepare(world, &s, &direct);
-	if (CNI_ON(PILE_LOAD))
+	if (CNI_HAS_DIRECT && CNI_ON(PILE_LOAD))
 		cni_gravity_preload(world, &s);
-	if (s.direct != NULL)
+	if (has_direct(&s))
 		cni_rattle_run(world, &s);
-	if (world->awake_joints.count > 0)
+	if (has_joints(world))
 		cni_joint_blocks_gather(world, &s);
 	profile_mark(world, &profile->prepare_s, mark);
 	substeps_run(world, &s);
-	if (world->awake_joints.count > 0)
+	if (has_joints(world))
 		cni_joints_store(world, &s);
-	if (s.direct != NULL)
+	if (has_direct(&s))
 		cni_direct_store(world, &s);
 	if (CNI_ON(SPIN))
 		cni_angular_momentum_restore(world);
 	cni_external_finish(world);
 	profile_mark(world, &profile->substeps_s, mark);
-	if (world->settings.flags & CN_WORLD_CONTINUOUS)
+	if (CNI_HAS_CONTINUOUS && (world->settings.flags & CN_WORLD_CONTINUOUS))
 		cni_stage_continuous(world);
 	rested = cni_stage_finalize(world, &s);
 	cni_impulse_sums_report(world);
-	if (world->awake_joints.count > 0)
+	if (has_joints(world))
 		cni_joints_break(world);
 	profile_mark(world, &profile->finalize_s, mark);
 	return rested;
@@ -227,11 +236,13 @@ static int32_t step_sequential(cn_world *world, float dt, uint64_t *mark)
 	cni_sequential_velocity_response(world, &s);               /* 7 */
 	cni_impulse_sums_close(world, &s);
 	cni_sequential_position_response(world);                   /* 8 */
-	cni_sequential_joints(world, &s);                          /* 9 */
+	if (has_joints(world))
+		cni_sequential_joints(world, &s);                  /* 9 */
 	profile_mark(world, &profile->substeps_s, mark);
 	rested = cni_stage_finalize(world, &s);                    /* 10 and 11 */
 	cni_impulse_sums_report(world);
-	cni_joints_break(world);
+	if (has_joints(world))
+		cni_joints_break(world);
 	profile_mark(world, &profile->finalize_s, mark);
 	return rested;
 }
@@ -244,7 +255,7 @@ void cni_step(cn_world *world, float dt)
 	step_begin(world);
 	cni_team_hold(world->team, team_is_held(world));
 	begin = mark = (world->settings.flags & CN_WORLD_PROFILE) ? cni_clock_ns() : 0;
-	rested = world->settings.solver == CN_SOLVER_SEQUENTIAL ? step_sequential(world, dt, &mark) : step_soft(world, dt, &mark);
+	rested = CNI_HAS_SEQUENTIAL && world->settings.solver == CN_SOLVER_SEQUENTIAL ? step_sequential(world, dt, &mark) : step_soft(world, dt, &mark);
 	if (rested && (world->settings.flags & CN_WORLD_SLEEP))
 		cni_stage_sleep(world);
 	profile_mark(world, &profile->sleep_s, &mark);

@@ -115,7 +115,7 @@ static void check_def(cni_call *call, const cn_body_def *def)
 	cni_check_finite(call, "gravity_scale", def->gravity_scale);
 	cni_check_at_least_or_default(call, "sleep_speed_mps", def->sleep_speed_mps);
 	cni_check_flags(call, "flags", def->flags, BODY_FLAGS);
-	cni_check_range_int(call, "solver", def->solver, CN_SOLVER_AUTO, CN_SOLVER_DIRECT);
+	cni_check_solver(call, def->solver, CN_SOLVER_DIRECT);
 	check_name(call, def->name);
 }
 
@@ -133,6 +133,8 @@ static void reserve_bodies(cni_call *call, cn_world *world, const cn_body_def *d
 			++names[(bytes - 1) / (int32_t)CNI_BLOCK_UNIT];
 	}
 	cni_check_reserved(call, cni_slots_reserve(world, &world->body_handles, &world->bodies, count), "bodies");
+	if (call->result == CN_OK && world->readback_kept)
+		world->readback_kept = cni_table_reserve(&world->readback, &world->memory, cni_table_capacity(&world->bodies));
 	if (call->result == CN_OK)
 		cni_check_reserved(call, cni_body_reserve(world, movable), "movable bodies");
 	for (k = 0; k < NAME_CLASSES; ++k)
@@ -276,7 +278,18 @@ int32_t cn_body_is_valid(const cn_world *world, cn_body body)
 
 /* ------------------------------------------------------------------ user data and lists */
 
-CNI_DEFINE_USER_DATA(body)
+CNI_DEFINE_GET(body, user_data, uint64_t, record->user_data)
+
+cn_result cn_body_set_user_data(cn_world *world, cn_body body, uint64_t user_data)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_body *b = cni_check_body(&call, "body", body);
+	if (call.result != CN_OK)
+		return call.result;
+	b->user_data = user_data;
+	cni_readback_store(world, cni_body_index(world, body));
+	return CN_OK;
+}
 
 cn_result cn_body_get_shapes(const cn_world *world, cn_body body, cn_shape *out, int32_t capacity, int32_t *out_count)
 {

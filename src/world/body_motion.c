@@ -62,7 +62,19 @@ cn_result cn_body_set_pose(cn_world *world, cn_body body, float position_x_m, fl
 	return CN_OK;
 }
 
-CNI_DEFINE_GET(body, pose, cn_pose, cni_body_pose(record))
+/* A getter a body is how most programs read, so it must not wait for the record where the readback is kept. */
+cn_result cn_body_get_pose(const cn_world *world, cn_body body, cn_pose *out)
+{
+	int32_t index;
+	if (world == NULL)
+		return CN_ERROR_ARGUMENT;
+	index = cni_handles_find(&world->body_handles, body);
+	if (index == CNI_NONE || out == NULL)
+		return index == CNI_NONE ? CN_ERROR_HANDLE : CN_ERROR_ARGUMENT;
+	*out = cni_readback_ask(world) ? cni_readback_at(world, index)->pose : cni_body_pose(cni_body_at(world, index));
+	return CN_OK;
+}
+
 CNI_DEFINE_GET(body, angle, float, cni_atan2(record->q.s, record->q.c))
 CNI_DEFINE_GET(body, center, cn_vec2, cni_v(record->cx + record->cx_low, record->cy + record->cy_low))
 

@@ -210,7 +210,7 @@ cn_result cn_body_set_solver(cn_world *world, cn_body body, int32_t solver)
 {
 	cni_call call = cni_enter(world, __func__);
 	cni_body *b = cni_check_body(&call, "body", body);
-	cni_check_range_int(&call, "solver", solver, CN_SOLVER_AUTO, CN_SOLVER_DIRECT);
+	cni_check_solver(&call, solver, CN_SOLVER_DIRECT);
 	if (call.result == CN_OK)
 		cni_body_set_solver(world, b, solver);
 	return call.result;

@@ -20,7 +20,7 @@ void cn_world_def_init(cn_world_def *def)
 		return;
 	memset(def, 0, sizeof *def);
 	def->struct_size = (uint32_t)sizeof *def;
-	def->flags = CN_WORLD_SLEEP | CN_WORLD_WARM_START | CN_WORLD_CONTINUOUS;
+	def->flags = CNI_WORLD_FLAGS & ~(uint32_t)CN_WORLD_PROFILE;
 	def->gravity_mps2.y = -10.0f;
 	def->length_unit_m = 1.0f;
 	def->substep_count = 4;
@@ -40,7 +40,7 @@ static void def_check_numbers(cni_call *call, const cn_world_def *d)
 {
 	cni_check_finite2(call, "gravity_mps2", d->gravity_mps2);
 	cni_check_range(call, "length_unit_m", d->length_unit_m, 1e-6f, 1e6f);
-	cni_check_range_int(call, "solver", d->solver, CN_SOLVER_AUTO, CN_SOLVER_SEQUENTIAL);
+	cni_check_solver(call, d->solver, CN_SOLVER_SEQUENTIAL);
 	cni_check_range_int(call, "broadphase", d->broadphase, CN_BROADPHASE_SWEEP, CN_BROADPHASE_TREE);
 	cni_check_range_int(call, "substep_count", d->substep_count, 1, 64);
 	cni_check_at_least_or_default(call, "accuracy_m", d->accuracy_m);
@@ -76,7 +76,7 @@ static void def_check(cni_call *call, const cn_world_def *d)
 	if (call->result != CN_OK)
 		return;
 	cni_check_struct_size(call, d->struct_size, sizeof *d, "cn_world_def_init");
-	cni_check_flags(call, "flags", d->flags, CN_WORLD_SLEEP | CN_WORLD_WARM_START | CN_WORLD_PROFILE | CN_WORLD_CONTINUOUS);
+	cni_check_flags(call, "flags", d->flags, CNI_WORLD_FLAGS);
 	def_check_numbers(call, d);
 	def_check_memory(call, d);
 }
@@ -138,6 +138,7 @@ static void tables_init(cn_world *world)
 	cni_handles_init(&world->shape_handles, CNI_KIND_SHAPE);
 	cni_handles_init(&world->joint_handles, CNI_KIND_JOINT);
 	cni_table_init(&world->bodies, (int32_t)sizeof(cni_body), CNI_PAGE_BODIES);
+	cni_table_init(&world->readback, (int32_t)sizeof(cn_body_moved), CNI_PAGE_READBACK);
 	cni_table_init(&world->shapes, (int32_t)sizeof(cni_shape), CNI_PAGE_SHAPES);
 	cni_table_init(&world->proxies, (int32_t)sizeof(cni_proxy), CNI_PAGE_PROXIES);
 	cni_table_init(&world->contacts, (int32_t)sizeof(cni_contact), CNI_PAGE_CONTACTS);
@@ -180,6 +181,7 @@ static void tables_deinit(cn_world *world)
 	cni_handles_deinit(&world->shape_handles, memory);
 	cni_handles_deinit(&world->joint_handles, memory);
 	cni_table_deinit(&world->bodies, memory);
+	cni_table_deinit(&world->readback, memory);
 	cni_table_deinit(&world->shapes, memory);
 	cni_table_deinit(&world->proxies, memory);
 	cni_table_deinit(&world->contacts, memory);
@@ -224,7 +226,15 @@ static cn_result dummy_create(cn_world *world)
 
 static const cni_broadphase_ops *broadphase_choice(int32_t broadphase)
 {
+#if !CNI_HAS_TREE
+	(void)broadphase;
+	return &cni_broadphase_sweep;
+#elif !CNI_HAS_SWEEP
+	(void)broadphase;
+	return &cni_broadphase_tree;
+#else
 	return broadphase == CN_BROADPHASE_TREE || !CNI_ON(SWEEP) ? &cni_broadphase_tree : &cni_broadphase_sweep;
+#endif
 }
 
 static cn_result broadphase_create(cn_world *world, int32_t capacity)
@@ -300,6 +310,18 @@ static int32_t islands_for(int32_t bodies)
 	return bodies / 2 + 2;
 }
 
+static uint64_t solver_bytes(const cn_world_def *d)
+{
+	uint64_t bytes = 0;
+	if (CNI_HAS_JOINTS && d->solver != CN_SOLVER_SEQUENTIAL)
+		bytes += cni_row_bytes(d->joint_capacity);
+	if (CNI_HAS_DIRECT)
+		bytes += cni_direct_bytes(d->solver, d->joint_capacity, d->contact_capacity, d->body_capacity);
+	if (CNI_HAS_DIRECT && d->solver == CN_SOLVER_AUTO)
+		bytes += cni_gravity_preload_bytes(d->body_capacity);
+	return bytes;
+}
+
 /* Bytes of the frame arena: the larger of the broadphase's pass over boxes, the list of new pairs, and the solver's scratch (direct
    solving, rows, gravity preload), with the search of an island. */
 static uint64_t arena_bytes(const cn_world_def *d)
@@ -307,11 +329,7 @@ static uint64_t arena_bytes(const cn_world_def *d)
 	uint64_t box = cni_team_possible(d->worker_count, d->enqueue) ? 80u : 40u; /* workers also store their pairs */
 	uint64_t boxes = 2048u + box * (uint64_t)d->shape_capacity, pairs = 64u + sizeof(cni_pair) * (uint64_t)d->contact_capacity; /* or changes of the narrowphase */
 	uint64_t island = 64u + 8u * (uint64_t)d->body_capacity;
-	uint64_t joints = cni_direct_bytes(d->solver, d->joint_capacity, d->contact_capacity, d->body_capacity), scratch = boxes > pairs ? boxes : pairs;
-	if (d->solver != CN_SOLVER_SEQUENTIAL)
-		joints += cni_row_bytes(d->joint_capacity);
-	if (d->solver == CN_SOLVER_AUTO)
-		joints += cni_gravity_preload_bytes(d->body_capacity);
+	uint64_t joints = solver_bytes(d), scratch = boxes > pairs ? boxes : pairs;
 	joints += 128u + (uint64_t)islands_for(d->body_capacity) + 3u * sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u); /* cni_angular_momentum_restore; cni_rest_find takes less */
 	joints += 64u + sizeof(int32_t) * ((uint64_t)d->body_capacity + 1u) * 3u / 2u; /* the islands of awake bodies */
 	joints += 64u + sizeof(cni_block_sums) * (uint64_t)blocks_for(d->contact_capacity);
@@ -321,7 +339,7 @@ static uint64_t arena_bytes(const cn_world_def *d)
 /* Length of the array that keeps the plan of direct solving. */
 static int32_t plan_items(const cn_world_def *d)
 {
-	return (int32_t)(cni_direct_kept_bytes(d->solver, d->joint_capacity, d->contact_capacity) / CNI_KEPT_BYTES);
+	return CNI_HAS_DIRECT ? (int32_t)(cni_direct_kept_bytes(d->solver, d->joint_capacity, d->contact_capacity) / CNI_KEPT_BYTES) : 0;
 }
 
 /* Reserves for a fixed world the arrays that a growing world allocates on demand. */
@@ -339,7 +357,7 @@ static int32_t reserve_rest(cn_world *world, const cn_world_def *d)
 	       cni_array_reserve_exact(&world->direct_islands, m, d->body_capacity / 2) &&
 	       cni_array_reserve_exact(&world->direct_plans[0], m, plan_items(d)) &&
 	       cni_array_reserve_exact(&world->kicked, m, 2 * d->body_capacity) &&
-	       cni_array_reserve_exact(&world->previous, m, d->body_capacity) &&
+	       cni_array_reserve_exact(&world->previous, m, d->body_capacity) && cni_table_reserve(&world->readback, m, d->body_capacity) &&
 	       cni_array_reserve_exact(&world->events.joint_log, m, d->joint_capacity) &&
 	       cni_array_reserve_exact(&world->events.joint_pending, m, d->joint_capacity) &&
 	       cni_arena_reserve(&world->arena, arena_bytes(d));

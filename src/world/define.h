@@ -12,6 +12,28 @@
 /* Constraints are joint records. */
 typedef cni_joint cni_constraint;
 
+/* Record of a live handle, or NULL. */
+static inline const cni_body *cni_live_body(const cn_world *world, cn_body body)
+{
+	int32_t index = cni_handles_find(&world->body_handles, body);
+	return index != CNI_NONE ? cni_body_at(world, index) : NULL;
+}
+static inline const cni_shape *cni_live_shape(const cn_world *world, cn_shape shape)
+{
+	int32_t index = cni_handles_find(&world->shape_handles, shape);
+	return index != CNI_NONE ? cni_shape_at(world, index) : NULL;
+}
+static inline const cni_joint *cni_live_joint(const cn_world *world, cn_joint joint)
+{
+	int32_t index = cni_joint_find(world, joint, 0);
+	return index != CNI_NONE ? cni_joint_at(world, index) : NULL;
+}
+static inline const cni_constraint *cni_live_constraint(const cn_world *world, cn_constraint constraint)
+{
+	int32_t index = cni_joint_find(world, constraint, 1);
+	return index != CNI_NONE ? cni_joint_at(world, index) : NULL;
+}
+
 /*
  * Defines the public function cn_<noun>_get_<what>, which reads one value of a live record: value is an expression of `record` and
  * `world`.
@@ -19,25 +41,28 @@ typedef cni_joint cni_constraint;
 #define CNI_DEFINE_GET(noun, what, type, value) \
 	cn_result cn_##noun##_get_##what(const cn_world *world, cn_##noun noun, type *out) \
 	{ \
-		cni_call call = cni_enter_const(world); \
-		const cni_##noun *record = cni_check_##noun(&call, #noun, noun); \
-		cni_check_pointer(&call, "out", out); \
-		if (call.result == CN_OK) \
-			*out = value; \
-		return call.result; \
+		const cni_##noun *record; \
+		if (world == NULL) \
+			return CN_ERROR_ARGUMENT; \
+		record = cni_live_##noun(world, noun); \
+		if (record == NULL || out == NULL) \
+			return record == NULL ? CN_ERROR_HANDLE : CN_ERROR_ARGUMENT; \
+		*out = value; \
+		return CN_OK; \
 	}
 
 /* The same for two values: store is an expression that writes *out_a and *out_b. */
 #define CNI_DEFINE_GET2(noun, what, type_a, type_b, store) \
 	cn_result cn_##noun##_get_##what(const cn_world *world, cn_##noun noun, type_a *out_a, type_b *out_b) \
 	{ \
-		cni_call call = cni_enter_const(world); \
-		const cni_##noun *record = cni_check_##noun(&call, #noun, noun); \
-		cni_check_pointer(&call, "out_a", out_a); \
-		cni_check_pointer(&call, "out_b", out_b); \
-		if (call.result == CN_OK) \
-			store; \
-		return call.result; \
+		const cni_##noun *record; \
+		if (world == NULL) \
+			return CN_ERROR_ARGUMENT; \
+		record = cni_live_##noun(world, noun); \
+		if (record == NULL || out_a == NULL || out_b == NULL) \
+			return record == NULL ? CN_ERROR_HANDLE : CN_ERROR_ARGUMENT; \
+		store; \
+		return CN_OK; \
 	}
 
 /* Defines cn_<noun>_set_user_data and cn_<noun>_get_user_data. */

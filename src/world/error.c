@@ -349,6 +349,13 @@ void cni_check_range_int(cni_call *call, const char *field, int32_t value, int32
 		refuse(call, CN_ERROR_ARGUMENT, "%s %i; must be from %i to %i", field, (int64_t)value, (int64_t)lower, (int64_t)upper);
 }
 
+void cni_check_solver(cni_call *call, int32_t solver, int32_t most)
+{
+	cni_check_range_int(call, "solver", solver, CN_SOLVER_AUTO, most);
+	if ((solver == CN_SOLVER_DIRECT && !CNI_HAS_DIRECT) || (solver == CN_SOLVER_SEQUENTIAL && !CNI_HAS_SEQUENTIAL))
+		refuse(call, CN_ERROR_ARGUMENT, "solver %i; this library was built without it (CN_NO_DIRECT, CN_NO_SEQUENTIAL)", (int64_t)solver);
+}
+
 void cni_check_flags(cni_call *call, const char *field, uint32_t value, uint32_t allowed)
 {
 	if ((value & ~allowed) != 0)

@@ -92,6 +92,11 @@ void cni_check_positive_or_default(cni_call *call, const char *field, float valu
 void cni_check_positive(cni_call *call, const char *field, float value);
 void cni_check_range(cni_call *call, const char *field, float value, float lower, float upper);
 void cni_check_range_int(cni_call *call, const char *field, int32_t value, int32_t lower, int32_t upper);
+/* The flags of a world that this build permits. */
+#define CNI_WORLD_FLAGS \
+	(CN_WORLD_SLEEP | CN_WORLD_WARM_START | CN_WORLD_PROFILE | (CNI_HAS_CONTINUOUS ? (uint32_t)CN_WORLD_CONTINUOUS : 0u))
+/* From CN_SOLVER_AUTO to most, and part of this build. */
+void cni_check_solver(cni_call *call, int32_t solver, int32_t most);
 void cni_check_flags(cni_call *call, const char *field, uint32_t value, uint32_t allowed);
 /* Within CNI_POSITION_MAX_UNITS / CNI_ANGLE_MAX_RAD. */
 void cni_check_position(cni_call *call, const char *field, cn_vec2 value);

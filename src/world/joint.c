@@ -121,7 +121,7 @@ cn_result cn_joint_set_solver(cn_world *world, cn_joint joint, int32_t solver)
 {
 	cni_call call = cni_enter(world, __func__);
 	cni_joint *j = cni_check_joint(&call, "joint", joint);
-	cni_check_range_int(&call, "solver", solver, CN_SOLVER_AUTO, CN_SOLVER_DIRECT);
+	cni_check_solver(&call, solver, CN_SOLVER_DIRECT);
 	if (call.result != CN_OK)
 		return call.result;
 	j->solver = solver;

@@ -74,6 +74,8 @@ static void base_read(const cn_world *world, const cni_joint *j, cn_joint_base *
 
 void cni_joint_reserve_one(cni_call *call, cn_world *world, int32_t contacts)
 {
+	if (call->result == CN_OK && !CNI_HAS_JOINTS)
+		cni_refuse(call, CN_ERROR_STATE, "this library was built without joints (CN_NO_JOINTS)");
 	if (call->result == CN_OK)
 		cni_check_reserved(call, cni_slots_reserve(world, &world->joint_handles, &world->joints, 1), "joints");
 	if (call->result == CN_OK)

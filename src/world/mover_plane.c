@@ -438,7 +438,7 @@ cn_result cn_mover_solve(cn_plane *planes, int32_t count, float translation_x_m,
 
 cn_result cn_mover_clip(const cn_plane *planes, int32_t count, float velocity_x_mps, float velocity_y_mps, cn_vec2 *out_mps)
 {
-	static const float still[CN_PLANES_MAX];
+	static const float still[CN_PLANES_MAX] = { 0 };
 	cni_call call = cni_enter_free();
 	cn_plane pushed[CN_PLANES_MAX];
 	int32_t i, n = 0;

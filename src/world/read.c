@@ -44,6 +44,7 @@ cn_result cn_world_get_joints(const cn_world *world, cn_joint *out, int32_t capa
 typedef struct walk {
 	const cn_world *world;
 	const cn_body *bodies; /* NULL: every body */
+	const uint32_t *slots; /* of the handles */
 	int32_t slot;          /* where the search for the next live body begins */
 	int32_t step;
 } walk;
@@ -53,6 +54,7 @@ static walk walk_begin(const cn_world *world, const cn_body *bodies)
 	walk w;
 	w.world = world;
 	w.bodies = bodies;
+	w.slots = world != NULL ? (const uint32_t *)world->body_handles.slots.data : NULL;
 	w.slot = w.step = 0;
 	return w;
 }
@@ -62,7 +64,7 @@ static int32_t walk_next(walk *w)
 {
 	if (w->bodies != NULL)
 		return cni_body_index(w->world, w->bodies[w->step++]);
-	while (!cni_handles_alive(&w->world->body_handles, w->slot))
+	while (!cni_slot_is_alive(w->slots[w->slot]))
 		++w->slot;
 	return w->slot++;
 }
@@ -72,8 +74,33 @@ static void check_bodies(cni_call *call, const cn_body *bodies, int32_t count)
 	int32_t k;
 	if (call->result == CN_OK && bodies == NULL && count != call->world->body_handles.count)
 		cni_refuse_int(call, "count", count, "must be the number of bodies in the world when bodies is NULL");
-	for (k = 0; k < count && bodies != NULL && call->result == CN_OK; ++k)
+	if (call->result != CN_OK || bodies == NULL || cni_handles_find_all(&call->world->body_handles, bodies, count))
+		return;
+	for (k = 0; k < count && call->result == CN_OK; ++k)
 		cni_check_body(call, "bodies", bodies[k]);
+}
+
+/* cni_readback_at with the pages in a variable. */
+static const cn_body_moved *page_item(uint8_t *const *pages, uint32_t body)
+{
+	return (const cn_body_moved *)(const void *)pages[body >> CNI_PAGE_READBACK] + (body & ((1u << CNI_PAGE_READBACK) - 1u));
+}
+
+/* From the readback. The first two loops need no search; compilers would reload the table's pages after each write to out. */
+static void copy_poses(const cn_world *world, const cn_body *bodies, int32_t count, uint8_t *out, size_t stride)
+{
+	uint8_t *const *pages = world->readback.pages;
+	walk w = walk_begin(world, bodies);
+	int32_t k;
+	if (bodies != NULL && world->body_handles.aliases.count == 0)
+		for (k = 0; k < count; ++k, out += stride)
+			memcpy(out, &page_item(pages, bodies[k] & CNI_HANDLE_INDEX_MASK)->pose, sizeof(cn_pose));
+	else if (bodies == NULL && count == cni_handles_used(&world->body_handles))
+		for (k = 0; k < count; ++k, out += stride)
+			memcpy(out, &page_item(pages, (uint32_t)k)->pose, sizeof(cn_pose));
+	else
+		for (k = 0; k < count; ++k, out += stride)
+			memcpy(out, &page_item(pages, (uint32_t)walk_next(&w))->pose, sizeof(cn_pose));
 }
 
 static cn_result read_poses(const cn_world *world, const cn_body *bodies, int32_t count, void *out, int32_t stride)
@@ -83,11 +110,17 @@ static cn_result read_poses(const cn_world *world, const cn_body *bodies, int32_
 	int32_t k;
 	cni_check_array(&call, "out", out, count);
 	check_bodies(&call, bodies, count);
-	for (k = 0; k < count && call.result == CN_OK; ++k) {
+	if (call.result != CN_OK)
+		return call.result;
+	if (cni_readback_ask(world)) {
+		copy_poses(world, bodies, count, (uint8_t *)out, (size_t)stride);
+		return CN_OK;
+	}
+	for (k = 0; k < count; ++k) {
 		cn_pose pose = cni_body_pose(cni_body_at(world, walk_next(&w)));
 		memcpy((uint8_t *)out + (size_t)k * (size_t)stride, &pose, sizeof pose);
 	}
-	return call.result;
+	return CN_OK;
 }
 
 cn_result cn_world_read_poses(const cn_world *world, const cn_body *bodies, int32_t count, cn_pose *out)
@@ -160,37 +193,78 @@ cn_result cn_world_write_velocities(cn_world *world, const cn_body *bodies, int3
 
 /* ------------------------------------------------------------------ moved */
 
-static void moved_add(cn_world *world, int32_t body, uint32_t fell_asleep)
+static cn_body_moved moved_of(const cn_world *world, int32_t body, uint32_t fell_asleep)
 {
-	cni_array *moved = &world->events.moved;
-	cn_body_moved *m = (cn_body_moved *)moved->data + moved->count++;
-	cni_body *b = cni_body_at(world, body);
-	m->pose = cni_body_pose(b);
-	m->user_data = b->user_data;
-	m->body = cni_handles_of(&world->body_handles, body);
-	m->fell_asleep = fell_asleep;
-	b->flags |= CNI_BODY_MARK;
+	const cni_body *b;
+	cn_body_moved m;
+	if (world->readback_kept) {
+		m = *cni_readback_at(world, body);
+	} else {
+		b = cni_body_at(world, body);
+		m.pose = cni_body_pose(b);
+		m.user_data = b->user_data;
+		m.body = cni_handles_of(&world->body_handles, body);
+	}
+	m.fell_asleep = fell_asleep;
+	return m;
+}
+
+/* Those that fell asleep are marked. */
+static void moved_add_asleep(cn_world *world, cni_array *moved)
+{
+	const cni_array *asleep = &world->events.asleep;
+	int32_t k;
+	for (k = 0; k < asleep->count; ++k) {
+		int32_t body = cni_handles_find(&world->body_handles, ((const cn_body *)asleep->data)[k]);
+		if (body == CNI_NONE || (cni_body_at(world, body)->flags & CNI_BODY_MARK))
+			continue;
+		cni_body_at(world, body)->flags |= CNI_BODY_MARK;
+		((cn_body_moved *)moved->data)[moved->count++] = moved_of(world, body, 1u);
+	}
+}
+
+static void moved_add_awake(const cn_world *world, cni_array *moved)
+{
+	const int32_t *ids = cni_awake_ids(world);
+	int32_t k;
+	for (k = 1; k < world->awake_count; ++k)
+		if ((cni_body_at(world, ids[k])->flags & (CNI_BODY_MOVED | CNI_BODY_MARK)) == CNI_BODY_MOVED)
+			((cn_body_moved *)moved->data)[moved->count++] = moved_of(world, ids[k], 0u);
+}
+
+/* The same where the readback is kept and no body is marked. */
+static void moved_copy_awake(const cn_world *world, cni_array *moved)
+{
+	const int32_t *ids = cni_awake_ids(world);
+	cn_body_moved *out = (cn_body_moved *)moved->data + moved->count;
+	uint8_t *const *pages = world->readback.pages;
+	uint32_t step = world->step_count;
+	int32_t k, count = world->awake_count;
+	for (k = 1; k < count; ++k) {
+		*out = *page_item(pages, (uint32_t)ids[k]);
+		if (out->fell_asleep == step) {
+			out->fell_asleep = 0;
+			++out;
+		}
+	}
+	moved->count = (int32_t)(out - (cn_body_moved *)moved->data);
 }
 
 /* Bodies that fell asleep come first, then awake ones; a body that woke again is listed once. */
 static int32_t moved_build(cn_world *world)
 {
 	cni_array *moved = &world->events.moved;
-	const cni_array *asleep = &world->events.asleep;
-	const int32_t *ids = cni_awake_ids(world);
-	int32_t k;
-	if (!cni_array_reserve(moved, &world->memory, world->awake_count + asleep->count))
+	int32_t k, asleep;
+	if (!cni_array_reserve(moved, &world->memory, world->awake_count + world->events.asleep.count))
 		return 0;
 	moved->count = 0;
-	for (k = 0; k < asleep->count; ++k) {
-		int32_t body = cni_handles_find(&world->body_handles, ((const cn_body *)asleep->data)[k]);
-		if (body != CNI_NONE && !(cni_body_at(world, body)->flags & CNI_BODY_MARK))
-			moved_add(world, body, 1);
-	}
-	for (k = 1; k < world->awake_count; ++k)
-		if ((cni_body_at(world, ids[k])->flags & (CNI_BODY_MOVED | CNI_BODY_MARK)) == CNI_BODY_MOVED)
-			moved_add(world, ids[k], 0);
-	for (k = 0; k < moved->count; ++k)
+	moved_add_asleep(world, moved);
+	asleep = moved->count;
+	if (world->readback_kept && asleep == 0)
+		moved_copy_awake(world, moved);
+	else
+		moved_add_awake(world, moved);
+	for (k = 0; k < asleep; ++k)
 		cni_body_at(world, cni_body_index(world, ((const cn_body_moved *)moved->data)[k].body))->flags &= ~(uint32_t)CNI_BODY_MARK;
 	world->events.moved_built = 1;
 	return 1;
@@ -201,6 +275,8 @@ cn_result cn_world_moved(cn_world *world, const cn_body_moved **out_moved, int32
 	cni_call call = cni_enter(world, __func__);
 	cni_check_pointer(&call, "out_moved", out_moved);
 	cni_check_pointer(&call, "out_count", out_count);
+	if (call.result == CN_OK)
+		(void)cni_readback_ask(world);
 	if (call.result == CN_OK && !world->events.moved_built && !moved_build(world))
 		cni_refuse(&call, CN_ERROR_MEMORY, "no memory for the list");
 	if (call.result != CN_OK)

@@ -28,8 +28,9 @@ static inline uint64_t mixed(uint64_t sum, uint64_t word)
 
 /* Sums that are turned before each word is added, in four lanes that the processor adds at once. A single change always shows: each
    step can be undone. */
-static uint64_t checksum(const uint8_t *bytes, uint64_t count)
+uint64_t cni_save_checksum(const void *from, uint64_t count)
 {
+	const uint8_t *bytes = (const uint8_t *)from;
 	uint64_t sum[4] = { 1, 2, 3, 4 }, word[4], k;
 	int32_t l;
 	for (k = 0; k + sizeof word <= count; k += sizeof word) {
@@ -99,11 +100,20 @@ cn_result cn_world_save(const cn_world *world, void *out, uint64_t capacity, uin
 		return CN_ERROR_CAPACITY;
 	s = cni_snapshot_begin(CNI_SNAPSHOT_SAVE, (uint8_t *)out + sizeof h, NULL);
 	cni_world_snapshot((cn_world *)world, &s);
-	h.checksum = checksum((const uint8_t *)out + sizeof h, s.bytes);
+	h.checksum = cni_save_checksum((const uint8_t *)out + sizeof h, s.bytes);
 	memcpy(out, &h, sizeof h);
 	if (out_bytes != NULL)
 		*out_bytes = h.bytes;
 	return CN_OK;
+}
+
+int32_t cni_save_is_one(const void *save, uint64_t bytes)
+{
+	header h;
+	if (bytes < sizeof h)
+		return 0;
+	memcpy(&h, save, sizeof h);
+	return h.magic == MAGIC && h.layout == cni_world_layout() && h.bytes == bytes;
 }
 
 /* ---- restoring ---- */
@@ -126,7 +136,7 @@ static void check_save(cni_call *call, const cn_world *world, const uint8_t *byt
 		cni_refuse(call, CN_ERROR_FORMAT, "bytes; must be as many as cn_world_save has written");
 	else if (h.broadphase != own.broadphase || h.fixed != own.fixed || h.length_unit != own.length_unit)
 		cni_refuse(call, CN_ERROR_STATE, "save; must be of a world with the same broadphase and length unit, and in a caller's block if this one is");
-	else if (h.checksum != checksum(bytes + sizeof h, count - sizeof h))
+	else if (h.checksum != cni_save_checksum(bytes + sizeof h, count - sizeof h))
 		cni_refuse(call, CN_ERROR_FORMAT, "save; its bytes have been changed");
 }
 

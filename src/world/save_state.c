@@ -27,7 +27,7 @@ static const member state_members[] = {
 	MEMBER(seams_changed), MEMBER(seams_box), MEMBER(contact_used), MEMBER(contact_free), MEMBER(contact_count), MEMBER(touching_count),
 	MEMBER(block_used), MEMBER(block_free), MEMBER(colors), MEMBER(constraint_count), MEMBER(stressed_joints),
 	MEMBER(island_used), MEMBER(island_free), MEMBER(island_count), MEMBER(split_step), MEMBER(joints_soft_step), MEMBER(settled),
-	MEMBER(piles_new), MEMBER(piles_unheld), MEMBER(solvers_asked), MEMBER(direct_work), MEMBER(direct_failed), MEMBER(cone_work),
+	MEMBER(piles_new), MEMBER(masses_estimated), MEMBER(estimated), MEMBER(piles_unheld), MEMBER(solvers_asked), MEMBER(direct_work), MEMBER(direct_failed), MEMBER(cone_work),
 	MEMBER(warnings), MEMBER(pairs_not_added), MEMBER(events_not_reported)
 };
 
@@ -45,9 +45,8 @@ static const member other_members[] = {
 	MEMBER(reserved_time), MEMBER(broadphase_ops), MEMBER(pairs), MEMBER(block_list), MEMBER(joint_work), MEMBER(joint_blocks),
 	MEMBER(joint_colors), MEMBER(joint_lanes), MEMBER(row_blocks), MEMBER(row_block_count), MEMBER(row_blocks_of), MEMBER(joint_plain_first),
 	MEMBER(reserved_plain), MEMBER(direct_plans), MEMBER(filter), MEMBER(filter_user), MEMBER(pre_solve), MEMBER(pre_solve_user),
-	MEMBER(material_mix), MEMBER(material_mix_user), MEMBER(profile), MEMBER(error), MEMBER(sums), MEMBER(sums_count), MEMBER(reserved_steps), MEMBER(sums_active),
-	MEMBER(reserved_bodies), MEMBER(reserved_islands), MEMBER(reserved_direct),
-	MEMBER(reserved_end)
+	MEMBER(material_mix), MEMBER(material_mix_user), MEMBER(profile), MEMBER(error), MEMBER(readback), MEMBER(readback_kept), MEMBER(readback_asked),
+	MEMBER(sums), MEMBER(sums_count), MEMBER(sums_active), MEMBER(reserved_steps), MEMBER(reserved_islands), MEMBER(reserved_direct), MEMBER(bodies_stopped)
 };
 
 #define COUNT_OF(list) ((int32_t)(sizeof(list) / sizeof((list)[0])))
@@ -160,14 +159,14 @@ void cni_world_snapshot(cn_world *world, cni_snapshot *s)
 	handles_pass(s, &world->body_handles);
 	handles_pass(s, &world->shape_handles);
 	handles_pass(s, &world->joint_handles);
-	arrays_pass(world, s);
-	events_pass(&world->events, s);
-	cni_snapshot_blocks(s, &world->blocks);
-	world->broadphase_ops->snapshot(world->broadphase, s);
 	for (k = 0; k < COUNT_OF(state_members); ++k)
 		cni_snapshot_state(s, (uint8_t *)world + state_members[k].offset, state_members[k].bytes);
+	cni_snapshot_blocks(s, &world->blocks);
+	world->broadphase_ops->snapshot(world->broadphase, s);
+	arrays_pass(world, s); /* last what changes its length in most steps, so that it moves little else: world/save_delta.c */
+	events_pass(&world->events, s);
 	if (s->mode == CNI_SNAPSHOT_LOAD)
-		world->joint_lanes.lanes = 0;
+		world->joint_lanes.lanes = world->readback_kept = 0;
 }
 
 /* ---- what the bytes mean ---- */

@@ -56,11 +56,12 @@ WORLD_GET(substep_count, int32_t, world->settings.substeps)
 cn_result cn_world_set_solver(cn_world *world, int32_t solver)
 {
 	cni_call call = cni_enter(world, __func__);
-	cni_check_range_int(&call, "solver", solver, CN_SOLVER_AUTO, CN_SOLVER_SEQUENTIAL);
+	cni_check_solver(&call, solver, CN_SOLVER_SEQUENTIAL);
 	if (call.result != CN_OK || solver == world->settings.solver)
 		return call.result;
 	world->settings.solver = solver;
-	cni_solver_selection_reset(world);
+	if (CNI_HAS_DIRECT)
+		cni_solver_selection_reset(world);
 	return CN_OK;
 }
 
@@ -93,7 +94,7 @@ cn_result cn_world_get_accuracy(const cn_world *world, float *out_accuracy_m, in
 cn_result cn_world_set_flags(cn_world *world, uint32_t flags)
 {
 	cni_call call = cni_enter(world, __func__);
-	cni_check_flags(&call, "flags", flags, CN_WORLD_SLEEP | CN_WORLD_WARM_START | CN_WORLD_PROFILE | CN_WORLD_CONTINUOUS);
+	cni_check_flags(&call, "flags", flags, CNI_WORLD_FLAGS);
 	if (call.result != CN_OK)
 		return call.result;
 	if ((world->settings.flags & CN_WORLD_SLEEP) && !(flags & CN_WORLD_SLEEP))
@@ -178,7 +179,7 @@ static void count_islands(const cn_world *world, cn_counters *out)
 		const cni_island *island = cni_island_at(world, k);
 		out->islands_awake += island->first != CNI_NONE && island->awake;
 		out->islands_direct += island->first != CNI_NONE && island->awake && island->tier == CNI_TIER_DIRECT && !world->direct_failed;
-		out->islands_unsolved += island->first != CNI_NONE && island->awake && cni_island_is_unsolved(island, world->step_count - 1u);
+		out->islands_unsolved += island->first != CNI_NONE && island->awake && CNI_HAS_DIRECT && cni_island_is_unsolved(island, world->step_count - 1u);
 	}
 }
 

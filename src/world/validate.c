@@ -6,6 +6,8 @@
  */
 #include "world/error.h"
 
+#include <string.h>
+
 typedef struct report {
 	const cn_world *world;
 	const char *what;   /* name of the failed check, NULL for none */
@@ -41,6 +43,16 @@ static void check_room(report *r, const cni_body *b, const cni_shape *s, int32_t
 	tight.y0 += r->world->step_dt * b->vy;
 	tight.y1 += r->world->step_dt * b->vy;
 	expect(r, cni_aabb_contains(&cni_proxy_at(r->world, proxy)->fat, &tight), "room ahead of body", s->body);
+}
+
+static void check_readback(report *r, int32_t body)
+{
+	const cn_body_moved *shown;
+	cn_pose pose = cni_body_pose(cni_body_at(r->world, body));
+	if (!r->world->readback_kept)
+		return;
+	shown = cni_readback_at(r->world, body);
+	expect(r, memcmp(&shown->pose, &pose, sizeof pose) == 0 && shown->body == cni_handles_of(&r->world->body_handles, body), "readback of body", body);
 }
 
 static void check_shapes_of(report *r, int32_t body)
@@ -115,6 +127,7 @@ static void check_body(report *r, int32_t body)
 		expect(r, b->type == CN_BODY_DYNAMIC, "only dynamic bodies have islands, body", body);
 		expect(r, (b->awake != 0) == (cni_island_at(world, b->island)->awake != 0), "island sleeps as one, body", body);
 	}
+	check_readback(r, body);
 	check_shapes_of(r, body);
 	check_contacts_of(r, body);
 	check_joints_of(r, body);

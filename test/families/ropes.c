@@ -1,5 +1,5 @@
 /*
- * test/families/ropes.c - ropes over pegs, bridges, loaded chains that swing.
+ * test/families/ropes.c - ropes over pegs, bridges, loaded chains that swing, loaded chains that fall in a heap.
  */
 #include "families.h"
 
@@ -95,9 +95,48 @@ static void build_chain(scene *s)
 	s->seconds = lasting == 0 ? 60.0 : lasting < 4 ? 20.0 : lasting < 10 ? 8.0 : 4.0;
 }
 
+static void add_dropped_chain(scene *s, double x, double y, int32_t links, double ratio)
+{
+	double half = pick(s, 0.1, 0.25), thin = pick(s, 0.04, 0.08), angle = pick(s, -0.6, 0.6), ux = cos(angle), uy = sin(angle), size = pick(s, 0.12, 0.3);
+	double mass = 4.0 * half * thin * ratio, end = 2.0 * half * (double)links;
+	int32_t round = chance(s, 0.5), k, previous = 0, load;
+	s->density = 1.0;
+	for (k = 0; k < links; ++k) {
+		double at = 2.0 * half * (double)k - 0.5 * end;
+		int32_t link = add_box(s, CN_BODY_DYNAMIC, x + (at + half) * ux, y + (at + half) * uy, angle, half, thin);
+		if (k > 0)
+			add_pin(s, previous, link, x + at * ux, y + at * uy);
+		previous = link;
+	}
+	set_mass(s, mass, round ? PI * size * size : 4.0 * size * size);
+	x += 0.5 * end * ux;
+	y += 0.5 * end * uy;
+	load = round ? add_disc(s, CN_BODY_DYNAMIC, x + size * ux, y + size * uy, size) : add_box(s, CN_BODY_DYNAMIC, x + size * ux, y + size * uy, angle, size, size);
+	add_pin(s, previous, load, x, y);
+}
+
+/* 2 to 10 chains of 4 to 12 rods of 0.2 to 0.5 m, each with a load of 1 to 100 times a rod's mass at one end, fall on each other:
+   onto the floor or into a pit; friction 0 to 1. */
+static void build_chain_heap(scene *s)
+{
+	int32_t chains = pick_int(s, 2, 10), links = pick_int(s, 4, 12), k;
+	double ratio = pick_log(s, 1.0, 100.0);
+	s->friction = pick(s, 0.0, 1.0);
+	if (chance(s, 0.5))
+		add_pit(s, 4.0);
+	else
+		add_floor(s);
+	for (k = 0; k < chains; ++k) {
+		double jitter = pick(s, -0.5, 0.5);
+		add_dropped_chain(s, jitter, 3.0 + 4.5 * (double)k, links, ratio);
+	}
+	s->seconds = 4.0;
+}
+
 const family rope_families[] = {
 	{ "rope_peg", build_rope_peg, 0 },
 	{ "bridge", build_bridge, 0 },
 	{ "chain", build_chain, 0 },
+	{ "chain_heap", build_chain_heap, 0 },
 };
 const int32_t rope_family_count = FAMILY_COUNT(rope_families);

@@ -191,7 +191,7 @@ static void vary_bodies(cn_world *worlds[2])
 		uint32_t which = random_bits() % 32u;
 		for (w = 0; w < 2; ++w) {
 			cni_body *b = cni_body_at(worlds[w], cni_awake_ids(worlds[w])[k]);
-			b->sleep_speed = which == 0 ? 1.0f : 0.0f;
+			b->sleep_speed = which == 0 ? 1.0f : CN_DEFAULT;
 			b->type = which == 1 ? CN_BODY_KINEMATIC : CN_BODY_DYNAMIC;
 			b->flags = which == 2 ? b->flags & ~(uint32_t)CN_BODY_SLEEP : b->flags | (uint32_t)CN_BODY_SLEEP;
 		}

@@ -69,6 +69,7 @@ ENTRY(cn_body_set_pose, cn_body_set_pose(W, f.box, 1.0f, 3.0f, 0.5f),
 	POSITION(v, cn_body_set_pose(W, f.box, v.x, v.y, 0.5f)); ANGLE(x, cn_body_set_pose(W, f.box, 0.0f, 0.0f, x));)
 GETTER(cn_body_get_pose, BODY, f.box, cn_pose)
 GETTER(cn_body_get_angle, BODY, f.box, float)
+GETTER2(cn_body_get_position_parts, BODY, f.box, cn_vec2, cn_vec2)
 GETTER(cn_body_get_center, BODY, f.box, cn_vec2)
 ENTRY(cn_body_set_velocity, cn_body_set_velocity(W, f.box, 1.0f, 0.0f, 1.0f),
 	NOW(cn_body_set_velocity(NULL, f.box, 1.0f, 0.0f, 1.0f)); BODY(h, cn_body_set_velocity(W, h, 1.0f, 0.0f, 1.0f));

@@ -122,6 +122,8 @@ WORLD_LIST(cn_world_get_islands, cn_island_report)
 WORLD_GETTER(cn_world_get_counters, cn_counters)
 WORLD_GETTER(cn_world_get_profile, cn_profile)
 WORLD_GETTER(cn_world_get_memory_stats, cn_memory_stats)
+ENTRY(cn_world_shift_origin, cn_world_shift_origin(W, 0.5f, -0.25f),
+	NOW(cn_world_shift_origin(NULL, 1.0f, 1.0f)); POSITION(v, cn_world_shift_origin(W, v.x, v.y));)
 WORLD_GETTER(cn_world_hash, uint64_t)
 ENTRY(cn_world_validate, cn_world_validate(W, NULL, 0),
 	NOW(cn_world_validate(NULL, NULL, 0)); ARG(cn_world_validate(W, NULL, 5)); ARG(cn_world_validate(W, OUT(char), -1));)
@@ -156,7 +158,8 @@ ENTRY(cn_world_read_poses_interpolated, cn_world_read_poses_interpolated(W, thre
 	ARG(cn_world_read_poses_interpolated(W, three(f.box, f.ball, f.pill), 3, 0.5f, NULL));
 	ARG(cn_world_read_poses_interpolated(W, three(f.box, f.ball, f.pill), -1, 0.5f, OUT(cn_pose)));
 	ARG(cn_world_read_poses_interpolated(W, NULL, 1, 0.5f, OUT(cn_pose)));)
-static uint8_t save_bytes[1 << 20];
+static uint8_t save_bytes[1 << 20], file_bytes[1 << 16];
+static cn_world *file_world;
 static uint64_t save_count(void)
 {
 	uint64_t bytes = 0;
@@ -179,6 +182,85 @@ ENTRY(cn_world_restore, restore_with(W, 0, 0, 0),
 	NOW(restore_with(NULL, 0, 0, 0)); ARG(cn_world_restore(W, NULL, 100));
 	BAD(CN_ERROR_FORMAT, restore_with(W, 0, 1, 0)); BAD(CN_ERROR_FORMAT, restore_with(W, UINT64_MAX, 1, 0)); BAD(CN_ERROR_FORMAT, restore_with(W, 0, 0, 1));
 	BAD(CN_ERROR_FORMAT, restore_with(W, 0, 0, 1000)); BAD(CN_ERROR_FORMAT, restore_with(W, 0, 0, UINT64_MAX)); STATE(restore_with(W, 4, 1, 0));)
+/* The bytes of a small world of its own, in a callback too. */
+static uint64_t file_count(void)
+{
+	static uint64_t bytes;
+	cn_world_def def;
+	cn_world *world = NULL;
+	cn_world_def_init(&def);
+	if (bytes == 0 && cn_world_create(&def, &world) == CN_OK)
+		(void)cn_world_write(world, file_bytes, sizeof file_bytes, &bytes);
+	cn_world_destroy(world);
+	return bytes;
+}
+/* A world from these, with a byte changed. */
+static cn_result read_with(uint64_t at, uint8_t change, uint64_t less)
+{
+	uint64_t bytes = file_count();
+	cn_world *world = NULL;
+	cn_result result;
+	file_bytes[at < bytes ? at : bytes - 1] ^= change;
+	result = cn_world_read(NULL, file_bytes, less < bytes ? bytes - less : 0, &world);
+	file_bytes[at < bytes ? at : bytes - 1] ^= change;
+	cn_world_destroy(world);
+	return result;
+}
+static cn_result read_with_def(uint32_t struct_size, int32_t workers)
+{
+	cn_world_def def;
+	cn_world *world = NULL;
+	cn_result result;
+	cn_world_def_init(&def);
+	def.struct_size = struct_size;
+	def.worker_count = workers;
+	result = cn_world_read(&def, file_bytes, file_count(), &world);
+	cn_world_destroy(world);
+	return result;
+}
+ENTRY(cn_world_write_size, cn_world_write_size(W, OUT(uint64_t)), NOW(cn_world_write_size(NULL, OUT(uint64_t))); ARG(cn_world_write_size(W, NULL));)
+ENTRY(cn_world_write, cn_world_write(W, save_bytes, sizeof save_bytes, OUT(uint64_t)),
+	NOW(cn_world_write(NULL, save_bytes, sizeof save_bytes, OUT(uint64_t))); ARG(cn_world_write(W, NULL, sizeof save_bytes, OUT(uint64_t)));
+	BAD(CN_ERROR_CAPACITY, cn_world_write(W, save_bytes, 1000, OUT(uint64_t))); BAD(CN_ERROR_CAPACITY, cn_world_write(W, save_bytes, 0, OUT(uint64_t)));)
+/* A call without a world. */
+#define NO_FILE(call) do { cn_result r_; bad_begin(); r_ = (call); bad_end(__LINE__, #call, CN_ERROR_FORMAT, r_, 0); } while (0)
+ENTRY(cn_world_read, read_with(0, 0, 0), NOW(cn_world_read(NULL, NULL, 100, &file_world)); NOW(cn_world_read(NULL, file_bytes, file_count(), NULL));
+	NOW(read_with_def(3, 0)); NOW(read_with_def((uint32_t)sizeof(cn_world_def), -1)); NO_FILE(read_with(0, 1, 0)); NO_FILE(read_with(UINT64_MAX, 1, 0));
+	NO_FILE(read_with(0, 0, 1)); NO_FILE(read_with(0, 0, UINT64_MAX));)
+/* A save of a small world of its own, and its delta against itself. */
+static uint8_t own_save[1 << 16], own_delta[1 << 16], own_out[1 << 16];
+static uint64_t own_count(void)
+{
+	static uint64_t bytes;
+	cn_world_def def;
+	cn_world *world = NULL;
+	cn_world_def_init(&def);
+	if (bytes == 0 && cn_world_create(&def, &world) == CN_OK)
+		(void)cn_world_save(world, own_save, sizeof own_save, &bytes);
+	cn_world_destroy(world);
+	return bytes;
+}
+static uint64_t delta_count(void)
+{
+	uint64_t bytes = 0, save = own_count();
+	(void)cn_save_delta(own_save, save, own_save, save, own_delta, sizeof own_delta, &bytes);
+	return bytes;
+}
+#define NO_ROOM(call) do { cn_result r_; bad_begin(); r_ = (call); bad_end(__LINE__, #call, CN_ERROR_CAPACITY, r_, 0); } while (0)
+ENTRY(cn_save_delta_size, (cn_save_delta_size(own_save, own_count(), own_save, own_count(), OUT(uint64_t))),
+	NOW(cn_save_delta_size(NULL, 9, own_save, own_count(), OUT(uint64_t))); NOW(cn_save_delta_size(own_save, own_count(), NULL, 9, OUT(uint64_t)));
+	NOW(cn_save_delta_size(own_save, own_count(), own_save, own_count(), NULL)); NO_FILE(cn_save_delta_size(own_save, 9, own_save, own_count(), OUT(uint64_t)));
+	NO_FILE(cn_save_delta_size(own_save, own_count(), own_save, own_count() - 1, OUT(uint64_t)));)
+ENTRY(cn_save_delta, (cn_save_delta(own_save, own_count(), own_save, own_count(), own_out, sizeof own_out, OUT(uint64_t))),
+	NOW(cn_save_delta(NULL, 9, own_save, own_count(), own_out, sizeof own_out, OUT(uint64_t))); NOW(cn_save_delta(own_save, own_count(), NULL, 9, own_out, sizeof own_out, OUT(uint64_t)));
+	NOW(cn_save_delta(own_save, own_count(), own_save, own_count(), NULL, sizeof own_out, OUT(uint64_t)));
+	NO_ROOM(cn_save_delta(own_save, own_count(), own_save, own_count(), own_out, 8, OUT(uint64_t))); NO_FILE(cn_save_delta(own_save, 9, own_save, own_count(), own_out, sizeof own_out, OUT(uint64_t)));)
+ENTRY(cn_save_apply, (cn_save_apply(own_save, own_count(), own_delta, delta_count(), own_out, sizeof own_out, OUT(uint64_t))),
+	NOW(cn_save_apply(NULL, 9, own_delta, delta_count(), own_out, sizeof own_out, OUT(uint64_t))); NOW(cn_save_apply(own_save, own_count(), NULL, 9, own_out, sizeof own_out, OUT(uint64_t)));
+	NOW(cn_save_apply(own_save, own_count(), own_delta, delta_count(), NULL, sizeof own_out, OUT(uint64_t)));
+	NO_ROOM(cn_save_apply(own_save, own_count(), own_delta, delta_count(), own_out, 8, OUT(uint64_t)));
+	NO_FILE(cn_save_apply(own_save, own_count(), own_delta, delta_count() - 1, own_out, sizeof own_out, OUT(uint64_t)));
+	NO_FILE(cn_save_apply(own_save, own_count() - 8, own_delta, delta_count(), own_out, sizeof own_out, OUT(uint64_t)));)
 static cn_debug_draw draw_functions;
 static cn_debug_draw *draw_with(uint32_t size, uint32_t flags, cn_vec2 lower)
 {

@@ -492,6 +492,118 @@ static void kinematic_bodies_reach_their_targets(void)
 	cn_world_destroy(world);
 }
 
+/* ---- shapes added one by one: model/body_shapes.c ---- */
+
+/* Mass of 300 boxes as sums in double precision. */
+typedef struct compound {
+	double kg, x, y, about_origin;
+} compound;
+
+static void compound_add(compound *sum, cn_world *world, cn_body body, int32_t k)
+{
+	cn_shape_def def = fixture_shape_def(body, 0.5f, 0.0f);
+	float hx = 0.1f + 0.01f * (float)(k % 13), hy = 0.1f + 0.02f * (float)(k % 7);
+	double kg = 4.0 * (double)hx * (double)hy;
+	def.offset_m.x = 0.3f * (float)(k % 20);
+	def.offset_m.y = 0.4f * (float)(k / 20);
+	def.density_kgpm2 = 1.0f;
+	fixture_box_shape(world, &def, hx, hy);
+	sum->kg += kg;
+	sum->x += kg * (double)def.offset_m.x;
+	sum->y += kg * (double)def.offset_m.y;
+	sum->about_origin += kg * ((double)(hx * hx + hy * hy) / 3.0 + (double)(def.offset_m.x * def.offset_m.x + def.offset_m.y * def.offset_m.y));
+}
+
+static double mass_error(const compound *sum, const cn_mass_data *m)
+{
+	double x = sum->x / sum->kg, y = sum->y / sum->kg, inertia = sum->about_origin - sum->kg * (x * x + y * y);
+	double center = hypot((double)m->center_m.x - x, (double)m->center_m.y - y);
+	return fmax(fabs((double)m->mass_kg / sum->kg - 1.0), fmax(fabs((double)m->inertia_kgm2 / inertia - 1.0), center));
+}
+
+/* Two bodies get their shapes in turn, so that both are updated and not computed until the step. */
+static void shapes_added_one_by_one_add_up(void)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	cn_body bodies[2];
+	compound sums[2];
+	cn_mass_data m, again;
+	int32_t k, side;
+	memset(sums, 0, sizeof sums);
+	for (k = 0; k < 2; ++k)
+		bodies[k] = fixture_body(world, CN_BODY_DYNAMIC, 50.0f * (float)k, 0.0f, 0.3f);
+	for (k = 0; k < 600; ++k)
+		compound_add(&sums[k % 2], world, bodies[k % 2], k / 2);
+	CHECK(fixture_is_valid(world));
+	for (side = 0; side < 2; ++side) {
+		must(cn_body_get_mass_data(world, bodies[side], &m), world, "mass");
+		CHECK_LE("error of mass, centre and inertia when all are added", mass_error(&sums[side], &m), 1e-4, "");
+		CHECK_LE("displacement of the origin", hypot((double)fixture_pose(world, bodies[side]).position_m.x - 50.0 * side, (double)fixture_pose(world, bodies[side]).position_m.y), 1e-4, "m");
+	}
+	fixture_step(world, 1);
+	for (side = 0; side < 2; ++side) {
+		must(cn_body_get_mass_data(world, bodies[side], &m), world, "mass");
+		must(cn_body_reset_mass_data(world, bodies[side]), world, "reset");
+		must(cn_body_get_mass_data(world, bodies[side], &again), world, "mass");
+		CHECK_LE("after a step", mass_error(&sums[side], &m), ROUNDING, "");
+		CHECK(memcmp(&m, &again, sizeof m) == 0);
+	}
+	CHECK(fixture_is_valid(world));
+	cn_world_destroy(world);
+}
+
+/* ---- the readback: model/world.h ---- */
+
+#define READ_BODIES 70
+
+/* Two equal worlds: one is read in every step, so that it keeps a readback, the other only at the end, from its records. */
+static void read_changes(cn_world *world, cn_body *bodies, int32_t step)
+{
+	cn_body *b = bodies + 7 * step % READ_BODIES;
+	must(cn_body_set_pose(world, bodies[step], 3.0f * (float)step, 9.0f, 0.5f), world, "cn_body_set_pose");
+	must(cn_body_set_user_data(world, bodies[step + 1], 1000u + (uint64_t)step), world, "cn_body_set_user_data");
+	must(cn_body_destroy(world, *b), world, "cn_body_destroy");
+	*b = fixture_box(world, CN_BODY_DYNAMIC, -3.0f * (float)step, 5.0f, 0.3f, 0.2f + 0.01f * (float)step, 0.5f, 0.5f, 0.0f);
+	if (step == 20)
+		must(cn_body_set_awake(world, bodies[2], 0), world, "cn_body_set_awake");
+}
+
+static void readback_is_the_records(void)
+{
+	static cn_body bodies[2][READ_BODIES + 1];
+	static cn_pose poses[2][READ_BODIES + 1];
+	const cn_body_moved *moved[2];
+	cn_world *world[2];
+	int32_t count[2], w, k, step;
+	for (w = 0; w < 2; ++w) {
+		world[w] = fixture_world(-10.0f, 1);
+		fixture_floor(world[w], 0.5f, 0.0f);
+		for (k = 0; k < READ_BODIES + 1; ++k)
+			bodies[w][k] = fixture_box(world[w], CN_BODY_DYNAMIC, 2.0f * (float)k - 70.0f, 3.0f, 0.1f, 0.5f, 0.5f, 0.5f, 0.0f);
+		for (step = 0; step < 60; ++step) {
+			if (w == 0)
+				must(cn_world_read_poses(world[w], bodies[w], READ_BODIES + 1, poses[w]), world[w], "cn_world_read_poses");
+			read_changes(world[w], bodies[w], step);
+			fixture_step(world[w], 1);
+			if (w == 0)
+				must(cn_world_moved(world[w], &moved[w], &count[w]), world[w], "cn_world_moved");
+			CHECK(fixture_is_valid(world[w]));
+		}
+		must(cn_world_moved(world[w], &moved[w], &count[w]), world[w], "cn_world_moved");
+		must(cn_world_read_poses(world[w], bodies[w], READ_BODIES + 1, poses[w]), world[w], "cn_world_read_poses");
+	}
+	CHECK(count[0] == count[1]);
+	CHECK(count[0] > 20 && memcmp(moved[0], moved[1], (size_t)count[0] * sizeof *moved[0]) == 0);
+	CHECK(memcmp(poses[0], poses[1], sizeof poses[0]) == 0);
+	fixture_step(world[0], 200); /* unread for so long that it is kept no more */
+	fixture_step(world[1], 200);
+	must(cn_world_read_poses(world[0], bodies[0], READ_BODIES + 1, poses[0]), world[0], "cn_world_read_poses");
+	must(cn_world_read_poses(world[1], bodies[1], READ_BODIES + 1, poses[1]), world[1], "cn_world_read_poses");
+	CHECK(memcmp(poses[0], poses[1], sizeof poses[0]) == 0);
+	cn_world_destroy(world[0]);
+	cn_world_destroy(world[1]);
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -508,6 +620,8 @@ int main(int argc, char **argv)
 	RUN(names_and_data_are_kept);
 	RUN(bodies_can_be_gone_through);
 	RUN(bulk_reads_are_single_reads);
+	RUN(shapes_added_one_by_one_add_up);
+	RUN(readback_is_the_records);
 	RUN(many_are_made_or_none);
 	RUN(dead_handles_stay_dead);
 	RUN(kinematic_bodies_reach_their_targets);

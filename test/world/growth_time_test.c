@@ -1,11 +1,11 @@
 /*
  * test/world/growth_time_test.c - work that must not grow with what lies beside it: a tile added to a level costs the same
- * whatever the level's size, and bodies that sleep cost a step nothing.
+ * whatever the level's size, a shape added to a moving body likewise, and bodies that sleep cost a step nothing.
  *
  * Times are printed and have no bounds, as other programs disturb them. test/work.sh runs the functions one by one under
  * valgrind and bounds the instructions they execute.
  *
- * If a test here fails, look first in: model/body.c (mass of a body of many shapes), step/finalize.c, model/island_sleep.c.
+ * If a test here fails, look first in: model/body_shapes.c (mass of a body of many shapes), step/finalize.c, model/island_sleep.c.
  */
 #include "fixture.h"
 
@@ -41,6 +41,27 @@ static void level(int32_t tiles)
 static void level_of_1000_tiles(void) { level(TILES / 8); }
 static void level_of_8000_tiles(void) { level(TILES); }
 
+/* ---- a moving body of many shapes ---- */
+
+static void compound(int32_t shapes)
+{
+	cn_world *world = fixture_world(-10.0f, 0);
+	cn_body body = fixture_body(world, CN_BODY_DYNAMIC, 0.0f, 0.0f, 0.0f);
+	double start = cpu_s();
+	int32_t k;
+	for (k = 0; k < shapes; ++k) {
+		cn_shape_def def = fixture_shape_def(body, 0.6f, 0.0f);
+		def.offset_m.x = (float)(k % 100);
+		def.offset_m.y = -(float)(k / 100);
+		fixture_box_shape(world, &def, 0.5f, 0.5f);
+	}
+	printf("  %d shapes added: %.3f ms\n", (int)shapes, 1e3 * (cpu_s() - start));
+	cn_world_destroy(world);
+}
+
+static void compound_of_500_shapes(void) { compound(500); }
+static void compound_of_4000_shapes(void) { compound(4000); }
+
 /* ---- steps of a world of pairs of boxes that sleep, and of an empty one ---- */
 
 #define STEPS 200
@@ -71,6 +92,8 @@ int main(int argc, char **argv)
 	test_begin(argc, argv);
 	RUN(level_of_1000_tiles);
 	RUN(level_of_8000_tiles);
+	RUN(compound_of_500_shapes);
+	RUN(compound_of_4000_shapes);
 	RUN(sleepers_made);
 	RUN(sleepers_stepped);
 	RUN(empty_made);

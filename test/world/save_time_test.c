@@ -1,8 +1,8 @@
 /*
  * test/world/save_time_test.c - prints what saving and restoring cost beside a plain copy of as many bytes, and what a rollback of
- * 8 frames does: restore, then 8 steps, each with a save. Times have no bounds; fails only with the calls themselves.
+ * 8 frames does: restore, then 8 steps, each with a save; and what writing and reading a file cost. Times have no bounds; fails only with the calls themselves.
  */
-#include "saves.h"
+#include "files.h"
 
 #include "measure/measure.h"
 
@@ -52,6 +52,57 @@ static void t_save_and_restore_of_a_heap(void)
 	cn_world_destroy(world);
 }
 
+static void t_write_and_read_of_a_heap(void)
+{
+	cn_world *world = heap_world(1000);
+	saved f = write_world(world);
+	double write_s = 1.0, read_s = 1.0, begin;
+	int32_t k;
+	for (k = 0; k < ROUNDS / 10; ++k) {
+		cn_world *read;
+		begin = measure_clock_s();
+		must(cn_world_write(world, f.data, f.bytes, NULL), world, "cn_world_write");
+		write_s = least(write_s, measure_clock_s() - begin);
+		begin = measure_clock_s();
+		read = read_world(&f);
+		read_s = least(read_s, measure_clock_s() - begin);
+		cn_world_destroy(read);
+	}
+	printf("  1,000 boxes, %llu bytes: write %.3f ms, read %.3f ms\n", (unsigned long long)f.bytes, 1e3 * write_s, 1e3 * read_s);
+	CHECK(writes_the_same(world, &f));
+	saved_free(&f);
+	cn_world_destroy(world);
+}
+
+static void t_delta_of_a_heap(void)
+{
+	cn_world *world = heap_world(1000);
+	saved base = save_world(world), save, delta = { NULL, 0 }, out = save_world(world);
+	double delta_s = 1.0, apply_s = 1.0, begin;
+	int32_t k;
+	fixture_step(world, 1);
+	save = save_world(world);
+	must(cn_save_delta_size(base.data, base.bytes, save.data, save.bytes, &delta.bytes), NULL, "cn_save_delta_size");
+	delta.data = malloc((size_t)delta.bytes);
+	out.data = realloc(out.data, (size_t)save.bytes);
+	for (k = 0; k < ROUNDS / 10; ++k) {
+		begin = measure_clock_s();
+		must(cn_save_delta(base.data, base.bytes, save.data, save.bytes, delta.data, delta.bytes, NULL), NULL, "cn_save_delta");
+		delta_s = least(delta_s, measure_clock_s() - begin);
+		begin = measure_clock_s();
+		must(cn_save_apply(base.data, base.bytes, delta.data, delta.bytes, out.data, save.bytes, NULL), NULL, "cn_save_apply");
+		apply_s = least(apply_s, measure_clock_s() - begin);
+	}
+	printf("  1,000 boxes in a heap, all awake: save %llu bytes, delta %llu, made in %.3f ms, applied in %.3f ms\n", (unsigned long long)save.bytes,
+		(unsigned long long)delta.bytes, 1e3 * delta_s, 1e3 * apply_s);
+	CHECK(memcmp(out.data, save.data, (size_t)save.bytes) == 0);
+	saved_free(&base);
+	saved_free(&save);
+	saved_free(&delta);
+	saved_free(&out);
+	cn_world_destroy(world);
+}
+
 static void t_rollback_of_eight_frames(void)
 {
 	cn_world *world = heap_world(500);
@@ -90,6 +141,8 @@ int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
 	RUN(t_save_and_restore_of_a_heap);
+	RUN(t_write_and_read_of_a_heap);
+	RUN(t_delta_of_a_heap);
 	RUN(t_rollback_of_eight_frames);
 	return test_end();
 }

@@ -57,6 +57,22 @@ typedef struct setting {
 
 #define BLOCK_BODIES 700
 
+/* Gives the definition a block with room for a scene; returns what is to be freed. */
+static inline void *block_for(cn_world_def *def)
+{
+	void *block;
+	def->body_capacity = BLOCK_BODIES;
+	def->shape_capacity = 2 * BLOCK_BODIES;
+	def->contact_capacity = 16 * BLOCK_BODIES;
+	def->joint_capacity = BLOCK_BODIES;
+	must(cn_world_bytes_needed(def, &def->memory_bytes), NULL, "cn_world_bytes_needed");
+	block = malloc((size_t)def->memory_bytes + 64);
+	if (block == NULL)
+		exit(2);
+	def->memory = (uint8_t *)block + (64 - (uintptr_t)block % 64);
+	return block;
+}
+
 static inline cn_world *world_of(const scene *which, const setting *s, void **out_block)
 {
 	cn_world_def def;
@@ -65,18 +81,7 @@ static inline cn_world *world_of(const scene *which, const setting *s, void **ou
 	def.solver = s->solver;
 	def.broadphase = s->broadphase;
 	def.worker_count = s->workers;
-	*out_block = NULL;
-	if (s->in_block) {
-		def.body_capacity = BLOCK_BODIES;
-		def.shape_capacity = 2 * BLOCK_BODIES;
-		def.contact_capacity = 16 * BLOCK_BODIES;
-		def.joint_capacity = BLOCK_BODIES;
-		must(cn_world_bytes_needed(&def, &def.memory_bytes), NULL, "cn_world_bytes_needed");
-		*out_block = malloc((size_t)def.memory_bytes + 64);
-		if (*out_block == NULL)
-			exit(2);
-		def.memory = (uint8_t *)*out_block + (64 - (uintptr_t)*out_block % 64);
-	}
+	*out_block = s->in_block ? block_for(&def) : NULL;
 	must(cn_world_create(&def, &world), NULL, "cn_world_create");
 	return world;
 }

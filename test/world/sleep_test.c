@@ -469,6 +469,24 @@ static void sleeping_bodies_are_left_alone(void)
 	cn_world_destroy(full);
 }
 
+/* Bodies that come to rest in the same step leave over several, by a share of those that are awake: step/sleep.c. */
+static void a_crowd_falls_asleep_in_parts(void)
+{
+	cn_world *world = fixture_world(0.0f, 1);
+	int32_t k, step, before, most = 0;
+	for (k = 0; k < 2000; ++k)
+		fixture_circle(world, CN_BODY_DYNAMIC, 2.0f * (float)(k % 50), 2.0f * (float)(k / 50), 0.5f, 0.5f, 0.0f);
+	for (step = 0; step < 60; ++step) {
+		before = fixture_counters(world).bodies_awake;
+		fixture_step(world, 1);
+		most = before - fixture_counters(world).bodies_awake > most ? before - fixture_counters(world).bodies_awake : most;
+	}
+	CHECK(fixture_counters(world).bodies_awake == 0);
+	CHECK_LE("bodies that fall asleep in a step", most, 1024, "");
+	CHECK(fixture_is_valid(world));
+	cn_world_destroy(world);
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
@@ -488,5 +506,6 @@ int main(int argc, char **argv)
 	RUN(moved_list_is_what_moved);
 	RUN(sleepers_do_not_change_what_moves);
 	RUN(sleeping_bodies_are_left_alone);
+	RUN(a_crowd_falls_asleep_in_parts);
 	return test_end();
 }

@@ -800,12 +800,45 @@ static void t_an_island_that_owes_too_much_has_no_interior_points(void)
 	CHECK_LE("... that owes too much", most[1], 0, "blocks");
 }
 
+/* The step in which a stack of three becomes direct that is put back to the same overlap before each step, with this speed; 0: none. */
+static int32_t direct_since(float speed)
+{
+	cn_world *world = make_world(CN_SOLVER_AUTO, 0.0f, 0);
+	cn_body bodies[3];
+	int32_t k, step, since = 0;
+	fixture_floor(world, 0.0f, 0.0f);
+	for (k = 0; k < 3; ++k)
+		bodies[k] = fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 0.49f + 0.98f * (float)k, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+	for (step = 1; step <= CNI_SELECTION_WAIT_STEPS + 3 && since == 0; ++step) {
+		for (k = 0; k < 3; ++k) {
+			must(cn_body_set_pose(world, bodies[k], 0.0f, 0.49f + 0.98f * (float)k, 0.0f), world, "cn_body_set_pose");
+			fixture_set_velocity(world, bodies[k], speed, 0.0f, 0.0f);
+		}
+		fixture_step(world, 1);
+		if (report(world).tier == CN_TIER_DIRECT)
+			since = step;
+		else
+			CHECK(is(world, CN_TIER_SOFT, CN_TIER_REASON_MOVING));
+	}
+	cn_world_destroy(world);
+	return since;
+}
+
+static void t_moving_islands_wait(void)
+{
+	int32_t moving = direct_since(0.3f), still = direct_since(0.0f);
+	printf("  direct since step %d when sliding, %d when still\n", (int)moving, (int)still);
+	CHECK(moving == CNI_SELECTION_WAIT_STEPS + 1);
+	CHECK(still == 1);
+}
+
 int main(int argc, char **argv)
 {
 	test_begin(argc, argv);
 	RUN(t_a_new_stack_is_direct_and_then_soft);
 	RUN(t_reasons_of_what_is_wrong);
 	RUN(t_stressed_islands_stay_direct);
+	RUN(t_moving_islands_wait);
 	RUN(t_bodies_alone_and_free_ones);
 	RUN(t_a_short_list_is_cut);
 	RUN(t_residuals_are_errors_now);

@@ -4,7 +4,7 @@
 
     scenes.py   which metric is a scene's error, its title and caption
     points.py   rows of CSV -> points
-    picture.py  points -> pictures; labels.py keeps their texts apart
+    picture.py  points -> pictures; svg.py writes them, labels.py keeps their texts apart
     table.py    points -> Markdown
 
 A peer's program is the same suite with another engine under it; it writes the same CSV.
@@ -19,10 +19,7 @@ sys.dont_write_bytecode = True
 HERE = os.path.dirname(os.path.abspath(__file__))
 DEAR_US = 10000.0
 
-try:
-    import picture
-except ImportError as missing:
-    sys.exit(f"chart: {missing.name} is not installed for {sys.executable} (Debian: python3-matplotlib)")
+import picture  # noqa: E402
 import points  # noqa: E402
 import table  # noqa: E402
 from scenes import README, SCENES, SUMMARY  # noqa: E402
@@ -37,34 +34,43 @@ def run(program, arguments, path):
     return last
 
 
+def asked_for():
+    """Arguments that run all scenes, and the cases of each: the numbered ones in one run, every other scene by itself."""
+    runs = [((), [source for scene in SCENES if not scene.arguments for source in scene.sources])]
+    return runs + [(scene.arguments, list(scene.sources)) for scene in SCENES if scene.arguments]
+
+
 def repeat(suite, name, program, folder, turn):
     """All settings of an engine again, but for what is so dear that its cost is known well enough."""
     settings = {}
-    for (case, engine, setting), cost_us in suite.cost_us.items():
-        if (engine == name if name else engine in picture.OURS) and cost_us < DEAR_US:
-            settings.setdefault((engine, setting), []).append(case)
-    for (engine, setting), cases in settings.items():
-        file = os.path.join(folder, f"{name or 'cairn'}_{turn}_{engine}_{setting}.csv")
-        run(program, ["--solver", "auto" if name else engine, "--substeps", setting[2:], *cases], file)
+    for arguments, sources in asked_for():
+        for (case, engine, setting), cost_us in suite.cost_us.items():
+            if case in sources and (engine == name if name else engine in picture.OURS) and cost_us < DEAR_US:
+                settings.setdefault((engine, setting, arguments), []).append(case)
+    for number, ((engine, setting, arguments), cases) in enumerate(settings.items()):
+        file = os.path.join(folder, f"{name or 'cairn'}_{turn}_{number}.csv")
+        run(program, ["--solver", "auto" if name else engine, "--substeps", setting[2:], *(arguments or cases)], file)
+        points.read_suite(suite, file, name)
+
+
+def sweep(suite, name, program, folder, options):
+    for number, (arguments, cases) in enumerate(asked_for()):
+        file = os.path.join(folder, f"{name or 'cairn'}_{'sweep' if options else 'default'}_{number}.csv")
+        print(f"chart: {name or 'cairn'}: {run(program, [*options, *(arguments or cases)], file)}", flush=True)
         points.read_suite(suite, file, name)
 
 
 def measure(program, peers, folder, rounds):
     """Engines take turns, so that a slow minute of the machine is everybody's."""
     suite = points.Rows()
-    cases = [source for scene in SCENES for source in scene.sources]
     programs = [(None, program), *peers]
     for name, path in programs:
-        file = os.path.join(folder, f"{name or 'cairn'}_1.csv")
-        print(f"chart: {name or 'cairn'}: {run(path, ['--sweep', *cases], file)}", flush=True)
-        points.read_suite(suite, file, name)
+        sweep(suite, name, path, folder, ["--sweep"])
     for turn in range(2, rounds + 1):
         for name, path in programs:
             repeat(suite, name, path, folder, turn)
         print(f"chart: round {turn} of {rounds}", flush=True)
-    file = os.path.join(folder, "cairn_default.csv")
-    run(program, cases, file)
-    points.read_suite(suite, file)
+    sweep(suite, None, program, folder, [])
     return suite
 
 
@@ -78,8 +84,8 @@ def draw(suite, folder):
         limit = points.limit_of(points.verdict(suite, scene).bounds)
         picture.scene_page(scene, of_scene, limit, os.path.join(folder, table.file_name(scene)))
         panels.append((scene, of_scene, limit))
-    for names, columns, dpi, file in ((SUMMARY, 4, 110, "summary"), (README, 3, 80, "readme")):
-        picture.summary_page([next(panel for panel in panels if panel[0].name == name) for name in names], os.path.join(folder, file), columns, dpi)
+    for names, file in ((SUMMARY, "summary"), (README, "readme")):
+        picture.summary_page([next(panel for panel in panels if panel[0].name == name) for name in names], os.path.join(folder, file))
     table.write(os.path.join(folder, "chart.md"), [panel[:2] for panel in panels], suite, picture.OURS)
 
 
@@ -93,7 +99,7 @@ def main():
     os.makedirs(os.path.join(asked.folder, "csv"), exist_ok=True)
     suite = measure(asked.program, [peer.split("=", 1) for peer in asked.peer], os.path.join(asked.folder, "csv"), max(asked.rounds, 1))
     draw(suite, asked.folder)
-    print(f"chart: {os.path.join(asked.folder, 'summary.png')}, {os.path.join(asked.folder, 'chart.md')}")
+    print(f"chart: {os.path.join(asked.folder, 'summary.svg')}, {os.path.join(asked.folder, 'chart.md')}")
 
 
 if __name__ == "__main__":

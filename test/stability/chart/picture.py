@@ -5,43 +5,30 @@ rounding in one at the bottom.
 import math
 from collections import namedtuple
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.lines import Line2D  # noqa: E402
-from matplotlib.patches import Polygon  # noqa: E402
-from matplotlib.ticker import FixedFormatter, FixedLocator, NullFormatter, NullLocator  # noqa: E402
-
-from labels import POINT_RADIUS, RING_RADIUS, Labels  # noqa: E402
-from points import front  # noqa: E402
+from labels import POINT_RADIUS, RING_RADIUS, Labels
+from points import front
+from svg import Svg, text_width
 
 # Colours that the colour-blind tell apart: Okabe and Ito, 2008.
 Look = namedtuple("Look", "name color marker")
 OURS = {
-    "auto": Look("Cairn, default solver", "#0072B2", "o"),
-    "direct": Look("Cairn, solver 'direct'", "#009E73", "s"),
-    "soft": Look("Cairn, solver 'soft'", "#56B4E9", "v"),
-    "sequential": Look("Cairn, solver 'sequential'", "#000000", "P"),
+    "auto": Look("Cairn", "#0072B2", "circle"),
+    "soft": Look("Cairn, solver 'soft'", "#56B4E9", "down"),
+    "direct": Look("Cairn, solver 'direct'", "#009E73", "square"),
+    "sequential": Look("Cairn, solver 'sequential'", "#000000", "cross"),
 }
 PEERS = {
-    "box2d": Look("Box2D 3.2", "#D55E00", "D"),
-    "box2dT": Look("Box2D 3.2, stiffer contacts or joints", "#D55E00", "d"),
-    "chipmunk": Look("Chipmunk 7", "#E69F00", "^"),
-    "rapier": Look("Rapier 0.36", "#7B4FA3", "p"),
-    "avbd": Look("AVBD", "#CC79A7", "X"),
-    "s2": Look("the solvers of Solver2D", "#777777", "x"),
+    "box2d": Look("Box2D 3.2", "#D55E00", "diamond"),
+    "chipmunk": Look("Chipmunk 7", "#E69F00", "up"),
+    "rapier": Look("Rapier 0.36", "#7B4FA3", "pentagon"),
 }
-FRONT_COLOR, GOOD_COLOR, FELL_COLOR, EXACT_COLOR = "#333333", "#2E8B57", "#B03A2E", "#5A6B7B"
-
-plt.rcParams.update({
-    "font.size": 12, "svg.hashsalt": "chart", "svg.fonttype": "path", "axes.spines.top": False, "axes.spines.right": False,
-    "axes.axisbelow": True, "font.family": "DejaVu Sans",
-})
+OTHERS = Look("other solvers", "#8A8A8A", "cross")
+NAMES = {"box2dT": "Box2D 3.2", "avbd": "AVBD"}
+FRONT_COLOR, GOOD_COLOR, FELL_COLOR, EXACT_COLOR, GREY = "#333333", "#2E8B57", "#B03A2E", "#5A6B7B", "#444444"
 
 
 def look_of(engine):
-    return OURS.get(engine) or PEERS.get("s2" if engine.startswith("s2_") else engine) or Look(engine, "#777777", "*")
+    return OURS.get(engine) or PEERS.get(engine) or OTHERS
 
 
 def words_of(point):
@@ -67,11 +54,11 @@ def spelled(setting):
 
 
 def full_words(point):
-    name = point.engine[3:].replace("_", " ") if point.engine.startswith("s2_") else look_of(point.engine).name
+    name = point.engine[3:].replace("_", " ") if point.engine.startswith("s2_") else NAMES.get(point.engine, look_of(point.engine).name)
     words = spelled(point.setting)
     if point.engine == "chipmunk":
         words = words.replace("substeps", "steps a frame").replace("substep", "step a frame")
-    return f"{'Box2D 3.2' if point.engine == 'box2dT' else name}: {words}"
+    return f"{name}: {words}"
 
 
 # ---------------------------------------------------------------- limits: where strips and points lie
@@ -100,11 +87,35 @@ class Scale:
         return point.error if point.error > self.floor else self.exact_y
 
 
+class Panel:
+    """A rectangle of the page with logarithmic axes."""
+
+    def __init__(self, page, box, scene, points, limit, small):
+        self.page, self.scene, self.points, self.limit, self.small = page, scene, points, limit, small
+        self.left, self.top, self.right, self.bottom = box
+        self.scale = Scale(scene, points, limit)
+        costs = [point.cost_us for point in points]
+        self.cheap, self.dear = min(costs) / 1.6, max(costs) * 1.8
+
+    def x(self, cost_us):
+        return self.left + (self.right - self.left) * math.log(cost_us / self.cheap) / math.log(self.dear / self.cheap)
+
+    def y(self, error):
+        return self.bottom - (self.bottom - self.top) * math.log(error / self.scale.low) / math.log(self.scale.high / self.scale.low)
+
+    def at(self, point):
+        return self.x(point.cost_us), self.y(self.scale.y(point))
+
+
+SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
 def short_number(value):
     if 0.01 <= value < 10000.0:
         return f"{value:.10g}"
     mantissa, exponent = f"{value:.0e}".split("e")
-    return f"$10^{{{int(exponent)}}}$" if mantissa == "1" else f"${mantissa}\\cdot10^{{{int(exponent)}}}$"
+    power = "10" + str(int(exponent)).translate(SUPERSCRIPT)
+    return power if mantissa == "1" else f"{mantissa}·{power}"
 
 
 def ticks(low, high, most):
@@ -117,55 +128,47 @@ def ticks(low, high, most):
     return [10.0 ** e for e in range(first, last + 1, step)]
 
 
-def set_ticks(axis, values, words, size):
-    axis.set_major_locator(FixedLocator(values))
-    axis.set_major_formatter(FixedFormatter(words))
-    axis.set_minor_locator(NullLocator())
-    axis.set_minor_formatter(NullFormatter())
-    axis.set_tick_params(labelsize=size, length=3)
-
-
-def frame(axes, scene, points, scale, small):
-    costs = [point.cost_us for point in points]
-    left, right, size = min(costs) / 1.6, max(costs) * 1.8, 10 if small else 12
-    axes.set_xscale("log")
-    axes.set_yscale("log")
-    axes.set_xlim(left, right)
-    axes.set_ylim(scale.low, scale.high)
-    along, up = ticks(left, right, 5 if small else 8), ticks(scale.exact_top, scale.fallen_bottom, 5 if small else 9)
-    # What lies in a strip has no number: the strip's name stands there.
-    margin = (scale.fallen_bottom / scale.exact_top) ** 0.03
-    if scale.has_exact:
-        up = [value for value in up if value > scale.exact_top * margin]
-    if scale.has_fallen:
-        up = [value for value in up if value < scale.fallen_bottom / margin]
-    words = [short_number(value) for value in up]
-    if scale.has_fallen:
-        axes.axhspan(scale.fallen_bottom, scale.high, color=FELL_COLOR, alpha=0.10, lw=0)
-        up, words = up + [scale.fallen_y], words + [strip_name(scene)]
-    if scale.has_exact:
-        axes.axhspan(scale.low, scale.exact_top, color=EXACT_COLOR, alpha=0.13, lw=0)
-        up, words = up + [scale.exact_y], words + ["$\\leq$" + short_number(scene.floor)]
-    axes.grid(True, which="major", color="#DDDDDD", lw=0.7)
-    set_ticks(axes.xaxis, along, [short_number(value) for value in along], size)
-    set_ticks(axes.yaxis, up, words, size)
-    for label, word in zip(axes.get_yticklabels(), words):
-        if word == strip_name(scene):
-            label.set_color(FELL_COLOR)
-
-
 def strip_name(scene):
-    return "broke" if scene.name.startswith(("2", "3", "11")) else "fell"
+    return "broke" if scene.name.startswith(("2", "3", "11", "cloth", "crowd")) else "fell"
 
 
-def better_corner(axes, small):
-    reach = 0.2 if small else 0.15
-    axes.add_patch(Polygon([(0, 0), (1.3 * reach, 0), (0, 1.6 * reach)], transform=axes.transAxes, color=GOOD_COLOR, alpha=0.12, lw=0, zorder=0))
-    axes.annotate("", (0.006, 0.012), (0.55 * reach, 0.8 * reach), xycoords="axes fraction", zorder=1,
-                  arrowprops=dict(arrowstyle="-|>", color=GOOD_COLOR, lw=1.8 if small else 2.4, alpha=0.7))
-    if small:
-        return []
-    return [axes.text(0.55 * reach, 0.83 * reach, "better", transform=axes.transAxes, color=GOOD_COLOR, fontsize=12, fontweight="bold")]
+def draw_strips(panel, size):
+    """What lies in a strip has no number: the strip's name stands there."""
+    page, scale = panel.page, panel.scale
+    width = panel.right - panel.left
+    if scale.has_fallen:
+        page.rect(panel.left, panel.top, width, panel.y(scale.fallen_bottom) - panel.top, FELL_COLOR, 0.10)
+        page.text(panel.left - 6, panel.y(scale.fallen_y) + 0.35 * size, strip_name(panel.scene), size, FELL_COLOR, "end")
+    if scale.has_exact:
+        top = panel.y(scale.exact_top)
+        page.rect(panel.left, top, width, panel.bottom - top, EXACT_COLOR, 0.13)
+        page.text(panel.left - 6, panel.y(scale.exact_y) + 0.35 * size, "≤" + short_number(panel.scene.floor), size, "#222222", "end")
+
+
+def draw_frame(panel):
+    page, scale, size = panel.page, panel.scale, 10.5 if panel.small else 12.0
+    draw_strips(panel, size)
+    margin = (scale.fallen_bottom / scale.exact_top) ** 0.03
+    up = [value for value in ticks(scale.exact_top, scale.fallen_bottom, 5 if panel.small else 9)
+          if not (scale.has_exact and value <= scale.exact_top * margin) and not (scale.has_fallen and value >= scale.fallen_bottom / margin)]
+    for value in up:
+        y = panel.y(value)
+        page.line(panel.left, y, panel.right, y, "#DDDDDD", 0.7)
+        page.text(panel.left - 6, y + 0.35 * size, short_number(value), size, anchor="end")
+    for value in ticks(panel.cheap, panel.dear, 5 if panel.small else 8):
+        x = panel.x(value)
+        page.line(x, panel.top, x, panel.bottom, "#DDDDDD", 0.7)
+        page.text(x, panel.bottom + 1.4 * size, short_number(value), size, anchor="middle")
+    page.path([(panel.left, panel.top), (panel.left, panel.bottom), (panel.right, panel.bottom)], "#222222")
+
+
+def draw_better_corner(panel):
+    reach = 0.2 if panel.small else 0.15
+    width, height = panel.right - panel.left, panel.bottom - panel.top
+    panel.page.polygon([(panel.left, panel.bottom), (panel.left + 1.3 * reach * width, panel.bottom),
+                        (panel.left, panel.bottom - 1.6 * reach * height)], GOOD_COLOR, opacity="0.12")
+    if not panel.small:
+        panel.page.text(panel.left + 8, panel.bottom - 10, "better", 12, GOOD_COLOR, bold=True)
 
 
 # ---------------------------------------------------------------- marks
@@ -185,175 +188,155 @@ def same_as_default_solver(series):
     return [engine for engine in ("direct", "soft") if [(point.setting, point.error) for point in series.get(engine, [])] == reference and reference]
 
 
-def draw_curve(axes, scale, of_engine, small):
+def draw_curve(panel, of_engine):
+    """No line leads to what fell: there is nothing between."""
+    look, lead, ours = look_of(of_engine[0].engine), of_engine[0].engine == "auto", of_engine[0].engine in OURS
+    width, size = (2.4 if lead else 1.5) * (0.85 if panel.small else 1.0), (4.4 if lead else 3.6) * (0.8 if panel.small else 1.0)
+    run = []
+    for point in of_engine + [None]:
+        if point is None or point.fell:
+            panel.page.path(run, look.color, width, None if ours else "5 3")
+            run = []
+        else:
+            run.append(panel.at(point))
+    for point in of_engine:
+        panel.page.mark(look.marker, *panel.at(point), size, look.color)
+
+
+def draw_marks(panel, of_engine):
     look = look_of(of_engine[0].engine)
-    ours = of_engine[0].engine in OURS
-    lead = of_engine[0].engine == "auto"
-    width = (2.6 if lead else 1.6) * (0.8 if small else 1.0)
-    size = (8 if lead else 6.5) * (0.75 if small else 1.0)
-    # No line leads to what fell: there is nothing between.
-    axes.plot([point.cost_us for point in of_engine], [math.nan if point.fell else scale.y(point) for point in of_engine],
-              color=look.color, lw=width, ls="-" if ours else "--", zorder=6 if lead else 5 if ours else 4)
-    axes.plot([point.cost_us for point in of_engine], [scale.y(point) for point in of_engine], color=look.color, ls="",
-              marker=look.marker, ms=size, mec="white", mew=0.6, zorder=6 if lead else 5 if ours else 4, clip_on=False)
+    for point in of_engine:
+        panel.page.mark(look.marker, *panel.at(point), 2.5 if panel.small else 3.6, look.color, False)
 
 
-def draw_marks(axes, scale, of_engine, small):
-    look = look_of(of_engine[0].engine)
-    axes.plot([point.cost_us for point in of_engine], [scale.y(point) for point in of_engine], ls="", color=look.color,
-              marker=look.marker, ms=5 if small else 7, mfc="none", mew=1.2 if small else 1.5, zorder=3, clip_on=False)
-
-
-def ring_defaults(axes, scale, points, small):
-    for point in points:
-        if point.default:
-            axes.plot([point.cost_us], [scale.y(point)], ls="", marker="o", ms=12 if small else 17, mfc="none",
-                      mec=look_of(point.engine).color, mew=1.6 if small else 2.0, zorder=7, clip_on=False)
-
-
-def front_steps(axes, scale, points):
-    """Corners of the line that bounds what engines reach: down to a point, right to the next."""
-    best = front(points)
+def front_steps(panel):
+    """Corners of the line that bounds what engines reach, in pixels: down to a point, right to the next."""
+    best = front(panel.points)
     if not best:
         return []
-    corners = [(best[0].cost_us, scale.fallen_bottom)]
+    corners = [(panel.x(best[0].cost_us), panel.y(panel.scale.fallen_bottom))]
     for point in best:
-        corners += [(point.cost_us, corners[-1][1]), (point.cost_us, scale.y(point))]
-    return corners + [(axes.get_xlim()[1], corners[-1][1])]
+        x, y = panel.at(point)
+        corners += [(x, corners[-1][1]), (x, y)]
+    return corners + [(panel.right, corners[-1][1])]
 
 
-def draw_front(axes, corners):
-    axes.plot([x for x, _ in corners], [y for _, y in corners], color=FRONT_COLOR, lw=1.2, ls=(0, (1, 1.2)), zorder=2)
+def drawn(panel, same):
+    """Engines of a panel from back to front. Small panels leave out the baseline of a pass a step."""
+    series = group(panel.points)
+    order = [engine for engine in series if engine not in OURS] + [engine for engine in ("sequential", "direct", "soft", "auto") if engine in series]
+    return [series[engine] for engine in order if engine not in same and not (panel.small and engine == "sequential")]
 
 
-def draw_scene(axes, scene, points, limit, small=False):
-    """Returns words that labels must keep clear of, the scale, and the solvers left out because they equal the default one."""
-    scale = Scale(scene, points, limit)
-    series = group(points)
-    same = same_as_default_solver(series)
-    frame(axes, scene, points, scale, small)
-    words = better_corner(axes, small)
-    if limit:
-        axes.axhline(limit, color=GOOD_COLOR, lw=1.4, ls=(0, (6, 3)), zorder=2)
-        if not small:
-            words.append(axes.text(0.995, limit, "target " + short_number(limit), transform=axes.get_yaxis_transform(), color=GOOD_COLOR,
-                                   fontsize=11, ha="right", va="bottom"))
-    for engine, of_engine in series.items():
-        if engine in same:
-            continue
-        if of_engine[0].here:
-            draw_curve(axes, scale, of_engine, small)
-        else:
-            draw_marks(axes, scale, of_engine, small)
-    draw_front(axes, front_steps(axes, scale, points))
-    ring_defaults(axes, scale, points, small)
-    return words, scale, same
+def draw_scene(panel):
+    """Returns the solvers left out because they equal the default one."""
+    same = same_as_default_solver(group(panel.points))
+    draw_frame(panel)
+    draw_better_corner(panel)
+    if panel.limit:
+        y = panel.y(panel.limit)
+        panel.page.line(panel.left, y, panel.right, y, GOOD_COLOR, 1.4, "7 4")
+        if not panel.small:
+            panel.page.text(panel.right - 3, y - 4, "target " + short_number(panel.limit), 11, GOOD_COLOR, "end")
+    panel.page.path(front_steps(panel), FRONT_COLOR, 1.2, "1.5 2")
+    for of_engine in drawn(panel, same):
+        (draw_curve if of_engine[0].here else draw_marks)(panel, of_engine)
+    for point in panel.points:
+        if point.default and look_of(point.engine) is not OTHERS:
+            panel.page.circle(*panel.at(point), 7 if panel.small else 9, "none", look_of(point.engine).color, 1.7)
+    return same
 
 
 # ---------------------------------------------------------------- legend
 
-def legend_entries(points_lists, same_everywhere=()):
-    engines = {point.engine: point.here for points in points_lists for point in points if point.engine not in same_everywhere}
-    entries = []
-    for engine in OURS:
-        if engine in engines:
-            look = OURS[engine]
-            entries.append(Line2D([], [], color=look.color, marker=look.marker, ms=8, lw=2.4 if engine == "auto" else 1.6, mec="white", label=look.name))
-    for engine, look in PEERS.items():
-        present = [here for name, here in engines.items() if name == engine or (engine == "s2" and name.startswith("s2_"))]
-        if not present:
-            continue
-        here = present[0]
-        label = look.name if here else f"{look.name} *"
-        entries.append(Line2D([], [], color=look.color, marker=look.marker, ms=8, lw=1.6 if here else 0, ls="--" if here else "",
-                              mfc=look.color if here else "none", mew=1.5 if not here else 0.6, label=label))
-    entries.append(Line2D([], [], color="#555555", marker="o", ms=13, mfc="none", mew=1.8, lw=0, label="default setting"))
-    entries.append(Line2D([], [], color=FRONT_COLOR, lw=1.2, ls=(0, (1, 1.2)), label="Pareto front: nothing is both cheaper and better"))
-    entries.append(Line2D([], [], color=GOOD_COLOR, lw=1.4, ls=(0, (6, 3)), label="target of the stability suite"))
-    return entries
+def draw_legend(page, y, engines, width):
+    """One row: engines that are drawn, those of all others as one entry."""
+    looks = [(OURS[name], True) for name in OURS if name in engines]
+    looks += [(look, engines[name]) for name, look in PEERS.items() if name in engines]
+    if any(look_of(name) is OTHERS for name in engines):
+        looks.append((OTHERS, False))
+    words = [look.name + ("" if here else " *") for look, here in looks]
+    gap = min(46.0, (width - sum(text_width(text, 13) + 34 for text in words)) / max(len(words) - 1, 1))
+    x = 0.5 * (width - sum(text_width(text, 13) + 34 for text in words) - gap * (len(words) - 1))
+    for (look, here), text in zip(looks, words):
+        if here:
+            page.line(x, y - 4, x + 26, y - 4, look.color, 2.0, None if look in OURS.values() else "5 3")
+        page.mark(look.marker, x + 13, y - 4, 4.2, look.color, here)
+        page.text(x + 32, y, text, 13)
+        x += text_width(text, 13) + 34 + gap
 
 
+def engines_of(panels, hidden=()):
+    """Engine -> measured in this run?"""
+    return {point.engine: point.here for panel in panels for point in panel.points
+            if point.engine not in hidden and not (panel.small and point.engine == "sequential")}
+
+
+KEY = "Ring: default setting. Dotted: no engine is both cheaper and better. Dashed: target of the stability suite."
 ELSEWHERE_NOTE = "* hollow marks: measured on another machine; accuracy compares, cost only roughly."
 
 
-def notes(points_lists):
-    return ELSEWHERE_NOTE if any(not point.here for points in points_lists for point in points) else ""
-
-
-def save(figure, path, dpi=110):
-    figure.savefig(path + ".svg", metadata={"Date": None})
-    figure.savefig(path + ".png", dpi=dpi)
-    plt.close(figure)
+def notes(panels):
+    return ELSEWHERE_NOTE if any(not point.here for panel in panels for point in panel.points) else ""
 
 
 # ---------------------------------------------------------------- one scene on a page
 
-def obstacles(labels, axes, points, shown, scale, words):
-    for text in words:
-        labels.keep_clear_of(text)
-    for point in shown:
-        labels.keep_clear(point.cost_us, scale.y(point), radius_of(point))
-    corners = front_steps(axes, scale, points)
-    for of_engine in group([point for point in shown if point.here]).values():
-        path = [(point.cost_us, scale.y(point)) for point in of_engine if not point.fell]
-        for (x0, y0), (x1, y1) in zip(path, path[1:]):
-            labels.keep_clear_of_line(x0, y0, x1, y1)
-    for (x0, y0), (x1, y1) in zip(corners, corners[1:]):
-        labels.keep_clear_of_line(x0, y0, x1, y1)
+def named_peers(points):
+    """Whom a reader looks for: the defaults, those on the front, the most accurate."""
+    named = [point for point in points if point.default and point.engine not in OURS]
+    named += [point for point in front(points) if point.engine not in OURS and point not in named]
+    standing = [point for point in points if point.engine not in OURS and not point.fell]
+    most_accurate = min(standing, key=lambda point: (point.error, point.cost_us), default=None)
+    return named + ([most_accurate] if most_accurate and most_accurate not in named else [])
+
+
+def label_points(panel, same):
+    labels = Labels(panel.page, (panel.left, panel.top, panel.right, panel.bottom), 10.5)
+    labels.taken.append((panel.left, panel.bottom - 24, panel.left + 60, panel.bottom))
+    if panel.limit:
+        labels.taken.append((panel.right - 90, panel.y(panel.limit) - 16, panel.right, panel.y(panel.limit)))
+    for of_engine in drawn(panel, same):
+        for point in of_engine:
+            labels.keep_clear(*panel.at(point), radius_of(point))
+        for a, b in zip(of_engine, of_engine[1:]):
+            if a.here and not a.fell and not b.fell:
+                labels.keep_clear_of_line(*panel.at(a), *panel.at(b))
+    corners = front_steps(panel)
+    for a, b in zip(corners, corners[1:]):
+        labels.keep_clear_of_line(*a, *b)
+    shown = [point for point in panel.points if point.engine not in same]
+    named = named_peers(shown)
+    rest = [point for point in shown if point.here and point.engine not in ("auto", "sequential") and point not in named and not point.fell]
+    for texts in ([(point, words_of(point)) for point in shown if point.engine == "auto"], [(point, full_words(point)) for point in named],
+                  [(point, words_of(point)) for point in rest]):
+        for point, text in texts:
+            labels.add(*panel.at(point), radius_of(point), text, look_of(point.engine).color, point.engine == "auto")
 
 
 def radius_of(point):
     return RING_RADIUS if point.default else POINT_RADIUS
 
 
-def named_peers(points, shown):
-    """Whom a reader looks for: the defaults, those on the front, the most accurate."""
-    named = [point for point in shown if point.default and point.engine not in OURS]
-    named += [point for point in front(points) if point.engine not in OURS and point not in named]
-    standing = [point for point in shown if point.engine not in OURS and not point.fell]
-    most_accurate = min(standing, key=lambda point: (point.error, point.cost_us), default=None)
-    return named + ([most_accurate] if most_accurate and most_accurate not in named else [])
-
-
-def label_points(axes, scene, points, scale, same, words):
-    labels = Labels(axes, 10.5)
-    shown = [point for point in points if point.engine not in same]
-    obstacles(labels, axes, points, shown, scale, words)
-
-    def add(point, text, weight="normal"):
-        labels.add(point.cost_us, scale.y(point), radius_of(point), text, look_of(point.engine).color, weight)
-
-    for point in shown:
-        if point.engine == "auto":
-            add(point, words_of(point), "bold")
-    named = named_peers(points, shown)
-    for point in named:
-        add(point, full_words(point))
-    for point in shown:
-        if point.here and point.engine not in ("auto", "sequential") and point not in named and not point.fell:
-            add(point, words_of(point))
-
-
 def scene_page(scene, points, limit, path):
-    figure, axes = plt.subplots(figsize=(11, 8.2))
-    figure.subplots_adjust(left=0.095, right=0.965, top=0.855, bottom=0.285)
-    words, scale, same = draw_scene(axes, scene, points, limit)
-    axes.set_xlabel("cost: microseconds of processor time a frame of 1/60 s", fontsize=13)
-    axes.set_ylabel(scene.axis, fontsize=13)
-    figure.text(0.03, 0.955, scene.title, fontsize=19, fontweight="bold")
-    figure.text(0.03, 0.895, wrapped(scene.caption, 118), fontsize=12.5, va="center", linespacing=1.35)
-    figure.canvas.draw()
-    label_points(axes, scene, points, scale, same, words)
-    figure.legend(handles=legend_entries([points], same), loc="lower center", ncol=3, fontsize=11, frameon=False,
-                  bbox_to_anchor=(0.5, 0.062))
+    page = Svg(1060, 790)
+    panel = Panel(page, (96, 120, 1020, 610), scene, points, limit, False)
+    page.text(32, 44, scene.title, 24, bold=True)
+    for row, text in enumerate(wrapped(scene.caption, 118)):
+        page.text(32, 72 + 18 * row, text, 13)
+    page.text(96, 112, scene.axis, 12.5, GREY)
+    same = draw_scene(panel)
+    label_points(panel, same)
+    page.text(558, 656, "cost: microseconds of processor time a frame of 1/60 s", 13.5, anchor="middle")
+    draw_legend(page, 696, engines_of([panel], same), 1060)
     small_print = ["Numbers on curves: substeps a frame."]
-    if scale.has_fallen:
+    if panel.scale.has_fallen:
         small_print.append(f"'{strip_name(scene)}': the scene did not survive.")
     if same:
-        names = " and ".join(f"'{engine}'" for engine in same)
-        small_print.append(f"Same errors as the default solver, not drawn: {names}.")
-    figure.text(0.03, 0.020, "  ".join(small_print) + "\n" + notes([points]), fontsize=10.5, color="#444444", linespacing=1.4)
-    save(figure, path)
+        small_print.append("Same errors as the default solver, not drawn: " + " and ".join(f"'{engine}'" for engine in same) + ".")
+    for row, text in enumerate((KEY, "  ".join(small_print), notes([panel]))):
+        page.text(32, 732 + 19 * row, text, 11.5, GREY)
+    page.save(path + ".svg")
 
 
 def wrapped(text, columns):
@@ -364,36 +347,32 @@ def wrapped(text, columns):
             line = word
         else:
             line = f"{line} {word}".strip()
-    return "\n".join(lines + [line])
+    return lines + [line]
 
 
 # ---------------------------------------------------------------- summary
 
-def summary_page(panels, path, columns=4, dpi=110):
-    """panels: (scene, points, limit)."""
-    rows = (len(panels) + columns - 1) // columns
-    wide = columns > 3
-    legend = 2.5 if wide else 2.85
-    figure, grid = plt.subplots(rows, columns, figsize=(4.75 * columns, 4.3 * rows + 1.0 + legend))
-    height, width = figure.get_figheight(), figure.get_figwidth()
-    figure.subplots_adjust(left=1.0 / width, right=1.0 - 0.29 / width, top=1.0 - 1.95 / height, bottom=legend / height, hspace=0.43, wspace=0.22)
-    cells = list(grid.flat)
-    hidden = []
-    for axes, (scene, points, limit) in zip(cells, panels):
-        hidden.append(draw_scene(axes, scene, points, limit, small=True)[2])
-        axes.set_title(f"{scene.title}\n", fontsize=13 if wide else 15, fontweight="bold", loc="left", pad=4)
-        axes.text(0.0, 1.025, scene.axis, transform=axes.transAxes, fontsize=11 if wide else 13, color="#444444")
-    for axes in cells[len(panels):]:
-        axes.axis("off")
-    for axes in cells[len(panels) - columns:len(panels)]:
-        axes.set_xlabel("microseconds a frame", fontsize=12 if wide else 13)
-    figure.text(0.38 / width, 1.0 - 0.55 / height, "How wrong is each engine, and what does it cost?", fontsize=25, fontweight="bold")
-    words = "Each panel is one scene. Down is more accurate, left is cheaper: the nearer to the corner at the bottom left, the better."
-    figure.text(0.38 / width, 1.0 - 1.05 / height, words + " Both axes are logarithmic." if wide else words, fontsize=15)
-    lists = [points for _, points, _ in panels]
+CELL_WIDTH, CELL_HEIGHT = 290, 268
+
+
+def summary_page(scenes, path, columns=4):
+    """scenes: (scene, points, limit)."""
+    rows = (len(scenes) + columns - 1) // columns
+    width, height = columns * CELL_WIDTH + 24, 92 + rows * CELL_HEIGHT + 112
+    page, panels, hidden = Svg(width, height), [], []
+    page.text(24, 42, "How wrong is each engine, and what does it cost?", 26, bold=True)
+    page.text(24, 70, "Each panel is one scene. Down is more accurate, left is cheaper: the nearer to the corner at the bottom left, "
+              "the better.", 14.5)
+    for number, (scene, points, limit) in enumerate(scenes):
+        left, top = 24 + number % columns * CELL_WIDTH, 92 + number // columns * CELL_HEIGHT
+        panels.append(Panel(page, (left + 44, top + 46, left + CELL_WIDTH - 16, top + CELL_HEIGHT - 34), scene, points, limit, True))
+        page.text(left, top + 20, scene.title, 14, bold=True)
+        page.text(left, top + 37, scene.axis, 11.5, GREY)
+        hidden.append(draw_scene(panels[-1]))
     never_drawn = [engine for engine in OURS if all(engine in same for same in hidden)]
-    figure.legend(handles=legend_entries(lists, never_drawn), loc="lower center", ncol=columns, fontsize=13, frameon=False, bbox_to_anchor=(0.5, 0.62 / height))
-    small_print = ["Curves run from 1 to 16 substeps a frame.  'fell', 'broke': the scene did not survive.  ",
-                   "Where a solver of Cairn gives the errors of the default one, it is not drawn.\n"]
-    figure.text(0.38 / width, 0.12 / height, "".join(small_print if wide else [small_print[0], "\n"]) + notes(lists), fontsize=12, color="#444444", linespacing=1.4)
-    save(figure, path, dpi)
+    bottom = height - 104
+    page.text(0.5 * width, bottom, "microseconds of processor time a frame", 12.5, anchor="middle")
+    draw_legend(page, bottom + 34, engines_of(panels, never_drawn), width)
+    page.text(24, bottom + 66, "Curves run from 1 to 16 substeps a frame. 'fell', 'broke': the scene did not survive. " + KEY, 11.5, GREY)
+    page.text(24, bottom + 84, notes(panels), 11.5, GREY)
+    page.save(path + ".svg")

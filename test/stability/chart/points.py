@@ -75,7 +75,7 @@ def mean(numbers):
 
 
 def has_fallen(values, scene):
-    if values.get("stands", 1.0) < 1.0 or values.get("height_loss_m", 0.0) >= scene.fallen_m:
+    if values.get("stands", 1.0) < 1.0 or values.get("lost", 0.0) > 0.0 or values.get("height_loss_m", 0.0) >= scene.fallen_m:
         return True
     return not abs(values.get(scene.metric, math.nan)) <= scene.ceiling
 

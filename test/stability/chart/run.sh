@@ -12,8 +12,6 @@ strict='-pedantic -Wall -Wextra -Wshadow -Wconversion -Wdouble-promotion -Werror
 optimise='-O3 -ffp-contract=off'
 mkdir -p "$build/chart" || exit 2
 
-python=$(sh $here/python.sh) || exit 2
-
 # The widest build of an engine that this processor runs, as the library chooses at run time.
 library_of() {
 	for width in avx2 sse2 plain; do
@@ -45,4 +43,4 @@ if [ "${2:-}" = --peers ]; then
 	link_peer rapier gnu99 && peers="$peers --peer rapier=$build/bin/stability_rapier"
 fi
 # shellcheck disable=SC2086
-"$python" $here/chart.py "$build/bin/stability" "$build/chart" $peers --rounds "${ROUNDS:-3}"
+python3 $here/chart.py "$build/bin/stability" "$build/chart" $peers --rounds "${ROUNDS:-3}"

@@ -3,18 +3,19 @@
 A scene's `sources` are names of the suite's cases: errors of several are averaged, and so are costs. An error is
 the magnitude of the metric. Below `floor` an error is a matter of rounding (floats of a scene of 10 m are 1e-6 m
 apart), above `ceiling` nothing is left of the scene: such points are drawn in a strip of their own. A stack whose top
-came down by `fallen_m` has fallen, as in the suite.
+came down by `fallen_m` has fallen, as in the suite; so has a crowd of which somebody left the pit. A scene with `arguments` is no
+numbered case: it is run by itself, with these arguments of the suite's program.
 """
 import math
 from collections import namedtuple
 
-Scene = namedtuple("Scene", "name title caption axis metric floor ceiling fallen_m sources")
+Scene = namedtuple("Scene", "name title caption axis metric floor ceiling fallen_m sources arguments")
 
 BULLET_SPEEDS = (10, 30, 60, 120, 240, 390)
 
 
-def scene(name, title, caption, axis, metric, floor=1e-6, ceiling=100.0, fallen_m=math.inf, sources=None):
-    return Scene(name, title, caption, axis, metric, floor, ceiling, fallen_m, tuple(sources or (name,)))
+def scene(name, title, caption, axis, metric, floor=1e-6, ceiling=100.0, fallen_m=math.inf, sources=None, arguments=()):
+    return Scene(name, title, caption, axis, metric, floor, ceiling, fallen_m, tuple(sources or (name,)), tuple(arguments))
 
 
 def free(spin):
@@ -132,6 +133,12 @@ SCENES = [
     rod(20),
     rod(100),
     cantilever("", "Cantilever of 10 boxes", "all equal"),
+    scene("cloth", "Cloth of 256 balls",
+          "A net of 16 x 16 balls on 480 pins hangs from seven of them and swings for 5 s; the error is the widest gap of a pin.",
+          "widest gap of a pin (m)", "joint_stretch_max_m", sources=["joint_grid"], arguments=["--family", "joint_grid", "--set", "side=16"]),
+    scene("crowd", "Crowd of 40 ragdolls",
+          "40 ragdolls fall into a pit and move over each other for 10 s; the error is the widest gap of a joint.",
+          "widest gap of a joint (m)", "joint_stretch_max_m", sources=["ragdolls"], arguments=["--family", "ragdolls", "--set", "count=40"]),
     cantilever("_tip100", "Cantilever with a heavy tip", "the last 100 times as heavy"),
 ]
 
@@ -141,7 +148,8 @@ SUMMARY = [
     "3_chain_swing_1:10", "3_chain_swing_1:1000", "3_chain_hang_1:1000", "11_cantilever10_tip100",
     "4_stack20", "4_stack50", "4_heavy_top_x100", "4_heavy_top_x1000",
     "5_pyramid20", "6_arch", "7_incline_0.98", "9_cluster_e1",
+    "cloth", "crowd",
 ]
 
 # The README's picture: a few that are large enough to read, what is not won among them.
-README = ["2_double_pend", "3_chain_swing_1:1000", "4_stack20", "5_pyramid20", "6_arch", "9_cluster_e1"]
+README = ["2_double_pend", "3_chain_swing_1:1000", "4_stack20", "5_pyramid20", "6_arch", "9_cluster_e1", "cloth", "crowd"]

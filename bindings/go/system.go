@@ -1,0 +1,6 @@
+//go:build cairn_system
+
+package cairn
+
+// #cgo LDFLAGS: -lcairn
+import "C"

@@ -1,0 +1,137 @@
+/*
+ * world/origin.c - moves the origin of a world to another place, and reads positions with the digits that one float drops.
+ *
+ * Writes whatever is stored in world coordinates: centres of bodies, earlier poses for interpolation, boxes, world anchors of joints.
+ * Contacts, islands and logs hold relative positions and handles, so they stay. The sum of high and low part of a centre is
+ * shifted without error but for the last bit of the low part (Knuth, TwoSum), so distances between bodies stay.
+ *
+ * Boxes are shifted in floats and may overlap afterwards where they did not before. So each proxy is touched: the next step
+ * looks at all pairs again and finds the contacts of those that have one.
+ */
+#include "world/define.h"
+
+/* (*high + *low) - shift, as a high and a low part. */
+static void shift_parts(float *high, float *low, float shift)
+{
+	float sum = *high - shift, back = sum + shift;
+	float error = (*high - back) - (shift - (back - sum)), rest = *low + error;
+	*high = sum + rest;
+	*low = rest - (*high - sum);
+}
+
+static void bodies_shift(cn_world *world, cni_vec2 offset)
+{
+	int32_t k, used = cni_handles_used(&world->body_handles);
+	for (k = 0; k < used; ++k) {
+		cni_body *b = cni_body_at(world, k);
+		if (!cni_handles_alive(&world->body_handles, k))
+			continue;
+		shift_parts(&b->cx, &b->cx_low, offset.x);
+		shift_parts(&b->cy, &b->cy_low, offset.y);
+	}
+	for (k = 0; k < world->previous.count; ++k) {
+		cni_previous *p = (cni_previous *)world->previous.data + k;
+		p->x -= offset.x;
+		p->y -= offset.y;
+	}
+}
+
+static void point_shift(cni_vec2 *point, cni_vec2 offset) { *point = cni_sub(*point, offset); }
+
+static void number_pair_shift(float *pair, cni_vec2 offset)
+{
+	pair[0] -= offset.x;
+	pair[1] -= offset.y;
+}
+
+static void joints_shift(cn_world *world, cni_vec2 offset)
+{
+	int32_t k, side, used = cni_handles_used(&world->joint_handles);
+	for (k = 0; k < used; ++k) {
+		cni_joint *j = cni_joint_at(world, k);
+		if (!cni_handles_alive(&world->joint_handles, k))
+			continue;
+		for (side = 0; side < 2; ++side)
+			if (j->body[side] == CNI_NONE)
+				point_shift(&j->anchor[side], offset);
+		if (j->type == CN_JOINT_GROOVE && j->body[0] == CNI_NONE)
+			number_pair_shift(j->p + CNI_P_GROOVE_END_X, offset);
+		if (j->type == CN_JOINT_PULLEY) {
+			number_pair_shift(j->p + CNI_P_PULLEY_GROUND_A, offset);
+			number_pair_shift(j->p + CNI_P_PULLEY_GROUND_B, offset);
+		}
+	}
+	world->joint_lanes.lanes = 0;
+}
+
+static cni_aabb box_shift(cni_aabb box, cni_vec2 offset)
+{
+	box.x0 -= offset.x;
+	box.x1 -= offset.x;
+	box.y0 -= offset.y;
+	box.y1 -= offset.y;
+	return box;
+}
+
+/* Rounding may take the margin from a box far from the origin: such a box is made again. */
+static void boxes_shift(cn_world *world, cni_vec2 offset)
+{
+	int32_t k, used = cni_handles_used(&world->body_handles);
+	for (k = 0; k < world->proxy_used; ++k) {
+		cni_aabb box = box_shift(cni_proxy_at(world, k)->fat, offset);
+		if (!(cni_proxy_at(world, k)->flags & CNI_PROXY_ALIVE))
+			continue;
+		cni_proxy_set_fat(cni_proxy_at(world, k), &box);
+		world->broadphase_ops->move(world->broadphase, k);
+		world->broadphase_ops->touch(world->broadphase, k);
+	}
+	world->seams_box = box_shift(world->seams_box, offset);
+	for (k = 0; k < used; ++k)
+		if (cni_handles_alive(&world->body_handles, k))
+			cni_body_refresh_boxes(world, k);
+	world->pairs_may_repeat |= CNI_PAIRS_ALL;
+	world->broadphase_ops->settle(world->broadphase);
+}
+
+/* Arrays with points that were built from the logs. */
+static void events_forget_built(cni_events *events)
+{
+	int32_t kind;
+	for (kind = 0; kind < CN_EVENT_KINDS; ++kind)
+		events->built[kind] = events->seen[kind].count = 0;
+	events->moved_built = events->moved.count = 0;
+}
+
+cn_result cn_world_shift_origin(cn_world *world, float x_m, float y_m)
+{
+	cni_call call = cni_enter(world, __func__);
+	cni_vec2 offset = cni_v(x_m, y_m);
+	cni_check_position(&call, "the new origin", offset);
+	if (call.result != CN_OK || (x_m == 0.0f && y_m == 0.0f))
+		return call.result;
+	bodies_shift(world, offset);
+	joints_shift(world, offset);
+	boxes_shift(world, offset);
+	events_forget_built(&world->events);
+	return CN_OK;
+}
+
+/* The origin of the body's frame is its centre less the turned local centre. */
+cn_result cn_body_get_position_parts(const cn_world *world, cn_body body, cn_vec2 *out_high_m, cn_vec2 *out_low_m)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_body *b = cni_check_body(&call, "body", body);
+	cni_vec2 arm, high, low;
+	cni_check_pointer(&call, "out_high_m", out_high_m);
+	cni_check_pointer(&call, "out_low_m", out_low_m);
+	if (call.result != CN_OK)
+		return call.result;
+	arm = cni_rotate(b->q, b->local_center);
+	high = cni_v(b->cx, b->cy);
+	low = cni_v(b->cx_low, b->cy_low);
+	shift_parts(&high.x, &low.x, arm.x);
+	shift_parts(&high.y, &low.y, arm.y);
+	*out_high_m = high;
+	*out_low_m = low;
+	return CN_OK;
+}
