@@ -959,21 +959,21 @@ CN_API cn_result cn_outline_decompose(const cn_vec2 *points_m, int32_t count, fl
    has 0 points left. A simple outline can cross itself afterwards if parts of it are nearer than tolerance_m. Writes at most capacity
    points (>= 0); out may be points_m, or NULL when capacity is 0. *out_count is the number of all. O(count * *out_count) at worst. */
 CN_API cn_result cn_outline_simplify(const cn_vec2 *points_m, int32_t count, int32_t closed, float tolerance_m, cn_vec2 *out, int32_t capacity, int32_t *out_count);
-/* Outlines of the solid cells of a grid of columns * rows (1 to 4096 each) squares of side cell_m > 0, with its lower left corner at the
-   origin: cells[row * columns + column] is not 0 where solid, row 0 is the lowest. The outlines are loops for cn_shape_create_chain, one
-   after another, solid on their left: counter-clockwise around solids, clockwise around holes. Their points are corners of cells. Solid
-   cells that touch at a corner only are apart; an outline may pass such a corner twice. out_counts gets the number of points of each
-   outline. Writes at most point_capacity points and outline_capacity counts (>= 0; the array may be NULL at 0); *out_point_count and
-   *out_outline_count are the numbers of all. O(cells + boundary), more for long spirals. */
-CN_API cn_result cn_outline_from_cells(const uint8_t *cells, int32_t columns, int32_t rows, float origin_x_m, float origin_y_m, float cell_m, cn_vec2 *out_points,
-                                       int32_t point_capacity, int32_t *out_counts, int32_t outline_capacity, int32_t *out_point_count, int32_t *out_outline_count);
+/* An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to 4096), squares of side cell_m > 0
+   with the lower left corner of the first at the origin. cells[row * columns + column] is not 0 where solid; row 0 is the lowest.
+   outline is the outline's number, from 0; *out_count is 0 where there are not so many. The outline is a loop for
+   cn_shape_create_chain, solid on its left: counter-clockwise around solids, clockwise around holes. Its points are corners of
+   cells. Solid cells that touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
+   (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + boundary), more for long spirals: divide large
+   grids, as changing terrain is rebuilt by parts anyway. */
+CN_API cn_result cn_outline_from_cells(const uint8_t *cells, int32_t count, int32_t columns, float origin_x_m, float origin_y_m, float cell_m, int32_t outline,
+                                       cn_vec2 *out, int32_t capacity, int32_t *out_count);
 /* The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all finite, is the value at the origin +
-   spacing_m * (column, row), at least 2 columns and rows, solid from threshold. A point of an outline lies between two neighbouring
-   samples, by linear interpolation, at least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches
-   itself or another one. cn_outline_simplify removes its collinear points. */
-CN_API cn_result cn_outline_from_field(const float *values, int32_t columns, int32_t rows, float threshold, float origin_x_m, float origin_y_m, float spacing_m,
-                                       cn_vec2 *out_points, int32_t point_capacity, int32_t *out_counts, int32_t outline_capacity, int32_t *out_point_count,
-                                       int32_t *out_outline_count);
+   spacing_m * (column, row), solid from threshold, with at least 2 columns and rows. A point of an outline lies between two
+   neighbouring samples, by linear interpolation, at least spacing_m / 64 from both; the grid's border closes outlines. An outline
+   never touches itself or another one. cn_outline_simplify removes its collinear points. O(values + boundary). */
+CN_API cn_result cn_outline_from_field(const float *values, int32_t count, int32_t columns, float threshold, float origin_x_m, float origin_y_m, float spacing_m,
+                                       int32_t outline, cn_vec2 *out, int32_t capacity, int32_t *out_count);
 
 /* ------------------------------------------------------------------ contacts and their events */
 

@@ -2255,37 +2255,39 @@ inline Result<std::vector<cn_vec2>> outline_simplify(Slice<const cn_vec2> points
 	return { Status(code, nullptr), std::move(list) };
 }
 
-/// Outlines of the solid cells of a grid of columns * rows (1 to 4096 each) squares of side cell_m > 0, with
-/// its lower left corner at the origin: cells[row * columns + column] is not 0 where solid, row 0 is the
-/// lowest. The outlines are loops for cn_shape_create_chain, one after another, solid on their left:
-/// counter-clockwise around solids, clockwise around holes. Their points are corners of cells. Solid cells
-/// that touch at a corner only are apart; an outline may pass such a corner twice. out_counts gets the number
-/// of points of each outline. Writes at most point_capacity points and outline_capacity counts (>= 0; the
-/// array may be NULL at 0); *out_point_count and out_outline_count are the numbers of all. O(cells +
-/// boundary), more for long spirals.
-inline Result<std::tuple<cn_vec2, int32_t, int32_t, int32_t>> outline_from_cells(const uint8_t &cells, int32_t columns, int32_t rows, float origin_x_m, float origin_y_m, float cell_m, int32_t point_capacity, int32_t outline_capacity)
+/// An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to 4096),
+/// squares of side cell_m > 0 with the lower left corner of the first at the origin. cells[row * columns +
+/// column] is not 0 where solid; row 0 is the lowest. outline is the outline's number, from 0; *out_count is
+/// 0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
+/// counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
+/// touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
+/// (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + boundary), more for
+/// long spirals: divide large grids, as changing terrain is rebuilt by parts anyway.
+inline Result<std::vector<cn_vec2>> outline_from_cells(Slice<const uint8_t> cells, int32_t columns, float origin_x_m, float origin_y_m, float cell_m, int32_t outline)
 {
-	cn_vec2 out_points{};
-	int32_t out_counts{};
-	int32_t out_point_count{};
-	int32_t out_outline_count{};
-	cn_result code = cn_outline_from_cells(&cells, columns, rows, origin_x_m, origin_y_m, cell_m, point_capacity, outline_capacity, &out_points, &out_counts, &out_point_count, &out_outline_count);
-	return { Status(code, nullptr), { std::move(out_points), std::move(out_counts), std::move(out_point_count), std::move(out_outline_count) } };
+	std::vector<cn_vec2> list;
+	int32_t count = 0;
+	cn_result code = cn_outline_from_cells(cells.data(), static_cast<int32_t>(cells.size()), columns, origin_x_m, origin_y_m, cell_m, outline, nullptr, 0, &count);
+	list.resize(static_cast<std::size_t>(count));
+	if (code == CN_OK && count > 0)
+		code = cn_outline_from_cells(cells.data(), static_cast<int32_t>(cells.size()), columns, origin_x_m, origin_y_m, cell_m, outline, list.data(), count, &count);
+	return { Status(code, nullptr), std::move(list) };
 }
 
 /// The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
-/// finite, is the value at the origin + spacing_m * (column, row), at least 2 columns and rows, solid from
-/// threshold. A point of an outline lies between two neighbouring samples, by linear interpolation, at least
-/// spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or another
-/// one. cn_outline_simplify removes its collinear points.
-inline Result<std::tuple<cn_vec2, int32_t, int32_t, int32_t>> outline_from_field(const float &values, int32_t columns, int32_t rows, float threshold, float origin_x_m, float origin_y_m, float spacing_m, int32_t point_capacity, int32_t outline_capacity)
+/// finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
+/// columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
+/// least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
+/// another one. cn_outline_simplify removes its collinear points. O(values + boundary).
+inline Result<std::vector<cn_vec2>> outline_from_field(Slice<const float> values, int32_t columns, float threshold, float origin_x_m, float origin_y_m, float spacing_m, int32_t outline)
 {
-	cn_vec2 out_points{};
-	int32_t out_counts{};
-	int32_t out_point_count{};
-	int32_t out_outline_count{};
-	cn_result code = cn_outline_from_field(&values, columns, rows, threshold, origin_x_m, origin_y_m, spacing_m, point_capacity, outline_capacity, &out_points, &out_counts, &out_point_count, &out_outline_count);
-	return { Status(code, nullptr), { std::move(out_points), std::move(out_counts), std::move(out_point_count), std::move(out_outline_count) } };
+	std::vector<cn_vec2> list;
+	int32_t count = 0;
+	cn_result code = cn_outline_from_field(values.data(), static_cast<int32_t>(values.size()), columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, nullptr, 0, &count);
+	list.resize(static_cast<std::size_t>(count));
+	if (code == CN_OK && count > 0)
+		code = cn_outline_from_field(values.data(), static_cast<int32_t>(values.size()), columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, list.data(), count, &count);
+	return { Status(code, nullptr), std::move(list) };
 }
 
 /// Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their

@@ -2272,24 +2272,25 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_outline_simplify(cn_vec2* points_m, int count, int closed, float tolerance_m, cn_vec2* @out, int capacity, int* out_count);
 
-		/// <summary>Outlines of the solid cells of a grid of columns * rows (1 to 4096 each) squares of side cell_m &gt; 0,
-		/// with its lower left corner at the origin: cells[row * columns + column] is not 0 where solid, row 0 is
-		/// the lowest. The outlines are loops for cn_shape_create_chain, one after another, solid on their left:
-		/// counter-clockwise around solids, clockwise around holes. Their points are corners of cells. Solid cells
-		/// that touch at a corner only are apart; an outline may pass such a corner twice. out_counts gets the
-		/// number of points of each outline. Writes at most point_capacity points and outline_capacity counts
-		/// (&gt;= 0; the array may be NULL at 0); *out_point_count and out_outline_count are the numbers of all.
-		/// O(cells + boundary), more for long spirals.</summary>
+		/// <summary>An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to
+		/// 4096), squares of side cell_m &gt; 0 with the lower left corner of the first at the origin. cells[row *
+		/// columns + column] is not 0 where solid; row 0 is the lowest. outline is the outline's number, from 0;
+		/// *out_count is 0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on
+		/// its left: counter-clockwise around solids, clockwise around holes. Its points are corners of cells.
+		/// Solid cells that touch at a corner only are apart; an outline may pass such a corner twice. Writes at
+		/// most capacity points (&gt;= 0); out may be NULL when capacity is 0. *out_count is the number of all.
+		/// O(cells + boundary), more for long spirals: divide large grids, as changing terrain is rebuilt by parts
+		/// anyway.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-		public static extern int cn_outline_from_cells(byte* cells, int columns, int rows, float origin_x_m, float origin_y_m, float cell_m, cn_vec2* out_points, int point_capacity, int* out_counts, int outline_capacity, int* out_point_count, int* out_outline_count);
+		public static extern int cn_outline_from_cells(byte* cells, int count, int columns, float origin_x_m, float origin_y_m, float cell_m, int outline, cn_vec2* @out, int capacity, int* out_count);
 
 		/// <summary>The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
-		/// finite, is the value at the origin + spacing_m * (column, row), at least 2 columns and rows, solid from
-		/// threshold. A point of an outline lies between two neighbouring samples, by linear interpolation, at
-		/// least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
-		/// another one. cn_outline_simplify removes its collinear points.</summary>
+		/// finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
+		/// columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation,
+		/// at least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
+		/// another one. cn_outline_simplify removes its collinear points. O(values + boundary).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-		public static extern int cn_outline_from_field(float* values, int columns, int rows, float threshold, float origin_x_m, float origin_y_m, float spacing_m, cn_vec2* out_points, int point_capacity, int* out_counts, int outline_capacity, int* out_point_count, int* out_outline_count);
+		public static extern int cn_outline_from_field(float* values, int count, int columns, float threshold, float origin_x_m, float origin_y_m, float spacing_m, int outline, cn_vec2* @out, int capacity, int* out_count);
 
 		/// <summary>The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. The first call
 		/// for a kind after a step builds the array, O(events), and can return CN_ERROR_MEMORY; CN_ERROR_LOCKED

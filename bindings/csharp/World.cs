@@ -3759,37 +3759,46 @@ namespace Cairn
 			}
 		}
 
-		/// <summary>Outlines of the solid cells of a grid of columns * rows (1 to 4096 each) squares of side cell_m &gt; 0,
-		/// with its lower left corner at the origin: cells[row * columns + column] is not 0 where solid, row 0 is
-		/// the lowest. The outlines are loops for cn_shape_create_chain, one after another, solid on their left:
-		/// counter-clockwise around solids, clockwise around holes. Their points are corners of cells. Solid cells
-		/// that touch at a corner only are apart; an outline may pass such a corner twice. out_counts gets the
-		/// number of points of each outline. Writes at most point_capacity points and outline_capacity counts
-		/// (&gt;= 0; the array may be NULL at 0); *out_point_count and out_outline_count are the numbers of all.
-		/// O(cells + boundary), more for long spirals.</summary>
-		public static (Vec2 Points, int Counts, int PointCount, int OutlineCount) OutlineFromCells(byte cells, int columns, int rows, float originXM, float originYM, float cellM, int pointCapacity, int outlineCapacity)
+		/// <summary>An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to
+		/// 4096), squares of side cell_m &gt; 0 with the lower left corner of the first at the origin. cells[row *
+		/// columns + column] is not 0 where solid; row 0 is the lowest. outline is the outline's number, from 0;
+		/// *out_count is 0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on
+		/// its left: counter-clockwise around solids, clockwise around holes. Its points are corners of cells.
+		/// Solid cells that touch at a corner only are apart; an outline may pass such a corner twice. Writes at
+		/// most capacity points (&gt;= 0); out may be NULL when capacity is 0. *out_count is the number of all.
+		/// O(cells + boundary), more for long spirals: divide large grids, as changing terrain is rebuilt by parts
+		/// anyway.</summary>
+		public static Vec2[] OutlineFromCells(ReadOnlySpan<byte> cells, int columns, float originXM, float originYM, float cellM, int outline)
 		{
-			cn_vec2 out0;
-			int out1;
-			int out2;
-			int out3;
-			Call.Check(Native.cn_outline_from_cells((uint8_t*)&cells, columns, rows, originXM, originYM, cellM, pointCapacity, outlineCapacity, &out0, &out1, &out2, &out3), null);
-			return (*(Vec2*)&out0, out1, out2, out3);
+			fixed (byte* p_cells = cells)
+			{
+				int count_;
+				Call.Check(Native.cn_outline_from_cells((uint8_t*)p_cells, cells.Length, columns, originXM, originYM, cellM, outline, null, 0, &count_), null);
+				var result_ = new Vec2[count_];
+				if (count_ > 0)
+					fixed (Vec2* to = result_)
+						Call.Check(Native.cn_outline_from_cells((uint8_t*)p_cells, cells.Length, columns, originXM, originYM, cellM, outline, (cn_vec2*)to, count_, &count_), null);
+				return result_;
+			}
 		}
 
 		/// <summary>The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
-		/// finite, is the value at the origin + spacing_m * (column, row), at least 2 columns and rows, solid from
-		/// threshold. A point of an outline lies between two neighbouring samples, by linear interpolation, at
-		/// least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
-		/// another one. cn_outline_simplify removes its collinear points.</summary>
-		public static (Vec2 Points, int Counts, int PointCount, int OutlineCount) OutlineFromField(float values, int columns, int rows, float threshold, float originXM, float originYM, float spacingM, int pointCapacity, int outlineCapacity)
+		/// finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
+		/// columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation,
+		/// at least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
+		/// another one. cn_outline_simplify removes its collinear points. O(values + boundary).</summary>
+		public static Vec2[] OutlineFromField(ReadOnlySpan<float> values, int columns, float threshold, float originXM, float originYM, float spacingM, int outline)
 		{
-			cn_vec2 out0;
-			int out1;
-			int out2;
-			int out3;
-			Call.Check(Native.cn_outline_from_field((float*)&values, columns, rows, threshold, originXM, originYM, spacingM, pointCapacity, outlineCapacity, &out0, &out1, &out2, &out3), null);
-			return (*(Vec2*)&out0, out1, out2, out3);
+			fixed (float* p_values = values)
+			{
+				int count_;
+				Call.Check(Native.cn_outline_from_field((float*)p_values, values.Length, columns, threshold, originXM, originYM, spacingM, outline, null, 0, &count_), null);
+				var result_ = new Vec2[count_];
+				if (count_ > 0)
+					fixed (Vec2* to = result_)
+						Call.Check(Native.cn_outline_from_field((float*)p_values, values.Length, columns, threshold, originXM, originYM, spacingM, outline, (cn_vec2*)to, count_, &count_), null);
+				return result_;
+			}
 		}
 
 		/// <summary>Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their

@@ -3689,39 +3689,45 @@ func OutlineSimplify(points_m []Vec2, closed int32, tolerance_m float32) ([]Vec2
 	return out, nil
 }
 
-// OutlineFromCells: Outlines of the solid cells of a grid of columns * rows (1 to 4096 each) squares of side
-// cell_m > 0, with its lower left corner at the origin: cells[row * columns + column] is not 0 where solid,
-// row 0 is the lowest. The outlines are loops for cn_shape_create_chain, one after another, solid on their
-// left: counter-clockwise around solids, clockwise around holes. Their points are corners of cells. Solid
-// cells that touch at a corner only are apart; an outline may pass such a corner twice. out_counts gets the
-// number of points of each outline. Writes at most point_capacity points and outline_capacity counts (>= 0;
-// the array may be NULL at 0); *out_point_count and out_outline_count are the numbers of all. O(cells +
-// boundary), more for long spirals.
-func OutlineFromCells(cells *uint8, columns int32, rows int32, origin_x_m float32, origin_y_m float32, cell_m float32, point_capacity int32, outline_capacity int32) (Vec2, int32, int32, int32, error) {
-	var out0 Vec2
-	var out1 int32
-	var out2 int32
-	var out3 int32
-	if err := check(C.cn_outline_from_cells((*C.uint8_t)(unsafe.Pointer(cells)), C.int32_t(columns), C.int32_t(rows), C.float(origin_x_m), C.float(origin_y_m), C.float(cell_m), C.int32_t(point_capacity), C.int32_t(outline_capacity), (*C.cn_vec2)(unsafe.Pointer(&out0)), (*C.int32_t)(unsafe.Pointer(&out1)), (*C.int32_t)(unsafe.Pointer(&out2)), (*C.int32_t)(unsafe.Pointer(&out3)))); err != nil {
-		return *new(Vec2), *new(int32), *new(int32), *new(int32), err
+// OutlineFromCells: An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its
+// rows (1 to 4096), squares of side cell_m > 0 with the lower left corner of the first at the origin.
+// cells[row * columns + column] is not 0 where solid; row 0 is the lowest. outline is the outline's number,
+// from 0; *out_count is 0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid
+// on its left: counter-clockwise around solids, clockwise around holes. Its points are corners of cells.
+// Solid cells that touch at a corner only are apart; an outline may pass such a corner twice. Writes at most
+// capacity points (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells +
+// boundary), more for long spirals: divide large grids, as changing terrain is rebuilt by parts anyway.
+func OutlineFromCells(cells []uint8, columns int32, origin_x_m float32, origin_y_m float32, cell_m float32, outline int32) ([]Vec2, error) {
+	var count C.int32_t
+	if err := check(C.cn_outline_from_cells((*C.uint8_t)(unsafe.Pointer(unsafe.SliceData(cells))), C.int32_t(len(cells)), C.int32_t(columns), C.float(origin_x_m), C.float(origin_y_m), C.float(cell_m), C.int32_t(outline), nil, 0, &count)); err != nil {
+		return *new([]Vec2), err
 	}
-	return out0, out1, out2, out3, nil
+	out := make([]Vec2, count)
+	if count > 0 {
+		if err := check(C.cn_outline_from_cells((*C.uint8_t)(unsafe.Pointer(unsafe.SliceData(cells))), C.int32_t(len(cells)), C.int32_t(columns), C.float(origin_x_m), C.float(origin_y_m), C.float(cell_m), C.int32_t(outline), (*C.cn_vec2)(unsafe.Pointer(&out[0])), count, &count)); err != nil {
+			return *new([]Vec2), err
+		}
+	}
+	return out, nil
 }
 
 // OutlineFromField: The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns +
-// column], all finite, is the value at the origin + spacing_m * (column, row), at least 2 columns and rows,
-// solid from threshold. A point of an outline lies between two neighbouring samples, by linear interpolation,
-// at least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
-// another one. cn_outline_simplify removes its collinear points.
-func OutlineFromField(values *float32, columns int32, rows int32, threshold float32, origin_x_m float32, origin_y_m float32, spacing_m float32, point_capacity int32, outline_capacity int32) (Vec2, int32, int32, int32, error) {
-	var out0 Vec2
-	var out1 int32
-	var out2 int32
-	var out3 int32
-	if err := check(C.cn_outline_from_field((*C.float)(unsafe.Pointer(values)), C.int32_t(columns), C.int32_t(rows), C.float(threshold), C.float(origin_x_m), C.float(origin_y_m), C.float(spacing_m), C.int32_t(point_capacity), C.int32_t(outline_capacity), (*C.cn_vec2)(unsafe.Pointer(&out0)), (*C.int32_t)(unsafe.Pointer(&out1)), (*C.int32_t)(unsafe.Pointer(&out2)), (*C.int32_t)(unsafe.Pointer(&out3)))); err != nil {
-		return *new(Vec2), *new(int32), *new(int32), *new(int32), err
+// column], all finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at
+// least 2 columns and rows. A point of an outline lies between two neighbouring samples, by linear
+// interpolation, at least spacing_m / 64 from both; the grid's border closes outlines. An outline never
+// touches itself or another one. cn_outline_simplify removes its collinear points. O(values + boundary).
+func OutlineFromField(values []float32, columns int32, threshold float32, origin_x_m float32, origin_y_m float32, spacing_m float32, outline int32) ([]Vec2, error) {
+	var count C.int32_t
+	if err := check(C.cn_outline_from_field((*C.float)(unsafe.Pointer(unsafe.SliceData(values))), C.int32_t(len(values)), C.int32_t(columns), C.float(threshold), C.float(origin_x_m), C.float(origin_y_m), C.float(spacing_m), C.int32_t(outline), nil, 0, &count)); err != nil {
+		return *new([]Vec2), err
 	}
-	return out0, out1, out2, out3, nil
+	out := make([]Vec2, count)
+	if count > 0 {
+		if err := check(C.cn_outline_from_field((*C.float)(unsafe.Pointer(unsafe.SliceData(values))), C.int32_t(len(values)), C.int32_t(columns), C.float(threshold), C.float(origin_x_m), C.float(origin_y_m), C.float(spacing_m), C.int32_t(outline), (*C.cn_vec2)(unsafe.Pointer(&out[0])), count, &count)); err != nil {
+			return *new([]Vec2), err
+		}
+	}
+	return out, nil
 }
 
 // PolygonDistance: Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes

@@ -1769,20 +1769,21 @@ closed outline within tolerance_m of a segment has 0 points left. A simple outli
 if parts of it are nearer than tolerance_m. Writes at most capacity points (>= 0); out may be points_m, or
 NULL when capacity is 0. *out_count is the number of all. O(count * *out_count) at worst. */
 export function outlineSimplify(points_m: In<Vec2>[] | Float32Array, closed: number, tolerance_m: number): Float32Array;
-/** Outlines of the solid cells of a grid of columns * rows (1 to 4096 each) squares of side cell_m > 0, with
-its lower left corner at the origin: cells[row * columns + column] is not 0 where solid, row 0 is the lowest.
-The outlines are loops for cn_shape_create_chain, one after another, solid on their left: counter-clockwise
-around solids, clockwise around holes. Their points are corners of cells. Solid cells that touch at a corner
-only are apart; an outline may pass such a corner twice. out_counts gets the number of points of each outline.
-Writes at most point_capacity points and outline_capacity counts (>= 0; the array may be NULL at 0);
-*out_point_count and out_outline_count are the numbers of all. O(cells + boundary), more for long spirals. */
-export function outlineFromCells(cells: In<number>, columns: number, rows: number, origin_x_m: number, origin_y_m: number, cell_m: number, point_capacity: number, outline_capacity: number): { points: Vec2; counts: number; point_count: number; outline_count: number };
+/** An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to 4096),
+squares of side cell_m > 0 with the lower left corner of the first at the origin. cells[row * columns +
+column] is not 0 where solid; row 0 is the lowest. outline is the outline's number, from 0; *out_count is 0
+where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
+counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
+touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points (>=
+0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + boundary), more for long
+spirals: divide large grids, as changing terrain is rebuilt by parts anyway. */
+export function outlineFromCells(cells: In<number>[], columns: number, origin_x_m: number, origin_y_m: number, cell_m: number, outline: number): Float32Array;
 /** The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
-finite, is the value at the origin + spacing_m * (column, row), at least 2 columns and rows, solid from
-threshold. A point of an outline lies between two neighbouring samples, by linear interpolation, at least
+finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2 columns
+and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at least
 spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or another one.
-cn_outline_simplify removes its collinear points. */
-export function outlineFromField(values: In<number>, columns: number, rows: number, threshold: number, origin_x_m: number, origin_y_m: number, spacing_m: number, point_capacity: number, outline_capacity: number): { points: Vec2; counts: number; point_count: number; outline_count: number };
+cn_outline_simplify removes its collinear points. O(values + boundary). */
+export function outlineFromField(values: In<number>[], columns: number, threshold: number, origin_x_m: number, origin_y_m: number, spacing_m: number, outline: number): Float32Array;
 /** Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their
 radii are apart, else by their Minkowski difference. Needs no world; runs in any thread. O(points). */
 export function polygonDistance(a: In<Polygon>, pose_a: In<Pose>, b: In<Polygon>, pose_b: In<Pose>): Distance;

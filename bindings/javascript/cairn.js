@@ -2241,28 +2241,30 @@ export function outlineSimplify(points_m, closed, tolerance_m) {
 	return list("cn_vec2", out, found);
 }
 
-export function outlineFromCells(cells, columns, rows, origin_x_m, origin_y_m, cell_m, point_capacity, outline_capacity) {
+export function outlineFromCells(cells, columns, origin_x_m, origin_y_m, cell_m, outline) {
 	begin();
-	const p_cells = struct("u8", cells);
-	const o_points = take(stride("cn_vec2"));
-	const o_counts = take(stride("i32"));
-	const o_point_count = take(stride("i32"));
-	const o_outline_count = take(stride("i32"));
-	check(raw.cn_outline_from_cells(p_cells, columns, rows, origin_x_m, origin_y_m, cell_m, point_capacity, outline_capacity, o_points, o_counts, o_point_count, o_outline_count));
+	const count = size("u8", cells);
+	const p_cells = array("u8", cells);
+	const number = take(4);
+	check(raw.cn_outline_from_cells(p_cells, count, columns, origin_x_m, origin_y_m, cell_m, outline, 0, 0, number));
 	refresh();
-	return { points: readStruct("cn_vec2", o_points), counts: READ.i32(o_counts), point_count: READ.i32(o_point_count), outline_count: READ.i32(o_outline_count) };
+	const found = view.getInt32(number, true), out = take(stride("cn_vec2") * found || 1);
+	if (found > 0)
+			check(raw.cn_outline_from_cells(p_cells, count, columns, origin_x_m, origin_y_m, cell_m, outline, out, found, number));
+	return list("cn_vec2", out, found);
 }
 
-export function outlineFromField(values, columns, rows, threshold, origin_x_m, origin_y_m, spacing_m, point_capacity, outline_capacity) {
+export function outlineFromField(values, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline) {
 	begin();
-	const p_values = struct("f32", values);
-	const o_points = take(stride("cn_vec2"));
-	const o_counts = take(stride("i32"));
-	const o_point_count = take(stride("i32"));
-	const o_outline_count = take(stride("i32"));
-	check(raw.cn_outline_from_field(p_values, columns, rows, threshold, origin_x_m, origin_y_m, spacing_m, point_capacity, outline_capacity, o_points, o_counts, o_point_count, o_outline_count));
+	const count = size("f32", values);
+	const p_values = array("f32", values);
+	const number = take(4);
+	check(raw.cn_outline_from_field(p_values, count, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, 0, 0, number));
 	refresh();
-	return { points: readStruct("cn_vec2", o_points), counts: READ.i32(o_counts), point_count: READ.i32(o_point_count), outline_count: READ.i32(o_outline_count) };
+	const found = view.getInt32(number, true), out = take(stride("cn_vec2") * found || 1);
+	if (found > 0)
+			check(raw.cn_outline_from_field(p_values, count, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, out, found, number));
+	return list("cn_vec2", out, found);
 }
 
 export function polygonDistance(a, pose_a, b, pose_b) {

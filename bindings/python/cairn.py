@@ -1905,24 +1905,24 @@ cn_outline_simplify = _function(
 )
 cn_outline_from_cells = _function(
     "cn_outline_from_cells",
-    """Outlines of the solid cells of a grid of columns * rows (1 to 4096 each) squares of side cell_m > 0, with
-    its lower left corner at the origin: cells[row * columns + column] is not 0 where solid, row 0 is the
-    lowest. The outlines are loops for cn_shape_create_chain, one after another, solid on their left:
-    counter-clockwise around solids, clockwise around holes. Their points are corners of cells. Solid cells
-    that touch at a corner only are apart; an outline may pass such a corner twice. out_counts gets the number
-    of points of each outline. Writes at most point_capacity points and outline_capacity counts (>= 0; the
-    array may be NULL at 0); *out_point_count and out_outline_count are the numbers of all. O(cells +
-    boundary), more for long spirals.""",
-    cn_result, _c.POINTER(_c.c_uint8), _c.c_int32, _c.c_int32, _c.c_float, _c.c_float, _c.c_float, _c.POINTER(cn_vec2), _c.c_int32, _c.POINTER(_c.c_int32), _c.c_int32, _c.POINTER(_c.c_int32), _c.POINTER(_c.c_int32),
+    """An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to 4096),
+    squares of side cell_m > 0 with the lower left corner of the first at the origin. cells[row * columns +
+    column] is not 0 where solid; row 0 is the lowest. outline is the outline's number, from 0; *out_count is
+    0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
+    counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
+    touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
+    (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + boundary), more for
+    long spirals: divide large grids, as changing terrain is rebuilt by parts anyway.""",
+    cn_result, _c.POINTER(_c.c_uint8), _c.c_int32, _c.c_int32, _c.c_float, _c.c_float, _c.c_float, _c.c_int32, _c.POINTER(cn_vec2), _c.c_int32, _c.POINTER(_c.c_int32),
 )
 cn_outline_from_field = _function(
     "cn_outline_from_field",
     """The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
-    finite, is the value at the origin + spacing_m * (column, row), at least 2 columns and rows, solid from
-    threshold. A point of an outline lies between two neighbouring samples, by linear interpolation, at least
-    spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or another
-    one. cn_outline_simplify removes its collinear points.""",
-    cn_result, _c.POINTER(_c.c_float), _c.c_int32, _c.c_int32, _c.c_float, _c.c_float, _c.c_float, _c.c_float, _c.POINTER(cn_vec2), _c.c_int32, _c.POINTER(_c.c_int32), _c.c_int32, _c.POINTER(_c.c_int32), _c.POINTER(_c.c_int32),
+    finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
+    columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
+    least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
+    another one. cn_outline_simplify removes its collinear points. O(values + boundary).""",
+    cn_result, _c.POINTER(_c.c_float), _c.c_int32, _c.c_int32, _c.c_float, _c.c_float, _c.c_float, _c.c_float, _c.c_int32, _c.POINTER(cn_vec2), _c.c_int32, _c.POINTER(_c.c_int32),
 )
 cn_world_contact_events = _function(
     "cn_world_contact_events",
@@ -4584,35 +4584,37 @@ def outline_simplify(points_m, closed, tolerance_m):
     return out
 
 
-def outline_from_cells(cells, columns, rows, origin_x_m, origin_y_m, cell_m, point_capacity, outline_capacity):
-    """Outlines of the solid cells of a grid of columns * rows (1 to 4096 each) squares of side cell_m > 0, with
-    its lower left corner at the origin: cells[row * columns + column] is not 0 where solid, row 0 is the
-    lowest. The outlines are loops for cn_shape_create_chain, one after another, solid on their left:
-    counter-clockwise around solids, clockwise around holes. Their points are corners of cells. Solid cells
-    that touch at a corner only are apart; an outline may pass such a corner twice. out_counts gets the number
-    of points of each outline. Writes at most point_capacity points and outline_capacity counts (>= 0; the
-    array may be NULL at 0); *out_point_count and out_outline_count are the numbers of all. O(cells +
-    boundary), more for long spirals."""
-    _points = cn_vec2()
-    _counts = _c.c_int32()
-    _point_count = _c.c_int32()
-    _outline_count = _c.c_int32()
-    _check(cn_outline_from_cells(cells, columns, rows, origin_x_m, origin_y_m, cell_m, point_capacity, outline_capacity, _points, _counts, _point_count, _outline_count))
-    return _points, _counts.value, _point_count.value, _outline_count.value
+def outline_from_cells(cells, columns, origin_x_m, origin_y_m, cell_m, outline):
+    """An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to 4096),
+    squares of side cell_m > 0 with the lower left corner of the first at the origin. cells[row * columns +
+    column] is not 0 where solid; row 0 is the lowest. outline is the outline's number, from 0; *out_count is
+    0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
+    counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
+    touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
+    (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + boundary), more for
+    long spirals: divide large grids, as changing terrain is rebuilt by parts anyway."""
+    cells = _array(uint8_t, cells)
+    _count = len(cells)
+    count = _c.c_int32()
+    _check(cn_outline_from_cells(cells, _count, columns, origin_x_m, origin_y_m, cell_m, outline, None, 0, count))
+    out = (cn_vec2 * count.value)()
+    _check(cn_outline_from_cells(cells, _count, columns, origin_x_m, origin_y_m, cell_m, outline, out, count, count))
+    return out
 
 
-def outline_from_field(values, columns, rows, threshold, origin_x_m, origin_y_m, spacing_m, point_capacity, outline_capacity):
+def outline_from_field(values, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline):
     """The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
-    finite, is the value at the origin + spacing_m * (column, row), at least 2 columns and rows, solid from
-    threshold. A point of an outline lies between two neighbouring samples, by linear interpolation, at least
-    spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or another
-    one. cn_outline_simplify removes its collinear points."""
-    _points = cn_vec2()
-    _counts = _c.c_int32()
-    _point_count = _c.c_int32()
-    _outline_count = _c.c_int32()
-    _check(cn_outline_from_field(values, columns, rows, threshold, origin_x_m, origin_y_m, spacing_m, point_capacity, outline_capacity, _points, _counts, _point_count, _outline_count))
-    return _points, _counts.value, _point_count.value, _outline_count.value
+    finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
+    columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
+    least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
+    another one. cn_outline_simplify removes its collinear points. O(values + boundary)."""
+    values = _array(float, values)
+    _count = len(values)
+    count = _c.c_int32()
+    _check(cn_outline_from_field(values, _count, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, None, 0, count))
+    out = (cn_vec2 * count.value)()
+    _check(cn_outline_from_field(values, _count, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, out, count, count))
+    return out
 
 
 def polygon_distance(a, pose_a, b, pose_b):

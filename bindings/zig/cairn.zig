@@ -1950,21 +1950,21 @@ pub extern fn cn_outline_decompose(points_m: [*]const cn_vec2, count: i32, lengt
 /// afterwards if parts of it are nearer than tolerance_m. Writes at most capacity points (>= 0); out may be
 /// points_m, or NULL when capacity is 0. *out_count is the number of all. O(count * *out_count) at worst.
 pub extern fn cn_outline_simplify(points_m: [*]const cn_vec2, count: i32, closed: i32, tolerance_m: f32, out: ?[*]cn_vec2, capacity: i32, out_count: *i32) cn_result;
-/// Outlines of the solid cells of a grid of columns * rows (1 to 4096 each) squares of side cell_m > 0, with
-/// its lower left corner at the origin: cells[row * columns + column] is not 0 where solid, row 0 is the
-/// lowest. The outlines are loops for cn_shape_create_chain, one after another, solid on their left:
-/// counter-clockwise around solids, clockwise around holes. Their points are corners of cells. Solid cells
-/// that touch at a corner only are apart; an outline may pass such a corner twice. out_counts gets the number
-/// of points of each outline. Writes at most point_capacity points and outline_capacity counts (>= 0; the
-/// array may be NULL at 0); *out_point_count and out_outline_count are the numbers of all. O(cells +
-/// boundary), more for long spirals.
-pub extern fn cn_outline_from_cells(cells: *const u8, columns: i32, rows: i32, origin_x_m: f32, origin_y_m: f32, cell_m: f32, out_points: *cn_vec2, point_capacity: i32, out_counts: *i32, outline_capacity: i32, out_point_count: *i32, out_outline_count: *i32) cn_result;
+/// An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to 4096),
+/// squares of side cell_m > 0 with the lower left corner of the first at the origin. cells[row * columns +
+/// column] is not 0 where solid; row 0 is the lowest. outline is the outline's number, from 0; *out_count is
+/// 0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
+/// counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
+/// touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
+/// (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + boundary), more for
+/// long spirals: divide large grids, as changing terrain is rebuilt by parts anyway.
+pub extern fn cn_outline_from_cells(cells: [*]const u8, count: i32, columns: i32, origin_x_m: f32, origin_y_m: f32, cell_m: f32, outline: i32, out: ?[*]cn_vec2, capacity: i32, out_count: *i32) cn_result;
 /// The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
-/// finite, is the value at the origin + spacing_m * (column, row), at least 2 columns and rows, solid from
-/// threshold. A point of an outline lies between two neighbouring samples, by linear interpolation, at least
-/// spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or another
-/// one. cn_outline_simplify removes its collinear points.
-pub extern fn cn_outline_from_field(values: *const f32, columns: i32, rows: i32, threshold: f32, origin_x_m: f32, origin_y_m: f32, spacing_m: f32, out_points: *cn_vec2, point_capacity: i32, out_counts: *i32, outline_capacity: i32, out_point_count: *i32, out_outline_count: *i32) cn_result;
+/// finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
+/// columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
+/// least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
+/// another one. cn_outline_simplify removes its collinear points. O(values + boundary).
+pub extern fn cn_outline_from_field(values: [*]const f32, count: i32, columns: i32, threshold: f32, origin_x_m: f32, origin_y_m: f32, spacing_m: f32, outline: i32, out: ?[*]cn_vec2, capacity: i32, out_count: *i32) cn_result;
 /// The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. The first call for
 /// a kind after a step builds the array, O(events), and can return CN_ERROR_MEMORY; CN_ERROR_LOCKED inside
 /// callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved apart,

@@ -2015,35 +2015,37 @@ pub fn outlineSimplify(gpa: std.mem.Allocator, points_m: []const Vec2, closed: i
     return list;
 }
 
-/// Outlines of the solid cells of a grid of columns * rows (1 to 4096 each) squares of side cell_m > 0, with
-/// its lower left corner at the origin: cells[row * columns + column] is not 0 where solid, row 0 is the
-/// lowest. The outlines are loops for cn_shape_create_chain, one after another, solid on their left:
-/// counter-clockwise around solids, clockwise around holes. Their points are corners of cells. Solid cells
-/// that touch at a corner only are apart; an outline may pass such a corner twice. out_counts gets the number
-/// of points of each outline. Writes at most point_capacity points and outline_capacity counts (>= 0; the
-/// array may be NULL at 0); *out_point_count and out_outline_count are the numbers of all. O(cells +
-/// boundary), more for long spirals.
-pub fn outlineFromCells(cells: *const u8, columns: i32, rows: i32, origin_x_m: f32, origin_y_m: f32, cell_m: f32, point_capacity: i32, outline_capacity: i32) Error!struct { points: Vec2, counts: i32, point_count: i32, outline_count: i32 } {
-    var out0: Vec2 = undefined;
-    var out1: i32 = undefined;
-    var out2: i32 = undefined;
-    var out3: i32 = undefined;
-    try check(c.cn_outline_from_cells(cells, columns, rows, origin_x_m, origin_y_m, cell_m, point_capacity, outline_capacity, &out0, &out1, &out2, &out3));
-    return .{ .points = out0, .counts = out1, .point_count = out2, .outline_count = out3 };
+/// An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to 4096),
+/// squares of side cell_m > 0 with the lower left corner of the first at the origin. cells[row * columns +
+/// column] is not 0 where solid; row 0 is the lowest. outline is the outline's number, from 0; *out_count is
+/// 0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
+/// counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
+/// touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
+/// (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + boundary), more for
+/// long spirals: divide large grids, as changing terrain is rebuilt by parts anyway.
+/// The caller frees the slice.
+pub fn outlineFromCells(gpa: std.mem.Allocator, cells: []const u8, columns: i32, origin_x_m: f32, origin_y_m: f32, cell_m: f32, outline: i32) (Error || std.mem.Allocator.Error)![]Vec2 {
+    var found: i32 = 0;
+    try check(c.cn_outline_from_cells(cells.ptr, @intCast(cells.len), columns, origin_x_m, origin_y_m, cell_m, outline, null, 0, &found));
+    const list = try gpa.alloc(Vec2, @intCast(found));
+    errdefer gpa.free(list);
+    if (found > 0) try check(c.cn_outline_from_cells(cells.ptr, @intCast(cells.len), columns, origin_x_m, origin_y_m, cell_m, outline, list.ptr, found, &found));
+    return list;
 }
 
 /// The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
-/// finite, is the value at the origin + spacing_m * (column, row), at least 2 columns and rows, solid from
-/// threshold. A point of an outline lies between two neighbouring samples, by linear interpolation, at least
-/// spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or another
-/// one. cn_outline_simplify removes its collinear points.
-pub fn outlineFromField(values: *const f32, columns: i32, rows: i32, threshold: f32, origin_x_m: f32, origin_y_m: f32, spacing_m: f32, point_capacity: i32, outline_capacity: i32) Error!struct { points: Vec2, counts: i32, point_count: i32, outline_count: i32 } {
-    var out0: Vec2 = undefined;
-    var out1: i32 = undefined;
-    var out2: i32 = undefined;
-    var out3: i32 = undefined;
-    try check(c.cn_outline_from_field(values, columns, rows, threshold, origin_x_m, origin_y_m, spacing_m, point_capacity, outline_capacity, &out0, &out1, &out2, &out3));
-    return .{ .points = out0, .counts = out1, .point_count = out2, .outline_count = out3 };
+/// finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
+/// columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
+/// least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
+/// another one. cn_outline_simplify removes its collinear points. O(values + boundary).
+/// The caller frees the slice.
+pub fn outlineFromField(gpa: std.mem.Allocator, values: []const f32, columns: i32, threshold: f32, origin_x_m: f32, origin_y_m: f32, spacing_m: f32, outline: i32) (Error || std.mem.Allocator.Error)![]Vec2 {
+    var found: i32 = 0;
+    try check(c.cn_outline_from_field(values.ptr, @intCast(values.len), columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, null, 0, &found));
+    const list = try gpa.alloc(Vec2, @intCast(found));
+    errdefer gpa.free(list);
+    if (found > 0) try check(c.cn_outline_from_field(values.ptr, @intCast(values.len), columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, list.ptr, found, &found));
+    return list;
 }
 
 /// Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their

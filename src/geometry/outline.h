@@ -43,13 +43,13 @@ typedef struct cni_grid {
 	cni_vec2 origin; /* lower left corner of the first cell; the first sample */
 	float spacing;
 } cni_grid;
-typedef struct cni_outlines {
+typedef struct cni_outline_out {
 	cni_vec2 *points;
-	int32_t *counts; /* points of each outline */
-	int32_t point_capacity, outline_capacity;
-	int32_t point_count, outline_count; /* of all, written or not */
-} cni_outlines;
-/* Adds the outlines of the solid part to out, the solid side on their left. */
-void cni_outline_from_grid(const cni_grid *grid, cni_outlines *out);
+	int32_t capacity;
+	int32_t count; /* of all, written or not */
+} cni_outline_out;
+/* Adds the points of an outline to out, the solid side on their left. outline: its number, from 0, by the lowest row and then column of
+   its edges in +x direction. No points: there are not so many outlines. */
+void cni_outline_from_grid(const cni_grid *grid, int32_t outline, cni_outline_out *out);
 
 #endif

@@ -98,34 +98,30 @@ static int32_t point_is_needed(const cni_grid *g, walker w, walker moved)
 	return before.x != point.x || before.y != point.y;
 }
 
-static void point_write(cni_vec2 point, cni_outlines *out)
+static void outline_write(const cni_grid *g, walker first, cni_outline_out *out)
 {
-	if (out->point_count < out->point_capacity)
-		out->points[out->point_count] = point;
-	++out->point_count;
-}
-
-static void outline_write(const cni_grid *g, walker first, cni_outlines *out)
-{
-	int32_t before = out->point_count;
 	walker w = first;
 	do {
 		walker moved = walker_move(g, w);
-		if (point_is_needed(g, w, moved))
-			point_write(walker_point(g, moved), out);
+		if (point_is_needed(g, w, moved)) {
+			if (out->count < out->capacity)
+				out->points[out->count] = walker_point(g, moved);
+			++out->count;
+		}
 		w = moved;
 	} while (!walker_is_at(w, first));
-	if (out->outline_count < out->outline_capacity)
-		out->counts[out->outline_count] = out->point_count - before;
-	++out->outline_count;
 }
 
-void cni_outline_from_grid(const cni_grid *grid, cni_outlines *out)
+void cni_outline_from_grid(const cni_grid *grid, int32_t outline, cni_outline_out *out)
 {
 	for (int32_t y = 0; y < grid->rows; ++y)
 		for (int32_t x = 0; x < grid->columns; ++x) {
 			walker first = { x, y, 0 };
-			if (cell_is_solid(grid, x, y) && !cell_is_solid(grid, x, y - 1) && outline_begins_at(grid, first))
+			if (!cell_is_solid(grid, x, y) || cell_is_solid(grid, x, y - 1) || !outline_begins_at(grid, first))
+				continue;
+			if (outline-- == 0) {
 				outline_write(grid, first, out);
+				return;
+			}
 		}
 }

@@ -45,11 +45,19 @@ cn_result cn_outline_simplify(const cn_vec2 *points_m, int32_t count, int32_t cl
 	return CN_OK;
 }
 
+static cni_grid grid_make(int32_t count, int32_t columns, float origin_x_m, float origin_y_m, float spacing)
+{
+	cni_grid grid = { NULL, NULL, 0.0f, columns, columns > 0 ? count / columns : 0, { origin_x_m, origin_y_m }, spacing };
+	return grid;
+}
+
 /* Every coordinate of the grid must be one that shapes take. */
-static void check_grid(cni_call *call, const cni_grid *grid, int32_t side_min, const char *spacing)
+static void check_grid(cni_call *call, const cni_grid *grid, int32_t count, int32_t side_min, const char *spacing)
 {
 	cni_check_range_int(call, "columns", grid->columns, side_min, CNI_GRID_SIDE_MAX);
-	cni_check_range_int(call, "rows", grid->rows, side_min, CNI_GRID_SIDE_MAX);
+	cni_check_range_int(call, "count / columns", grid->rows, side_min, CNI_GRID_SIDE_MAX);
+	if (call->result == CN_OK && grid->columns * grid->rows != count)
+		cni_refuse_int(call, "count", count, "must be a multiple of columns");
 	cni_check_range(call, "origin_x_m", grid->origin.x, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
 	cni_check_range(call, "origin_y_m", grid->origin.y, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
 	cni_check_positive(call, spacing, grid->spacing);
@@ -58,48 +66,48 @@ static void check_grid(cni_call *call, const cni_grid *grid, int32_t side_min, c
 	cni_check_range(call, "origin_y_m", grid->origin.y + (float)grid->rows * grid->spacing, -CNI_COORDINATE_MAX, CNI_COORDINATE_MAX);
 }
 
-static void check_values(cni_call *call, const cni_grid *grid)
+static void check_values(cni_call *call, const float *values, int32_t count)
 {
-	size_t k, count = (size_t)grid->columns * (size_t)grid->rows;
-	cni_check_finite(call, "threshold", grid->threshold);
-	cni_check_pointer(call, "values", grid->values);
+	int32_t k;
+	cni_check_pointer(call, "values", values);
 	for (k = 0; call->result == CN_OK && k < count; ++k)
-		cni_check_finite(call, "values", grid->values[k]);
+		cni_check_finite(call, "values", values[k]);
 }
 
-static cn_result outlines_write(cni_call *call, const cni_grid *grid, cni_outlines *out, int32_t *out_point_count, int32_t *out_outline_count)
+static cn_result outline_write(cni_call *call, const cni_grid *grid, int32_t number, cni_outline_out out, int32_t *out_count)
 {
-	cni_check_capacity(call, "out_points", out->points, out->point_capacity);
-	cni_check_capacity(call, "out_counts", out->counts, out->outline_capacity);
-	cni_check_pointer(call, "out_point_count", out_point_count);
-	cni_check_pointer(call, "out_outline_count", out_outline_count);
+	cni_check_range_int(call, "outline", number, 0, INT32_MAX);
+	cni_check_capacity(call, "out", out.points, out.capacity);
+	cni_check_pointer(call, "out_count", out_count);
 	if (call->result != CN_OK)
 		return call->result;
-	cni_outline_from_grid(grid, out);
-	*out_point_count = out->point_count;
-	*out_outline_count = out->outline_count;
+	cni_outline_from_grid(grid, number, &out);
+	*out_count = out.count;
 	return CN_OK;
 }
 
-cn_result cn_outline_from_cells(const uint8_t *cells, int32_t columns, int32_t rows, float origin_x_m, float origin_y_m, float cell_m, cn_vec2 *out_points,
-                                int32_t point_capacity, int32_t *out_counts, int32_t outline_capacity, int32_t *out_point_count, int32_t *out_outline_count)
+cn_result cn_outline_from_cells(const uint8_t *cells, int32_t count, int32_t columns, float origin_x_m, float origin_y_m, float cell_m, int32_t outline,
+                                cn_vec2 *out, int32_t capacity, int32_t *out_count)
 {
 	cni_call call = cni_enter_free();
-	cni_grid grid = { cells, NULL, 0.0f, columns, rows, { origin_x_m, origin_y_m }, cell_m };
-	cni_outlines out = { out_points, out_counts, point_capacity, outline_capacity, 0, 0 };
+	cni_grid grid = grid_make(count, columns, origin_x_m, origin_y_m, cell_m);
+	cni_outline_out points = { out, capacity, 0 };
+	grid.solid = cells;
 	cni_check_pointer(&call, "cells", cells);
-	check_grid(&call, &grid, 1, "cell_m");
-	return outlines_write(&call, &grid, &out, out_point_count, out_outline_count);
+	check_grid(&call, &grid, count, 1, "cell_m");
+	return outline_write(&call, &grid, outline, points, out_count);
 }
 
-cn_result cn_outline_from_field(const float *values, int32_t columns, int32_t rows, float threshold, float origin_x_m, float origin_y_m, float spacing_m,
-                                cn_vec2 *out_points, int32_t point_capacity, int32_t *out_counts, int32_t outline_capacity, int32_t *out_point_count,
-                                int32_t *out_outline_count)
+cn_result cn_outline_from_field(const float *values, int32_t count, int32_t columns, float threshold, float origin_x_m, float origin_y_m, float spacing_m,
+                                int32_t outline, cn_vec2 *out, int32_t capacity, int32_t *out_count)
 {
 	cni_call call = cni_enter_free();
-	cni_grid grid = { NULL, values, threshold, columns, rows, { origin_x_m, origin_y_m }, spacing_m };
-	cni_outlines out = { out_points, out_counts, point_capacity, outline_capacity, 0, 0 };
-	check_grid(&call, &grid, 2, "spacing_m");
-	check_values(&call, &grid);
-	return outlines_write(&call, &grid, &out, out_point_count, out_outline_count);
+	cni_grid grid = grid_make(count, columns, origin_x_m, origin_y_m, spacing_m);
+	cni_outline_out points = { out, capacity, 0 };
+	grid.values = values;
+	grid.threshold = threshold;
+	check_grid(&call, &grid, count, 2, "spacing_m");
+	cni_check_finite(&call, "threshold", threshold);
+	check_values(&call, values, count);
+	return outline_write(&call, &grid, outline, points, out_count);
 }

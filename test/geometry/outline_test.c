@@ -386,12 +386,27 @@ static void t_simplified_known(void)
 
 static uint8_t grid[ROWS][COLUMNS];
 static cn_vec2 cell_points[4 * ROWS * COLUMNS];
-static int32_t cell_counts[ROWS * COLUMNS], cell_point_count, cell_outline_count;
+static int32_t cell_counts[ROWS * COLUMNS + 1], cell_point_count, cell_outline_count;
+
+static void outline_count_add(int32_t count)
+{
+	cell_counts[cell_outline_count] = count;
+	cell_outline_count += count > 0;
+	cell_point_count += count;
+}
 
 static cn_result cells_trace(float side)
 {
-	return cn_outline_from_cells(&grid[0][0], COLUMNS, ROWS, -3.0f, 2.0f, side, cell_points, 4 * ROWS * COLUMNS, cell_counts, ROWS * COLUMNS,
-		&cell_point_count, &cell_outline_count);
+	int32_t count = 1;
+	cell_point_count = cell_outline_count = 0;
+	while (count > 0) {
+		cn_result result = cn_outline_from_cells(&grid[0][0], ROWS * COLUMNS, COLUMNS, -3.0f, 2.0f, side, cell_outline_count, cell_points + cell_point_count,
+			4 * ROWS * COLUMNS - cell_point_count, &count);
+		if (result != CN_OK)
+			return result;
+		outline_count_add(count);
+	}
+	return CN_OK;
 }
 
 static int32_t grid_random(void)
@@ -492,8 +507,16 @@ static float field[ROWS][COLUMNS];
 
 static cn_result field_trace(float spacing)
 {
-	return cn_outline_from_field(&field[0][0], COLUMNS, ROWS, 0.5f, 0.0f, 0.0f, spacing, cell_points, 4 * ROWS * COLUMNS, cell_counts, ROWS * COLUMNS,
-		&cell_point_count, &cell_outline_count);
+	int32_t count = 1;
+	cell_point_count = cell_outline_count = 0;
+	while (count > 0) {
+		cn_result result = cn_outline_from_field(&field[0][0], ROWS * COLUMNS, COLUMNS, 0.5f, 0.0f, 0.0f, spacing, cell_outline_count, cell_points + cell_point_count,
+			4 * ROWS * COLUMNS - cell_point_count, &count);
+		if (result != CN_OK)
+			return result;
+		outline_count_add(count);
+	}
+	return CN_OK;
 }
 
 /* Samples in or on the wrong side of the outlines: the crossing number of all outlines together. */

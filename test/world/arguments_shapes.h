@@ -160,51 +160,48 @@ ENTRY(cn_outline_simplify, SIMPLIFY(GOOD_POINTS, 4, 1),
 	ARG(cn_outline_simplify(GOOD_POINTS, 4, 1, 0.1f, OUT(cn_vec2), -1, OUT(int32_t) + 100));
 	ARG(cn_outline_simplify(GOOD_POINTS, 4, 1, 0.1f, OUT(cn_vec2), 4, NULL));)
 static const uint8_t good_cells[4] = { 1, 0, 1, 1 };
-static cn_result cells_at(int32_t columns, int32_t rows, cn_vec2 origin, float side)
+static cn_result cells_at(int32_t count, int32_t columns, cn_vec2 origin, float side)
 {
-	return cn_outline_from_cells(good_cells, columns, rows, origin.x, origin.y, side, OUT(cn_vec2), 8, OUT(int32_t) + 100, 2, OUT(int32_t) + 110, OUT(int32_t) + 111);
+	return cn_outline_from_cells(good_cells, count, columns, origin.x, origin.y, side, 0, OUT(cn_vec2), 8, OUT(int32_t) + 100);
 }
-static cn_result cells_to(const uint8_t *cells, cn_vec2 *points, int32_t point_capacity, int32_t *counts, int32_t outline_capacity, int32_t *a, int32_t *b)
+static cn_result cells_to(const uint8_t *cells, int32_t first, cn_vec2 *out, int32_t capacity, int32_t *a)
 {
-	return cn_outline_from_cells(cells, 2, 2, 0.0f, 0.0f, 1.0f, points, point_capacity, counts, outline_capacity, a, b);
+	return cn_outline_from_cells(cells, 4, 2, 0.0f, 0.0f, 1.0f, first, out, capacity, a);
 }
-ENTRY(cn_outline_from_cells, cells_at(2, 2, v2(0.0f, 0.0f), 1.0f),
-	INTEGER(x, 0, 4097, cells_at(x, 2, v2(0.0f, 0.0f), 1.0f)); INTEGER(x, 0, 4097, cells_at(2, x, v2(0.0f, 0.0f), 1.0f));
-	POSITION(v, cells_at(2, 2, v, 1.0f)); ARG(cells_at(2, 2, v2(9.9e5f, 0.0f), 1e4f)); ARG(cells_at(2, 2, v2(0.0f, 9.9e5f), 1e4f));
-	POSITIVE(x, cells_at(2, 2, v2(0.0f, 0.0f), x)); ARG(cells_at(2, 2, v2(0.0f, 0.0f), 6e5f));
-	ARG(cells_to(NULL, OUT(cn_vec2), 8, OUT(int32_t) + 100, 2, OUT(int32_t) + 110, OUT(int32_t) + 111));
-	ARG(cells_to(good_cells, NULL, 8, OUT(int32_t) + 100, 2, OUT(int32_t) + 110, OUT(int32_t) + 111));
-	ARG(cells_to(good_cells, OUT(cn_vec2), -1, OUT(int32_t) + 100, 2, OUT(int32_t) + 110, OUT(int32_t) + 111));
-	ARG(cells_to(good_cells, OUT(cn_vec2), 8, NULL, 2, OUT(int32_t) + 110, OUT(int32_t) + 111));
-	ARG(cells_to(good_cells, OUT(cn_vec2), 8, OUT(int32_t) + 100, -1, OUT(int32_t) + 110, OUT(int32_t) + 111));
-	ARG(cells_to(good_cells, OUT(cn_vec2), 8, OUT(int32_t) + 100, 2, NULL, OUT(int32_t) + 111));
-	ARG(cells_to(good_cells, OUT(cn_vec2), 8, OUT(int32_t) + 100, 2, OUT(int32_t) + 110, NULL));)
+ENTRY(cn_outline_from_cells, cells_at(4, 2, v2(0.0f, 0.0f), 1.0f),
+	INTEGER(x, 1, 8194, cells_at(x, 2, v2(0.0f, 0.0f), 1.0f)); INTEGER(x, 0, 4097, cells_at(4, x, v2(0.0f, 0.0f), 1.0f));
+	ARG(cells_at(4, 3, v2(0.0f, 0.0f), 1.0f)); POSITION(v, cells_at(4, 2, v, 1.0f));
+	ARG(cells_at(4, 2, v2(9.9e5f, 0.0f), 1e4f)); ARG(cells_at(4, 2, v2(0.0f, 9.9e5f), 1e4f));
+	POSITIVE(x, cells_at(4, 2, v2(0.0f, 0.0f), x)); ARG(cells_at(4, 2, v2(0.0f, 0.0f), 6e5f));
+	ARG(cells_to(NULL, 0, OUT(cn_vec2), 8, OUT(int32_t) + 100));
+	ARG(cells_to(good_cells, -1, OUT(cn_vec2), 8, OUT(int32_t) + 100));
+	ARG(cells_to(good_cells, 0, NULL, 8, OUT(int32_t) + 100));
+	ARG(cells_to(good_cells, 0, OUT(cn_vec2), -1, OUT(int32_t) + 100));
+	ARG(cells_to(good_cells, 0, OUT(cn_vec2), 8, NULL));)
 static const float *field_with(float last)
 {
 	static float values[4] = { 1.0f, 0.0f, 1.0f, 1.0f };
 	values[3] = last;
 	return values;
 }
-static cn_result field_at(const float *values, int32_t columns, int32_t rows, float threshold, cn_vec2 origin, float spacing)
+static cn_result field_at(const float *values, int32_t count, int32_t columns, float threshold, cn_vec2 origin, float spacing)
 {
-	return cn_outline_from_field(values, columns, rows, threshold, origin.x, origin.y, spacing, OUT(cn_vec2), 8, OUT(int32_t) + 100, 2, OUT(int32_t) + 110, OUT(int32_t) + 111);
+	return cn_outline_from_field(values, count, columns, threshold, origin.x, origin.y, spacing, 0, OUT(cn_vec2), 8, OUT(int32_t) + 100);
 }
-static cn_result field_to(cn_vec2 *points, int32_t point_capacity, int32_t *counts, int32_t outline_capacity, int32_t *a, int32_t *b)
+static cn_result field_to(int32_t first, cn_vec2 *out, int32_t capacity, int32_t *a)
 {
-	return cn_outline_from_field(field_with(1.0f), 2, 2, 0.5f, 0.0f, 0.0f, 1.0f, points, point_capacity, counts, outline_capacity, a, b);
+	return cn_outline_from_field(field_with(1.0f), 4, 2, 0.5f, 0.0f, 0.0f, 1.0f, first, out, capacity, a);
 }
-ENTRY(cn_outline_from_field, field_at(field_with(1.0f), 2, 2, 0.5f, v2(0.0f, 0.0f), 1.0f),
-	ARG(field_at(NULL, 2, 2, 0.5f, v2(0.0f, 0.0f), 1.0f)); FLOAT(x, field_at(field_with(x), 2, 2, 0.5f, v2(0.0f, 0.0f), 1.0f));
-	INTEGER(x, 1, 4097, field_at(field_with(1.0f), x, 2, 0.5f, v2(0.0f, 0.0f), 1.0f));
-	INTEGER(x, 1, 4097, field_at(field_with(1.0f), 2, x, 0.5f, v2(0.0f, 0.0f), 1.0f));
-	FLOAT(x, field_at(field_with(1.0f), 2, 2, x, v2(0.0f, 0.0f), 1.0f)); POSITION(v, field_at(field_with(1.0f), 2, 2, 0.5f, v, 1.0f));
-	POSITIVE(x, field_at(field_with(1.0f), 2, 2, 0.5f, v2(0.0f, 0.0f), x)); ARG(field_at(field_with(1.0f), 2, 2, 0.5f, v2(0.0f, 0.0f), 6e5f));
-	ARG(field_to(NULL, 8, OUT(int32_t) + 100, 2, OUT(int32_t) + 110, OUT(int32_t) + 111));
-	ARG(field_to(OUT(cn_vec2), -1, OUT(int32_t) + 100, 2, OUT(int32_t) + 110, OUT(int32_t) + 111));
-	ARG(field_to(OUT(cn_vec2), 8, NULL, 2, OUT(int32_t) + 110, OUT(int32_t) + 111));
-	ARG(field_to(OUT(cn_vec2), 8, OUT(int32_t) + 100, -1, OUT(int32_t) + 110, OUT(int32_t) + 111));
-	ARG(field_to(OUT(cn_vec2), 8, OUT(int32_t) + 100, 2, NULL, OUT(int32_t) + 111));
-	ARG(field_to(OUT(cn_vec2), 8, OUT(int32_t) + 100, 2, OUT(int32_t) + 110, NULL));)
+ENTRY(cn_outline_from_field, field_at(field_with(1.0f), 4, 2, 0.5f, v2(0.0f, 0.0f), 1.0f),
+	ARG(field_at(NULL, 4, 2, 0.5f, v2(0.0f, 0.0f), 1.0f)); FLOAT(x, field_at(field_with(x), 4, 2, 0.5f, v2(0.0f, 0.0f), 1.0f));
+	INTEGER(x, 2, 8194, field_at(field_with(1.0f), x, 2, 0.5f, v2(0.0f, 0.0f), 1.0f));
+	INTEGER(x, 1, 4097, field_at(field_with(1.0f), 4, x, 0.5f, v2(0.0f, 0.0f), 1.0f));
+	FLOAT(x, field_at(field_with(1.0f), 4, 2, x, v2(0.0f, 0.0f), 1.0f)); POSITION(v, field_at(field_with(1.0f), 4, 2, 0.5f, v, 1.0f));
+	POSITIVE(x, field_at(field_with(1.0f), 4, 2, 0.5f, v2(0.0f, 0.0f), x)); ARG(field_at(field_with(1.0f), 4, 2, 0.5f, v2(0.0f, 0.0f), 6e5f));
+	ARG(field_to(-1, OUT(cn_vec2), 8, OUT(int32_t) + 100));
+	ARG(field_to(0, NULL, 8, OUT(int32_t) + 100));
+	ARG(field_to(0, OUT(cn_vec2), -1, OUT(int32_t) + 100));
+	ARG(field_to(0, OUT(cn_vec2), 8, NULL));)
 ENTRY(cn_polygon_make_box, cn_polygon_make_box(1.0f, 2.0f, 3.0f, 4.0f, 0.5f, 0.1f, OUT(cn_polygon)),
 	POSITIVE(x, cn_polygon_make_box(x, 2.0f, 3.0f, 4.0f, 0.5f, 0.1f, OUT(cn_polygon)));
 	POSITIVE(x, cn_polygon_make_box(1.0f, x, 3.0f, 4.0f, 0.5f, 0.1f, OUT(cn_polygon)));

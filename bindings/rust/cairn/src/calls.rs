@@ -2014,35 +2014,39 @@ pub fn outline_simplify(points_m: &[Vec2], closed: i32, tolerance_m: f32) -> Res
     Ok(out)
 }
 
-/// Outlines of the solid cells of a grid of columns * rows (1 to 4096 each) squares of side cell_m > 0, with
-/// its lower left corner at the origin: cells\[row * columns + column\] is not 0 where solid, row 0 is the
-/// lowest. The outlines are loops for cn_shape_create_chain, one after another, solid on their left:
-/// counter-clockwise around solids, clockwise around holes. Their points are corners of cells. Solid cells
-/// that touch at a corner only are apart; an outline may pass such a corner twice. out_counts gets the number
-/// of points of each outline. Writes at most point_capacity points and outline_capacity counts (>= 0; the
-/// array may be NULL at 0); *out_point_count and out_outline_count are the numbers of all. O(cells +
-/// boundary), more for long spirals.
-pub fn outline_from_cells(cells: &u8, columns: i32, rows: i32, origin_x_m: f32, origin_y_m: f32, cell_m: f32, point_capacity: i32, outline_capacity: i32) -> Result<(Vec2, i32, i32, i32)> {
-    let mut out_points = Vec2::default();
-    let mut out_counts = i32::default();
-    let mut out_point_count = i32::default();
-    let mut out_outline_count = i32::default();
-    check(unsafe { cairn_sys::cn_outline_from_cells(cells, columns, rows, origin_x_m, origin_y_m, cell_m, point_capacity, outline_capacity, &mut out_points, &mut out_counts, &mut out_point_count, &mut out_outline_count) })?;
-    Ok((out_points, out_counts, out_point_count, out_outline_count))
+/// An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to 4096),
+/// squares of side cell_m > 0 with the lower left corner of the first at the origin. cells\[row * columns +
+/// column\] is not 0 where solid; row 0 is the lowest. outline is the outline's number, from 0; *out_count is
+/// 0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
+/// counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
+/// touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
+/// (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + boundary), more for
+/// long spirals: divide large grids, as changing terrain is rebuilt by parts anyway.
+pub fn outline_from_cells(cells: &[u8], columns: i32, origin_x_m: f32, origin_y_m: f32, cell_m: f32, outline: i32) -> Result<Vec<Vec2>> {
+    let mut count = 0;
+    check(unsafe { cairn_sys::cn_outline_from_cells(cells.as_ptr(), cells.len() as i32, columns, origin_x_m, origin_y_m, cell_m, outline, core::ptr::null_mut(), 0, &mut count) })?;
+    let mut out = Vec::with_capacity(count as usize);
+    if count > 0 {
+        check(unsafe { cairn_sys::cn_outline_from_cells(cells.as_ptr(), cells.len() as i32, columns, origin_x_m, origin_y_m, cell_m, outline, out.as_mut_ptr(), count, &mut count) })?;
+        unsafe { out.set_len((count as usize).min(out.capacity())) };
+    }
+    Ok(out)
 }
 
 /// The same for a field by marching squares (Lorensen, Cline, 1987): values\[row * columns + column\], all
-/// finite, is the value at the origin + spacing_m * (column, row), at least 2 columns and rows, solid from
-/// threshold. A point of an outline lies between two neighbouring samples, by linear interpolation, at least
-/// spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or another
-/// one. cn_outline_simplify removes its collinear points.
-pub fn outline_from_field(values: &f32, columns: i32, rows: i32, threshold: f32, origin_x_m: f32, origin_y_m: f32, spacing_m: f32, point_capacity: i32, outline_capacity: i32) -> Result<(Vec2, i32, i32, i32)> {
-    let mut out_points = Vec2::default();
-    let mut out_counts = i32::default();
-    let mut out_point_count = i32::default();
-    let mut out_outline_count = i32::default();
-    check(unsafe { cairn_sys::cn_outline_from_field(values, columns, rows, threshold, origin_x_m, origin_y_m, spacing_m, point_capacity, outline_capacity, &mut out_points, &mut out_counts, &mut out_point_count, &mut out_outline_count) })?;
-    Ok((out_points, out_counts, out_point_count, out_outline_count))
+/// finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
+/// columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
+/// least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
+/// another one. cn_outline_simplify removes its collinear points. O(values + boundary).
+pub fn outline_from_field(values: &[f32], columns: i32, threshold: f32, origin_x_m: f32, origin_y_m: f32, spacing_m: f32, outline: i32) -> Result<Vec<Vec2>> {
+    let mut count = 0;
+    check(unsafe { cairn_sys::cn_outline_from_field(values.as_ptr(), values.len() as i32, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, core::ptr::null_mut(), 0, &mut count) })?;
+    let mut out = Vec::with_capacity(count as usize);
+    if count > 0 {
+        check(unsafe { cairn_sys::cn_outline_from_field(values.as_ptr(), values.len() as i32, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, out.as_mut_ptr(), count, &mut count) })?;
+        unsafe { out.set_len((count as usize).min(out.capacity())) };
+    }
+    Ok(out)
 }
 
 /// Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their
