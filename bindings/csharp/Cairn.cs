@@ -2279,8 +2279,7 @@ namespace Cairn
 		/// its left: counter-clockwise around solids, clockwise around holes. Its points are corners of cells.
 		/// Solid cells that touch at a corner only are apart; an outline may pass such a corner twice. Writes at
 		/// most capacity points (&gt;= 0); out may be NULL when capacity is 0. *out_count is the number of all.
-		/// O(cells + boundary), more for long spirals: divide large grids, as changing terrain is rebuilt by parts
-		/// anyway.</summary>
+		/// O(cells + n log n) for a boundary of n edges.</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_outline_from_cells(byte* cells, int count, int columns, float origin_x_m, float origin_y_m, float cell_m, int outline, cn_vec2* @out, int capacity, int* out_count);
 
@@ -2288,7 +2287,7 @@ namespace Cairn
 		/// finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
 		/// columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation,
 		/// at least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
-		/// another one. cn_outline_simplify removes its collinear points. O(values + boundary).</summary>
+		/// another one. cn_outline_simplify removes its collinear points. O(values + n log n).</summary>
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern int cn_outline_from_field(float* values, int count, int columns, float threshold, float origin_x_m, float origin_y_m, float spacing_m, int outline, cn_vec2* @out, int capacity, int* out_count);
 

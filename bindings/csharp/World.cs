@@ -3766,8 +3766,7 @@ namespace Cairn
 		/// its left: counter-clockwise around solids, clockwise around holes. Its points are corners of cells.
 		/// Solid cells that touch at a corner only are apart; an outline may pass such a corner twice. Writes at
 		/// most capacity points (&gt;= 0); out may be NULL when capacity is 0. *out_count is the number of all.
-		/// O(cells + boundary), more for long spirals: divide large grids, as changing terrain is rebuilt by parts
-		/// anyway.</summary>
+		/// O(cells + n log n) for a boundary of n edges.</summary>
 		public static Vec2[] OutlineFromCells(ReadOnlySpan<byte> cells, int columns, float originXM, float originYM, float cellM, int outline)
 		{
 			fixed (byte* p_cells = cells)
@@ -3786,7 +3785,7 @@ namespace Cairn
 		/// finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
 		/// columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation,
 		/// at least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
-		/// another one. cn_outline_simplify removes its collinear points. O(values + boundary).</summary>
+		/// another one. cn_outline_simplify removes its collinear points. O(values + n log n).</summary>
 		public static Vec2[] OutlineFromField(ReadOnlySpan<float> values, int columns, float threshold, float originXM, float originYM, float spacingM, int outline)
 		{
 			fixed (float* p_values = values)

@@ -3695,8 +3695,8 @@ func OutlineSimplify(points_m []Vec2, closed int32, tolerance_m float32) ([]Vec2
 // from 0; *out_count is 0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid
 // on its left: counter-clockwise around solids, clockwise around holes. Its points are corners of cells.
 // Solid cells that touch at a corner only are apart; an outline may pass such a corner twice. Writes at most
-// capacity points (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells +
-// boundary), more for long spirals: divide large grids, as changing terrain is rebuilt by parts anyway.
+// capacity points (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n
+// log n) for a boundary of n edges.
 func OutlineFromCells(cells []uint8, columns int32, origin_x_m float32, origin_y_m float32, cell_m float32, outline int32) ([]Vec2, error) {
 	var count C.int32_t
 	if err := check(C.cn_outline_from_cells((*C.uint8_t)(unsafe.Pointer(unsafe.SliceData(cells))), C.int32_t(len(cells)), C.int32_t(columns), C.float(origin_x_m), C.float(origin_y_m), C.float(cell_m), C.int32_t(outline), nil, 0, &count)); err != nil {
@@ -3715,7 +3715,7 @@ func OutlineFromCells(cells []uint8, columns int32, origin_x_m float32, origin_y
 // column], all finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at
 // least 2 columns and rows. A point of an outline lies between two neighbouring samples, by linear
 // interpolation, at least spacing_m / 64 from both; the grid's border closes outlines. An outline never
-// touches itself or another one. cn_outline_simplify removes its collinear points. O(values + boundary).
+// touches itself or another one. cn_outline_simplify removes its collinear points. O(values + n log n).
 func OutlineFromField(values []float32, columns int32, threshold float32, origin_x_m float32, origin_y_m float32, spacing_m float32, outline int32) ([]Vec2, error) {
 	var count C.int32_t
 	if err := check(C.cn_outline_from_field((*C.float)(unsafe.Pointer(unsafe.SliceData(values))), C.int32_t(len(values)), C.int32_t(columns), C.float(threshold), C.float(origin_x_m), C.float(origin_y_m), C.float(spacing_m), C.int32_t(outline), nil, 0, &count)); err != nil {

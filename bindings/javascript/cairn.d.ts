@@ -1775,14 +1775,14 @@ column] is not 0 where solid; row 0 is the lowest. outline is the outline's numb
 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
 counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
 touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points (>=
-0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + boundary), more for long
-spirals: divide large grids, as changing terrain is rebuilt by parts anyway. */
+0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n log n) for a boundary of
+n edges. */
 export function outlineFromCells(cells: In<number>[], columns: number, origin_x_m: number, origin_y_m: number, cell_m: number, outline: number): Float32Array;
 /** The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
 finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2 columns
 and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at least
 spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or another one.
-cn_outline_simplify removes its collinear points. O(values + boundary). */
+cn_outline_simplify removes its collinear points. O(values + n log n). */
 export function outlineFromField(values: In<number>[], columns: number, threshold: number, origin_x_m: number, origin_y_m: number, spacing_m: number, outline: number): Float32Array;
 /** Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their
 radii are apart, else by their Minkowski difference. Needs no world; runs in any thread. O(points). */

@@ -1380,14 +1380,14 @@ cn_result cn_outline_simplify(const cn_vec2 *points_m, int32_t count, int32_t cl
 // where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
 // counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
 // touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
-// (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + boundary), more for
-// long spirals: divide large grids, as changing terrain is rebuilt by parts anyway.
+// (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n log n) for a
+// boundary of n edges.
 cn_result cn_outline_from_cells(const uint8_t *cells, int32_t count, int32_t columns, float origin_x_m, float origin_y_m, float cell_m, int32_t outline, cn_vec2 *out, int32_t capacity, int32_t *out_count);
 // The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
 // finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
 // columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
 // least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
-// another one. cn_outline_simplify removes its collinear points. O(values + boundary).
+// another one. cn_outline_simplify removes its collinear points. O(values + n log n).
 cn_result cn_outline_from_field(const float *values, int32_t count, int32_t columns, float threshold, float origin_x_m, float origin_y_m, float spacing_m, int32_t outline, cn_vec2 *out, int32_t capacity, int32_t *out_count);
 // The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. The first call for
 // a kind after a step builds the array, O(events), and can return CN_ERROR_MEMORY; CN_ERROR_LOCKED inside

@@ -1911,8 +1911,8 @@ cn_outline_from_cells = _function(
     0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
     counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
     touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
-    (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + boundary), more for
-    long spirals: divide large grids, as changing terrain is rebuilt by parts anyway.""",
+    (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n log n) for a
+    boundary of n edges.""",
     cn_result, _c.POINTER(_c.c_uint8), _c.c_int32, _c.c_int32, _c.c_float, _c.c_float, _c.c_float, _c.c_int32, _c.POINTER(cn_vec2), _c.c_int32, _c.POINTER(_c.c_int32),
 )
 cn_outline_from_field = _function(
@@ -1921,7 +1921,7 @@ cn_outline_from_field = _function(
     finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
     columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
     least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
-    another one. cn_outline_simplify removes its collinear points. O(values + boundary).""",
+    another one. cn_outline_simplify removes its collinear points. O(values + n log n).""",
     cn_result, _c.POINTER(_c.c_float), _c.c_int32, _c.c_int32, _c.c_float, _c.c_float, _c.c_float, _c.c_float, _c.c_int32, _c.POINTER(cn_vec2), _c.c_int32, _c.POINTER(_c.c_int32),
 )
 cn_world_contact_events = _function(
@@ -4591,8 +4591,8 @@ def outline_from_cells(cells, columns, origin_x_m, origin_y_m, cell_m, outline):
     0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
     counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
     touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
-    (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + boundary), more for
-    long spirals: divide large grids, as changing terrain is rebuilt by parts anyway."""
+    (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n log n) for a
+    boundary of n edges."""
     cells = _array(uint8_t, cells)
     _count = len(cells)
     count = _c.c_int32()
@@ -4607,7 +4607,7 @@ def outline_from_field(values, columns, threshold, origin_x_m, origin_y_m, spaci
     finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
     columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
     least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
-    another one. cn_outline_simplify removes its collinear points. O(values + boundary)."""
+    another one. cn_outline_simplify removes its collinear points. O(values + n log n)."""
     values = _array(float, values)
     _count = len(values)
     count = _c.c_int32()

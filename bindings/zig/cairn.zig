@@ -1956,14 +1956,14 @@ pub extern fn cn_outline_simplify(points_m: [*]const cn_vec2, count: i32, closed
 /// 0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
 /// counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
 /// touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
-/// (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + boundary), more for
-/// long spirals: divide large grids, as changing terrain is rebuilt by parts anyway.
+/// (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n log n) for a
+/// boundary of n edges.
 pub extern fn cn_outline_from_cells(cells: [*]const u8, count: i32, columns: i32, origin_x_m: f32, origin_y_m: f32, cell_m: f32, outline: i32, out: ?[*]cn_vec2, capacity: i32, out_count: *i32) cn_result;
 /// The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
 /// finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
 /// columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
 /// least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
-/// another one. cn_outline_simplify removes its collinear points. O(values + boundary).
+/// another one. cn_outline_simplify removes its collinear points. O(values + n log n).
 pub extern fn cn_outline_from_field(values: [*]const f32, count: i32, columns: i32, threshold: f32, origin_x_m: f32, origin_y_m: f32, spacing_m: f32, outline: i32, out: ?[*]cn_vec2, capacity: i32, out_count: *i32) cn_result;
 /// The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. The first call for
 /// a kind after a step builds the array, O(events), and can return CN_ERROR_MEMORY; CN_ERROR_LOCKED inside

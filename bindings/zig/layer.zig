@@ -2021,8 +2021,8 @@ pub fn outlineSimplify(gpa: std.mem.Allocator, points_m: []const Vec2, closed: i
 /// 0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
 /// counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
 /// touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
-/// (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + boundary), more for
-/// long spirals: divide large grids, as changing terrain is rebuilt by parts anyway.
+/// (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n log n) for a
+/// boundary of n edges.
 /// The caller frees the slice.
 pub fn outlineFromCells(gpa: std.mem.Allocator, cells: []const u8, columns: i32, origin_x_m: f32, origin_y_m: f32, cell_m: f32, outline: i32) (Error || std.mem.Allocator.Error)![]Vec2 {
     var found: i32 = 0;
@@ -2037,7 +2037,7 @@ pub fn outlineFromCells(gpa: std.mem.Allocator, cells: []const u8, columns: i32,
 /// finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
 /// columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
 /// least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
-/// another one. cn_outline_simplify removes its collinear points. O(values + boundary).
+/// another one. cn_outline_simplify removes its collinear points. O(values + n log n).
 /// The caller frees the slice.
 pub fn outlineFromField(gpa: std.mem.Allocator, values: []const f32, columns: i32, threshold: f32, origin_x_m: f32, origin_y_m: f32, spacing_m: f32, outline: i32) (Error || std.mem.Allocator.Error)![]Vec2 {
     var found: i32 = 0;

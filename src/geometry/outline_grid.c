@@ -6,7 +6,7 @@
  * field, cells are centred on its samples, so each edge separates a solid sample from an empty one, and the outline's point lies between
  * them. Solid cells that touch at a corner only stay apart. No cell is marked: an outline is written from the first of its edges in +x
  * direction, by row and then column, and a walk from another one ends as soon as it meets an earlier one.
- * O(cells + length of the boundary * length between an edge and an earlier one).
+ * O(cells + n log n) for a boundary of n edges.
  */
 #include "geometry/outline.h"
 
@@ -52,15 +52,40 @@ static int32_t walker_is_at(walker w, walker other)
 	return w.x == other.x && w.y == other.y && w.direction == other.direction;
 }
 
+/* The inverse of walker_move, by the two cells behind the corner. */
+static walker walker_move_back(const cni_grid *g, walker w)
+{
+	int32_t d = w.direction, behind_left = (d + 1) & 3, behind_right = (d + 2) & 3;
+	if (!cell_is_solid(g, w.x + left_x[behind_left], w.y + left_y[behind_left]))
+		w.direction = (d + 3) & 3;
+	else if (cell_is_solid(g, w.x + left_x[behind_right], w.y + left_y[behind_right]))
+		w.direction = (d + 1) & 3;
+	w.x -= step_x[w.direction];
+	w.y -= step_y[w.direction];
+	return w;
+}
+
+static int32_t begins_earlier(walker w, walker first)
+{
+	return w.direction == 0 && (w.y < first.y || (w.y == first.y && w.x < first.x));
+}
+
+/* Walks both ways in turn: the steps to an earlier edge the shorter way, summed over a loop of n edges, are O(n log n). */
 static int32_t outline_begins_at(const cni_grid *g, walker first)
 {
-	walker w = first;
-	do {
-		if (w.direction == 0 && (w.y < first.y || (w.y == first.y && w.x < first.x)))
+	walker ahead = first, behind = first;
+	for (;;) {
+		ahead = walker_move(g, ahead);
+		if (walker_is_at(ahead, behind))
+			return 1;
+		if (begins_earlier(ahead, first))
 			return 0;
-		w = walker_move(g, w);
-	} while (!walker_is_at(w, first));
-	return 1;
+		behind = walker_move_back(g, behind);
+		if (walker_is_at(ahead, behind))
+			return 1;
+		if (begins_earlier(behind, first))
+			return 0;
+	}
 }
 
 /* Share of the way from a solid sample to the empty one beyond the walker's edge at which the field has the threshold. It keeps off

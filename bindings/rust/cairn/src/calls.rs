@@ -2020,8 +2020,8 @@ pub fn outline_simplify(points_m: &[Vec2], closed: i32, tolerance_m: f32) -> Res
 /// 0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
 /// counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
 /// touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
-/// (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + boundary), more for
-/// long spirals: divide large grids, as changing terrain is rebuilt by parts anyway.
+/// (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n log n) for a
+/// boundary of n edges.
 pub fn outline_from_cells(cells: &[u8], columns: i32, origin_x_m: f32, origin_y_m: f32, cell_m: f32, outline: i32) -> Result<Vec<Vec2>> {
     let mut count = 0;
     check(unsafe { cairn_sys::cn_outline_from_cells(cells.as_ptr(), cells.len() as i32, columns, origin_x_m, origin_y_m, cell_m, outline, core::ptr::null_mut(), 0, &mut count) })?;
@@ -2037,7 +2037,7 @@ pub fn outline_from_cells(cells: &[u8], columns: i32, origin_x_m: f32, origin_y_
 /// finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
 /// columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
 /// least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
-/// another one. cn_outline_simplify removes its collinear points. O(values + boundary).
+/// another one. cn_outline_simplify removes its collinear points. O(values + n log n).
 pub fn outline_from_field(values: &[f32], columns: i32, threshold: f32, origin_x_m: f32, origin_y_m: f32, spacing_m: f32, outline: i32) -> Result<Vec<Vec2>> {
     let mut count = 0;
     check(unsafe { cairn_sys::cn_outline_from_field(values.as_ptr(), values.len() as i32, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, core::ptr::null_mut(), 0, &mut count) })?;
