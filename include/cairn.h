@@ -945,6 +945,35 @@ CN_API cn_result cn_polygon_make_hull(const cn_vec2 *points_m, int32_t count, fl
    radius_m >= 0. */
 CN_API cn_result cn_polygon_make_box(float half_width_m, float half_height_m, float center_x_m, float center_y_m, float angle_rad, float radius_m, cn_polygon *out);
 
+/* Outlines need not be convex. Pure geometry: no world, any thread, no memory but the stack. */
+
+/* Divides a simple polygon (either winding, 3 to 1024 points) into convex ones for cn_shape_create_polygon in worlds of this length unit
+   ((1e-6 to 1e6); 1 by default), counter-clockwise, with radius_m 0 and without new points: ears are clipped (Meisters, 1975) and
+   triangles merged (Hertel, Mehlhorn, 1983). Points nearer than 0.05% of the length unit to the one before and collinear points are
+   dropped, and pieces thinner than that are left out. CN_ERROR_ARGUMENT for an outline that crosses or touches itself or has no area.
+   Writes at most capacity pieces (>= 0; count - 2 always suffice); out may be NULL when capacity is 0. *out_count is the number of all.
+   34 KB of stack. O(count^2). */
+CN_API cn_result cn_outline_decompose(const cn_vec2 *points_m, int32_t count, float length_unit_m, cn_polygon *out, int32_t capacity, int32_t *out_count);
+/* Keeps those of count (2 to 65536; closed: 3) points from which the simplified line deviates by more than tolerance_m (0 to 1e6),
+   by Douglas and Peucker (1973). closed: 1 if the last point joins the first, else 0. A closed outline within tolerance_m of a segment
+   has 0 points left. A simple outline can cross itself afterwards if parts of it are nearer than tolerance_m. Writes at most capacity
+   points (>= 0); out may be points_m, or NULL when capacity is 0. *out_count is the number of all. O(count * *out_count) at worst. */
+CN_API cn_result cn_outline_simplify(const cn_vec2 *points_m, int32_t count, int32_t closed, float tolerance_m, cn_vec2 *out, int32_t capacity, int32_t *out_count);
+/* An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to 4096), squares of side cell_m > 0
+   with the lower left corner of the first at the origin. cells[row * columns + column] is not 0 where solid; row 0 is the lowest.
+   outline is the outline's number, from 0; *out_count is 0 where there are not so many. The outline is a loop for
+   cn_shape_create_chain, solid on its left: counter-clockwise around solids, clockwise around holes. Its points are corners of
+   cells. Solid cells that touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
+   (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n log n) for a boundary of n edges. */
+CN_API cn_result cn_outline_from_cells(const uint8_t *cells, int32_t count, int32_t columns, float origin_x_m, float origin_y_m, float cell_m, int32_t outline,
+                                       cn_vec2 *out, int32_t capacity, int32_t *out_count);
+/* The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all finite, is the value at the origin +
+   spacing_m * (column, row), solid from threshold, with at least 2 columns and rows. A point of an outline lies between two
+   neighbouring samples, by linear interpolation, at least spacing_m / 64 from both; the grid's border closes outlines. An outline
+   never touches itself or another one. cn_outline_simplify removes its collinear points. O(values + n log n). */
+CN_API cn_result cn_outline_from_field(const float *values, int32_t count, int32_t columns, float threshold, float origin_x_m, float origin_y_m, float spacing_m,
+                                       int32_t outline, cn_vec2 *out, int32_t capacity, int32_t *out_count);
+
 /* ------------------------------------------------------------------ contacts and their events */
 
 /* One point of a contact. */

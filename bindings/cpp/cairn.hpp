@@ -2160,6 +2160,75 @@ inline Result<cn_polygon> polygon_make_box(float half_width_m, float half_height
 	return { Status(code, nullptr), std::move(out_out) };
 }
 
+/// Divides a simple polygon (either winding, 3 to 1024 points) into convex ones for cn_shape_create_polygon
+/// in worlds of this length unit ((1e-6 to 1e6); 1 by default), counter-clockwise, with radius_m 0 and
+/// without new points: ears are clipped (Meisters, 1975) and triangles merged (Hertel, Mehlhorn, 1983).
+/// Points nearer than 0.05% of the length unit to the one before and collinear points are dropped, and pieces
+/// thinner than that are left out. CN_ERROR_ARGUMENT for an outline that crosses or touches itself or has no
+/// area. Writes at most capacity pieces (>= 0; count - 2 always suffice); out may be NULL when capacity is 0.
+/// *out_count is the number of all. 34 KB of stack. O(count^2).
+inline Result<std::vector<cn_polygon>> outline_decompose(Slice<const cn_vec2> points_m, float length_unit_m)
+{
+	std::vector<cn_polygon> list;
+	int32_t count = 0;
+	cn_result code = cn_outline_decompose(points_m.data(), static_cast<int32_t>(points_m.size()), length_unit_m, nullptr, 0, &count);
+	list.resize(static_cast<std::size_t>(count));
+	if (code == CN_OK && count > 0)
+		code = cn_outline_decompose(points_m.data(), static_cast<int32_t>(points_m.size()), length_unit_m, list.data(), count, &count);
+	return { Status(code, nullptr), std::move(list) };
+}
+
+/// Keeps those of count (2 to 65536; closed: 3) points from which the simplified line deviates by more than
+/// tolerance_m (0 to 1e6), by Douglas and Peucker (1973). closed: 1 if the last point joins the first, else
+/// 0. A closed outline within tolerance_m of a segment has 0 points left. A simple outline can cross itself
+/// afterwards if parts of it are nearer than tolerance_m. Writes at most capacity points (>= 0); out may be
+/// points_m, or NULL when capacity is 0. *out_count is the number of all. O(count * *out_count) at worst.
+inline Result<std::vector<cn_vec2>> outline_simplify(Slice<const cn_vec2> points_m, int32_t closed, float tolerance_m)
+{
+	std::vector<cn_vec2> list;
+	int32_t count = 0;
+	cn_result code = cn_outline_simplify(points_m.data(), static_cast<int32_t>(points_m.size()), closed, tolerance_m, nullptr, 0, &count);
+	list.resize(static_cast<std::size_t>(count));
+	if (code == CN_OK && count > 0)
+		code = cn_outline_simplify(points_m.data(), static_cast<int32_t>(points_m.size()), closed, tolerance_m, list.data(), count, &count);
+	return { Status(code, nullptr), std::move(list) };
+}
+
+/// An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to 4096),
+/// squares of side cell_m > 0 with the lower left corner of the first at the origin. cells[row * columns +
+/// column] is not 0 where solid; row 0 is the lowest. outline is the outline's number, from 0; *out_count is
+/// 0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
+/// counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
+/// touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
+/// (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n log n) for a
+/// boundary of n edges.
+inline Result<std::vector<cn_vec2>> outline_from_cells(Slice<const uint8_t> cells, int32_t columns, float origin_x_m, float origin_y_m, float cell_m, int32_t outline)
+{
+	std::vector<cn_vec2> list;
+	int32_t count = 0;
+	cn_result code = cn_outline_from_cells(cells.data(), static_cast<int32_t>(cells.size()), columns, origin_x_m, origin_y_m, cell_m, outline, nullptr, 0, &count);
+	list.resize(static_cast<std::size_t>(count));
+	if (code == CN_OK && count > 0)
+		code = cn_outline_from_cells(cells.data(), static_cast<int32_t>(cells.size()), columns, origin_x_m, origin_y_m, cell_m, outline, list.data(), count, &count);
+	return { Status(code, nullptr), std::move(list) };
+}
+
+/// The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
+/// finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
+/// columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
+/// least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
+/// another one. cn_outline_simplify removes its collinear points. O(values + n log n).
+inline Result<std::vector<cn_vec2>> outline_from_field(Slice<const float> values, int32_t columns, float threshold, float origin_x_m, float origin_y_m, float spacing_m, int32_t outline)
+{
+	std::vector<cn_vec2> list;
+	int32_t count = 0;
+	cn_result code = cn_outline_from_field(values.data(), static_cast<int32_t>(values.size()), columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, nullptr, 0, &count);
+	list.resize(static_cast<std::size_t>(count));
+	if (code == CN_OK && count > 0)
+		code = cn_outline_from_field(values.data(), static_cast<int32_t>(values.size()), columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, list.data(), count, &count);
+	return { Status(code, nullptr), std::move(list) };
+}
+
 /// Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their
 /// radii are apart, else by their Minkowski difference. Needs no world; runs in any thread. O(points).
 inline Result<cn_distance> polygon_distance(const cn_polygon &a, const cn_pose &pose_a, const cn_polygon &b, const cn_pose &pose_b)

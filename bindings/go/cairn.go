@@ -3575,6 +3575,88 @@ func PolygonMakeBox(half_width_m float32, half_height_m float32, center_x_m floa
 	return out0, nil
 }
 
+// OutlineDecompose: Divides a simple polygon (either winding, 3 to 1024 points) into convex ones for
+// cn_shape_create_polygon in worlds of this length unit ((1e-6 to 1e6); 1 by default), counter-clockwise,
+// with radius_m 0 and without new points: ears are clipped (Meisters, 1975) and triangles merged (Hertel,
+// Mehlhorn, 1983). Points nearer than 0.05% of the length unit to the one before and collinear points are
+// dropped, and pieces thinner than that are left out. CN_ERROR_ARGUMENT for an outline that crosses or
+// touches itself or has no area. Writes at most capacity pieces (>= 0; count - 2 always suffice); out may be
+// NULL when capacity is 0. *out_count is the number of all. 34 KB of stack. O(count^2).
+func OutlineDecompose(points_m []Vec2, length_unit_m float32) ([]Polygon, error) {
+	var count C.int32_t
+	if err := check(C.cn_outline_decompose((*C.cn_vec2)(unsafe.Pointer(unsafe.SliceData(points_m))), C.int32_t(len(points_m)), C.float(length_unit_m), nil, 0, &count)); err != nil {
+		return *new([]Polygon), err
+	}
+	out := make([]Polygon, count)
+	if count > 0 {
+		if err := check(C.cn_outline_decompose((*C.cn_vec2)(unsafe.Pointer(unsafe.SliceData(points_m))), C.int32_t(len(points_m)), C.float(length_unit_m), (*C.cn_polygon)(unsafe.Pointer(&out[0])), count, &count)); err != nil {
+			return *new([]Polygon), err
+		}
+	}
+	return out, nil
+}
+
+// OutlineSimplify: Keeps those of count (2 to 65536; closed: 3) points from which the simplified line
+// deviates by more than tolerance_m (0 to 1e6), by Douglas and Peucker (1973). closed: 1 if the last point
+// joins the first, else 0. A closed outline within tolerance_m of a segment has 0 points left. A simple
+// outline can cross itself afterwards if parts of it are nearer than tolerance_m. Writes at most capacity
+// points (>= 0); out may be points_m, or NULL when capacity is 0. *out_count is the number of all. O(count *
+// *out_count) at worst.
+func OutlineSimplify(points_m []Vec2, closed int32, tolerance_m float32) ([]Vec2, error) {
+	var count C.int32_t
+	if err := check(C.cn_outline_simplify((*C.cn_vec2)(unsafe.Pointer(unsafe.SliceData(points_m))), C.int32_t(len(points_m)), C.int32_t(closed), C.float(tolerance_m), nil, 0, &count)); err != nil {
+		return *new([]Vec2), err
+	}
+	out := make([]Vec2, count)
+	if count > 0 {
+		if err := check(C.cn_outline_simplify((*C.cn_vec2)(unsafe.Pointer(unsafe.SliceData(points_m))), C.int32_t(len(points_m)), C.int32_t(closed), C.float(tolerance_m), (*C.cn_vec2)(unsafe.Pointer(&out[0])), count, &count)); err != nil {
+			return *new([]Vec2), err
+		}
+	}
+	return out, nil
+}
+
+// OutlineFromCells: An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its
+// rows (1 to 4096), squares of side cell_m > 0 with the lower left corner of the first at the origin.
+// cells[row * columns + column] is not 0 where solid; row 0 is the lowest. outline is the outline's number,
+// from 0; *out_count is 0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid
+// on its left: counter-clockwise around solids, clockwise around holes. Its points are corners of cells.
+// Solid cells that touch at a corner only are apart; an outline may pass such a corner twice. Writes at most
+// capacity points (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n
+// log n) for a boundary of n edges.
+func OutlineFromCells(cells []uint8, columns int32, origin_x_m float32, origin_y_m float32, cell_m float32, outline int32) ([]Vec2, error) {
+	var count C.int32_t
+	if err := check(C.cn_outline_from_cells((*C.uint8_t)(unsafe.Pointer(unsafe.SliceData(cells))), C.int32_t(len(cells)), C.int32_t(columns), C.float(origin_x_m), C.float(origin_y_m), C.float(cell_m), C.int32_t(outline), nil, 0, &count)); err != nil {
+		return *new([]Vec2), err
+	}
+	out := make([]Vec2, count)
+	if count > 0 {
+		if err := check(C.cn_outline_from_cells((*C.uint8_t)(unsafe.Pointer(unsafe.SliceData(cells))), C.int32_t(len(cells)), C.int32_t(columns), C.float(origin_x_m), C.float(origin_y_m), C.float(cell_m), C.int32_t(outline), (*C.cn_vec2)(unsafe.Pointer(&out[0])), count, &count)); err != nil {
+			return *new([]Vec2), err
+		}
+	}
+	return out, nil
+}
+
+// OutlineFromField: The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns +
+// column], all finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at
+// least 2 columns and rows. A point of an outline lies between two neighbouring samples, by linear
+// interpolation, at least spacing_m / 64 from both; the grid's border closes outlines. An outline never
+// touches itself or another one. cn_outline_simplify removes its collinear points. O(values + n log n).
+func OutlineFromField(values []float32, columns int32, threshold float32, origin_x_m float32, origin_y_m float32, spacing_m float32, outline int32) ([]Vec2, error) {
+	var count C.int32_t
+	if err := check(C.cn_outline_from_field((*C.float)(unsafe.Pointer(unsafe.SliceData(values))), C.int32_t(len(values)), C.int32_t(columns), C.float(threshold), C.float(origin_x_m), C.float(origin_y_m), C.float(spacing_m), C.int32_t(outline), nil, 0, &count)); err != nil {
+		return *new([]Vec2), err
+	}
+	out := make([]Vec2, count)
+	if count > 0 {
+		if err := check(C.cn_outline_from_field((*C.float)(unsafe.Pointer(unsafe.SliceData(values))), C.int32_t(len(values)), C.int32_t(columns), C.float(threshold), C.float(origin_x_m), C.float(origin_y_m), C.float(spacing_m), C.int32_t(outline), (*C.cn_vec2)(unsafe.Pointer(&out[0])), count, &count)); err != nil {
+			return *new([]Vec2), err
+		}
+	}
+	return out, nil
+}
+
 // PolygonDistance: Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes
 // without their radii are apart, else by their Minkowski difference. Needs no world; runs in any thread.
 // O(points).

@@ -1737,6 +1737,35 @@ export function polygonMakeHull(points_m: In<Vec2>[] | Float32Array, radius_m: n
 /** A box of half sizes > 0 in metres, with its centre in metres, turned about its own centre by angle_rad
 (|angle| <= 1e4); radius_m >= 0. */
 export function polygonMakeBox(half_width_m: number, half_height_m: number, center_x_m: number, center_y_m: number, angle_rad: number, radius_m: number): Polygon;
+/** Divides a simple polygon (either winding, 3 to 1024 points) into convex ones for cn_shape_create_polygon
+in worlds of this length unit ((1e-6 to 1e6); 1 by default), counter-clockwise, with radius_m 0 and without
+new points: ears are clipped (Meisters, 1975) and triangles merged (Hertel, Mehlhorn, 1983). Points nearer
+than 0.05% of the length unit to the one before and collinear points are dropped, and pieces thinner than that
+are left out. CN_ERROR_ARGUMENT for an outline that crosses or touches itself or has no area. Writes at most
+capacity pieces (>= 0; count - 2 always suffice); out may be NULL when capacity is 0. *out_count is the number
+of all. 34 KB of stack. O(count^2). */
+export function outlineDecompose(points_m: In<Vec2>[] | Float32Array, length_unit_m: number): Polygon[];
+/** Keeps those of count (2 to 65536; closed: 3) points from which the simplified line deviates by more than
+tolerance_m (0 to 1e6), by Douglas and Peucker (1973). closed: 1 if the last point joins the first, else 0. A
+closed outline within tolerance_m of a segment has 0 points left. A simple outline can cross itself afterwards
+if parts of it are nearer than tolerance_m. Writes at most capacity points (>= 0); out may be points_m, or
+NULL when capacity is 0. *out_count is the number of all. O(count * *out_count) at worst. */
+export function outlineSimplify(points_m: In<Vec2>[] | Float32Array, closed: number, tolerance_m: number): Float32Array;
+/** An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to 4096),
+squares of side cell_m > 0 with the lower left corner of the first at the origin. cells[row * columns +
+column] is not 0 where solid; row 0 is the lowest. outline is the outline's number, from 0; *out_count is 0
+where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
+counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
+touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points (>=
+0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n log n) for a boundary of
+n edges. */
+export function outlineFromCells(cells: In<number>[], columns: number, origin_x_m: number, origin_y_m: number, cell_m: number, outline: number): Float32Array;
+/** The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
+finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2 columns
+and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at least
+spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or another one.
+cn_outline_simplify removes its collinear points. O(values + n log n). */
+export function outlineFromField(values: In<number>[], columns: number, threshold: number, origin_x_m: number, origin_y_m: number, spacing_m: number, outline: number): Float32Array;
 /** Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their
 radii are apart, else by their Minkowski difference. Needs no world; runs in any thread. O(points). */
 export function polygonDistance(a: In<Polygon>, pose_a: In<Pose>, b: In<Polygon>, pose_b: In<Pose>): Distance;

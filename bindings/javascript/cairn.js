@@ -2158,6 +2158,58 @@ export function polygonMakeBox(half_width_m, half_height_m, center_x_m, center_y
 	return readStruct("cn_polygon", o_out);
 }
 
+export function outlineDecompose(points_m, length_unit_m) {
+	begin();
+	const count = size("cn_vec2", points_m);
+	const p_points_m = array("cn_vec2", points_m);
+	const number = take(4);
+	check(raw.cn_outline_decompose(p_points_m, count, length_unit_m, 0, 0, number));
+	refresh();
+	const found = view.getInt32(number, true), out = take(stride("cn_polygon") * found || 1);
+	if (found > 0)
+			check(raw.cn_outline_decompose(p_points_m, count, length_unit_m, out, found, number));
+	return list("cn_polygon", out, found);
+}
+
+export function outlineSimplify(points_m, closed, tolerance_m) {
+	begin();
+	const count = size("cn_vec2", points_m);
+	const p_points_m = array("cn_vec2", points_m);
+	const number = take(4);
+	check(raw.cn_outline_simplify(p_points_m, count, closed, tolerance_m, 0, 0, number));
+	refresh();
+	const found = view.getInt32(number, true), out = take(stride("cn_vec2") * found || 1);
+	if (found > 0)
+			check(raw.cn_outline_simplify(p_points_m, count, closed, tolerance_m, out, found, number));
+	return list("cn_vec2", out, found);
+}
+
+export function outlineFromCells(cells, columns, origin_x_m, origin_y_m, cell_m, outline) {
+	begin();
+	const count = size("u8", cells);
+	const p_cells = array("u8", cells);
+	const number = take(4);
+	check(raw.cn_outline_from_cells(p_cells, count, columns, origin_x_m, origin_y_m, cell_m, outline, 0, 0, number));
+	refresh();
+	const found = view.getInt32(number, true), out = take(stride("cn_vec2") * found || 1);
+	if (found > 0)
+			check(raw.cn_outline_from_cells(p_cells, count, columns, origin_x_m, origin_y_m, cell_m, outline, out, found, number));
+	return list("cn_vec2", out, found);
+}
+
+export function outlineFromField(values, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline) {
+	begin();
+	const count = size("f32", values);
+	const p_values = array("f32", values);
+	const number = take(4);
+	check(raw.cn_outline_from_field(p_values, count, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, 0, 0, number));
+	refresh();
+	const found = view.getInt32(number, true), out = take(stride("cn_vec2") * found || 1);
+	if (found > 0)
+			check(raw.cn_outline_from_field(p_values, count, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, out, found, number));
+	return list("cn_vec2", out, found);
+}
+
 export function polygonDistance(a, pose_a, b, pose_b) {
 	begin();
 	const p_a = struct("cn_polygon", a);

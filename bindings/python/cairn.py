@@ -1883,6 +1883,47 @@ cn_polygon_make_box = _function(
     (|angle| <= 1e4); radius_m >= 0.""",
     cn_result, _c.c_float, _c.c_float, _c.c_float, _c.c_float, _c.c_float, _c.c_float, _c.POINTER(cn_polygon),
 )
+cn_outline_decompose = _function(
+    "cn_outline_decompose",
+    """Divides a simple polygon (either winding, 3 to 1024 points) into convex ones for cn_shape_create_polygon
+    in worlds of this length unit ((1e-6 to 1e6); 1 by default), counter-clockwise, with radius_m 0 and
+    without new points: ears are clipped (Meisters, 1975) and triangles merged (Hertel, Mehlhorn, 1983).
+    Points nearer than 0.05% of the length unit to the one before and collinear points are dropped, and pieces
+    thinner than that are left out. CN_ERROR_ARGUMENT for an outline that crosses or touches itself or has no
+    area. Writes at most capacity pieces (>= 0; count - 2 always suffice); out may be NULL when capacity is 0.
+    *out_count is the number of all. 34 KB of stack. O(count^2).""",
+    cn_result, _c.POINTER(cn_vec2), _c.c_int32, _c.c_float, _c.POINTER(cn_polygon), _c.c_int32, _c.POINTER(_c.c_int32),
+)
+cn_outline_simplify = _function(
+    "cn_outline_simplify",
+    """Keeps those of count (2 to 65536; closed: 3) points from which the simplified line deviates by more than
+    tolerance_m (0 to 1e6), by Douglas and Peucker (1973). closed: 1 if the last point joins the first, else
+    0. A closed outline within tolerance_m of a segment has 0 points left. A simple outline can cross itself
+    afterwards if parts of it are nearer than tolerance_m. Writes at most capacity points (>= 0); out may be
+    points_m, or NULL when capacity is 0. *out_count is the number of all. O(count * *out_count) at worst.""",
+    cn_result, _c.POINTER(cn_vec2), _c.c_int32, _c.c_int32, _c.c_float, _c.POINTER(cn_vec2), _c.c_int32, _c.POINTER(_c.c_int32),
+)
+cn_outline_from_cells = _function(
+    "cn_outline_from_cells",
+    """An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to 4096),
+    squares of side cell_m > 0 with the lower left corner of the first at the origin. cells[row * columns +
+    column] is not 0 where solid; row 0 is the lowest. outline is the outline's number, from 0; *out_count is
+    0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
+    counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
+    touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
+    (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n log n) for a
+    boundary of n edges.""",
+    cn_result, _c.POINTER(_c.c_uint8), _c.c_int32, _c.c_int32, _c.c_float, _c.c_float, _c.c_float, _c.c_int32, _c.POINTER(cn_vec2), _c.c_int32, _c.POINTER(_c.c_int32),
+)
+cn_outline_from_field = _function(
+    "cn_outline_from_field",
+    """The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
+    finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
+    columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
+    least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
+    another one. cn_outline_simplify removes its collinear points. O(values + n log n).""",
+    cn_result, _c.POINTER(_c.c_float), _c.c_int32, _c.c_int32, _c.c_float, _c.c_float, _c.c_float, _c.c_float, _c.c_int32, _c.POINTER(cn_vec2), _c.c_int32, _c.POINTER(_c.c_int32),
+)
 cn_world_contact_events = _function(
     "cn_world_contact_events",
     """The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. The first call for
@@ -4461,6 +4502,71 @@ def polygon_make_box(half_width_m, half_height_m, center_x_m, center_y_m, angle_
     _out = cn_polygon()
     _check(cn_polygon_make_box(half_width_m, half_height_m, center_x_m, center_y_m, angle_rad, radius_m, _out))
     return _out
+
+
+def outline_decompose(points_m, length_unit_m):
+    """Divides a simple polygon (either winding, 3 to 1024 points) into convex ones for cn_shape_create_polygon
+    in worlds of this length unit ((1e-6 to 1e6); 1 by default), counter-clockwise, with radius_m 0 and
+    without new points: ears are clipped (Meisters, 1975) and triangles merged (Hertel, Mehlhorn, 1983).
+    Points nearer than 0.05% of the length unit to the one before and collinear points are dropped, and pieces
+    thinner than that are left out. CN_ERROR_ARGUMENT for an outline that crosses or touches itself or has no
+    area. Writes at most capacity pieces (>= 0; count - 2 always suffice); out may be NULL when capacity is 0.
+    *out_count is the number of all. 34 KB of stack. O(count^2)."""
+    points_m = _array(cn_vec2, points_m)
+    _count = len(points_m)
+    count = _c.c_int32()
+    _check(cn_outline_decompose(points_m, _count, length_unit_m, None, 0, count))
+    out = (cn_polygon * count.value)()
+    _check(cn_outline_decompose(points_m, _count, length_unit_m, out, count, count))
+    return out
+
+
+def outline_simplify(points_m, closed, tolerance_m):
+    """Keeps those of count (2 to 65536; closed: 3) points from which the simplified line deviates by more than
+    tolerance_m (0 to 1e6), by Douglas and Peucker (1973). closed: 1 if the last point joins the first, else
+    0. A closed outline within tolerance_m of a segment has 0 points left. A simple outline can cross itself
+    afterwards if parts of it are nearer than tolerance_m. Writes at most capacity points (>= 0); out may be
+    points_m, or NULL when capacity is 0. *out_count is the number of all. O(count * *out_count) at worst."""
+    points_m = _array(cn_vec2, points_m)
+    _count = len(points_m)
+    count = _c.c_int32()
+    _check(cn_outline_simplify(points_m, _count, closed, tolerance_m, None, 0, count))
+    out = (cn_vec2 * count.value)()
+    _check(cn_outline_simplify(points_m, _count, closed, tolerance_m, out, count, count))
+    return out
+
+
+def outline_from_cells(cells, columns, origin_x_m, origin_y_m, cell_m, outline):
+    """An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to 4096),
+    squares of side cell_m > 0 with the lower left corner of the first at the origin. cells[row * columns +
+    column] is not 0 where solid; row 0 is the lowest. outline is the outline's number, from 0; *out_count is
+    0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
+    counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
+    touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
+    (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n log n) for a
+    boundary of n edges."""
+    cells = _array(uint8_t, cells)
+    _count = len(cells)
+    count = _c.c_int32()
+    _check(cn_outline_from_cells(cells, _count, columns, origin_x_m, origin_y_m, cell_m, outline, None, 0, count))
+    out = (cn_vec2 * count.value)()
+    _check(cn_outline_from_cells(cells, _count, columns, origin_x_m, origin_y_m, cell_m, outline, out, count, count))
+    return out
+
+
+def outline_from_field(values, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline):
+    """The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
+    finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
+    columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
+    least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
+    another one. cn_outline_simplify removes its collinear points. O(values + n log n)."""
+    values = _array(float, values)
+    _count = len(values)
+    count = _c.c_int32()
+    _check(cn_outline_from_field(values, _count, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, None, 0, count))
+    out = (cn_vec2 * count.value)()
+    _check(cn_outline_from_field(values, _count, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, out, count, count))
+    return out
 
 
 def polygon_distance(a, pose_a, b, pose_b):

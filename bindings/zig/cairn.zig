@@ -1936,6 +1936,35 @@ pub extern fn cn_polygon_make_hull(points_m: [*]const cn_vec2, count: i32, radiu
 /// A box of half sizes > 0 in metres, with its centre in metres, turned about its own centre by angle_rad
 /// (|angle| <= 1e4); radius_m >= 0.
 pub extern fn cn_polygon_make_box(half_width_m: f32, half_height_m: f32, center_x_m: f32, center_y_m: f32, angle_rad: f32, radius_m: f32, out: *cn_polygon) cn_result;
+/// Divides a simple polygon (either winding, 3 to 1024 points) into convex ones for cn_shape_create_polygon
+/// in worlds of this length unit ((1e-6 to 1e6); 1 by default), counter-clockwise, with radius_m 0 and
+/// without new points: ears are clipped (Meisters, 1975) and triangles merged (Hertel, Mehlhorn, 1983).
+/// Points nearer than 0.05% of the length unit to the one before and collinear points are dropped, and pieces
+/// thinner than that are left out. CN_ERROR_ARGUMENT for an outline that crosses or touches itself or has no
+/// area. Writes at most capacity pieces (>= 0; count - 2 always suffice); out may be NULL when capacity is 0.
+/// *out_count is the number of all. 34 KB of stack. O(count^2).
+pub extern fn cn_outline_decompose(points_m: [*]const cn_vec2, count: i32, length_unit_m: f32, out: ?[*]cn_polygon, capacity: i32, out_count: *i32) cn_result;
+/// Keeps those of count (2 to 65536; closed: 3) points from which the simplified line deviates by more than
+/// tolerance_m (0 to 1e6), by Douglas and Peucker (1973). closed: 1 if the last point joins the first, else
+/// 0. A closed outline within tolerance_m of a segment has 0 points left. A simple outline can cross itself
+/// afterwards if parts of it are nearer than tolerance_m. Writes at most capacity points (>= 0); out may be
+/// points_m, or NULL when capacity is 0. *out_count is the number of all. O(count * *out_count) at worst.
+pub extern fn cn_outline_simplify(points_m: [*]const cn_vec2, count: i32, closed: i32, tolerance_m: f32, out: ?[*]cn_vec2, capacity: i32, out_count: *i32) cn_result;
+/// An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to 4096),
+/// squares of side cell_m > 0 with the lower left corner of the first at the origin. cells[row * columns +
+/// column] is not 0 where solid; row 0 is the lowest. outline is the outline's number, from 0; *out_count is
+/// 0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
+/// counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
+/// touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
+/// (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n log n) for a
+/// boundary of n edges.
+pub extern fn cn_outline_from_cells(cells: [*]const u8, count: i32, columns: i32, origin_x_m: f32, origin_y_m: f32, cell_m: f32, outline: i32, out: ?[*]cn_vec2, capacity: i32, out_count: *i32) cn_result;
+/// The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
+/// finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
+/// columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
+/// least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
+/// another one. cn_outline_simplify removes its collinear points. O(values + n log n).
+pub extern fn cn_outline_from_field(values: [*]const f32, count: i32, columns: i32, threshold: f32, origin_x_m: f32, origin_y_m: f32, spacing_m: f32, outline: i32, out: ?[*]cn_vec2, capacity: i32, out_count: *i32) cn_result;
 /// The contact events of one kind (CN_EVENT_*) of the last step, in a deterministic order. The first call for
 /// a kind after a step builds the array, O(events), and can return CN_ERROR_MEMORY; CN_ERROR_LOCKED inside
 /// callbacks. Every CREATED gets a DESTROYED and every ENTER a LEAVE, however the pair ends (moved apart,

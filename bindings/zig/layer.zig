@@ -1927,6 +1927,71 @@ pub fn polygonMakeBox(half_width_m: f32, half_height_m: f32, center_x_m: f32, ce
     return out0;
 }
 
+/// Divides a simple polygon (either winding, 3 to 1024 points) into convex ones for cn_shape_create_polygon
+/// in worlds of this length unit ((1e-6 to 1e6); 1 by default), counter-clockwise, with radius_m 0 and
+/// without new points: ears are clipped (Meisters, 1975) and triangles merged (Hertel, Mehlhorn, 1983).
+/// Points nearer than 0.05% of the length unit to the one before and collinear points are dropped, and pieces
+/// thinner than that are left out. CN_ERROR_ARGUMENT for an outline that crosses or touches itself or has no
+/// area. Writes at most capacity pieces (>= 0; count - 2 always suffice); out may be NULL when capacity is 0.
+/// *out_count is the number of all. 34 KB of stack. O(count^2).
+/// The caller frees the slice.
+pub fn outlineDecompose(gpa: std.mem.Allocator, points_m: []const Vec2, length_unit_m: f32) (Error || std.mem.Allocator.Error)![]Polygon {
+    var found: i32 = 0;
+    try check(c.cn_outline_decompose(points_m.ptr, @intCast(points_m.len), length_unit_m, null, 0, &found));
+    const list = try gpa.alloc(Polygon, @intCast(found));
+    errdefer gpa.free(list);
+    if (found > 0) try check(c.cn_outline_decompose(points_m.ptr, @intCast(points_m.len), length_unit_m, list.ptr, found, &found));
+    return list;
+}
+
+/// Keeps those of count (2 to 65536; closed: 3) points from which the simplified line deviates by more than
+/// tolerance_m (0 to 1e6), by Douglas and Peucker (1973). closed: 1 if the last point joins the first, else
+/// 0. A closed outline within tolerance_m of a segment has 0 points left. A simple outline can cross itself
+/// afterwards if parts of it are nearer than tolerance_m. Writes at most capacity points (>= 0); out may be
+/// points_m, or NULL when capacity is 0. *out_count is the number of all. O(count * *out_count) at worst.
+/// The caller frees the slice.
+pub fn outlineSimplify(gpa: std.mem.Allocator, points_m: []const Vec2, closed: i32, tolerance_m: f32) (Error || std.mem.Allocator.Error)![]Vec2 {
+    var found: i32 = 0;
+    try check(c.cn_outline_simplify(points_m.ptr, @intCast(points_m.len), closed, tolerance_m, null, 0, &found));
+    const list = try gpa.alloc(Vec2, @intCast(found));
+    errdefer gpa.free(list);
+    if (found > 0) try check(c.cn_outline_simplify(points_m.ptr, @intCast(points_m.len), closed, tolerance_m, list.ptr, found, &found));
+    return list;
+}
+
+/// An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to 4096),
+/// squares of side cell_m > 0 with the lower left corner of the first at the origin. cells[row * columns +
+/// column] is not 0 where solid; row 0 is the lowest. outline is the outline's number, from 0; *out_count is
+/// 0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
+/// counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
+/// touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
+/// (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n log n) for a
+/// boundary of n edges.
+/// The caller frees the slice.
+pub fn outlineFromCells(gpa: std.mem.Allocator, cells: []const u8, columns: i32, origin_x_m: f32, origin_y_m: f32, cell_m: f32, outline: i32) (Error || std.mem.Allocator.Error)![]Vec2 {
+    var found: i32 = 0;
+    try check(c.cn_outline_from_cells(cells.ptr, @intCast(cells.len), columns, origin_x_m, origin_y_m, cell_m, outline, null, 0, &found));
+    const list = try gpa.alloc(Vec2, @intCast(found));
+    errdefer gpa.free(list);
+    if (found > 0) try check(c.cn_outline_from_cells(cells.ptr, @intCast(cells.len), columns, origin_x_m, origin_y_m, cell_m, outline, list.ptr, found, &found));
+    return list;
+}
+
+/// The same for a field by marching squares (Lorensen, Cline, 1987): values[row * columns + column], all
+/// finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
+/// columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
+/// least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
+/// another one. cn_outline_simplify removes its collinear points. O(values + n log n).
+/// The caller frees the slice.
+pub fn outlineFromField(gpa: std.mem.Allocator, values: []const f32, columns: i32, threshold: f32, origin_x_m: f32, origin_y_m: f32, spacing_m: f32, outline: i32) (Error || std.mem.Allocator.Error)![]Vec2 {
+    var found: i32 = 0;
+    try check(c.cn_outline_from_field(values.ptr, @intCast(values.len), columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, null, 0, &found));
+    const list = try gpa.alloc(Vec2, @intCast(found));
+    errdefer gpa.free(list);
+    if (found > 0) try check(c.cn_outline_from_field(values.ptr, @intCast(values.len), columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, list.ptr, found, &found));
+    return list;
+}
+
 /// Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their
 /// radii are apart, else by their Minkowski difference. Needs no world; runs in any thread. O(points).
 pub fn polygonDistance(a: *const Polygon, pose_a: *const Pose, b: *const Polygon, pose_b: *const Pose) Error!Distance {

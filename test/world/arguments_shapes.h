@@ -143,6 +143,65 @@ ENTRY(cn_polygon_make_hull, cn_polygon_make_hull(GOOD_POINTS, 4, 0.0f, OUT(cn_po
 	NOT_NEGATIVE(x, cn_polygon_make_hull(GOOD_POINTS, 4, x, OUT(cn_polygon))); POSITION(v, cn_polygon_make_hull(hull_points(0, v), 4, 0.0f, OUT(cn_polygon)));
 	ARG(cn_polygon_make_hull(hull_points(1, v2(0.0f, 0.0f)), 4, 0.0f, OUT(cn_polygon)));
 	ARG(cn_polygon_make_hull(hull_points(2, v2(0.0f, 0.0f)), 4, 0.0f, OUT(cn_polygon)));)
+#define DECOMPOSE(points, count) cn_outline_decompose(points, count, 1.0f, OUT(cn_polygon), 2, OUT(int32_t) + 100)
+ENTRY(cn_outline_decompose, DECOMPOSE(GOOD_POINTS, 4),
+	ARG(DECOMPOSE(NULL, 4)); INTEGER(x, 2, 1025, DECOMPOSE(GOOD_POINTS, x)); POSITION(v, DECOMPOSE(hull_points(0, v), 4));
+	ARG(DECOMPOSE(hull_points(1, v2(0.0f, 0.0f)), 4)); ARG(DECOMPOSE(hull_points(0, v2(0.9f, -1.0f)), 4));
+	RANGE(x, 0.0f, 1.1e6f, cn_outline_decompose(GOOD_POINTS, 4, x, OUT(cn_polygon), 2, OUT(int32_t) + 100));
+	ARG(cn_outline_decompose(GOOD_POINTS, 4, 1.0f, NULL, 2, OUT(int32_t) + 100));
+	ARG(cn_outline_decompose(GOOD_POINTS, 4, 1.0f, OUT(cn_polygon), -1, OUT(int32_t) + 100));
+	ARG(cn_outline_decompose(GOOD_POINTS, 4, 1.0f, OUT(cn_polygon), 2, NULL));)
+#define SIMPLIFY(points, count, closed) cn_outline_simplify(points, count, closed, 0.1f, OUT(cn_vec2), 4, OUT(int32_t) + 100)
+ENTRY(cn_outline_simplify, SIMPLIFY(GOOD_POINTS, 4, 1),
+	ARG(SIMPLIFY(NULL, 4, 1)); INTEGER(x, 2, 65537, SIMPLIFY(GOOD_POINTS, x, 1)); INTEGER(x, 1, 65537, SIMPLIFY(GOOD_POINTS, x, 0));
+	INTEGER(x, -1, 2, SIMPLIFY(GOOD_POINTS, 4, x)); POSITION(v, SIMPLIFY(hull_points(0, v), 4, 1));
+	NOT_NEGATIVE(x, cn_outline_simplify(GOOD_POINTS, 4, 1, x, OUT(cn_vec2), 4, OUT(int32_t) + 100));
+	ARG(cn_outline_simplify(GOOD_POINTS, 4, 1, 0.1f, NULL, 4, OUT(int32_t) + 100));
+	ARG(cn_outline_simplify(GOOD_POINTS, 4, 1, 0.1f, OUT(cn_vec2), -1, OUT(int32_t) + 100));
+	ARG(cn_outline_simplify(GOOD_POINTS, 4, 1, 0.1f, OUT(cn_vec2), 4, NULL));)
+static const uint8_t good_cells[4] = { 1, 0, 1, 1 };
+static cn_result cells_at(int32_t count, int32_t columns, cn_vec2 origin, float side)
+{
+	return cn_outline_from_cells(good_cells, count, columns, origin.x, origin.y, side, 0, OUT(cn_vec2), 8, OUT(int32_t) + 100);
+}
+static cn_result cells_to(const uint8_t *cells, int32_t first, cn_vec2 *out, int32_t capacity, int32_t *a)
+{
+	return cn_outline_from_cells(cells, 4, 2, 0.0f, 0.0f, 1.0f, first, out, capacity, a);
+}
+ENTRY(cn_outline_from_cells, cells_at(4, 2, v2(0.0f, 0.0f), 1.0f),
+	INTEGER(x, 1, 8194, cells_at(x, 2, v2(0.0f, 0.0f), 1.0f)); INTEGER(x, 0, 4097, cells_at(4, x, v2(0.0f, 0.0f), 1.0f));
+	ARG(cells_at(4, 3, v2(0.0f, 0.0f), 1.0f)); POSITION(v, cells_at(4, 2, v, 1.0f));
+	ARG(cells_at(4, 2, v2(9.9e5f, 0.0f), 1e4f)); ARG(cells_at(4, 2, v2(0.0f, 9.9e5f), 1e4f));
+	POSITIVE(x, cells_at(4, 2, v2(0.0f, 0.0f), x)); ARG(cells_at(4, 2, v2(0.0f, 0.0f), 6e5f));
+	ARG(cells_to(NULL, 0, OUT(cn_vec2), 8, OUT(int32_t) + 100));
+	ARG(cells_to(good_cells, -1, OUT(cn_vec2), 8, OUT(int32_t) + 100));
+	ARG(cells_to(good_cells, 0, NULL, 8, OUT(int32_t) + 100));
+	ARG(cells_to(good_cells, 0, OUT(cn_vec2), -1, OUT(int32_t) + 100));
+	ARG(cells_to(good_cells, 0, OUT(cn_vec2), 8, NULL));)
+static const float *field_with(float last)
+{
+	static float values[4] = { 1.0f, 0.0f, 1.0f, 1.0f };
+	values[3] = last;
+	return values;
+}
+static cn_result field_at(const float *values, int32_t count, int32_t columns, float threshold, cn_vec2 origin, float spacing)
+{
+	return cn_outline_from_field(values, count, columns, threshold, origin.x, origin.y, spacing, 0, OUT(cn_vec2), 8, OUT(int32_t) + 100);
+}
+static cn_result field_to(int32_t first, cn_vec2 *out, int32_t capacity, int32_t *a)
+{
+	return cn_outline_from_field(field_with(1.0f), 4, 2, 0.5f, 0.0f, 0.0f, 1.0f, first, out, capacity, a);
+}
+ENTRY(cn_outline_from_field, field_at(field_with(1.0f), 4, 2, 0.5f, v2(0.0f, 0.0f), 1.0f),
+	ARG(field_at(NULL, 4, 2, 0.5f, v2(0.0f, 0.0f), 1.0f)); FLOAT(x, field_at(field_with(x), 4, 2, 0.5f, v2(0.0f, 0.0f), 1.0f));
+	INTEGER(x, 2, 8194, field_at(field_with(1.0f), x, 2, 0.5f, v2(0.0f, 0.0f), 1.0f));
+	INTEGER(x, 1, 4097, field_at(field_with(1.0f), 4, x, 0.5f, v2(0.0f, 0.0f), 1.0f));
+	FLOAT(x, field_at(field_with(1.0f), 4, 2, x, v2(0.0f, 0.0f), 1.0f)); POSITION(v, field_at(field_with(1.0f), 4, 2, 0.5f, v, 1.0f));
+	POSITIVE(x, field_at(field_with(1.0f), 4, 2, 0.5f, v2(0.0f, 0.0f), x)); ARG(field_at(field_with(1.0f), 4, 2, 0.5f, v2(0.0f, 0.0f), 6e5f));
+	ARG(field_to(-1, OUT(cn_vec2), 8, OUT(int32_t) + 100));
+	ARG(field_to(0, NULL, 8, OUT(int32_t) + 100));
+	ARG(field_to(0, OUT(cn_vec2), -1, OUT(int32_t) + 100));
+	ARG(field_to(0, OUT(cn_vec2), 8, NULL));)
 ENTRY(cn_polygon_make_box, cn_polygon_make_box(1.0f, 2.0f, 3.0f, 4.0f, 0.5f, 0.1f, OUT(cn_polygon)),
 	POSITIVE(x, cn_polygon_make_box(x, 2.0f, 3.0f, 4.0f, 0.5f, 0.1f, OUT(cn_polygon)));
 	POSITIVE(x, cn_polygon_make_box(1.0f, x, 3.0f, 4.0f, 0.5f, 0.1f, OUT(cn_polygon)));

@@ -53,6 +53,7 @@ static const entry table[] = {
 	E(cn_shape_get_density), E(cn_shape_set_filter), E(cn_shape_get_filter), E(cn_shape_set_event_mask), E(cn_shape_get_event_mask),
 	E(cn_shape_set_user_data), E(cn_shape_get_user_data), E(cn_shape_get_aabb), E(cn_shape_get_mass_data), E(cn_shape_get_circle),
 	E(cn_shape_get_capsule), E(cn_shape_set_circle), E(cn_shape_set_capsule), E(cn_shape_set_edge), E(cn_shape_set_polygon), E(cn_shape_set_chain), E(cn_shape_get_edge), E(cn_shape_get_polygon), E(cn_shape_get_chain_points), E(cn_shape_test_point),
+	E(cn_outline_decompose), E(cn_outline_simplify), E(cn_outline_from_cells), E(cn_outline_from_field),
 	E(cn_polygon_make_hull), E(cn_polygon_make_box), E(cn_world_contact_events), E(cn_world_set_contact_callback), E(cn_body_get_contacts),
 	E(cn_world_fell_asleep), E(cn_revolute_def_init), E(cn_distance_def_init), E(cn_joint_create_revolute), E(cn_joint_create_distance),
 	E(cn_joint_destroy), E(cn_joint_is_valid), E(cn_joint_get_type), E(cn_joint_get_bodies), E(cn_joint_get_anchors),

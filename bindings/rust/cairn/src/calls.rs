@@ -1920,6 +1920,75 @@ pub fn polygon_make_box(half_width_m: f32, half_height_m: f32, center_x_m: f32, 
     Ok(out_out)
 }
 
+/// Divides a simple polygon (either winding, 3 to 1024 points) into convex ones for cn_shape_create_polygon
+/// in worlds of this length unit ((1e-6 to 1e6); 1 by default), counter-clockwise, with radius_m 0 and
+/// without new points: ears are clipped (Meisters, 1975) and triangles merged (Hertel, Mehlhorn, 1983).
+/// Points nearer than 0.05% of the length unit to the one before and collinear points are dropped, and pieces
+/// thinner than that are left out. CN_ERROR_ARGUMENT for an outline that crosses or touches itself or has no
+/// area. Writes at most capacity pieces (>= 0; count - 2 always suffice); out may be NULL when capacity is 0.
+/// *out_count is the number of all. 34 KB of stack. O(count^2).
+pub fn outline_decompose(points_m: &[Vec2], length_unit_m: f32) -> Result<Vec<Polygon>> {
+    let mut count = 0;
+    check(unsafe { cairn_sys::cn_outline_decompose(points_m.as_ptr(), points_m.len() as i32, length_unit_m, core::ptr::null_mut(), 0, &mut count) })?;
+    let mut out = Vec::with_capacity(count as usize);
+    if count > 0 {
+        check(unsafe { cairn_sys::cn_outline_decompose(points_m.as_ptr(), points_m.len() as i32, length_unit_m, out.as_mut_ptr(), count, &mut count) })?;
+        unsafe { out.set_len((count as usize).min(out.capacity())) };
+    }
+    Ok(out)
+}
+
+/// Keeps those of count (2 to 65536; closed: 3) points from which the simplified line deviates by more than
+/// tolerance_m (0 to 1e6), by Douglas and Peucker (1973). closed: 1 if the last point joins the first, else
+/// 0. A closed outline within tolerance_m of a segment has 0 points left. A simple outline can cross itself
+/// afterwards if parts of it are nearer than tolerance_m. Writes at most capacity points (>= 0); out may be
+/// points_m, or NULL when capacity is 0. *out_count is the number of all. O(count * *out_count) at worst.
+pub fn outline_simplify(points_m: &[Vec2], closed: i32, tolerance_m: f32) -> Result<Vec<Vec2>> {
+    let mut count = 0;
+    check(unsafe { cairn_sys::cn_outline_simplify(points_m.as_ptr(), points_m.len() as i32, closed, tolerance_m, core::ptr::null_mut(), 0, &mut count) })?;
+    let mut out = Vec::with_capacity(count as usize);
+    if count > 0 {
+        check(unsafe { cairn_sys::cn_outline_simplify(points_m.as_ptr(), points_m.len() as i32, closed, tolerance_m, out.as_mut_ptr(), count, &mut count) })?;
+        unsafe { out.set_len((count as usize).min(out.capacity())) };
+    }
+    Ok(out)
+}
+
+/// An outline of the solid cells of a grid: count cells, columns (1 to 4096) in each of its rows (1 to 4096),
+/// squares of side cell_m > 0 with the lower left corner of the first at the origin. cells\[row * columns +
+/// column\] is not 0 where solid; row 0 is the lowest. outline is the outline's number, from 0; *out_count is
+/// 0 where there are not so many. The outline is a loop for cn_shape_create_chain, solid on its left:
+/// counter-clockwise around solids, clockwise around holes. Its points are corners of cells. Solid cells that
+/// touch at a corner only are apart; an outline may pass such a corner twice. Writes at most capacity points
+/// (>= 0); out may be NULL when capacity is 0. *out_count is the number of all. O(cells + n log n) for a
+/// boundary of n edges.
+pub fn outline_from_cells(cells: &[u8], columns: i32, origin_x_m: f32, origin_y_m: f32, cell_m: f32, outline: i32) -> Result<Vec<Vec2>> {
+    let mut count = 0;
+    check(unsafe { cairn_sys::cn_outline_from_cells(cells.as_ptr(), cells.len() as i32, columns, origin_x_m, origin_y_m, cell_m, outline, core::ptr::null_mut(), 0, &mut count) })?;
+    let mut out = Vec::with_capacity(count as usize);
+    if count > 0 {
+        check(unsafe { cairn_sys::cn_outline_from_cells(cells.as_ptr(), cells.len() as i32, columns, origin_x_m, origin_y_m, cell_m, outline, out.as_mut_ptr(), count, &mut count) })?;
+        unsafe { out.set_len((count as usize).min(out.capacity())) };
+    }
+    Ok(out)
+}
+
+/// The same for a field by marching squares (Lorensen, Cline, 1987): values\[row * columns + column\], all
+/// finite, is the value at the origin + spacing_m * (column, row), solid from threshold, with at least 2
+/// columns and rows. A point of an outline lies between two neighbouring samples, by linear interpolation, at
+/// least spacing_m / 64 from both; the grid's border closes outlines. An outline never touches itself or
+/// another one. cn_outline_simplify removes its collinear points. O(values + n log n).
+pub fn outline_from_field(values: &[f32], columns: i32, threshold: f32, origin_x_m: f32, origin_y_m: f32, spacing_m: f32, outline: i32) -> Result<Vec<Vec2>> {
+    let mut count = 0;
+    check(unsafe { cairn_sys::cn_outline_from_field(values.as_ptr(), values.len() as i32, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, core::ptr::null_mut(), 0, &mut count) })?;
+    let mut out = Vec::with_capacity(count as usize);
+    if count > 0 {
+        check(unsafe { cairn_sys::cn_outline_from_field(values.as_ptr(), values.len() as i32, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, out.as_mut_ptr(), count, &mut count) })?;
+        unsafe { out.set_len((count as usize).min(out.capacity())) };
+    }
+    Ok(out)
+}
+
 /// Distance of two shapes in metres: by GJK (Gilbert, Johnson, Keerthi, 1988) when the shapes without their
 /// radii are apart, else by their Minkowski difference. Needs no world; runs in any thread. O(points).
 pub fn polygon_distance(a: &Polygon, pose_a: &Pose, b: &Polygon, pose_b: &Pose) -> Result<Distance> {

@@ -1,0 +1,112 @@
+/*
+ * geometry/outline_simplify.c - fewer points within a tolerance (Douglas, Peucker 1973; Ramer 1972).
+ *
+ * A stretch between two kept points keeps its farthest point from their segment if that is farther than the tolerance, and continues
+ * with both halves. The shorter half goes first, so the stack holds at most one stretch for each halving of the count. A closed row
+ * begins with two points far apart.
+ * O(count * points kept) at worst.
+ */
+#include "geometry/outline.h"
+
+#include <string.h>
+
+typedef struct stretch { int32_t first, last; } stretch; /* last may be count: point 0 of a closed row */
+
+typedef struct simplifier {
+	const cni_vec2 *points;
+	int32_t count;
+	float tolerance_sq;
+	uint32_t kept[CNI_SIMPLIFY_POINTS_MAX / 32]; /* one bit per point */
+} simplifier;
+
+static void point_keep(simplifier *s, int32_t i) { s->kept[i / 32] |= 1u << (i % 32); }
+static int32_t point_is_kept(const simplifier *s, int32_t i) { return (int32_t)(s->kept[i / 32] >> (i % 32) & 1u); }
+static cni_vec2 point_at(const simplifier *s, int32_t i) { return s->points[i < s->count ? i : i - s->count]; }
+
+static float segment_distance_sq(cni_vec2 a, cni_vec2 b, cni_vec2 p)
+{
+	cni_vec2 along = cni_sub(b, a), d = cni_sub(p, a);
+	float length_sq = cni_length_sq(along);
+	float t = length_sq > 0.0f ? cni_clamp(cni_dot(d, along) / length_sq, 0.0f, 1.0f) : 0.0f;
+	return cni_length_sq(cni_madd(d, -t, along));
+}
+
+static int32_t stretch_farthest(const simplifier *s, stretch part)
+{
+	cni_vec2 a = point_at(s, part.first), b = point_at(s, part.last);
+	int32_t farthest = CNI_NONE;
+	float most = s->tolerance_sq;
+	for (int32_t i = part.first + 1; i < part.last; ++i) {
+		float d = segment_distance_sq(a, b, point_at(s, i));
+		if (d > most) {
+			farthest = i;
+			most = d;
+		}
+	}
+	return farthest;
+}
+
+static void stretch_simplify(simplifier *s, int32_t first, int32_t last)
+{
+	stretch stack[32];
+	int32_t depth = 0;
+	stack[depth].first = first;
+	stack[depth++].last = last;
+	while (depth > 0) {
+		stretch part = stack[--depth];
+		int32_t middle = stretch_farthest(s, part);
+		if (middle == CNI_NONE)
+			continue;
+		point_keep(s, middle < s->count ? middle : middle - s->count);
+		stretch lower = { part.first, middle }, upper = { middle, part.last };
+		int32_t lower_is_longer = middle - part.first > part.last - middle;
+		stack[depth++] = lower_is_longer ? lower : upper;
+		stack[depth++] = lower_is_longer ? upper : lower;
+	}
+}
+
+static int32_t point_farthest_from(const cni_vec2 *points, int32_t count, int32_t from)
+{
+	int32_t best = from;
+	for (int32_t i = 0; i < count; ++i)
+		if (cni_distance_sq(points[i], points[from]) > cni_distance_sq(points[best], points[from]))
+			best = i;
+	return best;
+}
+
+static int32_t kept_write(const simplifier *s, cni_vec2 *out, int32_t capacity)
+{
+	int32_t written = 0;
+	for (int32_t i = 0; i < s->count; ++i) {
+		if (!point_is_kept(s, i))
+			continue;
+		if (written < capacity)
+			out[written] = s->points[i];
+		++written;
+	}
+	return written;
+}
+
+int32_t cni_outline_simplify(const cni_vec2 *points, int32_t count, int32_t closed, float tolerance, cni_vec2 *out, int32_t capacity)
+{
+	simplifier s;
+	s.points = points;
+	s.count = count;
+	s.tolerance_sq = tolerance * tolerance;
+	memset(s.kept, 0, sizeof s.kept);
+	if (!closed) {
+		point_keep(&s, 0);
+		point_keep(&s, count - 1);
+		stretch_simplify(&s, 0, count - 1);
+		return kept_write(&s, out, capacity);
+	}
+	int32_t a = point_farthest_from(points, count, 0), b = point_farthest_from(points, count, a);
+	int32_t first = cni_min_i(a, b), last = cni_max_i(a, b), kept = 0;
+	point_keep(&s, first);
+	point_keep(&s, last);
+	stretch_simplify(&s, first, last);
+	stretch_simplify(&s, last, first + count);
+	for (int32_t i = 0; i < count; ++i)
+		kept += point_is_kept(&s, i);
+	return kept >= 3 ? kept_write(&s, out, capacity) : 0;
+}
