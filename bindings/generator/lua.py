@@ -5,7 +5,7 @@ START = """/* %s
  * Included by cairn_lua.c, which has the conversions. */
 
 """ % names.NOTICE
-KINDS = {"float": "FLOAT", "int32_t": "INT32", "uint32_t": "UINT32", "uint64_t": "UINT64"}
+KINDS = {"float": "FLOAT", "int32_t": "INT32", "uint32_t": "UINT32", "uint64_t": "UINT64", "uint8_t": "UINT8"}
 
 
 def kind(base, api):

@@ -37,7 +37,7 @@
 
 /* ---------------------------------------------------------------- values */
 
-typedef enum value_kind { FLOAT, INT32, UINT32, UINT64, RECORD, TEXT, POINTS } value_kind;
+typedef enum value_kind { FLOAT, INT32, UINT32, UINT64, UINT8, RECORD, TEXT, POINTS } value_kind;
 
 typedef struct record record;
 
@@ -59,7 +59,7 @@ struct record {
 
 static const record record_cn_vec2;
 
-static const size_t sizes[] = { sizeof(float), sizeof(int32_t), sizeof(uint32_t), sizeof(uint64_t) };
+static const size_t sizes[] = { sizeof(float), sizeof(int32_t), sizeof(uint32_t), sizeof(uint64_t), sizeof(uint8_t) };
 
 static size_t size_of(value_kind kind, const record *of)
 {
@@ -161,6 +161,9 @@ static void read_value(lua_State *L, int index, value_kind kind, const record *o
 		case UINT64:
 			wide = read_uint64(L, index, name);
 			memcpy(at, &wide, sizeof wide);
+			break;
+		case UINT8:
+			*(uint8_t *)at = (uint8_t)read_whole(L, index, 0, UINT8_MAX, name);
 			break;
 		case RECORD:
 			if (lua_type(L, index) != LUA_TTABLE)
@@ -308,6 +311,7 @@ static void push_value(lua_State *L, value_kind kind, const record *of, const vo
 			memcpy(&wide, at, sizeof wide);
 			push_uint64(L, wide);
 			break;
+		case UINT8: push_whole(L, *(const uint8_t *)at); break;
 		case RECORD:
 			lua_newtable(L);
 			write_record(L, of, at);
