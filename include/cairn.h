@@ -83,9 +83,6 @@ extern "C" {
 /* Raised whenever a struct layout or a function signature changes. */
 #define CN_ABI_VERSION 3
 
-/* In a definition: the default of a field whose comment names CN_DEFAULT. */
-enum { CN_DEFAULT = -1 };
-
 /* Most vertices a convex polygon may have. */
 #define CN_POLYGON_MAX_VERTICES 16
 /* Longest body name in bytes, without the terminating zero. */
@@ -98,6 +95,9 @@ enum { CN_DEFAULT = -1 };
 #define CN_MAX_HANDLES 1048575
 
 /* ------------------------------------------------------------------ basic types */
+
+/* In a definition: the default of a field whose comment names CN_DEFAULT. */
+enum { CN_DEFAULT = -1 };
 
 typedef int32_t cn_result; /* CN_OK or a CN_ERROR_ */
 /* Result codes. */

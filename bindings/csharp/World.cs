@@ -3693,11 +3693,11 @@ namespace Cairn
 			fixed (byte* p_cells = cells)
 			{
 				int count_;
-				Call.Check(Native.cn_outline_from_cells((uint8_t*)p_cells, cells.Length, columns, originXM, originYM, cellM, outline, null, 0, &count_), null);
+				Call.Check(Native.cn_outline_from_cells((byte*)p_cells, cells.Length, columns, originXM, originYM, cellM, outline, null, 0, &count_), null);
 				var result_ = new Vec2[count_];
 				if (count_ > 0)
 					fixed (Vec2* to = result_)
-						Call.Check(Native.cn_outline_from_cells((uint8_t*)p_cells, cells.Length, columns, originXM, originYM, cellM, outline, (cn_vec2*)to, count_, &count_), null);
+						Call.Check(Native.cn_outline_from_cells((byte*)p_cells, cells.Length, columns, originXM, originYM, cellM, outline, (cn_vec2*)to, count_, &count_), null);
 				return result_;
 			}
 		}

@@ -239,7 +239,7 @@ def write_call(call, api):
             cast = "(%s*)%s" % (entry["base"], v)
             arguments.append("%s.HasValue ? %s : null" % (local(entry["name"]), cast) if entry["nullable"] else cast)
         else:
-            arguments.append(("" if entry["kind"] in ("bytes", "string") else "(%s*)" % entry["base"]) + "p_" + entry["name"])
+            arguments.append(("" if entry["kind"] in ("bytes", "string") else "(%s*)" % csharp.SCALARS.get(entry["base"], entry["base"])) + "p_" + entry["name"])
     lines = body + ["%s%s" % ("\t" * i, line) for i, line in enumerate(fixed)]
     inner = results(call, arguments, api)
     if fixed:

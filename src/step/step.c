@@ -87,7 +87,7 @@ static void impulses_sum(cn_world *world, const cni_solve *s)
 {
 	if (!world->sums_active)
 		return;
-	if (s->direct != NULL)
+	if (has_direct(s))
 		cni_direct_sum_impulses(world, s->direct);
 	cni_impulse_sums_close(world, s);
 }

@@ -193,9 +193,11 @@ static void names_write(cn_world *world, cni_file *f)
 			(void)cni_file_chunk(f, "NAME", 1, bytes, &stride);
 		for (k = 0; k < world->body_handles.slots.count; ++k) {
 			const char *name = name_of(world, k);
-			uint8_t length = name != NULL ? (uint8_t)strlen(name) : 0;
+			uint8_t length = 0;
 			if (name == NULL)
 				continue;
+			while (name[length] != 0) /* at most CN_NAME_MAX_BYTES */
+				++length;
 			bytes += 5 + length;
 			if (pass == 0)
 				continue;

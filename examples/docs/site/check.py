@@ -6,6 +6,7 @@ from, every cn_ name exists, the site's menu names pages that exist, and the ref
 A C block is one of these:
   quoted      after "<!-- from file -->": these lines are in that file, which is compiled and run by the tests
   program     has a main: compiled and run as it is
+  outline     after "<!-- outline -->": shown only; the program that it is about has tests
   functions   begins with static or typedef: for the fragments after it on the same page
   fragment    statements: run in a world with `ground`, `body` (a box above it), `shape`, `body_def`, `shape_def`. No call may fail,
               unless "<!-- a call fails -->" is before the block: then one must.
@@ -24,7 +25,7 @@ import reference  # noqa: E402
 import stage  # noqa: E402
 
 FLAGS = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-Wno-unused-variable", "-Wno-unused-but-set-variable", "-Wno-unused-function",
-         "-O1", f"-I{TOP}/include"]
+         "-O1", f"-I{TOP}/include", f"-I{TOP}/examples", f"-I{TOP}"]
 PRELUDE = """#include "cairn.h"
 #include <math.h>
 #include <stdio.h>
@@ -104,6 +105,8 @@ def check_page(name, page, build, folder):
     for line, mark, text in blocks(page):
         count += 1
         here = f"{name}:{line}"
+        if mark == "outline":
+            continue
         if mark.startswith("from "):
             wrong = check_quote(text, mark[5:])
         elif "int main(" in text:
@@ -132,7 +135,7 @@ def check_page(name, page, build, folder):
 def check_names(name, page, api):
     """Names of the API in code marks; cn_joint_create_* stands for several."""
     known = set(api.page) | {"cn_", "CN_"}
-    built = {"CN_NO_THREADS", "CN_NO_SIMD", "CN_NO_CLOCK", "CN_BUILD", "CN_SHARED"}
+    built = {"CN_NO_THREADS", "CN_NO_SIMD", "CN_NO_CLOCK", "CN_BUILD", "CN_SHARED", "CN_NO_MALLOC", "CN_STRICT_HANDLES"}
     for match in re.finditer(r"`((?:cn_|CN_)[A-Za-z0-9_]*)(\*|\.\.\.)?", page):
         word = match.group(1)
         if word in known or word in built or match.group(2) or any(other.startswith(word) for other in known if word.endswith("_")):
