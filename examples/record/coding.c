@@ -177,7 +177,7 @@ coding_in coding_begin(const void *bytes, uint64_t count)
 	coding_in in;
 	memset(&in, 0, sizeof in);
 	in.at = (const uint8_t *)bytes;
-	in.end = in.at + (size_t)count;
+	in.end = count > 0 ? in.at + (size_t)count : in.at;
 	in.size = count;
 	return in;
 }
