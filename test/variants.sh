@@ -15,8 +15,8 @@ shift
 cores=$(nproc 2>/dev/null || echo 2)
 at_a_time=2
 results=$build/parts
-# The longest first, so that the last two end together.
-parts='clang-address cross plain clang-memory release amalgamation helgrind clang-thread native ablation no-fused gcc-O0 no-threads
+# The longest first, so that the last two end together; amalgamation and release, which write the same file, apart.
+parts='clang-address cross plain amalgamation clang-memory release helgrind clang-thread native ablation no-fused gcc-O0 no-threads
 	clang-O3 embedded work header-cxx header-padding check-links check-docs testbed-web mutations-apply'
 
 # ---------------------------------------------------------------- of one part
