@@ -349,6 +349,12 @@ void cni_check_range_int(cni_call *call, const char *field, int32_t value, int32
 		refuse(call, CN_ERROR_ARGUMENT, "%s %i; must be from %i to %i", field, (int64_t)value, (int64_t)lower, (int64_t)upper);
 }
 
+void cni_check_boundary(cni_call *call, const cn_world *world)
+{
+	if (call->result == CN_OK && (world->locked > 0 || world->events.in_step))
+		cni_refuse(call, CN_ERROR_LOCKED, "not while a callback runs");
+}
+
 void cni_check_solver(cni_call *call, int32_t solver, int32_t most)
 {
 	cni_check_range_int(call, "solver", solver, CN_SOLVER_AUTO, most);

@@ -95,6 +95,8 @@ void cni_check_range_int(cni_call *call, const char *field, int32_t value, int32
 /* The flags of a world that this build permits. */
 #define CNI_WORLD_FLAGS \
 	(CN_WORLD_SLEEP | CN_WORLD_WARM_START | CN_WORLD_PROFILE | (CNI_HAS_CONTINUOUS ? (uint32_t)CN_WORLD_CONTINUOUS : 0u))
+/* Between two steps: within one there is no state to save and go on from. */
+void cni_check_boundary(cni_call *call, const cn_world *world);
 /* From CN_SOLVER_AUTO to most, and part of this build. */
 void cni_check_solver(cni_call *call, int32_t solver, int32_t most);
 void cni_check_flags(cni_call *call, const char *field, uint32_t value, uint32_t allowed);

@@ -15,12 +15,6 @@ static const uint8_t magic[8] = { 'C', 'a', 'i', 'r', 'n', 'W', 'l', 'd' };
 
 /* ---- writing ---- */
 
-static void check_boundary(cni_call *call, const cn_world *world)
-{
-	if (call->result == CN_OK && (world->locked > 0 || world->events.in_step))
-		cni_refuse(call, CN_ERROR_LOCKED, "not while a callback runs");
-}
-
 static uint64_t file_bytes(const cn_world *world)
 {
 	cni_file f = cni_file_measure();
@@ -33,7 +27,7 @@ cn_result cn_world_write_size(const cn_world *world, uint64_t *out_bytes)
 	cni_call call = cni_enter_const(world);
 	cni_check_pointer(&call, "out_bytes", out_bytes);
 	if (call.result == CN_OK)
-		check_boundary(&call, world);
+		cni_check_boundary(&call, world);
 	if (call.result == CN_OK)
 		*out_bytes = file_bytes(world);
 	return call.result;
@@ -47,7 +41,7 @@ cn_result cn_world_write(const cn_world *world, void *out, uint64_t capacity, ui
 	cni_file f;
 	cni_check_pointer(&call, "out", out);
 	if (call.result == CN_OK)
-		check_boundary(&call, world);
+		cni_check_boundary(&call, world);
 	if (call.result != CN_OK)
 		return call.result;
 	bytes = file_bytes(world);

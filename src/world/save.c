@@ -67,19 +67,12 @@ static uint64_t state_bytes(const cn_world *world)
 	return s.bytes;
 }
 
-/* Within a step there is no state to go on from. */
-static void check_boundary(cni_call *call, const cn_world *world)
-{
-	if (call->result == CN_OK && (world->locked > 0 || world->events.in_step))
-		cni_refuse(call, CN_ERROR_LOCKED, "not while a callback runs");
-}
-
 cn_result cn_world_save_size(const cn_world *world, uint64_t *out_bytes)
 {
 	cni_call call = cni_enter_const(world);
 	cni_check_pointer(&call, "out_bytes", out_bytes);
 	if (call.result == CN_OK)
-		check_boundary(&call, world);
+		cni_check_boundary(&call, world);
 	if (call.result == CN_OK)
 		*out_bytes = sizeof(header) + state_bytes(world);
 	return call.result;
@@ -92,7 +85,7 @@ cn_result cn_world_save(const cn_world *world, void *out, uint64_t capacity, uin
 	header h;
 	cni_check_pointer(&call, "out", out);
 	if (call.result == CN_OK)
-		check_boundary(&call, world);
+		cni_check_boundary(&call, world);
 	if (call.result != CN_OK)
 		return call.result;
 	h = header_of(world, state_bytes(world));
