@@ -338,11 +338,21 @@ static int32_t set_try(const cni_direct_contact_pass *q, int32_t all)
 	return cni_direct_contact_system_solve(q) ? set_update(q, all) : INT32_MAX;
 }
 
+/* Where only sliding impulses do not match, the set stays, so that a round costs a solution and no factorization. Returns the last result of
+   set_try. */
+static int32_t slides_match(const cni_direct_contact_pass *q, int32_t all, int32_t violations)
+{
+	int32_t k;
+	for (k = 0; violations < 0 && k < CNI_CONTACT_SET_SLIDES; ++k)
+		violations = set_try(q, all);
+	return violations;
+}
+
 int32_t cni_direct_contact_set_follow(const cni_direct_contact_pass *q)
 {
 	int32_t round, violations = -1;
 	for (round = 0; violations != 0 && violations < INT32_MAX && round < CNI_CONTACT_SET_ROUNDS_WARM; ++round)
-		violations = set_try(q, 1);
+		violations = slides_match(q, 1, set_try(q, 1));
 	return violations == 0;
 }
 
@@ -352,19 +362,19 @@ static int32_t rounds_are_over(const cni_direct_contact_pass *q, int32_t round, 
 	return violations == INT32_MAX || round >= q->rounds || (round >= CNI_CONTACT_SET_ROUNDS_ALL && violations > q->rounds - round);
 }
 
-/* Starts from the set of the last pass; if that is violated, from it and all touching points. Where only sliding impulses do not match, the
-   set stays. */
+/* Starts from the set of the last pass; if that is violated, from it and all touching points. */
 int32_t cni_direct_contact_set_find(const cni_direct_contact_pass *q)
 {
-	int32_t round, violations = set_try(q, 1), fits = 1;
+	int32_t round, violations = slides_match(q, 1, set_try(q, 1)), fits = 1;
 	for (round = 0; violations != 0 && !rounds_are_over(q, round, violations); ++round) {
+		int32_t all = round < CNI_CONTACT_SET_ROUNDS_ALL;
 		if (fits && violations > 0) {
 			cni_direct_contact_states_save(q, 1);
 			cni_direct_contact_round_begin(q);
 			touching_activate(q);
 			fits = 0;
 		}
-		violations = set_try(q, round < CNI_CONTACT_SET_ROUNDS_ALL);
+		violations = slides_match(q, all, set_try(q, all));
 	}
 	return violations == 0;
 }

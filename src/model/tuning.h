@@ -172,6 +172,8 @@ CNI_TUNING_COUNT(CNI_CONTACT_SET_ROUNDS_LARGE, 32)
 CNI_TUNING_COUNT(CNI_CONTACT_SET_ROUNDS_ALL, 6)
 /* Rounds that start from the impulses of the last pass. */
 CNI_TUNING_COUNT(CNI_CONTACT_SET_ROUNDS_WARM, 4)
+/* Solutions with one set until sliding impulses match their normal impulses. The error shrinks by about the friction coefficient each time. */
+CNI_TUNING_COUNT(CNI_CONTACT_SET_SLIDES, 8)
 /* Solutions with one factorization. */
 CNI_TUNING_COUNT(CNI_CONTACT_SET_REFINEMENTS, 3)
 /* Part of an overlap that is pushed apart in a substep: little, because all points of a pile are pushed at once. */
