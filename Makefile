@@ -12,6 +12,8 @@
 #   make stability  scenes with bounds, and 10 seeds of each family: test/stability/README.md
 #   make fuzz       libFuzzer on calls, files, recordings and geometry, FUZZ_SECONDS each: test/README.md
 #   make soak       long forms of tests under load
+#   make coverage   lines and branches of src/ that the tests run     make lint  clang-tidy, cppcheck, gcc -fanalyzer
+#   make test-arch  the same numbers from every compiler and processor that is installed: test/arch
 #   make mutation   small faults that tests must catch: test/README.md
 #   make families   random scenes, the default solver beside soft constraints: test/families/README.md
 #   make bench-peers  time and accuracy beside other engines: see examples/peers/README.md
@@ -273,6 +275,19 @@ fuzz:
 SOAK := $(BUILD)/test/world/soak_test $(BUILD)/test/world/crowd_test $(BUILD)/test/world/broadphase_histories_test
 soak: $(SOAK)
 	@for t in $(SOAK); do $$t t_soak || exit 1; done
+
+# Lines and branches of src/ that the tests run: test/coverage.sh
+.PHONY: coverage lint test-arch
+coverage:
+	@JOBS=$(JOBS) sh test/coverage.sh $(BUILD)
+
+# Static checks of src/. TOOL='tidy cppcheck analyzer': those. test/lint
+lint:
+	@JOBS=$(JOBS) sh test/lint/run.sh $(BUILD) $(TOOL)
+
+# Eight scenes on every processor and with every compiler. CONFIGURATION='riscv64 windows': those; test/arch/run.sh
+test-arch:
+	@JOBS=$(JOBS) sh test/arch/run.sh $(BUILD)/arch $(CONFIGURATION)
 
 # Small faults, one at a time: test/README.md. ONLY=pattern QUICK=1 JOBS=2 FOLDER=dir
 mutation:

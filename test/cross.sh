@@ -1,23 +1,20 @@
 #!/bin/sh
 # usage: cross.sh build-folder
-# The same bits on other processors: compiled for each target and run by an emulator, the golden scenes of
-# world/determinism_test, the bytes of world/file_test, and the tests of base/; for WebAssembly, which is quick, those of geometry/ instead. What a
-# target is there for:
-#
-#   aarch64   kernels on NEON           s390x   most significant byte first, no vectors
-#   wasm32    kernels on WASM SIMD,     i686    pointers of 32 bits, kernels on SSE2
-#             no threads                armhf   pointers of 32 bits, no vectors
+# The same bits on other processors (targets.sh): compiled for each target and run by an emulator, the golden scenes of
+# world/determinism_test, the numbers of arch/hashes_test, the bytes of world/file_test, and the tests of base/; for WebAssembly, which is
+# quick, those of geometry/ instead.
 #
 # Golden scenes that are large run on aarch64 and wasm32 only: they take as long as all others together.
 # Two targets run at a time. Ends with one line "N passed, N failed, N skipped". A target whose compiler or emulator is missing is skipped.
 set -u
 unset MAKEFLAGS MFLAGS MAKELEVEL
 build=$1
+. test/targets.sh
 cores=$(nproc 2>/dev/null || echo 2)
 passed=0 failed=0 skipped=0 running=0 begun=
 
-units="$(ls test/base/*_test.c | grep -v time_test) test/world/file_test.c" # which also has threads
-geometry=$(grep -L 'hooks\.h' test/geometry/*_test.c | grep -v time_test) # WASI has no setjmp, which hooks need
+units="$(ls test/base/*_test.c | grep -v time_test) test/world/file_test.c test/arch/hashes_test.c" # which also has threads
+geometry="$(grep -L 'hooks\.h' test/geometry/*_test.c | grep -v time_test) test/arch/hashes_test.c" # WASI has no setjmp, which hooks need
 
 # Leaves $build/<target>.log, .code and .seconds. Emulators are slow: TEST_SLOW.
 run() { # target tests, as source files
@@ -37,16 +34,15 @@ run() { # target tests, as source files
 	[ $((running % 2)) != 0 ] || wait
 }
 
-target() { # name tests compiler runner flags defines libs
-	name=$1 sources=$2 compiler=$3 runner=$4 flags=$5 defines=$6 libs=$7
-	for tool in ${compiler%% *} ${runner%% *}; do
-		command -v "$tool" >/dev/null 2>&1 && continue
-		echo "$name: $tool is not installed (see .ci/deps)"
+target() { # name tests
+	target_of "$1"
+	if tool=$(target_lacks); then
+		echo "$1: $tool is not installed (see .ci/deps)"
 		skipped=$((skipped + 1))
 		return
-	done
+	fi
 	# shellcheck disable=SC2086
-	run "$name" $sources
+	run $1 $2
 }
 
 read_logs() {
@@ -65,11 +61,8 @@ read_logs() {
 }
 
 mkdir -p "$build"
-target aarch64 "$units" aarch64-linux-gnu-gcc qemu-aarch64-static -static -DTEST_EMULATED '-lm -lpthread'
-target s390x "$units" s390x-linux-gnu-gcc qemu-s390x-static '-static -fexcess-precision=fast' -DTEST_EMULATED=2 '-lm -lpthread'
-target i686 "$units" i686-linux-gnu-gcc qemu-i386-static '-static -msse2 -mfpmath=sse' -DTEST_EMULATED=2 '-lm -lpthread'
-target armhf "$units" arm-linux-gnueabihf-gcc qemu-arm-static -static -DTEST_EMULATED=2 '-lm -lpthread'
-target wasm32 "$geometry" 'clang-19 --target=wasm32-wasi --sysroot=/usr -isystem /usr/include/wasm32-wasi' 'node --no-warnings test/wasi.js' -msimd128 '-DTEST_EMULATED -DCN_NO_THREADS' -lm
+for name in aarch64 s390x i686 armhf; do target $name "$units"; done
+target wasm32 "$geometry"
 wait
 read_logs
 echo "$passed passed, $failed failed, $skipped skipped"

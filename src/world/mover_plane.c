@@ -331,7 +331,7 @@ static int32_t release(cn_plane *planes, int32_t count, cni_vec2 x, float tolera
 cni_vec2 cni_planes_solve(cn_plane *planes, int32_t count, cni_vec2 wanted, float *out_overlap)
 {
 	float size = cni_length(wanted);
-	cni_vec2 x = wanted;
+	cni_vec2 x;
 	held found;
 	int32_t i, changes = 0;
 	for (i = 0; i < count; ++i) {

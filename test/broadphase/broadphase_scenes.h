@@ -367,6 +367,44 @@ static void t_queries_stop_when_told(void)
 	world_close(&w);
 }
 
+/* Few boxes far apart: a ray crosses more cells than there are boxes. It visits exactly what brute force says, also boxes that moved since
+   the last update, and stops when told. */
+static void t_long_rays_over_few_boxes(void)
+{
+	static box_world w;
+	static visits v;
+	int32_t id, round, i;
+	random_state = 9;
+	REQUIRE(world_open(&w, 20, 0, 0));
+	for (id = 0; id < 20; ++id)
+		CHECK(world_add(&w, id, box_at(id % 2 ? 3000.0f : -3000.0f, (float)id * 250.0f, 2, 2), 0));
+	CHECK(world_update(&w) == 0);
+	for (round = 0; round < 2; ++round) {
+		for (i = 0; i < 100; ++i) {
+			int32_t from = (int32_t)(random_bits() % 20u), to = (int32_t)(random_bits() % 20u);
+			const cni_aabb *a = &proxy_at(&w, from)->fat, *b = &proxy_at(&w, to)->fat;
+			cni_vec2 o = cni_v(a->x0 + 1.0f, a->y0 + 0.5f), d = cni_sub(cni_v(b->x0 + 1.0f, b->y0 + 1.5f), o);
+			CHECK(ray_differs(&w, o, d) == 0);
+			memset(&v, 0, sizeof(v));
+			v.stop_after = 1;
+			w.ops->ray(w.broadphase, o, d, visit_mark, &v);
+			CHECK(v.count == 1);
+		}
+		for (id = 0; id < 20; id += 3) {
+			cni_aabb moved = box_at(id % 2 ? 2000.0f : -2000.0f, (float)id * 300.0f, 2, 2);
+			world_move(&w, id, &moved);
+		}
+	}
+	for (i = 1; i < 7; ++i) {
+		cni_aabb all = box_at(-4000, -10, 8000, 10000);
+		memset(&v, 0, sizeof(v));
+		v.stop_after = i;
+		w.ops->query(w.broadphase, &all, visit_mark, &v);
+		CHECK(v.count == i);
+	}
+	world_close(&w);
+}
+
 /* A ray that stops at its first hit visits few boxes. */
 static void t_ray_visits_near_boxes_first(void)
 {
@@ -556,6 +594,7 @@ static void run_shared_tests(void)
 	RUN(t_without_scratch_memory);
 	RUN(t_rebuilding_changes_nothing);
 	RUN(t_queries_stop_when_told);
+	RUN(t_long_rays_over_few_boxes);
 	RUN(t_ray_visits_near_boxes_first);
 	RUN(t_allocation_fails_once);
 	RUN(t_allocations_fail_for_a_while);

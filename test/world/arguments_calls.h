@@ -9,11 +9,18 @@
 
 static const char *current;          /* function under test */
 static int current_has_sentence;     /* it takes a non-const world */
+static uint32_t *current_produced;   /* bits 1 << -code of the errors that it gave */
 static int bad_calls;
 static state before;
 static unsigned char out_bytes[8192];
 #define OUT(T) ((T *)(void *)out_bytes)
 #define INT OUT(int32_t)
+
+static void produced(cn_result result)
+{
+	if (result < 0 && result > -32)
+		*current_produced |= 1u << -result;
+}
 
 static void bad_begin(void)
 {
@@ -43,6 +50,7 @@ static void bad_end(int line, const char *what, cn_result expected, cn_result re
 	state after = state_of(W);
 	size_t k;
 	++bad_calls;
+	produced(result);
 	if (result != expected) {
 		printf("  %s gives %d (%s), not %d\n", what, (int)result, cn_world_error_text(W), (int)expected);
 		test_fail(__FILE__, line, current);

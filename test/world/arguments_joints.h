@@ -84,18 +84,20 @@ ENTRY(cn_joint_set_distance, cn_joint_set_distance(W, f.rope, DD(base.flags, CN_
 	STATE(cn_joint_set_distance(W, f.pin, (reset(), &dd)));)
 GETTER(cn_joint_get_position, JOINT, f.pin, float)
 GETTER(cn_joint_get_speed, JOINT, f.pin, float)
+static cn_joint any[CN_JOINT_FILTER + 1]; /* one of each type: joints_make */
 ENTRY(cn_joint_set_motor, cn_joint_set_motor(W, f.pin, 1.0f, 2.0f),
 	NOW(cn_joint_set_motor(NULL, f.pin, 1.0f, 2.0f)); JOINT(h, cn_joint_set_motor(W, h, 1.0f, 2.0f));
-	FLOAT(x, cn_joint_set_motor(W, f.pin, x, 2.0f)); NOT_NEGATIVE(x, cn_joint_set_motor(W, f.pin, 1.0f, x));)
+	FLOAT(x, cn_joint_set_motor(W, f.pin, x, 2.0f)); NOT_NEGATIVE(x, cn_joint_set_motor(W, f.pin, 1.0f, x));
+	STATE(cn_joint_set_motor(W, any[CN_JOINT_FIXED], 1.0f, 2.0f)); STATE(cn_joint_set_motor(W, any[CN_JOINT_GROOVE], 1.0f, 2.0f));)
 ENTRY(cn_joint_set_limits, cn_joint_set_limits(W, f.pin, -1.0f, 1.0f),
 	NOW(cn_joint_set_limits(NULL, f.pin, -1.0f, 1.0f)); JOINT(h, cn_joint_set_limits(W, h, -1.0f, 1.0f));
 	RANGE(x, -3.2f, 1.1f, cn_joint_set_limits(W, f.pin, x, 1.0f)); RANGE(x, -1.1f, 3.2f, cn_joint_set_limits(W, f.pin, -1.0f, x));
-	RANGE(x, -0.1f, 2.1f, cn_joint_set_limits(W, f.rope, x, 2.0f)); RANGE(x, -0.1f, 0.9f, cn_joint_set_limits(W, f.rope, 1.0f, x));)
+	RANGE(x, -0.1f, 2.1f, cn_joint_set_limits(W, f.rope, x, 2.0f)); RANGE(x, -0.1f, 0.9f, cn_joint_set_limits(W, f.rope, 1.0f, x));
+	STATE(cn_joint_set_limits(W, any[CN_JOINT_FIXED], -1.0f, 1.0f)); STATE(cn_joint_set_limits(W, any[CN_JOINT_MOUSE], -1.0f, 1.0f));)
 
 /* ---- the other types, constraints */
 
 /* One joint of each type and both constraints, in the fixture's world. */
-static cn_joint any[CN_JOINT_FILTER + 1];
 static cn_constraint turn_limit, wire;
 static cn_constraint bad_constraints[4];
 

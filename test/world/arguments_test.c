@@ -6,8 +6,13 @@
  * fails the test. Each entry has a good call and a list of bad ones. The good calls are used to show
  * that the entry's other arguments are fine, that inside a callback everything is refused, and that a
  * call which runs out of memory changes nothing either.
+ *
+ * The last test compares the errors that were produced on the way with those that the header documents, function by function: its
+ * comment, and the rules at the top of the header.
  */
 #include "arguments_calls.h"
+
+#include "model/world.h"
 
 #include "arguments_world.h"
 #include "arguments_bodies.h"
@@ -76,7 +81,10 @@ static const entry table[] = {
 /* What the header says about each function of the table. */
 typedef struct declared {
 	char name[64];
+	char comment[2048];
+	char parameters[512];
 	int changes_world; /* takes a non-const world */
+	int has_result;    /* returns a cn_result */
 } declared;
 static declared functions[512];
 static int function_count;
@@ -93,6 +101,26 @@ static char *header_read(void)
 	text[bytes] = '\0';
 	fclose(file);
 	return text;
+}
+
+static void copy_text(char *out, size_t capacity, const char *from, const char *to)
+{
+	size_t length = (size_t)(to - from);
+	length = length < capacity ? length : capacity - 1;
+	memcpy(out, from, length);
+	out[length] = '\0';
+}
+
+/* The comment that ends right before a declaration. */
+static void comment_parse(declared *d, const char *text, const char *declaration)
+{
+	const char *begin = declaration;
+	d->comment[0] = '\0';
+	if (declaration - text < 2 || strncmp(declaration - 2, "*/", 2) != 0)
+		return;
+	while (begin > text && strncmp(begin, "/*", 2) != 0)
+		--begin;
+	copy_text(d->comment, sizeof d->comment, begin, declaration);
 }
 
 /* One declaration, from behind CN_API to its semicolon. */
@@ -112,6 +140,8 @@ static void declaration_parse(const char *from, const char *to)
 	d->name[length] = '\0';
 	world = strstr(open, "cn_world *world");
 	d->changes_world = world != NULL && world < to && strncmp(world - 6, "const ", 6) != 0;
+	d->has_result = strncmp(from, "cn_result ", 10) == 0;
+	copy_text(d->parameters, sizeof d->parameters, open, to);
 	++function_count;
 }
 
@@ -124,19 +154,40 @@ static void header_parse(void)
 		return;
 	for (p = strstr(text, "\nCN_API "); p != NULL; p = strstr(p + 1, "\nCN_API ")) {
 		const char *end = strchr(p, ';');
-		if (end != NULL)
+		if (end != NULL) {
+			int known = function_count;
 			declaration_parse(p + 8, end);
+			if (function_count > known)
+				comment_parse(&functions[known], text, p);
+		}
 	}
 	free(text);
 }
 
-static int changes_world(const char *name)
+static const declared *declared_find(const char *name)
 {
 	int k;
 	for (k = 0; k < function_count; ++k)
 		if (strcmp(functions[k].name, name) == 0)
-			return functions[k].changes_world;
-	return 0;
+			return &functions[k];
+	return NULL;
+}
+
+static int changes_world(const char *name)
+{
+	const declared *d = declared_find(name);
+	return d != NULL && d->changes_world;
+}
+
+/* ------------------------------------------------------------------ errors that were produced */
+
+static uint32_t produced_by[TABLE_COUNT];
+
+/* The entry that what follows is about. */
+static void entry_begin(int k)
+{
+	current = table[k].name;
+	current_produced = &produced_by[k];
 }
 
 static void t_every_function_has_an_entry(void)
@@ -160,10 +211,10 @@ static void t_bad_arguments_are_refused(void)
 {
 	int k;
 	header_parse();
-	fixture_with_joints(0);
+	fixture_with_joints(1);
 	bad_calls = 0;
 	for (k = 0; k < TABLE_COUNT; ++k) {
-		current = table[k].name;
+		entry_begin(k);
 		current_has_sentence = changes_world(current);
 		table[k].bad();
 	}
@@ -195,6 +246,13 @@ static void t_good_calls_succeed(void)
 
 static int locked_calls, locked_callbacks;
 
+/* Functions of a non-const world, and those of which the header says so. */
+static int is_locked_out(const char *name)
+{
+	const declared *d = declared_find(name);
+	return d != NULL && (d->changes_world || strstr(d->comment, "CN_ERROR_LOCKED") != NULL);
+}
+
 static void call_everything(cn_world *world, const cn_contact_event *event, void *user)
 {
 	int k;
@@ -205,16 +263,19 @@ static void call_everything(cn_world *world, const cn_contact_event *event, void
 	for (k = 0; k < TABLE_COUNT; ++k) {
 		state s = state_of(world), after;
 		cn_result result;
-		if (!changes_world(table[k].name))
+		if (!is_locked_out(table[k].name))
 			continue;
+		entry_begin(k);
 		result = strcmp(table[k].name, "cn_world_destroy") == 0 ? (cn_world_destroy(world), CN_ERROR_LOCKED) : table[k].good();
 		after = state_of(world);
 		++locked_calls;
+		if (strcmp(table[k].name, "cn_world_destroy") != 0)
+			produced(result);
 		if (result != CN_ERROR_LOCKED || state_differs(&s, &after)) {
 			printf("  %s gives %d\n", table[k].name, (int)result);
 			test_fail(__FILE__, __LINE__, "a call inside a callback must be refused and change nothing");
 		}
-		if (strcmp(table[k].name, "cn_world_destroy") != 0)
+		if (strcmp(table[k].name, "cn_world_destroy") != 0 && changes_world(table[k].name))
 			CHECK(strncmp(cn_world_error_text(world), table[k].name, strlen(table[k].name)) == 0);
 	}
 }
@@ -242,7 +303,8 @@ static void t_running_out_of_memory_changes_nothing(void)
 {
 	int k, allow, failures = 0;
 	for (k = 0; k < TABLE_COUNT; ++k) {
-		for (allow = 0; allow < 40; ++allow) {
+		entry_begin(k);
+		for (allow = 0; allow < 100; ++allow) {
 			state s, after;
 			cn_result result;
 			fixture_with_joints(1);
@@ -256,6 +318,7 @@ static void t_running_out_of_memory_changes_nothing(void)
 				break;
 			}
 			++failures;
+			produced(result);
 			if (result != CN_ERROR_MEMORY || state_differs(&s, &after)) {
 				printf("  %s with allocation %d failing gives %d\n", table[k].name, allow, (int)result);
 				test_fail(__FILE__, __LINE__, "a call without memory must fail and change nothing");
@@ -265,10 +328,192 @@ static void t_running_out_of_memory_changes_nothing(void)
 			check_valid(table[k].name);
 			fixture_free();
 		}
-		CHECK(allow < 40);
+		CHECK(allow < 100);
 	}
 	CHECK_LE("bytes leaked", alloc_live, 0, "B");
 	CHECK_GE("failures met", failures, 10, "");
+}
+
+static int creates(const char *name)
+{
+	return strstr(name, "_create") != NULL && strcmp(name, "cn_world_create") != 0 && strcmp(name, "cn_tree_create") != 0;
+}
+
+/* Tables grow by pages: creates until one of them has to, and there is no memory for it. */
+static void create_until_memory_ends(int k)
+{
+	int made, times = 0;
+	for (made = 0; made < 2; ++made) {
+		state s, after;
+		cn_result result = CN_OK;
+		int n;
+		fixture_with_joints(1);
+		alloc_allow = 0;
+		for (n = 0; result == CN_OK && n < 5000 && (made == 0 || n < times); ++n)
+			result = table[k].good();
+		s = state_of(W);
+		if (made == 0)
+			times = n - 1;
+		else
+			result = table[k].good();
+		alloc_allow = -1;
+		after = state_of(W);
+		produced(result);
+		if (result != CN_ERROR_MEMORY || state_differs(&s, &after)) {
+			printf("  %s gives %d after %d calls\n", table[k].name, (int)result, n);
+			test_fail(__FILE__, __LINE__, "creating without memory must fail and change nothing");
+		}
+		check_valid(table[k].name);
+		CHECK(table[k].good() == CN_OK);
+		fixture_free();
+	}
+}
+
+static void t_creating_until_memory_ends_changes_nothing(void)
+{
+	int k;
+	for (k = 0; k < TABLE_COUNT; ++k) {
+		if (!creates(table[k].name))
+			continue;
+		entry_begin(k);
+		create_until_memory_ends(k);
+	}
+}
+
+/* ------------------------------------------------------------------ as many things as there may be */
+
+static cni_handles *tables_of(int k) { return k == 0 ? &W->body_handles : k == 1 ? &W->shape_handles : &W->joint_handles; }
+
+/* Tables that say that they are full: a million bodies take a gigabyte. */
+static cn_result call_with_full_tables(cn_result (*call)(void))
+{
+	int32_t slots[3], counts[3];
+	cn_result result;
+	int k;
+	for (k = 0; k < 3; ++k) {
+		cni_handles *handles = tables_of(k);
+		slots[k] = handles->slots.count;
+		counts[k] = handles->count;
+		handles->slots.count = handles->count = CN_MAX_HANDLES;
+	}
+	result = call();
+	for (k = 0; k < 3; ++k) {
+		tables_of(k)->slots.count = slots[k];
+		tables_of(k)->count = counts[k];
+	}
+	return result;
+}
+
+static void t_full_tables_take_nothing(void)
+{
+	int k, calls = 0;
+	for (k = 0; k < TABLE_COUNT; ++k) {
+		state s, after;
+		cn_result result;
+		if (!creates(table[k].name))
+			continue;
+		entry_begin(k);
+		fixture_with_joints(0);
+		s = state_of(W);
+		result = call_with_full_tables(table[k].good);
+		after = state_of(W);
+		produced(result);
+		++calls;
+		if (result != CN_ERROR_CAPACITY || state_differs(&s, &after) || strncmp(cn_world_error_text(W), current, strlen(current)) != 0) {
+			printf("  %s gives %d: %s\n", current, (int)result, cn_world_error_text(W));
+			test_fail(__FILE__, __LINE__, "a full table must refuse, and nothing may change");
+		}
+		check_valid(current);
+		fixture_free();
+	}
+	CHECK_GE("functions that create", calls, 20, "");
+}
+
+/* ------------------------------------------------------------------ errors as documented */
+
+static const char *const error_names[] = { "", "CN_ERROR_ARGUMENT", "CN_ERROR_HANDLE", "CN_ERROR_MEMORY", "CN_ERROR_LOCKED", "CN_ERROR_CAPACITY", "CN_ERROR_STATE",
+	"CN_ERROR_INTERNAL", "CN_ERROR_FORMAT" };
+#define ERRORS ((int)(sizeof error_names / sizeof *error_names))
+#define BIT(error) (1u << -(error))
+
+/* A handle by value or in an array, an item of a tree, or a definition that holds one. */
+static int takes_handle(const declared *d)
+{
+	static const char *const kinds[] = { " cn_body body", " cn_shape s", " cn_joint joint", " cn_constraint constraint", " uint32_t item", "const cn_body *bodies",
+		"cn_shape_def *def", "cn_query_filter *filter", "cn_explosion_def *def", "cn_mover_def *def" };
+	size_t k;
+	for (k = 0; k < sizeof kinds / sizeof *kinds; ++k)
+		if (strstr(d->parameters, kinds[k]) != NULL)
+			return 1;
+	return creates(d->name) && (strncmp(d->name, "cn_joint", 8) == 0 || strncmp(d->name, "cn_constraint", 13) == 0);
+}
+
+/* The errors that a comment names, also those of the function that it refers to: "otherwise as cn_...". */
+static uint32_t named_errors(const declared *d)
+{
+	const char *other = strstr(d->comment, "therwise as cn_");
+	uint32_t errors = 0;
+	int e;
+	for (e = 1; e < ERRORS; ++e)
+		if (strstr(d->comment, error_names[e]) != NULL)
+			errors |= 1u << e;
+	if (other != NULL) {
+		char name[64];
+		int k, length = 0;
+		for (other += 12; length < 63 && (other[length] == '_' || (other[length] >= 'a' && other[length] <= 'z')); ++length)
+			name[length] = other[length];
+		name[length] = '\0';
+		for (k = 0; k < function_count; ++k)
+			if (strcmp(functions[k].name, name) == 0 && &functions[k] != d)
+				errors |= named_errors(&functions[k]);
+	}
+	return errors;
+}
+
+static uint32_t documented_errors(const declared *d)
+{
+	uint32_t errors = named_errors(d);
+	if (!d->has_result)
+		return 0;
+	errors |= BIT(CN_ERROR_ARGUMENT);
+	if (takes_handle(d))
+		errors |= BIT(CN_ERROR_HANDLE);
+	if (d->changes_world)
+		errors |= BIT(CN_ERROR_LOCKED);
+	if (creates(d->name))
+		errors |= BIT(CN_ERROR_MEMORY) | BIT(CN_ERROR_CAPACITY);
+	return errors;
+}
+
+static void pairs_print(const char *name, uint32_t errors, const char *what)
+{
+	int e;
+	for (e = 1; e < ERRORS; ++e)
+		if (errors >> e & 1u)
+			printf("  %s: %s is %s\n", name, error_names[e], what);
+}
+
+/* Whatever changes a world may need memory, by the rules of the header. */
+static void t_errors_are_those_of_the_header(void)
+{
+	int k, missing = 0, extra = 0, pairs = 0, e;
+	for (k = 0; k < TABLE_COUNT; ++k) {
+		const declared *d = declared_find(table[k].name);
+		uint32_t documented, allowed;
+		REQUIRE(d != NULL);
+		documented = documented_errors(d);
+		allowed = documented | (d->changes_world ? BIT(CN_ERROR_MEMORY) : 0u);
+		for (e = 1; e < ERRORS; ++e) {
+			pairs += (int)(documented >> e & 1u);
+			missing += (int)((documented & ~produced_by[k]) >> e & 1u);
+			extra += (int)((produced_by[k] & ~allowed) >> e & 1u);
+		}
+		pairs_print(d->name, documented & ~produced_by[k], "documented and not produced");
+		pairs_print(d->name, produced_by[k] & ~allowed, "produced and not documented");
+	}
+	CHECK_GE("pairs of function and error", pairs, 600, "");
+	CHECK_LE("documented and not produced", missing, 0, "");
+	CHECK_LE("produced and not documented", extra, 0, "");
 }
 
 /* ------------------------------------------------------------------ numbers in sentences */
@@ -325,5 +570,9 @@ int main(int argc, char **argv)
 	RUN(t_bad_arguments_are_refused);
 	RUN(t_callbacks_lock_the_world);
 	RUN(t_running_out_of_memory_changes_nothing);
+	RUN(t_creating_until_memory_ends_changes_nothing);
+	RUN(t_full_tables_take_nothing);
+	if (test_filter == NULL) /* the others produce the errors */
+		RUN(t_errors_are_those_of_the_header);
 	return test_end();
 }

@@ -125,8 +125,18 @@ WORLD_GETTER(cn_world_get_memory_stats, cn_memory_stats)
 ENTRY(cn_world_shift_origin, cn_world_shift_origin(W, 0.5f, -0.25f),
 	NOW(cn_world_shift_origin(NULL, 1.0f, 1.0f)); POSITION(v, cn_world_shift_origin(W, v.x, v.y));)
 WORLD_GETTER(cn_world_hash, uint64_t)
+/* Of a world with a broken invariant: world/validate_test.c breaks others. */
+static cn_result validate_broken(void)
+{
+	cn_result result;
+	++W->movable_count;
+	result = cn_world_validate(W, NULL, 0);
+	--W->movable_count;
+	return result;
+}
 ENTRY(cn_world_validate, cn_world_validate(W, NULL, 0),
-	NOW(cn_world_validate(NULL, NULL, 0)); ARG(cn_world_validate(W, NULL, 5)); ARG(cn_world_validate(W, OUT(char), -1));)
+	NOW(cn_world_validate(NULL, NULL, 0)); ARG(cn_world_validate(W, NULL, 5)); ARG(cn_world_validate(W, OUT(char), -1));
+	BAD(CN_ERROR_INTERNAL, validate_broken());)
 
 /* ---- callbacks, sensors, shape flags, variable time, drawing */
 
@@ -158,7 +168,7 @@ ENTRY(cn_world_read_poses_interpolated, cn_world_read_poses_interpolated(W, thre
 	ARG(cn_world_read_poses_interpolated(W, three(f.box, f.ball, f.pill), 3, 0.5f, NULL));
 	ARG(cn_world_read_poses_interpolated(W, three(f.box, f.ball, f.pill), -1, 0.5f, OUT(cn_pose)));
 	ARG(cn_world_read_poses_interpolated(W, NULL, 1, 0.5f, OUT(cn_pose)));)
-static uint8_t save_bytes[1 << 20], file_bytes[1 << 16];
+static uint8_t save_bytes[1 << 21], file_bytes[1 << 16];
 static cn_world *file_world;
 static uint64_t save_count(void)
 {
@@ -174,6 +184,31 @@ static cn_result restore_with(cn_world *world, uint64_t at, uint8_t change, uint
 	save_bytes[at < bytes ? at : bytes / 2] ^= change;
 	return cn_world_restore(world, save_bytes, less < bytes ? bytes - less : 0);
 }
+/* The state of a world with many more bodies, where every allocation fails. */
+static cn_result restore_larger(void)
+{
+	uint64_t bytes = 0;
+	cn_world *world = NULL;
+	cn_result result = CN_OK;
+	int k;
+	reset();
+	wd.alloc = test_alloc;
+	wd.free = test_free;
+	if (cn_world_create(&wd, &world) != CN_OK)
+		return CN_OK;
+	for (k = 0; k < 600 && result == CN_OK; ++k)
+		result = cn_body_create(world, &bd, OUT(cn_body));
+	memset(out_bytes, 0xA5, sizeof out_bytes);
+	if (result == CN_OK)
+		result = cn_world_save(world, save_bytes, sizeof save_bytes, &bytes);
+	cn_world_destroy(world);
+	if (result != CN_OK)
+		return result;
+	alloc_allow = 0;
+	result = cn_world_restore(W, save_bytes, bytes);
+	alloc_allow = -1;
+	return result;
+}
 ENTRY(cn_world_save_size, cn_world_save_size(W, OUT(uint64_t)), NOW(cn_world_save_size(NULL, OUT(uint64_t))); ARG(cn_world_save_size(W, NULL));)
 ENTRY(cn_world_save, cn_world_save(W, save_bytes, sizeof save_bytes, OUT(uint64_t)),
 	NOW(cn_world_save(NULL, save_bytes, sizeof save_bytes, OUT(uint64_t))); ARG(cn_world_save(W, NULL, sizeof save_bytes, OUT(uint64_t)));
@@ -181,7 +216,8 @@ ENTRY(cn_world_save, cn_world_save(W, save_bytes, sizeof save_bytes, OUT(uint64_
 ENTRY(cn_world_restore, restore_with(W, 0, 0, 0),
 	NOW(restore_with(NULL, 0, 0, 0)); ARG(cn_world_restore(W, NULL, 100));
 	BAD(CN_ERROR_FORMAT, restore_with(W, 0, 1, 0)); BAD(CN_ERROR_FORMAT, restore_with(W, UINT64_MAX, 1, 0)); BAD(CN_ERROR_FORMAT, restore_with(W, 0, 0, 1));
-	BAD(CN_ERROR_FORMAT, restore_with(W, 0, 0, 1000)); BAD(CN_ERROR_FORMAT, restore_with(W, 0, 0, UINT64_MAX)); STATE(restore_with(W, 4, 1, 0));)
+	BAD(CN_ERROR_FORMAT, restore_with(W, 0, 0, 1000)); BAD(CN_ERROR_FORMAT, restore_with(W, 0, 0, UINT64_MAX)); STATE(restore_with(W, 4, 1, 0));
+	BAD(CN_ERROR_MEMORY, restore_larger());)
 /* The bytes of a small world of its own, in a callback too. */
 static uint64_t file_count(void)
 {
@@ -198,10 +234,14 @@ static uint64_t file_count(void)
 static cn_result read_with(uint64_t at, uint8_t change, uint64_t less)
 {
 	uint64_t bytes = file_count();
+	cn_world_def def;
 	cn_world *world = NULL;
 	cn_result result;
+	cn_world_def_init(&def);
+	def.alloc = test_alloc;
+	def.free = test_free;
 	file_bytes[at < bytes ? at : 0] ^= change;
-	result = cn_world_read(NULL, file_bytes, less < bytes ? bytes - less : 0, &world);
+	result = cn_world_read(&def, file_bytes, less < bytes ? bytes - less : 0, &world);
 	file_bytes[at < bytes ? at : 0] ^= change;
 	cn_world_destroy(world);
 	return result;

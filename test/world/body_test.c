@@ -552,6 +552,31 @@ static void shapes_added_one_by_one_add_up(void)
 	cn_world_destroy(world);
 }
 
+/* More bodies in turn than the world remembers to compute at the step (CNI_ESTIMATED_MOST). */
+static void many_compounds_add_up(void)
+{
+	cn_world *world = fixture_world(0.0f, 0);
+	static cn_body bodies[40];
+	static compound sums[40];
+	double worst = 0.0;
+	int32_t k, body;
+	memset(sums, 0, sizeof sums);
+	for (body = 0; body < 40; ++body)
+		bodies[body] = fixture_body(world, CN_BODY_DYNAMIC, 50.0f * (float)body, 0.0f, 0.3f);
+	for (k = 0; k < 24; ++k)
+		for (body = 0; body < 40; ++body)
+			compound_add(&sums[body], world, bodies[body], k + body);
+	fixture_step(world, 1);
+	for (body = 0; body < 40; ++body) {
+		cn_mass_data m;
+		must(cn_body_get_mass_data(world, bodies[body], &m), world, "mass");
+		worst = greater(worst, mass_error(&sums[body], &m));
+	}
+	CHECK_LE("error of mass, centre and inertia of 40 bodies", worst, ROUNDING, "");
+	CHECK(fixture_is_valid(world));
+	cn_world_destroy(world);
+}
+
 /* ---- the readback: model/world.h ---- */
 
 #define READ_BODIES 70
@@ -621,6 +646,7 @@ int main(int argc, char **argv)
 	RUN(bodies_can_be_gone_through);
 	RUN(bulk_reads_are_single_reads);
 	RUN(shapes_added_one_by_one_add_up);
+	RUN(many_compounds_add_up);
 	RUN(readback_is_the_records);
 	RUN(many_are_made_or_none);
 	RUN(dead_handles_stay_dead);

@@ -168,6 +168,33 @@ static void t_only_what_may_be_pushed(void)
 	cn_world_destroy(w);
 }
 
+/* A filter may change its mind between two looks at a shape: whoever is pushed is pushed once, and no one else is touched. */
+static int32_t takes_from_the_fourth_call_on(const cn_world *world, const cn_ray_hit *hit, void *user)
+{
+	int32_t *calls = (int32_t *)user;
+	(void)world;
+	(void)hit;
+	return ++*calls > 3 ? CN_QUERY_TAKE : CN_QUERY_SKIP;
+}
+
+static void t_a_fickle_filter_does_no_harm(void)
+{
+	cn_world *w = fixture_world(0.0f, 1);
+	cn_explosion_def def = blast(0.0f, 0.0f, 5.0f, 0.0f, 1.0f);
+	cn_body balls[6];
+	int32_t calls = 0, pushed = 0, k;
+	for (k = 0; k < 6; ++k)
+		balls[k] = fixture_circle(w, CN_BODY_DYNAMIC, 2.0f + (float)(k / 2), k % 2 ? 1.0f : -1.0f, 0.4f, 0.5f, 0.0f);
+	def.filter.visit = takes_from_the_fourth_call_on;
+	def.filter.user = &calls;
+	explode(w, def);
+	for (k = 0; k < 6; ++k)
+		pushed += speed_of(w, balls[k]) > 0.0;
+	CHECK(calls >= 6 && pushed == 3); /* three in the first look, which counts them; more have no place */
+	CHECK(fixture_is_valid(w));
+	cn_world_destroy(w);
+}
+
 /* A call that fails changes nothing: the second of two bodies would get an infinite speed. */
 static void t_failing_changes_nothing(void)
 {
@@ -263,6 +290,7 @@ int main(int argc, char **argv)
 	RUN(t_centre_inside_and_pulling);
 	RUN(t_a_ring_flies_apart_evenly);
 	RUN(t_only_what_may_be_pushed);
+	RUN(t_a_fickle_filter_does_no_harm);
 	RUN(t_failing_changes_nothing);
 	RUN(t_a_spin_without_bound_is_refused);
 	RUN(t_does_not_depend_on_the_broadphase);

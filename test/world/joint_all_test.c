@@ -276,6 +276,47 @@ static void what_is_set_is_read_back(void)
 	cn_world_destroy(world);
 }
 
+/* ---- reading ---- */
+
+#define SHORT_S (1.0f / 3840.0f)
+
+/* The speed between two short steps is the difference of the positions before and after, over the time 2 h. That errs by h^2 / 6 times
+   the third derivative, at angular speeds of 5/s by 1e-6, and by the rounding of positions (1e-6 m of the pulley's 14 m) over 2 h: 2e-3. */
+static void speed_is_the_rate_of_the_position(void)
+{
+	double worst[TYPES] = { 0.0 };
+	uint32_t seed = 7u;
+	int32_t round, type;
+	for (round = 0; round < 20; ++round)
+		for (type = 0; type < TYPES; ++type) {
+			cn_world *world = fixture_world(0.0f, 0);
+			cn_body a = unit_box(world, -0.5f, 0.0f, 0.0f), b = unit_box(world, 0.5f, 0.0f, 0.0f);
+			cn_joint joint = make_any(world, type, a, at(0.5f, 0.0f), b, at(-0.5f, 0.0f));
+			double before, rate, speed;
+			float vx = fixture_random(&seed, -0.5f, 0.5f), vy = fixture_random(&seed, -0.5f, 0.5f), w = fixture_random(&seed, -3.0f, 3.0f);
+			if (type == CN_JOINT_RATCHET) /* the way that it does not block */
+				w = fabsf(w);
+			if (type == CN_JOINT_MOUSE)
+				must(cn_joint_set_target(world, joint, 3.0f, 2.0f), world, "cn_joint_set_target");
+			fixture_set_velocity(world, b, vx, vy, w);
+			fixture_step(world, 3);
+			must(cn_world_step(world, SHORT_S), world, "cn_world_step");
+			before = joint_position(world, joint);
+			must(cn_world_step(world, SHORT_S), world, "cn_world_step");
+			speed = joint_speed(world, joint);
+			must(cn_world_step(world, SHORT_S), world, "cn_world_step");
+			rate = (joint_position(world, joint) - before) / (2.0 * (double)SHORT_S);
+			if (type == CN_JOINT_WHEEL) /* the translation, and the rate of the angle */
+				rate = (double)fixture_velocity(world, b).angular_radps - (double)fixture_velocity(world, a).angular_radps;
+			worst[type] = greater(worst[type], fabs(rate - speed) / (1.0 + fabs(speed)));
+			cn_world_destroy(world);
+		}
+	for (type = 0; type < TYPES; ++type) {
+		printf("    %s\n", type_names[type]);
+		CHECK_LE("rate of the position against the speed, relative", worst[type], 0.005, "");
+	}
+}
+
 /* ---- the same on every run ---- */
 
 static uint64_t busy_hash(void)
@@ -310,6 +351,7 @@ int main(int argc, char **argv)
 	RUN(every_way_to_end_a_joint);
 	RUN(a_filter_only_filters);
 	RUN(what_is_set_is_read_back);
+	RUN(speed_is_the_rate_of_the_position);
 	RUN(runs_are_equal);
 	return test_end();
 }

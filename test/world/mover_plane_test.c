@@ -217,6 +217,29 @@ static void t_planes_are_what_is_touched(void)
 	cn_world_destroy(w);
 }
 
+/* A mover with corners beside round shapes: the separation is that of the centre from the polygon less the radius, from both orders. */
+static void t_planes_of_round_shapes(void)
+{
+	cn_polygon slab = { 4, 0.0f, { { -0.5f, -0.4f }, { 0.5f, -0.4f }, { 0.5f, 0.4f }, { -0.5f, 0.4f } } };
+	cn_capsule capsule = { { -1.0f, 0.0f }, { 1.0f, 0.0f }, 0.25f };
+	cn_shape_def sd;
+	cn_plane p[8];
+	w = fixture_world(0.0f, 1);
+	fixture_circle(w, CN_BODY_STATIC, 0.0f, 0.0f, 0.5f, 0.5f, 0.0f);
+	sd = fixture_shape_def(fixture_body(w, CN_BODY_STATIC, 10.0f, 0.0f, 0.5f * (float)acos(-1.0)), 0.5f, 0.0f);
+	must(cn_shape_create_capsule(w, &sd, &capsule, NULL), w, "cn_shape_create_capsule");
+	CHECK(planes_at(&slab, 0.2f, 0.92f, 0.05f, 0, p) == 1);
+	CHECK_LE("above a disc: error of the separation", fabs((double)p[0].separation_m - 0.02), 1e-6, "m");
+	CHECK_LE("error of the normal", fabs((double)p[0].normal.x) + fabs((double)p[0].normal.y - 1.0), 1e-6, "");
+	CHECK(planes_at(&slab, 0.8f, 0.7f, 0.05f, 0, p) == 1);
+	CHECK_LE("a corner beside a disc: error of the separation", fabs((double)p[0].separation_m - (hypot(0.3, 0.3) - 0.5)), 1e-6, "m");
+	CHECK_LE("error of the normal", fabs((double)p[0].normal.x - sqrt(0.5)) + fabs((double)p[0].normal.y - sqrt(0.5)), 1e-5, "");
+	CHECK(planes_at(&slab, 9.27f, 0.3f, 0.05f, 0, p) == 1);
+	CHECK_LE("beside an upright capsule: error of the separation", fabs((double)p[0].separation_m + 0.02), 1e-6, "m");
+	CHECK_LE("error of the normal", fabs((double)p[0].normal.x + 1.0), 1e-6, "");
+	cn_world_destroy(w);
+}
+
 /* Of a row of tiles at one height only those under its feet; a tile that is higher by a millimetre is one more. */
 static void t_tiles_behind_a_plane_are_left_out(void)
 {
@@ -260,6 +283,7 @@ int main(int argc, char **argv)
 	RUN(t_pushes_are_bounded);
 	RUN(t_known_answers);
 	RUN(t_planes_are_what_is_touched);
+	RUN(t_planes_of_round_shapes);
 	RUN(t_tiles_behind_a_plane_are_left_out);
 	RUN(t_one_way_planes);
 	return test_end();

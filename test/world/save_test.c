@@ -274,6 +274,39 @@ static void t_uneven_and_mixed_worlds_go_on(void)
 	cn_world_destroy(other);
 }
 
+/* A ball on a floor, which rolls freely in the save; then the world gets extra rows, as the floor becomes a conveyor. */
+static void t_rows_made_since_are_gone(void)
+{
+	cn_world *world = fixture_world(-10.0f, 1);
+	cn_body floor = fixture_floor(world, 0.6f, 0.0f), ball = fixture_circle(world, CN_BODY_DYNAMIC, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+	uint64_t straight[LOCKSTEP], back[LOCKSTEP];
+	cn_material belt;
+	saved s;
+	int32_t k;
+	fixture_set_velocity(world, ball, 1.0f, 0.0f, 0.0f);
+	fixture_step(world, 20);
+	s = save_world(world);
+	for (k = 0; k < LOCKSTEP; ++k) {
+		fixture_step(world, 1);
+		straight[k] = digest_step(0, world);
+	}
+	restore_world(world, &s);
+	must(cn_shape_get_material(world, fixture_first_shape(world, floor), &belt), world, "cn_shape_get_material");
+	belt.tangent_speed_mps = 3.0f;
+	belt.rolling_resistance = 0.1f;
+	must(cn_shape_set_material(world, fixture_first_shape(world, floor), &belt), world, "cn_shape_set_material");
+	fixture_step(world, 20);
+	CHECK_GE("change of speed by the belt", fabs((double)fixture_velocity(world, ball).linear_mps.x - 1.0), 0.1, "m/s");
+	restore_world(world, &s);
+	for (k = 0; k < LOCKSTEP; ++k) {
+		fixture_step(world, 1);
+		back[k] = digest_step(0, world);
+	}
+	CHECK(same_steps(straight, back) == LOCKSTEP);
+	saved_free(&s);
+	cn_world_destroy(world);
+}
+
 /* ---- between the steps ---- */
 
 /* Forces, kicks, pending events, owed time: all that calls have left for the next step. */
@@ -539,6 +572,7 @@ int main(int argc, char **argv)
 	RUN(t_a_restored_world_goes_on_bit_for_bit);
 	RUN(t_rolling_back_in_every_step_changes_nothing);
 	RUN(t_uneven_and_mixed_worlds_go_on);
+	RUN(t_rows_made_since_are_gone);
 	RUN(t_what_calls_have_left_is_saved);
 	RUN(t_handles_of_then_are_valid_and_newer_ones_are_not);
 	RUN(t_what_is_no_save_is_refused);

@@ -553,6 +553,28 @@ static void events_are_those_of_the_soft_solver(void)
 	CHECK_LE("bounces more or less than soft", abs((int)(sequential.count[CN_EVENT_ENTER] - soft.count[CN_EVENT_ENTER])), 2, "");
 }
 
+/* A step of 0 s updates contacts and events; nothing moves. */
+static void a_step_of_no_time_finds_contacts(void)
+{
+	cn_world *world = sequential_world(-10.0f, 1);
+	const cn_contact_event *events;
+	cn_body box;
+	cn_pose before, after;
+	int32_t count = 0;
+	fixture_floor(world, 0.6f, 0.0f);
+	box = fixture_box(world, CN_BODY_DYNAMIC, 0.0f, 0.499f, 0.0f, 0.5f, 0.5f, 0.6f, 0.0f);
+	fixture_set_velocity(world, box, 1.0f, -2.0f, 3.0f);
+	before = fixture_pose(world, box);
+	must(cn_world_step(world, 0.0f), world, "cn_world_step");
+	after = fixture_pose(world, box);
+	must(cn_world_contact_events(world, CN_EVENT_ENTER, &events, &count), world, "cn_world_contact_events");
+	CHECK(count == 1 && events[0].manifold.point_count == 2 && events[0].normal_impulse_Ns == 0.0f);
+	CHECK(memcmp(&before, &after, sizeof before) == 0);
+	CHECK(fixture_velocity(world, box).linear_mps.x == 1.0f && fixture_velocity(world, box).linear_mps.y == -2.0f);
+	CHECK(fixture_is_valid(world));
+	cn_world_destroy(world);
+}
+
 /* ---- determinism ---- */
 
 static uint64_t pile_hash(uint32_t seed, int32_t *out_valid)
@@ -610,6 +632,7 @@ int main(int argc, char **argv)
 	RUN(angle_constraint_holds);
 	RUN(line_constraint_holds);
 	RUN(events_are_those_of_the_soft_solver);
+	RUN(a_step_of_no_time_finds_contacts);
 	RUN(equal_histories_are_equal);
 	return test_end();
 }
