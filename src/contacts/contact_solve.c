@@ -109,9 +109,9 @@ CNI_INLINE void infos_prefetch(const cn_world *world)
 		CNI_PREFETCH(&cni_block_info_at(world, block)->next);
 }
 
-/* Convex bodies that do not overlap have three contacts each at most, as the graph of their contacts is planar. Where they have twice as
-   many, bodies were made or pressed into one spot, and one sweep leaves so much of the speed of the soft pass, which pushes them
-   apart, that they fly apart as from an explosion. */
+/* Convex bodies that do not overlap have three contacts each at most, as the graph of their contacts is planar. Where they have more,
+   bodies were made or pressed into one spot, and one sweep leaves so much of the speed of the soft pass, which pushes them apart, that
+   they fly apart as from an explosion. */
 static int32_t relax_sweeps(const cn_world *world)
 {
 	int32_t color, lanes = world->colors[CNI_COLOR_OVERFLOW].lanes;
