@@ -160,10 +160,11 @@ static void random_crowds(uint32_t seeds, int32_t steps)
 	crowd c;
 	uint32_t seed;
 	for (seed = 1; seed <= seeds; ++seed) {
+		int32_t spots = 1 + (int32_t)seed / 2 % 2;
 		cn_world_def_init(&def);
 		def.broadphase = seed % 2 == 0 ? CN_BROADPHASE_TREE : CN_BROADPHASE_SWEEP;
 		def.solver = seed % 3 == 0 ? CN_SOLVER_SOFT : CN_SOLVER_AUTO;
-		crowd_open(&c, &def, 150 + 140 * (1 + (int32_t)(seed + 4) % 5), 1 + (int32_t)seed / 2 % 2, 6, seed);
+		crowd_open(&c, &def, 150 + 140 * (spots + (int32_t)(seed + 4) % 5), spots, 6, seed);
 		crowd_step(&c, steps);
 		check_crowd(&c, 120);
 		crowd_close(&c);
