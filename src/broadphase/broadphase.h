@@ -35,16 +35,19 @@ typedef struct cni_broadphase_pairs {
 	int32_t pairs_lost;
 	int32_t culled;        /* 1: the list has been culled by `wanted`, and only wanted pairs are added */
 	int32_t left_out;      /* pairs left out because of a crowd; the filters may refuse some of them */
-	int32_t left_out_static; /* 1: among them are pairs with a static proxy */
+	int32_t left_out_fixed; /* 1: among them are pairs with a fixed proxy */
 	int32_t mode;          /* of the running search: CNI_PAIRS_MODE_ of pair_list.h */
 	uint32_t seed;         /* set by the caller: another one leaves out other pairs */
 	int32_t limit;         /* new pairs beyond which there is a crowd */
 	int32_t reserved;
-	int32_t *degrees;      /* scratch in a crowd: two per proxy id, with other and with static proxies: counts, then thresholds */
+	int32_t *degrees;      /* scratch in a crowd: two per proxy id, with other and with fixed proxies: counts, then thresholds */
 	/* The caller's filter; NULL wants all pairs. update calls it only when the list is full, so that no memory goes to pairs
 	   that the caller would drop; otherwise the caller culls. Called only in the thread that called update. */
 	cni_pair_filter_fn *wanted;
 	const void *wanted_context;
+	/* 1 when nothing moves the proxy's body, as if its mass were infinite; NULL: static proxies. Called only in a crowd, with
+	   wanted_context. */
+	int32_t (*fixed)(const void *context, int32_t proxy);
 } cni_broadphase_pairs;
 
 #define CNI_PAIRS_LEAST 32768

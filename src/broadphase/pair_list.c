@@ -12,20 +12,25 @@ void cni_pairs_begin(cni_broadphase_pairs *pairs, int32_t proxies)
 	pairs->list.count = 0;
 	pairs->pairs_lost = 0;
 	pairs->culled = 0;
-	pairs->left_out = pairs->left_out_static = 0;
+	pairs->left_out = pairs->left_out_fixed = 0;
 	pairs->mode = CNI_PAIRS_MODE_LIST;
 	pairs->limit = cni_pairs_limit(proxies);
 }
 
 /* ---- crowds ---- */
 
-/* The least k with degree >> k <= CNI_CROWD_DEGREE. */
-static int32_t degree_shift(int32_t degree)
+/* The least k with degree >> k <= most. */
+static int32_t degree_shift(int32_t degree, int32_t most)
 {
 	int32_t k = 0;
-	while (degree >> k > CNI_CROWD_DEGREE)
+	while (degree >> k > most)
 		++k;
 	return k;
+}
+
+static uint32_t is_fixed(const cni_broadphase_pairs *pairs, int32_t id, const cni_proxy *p)
+{
+	return pairs->fixed != NULL ? (uint32_t)pairs->fixed(pairs->wanted_context, id) : p->flags & CNI_PROXY_STATIC ? 1u : 0u;
 }
 
 /* Without scratch memory the list takes what fits. */
@@ -40,7 +45,7 @@ int32_t cni_pairs_search_again(cni_broadphase_pairs *pairs, cni_arena *arena, in
 	if (pairs->mode == CNI_PAIRS_MODE_COUNT) {
 		pairs->mode = CNI_PAIRS_MODE_THIN;
 		for (k = 0; k < 2 * ids; ++k)
-			pairs->degrees[k] = degree_shift(pairs->degrees[k]);
+			pairs->degrees[k] = degree_shift(pairs->degrees[k], k % 2 ? CNI_CROWD_DEGREE_FIXED : CNI_CROWD_DEGREE);
 		return 1;
 	}
 	if (pairs->mode != CNI_PAIRS_MODE_STOPPED)
@@ -66,9 +71,13 @@ static uint64_t pair_number(int32_t a, int32_t b, uint32_t seed)
 
 int32_t cni_pairs_crowd_takes(cni_broadphase_pairs *pairs, int32_t a, int32_t b, cni_proxy *pa, cni_proxy *pb)
 {
-	uint32_t fixed_a = pa->flags & CNI_PROXY_STATIC ? 1u : 0u, fixed_b = pb->flags & CNI_PROXY_STATIC ? 1u : 0u;
+	uint32_t fixed_a, fixed_b;
 	int32_t *degree_a, *degree_b, k;
-	if (pairs->mode == CNI_PAIRS_MODE_STOPPED || (fixed_a & fixed_b))
+	if (pairs->mode == CNI_PAIRS_MODE_STOPPED)
+		return 0;
+	fixed_a = is_fixed(pairs, a, pa);
+	fixed_b = is_fixed(pairs, b, pb);
+	if (fixed_a & fixed_b)
 		return 0;
 	degree_a = &pairs->degrees[2 * a + (int32_t)fixed_b];
 	degree_b = &pairs->degrees[2 * b + (int32_t)fixed_a];
@@ -82,7 +91,7 @@ int32_t cni_pairs_crowd_takes(cni_broadphase_pairs *pairs, int32_t a, int32_t b,
 		return 1;
 	(a < b ? pa : pb)->flags |= CNI_PROXY_CROWDED;
 	pairs->left_out += pairs->left_out < INT32_MAX;
-	pairs->left_out_static |= (int32_t)(fixed_a | fixed_b);
+	pairs->left_out_fixed |= (int32_t)(fixed_a | fixed_b);
 	return 0;
 }
 

@@ -2,11 +2,12 @@
  * broadphase/pair_list.h - the list of new pairs that every broadphase fills: growth, lost pairs, crowds, sorting.
  *
  * A search that finds more pairs than the limit has met a crowd and ends early. A second search counts each proxy's pairs, with
- * static and with other proxies apart; a third one makes the list. Each pair has a random number in [0, 1), a hash of its proxies
+ * fixed and with other proxies apart; a third one makes the list. Each pair has a random number in [0, 1), a hash of its proxies
  * and the seed. Each proxy has a threshold 2^-k with the least k by which a right shift of its count gives CNI_CROWD_DEGREE at
  * most. A pair is listed when its number is below the threshold of one of its proxies. So bodies outside of the crowd miss no
- * pair, and proxies in the crowd have some eight to sixteen. For a pair with a static proxy, the other one's count of static
- * proxies decides, so that a crowd does not fall through the ground.
+ * pair, and proxies in the crowd have some eight to sixteen. For a pair with a fixed proxy, the other one's count of fixed
+ * proxies decides, and a proxy keeps all of up to CNI_CROWD_DEGREE_FIXED: a crowd neither falls through the ground nor through a
+ * crusher, and yet a thousand fixed shapes in the same spot take bounded memory.
  * Counts, numbers and so the list do not depend on the order of searching.
  */
 #ifndef CNI_BROADPHASE_PAIR_LIST_H
@@ -22,6 +23,7 @@ enum {
 };
 
 #define CNI_CROWD_DEGREE 16
+#define CNI_CROWD_DEGREE_FIXED 256
 
 /* Empties the list and clears its counters. */
 void cni_pairs_begin(cni_broadphase_pairs *pairs, int32_t proxies);

@@ -10,6 +10,7 @@
 #include "base/bitset.h"
 #include "base/cpu.h"
 #include "contacts/contact_pass.h"
+#include "model/tuning.h"
 
 #define BLOCKS_A_RANGE 8 /* about a microsecond, more than the workers of a team take to meet */
 
@@ -108,6 +109,17 @@ CNI_INLINE void infos_prefetch(const cn_world *world)
 		CNI_PREFETCH(&cni_block_info_at(world, block)->next);
 }
 
+/* Convex bodies that do not overlap have three contacts each at most, as the graph of their contacts is planar. Where they have more,
+   bodies were made or pressed into one spot, and one sweep leaves so much of the speed of the soft pass, which pushes them apart, that
+   they fly apart as from an explosion. */
+static int32_t relax_sweeps(const cn_world *world)
+{
+	int32_t color, lanes = world->colors[CNI_COLOR_OVERFLOW].lanes;
+	for (color = 0; color < CNI_COLOR_STATIC; ++color)
+		lanes += world->colors[color].lanes;
+	return lanes > CNI_CROWD_CONTACTS * world->awake_count ? CNI_CROWD_RELAX_SWEEPS : 1;
+}
+
 void cni_contacts_list(cn_world *world, cni_solve *s)
 {
 	cni_listed_block *list = (cni_listed_block *)world->block_list.data;
@@ -130,6 +142,7 @@ void cni_contacts_list(cn_world *world, cni_solve *s)
 		s->contact_colors |= (uint32_t)(world->colors[color].lanes > 0) << color;
 	}
 	CNI_ASSERT(count <= world->block_list.capacity);
+	s->relax_sweeps = relax_sweeps(world);
 	s->sums = sums != 0 || world->events.log[CN_EVENT_ENTER].count > 0;
 }
 
@@ -153,6 +166,9 @@ void cni_contact_solve_again(cn_world *world, const cni_solve *s, int32_t slot)
 
 void cni_contacts_relax(cn_world *world, const cni_solve *s)
 {
-	overflow_run(world, s, CNI_PASS_RELAX);
-	colors_run(world, s, CNI_PASS_RELAX);
+	int32_t k;
+	for (k = 0; k < s->relax_sweeps; ++k) {
+		overflow_run(world, s, CNI_PASS_RELAX);
+		colors_run(world, s, CNI_PASS_RELAX);
+	}
 }

@@ -79,6 +79,7 @@ typedef struct cni_solve {
 	const struct cni_joint_kernel *joint_kernel;
 	const struct cni_body_kernel *body_kernel; /* NULL: bodies one by one */
 	struct cni_sparse *direct; /* directly solved joints and contacts, NULL: none */
+	int32_t relax_sweeps;      /* of the contacts' relax pass in a substep */
 	int32_t bounces;           /* some contact has restitution */
 	int32_t sums;              /* some contact may report its impulse: contacts/impulse_sums.c */
 	uint32_t contact_colors;   /* colours with contacts, as bits */

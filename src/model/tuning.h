@@ -76,6 +76,11 @@ CNI_TUNING_FLOAT(CNI_BOUNCE_MISSED_SUBSTEPS, 8.0f)
 CNI_TUNING_COUNT(CNI_NEW_CONTACT_ROUNDS, 4)
 /* Sweeps of restitution. A wave through touching balls may need several; the next solve takes the rest. */
 CNI_TUNING_COUNT(CNI_RESTITUTION_SWEEPS, 4)
+/* Touching contacts between awake bodies, for each awake body, beyond which bodies are in a crowd; see contacts/contact_solve.c. */
+CNI_TUNING_COUNT(CNI_CROWD_CONTACTS, 4)
+/* Sweeps of the relax pass in a crowd. 1,000 boxes made in one spot are up to 120 m high after 3 s with 1, 58 m with 4. 340 boxes come apart
+   within 2 s with either; if all steps take 16, 42 boxes have not after 5 s. */
+CNI_TUNING_COUNT(CNI_CROWD_RELAX_SWEEPS, 4)
 /* Cosine between gravity and a contact normal from which the contact can bear a body by itself. */
 CNI_TUNING_FLOAT(CNI_PRELOAD_SUPPORT_COSINE, 0.5f)
 /* Share of friction beside the normals, where normals alone do not suffice. */
@@ -95,6 +100,8 @@ CNI_TUNING_FLOAT(CNI_PRELOAD_RESIDUAL_MAX, 0.05f)
 
 /* ---------------------------------------------------------------- narrowphase */
 
+/* Part of the slop (0.5 um). Centres that are nearer have no direction from one to the other. */
+CNI_TUNING_FLOAT(CNI_COINCIDENT_PER_SLOP, 1e-4f)
 /* Factor on the radii of bounding circles that must be apart, against rounding. */
 CNI_TUNING_FLOAT(CNI_CIRCLES_APART, 1.0001f)
 /* Part of the slop (0.2 mm). Resting contacts yield by up to this: g / (2 pi 30 Hz)^2 is 0.28 mm for a body as light as its contact,

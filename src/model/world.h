@@ -54,7 +54,7 @@ enum {
 	CNI_PAIRS_MARKED = 1, /* pairs of bodies with CNI_BODY_AGAIN: woken, moved, or filters changed */
 	CNI_PAIRS_ALL = 3,    /* all pairs: memory was short for a new contact, or for the end of one */
 	CNI_PAIRS_CROWDED = 4, /* some proxies have CNI_PROXY_CROWDED: some of their pairs have no contact yet ... */
-	CNI_PAIRS_CROWDED_STATIC = 8 /* ... also pairs with static proxies */
+	CNI_PAIRS_CROWDED_FIXED = 8 /* ... also pairs with fixed bodies */
 };
 
 struct cn_world {

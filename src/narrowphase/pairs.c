@@ -6,7 +6,8 @@
  * again.
  *
  * Crowds: the broadphase bounds the pairs of one update (broadphase/pair_list.h), this stage all contacts. In a world with more
- * than cni_pairs_limit contacts, a pair of which both bodies have many is left out. In each step one in CROWD_TURNS of the
+ * than cni_pairs_limit contacts, a pair of which both bodies have many is left out, but not one with a fixed body (static or
+ * kinematic), or a crowd would fall through the ground. In each step one in CROWD_TURNS of the
  * proxies that miss a pair is touched, until nothing is left out; until then their bodies do not fall asleep.
  */
 #include "narrowphase/narrowphase.h"
@@ -14,7 +15,7 @@
 
 #define CROWD_TURNS 16       /* steps until a proxy that misses a pair has its next turn */
 #define CONTACTS_MANY 16     /* of each of two bodies */
-#define CONTACTS_STATIC 64   /* of a body that meets a static one */
+#define CONTACTS_FIXED 256   /* with fixed bodies, of a body that meets another one */
 
 static void pair_retry_later(cn_world *world, const cni_pair *pair)
 {
@@ -99,26 +100,43 @@ static int32_t crowd_turn(cn_world *world)
 	return found;
 }
 
-static int32_t has_static(const cn_world *world, const cni_pair *pair)
+static int32_t is_fixed(const void *context, int32_t proxy)
 {
-	return ((cni_proxy_at(world, pair->a)->flags | cni_proxy_at(world, pair->b)->flags) & CNI_PROXY_STATIC) != 0;
+	return body_of((const cn_world *)context, proxy)->type != CN_BODY_DYNAMIC;
+}
+
+static int32_t has_fixed(const cn_world *world, const cni_pair *pair)
+{
+	return is_fixed(world, pair->a) || is_fixed(world, pair->b);
+}
+
+/* Has the body CONTACTS_FIXED contacts with fixed bodies? */
+static int32_t has_many_fixed(const cn_world *world, const cni_body *b)
+{
+	int32_t key, next, count = 0;
+	for (key = b->contact_count < CONTACTS_FIXED ? CNI_NONE : b->contact_first; key != CNI_NONE && count < CONTACTS_FIXED; key = next) {
+		const cni_contact *c = cni_contact_of_key(world, key);
+		next = c->next[key & 1];
+		count += cni_body_at(world, c->body[1 - (key & 1)])->type != CN_BODY_DYNAMIC;
+	}
+	return count >= CONTACTS_FIXED;
 }
 
 static int32_t crowd_leaves_out(const cn_world *world, const cni_pair *pair)
 {
-	int32_t a, b;
+	const cni_body *a, *b;
 	if (world->contact_count < cni_pairs_limit(world->proxy_count))
 		return 0;
-	a = body_of(world, pair->a)->contact_count;
-	b = body_of(world, pair->b)->contact_count;
-	if (has_static(world, pair))
-		return cni_min_i(a, b) >= CONTACTS_STATIC;
-	return cni_min_i(a, b) >= CONTACTS_MANY;
+	a = body_of(world, pair->a);
+	b = body_of(world, pair->b);
+	if (has_fixed(world, pair))
+		return has_many_fixed(world, a->type == CN_BODY_DYNAMIC ? a : b);
+	return cni_min_i(a->contact_count, b->contact_count) >= CONTACTS_MANY;
 }
 
-static void crowd_note(cn_world *world, int32_t pairs, int32_t with_static)
+static void crowd_note(cn_world *world, int32_t pairs, int32_t with_fixed)
 {
-	world->pairs_may_repeat |= CNI_PAIRS_CROWDED | (with_static ? CNI_PAIRS_CROWDED_STATIC : 0);
+	world->pairs_may_repeat |= CNI_PAIRS_CROWDED | (with_fixed ? CNI_PAIRS_CROWDED_FIXED : 0);
 	world->pairs_not_added += cni_min_i(pairs, INT32_MAX - world->pairs_not_added);
 }
 
@@ -164,11 +182,12 @@ void cni_stage_pairs(cn_world *world, float dt)
 	world->pairs_may_repeat = 0;
 	if (may_repeat & CNI_PAIRS_CROWDED) {
 		int32_t crowd = crowd_turn(world);
-		world->pairs_may_repeat |= crowd & CNI_PAIRS_CROWDED ? may_repeat & (CNI_PAIRS_CROWDED | CNI_PAIRS_CROWDED_STATIC) : 0;
+		world->pairs_may_repeat |= crowd & CNI_PAIRS_CROWDED ? may_repeat & (CNI_PAIRS_CROWDED | CNI_PAIRS_CROWDED_FIXED) : 0;
 		may_repeat |= crowd & CNI_PAIRS_MARKED;
 	}
 	kicked_extend_boxes(world, dt);
 	pairs->wanted = world->filter != NULL ? cni_contact_user_allows : NULL;
+	pairs->fixed = is_fixed;
 	pairs->wanted_context = world;
 	pairs->seed = world->step_count;
 	world->broadphase_ops->update(world->broadphase, cni_contact_possible, world, pairs);
@@ -178,7 +197,7 @@ void cni_stage_pairs(cn_world *world, float dt)
 		world->pairs_may_repeat |= CNI_PAIRS_ALL;
 	}
 	if (pairs->left_out > 0)
-		crowd_note(world, pairs->left_out, pairs->left_out_static);
+		crowd_note(world, pairs->left_out, pairs->left_out_fixed);
 	/* Workers may have found the pairs, so the user's filter runs here, in order; where the list had no room for all pairs, the
 	   broadphase has run it. */
 	cni_pairs_cull(pairs);
@@ -189,7 +208,7 @@ void cni_stage_pairs(cn_world *world, float dt)
 			continue;
 		if (crowd_leaves_out(world, &list[k])) {
 			cni_proxy_at(world, list[k].a)->flags |= CNI_PROXY_CROWDED;
-			crowd_note(world, 1, has_static(world, &list[k]));
+			crowd_note(world, 1, has_fixed(world, &list[k]));
 		} else if (cni_contact_reserve(world, 1) != CN_OK)
 			pair_retry_later(world, &list[k]);
 		else
