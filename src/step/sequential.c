@@ -25,7 +25,7 @@ void cni_sequential_velocities(cn_world *world, const cni_solve *s)
 {
 	cni_motion *motions = cni_motions(world);
 	int32_t k;
-	cni_external_prepare_bound(world);
+	cni_external_prepare_bound(world, s->dt);
 	for (k = 1; k < world->awake_count; ++k) {
 		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		const cni_external *d = cni_externals(world) + k;
