@@ -1808,7 +1808,8 @@ typedef struct cn_area_def {
 	float pull_mps2;              /* acceleration towards center_m; negative pushes; default 0 */
 	float pull_distance_m;        /* 0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse square
 	                                 outside, and falling to 0 at the centre: a homogeneous planet */
-	float linear_damping_per_s;   /* of the velocity relative to the medium, added to the body's own; 0 to 1e9, default 0 */
+	float linear_damping_per_s;   /* of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium
+	                                 with density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0 */
 	float angular_damping_per_s;  /* ... of the rotation; 0 to 1e9, default 0 */
 	float density_kgpm2;          /* of the medium: buoyancy of the parts of shapes in it, against all gravity that acts; 0 to 1e9, default 0 */
 	float drag_kgpm2;             /* density times drag coefficient, as in cn_shape_apply_wind; 0 to 1e9, default 0 */
@@ -1820,8 +1821,8 @@ CN_API void cn_area_def_init(cn_area_def *def);
 /* Makes a sensor an area or changes it; def NULL: it is an area no longer. The sensor's filter says which shapes it has. CN_ERROR_STATE for
    a shape without CN_SHAPE_SENSOR, an edge or a chain; an area that loses the flag later does nothing while it is without.
 
-   Gravity and damping act on bodies whose centre of mass is in the area (on its border too), while one of their shapes touches it: a body
-   half in it has all of them or nothing. The medium acts on the part of each shape that is in the area, exactly for polygons; parts of
+   Gravity, and damping without density, act on bodies whose centre of mass is in the area (on its border too) while one of their shapes
+   touches it: on a body half in it in full or not at all. The medium acts on the part of each shape that is in the area, exactly for polygons; parts of
    round shapes are computed as those of polygons of 16 sides, to 1%. The surface of a circle or capsule is flat across a body, as of a
    planet. Shapes of a body do not shade each other. The area's body feels no reaction.
 

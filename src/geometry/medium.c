@@ -258,19 +258,24 @@ static void surface_stiffness(cni_medium_force *sum, const cni_medium *m, cni_ve
 	if (rise <= 0.0f)
 		return;
 	sum->heave += rise;
+	sum->heave_flow += rise * cni_dot(m->flow, m->up);
 	sum->roll += rise * (xa * xa + xa * xb + xb * xb) / 3.0f;
 }
 
-static void buoyancy_add(cni_medium_force *sum, const cni_medium *m, float area, cni_vec2 center)
+/* Buoyancy and damping of a displaced area. */
+static void displacement_add(cni_medium_force *sum, const cni_medium *m, const cni_in_medium *s, float area, cni_vec2 center)
 {
 	float force = m->buoyancy * area;
 	sum->force[0] += force * m->up.x;
 	sum->force[1] += force * m->up.y;
 	sum->force[2] += force * cni_cross(center, m->up);
 	sum->roll += cni_max(force * cni_dot(center, m->up), 0.0f);
+	element_add(sum, center, relative_flow(m, s, center), m->damping * area, 0.0f);
+	sum->drag[2] -= m->turn_damping * area * s->spin;
+	sum->resist[2][2] += m->turn_damping * area;
 }
 
-static void outline_buoyancy(cni_medium_force *sum, const cni_medium *m, const cni_region *region, const outline *o)
+static void part_displacement(cni_medium_force *sum, const cni_medium *m, const cni_region *region, const cni_in_medium *s, const outline *o)
 {
 	cni_vec2 first = { 0.0f, 0.0f }, from = o->points[0];
 	float area = 0.0f;
@@ -284,7 +289,7 @@ static void outline_buoyancy(cni_medium_force *sum, const cni_medium *m, const c
 			surface_stiffness(sum, m, region->normals[o->edges[k]], p, next);
 	}
 	if (area > 0.0f)
-		buoyancy_add(sum, m, area, cni_madd(from, 1.0f / area, first));
+		displacement_add(sum, m, s, area, cni_madd(from, 1.0f / area, first));
 }
 
 static void part_add(cni_medium_force *sum, const cni_medium *m, const cni_region *region, const cni_in_medium *s)
@@ -296,7 +301,7 @@ static void part_add(cni_medium_force *sum, const cni_medium *m, const cni_regio
 		outline_clip(&o, region->normals[k], region->offsets[k], k);
 	if (o.count < 3)
 		return;
-	outline_buoyancy(sum, m, region, &o);
+	part_displacement(sum, m, region, s, &o);
 	for (k = 0; k < o.count; ++k) {
 		cni_vec2 a = o.points[k], b = o.points[k + 1 < o.count ? k + 1 : 0];
 		if (o.edges[k] == OWN)
@@ -304,13 +309,13 @@ static void part_add(cni_medium_force *sum, const cni_medium *m, const cni_regio
 	}
 }
 
-static void whole_buoyancy(cni_medium_force *sum, const cni_medium *m, const cni_in_medium *s)
+static void whole_displacement(cni_medium_force *sum, const cni_medium *m, const cni_in_medium *s)
 {
 	cn_mass_data whole;
-	if (m->buoyancy == 0.0f)
+	if (m->buoyancy == 0.0f && m->damping == 0.0f && m->turn_damping == 0.0f)
 		return;
 	whole = cni_geometry_mass(s->geometry, 1.0f);
-	buoyancy_add(sum, m, whole.mass_kg, point_of(s, whole.center_m));
+	displacement_add(sum, m, s, whole.mass_kg, point_of(s, whole.center_m));
 }
 
 /* Is the shape wholly within the region? */
@@ -333,7 +338,7 @@ void cni_medium_add(cni_medium_force *sum, const cni_medium *medium, const cni_r
 	if (type == CN_SHAPE_EDGE || type == CN_SHAPE_CHAIN) {
 		plates_drag(sum, medium, region, shape);
 	} else if (is_within(region, shape)) {
-		whole_buoyancy(sum, medium, shape);
+		whole_displacement(sum, medium, shape);
 		whole_drag(sum, medium, shape);
 	} else {
 		part_add(sum, medium, region, shape);

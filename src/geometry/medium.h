@@ -23,6 +23,7 @@ typedef struct cni_medium {
 	cni_vec2 up;       /* unit: the direction of buoyancy */
 	float buoyancy;    /* N per square metre of displaced medium */
 	float drag, lift;  /* density times coefficient, kg/m^2 */
+	float damping, turn_damping; /* N s/m and N m s per square metre of displaced medium */
 	cni_vec2 flow;     /* its velocity */
 } cni_medium;
 
@@ -32,6 +33,7 @@ typedef struct cni_medium_force {
 	float drag[3];     /* drag and lift at the present velocity */
 	float resist[3][3];
 	float heave, roll; /* stiffness of buoyancy: force per rise, torque per turn */
+	float heave_flow;  /* heave times the speed of the medium's surface along up */
 } cni_medium_force;
 
 /* A shape of a moving body. */

@@ -1,13 +1,12 @@
 /*
  * step/areas.c - what areas do to the bodies in them: gravity, damping, buoyancy, drag and lift become one acceleration for the step.
  *
- * For each body the areas act in their order. Gravity and damping act on bodies whose centre of mass is in the area, the medium on the
- * parts of shapes in it. An area with CN_AREA_REPLACE that has the centre discards what came before.
+ * For each body the areas act in their order. Gravity, and damping where there is no medium, act on bodies whose centre of mass is in the
+ * area, the medium on the parts of shapes in it. An area with CN_AREA_REPLACE that has the centre discards what came before.
  *
  * Fields are evaluated in the middle of the step, at the pose after half of it: x' = x + dt (v + v') / 2, v' = v + dt a(x + dt v / 2) is
  * the leapfrog scheme (drift, kick, drift), so orbits and floating bodies keep their energy. Damping and the medium's resistance are
- * implicit (geometry/medium.h), with gravity and the user's forces in the same equation, so that terminal speeds are exact. Where
- * buoyancy is stiffer than leapfrog can follow, the body gets heavier, as by the medium that it moves along.
+ * implicit (geometry/medium.h), with gravity and the user's forces in the same equation, so that terminal speeds are exact.
  *
  * Reads areas, contacts of their shapes, bodies, motion, and forces in external; writes the acceleration to start, which is free until
  * the first substep, and marks the body in external.
@@ -118,7 +117,7 @@ static void damping_add(cni_medium_force *f, const cni_body *b, const cni_motion
 	f->resist[2][2] += angular;
 }
 
-/* Gravity and damping: areas that have the centre. */
+/* Gravity, and damping without a medium: areas that have the centre. */
 static void field_of_center(field *f, const visits *v, int32_t begin, int32_t end, const cni_body *b, const cni_motion *m)
 {
 	int32_t k;
@@ -139,23 +138,29 @@ static void field_of_center(field *f, const visits *v, int32_t begin, int32_t en
 			f->first = k;
 		}
 		f->gravity = cni_add(f->gravity, cni_add(a->gravity, pull_at(a, &p)));
-		damping_add(&f->force, b, m, a, cni_add(p.velocity, a->flow));
+		if (a->density == 0.0f)
+			damping_add(&f->force, b, m, a, cni_add(p.velocity, a->flow));
 	}
+}
+
+static cni_vec2 up_of(const field *f)
+{
+	float g = cni_length(f->gravity);
+	return g > 0.0f ? cni_mul(-1.0f / g, f->gravity) : cni_v(0.0f, 1.0f);
 }
 
 static void medium_of_area(field *f, const visits *v, int32_t k, cni_in_medium *in, const cni_body *b, const cni_motion *m)
 {
 	const cni_area *a = visit_area(v, k);
-	float g = cni_length(f->gravity);
 	place p = place_make(v, b, m, a);
 	cni_medium medium;
 	cni_region region;
-	if (g == 0.0f && a->drag == 0.0f && a->lift == 0.0f)
-		return;
-	medium.up = g > 0.0f ? cni_mul(-1.0f / g, f->gravity) : cni_v(0.0f, 1.0f);
-	medium.buoyancy = a->density * g;
+	medium.up = up_of(f);
+	medium.buoyancy = a->density * cni_length(f->gravity);
 	medium.drag = a->drag;
 	medium.lift = a->lift;
+	medium.damping = a->density * a->linear_damping;
+	medium.turn_damping = a->density * a->angular_damping * b->inertia / b->mass;
 	medium.flow = cni_add(p.velocity, a->flow);
 	in->geometry = cni_shape_geometry(&v->world->blocks, cni_shape_at(v->world, visit_shape(v->keys[k])));
 	cni_region_make(&region, p.geometry, p.center, p.sensor->q);
@@ -178,11 +183,52 @@ static void field_of_parts(field *f, const visits *v, int32_t end, const cni_bod
 	}
 }
 
-/* How many times heavier a body must be so that leapfrog follows its buoyancy: stable up to w dt = 2, taken up to the square root of 2. */
-static float heaviness(const field *f, const cni_body *b, const cni_motion *m, float dt)
+/*
+ * Leapfrog is stable up to w dt = 2. Stiffer buoyancy (a float of small draught) gets the resistance that makes its spring implicit, as in
+ * backward Euler, which damps it: (m + dt r) dv = dt (F - r v) with r = dt k / 2 - m / dt. Others, up to the square root of 2, get none.
+ */
+static void stiffness_soften(cni_medium_force *f, cni_medium_force *soft, const cni_body *b, const cni_motion *m, cni_vec2 up, float dt)
 {
-	float stiff = f->force.heave / b->mass + (m->inv_inertia > 0.0f ? f->force.roll / b->inertia : 0.0f);
-	return cni_max(1.0f, 0.5f * dt * dt * stiff);
+	float stiff = f->heave / b->mass + (m->inv_inertia > 0.0f ? f->roll / b->inertia : 0.0f), excess = (0.5f * dt * dt * stiff - 1.0f) / dt, r, speed;
+	int32_t i, j;
+	memset(soft, 0, sizeof *soft);
+	if (excess <= 0.0f)
+		return;
+	r = excess * b->mass;
+	speed = (f->heave > 0.0f ? f->heave_flow / f->heave : 0.0f) - (up.x * m->vx + up.y * m->vy);
+	soft->resist[0][0] = r * up.x * up.x;
+	soft->resist[0][1] = soft->resist[1][0] = r * up.x * up.y;
+	soft->resist[1][1] = r * up.y * up.y;
+	soft->resist[2][2] = excess * b->inertia;
+	f->drag[0] += r * speed * up.x;
+	f->drag[1] += r * speed * up.y;
+	f->drag[2] -= excess * b->inertia * m->w;
+	for (i = 0; i < 3; ++i)
+		for (j = 0; j < 3; ++j)
+			f->resist[i][j] += soft->resist[i][j];
+}
+
+/*
+ * A body without contacts and joints takes all forces in one implicit step. In others the forces meet those of contacts and joints, which
+ * are not known here: what floats at rest under a load is not slowed by its damping, so only drag is implicit in its own change.
+ */
+static void body_solve(const visits *v, const cni_body *b, cni_medium_force *f, const cni_medium_force *soft, const float mass[3], float change[3])
+{
+	cni_medium_force forces = *soft;
+	float of_forces[3];
+	int32_t k;
+	if (b->lanes == 0 && b->joint_first == CNI_NONE) {
+		cni_medium_solve(f, mass, v->dt, change);
+		return;
+	}
+	for (k = 0; k < 3; ++k) {
+		forces.force[k] = f->force[k];
+		forces.drag[k] = f->force[k] = 0.0f;
+	}
+	cni_medium_solve(&forces, mass, v->dt, of_forces);
+	cni_medium_solve(f, mass, v->dt, change);
+	for (k = 0; k < 3; ++k)
+		change[k] += of_forces[k];
 }
 
 static void body_accelerate(const visits *v, int32_t begin, int32_t end)
@@ -193,7 +239,8 @@ static void body_accelerate(const visits *v, int32_t begin, int32_t end)
 	const cni_motion *m = cni_motions(world) + index;
 	cni_external *d = cni_externals(world) + index;
 	cni_velocity_start *start = cni_starts(world) + index;
-	float mass[3], change[3], heavy;
+	cni_medium_force soft;
+	float mass[3], change[3];
 	field f;
 	field_of_center(&f, v, begin, end, b, m);
 	f.gravity = cni_mul(b->gravity_scale, f.gravity);
@@ -201,11 +248,11 @@ static void body_accelerate(const visits *v, int32_t begin, int32_t end)
 	f.force.force[0] += b->mass * f.gravity.x + d->ax;
 	f.force.force[1] += b->mass * f.gravity.y + d->ay;
 	f.force.force[2] += d->alpha;
-	heavy = heaviness(&f, b, m, v->dt);
-	mass[0] = m->inv_mass > 0.0f && !(b->flags & CN_BODY_LOCK_X) ? heavy * b->mass : 0.0f;
-	mass[1] = m->inv_mass > 0.0f && !(b->flags & CN_BODY_LOCK_Y) ? heavy * b->mass : 0.0f;
-	mass[2] = m->inv_inertia > 0.0f ? heavy * b->inertia : 0.0f;
-	cni_medium_solve(&f.force, mass, v->dt, change);
+	stiffness_soften(&f.force, &soft, b, m, up_of(&f), v->dt);
+	mass[0] = m->inv_mass > 0.0f && !(b->flags & CN_BODY_LOCK_X) ? b->mass : 0.0f;
+	mass[1] = m->inv_mass > 0.0f && !(b->flags & CN_BODY_LOCK_Y) ? b->mass : 0.0f;
+	mass[2] = m->inv_inertia > 0.0f ? b->inertia : 0.0f;
+	body_solve(v, b, &f.force, &soft, mass, change);
 	start->vx = change[0] / v->dt;
 	start->vy = change[1] / v->dt;
 	start->w = change[2] / v->dt;

@@ -149,7 +149,7 @@ cn_result cn_shape_apply_wind(cn_world *world, cn_shape shape, float flow_x_mps,
 {
 	cni_call call = cni_enter(world, __func__);
 	const cni_shape *s = cni_check_shape(&call, "shape", shape);
-	cni_medium wind = { { 0.0f, 1.0f }, 0.0f, 0.0f, 0.0f, { 0.0f, 0.0f } };
+	cni_medium wind = { { 0.0f, 1.0f }, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, { 0.0f, 0.0f } };
 	cn_velocity v;
 	cni_body *b;
 	wind.flow = cni_v(flow_x_mps, flow_y_mps);
