@@ -1270,6 +1270,52 @@ namespace Cairn
 		public float SqueezedM;
 	}
 
+	/// <summary>What a sensor shape does to the dynamic bodies in it: water, wind tunnels, planets, rooms without
+	/// gravity. Several areas act in the order of their priority, equal ones in that of cn_world_get_shapes;
+	/// their accelerations, damping and forces add up.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct AreaDef
+	{
+		public uint StructSize;
+		/// <summary>CN_AREA_REPLACE; default 0</summary>
+		public uint Flags;
+		/// <summary>default 0</summary>
+		public int Priority;
+		/// <summary>acceleration in the axes of the world, times the body's gravity_scale; default (0, 0)</summary>
+		public Vec2 GravityMps2;
+		/// <summary>of pull_mps2, in the frame of the sensor's body; default (0, 0)</summary>
+		public Vec2 CenterM;
+		/// <summary>acceleration towards center_m; negative pushes; default 0</summary>
+		public float PullMps2;
+		/// <summary>0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse square
+		/// outside, and falling to 0 at the centre: a homogeneous planet</summary>
+		public float PullDistanceM;
+		/// <summary>of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with
+		/// density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0</summary>
+		public float LinearDampingPerS;
+		/// <summary>... of the rotation; 0 to 1e9, default 0</summary>
+		public float AngularDampingPerS;
+		/// <summary>of the medium: buoyancy of the parts of shapes in it, against all gravity that acts; 0 to 1e9, default 0</summary>
+		public float DensityKgpm2;
+		/// <summary>density times drag coefficient, as in cn_shape_apply_wind; 0 to 1e9, default 0</summary>
+		public float DragKgpm2;
+		/// <summary>density times lift coefficient; 0 to 1e9, default 0</summary>
+		public float LiftKgpm2;
+		/// <summary>velocity of the medium relative to the sensor, in the axes of the world; default (0, 0)</summary>
+		public Vec2 FlowMps;
+
+		/// <summary>The defaults of the fields.</summary>
+		public static AreaDef Default
+		{
+			get
+			{
+				AreaDef value;
+				Native.cn_area_def_init((cn_area_def*)&value);
+				return value;
+			}
+		}
+	}
+
 	/// <summary>Definition of an explosion.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct ExplosionDef
@@ -3501,6 +3547,51 @@ namespace Cairn
 				Call.Check(Native.cn_mover_move(Pointer, (cn_mover_def*)&def, dtS, (cn_mover*)p_mover), Pointer);
 				GC.KeepAlive(this);
 			}
+		}
+
+		/// <summary>Makes a sensor an area or changes it; def NULL: it is an area no longer. The sensor's filter says which
+		/// shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area that
+		/// loses the flag later does nothing while it is without. Gravity, and damping without density, act on
+		/// bodies whose centre of mass is in the area (on its border too) while one of their shapes touches it: on
+		/// a body half in it in full or not at all. The medium acts on the part of each shape that is in the area,
+		/// exactly for polygons; parts of round shapes are computed as those of polygons of 16 sides, to 1%. The
+		/// surface of a circle or capsule is flat across a body, as of a planet. Shapes of a body do not shade each
+		/// other. The area's body feels no reaction. Between steps nothing happens: the acceleration is that in the
+		/// middle of the next step (leapfrog), so bodies on orbits and floating bodies keep their energy. Damping
+		/// and drag are implicit: stable at any strength, mass and time step, with exact terminal speeds. Bodies
+		/// that enter or leave, that are in an area that moves, and those in it now, wake; bodies at rest in it may
+		/// sleep. Areas are in saves and files. An area takes 80 bytes of the world's memory; a step costs about
+		/// 0.2 us for each shape in an area, 0.5 us in a medium. Best on a body of its own: O(contacts of the
+		/// body).</summary>
+		public void ShapeSetArea(Shape shape, AreaDef def)
+		{
+			Call.Check(Native.cn_shape_set_area(Pointer, (cn_shape)shape, (cn_area_def*)&def), Pointer);
+			GC.KeepAlive(this);
+		}
+
+		/// <summary>Reads the area of a sensor. CN_ERROR_STATE if it is none. O(areas).</summary>
+		public AreaDef ShapeGetArea(Shape shape)
+		{
+			cn_area_def out0;
+			Call.Check(Native.cn_shape_get_area(Pointer, (cn_shape)shape, &out0), null);
+			GC.KeepAlive(this);
+			return *(AreaDef*)&out0;
+		}
+
+		/// <summary>The effect of dt_s (0 to 1; the next step's) in a wind on one shape, at once: call it before each step.
+		/// flow: velocity of the air in m/s. On each part of the outline that faces the flow, of width w across it,
+		/// with u the velocity relative to that point: drag drag_kgpm2 / 2 w |u| u, the law of Newton (1687), and
+		/// across the flow the lift of flat plates, lift_kgpm2 / 2 w cos(a) u^2 with a the angle between surface
+		/// and flow (Hoerner, 1985). Both 0 to 1e9: densities times coefficients. Exact for the whole outline,
+		/// round parts included, and drag along straight edges also for turning bodies; edges and chains are plates
+		/// with two sides. Solved implicitly, so that wind never reverses the motion relative to it, at any speed,
+		/// mass and time; a pure drag is the exact solution of m v' = -k v^2. wake 0: sleeping bodies stay asleep
+		/// and unchanged; else they wake. Static, kinematic and disabled bodies are unchanged. CN_ERROR_STATE for a
+		/// shape without a body. O(points).</summary>
+		public void ShapeApplyWind(Shape shape, float flowXMps, float flowYMps, float dragKgpm2, float liftKgpm2, float dtS, int wake)
+		{
+			Call.Check(Native.cn_shape_apply_wind(Pointer, (cn_shape)shape, flowXMps, flowYMps, dragKgpm2, liftKgpm2, dtS, wake), Pointer);
+			GC.KeepAlive(this);
 		}
 
 		/// <summary>Pushes dynamic bodies away from the centre, each shape at its point nearest to the centre, and wakes

@@ -703,6 +703,28 @@ static const field fields_cn_mover[] = {
 };
 static const record record_cn_mover = { "cn_mover", sizeof(cn_mover), fields_cn_mover, NULL, -1 };
 
+static void init_cn_area_def(void *at)
+{
+	cn_area_def_init(at);
+}
+
+static const field fields_cn_area_def[] = {
+	{ "flags", offsetof(cn_area_def, flags), UINT32, 0, NULL },
+	{ "priority", offsetof(cn_area_def, priority), INT32, 0, NULL },
+	{ "gravity_mps2", offsetof(cn_area_def, gravity_mps2), RECORD, 0, &record_cn_vec2 },
+	{ "center_m", offsetof(cn_area_def, center_m), RECORD, 0, &record_cn_vec2 },
+	{ "pull_mps2", offsetof(cn_area_def, pull_mps2), FLOAT, 0, NULL },
+	{ "pull_distance_m", offsetof(cn_area_def, pull_distance_m), FLOAT, 0, NULL },
+	{ "linear_damping_per_s", offsetof(cn_area_def, linear_damping_per_s), FLOAT, 0, NULL },
+	{ "angular_damping_per_s", offsetof(cn_area_def, angular_damping_per_s), FLOAT, 0, NULL },
+	{ "density_kgpm2", offsetof(cn_area_def, density_kgpm2), FLOAT, 0, NULL },
+	{ "drag_kgpm2", offsetof(cn_area_def, drag_kgpm2), FLOAT, 0, NULL },
+	{ "lift_kgpm2", offsetof(cn_area_def, lift_kgpm2), FLOAT, 0, NULL },
+	{ "flow_mps", offsetof(cn_area_def, flow_mps), RECORD, 0, &record_cn_vec2 },
+	{ NULL, 0, FLOAT, 0, NULL },
+};
+static const record record_cn_area_def = { "cn_area_def", sizeof(cn_area_def), fields_cn_area_def, init_cn_area_def, -1 };
+
 static void init_cn_explosion_def(void *at)
 {
 	cn_explosion_def_init(at);
@@ -3352,6 +3374,52 @@ static int call_cn_mover_move(lua_State *L)
 	return 0;
 }
 
+static int call_cn_shape_set_area(lua_State *L)
+{
+	lua_settop(L, 3);
+	world_object *self = to_world(L);
+	cn_shape shape;
+	read_value(L, 2, UINT32, NULL, &shape, "shape");
+	cn_area_def def_value;
+	const cn_area_def *def = read_struct(L, 3, &record_cn_area_def, &def_value, 0, "def");
+	check(L, self, cn_shape_set_area(self->pointer, shape, def));
+	return 0;
+}
+
+static int call_cn_shape_get_area(lua_State *L)
+{
+	lua_settop(L, 2);
+	world_object *self = to_world(L);
+	cn_shape shape;
+	read_value(L, 2, UINT32, NULL, &shape, "shape");
+	cn_area_def out_0;
+	check(L, NULL, cn_shape_get_area(self->pointer, shape, &out_0));
+	push_value(L, RECORD, &record_cn_area_def, &out_0);
+	return 1;
+}
+
+static int call_cn_shape_apply_wind(lua_State *L)
+{
+	lua_settop(L, 8);
+	world_object *self = to_world(L);
+	cn_shape shape;
+	read_value(L, 2, UINT32, NULL, &shape, "shape");
+	float flow_x_mps;
+	read_value(L, 3, FLOAT, NULL, &flow_x_mps, "flow_x_mps");
+	float flow_y_mps;
+	read_value(L, 4, FLOAT, NULL, &flow_y_mps, "flow_y_mps");
+	float drag_kgpm2;
+	read_value(L, 5, FLOAT, NULL, &drag_kgpm2, "drag_kgpm2");
+	float lift_kgpm2;
+	read_value(L, 6, FLOAT, NULL, &lift_kgpm2, "lift_kgpm2");
+	float dt_s;
+	read_value(L, 7, FLOAT, NULL, &dt_s, "dt_s");
+	int32_t wake;
+	read_value(L, 8, INT32, NULL, &wake, "wake");
+	check(L, self, cn_shape_apply_wind(self->pointer, shape, flow_x_mps, flow_y_mps, drag_kgpm2, lift_kgpm2, dt_s, wake));
+	return 0;
+}
+
 static int call_cn_world_explode(lua_State *L)
 {
 	lua_settop(L, 2);
@@ -3573,6 +3641,9 @@ static const luaL_Reg world_calls[] = {
 	{ "closest_point", call_cn_world_closest_point },
 	{ "mover_collide", call_cn_mover_collide },
 	{ "mover_move", call_cn_mover_move },
+	{ "shape_set_area", call_cn_shape_set_area },
+	{ "shape_get_area", call_cn_shape_get_area },
+	{ "shape_apply_wind", call_cn_shape_apply_wind },
 	{ "explode", call_cn_world_explode },
 	{ NULL, NULL },
 };
@@ -3998,6 +4069,7 @@ static const struct {
 	{ "TYPE_PLANE", (int32_t)CN_TYPE_PLANE },
 	{ "TYPE_MOVER_DEF", (int32_t)CN_TYPE_MOVER_DEF },
 	{ "TYPE_MOVER", (int32_t)CN_TYPE_MOVER },
+	{ "TYPE_AREA_DEF", (int32_t)CN_TYPE_AREA_DEF },
 	{ "TYPE_COUNT", (int32_t)CN_TYPE_COUNT },
 	{ "WORLD_SLEEP", (int32_t)CN_WORLD_SLEEP },
 	{ "WORLD_WARM_START", (int32_t)CN_WORLD_WARM_START },
@@ -4100,6 +4172,7 @@ static const struct {
 	{ "MOVER_ON_GROUND", (int32_t)CN_MOVER_ON_GROUND },
 	{ "MOVER_ON_WALL", (int32_t)CN_MOVER_ON_WALL },
 	{ "MOVER_ON_CEILING", (int32_t)CN_MOVER_ON_CEILING },
+	{ "AREA_REPLACE", (int32_t)CN_AREA_REPLACE },
 	{ "DRAW_SHAPES", (int32_t)CN_DRAW_SHAPES },
 	{ "DRAW_JOINTS", (int32_t)CN_DRAW_JOINTS },
 	{ "DRAW_CONTACTS", (int32_t)CN_DRAW_CONTACTS },

@@ -57,6 +57,7 @@ pub use cairn_sys::cn_impact as Impact;
 pub use cairn_sys::cn_plane as Plane;
 pub use cairn_sys::cn_mover_def as MoverDef;
 pub use cairn_sys::cn_mover as Mover;
+pub use cairn_sys::cn_area_def as AreaDef;
 pub use cairn_sys::cn_explosion_def as ExplosionDef;
 pub use cairn_sys::cn_debug_draw as DebugDraw;
 
@@ -1837,6 +1838,47 @@ impl World {
     pub fn mover_move(&mut self, def: &MoverDef, dt_s: f32, mover: &mut Mover) -> Result<()> {
         let def = &def.cleared();
         self.check(unsafe { cairn_sys::cn_mover_move(self.pointer(), def, dt_s, mover) })?;
+        Ok(())
+    }
+
+    /// Makes a sensor an area or changes it; def NULL: it is an area no longer. The sensor's filter says
+    /// which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area
+    /// that loses the flag later does nothing while it is without. Gravity, and damping without density, act
+    /// on bodies whose centre of mass is in the area (on its border too) while one of their shapes touches
+    /// it: on a body half in it in full or not at all. The medium acts on the part of each shape that is in
+    /// the area, exactly for polygons; parts of round shapes are computed as those of polygons of 16 sides,
+    /// to 1%. The surface of a circle or capsule is flat across a body, as of a planet. Shapes of a body do
+    /// not shade each other. The area's body feels no reaction. Between steps nothing happens: the
+    /// acceleration is that in the middle of the next step (leapfrog), so bodies on orbits and floating
+    /// bodies keep their energy. Damping and drag are implicit: stable at any strength, mass and time step,
+    /// with exact terminal speeds. Bodies that enter or leave, that are in an area that moves, and those in
+    /// it now, wake; bodies at rest in it may sleep. Areas are in saves and files. An area takes 80 bytes of
+    /// the world's memory; a step costs about 0.2 us for each shape in an area, 0.5 us in a medium. Best on a
+    /// body of its own: O(contacts of the body).
+    pub fn shape_set_area(&mut self, shape: Shape, def: &AreaDef) -> Result<()> {
+        self.check(unsafe { cairn_sys::cn_shape_set_area(self.pointer(), shape, def) })?;
+        Ok(())
+    }
+
+    /// Reads the area of a sensor. CN_ERROR_STATE if it is none. O(areas).
+    pub fn shape_get_area(&self, shape: Shape) -> Result<AreaDef> {
+        let mut out_out = AreaDef::default();
+        check(unsafe { cairn_sys::cn_shape_get_area(self.pointer(), shape, &mut out_out) })?;
+        Ok(out_out)
+    }
+
+    /// The effect of dt_s (0 to 1; the next step's) in a wind on one shape, at once: call it before each
+    /// step. flow: velocity of the air in m/s. On each part of the outline that faces the flow, of width w
+    /// across it, with u the velocity relative to that point: drag drag_kgpm2 / 2 w |u| u, the law of Newton
+    /// (1687), and across the flow the lift of flat plates, lift_kgpm2 / 2 w cos(a) u^2 with a the angle
+    /// between surface and flow (Hoerner, 1985). Both 0 to 1e9: densities times coefficients. Exact for the
+    /// whole outline, round parts included, and drag along straight edges also for turning bodies; edges and
+    /// chains are plates with two sides. Solved implicitly, so that wind never reverses the motion relative
+    /// to it, at any speed, mass and time; a pure drag is the exact solution of m v' = -k v^2. wake 0:
+    /// sleeping bodies stay asleep and unchanged; else they wake. Static, kinematic and disabled bodies are
+    /// unchanged. CN_ERROR_STATE for a shape without a body. O(points).
+    pub fn shape_apply_wind(&mut self, shape: Shape, flow_x_mps: f32, flow_y_mps: f32, drag_kgpm2: f32, lift_kgpm2: f32, dt_s: f32, wake: i32) -> Result<()> {
+        self.check(unsafe { cairn_sys::cn_shape_apply_wind(self.pointer(), shape, flow_x_mps, flow_y_mps, drag_kgpm2, lift_kgpm2, dt_s, wake) })?;
         Ok(())
     }
 
