@@ -1818,7 +1818,7 @@ typedef struct cn_area_def {
 } cn_area_def;
 /* Sets struct_size and the defaults given beside the fields. NULL does nothing. */
 CN_API void cn_area_def_init(cn_area_def *def);
-/* Makes a sensor an area or changes it; def NULL: it is an area no longer. The sensor's filter says which shapes it has. CN_ERROR_STATE for
+/* Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's filter says which shapes it has. CN_ERROR_STATE for
    a shape without CN_SHAPE_SENSOR, an edge or a chain; an area that loses the flag later does nothing while it is without.
 
    Gravity, and damping without density, act on bodies whose centre of mass is in the area (on its border too) while one of their shapes

@@ -2961,9 +2961,9 @@ namespace Cairn
 		[DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
 		public static extern void cn_area_def_init(cn_area_def* def);
 
-		/// <summary>Makes a sensor an area or changes it; def NULL: it is an area no longer. The sensor's filter says which
-		/// shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area that
-		/// loses the flag later does nothing while it is without. Gravity, and damping without density, act on
+		/// <summary>Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's filter says
+		/// which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area
+		/// that loses the flag later does nothing while it is without. Gravity, and damping without density, act on
 		/// bodies whose centre of mass is in the area (on its border too) while one of their shapes touches it: on
 		/// a body half in it in full or not at all. The medium acts on the part of each shape that is in the area,
 		/// exactly for polygons; parts of round shapes are computed as those of polygons of 16 sides, to 1%. The

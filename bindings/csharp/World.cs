@@ -1446,6 +1446,21 @@ namespace Cairn
 			pointer = made;
 		}
 
+		private World(cn_world* made)
+		{
+			pointer = made;
+		}
+
+		/// <summary>A world from the bytes of Write. Of the definition only workers and capacities are used.</summary>
+		public static World Read(ReadOnlySpan<byte> file, WorldDef? def = null)
+		{
+			WorldDef given = def ?? WorldDef.Default;
+			cn_world* made;
+			fixed (byte* from = file)
+				Call.Check(Native.cn_world_read((cn_world_def*)&given, from, (ulong)file.Length, &made), null);
+			return new World(made);
+		}
+
 		~World()
 		{
 			Native.cn_world_destroy(pointer);
@@ -1476,15 +1491,6 @@ namespace Cairn
 			IntPtr address = callback == null ? IntPtr.Zero : Marshal.GetFunctionPointerForDelegate(callback);
 			Call.Check(Native.cn_world_set_contact_callback(Pointer, kind, address, null), Pointer);
 			callbacks[kind] = callback; // the library keeps a pointer that C# does not see
-		}
-
-		/// <summary>The world's state, for Restore.</summary>
-		public byte[] Save()
-		{
-			var save = new byte[SaveSize()];
-			fixed (byte* to = save)
-				Call.Check(Native.cn_world_save(Pointer, to, (ulong)save.Length, null), null);
-			return save;
 		}
 
 		/// <summary>Creates a chain through points in the body's frame; closed: the last joins the first.</summary>
@@ -1763,6 +1769,21 @@ namespace Cairn
 			return out0;
 		}
 
+		/// <summary>Writes the world's state to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the
+		/// number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world),
+		/// about 1 KB per body.</summary>
+		public byte[] Save()
+		{
+			ulong bytes_;
+			Call.Check(Native.cn_world_save_size(Pointer, &bytes_), null);
+			var result_ = new byte[bytes_];
+			fixed (byte* to = result_)
+				Call.Check(Native.cn_world_save(Pointer, to, bytes_, &bytes_), null);
+			GC.KeepAlive(this);
+			Array.Resize(ref result_, (int)bytes_);
+			return result_;
+		}
+
 		/// <summary>Restores a saved state, into the saved world or one created with the same definition (broadphase, length
 		/// unit, caller's block or not; else CN_ERROR_STATE). bytes as written by cn_world_save; CN_ERROR_FORMAT
 		/// for damaged bytes or another version or machine; CN_ERROR_MEMORY without room for the objects alive then
@@ -1786,6 +1807,21 @@ namespace Cairn
 			Call.Check(Native.cn_world_write_size(Pointer, &out0), null);
 			GC.KeepAlive(this);
 			return out0;
+		}
+
+		/// <summary>Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number
+		/// of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1
+		/// KB per body.</summary>
+		public byte[] Write()
+		{
+			ulong bytes_;
+			Call.Check(Native.cn_world_write_size(Pointer, &bytes_), null);
+			var result_ = new byte[bytes_];
+			fixed (byte* to = result_)
+				Call.Check(Native.cn_world_write(Pointer, to, bytes_, &bytes_), null);
+			GC.KeepAlive(this);
+			Array.Resize(ref result_, (int)bytes_);
+			return result_;
 		}
 
 		/// <summary>Creates a body. O(1) amortized.</summary>
@@ -3549,9 +3585,9 @@ namespace Cairn
 			}
 		}
 
-		/// <summary>Makes a sensor an area or changes it; def NULL: it is an area no longer. The sensor's filter says which
-		/// shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area that
-		/// loses the flag later does nothing while it is without. Gravity, and damping without density, act on
+		/// <summary>Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's filter says
+		/// which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area
+		/// that loses the flag later does nothing while it is without. Gravity, and damping without density, act on
 		/// bodies whose centre of mass is in the area (on its border too) while one of their shapes touches it: on
 		/// a body half in it in full or not at all. The medium acts on the part of each shape that is in the area,
 		/// exactly for polygons; parts of round shapes are computed as those of polygons of 16 sides, to 1%. The
@@ -3563,9 +3599,10 @@ namespace Cairn
 		/// sleep. Areas are in saves and files. An area takes 80 bytes of the world's memory; a step costs about
 		/// 0.2 us for each shape in an area, 0.5 us in a medium. Best on a body of its own: O(contacts of the
 		/// body).</summary>
-		public void ShapeSetArea(Shape shape, AreaDef def)
+		public void ShapeSetArea(Shape shape, AreaDef? def = null)
 		{
-			Call.Check(Native.cn_shape_set_area(Pointer, (cn_shape)shape, (cn_area_def*)&def), Pointer);
+			AreaDef v_def = def.GetValueOrDefault();
+			Call.Check(Native.cn_shape_set_area(Pointer, (cn_shape)shape, def.HasValue ? (cn_area_def*)&v_def : null), Pointer);
 			GC.KeepAlive(this);
 		}
 
@@ -3704,6 +3741,53 @@ namespace Cairn
 		{
 			var result_ = Native.Text(Native.cn_result_text(result));
 			return result_;
+		}
+
+		/// <summary>Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).</summary>
+		public static ulong SaveDeltaSize(ReadOnlySpan<byte> @base, ReadOnlySpan<byte> save)
+		{
+			fixed (byte* p_base = @base)
+			fixed (byte* p_save = save)
+			{
+				ulong out0;
+				Call.Check(Native.cn_save_delta_size(p_base, (ulong)@base.Length, p_save, (ulong)save.Length, &out0), null);
+				return out0;
+			}
+		}
+
+		/// <summary>Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+		/// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).</summary>
+		public static byte[] SaveDelta(ReadOnlySpan<byte> @base, ReadOnlySpan<byte> save)
+		{
+			fixed (byte* p_base = @base)
+			fixed (byte* p_save = save)
+			{
+				ulong bytes_;
+				Call.Check(Native.cn_save_delta_size(p_base, (ulong)@base.Length, p_save, (ulong)save.Length, &bytes_), null);
+				var result_ = new byte[bytes_];
+				fixed (byte* to = result_)
+					Call.Check(Native.cn_save_delta(p_base, (ulong)@base.Length, p_save, (ulong)save.Length, to, bytes_, &bytes_), null);
+				Array.Resize(ref result_, (int)bytes_);
+				return result_;
+			}
+		}
+
+		/// <summary>Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+		/// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
+		/// CN_ERROR_CAPACITY if out is too small. O(bytes).</summary>
+		public static byte[] SaveApply(ReadOnlySpan<byte> @base, ReadOnlySpan<byte> delta)
+		{
+			fixed (byte* p_base = @base)
+			fixed (byte* p_delta = delta)
+			{
+				ulong bytes_;
+				bytes_ = (ulong)(@base.Length + delta.Length);
+				var result_ = new byte[bytes_];
+				fixed (byte* to = result_)
+					Call.Check(Native.cn_save_apply(p_base, (ulong)@base.Length, p_delta, (ulong)delta.Length, to, bytes_, &bytes_), null);
+				Array.Resize(ref result_, (int)bytes_);
+				return result_;
+			}
 		}
 
 		/// <summary>Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts

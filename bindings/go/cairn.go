@@ -1713,6 +1713,22 @@ func (w *World) SaveSize() (uint64, error) {
 	return out0, nil
 }
 
+// Save: Writes the world's state to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and
+// the number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world),
+// about 1 KB per body.
+func (w *World) Save() ([]byte, error) {
+	defer runtime.KeepAlive(w)
+	var bytes C.uint64_t
+	if err := check(C.cn_world_save_size(w.c(), &bytes)); err != nil {
+		return *new([]byte), err
+	}
+	out := make([]byte, bytes)
+	if err := check(C.cn_world_save(w.c(), unsafe.Pointer(unsafe.SliceData(out)), bytes, &bytes)); err != nil {
+		return *new([]byte), err
+	}
+	return out[:bytes], nil
+}
+
 // Restore: Restores a saved state, into the saved world or one created with the same definition (broadphase,
 // length unit, caller's block or not; else CN_ERROR_STATE). bytes as written by cn_world_save;
 // CN_ERROR_FORMAT for damaged bytes or another version or machine; CN_ERROR_MEMORY without room for the
@@ -1733,6 +1749,22 @@ func (w *World) WriteSize() (uint64, error) {
 		return *new(uint64), err
 	}
 	return out0, nil
+}
+
+// Write: Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the
+// number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world),
+// about 1 KB per body.
+func (w *World) Write() ([]byte, error) {
+	defer runtime.KeepAlive(w)
+	var bytes C.uint64_t
+	if err := check(C.cn_world_write_size(w.c(), &bytes)); err != nil {
+		return *new([]byte), err
+	}
+	out := make([]byte, bytes)
+	if err := check(C.cn_world_write(w.c(), unsafe.Pointer(unsafe.SliceData(out)), bytes, &bytes)); err != nil {
+		return *new([]byte), err
+	}
+	return out[:bytes], nil
 }
 
 // BodyCreate: Creates a body. O(1) amortized.
@@ -3530,11 +3562,11 @@ func (w *World) MoverMove(def *MoverDef, dt_s float32, mover *Mover) error {
 	return w.check(C.cn_mover_move(w.c(), (*C.cn_mover_def)(unsafe.Pointer(def)), C.float(dt_s), (*C.cn_mover)(unsafe.Pointer(mover))))
 }
 
-// ShapeSetArea: Makes a sensor an area or changes it; def NULL: it is an area no longer. The sensor's filter
-// says which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area
-// that loses the flag later does nothing while it is without. Gravity, and damping without density, act on
-// bodies whose centre of mass is in the area (on its border too) while one of their shapes touches it: on a
-// body half in it in full or not at all. The medium acts on the part of each shape that is in the area,
+// ShapeSetArea: Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's
+// filter says which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an
+// area that loses the flag later does nothing while it is without. Gravity, and damping without density, act
+// on bodies whose centre of mass is in the area (on its border too) while one of their shapes touches it: on
+// a body half in it in full or not at all. The medium acts on the part of each shape that is in the area,
 // exactly for polygons; parts of round shapes are computed as those of polygons of 16 sides, to 1%. The
 // surface of a circle or capsule is flat across a body, as of a planet. Shapes of a body do not shade each
 // other. The area's body feels no reaction. Between steps nothing happens: the acceleration is that in the
@@ -3637,6 +3669,42 @@ func AbiVersion() int32 {
 // ResultText: English text for a result code: static, never NULL.
 func ResultText(result int32) string {
 	return C.GoString(C.cn_result_text(C.cn_result(result)))
+}
+
+// SaveDeltaSize: Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).
+func SaveDeltaSize(base []byte, save []byte) (uint64, error) {
+	var out0 uint64
+	if err := check(C.cn_save_delta_size(unsafe.Pointer(unsafe.SliceData(base)), C.uint64_t(len(base)), unsafe.Pointer(unsafe.SliceData(save)), C.uint64_t(len(save)), (*C.uint64_t)(unsafe.Pointer(&out0)))); err != nil {
+		return *new(uint64), err
+	}
+	return out0, nil
+}
+
+// SaveDelta: Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its
+// bytes to out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).
+func SaveDelta(base []byte, save []byte) ([]byte, error) {
+	var bytes C.uint64_t
+	if err := check(C.cn_save_delta_size(unsafe.Pointer(unsafe.SliceData(base)), C.uint64_t(len(base)), unsafe.Pointer(unsafe.SliceData(save)), C.uint64_t(len(save)), &bytes)); err != nil {
+		return *new([]byte), err
+	}
+	out := make([]byte, bytes)
+	if err := check(C.cn_save_delta(unsafe.Pointer(unsafe.SliceData(base)), C.uint64_t(len(base)), unsafe.Pointer(unsafe.SliceData(save)), C.uint64_t(len(save)), unsafe.Pointer(unsafe.SliceData(out)), bytes, &bytes)); err != nil {
+		return *new([]byte), err
+	}
+	return out[:bytes], nil
+}
+
+// SaveApply: Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes
+// to out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
+// CN_ERROR_CAPACITY if out is too small. O(bytes).
+func SaveApply(base []byte, delta []byte) ([]byte, error) {
+	var bytes C.uint64_t
+	bytes = C.uint64_t(len(base) + len(delta))
+	out := make([]byte, bytes)
+	if err := check(C.cn_save_apply(unsafe.Pointer(unsafe.SliceData(base)), C.uint64_t(len(base)), unsafe.Pointer(unsafe.SliceData(delta)), C.uint64_t(len(delta)), unsafe.Pointer(unsafe.SliceData(out)), bytes, &bytes)); err != nil {
+		return *new([]byte), err
+	}
+	return out[:bytes], nil
 }
 
 // PolygonMakeHull: Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it

@@ -1129,8 +1129,8 @@ export class World {
 	/** For functions of raw. */
 	readonly pointer: number;
 	destroy(): void;
-	/** The world's state, for restore. */
-	save(): Uint8Array;
+	/** A world from the bytes of write. Of the definition only workers and capacities are used. */
+	static read(file: Uint8Array, def?: Partial<WorldDef>): World;
 	/** Takes one fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion.
 	O(awake bodies and their contacts and joints). */
 	step(dt_s: number): void;
@@ -1205,6 +1205,10 @@ export class World {
 	hash(): bigint;
 	/** Bytes that cn_world_save needs now. CN_ERROR_LOCKED in callbacks. O(slots). */
 	saveSize(): bigint;
+	/** Writes the world's state to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the
+	number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about
+	1 KB per body. */
+	save(): Uint8Array;
 	/** Restores a saved state, into the saved world or one created with the same definition (broadphase, length
 	unit, caller's block or not; else CN_ERROR_STATE). bytes as written by cn_world_save; CN_ERROR_FORMAT for
 	damaged bytes or another version or machine; CN_ERROR_MEMORY without room for the objects alive then (a world
@@ -1214,6 +1218,10 @@ export class World {
 	restore(save: Uint8Array): void;
 	/** Bytes that cn_world_write needs now. CN_ERROR_LOCKED in callbacks. O(slots). */
 	writeSize(): bigint;
+	/** Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number of
+	bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1 KB per
+	body. */
+	write(): Uint8Array;
 	/** Creates a body. O(1) amortized. */
 	bodyCreate(def: In<BodyDef>): Body;
 	/** Creates count (>= 0) bodies from an array of definitions, all or none. O(count). */
@@ -1736,20 +1744,20 @@ export class World {
 	character mover (Catto, 2025). Pushed bodies wake; nothing else in the world changes. O(shapes nearby x
 	iterations_max): about 1 us standing, 3 us walking, 10 us against a wall. */
 	moverMove(def: In<MoverDef>, dt_s: number, mover: Mover): void;
-	/** Makes a sensor an area or changes it; def NULL: it is an area no longer. The sensor's filter says which
-	shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area that loses the
-	flag later does nothing while it is without. Gravity, and damping without density, act on bodies whose centre
-	of mass is in the area (on its border too) while one of their shapes touches it: on a body half in it in full
-	or not at all. The medium acts on the part of each shape that is in the area, exactly for polygons; parts of
-	round shapes are computed as those of polygons of 16 sides, to 1%. The surface of a circle or capsule is flat
-	across a body, as of a planet. Shapes of a body do not shade each other. The area's body feels no reaction.
-	Between steps nothing happens: the acceleration is that in the middle of the next step (leapfrog), so bodies
-	on orbits and floating bodies keep their energy. Damping and drag are implicit: stable at any strength, mass
-	and time step, with exact terminal speeds. Bodies that enter or leave, that are in an area that moves, and
-	those in it now, wake; bodies at rest in it may sleep. Areas are in saves and files. An area takes 80 bytes
-	of the world's memory; a step costs about 0.2 us for each shape in an area, 0.5 us in a medium. Best on a
-	body of its own: O(contacts of the body). */
-	shapeSetArea(shape: Shape, def: In<AreaDef>): void;
+	/** Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's filter says
+	which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area that
+	loses the flag later does nothing while it is without. Gravity, and damping without density, act on bodies
+	whose centre of mass is in the area (on its border too) while one of their shapes touches it: on a body half
+	in it in full or not at all. The medium acts on the part of each shape that is in the area, exactly for
+	polygons; parts of round shapes are computed as those of polygons of 16 sides, to 1%. The surface of a circle
+	or capsule is flat across a body, as of a planet. Shapes of a body do not shade each other. The area's body
+	feels no reaction. Between steps nothing happens: the acceleration is that in the middle of the next step
+	(leapfrog), so bodies on orbits and floating bodies keep their energy. Damping and drag are implicit: stable
+	at any strength, mass and time step, with exact terminal speeds. Bodies that enter or leave, that are in an
+	area that moves, and those in it now, wake; bodies at rest in it may sleep. Areas are in saves and files. An
+	area takes 80 bytes of the world's memory; a step costs about 0.2 us for each shape in an area, 0.5 us in a
+	medium. Best on a body of its own: O(contacts of the body). */
+	shapeSetArea(shape: Shape, def?: In<AreaDef> | null): void;
 	/** Reads the area of a sensor. CN_ERROR_STATE if it is none. O(areas). */
 	shapeGetArea(shape: Shape): AreaDef;
 	/** The effect of dt_s (0 to 1; the next step's) in a wind on one shape, at once: call it before each step.
@@ -1790,6 +1798,15 @@ export function version(): number;
 export function abiVersion(): number;
 /** English text for a result code: static, never NULL. */
 export function resultText(result: number): string;
+/** Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes). */
+export function saveDeltaSize(base: Uint8Array, save: Uint8Array): bigint;
+/** Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes). */
+export function saveDelta(base: Uint8Array, save: Uint8Array): Uint8Array;
+/** Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base, CN_ERROR_CAPACITY if
+out is too small. O(bytes). */
+export function saveApply(base: Uint8Array, delta: Uint8Array): Uint8Array;
 /** Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts
 farthest points, as Quickhull does (Barber, Dobkin, Huhdanpaa, 1996), and keeps those that add the most area.
 CN_ERROR_ARGUMENT for fewer than three distinct points or collinear ones. It drops details below 5 mm (below

@@ -435,13 +435,16 @@ for (const [name, type] of [["cn_vec2", CN_TYPE_VEC2], ["cn_pose", CN_TYPE_POSE]
 
 export class World {
 	#pointer;
-	constructor(def = {}) {
+	constructor(def = {}, file = null) {
 		begin();
-		const out = take(4);
-		check(raw.cn_world_create(struct("cn_world_def", def), out));
+		const out = take(4), given = struct("cn_world_def", def);
+		check(file ? raw.cn_world_read(given, array("u8", file), BigInt(file.length), out) : raw.cn_world_create(given, out));
 		refresh();
 		this.#pointer = view.getUint32(out, true);
 		worlds.register(this, this.#pointer, this);
+	}
+	static read(file, def = {}) {
+		return new World(def, file);
 	}
 	get pointer() {
 		if (this.#pointer === 0)
@@ -452,16 +455,6 @@ export class World {
 		worlds.unregister(this);
 		raw.cn_world_destroy(this.#pointer);
 		this.#pointer = 0;
-	}
-	save() {
-		begin();
-		const out = take(8);
-		check(raw.cn_world_save_size(this.pointer, out));
-		refresh();
-		const bytes = view.getBigUint64(out, true), at = take(Number(bytes));
-		check(raw.cn_world_save(this.pointer, at, bytes, 0));
-		refresh();
-		return u8.slice(at, at + Number(bytes));
 	}
 
 	step(dt_s) {
@@ -665,6 +658,17 @@ export class World {
 		return READ.u64(o_bytes);
 	}
 
+	save() {
+		begin();
+		const number = take(8);
+		check(raw.cn_world_save_size(this.pointer, number));
+		refresh();
+		const bytes = view.getBigUint64(number, true), out = take(Number(bytes) || 1);
+		check(raw.cn_world_save(this.pointer, out, bytes, number));
+		refresh();
+		return u8.slice(out, out + Number(view.getBigUint64(number, true)));
+	}
+
 	restore(save) {
 		begin();
 		const p_save = array("u8", save);
@@ -677,6 +681,17 @@ export class World {
 		check(raw.cn_world_write_size(this.pointer, o_bytes));
 		refresh();
 		return READ.u64(o_bytes);
+	}
+
+	write() {
+		begin();
+		const number = take(8);
+		check(raw.cn_world_write_size(this.pointer, number));
+		refresh();
+		const bytes = view.getBigUint64(number, true), out = take(Number(bytes) || 1);
+		check(raw.cn_world_write(this.pointer, out, bytes, number));
+		refresh();
+		return u8.slice(out, out + Number(view.getBigUint64(number, true)));
 	}
 
 	bodyCreate(def) {
@@ -2073,7 +2088,7 @@ export class World {
 
 	shapeSetArea(shape, def) {
 		begin();
-		const p_def = struct("cn_area_def", def);
+		const p_def = def ? struct("cn_area_def", def) : 0;
 		check(raw.cn_shape_set_area(this.pointer, shape, p_def), this.pointer);
 	}
 
@@ -2160,6 +2175,40 @@ export function abiVersion() {
 export function resultText(result) {
 	begin();
 	return text(raw.cn_result_text(result));
+}
+
+export function saveDeltaSize(base, save) {
+	begin();
+	const p_base = array("u8", base);
+	const p_save = array("u8", save);
+	const o_bytes = take(stride("u64"));
+	check(raw.cn_save_delta_size(p_base, BigInt(base.length), p_save, BigInt(save.length), o_bytes));
+	refresh();
+	return READ.u64(o_bytes);
+}
+
+export function saveDelta(base, save) {
+	begin();
+	const p_base = array("u8", base);
+	const p_save = array("u8", save);
+	const number = take(8);
+	check(raw.cn_save_delta_size(p_base, BigInt(base.length), p_save, BigInt(save.length), number));
+	refresh();
+	const bytes = view.getBigUint64(number, true), out = take(Number(bytes) || 1);
+	check(raw.cn_save_delta(p_base, BigInt(base.length), p_save, BigInt(save.length), out, bytes, number));
+	refresh();
+	return u8.slice(out, out + Number(view.getBigUint64(number, true)));
+}
+
+export function saveApply(base, delta) {
+	begin();
+	const p_base = array("u8", base);
+	const p_delta = array("u8", delta);
+	const number = take(8);
+	const bytes = BigInt(base.length + delta.length), out = take(Number(bytes) || 1);
+	check(raw.cn_save_apply(p_base, BigInt(base.length), p_delta, BigInt(delta.length), out, bytes, number));
+	refresh();
+	return u8.slice(out, out + Number(view.getBigUint64(number, true)));
 }
 
 export function polygonMakeHull(points_m, radius_m) {

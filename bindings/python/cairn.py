@@ -2684,12 +2684,12 @@ cn_area_def_init = _function(
 )
 cn_shape_set_area = _function(
     "cn_shape_set_area",
-    """Makes a sensor an area or changes it; def NULL: it is an area no longer. The sensor's filter says which
-    shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area that loses
-    the flag later does nothing while it is without. Gravity, and damping without density, act on bodies whose
-    centre of mass is in the area (on its border too) while one of their shapes touches it: on a body half in
-    it in full or not at all. The medium acts on the part of each shape that is in the area, exactly for
-    polygons; parts of round shapes are computed as those of polygons of 16 sides, to 1%. The surface of a
+    """Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's filter says
+    which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area that
+    loses the flag later does nothing while it is without. Gravity, and damping without density, act on bodies
+    whose centre of mass is in the area (on its border too) while one of their shapes touches it: on a body
+    half in it in full or not at all. The medium acts on the part of each shape that is in the area, exactly
+    for polygons; parts of round shapes are computed as those of polygons of 16 sides, to 1%. The surface of a
     circle or capsule is flat across a body, as of a planet. Shapes of a body do not shade each other. The
     area's body feels no reaction. Between steps nothing happens: the acceleration is that in the middle of
     the next step (leapfrog), so bodies on orbits and floating bodies keep their energy. Damping and drag are
@@ -3109,13 +3109,14 @@ class World:
         _check(cn_world_set_contact_callback(self.pointer, kind, callback, None), self.pointer)
         self._callbacks[kind] = callback
 
-    def save(self):
-        """The world's state as bytes, for restore."""
-        size = _c.c_uint64()
-        _check(cn_world_save_size(self.pointer, size))
-        out = _c.create_string_buffer(size.value)
-        _check(cn_world_save(self.pointer, out, size, size))
-        return out.raw[: size.value]
+    @classmethod
+    def read(cls, file, definition=None, **fields):
+        """A world from the bytes of write. Of the definition only memory, workers and capacities are used."""
+        pointer = _c.POINTER(cn_world)()
+        _check(cn_world_read(_made(definition or WorldDef(), fields), file, len(file), pointer))
+        world = cls.__new__(cls)
+        world._callbacks, world._pointer = {}, pointer
+        return world
 
     def step(self, dt_s):
         """Takes one fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion.
@@ -3289,6 +3290,16 @@ class World:
         _check(cn_world_save_size(self.pointer, _bytes))
         return _bytes.value
 
+    def save(self):
+        """Writes the world's state to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and
+        the number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the
+        world), about 1 KB per body."""
+        _bytes = _c.c_uint64()
+        _check(cn_world_save_size(self.pointer, _bytes))
+        _out = _c.create_string_buffer(_bytes.value or 1)
+        _check(cn_world_save(self.pointer, _out, _bytes, _bytes))
+        return _out.raw[: _bytes.value]
+
     def restore(self, save):
         """Restores a saved state, into the saved world or one created with the same definition (broadphase,
         length unit, caller's block or not; else CN_ERROR_STATE). bytes as written by cn_world_save;
@@ -3304,6 +3315,16 @@ class World:
         _bytes = _c.c_uint64()
         _check(cn_world_write_size(self.pointer, _bytes))
         return _bytes.value
+
+    def write(self):
+        """Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number
+        of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about
+        1 KB per body."""
+        _bytes = _c.c_uint64()
+        _check(cn_world_write_size(self.pointer, _bytes))
+        _out = _c.create_string_buffer(_bytes.value or 1)
+        _check(cn_world_write(self.pointer, _out, _bytes, _bytes))
+        return _out.raw[: _bytes.value]
 
     def body_create(self, definition):
         """Creates a body. O(1) amortized."""
@@ -4493,15 +4514,15 @@ class World:
         1 us standing, 3 us walking, 10 us against a wall."""
         _check(cn_mover_move(self.pointer, definition, dt_s, mover), self.pointer)
 
-    def shape_set_area(self, shape, definition):
-        """Makes a sensor an area or changes it; def NULL: it is an area no longer. The sensor's filter says
-        which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area
-        that loses the flag later does nothing while it is without. Gravity, and damping without density, act
-        on bodies whose centre of mass is in the area (on its border too) while one of their shapes touches
-        it: on a body half in it in full or not at all. The medium acts on the part of each shape that is in
-        the area, exactly for polygons; parts of round shapes are computed as those of polygons of 16 sides,
-        to 1%. The surface of a circle or capsule is flat across a body, as of a planet. Shapes of a body do
-        not shade each other. The area's body feels no reaction. Between steps nothing happens: the
+    def shape_set_area(self, shape, definition=None):
+        """Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's filter
+        says which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an
+        area that loses the flag later does nothing while it is without. Gravity, and damping without density,
+        act on bodies whose centre of mass is in the area (on its border too) while one of their shapes
+        touches it: on a body half in it in full or not at all. The medium acts on the part of each shape that
+        is in the area, exactly for polygons; parts of round shapes are computed as those of polygons of 16
+        sides, to 1%. The surface of a circle or capsule is flat across a body, as of a planet. Shapes of a
+        body do not shade each other. The area's body feels no reaction. Between steps nothing happens: the
         acceleration is that in the middle of the next step (leapfrog), so bodies on orbits and floating
         bodies keep their energy. Damping and drag are implicit: stable at any strength, mass and time step,
         with exact terminal speeds. Bodies that enter or leave, that are in an area that moves, and those in
@@ -4592,6 +4613,34 @@ def abi_version():
 def result_text(result):
     """English text for a result code: static, never NULL."""
     return cn_result_text(result).decode()
+
+
+def save_delta_size(base, save):
+    """Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes)."""
+    _bytes = _c.c_uint64()
+    _check(cn_save_delta_size(base, len(base), save, len(save), _bytes))
+    return _bytes.value
+
+
+def save_delta(base, save):
+    """Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+    out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes)."""
+    _bytes = _c.c_uint64()
+    _check(cn_save_delta_size(base, len(base), save, len(save), _bytes))
+    _out = _c.create_string_buffer(_bytes.value or 1)
+    _check(cn_save_delta(base, len(base), save, len(save), _out, _bytes, _bytes))
+    return _out.raw[: _bytes.value]
+
+
+def save_apply(base, delta):
+    """Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+    out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
+    CN_ERROR_CAPACITY if out is too small. O(bytes)."""
+    _bytes = _c.c_uint64()
+    _bytes.value = len(base) + len(delta)
+    _out = _c.create_string_buffer(_bytes.value or 1)
+    _check(cn_save_apply(base, len(base), delta, len(delta), _out, _bytes, _bytes))
+    return _out.raw[: _bytes.value]
 
 
 def polygon_make_hull(points_m, radius_m):

@@ -2373,12 +2373,12 @@ pub extern fn cn_mover_def_init(def: ?*cn_mover_def) void;
 pub extern fn cn_mover_move(world: *cn_world, def: *const cn_mover_def, dt_s: f32, mover: *cn_mover) cn_result;
 /// Sets struct_size and the defaults given beside the fields. NULL does nothing.
 pub extern fn cn_area_def_init(def: ?*cn_area_def) void;
-/// Makes a sensor an area or changes it; def NULL: it is an area no longer. The sensor's filter says which
-/// shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area that loses
-/// the flag later does nothing while it is without. Gravity, and damping without density, act on bodies whose
-/// centre of mass is in the area (on its border too) while one of their shapes touches it: on a body half in
-/// it in full or not at all. The medium acts on the part of each shape that is in the area, exactly for
-/// polygons; parts of round shapes are computed as those of polygons of 16 sides, to 1%. The surface of a
+/// Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's filter says
+/// which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area that
+/// loses the flag later does nothing while it is without. Gravity, and damping without density, act on bodies
+/// whose centre of mass is in the area (on its border too) while one of their shapes touches it: on a body
+/// half in it in full or not at all. The medium acts on the part of each shape that is in the area, exactly
+/// for polygons; parts of round shapes are computed as those of polygons of 16 sides, to 1%. The surface of a
 /// circle or capsule is flat across a body, as of a planet. Shapes of a body do not shade each other. The
 /// area's body feels no reaction. Between steps nothing happens: the acceleration is that in the middle of
 /// the next step (leapfrog), so bodies on orbits and floating bodies keep their energy. Damping and drag are
@@ -2386,7 +2386,7 @@ pub extern fn cn_area_def_init(def: ?*cn_area_def) void;
 /// leave, that are in an area that moves, and those in it now, wake; bodies at rest in it may sleep. Areas
 /// are in saves and files. An area takes 80 bytes of the world's memory; a step costs about 0.2 us for each
 /// shape in an area, 0.5 us in a medium. Best on a body of its own: O(contacts of the body).
-pub extern fn cn_shape_set_area(world: *cn_world, shape: cn_shape, def: *const cn_area_def) cn_result;
+pub extern fn cn_shape_set_area(world: *cn_world, shape: cn_shape, def: ?*const cn_area_def) cn_result;
 /// Reads the area of a sensor. CN_ERROR_STATE if it is none. O(areas).
 pub extern fn cn_shape_get_area(world: *const cn_world, shape: cn_shape, out: *cn_area_def) cn_result;
 /// The effect of dt_s (0 to 1; the next step's) in a wind on one shape, at once: call it before each step.

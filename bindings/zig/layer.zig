@@ -238,6 +238,13 @@ pub const World = struct {
         return .{ .pointer = pointer.? };
     }
 
+    /// A world from the bytes of write. Of the definition only memory, workers and capacities are used.
+    pub fn read(file: []const u8, def: ?*const WorldDef) Error!World {
+        var pointer: ?*c.cn_world = null;
+        try check(c.cn_world_read(def, file.ptr, file.len, &pointer));
+        return .{ .pointer = pointer.? };
+    }
+
     pub fn deinit(self: World) void {
         c.cn_world_destroy(self.pointer);
     }
@@ -247,13 +254,6 @@ pub const World = struct {
         return std.mem.span(c.cn_world_error_text(self.pointer));
     }
 
-    /// The world's state, for restore; the caller frees it.
-    pub fn save(self: World, gpa: std.mem.Allocator) (Error || std.mem.Allocator.Error)![]u8 {
-        const out = try gpa.alloc(u8, @intCast(try self.saveSize()));
-        errdefer gpa.free(out);
-        try check(c.cn_world_save(self.pointer, out.ptr, out.len, null));
-        return out;
-    }
 
     /// Takes one fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion.
     /// O(awake bodies and their contacts and joints).
@@ -463,6 +463,19 @@ pub const World = struct {
         return out0;
     }
 
+    /// Writes the world's state to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and
+    /// the number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the
+    /// world), about 1 KB per body.
+    /// The caller frees the slice.
+    pub fn save(self: World, gpa: std.mem.Allocator) (Error || std.mem.Allocator.Error)![]u8 {
+        var room: u64 = 0;
+        try check(c.cn_world_save_size(self.pointer, &room));
+        const list = try gpa.alloc(u8, @intCast(room));
+        errdefer gpa.free(list);
+        try check(c.cn_world_save(self.pointer, list.ptr, list.len, &room));
+        return if (gpa.resize(list, @intCast(room))) list[0..@intCast(room)] else gpa.realloc(list, @intCast(room));
+    }
+
     /// Restores a saved state, into the saved world or one created with the same definition (broadphase,
     /// length unit, caller's block or not; else CN_ERROR_STATE). bytes as written by cn_world_save;
     /// CN_ERROR_FORMAT for damaged bytes or another version or machine; CN_ERROR_MEMORY without room for the
@@ -479,6 +492,19 @@ pub const World = struct {
         var out0: u64 = undefined;
         try check(c.cn_world_write_size(self.pointer, &out0));
         return out0;
+    }
+
+    /// Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number
+    /// of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about
+    /// 1 KB per body.
+    /// The caller frees the slice.
+    pub fn write(self: World, gpa: std.mem.Allocator) (Error || std.mem.Allocator.Error)![]u8 {
+        var room: u64 = 0;
+        try check(c.cn_world_write_size(self.pointer, &room));
+        const list = try gpa.alloc(u8, @intCast(room));
+        errdefer gpa.free(list);
+        try check(c.cn_world_write(self.pointer, list.ptr, list.len, &room));
+        return if (gpa.resize(list, @intCast(room))) list[0..@intCast(room)] else gpa.realloc(list, @intCast(room));
     }
 
     /// Creates a body. O(1) amortized.
@@ -1845,21 +1871,21 @@ pub const World = struct {
         return check(c.cn_mover_move(self.pointer, def, dt_s, mover));
     }
 
-    /// Makes a sensor an area or changes it; def NULL: it is an area no longer. The sensor's filter says
-    /// which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area
-    /// that loses the flag later does nothing while it is without. Gravity, and damping without density, act
-    /// on bodies whose centre of mass is in the area (on its border too) while one of their shapes touches
-    /// it: on a body half in it in full or not at all. The medium acts on the part of each shape that is in
-    /// the area, exactly for polygons; parts of round shapes are computed as those of polygons of 16 sides,
-    /// to 1%. The surface of a circle or capsule is flat across a body, as of a planet. Shapes of a body do
-    /// not shade each other. The area's body feels no reaction. Between steps nothing happens: the
+    /// Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's filter
+    /// says which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an
+    /// area that loses the flag later does nothing while it is without. Gravity, and damping without density,
+    /// act on bodies whose centre of mass is in the area (on its border too) while one of their shapes
+    /// touches it: on a body half in it in full or not at all. The medium acts on the part of each shape that
+    /// is in the area, exactly for polygons; parts of round shapes are computed as those of polygons of 16
+    /// sides, to 1%. The surface of a circle or capsule is flat across a body, as of a planet. Shapes of a
+    /// body do not shade each other. The area's body feels no reaction. Between steps nothing happens: the
     /// acceleration is that in the middle of the next step (leapfrog), so bodies on orbits and floating
     /// bodies keep their energy. Damping and drag are implicit: stable at any strength, mass and time step,
     /// with exact terminal speeds. Bodies that enter or leave, that are in an area that moves, and those in
     /// it now, wake; bodies at rest in it may sleep. Areas are in saves and files. An area takes 80 bytes of
     /// the world's memory; a step costs about 0.2 us for each shape in an area, 0.5 us in a medium. Best on a
     /// body of its own: O(contacts of the body).
-    pub fn shapeSetArea(self: World, shape: Shape, def: *const AreaDef) Error!void {
+    pub fn shapeSetArea(self: World, shape: Shape, def: ?*const AreaDef) Error!void {
         return check(c.cn_shape_set_area(self.pointer, shape, def));
     }
 
@@ -1952,6 +1978,37 @@ pub fn abiVersion() i32 {
 /// English text for a result code: static, never NULL.
 pub fn resultText(result: i32) [:0]const u8 {
     return std.mem.span(c.cn_result_text(result));
+}
+
+/// Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).
+pub fn saveDeltaSize(base: []const u8, save_: []const u8) Error!u64 {
+    var out0: u64 = undefined;
+    try check(c.cn_save_delta_size(base.ptr, base.len, save_.ptr, save_.len, &out0));
+    return out0;
+}
+
+/// Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+/// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).
+/// The caller frees the slice.
+pub fn saveDelta(gpa: std.mem.Allocator, base: []const u8, save_: []const u8) (Error || std.mem.Allocator.Error)![]u8 {
+    var room: u64 = 0;
+    try check(c.cn_save_delta_size(base.ptr, base.len, save_.ptr, save_.len, &room));
+    const list = try gpa.alloc(u8, @intCast(room));
+    errdefer gpa.free(list);
+    try check(c.cn_save_delta(base.ptr, base.len, save_.ptr, save_.len, list.ptr, list.len, &room));
+    return if (gpa.resize(list, @intCast(room))) list[0..@intCast(room)] else gpa.realloc(list, @intCast(room));
+}
+
+/// Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+/// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
+/// CN_ERROR_CAPACITY if out is too small. O(bytes).
+/// The caller frees the slice.
+pub fn saveApply(gpa: std.mem.Allocator, base: []const u8, delta: []const u8) (Error || std.mem.Allocator.Error)![]u8 {
+    var room: u64 = base.len + delta.len;
+    const list = try gpa.alloc(u8, @intCast(room));
+    errdefer gpa.free(list);
+    try check(c.cn_save_apply(base.ptr, base.len, delta.ptr, delta.len, list.ptr, list.len, &room));
+    return if (gpa.resize(list, @intCast(room))) list[0..@intCast(room)] else gpa.realloc(list, @intCast(room));
 }
 
 /// Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts

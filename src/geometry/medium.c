@@ -20,7 +20,7 @@
 #include "geometry/medium.h"
 
 #define ARC_SIDES 16
-#define OUTLINE_MOST (2 * CN_POLYGON_MAX_VERTICES + ARC_SIDES + CNI_REGION_PLANES)
+#define OUTLINE_MOST (2 * CN_POLYGON_MAX_VERTICES + ARC_SIDES + CNI_MEDIUM_PLANES)
 #define RESIST_MOST 1e4f /* times the mass, in a step: floats can solve it, and it stops all but a part of 1e-4 of the velocity */
 #define OWN (-1) /* an edge of the shape itself; others: a plane of the region */
 
@@ -32,7 +32,7 @@ typedef struct outline {
 
 /* ---- region ---- */
 
-void cni_region_make(cni_region *region, const cni_geometry *g, cni_vec2 center, cni_rot q)
+void cni_medium_region_make(cni_medium_region *region, const cni_geometry *g, cni_vec2 center, cni_rot q)
 {
 	const cni_vec2 *p = cni_geometry_points(g), *n = cni_geometry_normals(g);
 	int32_t k;
@@ -136,7 +136,7 @@ static cni_vec2 point_of(const cni_in_medium *s, cni_vec2 local)
 }
 
 /* Edges and chains are thin plates: both sides. */
-static void plates_drag(cni_medium_force *sum, const cni_medium *m, const cni_region *region, const cni_in_medium *s)
+static void plates_drag(cni_medium_force *sum, const cni_medium *m, const cni_medium_region *region, const cni_in_medium *s)
 {
 	int32_t child, k;
 	for (child = 0; child < cni_geometry_children(s->geometry); ++child) {
@@ -275,7 +275,7 @@ static void displacement_add(cni_medium_force *sum, const cni_medium *m, const c
 	sum->resist[2][2] += m->turn_damping * area;
 }
 
-static void part_displacement(cni_medium_force *sum, const cni_medium *m, const cni_region *region, const cni_in_medium *s, const outline *o)
+static void part_displacement(cni_medium_force *sum, const cni_medium *m, const cni_medium_region *region, const cni_in_medium *s, const outline *o)
 {
 	cni_vec2 first = { 0.0f, 0.0f }, from = o->points[0];
 	float area = 0.0f;
@@ -292,7 +292,7 @@ static void part_displacement(cni_medium_force *sum, const cni_medium *m, const 
 		displacement_add(sum, m, s, area, cni_madd(from, 1.0f / area, first));
 }
 
-static void part_add(cni_medium_force *sum, const cni_medium *m, const cni_region *region, const cni_in_medium *s)
+static void part_add(cni_medium_force *sum, const cni_medium *m, const cni_medium_region *region, const cni_in_medium *s)
 {
 	outline o;
 	int32_t k;
@@ -319,7 +319,7 @@ static void whole_displacement(cni_medium_force *sum, const cni_medium *m, const
 }
 
 /* Is the shape wholly within the region? */
-static int32_t is_within(const cni_region *region, const cni_in_medium *s)
+static int32_t is_within(const cni_medium_region *region, const cni_in_medium *s)
 {
 	const cni_vec2 *p = cni_geometry_points(s->geometry);
 	int32_t k, i;
@@ -332,7 +332,7 @@ static int32_t is_within(const cni_region *region, const cni_in_medium *s)
 	return 1;
 }
 
-void cni_medium_add(cni_medium_force *sum, const cni_medium *medium, const cni_region *region, const cni_in_medium *shape)
+void cni_medium_add(cni_medium_force *sum, const cni_medium *medium, const cni_medium_region *region, const cni_in_medium *shape)
 {
 	int32_t type = shape->geometry->type;
 	if (type == CN_SHAPE_EDGE || type == CN_SHAPE_CHAIN) {

@@ -12,12 +12,12 @@
 #include "geometry/shape.h"
 
 /* A convex region: all points r with normals[k] . r <= offsets[k]. count 0: everywhere. */
-#define CNI_REGION_PLANES 16
-typedef struct cni_region {
-	cni_vec2 normals[CNI_REGION_PLANES]; /* unit, outward */
-	float offsets[CNI_REGION_PLANES];
+#define CNI_MEDIUM_PLANES 16
+typedef struct cni_medium_region {
+	cni_vec2 normals[CNI_MEDIUM_PLANES]; /* unit, outward */
+	float offsets[CNI_MEDIUM_PLANES];
 	int32_t count;
-} cni_region;
+} cni_medium_region;
 
 typedef struct cni_medium {
 	cni_vec2 up;       /* unit: the direction of buoyancy */
@@ -47,8 +47,8 @@ typedef struct cni_in_medium {
 
 /* Geometry in a world as a region: the half planes of a convex polygon with its radius; for circles and capsules the tangent at
    the point nearest to the centre. center: of the other body, in the geometry's frame; q: of the geometry's body. */
-void cni_region_make(cni_region *region, const cni_geometry *g, cni_vec2 center, cni_rot q);
-void cni_medium_add(cni_medium_force *sum, const cni_medium *medium, const cni_region *region, const cni_in_medium *shape);
+void cni_medium_region_make(cni_medium_region *region, const cni_geometry *g, cni_vec2 center, cni_rot q);
+void cni_medium_add(cni_medium_force *sum, const cni_medium *medium, const cni_medium_region *region, const cni_in_medium *shape);
 /*
  * The change of velocity in a time dt: (mass + dt resist) change = dt (force + drag), with mass a diagonal, of which 0 means infinite. Its symmetric
  * part is at least mass, so there is always a solution; in a medium of one velocity |V - flow| in the norm of mass never grows and is

@@ -154,7 +154,7 @@ static void medium_of_area(field *f, const visits *v, int32_t k, cni_in_medium *
 	const cni_area *a = visit_area(v, k);
 	place p = place_make(v, b, m, a);
 	cni_medium medium;
-	cni_region region;
+	cni_medium_region region;
 	medium.up = up_of(f);
 	medium.buoyancy = a->density * cni_length(f->gravity);
 	medium.drag = a->drag;
@@ -163,7 +163,7 @@ static void medium_of_area(field *f, const visits *v, int32_t k, cni_in_medium *
 	medium.turn_damping = a->density * a->angular_damping * b->inertia / b->mass;
 	medium.flow = cni_add(p.velocity, a->flow);
 	in->geometry = cni_shape_geometry(&v->world->blocks, cni_shape_at(v->world, visit_shape(v->keys[k])));
-	cni_region_make(&region, p.geometry, p.center, p.sensor->q);
+	cni_medium_region_make(&region, p.geometry, p.center, p.sensor->q);
 	cni_medium_add(&f->force, &medium, &region, in);
 }
 

@@ -124,7 +124,7 @@ cn_result cn_shape_get_area(const cn_world *world, cn_shape shape, cn_area_def *
 /* Velocity of a body after wind on one of its shapes. */
 static cn_velocity velocity_in_wind(const cn_world *world, const cni_body *b, const cni_shape *s, const cni_medium *wind, float dt)
 {
-	static const cni_region everywhere = { { { 0.0f, 0.0f } }, { 0.0f }, 0 };
+	static const cni_medium_region everywhere = { { { 0.0f, 0.0f } }, { 0.0f }, 0 };
 	cn_velocity v = cni_body_velocity(world, b);
 	cni_in_medium in;
 	cni_medium_force force;

@@ -15,10 +15,10 @@ typedef struct scene {
 	record r;
 	cni_in_medium in;
 	cni_medium medium;
-	cni_region region;
+	cni_medium_region region;
 } scene;
 
-static const cni_region everywhere;
+static const cni_medium_region everywhere;
 
 static void scene_random(scene *s, int32_t type, float spin)
 {
@@ -286,7 +286,7 @@ static void t_parts_in_regions(void)
 		s.medium.drag = s.medium.lift = 0.0f;
 		s.medium.buoyancy = 1.0f;
 		record_random(&area, CN_SHAPE_POLYGON, 1.0f);
-		cni_region_make(&s.region, &area.g, cni_add(area.g.centroid, cni_v(random_in(-0.3f, 0.3f), random_in(-0.3f, 0.3f))), s.in.q);
+		cni_medium_region_make(&s.region, &area.g, cni_add(area.g.centroid, cni_v(random_in(-0.3f, 0.3f), random_in(-0.3f, 0.3f))), s.in.q);
 		f = force_of(&s);
 		grid_sum(&s, sum);
 		wet += sum[1] > 0.05;
@@ -301,9 +301,9 @@ static void t_parts_in_regions(void)
 static void t_tangent_of_a_planet(void)
 {
 	record planet;
-	cni_region region;
+	cni_medium_region region;
 	record_circle(&planet, 10.0f);
-	cni_region_make(&region, &planet.g, cni_v(0.0f, -12.0f), transform_none().q);
+	cni_medium_region_make(&region, &planet.g, cni_v(0.0f, -12.0f), transform_none().q);
 	CHECK(region.count == 1 && region.normals[0].y == -1.0f);
 	CHECK_LE("surface 2 m above a point below the planet", fabs((double)region.offsets[0] + 2.0), 1e-5, "m");
 }

@@ -2379,14 +2379,14 @@ extern "C" {
     pub fn cn_mover_move(world: *mut cn_world, def: *const cn_mover_def, dt_s: f32, mover: *mut cn_mover) -> cn_result;
     /// Sets struct_size and the defaults given beside the fields. NULL does nothing.
     pub fn cn_area_def_init(def: *mut cn_area_def);
-    /// Makes a sensor an area or changes it; def NULL: it is an area no longer. The sensor's filter says
-    /// which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area
-    /// that loses the flag later does nothing while it is without. Gravity, and damping without density, act
-    /// on bodies whose centre of mass is in the area (on its border too) while one of their shapes touches
-    /// it: on a body half in it in full or not at all. The medium acts on the part of each shape that is in
-    /// the area, exactly for polygons; parts of round shapes are computed as those of polygons of 16 sides,
-    /// to 1%. The surface of a circle or capsule is flat across a body, as of a planet. Shapes of a body do
-    /// not shade each other. The area's body feels no reaction. Between steps nothing happens: the
+    /// Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's filter
+    /// says which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an
+    /// area that loses the flag later does nothing while it is without. Gravity, and damping without density,
+    /// act on bodies whose centre of mass is in the area (on its border too) while one of their shapes
+    /// touches it: on a body half in it in full or not at all. The medium acts on the part of each shape that
+    /// is in the area, exactly for polygons; parts of round shapes are computed as those of polygons of 16
+    /// sides, to 1%. The surface of a circle or capsule is flat across a body, as of a planet. Shapes of a
+    /// body do not shade each other. The area's body feels no reaction. Between steps nothing happens: the
     /// acceleration is that in the middle of the next step (leapfrog), so bodies on orbits and floating
     /// bodies keep their energy. Damping and drag are implicit: stable at any strength, mass and time step,
     /// with exact terminal speeds. Bodies that enter or leave, that are in an area that moves, and those in

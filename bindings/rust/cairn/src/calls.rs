@@ -361,6 +361,18 @@ impl World {
         Ok(out_bytes)
     }
 
+    /// Writes the world's state to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and
+    /// the number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the
+    /// world), about 1 KB per body.
+    pub fn save(&self) -> Result<Vec<u8>> {
+        let mut bytes = 0;
+        check(unsafe { cairn_sys::cn_world_save_size(self.pointer(), &mut bytes) })?;
+        let mut out: Vec<u8> = vec![0; bytes as usize];
+        check(unsafe { cairn_sys::cn_world_save(self.pointer(), out.as_mut_ptr().cast(), bytes, &mut bytes) })?;
+        out.truncate(bytes as usize);
+        Ok(out)
+    }
+
     /// Restores a saved state, into the saved world or one created with the same definition (broadphase,
     /// length unit, caller's block or not; else CN_ERROR_STATE). bytes as written by cn_world_save;
     /// CN_ERROR_FORMAT for damaged bytes or another version or machine; CN_ERROR_MEMORY without room for the
@@ -378,6 +390,18 @@ impl World {
         let mut out_bytes = u64::default();
         check(unsafe { cairn_sys::cn_world_write_size(self.pointer(), &mut out_bytes) })?;
         Ok(out_bytes)
+    }
+
+    /// Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number
+    /// of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about
+    /// 1 KB per body.
+    pub fn write(&self) -> Result<Vec<u8>> {
+        let mut bytes = 0;
+        check(unsafe { cairn_sys::cn_world_write_size(self.pointer(), &mut bytes) })?;
+        let mut out: Vec<u8> = vec![0; bytes as usize];
+        check(unsafe { cairn_sys::cn_world_write(self.pointer(), out.as_mut_ptr().cast(), bytes, &mut bytes) })?;
+        out.truncate(bytes as usize);
+        Ok(out)
     }
 
     /// Creates a body. O(1) amortized.
@@ -1841,22 +1865,22 @@ impl World {
         Ok(())
     }
 
-    /// Makes a sensor an area or changes it; def NULL: it is an area no longer. The sensor's filter says
-    /// which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area
-    /// that loses the flag later does nothing while it is without. Gravity, and damping without density, act
-    /// on bodies whose centre of mass is in the area (on its border too) while one of their shapes touches
-    /// it: on a body half in it in full or not at all. The medium acts on the part of each shape that is in
-    /// the area, exactly for polygons; parts of round shapes are computed as those of polygons of 16 sides,
-    /// to 1%. The surface of a circle or capsule is flat across a body, as of a planet. Shapes of a body do
-    /// not shade each other. The area's body feels no reaction. Between steps nothing happens: the
+    /// Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's filter
+    /// says which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an
+    /// area that loses the flag later does nothing while it is without. Gravity, and damping without density,
+    /// act on bodies whose centre of mass is in the area (on its border too) while one of their shapes
+    /// touches it: on a body half in it in full or not at all. The medium acts on the part of each shape that
+    /// is in the area, exactly for polygons; parts of round shapes are computed as those of polygons of 16
+    /// sides, to 1%. The surface of a circle or capsule is flat across a body, as of a planet. Shapes of a
+    /// body do not shade each other. The area's body feels no reaction. Between steps nothing happens: the
     /// acceleration is that in the middle of the next step (leapfrog), so bodies on orbits and floating
     /// bodies keep their energy. Damping and drag are implicit: stable at any strength, mass and time step,
     /// with exact terminal speeds. Bodies that enter or leave, that are in an area that moves, and those in
     /// it now, wake; bodies at rest in it may sleep. Areas are in saves and files. An area takes 80 bytes of
     /// the world's memory; a step costs about 0.2 us for each shape in an area, 0.5 us in a medium. Best on a
     /// body of its own: O(contacts of the body).
-    pub fn shape_set_area(&mut self, shape: Shape, def: &AreaDef) -> Result<()> {
-        self.check(unsafe { cairn_sys::cn_shape_set_area(self.pointer(), shape, def) })?;
+    pub fn shape_set_area(&mut self, shape: Shape, def: Option<&AreaDef>) -> Result<()> {
+        self.check(unsafe { cairn_sys::cn_shape_set_area(self.pointer(), shape, def.map_or(core::ptr::null(), |value| value as *const _)) })?;
         Ok(())
     }
 
@@ -1941,6 +1965,36 @@ pub fn abi_version() -> i32 {
 /// English text for a result code: static, never NULL.
 pub fn result_text(result: i32) -> &'static core::ffi::CStr {
     unsafe { core::ffi::CStr::from_ptr(cairn_sys::cn_result_text(result)) }
+}
+
+/// Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).
+pub fn save_delta_size(base: &[u8], save: &[u8]) -> Result<u64> {
+    let mut out_bytes = u64::default();
+    check(unsafe { cairn_sys::cn_save_delta_size(base.as_ptr().cast(), base.len() as u64, save.as_ptr().cast(), save.len() as u64, &mut out_bytes) })?;
+    Ok(out_bytes)
+}
+
+/// Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+/// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).
+pub fn save_delta(base: &[u8], save: &[u8]) -> Result<Vec<u8>> {
+    let mut bytes = 0;
+    check(unsafe { cairn_sys::cn_save_delta_size(base.as_ptr().cast(), base.len() as u64, save.as_ptr().cast(), save.len() as u64, &mut bytes) })?;
+    let mut out: Vec<u8> = vec![0; bytes as usize];
+    check(unsafe { cairn_sys::cn_save_delta(base.as_ptr().cast(), base.len() as u64, save.as_ptr().cast(), save.len() as u64, out.as_mut_ptr().cast(), bytes, &mut bytes) })?;
+    out.truncate(bytes as usize);
+    Ok(out)
+}
+
+/// Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+/// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
+/// CN_ERROR_CAPACITY if out is too small. O(bytes).
+pub fn save_apply(base: &[u8], delta: &[u8]) -> Result<Vec<u8>> {
+    let mut bytes = 0;
+    bytes += (base.len() + delta.len()) as u64;
+    let mut out: Vec<u8> = vec![0; bytes as usize];
+    check(unsafe { cairn_sys::cn_save_apply(base.as_ptr().cast(), base.len() as u64, delta.as_ptr().cast(), delta.len() as u64, out.as_mut_ptr().cast(), bytes, &mut bytes) })?;
+    out.truncate(bytes as usize);
+    Ok(out)
 }
 
 /// Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts
