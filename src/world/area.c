@@ -73,7 +73,7 @@ cn_result cn_shape_set_area(cn_world *world, cn_shape shape, const cn_area_def *
 	const cni_shape *s = cni_check_shape(&call, "shape", shape);
 	int32_t index = cni_shape_index(world, shape);
 	cni_area area;
-	if (def != NULL)
+	if (call.result == CN_OK && (def != NULL || cni_area_of_shape(world, index) == NULL))
 		check_sensor(&call, s);
 	if (def != NULL && call.result == CN_OK)
 		check_def(&call, def);
@@ -83,10 +83,8 @@ cn_result cn_shape_set_area(cn_world *world, cn_shape shape, const cn_area_def *
 		area = area_of_def(def, index);
 		if (!cni_area_set(world, &area))
 			return cni_refuse(&call, CN_ERROR_MEMORY, "no memory for the area");
-	} else if (cni_area_of_shape(world, index) != NULL) {
-		cni_area_remove(world, index);
 	} else {
-		return CN_OK;
+		cni_area_remove(world, index);
 	}
 	cni_area_wake(world, index);
 	return CN_OK;

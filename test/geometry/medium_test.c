@@ -22,6 +22,7 @@ static const cni_medium_region everywhere;
 
 static void scene_random(scene *s, int32_t type, float spin)
 {
+	memset(&s->medium, 0, sizeof s->medium);
 	record_random(&s->r, type, 1.0f);
 	s->in.geometry = &s->r.g;
 	s->in.center = cni_v(random_in(-0.5f, 0.5f), random_in(-0.5f, 0.5f));

@@ -15,7 +15,7 @@ ENTRY(cn_shape_set_area, SET_AREA(priority, -3),
 	RANGE(x, -1e-30f, 1.1e6f, SET_AREA(pull_distance_m, x)); RANGE(x, -1e-30f, 1.1e9f, SET_AREA(linear_damping_per_s, x));
 	RANGE(x, -1e-30f, 1.1e9f, SET_AREA(angular_damping_per_s, x)); RANGE(x, -1e-30f, 1.1e9f, SET_AREA(density_kgpm2, x));
 	RANGE(x, -1e-30f, 1.1e9f, SET_AREA(drag_kgpm2, x)); RANGE(x, -1e-30f, 1.1e9f, SET_AREA(lift_kgpm2, x)); VECTOR(v, SET_AREA(flow_mps, v));
-	STATE(cn_shape_set_area(W, f.ball_shape, AREA(priority, 0)));)
+	STATE(cn_shape_set_area(W, f.ball_shape, AREA(priority, 0))); STATE(cn_shape_set_area(W, f.ball_shape, NULL));)
 ENTRY(cn_shape_get_area, cn_shape_get_area(W, f.area, OUT(cn_area_def)),
 	NOW(cn_shape_get_area(NULL, f.area, OUT(cn_area_def))); SHAPE(h, cn_shape_get_area(W, h, OUT(cn_area_def)));
 	ARG(cn_shape_get_area(W, f.area, NULL)); STATE(cn_shape_get_area(W, f.sensor, OUT(cn_area_def))); STATE(cn_shape_get_area(W, f.ball_shape, OUT(cn_area_def)));)
