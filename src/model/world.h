@@ -254,6 +254,8 @@ static inline cni_block_sums *cni_block_sums_at(const cn_world *world, int32_t b
 	int32_t sums = world->sums == NULL ? CNI_NONE : cni_block_info_at(world, block)->sums;
 	return sums == CNI_NONE ? NULL : world->sums + sums;
 }
+/* A constant in builds without them. */
+static inline int32_t cni_has_areas(const cn_world *world) { return CNI_HAS_AREAS && world->areas.count > 0; }
 static inline cni_area *cni_areas(const cn_world *world) { return (cni_area *)world->areas.data; }
 static inline cni_proxy *cni_proxy_at(const cn_world *world, int32_t proxy) { return (cni_proxy *)cni_table_at_sized(&world->proxies, proxy, sizeof(cni_proxy), CNI_PAGE_PROXIES); }
 static inline cni_motion *cni_motions(const cn_world *world) { return (cni_motion *)world->motion.data; }

@@ -202,9 +202,9 @@ void cni_external_prepare(cn_world *world, const cni_solve *s)
 		world->awake_islands = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count);
 	if (world->awake_islands != NULL)
 		world->awake_islands[0] = CNI_NONE;
-	if (world->areas.count > 0)
+	if (cni_has_areas(world))
 		cni_areas_accelerate(world, s->dt);
-	bodies_run(world->team, DRIVES_A_RANGE, world->areas.count > 0 ? external_range_in_areas : external_range, world, s, 0);
+	bodies_run(world->team, DRIVES_A_RANGE, cni_has_areas(world) ? external_range_in_areas : external_range, world, s, 0);
 	if (world->awake_islands != NULL && world->island_used > world->awake_count / FEW_ISLANDS_PART) /* an awake island has two bodies or
 	                                                                                                   more */
 		world->step_islands = (int32_t *)cni_arena_push(&world->arena, sizeof(int32_t) * (uint64_t)world->awake_count / 2);
@@ -224,12 +224,12 @@ void cni_external_prepare_bound(cn_world *world, float dt)
 {
 	cni_external *externals = cni_externals(world);
 	int32_t k;
-	if (world->areas.count > 0)
+	if (cni_has_areas(world))
 		cni_areas_accelerate(world, dt);
 	for (k = 1; k < world->awake_count; ++k) {
 		cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		b->flags &= ~(uint32_t)CNI_BODY_OF_A_STEP;
-		if (world->areas.count > 0 && (externals[k].flags & CNI_EXTERNAL_DEFERRED))
+		if (cni_has_areas(world) && (externals[k].flags & CNI_EXTERNAL_DEFERRED))
 			external_make_in_area(world, b, cni_starts(world) + k, &externals[k]);
 		else
 			external_make(world, b, cni_motions(world) + k, &externals[k]);

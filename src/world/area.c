@@ -73,6 +73,8 @@ cn_result cn_shape_set_area(cn_world *world, cn_shape shape, const cn_area_def *
 	const cni_shape *s = cni_check_shape(&call, "shape", shape);
 	int32_t index = cni_shape_index(world, shape);
 	cni_area area;
+	if (call.result == CN_OK && !CNI_HAS_AREAS)
+		cni_refuse(&call, CN_ERROR_STATE, "this build has no areas: CN_NO_AREAS");
 	if (call.result == CN_OK && (def != NULL || cni_area_of_shape(world, index) == NULL))
 		check_sensor(&call, s);
 	if (def != NULL && call.result == CN_OK)

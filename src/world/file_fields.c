@@ -487,6 +487,14 @@ static void joints_pass(cn_world *world, cni_file *f)
 	array_pass(world, f, "DIRE", OF_ISLAND_INDEX, &world->direct_islands);
 }
 
+static void areas_pass(cn_world *world, cni_file *f)
+{
+	if (!CNI_HAS_AREAS && f->mode == CNI_FILE_READ)
+		cni_file_fail(f, CN_ERROR_FORMAT);
+	else
+		array_pass(world, f, "AREA", OF_AREA, &world->areas);
+}
+
 void cni_file_world(cn_world *world, cni_file *f)
 {
 	if (f->mode == CNI_FILE_READ)
@@ -503,7 +511,7 @@ void cni_file_world(cn_world *world, cni_file *f)
 	pool_pass(world, f, PROXY_POOL, &world->proxies, CNI_FIELD_PROXY, &world->proxy_used, &world->proxy_free);
 	table_pass(world, f, "PROX", OF_PROXY, &world->proxies, world->proxy_used, proxy_is_live);
 	if (f->mode == CNI_FILE_READ ? cni_file_has(f, "AREA") : world->areas.count > 0) /* files of earlier versions have none */
-		array_pass(world, f, "AREA", OF_AREA, &world->areas);
+		areas_pass(world, f);
 	contacts_pass(world, f);
 	joints_pass(world, f);
 	events_pass(world, f);
