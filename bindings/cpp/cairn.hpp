@@ -208,6 +208,10 @@ struct QueryFilter : cn_query_filter {
 struct MoverDef : cn_mover_def {
 	MoverDef() noexcept : cn_mover_def() { cn_mover_def_init(this); }
 };
+/// cn_area_def with its defaults.
+struct AreaDef : cn_area_def {
+	AreaDef() noexcept : cn_area_def() { cn_area_def_init(this); }
+};
 /// cn_explosion_def with its defaults.
 struct ExplosionDef : cn_explosion_def {
 	ExplosionDef() noexcept : cn_explosion_def() { cn_explosion_def_init(this); }
@@ -227,7 +231,14 @@ public:
 		cn_result code = cn_world_create(&def, &out);
 		return { Status(code, nullptr), World(out) };
 	}
-	/// The same, which throws or ends the program instead.
+	/// A world from bytes of write. Of the definition only memory, workers and capacities are used.
+	static Result<World> read(Slice<const unsigned char> file, const cn_world_def *def = nullptr)
+	{
+		cn_world *out = nullptr;
+		cn_result code = cn_world_read(def, file.data(), file.size(), &out);
+		return { Status(code, nullptr), World(out) };
+	}
+	/// As create, which throws or ends the program instead.
 	explicit World(const cn_world_def &def = WorldDef()) : World(create(def).value()) {}
 	explicit World(cn_world *owned) noexcept : world_(owned) {}
 	World(World &&other) noexcept : world_(std::exchange(other.world_, nullptr)) {}
@@ -241,17 +252,6 @@ public:
 	cn_world *get() const noexcept { return world_; }
 	/// The sentence of the last call that failed, "" if none did.
 	const char *error_text() const noexcept { return cn_world_error_text(world_); }
-	/// The world's state, for restore.
-	Result<std::vector<unsigned char>> save() const
-	{
-		uint64_t bytes = 0;
-		std::vector<unsigned char> out;
-		cn_result code = cn_world_save_size(world_, &bytes);
-		out.resize(static_cast<std::size_t>(bytes));
-		if (code == CN_OK)
-			code = cn_world_save(world_, out.data(), bytes, nullptr);
-		return { Status(code, nullptr), std::move(out) };
-	}
 
 	/// Takes one fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion.
 	/// O(awake bodies and their contacts and joints).
@@ -487,6 +487,21 @@ public:
 		return { Status(code, nullptr), std::move(out_bytes) };
 	}
 
+	/// Writes the world's state to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the
+	/// number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world),
+	/// about 1 KB per body.
+	Result<std::vector<unsigned char>> save() const
+	{
+		uint64_t bytes = 0;
+		std::vector<unsigned char> out;
+		cn_result code = cn_world_save_size(world_, &bytes);
+		out.resize(static_cast<std::size_t>(bytes));
+		if (code == CN_OK)
+			code = cn_world_save(world_, out.data(), bytes, &bytes);
+		out.resize(static_cast<std::size_t>(bytes));
+		return { Status(code, nullptr), std::move(out) };
+	}
+
 	/// Restores a saved state, into the saved world or one created with the same definition (broadphase, length
 	/// unit, caller's block or not; else CN_ERROR_STATE). bytes as written by cn_world_save; CN_ERROR_FORMAT for
 	/// damaged bytes or another version or machine; CN_ERROR_MEMORY without room for the objects alive then (a
@@ -505,6 +520,21 @@ public:
 		uint64_t out_bytes{};
 		cn_result code = cn_world_write_size(world_, &out_bytes);
 		return { Status(code, nullptr), std::move(out_bytes) };
+	}
+
+	/// Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number of
+	/// bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1 KB
+	/// per body.
+	Result<std::vector<unsigned char>> write() const
+	{
+		uint64_t bytes = 0;
+		std::vector<unsigned char> out;
+		cn_result code = cn_world_write_size(world_, &bytes);
+		out.resize(static_cast<std::size_t>(bytes));
+		if (code == CN_OK)
+			code = cn_world_write(world_, out.data(), bytes, &bytes);
+		out.resize(static_cast<std::size_t>(bytes));
+		return { Status(code, nullptr), std::move(out) };
 	}
 
 	/// Creates a body. O(1) amortized.
@@ -2047,6 +2077,49 @@ public:
 		return Status(cn_mover_move(world_, &def, dt_s, &mover), world_);
 	}
 
+	/// Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's filter says
+	/// which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area that
+	/// loses the flag later does nothing while it is without. Gravity, and damping without density, act on
+	/// bodies whose centre of mass is in the area (on its border too) while one of their shapes touches it: on a
+	/// body half in it in full or not at all. The medium acts on the part of each shape that is in the area,
+	/// exactly for polygons; parts of round shapes are computed as those of polygons of 16 sides, to 1%. The
+	/// surface of a circle or capsule is flat across a body, as of a planet. Shapes of a body do not shade each
+	/// other. The area's body feels no reaction. Between steps nothing happens: the acceleration is that in the
+	/// middle of the next step (leapfrog), so bodies on orbits and floating bodies keep their energy. Damping
+	/// and drag are implicit: stable at any strength, mass and time step, with exact terminal speeds. Bodies
+	/// that enter or leave, that are in an area that moves, and those in it now, wake; bodies at rest in it may
+	/// sleep. Areas are in saves and files. Floats whose draught is less than about g dt^2 (3 mm at 60 steps a
+	/// second) are damped, and carry less under a load. An area takes 64 bytes of the world's memory; a step
+	/// takes about 0.15 us for each shape in an area, 0.35 us in a medium. Best on a body of its own: O(contacts
+	/// of the body).
+	Status shape_set_area(Shape shape, const cn_area_def *def)
+	{
+		return Status(cn_shape_set_area(world_, shape, def), world_);
+	}
+
+	/// Reads the area of a sensor. CN_ERROR_STATE if it is none. O(areas).
+	Result<cn_area_def> shape_get_area(Shape shape) const
+	{
+		cn_area_def out_out{};
+		cn_result code = cn_shape_get_area(world_, shape, &out_out);
+		return { Status(code, nullptr), std::move(out_out) };
+	}
+
+	/// The effect of dt_s (0 to 1; the next step's) in a wind on one shape, at once: call it before each step.
+	/// flow: velocity of the air in m/s. On each part of the outline that faces the flow, of width w across it,
+	/// with u the velocity relative to that point: drag drag_kgpm2 / 2 w |u| u, the law of Newton (1687), and
+	/// across the flow the lift of flat plates, lift_kgpm2 / 2 w cos(a) u^2 with a the angle between surface and
+	/// flow (Hoerner, 1985). Both 0 to 1e9: densities times coefficients. Exact for the whole outline, round
+	/// parts included, and drag along straight edges also for turning bodies; edges and chains are plates with
+	/// two sides. Solved implicitly, so that wind never reverses the motion relative to it, at any speed, mass
+	/// and time; a pure drag is the exact solution of m v' = -k v^2. wake 0: sleeping bodies stay asleep and
+	/// unchanged; else they wake. Static, kinematic and disabled bodies are unchanged. CN_ERROR_STATE for a
+	/// shape without a body. O(points).
+	Status shape_apply_wind(Shape shape, float flow_x_mps, float flow_y_mps, float drag_kgpm2, float lift_kgpm2, float dt_s, int32_t wake)
+	{
+		return Status(cn_shape_apply_wind(world_, shape, flow_x_mps, flow_y_mps, drag_kgpm2, lift_kgpm2, dt_s, wake), world_);
+	}
+
 	/// Pushes dynamic bodies away from the centre, each shape at its point nearest to the centre, and wakes
 	/// them. CN_ERROR_ARGUMENT if a velocity would overflow. O(shapes in reach * log of that).
 	Status explode(const cn_explosion_def &def)
@@ -2137,6 +2210,44 @@ inline int32_t abi_version() noexcept
 inline const char *result_text(cn_result result) noexcept
 {
 	return cn_result_text(result);
+}
+
+/// Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).
+inline Result<uint64_t> save_delta_size(Slice<const unsigned char> base, Slice<const unsigned char> save)
+{
+	uint64_t out_bytes{};
+	cn_result code = cn_save_delta_size(base.data(), base.size(), save.data(), save.size(), &out_bytes);
+	return { Status(code, nullptr), std::move(out_bytes) };
+}
+
+/// Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+/// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).
+inline Result<std::vector<unsigned char>> save_delta(Slice<const unsigned char> base, Slice<const unsigned char> save)
+{
+	uint64_t bytes = 0;
+	std::vector<unsigned char> out;
+	cn_result code = cn_save_delta_size(base.data(), base.size(), save.data(), save.size(), &bytes);
+	out.resize(static_cast<std::size_t>(bytes));
+	if (code == CN_OK)
+		code = cn_save_delta(base.data(), base.size(), save.data(), save.size(), out.data(), bytes, &bytes);
+	out.resize(static_cast<std::size_t>(bytes));
+	return { Status(code, nullptr), std::move(out) };
+}
+
+/// Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+/// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
+/// CN_ERROR_CAPACITY if out is too small. O(bytes).
+inline Result<std::vector<unsigned char>> save_apply(Slice<const unsigned char> base, Slice<const unsigned char> delta)
+{
+	uint64_t bytes = 0;
+	std::vector<unsigned char> out;
+	cn_result code = CN_OK;
+	bytes = base.size() + delta.size();
+	out.resize(static_cast<std::size_t>(bytes));
+	if (code == CN_OK)
+		code = cn_save_apply(base.data(), base.size(), delta.data(), delta.size(), out.data(), bytes, &bytes);
+	out.resize(static_cast<std::size_t>(bytes));
+	return { Status(code, nullptr), std::move(out) };
 }
 
 /// Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts

@@ -1270,6 +1270,52 @@ namespace Cairn
 		public float SqueezedM;
 	}
 
+	/// <summary>What a sensor shape does to the dynamic bodies in it: water, wind tunnels, planets, rooms without
+	/// gravity. Several areas act in the order of their priority, equal ones in that of cn_world_get_shapes;
+	/// their accelerations, damping and forces add up.</summary>
+	[StructLayout(LayoutKind.Sequential)]
+	public unsafe struct AreaDef
+	{
+		public uint StructSize;
+		/// <summary>CN_AREA_REPLACE; default 0</summary>
+		public uint Flags;
+		/// <summary>default 0</summary>
+		public int Priority;
+		/// <summary>acceleration in the axes of the world, times the body's gravity_scale; default (0, 0)</summary>
+		public Vec2 GravityMps2;
+		/// <summary>of pull_mps2, in the frame of the sensor's body; default (0, 0)</summary>
+		public Vec2 CenterM;
+		/// <summary>acceleration towards center_m; negative pushes; default 0</summary>
+		public float PullMps2;
+		/// <summary>0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse square
+		/// outside, and falling to 0 at the centre: a homogeneous planet</summary>
+		public float PullDistanceM;
+		/// <summary>of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with
+		/// density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0</summary>
+		public float LinearDampingPerS;
+		/// <summary>... of the rotation; 0 to 1e9, default 0</summary>
+		public float AngularDampingPerS;
+		/// <summary>of the medium: buoyancy of the parts of shapes in it, against all gravity that acts; 0 to 1e9, default 0</summary>
+		public float DensityKgpm2;
+		/// <summary>density times drag coefficient, as in cn_shape_apply_wind; 0 to 1e9, default 0</summary>
+		public float DragKgpm2;
+		/// <summary>density times lift coefficient; 0 to 1e9, default 0</summary>
+		public float LiftKgpm2;
+		/// <summary>velocity of the medium relative to the sensor, in the axes of the world; default (0, 0)</summary>
+		public Vec2 FlowMps;
+
+		/// <summary>The defaults of the fields.</summary>
+		public static AreaDef Default
+		{
+			get
+			{
+				AreaDef value;
+				Native.cn_area_def_init((cn_area_def*)&value);
+				return value;
+			}
+		}
+	}
+
 	/// <summary>Definition of an explosion.</summary>
 	[StructLayout(LayoutKind.Sequential)]
 	public unsafe struct ExplosionDef
@@ -1400,6 +1446,21 @@ namespace Cairn
 			pointer = made;
 		}
 
+		private World(cn_world* made)
+		{
+			pointer = made;
+		}
+
+		/// <summary>A world from the bytes of Write. Of the definition only workers and capacities are used.</summary>
+		public static World Read(ReadOnlySpan<byte> file, WorldDef? def = null)
+		{
+			WorldDef given = def ?? WorldDef.Default;
+			cn_world* made;
+			fixed (byte* from = file)
+				Call.Check(Native.cn_world_read((cn_world_def*)&given, from, (ulong)file.Length, &made), null);
+			return new World(made);
+		}
+
 		~World()
 		{
 			Native.cn_world_destroy(pointer);
@@ -1430,15 +1491,6 @@ namespace Cairn
 			IntPtr address = callback == null ? IntPtr.Zero : Marshal.GetFunctionPointerForDelegate(callback);
 			Call.Check(Native.cn_world_set_contact_callback(Pointer, kind, address, null), Pointer);
 			callbacks[kind] = callback; // the library keeps a pointer that C# does not see
-		}
-
-		/// <summary>The world's state, for Restore.</summary>
-		public byte[] Save()
-		{
-			var save = new byte[SaveSize()];
-			fixed (byte* to = save)
-				Call.Check(Native.cn_world_save(Pointer, to, (ulong)save.Length, null), null);
-			return save;
 		}
 
 		/// <summary>Creates a chain through points in the body's frame; closed: the last joins the first.</summary>
@@ -1717,6 +1769,21 @@ namespace Cairn
 			return out0;
 		}
 
+		/// <summary>Writes the world's state to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the
+		/// number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world),
+		/// about 1 KB per body.</summary>
+		public byte[] Save()
+		{
+			ulong bytes_;
+			Call.Check(Native.cn_world_save_size(Pointer, &bytes_), null);
+			var result_ = new byte[bytes_];
+			fixed (byte* to = result_)
+				Call.Check(Native.cn_world_save(Pointer, to, bytes_, &bytes_), null);
+			GC.KeepAlive(this);
+			Array.Resize(ref result_, (int)bytes_);
+			return result_;
+		}
+
 		/// <summary>Restores a saved state, into the saved world or one created with the same definition (broadphase, length
 		/// unit, caller's block or not; else CN_ERROR_STATE). bytes as written by cn_world_save; CN_ERROR_FORMAT
 		/// for damaged bytes or another version or machine; CN_ERROR_MEMORY without room for the objects alive then
@@ -1740,6 +1807,21 @@ namespace Cairn
 			Call.Check(Native.cn_world_write_size(Pointer, &out0), null);
 			GC.KeepAlive(this);
 			return out0;
+		}
+
+		/// <summary>Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number
+		/// of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1
+		/// KB per body.</summary>
+		public byte[] Write()
+		{
+			ulong bytes_;
+			Call.Check(Native.cn_world_write_size(Pointer, &bytes_), null);
+			var result_ = new byte[bytes_];
+			fixed (byte* to = result_)
+				Call.Check(Native.cn_world_write(Pointer, to, bytes_, &bytes_), null);
+			GC.KeepAlive(this);
+			Array.Resize(ref result_, (int)bytes_);
+			return result_;
 		}
 
 		/// <summary>Creates a body. O(1) amortized.</summary>
@@ -3503,6 +3585,53 @@ namespace Cairn
 			}
 		}
 
+		/// <summary>Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's filter says
+		/// which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area
+		/// that loses the flag later does nothing while it is without. Gravity, and damping without density, act on
+		/// bodies whose centre of mass is in the area (on its border too) while one of their shapes touches it: on
+		/// a body half in it in full or not at all. The medium acts on the part of each shape that is in the area,
+		/// exactly for polygons; parts of round shapes are computed as those of polygons of 16 sides, to 1%. The
+		/// surface of a circle or capsule is flat across a body, as of a planet. Shapes of a body do not shade each
+		/// other. The area's body feels no reaction. Between steps nothing happens: the acceleration is that in the
+		/// middle of the next step (leapfrog), so bodies on orbits and floating bodies keep their energy. Damping
+		/// and drag are implicit: stable at any strength, mass and time step, with exact terminal speeds. Bodies
+		/// that enter or leave, that are in an area that moves, and those in it now, wake; bodies at rest in it may
+		/// sleep. Areas are in saves and files. Floats whose draught is less than about g dt^2 (3 mm at 60 steps a
+		/// second) are damped, and carry less under a load. An area takes 64 bytes of the world's memory; a step
+		/// takes about 0.15 us for each shape in an area, 0.35 us in a medium. Best on a body of its own:
+		/// O(contacts of the body).</summary>
+		public void ShapeSetArea(Shape shape, AreaDef? def = null)
+		{
+			AreaDef v_def = def.GetValueOrDefault();
+			Call.Check(Native.cn_shape_set_area(Pointer, (cn_shape)shape, def.HasValue ? (cn_area_def*)&v_def : null), Pointer);
+			GC.KeepAlive(this);
+		}
+
+		/// <summary>Reads the area of a sensor. CN_ERROR_STATE if it is none. O(areas).</summary>
+		public AreaDef ShapeGetArea(Shape shape)
+		{
+			cn_area_def out0;
+			Call.Check(Native.cn_shape_get_area(Pointer, (cn_shape)shape, &out0), null);
+			GC.KeepAlive(this);
+			return *(AreaDef*)&out0;
+		}
+
+		/// <summary>The effect of dt_s (0 to 1; the next step's) in a wind on one shape, at once: call it before each step.
+		/// flow: velocity of the air in m/s. On each part of the outline that faces the flow, of width w across it,
+		/// with u the velocity relative to that point: drag drag_kgpm2 / 2 w |u| u, the law of Newton (1687), and
+		/// across the flow the lift of flat plates, lift_kgpm2 / 2 w cos(a) u^2 with a the angle between surface
+		/// and flow (Hoerner, 1985). Both 0 to 1e9: densities times coefficients. Exact for the whole outline,
+		/// round parts included, and drag along straight edges also for turning bodies; edges and chains are plates
+		/// with two sides. Solved implicitly, so that wind never reverses the motion relative to it, at any speed,
+		/// mass and time; a pure drag is the exact solution of m v' = -k v^2. wake 0: sleeping bodies stay asleep
+		/// and unchanged; else they wake. Static, kinematic and disabled bodies are unchanged. CN_ERROR_STATE for a
+		/// shape without a body. O(points).</summary>
+		public void ShapeApplyWind(Shape shape, float flowXMps, float flowYMps, float dragKgpm2, float liftKgpm2, float dtS, int wake)
+		{
+			Call.Check(Native.cn_shape_apply_wind(Pointer, (cn_shape)shape, flowXMps, flowYMps, dragKgpm2, liftKgpm2, dtS, wake), Pointer);
+			GC.KeepAlive(this);
+		}
+
 		/// <summary>Pushes dynamic bodies away from the centre, each shape at its point nearest to the centre, and wakes
 		/// them. CN_ERROR_ARGUMENT if a velocity would overflow. O(shapes in reach * log of that).</summary>
 		public void Explode(ExplosionDef def)
@@ -3613,6 +3742,53 @@ namespace Cairn
 		{
 			var result_ = Native.Text(Native.cn_result_text(result));
 			return result_;
+		}
+
+		/// <summary>Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).</summary>
+		public static ulong SaveDeltaSize(ReadOnlySpan<byte> @base, ReadOnlySpan<byte> save)
+		{
+			fixed (byte* p_base = @base)
+			fixed (byte* p_save = save)
+			{
+				ulong out0;
+				Call.Check(Native.cn_save_delta_size(p_base, (ulong)@base.Length, p_save, (ulong)save.Length, &out0), null);
+				return out0;
+			}
+		}
+
+		/// <summary>Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+		/// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).</summary>
+		public static byte[] SaveDelta(ReadOnlySpan<byte> @base, ReadOnlySpan<byte> save)
+		{
+			fixed (byte* p_base = @base)
+			fixed (byte* p_save = save)
+			{
+				ulong bytes_;
+				Call.Check(Native.cn_save_delta_size(p_base, (ulong)@base.Length, p_save, (ulong)save.Length, &bytes_), null);
+				var result_ = new byte[bytes_];
+				fixed (byte* to = result_)
+					Call.Check(Native.cn_save_delta(p_base, (ulong)@base.Length, p_save, (ulong)save.Length, to, bytes_, &bytes_), null);
+				Array.Resize(ref result_, (int)bytes_);
+				return result_;
+			}
+		}
+
+		/// <summary>Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+		/// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
+		/// CN_ERROR_CAPACITY if out is too small. O(bytes).</summary>
+		public static byte[] SaveApply(ReadOnlySpan<byte> @base, ReadOnlySpan<byte> delta)
+		{
+			fixed (byte* p_base = @base)
+			fixed (byte* p_delta = delta)
+			{
+				ulong bytes_;
+				bytes_ = (ulong)(@base.Length + delta.Length);
+				var result_ = new byte[bytes_];
+				fixed (byte* to = result_)
+					Call.Check(Native.cn_save_apply(p_base, (ulong)@base.Length, p_delta, (ulong)delta.Length, to, bytes_, &bytes_), null);
+				Array.Resize(ref result_, (int)bytes_);
+				return result_;
+			}
 		}
 
 		/// <summary>Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts

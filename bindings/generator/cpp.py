@@ -26,7 +26,14 @@ WORLD = """	/// A world with the defaults, or of a definition; an error if there
 		cn_result code = cn_world_create(&def, &out);
 		return { Status(code, nullptr), World(out) };
 	}
-	/// The same, which throws or ends the program instead.
+	/// A world from bytes of write. Of the definition only memory, workers and capacities are used.
+	static Result<World> read(Slice<const unsigned char> file, const cn_world_def *def = nullptr)
+	{
+		cn_world *out = nullptr;
+		cn_result code = cn_world_read(def, file.data(), file.size(), &out);
+		return { Status(code, nullptr), World(out) };
+	}
+	/// As create, which throws or ends the program instead.
 	explicit World(const cn_world_def &def = WorldDef()) : World(create(def).value()) {}
 """
 TREE = """	/// An empty tree in memory of malloc.
@@ -39,17 +46,6 @@ TREE = """	/// An empty tree in memory of malloc.
 """
 SAVE = """	/// The sentence of the last call that failed, "" if none did.
 	const char *error_text() const noexcept { return cn_world_error_text(world_); }
-	/// The world's state, for restore.
-	Result<std::vector<unsigned char>> save() const
-	{
-		uint64_t bytes = 0;
-		std::vector<unsigned char> out;
-		cn_result code = cn_world_save_size(world_, &bytes);
-		out.resize(static_cast<std::size_t>(bytes));
-		if (code == CN_OK)
-			code = cn_world_save(world_, out.data(), bytes, nullptr);
-		return { Status(code, nullptr), std::move(out) };
-	}
 """
 
 
@@ -97,9 +93,8 @@ def argument(part, call, inputs):
     if entry is None:
         if part["name"] == "count":
             return "static_cast<int32_t>(%s.size())" % idiom.counted(call)["name"]
-        if part["name"] == "bytes":
-            return "%s.size()" % next(e["name"] for e in call["inputs"] if e["kind"] == "bytes")
-        return None
+        of = idiom.bytes_of(call, part)
+        return "%s.size()" % of["name"] if of else None
     if entry["kind"] in ("array", "fill", "changes", "bytes"):
         return "%s.data()" % entry["name"]
     if entry["kind"] == "change" or entry["kind"] == "struct" and not entry["nullable"]:
@@ -109,7 +104,7 @@ def argument(part, call, inputs):
 
 def output_type(entry, handles):
     base = entry["base"]
-    return {"value": typed(base, handles), "list": "std::vector<%s>" % base, "view": "Slice<const %s>" % base, "string": "const char *"}[entry["kind"]]
+    return {"bytes": "std::vector<unsigned char>", "value": typed(base, handles), "list": "std::vector<%s>" % base, "view": "Slice<const %s>" % base, "string": "const char *"}[entry["kind"]]
 
 
 def write_call(call, handles, indent):
@@ -142,7 +137,7 @@ def write_call(call, handles, indent):
     elif not outputs:
         body.append("return Status(%s, %s);" % (c_call([]), world))
     else:
-        body += fetch(outputs, c_call, indent)
+        body += room(call, arguments, c_call, indent) if outputs[0]["kind"] == "bytes" else fetch(outputs, c_call, indent)
         values = [value(entry, handles) for entry in outputs]
         body.append("return { Status(code, %s), %s };" % (world, values[0] if len(values) == 1 else "{ %s }" % ", ".join(values)))
     return "\n" + head + "".join("%s\t%s\n" % (indent, line) for line in body) + indent + "}\n"
@@ -151,7 +146,9 @@ def write_call(call, handles, indent):
 def declarations(outputs, handles):
     out = []
     for entry in outputs:
-        if entry["kind"] == "view":
+        if entry["kind"] == "bytes":
+            out += ["uint64_t bytes = 0;", "std::vector<unsigned char> out;"]
+        elif entry["kind"] == "view":
             out += ["const %s *data = nullptr;" % entry["base"], "int32_t count = 0;"]
         elif entry["kind"] == "list":
             out += ["std::vector<%s> list;" % entry["base"], "int32_t count = 0;"]
@@ -160,6 +157,15 @@ def declarations(outputs, handles):
         else:
             out.append("%s out_%s{};" % (entry["base"], entry["name"]))
     return out
+
+
+def room(call, arguments, c_call, indent):
+    """Bytes that are written into a vector of the right size."""
+    lines = ["cn_result code = %s(%s);" % (call["room"], ", ".join([*arguments, "&bytes"]))]
+    if not call["room"]:
+        lines = ["cn_result code = CN_OK;", "bytes = %s;" % " + ".join(name + ".size()" for name in idiom.bytes_in(call))]
+    lines += ["out.resize(static_cast<std::size_t>(bytes));", "if (code == CN_OK)\n%s\t\tcode = %s;" % (indent, c_call(["out.data()", "bytes", "&bytes"]))]
+    return lines + ["out.resize(static_cast<std::size_t>(bytes));"]
 
 
 def fetch(outputs, c_call, indent):
@@ -173,8 +179,8 @@ def fetch(outputs, c_call, indent):
 
 
 def value(entry, handles):
-    if entry["kind"] == "list":
-        return "std::move(list)"
+    if entry["kind"] in ("list", "bytes"):
+        return "std::move(list)" if entry["kind"] == "list" else "std::move(out)"
     if entry["kind"] == "view":
         return "Slice<const %s>(data, static_cast<std::size_t>(count))" % entry["base"]
     if entry["kind"] == "string":

@@ -76,6 +76,21 @@ WORLD = """
 			pointer = made;
 		}
 
+		private World(cn_world* made)
+		{
+			pointer = made;
+		}
+
+		/// <summary>A world from the bytes of Write. Of the definition only workers and capacities are used.</summary>
+		public static World Read(ReadOnlySpan<byte> file, WorldDef? def = null)
+		{
+			WorldDef given = def ?? WorldDef.Default;
+			cn_world* made;
+			fixed (byte* from = file)
+				Call.Check(Native.cn_world_read((cn_world_def*)&given, from, (ulong)file.Length, &made), null);
+			return new World(made);
+		}
+
 		~World()
 		{
 			Native.cn_world_destroy(pointer);
@@ -106,15 +121,6 @@ WORLD = """
 			IntPtr address = callback == null ? IntPtr.Zero : Marshal.GetFunctionPointerForDelegate(callback);
 			Call.Check(Native.cn_world_set_contact_callback(Pointer, kind, address, null), Pointer);
 			callbacks[kind] = callback; // the library keeps a pointer that C# does not see
-		}
-
-		/// <summary>The world's state, for Restore.</summary>
-		public byte[] Save()
-		{
-			var save = new byte[SaveSize()];
-			fixed (byte* to = save)
-				Call.Check(Native.cn_world_save(Pointer, to, (ulong)save.Length, null), null);
-			return save;
 		}
 
 		/// <summary>Creates a chain through points in the body's frame; closed: the last joins the first.</summary>
@@ -230,7 +236,7 @@ def write_call(call, api):
     for part in call["parameters"][len(arguments) :]:
         entry = inputs.get(part["name"])
         if entry is None:
-            arguments += ["%s.Length" % local(idiom.counted(call)["name"])] if part["name"] == "count" else ["(ulong)%s.Length" % local(call["inputs"][-1]["name"])] if part["name"] == "bytes" else []
+            arguments += ["%s.Length" % local(idiom.counted(call)["name"])] if part["name"] == "count" else ["(ulong)%s.Length" % local(idiom.bytes_of(call, part)["name"])] if idiom.bytes_of(call, part) else []
         elif entry["kind"] == "value":
             handle = entry["base"] in {h["name"] for h in api["handles"]}
             arguments.append(("(%s)" % entry["base"] if handle else "") + local(entry["name"]))
@@ -254,7 +260,7 @@ def write_call(call, api):
 def result_type(call, api):
     if call["result"] != "error":
         return "string" if "char" in call["result"] else "bool" if call["name"].endswith("is_valid") else typed(call["result"], api)
-    kinds = [{"value": "%s", "list": "%s[]", "view": "%s[]", "string": "string"}[entry["kind"]].replace("%s", typed(entry["base"], api)) for entry in call["outputs"]]
+    kinds = [{"value": "%s", "list": "%s[]", "view": "%s[]", "string": "string", "bytes": "byte[]"}[entry["kind"]].replace("%s", "byte" if entry["kind"] == "bytes" else typed(entry["base"], api)) for entry in call["outputs"]]
     if len(kinds) > 1:
         return "(%s)" % ", ".join("%s %s" % (kind, idiom.pascal(entry["name"])) for kind, entry in zip(kinds, call["outputs"]))
     return kinds[0] if kinds else "void"
@@ -276,6 +282,10 @@ def results(call, arguments, api):
     if kind == "list":
         return ["int count_;", check(["null", "0", "&count_"]), "var result_ = new %s[count_];" % typed(base, api), "if (count_ > 0)",
             "\tfixed (%s* to = result_)" % typed(base, api), "\t\t" + check(["(%s*)to" % base, "count_", "&count_"]), *keep, "return result_;"]  # fmt: skip
+    if kind == "bytes":
+        size = "Call.Check(Native.%s(%s), null);" % (call["room"], ", ".join([*arguments, "&bytes_"])) if call["room"] else "bytes_ = (ulong)(%s);" % " + ".join(local(name) + ".Length" for name in idiom.bytes_in(call))
+        return ["ulong bytes_;", size, "var result_ = new byte[bytes_];", "fixed (byte* to = result_)", "\t" + check(["to", "bytes_", "&bytes_"]), *keep,
+            "Array.Resize(ref result_, (int)bytes_);", "return result_;"]  # fmt: skip
     if kind == "view":
         return ["%s* data;" % base, "int count_;", check(["&data", "&count_"]), "var result_ = Call.Copy<%s>(data, count_);" % typed(base, api), *keep, "return result_;"]
     if kind == "string":

@@ -75,7 +75,8 @@ def argument(part, call, inputs):
     if entry is None:
         if part["name"] == "count":
             return "C.int32_t(len(%s))" % safe(idiom.counted(call)["name"])
-        return "C.uint64_t(len(%s))" % call["inputs"][-1]["name"] if part["name"] == "bytes" else None
+        of = idiom.bytes_of(call, part)
+        return "C.uint64_t(len(%s))" % safe(of["name"]) if of else None
     name = safe(entry["name"])
     if entry["kind"] == "value":
         return "C.%s(%s)" % (entry["base"], name)
@@ -90,7 +91,7 @@ def argument(part, call, inputs):
 def write_call(call, api):
     inputs, outputs = {entry["name"]: entry for entry in call["inputs"]}, call["outputs"]
     owner = call["owner"]
-    kinds = {"value": "%s", "list": "[]%s", "view": "[]%s", "string": "string"}
+    kinds = {"value": "%s", "list": "[]%s", "view": "[]%s", "string": "string", "bytes": "[]byte"}
     types = [kinds[entry["kind"]].replace("%s", scalar(entry["base"], api)) for entry in outputs]
     plain = call["result"] != "error"
     result = ("string" if "char" in call["result"] else "bool" if call["name"].endswith("is_valid") else scalar(call["result"], api)) if plain else "(%s)" % ", ".join([*types, "error"]) if types else "error"
@@ -110,8 +111,14 @@ def write_call(call, api):
     invoke = lambda extra: "C.%s(%s)" % (call["c"], ", ".join(arguments + extra))  # noqa: E731
     keep = ["defer runtime.KeepAlive(%s)" % owner[0]] if owner else []
     check = (owner[0] + ".check(%s)") if owner == "world" and call["changes"] else "check(%s)"
-    body = keep + body + results(call, outputs, invoke, check, types, failed, api)
+    body = keep + body + (room(call, arguments, invoke, check, failed) if outputs and outputs[0]["kind"] == "bytes" else results(call, outputs, invoke, check, types, failed, api))
     return head + "".join("\t%s\n" % line for line in body) + "}\n"
+
+
+def room(call, arguments, invoke, check, failed):
+    tried = lambda text: ["if err := %s; err != nil {" % (check % text), "\t" + failed("err"), "}"]  # noqa: E731
+    size = tried("C.%s(%s)" % (call["room"], ", ".join([*arguments, "&bytes"]))) if call["room"] else ["bytes = C.uint64_t(%s)" % " + ".join("len(%s)" % safe(name) for name in idiom.bytes_in(call))]
+    return ["var bytes C.uint64_t", *size, "out := make([]byte, bytes)", *tried(invoke(["unsafe.Pointer(unsafe.SliceData(out))", "bytes", "&bytes"])), "return out[:bytes], nil"]
 
 
 def results(call, outputs, invoke, check, types, failed, api):

@@ -5,21 +5,22 @@
     changes   whether the owner may change
     inputs    in C's order; kind: "value", "struct", "array", "string", "bytes" (read); "change" and "changes" (one or an array, read
               and written); "fill" (an array of the caller that is written whole)
-    outputs   kind: "value", "list" (array of unknown length), "view" (the library's array), "string"
+    outputs   kind: "value", "list" (array of unknown length), "view" (the library's array), "string", "bytes"
     result    "error" (cn_result), or the C type that it returns
     length    names of inputs whose number of elements is the parameter count
+    room      of an output "bytes": the C function that gives the room it needs, or None: that of all bytes that go in
 
 Calls that need a callback, memory that the caller lays out or a hand-written form are not among them (SKIPPED and unfit).
 """
 SKIPPED = {"cn_world_create", "cn_world_destroy", "cn_tree_create", "cn_tree_destroy", "cn_world_def_check", "cn_world_validate", "cn_world_error_text",
-    "cn_world_save", "cn_world_read_poses_strided", "cn_sizeof", "cn_world_draw", "cn_world_bytes_needed",
-    "cn_world_write", "cn_world_read", "cn_save_delta_size", "cn_save_delta", "cn_save_apply"}  # fmt: skip
+    "cn_world_read_poses_strided", "cn_sizeof", "cn_world_draw", "cn_world_bytes_needed", "cn_world_read"}  # fmt: skip
 
 
 def calls(api):
     structs = {entry["name"] for entry in api["structs"]}
     callbacks = {entry["name"] for entry in api["callbacks"]}
-    return [call(function, structs) for function in api["functions"] if fits(function, callbacks)]
+    functions = {entry["name"] for entry in api["functions"]}
+    return [call(function, structs, functions) for function in api["functions"] if fits(function, callbacks)]
 
 
 def fits(function, callbacks):
@@ -36,7 +37,7 @@ def inits(api):
     return {f["parameters"][0]["base"]: f["name"] for f in api["functions"] if is_init(f)}
 
 
-def call(function, structs):
+def call(function, structs, functions):
     parts = list(function["parameters"])
     owner = ""
     if parts and parts[0]["base"] in ("cn_world", "cn_tree"):
@@ -53,20 +54,22 @@ def call(function, structs):
             continue
         entry = {"name": part["name"], "base": part["base"], "nullable": bool(part["pointers"]) and part["nullable"], "length": part.get("length"), "part": part}
         kind = kind_of(part, structs)
-        if kind in ("value out", "list", "view", "string out"):
+        if kind in ("value out", "list", "view", "string out", "bytes out"):
             outputs.append({**entry, "kind": kind.split()[0], "name": part["name"].replace("out_", "") if part["name"] != "out" else "out"})
         else:
             inputs.append({**entry, "kind": kind})
     result = "error" if function["returns"]["type"] == "cn_result" else function["returns"]["type"]
     length = [entry["name"] for entry in inputs if entry["length"] == "count"]
     return {"c": function["name"], "owner": owner, "name": name, "changes": changes, "inputs": inputs, "outputs": outputs, "result": result, "length": length,
-        "doc": function["doc"], "parameters": parts}  # fmt: skip
+        "room": function["name"] + "_size" if function["name"] + "_size" in functions else None, "doc": function["doc"], "parameters": parts}  # fmt: skip
 
 
 def kind_of(part, structs):
     if not part["pointers"]:
         return "value"
     if part["direction"] == "out":
+        if part["base"] == "void":
+            return "bytes out"
         if part["owner"] == "library":
             return "string out" if part["string"] else "view"
         return "value out" if not part["length"] else "list" if part["written"] else "fill"
@@ -81,6 +84,15 @@ def kind_of(part, structs):
 
 def methods(api, owner):
     return [call for call in calls(api) if call["owner"] == owner]
+
+
+def bytes_of(call, part):
+    """The input whose length in bytes is this parameter, or None."""
+    return next((entry for entry in call["inputs"] if entry["kind"] == "bytes" and entry["length"] == part["name"]), None)
+
+
+def bytes_in(call):
+    return [entry["name"] for entry in call["inputs"] if entry["kind"] == "bytes"]
 
 
 def counted(call):

@@ -10,13 +10,16 @@ KINDS = {"float": "f32", "double": "f64", "char": "i8"}
 WORLD_JS = """
 export class World {
 	#pointer;
-	constructor(def = {}) {
+	constructor(def = {}, file = null) {
 		begin();
-		const out = take(4);
-		check(raw.cn_world_create(struct("cn_world_def", def), out));
+		const out = take(4), given = struct("cn_world_def", def);
+		check(file ? raw.cn_world_read(given, array("u8", file), BigInt(file.length), out) : raw.cn_world_create(given, out));
 		refresh();
 		this.#pointer = view.getUint32(out, true);
 		worlds.register(this, this.#pointer, this);
+	}
+	static read(file, def = {}) {
+		return new World(def, file);
 	}
 	get pointer() {
 		if (this.#pointer === 0)
@@ -27,16 +30,6 @@ export class World {
 		worlds.unregister(this);
 		raw.cn_world_destroy(this.#pointer);
 		this.#pointer = 0;
-	}
-	save() {
-		begin();
-		const out = take(8);
-		check(raw.cn_world_save_size(this.pointer, out));
-		refresh();
-		const bytes = view.getBigUint64(out, true), at = take(Number(bytes));
-		check(raw.cn_world_save(this.pointer, at, bytes, 0));
-		refresh();
-		return u8.slice(at, at + Number(bytes));
 	}
 """
 TREE_JS = """
@@ -59,8 +52,8 @@ export class World {
 	/** For functions of raw. */
 	readonly pointer: number;
 	destroy(): void;
-	/** The world's state, for restore. */
-	save(): Uint8Array;
+	/** A world from the bytes of write. Of the definition only workers and capacities are used. */
+	static read(file: Uint8Array, def?: Partial<WorldDef>): World;
 """
 TREE_TS = """
 /** A dynamic AABB tree apart from any world. */
@@ -146,7 +139,8 @@ def js_name(name):
 def argument(part, call, inputs, api):
     entry = inputs.get(part["name"])
     if entry is None:
-        return {"count": "count", "bytes": "BigInt(%s.length)" % (call["inputs"][-1]["name"] if call["inputs"] else "")}.get(part["name"]) if part["name"] in ("count", "bytes") else None
+        of = idiom.bytes_of(call, part)
+        return "count" if part["name"] == "count" else "BigInt(%s.length)" % of["name"] if of else None
     name, wide = entry["name"], names.aliases(api).get(entry["base"], entry["base"])
     if entry["kind"] == "value":
         return "BigInt(%s)" % name if wide in ("uint64_t", "int64_t") else name
@@ -201,6 +195,11 @@ def results(call, api, owner, pointers, inputs):
     if not outputs:
         body += ["check(%s%s);" % (invoke([]), world)] + (["refresh();"] + after if after else [])
         return body + ['return list("%s", p_%s, count, %s);' % (kind(e["base"], api), e["name"], e["name"]) for e in pointers if e["kind"] == "fill"]
+    if outputs[0]["kind"] == "bytes":
+        size = ["check(raw.%s(%s));" % (call["room"], ", ".join([*arguments, "number"])), "refresh();", "const bytes = view.getBigUint64(number, true), out = take(Number(bytes) || 1);"]
+        if not call["room"]:
+            size = ["const bytes = BigInt(%s), out = take(Number(bytes) || 1);" % " + ".join(name + ".length" for name in idiom.bytes_in(call))]
+        return ["const number = take(8);", *size, "check(%s);" % invoke(["out", "bytes", "number"]), "refresh();", "return u8.slice(out, out + Number(view.getBigUint64(number, true)));"]
     of = kind(outputs[0]["base"], api)
     if outputs[0]["kind"] == "list":
         return body + ["const number = take(4);", "check(%s%s);" % (invoke(["0", "0", "number"]), world), "refresh();", "const found = view.getInt32(number, true), out = take(stride(\"%s\") * found || 1);" % of,
@@ -260,7 +259,7 @@ def signature(call, api, indent):
             "changes": base + "[]", "fill": ts_array(entry, api), "string": "string | null", "bytes": "Uint8Array"}[entry["kind"]]  # fmt: skip
         optional = entry["nullable"] or entry["kind"] == "fill"
         parameters.append("%s%s: %s%s" % (entry["name"], "?" if optional else "", text, " | null" if optional and entry["kind"] != "string" else ""))
-    types = {"list": ts_array, "view": ts_array, "string": lambda e, a: "string", "value": lambda e, a: ts_type(e["base"], a)}
+    types = {"bytes": lambda e, a: "Uint8Array", "list": ts_array, "view": ts_array, "string": lambda e, a: "string", "value": lambda e, a: ts_type(e["base"], a)}
     values = [(e["name"], types[e["kind"]](e, api)) for e in call["outputs"]]
     result = "void" if not values else values[0][1] if len(values) == 1 else "{ %s }" % "; ".join("%s: %s" % v for v in values)
     fill = [entry for entry in call["inputs"] if entry["kind"] == "fill"]

@@ -35,7 +35,10 @@ def write(api):
 
 
 def field_kind(field, api):
-    """None for what has no value in Lua: pointers but for text and arrays of points, and struct_size, which the init function sets."""
+    """None for what has no value in Lua: pointers but for text, arrays of points and visitors of queries, and struct_size, which the
+    init function sets."""
+    if field["base"] == "cn_query_fn":
+        return "VISITOR"
     if field["pointers"]:
         return "TEXT" if field.get("string") else "POINTS" if field["base"] == "cn_vec2" else None
     return None if field["name"] == "struct_size" else kind(field["base"], api)
@@ -62,7 +65,8 @@ def write_call(call, api):
     index = {entry["name"]: first + i for i, entry in enumerate(call["inputs"])}
     body = ["lua_settop(L, %d);" % (first - 1 + len(call["inputs"]))]
     if call["owner"]:
-        body.append("%s_object *self = to_%s(L);" % (call["owner"], call["owner"]))
+        changed = "changed_" if call["owner"] == "world" and call["changes"] else ""
+        body.append("%s_object *self = to_%s%s(L);" % (call["owner"], changed, call["owner"]))
     fill = next((entry for entry in call["inputs"] if entry["kind"] == "fill"), None)
     for entry in call["inputs"]:
         if entry["kind"] != "fill":
@@ -74,7 +78,7 @@ def write_call(call, api):
     for part in call["parameters"][len(arguments) :]:
         if part["name"] in index:
             arguments.append(part["name"])
-        elif part["name"] in ("count", "bytes"):
+        elif part["name"] == "count" or idiom.bytes_of(call, part):
             arguments.append(part["name"])
     body += results(call, arguments, index, fill, api)
     return "\nstatic int call_%s(lua_State *L)\n{\n%s}\n" % (call["c"], "".join("\t%s\n" % line for line in body))
@@ -93,7 +97,7 @@ def read_input(entry, i, api):
     if entry["kind"] == "string":
         read = "luaL_optstring(L, %d, NULL)" if nullable else "luaL_checkstring(L, %d)"
         return ["const char *%s = %s;" % (name, read % i)]
-    return ["size_t bytes;", "const void *%s = luaL_checklstring(L, %d, &bytes);" % (name, i)]
+    return ["size_t %s;" % entry["length"], "const void *%s = luaL_checklstring(L, %d, &%s);" % (name, i, entry["length"])]
 
 
 def counting(call, index, fill):
@@ -110,10 +114,16 @@ def counting(call, index, fill):
     return lines
 
 
+def has_visitor(base, api):
+    struct = next((entry for entry in api["structs"] if entry["name"] == base), None)
+    return struct is not None and any(field["base"] == "cn_query_fn" or has_visitor(field["base"], api) for field in struct["fields"])
+
+
 def results(call, arguments, index, fill, api):
     invoke = lambda extra: "%s(%s)" % (call["c"], ", ".join(arguments + extra))  # noqa: E731
     self = "self" if call["owner"] == "world" and call["changes"] else "NULL"
-    check = lambda extra: "check(L, %s, %s);" % (self, invoke(extra))  # noqa: E731
+    visited = "visited(L, self, %s)" if any(has_visitor(entry["base"], api) for entry in call["inputs"]) else "%s"
+    check = lambda extra: "check(L, %s, %s);" % (self, visited % invoke(extra))  # noqa: E731
     if call["result"] != "error":
         push = "lua_pushstring(L, %s)" if "char" in call["result"] else "lua_pushboolean(L, %s)" if call["name"].endswith("is_valid") else "push_whole(L, %s)"
         return [push % invoke([]) + ";", "return 1;"]
@@ -132,14 +142,18 @@ def results(call, arguments, index, fill, api):
     if not outputs:
         return [check([]), *back, "return 0;"]
     base, of_kind = outputs[0]["base"], outputs[0]["kind"]
+    if of_kind == "bytes":
+        size = ["uint64_t room;", "check(L, %s, %s(%s));" % (self, call["room"], ", ".join([*arguments, "&room"]))] if call["room"] else ["uint64_t room = %s;" % " + ".join(entry["length"] for entry in call["inputs"])]
+        return [*size, "void *out = lua_newuserdata(L, room > 0 ? (size_t)room : 1);", check(["out", "room", "&room"]), "lua_pushlstring(L, out, (size_t)room);", "return 1;"]
     if of_kind == "string":
         return ["const char *text;", check(["&text"]), "lua_pushstring(L, text);", "return 1;"]
     if of_kind in ("list", "view"):
         array = "write_array(L, 0, %s, %s, out, out_count);" % (kind(base, api), record(base, api))
         if of_kind == "view":
             return ["const %s *out;" % base, "int32_t out_count;", check(["&out", "&out_count"]), array, "return 1;"]
-        return ["int32_t out_count;", check(["NULL", "0", "&out_count"]), "%s *out = buffer(L, out_count, sizeof(%s));" % (base, base),
-            check(["out", "out_count", "&out_count"]), array, "return 1;"]  # fmt: skip
+        # The second time a visitor may take more.
+        return ["int32_t capacity, out_count;", check(["NULL", "0", "&capacity"]), "%s *out = buffer(L, capacity, sizeof(%s));" % (base, base),
+            check(["out", "capacity", "&out_count"]), "out_count = out_count < capacity ? out_count : capacity;", array, "return 1;"]  # fmt: skip
     lines = ["%s out_%d;" % (entry["base"], i) for i, entry in enumerate(outputs)]
     lines.append(check(["&out_%d" % i for i in range(len(outputs))]))
     lines += back

@@ -86,13 +86,14 @@ class World:
         _check(cn_world_set_contact_callback(self.pointer, kind, callback, None), self.pointer)
         self._callbacks[kind] = callback
 
-    def save(self):
-        """The world's state as bytes, for restore."""
-        size = _c.c_uint64()
-        _check(cn_world_save_size(self.pointer, size))
-        out = _c.create_string_buffer(size.value)
-        _check(cn_world_save(self.pointer, out, size, size))
-        return out.raw[: size.value]
+    @classmethod
+    def read(cls, file, definition=None, **fields):
+        """A world from the bytes of write. Of the definition only memory, workers and capacities are used."""
+        pointer = _c.POINTER(cn_world)()
+        _check(cn_world_read(_made(definition or WorldDef(), fields), file, len(file), pointer))
+        world = cls.__new__(cls)
+        world._callbacks, world._pointer = {}, pointer
+        return world
 '''
 TREE = '''
 
@@ -165,7 +166,7 @@ def write_call(call, api, indent):
     for part in call["parameters"][len(arguments) :]:
         entry = inputs.get(part["name"])
         if entry is None:
-            arguments += ["_count"] if part["name"] == "count" else ["len(%s)" % call["inputs"][-1]["name"]] if part["name"] == "bytes" else []
+            arguments += ["_count"] if part["name"] == "count" else ["len(%s)" % idiom.bytes_of(call, part)["name"]] if idiom.bytes_of(call, part) else []
         elif entry["kind"] == "string":
             body.append("%s = %s and %s.encode()" % (entry["name"], entry["name"], entry["name"]))
             arguments.append(entry["name"])
@@ -213,6 +214,9 @@ def outputs_of(call, arguments, api):
     if kind == "list":
         return ["count = _c.c_int32()", "_check(%s%s)" % (invoke(["None", "0", "count"]), world), "out = (%s * count.value)()" % base,
             "_check(%s%s)" % (invoke(["out", "count", "count"]), world), "return out"]  # fmt: skip
+    if kind == "bytes":
+        size = "_check(%s(%s))" % (call["room"], ", ".join([*arguments, "_bytes"])) if call["room"] else "_bytes.value = %s" % " + ".join("len(%s)" % name for name in idiom.bytes_in(call))
+        return ["_bytes = _c.c_uint64()", size, "_out = _c.create_string_buffer(_bytes.value or 1)", "_check(%s)" % invoke(["_out", "_bytes", "_bytes"]), "return _out.raw[: _bytes.value]"]
     if kind == "view":
         return ["data, count = _c.POINTER(%s)(), _c.c_int32()" % base, "_check(%s%s)" % (invoke(["data", "count"]), world), "return _copy(%s, data, count.value)" % base]
     if kind == "string":

@@ -139,7 +139,8 @@ def argument(part, call, inputs):
     if entry is None:
         if part["name"] == "count":
             return "%s.len() as i32" % idiom.counted(call)["name"]
-        return "%s.len() as u64" % call["inputs"][-1]["name"] if part["name"] == "bytes" else None
+        of = idiom.bytes_of(call, part)
+        return "%s.len() as u64" % of["name"] if of else None
     name = safe(entry["name"])
     if entry["kind"] == "value":
         return name
@@ -154,7 +155,7 @@ def write_call(call, api, indent):
     dangerous = [entry for entry in call["inputs"] if entry["kind"] in ("struct", "array") and holds_pointer(entry["base"], api)]
     owner = ["self.pointer()"] if call["owner"] else []
     receiver = (["&mut self" if call["changes"] else "&self"] if owner else []) + [parameter(entry, api) for entry in call["inputs"]]
-    kinds = {"value": lambda e: public(e["base"], api), "list": lambda e: "Vec<%s>" % public(e["base"], api), "view": lambda e: "&[%s]" % public(e["base"], api), "string": lambda e: "&core::ffi::CStr"}
+    kinds = {"value": lambda e: public(e["base"], api), "list": lambda e: "Vec<%s>" % public(e["base"], api), "view": lambda e: "&[%s]" % public(e["base"], api), "string": lambda e: "&core::ffi::CStr", "bytes": lambda e: "Vec<u8>"}
     types = [kinds[entry["kind"]](entry) for entry in outputs]
     value = types[0] if len(types) == 1 else "(%s)" % ", ".join(types)
     result = {"error": "Result<%s>" % value, "const char *": "&'static core::ffi::CStr"}.get(call["result"], "bool" if call["name"].endswith("is_valid") else scalar(call["result"]))
@@ -175,8 +176,13 @@ def write_call(call, api, indent):
     arguments = owner + [text for text in (argument(part, call, inputs) for part in call["parameters"][len(owner) :]) if text is not None]
     invoke = lambda extra: "unsafe { cairn_sys::%s(%s) }" % (call["c"], ", ".join(arguments + extra))  # noqa: E731
     check = "self.check(%s)?;" if call["owner"] == "world" and call["changes"] else "check(%s)?;"
-    body += results(call, outputs, invoke, check, api)
+    body += room(call, arguments, invoke, check) if outputs and outputs[0]["kind"] == "bytes" else results(call, outputs, invoke, check, api)
     return out + "".join("%s    %s\n" % (indent, line) for line in body) + indent + "}\n"
+
+
+def room(call, arguments, invoke, check):
+    size = check % ("unsafe { cairn_sys::%s(%s) }" % (call["room"], ", ".join([*arguments, "&mut bytes"]))) if call["room"] else "bytes += (%s) as u64;" % " + ".join("%s.len()" % name for name in idiom.bytes_in(call))
+    return ["let mut bytes = 0;", size, "let mut out: Vec<u8> = vec![0; bytes as usize];", check % invoke(["out.as_mut_ptr().cast()", "bytes", "&mut bytes"]), "out.truncate(bytes as usize);", "Ok(out)"]
 
 
 def results(call, outputs, invoke, check, api):

@@ -47,6 +47,13 @@ pub const World = struct {
         return .{ .pointer = pointer.? };
     }
 
+    /// A world from the bytes of write. Of the definition only memory, workers and capacities are used.
+    pub fn read(file: []const u8, def: ?*const WorldDef) Error!World {
+        var pointer: ?*c.cn_world = null;
+        try check(c.cn_world_read(def, file.ptr, file.len, &pointer));
+        return .{ .pointer = pointer.? };
+    }
+
     pub fn deinit(self: World) void {
         c.cn_world_destroy(self.pointer);
     }
@@ -56,13 +63,6 @@ pub const World = struct {
         return std.mem.span(c.cn_world_error_text(self.pointer));
     }
 
-    /// The world's state, for restore; the caller frees it.
-    pub fn save(self: World, gpa: std.mem.Allocator) (Error || std.mem.Allocator.Error)![]u8 {
-        const out = try gpa.alloc(u8, @intCast(try self.saveSize()));
-        errdefer gpa.free(out);
-        try check(c.cn_world_save(self.pointer, out.ptr, out.len, null));
-        return out;
-    }
 """
 TREE = """
 /// A dynamic AABB tree apart from any world.
@@ -89,7 +89,7 @@ def typed(base, api):
 
 def shadowless(api):
     """The api with parameters that no declaration of the layer has as its name, as Zig demands."""
-    api, declared = copy.deepcopy(api), {"save", "init", "deinit", "check", "c", "std"}
+    api, declared = copy.deepcopy(api), {"read", "init", "deinit", "check", "c", "std"}
     for owner in ("world", "tree", ""):
         declared |= {idiom.camel(call["name"]) for call in idiom.methods(api, owner)}
     for part in (part for function in api["functions"] for part in function["parameters"]):
@@ -125,14 +125,14 @@ def write_call(call, api, indent):
     for part in call["parameters"][len(arguments) :]:
         entry = inputs.get(part["name"])
         if entry is None:
-            arguments += ["@intCast(%s.len)" % idiom.counted(call)["name"]] if part["name"] == "count" else ["%s.len" % call["inputs"][-1]["name"]] if part["name"] == "bytes" else []
+            arguments += ["@intCast(%s.len)" % idiom.counted(call)["name"]] if part["name"] == "count" else ["%s.len" % idiom.bytes_of(call, part)["name"]] if idiom.bytes_of(call, part) else []
         elif entry["kind"] in ("array", "fill", "changes", "bytes") or entry["kind"] == "string":
             arguments.append("if (%s) |given| given.ptr else null" % entry["name"] if entry["nullable"] else entry["name"] + ".ptr")
         else:
             arguments.append(zig.safe(entry["name"]))
-    lists = bool(outputs) and outputs[0]["kind"] == "list"
+    lists = bool(outputs) and outputs[0]["kind"] in ("list", "bytes")
     parameters = (["self: " + owner.capitalize()] if owner else []) + (["gpa: std.mem.Allocator"] if lists else []) + [parameter(entry, api) for entry in call["inputs"]]
-    kinds = [{"value": "%s", "list": "[]%s", "view": "[]const %s", "string": "[:0]const u8"}[entry["kind"]].replace("%s", typed(entry["base"], api)) for entry in outputs]
+    kinds = [{"value": "%s", "list": "[]%s", "view": "[]const %s", "string": "[:0]const u8", "bytes": "[]u8"}[entry["kind"]].replace("%s", "u8" if entry["kind"] == "bytes" else typed(entry["base"], api)) for entry in outputs]
     value = "void" if not kinds else kinds[0] if len(kinds) == 1 else "struct { %s }" % ", ".join("%s: %s" % (entry["name"], kind) for entry, kind in zip(outputs, kinds))
     result = "(Error || std.mem.Allocator.Error)!" + value if lists else "Error!" + value
     if call["result"] != "error":
@@ -149,6 +149,10 @@ def results(call, arguments, kinds, api):
         return ["return %s;" % ("std.mem.span(%s)" % invoke([]) if "char" in call["result"] else invoke([]) + (" != 0" if call["name"].endswith("is_valid") else ""))]
     if not outputs:
         return ["return check(%s);" % invoke([])]
+    if outputs[0]["kind"] == "bytes":
+        size = ["var room: u64 = 0;", "try check(c.%s(%s));" % (call["room"], ", ".join([*arguments, "&room"]))] if call["room"] else ["var room: u64 = %s;" % " + ".join(name + ".len" for name in idiom.bytes_in(call))]
+        return [*size, "const list = try gpa.alloc(u8, @intCast(room));", "errdefer gpa.free(list);", "try check(%s);" % invoke(["list.ptr", "list.len", "&room"]),
+            "return if (gpa.resize(list, @intCast(room))) list[0..@intCast(room)] else gpa.realloc(list, @intCast(room));"]  # fmt: skip
     base = typed(outputs[0]["base"], api)
     if outputs[0]["kind"] == "list":
         return ["var found: i32 = 0;", "try check(%s);" % invoke(["null", "0", "&found"]), "const list = try gpa.alloc(%s, @intCast(found));" % base, "errdefer gpa.free(list);",

@@ -53,6 +53,16 @@ func NewWorld(def WorldDef) (*World, error) {
 	return w, nil
 }
 
+// ReadWorld creates a world from the bytes of Write. Of the definition only workers and capacities are used.
+func ReadWorld(file []byte, def WorldDef) (*World, error) {
+	w := &World{}
+	if err := check(C.cn_world_read((*C.cn_world_def)(unsafe.Pointer(&def)), unsafe.Pointer(unsafe.SliceData(file)), C.uint64_t(len(file)), &w.pointer)); err != nil {
+		return nil, err
+	}
+	runtime.SetFinalizer(w, (*World).Close)
+	return w, nil
+}
+
 // Close destroys the world; every later call on it fails.
 func (w *World) Close() {
 	C.cn_world_destroy(w.pointer)
@@ -87,18 +97,6 @@ func (w *World) ShapeCreateChain(def *ShapeDef, pointsM []Vec2, loop bool) (Shap
 		chain.Loop = 1
 	}
 	err := w.check(C.cn_shape_create_chain(w.pointer, (*C.cn_shape_def)(unsafe.Pointer(def)), (*C.cn_chain)(unsafe.Pointer(&chain)), (*C.cn_shape)(unsafe.Pointer(&out))))
-	return out, err
-}
-
-// Save returns the world's state, for Restore.
-func (w *World) Save() ([]byte, error) {
-	defer runtime.KeepAlive(w)
-	bytes, err := w.SaveSize()
-	if err != nil {
-		return nil, err
-	}
-	out := make([]byte, bytes)
-	err = check(C.cn_world_save(w.pointer, unsafe.Pointer(unsafe.SliceData(out)), C.uint64_t(bytes), nil))
 	return out, err
 }
 

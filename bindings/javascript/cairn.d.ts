@@ -82,7 +82,8 @@ export const CN_TYPE_IMPACT: 50;
 export const CN_TYPE_PLANE: 51;
 export const CN_TYPE_MOVER_DEF: 52;
 export const CN_TYPE_MOVER: 53;
-export const CN_TYPE_COUNT: 54;
+export const CN_TYPE_AREA_DEF: 54;
+export const CN_TYPE_COUNT: 55;
 export const CN_WORLD_SLEEP: 1;
 export const CN_WORLD_WARM_START: 2;
 export const CN_WORLD_PROFILE: 4;
@@ -184,6 +185,7 @@ export const CN_MOVER_DROP: 1;
 export const CN_MOVER_ON_GROUND: 1;
 export const CN_MOVER_ON_WALL: 2;
 export const CN_MOVER_ON_CEILING: 4;
+export const CN_AREA_REPLACE: 1;
 export const CN_DRAW_SHAPES: 1;
 export const CN_DRAW_JOINTS: 2;
 export const CN_DRAW_CONTACTS: 4;
@@ -1062,6 +1064,40 @@ export interface Mover {
 	squeezed_m: number;
 }
 
+/** What a sensor shape does to the dynamic bodies in it: water, wind tunnels, planets, rooms without gravity.
+Several areas act in the order of their priority, equal ones in that of cn_world_get_shapes; their
+accelerations, damping and forces add up. */
+export interface AreaDef {
+	struct_size: number;
+	/** CN_AREA_REPLACE; default 0 */
+	flags: number;
+	/** default 0 */
+	priority: number;
+	/** acceleration in the axes of the world, times the body's gravity_scale; default (0, 0) */
+	gravity_mps2: Vec2;
+	/** of pull_mps2, in the frame of the sensor's body; default (0, 0) */
+	center_m: Vec2;
+	/** acceleration towards center_m; negative pushes; default 0 */
+	pull_mps2: number;
+	/** 0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse square
+	outside, and falling to 0 at the centre: a homogeneous planet */
+	pull_distance_m: number;
+	/** of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with
+	density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0 */
+	linear_damping_per_s: number;
+	/** ... of the rotation; 0 to 1e9, default 0 */
+	angular_damping_per_s: number;
+	/** of the medium: buoyancy of the parts of shapes in it, against all gravity that acts; 0 to 1e9, default 0
+	*/
+	density_kgpm2: number;
+	/** density times drag coefficient, as in cn_shape_apply_wind; 0 to 1e9, default 0 */
+	drag_kgpm2: number;
+	/** density times lift coefficient; 0 to 1e9, default 0 */
+	lift_kgpm2: number;
+	/** velocity of the medium relative to the sensor, in the axes of the world; default (0, 0) */
+	flow_mps: Vec2;
+}
+
 /** Definition of an explosion. */
 export interface ExplosionDef {
 	struct_size: number;
@@ -1093,8 +1129,8 @@ export class World {
 	/** For functions of raw. */
 	readonly pointer: number;
 	destroy(): void;
-	/** The world's state, for restore. */
-	save(): Uint8Array;
+	/** A world from the bytes of write. Of the definition only workers and capacities are used. */
+	static read(file: Uint8Array, def?: Partial<WorldDef>): World;
 	/** Takes one fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion.
 	O(awake bodies and their contacts and joints). */
 	step(dt_s: number): void;
@@ -1169,6 +1205,10 @@ export class World {
 	hash(): bigint;
 	/** Bytes that cn_world_save needs now. CN_ERROR_LOCKED in callbacks. O(slots). */
 	saveSize(): bigint;
+	/** Writes the world's state to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the
+	number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about
+	1 KB per body. */
+	save(): Uint8Array;
 	/** Restores a saved state, into the saved world or one created with the same definition (broadphase, length
 	unit, caller's block or not; else CN_ERROR_STATE). bytes as written by cn_world_save; CN_ERROR_FORMAT for
 	damaged bytes or another version or machine; CN_ERROR_MEMORY without room for the objects alive then (a world
@@ -1178,6 +1218,10 @@ export class World {
 	restore(save: Uint8Array): void;
 	/** Bytes that cn_world_write needs now. CN_ERROR_LOCKED in callbacks. O(slots). */
 	writeSize(): bigint;
+	/** Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number of
+	bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about 1 KB per
+	body. */
+	write(): Uint8Array;
 	/** Creates a body. O(1) amortized. */
 	bodyCreate(def: In<BodyDef>): Body;
 	/** Creates count (>= 0) bodies from an array of definitions, all or none. O(count). */
@@ -1700,6 +1744,33 @@ export class World {
 	character mover (Catto, 2025). Pushed bodies wake; nothing else in the world changes. O(shapes nearby x
 	iterations_max): about 1 us standing, 3 us walking, 10 us against a wall. */
 	moverMove(def: In<MoverDef>, dt_s: number, mover: Mover): void;
+	/** Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's filter says
+	which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an area that
+	loses the flag later does nothing while it is without. Gravity, and damping without density, act on bodies
+	whose centre of mass is in the area (on its border too) while one of their shapes touches it: on a body half
+	in it in full or not at all. The medium acts on the part of each shape that is in the area, exactly for
+	polygons; parts of round shapes are computed as those of polygons of 16 sides, to 1%. The surface of a circle
+	or capsule is flat across a body, as of a planet. Shapes of a body do not shade each other. The area's body
+	feels no reaction. Between steps nothing happens: the acceleration is that in the middle of the next step
+	(leapfrog), so bodies on orbits and floating bodies keep their energy. Damping and drag are implicit: stable
+	at any strength, mass and time step, with exact terminal speeds. Bodies that enter or leave, that are in an
+	area that moves, and those in it now, wake; bodies at rest in it may sleep. Areas are in saves and files.
+	Floats whose draught is less than about g dt^2 (3 mm at 60 steps a second) are damped, and carry less under a
+	load. An area takes 64 bytes of the world's memory; a step takes about 0.15 us for each shape in an area,
+	0.35 us in a medium. Best on a body of its own: O(contacts of the body). */
+	shapeSetArea(shape: Shape, def?: In<AreaDef> | null): void;
+	/** Reads the area of a sensor. CN_ERROR_STATE if it is none. O(areas). */
+	shapeGetArea(shape: Shape): AreaDef;
+	/** The effect of dt_s (0 to 1; the next step's) in a wind on one shape, at once: call it before each step.
+	flow: velocity of the air in m/s. On each part of the outline that faces the flow, of width w across it, with
+	u the velocity relative to that point: drag drag_kgpm2 / 2 w |u| u, the law of Newton (1687), and across the
+	flow the lift of flat plates, lift_kgpm2 / 2 w cos(a) u^2 with a the angle between surface and flow (Hoerner,
+	1985). Both 0 to 1e9: densities times coefficients. Exact for the whole outline, round parts included, and
+	drag along straight edges also for turning bodies; edges and chains are plates with two sides. Solved
+	implicitly, so that wind never reverses the motion relative to it, at any speed, mass and time; a pure drag
+	is the exact solution of m v' = -k v^2. wake 0: sleeping bodies stay asleep and unchanged; else they wake.
+	Static, kinematic and disabled bodies are unchanged. CN_ERROR_STATE for a shape without a body. O(points). */
+	shapeApplyWind(shape: Shape, flow_x_mps: number, flow_y_mps: number, drag_kgpm2: number, lift_kgpm2: number, dt_s: number, wake: number): void;
 	/** Pushes dynamic bodies away from the centre, each shape at its point nearest to the centre, and wakes
 	them. CN_ERROR_ARGUMENT if a velocity would overflow. O(shapes in reach * log of that). */
 	explode(def: In<ExplosionDef>): void;
@@ -1728,6 +1799,15 @@ export function version(): number;
 export function abiVersion(): number;
 /** English text for a result code: static, never NULL. */
 export function resultText(result: number): string;
+/** Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes). */
+export function saveDeltaSize(base: Uint8Array, save: Uint8Array): bigint;
+/** Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes). */
+export function saveDelta(base: Uint8Array, save: Uint8Array): Uint8Array;
+/** Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base, CN_ERROR_CAPACITY if
+out is too small. O(bytes). */
+export function saveApply(base: Uint8Array, delta: Uint8Array): Uint8Array;
 /** Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts
 farthest points, as Quickhull does (Barber, Dobkin, Huhdanpaa, 1996), and keeps those that add the most area.
 CN_ERROR_ARGUMENT for fewer than three distinct points or collinear ones. It drops details below 5 mm (below

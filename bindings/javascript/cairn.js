@@ -257,7 +257,8 @@ export const CN_TYPE_IMPACT = 50;
 export const CN_TYPE_PLANE = 51;
 export const CN_TYPE_MOVER_DEF = 52;
 export const CN_TYPE_MOVER = 53;
-export const CN_TYPE_COUNT = 54;
+export const CN_TYPE_AREA_DEF = 54;
+export const CN_TYPE_COUNT = 55;
 export const CN_WORLD_SLEEP = 1;
 export const CN_WORLD_WARM_START = 2;
 export const CN_WORLD_PROFILE = 4;
@@ -359,6 +360,7 @@ export const CN_MOVER_DROP = 1;
 export const CN_MOVER_ON_GROUND = 1;
 export const CN_MOVER_ON_WALL = 2;
 export const CN_MOVER_ON_CEILING = 4;
+export const CN_AREA_REPLACE = 1;
 export const CN_DRAW_SHAPES = 1;
 export const CN_DRAW_JOINTS = 2;
 export const CN_DRAW_CONTACTS = 4;
@@ -419,6 +421,7 @@ const STRUCTS = {
 	cn_plane: { size: 40, init: null, floats: false, fields: [["normal", 0, "cn_vec2", 0], ["point_m", 8, "cn_vec2", 0], ["separation_m", 16, "f32", 0], ["push_max_m", 20, "f32", 0], ["push_m", 24, "f32", 0], ["shape", 28, "u32", 0], ["body", 32, "u32", 0], ["child", 36, "i32", 0]] },
 	cn_mover_def: { size: 208, init: "cn_mover_def_init", floats: false, fields: [["struct_size", 0, "u32", 0], ["flags", 4, "u32", 0], ["shape", 8, "cn_polygon", 0], ["filter", 144, "cn_query_filter", 0], ["up", 176, "cn_vec2", 0], ["slope_limit_rad", 184, "f32", 0], ["step_height_m", 188, "f32", 0], ["snap_m", 192, "f32", 0], ["gravity_scale", 196, "f32", 0], ["push_force_N", 200, "f32", 0], ["iterations_max", 204, "i32", 0]] },
 	cn_mover: { size: 64, init: null, floats: false, fields: [["position_m", 0, "cn_vec2", 0], ["velocity_mps", 8, "cn_vec2", 0], ["ground_normal", 16, "cn_vec2", 0], ["ground_point_m", 24, "cn_vec2", 0], ["ground_local_m", 32, "cn_vec2", 0], ["ground_velocity_mps", 40, "cn_vec2", 0], ["ground_body", 48, "u32", 0], ["ground_shape", 52, "u32", 0], ["flags", 56, "u32", 0], ["squeezed_m", 60, "f32", 0]] },
+	cn_area_def: { size: 64, init: "cn_area_def_init", floats: false, fields: [["struct_size", 0, "u32", 0], ["flags", 4, "u32", 0], ["priority", 8, "i32", 0], ["gravity_mps2", 12, "cn_vec2", 0], ["center_m", 20, "cn_vec2", 0], ["pull_mps2", 28, "f32", 0], ["pull_distance_m", 32, "f32", 0], ["linear_damping_per_s", 36, "f32", 0], ["angular_damping_per_s", 40, "f32", 0], ["density_kgpm2", 44, "f32", 0], ["drag_kgpm2", 48, "f32", 0], ["lift_kgpm2", 52, "f32", 0], ["flow_mps", 56, "cn_vec2", 0]] },
 	cn_explosion_def: { size: 56, init: "cn_explosion_def_init", floats: false, fields: [["struct_size", 0, "u32", 0], ["radius_m", 4, "f32", 0], ["falloff_m", 8, "f32", 0], ["impulse_Nspm", 12, "f32", 0], ["center_m", 16, "cn_vec2", 0], ["filter", 24, "cn_query_filter", 0]] },
 	cn_debug_draw: { size: 56, init: "cn_debug_draw_init", floats: false, fields: [["struct_size", 0, "u32", 0], ["flags", 4, "u32", 0], ["view", 8, "cn_aabb", 0]] },
 };
@@ -426,19 +429,22 @@ for (const name in STRUCTS)
 	STRUCTS[name].names = new Set(STRUCTS[name].fields.map(field => field[0]));
 if (raw.cn_abi_version() !== CN_ABI_VERSION)
 	throw new Error(`cairn.js is for ABI ${CN_ABI_VERSION}, cairn.wasm has ${raw.cn_abi_version()}`);
-for (const [name, type] of [["cn_vec2", CN_TYPE_VEC2], ["cn_pose", CN_TYPE_POSE], ["cn_velocity", CN_TYPE_VELOCITY], ["cn_aabb", CN_TYPE_AABB], ["cn_mass_data", CN_TYPE_MASS_DATA], ["cn_world_def", CN_TYPE_WORLD_DEF], ["cn_counters", CN_TYPE_COUNTERS], ["cn_island_report", CN_TYPE_ISLAND_REPORT], ["cn_profile", CN_TYPE_PROFILE], ["cn_memory_stats", CN_TYPE_MEMORY_STATS], ["cn_body_def", CN_TYPE_BODY_DEF], ["cn_body_moved", CN_TYPE_BODY_MOVED], ["cn_filter", CN_TYPE_FILTER], ["cn_material", CN_TYPE_MATERIAL], ["cn_shape_def", CN_TYPE_SHAPE_DEF], ["cn_circle", CN_TYPE_CIRCLE], ["cn_capsule", CN_TYPE_CAPSULE], ["cn_edge", CN_TYPE_EDGE], ["cn_polygon", CN_TYPE_POLYGON], ["cn_chain", CN_TYPE_CHAIN], ["cn_manifold_point", CN_TYPE_MANIFOLD_POINT], ["cn_manifold", CN_TYPE_MANIFOLD], ["cn_contact_event", CN_TYPE_CONTACT_EVENT], ["cn_sensor_event", CN_TYPE_SENSOR_EVENT], ["cn_joint_base", CN_TYPE_JOINT_BASE], ["cn_revolute_def", CN_TYPE_REVOLUTE_DEF], ["cn_distance_def", CN_TYPE_DISTANCE_DEF], ["cn_fixed_def", CN_TYPE_FIXED_DEF], ["cn_prismatic_def", CN_TYPE_PRISMATIC_DEF], ["cn_wheel_def", CN_TYPE_WHEEL_DEF], ["cn_motor_def", CN_TYPE_MOTOR_DEF], ["cn_mouse_def", CN_TYPE_MOUSE_DEF], ["cn_gear_def", CN_TYPE_GEAR_DEF], ["cn_pulley_def", CN_TYPE_PULLEY_DEF], ["cn_ratchet_def", CN_TYPE_RATCHET_DEF], ["cn_rotary_spring_def", CN_TYPE_ROTARY_SPRING_DEF], ["cn_groove_def", CN_TYPE_GROOVE_DEF], ["cn_filter_joint_def", CN_TYPE_FILTER_JOINT_DEF], ["cn_joint_event", CN_TYPE_JOINT_EVENT], ["cn_angle_constraint_def", CN_TYPE_ANGLE_CONSTRAINT_DEF], ["cn_line_constraint_def", CN_TYPE_LINE_CONSTRAINT_DEF], ["cn_update_report", CN_TYPE_UPDATE_REPORT], ["cn_ray", CN_TYPE_RAY], ["cn_ray_hit", CN_TYPE_RAY_HIT], ["cn_query_filter", CN_TYPE_QUERY_FILTER], ["cn_closest", CN_TYPE_CLOSEST], ["cn_distance", CN_TYPE_DISTANCE], ["cn_sweep", CN_TYPE_SWEEP], ["cn_impact", CN_TYPE_IMPACT], ["cn_plane", CN_TYPE_PLANE], ["cn_mover_def", CN_TYPE_MOVER_DEF], ["cn_mover", CN_TYPE_MOVER], ["cn_explosion_def", CN_TYPE_EXPLOSION_DEF], ["cn_debug_draw", CN_TYPE_DEBUG_DRAW]])
+for (const [name, type] of [["cn_vec2", CN_TYPE_VEC2], ["cn_pose", CN_TYPE_POSE], ["cn_velocity", CN_TYPE_VELOCITY], ["cn_aabb", CN_TYPE_AABB], ["cn_mass_data", CN_TYPE_MASS_DATA], ["cn_world_def", CN_TYPE_WORLD_DEF], ["cn_counters", CN_TYPE_COUNTERS], ["cn_island_report", CN_TYPE_ISLAND_REPORT], ["cn_profile", CN_TYPE_PROFILE], ["cn_memory_stats", CN_TYPE_MEMORY_STATS], ["cn_body_def", CN_TYPE_BODY_DEF], ["cn_body_moved", CN_TYPE_BODY_MOVED], ["cn_filter", CN_TYPE_FILTER], ["cn_material", CN_TYPE_MATERIAL], ["cn_shape_def", CN_TYPE_SHAPE_DEF], ["cn_circle", CN_TYPE_CIRCLE], ["cn_capsule", CN_TYPE_CAPSULE], ["cn_edge", CN_TYPE_EDGE], ["cn_polygon", CN_TYPE_POLYGON], ["cn_chain", CN_TYPE_CHAIN], ["cn_manifold_point", CN_TYPE_MANIFOLD_POINT], ["cn_manifold", CN_TYPE_MANIFOLD], ["cn_contact_event", CN_TYPE_CONTACT_EVENT], ["cn_sensor_event", CN_TYPE_SENSOR_EVENT], ["cn_joint_base", CN_TYPE_JOINT_BASE], ["cn_revolute_def", CN_TYPE_REVOLUTE_DEF], ["cn_distance_def", CN_TYPE_DISTANCE_DEF], ["cn_fixed_def", CN_TYPE_FIXED_DEF], ["cn_prismatic_def", CN_TYPE_PRISMATIC_DEF], ["cn_wheel_def", CN_TYPE_WHEEL_DEF], ["cn_motor_def", CN_TYPE_MOTOR_DEF], ["cn_mouse_def", CN_TYPE_MOUSE_DEF], ["cn_gear_def", CN_TYPE_GEAR_DEF], ["cn_pulley_def", CN_TYPE_PULLEY_DEF], ["cn_ratchet_def", CN_TYPE_RATCHET_DEF], ["cn_rotary_spring_def", CN_TYPE_ROTARY_SPRING_DEF], ["cn_groove_def", CN_TYPE_GROOVE_DEF], ["cn_filter_joint_def", CN_TYPE_FILTER_JOINT_DEF], ["cn_joint_event", CN_TYPE_JOINT_EVENT], ["cn_angle_constraint_def", CN_TYPE_ANGLE_CONSTRAINT_DEF], ["cn_line_constraint_def", CN_TYPE_LINE_CONSTRAINT_DEF], ["cn_update_report", CN_TYPE_UPDATE_REPORT], ["cn_ray", CN_TYPE_RAY], ["cn_ray_hit", CN_TYPE_RAY_HIT], ["cn_query_filter", CN_TYPE_QUERY_FILTER], ["cn_closest", CN_TYPE_CLOSEST], ["cn_distance", CN_TYPE_DISTANCE], ["cn_sweep", CN_TYPE_SWEEP], ["cn_impact", CN_TYPE_IMPACT], ["cn_plane", CN_TYPE_PLANE], ["cn_mover_def", CN_TYPE_MOVER_DEF], ["cn_mover", CN_TYPE_MOVER], ["cn_area_def", CN_TYPE_AREA_DEF], ["cn_explosion_def", CN_TYPE_EXPLOSION_DEF], ["cn_debug_draw", CN_TYPE_DEBUG_DRAW]])
 	if (STRUCTS[name].size !== raw.cn_sizeof(type))
 		throw new Error(`${name} has another size in cairn.wasm`);
 
 export class World {
 	#pointer;
-	constructor(def = {}) {
+	constructor(def = {}, file = null) {
 		begin();
-		const out = take(4);
-		check(raw.cn_world_create(struct("cn_world_def", def), out));
+		const out = take(4), given = struct("cn_world_def", def);
+		check(file ? raw.cn_world_read(given, array("u8", file), BigInt(file.length), out) : raw.cn_world_create(given, out));
 		refresh();
 		this.#pointer = view.getUint32(out, true);
 		worlds.register(this, this.#pointer, this);
+	}
+	static read(file, def = {}) {
+		return new World(def, file);
 	}
 	get pointer() {
 		if (this.#pointer === 0)
@@ -449,16 +455,6 @@ export class World {
 		worlds.unregister(this);
 		raw.cn_world_destroy(this.#pointer);
 		this.#pointer = 0;
-	}
-	save() {
-		begin();
-		const out = take(8);
-		check(raw.cn_world_save_size(this.pointer, out));
-		refresh();
-		const bytes = view.getBigUint64(out, true), at = take(Number(bytes));
-		check(raw.cn_world_save(this.pointer, at, bytes, 0));
-		refresh();
-		return u8.slice(at, at + Number(bytes));
 	}
 
 	step(dt_s) {
@@ -662,6 +658,17 @@ export class World {
 		return READ.u64(o_bytes);
 	}
 
+	save() {
+		begin();
+		const number = take(8);
+		check(raw.cn_world_save_size(this.pointer, number));
+		refresh();
+		const bytes = view.getBigUint64(number, true), out = take(Number(bytes) || 1);
+		check(raw.cn_world_save(this.pointer, out, bytes, number));
+		refresh();
+		return u8.slice(out, out + Number(view.getBigUint64(number, true)));
+	}
+
 	restore(save) {
 		begin();
 		const p_save = array("u8", save);
@@ -674,6 +681,17 @@ export class World {
 		check(raw.cn_world_write_size(this.pointer, o_bytes));
 		refresh();
 		return READ.u64(o_bytes);
+	}
+
+	write() {
+		begin();
+		const number = take(8);
+		check(raw.cn_world_write_size(this.pointer, number));
+		refresh();
+		const bytes = view.getBigUint64(number, true), out = take(Number(bytes) || 1);
+		check(raw.cn_world_write(this.pointer, out, bytes, number));
+		refresh();
+		return u8.slice(out, out + Number(view.getBigUint64(number, true)));
 	}
 
 	bodyCreate(def) {
@@ -2068,6 +2086,25 @@ export class World {
 		Object.assign(mover, readStruct("cn_mover", p_mover));
 	}
 
+	shapeSetArea(shape, def) {
+		begin();
+		const p_def = def ? struct("cn_area_def", def) : 0;
+		check(raw.cn_shape_set_area(this.pointer, shape, p_def), this.pointer);
+	}
+
+	shapeGetArea(shape) {
+		begin();
+		const o_out = take(stride("cn_area_def"));
+		check(raw.cn_shape_get_area(this.pointer, shape, o_out));
+		refresh();
+		return readStruct("cn_area_def", o_out);
+	}
+
+	shapeApplyWind(shape, flow_x_mps, flow_y_mps, drag_kgpm2, lift_kgpm2, dt_s, wake) {
+		begin();
+		check(raw.cn_shape_apply_wind(this.pointer, shape, flow_x_mps, flow_y_mps, drag_kgpm2, lift_kgpm2, dt_s, wake), this.pointer);
+	}
+
 	explode(def) {
 		begin();
 		const p_def = struct("cn_explosion_def", def);
@@ -2138,6 +2175,40 @@ export function abiVersion() {
 export function resultText(result) {
 	begin();
 	return text(raw.cn_result_text(result));
+}
+
+export function saveDeltaSize(base, save) {
+	begin();
+	const p_base = array("u8", base);
+	const p_save = array("u8", save);
+	const o_bytes = take(stride("u64"));
+	check(raw.cn_save_delta_size(p_base, BigInt(base.length), p_save, BigInt(save.length), o_bytes));
+	refresh();
+	return READ.u64(o_bytes);
+}
+
+export function saveDelta(base, save) {
+	begin();
+	const p_base = array("u8", base);
+	const p_save = array("u8", save);
+	const number = take(8);
+	check(raw.cn_save_delta_size(p_base, BigInt(base.length), p_save, BigInt(save.length), number));
+	refresh();
+	const bytes = view.getBigUint64(number, true), out = take(Number(bytes) || 1);
+	check(raw.cn_save_delta(p_base, BigInt(base.length), p_save, BigInt(save.length), out, bytes, number));
+	refresh();
+	return u8.slice(out, out + Number(view.getBigUint64(number, true)));
+}
+
+export function saveApply(base, delta) {
+	begin();
+	const p_base = array("u8", base);
+	const p_delta = array("u8", delta);
+	const number = take(8);
+	const bytes = BigInt(base.length + delta.length), out = take(Number(bytes) || 1);
+	check(raw.cn_save_apply(p_base, BigInt(base.length), p_delta, BigInt(delta.length), out, bytes, number));
+	refresh();
+	return u8.slice(out, out + Number(view.getBigUint64(number, true)));
 }
 
 export function polygonMakeHull(points_m, radius_m) {

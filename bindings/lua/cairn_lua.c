@@ -37,7 +37,7 @@
 
 /* ---------------------------------------------------------------- values */
 
-typedef enum value_kind { FLOAT, INT32, UINT32, UINT64, UINT8, RECORD, TEXT, POINTS } value_kind;
+typedef enum value_kind { FLOAT, INT32, UINT32, UINT64, UINT8, RECORD, TEXT, POINTS, VISITOR } value_kind;
 
 typedef struct record record;
 
@@ -57,7 +57,7 @@ struct record {
 	ptrdiff_t count;        /* offset of the int32_t that counts the struct's array, or -1 */
 };
 
-static const record record_cn_vec2;
+static const record record_cn_vec2, record_cn_ray_hit;
 
 static const size_t sizes[] = { sizeof(float), sizeof(int32_t), sizeof(uint32_t), sizeof(uint64_t), sizeof(uint8_t) };
 
@@ -170,7 +170,7 @@ static void read_value(lua_State *L, int index, value_kind kind, const record *o
 				luaL_error(L, "%s: a table with %s is expected, not %s", name, of->name, luaL_typename(L, index));
 			read_record(L, index, of, at);
 			break;
-		default: break; /* TEXT and POINTS: read_field */
+		default: break; /* TEXT, POINTS, VISITOR: read_field */
 	}
 }
 
@@ -196,6 +196,8 @@ static int32_t table_count(lua_State *L, int index, const char *name)
 	return (int32_t)count;
 }
 
+static void read_visitor(lua_State *L, cn_query_filter *filter);
+
 /* The field's value is on top of the stack with its key below. */
 static void read_field(lua_State *L, const record *of, const field *to, char *at)
 {
@@ -206,6 +208,8 @@ static void read_field(lua_State *L, const record *of, const field *to, char *at
 			luaL_error(L, "%s: a string is expected, not %s", to->name, luaL_typename(L, -1));
 		const char *text = lua_tostring(L, -1);
 		memcpy(place, &text, sizeof text);
+	} else if (to->kind == VISITOR) {
+		read_visitor(L, (cn_query_filter *)(void *)at);
 	} else if (to->kind == POINTS) {
 		count = table_count(L, -1, to->name);
 		cn_vec2 *points = buffer(L, count, sizeof(cn_vec2));
@@ -355,7 +359,7 @@ static void write_record(lua_State *L, const record *of, const void *at)
 	luaL_checkstack(L, 8, "tables in tables");
 	for (const field *from = of->fields; from->name; ++from) {
 		const char *place = (const char *)at + from->offset;
-		if (from->kind == TEXT || from->kind == POINTS)
+		if (from->kind == TEXT || from->kind == POINTS || from->kind == VISITOR)
 			continue;
 		if (from->array) {
 			int32_t count = from->array;
@@ -384,6 +388,7 @@ typedef struct world_object {
 	cn_world *pointer;
 	lua_State *L; /* of the call that runs, with the world as its first argument */
 	int inside;   /* callbacks that run */
+	int visiting; /* of them: visitors of queries, in which the world may not change */
 	int failed;   /* a callback had an error, which is in the world's values at 0 */
 } world_object;
 
@@ -399,6 +404,15 @@ static world_object *to_world(lua_State *L)
 	return self;
 }
 
+/* For calls that change the world, which the library does not refuse in a visitor. */
+static world_object *to_changed_world(lua_State *L)
+{
+	world_object *self = to_world(L);
+	if (self->visiting)
+		luaL_error(L, "the world may not change in a visitor");
+	return self;
+}
+
 static tree_object *to_tree(lua_State *L)
 {
 	tree_object *self = luaL_checkudata(L, 1, "cairn.tree");
@@ -406,15 +420,20 @@ static tree_object *to_tree(lua_State *L)
 	return self;
 }
 
+/* Raises the error of a callback. */
+static void raise_failed(lua_State *L, world_object *self)
+{
+	self->failed = 0;
+	lua_getuservalue(L, 1);
+	lua_rawgeti(L, -1, 0);
+	lua_error(L);
+}
+
 /* self: the world whose sentence says what was wrong, or NULL. */
 static void check(lua_State *L, world_object *self, cn_result result)
 {
-	if (self && self->failed && !self->inside) {
-		self->failed = 0;
-		lua_getuservalue(L, 1);
-		lua_rawgeti(L, -1, 0);
-		lua_error(L);
-	}
+	if (self && self->failed && !self->inside)
+		raise_failed(L, self);
 	if (result == CN_OK)
 		return;
 	const char *text = self ? cn_world_error_text(self->pointer) : NULL;
@@ -428,24 +447,113 @@ static int32_t body_count(const world_object *self)
 	return count;
 }
 
+/* ---------------------------------------------------------------- visitors of queries */
+
+static int visit(lua_State *L)
+{
+	const cn_ray_hit *hit = lua_touserdata(L, 2);
+	lua_settop(L, 1);
+	push_value(L, RECORD, &record_cn_ray_hit, hit);
+	lua_call(L, 1, 1);
+	if (lua_type(L, -1) == LUA_TBOOLEAN)
+		push_whole(L, lua_toboolean(L, -1) ? CN_QUERY_TAKE : CN_QUERY_SKIP);
+	else if (lua_type(L, -1) != LUA_TNUMBER)
+		luaL_error(L, "a visitor returns QUERY_SKIP, QUERY_TAKE, QUERY_STOP, true or false, not %s", luaL_typename(L, -1));
+	return 1;
+}
+
+/* The visitor is in the world's values at -1 for a query outside of callbacks, at -2 for one within a callback, and so on. An error
+   may not leave through the library: visited raises it behind the query. */
+static int32_t visit_callback(const cn_world *world, const cn_ray_hit *hit, void *user)
+{
+	world_object *self = user;
+	lua_State *L = self->L;
+	int32_t result = CN_QUERY_SKIP;
+	(void)world;
+	if (self->failed || !lua_checkstack(L, 8))
+		return result;
+	lua_getuservalue(L, 1);
+	lua_pushcfunction(L, visit);
+	lua_rawgeti(L, -2, -1 - self->inside);
+	lua_pushlightuserdata(L, (void *)hit);
+	++self->inside;
+	++self->visiting;
+	if (lua_pcall(L, 2, 1, 0) != 0) {
+		self->failed = 1;
+		lua_rawseti(L, -2, 0);
+	} else {
+		result = (int32_t)lua_tonumber(L, -1);
+		lua_pop(L, 1);
+	}
+	--self->visiting;
+	--self->inside;
+	self->L = L;
+	lua_pop(L, 1);
+	return result;
+}
+
+static void read_visitor(lua_State *L, cn_query_filter *filter)
+{
+	world_object *self = to_world(L);
+	luaL_checktype(L, -1, LUA_TFUNCTION);
+	lua_getuservalue(L, 1);
+	lua_pushvalue(L, -2);
+	lua_rawseti(L, -2, -1 - self->inside);
+	lua_pop(L, 1);
+	filter->visit = visit_callback;
+	filter->user = self;
+}
+
+static cn_result visited(lua_State *L, world_object *self, cn_result result)
+{
+	if (self->failed)
+		raise_failed(L, self);
+	return result;
+}
+
 #include "calls.h"
 
-static int world_create(lua_State *L)
+static void read_world_def(lua_State *L, int index, cn_world_def *def)
 {
-	lua_settop(L, 1);
-	if (lua_isnil(L, 1)) {
+	if (lua_isnil(L, index)) {
 		lua_newtable(L);
-		lua_replace(L, 1);
+		lua_replace(L, index);
 	}
-	cn_world_def def;
-	read_struct(L, 1, &record_cn_world_def, &def, 0, "def");
+	read_struct(L, index, &record_cn_world_def, def, 0, "def");
+}
+
+/* Pushes an object without a world. */
+static world_object *world_new(lua_State *L)
+{
 	world_object *self = lua_newuserdata(L, sizeof *self);
 	memset(self, 0, sizeof *self);
 	lua_newtable(L);
 	lua_setuservalue(L, -2);
 	luaL_getmetatable(L, "cairn.world");
 	lua_setmetatable(L, -2);
+	return self;
+}
+
+static int world_create(lua_State *L)
+{
+	cn_world_def def;
+	lua_settop(L, 1);
+	read_world_def(L, 1, &def);
+	world_object *self = world_new(L);
 	check(L, NULL, cn_world_create(&def, &self->pointer));
+	return 1;
+}
+
+/* cairn.read(file, def): a world from the string of world:write(). Of the definition only workers and capacities are used. */
+static int world_read(lua_State *L)
+{
+	cn_world_def def;
+	size_t bytes;
+	lua_settop(L, 2);
+	const char *file = luaL_checklstring(L, 1, &bytes);
+	read_world_def(L, 2, &def);
+	world_object *self = world_new(L);
+	check(L, NULL, cn_world_read(&def, file, bytes, &self->pointer));
 	return 1;
 }
 
@@ -493,7 +601,7 @@ static void contact_callback(cn_world *world, const cn_contact_event *event, voi
 /* world:on_contact(kind, function or nil): called with each event of the kind (EVENT_*) while the world is locked. */
 static int world_on_contact(lua_State *L)
 {
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	int32_t kind;
 	read_value(L, 2, INT32, NULL, &kind, "kind");
 	if (!lua_isnoneornil(L, 3))
@@ -504,18 +612,6 @@ static int world_on_contact(lua_State *L)
 	lua_pushvalue(L, 3);
 	lua_rawseti(L, -2, kind + 1);
 	return 0;
-}
-
-/* The world's state as a string, for restore. */
-static int world_save(lua_State *L)
-{
-	world_object *self = to_world(L);
-	uint64_t bytes;
-	check(L, self, cn_world_save_size(self->pointer, &bytes));
-	void *state = lua_newuserdata(L, (size_t)bytes);
-	check(L, self, cn_world_save(self->pointer, state, bytes, &bytes));
-	lua_pushlstring(L, state, (size_t)bytes);
-	return 1;
 }
 
 static int tree_create(lua_State *L)
@@ -541,7 +637,6 @@ static int tree_destroy(lua_State *L)
 static const luaL_Reg world_methods[] = {
 	{ "destroy", world_destroy },
 	{ "on_contact", world_on_contact },
-	{ "save", world_save },
 	{ NULL, NULL },
 };
 
@@ -584,6 +679,8 @@ EXPORTED int luaopen_cairn(lua_State *L)
 	}
 	lua_pushcfunction(L, world_create);
 	lua_setfield(L, -2, "world");
+	lua_pushcfunction(L, world_read);
+	lua_setfield(L, -2, "read");
 	lua_pushcfunction(L, tree_create);
 	lua_setfield(L, -2, "tree");
 	return 1;

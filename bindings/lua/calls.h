@@ -609,6 +609,7 @@ static const field fields_cn_query_filter[] = {
 	{ "mask", offsetof(cn_query_filter, mask), UINT64, 0, NULL },
 	{ "ignored_body", offsetof(cn_query_filter, ignored_body), UINT32, 0, NULL },
 	{ "flags", offsetof(cn_query_filter, flags), UINT32, 0, NULL },
+	{ "visit", offsetof(cn_query_filter, visit), VISITOR, 0, NULL },
 	{ NULL, 0, FLOAT, 0, NULL },
 };
 static const record record_cn_query_filter = { "cn_query_filter", sizeof(cn_query_filter), fields_cn_query_filter, init_cn_query_filter, -1 };
@@ -703,6 +704,28 @@ static const field fields_cn_mover[] = {
 };
 static const record record_cn_mover = { "cn_mover", sizeof(cn_mover), fields_cn_mover, NULL, -1 };
 
+static void init_cn_area_def(void *at)
+{
+	cn_area_def_init(at);
+}
+
+static const field fields_cn_area_def[] = {
+	{ "flags", offsetof(cn_area_def, flags), UINT32, 0, NULL },
+	{ "priority", offsetof(cn_area_def, priority), INT32, 0, NULL },
+	{ "gravity_mps2", offsetof(cn_area_def, gravity_mps2), RECORD, 0, &record_cn_vec2 },
+	{ "center_m", offsetof(cn_area_def, center_m), RECORD, 0, &record_cn_vec2 },
+	{ "pull_mps2", offsetof(cn_area_def, pull_mps2), FLOAT, 0, NULL },
+	{ "pull_distance_m", offsetof(cn_area_def, pull_distance_m), FLOAT, 0, NULL },
+	{ "linear_damping_per_s", offsetof(cn_area_def, linear_damping_per_s), FLOAT, 0, NULL },
+	{ "angular_damping_per_s", offsetof(cn_area_def, angular_damping_per_s), FLOAT, 0, NULL },
+	{ "density_kgpm2", offsetof(cn_area_def, density_kgpm2), FLOAT, 0, NULL },
+	{ "drag_kgpm2", offsetof(cn_area_def, drag_kgpm2), FLOAT, 0, NULL },
+	{ "lift_kgpm2", offsetof(cn_area_def, lift_kgpm2), FLOAT, 0, NULL },
+	{ "flow_mps", offsetof(cn_area_def, flow_mps), RECORD, 0, &record_cn_vec2 },
+	{ NULL, 0, FLOAT, 0, NULL },
+};
+static const record record_cn_area_def = { "cn_area_def", sizeof(cn_area_def), fields_cn_area_def, init_cn_area_def, -1 };
+
 static void init_cn_explosion_def(void *at)
 {
 	cn_explosion_def_init(at);
@@ -734,7 +757,7 @@ static const record record_cn_debug_draw = { "cn_debug_draw", sizeof(cn_debug_dr
 static int call_cn_world_step(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	float dt_s;
 	read_value(L, 2, FLOAT, NULL, &dt_s, "dt_s");
 	check(L, self, cn_world_step(self->pointer, dt_s));
@@ -744,7 +767,7 @@ static int call_cn_world_step(lua_State *L)
 static int call_cn_world_set_gravity(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	float gravity_x_mps2;
 	read_value(L, 2, FLOAT, NULL, &gravity_x_mps2, "gravity_x_mps2");
 	float gravity_y_mps2;
@@ -766,7 +789,7 @@ static int call_cn_world_get_gravity(lua_State *L)
 static int call_cn_world_set_substep_count(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	int32_t count;
 	read_value(L, 2, INT32, NULL, &count, "count");
 	check(L, self, cn_world_set_substep_count(self->pointer, count));
@@ -786,7 +809,7 @@ static int call_cn_world_get_substep_count(lua_State *L)
 static int call_cn_world_set_solver(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	int32_t solver;
 	read_value(L, 2, INT32, NULL, &solver, "solver");
 	check(L, self, cn_world_set_solver(self->pointer, solver));
@@ -806,7 +829,7 @@ static int call_cn_world_get_solver(lua_State *L)
 static int call_cn_world_set_accuracy(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	float accuracy_m;
 	read_value(L, 2, FLOAT, NULL, &accuracy_m, "accuracy_m");
 	int32_t work_budget;
@@ -840,7 +863,7 @@ static int call_cn_world_get_worker_count(lua_State *L)
 static int call_cn_world_set_flags(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	uint32_t flags;
 	read_value(L, 2, UINT32, NULL, &flags, "flags");
 	check(L, self, cn_world_set_flags(self->pointer, flags));
@@ -860,7 +883,7 @@ static int call_cn_world_get_flags(lua_State *L)
 static int call_cn_world_set_restitution_threshold(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	float speed_mps;
 	read_value(L, 2, FLOAT, NULL, &speed_mps, "speed_mps");
 	check(L, self, cn_world_set_restitution_threshold(self->pointer, speed_mps));
@@ -870,7 +893,7 @@ static int call_cn_world_set_restitution_threshold(lua_State *L)
 static int call_cn_world_set_hit_speed(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	float speed_mps;
 	read_value(L, 2, FLOAT, NULL, &speed_mps, "speed_mps");
 	check(L, self, cn_world_set_hit_speed(self->pointer, speed_mps));
@@ -880,7 +903,7 @@ static int call_cn_world_set_hit_speed(lua_State *L)
 static int call_cn_world_set_speed_limits(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	float linear_mps;
 	read_value(L, 2, FLOAT, NULL, &linear_mps, "linear_mps");
 	float angular_radps;
@@ -892,7 +915,7 @@ static int call_cn_world_set_speed_limits(lua_State *L)
 static int call_cn_world_set_sleep(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	float speed_mps;
 	read_value(L, 2, FLOAT, NULL, &speed_mps, "speed_mps");
 	float delay_s;
@@ -904,7 +927,7 @@ static int call_cn_world_set_sleep(lua_State *L)
 static int call_cn_world_set_user_data(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	uint64_t user_data;
 	read_value(L, 2, UINT64, NULL, &user_data, "user_data");
 	check(L, self, cn_world_set_user_data(self->pointer, user_data));
@@ -925,10 +948,11 @@ static int call_cn_world_get_bodies(lua_State *L)
 {
 	lua_settop(L, 1);
 	world_object *self = to_world(L);
-	int32_t out_count;
-	check(L, NULL, cn_world_get_bodies(self->pointer, NULL, 0, &out_count));
-	cn_body *out = buffer(L, out_count, sizeof(cn_body));
-	check(L, NULL, cn_world_get_bodies(self->pointer, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, cn_world_get_bodies(self->pointer, NULL, 0, &capacity));
+	cn_body *out = buffer(L, capacity, sizeof(cn_body));
+	check(L, NULL, cn_world_get_bodies(self->pointer, out, capacity, &out_count));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, UINT32, NULL, out, out_count);
 	return 1;
 }
@@ -937,10 +961,11 @@ static int call_cn_world_get_shapes(lua_State *L)
 {
 	lua_settop(L, 1);
 	world_object *self = to_world(L);
-	int32_t out_count;
-	check(L, NULL, cn_world_get_shapes(self->pointer, NULL, 0, &out_count));
-	cn_shape *out = buffer(L, out_count, sizeof(cn_shape));
-	check(L, NULL, cn_world_get_shapes(self->pointer, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, cn_world_get_shapes(self->pointer, NULL, 0, &capacity));
+	cn_shape *out = buffer(L, capacity, sizeof(cn_shape));
+	check(L, NULL, cn_world_get_shapes(self->pointer, out, capacity, &out_count));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, UINT32, NULL, out, out_count);
 	return 1;
 }
@@ -949,10 +974,11 @@ static int call_cn_world_get_joints(lua_State *L)
 {
 	lua_settop(L, 1);
 	world_object *self = to_world(L);
-	int32_t out_count;
-	check(L, NULL, cn_world_get_joints(self->pointer, NULL, 0, &out_count));
-	cn_joint *out = buffer(L, out_count, sizeof(cn_joint));
-	check(L, NULL, cn_world_get_joints(self->pointer, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, cn_world_get_joints(self->pointer, NULL, 0, &capacity));
+	cn_joint *out = buffer(L, capacity, sizeof(cn_joint));
+	check(L, NULL, cn_world_get_joints(self->pointer, out, capacity, &out_count));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, UINT32, NULL, out, out_count);
 	return 1;
 }
@@ -971,10 +997,11 @@ static int call_cn_world_get_islands(lua_State *L)
 {
 	lua_settop(L, 1);
 	world_object *self = to_world(L);
-	int32_t out_count;
-	check(L, NULL, cn_world_get_islands(self->pointer, NULL, 0, &out_count));
-	cn_island_report *out = buffer(L, out_count, sizeof(cn_island_report));
-	check(L, NULL, cn_world_get_islands(self->pointer, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, cn_world_get_islands(self->pointer, NULL, 0, &capacity));
+	cn_island_report *out = buffer(L, capacity, sizeof(cn_island_report));
+	check(L, NULL, cn_world_get_islands(self->pointer, out, capacity, &out_count));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, RECORD, &record_cn_island_report, out, out_count);
 	return 1;
 }
@@ -1002,7 +1029,7 @@ static int call_cn_world_get_memory_stats(lua_State *L)
 static int call_cn_world_shift_origin(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	float x_m;
 	read_value(L, 2, FLOAT, NULL, &x_m, "x_m");
 	float y_m;
@@ -1031,10 +1058,22 @@ static int call_cn_world_save_size(lua_State *L)
 	return 1;
 }
 
+static int call_cn_world_save(lua_State *L)
+{
+	lua_settop(L, 1);
+	world_object *self = to_world(L);
+	uint64_t room;
+	check(L, NULL, cn_world_save_size(self->pointer, &room));
+	void *out = lua_newuserdata(L, room > 0 ? (size_t)room : 1);
+	check(L, NULL, cn_world_save(self->pointer, out, room, &room));
+	lua_pushlstring(L, out, (size_t)room);
+	return 1;
+}
+
 static int call_cn_world_restore(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	size_t bytes;
 	const void *save = luaL_checklstring(L, 2, &bytes);
 	check(L, self, cn_world_restore(self->pointer, save, bytes));
@@ -1051,10 +1090,22 @@ static int call_cn_world_write_size(lua_State *L)
 	return 1;
 }
 
+static int call_cn_world_write(lua_State *L)
+{
+	lua_settop(L, 1);
+	world_object *self = to_world(L);
+	uint64_t room;
+	check(L, NULL, cn_world_write_size(self->pointer, &room));
+	void *out = lua_newuserdata(L, room > 0 ? (size_t)room : 1);
+	check(L, NULL, cn_world_write(self->pointer, out, room, &room));
+	lua_pushlstring(L, out, (size_t)room);
+	return 1;
+}
+
 static int call_cn_body_create(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body_def def_value;
 	const cn_body_def *def = read_struct(L, 2, &record_cn_body_def, &def_value, 0, "def");
 	cn_body out_0;
@@ -1066,7 +1117,7 @@ static int call_cn_body_create(lua_State *L)
 static int call_cn_body_create_many(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	int32_t defs_count;
 	cn_body_def *defs = read_array(L, 2, RECORD, &record_cn_body_def, 0, "defs", &defs_count);
 	int32_t count = defs_count;
@@ -1079,7 +1130,7 @@ static int call_cn_body_create_many(lua_State *L)
 static int call_cn_body_destroy(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	check(L, self, cn_body_destroy(self->pointer, body));
@@ -1089,7 +1140,7 @@ static int call_cn_body_destroy(lua_State *L)
 static int call_cn_body_destroy_many(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	int32_t bodies_count;
 	cn_body *bodies = read_array(L, 2, UINT32, NULL, 0, "bodies", &bodies_count);
 	int32_t count = bodies_count;
@@ -1110,7 +1161,7 @@ static int call_cn_body_is_valid(lua_State *L)
 static int call_cn_body_set_type(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	int32_t type;
@@ -1134,7 +1185,7 @@ static int call_cn_body_get_type(lua_State *L)
 static int call_cn_body_set_flags(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	uint32_t flags;
@@ -1158,7 +1209,7 @@ static int call_cn_body_get_flags(lua_State *L)
 static int call_cn_body_set_awake(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	int32_t awake;
@@ -1170,7 +1221,7 @@ static int call_cn_body_set_awake(lua_State *L)
 static int call_cn_body_set_pose(lua_State *L)
 {
 	lua_settop(L, 5);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	float position_x_m;
@@ -1236,7 +1287,7 @@ static int call_cn_body_get_center(lua_State *L)
 static int call_cn_body_set_velocity(lua_State *L)
 {
 	lua_settop(L, 5);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	float linear_x_mps;
@@ -1264,7 +1315,7 @@ static int call_cn_body_get_velocity(lua_State *L)
 static int call_cn_body_set_target_pose(lua_State *L)
 {
 	lua_settop(L, 6);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	float position_x_m;
@@ -1342,7 +1393,7 @@ static int call_cn_body_get_aabb(lua_State *L)
 static int call_cn_body_apply_force(lua_State *L)
 {
 	lua_settop(L, 4);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	float force_x_N;
@@ -1356,7 +1407,7 @@ static int call_cn_body_apply_force(lua_State *L)
 static int call_cn_body_apply_force_at(lua_State *L)
 {
 	lua_settop(L, 6);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	float force_x_N;
@@ -1374,7 +1425,7 @@ static int call_cn_body_apply_force_at(lua_State *L)
 static int call_cn_body_apply_torque(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	float torque_Nm;
@@ -1386,7 +1437,7 @@ static int call_cn_body_apply_torque(lua_State *L)
 static int call_cn_body_apply_impulse(lua_State *L)
 {
 	lua_settop(L, 4);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	float impulse_x_Ns;
@@ -1400,7 +1451,7 @@ static int call_cn_body_apply_impulse(lua_State *L)
 static int call_cn_body_apply_impulse_at(lua_State *L)
 {
 	lua_settop(L, 6);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	float impulse_x_Ns;
@@ -1418,7 +1469,7 @@ static int call_cn_body_apply_impulse_at(lua_State *L)
 static int call_cn_body_apply_angular_impulse(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	float impulse_Nms;
@@ -1442,7 +1493,7 @@ static int call_cn_body_get_mass_data(lua_State *L)
 static int call_cn_body_set_mass_data(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	cn_mass_data mass_value;
@@ -1454,7 +1505,7 @@ static int call_cn_body_set_mass_data(lua_State *L)
 static int call_cn_body_reset_mass_data(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	check(L, self, cn_body_reset_mass_data(self->pointer, body));
@@ -1464,7 +1515,7 @@ static int call_cn_body_reset_mass_data(lua_State *L)
 static int call_cn_body_set_damping(lua_State *L)
 {
 	lua_settop(L, 4);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	float linear_per_s;
@@ -1492,7 +1543,7 @@ static int call_cn_body_get_damping(lua_State *L)
 static int call_cn_body_set_gravity_scale(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	float scale;
@@ -1516,7 +1567,7 @@ static int call_cn_body_get_gravity_scale(lua_State *L)
 static int call_cn_body_set_sleep_speed(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	float speed_mps;
@@ -1528,7 +1579,7 @@ static int call_cn_body_set_sleep_speed(lua_State *L)
 static int call_cn_body_set_solver(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	int32_t solver;
@@ -1552,7 +1603,7 @@ static int call_cn_body_get_solver(lua_State *L)
 static int call_cn_body_set_user_data(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	uint64_t user_data;
@@ -1576,7 +1627,7 @@ static int call_cn_body_get_user_data(lua_State *L)
 static int call_cn_body_set_name(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
 	const char *name = luaL_optstring(L, 3, NULL);
@@ -1602,10 +1653,11 @@ static int call_cn_body_get_shapes(lua_State *L)
 	world_object *self = to_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
-	int32_t out_count;
-	check(L, NULL, cn_body_get_shapes(self->pointer, body, NULL, 0, &out_count));
-	cn_shape *out = buffer(L, out_count, sizeof(cn_shape));
-	check(L, NULL, cn_body_get_shapes(self->pointer, body, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, cn_body_get_shapes(self->pointer, body, NULL, 0, &capacity));
+	cn_shape *out = buffer(L, capacity, sizeof(cn_shape));
+	check(L, NULL, cn_body_get_shapes(self->pointer, body, out, capacity, &out_count));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, UINT32, NULL, out, out_count);
 	return 1;
 }
@@ -1616,10 +1668,11 @@ static int call_cn_body_get_joints(lua_State *L)
 	world_object *self = to_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
-	int32_t out_count;
-	check(L, NULL, cn_body_get_joints(self->pointer, body, NULL, 0, &out_count));
-	cn_joint *out = buffer(L, out_count, sizeof(cn_joint));
-	check(L, NULL, cn_body_get_joints(self->pointer, body, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, cn_body_get_joints(self->pointer, body, NULL, 0, &capacity));
+	cn_joint *out = buffer(L, capacity, sizeof(cn_joint));
+	check(L, NULL, cn_body_get_joints(self->pointer, body, out, capacity, &out_count));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, UINT32, NULL, out, out_count);
 	return 1;
 }
@@ -1653,7 +1706,7 @@ static int call_cn_world_read_velocities(lua_State *L)
 static int call_cn_world_write_velocities(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	int32_t bodies_count;
 	cn_body *bodies = read_array(L, 2, UINT32, NULL, 1, "bodies", &bodies_count);
 	int32_t velocities_count;
@@ -1667,7 +1720,7 @@ static int call_cn_world_write_velocities(lua_State *L)
 static int call_cn_world_moved(lua_State *L)
 {
 	lua_settop(L, 1);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	const cn_body_moved *out;
 	int32_t out_count;
 	check(L, self, cn_world_moved(self->pointer, &out, &out_count));
@@ -1678,7 +1731,7 @@ static int call_cn_world_moved(lua_State *L)
 static int call_cn_shape_create_circle(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape_def def_value;
 	const cn_shape_def *def = read_struct(L, 2, &record_cn_shape_def, &def_value, 0, "def");
 	cn_circle circle_value;
@@ -1692,7 +1745,7 @@ static int call_cn_shape_create_circle(lua_State *L)
 static int call_cn_shape_create_capsule(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape_def def_value;
 	const cn_shape_def *def = read_struct(L, 2, &record_cn_shape_def, &def_value, 0, "def");
 	cn_capsule capsule_value;
@@ -1706,7 +1759,7 @@ static int call_cn_shape_create_capsule(lua_State *L)
 static int call_cn_shape_create_edge(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape_def def_value;
 	const cn_shape_def *def = read_struct(L, 2, &record_cn_shape_def, &def_value, 0, "def");
 	cn_edge edge_value;
@@ -1720,7 +1773,7 @@ static int call_cn_shape_create_edge(lua_State *L)
 static int call_cn_shape_create_polygon(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape_def def_value;
 	const cn_shape_def *def = read_struct(L, 2, &record_cn_shape_def, &def_value, 0, "def");
 	cn_polygon polygon_value;
@@ -1734,7 +1787,7 @@ static int call_cn_shape_create_polygon(lua_State *L)
 static int call_cn_shape_create_box(lua_State *L)
 {
 	lua_settop(L, 5);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape_def def_value;
 	const cn_shape_def *def = read_struct(L, 2, &record_cn_shape_def, &def_value, 0, "def");
 	float half_width_m;
@@ -1752,7 +1805,7 @@ static int call_cn_shape_create_box(lua_State *L)
 static int call_cn_shape_create_chain(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape_def def_value;
 	const cn_shape_def *def = read_struct(L, 2, &record_cn_shape_def, &def_value, 0, "def");
 	cn_chain chain_value;
@@ -1766,7 +1819,7 @@ static int call_cn_shape_create_chain(lua_State *L)
 static int call_cn_shape_attach(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape shape;
 	read_value(L, 2, UINT32, NULL, &shape, "shape");
 	cn_body body;
@@ -1778,7 +1831,7 @@ static int call_cn_shape_attach(lua_State *L)
 static int call_cn_shape_detach(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape shape;
 	read_value(L, 2, UINT32, NULL, &shape, "shape");
 	check(L, self, cn_shape_detach(self->pointer, shape));
@@ -1788,7 +1841,7 @@ static int call_cn_shape_detach(lua_State *L)
 static int call_cn_shape_destroy(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape shape;
 	read_value(L, 2, UINT32, NULL, &shape, "shape");
 	check(L, self, cn_shape_destroy(self->pointer, shape));
@@ -1832,7 +1885,7 @@ static int call_cn_shape_get_body(lua_State *L)
 static int call_cn_shape_set_material(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape shape;
 	read_value(L, 2, UINT32, NULL, &shape, "shape");
 	cn_material material_value;
@@ -1856,7 +1909,7 @@ static int call_cn_shape_get_material(lua_State *L)
 static int call_cn_shape_set_density(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape shape;
 	read_value(L, 2, UINT32, NULL, &shape, "shape");
 	float density_kgpm2;
@@ -1880,7 +1933,7 @@ static int call_cn_shape_get_density(lua_State *L)
 static int call_cn_shape_set_filter(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape shape;
 	read_value(L, 2, UINT32, NULL, &shape, "shape");
 	cn_filter filter_value;
@@ -1904,7 +1957,7 @@ static int call_cn_shape_get_filter(lua_State *L)
 static int call_cn_shape_set_event_mask(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape shape;
 	read_value(L, 2, UINT32, NULL, &shape, "shape");
 	uint32_t event_mask;
@@ -1928,7 +1981,7 @@ static int call_cn_shape_get_event_mask(lua_State *L)
 static int call_cn_shape_set_flags(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape shape;
 	read_value(L, 2, UINT32, NULL, &shape, "shape");
 	uint32_t flags;
@@ -1952,7 +2005,7 @@ static int call_cn_shape_get_flags(lua_State *L)
 static int call_cn_shape_set_user_data(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape shape;
 	read_value(L, 2, UINT32, NULL, &shape, "shape");
 	uint64_t user_data;
@@ -2051,10 +2104,11 @@ static int call_cn_shape_get_chain_points(lua_State *L)
 	world_object *self = to_world(L);
 	cn_shape shape;
 	read_value(L, 2, UINT32, NULL, &shape, "shape");
-	int32_t out_count;
-	check(L, NULL, cn_shape_get_chain_points(self->pointer, shape, NULL, 0, &out_count));
-	cn_vec2 *out = buffer(L, out_count, sizeof(cn_vec2));
-	check(L, NULL, cn_shape_get_chain_points(self->pointer, shape, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, cn_shape_get_chain_points(self->pointer, shape, NULL, 0, &capacity));
+	cn_vec2 *out = buffer(L, capacity, sizeof(cn_vec2));
+	check(L, NULL, cn_shape_get_chain_points(self->pointer, shape, out, capacity, &out_count));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, RECORD, &record_cn_vec2, out, out_count);
 	return 1;
 }
@@ -2062,7 +2116,7 @@ static int call_cn_shape_get_chain_points(lua_State *L)
 static int call_cn_shape_set_circle(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape shape;
 	read_value(L, 2, UINT32, NULL, &shape, "shape");
 	cn_circle circle_value;
@@ -2074,7 +2128,7 @@ static int call_cn_shape_set_circle(lua_State *L)
 static int call_cn_shape_set_capsule(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape shape;
 	read_value(L, 2, UINT32, NULL, &shape, "shape");
 	cn_capsule capsule_value;
@@ -2086,7 +2140,7 @@ static int call_cn_shape_set_capsule(lua_State *L)
 static int call_cn_shape_set_edge(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape shape;
 	read_value(L, 2, UINT32, NULL, &shape, "shape");
 	cn_edge edge_value;
@@ -2098,7 +2152,7 @@ static int call_cn_shape_set_edge(lua_State *L)
 static int call_cn_shape_set_polygon(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape shape;
 	read_value(L, 2, UINT32, NULL, &shape, "shape");
 	cn_polygon polygon_value;
@@ -2110,7 +2164,7 @@ static int call_cn_shape_set_polygon(lua_State *L)
 static int call_cn_shape_set_chain(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_shape shape;
 	read_value(L, 2, UINT32, NULL, &shape, "shape");
 	cn_chain chain_value;
@@ -2138,7 +2192,7 @@ static int call_cn_shape_test_point(lua_State *L)
 static int call_cn_world_contact_events(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	int32_t kind;
 	read_value(L, 2, INT32, NULL, &kind, "kind");
 	const cn_contact_event *out;
@@ -2165,10 +2219,11 @@ static int call_cn_body_get_contacts(lua_State *L)
 	world_object *self = to_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
-	int32_t out_count;
-	check(L, NULL, cn_body_get_contacts(self->pointer, body, NULL, 0, &out_count));
-	cn_contact_event *out = buffer(L, out_count, sizeof(cn_contact_event));
-	check(L, NULL, cn_body_get_contacts(self->pointer, body, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, cn_body_get_contacts(self->pointer, body, NULL, 0, &capacity));
+	cn_contact_event *out = buffer(L, capacity, sizeof(cn_contact_event));
+	check(L, NULL, cn_body_get_contacts(self->pointer, body, out, capacity, &out_count));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, RECORD, &record_cn_contact_event, out, out_count);
 	return 1;
 }
@@ -2179,10 +2234,11 @@ static int call_cn_shape_get_contacts(lua_State *L)
 	world_object *self = to_world(L);
 	cn_shape shape;
 	read_value(L, 2, UINT32, NULL, &shape, "shape");
-	int32_t out_count;
-	check(L, NULL, cn_shape_get_contacts(self->pointer, shape, NULL, 0, &out_count));
-	cn_contact_event *out = buffer(L, out_count, sizeof(cn_contact_event));
-	check(L, NULL, cn_shape_get_contacts(self->pointer, shape, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, cn_shape_get_contacts(self->pointer, shape, NULL, 0, &capacity));
+	cn_contact_event *out = buffer(L, capacity, sizeof(cn_contact_event));
+	check(L, NULL, cn_shape_get_contacts(self->pointer, shape, out, capacity, &out_count));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, RECORD, &record_cn_contact_event, out, out_count);
 	return 1;
 }
@@ -2193,10 +2249,11 @@ static int call_cn_shape_get_visitors(lua_State *L)
 	world_object *self = to_world(L);
 	cn_shape sensor;
 	read_value(L, 2, UINT32, NULL, &sensor, "sensor");
-	int32_t out_count;
-	check(L, NULL, cn_shape_get_visitors(self->pointer, sensor, NULL, 0, &out_count));
-	cn_shape *out = buffer(L, out_count, sizeof(cn_shape));
-	check(L, NULL, cn_shape_get_visitors(self->pointer, sensor, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, cn_shape_get_visitors(self->pointer, sensor, NULL, 0, &capacity));
+	cn_shape *out = buffer(L, capacity, sizeof(cn_shape));
+	check(L, NULL, cn_shape_get_visitors(self->pointer, sensor, out, capacity, &out_count));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, UINT32, NULL, out, out_count);
 	return 1;
 }
@@ -2215,7 +2272,7 @@ static int call_cn_world_fell_asleep(lua_State *L)
 static int call_cn_joint_create_revolute(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_revolute_def def_value;
 	const cn_revolute_def *def = read_struct(L, 2, &record_cn_revolute_def, &def_value, 0, "def");
 	cn_joint out_0;
@@ -2227,7 +2284,7 @@ static int call_cn_joint_create_revolute(lua_State *L)
 static int call_cn_joint_create_distance(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_distance_def def_value;
 	const cn_distance_def *def = read_struct(L, 2, &record_cn_distance_def, &def_value, 0, "def");
 	cn_joint out_0;
@@ -2239,7 +2296,7 @@ static int call_cn_joint_create_distance(lua_State *L)
 static int call_cn_joint_create_fixed(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_fixed_def def_value;
 	const cn_fixed_def *def = read_struct(L, 2, &record_cn_fixed_def, &def_value, 0, "def");
 	cn_joint out_0;
@@ -2251,7 +2308,7 @@ static int call_cn_joint_create_fixed(lua_State *L)
 static int call_cn_joint_create_prismatic(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_prismatic_def def_value;
 	const cn_prismatic_def *def = read_struct(L, 2, &record_cn_prismatic_def, &def_value, 0, "def");
 	cn_joint out_0;
@@ -2263,7 +2320,7 @@ static int call_cn_joint_create_prismatic(lua_State *L)
 static int call_cn_joint_create_wheel(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_wheel_def def_value;
 	const cn_wheel_def *def = read_struct(L, 2, &record_cn_wheel_def, &def_value, 0, "def");
 	cn_joint out_0;
@@ -2275,7 +2332,7 @@ static int call_cn_joint_create_wheel(lua_State *L)
 static int call_cn_joint_create_motor(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_motor_def def_value;
 	const cn_motor_def *def = read_struct(L, 2, &record_cn_motor_def, &def_value, 0, "def");
 	cn_joint out_0;
@@ -2287,7 +2344,7 @@ static int call_cn_joint_create_motor(lua_State *L)
 static int call_cn_joint_create_mouse(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_mouse_def def_value;
 	const cn_mouse_def *def = read_struct(L, 2, &record_cn_mouse_def, &def_value, 0, "def");
 	cn_joint out_0;
@@ -2299,7 +2356,7 @@ static int call_cn_joint_create_mouse(lua_State *L)
 static int call_cn_joint_create_gear(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_gear_def def_value;
 	const cn_gear_def *def = read_struct(L, 2, &record_cn_gear_def, &def_value, 0, "def");
 	cn_joint out_0;
@@ -2311,7 +2368,7 @@ static int call_cn_joint_create_gear(lua_State *L)
 static int call_cn_joint_create_pulley(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_pulley_def def_value;
 	const cn_pulley_def *def = read_struct(L, 2, &record_cn_pulley_def, &def_value, 0, "def");
 	cn_joint out_0;
@@ -2323,7 +2380,7 @@ static int call_cn_joint_create_pulley(lua_State *L)
 static int call_cn_joint_create_ratchet(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_ratchet_def def_value;
 	const cn_ratchet_def *def = read_struct(L, 2, &record_cn_ratchet_def, &def_value, 0, "def");
 	cn_joint out_0;
@@ -2335,7 +2392,7 @@ static int call_cn_joint_create_ratchet(lua_State *L)
 static int call_cn_joint_create_rotary_spring(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_rotary_spring_def def_value;
 	const cn_rotary_spring_def *def = read_struct(L, 2, &record_cn_rotary_spring_def, &def_value, 0, "def");
 	cn_joint out_0;
@@ -2347,7 +2404,7 @@ static int call_cn_joint_create_rotary_spring(lua_State *L)
 static int call_cn_joint_create_groove(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_groove_def def_value;
 	const cn_groove_def *def = read_struct(L, 2, &record_cn_groove_def, &def_value, 0, "def");
 	cn_joint out_0;
@@ -2359,7 +2416,7 @@ static int call_cn_joint_create_groove(lua_State *L)
 static int call_cn_joint_create_filter(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_filter_joint_def def_value;
 	const cn_filter_joint_def *def = read_struct(L, 2, &record_cn_filter_joint_def, &def_value, 0, "def");
 	cn_joint out_0;
@@ -2371,7 +2428,7 @@ static int call_cn_joint_create_filter(lua_State *L)
 static int call_cn_joint_destroy(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	check(L, self, cn_joint_destroy(self->pointer, joint));
@@ -2459,7 +2516,7 @@ static int call_cn_joint_get_error(lua_State *L)
 static int call_cn_joint_set_solver(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	int32_t solver;
@@ -2483,7 +2540,7 @@ static int call_cn_joint_get_solver(lua_State *L)
 static int call_cn_joint_set_user_data(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	uint64_t user_data;
@@ -2507,7 +2564,7 @@ static int call_cn_joint_get_user_data(lua_State *L)
 static int call_cn_joint_set_flags(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	uint32_t flags;
@@ -2543,7 +2600,7 @@ static int call_cn_joint_get_revolute(lua_State *L)
 static int call_cn_joint_set_revolute(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	cn_revolute_def def_value;
@@ -2567,7 +2624,7 @@ static int call_cn_joint_get_distance(lua_State *L)
 static int call_cn_joint_set_distance(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	cn_distance_def def_value;
@@ -2591,7 +2648,7 @@ static int call_cn_joint_get_fixed(lua_State *L)
 static int call_cn_joint_set_fixed(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	cn_fixed_def def_value;
@@ -2615,7 +2672,7 @@ static int call_cn_joint_get_prismatic(lua_State *L)
 static int call_cn_joint_set_prismatic(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	cn_prismatic_def def_value;
@@ -2639,7 +2696,7 @@ static int call_cn_joint_get_wheel(lua_State *L)
 static int call_cn_joint_set_wheel(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	cn_wheel_def def_value;
@@ -2663,7 +2720,7 @@ static int call_cn_joint_get_motor_to(lua_State *L)
 static int call_cn_joint_set_motor_to(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	cn_motor_def def_value;
@@ -2687,7 +2744,7 @@ static int call_cn_joint_get_mouse(lua_State *L)
 static int call_cn_joint_set_mouse(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	cn_mouse_def def_value;
@@ -2711,7 +2768,7 @@ static int call_cn_joint_get_gear(lua_State *L)
 static int call_cn_joint_set_gear(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	cn_gear_def def_value;
@@ -2735,7 +2792,7 @@ static int call_cn_joint_get_pulley(lua_State *L)
 static int call_cn_joint_set_pulley(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	cn_pulley_def def_value;
@@ -2759,7 +2816,7 @@ static int call_cn_joint_get_ratchet(lua_State *L)
 static int call_cn_joint_set_ratchet(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	cn_ratchet_def def_value;
@@ -2783,7 +2840,7 @@ static int call_cn_joint_get_rotary_spring(lua_State *L)
 static int call_cn_joint_set_rotary_spring(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	cn_rotary_spring_def def_value;
@@ -2807,7 +2864,7 @@ static int call_cn_joint_get_groove(lua_State *L)
 static int call_cn_joint_set_groove(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	cn_groove_def def_value;
@@ -2831,7 +2888,7 @@ static int call_cn_joint_get_base(lua_State *L)
 static int call_cn_joint_set_base(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	cn_joint_base base_value;
@@ -2843,7 +2900,7 @@ static int call_cn_joint_set_base(lua_State *L)
 static int call_cn_joint_set_target(lua_State *L)
 {
 	lua_settop(L, 4);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	float target_x_m;
@@ -2881,7 +2938,7 @@ static int call_cn_joint_get_speed(lua_State *L)
 static int call_cn_joint_set_motor(lua_State *L)
 {
 	lua_settop(L, 4);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	float speed;
@@ -2895,7 +2952,7 @@ static int call_cn_joint_set_motor(lua_State *L)
 static int call_cn_joint_set_limits(lua_State *L)
 {
 	lua_settop(L, 4);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_joint joint;
 	read_value(L, 2, UINT32, NULL, &joint, "joint");
 	float lower;
@@ -2920,7 +2977,7 @@ static int call_cn_world_joint_events(lua_State *L)
 static int call_cn_constraint_create_angle(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_angle_constraint_def def_value;
 	const cn_angle_constraint_def *def = read_struct(L, 2, &record_cn_angle_constraint_def, &def_value, 0, "def");
 	cn_constraint out_0;
@@ -2932,7 +2989,7 @@ static int call_cn_constraint_create_angle(lua_State *L)
 static int call_cn_constraint_create_line(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_line_constraint_def def_value;
 	const cn_line_constraint_def *def = read_struct(L, 2, &record_cn_line_constraint_def, &def_value, 0, "def");
 	cn_constraint out_0;
@@ -2944,7 +3001,7 @@ static int call_cn_constraint_create_line(lua_State *L)
 static int call_cn_constraint_destroy(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_constraint constraint;
 	read_value(L, 2, UINT32, NULL, &constraint, "constraint");
 	check(L, self, cn_constraint_destroy(self->pointer, constraint));
@@ -3000,7 +3057,7 @@ static int call_cn_constraint_get_angle(lua_State *L)
 static int call_cn_constraint_set_angle(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_constraint constraint;
 	read_value(L, 2, UINT32, NULL, &constraint, "constraint");
 	cn_angle_constraint_def def_value;
@@ -3024,7 +3081,7 @@ static int call_cn_constraint_get_line(lua_State *L)
 static int call_cn_constraint_set_line(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_constraint constraint;
 	read_value(L, 2, UINT32, NULL, &constraint, "constraint");
 	cn_line_constraint_def def_value;
@@ -3077,10 +3134,11 @@ static int call_cn_world_get_constraints(lua_State *L)
 {
 	lua_settop(L, 1);
 	world_object *self = to_world(L);
-	int32_t out_count;
-	check(L, NULL, cn_world_get_constraints(self->pointer, NULL, 0, &out_count));
-	cn_constraint *out = buffer(L, out_count, sizeof(cn_constraint));
-	check(L, NULL, cn_world_get_constraints(self->pointer, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, cn_world_get_constraints(self->pointer, NULL, 0, &capacity));
+	cn_constraint *out = buffer(L, capacity, sizeof(cn_constraint));
+	check(L, NULL, cn_world_get_constraints(self->pointer, out, capacity, &out_count));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, UINT32, NULL, out, out_count);
 	return 1;
 }
@@ -3091,10 +3149,11 @@ static int call_cn_body_get_constraints(lua_State *L)
 	world_object *self = to_world(L);
 	cn_body body;
 	read_value(L, 2, UINT32, NULL, &body, "body");
-	int32_t out_count;
-	check(L, NULL, cn_body_get_constraints(self->pointer, body, NULL, 0, &out_count));
-	cn_constraint *out = buffer(L, out_count, sizeof(cn_constraint));
-	check(L, NULL, cn_body_get_constraints(self->pointer, body, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, cn_body_get_constraints(self->pointer, body, NULL, 0, &capacity));
+	cn_constraint *out = buffer(L, capacity, sizeof(cn_constraint));
+	check(L, NULL, cn_body_get_constraints(self->pointer, body, out, capacity, &out_count));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, UINT32, NULL, out, out_count);
 	return 1;
 }
@@ -3102,7 +3161,7 @@ static int call_cn_body_get_constraints(lua_State *L)
 static int call_cn_world_set_fixed_step(lua_State *L)
 {
 	lua_settop(L, 3);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	float step_s;
 	read_value(L, 2, FLOAT, NULL, &step_s, "step_s");
 	int32_t steps_max;
@@ -3114,7 +3173,7 @@ static int call_cn_world_set_fixed_step(lua_State *L)
 static int call_cn_world_update(lua_State *L)
 {
 	lua_settop(L, 2);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	float elapsed_s;
 	read_value(L, 2, FLOAT, NULL, &elapsed_s, "elapsed_s");
 	cn_update_report out_0;
@@ -3147,7 +3206,7 @@ static int call_cn_world_cast_ray(lua_State *L)
 	cn_query_filter filter_value;
 	const cn_query_filter *filter = read_struct(L, 3, &record_cn_query_filter, &filter_value, 1, "filter");
 	cn_ray_hit out_0;
-	check(L, NULL, cn_world_cast_ray(self->pointer, ray, filter, &out_0));
+	check(L, NULL, visited(L, self, cn_world_cast_ray(self->pointer, ray, filter, &out_0)));
 	push_value(L, RECORD, &record_cn_ray_hit, &out_0);
 	return 1;
 }
@@ -3161,7 +3220,7 @@ static int call_cn_world_cast_ray_any(lua_State *L)
 	cn_query_filter filter_value;
 	const cn_query_filter *filter = read_struct(L, 3, &record_cn_query_filter, &filter_value, 1, "filter");
 	int32_t out_0;
-	check(L, NULL, cn_world_cast_ray_any(self->pointer, ray, filter, &out_0));
+	check(L, NULL, visited(L, self, cn_world_cast_ray_any(self->pointer, ray, filter, &out_0)));
 	push_value(L, INT32, NULL, &out_0);
 	return 1;
 }
@@ -3174,10 +3233,11 @@ static int call_cn_world_cast_ray_all(lua_State *L)
 	const cn_ray *ray = read_struct(L, 2, &record_cn_ray, &ray_value, 0, "ray");
 	cn_query_filter filter_value;
 	const cn_query_filter *filter = read_struct(L, 3, &record_cn_query_filter, &filter_value, 1, "filter");
-	int32_t out_count;
-	check(L, NULL, cn_world_cast_ray_all(self->pointer, ray, filter, NULL, 0, &out_count));
-	cn_ray_hit *out = buffer(L, out_count, sizeof(cn_ray_hit));
-	check(L, NULL, cn_world_cast_ray_all(self->pointer, ray, filter, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, visited(L, self, cn_world_cast_ray_all(self->pointer, ray, filter, NULL, 0, &capacity)));
+	cn_ray_hit *out = buffer(L, capacity, sizeof(cn_ray_hit));
+	check(L, NULL, visited(L, self, cn_world_cast_ray_all(self->pointer, ray, filter, out, capacity, &out_count)));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, RECORD, &record_cn_ray_hit, out, out_count);
 	return 1;
 }
@@ -3192,7 +3252,7 @@ static int call_cn_world_cast_rays(lua_State *L)
 	const cn_query_filter *filter = read_struct(L, 3, &record_cn_query_filter, &filter_value, 1, "filter");
 	int32_t count = rays_count;
 	cn_ray_hit *out = buffer(L, count, sizeof(cn_ray_hit));
-	check(L, NULL, cn_world_cast_rays(self->pointer, rays, count, filter, out));
+	check(L, NULL, visited(L, self, cn_world_cast_rays(self->pointer, rays, count, filter, out)));
 	write_array(L, 4, RECORD, &record_cn_ray_hit, out, count);
 	return 1;
 }
@@ -3224,7 +3284,7 @@ static int call_cn_world_cast_shape(lua_State *L)
 	cn_query_filter filter_value;
 	const cn_query_filter *filter = read_struct(L, 5, &record_cn_query_filter, &filter_value, 1, "filter");
 	cn_ray_hit out_0;
-	check(L, NULL, cn_world_cast_shape(self->pointer, shape, translation_x_m, translation_y_m, filter, &out_0));
+	check(L, NULL, visited(L, self, cn_world_cast_shape(self->pointer, shape, translation_x_m, translation_y_m, filter, &out_0)));
 	push_value(L, RECORD, &record_cn_ray_hit, &out_0);
 	return 1;
 }
@@ -3237,10 +3297,11 @@ static int call_cn_world_overlap_aabb(lua_State *L)
 	const cn_aabb *box = read_struct(L, 2, &record_cn_aabb, &box_value, 0, "box");
 	cn_query_filter filter_value;
 	const cn_query_filter *filter = read_struct(L, 3, &record_cn_query_filter, &filter_value, 1, "filter");
-	int32_t out_count;
-	check(L, NULL, cn_world_overlap_aabb(self->pointer, box, filter, NULL, 0, &out_count));
-	cn_shape *out = buffer(L, out_count, sizeof(cn_shape));
-	check(L, NULL, cn_world_overlap_aabb(self->pointer, box, filter, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, visited(L, self, cn_world_overlap_aabb(self->pointer, box, filter, NULL, 0, &capacity)));
+	cn_shape *out = buffer(L, capacity, sizeof(cn_shape));
+	check(L, NULL, visited(L, self, cn_world_overlap_aabb(self->pointer, box, filter, out, capacity, &out_count)));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, UINT32, NULL, out, out_count);
 	return 1;
 }
@@ -3253,10 +3314,11 @@ static int call_cn_world_overlap_circle(lua_State *L)
 	const cn_circle *circle = read_struct(L, 2, &record_cn_circle, &circle_value, 0, "circle");
 	cn_query_filter filter_value;
 	const cn_query_filter *filter = read_struct(L, 3, &record_cn_query_filter, &filter_value, 1, "filter");
-	int32_t out_count;
-	check(L, NULL, cn_world_overlap_circle(self->pointer, circle, filter, NULL, 0, &out_count));
-	cn_shape *out = buffer(L, out_count, sizeof(cn_shape));
-	check(L, NULL, cn_world_overlap_circle(self->pointer, circle, filter, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, visited(L, self, cn_world_overlap_circle(self->pointer, circle, filter, NULL, 0, &capacity)));
+	cn_shape *out = buffer(L, capacity, sizeof(cn_shape));
+	check(L, NULL, visited(L, self, cn_world_overlap_circle(self->pointer, circle, filter, out, capacity, &out_count)));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, UINT32, NULL, out, out_count);
 	return 1;
 }
@@ -3269,10 +3331,11 @@ static int call_cn_world_overlap_polygon(lua_State *L)
 	const cn_polygon *polygon = read_struct(L, 2, &record_cn_polygon, &polygon_value, 0, "polygon");
 	cn_query_filter filter_value;
 	const cn_query_filter *filter = read_struct(L, 3, &record_cn_query_filter, &filter_value, 1, "filter");
-	int32_t out_count;
-	check(L, NULL, cn_world_overlap_polygon(self->pointer, polygon, filter, NULL, 0, &out_count));
-	cn_shape *out = buffer(L, out_count, sizeof(cn_shape));
-	check(L, NULL, cn_world_overlap_polygon(self->pointer, polygon, filter, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, visited(L, self, cn_world_overlap_polygon(self->pointer, polygon, filter, NULL, 0, &capacity)));
+	cn_shape *out = buffer(L, capacity, sizeof(cn_shape));
+	check(L, NULL, visited(L, self, cn_world_overlap_polygon(self->pointer, polygon, filter, out, capacity, &out_count)));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, UINT32, NULL, out, out_count);
 	return 1;
 }
@@ -3287,10 +3350,11 @@ static int call_cn_world_overlap_point(lua_State *L)
 	read_value(L, 3, FLOAT, NULL, &y_m, "y_m");
 	cn_query_filter filter_value;
 	const cn_query_filter *filter = read_struct(L, 4, &record_cn_query_filter, &filter_value, 1, "filter");
-	int32_t out_count;
-	check(L, NULL, cn_world_overlap_point(self->pointer, x_m, y_m, filter, NULL, 0, &out_count));
-	cn_shape *out = buffer(L, out_count, sizeof(cn_shape));
-	check(L, NULL, cn_world_overlap_point(self->pointer, x_m, y_m, filter, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, visited(L, self, cn_world_overlap_point(self->pointer, x_m, y_m, filter, NULL, 0, &capacity)));
+	cn_shape *out = buffer(L, capacity, sizeof(cn_shape));
+	check(L, NULL, visited(L, self, cn_world_overlap_point(self->pointer, x_m, y_m, filter, out, capacity, &out_count)));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, UINT32, NULL, out, out_count);
 	return 1;
 }
@@ -3308,7 +3372,7 @@ static int call_cn_world_closest_point(lua_State *L)
 	cn_query_filter filter_value;
 	const cn_query_filter *filter = read_struct(L, 5, &record_cn_query_filter, &filter_value, 1, "filter");
 	cn_closest out_0;
-	check(L, NULL, cn_world_closest_point(self->pointer, x_m, y_m, distance_max_m, filter, &out_0));
+	check(L, NULL, visited(L, self, cn_world_closest_point(self->pointer, x_m, y_m, distance_max_m, filter, &out_0)));
 	push_value(L, RECORD, &record_cn_closest, &out_0);
 	return 1;
 }
@@ -3327,10 +3391,11 @@ static int call_cn_mover_collide(lua_State *L)
 	read_value(L, 5, FLOAT, NULL, &margin_m, "margin_m");
 	cn_query_filter filter_value;
 	const cn_query_filter *filter = read_struct(L, 6, &record_cn_query_filter, &filter_value, 1, "filter");
-	int32_t out_count;
-	check(L, NULL, cn_mover_collide(self->pointer, shape, position_x_m, position_y_m, margin_m, filter, NULL, 0, &out_count));
-	cn_plane *out = buffer(L, out_count, sizeof(cn_plane));
-	check(L, NULL, cn_mover_collide(self->pointer, shape, position_x_m, position_y_m, margin_m, filter, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, visited(L, self, cn_mover_collide(self->pointer, shape, position_x_m, position_y_m, margin_m, filter, NULL, 0, &capacity)));
+	cn_plane *out = buffer(L, capacity, sizeof(cn_plane));
+	check(L, NULL, visited(L, self, cn_mover_collide(self->pointer, shape, position_x_m, position_y_m, margin_m, filter, out, capacity, &out_count)));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, RECORD, &record_cn_plane, out, out_count);
 	return 1;
 }
@@ -3338,27 +3403,73 @@ static int call_cn_mover_collide(lua_State *L)
 static int call_cn_mover_move(lua_State *L)
 {
 	lua_settop(L, 4);
-	world_object *self = to_world(L);
+	world_object *self = to_changed_world(L);
 	cn_mover_def def_value;
 	const cn_mover_def *def = read_struct(L, 2, &record_cn_mover_def, &def_value, 0, "def");
 	float dt_s;
 	read_value(L, 3, FLOAT, NULL, &dt_s, "dt_s");
 	cn_mover mover_value;
 	cn_mover *mover = read_struct(L, 4, &record_cn_mover, &mover_value, 0, "mover");
-	check(L, self, cn_mover_move(self->pointer, def, dt_s, mover));
+	check(L, self, visited(L, self, cn_mover_move(self->pointer, def, dt_s, mover)));
 	lua_pushvalue(L, 4);
 	write_record(L, &record_cn_mover, mover);
 	lua_pop(L, 1);
 	return 0;
 }
 
-static int call_cn_world_explode(lua_State *L)
+static int call_cn_shape_set_area(lua_State *L)
+{
+	lua_settop(L, 3);
+	world_object *self = to_changed_world(L);
+	cn_shape shape;
+	read_value(L, 2, UINT32, NULL, &shape, "shape");
+	cn_area_def def_value;
+	const cn_area_def *def = read_struct(L, 3, &record_cn_area_def, &def_value, 1, "def");
+	check(L, self, cn_shape_set_area(self->pointer, shape, def));
+	return 0;
+}
+
+static int call_cn_shape_get_area(lua_State *L)
 {
 	lua_settop(L, 2);
 	world_object *self = to_world(L);
+	cn_shape shape;
+	read_value(L, 2, UINT32, NULL, &shape, "shape");
+	cn_area_def out_0;
+	check(L, NULL, cn_shape_get_area(self->pointer, shape, &out_0));
+	push_value(L, RECORD, &record_cn_area_def, &out_0);
+	return 1;
+}
+
+static int call_cn_shape_apply_wind(lua_State *L)
+{
+	lua_settop(L, 8);
+	world_object *self = to_changed_world(L);
+	cn_shape shape;
+	read_value(L, 2, UINT32, NULL, &shape, "shape");
+	float flow_x_mps;
+	read_value(L, 3, FLOAT, NULL, &flow_x_mps, "flow_x_mps");
+	float flow_y_mps;
+	read_value(L, 4, FLOAT, NULL, &flow_y_mps, "flow_y_mps");
+	float drag_kgpm2;
+	read_value(L, 5, FLOAT, NULL, &drag_kgpm2, "drag_kgpm2");
+	float lift_kgpm2;
+	read_value(L, 6, FLOAT, NULL, &lift_kgpm2, "lift_kgpm2");
+	float dt_s;
+	read_value(L, 7, FLOAT, NULL, &dt_s, "dt_s");
+	int32_t wake;
+	read_value(L, 8, INT32, NULL, &wake, "wake");
+	check(L, self, cn_shape_apply_wind(self->pointer, shape, flow_x_mps, flow_y_mps, drag_kgpm2, lift_kgpm2, dt_s, wake));
+	return 0;
+}
+
+static int call_cn_world_explode(lua_State *L)
+{
+	lua_settop(L, 2);
+	world_object *self = to_changed_world(L);
 	cn_explosion_def def_value;
 	const cn_explosion_def *def = read_struct(L, 2, &record_cn_explosion_def, &def_value, 0, "def");
-	check(L, self, cn_world_explode(self->pointer, def));
+	check(L, self, visited(L, self, cn_world_explode(self->pointer, def)));
 	return 0;
 }
 
@@ -3391,8 +3502,10 @@ static const luaL_Reg world_calls[] = {
 	{ "shift_origin", call_cn_world_shift_origin },
 	{ "hash", call_cn_world_hash },
 	{ "save_size", call_cn_world_save_size },
+	{ "save", call_cn_world_save },
 	{ "restore", call_cn_world_restore },
 	{ "write_size", call_cn_world_write_size },
+	{ "write", call_cn_world_write },
 	{ "body_create", call_cn_body_create },
 	{ "body_create_many", call_cn_body_create_many },
 	{ "body_destroy", call_cn_body_destroy },
@@ -3573,6 +3686,9 @@ static const luaL_Reg world_calls[] = {
 	{ "closest_point", call_cn_world_closest_point },
 	{ "mover_collide", call_cn_mover_collide },
 	{ "mover_move", call_cn_mover_move },
+	{ "shape_set_area", call_cn_shape_set_area },
+	{ "shape_get_area", call_cn_shape_get_area },
+	{ "shape_apply_wind", call_cn_shape_apply_wind },
 	{ "explode", call_cn_world_explode },
 	{ NULL, NULL },
 };
@@ -3669,6 +3785,48 @@ static int call_cn_result_text(lua_State *L)
 	return 1;
 }
 
+static int call_cn_save_delta_size(lua_State *L)
+{
+	lua_settop(L, 2);
+	size_t base_bytes;
+	const void *base = luaL_checklstring(L, 1, &base_bytes);
+	size_t save_bytes;
+	const void *save = luaL_checklstring(L, 2, &save_bytes);
+	uint64_t out_0;
+	check(L, NULL, cn_save_delta_size(base, base_bytes, save, save_bytes, &out_0));
+	push_value(L, UINT64, NULL, &out_0);
+	return 1;
+}
+
+static int call_cn_save_delta(lua_State *L)
+{
+	lua_settop(L, 2);
+	size_t base_bytes;
+	const void *base = luaL_checklstring(L, 1, &base_bytes);
+	size_t save_bytes;
+	const void *save = luaL_checklstring(L, 2, &save_bytes);
+	uint64_t room;
+	check(L, NULL, cn_save_delta_size(base, base_bytes, save, save_bytes, &room));
+	void *out = lua_newuserdata(L, room > 0 ? (size_t)room : 1);
+	check(L, NULL, cn_save_delta(base, base_bytes, save, save_bytes, out, room, &room));
+	lua_pushlstring(L, out, (size_t)room);
+	return 1;
+}
+
+static int call_cn_save_apply(lua_State *L)
+{
+	lua_settop(L, 2);
+	size_t base_bytes;
+	const void *base = luaL_checklstring(L, 1, &base_bytes);
+	size_t delta_bytes;
+	const void *delta = luaL_checklstring(L, 2, &delta_bytes);
+	uint64_t room = base_bytes + delta_bytes;
+	void *out = lua_newuserdata(L, room > 0 ? (size_t)room : 1);
+	check(L, NULL, cn_save_apply(base, base_bytes, delta, delta_bytes, out, room, &room));
+	lua_pushlstring(L, out, (size_t)room);
+	return 1;
+}
+
 static int call_cn_polygon_make_hull(lua_State *L)
 {
 	lua_settop(L, 2);
@@ -3712,10 +3870,11 @@ static int call_cn_outline_decompose(lua_State *L)
 	float length_unit_m;
 	read_value(L, 2, FLOAT, NULL, &length_unit_m, "length_unit_m");
 	int32_t count = points_m_count;
-	int32_t out_count;
-	check(L, NULL, cn_outline_decompose(points_m, count, length_unit_m, NULL, 0, &out_count));
-	cn_polygon *out = buffer(L, out_count, sizeof(cn_polygon));
-	check(L, NULL, cn_outline_decompose(points_m, count, length_unit_m, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, cn_outline_decompose(points_m, count, length_unit_m, NULL, 0, &capacity));
+	cn_polygon *out = buffer(L, capacity, sizeof(cn_polygon));
+	check(L, NULL, cn_outline_decompose(points_m, count, length_unit_m, out, capacity, &out_count));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, RECORD, &record_cn_polygon, out, out_count);
 	return 1;
 }
@@ -3730,10 +3889,11 @@ static int call_cn_outline_simplify(lua_State *L)
 	float tolerance_m;
 	read_value(L, 3, FLOAT, NULL, &tolerance_m, "tolerance_m");
 	int32_t count = points_m_count;
-	int32_t out_count;
-	check(L, NULL, cn_outline_simplify(points_m, count, closed, tolerance_m, NULL, 0, &out_count));
-	cn_vec2 *out = buffer(L, out_count, sizeof(cn_vec2));
-	check(L, NULL, cn_outline_simplify(points_m, count, closed, tolerance_m, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, cn_outline_simplify(points_m, count, closed, tolerance_m, NULL, 0, &capacity));
+	cn_vec2 *out = buffer(L, capacity, sizeof(cn_vec2));
+	check(L, NULL, cn_outline_simplify(points_m, count, closed, tolerance_m, out, capacity, &out_count));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, RECORD, &record_cn_vec2, out, out_count);
 	return 1;
 }
@@ -3754,10 +3914,11 @@ static int call_cn_outline_from_cells(lua_State *L)
 	int32_t outline;
 	read_value(L, 6, INT32, NULL, &outline, "outline");
 	int32_t count = cells_count;
-	int32_t out_count;
-	check(L, NULL, cn_outline_from_cells(cells, count, columns, origin_x_m, origin_y_m, cell_m, outline, NULL, 0, &out_count));
-	cn_vec2 *out = buffer(L, out_count, sizeof(cn_vec2));
-	check(L, NULL, cn_outline_from_cells(cells, count, columns, origin_x_m, origin_y_m, cell_m, outline, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, cn_outline_from_cells(cells, count, columns, origin_x_m, origin_y_m, cell_m, outline, NULL, 0, &capacity));
+	cn_vec2 *out = buffer(L, capacity, sizeof(cn_vec2));
+	check(L, NULL, cn_outline_from_cells(cells, count, columns, origin_x_m, origin_y_m, cell_m, outline, out, capacity, &out_count));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, RECORD, &record_cn_vec2, out, out_count);
 	return 1;
 }
@@ -3780,10 +3941,11 @@ static int call_cn_outline_from_field(lua_State *L)
 	int32_t outline;
 	read_value(L, 7, INT32, NULL, &outline, "outline");
 	int32_t count = values_count;
-	int32_t out_count;
-	check(L, NULL, cn_outline_from_field(values, count, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, NULL, 0, &out_count));
-	cn_vec2 *out = buffer(L, out_count, sizeof(cn_vec2));
-	check(L, NULL, cn_outline_from_field(values, count, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, out, out_count, &out_count));
+	int32_t capacity, out_count;
+	check(L, NULL, cn_outline_from_field(values, count, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, NULL, 0, &capacity));
+	cn_vec2 *out = buffer(L, capacity, sizeof(cn_vec2));
+	check(L, NULL, cn_outline_from_field(values, count, columns, threshold, origin_x_m, origin_y_m, spacing_m, outline, out, capacity, &out_count));
+	out_count = out_count < capacity ? out_count : capacity;
 	write_array(L, 0, RECORD, &record_cn_vec2, out, out_count);
 	return 1;
 }
@@ -3906,6 +4068,9 @@ static const luaL_Reg library_calls[] = {
 	{ "version", call_cn_version },
 	{ "abi_version", call_cn_abi_version },
 	{ "result_text", call_cn_result_text },
+	{ "save_delta_size", call_cn_save_delta_size },
+	{ "save_delta", call_cn_save_delta },
+	{ "save_apply", call_cn_save_apply },
 	{ "polygon_make_hull", call_cn_polygon_make_hull },
 	{ "polygon_make_box", call_cn_polygon_make_box },
 	{ "outline_decompose", call_cn_outline_decompose },
@@ -3998,6 +4163,7 @@ static const struct {
 	{ "TYPE_PLANE", (int32_t)CN_TYPE_PLANE },
 	{ "TYPE_MOVER_DEF", (int32_t)CN_TYPE_MOVER_DEF },
 	{ "TYPE_MOVER", (int32_t)CN_TYPE_MOVER },
+	{ "TYPE_AREA_DEF", (int32_t)CN_TYPE_AREA_DEF },
 	{ "TYPE_COUNT", (int32_t)CN_TYPE_COUNT },
 	{ "WORLD_SLEEP", (int32_t)CN_WORLD_SLEEP },
 	{ "WORLD_WARM_START", (int32_t)CN_WORLD_WARM_START },
@@ -4100,6 +4266,7 @@ static const struct {
 	{ "MOVER_ON_GROUND", (int32_t)CN_MOVER_ON_GROUND },
 	{ "MOVER_ON_WALL", (int32_t)CN_MOVER_ON_WALL },
 	{ "MOVER_ON_CEILING", (int32_t)CN_MOVER_ON_CEILING },
+	{ "AREA_REPLACE", (int32_t)CN_AREA_REPLACE },
 	{ "DRAW_SHAPES", (int32_t)CN_DRAW_SHAPES },
 	{ "DRAW_JOINTS", (int32_t)CN_DRAW_JOINTS },
 	{ "DRAW_CONTACTS", (int32_t)CN_DRAW_CONTACTS },

@@ -108,6 +108,8 @@ cn_result cnr_constraint_set_line(cn_world *world, cn_constraint constraint, con
 cn_result cnr_world_set_fixed_step(cn_world *world, float step_s, int32_t steps_max);
 cn_result cnr_world_update(cn_world *world, float elapsed_s, cn_update_report *out);
 cn_result cnr_mover_move(cn_world *world, const cn_mover_def *def, float dt_s, cn_mover *mover);
+cn_result cnr_shape_set_area(cn_world *world, cn_shape shape, const cn_area_def *def);
+cn_result cnr_shape_apply_wind(cn_world *world, cn_shape shape, float flow_x_mps, float flow_y_mps, float drag_kgpm2, float lift_kgpm2, float dt_s, int32_t wake);
 cn_result cnr_world_explode(cn_world *world, const cn_explosion_def *def);
 
 #ifndef CAIRN_RECORD_PLAIN_NAMES
@@ -211,6 +213,8 @@ cn_result cnr_world_explode(cn_world *world, const cn_explosion_def *def);
 #define cn_world_set_fixed_step cnr_world_set_fixed_step
 #define cn_world_update cnr_world_update
 #define cn_mover_move cnr_mover_move
+#define cn_shape_set_area cnr_shape_set_area
+#define cn_shape_apply_wind cnr_shape_apply_wind
 #define cn_world_explode cnr_world_explode
 #endif
 

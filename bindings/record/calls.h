@@ -532,6 +532,24 @@ static const call_field fields_cn_mover[] = {
 	{ "flags", (uint32_t)offsetof(cn_mover, flags), 1, CALL_WORD },
 	{ "squeezed_m", (uint32_t)offsetof(cn_mover, squeezed_m), 1, CALL_FLOAT },
 };
+static const call_field fields_cn_area_def[] = {
+	{ "struct_size", (uint32_t)offsetof(cn_area_def, struct_size), 1, CALL_SIZE },
+	{ "flags", (uint32_t)offsetof(cn_area_def, flags), 1, CALL_WORD },
+	{ "priority", (uint32_t)offsetof(cn_area_def, priority), 1, CALL_INT },
+	{ "gravity_mps2.x", (uint32_t)offsetof(cn_area_def, gravity_mps2.x), 1, CALL_FLOAT },
+	{ "gravity_mps2.y", (uint32_t)offsetof(cn_area_def, gravity_mps2.y), 1, CALL_FLOAT },
+	{ "center_m.x", (uint32_t)offsetof(cn_area_def, center_m.x), 1, CALL_FLOAT },
+	{ "center_m.y", (uint32_t)offsetof(cn_area_def, center_m.y), 1, CALL_FLOAT },
+	{ "pull_mps2", (uint32_t)offsetof(cn_area_def, pull_mps2), 1, CALL_FLOAT },
+	{ "pull_distance_m", (uint32_t)offsetof(cn_area_def, pull_distance_m), 1, CALL_FLOAT },
+	{ "linear_damping_per_s", (uint32_t)offsetof(cn_area_def, linear_damping_per_s), 1, CALL_FLOAT },
+	{ "angular_damping_per_s", (uint32_t)offsetof(cn_area_def, angular_damping_per_s), 1, CALL_FLOAT },
+	{ "density_kgpm2", (uint32_t)offsetof(cn_area_def, density_kgpm2), 1, CALL_FLOAT },
+	{ "drag_kgpm2", (uint32_t)offsetof(cn_area_def, drag_kgpm2), 1, CALL_FLOAT },
+	{ "lift_kgpm2", (uint32_t)offsetof(cn_area_def, lift_kgpm2), 1, CALL_FLOAT },
+	{ "flow_mps.x", (uint32_t)offsetof(cn_area_def, flow_mps.x), 1, CALL_FLOAT },
+	{ "flow_mps.y", (uint32_t)offsetof(cn_area_def, flow_mps.y), 1, CALL_FLOAT },
+};
 static const call_field fields_cn_explosion_def[] = {
 	{ "struct_size", (uint32_t)offsetof(cn_explosion_def, struct_size), 1, CALL_SIZE },
 	{ "radius_m", (uint32_t)offsetof(cn_explosion_def, radius_m), 1, CALL_FLOAT },
@@ -562,6 +580,7 @@ static void start_cn_filter_joint_def(void *item) { cn_filter_joint_def_init((cn
 static void start_cn_angle_constraint_def(void *item) { cn_angle_constraint_def_init((cn_angle_constraint_def *)item); }
 static void start_cn_line_constraint_def(void *item) { cn_line_constraint_def_init((cn_line_constraint_def *)item); }
 static void start_cn_mover_def(void *item) { cn_mover_def_init((cn_mover_def *)item); }
+static void start_cn_area_def(void *item) { cn_area_def_init((cn_area_def *)item); }
 static void start_cn_explosion_def(void *item) { cn_explosion_def_init((cn_explosion_def *)item); }
 
 const call_struct call_structs[] = {
@@ -595,6 +614,7 @@ const call_struct call_structs[] = {
 	{ "cn_update_report", fields_cn_update_report, (int32_t)(sizeof fields_cn_update_report / sizeof fields_cn_update_report[0]), (uint32_t)sizeof(cn_update_report), NULL },
 	{ "cn_mover_def", fields_cn_mover_def, (int32_t)(sizeof fields_cn_mover_def / sizeof fields_cn_mover_def[0]), (uint32_t)sizeof(cn_mover_def), start_cn_mover_def },
 	{ "cn_mover", fields_cn_mover, (int32_t)(sizeof fields_cn_mover / sizeof fields_cn_mover[0]), (uint32_t)sizeof(cn_mover), NULL },
+	{ "cn_area_def", fields_cn_area_def, (int32_t)(sizeof fields_cn_area_def / sizeof fields_cn_area_def[0]), (uint32_t)sizeof(cn_area_def), start_cn_area_def },
 	{ "cn_explosion_def", fields_cn_explosion_def, (int32_t)(sizeof fields_cn_explosion_def / sizeof fields_cn_explosion_def[0]), (uint32_t)sizeof(cn_explosion_def), start_cn_explosion_def },
 };
 
@@ -1399,12 +1419,33 @@ static const call_param params_cn_mover_move[] = {
 	{ "dt_s", CALL_FLOAT, CALL_FLOAT, -1, -1 },
 	{ "mover", CALL_INOUT, CALL_WORD, 29, -1 },
 };
+static cn_result invoke_cn_shape_set_area(cn_world *world, const call_value *v)
+{
+	return cn_shape_set_area(world, v[0].w, (const cn_area_def *)v[1].in);
+}
+static const call_param params_cn_shape_set_area[] = {
+	{ "shape", CALL_SHAPE, CALL_SHAPE, -1, -1 },
+	{ "def", CALL_STRUCT, CALL_WORD, 30, -1 },
+};
+static cn_result invoke_cn_shape_apply_wind(cn_world *world, const call_value *v)
+{
+	return cn_shape_apply_wind(world, v[0].w, v[1].f, v[2].f, v[3].f, v[4].f, v[5].f, v[6].i);
+}
+static const call_param params_cn_shape_apply_wind[] = {
+	{ "shape", CALL_SHAPE, CALL_SHAPE, -1, -1 },
+	{ "flow_x_mps", CALL_FLOAT, CALL_FLOAT, -1, -1 },
+	{ "flow_y_mps", CALL_FLOAT, CALL_FLOAT, -1, -1 },
+	{ "drag_kgpm2", CALL_FLOAT, CALL_FLOAT, -1, -1 },
+	{ "lift_kgpm2", CALL_FLOAT, CALL_FLOAT, -1, -1 },
+	{ "dt_s", CALL_FLOAT, CALL_FLOAT, -1, -1 },
+	{ "wake", CALL_INT, CALL_INT, -1, -1 },
+};
 static cn_result invoke_cn_world_explode(cn_world *world, const call_value *v)
 {
 	return cn_world_explode(world, (const cn_explosion_def *)v[0].in);
 }
 static const call_param params_cn_world_explode[] = {
-	{ "def", CALL_STRUCT, CALL_WORD, 30, -1 },
+	{ "def", CALL_STRUCT, CALL_WORD, 31, -1 },
 };
 
 const call_entry call_entries[] = {
@@ -1506,6 +1547,8 @@ const call_entry call_entries[] = {
 	{ "cn_world_set_fixed_step", invoke_cn_world_set_fixed_step, params_cn_world_set_fixed_step, 2 },
 	{ "cn_world_update", invoke_cn_world_update, params_cn_world_update, 2 },
 	{ "cn_mover_move", invoke_cn_mover_move, params_cn_mover_move, 3 },
+	{ "cn_shape_set_area", invoke_cn_shape_set_area, params_cn_shape_set_area, 2 },
+	{ "cn_shape_apply_wind", invoke_cn_shape_apply_wind, params_cn_shape_apply_wind, 7 },
 	{ "cn_world_explode", invoke_cn_world_explode, params_cn_world_explode, 1 },
 };
 const int32_t call_count = (int32_t)(sizeof call_entries / sizeof call_entries[0]);

@@ -800,10 +800,31 @@ cn_result cnr_mover_move(cn_world *world, const cn_mover_def *def, float dt_s, c
 	return record_call(world, 97, v);
 }
 
+cn_result cnr_shape_set_area(cn_world *world, cn_shape shape, const cn_area_def *def)
+{
+	call_value v[2];
+	v[0].w = shape;
+	v[1].in = def;
+	return record_call(world, 98, v);
+}
+
+cn_result cnr_shape_apply_wind(cn_world *world, cn_shape shape, float flow_x_mps, float flow_y_mps, float drag_kgpm2, float lift_kgpm2, float dt_s, int32_t wake)
+{
+	call_value v[7];
+	v[0].w = shape;
+	v[1].f = flow_x_mps;
+	v[2].f = flow_y_mps;
+	v[3].f = drag_kgpm2;
+	v[4].f = lift_kgpm2;
+	v[5].f = dt_s;
+	v[6].i = wake;
+	return record_call(world, 99, v);
+}
+
 cn_result cnr_world_explode(cn_world *world, const cn_explosion_def *def)
 {
 	call_value v[1];
 	v[0].in = def;
-	return record_call(world, 98, v);
+	return record_call(world, 100, v);
 }
 

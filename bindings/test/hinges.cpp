@@ -113,7 +113,13 @@ static int layer()
 	std::vector<unsigned char> saved = world.save().value();
 	uint64_t before = world.hash().value();
 	world.step(0.1f).check();
+	std::vector<unsigned char> later = world.save().value(), delta = cairn::save_delta(saved, later).value();
+	if (cairn::save_apply(saved, delta).value() != later || delta.size() >= saved.size())
+		return std::puts("the delta gave another save");
 	world.restore(saved).check();
+	cairn::Result<cairn::World> read = cairn::World::read(world.write().value());
+	if (!read || read.value().hash().value() != before || cairn::World::read(delta).code() != CN_ERROR_FORMAT)
+		return std::puts("the file has another world");
 	if (world.hash().value() != before || std::string(world.body_get_name(cairn::Body(one[0])).value()) != "")
 		return std::puts("restore gave another world");
 	static_assert(!std::is_convertible<cairn::Shape, cairn::Body>::value && !std::is_convertible<cn_body, cairn::Body>::value, "handles mix");

@@ -67,8 +67,15 @@ function layer() {
 	const saved = world.save(), before = world.hash();
 	world.step(0.1);
 	assert.notEqual(world.hash(), before);
+	const later = world.save(), delta = cairn.saveDelta(saved, later);
+	assert.deepEqual(cairn.saveApply(saved, delta), later);
+	assert(delta.length < saved.length);
 	world.restore(saved);
 	assert.equal(world.hash(), before);
+	const read = World.read(world.write());
+	assert.equal(read.hash(), before);
+	read.destroy();
+	assert.throws(() => World.read(delta), { code: cairn.CN_ERROR_FORMAT });
 	assert.equal(cairn.polygonMakeHull([{ x: 0, y: 0 }, { x: 1, y: 0 }, { x: 0, y: 1 }], 0).count, 3);
 	const mover = { position_m: { x: 0, y: 30 } };
 	world.moverMove({}, 0.1, mover);

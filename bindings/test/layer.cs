@@ -112,8 +112,13 @@ static class Layer
 		ulong before = world.Hash();
 		world.Step(0.1f);
 		Require(world.Hash() != before, "a step changed nothing");
+		byte[] later = world.Save(), delta = Functions.SaveDelta(saved, later);
+		Require(Functions.SaveApply(saved, delta).AsSpan().SequenceEqual(later) && delta.Length < saved.Length, "delta");
 		world.Restore(saved);
 		Require(world.Hash() == before, "restore gave another world");
+		using (var read = World.Read(world.Write()))
+			Require(read.Hash() == before && read.BodyGetName(body) == "crate", "the file has another world");
+		Require(Refused<CairnException>(() => World.Read(new byte[9])).Code == CN_ERROR_FORMAT, "no world is refused");
 		world.Dispose();
 		world.Dispose();
 		Refused<ObjectDisposedException>(() => world.Step(0.1f));

@@ -87,8 +87,13 @@ local function values()
 	local moved = world:moved()
 	world:step(0.1)
 	assert(moved[1].body == body) -- a copy, valid behind the next step
+	local delta = cairn.save_delta(saved, world:save())
+	assert(cairn.save_apply(saved, delta) == world:save() and #delta < #saved)
 	world:restore(saved)
 	assert(world:hash() == before)
+	local read = cairn.read(world:write(), { body_capacity = 4 })
+	assert(read:hash() == before and read:body_get_name(body) == "crate")
+	refused(cairn.result_text(cairn.ERROR_FORMAT), cairn.read, "no world")
 
 	local poses = world:read_poses { body, body }
 	local first = poses[1].position_m
@@ -138,6 +143,30 @@ local function callbacks()
 	refused("destroyed", world.step, world, 0.1)
 end
 
+local function visitors()
+	local world, shapes = cairn.world(), {}
+	for i = 1, 5 do shapes[i] = add_box(world, world:body_create { type = cairn.BODY_STATIC, position_m = { i, 0 } }, 0.5, 0.4, 0.4, 0) end
+	local ray, seen = { origin_m = { 0, 0 }, translation_m = { 10, 0 } }, {}
+	local hit = world:cast_ray(ray, { visit = function(at)
+		seen[at.shape] = true
+		refused("may not change", world.step, world, 0.1)
+		refused("inside a callback", world.destroy, world)
+		-- a query within a visitor
+		assert(world:cast_ray(ray, { visit = function(other) return other.shape == shapes[2] end }).shape == shapes[2])
+		return at.shape == shapes[3] and cairn.QUERY_STOP or cairn.QUERY_SKIP
+	end })
+	assert(hit.shape == shapes[3] and seen[shapes[1]])
+	local everything = { lower_m = { -10, -10 }, upper_m = { 10, 10 } }
+	local count = 0
+	assert(#world:overlap_aabb(everything, { visit = function() return true end }) == 5)
+	assert(#world:overlap_aabb(everything, { visit = function() count = count + 1; return count > 5 end }) == 0) -- the second time there is no room
+	refused("from the visitor", world.cast_ray, world, ray, { visit = function() error "from the visitor" end })
+	refused("a visitor returns", world.cast_ray, world, ray, { visit = function() end })
+	refused("function expected", world.cast_ray, world, ray, { visit = 1 })
+	world:explode { radius_m = 5, impulse_Nspm = 1, filter = { visit = function() return false end } }
+	world:step(0.1)
+end
+
 local function trees()
 	local tree = cairn.tree(0.1)
 	local item = tree:insert({ lower_m = { 0, 0 }, upper_m = { 1, 1 } }, 7)
@@ -183,6 +212,7 @@ if arg[1] == "times" then
 else
 	values()
 	callbacks()
+	visitors()
 	trees()
 	any_arguments()
 	hinges()

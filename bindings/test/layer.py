@@ -87,8 +87,14 @@ def layer():
     moved = world.moved()
     world.step(0.1)
     assert moved[0].body == body  # a copy, valid behind the next step
+    delta = cairn.save_delta(saved, world.save())
+    assert cairn.save_apply(saved, delta) == world.save() and len(delta) < len(saved)
     world.restore(saved)
     assert world.hash() == before
+    read = cairn.World.read(world.write(), body_capacity=4)
+    assert read.hash() == before and read.body_get_name(body) == "crate"
+    read.close()
+    assert refused(lambda: cairn.World.read(b"no world"), cairn.Error, "").code == cairn.CN_ERROR_FORMAT
     assert cairn.polygon_make_hull([(0, 0), (1, 0), (0, 1)], 0).count == 3
     assert cairn.World.step.__doc__.startswith("Takes one fixed step") and cairn.cn_world_step.__doc__.startswith("Takes one fixed step")
     world.close()

@@ -75,8 +75,21 @@ fn checks(gpa: std.mem.Allocator) !void {
     defer gpa.free(saved);
     const before = try world.hash();
     try world.step(0.1);
+    const later = try world.save(gpa);
+    defer gpa.free(later);
+    const delta = try cairn.saveDelta(gpa, saved, later);
+    defer gpa.free(delta);
+    const again = try cairn.saveApply(gpa, saved, delta);
+    defer gpa.free(again);
+    if (!std.mem.eql(u8, again, later) or delta.len >= saved.len) return error.OtherSave;
     try world.restore(saved);
     if (try world.hash() != before) return error.OtherWorld;
+    const file = try world.write(gpa);
+    defer gpa.free(file);
+    const read = try cairn.World.read(file, null);
+    defer read.deinit();
+    if (try read.hash() != before) return error.OtherFile;
+    if (cairn.World.read("no world", null)) |_| return error.ReadNothing else |err| if (err != error.Format) return err;
 }
 
 pub fn main() !void {

@@ -86,6 +86,7 @@ pub const Impact = c.cn_impact;
 pub const Plane = c.cn_plane;
 pub const MoverDef = c.cn_mover_def;
 pub const Mover = c.cn_mover;
+pub const AreaDef = c.cn_area_def;
 pub const ExplosionDef = c.cn_explosion_def;
 pub const DebugDraw = c.cn_debug_draw;
 
@@ -209,6 +210,12 @@ pub fn defaultMoverDef() MoverDef {
     return value;
 }
 
+pub fn defaultAreaDef() AreaDef {
+    var value: AreaDef = undefined;
+    c.cn_area_def_init(&value);
+    return value;
+}
+
 pub fn defaultExplosionDef() ExplosionDef {
     var value: ExplosionDef = undefined;
     c.cn_explosion_def_init(&value);
@@ -231,6 +238,13 @@ pub const World = struct {
         return .{ .pointer = pointer.? };
     }
 
+    /// A world from the bytes of write. Of the definition only memory, workers and capacities are used.
+    pub fn read(file: []const u8, def: ?*const WorldDef) Error!World {
+        var pointer: ?*c.cn_world = null;
+        try check(c.cn_world_read(def, file.ptr, file.len, &pointer));
+        return .{ .pointer = pointer.? };
+    }
+
     pub fn deinit(self: World) void {
         c.cn_world_destroy(self.pointer);
     }
@@ -240,13 +254,6 @@ pub const World = struct {
         return std.mem.span(c.cn_world_error_text(self.pointer));
     }
 
-    /// The world's state, for restore; the caller frees it.
-    pub fn save(self: World, gpa: std.mem.Allocator) (Error || std.mem.Allocator.Error)![]u8 {
-        const out = try gpa.alloc(u8, @intCast(try self.saveSize()));
-        errdefer gpa.free(out);
-        try check(c.cn_world_save(self.pointer, out.ptr, out.len, null));
-        return out;
-    }
 
     /// Takes one fixed step of dt_s seconds, 0 <= dt_s <= 1; 0 updates contacts and events without motion.
     /// O(awake bodies and their contacts and joints).
@@ -456,6 +463,19 @@ pub const World = struct {
         return out0;
     }
 
+    /// Writes the world's state to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and
+    /// the number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the
+    /// world), about 1 KB per body.
+    /// The caller frees the slice.
+    pub fn save(self: World, gpa: std.mem.Allocator) (Error || std.mem.Allocator.Error)![]u8 {
+        var room: u64 = 0;
+        try check(c.cn_world_save_size(self.pointer, &room));
+        const list = try gpa.alloc(u8, @intCast(room));
+        errdefer gpa.free(list);
+        try check(c.cn_world_save(self.pointer, list.ptr, list.len, &room));
+        return if (gpa.resize(list, @intCast(room))) list[0..@intCast(room)] else gpa.realloc(list, @intCast(room));
+    }
+
     /// Restores a saved state, into the saved world or one created with the same definition (broadphase,
     /// length unit, caller's block or not; else CN_ERROR_STATE). bytes as written by cn_world_save;
     /// CN_ERROR_FORMAT for damaged bytes or another version or machine; CN_ERROR_MEMORY without room for the
@@ -472,6 +492,19 @@ pub const World = struct {
         var out0: u64 = undefined;
         try check(c.cn_world_write_size(self.pointer, &out0));
         return out0;
+    }
+
+    /// Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number
+    /// of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about
+    /// 1 KB per body.
+    /// The caller frees the slice.
+    pub fn write(self: World, gpa: std.mem.Allocator) (Error || std.mem.Allocator.Error)![]u8 {
+        var room: u64 = 0;
+        try check(c.cn_world_write_size(self.pointer, &room));
+        const list = try gpa.alloc(u8, @intCast(room));
+        errdefer gpa.free(list);
+        try check(c.cn_world_write(self.pointer, list.ptr, list.len, &room));
+        return if (gpa.resize(list, @intCast(room))) list[0..@intCast(room)] else gpa.realloc(list, @intCast(room));
     }
 
     /// Creates a body. O(1) amortized.
@@ -1838,6 +1871,46 @@ pub const World = struct {
         return check(c.cn_mover_move(self.pointer, def, dt_s, mover));
     }
 
+    /// Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's filter
+    /// says which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an
+    /// area that loses the flag later does nothing while it is without. Gravity, and damping without density,
+    /// act on bodies whose centre of mass is in the area (on its border too) while one of their shapes
+    /// touches it: on a body half in it in full or not at all. The medium acts on the part of each shape that
+    /// is in the area, exactly for polygons; parts of round shapes are computed as those of polygons of 16
+    /// sides, to 1%. The surface of a circle or capsule is flat across a body, as of a planet. Shapes of a
+    /// body do not shade each other. The area's body feels no reaction. Between steps nothing happens: the
+    /// acceleration is that in the middle of the next step (leapfrog), so bodies on orbits and floating
+    /// bodies keep their energy. Damping and drag are implicit: stable at any strength, mass and time step,
+    /// with exact terminal speeds. Bodies that enter or leave, that are in an area that moves, and those in
+    /// it now, wake; bodies at rest in it may sleep. Areas are in saves and files. Floats whose draught is
+    /// less than about g dt^2 (3 mm at 60 steps a second) are damped, and carry less under a load. An area
+    /// takes 64 bytes of the world's memory; a step takes about 0.15 us for each shape in an area, 0.35 us in
+    /// a medium. Best on a body of its own: O(contacts of the body).
+    pub fn shapeSetArea(self: World, shape: Shape, def: ?*const AreaDef) Error!void {
+        return check(c.cn_shape_set_area(self.pointer, shape, def));
+    }
+
+    /// Reads the area of a sensor. CN_ERROR_STATE if it is none. O(areas).
+    pub fn shapeGetArea(self: World, shape: Shape) Error!AreaDef {
+        var out0: AreaDef = undefined;
+        try check(c.cn_shape_get_area(self.pointer, shape, &out0));
+        return out0;
+    }
+
+    /// The effect of dt_s (0 to 1; the next step's) in a wind on one shape, at once: call it before each
+    /// step. flow: velocity of the air in m/s. On each part of the outline that faces the flow, of width w
+    /// across it, with u the velocity relative to that point: drag drag_kgpm2 / 2 w |u| u, the law of Newton
+    /// (1687), and across the flow the lift of flat plates, lift_kgpm2 / 2 w cos(a) u^2 with a the angle
+    /// between surface and flow (Hoerner, 1985). Both 0 to 1e9: densities times coefficients. Exact for the
+    /// whole outline, round parts included, and drag along straight edges also for turning bodies; edges and
+    /// chains are plates with two sides. Solved implicitly, so that wind never reverses the motion relative
+    /// to it, at any speed, mass and time; a pure drag is the exact solution of m v' = -k v^2. wake 0:
+    /// sleeping bodies stay asleep and unchanged; else they wake. Static, kinematic and disabled bodies are
+    /// unchanged. CN_ERROR_STATE for a shape without a body. O(points).
+    pub fn shapeApplyWind(self: World, shape: Shape, flow_x_mps: f32, flow_y_mps: f32, drag_kgpm2: f32, lift_kgpm2: f32, dt_s: f32, wake: i32) Error!void {
+        return check(c.cn_shape_apply_wind(self.pointer, shape, flow_x_mps, flow_y_mps, drag_kgpm2, lift_kgpm2, dt_s, wake));
+    }
+
     /// Pushes dynamic bodies away from the centre, each shape at its point nearest to the centre, and wakes
     /// them. CN_ERROR_ARGUMENT if a velocity would overflow. O(shapes in reach * log of that).
     pub fn explode(self: World, def: *const ExplosionDef) Error!void {
@@ -1906,6 +1979,37 @@ pub fn abiVersion() i32 {
 /// English text for a result code: static, never NULL.
 pub fn resultText(result: i32) [:0]const u8 {
     return std.mem.span(c.cn_result_text(result));
+}
+
+/// Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).
+pub fn saveDeltaSize(base: []const u8, save_: []const u8) Error!u64 {
+    var out0: u64 = undefined;
+    try check(c.cn_save_delta_size(base.ptr, base.len, save_.ptr, save_.len, &out0));
+    return out0;
+}
+
+/// Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+/// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).
+/// The caller frees the slice.
+pub fn saveDelta(gpa: std.mem.Allocator, base: []const u8, save_: []const u8) (Error || std.mem.Allocator.Error)![]u8 {
+    var room: u64 = 0;
+    try check(c.cn_save_delta_size(base.ptr, base.len, save_.ptr, save_.len, &room));
+    const list = try gpa.alloc(u8, @intCast(room));
+    errdefer gpa.free(list);
+    try check(c.cn_save_delta(base.ptr, base.len, save_.ptr, save_.len, list.ptr, list.len, &room));
+    return if (gpa.resize(list, @intCast(room))) list[0..@intCast(room)] else gpa.realloc(list, @intCast(room));
+}
+
+/// Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+/// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
+/// CN_ERROR_CAPACITY if out is too small. O(bytes).
+/// The caller frees the slice.
+pub fn saveApply(gpa: std.mem.Allocator, base: []const u8, delta: []const u8) (Error || std.mem.Allocator.Error)![]u8 {
+    var room: u64 = base.len + delta.len;
+    const list = try gpa.alloc(u8, @intCast(room));
+    errdefer gpa.free(list);
+    try check(c.cn_save_apply(base.ptr, base.len, delta.ptr, delta.len, list.ptr, list.len, &room));
+    return if (gpa.resize(list, @intCast(room))) list[0..@intCast(room)] else gpa.realloc(list, @intCast(room));
 }
 
 /// Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts

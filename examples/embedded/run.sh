@@ -17,7 +17,7 @@ passed=0 failed=0 skipped=0
 defines_of() {
 	defines=
 	[ "$1" = whole ] && return
-	defines='-DCN_NO_DIRECT -DCN_NO_SEQUENTIAL -DCN_NO_SWEEP -DCN_SMALL_BLOCKS'
+	defines='-DCN_NO_DIRECT -DCN_NO_SEQUENTIAL -DCN_NO_SWEEP -DCN_NO_AREAS -DCN_SMALL_BLOCKS'
 	[ "$1" = soft ] && return
 	defines="$defines -DCN_NO_JOINTS"
 	[ "$1" = contacts ] && return

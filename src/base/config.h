@@ -60,6 +60,11 @@
 #else
 #define CNI_HAS_CONTINUOUS 1
 #endif
+#ifdef CN_NO_AREAS /* step/areas.c, model/area*.c: sensors that are areas */
+#define CNI_HAS_AREAS 0
+#else
+#define CNI_HAS_AREAS 1
+#endif
 #if !CNI_HAS_SWEEP && !CNI_HAS_TREE
 #error "CN_NO_SWEEP and CN_NO_TREE: a world needs one broadphase"
 #endif

@@ -29,6 +29,7 @@
 
 /* Internal bits of cni_body.flags, above the public CN_BODY_ ones. */
 enum {
+	CNI_BODY_IN_AREA = 1u << 15,       /* an area gave its acceleration in the last step */
 	CNI_BODY_MASS_OVERRIDE = 1u << 16, /* mass data was set by the user */
 	CNI_BODY_MOVED = 1u << 17,         /* pose changed in the last step */
 	CNI_BODY_MARK = 1u << 18,          /* scratch for batch calls and searches; clear outside of them */
@@ -40,6 +41,8 @@ enum {
 	CNI_BODY_AHEAD = 1u << 24          /* its boxes were checked at the end of the last step and include the way ahead (last step's dt
 	                                      times its velocity) plus its room */
 };
+
+#define CNI_BODY_OF_A_STEP (CNI_BODY_MOVED | CNI_BODY_IN_AREA) /* cleared at the beginning of a step */
 
 typedef struct cni_body {
 	float cx, cy;            /* centre of mass in the world, high part */

@@ -377,5 +377,7 @@ int32_t cni_contact_update_sensor(cn_world *world, int32_t contact, int32_t over
 	if (!cni_sensor_event_log(world, contact, overlaps ? CN_EVENT_ENTER : CN_EVENT_LEAVE))
 		return 0;
 	c->flags ^= (uint32_t)CNI_CONTACT_SENSING;
+	if (cni_has_areas(world))
+		cni_area_visited(world, contact);
 	return 1;
 }

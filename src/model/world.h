@@ -10,6 +10,7 @@
 #include "base/blocks.h"
 #include "base/handles.h"
 #include "base/threads.h"
+#include "model/area.h"
 #include "model/body.h"
 #include "model/contact.h"
 #include "model/event.h"
@@ -114,6 +115,8 @@ struct cn_world {
 	int32_t pairs_may_repeat;    /* 0 or CNI_PAIRS_ */
 	int32_t seams_changed;       /* 1: static shapes were added, removed, moved or changed since the last step ... */
 	cni_aabb seams_box;          /* ... within this box: see narrowphase/static_seams.c */
+
+	cni_array areas;             /* cni_area, sorted */
 
 	/* contacts */
 	int32_t contact_used;
@@ -251,6 +254,9 @@ static inline cni_block_sums *cni_block_sums_at(const cn_world *world, int32_t b
 	int32_t sums = world->sums == NULL ? CNI_NONE : cni_block_info_at(world, block)->sums;
 	return sums == CNI_NONE ? NULL : world->sums + sums;
 }
+/* A constant in builds without them. */
+static inline int32_t cni_has_areas(const cn_world *world) { return CNI_HAS_AREAS && world->areas.count > 0; }
+static inline cni_area *cni_areas(const cn_world *world) { return (cni_area *)world->areas.data; }
 static inline cni_proxy *cni_proxy_at(const cn_world *world, int32_t proxy) { return (cni_proxy *)cni_table_at_sized(&world->proxies, proxy, sizeof(cni_proxy), CNI_PAGE_PROXIES); }
 static inline cni_motion *cni_motions(const cn_world *world) { return (cni_motion *)world->motion.data; }
 /* Resets the dummy, which stands for all static bodies. Overflow can move it: zero inverse mass times an infinite impulse is not 0. */

@@ -82,8 +82,8 @@ static void take_pose(cn_world *world, int32_t body, cni_motion *m)
 static int32_t body_accelerates(const cni_body *b, const cni_motion *m, const cni_velocity_start *start, const cni_external *d, float h)
 {
 	float change = d->flags & CNI_EXTERNAL_DAMPED ? h * cni_damping_factor(b->linear_damping, h) : h, ax = change * d->ax, ay = change * d->ay, dx, dy;
-	if (d->flags & CNI_EXTERNAL_FREE)
-		return ax != 0.0f || ay != 0.0f;
+	if (d->flags & CNI_EXTERNAL_FREE) /* floats are held by areas, up to rounding */
+		return !(b->flags & CNI_BODY_IN_AREA) && (ax != 0.0f || ay != 0.0f);
 	dx = m->vx - start->vx + ax;
 	dy = m->vy - start->vy + ay;
 	return dx * dx + dy * dy > 0.01f * (ax * ax + ay * ay);

@@ -25,7 +25,7 @@ void cni_sequential_velocities(cn_world *world, const cni_solve *s)
 {
 	cni_motion *motions = cni_motions(world);
 	int32_t k;
-	cni_external_prepare_bound(world);
+	cni_external_prepare_bound(world, s->dt);
 	for (k = 1; k < world->awake_count; ++k) {
 		const cni_body *b = cni_body_at(world, cni_awake_ids(world)[k]);
 		const cni_external *d = cni_externals(world) + k;
@@ -50,6 +50,7 @@ void cni_sequential_positions(cn_world *world, const cni_solve *s)
 		motions[k].dpx = s->dt * motions[k].vx;
 		motions[k].dpy = s->dt * motions[k].vy;
 		motions[k].theta = s->dt * motions[k].w;
+		world->bodies_stopped += cni_motion_keep_finite(&motions[k]); /* gravity times its scale may overflow */
 	}
 	cni_poses_take(world);
 }

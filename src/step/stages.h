@@ -13,7 +13,9 @@ cni_solve cni_solve_make_sequential(const cn_world *world, float dt);
 void cni_external_prepare(cn_world *world, const cni_solve *s);           /* external accelerations; the whole step of free bodies */
 void cni_external_finish(cn_world *world);                                /* before islands may change: frees their arrays by dense
                                                                              index */
-void cni_external_prepare_bound(cn_world *world);                         /* external accelerations; treats no body as free */
+void cni_external_prepare_bound(cn_world *world, float dt);               /* external accelerations; treats no body as free */
+/* Before external accelerations: those of bodies in areas. */
+void cni_areas_accelerate(cn_world *world, float dt);
 void cni_integrate_velocities(cn_world *world, const cni_solve *s, int32_t substep);
 void cni_integrate_positions(cn_world *world, const cni_solve *s);
 void cni_integrate_finish(cn_world *world, const cni_solve *s);

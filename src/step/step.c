@@ -35,6 +35,8 @@ static void step_begin(cn_world *world)
 	world->bodies_stopped = 0;
 	memset(&world->profile, 0, sizeof world->profile);
 	cni_events_begin_step(&world->events);
+	if (cni_has_areas(world))
+		cni_areas_wake_moving(world);
 	world->events.in_step = 1;
 }
 

@@ -164,6 +164,7 @@ static void tables_init(cn_world *world)
 	cni_array_init(&world->joint_blocks, (int32_t)sizeof(cni_joint_block));
 	cni_array_init(&world->sleep_lanes, (int32_t)sizeof(cni_sleep_lane));
 	cni_array_init(&world->pairs.list, (int32_t)sizeof(cni_pair));
+	cni_array_init(&world->areas, (int32_t)sizeof(cni_area));
 	cni_events_init(&world->events);
 	for (k = 0; k < CNI_COLORS; ++k)
 		world->colors[k].first = world->colors[k].last = CNI_NONE;
@@ -207,6 +208,7 @@ static void tables_deinit(cn_world *world)
 	cni_array_deinit(&world->joint_blocks, memory);
 	cni_array_deinit(&world->sleep_lanes, memory);
 	cni_array_deinit(&world->pairs.list, memory);
+	cni_array_deinit(&world->areas, memory);
 	cni_events_deinit(&world->events, memory);
 }
 

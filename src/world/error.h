@@ -24,6 +24,8 @@
 #define CNI_POSITION_MAX_UNITS 1e6f
 /* All public shape flags. */
 #define CNI_SHAPE_FLAGS ((uint32_t)(CN_SHAPE_SENSOR | CN_SHAPE_SENSOR_SEEN | CN_SHAPE_ONE_WAY | CN_SHAPE_PRE_SOLVE))
+/* All public flags of areas. */
+#define CNI_AREA_FLAGS ((uint32_t)CN_AREA_REPLACE)
 /*
  * Least thickness of a shape, in length units: a tenth of the slop, which is also the distance that manifolds take for none
  * (CNI_TOUCH_PER_SLOP). Rounding leaves room below: contacts are computed in the frame of a body, where coordinates of shapes

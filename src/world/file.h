@@ -82,6 +82,8 @@ void cni_file_fail(cni_file *f, cn_result result);
 /* Begins a chunk: writes its head, or finds it. Returns the number of records; READ: 0 after a failure. least: the bytes of a
    record in the file; when reading, the least that a record must have. *stride: bytes from one record to the next. */
 int32_t cni_file_chunk(cni_file *f, const char *tag, uint32_t least, int32_t count, uint32_t *stride);
+/* READ: is there such a chunk? */
+int32_t cni_file_has(const cni_file *f, const char *tag);
 /* The number of records of a chunk, in READ. */
 int32_t cni_file_count(cni_file *f, const char *tag);
 /* Bytes of a record in the file. */

@@ -5,6 +5,7 @@
  *
  * Doubly linked lists are followed with the links back: a node has one predecessor, so a walk cannot come into a circle.
  */
+#include "world/error.h"
 #include "world/file.h"
 
 /* ---- handles ---- */
@@ -502,8 +503,29 @@ static int32_t events_hold(const cn_world *world)
 	return 1;
 }
 
+static int32_t area_holds(const cn_world *world, const cni_area *a)
+{
+	const cni_shape *s;
+	if (a->shape < 0 || !cni_handles_alive(&world->shape_handles, a->shape))
+		return 0;
+	s = cni_shape_at(world, a->shape);
+	return s->type != CN_SHAPE_EDGE && s->type != CN_SHAPE_CHAIN && (a->flags & ~CNI_AREA_FLAGS) == 0 && a->pull_distance >= 0.0f && a->linear_damping >= 0.0f &&
+	       a->angular_damping >= 0.0f && a->density >= 0.0f && a->drag >= 0.0f && a->lift >= 0.0f;
+}
+
+/* A shape with two areas of different priorities would do no harm. */
+static int32_t areas_hold(const cn_world *world)
+{
+	const cni_area *areas = cni_areas(world);
+	int32_t k;
+	for (k = 0; k < world->areas.count; ++k)
+		if (!area_holds(world, areas + k) || (k > 0 && !cni_area_is_before(areas + k - 1, areas + k)))
+			return 0;
+	return 1;
+}
+
 int32_t cni_file_world_holds(const cn_world *world)
 {
-	return records_hold(world) && body_lists_hold(world) && awake_bodies_hold(world) && islands_hold(world) && contacts_hold(world) && sleep_lanes_hold(world) &&
+	return areas_hold(world) && records_hold(world) && body_lists_hold(world) && awake_bodies_hold(world) && islands_hold(world) && contacts_hold(world) && sleep_lanes_hold(world) &&
 	       blocks_hold(world) && joints_hold(world) && events_hold(world);
 }

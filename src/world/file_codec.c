@@ -103,6 +103,11 @@ static const uint8_t *chunk_find(const cni_file *f, const char *tag)
 	return found;
 }
 
+int32_t cni_file_has(const cni_file *f, const char *tag)
+{
+	return f->result == CN_OK && chunk_find(f, tag) != NULL;
+}
+
 int32_t cni_file_count(cni_file *f, const char *tag)
 {
 	const uint8_t *head = f->result == CN_OK ? chunk_find(f, tag) : NULL;

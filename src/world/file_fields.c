@@ -39,7 +39,7 @@ static const cni_field world_fields[] = {
 	D(constraint_count), D(joints), D(awake_joints), D(joint_work), D(joint_blocks), D(joint_colors), D(joint_lanes), D(row_blocks),
 	D(row_block_count), D(row_blocks_of), D(joint_plain_first), D(reserved_plain), D(islands), D(island_used), D(island_free), D(island_count),
 	D(reserved_islands), D(direct_islands), D(reserved_direct), D(direct_plans), D(filter), D(filter_user), D(pre_solve), D(pre_solve_user),
-	D(material_mix), D(material_mix_user), D(events), D(profile), D(readback), D(readback_kept), D(readback_asked), D(sums), D(sums_count), D(sums_active), D(reserved_steps), D(error)
+	D(material_mix), D(material_mix_user), D(events), D(profile), D(areas), D(readback), D(readback_kept), D(readback_asked), D(sums), D(sums_count), D(sums_active), D(reserved_steps), D(error)
 };
 
 /* ---- handles */
@@ -85,6 +85,12 @@ static const cni_field shape_fields[] = {
 };
 #define X(member, kind) FIELD(cni_proxy, member, kind)
 static const cni_field proxy_fields[] = { X(fat, WORD), X(old, WORD), X(shape, SHAPE), X(geometry, DERIVED), X(cell, DERIVED), X(flags, WORD) };
+
+#define R(member, kind) FIELD(cni_area, member, kind)
+static const cni_field area_fields[] = {
+	R(shape, SHAPE), R(priority, WORD), R(flags, WORD), R(gravity, FLOAT), R(center, FLOAT), R(pull, FLOAT), R(pull_distance, FLOAT), R(linear_damping, FLOAT),
+	R(angular_damping, FLOAT), R(density, FLOAT), R(drag, FLOAT), R(lift, FLOAT), R(flow, FLOAT)
+};
 
 /* ---- contacts */
 
@@ -153,7 +159,7 @@ static const cni_field joint_event_fields[] = {
 
 enum {
 	OF_SETTINGS, OF_WORLD, OF_WORDS, OF_ALIAS, OF_HANDLES, OF_BODY, OF_MOTION, OF_START, OF_EXTERNAL, OF_PREVIOUS, OF_BODY_INDEX, OF_SHAPE, OF_PROXY, OF_CONTACT, OF_CONTACT_INDEX, OF_BLOCK, OF_INFO,
-	OF_ANCHOR, OF_EXTRA, OF_SLEEP_LANE, OF_COLOR, OF_JOINT, OF_JOINT_INDEX, OF_ISLAND, OF_ISLAND_INDEX, OF_EVENT, OF_STAY, OF_HIT, OF_SENSOR_EVENT, OF_JOINT_EVENT, RECORDS
+	OF_ANCHOR, OF_EXTRA, OF_SLEEP_LANE, OF_COLOR, OF_JOINT, OF_JOINT_INDEX, OF_ISLAND, OF_ISLAND_INDEX, OF_EVENT, OF_STAY, OF_HIT, OF_SENSOR_EVENT, OF_JOINT_EVENT, OF_AREA, RECORDS
 };
 
 static const cni_record records[RECORDS] = {
@@ -164,7 +170,8 @@ static const cni_record records[RECORDS] = {
 	RECORD(block_fields, cni_contact_block), RECORD(info_fields, cni_block_info), RECORD(anchor_fields, cni_block_anchor),
 	RECORD(extra_fields, cni_block_extra), RECORD(sleep_lane_fields, cni_sleep_lane), RECORD(color_fields, cni_color),
 	RECORD(joint_fields, cni_joint), RECORD(joint_index_fields, int32_t), RECORD(island_fields, cni_island), RECORD(island_index_fields, int32_t),
-	RECORD(event_fields, cni_event), RECORD(stay_fields, cni_event_stay), RECORD(hit_fields, cn_contact_event), RECORD(sensor_event_fields, cn_sensor_event), RECORD(joint_event_fields, cn_joint_event)
+	RECORD(event_fields, cni_event), RECORD(stay_fields, cni_event_stay), RECORD(hit_fields, cn_contact_event), RECORD(sensor_event_fields, cn_sensor_event), RECORD(joint_event_fields, cn_joint_event),
+	RECORD(area_fields, cni_area)
 };
 
 int32_t cni_file_unknown(void)
@@ -480,6 +487,14 @@ static void joints_pass(cn_world *world, cni_file *f)
 	array_pass(world, f, "DIRE", OF_ISLAND_INDEX, &world->direct_islands);
 }
 
+static void areas_pass(cn_world *world, cni_file *f)
+{
+	if (!CNI_HAS_AREAS && f->mode == CNI_FILE_READ)
+		cni_file_fail(f, CN_ERROR_FORMAT);
+	else
+		array_pass(world, f, "AREA", OF_AREA, &world->areas);
+}
+
 void cni_file_world(cn_world *world, cni_file *f)
 {
 	if (f->mode == CNI_FILE_READ)
@@ -495,6 +510,8 @@ void cni_file_world(cn_world *world, cni_file *f)
 	table_pass(world, f, "SHAP", OF_SHAPE, &world->shapes, world->shape_handles.slots.count, shape_is_live);
 	pool_pass(world, f, PROXY_POOL, &world->proxies, CNI_FIELD_PROXY, &world->proxy_used, &world->proxy_free);
 	table_pass(world, f, "PROX", OF_PROXY, &world->proxies, world->proxy_used, proxy_is_live);
+	if (f->mode == CNI_FILE_READ ? cni_file_has(f, "AREA") : world->areas.count > 0) /* files of earlier versions have none */
+		areas_pass(world, f);
 	contacts_pass(world, f);
 	joints_pass(world, f);
 	events_pass(world, f);

@@ -87,6 +87,7 @@ int32_t cn_sizeof(int32_t type)
 	case CN_TYPE_PLANE: return (int32_t)sizeof(cn_plane);
 	case CN_TYPE_MOVER_DEF: return (int32_t)sizeof(cn_mover_def);
 	case CN_TYPE_MOVER: return (int32_t)sizeof(cn_mover);
+	case CN_TYPE_AREA_DEF: return (int32_t)sizeof(cn_area_def);
 	default: return 0;
 	}
 }

@@ -34,7 +34,7 @@ static const member state_members[] = {
 /* Passed below. */
 static const member passed_members[] = {
 	MEMBER(blocks), MEMBER(body_handles), MEMBER(bodies), MEMBER(motion), MEMBER(start), MEMBER(external), MEMBER(awake_id), MEMBER(kicked),
-	MEMBER(previous), MEMBER(shape_handles), MEMBER(shapes), MEMBER(proxies), MEMBER(broadphase), MEMBER(contacts), MEMBER(apart),
+	MEMBER(previous), MEMBER(shape_handles), MEMBER(shapes), MEMBER(proxies), MEMBER(broadphase), MEMBER(areas), MEMBER(contacts), MEMBER(apart),
 	MEMBER(blocks_hot), MEMBER(blocks_info), MEMBER(blocks_anchor), MEMBER(blocks_extra), MEMBER(sleep_lanes), MEMBER(joint_handles),
 	MEMBER(joints), MEMBER(awake_joints), MEMBER(islands), MEMBER(direct_islands), MEMBER(events)
 };
@@ -126,6 +126,7 @@ static void arrays_pass(cn_world *world, cni_snapshot *s)
 	cni_snapshot_array(s, &world->awake_id);
 	cni_snapshot_array(s, &world->kicked);
 	cni_snapshot_array(s, &world->previous);
+	cni_snapshot_array(s, &world->areas);
 	cni_snapshot_array(s, &world->apart);
 	cni_snapshot_array(s, &world->sleep_lanes);
 	cni_snapshot_array(s, &world->awake_joints);
@@ -180,7 +181,7 @@ uint64_t cni_world_layout(void)
 {
 	const uint64_t sizes[] = { CNI_LANES, sizeof(cni_body), sizeof(cni_shape), sizeof(cni_proxy), sizeof(cni_contact), sizeof(cni_contact_block),
 		sizeof(cni_block_info), sizeof(cni_block_anchor), sizeof(cni_block_extra), sizeof(cni_joint), sizeof(cni_island), sizeof(cni_motion),
-		sizeof(cni_previous), sizeof(cni_sleep_lane), sizeof(cni_event), sizeof(cn_contact_event), sizeof(cn_world), sizeof(void *), CN_VERSION_MAJOR, CN_VERSION_MINOR,
+		sizeof(cni_previous), sizeof(cni_area), sizeof(cni_sleep_lane), sizeof(cni_event), sizeof(cn_contact_event), sizeof(cn_world), sizeof(void *), CN_VERSION_MAJOR, CN_VERSION_MINOR,
 		CN_VERSION_PATCH };
 	uint64_t hash = 0xCBF29CE484222325u;
 	int32_t k;

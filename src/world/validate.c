@@ -240,6 +240,16 @@ static void check_joints(report *r)
 	expect(r, constraints == world->constraint_count, "count of constraints", constraints);
 }
 
+static void check_areas(report *r)
+{
+	const cn_world *world = r->world;
+	int32_t k;
+	for (k = 0; k < world->areas.count && r->what == NULL; ++k) {
+		expect(r, cni_handles_alive(&world->shape_handles, cni_areas(world)[k].shape), "shape of area", k);
+		expect(r, k == 0 || cni_area_is_before(cni_areas(world) + k - 1, cni_areas(world) + k), "order of area", k);
+	}
+}
+
 cn_result cn_world_validate(const cn_world *world, char *text, int32_t text_bytes)
 {
 	cni_call call = cni_enter_const(world);
@@ -254,6 +264,7 @@ cn_result cn_world_validate(const cn_world *world, char *text, int32_t text_byte
 	check_contacts(&r);
 	check_islands(&r);
 	check_joints(&r);
+	check_areas(&r);
 	expect(&r, world->broadphase_ops->validate(world->broadphase), "broadphase", 0);
 	{
 		cni_text out = cni_text_begin(text, text_bytes);

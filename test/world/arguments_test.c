@@ -17,6 +17,7 @@
 #include "arguments_world.h"
 #include "arguments_bodies.h"
 #include "arguments_shapes.h"
+#include "arguments_areas.h"
 #include "arguments_joints.h"
 #include "arguments_queries.h"
 
@@ -71,6 +72,7 @@ static const entry table[] = {
 	E(cn_query_filter_init), E(cn_world_cast_ray), E(cn_world_cast_ray_any), E(cn_world_cast_ray_all), E(cn_world_cast_rays),
 	E(cn_shape_cast_ray), E(cn_world_cast_shape), E(cn_world_overlap_aabb), E(cn_world_overlap_circle), E(cn_world_overlap_polygon),
 	E(cn_world_overlap_point), E(cn_world_closest_point), E(cn_explosion_def_init), E(cn_world_explode),
+	E(cn_area_def_init), E(cn_shape_set_area), E(cn_shape_get_area), E(cn_shape_apply_wind),
 	E(cn_polygon_distance), E(cn_polygon_cast), E(cn_polygon_collide), E(cn_polygon_time_of_impact),
 	E(cn_mover_def_init), E(cn_mover_move), E(cn_mover_collide), E(cn_mover_solve), E(cn_mover_clip), E(cn_shape_get_contacts), E(cn_shape_get_visitors),
 	E(cn_tree_create), E(cn_tree_destroy), E(cn_tree_insert), E(cn_tree_remove), E(cn_tree_move), E(cn_tree_get_box), E(cn_tree_query),

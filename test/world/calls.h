@@ -56,7 +56,7 @@ static inline void test_free(void *memory, uint64_t bytes, void *user)
 static struct {
 	cn_world *w;
 	cn_body ground, box, ball, pill, rail;
-	cn_shape ground_shape, chain, edge, box_shape, ball_shape, pill_shape, loose;
+	cn_shape ground_shape, chain, edge, box_shape, ball_shape, pill_shape, loose, area, sensor;
 	cn_joint pin, rope;
 	cn_body bad_bodies[BAD_HANDLES];
 	cn_shape bad_shapes[BAD_HANDLES];
@@ -69,6 +69,7 @@ static struct {
 static cn_world_def wd;
 static cn_body_def bd;
 static cn_shape_def sd;
+static cn_area_def area;
 static cn_revolute_def rd;
 static cn_distance_def dd;
 static cn_circle circle;
@@ -218,6 +219,12 @@ static inline void fixture_make(int with_hooks)
 	sd.body = f.pill;
 	CHECK(cn_shape_create_capsule(W, &sd, &capsule, &f.pill_shape) == CN_OK);
 	f.loose = make_ball(0);
+	sd.flags = CN_SHAPE_SENSOR;
+	sd.body = 0;
+	CHECK(cn_shape_create_circle(W, &sd, &circle, &f.area) == CN_OK);
+	CHECK(cn_shape_create_circle(W, &sd, &circle, &f.sensor) == CN_OK);
+	cn_area_def_init(&area);
+	CHECK(cn_shape_set_area(W, f.area, &area) == CN_OK);
 	reset();
 	rd.base.body_a = f.ball;
 	rd.base.anchor_a_m = v2(1.0f, 0.0f);

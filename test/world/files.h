@@ -72,7 +72,7 @@ static inline uint64_t digest_events(cn_world *world)
 	return digest_bytes(digest, asleep, (size_t)count * sizeof *asleep);
 }
 
-/* One of every kind of shape, joints, a sensor, things that are gone, a name, contacts, after some steps. */
+/* One of every kind of shape, joints, a sensor that is an area, things that are gone, a name, contacts, after some steps. */
 static inline cn_world *zoo_world(void)
 {
 	cn_world *world = fixture_world(-10.0f, 1);
@@ -84,6 +84,8 @@ static inline cn_world *zoo_world(void)
 	cn_line_constraint_def line;
 	cn_shape_def def = fixture_shape_def(fixture_body(world, CN_BODY_STATIC, 0.0f, 0.0f, 0.0f), 0.6f, 0.0f);
 	cn_body box, ball, pill, gone;
+	cn_shape sensor;
+	cn_area_def area;
 	cn_joint joint;
 	cn_constraint rail;
 	must(cn_shape_create_chain(world, &def, &chain, NULL), world, "cn_shape_create_chain");
@@ -98,7 +100,12 @@ static inline cn_world *zoo_world(void)
 	must(cn_shape_create_capsule(world, &def, &capsule, NULL), world, "cn_shape_create_capsule");
 	def.flags = CN_SHAPE_SENSOR;
 	def.body = box;
-	must(cn_shape_create_box(world, &def, 0.9f, 0.9f, 0.0f, NULL), world, "cn_shape_create_box");
+	must(cn_shape_create_box(world, &def, 0.9f, 0.9f, 0.0f, &sensor), world, "cn_shape_create_box");
+	cn_area_def_init(&area);
+	area.density_kgpm2 = 0.3f;
+	area.drag_kgpm2 = area.lift_kgpm2 = area.angular_damping_per_s = 0.1f;
+	area.pull_mps2 = 0.2f;
+	must(cn_shape_set_area(world, sensor, &area), world, "cn_shape_set_area");
 	cn_revolute_def_init(&pin);
 	pin.base.body_a = box;
 	pin.base.body_b = pill;

@@ -6,6 +6,8 @@
 
 #include "joints.h"
 
+#include <float.h>
+
 #define BODIES 10
 #define JOINTS 3
 #define SEEDS 60
@@ -183,6 +185,38 @@ static void t_what_is_made_asleep_does_not_move(void)
 	cn_world_destroy(world);
 }
 
+/* Gravity times its scale overflows; areas with the greatest numbers of all kinds. */
+static void t_fields_that_overflow(void)
+{
+	int32_t solver, kind, wrong = 0;
+	for (solver = CN_SOLVER_AUTO; solver <= CN_SOLVER_SEQUENTIAL; ++solver)
+		for (kind = 0; kind < 4; ++kind) {
+			cn_world *world = fixture_world(-10.0f, 0);
+			cn_body body = unit_box(world, 0.0f, 1.0f, 0.3f);
+			cn_shape_def def = fixture_shape_def(fixture_body(world, CN_BODY_STATIC, 0.0f, 0.0f, 0.0f), 0.6f, 0.0f);
+			cn_area_def area;
+			cn_shape sensor;
+			fixture_floor(world, 0.6f, 0.0f);
+			must(cn_world_set_solver(world, solver), world, "cn_world_set_solver");
+			def.flags = CN_SHAPE_SENSOR;
+			sensor = fixture_box_shape(world, &def, 10.0f, 1.2f);
+			cn_area_def_init(&area);
+			if (kind == 0)
+				must(cn_body_set_gravity_scale(world, body, FLT_MAX), world, "cn_body_set_gravity_scale");
+			if (kind & 1)
+				area.gravity_mps2.y = area.pull_mps2 = FLT_MAX;
+			if (kind & 2) {
+				area.linear_damping_per_s = area.angular_damping_per_s = area.density_kgpm2 = area.drag_kgpm2 = area.lift_kgpm2 = 1e9f;
+				area.flow_mps.x = FLT_MAX;
+			}
+			must(cn_shape_set_area(world, sensor, &area), world, "cn_shape_set_area");
+			fixture_step(world, 60);
+			wrong += !fixture_is_valid(world) || !body_is_finite(world, body);
+			cn_world_destroy(world);
+		}
+	CHECK_LE("worlds that are not valid, or with a number that is none", wrong, 0, "");
+}
+
 static void t_hulls_refuse_what_is_no_radius(void)
 {
 	static const cn_vec2 square[] = { { 0.0f, 0.0f }, { 1.0f, 0.0f }, { 1.0f, 1.0f }, { 0.0f, 1.0f } };
@@ -197,6 +231,7 @@ int main(int argc, char **argv)
 	test_begin(argc, argv);
 	RUN(t_absurd_forces_and_speeds);
 	RUN(t_steps_of_no_length);
+	RUN(t_fields_that_overflow);
 	RUN(t_what_is_made_asleep_does_not_move);
 	RUN(t_hulls_refuse_what_is_no_radius);
 	return test_end();

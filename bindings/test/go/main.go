@@ -4,6 +4,7 @@ package main
 
 import (
 	. "cairn"
+	"bytes"
 	"fmt"
 	"math"
 	"os"
@@ -103,7 +104,14 @@ func layer() {
 	expect(len(points) == 3 && points[2] == Vec2{2, 1}, points)
 	saved, before := must(w.Save()), must(w.Hash())
 	expect(w.Step(0.1) == nil && must(w.Hash()) != before, "a step changed nothing")
+	later := must(w.Save())
+	delta := must(SaveDelta(saved, later))
+	expect(bytes.Equal(must(SaveApply(saved, delta)), later) && len(delta) < len(saved), "the delta gave another save")
 	expect(w.Restore(saved) == nil && must(w.Hash()) == before, "restore gave another world")
+	read := must(ReadWorld(must(w.Write()), def))
+	expect(must(read.Hash()) == before, "the file has another world")
+	_, refused := ReadWorld(delta, def)
+	expect(refused != nil, "a delta was read as a world")
 	w.Close()
 	w.Close()
 	expect(w.Step(0.1) != nil, "a closed world took a step")

@@ -77,7 +77,8 @@ pub const CN_TYPE_IMPACT: i32 = 50;
 pub const CN_TYPE_PLANE: i32 = 51;
 pub const CN_TYPE_MOVER_DEF: i32 = 52;
 pub const CN_TYPE_MOVER: i32 = 53;
-pub const CN_TYPE_COUNT: i32 = 54;
+pub const CN_TYPE_AREA_DEF: i32 = 54;
+pub const CN_TYPE_COUNT: i32 = 55;
 pub const CN_WORLD_SLEEP: u32 = 1;
 pub const CN_WORLD_WARM_START: u32 = 2;
 pub const CN_WORLD_PROFILE: u32 = 4;
@@ -179,6 +180,7 @@ pub const CN_MOVER_DROP: u32 = 1;
 pub const CN_MOVER_ON_GROUND: u32 = 1;
 pub const CN_MOVER_ON_WALL: u32 = 2;
 pub const CN_MOVER_ON_CEILING: u32 = 4;
+pub const CN_AREA_REPLACE: u32 = 1;
 pub const CN_DRAW_SHAPES: u32 = 1;
 pub const CN_DRAW_JOINTS: u32 = 2;
 pub const CN_DRAW_CONTACTS: u32 = 4;
@@ -1472,6 +1474,50 @@ pub struct cn_mover {
 }
 const _: () = assert!(core::mem::size_of::<cn_mover>() == 64 || core::mem::size_of::<usize>() != 8);
 
+/// What a sensor shape does to the dynamic bodies in it: water, wind tunnels, planets, rooms without gravity.
+/// Several areas act in the order of their priority, equal ones in that of cn_world_get_shapes; their
+/// accelerations, damping and forces add up.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct cn_area_def {
+    pub struct_size: u32,
+    /// CN_AREA_REPLACE; default 0
+    pub flags: u32,
+    /// default 0
+    pub priority: i32,
+    /// acceleration in the axes of the world, times the body's gravity_scale; default (0, 0)
+    pub gravity_mps2: cn_vec2,
+    /// of pull_mps2, in the frame of the sensor's body; default (0, 0)
+    pub center_m: cn_vec2,
+    /// acceleration towards center_m; negative pushes; default 0
+    pub pull_mps2: f32,
+    /// 0 (default): pull_mps2 at every distance; to 1e6 length units: at this distance, with its inverse
+    /// square outside, and falling to 0 at the centre: a homogeneous planet
+    pub pull_distance_m: f32,
+    /// of the velocity relative to flow_mps, added to the body's own; of the displaced mass in a medium with
+    /// density (which is the body's mass where it floats), else of the body's; 0 to 1e9, default 0
+    pub linear_damping_per_s: f32,
+    /// ... of the rotation; 0 to 1e9, default 0
+    pub angular_damping_per_s: f32,
+    /// of the medium: buoyancy of the parts of shapes in it, against all gravity that acts; 0 to 1e9, default
+    /// 0
+    pub density_kgpm2: f32,
+    /// density times drag coefficient, as in cn_shape_apply_wind; 0 to 1e9, default 0
+    pub drag_kgpm2: f32,
+    /// density times lift coefficient; 0 to 1e9, default 0
+    pub lift_kgpm2: f32,
+    /// velocity of the medium relative to the sensor, in the axes of the world; default (0, 0)
+    pub flow_mps: cn_vec2,
+}
+impl Default for cn_area_def {
+    fn default() -> Self {
+        let mut value: Self = unsafe { core::mem::zeroed() };
+        unsafe { cn_area_def_init(&mut value) };
+        value
+    }
+}
+const _: () = assert!(core::mem::size_of::<cn_area_def>() == 64 || core::mem::size_of::<usize>() != 8);
+
 /// Definition of an explosion.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
@@ -2331,6 +2377,37 @@ extern "C" {
     /// 2025). Pushed bodies wake; nothing else in the world changes. O(shapes nearby x iterations_max): about
     /// 1 us standing, 3 us walking, 10 us against a wall.
     pub fn cn_mover_move(world: *mut cn_world, def: *const cn_mover_def, dt_s: f32, mover: *mut cn_mover) -> cn_result;
+    /// Sets struct_size and the defaults given beside the fields. NULL does nothing.
+    pub fn cn_area_def_init(def: *mut cn_area_def);
+    /// Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's filter
+    /// says which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an
+    /// area that loses the flag later does nothing while it is without. Gravity, and damping without density,
+    /// act on bodies whose centre of mass is in the area (on its border too) while one of their shapes
+    /// touches it: on a body half in it in full or not at all. The medium acts on the part of each shape that
+    /// is in the area, exactly for polygons; parts of round shapes are computed as those of polygons of 16
+    /// sides, to 1%. The surface of a circle or capsule is flat across a body, as of a planet. Shapes of a
+    /// body do not shade each other. The area's body feels no reaction. Between steps nothing happens: the
+    /// acceleration is that in the middle of the next step (leapfrog), so bodies on orbits and floating
+    /// bodies keep their energy. Damping and drag are implicit: stable at any strength, mass and time step,
+    /// with exact terminal speeds. Bodies that enter or leave, that are in an area that moves, and those in
+    /// it now, wake; bodies at rest in it may sleep. Areas are in saves and files. Floats whose draught is
+    /// less than about g dt^2 (3 mm at 60 steps a second) are damped, and carry less under a load. An area
+    /// takes 64 bytes of the world's memory; a step takes about 0.15 us for each shape in an area, 0.35 us in
+    /// a medium. Best on a body of its own: O(contacts of the body).
+    pub fn cn_shape_set_area(world: *mut cn_world, shape: cn_shape, def: *const cn_area_def) -> cn_result;
+    /// Reads the area of a sensor. CN_ERROR_STATE if it is none. O(areas).
+    pub fn cn_shape_get_area(world: *const cn_world, shape: cn_shape, out: *mut cn_area_def) -> cn_result;
+    /// The effect of dt_s (0 to 1; the next step's) in a wind on one shape, at once: call it before each
+    /// step. flow: velocity of the air in m/s. On each part of the outline that faces the flow, of width w
+    /// across it, with u the velocity relative to that point: drag drag_kgpm2 / 2 w |u| u, the law of Newton
+    /// (1687), and across the flow the lift of flat plates, lift_kgpm2 / 2 w cos(a) u^2 with a the angle
+    /// between surface and flow (Hoerner, 1985). Both 0 to 1e9: densities times coefficients. Exact for the
+    /// whole outline, round parts included, and drag along straight edges also for turning bodies; edges and
+    /// chains are plates with two sides. Solved implicitly, so that wind never reverses the motion relative
+    /// to it, at any speed, mass and time; a pure drag is the exact solution of m v' = -k v^2. wake 0:
+    /// sleeping bodies stay asleep and unchanged; else they wake. Static, kinematic and disabled bodies are
+    /// unchanged. CN_ERROR_STATE for a shape without a body. O(points).
+    pub fn cn_shape_apply_wind(world: *mut cn_world, shape: cn_shape, flow_x_mps: f32, flow_y_mps: f32, drag_kgpm2: f32, lift_kgpm2: f32, dt_s: f32, wake: i32) -> cn_result;
     /// Sets struct_size and the defaults given beside the fields. NULL does nothing.
     pub fn cn_explosion_def_init(def: *mut cn_explosion_def);
     /// Pushes dynamic bodies away from the centre, each shape at its point nearest to the centre, and wakes

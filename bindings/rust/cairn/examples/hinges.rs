@@ -101,8 +101,13 @@ fn layer() -> Result<()> {
     assert_eq!(world.shape_get_chain_points(chain)?.len(), 3);
     let (saved, before) = (world.save()?, world.hash()?);
     world.step(0.1)?;
+    let later = world.save()?;
+    let delta = save_delta(&saved, &later)?;
+    assert!(save_apply(&saved, &delta)? == later && delta.len() < saved.len());
     world.restore(&saved)?;
     assert_eq!(world.hash()?, before);
+    assert_eq!(World::read(&world.write()?, &WorldDef::default())?.hash()?, before);
+    assert_eq!(World::read(&delta, &WorldDef::default()).err().map(|error| error.code), Some(sys::CN_ERROR_FORMAT));
     let moved = std::thread::spawn(move || world.hash().unwrap());
     assert_eq!(moved.join().unwrap(), before);
     Ok(())

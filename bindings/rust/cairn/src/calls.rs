@@ -57,6 +57,7 @@ pub use cairn_sys::cn_impact as Impact;
 pub use cairn_sys::cn_plane as Plane;
 pub use cairn_sys::cn_mover_def as MoverDef;
 pub use cairn_sys::cn_mover as Mover;
+pub use cairn_sys::cn_area_def as AreaDef;
 pub use cairn_sys::cn_explosion_def as ExplosionDef;
 pub use cairn_sys::cn_debug_draw as DebugDraw;
 
@@ -360,6 +361,18 @@ impl World {
         Ok(out_bytes)
     }
 
+    /// Writes the world's state to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and
+    /// the number of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the
+    /// world), about 1 KB per body.
+    pub fn save(&self) -> Result<Vec<u8>> {
+        let mut bytes = 0;
+        check(unsafe { cairn_sys::cn_world_save_size(self.pointer(), &mut bytes) })?;
+        let mut out: Vec<u8> = vec![0; bytes as usize];
+        check(unsafe { cairn_sys::cn_world_save(self.pointer(), out.as_mut_ptr().cast(), bytes, &mut bytes) })?;
+        out.truncate(bytes as usize);
+        Ok(out)
+    }
+
     /// Restores a saved state, into the saved world or one created with the same definition (broadphase,
     /// length unit, caller's block or not; else CN_ERROR_STATE). bytes as written by cn_world_save;
     /// CN_ERROR_FORMAT for damaged bytes or another version or machine; CN_ERROR_MEMORY without room for the
@@ -377,6 +390,18 @@ impl World {
         let mut out_bytes = u64::default();
         check(unsafe { cairn_sys::cn_world_write_size(self.pointer(), &mut out_bytes) })?;
         Ok(out_bytes)
+    }
+
+    /// Writes the world to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and the number
+    /// of bytes to out_bytes, which may be NULL. CN_ERROR_LOCKED in callbacks. O(memory of the world), about
+    /// 1 KB per body.
+    pub fn write(&self) -> Result<Vec<u8>> {
+        let mut bytes = 0;
+        check(unsafe { cairn_sys::cn_world_write_size(self.pointer(), &mut bytes) })?;
+        let mut out: Vec<u8> = vec![0; bytes as usize];
+        check(unsafe { cairn_sys::cn_world_write(self.pointer(), out.as_mut_ptr().cast(), bytes, &mut bytes) })?;
+        out.truncate(bytes as usize);
+        Ok(out)
     }
 
     /// Creates a body. O(1) amortized.
@@ -1840,6 +1865,48 @@ impl World {
         Ok(())
     }
 
+    /// Makes a sensor an area or changes it. def may be NULL: it is an area no longer. The sensor's filter
+    /// says which shapes it has. CN_ERROR_STATE for a shape without CN_SHAPE_SENSOR, an edge or a chain; an
+    /// area that loses the flag later does nothing while it is without. Gravity, and damping without density,
+    /// act on bodies whose centre of mass is in the area (on its border too) while one of their shapes
+    /// touches it: on a body half in it in full or not at all. The medium acts on the part of each shape that
+    /// is in the area, exactly for polygons; parts of round shapes are computed as those of polygons of 16
+    /// sides, to 1%. The surface of a circle or capsule is flat across a body, as of a planet. Shapes of a
+    /// body do not shade each other. The area's body feels no reaction. Between steps nothing happens: the
+    /// acceleration is that in the middle of the next step (leapfrog), so bodies on orbits and floating
+    /// bodies keep their energy. Damping and drag are implicit: stable at any strength, mass and time step,
+    /// with exact terminal speeds. Bodies that enter or leave, that are in an area that moves, and those in
+    /// it now, wake; bodies at rest in it may sleep. Areas are in saves and files. Floats whose draught is
+    /// less than about g dt^2 (3 mm at 60 steps a second) are damped, and carry less under a load. An area
+    /// takes 64 bytes of the world's memory; a step takes about 0.15 us for each shape in an area, 0.35 us in
+    /// a medium. Best on a body of its own: O(contacts of the body).
+    pub fn shape_set_area(&mut self, shape: Shape, def: Option<&AreaDef>) -> Result<()> {
+        self.check(unsafe { cairn_sys::cn_shape_set_area(self.pointer(), shape, def.map_or(core::ptr::null(), |value| value as *const _)) })?;
+        Ok(())
+    }
+
+    /// Reads the area of a sensor. CN_ERROR_STATE if it is none. O(areas).
+    pub fn shape_get_area(&self, shape: Shape) -> Result<AreaDef> {
+        let mut out_out = AreaDef::default();
+        check(unsafe { cairn_sys::cn_shape_get_area(self.pointer(), shape, &mut out_out) })?;
+        Ok(out_out)
+    }
+
+    /// The effect of dt_s (0 to 1; the next step's) in a wind on one shape, at once: call it before each
+    /// step. flow: velocity of the air in m/s. On each part of the outline that faces the flow, of width w
+    /// across it, with u the velocity relative to that point: drag drag_kgpm2 / 2 w |u| u, the law of Newton
+    /// (1687), and across the flow the lift of flat plates, lift_kgpm2 / 2 w cos(a) u^2 with a the angle
+    /// between surface and flow (Hoerner, 1985). Both 0 to 1e9: densities times coefficients. Exact for the
+    /// whole outline, round parts included, and drag along straight edges also for turning bodies; edges and
+    /// chains are plates with two sides. Solved implicitly, so that wind never reverses the motion relative
+    /// to it, at any speed, mass and time; a pure drag is the exact solution of m v' = -k v^2. wake 0:
+    /// sleeping bodies stay asleep and unchanged; else they wake. Static, kinematic and disabled bodies are
+    /// unchanged. CN_ERROR_STATE for a shape without a body. O(points).
+    pub fn shape_apply_wind(&mut self, shape: Shape, flow_x_mps: f32, flow_y_mps: f32, drag_kgpm2: f32, lift_kgpm2: f32, dt_s: f32, wake: i32) -> Result<()> {
+        self.check(unsafe { cairn_sys::cn_shape_apply_wind(self.pointer(), shape, flow_x_mps, flow_y_mps, drag_kgpm2, lift_kgpm2, dt_s, wake) })?;
+        Ok(())
+    }
+
     /// Pushes dynamic bodies away from the centre, each shape at its point nearest to the centre, and wakes
     /// them. CN_ERROR_ARGUMENT if a velocity would overflow. O(shapes in reach * log of that).
     pub fn explode(&mut self, def: &ExplosionDef) -> Result<()> {
@@ -1899,6 +1966,36 @@ pub fn abi_version() -> i32 {
 /// English text for a result code: static, never NULL.
 pub fn result_text(result: i32) -> &'static core::ffi::CStr {
     unsafe { core::ffi::CStr::from_ptr(cairn_sys::cn_result_text(result)) }
+}
+
+/// Bytes of the delta. CN_ERROR_FORMAT if base or save is no save. O(bytes).
+pub fn save_delta_size(base: &[u8], save: &[u8]) -> Result<u64> {
+    let mut out_bytes = u64::default();
+    check(unsafe { cairn_sys::cn_save_delta_size(base.as_ptr().cast(), base.len() as u64, save.as_ptr().cast(), save.len() as u64, &mut out_bytes) })?;
+    Ok(out_bytes)
+}
+
+/// Writes the delta to out (any alignment, capacity bytes; CN_ERROR_CAPACITY if too small) and its bytes to
+/// out_bytes, which may be NULL. CN_ERROR_FORMAT as above. O(bytes).
+pub fn save_delta(base: &[u8], save: &[u8]) -> Result<Vec<u8>> {
+    let mut bytes = 0;
+    check(unsafe { cairn_sys::cn_save_delta_size(base.as_ptr().cast(), base.len() as u64, save.as_ptr().cast(), save.len() as u64, &mut bytes) })?;
+    let mut out: Vec<u8> = vec![0; bytes as usize];
+    check(unsafe { cairn_sys::cn_save_delta(base.as_ptr().cast(), base.len() as u64, save.as_ptr().cast(), save.len() as u64, out.as_mut_ptr().cast(), bytes, &mut bytes) })?;
+    out.truncate(bytes as usize);
+    Ok(out)
+}
+
+/// Makes the save again from its base and the delta, byte for byte: writes it to out, and its bytes to
+/// out_bytes, which may be NULL. CN_ERROR_FORMAT if the delta is damaged or of another base,
+/// CN_ERROR_CAPACITY if out is too small. O(bytes).
+pub fn save_apply(base: &[u8], delta: &[u8]) -> Result<Vec<u8>> {
+    let mut bytes = 0;
+    bytes += (base.len() + delta.len()) as u64;
+    let mut out: Vec<u8> = vec![0; bytes as usize];
+    check(unsafe { cairn_sys::cn_save_apply(base.as_ptr().cast(), base.len() as u64, delta.as_ptr().cast(), delta.len() as u64, out.as_mut_ptr().cast(), bytes, &mut bytes) })?;
+    out.truncate(bytes as usize);
+    Ok(out)
 }
 
 /// Convex hull of count (3 to 65536) points with at most CN_POLYGON_MAX_VERTICES vertices: it inserts

@@ -60,6 +60,13 @@ impl World {
         Ok(World(core::ptr::NonNull::new(pointer).expect("a created world is not NULL")))
     }
 
+    /// A world from the bytes of `write`. Of the definition only workers and capacities are used.
+    pub fn read(file: &[u8], def: &WorldDef) -> Result<World> {
+        let mut pointer = core::ptr::null_mut();
+        check(unsafe { sys::cn_world_read(&def.cleared(), file.as_ptr().cast(), file.len() as u64, &mut pointer) })?;
+        Ok(World(core::ptr::NonNull::new(pointer).expect("a world that was read is not NULL")))
+    }
+
     /// Takes over a world that `sys` created.
     ///
     /// # Safety
@@ -73,15 +80,6 @@ impl World {
         let chain = Chain { points_m: points_m.as_ptr(), count: points_m.len() as i32, r#loop: closed as u32 };
         let mut out = Shape::default();
         self.check(unsafe { sys::cn_shape_create_chain(self.pointer(), def, &chain, &mut out) })?;
-        Ok(out)
-    }
-
-    /// The world's state, for `restore`.
-    pub fn save(&self) -> Result<Vec<u8>> {
-        let mut out = vec![0; self.save_size()? as usize];
-        let mut bytes = 0;
-        check(unsafe { sys::cn_world_save(self.pointer(), out.as_mut_ptr().cast(), out.len() as u64, &mut bytes) })?;
-        out.truncate(bytes as usize);
         Ok(out)
     }
 

@@ -1,0 +1,176 @@
+/*
+ * world/area.c - public functions on areas (sensors with gravity, damping and a medium) and on wind.
+ */
+#include "world/error.h"
+#include "geometry/medium.h"
+
+#include <string.h>
+
+#define COEFFICIENT_MAX 1e9f
+
+void cn_area_def_init(cn_area_def *def)
+{
+	if (def == NULL)
+		return;
+	memset(def, 0, sizeof *def);
+	def->struct_size = (uint32_t)sizeof *def;
+}
+
+static void check_def(cni_call *call, const cn_area_def *def)
+{
+	cni_check_pointer(call, "def", def);
+	if (call->result != CN_OK)
+		return;
+	cni_check_struct_size(call, def->struct_size, sizeof *def, "cn_area_def_init");
+	if (call->result != CN_OK)
+		return;
+	cni_check_flags(call, "flags", def->flags, CNI_AREA_FLAGS);
+	cni_check_finite2(call, "gravity_mps2", def->gravity_mps2);
+	cni_check_position(call, "center_m", def->center_m);
+	cni_check_finite(call, "pull_mps2", def->pull_mps2);
+	cni_check_range(call, "pull_distance_m", def->pull_distance_m, 0.0f, CNI_POSITION_MAX_UNITS * call->world->settings.length_unit);
+	cni_check_range(call, "linear_damping_per_s", def->linear_damping_per_s, 0.0f, COEFFICIENT_MAX);
+	cni_check_range(call, "angular_damping_per_s", def->angular_damping_per_s, 0.0f, COEFFICIENT_MAX);
+	cni_check_range(call, "density_kgpm2", def->density_kgpm2, 0.0f, COEFFICIENT_MAX);
+	cni_check_range(call, "drag_kgpm2", def->drag_kgpm2, 0.0f, COEFFICIENT_MAX);
+	cni_check_range(call, "lift_kgpm2", def->lift_kgpm2, 0.0f, COEFFICIENT_MAX);
+	cni_check_finite2(call, "flow_mps", def->flow_mps);
+}
+
+static cni_area area_of_def(const cn_area_def *def, int32_t shape)
+{
+	cni_area a;
+	memset(&a, 0, sizeof a);
+	a.shape = shape;
+	a.priority = def->priority;
+	a.flags = def->flags;
+	a.gravity = def->gravity_mps2;
+	a.center = def->center_m;
+	a.pull = def->pull_mps2;
+	a.pull_distance = def->pull_distance_m;
+	a.linear_damping = def->linear_damping_per_s;
+	a.angular_damping = def->angular_damping_per_s;
+	a.density = def->density_kgpm2;
+	a.drag = def->drag_kgpm2;
+	a.lift = def->lift_kgpm2;
+	a.flow = def->flow_mps;
+	return a;
+}
+
+static void check_sensor(cni_call *call, const cni_shape *s)
+{
+	if (call->result != CN_OK)
+		return;
+	if (!(s->flags & CN_SHAPE_SENSOR))
+		cni_refuse(call, CN_ERROR_STATE, "the shape is no sensor");
+	else if (s->type == CN_SHAPE_EDGE || s->type == CN_SHAPE_CHAIN)
+		cni_refuse(call, CN_ERROR_STATE, "edges and chains have no inside");
+}
+
+cn_result cn_shape_set_area(cn_world *world, cn_shape shape, const cn_area_def *def)
+{
+	cni_call call = cni_enter(world, __func__);
+	const cni_shape *s = cni_check_shape(&call, "shape", shape);
+	int32_t index = cni_shape_index(world, shape);
+	cni_area area;
+	if (call.result == CN_OK && !CNI_HAS_AREAS)
+		cni_refuse(&call, CN_ERROR_STATE, "this build has no areas: CN_NO_AREAS");
+	if (call.result == CN_OK && (def != NULL || cni_area_of_shape(world, index) == NULL))
+		check_sensor(&call, s);
+	if (def != NULL && call.result == CN_OK)
+		check_def(&call, def);
+	if (call.result != CN_OK)
+		return call.result;
+	if (def != NULL) {
+		area = area_of_def(def, index);
+		if (!cni_area_set(world, &area))
+			return cni_refuse(&call, CN_ERROR_MEMORY, "no memory for the area");
+	} else {
+		cni_area_remove(world, index);
+	}
+	cni_area_wake(world, index);
+	return CN_OK;
+}
+
+cn_result cn_shape_get_area(const cn_world *world, cn_shape shape, cn_area_def *out)
+{
+	cni_call call = cni_enter_const(world);
+	const cni_area *a;
+	cni_check_shape(&call, "shape", shape);
+	cni_check_pointer(&call, "out", out);
+	if (call.result != CN_OK)
+		return call.result;
+	a = cni_area_of_shape(world, cni_shape_index(world, shape));
+	if (a == NULL)
+		return cni_refuse(&call, CN_ERROR_STATE, "the shape is no area");
+	cn_area_def_init(out);
+	out->flags = a->flags;
+	out->priority = a->priority;
+	out->gravity_mps2 = a->gravity;
+	out->center_m = a->center;
+	out->pull_mps2 = a->pull;
+	out->pull_distance_m = a->pull_distance;
+	out->linear_damping_per_s = a->linear_damping;
+	out->angular_damping_per_s = a->angular_damping;
+	out->density_kgpm2 = a->density;
+	out->drag_kgpm2 = a->drag;
+	out->lift_kgpm2 = a->lift;
+	out->flow_mps = a->flow;
+	return CN_OK;
+}
+
+/* ------------------------------------------------------------------ wind */
+
+/* Velocity of a body after wind on one of its shapes. */
+static cn_velocity velocity_in_wind(const cn_world *world, const cni_body *b, const cni_shape *s, const cni_medium *wind, float dt)
+{
+	static const cni_medium_region everywhere = { { { 0.0f, 0.0f } }, { 0.0f }, 0 };
+	cn_velocity v = cni_body_velocity(world, b);
+	cni_in_medium in;
+	cni_medium_force force;
+	float mass[3], change[3];
+	in.geometry = cni_shape_geometry(&world->blocks, s);
+	in.center = b->local_center;
+	in.q = b->q;
+	in.velocity = v.linear_mps;
+	in.spin = v.angular_radps;
+	memset(&force, 0, sizeof force);
+	cni_medium_add(&force, wind, &everywhere, &in);
+	mass[0] = b->flags & CN_BODY_LOCK_X ? 0.0f : b->mass;
+	mass[1] = b->flags & CN_BODY_LOCK_Y ? 0.0f : b->mass;
+	mass[2] = b->flags & CN_BODY_LOCK_ROTATION ? 0.0f : b->inertia;
+	cni_medium_solve(&force, mass, dt, change);
+	v.linear_mps = cni_add(v.linear_mps, cni_v(change[0], change[1]));
+	v.angular_radps += change[2];
+	return v;
+}
+
+cn_result cn_shape_apply_wind(cn_world *world, cn_shape shape, float flow_x_mps, float flow_y_mps, float drag_kgpm2, float lift_kgpm2, float dt_s, int32_t wake)
+{
+	cni_call call = cni_enter(world, __func__);
+	const cni_shape *s = cni_check_shape(&call, "shape", shape);
+	cni_medium wind = { { 0.0f, 1.0f }, 0.0f, 0.0f, 0.0f, 0.0f, 0.0f, { 0.0f, 0.0f } };
+	cn_velocity v;
+	cni_body *b;
+	wind.flow = cni_v(flow_x_mps, flow_y_mps);
+	wind.drag = drag_kgpm2;
+	wind.lift = lift_kgpm2;
+	cni_check_finite2(&call, "flow_mps", wind.flow);
+	cni_check_range(&call, "drag_kgpm2", drag_kgpm2, 0.0f, COEFFICIENT_MAX);
+	cni_check_range(&call, "lift_kgpm2", lift_kgpm2, 0.0f, COEFFICIENT_MAX);
+	cni_check_range(&call, "dt_s", dt_s, 0.0f, 1.0f);
+	if (call.result == CN_OK && s->body == CNI_NONE)
+		cni_refuse(&call, CN_ERROR_STATE, "the shape is not attached");
+	if (call.result != CN_OK)
+		return call.result;
+	b = cni_body_at(world, s->body);
+	if (b->type != CN_BODY_DYNAMIC || !(b->flags & CN_BODY_ENABLED) || (wake == 0 && b->awake == 0))
+		return CN_OK;
+	v = velocity_in_wind(world, b, s, &wind, dt_s);
+	if (!cni_is_finite2(v.linear_mps) || !cni_is_finite(v.angular_radps))
+		return cni_refuse(&call, CN_ERROR_ARGUMENT, "the velocity after the wind must stay finite");
+	cni_body_wake(world, s->body);
+	cni_body_store_velocity(world, b, v);
+	cni_body_kick(world, s->body);
+	return CN_OK;
+}
