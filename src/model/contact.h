@@ -37,11 +37,13 @@
 #include "collision/manifold.h"
 #include "model/body.h"
 
-#ifdef CN_SMALL_BLOCKS /* a fourth of the memory that blocks of few contacts leave unused; the same bits; without vectors of 8 */
-#define CNI_LANES 4
+#ifdef CN_SMALL_BLOCKS /* no lane is unused; the same bits, without vectors */
+#define CNI_LANES 1
 #else
 #define CNI_LANES 16
 #endif
+/* Blocks of 16 lanes in a row of a colour: early rest takes them in and out of the passes together, at any size of blocks. */
+#define CNI_BLOCKS_A_GROUP (16 / CNI_LANES)
 #define CNI_COLOR_STATIC 23
 #define CNI_COLOR_OVERFLOW 31
 #define CNI_COLORS 32
