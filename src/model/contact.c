@@ -123,7 +123,8 @@ static uint32_t flags_with_room(cn_world *world, uint32_t flags)
 {
 	if (!cni_contact_reports(flags))
 		return flags;
-	if (world->memory.fixed && !cni_contact_reserve_reports(world, world->contacts_reporting + 1)) {
+	if (world->memory.fixed &&
+	    (world->contacts_reporting >= world->event_capacity || !cni_contact_reserve_reports(world, world->contacts_reporting + 1))) {
 		world->warnings |= CN_WARNING_EVENT_MEMORY;
 		++world->events_not_reported;
 		return flags & CNI_CONTACT_SENSOR ? CNI_CONTACT_SENSOR | CNI_CONTACT_MUTE : flags & ((1u << CNI_CONTACT_EVENTS_SHIFT) - 1u);

@@ -75,7 +75,7 @@ struct cn_world {
 	float step_dt;               /* length of the current or last step */
 	float mean_dt;               /* mean length of the steps so far; 0: none */
 	int32_t overridden;          /* 1: a body or joint has had its own solver */
-	int32_t reserved_steps;
+	int32_t event_capacity;      /* of a fixed block: contacts that may report events */
 
 	/* bodies */
 	cni_handles body_handles;

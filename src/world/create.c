@@ -522,6 +522,7 @@ cn_result cn_world_create(const cn_world_def *def, cn_world **out_world)
 	world->steps_max = 8;
 	settings_resolve(&world->settings, def);
 	tables_init(world);
+	world->event_capacity = events_of(def);
 	world->vertex_capacity = def->memory != NULL ? def->vertex_capacity : 0;
 	created = dummy_create(world) == CN_OK && broadphase_create(world, def->shape_capacity) == CN_OK &&
 	       reserve_records(world, def) && reserve_contacts(world, def) &&
